@@ -1,0 +1,2 @@
+//! A small deferred software renderer, `no_std` + `alloc`.
+#![no_std]

@@ -1,0 +1,1 @@
+//! Accuracy of every model against the f64 reference.

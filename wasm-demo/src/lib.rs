@@ -1,0 +1,1 @@
+//! The browser demo: a thin shell over `luminaire-render`.
