@@ -1,0 +1,97 @@
+//! What a constructor refuses, and what it would have accepted.
+
+use core::fmt;
+
+/// A refused parameter: which one, the value it had, and what is accepted in its place.
+///
+/// Only construction returns it; evaluation never fails. Its message names parameter, value and remedy:
+///
+/// ```
+/// use luminaire::{Angle, Cone, Soft};
+/// let refused = Cone::from_field(Soft, Angle::degrees(400.0)).unwrap_err();
+/// assert_eq!(
+///     refused.to_string(),
+///     "field angle 400 is refused: give more than 0 and at most 143.13 degrees, the full angle"
+/// );
+/// ```
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Error {
+    /// The parameter at fault.
+    pub parameter: Parameter,
+    /// The value that was given; of a vector the component at fault, or its length.
+    pub value: f32,
+    /// What is accepted.
+    pub accepted: Accepted,
+}
+
+/// The name of a parameter, in the words of the field.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[non_exhaustive]
+pub enum Parameter {
+    /// The full angle at which half the intensity of the axis is left.
+    BeamAngle,
+    /// The full angle at which a tenth of the intensity of the axis is left.
+    FieldAngle,
+    /// The full angle at which no light is left.
+    OuterAngle,
+    /// Where a light stands.
+    Position,
+    /// Where a spotlight points.
+    Axis,
+    /// How strong a light is on its axis.
+    Intensity,
+    /// The linear colour of a light.
+    Color,
+}
+
+/// What a parameter may be.
+#[derive(Clone, Copy, PartialEq, Debug)]
+#[non_exhaustive]
+pub enum Accepted {
+    /// A full angle in degrees: more than 0 and at most this.
+    AngleUpTo(f32),
+    /// A full angle in degrees: at least this, the narrowest that the number format can hold.
+    AngleFrom(f32),
+    /// A finite number in this closed range.
+    Between(f32, f32),
+    /// A vector of finite components whose length is neither zero nor too large or small to be squared.
+    Direction,
+}
+
+impl fmt::Display for Parameter {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::BeamAngle => "beam angle",
+            Self::FieldAngle => "field angle",
+            Self::OuterAngle => "outer angle",
+            Self::Position => "position",
+            Self::Axis => "axis",
+            Self::Intensity => "intensity",
+            Self::Color => "color",
+        })
+    }
+}
+
+impl fmt::Display for Accepted {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::AngleUpTo(largest) => {
+                write!(f, "give more than 0 and at most {largest:.2} degrees, the full angle")
+            }
+            Self::AngleFrom(smallest) => write!(
+                f,
+                "give at least {smallest:.4} degrees, the full angle, or a number format of more bits"
+            ),
+            Self::Between(least, most) => write!(f, "give a finite number from {least} to {most}"),
+            Self::Direction => f.write_str("give finite components and a length between 1e-18 and 1e18"),
+        }
+    }
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} {} is refused: {}", self.parameter, self.value, self.accepted)
+    }
+}
+
+impl core::error::Error for Error {}

@@ -1,0 +1,276 @@
+//! The 32-bit format: scalars, lengths and directions of 32 bits, products of 64.
+//!
+//! In the comments `|v|` is the length of the scaled offset, whose largest component has 30 bits.
+
+use super::{Offset, Ray, Scalar, root};
+use crate::vec3::Vec3;
+use fixed::types::{I2F30, I16F16, U34F30};
+
+/// The 32-bit format: I2F30, from -2 to 2 in steps of 1/1073741824.
+pub type Fx32 = I2F30;
+
+/// A versine with 61 fraction bits: the scale that half the squared difference of two directions has by itself.
+type Versine32 = fixed::FixedU64<fixed::types::extra::U61>;
+
+/// How many bits the largest component of a scaled offset has.
+const WAY_BITS: u32 = 30;
+
+/// The way from a light to a point, scaled until its largest component has 30 bits.
+#[derive(Clone, Copy, Debug)]
+pub struct Offset32 {
+    way: Vec3<i32>,
+    /// Bits of the largest component before scaling; 0 where the point is on the light.
+    bits: u32,
+    /// `|v|^2`.
+    squared: u64,
+}
+
+/// A unit direction and the reciprocal of its former length.
+#[derive(Clone, Copy, Debug)]
+pub struct Ray32 {
+    direction: Vec3<i32>,
+    bits: u32,
+    /// `2^62 / |v|`, of 32 to 34 bits.
+    reciprocal: u64,
+}
+
+/// A ramp: from the gap between a versine and the outer one to `t`.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Ramp32 {
+    outer: u64,
+    span: u64,
+    /// Takes the span to at most 32 bits.
+    shift: u32,
+    /// `2^63` over the shifted span.
+    mantissa: u64,
+}
+
+/// A factor `mantissa / 2^shift`.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Gain32 {
+    /// At most 24 bits.
+    mantissa: u32,
+    shift: i32,
+}
+
+/// Scales one component to `bits`, rounding to nearest.
+#[inline(always)]
+fn scale(component: i32, bits: u32) -> i32 {
+    if bits > WAY_BITS {
+        ((component >> (bits - WAY_BITS - 1)) + 1) >> 1
+    } else {
+        component << (WAY_BITS - bits)
+    }
+}
+
+/// The product in 64 bits.
+#[inline(always)]
+fn wide(a: i32, b: i32) -> i64 {
+    i64::from(a) * i64::from(b)
+}
+
+/// The square of a component.
+#[inline(always)]
+fn square(component: i32) -> u64 {
+    wide(component, component).cast_unsigned()
+}
+
+/// `product / 2^shift`, rounded to nearest, saturating.
+#[inline(always)]
+fn shifted(product: u64, shift: i32) -> U34F30 {
+    U34F30::from_bits(if shift > 0 {
+        let doubled = product.checked_shr(shift.unsigned_abs() - 1).unwrap_or(0);
+        (doubled >> 1) + (doubled & 1)
+    } else if product == 0 || shift.unsigned_abs() <= product.leading_zeros() {
+        product.checked_shl(shift.unsigned_abs()).unwrap_or(0)
+    } else {
+        u64::MAX
+    })
+}
+
+/// A scalar clamped to [0, 1], as an unsigned factor.
+#[inline(always)]
+fn fraction(scalar: Fx32) -> u64 {
+    u64::from(scalar.clamp(Fx32::ZERO, Fx32::ONE).to_bits().cast_unsigned())
+}
+
+impl Scalar for Fx32 {
+    type Length = I16F16;
+    type Unit = I2F30;
+    type Versine = Versine32;
+    type Ramp = Ramp32;
+    type Gain = Gain32;
+    type Irradiance = U34F30;
+    type Offset = Offset32;
+
+    const NAME: &'static str = "fx32";
+    const ZERO: Self = I2F30::ZERO;
+    const ONE: Self = I2F30::ONE;
+    const STEP: f32 = 1.0 / 1_073_741_824.0;
+    const DIRECTION_ERROR: f32 = 2.0e-9;
+
+    fn from_f32(value: f32) -> Self {
+        if value.is_nan() { Self::ZERO } else { Self::saturating_from_num(value) }
+    }
+
+    fn to_f32(self) -> f32 {
+        self.to_num()
+    }
+
+    fn length(value: f32) -> I16F16 {
+        if value.is_nan() { I16F16::ZERO } else { I16F16::saturating_from_num(value) }
+    }
+
+    fn unit(value: f32) -> I2F30 {
+        Self::from_f32(value)
+    }
+
+    fn versine(value: f32) -> Versine32 {
+        if value.is_nan() { Versine32::ZERO } else { Versine32::saturating_from_num(value) }
+    }
+
+    fn gain(value: f32) -> Gain32 {
+        let (mantissa, shift) = super::mantissa_and_shift(value);
+        Gain32 { mantissa, shift }
+    }
+
+    #[inline(always)]
+    fn times(self, other: Self) -> Self {
+        let rounded = (wide(self.to_bits(), other.to_bits()) + (1 << 29)) >> 30;
+        Self::from_bits(rounded.clamp(i64::from(i32::MIN), i64::from(i32::MAX)) as i32)
+    }
+
+    #[inline(always)]
+    fn minus(self, other: Self) -> Self {
+        self.saturating_sub(other)
+    }
+
+    #[inline(always)]
+    fn offset(light: Vec3<I16F16>, point: Vec3<I16F16>) -> Offset32 {
+        let way = point.zip(light, |p, l| p.to_bits().saturating_sub(l.to_bits()));
+        let magnitudes = way.x.unsigned_abs() | way.y.unsigned_abs() | way.z.unsigned_abs();
+        let bits = u32::BITS - magnitudes.leading_zeros();
+        let way = way.map(|c| scale(c, bits));
+        Offset32 { way, bits, squared: square(way.x) + square(way.y) + square(way.z) }
+    }
+
+    fn ramp(inner: f32, outer: f32) -> Ramp32 {
+        let outer = Self::versine(outer).to_bits();
+        let span = outer.saturating_sub(Self::versine(inner).to_bits());
+        let shift = (u64::BITS - span.leading_zeros()).saturating_sub(32);
+        let divisor = (span >> shift).max(1);
+        let mantissa = ((1 << 63) + divisor / 2) / divisor;
+        Ramp32 { outer, span, shift, mantissa }
+    }
+
+    #[inline(always)]
+    fn rise(ramp: Ramp32, versine: Versine32) -> Self {
+        let versine = versine.to_bits();
+        if versine >= ramp.outer {
+            return Self::ZERO;
+        }
+        let gap = ramp.outer - versine;
+        if gap >= ramp.span {
+            return Self::ONE;
+        }
+        // Half a unit of the shifted gap and half a step of the result: both roundings in one addition.
+        let half = (ramp.mantissa >> 1) + (1 << 32);
+        Self::from_bits((((gap >> ramp.shift) * ramp.mantissa + half) >> 33) as i32)
+    }
+
+    #[inline(always)]
+    fn expose(self, gain: Gain32) -> U34F30 {
+        shifted(fraction(self) * u64::from(gain.mantissa), gain.shift)
+    }
+
+    #[inline(always)]
+    fn filter(light: U34F30, color: Self) -> U34F30 {
+        let color = u64::from(color.to_bits().max(0).cast_unsigned());
+        let (high, low) = (light.to_bits() >> 32, light.to_bits() & 0xffff_ffff);
+        let high = high * color;
+        let high = if high >> 62 == 0 { high << 2 } else { u64::MAX };
+        U34F30::from_bits(high.saturating_add((low * color + (1 << 29)) >> 30))
+    }
+
+    #[inline(always)]
+    fn add_light(a: U34F30, b: U34F30) -> U34F30 {
+        a.saturating_add(b)
+    }
+
+    #[inline(always)]
+    fn light_to_f32(light: U34F30) -> f32 {
+        light.to_bits() as f32 * Self::STEP
+    }
+}
+
+impl Offset<Fx32> for Offset32 {
+    type Ray = Ray32;
+    /// In steps of 2^-30 of `|v|`.
+    type Facing = i64;
+
+    #[inline(always)]
+    fn facing(&self, normal: Vec3<Fx32>) -> i64 {
+        let products = normal.zip(self.way, |n, v| wide(n.to_bits(), v));
+        -(products.x + products.y + products.z)
+    }
+
+    #[inline(always)]
+    fn faces_away(facing: i64) -> bool {
+        facing <= 0
+    }
+
+    #[inline(always)]
+    fn is_outside(&self, axis: Vec3<I2F30>, bound: Fx32) -> bool {
+        let products = axis.zip(self.way, |s, v| wide(s.to_bits(), v));
+        let along = (products.x + products.y + products.z) >> 32;
+        // A quarter of the part along the axis, squared, against the bound in the same scale.
+        let signed = along * along.abs();
+        signed < (self.squared >> 34).cast_signed() * i64::from(bound.to_bits())
+    }
+
+    #[inline(always)]
+    fn ray(&self) -> Ray32 {
+        let reciprocal = if self.squared >= 1 << 60 {
+            root::inverse_sqrt_32(self.squared << 2)
+        } else if self.squared >= 1 << 58 {
+            root::inverse_sqrt_32(self.squared << 4) << 1
+        } else {
+            0
+        };
+        let direction = self.way.map(|c| {
+            let product = i64::from(c) * reciprocal.cast_signed();
+            ((product + (1 << 31)) >> 32) as i32
+        });
+        Ray32 { direction, bits: self.bits, reciprocal }
+    }
+}
+
+impl Ray<Fx32> for Ray32 {
+    #[inline(always)]
+    fn direction(&self) -> Vec3<I2F30> {
+        self.direction.map(I2F30::from_bits)
+    }
+
+    #[inline(always)]
+    fn versine(&self, axis: Vec3<I2F30>) -> Versine32 {
+        let difference = self.direction.zip(axis, |l, s| l.saturating_sub(s.to_bits()));
+        Versine32::from_bits(
+            square(difference.x).saturating_add(square(difference.y)).saturating_add(square(difference.z)),
+        )
+    }
+
+    #[inline(always)]
+    fn cosine(&self, facing: i64) -> Fx32 {
+        let cosine = ((facing >> 31) * self.reciprocal.cast_signed() + (1 << 30)) >> 31;
+        Fx32::from_bits(cosine.clamp(0, 1 << 30) as i32)
+    }
+
+    #[inline(always)]
+    fn expose(&self, share: Fx32, gain: Gain32) -> U34F30 {
+        // At most 34, 24 and 34 bits: every product fits 64.
+        let reciprocal = self.reciprocal >> 2;
+        let squared = (reciprocal * reciprocal) >> 28;
+        let mantissa = (u64::from(gain.mantissa) * squared) >> 24;
+        shifted(fraction(share) * mantissa, gain.shift + 2 * self.bits.cast_signed() - 24)
+    }
+}

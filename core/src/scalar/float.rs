@@ -1,0 +1,186 @@
+//! The format `f32`: only `+ - * /` and a correctly rounded root, and clamps by compare and select, so that the
+//! same inputs give the same bits on every machine.
+
+use super::{Offset, Ray, Scalar};
+use crate::{trig, vec3::Vec3};
+
+/// Where irradiance saturates: finite whatever is added to it or divided by it in practice.
+const BRIGHTEST: f32 = 18_446_744_073_709_551_616.0; // 2^64
+
+/// The way from a light to a point, and its squared length.
+#[derive(Clone, Copy, Debug)]
+pub struct FloatOffset {
+    way: Vec3<f32>,
+    squared: f32,
+}
+
+/// A unit direction and the reciprocal of its former length.
+#[derive(Clone, Copy, Debug)]
+pub struct FloatRay {
+    direction: Vec3<f32>,
+    reciprocal: f32,
+}
+
+/// A ramp: its outer versine and the reciprocal of its span.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct FloatRamp {
+    outer: f32,
+    reciprocal: f32,
+}
+
+/// `x` if it is more than zero; anything else, also what is not a number, becomes zero.
+#[inline(always)]
+fn positive(x: f32) -> f32 {
+    if x > 0.0 { x } else { 0.0 }
+}
+
+/// `x` clamped to [0, 1]; what is not a number becomes zero.
+#[inline(always)]
+fn clamp(x: f32) -> f32 {
+    let x = positive(x);
+    if x < 1.0 { x } else { 1.0 }
+}
+
+impl Scalar for f32 {
+    type Length = f32;
+    type Unit = f32;
+    type Versine = f32;
+    type Ramp = FloatRamp;
+    type Gain = f32;
+    type Irradiance = f32;
+    type Offset = FloatOffset;
+
+    const NAME: &'static str = "f32";
+    const ZERO: Self = 0.0;
+    const ONE: Self = 1.0;
+    const STEP: f32 = f32::EPSILON;
+    const DIRECTION_ERROR: f32 = 8.0e-8;
+
+    fn from_f32(value: f32) -> Self {
+        if value.is_nan() { 0.0 } else { value }
+    }
+
+    fn to_f32(self) -> f32 {
+        self
+    }
+
+    fn length(value: f32) -> f32 {
+        value
+    }
+
+    fn unit(value: f32) -> f32 {
+        value
+    }
+
+    fn versine(value: f32) -> f32 {
+        value
+    }
+
+    fn gain(value: f32) -> f32 {
+        positive(value)
+    }
+
+    #[inline(always)]
+    fn times(self, other: Self) -> Self {
+        self * other
+    }
+
+    #[inline(always)]
+    fn minus(self, other: Self) -> Self {
+        self - other
+    }
+
+    #[inline(always)]
+    fn offset(light: Vec3<f32>, point: Vec3<f32>) -> FloatOffset {
+        let way = point.zip(light, |p, l| p - l);
+        FloatOffset { way, squared: way.dot(way) }
+    }
+
+    /// The reciprocal is rounded up until `span * reciprocal` reaches one, so that the ramp is exact at both ends.
+    fn ramp(inner: f32, outer: f32) -> FloatRamp {
+        let span = outer - inner;
+        let mut reciprocal = 1.0 / span;
+        while reciprocal.is_finite() && span * reciprocal < 1.0 {
+            reciprocal = reciprocal.next_up();
+        }
+        FloatRamp { outer, reciprocal: if reciprocal < f32::MAX { reciprocal } else { f32::MAX } }
+    }
+
+    #[inline(always)]
+    fn rise(ramp: FloatRamp, versine: f32) -> f32 {
+        clamp((ramp.outer - versine) * ramp.reciprocal)
+    }
+
+    #[inline(always)]
+    fn expose(self, gain: f32) -> f32 {
+        let light = positive(clamp(self) * gain);
+        if light < BRIGHTEST { light } else { BRIGHTEST }
+    }
+
+    #[inline(always)]
+    fn filter(light: f32, color: f32) -> f32 {
+        light * color
+    }
+
+    #[inline(always)]
+    fn add_light(a: f32, b: f32) -> f32 {
+        a + b
+    }
+
+    #[inline(always)]
+    fn light_to_f32(light: f32) -> f32 {
+        light
+    }
+}
+
+impl Offset<f32> for FloatOffset {
+    type Ray = FloatRay;
+    type Facing = f32;
+
+    #[inline(always)]
+    fn facing(&self, normal: Vec3<f32>) -> f32 {
+        -self.way.dot(normal)
+    }
+
+    #[inline(always)]
+    fn faces_away(facing: f32) -> bool {
+        !matches!(facing.partial_cmp(&0.0), Some(core::cmp::Ordering::Greater))
+    }
+
+    #[inline(always)]
+    fn is_outside(&self, axis: Vec3<f32>, bound: f32) -> bool {
+        let along = self.way.dot(axis);
+        along * along.abs() < bound * self.squared
+    }
+
+    #[inline(always)]
+    fn ray(&self) -> FloatRay {
+        let is_normal = self.squared >= f32::MIN_POSITIVE && self.squared <= f32::MAX;
+        let root = 1.0 / trig::sqrt(self.squared);
+        let reciprocal = if is_normal { root } else { 0.0 };
+        FloatRay { direction: self.way.map(|c| c * reciprocal), reciprocal }
+    }
+}
+
+impl Ray<f32> for FloatRay {
+    #[inline(always)]
+    fn direction(&self) -> Vec3<f32> {
+        self.direction
+    }
+
+    #[inline(always)]
+    fn versine(&self, axis: Vec3<f32>) -> f32 {
+        let difference = self.direction.zip(axis, |l, s| l - s);
+        0.5 * difference.dot(difference)
+    }
+
+    #[inline(always)]
+    fn cosine(&self, facing: f32) -> f32 {
+        clamp(facing * self.reciprocal)
+    }
+
+    #[inline(always)]
+    fn expose(&self, fraction: f32, gain: f32) -> f32 {
+        fraction.expose(gain * (self.reciprocal * self.reciprocal))
+    }
+}

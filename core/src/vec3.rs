@@ -1,0 +1,55 @@
+//! Three components, and nothing that the kernel does not need of them.
+
+/// A vector of three components: a position, an axis or a normal.
+///
+/// The components are public and in the order x, y, z; the coordinate system is the user's.
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
+pub struct Vec3<T> {
+    /// First component.
+    pub x: T,
+    /// Second component.
+    pub y: T,
+    /// Third component.
+    pub z: T,
+}
+
+impl<T> Vec3<T> {
+    /// The vector of these components.
+    pub const fn new(x: T, y: T, z: T) -> Self {
+        Self { x, y, z }
+    }
+
+    /// Applies `f` to each component.
+    #[inline(always)]
+    pub fn map<U>(self, mut f: impl FnMut(T) -> U) -> Vec3<U> {
+        Vec3::new(f(self.x), f(self.y), f(self.z))
+    }
+
+    /// Applies `f` to each pair of components.
+    #[inline(always)]
+    pub fn zip<U, V>(self, other: Vec3<U>, mut f: impl FnMut(T, U) -> V) -> Vec3<V> {
+        Vec3::new(f(self.x, other.x), f(self.y, other.y), f(self.z, other.z))
+    }
+}
+
+impl Vec3<f32> {
+    /// The inner product, summed from left to right: the order is part of the result's bits.
+    #[inline(always)]
+    pub fn dot(self, other: Self) -> f32 {
+        self.x * other.x + self.y * other.y + self.z * other.z
+    }
+}
+
+#[cfg(feature = "glam")]
+impl From<glam::Vec3> for Vec3<f32> {
+    fn from(v: glam::Vec3) -> Self {
+        Self::new(v.x, v.y, v.z)
+    }
+}
+
+#[cfg(feature = "glam")]
+impl From<Vec3<f32>> for glam::Vec3 {
+    fn from(v: Vec3<f32>) -> Self {
+        Self::new(v.x, v.y, v.z)
+    }
+}
