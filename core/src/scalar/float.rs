@@ -36,7 +36,7 @@ fn positive(x: f32) -> f32 {
 
 /// `x` clamped to [0, 1]; what is not a number becomes zero.
 #[inline(always)]
-fn clamp(x: f32) -> f32 {
+pub(crate) fn clamp(x: f32) -> f32 {
     let x = positive(x);
     if x < 1.0 { x } else { 1.0 }
 }
