@@ -4,7 +4,8 @@ use crate::{
     angle::Angle,
     error::{Accepted, Error, Parameter},
     profile::{Edge, Profile},
-    scalar::Scalar,
+    scalar::{Offset, Ray, Scalar},
+    vec3::Vec3,
 };
 
 /// A cone of light with an edge profile: full intensity on the axis, none from the outer angle outwards.
@@ -126,7 +127,18 @@ pub struct Falloff<S: Scalar, P = Edge> {
 }
 
 impl<S: Scalar, P: Profile> Falloff<S, P> {
-    /// The intensity at a versine: exactly 1 at versine 0, exactly 0 from the outer versine on, monotone between.
+    /// The versine nearest to a value, in the scale of this cone.
+    pub fn versine(&self, value: f32) -> S::Versine {
+        S::versine(self.ramp, value)
+    }
+
+    /// The intensity in a direction from the light, which has an axis.
+    #[inline(always)]
+    pub fn toward(&self, ray: <S::Offset as Offset<S>>::Ray, axis: Vec3<S::Unit>) -> S {
+        self.at(ray.versine(axis, self.ramp))
+    }
+
+    /// The intensity at a versine, in the scale of [`versine`](Self::versine): exactly 1 at versine 0, exactly 0 from the outer versine on, monotone between.
     #[inline(always)]
     pub fn at(&self, versine: S::Versine) -> S {
         self.profile.intensity(S::rise(self.ramp, versine))

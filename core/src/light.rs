@@ -102,7 +102,7 @@ impl<P: Profile> Spot<P> {
     pub fn compile<S: Scalar>(&self) -> Result<CompiledSpot<S, P>, Error> {
         Ok(CompiledSpot {
             position: self.position.map(S::length),
-            axis: self.axis.map(S::unit),
+            axis: S::axis(self.axis),
             falloff: self.cone.compile()?,
             outside: scalar::outside_bound(self.cone.outer_versine()),
             intensity: S::gain(self.intensity),

@@ -8,7 +8,7 @@
 //! | scalar: intensities, normals, colours | f32 | I2F30 | I2F14 |
 //! | length: world coordinates | f32 | I16F16 | I16F16 |
 //! | unit: the axis and the direction to a point | f32 | I2F30 | I2F30 |
-//! | versine of the angle off axis | f32 | 61 fraction bits in a u64 | 31 in a u32 |
+//! | versine of the angle off axis | f32 | 61 fraction bits in a u64 | u32, scaled to the cone |
 //! | gain: a factor with an exponent of its own | f32 | 32-bit mantissa and shift | 16-bit mantissa and shift |
 //! | irradiance: light that has arrived, with headroom | f32 | U34F30 | U18F14 |
 //! | rounding of a product | to nearest, ties to even | to nearest, ties up | to nearest, ties up |
@@ -40,7 +40,7 @@ pub trait Scalar: Copy + Default + PartialOrd + core::fmt::Debug + sealed::Seale
     type Length: Copy + Default + PartialEq + core::fmt::Debug;
     /// One component of a unit vector, at the format's finest resolution.
     type Unit: Copy + Default + PartialEq + core::fmt::Debug;
-    /// The versine of an angle off axis, from 0 on the axis to 2 behind the light.
+    /// The versine of an angle off axis, in the scale of a ramp: a narrow cone keeps its leading bits.
     type Versine: Copy + PartialOrd + core::fmt::Debug;
     /// The ramp from the edge of a cone to its middle, compiled.
     type Ramp: Copy + PartialEq + core::fmt::Debug;
@@ -68,10 +68,10 @@ pub trait Scalar: Copy + Default + PartialOrd + core::fmt::Debug + sealed::Seale
     fn to_f32(self) -> f32;
     /// The nearest length.
     fn length(value: f32) -> Self::Length;
-    /// The nearest unit component.
-    fn unit(value: f32) -> Self::Unit;
-    /// The nearest versine.
-    fn versine(value: f32) -> Self::Versine;
+    /// The unit vector along an axis whose length is 1 within the roundings of f32.
+    fn axis(axis: Vec3<f32>) -> Vec3<Self::Unit>;
+    /// The nearest versine in the scale of a ramp; saturates beyond its outer versine.
+    fn versine(ramp: Self::Ramp, value: f32) -> Self::Versine;
     /// The nearest gain; negative or not a number becomes zero.
     fn gain(value: f32) -> Self::Gain;
 
@@ -123,9 +123,9 @@ pub trait Offset<S: Scalar>: Copy + core::fmt::Debug {
 pub trait Ray<S: Scalar>: Copy + core::fmt::Debug {
     /// The direction.
     fn direction(&self) -> Vec3<S::Unit>;
-    /// The versine of the angle between direction and axis, by the difference of the two: `|l - s|^2 / 2` keeps
-    /// the narrow beams that `1 - l.s` loses.
-    fn versine(&self, axis: Vec3<S::Unit>) -> S::Versine;
+    /// The versine of the angle between direction and axis, in the scale of a ramp, by the difference of the two:
+    /// `|l - s|^2 / 2` keeps the narrow beams that `1 - l.s` loses.
+    fn versine(&self, axis: Vec3<S::Unit>, ramp: S::Ramp) -> S::Versine;
     /// The cosine of the angle of incidence, clamped to [0, 1].
     fn cosine(&self, facing: <S::Offset as Offset<S>>::Facing) -> S;
     /// The light of a fraction of a gain at this distance, by the inverse-square law. The fraction is clamped to
@@ -133,15 +133,16 @@ pub trait Ray<S: Scalar>: Copy + core::fmt::Debug {
     fn expose(&self, fraction: S, gain: S::Gain) -> S::Irradiance;
 }
 
-/// The bound for [`Offset::is_outside`]: the signed square of the cosine of the outer half angle, less a margin
-/// for the roundings of both sides.
+/// The bound for [`Offset::is_outside`]: the squared cosine of the outer half angle, less a margin for the roundings
+/// of both sides. Outer versines are at most 1, so the cosine is not negative.
 ///
-/// With `c = cos(outer half angle)` a point is outside when `z |z| < bound |v|^2`, `z` being the part of the offset
-/// along the axis. The slope of `c |c|` is at most 2, so a margin of 16 steps leaves every versine up to 8 steps
-/// beyond the edge to the evaluation: more than the error of the versine in any format.
+/// A point is outside when `z |z| < bound |v|^2`, `z` being the part of the offset along the axis. The slope of
+/// `c |c|` is at most 2, so a margin of 16 steps leaves every versine up to 8 steps beyond the edge to the
+/// evaluation: more than the error of the versine in any format. `1 - c^2` is formed first, because it is what a narrow
+/// cone keeps.
 pub(crate) fn outside_bound<S: Scalar>(outer_versine: f32) -> S {
-    let cosine = 1.0 - outer_versine;
-    S::from_f32(cosine * cosine.abs() - 16.0 * S::STEP)
+    let squared_sine = outer_versine * (2.0 - outer_versine);
+    S::ONE.minus(S::from_f32(squared_sine + 16.0 * S::STEP))
 }
 
 /// A value as `mantissa / 2^shift` with a mantissa of 24 bits, which is exact; zero where it is not more than zero.

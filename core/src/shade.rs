@@ -47,7 +47,7 @@ impl<S: Scalar, P: Profile> CompiledSpot<S, P> {
     /// The falloff of the cone alone at a point: in [0, 1].
     #[inline(always)]
     pub fn falloff(&self, point: Vec3<S::Length>) -> S {
-        self.falloff.at(S::offset(self.position, point).ray().versine(self.axis))
+        self.falloff.toward(S::offset(self.position, point).ray(), self.axis)
     }
 
     /// The light's linear colour.
@@ -79,7 +79,7 @@ impl<S: Scalar, P: Profile> CompiledSpot<S, P> {
         ray: <S::Offset as Offset<S>>::Ray,
         facing: <S::Offset as Offset<S>>::Facing,
     ) -> S::Irradiance {
-        let falloff = self.falloff.at(ray.versine(self.axis));
+        let falloff = self.falloff.toward(ray, self.axis);
         ray.expose(falloff.times(ray.cosine(facing)), self.intensity)
     }
 }

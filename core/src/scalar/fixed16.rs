@@ -35,6 +35,8 @@ pub struct Ray16 {
 /// A ramp: from the gap between a versine and the outer one to `t`.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Ramp16 {
+    /// Powers of four by which the versines of this ramp are magnified.
+    zoom: u32,
     outer: u32,
     span: u32,
     /// Takes the span to at most 16 bits.
@@ -59,6 +61,15 @@ fn scale(component: i32, bits: u32) -> i32 {
     } else {
         component << (WAY_BITS - bits)
     }
+}
+
+/// The largest zoom of a ramp: one more would ask for bits that a direction does not have.
+const MOST_ZOOM: u32 = 14;
+
+/// The nearest versine times `4^zoom`, saturating; not a number becomes zero.
+fn magnified(value: f32, zoom: u32) -> U1F31 {
+    let value = value * (1_u64 << (2 * zoom)) as f32;
+    if value.is_nan() { U1F31::ZERO } else { U1F31::saturating_from_num(value) }
 }
 
 /// The square of a component that has at most 17 bits, saturating.
@@ -94,7 +105,7 @@ impl Scalar for Fx16 {
     const ZERO: Self = I2F14::ZERO;
     const ONE: Self = I2F14::ONE;
     const STEP: f32 = 1.0 / 16_384.0;
-    const DIRECTION_ERROR: f32 = 2.2e-5;
+    const DIRECTION_ERROR: f32 = 2.4e-5;
 
     fn from_f32(value: f32) -> Self {
         if value.is_nan() { Self::ZERO } else { Self::saturating_from_num(value) }
@@ -108,12 +119,12 @@ impl Scalar for Fx16 {
         if value.is_nan() { I16F16::ZERO } else { I16F16::saturating_from_num(value) }
     }
 
-    fn unit(value: f32) -> I2F30 {
-        if value.is_nan() { I2F30::ZERO } else { I2F30::saturating_from_num(value) }
+    fn axis(axis: Vec3<f32>) -> Vec3<I2F30> {
+        axis.map(|c| if c.is_nan() { I2F30::ZERO } else { I2F30::saturating_from_num(c) })
     }
 
-    fn versine(value: f32) -> U1F31 {
-        if value.is_nan() { U1F31::ZERO } else { U1F31::saturating_from_num(value) }
+    fn versine(ramp: Ramp16, value: f32) -> U1F31 {
+        magnified(value, ramp.zoom)
     }
 
     fn gain(value: f32) -> Gain16 {
@@ -145,12 +156,14 @@ impl Scalar for Fx16 {
     }
 
     fn ramp(inner: f32, outer: f32) -> Ramp16 {
-        let outer = Self::versine(outer).to_bits();
-        let span = outer.saturating_sub(Self::versine(inner).to_bits());
+        let zoom =
+            (1..=MOST_ZOOM).take_while(|&zoom| magnified(outer, zoom) <= U1F31::ONE).last().unwrap_or(0);
+        let outer = magnified(outer, zoom).to_bits();
+        let span = outer.saturating_sub(magnified(inner, zoom).to_bits());
         let shift = (u32::BITS - span.leading_zeros()).saturating_sub(16);
         let divisor = (span >> shift).max(1);
         let mantissa = ((1 << 31) + divisor / 2) / divisor;
-        Ramp16 { outer, span, shift, mantissa }
+        Ramp16 { zoom, outer, span, shift, mantissa }
     }
 
     #[inline(always)]
@@ -240,11 +253,11 @@ impl Ray<Fx16> for Ray16 {
     }
 
     #[inline(always)]
-    fn versine(&self, axis: Vec3<I2F30>) -> U1F31 {
-        let difference = self.direction.zip(axis, |l, s| ((l.wrapping_sub(s.to_bits()) >> 14) + 1) >> 1);
-        U1F31::from_bits(
-            square(difference.x).saturating_add(square(difference.y)).saturating_add(square(difference.z)),
-        )
+    fn versine(&self, axis: Vec3<I2F30>, ramp: Ramp16) -> U1F31 {
+        let shift = MOST_ZOOM - ramp.zoom;
+        let difference = self.direction.zip(axis, |l, s| ((l.wrapping_sub(s.to_bits()) >> shift) + 1) >> 1);
+        let squares = difference.map(square);
+        U1F31::from_bits(squares.x.saturating_add(squares.y).saturating_add(squares.z))
     }
 
     #[inline(always)]

@@ -94,6 +94,11 @@ fn fraction(scalar: Fx32) -> u64 {
     u64::from(scalar.clamp(Fx32::ZERO, Fx32::ONE).to_bits().cast_unsigned())
 }
 
+/// The nearest versine; not a number becomes zero.
+fn nearest_versine(value: f32) -> Versine32 {
+    if value.is_nan() { Versine32::ZERO } else { Versine32::saturating_from_num(value) }
+}
+
 impl Scalar for Fx32 {
     type Length = I16F16;
     type Unit = I2F30;
@@ -107,7 +112,7 @@ impl Scalar for Fx32 {
     const ZERO: Self = I2F30::ZERO;
     const ONE: Self = I2F30::ONE;
     const STEP: f32 = 1.0 / 1_073_741_824.0;
-    const DIRECTION_ERROR: f32 = 2.0e-9;
+    const DIRECTION_ERROR: f32 = 1.0e-9;
 
     fn from_f32(value: f32) -> Self {
         if value.is_nan() { Self::ZERO } else { Self::saturating_from_num(value) }
@@ -121,12 +126,13 @@ impl Scalar for Fx32 {
         if value.is_nan() { I16F16::ZERO } else { I16F16::saturating_from_num(value) }
     }
 
-    fn unit(value: f32) -> I2F30 {
-        Self::from_f32(value)
+    /// Made of unit length anew: 24 bits are less than this format's directions have.
+    fn axis(axis: Vec3<f32>) -> Vec3<I2F30> {
+        Offset32::scaled(axis.map(|c| Self::from_f32(c).to_bits())).ray().direction()
     }
 
-    fn versine(value: f32) -> Versine32 {
-        if value.is_nan() { Versine32::ZERO } else { Versine32::saturating_from_num(value) }
+    fn versine(_: Ramp32, value: f32) -> Versine32 {
+        nearest_versine(value)
     }
 
     fn gain(value: f32) -> Gain32 {
@@ -148,15 +154,12 @@ impl Scalar for Fx32 {
     #[inline(always)]
     fn offset(light: Vec3<I16F16>, point: Vec3<I16F16>) -> Offset32 {
         let way = point.zip(light, |p, l| p.to_bits().saturating_sub(l.to_bits()));
-        let magnitudes = way.x.unsigned_abs() | way.y.unsigned_abs() | way.z.unsigned_abs();
-        let bits = u32::BITS - magnitudes.leading_zeros();
-        let way = way.map(|c| scale(c, bits));
-        Offset32 { way, bits, squared: square(way.x) + square(way.y) + square(way.z) }
+        Offset32::scaled(way)
     }
 
     fn ramp(inner: f32, outer: f32) -> Ramp32 {
-        let outer = Self::versine(outer).to_bits();
-        let span = outer.saturating_sub(Self::versine(inner).to_bits());
+        let outer = nearest_versine(outer).to_bits();
+        let span = outer.saturating_sub(nearest_versine(inner).to_bits());
         let shift = (u64::BITS - span.leading_zeros()).saturating_sub(32);
         let divisor = (span >> shift).max(1);
         let mantissa = ((1 << 63) + divisor / 2) / divisor;
@@ -203,6 +206,16 @@ impl Scalar for Fx32 {
     }
 }
 
+impl Offset32 {
+    #[inline(always)]
+    fn scaled(way: Vec3<i32>) -> Self {
+        let magnitudes = way.x.unsigned_abs() | way.y.unsigned_abs() | way.z.unsigned_abs();
+        let bits = u32::BITS - magnitudes.leading_zeros();
+        let way = way.map(|c| scale(c, bits));
+        Self { way, bits, squared: square(way.x) + square(way.y) + square(way.z) }
+    }
+}
+
 impl Offset<Fx32> for Offset32 {
     type Ray = Ray32;
     /// In steps of 2^-30 of `|v|`.
@@ -222,10 +235,8 @@ impl Offset<Fx32> for Offset32 {
     #[inline(always)]
     fn is_outside(&self, axis: Vec3<I2F30>, bound: Fx32) -> bool {
         let products = axis.zip(self.way, |s, v| wide(s.to_bits(), v));
-        let along = (products.x + products.y + products.z) >> 32;
-        // A quarter of the part along the axis, squared, against the bound in the same scale.
-        let signed = along * along.abs();
-        signed < (self.squared >> 34).cast_signed() * i64::from(bound.to_bits())
+        let along = (products.x + products.y + products.z) >> 30;
+        along.wrapping_mul(along.abs()) < (self.squared >> 30).cast_signed() * i64::from(bound.to_bits())
     }
 
     #[inline(always)]
@@ -252,7 +263,7 @@ impl Ray<Fx32> for Ray32 {
     }
 
     #[inline(always)]
-    fn versine(&self, axis: Vec3<I2F30>) -> Versine32 {
+    fn versine(&self, axis: Vec3<I2F30>, _: Ramp32) -> Versine32 {
         let difference = self.direction.zip(axis, |l, s| l.saturating_sub(s.to_bits()));
         Versine32::from_bits(
             square(difference.x).saturating_add(square(difference.y)).saturating_add(square(difference.z)),

@@ -54,7 +54,7 @@ impl Scalar for f32 {
     const ZERO: Self = 0.0;
     const ONE: Self = 1.0;
     const STEP: f32 = f32::EPSILON;
-    const DIRECTION_ERROR: f32 = 8.0e-8;
+    const DIRECTION_ERROR: f32 = 6.0e-8;
 
     fn from_f32(value: f32) -> Self {
         if value.is_nan() { 0.0 } else { value }
@@ -68,11 +68,11 @@ impl Scalar for f32 {
         value
     }
 
-    fn unit(value: f32) -> f32 {
-        value
+    fn axis(axis: Vec3<f32>) -> Vec3<f32> {
+        axis
     }
 
-    fn versine(value: f32) -> f32 {
+    fn versine(_: FloatRamp, value: f32) -> f32 {
         value
     }
 
@@ -169,7 +169,7 @@ impl Ray<f32> for FloatRay {
     }
 
     #[inline(always)]
-    fn versine(&self, axis: Vec3<f32>) -> f32 {
+    fn versine(&self, axis: Vec3<f32>, _: FloatRamp) -> f32 {
         let difference = self.direction.zip(axis, |l, s| l - s);
         0.5 * difference.dot(difference)
     }

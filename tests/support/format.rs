@@ -1,0 +1,108 @@
+//! The exact view of a number format: what its stored values stand for, in f64.
+
+use luminaire::{Falloff, Fx16, Fx32, Profile, Scalar, Vec3};
+
+/// A format whose values can be read exactly, and whose versines can be made from f64.
+pub trait Format: Scalar {
+    fn exact(self) -> f64;
+    fn exact_length(length: Self::Length) -> f64;
+    fn exact_unit(unit: Self::Unit) -> f64;
+    fn exact_light(light: Self::Irradiance) -> f64;
+    /// What a versine stands for in the scale of a cone: the scale is found from what the cone makes of 2^-30.
+    fn exact_versine<P: Profile>(falloff: &Falloff<Self, P>, versine: Self::Versine) -> f64;
+    /// The scalar, length, unit and versine with these bits, cut to what the format has.
+    fn scalar_from_bits(bits: u64) -> Self;
+    fn length_from_bits(bits: u64) -> Self::Length;
+    fn versine_from_bits(bits: u64) -> Self::Versine;
+
+    fn exact_point(point: Vec3<Self::Length>) -> [f64; 3] {
+        let p = point.map(Self::exact_length);
+        [p.x, p.y, p.z]
+    }
+
+    fn exact_direction(direction: Vec3<Self::Unit>) -> [f64; 3] {
+        let d = direction.map(Self::exact_unit);
+        [d.x, d.y, d.z]
+    }
+
+    fn exact_normal(normal: Vec3<Self>) -> [f64; 3] {
+        let n = normal.map(Self::exact);
+        [n.x, n.y, n.z]
+    }
+}
+
+impl Format for f32 {
+    fn exact(self) -> f64 {
+        f64::from(self)
+    }
+
+    fn exact_length(length: f32) -> f64 {
+        f64::from(length)
+    }
+
+    fn exact_unit(unit: f32) -> f64 {
+        f64::from(unit)
+    }
+
+    fn exact_light(light: f32) -> f64 {
+        f64::from(light)
+    }
+
+    fn exact_versine<P: Profile>(_: &Falloff<f32, P>, versine: f32) -> f64 {
+        f64::from(versine)
+    }
+
+    fn scalar_from_bits(bits: u64) -> f32 {
+        f32::from_bits(bits as u32)
+    }
+
+    fn length_from_bits(bits: u64) -> f32 {
+        f32::from_bits(bits as u32)
+    }
+
+    fn versine_from_bits(bits: u64) -> f32 {
+        f32::from_bits(bits as u32)
+    }
+}
+
+macro_rules! fixed_format {
+    ($format:ty, $scalar:ty, $length:ty, $versine:ty) => {
+        impl Format for $format {
+            fn exact(self) -> f64 {
+                self.to_num()
+            }
+
+            fn exact_length(length: Self::Length) -> f64 {
+                length.to_num()
+            }
+
+            fn exact_unit(unit: Self::Unit) -> f64 {
+                unit.to_num()
+            }
+
+            fn exact_light(light: Self::Irradiance) -> f64 {
+                light.to_num()
+            }
+
+            fn exact_versine<P: Profile>(falloff: &Falloff<Self, P>, versine: Self::Versine) -> f64 {
+                let unit: f64 = falloff.versine(0.5_f32.powi(30)).to_num();
+                versine.to_num::<f64>() * 0.5_f64.powi(30) / unit
+            }
+
+            fn scalar_from_bits(bits: u64) -> Self {
+                Self::from_bits(bits as $scalar)
+            }
+
+            fn length_from_bits(bits: u64) -> Self::Length {
+                Self::Length::from_bits(bits as $length)
+            }
+
+            fn versine_from_bits(bits: u64) -> Self::Versine {
+                Self::Versine::from_bits(bits as $versine)
+            }
+        }
+    };
+}
+
+fixed_format!(Fx16, i16, i32, u32);
+fixed_format!(Fx32, i32, i32, u64);

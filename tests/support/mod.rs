@@ -1,0 +1,9 @@
+//! What the tests share: the f64 reference, the table of error bounds, the sweeps, the exact view of a format.
+#![allow(dead_code, reason = "each test binary uses its part of the support")]
+#![allow(missing_docs, reason = "tests are read, not published")]
+#![allow(unreachable_pub, reason = "every test binary has these modules to itself")]
+
+pub mod bounds;
+pub mod format;
+pub mod reference;
+pub mod sweep;

@@ -1,0 +1,96 @@
+//! The oracle: the formulas as the literature writes them, in f64, as plainly as they can be written.
+//!
+//! Nothing here is fast and nothing is shared with the code under test. Where f64 itself would cancel, the versine
+//! is `2 sin^2(angle / 2)` or half the squared difference of two unit vectors.
+
+/// An edge profile as a function of t.
+pub type Profile = fn(f64) -> f64;
+
+/// Hast 2004, section 2.
+pub fn soft(t: f64) -> f64 {
+    t * t
+}
+
+/// Hast 2004, section 3.
+pub fn hard(t: f64) -> f64 {
+    let u = 1.0 - t;
+    1.0 - u * u
+}
+
+/// 1 - cos of a half angle in degrees.
+pub fn versine(half_degrees: f64) -> f64 {
+    let sine = (half_degrees.to_radians() / 2.0).sin();
+    2.0 * sine * sine
+}
+
+/// The half angle in degrees that has this versine.
+pub fn half_degrees(versine: f64) -> f64 {
+    2.0 * (versine / 2.0).sqrt().asin().to_degrees()
+}
+
+/// Intensity of a spotlight at a versine off its axis.
+pub fn falloff(profile: Profile, versine: f64, outer_versine: f64) -> f64 {
+    let t = ((outer_versine - versine) / outer_versine).clamp(0.0, 1.0);
+    profile(t)
+}
+
+pub type Vector = [f64; 3];
+
+pub fn dot(a: Vector, b: Vector) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+pub fn minus(a: Vector, b: Vector) -> Vector {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+}
+
+pub fn scaled(a: Vector, by: f64) -> Vector {
+    [a[0] * by, a[1] * by, a[2] * by]
+}
+
+pub fn unit(a: Vector) -> Vector {
+    scaled(a, 1.0 / dot(a, a).sqrt())
+}
+
+/// The versine of the angle between two directions.
+pub fn versine_between(a: Vector, b: Vector) -> f64 {
+    let difference = minus(unit(a), unit(b));
+    dot(difference, difference) / 2.0
+}
+
+/// A spotlight with inverse-square distance.
+#[derive(Clone, Copy)]
+pub struct Spot {
+    pub position: Vector,
+    pub axis: Vector,
+    pub outer_versine: f64,
+    pub intensity: f64,
+    pub profile: Profile,
+}
+
+impl Spot {
+    /// The falloff of the cone at a point.
+    pub fn falloff(&self, point: Vector) -> f64 {
+        let versine = versine_between(minus(point, self.position), self.axis);
+        falloff(self.profile, versine, self.outer_versine)
+    }
+
+    /// The light that arrives at a surface point: intensity x falloff x Lambert's cosine / squared distance.
+    pub fn irradiance(&self, point: Vector, normal: Vector) -> f64 {
+        let way = minus(point, self.position);
+        let cosine = -dot(unit(way), normal);
+        self.intensity * self.falloff(point) * cosine.clamp(0.0, 1.0) / dot(way, way)
+    }
+}
+
+/// The sRGB code of a linear value in [0, 1], before it is rounded (IEC 61966-2-1).
+pub fn srgb_code(linear: f64) -> f64 {
+    let value = if linear <= 0.003_130_8 { 12.92 * linear } else { 1.055 * linear.powf(1.0 / 2.4) - 0.055 };
+    255.0 * value
+}
+
+/// The linear value of an sRGB code.
+pub fn srgb_linear(code: f64) -> f64 {
+    let value = code / 255.0;
+    if value <= 0.040_45 { value / 12.92 } else { ((value + 0.055) / 1.055).powf(2.4) }
+}
