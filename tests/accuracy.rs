@@ -109,13 +109,7 @@ fn assert_row<S: Format, P: Profile>(name: &str, profile: P, oracle: reference::
     for (column, measured, bound) in columns {
         for ((degrees, measured), bound) in HALF_ANGLES.iter().zip(measured).zip(bound) {
             let cell = format!("{name} {column} at {degrees} degrees");
-            match (measured, bound) {
-                (Some(measured), Some(bound)) => broken.extend(bounds::check(&cell, measured, bound).err()),
-                (None, None) => {}
-                (measured, bound) => {
-                    broken.push(format!("{cell}: measured {measured:?}, the table says {bound:?}"))
-                }
-            }
+            broken.extend(bounds::check(&cell, measured, bound).err());
         }
     }
     assert!(broken.is_empty(), "{}", broken.join("\n"));

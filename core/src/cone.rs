@@ -31,7 +31,7 @@ impl<P: Profile> Cone<P> {
     ///
     /// # Errors
     /// An angle that is not more than 0, or whose outer angle would pass 180 degrees: the largest field angle is
-    /// 143.13 degrees for a soft edge and 174.12 for a hard one.
+    /// 143.13 degrees for a soft edge and 174.11 for a hard one.
     pub fn from_field(profile: P, field: impl Into<Angle>) -> Result<Self, Error> {
         Self::from_angle(profile, field.into(), profile.field_versine(), Parameter::FieldAngle)
     }

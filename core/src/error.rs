@@ -75,13 +75,15 @@ impl fmt::Display for Parameter {
 impl fmt::Display for Accepted {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
+            // Both limits are rounded inwards, so that the angle in the message is itself accepted.
             Self::AngleUpTo(largest) => {
-                write!(f, "give more than 0 and at most {largest:.2} degrees, the full angle")
+                let shown = (largest * 1e2) as u32 as f32 / 1e2;
+                write!(f, "give more than 0 and at most {shown} degrees, the full angle")
             }
-            Self::AngleFrom(smallest) => write!(
-                f,
-                "give at least {smallest:.4} degrees, the full angle, or a number format of more bits"
-            ),
+            Self::AngleFrom(narrowest) => {
+                let shown = ((narrowest * 1e4) as u32 + 1) as f32 / 1e4;
+                write!(f, "give at least {shown} degrees, the full angle, or a number format of more bits")
+            }
             Self::Between(least, most) => write!(f, "give a finite number from {least} to {most}"),
             Self::Direction => f.write_str("give finite components and a length between 1e-18 and 1e18"),
         }

@@ -138,11 +138,12 @@ pub trait Ray<S: Scalar>: Copy + core::fmt::Debug {
 ///
 /// A point is outside when `z |z| < bound |v|^2`, `z` being the part of the offset along the axis. The slope of
 /// `c |c|` is at most 2, so a margin of 16 steps leaves every versine up to 8 steps beyond the edge to the
-/// evaluation: more than the error of the versine in any format. `1 - c^2` is formed first, because it is what a narrow
-/// cone keeps.
+/// evaluation: more than the error of the versine in any format. An epsilon more stands for the squared sine, which
+/// is f32 in every format and is formed first because it is what a narrow cone keeps.
 pub(crate) fn outside_bound<S: Scalar>(outer_versine: f32) -> S {
     let squared_sine = outer_versine * (2.0 - outer_versine);
-    S::ONE.minus(S::from_f32(squared_sine + 16.0 * S::STEP))
+    let margin = squared_sine * f32::EPSILON + 16.0 * S::STEP;
+    S::ONE.minus(S::from_f32(squared_sine)).minus(S::from_f32(margin))
 }
 
 /// A value as `mantissa / 2^shift` with a mantissa of 24 bits, which is exact; zero where it is not more than zero.

@@ -105,7 +105,7 @@ impl Scalar for Fx16 {
     const ZERO: Self = I2F14::ZERO;
     const ONE: Self = I2F14::ONE;
     const STEP: f32 = 1.0 / 16_384.0;
-    const DIRECTION_ERROR: f32 = 2.4e-5;
+    const DIRECTION_ERROR: f32 = 2.3e-5;
 
     fn from_f32(value: f32) -> Self {
         if value.is_nan() { Self::ZERO } else { Self::saturating_from_num(value) }

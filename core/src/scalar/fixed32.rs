@@ -112,7 +112,7 @@ impl Scalar for Fx32 {
     const ZERO: Self = I2F30::ZERO;
     const ONE: Self = I2F30::ONE;
     const STEP: f32 = 1.0 / 1_073_741_824.0;
-    const DIRECTION_ERROR: f32 = 1.0e-9;
+    const DIRECTION_ERROR: f32 = 8.0e-10;
 
     fn from_f32(value: f32) -> Self {
         if value.is_nan() { Self::ZERO } else { Self::saturating_from_num(value) }

@@ -54,7 +54,7 @@ impl Scalar for f32 {
     const ZERO: Self = 0.0;
     const ONE: Self = 1.0;
     const STEP: f32 = f32::EPSILON;
-    const DIRECTION_ERROR: f32 = 6.0e-8;
+    const DIRECTION_ERROR: f32 = 5.3e-8;
 
     fn from_f32(value: f32) -> Self {
         if value.is_nan() { 0.0 } else { value }

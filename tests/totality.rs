@@ -1,0 +1,143 @@
+//! Every bit pattern has a defined answer: no panic, nothing that is not a number, the falloff in [0, 1], exact on
+//! the axis and from the edge outwards, monotone between. Run with overflow checks, as `cargo test` does.
+
+mod support;
+
+use fastrand::Rng;
+use luminaire::{Cone, Fx16, Fx32, Hard, Profile, Soft, Spot, Vec3};
+use support::{format::Format, sweep};
+
+/// Bit patterns that have broken arithmetic before, and random ones.
+fn bits(rng: &mut Rng) -> u64 {
+    const SEAMS: [u64; 12] = [
+        0,
+        1,
+        0x8000_0000,
+        0x7fff_ffff,
+        0xffff_ffff,
+        0x7f80_0000,
+        0xff80_0000,
+        0x7fc0_0000,
+        0x0080_0000,
+        0x7f7f_ffff,
+        u64::MAX,
+        1 << 63,
+    ];
+    if rng.u8(..4) == 0 { SEAMS[rng.usize(..SEAMS.len())] } else { rng.u64(..) }
+}
+
+fn vector<T>(rng: &mut Rng, mut component: impl FnMut(u64) -> T) -> Vec3<T> {
+    let mut next = || component(bits(rng));
+    Vec3::new(next(), next(), next())
+}
+
+fn assert_total<S: Format, P: Profile>(profile: P) {
+    let mut rng = Rng::with_seed(0x0dd_b175);
+    for _ in 0..2_000 * sweep::effort() {
+        let degrees = 3.0 + 87.0 * rng.f32();
+        let cone = Cone::from_outer(profile, sweep::half(degrees)).expect("a sound cone");
+        let position = vector(&mut rng, |bits| f32::from_bits(bits as u32));
+        let axis = vector(&mut rng, |bits| f32::from_bits(bits as u32));
+        // A refused light is an answer too.
+        let Ok(spot) = Spot::new(position, axis, cone).and_then(|spot| spot.with_intensity(1e9 * rng.f32()))
+        else {
+            continue;
+        };
+        let compiled = spot.compile::<S>().expect("held");
+        let falloff = cone.compile::<S>().expect("held");
+        for _ in 0..100 {
+            let point = vector(&mut rng, S::length_from_bits);
+            let normal = vector(&mut rng, S::scalar_from_bits);
+            let intensity = compiled.falloff(point).exact();
+            assert!((0.0..=1.0).contains(&intensity), "{spot:?} {point:?}: {intensity}");
+            for light in [compiled.irradiance(point, normal), compiled.irradiance_unskipped(point, normal)] {
+                let light = S::exact_light(light);
+                assert!(light >= 0.0 && light.is_finite(), "{spot:?} {point:?} {normal:?}: {light}");
+                let sum = S::add_light(S::Irradiance::default(), compiled.irradiance(point, normal));
+                assert!(S::exact_light(S::filter(sum, S::ONE)).is_finite());
+            }
+            let intensity = falloff.at(S::versine_from_bits(bits(&mut rng))).exact();
+            assert!((0.0..=1.0).contains(&intensity), "{cone:?}: {intensity}");
+        }
+        // The light itself has no direction and stays dark.
+        let here = spot.position().map(S::length);
+        let up = vector(&mut rng, S::scalar_from_bits);
+        assert_eq!(compiled.irradiance(here, up), S::Irradiance::default());
+    }
+}
+
+#[test]
+fn every_bit_pattern_has_an_answer_in_f32() {
+    assert_total::<f32, _>(Soft);
+    assert_total::<f32, _>(Hard);
+}
+
+#[test]
+fn every_bit_pattern_has_an_answer_in_fx32() {
+    assert_total::<Fx32, _>(Soft);
+    assert_total::<Fx32, _>(Hard);
+}
+
+#[test]
+fn every_bit_pattern_has_an_answer_in_fx16() {
+    assert_total::<Fx16, _>(Soft);
+    assert_total::<Fx16, _>(Hard);
+}
+
+/// Exactly one on the axis, exactly zero at the edge and beyond, never rising between.
+fn assert_exact_at_both_ends<S: Format, P: Profile>(profile: P) {
+    for degrees in sweep::HALF_ANGLES.into_iter().chain([90.0]) {
+        let cone = Cone::from_outer(profile, sweep::half(degrees)).expect("a sound cone");
+        let Ok(falloff) = cone.compile::<S>() else { continue };
+        let outer = cone.outer_versine();
+        assert_eq!(falloff.at(falloff.versine(0.0)), S::ONE);
+        for beyond in [outer, outer.next_up(), 1.5 * outer, 2.0] {
+            assert_eq!(falloff.at(falloff.versine(beyond)), S::ZERO, "{degrees} {beyond}");
+        }
+        let steps = 100_000;
+        let mut previous = S::ONE;
+        for versine in (0..=steps).map(|i| outer * (i as f32 / steps as f32)) {
+            let intensity = falloff.at(falloff.versine(versine));
+            assert!(intensity <= previous, "{degrees}: {intensity:?} after {previous:?}");
+            previous = intensity;
+        }
+    }
+}
+
+#[test]
+fn both_ends_are_exact() {
+    assert_exact_at_both_ends::<f32, _>(Soft);
+    assert_exact_at_both_ends::<f32, _>(Hard);
+    assert_exact_at_both_ends::<Fx32, _>(Soft);
+    assert_exact_at_both_ends::<Fx32, _>(Hard);
+    assert_exact_at_both_ends::<Fx16, _>(Soft);
+    assert_exact_at_both_ends::<Fx16, _>(Hard);
+}
+
+/// The laws of the table in the core's `scalar` module, on every seam and on random bits.
+fn assert_laws<S: Format>() {
+    let mut rng = Rng::with_seed(5);
+    for _ in 0..100_000 {
+        let (a, b) = (S::scalar_from_bits(bits(&mut rng)), S::scalar_from_bits(bits(&mut rng)));
+        if a.exact().is_finite() {
+            assert_eq!(S::ONE.times(a), a);
+            assert_eq!(a.minus(S::ZERO), a);
+        }
+        assert_eq!(format!("{:?}", a.times(b)).contains("NaN"), (a.exact() * b.exact()).is_nan());
+    }
+    for value in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 0.0, 1.0, -1.0, 1e30] {
+        assert!(!S::from_f32(value).exact().is_nan());
+    }
+    assert_eq!(S::from_f32(1.0), S::ONE);
+    assert_eq!(S::ONE.expose(S::gain(1.0)), S::filter(S::ONE.expose(S::gain(1.0)), S::ONE));
+    assert_eq!(S::exact_light(S::ONE.expose(S::gain(1.0))), 1.0);
+    assert_eq!(S::exact_light(S::ONE.expose(S::gain(f32::NAN))), 0.0);
+    assert_eq!(S::exact_light(S::ONE.expose(S::gain(-1.0))), 0.0);
+}
+
+#[test]
+fn the_laws_of_the_seam_hold() {
+    assert_laws::<f32>();
+    assert_laws::<Fx32>();
+    assert_laws::<Fx16>();
+}
