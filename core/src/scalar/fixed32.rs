@@ -57,7 +57,8 @@ pub struct Gain32 {
 #[inline(always)]
 fn scale(component: i32, bits: u32) -> i32 {
     if bits > WAY_BITS {
-        ((component >> (bits - WAY_BITS - 1)) + 1) >> 1
+        let doubled = component >> (bits - WAY_BITS - 1);
+        (doubled >> 1) + (doubled & 1)
     } else {
         component << (WAY_BITS - bits)
     }
