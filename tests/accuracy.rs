@@ -46,7 +46,7 @@ fn stored<S: Format, P: Profile>(
         position: S::exact_point(spot.position().map(S::length)),
         axis: reference::unit(S::exact_direction(S::axis(spot.axis()))),
         outer_versine: reference::versine(half_degrees.into()),
-        intensity: 1.0,
+        intensity: spot.intensity().into(),
         profile: oracle,
     }
 }
@@ -60,15 +60,17 @@ fn spot_errors<S: Format, P: Profile>(profile: P, oracle: reference::Profile, ha
     }
     let (mut worst_spot, mut worst_lit) = (0.0_f64, 0.0_f64);
     for _ in 0..100 * sweep::effort() {
-        let spot = sweep::spot(&mut rng, cone);
+        let reach = sweep::distance(&mut rng) as f32;
+        let spot = sweep::spot(&mut rng, cone).with_intensity(reach * reach).expect("a sound intensity");
         let exact = stored::<S, P>(&spot, oracle, half_degrees);
         let compiled = spot.compile::<S>().expect("the cone compiled");
         for _ in 0..2_000 {
-            let site = sweep::site::<S>(&mut rng, exact.position, exact.axis, half_degrees.into());
+            let distance = f64::from(reach) * (0.7 + 0.7 * rng.f64());
+            let site = sweep::site::<S>(&mut rng, exact.position, exact.axis, half_degrees.into(), distance);
             let (point, normal): (Vector, Vector) =
                 (S::exact_point(site.point), S::exact_normal(site.normal));
             let way = reference::minus(point, exact.position);
-            let full_scale = (1.0 / reference::dot(way, way)).max(1.0);
+            let full_scale = (exact.intensity / reference::dot(way, way)).max(1.0);
             let spot = (compiled.falloff(site.point).exact() - exact.falloff(point)).abs();
             let lit = S::exact_light(compiled.irradiance(site.point, site.normal))
                 - exact.irradiance(point, normal);

@@ -21,7 +21,8 @@ fn assert_skipping_is_exact<S: Format, P: Profile>(profile: P) {
             let position = S::exact_point(spot.position().map(S::length));
             let axis = reference::unit(S::exact_direction(S::axis(spot.axis())));
             for _ in 0..1_000 {
-                let site = sweep::site::<S>(&mut rng, position, axis, degrees.into());
+                let distance = sweep::distance(&mut rng);
+                let site = sweep::site::<S>(&mut rng, position, axis, degrees.into(), distance);
                 let skipping = compiled.irradiance(site.point, site.normal);
                 assert_eq!(skipping, compiled.irradiance_unskipped(site.point, site.normal), "{spot:?}");
                 if skipping == S::Irradiance::default() { dark += 1 } else { lit += 1 }
@@ -60,7 +61,8 @@ fn a_choice_at_run_time_changes_no_bit() {
         let position = Fx16::exact_point(spot.position().map(<Fx16 as luminaire::Scalar>::length));
         let axis = reference::unit(Fx16::exact_direction(<Fx16 as luminaire::Scalar>::axis(spot.axis())));
         for _ in 0..10_000 {
-            let site = sweep::site::<Fx16>(&mut rng, position, axis, 10.0);
+            let distance = sweep::distance(&mut rng);
+            let site = sweep::site::<Fx16>(&mut rng, position, axis, 10.0, distance);
             let typed = match edge {
                 Edge::Soft => chosen.with_profile(Soft).irradiance(site.point, site.normal),
                 Edge::Hard => chosen.with_profile(Hard).irradiance(site.point, site.normal),

@@ -92,7 +92,9 @@ fn the_cosine_form_loses_what_the_versine_form_keeps() {
     for _ in 0..2_000 {
         let spot = sweep::spot(&mut rng, cone);
         let (position, axis) = (f32::exact_point(spot.position()), f32::exact_direction(spot.axis()));
-        let site = sweep::site::<f32>(&mut rng, position, reference::unit(axis), half_degrees.into());
+        let distance = sweep::distance(&mut rng);
+        let site =
+            sweep::site::<f32>(&mut rng, position, reference::unit(axis), half_degrees.into(), distance);
         let exact = reference::Spot {
             position,
             axis,

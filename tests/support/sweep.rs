@@ -64,11 +64,21 @@ pub struct Site<S: Format> {
     pub normal: Vec3<S>,
 }
 
-/// A site near the cone of a spotlight: at 0 to 1.3 times its outer half angle, 0.5 to 50 units away.
-pub fn site<S: Format>(rng: &mut Rng, position: Vector, axis: Vector, outer_degrees: f64) -> Site<S> {
+/// A distance from 0.5 to 50 units, evenly spread over its logarithm.
+pub fn distance(rng: &mut Rng) -> f64 {
+    0.5 * 100.0_f64.powf(rng.f64())
+}
+
+/// A site near the cone of a spotlight: at 0 to 1.3 times its outer half angle, some `distance` away.
+pub fn site<S: Format>(
+    rng: &mut Rng,
+    position: Vector,
+    axis: Vector,
+    outer_degrees: f64,
+    distance: f64,
+) -> Site<S> {
     let off_axis = rng.f64() * 1.3 * outer_degrees.to_radians();
     let way = direction_off(rng, axis, off_axis);
-    let distance = 0.5 * 100.0_f64.powf(rng.f64());
     let point = on_grid([0, 1, 2].map(|i| position[i] + distance * way[i]));
     Site { point: single(point).map(S::length), normal: single(direction(rng)).map(S::from_f32) }
 }

@@ -1,7 +1,7 @@
 //! The 16-bit format: scalars of 16 bits, lengths and directions of 32, and no product wider than 32 bits, so that
 //! a processor with nothing but a 32-bit multiply runs it.
 //!
-//! In the comments `|v|` is the length of the scaled offset, whose largest component has 16 bits.
+//! In the comments `|v|` is the length of the scaled offset, whose largest component has 17 bits.
 
 use super::{Offset, Ray, Scalar, root};
 use crate::vec3::Vec3;
@@ -10,16 +10,17 @@ use fixed::types::{I2F14, I2F30, I16F16, U1F31, U18F14};
 /// The 16-bit format: I2F14, from -2 to 2 in steps of 1/16384.
 pub type Fx16 = I2F14;
 
-/// How many bits the largest component of a scaled offset has.
-const WAY_BITS: u32 = 16;
+/// How many bits the largest component of a scaled offset has. A product with the reciprocal of its length has 31 in
+/// all: the offset gets more of them, because its error turns the direction while the reciprocal's only shortens it.
+const WAY_BITS: u32 = 17;
 
-/// The way from a light to a point, scaled until its largest component has 16 bits.
+/// The way from a light to a point, scaled until its largest component has 17 bits.
 #[derive(Clone, Copy, Debug)]
 pub struct Offset16 {
     way: Vec3<i32>,
     /// Bits of the largest component before scaling; 0 where the point is on the light.
     bits: u32,
-    /// `(|v| / 2)^2`, which fits 32 bits.
+    /// `(|v| / 4)^2`, which fits 32 bits.
     squared: u32,
 }
 
@@ -28,7 +29,7 @@ pub struct Offset16 {
 pub struct Ray16 {
     direction: Vec3<i32>,
     bits: u32,
-    /// `2^30 / |v|`, of 14 to 16 bits.
+    /// `2^31 / |v|`, of 14 to 16 bits.
     reciprocal: u32,
 }
 
@@ -105,7 +106,7 @@ impl Scalar for Fx16 {
     const ZERO: Self = I2F14::ZERO;
     const ONE: Self = I2F14::ONE;
     const STEP: f32 = 1.0 / 16_384.0;
-    const DIRECTION_ERROR: f32 = 2.3e-5;
+    const DIRECTION_ERROR: f32 = 1.2e-5;
 
     fn from_f32(value: f32) -> Self {
         if value.is_nan() { Self::ZERO } else { Self::saturating_from_num(value) }
@@ -151,7 +152,7 @@ impl Scalar for Fx16 {
         let magnitudes = way.x.unsigned_abs() | way.y.unsigned_abs() | way.z.unsigned_abs();
         let bits = u32::BITS - magnitudes.leading_zeros();
         let way = way.map(|c| scale(c, bits));
-        let squared = square(way.x >> 1) + square(way.y >> 1) + square(way.z >> 1);
+        let squared = square(way.x >> 2) + square(way.y >> 2) + square(way.z >> 2);
         Offset16 { way, bits, squared }
     }
 
@@ -209,12 +210,12 @@ impl Scalar for Fx16 {
 
 impl Offset<Fx16> for Offset16 {
     type Ray = Ray16;
-    /// In steps of 2^-14 of `|v| / 4`.
+    /// In steps of 2^-14 of `|v| / 8`.
     type Facing = i32;
 
     #[inline(always)]
     fn facing(&self, normal: Vec3<Fx16>) -> i32 {
-        let products = normal.zip(self.way, |n, v| i32::from(n.to_bits()) * (v >> 2));
+        let products = normal.zip(self.way, |n, v| i32::from(n.to_bits()) * (v >> 3));
         -(products.x + products.y + products.z)
     }
 
@@ -225,7 +226,7 @@ impl Offset<Fx16> for Offset16 {
 
     #[inline(always)]
     fn is_outside(&self, axis: Vec3<I2F30>, bound: Fx16) -> bool {
-        let products = axis.zip(self.way, |s, v| (s.to_bits() >> 16) * (v >> 1));
+        let products = axis.zip(self.way, |s, v| (s.to_bits() >> 16) * (v >> 2));
         let along = products.x.wrapping_add(products.y).wrapping_add(products.z) >> 14;
         let magnitude = (square(along) >> 2).cast_signed();
         let signed = if along < 0 { -magnitude } else { magnitude };
@@ -241,7 +242,8 @@ impl Offset<Fx16> for Offset16 {
         } else {
             0
         };
-        let direction = self.way.map(|c| c * reciprocal.cast_signed());
+        let fourteen_bits = ((reciprocal + 1) >> 1).cast_signed();
+        let direction = self.way.map(|c| c * fourteen_bits);
         Ray16 { direction, bits: self.bits, reciprocal }
     }
 }
