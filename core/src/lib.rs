@@ -1,4 +1,53 @@
-//! A `no_std` lighting kernel.
+//! A lighting kernel for renderers that run where a GPU does not: a microcontroller, a software renderer, a canvas.
+//!
+//! Spotlights are described by the two angles of every stage light's data sheet, beam (half the intensity is left)
+//! and field (a tenth is left), and fall off by two quadratics, one soft edged and one hard: a multiply where others
+//! pay for a power function. The same code runs in `f32`, in 32-bit and in 16-bit fixed point.
+//!
+//! "Hast 2004" in these pages is A. Hast, T. Barrera and E. Bengtsson, *Fast Intensity Distribution Functions for
+//! Soft and Hard Edged Spotlights*, WSCG 2004 Short Communications, pages 95 to 100.
+//!
+//! ```
+//! use luminaire::{Angle, Cone, Fx16, Scalar, Soft, Spot, Vec3};
+//!
+//! // A Fresnel with a field angle of 15 degrees, four metres above the origin, pointing down.
+//! let cone = Cone::from_field(Soft, Angle::degrees(15.0))?;
+//! let spot = Spot::new(Vec3::new(0.0, 4.0, 0.0), Vec3::new(0.0, -1.0, 0.0), cone)?.with_intensity(16.0)?;
+//!
+//! // Angles enter, coefficients leave: from here on there is no trigonometry, no division and, in fixed point, no float.
+//! let lit = spot.compile::<Fx16>()?;
+//!
+//! // A point on the floor where the beam angle meets it, 34 cm from the middle, facing up.
+//! let point = Vec3::new(0.343, 0.0, 0.0).map(Fx16::length);
+//! let up = Vec3::new(Fx16::ZERO, Fx16::ONE, Fx16::ZERO);
+//! let light = Fx16::light_to_f32(lit.irradiance(point, up));
+//! assert!((light - 0.5).abs() < 0.01);
+//! # Ok::<(), luminaire::Error>(())
+//! ```
+//!
+//! # The way of the data
+//!
+//! [`Angle`] → [`Cone`] (designed from any one of its three angles) → [`Spot`] (placed, coloured, validated) →
+//! [`CompiledSpot`] (constants of one number format) → irradiance at a point. Construction validates and returns an
+//! [`Error`] that names the parameter; evaluation is defined for every bit pattern and never fails.
+//!
+//! # Half or full angle
+//!
+//! An [`Angle`] is a full angle, as data sheets, GDTF and Direct3D give it; a [`HalfAngle`] is what OpenGL, glTF and
+//! three.js give. Each converts into the other, and constructors take either.
+//!
+//! # Features
+//!
+//! | feature | adds |
+//! |---|---|
+//! | `fixed` (default) | [`Fx16`] and [`Fx32`], on the types of the crate `fixed` |
+//! | `libm` (default) | trigonometry for set-up and a square root, the same bits on every target |
+//! | `std` | the processor's square root, of the same bits |
+//! | `micromath` | approximate trigonometry and root where neither of the above is there: smaller, a tier of its own |
+//! | `glam` | conversions between [`Vec3`]`<f32>` and `glam::Vec3` |
+//!
+//! Files, in the order in which they build on one another: `error`, `vec3`, `trig`, `scalar` (and a file for each
+//! format), `angle`, `profile`, `cone`, `color`, `shade`, `light`.
 #![no_std]
 #![forbid(unsafe_code)]
 

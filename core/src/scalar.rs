@@ -110,7 +110,7 @@ pub trait Offset<S: Scalar>: Copy + core::fmt::Debug {
     /// Whether the surface faces away, so that nothing can arrive. Not a number faces away.
     fn faces_away(facing: Self::Facing) -> bool;
     /// Whether the point is outside a cone for certain: by squares, and only ever in error towards evaluating.
-    /// `bound` is [`outside_bound`] of the cone.
+    /// `bound` is the squared cosine of the outer half angle, less a margin for the roundings.
     fn is_outside(&self, axis: Vec3<S::Unit>, bound: S) -> bool;
     /// Pays for the square root.
     fn ray(&self) -> Self::Ray;
