@@ -2,8 +2,10 @@
 
 mod arguments;
 mod command;
+mod install;
 mod progress;
 mod project;
+mod toolchain;
 
 use std::process::ExitCode;
 
