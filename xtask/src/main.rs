@@ -5,7 +5,11 @@ mod command;
 mod install;
 mod progress;
 mod project;
+mod server;
+mod shrink;
+mod site;
 mod toolchain;
+mod wasm;
 
 use std::process::ExitCode;
 
