@@ -1,7 +1,9 @@
 //! The project's commands, run by cargo itself: `cargo demo` and `cargo xtask test`.
 
 mod arguments;
+mod browser;
 mod command;
+mod demo;
 mod install;
 mod progress;
 mod project;
@@ -45,7 +47,7 @@ fn main() -> ExitCode {
             print!("{USAGE}");
             Ok(ExitCode::SUCCESS)
         }
-        Request::Demo(_) => Err(anyhow::anyhow!("there is no demo yet")),
+        Request::Demo(options) => demo::run(&options).map(|()| ExitCode::SUCCESS),
         Request::Test(_) => Err(anyhow::anyhow!("there are no tests yet")),
     };
     outcome.unwrap_or_else(|error| {
