@@ -10,6 +10,9 @@ mod project;
 mod server;
 mod shrink;
 mod site;
+mod suite;
+mod tally;
+mod test;
 mod toolchain;
 mod wasm;
 
@@ -48,7 +51,7 @@ fn main() -> ExitCode {
             Ok(ExitCode::SUCCESS)
         }
         Request::Demo(options) => demo::run(&options).map(|()| ExitCode::SUCCESS),
-        Request::Test(_) => Err(anyhow::anyhow!("there are no tests yet")),
+        Request::Test(options) => Ok(test::run(&options)),
     };
     outcome.unwrap_or_else(|error| {
         eprintln!("error: {error:#}");

@@ -6,6 +6,7 @@
 mod chromium;
 mod devtools;
 mod page;
+pub(crate) mod tests;
 
 pub(crate) use chromium::Chromium;
 pub(crate) use page::Page;
