@@ -1,9 +1,10 @@
 //! A connection to one page or browser by the DevTools protocol: numbered calls, and events in between.
 
+use std::io;
 use std::net::{Ipv4Addr, TcpStream};
 use std::time::{Duration, Instant};
 
-use anyhow::{Context, Result, bail};
+use anyhow::{Context, Result, anyhow, bail};
 use serde_json::{Value, json};
 use tungstenite::{Message, WebSocket};
 
@@ -30,7 +31,7 @@ impl DevTools {
         stream.set_read_timeout(Some(PATIENCE))?;
         stream.set_nodelay(true)?;
         let (socket, _) = tungstenite::client(format!("ws://127.0.0.1:{port}{path}"), stream)
-            .map_err(|error| anyhow::anyhow!("cannot talk to Chromium: {error}"))?;
+            .map_err(|error| anyhow!("cannot talk to Chromium: {error}"))?;
         Ok(Self { socket, calls: 0, events: Vec::new() })
     }
 
@@ -41,9 +42,13 @@ impl DevTools {
         self.socket.send(Message::text(call.to_string())).with_context(|| format!("cannot send {method}"))?;
         let deadline = Instant::now() + PATIENCE;
         while Instant::now() < deadline {
-            let message = self.socket.read().with_context(|| format!("Chromium does not answer {method}"))?;
-            // Whatever is not text is the WebSocket's own business.
-            let Message::Text(text) = message else { continue };
+            let text = match self.socket.read() {
+                Ok(Message::Text(text)) => text,
+                // Whatever is not text is the WebSocket's own business.
+                Ok(_) => continue,
+                Err(tungstenite::Error::Io(error)) if is_timeout(&error) => break,
+                Err(error) => bail!("Chromium broke off at {method}: {error}"),
+            };
             let mut answer: Value = serde_json::from_str(&text).context("Chromium does not speak JSON")?;
             if answer["id"] != self.calls {
                 self.events.extend(Event::from(answer));
@@ -60,6 +65,11 @@ impl DevTools {
     pub(crate) fn take_events(&mut self) -> Vec<Event> {
         std::mem::take(&mut self.events)
     }
+}
+
+/// The two names that systems have for the same thing.
+fn is_timeout(error: &io::Error) -> bool {
+    matches!(error.kind(), io::ErrorKind::WouldBlock | io::ErrorKind::TimedOut)
 }
 
 impl Event {

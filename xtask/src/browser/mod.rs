@@ -6,6 +6,7 @@
 mod chromium;
 mod devtools;
 mod page;
+mod probe;
 pub(crate) mod tests;
 
 pub(crate) use chromium::Chromium;

@@ -67,8 +67,8 @@ impl Page {
             "ready" => Ok(()),
             state => {
                 let reason = self.ask("document.getElementById('failure')?.textContent.trim()")?;
-                let complaints = self.complaints()?;
                 let reason = reason.as_str().unwrap_or("without a message in #failure");
+                let complaints = self.complaints()?;
                 bail!("the page is {state}: {reason}{}", list(&complaints))
             }
         }
@@ -105,14 +105,6 @@ impl Page {
     pub(crate) fn holds(&mut self, expression: &str) -> Result<bool> {
         let value = self.ask(expression)?;
         value.as_bool().with_context(|| format!("`{expression}` is {value}, neither true nor false"))
-    }
-
-    /// Does something to the page that must make it draw.
-    pub(crate) fn redraw(&mut self, touch: impl FnOnce(&mut Self) -> Result<()>) -> Result<()> {
-        let drawn = self.number("luminaire.drawn")?;
-        touch(self)?;
-        self.ask(&format!("probe.redrawn({drawn})"))?;
-        Ok(())
     }
 
     /// Presses the mouse's main button at a point, moves it along, and lets go.

@@ -18,7 +18,7 @@ window.probe = (() => {
     raise("the page never stops drawing");
   }
 
-  // Waits for a new picture after what was done at `drawn`, and for the last of several.
+  // Waits for a picture after the `drawn`th, and for the last of several.
   async function redrawn(drawn) {
     for (let tries = 0; luminaire.drawn === drawn; tries += 1) {
       if (tries > 500) raise("the page draws no new picture");
@@ -27,28 +27,22 @@ window.probe = (() => {
     await settle();
   }
 
-  function enter(id, value) {
-    const input = element(id);
-    input.focus();
-    input.value = value;
-    input.dispatchEvent(new Event("input", { bubbles: true }));
-    input.dispatchEvent(new Event("change", { bubbles: true }));
-  }
-
   return {
     settle,
     redrawn,
-    enter,
     value: (id) => Number(element(id).value),
+    least: (id) => Number(element(id).min),
+    greatest: (id) => Number(element(id).max),
     text: (id) => element(id).textContent.trim(),
     options: (id) => Array.from(element(id).options, (option) => option.value),
     visible: (id) => element(id).checkVisibility({ visibilityProperty: true, opacityProperty: true }),
 
-    // Enters a value and waits for the picture that comes of it.
-    async change(id, value) {
-      const drawn = luminaire.drawn;
-      enter(id, value);
-      await redrawn(drawn);
+    enter(id, value) {
+      const input = element(id);
+      input.focus();
+      input.value = value;
+      input.dispatchEvent(new Event("input", { bubbles: true }));
+      input.dispatchEvent(new Event("change", { bubbles: true }));
     },
 
     // The middle of an element, in the page's pixels.

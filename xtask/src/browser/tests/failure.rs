@@ -14,8 +14,8 @@ pub(super) fn without_canvas(visitor: &mut Visitor) -> Result<()> {
 
 fn is_told(visitor: &mut Visitor, script: &str, cause: &str) -> Result<()> {
     let mut page = visitor.failed(script)?;
-    let message = page.text("probe.text('failure')")?;
+    let message = page.message("failure")?;
     ensure!(message.to_lowercase().contains(cause), "the message does not name {cause}: {message:?}");
-    ensure!(page.holds("probe.visible('failure')")?, "the message cannot be seen: {message:?}");
+    ensure!(page.shows("failure")?, "the message cannot be seen: {message:?}");
     Ok(())
 }

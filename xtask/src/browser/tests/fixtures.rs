@@ -13,29 +13,24 @@ pub(super) fn can_be_chosen(visitor: &mut Visitor) -> Result<()> {
     let options = options.as_array().context("the list of fixtures is no list")?;
     ensure!(!options.is_empty(), "the list of fixtures is empty");
     for option in options.iter().step_by(options.len().div_ceil(SAMPLE)) {
-        page.ask(&format!("probe.enter('light-0-fixture', {option})"))?;
-        page.ask("probe.settle()")?;
-        let message = page.text("probe.text('light-0-error')")?;
+        page.enter("light-0-fixture", option.as_str().context("a fixture has no name")?)?;
+        let message = page.message("light-0-error")?;
         ensure!(message.is_empty(), "the fixture {option} is answered with {message:?}");
+        ensure!(page.lit_share()? > 0.0, "with the fixture {option} the picture is black");
         page.must_be_content().with_context(|| format!("after choosing the fixture {option}"))?;
     }
-    ensure!(page.number("probe.survey().lit")? > 0.0, "with the last fixture the picture is black");
     Ok(())
 }
 
-pub(super) fn light_can_be_set(visitor: &mut Visitor) -> Result<()> {
+pub(super) fn intensity_is_seen(visitor: &mut Visitor) -> Result<()> {
     let mut page = visitor.ready()?;
-    for (id, value) in [("light-0-intensity", "MIN"), ("light-1-color", "#ff0000")] {
-        page.ask("probe.keep('before')")?;
-        let value = if value == "MIN" {
-            format!("document.getElementById('{id}').min")
-        } else {
-            format!("'{value}'")
-        };
-        page.ask(&format!("probe.change('{id}', {value})"))?;
-        page.ask("probe.keep('after')")?;
-        let difference = page.number("probe.difference('before', 'after')")?;
-        ensure!(difference > 0.0, "setting #{id} leaves the picture as it was");
-    }
+    let (least, _) = page.range("light-0-intensity")?;
+    page.change("the intensity", |page| page.enter("light-0-intensity", least))?;
+    page.must_be_content()
+}
+
+pub(super) fn colour_is_seen(visitor: &mut Visitor) -> Result<()> {
+    let mut page = visitor.ready()?;
+    page.change("the colour", |page| page.enter("light-1-color", "#ff0000"))?;
     page.must_be_content()
 }

@@ -9,7 +9,7 @@ mod network;
 mod picture;
 mod refusal;
 
-use anyhow::Result;
+use anyhow::{Result, ensure};
 
 use super::{Chromium, Page};
 
@@ -22,18 +22,22 @@ pub(crate) struct Visitor {
 /// A test's name and what it does.
 pub(crate) type Test = (&'static str, fn(&mut Visitor) -> Result<()>);
 
-pub(crate) const ALL: [Test; 14] = [
+pub(crate) const ALL: [Test; 18] = [
     ("the page becomes ready without a complaint", picture::becomes_ready),
     ("the picture is lit, in several colours", picture::is_lit),
     ("the picture has the size that the address asks for", picture::has_the_asked_size),
-    ("the field angle's slider changes the picture and leads the beam angle", angles::field_leads_beam),
-    ("the beam angle's slider leads the field angle", angles::beam_leads_field),
+    ("the field slider changes the picture and leads the beam angle", angles::field_leads_beam),
+    ("the beam slider changes the picture and leads the field angle", angles::beam_leads_field),
     ("a hard edge looks different from a soft one", angles::edge_changes_picture),
-    ("the number formats agree as closely as stated", formats::agree),
     ("a refused field angle is told and leaves the picture alone", refusal::is_told_and_harmless),
-    ("dragging, the wheel and the arrow keys move the camera", camera::moves),
     ("every fixture can be chosen", fixtures::can_be_chosen),
-    ("intensity and colour of a light change the picture", fixtures::light_can_be_set),
+    ("the intensity of a light is seen", fixtures::intensity_is_seen),
+    ("the colour of a light is seen", fixtures::colour_is_seen),
+    ("the number formats agree as closely as stated", formats::agree),
+    ("each number format can be chosen", formats::can_be_chosen),
+    ("dragging moves the camera", camera::is_dragged),
+    ("the wheel moves the camera", camera::is_wheeled),
+    ("the arrow keys move the camera", camera::is_moved_by_keys),
     ("a browser without simd is told so", failure::without_simd),
     ("a browser that refuses the canvas is told so", failure::without_canvas),
     ("the page asks nobody but its own server", network::stays_at_home),
@@ -49,7 +53,7 @@ impl Visitor {
     fn ready_at(&mut self, query: &str) -> Result<Page> {
         let mut page = self.chromium.open(&format!("{}{query}", self.address), "")?;
         page.ready()?;
-        page.ask("probe.settle()")?;
+        page.settle()?;
         Ok(page)
     }
 
@@ -57,7 +61,7 @@ impl Visitor {
     fn failed(&mut self, script: &str) -> Result<Page> {
         let mut page = self.chromium.open(&self.address, script)?;
         let state = page.state()?;
-        anyhow::ensure!(state == "failed", "the page is {state}, as if nothing were wrong");
+        ensure!(state == "failed", "the page is {state}, as if nothing were wrong");
         Ok(page)
     }
 }
