@@ -8,7 +8,7 @@ use anyhow::{Context, Result, ensure};
 use crate::arguments::{DemoOptions, Size};
 use crate::browser::Chromium;
 use crate::progress::Progress;
-use crate::server::Server;
+use crate::server::{self, Server};
 use crate::site;
 
 const PORT: u16 = 8080;
@@ -20,8 +20,9 @@ const FRAMES: u32 = 15;
 pub(crate) fn run(options: &DemoOptions) -> Result<()> {
     let progress = Progress::Live;
     let checking = options.check || options.screenshot.is_some();
-    let site = site::build(&progress)?;
-    let server = Server::start(&site, options.port.unwrap_or(if checking { 0 } else { PORT }))?;
+    // Before the build, for who comes to a taken port should not wait to hear of it.
+    let listener = server::listen(options.port.unwrap_or(if checking { 0 } else { PORT }))?;
+    let server = Server::start(listener, &site::build(&progress)?)?;
     let address = address(&server, options.size);
     if checking {
         let step = progress.begin("Checking", &address);
@@ -42,11 +43,10 @@ pub(crate) fn check(chromium: &mut Chromium, address: &str, screenshot: Option<&
     let mut page = chromium.open(address, "")?;
     page.ready()?;
     let measured = page.ask(&format!("luminaire.measure({FRAMES})"))?;
-    let lit = page.number("probe.survey().lit")?;
-    ensure!(lit > 0.0, "the page drew nothing: every pixel is black");
+    ensure!(page.lit_share()? > 0.0, "the page drew nothing: every pixel is black");
     page.must_be_content()?;
     if let Some(file) = screenshot {
-        page.ask("probe.settle()")?;
+        page.settle()?;
         fs::write(file, page.screenshot()?).with_context(|| format!("cannot write {}", file.display()))?;
     }
     let number = |name: &str| {

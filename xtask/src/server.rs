@@ -31,16 +31,19 @@ pub(crate) struct Server {
     workers: Vec<JoinHandle<()>>,
 }
 
+/// Takes a port of 127.0.0.1; port 0 stands for any that is free.
+pub(crate) fn listen(port: u16) -> Result<TcpListener> {
+    TcpListener::bind((Ipv4Addr::LOCALHOST, port)).map_err(|error| match error.kind() {
+        io::ErrorKind::AddrInUse => {
+            anyhow!("port {port} is taken by another program: choose another with `--port N`")
+        }
+        _ => anyhow!("cannot serve on port {port}: {error}; choose another with `--port N`"),
+    })
+}
+
 impl Server {
-    /// Serves `folder` on a port of 127.0.0.1; port 0 stands for any that is free.
-    pub(crate) fn start(folder: &Path, port: u16) -> Result<Self> {
-        let listener =
-            TcpListener::bind((Ipv4Addr::LOCALHOST, port)).map_err(|error| match error.kind() {
-                io::ErrorKind::AddrInUse => {
-                    anyhow!("port {port} is taken by another program: choose another with `--port N`")
-                }
-                _ => anyhow!("cannot serve on port {port}: {error}; choose another with `--port N`"),
-            })?;
+    /// Serves `folder` to whoever calls the port.
+    pub(crate) fn start(listener: TcpListener, folder: &Path) -> Result<Self> {
         let port = listener.local_addr()?.port();
         let http = tiny_http::Server::from_listener(listener, None)
             .map_err(|error| anyhow!("cannot serve on port {port}: {error}"))?;
@@ -204,7 +207,7 @@ mod tests {
     fn the_folder_is_served_isolated_and_uncached() {
         let folder = tempfile::tempdir().unwrap();
         fs::write(folder.path().join("index.html"), "the page").unwrap();
-        let server = Server::start(folder.path(), 0).unwrap();
+        let server = Server::start(listen(0).unwrap(), folder.path()).unwrap();
         let page = ask(&server, "GET /");
         assert!(page.starts_with("HTTP/1.1 200"), "{page}");
         assert!(page.ends_with("the page"), "{page}");
@@ -223,9 +226,9 @@ mod tests {
 
     #[test]
     fn a_taken_port_is_told_with_its_remedy() {
-        let folder = tempfile::tempdir().unwrap();
-        let first = Server::start(folder.path(), 0).unwrap();
-        let error = Server::start(folder.path(), first.port).err().unwrap().to_string();
-        assert!(error.contains(&first.port.to_string()) && error.contains("--port N"), "{error}");
+        let port = listen(0).unwrap().local_addr().unwrap().port();
+        let _taken = listen(port).unwrap();
+        let error = listen(port).unwrap_err().to_string();
+        assert!(error.contains(&port.to_string()) && error.contains("--port N"), "{error}");
     }
 }

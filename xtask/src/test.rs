@@ -8,7 +8,7 @@ use anyhow::{Context, Result, bail};
 use crate::arguments::TestOptions;
 use crate::browser::{Chromium, tests as browser_tests};
 use crate::progress::Progress;
-use crate::server::Server;
+use crate::server::{self, Server};
 use crate::suite::Suite;
 use crate::tally::Tally;
 use crate::toolchain::Toolchain;
@@ -121,7 +121,7 @@ struct Visit {
 
 impl Visit {
     fn start(site: &Path, progress: &Progress) -> Result<Self> {
-        let server = Server::start(site, 0)?;
+        let server = Server::start(server::listen(0)?, site)?;
         let visitor =
             browser_tests::Visitor { chromium: Chromium::start(progress)?, address: server.address() };
         Ok(Self { visitor, _server: server })

@@ -5,7 +5,7 @@ use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 use std::{env, fs, thread};
 
-use anyhow::{Context, Result, bail};
+use anyhow::{Context, Result, bail, ensure};
 use serde_json::json;
 use tempfile::TempDir;
 
@@ -96,7 +96,9 @@ impl Drop for Chromium {
 
 fn find(progress: &Progress) -> Result<PathBuf> {
     if let Some(chrome) = env::var_os("CHROME") {
-        return Ok(chrome.into());
+        let chrome = PathBuf::from(chrome);
+        ensure!(chrome.is_file(), "CHROME is set to {}, where no browser is", chrome.display());
+        return Ok(chrome);
     }
     if let Some(program) = command::on_path(&NAMES) {
         return Ok(program);
