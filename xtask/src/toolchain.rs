@@ -64,9 +64,10 @@ impl Toolchain {
             build.env("RUSTC", rustc).env("RUSTC_BOOTSTRAP", "1");
             // These belong to the active compiler, which this may not be.
             build.env("RUSTC_WRAPPER", "").env("RUSTC_WORKSPACE_WRAPPER", "").env_remove("LD_LIBRARY_PATH");
-            if let Some(linker) = linker(self.target) {
-                build.env(linker_variable(self.target), linker);
-            }
+        }
+        let variable = linker_variable(self.target);
+        if let (None, Some(linker)) = (env::var_os(&variable), linker(self.target)) {
+            build.env(variable, linker);
         }
         build
     }
