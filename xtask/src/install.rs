@@ -27,7 +27,9 @@ pub(crate) fn apt(packages: &[&str], progress: &Progress) -> Result<()> {
         command.env("DEBIAN_FRONTEND", "noninteractive");
         command
     };
-    let remedy = || format!("run `apt-get update && apt-get install {}` by hand", packages.join(" "));
+    let remedy = || {
+        format!("cannot install them: try `apt-get update && apt-get install {}` by hand", packages.join(" "))
+    };
     let mut update = apt_get();
     update.arg("update");
     progress.run(update).with_context(remedy)?;
@@ -40,14 +42,13 @@ pub(crate) fn apt(packages: &[&str], progress: &Progress) -> Result<()> {
 
 /// The program that an npm package brought into `target/tools`, if it was installed there.
 pub(crate) fn npm_program(name: &str) -> Option<PathBuf> {
-    let suffix = if cfg!(windows) { ".cmd" } else { "" };
-    let program = tools().join("node_modules/.bin").join(format!("{name}{suffix}"));
+    let program = tools().join("node_modules/.bin").join(name);
     program.is_file().then_some(program)
 }
 
 /// Installs an npm package into `target/tools`, never globally.
 pub(crate) fn npm(package: &str, progress: &Progress) -> Result<()> {
-    let npm = command::on_path(&["npm", "npm.cmd"]).context("npm is not installed")?;
+    let npm = command::on_path(&["npm"]).context("npm is not installed")?;
     let step = progress.begin("Installing", format_args!("npm package {package} into target/tools"));
     fs::create_dir_all(tools()).with_context(|| format!("cannot create {}", tools().display()))?;
     let mut install = Command::new(npm);

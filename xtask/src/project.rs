@@ -16,3 +16,8 @@ pub(crate) fn target() -> PathBuf {
         _ => root().join("target"),
     }
 }
+
+/// A path as it is told to people: short where it is below the workspace.
+pub(crate) fn shown(path: &Path) -> path::Display<'_> {
+    path.strip_prefix(root()).unwrap_or(path).display()
+}

@@ -10,7 +10,7 @@ use flate2::Compression;
 use flate2::write::GzEncoder;
 
 use crate::progress::Progress;
-use crate::{command, install};
+use crate::{command, install, project};
 
 /// The version that is known to work, then whatever is newest.
 const NPM_PACKAGES: [&str; 2] = ["binaryen@132", "binaryen"];
@@ -34,7 +34,7 @@ pub(crate) fn shrink(module: &Path, progress: &Progress) -> Result<()> {
         progress.say("Leaving", format_args!("{full}: no wasm-opt (install binaryen, or npm) to shrink it"));
         return Ok(());
     };
-    let step = progress.begin("Shrinking", format_args!("with {}", wasm_opt.display()));
+    let step = progress.begin("Shrinking", format_args!("with {}", project::shown(&wasm_opt)));
     let shrunk = module.with_extension("shrunk");
     let mut shrinking = Command::new(wasm_opt);
     shrinking.arg(module).arg("--output").arg(&shrunk).args(ARGUMENTS);

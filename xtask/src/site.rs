@@ -12,7 +12,7 @@ use crate::{project, shrink, wasm};
 pub(crate) fn build(progress: &Progress) -> Result<PathBuf> {
     let module = wasm::compile(progress)?;
     let site = project::target().join("demo");
-    let step = progress.begin("Gathering", site.display());
+    let step = progress.begin("Gathering", project::shown(&site));
     if site.exists() {
         fs::remove_dir_all(&site).with_context(|| format!("cannot empty {}", site.display()))?;
     }
