@@ -1,1 +1,60 @@
-fn main() {}
+//! The project's commands, run by cargo itself: `cargo demo` and `cargo xtask test`.
+
+mod arguments;
+mod browser;
+mod command;
+mod demo;
+mod install;
+mod progress;
+mod project;
+mod server;
+mod shrink;
+mod site;
+mod suite;
+mod tally;
+mod test;
+mod toolchain;
+mod wasm;
+
+use std::process::ExitCode;
+
+use arguments::Request;
+
+const USAGE: &str = "\
+The project's commands.
+
+cargo demo [OPTIONS]         Build the browser demo into target/demo and serve it on http://127.0.0.1:8080
+    --port N                 Serve on port N instead of 8080
+    --size WxH               Light a picture of WxH pixels instead of 960x540
+    --check                  Instead of serving: run the page once in headless Chromium, print one line and exit
+    --screenshot FILE        Like --check, and write a PNG of the page at 1440x900 to FILE
+
+cargo xtask test [OPTIONS]   Run every test: format, lints, documentation, host, bare metal, browser
+    --full                   Run the long sweeps too (the host tests see LUMINAIRE_FULL=1)
+    --only TEXT              Run only the steps whose name contains TEXT
+
+cargo xtask demo             The same as cargo demo
+cargo xtask help             Print this text
+";
+
+fn main() -> ExitCode {
+    let request = match Request::parse(lexopt::Parser::from_env()) {
+        Ok(request) => request,
+        Err(error) => {
+            eprintln!("error: {error}\n\n{USAGE}");
+            return ExitCode::from(2);
+        }
+    };
+    let outcome = match request {
+        Request::Help => {
+            print!("{USAGE}");
+            Ok(ExitCode::SUCCESS)
+        }
+        Request::Demo(options) => demo::run(&options).map(|()| ExitCode::SUCCESS),
+        Request::Test(options) => Ok(test::run(&options)),
+    };
+    outcome.unwrap_or_else(|error| {
+        eprintln!("error: {error:#}");
+        ExitCode::FAILURE
+    })
+}

@@ -1,0 +1,162 @@
+//! What the command line asks for.
+
+use std::ffi::OsString;
+use std::fmt;
+use std::path::PathBuf;
+use std::str::FromStr;
+
+use lexopt::prelude::*;
+
+/// A command with its options.
+#[derive(Debug, PartialEq)]
+pub(crate) enum Request {
+    Help,
+    Demo(DemoOptions),
+    Test(TestOptions),
+}
+
+/// The options of `demo`.
+#[derive(Debug, Default, PartialEq)]
+pub(crate) struct DemoOptions {
+    /// The port to serve on; none means the usual one.
+    pub(crate) port: Option<u16>,
+    /// The size of the lit picture; none leaves it to the page.
+    pub(crate) size: Option<Size>,
+    /// Run the page once in a browser instead of serving for ever.
+    pub(crate) check: bool,
+    /// Where to write a picture of the page.
+    pub(crate) screenshot: Option<PathBuf>,
+}
+
+/// The options of `test`.
+#[derive(Debug, Default, PartialEq)]
+pub(crate) struct TestOptions {
+    /// Run the long sweeps too.
+    pub(crate) full: bool,
+    /// Run only the steps whose name contains this text.
+    pub(crate) only: Option<String>,
+}
+
+/// Width and height in pixels, written `960x540`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Size {
+    pub(crate) width: u32,
+    pub(crate) height: u32,
+}
+
+impl FromStr for Size {
+    type Err = &'static str;
+
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        let refused = "a size is written WxH in whole pixels, for instance 960x540";
+        let (width, height) = text.split_once('x').ok_or(refused)?;
+        let size =
+            Size { width: width.parse().map_err(|_| refused)?, height: height.parse().map_err(|_| refused)? };
+        if size.width == 0 || size.height == 0 { Err(refused) } else { Ok(size) }
+    }
+}
+
+impl fmt::Display for Size {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(out, "{}x{}", self.width, self.height)
+    }
+}
+
+impl Request {
+    /// Reads the command line; an error says which word was not understood.
+    pub(crate) fn parse(mut words: lexopt::Parser) -> Result<Self, lexopt::Error> {
+        let command: OsString = match words.next()? {
+            None | Some(Short('h') | Long("help")) => return Ok(Self::Help),
+            Some(Value(command)) => command,
+            Some(option) => return Err(option.unexpected()),
+        };
+        match command.to_str() {
+            Some("help") => Ok(Self::Help),
+            Some("demo") => Self::parse_demo(words),
+            Some("test") => Self::parse_test(words),
+            _ => Err(format!("there is no command {command:?}").into()),
+        }
+    }
+
+    fn parse_demo(mut words: lexopt::Parser) -> Result<Self, lexopt::Error> {
+        let mut options = DemoOptions::default();
+        while let Some(word) = words.next()? {
+            match word {
+                Long("port") => options.port = Some(words.value()?.parse()?),
+                Long("size") => options.size = Some(words.value()?.parse()?),
+                Long("check") => options.check = true,
+                Long("screenshot") => options.screenshot = Some(words.value()?.into()),
+                Short('h') | Long("help") => return Ok(Self::Help),
+                other => return Err(other.unexpected()),
+            }
+        }
+        Ok(Self::Demo(options))
+    }
+
+    fn parse_test(mut words: lexopt::Parser) -> Result<Self, lexopt::Error> {
+        let mut options = TestOptions::default();
+        while let Some(word) = words.next()? {
+            match word {
+                Long("full") => options.full = true,
+                Long("only") => options.only = Some(words.value()?.string()?),
+                Short('h') | Long("help") => return Ok(Self::Help),
+                other => return Err(other.unexpected()),
+            }
+        }
+        Ok(Self::Test(options))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn parse(line: &str) -> Result<Request, lexopt::Error> {
+        Request::parse(lexopt::Parser::from_args(line.split_whitespace()))
+    }
+
+    #[test]
+    fn no_word_at_all_asks_for_help() {
+        for line in ["", "help", "--help", "-h", "demo --help", "test -h"] {
+            assert_eq!(parse(line).unwrap(), Request::Help, "{line}");
+        }
+    }
+
+    #[test]
+    fn demo_takes_its_options_in_any_order() {
+        let options = DemoOptions {
+            port: Some(9000),
+            size: Some(Size { width: 320, height: 180 }),
+            check: true,
+            screenshot: Some("page.png".into()),
+        };
+        let expected = Request::Demo(options);
+        assert_eq!(parse("demo --check --port 9000 --size 320x180 --screenshot page.png").unwrap(), expected);
+        assert_eq!(parse("demo --screenshot=page.png --size=320x180 --port=9000 --check").unwrap(), expected);
+    }
+
+    #[test]
+    fn test_takes_its_options() {
+        assert_eq!(parse("test").unwrap(), Request::Test(TestOptions::default()));
+        let options = TestOptions { full: true, only: Some("browser".into()) };
+        assert_eq!(parse("test --only browser --full").unwrap(), Request::Test(options));
+    }
+
+    #[test]
+    fn what_is_not_understood_is_named() {
+        for (line, name) in [
+            ("tset", "tset"),
+            ("--fast", "fast"),
+            ("demo --prot 1", "prot"),
+            ("demo now", "now"),
+            ("demo --port 70000", "70000"),
+            ("demo --port", "port"),
+            ("demo --size 960", "960"),
+            ("demo --size 0x540", "0x540"),
+            ("test --only", "only"),
+        ] {
+            let error = parse(line).unwrap_err().to_string();
+            assert!(error.contains(name), "`{line}` was refused with: {error}");
+        }
+    }
+}

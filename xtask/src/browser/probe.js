@@ -1,0 +1,81 @@
+// What the tests ask of the page: acting as a visitor would, and comparing pictures without carrying them over.
+window.probe = (() => {
+  "use strict";
+
+  const pictures = new Map();
+  const element = (id) => document.getElementById(id) ?? raise(`the page has no element #${id}`);
+  const raise = (message) => { throw new Error(message); };
+  const pause = (milliseconds) => new Promise((resolve) => setTimeout(resolve, milliseconds));
+  const picture = (name) => pictures.get(name) ?? raise(`no picture was kept as ${name}`);
+
+  // The page has settled when it has drawn nothing for a while.
+  async function settle() {
+    for (let tries = 0; tries < 100; tries += 1) {
+      const drawn = luminaire.drawn;
+      await pause(150);
+      if (luminaire.drawn === drawn) return;
+    }
+    raise("the page never stops drawing");
+  }
+
+  // Waits for a picture after the `drawn`th, and for the last of several.
+  async function redrawn(drawn) {
+    for (let tries = 0; luminaire.drawn === drawn; tries += 1) {
+      if (tries > 500) raise("the page draws no new picture");
+      await pause(20);
+    }
+    await settle();
+  }
+
+  return {
+    settle,
+    redrawn,
+    value: (id) => Number(element(id).value),
+    least: (id) => Number(element(id).min),
+    greatest: (id) => Number(element(id).max),
+    text: (id) => element(id).textContent.trim(),
+    options: (id) => Array.from(element(id).options, (option) => option.value),
+    visible: (id) => element(id).checkVisibility({ visibilityProperty: true, opacityProperty: true }),
+
+    enter(id, value) {
+      const input = element(id);
+      input.focus();
+      input.value = value;
+      input.dispatchEvent(new Event("input", { bubbles: true }));
+      input.dispatchEvent(new Event("change", { bubbles: true }));
+    },
+
+    // The middle of an element, in the page's pixels.
+    middle(id) {
+      element(id).scrollIntoView({ block: "center" });
+      const box = element(id).getBoundingClientRect();
+      return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+    },
+
+    keep(name) {
+      pictures.set(name, luminaire.pixels().slice());
+    },
+
+    // The largest difference of two kept pictures, in displayed 8-bit codes.
+    difference(one, other) {
+      const [a, b] = [picture(one), picture(other)];
+      if (a.length !== b.length) raise(`${one} and ${other} differ in size`);
+      let largest = 0;
+      for (let i = 0; i < a.length; i += 1) largest = Math.max(largest, Math.abs(a[i] - b[i]));
+      return largest;
+    },
+
+    // The share of pixels brighter than black, and the number of distinct colours.
+    survey() {
+      const pixels = luminaire.pixels();
+      const colours = new Set();
+      let lit = 0;
+      for (let i = 0; i < pixels.length; i += 4) {
+        const colour = (pixels[i] << 16) | (pixels[i + 1] << 8) | pixels[i + 2];
+        if (colour !== 0) lit += 1;
+        colours.add(colour);
+      }
+      return { pixels: pixels.length / 4, lit: lit / (pixels.length / 4), colours: colours.size };
+    },
+  };
+})();

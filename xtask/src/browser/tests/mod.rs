@@ -1,0 +1,67 @@
+//! What the page promises its visitors, each promise a test in a real browser.
+
+mod angles;
+mod camera;
+mod failure;
+mod fixtures;
+mod formats;
+mod network;
+mod picture;
+mod refusal;
+
+use anyhow::{Result, ensure};
+
+use super::{Chromium, Page};
+
+/// Somebody with a browser, who knows where the demo is served.
+pub(crate) struct Visitor {
+    pub(crate) chromium: Chromium,
+    pub(crate) address: String,
+}
+
+/// A test's name and what it does.
+pub(crate) type Test = (&'static str, fn(&mut Visitor) -> Result<()>);
+
+pub(crate) const ALL: [Test; 18] = [
+    ("the page becomes ready without a complaint", picture::becomes_ready),
+    ("the picture is lit, in several colours", picture::is_lit),
+    ("the picture has the size that the address asks for", picture::has_the_asked_size),
+    ("the field slider changes the picture and leads the beam angle", angles::field_leads_beam),
+    ("the beam slider changes the picture and leads the field angle", angles::beam_leads_field),
+    ("a hard edge looks different from a soft one", angles::edge_changes_picture),
+    ("a refused field angle is told and leaves the picture alone", refusal::is_told_and_harmless),
+    ("every fixture can be chosen", fixtures::can_be_chosen),
+    ("the intensity of a light is seen", fixtures::intensity_is_seen),
+    ("the colour of a light is seen", fixtures::colour_is_seen),
+    ("the number formats agree as closely as stated", formats::agree),
+    ("each number format can be chosen", formats::can_be_chosen),
+    ("dragging moves the camera", camera::is_dragged),
+    ("the wheel moves the camera", camera::is_wheeled),
+    ("the arrow keys move the camera", camera::is_moved_by_keys),
+    ("a browser without simd is told so", failure::without_simd),
+    ("a browser that refuses the canvas is told so", failure::without_canvas),
+    ("the page asks nobody but its own server", network::stays_at_home),
+];
+
+impl Visitor {
+    /// Opens the page and waits until it is ready.
+    fn ready(&mut self) -> Result<Page> {
+        self.ready_at("")
+    }
+
+    /// Opens the page with an address's query, such as `?width=320`, and waits until it is ready.
+    fn ready_at(&mut self, query: &str) -> Result<Page> {
+        let mut page = self.chromium.open(&format!("{}{query}", self.address), "")?;
+        page.ready()?;
+        page.settle()?;
+        Ok(page)
+    }
+
+    /// Opens the page in a browser that `script` has made worse, and waits until the page has given up.
+    fn failed(&mut self, script: &str) -> Result<Page> {
+        let mut page = self.chromium.open(&self.address, script)?;
+        let state = page.state()?;
+        ensure!(state == "failed", "the page is {state}, as if nothing were wrong");
+        Ok(page)
+    }
+}

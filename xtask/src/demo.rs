@@ -1,0 +1,70 @@
+//! `cargo demo`: the demo for a visitor, or for a check.
+
+use std::fs;
+use std::path::Path;
+
+use anyhow::{Context, Result, ensure};
+
+use crate::arguments::{DemoOptions, Size};
+use crate::browser::Chromium;
+use crate::progress::Progress;
+use crate::server::{self, Server};
+use crate::site;
+
+const PORT: u16 = 8080;
+
+/// The median of so many frames is what the check reports.
+const FRAMES: u32 = 15;
+
+/// Builds the demo, then serves or checks it.
+pub(crate) fn run(options: &DemoOptions) -> Result<()> {
+    let progress = Progress::Live;
+    let checking = options.check || options.screenshot.is_some();
+    // Before the build, for who comes to a taken port should not wait to hear of it.
+    let listener = server::listen(options.port.unwrap_or(if checking { 0 } else { PORT }))?;
+    let server = Server::start(listener, &site::build(&progress)?)?;
+    let address = address(&server, options.size);
+    if checking {
+        let step = progress.begin("Checking", &address);
+        let mut chromium = Chromium::start(&progress)?;
+        let verdict = check(&mut chromium, &address, options.screenshot.as_deref())?;
+        drop(chromium);
+        step.done();
+        println!("{verdict}");
+        Ok(())
+    } else {
+        println!("The demo is at {address} (Ctrl+C ends it)");
+        server.wait()
+    }
+}
+
+/// Runs the page once; answers one line with what it measured.
+pub(crate) fn check(chromium: &mut Chromium, address: &str, screenshot: Option<&Path>) -> Result<String> {
+    let mut page = chromium.open(address, "")?;
+    page.ready()?;
+    let measured = page.ask(&format!("luminaire.measure({FRAMES})"))?;
+    ensure!(page.lit_share()? > 0.0, "the page drew nothing: every pixel is black");
+    page.must_be_content()?;
+    if let Some(file) = screenshot {
+        page.settle()?;
+        fs::write(file, page.screenshot()?).with_context(|| format!("cannot write {}", file.display()))?;
+    }
+    let number = |name: &str| {
+        let value = &measured[name];
+        value.as_f64().with_context(|| format!("luminaire.measure() gives {value} as its {name}"))
+    };
+    Ok(format!(
+        "demo ok: {}x{}, {} lights, {}, lighting {:.2} ms, frame {:.2} ms",
+        number("width")?,
+        number("height")?,
+        number("lights")?,
+        measured["format"].as_str().context("luminaire.measure() gives no format")?,
+        number("lightingMs")?,
+        number("frameMs")?,
+    ))
+}
+
+fn address(server: &Server, size: Option<Size>) -> String {
+    let query = size.map(|size| format!("?width={}&height={}", size.width, size.height));
+    server.address() + &query.unwrap_or_default()
+}

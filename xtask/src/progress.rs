@@ -1,0 +1,98 @@
+//! Telling how far a long piece of work has come.
+
+use std::cell::RefCell;
+use std::fmt::Display;
+use std::process::Command;
+use std::time::Instant;
+
+use anyhow::{Result, bail};
+
+use crate::command;
+
+/// Where progress goes: to stderr as it happens, or into a text that is shown only when something fails.
+pub(crate) enum Progress {
+    Live,
+    Kept(RefCell<String>),
+}
+
+/// A step that has begun.
+pub(crate) struct Step<'a> {
+    progress: &'a Progress,
+    start: Instant,
+}
+
+impl Progress {
+    /// Progress that nobody sees unless it is asked for.
+    pub(crate) fn kept() -> Self {
+        Self::Kept(RefCell::default())
+    }
+
+    /// What was kept.
+    pub(crate) fn into_text(self) -> String {
+        match self {
+            Self::Live => String::new(),
+            Self::Kept(text) => text.into_inner(),
+        }
+    }
+
+    /// Says a line in the layout of cargo's own messages, among which it will stand.
+    pub(crate) fn say(&self, verb: &str, what: impl Display) {
+        self.quote(&format!("{verb:>12} {what}\n"));
+    }
+
+    /// Says what somebody else has written.
+    pub(crate) fn quote(&self, text: &str) {
+        match self {
+            Self::Live => eprint!("{text}"),
+            Self::Kept(kept) => kept.borrow_mut().push_str(text),
+        }
+    }
+
+    /// Begins a step; [`Step::done`] ends it.
+    pub(crate) fn begin(&self, verb: &str, what: impl Display) -> Step<'_> {
+        self.say(verb, what);
+        Step { progress: self, start: Instant::now() }
+    }
+
+    /// Runs a program that must succeed, its output being part of the progress.
+    pub(crate) fn run(&self, mut command: Command) -> Result<()> {
+        match self {
+            Self::Live => command::run_live(&mut command),
+            Self::Kept(_) => {
+                let name = command::describe(&command);
+                let ended = command::capture(command)?;
+                self.quote(&ended.output);
+                if !ended.success {
+                    bail!("{name} failed");
+                }
+                Ok(())
+            }
+        }
+    }
+}
+
+impl Step<'_> {
+    /// Says how long the step took.
+    pub(crate) fn done(self) {
+        self.progress.say("Done", format_args!("in {:.1} s", self.start.elapsed().as_secs_f64()));
+    }
+
+    /// Says how long the step took and what came of it.
+    pub(crate) fn done_with(self, result: impl Display) {
+        self.progress.say("Done", format_args!("in {:.1} s: {result}", self.start.elapsed().as_secs_f64()));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn kept_progress_tells_the_steps_in_order() {
+        let progress = Progress::kept();
+        progress.begin("Building", "a house").done_with("four walls");
+        let text = progress.into_text();
+        assert!(text.starts_with("    Building a house\n        Done in "), "{text}");
+        assert!(text.ends_with(" s: four walls\n"), "{text}");
+    }
+}

@@ -1,0 +1,111 @@
+//! Running named steps one after the other, telling how each went, and summing up.
+
+use std::io::{self, Write};
+use std::process::ExitCode;
+use std::time::Instant;
+
+use anyhow::Result;
+
+use crate::progress::Progress;
+use crate::tally::Tally;
+
+/// Steps that have been run so far. A step that fails does not keep the next from running.
+pub(crate) struct Suite {
+    only: Option<String>,
+    start: Instant,
+    tally: Tally,
+    failures: Vec<String>,
+}
+
+impl Suite {
+    /// A suite of all steps, or of those whose name contains `only`.
+    pub(crate) fn new(only: Option<String>) -> Self {
+        Self { only, start: Instant::now(), tally: Tally::default(), failures: Vec::new() }
+    }
+
+    /// Whether a step with this name is to be run.
+    pub(crate) fn wants(&self, name: &str) -> bool {
+        self.only.as_ref().is_none_or(|only| name.contains(only))
+    }
+
+    /// Runs a step that counts as one test, if it is wanted.
+    pub(crate) fn step(&mut self, name: &str, work: impl FnOnce(&Progress) -> Result<()>) {
+        self.count(name, |progress| work(progress).map(|()| Tally::PASSED));
+    }
+
+    /// Runs a step that counts its own tests, if it is wanted.
+    pub(crate) fn count(&mut self, name: &str, work: impl FnOnce(&Progress) -> Result<Tally>) {
+        if self.wants(name) {
+            self.run(name, |progress| work(progress).map(|tally| ((), tally)));
+        }
+    }
+
+    /// Runs a step that others need, wanted or not.
+    pub(crate) fn require<T>(&mut self, name: &str, work: impl FnOnce(&Progress) -> Result<T>) -> Option<T> {
+        self.run(name, |progress| work(progress).map(|value| (value, Tally::PASSED)))
+    }
+
+    fn run<T>(&mut self, name: &str, work: impl FnOnce(&Progress) -> Result<(T, Tally)>) -> Option<T> {
+        print!("{name:.<90} ");
+        // Only a matter of how soon the name is seen.
+        let _ = io::stdout().flush();
+        let start = Instant::now();
+        let progress = Progress::kept();
+        let outcome = work(&progress);
+        let seconds = start.elapsed().as_secs_f64();
+        let tally = outcome.as_ref().map_or(Tally::FAILED, |(_, tally)| *tally);
+        let tests = if tally.passed + tally.failed == 1 { String::new() } else { format!(" ({tally})") };
+        self.tally += tally;
+        if tally.failed == 0 {
+            println!("pass {seconds:6.1} s{tests}");
+        } else {
+            println!("FAIL {seconds:6.1} s{tests}");
+            print!("{}", progress.into_text());
+            let reason = match &outcome {
+                Ok(_) => format!("{} of its tests failed or were ignored", tally.failed),
+                Err(error) => format!("{error:#}"),
+            };
+            println!("error: {reason}\n");
+            self.failures.push(format!("{name}: {reason}"));
+        }
+        outcome.ok().map(|(value, _)| value)
+    }
+
+    /// Tells what failed and, as the last line, how many.
+    pub(crate) fn finish(self) -> ExitCode {
+        println!();
+        for failure in &self.failures {
+            println!("FAIL {failure}");
+        }
+        println!("ran for {:.0} s", self.start.elapsed().as_secs_f64());
+        println!("{}", self.tally);
+        let well = self.tally.failed == 0 && self.tally.passed > 0;
+        if well { ExitCode::SUCCESS } else { ExitCode::FAILURE }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use anyhow::bail;
+
+    use super::*;
+
+    #[test]
+    fn a_failure_is_counted_and_the_next_step_still_runs() {
+        let mut suite = Suite::new(None);
+        suite.step("one", |_| bail!("broken"));
+        suite.step("two", |_| Ok(()));
+        suite.count("many", |_| Ok(Tally { passed: 5, failed: 1 }));
+        assert_eq!(suite.tally, Tally { passed: 6, failed: 2 });
+        assert_eq!(suite.failures, ["one: broken", "many: 1 of its tests failed or were ignored"]);
+    }
+
+    #[test]
+    fn only_wanted_and_required_steps_run() {
+        let mut suite = Suite::new(Some("camera".into()));
+        suite.step("browser: the camera moves", |_| Ok(()));
+        suite.step("format", |_| bail!("never run"));
+        assert_eq!(suite.require("the demo is built", |_| Ok(7)), Some(7));
+        assert_eq!(suite.tally, Tally { passed: 2, failed: 0 });
+    }
+}

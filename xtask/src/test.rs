@@ -1,0 +1,134 @@
+//! `cargo xtask test`: every test there is.
+
+use std::path::Path;
+use std::process::{Command, ExitCode};
+
+use anyhow::{Context, Result, bail};
+
+use crate::arguments::TestOptions;
+use crate::browser::{Chromium, tests as browser_tests};
+use crate::progress::Progress;
+use crate::server::{self, Server};
+use crate::suite::Suite;
+use crate::tally::Tally;
+use crate::toolchain::Toolchain;
+use crate::{command, demo, site};
+
+/// The smallest processor that is promised: no floating point unit, no division, no atomics.
+const BARE: &str = "thumbv6m-none-eabi";
+
+/// The sets of luminaire's features that bare metal is promised, as options of cargo.
+const FEATURES: [(&str, &[&str]); 4] = [
+    ("libm alone", &["--no-default-features", "--features", "libm"]),
+    ("micromath alone", &["--no-default-features", "--features", "micromath"]),
+    ("its default features", &[]),
+    ("every feature without std", &["--no-default-features", "--features", "fixed,libm,glam,micromath"]),
+];
+
+const STD: (&str, &[&str]) = ("std alone", &["--no-default-features", "--features", "std"]);
+
+/// Runs the tests; the last line on stdout counts them.
+pub(crate) fn run(options: &TestOptions) -> ExitCode {
+    let mut suite = Suite::new(options.only.clone());
+    sources(&mut suite);
+    suite.count("host: cargo test", |progress| cargo_test(options.full, progress));
+    bare_metal(&mut suite);
+    browser(&mut suite);
+    suite.finish()
+}
+
+fn sources(suite: &mut Suite) {
+    suite.step("format: cargo fmt", |progress| {
+        progress.run(with(command::cargo("fmt"), &["--all", "--check"]))
+    });
+    suite.step("lint: cargo clippy", |progress| {
+        let clippy = with(command::cargo("clippy"), &["--workspace", "--all-targets"]);
+        progress.run(with(clippy, &["--", "-Dwarnings"]))
+    });
+    for (name, features) in FEATURES.iter().chain([&STD]) {
+        suite.step(&format!("lint: luminaire with {name}"), |progress| {
+            let clippy = with(command::cargo("clippy"), &["--package", "luminaire", "--lib"]);
+            progress.run(with(with(clippy, features), &["--", "-Dwarnings"]))
+        });
+    }
+    suite.step("documentation: cargo doc", |progress| {
+        let mut doc = with(command::cargo("doc"), &["--workspace", "--no-deps"]);
+        doc.env("RUSTDOCFLAGS", "-Dwarnings");
+        progress.run(doc)
+    });
+}
+
+fn cargo_test(full: bool, progress: &Progress) -> Result<Tally> {
+    let mut test = with(command::cargo("test"), &["--workspace", "--no-fail-fast"]);
+    if full {
+        test.env("LUMINAIRE_FULL", "1");
+    }
+    let ended = command::capture(test)?;
+    progress.quote(&ended.output);
+    let mut tally = Tally::of_cargo_test(&ended.output);
+    if tally == Tally::default() {
+        bail!("cargo test ran no test");
+    }
+    // A test program that does not compile, or that crashes, has no line of its own.
+    if !ended.success && tally.failed == 0 {
+        tally += Tally::FAILED;
+    }
+    Ok(tally)
+}
+
+fn bare_metal(suite: &mut Suite) {
+    let build = |progress: &Progress, package: &str, features: &[&str]| {
+        let toolchain = Toolchain::find(BARE, progress)?;
+        let cargo = with(toolchain.cargo_build("core,alloc", &[]), &["--lib", "--package", package]);
+        progress.run(with(cargo, features))
+    };
+    for (name, features) in FEATURES {
+        suite.step(&format!("bare metal: luminaire with {name} for {BARE}"), |progress| {
+            build(progress, "luminaire", features)
+        });
+    }
+    suite.step(&format!("bare metal: luminaire-render for {BARE}"), |progress| {
+        build(progress, "luminaire-render", &[])
+    });
+}
+
+fn browser(suite: &mut Suite) {
+    let check = "browser: the demo's check";
+    let tests = browser_tests::ALL.map(|(name, test)| (format!("browser: {name}"), test));
+    if !suite.wants(check) && !tests.iter().any(|(name, _)| suite.wants(name)) {
+        return;
+    }
+    let site = suite.require("browser: the demo is built", site::build);
+    let mut visitor = suite.require("browser: the demo is served and Chromium starts", |progress| {
+        Visit::start(site.as_deref().context("there is no demo to serve")?, progress)
+    });
+    for (name, test) in &tests {
+        suite.step(name, |_| test(&mut visitor.as_mut().context("not run: there is no browser")?.visitor));
+    }
+    suite.step(check, |progress| {
+        let visitor = &mut visitor.as_mut().context("not run: there is no browser")?.visitor;
+        let verdict = demo::check(&mut visitor.chromium, &visitor.address, None)?;
+        progress.say("Checked", verdict);
+        Ok(())
+    });
+}
+
+/// A visitor, and the server that stands as long as the visit.
+struct Visit {
+    visitor: browser_tests::Visitor,
+    _server: Server,
+}
+
+impl Visit {
+    fn start(site: &Path, progress: &Progress) -> Result<Self> {
+        let server = Server::start(server::listen(0)?, site)?;
+        let visitor =
+            browser_tests::Visitor { chromium: Chromium::start(progress)?, address: server.address() };
+        Ok(Self { visitor, _server: server })
+    }
+}
+
+fn with(mut command: Command, arguments: &[&str]) -> Command {
+    command.args(arguments);
+    command
+}
