@@ -76,3 +76,8 @@ pub use scalar::{Fx16, Fx32};
 pub use scalar::{Offset, Ray, Scalar};
 pub use shade::CompiledSpot;
 pub use vec3::Vec3;
+
+/// The README's example is a test.
+#[cfg(doctest)]
+#[doc = include_str!("../../README.md")]
+struct Readme;
