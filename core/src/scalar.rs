@@ -88,7 +88,7 @@ pub trait Scalar: Copy + Default + PartialOrd + core::fmt::Debug + sealed::Seale
     /// outer, monotone between.
     fn rise(ramp: Self::Ramp, versine: Self::Versine) -> Self;
 
-    /// The light of a fraction of a gain, whatever the distance. The fraction is clamped to [0, 1].
+    /// The light of a fraction of a gain, whatever the distance; none for a negative fraction.
     fn expose(self, gain: Self::Gain) -> Self::Irradiance;
     /// A channel of light after a colour.
     fn filter(light: Self::Irradiance, color: Self) -> Self::Irradiance;
@@ -118,18 +118,17 @@ pub trait Offset<S: Scalar>: Copy + core::fmt::Debug {
 
 /// A direction of unit length from a light to a point, and the length it had.
 ///
-/// A point on the light itself, or one so far that its squared distance cannot be held, has no direction: its
-/// [`cosine`](Ray::cosine) is zero, so that it stays dark.
+/// A point on the light itself, or one so far that its squared distance cannot be held, has no direction: it stays
+/// dark, because its [`cosine`](Ray::cosine) is zero or its versine outside every cone.
 pub trait Ray<S: Scalar>: Copy + core::fmt::Debug {
     /// The direction.
     fn direction(&self) -> Vec3<S::Unit>;
     /// The versine of the angle between direction and axis, in the scale of a ramp, by the difference of the two:
     /// `|l - s|^2 / 2` keeps the narrow beams that `1 - l.s` loses.
     fn versine(&self, axis: Vec3<S::Unit>, ramp: S::Ramp) -> S::Versine;
-    /// The cosine of the angle of incidence, clamped to [0, 1].
+    /// The cosine of the angle of incidence, and zero where the surface faces away.
     fn cosine(&self, facing: <S::Offset as Offset<S>>::Facing) -> S;
-    /// The light of a fraction of a gain at this distance, by the inverse-square law. The fraction is clamped to
-    /// [0, 1].
+    /// The light of a fraction of a gain at this distance, by the inverse-square law; none for a negative fraction.
     fn expose(&self, fraction: S, gain: S::Gain) -> S::Irradiance;
 }
 

@@ -113,7 +113,7 @@ impl Scalar for f32 {
 
     #[inline(always)]
     fn expose(self, gain: f32) -> f32 {
-        let light = positive(clamp(self) * gain);
+        let light = positive(self * gain);
         if light < BRIGHTEST { light } else { BRIGHTEST }
     }
 
@@ -153,11 +153,11 @@ impl Offset<f32> for FloatOffset {
         along * along.abs() < bound * self.squared
     }
 
+    /// Where the square is zero or beyond f32, direction or reciprocal are zero, infinite or not a number, and every one
+    /// of them is dark in the end: no test is needed.
     #[inline(always)]
     fn ray(&self) -> FloatRay {
-        let is_normal = self.squared >= f32::MIN_POSITIVE && self.squared <= f32::MAX;
-        let root = 1.0 / trig::sqrt(self.squared);
-        let reciprocal = if is_normal { root } else { 0.0 };
+        let reciprocal = 1.0 / trig::sqrt(self.squared);
         FloatRay { direction: self.way.map(|c| c * reciprocal), reciprocal }
     }
 }
@@ -176,7 +176,7 @@ impl Ray<f32> for FloatRay {
 
     #[inline(always)]
     fn cosine(&self, facing: f32) -> f32 {
-        clamp(facing * self.reciprocal)
+        positive(facing * self.reciprocal)
     }
 
     #[inline(always)]

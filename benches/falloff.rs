@@ -1,0 +1,75 @@
+//! What a falloff costs, from a versine in memory to an intensity in memory: 4,096 of each, in one run.
+//!
+//! `cargo bench --bench falloff`. A clamped copy is the floor: no method can do with less.
+
+#![allow(missing_docs, reason = "criterion's macros make public items without documentation")]
+
+use std::hint::black_box;
+
+use criterion::{Criterion, Throughput, criterion_group, criterion_main};
+use luminaire::{Angle, Cone, Falloff, Fx16, Fx32, Hard, Profile, Scalar, Soft};
+
+const POINTS: usize = 4096;
+
+/// The versines of a field angle of 15 degrees, from the axis to a little beyond the edge.
+fn versines(outer: f32) -> Vec<f32> {
+    (0..POINTS).map(|i| 1.1 * outer * i as f32 / POINTS as f32).collect()
+}
+
+fn cone<P: Profile>(profile: P) -> Cone<P> {
+    Cone::from_field(profile, Angle::degrees(15.0)).expect("a sound angle")
+}
+
+fn evaluate<S: Scalar, P: Profile>(falloff: &Falloff<S, P>, versines: &[S::Versine], out: &mut [S]) {
+    for (out, versine) in out.iter_mut().zip(versines) {
+        *out = falloff.at(*versine);
+    }
+}
+
+/// Benches a falloff after checking that it is what the reference says: half at the beam angle.
+fn bench<S: Scalar, P: Profile>(criterion: &mut Criterion, name: &str, profile: P) {
+    let cone = cone(profile);
+    let falloff = cone.compile::<S>().expect("held");
+    let at_beam = falloff.at(falloff.versine(cone.beam().versine())).to_f32();
+    assert!((at_beam - 0.5).abs() < 1e-3, "{name} is {at_beam} at the beam angle");
+    let versines: Vec<_> = versines(cone.outer_versine()).into_iter().map(|w| falloff.versine(w)).collect();
+    let mut out = vec![S::ZERO; POINTS];
+    let mut group = criterion.benchmark_group("falloff");
+    group.throughput(Throughput::Elements(POINTS as u64));
+    group.bench_function(format!("{name} {}", S::NAME), |bencher| {
+        bencher.iter(|| evaluate(&falloff, black_box(&versines), black_box(&mut out)));
+    });
+    group.finish();
+}
+
+/// Benches a formula of f32, for comparison.
+fn rival(criterion: &mut Criterion, name: &str, formula: impl Fn(f32) -> f32) {
+    let versines = versines(cone(Soft).outer_versine());
+    let mut out = vec![0.0; POINTS];
+    let mut group = criterion.benchmark_group("falloff");
+    group.throughput(Throughput::Elements(POINTS as u64));
+    group.bench_function(name, |bencher| {
+        bencher.iter(|| {
+            for (out, versine) in out.iter_mut().zip(black_box(&versines)) {
+                *out = formula(*versine);
+            }
+            black_box(&mut out);
+        });
+    });
+    group.finish();
+}
+
+fn falloffs(criterion: &mut Criterion) {
+    let outer = cone(Soft).outer_versine();
+    // The exponent with which Warn's model has the same field angle: cos^C = 1/10.
+    let exponent = black_box(0.1_f32.ln() / (1.0 - cone(Soft).field().versine()).ln());
+    rival(criterion, "clamped copy", |versine| if versine < outer { versine } else { outer });
+    bench::<f32, _>(criterion, "soft", Soft);
+    bench::<f32, _>(criterion, "hard", Hard);
+    bench::<Fx32, _>(criterion, "soft", Soft);
+    bench::<Fx16, _>(criterion, "soft", Soft);
+    rival(criterion, "powf (Warn)", |versine| (1.0 - versine).powf(exponent));
+}
+
+criterion_group!(benches, falloffs);
+criterion_main!(benches);

@@ -1,0 +1,120 @@
+//! What a lit point costs: from a position and a normal in memory to three channels of light added in memory, 4,096 of
+//! them, in one run.
+//!
+//! `cargo bench --bench lit`. The rival is the plain loop with the formula of the glTF specification.
+
+#![allow(missing_docs, reason = "criterion's macros make public items without documentation")]
+
+use std::hint::black_box;
+
+use criterion::{Criterion, Throughput, criterion_group, criterion_main};
+use luminaire::{Angle, CompiledSpot, Cone, Fx16, Fx32, Hard, Profile, Rgb, Scalar, Soft, Spot, Vec3};
+
+const POINTS: usize = 4096;
+
+/// A floor under the light, structure of arrays.
+struct Floor<S: Scalar> {
+    point: Vec3<Vec<S::Length>>,
+    normal: Vec3<Vec<S>>,
+    light: Rgb<Vec<S::Irradiance>>,
+}
+
+/// A square of 64 x 64 points on the floor, two metres wide: a good part of it inside the cone.
+fn floor<S: Scalar>() -> Floor<S> {
+    let at = |i: usize| 2.0 * (i as f32 / 63.0) - 1.0;
+    let column = |f: &dyn Fn(usize) -> f32| (0..POINTS).map(f).collect::<Vec<_>>();
+    let point = Vec3::new(column(&|i| at(i % 64)), column(&|_| 0.0), column(&|i| at(i / 64)));
+    let normal = Vec3::new(column(&|_| 0.0), column(&|_| 1.0), column(&|_| 0.0));
+    Floor {
+        point: point.map(|c| c.into_iter().map(S::length).collect()),
+        normal: normal.map(|c| c.into_iter().map(S::from_f32).collect()),
+        light: Rgb::new((), (), ()).map(|()| vec![S::Irradiance::default(); POINTS]),
+    }
+}
+
+fn spot<P: Profile>(profile: P) -> Spot<P> {
+    let cone = Cone::from_field(profile, Angle::degrees(26.0)).expect("a sound angle");
+    Spot::new(Vec3::new(0.3, 4.0, 0.2), Vec3::new(-0.05, -1.0, 0.0), cone)
+        .and_then(|spot| spot.with_intensity(16.0))
+        .and_then(|spot| spot.with_color(Rgb::new(1.0, 0.8, 0.6)))
+        .expect("a sound light")
+}
+
+fn light<S: Scalar, P: Profile>(spot: &CompiledSpot<S, P>, floor: &mut Floor<S>, skips: bool) {
+    let (point, normal, color) = (&floor.point, &floor.normal, spot.color());
+    let (red, green, blue) =
+        (&mut floor.light.red[..POINTS], &mut floor.light.green[..POINTS], &mut floor.light.blue[..POINTS]);
+    let (x, y, z) = (&point.x[..POINTS], &point.y[..POINTS], &point.z[..POINTS]);
+    let (nx, ny, nz) = (&normal.x[..POINTS], &normal.y[..POINTS], &normal.z[..POINTS]);
+    for i in 0..POINTS {
+        let (point, normal) = (Vec3::new(x[i], y[i], z[i]), Vec3::new(nx[i], ny[i], nz[i]));
+        let light =
+            if skips { spot.irradiance(point, normal) } else { spot.irradiance_unskipped(point, normal) };
+        red[i] = S::add_light(red[i], S::filter(light, color.red));
+        green[i] = S::add_light(green[i], S::filter(light, color.green));
+        blue[i] = S::add_light(blue[i], S::filter(light, color.blue));
+    }
+}
+
+fn bench<S: Scalar, P: Profile>(criterion: &mut Criterion, name: &str, profile: P, skips: bool) {
+    let spot = spot(profile).compile::<S>().expect("held");
+    let mut lit = floor::<S>();
+    light(&spot, &mut lit, skips);
+    let brightest = lit.light.red.iter().map(|&red| S::light_to_f32(red)).fold(0.0, f32::max);
+    assert!((0.95..=1.05).contains(&brightest), "{name}: the middle of the spot is {brightest}");
+    let mut group = criterion.benchmark_group("lit");
+    group.throughput(Throughput::Elements(POINTS as u64));
+    group.bench_function(format!("{name} {}", S::NAME), |bencher| {
+        bencher.iter(|| light(black_box(&spot), black_box(&mut lit), skips));
+    });
+    group.finish();
+}
+
+/// The spotlight of glTF's KHR_lights_punctual, as its specification writes it, with the profile squared.
+fn gltf(criterion: &mut Criterion) {
+    let spot = spot(Soft);
+    let (position, axis, color) = (spot.position(), spot.axis(), spot.color());
+    let outer_cosine = 1.0 - spot.cone().outer_versine();
+    let scale = 1.0 / f32::max(0.001, 1.0 - outer_cosine);
+    let offset = -outer_cosine * scale;
+    let mut floor = floor::<f32>();
+    let mut group = criterion.benchmark_group("lit");
+    group.throughput(Throughput::Elements(POINTS as u64));
+    group.bench_function("glTF formula, f32", |bencher| {
+        bencher.iter(|| {
+            let floor = black_box(&mut floor);
+            let (x, y, z) = (&floor.point.x[..POINTS], &floor.point.y[..POINTS], &floor.point.z[..POINTS]);
+            let (nx, ny, nz) =
+                (&floor.normal.x[..POINTS], &floor.normal.y[..POINTS], &floor.normal.z[..POINTS]);
+            let (red, green, blue) = (
+                &mut floor.light.red[..POINTS],
+                &mut floor.light.green[..POINTS],
+                &mut floor.light.blue[..POINTS],
+            );
+            for i in 0..POINTS {
+                let way = Vec3::new(x[i] - position.x, y[i] - position.y, z[i] - position.z);
+                let reciprocal = 1.0 / way.dot(way).sqrt();
+                let direction = way.map(|c| c * reciprocal);
+                let angular = (direction.dot(axis) * scale + offset).clamp(0.0, 1.0);
+                let cosine = (-direction.dot(Vec3::new(nx[i], ny[i], nz[i]))).max(0.0);
+                let light = 16.0 * angular * angular * cosine * reciprocal * reciprocal;
+                red[i] += light * color.red;
+                green[i] += light * color.green;
+                blue[i] += light * color.blue;
+            }
+        });
+    });
+    group.finish();
+}
+
+fn lit(criterion: &mut Criterion) {
+    gltf(criterion);
+    bench::<f32, _>(criterion, "soft", Soft, false);
+    bench::<f32, _>(criterion, "hard", Hard, false);
+    bench::<f32, _>(criterion, "soft, skipping", Soft, true);
+    bench::<Fx32, _>(criterion, "soft, skipping", Soft, true);
+    bench::<Fx16, _>(criterion, "soft, skipping", Soft, true);
+}
+
+criterion_group!(benches, lit);
+criterion_main!(benches);
