@@ -20,11 +20,11 @@ fn inside(vertex: &Seen, plane: usize) -> f32 {
 pub(crate) fn clip(triangle: [Seen; 3], mut draw: impl FnMut([&Seen; 3])) {
     let mut cut = 0_u32;
     for plane in 0..PLANES {
-        let outside = triangle.iter().filter(|vertex| !(inside(vertex, plane) >= 0.0)).count();
-        if outside == 3 {
-            return;
+        match triangle.iter().filter(|vertex| inside(vertex, plane) >= 0.0).count() {
+            0 => return,
+            3 => {}
+            _ => cut |= 1 << plane,
         }
-        cut |= u32::from(outside > 0) << plane;
     }
     if cut == 0 {
         let [a, b, c] = &triangle;
