@@ -1,0 +1,114 @@
+//! A camera that orbits a target.
+
+use core::f32::consts::{FRAC_PI_2, TAU};
+use glam::{Vec2, Vec3};
+use luminaire::{Angle, HalfAngle};
+
+/// How near to its target a camera may come, and how far it may go, in metres.
+const DISTANCE: (f32, f32) = (0.25, 100.0);
+/// The vertical fields of view that a camera may have, in radians.
+const FIELD_OF_VIEW: (f32, f32) = (0.05, 2.5);
+/// The steepest look down from above, in radians: a little short of the zenith, where yaw would lose its meaning.
+const STEEPEST: f32 = 1.5;
+/// How high above the floor, which is at height 0, the eye stays, in metres.
+const EYE_HEIGHT: f32 = 0.05;
+
+/// A camera that looks at a target from a distance, in a right-handed world whose y axis points up.
+///
+/// At yaw 0 the eye stands on the side of positive z and x points to the right of the picture; yaw turns it to
+/// the right around the target. Whatever it is given, a camera stays one that can be drawn with: parameters are
+/// clamped to what they may be, and one that is not a number is ignored.
+///
+/// ```
+/// use luminaire::Vec3;
+/// use luminaire_render::Camera;
+/// let mut camera = Camera::new(Vec3::new(0.0, 1.0, 0.0), 8.0, 0.0, 0.0, 0.6);
+/// assert_eq!(camera.eye(), Vec3::new(0.0, 1.0, 8.0));
+/// camera.orbit(0.0, -3.0); // as low as the floor lets it
+/// assert!(camera.eye().y > 0.0);
+/// ```
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Camera {
+    target: Vec3,
+    distance: f32,
+    yaw: f32,
+    pitch: f32,
+    field_of_view: f32,
+}
+
+impl Camera {
+    /// A camera at a distance from its target in metres (0.25 to 100); yaw, pitch and the vertical field of view
+    /// (0.05 to 2.5) are in radians, and a positive pitch looks down from above.
+    pub fn new(
+        target: luminaire::Vec3<f32>,
+        distance: f32,
+        yaw: f32,
+        pitch: f32,
+        field_of_view: f32,
+    ) -> Self {
+        let mut camera = Self {
+            target: Vec3::from(target.map(|c| clamp(c, (-1e4, 1e4), 0.0))),
+            distance: clamp(distance, DISTANCE, 10.0),
+            yaw: 0.0,
+            pitch: 0.0,
+            field_of_view: clamp(field_of_view, FIELD_OF_VIEW, 0.6),
+        };
+        camera.orbit(yaw, pitch);
+        camera
+    }
+
+    /// Turns the camera around its target by these angles in radians. The eye stays above the floor and short of the
+    /// zenith.
+    pub fn orbit(&mut self, yaw: f32, pitch: f32) {
+        let turned = (self.yaw + yaw) % TAU;
+        self.yaw = if turned.is_finite() { turned } else { self.yaw };
+        let raised = self.pitch + if pitch.is_nan() { 0.0 } else { pitch };
+        self.pitch = raised.min(STEEPEST).max(self.lowest());
+    }
+
+    /// Multiplies the distance by a factor: under 1 comes nearer. The distance stays between 0.25 and 100 metres.
+    pub fn zoom(&mut self, factor: f32) {
+        self.distance = clamp(self.distance * factor, DISTANCE, self.distance);
+        self.orbit(0.0, 0.0);
+    }
+
+    /// Where the eye is, in metres.
+    pub fn eye(&self) -> luminaire::Vec3<f32> {
+        self.pose().eye.into()
+    }
+
+    /// The vertical field of view, in radians.
+    pub(crate) fn field_of_view(&self) -> f32 {
+        self.field_of_view
+    }
+
+    /// The eye, and the directions that it sees as right, up and ahead.
+    pub(crate) fn pose(&self) -> Pose {
+        let (turn, rise) = (Vec2::from_angle(self.yaw), Vec2::from_angle(self.pitch));
+        let right = Vec3::new(turn.x, 0.0, -turn.y);
+        let ahead = -Vec3::new(turn.y * rise.x, rise.y, turn.x * rise.x);
+        Pose { eye: self.target - self.distance * ahead, right, up: right.cross(ahead), ahead }
+    }
+
+    /// The pitch at which the eye is as low as the floor lets it; at most the steepest, for a target so far below
+    /// the floor that no pitch is enough.
+    fn lowest(&self) -> f32 {
+        let sine = ((EYE_HEIGHT - self.target.y) / self.distance).clamp(-1.0, 1.0);
+        let from_zenith = HalfAngle::from(Angle::from_versine(1.0 - sine));
+        (FRAC_PI_2 - from_zenith.to_radians()).clamp(-STEEPEST, STEEPEST)
+    }
+}
+
+/// A camera's eye and its axes, all of unit length and at right angles.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Pose {
+    pub(crate) eye: Vec3,
+    pub(crate) right: Vec3,
+    pub(crate) up: Vec3,
+    pub(crate) ahead: Vec3,
+}
+
+/// The value in this range, or the default if it is not a number.
+fn clamp(value: f32, (least, most): (f32, f32), default: f32) -> f32 {
+    if value.is_nan() { default } else { value.clamp(least, most) }
+}

@@ -1,0 +1,95 @@
+//! Triangles cut at the borders of what a camera sees.
+
+use crate::view::{NEAR, Seen};
+
+/// The borders: near, left, right, bottom, top.
+const PLANES: usize = 5;
+
+/// How far a vertex is on the visible side of a border.
+fn inside(vertex: &Seen, plane: usize) -> f32 {
+    match plane {
+        0 => vertex.depth - NEAR,
+        1 => vertex.depth + vertex.x,
+        2 => vertex.depth - vertex.x,
+        3 => vertex.depth + vertex.y,
+        _ => vertex.depth - vertex.y,
+    }
+}
+
+/// Hands the visible part of a triangle to `draw`, as triangles in the same sense of rotation.
+pub(crate) fn clip(triangle: [Seen; 3], mut draw: impl FnMut([&Seen; 3])) {
+    let mut cut = 0_u32;
+    for plane in 0..PLANES {
+        match triangle.iter().filter(|vertex| inside(vertex, plane) >= 0.0).count() {
+            0 => return,
+            3 => {}
+            _ => cut |= 1 << plane,
+        }
+    }
+    if cut == 0 {
+        let [a, b, c] = &triangle;
+        return draw([a, b, c]);
+    }
+    let mut polygon = Polygon::new(triangle);
+    for plane in (0..PLANES).filter(|plane| cut >> plane & 1 == 1) {
+        polygon = polygon.cut(plane);
+    }
+    if let [first, rest @ ..] = polygon.vertices() {
+        rest.windows(2).for_each(|edge| draw([first, &edge[0], &edge[1]]));
+    }
+}
+
+/// A convex polygon: a triangle gains at most one vertex at each border.
+struct Polygon {
+    vertices: [Seen; 3 + PLANES],
+    count: usize,
+}
+
+impl Polygon {
+    fn new([a, b, c]: [Seen; 3]) -> Self {
+        Self { vertices: [a, b, c, a, a, a, a, a], count: 3 }
+    }
+
+    fn vertices(&self) -> &[Seen] {
+        &self.vertices[..self.count]
+    }
+
+    fn push(&mut self, vertex: Seen) {
+        if let Some(place) = self.vertices.get_mut(self.count) {
+            *place = vertex;
+            self.count += 1;
+        }
+    }
+
+    /// The part on the visible side of a border.
+    fn cut(&self, plane: usize) -> Self {
+        let mut kept = Self { vertices: self.vertices, count: 0 };
+        let last = self.vertices().last();
+        for (before, vertex) in last.into_iter().chain(self.vertices()).zip(self.vertices()) {
+            let (from, to) = (inside(before, plane), inside(vertex, plane));
+            match (from >= 0.0, to >= 0.0) {
+                (true, true) => kept.push(*vertex),
+                (true, false) => kept.push(crossing((before, from), (vertex, to))),
+                (false, true) => {
+                    kept.push(crossing((vertex, to), (before, from)));
+                    kept.push(*vertex);
+                }
+                (false, false) => {}
+            }
+        }
+        kept
+    }
+}
+
+/// Where an edge crosses a border. It is found from the visible end whichever way the edge is walked, so that two
+/// triangles that share the edge share the crossing to the bit, and no crack opens between them.
+fn crossing((visible, inside): (&Seen, f32), (hidden, outside): (&Seen, f32)) -> Seen {
+    let t = inside / (inside - outside);
+    let mix = |a: f32, b: f32| a + t * (b - a);
+    Seen {
+        x: mix(visible.x, hidden.x),
+        y: mix(visible.y, hidden.y),
+        depth: mix(visible.depth, hidden.depth),
+        normal: visible.normal + t * (hidden.normal - visible.normal),
+    }
+}

@@ -1,0 +1,159 @@
+//! Triangle meshes with a normal at each vertex, and the surfaces that are swept from outlines.
+
+use crate::outline::Outline;
+use alloc::vec::Vec;
+use glam::{Quat, Vec3};
+
+/// A mesh of triangles, smooth between its vertices, seen from the front only: a closed one shows its outside.
+///
+/// The world is right-handed, in metres, and y points up.
+#[derive(Clone, PartialEq, Default, Debug)]
+pub struct Mesh {
+    vertices: Vec<Vertex>,
+    triangles: Vec<[u32; 3]>,
+}
+
+/// A corner of triangles.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(crate) struct Vertex {
+    pub(crate) position: Vec3,
+    pub(crate) normal: Vec3,
+}
+
+impl Mesh {
+    /// The surface that an outline of radius and height sweeps around the y axis, in this many segments.
+    ///
+    /// ```
+    /// use luminaire_render::{Mesh, Outline};
+    /// let cone = Mesh::lathe(&Outline::start(0.0, 0.0).line_to(0.5, 0.0).line_to(0.0, 1.0), 48);
+    /// assert_eq!(cone.triangle_count(), 2 * 48);
+    /// ```
+    pub fn lathe(outline: &Outline, segments: usize) -> Self {
+        let mut mesh = Self::default();
+        for strip in outline.strips(true) {
+            mesh.sweep(segments, true, |segment| {
+                let angle = core::f32::consts::TAU * segment as f32 / segments as f32;
+                let around = glam::Vec2::from_angle(angle);
+                strip.map(|station| Vertex {
+                    position: Vec3::new(
+                        station.point.x * around.x,
+                        station.point.y,
+                        station.point.x * -around.y,
+                    ),
+                    normal: Vec3::new(
+                        station.normal.x * around.x,
+                        station.normal.y,
+                        station.normal.x * -around.y,
+                    ),
+                })
+            });
+        }
+        mesh
+    }
+
+    /// The surface that an outline in x and y sweeps along the z axis, from z = 0 to z = `depth` metres.
+    pub fn extrude(outline: &Outline, depth: f32, segments: usize) -> Self {
+        let mut mesh = Self::default();
+        for strip in outline.strips(false) {
+            mesh.sweep(segments, false, |segment| {
+                let z = depth * (1.0 - segment as f32 / segments as f32);
+                strip.map(|station| Vertex {
+                    position: station.point.extend(z),
+                    normal: station.normal.extend(0.0),
+                })
+            });
+        }
+        mesh
+    }
+
+    /// A box of this width, height and depth in metres that stands on y = 0 around the y axis.
+    pub fn cuboid(width: f32, height: f32, depth: f32) -> Self {
+        let (x, z) = (width / 2.0, depth / 2.0);
+        let mut mesh = Self::default();
+        let corner = Vec3::new(-x, 0.0, -z);
+        let (wide, high, deep) = (width * Vec3::X, height * Vec3::Y, depth * Vec3::Z);
+        for (corner, u, v) in [
+            (corner, wide, deep),
+            (corner, deep, high),
+            (corner, high, wide),
+            (corner + wide, high, deep),
+            (corner + high, deep, wide),
+            (corner + deep, wide, high),
+        ] {
+            mesh.parallelogram(corner, u, v);
+        }
+        mesh
+    }
+
+    /// The same mesh, moved by an offset in metres.
+    pub fn moved(self, offset: luminaire::Vec3<f32>) -> Self {
+        let offset = Vec3::from(offset);
+        self.mapped(|v| Vertex { position: v.position + offset, ..v })
+    }
+
+    /// The same mesh, turned around an axis through the origin by an angle in radians: against the clock for who looks
+    /// at the tip of the axis.
+    pub fn turned(self, axis: luminaire::Vec3<f32>, angle: f32) -> Self {
+        let rotation = Quat::from_scaled_axis(Vec3::from(axis).normalize_or_zero() * angle);
+        self.mapped(|v| Vertex { position: rotation * v.position, normal: rotation * v.normal })
+    }
+
+    /// The meshes as one.
+    pub fn and(mut self, other: Self) -> Self {
+        let first = self.vertices.len() as u32;
+        self.vertices.extend(other.vertices);
+        self.triangles.extend(other.triangles.into_iter().map(|triangle| triangle.map(|v| v + first)));
+        self
+    }
+
+    /// How many triangles the mesh has.
+    pub fn triangle_count(&self) -> usize {
+        self.triangles.len()
+    }
+
+    /// The vertices.
+    pub(crate) fn vertices(&self) -> &[Vertex] {
+        &self.vertices
+    }
+
+    /// The triangles, as indices of vertices; their front sees them against the clock.
+    pub(crate) fn triangles(&self) -> &[[u32; 3]] {
+        &self.triangles
+    }
+
+    /// A parallelogram from a corner along two edges; its front is where `u` turns to `v` against the clock.
+    fn parallelogram(&mut self, corner: Vec3, u: Vec3, v: Vec3) {
+        let normal = u.cross(v).normalize_or_zero();
+        let vertex = |position| Vertex { position, normal };
+        self.sweep(1, false, |side| {
+            let corner = corner + side as f32 * u;
+            [vertex(corner), vertex(corner + v)]
+        });
+    }
+
+    /// A strip of quadrilaterals between pairs of vertices; a closed one ends in the very vertices that it began with.
+    fn sweep(&mut self, segments: usize, closed: bool, pair: impl Fn(usize) -> [Vertex; 2]) {
+        let first = self.vertices.len() as u32;
+        let pairs = if closed { segments } else { segments + 1 };
+        self.vertices.extend((0..pairs).flat_map(pair));
+        for segment in 0..segments {
+            let near = first + 2 * segment as u32;
+            let far = first + 2 * ((segment + 1) % pairs) as u32;
+            self.triangle([near, far, near + 1]);
+            self.triangle([far, far + 1, near + 1]);
+        }
+    }
+
+    /// Adds a triangle, unless two of its corners are in one place, as at the poles of a sphere.
+    fn triangle(&mut self, corners: [u32; 3]) {
+        let [a, b, c] = corners.map(|corner| self.vertices[corner as usize].position);
+        if a != b && b != c && c != a {
+            self.triangles.push(corners);
+        }
+    }
+
+    fn mapped(mut self, f: impl Fn(Vertex) -> Vertex) -> Self {
+        self.vertices.iter_mut().for_each(|vertex| *vertex = f(*vertex));
+        self
+    }
+}

@@ -1,0 +1,103 @@
+//! Outlines: plane curves from which surfaces are swept.
+
+use alloc::vec::Vec;
+use glam::Vec2;
+
+/// The cosine of the largest turn of an outline that is drawn as smooth: 45 degrees. What turns more is a crease.
+const CREASE: f32 = core::f32::consts::FRAC_1_SQRT_2;
+
+/// A plane curve, drawn as a pen would: from a point, along lines and curves.
+///
+/// For a [lathe](crate::Mesh::lathe) the coordinates are radius and height. The surface is on the right of the pen:
+/// an outline drawn upwards, from the foot to the top, faces outwards. It is smooth where it turns by
+/// less than 45 degrees, and creased where it turns by more.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Outline {
+    points: Vec<Vec2>,
+}
+
+/// A point of an outline and the normal of the surface there.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Station {
+    pub(crate) point: Vec2,
+    pub(crate) normal: Vec2,
+}
+
+impl Outline {
+    /// Begins at a point, in metres.
+    pub fn start(x: f32, y: f32) -> Self {
+        Self { points: [Vec2::new(x, y)].into() }
+    }
+
+    /// A straight line to a point, in metres.
+    pub fn line_to(mut self, x: f32, y: f32) -> Self {
+        self.points.push(Vec2::new(x, y));
+        self
+    }
+
+    /// A cubic Bézier curve by two control points to a point, in metres, of this many lines.
+    pub fn curve_to(mut self, controls: [(f32, f32); 2], x: f32, y: f32, lines: usize) -> Self {
+        let [a, b] = controls.map(Vec2::from);
+        let (from, to) = (self.pen(), Vec2::new(x, y));
+        self.points.extend((1..=lines).map(|line| {
+            let t = line as f32 / lines as f32;
+            let u = 1.0 - t;
+            u * u * u * from + 3.0 * u * u * t * a + 3.0 * u * t * t * b + t * t * t * to
+        }));
+        self
+    }
+
+    /// An arc around a centre, in metres, from the present point by an angle in radians, of this many lines. A
+    /// positive angle turns left: from the x axis towards the y axis.
+    pub fn arc(mut self, x: f32, y: f32, angle: f32, lines: usize) -> Self {
+        let center = Vec2::new(x, y);
+        let from = self.pen() - center;
+        self.points.extend(
+            (1..=lines)
+                .map(|line| center + Vec2::from_angle(angle * line as f32 / lines as f32).rotate(from)),
+        );
+        self
+    }
+
+    /// Where the pen is.
+    fn pen(&self) -> Vec2 {
+        self.points.last().copied().unwrap_or_default()
+    }
+
+    /// The strips of surface along the outline: each has a station at both ends. What a neighbour shares smoothly it
+    /// shares to the bit. `mirrored` outlines go on behind the axis x = 0, as that of a sphere does at its poles.
+    pub(crate) fn strips(&self, mirrored: bool) -> impl Iterator<Item = [Station; 2]> + '_ {
+        let normals = self.normals();
+        let count = normals.len();
+        let closed = self.points.first().zip(self.points.last()).is_some_and(|(a, b)| a.distance(*b) < 1e-6);
+        (0..count).map(move |strip| {
+            let normal = normals[strip];
+            let beyond = |point: Vec2, end: usize| {
+                if mirrored && point.x.abs() < 1e-6 {
+                    Vec2::new(-normal.x, normal.y)
+                } else if closed {
+                    normals[end]
+                } else {
+                    normal
+                }
+            };
+            let (a, b) = (self.points[strip], self.points[strip + 1]);
+            let before = if strip > 0 { normals[strip - 1] } else { beyond(a, count - 1) };
+            let after = if strip + 1 < count { normals[strip + 1] } else { beyond(b, 0) };
+            [
+                Station { point: a, normal: smooth(normal, before) },
+                Station { point: b, normal: smooth(normal, after) },
+            ]
+        })
+    }
+
+    /// The normal of each line, on its right.
+    fn normals(&self) -> Vec<Vec2> {
+        self.points.windows(2).map(|line| -(line[1] - line[0]).perp().normalize_or_zero()).collect()
+    }
+}
+
+/// The normal between two lines, or that of the first where they meet in a crease.
+fn smooth(normal: Vec2, neighbor: Vec2) -> Vec2 {
+    if normal.dot(neighbor) > CREASE { (normal + neighbor).normalize_or_zero() } else { normal }
+}

@@ -1,0 +1,163 @@
+//! Triangles to fragments: exact coverage, and the nearest fragment of each pixel.
+
+use crate::{
+    gbuffer::LANES,
+    memory::filled,
+    view::{Corner, SUBPIXEL_BITS},
+};
+use alloc::{collections::TryReserveError, vec::Vec};
+
+/// One pixel in steps of a screen coordinate.
+const PIXEL: i64 = 1 << SUBPIXEL_BITS;
+
+/// The nearest fragment of each pixel. Rows are filled up to whole blocks of [`LANES`].
+#[derive(Clone, Debug)]
+pub(crate) struct Fragments {
+    width: usize,
+    height: usize,
+    stride: usize,
+    /// The reciprocal of the depth; 0 where nothing was drawn.
+    pub(crate) nearness: Vec<f32>,
+    /// Normals of any length.
+    pub(crate) normal: [Vec<f32>; 3],
+    /// The number of the material.
+    pub(crate) material: Vec<u32>,
+}
+
+impl Fragments {
+    pub(crate) fn new(width: usize, height: usize) -> Result<Self, TryReserveError> {
+        let stride = width.next_multiple_of(LANES);
+        let count = stride * height;
+        let plane = || filled(count, 0.0_f32);
+        let normal = [plane()?, plane()?, plane()?];
+        Ok(Self { width, height, stride, nearness: plane()?, normal, material: filled(count, 0)? })
+    }
+
+    /// Removes all fragments.
+    pub(crate) fn clear(&mut self) {
+        self.nearness.fill(0.0);
+    }
+
+    /// Draws a triangle whose corners follow each other against the clock; others are seen from behind and left out.
+    pub(crate) fn draw(&mut self, corners: [Corner; 3], material: u32) {
+        // With y downwards the sense of rotation is reversed.
+        let [a, c, b] = corners;
+        let edges = [Edge::new(&b, &c), Edge::new(&c, &a), Edge::new(&a, &b)];
+        let area = edges[2].at(i64::from(c.x), i64::from(c.y));
+        if area <= 0 {
+            return;
+        }
+        let ys = [a.y, b.y, c.y].map(i64::from);
+        let (top, bottom) = (ys[0].min(ys[1]).min(ys[2]), ys[0].max(ys[1]).max(ys[2]));
+        let first = first_center(top);
+        let last = first_center(bottom + 1).min(self.height as i64);
+        let share = 1.0 / area as f32;
+        for y in first..last {
+            let y_center = y * PIXEL + PIXEL / 2;
+            let (mut start, mut end) = (0, self.width as i64);
+            for edge in &edges {
+                edge.narrow(y_center, &mut start, &mut end);
+            }
+            if start >= end {
+                continue;
+            }
+            let x_center = start * PIXEL + PIXEL / 2;
+            let weight = |edge: &Edge| {
+                let (at, step) = (edge.at(x_center, y_center), edge.step() * PIXEL);
+                (at as f32 * share, step as f32 * share)
+            };
+            let (to_b, to_c) = (weight(&edges[1]), weight(&edges[2]));
+            let line = |a: f32, b: f32, c: f32| Line {
+                start: a + to_b.0 * (b - a) + to_c.0 * (c - a),
+                step: to_b.1 * (b - a) + to_c.1 * (c - a),
+            };
+            let row = y as usize * self.stride;
+            self.fill(
+                row + start as usize..row + end as usize,
+                line(a.nearness, b.nearness, c.nearness),
+                [0, 1, 2].map(|i| line(a.normal[i], b.normal[i], c.normal[i])),
+                material,
+            );
+        }
+    }
+
+    /// Puts a span of fragments where they are nearer than what is there.
+    fn fill(&mut self, span: core::ops::Range<usize>, nearness: Line, normal: [Line; 3], material: u32) {
+        let [nx, ny, nz] = &mut self.normal;
+        let planes = self.nearness[span.clone()]
+            .iter_mut()
+            .zip(&mut nx[span.clone()])
+            .zip(&mut ny[span.clone()])
+            .zip(&mut nz[span.clone()])
+            .zip(&mut self.material[span]);
+        for (i, ((((old, nx), ny), nz), old_material)) in planes.enumerate() {
+            let new = nearness.at(i);
+            if new > *old {
+                *old = new;
+                *nx = normal[0].at(i);
+                *ny = normal[1].at(i);
+                *nz = normal[2].at(i);
+                *old_material = material;
+            }
+        }
+    }
+}
+
+/// A value that is linear along a span.
+#[derive(Clone, Copy)]
+struct Line {
+    start: f32,
+    step: f32,
+}
+
+impl Line {
+    #[inline(always)]
+    fn at(self, i: usize) -> f32 {
+        self.start + self.step * i as f32
+    }
+}
+
+/// The first row or column whose centre is at or after a screen coordinate.
+fn first_center(coordinate: i64) -> i64 {
+    (coordinate + PIXEL / 2 - 1) >> SUBPIXEL_BITS
+}
+
+/// An edge of a triangle, which lies on its right on a screen whose y points down. All in exact integers.
+struct Edge {
+    x: i64,
+    y: i64,
+    dx: i64,
+    dy: i64,
+    /// 0 for a top or left edge, which owns the points on it; 1 for the others, which leave them to the neighbour.
+    excluded: i64,
+}
+
+impl Edge {
+    fn new(from: &Corner, to: &Corner) -> Self {
+        let (dx, dy) = (i64::from(to.x - from.x), i64::from(to.y - from.y));
+        let owns = dy < 0 || (dy == 0 && dx > 0);
+        Self { x: from.x.into(), y: from.y.into(), dx, dy, excluded: i64::from(!owns) }
+    }
+
+    /// Twice the area of the triangle that the edge forms with a point: positive inside.
+    fn at(&self, x: i64, y: i64) -> i64 {
+        self.dx * (y - self.y) - self.dy * (x - self.x)
+    }
+
+    /// The change from a screen coordinate to the next along x.
+    fn step(&self) -> i64 {
+        -self.dy
+    }
+
+    /// Narrows a span of columns to those whose centres are inside, on the row with this centre.
+    fn narrow(&self, y_center: i64, start: &mut i64, end: &mut i64) {
+        let at_first = self.at(PIXEL / 2, y_center) - self.excluded;
+        let step = self.step() * PIXEL;
+        match step {
+            0 if at_first < 0 => *end = *start,
+            0 => {}
+            1.. => *start = (*start).max(-at_first.div_euclid(step)),
+            _ => *end = (*end).min(at_first.div_euclid(-step) + 1),
+        }
+    }
+}

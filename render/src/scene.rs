@@ -1,0 +1,104 @@
+//! What stands on the stage: meshes, their materials, and the light that is everywhere.
+
+use crate::mesh::Mesh;
+use alloc::vec::Vec;
+use luminaire::{Rgb, decode_srgb};
+
+/// How a surface answers to light.
+#[derive(Clone, Copy, PartialEq, Default, Debug)]
+#[non_exhaustive]
+pub struct Material {
+    /// The part of the light that the surface sends back, linear, in [0, 1].
+    pub albedo: Rgb<f32>,
+}
+
+impl Material {
+    /// A matt surface of this linear albedo.
+    pub const fn new(albedo: Rgb<f32>) -> Self {
+        Self { albedo }
+    }
+
+    /// A matt surface that shows these sRGB codes under white light of full scale.
+    pub fn srgb(red: u8, green: u8, blue: u8) -> Self {
+        Self::new(Rgb::new(red, green, blue).map(decode_srgb))
+    }
+}
+
+/// Meshes with their materials, and a colour of ambient light.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Scene {
+    objects: Vec<Object>,
+    ambient: Rgb<f32>,
+    fingerprint: Fingerprint,
+}
+
+/// A mesh of one material.
+#[derive(Clone, PartialEq, Debug)]
+pub(crate) struct Object {
+    pub(crate) mesh: Mesh,
+    pub(crate) material: Material,
+}
+
+/// What tells two scenes apart without a look at their vertices: FNV-1a, 64 bits of it, over all that was added.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) struct Fingerprint(u64);
+
+impl Scene {
+    /// An empty scene without ambient light.
+    pub fn new() -> Self {
+        let fingerprint = Fingerprint(0xcbf2_9ce4_8422_2325);
+        Self { objects: Vec::new(), ambient: Rgb::default(), fingerprint }
+    }
+
+    /// Adds a mesh of one material.
+    pub fn add(&mut self, mesh: Mesh, material: Material) {
+        let Rgb { red, green, blue } = material.albedo;
+        self.fingerprint.add([red, green, blue].map(f32::to_bits));
+        for vertex in mesh.vertices() {
+            self.fingerprint.add(vertex.position.to_array().map(f32::to_bits));
+            self.fingerprint.add(vertex.normal.to_array().map(f32::to_bits));
+        }
+        for &triangle in mesh.triangles() {
+            self.fingerprint.add(triangle);
+        }
+        self.objects.push(Object { mesh, material });
+    }
+
+    /// Sets the ambient light: the linear colour that reaches every surface from everywhere, 1 being full scale. What
+    /// is negative or not a number counts as zero.
+    pub fn set_ambient(&mut self, color: Rgb<f32>) {
+        self.ambient = color.map(|channel| if channel > 0.0 { channel } else { 0.0 });
+    }
+
+    /// The ambient light.
+    pub fn ambient(&self) -> Rgb<f32> {
+        self.ambient
+    }
+
+    /// How many triangles the meshes have together.
+    pub fn triangle_count(&self) -> usize {
+        self.objects.iter().map(|object| object.mesh.triangle_count()).sum()
+    }
+
+    pub(crate) fn objects(&self) -> &[Object] {
+        &self.objects
+    }
+
+    pub(crate) fn fingerprint(&self) -> Fingerprint {
+        self.fingerprint
+    }
+}
+
+impl Default for Scene {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl Fingerprint {
+    fn add(&mut self, words: [u32; 3]) {
+        for word in words {
+            self.0 = (self.0 ^ u64::from(word)).wrapping_mul(0x0000_0100_0000_01b3);
+        }
+    }
+}

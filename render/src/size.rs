@@ -1,0 +1,53 @@
+//! The sizes that a picture may have.
+
+use core::fmt;
+
+/// The most pixels that a picture may have in a row, or in a column.
+pub const LARGEST: usize = 8192;
+
+/// A refused size of a picture; its message names parameter, value and remedy.
+///
+/// ```
+/// use luminaire_render::Renderer;
+/// let refused = Renderer::<f32>::new(960, 0).unwrap_err();
+/// assert_eq!(refused.to_string(), "height 0 is refused: give 1 to 8192 pixels");
+/// ```
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[non_exhaustive]
+pub enum SizeError {
+    /// The width in pixels that was given: zero, or more than [`LARGEST`].
+    Width(usize),
+    /// The height in pixels that was given: zero, or more than [`LARGEST`].
+    Height(usize),
+    /// Width and height are accepted, and there is no memory for a picture of that size.
+    Memory(usize, usize),
+}
+
+impl SizeError {
+    /// Checks a size before anything is reserved for it.
+    pub(crate) fn check(width: usize, height: usize) -> Result<(), Self> {
+        match (accepts(width), accepts(height)) {
+            (false, _) => Err(Self::Width(width)),
+            (_, false) => Err(Self::Height(height)),
+            _ => Ok(()),
+        }
+    }
+}
+
+fn accepts(pixels: usize) -> bool {
+    (1..=LARGEST).contains(&pixels)
+}
+
+impl fmt::Display for SizeError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Width(width) => write!(f, "width {width} is refused: give 1 to {LARGEST} pixels"),
+            Self::Height(height) => write!(f, "height {height} is refused: give 1 to {LARGEST} pixels"),
+            Self::Memory(width, height) => {
+                write!(f, "size {width} x {height} is refused: there is no memory for it, give fewer pixels")
+            }
+        }
+    }
+}
+
+impl core::error::Error for SizeError {}

@@ -1,0 +1,180 @@
+//! A stage to light: boards, a cyclorama, curtains, and a still life of turned solids in the light of three spots.
+
+use crate::{Camera, Material, Mesh, Outline, Scene};
+use core::f32::consts::{FRAC_PI_2, PI, TAU};
+use luminaire::{Angle, Cone, Edge, Error, Rgb, Spot, Vec3};
+
+/// Segments of what is turned on a lathe, and of a quarter of a circle in an outline.
+const AROUND: usize = 64;
+const QUARTER: usize = 12;
+
+/// Width and depth of the boards in metres; the back of the stage is at negative z.
+const DECK: (f32, f32) = (7.2, 5.4);
+const BOARDS: usize = 24;
+
+/// The tones of the boards, in sRGB.
+const WOOD: [(u8, u8, u8); 5] =
+    [(150, 114, 84), (138, 103, 75), (160, 123, 91), (129, 97, 72), (145, 108, 78)];
+
+/// The scene: metres, y up, the audience at positive z. Everything stands on the floor y = 0.
+pub fn scene() -> Scene {
+    let mut scene = Scene::new();
+    scene.set_ambient(Rgb::new(0.014, 0.016, 0.022));
+    for (mesh, material) in house().into_iter().chain(actors()) {
+        scene.add(mesh, material);
+    }
+    for board in 0..BOARDS {
+        let (red, green, blue) = WOOD[(board * 7 + board / 5) % WOOD.len()];
+        scene.add(plank(board), Material::srgb(red, green, blue));
+    }
+    scene
+}
+
+/// The camera: from the stalls, a little above the boards.
+pub fn camera() -> Camera {
+    Camera::new(Vec3::new(0.0, 0.92, 0.0), 7.4, -0.12, 0.16, 0.52)
+}
+
+/// Key, fill and back light, in this order.
+///
+/// The key is a profile spot of 26 degrees with a hard edge, warm, from the front left; the fill a Fresnel with a soft edge,
+/// cooler and weaker, from the front right; the back light a PAR with a soft edge, from behind and above.
+///
+/// # Errors
+/// None, unless a constructor comes to refuse what it accepts today.
+pub fn lights() -> Result<[Spot; 3], Error> {
+    let key = Cone::from_field(Edge::Hard, Angle::degrees(26.0))?;
+    let fill = Cone::from_field(Edge::Soft, Angle::degrees(50.0))?;
+    let back = Cone::from_field(Edge::Soft, Angle::degrees(44.0))?;
+    Ok([
+        aimed(Vec3::new(-3.4, 4.4, 4.4), Vec3::new(-0.1, 0.45, 0.1), key)?
+            .with_color(Rgb::new(1.0, 0.84, 0.62))?
+            .with_intensity(62.0)?,
+        aimed(Vec3::new(4.2, 3.4, 4.2), Vec3::new(0.4, 0.6, -0.6), fill)?
+            .with_color(Rgb::new(0.5, 0.68, 1.0))?
+            .with_intensity(13.0)?,
+        aimed(Vec3::new(1.2, 4.6, -2.3), Vec3::new(-0.1, 0.4, 0.2), back)?
+            .with_color(Rgb::new(0.94, 0.9, 1.0))?
+            .with_intensity(30.0)?,
+    ])
+}
+
+/// A spotlight at a position that points at a target.
+fn aimed(position: Vec3<f32>, target: Vec3<f32>, cone: Cone) -> Result<Spot, Error> {
+    Spot::new(position, target.zip(position, |t, p| t - p), cone)
+}
+
+/// The cyclorama, the deck under the boards, and the curtains.
+fn house() -> [(Mesh, Material); 4] {
+    let (width, depth) = DECK;
+    let cyclorama =
+        Outline::start(3.4, 5.5).line_to(3.4, 0.8).arc(2.2, 0.8, -FRAC_PI_2, QUARTER).line_to(-4.5, -0.4);
+    let cyclorama = Mesh::extrude(&cyclorama, 16.0, 1)
+        .turned(Vec3::new(0.0, 1.0, 0.0), FRAC_PI_2)
+        .moved(Vec3::new(-8.0, 0.0, 0.0));
+    let deck = Mesh::cuboid(width, 0.38, depth).moved(Vec3::new(0.0, -0.39, 0.0));
+    let velvet = Material::srgb(122, 32, 38);
+    [
+        (cyclorama, Material::srgb(176, 172, 168)),
+        (deck, Material::srgb(58, 46, 40)),
+        (curtain().moved(Vec3::new(-4.6, -0.4, -1.2)), velvet),
+        (curtain().moved(Vec3::new(2.8, -0.4, -1.2)), velvet),
+    ]
+}
+
+/// A board that runs from the back of the deck to its front.
+fn plank(number: usize) -> Mesh {
+    let (width, depth) = DECK;
+    let left = width * (number as f32 / BOARDS as f32 - 0.5);
+    let right = width * ((number + 1) as f32 / BOARDS as f32 - 0.5);
+    let top = Outline::start(right, 0.0).line_to(left, 0.0);
+    Mesh::extrude(&top, depth, 6).moved(Vec3::new(0.0, 0.0, -depth / 2.0))
+}
+
+/// A velvet curtain in folds, 1.8 metres wide.
+fn curtain() -> Mesh {
+    const FOLDS: usize = 7;
+    const LINES: usize = 16 * FOLDS;
+    let wave = |line: usize| {
+        let along = line as f32 / LINES as f32;
+        let fold = glam::Vec2::from_angle(TAU * FOLDS as f32 * along).y;
+        (1.8 * along, 0.1 * fold)
+    };
+    let folds = (1..=LINES).map(wave).fold(Outline::start(0.0, 0.0), |outline, (x, y)| outline.line_to(x, y));
+    Mesh::extrude(&folds, 5.8, 1).turned(Vec3::new(1.0, 0.0, 0.0), -FRAC_PI_2)
+}
+
+/// The still life.
+fn actors() -> [(Mesh, Material); 9] {
+    let plinth = |x, z, height, width| Mesh::cuboid(width, height, width).moved(Vec3::new(x, 0.0, z));
+    let up = Vec3::new(0.0, 1.0, 0.0);
+    let lying = capsule(0.2, 0.75).turned(Vec3::new(0.0, 0.0, 1.0), FRAC_PI_2).turned(up, 0.55);
+    let plaster = Material::srgb(206, 200, 190);
+    [
+        (sphere(0.56).moved(Vec3::new(-0.52, 0.0, 0.3)), Material::srgb(196, 84, 58)),
+        (torus(0.4, 0.14).moved(Vec3::new(0.62, 0.0, 1.05)), Material::srgb(214, 160, 62)),
+        (cone(0.44, 1.4).moved(Vec3::new(0.42, 0.0, -0.55)), Material::srgb(226, 216, 196)),
+        (plinth(1.62, -0.5, 0.72, 0.72).turned(up, 0.0), plaster),
+        (vase().moved(Vec3::new(1.62, 0.72, -0.5)), Material::srgb(44, 126, 128)),
+        (column().moved(Vec3::new(-1.78, 0.0, -0.75)), plaster),
+        (sphere(0.21).moved(Vec3::new(-1.78, 1.9, -0.75)), Material::srgb(206, 168, 92)),
+        (lying.moved(Vec3::new(-1.42, 0.2, 1.15)), Material::srgb(96, 74, 128)),
+        (sphere(0.16).moved(Vec3::new(1.5, 0.0, 0.75)), Material::srgb(60, 92, 150)),
+    ]
+}
+
+/// A sphere that stands on y = 0.
+fn sphere(radius: f32) -> Mesh {
+    Mesh::lathe(&Outline::start(0.0, 0.0).arc(0.0, radius, PI, 3 * QUARTER), AROUND)
+}
+
+/// A ring that lies on y = 0: radius of its core, and of its body.
+fn torus(core: f32, body: f32) -> Mesh {
+    Mesh::lathe(&Outline::start(core, 0.0).arc(core, body, TAU, 3 * QUARTER), AROUND)
+}
+
+/// A cone that stands on y = 0.
+fn cone(radius: f32, height: f32) -> Mesh {
+    Mesh::lathe(&Outline::start(0.0, 0.0).line_to(radius, 0.0).line_to(0.0, height), AROUND)
+}
+
+/// A capsule around the y axis whose middle is the origin: its radius, and the length of its straight part.
+fn capsule(radius: f32, length: f32) -> Mesh {
+    let half = length / 2.0;
+    let outline = Outline::start(0.0, -half - radius)
+        .arc(0.0, -half, FRAC_PI_2, QUARTER)
+        .line_to(radius, half)
+        .arc(0.0, half, FRAC_PI_2, QUARTER);
+    Mesh::lathe(&outline, AROUND)
+}
+
+/// A vase with a lip, hollow.
+fn vase() -> Mesh {
+    let outline = Outline::start(0.0, 0.0)
+        .line_to(0.15, 0.0)
+        .line_to(0.16, 0.03)
+        .curve_to([(0.2, 0.12), (0.33, 0.3)], 0.31, 0.5, 14)
+        .curve_to([(0.29, 0.68), (0.09, 0.66)], 0.1, 0.84, 14)
+        .curve_to([(0.105, 0.91), (0.14, 0.93)], 0.185, 0.94, 8)
+        .line_to(0.17, 0.955)
+        .curve_to([(0.12, 0.94), (0.085, 0.92)], 0.08, 0.84, 8)
+        .line_to(0.0, 0.5);
+    Mesh::lathe(&outline, AROUND)
+}
+
+/// A column with base and capital.
+fn column() -> Mesh {
+    let outline = Outline::start(0.0, 0.0)
+        .line_to(0.33, 0.0)
+        .line_to(0.33, 0.1)
+        .line_to(0.27, 0.1)
+        .arc(0.27, 0.15, PI, QUARTER)
+        .line_to(0.22, 0.2)
+        .curve_to([(0.21, 0.8), (0.2, 1.2)], 0.17, 1.62, 12)
+        .line_to(0.2, 1.64)
+        .arc(0.2, 1.67, PI, QUARTER)
+        .curve_to([(0.2, 1.74), (0.24, 1.76)], 0.28, 1.78, QUARTER)
+        .line_to(0.28, 1.9)
+        .line_to(0.0, 1.9);
+    Mesh::lathe(&outline, AROUND)
+}
