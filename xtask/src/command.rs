@@ -2,7 +2,7 @@
 
 use std::ffi::OsStr;
 use std::io::{self, Read};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::{env, iter};
 
@@ -78,9 +78,10 @@ pub(crate) fn on_path(names: &[&str]) -> Option<PathBuf> {
     candidates.find(|file| file.is_file())
 }
 
-/// The command as one would type it.
+/// The command as one would type it, without the folder of its program.
 pub(crate) fn describe(command: &Command) -> String {
-    let words = iter::once(command.get_program()).chain(command.get_args());
+    let program = Path::new(command.get_program());
+    let words = iter::once(program.file_name().unwrap_or(program.as_os_str())).chain(command.get_args());
     format!("`{}`", words.map(OsStr::to_string_lossy).collect::<Vec<_>>().join(" "))
 }
 
@@ -90,7 +91,10 @@ mod tests {
 
     #[test]
     fn a_command_is_described_as_it_is_typed() {
-        assert_eq!(describe(Command::new("cargo").args(["build", "--release"])), "`cargo build --release`");
+        assert_eq!(
+            describe(Command::new("/usr/bin/cargo").args(["build", "--release"])),
+            "`cargo build --release`"
+        );
     }
 
     #[test]

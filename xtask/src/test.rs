@@ -67,7 +67,7 @@ fn cargo_test(full: bool, progress: &Progress) -> Result<Tally> {
     progress.quote(&ended.output);
     let mut tally = Tally::of_cargo_test(&ended.output);
     if tally == Tally::default() {
-        bail!("cargo test ran no test");
+        bail!("no test was run");
     }
     // A test program that does not compile, or that crashes, has no line of its own.
     if !ended.success && tally.failed == 0 {
