@@ -4,15 +4,15 @@ import { degrees } from "./numbers.js";
 const SAMPLES = 241;
 
 /** The drawing's box, in the units of the SVG's viewBox. */
-const BOX = { left: 46, right: 432, top: 14, bottom: 168 };
+const BOX = { left: 52, right: 428, top: 12, bottom: 180 };
 
 /** Where intensities stand on the vertical axis. */
 const height = (intensity) => BOX.bottom + (BOX.top - BOX.bottom) * intensity;
 
-/** A step between ticks that reads well: 1, 2 or 5 of some power of ten, for three to seven ticks a side. */
+/** A step between ticks that reads well: 1, 2 or 5 of some power of ten, for two to five ticks a side. */
 function tickStep(reach) {
-  const power = 10 ** Math.floor(Math.log10(reach / 3));
-  return power * [5, 2, 1].find((factor) => reach / (power * factor) >= 3);
+  const power = 10 ** Math.floor(Math.log10(reach / 2));
+  return power * ([5, 2].find((factor) => reach / (power * factor) >= 2) ?? 1);
 }
 
 /** An element of the SVG. */

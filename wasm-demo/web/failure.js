@@ -15,6 +15,7 @@ export function fail(cause) {
   const place = document.getElementById("failure");
   place.textContent = cause instanceof Error ? cause.message : String(cause);
   place.hidden = false;
+  document.querySelector("main").inert = true;
   document.body.dataset.state = "failed";
 }
 

@@ -24,9 +24,9 @@ function plain(fixture) {
   const { name, kind, narrow: least, wide: most, lumens } = fixture;
   const [narrow, wide] = [tidy(least), tidy(most)];
   const angle = narrow === wide ? `${narrow}°` : `${narrow}–${wide}°`;
-  const flux = lumens === undefined ? "" : `, ${Math.round(lumens).toLocaleString("en")} lm`;
+  const flux = lumens === undefined ? "" : `${Math.round(lumens).toLocaleString("en")} lumens. `;
   fixture.free();
-  return { name, kind, narrow, wide, angle, facts: `Published: ${angle}${flux}` };
+  return { name, kind, narrow, wide, angle, flux };
 }
 
 /** The fixture of this name, or undefined. */

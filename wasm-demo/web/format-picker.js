@@ -34,11 +34,14 @@ export class FormatPicker {
     if (this.#wanted !== this.#demo.format) this.#apply();
   }
 
-  /** Shows the format in force. */
+  /** Shows the format that was asked for, and of the one in force what there is to know. */
   show() {
     this.#select.value = this.#wanted;
-    const error = tidy(Demo.statedError(this.#demo.format));
-    this.#note.textContent = `at most ${error} of 255 codes off`;
+    const { format } = this.#demo;
+    this.#note.textContent =
+      format === this.#wanted
+        ? `within ${tidy(Demo.statedError(format))} of 255 codes`
+        : `still in ${this.#select.querySelector(`[value="${format}"]`).textContent}`;
   }
 
   #apply() {
@@ -56,8 +59,7 @@ export class FormatPicker {
   }
 
   #tell(refusal) {
-    const option = this.#select.querySelector(`[value="${this.#demo.format}"]`);
-    this.#error.textContent = refusal && `${refusal}. Until then the picture stays in ${option.textContent}.`;
+    this.#error.textContent = refusal;
     this.#select.setAttribute("aria-invalid", refusal !== "");
     for (let light = 0; light < this.#demo.lights; light += 1) {
       this.#desk.object(light, (refusal && this.#demo.objection(this.#wanted, light)) ?? "");

@@ -1,6 +1,6 @@
 // The three lights, one panel at a time.
 import { LightPanel } from "./light-panel.js";
-import { degrees } from "./numbers.js";
+import { roughly } from "./numbers.js";
 
 export class LightDesk {
   #demo;
@@ -77,7 +77,7 @@ export class LightDesk {
     tab.style.setProperty("--lamp", state.color);
     tab.classList.toggle("off", !state.on);
     tab.querySelector(".angles").textContent = state.on
-      ? `${degrees(state.beam)} / ${degrees(state.field)}`
+      ? `${roughly(state.beam)} / ${roughly(state.field)}`
       : "off";
     tab.querySelector(".alarm").hidden = this.#panels[light].error === "";
     state.free();

@@ -29,7 +29,7 @@ export class LightPanel {
     this.#name();
     listFixtures(this.#control("fixture"));
     this.#dials = this.#join();
-    this.refresh();
+    this.#show();
   }
 
   /** What is wrong with this light, if anything. */
@@ -43,8 +43,14 @@ export class LightPanel {
     this.#tell();
   }
 
+  /** Shows the light as it is, and forgets what was typed in vain. */
+  refresh() {
+    this.#refuse(undefined, "");
+    this.#show();
+  }
+
   /** Shows the light as it is, except on the control that the change comes from. */
-  refresh(source) {
+  #show(source) {
     const state = this.#demo.light(this.#light);
     const { beam, field, zoom, intensity } = this.#dials;
     beam.range(ceiling(state.narrowestBeam), floor(state.widestBeam));
@@ -115,7 +121,7 @@ export class LightPanel {
       return;
     }
     this.#refuse(control, "");
-    this.refresh(control);
+    this.#show(control);
     this.onchange();
   }
 
@@ -142,7 +148,8 @@ export class LightPanel {
     this.#control("published").hidden = !fixture;
     this.#control("zoom-row").hidden = !fixture || fixture.narrow === fixture.wide;
     if (!fixture) return;
-    this.#control("facts").textContent = fixture.facts;
+    this.#control("angle").textContent = fixture.angle;
+    this.#control("flux").textContent = fixture.flux;
     this.#dials.zoom.range(fixture.narrow, fixture.wide);
   }
 }

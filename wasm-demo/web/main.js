@@ -1,65 +1,12 @@
-// Opens the demo: loads the module, and joins the parts of the page to one another.
-import init, { Demo } from "./pkg/wasm_demo.js";
-import { Curve } from "./curve.js";
+// Opens the demo, or tells why not. Everything else is imported from within, so that a file that is missing is told, too.
 import { fail, watch } from "./failure.js";
-import { FormatPicker } from "./format-picker.js";
-import { LightDesk } from "./light-desk.js";
-import { Meter } from "./meter.js";
-import { Readout } from "./readout.js";
-import { StageView } from "./stage-view.js";
-import { requestedSize, requireSimd } from "./support.js";
-import { Sweep } from "./sweep.js";
-
-/** Loads the module; what the browser says when it can't is of little help by itself. */
-async function load() {
-  try {
-    await init();
-  } catch (error) {
-    throw new Error(
-      `The demo's WebAssembly module could not be loaded (${error.message}). ` +
-        "Serve the whole folder, pkg included, over HTTP, and reload the page.",
-    );
-  }
-}
-
-/** The order of joining: what is drawn, what sets it, what tells of it. */
-function open({ width, height }) {
-  const canvas = document.getElementById("view");
-  const demo = new Demo(canvas, width, height);
-  const view = new StageView(demo, canvas);
-  const readout = new Readout(demo);
-  const curve = new Curve(demo);
-  const desk = new LightDesk(demo);
-  const formats = new FormatPicker(demo, desk);
-  const sweep = new Sweep(demo);
-
-  view.before((now) => sweep.step(now));
-  view.after(() => readout.add());
-  desk.onselect = (light) => curve.draw(light);
-  desk.onchange = (light) => {
-    formats.retry();
-    curve.draw(light);
-    view.request();
-  };
-  formats.onchange = () => {
-    readout.forget();
-    desk.refresh();
-    curve.draw(desk.selected);
-    view.request();
-  };
-  sweep.onchange = () => view.request();
-
-  formats.show();
-  desk.select(0);
-  view.draw(performance.now());
-  window.luminaire = new Meter(demo, view, formats);
-}
+import { requireSimd } from "./support.js";
 
 watch();
 try {
   requireSimd();
-  await load();
-  open(requestedSize(location.search));
+  const { open } = await import("./show.js");
+  await open();
   document.body.dataset.state = "ready";
 } catch (error) {
   fail(error);

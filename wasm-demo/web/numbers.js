@@ -9,6 +9,9 @@ export function tidy(value) {
 /** An angle in degrees, with its sign. */
 export const degrees = (value) => `${tidy(value)}°`.replace("-", "−");
 
+/** An angle for a glance: three digits. */
+export const roughly = (value) => `${Number(value.toPrecision(3))}°`;
+
 /** The largest decimal fraction that is not over a value: an end of a slider that the kernel takes. */
 export const floor = (value) => Math.floor(value * 100) / 100;
 
