@@ -73,19 +73,19 @@ impl Format {
     pub(crate) fn intensities(self, cone: &Cone, angles: &[f32]) -> Result<Vec<f32>, Error> {
         with_scalar!(self, S => {
             let falloff: Falloff<S> = cone.compile()?;
-            let versine = |off_axis: f32| S::versine(Angle::degrees(2.0 * off_axis).versine());
+            let versine = |off_axis: f32| falloff.versine(Angle::degrees(2.0 * off_axis).versine());
             Ok(angles.iter().map(|&angle| falloff.at(versine(angle)).to_f32()).collect())
         })
     }
 
-    /// How far a picture may be from the exact one, in displayed codes.
-    pub(crate) fn stated_error(self) -> f32 {
+    /// How far a picture may be from the one in `f32`, in displayed codes.
+    pub(crate) fn stated_error(self) -> u8 {
         with_scalar!(self, S => luminaire_render::stated_error::<S>())
     }
 
     /// A renderer that evaluates the lights in this format.
     pub(crate) fn renderer(self, width: u32, height: u32) -> Result<Box<dyn Draw>, SizeError> {
-        with_scalar!(self, S => Ok(Box::new(Renderer::<S>::new(width, height)?)))
+        with_scalar!(self, S => Ok(Box::new(Renderer::<S>::new(width as usize, height as usize)?)))
     }
 }
 
@@ -109,11 +109,9 @@ pub(crate) trait Draw: fmt::Debug {
     fn encode(&mut self) -> &[u8];
     /// What was encoded last.
     fn pixels(&self) -> &[u8];
-    /// Forgets what was drawn, so that the next picture is drawn anew.
-    fn invalidate(&mut self);
 }
 
-impl<S: Scalar> Draw for Renderer<S> {
+impl<S: luminaire_render::Format> Draw for Renderer<S> {
     fn draw_geometry(&mut self, scene: &Scene, camera: &Camera) -> bool {
         self.draw_geometry(scene, camera)
     }
@@ -128,10 +126,6 @@ impl<S: Scalar> Draw for Renderer<S> {
 
     fn pixels(&self) -> &[u8] {
         self.pixels()
-    }
-
-    fn invalidate(&mut self) {
-        self.invalidate();
     }
 }
 

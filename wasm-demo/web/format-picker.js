@@ -1,6 +1,11 @@
 // The number format: asked for, and taken once every light fits into it.
 import { Demo } from "./pkg/wasm_demo.js";
-import { tidy } from "./numbers.js";
+
+/** How near a picture in this format comes to the one that the others are compared with. */
+function accuracy(format) {
+  const error = Demo.statedError(format);
+  return error === 0 ? "the others are compared with it" : `within ${error} of 255 codes of f32`;
+}
 
 export class FormatPicker {
   #demo;
@@ -40,7 +45,7 @@ export class FormatPicker {
     const { format } = this.#demo;
     this.#note.textContent =
       format === this.#wanted
-        ? `within ${tidy(Demo.statedError(format))} of 255 codes`
+        ? accuracy(format)
         : `still in ${this.#select.querySelector(`[value="${format}"]`).textContent}`;
   }
 

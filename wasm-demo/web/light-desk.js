@@ -51,6 +51,7 @@ export class LightDesk {
 
   #panel(light) {
     const panel = new LightPanel(this.#demo, light);
+    panel.element.id = `panel-${light}`;
     panel.element.setAttribute("aria-labelledby", `tab-${light}`);
     panel.onchange = () => {
       this.#label(light);
@@ -65,6 +66,7 @@ export class LightDesk {
   #tab(light) {
     const tab = document.getElementById("tab").content.firstElementChild.cloneNode(true);
     tab.id = `tab-${light}`;
+    tab.setAttribute("aria-controls", `panel-${light}`);
     tab.addEventListener("click", () => this.select(light));
     return tab;
   }

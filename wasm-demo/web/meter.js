@@ -30,7 +30,7 @@ export class Meter {
     this.#formats.choose(name);
   }
 
-  /** How far a picture of a format may be from the exact one, in displayed codes. */
+  /** How far a picture of a format may be from the one in f32, in displayed codes. */
   statedError(format) {
     return Demo.statedError(format);
   }
