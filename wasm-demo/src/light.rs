@@ -321,7 +321,8 @@ mod tests {
             refused(light.set_angle(Mark::Field, degrees, FORMAT), "field angle");
             refused(light.set_angle(Mark::Beam, degrees, FORMAT), "beam angle");
         }
-        refused(light.set_angle(Mark::Field, 1.0, Format::Fx16), "outer angle");
+        let needle = Format::Fx16.narrowest(Edge::Soft).to_degrees() / 2.0;
+        refused(light.set_angle(Mark::Field, needle, Format::Fx16), "outer angle");
         refused(light.set_intensity(-1.0, FORMAT), "intensity");
         refused(light.set_intensity(f32::NAN, FORMAT), "intensity");
         refused(light.set_fixture("Nobody's lamp", FORMAT), "fixture \"Nobody's lamp\"");
