@@ -1,1 +1,29 @@
-//! The browser demo: a thin shell over `luminaire-render`.
+//! The browser demo: a thin shell over `luminaire-render`, and a page that shows what the kernel says.
+//!
+//! The page holds no lighting mathematics. It hands over what the visitor set, and asks [`Demo`] for everything it
+//! displays: the angles that follow one another, the curve, the ranges of the sliders, the words of a refusal.
+//!
+//! In the order in which they depend on one another:
+//!
+//! - `refusal`: what the shell and the kernel refuse, in words
+//! - `fixture`: the table of stage fixtures
+//! - `light`: one light's settings, which are always a light that can be drawn
+//! - `format`: the number format that was chosen at run time, as types
+//! - `sweep`: how the lights move
+//! - `clock`, `canvas`, `panic`: what the browser gives
+//! - `demo`: the class that the page holds
+#![forbid(unsafe_code)]
+
+mod canvas;
+mod clock;
+mod demo;
+mod fixture;
+mod format;
+mod light;
+mod panic;
+mod refusal;
+mod sweep;
+
+pub use demo::Demo;
+pub use fixture::Fixture;
+pub use light::LightState;

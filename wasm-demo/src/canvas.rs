@@ -1,0 +1,38 @@
+//! The canvas on the page.
+
+use crate::refusal::Refusal;
+use wasm_bindgen::{Clamped, JsCast};
+use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement, ImageData};
+
+/// A canvas that shows pictures of one size.
+#[derive(Debug)]
+pub(crate) struct Canvas {
+    context: CanvasRenderingContext2d,
+    width: u32,
+    height: u32,
+}
+
+impl Canvas {
+    /// Makes the canvas as large as the picture: one pixel for one.
+    pub(crate) fn new(element: &HtmlCanvasElement, width: u32, height: u32) -> Result<Self, Refusal> {
+        element.set_width(width);
+        element.set_height(height);
+        let context = element.get_context("2d").map_err(|reason| Refusal::browser("the canvas", &reason))?;
+        match context.and_then(|context| context.dyn_into().ok()) {
+            Some(context) => Ok(Self { context, width, height }),
+            None => Err(Refusal::Browser {
+                what: "the canvas",
+                reason: "the browser gives no 2d context: allow canvas for this page, or use another browser"
+                    .to_owned(),
+            }),
+        }
+    }
+
+    /// Shows a picture of RGBA bytes. They stay where they are: the `ImageData` is a view of the module's memory,
+    /// used up before this returns, so that the one copy is the canvas's own.
+    pub(crate) fn show(&self, pixels: &[u8]) -> Result<(), Refusal> {
+        ImageData::new_with_u8_clamped_array_and_sh(Clamped(pixels), self.width, self.height)
+            .and_then(|image| self.context.put_image_data(&image, 0.0, 0.0))
+            .map_err(|reason| Refusal::browser("the canvas", &reason))
+    }
+}

@@ -1,0 +1,320 @@
+//! The class that the page holds: a stage, a camera, three lights, and the renderer that shows them.
+
+use crate::{
+    canvas::Canvas,
+    clock::Clock,
+    fixture::{self, Fixture},
+    format::{Draw, Format},
+    light::{self, Light, LightState, Mark},
+    panic,
+    refusal::Refusal,
+    sweep,
+};
+use luminaire::{Spot, Vec3};
+use luminaire_render::{Camera, Scene, stage};
+use wasm_bindgen::{Clamped, prelude::*};
+use web_sys::HtmlCanvasElement;
+
+const NAMES: [&str; 3] = ["key", "fill", "back"];
+
+/// The format that the page starts with: the one that holds every fixture of the table.
+const FIRST: Format = Format::F32;
+
+/// How long the passes of the last picture took, in milliseconds.
+#[derive(Clone, Copy, Default, Debug)]
+struct Times {
+    /// Nothing when the picture was lit anew only.
+    geometry: Option<f64>,
+    lighting: f64,
+    encode: f64,
+    show: f64,
+}
+
+/// The demo. Every method that sets something takes it, or throws a string that names the parameter, its value
+/// and the remedy, and leaves everything as it was.
+#[wasm_bindgen]
+#[derive(Debug)]
+pub struct Demo {
+    scene: Scene,
+    camera: Camera,
+    lights: [Light; 3],
+    /// Where each light points while it does not move.
+    rest: [Vec3<f32>; 3],
+    format: Format,
+    renderer: Box<dyn Draw>,
+    canvas: Canvas,
+    clock: Clock,
+    times: Times,
+    width: u32,
+    height: u32,
+}
+
+#[wasm_bindgen]
+impl Demo {
+    /// The stage as it opens, on this canvas. Nothing is drawn yet.
+    #[wasm_bindgen(constructor)]
+    pub fn new(canvas: &HtmlCanvasElement, width: u32, height: u32) -> Result<Self, JsValue> {
+        panic::tell_the_page();
+        Ok(Self::open(canvas, width, height)?)
+    }
+
+    /// Draws what has changed since the last picture; whether there was anything to draw.
+    pub fn draw(&mut self) -> Result<bool, JsValue> {
+        Ok(self.draw_changes()?)
+    }
+
+    /// Draws everything anew, changed or not: for measuring.
+    pub fn redraw(&mut self) -> Result<(), JsValue> {
+        // The renderer keeps what has not changed; with another camera everything has. That draw is not timed.
+        let mut elsewhere = self.camera;
+        elsewhere.orbit(0.01, 0.0);
+        self.renderer.draw_geometry(&self.scene, &elsewhere);
+        self.draw_changes()?;
+        Ok(())
+    }
+
+    /// A copy of the last picture: RGBA, sRGB, eight bits.
+    pub fn pixels(&self) -> Clamped<Vec<u8>> {
+        Clamped(self.renderer.pixels().to_vec())
+    }
+
+    /// Pixels in a row.
+    #[wasm_bindgen(getter)]
+    pub fn width(&self) -> u32 {
+        self.width
+    }
+
+    /// Rows of pixels.
+    #[wasm_bindgen(getter)]
+    pub fn height(&self) -> u32 {
+        self.height
+    }
+
+    /// How long the geometry of the last picture took, in milliseconds; nothing when it was kept.
+    #[wasm_bindgen(getter, js_name = geometryMs)]
+    pub fn geometry_ms(&self) -> Option<f64> {
+        self.times.geometry
+    }
+
+    /// How long the lighting of the last picture took, in milliseconds.
+    #[wasm_bindgen(getter, js_name = lightingMs)]
+    pub fn lighting_ms(&self) -> f64 {
+        self.times.lighting
+    }
+
+    /// How long the display encoding of the last picture took, in milliseconds.
+    #[wasm_bindgen(getter, js_name = encodeMs)]
+    pub fn encode_ms(&self) -> f64 {
+        self.times.encode
+    }
+
+    /// How long handing the last picture to the canvas took, in milliseconds.
+    #[wasm_bindgen(getter, js_name = showMs)]
+    pub fn show_ms(&self) -> f64 {
+        self.times.show
+    }
+
+    /// Moves the camera around the stage, by angles in radians.
+    pub fn orbit(&mut self, yaw: f32, pitch: f32) {
+        self.camera.orbit(yaw, pitch);
+    }
+
+    /// Moves the camera to `factor` times its distance.
+    pub fn zoom(&mut self, factor: f32) {
+        self.camera.zoom(factor);
+    }
+
+    /// Points the lights where they are after so many seconds of their sweep.
+    pub fn sweep(&mut self, seconds: f32) -> Result<(), JsValue> {
+        for (i, (light, rest)) in self.lights.iter_mut().zip(self.rest).enumerate() {
+            light.aim(sweep::axis(i, rest, seconds), self.format)?;
+        }
+        Ok(())
+    }
+
+    /// How many lights there are.
+    #[wasm_bindgen(getter)]
+    pub fn lights(&self) -> usize {
+        self.lights.len()
+    }
+
+    /// How many lights are switched on.
+    #[wasm_bindgen(getter, js_name = lightsOn)]
+    pub fn lights_on(&self) -> usize {
+        self.lights.iter().filter(|light| light.is_on()).count()
+    }
+
+    /// What there is to know of a light.
+    pub fn light(&self, light: usize) -> Result<LightState, JsValue> {
+        Ok(self.lit(light)?.state(self.format))
+    }
+
+    /// Gives a light its full beam angle in degrees; field and outer angle follow.
+    #[wasm_bindgen(js_name = setBeam)]
+    pub fn set_beam(&mut self, light: usize, degrees: f32) -> Result<(), JsValue> {
+        Ok(self.set(light, |light, format| light.set_angle(Mark::Beam, degrees, format))?)
+    }
+
+    /// Gives a light its full field angle in degrees; beam and outer angle follow.
+    #[wasm_bindgen(js_name = setField)]
+    pub fn set_field(&mut self, light: usize, degrees: f32) -> Result<(), JsValue> {
+        Ok(self.set(light, |light, format| light.set_angle(Mark::Field, degrees, format))?)
+    }
+
+    /// Gives a light a `soft` or a `hard` edge.
+    #[wasm_bindgen(js_name = setEdge)]
+    pub fn set_edge(&mut self, light: usize, name: &str) -> Result<(), JsValue> {
+        Ok(self.set(light, |light, format| light.set_edge(light::edge_named(name)?, format))?)
+    }
+
+    /// Gives a light a colour, as `#rrggbb` in sRGB.
+    #[wasm_bindgen(js_name = setColor)]
+    pub fn set_color(&mut self, light: usize, hex: &str) -> Result<(), JsValue> {
+        Ok(self.set(light, |light, format| light.set_color(light::color_of(hex)?, format))?)
+    }
+
+    /// Gives a light its intensity: 1 lights a facing surface at distance 1 to full scale.
+    #[wasm_bindgen(js_name = setIntensity)]
+    pub fn set_intensity(&mut self, light: usize, intensity: f32) -> Result<(), JsValue> {
+        Ok(self.set(light, |light, format| light.set_intensity(intensity, format))?)
+    }
+
+    /// Switches a light on or off.
+    #[wasm_bindgen(js_name = setOn)]
+    pub fn set_on(&mut self, light: usize, on: bool) -> Result<(), JsValue> {
+        Ok(self.set(light, |light, _| {
+            light.switch(on);
+            Ok(())
+        })?)
+    }
+
+    /// Makes a light this fixture, or with an empty name none.
+    #[wasm_bindgen(js_name = setFixture)]
+    pub fn set_fixture(&mut self, light: usize, name: &str) -> Result<(), JsValue> {
+        Ok(self.set(light, |light, format| light.set_fixture(name, format))?)
+    }
+
+    /// Takes the published angle of a light's fixture for its `beam` or its `field` angle.
+    #[wasm_bindgen(js_name = setReading)]
+    pub fn set_reading(&mut self, light: usize, name: &str) -> Result<(), JsValue> {
+        Ok(self.set(light, |light, format| light.set_reading(Mark::named(name)?, format))?)
+    }
+
+    /// Zooms a light's fixture to a published angle, in degrees.
+    #[wasm_bindgen(js_name = setZoom)]
+    pub fn set_zoom(&mut self, light: usize, degrees: f32) -> Result<(), JsValue> {
+        Ok(self.set(light, |light, format| light.set_zoom(degrees, format))?)
+    }
+
+    /// The name of the number format in force.
+    #[wasm_bindgen(getter)]
+    pub fn format(&self) -> String {
+        self.format.name().to_owned()
+    }
+
+    /// Changes the number format to `fx16`, `fx32` or `f32`. The picture is drawn anew with the next `draw`.
+    #[wasm_bindgen(js_name = setFormat)]
+    pub fn set_format(&mut self, name: &str) -> Result<(), JsValue> {
+        Ok(self.change_format(Format::named(name)?)?)
+    }
+
+    /// What a format has against a light as it is; nothing if it holds it.
+    pub fn objection(&self, format: &str, light: usize) -> Result<Option<String>, JsValue> {
+        let objection = Format::named(format)?.check(self.lit(light)?.spot()).err();
+        Ok(objection.map(|error| error.to_string()))
+    }
+
+    /// How far a picture of this format may be from the one in `f32`, in displayed codes.
+    #[wasm_bindgen(js_name = statedError)]
+    pub fn stated_error(format: &str) -> Result<u8, JsValue> {
+        Ok(Format::named(format)?.stated_error())
+    }
+
+    /// The intensity of a light across its axis, evaluated in the number format in force: pairs of the angle off
+    /// axis in degrees, from one side to the other, and the intensity there.
+    pub fn curve(&self, light: usize, samples: usize) -> Result<Vec<f32>, JsValue> {
+        Ok(self.trace(self.lit(light)?, samples)?)
+    }
+
+    /// The fixtures to choose from.
+    pub fn fixtures() -> Vec<Fixture> {
+        fixture::all().to_vec()
+    }
+}
+
+impl Demo {
+    fn open(canvas: &HtmlCanvasElement, width: u32, height: u32) -> Result<Self, Refusal> {
+        let spots = stage::lights()?;
+        let mut names = NAMES.iter();
+        Ok(Self {
+            renderer: FIRST.renderer(width, height)?,
+            scene: stage::scene(),
+            camera: stage::camera(),
+            lights: spots.map(|spot| Light::new(names.next().copied().unwrap_or_default(), spot)),
+            rest: spots.map(|spot| spot.axis()),
+            format: FIRST,
+            canvas: Canvas::new(canvas, width, height)?,
+            clock: Clock::new()?,
+            times: Times::default(),
+            width,
+            height,
+        })
+    }
+
+    fn draw_changes(&mut self) -> Result<bool, Refusal> {
+        let Self { renderer, scene, camera, canvas, clock, .. } = self;
+        let spots: Vec<Spot> =
+            self.lights.iter().filter(|light| light.is_on()).map(|light| *light.spot()).collect();
+        let (geometry, moved) = clock.time(|| renderer.draw_geometry(scene, camera));
+        let (lighting, lit) = clock.time(|| renderer.draw_light(&spots));
+        if !lit? {
+            return Ok(false);
+        }
+        let (encode, pixels) = clock.time(|| renderer.encode());
+        let (show, shown) = clock.time(|| canvas.show(pixels));
+        shown?;
+        self.times = Times { geometry: moved.then_some(geometry), lighting, encode, show };
+        Ok(true)
+    }
+
+    /// A change is whole: one light that does not fit keeps the format from changing.
+    fn change_format(&mut self, format: Format) -> Result<(), Refusal> {
+        if format == self.format {
+            return Ok(());
+        }
+        for light in &self.lights {
+            format.check(light.spot()).map_err(|error| Refusal::Format {
+                format,
+                light: light.name(),
+                error,
+            })?;
+        }
+        self.renderer = format.renderer(self.width, self.height)?;
+        self.format = format;
+        Ok(())
+    }
+
+    fn trace(&self, light: &Light, samples: usize) -> Result<Vec<f32>, Refusal> {
+        let cone = light.spot().cone();
+        // A margin of darkness at each side, so that the end of the light is seen as one.
+        let reach = (cone.outer().to_degrees() / 2.0 * 1.12).min(180.0);
+        let last = samples.saturating_sub(1).max(1) as f32;
+        let angles: Vec<f32> = (0..samples).map(|i| reach * (2.0 * i as f32 / last - 1.0)).collect();
+        let intensities = self.format.intensities(&cone, &angles)?;
+        Ok(angles.into_iter().zip(intensities).flat_map(|(angle, intensity)| [angle, intensity]).collect())
+    }
+
+    fn lit(&self, light: usize) -> Result<&Light, Refusal> {
+        self.lights.get(light).ok_or(Refusal::Number { value: light, count: NAMES.len() })
+    }
+
+    fn set(
+        &mut self,
+        light: usize,
+        change: impl FnOnce(&mut Light, Format) -> Result<(), Refusal>,
+    ) -> Result<(), Refusal> {
+        let format = self.format;
+        let light = self.lights.get_mut(light).ok_or(Refusal::Number { value: light, count: NAMES.len() })?;
+        change(light, format)
+    }
+}

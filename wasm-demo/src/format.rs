@@ -1,0 +1,169 @@
+//! The number format, chosen at run time here and a type everywhere below.
+
+use crate::refusal::Refusal;
+use luminaire::{Angle, Cone, Edge, Error, Falloff, Fx16, Fx32, Scalar, Spot};
+use luminaire_render::{Camera, Renderer, Scene, SizeError};
+use std::fmt;
+
+/// One of the kernel's number formats.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum Format {
+    /// 16-bit fixed point.
+    Fx16,
+    /// 32-bit fixed point.
+    Fx32,
+    /// 32-bit floating point.
+    F32,
+}
+
+/// Evaluates the body with a type `$S` that is the format.
+macro_rules! with_scalar {
+    ($format:expr, $S:ident => $body:expr) => {
+        match $format {
+            Format::Fx16 => {
+                type $S = Fx16;
+                $body
+            }
+            Format::Fx32 => {
+                type $S = Fx32;
+                $body
+            }
+            Format::F32 => {
+                type $S = f32;
+                $body
+            }
+        }
+    };
+}
+
+impl Format {
+    #[cfg(test)]
+    pub(crate) const ALL: [Self; 3] = [Self::Fx16, Self::Fx32, Self::F32];
+
+    /// The format of this name.
+    pub(crate) fn named(name: &str) -> Result<Self, Refusal> {
+        match name {
+            "fx16" => Ok(Self::Fx16),
+            "fx32" => Ok(Self::Fx32),
+            "f32" => Ok(Self::F32),
+            _ => Err(Refusal::Name {
+                parameter: "number format",
+                value: name.to_owned(),
+                remedy: "give fx16, fx32 or f32",
+            }),
+        }
+    }
+
+    /// The name that [`Format::named`] knows.
+    pub(crate) fn name(self) -> &'static str {
+        with_scalar!(self, S => S::NAME)
+    }
+
+    /// Whether the format can hold a light.
+    pub(crate) fn check(self, spot: &Spot) -> Result<(), Error> {
+        with_scalar!(self, S => spot.compile::<S>().map(drop))
+    }
+
+    /// The narrowest cone of this edge that the format holds.
+    pub(crate) fn narrowest(self, edge: Edge) -> Angle {
+        with_scalar!(self, S => Cone::narrowest::<S>(edge))
+    }
+
+    /// The intensity of a cone at angles off its axis in degrees, as this format evaluates it.
+    pub(crate) fn intensities(self, cone: &Cone, angles: &[f32]) -> Result<Vec<f32>, Error> {
+        with_scalar!(self, S => {
+            let falloff: Falloff<S> = cone.compile()?;
+            let versine = |off_axis: f32| falloff.versine(Angle::degrees(2.0 * off_axis).versine());
+            Ok(angles.iter().map(|&angle| falloff.at(versine(angle)).to_f32()).collect())
+        })
+    }
+
+    /// How far a picture may be from the one in `f32`, in displayed codes.
+    pub(crate) fn stated_error(self) -> u8 {
+        with_scalar!(self, S => luminaire_render::stated_error::<S>())
+    }
+
+    /// A renderer that evaluates the lights in this format.
+    pub(crate) fn renderer(self, width: u32, height: u32) -> Result<Box<dyn Draw>, SizeError> {
+        with_scalar!(self, S => Ok(Box::new(Renderer::<S>::new(width as usize, height as usize)?)))
+    }
+}
+
+impl fmt::Display for Format {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Fx16 => "16-bit fixed point",
+            Self::Fx32 => "32-bit fixed point",
+            Self::F32 => "32-bit floating point",
+        })
+    }
+}
+
+/// A renderer whose format has been forgotten: the choice costs one indirect call per pass, and none per pixel.
+pub(crate) trait Draw: fmt::Debug {
+    /// Draws what the camera sees, if that is not what was drawn last; whether it was drawn.
+    fn draw_geometry(&mut self, scene: &Scene, camera: &Camera) -> bool;
+    /// Lights what was drawn, if anything has changed; whether it was lit.
+    fn draw_light(&mut self, spots: &[Spot]) -> Result<bool, Error>;
+    /// Encodes what was lit for the display: RGBA, sRGB, eight bits.
+    fn encode(&mut self) -> &[u8];
+    /// What was encoded last.
+    fn pixels(&self) -> &[u8];
+}
+
+impl<S: luminaire_render::Format> Draw for Renderer<S> {
+    fn draw_geometry(&mut self, scene: &Scene, camera: &Camera) -> bool {
+        self.draw_geometry(scene, camera)
+    }
+
+    fn draw_light(&mut self, spots: &[Spot]) -> Result<bool, Error> {
+        self.draw_light(spots)
+    }
+
+    fn encode(&mut self) -> &[u8] {
+        self.encode()
+    }
+
+    fn pixels(&self) -> &[u8] {
+        self.pixels()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use luminaire::Soft;
+
+    #[test]
+    fn a_format_has_its_own_name() {
+        for format in Format::ALL {
+            assert_eq!(Format::named(format.name()), Ok(format));
+        }
+        let refusal = Format::named("f16").unwrap_err().to_string();
+        assert!(
+            refusal.contains("number format \"f16\"") && refusal.contains("fx16, fx32 or f32"),
+            "{refusal}"
+        );
+    }
+
+    #[test]
+    fn the_curve_passes_its_marks_in_every_format() {
+        let cone = Cone::from_field(Soft, Angle::degrees(30.0)).unwrap().with_profile(Edge::Soft);
+        let half = |angle: Angle| angle.to_degrees() / 2.0;
+        let angles = [0.0, half(cone.beam()), half(cone.field()), half(cone.outer()) * 1.01];
+        for format in Format::ALL {
+            let found = format.intensities(&cone, &angles).unwrap();
+            for (found, wanted) in found.iter().zip([1.0, 0.5, 0.1, 0.0]) {
+                assert!((found - wanted).abs() < 2e-3, "{format}: {found} in place of {wanted}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_cone_under_the_narrowest_is_refused() {
+        let narrowest = Format::Fx16.narrowest(Edge::Hard).to_degrees();
+        let cone = Cone::from_outer(Edge::Hard, Angle::degrees(narrowest * 0.99)).unwrap();
+        assert!(Format::Fx16.intensities(&cone, &[0.0]).is_err());
+        assert!(Format::F32.intensities(&cone, &[0.0]).is_ok());
+    }
+}

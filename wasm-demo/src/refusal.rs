@@ -1,0 +1,78 @@
+//! What is refused, in words for the page: the parameter, its value, and what to do about it.
+
+use crate::format::Format;
+use luminaire_render::SizeError;
+use std::fmt;
+use wasm_bindgen::JsValue;
+
+/// A value that was not taken. Nothing changes with it.
+#[derive(Clone, PartialEq, Debug)]
+pub(crate) enum Refusal {
+    /// The kernel refused a parameter of a light.
+    Light(luminaire::Error),
+    /// The renderer refused the size of the picture.
+    Size(SizeError),
+    /// A light does not fit into a number format.
+    Format {
+        format: Format,
+        /// Which light, by its name on the page.
+        light: &'static str,
+        error: luminaire::Error,
+    },
+    /// A name that is not one of those to choose from.
+    Name { parameter: &'static str, value: String, remedy: &'static str },
+    /// A light that there is not.
+    Number { value: usize, count: usize },
+    /// A zoom angle that the fixture has not.
+    Zoom { value: f32, narrow: f32, wide: f32 },
+    /// The browser would not do something.
+    Browser { what: &'static str, reason: String },
+}
+
+impl Refusal {
+    /// A browser's refusal, with its own words.
+    pub(crate) fn browser(what: &'static str, reason: &JsValue) -> Self {
+        Self::Browser { what, reason: format!("{reason:?}") }
+    }
+}
+
+impl fmt::Display for Refusal {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Light(error) => error.fmt(f),
+            Self::Size(error) => error.fmt(f),
+            Self::Format { format, light, error } => {
+                write!(f, "{format} cannot hold the {light} light: {error}")
+            }
+            Self::Name { parameter, value, remedy } => {
+                write!(f, "{parameter} \"{value}\" is refused: {remedy}")
+            }
+            Self::Number { value, count } => {
+                write!(f, "light {value} is refused: give a number from 0 to {}", count - 1)
+            }
+            Self::Zoom { value, narrow, wide } => {
+                write!(f, "zoom {value} is refused: this fixture goes from {narrow} to {wide} degrees")
+            }
+            Self::Browser { what, reason } => write!(f, "{what}: {reason}"),
+        }
+    }
+}
+
+impl From<luminaire::Error> for Refusal {
+    fn from(error: luminaire::Error) -> Self {
+        Self::Light(error)
+    }
+}
+
+impl From<SizeError> for Refusal {
+    fn from(error: SizeError) -> Self {
+        Self::Size(error)
+    }
+}
+
+impl From<Refusal> for JsValue {
+    /// A plain string: the page shows it as it is.
+    fn from(refusal: Refusal) -> Self {
+        Self::from_str(&refusal.to_string())
+    }
+}

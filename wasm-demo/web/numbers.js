@@ -1,0 +1,29 @@
+// Numbers as people read them.
+
+/** A value with as many decimals as matter: two, or more where it is small. */
+export function tidy(value) {
+  const size = Math.abs(value);
+  return Number(size > 0 && size < 1 ? value.toPrecision(3) : value.toFixed(2));
+}
+
+/** An angle in degrees, with its sign. */
+export const degrees = (value) => `${tidy(value)}°`.replace("-", "−");
+
+/** An angle for a glance: three digits. */
+export const roughly = (value) => `${Number(value.toPrecision(3))}°`;
+
+/** The largest decimal fraction that is not over a value: an end of a slider that the kernel takes. */
+export const floor = (value) => Math.floor(value * 100) / 100;
+
+/** The smallest value of three digits that is not under a value. */
+export function ceiling(value) {
+  const unit = 10 ** (Math.floor(Math.log10(value)) - 2);
+  return Number((Math.ceil(value / unit) * unit).toPrecision(3));
+}
+
+/** The middle one of some numbers; of an even count the mean of the middle two. */
+export function median(values) {
+  const sorted = Float64Array.from(values).sort();
+  const middle = sorted.length >> 1;
+  return sorted.length % 2 === 1 ? sorted[middle] : (sorted[middle - 1] + sorted[middle]) / 2;
+}

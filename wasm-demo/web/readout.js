@@ -1,0 +1,32 @@
+// How long the passes take: the median of the last pictures, since one picture's time is mostly chance.
+import { median } from "./numbers.js";
+
+const PICTURES = 30;
+
+const PASSES = ["geometry", "lighting", "encode", "show"];
+
+export class Readout {
+  #demo;
+  #passes = PASSES.map((name) => ({ name, times: [], place: document.getElementById(`${name}-ms`) }));
+
+  constructor(demo) {
+    this.#demo = demo;
+  }
+
+  /** Takes in the times of the picture just drawn. */
+  add() {
+    for (const { name, times, place } of this.#passes) {
+      const time = this.#demo[`${name}Ms`];
+      // A picture that is only lit anew has no geometry: that pass keeps its last reading.
+      if (time === undefined) continue;
+      times.push(time);
+      if (times.length > PICTURES) times.shift();
+      place.textContent = `${median(times).toFixed(2)} ms`;
+    }
+  }
+
+  /** Forgets the times, as those of another number format say nothing. */
+  forget() {
+    for (const { times } of this.#passes) times.length = 0;
+  }
+}

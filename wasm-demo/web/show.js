@@ -1,0 +1,57 @@
+// The whole of the demo: loads the module, and joins the parts of the page to one another.
+import init, { Demo } from "./pkg/wasm_demo.js";
+import { Curve } from "./curve.js";
+import { FormatPicker } from "./format-picker.js";
+import { LightDesk } from "./light-desk.js";
+import { Meter } from "./meter.js";
+import { Readout } from "./readout.js";
+import { StageView } from "./stage-view.js";
+import { requestedSize } from "./support.js";
+import { Sweep } from "./sweep.js";
+
+/** Loads the module; what the browser says when it can't is of little help by itself. */
+async function load() {
+  try {
+    await init();
+  } catch (error) {
+    throw new Error(
+      `The demo's WebAssembly module could not be loaded (${error.message}). ` +
+        "Serve the whole folder, pkg included, over HTTP, and reload the page.",
+    );
+  }
+}
+
+/** Opens the show. The order of joining: what is drawn, what sets it, what tells of it. */
+export async function open() {
+  await load();
+  const { width, height } = requestedSize(location.search);
+  const canvas = document.getElementById("view");
+  const demo = new Demo(canvas, width, height);
+  const view = new StageView(demo, canvas);
+  const readout = new Readout(demo);
+  const curve = new Curve(demo);
+  const desk = new LightDesk(demo);
+  const formats = new FormatPicker(demo, desk);
+  const sweep = new Sweep(demo);
+
+  view.before((now) => sweep.step(now));
+  view.after(() => readout.add());
+  desk.onselect = (light) => curve.draw(light);
+  desk.onchange = (light) => {
+    formats.retry();
+    curve.draw(light);
+    view.request();
+  };
+  formats.onchange = () => {
+    readout.forget();
+    desk.refresh();
+    curve.draw(desk.selected);
+    view.request();
+  };
+  sweep.onchange = () => view.request();
+
+  desk.select(0);
+  formats.show();
+  view.draw(performance.now());
+  window.luminaire = new Meter(demo, view, formats);
+}

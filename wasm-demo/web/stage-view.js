@@ -1,0 +1,130 @@
+// The canvas: draws when something has changed, and lets the visitor walk around.
+import { hasFailed } from "./failure.js";
+
+/** How far a key turns the camera, in radians. */
+const STEP = 0.08;
+
+/** How much nearer a key or a notch of the wheel takes the camera. */
+const NEARER = 0.9;
+
+/** Across the whole width of the canvas a drag goes once around, as far as the camera follows. */
+const TURN = 2 * Math.PI;
+
+export class StageView {
+  #demo;
+  #canvas;
+  #frame = 0;
+  #before = [];
+  #after = [];
+  /** The pointers that are down, by their id: one turns the camera, two pinch. */
+  #pointers = new Map();
+
+  /** How many pictures have been drawn. */
+  drawn = 0;
+
+  constructor(demo, canvas) {
+    this.#demo = demo;
+    this.#canvas = canvas;
+    canvas.addEventListener("pointerdown", (event) => this.#grab(event));
+    canvas.addEventListener("pointermove", (event) => this.#drag(event));
+    for (const end of ["pointerup", "pointercancel"]) {
+      canvas.addEventListener(end, (event) => this.#pointers.delete(event.pointerId));
+    }
+    // Not passive: the wheel over the stage moves the camera, not the page.
+    canvas.addEventListener("wheel", (event) => this.#wheel(event), { passive: false });
+    canvas.addEventListener("keydown", (event) => this.#key(event));
+  }
+
+  /** Calls `step(now)` before each picture; as long as it answers true, another picture follows. */
+  before(step) {
+    this.#before.push(step);
+  }
+
+  /** Calls `tell()` after each picture. */
+  after(tell) {
+    this.#after.push(tell);
+  }
+
+  /** Draws with the next frame of the browser. Without a request no frame is asked for. */
+  request() {
+    if (this.#frame === 0 && !hasFailed()) this.#frame = requestAnimationFrame((now) => this.draw(now));
+  }
+
+  /** Draws what has changed, now. */
+  draw(now) {
+    this.#frame = 0;
+    let goOn = false;
+    for (const step of this.#before) goOn = step(now) || goOn;
+    if (this.#demo.draw()) this.#tell();
+    if (goOn) this.request();
+  }
+
+  /** Draws everything, changed or not, now. */
+  redraw() {
+    this.#demo.redraw();
+    this.#tell();
+  }
+
+  #tell() {
+    this.drawn += 1;
+    for (const tell of this.#after) tell();
+  }
+
+  #orbit(yaw, pitch) {
+    this.#demo.orbit(yaw, pitch);
+    this.request();
+  }
+
+  #zoom(factor) {
+    this.#demo.zoom(factor);
+    this.request();
+  }
+
+  #grab(event) {
+    this.#canvas.setPointerCapture(event.pointerId);
+    this.#pointers.set(event.pointerId, { x: event.clientX, y: event.clientY });
+  }
+
+  #drag(event) {
+    const last = this.#pointers.get(event.pointerId);
+    if (!last) return;
+    const here = { x: event.clientX, y: event.clientY };
+    if (this.#pointers.size === 1) {
+      const scale = TURN / this.#canvas.clientWidth;
+      this.#orbit((last.x - here.x) * scale, (here.y - last.y) * scale);
+    } else {
+      const before = this.#spread();
+      this.#pointers.set(event.pointerId, here);
+      if (before > 0 && this.#spread() > 0) this.#zoom(before / this.#spread());
+    }
+    this.#pointers.set(event.pointerId, here);
+  }
+
+  /** How far the first two pointers are apart. */
+  #spread() {
+    const [a, b] = this.#pointers.values();
+    return Math.hypot(a.x - b.x, a.y - b.y);
+  }
+
+  #wheel(event) {
+    event.preventDefault();
+    // A notch is some 100 pixels, 3 lines or a part of a page, as the browser likes it.
+    const notches = event.deltaY / [100, 3, 1][event.deltaMode];
+    this.#zoom(NEARER ** -notches);
+  }
+
+  #key(event) {
+    const act = {
+      ArrowLeft: () => this.#orbit(-STEP, 0),
+      ArrowRight: () => this.#orbit(STEP, 0),
+      ArrowUp: () => this.#orbit(0, STEP),
+      ArrowDown: () => this.#orbit(0, -STEP),
+      "+": () => this.#zoom(NEARER),
+      "=": () => this.#zoom(NEARER),
+      "-": () => this.#zoom(1 / NEARER),
+    }[event.key];
+    if (!act || event.ctrlKey || event.metaKey || event.altKey) return;
+    event.preventDefault();
+    act();
+  }
+}

@@ -1,0 +1,30 @@
+// What the page needs of the browser, and what it is asked for by its address.
+
+/** The smallest module that uses a SIMD instruction: a function that splats a byte and counts its bits. */
+const SIMD = Uint8Array.of(
+  0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 10, 1, 8, 0, 65, 0, 253, 15, 253, 98, 11,
+);
+
+/** Throws where the module could not be compiled: it uses WebAssembly's 128-bit SIMD. */
+export function requireSimd() {
+  if (typeof WebAssembly !== "object" || !WebAssembly.validate(SIMD)) {
+    throw new Error(
+      "This browser has no WebAssembly SIMD, which the demo is compiled for. " +
+        "Use Chrome or Edge 91, Firefox 89, Safari 16.4, or anything newer.",
+    );
+  }
+}
+
+/** The size of the picture: `?width=&height=`, else 960x540. */
+export function requestedSize(search) {
+  const query = new URLSearchParams(search);
+  return { width: pixels(query, "width", 960), height: pixels(query, "height", 540) };
+}
+
+/** The renderer says which sizes it takes; here it is only seen to that it is told a whole number. */
+function pixels(query, name, otherwise) {
+  const text = query.get(name);
+  if (text === null) return otherwise;
+  if (!/^\d{1,9}$/.test(text)) throw new Error(`${name} "${text}" is refused: give a whole number of pixels`);
+  return Number(text);
+}
