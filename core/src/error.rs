@@ -40,8 +40,20 @@ pub enum Parameter {
     Axis,
     /// How strong a light is on its axis.
     Intensity,
-    /// The linear colour of a light.
+    /// The linear colour of a light or of a material.
     Color,
+    /// Where a directional light travels.
+    Direction,
+    /// Where the beam of a spotlight ends.
+    EndPoint,
+    /// A coefficient of the polynomial by which a light falls with distance.
+    Attenuation,
+    /// The distance at which a light ends.
+    Range,
+    /// The exponent of a highlight.
+    Shininess,
+    /// How much all light is amplified for the display.
+    Exposure,
 }
 
 /// What a parameter may be.
@@ -54,6 +66,10 @@ pub enum Accepted {
     AngleFrom(f32),
     /// A finite number in this closed range.
     Between(f32, f32),
+    /// A distance in this closed range, or none at all.
+    RangeBetween(f32, f32),
+    /// A whole number in this closed range.
+    WholeBetween(u32, u32),
     /// A vector of finite components whose length is neither zero nor too large or small to be squared.
     Direction,
 }
@@ -68,6 +84,12 @@ impl fmt::Display for Parameter {
             Self::Axis => "axis",
             Self::Intensity => "intensity",
             Self::Color => "color",
+            Self::Direction => "direction",
+            Self::EndPoint => "end point",
+            Self::Attenuation => "attenuation coefficient",
+            Self::Range => "range",
+            Self::Shininess => "shininess",
+            Self::Exposure => "exposure",
         })
     }
 }
@@ -85,6 +107,10 @@ impl fmt::Display for Accepted {
                 write!(f, "give at least {shown} degrees, the full angle, or a number format of more bits")
             }
             Self::Between(least, most) => write!(f, "give a finite number from {least} to {most}"),
+            Self::RangeBetween(least, most) => {
+                write!(f, "give a distance from {least} to {most}, or a distance model without a range")
+            }
+            Self::WholeBetween(least, most) => write!(f, "give a whole number from {least} to {most}"),
             Self::Direction => f.write_str("give finite components and a length between 1e-18 and 1e18"),
         }
     }
@@ -97,3 +123,12 @@ impl fmt::Display for Error {
 }
 
 impl core::error::Error for Error {}
+
+/// A number in a closed range, or the error that names it. Not a number is outside every range.
+pub(crate) fn check_between(parameter: Parameter, value: f32, least: f32, most: f32) -> Result<(), Error> {
+    if (least..=most).contains(&value) {
+        Ok(())
+    } else {
+        Err(Error { parameter, value, accepted: Accepted::Between(least, most) })
+    }
+}

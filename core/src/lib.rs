@@ -47,7 +47,8 @@
 //! | `glam` | conversions between [`Vec3`]`<f32>` and `glam::Vec3` |
 //!
 //! Files, in the order in which they build on one another: `error`, `vec3`, `trig`, `scalar` (and a file for each
-//! format), `angle`, `profile`, `cone`, `color`, `shade`, `light`.
+//! format), `angle`, `profile`, `cone`, `attenuation`, `color`, `specular`, `shade` (and a file for each kind of
+//! light), `light` (the same), `material`.
 #![no_std]
 #![forbid(unsafe_code)]
 
@@ -55,26 +56,34 @@
 extern crate std;
 
 mod angle;
+mod attenuation;
 mod color;
 mod cone;
 mod error;
 mod light;
+mod material;
 mod profile;
 mod scalar;
 mod shade;
+mod specular;
 mod trig;
 mod vec3;
 
 pub use angle::{Angle, HalfAngle};
-pub use color::{Rgb, decode_srgb, encode_srgb};
+pub use attenuation::{
+    Attenuation, CutOff, InverseSquare, Polynomial, SmoothRange, SquaredWindow, Unattenuated, Windowed,
+};
+pub use color::{CompiledExposure, Exposure, Rgb, Rgb565, clip, decode_srgb, encode_srgb, keep_hue};
 pub use cone::{Cone, Falloff};
 pub use error::{Accepted, Error, Parameter};
-pub use light::Spot;
+pub use light::{Ambient, Directional, Point, Spot};
+pub use material::{CompiledMaterial, Material};
 pub use profile::{Edge, Hard, Profile, Soft};
 #[cfg(feature = "fixed")]
 pub use scalar::{Fx16, Fx32};
-pub use scalar::{Offset, Ray, Scalar};
-pub use shade::CompiledSpot;
+pub use scalar::{Gain, Offset, Ray, Scalar};
+pub use shade::{Arrival, CompiledDirectional, CompiledPoint, CompiledSpot, Light, Surface};
+pub use specular::{BlinnPhong, DualCone, Highlight, Lyon, Matte, Phong, Specular};
 pub use vec3::Vec3;
 
 /// The README's example is a test.

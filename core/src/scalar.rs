@@ -25,6 +25,8 @@ pub(crate) mod fixed16;
 #[cfg(feature = "fixed")]
 pub(crate) mod fixed32;
 #[cfg(feature = "fixed")]
+mod reciprocal;
+#[cfg(feature = "fixed")]
 mod root;
 
 use crate::vec3::Vec3;
@@ -45,9 +47,9 @@ pub trait Scalar: Copy + Default + PartialOrd + core::fmt::Debug + sealed::Seale
     /// The ramp from the edge of a cone to its middle, compiled.
     type Ramp: Copy + PartialEq + core::fmt::Debug;
     /// A factor from zero upwards that keeps its leading bits whatever its size.
-    type Gain: Copy + PartialEq + core::fmt::Debug;
+    type Gain: Gain<Self>;
     /// Light that has arrived at a surface: from zero upwards, 1 is full scale.
-    type Irradiance: Copy + Default + PartialEq + core::fmt::Debug;
+    type Irradiance: Copy + Default + PartialOrd + core::fmt::Debug;
     /// The way from a light to a point before its length is known.
     type Offset: Offset<Self>;
 
@@ -87,6 +89,23 @@ pub trait Scalar: Copy + Default + PartialOrd + core::fmt::Debug + sealed::Seale
     /// Where a versine stands on a ramp: exactly 1 at and within the inner versine, exactly 0 at and beyond the
     /// outer, monotone between.
     fn rise(ramp: Self::Ramp, versine: Self::Versine) -> Self;
+    /// `t^2 (3 - 2t)` of a fraction clamped to [0, 1]: exact at both ends.
+    fn smooth(self) -> Self;
+
+    /// The versine of the angle between two unit directions, in the scale of a ramp, by their difference.
+    fn versine_between(a: Vec3<Self::Unit>, b: Vec3<Self::Unit>, ramp: Self::Ramp) -> Self::Versine;
+    /// `(1 - versine)^exponent` by repeated squaring, and zero from a right angle on: a power of the cosine that keeps
+    /// what the cosine lacks of one. The versine is in the scale of the ramp from 0 to 1.
+    fn power(versine: Self::Versine, exponent: u32) -> Self;
+    /// A normal in the resolution of directions.
+    fn normal_unit(normal: Vec3<Self>) -> Vec3<Self::Unit>;
+    /// The mirror image of a direction in the surface of a normal: `d - 2 (d.n) n`.
+    fn mirror(direction: Vec3<Self::Unit>, normal: Vec3<Self>) -> Vec3<Self::Unit>;
+    /// The unit direction from one unit direction to another: `b - a` at unit length. Equal ones have none; what
+    /// stands in its place is like nothing that it is compared with.
+    fn direction_between(a: Vec3<Self::Unit>, b: Vec3<Self::Unit>) -> Vec3<Self::Unit>;
+    /// The cosine of the angle of incidence of a unit direction, and zero where the surface faces away.
+    fn incidence(direction: Vec3<Self::Unit>, normal: Vec3<Self>) -> Self;
 
     /// The light of a fraction of a gain, whatever the distance; none for a negative fraction.
     fn expose(self, gain: Self::Gain) -> Self::Irradiance;
@@ -96,6 +115,29 @@ pub trait Scalar: Copy + Default + PartialOrd + core::fmt::Debug + sealed::Seale
     fn add_light(a: Self::Irradiance, b: Self::Irradiance) -> Self::Irradiance;
     /// The value of a light, for display and for tests.
     fn light_to_f32(light: Self::Irradiance) -> f32;
+    /// A light as a gain.
+    fn light_to_gain(light: Self::Irradiance) -> Self::Gain;
+    /// A light after a gain; a gain of one changes no bit.
+    fn amplify(light: Self::Irradiance, gain: Self::Gain) -> Self::Irradiance;
+    /// A light clipped to full scale.
+    fn clip(light: Self::Irradiance) -> Self;
+    /// The nearest of the codes from 0 to `LAST` of an sRGB channel, for a linear value; clipped to [0, 1].
+    fn srgb<const LAST: usize>(self) -> u8;
+}
+
+/// A factor from zero upwards with an exponent of its own, and the arithmetic of distances on it.
+///
+/// Fixed point rounds every result to the nearest mantissa, of 16 bits in [`Fx16`] and 28 in [`Fx32`], so that what
+/// is monotone in exact arithmetic is monotone here.
+pub trait Gain<S: Scalar>: Copy + PartialEq + core::fmt::Debug {
+    /// The product.
+    fn by(self, other: Self) -> Self;
+    /// The sum.
+    fn plus(self, other: Self) -> Self;
+    /// One over the gain, and one where the gain is less than one.
+    fn inverse_capped(self) -> Self;
+    /// The nearest scalar, and exactly one from there on.
+    fn fraction(self) -> S;
 }
 
 /// The way from a light to a point: what can be asked of it before a square root is paid for, and the root.
@@ -112,6 +154,8 @@ pub trait Offset<S: Scalar>: Copy + core::fmt::Debug {
     /// Whether the point is outside a cone for certain: by squares, and only ever in error towards evaluating.
     /// `bound` is the squared cosine of the outer half angle, less a margin for the roundings.
     fn is_outside(&self, axis: Vec3<S::Unit>, bound: S) -> bool;
+    /// The squared distance.
+    fn squared_distance(&self) -> S::Gain;
     /// Pays for the square root.
     fn ray(&self) -> Self::Ray;
 }
@@ -121,6 +165,8 @@ pub trait Offset<S: Scalar>: Copy + core::fmt::Debug {
 /// A point on the light itself, or one so far that its squared distance cannot be held, has no direction: it stays
 /// dark, because its [`cosine`](Ray::cosine) is zero or its versine outside every cone.
 pub trait Ray<S: Scalar>: Copy + core::fmt::Debug {
+    /// The distance.
+    fn distance(&self) -> S::Gain;
     /// The direction.
     fn direction(&self) -> Vec3<S::Unit>;
     /// The versine of the angle between direction and axis, in the scale of a ramp, by the difference of the two:

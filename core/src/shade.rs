@@ -1,85 +1,79 @@
 //! One surface point and one compiled light: how much of the light arrives.
 
+mod directional;
+mod point;
+mod spot;
+
+pub use self::{directional::CompiledDirectional, point::CompiledPoint, spot::CompiledSpot};
+
 use crate::{
     color::Rgb,
-    cone::Falloff,
-    profile::{Edge, Profile},
     scalar::{Offset, Ray, Scalar},
+    specular::Specular,
     vec3::Vec3,
 };
 
-/// A spotlight compiled for the format `S`. Made by [`Spot::compile`](crate::Spot::compile).
+/// A point of a surface, as a light and an eye see it.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct CompiledSpot<S: Scalar, P = Edge> {
-    pub(crate) position: Vec3<S::Length>,
-    pub(crate) axis: Vec3<S::Unit>,
-    pub(crate) falloff: Falloff<S, P>,
-    pub(crate) outside: S,
-    pub(crate) intensity: S::Gain,
-    pub(crate) color: Rgb<S>,
+pub struct Surface<S: Scalar> {
+    /// Where the point is, in the unit of the lights' positions.
+    pub point: Vec3<S::Length>,
+    /// The normal, of unit length.
+    pub normal: Vec3<S>,
+    /// The direction from the point to the eye, of unit length. A matt surface does not ask for it.
+    pub view: Vec3<S::Unit>,
 }
 
-impl<S: Scalar, P: Profile> CompiledSpot<S, P> {
-    /// The light that arrives at a surface point, before the colours: falloff, inverse-square distance and
-    /// Lambert's cosine. 1 is full scale; the unit of `point` is that of the light's position, `normal` has unit
-    /// length.
-    ///
-    /// No root is paid for a surface that faces away, or for a point that is clearly outside the cone; what is
-    /// skipped is exactly zero, so the answer has the bits of [`irradiance_unskipped`](Self::irradiance_unskipped).
+impl<S: Scalar> Surface<S> {
+    /// A point of a matt surface, the same from every side.
     #[inline(always)]
-    pub fn irradiance(&self, point: Vec3<S::Length>, normal: Vec3<S>) -> S::Irradiance {
-        let offset = S::offset(self.position, point);
-        let facing = offset.facing(normal);
-        if S::Offset::faces_away(facing) || offset.is_outside(self.axis, self.outside) {
-            return S::Irradiance::default();
-        }
-        self.arrive(offset.ray(), facing)
+    pub fn matte(point: Vec3<S::Length>, normal: Vec3<S>) -> Self {
+        Self { point, normal, view: Vec3::default() }
     }
 
-    /// As [`irradiance`](Self::irradiance), with every step done for every point: the form without branches, which
-    /// compilers turn into vector instructions.
+    /// A point as an eye sees it: one root, which all lights share.
     #[inline(always)]
-    pub fn irradiance_unskipped(&self, point: Vec3<S::Length>, normal: Vec3<S>) -> S::Irradiance {
-        let offset = S::offset(self.position, point);
-        self.arrive(offset.ray(), offset.facing(normal))
+    pub fn seen_from(eye: Vec3<S::Length>, point: Vec3<S::Length>, normal: Vec3<S>) -> Self {
+        Self { point, normal, view: S::offset(point, eye).ray().direction() }
     }
+}
 
-    /// The falloff of the cone alone at a point: in [0, 1].
-    #[inline(always)]
-    pub fn falloff(&self, point: Vec3<S::Length>) -> S {
-        self.falloff.toward(S::offset(self.position, point).ray(), self.axis)
-    }
+/// What arrives of a light, before its colours: 1 is full scale.
+#[derive(Clone, Copy, PartialEq, Default, Debug)]
+pub struct Arrival<I> {
+    /// Falloff, distance and Lambert's cosine.
+    pub diffuse: I,
+    /// Falloff, distance and the lobe of the highlight.
+    pub specular: I,
+}
 
-    /// The light's linear colour.
-    pub fn color(&self) -> Rgb<S> {
-        self.color
-    }
-
-    /// The edge profile of the cone.
-    pub fn profile(&self) -> P {
-        self.falloff.profile()
-    }
-
-    /// The same light with another type of profile: what turns a choice made at run time into a type, once per
-    /// light and not once per point.
-    pub fn with_profile<Q: Profile>(&self, profile: Q) -> CompiledSpot<S, Q> {
-        CompiledSpot {
-            position: self.position,
-            axis: self.axis,
-            falloff: self.falloff.with_profile(profile),
-            outside: self.outside,
-            intensity: self.intensity,
-            color: self.color,
-        }
-    }
-
-    #[inline(always)]
-    fn arrive(
+/// A compiled light of any kind.
+pub trait Light<S: Scalar>: Copy + core::fmt::Debug {
+    /// The linear colour of its diffuse light.
+    fn color(&self) -> Rgb<S>;
+    /// The linear colour of its highlights.
+    fn specular_color(&self) -> Rgb<S>;
+    /// What arrives at a surface whose highlight is of the kind `H`. With `skips`, points where nothing can arrive are
+    /// left before the root is paid for, with the same bits.
+    fn arrive<H: Specular>(
         &self,
-        ray: <S::Offset as Offset<S>>::Ray,
-        facing: <S::Offset as Offset<S>>::Facing,
-    ) -> S::Irradiance {
-        let falloff = self.falloff.toward(ray, self.axis);
-        ray.expose(falloff.times(ray.cosine(facing)), self.intensity)
+        surface: &Surface<S>,
+        highlight: &H::Constants<S>,
+        skips: bool,
+    ) -> Arrival<S::Irradiance>;
+}
+
+/// The lobe of a highlight where the light falls on the front of a surface, and zero elsewhere.
+#[inline(always)]
+fn lobe<S: Scalar, H: Specular>(
+    highlight: &H::Constants<S>,
+    surface: &Surface<S>,
+    incoming: Vec3<S::Unit>,
+    cosine: S,
+) -> S {
+    if !H::SHINES {
+        return S::ZERO;
     }
+    let lobe = H::lobe(highlight, incoming, surface.normal, surface.view);
+    if cosine > S::ZERO { lobe } else { S::ZERO }
 }

@@ -3,8 +3,11 @@
 //!
 //! In the comments `|v|` is the length of the scaled offset, whose largest component has 17 bits.
 
+mod gain;
+mod lobe;
+
 use super::{Offset, Ray, Scalar, root};
-use crate::vec3::Vec3;
+use crate::{color::srgb16, vec3::Vec3};
 use fixed::types::{I2F14, I2F30, I16F16, U1F31, U18F14};
 
 /// The 16-bit format: I2F14, from -2 to 2 in steps of 1/16384.
@@ -29,6 +32,7 @@ pub struct Offset16 {
 pub struct Ray16 {
     direction: Vec3<i32>,
     bits: u32,
+    squared: u32,
     /// `2^31 / |v|`, of 14 to 16 bits.
     reciprocal: u32,
 }
@@ -148,12 +152,7 @@ impl Scalar for Fx16 {
 
     #[inline(always)]
     fn offset(light: Vec3<I16F16>, point: Vec3<I16F16>) -> Offset16 {
-        let way = point.zip(light, |p, l| p.to_bits().saturating_sub(l.to_bits()));
-        let magnitudes = way.x.unsigned_abs() | way.y.unsigned_abs() | way.z.unsigned_abs();
-        let bits = u32::BITS - magnitudes.leading_zeros();
-        let way = way.map(|c| scale(c, bits));
-        let squared = square(way.x >> 2) + square(way.y >> 2) + square(way.z >> 2);
-        Offset16 { way, bits, squared }
+        Offset16::scaled(point.zip(light, |p, l| p.to_bits().saturating_sub(l.to_bits())))
     }
 
     fn ramp(inner: f32, outer: f32) -> Ramp16 {
@@ -183,6 +182,46 @@ impl Scalar for Fx16 {
     }
 
     #[inline(always)]
+    fn smooth(self) -> Self {
+        lobe::smooth(self)
+    }
+
+    #[inline(always)]
+    fn versine_between(a: Vec3<I2F30>, b: Vec3<I2F30>, ramp: Ramp16) -> U1F31 {
+        let shift = MOST_ZOOM - ramp.zoom;
+        let difference = a.zip(b, |a, b| ((a.to_bits().wrapping_sub(b.to_bits()) >> shift) + 1) >> 1);
+        let squares = difference.map(square);
+        U1F31::from_bits(squares.x.saturating_add(squares.y).saturating_add(squares.z))
+    }
+
+    #[inline(always)]
+    fn power(versine: U1F31, exponent: u32) -> Self {
+        lobe::power(versine, exponent)
+    }
+
+    #[inline(always)]
+    fn normal_unit(normal: Vec3<Self>) -> Vec3<I2F30> {
+        normal.map(|c| I2F30::from_bits(i32::from(c.to_bits()) << 16))
+    }
+
+    #[inline(always)]
+    fn mirror(direction: Vec3<I2F30>, normal: Vec3<Self>) -> Vec3<I2F30> {
+        lobe::mirror(direction, normal)
+    }
+
+    #[inline(always)]
+    fn direction_between(a: Vec3<I2F30>, b: Vec3<I2F30>) -> Vec3<I2F30> {
+        // Half the difference always fits.
+        let half = b.zip(a, |b, a| (b.to_bits() >> 1) - (a.to_bits() >> 1));
+        Offset16::scaled(half).ray().direction()
+    }
+
+    #[inline(always)]
+    fn incidence(direction: Vec3<I2F30>, normal: Vec3<Self>) -> Self {
+        lobe::incidence(direction, normal)
+    }
+
+    #[inline(always)]
     fn expose(self, gain: Gain16) -> U18F14 {
         let fraction = u32::from(self.clamp(Self::ZERO, Self::ONE).to_bits().cast_unsigned());
         shifted(fraction * gain.mantissa, gain.shift)
@@ -205,6 +244,37 @@ impl Scalar for Fx16 {
     #[inline(always)]
     fn light_to_f32(light: U18F14) -> f32 {
         light.to_bits() as f32 * Self::STEP
+    }
+
+    #[inline(always)]
+    fn light_to_gain(light: U18F14) -> Gain16 {
+        Gain16::normalised(light.to_bits(), 14)
+    }
+
+    #[inline(always)]
+    fn amplify(light: U18F14, gain: Gain16) -> U18F14 {
+        gain.amplify(light)
+    }
+
+    #[inline(always)]
+    fn clip(light: U18F14) -> Self {
+        Self::from_bits(light.to_bits().min(1 << 14) as i16)
+    }
+
+    #[inline(always)]
+    fn srgb<const LAST: usize>(self) -> u8 {
+        srgb16::<LAST>(self.to_bits())
+    }
+}
+
+impl Offset16 {
+    #[inline(always)]
+    fn scaled(way: Vec3<i32>) -> Self {
+        let magnitudes = way.x.unsigned_abs() | way.y.unsigned_abs() | way.z.unsigned_abs();
+        let bits = u32::BITS - magnitudes.leading_zeros();
+        let way = way.map(|c| scale(c, bits));
+        let squared = square(way.x >> 2) + square(way.y >> 2) + square(way.z >> 2);
+        Self { way, bits, squared }
     }
 }
 
@@ -234,6 +304,11 @@ impl Offset<Fx16> for Offset16 {
     }
 
     #[inline(always)]
+    fn squared_distance(&self) -> Gain16 {
+        Gain16::normalised(self.squared, 62 - 2 * self.bits.cast_signed())
+    }
+
+    #[inline(always)]
     fn ray(&self) -> Ray16 {
         let reciprocal = if self.squared >= 1 << 30 {
             (root::inverse_sqrt_16(self.squared) + 2) >> 2
@@ -244,11 +319,17 @@ impl Offset<Fx16> for Offset16 {
         };
         let fourteen_bits = ((reciprocal + 1) >> 1).cast_signed();
         let direction = self.way.map(|c| c * fourteen_bits);
-        Ray16 { direction, bits: self.bits, reciprocal }
+        Ray16 { direction, bits: self.bits, squared: self.squared, reciprocal }
     }
 }
 
 impl Ray<Fx16> for Ray16 {
+    #[inline(always)]
+    fn distance(&self) -> Gain16 {
+        // `|v| 2^11`, of 28 or 29 bits.
+        Gain16::normalised(gain::high_product(self.squared, self.reciprocal), 44 - self.bits.cast_signed())
+    }
+
     #[inline(always)]
     fn direction(&self) -> Vec3<I2F30> {
         self.direction.map(I2F30::from_bits)
@@ -256,10 +337,7 @@ impl Ray<Fx16> for Ray16 {
 
     #[inline(always)]
     fn versine(&self, axis: Vec3<I2F30>, ramp: Ramp16) -> U1F31 {
-        let shift = MOST_ZOOM - ramp.zoom;
-        let difference = self.direction.zip(axis, |l, s| ((l.wrapping_sub(s.to_bits()) >> shift) + 1) >> 1);
-        let squares = difference.map(square);
-        U1F31::from_bits(squares.x.saturating_add(squares.y).saturating_add(squares.z))
+        Fx16::versine_between(self.direction(), axis, ramp)
     }
 
     #[inline(always)]

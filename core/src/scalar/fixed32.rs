@@ -2,8 +2,11 @@
 //!
 //! In the comments `|v|` is the length of the scaled offset, whose largest component has 30 bits.
 
+mod gain;
+mod lobe;
+
 use super::{Offset, Ray, Scalar, root};
-use crate::vec3::Vec3;
+use crate::{color::srgb32, vec3::Vec3};
 use fixed::types::{I2F30, I16F16, U34F30};
 
 /// The 32-bit format: I2F30, from -2 to 2 in steps of 1/1073741824.
@@ -30,6 +33,7 @@ pub struct Offset32 {
 pub struct Ray32 {
     direction: Vec3<i32>,
     bits: u32,
+    squared: u64,
     /// `2^62 / |v|`, of 32 to 34 bits.
     reciprocal: u64,
 }
@@ -48,7 +52,7 @@ pub struct Ramp32 {
 /// A factor `mantissa / 2^shift`.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Gain32 {
-    /// At most 24 bits.
+    /// At most 28 bits.
     mantissa: u32,
     shift: i32,
 }
@@ -138,7 +142,7 @@ impl Scalar for Fx32 {
 
     fn gain(value: f32) -> Gain32 {
         let (mantissa, shift) = super::mantissa_and_shift(value);
-        Gain32 { mantissa, shift }
+        Gain32 { mantissa: mantissa << 4, shift: shift + 4 }
     }
 
     #[inline(always)]
@@ -183,6 +187,45 @@ impl Scalar for Fx32 {
     }
 
     #[inline(always)]
+    fn smooth(self) -> Self {
+        lobe::smooth(self)
+    }
+
+    #[inline(always)]
+    fn versine_between(a: Vec3<I2F30>, b: Vec3<I2F30>, _: Ramp32) -> Versine32 {
+        let difference = a.zip(b, |a, b| a.to_bits().saturating_sub(b.to_bits()));
+        let squares = difference.map(square);
+        Versine32::from_bits(squares.x.saturating_add(squares.y).saturating_add(squares.z))
+    }
+
+    #[inline(always)]
+    fn power(versine: Versine32, exponent: u32) -> Self {
+        lobe::power(versine, exponent)
+    }
+
+    #[inline(always)]
+    fn normal_unit(normal: Vec3<Self>) -> Vec3<I2F30> {
+        normal
+    }
+
+    #[inline(always)]
+    fn mirror(direction: Vec3<I2F30>, normal: Vec3<Self>) -> Vec3<I2F30> {
+        lobe::mirror(direction, normal)
+    }
+
+    #[inline(always)]
+    fn direction_between(a: Vec3<I2F30>, b: Vec3<I2F30>) -> Vec3<I2F30> {
+        // Half the difference always fits.
+        let half = b.zip(a, |b, a| (b.to_bits() >> 1) - (a.to_bits() >> 1));
+        Offset32::scaled(half).ray().direction()
+    }
+
+    #[inline(always)]
+    fn incidence(direction: Vec3<I2F30>, normal: Vec3<Self>) -> Self {
+        lobe::incidence(direction, normal)
+    }
+
+    #[inline(always)]
     fn expose(self, gain: Gain32) -> U34F30 {
         shifted(fraction(self) * u64::from(gain.mantissa), gain.shift)
     }
@@ -204,6 +247,26 @@ impl Scalar for Fx32 {
     #[inline(always)]
     fn light_to_f32(light: U34F30) -> f32 {
         light.to_bits() as f32 * Self::STEP
+    }
+
+    #[inline(always)]
+    fn light_to_gain(light: U34F30) -> Gain32 {
+        Gain32::normalised(light.to_bits(), 30)
+    }
+
+    #[inline(always)]
+    fn amplify(light: U34F30, gain: Gain32) -> U34F30 {
+        gain.amplify(light)
+    }
+
+    #[inline(always)]
+    fn clip(light: U34F30) -> Self {
+        Self::from_bits(light.to_bits().min(1 << 30) as i32)
+    }
+
+    #[inline(always)]
+    fn srgb<const LAST: usize>(self) -> u8 {
+        srgb32::<LAST>(self.to_bits())
     }
 }
 
@@ -241,6 +304,11 @@ impl Offset<Fx32> for Offset32 {
     }
 
     #[inline(always)]
+    fn squared_distance(&self) -> Gain32 {
+        Gain32::normalised(self.squared, 92 - 2 * self.bits.cast_signed())
+    }
+
+    #[inline(always)]
     fn ray(&self) -> Ray32 {
         let reciprocal = if self.squared >= 1 << 60 {
             root::inverse_sqrt_32(self.squared << 2)
@@ -253,22 +321,26 @@ impl Offset<Fx32> for Offset32 {
             let product = i64::from(c) * reciprocal.cast_signed();
             ((product + (1 << 31)) >> 32) as i32
         });
-        Ray32 { direction, bits: self.bits, reciprocal }
+        Ray32 { direction, bits: self.bits, squared: self.squared, reciprocal }
     }
 }
 
 impl Ray<Fx32> for Ray32 {
+    #[inline(always)]
+    fn distance(&self) -> Gain32 {
+        // `|v| 2^30`, of 60 or 61 bits.
+        let distance = (self.squared >> 29) * (self.reciprocal >> 3);
+        Gain32::normalised(distance, 76 - self.bits.cast_signed())
+    }
+
     #[inline(always)]
     fn direction(&self) -> Vec3<I2F30> {
         self.direction.map(I2F30::from_bits)
     }
 
     #[inline(always)]
-    fn versine(&self, axis: Vec3<I2F30>, _: Ramp32) -> Versine32 {
-        let difference = self.direction.zip(axis, |l, s| l.saturating_sub(s.to_bits()));
-        Versine32::from_bits(
-            square(difference.x).saturating_add(square(difference.y)).saturating_add(square(difference.z)),
-        )
+    fn versine(&self, axis: Vec3<I2F30>, ramp: Ramp32) -> Versine32 {
+        Fx32::versine_between(self.direction(), axis, ramp)
     }
 
     #[inline(always)]
@@ -279,10 +351,10 @@ impl Ray<Fx32> for Ray32 {
 
     #[inline(always)]
     fn expose(&self, share: Fx32, gain: Gain32) -> U34F30 {
-        // At most 34, 24 and 34 bits: every product fits 64.
+        // At most 34, 28 and 34 bits: every product fits 64.
         let reciprocal = self.reciprocal >> 2;
         let squared = (reciprocal * reciprocal) >> 28;
-        let mantissa = (u64::from(gain.mantissa) * squared) >> 24;
-        shifted(fraction(share) * mantissa, gain.shift + 2 * self.bits.cast_signed() - 24)
+        let mantissa = (u64::from(gain.mantissa) * squared) >> 28;
+        shifted(fraction(share) * mantissa, gain.shift + 2 * self.bits.cast_signed() - 28)
     }
 }

@@ -1,7 +1,7 @@
 //! The format `f32`: only `+ - * /` and a correctly rounded root, and clamps by compare and select, so that the
 //! same inputs give the same bits on every machine.
 
-use super::{Offset, Ray, Scalar};
+use super::{Gain, Offset, Ray, Scalar};
 use crate::{trig, vec3::Vec3};
 
 /// Where irradiance saturates: finite whatever is added to it or divided by it in practice.
@@ -14,10 +14,11 @@ pub struct FloatOffset {
     squared: f32,
 }
 
-/// A unit direction and the reciprocal of its former length.
+/// A unit direction, its former length, and the reciprocal of that.
 #[derive(Clone, Copy, Debug)]
 pub struct FloatRay {
     direction: Vec3<f32>,
+    distance: f32,
     reciprocal: f32,
 }
 
@@ -112,6 +113,50 @@ impl Scalar for f32 {
     }
 
     #[inline(always)]
+    fn smooth(self) -> Self {
+        let t = clamp(self);
+        t * t * (3.0 - 2.0 * t)
+    }
+
+    #[inline(always)]
+    fn versine_between(a: Vec3<f32>, b: Vec3<f32>, _: FloatRamp) -> f32 {
+        let difference = a.zip(b, |a, b| a - b);
+        0.5 * difference.dot(difference)
+    }
+
+    #[inline(always)]
+    fn power(versine: f32, exponent: u32) -> f32 {
+        let (mut power, mut square, mut rest) = (1.0, positive(1.0 - versine), exponent);
+        while rest > 0 {
+            power = if rest % 2 == 1 { power * square } else { power };
+            square *= square;
+            rest /= 2;
+        }
+        power
+    }
+
+    #[inline(always)]
+    fn normal_unit(normal: Vec3<f32>) -> Vec3<f32> {
+        normal
+    }
+
+    #[inline(always)]
+    fn mirror(direction: Vec3<f32>, normal: Vec3<f32>) -> Vec3<f32> {
+        let twice = 2.0 * direction.dot(normal);
+        direction.zip(normal, |d, n| d - twice * n)
+    }
+
+    #[inline(always)]
+    fn direction_between(a: Vec3<f32>, b: Vec3<f32>) -> Vec3<f32> {
+        Self::offset(a, b).ray().direction
+    }
+
+    #[inline(always)]
+    fn incidence(direction: Vec3<f32>, normal: Vec3<f32>) -> f32 {
+        positive(-direction.dot(normal))
+    }
+
+    #[inline(always)]
     fn expose(self, gain: f32) -> f32 {
         let light = positive(self * gain);
         if light < BRIGHTEST { light } else { BRIGHTEST }
@@ -130,6 +175,48 @@ impl Scalar for f32 {
     #[inline(always)]
     fn light_to_f32(light: f32) -> f32 {
         light
+    }
+
+    #[inline(always)]
+    fn light_to_gain(light: f32) -> f32 {
+        light
+    }
+
+    #[inline(always)]
+    fn amplify(light: f32, gain: f32) -> f32 {
+        light.expose(gain)
+    }
+
+    #[inline(always)]
+    fn clip(light: f32) -> f32 {
+        clamp(light)
+    }
+
+    #[inline(always)]
+    fn srgb<const LAST: usize>(self) -> u8 {
+        crate::color::encode_float(self, LAST as f32)
+    }
+}
+
+impl Gain<f32> for f32 {
+    #[inline(always)]
+    fn by(self, other: Self) -> Self {
+        self * other
+    }
+
+    #[inline(always)]
+    fn plus(self, other: Self) -> Self {
+        self + other
+    }
+
+    #[inline(always)]
+    fn inverse_capped(self) -> Self {
+        1.0 / if self > 1.0 { self } else { 1.0 }
+    }
+
+    #[inline(always)]
+    fn fraction(self) -> Self {
+        clamp(self)
     }
 }
 
@@ -153,12 +240,18 @@ impl Offset<f32> for FloatOffset {
         along * along.abs() < bound * self.squared
     }
 
+    #[inline(always)]
+    fn squared_distance(&self) -> f32 {
+        self.squared
+    }
+
     /// Where the square is zero or beyond f32, direction or reciprocal are zero, infinite or not a number, and every one
     /// of them is dark in the end: no test is needed.
     #[inline(always)]
     fn ray(&self) -> FloatRay {
-        let reciprocal = 1.0 / trig::sqrt(self.squared);
-        FloatRay { direction: self.way.map(|c| c * reciprocal), reciprocal }
+        let distance = trig::sqrt(self.squared);
+        let reciprocal = 1.0 / distance;
+        FloatRay { direction: self.way.map(|c| c * reciprocal), distance, reciprocal }
     }
 }
 
@@ -169,9 +262,13 @@ impl Ray<f32> for FloatRay {
     }
 
     #[inline(always)]
-    fn versine(&self, axis: Vec3<f32>, _: FloatRamp) -> f32 {
-        let difference = self.direction.zip(axis, |l, s| l - s);
-        0.5 * difference.dot(difference)
+    fn distance(&self) -> f32 {
+        self.distance
+    }
+
+    #[inline(always)]
+    fn versine(&self, axis: Vec3<f32>, ramp: FloatRamp) -> f32 {
+        f32::versine_between(self.direction, axis, ramp)
     }
 
     #[inline(always)]

@@ -1,0 +1,361 @@
+//! Distance models: how the light of a lamp falls with the distance from it.
+//!
+//! | model | f(d) | source |
+//! |---|---|---|
+//! | [`Unattenuated`] | 1 | directional light brought to a place |
+//! | [`InverseSquare`] | `1 / d^2` | physics; the default |
+//! | [`Polynomial`] | `1 / (a0 + a1 d + a2 d^2)`, at most 1 | OpenGL and Direct3D 9; capped as lectures teach it |
+//! | [`SmoothRange`] | `t^2 (3 - 2t)` of `t = 1 - d/r` | the dual-cone spotlight, smoothstep from its range to 0 |
+//! | [`Windowed`] | `(1 - (d/r)^4) / d^2`, at least 0 | glTF's KHR_lights_punctual |
+//! | [`SquaredWindow`] | `(1 - (d/r)^4)^2 / d^2` within r | Filament, Bevy, three.js with decay 2 |
+//! | [`CutOff`] of a model | the model within r, 0 from there on | |
+//!
+//! A light that has no range says `None`, never 0. From its range on a light is exactly zero, and a point there is
+//! rejected by its squared distance, before a root is paid for: by the same number that the model itself compares, so
+//! that the reject changes no bit. In fixed point "from its range on" begins half a step of the format before it.
+
+use crate::{
+    error::{Accepted, Error, Parameter, check_between},
+    scalar::{Gain, Offset, Ray, Scalar},
+};
+
+/// The offset's ray, in the words of the seam.
+type RayOf<S> = <<S as Scalar>::Offset as Offset<S>>::Ray;
+
+/// A distance model. The type decides which one is compiled in: there is no branch per point, and a model that is not
+/// named is not linked.
+pub trait Attenuation: Copy + PartialEq + core::fmt::Debug {
+    /// What the model knows once it is compiled for a format.
+    type Constants<S: Scalar>: Copy + PartialEq + core::fmt::Debug;
+
+    /// Compiles the model for the format `S`.
+    fn constants<S: Scalar>(self) -> Self::Constants<S>;
+
+    /// Whether the light is exactly zero at this distance, told before the root is paid for.
+    #[inline(always)]
+    fn is_beyond<S: Scalar>(_: &Self::Constants<S>, _: &S::Offset) -> bool {
+        false
+    }
+
+    /// The light of a fraction of an intensity that is left at this distance; none for a negative fraction.
+    fn expose<S: Scalar>(
+        constants: &Self::Constants<S>,
+        offset: &S::Offset,
+        ray: &RayOf<S>,
+        fraction: S,
+        intensity: S::Gain,
+    ) -> S::Irradiance;
+}
+
+/// No fall with distance.
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
+pub struct Unattenuated;
+
+/// The inverse-square law, which is the default: an intensity of 1 lights a facing surface at distance 1 to full scale.
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
+pub struct InverseSquare;
+
+/// `1 / (a0 + a1 d + a2 d^2)`, capped at 1: no more light arrives than left the lamp.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Polynomial {
+    coefficients: [f32; 3],
+}
+
+/// Smoothstep to a range: 1 at distance 0, 0 at the range, flat at both ends.
+///
+/// The dual-cone article writes `smoothstep(range, 0, d)`, whose edges GLSL wants in rising order or leaves undefined;
+/// this is what it means.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct SmoothRange {
+    range: f32,
+}
+
+/// The inverse-square law in the window `1 - (d/r)^4` of glTF, which ends it at a range.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Windowed {
+    range: Option<f32>,
+}
+
+/// The inverse-square law in the squared window `(1 - (d/r)^4)^2`, which ends it at a range without a rim.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct SquaredWindow {
+    range: Option<f32>,
+}
+
+/// Another model, cut off at a range: unchanged within it, 0 from there on.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct CutOff<A> {
+    attenuation: A,
+    range: Option<f32>,
+}
+
+/// The shortest and the longest range. Their squares and the reciprocals of these stay clear of the ends of f32.
+const RANGES: (f32, f32) = (1e-3, 1e9);
+
+fn checked_range(range: f32) -> Result<f32, Error> {
+    let (least, most) = RANGES;
+    if (least..=most).contains(&range) {
+        Ok(range)
+    } else {
+        let accepted = Accepted::RangeBetween(least, most);
+        Err(Error { parameter: Parameter::Range, value: range, accepted })
+    }
+}
+
+/// What turns a squared distance into a fraction of the squared range; zero where there is no range.
+fn inverse_squared<S: Scalar>(range: Option<f32>) -> S::Gain {
+    S::gain(range.map_or(0.0, |range| 1.0 / (range * range)))
+}
+
+/// `(d/r)^2`, and exactly one from the range on.
+#[inline(always)]
+fn squared_fraction<S: Scalar>(inverse_squared: S::Gain, offset: &S::Offset) -> S {
+    offset.squared_distance().by(inverse_squared).fraction()
+}
+
+/// `1 - (d/r)^4`.
+#[inline(always)]
+fn window<S: Scalar>(inverse_squared: S::Gain, offset: &S::Offset) -> S {
+    let squared = squared_fraction::<S>(inverse_squared, offset);
+    S::ONE.minus(squared.times(squared))
+}
+
+impl Polynomial {
+    /// The constant, linear and quadratic coefficients, in units of the world's length. All zero is no fall at all,
+    /// by the cap.
+    ///
+    /// # Errors
+    /// A coefficient outside 0 to 1e9.
+    pub fn new(constant: f32, linear: f32, quadratic: f32) -> Result<Self, Error> {
+        let coefficients = [constant, linear, quadratic];
+        for value in coefficients {
+            check_between(Parameter::Attenuation, value, 0.0, 1e9)?;
+        }
+        Ok(Self { coefficients })
+    }
+
+    /// The constant, linear and quadratic coefficients.
+    pub fn coefficients(&self) -> [f32; 3] {
+        self.coefficients
+    }
+}
+
+impl SmoothRange {
+    /// Ends at this range, in units of the world's length.
+    ///
+    /// # Errors
+    /// A range outside 0.001 to 1e9.
+    pub fn new(range: f32) -> Result<Self, Error> {
+        Ok(Self { range: checked_range(range)? })
+    }
+
+    /// Where the light ends.
+    pub fn range(&self) -> f32 {
+        self.range
+    }
+}
+
+impl Windowed {
+    /// Ends at this range, in units of the world's length; without one it is the inverse-square law.
+    ///
+    /// # Errors
+    /// A range outside 0.001 to 1e9.
+    pub fn new(range: Option<f32>) -> Result<Self, Error> {
+        Ok(Self { range: range.map(checked_range).transpose()? })
+    }
+
+    /// Where the light ends, if it does.
+    pub fn range(&self) -> Option<f32> {
+        self.range
+    }
+}
+
+impl SquaredWindow {
+    /// Ends at this range, in units of the world's length; without one it is the inverse-square law.
+    ///
+    /// # Errors
+    /// A range outside 0.001 to 1e9.
+    pub fn new(range: Option<f32>) -> Result<Self, Error> {
+        Ok(Self { range: range.map(checked_range).transpose()? })
+    }
+
+    /// Where the light ends, if it does.
+    pub fn range(&self) -> Option<f32> {
+        self.range
+    }
+}
+
+impl<A: Attenuation> CutOff<A> {
+    /// The model, cut off at this range, in units of the world's length; without one it is the model alone.
+    ///
+    /// # Errors
+    /// A range outside 0.001 to 1e9.
+    pub fn new(attenuation: A, range: Option<f32>) -> Result<Self, Error> {
+        Ok(Self { attenuation, range: range.map(checked_range).transpose()? })
+    }
+
+    /// Where the light ends, if it does.
+    pub fn range(&self) -> Option<f32> {
+        self.range
+    }
+}
+
+impl Attenuation for Unattenuated {
+    type Constants<S: Scalar> = ();
+
+    fn constants<S: Scalar>(self) {}
+
+    #[inline(always)]
+    fn expose<S: Scalar>(
+        (): &(),
+        _: &S::Offset,
+        _: &RayOf<S>,
+        fraction: S,
+        intensity: S::Gain,
+    ) -> S::Irradiance {
+        fraction.expose(intensity)
+    }
+}
+
+impl Attenuation for InverseSquare {
+    type Constants<S: Scalar> = ();
+
+    fn constants<S: Scalar>(self) {}
+
+    #[inline(always)]
+    fn expose<S: Scalar>(
+        (): &(),
+        _: &S::Offset,
+        ray: &RayOf<S>,
+        fraction: S,
+        intensity: S::Gain,
+    ) -> S::Irradiance {
+        ray.expose(fraction, intensity)
+    }
+}
+
+impl Attenuation for Polynomial {
+    type Constants<S: Scalar> = [S::Gain; 3];
+
+    fn constants<S: Scalar>(self) -> [S::Gain; 3] {
+        self.coefficients.map(S::gain)
+    }
+
+    #[inline(always)]
+    fn expose<S: Scalar>(
+        &[constant, linear, quadratic]: &[S::Gain; 3],
+        _: &S::Offset,
+        ray: &RayOf<S>,
+        fraction: S,
+        intensity: S::Gain,
+    ) -> S::Irradiance {
+        let distance = ray.distance();
+        let divisor = quadratic.by(distance).plus(linear).by(distance).plus(constant);
+        fraction.expose(divisor.inverse_capped().by(intensity))
+    }
+}
+
+impl Attenuation for SmoothRange {
+    /// The reciprocals of the range and of its square.
+    type Constants<S: Scalar> = [S::Gain; 2];
+
+    fn constants<S: Scalar>(self) -> [S::Gain; 2] {
+        [S::gain(1.0 / self.range), inverse_squared::<S>(Some(self.range))]
+    }
+
+    #[inline(always)]
+    fn is_beyond<S: Scalar>(&[_, squared]: &[S::Gain; 2], offset: &S::Offset) -> bool {
+        squared_fraction::<S>(squared, offset) == S::ONE
+    }
+
+    #[inline(always)]
+    fn expose<S: Scalar>(
+        constants: &[S::Gain; 2],
+        offset: &S::Offset,
+        ray: &RayOf<S>,
+        fraction: S,
+        intensity: S::Gain,
+    ) -> S::Irradiance {
+        let smooth = S::ONE.minus(ray.distance().by(constants[0]).fraction()).smooth();
+        let smooth = if Self::is_beyond::<S>(constants, offset) { S::ZERO } else { smooth };
+        fraction.times(smooth).expose(intensity)
+    }
+}
+
+impl Attenuation for Windowed {
+    /// The reciprocal of the squared range.
+    type Constants<S: Scalar> = S::Gain;
+
+    fn constants<S: Scalar>(self) -> S::Gain {
+        inverse_squared::<S>(self.range)
+    }
+
+    #[inline(always)]
+    fn is_beyond<S: Scalar>(&squared: &S::Gain, offset: &S::Offset) -> bool {
+        squared_fraction::<S>(squared, offset) == S::ONE
+    }
+
+    #[inline(always)]
+    fn expose<S: Scalar>(
+        &squared: &S::Gain,
+        offset: &S::Offset,
+        ray: &RayOf<S>,
+        fraction: S,
+        intensity: S::Gain,
+    ) -> S::Irradiance {
+        ray.expose(fraction.times(window(squared, offset)), intensity)
+    }
+}
+
+impl Attenuation for SquaredWindow {
+    /// The reciprocal of the squared range.
+    type Constants<S: Scalar> = S::Gain;
+
+    fn constants<S: Scalar>(self) -> S::Gain {
+        inverse_squared::<S>(self.range)
+    }
+
+    #[inline(always)]
+    fn is_beyond<S: Scalar>(&squared: &S::Gain, offset: &S::Offset) -> bool {
+        squared_fraction::<S>(squared, offset) == S::ONE
+    }
+
+    #[inline(always)]
+    fn expose<S: Scalar>(
+        &squared: &S::Gain,
+        offset: &S::Offset,
+        ray: &RayOf<S>,
+        fraction: S,
+        intensity: S::Gain,
+    ) -> S::Irradiance {
+        let window = window::<S>(squared, offset);
+        ray.expose(fraction.times(window.times(window)), intensity)
+    }
+}
+
+impl<A: Attenuation> Attenuation for CutOff<A> {
+    /// The reciprocal of the squared range, and the model's.
+    type Constants<S: Scalar> = (S::Gain, A::Constants<S>);
+
+    fn constants<S: Scalar>(self) -> Self::Constants<S> {
+        (inverse_squared::<S>(self.range), self.attenuation.constants::<S>())
+    }
+
+    #[inline(always)]
+    fn is_beyond<S: Scalar>((squared, inner): &Self::Constants<S>, offset: &S::Offset) -> bool {
+        squared_fraction::<S>(*squared, offset) == S::ONE || A::is_beyond::<S>(inner, offset)
+    }
+
+    #[inline(always)]
+    fn expose<S: Scalar>(
+        (squared, inner): &Self::Constants<S>,
+        offset: &S::Offset,
+        ray: &RayOf<S>,
+        fraction: S,
+        intensity: S::Gain,
+    ) -> S::Irradiance {
+        let is_cut = squared_fraction::<S>(*squared, offset) == S::ONE;
+        let fraction = if is_cut { S::ZERO } else { fraction };
+        A::expose::<S>(inner, offset, ray, fraction, intensity)
+    }
+}

@@ -1,0 +1,55 @@
+//! The light that is everywhere.
+
+use crate::{
+    color::{Rgb, checked_color},
+    error::{Error, Parameter, check_between},
+    scalar::Scalar,
+};
+
+/// Global ambient light: the same at every point and from every side, the `Ia` of the classic equation.
+///
+/// ```
+/// use luminaire::{Ambient, Rgb};
+/// let night = Ambient::new(Rgb::new(0.4, 0.5, 1.0))?.with_intensity(0.02)?;
+/// assert_eq!(night.compile::<f32>().blue, 0.02);
+/// # Ok::<(), luminaire::Error>(())
+/// ```
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Ambient {
+    color: Rgb<f32>,
+    intensity: f32,
+}
+
+impl Ambient {
+    /// Ambient light in this linear colour, of intensity 1.
+    ///
+    /// # Errors
+    /// A channel outside [0, 1]: brightness is the intensity's part.
+    pub fn new(color: Rgb<f32>) -> Result<Self, Error> {
+        Ok(Self { color: checked_color(color)?, intensity: 1.0 })
+    }
+
+    /// The same light with this intensity: 1 lights a white surface to full scale.
+    ///
+    /// # Errors
+    /// A negative intensity, or one over 1e9.
+    pub fn with_intensity(self, intensity: f32) -> Result<Self, Error> {
+        check_between(Parameter::Intensity, intensity, 0.0, 1e9)?;
+        Ok(Self { intensity, ..self })
+    }
+
+    /// The linear colour.
+    pub fn color(&self) -> Rgb<f32> {
+        self.color
+    }
+
+    /// The intensity.
+    pub fn intensity(&self) -> f32 {
+        self.intensity
+    }
+
+    /// The light in the format `S`, ready for [`CompiledMaterial::glow`](crate::CompiledMaterial::glow).
+    pub fn compile<S: Scalar>(&self) -> Rgb<S::Irradiance> {
+        self.color.map(|channel| S::ONE.expose(S::gain(channel * self.intensity)))
+    }
+}

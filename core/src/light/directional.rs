@@ -1,0 +1,52 @@
+//! Light from infinitely far away.
+
+use super::{Emission, emission_methods, unit_axis};
+use crate::{
+    color::Rgb,
+    error::{Error, Parameter},
+    scalar::Scalar,
+    shade::CompiledDirectional,
+    vec3::Vec3,
+};
+
+/// A directional light: everywhere of the same direction and strength, as the sun's.
+///
+/// ```
+/// use luminaire::{Directional, Vec3};
+/// let sun = Directional::new(Vec3::new(0.0, -1.0, 0.0))?.with_intensity(0.75)?;
+/// assert_eq!(sun.compile::<f32>().irradiance(Vec3::new(0.0, 1.0, 0.0)), 0.75);
+/// # Ok::<(), luminaire::Error>(())
+/// ```
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Directional {
+    direction: Vec3<f32>,
+    emission: Emission,
+}
+
+impl Directional {
+    /// White light of intensity 1 that travels in this direction, which need not have unit length.
+    ///
+    /// # Errors
+    /// A direction that is zero, not finite, or of a length that cannot be squared.
+    pub fn new(direction: Vec3<f32>) -> Result<Self, Error> {
+        let (direction, _) = unit_axis(Parameter::Direction, direction)?;
+        Ok(Self { direction, emission: Emission::WHITE })
+    }
+
+    emission_methods!();
+
+    /// Where the light travels, of unit length.
+    pub fn direction(&self) -> Vec3<f32> {
+        self.direction
+    }
+
+    /// Compiles the light for the format `S`.
+    pub fn compile<S: Scalar>(&self) -> CompiledDirectional<S> {
+        CompiledDirectional {
+            direction: S::axis(self.direction),
+            intensity: S::gain(self.emission.intensity),
+            color: self.emission.color.map(S::from_f32),
+            specular_color: self.emission.specular_color.map(S::from_f32),
+        }
+    }
+}

@@ -1,0 +1,70 @@
+//! Light from a place into all directions.
+
+use super::{Emission, checked_position, emission_methods};
+use crate::{
+    attenuation::{Attenuation, InverseSquare},
+    color::Rgb,
+    error::{Error, Parameter},
+    scalar::Scalar,
+    shade::CompiledPoint,
+    vec3::Vec3,
+};
+
+/// A point light: it shines from a position into all directions alike.
+///
+/// ```
+/// use luminaire::{Point, Vec3, Windowed};
+/// let bulb = Point::new(Vec3::new(0.0, 2.0, 0.0))?.with_intensity(4.0)?;
+/// let (floor, up) = (Vec3::new(0.0, 0.0, 0.0), Vec3::new(0.0, 1.0, 0.0));
+/// assert_eq!(bulb.compile::<f32>().irradiance(floor, up), 1.0);
+/// let short = bulb.with_attenuation(Windowed::new(Some(1.5))?);
+/// assert_eq!(short.compile::<f32>().irradiance(floor, up), 0.0);
+/// # Ok::<(), luminaire::Error>(())
+/// ```
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Point<A = InverseSquare> {
+    position: Vec3<f32>,
+    attenuation: A,
+    emission: Emission,
+}
+
+impl Point {
+    /// A white point light of intensity 1 that falls with the square of the distance.
+    ///
+    /// # Errors
+    /// A position that is not finite.
+    pub fn new(position: Vec3<f32>) -> Result<Self, Error> {
+        let position = checked_position(Parameter::Position, position)?;
+        Ok(Self { position, attenuation: InverseSquare, emission: Emission::WHITE })
+    }
+}
+
+impl<A: Attenuation> Point<A> {
+    emission_methods!();
+
+    /// The same light with another distance model.
+    pub fn with_attenuation<B: Attenuation>(&self, attenuation: B) -> Point<B> {
+        Point { position: self.position, attenuation, emission: self.emission }
+    }
+
+    /// Where the light stands.
+    pub fn position(&self) -> Vec3<f32> {
+        self.position
+    }
+
+    /// The distance model.
+    pub fn attenuation(&self) -> A {
+        self.attenuation
+    }
+
+    /// Compiles the light for the format `S`.
+    pub fn compile<S: Scalar>(&self) -> CompiledPoint<S, A> {
+        CompiledPoint {
+            position: self.position.map(S::length),
+            attenuation: self.attenuation.constants::<S>(),
+            intensity: S::gain(self.emission.intensity),
+            color: self.emission.color.map(S::from_f32),
+            specular_color: self.emission.specular_color.map(S::from_f32),
+        }
+    }
+}

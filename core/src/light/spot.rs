@@ -1,0 +1,125 @@
+//! Light from a place into a cone.
+
+use super::{Emission, checked_position, emission_methods, unit_axis};
+use crate::{
+    attenuation::{Attenuation, InverseSquare, SmoothRange},
+    color::Rgb,
+    cone::Cone,
+    error::{Error, Parameter},
+    profile::{Edge, Profile},
+    scalar::{self, Scalar},
+    shade::CompiledSpot,
+    vec3::Vec3,
+};
+
+/// A spotlight: a position, an axis, a cone, two colours and an intensity that falls with the square of the distance,
+/// or by another [distance model](Attenuation).
+///
+/// White and of intensity 1 until told otherwise: a surface that faces it on its axis at a distance of 1 is lit to
+/// full scale.
+///
+/// ```
+/// use luminaire::{Angle, Cone, Rgb, Soft, Spot, Vec3};
+/// let cone = Cone::from_beam(Soft, Angle::degrees(9.0))?;
+/// let spot = Spot::new(Vec3::new(0.0, 4.0, 0.0), Vec3::new(0.0, -1.0, 0.0), cone)?
+///     .with_color(Rgb::new(1.0, 0.8, 0.6))?
+///     .with_intensity(16.0)?;
+/// let lit = spot.compile::<f32>()?;
+/// assert!((lit.irradiance(Vec3::new(0.0, 0.0, 0.0), Vec3::new(0.0, 1.0, 0.0)) - 1.0).abs() < 1e-6);
+/// # Ok::<(), luminaire::Error>(())
+/// ```
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Spot<P = Edge, A = InverseSquare> {
+    position: Vec3<f32>,
+    axis: Vec3<f32>,
+    cone: Cone<P>,
+    attenuation: A,
+    emission: Emission,
+}
+
+impl<P: Profile> Spot<P> {
+    /// A white spotlight of intensity 1. The axis points away from the light and need not have unit length.
+    ///
+    /// # Errors
+    /// A position that is not finite; an axis that is zero, not finite, or of a length that cannot be squared.
+    pub fn new(position: Vec3<f32>, axis: Vec3<f32>, cone: Cone<P>) -> Result<Self, Error> {
+        let position = checked_position(Parameter::Position, position)?;
+        let (axis, _) = unit_axis(Parameter::Axis, axis)?;
+        Ok(Self { position, axis, cone, attenuation: InverseSquare, emission: Emission::WHITE })
+    }
+}
+
+impl<P: Profile> Spot<P, SmoothRange> {
+    /// A white spotlight of intensity 1 that points at its end point and fades smoothly to nothing there: one vector
+    /// gives direction and range, as in the dual-cone article.
+    ///
+    /// ```
+    /// use luminaire::{Angle, Cone, Soft, Spot, Vec3};
+    /// let cone = Cone::from_field(Soft, Angle::degrees(30.0))?;
+    /// let spot = Spot::between(Vec3::new(0.0, 5.0, 0.0), Vec3::new(0.0, 1.0, 0.0), cone)?;
+    /// assert_eq!((spot.axis().y, spot.attenuation().range()), (-1.0, 4.0));
+    /// # Ok::<(), luminaire::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// A position or an end point that is not finite, or the two less than 0.001 or more than 1e9 apart.
+    pub fn between(position: Vec3<f32>, end: Vec3<f32>, cone: Cone<P>) -> Result<Self, Error> {
+        let position = checked_position(Parameter::Position, position)?;
+        let end = checked_position(Parameter::EndPoint, end)?;
+        let (axis, range) = unit_axis(Parameter::EndPoint, end.zip(position, |e, p| e - p))?;
+        Ok(Self { position, axis, cone, attenuation: SmoothRange::new(range)?, emission: Emission::WHITE })
+    }
+}
+
+impl<P: Profile, A: Attenuation> Spot<P, A> {
+    emission_methods!();
+
+    /// The same spotlight with another cone, also of another type of profile.
+    pub fn with_cone<Q: Profile>(&self, cone: Cone<Q>) -> Spot<Q, A> {
+        let Self { position, axis, attenuation, emission, .. } = *self;
+        Spot { position, axis, cone, attenuation, emission }
+    }
+
+    /// The same spotlight with another distance model.
+    pub fn with_attenuation<B: Attenuation>(&self, attenuation: B) -> Spot<P, B> {
+        let Self { position, axis, cone, emission, .. } = *self;
+        Spot { position, axis, cone, attenuation, emission }
+    }
+
+    /// Where the light stands.
+    pub fn position(&self) -> Vec3<f32> {
+        self.position
+    }
+
+    /// Where the light points, of unit length.
+    pub fn axis(&self) -> Vec3<f32> {
+        self.axis
+    }
+
+    /// The cone.
+    pub fn cone(&self) -> Cone<P> {
+        self.cone
+    }
+
+    /// The distance model.
+    pub fn attenuation(&self) -> A {
+        self.attenuation
+    }
+
+    /// Compiles the light for the format `S`: from here on there are no angles, no divisions and no f32.
+    ///
+    /// # Errors
+    /// A cone narrower than the format can hold: see [`Cone::narrowest`].
+    pub fn compile<S: Scalar>(&self) -> Result<CompiledSpot<S, P, A>, Error> {
+        Ok(CompiledSpot {
+            position: self.position.map(S::length),
+            axis: S::axis(self.axis),
+            falloff: self.cone.compile()?,
+            outside: scalar::outside_bound(self.cone.outer_versine()),
+            attenuation: self.attenuation.constants::<S>(),
+            intensity: S::gain(self.emission.intensity),
+            color: self.emission.color.map(S::from_f32),
+            specular_color: self.emission.specular_color.map(S::from_f32),
+        })
+    }
+}

@@ -1,0 +1,176 @@
+//! Materials: what a surface does with the light that arrives.
+
+use crate::{
+    color::{Rgb, checked_color},
+    error::{Accepted, Error, Parameter},
+    scalar::Scalar,
+    shade::{Light, Surface},
+    specular::{Matte, Specular},
+};
+
+/// A material: the parts of ambient, diffuse and specular light that it sends back, and the light that it gives itself.
+///
+/// It is the surface of the classic lighting equation, with the sum over all lights:
+///
+/// `I = emissive + ambient Ia + sum of f(d) spot [diffuse Is max(0, N.L) + specular Is lobe]`
+///
+/// The type decides the highlight: a [`Matte`] material costs nothing for it.
+///
+/// ```
+/// use luminaire::{Angle, BlinnPhong, Cone, Material, Rgb, Soft, Spot, Surface, Vec3};
+/// let red = Material::new(Rgb::new(0.8, 0.1, 0.1))?;
+/// let glazed = red.with_highlight(BlinnPhong, Rgb::new(0.5, 0.5, 0.5), 64)?.compile::<f32>();
+/// let cone = Cone::from_field(Soft, Angle::degrees(30.0))?;
+/// let spot = Spot::new(Vec3::new(0.0, 2.0, 0.0), Vec3::new(0.0, -1.0, 0.0), cone)?.with_intensity(4.0)?;
+/// let (floor, up) = (Vec3::new(0.0, 0.0, 0.0), Vec3::new(0.0, 1.0, 0.0));
+/// let surface = Surface::seen_from(Vec3::new(0.0, 3.0, 0.0), floor, up);
+/// let light = glazed.reflect(&surface, &spot.compile()?);
+/// assert!((light.red - 1.3).abs() < 1e-5 && (light.green - 0.6).abs() < 1e-5);
+/// # Ok::<(), luminaire::Error>(())
+/// ```
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Material<H = Matte> {
+    ambient: Rgb<f32>,
+    diffuse: Rgb<f32>,
+    emissive: Rgb<f32>,
+    specular: Rgb<f32>,
+    shininess: u32,
+    highlight: H,
+}
+
+/// The largest shininess: a highlight with half its light within four degrees.
+const SHINIEST: u32 = 1024;
+
+impl Material {
+    /// A matt material that sends back this part of the diffuse and of the ambient light, and gives none itself.
+    ///
+    /// # Errors
+    /// A channel outside [0, 1].
+    pub fn new(diffuse: Rgb<f32>) -> Result<Self, Error> {
+        checked_color(diffuse)?;
+        let dark = Rgb::default();
+        let (ambient, emissive, specular) = (diffuse, dark, dark);
+        Ok(Self { ambient, diffuse, emissive, specular, shininess: 0, highlight: Matte })
+    }
+}
+
+impl<H: Specular> Material<H> {
+    /// The same material with a highlight: its kind, its linear colour and its shininess, the exponent of the lobe.
+    ///
+    /// # Errors
+    /// A channel outside [0, 1]; a shininess over 1024, or under the least of its kind, which is 1 but for
+    /// [`Lyon`](crate::Lyon).
+    pub fn with_highlight<K: Specular>(
+        &self,
+        highlight: K,
+        specular: Rgb<f32>,
+        shininess: u32,
+    ) -> Result<Material<K>, Error> {
+        checked_color(specular)?;
+        if !(K::LEAST_SHININESS..=SHINIEST).contains(&shininess) {
+            return Err(Error {
+                parameter: Parameter::Shininess,
+                value: shininess as f32,
+                accepted: Accepted::WholeBetween(K::LEAST_SHININESS, SHINIEST),
+            });
+        }
+        let Self { ambient, diffuse, emissive, .. } = *self;
+        Ok(Material { ambient, diffuse, emissive, specular, shininess, highlight })
+    }
+
+    /// The same material with another part of the ambient light.
+    ///
+    /// # Errors
+    /// A channel outside [0, 1].
+    pub fn with_ambient(self, ambient: Rgb<f32>) -> Result<Self, Error> {
+        Ok(Self { ambient: checked_color(ambient)?, ..self })
+    }
+
+    /// The same material with light of its own: linear, 1 is full scale.
+    ///
+    /// # Errors
+    /// A channel outside [0, 1].
+    pub fn with_emissive(self, emissive: Rgb<f32>) -> Result<Self, Error> {
+        Ok(Self { emissive: checked_color(emissive)?, ..self })
+    }
+
+    /// The part of the ambient light that is sent back.
+    pub fn ambient(&self) -> Rgb<f32> {
+        self.ambient
+    }
+
+    /// The part of the diffuse light that is sent back.
+    pub fn diffuse(&self) -> Rgb<f32> {
+        self.diffuse
+    }
+
+    /// The light that the material gives itself.
+    pub fn emissive(&self) -> Rgb<f32> {
+        self.emissive
+    }
+
+    /// The colour of the highlight.
+    pub fn specular(&self) -> Rgb<f32> {
+        self.specular
+    }
+
+    /// The exponent of the highlight.
+    pub fn shininess(&self) -> u32 {
+        self.shininess
+    }
+
+    /// Compiles the material for the format `S`.
+    pub fn compile<S: Scalar>(&self) -> CompiledMaterial<S, H> {
+        CompiledMaterial {
+            ambient: self.ambient.map(S::from_f32),
+            diffuse: self.diffuse.map(S::from_f32),
+            emissive: self.emissive.map(|channel| S::ONE.expose(S::gain(channel))),
+            specular: self.specular.map(S::from_f32),
+            highlight: H::constants::<S>(self.shininess),
+        }
+    }
+}
+
+/// A material compiled for the format `S`. Made by [`Material::compile`].
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct CompiledMaterial<S: Scalar, H: Specular = Matte> {
+    ambient: Rgb<S>,
+    diffuse: Rgb<S>,
+    emissive: Rgb<S::Irradiance>,
+    specular: Rgb<S>,
+    highlight: H::Constants<S>,
+}
+
+impl<S: Scalar, H: Specular> CompiledMaterial<S, H> {
+    /// What the surface shows without any lamp: `emissive + ambient Ia`, with `Ia` from
+    /// [`Ambient::compile`](crate::Ambient::compile).
+    #[inline(always)]
+    pub fn glow(&self, ambient: Rgb<S::Irradiance>) -> Rgb<S::Irradiance> {
+        self.emissive.plus::<S>(ambient.filtered::<S>(self.ambient))
+    }
+
+    /// What a light adds: `f(d) spot [diffuse Is max(0, N.L) + specular Is lobe]`, without a root where nothing can
+    /// arrive. What is skipped is exactly zero, so the answer has the bits of
+    /// [`reflect_unskipped`](Self::reflect_unskipped).
+    #[inline(always)]
+    pub fn reflect<L: Light<S>>(&self, surface: &Surface<S>, light: &L) -> Rgb<S::Irradiance> {
+        self.reflected(surface, light, true)
+    }
+
+    /// As [`reflect`](Self::reflect), with every step done for every point: the form without branches.
+    #[inline(always)]
+    pub fn reflect_unskipped<L: Light<S>>(&self, surface: &Surface<S>, light: &L) -> Rgb<S::Irradiance> {
+        self.reflected(surface, light, false)
+    }
+
+    #[inline(always)]
+    fn reflected<L: Light<S>>(&self, surface: &Surface<S>, light: &L, skips: bool) -> Rgb<S::Irradiance> {
+        let arrived = light.arrive::<H>(surface, &self.highlight, skips);
+        let diffuse = Rgb::lit::<S>(arrived.diffuse, light.color()).filtered::<S>(self.diffuse);
+        if !H::SHINES {
+            return diffuse;
+        }
+        let specular = Rgb::lit::<S>(arrived.specular, light.specular_color()).filtered::<S>(self.specular);
+        diffuse.plus::<S>(specular)
+    }
+}

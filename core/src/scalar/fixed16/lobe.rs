@@ -1,0 +1,57 @@
+//! Cubics, powers and mirrors of 16 bits, in 32-bit products.
+
+use super::Fx16;
+use crate::vec3::Vec3;
+use fixed::types::{I2F30, U1F31};
+
+/// `t^2 (3 - 2t)`, exact but for one rounding at the end, so that it never falls.
+#[inline(always)]
+pub(super) fn smooth(t: Fx16) -> Fx16 {
+    let t = u32::from(t.clamp(Fx16::ZERO, Fx16::ONE).to_bits().cast_unsigned());
+    let (square, factor) = (t * t, (3 << 14) - 2 * t);
+    let product = (square >> 14) * factor + (((square & 0x3fff) * factor) >> 14);
+    Fx16::from_bits(((product + (1 << 13)) >> 14) as i16)
+}
+
+/// What the product of two fractions lacks of one, from what each of them lacks, with 32 fraction bits.
+#[inline(always)]
+fn lack_of_product(a: u32, b: u32) -> u32 {
+    a.saturating_add(b - (a >> 16) * (b >> 16))
+}
+
+/// `(1 - versine)^exponent`: what the cosine lacks of one keeps its leading bits where the cosine would have lost them.
+#[inline(always)]
+pub(super) fn power(versine: U1F31, exponent: u32) -> Fx16 {
+    let (mut lack, mut square, mut rest) = (0, versine.to_bits().saturating_mul(2), exponent);
+    while rest > 0 {
+        if rest % 2 == 1 {
+            lack = lack_of_product(lack, square);
+        }
+        square = lack_of_product(square, square);
+        rest /= 2;
+    }
+    let lack = ((lack >> 17) + 1) >> 1;
+    Fx16::from_bits(((1 << 14) - lack) as i16)
+}
+
+/// `d - 2 (d.n) n`. Wraps for what is not of unit length, which leaves it defined.
+#[inline(always)]
+pub(super) fn mirror(direction: Vec3<I2F30>, normal: Vec3<Fx16>) -> Vec3<I2F30> {
+    let products =
+        direction.zip(normal, |d, n| (((d.to_bits() >> 14) + 1) >> 1).wrapping_mul(i32::from(n.to_bits())));
+    let cosine = products.x.wrapping_add(products.y).wrapping_add(products.z).wrapping_add(1 << 13) >> 14;
+    direction.zip(normal, |d, n| {
+        let along = cosine.wrapping_mul(i32::from(n.to_bits()));
+        I2F30::from_bits(d.to_bits().wrapping_sub(along.wrapping_mul(4)))
+    })
+}
+
+/// The cosine of the angle of incidence. Wraps for what is not of unit length, which leaves it defined.
+#[inline(always)]
+pub(super) fn incidence(direction: Vec3<I2F30>, normal: Vec3<Fx16>) -> Fx16 {
+    let products =
+        direction.zip(normal, |d, n| (((d.to_bits() >> 15) + 1) >> 1).wrapping_mul(i32::from(n.to_bits())));
+    let along = products.x.wrapping_add(products.y).wrapping_add(products.z);
+    let cosine = (1_i32 << 13).wrapping_sub(along) >> 14;
+    Fx16::from_bits(cosine.clamp(0, 1 << 14) as i16)
+}

@@ -1,0 +1,62 @@
+//! Cubics, powers and mirrors of 32 bits, in 64-bit products.
+
+use super::{Fx32, Versine32, fraction, wide};
+use crate::vec3::Vec3;
+use fixed::types::I2F30;
+
+/// One, with 62 fraction bits.
+const ONE: u64 = 1 << 62;
+
+/// `t^2 (3 - 2t)`, exact but for one rounding at the end, so that it never falls.
+#[inline(always)]
+pub(super) fn smooth(t: Fx32) -> Fx32 {
+    let t = fraction(t);
+    let (square, factor) = (t * t, (3 << 30) - 2 * t);
+    let product = (square >> 30) * factor + (((square & 0x3fff_ffff) * factor) >> 30);
+    Fx32::from_bits(((product + (1 << 29)) >> 30) as i32)
+}
+
+/// What the product of two fractions lacks of one, from what each of them lacks, with 62 fraction bits.
+#[inline(always)]
+fn lack_of_product(a: u64, b: u64) -> u64 {
+    (a + b - (a >> 31) * (b >> 31)).min(ONE)
+}
+
+/// `(1 - versine)^exponent`: what the cosine lacks of one keeps its leading bits where the cosine would have lost them.
+#[inline(always)]
+pub(super) fn power(versine: Versine32, exponent: u32) -> Fx32 {
+    let (mut lack, mut square, mut rest) = (0, versine.to_bits().min(ONE / 2) * 2, exponent);
+    while rest > 0 {
+        if rest % 2 == 1 {
+            lack = lack_of_product(lack, square);
+        }
+        square = lack_of_product(square, square);
+        rest /= 2;
+    }
+    let lack = ((lack >> 31) + 1) >> 1;
+    Fx32::from_bits(((1 << 30) - lack) as i32)
+}
+
+/// The inner product, with 58 fraction bits.
+#[inline(always)]
+fn inner(direction: Vec3<I2F30>, normal: Vec3<Fx32>) -> i64 {
+    let products = direction.zip(normal, |d, n| wide(d.to_bits(), n.to_bits()) >> 2);
+    products.x + products.y + products.z
+}
+
+/// `d - 2 (d.n) n`. Wraps for what is not of unit length, which leaves it defined.
+#[inline(always)]
+pub(super) fn mirror(direction: Vec3<I2F30>, normal: Vec3<Fx32>) -> Vec3<I2F30> {
+    let cosine = (inner(direction, normal) + (1 << 27)) >> 28;
+    direction.zip(normal, |d, n| {
+        let twice_along = cosine.wrapping_mul(n.to_bits().into()).wrapping_add(1 << 28) >> 29;
+        I2F30::from_bits(d.to_bits().wrapping_sub(twice_along as i32))
+    })
+}
+
+/// The cosine of the angle of incidence.
+#[inline(always)]
+pub(super) fn incidence(direction: Vec3<I2F30>, normal: Vec3<Fx32>) -> Fx32 {
+    let cosine = ((1 << 27) - inner(direction, normal)) >> 28;
+    Fx32::from_bits(cosine.clamp(0, 1 << 30) as i32)
+}

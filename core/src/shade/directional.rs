@@ -1,0 +1,53 @@
+//! Directional lights, compiled.
+
+use super::{Arrival, Light, Surface, lobe};
+use crate::{
+    color::Rgb,
+    scalar::Scalar,
+    specular::{Matte, Specular},
+    vec3::Vec3,
+};
+
+/// A directional light compiled for the format `S`. Made by [`Directional::compile`](crate::Directional::compile).
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct CompiledDirectional<S: Scalar> {
+    pub(crate) direction: Vec3<S::Unit>,
+    pub(crate) intensity: S::Gain,
+    pub(crate) color: Rgb<S>,
+    pub(crate) specular_color: Rgb<S>,
+}
+
+impl<S: Scalar> CompiledDirectional<S> {
+    /// The light that arrives at a surface of this normal, before the colours: Lambert's cosine of the intensity.
+    #[inline(always)]
+    pub fn irradiance(&self, normal: Vec3<S>) -> S::Irradiance {
+        self.arrive::<Matte>(&Surface::matte(Vec3::default(), normal), &(), false).diffuse
+    }
+}
+
+impl<S: Scalar> Light<S> for CompiledDirectional<S> {
+    fn color(&self) -> Rgb<S> {
+        self.color
+    }
+
+    fn specular_color(&self) -> Rgb<S> {
+        self.specular_color
+    }
+
+    #[inline(always)]
+    fn arrive<H: Specular>(
+        &self,
+        surface: &Surface<S>,
+        highlight: &H::Constants<S>,
+        skips: bool,
+    ) -> Arrival<S::Irradiance> {
+        let cosine = S::incidence(self.direction, surface.normal);
+        // Not more than zero, so that what is not a number is skipped too.
+        let is_lit = cosine > S::ZERO;
+        if skips && H::SHINES && !is_lit {
+            return Arrival::default();
+        }
+        let lobe = lobe::<S, H>(highlight, surface, self.direction, cosine);
+        Arrival { diffuse: cosine.expose(self.intensity), specular: lobe.expose(self.intensity) }
+    }
+}

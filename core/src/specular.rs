@@ -1,0 +1,163 @@
+//! Highlights: how brightly a surface mirrors a light into the eye.
+//!
+//! With L the direction to the light, V the direction to the eye, N the normal, R the mirror image of L and H halfway
+//! between L and V, all of unit length, and m the shininess:
+//!
+//! | type | lobe | source |
+//! |---|---|---|
+//! | [`Matte`] | none, and nothing of it is compiled in | |
+//! | [`Phong`] | `max(0, R.V)^m` | Phong 1975 |
+//! | [`BlinnPhong`] | `max(0, N.H)^m` | Blinn 1977; OpenGL and Direct3D 9 |
+//! | [`DualCone`] | `max(0, R.H)^m` | the dual-cone GLSL article |
+//! | [`Lyon`] of one of these | `max(0, 1 - k \|difference\|^2 / 2)^(2^n)`, `k = m / 2^n` | Lyon 1993, *Phong Shading Reformulation for Hardware Renderer Simplification* |
+//!
+//! Every cosine is had from the difference of its two directions, `1 - |a - b|^2 / 2`: a highlight is a narrow beam,
+//! and loses what a narrow beam would lose to an inner product.
+//!
+//! A surface that faces away from the light has no highlight, as in OpenGL; the bare equation of the textbooks would let
+//! the light shine through.
+
+use crate::{scalar::Scalar, vec3::Vec3};
+
+/// A kind of highlight. The type decides which one is compiled in: there is no branch per point, and a highlight that
+/// is not named is not linked.
+pub trait Specular: Copy + PartialEq + core::fmt::Debug {
+    /// Whether there is any highlight at all.
+    const SHINES: bool = true;
+    /// The least shininess that the kind of highlight is defined for.
+    const LEAST_SHININESS: u32 = 1;
+    /// What the highlight knows once it is compiled for a format.
+    type Constants<S: Scalar>: Copy + PartialEq + core::fmt::Debug;
+
+    /// Compiles a highlight of this shininess for the format `S`.
+    fn constants<S: Scalar>(shininess: u32) -> Self::Constants<S>;
+
+    /// The lobe, in [0, 1]: `incoming` goes from the light to the surface, `view` from the surface to the eye.
+    fn lobe<S: Scalar>(
+        constants: &Self::Constants<S>,
+        incoming: Vec3<S::Unit>,
+        normal: Vec3<S>,
+        view: Vec3<S::Unit>,
+    ) -> S;
+}
+
+/// The two directions whose nearness makes a highlight.
+pub trait Highlight: Copy + PartialEq + core::fmt::Debug {
+    /// The two unit directions: `incoming` goes from the light to the surface, `view` from the surface to the eye.
+    fn directions<S: Scalar>(
+        incoming: Vec3<S::Unit>,
+        normal: Vec3<S>,
+        view: Vec3<S::Unit>,
+    ) -> [Vec3<S::Unit>; 2];
+}
+
+/// No highlight.
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
+pub struct Matte;
+
+/// `max(0, R.V)^m`: brightest where the eye is in the mirror direction.
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
+pub struct Phong;
+
+/// `max(0, N.H)^m`: brightest where the eye is in the mirror direction, and about as wide as [`Phong`] of a quarter of
+/// its shininess. One more root for a point and a light.
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
+pub struct BlinnPhong;
+
+/// `max(0, R.H)^m`, as the dual-cone GLSL article writes it.
+///
+/// It is neither Phong's nor Blinn's. Where the eye is in the mirror direction H is the normal, and the lobe is only the
+/// m-th power of the cosine of the angle of incidence; it is brightest where H is the mirror direction, which is for
+/// an eye at three times that angle.
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
+pub struct DualCone;
+
+/// Lyon's difference form of another highlight, by `N` squarings: the shininess goes into a factor, so that every point
+/// takes the same few steps whatever its material, which suits vector instructions.
+///
+/// Defined from a shininess of `2^N` on. It ends at a finite angle, and is the narrower the fewer the squarings.
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
+pub struct Lyon<H, const N: u32>(pub H);
+
+impl Specular for Matte {
+    const SHINES: bool = false;
+    const LEAST_SHININESS: u32 = 0;
+    type Constants<S: Scalar> = ();
+
+    fn constants<S: Scalar>(_: u32) {}
+
+    #[inline(always)]
+    fn lobe<S: Scalar>((): &(), _: Vec3<S::Unit>, _: Vec3<S>, _: Vec3<S::Unit>) -> S {
+        S::ZERO
+    }
+}
+
+impl<H: Highlight> Specular for H {
+    /// The ramp from 0 to 1, whose scale the versine is in, and the exponent.
+    type Constants<S: Scalar> = (S::Ramp, u32);
+
+    fn constants<S: Scalar>(shininess: u32) -> (S::Ramp, u32) {
+        (S::ramp(0.0, 1.0), shininess)
+    }
+
+    #[inline(always)]
+    fn lobe<S: Scalar>(
+        &(ramp, shininess): &(S::Ramp, u32),
+        incoming: Vec3<S::Unit>,
+        normal: Vec3<S>,
+        view: Vec3<S::Unit>,
+    ) -> S {
+        let [a, b] = H::directions(incoming, normal, view);
+        S::power(S::versine_between(a, b, ramp), shininess)
+    }
+}
+
+impl<H: Highlight, const N: u32> Specular for Lyon<H, N> {
+    const LEAST_SHININESS: u32 = 1 << N;
+    /// `1 - k versine` is a ramp that ends at a versine of `1 / k`.
+    type Constants<S: Scalar> = S::Ramp;
+
+    fn constants<S: Scalar>(shininess: u32) -> S::Ramp {
+        S::ramp(0.0, (1_u32 << N) as f32 / shininess as f32)
+    }
+
+    #[inline(always)]
+    fn lobe<S: Scalar>(&ramp: &S::Ramp, incoming: Vec3<S::Unit>, normal: Vec3<S>, view: Vec3<S::Unit>) -> S {
+        let [a, b] = H::directions(incoming, normal, view);
+        let base = S::rise(ramp, S::versine_between(a, b, ramp));
+        (0..N).fold(base, |power, _| power.times(power))
+    }
+}
+
+impl Highlight for Phong {
+    #[inline(always)]
+    fn directions<S: Scalar>(
+        incoming: Vec3<S::Unit>,
+        normal: Vec3<S>,
+        view: Vec3<S::Unit>,
+    ) -> [Vec3<S::Unit>; 2] {
+        [S::mirror(incoming, normal), view]
+    }
+}
+
+impl Highlight for BlinnPhong {
+    #[inline(always)]
+    fn directions<S: Scalar>(
+        incoming: Vec3<S::Unit>,
+        normal: Vec3<S>,
+        view: Vec3<S::Unit>,
+    ) -> [Vec3<S::Unit>; 2] {
+        [S::normal_unit(normal), S::direction_between(incoming, view)]
+    }
+}
+
+impl Highlight for DualCone {
+    #[inline(always)]
+    fn directions<S: Scalar>(
+        incoming: Vec3<S::Unit>,
+        normal: Vec3<S>,
+        view: Vec3<S::Unit>,
+    ) -> [Vec3<S::Unit>; 2] {
+        [S::mirror(incoming, normal), S::direction_between(incoming, view)]
+    }
+}
