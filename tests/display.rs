@@ -2,8 +2,8 @@
 
 mod support;
 
-use luminaire::{decode_srgb, encode_srgb};
-use support::reference;
+use luminaire::{Exposure, Fx16, Fx32, Rgb, Rgb565, clip, decode_srgb, encode_srgb, keep_hue};
+use support::{format::Format, reference};
 
 /// Every code decodes to a linear value that encodes to it again, within the stated error of the standard.
 #[test]
@@ -41,4 +41,113 @@ fn codes_never_fall() {
 fn values_beyond_the_display_are_clipped() {
     let clipped = [-1.0, -0.0, f32::NAN, f32::NEG_INFINITY, 1.0, 2.0, f32::INFINITY].map(encode_srgb);
     assert_eq!(clipped, [0, 0, 0, 0, 255, 255, 255]);
+}
+
+/// The nearest code of an exact one.
+fn nearest(exact: f64) -> f64 {
+    (exact + 0.5).floor()
+}
+
+/// Every 16-bit value has the nearest code of eight, six and five bits: exhaustive, with what is clipped.
+#[test]
+fn sixteen_bits_are_encoded_exactly() {
+    for value in (i16::MIN..=i16::MAX).map(Fx16::from_bits) {
+        let exact = reference::srgb_code(value.exact().clamp(0.0, 1.0));
+        assert_eq!(f64::from(encode_srgb(value)), nearest(exact), "{value}");
+        let Rgb565(pixel) = Rgb565::from_linear(Rgb::new(value, value, value));
+        let [five, six] = [31.0, 63.0].map(|last| nearest(exact / 255.0 * last) as u16);
+        assert_eq!(pixel, five << 11 | six << 5 | five, "{value}");
+    }
+}
+
+/// The nearest code of 32 bits, at random and beside every threshold.
+#[test]
+fn thirty_two_bits_are_encoded_exactly() {
+    let mut rng = fastrand::Rng::with_seed(61966);
+    let thresholds = (0..255).map(|code| {
+        let linear = reference::srgb_linear(f64::from(code) + 0.5);
+        (linear * f64::from(1 << 30)) as i32 + [-2, -1, 2, 3][code as usize % 4]
+    });
+    let random = (0..1_000_000).map(|_| rng.i32(0..=1 << 30));
+    for value in thresholds.chain(random).map(Fx32::from_bits) {
+        let exact = reference::srgb_code(value.exact());
+        // The standard's two halves do not quite meet: the reference may not tell which side of a half a value is on.
+        if (exact.fract() - 0.5).abs() > 1e-7 {
+            assert_eq!(f64::from(encode_srgb(value)), nearest(exact), "{value}");
+        }
+    }
+    assert_eq!(encode_srgb(Fx32::ONE), 255);
+    assert_eq!(encode_srgb(Fx32::MIN), 0);
+}
+
+/// Every pixel comes back from its codes, and every code goes to the nearest pixel.
+#[test]
+fn pixels_are_the_nearest() {
+    for pixel in (0..=u16::MAX).map(Rgb565) {
+        assert_eq!(Rgb565::from_codes(pixel.to_codes()), pixel);
+    }
+    for code in 0..=255_u8 {
+        let Rgb565(pixel) = Rgb565::from_codes(Rgb::new(code, code, code));
+        for (found, last) in [(pixel >> 11, 31), (pixel >> 5 & 63, 63), (pixel & 31, 31)] {
+            let off = |level: u16| (f64::from(level) / f64::from(last) - f64::from(code) / 255.0).abs();
+            assert!((0..=last).all(|level| off(found) <= off(level)), "{code} as one of {last}");
+        }
+    }
+}
+
+/// Both policies leave alone what fits; beyond, one cuts and the other keeps the proportion.
+fn assert_fits<S: Format>(steps: f64) {
+    let mut rng = fastrand::Rng::with_seed(8);
+    let mut worst = 0.0_f64;
+    for _ in 0..100_000 {
+        let brightness = 64.0_f32.powf(rng.f32() * 2.0 - 1.0);
+        let light = Rgb::new((), (), ()).map(|()| S::from_f32(rng.f32()).expose(S::gain(brightness)));
+        let (clipped, kept) = (clip::<S>(light), keep_hue::<S>(light));
+        let exact = light.map(S::exact_light);
+        let most = exact.red.max(exact.green).max(exact.blue).max(1.0);
+        for (channel, clipped, kept) in [
+            (exact.red, clipped.red, kept.red),
+            (exact.green, clipped.green, kept.green),
+            (exact.blue, clipped.blue, kept.blue),
+        ] {
+            assert_eq!(clipped.exact(), channel.min(1.0));
+            if most == 1.0 {
+                assert_eq!(kept, clipped);
+            }
+            worst = worst.max((kept.exact() - channel / most).abs() / f64::from(S::STEP));
+        }
+    }
+    println!("keep hue {}: {worst:.2} steps", S::NAME);
+    assert!((steps / 2.0..=steps).contains(&worst), "{}: {worst:.2} steps", S::NAME);
+}
+
+#[test]
+fn light_past_full_scale_follows_the_stated_policy() {
+    assert_fits::<f32>(1.0);
+    assert_fits::<Fx32>(8.0);
+    assert_fits::<Fx16>(2.0);
+}
+
+/// The exposed light is within a step of the product, and a factor of one changes nothing.
+fn assert_exposes<S: Format>() {
+    let mut rng = fastrand::Rng::with_seed(16);
+    for stops in -6..=6 {
+        let exposure = Exposure::stops(stops).expect("sound").compile::<S>();
+        for _ in 0..10_000 {
+            let light = Rgb::new((), (), ()).map(|()| S::from_f32(rng.f32()).expose(S::gain(8.0)));
+            let exposed = S::exact_light(exposure.expose(light).red);
+            let exact = S::exact_light(light.red) * 2.0_f64.powi(stops);
+            assert!((exposed - exact).abs() <= f64::from(S::STEP), "{stops}: {exposed} for {exact}");
+            if stops == 0 {
+                assert_eq!(exposure.expose(light), light);
+            }
+        }
+    }
+}
+
+#[test]
+fn stops_double_and_halve() {
+    assert_exposes::<f32>();
+    assert_exposes::<Fx32>();
+    assert_exposes::<Fx16>();
 }

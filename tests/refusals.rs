@@ -1,6 +1,10 @@
 //! Bad input is refused at construction, by name, and the message says what would be accepted.
 
-use luminaire::{Accepted, Angle, Cone, Edge, Error, Fx16, Fx32, Hard, Parameter, Rgb, Soft, Spot, Vec3};
+use luminaire::{
+    Accepted, Ambient, Angle, BlinnPhong, Cone, CutOff, Directional, Edge, Error, Exposure, Fx16, Fx32, Hard,
+    InverseSquare, Lyon, Material, Parameter, Phong, Point, Polynomial, Rgb, SmoothRange, Soft, Spot,
+    SquaredWindow, Vec3, Windowed,
+};
 
 const DOWN: Vec3<f32> = Vec3::new(0.0, -1.0, 0.0);
 const ORIGIN: Vec3<f32> = Vec3::new(0.0, 0.0, 0.0);
@@ -124,4 +128,92 @@ fn a_refused_change_leaves_the_light() {
     let light = spot().with_intensity(3.0).expect("sound");
     assert!(light.with_intensity(-1.0).is_err());
     assert_eq!(light.intensity(), 3.0);
+}
+
+/// A range is never zero: a light without one says so by the model, or by `None`.
+#[test]
+fn ranges_out_of_range() {
+    for (range, shown) in [(0.0, "0"), (-2.0, "-2"), (f32::NAN, "NaN"), (f32::INFINITY, "inf")] {
+        let message = format!(
+            "range {shown} is refused: give a distance from 0.001 to 1000000000, or a distance model without a range"
+        );
+        assert_refused(SmoothRange::new(range), Parameter::Range, &message);
+        assert_refused(Windowed::new(Some(range)), Parameter::Range, &message);
+        assert_refused(SquaredWindow::new(Some(range)), Parameter::Range, &message);
+        assert_refused(CutOff::new(InverseSquare, Some(range)), Parameter::Range, &message);
+    }
+    assert!(Windowed::new(None).is_ok());
+}
+
+#[test]
+fn coefficients_out_of_range() {
+    let message = "attenuation coefficient -1 is refused: give a finite number from 0 to 1000000000";
+    assert_refused(Polynomial::new(-1.0, 0.0, 0.0), Parameter::Attenuation, message);
+    assert_refused(Polynomial::new(1.0, -1.0, 0.0), Parameter::Attenuation, message);
+    assert_refused(Polynomial::new(1.0, 0.0, -1.0), Parameter::Attenuation, message);
+    assert!(Polynomial::new(1.0, f32::NAN, 0.0).is_err());
+}
+
+#[test]
+fn a_direction_that_is_none() {
+    let message = "direction 0 is refused: give finite components and a length between 1e-18 and 1e18";
+    assert_refused(Directional::new(ORIGIN), Parameter::Direction, message);
+}
+
+#[test]
+fn an_end_point_on_the_light() {
+    let message = "end point 0 is refused: give finite components and a length between 1e-18 and 1e18";
+    assert_refused(Spot::between(DOWN, DOWN, cone()), Parameter::EndPoint, message);
+    let error = Spot::between(ORIGIN, Vec3::new(f32::NAN, 0.0, 0.0), cone()).expect_err("not a place");
+    assert_eq!(error.parameter, Parameter::EndPoint);
+    let error = Spot::between(ORIGIN, Vec3::new(1e-6, 0.0, 0.0), cone()).expect_err("too short");
+    assert_eq!(error.parameter, Parameter::Range);
+}
+
+#[test]
+fn a_shininess_out_of_range() {
+    let grey = Rgb::new(0.5, 0.5, 0.5);
+    let matt = Material::new(grey).expect("sound");
+    for (shininess, shown) in [(0, "0"), (1025, "1025")] {
+        let message = format!("shininess {shown} is refused: give a whole number from 1 to 1024");
+        assert_refused(matt.with_highlight(BlinnPhong, grey, shininess), Parameter::Shininess, &message);
+    }
+    let message = "shininess 7 is refused: give a whole number from 8 to 1024";
+    assert_refused(matt.with_highlight(Lyon::<_, 3>(Phong), grey, 7), Parameter::Shininess, message);
+}
+
+/// Every kind of light and every material has the same limits.
+#[test]
+fn what_lights_and_materials_share() {
+    let wrong = Rgb::new(0.5, 0.5, 1.5);
+    let grey = Rgb::new(0.5, 0.5, 0.5);
+    let (sun, bulb) = (Directional::new(DOWN).expect("sound"), Point::new(ORIGIN).expect("sound"));
+    let matt = Material::new(grey).expect("sound");
+    let colors = [
+        sun.with_color(wrong).err(),
+        bulb.with_color(wrong).err(),
+        spot().with_specular_color(wrong).err(),
+        Ambient::new(wrong).err(),
+        Material::new(wrong).err(),
+        matt.with_ambient(wrong).err(),
+        matt.with_emissive(wrong).err(),
+        matt.with_highlight(Phong, wrong, 8).err(),
+    ];
+    let message = "color 1.5 is refused: give a finite number from 0 to 1";
+    assert!(colors.iter().all(|error| error.is_some_and(|error| error.to_string() == message)), "{colors:?}");
+    let intensities = [
+        sun.with_intensity(-1.0).err(),
+        bulb.with_intensity(-1.0).err(),
+        Ambient::new(grey).and_then(|ambient| ambient.with_intensity(-1.0)).err(),
+    ];
+    assert!(intensities.iter().all(|error| error.is_some_and(|e| e.parameter == Parameter::Intensity)));
+    let place = Vec3::new(0.0, f32::NAN, 0.0);
+    assert_eq!(Point::new(place).expect_err("not a place").parameter, Parameter::Position);
+}
+
+#[test]
+fn an_exposure_out_of_range() {
+    let message = "exposure 25 is refused: give a finite number from -24 to 24";
+    assert_refused(Exposure::stops(25), Parameter::Exposure, message);
+    assert!(Exposure::factor(-1.0).is_err());
 }

@@ -14,6 +14,7 @@ pub trait Format: Scalar {
     fn scalar_from_bits(bits: u64) -> Self;
     fn length_from_bits(bits: u64) -> Self::Length;
     fn versine_from_bits(bits: u64) -> Self::Versine;
+    fn unit_from_bits(bits: u64) -> Self::Unit;
 
     fn exact_point(point: Vec3<Self::Length>) -> [f64; 3] {
         let p = point.map(Self::exact_length);
@@ -63,6 +64,10 @@ impl Format for f32 {
     fn versine_from_bits(bits: u64) -> f32 {
         f32::from_bits(bits as u32)
     }
+
+    fn unit_from_bits(bits: u64) -> f32 {
+        f32::from_bits(bits as u32)
+    }
 }
 
 macro_rules! fixed_format {
@@ -99,6 +104,10 @@ macro_rules! fixed_format {
 
             fn versine_from_bits(bits: u64) -> Self::Versine {
                 Self::Versine::from_bits(bits as $versine)
+            }
+
+            fn unit_from_bits(bits: u64) -> Self::Unit {
+                Self::Unit::from_bits(bits as i32)
             }
         }
     };

@@ -5,5 +5,6 @@
 
 pub mod bounds;
 pub mod format;
+pub mod prices;
 pub mod reference;
 pub mod sweep;

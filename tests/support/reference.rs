@@ -58,6 +58,87 @@ pub fn versine_between(a: Vector, b: Vector) -> f64 {
     dot(difference, difference) / 2.0
 }
 
+/// What is left of a light at a distance.
+pub type Attenuation = fn(f64) -> f64;
+
+/// `1 / (a0 + a1 d + a2 d^2)`, capped at 1.
+pub fn polynomial([a0, a1, a2]: [f64; 3], d: f64) -> f64 {
+    (1.0 / (a0 + a1 * d + a2 * d * d)).min(1.0)
+}
+
+/// GLSL's smoothstep with its edges in rising order, from the range back to 0.
+pub fn smooth_range(range: f64, d: f64) -> f64 {
+    let t = (1.0 - d / range).clamp(0.0, 1.0);
+    t * t * (3.0 - 2.0 * t)
+}
+
+/// KHR_lights_punctual of glTF.
+pub fn windowed(range: f64, d: f64) -> f64 {
+    (1.0 - (d / range).powi(4)).clamp(0.0, 1.0) / (d * d)
+}
+
+/// Filament, Bevy, three.js.
+pub fn squared_window(range: f64, d: f64) -> f64 {
+    (1.0 - (d / range).powi(4)).clamp(0.0, 1.0).powi(2) / (d * d)
+}
+
+/// The mirror image of a direction in the surface of a unit normal, as GLSL's `reflect`.
+pub fn reflect(direction: Vector, normal: Vector) -> Vector {
+    minus(direction, scaled(normal, 2.0 * dot(direction, normal)))
+}
+
+/// A highlight: from the directions to the light and to the eye, the normal and the shininess.
+pub type Lobe = fn(Vector, Vector, Vector, f64) -> f64;
+
+/// `max(0, R.V)^m`.
+pub fn phong(to_light: Vector, to_eye: Vector, normal: Vector, shininess: f64) -> f64 {
+    let r = reflect(scaled(to_light, -1.0), normal);
+    dot(r, to_eye).max(0.0).powf(shininess)
+}
+
+/// `max(0, N.H)^m`.
+pub fn blinn_phong(to_light: Vector, to_eye: Vector, normal: Vector, shininess: f64) -> f64 {
+    dot(normal, halfway(to_light, to_eye)).max(0.0).powf(shininess)
+}
+
+/// `clamp(R.H)^m`, as the dual-cone article's shader writes it.
+pub fn dual_cone(to_light: Vector, to_eye: Vector, normal: Vector, shininess: f64) -> f64 {
+    let r = reflect(scaled(to_light, -1.0), normal);
+    dot(r, halfway(to_light, to_eye)).clamp(0.0, 1.0).powf(shininess)
+}
+
+/// Lyon's difference form of Phong's lobe by two squarings.
+pub fn lyon(to_light: Vector, to_eye: Vector, normal: Vector, shininess: f64) -> f64 {
+    let r = reflect(scaled(to_light, -1.0), normal);
+    let difference = minus(r, to_eye);
+    (1.0 - shininess / 4.0 * dot(difference, difference) / 2.0).max(0.0).powi(4)
+}
+
+/// The direction halfway between two.
+pub fn halfway(a: Vector, b: Vector) -> Vector {
+    unit([a[0] + b[0], a[1] + b[1], a[2] + b[2]])
+}
+
+/// One channel of the classic equation for one light: `ma Ia + f(d) spot [md Is max(0, N.L) + ms Is max(0, R.V)^mh]`.
+/// A surface that faces away has no highlight.
+pub struct Classic {
+    pub ambient: [f64; 2],
+    pub diffuse: [f64; 2],
+    pub specular: [f64; 2],
+    pub shininess: f64,
+}
+
+impl Classic {
+    pub fn light(&self, arriving: f64, to_light: Vector, to_eye: Vector, normal: Vector) -> f64 {
+        let [ma, ia] = self.ambient;
+        let [md, diffuse] = self.diffuse;
+        let [ms, specular] = self.specular;
+        let cosine = dot(normal, to_light).max(0.0);
+        let lobe = if cosine > 0.0 { phong(to_light, to_eye, normal, self.shininess) } else { 0.0 };
+        ma * ia + arriving * (md * diffuse * cosine + ms * specular * lobe)
+    }
+}
+
 /// A spotlight with inverse-square distance.
 #[derive(Clone, Copy)]
 pub struct Spot {
