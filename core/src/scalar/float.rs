@@ -157,7 +157,7 @@ impl Offset<f32> for FloatOffset {
     /// of them is dark in the end: no test is needed.
     #[inline(always)]
     fn ray(&self) -> FloatRay {
-        let reciprocal = 1.0 / trig::sqrt(self.squared);
+        let reciprocal = trig::inverse_sqrt(self.squared);
         FloatRay { direction: self.way.map(|c| c * reciprocal), reciprocal }
     }
 }
