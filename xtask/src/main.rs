@@ -4,6 +4,7 @@ mod arguments;
 mod browser;
 mod command;
 mod demo;
+mod http;
 mod install;
 mod progress;
 mod project;

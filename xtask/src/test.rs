@@ -1,14 +1,12 @@
 //! `cargo xtask test`: every test there is.
 
-use std::path::Path;
 use std::process::{Command, ExitCode};
 
 use anyhow::{Context, Result, bail};
 
 use crate::arguments::TestOptions;
-use crate::browser::{Chromium, tests as browser_tests};
+use crate::browser::tests::{ALL, Visitor};
 use crate::progress::Progress;
-use crate::server::{self, Server};
 use crate::suite::Suite;
 use crate::tally::Tally;
 use crate::toolchain::Toolchain;
@@ -26,6 +24,8 @@ const FEATURES: [(&str, &[&str]); 4] = [
 ];
 
 const STD: (&str, &[&str]) = ("std alone", &["--no-default-features", "--features", "std"]);
+
+const NO_VISITOR: &str = "not run, because the demo was not built or no browser started";
 
 /// Runs the tests; the last line on stdout counts them.
 pub(crate) fn run(options: &TestOptions) -> ExitCode {
@@ -94,38 +94,22 @@ fn bare_metal(suite: &mut Suite) {
 
 fn browser(suite: &mut Suite) {
     let check = "browser: the demo's check";
-    let tests = browser_tests::ALL.map(|(name, test)| (format!("browser: {name}"), test));
+    let tests = ALL.map(|(name, test)| (format!("browser: {name}"), test));
     if !suite.wants(check) && !tests.iter().any(|(name, _)| suite.wants(name)) {
         return;
     }
     let site = suite.require("browser: the demo is built", site::build);
     let mut visitor = suite.require("browser: the demo is served and Chromium starts", |progress| {
-        Visit::start(site.as_deref().context("there is no demo to serve")?, progress)
+        Visitor::arrive(site.as_deref().context("there is no demo to serve")?, progress)
     });
     for (name, test) in &tests {
-        suite.step(name, |_| test(&mut visitor.as_mut().context("not run: there is no browser")?.visitor));
+        suite.step(name, |_| test(visitor.as_mut().context(NO_VISITOR)?));
     }
     suite.step(check, |progress| {
-        let visitor = &mut visitor.as_mut().context("not run: there is no browser")?.visitor;
-        let verdict = demo::check(&mut visitor.chromium, &visitor.address, None)?;
-        progress.say("Checked", verdict);
+        let visitor = visitor.as_mut().context(NO_VISITOR)?;
+        progress.say("Checked", demo::check(&mut visitor.chromium, &visitor.address, None)?);
         Ok(())
     });
-}
-
-/// A visitor, and the server that stands as long as the visit.
-struct Visit {
-    visitor: browser_tests::Visitor,
-    _server: Server,
-}
-
-impl Visit {
-    fn start(site: &Path, progress: &Progress) -> Result<Self> {
-        let server = Server::start(server::listen(0)?, site)?;
-        let visitor =
-            browser_tests::Visitor { chromium: Chromium::start(progress)?, address: server.address() };
-        Ok(Self { visitor, _server: server })
-    }
 }
 
 fn with(mut command: Command, arguments: &[&str]) -> Command {
