@@ -20,12 +20,16 @@ const WOOD: [(u8, u8, u8); 5] =
 pub fn scene() -> Scene {
     let mut scene = Scene::new();
     scene.set_ambient(Rgb::new(0.014, 0.016, 0.022));
-    for (mesh, material) in house().into_iter().chain(actors()) {
+    // From front to back: what is hidden is then found so before it is drawn.
+    for (mesh, material) in actors() {
         scene.add(mesh, material);
     }
     for board in 0..BOARDS {
         let (red, green, blue) = WOOD[(board * 7 + board / 5) % WOOD.len()];
         scene.add(plank(board), Material::srgb(red, green, blue));
+    }
+    for (mesh, material) in house() {
+        scene.add(mesh, material);
     }
     scene
 }
