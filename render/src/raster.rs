@@ -20,7 +20,7 @@ pub(crate) struct Fragments {
     pub(crate) nearness: Vec<f32>,
     /// Normals of any length.
     pub(crate) normal: [Vec<f32>; 3],
-    /// The number of the material.
+    /// The number of the material; 0 where nothing was drawn.
     pub(crate) material: Vec<u32>,
 }
 
@@ -36,6 +36,7 @@ impl Fragments {
     /// Removes all fragments.
     pub(crate) fn clear(&mut self) {
         self.nearness.fill(0.0);
+        self.material.fill(0);
     }
 
     /// Draws a triangle whose corners follow each other against the clock; others are seen from behind and left out.

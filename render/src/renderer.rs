@@ -85,7 +85,7 @@ impl<S: Format> Renderer<S> {
         self.materials.extend(scene.objects().iter().map(|object| object.material));
         let view = View::new(camera, self.width, self.height);
         self.fragments.clear();
-        for (number, object) in (0_u32..).zip(scene.objects()) {
+        for (number, object) in (1..).zip(scene.objects()) {
             self.seen.clear();
             self.seen.extend(object.mesh.vertices().iter().map(|vertex| view.see(vertex)));
             for triangle in object.mesh.triangles() {

@@ -20,19 +20,23 @@ const WOOD: [(u8, u8, u8); 5] =
 pub fn scene() -> Scene {
     let mut scene = Scene::new();
     scene.set_ambient(Rgb::new(0.014, 0.016, 0.022));
-    for (mesh, material) in house().into_iter().chain(actors()) {
+    // From front to back: what is hidden is then found so before it is drawn.
+    for (mesh, material) in actors() {
         scene.add(mesh, material);
     }
     for board in 0..BOARDS {
         let (red, green, blue) = WOOD[(board * 7 + board / 5) % WOOD.len()];
         scene.add(plank(board), Material::srgb(red, green, blue));
     }
+    for (mesh, material) in house() {
+        scene.add(mesh, material);
+    }
     scene
 }
 
 /// The camera: from the stalls, a little above the boards.
 pub fn camera() -> Camera {
-    Camera::new(Vec3::new(0.0, 0.92, 0.0), 7.4, -0.12, 0.16, 0.52)
+    Camera::new(Vec3::new(0.0, 0.86, 0.0), 7.4, -0.14, 0.2, 0.5)
 }
 
 /// Key, fill and back light, in this order.
@@ -47,15 +51,15 @@ pub fn lights() -> Result<[Spot; 3], Error> {
     let fill = Cone::from_field(Edge::Soft, Angle::degrees(50.0))?;
     let back = Cone::from_field(Edge::Soft, Angle::degrees(44.0))?;
     Ok([
-        aimed(Vec3::new(-3.4, 4.4, 4.4), Vec3::new(-0.1, 0.45, 0.1), key)?
-            .with_color(Rgb::new(1.0, 0.84, 0.62))?
-            .with_intensity(62.0)?,
-        aimed(Vec3::new(4.2, 3.4, 4.2), Vec3::new(0.4, 0.6, -0.6), fill)?
-            .with_color(Rgb::new(0.5, 0.68, 1.0))?
-            .with_intensity(13.0)?,
-        aimed(Vec3::new(1.2, 4.6, -2.3), Vec3::new(-0.1, 0.4, 0.2), back)?
-            .with_color(Rgb::new(0.94, 0.9, 1.0))?
-            .with_intensity(30.0)?,
+        aimed(Vec3::new(-4.0, 4.6, 5.6), Vec3::new(-0.15, 0.6, -0.2), key)?
+            .with_color(Rgb::new(1.0, 0.82, 0.6))?
+            .with_intensity(95.0)?,
+        aimed(Vec3::new(4.4, 3.2, 4.4), Vec3::new(0.1, 1.0, -1.2), fill)?
+            .with_color(Rgb::new(0.42, 0.62, 1.0))?
+            .with_intensity(26.0)?,
+        aimed(Vec3::new(1.5, 4.8, -2.6), Vec3::new(-0.1, 0.4, 0.3), back)?
+            .with_color(Rgb::new(0.9, 0.88, 1.0))?
+            .with_intensity(46.0)?,
     ])
 }
 
