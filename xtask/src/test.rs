@@ -31,7 +31,14 @@ const NO_VISITOR: &str = "not run, because the demo was not built or no browser 
 pub(crate) fn run(options: &TestOptions) -> ExitCode {
     let mut suite = Suite::new(options.only.clone());
     sources(&mut suite);
-    suite.count("host: cargo test", |progress| cargo_test(options.full, progress));
+    suite.count("host: cargo test", |progress| {
+        cargo_test(&["--workspace", "--no-fail-fast"], options.full, progress)
+    });
+    for (name, features) in FEATURES.iter().chain([&STD]) {
+        suite.count(&format!("host: luminaire with {name}"), |progress| {
+            cargo_test(&[&["--package", "luminaire", "--lib"], *features].concat(), options.full, progress)
+        });
+    }
     bare_metal(&mut suite);
     browser(&mut suite);
     suite.finish()
@@ -58,8 +65,8 @@ fn sources(suite: &mut Suite) {
     });
 }
 
-fn cargo_test(full: bool, progress: &Progress) -> Result<Tally> {
-    let mut test = with(command::cargo("test"), &["--workspace", "--no-fail-fast"]);
+fn cargo_test(arguments: &[&str], full: bool, progress: &Progress) -> Result<Tally> {
+    let mut test = with(command::cargo("test"), arguments);
     if full {
         test.env("LUMINAIRE_FULL", "1");
     }
