@@ -125,3 +125,11 @@ fn a_refused_change_leaves_the_light() {
     assert!(light.with_intensity(-1.0).is_err());
     assert_eq!(light.intensity(), 3.0);
 }
+
+/// An angle that was derived from another one is not shown to the last of its digits.
+#[test]
+fn derived_values_are_shown_to_four_decimals() {
+    let cone = Cone::from_field(Hard, Angle::degrees(1.0)).expect("a sound angle");
+    let message = cone.compile::<Fx16>().expect_err("too narrow for 16 bits").to_string();
+    assert!(message.starts_with("outer angle 1.0267 is refused"), "{message}");
+}

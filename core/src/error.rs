@@ -92,8 +92,13 @@ impl fmt::Display for Accepted {
 
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} {} is refused: {}", self.parameter, self.value, self.accepted)
+        write!(f, "{} {} is refused: {}", self.parameter, shown(self.value), self.accepted)
     }
 }
 
 impl core::error::Error for Error {}
+
+/// A value of everyday size to four decimals, as people write it; any other as it is.
+fn shown(value: f32) -> f32 {
+    if (1e-3..1e4).contains(&value) { (value * 1e4 + 0.5) as u32 as f32 / 1e4 } else { value }
+}
