@@ -21,6 +21,7 @@ pub(crate) struct Beam {
 
 impl Bounds {
     /// A sphere around the convex hull of four points.
+    #[inline(always)]
     pub(crate) fn around(points: [Vec3; 4]) -> Self {
         let center = 0.25 * points.into_iter().sum::<Vec3>();
         let ways = points.map(|point| point - center);

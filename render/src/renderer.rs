@@ -2,7 +2,7 @@
 
 use crate::{
     camera::Camera,
-    clip::clip,
+    clip::{Sighting, clip},
     display::{self, CHANNELS},
     format::Format,
     gbuffer::{GBuffer, LANES},
@@ -11,7 +11,7 @@ use crate::{
     raster::Fragments,
     scene::{Fingerprint, Material, Scene},
     size::SizeError,
-    view::{Seen, View},
+    view::View,
 };
 use alloc::{collections::TryReserveError, vec::Vec};
 use luminaire::{Error, Rgb, Spot};
@@ -32,7 +32,7 @@ pub struct Renderer<S: Format> {
     drawn: Option<(Fingerprint, Camera)>,
     lit: Option<Vec<Spot>>,
     is_encoded: bool,
-    seen: Vec<Seen>,
+    sightings: Vec<Sighting>,
 }
 
 impl<S: Format> Renderer<S> {
@@ -60,7 +60,7 @@ impl<S: Format> Renderer<S> {
             drawn: None,
             lit: None,
             is_encoded: false,
-            seen: Vec::new(),
+            sightings: Vec::new(),
         };
         renderer.encode();
         Ok(renderer)
@@ -86,12 +86,11 @@ impl<S: Format> Renderer<S> {
         let view = View::new(camera, self.width, self.height);
         self.fragments.clear();
         for (number, object) in (1..).zip(scene.objects()) {
-            self.seen.clear();
-            self.seen.extend(object.mesh.vertices().iter().map(|vertex| view.see(vertex)));
+            self.sightings.clear();
+            self.sightings.extend(object.mesh.vertices().iter().map(|vertex| Sighting::new(&view, vertex)));
             for triangle in object.mesh.triangles() {
-                clip(triangle.map(|corner| self.seen[corner as usize]), |visible| {
-                    self.fragments.draw(visible.map(|vertex| view.project(vertex)), number);
-                });
+                let corners = triangle.map(|corner| &self.sightings[corner as usize]);
+                clip(&view, corners, |visible| self.fragments.draw(visible, number));
             }
         }
         self.geometry.resolve(&self.fragments, &view);

@@ -26,7 +26,7 @@ pub(crate) struct View {
 }
 
 /// A vertex seen by a camera: in view where -depth <= x, y <= depth and depth >= [`NEAR`].
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Default, Debug)]
 pub(crate) struct Seen {
     pub(crate) x: f32,
     pub(crate) y: f32,
@@ -35,7 +35,7 @@ pub(crate) struct Seen {
 }
 
 /// A corner of a triangle on the screen, and what is interpolated from it.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Default, Debug)]
 pub(crate) struct Corner {
     /// From the left and top border, in 256ths of a pixel.
     pub(crate) x: i32,
