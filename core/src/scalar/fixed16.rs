@@ -52,14 +52,11 @@ pub struct Gain16 {
     shift: i32,
 }
 
-/// Scales one component to `bits`, rounding to nearest.
+/// Scales a component of at most this many bits to 17, rounding to nearest: first up to all that there are, so that
+/// one way serves long offsets and short ones.
 #[inline(always)]
 fn scale(component: i32, bits: u32) -> i32 {
-    if bits > WAY_BITS {
-        ((component >> (bits - WAY_BITS - 1)) + 1) >> 1
-    } else {
-        component << (WAY_BITS - bits)
-    }
+    (((component << (31 - bits)) >> (30 - WAY_BITS)) + 1) >> 1
 }
 
 /// The largest zoom of a ramp: one more would ask for bits that a direction does not have.
@@ -140,8 +137,8 @@ impl Scalar for Fx16 {
     #[inline(always)]
     fn offset(light: Vec3<I16F16>, point: Vec3<I16F16>) -> Offset16 {
         let way = point.zip(light, |p, l| p.to_bits().saturating_sub(l.to_bits()));
-        let magnitudes = way.x.unsigned_abs() | way.y.unsigned_abs() | way.z.unsigned_abs();
-        let bits = root::bit_length(magnitudes);
+        let magnitudes = way.map(|c| (c ^ (c >> 31)).cast_unsigned());
+        let bits = root::bit_length(magnitudes.x | magnitudes.y | magnitudes.z);
         let way = way.map(|c| scale(c, bits));
         Offset16 { way, bits }
     }
