@@ -20,8 +20,6 @@ pub struct Offset16 {
     way: Vec3<i32>,
     /// Bits of the largest component before scaling; 0 where the point is on the light.
     bits: u32,
-    /// `(|v| / 4)^2`, which fits 32 bits.
-    squared: u32,
 }
 
 /// A unit direction and the reciprocal of its former length.
@@ -54,14 +52,11 @@ pub struct Gain16 {
     shift: i32,
 }
 
-/// Scales one component to `bits`, rounding to nearest.
+/// Scales a component of at most this many bits to 17, rounding to nearest: first up to all that there are, so that
+/// one way serves long offsets and short ones.
 #[inline(always)]
 fn scale(component: i32, bits: u32) -> i32 {
-    if bits > WAY_BITS {
-        ((component >> (bits - WAY_BITS - 1)) + 1) >> 1
-    } else {
-        component << (WAY_BITS - bits)
-    }
+    (((component << (31 - bits)) >> (30 - WAY_BITS)) + 1) >> 1
 }
 
 /// The largest zoom of a ramp: one more would ask for bits that a direction does not have.
@@ -71,13 +66,6 @@ const MOST_ZOOM: u32 = 14;
 fn magnified(value: f32, zoom: u32) -> U1F31 {
     let value = value * (1_u64 << (2 * zoom)) as f32;
     if value.is_nan() { U1F31::ZERO } else { U1F31::saturating_from_num(value) }
-}
-
-/// The square of a component that has at most 17 bits, saturating.
-#[inline(always)]
-fn square(component: i32) -> u32 {
-    let magnitude = component.unsigned_abs().min(0xffff);
-    magnitude * magnitude
 }
 
 /// `product / 2^shift`, rounded to nearest, saturating.
@@ -149,11 +137,10 @@ impl Scalar for Fx16 {
     #[inline(always)]
     fn offset(light: Vec3<I16F16>, point: Vec3<I16F16>) -> Offset16 {
         let way = point.zip(light, |p, l| p.to_bits().saturating_sub(l.to_bits()));
-        let magnitudes = way.x.unsigned_abs() | way.y.unsigned_abs() | way.z.unsigned_abs();
-        let bits = u32::BITS - magnitudes.leading_zeros();
+        let magnitudes = way.map(|c| (c ^ (c >> 31)).cast_unsigned());
+        let bits = root::bit_length(magnitudes.x | magnitudes.y | magnitudes.z);
         let way = way.map(|c| scale(c, bits));
-        let squared = square(way.x >> 2) + square(way.y >> 2) + square(way.z >> 2);
-        Offset16 { way, bits, squared }
+        Offset16 { way, bits }
     }
 
     fn ramp(inner: f32, outer: f32) -> Ramp16 {
@@ -208,6 +195,16 @@ impl Scalar for Fx16 {
     }
 }
 
+impl Offset16 {
+    /// `(|v| / 4)^2`. Computed where it is needed, for a surface that faces away has no need of it.
+    #[inline(always)]
+    fn squared(&self) -> u32 {
+        // At most 15 bits and a sign: 32 bits hold the sum of the squares.
+        let squares = self.way.map(|c| (c >> 2).wrapping_mul(c >> 2).cast_unsigned());
+        squares.x.wrapping_add(squares.y).wrapping_add(squares.z)
+    }
+}
+
 impl Offset<Fx16> for Offset16 {
     type Ray = Ray16;
     /// In steps of 2^-14 of `|v| / 8`.
@@ -228,17 +225,19 @@ impl Offset<Fx16> for Offset16 {
     fn is_outside(&self, axis: Vec3<I2F30>, bound: Fx16) -> bool {
         let products = axis.zip(self.way, |s, v| (s.to_bits() >> 16) * (v >> 2));
         let along = products.x.wrapping_add(products.y).wrapping_add(products.z) >> 14;
-        let magnitude = (square(along) >> 2).cast_signed();
+        // The axis has unit length, so that 16 bits hold the part of |v| / 4 along it.
+        let magnitude = (along.wrapping_mul(along).cast_unsigned() >> 2).cast_signed();
         let signed = if along < 0 { -magnitude } else { magnitude };
-        signed < (self.squared >> 16).cast_signed() * i32::from(bound.to_bits())
+        signed < (self.squared() >> 16).cast_signed() * i32::from(bound.to_bits())
     }
 
     #[inline(always)]
     fn ray(&self) -> Ray16 {
-        let reciprocal = if self.squared >= 1 << 30 {
-            (root::inverse_sqrt_16(self.squared) + 2) >> 2
-        } else if self.squared >= 1 << 28 {
-            (root::inverse_sqrt_16(self.squared << 2) + 1) >> 1
+        let squared = self.squared();
+        let reciprocal = if squared >= 1 << 30 {
+            (root::inverse_sqrt_16(squared) + 2) >> 2
+        } else if squared >= 1 << 28 {
+            (root::inverse_sqrt_16(squared << 2) + 1) >> 1
         } else {
             0
         };
@@ -258,8 +257,13 @@ impl Ray<Fx16> for Ray16 {
     fn versine(&self, axis: Vec3<I2F30>, ramp: Ramp16) -> U1F31 {
         let shift = MOST_ZOOM - ramp.zoom;
         let difference = self.direction.zip(axis, |l, s| ((l.wrapping_sub(s.to_bits()) >> shift) + 1) >> 1);
-        let squares = difference.map(square);
-        U1F31::from_bits(squares.x.saturating_add(squares.y).saturating_add(squares.z))
+        let magnitudes = difference.map(i32::unsigned_abs);
+        if (magnitudes.x | magnitudes.y | magnitudes.z) >> 16 != 0 {
+            return U1F31::MAX;
+        }
+        let squares = magnitudes.map(|c| c * c);
+        let sum = squares.x.checked_add(squares.y).and_then(|sum| sum.checked_add(squares.z));
+        sum.map_or(U1F31::MAX, U1F31::from_bits)
     }
 
     #[inline(always)]

@@ -12,17 +12,12 @@ pub type Fx32 = I2F30;
 /// A versine with 61 fraction bits: the scale that half the squared difference of two directions has by itself.
 type Versine32 = fixed::FixedU64<fixed::types::extra::U61>;
 
-/// How many bits the largest component of a scaled offset has.
-const WAY_BITS: u32 = 30;
-
 /// The way from a light to a point, scaled until its largest component has 30 bits.
 #[derive(Clone, Copy, Debug)]
 pub struct Offset32 {
     way: Vec3<i32>,
     /// Bits of the largest component before scaling; 0 where the point is on the light.
     bits: u32,
-    /// `|v|^2`.
-    squared: u64,
 }
 
 /// A unit direction and the reciprocal of its former length.
@@ -53,15 +48,12 @@ pub struct Gain32 {
     shift: i32,
 }
 
-/// Scales one component to `bits`, rounding to nearest.
+/// Scales a component of at most this many bits to 30, rounding to nearest: first up to all that there are, so that one
+/// way serves long offsets and short ones.
 #[inline(always)]
 fn scale(component: i32, bits: u32) -> i32 {
-    if bits > WAY_BITS {
-        let doubled = component >> (bits - WAY_BITS - 1);
-        (doubled >> 1) + (doubled & 1)
-    } else {
-        component << (WAY_BITS - bits)
-    }
+    let doubled = component << (31 - bits);
+    (doubled >> 1) + (doubled & 1)
 }
 
 /// The product in 64 bits.
@@ -210,10 +202,16 @@ impl Scalar for Fx32 {
 impl Offset32 {
     #[inline(always)]
     fn scaled(way: Vec3<i32>) -> Self {
-        let magnitudes = way.x.unsigned_abs() | way.y.unsigned_abs() | way.z.unsigned_abs();
-        let bits = u32::BITS - magnitudes.leading_zeros();
-        let way = way.map(|c| scale(c, bits));
-        Self { way, bits, squared: square(way.x) + square(way.y) + square(way.z) }
+        let magnitudes = way.map(|c| (c ^ (c >> 31)).cast_unsigned());
+        let bits = root::bit_length(magnitudes.x | magnitudes.y | magnitudes.z);
+        Self { way: way.map(|c| scale(c, bits)), bits }
+    }
+
+    /// `|v|^2`. Computed where it is needed, for a surface that faces away has no need of it.
+    #[inline(always)]
+    fn squared(&self) -> u64 {
+        let squares = self.way.map(square);
+        squares.x + squares.y + squares.z
     }
 }
 
@@ -237,15 +235,16 @@ impl Offset<Fx32> for Offset32 {
     fn is_outside(&self, axis: Vec3<I2F30>, bound: Fx32) -> bool {
         let products = axis.zip(self.way, |s, v| wide(s.to_bits(), v));
         let along = (products.x + products.y + products.z) >> 30;
-        along.wrapping_mul(along.abs()) < (self.squared >> 30).cast_signed() * i64::from(bound.to_bits())
+        along.wrapping_mul(along.abs()) < (self.squared() >> 30).cast_signed() * i64::from(bound.to_bits())
     }
 
     #[inline(always)]
     fn ray(&self) -> Ray32 {
-        let reciprocal = if self.squared >= 1 << 60 {
-            root::inverse_sqrt_32(self.squared << 2)
-        } else if self.squared >= 1 << 58 {
-            root::inverse_sqrt_32(self.squared << 4) << 1
+        let squared = self.squared();
+        let reciprocal = if squared >= 1 << 60 {
+            root::inverse_sqrt_32(squared << 2)
+        } else if squared >= 1 << 58 {
+            root::inverse_sqrt_32(squared << 4) << 1
         } else {
             0
         };
