@@ -3,7 +3,7 @@
 //!
 //! In the comments `|v|` is the length of the scaled offset, whose largest component has 17 bits.
 
-use super::{Offset, Ray, Scalar, root};
+use super::{Offset, Ray, Scalar, nearest, root};
 use crate::vec3::Vec3;
 use fixed::types::{I2F14, I2F30, I16F16, U1F31, U18F14};
 
@@ -96,16 +96,19 @@ impl Scalar for Fx16 {
     const STEP: f32 = 1.0 / 16_384.0;
     const DIRECTION_ERROR: f32 = 1.2e-5;
 
+    #[inline(always)]
     fn from_f32(value: f32) -> Self {
-        if value.is_nan() { Self::ZERO } else { Self::saturating_from_num(value) }
+        let steps = nearest(value * 16_384.0);
+        Self::from_bits(steps.clamp(i32::from(i16::MIN), i32::from(i16::MAX)) as i16)
     }
 
     fn to_f32(self) -> f32 {
         self.to_num()
     }
 
+    #[inline(always)]
     fn length(value: f32) -> I16F16 {
-        if value.is_nan() { I16F16::ZERO } else { I16F16::saturating_from_num(value) }
+        I16F16::from_bits(nearest(value * 65_536.0))
     }
 
     fn axis(axis: Vec3<f32>) -> Vec3<I2F30> {

@@ -2,7 +2,7 @@
 //!
 //! In the comments `|v|` is the length of the scaled offset, whose largest component has 30 bits.
 
-use super::{Offset, Ray, Scalar, root};
+use super::{Offset, Ray, Scalar, nearest, root};
 use crate::vec3::Vec3;
 use fixed::types::{I2F30, I16F16, U34F30};
 
@@ -107,16 +107,18 @@ impl Scalar for Fx32 {
     const STEP: f32 = 1.0 / 1_073_741_824.0;
     const DIRECTION_ERROR: f32 = 8.0e-10;
 
+    #[inline(always)]
     fn from_f32(value: f32) -> Self {
-        if value.is_nan() { Self::ZERO } else { Self::saturating_from_num(value) }
+        Self::from_bits(nearest(value * 1_073_741_824.0))
     }
 
     fn to_f32(self) -> f32 {
         self.to_num()
     }
 
+    #[inline(always)]
     fn length(value: f32) -> I16F16 {
-        if value.is_nan() { I16F16::ZERO } else { I16F16::saturating_from_num(value) }
+        I16F16::from_bits(nearest(value * 65_536.0))
     }
 
     /// Made of unit length anew: 24 bits are less than this format's directions have.
