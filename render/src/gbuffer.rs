@@ -90,8 +90,8 @@ fn locate(
     step: glam::Vec3,
 ) -> Vec3<[f32; LANES]> {
     let mut points = Vec3::default().map(|()| [0.0; LANES]);
-    for lane in 0..LANES {
-        let depth = if nearness[lane] > 0.0 { 1.0 / nearness[lane] } else { 0.0 };
+    let depths = nearness.map(|nearness| if nearness > 0.0 { 1.0 / nearness } else { 0.0 });
+    for (lane, depth) in depths.into_iter().enumerate() {
         let point = eye + (first + step * lane as f32) * depth;
         points.x[lane] = point.x;
         points.y[lane] = point.y;

@@ -162,3 +162,51 @@ impl Edge {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::Vec3;
+
+    const SIZE: usize = 16;
+
+    fn corner(seed: &mut u64) -> Corner {
+        let mut next = || {
+            *seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            // A quarter of a pixel is coarse enough for centres to lie on edges, which is where ties are.
+            ((*seed >> 33) % (4 * SIZE as u64 + 1)) as i32 * (PIXEL as i32 / 4)
+        };
+        Corner { x: next(), y: next(), nearness: 1.0, normal: Vec3::Z }
+    }
+
+    /// The pixels that a triangle covers, whichever way it turns.
+    fn covered(a: Corner, b: Corner, c: Corner) -> Vec<bool> {
+        let mut fragments = Fragments::new(SIZE, SIZE).unwrap();
+        fragments.draw([a, b, c], 1);
+        fragments.draw([a, c, b], 1);
+        fragments.material.iter().map(|&material| material != 0).collect()
+    }
+
+    #[test]
+    fn triangles_that_share_an_edge_share_no_pixel_and_leave_none_out() {
+        let mut seed = 7;
+        let mut shared_edges_hit = 0;
+        for _ in 0..20_000 {
+            let [a, b, c, inner] = [0; 4].map(|_| corner(&mut seed));
+            let whole = covered(a, b, c);
+            let parts = [covered(a, b, inner), covered(b, c, inner), covered(c, a, inner)];
+            let sum = |i: usize| parts.iter().filter(|part| part[i]).count();
+            let sense =
+                |a: Corner, b: Corner, c: Corner| Edge::new(&a, &b).at(c.x.into(), c.y.into()).signum();
+            let senses = [sense(a, b, inner), sense(b, c, inner), sense(c, a, inner)];
+            let is_inside = senses.iter().all(|&s| s == sense(a, b, c)) && senses[0] != 0;
+            if is_inside {
+                shared_edges_hit += 1;
+                for (i, &is_covered) in whole.iter().enumerate() {
+                    assert_eq!(sum(i), usize::from(is_covered), "pixel {i} of {a:?} {b:?} {c:?} {inner:?}");
+                }
+            }
+        }
+        assert!(shared_edges_hit > 500, "{shared_edges_hit} triangles were split");
+    }
+}

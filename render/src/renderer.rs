@@ -149,3 +149,6 @@ impl<S: Format> Renderer<S> {
         })
     }
 }
+
+#[cfg(test)]
+mod tests;
