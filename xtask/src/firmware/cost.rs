@@ -39,11 +39,19 @@ impl Cost {
     }
 }
 
+/// The costs of all kernels on a board, and the compiler that they depend on.
+#[derive(Debug)]
+pub(crate) struct Costs {
+    pub(crate) kernels: Vec<Cost>,
+    pub(crate) compiler: String,
+}
+
 /// Runs the program `cost`. Its results must be the host's.
-pub(crate) fn measure(laboratory: &Laboratory, host: &[String]) -> Result<Vec<Cost>> {
+pub(crate) fn measure(laboratory: &Laboratory, host: &[String]) -> Result<Costs> {
     let run = laboratory.run("cost")?;
     compare(&run.lines, host)?;
-    costs(&run, &Symbols::read(&laboratory.program("cost"))?)
+    let symbols = Symbols::read(&laboratory.program("cost"))?;
+    Ok(Costs { kernels: kernels(&run, &symbols)?, compiler: symbols.compiler })
 }
 
 /// An error names the first result that differs.
@@ -57,8 +65,8 @@ fn compare(lines: &[String], host: &[String]) -> Result<()> {
     Ok(())
 }
 
-fn costs(run: &Run, symbols: &Symbols) -> Result<Vec<Cost>> {
-    let mut costs = Vec::new();
+fn kernels(run: &Run, symbols: &Symbols) -> Result<Vec<Cost>> {
+    let mut kernels = Vec::new();
     let mut empty = None;
     for (line, region) in run.lines.iter().zip(&run.regions) {
         let line = Line::parse(line).with_context(|| format!("not a result: {line}"))?;
@@ -68,9 +76,9 @@ fn costs(run: &Run, symbols: &Symbols) -> Result<Vec<Cost>> {
         }
         let (_, empty) =
             empty.as_ref().filter(|(inputs, _)| *inputs == line.inputs).context("no empty loop")?;
-        costs.push(cost(line, region, empty, symbols));
+        kernels.push(cost(line, region, empty, symbols));
     }
-    Ok(costs)
+    Ok(kernels)
 }
 
 fn cost(line: Line, region: &Region, empty: &Region, symbols: &Symbols) -> Cost {

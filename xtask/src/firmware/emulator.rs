@@ -53,7 +53,9 @@ impl Emulator {
         let mut qemu = Command::new(&self.program);
         qemu.args(self.machine).args(["-nographic", "-monitor", "none", "-serial", "none"]);
         qemu.args(["-semihosting-config", "enable=on,target=native"]);
-        qemu.arg("-plugin").arg(format!("{},out={}", counter.display(), counts.display()));
+        // In a list of options QEMU wants the commas of a path twice.
+        let path = |path: &Path| path.display().to_string().replace(',', ",,");
+        qemu.arg("-plugin").arg(format!("{},out={}", path(counter), path(counts)));
         qemu.arg("-kernel").arg(firmware);
         qemu.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
         let name = command::describe(&qemu);

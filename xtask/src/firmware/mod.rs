@@ -40,8 +40,8 @@ pub(crate) fn run(options: &FirmwareOptions) -> Result<()> {
         return Ok(());
     };
     for (board, costs) in &report.boards {
-        let Some(cost) = costs.iter().find(|cost| cost.name() == *wanted) else {
-            let names: Vec<_> = costs.iter().map(cost::Cost::name).collect();
+        let Some(cost) = costs.kernels.iter().find(|cost| cost.name() == *wanted) else {
+            let names: Vec<_> = costs.kernels.iter().map(cost::Cost::name).collect();
             bail!("there is no kernel {wanted}; there are {}", names.join(", "));
         };
         println!("{}", report::by_symbol(board, cost));

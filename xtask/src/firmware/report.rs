@@ -3,12 +3,12 @@
 use std::fmt;
 
 use super::board::Board;
-use super::cost::Cost;
+use super::cost::{Cost, Costs};
 
 /// The costs on some boards, of the same kernels in the same order.
 #[derive(Debug)]
 pub(crate) struct Report {
-    pub(crate) boards: Vec<(&'static Board, Vec<Cost>)>,
+    pub(crate) boards: Vec<(&'static Board, Costs)>,
 }
 
 /// The kernel that the others are compared with: what a falloff costs by the textbook.
@@ -18,21 +18,21 @@ const RIVAL: &str = "powf.f32";
 /// such calls are the price of one `powf`, and the bytes of code.
 impl fmt::Display for Report {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(out, "{:12}", "")?;
-        for (board, _) in &self.boards {
-            write!(out, " | {:^25}", board.name)?;
+        let mut heads = [String::new(), String::new(), String::new()];
+        for (board, costs) in &self.boards {
+            heads[0] += &format!(" | {:^25}", board.name);
+            heads[1] += &format!(" | {:^25}", costs.compiler);
+            heads[2] += &format!(" | {:>9} {:>8} {:>6}", "instr.", "per powf", "bytes");
         }
-        write!(out, "\n{:12}", "")?;
-        for _ in &self.boards {
-            write!(out, " | {:>9} {:>8} {:>6}", "instr.", "per powf", "bytes")?;
+        for head in heads {
+            writeln!(out, "{:12}{head}", "")?;
         }
-        writeln!(out)?;
         let Some((_, first)) = self.boards.first() else { return Ok(()) };
-        for (index, cost) in first.iter().enumerate() {
+        for (index, cost) in first.kernels.iter().enumerate() {
             write!(out, "{:12}", cost.name())?;
             for (_, costs) in &self.boards {
-                let rival = costs.iter().find(|cost| cost.name() == RIVAL);
-                let Some(cost) = costs.get(index) else { continue };
+                let rival = costs.kernels.iter().find(|cost| cost.name() == RIVAL);
+                let Some(cost) = costs.kernels.get(index) else { continue };
                 let ratio = rival.map_or(f64::NAN, |rival| rival.instructions / cost.instructions);
                 write!(
                     out,
@@ -87,15 +87,16 @@ mod tests {
 
     #[test]
     fn a_kernel_is_compared_with_the_power() {
-        let costs = vec![cost("soft", "fx16", 20.0), cost("powf", "f32", 9000.0)];
+        let kernels = vec![cost("soft", "fx16", 20.0), cost("powf", "f32", 9000.0)];
+        let costs = Costs { kernels, compiler: "rustc 1.95.0".to_owned() };
         let report = Report { boards: vec![(&board::ALL[0], costs)] }.to_string();
         let lines: Vec<_> = report.lines().collect();
         assert_eq!(
-            lines[2].split_whitespace().collect::<Vec<_>>(),
+            lines[3].split_whitespace().collect::<Vec<_>>(),
             ["soft.fx16", "|", "20.00", "450x", "40"]
         );
         assert_eq!(
-            lines[3].split_whitespace().collect::<Vec<_>>(),
+            lines[4].split_whitespace().collect::<Vec<_>>(),
             ["powf.f32", "|", "9000.00", "1.0x", "40"]
         );
     }
