@@ -71,11 +71,14 @@ fn magnified(value: f32, zoom: u32) -> U1F31 {
 /// `product / 2^shift`, rounded to nearest, saturating.
 #[inline(always)]
 fn shifted(product: u32, shift: i32) -> U18F14 {
-    U18F14::from_bits(if shift > 0 {
-        let doubled = product.checked_shr(shift.unsigned_abs() - 1).unwrap_or(0);
+    let but_one = shift.wrapping_sub(1).cast_unsigned();
+    U18F14::from_bits(if but_one < u32::BITS {
+        let doubled = product >> but_one;
         (doubled >> 1) + (doubled & 1)
-    } else if product == 0 || shift.unsigned_abs() <= product.leading_zeros() {
-        product.checked_shl(shift.unsigned_abs()).unwrap_or(0)
+    } else if shift > 0 || product == 0 {
+        0
+    } else if shift.unsigned_abs() <= product.leading_zeros() {
+        product << shift.unsigned_abs()
     } else {
         u32::MAX
     })
@@ -258,8 +261,11 @@ impl Ray<Fx16> for Ray16 {
 
     #[inline(always)]
     fn versine(&self, axis: Vec3<I2F30>, ramp: Ramp16) -> U1F31 {
-        let shift = MOST_ZOOM - ramp.zoom;
-        let difference = self.direction.zip(axis, |l, s| ((l.wrapping_sub(s.to_bits()) >> shift) + 1) >> 1);
+        let shift = MOST_ZOOM - ramp.zoom + 1;
+        // The rounding belongs to the axis, of which it is taken once per light. Opposite directions may wrap round,
+        // from one difference that is far outside of every cone to another.
+        let axis = axis.map(|s| s.to_bits().wrapping_sub(1 << (shift - 1)));
+        let difference = self.direction.zip(axis, |l, s| l.wrapping_sub(s) >> shift);
         let magnitudes = difference.map(i32::unsigned_abs);
         if (magnitudes.x | magnitudes.y | magnitudes.z) >> 16 != 0 {
             return U1F31::MAX;
@@ -271,8 +277,9 @@ impl Ray<Fx16> for Ray16 {
 
     #[inline(always)]
     fn cosine(&self, facing: i32) -> Fx16 {
-        let cosine = ((facing >> 13) * self.reciprocal.cast_signed() + (1 << 14)) >> 15;
-        Fx16::from_bits(cosine.clamp(0, 1 << 14) as i16)
+        // Whatever the normal's length, the product has at most 31 bits: it is that length in steps of 2^-29.
+        let cosine = ((facing.max(0).cast_unsigned() >> 13) * self.reciprocal + (1 << 14)) >> 15;
+        Fx16::from_bits(cosine.min(1 << 14) as i16)
     }
 
     #[inline(always)]

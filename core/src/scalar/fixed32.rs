@@ -71,11 +71,14 @@ fn square(component: i32) -> u64 {
 /// `product / 2^shift`, rounded to nearest, saturating.
 #[inline(always)]
 fn shifted(product: u64, shift: i32) -> U34F30 {
-    U34F30::from_bits(if shift > 0 {
-        let doubled = product.checked_shr(shift.unsigned_abs() - 1).unwrap_or(0);
+    let but_one = shift.wrapping_sub(1).cast_unsigned();
+    U34F30::from_bits(if but_one < u64::BITS {
+        let doubled = product >> but_one;
         (doubled >> 1) + (doubled & 1)
-    } else if product == 0 || shift.unsigned_abs() <= product.leading_zeros() {
-        product.checked_shl(shift.unsigned_abs()).unwrap_or(0)
+    } else if shift > 0 || product == 0 {
+        0
+    } else if shift.unsigned_abs() <= product.leading_zeros() {
+        product << shift.unsigned_abs()
     } else {
         u64::MAX
     })
@@ -274,8 +277,9 @@ impl Ray<Fx32> for Ray32 {
 
     #[inline(always)]
     fn cosine(&self, facing: i64) -> Fx32 {
-        let cosine = ((facing >> 31) * self.reciprocal.cast_signed() + (1 << 30)) >> 31;
-        Fx32::from_bits(cosine.clamp(0, 1 << 30) as i32)
+        // Whatever the normal's length, the product has at most 63 bits: it is that length in steps of 2^-61.
+        let cosine = ((facing.max(0).cast_unsigned() >> 31) * self.reciprocal + (1 << 30)) >> 31;
+        Fx32::from_bits(cosine.min(1 << 30) as i32)
     }
 
     #[inline(always)]

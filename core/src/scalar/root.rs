@@ -28,9 +28,11 @@ const LENGTH: [u8; 256] = {
 /// compiler's way: these are the small ones, which have no compare-and-swap either.
 #[inline(always)]
 pub(super) const fn bit_length(n: u32) -> u32 {
-    if cfg!(target_has_atomic = "32") {
-        return u32::BITS - n.leading_zeros();
-    }
+    if cfg!(target_has_atomic = "32") { u32::BITS - n.leading_zeros() } else { looked_up_bit_length(n) }
+}
+
+#[inline(always)]
+const fn looked_up_bit_length(n: u32) -> u32 {
     let (n, half) = if n >> 16 == 0 { (n, 0) } else { (n >> 16, 16) };
     let (n, quarter) = if n >> 8 == 0 { (n, 0) } else { (n >> 8, 8) };
     half + quarter + LENGTH[n as usize & 0xff] as u32
@@ -75,6 +77,15 @@ mod tests {
                 (f64::from(inverse_sqrt_16(n)) / exact - 1.0).abs()
             })
             .fold(0.0, f64::max)
+    }
+
+    #[test]
+    fn the_table_knows_every_bit_length() {
+        assert_eq!(looked_up_bit_length(0), 0);
+        for bits in 1..=u32::BITS {
+            let (least, most) = (1 << (bits - 1), u32::MAX >> (u32::BITS - bits));
+            assert_eq!((looked_up_bit_length(least), looked_up_bit_length(most)), (bits, bits));
+        }
     }
 
     #[test]
