@@ -1,5 +1,5 @@
-//! What a picture of the stage costs at 960 x 540, pass by pass, in one run: geometry, light of three and of eight spots,
-//! encoding.
+//! What a picture of the stage costs at 960 x 540, pass by pass, in one run: geometry, light of three and of
+//! eight spots, encoding.
 //!
 //! `cargo bench --bench render`.
 

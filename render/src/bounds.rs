@@ -1,4 +1,5 @@
-//! What a block of points and a beam of light are surely within, so that a block no light reaches is left out.
+//! What a block of points and a beam of light are surely within, so that a block no light reaches is left
+//! out.
 
 use glam::{Vec2, Vec3};
 use luminaire::Spot;
@@ -40,9 +41,9 @@ impl Beam {
         }
     }
 
-    /// Whether the bounds are outside the cone for certain, in every number format: by a thousandth of the distance and a
-    /// tenth of a millimetre more than touching. The formats' directions are off by 2.4e-5 at most, and their
-    /// positions by 3e-5 metres.
+    /// Whether the bounds are outside the cone for certain, in every number format: by a thousandth of the
+    /// distance and a tenth of a millimetre more than touching. The formats' directions are off by 2.4e-5 at
+    /// most, and their positions by 3e-5 metres.
     pub(crate) fn misses(&self, bounds: &Bounds) -> bool {
         let way = bounds.center - self.position;
         let reach = way.abs().element_sum() + bounds.center.abs().element_sum();

@@ -99,8 +99,8 @@ impl Polygon {
     }
 }
 
-/// Where an edge crosses a border. It is found from the visible end whichever way the edge is walked, so that two
-/// triangles that share the edge share the crossing to the bit, and no crack opens between them.
+/// Where an edge crosses a border. It is found from the visible end whichever way the edge is walked, so that
+/// two triangles that share the edge share the crossing to the bit, and no crack opens between them.
 fn crossing((visible, inside): (&Seen, f32), (hidden, outside): (&Seen, f32)) -> Seen {
     let t = inside / (inside - outside);
     let mix = |a: f32, b: f32| a + t * (b - a);

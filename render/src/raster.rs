@@ -39,7 +39,8 @@ impl Fragments {
         self.material.fill(0);
     }
 
-    /// Draws a triangle whose corners follow each other against the clock; others are seen from behind and left out.
+    /// Draws a triangle whose corners follow each other against the clock; others are seen from behind and
+    /// left out.
     pub(crate) fn draw(&mut self, corners: [Corner; 3], material: u32) {
         // With y downwards the sense of rotation is reversed.
         let [a, c, b] = corners;
@@ -129,7 +130,8 @@ struct Edge {
     y: i64,
     dx: i64,
     dy: i64,
-    /// 0 for a top or left edge, which owns the points on it; 1 for the others, which leave them to the neighbour.
+    /// 0 for a top or left edge, which owns the points on it; 1 for the others, which leave them to the
+    /// neighbour.
     excluded: i64,
 }
 

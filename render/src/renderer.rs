@@ -16,8 +16,8 @@ use crate::{
 use alloc::{collections::TryReserveError, vec::Vec};
 use luminaire::{Error, Rgb, Spot};
 
-/// A deferred renderer: geometry once into a buffer, then light over that buffer in the number format `S`, then
-/// the codes of a display. Each step is done again only if something before it has changed.
+/// A deferred renderer: geometry once into a buffer, then light over that buffer in the number format `S`,
+/// then the codes of a display. Each step is done again only if something before it has changed.
 #[derive(Clone, Debug)]
 pub struct Renderer<S: Format> {
     width: usize,
@@ -36,7 +36,8 @@ pub struct Renderer<S: Format> {
 }
 
 impl<S: Format> Renderer<S> {
-    /// A renderer of pictures of this width and height in pixels. The picture is black until something is drawn.
+    /// A renderer of pictures of this width and height in pixels. The picture is black until something is
+    /// drawn.
     ///
     /// # Errors
     /// A width or height that is not from 1 to [`LARGEST`](crate::LARGEST), or for which there is no memory.
@@ -66,8 +67,8 @@ impl<S: Format> Renderer<S> {
         Ok(renderer)
     }
 
-    /// Draws the geometry of a scene into the buffer. Returns whether anything of scene or camera had changed: if not,
-    /// nothing was done.
+    /// Draws the geometry of a scene into the buffer. Returns whether anything of scene or camera had
+    /// changed: if not, nothing was done.
     pub fn draw_geometry(&mut self, scene: &Scene, camera: &Camera) -> bool {
         let is_relit = self.ambient != scene.ambient();
         if is_relit {
@@ -114,8 +115,8 @@ impl<S: Format> Renderer<S> {
         Ok(true)
     }
 
-    /// Encodes the light for a display, if it has changed: rows from top to bottom, each pixel red, green, blue in sRGB and
-    /// alpha 255.
+    /// Encodes the light for a display, if it has changed: rows from top to bottom, each pixel red, green,
+    /// blue in sRGB and alpha 255.
     pub fn encode(&mut self) -> &[u8] {
         if !self.is_encoded {
             let columns = self.width.div_ceil(LANES);

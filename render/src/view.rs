@@ -91,7 +91,8 @@ impl View {
         self.eye
     }
 
-    /// The way along the ray through a pixel's centre to depth 1, for the first pixel of a row, and the step to the next.
+    /// The way along the ray through a pixel's centre to depth 1, for the first pixel of a row, and the step
+    /// to the next.
     pub(crate) fn ray(&self, row: usize) -> (Vec3, Vec3) {
         (self.first + self.row * row as f32, self.column)
     }

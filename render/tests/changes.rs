@@ -1,4 +1,5 @@
-//! Each pass is done again only if something before it has changed, and a refusal leaves the picture as it was.
+//! Each pass is done again only if something before it has changed, and a refusal leaves the picture as it
+//! was.
 
 use luminaire::{Angle, Cone, Edge, Fx16, Rgb, Spot, Vec3};
 use luminaire_render::{Material, Mesh, Renderer, SizeError, stage};
