@@ -195,7 +195,7 @@ fn assert_gains<S: Format>() {
             assert!(near(as_light(a.inverse_capped()), (1.0 / value).min(1.0)), "{value}");
             assert!(near(a.fraction().exact(), value.min(1.0)), "{value}");
         }
-        let light = value.min(1.0).max(0.001);
+        let light = value.clamp(0.001, 1.0);
         let light = S::from_f32(light).expose(S::gain(100.0));
         assert_eq!(S::amplify(light, one), light);
     }

@@ -217,3 +217,11 @@ fn an_exposure_out_of_range() {
     assert_refused(Exposure::stops(25), Parameter::Exposure, message);
     assert!(Exposure::factor(-1.0).is_err());
 }
+
+/// An angle that was derived from another one is not shown to the last of its digits.
+#[test]
+fn derived_values_are_shown_to_four_decimals() {
+    let cone = Cone::from_field(Hard, Angle::degrees(1.0)).expect("a sound angle");
+    let message = cone.compile::<Fx16>().expect_err("too narrow for 16 bits").to_string();
+    assert!(message.starts_with("outer angle 1.0267 is refused"), "{message}");
+}

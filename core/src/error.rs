@@ -118,7 +118,7 @@ impl fmt::Display for Accepted {
 
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} {} is refused: {}", self.parameter, self.value, self.accepted)
+        write!(f, "{} {} is refused: {}", self.parameter, shown(self.value), self.accepted)
     }
 }
 
@@ -131,4 +131,9 @@ pub(crate) fn check_between(parameter: Parameter, value: f32, least: f32, most: 
     } else {
         Err(Error { parameter, value, accepted: Accepted::Between(least, most) })
     }
+}
+
+/// A value of everyday size to four decimals, as people write it; any other as it is.
+fn shown(value: f32) -> f32 {
+    if (1e-3..1e4).contains(&value) { (value * 1e4 + 0.5) as u32 as f32 / 1e4 } else { value }
 }

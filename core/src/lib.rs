@@ -43,7 +43,7 @@
 //! | `fixed` (default) | [`Fx16`] and [`Fx32`], on the types of the crate `fixed` |
 //! | `libm` (default) | trigonometry for set-up and a square root, the same bits on every target |
 //! | `std` | the processor's square root, of the same bits |
-//! | `micromath` | approximate trigonometry and root where neither of the above is there: smaller, a tier of its own |
+//! | `micromath` | roots and sines where neither of the above is there: smaller, angles within 0.11 %, a tier of its own |
 //! | `glam` | conversions between [`Vec3`]`<f32>` and `glam::Vec3` |
 //!
 //! Files, in the order in which they build on one another: `error`, `vec3`, `trig`, `scalar` (and a file for each

@@ -191,6 +191,19 @@ pub(crate) fn outside_bound<S: Scalar>(outer_versine: f32) -> S {
     S::ONE.minus(S::from_f32(squared_sine)).minus(S::from_f32(margin))
 }
 
+/// The integer nearest to a value, ties to even; saturates, and what is not a number becomes zero.
+///
+/// Without a branch, because renderers convert whole pictures with it. An f32 from 2^23 on is an integer; below, a sum
+/// with 2^23 of the same sign has no room for a fraction, so that the addition rounds.
+#[cfg(feature = "fixed")]
+#[inline(always)]
+fn nearest(value: f32) -> i32 {
+    const FIRST_INTEGER: f32 = 8_388_608.0;
+    let units = FIRST_INTEGER.copysign(value);
+    let rounded = if value.abs() < FIRST_INTEGER { value + units - units } else { value };
+    rounded as i32
+}
+
 /// A value as `mantissa / 2^shift` with a mantissa of 24 bits, which is exact; zero where it is not more than zero.
 #[cfg(feature = "fixed")]
 fn mantissa_and_shift(value: f32) -> (u32, i32) {
@@ -209,4 +222,35 @@ mod sealed {
     impl Sealed for super::Fx16 {}
     #[cfg(feature = "fixed")]
     impl Sealed for super::Fx32 {}
+}
+
+#[cfg(all(test, feature = "fixed"))]
+mod tests {
+    use super::*;
+    use fixed::types::{I2F14, I16F16};
+
+    extern crate std;
+
+    /// What the crate `fixed` makes of a value, which converts by branches.
+    fn expected(value: f32) -> (Fx16, Fx32, I16F16) {
+        if value.is_nan() {
+            return Default::default();
+        }
+        (
+            I2F14::saturating_from_num(value),
+            Fx32::saturating_from_num(value),
+            I16F16::saturating_from_num(value),
+        )
+    }
+
+    #[test]
+    fn conversion_rounds_and_saturates_as_the_crate_fixed_does() {
+        let stride = if std::env::var_os("LUMINAIRE_FULL").is_some() { 1 } else { 509 };
+        for bits in (0..=u32::MAX).step_by(stride) {
+            let value = f32::from_bits(bits);
+            let found = (Fx16::from_f32(value), Fx32::from_f32(value), Fx16::length(value));
+            assert_eq!(found, expected(value), "{value} ({bits:#x})");
+            assert_eq!(Fx32::length(value), found.2);
+        }
+    }
 }

@@ -1,14 +1,13 @@
-//! What a block of points and a beam of light are surely within, so that a block no light reaches is left out.
+//! What a block of points and a beam of light are surely within, so that a block no light reaches is left
+//! out.
 
-use crate::gbuffer::LANES;
 use glam::{Vec2, Vec3};
 use luminaire::Spot;
 
-/// A box around points.
+/// A sphere around points.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Bounds {
     center: Vec3,
-    /// From the centre to the farthest corner, at least.
     radius: f32,
 }
 
@@ -22,24 +21,13 @@ pub(crate) struct Beam {
 }
 
 impl Bounds {
-    /// The bounds of the points of those lanes that have a nearness.
-    pub(crate) fn around(points: &[[f32; LANES]; 3], nearness: &[f32]) -> Option<Self> {
-        let mut low = [f32::INFINITY; 3];
-        let mut high = [f32::NEG_INFINITY; 3];
-        for (lane, &nearness) in nearness.iter().enumerate().take(LANES) {
-            for axis in 0..3 {
-                let (below, above) = if nearness > 0.0 {
-                    (points[axis][lane], points[axis][lane])
-                } else {
-                    (f32::INFINITY, f32::NEG_INFINITY)
-                };
-                low[axis] = if below < low[axis] { below } else { low[axis] };
-                high[axis] = if above > high[axis] { above } else { high[axis] };
-            }
-        }
-        let (low, high) = (Vec3::from(low), Vec3::from(high));
-        let center = 0.5 * (low + high);
-        (low.x <= high.x).then(|| Self { center, radius: 0.5 * (high - low).length() })
+    /// A sphere around the convex hull of four points.
+    #[inline(always)]
+    pub(crate) fn around(points: [Vec3; 4]) -> Self {
+        let center = 0.25 * points.into_iter().sum::<Vec3>();
+        let ways = points.map(|point| point - center);
+        let farther = |a: Vec3, b: Vec3| if b.length_squared() > a.length_squared() { b } else { a };
+        Self { center, radius: ways.into_iter().fold(Vec3::ZERO, farther).length() }
     }
 }
 
@@ -53,9 +41,9 @@ impl Beam {
         }
     }
 
-    /// Whether the bounds are outside the cone for certain, in every number format: by a thousandth of the distance and a
-    /// tenth of a millimetre more than touching. The formats' directions are off by 2.4e-5 at most, and their
-    /// positions by 3e-5 metres.
+    /// Whether the bounds are outside the cone for certain, in every number format: by a thousandth of the
+    /// distance and a tenth of a millimetre more than touching. The formats' directions are off by 2.4e-5 at
+    /// most, and their positions by 3e-5 metres.
     pub(crate) fn misses(&self, bounds: &Bounds) -> bool {
         let way = bounds.center - self.position;
         let reach = way.abs().element_sum() + bounds.center.abs().element_sum();

@@ -8,16 +8,17 @@ use luminaire::{Angle, HalfAngle};
 const DISTANCE: (f32, f32) = (0.25, 100.0);
 /// The vertical fields of view that a camera may have, in radians.
 const FIELD_OF_VIEW: (f32, f32) = (0.05, 2.5);
-/// The steepest look down from above, in radians: a little short of the zenith, where yaw would lose its meaning.
+/// The steepest look down from above, in radians: a little short of the zenith, where yaw would lose its
+/// meaning.
 const STEEPEST: f32 = 1.5;
 /// How high above the floor, which is at height 0, the eye stays, in metres.
 const EYE_HEIGHT: f32 = 0.05;
 
 /// A camera that looks at a target from a distance, in a right-handed world whose y axis points up.
 ///
-/// At yaw 0 the eye stands on the side of positive z and x points to the right of the picture; yaw turns it to
-/// the right around the target. Whatever it is given, a camera stays one that can be drawn with: parameters are
-/// clamped to what they may be, and one that is not a number is ignored.
+/// At yaw 0 the eye stands on the side of positive z and x points to the right of the picture; yaw turns it
+/// to the right around the target. Whatever it is given, a camera stays one that can be drawn with:
+/// parameters are clamped to what they may be, and one that is not a number is ignored.
 ///
 /// ```
 /// use luminaire::Vec3;
@@ -37,8 +38,8 @@ pub struct Camera {
 }
 
 impl Camera {
-    /// A camera at a distance from its target in metres (0.25 to 100); yaw, pitch and the vertical field of view
-    /// (0.05 to 2.5) are in radians, and a positive pitch looks down from above.
+    /// A camera at a distance from its target in metres (0.25 to 100); yaw, pitch and the vertical field of
+    /// view (0.05 to 2.5) are in radians, and a positive pitch looks down from above.
     pub fn new(
         target: luminaire::Vec3<f32>,
         distance: f32,
@@ -57,8 +58,8 @@ impl Camera {
         camera
     }
 
-    /// Turns the camera around its target by these angles in radians. The eye stays above the floor and short of the
-    /// zenith.
+    /// Turns the camera around its target by these angles in radians. The eye stays above the floor and short
+    /// of the zenith.
     pub fn orbit(&mut self, yaw: f32, pitch: f32) {
         let turned = (self.yaw + yaw) % TAU;
         self.yaw = if turned.is_finite() { turned } else { self.yaw };
@@ -66,7 +67,8 @@ impl Camera {
         self.pitch = raised.min(STEEPEST).max(self.lowest());
     }
 
-    /// Multiplies the distance by a factor: under 1 comes nearer. The distance stays between 0.25 and 100 metres.
+    /// Multiplies the distance by a factor: under 1 comes nearer. The distance stays between 0.25 and 100
+    /// metres.
     pub fn zoom(&mut self, factor: f32) {
         self.distance = clamp(self.distance * factor, DISTANCE, self.distance);
         self.orbit(0.0, 0.0);
@@ -90,8 +92,8 @@ impl Camera {
         Pose { eye: self.target - self.distance * ahead, right, up: right.cross(ahead), ahead }
     }
 
-    /// The pitch at which the eye is as low as the floor lets it; at most the steepest, for a target so far below
-    /// the floor that no pitch is enough.
+    /// The pitch at which the eye is as low as the floor lets it; at most the steepest, for a target so far
+    /// below the floor that no pitch is enough.
     fn lowest(&self) -> f32 {
         let sine = ((EYE_HEIGHT - self.target.y) / self.distance).clamp(-1.0, 1.0);
         let from_zenith = HalfAngle::from(Angle::from_versine(1.0 - sine));

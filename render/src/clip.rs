@@ -1,9 +1,50 @@
 //! Triangles cut at the borders of what a camera sees.
 
-use crate::view::{NEAR, Seen};
+use crate::{
+    mesh::Vertex,
+    view::{Corner, NEAR, Seen, View},
+};
 
 /// The borders: near, left, right, bottom, top.
 const PLANES: usize = 5;
+
+/// A vertex seen by a camera, and what all triangles that share it ask for.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Sighting {
+    seen: Seen,
+    /// A bit for each border that the vertex is beyond.
+    beyond: u32,
+    /// Where it is on the screen, if it is in view.
+    corner: Corner,
+}
+
+impl Sighting {
+    pub(crate) fn new(view: &View, vertex: &Vertex) -> Self {
+        let seen = view.see(vertex);
+        let is_beyond = |plane| u32::from(!matches!(inside(&seen, plane), 0.0..));
+        let beyond = (0..PLANES).fold(0, |bits, plane| bits | is_beyond(plane) << plane);
+        Self { seen, beyond, corner: if beyond == 0 { view.project(&seen) } else { Corner::default() } }
+    }
+}
+
+/// Hands the visible part of a triangle to `draw`, as triangles in the same sense of rotation.
+pub(crate) fn clip(view: &View, [a, b, c]: [&Sighting; 3], mut draw: impl FnMut([Corner; 3])) {
+    if a.beyond & b.beyond & c.beyond != 0 {
+        return;
+    }
+    let cut = a.beyond | b.beyond | c.beyond;
+    if cut == 0 {
+        return draw([a.corner, b.corner, c.corner]);
+    }
+    let mut polygon = Polygon::new([a.seen, b.seen, c.seen]);
+    for plane in (0..PLANES).filter(|plane| cut >> plane & 1 == 1) {
+        polygon = polygon.cut(plane);
+    }
+    if let [first, rest @ ..] = polygon.vertices() {
+        let first = view.project(first);
+        rest.windows(2).for_each(|edge| draw([first, view.project(&edge[0]), view.project(&edge[1])]));
+    }
+}
 
 /// How far a vertex is on the visible side of a border.
 fn inside(vertex: &Seen, plane: usize) -> f32 {
@@ -13,29 +54,6 @@ fn inside(vertex: &Seen, plane: usize) -> f32 {
         2 => vertex.depth - vertex.x,
         3 => vertex.depth + vertex.y,
         _ => vertex.depth - vertex.y,
-    }
-}
-
-/// Hands the visible part of a triangle to `draw`, as triangles in the same sense of rotation.
-pub(crate) fn clip(triangle: [Seen; 3], mut draw: impl FnMut([&Seen; 3])) {
-    let mut cut = 0_u32;
-    for plane in 0..PLANES {
-        match triangle.iter().filter(|vertex| inside(vertex, plane) >= 0.0).count() {
-            0 => return,
-            3 => {}
-            _ => cut |= 1 << plane,
-        }
-    }
-    if cut == 0 {
-        let [a, b, c] = &triangle;
-        return draw([a, b, c]);
-    }
-    let mut polygon = Polygon::new(triangle);
-    for plane in (0..PLANES).filter(|plane| cut >> plane & 1 == 1) {
-        polygon = polygon.cut(plane);
-    }
-    if let [first, rest @ ..] = polygon.vertices() {
-        rest.windows(2).for_each(|edge| draw([first, &edge[0], &edge[1]]));
     }
 }
 
@@ -81,8 +99,8 @@ impl Polygon {
     }
 }
 
-/// Where an edge crosses a border. It is found from the visible end whichever way the edge is walked, so that two
-/// triangles that share the edge share the crossing to the bit, and no crack opens between them.
+/// Where an edge crosses a border. It is found from the visible end whichever way the edge is walked, so that
+/// two triangles that share the edge share the crossing to the bit, and no crack opens between them.
 fn crossing((visible, inside): (&Seen, f32), (hidden, outside): (&Seen, f32)) -> Seen {
     let t = inside / (inside - outside);
     let mix = |a: f32, b: f32| a + t * (b - a);

@@ -13,7 +13,7 @@ pub(crate) struct Block<S: Scalar> {
     pub(crate) point: Vec3<[S::Length; LANES]>,
     /// Of unit length; zero where nothing was drawn, so that no light arrives there.
     pub(crate) normal: Vec3<[S; LANES]>,
-    /// Zero where nothing was drawn, else one more than the number of the object.
+    /// The number of the material; 0 where nothing was drawn.
     pub(crate) material: [u32; LANES],
     /// What encloses the points; nothing if nothing was drawn.
     pub(crate) bounds: Option<Bounds>,
@@ -40,35 +40,76 @@ impl<S: Scalar> GBuffer<S> {
 
     /// Finds position and unit normal of each fragment.
     pub(crate) fn resolve(&mut self, fragments: &Fragments, view: &View) {
-        let [nx, ny, nz] = &fragments.normal;
-        let lanes = fragments
-            .nearness
-            .chunks_exact(LANES)
-            .zip(fragments.material.chunks_exact(LANES))
-            .zip(nx.chunks_exact(LANES).zip(ny.chunks_exact(LANES)).zip(nz.chunks_exact(LANES)));
-        for (number, (block, ((nearness, material), ((nx, ny), nz)))) in
+        let nearness = fragments.nearness.as_chunks::<LANES>().0.iter();
+        let [nx, ny, nz] = fragments.normal.each_ref().map(|plane| plane.as_chunks::<LANES>().0.iter());
+        let material = fragments.material.as_chunks::<LANES>().0.iter();
+        let lanes = nearness.zip(nx.zip(ny).zip(nz)).zip(material);
+        for (number, (block, ((nearness, ((nx, ny), nz)), material))) in
             self.blocks.iter_mut().zip(lanes).enumerate()
         {
             let (row, column) = (number / self.columns, number % self.columns);
             let (first, step) = view.ray(row);
             let first = first + step * (column * LANES) as f32;
-            let mut points = [[0.0; LANES]; 3];
-            for lane in 0..LANES {
-                let covered = nearness[lane] > 0.0;
-                let depth = if covered { 1.0 / nearness[lane] } else { 0.0 };
-                let point = view.eye() + (first + step * lane as f32) * depth;
-                let normal = if covered { Vec3::new(nx[lane], ny[lane], nz[lane]) } else { Vec3::default() };
-                let normal = f32::offset(Vec3::default(), normal).ray().direction();
-                [points[0][lane], points[1][lane], points[2][lane]] = point.to_array();
-                block.point.x[lane] = S::length(point.x);
-                block.point.y[lane] = S::length(point.y);
-                block.point.z[lane] = S::length(point.z);
-                block.normal.x[lane] = S::from_f32(normal.x);
-                block.normal.y[lane] = S::from_f32(normal.y);
-                block.normal.z[lane] = S::from_f32(normal.z);
-                block.material[lane] = if covered { material[lane] + 1 } else { 0 };
-            }
-            block.bounds = Bounds::around(&points, nearness);
+            let points = locate(nearness, view.eye(), first, step);
+            let normals = unit(nearness, [nx, ny, nz]);
+            block.point = points.map(|plane| plane.map(S::length));
+            block.normal = normals.map(|plane| plane.map(S::from_f32));
+            block.material = *material;
+            let last = first + step * (LANES - 1) as f32;
+            block.bounds = depths(nearness).map(|(near, far)| {
+                // The rays of a row lie in a plane, so that the points are within the corners of a trapezium.
+                let corners = [first * near, first * far, last * near, last * far];
+                Bounds::around(corners.map(|corner| view.eye() + corner))
+            });
         }
     }
+}
+
+/// The least and the largest depth of the fragments, if there are any.
+fn depths(nearness: &[f32; LANES]) -> Option<(f32, f32)> {
+    let mut nearest = *nearness;
+    let mut farthest = nearness.map(|nearness| if nearness > 0.0 { nearness } else { f32::INFINITY });
+    // One half of the lanes against the other, as vector instructions want it.
+    let mut half = LANES / 2;
+    while half > 0 {
+        for lane in 0..half {
+            let (near, far) = (nearest[lane + half], farthest[lane + half]);
+            nearest[lane] = if near > nearest[lane] { near } else { nearest[lane] };
+            farthest[lane] = if far < farthest[lane] { far } else { farthest[lane] };
+        }
+        half /= 2;
+    }
+    (nearest[0] > 0.0).then(|| (1.0 / nearest[0], 1.0 / farthest[0]))
+}
+
+/// Where along their rays the fragments are; at the eye where there are none.
+fn locate(
+    nearness: &[f32; LANES],
+    eye: glam::Vec3,
+    first: glam::Vec3,
+    step: glam::Vec3,
+) -> Vec3<[f32; LANES]> {
+    let mut points = Vec3::default().map(|()| [0.0; LANES]);
+    let depths = nearness.map(|nearness| if nearness > 0.0 { 1.0 / nearness } else { 0.0 });
+    for (lane, depth) in depths.into_iter().enumerate() {
+        let point = eye + (first + step * lane as f32) * depth;
+        points.x[lane] = point.x;
+        points.y[lane] = point.y;
+        points.z[lane] = point.z;
+    }
+    points
+}
+
+/// The normals of the fragments at unit length; zero where there are none.
+fn unit(nearness: &[f32; LANES], [x, y, z]: [&[f32; LANES]; 3]) -> Vec3<[f32; LANES]> {
+    let mut normals = Vec3::default().map(|()| [0.0; LANES]);
+    for lane in 0..LANES {
+        // The kernel's direction from the origin to a point: the one square root there is.
+        let direction = f32::offset(Vec3::default(), Vec3::new(x[lane], y[lane], z[lane])).ray().direction();
+        let is_covered = nearness[lane] > 0.0;
+        normals.x[lane] = if is_covered { direction.x } else { 0.0 };
+        normals.y[lane] = if is_covered { direction.y } else { 0.0 };
+        normals.z[lane] = if is_covered { direction.z } else { 0.0 };
+    }
+    normals
 }

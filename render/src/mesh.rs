@@ -4,7 +4,8 @@ use crate::outline::Outline;
 use alloc::vec::Vec;
 use glam::{Quat, Vec3};
 
-/// A mesh of triangles, smooth between its vertices, seen from the front only: a closed one shows its outside.
+/// A mesh of triangles, smooth between its vertices, seen from the front only: a closed one shows its
+/// outside.
 ///
 /// The world is right-handed, in metres, and y points up.
 #[derive(Clone, PartialEq, Default, Debug)]
@@ -91,8 +92,8 @@ impl Mesh {
         self.mapped(|v| Vertex { position: v.position + offset, ..v })
     }
 
-    /// The same mesh, turned around an axis through the origin by an angle in radians: against the clock for who looks
-    /// at the tip of the axis.
+    /// The same mesh, turned around an axis through the origin by an angle in radians: against the clock for
+    /// who looks at the tip of the axis.
     pub fn turned(self, axis: luminaire::Vec3<f32>, angle: f32) -> Self {
         let rotation = Quat::from_scaled_axis(Vec3::from(axis).normalize_or_zero() * angle);
         self.mapped(|v| Vertex { position: rotation * v.position, normal: rotation * v.normal })
@@ -131,7 +132,8 @@ impl Mesh {
         });
     }
 
-    /// A strip of quadrilaterals between pairs of vertices; a closed one ends in the very vertices that it began with.
+    /// A strip of quadrilaterals between pairs of vertices; a closed one ends in the very vertices that it
+    /// began with.
     fn sweep(&mut self, segments: usize, closed: bool, pair: impl Fn(usize) -> [Vertex; 2]) {
         let first = self.vertices.len() as u32;
         let pairs = if closed { segments } else { segments + 1 };

@@ -3,14 +3,15 @@
 use alloc::vec::Vec;
 use glam::Vec2;
 
-/// The cosine of the largest turn of an outline that is drawn as smooth: 45 degrees. What turns more is a crease.
+/// The cosine of the largest turn of an outline that is drawn as smooth: 45 degrees. What turns more is a
+/// crease.
 const CREASE: f32 = core::f32::consts::FRAC_1_SQRT_2;
 
 /// A plane curve, drawn as a pen would: from a point, along lines and curves.
 ///
-/// For a [lathe](crate::Mesh::lathe) the coordinates are radius and height. The surface is on the right of the pen:
-/// an outline drawn upwards, from the foot to the top, faces outwards. It is smooth where it turns by
-/// less than 45 degrees, and creased where it turns by more.
+/// For a [lathe](crate::Mesh::lathe) the coordinates are radius and height. The surface is on the right of
+/// the pen: an outline drawn upwards, from the foot to the top, faces outwards. It is smooth where it turns
+/// by less than 45 degrees, and creased where it turns by more.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Outline {
     points: Vec<Vec2>,
@@ -47,8 +48,8 @@ impl Outline {
         self
     }
 
-    /// An arc around a centre, in metres, from the present point by an angle in radians, of this many lines. A
-    /// positive angle turns left: from the x axis towards the y axis.
+    /// An arc around a centre, in metres, from the present point by an angle in radians, of this many lines.
+    /// A positive angle turns left: from the x axis towards the y axis.
     pub fn arc(mut self, x: f32, y: f32, angle: f32, lines: usize) -> Self {
         let center = Vec2::new(x, y);
         let from = self.pen() - center;
@@ -64,8 +65,9 @@ impl Outline {
         self.points.last().copied().unwrap_or_default()
     }
 
-    /// The strips of surface along the outline: each has a station at both ends. What a neighbour shares smoothly it
-    /// shares to the bit. `mirrored` outlines go on behind the axis x = 0, as that of a sphere does at its poles.
+    /// The strips of surface along the outline: each has a station at both ends. What a neighbour shares
+    /// smoothly it shares to the bit. `mirrored` outlines go on behind the axis x = 0, as that of a sphere
+    /// does at its poles.
     pub(crate) fn strips(&self, mirrored: bool) -> impl Iterator<Item = [Station; 2]> + '_ {
         let normals = self.normals();
         let count = normals.len();

@@ -20,7 +20,7 @@ pub(crate) struct Fragments {
     pub(crate) nearness: Vec<f32>,
     /// Normals of any length.
     pub(crate) normal: [Vec<f32>; 3],
-    /// The number of the material.
+    /// The number of the material; 0 where nothing was drawn.
     pub(crate) material: Vec<u32>,
 }
 
@@ -36,9 +36,11 @@ impl Fragments {
     /// Removes all fragments.
     pub(crate) fn clear(&mut self) {
         self.nearness.fill(0.0);
+        self.material.fill(0);
     }
 
-    /// Draws a triangle whose corners follow each other against the clock; others are seen from behind and left out.
+    /// Draws a triangle whose corners follow each other against the clock; others are seen from behind and
+    /// left out.
     pub(crate) fn draw(&mut self, corners: [Corner; 3], material: u32) {
         // With y downwards the sense of rotation is reversed.
         let [a, c, b] = corners;
@@ -128,7 +130,8 @@ struct Edge {
     y: i64,
     dx: i64,
     dy: i64,
-    /// 0 for a top or left edge, which owns the points on it; 1 for the others, which leave them to the neighbour.
+    /// 0 for a top or left edge, which owns the points on it; 1 for the others, which leave them to the
+    /// neighbour.
     excluded: i64,
 }
 
@@ -159,5 +162,53 @@ impl Edge {
             1.. => *start = (*start).max(-at_first.div_euclid(step)),
             _ => *end = (*end).min(at_first.div_euclid(-step) + 1),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::Vec3;
+
+    const SIZE: usize = 16;
+
+    fn corner(seed: &mut u64) -> Corner {
+        let mut next = || {
+            *seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            // A quarter of a pixel is coarse enough for centres to lie on edges, which is where ties are.
+            ((*seed >> 33) % (4 * SIZE as u64 + 1)) as i32 * (PIXEL as i32 / 4)
+        };
+        Corner { x: next(), y: next(), nearness: 1.0, normal: Vec3::Z }
+    }
+
+    /// The pixels that a triangle covers, whichever way it turns.
+    fn covered(a: Corner, b: Corner, c: Corner) -> Vec<bool> {
+        let mut fragments = Fragments::new(SIZE, SIZE).unwrap();
+        fragments.draw([a, b, c], 1);
+        fragments.draw([a, c, b], 1);
+        fragments.material.iter().map(|&material| material != 0).collect()
+    }
+
+    #[test]
+    fn triangles_that_share_an_edge_share_no_pixel_and_leave_none_out() {
+        let mut seed = 7;
+        let mut shared_edges_hit = 0;
+        for _ in 0..20_000 {
+            let [a, b, c, inner] = [0; 4].map(|_| corner(&mut seed));
+            let whole = covered(a, b, c);
+            let parts = [covered(a, b, inner), covered(b, c, inner), covered(c, a, inner)];
+            let sum = |i: usize| parts.iter().filter(|part| part[i]).count();
+            let sense =
+                |a: Corner, b: Corner, c: Corner| Edge::new(&a, &b).at(c.x.into(), c.y.into()).signum();
+            let senses = [sense(a, b, inner), sense(b, c, inner), sense(c, a, inner)];
+            let is_inside = senses.iter().all(|&s| s == sense(a, b, c)) && senses[0] != 0;
+            if is_inside {
+                shared_edges_hit += 1;
+                for (i, &is_covered) in whole.iter().enumerate() {
+                    assert_eq!(sum(i), usize::from(is_covered), "pixel {i} of {a:?} {b:?} {c:?} {inner:?}");
+                }
+            }
+        }
+        assert!(shared_edges_hit > 500, "{shared_edges_hit} triangles were split");
     }
 }

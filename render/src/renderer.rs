@@ -2,7 +2,7 @@
 
 use crate::{
     camera::Camera,
-    clip::clip,
+    clip::{Sighting, clip},
     display::{self, CHANNELS},
     format::Format,
     gbuffer::{GBuffer, LANES},
@@ -11,13 +11,13 @@ use crate::{
     raster::Fragments,
     scene::{Fingerprint, Material, Scene},
     size::SizeError,
-    view::{Seen, View},
+    view::View,
 };
 use alloc::{collections::TryReserveError, vec::Vec};
 use luminaire::{Error, Rgb, Spot};
 
-/// A deferred renderer: geometry once into a buffer, then light over that buffer in the number format `S`, then
-/// the codes of a display. Each step is done again only if something before it has changed.
+/// A deferred renderer: geometry once into a buffer, then light over that buffer in the number format `S`,
+/// then the codes of a display. Each step is done again only if something before it has changed.
 #[derive(Clone, Debug)]
 pub struct Renderer<S: Format> {
     width: usize,
@@ -32,11 +32,12 @@ pub struct Renderer<S: Format> {
     drawn: Option<(Fingerprint, Camera)>,
     lit: Option<Vec<Spot>>,
     is_encoded: bool,
-    seen: Vec<Seen>,
+    sightings: Vec<Sighting>,
 }
 
 impl<S: Format> Renderer<S> {
-    /// A renderer of pictures of this width and height in pixels. The picture is black until something is drawn.
+    /// A renderer of pictures of this width and height in pixels. The picture is black until something is
+    /// drawn.
     ///
     /// # Errors
     /// A width or height that is not from 1 to [`LARGEST`](crate::LARGEST), or for which there is no memory.
@@ -60,14 +61,14 @@ impl<S: Format> Renderer<S> {
             drawn: None,
             lit: None,
             is_encoded: false,
-            seen: Vec::new(),
+            sightings: Vec::new(),
         };
         renderer.encode();
         Ok(renderer)
     }
 
-    /// Draws the geometry of a scene into the buffer. Returns whether anything of scene or camera had changed: if not,
-    /// nothing was done.
+    /// Draws the geometry of a scene into the buffer. Returns whether anything of scene or camera had
+    /// changed: if not, nothing was done.
     pub fn draw_geometry(&mut self, scene: &Scene, camera: &Camera) -> bool {
         let is_relit = self.ambient != scene.ambient();
         if is_relit {
@@ -85,13 +86,12 @@ impl<S: Format> Renderer<S> {
         self.materials.extend(scene.objects().iter().map(|object| object.material));
         let view = View::new(camera, self.width, self.height);
         self.fragments.clear();
-        for (number, object) in (0_u32..).zip(scene.objects()) {
-            self.seen.clear();
-            self.seen.extend(object.mesh.vertices().iter().map(|vertex| view.see(vertex)));
+        for (number, object) in (1..).zip(scene.objects()) {
+            self.sightings.clear();
+            self.sightings.extend(object.mesh.vertices().iter().map(|vertex| Sighting::new(&view, vertex)));
             for triangle in object.mesh.triangles() {
-                clip(triangle.map(|corner| self.seen[corner as usize]), |visible| {
-                    self.fragments.draw(visible.map(|vertex| view.project(vertex)), number);
-                });
+                let corners = triangle.map(|corner| &self.sightings[corner as usize]);
+                clip(&view, corners, |visible| self.fragments.draw(visible, number));
             }
         }
         self.geometry.resolve(&self.fragments, &view);
@@ -115,8 +115,8 @@ impl<S: Format> Renderer<S> {
         Ok(true)
     }
 
-    /// Encodes the light for a display, if it has changed: rows from top to bottom, each pixel red, green, blue in sRGB and
-    /// alpha 255.
+    /// Encodes the light for a display, if it has changed: rows from top to bottom, each pixel red, green,
+    /// blue in sRGB and alpha 255.
     pub fn encode(&mut self) -> &[u8] {
         if !self.is_encoded {
             let columns = self.width.div_ceil(LANES);
@@ -150,3 +150,6 @@ impl<S: Format> Renderer<S> {
         })
     }
 }
+
+#[cfg(test)]
+mod tests;

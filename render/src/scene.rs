@@ -39,7 +39,8 @@ pub(crate) struct Object {
     pub(crate) material: Material,
 }
 
-/// What tells two scenes apart without a look at their vertices: FNV-1a, 64 bits of it, over all that was added.
+/// What tells two scenes apart without a look at their vertices: FNV-1a, 64 bits of it, over all that was
+/// added.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) struct Fingerprint(u64);
 
@@ -64,8 +65,8 @@ impl Scene {
         self.objects.push(Object { mesh, material });
     }
 
-    /// Sets the ambient light: the linear colour that reaches every surface from everywhere, 1 being full scale. What
-    /// is negative or not a number counts as zero.
+    /// Sets the ambient light: the linear colour that reaches every surface from everywhere, 1 being full
+    /// scale. What is negative or not a number counts as zero.
     pub fn set_ambient(&mut self, color: Rgb<f32>) {
         self.ambient = color.map(|channel| if channel > 0.0 { channel } else { 0.0 });
     }

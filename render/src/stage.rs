@@ -1,12 +1,13 @@
-//! A stage to light: boards, a cyclorama, curtains, and a still life of turned solids in the light of three spots.
+//! A stage to light: boards, a cyclorama, curtains, and a still life of turned solids in the light of three
+//! spots.
 
 use crate::{Camera, Material, Mesh, Outline, Scene};
 use core::f32::consts::{FRAC_PI_2, PI, TAU};
 use luminaire::{Angle, Cone, Edge, Error, Rgb, Spot, Vec3};
 
 /// Segments of what is turned on a lathe, and of a quarter of a circle in an outline.
-const AROUND: usize = 64;
-const QUARTER: usize = 12;
+const AROUND: usize = 56;
+const QUARTER: usize = 7;
 
 /// Width and depth of the boards in metres; the back of the stage is at negative z.
 const DECK: (f32, f32) = (7.2, 5.4);
@@ -20,25 +21,30 @@ const WOOD: [(u8, u8, u8); 5] =
 pub fn scene() -> Scene {
     let mut scene = Scene::new();
     scene.set_ambient(Rgb::new(0.014, 0.016, 0.022));
-    for (mesh, material) in house().into_iter().chain(actors()) {
+    // From front to back: what is hidden is then found so before it is drawn.
+    for (mesh, material) in actors() {
         scene.add(mesh, material);
     }
     for board in 0..BOARDS {
         let (red, green, blue) = WOOD[(board * 7 + board / 5) % WOOD.len()];
         scene.add(plank(board), Material::srgb(red, green, blue));
     }
+    for (mesh, material) in house() {
+        scene.add(mesh, material);
+    }
     scene
 }
 
 /// The camera: from the stalls, a little above the boards.
 pub fn camera() -> Camera {
-    Camera::new(Vec3::new(0.0, 0.92, 0.0), 7.4, -0.12, 0.16, 0.52)
+    Camera::new(Vec3::new(0.0, 0.86, 0.0), 7.4, -0.14, 0.2, 0.5)
 }
 
 /// Key, fill and back light, in this order.
 ///
-/// The key is a profile spot of 26 degrees with a hard edge, warm, from the front left; the fill a Fresnel with a soft edge,
-/// cooler and weaker, from the front right; the back light a PAR with a soft edge, from behind and above.
+/// The key is a profile spot of 26 degrees with a hard edge, warm, from the front left; the fill a Fresnel
+/// with a soft edge, cooler and weaker, from the front right; the back light a PAR with a soft edge, from
+/// behind and above.
 ///
 /// # Errors
 /// None, unless a constructor comes to refuse what it accepts today.
@@ -47,15 +53,15 @@ pub fn lights() -> Result<[Spot; 3], Error> {
     let fill = Cone::from_field(Edge::Soft, Angle::degrees(50.0))?;
     let back = Cone::from_field(Edge::Soft, Angle::degrees(44.0))?;
     Ok([
-        aimed(Vec3::new(-3.4, 4.4, 4.4), Vec3::new(-0.1, 0.45, 0.1), key)?
-            .with_color(Rgb::new(1.0, 0.84, 0.62))?
-            .with_intensity(62.0)?,
-        aimed(Vec3::new(4.2, 3.4, 4.2), Vec3::new(0.4, 0.6, -0.6), fill)?
-            .with_color(Rgb::new(0.5, 0.68, 1.0))?
-            .with_intensity(13.0)?,
-        aimed(Vec3::new(1.2, 4.6, -2.3), Vec3::new(-0.1, 0.4, 0.2), back)?
-            .with_color(Rgb::new(0.94, 0.9, 1.0))?
-            .with_intensity(30.0)?,
+        aimed(Vec3::new(-4.0, 4.6, 5.6), Vec3::new(-0.2, 0.65, -0.2), key)?
+            .with_color(Rgb::new(1.0, 0.82, 0.6))?
+            .with_intensity(95.0)?,
+        aimed(Vec3::new(4.4, 3.2, 4.4), Vec3::new(0.1, 1.0, -1.2), fill)?
+            .with_color(Rgb::new(0.42, 0.62, 1.0))?
+            .with_intensity(26.0)?,
+        aimed(Vec3::new(1.5, 4.4, -3.0), Vec3::new(-0.1, 0.4, 0.3), back)?
+            .with_color(Rgb::new(0.9, 0.88, 1.0))?
+            .with_intensity(75.0)?,
     ])
 }
 
@@ -116,8 +122,8 @@ fn actors() -> [(Mesh, Material); 9] {
         (cone(0.44, 1.4).moved(Vec3::new(0.42, 0.0, -0.55)), Material::srgb(226, 216, 196)),
         (plinth(1.62, -0.5, 0.72, 0.72).turned(up, 0.0), plaster),
         (vase().moved(Vec3::new(1.62, 0.72, -0.5)), Material::srgb(44, 126, 128)),
-        (column().moved(Vec3::new(-1.78, 0.0, -0.75)), plaster),
-        (sphere(0.21).moved(Vec3::new(-1.78, 1.9, -0.75)), Material::srgb(206, 168, 92)),
+        (column().moved(Vec3::new(-1.66, 0.0, -0.7)), plaster),
+        (sphere(0.2).moved(Vec3::new(-1.66, 1.56, -0.7)), Material::srgb(206, 168, 92)),
         (lying.moved(Vec3::new(-1.42, 0.2, 1.15)), Material::srgb(96, 74, 128)),
         (sphere(0.16).moved(Vec3::new(1.5, 0.0, 0.75)), Material::srgb(60, 92, 150)),
     ]
@@ -125,12 +131,12 @@ fn actors() -> [(Mesh, Material); 9] {
 
 /// A sphere that stands on y = 0.
 fn sphere(radius: f32) -> Mesh {
-    Mesh::lathe(&Outline::start(0.0, 0.0).arc(0.0, radius, PI, 3 * QUARTER), AROUND)
+    Mesh::lathe(&Outline::start(0.0, 0.0).arc(0.0, radius, PI, 4 * QUARTER), AROUND)
 }
 
 /// A ring that lies on y = 0: radius of its core, and of its body.
 fn torus(core: f32, body: f32) -> Mesh {
-    Mesh::lathe(&Outline::start(core, 0.0).arc(core, body, TAU, 3 * QUARTER), AROUND)
+    Mesh::lathe(&Outline::start(core, 0.0).arc(core, body, TAU, 4 * QUARTER), AROUND)
 }
 
 /// A cone that stands on y = 0.
@@ -153,11 +159,11 @@ fn vase() -> Mesh {
     let outline = Outline::start(0.0, 0.0)
         .line_to(0.15, 0.0)
         .line_to(0.16, 0.03)
-        .curve_to([(0.2, 0.12), (0.33, 0.3)], 0.31, 0.5, 14)
-        .curve_to([(0.29, 0.68), (0.09, 0.66)], 0.1, 0.84, 14)
-        .curve_to([(0.105, 0.91), (0.14, 0.93)], 0.185, 0.94, 8)
+        .curve_to([(0.2, 0.12), (0.33, 0.3)], 0.31, 0.5, 10)
+        .curve_to([(0.29, 0.68), (0.09, 0.66)], 0.1, 0.84, 10)
+        .curve_to([(0.105, 0.91), (0.14, 0.93)], 0.185, 0.94, 5)
         .line_to(0.17, 0.955)
-        .curve_to([(0.12, 0.94), (0.085, 0.92)], 0.08, 0.84, 8)
+        .curve_to([(0.12, 0.94), (0.085, 0.92)], 0.08, 0.84, 4)
         .line_to(0.0, 0.5);
     Mesh::lathe(&outline, AROUND)
 }
@@ -165,16 +171,16 @@ fn vase() -> Mesh {
 /// A column with base and capital.
 fn column() -> Mesh {
     let outline = Outline::start(0.0, 0.0)
-        .line_to(0.33, 0.0)
-        .line_to(0.33, 0.1)
-        .line_to(0.27, 0.1)
-        .arc(0.27, 0.15, PI, QUARTER)
-        .line_to(0.22, 0.2)
-        .curve_to([(0.21, 0.8), (0.2, 1.2)], 0.17, 1.62, 12)
-        .line_to(0.2, 1.64)
-        .arc(0.2, 1.67, PI, QUARTER)
-        .curve_to([(0.2, 1.74), (0.24, 1.76)], 0.28, 1.78, QUARTER)
-        .line_to(0.28, 1.9)
-        .line_to(0.0, 1.9);
+        .line_to(0.32, 0.0)
+        .line_to(0.32, 0.1)
+        .line_to(0.26, 0.1)
+        .arc(0.26, 0.15, PI, QUARTER)
+        .line_to(0.21, 0.2)
+        .curve_to([(0.205, 0.7), (0.195, 1.0)], 0.165, 1.3, 8)
+        .line_to(0.19, 1.32)
+        .arc(0.19, 1.345, PI, QUARTER)
+        .curve_to([(0.19, 1.41), (0.23, 1.43)], 0.27, 1.45, 5)
+        .line_to(0.27, 1.56)
+        .line_to(0.0, 1.56);
     Mesh::lathe(&outline, AROUND)
 }

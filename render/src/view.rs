@@ -26,7 +26,7 @@ pub(crate) struct View {
 }
 
 /// A vertex seen by a camera: in view where -depth <= x, y <= depth and depth >= [`NEAR`].
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Default, Debug)]
 pub(crate) struct Seen {
     pub(crate) x: f32,
     pub(crate) y: f32,
@@ -35,7 +35,7 @@ pub(crate) struct Seen {
 }
 
 /// A corner of a triangle on the screen, and what is interpolated from it.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Default, Debug)]
 pub(crate) struct Corner {
     /// From the left and top border, in 256ths of a pixel.
     pub(crate) x: i32,
@@ -91,7 +91,8 @@ impl View {
         self.eye
     }
 
-    /// The way along the ray through a pixel's centre to depth 1, for the first pixel of a row, and the step to the next.
+    /// The way along the ray through a pixel's centre to depth 1, for the first pixel of a row, and the step
+    /// to the next.
     pub(crate) fn ray(&self, row: usize) -> (Vec3, Vec3) {
         (self.first + self.row * row as f32, self.column)
     }

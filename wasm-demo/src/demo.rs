@@ -12,6 +12,7 @@ use crate::{
 };
 use luminaire::{Spot, Vec3};
 use luminaire_render::{Camera, Scene, stage};
+use std::fmt;
 use wasm_bindgen::{Clamped, prelude::*};
 use web_sys::HtmlCanvasElement;
 
@@ -33,7 +34,6 @@ struct Times {
 /// The demo. Every method that sets something takes it, or throws a string that names the parameter, its value
 /// and the remedy, and leaves everything as it was.
 #[wasm_bindgen]
-#[derive(Debug)]
 pub struct Demo {
     scene: Scene,
     camera: Camera,
@@ -239,6 +239,16 @@ impl Demo {
     /// The fixtures to choose from.
     pub fn fixtures() -> Vec<Fixture> {
         fixture::all().to_vec()
+    }
+}
+
+impl fmt::Debug for Demo {
+    /// Without the renderer: all of its pixels would be told, and the module be larger for it.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { lights, format, width, height, .. } = self;
+        let mut demo = f.debug_struct("Demo");
+        demo.field("lights", lights).field("format", format).field("width", width).field("height", height);
+        demo.finish_non_exhaustive()
     }
 }
 

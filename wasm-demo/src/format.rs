@@ -100,7 +100,7 @@ impl fmt::Display for Format {
 }
 
 /// A renderer whose format has been forgotten: the choice costs one indirect call per pass, and none per pixel.
-pub(crate) trait Draw: fmt::Debug {
+pub(crate) trait Draw {
     /// Draws what the camera sees, if that is not what was drawn last; whether it was drawn.
     fn draw_geometry(&mut self, scene: &Scene, camera: &Camera) -> bool;
     /// Lights what was drawn, if anything has changed; whether it was lit.

@@ -34,8 +34,9 @@ export class Dial {
    * @param {Element} [source]
    */
   show(value, source) {
-    if (this.#slider !== source) this.#slider.value = value;
-    if (this.#number !== source) this.#number.value = tidy(value);
+    for (const control of [this.#slider, this.#number]) {
+      if (control !== source) control.value = tidy(value);
+    }
     const { min, max } = this.#slider;
     const part = (value - min) / (max - min);
     this.#slider.style.setProperty("--part", `${100 * Math.min(Math.max(part, 0), 1)}%`);

@@ -7,11 +7,14 @@ use std::str::FromStr;
 
 use lexopt::prelude::*;
 
+use crate::firmware::{Board, FirmwareOptions};
+
 /// A command with its options.
 #[derive(Debug, PartialEq)]
 pub(crate) enum Request {
     Help,
     Demo(DemoOptions),
+    Firmware(FirmwareOptions),
     Test(TestOptions),
 }
 
@@ -73,6 +76,7 @@ impl Request {
         match command.to_str() {
             Some("help") => Ok(Self::Help),
             Some("demo") => Self::parse_demo(words),
+            Some("firmware") => Self::parse_firmware(words),
             Some("test") => Self::parse_test(words),
             _ => Err(format!("there is no command {command:?}").into()),
         }
@@ -91,6 +95,19 @@ impl Request {
             }
         }
         Ok(Self::Demo(options))
+    }
+
+    fn parse_firmware(mut words: lexopt::Parser) -> Result<Self, lexopt::Error> {
+        let mut options = FirmwareOptions::default();
+        while let Some(word) = words.next()? {
+            match word {
+                Long("target") => options.boards.push(Board::named(&words.value()?.string()?)?),
+                Long("by-symbol") => options.by_symbol = Some(words.value()?.string()?),
+                Short('h') | Long("help") => return Ok(Self::Help),
+                other => return Err(other.unexpected()),
+            }
+        }
+        Ok(Self::Firmware(options))
     }
 
     fn parse_test(mut words: lexopt::Parser) -> Result<Self, lexopt::Error> {
@@ -143,6 +160,20 @@ mod tests {
     }
 
     #[test]
+    fn firmware_takes_targets_one_by_one() {
+        let Request::Firmware(options) = parse("firmware --target cortex-m0 --target rv32imc").unwrap()
+        else {
+            panic!("another command");
+        };
+        assert_eq!(
+            options.boards.iter().map(|board| board.name).collect::<Vec<_>>(),
+            ["cortex-m0", "rv32imc"]
+        );
+        let options = FirmwareOptions { boards: Vec::new(), by_symbol: Some("lit.fx16".into()) };
+        assert_eq!(parse("firmware --by-symbol lit.fx16").unwrap(), Request::Firmware(options));
+    }
+
+    #[test]
     fn what_is_not_understood_is_named() {
         for (line, name) in [
             ("tset", "tset"),
@@ -154,6 +185,7 @@ mod tests {
             ("demo --size 960", "960"),
             ("demo --size 0x540", "0x540"),
             ("test --only", "only"),
+            ("firmware --target cortex-m1", "cortex-m1"),
         ] {
             let error = parse(line).unwrap_err().to_string();
             assert!(error.contains(name), "`{line}` was refused with: {error}");

@@ -4,6 +4,8 @@ mod arguments;
 mod browser;
 mod command;
 mod demo;
+mod firmware;
+mod http;
 mod install;
 mod progress;
 mod project;
@@ -33,6 +35,10 @@ cargo xtask test [OPTIONS]   Run every test: format, lints, documentation, host,
     --full                   Run the long sweeps too (the host tests see LUMINAIRE_FULL=1)
     --only TEXT              Run only the steps whose name contains TEXT
 
+cargo xtask firmware [OPTIONS]   Count what the kernels cost on microcontrollers, in QEMU
+    --target NAME            Count on this one only: cortex-m0, cortex-m3, cortex-m4f or rv32imc; may be repeated
+    --by-symbol KERNEL       Split one kernel, such as lit.fx16, by function instead of printing the table
+
 cargo xtask demo             The same as cargo demo
 cargo xtask help             Print this text
 ";
@@ -51,6 +57,7 @@ fn main() -> ExitCode {
             Ok(ExitCode::SUCCESS)
         }
         Request::Demo(options) => demo::run(&options).map(|()| ExitCode::SUCCESS),
+        Request::Firmware(options) => firmware::run(&options).map(|()| ExitCode::SUCCESS),
         Request::Test(options) => Ok(test::run(&options)),
     };
     outcome.unwrap_or_else(|error| {

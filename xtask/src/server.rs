@@ -1,18 +1,20 @@
 //! A small web server for one folder, on this machine only.
 
-use std::fs;
-use std::io;
-use std::net::{Ipv4Addr, TcpListener};
+use std::net::{Ipv4Addr, TcpListener, TcpStream};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread::{self, JoinHandle};
+use std::time::Duration;
+use std::{fs, io};
 
-use anyhow::{Context, Result, anyhow};
+use anyhow::{Result, anyhow};
 use percent_encoding::percent_decode_str;
-use tiny_http::{Header, Method, Request, Response};
 
-/// A browser asks for several files at a time.
-const WORKERS: usize = 4;
+use crate::http::{Request, Response};
+
+/// A browser opens connections in advance, which may never ask for anything.
+const PATIENCE: Duration = Duration::from_secs(30);
 
 /// The demo may be rebuilt at any time, so nothing is cached; the rest makes the page `crossOriginIsolated`, which
 /// gives its clock microseconds.
@@ -26,9 +28,9 @@ const HEADERS: [(&str, &str); 5] = [
 
 /// A running server; dropping it stops it.
 pub(crate) struct Server {
-    http: Arc<tiny_http::Server>,
     port: u16,
-    workers: Vec<JoinHandle<()>>,
+    stopped: Arc<AtomicBool>,
+    accepting: Option<JoinHandle<()>>,
 }
 
 /// Takes a port of 127.0.0.1; port 0 stands for any that is free.
@@ -45,14 +47,16 @@ impl Server {
     /// Serves `folder` to whoever calls the port.
     pub(crate) fn start(listener: TcpListener, folder: &Path) -> Result<Self> {
         let port = listener.local_addr()?.port();
-        let http = tiny_http::Server::from_listener(listener, None)
-            .map_err(|error| anyhow!("cannot serve on port {port}: {error}"))?;
-        let http = Arc::new(http);
-        let workers = (0..WORKERS).map(|_| {
-            let (http, folder) = (Arc::clone(&http), folder.to_owned());
-            thread::spawn(move || http.incoming_requests().for_each(|request| answer(request, &folder)))
+        let stopped = Arc::new(AtomicBool::new(false));
+        let (stop, folder) = (Arc::clone(&stopped), Arc::<Path>::from(folder));
+        let accepting = thread::spawn(move || {
+            let calls = listener.incoming().take_while(|_| !stop.load(Ordering::Relaxed));
+            for stream in calls.flatten() {
+                let folder = Arc::clone(&folder);
+                thread::spawn(move || answer(stream, &folder));
+            }
         });
-        Ok(Self { workers: workers.collect(), http, port })
+        Ok(Self { port, stopped, accepting: Some(accepting) })
     }
 
     /// What to type into a browser.
@@ -62,52 +66,42 @@ impl Server {
 
     /// Serves until the program is ended from outside.
     pub(crate) fn wait(mut self) -> Result<()> {
-        for worker in self.workers.drain(..) {
-            worker.join().map_err(|_| anyhow!("the web server broke down: start it again"))?;
-        }
-        Ok(())
+        let ended = self.accepting.take().map(JoinHandle::join);
+        Err(anyhow!("the web server broke down ({ended:?}): start it again"))
     }
 }
 
 impl Drop for Server {
     fn drop(&mut self) {
-        for _ in &self.workers {
-            self.http.unblock();
-        }
-        for worker in self.workers.drain(..) {
-            // A worker that panicked has said so already.
-            let _ = worker.join();
+        self.stopped.store(true, Ordering::Relaxed);
+        // It learns of that with the next call.
+        let called = TcpStream::connect((Ipv4Addr::LOCALHOST, self.port));
+        if let (Ok(_), Some(accepting)) = (called, self.accepting.take()) {
+            // If it panicked, it has said so already.
+            let _ = accepting.join();
         }
     }
 }
 
-fn answer(request: Request, folder: &Path) {
-    let response = match (request.method(), file_of(request.url())) {
-        (Method::Get | Method::Head, Some(path)) => match read(&folder.join(&path)) {
-            Ok(bytes) => Response::from_data(bytes).with_header(header("Content-Type", mime(&path))),
-            Err(_) => plain(404, "not found"),
-        },
-        (Method::Get | Method::Head, None) => plain(403, "only files below this folder are served"),
-        _ => plain(405, "only GET and HEAD are answered"),
+/// Answers a call. One that breaks off, or is no HTTP, gets no answer and misses none.
+fn answer(mut stream: TcpStream, folder: &Path) {
+    let _ = stream.set_read_timeout(Some(PATIENCE));
+    if let Ok(request) = Request::read(&mut stream) {
+        let _ = respond(&request, folder).write(&mut stream, &HEADERS, request.method == "HEAD");
+    }
+}
+
+fn respond(request: &Request, folder: &Path) -> Response {
+    if !matches!(request.method.as_str(), "GET" | "HEAD") {
+        return Response::plain("405 Method Not Allowed", "only GET and HEAD are answered");
+    }
+    let Some(path) = file_of(&request.target) else {
+        return Response::plain("403 Forbidden", "only files below this folder are served");
     };
-    let response =
-        HEADERS.iter().fold(response, |response, &(name, value)| response.with_header(header(name, value)));
-    // A browser that has gone away does not want its answer.
-    let _ = request.respond(response);
-}
-
-fn read(path: &Path) -> Result<Vec<u8>> {
-    fs::read(path).with_context(|| format!("cannot read {}", path.display()))
-}
-
-fn plain(status: u16, text: &str) -> Response<io::Cursor<Vec<u8>>> {
-    Response::from_data(text)
-        .with_status_code(status)
-        .with_header(header("Content-Type", "text/plain; charset=utf-8"))
-}
-
-fn header(name: &str, value: &str) -> Header {
-    Header::from_bytes(name, value).expect("the names and values are written in this file, in ASCII")
+    match fs::read(folder.join(&path)) {
+        Ok(body) => Response { status: "200 OK", mime: mime(&path), body },
+        Err(_) => Response::plain("404 Not Found", "there is no such file"),
+    }
 }
 
 /// The file that a request's address stands for, relative to the folder; none where it might lead out of it.
@@ -197,7 +191,7 @@ mod tests {
 
     fn ask(server: &Server, request: &str) -> String {
         let mut stream = TcpStream::connect(("127.0.0.1", server.port)).unwrap();
-        write!(stream, "{request} HTTP/1.1\r\nHost: 127.0.0.1\r\nConnection: close\r\n\r\n").unwrap();
+        write!(stream, "{request} HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n").unwrap();
         let mut answer = String::new();
         stream.read_to_string(&mut answer).unwrap();
         answer
@@ -222,6 +216,25 @@ mod tests {
         assert!(ask(&server, "GET /none.html").starts_with("HTTP/1.1 404"));
         assert!(ask(&server, "GET /../index.html").starts_with("HTTP/1.1 403"));
         assert!(ask(&server, "POST /").starts_with("HTTP/1.1 405"));
+    }
+
+    #[test]
+    fn many_callers_at_once_are_answered_while_others_say_nothing() {
+        let folder = tempfile::tempdir().unwrap();
+        fs::write(folder.path().join("index.html"), "the page").unwrap();
+        let server = Server::start(listen(0).unwrap(), folder.path()).unwrap();
+        let connect = |_| TcpStream::connect(("127.0.0.1", server.port)).unwrap();
+        let _silent: Vec<_> = (0..16).map(connect).collect();
+        let mut callers: Vec<_> = (0..16).map(connect).collect();
+        for caller in &mut callers {
+            caller.set_read_timeout(Some(Duration::from_secs(10))).unwrap();
+            caller.write_all(b"GET / HTTP/1.1\r\n\r\n").unwrap();
+        }
+        for mut caller in callers {
+            let mut answer = String::new();
+            caller.read_to_string(&mut answer).unwrap();
+            assert!(answer.ends_with("the page"), "{answer}");
+        }
     }
 
     #[test]

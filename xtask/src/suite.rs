@@ -77,6 +77,9 @@ impl Suite {
         for failure in &self.failures {
             println!("FAIL {failure}");
         }
+        if self.tally == Tally::default() {
+            println!("no step was run: none has a name with the text of --only");
+        }
         println!("ran for {:.0} s", self.start.elapsed().as_secs_f64());
         println!("{}", self.tally);
         let well = self.tally.failed == 0 && self.tally.passed > 0;

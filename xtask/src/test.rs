@@ -1,18 +1,16 @@
 //! `cargo xtask test`: every test there is.
 
-use std::path::Path;
 use std::process::{Command, ExitCode};
 
 use anyhow::{Context, Result, bail};
 
 use crate::arguments::TestOptions;
-use crate::browser::{Chromium, tests as browser_tests};
+use crate::browser::tests::{ALL, Visitor};
 use crate::progress::Progress;
-use crate::server::{self, Server};
 use crate::suite::Suite;
 use crate::tally::Tally;
 use crate::toolchain::Toolchain;
-use crate::{command, demo, site};
+use crate::{command, demo, firmware, site};
 
 /// The smallest processor that is promised: no floating point unit, no division, no atomics.
 const BARE: &str = "thumbv6m-none-eabi";
@@ -27,12 +25,22 @@ const FEATURES: [(&str, &[&str]); 4] = [
 
 const STD: (&str, &[&str]) = ("std alone", &["--no-default-features", "--features", "std"]);
 
+const NO_VISITOR: &str = "not run, because the demo was not built or no browser started";
+
 /// Runs the tests; the last line on stdout counts them.
 pub(crate) fn run(options: &TestOptions) -> ExitCode {
     let mut suite = Suite::new(options.only.clone());
     sources(&mut suite);
-    suite.count("host: cargo test", |progress| cargo_test(options.full, progress));
+    suite.count("host: cargo test", |progress| {
+        cargo_test(&["--workspace", "--no-fail-fast"], options.full, progress)
+    });
+    for (name, features) in FEATURES.iter().chain([&STD]) {
+        suite.count(&format!("host: luminaire with {name}"), |progress| {
+            cargo_test(&[&["--package", "luminaire", "--lib"], *features].concat(), options.full, progress)
+        });
+    }
     bare_metal(&mut suite);
+    firmware::tests::run(&mut suite);
     browser(&mut suite);
     suite.finish()
 }
@@ -58,8 +66,8 @@ fn sources(suite: &mut Suite) {
     });
 }
 
-fn cargo_test(full: bool, progress: &Progress) -> Result<Tally> {
-    let mut test = with(command::cargo("test"), &["--workspace", "--no-fail-fast"]);
+fn cargo_test(arguments: &[&str], full: bool, progress: &Progress) -> Result<Tally> {
+    let mut test = with(command::cargo("test"), arguments);
     if full {
         test.env("LUMINAIRE_FULL", "1");
     }
@@ -94,38 +102,22 @@ fn bare_metal(suite: &mut Suite) {
 
 fn browser(suite: &mut Suite) {
     let check = "browser: the demo's check";
-    let tests = browser_tests::ALL.map(|(name, test)| (format!("browser: {name}"), test));
+    let tests = ALL.map(|(name, test)| (format!("browser: {name}"), test));
     if !suite.wants(check) && !tests.iter().any(|(name, _)| suite.wants(name)) {
         return;
     }
     let site = suite.require("browser: the demo is built", site::build);
     let mut visitor = suite.require("browser: the demo is served and Chromium starts", |progress| {
-        Visit::start(site.as_deref().context("there is no demo to serve")?, progress)
+        Visitor::arrive(site.as_deref().context("there is no demo to serve")?, progress)
     });
     for (name, test) in &tests {
-        suite.step(name, |_| test(&mut visitor.as_mut().context("not run: there is no browser")?.visitor));
+        suite.step(name, |_| test(visitor.as_mut().context(NO_VISITOR)?));
     }
     suite.step(check, |progress| {
-        let visitor = &mut visitor.as_mut().context("not run: there is no browser")?.visitor;
-        let verdict = demo::check(&mut visitor.chromium, &visitor.address, None)?;
-        progress.say("Checked", verdict);
+        let visitor = visitor.as_mut().context(NO_VISITOR)?;
+        progress.say("Checked", demo::check(&mut visitor.chromium, &visitor.address, None)?);
         Ok(())
     });
-}
-
-/// A visitor, and the server that stands as long as the visit.
-struct Visit {
-    visitor: browser_tests::Visitor,
-    _server: Server,
-}
-
-impl Visit {
-    fn start(site: &Path, progress: &Progress) -> Result<Self> {
-        let server = Server::start(server::listen(0)?, site)?;
-        let visitor =
-            browser_tests::Visitor { chromium: Chromium::start(progress)?, address: server.address() };
-        Ok(Self { visitor, _server: server })
-    }
 }
 
 fn with(mut command: Command, arguments: &[&str]) -> Command {

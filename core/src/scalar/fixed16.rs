@@ -6,7 +6,7 @@
 mod gain;
 mod lobe;
 
-use super::{Offset, Ray, Scalar, root};
+use super::{Offset, Ray, Scalar, nearest, root};
 use crate::{color::srgb16, vec3::Vec3};
 use fixed::types::{I2F14, I2F30, I16F16, U1F31, U18F14};
 
@@ -23,8 +23,6 @@ pub struct Offset16 {
     way: Vec3<i32>,
     /// Bits of the largest component before scaling; 0 where the point is on the light.
     bits: u32,
-    /// `(|v| / 4)^2`, which fits 32 bits.
-    squared: u32,
 }
 
 /// A unit direction and the reciprocal of its former length.
@@ -58,14 +56,11 @@ pub struct Gain16 {
     shift: i32,
 }
 
-/// Scales one component to `bits`, rounding to nearest.
+/// Scales a component of at most this many bits to 17, rounding to nearest: first up to all that there are, so that
+/// one way serves long offsets and short ones.
 #[inline(always)]
 fn scale(component: i32, bits: u32) -> i32 {
-    if bits > WAY_BITS {
-        ((component >> (bits - WAY_BITS - 1)) + 1) >> 1
-    } else {
-        component << (WAY_BITS - bits)
-    }
+    (((component << (31 - bits)) >> (30 - WAY_BITS)) + 1) >> 1
 }
 
 /// The largest zoom of a ramp: one more would ask for bits that a direction does not have.
@@ -77,21 +72,17 @@ fn magnified(value: f32, zoom: u32) -> U1F31 {
     if value.is_nan() { U1F31::ZERO } else { U1F31::saturating_from_num(value) }
 }
 
-/// The square of a component that has at most 17 bits, saturating.
-#[inline(always)]
-fn square(component: i32) -> u32 {
-    let magnitude = component.unsigned_abs().min(0xffff);
-    magnitude * magnitude
-}
-
 /// `product / 2^shift`, rounded to nearest, saturating.
 #[inline(always)]
 fn shifted(product: u32, shift: i32) -> U18F14 {
-    U18F14::from_bits(if shift > 0 {
-        let doubled = product.checked_shr(shift.unsigned_abs() - 1).unwrap_or(0);
+    let but_one = shift.wrapping_sub(1).cast_unsigned();
+    U18F14::from_bits(if but_one < u32::BITS {
+        let doubled = product >> but_one;
         (doubled >> 1) + (doubled & 1)
-    } else if product == 0 || shift.unsigned_abs() <= product.leading_zeros() {
-        product.checked_shl(shift.unsigned_abs()).unwrap_or(0)
+    } else if shift > 0 || product == 0 {
+        0
+    } else if shift.unsigned_abs() <= product.leading_zeros() {
+        product << shift.unsigned_abs()
     } else {
         u32::MAX
     })
@@ -112,16 +103,19 @@ impl Scalar for Fx16 {
     const STEP: f32 = 1.0 / 16_384.0;
     const DIRECTION_ERROR: f32 = 1.2e-5;
 
+    #[inline(always)]
     fn from_f32(value: f32) -> Self {
-        if value.is_nan() { Self::ZERO } else { Self::saturating_from_num(value) }
+        let steps = nearest(value * 16_384.0);
+        Self::from_bits(steps.clamp(i32::from(i16::MIN), i32::from(i16::MAX)) as i16)
     }
 
     fn to_f32(self) -> f32 {
         self.to_num()
     }
 
+    #[inline(always)]
     fn length(value: f32) -> I16F16 {
-        if value.is_nan() { I16F16::ZERO } else { I16F16::saturating_from_num(value) }
+        I16F16::from_bits(nearest(value * 65_536.0))
     }
 
     fn axis(axis: Vec3<f32>) -> Vec3<I2F30> {
@@ -188,10 +182,18 @@ impl Scalar for Fx16 {
 
     #[inline(always)]
     fn versine_between(a: Vec3<I2F30>, b: Vec3<I2F30>, ramp: Ramp16) -> U1F31 {
-        let shift = MOST_ZOOM - ramp.zoom;
-        let difference = a.zip(b, |a, b| ((a.to_bits().wrapping_sub(b.to_bits()) >> shift) + 1) >> 1);
-        let squares = difference.map(square);
-        U1F31::from_bits(squares.x.saturating_add(squares.y).saturating_add(squares.z))
+        let shift = MOST_ZOOM - ramp.zoom + 1;
+        // The rounding belongs to the second direction: where that is an axis, it is taken once per light. Opposite
+        // directions may wrap round, from one difference that is far outside of every cone to another.
+        let b = b.map(|c| c.to_bits().wrapping_sub(1 << (shift - 1)));
+        let difference = a.zip(b, |a, b| a.to_bits().wrapping_sub(b) >> shift);
+        let magnitudes = difference.map(i32::unsigned_abs);
+        if (magnitudes.x | magnitudes.y | magnitudes.z) >> 16 != 0 {
+            return U1F31::MAX;
+        }
+        let squares = magnitudes.map(|c| c * c);
+        let sum = squares.x.checked_add(squares.y).and_then(|sum| sum.checked_add(squares.z));
+        sum.map_or(U1F31::MAX, U1F31::from_bits)
     }
 
     #[inline(always)]
@@ -268,13 +270,20 @@ impl Scalar for Fx16 {
 }
 
 impl Offset16 {
+    /// The way, scaled until its largest component has 17 bits.
     #[inline(always)]
     fn scaled(way: Vec3<i32>) -> Self {
-        let magnitudes = way.x.unsigned_abs() | way.y.unsigned_abs() | way.z.unsigned_abs();
-        let bits = u32::BITS - magnitudes.leading_zeros();
-        let way = way.map(|c| scale(c, bits));
-        let squared = square(way.x >> 2) + square(way.y >> 2) + square(way.z >> 2);
-        Self { way, bits, squared }
+        let magnitudes = way.map(|c| (c ^ (c >> 31)).cast_unsigned());
+        let bits = root::bit_length(magnitudes.x | magnitudes.y | magnitudes.z);
+        Self { way: way.map(|c| scale(c, bits)), bits }
+    }
+
+    /// `(|v| / 4)^2`. Computed where it is needed, for a surface that faces away has no need of it.
+    #[inline(always)]
+    fn squared(&self) -> u32 {
+        // At most 15 bits and a sign: 32 bits hold the sum of the squares.
+        let squares = self.way.map(|c| (c >> 2).wrapping_mul(c >> 2).cast_unsigned());
+        squares.x.wrapping_add(squares.y).wrapping_add(squares.z)
     }
 }
 
@@ -298,28 +307,30 @@ impl Offset<Fx16> for Offset16 {
     fn is_outside(&self, axis: Vec3<I2F30>, bound: Fx16) -> bool {
         let products = axis.zip(self.way, |s, v| (s.to_bits() >> 16) * (v >> 2));
         let along = products.x.wrapping_add(products.y).wrapping_add(products.z) >> 14;
-        let magnitude = (square(along) >> 2).cast_signed();
+        // The axis has unit length, so that 16 bits hold the part of |v| / 4 along it.
+        let magnitude = (along.wrapping_mul(along).cast_unsigned() >> 2).cast_signed();
         let signed = if along < 0 { -magnitude } else { magnitude };
-        signed < (self.squared >> 16).cast_signed() * i32::from(bound.to_bits())
+        signed < (self.squared() >> 16).cast_signed() * i32::from(bound.to_bits())
     }
 
     #[inline(always)]
     fn squared_distance(&self) -> Gain16 {
-        Gain16::normalised(self.squared, 62 - 2 * self.bits.cast_signed())
+        Gain16::normalised(self.squared(), 62 - 2 * self.bits.cast_signed())
     }
 
     #[inline(always)]
     fn ray(&self) -> Ray16 {
-        let reciprocal = if self.squared >= 1 << 30 {
-            (root::inverse_sqrt_16(self.squared) + 2) >> 2
-        } else if self.squared >= 1 << 28 {
-            (root::inverse_sqrt_16(self.squared << 2) + 1) >> 1
+        let squared = self.squared();
+        let reciprocal = if squared >= 1 << 30 {
+            (root::inverse_sqrt_16(squared) + 2) >> 2
+        } else if squared >= 1 << 28 {
+            (root::inverse_sqrt_16(squared << 2) + 1) >> 1
         } else {
             0
         };
         let fourteen_bits = ((reciprocal + 1) >> 1).cast_signed();
         let direction = self.way.map(|c| c * fourteen_bits);
-        Ray16 { direction, bits: self.bits, squared: self.squared, reciprocal }
+        Ray16 { direction, bits: self.bits, squared, reciprocal }
     }
 }
 
@@ -342,8 +353,9 @@ impl Ray<Fx16> for Ray16 {
 
     #[inline(always)]
     fn cosine(&self, facing: i32) -> Fx16 {
-        let cosine = ((facing >> 13) * self.reciprocal.cast_signed() + (1 << 14)) >> 15;
-        Fx16::from_bits(cosine.clamp(0, 1 << 14) as i16)
+        // Whatever the normal's length, the product has at most 31 bits: it is that length in steps of 2^-29.
+        let cosine = ((facing.max(0).cast_unsigned() >> 13) * self.reciprocal + (1 << 14)) >> 15;
+        Fx16::from_bits(cosine.min(1 << 14) as i16)
     }
 
     #[inline(always)]

@@ -5,7 +5,7 @@
 mod gain;
 mod lobe;
 
-use super::{Offset, Ray, Scalar, root};
+use super::{Offset, Ray, Scalar, nearest, root};
 use crate::{color::srgb32, vec3::Vec3};
 use fixed::types::{I2F30, I16F16, U34F30};
 
@@ -15,17 +15,12 @@ pub type Fx32 = I2F30;
 /// A versine with 61 fraction bits: the scale that half the squared difference of two directions has by itself.
 type Versine32 = fixed::FixedU64<fixed::types::extra::U61>;
 
-/// How many bits the largest component of a scaled offset has.
-const WAY_BITS: u32 = 30;
-
 /// The way from a light to a point, scaled until its largest component has 30 bits.
 #[derive(Clone, Copy, Debug)]
 pub struct Offset32 {
     way: Vec3<i32>,
     /// Bits of the largest component before scaling; 0 where the point is on the light.
     bits: u32,
-    /// `|v|^2`.
-    squared: u64,
 }
 
 /// A unit direction and the reciprocal of its former length.
@@ -57,15 +52,12 @@ pub struct Gain32 {
     shift: i32,
 }
 
-/// Scales one component to `bits`, rounding to nearest.
+/// Scales a component of at most this many bits to 30, rounding to nearest: first up to all that there are, so that one
+/// way serves long offsets and short ones.
 #[inline(always)]
 fn scale(component: i32, bits: u32) -> i32 {
-    if bits > WAY_BITS {
-        let doubled = component >> (bits - WAY_BITS - 1);
-        (doubled >> 1) + (doubled & 1)
-    } else {
-        component << (WAY_BITS - bits)
-    }
+    let doubled = component << (31 - bits);
+    (doubled >> 1) + (doubled & 1)
 }
 
 /// The product in 64 bits.
@@ -83,11 +75,14 @@ fn square(component: i32) -> u64 {
 /// `product / 2^shift`, rounded to nearest, saturating.
 #[inline(always)]
 fn shifted(product: u64, shift: i32) -> U34F30 {
-    U34F30::from_bits(if shift > 0 {
-        let doubled = product.checked_shr(shift.unsigned_abs() - 1).unwrap_or(0);
+    let but_one = shift.wrapping_sub(1).cast_unsigned();
+    U34F30::from_bits(if but_one < u64::BITS {
+        let doubled = product >> but_one;
         (doubled >> 1) + (doubled & 1)
-    } else if product == 0 || shift.unsigned_abs() <= product.leading_zeros() {
-        product.checked_shl(shift.unsigned_abs()).unwrap_or(0)
+    } else if shift > 0 || product == 0 {
+        0
+    } else if shift.unsigned_abs() <= product.leading_zeros() {
+        product << shift.unsigned_abs()
     } else {
         u64::MAX
     })
@@ -119,16 +114,18 @@ impl Scalar for Fx32 {
     const STEP: f32 = 1.0 / 1_073_741_824.0;
     const DIRECTION_ERROR: f32 = 8.0e-10;
 
+    #[inline(always)]
     fn from_f32(value: f32) -> Self {
-        if value.is_nan() { Self::ZERO } else { Self::saturating_from_num(value) }
+        Self::from_bits(nearest(value * 1_073_741_824.0))
     }
 
     fn to_f32(self) -> f32 {
         self.to_num()
     }
 
+    #[inline(always)]
     fn length(value: f32) -> I16F16 {
-        if value.is_nan() { I16F16::ZERO } else { I16F16::saturating_from_num(value) }
+        I16F16::from_bits(nearest(value * 65_536.0))
     }
 
     /// Made of unit length anew: 24 bits are less than this format's directions have.
@@ -273,10 +270,16 @@ impl Scalar for Fx32 {
 impl Offset32 {
     #[inline(always)]
     fn scaled(way: Vec3<i32>) -> Self {
-        let magnitudes = way.x.unsigned_abs() | way.y.unsigned_abs() | way.z.unsigned_abs();
-        let bits = u32::BITS - magnitudes.leading_zeros();
-        let way = way.map(|c| scale(c, bits));
-        Self { way, bits, squared: square(way.x) + square(way.y) + square(way.z) }
+        let magnitudes = way.map(|c| (c ^ (c >> 31)).cast_unsigned());
+        let bits = root::bit_length(magnitudes.x | magnitudes.y | magnitudes.z);
+        Self { way: way.map(|c| scale(c, bits)), bits }
+    }
+
+    /// `|v|^2`. Computed where it is needed, for a surface that faces away has no need of it.
+    #[inline(always)]
+    fn squared(&self) -> u64 {
+        let squares = self.way.map(square);
+        squares.x + squares.y + squares.z
     }
 }
 
@@ -300,20 +303,21 @@ impl Offset<Fx32> for Offset32 {
     fn is_outside(&self, axis: Vec3<I2F30>, bound: Fx32) -> bool {
         let products = axis.zip(self.way, |s, v| wide(s.to_bits(), v));
         let along = (products.x + products.y + products.z) >> 30;
-        along.wrapping_mul(along.abs()) < (self.squared >> 30).cast_signed() * i64::from(bound.to_bits())
+        along.wrapping_mul(along.abs()) < (self.squared() >> 30).cast_signed() * i64::from(bound.to_bits())
     }
 
     #[inline(always)]
     fn squared_distance(&self) -> Gain32 {
-        Gain32::normalised(self.squared, 92 - 2 * self.bits.cast_signed())
+        Gain32::normalised(self.squared(), 92 - 2 * self.bits.cast_signed())
     }
 
     #[inline(always)]
     fn ray(&self) -> Ray32 {
-        let reciprocal = if self.squared >= 1 << 60 {
-            root::inverse_sqrt_32(self.squared << 2)
-        } else if self.squared >= 1 << 58 {
-            root::inverse_sqrt_32(self.squared << 4) << 1
+        let squared = self.squared();
+        let reciprocal = if squared >= 1 << 60 {
+            root::inverse_sqrt_32(squared << 2)
+        } else if squared >= 1 << 58 {
+            root::inverse_sqrt_32(squared << 4) << 1
         } else {
             0
         };
@@ -321,7 +325,7 @@ impl Offset<Fx32> for Offset32 {
             let product = i64::from(c) * reciprocal.cast_signed();
             ((product + (1 << 31)) >> 32) as i32
         });
-        Ray32 { direction, bits: self.bits, squared: self.squared, reciprocal }
+        Ray32 { direction, bits: self.bits, squared, reciprocal }
     }
 }
 
@@ -345,8 +349,9 @@ impl Ray<Fx32> for Ray32 {
 
     #[inline(always)]
     fn cosine(&self, facing: i64) -> Fx32 {
-        let cosine = ((facing >> 31) * self.reciprocal.cast_signed() + (1 << 30)) >> 31;
-        Fx32::from_bits(cosine.clamp(0, 1 << 30) as i32)
+        // Whatever the normal's length, the product has at most 63 bits: it is that length in steps of 2^-61.
+        let cosine = ((facing.max(0).cast_unsigned() >> 31) * self.reciprocal + (1 << 30)) >> 31;
+        Fx32::from_bits(cosine.min(1 << 30) as i32)
     }
 
     #[inline(always)]

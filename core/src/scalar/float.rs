@@ -14,11 +14,11 @@ pub struct FloatOffset {
     squared: f32,
 }
 
-/// A unit direction, its former length, and the reciprocal of that.
+/// A unit direction, the square of its former length, and the reciprocal of that length.
 #[derive(Clone, Copy, Debug)]
 pub struct FloatRay {
     direction: Vec3<f32>,
-    distance: f32,
+    squared: f32,
     reciprocal: f32,
 }
 
@@ -249,9 +249,9 @@ impl Offset<f32> for FloatOffset {
     /// of them is dark in the end: no test is needed.
     #[inline(always)]
     fn ray(&self) -> FloatRay {
-        let distance = trig::sqrt(self.squared);
-        let reciprocal = 1.0 / distance;
-        FloatRay { direction: self.way.map(|c| c * reciprocal), distance, reciprocal }
+        let reciprocal = trig::inverse_sqrt(self.squared);
+        let direction = self.way.map(|c| c * reciprocal);
+        FloatRay { direction, squared: self.squared, reciprocal }
     }
 }
 
@@ -263,7 +263,7 @@ impl Ray<f32> for FloatRay {
 
     #[inline(always)]
     fn distance(&self) -> f32 {
-        self.distance
+        trig::sqrt(self.squared)
     }
 
     #[inline(always)]

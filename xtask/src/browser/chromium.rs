@@ -35,6 +35,9 @@ const FLAGS: [&str; 14] = [
     "about:blank",
 ];
 
+/// Where in its folder the browser's complaints are kept, which matter only when it does not start.
+const STDERR: &str = "stderr.txt";
+
 const START: Duration = Duration::from_secs(60);
 const END: Duration = Duration::from_secs(5);
 
@@ -62,14 +65,15 @@ impl Chromium {
             .args(FLAGS)
             .stdin(Stdio::null())
             .stdout(Stdio::null())
-            .stderr(Stdio::null())
+            .stderr(fs::File::create(profile.path().join(STDERR))?)
             .spawn()
             .with_context(|| format!("cannot start {}", program.display()))?;
         match connect(&mut process, profile.path()) {
             Ok((port, devtools)) => Ok(Self { process, devtools, port, _profile: profile }),
             Err(error) => {
                 end(&mut process);
-                Err(error.context(format!("{} does not work", program.display())))
+                let said = fs::read_to_string(profile.path().join(STDERR)).unwrap_or_default();
+                bail!("{} does not work: {error:#}\n{}", program.display(), said.trim_end())
             }
         }
     }

@@ -212,7 +212,8 @@ fn thrown(exception: &Value) -> String {
     description.or(exception["text"].as_str()).unwrap_or("an exception without a text").to_owned()
 }
 
-fn list(complaints: &[String]) -> String {
+/// Complaints as the end of a message, each on a line of its own.
+pub(super) fn list(complaints: &[String]) -> String {
     complaints.iter().map(|complaint| format!("\n    {complaint}")).collect()
 }
 

@@ -2,10 +2,10 @@
 
 use std::fmt::Display;
 
-use anyhow::{Context, Result, ensure};
+use anyhow::{Context, Result, bail, ensure};
 use serde_json::json;
 
-use super::page::Page;
+use super::page::{Page, list};
 
 impl Page {
     /// Waits until the page has drawn nothing for a while.
@@ -50,7 +50,9 @@ impl Page {
         self.keep("before")?;
         let drawn = self.number("luminaire.drawn")?;
         act(self)?;
-        self.ask(&format!("probe.redrawn({drawn})")).with_context(|| format!("{what} has no effect"))?;
+        if let Err(error) = self.ask(&format!("probe.redrawn({drawn})")) {
+            bail!("{what} has no effect: {error:#}{}", list(&self.complaints()?));
+        }
         self.keep("after")?;
         let difference = self.difference("before", "after")?;
         ensure!(difference > 0.0, "{what} leaves the picture as it was");

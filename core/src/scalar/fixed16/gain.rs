@@ -1,7 +1,7 @@
 //! The arithmetic of gains of 16 bits, in 32-bit products.
 
 use super::{Fx16, Gain16, shifted};
-use crate::scalar::{Gain, reciprocal};
+use crate::scalar::{Gain, reciprocal, root};
 use fixed::types::U18F14;
 
 /// `a b / 2^16` for a b of 16 bits, rounded down.
@@ -19,7 +19,7 @@ impl Gain16 {
         if bits == 0 {
             return Self { mantissa: 0, shift: 0 };
         }
-        let excess = 16 - bits.leading_zeros().cast_signed();
+        let excess = root::bit_length(bits).cast_signed() - 16;
         if excess <= 0 {
             return Self { mantissa: bits << -excess, shift: shift - excess };
         }

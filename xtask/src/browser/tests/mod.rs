@@ -9,14 +9,19 @@ mod network;
 mod picture;
 mod refusal;
 
+use std::path::Path;
+
 use anyhow::{Result, ensure};
 
 use super::{Chromium, Page};
+use crate::progress::Progress;
+use crate::server::{self, Server};
 
-/// Somebody with a browser, who knows where the demo is served.
+/// Somebody with a browser, and the demo served for the time of the visit.
 pub(crate) struct Visitor {
     pub(crate) chromium: Chromium,
     pub(crate) address: String,
+    _server: Server,
 }
 
 /// A test's name and what it does.
@@ -44,6 +49,12 @@ pub(crate) const ALL: [Test; 18] = [
 ];
 
 impl Visitor {
+    /// Serves the demo's folder and starts a browser.
+    pub(crate) fn arrive(site: &Path, progress: &Progress) -> Result<Self> {
+        let server = Server::start(server::listen(0)?, site)?;
+        Ok(Self { chromium: Chromium::start(progress)?, address: server.address(), _server: server })
+    }
+
     /// Opens the page and waits until it is ready.
     fn ready(&mut self) -> Result<Page> {
         self.ready_at("")

@@ -1,0 +1,73 @@
+//! How often each address was executed in each region.
+
+use std::collections::BTreeMap;
+use std::fmt;
+
+use crate::marker::Marker;
+
+/// The counts of a run so far.
+#[derive(Debug)]
+pub(crate) struct Counts {
+    /// By address, one map for each region begun.
+    regions: Vec<BTreeMap<u64, u64>>,
+    is_open: bool,
+}
+
+impl Counts {
+    pub(crate) const fn new() -> Self {
+        Self { regions: Vec::new(), is_open: false }
+    }
+
+    /// A marker was executed. A begin within a region begins the next; an end outside of one is nothing.
+    pub(crate) fn mark(&mut self, marker: Marker) {
+        self.is_open = marker == Marker::Begin;
+        if self.is_open {
+            self.regions.push(BTreeMap::new());
+        }
+    }
+
+    /// Any other instruction was executed.
+    pub(crate) fn execute(&mut self, address: u64) {
+        if self.is_open
+            && let Some(region) = self.regions.last_mut()
+        {
+            *region.entry(address).or_default() += 1;
+        }
+    }
+}
+
+/// One line for each region and address: `region address count`, the address in hexadecimal. A region in which
+/// nothing was executed has no line.
+impl fmt::Display for Counts {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (index, region) in self.regions.iter().enumerate() {
+            for (address, count) in region {
+                writeln!(out, "{index} {address:x} {count}")?;
+            }
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_what_is_between_the_markers_counts() {
+        let mut counts = Counts::new();
+        counts.execute(0x10);
+        counts.mark(Marker::End);
+        counts.mark(Marker::Begin);
+        counts.execute(0x20);
+        counts.execute(0x22);
+        counts.execute(0x20);
+        counts.mark(Marker::End);
+        counts.execute(0x30);
+        counts.mark(Marker::Begin);
+        counts.mark(Marker::End);
+        counts.mark(Marker::Begin);
+        counts.execute(0x20);
+        assert_eq!(counts.to_string(), "0 20 2\n0 22 1\n2 20 1\n");
+    }
+}

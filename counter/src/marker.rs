@@ -1,0 +1,92 @@
+//! Telling instructions apart by their bits.
+
+/// The instruction sets that the firmware is compiled for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Architecture {
+    /// Arm in Thumb state, which is all that a Cortex-M has.
+    Thumb,
+    /// RISC-V of 32 bits, with or without compressed instructions.
+    RiscV,
+}
+
+/// What an instruction means to the counter.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Marker {
+    /// A region begins behind this instruction.
+    Begin,
+    /// The region has ended before this instruction.
+    End,
+}
+
+impl Architecture {
+    /// The architecture of QEMU's name for it.
+    pub(crate) fn of_target(name: &str) -> Option<Self> {
+        match name {
+            "arm" => Some(Self::Thumb),
+            "riscv32" => Some(Self::RiscV),
+            _ => None,
+        }
+    }
+
+    /// Whether the instruction that starts with this halfword has 32 bits.
+    ///
+    /// QEMU's own answer cannot be used: 7.2 takes a 16-bit instruction just before the end of a page for a longer one.
+    pub(crate) fn is_wide(self, first: u16) -> bool {
+        match self {
+            Self::Thumb => first >= 0xe800,
+            Self::RiscV => first & 3 == 3,
+        }
+    }
+
+    /// The marker that these bits are. A 16-bit instruction stands in the lower half.
+    pub(crate) fn marker(self, instruction: u32) -> Option<Marker> {
+        match (self, instruction) {
+            // mov r10, r10 and mov r11, r11
+            (Self::Thumb, 0x46d2) => Some(Marker::Begin),
+            (Self::Thumb, 0x46db) => Some(Marker::End),
+            // slti x0, x0, 0x7b1 and slti x0, x0, 0x7b2
+            (Self::RiscV, 0x7b10_2013) => Some(Marker::Begin),
+            (Self::RiscV, 0x7b20_2013) => Some(Marker::End),
+            _ => None,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_markers_are_told_from_their_neighbours() {
+        let (arm, risc) = (Architecture::Thumb, Architecture::RiscV);
+        assert_eq!(arm.marker(0x46d2), Some(Marker::Begin));
+        assert_eq!(arm.marker(0x46db), Some(Marker::End));
+        assert_eq!(risc.marker(0x7b10_2013), Some(Marker::Begin));
+        assert_eq!(risc.marker(0x7b20_2013), Some(Marker::End));
+        for neighbour in [0x46d1, 0x46d3, 0x46da, 0x46dc, 0x7b00_2013, 0x7b30_2013] {
+            assert_eq!((arm.marker(neighbour), risc.marker(neighbour)), (None, None), "{neighbour:#x}");
+        }
+        assert_eq!((arm.marker(0x7b10_2013), risc.marker(0x46d2)), (None, None));
+    }
+
+    #[test]
+    fn the_length_is_in_the_first_halfword() {
+        // adds; b (short); then the first halves of bl, of a wide load and of vadd.f32.
+        for (first, wide) in
+            [(0x1840, false), (0xe7fe, false), (0xf000, true), (0xe850, true), (0xee30, true)]
+        {
+            assert_eq!(Architecture::Thumb.is_wide(first), wide, "{first:#x}");
+        }
+        // c.addi; c.lw; c.mv; then addi.
+        for (first, wide) in [(0x0001, false), (0x4108, false), (0x852e, false), (0x0013, true)] {
+            assert_eq!(Architecture::RiscV.is_wide(first), wide, "{first:#x}");
+        }
+    }
+
+    #[test]
+    fn only_the_architectures_of_the_firmware_are_known() {
+        assert_eq!(Architecture::of_target("arm"), Some(Architecture::Thumb));
+        assert_eq!(Architecture::of_target("riscv32"), Some(Architecture::RiscV));
+        assert_eq!(Architecture::of_target("aarch64"), None);
+    }
+}

@@ -1,0 +1,43 @@
+//! RISC-V.
+
+use core::arch::asm;
+
+/// The marker that begins a region. Nothing in memory moves across it.
+#[inline(always)]
+pub fn begin() {
+    // SAFETY: the result of the comparison goes to the register that is always zero.
+    unsafe { asm!("slti x0, x0, 0x7b1", options(nostack, preserves_flags)) };
+}
+
+/// The marker that ends a region. Nothing in memory moves across it.
+#[inline(always)]
+pub fn end() {
+    // SAFETY: the result of the comparison goes to the register that is always zero.
+    unsafe { asm!("slti x0, x0, 0x7b2", options(nostack, preserves_flags)) };
+}
+
+/// The same reference, at no cost, but the compiler no longer knows what it refers to.
+#[inline(always)]
+pub fn opaque<T>(reference: &T) -> &T {
+    let mut pointer: *const T = reference;
+    // SAFETY: there are no instructions, so the register keeps the pointer that it has.
+    unsafe { asm!("/* {0} */", inout(reg) pointer, options(pure, nomem, nostack, preserves_flags)) };
+    // SAFETY: it is the pointer of a reference of the same lifetime.
+    unsafe { &*pointer }
+}
+
+/// `COUNT` instructions that do nothing.
+#[inline(always)]
+pub fn nops<const COUNT: usize>() {
+    // SAFETY: they do nothing.
+    unsafe { asm!(".rept {0}", "nop", ".endr", const COUNT, options(nomem, nostack, preserves_flags)) };
+}
+
+/// A loop of two instructions a turn, behind one that loads the number of turns, of at most 255.
+#[inline(always)]
+pub fn countdown<const TURNS: u8>() {
+    // SAFETY: only a register that the compiler chooses changes.
+    unsafe {
+        asm!("li {0}, {1}", "1:", "addi {0}, {0}, -1", "bnez {0}, 1b", out(reg) _, const TURNS, options(nomem, nostack));
+    }
+}

@@ -1,0 +1,110 @@
+//! Each pass is done again only if something before it has changed, and a refusal leaves the picture as it
+//! was.
+
+use luminaire::{Angle, Cone, Edge, Fx16, Rgb, Spot, Vec3};
+use luminaire_render::{Material, Mesh, Renderer, SizeError, stage};
+
+fn lit() -> Renderer<Fx16> {
+    let mut renderer = Renderer::new(96, 54).unwrap();
+    assert!(renderer.draw_geometry(&stage::scene(), &stage::camera()));
+    assert!(renderer.draw_light(&stage::lights().unwrap()).unwrap());
+    renderer.encode();
+    renderer
+}
+
+#[test]
+fn a_picture_is_the_same_every_time() {
+    assert_eq!(lit().pixels(), lit().pixels());
+    assert!(lit().pixels().chunks_exact(4).any(|pixel| pixel[0] > 200), "the key light is on");
+}
+
+#[test]
+fn what_has_not_changed_is_not_done_again() {
+    let mut renderer = lit();
+    let (scene, lights) = (stage::scene(), stage::lights().unwrap());
+    assert!(!renderer.draw_geometry(&scene, &stage::camera()));
+    assert!(!renderer.draw_light(&lights).unwrap());
+    assert!(!renderer.draw_geometry(&scene.clone(), &stage::camera()));
+    assert!(!renderer.draw_light(&lights).unwrap());
+}
+
+#[test]
+fn a_change_of_any_part_is_noticed() {
+    let mut renderer = lit();
+    let lights = stage::lights().unwrap();
+
+    let mut camera = stage::camera();
+    camera.orbit(0.1, 0.0);
+    assert!(renderer.draw_geometry(&stage::scene(), &camera));
+    assert!(renderer.draw_light(&lights).unwrap(), "the geometry is another");
+
+    let mut scene = stage::scene();
+    scene.add(Mesh::cuboid(1.0, 1.0, 1.0), Material::srgb(255, 0, 0));
+    assert!(renderer.draw_geometry(&scene, &camera));
+    let mut other = stage::scene();
+    other.add(Mesh::cuboid(1.0, 1.0, 1.0), Material::srgb(254, 0, 0));
+    assert!(renderer.draw_geometry(&other, &camera), "the material is another");
+    assert!(renderer.draw_light(&lights).unwrap());
+
+    other.set_ambient(Rgb::new(0.5, 0.5, 0.5));
+    assert!(renderer.draw_geometry(&other, &camera), "the ambient light is another");
+    let before = renderer.encode().to_vec();
+    assert!(renderer.draw_light(&lights).unwrap());
+    assert_ne!(renderer.encode(), before);
+
+    assert!(renderer.draw_light(&lights[..2]).unwrap(), "a light is out");
+}
+
+#[test]
+fn a_refused_light_leaves_the_picture() {
+    let mut renderer = lit();
+    let before = (renderer.pixels().to_vec(), renderer.linear(40, 30));
+    let needle = Cone::from_outer(Edge::Hard, Angle::degrees(0.5)).unwrap();
+    let needle = Spot::new(Vec3::new(0.0, 3.0, 0.0), Vec3::new(0.0, -1.0, 0.0), needle).unwrap();
+    let refused = renderer.draw_light(&[needle]).unwrap_err();
+    assert!(refused.to_string().starts_with("outer angle 0.5 is refused"), "{refused}");
+    assert_eq!((renderer.encode().to_vec(), renderer.linear(40, 30)), before);
+    assert!(
+        !renderer.draw_light(&stage::lights().unwrap()).unwrap(),
+        "the lights are still those of the picture"
+    );
+}
+
+#[test]
+fn a_refused_light_leaves_the_picture_of_the_former_geometry_too() {
+    let mut renderer = lit();
+    let before = renderer.pixels().to_vec();
+    let mut camera = stage::camera();
+    camera.orbit(1.0, 0.0);
+    let needle = Cone::from_outer(Edge::Hard, Angle::degrees(0.5)).unwrap();
+    let needle = Spot::new(Vec3::new(0.0, 3.0, 0.0), Vec3::new(0.0, -1.0, 0.0), needle).unwrap();
+    assert!(renderer.draw_geometry(&stage::scene(), &camera));
+    assert!(renderer.draw_light(&[needle]).is_err());
+    assert_eq!(renderer.encode(), before);
+    assert!(renderer.draw_light(&stage::lights().unwrap()).unwrap());
+    assert_ne!(renderer.encode(), before);
+}
+
+#[test]
+fn sizes_that_cannot_be_are_refused() {
+    let refused = |width, height| Renderer::<f32>::new(width, height).map(|_| ()).unwrap_err();
+    assert_eq!(refused(0, 10), SizeError::Width(0));
+    assert_eq!(refused(8193, 10), SizeError::Width(8193));
+    assert_eq!(refused(10, 0), SizeError::Height(0));
+    assert_eq!(refused(10, usize::MAX), SizeError::Height(usize::MAX));
+    assert!(refused(10, 8193).to_string().contains("give 1 to 8192"));
+}
+
+#[test]
+fn sizes_that_can_be_are_drawn() {
+    for (width, height) in [(1, 1), (1, 8192), (8192, 1), (31, 7), (33, 5)] {
+        let mut renderer = Renderer::<f32>::new(width, height).unwrap();
+        assert_eq!(renderer.pixels().len(), width * height * 4);
+        assert!(renderer.pixels().chunks_exact(4).all(|pixel| pixel == [0, 0, 0, 255]), "black until drawn");
+        assert!(renderer.draw_geometry(&stage::scene(), &stage::camera()));
+        assert!(renderer.draw_light(&stage::lights().unwrap()).unwrap());
+        assert_eq!(renderer.encode().len(), width * height * 4);
+        assert!(renderer.linear(width - 1, height - 1).is_some());
+        assert_eq!((renderer.linear(width, 0), renderer.linear(0, height)), (None, None));
+    }
+}

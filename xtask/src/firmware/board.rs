@@ -1,0 +1,64 @@
+//! The processors that are counted on, and the boards that QEMU plays for them.
+
+/// A processor with the board that it sits on.
+#[derive(Debug, PartialEq)]
+pub(crate) struct Board {
+    /// The processor, as the command line and the tables name it.
+    pub(crate) name: &'static str,
+    /// The target that firmware for it is compiled for.
+    pub(crate) target: &'static str,
+    /// The QEMU that plays it.
+    pub(crate) emulator: &'static str,
+    /// What tells QEMU which board to play.
+    pub(crate) machine: &'static [&'static str],
+}
+
+/// From the smallest Cortex-M up, and a RISC-V without a floating point unit.
+pub(crate) static ALL: [Board; 4] = [
+    Board {
+        name: "cortex-m0",
+        target: "thumbv6m-none-eabi",
+        emulator: "qemu-system-arm",
+        machine: &["-M", "microbit"],
+    },
+    Board {
+        name: "cortex-m3",
+        target: "thumbv7m-none-eabi",
+        emulator: "qemu-system-arm",
+        machine: &["-M", "lm3s6965evb"],
+    },
+    Board {
+        name: "cortex-m4f",
+        target: "thumbv7em-none-eabihf",
+        emulator: "qemu-system-arm",
+        machine: &["-M", "mps2-an386"],
+    },
+    Board {
+        name: "rv32imc",
+        target: "riscv32imc-unknown-none-elf",
+        emulator: "qemu-system-riscv32",
+        machine: &["-M", "virt", "-bios", "none", "-cpu", "rv32,a=false,f=false,d=false"],
+    },
+];
+
+impl Board {
+    /// The board of this name, or an error that says which names there are.
+    pub(crate) fn named(name: &str) -> Result<&'static Self, String> {
+        ALL.iter().find(|board| board.name == name).ok_or_else(|| {
+            let names: Vec<_> = ALL.iter().map(|board| board.name).collect();
+            format!("there is no target {name}; there are {}", names.join(", "))
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_board_is_found_by_its_name_or_the_names_are_told() {
+        assert_eq!(Board::named("rv32imc").unwrap().emulator, "qemu-system-riscv32");
+        let refused = Board::named("cortex-m1").unwrap_err();
+        assert!(refused.contains("cortex-m1") && refused.contains("cortex-m4f"), "{refused}");
+    }
+}

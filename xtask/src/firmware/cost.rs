@@ -1,0 +1,138 @@
+//! What the kernels cost on a board.
+
+use std::collections::BTreeMap;
+
+use anyhow::{Context, Result, bail};
+
+use super::counts::Region;
+use super::laboratory::{Laboratory, Run};
+use super::symbols::{Function, Symbols};
+
+/// A line of the program `cost`: a kernel that was run in a number format over inputs.
+#[derive(Clone, Debug, PartialEq)]
+struct Line {
+    format: String,
+    kernel: String,
+    inputs: String,
+    calls: u64,
+}
+
+/// What a kernel costs. Instructions and bytes are less those of the empty loop over the same inputs.
+#[derive(Clone, Debug)]
+pub(crate) struct Cost {
+    pub(crate) format: String,
+    pub(crate) kernel: String,
+    /// The average of a call.
+    pub(crate) instructions: f64,
+    /// Of all functions that were called, which are there once however many kernels call them.
+    pub(crate) bytes: u64,
+    /// The instructions of an average call by function, those of the loop included.
+    pub(crate) split: BTreeMap<Function, f64>,
+    /// The instructions of a turn of the empty loop.
+    pub(crate) empty: f64,
+}
+
+impl Cost {
+    /// The name of the kernel in its format, as the command line gives it.
+    pub(crate) fn name(&self) -> String {
+        format!("{}.{}", self.kernel, self.format)
+    }
+}
+
+/// The costs of all kernels on a board, and the compiler that they depend on.
+#[derive(Debug)]
+pub(crate) struct Costs {
+    pub(crate) kernels: Vec<Cost>,
+    pub(crate) compiler: String,
+}
+
+/// Runs the program `cost`. Its results must be the host's.
+pub(crate) fn measure(laboratory: &Laboratory, host: &[String]) -> Result<Costs> {
+    let run = laboratory.run("cost")?;
+    compare(&run.lines, host)?;
+    let symbols = Symbols::read(&laboratory.program("cost"))?;
+    Ok(Costs { kernels: kernels(&run, &symbols)?, compiler: symbols.compiler })
+}
+
+/// An error names the first result that differs.
+fn compare(lines: &[String], host: &[String]) -> Result<()> {
+    if let Some((line, host)) = lines.iter().zip(host).find(|(line, host)| line != host) {
+        bail!("not the bits of the host: `{line}`, on the host `{host}`");
+    }
+    if lines.len() != host.len() {
+        bail!("{} results, on the host {}", lines.len(), host.len());
+    }
+    Ok(())
+}
+
+fn kernels(run: &Run, symbols: &Symbols) -> Result<Vec<Cost>> {
+    let mut kernels = Vec::new();
+    let mut empty = None;
+    for (line, region) in run.lines.iter().zip(&run.regions) {
+        let line = Line::parse(line).with_context(|| format!("not a result: {line}"))?;
+        if line.kernel == line.inputs {
+            empty = Some((line.inputs, region));
+            continue;
+        }
+        let (_, empty) =
+            empty.as_ref().filter(|(inputs, _)| *inputs == line.inputs).context("no empty loop")?;
+        kernels.push(cost(line, region, empty, symbols));
+    }
+    Ok(kernels)
+}
+
+fn cost(line: Line, region: &Region, empty: &Region, symbols: &Symbols) -> Cost {
+    let per_call = |instructions: u64| instructions as f64 / line.calls as f64;
+    let bytes = |region| symbols.split(region).keys().map(|function| function.bytes).sum::<u64>();
+    let (instructions, empty_loop) = (per_call(region.instructions()), per_call(empty.instructions()));
+    Cost {
+        instructions: instructions - empty_loop,
+        bytes: bytes(region).saturating_sub(bytes(empty)),
+        split: symbols
+            .split(region)
+            .into_iter()
+            .map(|(function, count)| (function, per_call(count)))
+            .collect(),
+        empty: empty_loop,
+        format: line.format,
+        kernel: line.kernel,
+    }
+}
+
+impl Line {
+    /// Reads `fx16 soft versines 256 9e19f69e`, the last word being the checksum.
+    fn parse(line: &str) -> Option<Self> {
+        let mut words = line.split(' ').map(str::to_owned);
+        let (format, kernel, inputs) = (words.next()?, words.next()?, words.next()?);
+        let calls = words.next()?.parse().ok().filter(|calls| *calls > 0)?;
+        words.next()?;
+        words.next().is_none().then_some(Self { format, kernel, inputs, calls })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn lines(text: &[&str]) -> Vec<String> {
+        text.iter().map(|line| (*line).to_owned()).collect()
+    }
+
+    #[test]
+    fn a_result_has_five_words() {
+        let line = Line::parse("fx16 soft versines 256 9e19f69e").unwrap();
+        assert_eq!((line.format.as_str(), line.kernel.as_str(), line.calls), ("fx16", "soft", 256));
+        for broken in ["", "fx16 soft versines 256", "fx16 soft versines 0 9e19f69e", "a b c 1 d e"] {
+            assert_eq!(Line::parse(broken), None, "{broken}");
+        }
+    }
+
+    #[test]
+    fn a_result_that_differs_is_named() {
+        let host = lines(&["a 1", "b 2"]);
+        assert!(compare(&host, &host).is_ok());
+        let differs = compare(&lines(&["a 1", "b 3"]), &host).unwrap_err().to_string();
+        assert!(differs.contains("b 3") && differs.contains("b 2"), "{differs}");
+        assert!(compare(&lines(&["a 1"]), &host).is_err());
+    }
+}

@@ -1,0 +1,89 @@
+//! A board with everything that counting on it takes.
+
+use std::env::consts::{DLL_PREFIX, DLL_SUFFIX, EXE_SUFFIX};
+use std::path::PathBuf;
+use std::process::Command;
+
+use anyhow::{Result, bail};
+
+use super::board::Board;
+use super::counts::{self, Region};
+use super::emulator::Emulator;
+use crate::progress::Progress;
+use crate::toolchain::Toolchain;
+use crate::{command, project};
+
+/// A board, its emulator, the counter that is loaded into it, and the folder of the firmware.
+#[derive(Debug)]
+pub(crate) struct Laboratory {
+    board: &'static Board,
+    emulator: Emulator,
+    counter: PathBuf,
+    programs: PathBuf,
+}
+
+/// What came of a program: the lines that it printed, and the region counted for each.
+#[derive(Debug, PartialEq)]
+pub(crate) struct Run {
+    pub(crate) lines: Vec<String>,
+    pub(crate) regions: Vec<Region>,
+}
+
+impl Laboratory {
+    /// Finds or installs the emulator, and builds the counter and the board's firmware.
+    pub(crate) fn new(board: &'static Board, progress: &Progress) -> Result<Self> {
+        let emulator = Emulator::find(board, progress)?;
+        let step =
+            progress.begin("Building", format_args!("the counter and the firmware for {}", board.name));
+        let counter = build_counter(&emulator, progress)?;
+        let toolchain = Toolchain::find(board.target, progress)?;
+        let mut build = firmware(toolchain.cargo_build("core", &[]));
+        build.args(["--release", "--bins"]);
+        progress.run(build)?;
+        step.done();
+        Ok(Self { board, emulator, counter, programs: toolchain.artifacts("release") })
+    }
+
+    /// The file of a firmware program.
+    pub(crate) fn program(&self, name: &str) -> PathBuf {
+        self.programs.join(name)
+    }
+
+    /// Runs a firmware program, which prints one line for each region.
+    pub(crate) fn run(&self, name: &str) -> Result<Run> {
+        let file = project::target().join(format!("{name}-{}.counts", self.board.name));
+        let output = self.emulator.run(&self.program(name), &self.counter, &file)?;
+        let lines: Vec<_> = output.lines().map(str::to_owned).collect();
+        let regions = counts::read(&file, lines.len())?;
+        Ok(Run { lines, regions })
+    }
+}
+
+/// What a firmware program prints when it is compiled for the host, where its results are right by definition.
+pub(crate) fn on_the_host(name: &str, progress: &Progress) -> Result<Vec<String>> {
+    let mut build = firmware(command::cargo("build"));
+    build.args(["--release", "--bin", name]);
+    progress.run(build)?;
+    let program = project::target().join("release").join(format!("{name}{EXE_SUFFIX}"));
+    Ok(command::answer(&mut Command::new(program))?.lines().map(str::to_owned).collect())
+}
+
+/// A call of cargo, in the firmware's workspace.
+pub(crate) fn firmware(mut cargo: Command) -> Command {
+    cargo.current_dir(project::root().join("firmware"));
+    cargo
+}
+
+fn build_counter(emulator: &Emulator, progress: &Progress) -> Result<PathBuf> {
+    let mut build = command::cargo("build");
+    build.args(["--release", "--package", "luminaire-counter"]);
+    if emulator.wants_api_3() {
+        build.args(["--features", "api-3"]);
+    }
+    progress.run(build)?;
+    let file = project::target().join("release").join(format!("{DLL_PREFIX}luminaire_counter{DLL_SUFFIX}"));
+    if !file.is_file() {
+        bail!("cargo has not built {}", file.display());
+    }
+    Ok(file)
+}

@@ -1,0 +1,50 @@
+//! `cargo xtask firmware`: what the kernels cost on microcontrollers, in exact numbers of instructions.
+
+mod board;
+mod cost;
+mod counts;
+mod emulator;
+mod laboratory;
+mod package;
+mod report;
+mod symbols;
+pub(crate) mod tests;
+
+use anyhow::{Result, bail};
+
+use crate::progress::Progress;
+
+pub(crate) use board::Board;
+
+/// The options of `firmware`.
+#[derive(Debug, Default, PartialEq)]
+pub(crate) struct FirmwareOptions {
+    /// The boards to count on; none means all.
+    pub(crate) boards: Vec<&'static Board>,
+    /// A kernel in its format, such as `lit.fx16`, whose instructions to split by function.
+    pub(crate) by_symbol: Option<String>,
+}
+
+/// Counts, and prints the table.
+pub(crate) fn run(options: &FirmwareOptions) -> Result<()> {
+    let progress = Progress::Live;
+    let boards = if options.boards.is_empty() { board::ALL.iter().collect() } else { options.boards.clone() };
+    let host = laboratory::on_the_host("cost", &progress)?;
+    let mut report = report::Report { boards: Vec::new() };
+    for board in boards {
+        let laboratory = laboratory::Laboratory::new(board, &progress)?;
+        report.boards.push((board, cost::measure(&laboratory, &host)?));
+    }
+    let Some(wanted) = &options.by_symbol else {
+        print!("{report}");
+        return Ok(());
+    };
+    for (board, costs) in &report.boards {
+        let Some(cost) = costs.kernels.iter().find(|cost| cost.name() == *wanted) else {
+            let names: Vec<_> = costs.kernels.iter().map(cost::Cost::name).collect();
+            bail!("there is no kernel {wanted}; there are {}", names.join(", "));
+        };
+        println!("{}", report::by_symbol(board, cost));
+    }
+    Ok(())
+}

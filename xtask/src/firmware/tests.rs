@@ -1,0 +1,59 @@
+//! The firmware's part of `cargo xtask test`.
+
+use anyhow::{Context, Result, bail, ensure};
+
+use super::laboratory::{self, Laboratory};
+use super::{board, cost};
+use crate::command;
+use crate::progress::Progress;
+use crate::suite::Suite;
+use crate::tally::Tally;
+
+/// Adds the steps: format, lints and the firmware's own tests on the host, and for each board that the counter counts right and that
+/// the results are the host's.
+pub(crate) fn run(suite: &mut Suite) {
+    for (name, words) in [
+        ("firmware: cargo fmt", &["fmt", "--check"][..]),
+        ("firmware: cargo clippy", &["clippy", "--all-targets", "--", "-Dwarnings"]),
+    ] {
+        suite.step(name, |progress| {
+            let mut cargo = laboratory::firmware(command::cargo(words[0]));
+            cargo.args(&words[1..]);
+            progress.run(cargo)
+        });
+    }
+    suite.count("firmware: its tests on the host", |progress| {
+        let ended = command::capture(laboratory::firmware(command::cargo("test")))?;
+        progress.quote(&ended.output);
+        ensure!(ended.success, "cargo test failed");
+        Ok(Tally::of_cargo_test(&ended.output))
+    });
+    for board in &board::ALL {
+        suite.step(&format!("firmware: the counter is exact on {}", board.name), |progress| {
+            instrument(&Laboratory::new(board, progress)?)
+        });
+        suite.step(&format!("firmware: the same bits on {} as on the host", board.name), |progress| {
+            results(&Laboratory::new(board, progress)?, progress)
+        });
+    }
+}
+
+/// Known numbers of instructions are counted as such, and every run counts the same at every address.
+fn instrument(laboratory: &Laboratory) -> Result<()> {
+    let run = laboratory.run("instrument")?;
+    ensure!(!run.lines.is_empty(), "the firmware has printed nothing");
+    for (line, region) in run.lines.iter().zip(&run.regions) {
+        let (expected, name) = line.split_once(' ').with_context(|| format!("not a region: {line}"))?;
+        if expected.parse() != Ok(region.instructions()) {
+            bail!("{name} counted as {} instructions, not {expected}", region.instructions());
+        }
+    }
+    ensure!(laboratory.run("instrument")? == run, "two runs were counted differently");
+    Ok(())
+}
+
+fn results(laboratory: &Laboratory, progress: &Progress) -> Result<()> {
+    let host = laboratory::on_the_host("cost", progress)?;
+    ensure!(!host.is_empty(), "the firmware has printed nothing on the host");
+    cost::measure(laboratory, &host).map(|_| ())
+}
