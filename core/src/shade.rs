@@ -10,7 +10,7 @@ use crate::{
 
 /// A spotlight compiled for the format `S`. Made by [`Spot::compile`](crate::Spot::compile).
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct CompiledSpot<S: Scalar, P = Edge> {
+pub struct CompiledSpot<S: Scalar, P: Profile = Edge> {
     pub(crate) position: Vec3<S::Length>,
     pub(crate) axis: Vec3<S::Unit>,
     pub(crate) falloff: Falloff<S, P>,
