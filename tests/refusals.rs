@@ -101,6 +101,10 @@ fn a_color_out_of_range() {
 /// A format refuses a cone that it cannot hold to half a step of eight bits, and one of more bits takes it.
 #[test]
 fn a_cone_too_narrow_for_its_format() {
+    // As narrow as even a step could not be.
+    let needle = Cone::from_outer(Hard, Angle::degrees(0.1)).expect("a sound angle");
+    let error = needle.compile::<Fx16>().expect_err("too narrow for 16 bits");
+    assert_eq!(error.accepted, Accepted::AngleFrom(Cone::narrowest::<Fx16>(Hard).to_degrees()));
     let narrow = Cone::from_outer(Hard, Angle::degrees(1.0)).expect("a sound angle");
     let error = narrow.compile::<Fx16>().expect_err("too narrow for 16 bits");
     assert_eq!(error.parameter, Parameter::OuterAngle);

@@ -86,8 +86,8 @@ fn every_ratio_is_reached() {
     assert!(kinds.iter().all(|&count| count > 100), "{kinds:?}");
 }
 
-/// The ends of the range: soft and hard are found again, and equal angles make a step. Near soft the edge slope goes with
-/// the root of what the ratio lacks, so that f32 finds it to three digits only.
+/// The ends of the range: soft and hard are found again, and equal angles make a step. Near soft the edge slope
+/// goes with the root of what the ratio lacks, so that f32 finds it to three digits only.
 #[test]
 fn the_ends_of_the_ratios_are_soft_hard_and_a_step() {
     let slope = |field| match Cone::from_beam_and_field(degrees(10.0), degrees(field)).expect("ok").profile()

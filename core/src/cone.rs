@@ -122,7 +122,8 @@ impl<P: Profile> Cone<P> {
         self.profile
     }
 
-    /// The full angle up to which the intensity is that of the axis; 0 without a hotspot. Never over [`outer`](Self::outer).
+    /// The full angle up to which the intensity is that of the axis; 0 without a hotspot. Never over
+    /// [`outer`](Self::outer).
     pub fn inner(&self) -> Angle {
         Angle::from_versine(self.inner.min(self.limit))
     }
@@ -133,8 +134,8 @@ impl<P: Profile> Cone<P> {
         self.angle_at(self.profile.beam_versine())
     }
 
-    /// The full angle up to which at least a tenth of the intensity is left: where the profile falls to a tenth, or the
-    /// delimiter if that comes first.
+    /// The full angle up to which at least a tenth of the intensity is left: where the profile falls to a tenth,
+    /// or the delimiter if that comes first.
     pub fn field(&self) -> Angle {
         self.angle_at(self.profile.field_versine())
     }
@@ -182,10 +183,10 @@ impl<P: Profile> Cone<P> {
         core::f32::consts::TAU * versine
     }
 
-    /// The narrowest outer angle of this profile, without a hotspot, that the format `S` evaluates within half a step of
-    /// eight bits, on exact inputs: the format's error of direction, magnified by the profile's steepness, reaches
-    /// 1/510. A hotspot makes the profile steeper; a step, which no format can hold to an intensity, is in its place
-    /// within 1/510 of its half angle.
+    /// The narrowest outer angle of this profile, without a hotspot, that the format `S` evaluates within half a
+    /// step of eight bits, on exact inputs: the format's error of direction, magnified by the profile's
+    /// steepness, reaches 1/510. A hotspot makes the profile steeper; a step, which no format can hold to an
+    /// intensity, is in its place within 1/510 of its half angle.
     pub fn narrowest<S: Scalar>(profile: P) -> Angle {
         narrowest::<S>(profile.steepness(0.0))
     }
@@ -205,20 +206,16 @@ impl<P: Profile> Cone<P> {
         let refused =
             |parameter, value: Angle, accepted| Err(Error { parameter, value: value.to_degrees(), accepted });
         let (outer, step) = (Angle::from_versine(self.outer), narrowest::<S>(1.0));
+        let is_step = self.inner >= self.outer;
+        let least = if is_step { step } else { Self::narrowest::<S>(self.profile) };
+        if outer < least {
+            return refused(Parameter::OuterAngle, outer, Accepted::AngleFrom(least.to_degrees()));
+        }
         if self.outer() < step {
-            let delimited = self.limit < self.outer;
-            let parameter = if delimited { Parameter::DelimiterAngle } else { Parameter::OuterAngle };
-            return refused(parameter, self.outer(), Accepted::AngleFrom(step.to_degrees()));
-        }
-        if self.inner >= self.outer {
-            return Ok(());
-        }
-        let narrowest_plain = Self::narrowest::<S>(self.profile);
-        if outer < narrowest_plain {
-            return refused(Parameter::OuterAngle, outer, Accepted::AngleFrom(narrowest_plain.to_degrees()));
+            return refused(Parameter::DelimiterAngle, self.outer(), Accepted::AngleFrom(step.to_degrees()));
         }
         let holds = |inner| outer >= narrowest::<S>(self.profile.steepness(inner / self.outer));
-        if holds(self.inner) {
+        if is_step || holds(self.inner) {
             return Ok(());
         }
         let widest = Angle::from_versine(bisect(0.0, self.inner, holds));
@@ -229,7 +226,8 @@ impl<P: Profile> Cone<P> {
 impl<const N: u32> Cone<Power<N>> {
     /// OpenGL's spotlight of `GL_SPOT_EXPONENT` N and this `GL_SPOT_CUTOFF`: the cosine of the angle off axis to the
     /// power N, and nothing from the cutoff on (OpenGL 2.1 specification, section 2.14.1). The cutoff is a
-    /// [`HalfAngle`](crate::HalfAngle) of at most 90 degrees there; the cutoff of 180 degrees, a point light, is none of a cone.
+    /// [`HalfAngle`](crate::HalfAngle) of at most 90 degrees there; the cutoff of 180 degrees, a point light, is
+    /// none of a cone.
     ///
     /// With an outer angle of 180 degrees `t` is `1 - versine`, which is the cosine: the power is that of
     /// [`Power`], and the cutoff a delimiter, where the light jumps as it does in OpenGL.

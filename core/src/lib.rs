@@ -2,7 +2,8 @@
 //!
 //! Spotlights are described by the two angles of every stage light's data sheet, beam (half the intensity is left)
 //! and field (a tenth is left), and fall off by polynomials, from the paper's two quadratics, one soft edged and one
-//! hard, to cubics that have both angles at once: a multiply or three where others pay for a power function. The same code runs in `f32`, in 32-bit and in 16-bit fixed point.
+//! hard, to cubics that have both angles at once: a multiply or three where others pay for a power function. The
+//! same code runs in `f32`, in 32-bit and in 16-bit fixed point.
 //!
 //! "Hast 2004" in these pages is A. Hast, T. Barrera and E. Bengtsson, *Fast Intensity Distribution Functions for
 //! Soft and Hard Edged Spotlights*, WSCG 2004 Short Communications, pages 95 to 100.
@@ -27,9 +28,10 @@
 //!
 //! # The way of the data
 //!
-//! [`Angle`] → [`Cone`] (designed from its outer, beam or field angle, or from the last two) → [`Spot`] (placed, coloured, validated) →
-//! [`CompiledSpot`] (constants of one number format) → irradiance at a point. Construction validates and returns an
-//! [`Error`] that names the parameter; evaluation is defined for every bit pattern and never fails.
+//! [`Angle`] → [`Cone`] (designed from its outer, beam or field angle, or from the last two) → [`Spot`] (placed,
+//! coloured, validated) → [`CompiledSpot`] (constants of one number format) → irradiance at a point. Construction
+//! validates and returns an [`Error`] that names the parameter; evaluation is defined for every bit pattern and
+//! never fails.
 //!
 //! # Half or full angle
 //!

@@ -98,7 +98,8 @@ fn exact_delimited(profile: reference::Profile, outer: f64) -> reference::Cone {
     reference::Cone { limit, ..reference::Cone::new(profile, outer) }
 }
 
-/// The answers of a generic function to every shape: each profile plain, one with a hotspot, one delimited, and OpenGL's.
+/// The answers of a generic function to every shape: each profile plain, one with a hotspot, one delimited, and
+/// OpenGL's.
 macro_rules! with_every_shape {
     ($function:ident :: <$format:ty>) => {{
         use luminaire::{CutOff, Hard, Linear, Power, Rim, Smooth, Soft};

@@ -17,8 +17,8 @@ pub struct Smooth;
 ///
 /// It is fixed by its slopes over `t` at the edge, `a`, and in the middle, `d = a + 2b + 3c`; it is monotone where
 /// these are in the region of F. N. Fritsch and R. E. Carlson, *Monotone Piecewise Cubic Interpolation*, SIAM J.
-/// Numer. Anal. 17 (1980). Evaluated as `t (1 + u (g + h t))` with `g = a - 1` and `g + h = 1 - d`, so that it is one on the axis
-/// whatever rounding the slopes have.
+/// Numer. Anal. 17 (1980). Evaluated as `t (1 + u (g + h t))` with `g = a - 1` and `g + h = 1 - d`, so that it is
+/// one on the axis whatever rounding the slopes have.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Cubic {
     /// Both slopes are on the grid of [`GRID`], on which the coefficients are exact.

@@ -13,8 +13,8 @@ use crate::{
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct Power<const N: u32>;
 
-/// The rim power `1 - u^N` (Godot's spotlight, for an integer attenuation): as many multiplies as [`Power`]. `N` is from
-/// 1 to 128.
+/// The rim power `1 - u^N` (Godot's spotlight, for an integer attenuation): as many multiplies as [`Power`]. `N`
+/// is from 1 to 128.
 ///
 /// The larger `N`, the flatter the middle and the crisper the rim: `Rim<2>` is [`Hard`](crate::Hard).
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]

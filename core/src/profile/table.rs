@@ -11,9 +11,9 @@ use crate::{
 /// A table of measured intensities, with linear interpolation: two multiplies.
 ///
 /// The samples are evenly spaced in the **versine** of the angle off axis, from the axis (or the rim of the hotspot)
-/// to the edge: sample `i` of `n` stands at `u = i / (n - 1)`. So a place in the table is a multiply away from `u`, and
-/// no trigonometry happens per point. Data that are evenly spaced in the angle, as goniometers give them, are resampled
-/// once by [`Table::from_angles`].
+/// to the edge: sample `i` of `n` stands at `u = i / (n - 1)`. So a place in the table is a multiply away from
+/// `u`, and no trigonometry happens per point. Data that are evenly spaced in the angle, as goniometers give
+/// them, are resampled once by [`Table::from_angles`].
 ///
 /// 65,535 is full intensity, whatever the number format. A table need not begin at full intensity, end at none or be
 /// monotone; beyond its last sample it is dark. Beam and field are where it falls to half and a tenth of *full*

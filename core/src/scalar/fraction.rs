@@ -124,8 +124,8 @@ mod fixed_point {
             i32::from(self.0)
         }
 
-        /// `t (1 + lift)`, `lift` having 15 fraction bits, within [0, 1] whatever the lift: its last rounding may pass the
-        /// ends by a step, and weights out of range wrap.
+        /// `t (1 + lift)`, `lift` having 15 fraction bits, within [0, 1] whatever the lift: its last rounding may
+        /// pass the ends by a step, and weights out of range wrap.
         #[inline(always)]
         fn lifted(self, lift: i32) -> Fx16 {
             let factor = Self::ONE.saturating_add_signed(lift);
@@ -274,8 +274,8 @@ mod tests {
 
     extern crate std;
 
-    /// Every `t` of 16 bits: both ends exact, within [0, 1], the largest error in steps, and the largest fall towards the
-    /// middle in steps.
+    /// Every `t` of 16 bits: both ends exact, within [0, 1], the largest error in steps, and the largest fall
+    /// towards the middle in steps.
     fn over_all_t<P: Profile>(profile: P, exact: impl Fn(f64) -> f64) -> (f64, i32) {
         let curve = profile.compile::<Fx16>();
         let at = |t: u16| i32::from(curve.intensity(Fraction16(t)).to_bits());
