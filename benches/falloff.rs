@@ -7,7 +7,7 @@
 use std::hint::black_box;
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use luminaire::{Angle, Cone, Falloff, Fx16, Fx32, Hard, Profile, Scalar, Soft};
+use luminaire::{Angle, Cone, Cubic, Falloff, Fx16, Fx32, Hard, Power, Profile, Scalar, Smooth, Soft};
 
 const POINTS: usize = 4096;
 
@@ -63,11 +63,18 @@ fn falloffs(criterion: &mut Criterion) {
     let outer = cone(Soft).outer_versine();
     // The exponent with which Warn's model has the same field angle: cos^C = 1/10.
     let exponent = black_box(0.1_f32.ln() / (1.0 - cone(Soft).field().versine()).ln());
+    let cubic = Cubic::with_slopes(1.25, 3.5).expect("sound slopes");
     rival(criterion, "clamped copy", |versine| if versine < outer { versine } else { outer });
     bench::<f32, _>(criterion, "soft", Soft);
     bench::<f32, _>(criterion, "hard", Hard);
+    bench::<f32, _>(criterion, "smooth", Smooth);
+    bench::<f32, _>(criterion, "cubic", cubic);
+    bench::<f32, _>(criterion, "power 16", Power::<16>);
     bench::<Fx32, _>(criterion, "soft", Soft);
     bench::<Fx16, _>(criterion, "soft", Soft);
+    bench::<Fx16, _>(criterion, "smooth", Smooth);
+    bench::<Fx16, _>(criterion, "cubic", cubic);
+    bench::<Fx16, _>(criterion, "power 16", Power::<16>);
     rival(criterion, "powf (Warn)", |versine| (1.0 - versine).powf(exponent));
 }
 

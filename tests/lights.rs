@@ -4,7 +4,7 @@ mod support;
 
 use fastrand::Rng;
 use luminaire::{
-    Attenuation, BlinnPhong, Cone, CutOff, Directional, DualCone, Fx16, Fx32, Gain, InverseSquare, Light,
+    Attenuation, BlinnPhong, Cone, Directional, DualCone, Fx16, Fx32, Gain, HardRange, InverseSquare, Light,
     Lyon, Material, Matte, Phong, Point, Polynomial, Rgb, SmoothRange, Soft, Specular, Spot, SquaredWindow,
     Surface, Unattenuated, Vec3, Windowed, clip, keep_hue,
 };
@@ -114,7 +114,7 @@ fn assert_total<S: Format>() {
     assert_model::<S, _>(rng, |range| Windowed::new(Some(range)).expect("sound"));
     assert_model::<S, _>(rng, |_| Windowed::new(None).expect("sound"));
     assert_model::<S, _>(rng, |range| SquaredWindow::new(Some(range)).expect("sound"));
-    assert_model::<S, _>(rng, |range| CutOff::new(Unattenuated, Some(range)).expect("sound"));
+    assert_model::<S, _>(rng, |range| HardRange::new(Unattenuated, Some(range)).expect("sound"));
     for _ in 0..2_000 {
         let direction = sweep::single(sweep::direction(rng));
         let sun = Directional::new(direction).and_then(|sun| sun.with_intensity(1e9 * rng.f32()));
@@ -163,7 +163,8 @@ fn assert_monotone<S: Format>(steps: f64) {
     assert_falls::<S, _>(SmoothRange::new(range).expect("sound"), range, 1.0, steps);
     let cut = |coefficients: [f32; 3]| {
         let [constant, linear, quadratic] = coefficients;
-        CutOff::new(Polynomial::new(constant, linear, quadratic).expect("sound"), Some(range)).expect("sound")
+        HardRange::new(Polynomial::new(constant, linear, quadratic).expect("sound"), Some(range))
+            .expect("sound")
     };
     assert_falls::<S, _>(cut([0.5, 0.3, 0.7]), range, 1.0, steps);
     assert_falls::<S, _>(cut([1.0, 0.0, 0.0]), range, 1.0, steps);

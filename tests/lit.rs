@@ -7,7 +7,7 @@ mod support;
 
 use fastrand::Rng;
 use luminaire::{
-    Ambient, Attenuation, BlinnPhong, Cone, CutOff, DualCone, Fx16, Fx32, InverseSquare, Lyon, Material,
+    Ambient, Attenuation, BlinnPhong, Cone, DualCone, Fx16, Fx32, HardRange, InverseSquare, Lyon, Material,
     Phong, Point, Polynomial, Rgb, SmoothRange, Soft, Specular, SquaredWindow, Surface, Unattenuated, Vec3,
     Windowed, clip, encode_srgb,
 };
@@ -127,7 +127,7 @@ fn assert_cut<S: Format>() {
     for _ in 0..20_000 {
         let (place, range) = (position(&mut rng), range(&mut rng));
         let whole = Point::new(sweep::single(place)).expect("a sound light");
-        let cut = whole.with_attenuation(CutOff::new(InverseSquare, Some(range)).expect("sound"));
+        let cut = whole.with_attenuation(HardRange::new(InverseSquare, Some(range)).expect("sound"));
         let way = sweep::direction(&mut rng);
         let fraction = rng.f64() * 2.0;
         let site = [0, 1, 2].map(|i| place[i] + f64::from(range) * fraction * way[i]);
@@ -255,9 +255,8 @@ fn lit_errors<S: Format>() -> [f64; 2] {
         let exact_spot = reference::Spot {
             position: S::exact_point(spot.position().map(S::length)),
             axis: unit(S::exact_direction(S::axis(spot.axis()))),
-            outer_versine: reference::versine(outer_degrees.into()),
+            cone: reference::Cone::new(reference::soft, reference::versine(outer_degrees.into())),
             intensity: spot.intensity().into(),
-            profile: reference::soft,
         };
         for _ in 0..1_000 {
             let distance = f64::from(reach) * (1.0 + rng.f64());

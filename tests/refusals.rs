@@ -1,9 +1,9 @@
 //! Bad input is refused at construction, by name, and the message says what would be accepted.
 
 use luminaire::{
-    Accepted, Ambient, Angle, BlinnPhong, Cone, CutOff, Directional, Edge, Error, Exposure, Fx16, Fx32, Hard,
-    InverseSquare, Lyon, Material, Parameter, Phong, Point, Polynomial, Rgb, SmoothRange, Soft, Spot,
-    SquaredWindow, Vec3, Windowed,
+    Accepted, Ambient, Angle, BlinnPhong, Cone, Directional, Edge, Error, Exposure, Fx16, Fx32, Hard,
+    HardRange, InverseSquare, Lyon, Material, Parameter, Phong, Point, Polynomial, Rgb, SmoothRange, Soft,
+    Spot, SquaredWindow, Vec3, Windowed,
 };
 
 const DOWN: Vec3<f32> = Vec3::new(0.0, -1.0, 0.0);
@@ -105,6 +105,10 @@ fn a_color_out_of_range() {
 /// A format refuses a cone that it cannot hold to half a step of eight bits, and one of more bits takes it.
 #[test]
 fn a_cone_too_narrow_for_its_format() {
+    // As narrow as even a step could not be.
+    let needle = Cone::from_outer(Hard, Angle::degrees(0.1)).expect("a sound angle");
+    let error = needle.compile::<Fx16>().expect_err("too narrow for 16 bits");
+    assert_eq!(error.accepted, Accepted::AngleFrom(Cone::narrowest::<Fx16>(Hard).to_degrees()));
     let narrow = Cone::from_outer(Hard, Angle::degrees(1.0)).expect("a sound angle");
     let error = narrow.compile::<Fx16>().expect_err("too narrow for 16 bits");
     assert_eq!(error.parameter, Parameter::OuterAngle);
@@ -140,7 +144,7 @@ fn ranges_out_of_range() {
         assert_refused(SmoothRange::new(range), Parameter::Range, &message);
         assert_refused(Windowed::new(Some(range)), Parameter::Range, &message);
         assert_refused(SquaredWindow::new(Some(range)), Parameter::Range, &message);
-        assert_refused(CutOff::new(InverseSquare, Some(range)), Parameter::Range, &message);
+        assert_refused(HardRange::new(InverseSquare, Some(range)), Parameter::Range, &message);
     }
     assert!(Windowed::new(None).is_ok());
 }

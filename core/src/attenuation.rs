@@ -8,7 +8,7 @@
 //! | [`SmoothRange`] | `t^2 (3 - 2t)` of `t = 1 - d/r` | the dual-cone spotlight, smoothstep from its range to 0 |
 //! | [`Windowed`] | `(1 - (d/r)^4) / d^2`, at least 0 | glTF's KHR_lights_punctual |
 //! | [`SquaredWindow`] | `(1 - (d/r)^4)^2 / d^2` within r | Filament, Bevy, three.js with decay 2 |
-//! | [`CutOff`] of a model | the model within r, 0 from there on | |
+//! | [`HardRange`] of a model | the model within r, 0 from there on | |
 //!
 //! A light that has no range says `None`, never 0. From its range on a light is exactly zero, and a point there is
 //! rejected by its squared distance, before a root is paid for: by the same number that the model itself compares, so
@@ -84,7 +84,7 @@ pub struct SquaredWindow {
 
 /// Another model, cut off at a range: unchanged within it, 0 from there on.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct CutOff<A> {
+pub struct HardRange<A> {
     attenuation: A,
     range: Option<f32>,
 }
@@ -185,7 +185,7 @@ impl SquaredWindow {
     }
 }
 
-impl<A: Attenuation> CutOff<A> {
+impl<A: Attenuation> HardRange<A> {
     /// The model, cut off at this range, in units of the world's length; without one it is the model alone.
     ///
     /// # Errors
@@ -333,7 +333,7 @@ impl Attenuation for SquaredWindow {
     }
 }
 
-impl<A: Attenuation> Attenuation for CutOff<A> {
+impl<A: Attenuation> Attenuation for HardRange<A> {
     /// The reciprocal of the squared range, and the model's.
     type Constants<S: Scalar> = (S::Gain, A::Constants<S>);
 

@@ -34,6 +34,20 @@ pub enum Parameter {
     FieldAngle,
     /// The full angle at which no light is left.
     OuterAngle,
+    /// The full angle up to which the intensity is that of the axis: the hotspot.
+    InnerAngle,
+    /// The full angle of a delimiter, from which on there is no light.
+    DelimiterAngle,
+    /// The slope of a profile over `t` at the edge.
+    EdgeSlope,
+    /// The slope of a profile over `t` in the middle.
+    MiddleSlope,
+    /// The sum of the coefficients of a profile.
+    CoefficientSum,
+    /// A measured intensity.
+    Sample,
+    /// How many samples there are.
+    SampleCount,
     /// Where a light stands.
     Position,
     /// Where a spotlight points.
@@ -64,6 +78,10 @@ pub enum Accepted {
     AngleUpTo(f32),
     /// A full angle in degrees: at least this, the narrowest that the number format can hold.
     AngleFrom(f32),
+    /// A full angle in degrees in this closed range.
+    AngleBetween(f32, f32),
+    /// This number.
+    Exactly(f32),
     /// A finite number in this closed range.
     Between(f32, f32),
     /// A distance in this closed range, or none at all.
@@ -80,6 +98,13 @@ impl fmt::Display for Parameter {
             Self::BeamAngle => "beam angle",
             Self::FieldAngle => "field angle",
             Self::OuterAngle => "outer angle",
+            Self::InnerAngle => "inner angle",
+            Self::DelimiterAngle => "delimiter angle",
+            Self::EdgeSlope => "edge slope",
+            Self::MiddleSlope => "middle slope",
+            Self::CoefficientSum => "sum of coefficients",
+            Self::Sample => "sample",
+            Self::SampleCount => "number of samples",
             Self::Position => "position",
             Self::Axis => "axis",
             Self::Intensity => "intensity",
@@ -97,7 +122,7 @@ impl fmt::Display for Parameter {
 impl fmt::Display for Accepted {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            // Both limits are rounded inwards, so that the angle in the message is itself accepted.
+            // Limits are rounded inwards, so that the angle in the message is itself accepted.
             Self::AngleUpTo(largest) => {
                 let shown = (largest * 1e2) as u32 as f32 / 1e2;
                 write!(f, "give more than 0 and at most {shown} degrees, the full angle")
@@ -106,6 +131,13 @@ impl fmt::Display for Accepted {
                 let shown = ((narrowest * 1e4) as u32 + 1) as f32 / 1e4;
                 write!(f, "give at least {shown} degrees, the full angle, or a number format of more bits")
             }
+            Self::AngleBetween(least, most) => {
+                let (scaled, most) = (least * 1e4, (most * 1e4) as u32 as f32 / 1e4);
+                let down = scaled as u32;
+                let least = (down + u32::from((down as f32) < scaled)) as f32 / 1e4;
+                write!(f, "give from {least} to {most} degrees, the full angle")
+            }
+            Self::Exactly(value) => write!(f, "give exactly {value}"),
             Self::Between(least, most) => write!(f, "give a finite number from {least} to {most}"),
             Self::RangeBetween(least, most) => {
                 write!(f, "give a distance from {least} to {most}, or a distance model without a range")

@@ -1,8 +1,9 @@
 //! A lighting kernel for renderers that run where a GPU does not: a microcontroller, a software renderer, a canvas.
 //!
 //! Spotlights are described by the two angles of every stage light's data sheet, beam (half the intensity is left)
-//! and field (a tenth is left), and fall off by two quadratics, one soft edged and one hard: a multiply where others
-//! pay for a power function. The same code runs in `f32`, in 32-bit and in 16-bit fixed point.
+//! and field (a tenth is left), and fall off by polynomials, from the paper's two quadratics, one soft edged and one
+//! hard, to cubics that have both angles at once: a multiply or three where others pay for a power function. The
+//! same code runs in `f32`, in 32-bit and in 16-bit fixed point.
 //!
 //! "Hast 2004" in these pages is A. Hast, T. Barrera and E. Bengtsson, *Fast Intensity Distribution Functions for
 //! Soft and Hard Edged Spotlights*, WSCG 2004 Short Communications, pages 95 to 100.
@@ -27,14 +28,24 @@
 //!
 //! # The way of the data
 //!
-//! [`Angle`] → [`Cone`] (designed from any one of its three angles) → [`Spot`] (placed, coloured, validated) →
-//! [`CompiledSpot`] (constants of one number format) → irradiance at a point. Construction validates and returns an
-//! [`Error`] that names the parameter; evaluation is defined for every bit pattern and never fails.
+//! [`Angle`] → [`Cone`] (designed from its outer, beam or field angle, or from the last two) → [`Spot`] (placed,
+//! coloured, validated) → [`CompiledSpot`] (constants of one number format) → irradiance at a point. Construction
+//! validates and returns an [`Error`] that names the parameter; evaluation is defined for every bit pattern and
+//! never fails.
 //!
 //! # Half or full angle
 //!
-//! An [`Angle`] is a full angle, as data sheets, GDTF and Direct3D give it; a [`HalfAngle`] is what OpenGL, glTF and
-//! three.js give. Each converts into the other, and constructors take either.
+//! An [`Angle`] is a full angle, edge to edge through the axis; a [`HalfAngle`] goes from the axis to the edge. Each
+//! converts into the other, and constructors take either.
+//!
+//! | source | its angles | as |
+//! |---|---|---|
+//! | Hast 2004, data sheets of stage lights | beam and field: full, degrees | [`Angle::degrees`] |
+//! | GDTF | `BeamAngle`, `FieldAngle`: full, degrees | [`Angle::degrees`] |
+//! | Direct3D 9 | `Theta` (inner), `Phi` (outer): full, radians | [`Angle::radians`] |
+//! | OpenGL | `GL_SPOT_CUTOFF`: half, degrees | [`HalfAngle::degrees`] |
+//! | glTF `KHR_lights_punctual` | `innerConeAngle`, `outerConeAngle`: half, radians | [`HalfAngle::radians`] |
+//! | three.js | `SpotLight.angle`: half, radians | [`HalfAngle::radians`] |
 //!
 //! # Features
 //!
@@ -46,7 +57,7 @@
 //! | `micromath` | roots and sines where neither of the above is there: smaller, angles within 0.11 %, a tier of its own |
 //! | `glam` | conversions between [`Vec3`]`<f32>` and `glam::Vec3` |
 //!
-//! Files, in the order in which they build on one another: `error`, `vec3`, `trig`, `scalar` (and a file for each
+//! Files, in the order in which they build on one another: `error`, `vec3`, `trig`, `search`, `scalar` (and a file for each
 //! format), `angle`, `profile`, `cone`, `attenuation`, `color`, `specular`, `shade` (and a file for each kind of
 //! light), `light` (the same), `material`.
 #![no_std]
@@ -64,6 +75,7 @@ mod light;
 mod material;
 mod profile;
 mod scalar;
+mod search;
 mod shade;
 mod specular;
 mod trig;
@@ -71,17 +83,19 @@ mod vec3;
 
 pub use angle::{Angle, HalfAngle};
 pub use attenuation::{
-    Attenuation, CutOff, InverseSquare, Polynomial, SmoothRange, SquaredWindow, Unattenuated, Windowed,
+    Attenuation, HardRange, InverseSquare, Polynomial, SmoothRange, SquaredWindow, Unattenuated, Windowed,
 };
 pub use color::{CompiledExposure, Exposure, Rgb, Rgb565, clip, decode_srgb, encode_srgb, keep_hue};
 pub use cone::{Cone, Falloff};
 pub use error::{Accepted, Error, Parameter};
 pub use light::{Ambient, Directional, Point, Spot};
 pub use material::{CompiledMaterial, Material};
-pub use profile::{Edge, Hard, Profile, Soft};
+pub use profile::{
+    Blend, Cubic, Curve, CutOff, Edge, Fitted, Hard, Linear, Power, Profile, Rim, Smooth, Soft, Table,
+};
+pub use scalar::{Fraction, Gain, Offset, Ray, Scalar};
 #[cfg(feature = "fixed")]
 pub use scalar::{Fx16, Fx32};
-pub use scalar::{Gain, Offset, Ray, Scalar};
 pub use shade::{Arrival, CompiledDirectional, CompiledPoint, CompiledSpot, Light, Surface};
 pub use specular::{BlinnPhong, DualCone, Highlight, Lyon, Matte, Phong, Specular};
 pub use vec3::Vec3;

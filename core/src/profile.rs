@@ -1,117 +1,85 @@
-//! Edge profiles: how the intensity falls from the axis to the edge of the cone.
+//! Edge profiles: how the intensity falls from the middle of a cone to its edge.
 //!
-//! Each is a polynomial in `t`, which is 1 on the axis (or within the hotspot) and 0 at the edge and beyond.
+//! Each is a function of `t`, which is 1 on the axis (and within a hotspot) and 0 at the edge and beyond, or of
+//! `u = 1 - t`.
+//!
+//! | profile | f | multiplies | source |
+//! |---|---|---|---|
+//! | [`Soft`] | `t^2` | 1 | Hast 2004, section 2; glTF, Filament and Bevy square the same ramp |
+//! | [`Hard`] | `1 - u^2` | 1 | Hast 2004, section 3 |
+//! | [`Linear`] | `t` | 0 | umbra and penumbra; Direct3D 9 with a falloff of 1 |
+//! | [`CutOff`] | 1 for `t > 0` | 0 | a single umbra; OpenGL with exponent 0 |
+//! | [`Smooth`] | `t^2 (3 - 2t)` | 2 | smoothstep: dual-cone shaders in GLSL, three.js, Blender |
+//! | [`Blend`] | `t (a + (1 - a) t)` | 2 | the quadratics between soft (a = 0) and hard (a = 2) |
+//! | [`Cubic`] | `t (a + t (b + t c))` | 3 | every monotone cubic; Fritsch and Carlson 1980 |
+//! | [`Power`] | `t^N` | log2 N for powers of two | OpenGL's cosine power by [`Cone::opengl`](crate::Cone::opengl) |
+//! | [`Rim`] | `1 - u^N` | as [`Power`] | Godot |
+//! | [`Table`] | samples | 2 | goniometric data |
+//! | [`Edge`], [`Fitted`] | one of the above | as it, and a branch | the choice at run time |
+
+mod choice;
+mod cubic;
+pub(crate) mod fit;
+
+mod polynomial;
+mod power;
+mod quadratic;
+mod step;
+mod table;
 
 use crate::scalar::Scalar;
 
-/// An edge profile: a polynomial in `t` from f(0) = 0 to f(1) = 1, and the figures that design a cone with it.
-///
-/// The type decides which polynomial is compiled in: there is no branch per point, and a profile that is not
-/// named is not linked. [`Edge`] leaves the choice to run time, at the price of that branch.
-pub trait Profile: Copy + core::fmt::Debug {
-    /// The intensity at `t`, in [0, 1] for `t` in [0, 1].
-    fn intensity<S: Scalar>(self, t: S) -> S;
+pub use self::{
+    choice::{Edge, Fitted},
+    cubic::{Cubic, Smooth},
+    power::{Power, Rim},
+    quadratic::{Blend, Hard, Linear, Soft},
+    step::CutOff,
+    table::Table,
+};
 
-    /// Where half the intensity is left, as a fraction of the outer versine: `u = versine / outer versine`.
+/// An edge profile: a function of `t`, and the figures that design a cone with it.
+///
+/// The type decides which function is compiled in: there is no branch per point, and a profile that is not
+/// named is not linked. [`Edge`] and [`Fitted`] leave the choice to run time, at the price of that branch.
+pub trait Profile: Copy + core::fmt::Debug {
+    /// The profile with its coefficients in the format `S`.
+    type Compiled<S: Scalar>: Curve<S>;
+
+    /// Takes the coefficients to the format `S`, once per light.
+    fn compile<S: Scalar>(self) -> Self::Compiled<S>;
+
+    /// Where half the intensity is left: `u` from 0 to 1.
     fn beam_versine(self) -> f32;
 
-    /// Where a tenth of the intensity is left, as a fraction of the outer versine.
+    /// Where a tenth of the intensity is left: `u` from 0 to 1.
     fn field_versine(self) -> f32;
 
-    /// The largest slope of the intensity over the angle off axis, in units of the outer half angle: how much an
-    /// error of the direction is magnified in a narrow cone.
-    fn steepness(self) -> f32;
+    /// The largest slope of the intensity over the angle off axis, in units of the outer half angle, in a narrow
+    /// cone whose inner versine is `hotspot` of its outer one: how much an error of the direction is magnified.
+    /// `hotspot` is in [0, 1).
+    ///
+    /// A step has no slope. It counts as 1: its place is right within 1/510 of the outer half angle.
+    fn steepness(self, hotspot: f32) -> f32;
+
+    /// The integral of the intensity over `u` from 0 to `u`, which is in [0, 1]: what flux is made of.
+    fn integral(self, u: f32) -> f32;
 }
 
-/// The soft edge `t^2` (Hast 2004, section 2): one multiply. It fades into the dark without a visible rim.
-#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
-pub struct Soft;
-
-/// The hard edge `1 - u^2` with `u = 1 - t` (Hast 2004, section 3): one multiply. Flat in the middle, a crisp rim.
-#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
-pub struct Hard;
-
-/// A profile chosen at run time.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Edge {
-    /// As [`Soft`].
-    Soft,
-    /// As [`Hard`].
-    Hard,
+/// A [`Profile`] in the format `S`: what is evaluated per point.
+pub trait Curve<S: Scalar>: Copy + PartialEq + core::fmt::Debug {
+    /// The intensity at `t`, in [0, 1].
+    fn intensity(self, t: S::Fraction) -> S;
 }
 
-impl Profile for Soft {
-    #[inline(always)]
-    fn intensity<S: Scalar>(self, t: S) -> S {
-        t.times(t)
-    }
+/// Implements the compilation of a profile without coefficients: it is its own curve.
+macro_rules! without_coefficients {
+    () => {
+        type Compiled<S: crate::scalar::Scalar> = Self;
 
-    /// `1 - 1/sqrt(2)`.
-    fn beam_versine(self) -> f32 {
-        1.0 - core::f32::consts::FRAC_1_SQRT_2
-    }
-
-    /// `1 - 1/sqrt(10)`.
-    fn field_versine(self) -> f32 {
-        0.683_772_2
-    }
-
-    /// `8 / (3 sqrt(3))`: the largest slope of `(1 - x^2)^2`.
-    fn steepness(self) -> f32 {
-        1.539_600_7
-    }
-}
-
-impl Profile for Hard {
-    #[inline(always)]
-    fn intensity<S: Scalar>(self, t: S) -> S {
-        let u = S::ONE.minus(t);
-        S::ONE.minus(u.times(u))
-    }
-
-    /// `1/sqrt(2)`.
-    fn beam_versine(self) -> f32 {
-        core::f32::consts::FRAC_1_SQRT_2
-    }
-
-    /// `3/sqrt(10)`.
-    fn field_versine(self) -> f32 {
-        0.948_683_3
-    }
-
-    /// The slope of `1 - x^4` at the edge.
-    fn steepness(self) -> f32 {
-        4.0
-    }
-}
-
-impl Profile for Edge {
-    #[inline(always)]
-    fn intensity<S: Scalar>(self, t: S) -> S {
-        match self {
-            Self::Soft => Soft.intensity(t),
-            Self::Hard => Hard.intensity(t),
+        fn compile<S: crate::scalar::Scalar>(self) -> Self {
+            self
         }
-    }
-
-    fn beam_versine(self) -> f32 {
-        match self {
-            Self::Soft => Soft.beam_versine(),
-            Self::Hard => Hard.beam_versine(),
-        }
-    }
-
-    fn field_versine(self) -> f32 {
-        match self {
-            Self::Soft => Soft.field_versine(),
-            Self::Hard => Hard.field_versine(),
-        }
-    }
-
-    fn steepness(self) -> f32 {
-        match self {
-            Self::Soft => Soft.steepness(),
-            Self::Hard => Hard.steepness(),
-        }
-    }
+    };
 }
+use without_coefficients;

@@ -9,6 +9,8 @@
 //! | length: world coordinates | f32 | I16F16 | I16F16 |
 //! | unit: the axis and the direction to a point | f32 | I2F30 | I2F30 |
 //! | versine of the angle off axis | f32 | 61 fraction bits in a u64 | u32, scaled to the cone |
+//! | fraction: the argument of an edge profile | f32 | U1F31 | U1F15 |
+//! | weight: a coefficient of an edge profile | f32 | I34F30 | I18F14 |
 //! | gain: a factor with an exponent of its own | f32 | 32-bit mantissa and shift | 16-bit mantissa and shift |
 //! | irradiance: light that has arrived, with headroom | f32 | U34F30 | U18F14 |
 //! | rounding of a product | to nearest, ties to even | to nearest, ties up | to nearest, ties up |
@@ -19,6 +21,7 @@
 //! zero; `ONE.times(x) == x`; a falloff is in [0, 1], exactly 1 on the axis and exactly 0 from the edge outwards.
 
 pub(crate) mod float;
+mod fraction;
 
 #[cfg(feature = "fixed")]
 pub(crate) mod fixed16;
@@ -31,6 +34,7 @@ mod root;
 
 use crate::vec3::Vec3;
 
+pub use self::fraction::Fraction;
 #[cfg(feature = "fixed")]
 pub use self::{fixed16::Fx16, fixed32::Fx32};
 
@@ -44,6 +48,10 @@ pub trait Scalar: Copy + Default + PartialOrd + core::fmt::Debug + sealed::Seale
     type Unit: Copy + Default + PartialEq + core::fmt::Debug;
     /// The versine of an angle off axis, in the scale of a ramp: a narrow cone keeps its leading bits.
     type Versine: Copy + PartialOrd + core::fmt::Debug;
+    /// The argument of an edge profile: from 0 at the edge of a cone to 1 in its middle.
+    type Fraction: Fraction<Self>;
+    /// A coefficient of an edge profile, from -4 to 4.
+    type Weight: Copy + PartialEq + core::fmt::Debug;
     /// The ramp from the edge of a cone to its middle, compiled.
     type Ramp: Copy + PartialEq + core::fmt::Debug;
     /// A factor from zero upwards that keeps its leading bits whatever its size.
@@ -74,6 +82,8 @@ pub trait Scalar: Copy + Default + PartialOrd + core::fmt::Debug + sealed::Seale
     fn axis(axis: Vec3<f32>) -> Vec3<Self::Unit>;
     /// The nearest versine in the scale of a ramp; saturates beyond its outer versine.
     fn versine(ramp: Self::Ramp, value: f32) -> Self::Versine;
+    /// The nearest weight; saturates at -4 and 4, and what is not a number becomes zero.
+    fn weight(value: f32) -> Self::Weight;
     /// The nearest gain; negative or not a number becomes zero.
     fn gain(value: f32) -> Self::Gain;
 
@@ -84,11 +94,12 @@ pub trait Scalar: Copy + Default + PartialOrd + core::fmt::Debug + sealed::Seale
 
     /// The way from a light to a point.
     fn offset(light: Vec3<Self::Length>, point: Vec3<Self::Length>) -> Self::Offset;
-    /// Compiles a ramp between two versines: 0 from `outer` outwards, 1 from `inner` inwards.
-    fn ramp(inner: f32, outer: f32) -> Self::Ramp;
-    /// Where a versine stands on a ramp: exactly 1 at and within the inner versine, exactly 0 at and beyond the
-    /// outer, monotone between.
-    fn rise(ramp: Self::Ramp, versine: Self::Versine) -> Self;
+    /// Compiles a ramp between two versines, from 0 at `outer` to 1 from `inner` inwards, that is cut off to 0 from
+    /// `limit` outwards. A limit at `outer` cuts nothing off; an inner versine at `outer` makes a step.
+    fn ramp(inner: f32, outer: f32, limit: f32) -> Self::Ramp;
+    /// Where a versine stands on a ramp: exactly 0 at and beyond the limit, else exactly 1 at and within the inner
+    /// versine, monotone between.
+    fn rise(ramp: Self::Ramp, versine: Self::Versine) -> Self::Fraction;
     /// `t^2 (3 - 2t)` of a fraction clamped to [0, 1]: exact at both ends.
     fn smooth(self) -> Self;
 

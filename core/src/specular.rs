@@ -17,7 +17,10 @@
 //! A surface that faces away from the light has no highlight, as in OpenGL; the bare equation of the textbooks would let
 //! the light shine through.
 
-use crate::{scalar::Scalar, vec3::Vec3};
+use crate::{
+    scalar::{Fraction, Scalar},
+    vec3::Vec3,
+};
 
 /// A kind of highlight. The type decides which one is compiled in: there is no branch per point, and a highlight that
 /// is not named is not linked.
@@ -97,7 +100,7 @@ impl<H: Highlight> Specular for H {
     type Constants<S: Scalar> = (S::Ramp, u32);
 
     fn constants<S: Scalar>(shininess: u32) -> (S::Ramp, u32) {
-        (S::ramp(0.0, 1.0), shininess)
+        (S::ramp(0.0, 1.0, 1.0), shininess)
     }
 
     #[inline(always)]
@@ -118,13 +121,14 @@ impl<H: Highlight, const N: u32> Specular for Lyon<H, N> {
     type Constants<S: Scalar> = S::Ramp;
 
     fn constants<S: Scalar>(shininess: u32) -> S::Ramp {
-        S::ramp(0.0, (1_u32 << N) as f32 / shininess as f32)
+        let end = (1_u32 << N) as f32 / shininess as f32;
+        S::ramp(0.0, end, end)
     }
 
     #[inline(always)]
     fn lobe<S: Scalar>(&ramp: &S::Ramp, incoming: Vec3<S::Unit>, normal: Vec3<S>, view: Vec3<S::Unit>) -> S {
         let [a, b] = H::directions(incoming, normal, view);
-        let base = S::rise(ramp, S::versine_between(a, b, ramp));
+        let base = S::rise(ramp, S::versine_between(a, b, ramp)).scalar();
         (0..N).fold(base, |power, _| power.times(power))
     }
 }

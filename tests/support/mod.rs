@@ -1,10 +1,14 @@
 //! What the tests share: the f64 reference, the table of error bounds, the sweeps, the exact view of a format.
 #![allow(dead_code, reason = "each test binary uses its part of the support")]
 #![allow(missing_docs, reason = "tests are read, not published")]
+#![allow(unused_macros, unused_imports, reason = "each test binary uses its part of the support")]
 #![allow(unreachable_pub, reason = "every test binary has these modules to itself")]
 
 pub mod bounds;
+pub mod cubics;
 pub mod format;
 pub mod prices;
+pub mod profiles;
 pub mod reference;
+pub mod region;
 pub mod sweep;

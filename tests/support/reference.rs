@@ -17,6 +17,55 @@ pub fn hard(t: f64) -> f64 {
     1.0 - u * u
 }
 
+/// Umbra and penumbra.
+pub fn linear(t: f64) -> f64 {
+    t
+}
+
+/// A single umbra.
+pub fn cut_off(t: f64) -> f64 {
+    if t > 0.0 { 1.0 } else { 0.0 }
+}
+
+/// smoothstep of GLSL.
+pub fn smooth(t: f64) -> f64 {
+    t * t * (3.0 - 2.0 * t)
+}
+
+/// The quadratic halfway from soft to linear, by its coefficients.
+pub fn blend(t: f64) -> f64 {
+    0.5 * t + 0.5 * t * t
+}
+
+/// A steep monotone cubic, of slopes 1.25 at the edge and 3.5 in the middle, by its coefficients.
+pub fn cubic(t: f64) -> f64 {
+    1.25 * t - 3.0 * t.powi(2) + 2.75 * t.powi(3)
+}
+
+pub fn power_4(t: f64) -> f64 {
+    t.powi(4)
+}
+
+pub fn power_15(t: f64) -> f64 {
+    t.powi(15)
+}
+
+/// Godot.
+pub fn rim_4(t: f64) -> f64 {
+    1.0 - (1.0 - t).powi(4)
+}
+
+/// A measured fixture: intensities that are evenly spaced in the versine, 65,535 being one.
+pub const SAMPLES: [u16; 10] = [65_535, 65_000, 63_211, 60_007, 51_234, 39_876, 24_321, 11_111, 3_210, 0];
+
+/// Linear interpolation in [`SAMPLES`].
+pub fn table(t: f64) -> f64 {
+    let place = (1.0 - t) * 9.0;
+    let index = (place.floor() as usize).min(8);
+    let (from, to) = (f64::from(SAMPLES[index]), f64::from(SAMPLES[index + 1]));
+    (from + (to - from) * (place - index as f64)) / 65_535.0
+}
+
 /// 1 - cos of a half angle in degrees.
 pub fn versine(half_degrees: f64) -> f64 {
     let sine = (half_degrees.to_radians() / 2.0).sin();
@@ -28,10 +77,48 @@ pub fn half_degrees(versine: f64) -> f64 {
     2.0 * (versine / 2.0).sqrt().asin().to_degrees()
 }
 
-/// Intensity of a spotlight at a versine off its axis.
+/// Intensity of a spotlight without a hotspot at a versine off its axis.
 pub fn falloff(profile: Profile, versine: f64, outer_versine: f64) -> f64 {
-    let t = ((outer_versine - versine) / outer_versine).clamp(0.0, 1.0);
-    profile(t)
+    Cone::new(profile, outer_versine).falloff(versine)
+}
+
+/// A cone by the versines of its half angles.
+#[derive(Clone, Copy)]
+pub struct Cone {
+    pub profile: Profile,
+    pub inner: f64,
+    pub outer: f64,
+    /// Where a delimiter cuts the cone off; `outer` where there is none.
+    pub limit: f64,
+}
+
+impl Cone {
+    /// Without a hotspot or a delimiter.
+    pub fn new(profile: Profile, outer: f64) -> Self {
+        Self { profile, inner: 0.0, outer, limit: outer }
+    }
+
+    /// The cosine of the angle off axis to an integer power, and nothing from the cutoff on.
+    pub fn opengl(power: Profile, cutoff: f64) -> Self {
+        Self { profile: power, inner: 0.0, outer: 1.0, limit: cutoff }
+    }
+
+    /// Intensity at a versine off the axis.
+    pub fn falloff(&self, versine: f64) -> f64 {
+        if versine >= self.limit {
+            0.0
+        } else if versine <= self.inner {
+            (self.profile)(1.0)
+        } else {
+            (self.profile)((self.outer - versine) / (self.outer - self.inner))
+        }
+    }
+
+    /// Whether the intensity jumps within so many radians of this versine: there an error has no meaning.
+    pub fn jumps_near(&self, versine: f64, radians: f64) -> bool {
+        let jump = self.falloff(self.limit * (1.0 - 1e-12)) > 0.01;
+        jump && (half_degrees(versine) - half_degrees(self.limit)).abs().to_radians() < radians
+    }
 }
 
 pub type Vector = [f64; 3];
@@ -144,16 +231,19 @@ impl Classic {
 pub struct Spot {
     pub position: Vector,
     pub axis: Vector,
-    pub outer_versine: f64,
+    pub cone: Cone,
     pub intensity: f64,
-    pub profile: Profile,
 }
 
 impl Spot {
     /// The falloff of the cone at a point.
     pub fn falloff(&self, point: Vector) -> f64 {
-        let versine = versine_between(minus(point, self.position), self.axis);
-        falloff(self.profile, versine, self.outer_versine)
+        self.cone.falloff(self.versine(point))
+    }
+
+    /// The versine of the angle off axis.
+    pub fn versine(&self, point: Vector) -> f64 {
+        versine_between(minus(point, self.position), self.axis)
     }
 
     /// The light that arrives at a surface point: intensity x falloff x Lambert's cosine / squared distance.

@@ -6,9 +6,9 @@
 mod gain;
 mod lobe;
 
-use super::{Offset, Ray, Scalar, nearest, root};
+use super::{Offset, Ray, Scalar, fraction::Fraction16, nearest, root};
 use crate::{color::srgb16, vec3::Vec3};
-use fixed::types::{I2F14, I2F30, I16F16, U1F31, U18F14};
+use fixed::types::{I2F14, I2F30, I16F16, I18F14, U1F31, U18F14};
 
 /// The 16-bit format: I2F14, from -2 to 2 in steps of 1/16384.
 pub type Fx16 = I2F14;
@@ -40,12 +40,16 @@ pub struct Ray16 {
 pub struct Ramp16 {
     /// Powers of four by which the versines of this ramp are magnified.
     zoom: u32,
+    /// From here on there is no light: the outer versine, or that of a tighter delimiter.
+    limit: u32,
     outer: u32,
     span: u32,
     /// Takes the span to at most 16 bits.
     shift: u32,
     /// `2^31` over the shifted span.
     mantissa: u32,
+    /// Half a unit of what a shifted gap has lost, and half a step of the result: both roundings in one addition.
+    half: u32,
 }
 
 /// A factor `mantissa / 2^shift`.
@@ -92,6 +96,8 @@ impl Scalar for Fx16 {
     type Length = I16F16;
     type Unit = I2F30;
     type Versine = U1F31;
+    type Fraction = Fraction16;
+    type Weight = I18F14;
     type Ramp = Ramp16;
     type Gain = Gain16;
     type Irradiance = U18F14;
@@ -126,6 +132,10 @@ impl Scalar for Fx16 {
         magnified(value, ramp.zoom)
     }
 
+    fn weight(value: f32) -> I18F14 {
+        if value.is_nan() { I18F14::ZERO } else { I18F14::saturating_from_num(value.clamp(-4.0, 4.0)) }
+    }
+
     fn gain(value: f32) -> Gain16 {
         let (mantissa, shift) = super::mantissa_and_shift(value);
         Gain16 { mantissa: ((mantissa + 0x80) >> 8).min(0xffff), shift: shift - 8 }
@@ -149,30 +159,32 @@ impl Scalar for Fx16 {
         Offset16::scaled(point.zip(light, |p, l| p.to_bits().saturating_sub(l.to_bits())))
     }
 
-    fn ramp(inner: f32, outer: f32) -> Ramp16 {
+    fn ramp(inner: f32, outer: f32, limit: f32) -> Ramp16 {
         let zoom =
             (1..=MOST_ZOOM).take_while(|&zoom| magnified(outer, zoom) <= U1F31::ONE).last().unwrap_or(0);
-        let outer = magnified(outer, zoom).to_bits();
-        let span = outer.saturating_sub(magnified(inner, zoom).to_bits());
+        let [inner, outer, limit] = [inner, outer, limit].map(|versine| magnified(versine, zoom).to_bits());
+        let span = outer.saturating_sub(inner);
         let shift = (u32::BITS - span.leading_zeros()).saturating_sub(16);
-        let divisor = (span >> shift).max(1);
-        let mantissa = ((1 << 31) + divisor / 2) / divisor;
-        Ramp16 { zoom, outer, span, shift, mantissa }
+        // The whole span divides, not the shifted one: what the shift loses would be an error of the slope.
+        let divisor = u64::from(span.max(1));
+        let mantissa = (((1 << (31 + shift)) + divisor / 2) / divisor) as u32;
+        // The largest gap short of the span must not be rounded past one.
+        let room = (1 << 31) + (1 << 16) - 1 - (span.saturating_sub(1) >> shift) * mantissa;
+        let half = ((mantissa - (mantissa >> shift)) / 2 + (1 << 15)).min(room);
+        Ramp16 { zoom, limit: limit.min(outer), outer, span, shift, mantissa, half }
     }
 
     #[inline(always)]
-    fn rise(ramp: Ramp16, versine: U1F31) -> Self {
+    fn rise(ramp: Ramp16, versine: U1F31) -> Fraction16 {
         let versine = versine.to_bits();
-        if versine >= ramp.outer {
-            return Self::ZERO;
+        if versine >= ramp.limit {
+            return Fraction16(0);
         }
         let gap = ramp.outer - versine;
         if gap >= ramp.span {
-            return Self::ONE;
+            return Fraction16(1 << 15);
         }
-        // Half a unit of the shifted gap and half a step of the result: both roundings in one addition.
-        let half = (ramp.mantissa >> 1) + (1 << 16);
-        Self::from_bits((((gap >> ramp.shift) * ramp.mantissa + half) >> 17) as i16)
+        Fraction16((((gap >> ramp.shift) * ramp.mantissa + ramp.half) >> 16) as u16)
     }
 
     #[inline(always)]

@@ -5,9 +5,9 @@
 mod gain;
 mod lobe;
 
-use super::{Offset, Ray, Scalar, nearest, root};
+use super::{Offset, Ray, Scalar, fraction::Fraction32, nearest, root};
 use crate::{color::srgb32, vec3::Vec3};
-use fixed::types::{I2F30, I16F16, U34F30};
+use fixed::types::{I2F30, I16F16, I34F30, U34F30};
 
 /// The 32-bit format: I2F30, from -2 to 2 in steps of 1/1073741824.
 pub type Fx32 = I2F30;
@@ -36,12 +36,16 @@ pub struct Ray32 {
 /// A ramp: from the gap between a versine and the outer one to `t`.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Ramp32 {
+    /// From here on there is no light: the outer versine, or that of a tighter delimiter.
+    limit: u64,
     outer: u64,
     span: u64,
     /// Takes the span to at most 32 bits.
     shift: u32,
     /// `2^63` over the shifted span.
     mantissa: u64,
+    /// Half a unit of what a shifted gap has lost, and half a step of the result: both roundings in one addition.
+    half: u64,
 }
 
 /// A factor `mantissa / 2^shift`.
@@ -103,6 +107,8 @@ impl Scalar for Fx32 {
     type Length = I16F16;
     type Unit = I2F30;
     type Versine = Versine32;
+    type Fraction = Fraction32;
+    type Weight = I34F30;
     type Ramp = Ramp32;
     type Gain = Gain32;
     type Irradiance = U34F30;
@@ -137,6 +143,10 @@ impl Scalar for Fx32 {
         nearest_versine(value)
     }
 
+    fn weight(value: f32) -> I34F30 {
+        if value.is_nan() { I34F30::ZERO } else { I34F30::saturating_from_num(value.clamp(-4.0, 4.0)) }
+    }
+
     fn gain(value: f32) -> Gain32 {
         let (mantissa, shift) = super::mantissa_and_shift(value);
         Gain32 { mantissa: mantissa << 4, shift: shift + 4 }
@@ -159,28 +169,29 @@ impl Scalar for Fx32 {
         Offset32::scaled(way)
     }
 
-    fn ramp(inner: f32, outer: f32) -> Ramp32 {
-        let outer = nearest_versine(outer).to_bits();
-        let span = outer.saturating_sub(nearest_versine(inner).to_bits());
+    fn ramp(inner: f32, outer: f32, limit: f32) -> Ramp32 {
+        let [inner, outer, limit] = [inner, outer, limit].map(|versine| nearest_versine(versine).to_bits());
+        let span = outer.saturating_sub(inner);
         let shift = (u64::BITS - span.leading_zeros()).saturating_sub(32);
         let divisor = (span >> shift).max(1);
         let mantissa = ((1 << 63) + divisor / 2) / divisor;
-        Ramp32 { outer, span, shift, mantissa }
+        // The largest gap short of the span must not be rounded past one.
+        let room = ((1 << 63) + (1 << 32) - 1) - (span.saturating_sub(1) >> shift) * mantissa;
+        let half = ((mantissa - (mantissa >> shift)) / 2 + (1 << 31)).min(room);
+        Ramp32 { limit: limit.min(outer), outer, span, shift, mantissa, half }
     }
 
     #[inline(always)]
-    fn rise(ramp: Ramp32, versine: Versine32) -> Self {
+    fn rise(ramp: Ramp32, versine: Versine32) -> Fraction32 {
         let versine = versine.to_bits();
-        if versine >= ramp.outer {
-            return Self::ZERO;
+        if versine >= ramp.limit {
+            return Fraction32(0);
         }
         let gap = ramp.outer - versine;
         if gap >= ramp.span {
-            return Self::ONE;
+            return Fraction32(1 << 31);
         }
-        // Half a unit of the shifted gap and half a step of the result: both roundings in one addition.
-        let half = (ramp.mantissa >> 1) + (1 << 32);
-        Self::from_bits((((gap >> ramp.shift) * ramp.mantissa + half) >> 33) as i32)
+        Fraction32((((gap >> ramp.shift) * ramp.mantissa + ramp.half) >> 32) as u32)
     }
 
     #[inline(always)]

@@ -1,7 +1,7 @@
 //! The format `f32`: only `+ - * /` and a correctly rounded root, and clamps by compare and select, so that the
 //! same inputs give the same bits on every machine.
 
-use super::{Gain, Offset, Ray, Scalar};
+use super::{Gain, Offset, Ray, Scalar, fraction::FloatFraction};
 use crate::{trig, vec3::Vec3};
 
 /// Where irradiance saturates: finite whatever is added to it or divided by it in practice.
@@ -22,10 +22,11 @@ pub struct FloatRay {
     reciprocal: f32,
 }
 
-/// A ramp: its outer versine and the reciprocal of its span.
+/// A ramp: its outer versine, the versine from which it is cut off, and the reciprocal of its span.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct FloatRamp {
     outer: f32,
+    limit: f32,
     reciprocal: f32,
 }
 
@@ -46,6 +47,8 @@ impl Scalar for f32 {
     type Length = f32;
     type Unit = f32;
     type Versine = f32;
+    type Fraction = FloatFraction;
+    type Weight = f32;
     type Ramp = FloatRamp;
     type Gain = f32;
     type Irradiance = f32;
@@ -77,6 +80,10 @@ impl Scalar for f32 {
         value
     }
 
+    fn weight(value: f32) -> f32 {
+        if value.is_nan() { 0.0 } else { value.clamp(-4.0, 4.0) }
+    }
+
     fn gain(value: f32) -> f32 {
         positive(value)
     }
@@ -98,18 +105,24 @@ impl Scalar for f32 {
     }
 
     /// The reciprocal is rounded up until `span * reciprocal` reaches one, so that the ramp is exact at both ends.
-    fn ramp(inner: f32, outer: f32) -> FloatRamp {
-        let span = outer - inner;
+    fn ramp(inner: f32, outer: f32, limit: f32) -> FloatRamp {
+        let span = if inner < outer { outer - inner } else { 0.0 };
         let mut reciprocal = 1.0 / span;
         while reciprocal.is_finite() && span * reciprocal < 1.0 {
             reciprocal = reciprocal.next_up();
         }
-        FloatRamp { outer, reciprocal: if reciprocal < f32::MAX { reciprocal } else { f32::MAX } }
+        FloatRamp {
+            outer,
+            limit: if limit < outer { limit } else { outer },
+            reciprocal: if reciprocal < f32::MAX { reciprocal } else { f32::MAX },
+        }
     }
 
     #[inline(always)]
-    fn rise(ramp: FloatRamp, versine: f32) -> f32 {
-        clamp((ramp.outer - versine) * ramp.reciprocal)
+    fn rise(ramp: FloatRamp, versine: f32) -> FloatFraction {
+        // What is not a number is not within the limit.
+        let rise = if versine < ramp.limit { (ramp.outer - versine) * ramp.reciprocal } else { 0.0 };
+        FloatFraction(if rise < 1.0 { rise } else { 1.0 })
     }
 
     #[inline(always)]

@@ -13,7 +13,7 @@ use crate::{
 
 /// A spotlight compiled for the format `S`. Made by [`Spot::compile`](crate::Spot::compile).
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct CompiledSpot<S: Scalar, P = Edge, A: Attenuation = InverseSquare> {
+pub struct CompiledSpot<S: Scalar, P: Profile = Edge, A: Attenuation = InverseSquare> {
     pub(crate) position: Vec3<S::Length>,
     pub(crate) axis: Vec3<S::Unit>,
     pub(crate) falloff: Falloff<S, P>,

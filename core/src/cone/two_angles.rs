@@ -1,0 +1,143 @@
+//! Cones that have both angles of a data sheet.
+
+use super::Cone;
+use crate::{
+    angle::Angle,
+    error::{Accepted, Error, Parameter},
+    profile::{
+        Blend, Cubic, Fitted, Hard, Profile,
+        fit::{self, DEFAULT_SLOPE, HARD_RATIO, LEAST_RATIO, MOST_RATIO, SOFT_RATIO},
+    },
+};
+
+impl Cone<Fitted> {
+    /// The cone that has half of its intensity left at the one angle and a tenth at the other.
+    ///
+    /// What can be had depends on `r`, the versine of half the field angle over that of half the beam angle:
+    ///
+    /// | r | profile |
+    /// |---|---|
+    /// | 1 to 1.3416 | the hard edge around a hotspot; at 1, where both angles are equal, a step |
+    /// | 1.3416 to 2.3345 | the [`Blend`] of hard and soft that has this ratio |
+    /// | 2.3345 to 5.437 | the [`Cubic`] of edge slope 1.34 that has this ratio |
+    ///
+    /// The two quadratics of Hast 2004 are the ends of the middle row. In wide cones a blend's outer angle may pass
+    /// 180 degrees where a cubic's does not; then it is the cubic.
+    ///
+    /// ```
+    /// use luminaire::{Angle, Cone};
+    /// // The Fresnel of Hast 2004, for which neither soft nor hard has both angles.
+    /// let cone = Cone::from_beam_and_field(Angle::degrees(7.0), Angle::degrees(15.0))?;
+    /// assert!((cone.beam().to_degrees() - 7.0).abs() < 1e-4);
+    /// assert!((cone.field().to_degrees() - 15.0).abs() < 1e-4);
+    /// # Ok::<(), luminaire::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// A beam angle that is not more than 0 or over 180 degrees. A field angle that is smaller than the beam
+    /// angle, beyond a ratio of 5.437, or so wide that the outer angle would pass 180 degrees: the message names the
+    /// range for this beam angle, so that its nearest end is the nearest pair.
+    pub fn from_beam_and_field(beam: impl Into<Angle>, field: impl Into<Angle>) -> Result<Self, Error> {
+        design(beam.into(), field.into(), fitted)
+    }
+}
+
+impl Cone<Cubic> {
+    /// As [`Cone::from_beam_and_field`], always with a [`Cubic`], and with an edge slope of choice: the smaller, the
+    /// softer the edge is for the same two angles.
+    ///
+    /// # Errors
+    /// As there, for ratios from 1.1604 to 5.437; and an edge slope outside [`Cone::edge_slopes`].
+    pub fn from_beam_field_and_slope(
+        beam: impl Into<Angle>,
+        field: impl Into<Angle>,
+        edge_slope: f32,
+    ) -> Result<Self, Error> {
+        let (beam, field) = (beam.into(), field.into());
+        let (least, most) = Self::edge_slopes(beam, field)?;
+        if !(least..=most).contains(&edge_slope) {
+            let accepted = Accepted::Between(least, most);
+            return Err(Error { parameter: Parameter::EdgeSlope, value: edge_slope, accepted });
+        }
+        design(beam, field, |beam, field| cubic(beam, field, edge_slope))
+    }
+
+    /// The smallest and the largest edge slope with which a monotone cubic has both of these angles.
+    ///
+    /// # Errors
+    /// A beam angle that is not more than 0 or over 180 degrees, or a field angle for which the ratio of the versines
+    /// is not from 1.1604 to 5.437.
+    pub fn edge_slopes(beam: impl Into<Angle>, field: impl Into<Angle>) -> Result<(f32, f32), Error> {
+        let reachable = |beam: f32, field: f32| {
+            let ratio = field / beam;
+            (LEAST_RATIO..=MOST_RATIO).contains(&ratio).then(|| fit::edge_slopes(ratio))
+        };
+        design(beam.into(), field.into(), reachable)
+    }
+}
+
+/// What two angles are designed to, given the versines of their halves: or the error that names the range of field
+/// angles for this beam angle.
+fn design<T>(beam: Angle, field: Angle, design: impl Fn(f32, f32) -> Option<T>) -> Result<T, Error> {
+    if !(beam > Angle::degrees(0.0) && beam <= Angle::degrees(180.0)) {
+        let accepted = Accepted::AngleUpTo(180.0);
+        return Err(Error { parameter: Parameter::BeamAngle, value: beam.to_degrees(), accepted });
+    }
+    let (near, far) = (beam.versine(), field.versine());
+    let designed = if field >= beam && field <= Angle::degrees(180.0) { design(near, far) } else { None };
+    designed.ok_or_else(|| {
+        let (least, most) = reach(near, |field| design(near, field).is_some());
+        let accepted = Accepted::AngleBetween(
+            if least > near { Angle::from_versine(least).to_degrees() } else { beam.to_degrees() },
+            Angle::from_versine(most).to_degrees(),
+        );
+        Error { parameter: Parameter::FieldAngle, value: field.to_degrees(), accepted }
+    })
+}
+
+/// The smallest and the largest versine that can be designed to, from that of the beam on.
+fn reach(beam: f32, can: impl Fn(f32) -> bool) -> (f32, f32) {
+    // Somewhere to start from: the beam itself, or where the cubics begin.
+    let start = if can(beam) { beam } else { beam * (LEAST_RATIO + 1e-4) };
+    let mut ends = [beam.min(start), (beam * MOST_RATIO * 1.01).min(1.0)].map(|end| (start, end));
+    for (held, beyond) in &mut ends {
+        for _ in 0..24 {
+            let middle = (*held + *beyond) / 2.0;
+            if can(middle) { *held = middle } else { *beyond = middle }
+        }
+    }
+    let [(least, _), (most, _)] = ends;
+    (least, most)
+}
+
+/// The profile and the cone for the versines of a beam and a field angle.
+fn fitted(beam: f32, field: f32) -> Option<Cone<Fitted>> {
+    let ratio = field / beam;
+    let quadratic = if ratio <= HARD_RATIO {
+        Some(hotspot(beam, field))
+    } else if ratio <= SOFT_RATIO {
+        let blend = fit::quadratic(ratio);
+        Some(Cone::open(Fitted::Blend(blend), 0.0, field / blend.field_versine()))
+    } else {
+        None
+    };
+    let within = |cone: &Cone<Fitted>| cone.outer <= 1.0;
+    quadratic.filter(within).or_else(|| {
+        let cubic = cubic(beam, field, DEFAULT_SLOPE)?;
+        Some(cubic.with_profile(Fitted::Cubic(cubic.profile())))
+    })
+}
+
+/// The hard edge around a hotspot, which has any ratio below its own.
+fn hotspot(beam: f32, field: f32) -> Cone<Fitted> {
+    let span = (field - beam) / (Hard.field_versine() - Hard.beam_versine());
+    let inner = (beam - span * Hard.beam_versine()).max(0.0);
+    Cone::open(Fitted::Blend(Blend::HARD), inner, field + span * (1.0 - Hard.field_versine()))
+}
+
+/// The cubic cone of an edge slope, if it ends within 180 degrees.
+fn cubic(beam: f32, field: f32, edge_slope: f32) -> Option<Cone<Cubic>> {
+    let cubic = fit::cubic(edge_slope, field / beam)?;
+    let cone = Cone::open(cubic, 0.0, field / cubic.field_versine());
+    (cone.outer <= 1.0).then_some(cone)
+}

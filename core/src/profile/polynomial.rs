@@ -1,0 +1,50 @@
+//! What the figures of polynomial profiles have in common.
+
+use crate::trig;
+
+/// The profile `t (a + t (b + t c))`, for its figures.
+#[derive(Clone, Copy)]
+pub(super) struct Polynomial {
+    pub(super) a: f32,
+    pub(super) b: f32,
+    pub(super) c: f32,
+}
+
+impl Polynomial {
+    /// The integral over `u` from 0 to `u`, by the powers of `u`: those of `t` would cancel where `u` is small.
+    pub(super) fn integral(self, u: f32) -> f32 {
+        let slope = self.a + 2.0 * self.b + 3.0 * self.c;
+        u * (1.0 - u * (slope / 2.0 - u * ((self.b + 3.0 * self.c) / 3.0 - u * self.c / 4.0)))
+    }
+
+    /// The largest of `2 f'(t) sqrt(v) / (1 - h)`, with `v` the versine from the hotspot `h` to 1 and
+    /// `t = (1 - v) / (1 - h)`: at an end, or where the derivative over `v`, a quadratic, is zero.
+    pub(super) fn steepness(self, hotspot: f32) -> f32 {
+        let span = 1.0 - hotspot;
+        let slope = |v: f32| {
+            let t = (1.0 - v) / span;
+            2.0 * (self.a + t * (2.0 * self.b + t * (3.0 * self.c))) * trig::sqrt(v) / span
+        };
+        // f' as a quadratic p + q v + r v^2; then 2 v (f')' + f' = p + 3 q v + 5 r v^2.
+        let (linear, square) = (2.0 * self.b / span, 3.0 * self.c / (span * span));
+        let (p, q, r) = (self.a + linear + square, -linear - 2.0 * square, square);
+        let mut largest = max(slope(hotspot), slope(1.0));
+        for v in roots(5.0 * r, 3.0 * q, p) {
+            if v > hotspot && v < 1.0 {
+                largest = max(largest, slope(v));
+            }
+        }
+        largest
+    }
+}
+
+/// The real roots of `a x^2 + b x + c`, without cancellation; not a number or infinite where there is none.
+fn roots(a: f32, b: f32, c: f32) -> [f32; 2] {
+    let root = trig::sqrt(b * b - 4.0 * a * c);
+    let q = if b < 0.0 { b - root } else { b + root } / -2.0;
+    [q / a, c / q]
+}
+
+fn max(a: f32, b: f32) -> f32 {
+    if a > b { a } else { b }
+}

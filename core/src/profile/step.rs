@@ -1,0 +1,37 @@
+//! The profile without a slope.
+
+use super::{Curve, Profile, without_coefficients};
+use crate::scalar::{Fraction, Scalar};
+
+/// Full intensity up to the edge and none from there on: no multiply. A single umbra, and OpenGL with exponent 0.
+///
+/// Beam, field and outer angle are one. The edge itself is dark, as it is in every profile.
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
+pub struct CutOff;
+
+impl Profile for CutOff {
+    without_coefficients!();
+
+    fn beam_versine(self) -> f32 {
+        1.0
+    }
+
+    fn field_versine(self) -> f32 {
+        1.0
+    }
+
+    fn steepness(self, _: f32) -> f32 {
+        1.0
+    }
+
+    fn integral(self, u: f32) -> f32 {
+        u
+    }
+}
+
+impl<S: Scalar> Curve<S> for CutOff {
+    #[inline(always)]
+    fn intensity(self, t: S::Fraction) -> S {
+        t.step()
+    }
+}

@@ -1,0 +1,128 @@
+//! Every profile of the kernel beside its reference: the list that the sweeps run over.
+
+use super::{reference, sweep};
+use luminaire::{Blend, Cone, Cubic, Power, Profile, Table};
+
+pub fn blend() -> Blend {
+    Blend::new(0.5).expect("a sound slope")
+}
+
+pub fn cubic() -> Cubic {
+    Cubic::with_slopes(1.25, 3.5).expect("sound slopes")
+}
+
+pub fn table() -> Table<'static> {
+    Table::new(&reference::SAMPLES).expect("sound samples")
+}
+
+/// A cone of the kernel and what it stands for, both made of the outer half angle in degrees.
+pub struct Shape<P> {
+    pub name: &'static str,
+    pub cone: fn(P, f32) -> Cone<P>,
+    pub profile: P,
+    pub exact: fn(reference::Profile, f64) -> reference::Cone,
+    pub oracle: reference::Profile,
+}
+
+impl<P: Profile> Shape<P> {
+    /// The profile from the axis to the edge.
+    pub fn plain(name: &'static str, profile: P, oracle: reference::Profile) -> Self {
+        Self { name, cone: plain, profile, exact: reference::Cone::new, oracle }
+    }
+
+    /// The profile around a hotspot whose versine is half the outer one, up to the roundings of f32.
+    pub fn hotspot(name: &'static str, profile: P, oracle: reference::Profile) -> Self {
+        Self { name, cone: hotspot, profile, exact: exact_hotspot, oracle }
+    }
+
+    /// The profile, delimited at 0.75 of its half angle.
+    pub fn delimited(name: &'static str, profile: P, oracle: reference::Profile) -> Self {
+        Self { name, cone: delimited, profile, exact: exact_delimited, oracle }
+    }
+
+    pub fn at(&self, half_degrees: f32) -> Cone<P> {
+        (self.cone)(self.profile, half_degrees)
+    }
+
+    pub fn exactly_at(&self, half_degrees: f32) -> reference::Cone {
+        (self.exact)(self.oracle, reference::versine(half_degrees.into()))
+    }
+
+    /// The versines that the cone has compiled, which are those of f32.
+    pub fn stored_at(&self, half_degrees: f32) -> reference::Cone {
+        let f32_of = |half: f32| f64::from(luminaire::Angle::from(sweep::half(half)).versine());
+        let mut exact = (self.exact)(self.oracle, f32_of(half_degrees));
+        if exact.inner > 0.0 {
+            exact.inner = f32_of(half_degrees * HOTSPOT);
+        }
+        if exact.limit < exact.outer {
+            exact.limit = f64::from(self.at(half_degrees).outer_versine());
+        }
+        exact
+    }
+}
+
+impl<const N: u32> Shape<Power<N>> {
+    /// OpenGL's spotlight with its cutoff at the half angle.
+    pub fn opengl(name: &'static str, oracle: reference::Profile) -> Self {
+        let cone = |_: Power<N>, half| Cone::opengl(sweep::half(half)).expect("a sound cutoff");
+        Self { name, cone, profile: Power, exact: reference::Cone::opengl, oracle }
+    }
+}
+
+/// The inner half angle of a hotspot, and the delimiter, as fractions of the outer half angle.
+const HOTSPOT: f32 = 0.5;
+const DELIMITER: f32 = 0.75;
+
+fn plain<P: Profile>(profile: P, half_degrees: f32) -> Cone<P> {
+    Cone::from_outer(profile, sweep::half(half_degrees)).expect("a sound cone")
+}
+
+fn hotspot<P: Profile>(profile: P, half_degrees: f32) -> Cone<P> {
+    let cone = plain(profile, half_degrees);
+    cone.with_inner(sweep::half(half_degrees * HOTSPOT)).expect("a sound hotspot")
+}
+
+fn delimited<P: Profile>(profile: P, half_degrees: f32) -> Cone<P> {
+    let cone = plain(profile, half_degrees);
+    cone.with_delimiter(sweep::half(half_degrees * DELIMITER)).expect("a sound delimiter")
+}
+
+fn exact_hotspot(profile: reference::Profile, outer: f64) -> reference::Cone {
+    let inner = reference::versine(reference::half_degrees(outer) * f64::from(HOTSPOT));
+    reference::Cone { inner, ..reference::Cone::new(profile, outer) }
+}
+
+fn exact_delimited(profile: reference::Profile, outer: f64) -> reference::Cone {
+    let limit = reference::versine(reference::half_degrees(outer) * f64::from(DELIMITER));
+    reference::Cone { limit, ..reference::Cone::new(profile, outer) }
+}
+
+/// The answers of a generic function to every shape: each profile plain, one with a hotspot, one delimited, and
+/// OpenGL's.
+macro_rules! with_every_shape {
+    ($function:ident :: <$format:ty>) => {{
+        use luminaire::{CutOff, Hard, Linear, Power, Rim, Smooth, Soft};
+        use $crate::support::{
+            profiles::{self, Shape},
+            reference,
+        };
+        [
+            $function::<$format, _>(&Shape::plain("soft", Soft, reference::soft)),
+            $function::<$format, _>(&Shape::plain("hard", Hard, reference::hard)),
+            $function::<$format, _>(&Shape::plain("linear", Linear, reference::linear)),
+            $function::<$format, _>(&Shape::plain("cut-off", CutOff, reference::cut_off)),
+            $function::<$format, _>(&Shape::plain("smooth", Smooth, reference::smooth)),
+            $function::<$format, _>(&Shape::plain("blend", profiles::blend(), reference::blend)),
+            $function::<$format, _>(&Shape::plain("cubic", profiles::cubic(), reference::cubic)),
+            $function::<$format, _>(&Shape::plain("power 4", Power::<4>, reference::power_4)),
+            $function::<$format, _>(&Shape::plain("power 15", Power::<15>, reference::power_15)),
+            $function::<$format, _>(&Shape::plain("rim 4", Rim::<4>, reference::rim_4)),
+            $function::<$format, _>(&Shape::plain("table", profiles::table(), reference::table)),
+            $function::<$format, _>(&Shape::hotspot("soft, hotspot", Soft, reference::soft)),
+            $function::<$format, _>(&Shape::delimited("soft, delimited", Soft, reference::soft)),
+            $function::<$format, _>(&Shape::<Power<15>>::opengl("OpenGL 15", reference::power_15)),
+        ]
+    }};
+}
+pub(crate) use with_every_shape;
