@@ -4,36 +4,13 @@
 mod support;
 
 use fastrand::Rng;
-use luminaire::{Fx16, Fx32, Profile, Spot, Vec3};
+use luminaire::{Fx16, Fx32, Profile, Spot};
 use support::{
+    arbitrary::{bits, vector},
     format::Format,
     profiles::{Shape, with_every_shape},
     sweep,
 };
-
-/// Bit patterns that have broken arithmetic before, and random ones.
-fn bits(rng: &mut Rng) -> u64 {
-    const SEAMS: [u64; 12] = [
-        0,
-        1,
-        0x8000_0000,
-        0x7fff_ffff,
-        0xffff_ffff,
-        0x7f80_0000,
-        0xff80_0000,
-        0x7fc0_0000,
-        0x0080_0000,
-        0x7f7f_ffff,
-        u64::MAX,
-        1 << 63,
-    ];
-    if rng.u8(..4) == 0 { SEAMS[rng.usize(..SEAMS.len())] } else { rng.u64(..) }
-}
-
-fn vector<T>(rng: &mut Rng, mut component: impl FnMut(u64) -> T) -> Vec3<T> {
-    let mut next = || component(bits(rng));
-    Vec3::new(next(), next(), next())
-}
 
 fn assert_total<S: Format, P: Profile>(shape: &Shape<P>) {
     let mut rng = Rng::with_seed(0x0dd_b175);

@@ -4,6 +4,7 @@
 #![allow(unused_macros, unused_imports, reason = "each test binary uses its part of the support")]
 #![allow(unreachable_pub, reason = "every test binary has these modules to itself")]
 
+pub mod arbitrary;
 pub mod bounds;
 pub mod cubics;
 pub mod format;
