@@ -9,7 +9,7 @@ use luminaire::{
     Surface, Unattenuated, Vec3, Windowed, clip, keep_hue,
 };
 use support::{
-    arbitrary::{bits, vector},
+    arbitrary::vector,
     format::Format,
     reference::{self, scaled},
     sweep,
