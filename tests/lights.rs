@@ -59,7 +59,7 @@ fn assert_model<S: Format, A: Attenuation>(rng: &mut Rng, model: impl Fn(f32) ->
         let point = Point::new(spot.position()).and_then(|point| point.with_intensity(1e9 * rng.f32()));
         let point = point.expect("sound").with_attenuation(model(range));
         let position = S::exact_point(spot.position().map(S::length));
-        let (spot, point) = (spot.compile::<S>().expect("held"), point.compile::<S>());
+        let (spot, point) = (spot.compile::<S>().expect("held"), point.compile::<S>().expect("held"));
         for _ in 0..50 {
             let surface = any_surface::<S>(rng);
             assert_all_highlights(&spot, &surface);
@@ -116,7 +116,8 @@ fn every_bit_pattern_has_an_answer_in_fx16() {
 
 /// Along an axis a model never rises by more than `steps` of its format, starts at full scale and ends at exact zero.
 fn assert_falls<S: Format, A: Attenuation>(model: A, range: f32, starts: f64, steps: f64) {
-    let light = Point::new(Vec3::default()).expect("sound").with_attenuation(model).compile::<S>();
+    let light =
+        Point::new(Vec3::default()).expect("sound").with_attenuation(model).compile::<S>().expect("held");
     let toward = Vec3::new(S::from_f32(-1.0), S::ZERO, S::ZERO);
     let at = |quanta: i32| {
         let place = Vec3::new(quanta as f32 / 65_536.0, 0.0, 0.0).map(S::length);
@@ -201,4 +202,33 @@ fn one_vector_gives_direction_and_range() {
         assert!(reference::dot(off, off).sqrt() < 1e-6);
         assert!((spot.attenuation().range() - 5.0).abs() < 1e-5);
     }
+}
+
+/// However near the lamp, and however small the numbers get, no more light arrives than the lamp has.
+#[test]
+fn no_light_is_made_next_to_a_lamp() {
+    let lamp = Point::new(Vec3::default()).expect("sound").with_attenuation(Unattenuated);
+    let lamp = lamp.compile::<f32>().expect("held");
+    for exponent in 0..=149 {
+        let point = Vec3::new(0.0, 0.5_f32.powi(exponent), 0.0);
+        let light = lamp.irradiance_unskipped(point, Vec3::new(0.0, -1.0, 0.0));
+        assert!(light <= 1.0, "{light} at 2^-{exponent}");
+        assert_eq!(light, lamp.irradiance(point, Vec3::new(0.0, -1.0, 0.0)));
+    }
+}
+
+/// Gains may be multiplied until nothing of them is left, or all there can be.
+#[test]
+fn gains_never_overflow() {
+    fn powers<S: Format>() {
+        for gain in [0.3, 3.0, 1e-38, 3e38] {
+            let power = (0..64).fold(S::gain(gain), |power, _| power.by(power));
+            let sum = power.plus(S::gain(1.0)).plus(power);
+            let light = S::exact_light(S::ONE.expose(sum));
+            assert!(light >= 0.0 && light.is_finite(), "{gain}: {light}");
+        }
+    }
+    powers::<f32>();
+    powers::<Fx32>();
+    powers::<Fx16>();
 }

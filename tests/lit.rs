@@ -59,7 +59,7 @@ fn distance_error<S: Format, A: Attenuation>(
         let falls = oracle(range.into(), 0.01) > 1.0;
         let intensity = if falls { range * range / 4.0 } else { 1.0 };
         let point = Point::new(sweep::single(place)).and_then(|point| point.with_intensity(intensity));
-        let lit = point.expect("a sound light").with_attenuation(model).compile::<S>();
+        let lit = point.expect("a sound light").with_attenuation(model).compile::<S>().expect("held");
         for _ in 0..1_000 {
             let way = sweep::direction(&mut rng);
             let distance = f64::from(range) * (0.02 + 1.08 * rng.f64());
@@ -133,11 +133,11 @@ fn assert_cut<S: Format>() {
         let site = [0, 1, 2].map(|i| place[i] + f64::from(range) * fraction * way[i]);
         let site = sweep::single(sweep::on_grid(site)).map(S::length);
         let normal = sweep::single(scaled(way, -1.0)).map(S::from_f32);
-        let cut = cut.compile::<S>().irradiance(site, normal);
+        let cut = cut.compile::<S>().expect("held").irradiance(site, normal);
         if fraction > 1.000_2 {
             assert_eq!(cut, S::Irradiance::default());
         } else if fraction < 0.999_8 {
-            assert_eq!(cut, whole.compile::<S>().irradiance(site, normal));
+            assert_eq!(cut, whole.compile::<S>().expect("held").irradiance(site, normal));
         }
     }
 }

@@ -229,3 +229,21 @@ fn derived_values_are_shown_to_four_decimals() {
     let message = cone.compile::<Fx16>().expect_err("too narrow for 16 bits").to_string();
     assert!(message.starts_with("outer angle 1.0267 is refused"), "{message}");
 }
+
+/// A position that a format would have to move is refused when the light is compiled for it, and only then.
+#[test]
+fn a_position_beyond_the_reach_of_its_format() {
+    let far = Spot::new(Vec3::new(0.0, 40_000.0, 0.0), DOWN, cone()).expect("a sound light");
+    assert!(far.compile::<f32>().is_ok());
+    let message = "position 40000 is refused: give a finite number from -32767 to 32767";
+    assert_refused(far.compile::<Fx16>(), Parameter::Position, message);
+    assert_refused(far.compile::<Fx32>(), Parameter::Position, message);
+    let lamp = luminaire::Point::new(Vec3::new(0.0, 0.0, -40_000.0)).expect("a sound light");
+    assert!(lamp.compile::<Fx16>().is_err());
+}
+
+/// A cone so narrow that its versine is none cannot be described.
+#[test]
+fn a_cone_narrower_than_numbers() {
+    assert!(Cone::from_field(Soft, Angle::degrees(1e-30)).is_err());
+}

@@ -23,7 +23,12 @@ fn assert_total<S: Format, P: Profile>(shape: &Shape<P>) {
         else {
             continue;
         };
-        let compiled = spot.compile::<S>().expect("held");
+        // Nor does a fixed-point format take a position that it would have to move.
+        let Ok(compiled) = spot.compile::<S>() else {
+            let p = spot.position();
+            assert!([p.x, p.y, p.z].into_iter().any(|c| c.abs() > S::FARTHEST), "{spot:?}");
+            continue;
+        };
         let falloff = cone.compile::<S>().expect("held");
         for _ in 0..100 {
             let point = vector(&mut rng, S::length_from_bits);
@@ -36,6 +41,7 @@ fn assert_total<S: Format, P: Profile>(shape: &Shape<P>) {
                 let sum = S::add_light(S::Irradiance::default(), compiled.irradiance(point, normal));
                 assert!(S::exact_light(S::filter(sum, S::ONE)).is_finite());
             }
+            assert_eq!(falloff.at(falloff.versine(f32::NAN)), S::ZERO);
             let intensity = falloff.at(S::versine_from_bits(bits(&mut rng))).exact();
             assert!((0.0..=1.0).contains(&intensity), "{cone:?}: {intensity}");
         }

@@ -73,8 +73,10 @@ impl<P: Profile> Cone<P> {
     /// The cone whose given angle lies at `fraction` of its outer versine.
     fn from_angle(profile: P, angle: Angle, fraction: f32, parameter: Parameter) -> Result<Self, Error> {
         let largest = Angle::from_versine(fraction);
-        if angle > Angle::degrees(0.0) && angle <= largest {
-            Ok(Self::open(profile, 0.0, (angle.versine() / fraction).min(1.0)))
+        let outer = angle.versine() / fraction;
+        // An angle above zero may be so small that its versine is none.
+        if angle > Angle::degrees(0.0) && angle <= largest && outer >= f32::MIN_POSITIVE {
+            Ok(Self::open(profile, 0.0, outer.min(1.0)))
         } else {
             let accepted = Accepted::AngleUpTo(largest.to_degrees());
             Err(Error { parameter, value: angle.to_degrees(), accepted })

@@ -13,6 +13,7 @@ pub use self::{ambient::Ambient, directional::Directional, point::Point, spot::S
 use crate::{
     color::{Rgb, checked_color},
     error::{Accepted, Error, Parameter, check_between},
+    scalar::Scalar,
     trig,
     vec3::Vec3,
 };
@@ -96,6 +97,14 @@ fn checked_position(parameter: Parameter, position: Vec3<f32>) -> Result<Vec3<f3
         check_between(parameter, value, -f32::MAX, f32::MAX)?;
     }
     Ok(position)
+}
+
+/// Whether a format can hold the position of a light; one that it would move is refused instead.
+fn check_reach<S: Scalar>(position: Vec3<f32>) -> Result<(), Error> {
+    for value in [position.x, position.y, position.z] {
+        check_between(Parameter::Position, value, -S::FARTHEST, S::FARTHEST)?;
+    }
+    Ok(())
 }
 
 /// The axis at unit length and the length it had, or the error that shows that.

@@ -11,14 +11,15 @@
 //! | versine of the angle off axis | f32 | 61 fraction bits in a u64 | u32, scaled to the cone |
 //! | fraction: the argument of an edge profile | f32 | U1F31 | U1F15 |
 //! | weight: a coefficient of an edge profile | f32 | I34F30 | I18F14 |
-//! | gain: a factor with an exponent of its own | f32 | 32-bit mantissa and shift | 16-bit mantissa and shift |
+//! | gain: a factor with an exponent of its own | f32 | 28-bit mantissa and shift | 16-bit mantissa and shift |
 //! | irradiance: light that has arrived, with headroom | f32 | U34F30 | U18F14 |
-//! | rounding of a product | to nearest, ties to even | to nearest, ties up | to nearest, ties up |
-//! | overflow | saturates (at 2^64 for irradiance) | saturates | saturates |
+//! | rounding of `times` | to nearest, ties to even | to nearest, ties up | to nearest, ties up |
+//! | overflow | the light of one lamp at 2^64, else as IEEE 754 | saturates | saturates |
 //! | widest product | 32 bits | 64 bits | 32 bits |
 //!
-//! Laws that hold for every bit pattern, in every format: no operation panics; what is not a number counts as
-//! zero; `ONE.times(x) == x`; a falloff is in [0, 1], exactly 1 on the axis and exactly 0 from the edge outwards.
+//! Laws that hold for every bit pattern, in every format: no operation panics; what is not a number is dark, whether it
+//! comes as a point, a normal, a versine or a gain; `ONE.times(x) == x`; a falloff is in [0, 1], exactly 1 on the axis and
+//! exactly 0 from the edge outwards.
 
 pub(crate) mod float;
 mod fraction;
@@ -71,6 +72,8 @@ pub trait Scalar: Copy + Default + PartialOrd + core::fmt::Debug + sealed::Seale
     const STEP: f32;
     /// How far off the direction to a point can be, in radians: what a narrow cone magnifies.
     const DIRECTION_ERROR: f32;
+    /// The largest coordinate of a light, in either direction.
+    const FARTHEST: f32;
 
     /// The nearest value; saturates, and what is not a number becomes zero.
     fn from_f32(value: f32) -> Self;
@@ -224,6 +227,12 @@ fn mantissa_and_shift(value: f32) -> (u32, i32) {
     let bits = value.min(f32::MAX).to_bits();
     let (exponent, fraction) = ((bits >> 23).cast_signed(), bits & 0x007f_ffff);
     if exponent == 0 { (0, 0) } else { (fraction | 0x0080_0000, 150 - exponent) }
+}
+
+/// The shift of a gain, kept where sums of shifts cannot overflow: beyond it a gain is none or saturates anyway.
+#[cfg(feature = "fixed")]
+fn within_reach(shift: i32) -> i32 {
+    shift.clamp(-4096, 4096)
 }
 
 mod sealed {

@@ -42,8 +42,8 @@ impl Beam {
     }
 
     /// Whether the bounds are outside the cone for certain, in every number format: by a thousandth of the
-    /// distance and a tenth of a millimetre more than touching. The formats' directions are off by 2.4e-5 at
-    /// most, and their positions by 3e-5 metres.
+    /// distance and a tenth of a millimetre more than touching. The formats' directions are off by 1.2e-5 at
+    /// most, and their positions by 8e-6 metres.
     pub(crate) fn misses(&self, bounds: &Bounds) -> bool {
         let way = bounds.center - self.position;
         let reach = way.abs().element_sum() + bounds.center.abs().element_sum();

@@ -101,7 +101,9 @@ export class LightPanel {
     simple("color", (picker) => demo.setColor(light, picker.value));
     simple("on", (box) => demo.setOn(light, box.checked));
     const intensity = dial("intensity-slider", "intensity", (value) => demo.setIntensity(light, value));
-    intensity.range(0, Math.ceil(HEADROOM * demo.light(light).intensity));
+    const state = demo.light(light);
+    intensity.range(0, Math.ceil(HEADROOM * state.intensity));
+    state.free();
     return {
       beam: dial("beam", "beam-number", (value) => demo.setBeam(light, value)),
       field: dial("field", "field-number", (value) => demo.setField(light, value)),

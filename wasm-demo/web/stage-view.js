@@ -107,6 +107,8 @@ export class StageView {
   }
 
   #wheel(event) {
+    // With a modifier the wheel is the browser's own zoom.
+    if (event.ctrlKey || event.metaKey) return;
     event.preventDefault();
     // A notch is some 100 pixels, 3 lines or a part of a page, as the browser likes it.
     const notches = event.deltaY / [100, 3, 1][event.deltaMode];

@@ -1,6 +1,6 @@
 //! Light from a place into all directions.
 
-use super::{Emission, checked_position, emission_methods};
+use super::{Emission, check_reach, checked_position, emission_methods};
 use crate::{
     attenuation::{Attenuation, InverseSquare},
     color::Rgb,
@@ -16,9 +16,9 @@ use crate::{
 /// use luminaire::{Point, Vec3, Windowed};
 /// let bulb = Point::new(Vec3::new(0.0, 2.0, 0.0))?.with_intensity(4.0)?;
 /// let (floor, up) = (Vec3::new(0.0, 0.0, 0.0), Vec3::new(0.0, 1.0, 0.0));
-/// assert_eq!(bulb.compile::<f32>().irradiance(floor, up), 1.0);
+/// assert_eq!(bulb.compile::<f32>()?.irradiance(floor, up), 1.0);
 /// let short = bulb.with_attenuation(Windowed::new(Some(1.5))?);
-/// assert_eq!(short.compile::<f32>().irradiance(floor, up), 0.0);
+/// assert_eq!(short.compile::<f32>()?.irradiance(floor, up), 0.0);
 /// # Ok::<(), luminaire::Error>(())
 /// ```
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -58,13 +58,17 @@ impl<A: Attenuation> Point<A> {
     }
 
     /// Compiles the light for the format `S`.
-    pub fn compile<S: Scalar>(&self) -> CompiledPoint<S, A> {
-        CompiledPoint {
+    ///
+    /// # Errors
+    /// A position beyond [`Scalar::FARTHEST`].
+    pub fn compile<S: Scalar>(&self) -> Result<CompiledPoint<S, A>, Error> {
+        check_reach::<S>(self.position)?;
+        Ok(CompiledPoint {
             position: self.position.map(S::length),
             attenuation: self.attenuation.constants::<S>(),
             intensity: S::gain(self.emission.intensity),
             color: self.emission.color.map(S::from_f32),
             specular_color: self.emission.specular_color.map(S::from_f32),
-        }
+        })
     }
 }

@@ -1,6 +1,6 @@
 //! Light from a place into a cone.
 
-use super::{Emission, checked_position, emission_methods, unit_axis};
+use super::{Emission, check_reach, checked_position, emission_methods, unit_axis};
 use crate::{
     attenuation::{Attenuation, InverseSquare, SmoothRange},
     color::Rgb,
@@ -106,11 +106,13 @@ impl<P: Profile, A: Attenuation> Spot<P, A> {
         self.attenuation
     }
 
-    /// Compiles the light for the format `S`: from here on there are no angles, no divisions and no f32.
+    /// Compiles the light for the format `S`: from here on there are no angles and, in fixed point, no divisions and no
+    /// floats.
     ///
     /// # Errors
-    /// A cone narrower than the format can hold: see [`Cone::narrowest`].
+    /// A cone narrower than the format can hold: see [`Cone::narrowest`]. A position beyond [`Scalar::FARTHEST`].
     pub fn compile<S: Scalar>(&self) -> Result<CompiledSpot<S, P, A>, Error> {
+        check_reach::<S>(self.position)?;
         Ok(CompiledSpot {
             position: self.position.map(S::length),
             axis: S::axis(self.axis),

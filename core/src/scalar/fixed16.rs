@@ -108,6 +108,7 @@ impl Scalar for Fx16 {
     const ONE: Self = I2F14::ONE;
     const STEP: f32 = 1.0 / 16_384.0;
     const DIRECTION_ERROR: f32 = 1.2e-5;
+    const FARTHEST: f32 = 32_767.0;
 
     #[inline(always)]
     fn from_f32(value: f32) -> Self {
@@ -129,7 +130,7 @@ impl Scalar for Fx16 {
     }
 
     fn versine(ramp: Ramp16, value: f32) -> U1F31 {
-        magnified(value, ramp.zoom)
+        if value.is_nan() { U1F31::MAX } else { magnified(value, ramp.zoom) }
     }
 
     fn weight(value: f32) -> I18F14 {
@@ -138,7 +139,7 @@ impl Scalar for Fx16 {
 
     fn gain(value: f32) -> Gain16 {
         let (mantissa, shift) = super::mantissa_and_shift(value);
-        Gain16 { mantissa: ((mantissa + 0x80) >> 8).min(0xffff), shift: shift - 8 }
+        Gain16::normalised(mantissa, shift)
     }
 
     #[inline(always)]

@@ -119,6 +119,7 @@ impl Scalar for Fx32 {
     const ONE: Self = I2F30::ONE;
     const STEP: f32 = 1.0 / 1_073_741_824.0;
     const DIRECTION_ERROR: f32 = 8.0e-10;
+    const FARTHEST: f32 = 32_767.0;
 
     #[inline(always)]
     fn from_f32(value: f32) -> Self {
@@ -140,7 +141,7 @@ impl Scalar for Fx32 {
     }
 
     fn versine(_: Ramp32, value: f32) -> Versine32 {
-        nearest_versine(value)
+        if value.is_nan() { Versine32::MAX } else { nearest_versine(value) }
     }
 
     fn weight(value: f32) -> I34F30 {

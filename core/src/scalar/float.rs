@@ -59,6 +59,7 @@ impl Scalar for f32 {
     const ONE: Self = 1.0;
     const STEP: f32 = f32::EPSILON;
     const DIRECTION_ERROR: f32 = 5.3e-8;
+    const FARTHEST: f32 = f32::MAX;
 
     fn from_f32(value: f32) -> Self {
         if value.is_nan() { 0.0 } else { value }
@@ -258,11 +259,12 @@ impl Offset<f32> for FloatOffset {
         self.squared
     }
 
-    /// Where the square is zero or beyond f32, direction or reciprocal are zero, infinite or not a number, and every one
-    /// of them is dark in the end: no test is needed.
+    /// Where the square is less than any normal number the point counts as on the light, and its direction is zero.
+    /// Where it is beyond f32 the reciprocal is zero or not a number, and no light arrives either.
     #[inline(always)]
     fn ray(&self) -> FloatRay {
-        let reciprocal = trig::inverse_sqrt(self.squared);
+        let root = trig::inverse_sqrt(self.squared);
+        let reciprocal = if self.squared >= f32::MIN_POSITIVE { root } else { 0.0 };
         let direction = self.way.map(|c| c * reciprocal);
         FloatRay { direction, squared: self.squared, reciprocal }
     }
@@ -286,7 +288,7 @@ impl Ray<f32> for FloatRay {
 
     #[inline(always)]
     fn cosine(&self, facing: f32) -> f32 {
-        positive(facing * self.reciprocal)
+        clamp(facing * self.reciprocal)
     }
 
     #[inline(always)]

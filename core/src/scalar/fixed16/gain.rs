@@ -1,7 +1,7 @@
 //! The arithmetic of gains of 16 bits, in 32-bit products.
 
 use super::{Fx16, Gain16, shifted};
-use crate::scalar::{Gain, reciprocal, root};
+use crate::scalar::{Gain, reciprocal, root, within_reach};
 use fixed::types::U18F14;
 
 /// `a b / 2^16` for a b of 16 bits, rounded down.
@@ -21,12 +21,12 @@ impl Gain16 {
         }
         let excess = root::bit_length(bits).cast_signed() - 16;
         if excess <= 0 {
-            return Self { mantissa: bits << -excess, shift: shift - excess };
+            return Self { mantissa: bits << -excess, shift: within_reach(shift - excess) };
         }
         let rounded = ((bits >> (excess - 1)) + 1) >> 1;
         // Rounding up can carry into a seventeenth bit.
         let carry = rounded >> 16;
-        Self { mantissa: rounded >> carry, shift: shift - excess - carry.cast_signed() }
+        Self { mantissa: rounded >> carry, shift: within_reach(shift - excess - carry.cast_signed()) }
     }
 
     /// A light times the gain.

@@ -1,7 +1,7 @@
 //! The arithmetic of gains of 28 bits, in 64-bit products.
 
 use super::{Fx32, Gain32, shifted};
-use crate::scalar::{Gain, reciprocal};
+use crate::scalar::{Gain, reciprocal, within_reach};
 use fixed::types::U34F30;
 
 impl Gain32 {
@@ -15,12 +15,12 @@ impl Gain32 {
         }
         let excess = 36 - bits.leading_zeros().cast_signed();
         if excess <= 0 {
-            return Self { mantissa: (bits << -excess) as u32, shift: shift - excess };
+            return Self { mantissa: (bits << -excess) as u32, shift: within_reach(shift - excess) };
         }
         let rounded = (((bits >> (excess - 1)) + 1) >> 1) as u32;
         // Rounding up can carry into a twenty-ninth bit.
         let carry = rounded >> 28;
-        Self { mantissa: rounded >> carry, shift: shift - excess - carry.cast_signed() }
+        Self { mantissa: rounded >> carry, shift: within_reach(shift - excess - carry.cast_signed()) }
     }
 
     /// A light times the gain.
