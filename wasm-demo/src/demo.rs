@@ -114,6 +114,13 @@ impl Demo {
         self.times.show
     }
 
+    /// How long the last picture took in all, in milliseconds: the passes that were done for it.
+    #[wasm_bindgen(getter, js_name = frameMs)]
+    pub fn frame_ms(&self) -> f64 {
+        let Times { geometry, lighting, encode, show } = self.times;
+        geometry.unwrap_or(0.0) + lighting + encode + show
+    }
+
     /// Moves the camera around the stage, by angles in radians.
     pub fn orbit(&mut self, yaw: f32, pitch: f32) {
         self.camera.orbit(yaw, pitch);

@@ -3,7 +3,8 @@ import { median } from "./numbers.js";
 
 const PICTURES = 30;
 
-const PASSES = ["geometry", "lighting", "encode", "show"];
+/** The passes of a picture, and all that were done for it together. */
+const PASSES = ["geometry", "lighting", "encode", "show", "frame"];
 
 export class Readout {
   #demo;
