@@ -73,15 +73,22 @@ fn soft_has_a_third_of_the_flux_and_hard_two() {
 fn a_delimiter_changes_nothing_within() {
     let cone = Cone::from_field(Soft, Angle::degrees(30.0)).expect("sound");
     let cut = cone.with_delimiter(Angle::degrees(12.0)).expect("tighter");
-    let (open, delimited) = (cone.compile::<Fx16>().expect("held"), cut.compile::<Fx16>().expect("held"));
-    for millidegrees in 0..20_000_u16 {
-        let half = f32::from(millidegrees) / 1e3;
-        let versine = open.versine(Angle::from(HalfAngle::degrees(half)).versine());
-        let expected = if half < 6.0 { open.at(versine) } else { Fx16::ZERO };
-        assert_eq!(delimited.at(versine), expected, "{half}");
-    }
+    assert_delimited::<f32>(&cone, &cut);
+    assert_delimited::<Fx32>(&cone, &cut);
+    assert_delimited::<Fx16>(&cone, &cut);
     assert_eq!((cut.beam(), cut.field()), (cut.outer(), cut.outer()));
     assert_near("outer", cut.outer().to_degrees(), 12.0, 1e-6);
+}
+
+/// The same within a delimiter of 12 degrees, each versine in the scale of its own cone, and nothing beyond.
+fn assert_delimited<S: Format>(open: &Cone<Soft>, cut: &Cone<Soft>) {
+    let (open, cut) = (open.compile::<S>().expect("held"), cut.compile::<S>().expect("held"));
+    for millidegrees in 0..20_000_u16 {
+        let half = f32::from(millidegrees) / 1e3;
+        let versine = Angle::from(HalfAngle::degrees(half)).versine();
+        let expected = if half < 6.0 { open.at(open.versine(versine)) } else { S::ZERO };
+        assert_eq!(cut.at(cut.versine(versine)), expected, "{} {half}", S::NAME);
+    }
 }
 
 /// Inner and outer angle in one make a step in every profile and format.

@@ -235,9 +235,9 @@ fn derived_values_are_shown_to_four_decimals() {
 fn a_position_beyond_the_reach_of_its_format() {
     let far = Spot::new(Vec3::new(0.0, 40_000.0, 0.0), DOWN, cone()).expect("a sound light");
     assert!(far.compile::<f32>().is_ok());
-    let message = "position 40000 is refused: give a finite number from -32767 to 32767";
-    assert_refused(far.compile::<Fx16>(), Parameter::Position, message);
-    assert_refused(far.compile::<Fx32>(), Parameter::Position, message);
+    let message = |most| format!("position 40000 is refused: give a finite number from -{most} to {most}");
+    assert_refused(far.compile::<Fx16>(), Parameter::Position, &message(16_383));
+    assert_refused(far.compile::<Fx32>(), Parameter::Position, &message(32_767));
     let lamp = luminaire::Point::new(Vec3::new(0.0, 0.0, -40_000.0)).expect("a sound light");
     assert!(lamp.compile::<Fx16>().is_err());
 }

@@ -8,7 +8,7 @@
 //! | scalar: intensities, normals, colours | f32 | I2F30 | I2F14 |
 //! | length: world coordinates | f32 | I16F16 | I16F16 |
 //! | unit: the axis and the direction to a point | f32 | I2F30 | I2F30 |
-//! | versine of the angle off axis | f32 | 61 fraction bits in a u64 | u32, scaled to the cone |
+//! | versine of the angle off axis | f32 | 61 fraction bits in a u64 | U3F29, scaled to the cone |
 //! | fraction: the argument of an edge profile | f32 | U1F31 | U1F15 |
 //! | weight: a coefficient of an edge profile | f32 | I34F30 | I18F14 |
 //! | gain: a factor with an exponent of its own | f32 | 28-bit mantissa and shift | 16-bit mantissa and shift |
@@ -18,7 +18,7 @@
 //! | widest product | 32 bits | 64 bits | 32 bits |
 //!
 //! Laws that hold for every bit pattern, in every format: no operation panics; what is not a number is dark, whether it
-//! comes as a point, a normal, a versine or a gain; `ONE.times(x) == x`; a falloff is in [0, 1], exactly 1 on the axis and
+//! comes as a point, a normal, a versine or a gain; `ONE.times(x) == x` for x from 0 to 1; a falloff is in [0, 1], exactly 1 on the axis and
 //! exactly 0 from the edge outwards.
 
 pub(crate) mod float;
@@ -72,7 +72,7 @@ pub trait Scalar: Copy + Default + PartialOrd + core::fmt::Debug + sealed::Seale
     const STEP: f32;
     /// How far off the direction to a point can be, in radians: what a narrow cone magnifies.
     const DIRECTION_ERROR: f32;
-    /// The largest coordinate of a light, in either direction.
+    /// The largest coordinate of a light, in either direction. Points may be anywhere.
     const FARTHEST: f32;
 
     /// The nearest value; saturates, and what is not a number becomes zero.
@@ -90,7 +90,8 @@ pub trait Scalar: Copy + Default + PartialOrd + core::fmt::Debug + sealed::Seale
     /// The nearest gain; negative or not a number becomes zero.
     fn gain(value: f32) -> Self::Gain;
 
-    /// The product.
+    /// The product of two numbers from 0 to 1. Beyond them it is in that range all the same, in fixed point, and has no
+    /// meaning.
     fn times(self, other: Self) -> Self;
     /// The difference.
     fn minus(self, other: Self) -> Self;
@@ -187,7 +188,7 @@ pub trait Ray<S: Scalar>: Copy + core::fmt::Debug {
     /// `|l - s|^2 / 2` keeps the narrow beams that `1 - l.s` loses.
     fn versine(&self, axis: Vec3<S::Unit>, ramp: S::Ramp) -> S::Versine;
     /// The cosine of the angle of incidence, and zero where the surface faces away.
-    fn cosine(&self, facing: <S::Offset as Offset<S>>::Facing) -> S;
+    fn cosine(&self, facing: <S::Offset as Offset<S>>::Facing) -> S::Fraction;
     /// The light of a fraction of a gain at this distance, by the inverse-square law; none for a negative fraction.
     fn expose(&self, fraction: S, gain: S::Gain) -> S::Irradiance;
 }

@@ -46,5 +46,5 @@ impl<F> Bits for FixedU64<F> {
 /// One more result in a checksum; the order counts.
 #[inline(always)]
 pub(crate) fn fold(sum: u32, result: impl Bits) -> u32 {
-    sum.rotate_left(1) ^ result.bits()
+    sum.wrapping_mul(3) ^ result.bits()
 }

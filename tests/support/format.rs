@@ -8,7 +8,7 @@ pub trait Format: Scalar {
     fn exact_length(length: Self::Length) -> f64;
     fn exact_unit(unit: Self::Unit) -> f64;
     fn exact_light(light: Self::Irradiance) -> f64;
-    /// What a versine stands for in the scale of a cone: the scale is found from what the cone makes of 2^-30.
+    /// What a versine stands for in the scale of a cone: the scale is found from what the cone makes of 2^-28.
     fn exact_versine<P: Profile>(falloff: &Falloff<Self, P>, versine: Self::Versine) -> f64;
     /// The scalar, length, unit and versine with these bits, cut to what the format has.
     fn scalar_from_bits(bits: u64) -> Self;
@@ -90,8 +90,8 @@ macro_rules! fixed_format {
             }
 
             fn exact_versine<P: Profile>(falloff: &Falloff<Self, P>, versine: Self::Versine) -> f64 {
-                let unit: f64 = falloff.versine(0.5_f32.powi(30)).to_num();
-                versine.to_num::<f64>() * 0.5_f64.powi(30) / unit
+                let unit: f64 = falloff.versine(0.5_f32.powi(28)).to_num();
+                versine.to_num::<f64>() * 0.5_f64.powi(28) / unit
             }
 
             fn scalar_from_bits(bits: u64) -> Self {

@@ -1,27 +1,36 @@
 //! The 16-bit format: scalars of 16 bits, lengths and directions of 32, and no product wider than 32 bits, so that
 //! a processor with nothing but a 32-bit multiply runs it.
 //!
-//! In the comments `|v|` is the length of the scaled offset, whose largest component has 17 bits.
+//! In the comments `v` is the offset scaled until its largest component has 15 bits, and `|v|` its length.
 
 mod gain;
 mod lobe;
 
 use super::{Offset, Ray, Scalar, fraction::Fraction16, nearest, root};
 use crate::{color::srgb16, vec3::Vec3};
-use fixed::types::{I2F14, I2F30, I16F16, I18F14, U1F31, U18F14};
+use fixed::types::{I2F14, I2F30, I16F16, I18F14, U3F29, U18F14};
 
 /// The 16-bit format: I2F14, from -2 to 2 in steps of 1/16384.
 pub type Fx16 = I2F14;
 
-/// How many bits the largest component of a scaled offset has. A product with the reciprocal of its length has 31 in
-/// all: the offset gets more of them, because its error turns the direction while the reciprocal's only shortens it.
+/// How many bits of an offset are multiplied with the reciprocal of its length. The product has 31 in all: the offset
+/// gets more of them, because its error turns the direction while the reciprocal's only shortens it.
 const WAY_BITS: u32 = 17;
 
-/// The way from a light to a point, scaled until its largest component has 17 bits.
+/// What a direction is given for the bits that were cut off, half a unit on average: half the reciprocal, which is between
+/// 2,365 and 8,192. Of what lies between, this was measured to leave the least error.
+const CUT_OFF: i32 = 6_144;
+
+/// How many bits are enough for everything but a direction.
+const COARSE_BITS: u32 = 15;
+
+/// The way from a light to a point. The largest component has at least 17 bits, if there is any way at all.
 #[derive(Clone, Copy, Debug)]
 pub struct Offset16 {
     way: Vec3<i32>,
-    /// Bits of the largest component before scaling; 0 where the point is on the light.
+    /// Takes the largest component to 17 bits.
+    shift: u32,
+    /// How many bits the largest component had before a short way was scaled up.
     bits: u32,
 }
 
@@ -31,25 +40,26 @@ pub struct Ray16 {
     direction: Vec3<i32>,
     bits: u32,
     squared: u32,
-    /// `2^31 / |v|`, of 14 to 16 bits.
+    /// `2^30 / |v|`, of 15 or 16 bits.
     reciprocal: u32,
 }
 
-/// A ramp: from the gap between a versine and the outer one to `t`.
+/// A ramp: from what a versine has over the inner one to `t`.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Ramp16 {
     /// Powers of four by which the versines of this ramp are magnified.
     zoom: u32,
-    /// From here on there is no light: the outer versine, or that of a tighter delimiter.
-    limit: u32,
-    outer: u32,
-    span: u32,
-    /// Takes the span to at most 16 bits.
+    /// Up to here there is all the light.
+    inner: u32,
+    /// So far from the inner versine on there is none: at the outer versine, or at that of a tighter delimiter.
+    width: u32,
+    /// Takes the span from inner to outer versine to at most 16 bits.
     shift: u32,
     /// `2^31` over the shifted span.
     mantissa: u32,
-    /// Half a unit of what a shifted gap has lost, and half a step of the result: both roundings in one addition.
-    half: u32,
+    /// One with 31 fraction bits, half a step of the result, less half of what a shifted versine has lost: what the
+    /// product is taken from, and all roundings, in one subtraction.
+    one: u32,
 }
 
 /// A factor `mantissa / 2^shift`.
@@ -60,20 +70,13 @@ pub struct Gain16 {
     shift: i32,
 }
 
-/// Scales a component of at most this many bits to 17, rounding to nearest: first up to all that there are, so that
-/// one way serves long offsets and short ones.
-#[inline(always)]
-fn scale(component: i32, bits: u32) -> i32 {
-    (((component << (31 - bits)) >> (30 - WAY_BITS)) + 1) >> 1
-}
-
 /// The largest zoom of a ramp: one more would ask for bits that a direction does not have.
-const MOST_ZOOM: u32 = 14;
+const MOST_ZOOM: u32 = 15;
 
 /// The nearest versine times `4^zoom`, saturating; not a number becomes zero.
-fn magnified(value: f32, zoom: u32) -> U1F31 {
+fn magnified(value: f32, zoom: u32) -> U3F29 {
     let value = value * (1_u64 << (2 * zoom)) as f32;
-    if value.is_nan() { U1F31::ZERO } else { U1F31::saturating_from_num(value) }
+    if value.is_nan() { U3F29::ZERO } else { U3F29::saturating_from_num(value) }
 }
 
 /// `product / 2^shift`, rounded to nearest, saturating.
@@ -95,7 +98,7 @@ fn shifted(product: u32, shift: i32) -> U18F14 {
 impl Scalar for Fx16 {
     type Length = I16F16;
     type Unit = I2F30;
-    type Versine = U1F31;
+    type Versine = U3F29;
     type Fraction = Fraction16;
     type Weight = I18F14;
     type Ramp = Ramp16;
@@ -108,7 +111,7 @@ impl Scalar for Fx16 {
     const ONE: Self = I2F14::ONE;
     const STEP: f32 = 1.0 / 16_384.0;
     const DIRECTION_ERROR: f32 = 1.2e-5;
-    const FARTHEST: f32 = 32_767.0;
+    const FARTHEST: f32 = 16_383.0;
 
     #[inline(always)]
     fn from_f32(value: f32) -> Self {
@@ -129,8 +132,8 @@ impl Scalar for Fx16 {
         axis.map(|c| if c.is_nan() { I2F30::ZERO } else { I2F30::saturating_from_num(c) })
     }
 
-    fn versine(ramp: Ramp16, value: f32) -> U1F31 {
-        if value.is_nan() { U1F31::MAX } else { magnified(value, ramp.zoom) }
+    fn versine(ramp: Ramp16, value: f32) -> U3F29 {
+        if value.is_nan() { U3F29::MAX } else { magnified(value, ramp.zoom) }
     }
 
     fn weight(value: f32) -> I18F14 {
@@ -144,10 +147,8 @@ impl Scalar for Fx16 {
 
     #[inline(always)]
     fn times(self, other: Self) -> Self {
-        let product = i32::from(self.to_bits()) * i32::from(other.to_bits());
-        // The largest product, of the two least scalars, is 2^30: rounding it cannot overflow.
-        let rounded = (product + (1 << 13)) >> 14;
-        Self::from_bits(rounded.clamp(i32::from(i16::MIN), i32::from(i16::MAX)) as i16)
+        let [a, b] = [self, other].map(|scalar| u32::from(scalar.to_bits().cast_unsigned()));
+        Self::from_bits((a.wrapping_mul(b).wrapping_add(1 << 13) >> 14).min(1 << 14) as i16)
     }
 
     #[inline(always)]
@@ -157,35 +158,44 @@ impl Scalar for Fx16 {
 
     #[inline(always)]
     fn offset(light: Vec3<I16F16>, point: Vec3<I16F16>) -> Offset16 {
-        Offset16::scaled(point.zip(light, |p, l| p.to_bits().saturating_sub(l.to_bits())))
+        let way = point.zip(light, |p, l| p.to_bits().wrapping_sub(l.to_bits()));
+        let size = size(way);
+        if size >> 24 != 0 {
+            core::hint::cold_path();
+            return Offset16::far(light, point);
+        }
+        if size >> 16 == 0 {
+            core::hint::cold_path();
+            return Offset16::near(way, size);
+        }
+        Offset16::scaled(way, root::ILOG2[size as usize >> 16].into())
     }
 
     fn ramp(inner: f32, outer: f32, limit: f32) -> Ramp16 {
-        let zoom =
-            (1..=MOST_ZOOM).take_while(|&zoom| magnified(outer, zoom) <= U1F31::ONE).last().unwrap_or(0);
-        let [inner, outer, limit] = [inner, outer, limit].map(|versine| magnified(versine, zoom).to_bits());
-        let span = outer.saturating_sub(inner);
-        let shift = (u32::BITS - span.leading_zeros()).saturating_sub(16);
+        // Two is the square of the largest component that `versine_between` lets pass. Beyond the limit none has to.
+        let limit = if limit < outer { limit } else { outer };
+        let zoom = (1..=MOST_ZOOM).take_while(|&zoom| magnified(limit, zoom) <= 2).last().unwrap_or(0);
+        let [inner, limit] = [inner, limit].map(|versine| magnified(versine, zoom).to_bits());
+        let outer = (outer * (1_u64 << (29 + 2 * zoom)) as f32 + 0.5) as u64;
+        let span = outer.saturating_sub(inner.into()).max(1);
+        let shift = (u64::BITS - span.leading_zeros()).saturating_sub(16).min(31);
         // The whole span divides, not the shifted one: what the shift loses would be an error of the slope.
-        let divisor = u64::from(span.max(1));
-        let mantissa = (((1 << (31 + shift)) + divisor / 2) / divisor) as u32;
-        // The largest gap short of the span must not be rounded past one.
-        let room = (1 << 31) + (1 << 16) - 1 - (span.saturating_sub(1) >> shift) * mantissa;
-        let half = ((mantissa - (mantissa >> shift)) / 2 + (1 << 15)).min(room);
-        Ramp16 { zoom, limit: limit.min(outer), outer, span, shift, mantissa, half }
+        let mantissa = (((1 << (31 + shift)) + span / 2) / span) as u32;
+        let width = limit.saturating_sub(inner);
+        let one = (1 << 31) + (1 << 15) - (mantissa - (mantissa >> shift)) / 2;
+        // The last versine short of the limit must not be taken below zero.
+        let one = one.max((width.saturating_sub(1) >> shift) * mantissa);
+        Ramp16 { zoom, inner: inner.min(limit), width, shift, mantissa, one }
     }
 
     #[inline(always)]
-    fn rise(ramp: Ramp16, versine: U1F31) -> Fraction16 {
+    fn rise(ramp: Ramp16, versine: U3F29) -> Fraction16 {
         let versine = versine.to_bits();
-        if versine >= ramp.limit {
-            return Fraction16(0);
+        let past = versine.wrapping_sub(ramp.inner);
+        if past >= ramp.width {
+            return Fraction16(if versine < ramp.inner { 1 << 15 } else { 0 });
         }
-        let gap = ramp.outer - versine;
-        if gap >= ramp.span {
-            return Fraction16(1 << 15);
-        }
-        Fraction16((((gap >> ramp.shift) * ramp.mantissa + ramp.half) >> 16) as u16)
+        Fraction16((ramp.one - (past >> ramp.shift) * ramp.mantissa) >> 16)
     }
 
     #[inline(always)]
@@ -194,23 +204,21 @@ impl Scalar for Fx16 {
     }
 
     #[inline(always)]
-    fn versine_between(a: Vec3<I2F30>, b: Vec3<I2F30>, ramp: Ramp16) -> U1F31 {
+    fn versine_between(a: Vec3<I2F30>, b: Vec3<I2F30>, ramp: Ramp16) -> U3F29 {
         let shift = MOST_ZOOM - ramp.zoom + 1;
         // The rounding belongs to the second direction: where that is an axis, it is taken once per light. Opposite
         // directions may wrap round, from one difference that is far outside of every cone to another.
         let b = b.map(|c| c.to_bits().wrapping_sub(1 << (shift - 1)));
         let difference = a.zip(b, |a, b| a.to_bits().wrapping_sub(b) >> shift);
-        let magnitudes = difference.map(i32::unsigned_abs);
-        if (magnitudes.x | magnitudes.y | magnitudes.z) >> 16 != 0 {
-            return U1F31::MAX;
+        if size(difference) >> 15 != 0 {
+            return U3F29::MAX;
         }
-        let squares = magnitudes.map(|c| c * c);
-        let sum = squares.x.checked_add(squares.y).and_then(|sum| sum.checked_add(squares.z));
-        sum.map_or(U1F31::MAX, U1F31::from_bits)
+        let squares = difference.map(|c| (c * c).cast_unsigned());
+        U3F29::from_bits(squares.x + squares.y + squares.z)
     }
 
     #[inline(always)]
-    fn power(versine: U1F31, exponent: u32) -> Self {
+    fn power(versine: U3F29, exponent: u32) -> Self {
         lobe::power(versine, exponent)
     }
 
@@ -228,7 +236,7 @@ impl Scalar for Fx16 {
     fn direction_between(a: Vec3<I2F30>, b: Vec3<I2F30>) -> Vec3<I2F30> {
         // Half the difference always fits.
         let half = b.zip(a, |b, a| (b.to_bits() >> 1) - (a.to_bits() >> 1));
-        Offset16::scaled(half).ray().direction()
+        Offset16::new(half).ray().direction()
     }
 
     #[inline(always)]
@@ -238,7 +246,7 @@ impl Scalar for Fx16 {
 
     #[inline(always)]
     fn expose(self, gain: Gain16) -> U18F14 {
-        let fraction = u32::from(self.clamp(Self::ZERO, Self::ONE).to_bits().cast_unsigned());
+        let fraction = u32::from(self.to_bits().cast_unsigned());
         shifted(fraction * gain.mantissa, gain.shift)
     }
 
@@ -282,48 +290,86 @@ impl Scalar for Fx16 {
     }
 }
 
+/// A number with as many bits as the largest component has: negative ones count up from -1.
+#[inline(always)]
+fn size(way: Vec3<i32>) -> u32 {
+    let magnitudes = way.map(|c| (c ^ (c >> 31)).cast_unsigned());
+    magnitudes.x | magnitudes.y | magnitudes.z
+}
+
 impl Offset16 {
-    /// The way, scaled until its largest component has 17 bits.
+    /// A way that has so many bits more than 17.
     #[inline(always)]
-    fn scaled(way: Vec3<i32>) -> Self {
-        let magnitudes = way.map(|c| (c ^ (c >> 31)).cast_unsigned());
-        let bits = root::bit_length(magnitudes.x | magnitudes.y | magnitudes.z);
-        Self { way: way.map(|c| scale(c, bits)), bits }
+    fn scaled(way: Vec3<i32>, more: u32) -> Self {
+        // At most 14 more: the compiler cannot know.
+        let shift = more & 15;
+        Self { way, shift, bits: shift + WAY_BITS }
     }
 
-    /// `(|v| / 4)^2`. Computed where it is needed, for a surface that faces away has no need of it.
+    /// A way of this [`size`] of at most 16 bits. It is scaled up, so that there are bits for a direction.
+    #[inline(always)]
+    fn near(way: Vec3<i32>, size: u32) -> Self {
+        let bits = root::bit_length(size);
+        Self { way: way.map(|c| c << (31 - bits)), shift: 31 - WAY_BITS, bits }
+    }
+
+    /// A way of more than 24 bits. Whether it had more than 32 can be seen now: a light's position has at most 30
+    /// and a sign, so that a way that wrapped round has not come back to less.
+    #[inline(always)]
+    fn far(light: Vec3<I16F16>, point: Vec3<I16F16>) -> Self {
+        let way = point.zip(light, |p, l| p.to_bits().saturating_sub(l.to_bits()));
+        Self::scaled(way, root::bit_length(size(way)) - WAY_BITS)
+    }
+
+    /// A way of any size.
+    fn new(way: Vec3<i32>) -> Self {
+        let size = size(way);
+        if size >> 16 == 0 {
+            Self::near(way, size)
+        } else {
+            Self::scaled(way, root::bit_length(size) - WAY_BITS)
+        }
+    }
+
+    /// `v`.
+    #[inline(always)]
+    fn coarse(&self) -> Vec3<i32> {
+        self.way.map(|c| c >> (self.shift + WAY_BITS - COARSE_BITS))
+    }
+
+    /// `|v|^2`: three squares of 15 bits and a sign fit 32. Computed where it is needed, for a surface that faces away
+    /// has no need of it.
     #[inline(always)]
     fn squared(&self) -> u32 {
-        // At most 15 bits and a sign: 32 bits hold the sum of the squares.
-        let squares = self.way.map(|c| (c >> 2).wrapping_mul(c >> 2).cast_unsigned());
+        let squares = self.coarse().map(|c| (c * c).cast_unsigned());
         squares.x.wrapping_add(squares.y).wrapping_add(squares.z)
     }
 }
 
 impl Offset<Fx16> for Offset16 {
     type Ray = Ray16;
-    /// In steps of 2^-14 of `|v| / 8`.
+    /// In steps of 2^-14 of `|v|`, less than zero where the surface faces the light. Wraps for normals that are longer than
+    /// 1.15, which leaves it defined.
     type Facing = i32;
 
     #[inline(always)]
     fn facing(&self, normal: Vec3<Fx16>) -> i32 {
-        let products = normal.zip(self.way, |n, v| i32::from(n.to_bits()) * (v >> 3));
-        -(products.x + products.y + products.z)
+        let products = normal.zip(self.coarse(), |n, v| i32::from(n.to_bits()) * v);
+        products.x.wrapping_add(products.y).wrapping_add(products.z)
     }
 
     #[inline(always)]
     fn faces_away(facing: i32) -> bool {
-        facing <= 0
+        facing >= 0
     }
 
     #[inline(always)]
     fn is_outside(&self, axis: Vec3<I2F30>, bound: Fx16) -> bool {
-        let products = axis.zip(self.way, |s, v| (s.to_bits() >> 16) * (v >> 2));
+        let products = axis.zip(self.coarse(), |s, v| (s.to_bits() >> 16) * v);
         let along = products.x.wrapping_add(products.y).wrapping_add(products.z) >> 14;
-        // The axis has unit length, so that 16 bits hold the part of |v| / 4 along it.
-        let magnitude = (along.wrapping_mul(along).cast_unsigned() >> 2).cast_signed();
-        let signed = if along < 0 { -magnitude } else { magnitude };
-        signed < (self.squared() >> 16).cast_signed() * i32::from(bound.to_bits())
+        // The axis has unit length, so that 16 bits hold the part of |v| along it.
+        let along = along.max(0).cast_unsigned();
+        along.wrapping_mul(along) < (self.squared() >> 14) * u32::from(bound.to_bits().max(0).cast_unsigned())
     }
 
     #[inline(always)]
@@ -334,49 +380,43 @@ impl Offset<Fx16> for Offset16 {
     #[inline(always)]
     fn ray(&self) -> Ray16 {
         let squared = self.squared();
-        let reciprocal = if squared >= 1 << 30 {
-            (root::inverse_sqrt_16(squared) + 2) >> 2
-        } else if squared >= 1 << 28 {
-            (root::inverse_sqrt_16(squared << 2) + 1) >> 1
-        } else {
-            0
-        };
-        let fourteen_bits = ((reciprocal + 1) >> 1).cast_signed();
-        let direction = self.way.map(|c| c * fourteen_bits);
-        Ray16 { direction, bits: self.bits, squared, reciprocal }
+        let reciprocal = root::inverse_sqrt_16(squared);
+        let fourteen_bits = ((reciprocal + 2) >> 2).cast_signed();
+        let fine = self.way.map(|c| c >> self.shift);
+        Ray16 { direction: fine.map(|c| c.wrapping_mul(fourteen_bits)), bits: self.bits, squared, reciprocal }
     }
 }
 
 impl Ray<Fx16> for Ray16 {
     #[inline(always)]
     fn distance(&self) -> Gain16 {
-        // `|v| 2^11`, of 28 or 29 bits.
-        Gain16::normalised(gain::high_product(self.squared, self.reciprocal), 44 - self.bits.cast_signed())
+        // `|v| 2^14`, of 29 or 30 bits.
+        Gain16::normalised(gain::high_product(self.squared, self.reciprocal), 45 - self.bits.cast_signed())
     }
 
     #[inline(always)]
     fn direction(&self) -> Vec3<I2F30> {
-        self.direction.map(I2F30::from_bits)
+        self.direction.map(|c| I2F30::from_bits(c.wrapping_add(CUT_OFF)))
     }
 
     #[inline(always)]
-    fn versine(&self, axis: Vec3<I2F30>, ramp: Ramp16) -> U1F31 {
+    fn versine(&self, axis: Vec3<I2F30>, ramp: Ramp16) -> U3F29 {
         Fx16::versine_between(self.direction(), axis, ramp)
     }
 
     #[inline(always)]
-    fn cosine(&self, facing: i32) -> Fx16 {
-        // Whatever the normal's length, the product has at most 31 bits: it is that length in steps of 2^-29.
-        let cosine = ((facing.max(0).cast_unsigned() >> 13) * self.reciprocal + (1 << 14)) >> 15;
-        Fx16::from_bits(cosine.min(1 << 14) as i16)
+    fn cosine(&self, facing: i32) -> Fraction16 {
+        // The product is the length of the normal in steps of 2^-31, and wraps beyond two of it.
+        let along = facing.min(0).unsigned_abs() >> 13;
+        Fraction16((along.wrapping_mul(self.reciprocal) >> 16).min(1 << 15))
     }
 
     #[inline(always)]
     fn expose(&self, fraction: Fx16, gain: Gain16) -> U18F14 {
-        let fraction = u32::from(fraction.clamp(Fx16::ZERO, Fx16::ONE).to_bits().cast_unsigned());
+        let fraction = u32::from(fraction.to_bits().cast_unsigned());
         // At most 16, 16 and 18 bits: every product fits 32.
-        let squared = (self.reciprocal * self.reciprocal) >> 14;
+        let squared = (self.reciprocal * self.reciprocal) >> 16;
         let mantissa = (gain.mantissa * squared) >> 14;
-        shifted(fraction * mantissa, gain.shift + 2 * self.bits.cast_signed() - 32)
+        shifted(fraction.wrapping_mul(mantissa), gain.shift + 2 * self.bits.cast_signed() - 32)
     }
 }

@@ -155,8 +155,8 @@ impl Scalar for Fx32 {
 
     #[inline(always)]
     fn times(self, other: Self) -> Self {
-        let rounded = (wide(self.to_bits(), other.to_bits()) + (1 << 29)) >> 30;
-        Self::from_bits(rounded.clamp(i64::from(i32::MIN), i64::from(i32::MAX)) as i32)
+        let [a, b] = [self, other].map(|scalar| u64::from(scalar.to_bits().cast_unsigned()));
+        Self::from_bits((a.wrapping_mul(b).wrapping_add(1 << 29) >> 30).min(1 << 30) as i32)
     }
 
     #[inline(always)]
@@ -360,10 +360,10 @@ impl Ray<Fx32> for Ray32 {
     }
 
     #[inline(always)]
-    fn cosine(&self, facing: i64) -> Fx32 {
+    fn cosine(&self, facing: i64) -> Fraction32 {
         // Whatever the normal's length, the product has at most 63 bits: it is that length in steps of 2^-61.
-        let cosine = ((facing.max(0).cast_unsigned() >> 31) * self.reciprocal + (1 << 30)) >> 31;
-        Fx32::from_bits(cosine.min(1 << 30) as i32)
+        let cosine = ((facing.max(0).cast_unsigned() >> 31) * self.reciprocal) >> 30;
+        Fraction32(cosine.min(1 << 31) as u32)
     }
 
     #[inline(always)]

@@ -287,8 +287,8 @@ impl Ray<f32> for FloatRay {
     }
 
     #[inline(always)]
-    fn cosine(&self, facing: f32) -> f32 {
-        clamp(facing * self.reciprocal)
+    fn cosine(&self, facing: f32) -> FloatFraction {
+        FloatFraction(clamp(facing * self.reciprocal))
     }
 
     #[inline(always)]

@@ -1,4 +1,5 @@
-//! Where a point stands between the edge of a cone and its middle, and what edge profiles make of it.
+//! Where a point stands between the edge of a cone and its middle, and what edge profiles make of it; also the cosine of
+//! an angle of incidence.
 //!
 //! A profile magnifies the rounding of its argument by its slope, so a fraction has one bit more than a scalar; it
 //! costs nothing, because the products that use it are as wide as before.
@@ -7,7 +8,7 @@ use super::{Scalar, float};
 
 /// A number from 0 to 1, one bit finer than the scalar: the argument of an edge profile.
 ///
-/// Made by [`Scalar::rise`] alone, so that it is in its range whatever the input was. In what follows it is called
+/// Made by [`Scalar::rise`] and [`Ray::cosine`](super::Ray::cosine) alone, so that it is in its range whatever the input was. In what follows it is called
 /// `t`, and `u = 1 - t`.
 pub trait Fraction<S: Scalar>: Copy + PartialOrd + core::fmt::Debug {
     /// `1 - t`.
@@ -18,6 +19,8 @@ pub trait Fraction<S: Scalar>: Copy + PartialOrd + core::fmt::Debug {
     fn product(self, other: Self) -> S;
     /// The nearest scalar.
     fn scalar(self) -> S;
+    /// What is left of a scalar from 0 to 1: the product.
+    fn of(self, scalar: S) -> S;
     /// One wherever `t` is more than zero.
     fn step(self) -> S;
     /// `t^2 (3 - 2 t)`: two multiplies.
@@ -55,6 +58,11 @@ impl Fraction<f32> for FloatFraction {
     #[inline(always)]
     fn scalar(self) -> f32 {
         self.0
+    }
+
+    #[inline(always)]
+    fn of(self, scalar: f32) -> f32 {
+        scalar * self.0
     }
 
     #[inline(always)]
@@ -103,9 +111,10 @@ mod fixed_point {
     use crate::scalar::{Fx16, Fx32};
     use fixed::types::{I18F14, I34F30};
 
-    /// A fraction with 15 fraction bits: its products have 30.
+    /// A fraction with 15 fraction bits: its products have 30. In a whole register, for a half one has to be cut off
+    /// again and again.
     #[derive(Clone, Copy, PartialEq, PartialOrd, Debug)]
-    pub struct Fraction16(pub(in crate::scalar) u16);
+    pub struct Fraction16(pub(in crate::scalar) u32);
 
     /// A fraction with 31 fraction bits: its products have 62.
     #[derive(Clone, Copy, PartialEq, PartialOrd, Debug)]
@@ -116,12 +125,12 @@ mod fixed_point {
 
         #[inline(always)]
         fn wide(self) -> u32 {
-            u32::from(self.0)
+            self.0
         }
 
         #[inline(always)]
         fn signed(self) -> i32 {
-            i32::from(self.0)
+            self.0.cast_signed()
         }
 
         /// `t (1 + lift)`, `lift` having 15 fraction bits, within [0, 1] whatever the lift: its last rounding may
@@ -136,12 +145,12 @@ mod fixed_point {
     impl Fraction<Fx16> for Fraction16 {
         #[inline(always)]
         fn complement(self) -> Self {
-            Self((Self::ONE - self.wide()) as u16)
+            Self(Self::ONE - self.wide())
         }
 
         #[inline(always)]
         fn fine_product(self, other: Self) -> Self {
-            Self(((self.wide() * other.wide() + (1 << 14)) >> 15) as u16)
+            Self((self.wide() * other.wide() + (1 << 14)) >> 15)
         }
 
         #[inline(always)]
@@ -152,6 +161,12 @@ mod fixed_point {
         #[inline(always)]
         fn scalar(self) -> Fx16 {
             Fx16::from_bits(((self.wide() + 1) >> 1) as i16)
+        }
+
+        #[inline(always)]
+        fn of(self, scalar: Fx16) -> Fx16 {
+            let scalar = u32::from(scalar.to_bits().cast_unsigned());
+            Fx16::from_bits(((self.wide() * scalar + (1 << 14)) >> 15) as i16)
         }
 
         #[inline(always)]
@@ -232,6 +247,12 @@ mod fixed_point {
         }
 
         #[inline(always)]
+        fn of(self, scalar: Fx32) -> Fx32 {
+            let scalar = u64::from(scalar.to_bits().cast_unsigned());
+            Fx32::from_bits(((self.wide() * scalar + (1 << 30)) >> 31) as i32)
+        }
+
+        #[inline(always)]
         fn step(self) -> Fx32 {
             if self.0 > 0 { Fx32::ONE } else { Fx32::ZERO }
         }
@@ -278,7 +299,7 @@ mod tests {
     /// towards the middle in steps.
     fn over_all_t<P: Profile>(profile: P, exact: impl Fn(f64) -> f64) -> (f64, i32) {
         let curve = profile.compile::<Fx16>();
-        let at = |t: u16| i32::from(curve.intensity(Fraction16(t)).to_bits());
+        let at = |t: u16| i32::from(curve.intensity(Fraction16(t.into())).to_bits());
         assert_eq!((at(0), at(1 << 15)), (0, 1 << 14), "{profile:?}");
         (0..=1 << 15).fold((0.0, 0), |(error, fall), t: u16| {
             let (here, next) = (at(t), at((t + 1).min(1 << 15)));
@@ -337,8 +358,8 @@ mod tests {
         let weights = [i32::MIN, -65_536, -1, 0, 65_536, i32::MAX].map(I18F14::from_bits);
         let wide = [i64::MIN, -(1 << 32), -1, 0, 1 << 32, i64::MAX].map(I34F30::from_bits);
         for (i, j) in (0..6).flat_map(|i| (0..6).map(move |j| (i, j))) {
-            for t in [0, 1, 12_345, 16_384, 32_767, 32_768] {
-                let (narrow, fine) = (Fraction16(t), Fraction32(u32::from(t) << 16));
+            for t in [0, 1, 12_345, 16_384, 32_767, 32_768_u16] {
+                let (narrow, fine) = (Fraction16(t.into()), Fraction32(u32::from(t) << 16));
                 for value in [narrow.blend(weights[i]), narrow.cubic(weights[i], weights[j])] {
                     assert!((Fx16::ZERO..=Fx16::ONE).contains(&value));
                 }

@@ -4,7 +4,7 @@ use super::{Arrival, Light, Surface, lobe};
 use crate::{
     attenuation::{Attenuation, InverseSquare},
     color::Rgb,
-    scalar::{Offset, Ray, Scalar},
+    scalar::{Fraction, Offset, Ray, Scalar},
     specular::{Matte, Specular},
     vec3::Vec3,
 };
@@ -56,7 +56,7 @@ impl<S: Scalar, A: Attenuation> Light<S> for CompiledPoint<S, A> {
             return Arrival::default();
         }
         let ray = offset.ray();
-        let cosine = ray.cosine(facing);
+        let cosine = ray.cosine(facing).scalar();
         let expose = |fraction| A::expose(&self.attenuation, &offset, &ray, fraction, self.intensity);
         let diffuse = expose(cosine);
         if !H::SHINES {

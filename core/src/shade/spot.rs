@@ -6,7 +6,7 @@ use crate::{
     color::Rgb,
     cone::Falloff,
     profile::{Edge, Profile},
-    scalar::{Offset, Ray, Scalar},
+    scalar::{Fraction, Offset, Ray, Scalar},
     specular::{Matte, Specular},
     vec3::Vec3,
 };
@@ -109,11 +109,11 @@ impl<S: Scalar, P: Profile, A: Attenuation> Light<S> for CompiledSpot<S, P, A> {
         let falloff = self.falloff.toward(ray, self.axis);
         let cosine = ray.cosine(facing);
         let expose = |fraction| A::expose(&self.attenuation, &offset, &ray, fraction, self.intensity);
-        let diffuse = expose(falloff.times(cosine));
+        let diffuse = expose(cosine.of(falloff));
         if !H::SHINES {
             return Arrival { diffuse, specular: S::Irradiance::default() };
         }
-        let lobe = lobe::<S, H>(highlight, surface, ray.direction(), cosine);
+        let lobe = lobe::<S, H>(highlight, surface, ray.direction(), cosine.scalar());
         Arrival { diffuse, specular: expose(falloff.times(lobe)) }
     }
 }

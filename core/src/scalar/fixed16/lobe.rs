@@ -2,7 +2,7 @@
 
 use super::Fx16;
 use crate::vec3::Vec3;
-use fixed::types::{I2F30, U1F31};
+use fixed::types::{I2F30, U3F29};
 
 /// `t^2 (3 - 2t)`, exact but for one rounding at the end, so that it never falls.
 #[inline(always)]
@@ -21,8 +21,8 @@ fn lack_of_product(a: u32, b: u32) -> u32 {
 
 /// `(1 - versine)^exponent`: what the cosine lacks of one keeps its leading bits where the cosine would have lost them.
 #[inline(always)]
-pub(super) fn power(versine: U1F31, exponent: u32) -> Fx16 {
-    let (mut lack, mut square, mut rest) = (0, versine.to_bits().saturating_mul(2), exponent);
+pub(super) fn power(versine: U3F29, exponent: u32) -> Fx16 {
+    let (mut lack, mut square, mut rest) = (0, versine.to_bits().saturating_mul(8), exponent);
     while rest > 0 {
         if rest % 2 == 1 {
             lack = lack_of_product(lack, square);
