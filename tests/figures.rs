@@ -1,4 +1,5 @@
-//! The figures of the documentation are the ones that the code draws. What they show is tested beside that code.
+//! The figures of the documentation are the ones that the code draws. What they show is tested beside that
+//! code.
 
 #[path = "../examples/figures/gallery/mod.rs"]
 #[allow(dead_code, reason = "the example uses the rest")]

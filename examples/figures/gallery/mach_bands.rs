@@ -11,8 +11,8 @@ use std::error::Error;
 /// Width and height of a panel, and the gap to the next, in pixels.
 const PANEL: usize = 300;
 const GAP: usize = 30;
-/// Where the cones end and how far the hotspots reach, full angles in degrees: narrow, so that distance and incidence
-/// hardly bend the curves.
+/// Where the cones end and how far the hotspots reach, full angles in degrees: narrow, so that distance and
+/// incidence hardly bend the curves.
 const OUTER: Angle = Angle::degrees(6.0);
 const INNER: Angle = Angle::degrees(3.0);
 /// The full angle that is seen of the wall.
@@ -152,7 +152,8 @@ fn camera() -> Camera {
 mod tests {
     use super::*;
 
-    /// Where the slope of a row jumps by more than a kink's share from one sample to the next but one, from -1 to 1.
+    /// Where the slope of a row jumps by more than a kink's share from one sample to the next but one, from
+    /// -1 to 1.
     fn jumps(row: &[f64]) -> Vec<f64> {
         let step = 2.0 / row.len() as f64;
         let slopes: Vec<_> = row.windows(2).map(|pair| (pair[1] - pair[0]) / step).collect();

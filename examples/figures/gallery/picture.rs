@@ -19,7 +19,8 @@ pub(crate) fn renderer(width: usize, height: usize) -> Result<Renderer<f32>, lum
     Renderer::new(width * SAMPLES, height * SAMPLES)
 }
 
-/// The linear light of each sample when this much light, in white, arrives at its surface on top of the ambient light.
+/// The linear light of each sample when this much light, in white, arrives at its surface on top of the
+/// ambient light.
 pub(crate) fn lit(
     renderer: &Renderer<f32>,
     ambient: Rgb<f32>,

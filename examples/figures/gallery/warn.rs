@@ -27,8 +27,8 @@ impl Warn {
         2.0 * libm::acos(libm::pow(intensity, 1.0 / self.exponent)).to_degrees()
     }
 
-    /// The light that arrives at a surface point, as the kernel has it: falloff, Lambert's cosine and the inverse square
-    /// of the distance.
+    /// The light that arrives at a surface point, as the kernel has it: falloff, Lambert's cosine and the
+    /// inverse square of the distance.
     pub(crate) fn irradiance(self, light: &luminaire::Spot, point: Vec3<f32>, normal: Vec3<f32>) -> f64 {
         let way = point.zip(light.position(), |p, l| p - l).map(f64::from);
         let (axis, normal) = (light.axis().map(f64::from), normal.map(f64::from));
