@@ -53,22 +53,21 @@ impl MachBands {
         let soft = Cone::from_outer(Soft, OUTER)?;
         let smooth = Cone::from_outer(Smooth, OUTER)?.with_inner(INNER)?;
         let panels = [
-            Panel {
-                title: "linear, clamped at a hotspot",
-                remark: "a kink is seen as a band",
-                kinks: &[INNER, OUTER],
-                ..Panel::lit(&renderer, linear)?
-            },
-            Panel {
-                title: "soft",
-                remark: "one multiply, no clamp, no kink",
-                ..Panel::lit(&renderer, soft)?
-            },
-            Panel {
-                title: "smooth, clamped at the same hotspot",
-                remark: "two multiplies, no kink",
-                ..Panel::lit(&renderer, smooth)?
-            },
+            Panel::lit(
+                &renderer,
+                linear,
+                "linear, clamped at a hotspot",
+                "a kink is seen as a band",
+                &[INNER, OUTER],
+            )?,
+            Panel::lit(&renderer, soft, "soft", "one multiply, no clamp, no kink", &[])?,
+            Panel::lit(
+                &renderer,
+                smooth,
+                "smooth, clamped at the same hotspot",
+                "two multiplies, no kink",
+                &[],
+            )?,
         ];
         let picture = Picture::beside(&panels.each_ref().map(|panel| &panel.picture), GAP);
         Ok(Self { picture, panels })
@@ -86,8 +85,14 @@ impl MachBands {
 }
 
 impl Panel {
-    /// The wall under a cone of light, without words.
-    fn lit<P: Profile>(renderer: &Renderer<f32>, cone: Cone<P>) -> Result<Self, luminaire::Error> {
+    /// The wall under a cone of light.
+    fn lit<P: Profile>(
+        renderer: &Renderer<f32>,
+        cone: Cone<P>,
+        title: &'static str,
+        remark: &'static str,
+        kinks: &'static [Angle],
+    ) -> Result<Self, luminaire::Error> {
         let position = Vec3::new(0.0, HEIGHT, DISTANCE);
         let spot = Spot::new(position, Vec3::new(0.0, 0.0, -1.0), cone)?;
         let spot = spot.with_intensity(DISTANCE * DISTANCE)?.compile::<f32>()?;
@@ -95,7 +100,7 @@ impl Panel {
         let (width, height) = renderer.size();
         let row = (0..width).map(|x| linear(x, height / 2).green.into()).collect();
         let picture = Picture::develop(renderer, linear);
-        Ok(Self { title: "", remark: "", kinks: &[], picture, row })
+        Ok(Self { title, remark, kinks, picture, row })
     }
 
     /// Draws the row, in line with the panel's place in the picture. Across the panel x goes from -1 to 1.

@@ -14,7 +14,8 @@ impl Drawing {
     /// An empty drawing on white.
     pub(crate) fn new(width: f64, height: f64, title: &str) -> Self {
         let svg = format!(
-            r#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height}" font-family="sans-serif" font-size="13">
+            r#"<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}"
+viewBox="0 0 {width} {height}" font-family="sans-serif" font-size="13">
 <title>{title}</title>
 <rect width="{width}" height="{height}" fill="white"/>
 "#
