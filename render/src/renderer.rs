@@ -14,7 +14,7 @@ use crate::{
     view::View,
 };
 use alloc::{collections::TryReserveError, vec::Vec};
-use luminaire::{Error, Rgb, Spot};
+use luminaire::{Error, Rgb, Spot, Vec3};
 
 /// A deferred renderer: geometry once into a buffer, then light over that buffer in the number format `S`,
 /// then the codes of a display. Each step is done again only if something before it has changed.
@@ -148,6 +148,20 @@ impl<S: Format> Renderer<S> {
             let block = &self.radiance[y * self.width.div_ceil(LANES) + x / LANES];
             Rgb::new(block.red[x % LANES], block.green[x % LANES], block.blue[x % LANES])
         })
+    }
+
+    /// The surface that a pixel shows, as the lights see it: a point of it, its unit normal there and its
+    /// material; none outside the picture, and none where nothing was drawn.
+    pub fn surface(&self, x: usize, y: usize) -> Option<(Vec3<S::Length>, Vec3<S>, Material)> {
+        if x >= self.width || y >= self.height {
+            return None;
+        }
+        let block = &self.geometry.blocks[y * self.width.div_ceil(LANES) + x / LANES];
+        let lane = x % LANES;
+        let number = block.material[lane] as usize;
+        let point = Vec3::new(block.point.x[lane], block.point.y[lane], block.point.z[lane]);
+        let normal = Vec3::new(block.normal.x[lane], block.normal.y[lane], block.normal.z[lane]);
+        (number > 0).then(|| (point, normal, self.materials[number]))
     }
 }
 

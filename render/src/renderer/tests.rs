@@ -224,3 +224,23 @@ fn most_blocks_outside_a_narrow_beam_are_left_out() {
     let share = missed as f32 / bounds.len() as f32;
     assert!((0.8..0.97).contains(&share), "{share} of the blocks are left out");
 }
+
+/// A renderer of one's own over the surfaces finds the light that this one does, bit for bit.
+#[test]
+fn surfaces_are_what_is_lit() {
+    let (scene, lights) = (stage::scene(), stage::lights().unwrap());
+    let mut renderer = renderer::<f32>(&scene, &stage::camera());
+    renderer.draw_light(&lights).unwrap();
+    let lights = lights.map(|light| light.compile::<f32>().unwrap());
+    for (x, y) in (0..SIZE.1).flat_map(|y| (0..SIZE.0).map(move |x| (x, y))) {
+        let expected = renderer.surface(x, y).map_or(Rgb::default(), |(point, normal, material)| {
+            let sum = lights.iter().fold(scene.ambient(), |sum, light| {
+                let arriving = light.irradiance(point, normal);
+                sum.zip(light.color(), |sum, color| sum + arriving * color)
+            });
+            sum.zip(material.albedo, |sum, albedo| sum * albedo)
+        });
+        assert_eq!(renderer.linear(x, y), Some(expected), "{x} {y}");
+    }
+    assert_eq!((renderer.surface(SIZE.0, 0), renderer.surface(0, SIZE.1)), (None, None));
+}

@@ -1,0 +1,56 @@
+//! The figures: what is drawn, and as what it is kept.
+//!
+//! The pictures are the renderer's geometry lit by the kernel in f32, or by Warn's model over the same
+//! geometry. Nothing in them differs between machines, so that they can be compared to the last bit.
+
+mod curves;
+mod mach_bands;
+mod picture;
+mod scene;
+mod svg;
+mod warn;
+
+use std::error::Error;
+
+pub(crate) use picture::Picture;
+
+/// A figure and the name of its file.
+pub(crate) struct Figure {
+    pub(crate) name: &'static str,
+    pub(crate) content: Content,
+}
+
+/// What a figure is made of.
+pub(crate) enum Content {
+    /// Pixels, kept as a PNG.
+    Picture(Picture),
+    /// A drawing, kept as an SVG.
+    Drawing(String),
+}
+
+impl Figure {
+    /// The figure as it is kept.
+    pub(crate) fn file(self) -> Result<Vec<u8>, png::EncodingError> {
+        match self.content {
+            Content::Picture(picture) => picture.png(),
+            Content::Drawing(svg) => Ok(svg.into_bytes()),
+        }
+    }
+}
+
+/// Every figure, in the order of the page.
+pub(crate) fn figures() -> Result<Vec<Figure>, Box<dyn Error>> {
+    let [warn, soft, hard] = scene::pictures()?;
+    let bands = mach_bands::MachBands::draw()?;
+    let profiles = bands.profiles();
+    let picture = |name, picture| Figure { name, content: Content::Picture(picture) };
+    let drawing = |name, svg| Figure { name, content: Content::Drawing(svg) };
+    Ok(vec![
+        picture("warn.png", warn),
+        picture("soft.png", soft),
+        picture("hard.png", hard),
+        drawing("intensity.svg", curves::svg()?),
+        picture("mach-bands.png", bands.picture),
+        drawing("mach-bands.svg", profiles),
+    ])
+}

@@ -1,0 +1,58 @@
+//! Warn's spotlight: the rival that the paper draws first.
+
+use luminaire::{Angle, HalfAngle, Vec3};
+
+/// The cosine of the angle off axis to a real exponent (Warn 1983; Hast 2004, equation 1), in f64.
+///
+/// The power, the logarithm and the cosine are those of `libm`, which are the same on every machine.
+#[derive(Clone, Copy)]
+pub(crate) struct Warn {
+    pub(crate) exponent: f64,
+}
+
+impl Warn {
+    /// The exponent that leaves a tenth of the intensity at this angle.
+    pub(crate) fn from_field(field: Angle) -> Self {
+        let half = f64::from(HalfAngle::from(field).to_degrees()).to_radians();
+        Self { exponent: libm::log(0.1) / libm::log(libm::cos(half)) }
+    }
+
+    /// The intensity at the cosine of an angle off axis: none from a right angle on.
+    pub(crate) fn falloff(self, cosine: f64) -> f64 {
+        if cosine > 0.0 { libm::pow(cosine, self.exponent) } else { 0.0 }
+    }
+
+    /// The full angle in degrees within which this much of the intensity is left.
+    pub(crate) fn angle_at(self, intensity: f64) -> f64 {
+        2.0 * libm::acos(libm::pow(intensity, 1.0 / self.exponent)).to_degrees()
+    }
+
+    /// The light that arrives at a surface point, as the kernel has it: falloff, Lambert's cosine and the
+    /// inverse square of the distance.
+    pub(crate) fn irradiance(self, light: &luminaire::Spot, point: Vec3<f32>, normal: Vec3<f32>) -> f64 {
+        let way = point.zip(light.position(), |p, l| p - l).map(f64::from);
+        let (axis, normal) = (light.axis().map(f64::from), normal.map(f64::from));
+        let squared = dot(way, way);
+        let distance = squared.sqrt();
+        let incidence = (-dot(way, normal) / distance).max(0.0);
+        f64::from(light.intensity()) * self.falloff(dot(way, axis) / distance) * incidence / squared
+    }
+}
+
+fn dot(a: Vec3<f64>, b: Vec3<f64>) -> f64 {
+    a.x * b.x + a.y * b.y + a.z * b.z
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_tenth_is_left_at_the_field_angle() {
+        let warn = Warn::from_field(Angle::degrees(15.0));
+        assert!((warn.exponent - 267.993).abs() < 1e-3, "{}", warn.exponent);
+        assert!((warn.falloff(libm::cos(7.5_f64.to_radians())) - 0.1).abs() < 1e-12);
+        assert!((warn.angle_at(0.1) - 15.0).abs() < 1e-9);
+        assert_eq!((warn.falloff(1.0), warn.falloff(0.0), warn.falloff(-1.0)), (1.0, 0.0, 0.0));
+    }
+}
