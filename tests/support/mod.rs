@@ -8,6 +8,7 @@ pub mod arbitrary;
 pub mod bounds;
 pub mod cubics;
 pub mod format;
+pub mod operations;
 pub mod prices;
 pub mod profiles;
 pub mod reference;
