@@ -7,6 +7,8 @@
 pub mod arbitrary;
 pub mod bounds;
 pub mod cubics;
+pub mod every;
+pub mod every_falloff;
 pub mod format;
 pub mod operations;
 pub mod prices;
