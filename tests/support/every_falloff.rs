@@ -31,7 +31,7 @@ pub const ROWS: [Row; 19] = [
     row("soft",          "fx32", [1.52, 1.65, 1.72, 1.51]),
     row("hard",          "fx32", [1.47, 1.41, 1.47, 1.26]),
     row("smooth",        "fx32", [1.76, 1.78, 1.83, 1.67]),
-    row("cubic",         "fx32", [2.55, 2.74, 2.84, 2.51]),
+    row("cubic",         "fx32", [2.53, 2.74, 2.88, 2.51]),
     row("soft",          "fx16", [REFUSE, 1.49, 1.52, 1.28]),
     row("hard",          "fx16", [REFUSE, REFUSE, 1.40, 1.23]),
     row("linear",        "fx16", [REFUSE, 0.96, 0.99, 0.89]),
