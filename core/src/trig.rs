@@ -120,4 +120,16 @@ mod tests {
         let worst = largest(arguments(1e6).map(error));
         assert!((2e-8..=2.4e-7).contains(&worst), "largest relative error {worst:.2e}");
     }
+
+    /// Every mantissa, with an even and an odd exponent: what every other normal number repeats.
+    #[test]
+    fn roots_keep_their_stated_error_over_every_mantissa() {
+        let values = || (1.0_f32.to_bits()..4.0_f32.to_bits()).map(f32::from_bits);
+        let worst = largest(values().map(|x| (f64::from(sqrt(x)) / f64::from(x).sqrt() - 1.0).abs()));
+        let bounds = if SMALL_TIER { 1e-7..=2.4e-7 } else { 5.9e-8..=5.97e-8 };
+        assert!(bounds.contains(&worst), "largest relative error of a root {worst:e}");
+        let worst = largest(values().map(|x| (f64::from(inverse_sqrt(x)) * f64::from(x).sqrt() - 1.0).abs()));
+        let bounds = if SMALL_TIER { 1e-7..=2.4e-7 } else { 8.9e-8..=1.2e-7 };
+        assert!(bounds.contains(&worst), "largest relative error of a reciprocal root {worst:e}");
+    }
 }

@@ -5,9 +5,15 @@
 #![allow(unreachable_pub, reason = "every test binary has these modules to itself")]
 
 pub mod arbitrary;
+pub mod beams;
+pub mod beams_picture;
 pub mod bounds;
 pub mod cubics;
+pub mod every;
+pub mod every_falloff;
 pub mod format;
+pub mod limits;
+pub mod operations;
 pub mod prices;
 pub mod profiles;
 pub mod reference;

@@ -52,7 +52,8 @@ pub struct CompiledExposure<S: Scalar> {
 }
 
 impl<S: Scalar> CompiledExposure<S> {
-    /// The light as it is exposed, each channel within a step of the format; a factor of one changes no bit.
+    /// The light as it is exposed; a factor of one changes no bit. From light of up to four times full scale a
+    /// darker one is within two steps of the format.
     #[inline(always)]
     pub fn expose(&self, light: Rgb<S::Irradiance>) -> Rgb<S::Irradiance> {
         light.map(|channel| S::amplify(channel, self.gain))

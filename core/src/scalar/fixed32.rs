@@ -118,7 +118,7 @@ impl Scalar for Fx32 {
     const ZERO: Self = I2F30::ZERO;
     const ONE: Self = I2F30::ONE;
     const STEP: f32 = 1.0 / 1_073_741_824.0;
-    const DIRECTION_ERROR: f32 = 8.0e-10;
+    const DIRECTION_ERROR: f32 = 8.2e-10;
     const FARTHEST: f32 = 32_767.0;
 
     #[inline(always)]

@@ -20,7 +20,7 @@ pub(super) const fn inverse_16(m: u32) -> u32 {
 
 /// `2^55 / m` for m of 28 bits: 2^28 at m = 2^27, just over 2^27 at the top.
 ///
-/// One Newton step from [`inverse_16`], in 64-bit products. Within 0.9 of the exact value (searched), and exact at 2^27.
+/// One Newton step from [`inverse_16`], in 64-bit products. Within 0.9 of the exact value, and exact at 2^27 (exhaustive).
 #[inline]
 pub(super) const fn inverse_28(m: u32) -> u32 {
     let seed = (inverse_16(m >> 12) as i64) << 12;
@@ -31,6 +31,8 @@ pub(super) const fn inverse_28(m: u32) -> u32 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    extern crate std;
 
     #[test]
     fn sixteen_bits_keep_their_stated_error() {
@@ -43,8 +45,9 @@ mod tests {
 
     #[test]
     fn twenty_eight_bits_keep_their_stated_error() {
+        let stride = if std::env::var_os("LUMINAIRE_FULL").is_some() { 1 } else { 97 };
         let worst = (1_u32 << 27..1 << 28)
-            .step_by(97)
+            .step_by(stride)
             .map(|m| (f64::from(inverse_28(m)) - 36_028_797_018_963_968.0 / f64::from(m)).abs())
             .fold(0.0, f64::max);
         assert!((0.5..=0.9).contains(&worst), "worst error {worst}");

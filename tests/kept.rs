@@ -1,0 +1,124 @@
+//! What is given to a description is given back, to the bit; what is replaced leaves the rest alone.
+
+use luminaire::{
+    Ambient, Angle, Blend, Cone, Cubic, Directional, Exposure, Fx16, Hard, HardRange, InverseSquare, Light,
+    Material, Phong, Point, Polynomial, Rgb, Scalar, SmoothRange, Soft, Spot, SquaredWindow, Surface, Table,
+    Unattenuated, Vec3, Windowed,
+};
+
+const RED: Rgb<f32> = Rgb::new(0.75, 0.25, 0.125);
+const BLUE: Rgb<f32> = Rgb::new(0.125, 0.5, 0.875);
+const PLACE: Vec3<f32> = Vec3::new(1.5, -2.25, 300.0);
+const DOWN: Vec3<f32> = Vec3::new(0.0, -1.0, 0.0);
+
+fn cone() -> Cone<Soft> {
+    Cone::from_outer(Soft, Angle::degrees(30.0)).expect("sound")
+}
+
+/// Every kind of light that has an emission.
+macro_rules! assert_emission {
+    ($light:expr) => {{
+        let white = $light.expect("sound");
+        assert_eq!((white.color(), white.specular_color(), white.intensity()), (WHITE, WHITE, 1.0));
+        let red = white.with_color(RED).and_then(|light| light.with_intensity(2.5)).expect("sound");
+        assert_eq!((red.color(), red.specular_color(), red.intensity()), (RED, RED, 2.5));
+        let both = red.with_specular_color(BLUE).expect("sound");
+        assert_eq!((both.color(), both.specular_color(), both.intensity()), (RED, BLUE, 2.5));
+        both
+    }};
+}
+const WHITE: Rgb<f32> = Rgb::new(1.0, 1.0, 1.0);
+
+#[test]
+fn lights_keep_what_they_are_given() {
+    let sun = assert_emission!(Directional::new(DOWN));
+    assert_eq!(sun.direction(), DOWN);
+    let bulb = assert_emission!(Point::new(PLACE)).with_attenuation(Unattenuated);
+    assert_eq!((bulb.position(), bulb.attenuation(), bulb.color()), (PLACE, Unattenuated, RED));
+    let spot = assert_emission!(Spot::new(PLACE, DOWN, cone()));
+    assert_eq!(
+        (spot.position(), spot.axis(), spot.cone(), spot.attenuation()),
+        (PLACE, DOWN, cone(), InverseSquare)
+    );
+    let hard = Cone::from_outer(Hard, Angle::degrees(10.0)).expect("sound");
+    let other = spot.with_cone(hard).with_attenuation(Unattenuated);
+    assert_eq!(
+        (other.cone(), other.attenuation(), other.position(), other.intensity()),
+        (hard, Unattenuated, PLACE, 2.5)
+    );
+    let ambient = Ambient::new(BLUE).and_then(|light| light.with_intensity(0.5)).expect("sound");
+    assert_eq!((ambient.color(), ambient.intensity()), (BLUE, 0.5));
+}
+
+/// Colours of eighths are the same number in every format.
+fn assert_compiled<S: Scalar>() {
+    let spot = Spot::new(PLACE, DOWN, cone()).and_then(|spot| spot.with_color(RED)).expect("sound");
+    let spot = spot.with_specular_color(BLUE).and_then(|spot| spot.compile::<S>()).expect("held");
+    assert_eq!((spot.color().map(S::to_f32), spot.specular_color().map(S::to_f32)), (RED, BLUE));
+    assert_eq!((Light::color(&spot), Light::specular_color(&spot)), (spot.color(), spot.specular_color()));
+    assert_eq!(spot.profile(), Soft);
+    let surface = Surface::<S>::matte(PLACE.map(S::length), DOWN.map(S::from_f32));
+    assert_eq!((surface.point, surface.normal), (PLACE.map(S::length), DOWN.map(S::from_f32)));
+}
+
+#[test]
+fn compiled_lights_keep_their_colors() {
+    assert_compiled::<f32>();
+    assert_compiled::<luminaire::Fx32>();
+    assert_compiled::<Fx16>();
+    let bulb = Point::new(PLACE).and_then(|bulb| bulb.with_color(RED)).expect("sound");
+    let bulb = bulb.compile::<f32>().expect("held");
+    assert_eq!((bulb.color(), bulb.specular_color()), (RED, RED));
+}
+
+#[test]
+fn materials_keep_what_they_are_given() {
+    let material = Material::new(RED)
+        .and_then(|material| material.with_ambient(BLUE))
+        .and_then(|material| material.with_emissive(RED))
+        .and_then(|material| material.with_highlight(Phong, BLUE, 24))
+        .expect("sound");
+    assert_eq!((material.diffuse(), material.ambient(), material.emissive()), (RED, BLUE, RED));
+    assert_eq!((material.specular(), material.shininess()), (BLUE, 24));
+}
+
+#[test]
+fn distances_keep_what_they_are_given() {
+    let polynomial = Polynomial::new(0.5, 0.25, 0.125).expect("sound");
+    assert_eq!(polynomial.coefficients(), [0.5, 0.25, 0.125]);
+    for range in [None, Some(7.5)] {
+        assert_eq!(Windowed::new(range).expect("sound").range(), range);
+        assert_eq!(SquaredWindow::new(range).expect("sound").range(), range);
+        assert_eq!(HardRange::new(polynomial, range).expect("sound").range(), range);
+    }
+    assert_eq!(SmoothRange::new(7.5).expect("sound").range(), 7.5);
+}
+
+#[test]
+fn profiles_keep_what_they_are_given() {
+    assert_eq!(Blend::new(0.75).expect("sound").edge_slope(), 0.75);
+    let cubic = Cubic::with_slopes(1.25, 3.5).expect("sound");
+    assert_eq!((cubic.edge_slope(), cubic.middle_slope()), (1.25, 3.5));
+    assert_eq!(cubic.coefficients(), [1.25, -3.0, 2.75]);
+    assert_eq!(Cubic::new(1.25, -3.0, 2.75).expect("sound"), cubic);
+    let samples = [65_535, 1_234, 0];
+    assert_eq!(Table::new(&samples).expect("sound").samples(), samples);
+    assert_eq!(cone().profile(), Soft);
+    let falloff = cone().compile::<Fx16>().expect("held");
+    assert_eq!((falloff.profile(), falloff.with_profile(Hard).profile()), (Soft, Hard));
+    assert_eq!(falloff.with_profile(Hard).with_profile(Soft), falloff);
+    let hard = Cone::from_outer(Hard, Angle::degrees(30.0)).expect("sound");
+    assert_eq!(falloff.with_profile(Hard), hard.compile::<Fx16>().expect("held"));
+    assert_eq!(Exposure::factor(4.0).expect("sound"), Exposure::stops(2).expect("sound"));
+}
+
+#[test]
+fn components_stay_in_their_places() {
+    let (v, w) = (Vec3::new(1, 2, 3), Vec3::new(10, 20, 30));
+    assert_eq!((v.x, v.y, v.z), (1, 2, 3));
+    assert_eq!((v.map(|c| -c), v.zip(w, |a, b| a + b)), (Vec3::new(-1, -2, -3), Vec3::new(11, 22, 33)));
+    assert_eq!(Vec3::new(1.0, 2.0, 3.0).dot(Vec3::new(10.0, 20.0, 30.0)), 140.0);
+    let (a, b) = (Rgb::new(1, 2, 3), Rgb::new(10, 20, 30));
+    assert_eq!((a.red, a.green, a.blue), (1, 2, 3));
+    assert_eq!((a.map(|c| -c), a.zip(b, |a, b| a + b)), (Rgb::new(-1, -2, -3), Rgb::new(11, 22, 33)));
+}

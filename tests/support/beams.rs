@@ -1,0 +1,81 @@
+//! The two forms of a versine, `1 - l.s` and `|l - s|^2 / 2`, over the half angle of a soft cone: how far off
+//! each leaves the intensity.
+
+use super::format::Format;
+use super::{bounds, operations, reference, sweep};
+use fastrand::Rng;
+use luminaire::{Cone, Falloff, Offset, Ray, Scalar, Soft, Vec3};
+
+/// The largest errors at a half angle.
+#[derive(Clone, Copy)]
+pub struct Errors {
+    pub half_degrees: f64,
+    /// Of `1 - l.s`, with the cosine rounded to a scalar of the format.
+    pub cosine_form: f64,
+    /// Of the kernel; none where the format refuses the cone.
+    pub versine_form: Option<f64>,
+}
+
+/// What the cosine form makes of a direction and an axis of the format: the versine and then the intensity
+/// without any further error.
+fn cosine_form<S: Format>(direction: Vec3<S::Unit>, axis: Vec3<S::Unit>, outer: f64) -> f64 {
+    let cosine = reference::dot(S::exact_direction(direction), S::exact_direction(axis));
+    let steps = f64::from(S::STEP) / if S::NAME == "f32" && cosine < 1.0 { 2.0 } else { 1.0 };
+    let stored = (cosine / steps).round() * steps;
+    reference::falloff(reference::soft, (1.0 - stored).max(0.0), outer)
+}
+
+/// Looks at as many points as that, within the cone and on the grid that is exact in every format.
+pub fn errors<S: Format>(half_degrees: f64, count: usize) -> Errors {
+    let cone = Cone::from_outer(Soft, sweep::half(half_degrees as f32)).expect("a sound angle");
+    let falloff: Option<Falloff<S, Soft>> = cone.compile().ok();
+    let outer = reference::versine((half_degrees as f32).into());
+    let mut rng = Rng::with_seed(1_993);
+    let mut found = Errors { half_degrees, cosine_form: 0.0, versine_form: falloff.map(|_| 0.0) };
+    for _ in 0..count {
+        let light = sweep::on_grid([0; 3].map(|_| rng.f64() * 16.0 - 8.0));
+        let axis = S::axis(sweep::single(sweep::direction(&mut rng)));
+        let exact_axis = reference::unit(S::exact_direction(axis));
+        let off_axis = half_degrees.to_radians() * rng.f64();
+        let (way, distance) = (sweep::direction_off(&mut rng, exact_axis, off_axis), 10.0 + 40.0 * rng.f64());
+        let point = sweep::on_grid([0, 1, 2].map(|i| light[i] + distance * way[i]));
+        let exact = reference::versine_between(reference::minus(point, light), exact_axis);
+        let exact = reference::falloff(reference::soft, exact, outer);
+        let [from, to] = [light, point].map(|v| sweep::single(v).map(S::length));
+        let ray = S::offset(from, to).ray();
+        let cosine_form = (cosine_form::<S>(ray.direction(), axis, outer) - exact).abs();
+        found.cosine_form = found.cosine_form.max(cosine_form);
+        if let (Some(falloff), Some(worst)) = (&falloff, &mut found.versine_form) {
+            *worst = worst.max((falloff.toward(ray, axis).exact() - exact).abs());
+        }
+    }
+    found
+}
+
+/// The bound of the versine form: `k delta / theta` for the direction, with the steepness `k` of the soft
+/// edge; what is off of the lengths of direction and axis and of the outer versine, each relative, where `2 t
+/// u` is largest; and the rounding from a versine to an intensity.
+pub fn versine_bound<S: Scalar>(half_degrees: f64) -> f64 {
+    let steepness = 8.0 / (3.0 * 3.0_f64.sqrt());
+    let direction = steepness * f64::from(S::DIRECTION_ERROR) / half_degrees.to_radians();
+    let own = bounds::ROWS.iter().find(|row| row.profile == "soft" && row.format == S::NAME);
+    let own = own.expect("the soft edge has a row").falloff * f64::from(S::STEP);
+    let lengths = ["length of an axis", "outer versine from the outer angle"].map(figure).iter().sum::<f64>();
+    direction + 0.5 * (operation::<S>("ray direction, its length") + lengths) + own
+}
+
+fn figure(name: &str) -> f64 {
+    operations::FIGURES.iter().find(|figure| figure.name == name).expect("a figure of that name").bound
+}
+
+/// The bound of an operation in a format.
+pub fn operation<S: Scalar>(name: &str) -> f64 {
+    let row = operations::ROWS.iter().find(|row| row.operation == name).expect("a row of that name");
+    let format = ["f32", "fx32", "fx16"].iter().position(|format| *format == S::NAME);
+    row.bounds[format.expect("a format of the table")]
+}
+
+/// The narrowest half angle in degrees that a format holds of a soft edge.
+pub fn narrowest<S: Scalar>() -> f64 {
+    f64::from(Cone::narrowest::<S>(Soft).to_degrees()) / 2.0
+}

@@ -1,0 +1,95 @@
+//! Every input of a domain, in chunks over all processors: each of them where `LUMINAIRE_FULL` is set, else
+//! one in [`STRIDE`].
+
+use std::ops::RangeInclusive;
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::thread;
+use std::time::Instant;
+
+/// How far apart the inputs of the quick run are: a prime, so that they visit all bits.
+pub const STRIDE: u64 = 1_009;
+
+/// How many inputs a processor takes at a time.
+const CHUNK: u64 = 1 << 26;
+
+/// Whether the long run is asked for.
+pub fn is_full() -> bool {
+    std::env::var_os("LUMINAIRE_FULL").is_some()
+}
+
+/// What was seen of a function over a domain.
+#[derive(Clone, Copy, Default, Debug)]
+pub struct Seen {
+    /// The largest distance from the exact value.
+    pub error: f64,
+    /// The largest rise from one input to the next.
+    pub rise: f64,
+    /// The largest fall from one input to the next.
+    pub fall: f64,
+}
+
+impl Seen {
+    pub fn and(self, other: Self) -> Self {
+        Self {
+            error: self.error.max(other.error),
+            rise: self.rise.max(other.rise),
+            fall: self.fall.max(other.fall),
+        }
+    }
+}
+
+/// Goes over a domain in rising order. `at` gives what was found for an input and what would be exact.
+///
+/// The long run says on stderr when it is done with a domain, and how long that took.
+pub fn input(name: &str, domain: RangeInclusive<u64>, at: impl Fn(u64) -> [f64; 2] + Sync) -> Seen {
+    let (start, stride) = (Instant::now(), if is_full() { 1 } else { STRIDE });
+    let (first, last) = (*domain.start(), *domain.end());
+    let next = AtomicU64::new(0);
+    let seen = Mutex::new(Seen::default());
+    let chunks = (last - first) / CHUNK + 1;
+    let work = || {
+        loop {
+            let chunk = next.fetch_add(1, Ordering::Relaxed);
+            if chunk >= chunks {
+                return;
+            }
+            let from = first + chunk * CHUNK;
+            // One more than the chunk, so that its last step is looked at as well.
+            let to = from.saturating_add(CHUNK).min(last);
+            let found = over(from, to, stride, &at);
+            let mut seen = seen.lock().expect("no other processor has failed");
+            *seen = seen.and(found);
+        }
+    };
+    thread::scope(|scope| {
+        for _ in 0..thread::available_parallelism().map_or(1, usize::from) {
+            scope.spawn(work);
+        }
+    });
+    if is_full() {
+        let inputs = (last - first) as f64 + 1.0;
+        eprintln!("{name}: {inputs:.3e} inputs in {:.1} s", start.elapsed().as_secs_f64());
+    }
+    seen.into_inner().expect("no processor has failed")
+}
+
+/// One in `stride` inputs, the last one always.
+fn over(from: u64, to: u64, stride: u64, at: &impl Fn(u64) -> [f64; 2]) -> Seen {
+    let mut previous = at(from)[0];
+    let mut seen = Seen::default();
+    let mut input = from;
+    loop {
+        let [found, exact] = at(input);
+        let (error, step) = ((found - exact).abs(), found - previous);
+        // A difference that is not a number is no small one.
+        seen.error = if error <= seen.error { seen.error } else { error };
+        seen.rise = if step > seen.rise { step } else { seen.rise };
+        seen.fall = if -step > seen.fall { -step } else { seen.fall };
+        previous = found;
+        if input == to {
+            return seen;
+        }
+        input = (input + stride).min(to);
+    }
+}

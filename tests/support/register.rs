@@ -1,0 +1,185 @@
+//! Which test holds each public function of the core, and each kind of profile, distance, highlight, light
+//! and format.
+//!
+//! A function that computes is bounded, two-sided, by the row or figure that the named test measures; one
+//! that stores, gives back or refuses is exact, and the named test compares it.
+
+/// A test, and what it holds.
+pub(crate) struct Held {
+    /// As `path::name`.
+    pub(crate) test: &'static str,
+    pub(crate) items: &'static [&'static str],
+    /// Whether the test calls them itself, and not only what is made of them.
+    pub(crate) is_named: bool,
+}
+
+const fn by(test: &'static str, items: &'static [&'static str]) -> Held {
+    Held { test, items, is_named: true }
+}
+
+/// What a test reaches through something that it does call.
+const fn through(test: &'static str, items: &'static [&'static str]) -> Held {
+    Held { test, items, is_named: false }
+}
+
+/// The traits whose every implementation is something to choose, and so something to hold.
+pub(crate) const KINDS: [&str; 6] = ["Profile", "Attenuation", "Specular", "Highlight", "Light", "Scalar"];
+
+#[rustfmt::skip]
+pub(crate) const REGISTER: &[Held] = &[
+    // From a position or a versine to the intensity.
+    by("tests/accuracy.rs::f32_keeps_its_rows", &[
+        "Falloff::at", "Cone::compile", "Cone::opengl", "Spot::compile", "CompiledSpot::falloff",
+        "CompiledSpot::irradiance", "Scalar for f32", "Profile for Soft", "Profile for Hard",
+        "Profile for Linear", "Profile for CutOff", "Profile for Smooth", "Profile for Blend",
+        "Profile for Cubic", "Profile for Power", "Profile for Rim", "Profile for Table",
+    ]),
+    through("tests/accuracy.rs::f32_keeps_its_rows", &[
+        "Falloff::toward", "Scalar::weight", "Light for CompiledSpot", "Light::arrive",
+    ]),
+    by("tests/accuracy.rs::fx32_keeps_its_rows", &["Scalar for Fx32"]),
+    by("tests/accuracy.rs::fx16_keeps_its_rows", &["Scalar for Fx16"]),
+    by("tests/exhaustive.rs::fx32_keeps_its_roundings_over_every_fraction", &[
+        "Profile::compile", "Curve::intensity", "Scalar::ramp", "Scalar::rise",
+    ]),
+    through("tests/exhaustive.rs::fx32_keeps_its_roundings_over_every_fraction", &[
+        "Fraction::complement", "Fraction::fine_product", "Fraction::product", "Fraction::scalar",
+        "Fraction::smooth", "Fraction::blend", "Fraction::cubic", "Fraction::sample",
+    ]),
+    by("tests/cones.rs::inner_at_outer_is_a_step", &["Fraction::step", "Cone::with_inner", "Cone::inner"]),
+    by("tests/cones.rs::a_delimiter_changes_nothing_within", &["Cone::with_delimiter"]),
+    by("tests/narrow.rs::steepness_is_the_largest_slope", &["Profile::steepness"]),
+    by("tests/narrow.rs::fx16_holds_what_it_states", &["Cone::narrowest"]),
+
+    // Operations of the seam.
+    by("tests/operations.rs::scalars_keep_their_rows", &[
+        "Scalar::times", "Scalar::minus", "Scalar::smooth", "Scalar::to_f32",
+    ]),
+    by("core/src/scalar.rs::conversion_rounds_and_saturates_as_the_crate_fixed_does", &[
+        "Scalar::from_f32", "Scalar::length",
+    ]),
+    by("tests/operations.rs::gains_keep_their_rows", &[
+        "Scalar::gain", "Gain::by", "Gain::plus", "Gain::inverse_capped", "Gain::fraction",
+    ]),
+    by("tests/operations.rs::light_keeps_its_rows", &[
+        "Scalar::expose", "Scalar::filter", "Scalar::add_light", "Scalar::light_to_f32",
+        "Scalar::light_to_gain", "Scalar::amplify", "Scalar::clip", "Exposure::factor", "Exposure::compile",
+        "CompiledExposure::expose", "Ambient::compile", "Ambient::with_intensity", "Material::compile",
+        "Material::with_ambient", "Material::with_emissive", "CompiledMaterial::glow", "Rgb::lit",
+        "Rgb::filtered", "Rgb::plus",
+    ]),
+    by("tests/operations.rs::directions_keep_their_rows", &[
+        "Scalar::axis", "Scalar::normal_unit", "Scalar::mirror", "Scalar::direction_between",
+        "Scalar::incidence", "Scalar::versine_between", "Scalar::versine", "Scalar::power",
+        "Falloff::versine",
+    ]),
+    by("tests/operations.rs::rays_keep_their_rows", &[
+        "Scalar::offset", "Offset::facing", "Offset::faces_away", "Offset::squared_distance", "Offset::ray",
+        "Ray::distance", "Ray::direction", "Ray::versine", "Ray::cosine", "Ray::expose",
+    ]),
+
+    // Set-up.
+    by("tests/setup.rs::angles_keep_their_figures", &[
+        "Angle::degrees", "Angle::radians", "Angle::to_degrees", "Angle::to_radians", "Angle::versine",
+        "Angle::from_versine", "HalfAngle::degrees", "HalfAngle::radians", "HalfAngle::to_degrees",
+        "HalfAngle::to_radians",
+    ]),
+    by("tests/setup.rs::profiles_keep_their_figures", &[
+        "Profile::beam_versine", "Profile::field_versine", "Profile::integral",
+    ]),
+    by("tests/setup.rs::cones_keep_their_figures", &[
+        "Cone::from_outer", "Cone::from_field", "Cone::from_beam", "Cone::beam", "Cone::field", "Cone::outer",
+        "Cone::outer_versine", "Cone::lumens", "Cone::candela",
+    ]),
+    by("tests/setup.rs::two_angles_keep_their_figures", &[
+        "Cone::from_beam_and_field", "Cone::from_beam_field_and_slope",
+    ]),
+    by("tests/setup.rs::tables_keep_their_figure", &["Table::from_angles"]),
+    by("tests/setup.rs::inner_products_keep_their_figure", &["Vec3::dot"]),
+    by("tests/two_angles.rs::edge_slopes_are_what_the_search_finds", &["Cone::edge_slopes"]),
+    by("tests/setup.rs::axes_and_ranges_keep_their_figures", &[
+        "Spot::between", "Spot::axis", "Spot::attenuation", "SmoothRange::range",
+    ]),
+
+    // Distance, highlight and the lit point.
+    by("tests/lit.rs::no_fall_keeps_its_row", &[
+        "Attenuation for Unattenuated", "Attenuation::expose", "Point::compile", "Point::with_attenuation",
+        "CompiledPoint::irradiance",
+    ]),
+    through("tests/lit.rs::no_fall_keeps_its_row", &["Attenuation::constants", "Light for CompiledPoint"]),
+    by("tests/lit.rs::inverse_square_keeps_its_row", &["Attenuation for InverseSquare"]),
+    by("tests/lit.rs::polynomial_keeps_its_row", &["Attenuation for Polynomial", "Polynomial::new"]),
+    by("tests/lit.rs::smooth_range_keeps_its_row", &["Attenuation for SmoothRange", "SmoothRange::new"]),
+    by("tests/lit.rs::windowed_keeps_its_row", &["Attenuation for Windowed", "Windowed::new"]),
+    by("tests/lit.rs::squared_window_keeps_its_row", &[
+        "Attenuation for SquaredWindow", "SquaredWindow::new",
+    ]),
+    by("tests/lit.rs::a_cut_is_a_cut", &["Attenuation for HardRange", "HardRange::new"]),
+    through("tests/lit.rs::a_cut_is_a_cut", &["Attenuation::is_beyond"]),
+    by("tests/lit.rs::phong_keeps_its_rows", &[
+        "Highlight for Phong", "Highlight::directions", "Specular for H", "Specular::constants",
+        "Specular::lobe",
+    ]),
+    by("tests/lit.rs::blinn_phong_keeps_its_rows", &["Highlight for BlinnPhong"]),
+    by("tests/lit.rs::dual_cone_keeps_its_rows", &["Highlight for DualCone"]),
+    by("tests/lit.rs::lyon_keeps_its_rows", &["Specular for Lyon"]),
+    by("tests/lit.rs::the_lit_point_keeps_its_rows", &[
+        "Material::new", "Material::with_highlight", "Ambient::new", "Spot::new", "Surface::seen_from",
+        "CompiledMaterial::reflect", "emission_methods!::with_color",
+        "emission_methods!::with_specular_color", "emission_methods!::with_intensity",
+    ]),
+    by("tests/operations.rs::parallel_light_keeps_its_row", &[
+        "Directional::new", "Directional::compile", "Directional::direction",
+        "CompiledDirectional::irradiance",
+    ]),
+    through("tests/operations.rs::parallel_light_keeps_its_row", &["Light for CompiledDirectional"]),
+
+    // What is only stored.
+    by("tests/kept.rs::lights_keep_what_they_are_given", &[
+        "Ambient::color", "Ambient::intensity", "Point::new", "Point::position", "Point::attenuation",
+        "Spot::position", "Spot::cone", "Spot::with_cone", "Spot::with_attenuation",
+        "emission_methods!::color", "emission_methods!::specular_color", "emission_methods!::intensity",
+    ]),
+    by("tests/kept.rs::compiled_lights_keep_their_colors", &[
+        "CompiledSpot::color", "CompiledSpot::specular_color", "CompiledSpot::profile", "Light::color",
+        "Light::specular_color", "Surface::matte",
+    ]),
+    by("tests/kept.rs::materials_keep_what_they_are_given", &[
+        "Material::ambient", "Material::diffuse", "Material::emissive", "Material::specular",
+        "Material::shininess",
+    ]),
+    by("tests/kept.rs::distances_keep_what_they_are_given", &[
+        "Polynomial::coefficients", "Windowed::range", "SquaredWindow::range", "HardRange::range",
+    ]),
+    by("tests/kept.rs::profiles_keep_what_they_are_given", &[
+        "Blend::new", "Blend::edge_slope", "Cubic::new", "Cubic::with_slopes", "Cubic::coefficients",
+        "Cubic::edge_slope", "Cubic::middle_slope", "Table::new", "Table::samples", "Cone::profile",
+        "Falloff::profile", "Falloff::with_profile",
+    ]),
+    by("tests/kept.rs::components_stay_in_their_places", &[
+        "Vec3::new", "Vec3::map", "Vec3::zip", "Rgb::new", "Rgb::map", "Rgb::zip",
+    ]),
+
+    // The display.
+    by("tests/display.rs::codes_are_the_nearest", &["encode_srgb"]),
+    by("tests/display.rs::sixteen_bits_are_encoded_exactly", &["Rgb565::from_linear"]),
+    through("tests/display.rs::sixteen_bits_are_encoded_exactly", &["Scalar::srgb"]),
+    by("tests/display.rs::every_code_comes_back", &["decode_srgb"]),
+    by("tests/display.rs::pixels_are_the_nearest", &["Rgb565::from_codes", "Rgb565::to_codes"]),
+    by("tests/display.rs::light_past_full_scale_follows_the_stated_policy", &["clip", "keep_hue"]),
+    by("tests/display.rs::stops_double_and_halve", &["Exposure::stops"]),
+
+    // The same bits another way.
+    by("tests/equivalence.rs::skipping_is_exact_in_fx16", &["CompiledSpot::irradiance_unskipped"]),
+    through("tests/equivalence.rs::skipping_is_exact_in_fx16", &["Offset::is_outside"]),
+    by("tests/lights.rs::every_bit_pattern_has_an_answer_in_fx16", &[
+        "CompiledMaterial::reflect_unskipped", "Specular for Matte",
+    ]),
+    by("tests/lights.rs::no_light_is_made_next_to_a_lamp", &["CompiledPoint::irradiance_unskipped"]),
+    by("tests/equivalence.rs::a_choice_at_run_time_changes_no_bit", &[
+        "Profile for Edge", "CompiledSpot::with_profile",
+    ]),
+    by("tests/equivalence.rs::a_fitted_profile_changes_no_bit", &[
+        "Profile for Fitted", "Cone::with_profile",
+    ]),
+];
