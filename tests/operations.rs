@@ -8,7 +8,8 @@ mod support;
 
 use fastrand::Rng;
 use luminaire::{
-    Ambient, Cone, Directional, Exposure, Fx16, Fx32, Gain, Linear, Material, Offset, Ray, Rgb, Soft, Vec3,
+    Ambient, Cone, Directional, Exposure, Fraction, Fx16, Fx32, Gain, Linear, Material, Offset, Ray, Rgb,
+    Soft, Vec3,
 };
 use support::{
     bounds,
@@ -90,7 +91,7 @@ fn offset<S: Format>(rng: &mut Rng) -> (S::Offset, Vector) {
 }
 
 fn times<S: Format>(rng: &mut Rng) -> f64 {
-    let (a, b) = (scalar::<S>(rng), scalar::<S>(rng));
+    let (a, b) = (S::from_f32(rng.f32()), S::from_f32(rng.f32()));
     steps::<S>(a.times(b).exact() - a.exact() * b.exact())
 }
 
@@ -106,7 +107,7 @@ fn smooth<S: Format>(rng: &mut Rng) -> f64 {
 
 /// The value in f32, relative.
 fn to_f32<S: Format>(rng: &mut Rng) -> f64 {
-    let value = S::from_f32(0.5 + rng.f32()).times(S::from_f32(0.5 + 0.5 * rng.f32()));
+    let value = S::from_f32(0.5 + 0.5 * rng.f32()).times(S::from_f32(0.5 + 0.5 * rng.f32()));
     relative(value.to_f32().into(), value.exact())
 }
 
@@ -345,7 +346,10 @@ fn ray_cosine<S: Format>(rng: &mut Rng) -> f64 {
     if exact.abs() > 4.0 * f64::from(S::STEP) {
         assert_eq!(S::Offset::faces_away(facing), exact < 0.0, "{} {exact}", S::NAME);
     }
-    steps::<S>(offset.ray().cosine(facing).exact() - exact.clamp(0.0, 1.0))
+    let cosine = offset.ray().cosine(facing);
+    assert_eq!(cosine.of(S::ONE), cosine.scalar());
+    let half = S::from_f32(0.5);
+    steps::<S>(2.0 * cosine.of(half).exact() - exact.clamp(0.0, 1.0))
 }
 
 fn ray_versine<S: Format>(rng: &mut Rng) -> f64 {

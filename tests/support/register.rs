@@ -75,7 +75,7 @@ pub(crate) const REGISTER: &[Held] = &[
     ]),
     by("tests/operations.rs::rays_keep_their_rows", &[
         "Scalar::offset", "Offset::facing", "Offset::faces_away", "Offset::squared_distance", "Offset::ray",
-        "Ray::distance", "Ray::direction", "Ray::versine", "Ray::cosine", "Ray::expose",
+        "Ray::distance", "Ray::direction", "Ray::versine", "Ray::cosine", "Ray::expose", "Fraction::of",
     ]),
 
     // Set-up.
