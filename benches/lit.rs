@@ -40,32 +40,47 @@ fn spot<P: Profile>(profile: P) -> Spot<P> {
         .expect("a sound light")
 }
 
-fn light<S: Scalar, P: Profile>(spot: &CompiledSpot<S, P>, floor: &mut Floor<S>, skips: bool) {
+/// Lights the floor point by point.
+fn light_singly<S: Scalar, P: Profile>(spot: &CompiledSpot<S, P>, floor: &mut Floor<S>) {
     let (point, normal, color) = (&floor.point, &floor.normal, spot.color());
     let (red, green, blue) =
         (&mut floor.light.red[..POINTS], &mut floor.light.green[..POINTS], &mut floor.light.blue[..POINTS]);
     let (x, y, z) = (&point.x[..POINTS], &point.y[..POINTS], &point.z[..POINTS]);
     let (nx, ny, nz) = (&normal.x[..POINTS], &normal.y[..POINTS], &normal.z[..POINTS]);
     for i in 0..POINTS {
-        let (point, normal) = (Vec3::new(x[i], y[i], z[i]), Vec3::new(nx[i], ny[i], nz[i]));
-        let light =
-            if skips { spot.irradiance(point, normal) } else { spot.irradiance_unskipped(point, normal) };
+        let light = spot.irradiance(Vec3::new(x[i], y[i], z[i]), Vec3::new(nx[i], ny[i], nz[i]));
         red[i] = S::add_light(red[i], S::filter(light, color.red));
         green[i] = S::add_light(green[i], S::filter(light, color.green));
         blue[i] = S::add_light(blue[i], S::filter(light, color.blue));
     }
 }
 
-fn bench<S: Scalar, P: Profile>(criterion: &mut Criterion, name: &str, profile: P, skips: bool) {
+/// Lights the floor in one call.
+fn light_batch<S: Scalar, P: Profile>(spot: &CompiledSpot<S, P>, floor: &mut Floor<S>) {
+    let Floor { point, normal, light } = floor;
+    let Rgb { red, green, blue } = light;
+    spot.add_each(columns(point), columns(normal), Rgb::new(red, green, blue));
+}
+
+fn columns<T>(columns: &Vec3<Vec<T>>) -> Vec3<&[T]> {
+    Vec3::new(&columns.x, &columns.y, &columns.z)
+}
+
+fn bench<S: Scalar, P: Profile>(
+    criterion: &mut Criterion,
+    name: &str,
+    profile: P,
+    light: fn(&CompiledSpot<S, P>, &mut Floor<S>),
+) {
     let spot = spot(profile).compile::<S>().expect("held");
     let mut lit = floor::<S>();
-    light(&spot, &mut lit, skips);
+    light(&spot, &mut lit);
     let brightest = lit.light.red.iter().map(|&red| S::light_to_f32(red)).fold(0.0, f32::max);
     assert!((0.95..=1.05).contains(&brightest), "{name}: the middle of the spot is {brightest}");
     let mut group = criterion.benchmark_group("lit");
     group.throughput(Throughput::Elements(POINTS as u64));
     group.bench_function(format!("{name} {}", S::NAME), |bencher| {
-        bencher.iter(|| light(black_box(&spot), black_box(&mut lit), skips));
+        bencher.iter(|| light(black_box(&spot), black_box(&mut lit)));
     });
     group.finish();
 }
@@ -109,11 +124,13 @@ fn gltf(criterion: &mut Criterion) {
 
 fn lit(criterion: &mut Criterion) {
     gltf(criterion);
-    bench::<f32, _>(criterion, "soft", Soft, false);
-    bench::<f32, _>(criterion, "hard", Hard, false);
-    bench::<f32, _>(criterion, "soft, skipping", Soft, true);
-    bench::<Fx32, _>(criterion, "soft, skipping", Soft, true);
-    bench::<Fx16, _>(criterion, "soft, skipping", Soft, true);
+    bench::<f32, _>(criterion, "batch, soft", Soft, light_batch);
+    bench::<f32, _>(criterion, "batch, hard", Hard, light_batch);
+    bench::<f32, _>(criterion, "single, soft", Soft, light_singly);
+    bench::<Fx32, _>(criterion, "batch, soft", Soft, light_batch);
+    bench::<Fx32, _>(criterion, "single, soft", Soft, light_singly);
+    bench::<Fx16, _>(criterion, "batch, soft", Soft, light_batch);
+    bench::<Fx16, _>(criterion, "single, soft", Soft, light_singly);
 }
 
 criterion_group!(benches, lit);

@@ -9,7 +9,27 @@ compile_error!(
     "luminaire needs a square root: enable the feature `libm` (same bits everywhere), `std` or `micromath`"
 );
 
-pub(crate) use backend::{asin, inverse_sqrt, sin, sqrt};
+#[cfg(any(test, all(target_arch = "arm", target_abi = "eabihf", feature = "libm", not(feature = "std"))))]
+mod root;
+
+pub(crate) use backend::{asin, sin, sqrt};
+
+/// Reciprocal of the square root of a normal number, and zero for any other: zero or less, subnormal, infinite, not a
+/// number.
+#[cfg(not(all(target_arch = "arm", target_abi = "eabihf", feature = "libm", not(feature = "std"))))]
+#[inline(always)]
+pub(crate) fn inverse_sqrt(x: f32) -> f32 {
+    if x >= f32::MIN_POSITIVE { backend::inverse_sqrt(x) } else { 0.0 }
+}
+
+/// The same bits from a processor that has floats, and a root that only `std` may ask for.
+#[cfg(all(target_arch = "arm", target_abi = "eabihf", feature = "libm", not(feature = "std")))]
+#[inline(always)]
+pub(crate) fn inverse_sqrt(x: f32) -> f32 {
+    // One exponent up, what is no normal number is below the least of them or negative.
+    let is_normal = x.to_bits().wrapping_add(0x0080_0000).cast_signed() >= 0x0100_0000;
+    if is_normal { 1.0 / root::sqrt(x) } else { 0.0 }
+}
 
 #[cfg(any(feature = "libm", feature = "std"))]
 mod backend {
