@@ -4,9 +4,18 @@
 //! an integer hold exactly, says whether to take the neighbour. So it rounds correctly and has the bits of any other
 //! correctly rounded root, for about half the instructions of a root in integers.
 
+/// Reciprocal of the square root of a normal number, and zero for any other: zero or less, subnormal, infinite or not a
+/// number.
+#[inline(always)]
+pub(crate) fn inverse_sqrt(x: f32) -> f32 {
+    // One exponent up, what is no normal number is below the least of them, or negative.
+    let is_normal = x.to_bits().wrapping_add(0x0080_0000).cast_signed() >= 0x0100_0000;
+    if is_normal { 1.0 / sqrt(x) } else { 0.0 }
+}
+
 /// The square root of a normal number above zero, correctly rounded. For any other number it has no meaning.
 #[inline(always)]
-pub(super) fn sqrt(x: f32) -> f32 {
+fn sqrt(x: f32) -> f32 {
     let bits = x.to_bits();
     nearest(bits, estimate(x, bits))
 }
@@ -62,6 +71,19 @@ mod tests {
         } else {
             assert_correctly_rounded(0x3f80_0000..0x4080_0000, exact);
             assert_correctly_rounded((0x0080_0000..0x7f80_0000).step_by(1021), exact);
+        }
+    }
+
+    #[test]
+    fn what_is_not_normal_has_no_reciprocal() {
+        for x in
+            [0.0, -0.0, 1e-40, -1e-40, -1.0, f32::MIN, f32::INFINITY, f32::NEG_INFINITY, f32::NAN, -f32::NAN]
+        {
+            assert_eq!(inverse_sqrt(x), 0.0, "{x}");
+            assert_eq!(crate::trig::inverse_sqrt(x), 0.0, "{x}");
+        }
+        for x in [f32::MIN_POSITIVE, 1.0, 2.0, f32::MAX] {
+            assert_eq!(inverse_sqrt(x), 1.0 / x.sqrt(), "{x}");
         }
     }
 
