@@ -86,38 +86,37 @@ fn bench<S: Scalar, P: Profile>(
     group.finish();
 }
 
-/// Benches a plain loop over the floor, with a formula of the cosine of the angle off axis for its cone, after checking
-/// that the middle of the spot is at full scale.
-fn rival(criterion: &mut Criterion, name: &str, cone: impl Fn(f32) -> f32) {
-    let spot = spot(Soft);
+/// Lights the floor by a plain loop, with a formula of the cosine of the angle off axis for the cone.
+fn light_plainly(floor: &mut Floor<f32>, spot: &Spot<Soft>, cone: impl Fn(f32) -> f32) {
     let (position, axis, color) = (spot.position(), spot.axis(), spot.color());
-    let light = |floor: &mut Floor<f32>| {
-        let (x, y, z) = (&floor.point.x[..POINTS], &floor.point.y[..POINTS], &floor.point.z[..POINTS]);
-        let (nx, ny, nz) = (&floor.normal.x[..POINTS], &floor.normal.y[..POINTS], &floor.normal.z[..POINTS]);
-        let (red, green, blue) = (
-            &mut floor.light.red[..POINTS],
-            &mut floor.light.green[..POINTS],
-            &mut floor.light.blue[..POINTS],
-        );
-        for i in 0..POINTS {
-            let way = Vec3::new(x[i] - position.x, y[i] - position.y, z[i] - position.z);
-            let reciprocal = 1.0 / way.dot(way).sqrt();
-            let direction = way.map(|c| c * reciprocal);
-            let angular = cone(direction.dot(axis));
-            let cosine = (-direction.dot(Vec3::new(nx[i], ny[i], nz[i]))).max(0.0);
-            let light = 16.0 * angular * cosine * reciprocal * reciprocal;
-            red[i] += light * color.red;
-            green[i] += light * color.green;
-            blue[i] += light * color.blue;
-        }
-    };
-    let mut lit = floor();
-    light(&mut lit);
+    let (x, y, z) = (&floor.point.x[..POINTS], &floor.point.y[..POINTS], &floor.point.z[..POINTS]);
+    let (nx, ny, nz) = (&floor.normal.x[..POINTS], &floor.normal.y[..POINTS], &floor.normal.z[..POINTS]);
+    let (red, green, blue) =
+        (&mut floor.light.red[..POINTS], &mut floor.light.green[..POINTS], &mut floor.light.blue[..POINTS]);
+    for i in 0..POINTS {
+        let way = Vec3::new(x[i] - position.x, y[i] - position.y, z[i] - position.z);
+        let reciprocal = 1.0 / way.dot(way).sqrt();
+        let direction = way.map(|c| c * reciprocal);
+        let angular = cone(direction.dot(axis));
+        let cosine = (-direction.dot(Vec3::new(nx[i], ny[i], nz[i]))).max(0.0);
+        let light = 16.0 * angular * cosine * reciprocal * reciprocal;
+        red[i] += light * color.red;
+        green[i] += light * color.green;
+        blue[i] += light * color.blue;
+    }
+}
+
+/// Benches the plain loop after checking that the middle of the spot is at full scale.
+fn rival(criterion: &mut Criterion, name: &str, cone: impl Fn(f32) -> f32 + Copy) {
+    let (spot, mut lit) = (spot(Soft), floor());
+    light_plainly(&mut lit, &spot, cone);
     let brightest = lit.light.red.iter().copied().fold(0.0, f32::max);
     assert!((0.95..=1.05).contains(&brightest), "{name}: the middle of the spot is {brightest}");
     let mut group = criterion.benchmark_group("lit");
     group.throughput(Throughput::Elements(POINTS as u64));
-    group.bench_function(name, |bencher| bencher.iter(|| light(black_box(&mut lit))));
+    group.bench_function(name, |bencher| {
+        bencher.iter(|| light_plainly(black_box(&mut lit), black_box(&spot), cone));
+    });
     group.finish();
 }
 
@@ -126,7 +125,7 @@ fn gltf(criterion: &mut Criterion) {
     let outer_cosine = 1.0 - spot(Soft).cone().outer_versine();
     let scale = 1.0 / f32::max(0.001, 1.0 - outer_cosine);
     let offset = -outer_cosine * scale;
-    rival(criterion, "glTF formula, f32", |cosine| {
+    rival(criterion, "glTF formula, f32", move |cosine| {
         let angular = (cosine * scale + offset).clamp(0.0, 1.0);
         angular * angular
     });
@@ -135,7 +134,7 @@ fn gltf(criterion: &mut Criterion) {
 /// Warn's power of the cosine, with the same field angle.
 fn warn(criterion: &mut Criterion) {
     let exponent = black_box(0.1_f32.ln() / (1.0 - spot(Soft).cone().field().versine()).ln());
-    rival(criterion, "powf (Warn), f32", |cosine| cosine.max(0.0).powf(exponent));
+    rival(criterion, "powf (Warn), f32", move |cosine| cosine.max(0.0).powf(exponent));
 }
 
 fn lit(criterion: &mut Criterion) {
