@@ -1,6 +1,8 @@
-//! What a falloff costs, from a versine in memory to an intensity in memory: 4,096 of each, in one run.
+//! What a falloff costs, from a versine in memory to an intensity in memory: 4,096 of each, in one run, many at once
+//! and one by one.
 //!
-//! `cargo bench --bench falloff`. A clamped copy is the floor: no method can do with less.
+//! `cargo bench --bench falloff`. A clamped copy is the floor: no method can do with less. For wider vectors than the
+//! least of the target, `RUSTFLAGS=-Ctarget-feature=+avx2` before it.
 
 #![allow(missing_docs, reason = "criterion's macros make public items without documentation")]
 
@@ -20,10 +22,16 @@ fn cone<P: Profile>(profile: P) -> Cone<P> {
     Cone::from_field(profile, Angle::degrees(15.0)).expect("a sound angle")
 }
 
+/// One by one, each by a call that is not inlined, as `powf` is called.
 fn evaluate<S: Scalar, P: Profile>(falloff: &Falloff<S, P>, versines: &[S::Versine], out: &mut [S]) {
     for (out, versine) in out.iter_mut().zip(versines) {
-        *out = falloff.at(*versine);
+        *out = at(falloff, *versine);
     }
+}
+
+#[inline(never)]
+fn at<S: Scalar, P: Profile>(falloff: &Falloff<S, P>, versine: S::Versine) -> S {
+    falloff.at(versine)
 }
 
 /// Benches a falloff after checking that it is what the reference says: half at the beam angle.
@@ -36,14 +44,19 @@ fn bench<S: Scalar, P: Profile>(criterion: &mut Criterion, name: &str, profile: 
     let mut out = vec![S::ZERO; POINTS];
     let mut group = criterion.benchmark_group("falloff");
     group.throughput(Throughput::Elements(POINTS as u64));
-    group.bench_function(format!("{name} {}", S::NAME), |bencher| {
+    group.bench_function(format!("{name} {}, batch", S::NAME), |bencher| {
+        bencher.iter(|| falloff.at_each(black_box(&versines), black_box(&mut out)));
+    });
+    group.bench_function(format!("{name} {}, single", S::NAME), |bencher| {
         bencher.iter(|| evaluate(&falloff, black_box(&versines), black_box(&mut out)));
     });
     group.finish();
 }
 
-/// Benches a formula of f32, for comparison.
-fn rival(criterion: &mut Criterion, name: &str, formula: impl Fn(f32) -> f32) {
+/// Benches a formula of f32, for comparison, after checking that it is `at_field` at the field angle.
+fn rival(criterion: &mut Criterion, name: &str, at_field: f32, formula: impl Fn(f32) -> f32) {
+    let found = formula(cone(Soft).field().versine());
+    assert!((found - at_field).abs() < 1e-3, "{name} is {found} at the field angle");
     let versines = versines(cone(Soft).outer_versine());
     let mut out = vec![0.0; POINTS];
     let mut group = criterion.benchmark_group("falloff");
@@ -64,7 +77,8 @@ fn falloffs(criterion: &mut Criterion) {
     // The exponent with which Warn's model has the same field angle: cos^C = 1/10.
     let exponent = black_box(0.1_f32.ln() / (1.0 - cone(Soft).field().versine()).ln());
     let cubic = Cubic::with_slopes(1.25, 3.5).expect("sound slopes");
-    rival(criterion, "clamped copy", |versine| if versine < outer { versine } else { outer });
+    let field = cone(Soft).field().versine();
+    rival(criterion, "clamped copy", field, |versine| if versine < outer { versine } else { outer });
     bench::<f32, _>(criterion, "soft", Soft);
     bench::<f32, _>(criterion, "hard", Hard);
     bench::<f32, _>(criterion, "smooth", Smooth);
@@ -75,7 +89,7 @@ fn falloffs(criterion: &mut Criterion) {
     bench::<Fx16, _>(criterion, "smooth", Smooth);
     bench::<Fx16, _>(criterion, "cubic", cubic);
     bench::<Fx16, _>(criterion, "power 16", Power::<16>);
-    rival(criterion, "powf (Warn)", |versine| (1.0 - versine).powf(exponent));
+    rival(criterion, "powf (Warn)", 0.1, |versine| (1.0 - versine).powf(exponent));
 }
 
 criterion_group!(benches, falloffs);

@@ -59,7 +59,7 @@
 //!
 //! Files, in the order in which they build on one another: `error`, `vec3`, `trig`, `search`, `scalar` (and a file for each
 //! format), `angle`, `profile`, `cone`, `attenuation`, `color`, `specular`, `shade` (and a file for each kind of
-//! light), `light` (the same), `material`.
+//! light), `light` (the same), `material`, `batch`.
 #![no_std]
 #![forbid(unsafe_code)]
 
@@ -68,6 +68,7 @@ extern crate std;
 
 mod angle;
 mod attenuation;
+mod batch;
 mod color;
 mod cone;
 mod error;

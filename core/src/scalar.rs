@@ -162,6 +162,9 @@ pub trait Offset<S: Scalar>: Copy + core::fmt::Debug {
     /// The inner product of a surface normal with the way back to the light, in a scale of its own.
     type Facing: Copy + core::fmt::Debug;
 
+    /// Whether a loop over many points takes all roots first, by [`reciprocal`](Self::reciprocal), and skips none.
+    const ROOTS_FIRST: bool = false;
+
     /// How far the surface faces the light.
     fn facing(&self, normal: Vec3<S>) -> Self::Facing;
     /// Whether the surface faces away, so that nothing can arrive. Not a number faces away.
@@ -173,6 +176,16 @@ pub trait Offset<S: Scalar>: Copy + core::fmt::Debug {
     fn squared_distance(&self) -> S::Gain;
     /// Pays for the square root.
     fn ray(&self) -> Self::Ray;
+    /// The root alone, as a reciprocal length: zero where there is no direction, or where roots are not taken first.
+    #[inline(always)]
+    fn reciprocal(&self) -> f32 {
+        0.0
+    }
+    /// As [`ray`](Self::ray), with the root that [`reciprocal`](Self::reciprocal) gave.
+    #[inline(always)]
+    fn ray_of(&self, _reciprocal: f32) -> Self::Ray {
+        self.ray()
+    }
 }
 
 /// A direction of unit length from a light to a point, and the length it had.
@@ -187,6 +200,11 @@ pub trait Ray<S: Scalar>: Copy + core::fmt::Debug {
     /// The versine of the angle between direction and axis, in the scale of a ramp, by the difference of the two:
     /// `|l - s|^2 / 2` keeps the narrow beams that `1 - l.s` loses.
     fn versine(&self, axis: Vec3<S::Unit>, ramp: S::Ramp) -> S::Versine;
+    /// Where the direction stands on a ramp about an axis: [`Scalar::rise`] of [`versine`](Self::versine).
+    #[inline(always)]
+    fn rise(&self, axis: Vec3<S::Unit>, ramp: S::Ramp) -> S::Fraction {
+        S::rise(ramp, self.versine(axis, ramp))
+    }
     /// The cosine of the angle of incidence, and zero where the surface faces away.
     fn cosine(&self, facing: <S::Offset as Offset<S>>::Facing) -> S::Fraction;
     /// The light of a fraction of a gain at this distance, by the inverse-square law; none for a negative fraction.

@@ -9,7 +9,15 @@ compile_error!(
     "luminaire needs a square root: enable the feature `libm` (same bits everywhere), `std` or `micromath`"
 );
 
-pub(crate) use backend::{asin, inverse_sqrt, sin, sqrt};
+// A Cortex-M4F and its kin: they compute in f32, and only `std` may ask for their root.
+#[cfg(any(test, all(target_arch = "arm", target_abi = "eabihf", not(feature = "std"))))]
+mod root;
+
+#[cfg(not(all(target_arch = "arm", target_abi = "eabihf", not(feature = "std"))))]
+pub(crate) use backend::inverse_sqrt;
+pub(crate) use backend::{asin, sin, sqrt};
+#[cfg(all(target_arch = "arm", target_abi = "eabihf", not(feature = "std")))]
+pub(crate) use root::inverse_sqrt;
 
 #[cfg(any(feature = "libm", feature = "std"))]
 mod backend {
@@ -38,10 +46,12 @@ mod backend {
         return libm::sqrtf(x);
     }
 
-    /// Reciprocal of the square root.
+    /// Reciprocal of the square root of a normal number, and zero for any other: zero or less, subnormal, infinite or not
+    /// a number.
+    #[cfg(not(all(target_arch = "arm", target_abi = "eabihf", not(feature = "std"))))]
     #[inline(always)]
     pub(crate) fn inverse_sqrt(x: f32) -> f32 {
-        1.0 / sqrt(x)
+        if x >= f32::MIN_POSITIVE { 1.0 / sqrt(x) } else { 0.0 }
     }
 }
 
@@ -61,19 +71,27 @@ mod backend {
         if x > 0.75 {
             return core::f32::consts::FRAC_PI_2 - 2.0 * asin(sqrt((1.0 - x) / 2.0));
         }
-        let slope = inverse_sqrt(1.0 - x * x);
+        let slope = reciprocal(1.0 - x * x);
         (0..12).fold(x, |angle, _| angle + (x - sin(angle)) * slope)
     }
 
     /// Square root, within two units in the last place.
     #[inline(always)]
     pub(crate) fn sqrt(x: f32) -> f32 {
-        x * inverse_sqrt(x)
+        x * reciprocal(x)
+    }
+
+    /// Reciprocal of the square root of a normal number, within two units in the last place, and zero for any other: zero
+    /// or less, subnormal, infinite or not a number.
+    #[cfg(not(all(target_arch = "arm", target_abi = "eabihf")))]
+    #[inline(always)]
+    pub(crate) fn inverse_sqrt(x: f32) -> f32 {
+        if (f32::MIN_POSITIVE..=f32::MAX).contains(&x) { reciprocal(x) } else { 0.0 }
     }
 
     /// Reciprocal of the square root, within two units in the last place.
     #[inline(always)]
-    pub(crate) fn inverse_sqrt(x: f32) -> f32 {
+    fn reciprocal(x: f32) -> f32 {
         (0..3).fold(F32Ext::invsqrt(x), |y, _| y * (1.5 - 0.5 * x * y * y))
     }
 }

@@ -27,7 +27,7 @@ impl<S: Scalar, P: Profile> Falloff<S, P> {
     /// The intensity in a direction from the light, which has an axis.
     #[inline(always)]
     pub fn toward(&self, ray: <S::Offset as Offset<S>>::Ray, axis: Vec3<S::Unit>) -> S {
-        self.at(ray.versine(axis, self.ramp))
+        self.curve.intensity(ray.rise(axis, self.ramp))
     }
 
     /// The intensity at a versine, in the scale of [`versine`](Self::versine): exactly 0 from the outer versine or a

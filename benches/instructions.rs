@@ -1,0 +1,101 @@
+//! What kernels cost in instructions of the host, counted by callgrind: the same in every run, whatever else the
+//! machine does. 4,096 points or versines each.
+//!
+//! `cargo bench --features callgrind --bench instructions`, with valgrind installed and gungraun-runner of the version
+//! of gungraun that Cargo.lock names (`cargo install gungraun-runner --version 0.20.0`). What is compiled for wider
+//! vectors has other counts; valgrind knows vectors up to AVX2.
+
+#![allow(missing_docs, reason = "gungraun's macros make public items without documentation")]
+
+use std::hint::black_box;
+
+use gungraun::{library_benchmark, library_benchmark_group, main};
+use luminaire::{
+    Angle, CompiledSpot, Cone, Falloff, Fx16, Fx32, Hard, Profile, Rgb, Scalar, Smooth, Soft, Spot, Vec3,
+};
+
+const POINTS: usize = 4096;
+
+/// A falloff, versines from the axis to the edge, and room for their intensities.
+struct Ramp<S: Scalar, P: Profile> {
+    falloff: Falloff<S, P>,
+    versines: Vec<S::Versine>,
+    intensities: Vec<S>,
+}
+
+fn ramp<S: Scalar, P: Profile>(profile: P) -> Ramp<S, P> {
+    let cone = Cone::from_field(profile, Angle::degrees(15.0)).expect("a sound angle");
+    let falloff = cone.compile::<S>().expect("held");
+    let at = |i: usize| falloff.versine(cone.outer_versine() * i as f32 / POINTS as f32);
+    Ramp { falloff, versines: (0..POINTS).map(at).collect(), intensities: vec![S::ZERO; POINTS] }
+}
+
+/// The profile is one on the axis and falls from there to the edge.
+fn check_ramp<S: Scalar, P: Profile>(ramp: Ramp<S, P>) {
+    assert_eq!(ramp.intensities[0], S::ONE);
+    assert!(ramp.intensities.is_sorted_by(|a, b| a >= b) && ramp.intensities[POINTS - 1].to_f32() < 0.01);
+}
+
+#[library_benchmark]
+#[bench::soft_f32(args = (ramp::<f32, _>(Soft)), teardown = check_ramp)]
+#[bench::hard_f32(args = (ramp::<f32, _>(Hard)), teardown = check_ramp)]
+#[bench::smooth_f32(args = (ramp::<f32, _>(Smooth)), teardown = check_ramp)]
+#[bench::soft_fx32(args = (ramp::<Fx32, _>(Soft)), teardown = check_ramp)]
+#[bench::soft_fx16(args = (ramp::<Fx16, _>(Soft)), teardown = check_ramp)]
+fn falloff<S: Scalar, P: Profile>(mut ramp: Ramp<S, P>) -> Ramp<S, P> {
+    ramp.falloff.at_each(black_box(&ramp.versines), &mut ramp.intensities);
+    ramp
+}
+
+/// A spotlight and a floor under it, structure of arrays.
+struct Floor<S: Scalar> {
+    spot: CompiledSpot<S, Soft>,
+    point: Vec3<Vec<S::Length>>,
+    normal: Vec3<Vec<S>>,
+    light: Rgb<Vec<S::Irradiance>>,
+}
+
+fn floor<S: Scalar>() -> Floor<S> {
+    let cone = Cone::from_field(Soft, Angle::degrees(26.0)).expect("a sound angle");
+    let spot = Spot::new(Vec3::new(0.3, 4.0, 0.2), Vec3::new(-0.05, -1.0, 0.0), cone)
+        .and_then(|spot| spot.with_intensity(16.0))
+        .and_then(|spot| spot.compile())
+        .expect("a sound light");
+    let at = |i: usize| S::length(2.0 * (i as f32 / 63.0) - 1.0);
+    Floor {
+        spot,
+        point: Vec3::new(
+            (0..POINTS).map(|i| at(i % 64)).collect(),
+            vec![S::length(0.0); POINTS],
+            (0..POINTS).map(|i| at(i / 64)).collect(),
+        ),
+        normal: Vec3::new(vec![S::ZERO; POINTS], vec![S::ONE; POINTS], vec![S::ZERO; POINTS]),
+        light: Rgb::new((), (), ()).map(|()| vec![S::Irradiance::default(); POINTS]),
+    }
+}
+
+/// The middle of the spot is at full scale.
+fn check_floor<S: Scalar>(floor: Floor<S>) {
+    let brightest = floor.light.red.iter().map(|&red| S::light_to_f32(red)).fold(0.0, f32::max);
+    assert!((0.95..=1.05).contains(&brightest), "the middle of the spot is {brightest}");
+}
+
+#[library_benchmark]
+#[bench::soft_f32(args = (floor::<f32>()), teardown = check_floor)]
+#[bench::soft_fx32(args = (floor::<Fx32>()), teardown = check_floor)]
+#[bench::soft_fx16(args = (floor::<Fx16>()), teardown = check_floor)]
+fn lit<S: Scalar>(mut floor: Floor<S>) -> Floor<S> {
+    let Floor { spot, point, normal, light } = &mut floor;
+    let (point, normal) =
+        (Vec3::new(&point.x[..], &point.y, &point.z), Vec3::new(&normal.x[..], &normal.y, &normal.z));
+    spot.add_each(black_box(point), normal, Rgb::new(&mut light.red, &mut light.green, &mut light.blue));
+    floor
+}
+
+#[library_benchmark]
+fn powf() -> f32 {
+    (0..POINTS).map(|i| black_box(1.0 - i as f32 / POINTS as f32).powf(black_box(12.5))).sum()
+}
+
+library_benchmark_group!(name = kernels, benchmarks = [falloff, lit, powf]);
+main!(library_benchmark_groups = kernels);

@@ -1,0 +1,223 @@
+//! Many points and one compiled light: slices in, slices out, each quantity in a slice of its own.
+//!
+//! Every answer has the bits that the call for a single point gives; only the order of the work differs. In `f32` the
+//! points are taken in blocks: a first pass finds the roots of a block and a second one does the rest, so that neither
+//! waits for the other, and both become vector instructions of whatever width the build allows. Fixed point is taken
+//! point by point, and leaves a point where nothing can arrive at once.
+//!
+//! Slices of unequal length are read and written as far as the shortest of them goes; what lies beyond stays as it was.
+
+use core::ops::Range;
+
+use crate::{
+    attenuation::Attenuation,
+    color::Rgb,
+    cone::Falloff,
+    profile::Profile,
+    scalar::{Fraction, Offset, Ray, Scalar},
+    shade::{CompiledPoint, CompiledSpot},
+    vec3::Vec3,
+};
+
+/// How many points make a block: enough that starting a loop costs little, and few enough that what one pass leaves
+/// for the next stays in the nearest cache. Compilers make a straight line of a loop over 32, which is slower.
+const BLOCK: usize = 64;
+
+/// What a pass leaves for the next one, so aligned that no vector load crosses a line of the cache.
+#[repr(align(64))]
+struct Lanes<T>([T; BLOCK]);
+
+/// A light that stands somewhere.
+trait Lamp<S: Scalar> {
+    /// Where it stands.
+    fn position(&self) -> Vec3<S::Length>;
+    /// What arrives at a single point, in the form that suits a loop.
+    fn irradiance(&self, point: Vec3<S::Length>, normal: Vec3<S>) -> S::Irradiance;
+    /// The same, once the root is paid for.
+    fn expose(
+        &self,
+        offset: &S::Offset,
+        ray: &<S::Offset as Offset<S>>::Ray,
+        normal: Vec3<S>,
+    ) -> S::Irradiance;
+}
+
+impl<S: Scalar, P: Profile, A: Attenuation> Lamp<S> for CompiledSpot<S, P, A> {
+    #[inline(always)]
+    fn position(&self) -> Vec3<S::Length> {
+        self.position
+    }
+
+    #[inline(always)]
+    fn irradiance(&self, point: Vec3<S::Length>, normal: Vec3<S>) -> S::Irradiance {
+        if S::Offset::ROOTS_FIRST {
+            self.irradiance_unskipped(point, normal)
+        } else {
+            self.irradiance(point, normal)
+        }
+    }
+
+    #[inline(always)]
+    fn expose(
+        &self,
+        offset: &S::Offset,
+        ray: &<S::Offset as Offset<S>>::Ray,
+        normal: Vec3<S>,
+    ) -> S::Irradiance {
+        let cosine = ray.cosine(offset.facing(normal));
+        let fraction = cosine.of(self.falloff.toward(*ray, self.axis));
+        A::expose(&self.attenuation, offset, ray, fraction, self.intensity)
+    }
+}
+
+impl<S: Scalar, A: Attenuation> Lamp<S> for CompiledPoint<S, A> {
+    #[inline(always)]
+    fn position(&self) -> Vec3<S::Length> {
+        self.position
+    }
+
+    #[inline(always)]
+    fn irradiance(&self, point: Vec3<S::Length>, normal: Vec3<S>) -> S::Irradiance {
+        if S::Offset::ROOTS_FIRST {
+            self.irradiance_unskipped(point, normal)
+        } else {
+            self.irradiance(point, normal)
+        }
+    }
+
+    #[inline(always)]
+    fn expose(
+        &self,
+        offset: &S::Offset,
+        ray: &<S::Offset as Offset<S>>::Ray,
+        normal: Vec3<S>,
+    ) -> S::Irradiance {
+        let cosine = ray.cosine(offset.facing(normal)).scalar();
+        A::expose(&self.attenuation, offset, ray, cosine, self.intensity)
+    }
+}
+
+/// How many points make whole blocks, and how many there are.
+fn extent<S: Scalar>(points: Vec3<&[S::Length]>, normals: Vec3<&[S]>, lights: usize) -> (usize, usize) {
+    let points = points.x.len().min(points.y.len()).min(points.z.len());
+    let normals = normals.x.len().min(normals.y.len()).min(normals.z.len());
+    let count = lights.min(points).min(normals);
+    (if S::Offset::ROOTS_FIRST { count - count % BLOCK } else { 0 }, count)
+}
+
+/// A range of three columns, in blocks.
+fn blocks<T>(columns: Vec3<&[T]>, range: Range<usize>) -> impl Iterator<Item = Vec3<&[T; BLOCK]>> {
+    let blocks = columns.map(|column| column.get(range.clone()).unwrap_or_default().as_chunks().0.iter());
+    blocks.x.zip(blocks.y).zip(blocks.z).map(|((x, y), z)| Vec3::new(x, y, z))
+}
+
+/// A column in blocks.
+fn blocks_mut<T>(column: &mut [T]) -> impl Iterator<Item = &mut [T; BLOCK]> {
+    column.as_chunks_mut().0.iter_mut()
+}
+
+/// A range of three columns, row by row.
+fn rows<T: Copy>(columns: Vec3<&[T]>, range: Range<usize>) -> impl Iterator<Item = Vec3<T>> {
+    let rows = columns.map(|column| column.get(range.clone()).unwrap_or_default().iter());
+    rows.x.zip(rows.y).zip(rows.z).map(|((&x, &y), &z)| Vec3::new(x, y, z))
+}
+
+/// The light at each point of a block.
+#[inline(always)]
+fn light_block<S: Scalar>(
+    lamp: &impl Lamp<S>,
+    points: Vec3<&[S::Length; BLOCK]>,
+    normals: Vec3<&[S; BLOCK]>,
+    lights: &mut [S::Irradiance; BLOCK],
+) {
+    let mut reciprocals = Lanes([0.0; BLOCK]);
+    for (i, reciprocal) in reciprocals.0.iter_mut().enumerate() {
+        *reciprocal = S::offset(lamp.position(), points.map(|column| column[i])).reciprocal();
+    }
+    for (i, light) in lights.iter_mut().enumerate() {
+        let offset = S::offset(lamp.position(), points.map(|column| column[i]));
+        let ray = offset.ray_of(reciprocals.0[i]);
+        *light = lamp.expose(&offset, &ray, normals.map(|column| column[i]));
+    }
+}
+
+/// Adds a light to a channel.
+#[inline(always)]
+fn add<S: Scalar>(sum: &mut S::Irradiance, light: S::Irradiance, color: S) {
+    *sum = S::add_light(*sum, S::filter(light, color));
+}
+
+/// The methods of a lamp over many points.
+macro_rules! batch_methods {
+    () => {
+        /// The light that arrives at each of many surface points: to the bit what [`irradiance`](Self::irradiance)
+        /// gives for one.
+        ///
+        /// Points, normals and lights are structures of arrays, a slice for each component. As many points are lit
+        /// as the shortest slice has; lights beyond them stay as they were.
+        pub fn irradiance_each(
+            &self,
+            points: Vec3<&[S::Length]>,
+            normals: Vec3<&[S]>,
+            lights: &mut [S::Irradiance],
+        ) {
+            let (whole, count) = extent(points, normals, lights.len());
+            let sites = blocks(points, 0..whole).zip(blocks(normals, 0..whole));
+            for ((points, normals), lights) in sites.zip(lights.as_chunks_mut().0) {
+                light_block(self, points, normals, lights);
+            }
+            let sites = rows(points, whole..count).zip(rows(normals, whole..count));
+            for ((point, normal), light) in sites.zip(lights.iter_mut().skip(whole)) {
+                *light = Lamp::irradiance(self, point, normal);
+            }
+        }
+
+        /// Adds the light that arrives at each of many surface points, in the light's colour, to what is there: to the
+        /// bit what [`irradiance`](Self::irradiance), [`Rgb::lit`] and [`Rgb::plus`] give for one. Slices are those of
+        /// [`irradiance_each`](Self::irradiance_each).
+        pub fn add_each(
+            &self,
+            points: Vec3<&[S::Length]>,
+            normals: Vec3<&[S]>,
+            sums: Rgb<&mut [S::Irradiance]>,
+        ) {
+            let (color, Rgb { red, green, blue }) = (self.color, sums);
+            let (whole, count) = extent(points, normals, red.len().min(green.len()).min(blue.len()));
+            let sites = blocks(points, 0..whole).zip(blocks(normals, 0..whole));
+            let sums = blocks_mut(red).zip(blocks_mut(green)).zip(blocks_mut(blue));
+            let mut lights = Lanes([S::Irradiance::default(); BLOCK]);
+            for ((points, normals), ((red, green), blue)) in sites.zip(sums) {
+                light_block(self, points, normals, &mut lights.0);
+                for (sums, color) in [(red, color.red), (green, color.green), (blue, color.blue)] {
+                    sums.iter_mut().zip(&lights.0).for_each(|(sum, &light)| add(sum, light, color));
+                }
+            }
+            let sites = rows(points, whole..count).zip(rows(normals, whole..count));
+            let sums = red.iter_mut().zip(green.iter_mut()).zip(blue.iter_mut()).skip(whole);
+            for ((point, normal), ((red, green), blue)) in sites.zip(sums) {
+                let light = Lamp::irradiance(self, point, normal);
+                add(red, light, color.red);
+                add(green, light, color.green);
+                add(blue, light, color.blue);
+            }
+        }
+    };
+}
+
+impl<S: Scalar, P: Profile, A: Attenuation> CompiledSpot<S, P, A> {
+    batch_methods!();
+}
+
+impl<S: Scalar, A: Attenuation> CompiledPoint<S, A> {
+    batch_methods!();
+}
+
+impl<S: Scalar, P: Profile> Falloff<S, P> {
+    /// The intensity at each of many versines: to the bit what [`at`](Self::at) gives for one. As many as the shorter
+    /// slice has.
+    pub fn at_each(&self, versines: &[S::Versine], intensities: &mut [S]) {
+        for (intensity, &versine) in intensities.iter_mut().zip(versines) {
+            *intensity = self.at(versine);
+        }
+    }
+}
