@@ -44,6 +44,10 @@ pub enum Parameter {
     MiddleSlope,
     /// The sum of the coefficients of a profile.
     CoefficientSum,
+    /// The exponent of an integer power.
+    Exponent,
+    /// The share of the larger exponent in a mixture of two powers.
+    Share,
     /// A measured intensity.
     Sample,
     /// How many samples there are.
@@ -103,6 +107,8 @@ impl fmt::Display for Parameter {
             Self::EdgeSlope => "edge slope",
             Self::MiddleSlope => "middle slope",
             Self::CoefficientSum => "sum of coefficients",
+            Self::Exponent => "exponent",
+            Self::Share => "share",
             Self::Sample => "sample",
             Self::SampleCount => "number of samples",
             Self::Position => "position",

@@ -46,6 +46,7 @@
 //! | OpenGL | `GL_SPOT_CUTOFF`: half, degrees | [`HalfAngle::degrees`] |
 //! | glTF `KHR_lights_punctual` | `innerConeAngle`, `outerConeAngle`: half, radians | [`HalfAngle::radians`] |
 //! | three.js | `SpotLight.angle`: half, radians | [`HalfAngle::radians`] |
+//! | Godot | `spot_angle`: half, degrees | [`HalfAngle::degrees`] |
 //!
 //! # Features
 //!
@@ -91,7 +92,8 @@ pub use error::{Accepted, Error, Parameter};
 pub use light::{Ambient, Directional, Point, Spot};
 pub use material::{CompiledMaterial, Material};
 pub use profile::{
-    Blend, Cubic, Curve, CutOff, Edge, Fitted, Hard, Linear, Power, Profile, Rim, Smooth, Soft, Table,
+    Blend, Cubic, Curve, CutOff, Edge, Fitted, Hard, IntegerPower, IntegerRim, Linear, MixedPower, MixedRim,
+    Power, Profile, Rim, Smooth, Soft, Table,
 };
 pub use scalar::{Fraction, Gain, Offset, Ray, Scalar};
 #[cfg(feature = "fixed")]

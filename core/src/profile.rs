@@ -13,7 +13,9 @@
 //! | [`Blend`] | `t (a + (1 - a) t)` | 2 | the quadratics between soft (a = 0) and hard (a = 2) |
 //! | [`Cubic`] | `t (a + t (b + t c))` | 3 | every monotone cubic; Fritsch and Carlson 1980 |
 //! | [`Power`] | `t^N` | log2 N for powers of two | OpenGL's cosine power by [`Cone::opengl`](crate::Cone::opengl) |
-//! | [`Rim`] | `1 - u^N` | as [`Power`] | Godot |
+//! | [`Rim`] | `1 - u^N` | as [`Power`] | Godot, by an angle attenuation of `1/N` |
+//! | [`IntegerPower`], [`IntegerRim`] | the same, `N` at run time | as [`Power`] | OpenGL, Godot |
+//! | [`MixedPower`], [`MixedRim`] | a mixture of two of these | 2 more | powers of a real exponent |
 //! | [`Table`] | samples | 2 | goniometric data |
 //! | [`Edge`], [`Fitted`] | one of the above | as it, and a branch | the choice at run time |
 
@@ -21,6 +23,8 @@ mod choice;
 mod cubic;
 pub(crate) mod fit;
 
+mod integer;
+mod mixed;
 mod polynomial;
 mod power;
 mod quadratic;
@@ -32,6 +36,8 @@ use crate::scalar::Scalar;
 pub use self::{
     choice::{Edge, Fitted},
     cubic::{Cubic, Smooth},
+    integer::{IntegerPower, IntegerRim},
+    mixed::{MixedPower, MixedRim},
     power::{Power, Rim},
     quadratic::{Blend, Hard, Linear, Soft},
     step::CutOff,
