@@ -84,7 +84,8 @@ mod vec3;
 
 pub use angle::{Angle, HalfAngle};
 pub use attenuation::{
-    Attenuation, HardRange, InverseSquare, Polynomial, SmoothRange, SquaredWindow, Unattenuated, Windowed,
+    Attenuation, Faded, HardRange, InverseSquare, Polynomial, SmoothRange, SquaredWindow, Unattenuated,
+    Windowed,
 };
 pub use color::{CompiledExposure, Exposure, Rgb, Rgb565, clip, decode_srgb, encode_srgb, keep_hue};
 pub use cone::{Cone, Falloff};
