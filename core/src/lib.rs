@@ -48,6 +48,8 @@
 //! | three.js | `SpotLight.angle`: half, radians | [`HalfAngle::radians`] |
 //! | Godot | `spot_angle`: half, degrees | [`HalfAngle::degrees`] |
 //!
+//! Whole lights of OpenGL, Direct3D 9, glTF, three.js and Godot come in by [`import`].
+//!
 //! # Features
 //!
 //! | feature | adds |
@@ -60,7 +62,7 @@
 //!
 //! Files, in the order in which they build on one another: `error`, `vec3`, `trig`, `search`, `scalar` (and a file for each
 //! format), `angle`, `profile`, `cone`, `attenuation`, `color`, `specular`, `shade` (and a file for each kind of
-//! light), `light` (the same), `material`.
+//! light), `light` (the same), `material`, `import` (and a file for each system).
 #![no_std]
 #![forbid(unsafe_code)]
 
@@ -72,6 +74,7 @@ mod attenuation;
 mod color;
 mod cone;
 mod error;
+pub mod import;
 mod light;
 mod material;
 mod profile;
@@ -93,8 +96,8 @@ pub use error::{Accepted, Error, Parameter};
 pub use light::{Ambient, Directional, Point, Spot};
 pub use material::{CompiledMaterial, Material};
 pub use profile::{
-    Blend, Cubic, Curve, CutOff, Edge, Fitted, Hard, IntegerPower, IntegerRim, Linear, MixedPower, MixedRim,
-    Power, Profile, Rim, Smooth, Soft, Table,
+    Blend, Cubic, Curve, CutOff, Edge, Fitted, Hard, IntegerPower, IntegerRim, Linear, Matched, MixedPower,
+    MixedRim, Power, Profile, Rim, Smooth, Soft, Table,
 };
 pub use scalar::{Fraction, Gain, Offset, Ray, Scalar};
 #[cfg(feature = "fixed")]

@@ -8,6 +8,8 @@ pub mod arbitrary;
 pub mod bounds;
 pub mod cubics;
 pub mod format;
+pub mod imports;
+pub mod originals;
 pub mod prices;
 pub mod profiles;
 pub mod reference;
