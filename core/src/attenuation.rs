@@ -8,11 +8,16 @@
 //! | [`SmoothRange`] | `t^2 (3 - 2t)` of `t = 1 - d/r` | the dual-cone spotlight, smoothstep from its range to 0 |
 //! | [`Windowed`] | `(1 - (d/r)^4) / d^2`, at least 0 | glTF's KHR_lights_punctual |
 //! | [`SquaredWindow`] | `(1 - (d/r)^4)^2 / d^2` within r | Filament, Bevy, three.js with decay 2 |
-//! | [`HardRange`] of a model | the model within r, 0 from there on | |
+//! | [`HardRange`] of a model | the model within r, 0 from there on | Direct3D 9 |
+//! | [`Faded`] of a model | the model times `(1 - (d/r)^4)^2` within r | Godot, and three.js with any decay |
 //!
 //! A light that has no range says `None`, never 0. From its range on a light is exactly zero, and a point there is
 //! rejected by its squared distance, before a root is paid for: by the same number that the model itself compares, so
 //! that the reject changes no bit. In fixed point "from its range on" begins half a step of the format before it.
+
+mod faded;
+
+pub use self::faded::Faded;
 
 use crate::{
     error::{Accepted, Error, Parameter, check_between},
@@ -20,7 +25,7 @@ use crate::{
 };
 
 /// The offset's ray, in the words of the seam.
-type RayOf<S> = <<S as Scalar>::Offset as Offset<S>>::Ray;
+pub(crate) type RayOf<S> = <<S as Scalar>::Offset as Offset<S>>::Ray;
 
 /// A distance model. The type decides which one is compiled in: there is no branch per point, and a model that is not
 /// named is not linked.
@@ -192,6 +197,11 @@ impl<A: Attenuation> HardRange<A> {
     /// A range outside 0.001 to 1e9.
     pub fn new(attenuation: A, range: Option<f32>) -> Result<Self, Error> {
         Ok(Self { attenuation, range: range.map(checked_range).transpose()? })
+    }
+
+    /// The model that is cut off.
+    pub fn attenuation(&self) -> A {
+        self.attenuation
     }
 
     /// Where the light ends, if it does.

@@ -44,6 +44,10 @@ pub enum Parameter {
     MiddleSlope,
     /// The sum of the coefficients of a profile.
     CoefficientSum,
+    /// The exponent of an integer power.
+    Exponent,
+    /// The share of the larger exponent in a mixture of two powers.
+    Share,
     /// A measured intensity.
     Sample,
     /// How many samples there are.
@@ -68,6 +72,30 @@ pub enum Parameter {
     Shininess,
     /// How much all light is amplified for the display.
     Exposure,
+    /// `GL_SPOT_CUTOFF` of OpenGL, a half angle in degrees.
+    SpotCutoff,
+    /// `GL_SPOT_EXPONENT` of OpenGL.
+    SpotExponent,
+    /// `Theta` of Direct3D 9, the full inner angle in radians.
+    Theta,
+    /// `Phi` of Direct3D 9, the full outer angle in radians.
+    Phi,
+    /// `Falloff` of Direct3D 9, an exponent.
+    Falloff,
+    /// `innerConeAngle` of glTF, a half angle in radians.
+    InnerConeAngle,
+    /// `outerConeAngle` of glTF, a half angle in radians.
+    OuterConeAngle,
+    /// The half angle of a spotlight: in radians in three.js, in degrees in Godot.
+    SpotAngle,
+    /// The full angle up to which a spotlight is full.
+    Umbra,
+    /// Where a spotlight ends: a full angle, or in three.js the part of the angle over which it falls.
+    Penumbra,
+    /// `spot_angle_attenuation` of Godot.
+    SpotAngleAttenuation,
+    /// The exponent by which light falls with the distance: `decay` of three.js, `spot_attenuation` of Godot.
+    Decay,
 }
 
 /// What a parameter may be.
@@ -84,6 +112,10 @@ pub enum Accepted {
     Exactly(f32),
     /// A finite number in this closed range.
     Between(f32, f32),
+    /// A number that is more than 0 and at most this.
+    UpTo(f32),
+    /// A number that is more than 0 and at most the first of these, or the second.
+    UpToOr(f32, f32),
     /// A distance in this closed range, or none at all.
     RangeBetween(f32, f32),
     /// A whole number in this closed range.
@@ -103,6 +135,8 @@ impl fmt::Display for Parameter {
             Self::EdgeSlope => "edge slope",
             Self::MiddleSlope => "middle slope",
             Self::CoefficientSum => "sum of coefficients",
+            Self::Exponent => "exponent",
+            Self::Share => "share",
             Self::Sample => "sample",
             Self::SampleCount => "number of samples",
             Self::Position => "position",
@@ -115,6 +149,18 @@ impl fmt::Display for Parameter {
             Self::Range => "range",
             Self::Shininess => "shininess",
             Self::Exposure => "exposure",
+            Self::SpotCutoff => "spot cutoff",
+            Self::SpotExponent => "spot exponent",
+            Self::Theta => "theta",
+            Self::Phi => "phi",
+            Self::Falloff => "falloff",
+            Self::InnerConeAngle => "inner cone angle",
+            Self::OuterConeAngle => "outer cone angle",
+            Self::SpotAngle => "spot angle",
+            Self::Umbra => "umbra",
+            Self::Penumbra => "penumbra",
+            Self::SpotAngleAttenuation => "spot angle attenuation",
+            Self::Decay => "decay",
         })
     }
 }
@@ -139,6 +185,8 @@ impl fmt::Display for Accepted {
             }
             Self::Exactly(value) => write!(f, "give exactly {value}"),
             Self::Between(least, most) => write!(f, "give a finite number from {least} to {most}"),
+            Self::UpTo(most) => write!(f, "give more than 0 and at most {most}"),
+            Self::UpToOr(most, other) => write!(f, "give more than 0 and at most {most}, or {other}"),
             Self::RangeBetween(least, most) => {
                 write!(f, "give a distance from {least} to {most}, or a distance model without a range")
             }
@@ -162,6 +210,15 @@ pub(crate) fn check_between(parameter: Parameter, value: f32, least: f32, most: 
         Ok(())
     } else {
         Err(Error { parameter, value, accepted: Accepted::Between(least, most) })
+    }
+}
+
+/// A number that is more than 0 and at most `most`, or the error that names it.
+pub(crate) fn check_up_to(parameter: Parameter, value: f32, most: f32) -> Result<(), Error> {
+    if value > 0.0 && value <= most {
+        Ok(())
+    } else {
+        Err(Error { parameter, value, accepted: Accepted::UpTo(most) })
     }
 }
 

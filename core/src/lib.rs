@@ -46,6 +46,9 @@
 //! | OpenGL | `GL_SPOT_CUTOFF`: half, degrees | [`HalfAngle::degrees`] |
 //! | glTF `KHR_lights_punctual` | `innerConeAngle`, `outerConeAngle`: half, radians | [`HalfAngle::radians`] |
 //! | three.js | `SpotLight.angle`: half, radians | [`HalfAngle::radians`] |
+//! | Godot | `spot_angle`: half, degrees | [`HalfAngle::degrees`] |
+//!
+//! Whole lights of OpenGL, Direct3D 9, glTF, three.js and Godot come in by [`import`].
 //!
 //! # Features
 //!
@@ -59,7 +62,7 @@
 //!
 //! Files, in the order in which they build on one another: `error`, `vec3`, `trig`, `search`, `scalar` (and a file for each
 //! format), `angle`, `profile`, `cone`, `attenuation`, `color`, `specular`, `shade` (and a file for each kind of
-//! light), `light` (the same), `material`, `batch`.
+//! light), `light` (the same), `material`, `batch`, `import` (and a file for each system).
 #![no_std]
 #![forbid(unsafe_code)]
 
@@ -72,6 +75,7 @@ mod batch;
 mod color;
 mod cone;
 mod error;
+pub mod import;
 mod light;
 mod material;
 mod profile;
@@ -84,7 +88,8 @@ mod vec3;
 
 pub use angle::{Angle, HalfAngle};
 pub use attenuation::{
-    Attenuation, HardRange, InverseSquare, Polynomial, SmoothRange, SquaredWindow, Unattenuated, Windowed,
+    Attenuation, Faded, HardRange, InverseSquare, Polynomial, SmoothRange, SquaredWindow, Unattenuated,
+    Windowed,
 };
 pub use color::{CompiledExposure, Exposure, Rgb, Rgb565, clip, decode_srgb, encode_srgb, keep_hue};
 pub use cone::{Cone, Falloff};
@@ -92,7 +97,8 @@ pub use error::{Accepted, Error, Parameter};
 pub use light::{Ambient, Directional, Point, Spot};
 pub use material::{CompiledMaterial, Material};
 pub use profile::{
-    Blend, Cubic, Curve, CutOff, Edge, Fitted, Hard, Linear, Power, Profile, Rim, Smooth, Soft, Table,
+    Blend, Cubic, Curve, CutOff, Edge, Fitted, Hard, IntegerPower, IntegerRim, Linear, Matched, MixedPower,
+    MixedRim, Power, Profile, Rim, Smooth, Soft, Table,
 };
 pub use scalar::{Fraction, Gain, Offset, Ray, Scalar};
 #[cfg(feature = "fixed")]

@@ -13,14 +13,20 @@
 //! | [`Blend`] | `t (a + (1 - a) t)` | 2 | the quadratics between soft (a = 0) and hard (a = 2) |
 //! | [`Cubic`] | `t (a + t (b + t c))` | 3 | every monotone cubic; Fritsch and Carlson 1980 |
 //! | [`Power`] | `t^N` | log2 N for powers of two | OpenGL's cosine power by [`Cone::opengl`](crate::Cone::opengl) |
-//! | [`Rim`] | `1 - u^N` | as [`Power`] | Godot |
+//! | [`Rim`] | `1 - u^N` | as [`Power`] | Godot, by an angle attenuation of `1/N` |
+//! | [`IntegerPower`], [`IntegerRim`] | the same, `N` at run time | as [`Power`] | [imports](crate::import) |
+//! | [`MixedPower`], [`MixedRim`] | a mixture of two of these | 2 more | imports, for a real exponent |
 //! | [`Table`] | samples | 2 | goniometric data |
-//! | [`Edge`], [`Fitted`] | one of the above | as it, and a branch | the choice at run time |
+//! | [`Edge`], [`Fitted`], [`Matched`] | one of the above | as it, and a branch | the choice at run time |
 
 mod choice;
 mod cubic;
+pub(crate) mod exponent;
 pub(crate) mod fit;
 
+mod integer;
+mod matched;
+mod mixed;
 mod polynomial;
 mod power;
 mod quadratic;
@@ -32,6 +38,9 @@ use crate::scalar::Scalar;
 pub use self::{
     choice::{Edge, Fitted},
     cubic::{Cubic, Smooth},
+    integer::{IntegerPower, IntegerRim},
+    matched::Matched,
+    mixed::{MixedPower, MixedRim},
     power::{Power, Rim},
     quadratic::{Blend, Hard, Linear, Soft},
     step::CutOff,
@@ -41,7 +50,7 @@ pub use self::{
 /// An edge profile: a function of `t`, and the figures that design a cone with it.
 ///
 /// The type decides which function is compiled in: there is no branch per point, and a profile that is not
-/// named is not linked. [`Edge`] and [`Fitted`] leave the choice to run time, at the price of that branch.
+/// named is not linked. [`Edge`], [`Fitted`] and [`Matched`] leave the choice to run time, at the price of that branch.
 pub trait Profile: Copy + core::fmt::Debug {
     /// The profile with its coefficients in the format `S`.
     type Compiled<S: Scalar>: Curve<S>;

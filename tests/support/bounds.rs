@@ -24,7 +24,7 @@ pub const REFUSE: f64 = f64::INFINITY;
 
 /// Degrees:  0.01     0.1      0.5      1        2        3.5      7.5      15       30       60       89
 #[rustfmt::skip]
-pub const ROWS: [Row; 42] = [
+pub const ROWS: [Row; 54] = [
     Row {
         profile: "soft", format: "f32", falloff: 2.46,
         spot: [4.3e-4, 4.4e-5, 8.8e-6, 4.3e-6, 2.3e-6, 1.4e-6, 6.4e-7, 4.2e-7, 3.1e-7, 2.4e-7, 2.3e-7],
@@ -174,6 +174,66 @@ pub const ROWS: [Row; 42] = [
         profile: "rim 4", format: "fx16", falloff: 3.04,
         spot: [REFUSE, REFUSE, REFUSE, REFUSE, REFUSE, 1.9e-3, 1.3e-3, 1.1e-3, 9.6e-4, 7.6e-4, 8.0e-4],
         lit:  [REFUSE, REFUSE, REFUSE, REFUSE, REFUSE, 1.5e-3, 1.2e-3, 8.4e-4, 8.0e-4, 5.6e-4, 7.3e-4],
+    },
+    Row {
+        profile: "integer power 15", format: "f32", falloff: 18.3,
+        spot: [9.4e-4, 9.1e-5, 1.9e-5, 9.7e-6, 5.1e-6, 3.8e-6, 2.1e-6, 1.7e-6, 2.1e-6, 8.3e-7, 1.3e-6],
+        lit:  [7.8e-4, 7.8e-5, 1.6e-5, 8.3e-6, 4.6e-6, 3.3e-6, 2.0e-6, 1.8e-6, 2.0e-6, 9.8e-7, 1.3e-6],
+    },
+    Row {
+        profile: "integer power 15", format: "fx32", falloff: 12.0,
+        spot: [1.6e-5, 1.7e-6, 3.3e-7, 1.7e-7, 1.2e-7, 7.8e-8, 5.8e-8, 4.2e-8, 1.2e-8, 1.1e-8, 1.1e-8],
+        lit:  [1.5e-5, 1.4e-6, 3.0e-7, 1.6e-7, 1.1e-7, 7.4e-8, 5.2e-8, 3.8e-8, 1.3e-8, 1.4e-8, 1.1e-8],
+    },
+    Row {
+        profile: "integer power 15", format: "fx16", falloff: 9.76,
+        spot: [REFUSE, REFUSE, REFUSE, REFUSE, 1.5e-3, 9.9e-4, 6.6e-4, 6.1e-4, 6.0e-4, 6.3e-4, 4.6e-4],
+        lit:  [REFUSE, REFUSE, REFUSE, REFUSE, 1.1e-3, 8.0e-4, 6.9e-4, 7.3e-4, 6.6e-4, 7.6e-4, 5.8e-4],
+    },
+    Row {
+        profile: "integer rim 4", format: "f32", falloff: 1.77,
+        spot: [REFUSE, 2.1e-4, 4.1e-5, 2.0e-5, 1.1e-5, 6.4e-6, 3.4e-6, 2.2e-6, 1.5e-6, 1.2e-6, 1.4e-6],
+        lit:  [REFUSE, 1.9e-4, 3.4e-5, 1.9e-5, 9.6e-6, 5.5e-6, 2.8e-6, 2.0e-6, 1.2e-6, 1.1e-6, 1.1e-6],
+    },
+    Row {
+        profile: "integer rim 4", format: "fx32", falloff: 2.96,
+        spot: [3.5e-5, 4.0e-6, 8.6e-7, 4.2e-7, 6.2e-7, 4.8e-7, 4.4e-7, 3.2e-7, 3.5e-8, 9.2e-9, 5.9e-8],
+        lit:  [3.1e-5, 3.3e-6, 8.1e-7, 3.5e-7, 5.7e-7, 4.5e-7, 4.1e-7, 3.1e-7, 3.2e-8, 8.0e-9, 5.5e-8],
+    },
+    Row {
+        profile: "integer rim 4", format: "fx16", falloff: 2.89,
+        spot: [REFUSE, REFUSE, REFUSE, REFUSE, REFUSE, 1.9e-3, 1.1e-3, 8.2e-4, 7.9e-4, 9.1e-4, 7.4e-4],
+        lit:  [REFUSE, REFUSE, REFUSE, REFUSE, REFUSE, 1.4e-3, 8.2e-4, 6.7e-4, 6.4e-4, 7.7e-4, 6.1e-4],
+    },
+    Row {
+        profile: "mixed power", format: "f32", falloff: 8.25,
+        spot: [4.3e-4, 4.2e-5, 8.3e-6, 4.4e-6, 2.3e-6, 1.7e-6, 9.0e-7, 7.6e-7, 9.0e-7, 3.7e-7, 5.7e-7],
+        lit:  [3.6e-4, 3.7e-5, 7.2e-6, 3.7e-6, 2.1e-6, 1.6e-6, 9.5e-7, 9.9e-7, 1.1e-6, 6.2e-7, 8.1e-7],
+    },
+    Row {
+        profile: "mixed power", format: "fx32", falloff: 5.6,
+        spot: [7.2e-6, 7.4e-7, 1.5e-7, 7.5e-8, 9.8e-8, 7.5e-8, 6.8e-8, 5.0e-8, 6.3e-9, 4.7e-9, 9.5e-9],
+        lit:  [6.3e-6, 6.6e-7, 1.4e-7, 6.9e-8, 9.1e-8, 7.1e-8, 6.6e-8, 5.0e-8, 9.0e-9, 8.5e-9, 9.6e-9],
+    },
+    Row {
+        profile: "mixed power", format: "fx16", falloff: 4.72,
+        spot: [REFUSE, REFUSE, REFUSE, 1.3e-3, 6.6e-4, 4.5e-4, 3.1e-4, 3.0e-4, 2.7e-4, 3.1e-4, 2.2e-4],
+        lit:  [REFUSE, REFUSE, REFUSE, 1.1e-3, 5.7e-4, 4.3e-4, 4.1e-4, 4.4e-4, 4.2e-4, 4.5e-4, 4.2e-4],
+    },
+    Row {
+        profile: "mixed rim", format: "f32", falloff: 1.43,
+        spot: [1.3e-3, 1.3e-4, 2.7e-5, 1.3e-5, 7.3e-6, 4.1e-6, 2.2e-6, 1.4e-6, 9.6e-7, 8.2e-7, 8.8e-7],
+        lit:  [1.3e-3, 1.2e-4, 2.3e-5, 1.2e-5, 6.1e-6, 3.5e-6, 1.8e-6, 1.3e-6, 8.3e-7, 6.5e-7, 6.9e-7],
+    },
+    Row {
+        profile: "mixed rim", format: "fx32", falloff: 2.27,
+        spot: [2.3e-5, 2.6e-6, 5.6e-7, 2.7e-7, 4.0e-7, 3.1e-7, 2.8e-7, 2.1e-7, 2.3e-8, 6.2e-9, 3.8e-8],
+        lit:  [2.0e-5, 2.2e-6, 5.2e-7, 2.3e-7, 3.7e-7, 2.9e-7, 2.7e-7, 2.0e-7, 2.1e-8, 6.2e-9, 3.6e-8],
+    },
+    Row {
+        profile: "mixed rim", format: "fx16", falloff: 2.43,
+        spot: [REFUSE, REFUSE, REFUSE, REFUSE, 1.9e-3, 1.3e-3, 7.0e-4, 5.6e-4, 5.3e-4, 5.9e-4, 5.2e-4],
+        lit:  [REFUSE, REFUSE, REFUSE, REFUSE, 1.4e-3, 9.5e-4, 5.7e-4, 4.8e-4, 4.3e-4, 4.4e-4, 4.5e-4],
     },
     Row {
         profile: "table", format: "f32", falloff: 2.34,

@@ -1,7 +1,7 @@
 //! Every profile of the kernel beside its reference: the list that the sweeps run over.
 
 use super::{reference, sweep};
-use luminaire::{Blend, Cone, Cubic, Power, Profile, Table};
+use luminaire::{Blend, Cone, Cubic, IntegerPower, IntegerRim, MixedPower, MixedRim, Power, Profile, Table};
 
 pub fn blend() -> Blend {
     Blend::new(0.5).expect("a sound slope")
@@ -9,6 +9,22 @@ pub fn blend() -> Blend {
 
 pub fn cubic() -> Cubic {
     Cubic::with_slopes(1.25, 3.5).expect("sound slopes")
+}
+
+pub fn integer_power() -> IntegerPower {
+    IntegerPower::new(15).expect("a sound exponent")
+}
+
+pub fn integer_rim() -> IntegerRim {
+    IntegerRim::new(4).expect("a sound exponent")
+}
+
+pub fn mixed_power() -> MixedPower {
+    MixedPower::new([1, 16], 0.375).expect("a sound mixture")
+}
+
+pub fn mixed_rim() -> MixedRim {
+    MixedRim::new([2, 3], 0.5625).expect("a sound mixture")
 }
 
 pub fn table() -> Table<'static> {
@@ -118,6 +134,22 @@ macro_rules! with_every_shape {
             $function::<$format, _>(&Shape::plain("power 4", Power::<4>, reference::power_4)),
             $function::<$format, _>(&Shape::plain("power 15", Power::<15>, reference::power_15)),
             $function::<$format, _>(&Shape::plain("rim 4", Rim::<4>, reference::rim_4)),
+            $function::<$format, _>(&Shape::plain(
+                "integer power 15",
+                profiles::integer_power(),
+                reference::power_15,
+            )),
+            $function::<$format, _>(&Shape::plain(
+                "integer rim 4",
+                profiles::integer_rim(),
+                reference::rim_4,
+            )),
+            $function::<$format, _>(&Shape::plain(
+                "mixed power",
+                profiles::mixed_power(),
+                reference::mixed_power,
+            )),
+            $function::<$format, _>(&Shape::plain("mixed rim", profiles::mixed_rim(), reference::mixed_rim)),
             $function::<$format, _>(&Shape::plain("table", profiles::table(), reference::table)),
             $function::<$format, _>(&Shape::hotspot("soft, hotspot", Soft, reference::soft)),
             $function::<$format, _>(&Shape::delimited("soft, delimited", Soft, reference::soft)),

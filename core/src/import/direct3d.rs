@@ -1,0 +1,70 @@
+//! Lights of Direct3D's fixed functions.
+
+use super::{Distance, Imported, fall, ramp, spot};
+use crate::{
+    angle::Angle,
+    error::{Error, Parameter, check_between, check_up_to},
+    light::Spot,
+    profile::{
+        Matched,
+        exponent::{RealPower, power},
+    },
+    vec3::Vec3,
+};
+
+/// A spotlight of Direct3D 9 (`D3DLIGHT9`, and *Attenuation and Spotlight Factor* of its programming guide).
+///
+/// With rho the cosine of the angle off the direction, the light is full where rho is over `cos(theta / 2)`,
+/// none from `cos(phi / 2)` on, and between them
+///
+/// ```text
+/// ((rho - cos(phi / 2)) / (cos(theta / 2) - cos(phi / 2)))^falloff
+/// ```
+///
+/// At a distance d it is divided by `attenuation0 + attenuation1 d + attenuation2 d^2`, and none beyond the
+/// range. An integer falloff is exact; falloff 0 and theta at phi are steps.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Direct3d {
+    /// `Theta`: the full inner angle in radians, from 0 to phi.
+    pub theta: f32,
+    /// `Phi`: the full outer angle in radians, more than 0 and at most pi.
+    pub phi: f32,
+    /// `Falloff`: from 0 to 128, 1 in most programs.
+    pub falloff: f32,
+    /// `Attenuation0`: from 0 to 1e9.
+    pub attenuation0: f32,
+    /// `Attenuation1`: from 0 to 1e9.
+    pub attenuation1: f32,
+    /// `Attenuation2`: from 0 to 1e9.
+    pub attenuation2: f32,
+    /// `Range`: from 0.001 up. Over 1e9, as the root of the largest float that Direct3D allows, is none.
+    pub range: f32,
+    /// What the colour of the light is to be multiplied by: from 0 to 1e9.
+    pub intensity: f32,
+}
+
+impl Direct3d {
+    /// The spotlight at a position, pointing in a direction.
+    ///
+    /// # Errors
+    /// A parameter out of its range, or no attenuation coefficient of at least 1e-6; a position or direction
+    /// that [`Spot::new`] refuses; an intensity that over the constant coefficient is more than 1e9.
+    pub fn import(
+        &self,
+        position: Vec3<f32>,
+        direction: Vec3<f32>,
+    ) -> Result<Imported<Spot<Matched, Distance>>, Error> {
+        check_up_to(Parameter::Phi, self.phi, core::f32::consts::PI)?;
+        check_between(Parameter::Theta, self.theta, 0.0, self.phi)?;
+        check_between(Parameter::Falloff, self.falloff, 0.0, 128.0)?;
+        let (profile, angle) = power(RealPower { exponent: self.falloff, least: 0.0, floor: 0.0 });
+        let (theta, phi) = (Angle::radians(self.theta), Angle::radians(self.phi));
+        // A step has no inner angle, and what has none is exact.
+        let is_step = theta >= phi || matches!(profile, Matched::CutOff(_));
+        let cone = ramp(profile, if is_step { phi } else { theta }, phi)?;
+        let coefficients = [self.attenuation0, self.attenuation1, self.attenuation2];
+        let range = if self.range > 1e9 { None } else { Some(self.range) };
+        let fall = fall::polynomial(coefficients, range, self.intensity)?;
+        spot(position, direction, cone, if is_step { 0.0 } else { angle }, fall)
+    }
+}

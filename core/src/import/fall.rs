@@ -1,0 +1,169 @@
+//! How an imported light falls with distance.
+
+use super::Distance;
+use crate::{
+    attenuation::{Faded, HardRange, InverseSquare, Polynomial, SquaredWindow, Unattenuated},
+    error::{Error, Parameter, check_between},
+    profile::exponent::real_power,
+    search::{least_at, maximum},
+};
+
+/// The largest coefficient and intensity.
+const MOST: f32 = 1e9;
+
+/// How near a fall with distance is looked at, and how far: no fixed-point format knows a farther point.
+const NEAREST: f64 = 0.1;
+const FARTHEST: f64 = 32_767.0;
+
+/// How much an intensity is scaled by at most: 16 times it, the largest coefficient is not over 1e9.
+const MOST_CAP: f32 = 6e7;
+
+/// A distance model in the place of another system's.
+pub(super) struct Fall {
+    pub(super) distance: Distance,
+    /// The intensity, with whatever the model had to be scaled by.
+    pub(super) intensity: f32,
+    /// How far it is from the original at most.
+    pub(super) difference: f64,
+}
+
+/// `1 / (a0 + a1 d + a2 d^2)`, which is not capped: where the constant is small or none, the light of nearer
+/// points than 0.001 is that of 0.001.
+pub(super) fn polynomial(coefficients: [f32; 3], range: Option<f32>, intensity: f32) -> Result<Fall, Error> {
+    for value in coefficients {
+        check_between(Parameter::Attenuation, value, 0.0, MOST)?;
+    }
+    check_between(Parameter::Intensity, intensity, 0.0, MOST)?;
+    let [constant, linear, quadratic] = coefficients;
+    check_between(Parameter::Attenuation, constant.max(linear).max(quadratic), 1e-6, MOST)?;
+    let (distance, scale) = if linear == 0.0 && quadratic == 0.0 {
+        (Distance::Constant(HardRange::new(Unattenuated, range)?), 1.0 / constant)
+    } else if constant == 0.0 && linear == 0.0 {
+        (Distance::InverseSquare(HardRange::new(InverseSquare, range)?), 1.0 / quadratic)
+    } else {
+        // The polynomial is capped at 1: it is scaled until the cap is never met, and the intensity with it.
+        const NEAREST: f32 = 1e-3;
+        let has_constant = linear.max(quadratic) <= MOST * constant;
+        let least = if has_constant { constant } else { constant + NEAREST * (linear + NEAREST * quadratic) };
+        let polynomial = Polynomial::new(constant / least, linear / least, quadratic / least)?;
+        (Distance::Polynomial(HardRange::new(polynomial, range)?), 1.0 / least)
+    };
+    Ok(Fall { distance, intensity: intensity * scale, difference: 0.0 })
+}
+
+/// `d^-decay` in the squared window of a range, by an original that stops growing nearer than `stop`.
+pub(super) fn decay(decay: f32, stop: f64, range: Option<f32>, intensity: f32) -> Result<Fall, Error> {
+    check_between(Parameter::Decay, decay, 0.0, 16.0)?;
+    check_between(Parameter::Intensity, intensity, 0.0, MOST)?;
+    if decay == 0.0 {
+        let distance = Distance::FadedConstant(Faded::new(Unattenuated, range)?);
+        return Ok(Fall { distance, intensity, difference: 0.0 });
+    }
+    if decay == 2.0 {
+        let distance = Distance::SquaredWindow(SquaredWindow::new(range)?);
+        return Ok(Fall { distance, intensity, difference: 0.0 });
+    }
+    let original = Decay::new(decay, stop, range);
+    let cap = original.cap(stop, intensity);
+    let (divisor, difference) = original.nearest(cap.into());
+    let [constant, linear, quadratic] = divisor.coefficients().map(|value| value * cap);
+    let polynomial = Polynomial::new(constant, linear, quadratic)?;
+    let distance = Distance::FadedPolynomial(Faded::new(polynomial, range)?);
+    Ok(Fall { distance, intensity: (intensity * cap).min(MOST), difference })
+}
+
+/// A fall by a power of the distance, in the squared window of a range.
+struct Decay {
+    exponent: f64,
+    /// The distances at which it is looked at.
+    nearest: f64,
+    farthest: f64,
+    range: Option<f64>,
+}
+
+/// The polynomial `scale ((1 - share) d^n + share d^(n + 1))` for `n` of 0 or 1, in whose place the power
+/// stands.
+#[derive(Clone, Copy)]
+struct Divisor {
+    exponent: usize,
+    scale: f64,
+    share: f64,
+}
+
+impl Divisor {
+    fn coefficients(self) -> [f32; 3] {
+        let mut coefficients = [0.0; 3];
+        coefficients[self.exponent] = (self.scale * (1.0 - self.share)) as f32;
+        coefficients[self.exponent + 1] = (self.scale * self.share) as f32;
+        coefficients
+    }
+
+    fn value(self, distance: f64) -> f64 {
+        let [constant, linear, quadratic] = self.coefficients().map(f64::from);
+        constant + distance * (linear + distance * quadratic)
+    }
+}
+
+/// The original at one distance.
+#[derive(Clone, Copy)]
+struct Sample {
+    distance: f64,
+    light: f64,
+    window: f64,
+}
+
+impl Sample {
+    /// How far one over a divisor is from the original here, up to a cap.
+    fn difference(self, divisor: Divisor, cap: f64) -> f64 {
+        let light = (1.0 / divisor.value(self.distance)).min(cap);
+        self.window * (light - self.light).abs() / (self.window * self.light.max(light)).max(1.0)
+    }
+}
+
+impl Decay {
+    fn new(exponent: f32, stop: f64, range: Option<f32>) -> Self {
+        let nearest = stop.max(NEAREST);
+        let range = range.map(f64::from);
+        Self {
+            exponent: exponent.into(),
+            nearest,
+            farthest: range.unwrap_or(FARTHEST).max(2.0 * nearest),
+            range,
+        }
+    }
+
+    /// How bright the light may get: as the original does, if its intensity can be scaled by as much.
+    fn cap(&self, stop: f64, intensity: f32) -> f32 {
+        let original = 1.0 / real_power(stop, self.exponent);
+        (original as f32).min(MOST / intensity.max(MOST / MOST_CAP))
+    }
+
+    /// Places from 0 to 1, evenly spread over the logarithm of the distance.
+    fn at(&self, place: f64) -> Sample {
+        let distance = self.nearest * real_power(self.farthest / self.nearest, place);
+        let fraction = self.range.map_or(0.0, |range| distance / range);
+        let window = (1.0 - fraction * fraction * fraction * fraction).max(0.0);
+        Sample { distance, light: 1.0 / real_power(distance, self.exponent), window: window * window }
+    }
+
+    /// The divisor that comes nearest, and its largest difference. That a difference stays under a bound is
+    /// linear in the coefficients, so that one search within another finds it.
+    fn nearest(&self, cap: f64) -> (Divisor, f64) {
+        const SAMPLES: usize = 129;
+        let samples: [Sample; SAMPLES] = core::array::from_fn(|i| self.at(i as f64 / (SAMPLES - 1) as f64));
+        let worst = |divisor| samples.iter().map(|s| s.difference(divisor, cap)).fold(0.0, f64::max);
+        let with = |share: f64, octaves: f64| {
+            let scale = real_power(2.0, octaves.abs());
+            let scale = if octaves < 0.0 { 1.0 / scale } else { scale };
+            Divisor { exponent: usize::from(self.exponent >= 1.0), scale, share }
+        };
+        let scaled = |share: f64| with(share, least_at(-4.0, 4.0, |octaves| worst(with(share, octaves))));
+        let divisor = if self.exponent == 1.0 {
+            with(0.0, 0.0)
+        } else {
+            scaled(least_at(0.0, 1.0, |share| worst(scaled(share))))
+        };
+        let difference = maximum(0.0, 1.0, |place| self.at(place).difference(divisor, cap));
+        (divisor, difference)
+    }
+}

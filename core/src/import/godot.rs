@@ -1,0 +1,70 @@
+//! Lights of Godot.
+
+use super::{Distance, Imported, fall, ramp, spot};
+use crate::{
+    angle::{Angle, HalfAngle},
+    error::{Error, Parameter, check_between, check_up_to},
+    light::Spot,
+    profile::{
+        Matched,
+        exponent::{RealPower, rim},
+    },
+    vec3::Vec3,
+};
+
+/// A `SpotLight3D` of Godot 4 (`scene_forward_lights_inc.glsl` and `light_storage.cpp`), with its defaults.
+///
+/// With u the versine of the angle off axis over that of the spot angle, the light is
+/// `1 - max(0.0001, u)^(1 / spot_angle_attenuation)`: the reciprocal is taken where Godot fills its light buffer.
+/// So an attenuation of 1/2, 1/3 and so on is an integer power, held to the 0.0001 that Godot lacks of one on the
+/// axis to that power; one over 1 is a root, with a sharp peak on the axis.
+///
+/// With the distance it falls by `max(d, 0.0001)^-spot_attenuation`, in the squared window
+/// `(1 - (d / spot_range)^4)^2`. The attenuations 0, 1 and 2 are exact, but that the last of them goes on growing
+/// nearer than 0.0001. An attenuation of 1 is also capped where the intensity, scaled by its cap, would pass 1e9.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Godot {
+    /// `spot_angle`: the half angle in degrees where the light ends, more than 0 and at most 90.
+    pub spot_angle: f32,
+    /// `spot_angle_attenuation`: from 1/128 to 128.
+    pub spot_angle_attenuation: f32,
+    /// `spot_range`: where the light ends, from 0.001 to 1e9.
+    pub spot_range: f32,
+    /// `spot_attenuation`: the exponent of the fall with distance, from 0 to 16.
+    pub spot_attenuation: f32,
+    /// `light_energy`: from 0 to 1e9.
+    pub light_energy: f32,
+}
+
+impl Default for Godot {
+    fn default() -> Self {
+        Self {
+            spot_angle: 45.0,
+            spot_angle_attenuation: 1.0,
+            spot_range: 5.0,
+            spot_attenuation: 1.0,
+            light_energy: 1.0,
+        }
+    }
+}
+
+impl Godot {
+    /// The spotlight at a position, pointing in a direction: in Godot the local -z of its node.
+    ///
+    /// # Errors
+    /// A parameter out of its range; a position or direction that [`Spot::new`] refuses.
+    pub fn import(
+        &self,
+        position: Vec3<f32>,
+        direction: Vec3<f32>,
+    ) -> Result<Imported<Spot<Matched, Distance>>, Error> {
+        check_up_to(Parameter::SpotAngle, self.spot_angle, 90.0)?;
+        let attenuation = self.spot_angle_attenuation;
+        check_between(Parameter::SpotAngleAttenuation, attenuation, 1.0 / 128.0, 128.0)?;
+        let (profile, angle) = rim(RealPower { exponent: 1.0 / attenuation, least: 0.0, floor: 1e-4 });
+        let outer = Angle::from(HalfAngle::degrees(self.spot_angle));
+        let cone = ramp(profile, Angle::degrees(0.0), outer)?;
+        let fall = fall::decay(self.spot_attenuation, 1e-4, Some(self.spot_range), self.light_energy)?;
+        spot(position, direction, cone, angle, fall)
+    }
+}

@@ -1,0 +1,100 @@
+//! Lights of OpenGL's fixed functions.
+
+use super::{Difference, Distance, Imported, fall, spot};
+use crate::{
+    angle::{Angle, HalfAngle},
+    cone::Cone,
+    error::{Accepted, Error, Parameter, check_between},
+    light::{Point, Spot},
+    profile::{
+        Matched,
+        exponent::{RealPower, power},
+    },
+    vec3::Vec3,
+};
+
+/// A light of OpenGL 2.1 (specification, section 2.14.1; reference page of `glLight`), with OpenGL's
+/// defaults.
+///
+/// The light of an angle a off the direction is `cos(a)^e`, and none where a is over the cutoff; at a
+/// distance d it is divided by `k0 + k1 d + k2 d^2`. That is not capped here either, but for distances under
+/// 0.001 where `k0` is 0.
+///
+/// An integer exponent is exact, and so are exponent 0, a cone of even light, and the cutoff of 180 degrees,
+/// a point light.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct OpenGl {
+    /// `GL_SPOT_CUTOFF`: the half angle in degrees at which the light ends, more than 0 and at most 90, or
+    /// 180 for a point light.
+    pub spot_cutoff: f32,
+    /// `GL_SPOT_EXPONENT`: from 0 to 128.
+    pub spot_exponent: f32,
+    /// `GL_CONSTANT_ATTENUATION`: from 0 to 1e9.
+    pub constant_attenuation: f32,
+    /// `GL_LINEAR_ATTENUATION`: from 0 to 1e9.
+    pub linear_attenuation: f32,
+    /// `GL_QUADRATIC_ATTENUATION`: from 0 to 1e9.
+    pub quadratic_attenuation: f32,
+    /// What the colour of the light is to be multiplied by: from 0 to 1e9.
+    pub intensity: f32,
+}
+
+/// A light that shines into a cone or into all directions.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum Lamp {
+    /// Into a cone.
+    Spot(Spot<Matched, Distance>),
+    /// Into all directions.
+    Point(Point<Distance>),
+}
+
+impl Default for OpenGl {
+    fn default() -> Self {
+        Self {
+            spot_cutoff: 180.0,
+            spot_exponent: 0.0,
+            constant_attenuation: 1.0,
+            linear_attenuation: 0.0,
+            quadratic_attenuation: 0.0,
+            intensity: 1.0,
+        }
+    }
+}
+
+impl OpenGl {
+    /// The light at a position. The direction, `GL_SPOT_DIRECTION`, is that of a spotlight.
+    ///
+    /// # Errors
+    /// A parameter out of its range, or no attenuation coefficient of at least 1e-6; a position or direction
+    /// that [`Spot::new`] refuses; an intensity that over the constant coefficient is more than 1e9.
+    pub fn import(&self, position: Vec3<f32>, direction: Vec3<f32>) -> Result<Imported<Lamp>, Error> {
+        check_between(Parameter::SpotExponent, self.spot_exponent, 0.0, 128.0)?;
+        let coefficients = [self.constant_attenuation, self.linear_attenuation, self.quadratic_attenuation];
+        let fall = fall::polynomial(coefficients, None, self.intensity)?;
+        if self.spot_cutoff == 180.0 {
+            let light = Point::new(position)?.with_intensity(fall.intensity)?;
+            let light = Lamp::Point(light.with_attenuation(fall.distance));
+            return Ok(Imported { light, difference: Difference::new(0.0, fall.difference) });
+        }
+        let (cone, angle) = self.cone()?;
+        let Imported { light, difference } = spot(position, direction, cone, angle, fall)?;
+        Ok(Imported { light: Lamp::Spot(light), difference })
+    }
+
+    /// The cone, and how far its profile is from the power.
+    fn cone(&self) -> Result<(Cone<Matched>, f64), Error> {
+        if !(self.spot_cutoff > 0.0 && self.spot_cutoff <= 90.0) {
+            let accepted = Accepted::UpToOr(90.0, 180.0);
+            return Err(Error { parameter: Parameter::SpotCutoff, value: self.spot_cutoff, accepted });
+        }
+        let cutoff = Angle::from(HalfAngle::degrees(self.spot_cutoff));
+        // The cosine at the cutoff is the least that is lit.
+        let least = 1.0 - cutoff.versine();
+        let (profile, difference) = power(RealPower { exponent: self.spot_exponent, least, floor: 0.0 });
+        let cone = match profile {
+            Matched::CutOff(_) => Cone::from_outer(profile, cutoff)?,
+            _ => Cone::from_outer(profile, Angle::degrees(180.0))?.with_delimiter(cutoff)?,
+        };
+        Ok((cone, difference))
+    }
+}

@@ -1,0 +1,269 @@
+//! Imported lights against the formulas of the systems that they come from, whole and in f64: what is exact,
+//! how far off the rest is, and that the number that an importer gives for it is the true one.
+//!
+//! `cargo test --test import -- --nocapture --test-threads 1` prints the differences and the errors.
+
+mod support;
+
+use fastrand::Rng;
+use luminaire::{
+    CompiledSpot, Faded, Fx16, Fx32, InverseSquare, Matched, Point, Profile, Scalar, Spot, SquaredWindow,
+    Vec3,
+    import::{self, Difference, Distance, Imported, Lamp},
+};
+use support::{
+    bounds,
+    format::Format,
+    imports::{self, ORIGIN, PLAIN, curve, fall},
+    originals::Original,
+    reference::{dot, minus, unit},
+    sweep,
+};
+
+/// Places from 0 to 1, crowded at both ends.
+fn places(count: u32) -> impl Iterator<Item = f64> {
+    (0..=count).map(move |i| {
+        let place = f64::from(i) / f64::from(count);
+        let (near, far) = (place.powi(4), (1.0 - place).powi(4));
+        near / (near + far)
+    })
+}
+
+/// The largest difference over the angle between an original and the profile that stands for it: where `t` is
+/// 1 in the middle of the ramp and 2^-24 at its edge, and of OpenGL as far as its cutoff.
+fn angle_difference(light: &Spot<Matched, Distance>, original: &Original) -> f64 {
+    let is_opengl = original.name.starts_with("OpenGL");
+    let (inner, edge) = (1.0 - original.inner, 1.0 - original.outer);
+    let outer = if is_opengl { 1.0 } else { edge };
+    let least = ((outer - edge) / (outer - inner)).max(0.5_f64.powi(24));
+    places(20_000 * sweep::effort() as u32)
+        .map(|place| {
+            let t = least + (1.0 - least) * place;
+            // Inside of the seams, where f64 cannot tell on which side of them it is.
+            let cosine = 1.0 - (outer - t * (outer - inner)) + if place == 0.0 { 1e-15 } else { 0.0 };
+            (curve(light.cone().profile(), t) - (original.angle)(cosine)).abs()
+        })
+        .fold(0.0, f64::max)
+}
+
+/// The largest difference over the distance, as [`Difference`] defines it.
+fn distance_difference(light: &Spot<Matched, Distance>, original: &Original, nearest: f64) -> f64 {
+    let start = original.stop.max(nearest);
+    let end = original.range.unwrap_or(32_767.0);
+    let count = 20_000 * sweep::effort() as u32;
+    (0..count)
+        .map(|i| {
+            let d = start * (end / start).powf(f64::from(i) / f64::from(count));
+            let (found, exact) = (fall(light, d), (original.distance)(d));
+            (found - exact).abs() / exact.max(found).max(1.0)
+        })
+        .fold(0.0, f64::max)
+}
+
+#[test]
+fn what_the_kernel_has_is_exact() {
+    for (Imported { light, difference }, original) in imports::exact() {
+        assert_eq!(difference, Difference::default(), "{}", original.name);
+        let is_step =
+            original.inner == original.outer || matches!(light.cone().profile(), Matched::CutOff(_));
+        if !is_step {
+            let angle = angle_difference(&light, &original);
+            assert!(angle < 1e-12, "{}: {angle:.1e} over the angle", original.name);
+        }
+        let distance = distance_difference(&light, &original, 1e-4);
+        // Coefficients are rounded to f32 when they are scaled.
+        assert!(distance < 2e-7, "{}: {distance:.1e} over the distance", original.name);
+    }
+}
+
+/// The number is the largest difference: not smaller, and not more than 2 % larger.
+#[test]
+fn a_difference_is_what_a_dense_search_finds() {
+    for (Imported { light, difference }, original) in imports::near() {
+        let found = [angle_difference(&light, &original), distance_difference(&light, &original, 0.1)];
+        println!(
+            "{}: {:.3e} {:.3e} {:?}",
+            original.name,
+            difference.angle,
+            difference.distance,
+            light.cone().profile()
+        );
+        for (found, stated) in found.into_iter().zip([difference.angle, difference.distance]) {
+            let stated = f64::from(stated);
+            // Under 1e-7 there is only the rounding of coefficients.
+            let holds = stated >= found - 1e-7 && stated <= 1.02 * found + 1e-7;
+            assert!(holds, "{}: {found:.5e} is stated as {stated:.5e}", original.name);
+        }
+    }
+}
+
+/// What the real exponents of the documentation are off by: over the whole ramp, which Direct3D has, and
+/// mirrored with the rim that Godot clamps.
+#[test]
+fn real_exponents_keep_their_stated_differences() {
+    const STATED: [(f32, f64); 11] = [
+        (0.2, 1.78e-1),
+        (0.25, 1.18e-1),
+        (0.333_333_34, 5.98e-2),
+        (0.5, 4.14e-2),
+        (0.75, 1.25e-2),
+        (1.5, 3.93e-3),
+        (2.5, 5.06e-3),
+        (3.5, 2.58e-3),
+        (7.5, 5.60e-4),
+        (12.5, 2.02e-4),
+        (31.5, 3.18e-5),
+    ];
+    for (exponent, stated) in STATED {
+        let power = imports::direct3d(0.0, 1.0, exponent, PLAIN, 1.0).0.difference.angle;
+        let rim = imports::godot(45.0, 1.0 / exponent, 1.0, 0.0).0.difference.angle;
+        let beam = imports::opengl(30.0, exponent, PLAIN).0.difference.angle;
+        println!("exponent {exponent}: power {power:.2e}, rim {rim:.2e}, OpenGL to 30 degrees {beam:.2e}");
+        for found in [power, rim] {
+            let found = f64::from(found);
+            assert!(
+                (0.98 * stated..=stated).contains(&found),
+                "{exponent}: {found:.3e} is stated as {stated:.2e}"
+            );
+        }
+    }
+}
+
+/// How far off the edge of a cone, in radians, a point is on its right side, as in the other tests.
+fn blur<S: Format>(radians: f64) -> f64 {
+    f64::from(S::DIRECTION_ERROR) * (3.0 + 8.0 * radians) + 4e-7 * radians
+}
+
+/// The largest error of a compiled light beyond its difference, if the format holds it.
+fn excess<S: Format>(
+    Imported { light, difference }: imports::Import,
+    original: &Original,
+    rng: &mut Rng,
+) -> Option<f64> {
+    let compiled = light.compile::<S>().ok()?;
+    let outer = original.outer.acos();
+    let farthest = original.range.map_or(50.0, |range| range.min(50.0));
+    let mut worst = f64::NEG_INFINITY;
+    for _ in 0..3_000 * sweep::effort() {
+        let off_axis = outer * 1.2 * rng.f64();
+        let nearest = original.stop.max(0.1);
+        let distance = nearest * (1.1 * farthest / nearest).powf(rng.f64());
+        let way = sweep::direction_off(rng, [0.0, -1.0, 0.0], off_axis);
+        let place = sweep::on_grid(way.map(|c| c * distance));
+        let (way, distance) = (unit(place), dot(place, place).sqrt());
+        let at_the_edge = (dot(way, [0.0, -1.0, 0.0]).acos() - outer).abs() < blur::<S>(outer);
+        let at_the_end = original.range.is_some_and(|range| (distance / range - 1.0).abs() < 1e-3);
+        if at_the_edge || at_the_end || distance < nearest {
+            continue;
+        }
+        let normal = sweep::single(minus([0.0; 3], way)).map(S::from_f32);
+        let incidence = (-dot(way, S::exact_normal(normal))).clamp(0.0, 1.0);
+        let exact = original.light(-way[1], distance) * incidence;
+        let found = S::exact_light(compiled.irradiance(sweep::single(place).map(S::length), normal));
+        let on_axis = (original.distance)(distance).max(fall(&light, distance));
+        let error = (found - exact).abs() / on_axis.max(1.0);
+        worst = worst.max(error - f64::from(difference.most()));
+    }
+    Some(worst)
+}
+
+/// Every light in every format, as far as it is held: at most the difference, and what the format adds.
+#[test]
+fn compiled_lights_are_the_originals() {
+    fn assert_format<S: Format>(bound: f64, least_held: usize) {
+        let mut rng = Rng::with_seed(92);
+        let lights: Vec<_> = imports::exact().into_iter().chain(imports::near()).collect();
+        let (mut worst, mut held) = ((f64::NEG_INFINITY, String::new()), 0);
+        for (import, original) in &lights {
+            let Some(excess) = excess::<S>(*import, original, &mut rng) else { continue };
+            held += 1;
+            if excess > worst.0 {
+                worst = (excess, original.name.clone());
+            }
+        }
+        println!("{}: {held} of {} held, {:.2e} at {}", S::NAME, lights.len(), worst.0, worst.1);
+        assert!(held >= least_held, "{}: only {held} are held", S::NAME);
+        bounds::check(&format!("{} {}", S::NAME, worst.1), worst.0, bound).expect("within its bound");
+    }
+    assert_format::<f32>(1.8e-5, 274);
+    assert_format::<Fx32>(1.6e-6, 274);
+    assert_format::<Fx16>(1e-2, 269);
+}
+
+/// The cutoff of 180 degrees shines into all directions, whatever the exponent.
+#[test]
+fn a_cutoff_of_half_a_turn_is_a_point_light() {
+    let light = import::OpenGl { spot_exponent: 7.0, linear_attenuation: 0.5, ..Default::default() };
+    let imported = light.import(ORIGIN, Vec3::default()).expect("a point light has no direction");
+    let Lamp::Point(point) = imported.light else { panic!("{imported:?}") };
+    assert_eq!(imported.difference, Difference::default());
+    let lit = point.compile::<f32>().expect("held");
+    for (x, expected) in [(2.0, 0.5), (-8.0, 0.2)] {
+        let normal = Vec3::new(-x / f32::abs(x), 0.0, 0.0);
+        let light = lit.irradiance(Vec3::new(x, 0.0, 0.0), normal);
+        assert!((light - expected).abs() < 1e-6, "{light}");
+    }
+}
+
+/// A profile that was chosen by an importer and one that is a type are the same light.
+#[test]
+fn a_matched_profile_changes_no_bit() {
+    fn assert_same<S: Scalar, P: Profile>(chosen: &CompiledSpot<S, Matched, Distance>, profile: P, x: f32) {
+        let point = Vec3::new(x, -1.0, 0.0).map(S::length);
+        assert_eq!(chosen.with_profile(profile).falloff(point), chosen.falloff(point), "{profile:?} at {x}");
+    }
+    let mut seen = Vec::new();
+    let hard = imports::godot(45.0, 0.5, 5.0, 1.0);
+    for (Imported { light, .. }, _) in imports::exact().into_iter().chain(imports::near()).chain([hard]) {
+        let Ok(chosen) = light.compile::<Fx32>() else { continue };
+        let profile = light.cone().profile();
+        let kind = std::mem::discriminant(&profile);
+        if seen.contains(&kind) {
+            continue;
+        }
+        seen.push(kind);
+        for x in (0..300_u16).map(|i| f32::from(i) / 100.0) {
+            match profile {
+                Matched::CutOff(typed) => assert_same(&chosen, typed, x),
+                Matched::Linear(typed) => assert_same(&chosen, typed, x),
+                Matched::Soft(typed) => assert_same(&chosen, typed, x),
+                Matched::Hard(typed) => assert_same(&chosen, typed, x),
+                Matched::Smooth(typed) => assert_same(&chosen, typed, x),
+                Matched::Cubic(typed) => assert_same(&chosen, typed, x),
+                Matched::Power(typed) => assert_same(&chosen, typed, x),
+                Matched::Rim(typed) => assert_same(&chosen, typed, x),
+                Matched::MixedPower(typed) => assert_same(&chosen, typed, x),
+                Matched::MixedRim(typed) => assert_same(&chosen, typed, x),
+            }
+        }
+    }
+    assert_eq!(seen.len(), 10, "every kind of profile is imported by one of the lights");
+}
+
+/// The inverse-square law, faded out, is the squared window.
+#[test]
+fn a_faded_inverse_square_is_the_squared_window() {
+    fn assert_same<S: Format>() {
+        let mut rng = Rng::with_seed(4);
+        let point = Point::new(ORIGIN).expect("sound");
+        for range in [None, Some(3.0), Some(17.5)] {
+            let faded = point.with_attenuation(Faded::new(InverseSquare, range).expect("sound"));
+            let squared = point.with_attenuation(SquaredWindow::new(range).expect("sound"));
+            let (faded, squared) =
+                (faded.compile::<S>().expect("held"), squared.compile::<S>().expect("held"));
+            let mut lit = 0;
+            for _ in 0..10_000 {
+                let distance = 20.0 * rng.f64();
+                let place = sweep::single(sweep::direction(&mut rng).map(|c| distance * c)).map(S::length);
+                let normal = sweep::single(sweep::direction(&mut rng)).map(S::from_f32);
+                let light = faded.irradiance(place, normal);
+                assert_eq!(light, squared.irradiance(place, normal));
+                lit += usize::from(light > S::Irradiance::default());
+            }
+            assert!(lit > 500, "only {lit} points are lit");
+        }
+    }
+    assert_same::<f32>();
+    assert_same::<Fx32>();
+    assert_same::<Fx16>();
+}
