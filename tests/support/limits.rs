@@ -43,8 +43,8 @@ pub const ROWS: [Row; 12] = [
     },
     Row {
         profile: "soft", format: "fx16",
-        linear: [REFUSE, REFUSE, 0.37, 0.11, 6.1e-2, 4.0e-2, 3.7e-2],
-        codes:  [REFUSE, REFUSE, 1.2, 0.74, 0.68, 0.65, 0.66],
+        linear: [REFUSE, REFUSE, 0.39, 0.13, 8.1e-2, 5.1e-2, 4.1e-2],
+        codes:  [REFUSE, REFUSE, 1.2, 0.74, 0.68, 0.66, 0.66],
     },
     Row {
         profile: "hard", format: "f32",
@@ -58,8 +58,8 @@ pub const ROWS: [Row; 12] = [
     },
     Row {
         profile: "hard", format: "fx16",
-        linear: [REFUSE, REFUSE, REFUSE, 0.28, 0.15, 0.11, 9.6e-2],
-        codes:  [REFUSE, REFUSE, REFUSE, 3.6, 2.1, 1.6, 1.6],
+        linear: [REFUSE, REFUSE, REFUSE, 0.33, 0.20, 0.13, 0.11],
+        codes:  [REFUSE, REFUSE, REFUSE, 3.7, 2.6, 2.1, 1.6],
     },
     Row {
         profile: "smooth", format: "f32",
@@ -73,8 +73,8 @@ pub const ROWS: [Row; 12] = [
     },
     Row {
         profile: "smooth", format: "fx16",
-        linear: [REFUSE, REFUSE, 0.51, 0.16, 8.7e-2, 6.5e-2, 6.0e-2],
-        codes:  [REFUSE, REFUSE, 1.5, 0.92, 0.82, 0.77, 0.76],
+        linear: [REFUSE, REFUSE, 0.57, 0.18, 0.13, 7.9e-2, 6.7e-2],
+        codes:  [REFUSE, REFUSE, 1.6, 0.93, 0.82, 0.77, 0.78],
     },
     Row {
         profile: "cubic", format: "f32",
@@ -88,8 +88,8 @@ pub const ROWS: [Row; 12] = [
     },
     Row {
         profile: "cubic", format: "fx16",
-        linear: [REFUSE, REFUSE, 0.53, 0.18, 9.2e-2, 6.9e-2, 6.3e-2],
-        codes:  [REFUSE, REFUSE, 6.4, 2.7, 1.5, 1.3, 1.3],
+        linear: [REFUSE, REFUSE, 0.57, 0.20, 0.13, 8.1e-2, 7.2e-2],
+        codes:  [REFUSE, REFUSE, 7.0, 2.8, 1.9, 1.5, 1.3],
     },
 ];
 
