@@ -60,6 +60,33 @@ pub struct Gain16 {
     shift: i32,
 }
 
+impl Ramp16 {
+    /// The ramp of these bits, in the order of the fields. Those that no ramp has are brought to where every versine has a
+    /// place.
+    pub const fn from_bits([zoom, limit, outer, span, shift, mantissa, half]: [u32; 7]) -> Self {
+        // What the longest product short of the span must stay within, with `half`, to be one at most.
+        const MOST: u32 = (1 << 31) + (1 << 16) - 1;
+        let shift = shift % u32::BITS;
+        let steps = span.saturating_sub(1) >> shift;
+        let mantissa = if steps.saturating_mul(mantissa) <= MOST { mantissa } else { 0 };
+        let room = MOST - steps * mantissa;
+        Self {
+            zoom: if zoom < MOST_ZOOM { zoom } else { MOST_ZOOM },
+            limit: if limit < outer { limit } else { outer },
+            outer,
+            span,
+            shift,
+            mantissa,
+            half: if half < room { half } else { room },
+        }
+    }
+
+    /// The bits, in the order of the fields.
+    pub const fn to_bits(self) -> [u32; 7] {
+        [self.zoom, self.limit, self.outer, self.span, self.shift, self.mantissa, self.half]
+    }
+}
+
 /// Scales a component of at most this many bits to 17, rounding to nearest: first up to all that there are, so that
 /// one way serves long offsets and short ones.
 #[inline(always)]
