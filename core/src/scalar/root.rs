@@ -43,7 +43,7 @@ const fn looked_up_bit_length(n: u32) -> u32 {
 /// One Newton step from a seed of eight bits, in 32-bit products. Relative error at most 4.0e-5 (exhaustive).
 #[inline]
 pub(super) const fn inverse_sqrt_16(n: u32) -> u32 {
-    let seed = 256 + SEED[(n >> 24) as usize - 64] as u32;
+    let seed = 256 + SEED[(n >> 24).saturating_sub(64) as usize] as u32;
     // n seed^2 is close to 2^34 in this scale: the wrapped product holds just what it lacks.
     let lack = 0_u32.wrapping_sub((n >> 14).wrapping_mul(seed * seed)).cast_signed();
     let correction = (seed.cast_signed() * (lack >> 10) + (1 << 17)) >> 18;

@@ -1,0 +1,6 @@
+//! The same with a table of 16 samples.
+#![cfg_attr(target_os = "none", no_std, no_main)]
+
+use luminaire_effects::{Surface, constants::SPOT_TABLE};
+
+luminaire_effects::program!(|surface: Surface| SPOT_TABLE.irradiance(surface.point, surface.normal));
