@@ -18,7 +18,7 @@
 //!
 //! The firmware takes it in, and the compiler compares the types:
 //!
-//! ```ignore
+//! ```text
 //! const KEY: CompiledSpot<Fx16, Soft> = include!(concat!(env!("OUT_DIR"), "/key.rs"));
 //! ```
 //!
@@ -50,11 +50,11 @@ use crate::{
 
 #[cfg(feature = "fixed")]
 use crate::scalar::{Fx16, Fx32};
+
 pub use crate::{
     profile::{CompiledBlend, CompiledCubic, CompiledFitted},
     scalar::float::FloatRamp,
 };
-
 #[cfg(feature = "fixed")]
 pub use crate::{
     scalar::fixed16::{Gain16, Ramp16},

@@ -25,10 +25,10 @@ pub(crate) fn run(suite: &mut Suite) {
             &format!("effects: nothing panics and nothing is allocated on {}", board.name),
             |progress| no_panic(board, progress),
         );
-        suite
-            .step(&format!("still: a constant light is lit without a float on {}", board.name), |progress| {
-                still(board, progress)
-            });
+        suite.step(
+            &format!("still: the picture of a constant light, and no soft float, on {}", board.name),
+            |progress| still(board, progress),
+        );
     }
     suite.step("effects: what is not used takes no bytes", unused);
     suite.step("effects: the soft spotlight keeps to its budget", budget);
@@ -47,7 +47,7 @@ fn no_panic(board: &Board, progress: &Progress) -> Result<()> {
     Ok(())
 }
 
-/// The picture is the host's, and where there is no floating point unit there is no function in its place.
+/// The picture is the host's, and no function stands in for a floating point unit.
 fn still(board: &'static Board, progress: &Progress) -> Result<()> {
     let laboratory = Laboratory::new(board, progress)?;
     let host = laboratory::on_the_host("still", progress)?;

@@ -1,4 +1,4 @@
-//! From a normal to the irradiance of a directional light: Lambert's cosine.
+//! The irradiance of a directional light: Lambert's cosine.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 use luminaire_effects::{Surface, constants::DIRECTIONAL};

@@ -1,4 +1,4 @@
-//! The surface with a highlight by Phong, of a shininess of 32.
+//! A surface with Phong's highlight, of a shininess of 32, under a directional light.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 use luminaire_effects::{

@@ -1,4 +1,4 @@
-//! From point and normal to the irradiance of a point light: inverse square, Lambert's cosine.
+//! The irradiance of a point light: the inverse-square law and Lambert's cosine.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 use luminaire_effects::{Surface, constants::POINT};

@@ -1,4 +1,4 @@
-//! The same with a cubic.
+//! The irradiance of a spotlight with a cubic edge: Lambert's cosine, no fall with distance.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 use luminaire_effects::{Surface, constants::SPOT_CUBIC};

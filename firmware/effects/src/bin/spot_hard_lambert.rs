@@ -1,4 +1,4 @@
-//! The same with a hard edge.
+//! The irradiance of a spotlight with a hard edge: Lambert's cosine, no fall with distance.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 use luminaire_effects::{Surface, constants::SPOT_HARD};

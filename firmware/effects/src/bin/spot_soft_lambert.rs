@@ -1,4 +1,4 @@
-//! From point and normal to the irradiance of a spotlight with a soft edge: Lambert's cosine, no fall with distance.
+//! The irradiance of a spotlight with a soft edge: Lambert's cosine, no fall with distance.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 use luminaire_effects::{Surface, constants::SPOT_SOFT};

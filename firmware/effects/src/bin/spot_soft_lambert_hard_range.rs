@@ -1,4 +1,4 @@
-//! The soft spotlight with the inverse-square law, cut off at a range.
+//! The irradiance of a spotlight with a soft edge, Lambert's cosine and the inverse-square law, cut off at a range.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 use luminaire_effects::{Surface, constants::SPOT_HARD_RANGE};

@@ -1,4 +1,4 @@
-//! The soft spotlight with the inverse-square law.
+//! The irradiance of a spotlight with a soft edge, Lambert's cosine and the inverse-square law.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 use luminaire_effects::{Surface, constants::SPOT_INVERSE_SQUARE};

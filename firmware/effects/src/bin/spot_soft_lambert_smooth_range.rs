@@ -1,4 +1,4 @@
-//! The soft spotlight with a smoothstep to a range.
+//! The irradiance of a spotlight with a soft edge, Lambert's cosine and a smoothstep to a range.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 use luminaire_effects::{Surface, constants::SPOT_SMOOTH_RANGE};

@@ -1,4 +1,4 @@
-//! The soft spotlight with the inverse-square law in the window of glTF.
+//! The irradiance of a spotlight with a soft edge, Lambert's cosine and the inverse-square law in the window of glTF.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 use luminaire_effects::{Surface, constants::SPOT_WINDOWED};
