@@ -1,40 +1,22 @@
-//! Places the program in the memory of the board that QEMU plays for the target.
+//! Places the programs in memory, and writes the light of the program `still`.
+
+mod memory;
 
 use std::error::Error;
-use std::path::PathBuf;
+use std::path::Path;
 use std::{env, fs};
 
-/// Flash from address 0 and memory from 2^29, as on every Cortex-M.
-fn cortex_m(flash: &str, ram: &str) -> String {
-    format!(
-        "MEMORY {{\n  FLASH : ORIGIN = 0x00000000, LENGTH = {flash}\n  RAM : ORIGIN = 0x20000000, LENGTH = {ram}\n}}\n"
-    )
-}
-
-/// One memory for everything, where QEMU's `virt` has it.
-fn virt() -> String {
-    let mut script = "MEMORY {\n  RAM : ORIGIN = 0x80000000, LENGTH = 1M\n}\n".to_owned();
-    for region in ["TEXT", "RODATA", "DATA", "BSS", "HEAP", "STACK"] {
-        script += &format!("REGION_ALIAS(\"REGION_{region}\", RAM);\n");
-    }
-    script
-}
+use luminaire::{Angle, Cone, Fx16, Soft, Source, Spot, Vec3};
 
 fn main() -> Result<(), Box<dyn Error>> {
     println!("cargo::rerun-if-changed=build.rs");
-    let (memory, scripts): (String, &[&str]) = match env::var("TARGET")?.as_str() {
-        "thumbv6m-none-eabi" => (cortex_m("256K", "16K"), &["link.x"]), // microbit
-        "thumbv7m-none-eabi" => (cortex_m("256K", "64K"), &["link.x"]), // lm3s6965evb
-        "thumbv7em-none-eabihf" => (cortex_m("4M", "4M"), &["link.x"]), // mps2-an386
-        "riscv32imc-unknown-none-elf" => (virt(), &["memory.x", "link.x"]),
-        // The host runs the same program to say what its results must be.
-        _ => return Ok(()),
-    };
-    let out = PathBuf::from(env::var("OUT_DIR")?);
-    fs::write(out.join("memory.x"), memory)?;
-    println!("cargo::rustc-link-search={}", out.display());
-    for script in scripts {
-        println!("cargo::rustc-link-arg-bins=-T{script}");
-    }
+    println!("cargo::rerun-if-changed=memory.rs");
+    memory::place()?;
+    // Three metres above a floor, and at a slant.
+    let cone = Cone::from_field(Soft, Angle::degrees(50.0))?;
+    let key =
+        Spot::new(Vec3::new(-1.0, 3.0, -0.5), Vec3::new(0.3, -1.0, 0.15), cone)?.with_intensity(10.0)?;
+    let file = Path::new(&env::var("OUT_DIR")?).join("key.rs");
+    fs::write(file, key.compile::<Fx16>()?.as_source().to_string())?;
     Ok(())
 }

@@ -62,7 +62,7 @@
 //!
 //! Files, in the order in which they build on one another: `error`, `vec3`, `trig`, `search`, `scalar` (and a file for each
 //! format), `angle`, `profile`, `cone`, `attenuation`, `color`, `specular`, `shade` (and a file for each kind of
-//! light), `light` (the same), `material`, `batch`, `import` (and a file for each system).
+//! light), `light` (the same), `material`, `batch`, `import` (and a file for each system), `source`.
 #![no_std]
 #![forbid(unsafe_code)]
 
@@ -82,6 +82,7 @@ mod profile;
 mod scalar;
 mod search;
 mod shade;
+pub mod source;
 mod specular;
 mod trig;
 mod vec3;
@@ -104,6 +105,7 @@ pub use scalar::{Fraction, Gain, Offset, Ray, Scalar};
 #[cfg(feature = "fixed")]
 pub use scalar::{Fx16, Fx32};
 pub use shade::{Arrival, CompiledDirectional, CompiledPoint, CompiledSpot, Light, Surface};
+pub use source::Source;
 pub use specular::{BlinnPhong, DualCone, Highlight, Lyon, Matte, Phong, Specular};
 pub use vec3::Vec3;
 

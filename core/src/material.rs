@@ -134,14 +134,25 @@ impl<H: Specular> Material<H> {
 /// A material compiled for the format `S`. Made by [`Material::compile`].
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct CompiledMaterial<S: Scalar, H: Specular = Matte> {
-    ambient: Rgb<S>,
-    diffuse: Rgb<S>,
-    emissive: Rgb<S::Irradiance>,
-    specular: Rgb<S>,
-    highlight: H::Constants<S>,
+    pub(crate) ambient: Rgb<S>,
+    pub(crate) diffuse: Rgb<S>,
+    pub(crate) emissive: Rgb<S::Irradiance>,
+    pub(crate) specular: Rgb<S>,
+    pub(crate) highlight: H::Constants<S>,
 }
 
 impl<S: Scalar, H: Specular> CompiledMaterial<S, H> {
+    /// The material of these parts, as [`source`](crate::source) writes them.
+    pub const fn from_parts(
+        ambient: Rgb<S>,
+        diffuse: Rgb<S>,
+        emissive: Rgb<S::Irradiance>,
+        specular: Rgb<S>,
+        highlight: H::Constants<S>,
+    ) -> Self {
+        Self { ambient, diffuse, emissive, specular, highlight }
+    }
+
     /// What the surface shows without any lamp: `emissive + ambient Ia`, with `Ia` from
     /// [`Ambient::compile`](crate::Ambient::compile).
     #[inline(always)]

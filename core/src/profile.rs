@@ -36,13 +36,13 @@ mod table;
 use crate::scalar::Scalar;
 
 pub use self::{
-    choice::{Edge, Fitted},
-    cubic::{Cubic, Smooth},
+    choice::{CompiledFitted, Edge, Fitted},
+    cubic::{CompiledCubic, Cubic, Smooth},
     integer::{IntegerPower, IntegerRim},
     matched::Matched,
     mixed::{MixedPower, MixedRim},
     power::{Power, Rim},
-    quadratic::{Blend, Hard, Linear, Soft},
+    quadratic::{Blend, CompiledBlend, Hard, Linear, Soft},
     step::CutOff,
     table::Table,
 };

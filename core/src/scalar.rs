@@ -33,7 +33,10 @@ mod reciprocal;
 #[cfg(feature = "fixed")]
 mod root;
 
-use crate::vec3::Vec3;
+use crate::{
+    source::{Named, Source},
+    vec3::Vec3,
+};
 
 pub use self::fraction::Fraction;
 #[cfg(feature = "fixed")]
@@ -42,23 +45,25 @@ pub use self::{fixed16::Fx16, fixed32::Fx32};
 /// A number format that the kernel runs in: `f32`, and with the feature `fixed` also [`Fx32`] and [`Fx16`].
 ///
 /// Sealed: the formats are final in number, so that each can be measured. The module's table states the laws.
-pub trait Scalar: Copy + Default + PartialOrd + core::fmt::Debug + sealed::Sealed + 'static {
+pub trait Scalar:
+    Copy + Default + PartialOrd + core::fmt::Debug + Source + Named + sealed::Sealed + 'static
+{
     /// One component of a position in the world.
-    type Length: Copy + Default + PartialEq + core::fmt::Debug;
+    type Length: Copy + Default + PartialEq + core::fmt::Debug + Source;
     /// One component of a unit vector, at the format's finest resolution.
-    type Unit: Copy + Default + PartialEq + core::fmt::Debug;
+    type Unit: Copy + Default + PartialEq + core::fmt::Debug + Source;
     /// The versine of an angle off axis, in the scale of a ramp: a narrow cone keeps its leading bits.
     type Versine: Copy + PartialOrd + core::fmt::Debug;
     /// The argument of an edge profile: from 0 at the edge of a cone to 1 in its middle.
     type Fraction: Fraction<Self>;
     /// A coefficient of an edge profile, from -4 to 4.
-    type Weight: Copy + PartialEq + core::fmt::Debug;
+    type Weight: Copy + PartialEq + core::fmt::Debug + Source;
     /// The ramp from the edge of a cone to its middle, compiled.
-    type Ramp: Copy + PartialEq + core::fmt::Debug;
+    type Ramp: Copy + PartialEq + core::fmt::Debug + Source;
     /// A factor from zero upwards that keeps its leading bits whatever its size.
-    type Gain: Gain<Self>;
+    type Gain: Gain<Self> + Source;
     /// Light that has arrived at a surface: from zero upwards, 1 is full scale.
-    type Irradiance: Copy + Default + PartialOrd + core::fmt::Debug;
+    type Irradiance: Copy + Default + PartialOrd + core::fmt::Debug + Source;
     /// The way from a light to a point before its length is known.
     type Offset: Offset<Self>;
 
@@ -250,8 +255,14 @@ fn mantissa_and_shift(value: f32) -> (u32, i32) {
 
 /// The shift of a gain, kept where sums of shifts cannot overflow: beyond it a gain is none or saturates anyway.
 #[cfg(feature = "fixed")]
-fn within_reach(shift: i32) -> i32 {
-    shift.clamp(-4096, 4096)
+const fn within_reach(shift: i32) -> i32 {
+    if shift < -4096 {
+        -4096
+    } else if shift > 4096 {
+        4096
+    } else {
+        shift
+    }
 }
 
 mod sealed {

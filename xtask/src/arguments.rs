@@ -8,6 +8,7 @@ use std::str::FromStr;
 use lexopt::prelude::*;
 
 use crate::firmware::{Board, FirmwareOptions};
+use crate::size::SizeOptions;
 
 /// A command with its options.
 #[derive(Debug, PartialEq)]
@@ -15,6 +16,7 @@ pub(crate) enum Request {
     Help,
     Demo(DemoOptions),
     Firmware(FirmwareOptions),
+    Size(SizeOptions),
     Test(TestOptions),
 }
 
@@ -77,6 +79,7 @@ impl Request {
             Some("help") => Ok(Self::Help),
             Some("demo") => Self::parse_demo(words),
             Some("firmware") => Self::parse_firmware(words),
+            Some("size") => Self::parse_size(words),
             Some("test") => Self::parse_test(words),
             _ => Err(format!("there is no command {command:?}").into()),
         }
@@ -108,6 +111,18 @@ impl Request {
             }
         }
         Ok(Self::Firmware(options))
+    }
+
+    fn parse_size(mut words: lexopt::Parser) -> Result<Self, lexopt::Error> {
+        let mut options = SizeOptions::default();
+        while let Some(word) = words.next()? {
+            match word {
+                Long("json") => options.json = true,
+                Short('h') | Long("help") => return Ok(Self::Help),
+                other => return Err(other.unexpected()),
+            }
+        }
+        Ok(Self::Size(options))
     }
 
     fn parse_test(mut words: lexopt::Parser) -> Result<Self, lexopt::Error> {
@@ -171,6 +186,12 @@ mod tests {
         );
         let options = FirmwareOptions { boards: Vec::new(), by_symbol: Some("lit.fx16".into()) };
         assert_eq!(parse("firmware --by-symbol lit.fx16").unwrap(), Request::Firmware(options));
+    }
+
+    #[test]
+    fn size_prints_a_table_or_json() {
+        assert_eq!(parse("size").unwrap(), Request::Size(SizeOptions { json: false }));
+        assert_eq!(parse("size --json").unwrap(), Request::Size(SizeOptions { json: true }));
     }
 
     #[test]

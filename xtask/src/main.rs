@@ -12,6 +12,7 @@ mod project;
 mod server;
 mod shrink;
 mod site;
+mod size;
 mod suite;
 mod tally;
 mod test;
@@ -39,6 +40,9 @@ cargo xtask firmware [OPTIONS]   Count what the kernels cost on microcontrollers
     --target NAME            Count on this one only: cortex-m0, cortex-m3, cortex-m4f or rv32imc; may be repeated
     --by-symbol KERNEL       Split one kernel, such as lit.fx16, by function instead of printing the table
 
+cargo xtask size [OPTIONS]   Count what each effect takes of a microcontroller's flash
+    --json                   Print {target: {format: {effect: bytes}}} instead of the table
+
 cargo xtask demo             The same as cargo demo
 cargo xtask help             Print this text
 ";
@@ -58,6 +62,7 @@ fn main() -> ExitCode {
         }
         Request::Demo(options) => demo::run(&options).map(|()| ExitCode::SUCCESS),
         Request::Firmware(options) => firmware::run(&options).map(|()| ExitCode::SUCCESS),
+        Request::Size(options) => size::run(&options).map(|()| ExitCode::SUCCESS),
         Request::Test(options) => Ok(test::run(&options)),
     };
     outcome.unwrap_or_else(|error| {

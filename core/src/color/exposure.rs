@@ -48,10 +48,15 @@ impl Exposure {
 /// An exposure compiled for the format `S`. Made by [`Exposure::compile`].
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct CompiledExposure<S: Scalar> {
-    gain: S::Gain,
+    pub(crate) gain: S::Gain,
 }
 
 impl<S: Scalar> CompiledExposure<S> {
+    /// The exposure of this gain, as [`source`](crate::source) writes it.
+    pub const fn from_parts(gain: S::Gain) -> Self {
+        Self { gain }
+    }
+
     /// The light as it is exposed; a factor of one changes no bit. From light of up to four times full scale a
     /// darker one is within two steps of the format.
     #[inline(always)]

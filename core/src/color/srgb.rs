@@ -121,7 +121,9 @@ macro_rules! code {
         let (thresholds, linear) = ($thresholds, $linear);
         let (mut code, mut step) = (0, thresholds.len().div_ceil(2));
         while step > 0 {
-            code += if linear >= thresholds[code + step - 1] { step } else { 0 };
+            // Always there, which the compiler cannot know: an index would leave it a way to panic.
+            let reaches = thresholds.get(code + step - 1).is_some_and(|threshold| linear >= *threshold);
+            code += if reaches { step } else { 0 };
             step /= 2;
         }
         code as u8

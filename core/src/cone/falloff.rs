@@ -9,14 +9,19 @@ use crate::{
 /// A cone compiled for the format `S`: from the versine of the angle off axis to the intensity.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Falloff<S: Scalar, P: Profile = Edge> {
-    ramp: S::Ramp,
-    profile: P,
-    curve: P::Compiled<S>,
+    pub(crate) ramp: S::Ramp,
+    pub(crate) profile: P,
+    pub(crate) curve: P::Compiled<S>,
 }
 
 impl<S: Scalar, P: Profile> Falloff<S, P> {
     pub(super) fn new(ramp: S::Ramp, profile: P) -> Self {
         Self { ramp, profile, curve: profile.compile() }
+    }
+
+    /// The falloff of these parts, as [`source`](crate::source) writes them: `curve` is the profile in the format `S`.
+    pub const fn from_parts(ramp: S::Ramp, profile: P, curve: P::Compiled<S>) -> Self {
+        Self { ramp, profile, curve }
     }
 
     /// The versine nearest to a value, in the scale of this cone.

@@ -100,6 +100,20 @@ impl Cubic {
         self.middle_slope
     }
 
+    /// The cubic of slopes of these bits, at the edge and in the middle, as [`source`](crate::source) writes them; each
+    /// brought to [0, 4]. Only those that [`with_slopes`](Self::with_slopes) accepts make a monotone cubic.
+    pub const fn from_bits([edge_slope, middle_slope]: [u32; 2]) -> Self {
+        Self {
+            edge_slope: f32::from_bits(edge_slope).clamp(0.0, 4.0),
+            middle_slope: f32::from_bits(middle_slope).clamp(0.0, 4.0),
+        }
+    }
+
+    /// The bits of the slopes, at the edge and in the middle.
+    pub const fn to_bits(self) -> [u32; 2] {
+        [self.edge_slope.to_bits(), self.middle_slope.to_bits()]
+    }
+
     /// The cubic with these very slopes: for searches, which end on the grid.
     pub(super) fn exactly(edge_slope: f32, middle_slope: f32) -> Self {
         Self { edge_slope, middle_slope }
@@ -167,8 +181,15 @@ impl<S: Scalar> Curve<S> for Smooth {
 /// A [`Cubic`] in the format `S`.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct CompiledCubic<S: Scalar> {
-    g: S::Weight,
-    h: S::Weight,
+    pub(crate) g: S::Weight,
+    pub(crate) h: S::Weight,
+}
+
+impl<S: Scalar> CompiledCubic<S> {
+    /// The cubic `t (1 + u (g + h t))`, as [`source`](crate::source) writes it.
+    pub const fn from_parts(g: S::Weight, h: S::Weight) -> Self {
+        Self { g, h }
+    }
 }
 
 impl Profile for Cubic {

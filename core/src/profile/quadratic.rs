@@ -42,6 +42,16 @@ impl Blend {
         }
     }
 
+    /// The quadratic of an edge slope of these bits, as [`source`](crate::source) writes it; brought to [0, 2].
+    pub const fn from_bits(edge_slope: u32) -> Self {
+        Self { edge_slope: f32::from_bits(edge_slope).clamp(0.0, 2.0) }
+    }
+
+    /// The bits of the edge slope.
+    pub const fn to_bits(self) -> u32 {
+        self.edge_slope.to_bits()
+    }
+
     /// The hard edge, as a blend.
     pub(crate) const HARD: Self = Self { edge_slope: 2.0 };
 
@@ -161,7 +171,14 @@ impl<S: Scalar> Curve<S> for Linear {
 /// A [`Blend`] in the format `S`.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct CompiledBlend<S: Scalar> {
-    g: S::Weight,
+    pub(crate) g: S::Weight,
+}
+
+impl<S: Scalar> CompiledBlend<S> {
+    /// The quadratic `t (1 + g u)`, as [`source`](crate::source) writes it.
+    pub const fn from_parts(g: S::Weight) -> Self {
+        Self { g }
+    }
 }
 
 impl Profile for Blend {

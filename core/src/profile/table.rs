@@ -46,6 +46,12 @@ impl<'a> Table<'a> {
         Ok(Self { samples })
     }
 
+    /// The table of samples that are known when the program is compiled, from 2 to 65,536 of them.
+    pub const fn of<const N: usize>(samples: &'a [u16; N]) -> Self {
+        const { assert!(N >= 2 && N <= 65_536, "a table has 2 to 65,536 samples") };
+        Self { samples }
+    }
+
     /// Resamples intensities that are evenly spaced in the angle, from the axis to the outer angle, into `samples`,
     /// which are evenly spaced in the versine. 1 is full intensity. For a cone without a hotspot of that outer angle.
     ///

@@ -70,6 +70,31 @@ pub struct Gain16 {
     shift: i32,
 }
 
+impl Ramp16 {
+    /// The ramp of these bits, in the order of the fields. Those that no ramp has are brought to where every versine has a
+    /// place.
+    pub const fn from_bits([zoom, inner, width, shift, mantissa, one]: [u32; 6]) -> Self {
+        /// Beyond this a versine at the inner one would be more than one.
+        const MOST: u32 = (1 << 31) + (1 << 16) - 1;
+        let shift = shift % u32::BITS;
+        let one = if one < MOST { one } else { MOST };
+        let steps = width.saturating_sub(1) >> shift;
+        Self {
+            zoom: if zoom < MOST_ZOOM { zoom } else { MOST_ZOOM },
+            inner,
+            width,
+            shift,
+            mantissa: if steps.saturating_mul(mantissa) <= one { mantissa } else { 0 },
+            one,
+        }
+    }
+
+    /// The bits, in the order of the fields.
+    pub const fn to_bits(self) -> [u32; 6] {
+        [self.zoom, self.inner, self.width, self.shift, self.mantissa, self.one]
+    }
+}
+
 /// The largest zoom of a ramp: one more would ask for bits that a direction does not have.
 const MOST_ZOOM: u32 = 15;
 

@@ -56,6 +56,32 @@ pub struct Gain32 {
     shift: i32,
 }
 
+impl Ramp32 {
+    /// The ramp of these bits, in the order of the fields. Those that no ramp has are brought to where every versine has a
+    /// place.
+    pub const fn from_bits([limit, outer, span, shift, mantissa, half]: [u64; 6]) -> Self {
+        // What the longest product short of the span must stay within, with `half`, to be one at most.
+        const MOST: u64 = (1 << 63) + (1 << 32) - 1;
+        let shift = shift as u32 % u64::BITS;
+        let steps = span.saturating_sub(1) >> shift;
+        let mantissa = if steps.saturating_mul(mantissa) <= MOST { mantissa } else { 0 };
+        let room = MOST - steps * mantissa;
+        Self {
+            limit: if limit < outer { limit } else { outer },
+            outer,
+            span,
+            shift,
+            mantissa,
+            half: if half < room { half } else { room },
+        }
+    }
+
+    /// The bits, in the order of the fields.
+    pub const fn to_bits(self) -> [u64; 6] {
+        [self.limit, self.outer, self.span, self.shift as u64, self.mantissa, self.half]
+    }
+}
+
 /// Scales a component of at most this many bits to 30, rounding to nearest: first up to all that there are, so that one
 /// way serves long offsets and short ones.
 #[inline(always)]

@@ -31,9 +31,24 @@ pub struct FloatRamp {
     reciprocal: f32,
 }
 
+impl FloatRamp {
+    /// The ramp of these bits, in the order of the fields. Those that no ramp has are brought to where every versine has a
+    /// place.
+    pub const fn from_bits([outer, limit, reciprocal]: [u32; 3]) -> Self {
+        let [outer, limit] = [f32::from_bits(outer), f32::from_bits(limit)];
+        let reciprocal = positive(f32::from_bits(reciprocal));
+        Self { outer, limit: if limit < outer { limit } else { outer }, reciprocal }
+    }
+
+    /// The bits, in the order of the fields.
+    pub const fn to_bits(self) -> [u32; 3] {
+        [self.outer.to_bits(), self.limit.to_bits(), self.reciprocal.to_bits()]
+    }
+}
+
 /// `x` if it is more than zero; anything else, also what is not a number, becomes zero.
 #[inline(always)]
-fn positive(x: f32) -> f32 {
+const fn positive(x: f32) -> f32 {
     if x > 0.0 { x } else { 0.0 }
 }
 

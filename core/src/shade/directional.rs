@@ -18,6 +18,16 @@ pub struct CompiledDirectional<S: Scalar> {
 }
 
 impl<S: Scalar> CompiledDirectional<S> {
+    /// The light of these parts, as [`source`](crate::source) writes them: the colours are the diffuse and the specular
+    /// one.
+    pub const fn from_parts(
+        direction: Vec3<S::Unit>,
+        intensity: S::Gain,
+        [color, specular_color]: [Rgb<S>; 2],
+    ) -> Self {
+        Self { direction, intensity, color, specular_color }
+    }
+
     /// The light that arrives at a surface of this normal, before the colours: Lambert's cosine of the intensity.
     #[inline(always)]
     pub fn irradiance(&self, normal: Vec3<S>) -> S::Irradiance {

@@ -20,6 +20,17 @@ pub struct CompiledPoint<S: Scalar, A: Attenuation = InverseSquare> {
 }
 
 impl<S: Scalar, A: Attenuation> CompiledPoint<S, A> {
+    /// The light of these parts, as [`source`](crate::source) writes them: the colours are the diffuse and the specular
+    /// one.
+    pub const fn from_parts(
+        position: Vec3<S::Length>,
+        attenuation: A::Constants<S>,
+        intensity: S::Gain,
+        [color, specular_color]: [Rgb<S>; 2],
+    ) -> Self {
+        Self { position, attenuation, intensity, color, specular_color }
+    }
+
     /// The light that arrives at a surface point, before the colours: distance and Lambert's cosine. Skips what is
     /// exactly zero, as [`CompiledSpot::irradiance`](crate::CompiledSpot::irradiance) does.
     #[inline(always)]

@@ -25,6 +25,20 @@ pub struct CompiledSpot<S: Scalar, P: Profile = Edge, A: Attenuation = InverseSq
 }
 
 impl<S: Scalar, P: Profile, A: Attenuation> CompiledSpot<S, P, A> {
+    /// The light of these parts, as [`source`](crate::source) writes them: `outside` is the bound by which points outside
+    /// the cone are rejected, and the colours are the diffuse and the specular one.
+    pub const fn from_parts(
+        position: Vec3<S::Length>,
+        axis: Vec3<S::Unit>,
+        falloff: Falloff<S, P>,
+        outside: S,
+        attenuation: A::Constants<S>,
+        intensity: S::Gain,
+        [color, specular_color]: [Rgb<S>; 2],
+    ) -> Self {
+        Self { position, axis, falloff, outside, attenuation, intensity, color, specular_color }
+    }
+
     /// The light that arrives at a surface point, before the colours: falloff, distance and Lambert's cosine. 1 is
     /// full scale; the unit of `point` is that of the light's position, `normal` has unit length.
     ///

@@ -13,7 +13,7 @@ use crate::tally::Tally;
 /// the results are the host's.
 pub(crate) fn run(suite: &mut Suite) {
     for (name, words) in [
-        ("firmware: cargo fmt", &["fmt", "--check"][..]),
+        ("firmware: cargo fmt", &["fmt", "--all", "--check"][..]),
         ("firmware: cargo clippy", &["clippy", "--all-targets", "--", "-Dwarnings"]),
     ] {
         suite.step(name, |progress| {

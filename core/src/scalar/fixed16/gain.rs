@@ -13,6 +13,19 @@ pub(super) fn high_product(a: u32, b: u32) -> u32 {
 impl Gain16 {
     const ONE: Self = Self { mantissa: 1 << 15, shift: 15 };
 
+    /// The gain of these bits, a mantissa of 16 bits and a shift. A shorter mantissa is moved up, and of a longer one the
+    /// lower bits count.
+    pub const fn from_bits([mantissa, shift]: [i32; 2]) -> Self {
+        let mantissa = mantissa.cast_unsigned() & ((1 << 16) - 1);
+        let up = if mantissa == 0 { 0 } else { mantissa.leading_zeros() - 16 };
+        Self { mantissa: mantissa << up, shift: within_reach(shift) + up.cast_signed() }
+    }
+
+    /// The mantissa and the shift.
+    pub const fn to_bits(self) -> [i32; 2] {
+        [self.mantissa.cast_signed(), self.shift]
+    }
+
     /// `bits / 2^shift`, rounded to a mantissa of 16 bits.
     #[inline(always)]
     pub(super) fn normalised(bits: u32, shift: i32) -> Self {

@@ -7,6 +7,19 @@ use fixed::types::U34F30;
 impl Gain32 {
     const ONE: Self = Self { mantissa: 1 << 27, shift: 27 };
 
+    /// The gain of these bits, a mantissa of 28 bits and a shift. A shorter mantissa is moved up, and of a longer one the
+    /// lower bits count.
+    pub const fn from_bits([mantissa, shift]: [i32; 2]) -> Self {
+        let mantissa = mantissa.cast_unsigned() & ((1 << 28) - 1);
+        let up = if mantissa == 0 { 0 } else { mantissa.leading_zeros() - 4 };
+        Self { mantissa: mantissa << up, shift: within_reach(shift) + up.cast_signed() }
+    }
+
+    /// The mantissa and the shift.
+    pub const fn to_bits(self) -> [i32; 2] {
+        [self.mantissa.cast_signed(), self.shift]
+    }
+
     /// `bits / 2^shift`, rounded to a mantissa of 28 bits.
     #[inline(always)]
     pub(super) fn normalised(bits: u64, shift: i32) -> Self {

@@ -1,0 +1,349 @@
+//! Compiled values as Rust source: a light whose figures are known when the firmware is built needs no code to set it up.
+//!
+//! Compiling a light takes trigonometry, divisions and floats. A build script does it on the host, and writes what came
+//! of it as a constant expression of raw bits:
+//!
+//! ```no_run
+//! // build.rs, with luminaire among the build-dependencies
+//! use luminaire::{Angle, Cone, Fx16, Soft, Source, Spot, Vec3};
+//!
+//! fn main() -> Result<(), Box<dyn std::error::Error>> {
+//!     let cone = Cone::from_field(Soft, Angle::degrees(36.0))?;
+//!     let key = Spot::new(Vec3::new(0.0, 4.0, 0.0), Vec3::new(0.0, -1.0, 0.0), cone)?;
+//!     let file = std::path::Path::new(&std::env::var("OUT_DIR")?).join("key.rs");
+//!     std::fs::write(file, key.compile::<Fx16>()?.as_source().to_string())?;
+//!     Ok(())
+//! }
+//! ```
+//!
+//! The firmware takes it in, and the compiler compares the types:
+//!
+//! ```text
+//! const KEY: CompiledSpot<Fx16, Soft> = include!(concat!(env!("OUT_DIR"), "/key.rs"));
+//! ```
+//!
+//! So are [`Rgb`] of ambient light, [`CompiledPoint`], [`CompiledDirectional`], [`CompiledMaterial`] and
+//! [`CompiledExposure`]. What the text calls are `const fn`s that take any bits: those that no compiled light has are
+//! brought to where every point still has an answer. The bits belong to this version of the crate: they are generated
+//! anew with each build, and not kept.
+//!
+//! The module also names the types that generated text is made of.
+
+use core::{
+    fmt::{self, Formatter},
+    marker::PhantomData,
+};
+
+use crate::{
+    attenuation::{
+        Attenuation, HardRange, InverseSquare, Polynomial, SmoothRange, SquaredWindow, Unattenuated, Windowed,
+    },
+    color::{CompiledExposure, Rgb},
+    cone::Falloff,
+    material::CompiledMaterial,
+    profile::{Blend, Cubic, CutOff, Edge, Fitted, Hard, Linear, Power, Profile, Rim, Smooth, Soft, Table},
+    scalar::Scalar,
+    shade::{CompiledDirectional, CompiledPoint, CompiledSpot},
+    specular::{BlinnPhong, DualCone, Lyon, Matte, Phong, Specular},
+    vec3::Vec3,
+};
+
+#[cfg(feature = "fixed")]
+use crate::scalar::{Fx16, Fx32};
+
+pub use crate::{
+    profile::{CompiledBlend, CompiledCubic, CompiledFitted},
+    scalar::float::FloatRamp,
+};
+#[cfg(feature = "fixed")]
+pub use crate::{
+    scalar::fixed16::{Gain16, Ramp16},
+    scalar::fixed32::{Gain32, Ramp32},
+};
+#[cfg(feature = "fixed")]
+pub use fixed::types::{I2F14, I2F30, I16F16, I18F14, I34F30, U18F14, U34F30};
+
+/// A value that can be written as a constant expression of Rust.
+pub trait Source {
+    /// Writes the expression; its names are those of the crate and of the module [`source`](crate::source).
+    ///
+    /// # Errors
+    /// Those of the formatter.
+    fn write(&self, out: &mut Formatter<'_>) -> fmt::Result;
+
+    /// The expression as a block that brings its names with it.
+    fn as_source(&self) -> AsSource<'_, Self>
+    where
+        Self: Sized,
+    {
+        AsSource(self)
+    }
+}
+
+/// A type that the source of a light has to name, because no value of it is part of the light.
+pub trait Named {
+    /// Writes the type's name.
+    ///
+    /// # Errors
+    /// Those of the formatter.
+    fn write_name(out: &mut Formatter<'_>) -> fmt::Result;
+}
+
+/// A value that is displayed as a constant expression. Made by [`Source::as_source`].
+#[derive(Clone, Copy, Debug)]
+pub struct AsSource<'a, T>(&'a T);
+
+impl<T: Source> fmt::Display for AsSource<'_, T> {
+    fn fmt(&self, out: &mut Formatter<'_>) -> fmt::Result {
+        let import = "use ::luminaire::{source::*, *};";
+        let reason = "an expression need not have names of both kinds";
+        write!(
+            out,
+            "{{\n#[allow(unused_imports, reason = \"{reason}\")]\n{import}\n{:#?}\n}}\n",
+            Written(self.0)
+        )
+    }
+}
+
+/// The expression alone, in the way that the formatter's lists ask for.
+struct Written<'a, T: ?Sized>(&'a T);
+
+impl<T: Source + ?Sized> fmt::Debug for Written<'_, T> {
+    fn fmt(&self, out: &mut Formatter<'_>) -> fmt::Result {
+        self.0.write(out)
+    }
+}
+
+/// The name of a type.
+struct Name<T>(PhantomData<T>);
+
+impl<T: Named> fmt::Display for Name<T> {
+    fn fmt(&self, out: &mut Formatter<'_>) -> fmt::Result {
+        T::write_name(out)
+    }
+}
+
+fn name<T: Named>() -> Name<T> {
+    Name(PhantomData)
+}
+
+/// Writes a call, with an argument a line.
+fn call(out: &mut Formatter<'_>, function: &str, arguments: &[&dyn Source]) -> fmt::Result {
+    let mut call = out.debug_tuple(function);
+    for argument in arguments {
+        call.field(&Written(*argument));
+    }
+    call.finish()
+}
+
+/// Values that are their bits.
+macro_rules! bits {
+    ($($name:ident)*) => {$(
+        impl Source for $name {
+            fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
+                write!(out, "{}::from_bits({:?})", stringify!($name), self.to_bits())
+            }
+        }
+    )*};
+}
+
+bits!(f32 FloatRamp Blend Cubic);
+#[cfg(feature = "fixed")]
+bits!(I2F14 I2F30 I16F16 I18F14 I34F30 U18F14 U34F30 Gain16 Gain32 Ramp16 Ramp32);
+
+/// Types without parameters.
+macro_rules! named {
+    ($($name:ty),*) => {$(
+        impl Named for $name {
+            fn write_name(out: &mut Formatter<'_>) -> fmt::Result {
+                out.write_str(stringify!($name))
+            }
+        }
+    )*};
+}
+
+named!(f32, Unattenuated, InverseSquare, Polynomial, SmoothRange, Windowed, SquaredWindow);
+named!(Matte, Phong, BlinnPhong, DualCone);
+#[cfg(feature = "fixed")]
+named!(Fx16, Fx32);
+
+impl<A: Named> Named for HardRange<A> {
+    fn write_name(out: &mut Formatter<'_>) -> fmt::Result {
+        write!(out, "HardRange<{}>", name::<A>())
+    }
+}
+
+impl<H: Named, const N: u32> Named for Lyon<H, N> {
+    fn write_name(out: &mut Formatter<'_>) -> fmt::Result {
+        write!(out, "Lyon<{}, {N}>", name::<H>())
+    }
+}
+
+/// Profiles without coefficients, which are their own curves.
+macro_rules! profiles {
+    ($($name:ident)*) => {$(
+        impl Source for $name {
+            fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
+                out.write_str(stringify!($name))
+            }
+        }
+    )*};
+}
+
+profiles!(Soft Hard Linear CutOff Smooth);
+
+impl<const N: u32> Source for Power<N> {
+    fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
+        write!(out, "Power::<{N}>")
+    }
+}
+
+impl<const N: u32> Source for Rim<N> {
+    fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
+        write!(out, "Rim::<{N}>")
+    }
+}
+
+impl Source for Table<'_> {
+    fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
+        write!(out, "Table::of(&{:?})", self.samples())
+    }
+}
+
+impl Source for Edge {
+    fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
+        write!(out, "Edge::{self:?}")
+    }
+}
+
+impl Source for Fitted {
+    fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Blend(blend) => call(out, "Fitted::Blend", &[blend]),
+            Self::Cubic(cubic) => call(out, "Fitted::Cubic", &[cubic]),
+        }
+    }
+}
+
+impl<S: Scalar> Source for CompiledBlend<S> {
+    fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
+        write!(out, "CompiledBlend::<{}>::", name::<S>())?;
+        call(out, "from_parts", &[&self.g])
+    }
+}
+
+impl<S: Scalar> Source for CompiledCubic<S> {
+    fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
+        write!(out, "CompiledCubic::<{}>::", name::<S>())?;
+        call(out, "from_parts", &[&self.g, &self.h])
+    }
+}
+
+impl<S: Scalar> Source for CompiledFitted<S> {
+    fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Blend(blend) => call(out, "CompiledFitted::Blend", &[blend]),
+            Self::Cubic(cubic) => call(out, "CompiledFitted::Cubic", &[cubic]),
+        }
+    }
+}
+
+impl Source for () {
+    fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
+        out.write_str("()")
+    }
+}
+
+impl Source for u32 {
+    fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
+        write!(out, "{self}")
+    }
+}
+
+impl<A: Source, B: Source> Source for (A, B) {
+    fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
+        call(out, "", &[&self.0, &self.1])
+    }
+}
+
+impl<T: Source, const N: usize> Source for [T; N] {
+    fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
+        out.debug_list().entries(self.iter().map(Written)).finish()
+    }
+}
+
+impl<T: Source> Source for Vec3<T> {
+    fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
+        let Self { x, y, z } = self;
+        write!(out, "Vec3::new({:?}, {:?}, {:?})", Written(x), Written(y), Written(z))
+    }
+}
+
+impl<T: Source> Source for Rgb<T> {
+    fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
+        let Self { red, green, blue } = self;
+        write!(out, "Rgb::new({:?}, {:?}, {:?})", Written(red), Written(green), Written(blue))
+    }
+}
+
+impl<S: Scalar, P: Profile + Source> Source for Falloff<S, P>
+where
+    P::Compiled<S>: Source,
+{
+    fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
+        write!(out, "Falloff::<{}, _>::", name::<S>())?;
+        call(out, "from_parts", &[&self.ramp, &self.profile, &self.curve])
+    }
+}
+
+impl<S: Scalar, P: Profile + Source, A: Attenuation + Named> Source for CompiledSpot<S, P, A>
+where
+    P::Compiled<S>: Source,
+    A::Constants<S>: Source,
+{
+    fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
+        write!(out, "CompiledSpot::<{}, _, {}>::", name::<S>(), name::<A>())?;
+        let Self { position, axis, falloff, outside, attenuation, intensity, color, specular_color } = *self;
+        let colors = [color, specular_color];
+        let parts: [&dyn Source; 7] =
+            [&position, &axis, &falloff, &outside, &attenuation, &intensity, &colors];
+        call(out, "from_parts", &parts)
+    }
+}
+
+impl<S: Scalar, A: Attenuation + Named> Source for CompiledPoint<S, A>
+where
+    A::Constants<S>: Source,
+{
+    fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
+        write!(out, "CompiledPoint::<{}, {}>::", name::<S>(), name::<A>())?;
+        let Self { position, attenuation, intensity, color, specular_color } = *self;
+        call(out, "from_parts", &[&position, &attenuation, &intensity, &[color, specular_color]])
+    }
+}
+
+impl<S: Scalar> Source for CompiledDirectional<S> {
+    fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
+        write!(out, "CompiledDirectional::<{}>::", name::<S>())?;
+        let Self { direction, intensity, color, specular_color } = *self;
+        call(out, "from_parts", &[&direction, &intensity, &[color, specular_color]])
+    }
+}
+
+impl<S: Scalar, H: Specular + Named> Source for CompiledMaterial<S, H>
+where
+    H::Constants<S>: Source,
+{
+    fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
+        write!(out, "CompiledMaterial::<{}, {}>::", name::<S>(), name::<H>())?;
+        let Self { ambient, diffuse, emissive, specular, highlight } = *self;
+        call(out, "from_parts", &[&ambient, &diffuse, &emissive, &specular, &highlight])
+    }
+}
+
+impl<S: Scalar> Source for CompiledExposure<S> {
+    fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
+        write!(out, "CompiledExposure::<{}>::", name::<S>())?;
+        call(out, "from_parts", &[&self.gain])
+    }
+}

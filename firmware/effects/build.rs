@@ -1,0 +1,83 @@
+//! Places the programs in memory, and writes the lights and surfaces as constants of the chosen format.
+
+#[path = "../memory.rs"]
+mod memory;
+
+use std::error::Error;
+use std::path::Path;
+use std::{env, fs};
+
+use luminaire::{
+    Ambient, Angle, Attenuation, BlinnPhong, Cone, Cubic, Directional, DualCone, Exposure, Fx16, Fx32, Hard,
+    HardRange, InverseSquare, Lyon, Material, Phong, Point, Polynomial, Power, Profile, Rgb, Scalar, Smooth,
+    SmoothRange, Soft, Source, Spot, SquaredWindow, Table, Unattenuated, Vec3, Windowed,
+};
+
+type Outcome = Result<(), Box<dyn Error>>;
+
+/// Sixteen samples of a flood light's wide middle.
+const SAMPLES: [u16; 16] = [
+    65_535, 65_200, 64_300, 62_900, 60_800, 57_900, 54_000, 49_100, 43_200, 36_300, 28_700, 20_900, 13_600,
+    7_300, 2_600, 0,
+];
+const AMBER: Rgb<f32> = Rgb::new(1.0, 0.62, 0.1);
+const POSITION: Vec3<f32> = Vec3::new(1.5, 4.0, -0.75);
+const AXIS: Vec3<f32> = Vec3::new(0.36, -0.8, 0.48);
+
+fn main() -> Outcome {
+    println!("cargo::rerun-if-changed=build.rs");
+    println!("cargo::rerun-if-changed=../memory.rs");
+    memory::place()?;
+    if env::var_os("CARGO_FEATURE_F32").is_some() {
+        constants::<f32>()
+    } else if env::var_os("CARGO_FEATURE_FX32").is_some() {
+        constants::<Fx32>()
+    } else {
+        constants::<Fx16>()
+    }
+}
+
+fn constants<S: Scalar>() -> Outcome {
+    spot::<S, _, _>("soft", Soft, Unattenuated)?;
+    spot::<S, _, _>("hard", Hard, Unattenuated)?;
+    spot::<S, _, _>("smooth", Smooth, Unattenuated)?;
+    spot::<S, _, _>("cubic", Cubic::with_slopes(1.25, 3.5)?, Unattenuated)?;
+    spot::<S, _, _>("power", Power::<8>, Unattenuated)?;
+    spot::<S, _, _>("table", Table::new(&SAMPLES)?, Unattenuated)?;
+    spot::<S, _, _>("inverse_square", Soft, InverseSquare)?;
+    spot::<S, _, _>("polynomial", Soft, Polynomial::new(1.0, 0.2, 0.03)?)?;
+    spot::<S, _, _>("smooth_range", Soft, SmoothRange::new(9.0)?)?;
+    spot::<S, _, _>("windowed", Soft, Windowed::new(Some(9.0))?)?;
+    spot::<S, _, _>("squared_window", Soft, SquaredWindow::new(Some(9.0))?)?;
+    spot::<S, _, _>("hard_range", Soft, HardRange::new(InverseSquare, Some(9.0))?)?;
+    write("point", &Point::new(POSITION)?.with_color(AMBER)?.with_intensity(16.0)?.compile::<S>()?)?;
+    write("directional", &Directional::new(AXIS)?.with_color(AMBER)?.compile::<S>())?;
+    write("ambient", &Ambient::new(AMBER)?.with_intensity(0.1)?.compile::<S>())?;
+    write("exposure", &Exposure::stops(1)?.compile::<S>())?;
+    let paper = Material::new(Rgb::new(0.9, 0.9, 0.85))?;
+    let gloss = Rgb::new(0.5, 0.5, 0.5);
+    write("matte", &paper.compile::<S>())?;
+    write("phong", &paper.with_highlight(Phong, gloss, 32)?.compile::<S>())?;
+    write("blinn_phong", &paper.with_highlight(BlinnPhong, gloss, 32)?.compile::<S>())?;
+    write("dual_cone", &paper.with_highlight(DualCone, gloss, 32)?.compile::<S>())?;
+    write("lyon", &paper.with_highlight(Lyon::<_, 3>(Phong), gloss, 32)?.compile::<S>())
+}
+
+fn spot<S: Scalar, P: Profile + Source, A: Attenuation + luminaire::source::Named>(
+    name: &str,
+    profile: P,
+    attenuation: A,
+) -> Outcome
+where
+    P::Compiled<S>: Source,
+    A::Constants<S>: Source,
+{
+    let cone = Cone::from_field(profile, Angle::degrees(36.0))?;
+    let spot = Spot::new(POSITION, AXIS, cone)?.with_intensity(16.0)?.with_attenuation(attenuation);
+    write(&format!("spot_{name}"), &spot.with_color(AMBER)?.compile::<S>()?)
+}
+
+fn write(name: &str, value: &impl Source) -> Outcome {
+    let file = Path::new(&env::var("OUT_DIR")?).join(name).with_extension("rs");
+    Ok(fs::write(file, value.as_source().to_string())?)
+}

@@ -1,0 +1,43 @@
+//! Inputs that the compiler does not know, and an output that it cannot leave out.
+
+use core::mem::MaybeUninit;
+use core::ptr;
+
+use luminaire::source::{U18F14, U34F30};
+use luminaire::{Fx16, Fx32, Rgb};
+
+use crate::Surface;
+
+/// What an effect is computed from.
+pub trait Input {
+    /// Reads it from memory that anything may have been written to.
+    fn read() -> Self;
+}
+
+/// Runs an effect once, from memory to memory.
+#[inline(always)]
+pub fn run<I: Input, O>(effect: impl FnOnce(I) -> O) {
+    let output = effect(I::read());
+    let mut memory = MaybeUninit::uninit();
+    // SAFETY: the memory is our own, and of the output's type.
+    unsafe { ptr::write_volatile(memory.as_mut_ptr(), output) };
+}
+
+impl Input for () {
+    fn read() {}
+}
+
+macro_rules! inputs {
+    ($($input:ty)*) => {$(
+        impl Input for $input {
+            #[inline(always)]
+            fn read() -> Self {
+                static mut MEMORY: MaybeUninit<$input> = MaybeUninit::zeroed();
+                // SAFETY: numbers, for which every bit pattern is a value, and zero until a debugger writes others.
+                unsafe { ptr::read_volatile(&raw const MEMORY).assume_init() }
+            }
+        }
+    )*};
+}
+
+inputs!(Surface Rgb<f32> Rgb<Fx16> Rgb<Fx32> Rgb<U18F14> Rgb<U34F30> [u64; 64]);

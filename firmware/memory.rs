@@ -1,0 +1,40 @@
+//! Places a program in the memory of the board that QEMU plays for the target. Shared by the build scripts.
+
+use std::error::Error;
+use std::path::PathBuf;
+use std::{env, fs};
+
+/// Flash from address 0 and memory from 2^29, as on every Cortex-M.
+fn cortex_m(flash: &str, ram: &str) -> String {
+    format!(
+        "MEMORY {{\n  FLASH : ORIGIN = 0x00000000, LENGTH = {flash}\n  RAM : ORIGIN = 0x20000000, LENGTH = {ram}\n}}\n"
+    )
+}
+
+/// One memory for everything, where QEMU's `virt` has it.
+fn virt() -> String {
+    let mut script = "MEMORY {\n  RAM : ORIGIN = 0x80000000, LENGTH = 1M\n}\n".to_owned();
+    for region in ["TEXT", "RODATA", "DATA", "BSS", "HEAP", "STACK"] {
+        script += &format!("REGION_ALIAS(\"REGION_{region}\", RAM);\n");
+    }
+    script
+}
+
+/// Tells the linker about the target's memory; the host has no need of it.
+pub(crate) fn place() -> Result<(), Box<dyn Error>> {
+    let (memory, scripts): (String, &[&str]) = match env::var("TARGET")?.as_str() {
+        "thumbv6m-none-eabi" => (cortex_m("256K", "16K"), &["link.x"]), // microbit
+        "thumbv7m-none-eabi" => (cortex_m("256K", "64K"), &["link.x"]), // lm3s6965evb
+        "thumbv7em-none-eabihf" => (cortex_m("4M", "4M"), &["link.x"]), // mps2-an386
+        "riscv32imc-unknown-none-elf" => (virt(), &["memory.x", "link.x"]),
+        // The host runs the same program to say what its results must be.
+        _ => return Ok(()),
+    };
+    let out = PathBuf::from(env::var("OUT_DIR")?);
+    fs::write(out.join("memory.x"), memory)?;
+    println!("cargo::rustc-link-search={}", out.display());
+    for script in scripts {
+        println!("cargo::rustc-link-arg-bins=-T{script}");
+    }
+    Ok(())
+}

@@ -1,0 +1,36 @@
+//! A floor in the light of a constant: what a firmware needs that has no float, neither per pixel nor to set up. Prints
+//! the pixels of each row, as hexadecimal digits of RGB565.
+#![cfg_attr(target_os = "none", no_std, no_main)]
+
+use luminaire::{CompiledSpot, Fx16, Rgb, Rgb565, Scalar, Soft, Vec3, clip};
+use luminaire_firmware::board::println;
+
+luminaire_firmware::entry!(still);
+
+/// Computed by the build script.
+const KEY: CompiledSpot<Fx16, Soft> = include!(concat!(env!("OUT_DIR"), "/key.rs"));
+
+const WIDTH: usize = 16;
+const HEIGHT: i32 = 12;
+/// An eighth and a quarter of a metre between pixels, in steps of a length.
+const STEP: [i32; 2] = [1 << 13, 1 << 14];
+const UP: Vec3<Fx16> = Vec3::new(Fx16::ZERO, Fx16::ONE, Fx16::ZERO);
+
+type Length = <Fx16 as Scalar>::Length;
+
+fn still() {
+    for row in 0..HEIGHT {
+        println!("{:04x?}", pixels(row));
+    }
+}
+
+/// A row of the floor.
+fn pixels(row: i32) -> [u16; WIDTH] {
+    let mut pixels = [0; WIDTH];
+    for (column, pixel) in (-(WIDTH as i32) / 2..).zip(&mut pixels) {
+        let [x, z] = [column * STEP[0], (row - HEIGHT / 2) * STEP[1]].map(Length::from_bits);
+        let light = KEY.irradiance(Vec3::new(x, Length::ZERO, z), UP);
+        *pixel = Rgb565::from_linear(clip::<Fx16>(Rgb::lit(light, KEY.color()))).0;
+    }
+    pixels
+}

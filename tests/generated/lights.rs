@@ -1,0 +1,129 @@
+//! One of everything that compiles to a format, in every format: what the build script writes and the test compares.
+
+use std::fmt::Debug;
+
+use luminaire::source::Named;
+use luminaire::{
+    Ambient, Angle, Attenuation, Blend, BlinnPhong, CompiledSpot, Cone, Cubic, CutOff, Directional, DualCone,
+    Edge, Error, Exposure, Fx16, Fx32, Hard, HardRange, InverseSquare, Linear, Lyon, Material, Phong, Point,
+    Polynomial, Power, Profile, Rgb, Rim, Scalar, Smooth, SmoothRange, Soft, Source, Specular, Spot,
+    SquaredWindow, Table, Unattenuated, Vec3, Windowed,
+};
+
+/// What is done with each value.
+pub(crate) trait Visit {
+    /// Takes a compiled value, and a name that says where to look.
+    fn value<T: Source + Debug>(&mut self, name: String, value: T);
+}
+
+/// Places and directions, of either sign and of sizes that fill the formats.
+const PLACES: [Vec3<f32>; 3] =
+    [Vec3::new(0.0, 4.0, 0.0), Vec3::new(-1.5, 0.1, 12_000.25), Vec3::new(1e-5, -7.0, 3.3)];
+const AXES: [Vec3<f32>; 3] =
+    [Vec3::new(0.0, -1.0, 0.0), Vec3::new(0.36, -0.8, 0.48), Vec3::new(-3.0, 2.0, 1.0)];
+/// From less than a step of the smallest format to the most that a light may have.
+const INTENSITIES: [f32; 3] = [1e-6, 16.0, 1e9];
+const AMBER: Rgb<f32> = Rgb::new(1.0, 0.62, 0.0);
+const SAMPLES: [u16; 5] = [65_535, 60_000, 31_000, 400, 0];
+
+/// The light that the test looks at more closely.
+pub(crate) fn key() -> Result<CompiledSpot<Fx16, Soft>, Error> {
+    Spot::new(PLACES[0], AXES[1], Cone::from_field(Soft, Angle::degrees(36.0))?)?
+        .with_intensity(16.0)?
+        .compile()
+}
+
+/// Every value in every format.
+pub(crate) fn all(visit: &mut impl Visit) -> Result<(), Error> {
+    of_format::<f32>(visit)?;
+    of_format::<Fx32>(visit)?;
+    of_format::<Fx16>(visit)
+}
+
+fn of_format<S: Scalar>(visit: &mut impl Visit) -> Result<(), Error> {
+    spots::<S, _>(visit, Soft)?;
+    spots::<S, _>(visit, Hard)?;
+    spots::<S, _>(visit, Linear)?;
+    spots::<S, _>(visit, CutOff)?;
+    spots::<S, _>(visit, Smooth)?;
+    spots::<S, _>(visit, Blend::new(0.3)?)?;
+    spots::<S, _>(visit, Cubic::with_slopes(1.25, 3.5)?)?;
+    spots::<S, _>(visit, Power::<4>)?;
+    spots::<S, _>(visit, Power::<15>)?;
+    spots::<S, _>(visit, Rim::<4>)?;
+    spots::<S, _>(visit, Table::of(&SAMPLES))?;
+    spots::<S, _>(visit, Edge::Hard)?;
+    for field in [20.0, 29.0] {
+        spots::<S, _>(
+            visit,
+            Cone::from_beam_and_field(Angle::degrees(14.0), Angle::degrees(field))?.profile(),
+        )?;
+    }
+    at_distances::<S, _>(visit, Unattenuated)?;
+    at_distances::<S, _>(visit, InverseSquare)?;
+    at_distances::<S, _>(visit, Polynomial::new(1.0, 0.2, 0.03)?)?;
+    at_distances::<S, _>(visit, SmoothRange::new(9.0)?)?;
+    at_distances::<S, _>(visit, Windowed::new(None)?)?;
+    at_distances::<S, _>(visit, SquaredWindow::new(Some(12.5))?)?;
+    at_distances::<S, _>(visit, HardRange::new(Windowed::new(Some(8.0))?, Some(6.0))?)?;
+    surfaces::<S, _>(visit, Phong)?;
+    surfaces::<S, _>(visit, BlinnPhong)?;
+    surfaces::<S, _>(visit, DualCone)?;
+    surfaces::<S, _>(visit, Lyon::<_, 3>(Phong))?;
+    let paper = Material::new(Rgb::new(0.9, 0.9, 0.85))?.with_emissive(AMBER)?;
+    visit.value(format!("{} matt material", S::NAME), paper.compile::<S>());
+    for intensity in INTENSITIES {
+        let name = |kind| format!("{} {kind} of {intensity}", S::NAME);
+        visit.value(name("ambient"), Ambient::new(AMBER)?.with_intensity(intensity)?.compile::<S>());
+        visit.value(name("exposure"), Exposure::factor(intensity)?.compile::<S>());
+        for axis in AXES {
+            let sun = Directional::new(axis)?.with_color(AMBER)?.with_intensity(intensity)?;
+            visit.value(format!("{:?}", sun), sun.compile::<S>());
+        }
+    }
+    Ok(())
+}
+
+/// A profile over the whole cone, around a hotspot, and delimited.
+fn spots<S: Scalar, P: Profile + Source>(visit: &mut impl Visit, profile: P) -> Result<(), Error>
+where
+    P::Compiled<S>: Source,
+{
+    let plain = Cone::from_outer(profile, Angle::degrees(40.0))?;
+    let hotspot = plain.with_inner(Angle::degrees(13.0))?;
+    let delimited = plain.with_delimiter(Angle::degrees(31.0))?;
+    for (index, cone) in [plain, hotspot, delimited].into_iter().enumerate() {
+        let spot = Spot::new(PLACES[index], AXES[index], cone)?.with_intensity(INTENSITIES[index])?;
+        visit.value(format!("{} {spot:?}", S::NAME), spot.compile::<S>()?);
+        visit.value(format!("{} {cone:?}", S::NAME), cone.compile::<S>()?);
+    }
+    Ok(())
+}
+
+/// A distance model, of a spotlight and of a point light.
+fn at_distances<S: Scalar, A: Attenuation + Named>(
+    visit: &mut impl Visit,
+    attenuation: A,
+) -> Result<(), Error>
+where
+    A::Constants<S>: Source,
+{
+    let cone = Cone::from_field(Soft, Angle::degrees(36.0))?;
+    let spot = Spot::new(PLACES[0], AXES[0], cone)?.with_attenuation(attenuation).with_color(AMBER)?;
+    visit.value(format!("{} {spot:?}", S::NAME), spot.compile::<S>()?);
+    let point = Point::new(PLACES[1])?.with_attenuation(attenuation).with_specular_color(AMBER)?;
+    visit.value(format!("{} {point:?}", S::NAME), point.compile::<S>()?);
+    Ok(())
+}
+
+/// A highlight, wide and narrow.
+fn surfaces<S: Scalar, H: Specular + Named>(visit: &mut impl Visit, highlight: H) -> Result<(), Error>
+where
+    H::Constants<S>: Source,
+{
+    for shininess in [8, 1024] {
+        let glazed = Material::new(AMBER)?.with_highlight(highlight, Rgb::new(0.5, 0.5, 0.5), shininess)?;
+        visit.value(format!("{} {glazed:?}", S::NAME), glazed.compile::<S>());
+    }
+    Ok(())
+}

@@ -1,0 +1,120 @@
+//! The programs of one effect each, built for a target in a number format.
+
+use std::fs;
+use std::path::PathBuf;
+
+use anyhow::{Context, Result};
+
+use super::program::Program;
+use crate::firmware::{Board, laboratory};
+use crate::progress::Progress;
+use crate::project;
+use crate::toolchain::Toolchain;
+
+/// The profile that the programs are compiled with: `opt-level = "s"`, everything seen at once.
+const PROFILE: &str = "size";
+
+/// The program that does nothing, whose bytes are no effect's.
+pub(crate) const EMPTY: &str = "empty";
+/// The program that evaluates everything, to show that nothing panics.
+pub(crate) const EVERYTHING: &str = "everything";
+/// The program that would have more effects if its constants said so.
+pub(crate) const UNUSED: &str = "unused";
+
+/// A number format, which a feature of the programs selects.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Format {
+    Fx16,
+    Fx32,
+    F32,
+}
+
+impl Format {
+    pub(crate) const ALL: [Self; 3] = [Self::Fx16, Self::Fx32, Self::F32];
+
+    /// The name that the library gives it.
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::Fx16 => "fx16",
+            Self::Fx32 => "fx32",
+            Self::F32 => "f32",
+        }
+    }
+
+    fn features(self) -> &'static [&'static str] {
+        match self {
+            Self::Fx16 => &[],
+            Self::Fx32 => &["--features", "fx32"],
+            Self::F32 => &["--features", "f32"],
+        }
+    }
+}
+
+/// The programs that were built, by name. Another format for the same target replaces them.
+#[derive(Debug)]
+pub(crate) struct Effects {
+    folder: PathBuf,
+}
+
+impl Effects {
+    /// Builds all programs. Those that can panic do not link.
+    pub(crate) fn build(board: &Board, format: Format, progress: &Progress) -> Result<Self> {
+        Self::cargo(board, format, &["--bins"], progress)
+    }
+
+    /// Builds one program.
+    pub(crate) fn build_one(board: &Board, format: Format, name: &str, progress: &Progress) -> Result<Self> {
+        Self::cargo(board, format, &["--bin", name], progress)
+    }
+
+    fn cargo(board: &Board, format: Format, programs: &[&str], progress: &Progress) -> Result<Self> {
+        let toolchain = Toolchain::find(board.target, progress)?;
+        let mut build = laboratory::firmware(toolchain.cargo_build("core", &[]));
+        build.args(["--profile", PROFILE, "--package", "luminaire-effects"]);
+        build.args(programs).args(format.features());
+        progress.run(build)?;
+        Ok(Self { folder: toolchain.artifacts(PROFILE) })
+    }
+
+    /// A program.
+    pub(crate) fn program(&self, name: &str) -> Result<Program> {
+        Program::read(&self.folder.join(name))
+    }
+
+    /// The effects in the order of their names, each with the bytes that its program has over the empty one.
+    pub(crate) fn bytes(&self) -> Result<Vec<(String, u64)>> {
+        let empty = self.program(EMPTY)?.bytes;
+        let mut effects = Vec::new();
+        for name in names()? {
+            let bytes = self.program(&name)?.bytes.saturating_sub(empty);
+            effects.push((name.replace('_', "-"), bytes));
+        }
+        Ok(effects)
+    }
+}
+
+/// The effects: each has a source file, and a program of its name.
+fn names() -> Result<Vec<String>> {
+    let folder = project::root().join("firmware/effects/src/bin");
+    let failed = || format!("cannot list {}", folder.display());
+    let mut names = Vec::new();
+    for entry in fs::read_dir(&folder).with_context(failed)? {
+        let name = entry.with_context(failed)?.path().with_extension("");
+        names.extend(name.file_name().map(|name| name.to_string_lossy().into_owned()));
+    }
+    names.retain(|name| ![EMPTY, EVERYTHING, UNUSED].contains(&name.as_str()));
+    names.sort_unstable();
+    Ok(names)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_effect_has_a_file() {
+        let names = names().unwrap();
+        assert!(names.iter().any(|name| name == "spot_soft_lambert"), "{names:?}");
+        assert!(!names.iter().any(|name| name == EMPTY), "{names:?}");
+    }
+}
