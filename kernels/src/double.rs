@@ -82,8 +82,11 @@ impl Kernel for DoublePoint {
     fn evaluate(&self, site: &Site) -> f64 {
         let way = minus(widened(site.point), widened(POSITION));
         let (squared, facing) = (dot(way, way), -dot(way, widened(site.normal)));
+        if facing <= 0.0 {
+            return 0.0;
+        }
         let along = dot(way, self.axis);
-        if facing <= 0.0 || along * along.abs() < self.bound * squared {
+        if along * along.abs() < self.bound * squared {
             return 0.0;
         }
         let reciprocal = 1.0 / sqrt(squared);

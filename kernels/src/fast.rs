@@ -36,8 +36,11 @@ impl Kernel for FastPoint {
     #[inline(always)]
     fn evaluate(&self, site: &Site) -> f32 {
         let (way, squared, facing) = way(site);
+        if facing <= 0.0 {
+            return 0.0;
+        }
         let along = way.dot(AXIS);
-        if facing <= 0.0 || along * along.abs() < self.bound * squared {
+        if along * along.abs() < self.bound * squared {
             return 0.0;
         }
         let reciprocal = F32Ext::invsqrt(squared);

@@ -3,6 +3,7 @@
 mod board;
 mod cost;
 mod counts;
+mod cycles;
 mod emulator;
 mod laboratory;
 mod package;
