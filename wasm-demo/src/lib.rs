@@ -11,19 +11,35 @@
 //! - `format`: the number format that was chosen at run time, as types
 //! - `sweep`: how the lights move
 //! - `clock`, `canvas`, `panic`: what the browser gives
-//! - `demo`: the class that the page holds
+//! - `demo`: the class that the page holds for the stage
+//! - `wall`: the scene of the comparison
+//! - `picture`: the wall in one form, whatever the form
+//! - `difference`: how far a picture is from f64
+//! - `form`: the formats and formulas to compare
+//! - `false_colour`: errors as colours, and their scale
+//! - `side`: one side of the comparison
+//! - `comparison`: the class that the page holds for it
 #![forbid(unsafe_code)]
 
 mod canvas;
 mod clock;
+mod comparison;
 mod demo;
+mod difference;
+mod false_colour;
 mod fixture;
+mod form;
 mod format;
 mod light;
 mod panic;
+mod picture;
 mod refusal;
+mod side;
 mod sweep;
+mod wall;
 
+pub use comparison::Comparison;
 pub use demo::Demo;
 pub use fixture::Fixture;
 pub use light::LightState;
+pub use side::{FormState, SideState};
