@@ -142,8 +142,8 @@ impl From<Form> for FormState {
             name: form.name().to_owned(),
             label: form.label().to_owned(),
             truth: match form.curve() {
-                Curve::Soft => "the soft edge, t²",
-                Curve::CosinePower => "the same power",
+                Curve::Soft => "soft edge, t²",
+                Curve::CosinePower => "cosine’s power",
             }
             .to_owned(),
             falloff: names(falloff),
