@@ -20,8 +20,8 @@ const FIRST: ([Form; 2], f32) = ([Form::Cosine, Form::F32], 0.1);
 /// The largest picture, in pixels a side: a few times what a screen has room for.
 const LARGEST: u32 = 2048;
 
-/// Two forms of one picture, each beside what f64 makes of it. Every method that sets something takes it, or throws
-/// a string that names the parameter, its value and the remedy, and leaves everything as it was.
+/// Two forms of one picture, each beside what f64 makes of it. Every method that sets something takes it, or
+/// throws a string that names the parameter, its value and the remedy, and leaves everything as it was.
 #[wasm_bindgen]
 #[derive(Debug)]
 pub struct Comparison {
@@ -38,8 +38,8 @@ pub struct Comparison {
 
 #[wasm_bindgen]
 impl Comparison {
-    /// The comparison as it opens, in squares of so many pixels a side: the picture and the errors of the left form,
-    /// and those of the right one. Nothing is shown yet.
+    /// The comparison as it opens, in squares of so many pixels a side: the picture and the errors of the left
+    /// form, and those of the right one. Nothing is shown yet.
     #[wasm_bindgen(constructor)]
     pub fn new(
         left: &HtmlCanvasElement,
@@ -143,8 +143,8 @@ impl Comparison {
         self.scale_in_force().gain()
     }
 
-    /// Lets the scale end at so many displayed codes, one of `scales`; with nothing it follows the larger of the two
-    /// largest errors.
+    /// Lets the scale end at so many displayed codes, one of `scales`; with nothing it follows the larger of the
+    /// two largest errors.
     #[wasm_bindgen(js_name = setScale)]
     pub fn set_scale(&mut self, codes: Option<f64>) -> Result<(), JsValue> {
         let chosen = codes.map(|codes| {

@@ -1,21 +1,23 @@
 //! Errors as colours: a palette that is ordered by lightness, and a scale for it.
 
+use crate::display::srgb_code;
+
 /// The colours of the palette.
 pub(crate) const COLOURS: usize = 256;
 
-/// Where a scale may end, in displayed codes: 1, 2 and 5 of every power of ten, up to the whole range of a display.
+/// Where a scale may end, in displayed codes: 1, 2 and 5 of every power of ten, up to the range of a display.
 pub(crate) const ENDS: [f64; 17] =
     [0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 255.0];
 
 /// The lightness of no error and of the end of the scale.
 const LIGHTNESS: [f64; 2] = [0.16, 0.96];
-/// The hue of no error and of the end of the scale in degrees: from blue by way of magenta and orange to yellow.
+/// The hue of no error and of the end of the scale in degrees: from blue by magenta and orange to yellow.
 const HUE: [f64; 2] = [255.0, 470.0];
 /// The chroma at both ends, and how much more of it there is in the middle.
 const CHROMA: [f64; 2] = [0.02, 0.18];
 
-/// From no error, nearly black, to the end of the scale, nearly white. Lightness rises evenly, so that the order is seen
-/// without seeing hue, and steps that are equal look equal.
+/// From no error, nearly black, to the end of the scale, nearly white. Lightness rises evenly, so that the order
+/// is seen without seeing hue, and steps that are equal look equal.
 #[derive(Clone, Debug)]
 pub(crate) struct Palette([[u8; 3]; COLOURS]);
 
@@ -85,7 +87,7 @@ fn linear(place: f64) -> [f64; 3] {
 }
 
 fn code(linear: f64) -> u8 {
-    crate::difference::srgb_code(linear).round() as u8
+    srgb_code(linear).round() as u8
 }
 
 #[cfg(test)]
@@ -99,8 +101,9 @@ mod tests {
         if luminance > 0.008_856 { 116.0 * luminance.cbrt() - 16.0 } else { 903.3 * luminance }
     }
 
-    /// What is left of a linear colour without the cones for red, for green or for blue: H. Brettel, F. Viénot and
-    /// J. Mollon 1997 and Viénot 1999, as single planes.
+    /// What is left of a linear colour without the cones for red, for green or for blue: F. Viénot, H. Brettel
+    /// and J. Mollon, *Digital Video Colourmaps for Checking the Legibility of Displays by Dichromats*, 1999, and
+    /// for blue the same construction.
     const BLINDNESS: [[[f64; 3]; 3]; 3] = [
         [[0.112_38, 0.887_62, 0.0], [0.112_38, 0.887_62, 0.0], [0.004_01, -0.004_01, 1.0]],
         [[0.292_75, 0.707_25, 0.0], [0.292_75, 0.707_25, 0.0], [-0.022_34, 0.022_34, 1.0]],
@@ -128,7 +131,7 @@ mod tests {
         };
         for kind in [None].into_iter().chain(BLINDNESS.iter().map(Some)) {
             let levels: Vec<f64> = colours.iter().map(|colour| lightness(seen(kind, colour))).collect();
-            // An eighth of the scale is 12 even steps of lightness: nobody sees it as less than half, or as twice that.
+            // An eighth of the scale is 12 steps of lightness. Nobody sees less than half of them, or twice.
             let steps: Vec<f64> =
                 levels.windows(33).step_by(16).map(|window| window[32] - window[0]).collect();
             let least = steps.iter().copied().fold(f64::INFINITY, f64::min);

@@ -4,7 +4,7 @@ use crate::{picture::Picture, refusal::Refusal, wall::Wall};
 use luminaire::{Accepted, Error, Fx16, Fx32, Soft, Vec3};
 use luminaire_kernels::{
     CosineFalloff, DoubleFalloff, Gltf, Kernel, Libm, OurPoint, Powf, Row, Shape, Stage,
-    oracle::{self, Vector, dot, minus, scaled, unit, widened},
+    oracle::{self, unit, widened},
     scene::{Population, Site},
 };
 
@@ -197,15 +197,15 @@ impl<F: Kernel<Input = f32, Output = f32>> Kernel for FromCosine<F> {
 /// A falloff that takes a versine, at a point, in f64.
 #[derive(Clone, Copy, Debug)]
 struct FromVersine<F> {
-    position: Vector,
-    axis: Vector,
+    position: Vec3<f64>,
+    axis: Vec3<f64>,
     falloff: F,
 }
 
 impl<F> FromVersine<F> {
     fn new(wall: &Wall, falloff: F) -> Self {
-        let spot = wall.spot();
-        Self { position: widened(spot.position()), axis: unit(widened(spot.axis())), falloff }
+        let [x, y, z] = unit(widened(wall.spot().axis()));
+        Self { position: wall.spot().position().map(f64::from), axis: Vec3::new(x, y, z), falloff }
     }
 }
 
@@ -220,13 +220,13 @@ impl<F: Kernel<Input = f64, Output = f64>> Kernel for FromVersine<F> {
 
     #[inline(always)]
     fn evaluate(&self, site: &Site) -> f64 {
-        let way = minus(widened(site.point), self.position);
-        let facing = -dot(way, widened(site.normal));
+        let way = site.point.zip(self.position, |point, light| f64::from(point) - light);
+        let facing = -dot(way, site.normal.map(f64::from));
         if facing <= 0.0 {
             return 0.0;
         }
         let reciprocal = 1.0 / dot(way, way).sqrt();
-        let difference = minus(scaled(way, reciprocal), self.axis);
+        let difference = way.zip(self.axis, |way, axis| way * reciprocal - axis);
         self.falloff.evaluate(&(0.5 * dot(difference, difference))) * (facing * reciprocal)
     }
 
@@ -234,4 +234,9 @@ impl<F: Kernel<Input = f64, Output = f64>> Kernel for FromVersine<F> {
     fn touch(site: &Site) -> u32 {
         site.point.x.to_bits()
     }
+}
+
+#[inline(always)]
+fn dot(a: Vec3<f64>, b: Vec3<f64>) -> f64 {
+    a.x * b.x + a.y * b.y + a.z * b.z
 }

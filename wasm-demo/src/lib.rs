@@ -1,7 +1,8 @@
-//! The browser demo: a thin shell over `luminaire-render`, and a page that shows what the kernel says.
+//! The browser demo: a thin shell over `luminaire-render` and `luminaire-kernels`, and a page that shows what they say.
 //!
 //! The page holds no lighting mathematics. It hands over what the visitor set, and asks [`Demo`] for everything it
-//! displays: the angles that follow one another, the curve, the ranges of the sliders, the words of a refusal.
+//! displays: the angles that follow one another, the curve, the ranges of the sliders, the words of a refusal. The
+//! same goes for [`Comparison`], which lights one wall in two forms and says how far each is from f64.
 //!
 //! In the order in which they depend on one another:
 //!
@@ -13,6 +14,7 @@
 //! - `clock`, `canvas`, `panic`: what the browser gives
 //! - `demo`: the class that the page holds for the stage
 //! - `wall`: the scene of the comparison
+//! - `display`: from light to displayed codes
 //! - `picture`: the wall in one form, whatever the form
 //! - `difference`: how far a picture is from f64
 //! - `form`: the formats and formulas to compare
@@ -26,6 +28,7 @@ mod clock;
 mod comparison;
 mod demo;
 mod difference;
+mod display;
 mod false_colour;
 mod fixture;
 mod form;

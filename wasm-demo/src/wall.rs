@@ -7,7 +7,7 @@ use luminaire_kernels::{
     scene::{AXIS, Site},
 };
 
-/// The narrowest outer half angle in degrees: the wall is then 29 km away, which 16 bits before the point hold.
+/// The narrowest outer half angle in degrees: the wall is then 29 km away, which fixed point just holds.
 pub(crate) const NARROWEST: f32 = 0.002;
 /// The widest outer half angle in degrees.
 pub(crate) const WIDEST: f32 = 60.0;
@@ -15,11 +15,11 @@ pub(crate) const WIDEST: f32 = 60.0;
 /// From the middle of the picture to its edge, in radii of the spot of light.
 const REACH: f64 = 1.2;
 
-/// Two directions in the wall, at right angles to each other and to the axis: the picture's right and its top.
+/// Two directions in the wall, at right angles to each other and to the axis: the picture's right and top.
 const ACROSS: [Vector; 2] = [[-0.8, 0.0, 0.6], [0.48, 0.6, 0.64]];
 
-/// The wall, and a soft beam. The light is as far away as makes the spot one metre in radius, whatever the angle: the
-/// narrower the beam, the farther the light, and the picture stays.
+/// The wall, and a soft beam. The light is as far away as makes the spot one metre in radius, whatever the
+/// angle: the narrower the beam, the farther the light, and the picture stays.
 #[derive(Clone, Debug)]
 pub(crate) struct Wall {
     /// What each pixel shows, row by row from the top.

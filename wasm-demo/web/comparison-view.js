@@ -155,7 +155,8 @@ export class ComparisonView {
 
   /** Keeps the address in step, so that it can be passed on. */
   #remember([left, right]) {
-    const query = new URLSearchParams({ left: left.form, right: right.form, half: exact(this.#comparison.halfAngle) });
+    const half = exact(this.#comparison.halfAngle);
+    const query = new URLSearchParams({ left: left.form, right: right.form, half });
     history.replaceState(null, "", `#compare?${query}`);
   }
 }

@@ -27,9 +27,10 @@ export class ErrorScale {
     document.getElementById("tick-middle").textContent = tidy(scale / 2);
     document.getElementById("tick-end").textContent = scale === 255 ? "255 codes" : `${counted(scale)} or more`;
     const why = this.#select.value === "" ? "so that both sides fit" : "as chosen";
-    const size = gain === 1 ? "at their size" : `magnified ${Number(gain.toPrecision(3)).toLocaleString("en")} times`;
+    const times = Number(gain.toPrecision(3)).toLocaleString("en");
+    const size = gain === 1 ? "at their size" : `magnified ${times} times`;
     this.#note.textContent = `Errors in displayed 8-bit codes, ${size}, ${why}. Rings mark the largest.`;
-    this.#legend.setAttribute("aria-label", `Colours from no error, dark blue, to ${counted(scale)}, pale yellow`);
+    this.#legend.setAttribute("aria-label", `From no error, dark blue, to ${counted(scale)}, pale yellow`);
   }
 }
 
@@ -38,5 +39,6 @@ const counted = (codes) => `${codes} ${codes === 1 ? "code" : "codes"}`;
 
 /** Three bytes a colour, as CSS has them. */
 function colours(bytes) {
-  return Array.from({ length: bytes.length / 3 }, (_, i) => `rgb(${bytes.slice(3 * i, 3 * i + 3).join(" ")})`);
+  const colour = (_, i) => `rgb(${bytes.slice(3 * i, 3 * i + 3).join(" ")})`;
+  return Array.from({ length: bytes.length / 3 }, colour);
 }

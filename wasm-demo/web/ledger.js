@@ -10,35 +10,40 @@ const REST = 250;
 
 const pause = (milliseconds) => new Promise((resolve) => setTimeout(resolve, milliseconds));
 
-/** An error in codes. What is under a thousandth is rounding of f64, or not worth more digits. */
-function codes(value) {
-  if (value === 0) return "none";
-  return value < 0.001 ? "under 0.001" : String(value < 10 ? Number(value.toPrecision(2)) : Math.round(value));
-}
-
-/** A share in percent. */
-const percent = (share) => (share === 0 ? "none" : `${Number((100 * share).toPrecision(share < 0.1 ? 2 : 3))} %`);
-
 /** The least error that is told, in codes. */
 const LEAST = 0.001;
 
+/** An error in codes, in two digits. */
+function codes(value) {
+  if (value === 0) return "none";
+  if (value < LEAST) return `under ${LEAST}`;
+  return String(value < 10 ? Number(value.toPrecision(2)) : Math.round(value));
+}
+
+/** A share in percent. */
+const percent = (share) =>
+  share === 0 ? "none" : `${Number((100 * share).toPrecision(share < 0.1 ? 2 : 3))} %`;
+
 /** How much better the better of two forms is here, and for how much: in one sentence. */
 function verdict(states, costs) {
-  const refused = states.findIndex((state) => state.refusal !== undefined);
-  if (refused >= 0) return states.every((state) => state.refusal) ? "Neither holds this beam." : `${"AB"[refused]} does not hold this beam.`;
+  const refused = ["A", "B"].filter((_, side) => states[side].refusal !== undefined);
+  if (refused.length === 2) return "Neither holds this beam.";
+  if (refused.length === 1) return `${refused[0]} does not hold this beam.`;
   const better = states[0].largest < states[1].largest ? 0 : 1;
   const [least, most] = [states[better].largest, states[1 - better].largest];
   if (most < LEAST) return "Neither errs by a thousandth of a code here.";
   const factor = Number((most / Math.max(least, LEAST)).toPrecision(2)).toLocaleString("en");
-  const error = `${"AB"[better]} errs ${least < LEAST ? "over " : ""}${factor} times less than ${"AB"[1 - better]} here`;
-  const ratios = costs
-    .map((pair) => pair[better]?.instructions / pair[1 - better]?.instructions)
-    .filter(Number.isFinite)
-    .map((ratio) => Number(ratio.toPrecision(2)));
-  if (ratios.length === 0) return `${error}.`;
-  const [cheapest, dearest] = [Math.min(...ratios), Math.max(...ratios)];
-  const span = cheapest === dearest ? `${cheapest}` : `${cheapest} to ${dearest}`;
-  return `${error}, for ${span} times the instructions.`;
+  const over = least < LEAST ? "over " : "";
+  const errs = `${"AB"[better]} errs ${over}${factor} times less than ${"AB"[1 - better]} here`;
+  return `${errs}${priceOf(costs.map((pair) => pair[better]?.instructions / pair[1 - better]?.instructions))}.`;
+}
+
+/** From the smallest of some ratios of instructions to the largest; nothing without any. */
+function priceOf(ratios) {
+  const known = ratios.filter(Number.isFinite).map((ratio) => Number(ratio.toPrecision(2)));
+  if (known.length === 0) return "";
+  const [least, most] = [Math.min(...known), Math.max(...known)];
+  return `, for ${least === most ? least : `${least} to ${most}`} times the instructions`;
 }
 
 export class Ledger {
@@ -78,7 +83,7 @@ export class Ledger {
     document.getElementById(`largest-${side}`).classList.toggle("no", !held);
     put("where", held && state.largest > 0 ? degrees(Number(state.offAxis.toPrecision(2))) : "–");
     put("differing", held ? percent(state.differing) : "–");
-    if (!held) put("time", "–");
+    put("time", held ? "…" : "–");
   }
 
   /** Both in one stage, so that they can be compared: the lit point if both have one. Answers the costs by target. */

@@ -18,15 +18,16 @@ export const targetName = (target) => TARGETS[target] ?? target;
 
 /** A cost with its unit: exact instructions, or nanoseconds by a clock. */
 export function price(cost) {
-  if (cost?.instructions !== undefined) return tidy(cost.instructions).toLocaleString("en");
-  return cost?.ns === undefined ? "–" : `${tidy(cost.ns)} ns`;
+  if (Number.isFinite(cost?.instructions)) return tidy(cost.instructions).toLocaleString("en");
+  return Number.isFinite(cost?.ns) ? `${tidy(cost.ns)} ns` : "–";
 }
 
 /** The number alone, for comparing costs on one target; NaN where there is none. */
-export const amount = (cost) => cost?.instructions ?? cost?.ns ?? NaN;
+export const amount = (cost) => [cost?.instructions, cost?.ns].find(Number.isFinite) ?? NaN;
 
 /** A number that spans many powers of ten, in two digits. */
-const small = (value) => (value > 0 && value < 0.001 ? value.toExponential(1) : String(Number(value.toPrecision(2))));
+const small = (value) =>
+  value > 0 && value < 0.001 ? value.toExponential(1) : String(Number(value.toPrecision(2)));
 
 export class PriceList {
   #rows;
@@ -38,7 +39,7 @@ export class PriceList {
   /** Loads the list; one that was not made is empty. */
   static async load() {
     const answer = await fetch("accuracy-vs-cost.json");
-    if (!answer.ok) throw new Error(`The price list could not be loaded (${answer.status} ${answer.statusText}).`);
+    if (!answer.ok) throw new Error(`The price list could not be loaded (${answer.status}). Serve the whole folder.`);
     return new PriceList((await answer.json())?.rows ?? []);
   }
 

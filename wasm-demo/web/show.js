@@ -79,11 +79,12 @@ function views(view, meter) {
     show: () => view.pause(false),
     hide: () => view.pause(true),
   };
+  let opened;
   const comparison = {
     element: document.getElementById("comparison"),
     async show(query) {
-      const { ComparisonView } = await import("./comparison-view.js");
-      meter.comparison ??= await ComparisonView.open();
+      opened ??= import("./comparison-view.js").then(({ ComparisonView }) => ComparisonView.open());
+      meter.comparison = await opened;
       // Meanwhile the visitor may have gone back.
       if (!comparison.element.hidden) meter.comparison.show(query);
     },

@@ -1,7 +1,7 @@
 // The views of the page, one at a time: which of them, the address says after its #.
 
 /** What stands after the #: the name of a view and, behind a question mark, what it is asked for. */
-export function requestedView(hash) {
+function requestedView(hash) {
   const [name, query = ""] = hash.slice(1).split("?");
   return { name, query: new URLSearchParams(query) };
 }
@@ -10,8 +10,8 @@ export class Views {
   #views;
 
   /**
-   * @param {Map<string, {element: HTMLElement, show: (query: URLSearchParams) => unknown, hide: () => void}>} views
-   *   by name; the first is shown where the address names none of them
+   * @param {Map<string, {element: HTMLElement, show: Function, hide: Function}>} views by name; the first is
+   *   shown where the address names none of them. `show` is given what else the address says
    */
   constructor(views) {
     this.#views = views;

@@ -11,7 +11,7 @@ use crate::{project, shrink, wasm};
 /// The price list that the page shows beside its pictures.
 const PRICE_LIST: &str = "accuracy-vs-cost.json";
 
-/// Builds the demo into `target/demo`: the page from `wasm-demo/web`, the price list, and the bindings in `pkg`.
+/// Builds the demo into `target/demo`: the page from `wasm-demo/web`, the price list, the bindings in `pkg`.
 pub(crate) fn build(progress: &Progress) -> Result<PathBuf> {
     let module = wasm::compile(progress)?;
     let site = project::target().join("demo");
@@ -27,8 +27,8 @@ pub(crate) fn build(progress: &Progress) -> Result<PathBuf> {
     Ok(site)
 }
 
-/// Copies the price list, or says `null` in its place where none was measured: the page asks for it either way, and a
-/// file that is missing would be an error on its console.
+/// Copies the price list, or writes `null` where none was measured: the page asks for it either way, and a file
+/// that is missing would be an error on its console.
 fn copy_price_list(from: &Path, to: &Path) -> Result<()> {
     let (list, copy) = (from.join(PRICE_LIST), to.join(PRICE_LIST));
     if list.exists() {

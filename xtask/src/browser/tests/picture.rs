@@ -28,8 +28,7 @@ pub(super) fn is_lit(visitor: &mut Visitor) -> Result<()> {
     page.must_be_content()
 }
 
-/// The canvas refuses once. The visitor is told that the demo has stopped; what is asked of the module afterwards must
-/// not find that nothing has changed.
+/// The canvas refuses once. The next draw must not find that nothing has changed since.
 pub(super) fn is_shown_again(visitor: &mut Visitor) -> Result<()> {
     let mut page = visitor.ready()?;
     let refused = page.holds(
