@@ -1,4 +1,5 @@
-//! The browser demo: a thin shell over `luminaire-render` and `luminaire-kernels`, and a page that shows what they say.
+//! The browser demo: a thin shell over `luminaire-render` and `luminaire-kernels`, and a page that shows what they
+//! say.
 //!
 //! The page holds no lighting mathematics. It hands over what the visitor set, and asks [`Demo`] for everything it
 //! displays: the angles that follow one another, the curve, the ranges of the sliders, the words of a refusal. The

@@ -218,13 +218,15 @@ pub(super) fn prices_stand_beside_the_errors(visitor: &mut Visitor) -> Result<()
     page.must_be_content()
 }
 
-pub(super) fn fits_a_telephone(visitor: &mut Visitor) -> Result<()> {
-    for view in ["#stage", "#compare"] {
+pub(super) fn fits_every_screen(visitor: &mut Visitor) -> Result<()> {
+    for view in ["#stage", "#compare?left=fx16&half=0.1"] {
         let mut page = visitor.ready_with(view, &answering(LIST))?;
-        page.resize(390, 844)?;
-        page.settle()?;
-        let width = page.number("document.documentElement.scrollWidth")?;
-        ensure!(width <= 390.0, "{view} is {width} pixels wide on a screen of 390");
+        for screen in [390, 700, 1000, 1440] {
+            page.resize(screen, 900)?;
+            page.settle()?;
+            let width = page.number("document.documentElement.scrollWidth")?;
+            ensure!(width <= f64::from(screen), "{view} is {width} pixels wide on a screen of {screen}");
+        }
     }
     Ok(())
 }

@@ -56,7 +56,7 @@ pub(crate) const ALL: [Test; 31] = [
     ("the comparison is reached by its link", comparison::is_reached_by_its_link),
     ("the pictures of the comparison are timed", comparison::times_are_measured),
     ("prices stand beside the errors", comparison::prices_stand_beside_the_errors),
-    ("both views fit a telephone", comparison::fits_a_telephone),
+    ("both views fit screens from 390 to 1440 pixels", comparison::fits_every_screen),
     ("a browser without simd is told so", failure::without_simd),
     ("a browser that refuses the canvas is told so", failure::without_canvas),
     ("the page asks nobody but its own server", network::stays_at_home),
