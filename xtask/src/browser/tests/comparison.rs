@@ -227,6 +227,7 @@ pub(super) fn fits_every_screen(visitor: &mut Visitor) -> Result<()> {
             let width = page.number("document.documentElement.scrollWidth")?;
             ensure!(width <= f64::from(screen), "{view} is {width} pixels wide on a screen of {screen}");
         }
+        page.must_be_content()?;
     }
     Ok(())
 }
