@@ -123,10 +123,8 @@ mod tests {
             let axis = unit(widened(wall.spot().axis()));
             for (pixel, site) in wall.sites().iter().enumerate() {
                 let way = minus(widened(site.point), light);
-                let versine = {
-                    let difference = minus(unit(way), axis);
-                    dot(difference, difference) / 2.0
-                };
+                let difference = minus(unit(way), axis);
+                let versine = dot(difference, difference) / 2.0;
                 let point = widened(site.point);
                 let (radius, outer) =
                     (dot(point, point).sqrt(), f64::from(wall.spot().cone().outer_versine()));
