@@ -20,13 +20,8 @@ export class HalfAngle {
     this.#set = set;
     this.#ends = ends;
     [this.#slider.min, this.#slider.max] = ends.map(Math.log10);
-    this.#slider.addEventListener("input", () => this.#take(this.#ofSlider(), this.#slider));
-    this.#number.addEventListener("input", () => this.#take(this.#number.valueAsNumber, this.#number));
-  }
-
-  /** Asks for a half angle in degrees, from wherever. */
-  take(value) {
-    this.#take(value);
+    this.#slider.addEventListener("input", () => this.take(this.#ofSlider(), this.#slider));
+    this.#number.addEventListener("input", () => this.take(this.#number.valueAsNumber, this.#number));
   }
 
   /** Shows a value, except on the control that it comes from. */
@@ -38,12 +33,8 @@ export class HalfAngle {
     this.#slider.setAttribute("aria-valuetext", degrees(value));
   }
 
-  #ofSlider() {
-    const [narrowest, widest] = this.#ends;
-    return Math.min(Math.max(round(10 ** this.#slider.valueAsNumber), narrowest), widest);
-  }
-
-  #take(value, source) {
+  /** Asks for a half angle in degrees; a refusal is told, and changes nothing else. */
+  take(value, source) {
     let refusal = "";
     try {
       this.#set(value);
@@ -54,5 +45,10 @@ export class HalfAngle {
     this.#error.textContent = refusal;
     this.#number.setAttribute("aria-invalid", refusal !== "");
     if (refusal === "") this.show(value, source);
+  }
+
+  #ofSlider() {
+    const [narrowest, widest] = this.#ends;
+    return Math.min(Math.max(round(10 ** this.#slider.valueAsNumber), narrowest), widest);
   }
 }
