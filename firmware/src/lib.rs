@@ -2,9 +2,6 @@
 #![cfg_attr(target_os = "none", no_std)]
 
 pub mod board;
-mod checksum;
 mod measure;
-pub mod scene;
 
-pub use checksum::Bits;
-pub use measure::Inputs;
+pub use measure::{COUNT, measure};

@@ -1,53 +1,69 @@
 //! Running kernels over inputs between the markers.
 
+use core::array;
+
+use luminaire_kernels::scene::{Site, Sites};
+use luminaire_kernels::{Kernel, Row, Setting, Value, Visitor, falloffs, oracle, points};
+
 use crate::board::{begin, end, opaque, println};
-use crate::checksum::{Bits, fold};
 
-/// Inputs in a number format, over which kernels are run.
+/// How many inputs each kernel is run over.
+pub const COUNT: usize = 256;
+
+/// Runs every kernel of the price list over its inputs.
 ///
-/// Each run prints a line: the format, the name of the kernel, the name of the inputs, the number of calls, and a
-/// checksum of the results.
-#[derive(Debug)]
-pub struct Inputs<'a, I> {
-    format: &'static str,
-    name: &'static str,
-    all: &'a [I],
+/// Each run prints a line: the stage, the format, the name of the kernel, the number of calls, and a checksum of the
+/// results. Before each kernel stands the empty loop over the same inputs: what its instructions are, is no kernel's.
+pub fn measure() {
+    let setting = Setting::standard();
+    let mut bench = Bench { outer: setting.outer_versine() };
+    falloffs(setting, &mut bench);
+    points(setting, &mut bench);
 }
 
-impl<'a, I> Inputs<'a, I> {
-    /// Names the inputs, and runs the empty loop over them, under their own name: what its instructions are, is no
-    /// kernel's. `touch` should cost nothing but a load.
-    #[inline(always)]
-    pub fn new<O: Bits>(
-        format: &'static str,
-        name: &'static str,
-        all: &'a [I],
-        touch: impl Fn(&I) -> O,
-    ) -> Self {
-        let inputs = Self { format, name, all };
-        inputs.run(name, touch);
-        inputs
+struct Bench {
+    /// The versine where the cone ends.
+    outer: f32,
+}
+
+// Never inlined: the smallest board's memory holds a single table of inputs.
+impl Visitor for Bench {
+    /// Versines of angles from the axis to the edge, none of them on either.
+    #[inline(never)]
+    fn falloff<K: Kernel<Place = f32>>(&mut self, row: Row, kernel: K, _: &oracle::Falloff) {
+        let versine = |index| self.outer * ((index as f32 + 0.5) / COUNT as f32);
+        run(row, &kernel, &array::from_fn(|index| kernel.input(&versine(index))));
     }
 
-    /// Runs a kernel over the inputs.
-    #[inline(always)]
-    pub fn run<O: Bits>(&self, kernel: &str, function: impl Fn(&I) -> O) {
-        report(self.format, kernel, self.name, self.all.len(), pass(self.all, function));
+    #[inline(never)]
+    fn point<K: Kernel<Place = Site>>(&mut self, row: Row, kernel: K, truth: &oracle::Point) {
+        let mut site = Sites::new(truth.population, self.outer);
+        run(row, &kernel, &array::from_fn(|_| kernel.input(&site.next().expect("an endless sequence"))));
     }
 }
+
+#[inline(always)]
+fn run<K: Kernel>(row: Row, kernel: &K, inputs: &[K::Input; COUNT]) {
+    let kernel = opaque(kernel);
+    report(row, EMPTY, pass(inputs, |input| K::touch(input)));
+    report(row, row.kernel, pass(inputs, |input| kernel.evaluate(input).bits()));
+}
+
+/// The name of the loop that does nothing.
+const EMPTY: &str = "empty";
 
 #[inline(never)]
-fn report(format: &str, kernel: &str, inputs: &str, calls: usize, sum: u32) {
-    println!("{format} {kernel} {inputs} {calls} {sum:08x}");
+fn report(row: Row, kernel: &str, sum: u32) {
+    println!("{} {} {kernel} {COUNT} {sum:08x}", row.stage.name(), row.format);
 }
 
 /// The loop: for each kernel a function of its own, so that none disturbs another.
 #[inline(never)]
-fn pass<I, O: Bits>(inputs: &[I], function: impl Fn(&I) -> O) -> u32 {
+fn pass<I>(inputs: &[I], function: impl Fn(&I) -> u32) -> u32 {
     begin();
-    let mut sum = 0;
+    let mut sum: u32 = 0;
     for input in inputs {
-        sum = fold(sum, function(opaque(input)));
+        sum = sum.rotate_left(1) ^ function(opaque(input));
     }
     end();
     sum

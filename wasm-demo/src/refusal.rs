@@ -25,6 +25,8 @@ pub(crate) enum Refusal {
     Number { value: usize, count: usize },
     /// A zoom angle that the fixture has not.
     Zoom { value: f32, narrow: f32, wide: f32 },
+    /// A number outside the range that is taken.
+    Outside { parameter: &'static str, value: f32, least: f32, most: f32, unit: &'static str },
     /// The browser would not do something.
     Browser { what: &'static str, reason: String },
 }
@@ -52,6 +54,9 @@ impl fmt::Display for Refusal {
             }
             Self::Zoom { value, narrow, wide } => {
                 write!(f, "zoom {value} is refused: this fixture goes from {narrow} to {wide} degrees")
+            }
+            Self::Outside { parameter, value, least, most, unit } => {
+                write!(f, "{parameter} {value} is refused: give from {least} to {most} {unit}")
             }
             Self::Browser { what, reason } => write!(f, "{what}: {reason}"),
         }

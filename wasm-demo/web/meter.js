@@ -9,15 +9,18 @@ export class Meter {
   #view;
   #formats;
 
+  /** The view of the comparison; nothing until it is opened. */
+  comparison;
+
   constructor(demo, view, formats) {
     this.#demo = demo;
     this.#view = view;
     this.#formats = formats;
   }
 
-  /** How many pictures have been drawn. */
+  /** How many pictures have been drawn, in whichever view. */
   get drawn() {
-    return this.#view.drawn;
+    return this.#view.drawn + (this.comparison?.drawn ?? 0);
   }
 
   /** A copy of the last picture: RGBA, sRGB, eight bits. */

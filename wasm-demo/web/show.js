@@ -8,6 +8,7 @@ import { Readout } from "./readout.js";
 import { StageView } from "./stage-view.js";
 import { requestedSize } from "./support.js";
 import { Sweep } from "./sweep.js";
+import { Views } from "./views.js";
 
 /** Loads the module; what the browser says when it can't is of little help by itself. */
 async function load() {
@@ -68,4 +69,26 @@ export async function open() {
   view.draw(performance.now());
   await warmUp(meter);
   window.luminaire = meter;
+  await views(view, meter).show();
+}
+
+/** The stage, and the comparison, which is opened when it is first asked for. */
+function views(view, meter) {
+  const stage = {
+    element: document.getElementById("stage-page"),
+    show: () => view.pause(false),
+    hide: () => view.pause(true),
+  };
+  let opened;
+  const comparison = {
+    element: document.getElementById("comparison"),
+    async show(query) {
+      opened ??= import("./comparison-view.js").then(({ ComparisonView }) => ComparisonView.open());
+      meter.comparison = await opened;
+      // Meanwhile the visitor may have gone back.
+      if (!comparison.element.hidden) meter.comparison.show(query);
+    },
+    hide: () => meter.comparison?.hide(),
+  };
+  return new Views(new Map([["stage", stage], ["compare", comparison]]));
 }

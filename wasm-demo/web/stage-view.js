@@ -16,6 +16,7 @@ export class StageView {
   #frame = 0;
   #before = [];
   #after = [];
+  #paused = false;
   /** The pointers that are down, by their id: one turns the camera, two pinch. */
   #pointers = new Map();
 
@@ -47,7 +48,13 @@ export class StageView {
 
   /** Draws with the next frame of the browser. Without a request no frame is asked for. */
   request() {
-    if (this.#frame === 0 && !hasFailed()) this.#frame = requestAnimationFrame((now) => this.draw(now));
+    if (this.#frame === 0 && !this.#paused && !hasFailed()) this.#frame = requestAnimationFrame((now) => this.draw(now));
+  }
+
+  /** While it can't be seen, nothing is drawn; afterwards what has changed is. */
+  pause(paused) {
+    this.#paused = paused;
+    if (!paused) this.request();
   }
 
   /** Draws what has changed, now. */

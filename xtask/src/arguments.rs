@@ -27,6 +27,8 @@ pub(crate) struct DemoOptions {
     pub(crate) port: Option<u16>,
     /// The size of the lit picture; none leaves it to the page.
     pub(crate) size: Option<Size>,
+    /// What stands after the # of the address: `compare`, or with settings `compare?half=0.1`.
+    pub(crate) view: Option<String>,
     /// Run the page once in a browser instead of serving for ever.
     pub(crate) check: bool,
     /// Where to write a picture of the page.
@@ -91,6 +93,7 @@ impl Request {
             match word {
                 Long("port") => options.port = Some(words.value()?.parse()?),
                 Long("size") => options.size = Some(words.value()?.parse()?),
+                Long("view") => options.view = Some(words.value()?.string()?),
                 Long("check") => options.check = true,
                 Long("screenshot") => options.screenshot = Some(words.value()?.into()),
                 Short('h') | Long("help") => return Ok(Self::Help),
@@ -159,12 +162,19 @@ mod tests {
         let options = DemoOptions {
             port: Some(9000),
             size: Some(Size { width: 320, height: 180 }),
+            view: Some("compare".into()),
             check: true,
             screenshot: Some("page.png".into()),
         };
         let expected = Request::Demo(options);
-        assert_eq!(parse("demo --check --port 9000 --size 320x180 --screenshot page.png").unwrap(), expected);
-        assert_eq!(parse("demo --screenshot=page.png --size=320x180 --port=9000 --check").unwrap(), expected);
+        assert_eq!(
+            parse("demo --check --port 9000 --size 320x180 --view compare --screenshot page.png").unwrap(),
+            expected
+        );
+        assert_eq!(
+            parse("demo --screenshot=page.png --view=compare --size=320x180 --port=9000 --check").unwrap(),
+            expected
+        );
     }
 
     #[test]

@@ -23,7 +23,7 @@ pub(crate) fn run(options: &DemoOptions) -> Result<()> {
     // Before the build, for who comes to a taken port should not wait to hear of it.
     let listener = server::listen(options.port.unwrap_or(if checking { 0 } else { PORT }))?;
     let server = Server::start(listener, &site::build(&progress)?)?;
-    let address = address(&server, options.size);
+    let address = address(&server, options);
     if checking {
         let step = progress.begin("Checking", &address);
         let mut chromium = Chromium::start(&progress)?;
@@ -47,6 +47,7 @@ pub(crate) fn check(chromium: &mut Chromium, address: &str, screenshot: Option<&
     page.must_be_content()?;
     if let Some(file) = screenshot {
         page.settle()?;
+        page.ask("luminaire.comparison?.measured")?;
         fs::write(file, page.screenshot()?).with_context(|| format!("cannot write {}", file.display()))?;
     }
     let number = |name: &str| {
@@ -64,7 +65,8 @@ pub(crate) fn check(chromium: &mut Chromium, address: &str, screenshot: Option<&
     ))
 }
 
-fn address(server: &Server, size: Option<Size>) -> String {
-    let query = size.map(|size| format!("?width={}&height={}", size.width, size.height));
-    server.address() + &query.unwrap_or_default()
+fn address(server: &Server, options: &DemoOptions) -> String {
+    let query = options.size.map(|Size { width, height }| format!("?width={width}&height={height}"));
+    let view = options.view.as_ref().map(|view| format!("#{view}"));
+    server.address() + &query.unwrap_or_default() + &view.unwrap_or_default()
 }

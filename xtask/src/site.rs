@@ -8,7 +8,10 @@ use anyhow::{Context, Result};
 use crate::progress::Progress;
 use crate::{project, shrink, wasm};
 
-/// Builds the demo into `target/demo`: the page from `wasm-demo/web`, and the bindings in `pkg`.
+/// The price list that the page shows beside its pictures.
+const PRICE_LIST: &str = "accuracy-vs-cost.json";
+
+/// Builds the demo into `target/demo`: the page from `wasm-demo/web`, the price list, the bindings in `pkg`.
 pub(crate) fn build(progress: &Progress) -> Result<PathBuf> {
     let module = wasm::compile(progress)?;
     let site = project::target().join("demo");
@@ -17,10 +20,22 @@ pub(crate) fn build(progress: &Progress) -> Result<PathBuf> {
         fs::remove_dir_all(&site).with_context(|| format!("cannot empty {}", site.display()))?;
     }
     copy_folder(&project::root().join("wasm-demo/web"), &site)?;
+    copy_price_list(&project::root().join("docs"), &site)?;
     step.done();
     let bound = wasm::bind(&module, &site.join("pkg"), progress)?;
     shrink::shrink(&bound, progress)?;
     Ok(site)
+}
+
+/// Copies the price list, or writes `null` where none was measured: the page asks for it either way, and a file
+/// that is missing would be an error on its console.
+fn copy_price_list(from: &Path, to: &Path) -> Result<()> {
+    let (list, copy) = (from.join(PRICE_LIST), to.join(PRICE_LIST));
+    if list.exists() {
+        fs::copy(&list, &copy).with_context(|| format!("cannot copy {}", list.display())).map(drop)
+    } else {
+        fs::write(&copy, "null").with_context(|| format!("cannot write {}", copy.display()))
+    }
 }
 
 fn copy_folder(from: &Path, to: &Path) -> Result<()> {
@@ -53,6 +68,22 @@ mod tests {
         copy_folder(&from, &to).unwrap();
         assert_eq!(fs::read_to_string(to.join("index.html")).unwrap(), "page");
         assert_eq!(fs::read_to_string(to.join("data/deep/lamps.csv")).unwrap(), "lamps");
+    }
+
+    #[test]
+    fn the_price_list_is_there_whether_it_was_measured_or_not() {
+        let temporary = tempfile::tempdir().unwrap();
+        let (from, to) = (temporary.path().join("from"), temporary.path().join("to"));
+        for folder in [&from, &to] {
+            fs::create_dir(folder).unwrap();
+        }
+        let copied = || {
+            copy_price_list(&from, &to).unwrap();
+            fs::read_to_string(to.join(PRICE_LIST)).unwrap()
+        };
+        assert_eq!(copied(), "null");
+        fs::write(from.join(PRICE_LIST), r#"{"rows":[]}"#).unwrap();
+        assert_eq!(copied(), r#"{"rows":[]}"#);
     }
 
     #[test]

@@ -32,9 +32,7 @@ impl Page {
         for domain in ["Page", "Runtime", "Network", "Log"] {
             page.devtools.call(&format!("{domain}.enable"), json!({}))?;
         }
-        let (width, height) = WINDOW;
-        let window = json!({ "width": width, "height": height, "deviceScaleFactor": 1, "mobile": false });
-        page.devtools.call("Emulation.setDeviceMetricsOverride", window)?;
+        page.resize(WINDOW.0, WINDOW.1)?;
         for source in [PROBE, script] {
             page.devtools.call("Page.addScriptToEvaluateOnNewDocument", json!({ "source": source }))?;
         }
@@ -43,6 +41,12 @@ impl Page {
             bail!("the browser cannot open {address}: {error}");
         }
         Ok(page)
+    }
+
+    /// Gives the window a size in pixels.
+    pub(crate) fn resize(&mut self, width: u32, height: u32) -> Result<()> {
+        let window = json!({ "width": width, "height": height, "deviceScaleFactor": 1, "mobile": false });
+        self.devtools.call("Emulation.setDeviceMetricsOverride", window).map(drop)
     }
 
     /// Waits until the page has loaded, well or not: `ready` or `failed`.

@@ -65,6 +65,17 @@ window.probe = (() => {
       return largest;
     },
 
+    // The share of pixels that differ visibly in two kept pictures: by over 16 codes in some channel.
+    share(one, other) {
+      const [a, b] = [picture(one), picture(other)];
+      if (a.length !== b.length) raise(`${one} and ${other} differ in size`);
+      let visible = 0;
+      for (let i = 0; i < a.length; i += 4) {
+        if ([0, 1, 2].some((channel) => Math.abs(a[i + channel] - b[i + channel]) > 16)) visible += 1;
+      }
+      return visible / (a.length / 4);
+    },
+
     // The share of pixels brighter than black, and the number of distinct colours.
     survey() {
       const pixels = luminaire.pixels();

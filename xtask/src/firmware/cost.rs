@@ -5,25 +5,32 @@ use std::collections::BTreeMap;
 use anyhow::{Context, Result, bail};
 
 use super::counts::Region;
+use super::cycles::{self, Core};
 use super::laboratory::{Laboratory, Run};
 use super::symbols::{Function, Symbols};
 
 /// A line of the program `cost`: a kernel that was run in a number format over inputs.
 #[derive(Clone, Debug, PartialEq)]
 struct Line {
+    stage: String,
     format: String,
     kernel: String,
-    inputs: String,
     calls: u64,
 }
 
-/// What a kernel costs. Instructions and bytes are less those of the empty loop over the same inputs.
+/// The name of the loop that does nothing, which runs before each kernel over the same inputs.
+const EMPTY: &str = "empty";
+
+/// What a kernel costs. All is less the empty loop over the same inputs.
 #[derive(Clone, Debug)]
 pub(crate) struct Cost {
+    pub(crate) stage: String,
     pub(crate) format: String,
     pub(crate) kernel: String,
     /// The average of a call.
     pub(crate) instructions: f64,
+    /// An estimate of the average of a call, from and to, where there is a table for the processor.
+    pub(crate) cycles: Option<[f64; 2]>,
     /// Of all functions that were called, which are there once however many kernels call them.
     pub(crate) bytes: u64,
     /// The instructions of an average call by function, those of the loop included.
@@ -51,7 +58,7 @@ pub(crate) fn measure(laboratory: &Laboratory, host: &[String]) -> Result<Costs>
     let run = laboratory.run("cost")?;
     compare(&run.lines, host)?;
     let symbols = Symbols::read(&laboratory.program("cost"))?;
-    Ok(Costs { kernels: kernels(&run, &symbols)?, compiler: symbols.compiler })
+    Ok(Costs { kernels: kernels(&run, &symbols, laboratory.board().core)?, compiler: symbols.compiler })
 }
 
 /// An error names the first result that differs.
@@ -65,48 +72,53 @@ fn compare(lines: &[String], host: &[String]) -> Result<()> {
     Ok(())
 }
 
-fn kernels(run: &Run, symbols: &Symbols) -> Result<Vec<Cost>> {
+fn kernels(run: &Run, symbols: &Symbols, core: Option<Core>) -> Result<Vec<Cost>> {
     let mut kernels = Vec::new();
     let mut empty = None;
     for (line, region) in run.lines.iter().zip(&run.regions) {
         let line = Line::parse(line).with_context(|| format!("not a result: {line}"))?;
-        if line.kernel == line.inputs {
-            empty = Some((line.inputs, region));
-            continue;
+        if line.kernel == EMPTY {
+            empty = Some(region);
+        } else {
+            kernels.push(cost(line, region, empty.take().context("no empty loop")?, symbols, core)?);
         }
-        let (_, empty) =
-            empty.as_ref().filter(|(inputs, _)| *inputs == line.inputs).context("no empty loop")?;
-        kernels.push(cost(line, region, empty, symbols));
     }
     Ok(kernels)
 }
 
-fn cost(line: Line, region: &Region, empty: &Region, symbols: &Symbols) -> Cost {
-    let per_call = |instructions: u64| instructions as f64 / line.calls as f64;
+fn cost(line: Line, region: &Region, empty: &Region, symbols: &Symbols, core: Option<Core>) -> Result<Cost> {
+    let per_call = |count: u64| count as f64 / line.calls as f64;
     let bytes = |region| symbols.split(region).keys().map(|function| function.bytes).sum::<u64>();
     let (instructions, empty_loop) = (per_call(region.instructions()), per_call(empty.instructions()));
-    Cost {
+    let cycles = core.map(|core| -> Result<_> {
+        let of_kernel = cycles::estimate(core, symbols, region)?;
+        let of_loop = cycles::estimate(core, symbols, empty)?;
+        Ok([
+            per_call(of_kernel.least) - per_call(of_loop.least),
+            per_call(of_kernel.most) - per_call(of_loop.most),
+        ])
+    });
+    let split = symbols.split(region).into_iter().map(|(function, count)| (function, per_call(count)));
+    Ok(Cost {
         instructions: instructions - empty_loop,
+        cycles: cycles.transpose()?,
         bytes: bytes(region).saturating_sub(bytes(empty)),
-        split: symbols
-            .split(region)
-            .into_iter()
-            .map(|(function, count)| (function, per_call(count)))
-            .collect(),
+        split: split.collect(),
         empty: empty_loop,
+        stage: line.stage,
         format: line.format,
         kernel: line.kernel,
-    }
+    })
 }
 
 impl Line {
-    /// Reads `fx16 soft versines 256 9e19f69e`, the last word being the checksum.
+    /// Reads `falloff fx16 soft 256 9e19f69e`, the last word being the checksum.
     fn parse(line: &str) -> Option<Self> {
         let mut words = line.split(' ').map(str::to_owned);
-        let (format, kernel, inputs) = (words.next()?, words.next()?, words.next()?);
+        let (stage, format, kernel) = (words.next()?, words.next()?, words.next()?);
         let calls = words.next()?.parse().ok().filter(|calls| *calls > 0)?;
         words.next()?;
-        words.next().is_none().then_some(Self { format, kernel, inputs, calls })
+        words.next().is_none().then_some(Self { stage, format, kernel, calls })
     }
 }
 
@@ -120,9 +132,9 @@ mod tests {
 
     #[test]
     fn a_result_has_five_words() {
-        let line = Line::parse("fx16 soft versines 256 9e19f69e").unwrap();
+        let line = Line::parse("falloff fx16 soft 256 9e19f69e").unwrap();
         assert_eq!((line.format.as_str(), line.kernel.as_str(), line.calls), ("fx16", "soft", 256));
-        for broken in ["", "fx16 soft versines 256", "fx16 soft versines 0 9e19f69e", "a b c 1 d e"] {
+        for broken in ["", "falloff fx16 soft 256", "falloff fx16 soft 0 9e19f69e", "a b c 1 d e"] {
             assert_eq!(Line::parse(broken), None, "{broken}");
         }
     }

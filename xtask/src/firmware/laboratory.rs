@@ -44,6 +44,11 @@ impl Laboratory {
         Ok(Self { board, emulator, counter, programs: toolchain.artifacts("release") })
     }
 
+    /// The board.
+    pub(crate) fn board(&self) -> &'static Board {
+        self.board
+    }
+
     /// The file of a firmware program.
     pub(crate) fn program(&self, name: &str) -> PathBuf {
         self.programs.join(name)

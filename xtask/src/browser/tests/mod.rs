@@ -2,6 +2,7 @@
 
 mod angles;
 mod camera;
+mod comparison;
 mod failure;
 mod fixtures;
 mod formats;
@@ -27,14 +28,17 @@ pub(crate) struct Visitor {
 /// A test's name and what it does.
 pub(crate) type Test = (&'static str, fn(&mut Visitor) -> Result<()>);
 
-pub(crate) const ALL: [Test; 18] = [
+pub(crate) const ALL: [Test; 31] = [
     ("the page becomes ready without a complaint", picture::becomes_ready),
-    ("the picture is lit, in several colours", picture::is_lit),
+    ("the picture is lit by its lights, in several colours", picture::is_lit),
+    ("a picture that the canvas refused is shown with the next draw", picture::is_shown_again),
     ("the picture has the size that the address asks for", picture::has_the_asked_size),
     ("the field slider changes the picture and leads the beam angle", angles::field_leads_beam),
     ("the beam slider changes the picture and leads the field angle", angles::beam_leads_field),
     ("a hard edge looks different from a soft one", angles::edge_changes_picture),
     ("a refused field angle is told and leaves the picture alone", refusal::is_told_and_harmless),
+    ("bad intensities, zooms and colours are told and leave the picture alone", refusal::are_all_told),
+    ("a curve of too few or too many samples is refused", refusal::of_curves),
     ("every fixture can be chosen", fixtures::can_be_chosen),
     ("the intensity of a light is seen", fixtures::intensity_is_seen),
     ("the colour of a light is seen", fixtures::colour_is_seen),
@@ -43,6 +47,16 @@ pub(crate) const ALL: [Test; 18] = [
     ("dragging moves the camera", camera::is_dragged),
     ("the wheel moves the camera", camera::is_wheeled),
     ("the arrow keys move the camera", camera::is_moved_by_keys),
+    ("a narrow beam parts the cosine form from the versine form", comparison::narrow_beam_parts_the_forms),
+    ("every form answers every angle", comparison::every_form_answers_every_angle),
+    ("the divider follows the mouse and the keys", comparison::divider_moves),
+    ("a refused cone is told in words, with a remedy", comparison::refusal_is_told_with_a_remedy),
+    ("bad values leave the comparison alone", comparison::bad_values_are_harmless),
+    ("the scale of the errors is chosen", comparison::scale_is_chosen),
+    ("the comparison is reached by its link", comparison::is_reached_by_its_link),
+    ("the pictures of the comparison are timed", comparison::times_are_measured),
+    ("prices stand beside the errors", comparison::prices_stand_beside_the_errors),
+    ("both views fit screens from 390 to 1440 pixels", comparison::fits_every_screen),
     ("a browser without simd is told so", failure::without_simd),
     ("a browser that refuses the canvas is told so", failure::without_canvas),
     ("the page asks nobody but its own server", network::stays_at_home),
@@ -62,7 +76,12 @@ impl Visitor {
 
     /// Opens the page with an address's query, such as `?width=320`, and waits until it is ready.
     fn ready_at(&mut self, query: &str) -> Result<Page> {
-        let mut page = self.chromium.open(&format!("{}{query}", self.address), "")?;
+        self.ready_with(query, "")
+    }
+
+    /// The same in a browser that `script` has changed.
+    fn ready_with(&mut self, query: &str, script: &str) -> Result<Page> {
+        let mut page = self.chromium.open(&format!("{}{query}", self.address), script)?;
         page.ready()?;
         page.settle()?;
         Ok(page)

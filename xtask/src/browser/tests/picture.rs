@@ -1,6 +1,6 @@
 //! The first picture.
 
-use anyhow::{Result, ensure};
+use anyhow::{Context, Result, ensure};
 
 use super::Visitor;
 
@@ -11,11 +11,49 @@ pub(super) fn becomes_ready(visitor: &mut Visitor) -> Result<()> {
     page.must_be_content()
 }
 
+/// The difference to the picture with every light switched off is what the lights do; the rest is ambient.
 pub(super) fn is_lit(visitor: &mut Visitor) -> Result<()> {
     let mut page = visitor.ready()?;
-    let (lit, colours) = (page.lit_share()?, page.number("probe.survey().colours")?);
-    ensure!(lit > 0.05, "a share of only {lit} of the pixels is lit");
+    let colours = page.number("probe.survey().colours")?;
     ensure!(colours > 16.0, "the picture has only {colours} colours");
+    page.keep("lit")?;
+    for light in 0..3 {
+        page.ask(&format!("document.getElementById('light-{light}-on').click()"))?;
+    }
+    page.settle()?;
+    page.keep("unlit")?;
+    let (brightest, share) = (page.difference("lit", "unlit")?, page.number("probe.share('lit', 'unlit')")?);
+    ensure!(brightest > 128.0, "the lights add at most {brightest} codes");
+    ensure!(share > 0.2, "the lights reach a share of only {share} of the pixels");
+    page.must_be_content()
+}
+
+/// The canvas refuses once. The next draw must not find that nothing has changed since.
+pub(super) fn is_shown_again(visitor: &mut Visitor) -> Result<()> {
+    let mut page = visitor.ready()?;
+    let refused = page.holds(
+        "(async () => {
+            const canvas = CanvasRenderingContext2D.prototype, put = canvas.putImageData;
+            canvas.putImageData = () => { throw new Error('out of memory'); };
+            try {
+                await luminaire.measure(1);
+                return false;
+            } catch (error) {
+                return String(error).includes('out of memory');
+            } finally {
+                canvas.putImageData = put;
+            }
+        })()",
+    )?;
+    ensure!(refused, "a canvas that refuses is not told");
+    // On and off again before the next frame: a reason to draw, and nothing new to see.
+    let drawn = page.number("luminaire.drawn")?;
+    page.ask("{ const s = document.getElementById('sweep'); s.click(); s.click(); }")?;
+    page.ask(&format!("probe.redrawn({drawn})")).context("the refused picture is not shown again")?;
+    let drawn = page.number("luminaire.drawn")?;
+    page.ask("{ const s = document.getElementById('sweep'); s.click(); s.click(); }")?;
+    page.settle()?;
+    ensure!(page.number("luminaire.drawn")? == drawn, "a picture that was shown is shown again");
     page.must_be_content()
 }
 

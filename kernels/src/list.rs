@@ -1,0 +1,267 @@
+//! The list: every row, once.
+
+use luminaire::{
+    Angle, Attenuation, Cone, CutOff, Fx16, Fx32, Hard, Linear, Power, Rim, Smooth, Soft, Spot, Unattenuated,
+};
+
+use crate::{
+    cosine::{CosineFalloff, CosinePoint, cosine},
+    double::{DoubleFalloff, DoublePoint},
+    fast::FastPoint,
+    kernel::{Row, Visitor},
+    oracle::{self, Model},
+    ours::{Highlit, OurFalloff, OurPoint},
+    profile::{self, Shape},
+    rival,
+    scene::{AXIS, EYE, POSITION, Population},
+    value::Format,
+};
+
+/// The cone that kernels are set up for.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Setting {
+    outer: Angle,
+}
+
+impl Setting {
+    /// A soft edge's field angle of 36 degrees: wide enough that no format comes near its limits. Costs are counted here.
+    pub fn standard() -> Self {
+        Self::ending_at(cone(Cone::from_field(Soft, Angle::degrees(36.0))).outer())
+    }
+
+    /// The cone that ends at this angle, of more than 0 and at most 180 degrees.
+    pub fn ending_at(outer: impl Into<Angle>) -> Self {
+        Self { outer: outer.into() }
+    }
+
+    /// Where the cone ends.
+    pub fn outer(self) -> Angle {
+        self.outer
+    }
+
+    /// The versine of half the angle where the cone ends, as compiled cones have it.
+    pub fn outer_versine(self) -> f32 {
+        self.cone(Soft).outer_versine()
+    }
+
+    fn cone<P: Shape>(self, profile: P) -> Cone<P> {
+        cone(Cone::from_outer(profile, self.outer))
+    }
+
+    /// The exponent with which the power of a cosine has the field angle of the soft cone.
+    fn exponent(self) -> f32 {
+        let field = self.cone(Soft).field().versine();
+        -core::f32::consts::LN_10 / libm::log1pf(-field)
+    }
+
+    fn truth(self, model: Model, jumps: bool) -> oracle::Falloff {
+        oracle::Falloff { outer: self.outer_versine().into(), model, jumps }
+    }
+}
+
+fn cone<P>(made: Result<Cone<P>, luminaire::Error>) -> Cone<P> {
+    made.expect("an angle of more than 0 and at most 180 degrees")
+}
+
+/// Every kernel from the angle off axis to an intensity.
+pub fn falloffs(setting: Setting, visitor: &mut impl Visitor) {
+    shape(setting, Soft, visitor);
+    shape(setting, Hard, visitor);
+    shape(setting, Linear, visitor);
+    shape(setting, Smooth, visitor);
+    shape(setting, CutOff, visitor);
+    shape(setting, profile::blend(), visitor);
+    shape(setting, profile::cubic(), visitor);
+    shape(setting, Power::<4>, visitor);
+    shape(setting, Power::<16>, visitor);
+    shape(setting, Rim::<4>, visitor);
+    shape(setting, profile::table(), visitor);
+    rivals(setting, visitor);
+}
+
+/// A profile in every format.
+fn shape<P: Shape>(setting: Setting, profile: P, visitor: &mut impl Visitor) {
+    let cone = setting.cone(profile);
+    let truth = setting.truth(Model::Profile(P::EXACT), P::JUMPS);
+    ours::<Fx16, P>(&cone, &truth, visitor);
+    ours::<Fx32, P>(&cone, &truth, visitor);
+    ours::<f32, P>(&cone, &truth, visitor);
+    if let Ok(falloff) = cone.compile() {
+        visitor.falloff(Row::falloff(P::NAME, "f32-cosine"), CosineFalloff::new(falloff), &truth);
+    }
+    let double = DoubleFalloff::<P>::new(setting.outer_versine());
+    visitor.falloff(Row::falloff(P::NAME, "f64"), double, &truth);
+}
+
+fn ours<S: Format, P: Shape>(cone: &Cone<P>, truth: &oracle::Falloff, visitor: &mut impl Visitor) {
+    let row = Row::falloff(P::NAME, S::NAME);
+    match cone.compile::<S>() {
+        Ok(falloff) => visitor.falloff(row, OurFalloff::new(falloff, cone.outer_versine()), truth),
+        Err(_) => visitor.refused(row, Cone::narrowest::<S>(cone.profile()).to_degrees() / 2.0),
+    }
+}
+
+/// What others do, at the same angles: where the model has no outer angle, with the same field angle.
+fn rivals(setting: Setting, visitor: &mut impl Visitor) {
+    let row = |kernel| Row::falloff(kernel, "rival");
+    let (exponent, outer) = (setting.exponent(), cosine(setting.outer_versine()));
+    let power = setting.truth(Model::CosinePower(exponent.into()), false);
+    let soft = setting.truth(Model::Profile(Soft::EXACT), false);
+    let smooth = setting.truth(Model::Profile(Smooth::EXACT), false);
+    visitor.falloff(row("powf-libm"), rival::Powf::<rival::Libm>::new(exponent), &power);
+    #[cfg(feature = "std")]
+    visitor.falloff(row("powf-std"), rival::Powf::<rival::Std>::new(exponent), &power);
+    visitor.falloff(row("powf-micromath"), rival::Powf::<rival::Micromath>::new(exponent), &power);
+    visitor.falloff(row("table-256"), rival::CosineTable::new(exponent), &power);
+    visitor.falloff(row("schlick"), rival::Schlick::new(exponent), &power);
+    visitor.falloff(row("smoothstep"), rival::Smoothstep::new(outer), &smooth);
+    visitor.falloff(row("gltf"), rival::Gltf::new(outer), &soft);
+    let cosine = setting.truth(Model::CosinePower(1.0), false);
+    visitor.falloff(row("clamp"), rival::Clamp, &cosine);
+}
+
+/// Every kernel from a place and a normal to the light that arrives, rejects included.
+pub fn points(setting: Setting, visitor: &mut impl Visitor) {
+    format::<Fx16>(setting, visitor);
+    format::<Fx32>(setting, visitor);
+    format::<f32>(setting, visitor);
+    let outer = setting.outer_versine();
+    for (kernel, population) in REJECTS.into_iter().chain([("lit", Population::Lit)]) {
+        let truth = light(setting, population, 1.0, false);
+        visitor.point(Row::lit(kernel, "f32-cosine"), CosinePoint::new(outer), &truth);
+        visitor.point(Row::lit(kernel, "f32-fast"), FastPoint::new(outer), &truth);
+        visitor.point(Row::lit(kernel, "f64"), DoublePoint::new(outer), &truth);
+    }
+}
+
+const REJECTS: [(&str, Population); 2] = [("away", Population::Away), ("outside", Population::Outside)];
+
+/// How bright the light with an inverse square is: full scale at a distance of 4.
+const INTENSITY: f32 = 16.0;
+
+fn format<S: Format>(setting: Setting, visitor: &mut impl Visitor) {
+    let near = light(setting, Population::Lit, 1.0, false);
+    let far = light(setting, Population::Lit, INTENSITY, true);
+    let highlight = oracle::Highlight {
+        eye: oracle::widened(EYE),
+        diffuse: Highlit::<S>::DIFFUSE.into(),
+        specular: Highlit::<S>::SPECULAR.into(),
+        shininess: Highlit::<S>::SHININESS.into(),
+    };
+    let bright = oracle::Point { highlight: Some(highlight), ..far };
+    let refused = Cone::narrowest::<S>(Soft).to_degrees() / 2.0;
+    let spot = spot(setting).with_attenuation(Unattenuated);
+    let falling = self::spot(setting).with_intensity(INTENSITY).expect("a sound intensity");
+    let Ok(highlit) = Highlit::<S>::new(&falling) else {
+        for kernel in ["away", "outside", "lit", "lit-inverse-square", "lit-specular"] {
+            visitor.refused(Row::lit(kernel, S::NAME), refused);
+        }
+        return;
+    };
+    for (kernel, population) in REJECTS {
+        point::<S, _>(kernel, &spot, &light(setting, population, 1.0, false), visitor);
+    }
+    point::<S, _>("lit", &spot, &near, visitor);
+    point::<S, _>("lit-inverse-square", &falling, &far, visitor);
+    visitor.point(Row::lit("lit-specular", S::NAME), highlit, &bright);
+}
+
+fn spot(setting: Setting) -> Spot<Soft> {
+    Spot::new(POSITION, AXIS, setting.cone(Soft)).expect("a sound place and axis")
+}
+
+fn light(setting: Setting, population: Population, intensity: f32, falls: bool) -> oracle::Point {
+    oracle::Point {
+        position: oracle::widened(POSITION),
+        axis: oracle::widened(AXIS),
+        falloff: setting.truth(Model::Profile(Soft::EXACT), false),
+        intensity: intensity.into(),
+        falls,
+        highlight: None,
+        population,
+    }
+}
+
+fn point<S: Format, A: Attenuation>(
+    kernel: &'static str,
+    spot: &Spot<Soft, A>,
+    truth: &oracle::Point,
+    visitor: &mut impl Visitor,
+) {
+    if let Ok(light) = spot.compile::<S>() {
+        visitor.point(Row::lit(kernel, S::NAME), OurPoint::new(light), truth);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    extern crate std;
+    use std::collections::HashSet;
+    use std::vec::Vec;
+
+    use super::*;
+    use crate::kernel::Kernel;
+    use crate::scene::{Site, Sites};
+    use crate::value::Value;
+
+    /// Collects the names, and compares every kernel with the truth about it, coarsely.
+    #[derive(Default)]
+    struct Census {
+        rows: Vec<Row>,
+        refused: Vec<Row>,
+        worst: f64,
+        outer: f32,
+    }
+
+    impl Visitor for Census {
+        fn falloff<K: Kernel<Place = f32>>(&mut self, row: Row, kernel: K, truth: &oracle::Falloff) {
+            self.rows.push(row);
+            for i in 0..100 {
+                let versine = self.outer * (i as f32 + 0.5) / 100.0;
+                let error = kernel.evaluate(&kernel.input(&versine)).exact() - truth.at(versine.into());
+                self.worst = self.worst.max(if row.format == "rival" { 0.0 } else { error.abs() });
+            }
+        }
+
+        fn point<K: Kernel<Place = Site>>(&mut self, row: Row, kernel: K, truth: &oracle::Point) {
+            self.rows.push(row);
+            for site in Sites::new(truth.population, self.outer).take(256) {
+                let (light, exact) = (kernel.evaluate(&kernel.input(&site)).exact(), truth.at(&site));
+                if truth.population == Population::Lit {
+                    assert!(exact > 0.0, "{row:?} has a site that is dark");
+                    let error = (light - exact).abs() / exact.max(1.0);
+                    self.worst = self.worst.max(if row.format == "f32-fast" { 0.0 } else { error });
+                } else {
+                    assert_eq!((light, exact), (0.0, 0.0), "{row:?} has a site that is lit");
+                }
+            }
+        }
+
+        fn refused(&mut self, row: Row, _: f32) {
+            self.refused.push(row);
+        }
+    }
+
+    fn census(setting: Setting) -> Census {
+        let mut census = Census { outer: setting.outer_versine(), ..Census::default() };
+        falloffs(setting, &mut census);
+        points(setting, &mut census);
+        census
+    }
+
+    #[test]
+    fn every_kernel_stands_beside_its_own_truth_and_no_name_twice() {
+        let census = census(Setting::standard());
+        assert!(census.worst < 1e-3, "off by {}", census.worst);
+        let names: HashSet<_> = census.rows.iter().map(|row| (row.kernel, row.format)).collect();
+        assert_eq!((names.len(), census.refused.len()), (census.rows.len(), 0));
+        assert!(census.rows.iter().all(|row| !row.kernel.contains(' ')));
+    }
+
+    #[test]
+    fn what_a_format_cannot_hold_is_told() {
+        let census = census(Setting::ending_at(Angle::degrees(2.0)));
+        let refused = |kernel| census.refused.iter().any(|row| (row.kernel, row.format) == (kernel, "fx16"));
+        assert!(refused("hard") && !refused("soft"));
+    }
+}

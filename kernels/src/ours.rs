@@ -1,0 +1,157 @@
+//! The crate `luminaire`, as it is.
+
+use luminaire::{
+    Attenuation, CompiledSpot, Falloff, Light, Phong, Scalar, Soft, Specular, Spot, Surface, Vec3,
+};
+
+use crate::{
+    kernel::Kernel,
+    profile::Shape,
+    scene::{EYE, Site},
+    value::Format,
+};
+
+/// A compiled cone.
+#[derive(Clone, Copy, Debug)]
+pub struct OurFalloff<S: Scalar, P: Shape> {
+    falloff: Falloff<S, P>,
+    outer: f32,
+}
+
+impl<S: Scalar, P: Shape> OurFalloff<S, P> {
+    /// The falloff of a cone that ends at this versine.
+    pub fn new(falloff: Falloff<S, P>, outer: f32) -> Self {
+        Self { falloff, outer }
+    }
+}
+
+impl<S: Format, P: Shape> Kernel for OurFalloff<S, P> {
+    type Place = f32;
+    type Input = S::Versine;
+    type Output = S;
+
+    fn input(&self, versine: &f32) -> S::Versine {
+        self.falloff.versine(*versine)
+    }
+
+    #[inline(always)]
+    fn evaluate(&self, versine: &S::Versine) -> S {
+        self.falloff.at(*versine)
+    }
+
+    #[inline(always)]
+    fn touch(versine: &S::Versine) -> u32 {
+        S::versine_bits(*versine)
+    }
+
+    fn bounds(&self, visit: &mut dyn FnMut(S::Versine, f64)) -> bool {
+        S::bounds(self.outer, visit);
+        S::COUNTABLE
+    }
+}
+
+/// A site in the types of a format.
+#[derive(Clone, Copy, Debug)]
+pub struct Stored<S: Scalar> {
+    point: Vec3<S::Length>,
+    normal: Vec3<S>,
+}
+
+impl<S: Format> Stored<S> {
+    fn new(site: &Site) -> Self {
+        Self { point: site.point.map(S::length), normal: site.normal.map(S::from_f32) }
+    }
+
+    #[inline(always)]
+    fn touch(&self) -> u32 {
+        S::length_bits(self.point.x)
+    }
+}
+
+/// A spotlight with a soft edge, and Lambert's cosine.
+#[derive(Clone, Copy, Debug)]
+pub struct OurPoint<S: Scalar, A: Attenuation> {
+    light: CompiledSpot<S, Soft, A>,
+}
+
+impl<S: Scalar, A: Attenuation> OurPoint<S, A> {
+    /// The points that this light lights.
+    pub fn new(light: CompiledSpot<S, Soft, A>) -> Self {
+        Self { light }
+    }
+}
+
+impl<S: Format, A: Attenuation> Kernel for OurPoint<S, A> {
+    type Place = Site;
+    type Input = Stored<S>;
+    type Output = S::Irradiance;
+
+    fn input(&self, site: &Site) -> Stored<S> {
+        Stored::new(site)
+    }
+
+    #[inline(always)]
+    fn evaluate(&self, site: &Stored<S>) -> S::Irradiance {
+        self.light.irradiance(site.point, site.normal)
+    }
+
+    #[inline(always)]
+    fn touch(site: &Stored<S>) -> u32 {
+        site.touch()
+    }
+}
+
+/// The same with Phong's highlight, in one channel: the direction to the eye, two lobes and their colours.
+#[derive(Clone, Copy, Debug)]
+pub struct Highlit<S: Scalar> {
+    light: CompiledSpot<S, Soft>,
+    highlight: <Phong as Specular>::Constants<S>,
+    eye: Vec3<S::Length>,
+    diffuse: S,
+    specular: S,
+}
+
+impl<S: Format> Highlit<S> {
+    /// The diffuse reflectance: the same number in every format.
+    pub const DIFFUSE: f32 = 0.625;
+    /// The specular reflectance: the same number in every format.
+    pub const SPECULAR: f32 = 0.375;
+    /// The exponent.
+    pub const SHININESS: u32 = 32;
+
+    /// The points that this light lights, seen from the eye of the scene.
+    ///
+    /// # Errors
+    /// A cone that the format cannot hold.
+    pub fn new(spot: &Spot<Soft>) -> Result<Self, luminaire::Error> {
+        Ok(Self {
+            light: spot.compile()?,
+            highlight: Phong::constants::<S>(Self::SHININESS),
+            eye: EYE.map(S::length),
+            diffuse: S::from_f32(Self::DIFFUSE),
+            specular: S::from_f32(Self::SPECULAR),
+        })
+    }
+}
+
+impl<S: Format> Kernel for Highlit<S> {
+    type Place = Site;
+    type Input = Stored<S>;
+    type Output = S::Irradiance;
+
+    fn input(&self, site: &Site) -> Stored<S> {
+        Stored::new(site)
+    }
+
+    #[inline(always)]
+    fn evaluate(&self, site: &Stored<S>) -> S::Irradiance {
+        let surface = Surface::seen_from(self.eye, site.point, site.normal);
+        let arrival = self.light.arrive::<Phong>(&surface, &self.highlight, true);
+        S::add_light(S::filter(arrival.diffuse, self.diffuse), S::filter(arrival.specular, self.specular))
+    }
+
+    #[inline(always)]
+    fn touch(site: &Stored<S>) -> u32 {
+        site.touch()
+    }
+}

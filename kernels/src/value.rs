@@ -1,0 +1,134 @@
+//! Results, as bits and as exact numbers.
+
+use fixed::types::{U18F14, U34F30};
+use luminaire::{Fx16, Fx32, Scalar};
+
+/// A result of a kernel.
+pub trait Value: Copy {
+    /// The unit in the last place of one.
+    const STEP: f64;
+    /// What it stands for, exactly.
+    fn exact(self) -> f64;
+    /// 32 bits that tell it from its neighbours, of which checksums are made.
+    fn bits(self) -> u32;
+}
+
+/// A number format of the crate `luminaire`, whose results can be read.
+pub trait Format: Scalar<Irradiance: Value> + Value {
+    /// A word of a versine.
+    fn versine_bits(versine: Self::Versine) -> u32;
+
+    /// A word of a length.
+    fn length_bits(length: Self::Length) -> u32;
+
+    /// Whether [`bounds`](Self::bounds) visits inputs.
+    const COUNTABLE: bool = false;
+
+    /// Visits both ends of every interval of versines in which a ramp to an outer versine is level, with what they
+    /// stand for. A falloff is constant there and the truth is monotone, so no error is larger than at one of them.
+    fn bounds(_outer: f32, _visit: &mut dyn FnMut(Self::Versine, f64)) {}
+}
+
+impl Value for f32 {
+    const STEP: f64 = f32::EPSILON as f64;
+
+    fn exact(self) -> f64 {
+        self.into()
+    }
+
+    #[inline(always)]
+    fn bits(self) -> u32 {
+        self.to_bits()
+    }
+}
+
+impl Value for f64 {
+    const STEP: f64 = Self::EPSILON;
+
+    fn exact(self) -> f64 {
+        self
+    }
+
+    #[inline(always)]
+    fn bits(self) -> u32 {
+        (self.to_bits() >> 32) as u32 ^ self.to_bits() as u32
+    }
+}
+
+macro_rules! fixed_value {
+    ($type:ty, $step:literal, $fold:expr) => {
+        impl Value for $type {
+            const STEP: f64 = $step;
+
+            fn exact(self) -> f64 {
+                self.to_num()
+            }
+
+            #[inline(always)]
+            fn bits(self) -> u32 {
+                $fold(self.to_bits())
+            }
+        }
+    };
+}
+
+fixed_value!(Fx16, 6.103_515_625e-5, |bits| i32::from(bits).cast_unsigned());
+fixed_value!(U18F14, 6.103_515_625e-5, |bits: u32| bits);
+fixed_value!(Fx32, 9.313_225_746_154_785e-10, i32::cast_unsigned);
+fixed_value!(U34F30, 9.313_225_746_154_785e-10, |bits: u64| (bits >> 32) as u32 ^ bits as u32);
+
+/// What a loop loads that does nothing: one word, whatever the width.
+macro_rules! words {
+    (|$value:ident| $versine:expr, $length:expr) => {
+        #[inline(always)]
+        fn versine_bits($value: Self::Versine) -> u32 {
+            $versine
+        }
+
+        #[inline(always)]
+        fn length_bits($value: Self::Length) -> u32 {
+            $length
+        }
+    };
+}
+
+impl Format for f32 {
+    words!(|value| value.to_bits(), value.to_bits());
+}
+
+impl Format for Fx32 {
+    words!(|value| value.to_bits() as u32, value.to_bits().cast_unsigned());
+}
+
+impl Format for Fx16 {
+    words!(|value| value.to_bits(), value.to_bits().cast_unsigned());
+
+    const COUNTABLE: bool = true;
+
+    fn bounds(outer: f32, visit: &mut dyn FnMut(Self::Versine, f64)) {
+        let ramp = Self::ramp(0.0, outer, outer);
+        // Versines are magnified by a power of four that depends on the cone; of this one nothing is lost.
+        let known = 1.0 / 1_073_741_824.0;
+        let unit = f64::from(known) / f64::from(Self::versine(ramp, known).to_bits());
+        let versine = Self::Versine::from_bits;
+        let rise = |bits| Self::rise(ramp, versine(bits));
+        let edge = Self::versine(ramp, outer).to_bits();
+        let mut first = 0;
+        while first < edge {
+            // The last versine of the level that begins here, by bisection: a ramp is monotone.
+            let (mut last, mut beyond) = (first, edge);
+            while beyond - last > 1 {
+                let middle = last + (beyond - last) / 2;
+                if rise(middle) == rise(first) {
+                    last = middle;
+                } else {
+                    beyond = middle;
+                }
+            }
+            for bits in [first, last] {
+                visit(versine(bits), f64::from(bits) * unit);
+            }
+            first = last + 1;
+        }
+    }
+}

@@ -1,0 +1,225 @@
+//! The class that the page holds for the comparison: one wall, lit in two forms side by side.
+
+use crate::{
+    canvas::Canvas,
+    clock::Clock,
+    difference::Truth,
+    false_colour::{ENDS, Palette, Scale},
+    form::{Curve, Form},
+    panic,
+    refusal::Refusal,
+    side::{FormState, Side, SideState},
+    wall::{NARROWEST, WIDEST, Wall},
+};
+use wasm_bindgen::{Clamped, prelude::*};
+use web_sys::HtmlCanvasElement;
+
+/// The forms that the page starts with, and the outer half angle in degrees at which they part.
+const FIRST: ([Form; 2], f32) = ([Form::Cosine, Form::F32], 0.1);
+
+/// The largest picture, in pixels a side: a few times what a screen has room for.
+const LARGEST: u32 = 2048;
+
+/// Two forms of one picture, each beside what f64 makes of it. Every method that sets something takes it, or
+/// throws a string that names the parameter, its value and the remedy, and leaves everything as it was.
+#[wasm_bindgen]
+#[derive(Debug)]
+pub struct Comparison {
+    wall: Wall,
+    sides: [Side; 2],
+    palette: Palette,
+    /// The scale that was chosen; nothing where it follows the errors.
+    chosen: Option<Scale>,
+    /// A picture and its errors for each side.
+    canvases: [[Canvas; 2]; 2],
+    pixels: Vec<u8>,
+    clock: Clock,
+}
+
+#[wasm_bindgen]
+impl Comparison {
+    /// The comparison as it opens, in squares of so many pixels a side: the picture and the errors of the left
+    /// form, and those of the right one. Nothing is shown yet.
+    #[wasm_bindgen(constructor)]
+    pub fn new(
+        left: &HtmlCanvasElement,
+        left_errors: &HtmlCanvasElement,
+        right: &HtmlCanvasElement,
+        right_errors: &HtmlCanvasElement,
+        size: u32,
+    ) -> Result<Self, JsValue> {
+        panic::tell_the_page();
+        Ok(Self::open([[left, left_errors], [right, right_errors]], size)?)
+    }
+
+    /// Shows both pictures and their errors.
+    pub fn draw(&mut self) -> Result<(), JsValue> {
+        let scale = self.scale_in_force();
+        for (side, [picture, errors]) in self.sides.iter().zip(&self.canvases) {
+            if side.show(&mut self.pixels) {
+                picture.show(&self.pixels)?;
+            }
+            if side.show_difference(&self.palette, scale, &mut self.pixels) {
+                errors.show(&self.pixels)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// The outer half angle in degrees.
+    #[wasm_bindgen(getter, js_name = halfAngle)]
+    pub fn half_angle(&self) -> f32 {
+        self.wall.half_angle()
+    }
+
+    /// Gives the beam this outer half angle in degrees; the wall moves away so that the spot stays as large.
+    #[wasm_bindgen(js_name = setHalfAngle)]
+    pub fn set_half_angle(&mut self, degrees: f32) -> Result<(), JsValue> {
+        self.wall.set_half_angle(degrees)?;
+        self.sides = light(self.sides.each_ref().map(Side::form), &self.wall);
+        Ok(())
+    }
+
+    /// The narrowest outer half angle in degrees that there is a wall for.
+    pub fn narrowest() -> f32 {
+        NARROWEST
+    }
+
+    /// The widest outer half angle in degrees that there is a wall for.
+    pub fn widest() -> f32 {
+        WIDEST
+    }
+
+    /// The full beam angle in degrees.
+    #[wasm_bindgen(getter)]
+    pub fn beam(&self) -> f32 {
+        self.wall.spot().cone().beam().to_degrees()
+    }
+
+    /// The full field angle in degrees.
+    #[wasm_bindgen(getter)]
+    pub fn field(&self) -> f32 {
+        self.wall.spot().cone().field().to_degrees()
+    }
+
+    /// From the light to the wall, in metres.
+    #[wasm_bindgen(getter)]
+    pub fn distance(&self) -> f64 {
+        self.wall.distance()
+    }
+
+    /// Gives the left side, 0, or the right side, 1, another form.
+    #[wasm_bindgen(js_name = setForm)]
+    pub fn set_form(&mut self, side: usize, name: &str) -> Result<(), JsValue> {
+        let form = Form::named(name)?;
+        let mut forms = self.sides.each_ref().map(Side::form);
+        *forms.get_mut(side).ok_or(no_side(side))? = form;
+        self.sides = light(forms, &self.wall);
+        Ok(())
+    }
+
+    /// What there is to know of a side.
+    pub fn side(&self, side: usize) -> Result<SideState, JsValue> {
+        Ok(self.sides.get(side).ok_or(no_side(side))?.state())
+    }
+
+    /// Lights the picture of a side once more; how long that took, in milliseconds, or nothing where the form
+    /// was refused.
+    pub fn time(&mut self, side: usize) -> Result<Option<f64>, JsValue> {
+        let side = self.sides.get_mut(side).ok_or(no_side(side))?;
+        let (milliseconds, lit) = self.clock.time(|| side.light());
+        Ok(lit.map(|()| milliseconds))
+    }
+
+    /// Where the scale of the errors ends, in displayed codes.
+    #[wasm_bindgen(getter)]
+    pub fn scale(&self) -> f64 {
+        self.scale_in_force().end()
+    }
+
+    /// How many times the scale magnifies the errors.
+    #[wasm_bindgen(getter)]
+    pub fn gain(&self) -> f64 {
+        self.scale_in_force().gain()
+    }
+
+    /// Lets the scale end at so many displayed codes, one of `scales`; with nothing it follows the larger of the
+    /// two largest errors.
+    #[wasm_bindgen(js_name = setScale)]
+    pub fn set_scale(&mut self, codes: Option<f64>) -> Result<(), JsValue> {
+        let chosen = codes.map(|codes| {
+            Scale::ending_at(codes).ok_or_else(|| Refusal::Name {
+                parameter: "end of the scale",
+                value: codes.to_string(),
+                remedy: "give 1, 2 or 5 of a power of ten from 0.001 to 100 codes, or 255",
+            })
+        });
+        self.chosen = chosen.transpose()?;
+        Ok(())
+    }
+
+    /// Where the scale may end, in displayed codes.
+    pub fn scales() -> Vec<f64> {
+        ENDS.to_vec()
+    }
+
+    /// The colours of the scale from no error to its end: red, green, blue of each.
+    pub fn palette(&self) -> Clamped<Vec<u8>> {
+        Clamped(self.palette.colours().concat())
+    }
+
+    /// The forms to choose from.
+    pub fn forms() -> Vec<FormState> {
+        Form::ALL.map(FormState::from).into()
+    }
+}
+
+impl Comparison {
+    fn open(elements: [[&HtmlCanvasElement; 2]; 2], size: u32) -> Result<Self, Refusal> {
+        if !(1..=LARGEST).contains(&size) {
+            return Err(Refusal::Outside {
+                parameter: "size",
+                value: size as f32,
+                least: 1.0,
+                most: LARGEST as f32,
+                unit: "pixels",
+            });
+        }
+        let canvas = |element| Canvas::new(element, size, size);
+        let [[left, left_errors], [right, right_errors]] = elements;
+        let (forms, half_angle) = FIRST;
+        let wall = Wall::new(size, half_angle)?;
+        Ok(Self {
+            sides: light(forms, &wall),
+            palette: Palette::new(),
+            chosen: None,
+            canvases: [[canvas(left)?, canvas(left_errors)?], [canvas(right)?, canvas(right_errors)?]],
+            pixels: vec![0; 4 * wall.sites().len()],
+            clock: Clock::new()?,
+            wall,
+        })
+    }
+
+    /// One scale for both sides: else their colours could not be compared.
+    fn scale_in_force(&self) -> Scale {
+        let largest = self.sides.iter().filter_map(Side::largest).fold(0.0, f64::max);
+        self.chosen.unwrap_or_else(|| Scale::holding(largest))
+    }
+}
+
+/// Both sides, lit. Forms of the same curve share the truth about it.
+fn light(forms: [Form; 2], wall: &Wall) -> [Side; 2] {
+    let truth = |curve: Curve| Truth::about(wall.sites(), &curve.truth(wall));
+    let curves = forms.map(Form::curve);
+    let left = truth(curves[0]);
+    let other = (curves[1] != curves[0]).then(|| truth(curves[1]));
+    [Side::new(forms[0], wall, &left), Side::new(forms[1], wall, other.as_ref().unwrap_or(&left))]
+}
+
+fn no_side(value: usize) -> Refusal {
+    Refusal::Name {
+        parameter: "side",
+        value: value.to_string(),
+        remedy: "give 0 for the left one or 1 for the right",
+    }
+}

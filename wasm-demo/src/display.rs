@@ -1,0 +1,64 @@
+//! From linear light to the codes of a display: as a format does it, and exactly.
+
+use fixed::types::{U18F14, U34F30};
+use luminaire::{Fx16, Fx32, Scalar, encode_srgb};
+use luminaire_kernels::Value;
+
+/// The code of a linear value before rounding, from 0 to 255: sRGB as IEC 61966-2-1 writes it. What is not a
+/// number is dark.
+pub(crate) fn srgb_code(linear: f64) -> f64 {
+    let value = if linear >= 1.0 {
+        1.0
+    } else if linear > 0.003_130_8 {
+        1.055 * linear.powf(1.0 / 2.4) - 0.055
+    } else if linear > 0.0 {
+        12.92 * linear
+    } else {
+        0.0
+    };
+    255.0 * value
+}
+
+/// Light that a display shows by the encoder of its own format.
+pub(crate) trait Shown: Value {
+    /// The sRGB code, clipped at full scale.
+    fn code(self) -> u8;
+}
+
+impl Shown for f32 {
+    fn code(self) -> u8 {
+        encode_srgb(self)
+    }
+}
+
+impl Shown for f64 {
+    fn code(self) -> u8 {
+        srgb_code(self).round() as u8
+    }
+}
+
+impl Shown for U18F14 {
+    fn code(self) -> u8 {
+        encode_srgb(Fx16::clip(self))
+    }
+}
+
+impl Shown for U34F30 {
+    fn code(self) -> u8 {
+        encode_srgb(Fx32::clip(self))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_displays_curve_is_the_standards() {
+        let ends = [f64::NEG_INFINITY, f64::NAN, -1.0, 0.0, 1.0, 7.0, f64::INFINITY].map(srgb_code);
+        assert_eq!(ends, [0.0, 0.0, 0.0, 0.0, 255.0, 255.0, 255.0]);
+        // 18 % grey, and the joint of the two pieces.
+        assert!((srgb_code(0.18) - 117.67).abs() < 0.05);
+        assert!((srgb_code(0.003_130_8) - srgb_code(0.003_130_81)).abs() < 1e-3);
+    }
+}

@@ -1,0 +1,242 @@
+//! The formats and formulas to compare: each a kernel of the price list, set up for a wall.
+
+use crate::{picture::Picture, refusal::Refusal, wall::Wall};
+use luminaire::{Accepted, Error, Fx16, Fx32, Soft, Vec3};
+use luminaire_kernels::{
+    CosineFalloff, DoubleFalloff, Gltf, Kernel, Libm, OurPoint, Powf, Row, Shape, Stage,
+    oracle::{self, unit, widened},
+    scene::{Population, Site},
+};
+
+/// A number format, or a formula that a user might take instead.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum Form {
+    /// The crate `luminaire` in f32: the versine by a difference.
+    F32,
+    /// The same in 32-bit fixed point.
+    Fx32,
+    /// The same in 16-bit fixed point.
+    Fx16,
+    /// f32, with the versine by `1 - l.s`.
+    Cosine,
+    /// The power of the cosine that has the same field angle: Warn 1983, OpenGL.
+    Powf,
+    /// glTF's `KHR_lights_punctual` with an inner angle of 0.
+    Gltf,
+    /// The versine form in f64.
+    F64,
+}
+
+/// The curve that a form stands for.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum Curve {
+    /// `t^2`.
+    Soft,
+    /// The cosine to a power.
+    CosinePower,
+}
+
+impl Form {
+    /// Every form, in the order in which they are offered.
+    pub(crate) const ALL: [Self; 7] =
+        [Self::F32, Self::Fx32, Self::Fx16, Self::Cosine, Self::Powf, Self::Gltf, Self::F64];
+
+    /// The form of this name.
+    pub(crate) fn named(name: &str) -> Result<Self, Refusal> {
+        let found = Self::ALL.into_iter().find(|form| form.name() == name);
+        found.ok_or_else(|| Refusal::Name {
+            parameter: "form",
+            value: name.to_owned(),
+            remedy: "give f32, fx32, fx16, f32-cosine, powf, gltf or f64",
+        })
+    }
+
+    /// The name that [`Form::named`] knows.
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::F32 => "f32",
+            Self::Fx32 => "fx32",
+            Self::Fx16 => "fx16",
+            Self::Cosine => "f32-cosine",
+            Self::Powf => "powf",
+            Self::Gltf => "gltf",
+            Self::F64 => "f64",
+        }
+    }
+
+    /// What people call it.
+    pub(crate) fn label(self) -> &'static str {
+        match self {
+            Self::F32 => "f32, versine form",
+            Self::Fx32 => "Fx32, 32-bit fixed point",
+            Self::Fx16 => "Fx16, 16-bit fixed point",
+            Self::Cosine => "f32, cosine form 1 − l·s",
+            Self::Powf => "powf, cosine to a power (f32)",
+            Self::Gltf => "glTF's formula (f32)",
+            Self::F64 => "f64, versine form",
+        }
+    }
+
+    /// What its picture is compared with.
+    pub(crate) fn curve(self) -> Curve {
+        match self {
+            Self::Powf => Curve::CosinePower,
+            _ => Curve::Soft,
+        }
+    }
+
+    /// Its rows on the price list: from the angle to the intensity, and where it has one, the lit point.
+    pub(crate) fn rows(self) -> (Row, Option<Row>) {
+        let row = |kernel, stage, format| Row { kernel, stage, format };
+        let format = match self {
+            Self::Powf => return (row("powf-libm", Stage::Falloff, "rival"), None),
+            Self::Gltf => return (row("gltf", Stage::Falloff, "rival"), None),
+            Self::F32 | Self::Fx32 | Self::Fx16 | Self::Cosine | Self::F64 => self.name(),
+        };
+        (row("soft", Stage::Falloff, format), Some(row("lit", Stage::Lit, format)))
+    }
+
+    /// An unlit picture of the wall.
+    ///
+    /// # Errors
+    /// A beam that is too narrow for the number format.
+    pub(crate) fn picture(self, wall: &Wall) -> Result<Picture, Error> {
+        let (spot, sites) = (wall.spot(), wall.sites());
+        let outer = spot.cone().outer_versine();
+        Ok(match self {
+            Self::F32 => Picture::of(OurPoint::new(spot.compile::<f32>()?), sites),
+            Self::Fx32 => Picture::of(OurPoint::new(spot.compile::<Fx32>()?), sites),
+            Self::Fx16 => Picture::of(OurPoint::new(spot.compile::<Fx16>()?), sites),
+            Self::Cosine => {
+                let falloff = CosineFalloff::<Soft>::new(spot.cone().compile::<f32>()?);
+                Picture::of(FromCosine::new(wall, falloff), sites)
+            }
+            Self::Powf => Picture::of(FromCosine::new(wall, Powf::<Libm>::new(exponent(wall))), sites),
+            Self::Gltf => {
+                let cosine = (1.0 - f64::from(outer)) as f32;
+                Picture::of(FromCosine::new(wall, Gltf::new(cosine)), sites)
+            }
+            Self::F64 => Picture::of(FromVersine::new(wall, DoubleFalloff::<Soft>::new(outer)), sites),
+        })
+    }
+}
+
+impl Curve {
+    /// The truth about the wall in f64.
+    pub(crate) fn truth(self, wall: &Wall) -> oracle::Point {
+        let model = match self {
+            Self::Soft => oracle::Model::Profile(Soft::EXACT),
+            Self::CosinePower => oracle::Model::CosinePower(exponent(wall).into()),
+        };
+        let outer = wall.spot().cone().outer_versine().into();
+        oracle::Point {
+            position: widened(wall.spot().position()),
+            axis: widened(wall.spot().axis()),
+            falloff: oracle::Falloff { outer, model, jumps: false },
+            intensity: 1.0,
+            falls: false,
+            highlight: None,
+            population: Population::Lit,
+        }
+    }
+}
+
+/// The least half angle in degrees that would be accepted, if it is the angle that was refused; rounded up.
+pub(crate) fn accepted_half_angle(error: &Error) -> Option<f32> {
+    match error.accepted {
+        Accepted::AngleFrom(full) => Some(((full * 5e3).floor() + 1.0) / 1e4),
+        _ => None,
+    }
+}
+
+/// The exponent with which the power of a cosine has the field angle of the wall's cone.
+fn exponent(wall: &Wall) -> f32 {
+    -std::f32::consts::LN_10 / (-wall.spot().cone().field().versine()).ln_1p()
+}
+
+/// A falloff that takes a cosine, at a point: with one inner product, in f32, as it is usually written.
+#[derive(Clone, Copy, Debug)]
+struct FromCosine<F> {
+    position: Vec3<f32>,
+    axis: Vec3<f32>,
+    falloff: F,
+}
+
+impl<F> FromCosine<F> {
+    fn new(wall: &Wall, falloff: F) -> Self {
+        Self { position: wall.spot().position(), axis: wall.spot().axis(), falloff }
+    }
+}
+
+impl<F: Kernel<Input = f32, Output = f32>> Kernel for FromCosine<F> {
+    type Place = Site;
+    type Input = Site;
+    type Output = f32;
+
+    fn input(&self, site: &Site) -> Site {
+        *site
+    }
+
+    #[inline(always)]
+    fn evaluate(&self, site: &Site) -> f32 {
+        let way = site.point.zip(self.position, |point, light| point - light);
+        let facing = -way.dot(site.normal);
+        if facing <= 0.0 {
+            return 0.0;
+        }
+        let reciprocal = 1.0 / way.dot(way).sqrt();
+        self.falloff.evaluate(&(way.dot(self.axis) * reciprocal)) * (facing * reciprocal)
+    }
+
+    #[inline(always)]
+    fn touch(site: &Site) -> u32 {
+        site.point.x.to_bits()
+    }
+}
+
+/// A falloff that takes a versine, at a point, in f64.
+#[derive(Clone, Copy, Debug)]
+struct FromVersine<F> {
+    position: Vec3<f64>,
+    axis: Vec3<f64>,
+    falloff: F,
+}
+
+impl<F> FromVersine<F> {
+    fn new(wall: &Wall, falloff: F) -> Self {
+        let [x, y, z] = unit(widened(wall.spot().axis()));
+        Self { position: wall.spot().position().map(f64::from), axis: Vec3::new(x, y, z), falloff }
+    }
+}
+
+impl<F: Kernel<Input = f64, Output = f64>> Kernel for FromVersine<F> {
+    type Place = Site;
+    type Input = Site;
+    type Output = f64;
+
+    fn input(&self, site: &Site) -> Site {
+        *site
+    }
+
+    #[inline(always)]
+    fn evaluate(&self, site: &Site) -> f64 {
+        let way = site.point.zip(self.position, |point, light| f64::from(point) - light);
+        let facing = -dot(way, site.normal.map(f64::from));
+        if facing <= 0.0 {
+            return 0.0;
+        }
+        let reciprocal = 1.0 / dot(way, way).sqrt();
+        let difference = way.zip(self.axis, |way, axis| way * reciprocal - axis);
+        self.falloff.evaluate(&(0.5 * dot(difference, difference))) * (facing * reciprocal)
+    }
+
+    #[inline(always)]
+    fn touch(site: &Site) -> u32 {
+        site.point.x.to_bits()
+    }
+}
+
+#[inline(always)]
+fn dot(a: Vec3<f64>, b: Vec3<f64>) -> f64 {
+    a.x * b.x + a.y * b.y + a.z * b.z
+}

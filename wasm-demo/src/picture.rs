@@ -1,0 +1,57 @@
+//! A picture of the wall in one form: what is timed, and what comes of it.
+
+use crate::display::Shown;
+use luminaire_kernels::{Kernel, Value, scene::Site};
+use std::fmt;
+
+/// A picture whose form has been forgotten: the choice costs an indirect call per picture, and none per pixel.
+pub(crate) struct Picture(Box<dyn Lit>);
+
+impl Picture {
+    /// The picture that a kernel makes of these sites. It is dark until it is lit.
+    pub(crate) fn of<K: Kernel<Place = Site, Output: Shown> + 'static>(kernel: K, sites: &[Site]) -> Self {
+        let inputs = sites.iter().map(|site| kernel.input(site)).collect();
+        Self(Box::new(Pixels { kernel, inputs, lights: Vec::with_capacity(sites.len()) }))
+    }
+
+    /// Evaluates the kernel for every pixel: this is what is timed.
+    pub(crate) fn light(&mut self) {
+        self.0.light();
+    }
+
+    /// Gives each pixel's light, of which 1 is full scale, and the sRGB code by which its form displays it.
+    pub(crate) fn visit(&self, visit: &mut dyn FnMut(f64, u8)) {
+        self.0.visit(visit);
+    }
+}
+
+impl fmt::Debug for Picture {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("Picture")
+    }
+}
+
+trait Lit {
+    fn light(&mut self);
+    fn visit(&self, visit: &mut dyn FnMut(f64, u8));
+}
+
+/// Inputs and results as the kernel's format has them, so that nothing is timed but the kernel.
+struct Pixels<K: Kernel> {
+    kernel: K,
+    inputs: Vec<K::Input>,
+    lights: Vec<K::Output>,
+}
+
+impl<K: Kernel<Output: Shown>> Lit for Pixels<K> {
+    fn light(&mut self) {
+        self.lights.clear();
+        self.lights.extend(self.inputs.iter().map(|input| self.kernel.evaluate(input)));
+    }
+
+    fn visit(&self, visit: &mut dyn FnMut(f64, u8)) {
+        for light in &self.lights {
+            visit(light.exact(), light.code());
+        }
+    }
+}

@@ -1,0 +1,229 @@
+//! One side of the comparison: a form, and what it makes of the wall.
+
+use crate::{
+    difference::{Difference, Truth},
+    false_colour::{Palette, Scale},
+    form::{self, Curve, Form},
+    picture::Picture,
+    wall::Wall,
+};
+use wasm_bindgen::prelude::*;
+
+/// A form with its picture.
+#[derive(Debug)]
+pub(crate) struct Side {
+    form: Form,
+    /// Nothing where it was refused.
+    view: Result<View, luminaire::Error>,
+}
+
+#[derive(Debug)]
+struct View {
+    picture: Picture,
+    difference: Difference,
+    off_axis: f64,
+}
+
+/// What the page displays of a side.
+#[wasm_bindgen(getter_with_clone)]
+#[derive(Clone, PartialEq, Debug)]
+pub struct SideState {
+    /// The name of the form.
+    pub form: String,
+    /// Why the number format cannot hold the beam; nothing if it does, and the rest means something only then.
+    pub refusal: Option<String>,
+    /// The least outer half angle in degrees that it holds, where that is what was refused.
+    pub narrowest: Option<f32>,
+    /// The largest error in displayed codes, before rounding.
+    pub largest: f64,
+    /// Where it is, in degrees off the axis.
+    #[wasm_bindgen(js_name = offAxis)]
+    pub off_axis: f64,
+    /// Where it is in the picture: a row by row index.
+    pub place: usize,
+    /// The share of the pixels whose displayed code differs from the one of f64.
+    pub differing: f64,
+}
+
+/// A form to choose from, and where it stands on the price list.
+#[wasm_bindgen(getter_with_clone)]
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct FormState {
+    /// The name that setters take.
+    pub name: String,
+    /// What people call it.
+    pub label: String,
+    /// What its picture is compared with.
+    pub truth: String,
+    /// The kernel and the format of its row for the intensity alone.
+    pub falloff: Vec<String>,
+    /// The kernel and the format of its row for a lit point; empty where there is none.
+    pub lit: Vec<String>,
+}
+
+impl Side {
+    /// A form's picture of the wall, beside the truth about its curve.
+    pub(crate) fn new(form: Form, wall: &Wall, truth: &Truth) -> Self {
+        let view = form.picture(wall).map(|mut picture| {
+            picture.light();
+            let difference = truth.compare(&picture);
+            let off_axis = wall.off_axis(difference.place);
+            View { picture, difference, off_axis }
+        });
+        Self { form, view }
+    }
+
+    /// The form.
+    pub(crate) fn form(&self) -> Form {
+        self.form
+    }
+
+    /// The largest error in displayed codes; nothing where the form was refused.
+    pub(crate) fn largest(&self) -> Option<f64> {
+        Some(self.view.as_ref().ok()?.difference.largest)
+    }
+
+    /// Lights the picture once more, to the same light: for measuring. Nothing where the form was refused.
+    pub(crate) fn light(&mut self) -> Option<()> {
+        self.view.as_mut().ok()?.picture.light();
+        Some(())
+    }
+
+    /// Writes the picture as RGBA; whether there is one.
+    pub(crate) fn show(&self, pixels: &mut [u8]) -> bool {
+        let Ok(view) = &self.view else { return false };
+        for (pixel, &code) in pixels.chunks_exact_mut(4).zip(&view.difference.codes) {
+            pixel.copy_from_slice(&[code, code, code, u8::MAX]);
+        }
+        true
+    }
+
+    /// Writes the errors in false colours as RGBA; whether there are any.
+    pub(crate) fn show_difference(&self, palette: &Palette, scale: Scale, pixels: &mut [u8]) -> bool {
+        let Ok(view) = &self.view else { return false };
+        for (pixel, &error) in pixels.chunks_exact_mut(4).zip(&view.difference.errors) {
+            let [red, green, blue] = palette.colour(scale, error);
+            pixel.copy_from_slice(&[red, green, blue, u8::MAX]);
+        }
+        true
+    }
+
+    /// What the page displays.
+    pub(crate) fn state(&self) -> SideState {
+        let form = self.form.name().to_owned();
+        match &self.view {
+            Ok(View { difference, off_axis, .. }) => SideState {
+                form,
+                refusal: None,
+                narrowest: None,
+                largest: difference.largest,
+                off_axis: *off_axis,
+                place: difference.place,
+                differing: difference.differing,
+            },
+            Err(error) => SideState {
+                form,
+                refusal: Some(format!("{} cannot hold this beam: {error}", self.form.label())),
+                narrowest: form::accepted_half_angle(error),
+                largest: f64::NAN,
+                off_axis: f64::NAN,
+                place: 0,
+                differing: f64::NAN,
+            },
+        }
+    }
+}
+
+impl From<Form> for FormState {
+    fn from(form: Form) -> Self {
+        let (falloff, lit) = form.rows();
+        let names = |row: luminaire_kernels::Row| vec![row.kernel.to_owned(), row.format.to_owned()];
+        Self {
+            name: form.name().to_owned(),
+            label: form.label().to_owned(),
+            truth: match form.curve() {
+                Curve::Soft => "soft edge, t²",
+                Curve::CosinePower => "cosine’s power",
+            }
+            .to_owned(),
+            falloff: names(falloff),
+            lit: lit.map(names).unwrap_or_default(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::wall::Wall;
+
+    fn side(form: Form, half_angle: f32) -> Side {
+        let wall = Wall::new(40, half_angle).unwrap();
+        let truth = Truth::about(wall.sites(), &form.curve().truth(&wall));
+        Side::new(form, &wall, &truth)
+    }
+
+    #[test]
+    fn a_refused_beam_is_told_in_words_with_one_that_is_held() {
+        for (form, half_angle) in [(Form::Fx16, 0.1), (Form::F32, 0.002), (Form::Cosine, 0.002)] {
+            let state = side(form, half_angle).state();
+            let refusal = state.refusal.unwrap();
+            assert!(refusal.contains(form.label()) && refusal.contains("at least"), "{refusal}");
+            let narrowest = state.narrowest.unwrap();
+            assert!(narrowest > half_angle && side(form, narrowest).state().refusal.is_none(), "{narrowest}");
+        }
+    }
+
+    #[test]
+    fn a_refused_beam_has_no_picture() {
+        let mut refused = side(Form::Fx16, 0.1);
+        let mut pixels = [7; 40 * 40 * 4];
+        let palette = Palette::new();
+        assert!(!refused.show(&mut pixels));
+        assert!(!refused.show_difference(&palette, Scale::holding(1.0), &mut pixels));
+        assert!(pixels.iter().all(|&byte| byte == 7));
+        assert_eq!((refused.largest(), refused.light()), (None, None));
+    }
+
+    #[test]
+    fn the_pictures_show_light_and_errors() {
+        let side = side(Form::Cosine, 0.05);
+        let (mut picture, mut errors) = ([0; 40 * 40 * 4], [0; 40 * 40 * 4]);
+        let palette = Palette::new();
+        let scale = Scale::holding(side.largest().unwrap());
+        assert!(side.show(&mut picture) && side.show_difference(&palette, scale, &mut errors));
+        assert!(
+            picture.chunks(4).any(|pixel| *pixel == [255; 4]) && picture.chunks(4).any(|pixel| pixel[0] == 0)
+        );
+        let place = side.state().place;
+        let (first, at) = (palette.colours()[0], &errors[4 * place..4 * place + 3]);
+        assert_ne!(at, first, "the place of the largest error has the colour of none");
+        assert_eq!(errors[..3], first, "the dark corner has an error");
+    }
+
+    /// A row of the price list must exist, or the page shows no price.
+    #[test]
+    fn every_form_stands_on_the_price_list() {
+        use luminaire_kernels::{Kernel, Row, Setting, Visitor, falloffs, oracle, points, scene::Site};
+        struct Rows(Vec<Row>);
+        impl Visitor for Rows {
+            fn falloff<K: Kernel<Place = f32>>(&mut self, row: Row, _: K, _: &oracle::Falloff) {
+                self.0.push(row);
+            }
+            fn point<K: Kernel<Place = Site>>(&mut self, row: Row, _: K, _: &oracle::Point) {
+                self.0.push(row);
+            }
+        }
+        let mut rows = Rows(Vec::new());
+        falloffs(Setting::standard(), &mut rows);
+        points(Setting::standard(), &mut rows);
+        for form in Form::ALL {
+            let (falloff, lit) = form.rows();
+            for row in [Some(falloff), lit].into_iter().flatten() {
+                assert!(rows.0.contains(&row), "{row:?}");
+            }
+            assert_eq!(Form::named(form.name()), Ok(form));
+        }
+        assert!(Form::named("f16").unwrap_err().to_string().contains("form \"f16\""));
+    }
+}

@@ -1,0 +1,168 @@
+//! The scene of the comparison: a wall that one beam meets head on.
+
+use crate::refusal::Refusal;
+use luminaire::{Cone, HalfAngle, Soft, Spot, Unattenuated, Vec3};
+use luminaire_kernels::{
+    oracle::{Vector, dot, scaled, unit, widened},
+    scene::{AXIS, Site},
+};
+
+/// The narrowest outer half angle in degrees: the wall is then 29 km away, which fixed point just holds.
+pub(crate) const NARROWEST: f32 = 0.002;
+/// The widest outer half angle in degrees.
+pub(crate) const WIDEST: f32 = 60.0;
+
+/// From the middle of the picture to its edge, in radii of the spot of light.
+const REACH: f64 = 1.2;
+
+/// Two directions in the wall, at right angles to each other and to the axis: the picture's right and top.
+const ACROSS: [Vector; 2] = [[-0.8, 0.0, 0.6], [0.48, 0.6, 0.64]];
+
+/// The wall, and a soft beam. The light is as far away as makes the spot one metre in radius, whatever the
+/// angle: the narrower the beam, the farther the light, and the picture stays.
+#[derive(Clone, Debug)]
+pub(crate) struct Wall {
+    /// What each pixel shows, row by row from the top.
+    sites: Vec<Site>,
+    spot: Spot<Soft, Unattenuated>,
+    half_angle: f32,
+    distance: f64,
+}
+
+impl Wall {
+    /// The wall as a square picture of so many pixels a side, lit by a beam of an outer half angle in degrees.
+    pub(crate) fn new(pixels: u32, half_angle: f32) -> Result<Self, Refusal> {
+        let place = |i: u32| REACH * ((2.0 * f64::from(i) + 1.0) / f64::from(pixels) - 1.0);
+        let normal = AXIS.map(|c| -c);
+        let sites = (0..pixels)
+            .flat_map(|row| (0..pixels).map(move |column| [place(column), -place(row)]))
+            .map(|[right, up]| Site {
+                point: on_grid(sum(scaled(ACROSS[0], right), scaled(ACROSS[1], up))),
+                normal,
+            })
+            .collect();
+        let (spot, distance) = lamp(half_angle)?;
+        Ok(Self { sites, spot, half_angle, distance })
+    }
+
+    /// Moves the light to where a beam of this outer half angle in degrees has the same spot.
+    pub(crate) fn set_half_angle(&mut self, degrees: f32) -> Result<(), Refusal> {
+        (self.spot, self.distance) = lamp(degrees)?;
+        self.half_angle = degrees;
+        Ok(())
+    }
+
+    /// What each pixel shows, row by row from the top.
+    pub(crate) fn sites(&self) -> &[Site] {
+        &self.sites
+    }
+
+    /// The light.
+    pub(crate) fn spot(&self) -> &Spot<Soft, Unattenuated> {
+        &self.spot
+    }
+
+    /// The outer half angle in degrees.
+    pub(crate) fn half_angle(&self) -> f32 {
+        self.half_angle
+    }
+
+    /// From the light to the wall, in metres.
+    pub(crate) fn distance(&self) -> f64 {
+        self.distance
+    }
+
+    /// How far off the axis a pixel is, in degrees.
+    pub(crate) fn off_axis(&self, pixel: usize) -> f64 {
+        let radius = self.sites.get(pixel).map_or(0.0, |site| {
+            let point = widened(site.point);
+            dot(point, point).sqrt()
+        });
+        (radius / self.distance).atan().to_degrees()
+    }
+}
+
+/// The light of this outer half angle in degrees, and its distance from the middle of the wall.
+fn lamp(half_angle: f32) -> Result<(Spot<Soft, Unattenuated>, f64), Refusal> {
+    if !(NARROWEST..=WIDEST).contains(&half_angle) {
+        return Err(Refusal::Outside {
+            parameter: "half angle",
+            value: half_angle,
+            least: NARROWEST,
+            most: WIDEST,
+            unit: "degrees",
+        });
+    }
+    let distance = 1.0 / f64::from(half_angle).to_radians().tan();
+    let position = on_grid(scaled(unit(widened(AXIS)), -distance));
+    let cone = Cone::from_outer(Soft, HalfAngle::degrees(half_angle))?;
+    let spot = Spot::new(position, position.map(|c| -c), cone)?;
+    Ok((spot.with_attenuation(Unattenuated), distance))
+}
+
+/// The nearest place that every number format has: a multiple of 2^-16 in f32.
+fn on_grid(v: Vector) -> Vec3<f32> {
+    let [x, y, z] = v.map(|c| ((c * 65_536.0).round() / 65_536.0) as f32);
+    Vec3::new(x, y, z)
+}
+
+fn sum(a: Vector, b: Vector) -> Vector {
+    [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use luminaire_kernels::oracle::minus;
+
+    #[test]
+    fn the_spot_is_one_metre_in_radius_whatever_the_angle() {
+        for half_angle in [NARROWEST, 0.01, 0.5, 7.5, 30.0, WIDEST] {
+            let wall = Wall::new(64, half_angle).unwrap();
+            let light = widened(wall.spot().position());
+            let axis = unit(widened(wall.spot().axis()));
+            for (pixel, site) in wall.sites().iter().enumerate() {
+                let way = minus(widened(site.point), light);
+                let difference = minus(unit(way), axis);
+                let versine = dot(difference, difference) / 2.0;
+                let point = widened(site.point);
+                let (radius, outer) =
+                    (dot(point, point).sqrt(), f64::from(wall.spot().cone().outer_versine()));
+                // The axis and the place of the light are rounded to f32, which moves the spot by its share of
+                // the distance.
+                if (radius - 1.0).abs() > 0.005 {
+                    assert_eq!(versine < outer, radius < 1.0, "{half_angle}: radius {radius}");
+                }
+                let off_axis = 2.0 * (versine / 2.0).sqrt().asin().to_degrees();
+                let tolerance = 0.005 * f64::from(half_angle);
+                assert!((wall.off_axis(pixel) - off_axis).abs() < tolerance, "{half_angle}: {off_axis}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_picture_is_upright_and_square_to_the_beam() {
+        let wall = Wall::new(8, 10.0).unwrap();
+        let [first, .., last] = wall.sites() else { panic!("no pixels") };
+        let along = |site: &Site, direction| dot(widened(site.point), direction);
+        assert!(along(first, ACROSS[0]) < 0.0 && along(first, ACROSS[1]) > 0.0);
+        assert!(along(last, ACROSS[0]) > 0.0 && along(last, ACROSS[1]) < 0.0);
+        for [a, b] in [[ACROSS[0], ACROSS[1]], [ACROSS[0], widened(AXIS)], [ACROSS[1], widened(AXIS)]] {
+            assert!(dot(a, b).abs() < 1e-7 && (dot(a, a) - 1.0).abs() < 1e-12);
+        }
+    }
+
+    #[test]
+    fn an_angle_without_a_wall_is_refused_and_leaves_the_light() {
+        let mut wall = Wall::new(8, 10.0).unwrap();
+        let spot = *wall.spot();
+        for degrees in [0.0, -1.0, 0.001, 61.0, f32::NAN, f32::INFINITY] {
+            let message = wall.set_half_angle(degrees).unwrap_err().to_string();
+            assert!(
+                message.contains("half angle") && message.contains("from 0.002 to 60 degrees"),
+                "{message}"
+            );
+        }
+        assert_eq!((*wall.spot(), wall.half_angle()), (spot, 10.0));
+    }
+}

@@ -1,0 +1,54 @@
+// The width of the beam: a slider that is even in its logarithm, and a number.
+import { degrees, tidy } from "./numbers.js";
+
+/** Three digits, whatever the size: the slider would give a dozen. */
+const round = (value) => Number(value.toPrecision(3));
+
+/** The slider offers what is taken. Anything can be typed into the number, and is refused in words. */
+export class HalfAngle {
+  #slider = document.getElementById("half-angle");
+  #number = document.getElementById("half-angle-number");
+  #error = document.getElementById("half-angle-error");
+  #set;
+  #ends;
+
+  /**
+   * @param {[number, number]} ends the narrowest and the widest, in degrees
+   * @param {(degrees: number) => void} set called as the value changes, NaN for no number; may throw a refusal
+   */
+  constructor(ends, set) {
+    this.#set = set;
+    this.#ends = ends;
+    [this.#slider.min, this.#slider.max] = ends.map(Math.log10);
+    this.#slider.addEventListener("input", () => this.take(this.#ofSlider(), this.#slider));
+    this.#number.addEventListener("input", () => this.take(this.#number.valueAsNumber, this.#number));
+  }
+
+  /** Shows a value, except on the control that it comes from. */
+  show(value, source) {
+    if (source !== this.#number) this.#number.value = tidy(value);
+    if (source !== this.#slider) this.#slider.value = Math.log10(value);
+    const { min, max } = this.#slider;
+    this.#slider.style.setProperty("--part", `${(100 * (Math.log10(value) - min)) / (max - min)}%`);
+    this.#slider.setAttribute("aria-valuetext", degrees(value));
+  }
+
+  /** Asks for a half angle in degrees; a refusal is told, and changes nothing else. */
+  take(value, source) {
+    let refusal = "";
+    try {
+      this.#set(value);
+    } catch (error) {
+      if (typeof error !== "string") throw error;
+      refusal = error;
+    }
+    this.#error.textContent = refusal;
+    this.#number.setAttribute("aria-invalid", refusal !== "");
+    if (refusal === "") this.show(value, source);
+  }
+
+  #ofSlider() {
+    const [narrowest, widest] = this.#ends;
+    return Math.min(Math.max(round(10 ** this.#slider.valueAsNumber), narrowest), widest);
+  }
+}

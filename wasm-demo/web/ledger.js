@@ -1,0 +1,168 @@
+// Errors and costs of both forms, side by side.
+import { degrees, median, tidy } from "./numbers.js";
+import { amount, missing, price, stageName, targetName } from "./price-list.js";
+
+/** So many times are taken of each picture, in turns. */
+const RUNS = 9;
+
+/** Long enough after a change that the visitor has stopped sliding, in milliseconds. */
+const REST = 250;
+
+const pause = (milliseconds) => new Promise((resolve) => setTimeout(resolve, milliseconds));
+
+/** The least error that is told, in codes. */
+const LEAST = 0.001;
+
+/** An error in codes, in two digits. */
+function codes(value) {
+  if (value === 0) return "none";
+  if (value < LEAST) return `under ${LEAST}`;
+  return String(value < 10 ? Number(value.toPrecision(2)) : Math.round(value));
+}
+
+/** A share in percent. */
+const percent = (share) =>
+  share === 0 ? "none" : `${Number((100 * share).toPrecision(share < 0.1 ? 2 : 3))} %`;
+
+/** How much better the better of two forms is here, and for how much: in one sentence. */
+function verdict(states, costs) {
+  const refused = ["A", "B"].filter((_, side) => states[side].refusal !== undefined);
+  if (refused.length === 2) return "Neither holds this beam.";
+  if (refused.length === 1) return `${refused[0]} does not hold this beam.`;
+  const better = states[0].largest < states[1].largest ? 0 : 1;
+  const [least, most] = [states[better].largest, states[1 - better].largest];
+  if (most < LEAST) return "Neither errs by a thousandth of a code here.";
+  const factor = Number((most / Math.max(least, LEAST)).toPrecision(2)).toLocaleString("en");
+  const over = least < LEAST ? "over " : "";
+  const errs = `${"AB"[better]} errs ${over}${factor} times less than ${"AB"[1 - better]} here`;
+  return `${errs}${priceOf(costs.map((pair) => pair[better]?.instructions / pair[1 - better]?.instructions))}.`;
+}
+
+/** From the smallest of some ratios of instructions to the largest; nothing without any. */
+function priceOf(ratios) {
+  const known = ratios.filter(Number.isFinite).map((ratio) => Number(ratio.toPrecision(2)));
+  if (known.length === 0) return "";
+  const [least, most] = [Math.min(...known), Math.max(...known)];
+  return `, for ${least === most ? least : `${least} to ${most}`} times the instructions`;
+}
+
+export class Ledger {
+  #comparison;
+  #forms;
+  #prices;
+  #costs = document.getElementById("costs");
+  #note = document.getElementById("costs-note");
+  #measurement = 0;
+
+  /** Settled when the times of what is shown have been told, or a newer picture's are awaited. */
+  measured;
+
+  constructor(comparison, forms, prices) {
+    this.#comparison = comparison;
+    this.#forms = forms;
+    this.#prices = prices;
+  }
+
+  /** Shows what is known of both sides, and measures the rest. */
+  show(states) {
+    for (const [side, state] of states.entries()) this.#tell(side, state);
+    const forms = states.map((state) => this.#forms.get(state.form));
+    document.getElementById("verdict").textContent = verdict(states, this.#showCosts(forms));
+    this.measured = this.#measure();
+  }
+
+  #tell(side, state) {
+    const put = (name, text) => {
+      document.getElementById(`${name}-${side}`).textContent = text;
+    };
+    const { label, truth } = this.#forms.get(state.form);
+    const held = state.refusal === undefined;
+    put("name", label);
+    put("truth", truth);
+    put("largest", held ? codes(state.largest) : "refused");
+    document.getElementById(`largest-${side}`).classList.toggle("no", !held);
+    put("where", held && state.largest > 0 ? degrees(Number(state.offAxis.toPrecision(2))) : "–");
+    put("differing", held ? percent(state.differing) : "–");
+    put("time", held ? "…" : "–");
+  }
+
+  /** Both in one stage, so that they can be compared: the lit point if both have one. Answers the costs by target. */
+  #showCosts(forms) {
+    const list = this.#prices;
+    if (list.isEmpty) {
+      this.#costs.replaceChildren();
+      this.#note.replaceChildren(...missing());
+      list.mark([]);
+      return [];
+    }
+    const stage = forms.every((form) => form.lit.length > 0) ? "lit" : "falloff";
+    const rows = forms.map((form) => list.find(stage, ...form[stage]));
+    const costs = list.targets.map((target) => rows.map((row) => row?.cost?.[target]));
+    this.#costs.replaceChildren(
+      heading(`Cost of ${stageName(stage)}`),
+      ...list.targets.map((target, i) => bars(target, costs[i])),
+    );
+    this.#note.textContent =
+      "From the price list below: instructions, exact, where there is no unit." +
+      (stage === "lit" ? "" : " A lit point of a formula is not on it.");
+    list.mark(forms.map((form) => [list.find("lit", ...form.lit), list.find("falloff", ...form.falloff)]));
+    return costs;
+  }
+
+  /** Times both pictures in turns, so that whatever else the machine does meets both. A newer change ends it. */
+  async #measure() {
+    const measurement = (this.#measurement += 1);
+    const isOver = () => measurement !== this.#measurement;
+    await pause(REST);
+    const times = [[], []];
+    for (let run = 0; run < RUNS; run += 1) {
+      for (const side of [0, 1]) {
+        if (isOver()) return;
+        times[side].push(this.#comparison.time(side));
+        // The browser gets its turn.
+        await pause(0);
+      }
+    }
+    if (isOver()) return;
+    for (const [side, taken] of times.entries()) {
+      if (taken.includes(undefined)) continue;
+      document.getElementById(`time-${side}`).textContent = `${tidy(median(taken))} ms`;
+    }
+  }
+
+  /** Stops measuring: the view is no longer seen. */
+  stop() {
+    this.#measurement += 1;
+  }
+}
+
+function heading(text) {
+  const row = document.createElement("tr");
+  const cell = document.createElement("th");
+  cell.colSpan = 3;
+  cell.scope = "rowgroup";
+  cell.textContent = text;
+  row.append(cell);
+  return row;
+}
+
+/** The costs on a target, each with a bar; the longer one is full. */
+function bars(target, costs) {
+  const row = document.createElement("tr");
+  row.className = "bars";
+  const name = document.createElement("th");
+  name.scope = "row";
+  name.textContent = targetName(target);
+  const most = Math.max(...costs.map(amount).filter(Number.isFinite));
+  row.append(
+    name,
+    ...costs.map((cost) => {
+      const cell = document.createElement("td");
+      cell.textContent = price(cost);
+      const part = amount(cost) / most;
+      cell.style.setProperty("--part", `${Number.isFinite(part) ? 100 * part : 0}%`);
+      return cell;
+    }),
+  );
+  return row;
+}

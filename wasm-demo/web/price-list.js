@@ -1,0 +1,122 @@
+// The price list that `cargo xtask measure` makes: what each kernel errs, and what it costs on each target.
+import { tidy } from "./numbers.js";
+
+const TARGETS = {
+  "cortex-m0": "Cortex-M0",
+  "cortex-m3": "Cortex-M3",
+  "cortex-m4f": "Cortex-M4F",
+  rv32imc: "RV32IMC",
+};
+
+const STAGES = { lit: "a lit point", falloff: "the intensity alone" };
+
+/** What a stage is called in a sentence. */
+export const stageName = (stage) => STAGES[stage];
+
+/** What a target is called. */
+export const targetName = (target) => TARGETS[target] ?? target;
+
+/** A cost with its unit: exact instructions, or nanoseconds by a clock. */
+export function price(cost) {
+  if (Number.isFinite(cost?.instructions)) return tidy(cost.instructions).toLocaleString("en");
+  return Number.isFinite(cost?.ns) ? `${tidy(cost.ns)} ns` : "–";
+}
+
+/** The number alone, for comparing costs on one target; NaN where there is none. */
+export const amount = (cost) => [cost?.instructions, cost?.ns].find(Number.isFinite) ?? NaN;
+
+/** A number that spans many powers of ten, in two digits. */
+const small = (value) =>
+  value > 0 && value < 0.001 ? value.toExponential(1) : String(Number(value.toPrecision(2)));
+
+export class PriceList {
+  #rows;
+  #stage = document.getElementById("stage-of-list");
+  #note = document.getElementById("prices-note");
+  #table = document.getElementById("prices");
+  #marks = [];
+
+  /** Loads the list; one that was not made is empty. */
+  static async load() {
+    const answer = await fetch("accuracy-vs-cost.json");
+    if (!answer.ok) throw new Error(`The price list could not be loaded (${answer.status}). Serve the whole folder.`);
+    return new PriceList((await answer.json())?.rows ?? []);
+  }
+
+  constructor(rows) {
+    this.#rows = rows;
+    this.#stage.closest(".row").classList.toggle("empty", this.isEmpty);
+    this.#stage.disabled = this.isEmpty;
+    this.#stage.addEventListener("input", () => this.#show());
+  }
+
+  /** Whether no list was made. */
+  get isEmpty() {
+    return this.#rows.length === 0;
+  }
+
+  /** The row of a kernel, or undefined. */
+  find(stage, kernel, format) {
+    return this.#rows.find((row) => row.stage === stage && row.kernel === kernel && row.format === format);
+  }
+
+  /** Every target that a row has a cost on, in the list's order. */
+  get targets() {
+    return [...new Set(this.#rows.flatMap((row) => Object.keys(row.cost ?? {})))];
+  }
+
+  /** Shows the list with the rows of both forms marked. */
+  mark(forms) {
+    this.#marks = forms;
+    this.#show();
+  }
+
+  #show() {
+    if (this.isEmpty) {
+      this.#note.replaceChildren(...missing());
+      return;
+    }
+    const stage = this.#stage.value;
+    this.#note.textContent =
+      `What ${stageName(stage)} costs, and its largest error in linear steps of 1/255. Counts are instructions, ` +
+      "exact, under QEMU; times are of the machine that made the list.";
+    const targets = this.targets;
+    const head = ["", "Kernel", "Format", "Largest error", "found", ...targets.map(targetName)];
+    const rows = this.#rows.filter((row) => row.stage === stage).map((row) => this.#line(row, targets));
+    this.#table.replaceChildren(line("th", head), ...rows);
+  }
+
+  #line(row, targets) {
+    const names = ["A", "B"].filter((_, side) => this.#marks[side]?.includes(row));
+    const error = row.error?.codes;
+    const cells = line("td", [
+      names.join(" "),
+      row.kernel,
+      row.format,
+      Number.isFinite(error) ? small(error) : "–",
+      row.error?.kind ?? "–",
+      ...targets.map((target) => price(row.cost?.[target])),
+    ]);
+    cells.classList.toggle("marked", names.length > 0);
+    return cells;
+  }
+}
+
+/** How to make a list, where there is none. */
+export function missing() {
+  const command = document.createElement("code");
+  command.textContent = "cargo xtask measure";
+  return ["This page was built without a price list. Run ", command, ", and build the page again."];
+}
+
+function line(kind, texts) {
+  const row = document.createElement("tr");
+  row.append(
+    ...texts.map((text) => {
+      const cell = document.createElement(kind);
+      cell.textContent = text;
+      return cell;
+    }),
+  );
+  return row;
+}
