@@ -8,6 +8,7 @@ use std::str::FromStr;
 use lexopt::prelude::*;
 
 use crate::firmware::{Board, FirmwareOptions};
+use crate::measure::{MeasureOptions, Target};
 
 /// A command with its options.
 #[derive(Debug, PartialEq)]
@@ -15,6 +16,7 @@ pub(crate) enum Request {
     Help,
     Demo(DemoOptions),
     Firmware(FirmwareOptions),
+    Measure(MeasureOptions),
     Test(TestOptions),
 }
 
@@ -77,6 +79,7 @@ impl Request {
             Some("help") => Ok(Self::Help),
             Some("demo") => Self::parse_demo(words),
             Some("firmware") => Self::parse_firmware(words),
+            Some("measure") => Self::parse_measure(words),
             Some("test") => Self::parse_test(words),
             _ => Err(format!("there is no command {command:?}").into()),
         }
@@ -108,6 +111,20 @@ impl Request {
             }
         }
         Ok(Self::Firmware(options))
+    }
+
+    fn parse_measure(mut words: lexopt::Parser) -> Result<Self, lexopt::Error> {
+        let mut options = MeasureOptions::default();
+        while let Some(word) = words.next()? {
+            match word {
+                Long("target") => options.targets.push(Target::named(&words.value()?.string()?)?),
+                Long("check") => options.check = true,
+                Long("bless") => options.bless = true,
+                Short('h') | Long("help") => return Ok(Self::Help),
+                other => return Err(other.unexpected()),
+            }
+        }
+        Ok(Self::Measure(options))
     }
 
     fn parse_test(mut words: lexopt::Parser) -> Result<Self, lexopt::Error> {

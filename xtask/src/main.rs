@@ -7,6 +7,7 @@ mod demo;
 mod firmware;
 mod http;
 mod install;
+mod measure;
 mod progress;
 mod project;
 mod server;
@@ -39,6 +40,11 @@ cargo xtask firmware [OPTIONS]   Count what the kernels cost on microcontrollers
     --target NAME            Count on this one only: cortex-m0, cortex-m3, cortex-m4f or rv32imc; may be repeated
     --by-symbol KERNEL       Split one kernel, such as lit.fx16, by function instead of printing the table
 
+cargo xtask measure [OPTIONS]    Write the price list of accuracy: errors, and costs on every target
+    --target NAME            Measure the costs on this one only: host, wasm, wasm-simd or one of the above; may be repeated
+    --check                  Compare errors and instructions with the list instead, and write nothing
+    --bless                  Write the list also where errors or instructions differ from it
+
 cargo xtask demo             The same as cargo demo
 cargo xtask help             Print this text
 ";
@@ -58,6 +64,7 @@ fn main() -> ExitCode {
         }
         Request::Demo(options) => demo::run(&options).map(|()| ExitCode::SUCCESS),
         Request::Firmware(options) => firmware::run(&options).map(|()| ExitCode::SUCCESS),
+        Request::Measure(options) => measure::run(&options).map(|()| ExitCode::SUCCESS),
         Request::Test(options) => Ok(test::run(&options)),
     };
     outcome.unwrap_or_else(|error| {

@@ -10,7 +10,7 @@ use crate::{project, shrink, wasm};
 
 /// Builds the demo into `target/demo`: the page from `wasm-demo/web`, and the bindings in `pkg`.
 pub(crate) fn build(progress: &Progress) -> Result<PathBuf> {
-    let module = wasm::compile(progress)?;
+    let module = wasm::DEMO.compile(progress)?;
     let site = project::target().join("demo");
     let step = progress.begin("Gathering", project::shown(&site));
     if site.exists() {
@@ -18,7 +18,7 @@ pub(crate) fn build(progress: &Progress) -> Result<PathBuf> {
     }
     copy_folder(&project::root().join("wasm-demo/web"), &site)?;
     step.done();
-    let bound = wasm::bind(&module, &site.join("pkg"), progress)?;
+    let bound = wasm::DEMO.bind(&module, &site.join("pkg"), progress)?;
     shrink::shrink(&bound, progress)?;
     Ok(site)
 }

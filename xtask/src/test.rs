@@ -10,7 +10,7 @@ use crate::progress::Progress;
 use crate::suite::Suite;
 use crate::tally::Tally;
 use crate::toolchain::Toolchain;
-use crate::{command, demo, firmware, site};
+use crate::{command, demo, firmware, measure, site};
 
 /// The smallest processor that is promised: no floating point unit, no division, no atomics.
 const BARE: &str = "thumbv6m-none-eabi";
@@ -41,6 +41,9 @@ pub(crate) fn run(options: &TestOptions) -> ExitCode {
     }
     bare_metal(&mut suite);
     firmware::tests::run(&mut suite);
+    suite.step("prices: errors and instructions are those of the list", |progress| {
+        measure::check(&[], progress)
+    });
     browser(&mut suite);
     suite.finish()
 }
