@@ -10,7 +10,7 @@ use luminaire_kernels::{Kernel, Row, Setting, Value, Visitor, falloffs, oracle, 
 pub const BATCH: usize = 4096;
 
 /// How many times are taken, of which the median counts.
-const SAMPLES: usize = 61;
+const SAMPLES: usize = 41;
 
 /// A clock, and how coarse it is.
 pub trait Clock {

@@ -5,7 +5,7 @@ use web_sys::Performance;
 
 use crate::time::{Clock, Times};
 
-/// `performance.now()`, which is told in steps of 5 microseconds at best.
+/// `performance.now()`, which goes in steps of 5 microseconds where a page is isolated.
 struct PageClock(Performance);
 
 impl Clock for PageClock {
@@ -14,7 +14,7 @@ impl Clock for PageClock {
     }
 
     fn shortest(&self) -> f64 {
-        1_000_000.0
+        500_000.0
     }
 }
 

@@ -25,8 +25,8 @@ the same in every run. Each kernel is held against its own model: what `powf` er
 **Costs** on microcontrollers are instructions a call, counted exactly under QEMU as
 [firmware/README.md](../firmware/README.md) describes. Cycles are an **estimate** from Arm's timing tables, at zero wait
 states: two bounds, where operands, alignment or neighbours decide. On the host and in the browser costs are nanoseconds a
-call, over a batch of 4096 inputs from memory to memory, the median of 61 samples; they depend on the machine and its other
-work, and nothing fails because of them. \"powf\" is how many calls have the price of one power function, that of libm on
+call, over a batch of 4096 inputs from memory to memory: the median of 41 samples, in the best of three rounds. They
+depend on the machine and its other work, and nothing fails because of them. \"powf\" is how many calls have the price of one power function, that of libm on
 microcontrollers and of the platform elsewhere.
 
 | stage | from | to |

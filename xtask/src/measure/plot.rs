@@ -25,6 +25,8 @@ struct Mark {
     cost: f64,
     error: f64,
     format: String,
+    /// Whether it does what the frontier is drawn of: a soft edge, without distance or highlight.
+    is_subject: bool,
     /// What stands beside it, and what a pointer over it is told.
     label: Option<String>,
     title: String,
@@ -47,8 +49,10 @@ pub(crate) fn draw(list: &PriceList, target: &Target) -> String {
         "<text transform=\"translate(20 {}) rotate(-90)\" text-anchor=\"middle\">largest error, in codes of 8 bits</text>\n",
         (TOP + BOTTOM) / 2.0
     );
-    for ((marks, sides), name) in
-        panels.iter().zip(SIDES).zip(["From the angle off axis to an intensity", "The lit point"])
+    for ((marks, sides), name) in panels
+        .iter()
+        .zip(SIDES)
+        .zip(["From the angle off axis to an intensity", "The lit point, rejects not taken"])
     {
         svg += &panel(marks, sides, &vertical, name, target);
     }
@@ -62,7 +66,8 @@ fn marks(list: &PriceList, target: &Target, stage: &str) -> Vec<Mark> {
         let error = row.error.as_ref().map(|error| error.codes).filter(|codes| *codes > 0.0)?;
         let cost = row.cost.get(target.name())?.amount();
         let title = format!("{}: {cost} {}, off by {error:.1e} codes", row.name(), target.unit());
-        Some(Mark { cost, error, format: row.format.clone(), label: label(row), title })
+        let is_subject = row.format == "rival" || matches!(row.kernel.as_str(), "soft" | "lit");
+        Some(Mark { cost, error, format: row.format.clone(), is_subject, label: label(row), title })
     })
     .collect()
 }
@@ -112,8 +117,13 @@ fn panel(marks: &[Mark], sides: (f64, f64), vertical: &Axis, name: &str, target:
     let frame = Rectangle { left, top: TOP, right, bottom: BOTTOM };
     let mut labels = Labels::new(frame, &places);
     svg += &labels.place("half a code", (right - 34.0, visible), 11);
-    for (mark, place) in marks.iter().zip(&places) {
-        svg += &format!("<g><title>{}</title>{}</g>\n", mark.title, marker::draw(&mark.format, *place, 5.0));
+    // What is compared stands in front, and larger.
+    for is_subject in [false, true] {
+        let (radius, opacity) = if is_subject { (6.0, 1.0) } else { (4.0, 0.5) };
+        for (mark, place) in marks.iter().zip(&places).filter(|(mark, _)| mark.is_subject == is_subject) {
+            let marker = marker::draw(&mark.format, *place, radius);
+            svg += &format!("<g opacity=\"{opacity}\"><title>{}</title>{marker}</g>\n", mark.title);
+        }
     }
     for (mark, place) in marks.iter().zip(&places) {
         if let Some(label) = &mark.label {
@@ -123,10 +133,11 @@ fn panel(marks: &[Mark], sides: (f64, f64), vertical: &Axis, name: &str, target:
     svg
 }
 
-/// The frontier as stairs: whoever pays more gets nothing better until the next step.
+/// The frontier of soft edges and rivals as stairs: whoever pays more gets nothing better until the next step.
 fn stairs(marks: &[Mark], places: &[(f64, f64)]) -> String {
-    let points: Vec<_> = marks.iter().map(|mark| (mark.cost, mark.error)).collect();
-    let steps: Vec<_> = frontier(&points).into_iter().map(|index| places[index]).collect();
+    let subjects: Vec<_> = marks.iter().zip(places).filter(|(mark, _)| mark.is_subject).collect();
+    let points: Vec<_> = subjects.iter().map(|(mark, _)| (mark.cost, mark.error)).collect();
+    let steps: Vec<_> = frontier(&points).into_iter().map(|index| *subjects[index].1).collect();
     let Some(&(x, y)) = steps.first() else { return String::new() };
     let mut path = format!("M{x:.1} {y:.1}");
     for (x, y) in &steps[1..] {
@@ -155,7 +166,7 @@ fn legend() -> String {
         "start",
         13,
         "normal",
-        "nothing errs less for the price (left and down is better)",
+        "the best soft edge for its price (left, down: better)",
     )
 }
 
@@ -178,9 +189,10 @@ fn ten_to(power: i32) -> String {
         0 => "1".to_owned(),
         1 => "10".to_owned(),
         2 => "100".to_owned(),
-        _ => format!("10<tspan dy=\"-5\" font-size=\"9\">{power}</tspan>")
-            .replace('-', "\u{2212}")
-            .replace("\"\u{2212}5", "\"-5"),
+        _ => {
+            let exponent = power.to_string().replace('-', "\u{2212}");
+            format!("10<tspan dy=\"-5\" font-size=\"9\">{exponent}</tspan>")
+        }
     }
 }
 

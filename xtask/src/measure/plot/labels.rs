@@ -35,7 +35,7 @@ const DISTANCES: [f64; 4] = [9.0, 22.0, 38.0, 56.0];
 const DIRECTIONS: [(f64, f64); 8] =
     [(1.0, 0.0), (-1.0, 0.0), (0.7, -0.7), (0.7, 0.7), (-0.7, -0.7), (-0.7, 0.7), (0.0, -1.0), (0.0, 1.0)];
 /// Half a marker.
-const MARKER: f64 = 6.0;
+const MARKER: f64 = 5.0;
 
 impl Labels {
     /// A panel with markers at these places.
