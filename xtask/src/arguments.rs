@@ -124,6 +124,9 @@ impl Request {
                 other => return Err(other.unexpected()),
             }
         }
+        if options.check && options.bless {
+            return Err("--check compares and --bless accepts: one of them".into());
+        }
         Ok(Self::Measure(options))
     }
 
@@ -188,6 +191,18 @@ mod tests {
         );
         let options = FirmwareOptions { boards: Vec::new(), by_symbol: Some("lit.fx16".into()) };
         assert_eq!(parse("firmware --by-symbol lit.fx16").unwrap(), Request::Firmware(options));
+    }
+
+    #[test]
+    fn measure_takes_targets_and_either_checks_or_accepts() {
+        let Request::Measure(options) = parse("measure --target host --target rv32imc --bless").unwrap()
+        else {
+            panic!("it is not measure");
+        };
+        let names: Vec<_> = options.targets.iter().map(Target::name).collect();
+        assert_eq!((names, options.check, options.bless), (vec!["host", "rv32imc"], false, true));
+        assert!(parse("measure --check --bless").is_err());
+        assert!(parse("measure --target gpu").unwrap_err().to_string().contains("wasm-simd"));
     }
 
     #[test]

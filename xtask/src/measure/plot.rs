@@ -78,8 +78,8 @@ fn label(row: &Row) -> Option<String> {
         (_, kernel) if row.format == "rival" => kernel.replace('-', " "),
         ("falloff", "soft") => format!("soft {}", row.format),
         ("lit", "lit") => row.format.clone(),
-        ("lit", "lit-inverse-square") => "+ inverse square".to_owned(),
-        ("lit", "lit-specular") => "+ highlight".to_owned(),
+        ("lit", "lit-inverse-square") => "+ 1/d²".to_owned(),
+        ("lit", "lit-specular") => "+ Phong".to_owned(),
         _ => return None,
     };
     Some(label)
@@ -113,9 +113,13 @@ fn panel(marks: &[Mark], sides: (f64, f64), vertical: &Axis, name: &str, target:
     svg += &text((left + right) / 2.0, BOTTOM + 40.0, "middle", 13, "normal", unit);
     let places: Vec<_> =
         marks.iter().map(|mark| (horizontal.place(mark.cost), vertical.place(mark.error))).collect();
-    svg += &stairs(marks, &places);
+    let corners = corners(marks, &places);
+    svg += &stairs(&corners);
     let frame = Rectangle { left, top: TOP, right, bottom: BOTTOM };
     let mut labels = Labels::new(frame, &places);
+    for pair in corners.windows(2) {
+        labels.avoid(pair[0], pair[1]);
+    }
     svg += &labels.place("half a code", (right - 34.0, visible), 11);
     // What is compared stands in front, and larger.
     for is_subject in [false, true] {
@@ -133,19 +137,28 @@ fn panel(marks: &[Mark], sides: (f64, f64), vertical: &Axis, name: &str, target:
     svg
 }
 
-/// The frontier of soft edges and rivals as stairs: whoever pays more gets nothing better until the next step.
-fn stairs(marks: &[Mark], places: &[(f64, f64)]) -> String {
+/// The corners of the frontier of soft edges and rivals, as stairs: whoever pays more gets nothing better until the next
+/// step.
+fn corners(marks: &[Mark], places: &[(f64, f64)]) -> Vec<(f64, f64)> {
     let subjects: Vec<_> = marks.iter().zip(places).filter(|(mark, _)| mark.is_subject).collect();
     let points: Vec<_> = subjects.iter().map(|(mark, _)| (mark.cost, mark.error)).collect();
-    let steps: Vec<_> = frontier(&points).into_iter().map(|index| *subjects[index].1).collect();
-    let Some(&(x, y)) = steps.first() else { return String::new() };
-    let mut path = format!("M{x:.1} {y:.1}");
-    for (x, y) in &steps[1..] {
-        path += &format!("H{x:.1}V{y:.1}");
+    let mut corners: Vec<(f64, f64)> = Vec::new();
+    for index in frontier(&points) {
+        let (x, y) = *subjects[index].1;
+        if let Some(&(_, above)) = corners.last() {
+            corners.push((x, above));
+        }
+        corners.push((x, y));
     }
+    corners
+}
+
+fn stairs(corners: &[(f64, f64)]) -> String {
+    let points: Vec<_> = corners.iter().map(|(x, y)| format!("{x:.1},{y:.1}")).collect();
     format!(
-        "<path d=\"{path}\" fill=\"none\" stroke=\"#b8b8b8\" stroke-width=\"6\" stroke-linejoin=\"round\" \
-         stroke-linecap=\"round\"/>\n"
+        "<polyline points=\"{}\" fill=\"none\" stroke=\"#b8b8b8\" stroke-width=\"6\" stroke-linejoin=\"round\" \
+         stroke-linecap=\"round\"/>\n",
+        points.join(" ")
     )
 }
 

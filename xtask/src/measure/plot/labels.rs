@@ -30,12 +30,14 @@ pub(super) struct Labels {
 }
 
 /// How far from its marker a label may stand; from the second on a line leads to it.
-const DISTANCES: [f64; 4] = [9.0, 22.0, 38.0, 56.0];
+const DISTANCES: [f64; 5] = [9.0, 22.0, 38.0, 56.0, 76.0];
 /// The directions in which it may, the best first.
 const DIRECTIONS: [(f64, f64); 8] =
     [(1.0, 0.0), (-1.0, 0.0), (0.7, -0.7), (0.7, 0.7), (-0.7, -0.7), (-0.7, 0.7), (0.0, -1.0), (0.0, 1.0)];
 /// Half a marker.
 const MARKER: f64 = 5.0;
+/// Half a line's width.
+const LINE: f64 = 3.0;
 
 impl Labels {
     /// A panel with markers at these places.
@@ -49,9 +51,15 @@ impl Labels {
         Self { frame, taken: taken.collect() }
     }
 
+    /// Keeps labels off a line between two places, along an axis.
+    pub(super) fn avoid(&mut self, (x1, y1): (f64, f64), (x2, y2): (f64, f64)) {
+        let (left, top) = (x1.min(x2) - LINE, y1.min(y2) - LINE);
+        self.taken.push(Rectangle { left, top, right: x1.max(x2) + LINE, bottom: y1.max(y2) + LINE });
+    }
+
     /// Writes a label for the marker at a place, where it covers least.
     pub(super) fn place(&mut self, words: &str, (x, y): (f64, f64), size: u32) -> String {
-        let (width, height) = (0.56 * f64::from(size) * words.len() as f64, f64::from(size));
+        let (width, height) = (0.62 * f64::from(size) * words.chars().count() as f64, 1.2 * f64::from(size));
         let mut best: Option<(f64, Rectangle, f64)> = None;
         for distance in DISTANCES {
             for (right, down) in DIRECTIONS {
@@ -79,7 +87,7 @@ impl Labels {
             "<text x=\"{:.1}\" y=\"{:.1}\" font-size=\"{size}\" stroke=\"#fff\" stroke-width=\"3\" \
              paint-order=\"stroke\">{words}</text>\n",
             label.left,
-            label.bottom - 0.18 * height
+            label.bottom - 0.25 * height
         )
     }
 
