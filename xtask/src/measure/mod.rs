@@ -40,7 +40,11 @@ pub(crate) struct MeasureOptions {
 pub(crate) fn run(options: &MeasureOptions) -> Result<()> {
     let progress = Progress::Live;
     if options.check {
-        return check(&options.targets, &progress);
+        for remark in check(&options.targets, &progress)? {
+            println!("{remark}");
+        }
+        println!("errors and counts are those of the list");
+        return Ok(());
     }
     let old = PriceList::load()?;
     let targets = if options.targets.is_empty() { Target::all() } else { options.targets.clone() };
@@ -63,16 +67,14 @@ pub(crate) fn run(options: &MeasureOptions) -> Result<()> {
     Ok(())
 }
 
-/// Compares errors and counts with the list, and the documents with what would be made of it. Times are left alone.
-pub(crate) fn check(targets: &[Target], progress: &Progress) -> Result<()> {
+/// Compares errors and counts with the list, and the documents with what would be made of it. Times are left alone. Answers
+/// what a reader should know of a comparison that has passed.
+pub(crate) fn check(targets: &[Target], progress: &Progress) -> Result<Vec<String>> {
     let old = PriceList::load()?.context("there is no price list: `cargo xtask measure` makes one")?;
     let chosen = |target: &Target| targets.is_empty() || targets.contains(target);
     let targets: Vec<_> = Target::counted().into_iter().filter(chosen).collect();
     let new = measure(Some(&old), &targets, progress)?;
     let verdict = gate::compare(&old, &new, &counted(&targets));
-    for remark in &verdict.remarks {
-        progress.say("Remark", remark);
-    }
     if !verdict.differences.is_empty() {
         let told = verdict.differences.join("\n    ");
         bail!("the price list is not what is measured; `cargo xtask measure --bless` accepts it\n    {told}");
@@ -82,7 +84,7 @@ pub(crate) fn check(targets: &[Target], progress: &Progress) -> Result<()> {
         let found = fs::read_to_string(&file).with_context(|| format!("cannot read {shown}"))?;
         ensure!(found == text, "{shown} is not what the price list says: `cargo xtask measure` writes it");
     }
-    Ok(())
+    Ok(verdict.remarks)
 }
 
 fn counted(targets: &[Target]) -> Vec<&'static str> {

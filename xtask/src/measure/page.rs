@@ -17,22 +17,25 @@ const INTRODUCTION: &str = "\
 
 **Errors** are the largest difference from f64, in codes of 8 bits: 1 is 1/255 of full scale, and half a code is what a
 display shows. A kernel gets the nearest input that its format has, so what the format loses of the input is part of the
-error. *Exhaustive* errors are bounds: every versine of the cone was tried, at both ends of each interval in which the
-16-bit ramp is level. The others are *searched*: the largest of 262,144 angles or 65,536 points, hence lower bounds. All are
-the same in every run. Each kernel is held against its own model: what `powf` errs is told of the power of the cosine, what
-`gltf` errs of the formula without its `max(0.001, ...)`.
+error. *Exhaustive* errors are bounds: the 16-bit ramp is level over intervals of versines, the truth is monotone, and both
+ends of every interval of the cone are tried. The others are *searched*: the largest of 262,144 angles or 65,536 points,
+hence lower bounds. All are the same in every run. Each kernel is held against its own model: what `powf` errs is told of
+the power of the cosine, what `gltf` errs of the formula without its `max(0.001, ...)`.
 
 **Costs** on microcontrollers are instructions a call, counted exactly under QEMU as
 [firmware/README.md](../firmware/README.md) describes. Cycles are an **estimate** from Arm's timing tables, at zero wait
 states: two bounds, where operands, alignment or neighbours decide. On the host and in the browser costs are nanoseconds a
 call, over a batch of 4096 inputs from memory to memory: the median of 41 samples, in the best of three rounds. They
-depend on the machine and its other work, and nothing fails because of them. \"powf\" is how many calls have the price of one power function, that of libm on
-microcontrollers and of the platform elsewhere.
+depend on the machine and its other work, and nothing fails because of them. \"powf\" is how many calls have the price of
+one power function, that of libm on microcontrollers and of the platform elsewhere. Bytes are the code of all functions
+that a call executes; constant tables, such as those of roots, and the 1024 bytes of `table-256` are not among them.
 
 | stage | from | to |
 |---|---|---|
 | falloff | the versine of the angle off axis, in registers; for `f32-cosine` and rivals its cosine | an intensity |
 | lit | a point and a normal, in the cone and facing the light | the light that arrives: a soft edge and Lambert's cosine |
+| lit-inverse-square | the same | and the inverse square of the distance |
+| lit-specular | the same | and Phong's highlight of shininess 32, the direction to the eye included |
 | away, outside | the same, facing away, or outside the cone | zero, before the root is paid for |
 
 `f32-cosine` is the same ramp from `1 - l.s`; `f32-fast` takes micromath's reciprocal root as it is. `f64` reads points of
