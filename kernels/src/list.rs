@@ -86,8 +86,10 @@ fn shape<P: Shape>(setting: Setting, profile: P, visitor: &mut impl Visitor) {
     ours::<Fx16, P>(&cone, &truth, visitor);
     ours::<Fx32, P>(&cone, &truth, visitor);
     ours::<f32, P>(&cone, &truth, visitor);
-    if let Ok(falloff) = cone.compile() {
-        visitor.falloff(Row::falloff(P::NAME, "f32-cosine"), CosineFalloff::new(falloff), &truth);
+    let row = Row::falloff(P::NAME, "f32-cosine");
+    match cone.compile() {
+        Ok(falloff) => visitor.falloff(row, CosineFalloff::new(falloff), &truth),
+        Err(_) => visitor.refused(row, Cone::narrowest::<f32>(profile).to_degrees() / 2.0),
     }
     let double = DoubleFalloff::<P>::new(setting.outer_versine());
     visitor.falloff(Row::falloff(P::NAME, "f64"), double, &truth);

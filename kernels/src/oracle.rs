@@ -77,9 +77,10 @@ pub struct Highlight {
 }
 
 impl Point {
-    /// The light that arrives at a site, or that goes from there to the eye.
+    /// The light that arrives at a site, or that goes from there to the eye. Lambert's cosine takes the
+    /// normal as it is, of unit length within the roundings of f32; the mirror takes its direction.
     pub fn at(&self, site: &Site) -> f64 {
-        let (point, normal) = (widened(site.point), unit(widened(site.normal)));
+        let (point, normal) = (widened(site.point), widened(site.normal));
         let way = minus(point, self.position);
         let (direction, axis) = (unit(way), unit(self.axis));
         let difference = minus(direction, axis);
@@ -92,7 +93,8 @@ impl Point {
         match self.highlight {
             None => arriving * cosine,
             Some(highlight) => {
-                let mirror = minus(direction, scaled(normal, 2.0 * dot(direction, normal)));
+                let upright = unit(normal);
+                let mirror = minus(direction, scaled(upright, 2.0 * dot(direction, upright)));
                 let to_eye = unit(minus(highlight.eye, point));
                 let lobe = libm::pow(dot(mirror, to_eye).max(0.0), highlight.shininess);
                 arriving * (highlight.diffuse * cosine + highlight.specular * lobe)

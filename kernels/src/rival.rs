@@ -49,7 +49,7 @@ pub trait Power: Copy {
 #[derive(Clone, Copy, Debug)]
 pub struct Libm;
 
-/// The crate `micromath`: small, and within 0.2 % for small exponents.
+/// The crate `micromath`: small, and coarse for the exponents of spotlights.
 #[derive(Clone, Copy, Debug)]
 pub struct Micromath;
 

@@ -132,3 +132,32 @@ impl Format for Fx16 {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    extern crate std;
+    use std::vec::Vec;
+
+    use super::*;
+
+    #[test]
+    fn the_bounds_are_the_ends_of_level_intervals_and_leave_no_versine_out() {
+        let outer = 0.071_59;
+        let ramp = Fx16::ramp(0.0, outer, outer);
+        let mut ends = Vec::new();
+        Fx16::bounds(outer, &mut |versine, exact| ends.push((versine.to_bits(), exact)));
+        let edge = Fx16::versine(ramp, outer).to_bits();
+        let mut next = 0;
+        for pair in ends.chunks(2) {
+            let [(first, exact), (last, _)] = pair else { panic!("an interval has two ends") };
+            assert_eq!(*first, next, "an interval begins where the last has ended");
+            assert!((exact - f64::from(outer) * f64::from(*first) / f64::from(edge)).abs() < 1e-8);
+            let rise = |bits| Fx16::rise(ramp, <Fx16 as Scalar>::Versine::from_bits(bits));
+            let step = ((last - first) / 16).max(1) as usize;
+            assert!((*first..=*last).step_by(step).all(|bits| rise(bits) == rise(*first)), "it is level");
+            next = last + 1;
+        }
+        assert_eq!(next, edge);
+        assert!(ends.len() > 2 << 14, "a ramp of 15 bits has {} ends", ends.len());
+    }
+}

@@ -8,6 +8,7 @@ use std::str::FromStr;
 use lexopt::prelude::*;
 
 use crate::firmware::{Board, FirmwareOptions};
+use crate::measure::{MeasureOptions, Target};
 use crate::size::SizeOptions;
 
 /// A command with its options.
@@ -17,6 +18,7 @@ pub(crate) enum Request {
     Demo(DemoOptions),
     Firmware(FirmwareOptions),
     Size(SizeOptions),
+    Measure(MeasureOptions),
     Test(TestOptions),
 }
 
@@ -82,6 +84,7 @@ impl Request {
             Some("demo") => Self::parse_demo(words),
             Some("firmware") => Self::parse_firmware(words),
             Some("size") => Self::parse_size(words),
+            Some("measure") => Self::parse_measure(words),
             Some("test") => Self::parse_test(words),
             _ => Err(format!("there is no command {command:?}").into()),
         }
@@ -126,6 +129,23 @@ impl Request {
             }
         }
         Ok(Self::Size(options))
+    }
+
+    fn parse_measure(mut words: lexopt::Parser) -> Result<Self, lexopt::Error> {
+        let mut options = MeasureOptions::default();
+        while let Some(word) = words.next()? {
+            match word {
+                Long("target") => options.targets.push(Target::named(&words.value()?.string()?)?),
+                Long("check") => options.check = true,
+                Long("bless") => options.bless = true,
+                Short('h') | Long("help") => return Ok(Self::Help),
+                other => return Err(other.unexpected()),
+            }
+        }
+        if options.check && options.bless {
+            return Err("--check compares and --bless accepts: one of them".into());
+        }
+        Ok(Self::Measure(options))
     }
 
     fn parse_test(mut words: lexopt::Parser) -> Result<Self, lexopt::Error> {
@@ -202,6 +222,18 @@ mod tests {
     fn size_prints_a_table_or_json() {
         assert_eq!(parse("size").unwrap(), Request::Size(SizeOptions { json: false }));
         assert_eq!(parse("size --json").unwrap(), Request::Size(SizeOptions { json: true }));
+    }
+
+    #[test]
+    fn measure_takes_targets_and_either_checks_or_accepts() {
+        let Request::Measure(options) = parse("measure --target host --target rv32imc --bless").unwrap()
+        else {
+            panic!("it is not measure");
+        };
+        let names: Vec<_> = options.targets.iter().map(Target::name).collect();
+        assert_eq!((names, options.check, options.bless), (vec!["host", "rv32imc"], false, true));
+        assert!(parse("measure --check --bless").is_err());
+        assert!(parse("measure --target gpu").unwrap_err().to_string().contains("wasm-simd"));
     }
 
     #[test]

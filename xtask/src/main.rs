@@ -7,6 +7,7 @@ mod demo;
 mod firmware;
 mod http;
 mod install;
+mod measure;
 mod progress;
 mod project;
 mod server;
@@ -43,6 +44,10 @@ cargo xtask firmware [OPTIONS]   Count what the kernels cost on microcontrollers
 
 cargo xtask size [OPTIONS]   Count what each effect takes of a microcontroller's flash
     --json                   Print {target: {format: {effect: bytes}}} instead of the table
+cargo xtask measure [OPTIONS]    Write the price list of accuracy: errors, and costs on every target
+    --target NAME            Measure the costs on this one only: host, wasm, wasm-simd or one of the above; may be repeated
+    --check                  Compare errors and instructions with the list instead, and write nothing
+    --bless                  Write the list also where errors or instructions differ from it
 
 cargo xtask demo             The same as cargo demo
 cargo xtask help             Print this text
@@ -64,6 +69,7 @@ fn main() -> ExitCode {
         Request::Demo(options) => demo::run(&options).map(|()| ExitCode::SUCCESS),
         Request::Firmware(options) => firmware::run(&options).map(|()| ExitCode::SUCCESS),
         Request::Size(options) => size::run(&options).map(|()| ExitCode::SUCCESS),
+        Request::Measure(options) => measure::run(&options).map(|()| ExitCode::SUCCESS),
         Request::Test(options) => Ok(test::run(&options)),
     };
     outcome.unwrap_or_else(|error| {

@@ -13,7 +13,7 @@ const PRICE_LIST: &str = "accuracy-vs-cost.json";
 
 /// Builds the demo into `target/demo`: the page from `wasm-demo/web`, the price list, the bindings in `pkg`.
 pub(crate) fn build(progress: &Progress) -> Result<PathBuf> {
-    let module = wasm::compile(progress)?;
+    let module = wasm::DEMO.compile(progress)?;
     let site = project::target().join("demo");
     let step = progress.begin("Gathering", project::shown(&site));
     if site.exists() {
@@ -22,7 +22,7 @@ pub(crate) fn build(progress: &Progress) -> Result<PathBuf> {
     copy_folder(&project::root().join("wasm-demo/web"), &site)?;
     copy_price_list(&project::root().join("docs"), &site)?;
     step.done();
-    let bound = wasm::bind(&module, &site.join("pkg"), progress)?;
+    let bound = wasm::DEMO.bind(&module, &site.join("pkg"), progress)?;
     shrink::shrink(&bound, progress)?;
     Ok(site)
 }

@@ -10,7 +10,7 @@ use crate::progress::Progress;
 use crate::suite::Suite;
 use crate::tally::Tally;
 use crate::toolchain::Toolchain;
-use crate::{command, demo, firmware, site, size};
+use crate::{command, demo, firmware, measure, site, size};
 
 /// The smallest processor that is promised: no floating point unit, no division, no atomics.
 const BARE: &str = "thumbv6m-none-eabi";
@@ -42,6 +42,7 @@ pub(crate) fn run(options: &TestOptions) -> ExitCode {
     bare_metal(&mut suite);
     firmware::tests::run(&mut suite);
     size::tests::run(&mut suite);
+    prices(&mut suite);
     browser(&mut suite);
     suite.finish()
 }
@@ -99,6 +100,15 @@ fn bare_metal(suite: &mut Suite) {
     suite.step(&format!("bare metal: luminaire-render for {BARE}"), |progress| {
         build(progress, "luminaire-render", &[])
     });
+}
+
+fn prices(suite: &mut Suite) {
+    let name = "prices: errors and instructions are those of the list";
+    if suite.wants(name) {
+        for remark in suite.require(name, |progress| measure::check(&[], progress)).unwrap_or_default() {
+            println!("    {remark}");
+        }
+    }
 }
 
 fn browser(suite: &mut Suite) {

@@ -77,6 +77,14 @@ impl Toolchain {
         self.target_dir().join(self.target).join(profile)
     }
 
+    /// The compiler, as in `rustc 1.96.0`.
+    pub(crate) fn compiler(&self) -> Result<String> {
+        match &self.library {
+            Library::Installed => active_compiler(),
+            Library::FromSource { rustc } => version_of(rustc),
+        }
+    }
+
     /// How the standard library is had, for people.
     pub(crate) fn describe(&self) -> String {
         match &self.library {
@@ -98,6 +106,16 @@ impl Toolchain {
 
 fn active_rustc() -> PathBuf {
     env::var_os("RUSTC").map_or_else(|| "rustc".into(), PathBuf::from)
+}
+
+/// The compiler that the host's programs are compiled with, as in `rustc 1.96.0`.
+pub(crate) fn active_compiler() -> Result<String> {
+    version_of(&active_rustc())
+}
+
+fn version_of(rustc: &Path) -> Result<String> {
+    let told = command::answer(Command::new(rustc).current_dir(project::root()).arg("--version"))?;
+    Ok(told.split(' ').take(2).collect::<Vec<_>>().join(" "))
 }
 
 fn print(rustc: &Path, what: &[&str]) -> Option<String> {

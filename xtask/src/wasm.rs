@@ -1,4 +1,4 @@
-//! Compiling the demo to WebAssembly, and its bindings to JavaScript.
+//! Compiling a package to WebAssembly, and its bindings to JavaScript.
 
 use std::path::{Path, PathBuf};
 
@@ -11,26 +11,56 @@ use crate::toolchain::Toolchain;
 const TARGET: &str = "wasm32-unknown-unknown";
 const PROFILE: &str = "wasm";
 
-/// Compiles the demo; the module that comes out still needs its bindings.
-pub(crate) fn compile(progress: &Progress) -> Result<PathBuf> {
-    let toolchain = Toolchain::find(TARGET, progress)?;
-    let step = progress.begin("Building", format_args!("wasm-demo for {}", toolchain.describe()));
-    let mut build = toolchain.cargo_build("std,panic_abort", &["-Ctarget-feature=+simd128"]);
-    build.args(["--package", "wasm-demo", "--lib", "--profile", PROFILE]);
-    progress.run(build)?;
-    step.done();
-    Ok(toolchain.artifacts(PROFILE).join("wasm_demo.wasm"))
+/// A package that a browser runs.
+#[derive(Debug)]
+pub(crate) struct Package {
+    name: &'static str,
+    /// The name of its library, as files have it.
+    library: &'static str,
+    /// Whether it may use the vector instructions.
+    simd: bool,
 }
 
-/// Writes `wasm_demo.js` and `wasm_demo_bg.wasm` into `folder`; answers the latter's path.
-pub(crate) fn bind(module: &Path, folder: &Path, progress: &Progress) -> Result<PathBuf> {
-    let step = progress.begin("Binding", "wasm_demo.wasm to JavaScript");
-    let bound = Bindgen::new()
-        .input_path(module)
-        .web(true)
-        // The page calls `init()` without a path, so the bindings must know where their module is.
-        .and_then(|bindgen| bindgen.omit_default_module_path(false).typescript(false).generate(folder));
-    bound.with_context(|| format!("wasm-bindgen cannot make bindings for {}", module.display()))?;
-    step.done();
-    Ok(folder.join("wasm_demo_bg.wasm"))
+/// The demo, which wants the vector instructions.
+pub(crate) const DEMO: Package = Package { name: "wasm-demo", library: "wasm_demo", simd: true };
+/// What times the kernels.
+pub(crate) const PRICES: Package =
+    Package { name: "luminaire-prices", library: "luminaire_prices", simd: false };
+/// The same with vector instructions.
+pub(crate) const SIMD_PRICES: Package = Package { simd: true, ..PRICES };
+
+/// The compiler that packages are compiled with, as in `rustc 1.96.0`.
+pub(crate) fn compiler(progress: &Progress) -> Result<String> {
+    Toolchain::find(TARGET, progress)?.compiler()
+}
+
+impl Package {
+    /// The compiler's flags.
+    pub(crate) fn flags(&self) -> &'static [&'static str] {
+        if self.simd { &["-Ctarget-feature=+simd128"] } else { &[] }
+    }
+
+    /// Compiles it; the module that comes out still needs its bindings.
+    pub(crate) fn compile(&self, progress: &Progress) -> Result<PathBuf> {
+        let toolchain = Toolchain::find(TARGET, progress)?;
+        let step = progress.begin("Building", format_args!("{} for {}", self.name, toolchain.describe()));
+        let mut build = toolchain.cargo_build("std,panic_abort", self.flags());
+        build.args(["--package", self.name, "--lib", "--profile", PROFILE]);
+        progress.run(build)?;
+        step.done();
+        Ok(toolchain.artifacts(PROFILE).join(format!("{}.wasm", self.library)))
+    }
+
+    /// Writes the bindings and the bound module into `folder`; answers the latter's path.
+    pub(crate) fn bind(&self, module: &Path, folder: &Path, progress: &Progress) -> Result<PathBuf> {
+        let step = progress.begin("Binding", format_args!("{}.wasm to JavaScript", self.library));
+        let bound = Bindgen::new()
+            .input_path(module)
+            .web(true)
+            // The page calls `init()` without a path, so the bindings must know where their module is.
+            .and_then(|bindgen| bindgen.omit_default_module_path(false).typescript(false).generate(folder));
+        bound.with_context(|| format!("wasm-bindgen cannot make bindings for {}", module.display()))?;
+        step.done();
+        Ok(folder.join(format!("{}_bg.wasm", self.library)))
+    }
 }

@@ -78,6 +78,13 @@ impl Chromium {
         }
     }
 
+    /// The browser's name and version.
+    pub(crate) fn version(&mut self) -> Result<String> {
+        let version = self.devtools.call("Browser.getVersion", json!({}))?;
+        let product = version["product"].as_str().context("Chromium does not tell its version")?;
+        Ok(product.replace('/', " "))
+    }
+
     /// Opens a page with a profile of its own. `script` runs in it before any of its own.
     pub(crate) fn open(&mut self, address: &str, script: &str) -> Result<Page> {
         let context =

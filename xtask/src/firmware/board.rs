@@ -7,6 +7,8 @@ use super::cycles::Core;
 pub(crate) struct Board {
     /// The processor, as the command line and the tables name it.
     pub(crate) name: &'static str,
+    /// The same for people.
+    pub(crate) title: &'static str,
     /// The target that firmware for it is compiled for.
     pub(crate) target: &'static str,
     /// The QEMU that plays it.
@@ -21,6 +23,7 @@ pub(crate) struct Board {
 pub(crate) static ALL: [Board; 4] = [
     Board {
         name: "cortex-m0",
+        title: "Cortex-M0",
         target: "thumbv6m-none-eabi",
         emulator: "qemu-system-arm",
         machine: &["-M", "microbit"],
@@ -28,6 +31,7 @@ pub(crate) static ALL: [Board; 4] = [
     },
     Board {
         name: "cortex-m3",
+        title: "Cortex-M3",
         target: "thumbv7m-none-eabi",
         emulator: "qemu-system-arm",
         machine: &["-M", "lm3s6965evb"],
@@ -35,6 +39,7 @@ pub(crate) static ALL: [Board; 4] = [
     },
     Board {
         name: "cortex-m4f",
+        title: "Cortex-M4F",
         target: "thumbv7em-none-eabihf",
         emulator: "qemu-system-arm",
         machine: &["-M", "mps2-an386"],
@@ -42,6 +47,7 @@ pub(crate) static ALL: [Board; 4] = [
     },
     Board {
         name: "rv32imc",
+        title: "RV32IMC",
         target: "riscv32imc-unknown-none-elf",
         emulator: "qemu-system-riscv32",
         machine: &["-M", "virt", "-bios", "none", "-cpu", "rv32,a=false,f=false,d=false"],

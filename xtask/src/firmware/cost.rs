@@ -12,7 +12,6 @@ use super::symbols::{Function, Symbols};
 /// A line of the program `cost`: a kernel that was run in a number format over inputs.
 #[derive(Clone, Debug, PartialEq)]
 struct Line {
-    stage: String,
     format: String,
     kernel: String,
     calls: u64,
@@ -24,7 +23,6 @@ const EMPTY: &str = "empty";
 /// What a kernel costs. All is less the empty loop over the same inputs.
 #[derive(Clone, Debug)]
 pub(crate) struct Cost {
-    pub(crate) stage: String,
     pub(crate) format: String,
     pub(crate) kernel: String,
     /// The average of a call.
@@ -51,6 +49,8 @@ impl Cost {
 pub(crate) struct Costs {
     pub(crate) kernels: Vec<Cost>,
     pub(crate) compiler: String,
+    /// What has played the board.
+    pub(crate) emulator: String,
 }
 
 /// Runs the program `cost`. Its results must be the host's.
@@ -58,7 +58,8 @@ pub(crate) fn measure(laboratory: &Laboratory, host: &[String]) -> Result<Costs>
     let run = laboratory.run("cost")?;
     compare(&run.lines, host)?;
     let symbols = Symbols::read(&laboratory.program("cost"))?;
-    Ok(Costs { kernels: kernels(&run, &symbols, laboratory.board().core)?, compiler: symbols.compiler })
+    let kernels = kernels(&run, &symbols, laboratory.board().core)?;
+    Ok(Costs { kernels, compiler: symbols.compiler, emulator: laboratory.emulator() })
 }
 
 /// An error names the first result that differs.
@@ -105,7 +106,6 @@ fn cost(line: Line, region: &Region, empty: &Region, symbols: &Symbols, core: Op
         bytes: bytes(region).saturating_sub(bytes(empty)),
         split: split.collect(),
         empty: empty_loop,
-        stage: line.stage,
         format: line.format,
         kernel: line.kernel,
     })
@@ -115,10 +115,10 @@ impl Line {
     /// Reads `falloff fx16 soft 256 9e19f69e`, the last word being the checksum.
     fn parse(line: &str) -> Option<Self> {
         let mut words = line.split(' ').map(str::to_owned);
-        let (stage, format, kernel) = (words.next()?, words.next()?, words.next()?);
+        let (_stage, format, kernel) = (words.next()?, words.next()?, words.next()?);
         let calls = words.next()?.parse().ok().filter(|calls| *calls > 0)?;
         words.next()?;
-        words.next().is_none().then_some(Self { stage, format, kernel, calls })
+        words.next().is_none().then_some(Self { format, kernel, calls })
     }
 }
 

@@ -36,6 +36,12 @@ impl Emulator {
         Ok(Self { program, machine: board.machine, version })
     }
 
+    /// Its version and the board, as in `QEMU 7.2, -M microbit`.
+    pub(crate) fn describe(&self) -> String {
+        let (major, minor) = self.version;
+        format!("QEMU {major}.{minor}, {}", self.machine.join(" "))
+    }
+
     /// Whether this QEMU wants its plugins written for version 3 of the interface, as 9.1 and later do.
     pub(crate) fn wants_api_3(&self) -> bool {
         self.version >= (9, 1)

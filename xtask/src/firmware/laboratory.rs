@@ -49,6 +49,11 @@ impl Laboratory {
         self.board
     }
 
+    /// What plays the board.
+    pub(crate) fn emulator(&self) -> String {
+        self.emulator.describe()
+    }
+
     /// The file of a firmware program.
     pub(crate) fn program(&self, name: &str) -> PathBuf {
         self.programs.join(name)

@@ -15,7 +15,8 @@ use anyhow::{Result, bail};
 
 use crate::progress::Progress;
 
-pub(crate) use board::Board;
+pub(crate) use board::{ALL as BOARDS, Board};
+pub(crate) use cost::Costs;
 
 /// The options of `firmware`.
 #[derive(Debug, Default, PartialEq)]
@@ -26,15 +27,24 @@ pub(crate) struct FirmwareOptions {
     pub(crate) by_symbol: Option<String>,
 }
 
+/// What the program `cost` must print.
+pub(crate) fn expected(progress: &Progress) -> Result<Vec<String>> {
+    laboratory::on_the_host("cost", progress)
+}
+
+/// What every kernel costs on a board, where it must have the results that are expected.
+pub(crate) fn costs(board: &'static Board, expected: &[String], progress: &Progress) -> Result<Costs> {
+    cost::measure(&laboratory::Laboratory::new(board, progress)?, expected)
+}
+
 /// Counts, and prints the table.
 pub(crate) fn run(options: &FirmwareOptions) -> Result<()> {
     let progress = Progress::Live;
     let boards = if options.boards.is_empty() { board::ALL.iter().collect() } else { options.boards.clone() };
-    let host = laboratory::on_the_host("cost", &progress)?;
+    let expected = expected(&progress)?;
     let mut report = report::Report { boards: Vec::new() };
     for board in boards {
-        let laboratory = laboratory::Laboratory::new(board, &progress)?;
-        report.boards.push((board, cost::measure(&laboratory, &host)?));
+        report.boards.push((board, costs(board, &expected, &progress)?));
     }
     let Some(wanted) = &options.by_symbol else {
         print!("{report}");

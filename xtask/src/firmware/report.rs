@@ -76,7 +76,6 @@ mod tests {
     fn cost(kernel: &str, format: &str, instructions: f64) -> Cost {
         let function = Function { name: "pass".to_owned(), bytes: 64 };
         Cost {
-            stage: "falloff".to_owned(),
             format: format.to_owned(),
             kernel: kernel.to_owned(),
             instructions,
@@ -90,7 +89,7 @@ mod tests {
     #[test]
     fn a_kernel_is_compared_with_the_power() {
         let kernels = vec![cost("soft", "fx16", 20.0), cost("powf-libm", "rival", 9000.0)];
-        let costs = Costs { kernels, compiler: "rustc 1.95.0".to_owned() };
+        let costs = Costs { kernels, compiler: "rustc 1.95.0".to_owned(), emulator: String::new() };
         let report = Report { boards: vec![(&board::ALL[0], costs)] }.to_string();
         let lines: Vec<_> = report.lines().collect();
         assert_eq!(

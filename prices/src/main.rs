@@ -1,0 +1,58 @@
+//! Prints what the kernels err, or how long they take on this machine.
+//!
+//! `cargo run --release --package luminaire-prices -- accuracy` or `-- time`.
+#![forbid(unsafe_code)]
+
+use std::process::ExitCode;
+use std::time::Instant;
+
+use luminaire::HalfAngle;
+use luminaire_kernels::Setting;
+use luminaire_prices::{Accuracy, Clock, Times};
+
+/// Outer half angles in degrees, beside that of the standard cone: where the forms part.
+const NARROWER: [f32; 3] = [15.0, 5.0, 1.0];
+
+fn main() -> ExitCode {
+    let words: Vec<_> = std::env::args().skip(1).collect();
+    match words.iter().map(String::as_str).collect::<Vec<_>>()[..] {
+        ["accuracy"] => accuracy(),
+        ["time"] => time(),
+        _ => {
+            eprintln!("error: ask for `accuracy` or for `time`");
+            return ExitCode::from(2);
+        }
+    }
+    ExitCode::SUCCESS
+}
+
+fn accuracy() {
+    let narrower = NARROWER.map(|degrees| Setting::ending_at(HalfAngle::degrees(degrees)));
+    for setting in [Setting::standard()].into_iter().chain(narrower) {
+        for row in Accuracy::of_all(setting) {
+            println!("{row}");
+        }
+    }
+}
+
+fn time() {
+    let clock = Monotonic(Instant::now());
+    for row in (0..Times::count()).filter_map(|number| Times::of(number, &clock)) {
+        println!("{row}");
+    }
+}
+
+/// The operating system's clock.
+struct Monotonic(Instant);
+
+impl Clock for Monotonic {
+    fn now(&self) -> f64 {
+        self.0.elapsed().as_secs_f64() * 1e9
+    }
+
+    /// Long against the clock's own cost, and short against a time slice: on a machine that others use too, most
+    /// samples are then undisturbed.
+    fn shortest(&self) -> f64 {
+        200_000.0
+    }
+}

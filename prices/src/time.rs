@@ -1,0 +1,173 @@
+//! How long the kernels take, by a clock.
+
+use std::fmt;
+use std::hint::black_box;
+
+use luminaire_kernels::scene::{Site, Sites};
+use luminaire_kernels::{Kernel, Row, Setting, Value, Visitor, falloffs, oracle, points};
+
+/// How many inputs a kernel is run over at a time, from memory to memory.
+pub const BATCH: usize = 4096;
+
+/// How many times are taken, of which the median counts.
+const SAMPLES: usize = 41;
+
+/// A clock, and how coarse it is.
+pub trait Clock {
+    /// Nanoseconds since some moment.
+    fn now(&self) -> f64;
+    /// The shortest time in nanoseconds that it measures well.
+    fn shortest(&self) -> f64;
+}
+
+/// How long a kernel takes.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Times {
+    /// The kernel.
+    pub row: Row,
+    /// Nanoseconds a call: the lower quartile, the median and the upper quartile.
+    pub quartiles: [f64; 3],
+    /// A checksum of the results.
+    pub sum: u32,
+}
+
+impl Times {
+    /// How many kernels there are.
+    pub fn count() -> usize {
+        let mut count = Count(0);
+        falloffs(Setting::standard(), &mut count);
+        points(Setting::standard(), &mut count);
+        count.0
+    }
+
+    /// Times the kernel of this number.
+    pub fn of(number: usize, clock: &impl Clock) -> Option<Self> {
+        let mut stopwatch = Stopwatch { clock, wanted: number, seen: 0, found: None };
+        falloffs(Setting::standard(), &mut stopwatch);
+        points(Setting::standard(), &mut stopwatch);
+        stopwatch.found
+    }
+}
+
+/// `time stage format kernel lower median upper checksum`.
+impl fmt::Display for Times {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Row { kernel, stage, format } = self.row;
+        let [lower, median, upper] = self.quartiles;
+        let stage = stage.name();
+        write!(out, "time {stage} {format} {kernel} {lower:.4} {median:.4} {upper:.4} {:08x}", self.sum)
+    }
+}
+
+struct Count(usize);
+
+impl Visitor for Count {
+    fn falloff<K: Kernel<Place = f32>>(&mut self, _: Row, _: K, _: &oracle::Falloff) {
+        self.0 += 1;
+    }
+
+    fn point<K: Kernel<Place = Site>>(&mut self, _: Row, _: K, _: &oracle::Point) {
+        self.0 += 1;
+    }
+}
+
+struct Stopwatch<'a, C> {
+    clock: &'a C,
+    wanted: usize,
+    seen: usize,
+    found: Option<Times>,
+}
+
+impl<C: Clock> Stopwatch<'_, C> {
+    fn is_wanted(&mut self) -> bool {
+        self.seen += 1;
+        self.seen - 1 == self.wanted
+    }
+
+    fn time<K: Kernel>(&mut self, row: Row, kernel: &K, inputs: &[K::Input]) {
+        let mut outputs: Vec<_> = inputs.iter().map(|input| kernel.evaluate(input)).collect();
+        let sum = outputs.iter().fold(0, |sum: u32, output| sum.wrapping_mul(3) ^ output.bits());
+        // So many batches that the clock tells them well.
+        let mut batches = 1;
+        while self.lapse(kernel, inputs, &mut outputs, batches) < self.clock.shortest() {
+            batches *= 2;
+        }
+        let calls = (batches * inputs.len()) as f64;
+        let mut samples: Vec<_> =
+            (0..SAMPLES).map(|_| self.lapse(kernel, inputs, &mut outputs, batches) / calls).collect();
+        samples.sort_by(f64::total_cmp);
+        let quartiles = [SAMPLES / 4, SAMPLES / 2, 3 * SAMPLES / 4].map(|index| samples[index]);
+        self.found = Some(Times { row, quartiles, sum });
+    }
+
+    /// How long so many batches take, in nanoseconds.
+    fn lapse<K: Kernel>(
+        &self,
+        kernel: &K,
+        inputs: &[K::Input],
+        outputs: &mut [K::Output],
+        batches: usize,
+    ) -> f64 {
+        let start = self.clock.now();
+        for _ in 0..batches {
+            batch(black_box(kernel), black_box(inputs), black_box(&mut *outputs));
+        }
+        self.clock.now() - start
+    }
+}
+
+/// For each kernel a function of its own, so that none disturbs another.
+#[inline(never)]
+fn batch<K: Kernel>(kernel: &K, inputs: &[K::Input], outputs: &mut [K::Output]) {
+    for (output, input) in outputs.iter_mut().zip(inputs) {
+        *output = kernel.evaluate(input);
+    }
+}
+
+impl<C: Clock> Visitor for Stopwatch<'_, C> {
+    fn falloff<K: Kernel<Place = f32>>(&mut self, row: Row, kernel: K, truth: &oracle::Falloff) {
+        if self.is_wanted() {
+            let versine = |i| truth.outer as f32 * ((i as f32 + 0.5) / BATCH as f32);
+            let inputs: Vec<_> = (0..BATCH).map(|i| kernel.input(&versine(i))).collect();
+            self.time(row, &kernel, &inputs);
+        }
+    }
+
+    fn point<K: Kernel<Place = Site>>(&mut self, row: Row, kernel: K, truth: &oracle::Point) {
+        if self.is_wanted() {
+            let sites = Sites::new(truth.population, truth.falloff.outer as f32);
+            let inputs: Vec<_> = sites.take(BATCH).map(|site| kernel.input(&site)).collect();
+            self.time(row, &kernel, &inputs);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::cell::Cell;
+
+    use super::*;
+
+    /// A clock on which every batch takes a microsecond more.
+    struct Ticking(Cell<f64>);
+
+    impl Clock for Ticking {
+        fn now(&self) -> f64 {
+            self.0.set(self.0.get() + 4096.0);
+            self.0.get()
+        }
+
+        fn shortest(&self) -> f64 {
+            4096.0
+        }
+    }
+
+    #[test]
+    fn a_kernel_is_timed_by_its_number_and_the_last_is_the_last() {
+        let clock = Ticking(Cell::new(0.0));
+        let first = Times::of(0, &clock).unwrap();
+        assert_eq!((first.row.kernel, first.quartiles), ("soft", [1.0; 3]));
+        assert!(Times::of(Times::count() - 1, &clock).is_some());
+        assert!(Times::of(Times::count(), &clock).is_none());
+    }
+}

@@ -1,0 +1,32 @@
+//! The same in a browser.
+
+use wasm_bindgen::prelude::wasm_bindgen;
+use web_sys::Performance;
+
+use crate::time::{Clock, Times};
+
+/// `performance.now()`, which goes in steps of 5 microseconds where a page is isolated.
+struct PageClock(Performance);
+
+impl Clock for PageClock {
+    fn now(&self) -> f64 {
+        self.0.now() * 1e6
+    }
+
+    fn shortest(&self) -> f64 {
+        500_000.0
+    }
+}
+
+/// How many kernels there are.
+#[wasm_bindgen]
+pub fn count() -> usize {
+    Times::count()
+}
+
+/// Times the kernel of this number: a line of words, as the host prints it.
+#[wasm_bindgen]
+pub fn time(number: usize) -> Option<String> {
+    let clock = PageClock(web_sys::window()?.performance()?);
+    Some(Times::of(number, &clock)?.to_string())
+}

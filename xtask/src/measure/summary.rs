@@ -1,0 +1,102 @@
+//! The README's part: a short table and a picture.
+
+use anyhow::{Context, Result};
+
+use super::documents::picture;
+use super::list::PriceList;
+use super::target::Target;
+use super::{documents, figures};
+
+const BEGIN: &str = "<!-- prices: written by `cargo xtask measure` -->\n";
+const END: &str = "<!-- end of prices -->\n";
+
+/// The rows, with what they are called for people.
+const ROWS: [(&str, &str); 12] = [
+    ("soft.fx16", "soft edge, `Fx16`"),
+    ("soft.fx32", "soft edge, `Fx32`"),
+    ("soft.f32", "soft edge, `f32`"),
+    ("soft.f32-cosine", "soft edge, `f32`, by `1 - l.s`"),
+    ("powf-libm.rival", "power of the cosine, libm's `powf`"),
+    ("powf-micromath.rival", "power of the cosine, micromath's `powf`"),
+    ("table-256.rival", "power of the cosine, a table of 256"),
+    ("gltf.rival", "glTF's reference code, `f32`"),
+    ("lit-inverse-square.fx16", "lit point, `Fx16`"),
+    ("lit-inverse-square.fx32", "lit point, `Fx32`"),
+    ("lit-inverse-square.f32", "lit point, `f32`"),
+    ("away.fx16", "point facing away, `Fx16`"),
+];
+/// The half angle of the second column of errors.
+const NARROW: f64 = 1.0;
+/// The target of the picture.
+const PICTURE: &str = "cortex-m0";
+
+/// The README with its part written anew.
+pub(super) fn replaced(readme: &str, list: &PriceList) -> Result<String> {
+    let (before, rest) = readme.split_once(BEGIN).context("the line where the prices begin is missing")?;
+    let (_, after) = rest.split_once(END).context("the line where the prices end is missing")?;
+    Ok(format!("{before}{BEGIN}{}{END}{after}", part(list)))
+}
+
+fn part(list: &PriceList) -> String {
+    let targets = documents::measured(list);
+    let heads = targets.iter().map(|target| format!(" {} |", head(target)));
+    let mut text = format!(
+        "\n| | error at {:.0}° | at {NARROW}° |{}\n|---|---|---|{}\n",
+        list.meta.half_angle,
+        heads.collect::<String>(),
+        "---|".repeat(targets.len())
+    );
+    for (name, title) in ROWS {
+        let Some(row) = list.row(name) else { continue };
+        let wide = row.error.as_ref().map_or_else(String::new, |error| figures::error(error.codes));
+        let cone = row.narrower.iter().find(|cone| cone.half_angle == NARROW);
+        let narrow = cone.map_or_else(String::new, |cone| match (&cone.error, cone.narrowest) {
+            (Some(error), _) => figures::error(error.codes),
+            (None, _) => "refused".to_owned(),
+        });
+        text += &format!("| {title} | {wide} | {narrow} |");
+        for target in &targets {
+            let cost = row.cost.get(target.name()).map(|cost| figures::cost(cost.amount()));
+            text += &format!(" {} |", cost.unwrap_or_default());
+        }
+        text += "\n";
+    }
+    if let Some(target) = targets.iter().find(|target| target.name() == PICTURE) {
+        let title = target.title();
+        text += &format!(
+            "\n![Error against instructions on a {title}, both logarithmic]({})\n",
+            of_readme(target)
+        );
+    }
+    text + "\n"
+}
+
+fn of_readme(target: &Target) -> String {
+    format!("docs/{}", picture(target))
+}
+
+fn head(target: &Target) -> String {
+    match target {
+        Target::Host => "host, ns".to_owned(),
+        Target::Browser { simd: false } => "browser, ns".to_owned(),
+        Target::Browser { simd: true } => "with simd, ns".to_owned(),
+        Target::Board(board) => format!("{}, instr.", board.title),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_what_is_between_the_markers_changes() {
+        let readme = format!("# Before\n{BEGIN}old\n{END}after\n");
+        let text = replaced(&readme, &PriceList::default()).unwrap();
+        assert!(
+            text.starts_with("# Before\n") && text.ends_with("after\n") && !text.contains("old"),
+            "{text}"
+        );
+        assert_eq!(replaced(&text, &PriceList::default()).unwrap(), text);
+        assert!(replaced("# Before\n", &PriceList::default()).is_err());
+    }
+}
