@@ -7,12 +7,14 @@ use std::str::FromStr;
 
 use lexopt::prelude::*;
 
+use crate::conform::{ConformOptions, Target};
 use crate::firmware::{Board, FirmwareOptions};
 
 /// A command with its options.
 #[derive(Debug, PartialEq)]
 pub(crate) enum Request {
     Help,
+    Conform(ConformOptions),
     Demo(DemoOptions),
     Firmware(FirmwareOptions),
     Test(TestOptions),
@@ -75,11 +77,25 @@ impl Request {
         };
         match command.to_str() {
             Some("help") => Ok(Self::Help),
+            Some("conform") => Self::parse_conform(words),
             Some("demo") => Self::parse_demo(words),
             Some("firmware") => Self::parse_firmware(words),
             Some("test") => Self::parse_test(words),
             _ => Err(format!("there is no command {command:?}").into()),
         }
+    }
+
+    fn parse_conform(mut words: lexopt::Parser) -> Result<Self, lexopt::Error> {
+        let mut options = ConformOptions::default();
+        while let Some(word) = words.next()? {
+            match word {
+                Long("target") => options.targets.extend(Target::named(&words.value()?.string()?)?),
+                Long("bless") => options.bless = true,
+                Short('h') | Long("help") => return Ok(Self::Help),
+                other => return Err(other.unexpected()),
+            }
+        }
+        Ok(Self::Conform(options))
     }
 
     fn parse_demo(mut words: lexopt::Parser) -> Result<Self, lexopt::Error> {
@@ -160,6 +176,14 @@ mod tests {
     }
 
     #[test]
+    fn conform_takes_targets_or_blesses() {
+        let bless = ConformOptions { targets: Vec::new(), bless: true };
+        assert_eq!(parse("conform --bless").unwrap(), Request::Conform(bless));
+        let targets = ConformOptions { targets: vec![Target::Browser], bless: false };
+        assert_eq!(parse("conform --target wasm").unwrap(), Request::Conform(targets));
+    }
+
+    #[test]
     fn firmware_takes_targets_one_by_one() {
         let Request::Firmware(options) = parse("firmware --target cortex-m0 --target rv32imc").unwrap()
         else {
@@ -186,6 +210,7 @@ mod tests {
             ("demo --size 0x540", "0x540"),
             ("test --only", "only"),
             ("firmware --target cortex-m1", "cortex-m1"),
+            ("conform --target cortex-m1", "cortex-m1"),
         ] {
             let error = parse(line).unwrap_err().to_string();
             assert!(error.contains(name), "`{line}` was refused with: {error}");

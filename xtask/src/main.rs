@@ -3,6 +3,7 @@
 mod arguments;
 mod browser;
 mod command;
+mod conform;
 mod demo;
 mod firmware;
 mod http;
@@ -39,6 +40,10 @@ cargo xtask firmware [OPTIONS]   Count what the kernels cost on microcontrollers
     --target NAME            Count on this one only: cortex-m0, cortex-m3, cortex-m4f or rv32imc; may be repeated
     --by-symbol KERNEL       Split one kernel, such as lit.fx16, by function instead of printing the table
 
+cargo xtask conform [OPTIONS]    Compare the bits of every model with the conformance vectors, on every target
+    --target NAME            On this one only: host, wasm or one of the processors above; may be repeated
+    --bless                  Write the vectors anew as the host computes them, and tell what changed
+
 cargo xtask demo             The same as cargo demo
 cargo xtask help             Print this text
 ";
@@ -56,6 +61,7 @@ fn main() -> ExitCode {
             print!("{USAGE}");
             Ok(ExitCode::SUCCESS)
         }
+        Request::Conform(options) => conform::run(&options),
         Request::Demo(options) => demo::run(&options).map(|()| ExitCode::SUCCESS),
         Request::Firmware(options) => firmware::run(&options).map(|()| ExitCode::SUCCESS),
         Request::Test(options) => Ok(test::run(&options)),

@@ -10,7 +10,7 @@ use crate::progress::Progress;
 use crate::suite::Suite;
 use crate::tally::Tally;
 use crate::toolchain::Toolchain;
-use crate::{command, demo, firmware, site};
+use crate::{command, conform, demo, firmware, site};
 
 /// The smallest processor that is promised: no floating point unit, no division, no atomics.
 const BARE: &str = "thumbv6m-none-eabi";
@@ -41,6 +41,7 @@ pub(crate) fn run(options: &TestOptions) -> ExitCode {
     }
     bare_metal(&mut suite);
     firmware::tests::run(&mut suite);
+    conform::tests::run(&mut suite);
     browser(&mut suite);
     suite.finish()
 }

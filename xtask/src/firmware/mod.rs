@@ -1,10 +1,10 @@
 //! `cargo xtask firmware`: what the kernels cost on microcontrollers, in exact numbers of instructions.
 
-mod board;
+pub(crate) mod board;
 mod cost;
 mod counts;
-mod emulator;
-mod laboratory;
+pub(crate) mod emulator;
+pub(crate) mod laboratory;
 mod package;
 mod report;
 mod symbols;
