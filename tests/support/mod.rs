@@ -13,3 +13,4 @@ pub mod profiles;
 pub mod reference;
 pub mod region;
 pub mod sweep;
+pub mod worst;
