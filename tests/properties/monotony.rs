@@ -18,14 +18,12 @@ fn falloff<S: Format>(words: &mut Words<'_>) -> Option<()> {
         let cone = scene::cone(words, profile)?;
         let falloff = cone.compile::<S>().ok()?;
         let slack = if [4, 5, 6, 12].contains(&name) { f64::from(S::STEP) } else { 0.0 };
-        let some = |words: &mut Words<'_>| {
-            if words.choice(2) == 0 {
-                S::versine_from_bits(words.wide())
-            } else {
-                falloff.versine(words.between(0.0, 1.2) * cone.outer_versine())
-            }
+        let (a, b) = if words.choice(3) == 0 {
+            (S::versine_from_bits(words.wide()), S::versine_from_bits(words.wide()))
+        } else {
+            let (a, b) = words.pair(1.2 * cone.outer_versine());
+            (falloff.versine(a), falloff.versine(b))
         };
-        let (a, b) = (some(words), some(words));
         let (inside, outside) = match a.partial_cmp(&b)? {
             Ordering::Greater => (b, a),
             _ => (a, b),
@@ -85,7 +83,7 @@ fn intensity<S: Format>(words: &mut Words<'_>) -> Option<()> {
     let place = words.place();
     let spot = scene::spot(words, cone, place)?;
     let (point, normal) = (words.point::<S>(place), words.normal::<S>());
-    let (a, b) = (words.number(0.0, 1e3), words.number(0.0, 1e3));
+    let (a, b) = words.pair(1e3);
     let (less, more) = (a.min(b), a.max(b));
     let light = |intensity: f32| {
         let light = spot.with_intensity(intensity).ok()?.compile::<S>().ok()?;

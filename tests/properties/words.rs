@@ -59,6 +59,16 @@ impl<'a> Words<'a> {
         if self.is_wild() { f32::from_bits(self.next()) } else { self.between(least, most) }
     }
 
+    /// A number above zero and another, in half of all cases no more than a few of its last places away: what is not
+    /// monotone shows between neighbours.
+    pub fn pair(&mut self, most: f32) -> (f32, f32) {
+        let one = self.number(most / 1_024.0, most);
+        if self.choice(2) == 0 {
+            return (one, self.number(most / 1_024.0, most));
+        }
+        (one, f32::from_bits(one.to_bits().saturating_add(1 << self.choice(16))))
+    }
+
     /// Three numbers.
     pub fn numbers(&mut self, least: f32, most: f32) -> Vec3<f32> {
         Vec3::new(self.number(least, most), self.number(least, most), self.number(least, most))
