@@ -13,11 +13,11 @@ pub fn falloffs_fall<S: Format>(words: &[u32]) {
 }
 
 fn falloff<S: Format>(words: &mut Words<'_>) -> Option<()> {
-    let name = words.clone().choice(13);
+    let may_rise = scene::RISING.contains(&words.clone().choice(scene::PROFILES));
     with_any_profile!(words, profile => {
         let cone = scene::cone(words, profile)?;
         let falloff = cone.compile::<S>().ok()?;
-        let slack = if [4, 5, 6, 12].contains(&name) { f64::from(S::STEP) } else { 0.0 };
+        let slack = if may_rise { f64::from(S::STEP) } else { 0.0 };
         let (a, b) = if words.choice(3) == 0 {
             (S::versine_from_bits(words.wide()), S::versine_from_bits(words.wide()))
         } else {

@@ -6,12 +6,18 @@ use luminaire::{Angle, Cone, HalfAngle, Material, Profile, Rgb, Specular, Spot, 
 /// The samples of a table that is monotone, begins in full light and ends above the dark.
 pub static SAMPLES: [u16; 6] = [65_535, 65_535, 40_000, 39_999, 1_000, 7];
 
+/// How many profiles there are to choose from.
+pub const PROFILES: u32 = 13;
+
+/// Which of them may rise by a step of the format towards the edge: smooth, blend, cubic and table.
+pub const RISING: [u32; 4] = [4, 5, 6, 12];
+
 /// Evaluates an expression with one of the profiles there are, in a type of its own each, or refuses.
 macro_rules! with_any_profile {
     ($words:expr, $profile:ident => $answer:expr) => {{
         use luminaire::{Blend, Cubic, CutOff, Edge, Hard, Linear, Power, Rim, Smooth, Soft, Table};
         let words: &mut Words<'_> = $words;
-        match words.choice(13) {
+        match words.choice($crate::properties::scene::PROFILES) {
             0 => {
                 let $profile = Soft;
                 $answer
