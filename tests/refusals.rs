@@ -247,3 +247,19 @@ fn a_position_beyond_the_reach_of_its_format() {
 fn a_cone_narrower_than_numbers() {
     assert!(Cone::from_field(Soft, Angle::degrees(1e-30)).is_err());
 }
+
+/// An angle above zero whose versine is none would be a cone without light, and beam and field would have no ratio.
+#[test]
+fn angles_too_small_for_a_versine() {
+    let tiny = Angle::degrees(1e-30);
+    for refused in [
+        Cone::from_outer(Soft, tiny).map(drop),
+        cone().with_delimiter(tiny).map(drop),
+        Cone::from_beam_and_field(tiny, Angle::degrees(2e-30)).map(drop),
+        Cone::edge_slopes(tiny, Angle::degrees(2e-30)).map(drop),
+    ] {
+        let error = refused.expect_err("no such cone");
+        assert_eq!(error.value, 1e-30);
+        assert!(matches!(error.accepted, Accepted::AngleUpTo(_)), "{error}");
+    }
+}

@@ -111,7 +111,9 @@ impl<P: Profile> Cone<P> {
     pub fn with_delimiter(self, delimiter: impl Into<Angle>) -> Result<Self, Error> {
         let angle = delimiter.into();
         let limit = angle.versine();
-        if angle > Angle::degrees(0.0) && angle <= Angle::degrees(180.0) && limit <= self.outer {
+        // As above: a versine of none would be a cone without any light.
+        let range = f32::MIN_POSITIVE..=self.outer;
+        if angle > Angle::degrees(0.0) && angle <= Angle::degrees(180.0) && range.contains(&limit) {
             Ok(Self { limit, ..self })
         } else {
             let accepted = Accepted::AngleUpTo(Angle::from_versine(self.outer).to_degrees());

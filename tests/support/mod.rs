@@ -21,3 +21,4 @@ pub mod profiles;
 pub mod reference;
 pub mod region;
 pub mod sweep;
+pub mod worst;

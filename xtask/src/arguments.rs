@@ -7,14 +7,16 @@ use std::str::FromStr;
 
 use lexopt::prelude::*;
 
+use crate::conform::{self, ConformOptions};
 use crate::firmware::{Board, FirmwareOptions};
-use crate::measure::{MeasureOptions, Target};
+use crate::measure::{self, MeasureOptions};
 use crate::size::SizeOptions;
 
 /// A command with its options.
 #[derive(Debug, PartialEq)]
 pub(crate) enum Request {
     Help,
+    Conform(ConformOptions),
     Demo(DemoOptions),
     Firmware(FirmwareOptions),
     Size(SizeOptions),
@@ -81,6 +83,7 @@ impl Request {
         };
         match command.to_str() {
             Some("help") => Ok(Self::Help),
+            Some("conform") => Self::parse_conform(words),
             Some("demo") => Self::parse_demo(words),
             Some("firmware") => Self::parse_firmware(words),
             Some("size") => Self::parse_size(words),
@@ -88,6 +91,19 @@ impl Request {
             Some("test") => Self::parse_test(words),
             _ => Err(format!("there is no command {command:?}").into()),
         }
+    }
+
+    fn parse_conform(mut words: lexopt::Parser) -> Result<Self, lexopt::Error> {
+        let mut options = ConformOptions::default();
+        while let Some(word) = words.next()? {
+            match word {
+                Long("target") => options.targets.extend(conform::Target::named(&words.value()?.string()?)?),
+                Long("bless") => options.bless = true,
+                Short('h') | Long("help") => return Ok(Self::Help),
+                other => return Err(other.unexpected()),
+            }
+        }
+        Ok(Self::Conform(options))
     }
 
     fn parse_demo(mut words: lexopt::Parser) -> Result<Self, lexopt::Error> {
@@ -135,7 +151,7 @@ impl Request {
         let mut options = MeasureOptions::default();
         while let Some(word) = words.next()? {
             match word {
-                Long("target") => options.targets.push(Target::named(&words.value()?.string()?)?),
+                Long("target") => options.targets.push(measure::Target::named(&words.value()?.string()?)?),
                 Long("check") => options.check = true,
                 Long("bless") => options.bless = true,
                 Short('h') | Long("help") => return Ok(Self::Help),
@@ -205,6 +221,14 @@ mod tests {
     }
 
     #[test]
+    fn conform_takes_targets_or_blesses() {
+        let bless = ConformOptions { targets: Vec::new(), bless: true };
+        assert_eq!(parse("conform --bless").unwrap(), Request::Conform(bless));
+        let targets = ConformOptions { targets: vec![conform::Target::Browser], bless: false };
+        assert_eq!(parse("conform --target wasm").unwrap(), Request::Conform(targets));
+    }
+
+    #[test]
     fn firmware_takes_targets_one_by_one() {
         let Request::Firmware(options) = parse("firmware --target cortex-m0 --target rv32imc").unwrap()
         else {
@@ -230,7 +254,7 @@ mod tests {
         else {
             panic!("it is not measure");
         };
-        let names: Vec<_> = options.targets.iter().map(Target::name).collect();
+        let names: Vec<_> = options.targets.iter().map(measure::Target::name).collect();
         assert_eq!((names, options.check, options.bless), (vec!["host", "rv32imc"], false, true));
         assert!(parse("measure --check --bless").is_err());
         assert!(parse("measure --target gpu").unwrap_err().to_string().contains("wasm-simd"));
@@ -249,6 +273,7 @@ mod tests {
             ("demo --size 0x540", "0x540"),
             ("test --only", "only"),
             ("firmware --target cortex-m1", "cortex-m1"),
+            ("conform --target cortex-m1", "cortex-m1"),
         ] {
             let error = parse(line).unwrap_err().to_string();
             assert!(error.contains(name), "`{line}` was refused with: {error}");

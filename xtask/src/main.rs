@@ -3,6 +3,7 @@
 mod arguments;
 mod browser;
 mod command;
+mod conform;
 mod demo;
 mod firmware;
 mod http;
@@ -48,6 +49,9 @@ cargo xtask measure [OPTIONS]    Write the price list of accuracy: errors, and c
     --target NAME            Measure the costs on this one only: host, wasm, wasm-simd or one of the above; may be repeated
     --check                  Compare errors and instructions with the list instead, and write nothing
     --bless                  Write the list also where errors or instructions differ from it
+cargo xtask conform [OPTIONS]    Compare the bits of every model with the conformance vectors, on every target
+    --target NAME            On this one only: host, wasm or one of the processors above; may be repeated
+    --bless                  Write the vectors anew as the host computes them, and tell what changed
 
 cargo xtask demo             The same as cargo demo
 cargo xtask help             Print this text
@@ -66,6 +70,7 @@ fn main() -> ExitCode {
             print!("{USAGE}");
             Ok(ExitCode::SUCCESS)
         }
+        Request::Conform(options) => conform::run(&options),
         Request::Demo(options) => demo::run(&options).map(|()| ExitCode::SUCCESS),
         Request::Firmware(options) => firmware::run(&options).map(|()| ExitCode::SUCCESS),
         Request::Size(options) => size::run(&options).map(|()| ExitCode::SUCCESS),

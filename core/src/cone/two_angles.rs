@@ -79,11 +79,12 @@ impl Cone<Cubic> {
 /// What two angles are designed to, given the versines of their halves: or the error that names the range of field
 /// angles for this beam angle.
 fn design<T>(beam: Angle, field: Angle, design: impl Fn(f32, f32) -> Option<T>) -> Result<T, Error> {
-    if !(beam > Angle::degrees(0.0) && beam <= Angle::degrees(180.0)) {
+    let (near, far) = (beam.versine(), field.versine());
+    // An angle above zero may be so small that its versine is none.
+    if !(beam > Angle::degrees(0.0) && beam <= Angle::degrees(180.0) && near >= f32::MIN_POSITIVE) {
         let accepted = Accepted::AngleUpTo(180.0);
         return Err(Error { parameter: Parameter::BeamAngle, value: beam.to_degrees(), accepted });
     }
-    let (near, far) = (beam.versine(), field.versine());
     let designed = if field >= beam && field <= Angle::degrees(180.0) { design(near, far) } else { None };
     designed.ok_or_else(|| {
         let (least, most) = reach(near, |field| design(near, field).is_some());

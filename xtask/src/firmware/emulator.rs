@@ -56,23 +56,40 @@ impl Emulator {
             }
             _ => {}
         }
-        let mut qemu = Command::new(&self.program);
-        qemu.args(self.machine).args(["-nographic", "-monitor", "none", "-serial", "none"]);
-        qemu.args(["-semihosting-config", "enable=on,target=native"]);
+        let mut qemu = self.command(firmware);
         // In a list of options QEMU wants the commas of a path twice.
         let path = |path: &Path| path.display().to_string().replace(',', ",,");
         qemu.arg("-plugin").arg(format!("{},out={}", path(counter), path(counts)));
-        qemu.arg("-kernel").arg(firmware);
-        qemu.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
-        let name = command::describe(&qemu);
-        let mut child = qemu.spawn().with_context(|| format!("cannot start {name}"))?;
-        let status = wait(&mut child).with_context(|| format!("{name} does not end"))?;
-        let (output, complaint) = (text(child.stdout.take()), text(child.stderr.take()));
-        if !status.success() {
-            bail!("{name} failed ({status}): {}{}", output?, complaint?);
-        }
-        output
+        output(qemu)
     }
+
+    /// Runs firmware without a counter, in a folder whose files it may read. Returns what the firmware prints.
+    pub(crate) fn run_in(&self, folder: &Path, firmware: &Path) -> Result<String> {
+        let mut qemu = self.command(firmware);
+        qemu.current_dir(folder);
+        output(qemu)
+    }
+
+    fn command(&self, firmware: &Path) -> Command {
+        let mut qemu = Command::new(&self.program);
+        qemu.args(self.machine).args(["-nographic", "-monitor", "none", "-serial", "none"]);
+        qemu.args(["-semihosting-config", "enable=on,target=native"]);
+        qemu.arg("-kernel").arg(firmware);
+        qemu
+    }
+}
+
+/// What firmware prints, once QEMU has ended well.
+fn output(mut qemu: Command) -> Result<String> {
+    qemu.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
+    let name = command::describe(&qemu);
+    let mut child = qemu.spawn().with_context(|| format!("cannot start {name}"))?;
+    let status = wait(&mut child).with_context(|| format!("{name} does not end"))?;
+    let (output, complaint) = (text(child.stdout.take()), text(child.stderr.take()));
+    if !status.success() {
+        bail!("{name} failed ({status}): {}{}", output?, complaint?);
+    }
+    output
 }
 
 /// Waits for the end, but not for ever.

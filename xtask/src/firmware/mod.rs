@@ -4,7 +4,7 @@ pub(crate) mod board;
 mod cost;
 mod counts;
 mod cycles;
-mod emulator;
+pub(crate) mod emulator;
 pub(crate) mod laboratory;
 mod package;
 mod report;

@@ -1,0 +1,115 @@
+//! Writing the file: a section for each model and format, in it the hard cases and then random ones.
+
+use std::fmt::Write;
+
+use fixed::types::{I2F14, I2F30, I16F16, U18F14, U34F30};
+use luminaire_conform::{Case, Evaluate, FORMATS, Input, Inputs, Kind, MODELS, Word};
+
+use super::random::Random;
+use super::scene::Scene;
+use super::situation::{PARTS, Part, SEAMS, SITUATIONS, Seam};
+
+/// Random scenes in each section.
+const SCENES: usize = 12;
+
+const PREFACE: &str = "\
+# Conformance vectors of luminaire. README.md beside this file says what the models and their words are.
+# Written by `cargo xtask conform --bless`; checked by `cargo xtask conform`.
+";
+
+/// The whole file.
+pub(crate) fn file() -> String {
+    let mut file = PREFACE.to_owned();
+    for model in MODELS {
+        for (evaluate, format) in model.runs.iter().zip(FORMATS) {
+            section(&mut file, &format!("{} {format}", model.name), *evaluate);
+        }
+    }
+    file
+}
+
+fn section(file: &mut String, name: &str, evaluate: Evaluate) {
+    // Each section has scenes of its own, which stay when others come and go.
+    let seed = name.bytes().fold(0xcbf2_9ce4_8422_2325, |hash: u64, byte| {
+        (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
+    });
+    let mut random = Random(seed);
+    let mut rows: Vec<(String, String)> = Vec::new();
+    let mut header = String::new();
+    let mut row = |scene: &Scene, seam: Option<(Seam, Part)>| {
+        let mut source = Source { scene, seam, words: String::new(), names: String::new() };
+        let outputs = Case::run(evaluate, &mut source).expect("a source has every input");
+        header = source.names;
+        format!("{} -> {}", source.words, outputs.as_str())
+    };
+    // Each hard case is made of a random scene. One that leaves all inputs of the model alone is none.
+    let mut hard = |scene: &Scene, harder: &Scene, seam, name| {
+        let (plain, words) = (row(scene, None), row(harder, seam));
+        if words != plain {
+            rows.push((words, name));
+        }
+    };
+    for (name, situation) in SITUATIONS {
+        let scene = Scene::new(&mut random);
+        let mut harder = scene.clone();
+        situation(&mut harder, &mut random);
+        hard(&scene, &harder, None, format!(" # {name}"));
+    }
+    for (seam, part) in SEAMS.into_iter().flat_map(|seam| PARTS.map(|part| (seam, part))) {
+        let scene = Scene::new(&mut random);
+        hard(&scene, &scene, Some((seam, part)), format!(" # {}, {}", seam.name, part.0));
+    }
+    for _ in 0..SCENES {
+        rows.push((row(&Scene::new(&mut random), None), String::new()));
+    }
+    // Writing to a string does not fail.
+    let _ = writeln!(file, "\n[{name}]{header}");
+    for (index, (words, name)) in rows.iter().enumerate() {
+        if rows[..index].iter().all(|(earlier, _)| earlier != words) {
+            let _ = writeln!(file, "{words}{name}");
+        }
+    }
+}
+
+/// Gives the values of a scene as words, and writes them down.
+struct Source<'a> {
+    scene: &'a Scene,
+    seam: Option<(Seam, Part)>,
+    words: String,
+    names: String,
+}
+
+impl Inputs for Source<'_> {
+    fn word(&mut self, input: Input) -> Option<u64> {
+        let seam = self.seam.filter(|(_, (_, takes))| takes(&input));
+        let word = seam.map_or_else(|| stored(self.scene, &input), |(seam, _)| seam.word(&input));
+        let digits = input.digits;
+        let space = if self.words.is_empty() { "" } else { " " };
+        let _ = write!(self.words, "{space}{word:0digits$x}");
+        if input.component == 0 {
+            let _ = write!(self.names, " {}:{}", input.name.replace(' ', "-"), input.format);
+        }
+        Some(word)
+    }
+}
+
+/// The word that stands for a value of the scene.
+fn stored(scene: &Scene, input: &Input) -> u64 {
+    let name = if input.kind == Kind::Versine { "versine" } else { input.name };
+    let value = scene.value(name, input.component);
+    match input.format {
+        "f32" => (value as f32).word(),
+        "u32" => u64::from(value as u32),
+        "i2f14" => I2F14::saturating_from_num(value).word(),
+        "i2f30" => I2F30::saturating_from_num(value).word(),
+        "i16f16" => I16F16::saturating_from_num(value).word(),
+        "u18f14" => U18F14::saturating_from_num(value).word(),
+        "u34f30" => U34F30::saturating_from_num(value).word(),
+        // The scale of a versine is the cone's: any bits do, the same ones for the same scene.
+        "u3f29" | "u3f61" => {
+            let bits = Random(value.to_bits()).bits();
+            bits >> (64 - 4 * input.digits as u64 + bits % 24)
+        }
+        other => panic!("no word is made in {other}"),
+    }
+}

@@ -1,0 +1,48 @@
+//! The way from light to the codes of a display.
+
+use luminaire::{Exposure, Rgb, Rgb565, decode_srgb, encode_srgb};
+
+use crate::case::{Case, Outcome};
+use crate::word::Format;
+
+/// Light after an exposure.
+pub(super) fn expose<S: Format>(case: &mut Case<'_>) -> Outcome {
+    let (factor, light) = (case.number("exposure"), case.light::<S>("light"));
+    case.give_color(Exposure::factor(factor)?.compile::<S>().expose(light));
+    Ok(())
+}
+
+/// Light clipped to full scale.
+pub(super) fn clip<S: Format>(case: &mut Case<'_>) -> Outcome {
+    let light = case.light::<S>("light");
+    case.give_color(luminaire::clip::<S>(light));
+    Ok(())
+}
+
+/// Light within full scale, its hue kept.
+pub(super) fn keep_hue<S: Format>(case: &mut Case<'_>) -> Outcome {
+    let light = case.light::<S>("light");
+    case.give_color(luminaire::keep_hue::<S>(light));
+    Ok(())
+}
+
+/// The code of a linear value.
+pub(super) fn srgb<S: Format>(case: &mut Case<'_>) -> Outcome {
+    let linear = case.scalar::<S>("linear");
+    case.give(encode_srgb(linear));
+    Ok(())
+}
+
+/// The pixel of a linear colour.
+pub(super) fn rgb565<S: Format>(case: &mut Case<'_>) -> Outcome {
+    let color = case.normal::<S>("linear");
+    case.give(Rgb565::from_linear(Rgb::new(color.x, color.y, color.z)).0);
+    Ok(())
+}
+
+/// The linear value of a code, of which the last eight bits count.
+pub(super) fn decode(case: &mut Case<'_>) -> Outcome {
+    let code = case.whole("code");
+    case.give(decode_srgb(code as u8));
+    Ok(())
+}

@@ -1,0 +1,117 @@
+//! Cones, and the falloff from a versine to an intensity.
+
+use luminaire::{Angle, Cone, Error, Fitted, HalfAngle, Power, Profile, Vec3};
+
+use crate::case::{Case, Outcome};
+use crate::word::Format;
+
+/// The samples of the table, from the axis to the edge.
+pub(super) static SAMPLES: [u16; 6] = [65_535, 62_000, 41_000, 39_999, 1_000, 7];
+
+pub(super) fn components(v: Vec3<f32>) -> [f32; 3] {
+    [v.x, v.y, v.z]
+}
+
+/// The description of a cone: which angle is given (0 outer, 1 beam, 2 field), that angle, and the inner and the
+/// delimiter's, where they are not zero; all full angles in degrees.
+pub(super) struct Description<P> {
+    profile: Result<P, Error>,
+    design: u32,
+    angle: f32,
+    inner: f32,
+    delimiter: f32,
+}
+
+impl<P: Profile> Description<P> {
+    pub(super) fn of(case: &mut Case<'_>, profile: impl Fn(&mut Case<'_>) -> Result<P, Error>) -> Self {
+        Self {
+            profile: profile(case),
+            design: case.whole("design"),
+            angle: case.number("angle"),
+            inner: case.number("inner"),
+            delimiter: case.number("delimiter"),
+        }
+    }
+
+    pub(super) fn cone(self) -> Result<Cone<P>, Error> {
+        let (profile, angle) = (self.profile?, Angle::degrees(self.angle));
+        let mut cone = match self.design {
+            0 => Cone::from_outer(profile, angle),
+            1 => Cone::from_beam(profile, angle),
+            _ => Cone::from_field(profile, angle),
+        }?;
+        if self.inner != 0.0 {
+            cone = cone.with_inner(Angle::degrees(self.inner))?;
+        }
+        if self.delimiter != 0.0 {
+            cone = cone.with_delimiter(Angle::degrees(self.delimiter))?;
+        }
+        Ok(cone)
+    }
+}
+
+/// The outer versine, then beam, field and outer angle in degrees and the flux of one candela in lumens.
+fn give<P: Profile>(case: &mut Case<'_>, cone: &Cone<P>) {
+    case.give(cone.outer_versine());
+    for angle in [cone.beam(), cone.field(), cone.outer()] {
+        case.give(angle.to_degrees());
+    }
+    case.give(cone.lumens(1.0));
+}
+
+pub(super) fn cone<P: Profile>(
+    case: &mut Case<'_>,
+    profile: impl Fn(&mut Case<'_>) -> Result<P, Error>,
+) -> Outcome {
+    let cone = Description::of(case, profile).cone()?;
+    give(case, &cone);
+    Ok(())
+}
+
+/// As a cone; then the slopes of a cubic, at the edge and in the middle, or the edge slope of a blend.
+pub(super) fn two_angles(case: &mut Case<'_>) -> Outcome {
+    let (beam, field) = (case.number("beam"), case.number("field"));
+    let cone = Cone::from_beam_and_field(Angle::degrees(beam), Angle::degrees(field))?;
+    give(case, &cone);
+    case.give(cone.inner().to_degrees());
+    match cone.profile() {
+        Fitted::Blend(blend) => case.give(blend.edge_slope()),
+        Fitted::Cubic(cubic) => {
+            case.give(cubic.edge_slope());
+            case.give(cubic.middle_slope());
+        }
+    }
+    Ok(())
+}
+
+/// As a cone; then the slope in the middle.
+pub(super) fn two_angles_and_slope(case: &mut Case<'_>) -> Outcome {
+    let (beam, field, slope) = (case.number("beam"), case.number("field"), case.number("edge slope"));
+    let cone = Cone::from_beam_field_and_slope(Angle::degrees(beam), Angle::degrees(field), slope)?;
+    give(case, &cone);
+    case.give(cone.profile().middle_slope());
+    Ok(())
+}
+
+/// As a cone, from OpenGL's cutoff, a half angle in degrees.
+pub(super) fn opengl(case: &mut Case<'_>) -> Outcome {
+    let cone = Cone::<Power<15>>::opengl(HalfAngle::degrees(case.number("cutoff")))?;
+    give(case, &cone);
+    Ok(())
+}
+
+/// The versine in the scale of the cone that is nearest to a number, the intensity there, and that at a versine of
+/// any bits.
+pub(super) fn falloff<S: Format, P: Profile>(
+    case: &mut Case<'_>,
+    profile: impl Fn(&mut Case<'_>) -> Result<P, Error>,
+) -> Outcome {
+    let description = Description::of(case, profile);
+    let (number, bits) = (case.number("versine"), case.versine::<S>("versine of the format"));
+    let falloff = description.cone()?.compile::<S>()?;
+    let versine = falloff.versine(number);
+    case.give(versine);
+    case.give(falloff.at(versine));
+    case.give(falloff.at(bits));
+    Ok(())
+}

@@ -1,0 +1,64 @@
+//! Lights of every kind, from their description to the light that arrives.
+
+use luminaire::{Ambient, Attenuation, Cone, Directional, Error, Point, Profile, Soft, Spot};
+
+use super::falloff::Description;
+use crate::case::{Case, Outcome};
+use crate::word::Format;
+
+/// The falloff and the light at a point.
+pub(super) fn spot<S: Format, P: Profile>(
+    case: &mut Case<'_>,
+    profile: impl Fn(&mut Case<'_>) -> Result<P, Error>,
+) -> Outcome {
+    let description = Description::of(case, profile);
+    let (position, axis, intensity) =
+        (case.vector("position"), case.vector("axis"), case.number("intensity"));
+    let (point, normal) = (case.point::<S>("point"), case.normal::<S>("normal"));
+    let spot = Spot::new(position, axis, description.cone()?)?.with_intensity(intensity)?;
+    let light = spot.compile::<S>()?;
+    case.give(light.falloff(point));
+    case.give(light.irradiance(point, normal));
+    Ok(())
+}
+
+/// The light at a point of a spotlight with a soft edge that ends smoothly at its end point.
+pub(super) fn between<S: Format>(case: &mut Case<'_>) -> Outcome {
+    let description = Description::of(case, |_| Ok(Soft));
+    let (position, end) = (case.vector("position"), case.vector("end"));
+    let (point, normal) = (case.point::<S>("point"), case.normal::<S>("normal"));
+    let cone: Cone<Soft> = description.cone()?;
+    let light = Spot::between(position, end, cone)?.compile::<S>()?;
+    case.give(light.irradiance(point, normal));
+    Ok(())
+}
+
+/// The light at a point.
+pub(super) fn point<S: Format, A: Attenuation>(
+    case: &mut Case<'_>,
+    attenuation: impl Fn(&mut Case<'_>) -> Result<A, Error>,
+) -> Outcome {
+    let attenuation = attenuation(case);
+    let (position, intensity) = (case.vector("position"), case.number("intensity"));
+    let (point, normal) = (case.point::<S>("point"), case.normal::<S>("normal"));
+    let light = Point::new(position)?.with_intensity(intensity)?.with_attenuation(attenuation?);
+    case.give(light.compile::<S>()?.irradiance(point, normal));
+    Ok(())
+}
+
+/// The light on a surface.
+pub(super) fn directional<S: Format>(case: &mut Case<'_>) -> Outcome {
+    let (direction, intensity) = (case.vector("axis"), case.number("intensity"));
+    let normal = case.normal::<S>("normal");
+    let light = Directional::new(direction)?.with_intensity(intensity)?.compile::<S>();
+    case.give(light.irradiance(normal));
+    Ok(())
+}
+
+/// The light everywhere.
+pub(super) fn ambient<S: Format>(case: &mut Case<'_>) -> Outcome {
+    let (color, intensity) = (case.color("color"), case.number("intensity"));
+    let light = Ambient::new(color)?.with_intensity(intensity)?;
+    case.give_color(light.compile::<S>());
+    Ok(())
+}

@@ -1,0 +1,155 @@
+//! Every model, as a function of a case.
+
+mod display;
+mod falloff;
+mod light;
+mod material;
+mod seam;
+
+use luminaire::{
+    Blend, BlinnPhong, Cubic, CutOff, DualCone, Edge, Fx16, Fx32, Hard, HardRange, InverseSquare, Linear,
+    Lyon, Matte, Phong, Polynomial, Power, Rim, Smooth, SmoothRange, Soft, SquaredWindow, Table,
+    Unattenuated, Windowed,
+};
+
+use crate::case::{Case, Outcome};
+
+/// Takes the inputs from a case and gives its outputs.
+pub type Evaluate = fn(&mut Case<'_>) -> Outcome;
+
+/// A model in the formats that it has.
+#[derive(Clone, Copy, Debug)]
+pub struct Model {
+    /// Its name in the file.
+    pub name: &'static str,
+    /// In the order of [`FORMATS`], or in `f32` alone where it belongs to set-up.
+    pub runs: &'static [Evaluate],
+}
+
+/// The formats, as the file names them.
+pub const FORMATS: [&str; 3] = ["f32", "fx32", "fx16"];
+
+/// The model of a section such as `spot soft fx16`.
+pub(crate) fn find(section: &str) -> Option<Evaluate> {
+    let (name, format) = section.rsplit_once(' ')?;
+    let index = FORMATS.iter().position(|known| *known == format)?;
+    MODELS.iter().find(|model| model.name == name)?.runs.get(index).copied()
+}
+
+/// A model in every format, which its expression calls by a name.
+macro_rules! each {
+    ($name:literal, $format:ident, $case:ident => $outcome:expr) => {
+        Model {
+            name: $name,
+            runs: &[
+                |$case| {
+                    type $format = f32;
+                    $outcome
+                },
+                |$case| {
+                    type $format = Fx32;
+                    $outcome
+                },
+                |$case| {
+                    type $format = Fx16;
+                    $outcome
+                },
+            ],
+        }
+    };
+}
+
+/// A model of set-up, which is f32 in every format.
+macro_rules! once {
+    ($name:literal, $case:ident => $outcome:expr) => {
+        Model { name: $name, runs: &[|$case| $outcome] }
+    };
+}
+
+fn blend(case: &mut Case<'_>) -> Result<Blend, luminaire::Error> {
+    Blend::new(case.number("edge slope of a blend"))
+}
+
+fn cubic(case: &mut Case<'_>) -> Result<Cubic, luminaire::Error> {
+    let (edge, middle) = (case.number("edge slope"), case.number("middle slope"));
+    Cubic::with_slopes(edge, middle)
+}
+
+fn table(_: &mut Case<'_>) -> Result<Table<'static>, luminaire::Error> {
+    Table::new(&falloff::SAMPLES)
+}
+
+fn polynomial(case: &mut Case<'_>) -> Result<Polynomial, luminaire::Error> {
+    let [constant, linear, quadratic] = falloff::components(case.vector("coefficients"));
+    Polynomial::new(constant, linear, quadratic)
+}
+
+fn range(case: &mut Case<'_>) -> f32 {
+    case.number("range")
+}
+
+/// All models there are.
+pub static MODELS: &[Model] = &[
+    once!("cone soft", case => falloff::cone(case, |_| Ok(Soft))),
+    once!("cone hard", case => falloff::cone(case, |_| Ok(Hard))),
+    once!("cone linear", case => falloff::cone(case, |_| Ok(Linear))),
+    once!("cone cut-off", case => falloff::cone(case, |_| Ok(CutOff))),
+    once!("cone smooth", case => falloff::cone(case, |_| Ok(Smooth))),
+    once!("cone blend", case => falloff::cone(case, blend)),
+    once!("cone cubic", case => falloff::cone(case, cubic)),
+    once!("cone power-15", case => falloff::cone(case, |_| Ok(Power::<15>))),
+    once!("cone rim-4", case => falloff::cone(case, |_| Ok(Rim::<4>))),
+    once!("cone table", case => falloff::cone(case, table)),
+    once!("cone two-angles", case => falloff::two_angles(case)),
+    once!("cone two-angles-and-slope", case => falloff::two_angles_and_slope(case)),
+    once!("cone opengl-15", case => falloff::opengl(case)),
+    each!("falloff soft", S, case => falloff::falloff::<S, _>(case, |_| Ok(Soft))),
+    each!("falloff hard", S, case => falloff::falloff::<S, _>(case, |_| Ok(Hard))),
+    each!("falloff linear", S, case => falloff::falloff::<S, _>(case, |_| Ok(Linear))),
+    each!("falloff cut-off", S, case => falloff::falloff::<S, _>(case, |_| Ok(CutOff))),
+    each!("falloff smooth", S, case => falloff::falloff::<S, _>(case, |_| Ok(Smooth))),
+    each!("falloff blend", S, case => falloff::falloff::<S, _>(case, blend)),
+    each!("falloff cubic", S, case => falloff::falloff::<S, _>(case, cubic)),
+    each!("falloff power-1", S, case => falloff::falloff::<S, _>(case, |_| Ok(Power::<1>))),
+    each!("falloff power-4", S, case => falloff::falloff::<S, _>(case, |_| Ok(Power::<4>))),
+    each!("falloff power-15", S, case => falloff::falloff::<S, _>(case, |_| Ok(Power::<15>))),
+    each!("falloff power-128", S, case => falloff::falloff::<S, _>(case, |_| Ok(Power::<128>))),
+    each!("falloff rim-4", S, case => falloff::falloff::<S, _>(case, |_| Ok(Rim::<4>))),
+    each!("falloff table", S, case => falloff::falloff::<S, _>(case, table)),
+    each!("spot soft", S, case => light::spot::<S, _>(case, |_| Ok(Soft))),
+    each!("spot hard", S, case => light::spot::<S, _>(case, |_| Ok(Hard))),
+    each!("spot either-edge", S, case => light::spot::<S, _>(case, |_| Ok(Edge::Hard))),
+    each!("spot between", S, case => light::between::<S>(case)),
+    each!("point unattenuated", S, case => light::point::<S, _>(case, |_| Ok(Unattenuated))),
+    each!("point inverse-square", S, case => light::point::<S, _>(case, |_| Ok(InverseSquare))),
+    each!("point polynomial", S, case => light::point::<S, _>(case, polynomial)),
+    each!("point smooth-range", S, case => light::point::<S, _>(case, |case| SmoothRange::new(range(case)))),
+    each!("point windowed", S, case => light::point::<S, _>(case, |case| Windowed::new(Some(range(case))))),
+    each!("point windowed-without-range", S, case => light::point::<S, _>(case, |_| Windowed::new(None))),
+    each!("point squared-window", S, case => {
+        light::point::<S, _>(case, |case| SquaredWindow::new(Some(range(case))))
+    }),
+    each!("point hard-range", S, case => {
+        light::point::<S, _>(case, |case| HardRange::new(Unattenuated, Some(range(case))))
+    }),
+    each!("directional", S, case => light::directional::<S>(case)),
+    each!("ambient", S, case => light::ambient::<S>(case)),
+    each!("reflect matte", S, case => material::reflect::<S, _>(case, Matte)),
+    each!("reflect phong", S, case => material::reflect::<S, _>(case, Phong)),
+    each!("reflect blinn-phong", S, case => material::reflect::<S, _>(case, BlinnPhong)),
+    each!("reflect dual-cone", S, case => material::reflect::<S, _>(case, DualCone)),
+    each!("reflect lyon-2-phong", S, case => material::reflect::<S, _>(case, Lyon::<_, 2>(Phong))),
+    each!("reflect lyon-3-blinn-phong", S, case => material::reflect::<S, _>(case, Lyon::<_, 3>(BlinnPhong))),
+    each!("glow", S, case => material::glow::<S>(case)),
+    each!("view", S, case => material::view::<S>(case)),
+    each!("lit-point", S, case => material::lit_point::<S>(case)),
+    each!("expose", S, case => display::expose::<S>(case)),
+    each!("clip", S, case => display::clip::<S>(case)),
+    each!("keep-hue", S, case => display::keep_hue::<S>(case)),
+    each!("srgb", S, case => display::srgb::<S>(case)),
+    each!("rgb565", S, case => display::rgb565::<S>(case)),
+    once!("decode-srgb", case => display::decode(case)),
+    each!("convert", S, case => seam::convert::<S>(case)),
+    each!("arithmetic", S, case => seam::arithmetic::<S>(case)),
+    each!("light", S, case => seam::light::<S>(case)),
+];

@@ -1,0 +1,83 @@
+//! The file of the conformance vectors: this machine computes what it says, and it holds what there is to hold.
+
+use std::process::Command;
+
+use luminaire_conform::{Check, FORMATS, MODELS};
+
+const FILE: &str = include_str!("../vectors.txt");
+
+/// Checks a file; what is told of it, and its count.
+fn check(file: &str) -> (String, Check) {
+    let (mut check, mut report) = (Check::default(), String::new());
+    for line in file.lines() {
+        check.take(line, &mut report).expect("writing to a string does not fail");
+    }
+    (report, check)
+}
+
+#[test]
+fn this_machine_computes_the_same_bits() {
+    let (report, check) = check(FILE);
+    assert!(check.is_passed(), "{report}{check}");
+}
+
+/// `cargo xtask conform --bless` would write the same inputs. Outputs are the other test's.
+#[test]
+fn the_file_holds_the_cases_that_are_generated() {
+    let generated = Command::new(env!("CARGO_BIN_EXE_conform")).arg("generate").output().expect("it runs");
+    let generated = String::from_utf8(generated.stdout).expect("text");
+    let inputs = |file: &str| -> Vec<_> {
+        file.lines().map(|line| line.split(" -> ").next().unwrap_or_default().to_owned()).collect()
+    };
+    assert_eq!(inputs(FILE), inputs(&generated));
+}
+
+#[test]
+fn every_model_has_a_section_in_each_of_its_formats() {
+    for model in MODELS {
+        for (_, format) in model.runs.iter().zip(FORMATS) {
+            let section = format!("\n[{} {format}] ", model.name);
+            assert_eq!(FILE.matches(&section).count(), 1, "{section}");
+        }
+    }
+}
+
+/// What no light and no falloff may be. Arithmetic on what is not a number is not one either, nor is a place or a
+/// direction made of it.
+#[test]
+fn no_light_is_not_a_number() {
+    let passes_it_on = ["[convert f32]", "[arithmetic f32]", "[glow f32]", "[view f32]", "[light f32]"];
+    let mut section = "";
+    for line in FILE.lines() {
+        if line.starts_with('[') {
+            section = line;
+        } else if let Some((_, outputs)) = line.split_once(" -> ") {
+            let is_format =
+                section.contains(" f32] ") && !passes_it_on.iter().any(|name| section.starts_with(name));
+            let outputs = outputs.split('#').next().unwrap_or_default();
+            assert!(!is_format || !outputs.contains("7fc00000"), "{section}: {line}");
+        }
+    }
+}
+
+/// A case that differs, one that is cut short and one of a model that there is not are all counted, and told.
+#[test]
+fn what_differs_is_told() {
+    let section = "[clip fx16] light:u18f14\n";
+    let (report, passed) = check(&format!("{section}00004000 00008000 00000001 -> 4000 4000 0001\n"));
+    assert!(passed.is_passed() && report.is_empty(), "{report}");
+    for (case, found) in [
+        ("00004000 00008000 00000001 -> 4000 4000 0002", "4000 4000 0001"),
+        ("00004000 00008000 -> 4000 4000", "not understood"),
+        ("00004000 00008000 00000001 00000002 -> 4000 4000 0001", "not understood"),
+        ("00004000 00008000 1 -> 4000 4000 0001", "not understood"),
+        ("00004000 00008000 00000001", "not understood"),
+    ] {
+        let (report, failed) = check(&format!("{section}{case} # a remark\n"));
+        assert_eq!(report, format!("line 2: {case}, found {found}\n"));
+        assert_eq!((failed.to_string().as_str(), failed.is_passed()), ("1 cases, 1 differ", false));
+    }
+    let (report, failed) = check("[clip fx8] light\n00 -> 00\n");
+    assert!(report.ends_with("found not understood\n") && !failed.is_passed(), "{report}");
+    assert!(!check("").1.is_passed(), "a file without cases proves nothing");
+}

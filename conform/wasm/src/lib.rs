@@ -1,0 +1,15 @@
+//! Checks the conformance vectors in a browser.
+
+use luminaire_conform::Check;
+use wasm_bindgen::prelude::wasm_bindgen;
+
+/// Checks the file: the first cases that differ, each on a line of its own, and how many there are and differ.
+#[wasm_bindgen]
+pub fn check(file: &str) -> String {
+    let (mut check, mut report) = (Check::default(), String::new());
+    for line in file.lines() {
+        // Writing to a string does not fail.
+        let _ = check.take(line, &mut report);
+    }
+    format!("{report}{check}")
+}

@@ -1,0 +1,29 @@
+//! Looks for the places where each profile in each format is furthest from the exact intensity, and prints the file that
+//! `tests/worst.rs` holds the kernel to:
+//!
+//! `cargo run -p suite --example worst-places > tests/worst/places.txt`
+
+#[path = "../tests/support/mod.rs"]
+mod support;
+
+use luminaire::{Fx16, Fx32, Profile};
+use support::{
+    format::Format,
+    profiles::{Shape, with_every_shape},
+    worst,
+};
+
+fn find<S: Format, P: Profile>(shape: &Shape<P>) {
+    if worst::is_smooth(shape) {
+        for half_degrees in [worst::narrowest::<S, P>(shape), 30.0] {
+            println!("{}", worst::search::<S, P>(shape, half_degrees));
+        }
+    }
+}
+
+fn main() {
+    println!("# format, shape, half angle, axis, point, error: what must be exact as the bits of f32");
+    with_every_shape!(find::<f32>);
+    with_every_shape!(find::<Fx32>);
+    with_every_shape!(find::<Fx16>);
+}

@@ -1,0 +1,62 @@
+//! Constructors take a description or say by name what they would take.
+
+use super::scene::{self, with_any_profile};
+use super::words::Words;
+use luminaire::{Accepted, Angle, Cone, Error, Fx16, Fx32, Profile, Scalar};
+
+/// A cone of any numbers: its angles are in their order, and each format holds it or names an angle that it holds.
+pub fn descriptions_are_taken_or_refused(words: &[u32]) {
+    let _: Option<()> = description(&mut Words::new(words));
+}
+
+fn description(words: &mut Words<'_>) -> Option<()> {
+    with_any_profile!(words, profile => {
+        let cone = scene::cone(words, profile)?;
+        let (inner, beam, field, outer) = (cone.inner(), cone.beam(), cone.field(), cone.outer());
+        assert!(inner <= beam && beam <= field && field <= outer, "{cone:?}");
+        assert!(outer > Angle::degrees(0.0) && outer <= Angle::degrees(180.0), "{cone:?}");
+        assert!(cone.lumens(1.0) >= 0.0 && cone.lumens(1.0).is_finite(), "{cone:?}");
+        assert_held::<f32, _>(cone);
+        assert_held::<Fx32, _>(cone);
+        assert_held::<Fx16, _>(cone);
+        Some(())
+    })
+}
+
+/// A cone that a format refuses without a hotspot is taken at the angle that the refusal names.
+fn assert_held<S: Scalar, P: Profile>(cone: Cone<P>) {
+    let Err(error) = cone.compile::<S>() else { return };
+    assert!(!error.to_string().is_empty());
+    if let Error {
+        parameter: luminaire::Parameter::OuterAngle, accepted: Accepted::AngleFrom(least), ..
+    } = error
+    {
+        let plain = Cone::from_outer(cone.profile(), Angle::degrees(least * 1.000_01));
+        if cone.inner() < cone.outer() {
+            assert!(plain.is_ok_and(|plain| plain.compile::<S>().is_ok()), "{}: {error}", S::NAME);
+        }
+    }
+}
+
+/// A cone designed from beam and field angle has them, or the message names a field angle that it would have.
+pub fn two_angles_come_back(words: &[u32]) {
+    let words = &mut Words::new(words);
+    let beam = words.number(-8.0, 7.5).exp2();
+    let field = beam * words.number(0.9, 3.0);
+    match Cone::from_beam_and_field(Angle::degrees(beam), Angle::degrees(field)) {
+        Ok(cone) => {
+            let near = |found: Angle, given: f32| (found.to_degrees() / given - 1.0).abs() < 1e-4;
+            assert!(near(cone.beam(), beam) && near(cone.field(), field), "{beam} {field}: {cone:?}");
+        }
+        Err(error) => {
+            assert!(!error.to_string().is_empty());
+            if let Accepted::AngleBetween(least, most) = error.accepted {
+                // Between a versine and degrees lie a few roundings.
+                for nearest in [least * 1.000_001, most * 0.999_999] {
+                    let cone = Cone::from_beam_and_field(Angle::degrees(beam), Angle::degrees(nearest));
+                    assert!(cone.is_ok(), "{beam} {field}: {error}, but {nearest} is refused");
+                }
+            }
+        }
+    }
+}

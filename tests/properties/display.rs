@@ -1,0 +1,49 @@
+//! The way to the display: codes follow the light, and fitting touches nothing that fits.
+
+use super::format::Format;
+use super::words::Words;
+use luminaire::{Exposure, Rgb, Rgb565, clip, encode_srgb, keep_hue};
+
+/// Of two scalars of any bits the larger has no smaller code.
+pub fn codes_never_fall<S: Format>(words: &[u32]) {
+    let words = &mut Words::tame(words);
+    let (a, b) = (S::scalar_from_bits(words.wide()), S::scalar_from_bits(words.wide()));
+    let (less, more) = if a < b { (a, b) } else { (b, a) };
+    // Not a number is less than nothing and more than nothing.
+    if less <= more {
+        assert!(encode_srgb(less) <= encode_srgb(more), "{less:?} {more:?}");
+        let gray = |value: S| Rgb565::from_linear(Rgb::new(value, value, value)).to_codes();
+        let (low, high) = (gray(less), gray(more));
+        assert!(low.red <= high.red && low.green <= high.green && low.blue == low.red, "{less:?} {more:?}");
+    }
+}
+
+/// Light within full scale is not changed by either policy, nor by an exposure of one; beyond it the brightest channel is
+/// at full scale, and what was brighter stays so.
+pub fn fitting_keeps_what_fits<S: Format>(words: &[u32]) {
+    let words = &mut Words::new(words);
+    let [red, green, blue] =
+        [(); 3].map(|()| S::from_f32(words.number(0.0, 1.0)).expose(S::gain(words.number(0.0, 3.0))));
+    let light = Rgb::new(red, green, blue);
+    let exposure = Exposure::factor(1.0).expect("one is accepted").compile::<S>();
+    assert_eq!(exposure.expose(light), light);
+    let (clipped, kept) = (clip::<S>(light), keep_hue::<S>(light));
+    let all = |color: Rgb<S>| [color.red, color.green, color.blue].map(S::exact);
+    let lights = [red, green, blue].map(S::exact_light);
+    let brightest = lights.into_iter().fold(0.0, f64::max);
+    if brightest <= 1.0 {
+        assert_eq!(all(clipped), lights);
+        assert_eq!(kept, clipped);
+        return;
+    }
+    for (index, light) in lights.into_iter().enumerate() {
+        assert_eq!(all(clipped)[index], light.min(1.0));
+        let off = (all(kept)[index] - light / brightest).abs() / f64::from(S::STEP);
+        let steps = match S::NAME {
+            "f32" => 1.0,
+            "fx32" => 8.0,
+            _ => 2.0,
+        };
+        assert!(off <= steps, "{light:?} of {lights:?} is off by {off} steps");
+    }
+}

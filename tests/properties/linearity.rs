@@ -1,0 +1,60 @@
+//! Light is linear: twice the lamp is twice the light, and lamps add in any order.
+
+use super::format::Format;
+use super::scene;
+use super::words::Words;
+use luminaire::{Rgb, Soft};
+
+/// Below full scale a lamp of twice the intensity gives twice the light: exactly in f32, within the rounding of both in
+/// fixed point.
+pub fn twice_is_twice<S: Format>(words: &[u32]) {
+    let _: Option<()> = twice::<S>(&mut Words::tame(words));
+}
+
+fn twice<S: Format>(words: &mut Words<'_>) -> Option<()> {
+    let cone = scene::cone(words, Soft)?;
+    let place = words.place();
+    let spot = scene::spot(words, cone, place)?;
+    let (point, normal) = (words.point::<S>(place), words.normal::<S>());
+    let light = |factor: f32| {
+        let light = spot.with_intensity(factor * spot.intensity()).ok()?.compile::<S>().ok()?;
+        Some(S::exact_light(light.irradiance(point, normal)))
+    };
+    let (once, twice) = (light(1.0)?, light(2.0)?);
+    if twice <= 1.0 {
+        let steps = if S::NAME == "f32" { 0.0 } else { 1.0 };
+        let off = (twice - 2.0 * once).abs() / f64::from(S::STEP);
+        assert!(off <= steps, "{spot:?} {point:?} {normal:?}: {once} and {twice}");
+    }
+    Some(())
+}
+
+/// The sum over lights has the same bits in any order in fixed point, also where it saturates; in f32 it is within a
+/// rounding for each light.
+pub fn order_does_not_matter<S: Format>(words: &[u32]) {
+    let words = &mut Words::new(words);
+    let mut lights: Vec<Rgb<S::Irradiance>> = Vec::new();
+    for _ in 0..2 + words.choice(6) {
+        let color = scene::color(words).map(S::from_f32);
+        let light = S::from_f32(words.number(0.0, 2.0)).expose(S::gain(words.number(0.0, 1e6)));
+        lights.push(Rgb::lit::<S>(light, color.map(|c| S::from_f32(c.to_f32().clamp(0.0, 1.0)))));
+    }
+    let sum = |lights: &mut dyn Iterator<Item = Rgb<S::Irradiance>>| {
+        lights.fold(Rgb::default(), |sum: Rgb<S::Irradiance>, light| sum.plus::<S>(light))
+    };
+    let middle = lights.len() / 2;
+    let forth = sum(&mut lights.iter().copied());
+    let back = sum(&mut lights.iter().rev().copied());
+    let swapped = sum(&mut lights[middle..].iter().chain(&lights[..middle]).copied());
+    for other in [back, swapped] {
+        if S::NAME == "f32" {
+            for (a, b) in [(forth.red, other.red), (forth.green, other.green), (forth.blue, other.blue)] {
+                let (a, b) = (S::exact_light(a), S::exact_light(b));
+                let roundings = lights.len() as f64 * f64::from(S::STEP);
+                assert!((a - b).abs() <= roundings * a.max(b), "{lights:?}: {a} and {b}");
+            }
+        } else {
+            assert_eq!(forth, other, "{lights:?}");
+        }
+    }
+}

@@ -1,0 +1,48 @@
+//! What holds for every scene that can be written down, each law once: a function that takes raw words, makes of them
+//! what it needs, and panics where the law is broken.
+//!
+//! The property tests and the fuzzer call the same functions. Words that make no scene, because a constructor refuses
+//! them, prove nothing and are passed over.
+#![allow(dead_code, reason = "each program that has these laws calls its part of them")]
+#![allow(missing_docs, reason = "tests are read, not published")]
+#![allow(unreachable_pub, reason = "every program has these modules to itself")]
+
+#[path = "../support/format.rs"]
+pub mod format;
+pub mod scene;
+pub mod words;
+
+pub mod design;
+pub mod display;
+pub mod linearity;
+pub mod monotony;
+pub mod symmetry;
+pub mod totality;
+
+pub use design::{descriptions_are_taken_or_refused, two_angles_come_back};
+use luminaire::{Fx16, Fx32};
+
+/// Laws that are written for one format, in all three.
+macro_rules! in_every_format {
+    ($($module:ident::$law:ident,)*) => {
+        $(pub fn $law(words: &[u32]) {
+            $module::$law::<f32>(words);
+            $module::$law::<Fx32>(words);
+            $module::$law::<Fx16>(words);
+        })*
+    };
+}
+
+in_every_format! {
+    totality::spotlights_answer,
+    totality::distances_answer,
+    totality::highlights_answer,
+    monotony::falloffs_fall,
+    monotony::distances_fall,
+    monotony::intensity_adds,
+    symmetry::turned_scenes_are_the_same,
+    linearity::twice_is_twice,
+    linearity::order_does_not_matter,
+    display::codes_never_fall,
+    display::fitting_keeps_what_fits,
+}

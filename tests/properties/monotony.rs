@@ -1,0 +1,95 @@
+//! What never rises, and what never falls.
+
+use super::format::Format;
+use super::scene::{self, with_any_profile};
+use super::words::Words;
+use core::cmp::Ordering;
+use luminaire::{HardRange, Point, Polynomial, SmoothRange, Soft, Vec3};
+
+/// Of two versines the larger has no more light: without exception for the strict profiles, by a step at most for the
+/// others.
+pub fn falloffs_fall<S: Format>(words: &[u32]) {
+    let _: Option<()> = falloff::<S>(&mut Words::new(words));
+}
+
+fn falloff<S: Format>(words: &mut Words<'_>) -> Option<()> {
+    let may_rise = scene::RISING.contains(&words.clone().choice(scene::PROFILES));
+    with_any_profile!(words, profile => {
+        let cone = scene::cone(words, profile)?;
+        let falloff = cone.compile::<S>().ok()?;
+        let slack = if may_rise { f64::from(S::STEP) } else { 0.0 };
+        let (a, b) = if words.choice(3) == 0 {
+            (S::versine_from_bits(words.wide()), S::versine_from_bits(words.wide()))
+        } else {
+            let (a, b) = words.pair(1.2 * cone.outer_versine());
+            (falloff.versine(a), falloff.versine(b))
+        };
+        let (inside, outside) = match a.partial_cmp(&b)? {
+            Ordering::Greater => (b, a),
+            _ => (a, b),
+        };
+        let (near, far) = (falloff.at(inside).exact(), falloff.at(outside).exact());
+        assert!(far <= near + slack, "{profile:?} {cone:?}: {near} at {inside:?}, {far} at {outside:?}");
+        Some(())
+    })
+}
+
+/// The models that start at full scale never rise along an axis by more than their steps.
+pub fn distances_fall<S: Format>(words: &[u32]) {
+    let _: Option<()> = distance::<S>(&mut Words::tame(words));
+}
+
+fn distance<S: Format>(words: &mut Words<'_>) -> Option<()> {
+    let range = words.between(0.01, 64.0);
+    let (near, step) = (words.between(0.0, 80.0), words.between(0.0, 1.0).powi(8));
+    let [near, far] = [near, near + step].map(|distance| (distance * 65_536.0).round() / 65_536.0);
+    let lamp = Point::new(Vec3::default()).ok()?;
+    let toward = Vec3::new(S::from_f32(-1.0), S::ZERO, S::ZERO);
+    let place = |distance: f32| Vec3::new(distance, 0.0, 0.0).map(S::length);
+    let [near_light, far_light] = if words.choice(2) == 0 {
+        let light = lamp.with_attenuation(SmoothRange::new(range).ok()?).compile::<S>().ok()?;
+        [near, far].map(|distance| light.irradiance(place(distance), toward))
+    } else {
+        let c = words.numbers(0.0, 4.0);
+        let model = HardRange::new(Polynomial::new(c.x, c.y, c.z).ok()?, Some(range)).ok()?;
+        let light = lamp.with_attenuation(model).compile::<S>().ok()?;
+        [near, far].map(|distance| light.irradiance(place(distance), toward))
+    };
+    // The lamp itself is dark.
+    if near > 0.0 {
+        let (near_light, far_light) = (S::exact_light(near_light), S::exact_light(far_light));
+        let slack = rise_steps::<S>() * f64::from(S::STEP);
+        assert!(far_light <= near_light + slack, "{words:?}: {near_light} at {near}, {far_light} at {far}");
+    }
+    Some(())
+}
+
+/// By how many of its steps a distance model may rise in a format.
+fn rise_steps<S: Format>() -> f64 {
+    match S::NAME {
+        "f32" => 2.0,
+        "fx32" => 8.0,
+        _ => 1.0,
+    }
+}
+
+/// A lamp of more intensity never lights less.
+pub fn intensity_adds<S: Format>(words: &[u32]) {
+    let _: Option<()> = intensity::<S>(&mut Words::new(words));
+}
+
+fn intensity<S: Format>(words: &mut Words<'_>) -> Option<()> {
+    let cone = scene::cone(words, Soft)?;
+    let place = words.place();
+    let spot = scene::spot(words, cone, place)?;
+    let (point, normal) = (words.point::<S>(place), words.normal::<S>());
+    let (a, b) = words.pair(1e3);
+    let (less, more) = (a.min(b), a.max(b));
+    let light = |intensity: f32| {
+        let light = spot.with_intensity(intensity).ok()?.compile::<S>().ok()?;
+        Some(S::exact_light(light.irradiance(point, normal)))
+    };
+    let (dim, bright) = (light(less)?, light(more)?);
+    assert!(dim <= bright, "{spot:?} {point:?} {normal:?}: {dim} of {less}, {bright} of {more}");
+    Some(())
+}

@@ -1,0 +1,78 @@
+//! The world has no preferred direction: a scene that is turned by right angles or mirrored is lit as before.
+
+use super::format::Format;
+use super::words::Words;
+use luminaire::{Blend, Cone, HalfAngle, Point, Profile, Spot, Unattenuated, Vec3};
+
+/// A permutation of the axes, and which of them are mirrored.
+#[derive(Clone, Copy, Debug)]
+struct Turn {
+    order: [usize; 3],
+    mirrored: [bool; 3],
+}
+
+impl Turn {
+    fn of(words: &mut Words<'_>) -> Self {
+        const ORDERS: [[usize; 3]; 6] = [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]];
+        let signs = words.choice(8);
+        Self {
+            order: ORDERS[words.choice(6) as usize],
+            mirrored: [0, 1, 2].map(|axis| signs >> axis & 1 == 1),
+        }
+    }
+
+    /// Every input is on a grid that is symmetric about zero, so a turned one is exact.
+    fn turned(self, v: Vec3<f32>) -> Vec3<f32> {
+        let all = [v.x, v.y, v.z];
+        let [x, y, z] = [0, 1, 2].map(|axis| {
+            let component = all[self.order[axis]];
+            if self.mirrored[axis] { -component } else { component }
+        });
+        Vec3::new(x, y, z)
+    }
+
+    fn is_mirror_alone(self) -> bool {
+        self.order == [0, 1, 2]
+    }
+}
+
+/// In f32 a mirrored scene has the same bits; a turned one sums in another order. Fixed point rounds halves upwards, so
+/// there a mirror counts as a turn. Two turns are each within the error of the format, so within twice that of each
+/// other.
+pub fn turned_scenes_are_the_same<S: Format>(words: &[u32]) {
+    let _: Option<()> = turned::<S>(&mut Words::tame(words));
+}
+
+fn turned<S: Format>(words: &mut Words<'_>) -> Option<()> {
+    let turn = Turn::of(words);
+    let profile = Blend::new(words.between(0.0, 2.0)).ok()?;
+    let half = words.between(-10.0, 6.49).exp2();
+    let cone = Cone::from_outer(profile, HalfAngle::degrees(half)).ok()?;
+    let (position, normal) = (words.place(), words.direction());
+    let off = words.numbers(-1.0, 1.0).map(|c| c * half.to_radians());
+    // Of so few bits that its length is exact in any order of summation: the lights have the same axis.
+    let axis = words.direction().map(|c| (c * 1_000.0).round());
+    let distance = words.between(0.5, 16.0);
+    let point = axis.map(|c| c / 1_000.0).zip(off, |axis, off| distance * (axis + off));
+    let point = point.zip(position, |w, p| ((w + p) * 65_536.0).round() / 65_536.0);
+
+    let spot = |turn: &dyn Fn(Vec3<f32>) -> Vec3<f32>| {
+        let light = Spot::new(turn(position), turn(axis), cone).ok()?.compile::<S>().ok()?;
+        Some(light.falloff(turn(point).map(S::length)).exact())
+    };
+    let lamp = |turn: &dyn Fn(Vec3<f32>) -> Vec3<f32>| {
+        let light = Point::new(turn(position)).ok()?.with_attenuation(Unattenuated).compile::<S>().ok()?;
+        let light = light.irradiance(turn(point).map(S::length), turn(normal).map(S::from_f32));
+        Some(S::exact_light(light))
+    };
+    let exact = S::NAME == "f32" && turn.is_mirror_alone();
+    let cone_error = f64::from(S::DIRECTION_ERROR * profile.steepness(0.0) / half.to_radians());
+    let step = f64::from(S::STEP);
+    let within = if exact { 0.0 } else { 2.0 * (cone_error + 3.0 * step) };
+    let (straight, turned) = (spot(&|v| v)?, spot(&|v| turn.turned(v))?);
+    assert!((straight - turned).abs() <= within, "{turn:?} {half}: {straight} and {turned}, not {within}");
+    let within = if exact { 0.0 } else { 2.0 * 3.0 * step };
+    let (straight, turned) = (lamp(&|v| v)?, lamp(&|v| turn.turned(v))?);
+    assert!((straight - turned).abs() <= within, "{turn:?}: {straight} and {turned}, not {within}");
+    Some(())
+}

@@ -1,0 +1,128 @@
+//! Every bit pattern has an answer: no panic, nothing that is not a number, in range, and the same with and without what
+//! is skipped.
+
+use super::format::Format;
+use super::scene::{self, with_any_distance, with_any_highlight, with_any_profile};
+use super::words::Words;
+use luminaire::{
+    Ambient, Cone, Directional, Exposure, Light, Material, Point, Profile, Rgb, Rgb565, Soft, Specular,
+    Surface, clip, encode_srgb, keep_hue,
+};
+
+/// The falloff and the light of a spotlight with any profile.
+pub fn spotlights_answer<S: Format>(words: &[u32]) {
+    let _: Option<()> = spotlight::<S>(&mut Words::new(words));
+}
+
+fn spotlight<S: Format>(words: &mut Words<'_>) -> Option<()> {
+    with_any_profile!(words, profile => {
+        let cone = scene::cone(words, profile)?;
+        spotlight_in::<S, _>(words, cone)
+    })
+}
+
+fn spotlight_in<S: Format, P: Profile>(words: &mut Words<'_>, cone: Cone<P>) -> Option<()> {
+    let place = words.place();
+    let spot = scene::spot(words, cone, place)?;
+    let light = spot.compile::<S>().ok()?;
+    let (point, normal) = (words.point::<S>(place), words.normal::<S>());
+    assert_within_one(light.falloff(point), "falloff");
+    let arrived = light.irradiance(point, normal);
+    assert_eq!(arrived, light.irradiance_unskipped(point, normal), "{spot:?} {point:?} {normal:?}");
+    assert_sound::<S>(arrived);
+    let falloff = cone.compile::<S>().ok()?;
+    assert_within_one(falloff.at(S::versine_from_bits(words.wide())), "falloff of a versine");
+    assert_within_one(falloff.at(falloff.versine(f32::from_bits(words.next()))), "falloff of a number");
+    Some(())
+}
+
+/// A point light and a spotlight with any distance model.
+pub fn distances_answer<S: Format>(words: &[u32]) {
+    let _: Option<()> = distance::<S>(&mut Words::new(words));
+}
+
+fn distance<S: Format>(words: &mut Words<'_>) -> Option<()> {
+    let place = words.place();
+    let spot = scene::cone(words, Soft).and_then(|cone| scene::spot(words, cone, place));
+    let position = words.numbers(-8.0, 8.0);
+    with_any_distance!(words, model => {
+        let point = Point::new(position).ok()?.with_intensity(words.number(0.0, 100.0)).ok()?;
+        let matt = Material::new(Rgb::new(1.0, 0.5, 0.25)).ok()?;
+        let surface = words.surface::<S>(place);
+        if let Ok(light) = point.with_attenuation(model).compile::<S>() {
+            assert_reflects(matt, &light, &surface);
+        }
+        if let Ok(light) = spot?.with_attenuation(model).compile::<S>() {
+            assert_reflects(matt, &light, &surface);
+        }
+        Some(())
+    })
+}
+
+/// Any highlight under a spotlight and a directional light, the glow beside them, and all the way to the display.
+pub fn highlights_answer<S: Format>(words: &[u32]) {
+    let _: Option<()> = highlight::<S>(&mut Words::new(words));
+}
+
+fn highlight<S: Format>(words: &mut Words<'_>) -> Option<()> {
+    with_any_highlight!(words, highlight => {
+        let material = scene::material(words, highlight)?;
+        let place = words.place();
+        let surface = words.surface::<S>(place);
+        let direction = words.numbers(-1.0, 1.0);
+        let sun = Directional::new(direction).and_then(|sun| sun.with_intensity(words.number(0.0, 100.0)));
+        let mut sum = Rgb::default();
+        if let Ok(sun) = sun {
+            sum = assert_reflects(material, &sun.compile::<S>(), &surface);
+        }
+        let spot = scene::cone(words, Soft).and_then(|cone| scene::spot(words, cone, place));
+        if let Some(light) = spot.and_then(|spot| spot.compile::<S>().ok()) {
+            sum = sum.plus::<S>(assert_reflects(material, &light, &surface));
+        }
+        let ambient = Ambient::new(scene::color(words)).and_then(|a| a.with_intensity(words.number(0.0, 2.0)));
+        if let Ok(ambient) = ambient {
+            sum = sum.plus::<S>(material.compile::<S>().glow(ambient.compile::<S>()));
+        }
+        assert_shown::<S>(words, sum);
+        Some(())
+    })
+}
+
+/// What a material sends back of a light: sound, and the same without the rejects.
+fn assert_reflects<S: Format, H: Specular>(
+    material: Material<H>,
+    light: &impl Light<S>,
+    surface: &Surface<S>,
+) -> Rgb<S::Irradiance> {
+    let compiled = material.compile::<S>();
+    let reflected = compiled.reflect(surface, light);
+    assert_eq!(reflected, compiled.reflect_unskipped(surface, light), "{material:?} {light:?} {surface:?}");
+    reflected.map(assert_sound::<S>);
+    reflected
+}
+
+/// Light on its way to the display stays in range at every step.
+fn assert_shown<S: Format>(words: &mut Words<'_>, light: Rgb<S::Irradiance>) {
+    let Ok(exposure) = Exposure::factor(words.number(0.0, 4.0)) else { return };
+    let exposed = exposure.compile::<S>().expose(light);
+    exposed.map(assert_sound::<S>);
+    for fitted in [clip::<S>(exposed), keep_hue::<S>(exposed)] {
+        fitted.map(|channel| assert_within_one(channel, "channel"));
+        let codes = fitted.map(encode_srgb);
+        let Rgb { red, green, blue } = Rgb565::from_linear(fitted).to_codes();
+        // A pixel of five bits is at most half of its step from the code of eight.
+        for (wide, narrow) in [(codes.red, red), (codes.green, green), (codes.blue, blue)] {
+            assert!(wide.abs_diff(narrow) <= 5, "{fitted:?}: {wide} {narrow}");
+        }
+    }
+}
+
+fn assert_within_one<S: Format>(value: S, what: &str) {
+    assert!((0.0..=1.0).contains(&value.exact()), "{what}: {value:?}");
+}
+
+/// No light is negative, infinite or not a number.
+fn assert_sound<S: Format>(light: S::Irradiance) {
+    let value = S::exact_light(light);
+    assert!(value >= 0.0 && value.is_finite(), "{light:?}");
+}

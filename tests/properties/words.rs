@@ -1,0 +1,108 @@
+//! Raw words, and what can be made of them.
+
+use super::format::Format;
+use luminaire::{Surface, Vec3};
+
+/// Words of any bits, taken one by one; after the last come zeros.
+///
+/// The first decides, by one of its bits for each number that follows, whether that number is any bit pattern or one of
+/// everyday size: a scene of nothing but the former is nearly always refused or dark.
+#[derive(Clone, Debug)]
+pub struct Words<'a> {
+    rest: &'a [u32],
+    wild: u32,
+}
+
+impl<'a> Words<'a> {
+    /// Numbers of both kinds.
+    pub fn new(words: &'a [u32]) -> Self {
+        let mut words = Self::tame(words);
+        words.wild = words.next();
+        words
+    }
+
+    /// Numbers of everyday size alone.
+    pub fn tame(words: &'a [u32]) -> Self {
+        Self { rest: words, wild: 0 }
+    }
+
+    /// The next word.
+    pub fn next(&mut self) -> u32 {
+        let Some((first, rest)) = self.rest.split_first() else { return 0 };
+        self.rest = rest;
+        *first
+    }
+
+    /// Two words.
+    pub fn wide(&mut self) -> u64 {
+        u64::from(self.next()) << 32 | u64::from(self.next())
+    }
+
+    /// One of so many things.
+    pub fn choice(&mut self, count: u32) -> u32 {
+        self.next() % count
+    }
+
+    /// Whether the next number is any bit pattern.
+    fn is_wild(&mut self) -> bool {
+        self.wild = self.wild.rotate_right(1);
+        self.wild >> 31 == 1
+    }
+
+    /// A number from `least` to `most`.
+    pub fn between(&mut self, least: f32, most: f32) -> f32 {
+        least + (most - least) * (self.next() as f32 / u32::MAX as f32)
+    }
+
+    /// A number from `least` to `most`, or any.
+    pub fn number(&mut self, least: f32, most: f32) -> f32 {
+        if self.is_wild() { f32::from_bits(self.next()) } else { self.between(least, most) }
+    }
+
+    /// A number above zero and another, in half of all cases no more than a few of its last places away: what is not
+    /// monotone shows between neighbours.
+    pub fn pair(&mut self, most: f32) -> (f32, f32) {
+        let one = self.number(most / 1_024.0, most);
+        if self.choice(2) == 0 {
+            return (one, self.number(most / 1_024.0, most));
+        }
+        (one, f32::from_bits(one.to_bits().saturating_add(1 << self.choice(16))))
+    }
+
+    /// Three numbers.
+    pub fn numbers(&mut self, least: f32, most: f32) -> Vec3<f32> {
+        Vec3::new(self.number(least, most), self.number(least, most), self.number(least, most))
+    }
+
+    /// Three coordinates on the grid that all formats share, within 8 of the origin.
+    pub fn place(&mut self) -> Vec3<f32> {
+        let mut on_grid = || (self.between(-8.0, 8.0) * 65_536.0).round() / 65_536.0;
+        Vec3::new(on_grid(), on_grid(), on_grid())
+    }
+
+    /// A vector of unit length within the roundings of f32.
+    pub fn direction(&mut self) -> Vec3<f32> {
+        let v = Vec3::new(self.between(-1.0, 1.0), self.between(-1.0, 1.0), self.between(-1.0, 1.0));
+        let length = v.dot(v).sqrt();
+        if length > 0.01 { v.map(|c| c / length) } else { Vec3::new(0.0, -1.0, 0.0) }
+    }
+
+    /// A place as a format stores it, or any bits.
+    pub fn point<S: Format>(&mut self, place: Vec3<f32>) -> Vec3<S::Length> {
+        place.map(|c| if self.is_wild() { S::length_from_bits(self.wide()) } else { S::length(c) })
+    }
+
+    /// A normal, its components those of a unit vector or any bits.
+    pub fn normal<S: Format>(&mut self) -> Vec3<S> {
+        self.direction()
+            .map(|c| if self.is_wild() { S::scalar_from_bits(self.wide()) } else { S::from_f32(c) })
+    }
+
+    /// A point of a surface that an eye sees.
+    pub fn surface<S: Format>(&mut self, place: Vec3<f32>) -> Surface<S> {
+        let (point, normal) = (self.point::<S>(place), self.normal());
+        let view = S::axis(self.direction());
+        let view = view.map(|c| if self.is_wild() { S::unit_from_bits(self.wide()) } else { c });
+        Surface { point, normal, view }
+    }
+}

@@ -1,0 +1,150 @@
+//! The worst of all places: where a spotlight's intensity is furthest from the exact one, looked for by climbing.
+
+use super::{
+    format::Format,
+    profiles::Shape,
+    reference::{self, Vector},
+    sweep,
+};
+use fastrand::Rng;
+use luminaire::{Profile, Spot, Vec3};
+use std::fmt;
+
+/// Random places to begin with, how many of them are climbed from, and for how many steps each.
+const STARTS: usize = 2_000;
+const CLIMBS: usize = 8;
+const STEPS: usize = 6_000;
+
+/// The coordinates that every format has exactly, with their differences.
+const FARTHEST: f32 = 128.0;
+
+/// A light in the origin by its axis, and a point.
+#[derive(Clone, Copy, Debug)]
+pub struct Place {
+    pub axis: Vec3<f32>,
+    pub point: Vec3<f32>,
+}
+
+/// A place that was found, and how far off the intensity is there.
+#[derive(Clone, Debug)]
+pub struct Find {
+    pub format: String,
+    pub shape: String,
+    pub half_degrees: f32,
+    pub place: Place,
+    pub error: f64,
+}
+
+impl fmt::Display for Find {
+    /// A line of the file: numbers that must be exact as the bits of f32.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}, {}, {:08x}", self.format, self.shape, self.half_degrees.to_bits())?;
+        let Place { axis, point } = self.place;
+        for component in [axis.x, axis.y, axis.z, point.x, point.y, point.z] {
+            write!(f, ", {:08x}", component.to_bits())?;
+        }
+        write!(f, ", {:.3e}", self.error)
+    }
+}
+
+impl Find {
+    /// Reads a line of the file; shapes may have a comma in their name.
+    pub fn parse(line: &str) -> Option<Self> {
+        let (format, rest) = line.split_once(", ")?;
+        let mut words: Vec<_> = rest.rsplitn(9, ", ").collect();
+        words.reverse();
+        let bits = |index: usize| u32::from_str_radix(words.get(index)?, 16).ok().map(f32::from_bits);
+        let vector = |first: usize| Some(Vec3::new(bits(first)?, bits(first + 1)?, bits(first + 2)?));
+        Some(Self {
+            format: format.to_owned(),
+            shape: (*words.first()?).to_owned(),
+            half_degrees: bits(1)?,
+            place: Place { axis: vector(2)?, point: vector(5)? },
+            error: words.get(8)?.parse().ok()?,
+        })
+    }
+}
+
+/// How far the intensity of a shape is off at a place; none where the light is refused, or where it jumps.
+pub fn error<S: Format, P: Profile>(shape: &Shape<P>, half_degrees: f32, place: Place) -> Option<f64> {
+    let cone = shape.exactly_at(half_degrees);
+    let spot = Spot::new(Vec3::default(), place.axis, shape.at(half_degrees)).ok()?;
+    let axis = reference::unit(S::exact_direction(S::axis(spot.axis())));
+    let exact = reference::Spot { position: [0.0; 3], axis, cone, intensity: 1.0 };
+    let point = place.point.map(S::length);
+    let found = spot.compile::<S>().ok()?.falloff(point).exact();
+    Some((found - exact.falloff(S::exact_point(point))).abs())
+}
+
+/// Half the narrowest outer angle that a format accepts of a shape, in degrees, a little wider.
+pub fn narrowest<S: Format, P: Profile>(shape: &Shape<P>) -> f32 {
+    let (mut refused, mut held) = (1e-6_f32, 90.0_f32);
+    for _ in 0..40 {
+        let middle = (refused * held).sqrt();
+        if shape.at(middle).compile::<S>().is_ok() { held = middle } else { refused = middle }
+    }
+    held * 1.000_01
+}
+
+/// Whether a shape has a slope everywhere: where it jumps there is no error of the intensity to look for.
+pub fn is_smooth<P: Profile>(shape: &Shape<P>) -> bool {
+    let cone = shape.exactly_at(1.0);
+    !cone.jumps_near(cone.limit, 1.0)
+}
+
+/// The worst place of a shape at a half angle: the best of random ones, each moved in ever other ways as long as it
+/// gets worse.
+pub fn search<S: Format, P: Profile>(shape: &Shape<P>, half_degrees: f32) -> Find {
+    let mut rng = Rng::with_seed(1953);
+    let at = |place: Place| error::<S, P>(shape, half_degrees, place).unwrap_or(0.0);
+    let mut starts: Vec<_> = (0..STARTS)
+        .map(|_| {
+            let place = somewhere(&mut rng, f64::from(half_degrees).to_radians());
+            (at(place), place)
+        })
+        .collect();
+    starts.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let (error, place) = starts.into_iter().take(CLIMBS).fold((0.0, None), |(most, worst), start| {
+        let (mut error, mut place) = start;
+        for _ in 0..STEPS {
+            let other = moved(&mut rng, place);
+            let other_error = at(other);
+            if other_error >= error {
+                (error, place) = (other_error, other);
+            }
+        }
+        if error > most { (error, Some(place)) } else { (most, worst) }
+    });
+    let place = place.expect("no format is exact");
+    Find { format: S::NAME.to_owned(), shape: shape.name.to_owned(), half_degrees, place, error }
+}
+
+/// A point in a cone.
+fn somewhere(rng: &mut Rng, radians: f64) -> Place {
+    let axis: Vector = sweep::direction(rng);
+    let off_axis = rng.f64() * radians;
+    let way = sweep::direction_off(rng, axis, off_axis);
+    let distance = 2.0 + 60.0 * rng.f64();
+    Place {
+        axis: sweep::single(axis),
+        point: sweep::single(sweep::on_grid(reference::scaled(way, distance))),
+    }
+}
+
+/// The place with the point moved by some quanta, or the axis turned by some of its last places.
+fn moved(rng: &mut Rng, place: Place) -> Place {
+    let change = |rng: &mut Rng, v: Vec3<f32>, by: &dyn Fn(f32) -> f32| match rng.u8(..3) {
+        0 => Vec3 { x: by(v.x), ..v },
+        1 => Vec3 { y: by(v.y), ..v },
+        _ => Vec3 { z: by(v.z), ..v },
+    };
+    let size = 0.5_f32.powi(rng.i32(1..24)) * if rng.bool() { 1.0 } else { -1.0 };
+    if rng.bool() {
+        return Place { axis: change(rng, place.axis, &|c| c + size), ..place };
+    }
+    let on_grid = |c: f32| ((c * (1.0 + size)) * 65_536.0).round() / 65_536.0;
+    let quantum = size.signum() * rng.u8(1..16) as f32 / 65_536.0;
+    let coarse = rng.bool();
+    let by = move |c: f32| (if coarse { on_grid(c) } else { c + quantum }).clamp(-FARTHEST, FARTHEST);
+    Place { point: change(rng, place.point, &by), ..place }
+}

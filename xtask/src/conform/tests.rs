@@ -1,0 +1,17 @@
+//! The conformance vectors' part of `cargo xtask test`.
+
+use anyhow::ensure;
+
+use super::Target;
+use crate::suite::Suite;
+
+/// Adds a step for each target.
+pub(crate) fn run(suite: &mut Suite) {
+    for target in Target::all() {
+        suite.step(&format!("conformance: the same bits on {}", target.name()), |progress| {
+            let report = target.check(progress)?;
+            ensure!(report.passed, "{}\n{}", report.count, report.told);
+            Ok(())
+        });
+    }
+}
