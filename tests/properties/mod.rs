@@ -3,7 +3,7 @@
 //!
 //! The property tests and the fuzzer call the same functions. Words that make no scene, because a constructor refuses
 //! them, prove nothing and are passed over.
-#![allow(dead_code, reason = "each program that has these laws calls its part of them")]
+#![allow(dead_code, unused_imports, reason = "each program that has these laws calls its part of them")]
 #![allow(missing_docs, reason = "tests are read, not published")]
 #![allow(unreachable_pub, reason = "every program has these modules to itself")]
 
