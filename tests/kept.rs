@@ -1,9 +1,9 @@
 //! What is given to a description is given back, to the bit; what is replaced leaves the rest alone.
 
 use luminaire::{
-    Ambient, Angle, Blend, Cone, Cubic, Directional, Exposure, Fx16, Hard, HardRange, InverseSquare, Light,
-    Material, Phong, Point, Polynomial, Rgb, Scalar, SmoothRange, Soft, Spot, SquaredWindow, Surface, Table,
-    Unattenuated, Vec3, Windowed,
+    Ambient, Angle, Blend, Cone, Cubic, Directional, Exposure, Faded, Fx16, Hard, HardRange, IntegerPower,
+    IntegerRim, InverseSquare, Light, Material, MixedPower, MixedRim, Phong, Point, Polynomial, Rgb, Scalar,
+    SmoothRange, Soft, Spot, SquaredWindow, Surface, Table, Unattenuated, Vec3, Windowed,
 };
 
 const RED: Rgb<f32> = Rgb::new(0.75, 0.25, 0.125);
@@ -92,6 +92,9 @@ fn distances_keep_what_they_are_given() {
         assert_eq!(HardRange::new(polynomial, range).expect("sound").range(), range);
     }
     assert_eq!(SmoothRange::new(7.5).expect("sound").range(), 7.5);
+    let faded = Faded::new(polynomial, Some(7.5)).expect("sound");
+    assert_eq!((faded.attenuation(), faded.range()), (polynomial, Some(7.5)));
+    assert_eq!(HardRange::new(polynomial, None).expect("sound").attenuation(), polynomial);
 }
 
 #[test]
@@ -101,6 +104,12 @@ fn profiles_keep_what_they_are_given() {
     assert_eq!((cubic.edge_slope(), cubic.middle_slope()), (1.25, 3.5));
     assert_eq!(cubic.coefficients(), [1.25, -3.0, 2.75]);
     assert_eq!(Cubic::new(1.25, -3.0, 2.75).expect("sound"), cubic);
+    assert_eq!(IntegerPower::new(12).expect("sound").exponent(), 12);
+    assert_eq!(IntegerRim::new(12).expect("sound").exponent(), 12);
+    let mixed = MixedPower::new([2, 7], 0.25).expect("sound");
+    assert_eq!((mixed.exponents(), mixed.share()), ([2, 7], 0.25));
+    let mixed = MixedRim::new([2, 7], 0.25).expect("sound");
+    assert_eq!((mixed.exponents(), mixed.share()), ([2, 7], 0.25));
     let samples = [65_535, 1_234, 0];
     assert_eq!(Table::new(&samples).expect("sound").samples(), samples);
     assert_eq!(cone().profile(), Soft);

@@ -33,6 +33,7 @@ pub(crate) const REGISTER: &[Held] = &[
         "CompiledSpot::irradiance", "Scalar for f32", "Profile for Soft", "Profile for Hard",
         "Profile for Linear", "Profile for CutOff", "Profile for Smooth", "Profile for Blend",
         "Profile for Cubic", "Profile for Power", "Profile for Rim", "Profile for Table",
+        "Profile for IntegerPower", "Profile for IntegerRim", "Profile for MixedPower", "Profile for MixedRim",
     ]),
     through("tests/accuracy.rs::f32_keeps_its_rows", &[
         "Falloff::toward", "Scalar::weight", "Light for CompiledSpot", "Light::arrive",
@@ -150,14 +151,49 @@ pub(crate) const REGISTER: &[Held] = &[
     ]),
     by("tests/kept.rs::distances_keep_what_they_are_given", &[
         "Polynomial::coefficients", "Windowed::range", "SquaredWindow::range", "HardRange::range",
+        "HardRange::attenuation", "Faded::new", "Faded::attenuation", "Faded::range",
     ]),
     by("tests/kept.rs::profiles_keep_what_they_are_given", &[
-        "Blend::new", "Blend::edge_slope", "Cubic::new", "Cubic::with_slopes", "Cubic::coefficients",
+        "IntegerPower::new", "IntegerPower::exponent", "IntegerRim::new", "IntegerRim::exponent",
+        "MixedPower::new", "MixedPower::exponents", "MixedPower::share", "MixedRim::new",
+        "MixedRim::exponents", "MixedRim::share", "Blend::new", "Blend::edge_slope", "Cubic::new", "Cubic::with_slopes", "Cubic::coefficients",
         "Cubic::edge_slope", "Cubic::middle_slope", "Table::new", "Table::samples", "Cone::profile",
         "Falloff::profile", "Falloff::with_profile",
     ]),
     by("tests/kept.rs::components_stay_in_their_places", &[
         "Vec3::new", "Vec3::map", "Vec3::zip", "Rgb::new", "Rgb::map", "Rgb::zip",
+    ]),
+
+    // The lights of other systems.
+    by("tests/import.rs::compiled_lights_are_the_originals", &[
+        "OpenGl::import", "Direct3d::import", "Gltf::import", "Three::import", "Godot::import", "Penumbra::import",
+        "Difference::most",
+    ]),
+    through("tests/import.rs::compiled_lights_are_the_originals", &["Attenuation for Distance"]),
+    by("tests/import.rs::a_faded_inverse_square_is_the_squared_window", &["Attenuation for Faded"]),
+    by("tests/import.rs::a_matched_profile_changes_no_bit", &["Profile for Matched"]),
+
+    // Many at once.
+    by("tests/batch.rs::spots_light_a_batch_as_they_light_a_point_in_f32", &[
+        "batch_methods!::irradiance_each", "batch_methods!::add_each",
+    ]),
+    through("tests/batch.rs::spots_light_a_batch_as_they_light_a_point_in_f32", &[
+        "Offset::reciprocal", "Offset::ray_of", "Ray::rise",
+    ]),
+    by("tests/batch.rs::a_falloff_of_many_versines_is_that_of_each", &["Falloff::at_each"]),
+
+    // Constants from raw bits.
+    by("tests/generated.rs::a_generated_constant_has_the_bits_of_the_compiled_value", &["Source::as_source"]),
+    through("tests/generated.rs::a_generated_constant_has_the_bits_of_the_compiled_value", &[
+        "Source::write", "Named::write_name", "Blend::to_bits", "Cubic::to_bits", "FloatRamp::to_bits",
+        "Gain16::to_bits", "Gain32::to_bits", "Ramp16::to_bits", "Ramp32::to_bits", "Table::of",
+    ]),
+    by("tests/any_bits.rs::any_bits_make_a_light_in_fx16", &[
+        "Blend::from_bits", "Cubic::from_bits", "CompiledBlend::from_parts", "CompiledCubic::from_parts",
+        "CompiledDirectional::from_parts", "CompiledExposure::from_parts", "CompiledMaterial::from_parts",
+        "CompiledPoint::from_parts", "CompiledSpot::from_parts", "Falloff::from_parts",
+        "FloatRamp::from_bits", "Gain16::from_bits", "Gain32::from_bits", "Ramp16::from_bits",
+        "Ramp32::from_bits",
     ]),
 
     // The display.

@@ -123,6 +123,8 @@ fn is_public(visibility: &Visibility) -> bool {
 fn type_name(of: &Type) -> String {
     match of {
         Type::Path(path) => path.path.segments.last().expect("a path has a name").ident.to_string(),
+        Type::Tuple(_) => "a tuple".into(),
+        Type::Array(_) => "an array".into(),
         _ => panic!("an implementation for what has no name"),
     }
 }

@@ -135,7 +135,7 @@ impl Scalar for Fx16 {
     const ZERO: Self = I2F14::ZERO;
     const ONE: Self = I2F14::ONE;
     const STEP: f32 = 1.0 / 16_384.0;
-    const DIRECTION_ERROR: f32 = 1.2e-5;
+    const DIRECTION_ERROR: f32 = 1.55e-5;
     const FARTHEST: f32 = 16_383.0;
 
     #[inline(always)]
@@ -394,7 +394,8 @@ impl Offset<Fx16> for Offset16 {
         let along = products.x.wrapping_add(products.y).wrapping_add(products.z) >> 14;
         // The axis has unit length, so that 16 bits hold the part of |v| along it.
         let along = along.max(0).cast_unsigned();
-        along.wrapping_mul(along) < (self.squared() >> 14) * u32::from(bound.to_bits().max(0).cast_unsigned())
+        let bound = u32::from(bound.to_bits().max(0).cast_unsigned());
+        along.wrapping_mul(along) < (self.squared() >> 14).wrapping_mul(bound)
     }
 
     #[inline(always)]
