@@ -13,10 +13,9 @@ use support::{
 
 const PLACES: &str = include_str!("worst/places.txt");
 
-/// The largest error at the narrowest cones of a format, and its neighbourhood: half a step of eight bits, 1.96e-3, is
-/// what the narrowest cone is meant for. Climbing finds places where `Fx16` is 15 % beyond it, which random points do
-/// not meet.
-const AT_THE_NARROWEST: [(&str, f64); 3] = [("f32", 1.74e-3), ("fx32", 1.78e-3), ("fx16", 2.27e-3)];
+/// The largest error at the narrowest cones of a format, which are promised half a step of eight bits, 1.96e-3. Random
+/// points meet less of it than a search that climbs.
+const AT_THE_NARROWEST: [(&str, f64); 3] = [("f32", 1.74e-3), ("fx32", 1.73e-3), ("fx16", 1.79e-3)];
 
 /// Both of a shape's places, at its narrowest cone and at 30 degrees: an error that grew fails, and one that shrank.
 /// Returns the larger of the two.

@@ -97,8 +97,8 @@ pub const ROWS: [Row; 54] = [
     },
     Row {
         profile: "smooth", format: "fx16", falloff: 1.8,
-        spot: [REFUSE, REFUSE, REFUSE, 1.7e-3, 9.2e-4, 5.9e-4, 4.1e-4, 3.2e-4, 3.0e-4, 2.2e-4, 2.4e-4],
-        lit:  [REFUSE, REFUSE, REFUSE, 1.5e-3, 8.7e-4, 5.5e-4, 3.7e-4, 3.3e-4, 3.3e-4, 3.3e-4, 3.4e-4],
+        spot: [REFUSE, REFUSE, REFUSE, REFUSE, 9.2e-4, 5.9e-4, 4.1e-4, 3.2e-4, 3.0e-4, 2.2e-4, 2.4e-4],
+        lit:  [REFUSE, REFUSE, REFUSE, REFUSE, 8.7e-4, 5.5e-4, 3.7e-4, 3.3e-4, 3.3e-4, 3.3e-4, 3.4e-4],
     },
     Row {
         profile: "blend", format: "f32", falloff: 2.13,
@@ -112,8 +112,8 @@ pub const ROWS: [Row; 54] = [
     },
     Row {
         profile: "blend", format: "fx16", falloff: 1.55,
-        spot: [REFUSE, REFUSE, 2.3e-3, 1.1e-3, 5.9e-4, 3.9e-4, 2.6e-4, 2.0e-4, 2.0e-4, 1.4e-4, 1.6e-4],
-        lit:  [REFUSE, REFUSE, 1.7e-3, 9.0e-4, 5.0e-4, 3.5e-4, 3.4e-4, 3.3e-4, 3.1e-4, 3.0e-4, 3.3e-4],
+        spot: [REFUSE, REFUSE, REFUSE, 1.1e-3, 5.9e-4, 3.9e-4, 2.6e-4, 2.0e-4, 2.0e-4, 1.4e-4, 1.6e-4],
+        lit:  [REFUSE, REFUSE, REFUSE, 9.7e-4, 5.6e-4, 4.2e-4, 3.4e-4, 3.3e-4, 3.1e-4, 3.0e-4, 3.3e-4],
     },
     Row {
         profile: "cubic", format: "f32", falloff: 4.37,
@@ -127,8 +127,8 @@ pub const ROWS: [Row; 54] = [
     },
     Row {
         profile: "cubic", format: "fx16", falloff: 2.63,
-        spot: [REFUSE, REFUSE, REFUSE, 2.0e-3, 8.5e-4, 5.9e-4, 4.1e-4, 3.2e-4, 3.0e-4, 2.5e-4, 2.8e-4],
-        lit:  [REFUSE, REFUSE, REFUSE, 1.4e-3, 7.0e-4, 4.9e-4, 3.5e-4, 3.6e-4, 3.4e-4, 3.1e-4, 3.6e-4],
+        spot: [REFUSE, REFUSE, REFUSE, REFUSE, 9.2e-4, 6.3e-4, 4.1e-4, 3.2e-4, 3.3e-4, 2.5e-4, 2.8e-4],
+        lit:  [REFUSE, REFUSE, REFUSE, REFUSE, 8.0e-4, 5.6e-4, 3.5e-4, 3.6e-4, 3.4e-4, 3.1e-4, 3.6e-4],
     },
     Row {
         profile: "power 4", format: "f32", falloff: 5.01,
@@ -142,8 +142,8 @@ pub const ROWS: [Row; 54] = [
     },
     Row {
         profile: "power 4", format: "fx16", falloff: 2.89,
-        spot: [REFUSE, REFUSE, REFUSE, 1.6e-3, 8.0e-4, 4.4e-4, 3.4e-4, 2.8e-4, 2.5e-4, 2.2e-4, 2.0e-4],
-        lit:  [REFUSE, REFUSE, REFUSE, 1.3e-3, 6.6e-4, 4.8e-4, 4.1e-4, 3.9e-4, 3.9e-4, 4.1e-4, 3.6e-4],
+        spot: [REFUSE, REFUSE, REFUSE, 1.4e-3, 8.0e-4, 4.7e-4, 3.4e-4, 2.8e-4, 2.5e-4, 2.2e-4, 2.0e-4],
+        lit:  [REFUSE, REFUSE, REFUSE, 1.3e-3, 7.1e-4, 4.8e-4, 4.1e-4, 3.9e-4, 3.9e-4, 4.1e-4, 3.6e-4],
     },
     Row {
         profile: "power 15", format: "f32", falloff: 18.3,
@@ -157,8 +157,8 @@ pub const ROWS: [Row; 54] = [
     },
     Row {
         profile: "power 15", format: "fx16", falloff: 9.38,
-        spot: [REFUSE, REFUSE, REFUSE, REFUSE, 1.5e-3, 8.6e-4, 7.7e-4, 6.7e-4, 6.4e-4, 6.3e-4, 5.1e-4],
-        lit:  [REFUSE, REFUSE, REFUSE, REFUSE, 1.3e-3, 8.0e-4, 7.3e-4, 7.3e-4, 7.2e-4, 7.6e-4, 5.0e-4],
+        spot: [REFUSE, REFUSE, REFUSE, REFUSE, 1.5e-3, 9.3e-4, 7.7e-4, 6.7e-4, 6.4e-4, 6.3e-4, 5.1e-4],
+        lit:  [REFUSE, REFUSE, REFUSE, REFUSE, 1.3e-3, 9.0e-4, 7.3e-4, 7.3e-4, 7.2e-4, 7.6e-4, 5.3e-4],
     },
     Row {
         profile: "rim 4", format: "f32", falloff: 1.77,
@@ -171,9 +171,9 @@ pub const ROWS: [Row; 54] = [
         lit:  [3.1e-5, 3.3e-6, 8.1e-7, 3.5e-7, 5.7e-7, 4.5e-7, 4.1e-7, 3.1e-7, 3.2e-8, 8.0e-9, 5.5e-8],
     },
     Row {
-        profile: "rim 4", format: "fx16", falloff: 3.04,
-        spot: [REFUSE, REFUSE, REFUSE, REFUSE, REFUSE, 1.9e-3, 1.3e-3, 1.1e-3, 9.6e-4, 7.6e-4, 8.0e-4],
-        lit:  [REFUSE, REFUSE, REFUSE, REFUSE, REFUSE, 1.5e-3, 1.2e-3, 8.4e-4, 8.0e-4, 5.6e-4, 7.3e-4],
+        profile: "rim 4", format: "fx16", falloff: 2.90,
+        spot: [REFUSE, REFUSE, REFUSE, REFUSE, REFUSE, REFUSE, 1.3e-3, 1.1e-3, 9.6e-4, 7.6e-4, 8.0e-4],
+        lit:  [REFUSE, REFUSE, REFUSE, REFUSE, REFUSE, REFUSE, 1.2e-3, 9.4e-4, 8.0e-4, 5.6e-4, 7.3e-4],
     },
     Row {
         profile: "integer power 15", format: "f32", falloff: 18.3,
@@ -186,9 +186,9 @@ pub const ROWS: [Row; 54] = [
         lit:  [1.5e-5, 1.4e-6, 3.0e-7, 1.6e-7, 1.1e-7, 7.4e-8, 5.2e-8, 3.8e-8, 1.3e-8, 1.4e-8, 1.1e-8],
     },
     Row {
-        profile: "integer power 15", format: "fx16", falloff: 9.76,
-        spot: [REFUSE, REFUSE, REFUSE, REFUSE, 1.5e-3, 9.9e-4, 6.6e-4, 6.1e-4, 6.0e-4, 6.3e-4, 4.6e-4],
-        lit:  [REFUSE, REFUSE, REFUSE, REFUSE, 1.1e-3, 8.0e-4, 6.9e-4, 7.3e-4, 6.6e-4, 7.6e-4, 5.8e-4],
+        profile: "integer power 15", format: "fx16", falloff: 9.38,
+        spot: [REFUSE, REFUSE, REFUSE, REFUSE, 1.5e-3, 9.9e-4, 7.7e-4, 6.7e-4, 6.3e-4, 6.3e-4, 5.1e-4],
+        lit:  [REFUSE, REFUSE, REFUSE, REFUSE, 1.3e-3, 9.0e-4, 7.6e-4, 7.3e-4, 7.2e-4, 7.6e-4, 5.8e-4],
     },
     Row {
         profile: "integer rim 4", format: "f32", falloff: 1.77,
@@ -202,8 +202,8 @@ pub const ROWS: [Row; 54] = [
     },
     Row {
         profile: "integer rim 4", format: "fx16", falloff: 2.89,
-        spot: [REFUSE, REFUSE, REFUSE, REFUSE, REFUSE, 1.9e-3, 1.1e-3, 8.2e-4, 7.9e-4, 9.1e-4, 7.4e-4],
-        lit:  [REFUSE, REFUSE, REFUSE, REFUSE, REFUSE, 1.4e-3, 8.2e-4, 6.7e-4, 6.4e-4, 7.7e-4, 6.1e-4],
+        spot: [REFUSE, REFUSE, REFUSE, REFUSE, REFUSE, REFUSE, 1.4e-3, 1.1e-3, 9.9e-4, 7.6e-4, 8.0e-4],
+        lit:  [REFUSE, REFUSE, REFUSE, REFUSE, REFUSE, REFUSE, 1.2e-3, 9.4e-4, 8.3e-4, 5.6e-4, 7.3e-4],
     },
     Row {
         profile: "mixed power", format: "f32", falloff: 8.25,
@@ -216,9 +216,9 @@ pub const ROWS: [Row; 54] = [
         lit:  [6.3e-6, 6.6e-7, 1.4e-7, 6.9e-8, 9.1e-8, 7.1e-8, 6.6e-8, 5.0e-8, 9.0e-9, 8.5e-9, 9.6e-9],
     },
     Row {
-        profile: "mixed power", format: "fx16", falloff: 4.72,
-        spot: [REFUSE, REFUSE, REFUSE, 1.3e-3, 6.6e-4, 4.5e-4, 3.1e-4, 3.0e-4, 2.7e-4, 3.1e-4, 2.2e-4],
-        lit:  [REFUSE, REFUSE, REFUSE, 1.1e-3, 5.7e-4, 4.3e-4, 4.1e-4, 4.4e-4, 4.2e-4, 4.5e-4, 4.2e-4],
+        profile: "mixed power", format: "fx16", falloff: 4.42,
+        spot: [REFUSE, REFUSE, REFUSE, 1.3e-3, 6.6e-4, 4.5e-4, 3.4e-4, 3.0e-4, 2.7e-4, 3.1e-4, 2.4e-4],
+        lit:  [REFUSE, REFUSE, REFUSE, 1.3e-3, 6.8e-4, 4.9e-4, 4.9e-4, 4.4e-4, 4.2e-4, 4.5e-4, 3.5e-4],
     },
     Row {
         profile: "mixed rim", format: "f32", falloff: 1.43,
@@ -232,8 +232,8 @@ pub const ROWS: [Row; 54] = [
     },
     Row {
         profile: "mixed rim", format: "fx16", falloff: 2.43,
-        spot: [REFUSE, REFUSE, REFUSE, REFUSE, 1.9e-3, 1.3e-3, 7.0e-4, 5.6e-4, 5.3e-4, 5.9e-4, 5.2e-4],
-        lit:  [REFUSE, REFUSE, REFUSE, REFUSE, 1.4e-3, 9.5e-4, 5.7e-4, 4.8e-4, 4.3e-4, 4.4e-4, 4.5e-4],
+        spot: [REFUSE, REFUSE, REFUSE, REFUSE, REFUSE, 1.3e-3, 8.9e-4, 7.0e-4, 6.5e-4, 4.7e-4, 5.5e-4],
+        lit:  [REFUSE, REFUSE, REFUSE, REFUSE, REFUSE, 1.3e-3, 7.8e-4, 6.2e-4, 5.2e-4, 3.8e-4, 4.8e-4],
     },
     Row {
         profile: "table", format: "f32", falloff: 2.34,
@@ -247,8 +247,8 @@ pub const ROWS: [Row; 54] = [
     },
     Row {
         profile: "table", format: "fx16", falloff: 1.87,
-        spot: [REFUSE, REFUSE, REFUSE, REFUSE, 1.3e-3, 8.4e-4, 5.6e-4, 4.4e-4, 4.0e-4, 3.0e-4, 3.5e-4],
-        lit:  [REFUSE, REFUSE, REFUSE, REFUSE, 1.1e-3, 7.6e-4, 4.8e-4, 4.1e-4, 3.8e-4, 3.1e-4, 3.3e-4],
+        spot: [REFUSE, REFUSE, REFUSE, REFUSE, 1.3e-3, 8.4e-4, 6.3e-4, 4.4e-4, 4.0e-4, 3.0e-4, 3.5e-4],
+        lit:  [REFUSE, REFUSE, REFUSE, REFUSE, 1.3e-3, 7.6e-4, 5.4e-4, 4.1e-4, 3.8e-4, 3.1e-4, 3.3e-4],
     },
     Row {
         profile: "soft, hotspot", format: "f32", falloff: 2.94,
@@ -262,8 +262,8 @@ pub const ROWS: [Row; 54] = [
     },
     Row {
         profile: "soft, hotspot", format: "fx16", falloff: 1.37,
-        spot: [REFUSE, REFUSE, REFUSE, 2.2e-3, 1.1e-3, 7.4e-4, 4.5e-4, 3.4e-4, 3.3e-4, 2.6e-4, 2.9e-4],
-        lit:  [REFUSE, REFUSE, REFUSE, 1.8e-3, 9.9e-4, 5.7e-4, 4.8e-4, 3.7e-4, 3.6e-4, 3.3e-4, 3.5e-4],
+        spot: [REFUSE, REFUSE, REFUSE, REFUSE, 1.1e-3, 7.4e-4, 4.5e-4, 3.4e-4, 3.3e-4, 2.6e-4, 2.9e-4],
+        lit:  [REFUSE, REFUSE, REFUSE, REFUSE, 9.9e-4, 6.3e-4, 4.8e-4, 3.7e-4, 3.6e-4, 3.3e-4, 3.5e-4],
     },
     Row {
         profile: "soft, delimited", format: "f32", falloff: 2.49,
@@ -277,8 +277,8 @@ pub const ROWS: [Row; 54] = [
     },
     Row {
         profile: "soft, delimited", format: "fx16", falloff: 1.53,
-        spot: [REFUSE, REFUSE, REFUSE, 1.3e-3, 6.2e-4, 4.4e-4, 2.3e-4, 1.8e-4, 1.7e-4, 1.4e-4, 1.6e-4],
-        lit:  [REFUSE, REFUSE, REFUSE, 1.0e-3, 5.9e-4, 3.8e-4, 3.5e-4, 3.4e-4, 3.4e-4, 2.9e-4, 3.4e-4],
+        spot: [REFUSE, REFUSE, REFUSE, 1.1e-3, 6.2e-4, 3.8e-4, 2.5e-4, 1.8e-4, 1.7e-4, 1.4e-4, 1.6e-4],
+        lit:  [REFUSE, REFUSE, REFUSE, 1.0e-3, 5.9e-4, 4.0e-4, 3.5e-4, 3.4e-4, 3.4e-4, 2.9e-4, 3.4e-4],
     },
     Row {
         profile: "OpenGL 15", format: "f32", falloff: 6.85,

@@ -73,8 +73,8 @@ pub const ROWS: [Row; 12] = [
     },
     Row {
         profile: "smooth", format: "fx16",
-        linear: [REFUSE, REFUSE, 0.57, 0.18, 0.13, 7.9e-2, 6.7e-2],
-        codes:  [REFUSE, REFUSE, 1.6, 0.93, 0.82, 0.77, 0.78],
+        linear: [REFUSE, REFUSE, REFUSE, 0.18, 0.13, 7.9e-2, 6.7e-2],
+        codes:  [REFUSE, REFUSE, REFUSE, 0.93, 0.82, 0.77, 0.78],
     },
     Row {
         profile: "cubic", format: "f32",
@@ -88,8 +88,8 @@ pub const ROWS: [Row; 12] = [
     },
     Row {
         profile: "cubic", format: "fx16",
-        linear: [REFUSE, REFUSE, 0.57, 0.20, 0.13, 8.1e-2, 7.2e-2],
-        codes:  [REFUSE, REFUSE, 7.0, 2.8, 1.9, 1.5, 1.3],
+        linear: [REFUSE, REFUSE, REFUSE, 0.20, 0.13, 8.1e-2, 7.2e-2],
+        codes:  [REFUSE, REFUSE, REFUSE, 2.8, 1.9, 1.5, 1.3],
     },
 ];
 
