@@ -189,11 +189,11 @@ impl Scalar for Fx16 {
             core::hint::cold_path();
             return Offset16::far(light, point);
         }
-        if size >> 16 == 0 {
+        if size >> WAY_BITS == 0 {
             core::hint::cold_path();
             return Offset16::near(way, size);
         }
-        Offset16::scaled(way, root::ILOG2[size as usize >> 16].into())
+        Offset16::scaled(way, root::ilog2_of_seven_bits(size >> WAY_BITS) + 1)
     }
 
     fn ramp(inner: f32, outer: f32, limit: f32) -> Ramp16 {
@@ -331,7 +331,7 @@ impl Offset16 {
         Self { way, shift, bits: shift + WAY_BITS }
     }
 
-    /// A way of this [`size`] of at most 16 bits. It is scaled up, so that there are bits for a direction.
+    /// A way of this [`size`] of at most 17 bits. It is scaled up, so that there are bits for a direction.
     #[inline(always)]
     fn near(way: Vec3<i32>, size: u32) -> Self {
         let bits = root::bit_length(size);
@@ -349,7 +349,7 @@ impl Offset16 {
     /// A way of any size.
     fn new(way: Vec3<i32>) -> Self {
         let size = size(way);
-        if size >> 16 == 0 {
+        if size >> WAY_BITS == 0 {
             Self::near(way, size)
         } else {
             Self::scaled(way, root::bit_length(size) - WAY_BITS)

@@ -14,9 +14,9 @@ const NODES: [u16; 129] = {
     nodes
 };
 
-/// The binary logarithm of each number of eight bits, rounded down; that of zero as if it were one.
-pub(super) const ILOG2: [u8; 256] = {
-    let mut table = [0; 256];
+/// The binary logarithm of each number of seven bits, rounded down; that of zero as if it were one.
+const ILOG2: [u8; 128] = {
+    let mut table = [0; 128];
     let mut number = 1;
     while number < table.len() {
         table[number] = number.ilog2() as u8;
@@ -25,18 +25,30 @@ pub(super) const ILOG2: [u8; 256] = {
     table
 };
 
-/// How many bits a number has, zero having one. Where the processor cannot count leading zeros, a table is three times as fast as the
-/// compiler's way: these are the small ones, which have no compare-and-swap either.
+/// Whether the processor counts leading zeros. Where it cannot, a table is three times as fast as the compiler's way: these
+/// are the small ones, which have no compare-and-swap either.
+const COUNTS_ZEROS: bool = cfg!(target_has_atomic = "32");
+
+/// The binary logarithm of a number of seven bits, rounded down; that of zero as if it were one.
+#[inline(always)]
+pub(super) const fn ilog2_of_seven_bits(n: u32) -> u32 {
+    if COUNTS_ZEROS { 31 - (n | 1).leading_zeros() } else { ILOG2[n as usize & 0x7f] as u32 }
+}
+
+/// How many bits a number has, zero having one.
 #[inline(always)]
 pub(super) const fn bit_length(n: u32) -> u32 {
-    if cfg!(target_has_atomic = "32") { u32::BITS - (n | 1).leading_zeros() } else { looked_up_bit_length(n) }
+    if COUNTS_ZEROS { u32::BITS - (n | 1).leading_zeros() } else { looked_up_bit_length(n) }
 }
 
 #[inline(always)]
-const fn looked_up_bit_length(n: u32) -> u32 {
-    let (n, half) = if n >> 16 == 0 { (n, 0) } else { (n >> 16, 16) };
-    let (n, quarter) = if n >> 8 == 0 { (n, 0) } else { (n >> 8, 8) };
-    half + quarter + ILOG2[n as usize & 0xff] as u32 + 1
+const fn looked_up_bit_length(mut n: u32) -> u32 {
+    let mut length = 1;
+    while n >> 7 != 0 {
+        n >>= 7;
+        length += 7;
+    }
+    length + ILOG2[n as usize & 0x7f] as u32
 }
 
 /// `2^31 / sqrt(n)` for n from 2^30 up: 65,533 at n = 2^30, 32,768 at the top. Zero for zero.
