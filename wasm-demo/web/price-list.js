@@ -1,11 +1,15 @@
 // The price list that `cargo xtask measure` makes: what each kernel errs, and what it costs on each target.
 import { tidy } from "./numbers.js";
 
+/** What the targets are called, in the order in which they are shown. */
 const TARGETS = {
   "cortex-m0": "Cortex-M0",
   "cortex-m3": "Cortex-M3",
   "cortex-m4f": "Cortex-M4F",
   rv32imc: "RV32IMC",
+  host: "host",
+  wasm: "browser",
+  "wasm-simd": "browser, SIMD",
 };
 
 const STAGES = { lit: "a lit point", falloff: "the intensity alone" };
@@ -60,9 +64,10 @@ export class PriceList {
     return this.#rows.find((row) => row.stage === stage && row.kernel === kernel && row.format === format);
   }
 
-  /** Every target that a row has a cost on, in the list's order. */
+  /** Every target that a row has a cost on; those without a name come last. */
   get targets() {
-    return [...new Set(this.#rows.flatMap((row) => Object.keys(row.cost ?? {})))];
+    const listed = new Set(this.#rows.flatMap((row) => Object.keys(row.cost ?? {})));
+    return [...new Set([...Object.keys(TARGETS), ...listed])].filter((target) => listed.has(target));
   }
 
   /** Shows the list with the rows of both forms marked. */
