@@ -21,10 +21,10 @@ fn cameras() -> impl Iterator<Item = Camera> {
     })
 }
 
-/// The lights of the stage as beams of 3 degrees with a hard edge, four times as bright: the narrower a beam,
+/// The lights of the stage as beams of 4 degrees with a hard edge, four times as bright: the narrower a beam,
 /// the more it magnifies the error of a direction.
 fn narrow_beams() -> [Spot; 3] {
-    let cone = Cone::from_field(Edge::Hard, Angle::degrees(3.0)).unwrap();
+    let cone = Cone::from_field(Edge::Hard, Angle::degrees(4.0)).unwrap();
     stage::lights().unwrap().map(|spot| spot.with_cone(cone).with_intensity(4.0 * spot.intensity()).unwrap())
 }
 
