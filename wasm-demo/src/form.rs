@@ -1,7 +1,7 @@
 //! The formats and formulas to compare: each a kernel of the price list, set up for a wall.
 
 use crate::{picture::Picture, refusal::Refusal, wall::Wall};
-use luminaire::{Accepted, Error, Fx16, Fx32, Soft, Vec3};
+use luminaire::{Accepted, CompiledSpot, Error, Fx16, Fx32, Scalar, Soft, Spot, Unattenuated, Vec3};
 use luminaire_kernels::{
     CosineFalloff, DoubleFalloff, Gltf, Kernel, Libm, OurPoint, Powf, Row, Shape, Stage,
     oracle::{self, unit, widened},
@@ -104,9 +104,9 @@ impl Form {
         let (spot, sites) = (wall.spot(), wall.sites());
         let outer = spot.cone().outer_versine();
         Ok(match self {
-            Self::F32 => Picture::of(OurPoint::new(spot.compile::<f32>()?), sites),
-            Self::Fx32 => Picture::of(OurPoint::new(spot.compile::<Fx32>()?), sites),
-            Self::Fx16 => Picture::of(OurPoint::new(spot.compile::<Fx16>()?), sites),
+            Self::F32 => Picture::of(OurPoint::new(compiled::<f32>(spot)?), sites),
+            Self::Fx32 => Picture::of(OurPoint::new(compiled::<Fx32>(spot)?), sites),
+            Self::Fx16 => Picture::of(OurPoint::new(compiled::<Fx16>(spot)?), sites),
             Self::Cosine => {
                 let falloff = CosineFalloff::<Soft>::new(spot.cone().compile::<f32>()?);
                 Picture::of(FromCosine::new(wall, falloff), sites)
@@ -119,6 +119,14 @@ impl Form {
             Self::F64 => Picture::of(FromVersine::new(wall, DoubleFalloff::<Soft>::new(outer)), sites),
         })
     }
+}
+
+/// The light, or why the format cannot hold it: first its cone, for a narrower one is farther away as well.
+fn compiled<S: Scalar>(
+    spot: &Spot<Soft, Unattenuated>,
+) -> Result<CompiledSpot<S, Soft, Unattenuated>, Error> {
+    spot.cone().compile::<S>()?;
+    spot.compile()
 }
 
 impl Curve {

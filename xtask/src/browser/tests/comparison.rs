@@ -110,7 +110,7 @@ pub(super) fn refusal_is_told_with_a_remedy(visitor: &mut Visitor) -> Result<()>
     })?;
     ensure!(page.message("refusal-1")?.is_empty(), "the remedy is refused");
     let half_angle = page.value("half-angle-number")?;
-    ensure!(half_angle > 0.5 && half_angle < 0.6, "the remedy is {half_angle} degrees");
+    ensure!(half_angle > 0.65 && half_angle < 0.75, "the remedy is {half_angle} degrees");
     ensure!(largest(&mut page, 1)? < 1.0, "what is accepted is off by more than a code");
     page.must_be_content()
 }
