@@ -15,7 +15,8 @@ use crate::{
     cone::Falloff,
     profile::Profile,
     scalar::{Fraction, Offset, Ray, Scalar},
-    shade::{CompiledPoint, CompiledSpot},
+    shade::{CompiledPoint, CompiledSpot, Light, Surface},
+    specular::Matte,
     vec3::Vec3,
 };
 
@@ -28,11 +29,15 @@ const BLOCK: usize = 64;
 struct Lanes<T>([T; BLOCK]);
 
 /// A light that stands somewhere.
-trait Lamp<S: Scalar> {
+trait Lamp<S: Scalar>: Light<S> {
     /// Where it stands.
     fn position(&self) -> Vec3<S::Length>;
     /// What arrives at a single point, in the form that suits a loop.
-    fn irradiance(&self, point: Vec3<S::Length>, normal: Vec3<S>) -> S::Irradiance;
+    #[inline(always)]
+    fn irradiance(&self, point: Vec3<S::Length>, normal: Vec3<S>) -> S::Irradiance {
+        let skips = !S::Offset::ROOTS_FIRST;
+        self.arrive::<Matte>(&Surface::matte(point, normal), &(), skips).diffuse
+    }
     /// The same, once the root is paid for.
     fn expose(
         &self,
@@ -46,15 +51,6 @@ impl<S: Scalar, P: Profile, A: Attenuation> Lamp<S> for CompiledSpot<S, P, A> {
     #[inline(always)]
     fn position(&self) -> Vec3<S::Length> {
         self.position
-    }
-
-    #[inline(always)]
-    fn irradiance(&self, point: Vec3<S::Length>, normal: Vec3<S>) -> S::Irradiance {
-        if S::Offset::ROOTS_FIRST {
-            self.irradiance_unskipped(point, normal)
-        } else {
-            self.irradiance(point, normal)
-        }
     }
 
     #[inline(always)]
@@ -74,15 +70,6 @@ impl<S: Scalar, A: Attenuation> Lamp<S> for CompiledPoint<S, A> {
     #[inline(always)]
     fn position(&self) -> Vec3<S::Length> {
         self.position
-    }
-
-    #[inline(always)]
-    fn irradiance(&self, point: Vec3<S::Length>, normal: Vec3<S>) -> S::Irradiance {
-        if S::Offset::ROOTS_FIRST {
-            self.irradiance_unskipped(point, normal)
-        } else {
-            self.irradiance(point, normal)
-        }
     }
 
     #[inline(always)]
