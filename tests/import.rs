@@ -9,7 +9,7 @@ use fastrand::Rng;
 use luminaire::{
     CompiledSpot, Faded, Fx16, Fx32, InverseSquare, Matched, Point, Profile, Scalar, Spot, SquaredWindow,
     Vec3,
-    import::{self, Difference, Distance, Imported, Lamp},
+    import::{self, Difference, Imported, Lamp},
 };
 use support::{
     bounds,

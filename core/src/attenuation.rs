@@ -10,14 +10,17 @@
 //! | [`SquaredWindow`] | `(1 - (d/r)^4)^2 / d^2` within r | Filament, Bevy, three.js with decay 2 |
 //! | [`HardRange`] of a model | the model within r, 0 from there on | Direct3D 9 |
 //! | [`Faded`] of a model | the model times `(1 - (d/r)^4)^2` within r | Godot, and three.js with any decay |
+//! | [`Distance`] | one of the above | the choice at run time |
 //!
 //! A light that has no range says `None`, never 0. From its range on a light is exactly zero, and a point there is
 //! rejected by its squared distance, before a root is paid for: by the same number that the model itself compares, so
 //! that the reject changes no bit. In fixed point "from its range on" begins half a step of the format before it.
 
+mod distance;
 mod faded;
 
-pub use self::faded::Faded;
+pub(crate) use self::distance::CompiledDistance;
+pub use self::{distance::Distance, faded::Faded};
 
 use crate::{
     error::{Accepted, Error, Parameter, check_between},
@@ -197,6 +200,11 @@ impl<A: Attenuation> HardRange<A> {
     /// A range outside 0.001 to 1e9.
     pub fn new(attenuation: A, range: Option<f32>) -> Result<Self, Error> {
         Ok(Self { attenuation, range: range.map(checked_range).transpose()? })
+    }
+
+    /// The model without a range.
+    pub(crate) fn unlimited(attenuation: A) -> Self {
+        Self { attenuation, range: None }
     }
 
     /// The model that is cut off.

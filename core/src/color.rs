@@ -70,6 +70,13 @@ impl<I: Copy> Rgb<I> {
     }
 }
 
+impl Rgb<f32> {
+    /// Whether no channel has any light.
+    pub(crate) fn is_black(self) -> bool {
+        self == Self::default()
+    }
+}
+
 /// A colour whose channels are in [0, 1], or the error that shows the first that is not.
 pub(crate) fn checked_color(color: Rgb<f32>) -> Result<Rgb<f32>, Error> {
     for value in [color.red, color.green, color.blue] {

@@ -149,6 +149,16 @@ impl<P: Profile> Cone<P> {
         Angle::from_versine(self.limit)
     }
 
+    /// Whether there is a hotspot.
+    pub fn has_hotspot(&self) -> bool {
+        self.inner > 0.0
+    }
+
+    /// Whether a delimiter cuts the cone off before its profile ends.
+    pub fn is_delimited(&self) -> bool {
+        self.limit < self.outer
+    }
+
     /// The versine of half the [`outer`](Self::outer) angle, in (0, 1].
     pub fn outer_versine(&self) -> f32 {
         self.limit

@@ -51,12 +51,10 @@
 //! # One type
 //!
 //! A light that is imported may have any profile and any distance model, so that both are chosen at run time
-//! ([`Matched`], [`Distance`]) and cost a branch per point. A renderer that minds matches on them once per
-//! light, and goes on with types: [`CompiledSpot::with_profile`](crate::CompiledSpot::with_profile),
-//! [`Spot::with_attenuation`].
+//! ([`Matched`], [`Distance`]) and cost a branch per point. A renderer that minds makes a [`Lamp`](crate::Lamp) of it,
+//! which branches once per light.
 
 mod direct3d;
-mod distance;
 mod fall;
 mod gltf;
 mod godot;
@@ -66,7 +64,6 @@ mod three;
 
 pub use self::{
     direct3d::Direct3d,
-    distance::Distance,
     gltf::Gltf,
     godot::Godot,
     opengl::{Lamp, OpenGl},
@@ -77,6 +74,7 @@ pub use self::{
 use self::fall::Fall;
 use crate::{
     angle::Angle,
+    attenuation::Distance,
     cone::Cone,
     error::Error,
     light::Spot,

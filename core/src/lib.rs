@@ -62,7 +62,7 @@
 //!
 //! Files, in the order in which they build on one another: `error`, `vec3`, `trig`, `search`, `scalar` (and a file for each
 //! format), `angle`, `profile`, `cone`, `attenuation`, `color`, `specular`, `shade` (and a file for each kind of
-//! light), `light` (the same), `material`, `batch`, `import` (and a file for each system), `source`.
+//! light), `light` (the same), `material`, `batch`, `effect`, `lamp`, `plan`, `import` (and a file for each system), `source`.
 #![no_std]
 #![forbid(unsafe_code)]
 
@@ -74,10 +74,13 @@ mod attenuation;
 mod batch;
 mod color;
 mod cone;
+mod effect;
 mod error;
 pub mod import;
+mod lamp;
 mod light;
 mod material;
+mod plan;
 mod profile;
 mod scalar;
 mod search;
@@ -89,14 +92,17 @@ mod vec3;
 
 pub use angle::{Angle, HalfAngle};
 pub use attenuation::{
-    Attenuation, Faded, HardRange, InverseSquare, Polynomial, SmoothRange, SquaredWindow, Unattenuated,
-    Windowed,
+    Attenuation, Distance, Faded, HardRange, InverseSquare, Polynomial, SmoothRange, SquaredWindow,
+    Unattenuated, Windowed,
 };
 pub use color::{CompiledExposure, Exposure, Rgb, Rgb565, clip, decode_srgb, encode_srgb, keep_hue};
 pub use cone::{Cone, Falloff};
+pub use effect::{Effect, Effects};
 pub use error::{Accepted, Error, Parameter};
+pub use lamp::{CompiledLamp, Lamp, Surfaces};
 pub use light::{Ambient, Directional, Point, Spot};
 pub use material::{CompiledMaterial, Material};
+pub use plan::Plan;
 pub use profile::{
     Blend, Cubic, Curve, CutOff, Edge, Fitted, Hard, IntegerPower, IntegerRim, Linear, Matched, MixedPower,
     MixedRim, Power, Profile, Rim, Smooth, Soft, Table,

@@ -35,6 +35,7 @@ mod table;
 
 use crate::scalar::Scalar;
 
+pub(crate) use self::matched::CompiledMatched;
 pub use self::{
     choice::{CompiledFitted, Edge, Fitted},
     cubic::{CompiledCubic, Cubic, Smooth},

@@ -23,7 +23,8 @@ pub(crate) struct Block<S: Scalar> {
 #[derive(Clone, Debug)]
 pub(crate) struct GBuffer<S: Scalar> {
     pub(crate) blocks: Vec<Block<S>>,
-    columns: usize,
+    /// Blocks of a row.
+    pub(crate) columns: usize,
 }
 
 impl<S: Scalar> GBuffer<S> {

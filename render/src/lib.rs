@@ -29,6 +29,7 @@
 
 extern crate alloc;
 
+mod account;
 mod bounds;
 mod camera;
 mod clip;
@@ -40,16 +41,19 @@ mod memory;
 mod mesh;
 mod outline;
 mod raster;
+mod reached;
 mod renderer;
 mod scene;
 mod size;
 pub mod stage;
+mod tile;
 mod view;
 
+pub use account::Account;
 pub use camera::Camera;
 pub use format::{Format, stated_error};
 pub use mesh::Mesh;
 pub use outline::Outline;
 pub use renderer::Renderer;
-pub use scene::{Material, Scene};
+pub use scene::{Highlight, Material, Scene};
 pub use size::{LARGEST, SizeError};

@@ -1,86 +1,174 @@
 //! The lighting pass: how much light arrives at each pixel, and how much of it the surface sends to the eye.
 
 use crate::{
-    bounds::Beam,
+    bounds::Reach,
     format::Format,
     gbuffer::{Block, LANES},
-    scene::Material,
+    scene::{Highlight, Material},
 };
-use luminaire::{CompiledSpot, Edge, Error, Hard, Profile, Rgb, Scalar, Soft, Spot, Vec3};
+use luminaire::{
+    Arrival, CompiledLamp, Error, Lamp, Matte, Plan, Rgb, Scalar, Specular, Surface, Surfaces, Vec3,
+};
 
 /// The light that the pixels of a block send to the eye: linear, 1 is full scale.
 pub(crate) type Radiance = Rgb<[f32; LANES]>;
 
-/// A spotlight compiled for a format, its edge profile chosen once and for all.
+/// Light at the pixels of a block.
+type Light<S> = Rgb<[<S as Scalar>::Irradiance; LANES]>;
+
+/// A lamp compiled for a format, and where its light may be.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Light<S: Scalar> {
-    beam: Beam,
-    spot: Compiled<S>,
+pub(crate) struct Prepared<S: Scalar> {
+    lamp: CompiledLamp<S>,
+    pub(crate) reach: Reach,
 }
 
+/// A material compiled for a format.
 #[derive(Clone, Copy, Debug)]
-enum Compiled<S: Scalar> {
-    Soft(CompiledSpot<S, Soft>),
-    Hard(CompiledSpot<S, Hard>),
+pub(crate) struct Finish<S: Scalar> {
+    material: Material,
+    highlight: <Highlight as Specular>::Constants<S>,
 }
 
-impl<S: Format> Light<S> {
+/// What the lamps light: all that is the same for every block.
+#[derive(Debug)]
+pub(crate) struct Setting<'a, S: Scalar> {
+    pub(crate) plan: Plan,
+    pub(crate) eye: Vec3<S::Length>,
+    pub(crate) ambient: Rgb<f32>,
+    /// By number.
+    pub(crate) finishes: &'a [Finish<S>],
+}
+
+impl<S: Scalar> Prepared<S> {
+    /// The lamp, if the plan keeps it.
+    ///
     /// # Errors
-    /// A cone that is too narrow for the format.
-    pub(crate) fn new(spot: &Spot) -> Result<Self, Error> {
-        let compiled = spot.compile()?;
-        let spot_of_profile = match compiled.profile() {
-            Edge::Soft => Compiled::Soft(compiled.with_profile(Soft)),
-            Edge::Hard => Compiled::Hard(compiled.with_profile(Hard)),
-        };
-        Ok(Self { beam: Beam::new(spot), spot: spot_of_profile })
+    /// What the format can't hold.
+    pub(crate) fn new(lamp: &Lamp, plan: &Plan) -> Result<Option<Self>, Error> {
+        let compiled = plan.prepare(lamp)?;
+        Ok(compiled.map(|compiled| Self { lamp: compiled, reach: Reach::new(lamp) }))
     }
 }
 
-/// Lights the pixels of a block. Their materials are looked up by number.
-pub(crate) fn light<S: Format>(
-    block: &Block<S>,
-    lights: &[Light<S>],
-    ambient: Rgb<f32>,
-    materials: &[Material],
-) -> Radiance {
-    let mut sum = ambient.map(|channel| [S::ONE.expose(S::gain(channel)); LANES]);
-    if let Some(bounds) = &block.bounds {
-        for light in lights.iter().filter(|light| !light.beam.misses(bounds)) {
-            match &light.spot {
-                Compiled::Soft(spot) => add(&mut sum, block, spot),
-                Compiled::Hard(spot) => add(&mut sum, block, spot),
-            }
+impl<S: Scalar> Finish<S> {
+    pub(crate) fn new(material: Material) -> Self {
+        Self { material, highlight: Highlight::constants::<S>(material.shininess()) }
+    }
+
+    pub(crate) fn material(&self) -> &Material {
+        &self.material
+    }
+}
+
+impl<S: Format> Setting<'_, S> {
+    /// Lights the pixels of a block.
+    pub(crate) fn light<'l>(
+        &self,
+        block: &Block<S>,
+        lamps: impl Iterator<Item = &'l Prepared<S>>,
+    ) -> Radiance {
+        if S::ASKS_EACH_POINT && self.plan.skips() {
+            self.light_by::<true>(block, lamps)
+        } else {
+            self.light_by::<false>(block, lamps)
         }
     }
-    let mut radiance = sum.map(|channel| channel.map(S::light_to_f32));
-    for lane in 0..LANES {
-        let albedo = materials.get(block.material[lane] as usize).copied().unwrap_or_default().albedo;
-        radiance.red[lane] *= albedo.red;
-        radiance.green[lane] *= albedo.green;
-        radiance.blue[lane] *= albedo.blue;
+
+    fn light_by<'l, const SKIPS: bool>(
+        &self,
+        block: &Block<S>,
+        lamps: impl Iterator<Item = &'l Prepared<S>>,
+    ) -> Radiance {
+        let mut sums = [self.ambient, Rgb::default()]
+            .map(|light| light.map(|channel| [S::ONE.expose(S::gain(channel)); LANES]));
+        let [diffuse, specular] = &mut sums;
+        let shines = self.shining(block).next().is_some();
+        let view =
+            if shines { self.views(block) } else { Vec3::default().map(|()| [S::Unit::default(); LANES]) };
+        let surfaces = Surfaces {
+            point: borrowed(&block.point),
+            normal: borrowed(&block.normal),
+            view: borrowed(&view),
+        };
+        let dark = [S::Irradiance::default(); LANES];
+        let mut arrivals = Arrival { diffuse: dark, specular: dark };
+        for Prepared { lamp, .. } in lamps {
+            if shines {
+                let mut lobes = dark;
+                for number in self.shining(block) {
+                    let highlight = &self.finishes[number as usize].highlight;
+                    lamp.arrive_each::<Highlight, SKIPS, LANES>(&surfaces, highlight, &mut arrivals);
+                    for (lane, lobe) in lobes.iter_mut().enumerate() {
+                        *lobe = if block.material[lane] == number { arrivals.specular[lane] } else { *lobe };
+                    }
+                }
+                add::<S>(specular, &lobes, lamp.specular_color());
+            } else {
+                lamp.arrive_each::<Matte, SKIPS, LANES>(&surfaces, &(), &mut arrivals);
+            }
+            add::<S>(diffuse, &arrivals.diffuse, lamp.color());
+        }
+        let mut radiance = reflected::<S>(diffuse, block, |number| self.finishes[number].material.albedo);
+        if shines {
+            let shine = reflected::<S>(specular, block, |number| self.finishes[number].material.specular());
+            radiance = radiance
+                .zip(shine, |diffuse, specular| core::array::from_fn(|lane| diffuse[lane] + specular[lane]));
+        }
+        radiance
     }
-    radiance
+
+    /// The numbers of the materials in a block that shine, each once; of all materials where nothing is left out.
+    fn shining(&self, block: &Block<S>) -> impl Iterator<Item = u32> {
+        let numbers = &block.material;
+        let is_new = |lane: usize| lane == 0 || !numbers[..lane].contains(&numbers[lane]);
+        let shines = |number: u32| !self.plan.skips() || self.finishes[number as usize].material.shines();
+        let differs = move |lane: &usize| *lane == 0 || numbers[*lane] != numbers[*lane - 1];
+        (0..LANES)
+            .filter(differs)
+            .filter(move |lane| shines(numbers[*lane]) && is_new(*lane))
+            .map(|lane| numbers[lane])
+    }
+
+    /// The directions to the eye.
+    fn views(&self, block: &Block<S>) -> Vec3<[S::Unit; LANES]> {
+        let mut views = Vec3::default().map(|()| [S::Unit::default(); LANES]);
+        for lane in 0..LANES {
+            let point = Vec3::new(block.point.x[lane], block.point.y[lane], block.point.z[lane]);
+            let view = Surface::<S>::seen_from(self.eye, point, Vec3::default()).view;
+            views.x[lane] = view.x;
+            views.y[lane] = view.y;
+            views.z[lane] = view.z;
+        }
+        views
+    }
 }
 
-/// Adds the light of a spotlight.
+fn borrowed<T>(columns: &Vec3<T>) -> Vec3<&T> {
+    Vec3::new(&columns.x, &columns.y, &columns.z)
+}
+
+/// Adds the light of a lamp in its colour.
 #[inline(always)]
-fn add<S: Format, P: Profile>(
-    sum: &mut Rgb<[S::Irradiance; LANES]>,
-    block: &Block<S>,
-    spot: &CompiledSpot<S, P>,
-) {
-    let color = spot.color();
-    for lane in 0..LANES {
-        let point = Vec3::new(block.point.x[lane], block.point.y[lane], block.point.z[lane]);
-        let normal = Vec3::new(block.normal.x[lane], block.normal.y[lane], block.normal.z[lane]);
-        let light = if S::ASKS_EACH_POINT {
-            spot.irradiance(point, normal)
-        } else {
-            spot.irradiance_unskipped(point, normal)
-        };
-        sum.red[lane] = S::add_light(sum.red[lane], S::filter(light, color.red));
-        sum.green[lane] = S::add_light(sum.green[lane], S::filter(light, color.green));
-        sum.blue[lane] = S::add_light(sum.blue[lane], S::filter(light, color.blue));
+fn add<S: Scalar>(sum: &mut Light<S>, light: &[S::Irradiance; LANES], color: Rgb<S>) {
+    for (sum, color) in
+        [(&mut sum.red, color.red), (&mut sum.green, color.green), (&mut sum.blue, color.blue)]
+    {
+        for (sum, light) in sum.iter_mut().zip(light) {
+            *sum = S::add_light(*sum, S::filter(*light, color));
+        }
     }
+}
+
+/// What the surfaces send back, each by the colour that goes with the number of its material.
+#[inline(always)]
+fn reflected<S: Scalar>(light: &Light<S>, block: &Block<S>, color: impl Fn(usize) -> Rgb<f32>) -> Radiance {
+    let mut radiance = light.map(|channel| channel.map(S::light_to_f32));
+    for lane in 0..LANES {
+        let color = color(block.material[lane] as usize);
+        radiance.red[lane] *= color.red;
+        radiance.green[lane] *= color.green;
+        radiance.blue[lane] *= color.blue;
+    }
+    radiance
 }

@@ -1,37 +1,46 @@
 //! The renderer: what has changed, and so what must be done again.
 
 use crate::{
+    account::Account,
     camera::Camera,
     clip::{Sighting, clip},
     display::{self, CHANNELS},
     format::Format,
     gbuffer::{GBuffer, LANES},
-    lighting::{self, Light, Radiance},
+    lighting::{Finish, Prepared, Radiance, Setting},
     memory::filled,
     raster::Fragments,
+    reached::Reached,
     scene::{Fingerprint, Material, Scene},
     size::SizeError,
+    tile::Tiles,
     view::View,
 };
 use alloc::{collections::TryReserveError, vec::Vec};
-use luminaire::{Error, Rgb, Spot, Vec3};
+use luminaire::{Error, Lamp, Plan, Rgb, Vec3};
 
 /// A deferred renderer: geometry once into a buffer, then light over that buffer in the number format `S`,
-/// then the codes of a display. Each step is done again only if something before it has changed.
+/// then the codes of a display. Each step is done again only where something before it has changed.
 #[derive(Clone, Debug)]
 pub struct Renderer<S: Format> {
     width: usize,
     height: usize,
     fragments: Fragments,
     geometry: GBuffer<S>,
+    tiles: Tiles,
     /// The materials by number; number 0 is the background.
-    materials: Vec<Material>,
+    finishes: Vec<Finish<S>>,
+    eye: Vec3<S::Length>,
     ambient: Rgb<f32>,
     radiance: Vec<Radiance>,
+    /// How many lamps were evaluated at the pixels of each block.
+    evaluated: Vec<u16>,
     pixels: Vec<u8>,
     drawn: Option<(Fingerprint, Camera)>,
-    lit: Option<Vec<Spot>>,
-    is_encoded: bool,
+    /// The lamps of the picture; nothing if all of it must be lit.
+    lit: Option<Vec<Lamp>>,
+    reached: Reached,
+    account: Account,
     sightings: Vec<Sighting>,
 }
 
@@ -53,14 +62,18 @@ impl<S: Format> Renderer<S> {
             width,
             height,
             fragments: Fragments::new(width, height)?,
+            tiles: Tiles::new(width.div_ceil(LANES), height)?,
             radiance: filled(geometry.blocks.len(), dark)?,
+            evaluated: filled(geometry.blocks.len(), 0)?,
             geometry,
-            materials: Vec::new(),
+            finishes: [Finish::new(Material::default())].into(),
+            eye: Vec3::default(),
             ambient: Rgb::default(),
             pixels: filled(width * height * CHANNELS, 0)?,
             drawn: None,
             lit: None,
-            is_encoded: false,
+            reached: Reached::default(),
+            account: Account::default(),
             sightings: Vec::new(),
         };
         renderer.encode();
@@ -68,65 +81,133 @@ impl<S: Format> Renderer<S> {
     }
 
     /// Draws the geometry of a scene into the buffer. Returns whether anything of scene or camera had
-    /// changed: if not, nothing was done.
+    /// changed: if not, nothing was done. Where only materials or ambient light had, no triangle is drawn.
     pub fn draw_geometry(&mut self, scene: &Scene, camera: &Camera) -> bool {
-        let is_relit = self.ambient != scene.ambient();
-        if is_relit {
-            self.ambient = scene.ambient();
+        let materials = || scene.objects().iter().map(|object| object.material);
+        let is_repainted = !self.finishes[1..].iter().map(Finish::material).copied().eq(materials());
+        if is_repainted {
+            self.finishes.truncate(1);
+            self.finishes.extend(materials().map(Finish::new));
+        }
+        let is_changed = is_repainted || self.ambient != scene.ambient();
+        self.ambient = scene.ambient();
+        let drawn = Some((scene.fingerprint(), *camera));
+        let is_moved = self.drawn != drawn;
+        if is_moved {
+            self.drawn = drawn;
+            self.draw_triangles(scene, &View::new(camera, self.width, self.height));
+        }
+        if is_changed || is_moved {
             self.lit = None;
         }
-        let drawn = Some((scene.fingerprint(), *camera));
-        if self.drawn == drawn {
-            return is_relit;
-        }
-        self.drawn = drawn;
-        self.lit = None;
-        self.materials.clear();
-        self.materials.push(Material::default());
-        self.materials.extend(scene.objects().iter().map(|object| object.material));
-        let view = View::new(camera, self.width, self.height);
+        is_changed || is_moved
+    }
+
+    fn draw_triangles(&mut self, scene: &Scene, view: &View) {
         self.fragments.clear();
         for (number, object) in (1..).zip(scene.objects()) {
             self.sightings.clear();
-            self.sightings.extend(object.mesh.vertices().iter().map(|vertex| Sighting::new(&view, vertex)));
+            self.sightings.extend(object.mesh.vertices().iter().map(|vertex| Sighting::new(view, vertex)));
             for triangle in object.mesh.triangles() {
                 let corners = triangle.map(|corner| &self.sightings[corner as usize]);
-                clip(&view, corners, |visible| self.fragments.draw(visible, number));
+                clip(view, corners, |visible| self.fragments.draw(visible, number));
             }
         }
-        self.geometry.resolve(&self.fragments, &view);
-        true
+        self.geometry.resolve(&self.fragments, view);
+        self.tiles.enclose(&self.geometry.blocks);
+        self.eye = Vec3::from(view.eye()).map(S::length);
     }
 
-    /// Lights the geometry. Returns whether lights or geometry had changed: if not, nothing was done.
+    /// Lights the geometry where lamps or geometry have changed since the last time: the tiles that a lamp reaches
+    /// or has reached which is another now. Returns whether anything had changed: if not, nothing was done.
     ///
     /// # Errors
     /// A light that the format can't hold; the picture stays as it was.
-    pub fn draw_light(&mut self, lights: &[Spot]) -> Result<bool, Error> {
-        if self.lit.as_deref() == Some(lights) {
+    pub fn draw_light<L: Copy + Into<Lamp>>(&mut self, lights: &[L]) -> Result<bool, Error> {
+        self.draw_light_by(Plan::new(), lights)
+    }
+
+    /// Lights the whole picture with every effect of every lamp at every pixel, called for or not, changed or not:
+    /// the picture of [`draw_light`](Self::draw_light), to the bit, for tests and for comparisons.
+    ///
+    /// # Errors
+    /// A light that the format can't hold; the picture stays as it was.
+    pub fn draw_everything<L: Copy + Into<Lamp>>(&mut self, lights: &[L]) -> Result<(), Error> {
+        self.lit = None;
+        self.draw_light_by(Plan::everything(), lights)?;
+        Ok(())
+    }
+
+    fn draw_light_by<L: Copy + Into<Lamp>>(&mut self, plan: Plan, lights: &[L]) -> Result<bool, Error> {
+        let lamps: Vec<Lamp> = lights.iter().map(|&light| light.into()).collect();
+        if self.lit.as_ref() == Some(&lamps) {
             return Ok(false);
         }
-        let compiled = lights.iter().map(Light::new).collect::<Result<Vec<_>, _>>()?;
-        for (radiance, block) in self.radiance.iter_mut().zip(&self.geometry.blocks) {
-            *radiance = lighting::light(block, &compiled, self.ambient, &self.materials);
+        let prepared = lamps.iter().map(|lamp| Prepared::new(lamp, &plan)).collect::<Result<Vec<_>, _>>()?;
+        if self.reached.make_room(self.tiles.tiles.len(), lamps.len()) {
+            self.lit = None;
         }
-        self.lit = Some(lights.into());
-        self.is_encoded = false;
+        let (is_new, changed) = (self.lit.is_none(), self.changed(&lamps));
+        let kept = prepared.iter().flatten().count();
+        self.account = Account::new(self.tiles.tiles.len(), lamps.len(), kept, self.width * self.height);
+        for tile in 0..self.tiles.tiles.len() {
+            let bounds = self.tiles.tiles[tile].bounds;
+            let reaches = |lamp: usize| match prepared.get(lamp) {
+                Some(Some(lamp)) => !plan.skips() || bounds.is_some_and(|bounds| !lamp.reach.misses(&bounds)),
+                _ => false,
+            };
+            let is_another = self.reached.update(tile, &changed, reaches) || is_new;
+            self.tiles.tiles[tile].is_relit = is_another;
+            if is_another {
+                self.light_tile(tile, plan, &prepared);
+            }
+        }
+        self.lit = plan.skips().then_some(lamps);
         Ok(true)
     }
 
-    /// Encodes the light for a display, if it has changed: rows from top to bottom, each pixel red, green,
+    /// The numbers of the lamps that are others than those of the picture.
+    fn changed(&self, lamps: &[Lamp]) -> Vec<usize> {
+        let before = self.lit.as_deref().unwrap_or_default();
+        let count = lamps.len().max(before.len());
+        (0..count).filter(|&i| self.lit.is_none() || before.get(i) != lamps.get(i)).collect()
+    }
+
+    fn light_tile(&mut self, tile: usize, plan: Plan, prepared: &[Option<Prepared<S>>]) {
+        self.tiles.tiles[tile].is_encoded = false;
+        self.account.tiles_relit += 1;
+        let setting = Setting { plan, eye: self.eye, ambient: self.ambient, finishes: &self.finishes };
+        let lamps = self.reached.lamps(tile).filter_map(|lamp| prepared[lamp].as_ref());
+        let reached = lamps.clone().count();
+        for block in self.tiles.blocks(tile) {
+            let geometry = &self.geometry.blocks[block];
+            let is_missed = |lamp: &&Prepared<S>| match &geometry.bounds {
+                Some(bounds) => lamp.reach.misses(bounds),
+                None => true,
+            };
+            let mut evaluated = 0;
+            let reaching = lamps.clone().filter(|lamp| !(plan.skips() && is_missed(lamp)));
+            self.radiance[block] = setting.light(geometry, reaching.inspect(|_| evaluated += 1));
+            self.evaluated[block] = evaluated;
+            let pixels = LANES.min(self.width - block % self.geometry.columns * LANES);
+            self.account.enter(pixels, reached, evaluated.into());
+        }
+    }
+
+    /// Encodes the light for a display, where it has changed: rows from top to bottom, each pixel red, green,
     /// blue in sRGB and alpha 255.
     pub fn encode(&mut self) -> &[u8] {
-        if !self.is_encoded {
-            let columns = self.width.div_ceil(LANES);
-            let rows = self.pixels.chunks_exact_mut(self.width * CHANNELS);
-            for (row, blocks) in rows.zip(self.radiance.chunks_exact(columns)) {
-                for (pixels, radiance) in row.chunks_mut(LANES * CHANNELS).zip(blocks) {
-                    display::encode(radiance, pixels);
-                }
+        let columns = self.geometry.columns;
+        for tile in 0..self.tiles.tiles.len() {
+            if core::mem::replace(&mut self.tiles.tiles[tile].is_encoded, true) {
+                continue;
             }
-            self.is_encoded = true;
+            for block in self.tiles.blocks(tile) {
+                let (row, first) = (block / columns, block % columns * LANES);
+                let last = (first + LANES).min(self.width);
+                let pixels = (row * self.width + first) * CHANNELS..(row * self.width + last) * CHANNELS;
+                display::encode(&self.radiance[block], &mut self.pixels[pixels]);
+            }
         }
         &self.pixels
     }
@@ -141,27 +222,41 @@ impl<S: Format> Renderer<S> {
         (self.width, self.height)
     }
 
+    /// What the light of the picture has cost when it was last drawn.
+    pub fn account(&self) -> Account {
+        self.account
+    }
+
+    /// How many lamps were evaluated at a pixel when it was last lit; none outside the picture.
+    pub fn lamps_evaluated(&self, x: usize, y: usize) -> Option<u16> {
+        self.block(x, y).map(|block| self.evaluated[block])
+    }
+
+    /// Whether a pixel was lit again the last time that light was drawn; none outside the picture.
+    pub fn is_relit(&self, x: usize, y: usize) -> Option<bool> {
+        self.block(x, y).map(|block| self.tiles.tiles[self.tiles.of_block(block)].is_relit)
+    }
+
     /// The linear light that a pixel sends to the eye, 1 being full scale; none outside the picture.
     pub fn linear(&self, x: usize, y: usize) -> Option<Rgb<f32>> {
-        let inside = x < self.width && y < self.height;
-        inside.then(|| {
-            let block = &self.radiance[y * self.width.div_ceil(LANES) + x / LANES];
-            Rgb::new(block.red[x % LANES], block.green[x % LANES], block.blue[x % LANES])
-        })
+        self.block(x, y).map(|block| self.radiance[block].map(|channel| channel[x % LANES]))
     }
 
     /// The surface that a pixel shows, as the lights see it: a point of it, its unit normal there and its
     /// material; none outside the picture, and none where nothing was drawn.
     pub fn surface(&self, x: usize, y: usize) -> Option<(Vec3<S::Length>, Vec3<S>, Material)> {
-        if x >= self.width || y >= self.height {
-            return None;
-        }
-        let block = &self.geometry.blocks[y * self.width.div_ceil(LANES) + x / LANES];
+        let block = &self.geometry.blocks[self.block(x, y)?];
         let lane = x % LANES;
         let number = block.material[lane] as usize;
         let point = Vec3::new(block.point.x[lane], block.point.y[lane], block.point.z[lane]);
         let normal = Vec3::new(block.normal.x[lane], block.normal.y[lane], block.normal.z[lane]);
-        (number > 0).then(|| (point, normal, self.materials[number]))
+        (number > 0).then(|| (point, normal, *self.finishes[number].material()))
+    }
+
+    /// The number of the block that a pixel is in.
+    fn block(&self, x: usize, y: usize) -> Option<usize> {
+        let is_inside = x < self.width && y < self.height;
+        is_inside.then(|| y * self.geometry.columns + x / LANES)
     }
 }
 

@@ -2,25 +2,61 @@
 
 use crate::mesh::Mesh;
 use alloc::vec::Vec;
-use luminaire::{Rgb, decode_srgb};
+use luminaire::{Error, Lyon, Phong, Rgb, Specular, decode_srgb};
+
+/// The kind of highlight that surfaces have: Phong's, in the form that takes the same few steps whatever the shininess.
+pub type Highlight = Lyon<Phong, 3>;
 
 /// How a surface answers to light.
-#[derive(Clone, Copy, PartialEq, Default, Debug)]
+#[derive(Clone, Copy, PartialEq, Debug)]
 #[non_exhaustive]
 pub struct Material {
     /// The part of the light that the surface sends back, linear, in [0, 1].
     pub albedo: Rgb<f32>,
+    specular: Rgb<f32>,
+    shininess: u32,
 }
 
 impl Material {
     /// A matt surface of this linear albedo.
     pub const fn new(albedo: Rgb<f32>) -> Self {
-        Self { albedo }
+        Self { albedo, specular: Rgb::new(0.0, 0.0, 0.0), shininess: Highlight::LEAST_SHININESS }
+    }
+
+    /// The same surface with a highlight of this linear colour and shininess.
+    ///
+    /// # Errors
+    /// A channel outside [0, 1]; a shininess under 8 or over 1024.
+    pub fn with_highlight(self, specular: Rgb<f32>, shininess: u32) -> Result<Self, Error> {
+        luminaire::Material::new(Rgb::default())?.with_highlight(Lyon::<_, 3>(Phong), specular, shininess)?;
+        Ok(Self { specular, shininess, ..self })
+    }
+
+    /// The linear colour of the highlight.
+    pub fn specular(&self) -> Rgb<f32> {
+        self.specular
+    }
+
+    /// The exponent of the highlight.
+    pub fn shininess(&self) -> u32 {
+        self.shininess
+    }
+
+    /// Whether there is a highlight.
+    pub fn shines(&self) -> bool {
+        self.specular != Rgb::default()
     }
 
     /// A matt surface that shows these sRGB codes under white light of full scale.
     pub fn srgb(red: u8, green: u8, blue: u8) -> Self {
         Self::new(Rgb::new(red, green, blue).map(decode_srgb))
+    }
+}
+
+/// Black and matt.
+impl Default for Material {
+    fn default() -> Self {
+        Self::new(Rgb::default())
     }
 }
 
@@ -39,8 +75,8 @@ pub(crate) struct Object {
     pub(crate) material: Material,
 }
 
-/// What tells two scenes apart without a look at their vertices: FNV-1a, 64 bits of it, over all that was
-/// added.
+/// What tells the meshes of two scenes apart without a look at their vertices: FNV-1a, 64 bits of it, over all that
+/// was added.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) struct Fingerprint(u64);
 
@@ -53,8 +89,8 @@ impl Scene {
 
     /// Adds a mesh of one material.
     pub fn add(&mut self, mesh: Mesh, material: Material) {
-        let Rgb { red, green, blue } = material.albedo;
-        self.fingerprint.add([red, green, blue].map(f32::to_bits));
+        // Where an object ends is part of the picture: materials go by objects.
+        self.fingerprint.add([mesh.vertices().len() as u32, mesh.triangle_count() as u32, 0]);
         for vertex in mesh.vertices() {
             self.fingerprint.add(vertex.position.to_array().map(f32::to_bits));
             self.fingerprint.add(vertex.normal.to_array().map(f32::to_bits));

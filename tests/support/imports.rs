@@ -7,7 +7,7 @@ use super::{
 };
 use luminaire::{
     Angle, Matched, Spot, Vec3,
-    import::{self, Distance, Imported, Lamp},
+    import::{self, Imported, Lamp},
 };
 
 pub type Import = Imported<Spot<Matched, Distance>>;

@@ -1,17 +1,19 @@
-//! The profile of an imported light.
+//! Any profile, chosen at run time.
 
 use super::{
-    Cubic, Curve, CutOff, Hard, IntegerPower, IntegerRim, Linear, MixedPower, MixedRim, Profile, Smooth,
-    Soft,
+    Blend, Cubic, Curve, CutOff, Edge, Fitted, Hard, IntegerPower, IntegerRim, Linear, MixedPower, MixedRim,
+    Power, Profile, Rim, Smooth, Soft, Table,
     cubic::CompiledCubic,
     mixed::{CompiledMixedPower, CompiledMixedRim},
+    quadratic::CompiledBlend,
 };
 use crate::scalar::Scalar;
 
-/// The profile that matches a light of another system: see [`import`](crate::import).
+/// Any profile, chosen at run time: the one that matches a light of [another system](crate::import), or that a
+/// [`Lamp`](crate::Lamp) was given.
 ///
-/// Like [`Edge`](crate::Edge) it branches per point; a renderer matches on it once per light, and calls
-/// [`with_profile`](crate::CompiledSpot::with_profile) with what it holds.
+/// Like [`Edge`](crate::Edge) it branches per point; [`CompiledLamp::visit`](crate::CompiledLamp::visit) branches once per
+/// light instead, and goes on with the profile's own type.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum Matched {
     /// A step.
@@ -24,6 +26,8 @@ pub enum Matched {
     Hard(Hard),
     /// Smoothstep.
     Smooth(Smooth),
+    /// A quadratic between soft and hard.
+    Blend(Blend),
     /// A monotone cubic.
     Cubic(Cubic),
     /// An integer power.
@@ -34,6 +38,8 @@ pub enum Matched {
     MixedPower(MixedPower),
     /// A mixture of two rim powers.
     MixedRim(MixedRim),
+    /// Samples.
+    Table(Table<'static>),
 }
 
 /// A [`Matched`] in the format `S`.
@@ -49,6 +55,8 @@ pub enum CompiledMatched<S: Scalar> {
     Hard(Hard),
     /// Smoothstep.
     Smooth(Smooth),
+    /// A quadratic between soft and hard.
+    Blend(CompiledBlend<S>),
     /// A monotone cubic.
     Cubic(CompiledCubic<S>),
     /// An integer power.
@@ -59,6 +67,8 @@ pub enum CompiledMatched<S: Scalar> {
     MixedPower(CompiledMixedPower<S>),
     /// A mixture of two rim powers.
     MixedRim(CompiledMixedRim<S>),
+    /// Samples.
+    Table(Table<'static>),
 }
 
 /// What the profile in the enum answers.
@@ -70,11 +80,13 @@ macro_rules! matched {
             Self::Soft($profile) => $answer,
             Self::Hard($profile) => $answer,
             Self::Smooth($profile) => $answer,
+            Self::Blend($profile) => $answer,
             Self::Cubic($profile) => $answer,
             Self::Power($profile) => $answer,
             Self::Rim($profile) => $answer,
             Self::MixedPower($profile) => $answer,
             Self::MixedRim($profile) => $answer,
+            Self::Table($profile) => $answer,
         }
     };
 }
@@ -100,6 +112,62 @@ impl Matched {
     }
 }
 
+/// A profile of one type as one of any.
+macro_rules! from {
+    ($($profile:ty => $variant:ident,)*) => {$(
+        impl From<$profile> for Matched {
+            fn from(profile: $profile) -> Self {
+                Self::$variant(profile)
+            }
+        }
+    )*};
+}
+
+from! {
+    CutOff => CutOff,
+    Linear => Linear,
+    Soft => Soft,
+    Hard => Hard,
+    Smooth => Smooth,
+    Blend => Blend,
+    Cubic => Cubic,
+    IntegerPower => Power,
+    IntegerRim => Rim,
+    MixedPower => MixedPower,
+    MixedRim => MixedRim,
+    Table<'static> => Table,
+}
+
+impl<const N: u32> From<Power<N>> for Matched {
+    fn from(_: Power<N>) -> Self {
+        Self::power(N)
+    }
+}
+
+impl<const N: u32> From<Rim<N>> for Matched {
+    fn from(_: Rim<N>) -> Self {
+        Self::rim(N)
+    }
+}
+
+impl From<Edge> for Matched {
+    fn from(edge: Edge) -> Self {
+        match edge {
+            Edge::Soft => Self::Soft(Soft),
+            Edge::Hard => Self::Hard(Hard),
+        }
+    }
+}
+
+impl From<Fitted> for Matched {
+    fn from(fitted: Fitted) -> Self {
+        match fitted {
+            Fitted::Blend(blend) => Self::Blend(blend),
+            Fitted::Cubic(cubic) => Self::Cubic(cubic),
+        }
+    }
+}
+
 impl Profile for Matched {
     type Compiled<S: Scalar> = CompiledMatched<S>;
 
@@ -110,11 +178,13 @@ impl Profile for Matched {
             Self::Soft(soft) => CompiledMatched::Soft(soft),
             Self::Hard(hard) => CompiledMatched::Hard(hard),
             Self::Smooth(smooth) => CompiledMatched::Smooth(smooth),
+            Self::Blend(blend) => CompiledMatched::Blend(blend.compile()),
             Self::Cubic(cubic) => CompiledMatched::Cubic(cubic.compile()),
             Self::Power(power) => CompiledMatched::Power(power),
             Self::Rim(rim) => CompiledMatched::Rim(rim),
             Self::MixedPower(mixed) => CompiledMatched::MixedPower(mixed.compile()),
             Self::MixedRim(mixed) => CompiledMatched::MixedRim(mixed.compile()),
+            Self::Table(table) => CompiledMatched::Table(table),
         }
     }
 

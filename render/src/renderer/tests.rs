@@ -3,7 +3,7 @@
 use super::*;
 use crate::{Mesh, Outline, stage};
 use core::f32::consts::PI;
-use luminaire::{Angle, Cone, Edge, Fx16, Fx32, Vec3};
+use luminaire::{Angle, Cone, Edge, Fx16, Fx32, Spot, Vec3};
 
 extern crate std;
 
@@ -186,7 +186,7 @@ fn blocks_left_out_are_dark<S: Format>(camera: &Camera, lights: &[Spot]) {
                 sum.green = S::add_light(sum.green, S::filter(arrived, color.green));
                 sum.blue = S::add_light(sum.blue, S::filter(arrived, color.blue));
             }
-            let (light, albedo) = (sum.map(S::light_to_f32), renderer.materials[material as usize].albedo);
+            let (light, albedo) = (sum.map(S::light_to_f32), renderer.finishes[material as usize].material().albedo);
             let expected =
                 Rgb::new(light.red * albedo.red, light.green * albedo.green, light.blue * albedo.blue);
             assert_eq!(renderer.linear(x, y), Some(expected), "{} at {x}, {y}", S::NAME);
@@ -218,9 +218,9 @@ fn most_blocks_outside_a_narrow_beam_are_left_out() {
     renderer.draw_geometry(&stage::scene(), &stage::camera());
     let spot = stage::lights().unwrap()[0];
     let cone = Cone::from_outer(Edge::Hard, Angle::degrees(8.0)).unwrap();
-    let beam = crate::bounds::Beam::new(&spot.with_cone(cone));
+    let reach = crate::bounds::Reach::new(&spot.with_cone(cone).into());
     let bounds: Vec<_> = renderer.geometry.blocks.iter().filter_map(|block| block.bounds).collect();
-    let missed = bounds.iter().filter(|bounds| beam.misses(bounds)).count();
+    let missed = bounds.iter().filter(|bounds| reach.misses(bounds)).count();
     let share = missed as f32 / bounds.len() as f32;
     assert!((0.8..0.97).contains(&share), "{share} of the blocks are left out");
 }

@@ -1,15 +1,16 @@
-//! The distance model of an imported light.
+//! Any distance model, chosen at run time.
 
-use crate::{
-    attenuation::{
-        Attenuation, Faded, HardRange, InverseSquare, Polynomial, RayOf, SquaredWindow, Unattenuated,
-        Windowed,
-    },
-    scalar::Scalar,
+use super::{
+    Attenuation, Faded, HardRange, InverseSquare, Polynomial, RayOf, SmoothRange, SquaredWindow,
+    Unattenuated, Windowed,
 };
+use crate::scalar::Scalar;
 
-/// The distance model that matches a light of another system, chosen at run time at the price of a branch per
-/// point.
+/// Any distance model, chosen at run time: the one that matches a light of [another system](crate::import), or that a
+/// [`Lamp`](crate::Lamp) was given.
+///
+/// It branches per point; [`CompiledLamp::visit`](crate::CompiledLamp::visit) branches once per light instead, and goes on
+/// with the model's own type.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum Distance {
     /// No fall, cut off.
@@ -26,6 +27,8 @@ pub enum Distance {
     SquaredWindow(SquaredWindow),
     /// One over a polynomial, faded out.
     FadedPolynomial(Faded<Polynomial>),
+    /// Smoothstep to a range.
+    SmoothRange(SmoothRange),
 }
 
 /// What a [`Distance`] knows once it is compiled.
@@ -45,6 +48,8 @@ pub enum CompiledDistance<S: Scalar> {
     SquaredWindow(<SquaredWindow as Attenuation>::Constants<S>),
     /// One over a polynomial, faded out.
     FadedPolynomial(<Faded<Polynomial> as Attenuation>::Constants<S>),
+    /// Smoothstep to a range.
+    SmoothRange(<SmoothRange as Attenuation>::Constants<S>),
 }
 
 /// What the model in the enum answers, by its type.
@@ -58,12 +63,69 @@ macro_rules! compiled {
             CompiledDistance::FadedConstant($constants) => compiled!($model = Faded<Unattenuated>; $answer),
             CompiledDistance::SquaredWindow($constants) => compiled!($model = SquaredWindow; $answer),
             CompiledDistance::FadedPolynomial($constants) => compiled!($model = Faded<Polynomial>; $answer),
+            CompiledDistance::SmoothRange($constants) => compiled!($model = SmoothRange; $answer),
         }
     };
     ($model:ident = $type:ty; $answer:expr) => {{
         type $model = $type;
         $answer
     }};
+}
+
+impl Distance {
+    /// Where the light ends, if it does.
+    pub fn range(&self) -> Option<f32> {
+        match self {
+            Self::Constant(model) => model.range(),
+            Self::InverseSquare(model) => model.range(),
+            Self::Polynomial(model) => model.range(),
+            Self::Windowed(model) => model.range(),
+            Self::FadedConstant(model) => model.range(),
+            Self::SquaredWindow(model) => model.range(),
+            Self::FadedPolynomial(model) => model.range(),
+            Self::SmoothRange(model) => Some(model.range()),
+        }
+    }
+}
+
+/// A model of one type as one of any.
+macro_rules! from {
+    ($($model:ty => $variant:ident,)*) => {$(
+        impl From<$model> for Distance {
+            fn from(model: $model) -> Self {
+                Self::$variant(model)
+            }
+        }
+    )*};
+}
+
+from! {
+    HardRange<Unattenuated> => Constant,
+    HardRange<InverseSquare> => InverseSquare,
+    HardRange<Polynomial> => Polynomial,
+    Windowed => Windowed,
+    Faded<Unattenuated> => FadedConstant,
+    SquaredWindow => SquaredWindow,
+    Faded<Polynomial> => FadedPolynomial,
+    SmoothRange => SmoothRange,
+}
+
+impl From<Unattenuated> for Distance {
+    fn from(model: Unattenuated) -> Self {
+        Self::Constant(HardRange::unlimited(model))
+    }
+}
+
+impl From<InverseSquare> for Distance {
+    fn from(model: InverseSquare) -> Self {
+        Self::InverseSquare(HardRange::unlimited(model))
+    }
+}
+
+impl From<Polynomial> for Distance {
+    fn from(model: Polynomial) -> Self {
+        Self::Polynomial(HardRange::unlimited(model))
+    }
 }
 
 impl Attenuation for Distance {
@@ -78,6 +140,7 @@ impl Attenuation for Distance {
             Self::FadedConstant(model) => CompiledDistance::FadedConstant(model.constants::<S>()),
             Self::SquaredWindow(model) => CompiledDistance::SquaredWindow(model.constants::<S>()),
             Self::FadedPolynomial(model) => CompiledDistance::FadedPolynomial(model.constants::<S>()),
+            Self::SmoothRange(model) => CompiledDistance::SmoothRange(model.constants::<S>()),
         }
     }
 

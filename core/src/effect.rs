@@ -1,0 +1,153 @@
+//! What a picture may call for, and sets of it.
+
+use core::fmt;
+
+/// Declares the effects with their names, which are the keys of the price list.
+macro_rules! effects {
+    ($($(#[$meta:meta])* $effect:ident = $name:literal,)*) => {
+        /// Something that a picture may call for, and that costs nothing where none does.
+        #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+        #[non_exhaustive]
+        pub enum Effect {
+            $($(#[$meta])* $effect,)*
+        }
+
+        impl Effect {
+            /// All effects.
+            pub const ALL: &[Self] = &[$(Self::$effect,)*];
+
+            /// The name, in the words of the price list.
+            pub const fn name(self) -> &'static str {
+                match self {
+                    $(Self::$effect => $name,)*
+                }
+            }
+        }
+    };
+}
+
+effects! {
+    /// Light that is everywhere.
+    Ambient = "ambient",
+    /// Lambert's cosine.
+    Diffuse = "diffuse",
+    /// Highlights.
+    Specular = "specular",
+    /// A directional light.
+    Directional = "directional",
+    /// A point light.
+    Point = "point",
+    /// A spotlight.
+    Spot = "spot",
+    /// A cone that ends in a step.
+    CutOff = "cut-off",
+    /// A cone that falls on a straight ramp.
+    Linear = "linear",
+    /// A cone with the soft edge.
+    Soft = "soft",
+    /// A cone with the hard edge.
+    Hard = "hard",
+    /// A cone that falls by smoothstep.
+    Smooth = "smooth",
+    /// A cone between soft and hard.
+    Blend = "blend",
+    /// A cone that falls by a monotone cubic.
+    Cubic = "cubic",
+    /// A cone that falls by an integer power.
+    Power = "power",
+    /// A cone that falls by an integer rim power.
+    Rim = "rim",
+    /// A cone that falls by a mixture of powers.
+    MixedPower = "mixed-power",
+    /// A cone that falls by a mixture of rim powers.
+    MixedRim = "mixed-rim",
+    /// A cone that falls by samples.
+    Table = "table",
+    /// Full intensity up to an inner angle.
+    Hotspot = "hotspot",
+    /// A cone that is cut off before its profile ends.
+    Delimiter = "delimiter",
+    /// A lamp whose light does not fall with the distance.
+    Unattenuated = "unattenuated",
+    /// The inverse-square law.
+    InverseSquare = "inverse-square",
+    /// One over a polynomial of the distance.
+    Polynomial = "polynomial",
+    /// Smoothstep to a range.
+    SmoothRange = "smooth-range",
+    /// A window that ends the light at a range.
+    Window = "window",
+    /// A range at which a light is cut off.
+    Range = "range",
+    /// A pattern that a spotlight projects.
+    Gobo = "gobo",
+    /// The shadows of a spotlight.
+    Shadow = "shadow",
+    /// The visible beam of a spotlight in the air.
+    Haze = "haze",
+    /// Dither against banding.
+    Dither = "dither",
+}
+
+/// A set of effects.
+///
+/// ```
+/// use luminaire::{Effect, Effects};
+/// let effects = Effects::NONE.with(Effect::Soft).with(Effect::Spot);
+/// assert!(effects.has(Effect::Soft) && !effects.has(Effect::Gobo));
+/// assert_eq!(effects.to_string(), "spot, soft");
+/// ```
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub struct Effects(u64);
+
+impl Effects {
+    /// No effect.
+    pub const NONE: Self = Self(0);
+    /// Every effect.
+    pub const ALL: Self = {
+        let (mut all, mut rest) = (Self::NONE, Effect::ALL);
+        while let [effect, others @ ..] = rest {
+            (all, rest) = (all.with(*effect), others);
+        }
+        all
+    };
+
+    /// The set with one effect more.
+    #[must_use]
+    pub const fn with(self, effect: Effect) -> Self {
+        Self(self.0 | 1 << effect as u32)
+    }
+
+    /// The effects of both sets.
+    #[must_use]
+    pub const fn and(self, others: Self) -> Self {
+        Self(self.0 | others.0)
+    }
+
+    /// Whether the effect is in the set.
+    pub const fn has(self, effect: Effect) -> bool {
+        self.0 >> effect as u32 & 1 == 1
+    }
+
+    /// The effects in the order of [`Effect::ALL`].
+    pub fn iter(self) -> impl Iterator<Item = Effect> {
+        Effect::ALL.iter().copied().filter(move |effect| self.has(*effect))
+    }
+}
+
+/// The names, with commas.
+impl fmt::Display for Effects {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (number, effect) in self.iter().enumerate() {
+            let comma = if number > 0 { ", " } else { "" };
+            write!(out, "{comma}{}", effect.name())?;
+        }
+        Ok(())
+    }
+}
+
+impl fmt::Debug for Effects {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        out.debug_set().entries(self.iter()).finish()
+    }
+}

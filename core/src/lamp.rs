@@ -1,0 +1,183 @@
+//! Lights of any kind, chosen at run time.
+
+mod each;
+
+pub use self::each::Surfaces;
+
+use crate::{
+    attenuation::{Attenuation, Distance},
+    color::Rgb,
+    effect::{Effect, Effects},
+    error::Error,
+    light::{Directional, Point, Spot},
+    profile::{Matched, Profile},
+    scalar::Scalar,
+    shade::{CompiledDirectional, CompiledPoint, CompiledSpot},
+};
+
+/// A light of any kind, with any profile and any distance model: what a scene is made of that is not known when the
+/// program is compiled.
+///
+/// ```
+/// use luminaire::{Angle, Cone, Lamp, Point, Soft, Spot, Vec3};
+/// let cone = Cone::from_field(Soft, Angle::degrees(15.0))?;
+/// let spot = Spot::new(Vec3::new(0.0, 4.0, 0.0), Vec3::new(0.0, -1.0, 0.0), cone)?;
+/// let lamps = [Lamp::from(spot), Point::new(Vec3::new(1.0, 2.0, 0.0))?.into()];
+/// assert_eq!(lamps[0].effects().to_string(), "diffuse, spot, soft, inverse-square");
+/// # Ok::<(), luminaire::Error>(())
+/// ```
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum Lamp {
+    /// Light from infinitely far away.
+    Directional(Directional),
+    /// Light from a place into all directions.
+    Point(Point<Distance>),
+    /// Light from a place into a cone.
+    Spot(Spot<Matched, Distance>),
+}
+
+/// A [`Lamp`] compiled for the format `S`. Made by [`Lamp::compile`].
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum CompiledLamp<S: Scalar> {
+    /// Light from infinitely far away.
+    Directional(CompiledDirectional<S>),
+    /// Light from a place into all directions.
+    Point(CompiledPoint<S, Distance>),
+    /// Light from a place into a cone.
+    Spot(CompiledSpot<S, Matched, Distance>),
+}
+
+/// What every kind of light answers.
+macro_rules! any {
+    ($lamp:expr, $kind:ident, $light:ident => $answer:expr) => {
+        match $lamp {
+            $kind::Directional($light) => $answer,
+            $kind::Point($light) => $answer,
+            $kind::Spot($light) => $answer,
+        }
+    };
+}
+
+impl Lamp {
+    /// The linear colour.
+    pub fn color(&self) -> Rgb<f32> {
+        any!(self, Self, light => light.color())
+    }
+
+    /// The linear colour of the highlights.
+    pub fn specular_color(&self) -> Rgb<f32> {
+        any!(self, Self, light => light.specular_color())
+    }
+
+    /// The intensity.
+    pub fn intensity(&self) -> f32 {
+        any!(self, Self, light => light.intensity())
+    }
+
+    /// Whether the light can light nothing: an intensity of zero, or no colour.
+    pub fn is_dark(&self) -> bool {
+        self.intensity() == 0.0 || (self.color().is_black() && self.specular_color().is_black())
+    }
+
+    /// What the light calls for; nothing where it is dark.
+    pub fn effects(&self) -> Effects {
+        if self.is_dark() {
+            return Effects::NONE;
+        }
+        let effects = Effects::NONE.with(Effect::Diffuse);
+        match self {
+            Self::Directional(_) => effects.with(Effect::Directional),
+            Self::Point(point) => effects.with(Effect::Point).and(distance_effects(point.attenuation())),
+            Self::Spot(spot) => {
+                effects.with(Effect::Spot).and(cone_effects(spot)).and(distance_effects(spot.attenuation()))
+            }
+        }
+    }
+
+    /// Compiles the light for the format `S`.
+    ///
+    /// # Errors
+    /// What the format can't hold: a cone that is too narrow, a position too far away.
+    pub fn compile<S: Scalar>(&self) -> Result<CompiledLamp<S>, Error> {
+        Ok(match self {
+            Self::Directional(light) => CompiledLamp::Directional(light.compile()),
+            Self::Point(light) => CompiledLamp::Point(light.compile()?),
+            Self::Spot(light) => CompiledLamp::Spot(light.compile()?),
+        })
+    }
+}
+
+fn cone_effects(spot: &Spot<Matched, Distance>) -> Effects {
+    let cone = spot.cone();
+    let profile = match cone.profile() {
+        Matched::CutOff(_) => Effect::CutOff,
+        Matched::Linear(_) => Effect::Linear,
+        Matched::Soft(_) => Effect::Soft,
+        Matched::Hard(_) => Effect::Hard,
+        Matched::Smooth(_) => Effect::Smooth,
+        Matched::Blend(_) => Effect::Blend,
+        Matched::Cubic(_) => Effect::Cubic,
+        Matched::Power(_) => Effect::Power,
+        Matched::Rim(_) => Effect::Rim,
+        Matched::MixedPower(_) => Effect::MixedPower,
+        Matched::MixedRim(_) => Effect::MixedRim,
+        Matched::Table(_) => Effect::Table,
+    };
+    let mut effects = Effects::NONE.with(profile);
+    if cone.has_hotspot() {
+        effects = effects.with(Effect::Hotspot);
+    }
+    if cone.is_delimited() {
+        effects = effects.with(Effect::Delimiter);
+    }
+    effects
+}
+
+fn distance_effects(distance: Distance) -> Effects {
+    let (law, is_windowed) = match distance {
+        Distance::Constant(_) => (Effect::Unattenuated, false),
+        Distance::InverseSquare(_) => (Effect::InverseSquare, false),
+        Distance::Polynomial(_) => (Effect::Polynomial, false),
+        Distance::Windowed(_) | Distance::SquaredWindow(_) => (Effect::InverseSquare, true),
+        Distance::FadedConstant(_) => (Effect::Unattenuated, true),
+        Distance::FadedPolynomial(_) => (Effect::Polynomial, true),
+        Distance::SmoothRange(_) => (Effect::SmoothRange, false),
+    };
+    let effects = Effects::NONE.with(law);
+    match distance.range() {
+        Some(_) if is_windowed => effects.with(Effect::Window).with(Effect::Range),
+        Some(_) => effects.with(Effect::Range),
+        None => effects,
+    }
+}
+
+impl From<Directional> for Lamp {
+    fn from(light: Directional) -> Self {
+        Self::Directional(light)
+    }
+}
+
+impl<A: Attenuation + Into<Distance>> From<Point<A>> for Lamp {
+    fn from(light: Point<A>) -> Self {
+        Self::Point(light.with_attenuation(light.attenuation().into()))
+    }
+}
+
+impl<P: Profile + Into<Matched>, A: Attenuation + Into<Distance>> From<Spot<P, A>> for Lamp {
+    fn from(light: Spot<P, A>) -> Self {
+        let cone = light.cone().with_profile(light.cone().profile().into());
+        Self::Spot(light.with_cone(cone).with_attenuation(light.attenuation().into()))
+    }
+}
+
+impl<S: Scalar> CompiledLamp<S> {
+    /// The linear colour.
+    pub fn color(&self) -> Rgb<S> {
+        any!(self, Self, light => light.color)
+    }
+
+    /// The linear colour of the highlights.
+    pub fn specular_color(&self) -> Rgb<S> {
+        any!(self, Self, light => light.specular_color)
+    }
+}

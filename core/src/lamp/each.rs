@@ -1,0 +1,227 @@
+//! The loop for a lamp: its kind, profile and distance model are told apart once for many points, and the loop over them
+//! has no branch on what is the same for all.
+//!
+//! There is a loop for each profile under the inverse-square law, and one for each without a fall. Under another
+//! distance model the light is found in two loops, the cone's and then the distance's: together as many as there are
+//! profiles and models, and not one for each pair.
+
+use super::CompiledLamp;
+use crate::{
+    attenuation::{
+        Attenuation, CompiledDistance, Distance, Faded, HardRange, InverseSquare, Polynomial, SmoothRange,
+        SquaredWindow, Unattenuated, Windowed,
+    },
+    cone::Falloff,
+    profile::{CompiledMatched, Matched, Profile},
+    scalar::{Offset, Scalar},
+    shade::{Arrival, CompiledPoint, CompiledSpot, Light, Surface},
+    specular::Specular,
+    vec3::Vec3,
+};
+
+/// Points of surfaces, each quantity in an array of its own: see [`Surface`].
+#[derive(Clone, Copy, Debug)]
+pub struct Surfaces<'a, S: Scalar, const N: usize> {
+    /// Where the points are.
+    pub point: Vec3<&'a [S::Length; N]>,
+    /// The normals, of unit length.
+    pub normal: Vec3<&'a [S; N]>,
+    /// The directions from the points to the eye, of unit length. Matt surfaces do not ask for them.
+    pub view: Vec3<&'a [S::Unit; N]>,
+}
+
+impl<S: Scalar, const N: usize> Surfaces<'_, S, N> {
+    #[inline(always)]
+    fn at(&self, i: usize) -> Surface<S> {
+        Surface {
+            point: self.point.map(|column| column[i]),
+            normal: self.normal.map(|column| column[i]),
+            view: self.view.map(|column| column[i]),
+        }
+    }
+}
+
+/// What is given and taken by a loop.
+struct Loop<'a, S: Scalar, H: Specular, const SKIPS: bool, const N: usize> {
+    surfaces: &'a Surfaces<'a, S, N>,
+    highlight: &'a H::Constants<S>,
+    arrivals: &'a mut Arrival<[S::Irradiance; N]>,
+}
+
+impl<S: Scalar> CompiledLamp<S> {
+    /// What arrives at each of many points whose highlights are of the kind `H`: to the bit what
+    /// [`arrive`](Light::arrive) of the lamp's own type gives for one. The arrivals of a matt surface have no specular
+    /// part; what was there stays.
+    ///
+    /// With `SKIPS`, points where nothing can arrive are left before their root is paid for, with the same bits: that
+    /// pays where points are computed one by one, as in fixed point, and is in the way of vector instructions.
+    pub fn arrive_each<H: Specular, const SKIPS: bool, const N: usize>(
+        &self,
+        surfaces: &Surfaces<'_, S, N>,
+        highlight: &H::Constants<S>,
+        arrivals: &mut Arrival<[S::Irradiance; N]>,
+    ) {
+        let mut each = Loop::<S, H, SKIPS, N> { surfaces, highlight, arrivals };
+        match self {
+            Self::Directional(light) => each.light(light),
+            Self::Point(light) => each.point(light),
+            Self::Spot(light) => each.spot(light),
+        }
+    }
+}
+
+/// A compiled distance model without a range is the plain one.
+fn plain<S: Scalar>(distance: &CompiledDistance<S>) -> Option<Plain> {
+    let none = S::gain(0.0);
+    match distance {
+        CompiledDistance::Constant((range, ())) if *range == none => Some(Plain::Unattenuated),
+        CompiledDistance::InverseSquare((range, ())) if *range == none => Some(Plain::InverseSquare),
+        _ => None,
+    }
+}
+
+/// The distance models that have a loop with every profile.
+enum Plain {
+    Unattenuated,
+    InverseSquare,
+}
+
+impl<S: Scalar, H: Specular, const SKIPS: bool, const N: usize> Loop<'_, S, H, SKIPS, N> {
+    #[inline(never)]
+    fn light<L: Light<S>>(&mut self, light: &L) {
+        for i in 0..N {
+            let arrival = light.arrive::<H>(&self.surfaces.at(i), self.highlight, SKIPS);
+            self.arrivals.diffuse[i] = arrival.diffuse;
+            if H::SHINES {
+                self.arrivals.specular[i] = arrival.specular;
+            }
+        }
+    }
+
+    fn point(&mut self, light: &CompiledPoint<S, Distance>) {
+        let CompiledPoint { position, intensity, color, specular_color, .. } = *light;
+        let colors = [color, specular_color];
+        match plain(&light.attenuation) {
+            Some(Plain::InverseSquare) => {
+                self.light(&CompiledPoint::<S>::from_parts(position, (), intensity, colors));
+            }
+            Some(Plain::Unattenuated) => {
+                self.light(&CompiledPoint::<S, Unattenuated>::from_parts(position, (), intensity, colors));
+            }
+            None => {
+                let one = S::gain(1.0);
+                self.light(&CompiledPoint::<S, Unattenuated>::from_parts(position, (), one, colors));
+                self.fall(position, &light.attenuation, intensity);
+            }
+        }
+    }
+
+    fn spot(&mut self, light: &CompiledSpot<S, Matched, Distance>) {
+        match (light.falloff.profile, light.falloff.curve) {
+            (Matched::CutOff(profile), CompiledMatched::CutOff(curve)) => self.cone(light, profile, curve),
+            (Matched::Linear(profile), CompiledMatched::Linear(curve)) => self.cone(light, profile, curve),
+            (Matched::Soft(profile), CompiledMatched::Soft(curve)) => self.cone(light, profile, curve),
+            (Matched::Hard(profile), CompiledMatched::Hard(curve)) => self.cone(light, profile, curve),
+            (Matched::Smooth(profile), CompiledMatched::Smooth(curve)) => self.cone(light, profile, curve),
+            (Matched::Blend(profile), CompiledMatched::Blend(curve)) => self.cone(light, profile, curve),
+            (Matched::Cubic(profile), CompiledMatched::Cubic(curve)) => self.cone(light, profile, curve),
+            (Matched::Power(profile), CompiledMatched::Power(curve)) => self.cone(light, profile, curve),
+            (Matched::Rim(profile), CompiledMatched::Rim(curve)) => self.cone(light, profile, curve),
+            (Matched::MixedPower(profile), CompiledMatched::MixedPower(curve)) => {
+                self.cone(light, profile, curve);
+            }
+            (Matched::MixedRim(profile), CompiledMatched::MixedRim(curve)) => {
+                self.cone(light, profile, curve);
+            }
+            (Matched::Table(profile), CompiledMatched::Table(curve)) => self.cone(light, profile, curve),
+            // No compiled light is so; its parts may be.
+            (profile, curve) => self.cone(light, profile, curve),
+        }
+    }
+
+    fn cone<P: Profile>(
+        &mut self,
+        light: &CompiledSpot<S, Matched, Distance>,
+        profile: P,
+        curve: P::Compiled<S>,
+    ) {
+        let CompiledSpot { position, axis, outside, intensity, color, specular_color, .. } = *light;
+        let colors = [color, specular_color];
+        let falloff = Falloff::from_parts(light.falloff.ramp, profile, curve);
+        match plain(&light.attenuation) {
+            Some(Plain::InverseSquare) => self.light(&CompiledSpot::<S, P>::from_parts(
+                position,
+                axis,
+                falloff,
+                outside,
+                (),
+                intensity,
+                colors,
+            )),
+            plain => {
+                let gain = if plain.is_some() { intensity } else { S::gain(1.0) };
+                self.light(&CompiledSpot::<S, P, Unattenuated>::from_parts(
+                    position,
+                    axis,
+                    falloff,
+                    outside,
+                    (),
+                    gain,
+                    colors,
+                ));
+                if plain.is_none() {
+                    self.fall(position, &light.attenuation, intensity);
+                }
+            }
+        }
+    }
+
+    /// Takes fractions of a full intensity to what is left of the intensity at each distance.
+    fn fall(&mut self, position: Vec3<S::Length>, distance: &CompiledDistance<S>, intensity: S::Gain) {
+        match distance {
+            CompiledDistance::Constant(model) => {
+                self.attenuate::<HardRange<Unattenuated>>(position, model, intensity);
+            }
+            CompiledDistance::InverseSquare(model) => {
+                self.attenuate::<HardRange<InverseSquare>>(position, model, intensity);
+            }
+            CompiledDistance::Polynomial(model) => {
+                self.attenuate::<HardRange<Polynomial>>(position, model, intensity);
+            }
+            CompiledDistance::Windowed(model) => self.attenuate::<Windowed>(position, model, intensity),
+            CompiledDistance::FadedConstant(model) => {
+                self.attenuate::<Faded<Unattenuated>>(position, model, intensity);
+            }
+            CompiledDistance::SquaredWindow(model) => {
+                self.attenuate::<SquaredWindow>(position, model, intensity);
+            }
+            CompiledDistance::FadedPolynomial(model) => {
+                self.attenuate::<Faded<Polynomial>>(position, model, intensity);
+            }
+            CompiledDistance::SmoothRange(model) => self.attenuate::<SmoothRange>(position, model, intensity),
+        }
+    }
+
+    #[inline(never)]
+    fn attenuate<A: Attenuation>(
+        &mut self,
+        position: Vec3<S::Length>,
+        constants: &A::Constants<S>,
+        intensity: S::Gain,
+    ) {
+        for i in 0..N {
+            let lit = self.arrivals.diffuse[i] > S::Irradiance::default()
+                || H::SHINES && self.arrivals.specular[i] > S::Irradiance::default();
+            if SKIPS && !lit {
+                continue;
+            }
+            let offset = S::offset(position, self.surfaces.point.map(|column| column[i]));
+            let ray = offset.ray();
+            let expose = |fraction| A::expose(constants, &offset, &ray, S::clip(fraction), intensity);
+            self.arrivals.diffuse[i] = expose(self.arrivals.diffuse[i]);
+            if H::SHINES {
+                self.arrivals.specular[i] = expose(self.arrivals.specular[i]);
+            }
+        }
+    }
+}

@@ -1,0 +1,54 @@
+//! What a picture has cost: how often a lamp was evaluated at a pixel, and how often that was spared.
+
+/// The account of the last time that light was drawn. A pair is a lamp and a pixel: each lamp that was given makes one with
+/// each pixel of the picture.
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
+#[non_exhaustive]
+pub struct Account {
+    /// The tiles of the picture.
+    pub tiles: u32,
+    /// The tiles that were lit again.
+    pub tiles_relit: u32,
+    /// The lamps that were given.
+    pub lamps: u32,
+    /// The lamps that can light nothing, and were dropped.
+    pub lamps_dropped: u32,
+    /// The pairs that were evaluated.
+    pub evaluated: u64,
+    /// The pairs of a dropped lamp.
+    pub dropped: u64,
+    /// The pairs in tiles whose light could stay as it was.
+    pub kept: u64,
+    /// The pairs of a lamp and a tile that it does not reach.
+    pub missed_by_tile: u64,
+    /// The pairs of a lamp and a row of 32 pixels that it does not reach, within a tile that it may.
+    pub missed_by_row: u64,
+}
+
+impl Account {
+    /// The account of a picture of so many pixels, before anything is lit: `kept` of the lamps are not dropped.
+    pub(crate) fn new(tiles: usize, lamps: usize, kept: usize, pixels: usize) -> Self {
+        let [tiles, lamps, kept] = [tiles, lamps, kept].map(|count| count as u32);
+        let lamps_dropped = lamps - kept;
+        let dropped = u64::from(lamps_dropped) * pixels as u64;
+        // What is lit is taken from what is kept.
+        let kept = u64::from(kept) * pixels as u64;
+        Self { tiles, lamps, lamps_dropped, dropped, kept, ..Self::default() }
+    }
+
+    /// Enters a row of pixels of a tile that is lit, of which so many lamps may reach the tile, and so many are
+    /// evaluated.
+    pub(crate) fn enter(&mut self, pixels: usize, reached: usize, evaluated: usize) {
+        let [pixels, reached, evaluated] = [pixels, reached, evaluated].map(|count| count as u64);
+        let missed = u64::from(self.lamps - self.lamps_dropped) - reached;
+        self.evaluated += evaluated * pixels;
+        self.missed_by_row += (reached - evaluated) * pixels;
+        self.missed_by_tile += missed * pixels;
+        self.kept -= (reached + missed) * pixels;
+    }
+
+    /// All pairs of a lamp and a pixel.
+    pub fn pairs(&self) -> u64 {
+        self.evaluated + self.dropped + self.kept + self.missed_by_tile + self.missed_by_row
+    }
+}

@@ -1,0 +1,54 @@
+//! Tiles: rectangles of blocks that are lit, or left as they are, together.
+
+use crate::{bounds::Bounds, gbuffer::Block, memory::filled};
+use alloc::{collections::TryReserveError, vec::Vec};
+use luminaire::Scalar;
+
+/// Rows of a tile. Its width is that of a block.
+const ROWS: usize = 16;
+
+/// The tiles of a picture, row by row.
+#[derive(Clone, Debug)]
+pub(crate) struct Tiles {
+    columns: usize,
+    rows: usize,
+    pub(crate) tiles: Vec<Tile>,
+}
+
+/// A rectangle of blocks.
+#[derive(Clone, Copy, Default, Debug)]
+pub(crate) struct Tile {
+    /// What encloses its points; nothing if nothing was drawn.
+    pub(crate) bounds: Option<Bounds>,
+    /// Whether its light was drawn the last time that light was.
+    pub(crate) is_relit: bool,
+    /// Whether its codes are those of its light.
+    pub(crate) is_encoded: bool,
+}
+
+impl Tiles {
+    /// For a picture of so many columns of blocks and rows of pixels.
+    pub(crate) fn new(columns: usize, rows: usize) -> Result<Self, TryReserveError> {
+        Ok(Self { columns, rows, tiles: filled(columns * rows.div_ceil(ROWS), Tile::default())? })
+    }
+
+    /// The numbers of a tile's blocks, from top to bottom.
+    pub(crate) fn blocks(&self, tile: usize) -> impl Iterator<Item = usize> + Clone + use<> {
+        let (columns, first) = (self.columns, tile / self.columns * ROWS);
+        let (column, last) = (tile % columns, (first + ROWS).min(self.rows));
+        (first..last).map(move |row| row * columns + column)
+    }
+
+    /// The number of the tile that a block is in.
+    pub(crate) fn of_block(&self, block: usize) -> usize {
+        block / self.columns / ROWS * self.columns + block % self.columns
+    }
+
+    /// Encloses the points of each tile.
+    pub(crate) fn enclose<S: Scalar>(&mut self, blocks: &[Block<S>]) {
+        for number in 0..self.tiles.len() {
+            let spheres = self.blocks(number).filter_map(|block| blocks[block].bounds);
+            self.tiles[number].bounds = Bounds::enclosing(spheres);
+        }
+    }
+}
