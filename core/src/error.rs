@@ -70,6 +70,8 @@ pub enum Parameter {
     Range,
     /// The exponent of a highlight.
     Shininess,
+    /// How many texels a side of a shadow map has.
+    ShadowSide,
     /// How much all light is amplified for the display.
     Exposure,
     /// `GL_SPOT_CUTOFF` of OpenGL, a half angle in degrees.
@@ -148,6 +150,7 @@ impl fmt::Display for Parameter {
             Self::Attenuation => "attenuation coefficient",
             Self::Range => "range",
             Self::Shininess => "shininess",
+            Self::ShadowSide => "side of the shadow map",
             Self::Exposure => "exposure",
             Self::SpotCutoff => "spot cutoff",
             Self::SpotExponent => "spot exponent",

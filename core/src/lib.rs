@@ -62,7 +62,7 @@
 //!
 //! Files, in the order in which they build on one another: `error`, `vec3`, `trig`, `search`, `scalar` (and a file for each
 //! format), `angle`, `profile`, `cone`, `attenuation`, `color`, `specular`, `shade` (and a file for each kind of
-//! light), `light` (the same), `material`, `batch`, `effect`, `lamp`, `plan`, `import` (and a file for each system), `source`.
+//! light), `light` (the same), `material`, `batch`, `effect`, `lamp`, `luminaire`, `plan`, `import` (and a file for each system), `source`.
 #![no_std]
 #![forbid(unsafe_code)]
 
@@ -79,6 +79,7 @@ mod error;
 pub mod import;
 mod lamp;
 mod light;
+mod luminaire;
 mod material;
 mod plan;
 mod profile;
@@ -101,6 +102,7 @@ pub use effect::{Effect, Effects};
 pub use error::{Accepted, Error, Parameter};
 pub use lamp::{CompiledLamp, Lamp, Surfaces};
 pub use light::{Ambient, Directional, Point, Spot};
+pub use luminaire::Luminaire;
 pub use material::{CompiledMaterial, Material};
 pub use plan::Plan;
 pub use profile::{

@@ -11,6 +11,7 @@ use crate::{
     error::Error,
     lamp::{CompiledLamp, Lamp},
     light::Ambient,
+    luminaire::Luminaire,
     material::Material,
     scalar::Scalar,
     specular::Specular,
@@ -19,11 +20,11 @@ use crate::{
 /// Which effects a picture calls for.
 ///
 /// ```
-/// use luminaire::{Ambient, Angle, Cone, Effect, Hard, Lamp, Material, Plan, Rgb, Spot, Vec3};
+/// use luminaire::{Ambient, Angle, Cone, Effect, Hard, Luminaire, Material, Plan, Rgb, Spot, Vec3};
 /// let cone = Cone::from_field(Hard, Angle::degrees(15.0))?;
-/// let spot = Lamp::from(Spot::new(Vec3::new(0.0, 4.0, 0.0), Vec3::new(0.0, -1.0, 0.0), cone)?);
+/// let spot = Luminaire::from(Spot::new(Vec3::new(0.0, 4.0, 0.0), Vec3::new(0.0, -1.0, 0.0), cone)?);
 /// let clay = Material::new(Rgb::new(0.8, 0.4, 0.2))?;
-/// let plan = Plan::new().with_lamp(&spot).with_material(&clay);
+/// let plan = Plan::new().with_luminaire(&spot).with_material(&clay);
 /// assert_eq!(plan.effects().to_string(), "diffuse, spot, hard, inverse-square");
 /// assert!(!plan.calls_for(Effect::Specular) && Plan::everything().calls_for(Effect::Specular));
 /// # Ok::<(), luminaire::Error>(())
@@ -58,10 +59,10 @@ impl Plan {
         if is_dark { self } else { self.with(Effect::Ambient) }
     }
 
-    /// The plan with a lamp, unless it is dark.
+    /// The plan with a luminaire, unless it is dark.
     #[must_use]
-    pub fn with_lamp(self, lamp: &Lamp) -> Self {
-        Self { effects: self.effects.and(lamp.effects()), ..self }
+    pub fn with_luminaire(self, luminaire: &Luminaire) -> Self {
+        Self { effects: self.effects.and(luminaire.effects()), ..self }
     }
 
     /// The plan with a material.

@@ -7,7 +7,7 @@ use crate::{
     scene::{Highlight, Material},
 };
 use luminaire::{
-    Arrival, CompiledLamp, Error, Lamp, Matte, Plan, Rgb, Scalar, Specular, Surface, Surfaces, Vec3,
+    Arrival, CompiledLamp, Error, Luminaire, Matte, Plan, Rgb, Scalar, Specular, Surface, Surfaces, Vec3,
 };
 
 /// The light that the pixels of a block send to the eye: linear, 1 is full scale.
@@ -45,7 +45,8 @@ impl<S: Scalar> Prepared<S> {
     ///
     /// # Errors
     /// What the format can't hold.
-    pub(crate) fn new(lamp: &Lamp, plan: &Plan) -> Result<Option<Self>, Error> {
+    pub(crate) fn new(luminaire: &Luminaire, plan: &Plan) -> Result<Option<Self>, Error> {
+        let lamp = luminaire.lamp();
         let compiled = plan.prepare(lamp)?;
         Ok(compiled.map(|compiled| Self { lamp: compiled, reach: Reach::new(lamp) }))
     }

@@ -17,7 +17,7 @@ use crate::{
     view::View,
 };
 use alloc::{collections::TryReserveError, vec::Vec};
-use luminaire::{Error, Lamp, Plan, Rgb, Vec3};
+use luminaire::{Error, Luminaire, Plan, Rgb, Vec3};
 
 /// A deferred renderer: geometry once into a buffer, then light over that buffer in the number format `S`,
 /// then the codes of a display. Each step is done again only where something before it has changed.
@@ -38,7 +38,7 @@ pub struct Renderer<S: Format> {
     pixels: Vec<u8>,
     drawn: Option<(Fingerprint, Camera)>,
     /// The lamps of the picture; nothing if all of it must be lit.
-    lit: Option<Vec<Lamp>>,
+    lit: Option<Vec<Luminaire>>,
     reached: Reached,
     account: Account,
     sightings: Vec<Sighting>,
@@ -123,7 +123,7 @@ impl<S: Format> Renderer<S> {
     ///
     /// # Errors
     /// A light that the format can't hold; the picture stays as it was.
-    pub fn draw_light<L: Copy + Into<Lamp>>(&mut self, lights: &[L]) -> Result<bool, Error> {
+    pub fn draw_light<L: Copy + Into<Luminaire>>(&mut self, lights: &[L]) -> Result<bool, Error> {
         self.draw_light_by(Plan::new(), lights)
     }
 
@@ -132,14 +132,14 @@ impl<S: Format> Renderer<S> {
     ///
     /// # Errors
     /// A light that the format can't hold; the picture stays as it was.
-    pub fn draw_everything<L: Copy + Into<Lamp>>(&mut self, lights: &[L]) -> Result<(), Error> {
+    pub fn draw_everything<L: Copy + Into<Luminaire>>(&mut self, lights: &[L]) -> Result<(), Error> {
         self.lit = None;
         self.draw_light_by(Plan::everything(), lights)?;
         Ok(())
     }
 
-    fn draw_light_by<L: Copy + Into<Lamp>>(&mut self, plan: Plan, lights: &[L]) -> Result<bool, Error> {
-        let lamps: Vec<Lamp> = lights.iter().map(|&light| light.into()).collect();
+    fn draw_light_by<L: Copy + Into<Luminaire>>(&mut self, plan: Plan, lights: &[L]) -> Result<bool, Error> {
+        let lamps: Vec<Luminaire> = lights.iter().map(|&light| light.into()).collect();
         if self.lit.as_ref() == Some(&lamps) {
             return Ok(false);
         }
@@ -167,7 +167,7 @@ impl<S: Format> Renderer<S> {
     }
 
     /// The numbers of the lamps that are others than those of the picture.
-    fn changed(&self, lamps: &[Lamp]) -> Vec<usize> {
+    fn changed(&self, lamps: &[Luminaire]) -> Vec<usize> {
         let before = self.lit.as_deref().unwrap_or_default();
         let count = lamps.len().max(before.len());
         (0..count).filter(|&i| self.lit.is_none() || before.get(i) != lamps.get(i)).collect()

@@ -186,7 +186,8 @@ fn blocks_left_out_are_dark<S: Format>(camera: &Camera, lights: &[Spot]) {
                 sum.green = S::add_light(sum.green, S::filter(arrived, color.green));
                 sum.blue = S::add_light(sum.blue, S::filter(arrived, color.blue));
             }
-            let (light, albedo) = (sum.map(S::light_to_f32), renderer.finishes[material as usize].material().albedo);
+            let (light, albedo) =
+                (sum.map(S::light_to_f32), renderer.finishes[material as usize].material().albedo);
             let expected =
                 Rgb::new(light.red * albedo.red, light.green * albedo.green, light.blue * albedo.blue);
             assert_eq!(renderer.linear(x, y), Some(expected), "{} at {x}, {y}", S::NAME);
