@@ -40,6 +40,8 @@ pub enum Parameter {
     DelimiterAngle,
     /// How far a projection is turned about its axis, in degrees.
     Roll,
+    /// How many transmissions a side of a gobo has.
+    Side,
     /// The slope of a profile over `t` at the edge.
     EdgeSlope,
     /// The slope of a profile over `t` in the middle.
@@ -135,6 +137,7 @@ impl fmt::Display for Parameter {
             Self::InnerAngle => "inner angle",
             Self::DelimiterAngle => "delimiter angle",
             Self::Roll => "roll",
+            Self::Side => "side",
             Self::EdgeSlope => "edge slope",
             Self::MiddleSlope => "middle slope",
             Self::CoefficientSum => "sum of coefficients",
