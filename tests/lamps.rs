@@ -4,11 +4,10 @@ mod support;
 
 use fastrand::Rng;
 use luminaire::{
-    Ambient, Angle, Arrival, CompiledLamp, Cone, CutOff, Directional, Distance, Edge, Effect,
-    Effects, Error, Faded, Fitted, Fx16, Fx32, Hard, HardRange, InverseSquare, Lamp, Light, Linear,
-    Luminaire, Matched, Material, Matte, Phong, Plan, Point, Polynomial, Power, Profile, Rgb, Rim,
-    Scalar, Smooth, SmoothRange, Soft, Specular, Spot, SquaredWindow, Surface, Surfaces, Unattenuated, Vec3,
-    Windowed,
+    Ambient, Angle, Arrival, CompiledLamp, Cone, CutOff, Directional, Distance, Edge, Effect, Effects, Error,
+    Faded, Fitted, Fx16, Fx32, Gobo, Hard, HardRange, InverseSquare, Lamp, Light, Linear, Luminaire, Matched,
+    Material, Matte, Phong, Plan, Point, Polynomial, Power, Profile, Projection, Rgb, Rim, Scalar, Smooth,
+    SmoothRange, Soft, Specular, Spot, SquaredWindow, Surface, Surfaces, Unattenuated, Vec3, Windowed,
 };
 use support::{arbitrary::vector, format::Format, profiles, reference, sweep};
 
@@ -161,28 +160,35 @@ fn lamps_light_many_points_as_each() {
         }
         let share = lit.map(|lit| lit as f32 / count as f32);
         assert!((0.15..0.8).contains(&share[0]), "{}: {share:?} of the points are lit", S::NAME);
-        assert!((0.04..0.8).contains(&share[1]), "{}: {share:?} of the points shine", S::NAME);
+        assert!((0.015..0.8).contains(&share[1]), "{}: {share:?} of the points shine", S::NAME);
     }
     assert_format::<f32>();
     assert_format::<Fx32>();
     assert_format::<Fx16>();
 }
 
-/// A profile that is chosen at run time is the one that was given.
+/// A profile that is chosen at run time is the one that was given; a power whose exponent is part of the type becomes one
+/// whose exponent is not, which may be rounded otherwise.
 #[test]
 fn any_profile_is_what_it_was() {
-    fn assert_same<P: Profile + Into<Matched>>(profile: P) {
+    fn assert_within<P: Profile + Into<Matched>>(profile: P, most: f32) {
         let typed = Cone::from_outer(profile, sweep::half(30.0)).expect("sound");
         let chosen = typed.with_profile(profile.into());
-        assert_eq!((typed.beam(), typed.field()), (chosen.beam(), chosen.field()));
+        let angles = |cone: [luminaire::Angle; 2]| cone.map(|angle| angle.to_degrees());
+        let [typed_angles, chosen_angles] =
+            [angles([typed.beam(), typed.field()]), angles([chosen.beam(), chosen.field()])];
+        assert!(typed_angles.iter().zip(chosen_angles).all(|(a, b)| (a - b).abs() <= 1e-4));
         for versine in sweep::versines(typed.outer_versine().into(), 300) {
             let at = |versine| {
                 let (typed, chosen) = (typed.compile::<f32>(), chosen.compile::<f32>());
                 (typed.expect("held").at(versine), chosen.expect("held").at(versine))
             };
             let (typed, chosen) = at(versine);
-            assert_eq!(typed.to_bits(), chosen.to_bits(), "{profile:?} at {versine}");
+            assert!((typed - chosen).abs() <= most, "{profile:?} at {versine}: {typed}, {chosen}");
         }
+    }
+    fn assert_same<P: Profile + Into<Matched>>(profile: P) {
+        assert_within(profile, 0.0);
     }
     assert_same(CutOff);
     assert_same(Linear);
@@ -198,12 +204,12 @@ fn any_profile_is_what_it_was() {
     assert_same(profiles::table());
     assert_same(Edge::Soft);
     assert_same(Edge::Hard);
-    assert_same(Power::<1>);
-    assert_same(Power::<2>);
-    assert_same(Power::<13>);
-    assert_same(Rim::<1>);
-    assert_same(Rim::<2>);
-    assert_same(Rim::<6>);
+    assert_within(Power::<1>, 4e-7);
+    assert_within(Power::<2>, 4e-7);
+    assert_within(Power::<13>, 4e-7);
+    assert_within(Rim::<1>, 4e-7);
+    assert_within(Rim::<2>, 4e-7);
+    assert_within(Rim::<6>, 4e-7);
     assert_same(Fitted::Blend(profiles::blend()));
     assert_same(Fitted::Cubic(profiles::cubic()));
 }
@@ -267,7 +273,7 @@ fn a_lamp_calls_for_what_it_is() -> Result<(), Error> {
         cut.effects().to_string(),
         "diffuse, spot, linear, hotspot, delimiter, inverse-square, shadow"
     );
-    assert_eq!((cut.shadow(), cut.lamp().intensity()), (Some(64), 1.0));
+    assert_eq!((cut.shadow().map(|(side, _)| side), cut.lamp().intensity()), (Some(64), 1.0));
     Ok(())
 }
 
@@ -334,13 +340,38 @@ fn effects_are_a_set() {
 #[test]
 fn a_shadow_map_has_a_side_that_can_be() -> Result<(), Error> {
     for side in [16, 512, 2048] {
-        assert_eq!(Luminaire::from(spot(Soft)?).with_shadow(side)?.shadow(), Some(side));
+        assert_eq!(
+            Luminaire::from(spot(Soft)?).with_shadow(side)?.shadow(),
+            Some((side, Projection::of(&spot(Soft)?)?))
+        );
     }
     for side in [0, 15, 2049, u16::MAX] {
         let refused = Luminaire::from(spot(Soft)?).with_shadow(side).unwrap_err().to_string();
         let expected =
             format!("side of the shadow map {side} is refused: give a whole number from 16 to 2048");
         assert_eq!(refused, expected);
+    }
+    Ok(())
+}
+
+/// Patterns and shadows lie on the square that a cone projects.
+#[test]
+fn what_projects_no_square_is_refused() -> Result<(), Error> {
+    const BARS: Gobo<'static> = Gobo::of(&[[255, 0]; 2]);
+    let key = Luminaire::from(spot(Soft)?).with_gobo(BARS, Angle::degrees(30.0))?;
+    let square = Projection::of(&spot(Soft)?)?.turned(Angle::degrees(30.0))?;
+    assert_eq!(key.gobo(), Some((BARS, square)));
+    assert_eq!(key.compile_gobo::<f32>()?, Some(BARS.on(square.compile()?)));
+    assert_eq!(Luminaire::from(spot(Soft)?).compile_gobo::<f32>()?, None);
+    let wide = spot(Soft)?.with_cone(Cone::from_outer(Soft.into(), Angle::degrees(170.0))?);
+    let odd: [(Luminaire, u32); 3] =
+        [(wide.into(), 170), (Point::new(down())?.into(), 360), (Directional::new(down())?.into(), 0)];
+    for (luminaire, angle) in odd {
+        let expected = format!(
+            "outer angle {angle} is refused: give more than 0 and at most 160 degrees, the full angle"
+        );
+        assert_eq!(luminaire.with_gobo(BARS, Angle::degrees(0.0)).unwrap_err().to_string(), expected);
+        assert_eq!(luminaire.with_shadow(64).unwrap_err().to_string(), expected);
     }
     Ok(())
 }

@@ -36,6 +36,7 @@ mod clip;
 mod display;
 mod format;
 mod gbuffer;
+pub mod gobos;
 mod lighting;
 mod memory;
 mod mesh;
