@@ -263,7 +263,7 @@ fn defaults_are_sound() {
     let down = Vec3::new(0.0, -1.0, 0.0);
     let lamp = OpenGl::default().import(ORIGIN, down).expect("sound");
     assert!(matches!(lamp.light, Lamp::Point(_)));
-    let cone = |light: luminaire::Spot<luminaire::Matched, import::Distance>| light.cone();
+    let cone = |light: luminaire::Spot<luminaire::Matched, luminaire::Distance>| light.cone();
     let near = |angle: Angle, degrees: f32| assert!((angle.to_degrees() - degrees).abs() < 1e-3, "{angle:?}");
     near(cone(Gltf::default().import(ORIGIN, down).expect("sound").light).outer(), 90.0);
     near(cone(Three::default().import(ORIGIN, down).expect("sound").light).outer(), 120.0);

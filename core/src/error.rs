@@ -38,6 +38,10 @@ pub enum Parameter {
     InnerAngle,
     /// The full angle of a delimiter, from which on there is no light.
     DelimiterAngle,
+    /// How far a projection is turned about its axis, in degrees.
+    Roll,
+    /// How many transmissions a side of a gobo has.
+    Side,
     /// The slope of a profile over `t` at the edge.
     EdgeSlope,
     /// The slope of a profile over `t` in the middle.
@@ -134,6 +138,8 @@ impl fmt::Display for Parameter {
             Self::OuterAngle => "outer angle",
             Self::InnerAngle => "inner angle",
             Self::DelimiterAngle => "delimiter angle",
+            Self::Roll => "roll",
+            Self::Side => "side",
             Self::EdgeSlope => "edge slope",
             Self::MiddleSlope => "middle slope",
             Self::CoefficientSum => "sum of coefficients",

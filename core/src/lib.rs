@@ -62,7 +62,8 @@
 //!
 //! Files, in the order in which they build on one another: `error`, `vec3`, `trig`, `search`, `scalar` (and a file for each
 //! format), `angle`, `profile`, `cone`, `attenuation`, `color`, `specular`, `shade` (and a file for each kind of
-//! light), `light` (the same), `material`, `batch`, `effect`, `lamp`, `luminaire`, `plan`, `import` (and a file for each system), `source`.
+//! light), `light` (the same), `projection`, `gobo`, `material`, `batch`, `effect`, `lamp`, `luminaire`, `plan`, `import`
+//! (and a file for each system), `source`.
 #![no_std]
 #![forbid(unsafe_code)]
 
@@ -76,6 +77,7 @@ mod color;
 mod cone;
 mod effect;
 mod error;
+mod gobo;
 pub mod import;
 mod lamp;
 mod light;
@@ -83,6 +85,7 @@ mod luminaire;
 mod material;
 mod plan;
 mod profile;
+mod projection;
 mod scalar;
 mod search;
 mod shade;
@@ -100,6 +103,7 @@ pub use color::{CompiledExposure, Exposure, Rgb, Rgb565, clip, decode_srgb, enco
 pub use cone::{Cone, Falloff};
 pub use effect::{Effect, Effects};
 pub use error::{Accepted, Error, Parameter};
+pub use gobo::{CompiledGobo, Gobo};
 pub use lamp::{CompiledLamp, Lamp, Surfaces};
 pub use light::{Ambient, Directional, Point, Spot};
 pub use luminaire::Luminaire;
@@ -109,7 +113,8 @@ pub use profile::{
     Blend, Cubic, Curve, CutOff, Edge, Fitted, Hard, IntegerPower, IntegerRim, Linear, Matched, MixedPower,
     MixedRim, Power, Profile, Rim, Smooth, Soft, Table,
 };
-pub use scalar::{Fraction, Gain, Offset, Ray, Scalar};
+pub use projection::{CompiledProjection, Projection};
+pub use scalar::{Fraction, Gain, Offset, Place, Ray, Scalar};
 #[cfg(feature = "fixed")]
 pub use scalar::{Fx16, Fx32};
 pub use shade::{Arrival, CompiledDirectional, CompiledPoint, CompiledSpot, Light, Surface};

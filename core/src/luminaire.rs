@@ -1,42 +1,70 @@
 //! Luminaires: lamps with what is mounted in front of them.
 
 use crate::{
+    angle::Angle,
     effect::{Effect, Effects},
     error::{Accepted, Error, Parameter},
+    gobo::{CompiledGobo, Gobo},
     lamp::Lamp,
+    projection::Projection,
+    scalar::Scalar,
 };
 
-/// A lamp as a scene has it: with the shadows that are asked for, or without.
+/// A lamp as a scene has it: with the gobo and the shadows that it is given, or without.
 ///
 /// ```
-/// use luminaire::{Angle, Cone, Luminaire, Soft, Spot, Vec3};
+/// use luminaire::{Angle, Cone, Gobo, Luminaire, Soft, Spot, Vec3};
+/// const MULLION: Gobo<'static> = Gobo::of(&[[255, 0, 255]; 3]);
 /// let cone = Cone::from_field(Soft, Angle::degrees(15.0))?;
 /// let spot = Spot::new(Vec3::new(0.0, 4.0, 0.0), Vec3::new(0.0, -1.0, 0.0), cone)?;
-/// let key = Luminaire::from(spot).with_shadow(512)?;
-/// assert_eq!(key.effects().to_string(), "diffuse, spot, soft, inverse-square, shadow");
+/// let key = Luminaire::from(spot).with_gobo(MULLION, Angle::degrees(0.0))?.with_shadow(512)?;
+/// assert_eq!(key.effects().to_string(), "diffuse, spot, soft, inverse-square, gobo, shadow");
 /// # Ok::<(), luminaire::Error>(())
 /// ```
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Luminaire {
     lamp: Lamp,
-    shadow: Option<u16>,
+    gobo: Option<(Gobo<'static>, Projection)>,
+    shadow: Option<(u16, Projection)>,
 }
 
 /// The sides that a shadow map may have, in texels.
 const SHADOW_SIDES: (u32, u32) = (16, 2048);
 
 impl Luminaire {
-    /// The same luminaire with shadows, by a map of so many texels a side. Only the light of spotlights has any.
+    /// The same luminaire with a gobo, turned about the axis as [`Projection::turned`] does.
     ///
     /// # Errors
-    /// A side that is not from 16 to 2048.
+    /// A lamp that projects no square: a cone over 160 degrees, or none. A roll that is not from -360 to 360 degrees.
+    pub fn with_gobo(self, gobo: Gobo<'static>, roll: Angle) -> Result<Self, Error> {
+        let projection = self.project()?.turned(roll)?;
+        Ok(Self { gobo: Some((gobo, projection)), ..self })
+    }
+
+    /// The same luminaire with shadows, by a map of so many texels a side.
+    ///
+    /// # Errors
+    /// A side that is not from 16 to 2048; a lamp that projects no square: a cone over 160 degrees, or none.
     pub fn with_shadow(self, side: u16) -> Result<Self, Error> {
         let (least, most) = SHADOW_SIDES;
-        if (least..=most).contains(&u32::from(side)) {
-            Ok(Self { shadow: Some(side), ..self })
-        } else {
+        if !(least..=most).contains(&u32::from(side)) {
             let accepted = Accepted::WholeBetween(least, most);
-            Err(Error { parameter: Parameter::ShadowSide, value: side.into(), accepted })
+            return Err(Error { parameter: Parameter::ShadowSide, value: side.into(), accepted });
+        }
+        Ok(Self { shadow: Some((side, self.project()?)), ..self })
+    }
+
+    /// The square around the light of the lamp. A point light is refused as a cone of 360 degrees, and parallel light as
+    /// one of none.
+    fn project(&self) -> Result<Projection, Error> {
+        let refused = |value| {
+            let accepted = Accepted::AngleUpTo(Projection::WIDEST.to_degrees());
+            Err(Error { parameter: Parameter::OuterAngle, value, accepted })
+        };
+        match &self.lamp {
+            Lamp::Spot(spot) => Projection::of(spot),
+            Lamp::Point(_) => refused(360.0),
+            Lamp::Directional(_) => refused(0.0),
         }
     }
 
@@ -50,21 +78,43 @@ impl Luminaire {
         &self.lamp
     }
 
-    /// The side of the shadow map, in texels; nothing where there are no shadows.
-    pub fn shadow(&self) -> Option<u16> {
+    /// The gobo and the square that it lies on; nothing where there is none.
+    pub fn gobo(&self) -> Option<(Gobo<'static>, Projection)> {
+        self.gobo
+    }
+
+    /// The side of the shadow map in texels and the square that it lies on; nothing where there are no shadows.
+    pub fn shadow(&self) -> Option<(u16, Projection)> {
         self.shadow
     }
 
     /// What the luminaire calls for; nothing where its lamp is dark.
     pub fn effects(&self) -> Effects {
-        let effects = self.lamp.effects();
-        let casts_shadow = self.shadow.is_some() && effects.has(Effect::Spot);
-        if casts_shadow { effects.with(Effect::Shadow) } else { effects }
+        let mut effects = self.lamp.effects();
+        if effects == Effects::NONE {
+            return effects;
+        }
+        if self.gobo.is_some() {
+            effects = effects.with(Effect::Gobo);
+        }
+        if self.shadow.is_some() {
+            effects = effects.with(Effect::Shadow);
+        }
+        effects
+    }
+
+    /// Compiles the gobo for the format `S`; nothing where there is none.
+    ///
+    /// # Errors
+    /// What the format can't hold: see [`Projection::compile`].
+    pub fn compile_gobo<S: Scalar>(&self) -> Result<Option<CompiledGobo<'static, S>>, Error> {
+        let on = |(gobo, projection): (Gobo<'static>, Projection)| Ok(gobo.on(projection.compile()?));
+        self.gobo.map(on).transpose()
     }
 }
 
 impl<L: Into<Lamp>> From<L> for Luminaire {
     fn from(lamp: L) -> Self {
-        Self { lamp: lamp.into(), shadow: None }
+        Self { lamp: lamp.into(), gobo: None, shadow: None }
     }
 }

@@ -19,6 +19,14 @@ pub(crate) struct Block<S: Scalar> {
     pub(crate) bounds: Option<Bounds>,
 }
 
+impl<S: Scalar> Block<S> {
+    /// The point of a pixel.
+    #[inline(always)]
+    pub(crate) fn point_at(&self, lane: usize) -> Vec3<S::Length> {
+        Vec3::new(self.point.x[lane], self.point.y[lane], self.point.z[lane])
+    }
+}
+
 /// The blocks of a picture, row by row.
 #[derive(Clone, Debug)]
 pub(crate) struct GBuffer<S: Scalar> {

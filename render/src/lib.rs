@@ -37,6 +37,7 @@ mod display;
 pub mod examples;
 mod format;
 mod gbuffer;
+pub mod gobos;
 mod lighting;
 mod memory;
 mod mesh;

@@ -7,7 +7,8 @@ use crate::{
     scene::{Highlight, Material},
 };
 use luminaire::{
-    Arrival, CompiledLamp, Error, Luminaire, Matte, Plan, Rgb, Scalar, Specular, Surface, Surfaces, Vec3,
+    Arrival, CompiledGobo, CompiledLamp, Error, Luminaire, Matte, Plan, Rgb, Scalar, Specular, Surface,
+    Surfaces, Vec3,
 };
 
 /// The light that the pixels of a block send to the eye: linear, 1 is full scale.
@@ -20,6 +21,7 @@ type Light<S> = Rgb<[<S as Scalar>::Irradiance; LANES]>;
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Prepared<S: Scalar> {
     lamp: CompiledLamp<S>,
+    gobo: Option<CompiledGobo<'static, S>>,
     pub(crate) reach: Reach,
 }
 
@@ -46,9 +48,8 @@ impl<S: Scalar> Prepared<S> {
     /// # Errors
     /// What the format can't hold.
     pub(crate) fn new(luminaire: &Luminaire, plan: &Plan) -> Result<Option<Self>, Error> {
-        let lamp = luminaire.lamp();
-        let compiled = plan.prepare(lamp)?;
-        Ok(compiled.map(|compiled| Self { lamp: compiled, reach: Reach::new(lamp) }))
+        let (lamp, gobo) = (plan.prepare(luminaire.lamp())?, luminaire.compile_gobo()?);
+        Ok(lamp.map(|lamp| Self { lamp, gobo, reach: Reach::new(luminaire.lamp()) }))
     }
 }
 
@@ -94,9 +95,9 @@ impl<S: Format> Setting<'_, S> {
         };
         let dark = [S::Irradiance::default(); LANES];
         let mut arrivals = Arrival { diffuse: dark, specular: dark };
-        for Prepared { lamp, .. } in lamps {
+        for Prepared { lamp, gobo, .. } in lamps {
+            let mut lobes = dark;
             if shines {
-                let mut lobes = dark;
                 for number in self.shining(block) {
                     let highlight = &self.finishes[number as usize].highlight;
                     lamp.arrive_each::<Highlight, SKIPS, LANES>(&surfaces, highlight, &mut arrivals);
@@ -104,11 +105,18 @@ impl<S: Format> Setting<'_, S> {
                         *lobe = if block.material[lane] == number { arrivals.specular[lane] } else { *lobe };
                     }
                 }
-                add::<S>(specular, &lobes, lamp.specular_color());
             } else {
                 lamp.arrive_each::<Matte, SKIPS, LANES>(&surfaces, &(), &mut arrivals);
             }
+            if let Some(gobo) = gobo {
+                let part = core::array::from_fn(|lane| gobo.at(block.point_at(lane)));
+                filter::<S>(&mut arrivals.diffuse, &part);
+                filter::<S>(&mut lobes, &part);
+            }
             add::<S>(diffuse, &arrivals.diffuse, lamp.color());
+            if shines {
+                add::<S>(specular, &lobes, lamp.specular_color());
+            }
         }
         let mut radiance = reflected::<S>(diffuse, block, |number| self.finishes[number].material.albedo);
         if shines {
@@ -135,8 +143,7 @@ impl<S: Format> Setting<'_, S> {
     fn views(&self, block: &Block<S>) -> Vec3<[S::Unit; LANES]> {
         let mut views = Vec3::default().map(|()| [S::Unit::default(); LANES]);
         for lane in 0..LANES {
-            let point = Vec3::new(block.point.x[lane], block.point.y[lane], block.point.z[lane]);
-            let view = Surface::<S>::seen_from(self.eye, point, Vec3::default()).view;
+            let view = Surface::<S>::seen_from(self.eye, block.point_at(lane), Vec3::default()).view;
             views.x[lane] = view.x;
             views.y[lane] = view.y;
             views.z[lane] = view.z;
@@ -147,6 +154,14 @@ impl<S: Format> Setting<'_, S> {
 
 fn borrowed<T>(columns: &Vec3<T>) -> Vec3<&T> {
     Vec3::new(&columns.x, &columns.y, &columns.z)
+}
+
+/// Leaves a part of the light.
+#[inline(always)]
+fn filter<S: Scalar>(light: &mut [S::Irradiance; LANES], part: &[S; LANES]) {
+    for (light, part) in light.iter_mut().zip(part) {
+        *light = S::filter(*light, *part);
+    }
 }
 
 /// Adds the light of a lamp in its colour.

@@ -248,7 +248,7 @@ impl<S: Format> Renderer<S> {
         let block = &self.geometry.blocks[self.block(x, y)?];
         let lane = x % LANES;
         let number = block.material[lane] as usize;
-        let point = Vec3::new(block.point.x[lane], block.point.y[lane], block.point.z[lane]);
+        let point = block.point_at(lane);
         let normal = Vec3::new(block.normal.x[lane], block.normal.y[lane], block.normal.z[lane]);
         (number > 0).then(|| (point, normal, *self.finishes[number].material()))
     }

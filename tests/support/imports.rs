@@ -6,7 +6,7 @@ use super::{
     reference,
 };
 use luminaire::{
-    Angle, Matched, Spot, Vec3,
+    Angle, Distance, Matched, Spot, Vec3,
     import::{self, Imported, Lamp},
 };
 
@@ -160,6 +160,7 @@ pub fn curve(profile: Matched, t: f64) -> f64 {
         Matched::Rim(rim) => 1.0 - u.powi(rim.exponent() as i32),
         Matched::MixedPower(power) => mixed(t, power.exponents(), power.share()),
         Matched::MixedRim(rim) => 1.0 - mixed(u, rim.exponents(), rim.share()),
+        Matched::Blend(_) | Matched::Table(_) => panic!("no import makes {profile:?}"),
     }
 }
 
@@ -181,6 +182,7 @@ pub fn fall(light: &Spot<Matched, Distance>, d: f64) -> f64 {
         Distance::FadedConstant(model) => window(model.range()).powi(2),
         Distance::SquaredWindow(model) => window(model.range()).powi(2) / (d * d),
         Distance::FadedPolynomial(model) => window(model.range()).powi(2) * polynomial(model.attenuation()),
+        Distance::SmoothRange(_) => panic!("no import makes a smooth range"),
     };
     f64::from(light.intensity()) * model
 }
