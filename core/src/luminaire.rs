@@ -68,11 +68,6 @@ impl Luminaire {
         }
     }
 
-    /// The same luminaire with another lamp, as one that has turned or is dimmed: all else that is asked for stays.
-    pub fn with_lamp(self, lamp: impl Into<Lamp>) -> Self {
-        Self { lamp: lamp.into(), ..self }
-    }
-
     /// The lamp.
     pub fn lamp(&self) -> &Lamp {
         &self.lamp

@@ -2,19 +2,21 @@
 
 use core::f32::consts::TAU;
 use glam::{Vec2, Vec3};
-use luminaire::{Distance, Error, Lamp, Luminaire, Matched, Spot};
+use luminaire::{Angle, Distance, Error, Gobo, Lamp, Luminaire, Matched, Spot};
 
-/// A luminaire of a scene.
+/// A luminaire of a scene, with what it does as the seconds pass.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Fixture {
     /// What the trade calls it.
     pub name: &'static str,
-    /// The luminaire, before it moves.
-    pub luminaire: Luminaire,
+    /// The lamp before it moves.
+    lamp: Lamp,
     motion: Motion,
+    gobo: Option<Wheel>,
+    shadow: Option<u16>,
 }
 
-/// What changes with the seconds.
+/// How a lamp changes.
 #[derive(Clone, Copy, PartialEq, Debug)]
 enum Motion {
     Still,
@@ -29,7 +31,7 @@ pub(super) struct Sweep {
     /// Half the width and half the depth of the ellipse, in metres.
     pub(super) radii: Vec2,
     pub(super) period: f32,
-    /// Where on its way the point begins, as a fraction of the whole.
+    /// Where on its way the point begins, as a part of the whole.
     pub(super) start: f32,
 }
 
@@ -44,10 +46,18 @@ pub(super) struct Chase {
     pub(super) bump: f32,
 }
 
+/// A gobo that turns.
+#[derive(Clone, Copy, PartialEq, Debug)]
+struct Wheel {
+    gobo: Gobo<'static>,
+    /// Degrees in a second.
+    speed: f32,
+}
+
 impl Fixture {
     /// A luminaire that stays as it is.
-    pub(super) fn new(name: &'static str, luminaire: impl Into<Luminaire>) -> Self {
-        Self { name, luminaire: luminaire.into(), motion: Motion::Still }
+    pub(super) fn new(name: &'static str, lamp: impl Into<Lamp>) -> Self {
+        Self { name, lamp: lamp.into(), motion: Motion::Still, gobo: None, shadow: None }
     }
 
     pub(super) fn sweeping(self, sweep: Sweep) -> Self {
@@ -58,22 +68,45 @@ impl Fixture {
         Self { motion: Motion::Chase(chase), ..self }
     }
 
+    /// The same fixture with a gobo that turns by so many degrees in a second.
+    pub(super) fn with_gobo(self, gobo: Gobo<'static>, speed: f32) -> Self {
+        Self { gobo: Some(Wheel { gobo, speed }), ..self }
+    }
+
+    /// The same fixture with shadows, by a map of so many texels a side: see [`Luminaire::with_shadow`].
+    pub fn with_shadow(self, side: u16) -> Self {
+        Self { shadow: Some(side), ..self }
+    }
+
     /// The luminaire after so many seconds.
     ///
     /// # Errors
-    /// Seconds that are not finite, where it moves.
+    /// Seconds that are not finite, where something moves. Shadows that the luminaire can't have.
     pub fn at(&self, seconds: f32) -> Result<Luminaire, Error> {
-        let Lamp::Spot(spot) = self.luminaire.lamp() else { return Ok(self.luminaire) };
-        match &self.motion {
-            Motion::Still => Ok(self.luminaire),
-            Motion::Sweep(sweep) => Ok(self.luminaire.with_lamp(sweep.turned(spot, seconds)?)),
-            Motion::Chase(chase) => Ok(self.luminaire.with_lamp(chase.bumped(spot, seconds)?)),
+        let mut luminaire = Luminaire::from(self.lamp_at(seconds)?);
+        if let Some(Wheel { gobo, speed }) = self.gobo {
+            luminaire = luminaire.with_gobo(gobo, Angle::degrees(speed * seconds % 360.0))?;
+        }
+        if let Some(side) = self.shadow {
+            luminaire = luminaire.with_shadow(side)?;
+        }
+        Ok(luminaire)
+    }
+
+    fn lamp_at(&self, seconds: f32) -> Result<Lamp, Error> {
+        match (&self.lamp, &self.motion) {
+            (Lamp::Spot(spot), Motion::Sweep(sweep)) => Ok(sweep.turned(spot, seconds)?.into()),
+            (Lamp::Spot(spot), Motion::Chase(chase)) => Ok(chase.bumped(spot, seconds)?.into()),
+            _ => Ok(self.lamp),
         }
     }
 }
 
+/// A spotlight of any kind.
+type AnySpot = Spot<Matched, Distance>;
+
 impl Sweep {
-    fn turned(&self, spot: &Spot<Matched, Distance>, seconds: f32) -> Result<Spot<Matched, Distance>, Error> {
+    fn turned(&self, spot: &AnySpot, seconds: f32) -> Result<AnySpot, Error> {
         let around = self.radii * Vec2::from_angle(TAU * (seconds / self.period + self.start));
         let target = self.center + Vec3::new(around.x, 0.0, around.y);
         spot.with_axis((target - Vec3::from(spot.position())).into())
@@ -81,7 +114,7 @@ impl Sweep {
 }
 
 impl Chase {
-    fn bumped(&self, spot: &Spot<Matched, Distance>, seconds: f32) -> Result<Spot<Matched, Distance>, Error> {
+    fn bumped(&self, spot: &AnySpot, seconds: f32) -> Result<AnySpot, Error> {
         let now = (seconds / self.step) as usize % self.turns;
         if now == self.turn { spot.with_intensity(self.bump * spot.intensity()) } else { Ok(*spot) }
     }

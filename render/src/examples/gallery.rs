@@ -16,7 +16,7 @@ pub(super) fn setup() -> Result<Setup, Error> {
     hall::sculptures(&mut scene)?;
     hall::pictures(&mut scene);
     hall::room(&mut scene);
-    let camera = Camera::new(Vec3::new(0.0, 1.62, -1.0), 7.7, 0.0, 0.045, 0.56);
+    let camera = Camera::new(Vec3::new(0.0, 1.5, -1.0), 7.7, 0.0, 0.07, 0.56);
     Ok(Setup::new(scene, camera, fixtures()?))
 }
 

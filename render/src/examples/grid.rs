@@ -27,10 +27,10 @@ pub(super) fn wide() -> Result<Setup, Error> {
 
 fn setup(columns: usize, rows: usize, outer: HalfAngle) -> Result<Setup, Error> {
     let mut scene = Scene::new();
-    // A little larger than what is lit: the far edge stays out of the picture.
+    // Larger than what is lit, so that its edges stay out of the picture.
     scene.add(floor(SIDE + 6.0, SIDE + 6.0), Material::srgb(212, 208, 202));
     // From far away, so that the floor is a parallelogram almost: its depth of 16 m is as high as 9 m of its width.
-    let camera = Camera::new(Vec3::new(0.0, 0.0, 0.0), 90.0, 0.0, 0.6, 0.0995);
+    let camera = Camera::new(Vec3::new(0.0, 0.0, 0.2), 90.0, 0.0, 0.61, 0.108);
     let cone = Cone::from_outer(Soft, outer)?;
     let turns = columns * rows;
     let mut fixtures = Vec::with_capacity(turns);
@@ -39,8 +39,8 @@ fn setup(columns: usize, rows: usize, outer: HalfAngle) -> Result<Setup, Error> 
         let (x, z) = (place(turn % columns, columns), place(turn / columns, rows));
         let spot = aimed(Vec3::new(x, HEIGHT, z), Vec3::new(x, 0.0, z), cone)?
             .with_color(gel(x / SIDE + 0.5, z / SIDE + 0.5))?
-            .with_intensity(0.62 * HEIGHT * HEIGHT)?;
-        let chase = Chase { turn, turns, step: 0.25, bump: 1.6 };
+            .with_intensity(0.86 * HEIGHT * HEIGHT)?;
+        let chase = Chase { turn, turns, step: 0.25, bump: 1.5 };
         fixtures.push(Fixture::new("downlight", spot).chased(chase));
     }
     Ok(Setup::new(scene, camera, fixtures))
@@ -50,5 +50,5 @@ fn setup(columns: usize, rows: usize, outer: HalfAngle) -> Result<Setup, Error> 
 fn gel(across: f32, along: f32) -> Rgb<f32> {
     let (amber, blue) = (Rgb::new(1.0, 0.36, 0.06), Rgb::new(0.1, 0.3, 1.0));
     let pure = amber.zip(blue, |a, b| a + across * (b - a));
-    pure.map(|channel| channel + 0.6 * along * (1.0 - channel))
+    pure.map(|channel| channel + 0.45 * along * (1.0 - channel))
 }

@@ -19,7 +19,7 @@ use luminaire::{Angle, Cone, Error, HalfAngle, Rgb, Soft};
 const GOLDEN_ANGLE: f32 = 2.399_963;
 
 /// The light of all spotlights together, however many there are: their intensities, summed.
-const INTENSITY: f32 = 170.0;
+const INTENSITY: f32 = 260.0;
 
 /// The scene of [`Example::Turntable`](super::Example::Turntable) under so many spotlights, 1 at least, of 15 degrees
 /// half angle. Their light together is the same for every number. The camera swings from side to side.
@@ -48,8 +48,8 @@ fn scene() -> Result<Scene, Error> {
     place(torus(0.42, 0.15), 0.62, 0.0, 0.78, gloss(206, 152, 60, 0.45, 48)?);
     place(vase(), 0.42, 0.0, -0.5, gloss(44, 122, 128, 0.5, 128)?);
     place(lying, -0.7, 0.24, 1.05, gloss(92, 82, 152, 0.4, 64)?);
-    place(floor(14.0, 12.0), 0.0, 0.0, 0.0, gloss(132, 128, 124, 0.1, 32)?);
-    place(wall(14.0, 6.0, -2.2), 0.0, 0.0, 0.0, gloss(150, 152, 160, 0.05, 16)?);
+    place(floor(14.0, 12.0), 0.0, 0.0, 0.0, gloss(122, 118, 114, 0.12, 40)?);
+    place(wall(14.0, 6.0, -1.9), 0.0, 0.0, 0.0, gloss(168, 172, 182, 0.05, 16)?);
     Ok(scene)
 }
 
@@ -59,8 +59,8 @@ fn fixture(number: usize, count: usize) -> Result<Fixture, Error> {
     let around = Vec2::from_angle(GOLDEN_ANGLE * number as f32);
     // In front of the wall, and more of them towards the eye.
     let position = Vec3::new(3.2 * around.x, 4.0 + 0.8 * part, 1.2 + 2.6 * around.y);
-    let center = 1.5 * part.sqrt() * Vec2::from_angle(GOLDEN_ANGLE * (number + 2) as f32);
-    let center = Vec3::new(center.x, 0.2, 0.2 + 0.8 * center.y);
+    let center = (0.4 + 1.5 * part) * Vec2::from_angle(GOLDEN_ANGLE * (number + 2) as f32);
+    let center = Vec3::new(center.x, 0.5, -0.5 + center.y);
     let cone = Cone::from_outer(Soft, Angle::from(HalfAngle::degrees(15.0)))?;
     let spot = aimed(position.into(), center.into(), cone)?
         .with_color(gel(number))?
@@ -72,5 +72,5 @@ fn fixture(number: usize, count: usize) -> Result<Fixture, Error> {
 /// The colour of a spotlight: pale, and no two neighbours alike.
 fn gel(number: usize) -> Rgb<f32> {
     let hue = Vec2::from_angle(TAU * 0.38 * number as f32);
-    Rgb::new(0.8 + 0.2 * hue.x, 0.78 + 0.12 * hue.y, 0.8 - 0.2 * hue.x)
+    Rgb::new(0.72 + 0.28 * hue.x, 0.7 + 0.18 * hue.y, 0.72 - 0.28 * hue.x)
 }

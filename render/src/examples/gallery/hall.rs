@@ -9,7 +9,7 @@ use core::f32::consts::FRAC_PI_2;
 use luminaire::{Error, Rgb, Vec3};
 
 /// Half the width of the hall, how far away its back wall is, and how high the walls are, in metres.
-const HALF: f32 = 5.0;
+const HALF: f32 = 4.2;
 const BACK: f32 = -4.0;
 const HEIGHT: f32 = 6.0;
 
@@ -26,20 +26,20 @@ pub(super) enum Side {
 
 /// Where pictures hang: along which wall, and how far along it.
 pub(super) const PICTURES: [(f32, Side); 7] = [
-    (-1.9, Side::Left),
-    (0.6, Side::Left),
-    (-3.1, Side::Back),
+    (-2.6, Side::Left),
+    (-0.5, Side::Left),
+    (-2.6, Side::Back),
     (0.0, Side::Back),
-    (3.1, Side::Back),
-    (-1.9, Side::Right),
-    (0.6, Side::Right),
+    (2.6, Side::Back),
+    (-2.6, Side::Right),
+    (-0.5, Side::Right),
 ];
 
 /// Where sculptures stand: x and z.
-pub(super) const SCULPTURES: [(f32, f32); 4] = [(-2.3, -0.9), (-0.85, 0.5), (0.95, -1.3), (2.35, 0.1)];
+pub(super) const SCULPTURES: [(f32, f32); 4] = [(-2.1, -1.0), (-0.85, 0.3), (0.95, -1.4), (2.15, 0.0)];
 
 /// Where pendants hang: x and z.
-pub(super) const PENDANTS: [(f32, f32); 2] = [(-1.6, -2.9), (1.6, -2.9)];
+pub(super) const PENDANTS: [(f32, f32); 2] = [(-1.3, -3.1), (1.3, -3.1)];
 
 /// The paints of the pictures: the ground and two fields.
 const PAINTS: [[(u8, u8, u8); 3]; 7] = [
