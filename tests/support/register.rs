@@ -182,7 +182,7 @@ pub(crate) const REGISTER: &[Held] = &[
     // What is only stored.
     by("tests/kept.rs::lights_keep_what_they_are_given", &[
         "Ambient::color", "Ambient::intensity", "Point::new", "Point::position", "Point::attenuation",
-        "Spot::position", "Spot::cone", "Spot::with_cone", "Spot::with_attenuation",
+        "Spot::position", "Spot::cone", "Spot::with_axis", "Spot::with_cone", "Spot::with_attenuation",
         "emission_methods!::color", "emission_methods!::specular_color", "emission_methods!::intensity",
     ]),
     by("tests/kept.rs::compiled_lights_keep_their_colors", &[

@@ -80,6 +80,15 @@ impl<P: Profile, A: Attenuation> Spot<P, A> {
         Spot { position, axis, cone, attenuation, emission }
     }
 
+    /// The same spotlight, turned to point along another axis, which need not have unit length.
+    ///
+    /// # Errors
+    /// An axis that is zero, not finite, or of a length that cannot be squared.
+    pub fn with_axis(&self, axis: Vec3<f32>) -> Result<Self, Error> {
+        let (axis, _) = unit_axis(Parameter::Axis, axis)?;
+        Ok(Self { axis, ..*self })
+    }
+
     /// The same spotlight with another distance model.
     pub fn with_attenuation<B: Attenuation>(&self, attenuation: B) -> Spot<P, B> {
         let Self { position, axis, cone, emission, .. } = *self;

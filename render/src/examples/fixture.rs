@@ -1,0 +1,121 @@
+//! Luminaires that hang in a scene, each with a name, and with a movement if it has one.
+
+use core::f32::consts::TAU;
+use glam::{Vec2, Vec3};
+use luminaire::{Angle, Distance, Error, Gobo, Lamp, Luminaire, Matched, Spot};
+
+/// A luminaire of a scene, with what it does as the seconds pass.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Fixture {
+    /// What the trade calls it.
+    pub name: &'static str,
+    /// The lamp before it moves.
+    lamp: Lamp,
+    motion: Motion,
+    gobo: Option<Wheel>,
+    shadow: Option<u16>,
+}
+
+/// How a lamp changes.
+#[derive(Clone, Copy, PartialEq, Debug)]
+enum Motion {
+    Still,
+    Sweep(Sweep),
+    Chase(Chase),
+}
+
+/// A spotlight follows a point that goes round an ellipse on the level, once in so many seconds.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(super) struct Sweep {
+    pub(super) center: Vec3,
+    /// Half the width and half the depth of the ellipse, in metres.
+    pub(super) radii: Vec2,
+    pub(super) period: f32,
+    /// Where on its way the point begins, as a part of the whole.
+    pub(super) start: f32,
+}
+
+/// A spotlight is brighter when its turn has come, among so many that take turns.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(super) struct Chase {
+    pub(super) turn: usize,
+    pub(super) turns: usize,
+    /// Seconds of a turn.
+    pub(super) step: f32,
+    /// The intensity in its turn over that before and after.
+    pub(super) bump: f32,
+}
+
+/// A gobo that turns.
+#[derive(Clone, Copy, PartialEq, Debug)]
+struct Wheel {
+    gobo: Gobo<'static>,
+    /// Degrees in a second.
+    speed: f32,
+}
+
+impl Fixture {
+    /// A luminaire that stays as it is.
+    pub(super) fn new(name: &'static str, lamp: impl Into<Lamp>) -> Self {
+        Self { name, lamp: lamp.into(), motion: Motion::Still, gobo: None, shadow: None }
+    }
+
+    pub(super) fn sweeping(self, sweep: Sweep) -> Self {
+        Self { motion: Motion::Sweep(sweep), ..self }
+    }
+
+    pub(super) fn chased(self, chase: Chase) -> Self {
+        Self { motion: Motion::Chase(chase), ..self }
+    }
+
+    /// The same fixture with a gobo that turns by so many degrees in a second.
+    pub(super) fn with_gobo(self, gobo: Gobo<'static>, speed: f32) -> Self {
+        Self { gobo: Some(Wheel { gobo, speed }), ..self }
+    }
+
+    /// The same fixture with shadows, by a map of so many texels a side: see [`Luminaire::with_shadow`].
+    pub fn with_shadow(self, side: u16) -> Self {
+        Self { shadow: Some(side), ..self }
+    }
+
+    /// The luminaire after so many seconds.
+    ///
+    /// # Errors
+    /// Seconds that are not finite, where something moves. Shadows that the luminaire can't have.
+    pub fn at(&self, seconds: f32) -> Result<Luminaire, Error> {
+        let mut luminaire = Luminaire::from(self.lamp_at(seconds)?);
+        if let Some(Wheel { gobo, speed }) = self.gobo {
+            luminaire = luminaire.with_gobo(gobo, Angle::degrees(speed * seconds % 360.0))?;
+        }
+        if let Some(side) = self.shadow {
+            luminaire = luminaire.with_shadow(side)?;
+        }
+        Ok(luminaire)
+    }
+
+    fn lamp_at(&self, seconds: f32) -> Result<Lamp, Error> {
+        match (&self.lamp, &self.motion) {
+            (Lamp::Spot(spot), Motion::Sweep(sweep)) => Ok(sweep.turned(spot, seconds)?.into()),
+            (Lamp::Spot(spot), Motion::Chase(chase)) => Ok(chase.bumped(spot, seconds)?.into()),
+            _ => Ok(self.lamp),
+        }
+    }
+}
+
+/// A spotlight of any kind.
+type AnySpot = Spot<Matched, Distance>;
+
+impl Sweep {
+    fn turned(&self, spot: &AnySpot, seconds: f32) -> Result<AnySpot, Error> {
+        let around = self.radii * Vec2::from_angle(TAU * (seconds / self.period + self.start));
+        let target = self.center + Vec3::new(around.x, 0.0, around.y);
+        spot.with_axis((target - Vec3::from(spot.position())).into())
+    }
+}
+
+impl Chase {
+    fn bumped(&self, spot: &AnySpot, seconds: f32) -> Result<AnySpot, Error> {
+        let now = (seconds / self.step) as usize % self.turns;
+        if now == self.turn { spot.with_intensity(self.bump * spot.intensity()) } else { Ok(*spot) }
+    }
+}

@@ -1,0 +1,91 @@
+//! The spotlights of the gallery: each profile and each distance model in turn.
+
+use crate::examples::{Fixture, room::aimed};
+use luminaire::{
+    Angle, Cone, CutOff, Distance, Error, Faded, Hard, HardRange, InverseSquare, Linear, Matched, MixedPower,
+    MixedRim, Polynomial, Power, Rgb, Rim, Smooth, SmoothRange, Soft, Spot, SquaredWindow, Table,
+    Unattenuated, Vec3, Windowed,
+};
+
+/// A profile as a goniometer measures it: 11 samples from the axis to the outer angle, with a bright ring.
+const MEASURED: [u16; 11] =
+    [65_535, 64_200, 61_000, 56_500, 53_900, 54_800, 47_000, 30_500, 14_200, 4_100, 0];
+
+/// How many profiles and distance models there are.
+const PROFILES: usize = 12;
+const DISTANCES: usize = 8;
+
+/// A spotlight on a track, of a kind that goes by its number, that lights its target to a level.
+pub(super) fn track_spot(
+    number: usize,
+    position: Vec3<f32>,
+    target: Vec3<f32>,
+    level: f32,
+) -> Result<Fixture, Error> {
+    let (name, cone) = kind(number % PROFILES)?;
+    let spot = aimed(position, target, cone)?.with_attenuation(distance(number % DISTANCES)?);
+    Ok(Fixture::new(name, lit_to(level, target, spot.with_color(tint(number))?)?))
+}
+
+/// A spotlight with a hotspot and an iris.
+pub(super) fn follow_spot(position: Vec3<f32>, target: Vec3<f32>) -> Result<Fixture, Error> {
+    let cone = Cone::from_outer(Hard, Angle::degrees(16.0))?
+        .with_inner(Angle::degrees(9.0))?
+        .with_delimiter(Angle::degrees(14.5))?;
+    let spot = aimed(position, target, cone)?.with_color(Rgb::new(0.9, 0.95, 1.0))?.with_intensity(9.0)?;
+    Ok(Fixture::new("follow spot", spot))
+}
+
+/// The name and the cone of a kind of spotlight: about 40 degrees wide in the beam or in the field.
+fn kind(number: usize) -> Result<(&'static str, Cone<Matched>), Error> {
+    let field = |profile: Matched| Cone::from_field(profile, Angle::degrees(42.0));
+    let data_sheet = |beam: f32, field: f32| {
+        let cone = Cone::from_beam_and_field(Angle::degrees(beam), Angle::degrees(field))?;
+        Ok(cone.with_profile(Matched::from(cone.profile())))
+    };
+    Ok(match number {
+        0 => ("Fresnel", field(Soft.into())?),
+        1 => ("profile spot", field(Hard.into())?),
+        2 => ("wall washer", data_sheet(30.0, 44.0)?),
+        3 => ("PAR", data_sheet(24.0, 44.0)?),
+        4 => ("pebble convex", field(Smooth.into())?),
+        5 => ("reflector lamp", field(Power::<3>.into())?),
+        6 => ("framing projector", Cone::from_outer(CutOff.into(), Angle::degrees(34.0))?),
+        7 => ("accent spot", field(Linear.into())?),
+        8 => ("zoom profile", field(Rim::<4>.into())?),
+        9 => ("lensed spot", field(MixedPower::new([2, 5], 0.5)?.into())?),
+        10 => ("contour spot", field(MixedRim::new([2, 6], 0.4)?.into())?),
+        _ => ("measured spot", field(Table::of(&MEASURED).into())?),
+    })
+}
+
+/// A distance model.
+fn distance(number: usize) -> Result<Distance, Error> {
+    Ok(match number {
+        0 => InverseSquare.into(),
+        1 => SquaredWindow::new(Some(9.0))?.into(),
+        2 => Polynomial::new(0.0, 0.5, 0.8)?.into(),
+        3 => SmoothRange::new(8.0)?.into(),
+        4 => Windowed::new(Some(8.0))?.into(),
+        5 => HardRange::new(InverseSquare, Some(9.0))?.into(),
+        6 => Faded::new(Polynomial::new(0.2, 0.0, 1.0)?, Some(9.0))?.into(),
+        _ => Faded::new(Unattenuated, Some(7.0))?.into(),
+    })
+}
+
+/// The white of a lamp: from that of an incandescent one to that of a cool fluorescent one.
+fn tint(number: usize) -> Rgb<f32> {
+    let cool = (number * 5 % 8) as f32 / 7.0;
+    Rgb::new(1.0, 0.8 + 0.16 * cool, 0.56 + 0.4 * cool)
+}
+
+/// The spotlight at the intensity that lights what faces it at the target to this level, whatever its distance model.
+fn lit_to(
+    level: f32,
+    target: Vec3<f32>,
+    spot: Spot<Matched, Distance>,
+) -> Result<Spot<Matched, Distance>, Error> {
+    let facing = spot.axis().map(|component| -component);
+    let lit = spot.with_intensity(1.0)?.compile::<f32>()?.irradiance(target, facing);
+    spot.with_intensity(level / lit)
+}

@@ -1,0 +1,54 @@
+//! A floor of 16 x 16 metres under 64 narrow spotlights, and under 8 wide ones that light as many square metres of it.
+//!
+//! A spotlight that looks straight down from a height h lights a circle of radius `h tan a`, where a is its outer half
+//! angle: 64 circles of 10 degrees have the area of 8 circles of 26.5 degrees, within a thousandth.
+
+use super::{
+    Fixture, Setup,
+    fixture::Chase,
+    room::{aimed, floor},
+};
+use crate::{Camera, Material, Scene};
+use alloc::vec::Vec;
+use luminaire::{Cone, Error, HalfAngle, Rgb, Soft, Vec3};
+
+/// The side of the floor in metres.
+const SIDE: f32 = 16.0;
+/// How high the spotlights hang, in metres.
+const HEIGHT: f32 = 4.0;
+
+pub(super) fn narrow() -> Result<Setup, Error> {
+    setup(8, 8, HalfAngle::degrees(10.0))
+}
+
+pub(super) fn wide() -> Result<Setup, Error> {
+    setup(4, 2, HalfAngle::degrees(26.5))
+}
+
+fn setup(columns: usize, rows: usize, outer: HalfAngle) -> Result<Setup, Error> {
+    let mut scene = Scene::new();
+    // Larger than what is lit, so that its edges stay out of the picture.
+    scene.add(floor(SIDE + 6.0, SIDE + 6.0), Material::srgb(212, 208, 202));
+    // From far away, so that the floor is a parallelogram almost: its depth of 16 m is as high as 9 m of its width.
+    let camera = Camera::new(Vec3::new(0.0, 0.0, 0.2), 90.0, 0.0, 0.61, 0.108);
+    let cone = Cone::from_outer(Soft, outer)?;
+    let turns = columns * rows;
+    let mut fixtures = Vec::with_capacity(turns);
+    for turn in 0..turns {
+        let place = |number: usize, count: usize| SIDE * ((number as f32 + 0.5) / count as f32 - 0.5);
+        let (x, z) = (place(turn % columns, columns), place(turn / columns, rows));
+        let spot = aimed(Vec3::new(x, HEIGHT, z), Vec3::new(x, 0.0, z), cone)?
+            .with_color(gel(x / SIDE + 0.5, z / SIDE + 0.5))?
+            .with_intensity(0.86 * HEIGHT * HEIGHT)?;
+        let chase = Chase { turn, turns, step: 0.25, bump: 1.5 };
+        fixtures.push(Fixture::new("downlight", spot).chased(chase));
+    }
+    Ok(Setup::new(scene, camera, fixtures))
+}
+
+/// The colour at a place of the floor: from amber on the left to blue on the right, paler towards the front.
+fn gel(across: f32, along: f32) -> Rgb<f32> {
+    let (amber, blue) = (Rgb::new(1.0, 0.36, 0.06), Rgb::new(0.1, 0.3, 1.0));
+    let pure = amber.zip(blue, |a, b| a + across * (b - a));
+    pure.map(|channel| channel + 0.45 * along * (1.0 - channel))
+}
