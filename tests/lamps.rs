@@ -363,7 +363,7 @@ fn what_projects_no_square_is_refused() -> Result<(), Error> {
     assert_eq!(key.gobo(), Some((BARS, square)));
     assert_eq!(key.compile_gobo::<f32>()?, Some(BARS.on(square.compile()?)));
     assert_eq!(Luminaire::from(spot(Soft)?).compile_gobo::<f32>()?, None);
-    let wide = spot(Soft)?.with_cone(Cone::from_outer(Soft.into(), Angle::degrees(170.0))?);
+    let wide = spot(Soft)?.with_cone(Cone::from_outer(Soft, Angle::degrees(170.0))?);
     let odd: [(Luminaire, u32); 3] =
         [(wide.into(), 170), (Point::new(down())?.into(), 360), (Directional::new(down())?.into(), 0)];
     for (luminaire, angle) in odd {
