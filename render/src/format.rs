@@ -34,20 +34,7 @@ impl Format for Fx16 {
     const STATED_ERROR: u8 = 5;
 }
 
-/// Vector instructions are quicker without asking of each point if light can arrive there.
-impl Loops for f32 {
-    fn light(
-        setting: &Setting<'_, Self>,
-        block: &Block<Self>,
-        lamps: &mut dyn Iterator<Item = &Prepared<Self>>,
-    ) -> Radiance {
-        setting.light::<false>(block, lamps)
-    }
-}
-
-/// Where points are computed one by one, it pays to ask of each if light can arrive there before its square root is paid
-/// for.
-macro_rules! asks_each_point {
+macro_rules! loops {
     ($($format:ty)*) => {$(
         impl Loops for $format {
             fn light(
@@ -55,17 +42,13 @@ macro_rules! asks_each_point {
                 block: &Block<Self>,
                 lamps: &mut dyn Iterator<Item = &Prepared<Self>>,
             ) -> Radiance {
-                if setting.plan.skips() {
-                    setting.light::<true>(block, lamps)
-                } else {
-                    setting.light::<false>(block, lamps)
-                }
+                setting.light(block, lamps)
             }
         }
     )*};
 }
 
-asks_each_point!(Fx32 Fx16);
+loops!(f32 Fx32 Fx16);
 
 /// The largest difference of a channel between a picture lit in this format and one in `f32`, in sRGB codes
 /// of 0 to 255.

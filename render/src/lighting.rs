@@ -6,8 +6,8 @@ use crate::{
     scene::{Highlight, Material},
 };
 use luminaire::{
-    Arrival, CompiledGobo, CompiledLamp, Error, Luminaire, Matte, Plan, Rgb, Scalar, Specular, Surface,
-    Surfaces, Vec3,
+    Arrival, CompiledGobo, CompiledLamp, Error, Light as _, Luminaire, Matte, Plan, Rgb, Scalar, Specular,
+    Surface, Surfaces, Vec3,
 };
 
 /// The light that the pixels of a block send to the eye: linear, 1 is full scale.
@@ -63,13 +63,9 @@ impl<S: Scalar> Finish<S> {
 }
 
 impl<S: Scalar> Setting<'_, S> {
-    /// Lights the pixels of a block; with `SKIPS`, none where a lamp's light cannot arrive.
+    /// Lights the pixels of a block.
     #[inline(always)]
-    pub(crate) fn light<const SKIPS: bool>(
-        &self,
-        block: &Block<S>,
-        lamps: &mut dyn Iterator<Item = &Prepared<S>>,
-    ) -> Radiance {
+    pub(crate) fn light(&self, block: &Block<S>, lamps: &mut dyn Iterator<Item = &Prepared<S>>) -> Radiance {
         let mut sums = [self.ambient, Rgb::default()]
             .map(|light| light.map(|channel| [S::ONE.expose(S::gain(channel)); LANES]));
         let [diffuse, specular] = &mut sums;
@@ -88,13 +84,13 @@ impl<S: Scalar> Setting<'_, S> {
             if shines {
                 for number in self.shining(block) {
                     let highlight = &self.finishes[number as usize].highlight;
-                    lamp.arrive_each::<Highlight, SKIPS, LANES>(&surfaces, highlight, &mut arrivals);
+                    self.arrive::<Highlight>(lamp, &surfaces, highlight, &mut arrivals);
                     for (lane, lobe) in lobes.iter_mut().enumerate() {
                         *lobe = if block.material[lane] == number { arrivals.specular[lane] } else { *lobe };
                     }
                 }
             } else {
-                lamp.arrive_each::<Matte, SKIPS, LANES>(&surfaces, &(), &mut arrivals);
+                self.arrive::<Matte>(lamp, &surfaces, &(), &mut arrivals);
             }
             if let Some(gobo) = gobo {
                 let part = core::array::from_fn(|lane| gobo.at(block.point_at(lane)));
@@ -113,6 +109,25 @@ impl<S: Scalar> Setting<'_, S> {
                 .zip(shine, |diffuse, specular| core::array::from_fn(|lane| diffuse[lane] + specular[lane]));
         }
         radiance
+    }
+
+    /// What arrives of a lamp: by the loop that is made for it, or by none where nothing is left out.
+    #[inline(always)]
+    fn arrive<H: Specular>(
+        &self,
+        lamp: &CompiledLamp<S>,
+        surfaces: &Surfaces<'_, S, LANES>,
+        highlight: &H::Constants<S>,
+        arrivals: &mut Arrival<[S::Irradiance; LANES]>,
+    ) {
+        if self.plan.skips() {
+            return lamp.arrive_each::<H, LANES>(surfaces, highlight, arrivals);
+        }
+        for lane in 0..LANES {
+            let arrival = lamp.arrive::<H>(&surfaces.at(lane), highlight, false);
+            arrivals.diffuse[lane] = arrival.diffuse;
+            arrivals.specular[lane] = arrival.specular;
+        }
     }
 
     /// The numbers of the materials in a block that shine, each once; of all materials where nothing is left out.

@@ -159,14 +159,15 @@ pub(crate) const REGISTER: &[Held] = &[
     through("tests/operations.rs::parallel_light_keeps_its_row", &["Light for CompiledDirectional"]),
 
     // Lights that are chosen at run time, and the plan of a picture.
-    by("tests/lamps.rs::lamps_light_many_points_as_each", &["CompiledLamp::arrive_each", "Lamp::compile"]),
+    by("tests/lamps.rs::lamps_light_many_points_as_each", &[
+        "CompiledLamp::arrive_each", "Lamp::compile", "Light for CompiledLamp", "Surfaces::at",
+    ]),
     by("tests/lamps.rs::a_lamp_calls_for_what_it_is", &["Lamp::effects", "Lamp::intensity", "Luminaire::lamp"]),
     by("tests/lamps.rs::lamps_without_a_range_have_none", &[
         "Distance::range", "Cone::has_hotspot", "Cone::is_delimited",
     ]),
     by("tests/lamps.rs::a_dark_lamp_is_dropped", &[
         "Lamp::is_dark", "Luminaire::effects", "Plan::with_luminaire", "Plan::prepare", "Plan::everything",
-        "CompiledLamp::color", "CompiledLamp::specular_color",
     ]),
     through("tests/lamps.rs::a_dark_lamp_is_dropped", &["Lamp::color", "Lamp::specular_color"]),
     by("tests/lamps.rs::a_plan_calls_for_what_it_was_given", &[
