@@ -10,41 +10,32 @@ use alloc::{collections::TryReserveError, vec::Vec};
 /// One pixel in steps of a screen coordinate.
 const PIXEL: i64 = 1 << SUBPIXEL_BITS;
 
-/// The nearest fragment of each pixel. Rows are filled up to whole blocks of [`LANES`].
-#[derive(Clone, Debug)]
-pub(crate) struct Fragments {
-    width: usize,
-    height: usize,
-    stride: usize,
-    /// The reciprocal of the depth; 0 where nothing was drawn.
-    pub(crate) nearness: Vec<f32>,
-    /// Normals of any length.
-    pub(crate) normal: [Vec<f32>; 3],
-    /// The number of the material; 0 where nothing was drawn.
-    pub(crate) material: Vec<u32>,
+/// The pixels of a picture. Rows are filled up to their stride.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Grid {
+    pub(crate) width: usize,
+    pub(crate) height: usize,
+    pub(crate) stride: usize,
 }
 
-impl Fragments {
-    pub(crate) fn new(width: usize, height: usize) -> Result<Self, TryReserveError> {
-        let stride = width.next_multiple_of(LANES);
-        let count = stride * height;
-        let plane = || filled(count, 0.0_f32);
-        let normal = [plane()?, plane()?, plane()?];
-        Ok(Self { width, height, stride, nearness: plane()?, normal, material: filled(count, 0)? })
-    }
+/// Neighbouring pixels of a row that a triangle covers.
+pub(crate) struct Span<'a> {
+    /// Their numbers, row by row from the top.
+    pub(crate) pixels: core::ops::Range<usize>,
+    corners: [&'a Corner; 3],
+    /// The shares of the second and the third corner: of the first pixel, and the change to the next.
+    to_b: (f32, f32),
+    to_c: (f32, f32),
+}
 
-    /// Removes all fragments.
-    pub(crate) fn clear(&mut self) {
-        self.nearness.fill(0.0);
-        self.material.fill(0);
-    }
-
-    /// Draws a triangle whose corners follow each other against the clock; others are seen from behind and
-    /// left out.
-    pub(crate) fn draw(&mut self, corners: [Corner; 3], material: u32) {
+impl Grid {
+    /// Hands over what a triangle covers, row by row, if its corners follow each other against the clock:
+    /// others are seen from behind and cover nothing.
+    #[inline(always)]
+    pub(crate) fn cover(&self, corners: &[Corner; 3], mut fill: impl FnMut(Span<'_>)) {
         // With y downwards the sense of rotation is reversed.
         let [a, c, b] = corners;
-        let edges = [Edge::new(&b, &c), Edge::new(&c, &a), Edge::new(&a, &b)];
+        let edges = [Edge::new(b, c), Edge::new(c, a), Edge::new(a, b)];
         let area = edges[2].at(i64::from(c.x), i64::from(c.y));
         if area <= 0 {
             return;
@@ -68,19 +59,65 @@ impl Fragments {
                 let (at, step) = (edge.at(x_center, y_center), edge.step() * PIXEL);
                 (at as f32 * share, step as f32 * share)
             };
-            let (to_b, to_c) = (weight(&edges[1]), weight(&edges[2]));
-            let line = |a: f32, b: f32, c: f32| Line {
-                start: a + to_b.0 * (b - a) + to_c.0 * (c - a),
-                step: to_b.1 * (b - a) + to_c.1 * (c - a),
-            };
             let row = y as usize * self.stride;
-            self.fill(
-                row + start as usize..row + end as usize,
-                line(a.nearness, b.nearness, c.nearness),
-                [0, 1, 2].map(|i| line(a.normal[i], b.normal[i], c.normal[i])),
-                material,
-            );
+            fill(Span {
+                pixels: row + start as usize..row + end as usize,
+                corners: [a, b, c],
+                to_b: weight(&edges[1]),
+                to_c: weight(&edges[2]),
+            });
         }
+    }
+}
+
+impl Span<'_> {
+    /// A value of the corners along the pixels.
+    #[inline(always)]
+    pub(crate) fn line(&self, of: impl Fn(&Corner) -> f32) -> Line {
+        let [a, b, c] = self.corners.map(of);
+        Line {
+            start: a + self.to_b.0 * (b - a) + self.to_c.0 * (c - a),
+            step: self.to_b.1 * (b - a) + self.to_c.1 * (c - a),
+        }
+    }
+}
+
+/// The nearest fragment of each pixel. Rows are filled up to whole blocks of [`LANES`].
+#[derive(Clone, Debug)]
+pub(crate) struct Fragments {
+    grid: Grid,
+    /// The reciprocal of the depth; 0 where nothing was drawn.
+    pub(crate) nearness: Vec<f32>,
+    /// Normals of any length.
+    pub(crate) normal: [Vec<f32>; 3],
+    /// The number of the material; 0 where nothing was drawn.
+    pub(crate) material: Vec<u32>,
+}
+
+impl Fragments {
+    pub(crate) fn new(width: usize, height: usize) -> Result<Self, TryReserveError> {
+        let stride = width.next_multiple_of(LANES);
+        let count = stride * height;
+        let plane = || filled(count, 0.0_f32);
+        let normal = [plane()?, plane()?, plane()?];
+        let grid = Grid { width, height, stride };
+        Ok(Self { grid, nearness: plane()?, normal, material: filled(count, 0)? })
+    }
+
+    /// Removes all fragments.
+    pub(crate) fn clear(&mut self) {
+        self.nearness.fill(0.0);
+        self.material.fill(0);
+    }
+
+    /// Draws a triangle where it is seen from the front and nearer than what is there.
+    pub(crate) fn draw(&mut self, corners: [Corner; 3], material: u32) {
+        let grid = self.grid;
+        grid.cover(&corners, |span| {
+            let nearness = span.line(|corner| corner.nearness);
+            let normal = [0, 1, 2].map(|i| span.line(|corner| corner.normal[i]));
+            self.fill(span.pixels, nearness, normal, material);
+        });
     }
 
     /// Puts a span of fragments where they are nearer than what is there.
@@ -107,14 +144,14 @@ impl Fragments {
 
 /// A value that is linear along a span.
 #[derive(Clone, Copy)]
-struct Line {
+pub(crate) struct Line {
     start: f32,
     step: f32,
 }
 
 impl Line {
     #[inline(always)]
-    fn at(self, i: usize) -> f32 {
+    pub(crate) fn at(self, i: usize) -> f32 {
         self.start + self.step * i as f32
     }
 }
