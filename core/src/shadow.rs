@@ -62,11 +62,7 @@ impl<'a, S: Scalar> Shadow<'a, S> {
     ///
     /// # Errors
     /// A side that is not from 1 to 4,096 texels; depths that are not as many as its square.
-    pub fn new(
-        projection: CompiledProjection<S>,
-        depths: &'a [S::Length],
-        side: u32,
-    ) -> Result<Self, Error> {
+    pub fn new(projection: CompiledProjection<S>, depths: &'a [S::Length], side: u32) -> Result<Self, Error> {
         check_between(Parameter::ShadowSide, side as f32, 1.0, MOST_TEXELS as f32)?;
         let texels = side * side;
         if depths.len() != texels as usize {
@@ -77,11 +73,7 @@ impl<'a, S: Scalar> Shadow<'a, S> {
     }
 
     /// The shadow map of these parts, as [`source`](crate::source) writes them. A texel that is missing has no shadow.
-    pub const fn from_parts(
-        projection: CompiledProjection<S>,
-        depths: &'a [S::Length],
-        side: u32,
-    ) -> Self {
+    pub const fn from_parts(projection: CompiledProjection<S>, depths: &'a [S::Length], side: u32) -> Self {
         Self { projection, depths, side }
     }
 

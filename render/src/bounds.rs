@@ -23,7 +23,9 @@ pub(crate) struct Beam {
 impl Bounds {
     /// A sphere around points: that of their box's middle.
     pub(crate) fn of(points: impl Iterator<Item = Vec3> + Clone) -> Self {
-        let center = 0.5 * (points.clone().fold(Vec3::INFINITY, Vec3::min) + points.clone().fold(-Vec3::INFINITY, Vec3::max));
+        let center = 0.5
+            * (points.clone().fold(Vec3::INFINITY, Vec3::min)
+                + points.clone().fold(-Vec3::INFINITY, Vec3::max));
         Self { center, radius: points.map(|point| point.distance(center)).fold(0.0, f32::max) }
     }
 

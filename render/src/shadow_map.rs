@@ -136,3 +136,6 @@ impl<S: Scalar> ShadowMap<S> {
         self.side
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -111,7 +111,8 @@ impl View {
         let reach = bounds.radius + 1e-3 * (bounds.radius + way.length());
         let is_beyond = |inwards: Vec3| way.dot(inwards) < -reach * inwards.length();
         let (ahead, right, up) = (self.ahead, self.right, self.up);
-        way.dot(ahead) + reach < NEAR || [ahead + right, ahead - right, ahead + up, ahead - up].into_iter().any(is_beyond)
+        way.dot(ahead) + reach < NEAR
+            || [ahead + right, ahead - right, ahead + up, ahead - up].into_iter().any(is_beyond)
     }
 
     /// The eye.
