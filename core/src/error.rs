@@ -38,6 +38,8 @@ pub enum Parameter {
     InnerAngle,
     /// The full angle of a delimiter, from which on there is no light.
     DelimiterAngle,
+    /// How far a projection is turned about its axis, in degrees.
+    Roll,
     /// The slope of a profile over `t` at the edge.
     EdgeSlope,
     /// The slope of a profile over `t` in the middle.
@@ -132,6 +134,7 @@ impl fmt::Display for Parameter {
             Self::OuterAngle => "outer angle",
             Self::InnerAngle => "inner angle",
             Self::DelimiterAngle => "delimiter angle",
+            Self::Roll => "roll",
             Self::EdgeSlope => "edge slope",
             Self::MiddleSlope => "middle slope",
             Self::CoefficientSum => "sum of coefficients",

@@ -62,7 +62,7 @@
 //!
 //! Files, in the order in which they build on one another: `error`, `vec3`, `trig`, `search`, `scalar` (and a file for each
 //! format), `angle`, `profile`, `cone`, `attenuation`, `color`, `specular`, `shade` (and a file for each kind of
-//! light), `light` (the same), `material`, `batch`, `import` (and a file for each system), `source`.
+//! light), `light` (the same), `projection`, `material`, `batch`, `import` (and a file for each system), `source`.
 #![no_std]
 #![forbid(unsafe_code)]
 
@@ -79,6 +79,7 @@ pub mod import;
 mod light;
 mod material;
 mod profile;
+mod projection;
 mod scalar;
 mod search;
 mod shade;
@@ -101,7 +102,8 @@ pub use profile::{
     Blend, Cubic, Curve, CutOff, Edge, Fitted, Hard, IntegerPower, IntegerRim, Linear, Matched, MixedPower,
     MixedRim, Power, Profile, Rim, Smooth, Soft, Table,
 };
-pub use scalar::{Fraction, Gain, Offset, Ray, Scalar};
+pub use projection::{CompiledProjection, Projection};
+pub use scalar::{Fraction, Gain, Offset, Place, Ray, Scalar};
 #[cfg(feature = "fixed")]
 pub use scalar::{Fx16, Fx32};
 pub use shade::{Arrival, CompiledDirectional, CompiledPoint, CompiledSpot, Light, Surface};

@@ -100,7 +100,7 @@ fn checked_position(parameter: Parameter, position: Vec3<f32>) -> Result<Vec3<f3
 }
 
 /// Whether a format can hold the position of a light; one that it would move is refused instead.
-fn check_reach<S: Scalar>(position: Vec3<f32>) -> Result<(), Error> {
+pub(crate) fn check_reach<S: Scalar>(position: Vec3<f32>) -> Result<(), Error> {
     for value in [position.x, position.y, position.z] {
         check_between(Parameter::Position, value, -S::FARTHEST, S::FARTHEST)?;
     }

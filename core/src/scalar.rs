@@ -23,6 +23,7 @@
 
 pub(crate) mod float;
 mod fraction;
+mod place;
 
 #[cfg(feature = "fixed")]
 pub(crate) mod fixed16;
@@ -38,9 +39,9 @@ use crate::{
     vec3::Vec3,
 };
 
-pub use self::fraction::Fraction;
 #[cfg(feature = "fixed")]
 pub use self::{fixed16::Fx16, fixed32::Fx32};
+pub use self::{fraction::Fraction, place::Place};
 
 /// A number format that the kernel runs in: `f32`, and with the feature `fixed` also [`Fx32`] and [`Fx16`].
 ///
@@ -60,6 +61,8 @@ pub trait Scalar:
     type Weight: Copy + PartialEq + core::fmt::Debug + Source;
     /// The ramp from the edge of a cone to its middle, compiled.
     type Ramp: Copy + PartialEq + core::fmt::Debug + Source;
+    /// The frame of a projection about the axis of a light, compiled.
+    type Frame: Copy + PartialEq + core::fmt::Debug + Source;
     /// A factor from zero upwards that keeps its leading bits whatever its size.
     type Gain: Gain<Self> + Source;
     /// Light that has arrived at a surface: from zero upwards, 1 is full scale.
@@ -111,6 +114,12 @@ pub trait Scalar:
     fn rise(ramp: Self::Ramp, versine: Self::Versine) -> Self::Fraction;
     /// `t^2 (3 - 2t)` of a fraction clamped to [0, 1]: exact at both ends.
     fn smooth(self) -> Self;
+
+    /// Compiles the frame of a square: the unit vectors to its right and down and along the axis, at right angles to one
+    /// another within the roundings of f32, and the tangent of half its side.
+    fn frame(vectors: [Vec3<f32>; 3], tangent: f32) -> Self::Frame;
+    /// The place of a point on the square of a light.
+    fn place(frame: &Self::Frame, light: Vec3<Self::Length>, point: Vec3<Self::Length>) -> Place<Self>;
 
     /// The versine of the angle between two unit directions, in the scale of a ramp, by their difference.
     fn versine_between(a: Vec3<Self::Unit>, b: Vec3<Self::Unit>, ramp: Self::Ramp) -> Self::Versine;

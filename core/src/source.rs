@@ -42,6 +42,7 @@ use crate::{
     cone::Falloff,
     material::CompiledMaterial,
     profile::{Blend, Cubic, CutOff, Edge, Fitted, Hard, Linear, Power, Profile, Rim, Smooth, Soft, Table},
+    projection::CompiledProjection,
     scalar::Scalar,
     shade::{CompiledDirectional, CompiledPoint, CompiledSpot},
     specular::{BlinnPhong, DualCone, Lyon, Matte, Phong, Specular},
@@ -53,12 +54,12 @@ use crate::scalar::{Fx16, Fx32};
 
 pub use crate::{
     profile::{CompiledBlend, CompiledCubic, CompiledFitted},
-    scalar::float::FloatRamp,
+    scalar::float::{FloatFrame, FloatRamp},
 };
 #[cfg(feature = "fixed")]
 pub use crate::{
-    scalar::fixed16::{Gain16, Ramp16},
-    scalar::fixed32::{Gain32, Ramp32},
+    scalar::fixed16::{Frame16, Gain16, Ramp16},
+    scalar::fixed32::{Frame32, Gain32, Ramp32},
 };
 #[cfg(feature = "fixed")]
 pub use fixed::types::{I2F14, I2F30, I16F16, I18F14, I34F30, U18F14, U34F30};
@@ -147,9 +148,9 @@ macro_rules! bits {
     )*};
 }
 
-bits!(f32 FloatRamp Blend Cubic);
+bits!(f32 FloatFrame FloatRamp Blend Cubic);
 #[cfg(feature = "fixed")]
-bits!(I2F14 I2F30 I16F16 I18F14 I34F30 U18F14 U34F30 Gain16 Gain32 Ramp16 Ramp32);
+bits!(I2F14 I2F30 I16F16 I18F14 I34F30 U18F14 U34F30 Frame16 Frame32 Gain16 Gain32 Ramp16 Ramp32);
 
 /// Types without parameters.
 macro_rules! named {
@@ -345,5 +346,12 @@ impl<S: Scalar> Source for CompiledExposure<S> {
     fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
         write!(out, "CompiledExposure::<{}>::", name::<S>())?;
         call(out, "from_parts", &[&self.gain])
+    }
+}
+
+impl<S: Scalar> Source for CompiledProjection<S> {
+    fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
+        write!(out, "CompiledProjection::<{}>::", name::<S>())?;
+        call(out, "from_parts", &[&self.position, &self.frame])
     }
 }

@@ -20,5 +20,6 @@ pub mod prices;
 pub mod profiles;
 pub mod reference;
 pub mod region;
+pub mod squares;
 pub mod sweep;
 pub mod worst;

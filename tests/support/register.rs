@@ -102,6 +102,19 @@ pub(crate) const REGISTER: &[Held] = &[
         "Spot::between", "Spot::axis", "Spot::attenuation", "SmoothRange::range",
     ]),
 
+    // The square that a spotlight projects.
+    by("tests/projection.rs::places_keep_their_rows", &[
+        "Projection::of", "Projection::turned", "Projection::compile", "CompiledProjection::place",
+    ]),
+    through("tests/projection.rs::places_keep_their_rows", &["Scalar::frame", "Scalar::place"]),
+    by("tests/projection.rs::a_frame_is_square", &["Projection::right", "Projection::up", "Projection::axis"]),
+    by("tests/projection.rs::tangents_keep_their_figure", &["Projection::tangent"]),
+    by("tests/projection.rs::what_no_square_can_be", &["Projection::position"]),
+    by("tests/projection.rs::every_bit_pattern_has_a_place", &[
+        "CompiledProjection::from_parts", "FloatFrame::from_bits", "Frame16::from_bits", "Frame32::from_bits",
+        "Place::is_inside",
+    ]),
+
     // Distance, highlight and the lit point.
     by("tests/lit.rs::no_fall_keeps_its_row", &[
         "Attenuation for Unattenuated", "Attenuation::expose", "Point::compile", "Point::with_attenuation",
@@ -186,7 +199,7 @@ pub(crate) const REGISTER: &[Held] = &[
     by("tests/generated.rs::a_generated_constant_has_the_bits_of_the_compiled_value", &["Source::as_source"]),
     through("tests/generated.rs::a_generated_constant_has_the_bits_of_the_compiled_value", &[
         "Source::write", "Named::write_name", "Blend::to_bits", "Cubic::to_bits", "FloatRamp::to_bits",
-        "Gain16::to_bits", "Gain32::to_bits", "Ramp16::to_bits", "Ramp32::to_bits", "Table::of",
+        "FloatFrame::to_bits", "Frame16::to_bits", "Frame32::to_bits", "Gain16::to_bits", "Gain32::to_bits", "Ramp16::to_bits", "Ramp32::to_bits", "Table::of",
     ]),
     by("tests/any_bits.rs::any_bits_make_a_light_in_fx16", &[
         "Blend::from_bits", "Cubic::from_bits", "CompiledBlend::from_parts", "CompiledCubic::from_parts",

@@ -1,12 +1,14 @@
 //! The 16-bit format: scalars of 16 bits, lengths and directions of 32, and no product wider than 32 bits, so that
 //! a processor with nothing but a 32-bit multiply runs it.
 
+mod frame;
 mod gain;
 mod lobe;
 mod offset;
 
+pub use self::frame::Frame16;
 use self::offset::Offset16;
-use super::{Offset, Ray, Scalar, fraction::Fraction16, nearest};
+use super::{Offset, Place, Ray, Scalar, fraction::Fraction16, nearest};
 use crate::{color::srgb16, vec3::Vec3};
 use fixed::types::{I2F14, I2F30, I16F16, I18F14, U3F29, U18F14};
 
@@ -96,6 +98,7 @@ impl Scalar for Fx16 {
     type Fraction = Fraction16;
     type Weight = I18F14;
     type Ramp = Ramp16;
+    type Frame = Frame16;
     type Gain = Gain16;
     type Irradiance = U18F14;
     type Offset = Offset16;
@@ -185,6 +188,15 @@ impl Scalar for Fx16 {
     #[inline(always)]
     fn smooth(self) -> Self {
         lobe::smooth(self)
+    }
+
+    fn frame(vectors: [Vec3<f32>; 3], tangent: f32) -> Frame16 {
+        Frame16::new(vectors, tangent)
+    }
+
+    #[inline(always)]
+    fn place(frame: &Frame16, light: Vec3<I16F16>, point: Vec3<I16F16>) -> Place<Self> {
+        frame.place(light, point)
     }
 
     #[inline(always)]

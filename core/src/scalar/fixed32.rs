@@ -2,10 +2,12 @@
 //!
 //! In the comments `|v|` is the length of the scaled offset, whose largest component has 30 bits.
 
+mod frame;
 mod gain;
 mod lobe;
 
-use super::{Offset, Ray, Scalar, fraction::Fraction32, nearest, root};
+pub use self::frame::Frame32;
+use super::{Offset, Place, Ray, Scalar, fraction::Fraction32, nearest, root};
 use crate::{color::srgb32, vec3::Vec3};
 use fixed::types::{I2F30, I16F16, I34F30, U34F30};
 
@@ -136,6 +138,7 @@ impl Scalar for Fx32 {
     type Fraction = Fraction32;
     type Weight = I34F30;
     type Ramp = Ramp32;
+    type Frame = Frame32;
     type Gain = Gain32;
     type Irradiance = U34F30;
     type Offset = Offset32;
@@ -224,6 +227,15 @@ impl Scalar for Fx32 {
     #[inline(always)]
     fn smooth(self) -> Self {
         lobe::smooth(self)
+    }
+
+    fn frame(vectors: [Vec3<f32>; 3], tangent: f32) -> Frame32 {
+        Frame32::new(vectors, tangent)
+    }
+
+    #[inline(always)]
+    fn place(frame: &Frame32, light: Vec3<I16F16>, point: Vec3<I16F16>) -> Place<Self> {
+        frame.place(light, point)
     }
 
     #[inline(always)]

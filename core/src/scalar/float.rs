@@ -1,7 +1,10 @@
 //! The format `f32`: only `+ - * /` and a correctly rounded root, and clamps by compare and select, so that the
 //! same inputs give the same bits on every machine.
 
-use super::{Gain, Offset, Ray, Scalar, fraction::FloatFraction};
+mod frame;
+
+pub use self::frame::FloatFrame;
+use super::{Gain, Offset, Place, Ray, Scalar, fraction::FloatFraction};
 use crate::{trig, vec3::Vec3};
 
 /// Where irradiance saturates: finite whatever is added to it or divided by it in practice.
@@ -66,6 +69,7 @@ impl Scalar for f32 {
     type Fraction = FloatFraction;
     type Weight = f32;
     type Ramp = FloatRamp;
+    type Frame = FloatFrame;
     type Gain = f32;
     type Irradiance = f32;
     type Offset = FloatOffset;
@@ -146,6 +150,15 @@ impl Scalar for f32 {
     fn smooth(self) -> Self {
         let t = clamp(self);
         t * t * (3.0 - 2.0 * t)
+    }
+
+    fn frame(vectors: [Vec3<f32>; 3], tangent: f32) -> FloatFrame {
+        FloatFrame::new(vectors, tangent)
+    }
+
+    #[inline(always)]
+    fn place(frame: &FloatFrame, light: Vec3<f32>, point: Vec3<f32>) -> Place<Self> {
+        frame.place(point.zip(light, |p, l| p - l))
     }
 
     #[inline(always)]

@@ -97,6 +97,23 @@ impl Offset16 {
         }
     }
 
+    /// The way with its largest component of 17 bits, rounded down.
+    #[inline(always)]
+    pub(super) fn fine(&self) -> Vec3<i32> {
+        self.way.map(|c| c >> self.shift)
+    }
+
+    /// A part of the way, of 13 bits more than [`fine`](Self::fine), as a length; saturates.
+    #[inline(always)]
+    pub(super) fn length_of(&self, part: i32) -> I16F16 {
+        const BITS: u32 = WAY_BITS + 13;
+        I16F16::from_bits(if self.bits <= BITS {
+            part >> (BITS - self.bits)
+        } else {
+            part.saturating_add(part)
+        })
+    }
+
     /// `v`.
     #[inline(always)]
     fn coarse(&self) -> Vec3<i32> {
@@ -149,8 +166,12 @@ impl Offset<Fx16> for Offset16 {
         let squared = self.squared();
         let reciprocal = root::inverse_sqrt_16(squared);
         let fourteen_bits = ((reciprocal + 2) >> 2).cast_signed();
-        let fine = self.way.map(|c| c >> self.shift);
-        Ray16 { direction: fine.map(|c| c.wrapping_mul(fourteen_bits)), bits: self.bits, squared, reciprocal }
+        Ray16 {
+            direction: self.fine().map(|c| c.wrapping_mul(fourteen_bits)),
+            bits: self.bits,
+            squared,
+            reciprocal,
+        }
     }
 }
 

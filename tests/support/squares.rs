@@ -1,0 +1,102 @@
+//! The square that a spotlight projects, in f64 and as plainly as it can be written; and the table of its error bounds.
+
+use super::bounds::REFUSE;
+use super::format::Format;
+use super::reference::{Vector, dot, minus, scaled, unit};
+use luminaire::{Attenuation, Profile, Spot};
+
+/// The square around a cone: where its light stands, the vectors of its frame, and half its side at a depth of one.
+#[derive(Clone, Copy, Debug)]
+pub struct Square {
+    pub position: Vector,
+    pub right: Vector,
+    pub up: Vector,
+    pub axis: Vector,
+    pub tangent: f64,
+}
+
+impl Square {
+    /// The square of a cone, with y upwards; a light that points straight down has the top of its square to `-z`, one that
+    /// points straight up to `z`.
+    pub fn new(position: Vector, axis: Vector, half_degrees: f64) -> Self {
+        let axis = unit(axis);
+        let sine = (axis[0] * axis[0] + axis[2] * axis[2]).sqrt();
+        let is_vertical = sine < 1.0_f64.to_radians().sin();
+        let up = if is_vertical { [0.0, 0.0, axis[1].signum()] } else { [0.0, 1.0, 0.0] };
+        let right = unit(cross(axis, up));
+        let tangent = half_degrees.to_radians().tan();
+        Self { position, right, up: cross(right, axis), axis, tangent }
+    }
+
+    /// The square of a spotlight as a format stores it, turned clockwise.
+    pub fn stored<S: Format, P: Profile, A: Attenuation>(
+        spot: &Spot<P, A>,
+        half_degrees: f64,
+        roll: f64,
+    ) -> Self {
+        let position = S::exact_point(spot.position().map(S::length));
+        let axis = S::exact_direction(S::axis(spot.axis()));
+        Self::new(position, axis, half_degrees).turned(roll)
+    }
+
+    /// Turned clockwise, as it is seen from the light.
+    pub fn turned(self, degrees: f64) -> Self {
+        let (sine, cosine) = degrees.to_radians().sin_cos();
+        let right = minus(scaled(self.right, cosine), scaled(self.up, sine));
+        let up = minus(scaled(self.up, cosine), scaled(self.right, -sine));
+        Self { right, up, ..self }
+    }
+
+    /// The ways from the left and the top edge to a point, in sides, and its depth.
+    pub fn place(&self, point: Vector) -> [f64; 3] {
+        let way = minus(point, self.position);
+        let depth = dot(way, self.axis);
+        let side = 2.0 * self.tangent * depth;
+        [0.5 + dot(way, self.right) / side, 0.5 - dot(way, self.up) / side, depth]
+    }
+
+    /// A point at these ways from the left and the top edge, in sides, and this depth.
+    pub fn point(&self, [column, row, depth]: [f64; 3]) -> Vector {
+        let side = 2.0 * self.tangent * depth;
+        let (right, up) = ((column - 0.5) * side, (0.5 - row) * side);
+        [0, 1, 2].map(|i| self.position[i] + depth * self.axis[i] + right * self.right[i] + up * self.up[i])
+    }
+}
+
+fn cross(a: Vector, b: Vector) -> Vector {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+/// The bounds at one half angle, in `f32`, `Fx32` and `Fx16`, in this order: of a place, from the middle of its step, in
+/// sides; and of the depth, relative. Measured and held as in [`bounds`](super::bounds), two-sided and searched;
+/// `LUMINAIRE_FULL=1 cargo test --test projection -- --nocapture --test-threads 1` prints the measured ones.
+pub struct Row {
+    /// In degrees; [`NARROWEST`] is another one in every format.
+    pub half: f32,
+    pub place: [f64; 3],
+    pub depth: [f64; 3],
+}
+
+/// The narrowest cone of a format.
+pub const NARROWEST: f32 = 0.0;
+
+const fn row(half: f32, place: [f64; 3], depth: [f64; 3]) -> Row {
+    Row { half, place, depth }
+}
+
+/// Half a step is 7.6e-6 of a side.
+#[rustfmt::skip]
+pub const ROWS: [Row; 12] = [
+    row(NARROWEST, [1.7e-3, 8.1e-6, 8.5e-4], [2.4e-7, 1.6e-5, 1.3e-4]),
+    row(0.01,      [2.5e-4, 7.9e-6, REFUSE], [2.4e-7, 1.6e-5, REFUSE]),
+    row(0.1,       [3.0e-5, 7.9e-6, REFUSE], [2.4e-7, 1.6e-5, REFUSE]),
+    row(0.5,       [1.2e-5, 7.9e-6, 7.7e-4], [2.4e-7, 1.6e-5, 1.3e-4]),
+    row(1.0,       [9.9e-6, 7.9e-6, 4.1e-4], [2.4e-7, 1.6e-5, 1.3e-4]),
+    row(2.0,       [9.0e-6, 7.9e-6, 2.4e-4], [2.4e-7, 1.6e-5, 1.3e-4]),
+    row(3.5,       [8.4e-6, 7.9e-6, 1.7e-4], [2.4e-7, 1.6e-5, 1.3e-4]),
+    row(7.5,       [8.2e-6, 7.9e-6, 1.2e-4], [2.4e-7, 1.6e-5, 1.3e-4]),
+    row(15.0,      [8.1e-6, 7.9e-6, 1.1e-4], [2.4e-7, 1.6e-5, 1.4e-4]),
+    row(30.0,      [8.0e-6, 7.9e-6, 1.1e-4], [2.4e-7, 1.6e-5, 1.5e-4]),
+    row(60.0,      [8.0e-6, 7.9e-6, 1.8e-4], [3.1e-7, 1.6e-5, 2.7e-4]),
+    row(80.0,      [8.2e-6, 8.1e-6, 4.5e-4], [6.3e-7, 1.6e-5, 8.0e-4]),
+];
