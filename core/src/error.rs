@@ -74,6 +74,10 @@ pub enum Parameter {
     Shininess,
     /// How much all light is amplified for the display.
     Exposure,
+    /// How many texels a side of a shadow map has.
+    ShadowSide,
+    /// How many depths a shadow map has.
+    DepthCount,
     /// `GL_SPOT_CUTOFF` of OpenGL, a half angle in degrees.
     SpotCutoff,
     /// `GL_SPOT_EXPONENT` of OpenGL.
@@ -152,6 +156,8 @@ impl fmt::Display for Parameter {
             Self::Range => "range",
             Self::Shininess => "shininess",
             Self::Exposure => "exposure",
+            Self::ShadowSide => "side of a shadow map",
+            Self::DepthCount => "number of depths",
             Self::SpotCutoff => "spot cutoff",
             Self::SpotExponent => "spot exponent",
             Self::Theta => "theta",

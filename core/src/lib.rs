@@ -83,6 +83,7 @@ mod projection;
 mod scalar;
 mod search;
 mod shade;
+mod shadow;
 pub mod source;
 mod specular;
 mod trig;
@@ -107,6 +108,7 @@ pub use scalar::{Fraction, Gain, Offset, Place, Ray, Scalar};
 #[cfg(feature = "fixed")]
 pub use scalar::{Fx16, Fx32};
 pub use shade::{Arrival, CompiledDirectional, CompiledPoint, CompiledSpot, Light, Surface};
+pub use shadow::Shadow;
 pub use source::Source;
 pub use specular::{BlinnPhong, DualCone, Highlight, Lyon, Matte, Phong, Specular};
 pub use vec3::Vec3;

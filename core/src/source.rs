@@ -45,6 +45,7 @@ use crate::{
     projection::CompiledProjection,
     scalar::Scalar,
     shade::{CompiledDirectional, CompiledPoint, CompiledSpot},
+    shadow::Shadow,
     specular::{BlinnPhong, DualCone, Lyon, Matte, Phong, Specular},
     vec3::Vec3,
 };
@@ -273,6 +274,13 @@ impl<T: Source, const N: usize> Source for [T; N] {
     }
 }
 
+impl<T: Source> Source for &[T] {
+    fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
+        out.write_str("&")?;
+        out.debug_list().entries(self.iter().map(Written)).finish()
+    }
+}
+
 impl<T: Source> Source for Vec3<T> {
     fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
         let Self { x, y, z } = self;
@@ -353,5 +361,12 @@ impl<S: Scalar> Source for CompiledProjection<S> {
     fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
         write!(out, "CompiledProjection::<{}>::", name::<S>())?;
         call(out, "from_parts", &[&self.position, &self.frame])
+    }
+}
+
+impl<S: Scalar> Source for Shadow<'_, S> {
+    fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
+        write!(out, "Shadow::<{}>::", name::<S>())?;
+        call(out, "from_parts", &[&self.projection, &self.depths, &self.side])
     }
 }

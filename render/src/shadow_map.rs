@@ -116,11 +116,12 @@ impl<S: Scalar> ShadowMap<S> {
             for triangle in object.mesh.triangles() {
                 let corners = triangle.map(|corner| &self.sightings[corner as usize]);
                 clip(&view, corners, |visible| {
-                    self.layer.draw(visible, slope.within_texel(corners.map(Sighting::seen)));
+                    self.layer.draw(visible, || slope.within_texel(corners.map(Sighting::seen)));
                 });
             }
         }
-        self.layer.resolve::<S>(&mut self.depths);
+        let texel = 2.0 * projection.tangent() / self.side as f32;
+        self.layer.resolve::<S>(texel, &mut self.depths);
         self.drawn = Some(drawn);
         Ok(true)
     }

@@ -1,8 +1,9 @@
 //! What a ray from a light hits, in f64: every triangle of a scene, one after the other.
 
 use crate::{bounds::Bounds, scene::Scene};
-use luminaire::{Projection, Vec3};
 use alloc::vec::Vec;
+extern crate std;
+use luminaire::{Projection, Vec3};
 
 pub(super) type Vector = [f64; 3];
 
@@ -98,39 +99,69 @@ impl Light {
         Place { column: part(self.right), row: part(self.down), depth }
     }
 
-    /// The depths of everything in a direction, farther than a map begins to see.
-    fn depths(&self, column: f64, row: f64) -> Vec<f64> {
+    fn way(&self, column: f64, row: f64) -> Vector {
         let (x, y) = ((2.0 * column - 1.0) * self.tangent, (2.0 * row - 1.0) * self.tangent);
-        let way = [0, 1, 2].map(|i| self.axis[i] + x * self.right[i] + y * self.down[i]);
+        [0, 1, 2].map(|i| self.axis[i] + x * self.right[i] + y * self.down[i])
+    }
+
+    /// Everything in a direction that is farther than a map begins to see: the depths, and the triangles.
+    fn hits(&self, way: Vector) -> Vec<(f64, [Vector; 3])> {
         let bodies = self.bodies.iter().filter(|body| !body.is_missed(self.position, way));
         let triangles = bodies.flat_map(|body| &body.triangles);
-        triangles.filter_map(|&triangle| hit(self.position, way, triangle)).filter(|&t| t > 0.05).collect()
+        let hits = triangles.filter_map(|&triangle| Some((hit(self.position, way, triangle)?, triangle)));
+        hits.filter(|&(depth, _)| depth > 0.05).collect()
     }
 
-    /// Whether the surface that is nearest to a depth in a direction is the first that the light meets. None if there is
-    /// nothing at all.
-    fn is_first(&self, column: f64, row: f64, depth: f64) -> Option<bool> {
-        let depths = self.depths(column, row);
-        let off = |d: &f64| (d - depth).abs();
-        let own = depths.iter().copied().min_by(|a, b| off(a).total_cmp(&off(b)))?;
-        Some(depths.iter().all(|&d| d >= own - 1e-3))
+    /// The surface that is nearest to a depth in a direction: its depth, its triangle, and whether it is the first that the
+    /// light meets.
+    fn nearest(&self, way: Vector, depth: f64) -> Option<(f64, [Vector; 3], bool)> {
+        let hits = self.hits(way);
+        let off = |hit: &(f64, _)| (hit.0 - depth).abs();
+        let &(own, triangle) = hits.iter().min_by(|a, b| off(a).total_cmp(&off(b)))?;
+        Some((own, triangle, hits.iter().all(|&(depth, _)| depth >= own - 1e-3)))
     }
 
-    /// Whether light arrives at a point of a surface.
+    /// Whether light arrives at a place.
     pub(super) fn sees(&self, place: Place) -> bool {
-        self.is_first(place.column, place.row, place.depth).unwrap_or(true)
+        self.nearest(self.way(place.column, place.row), place.depth).is_none_or(|(_, _, sees)| sees)
     }
 
-    /// Whether the light arrives, or not, at all of the surface within a square of so many texels on either side of a place.
-    pub(super) fn is_even(&self, place: Place, texels: f64, side: usize) -> bool {
+    /// Whether a place is farther than so many texels from the edge of a shadow and from that of its surface, beyond which
+    /// that is in its own shadow.
+    pub(super) fn is_inside(&self, place: Place, texels: f64, side: usize) -> bool {
         const STEPS: i32 = 8;
-        let sees = self.sees(place);
+        let Some((own, [a, b, c], sees)) = self.nearest(self.way(place.column, place.row), place.depth)
+        else {
+            return false;
+        };
+        let normal = cross(minus(b, a), minus(c, a));
         let reach = texels / side as f64 / f64::from(STEPS);
-        (-STEPS..=STEPS).all(|row| {
-            (-STEPS..=STEPS).all(|column| {
-                let (column, row) = (f64::from(column) * reach, f64::from(row) * reach);
-                self.is_first(place.column + column, place.row + row, place.depth).is_none_or(|s| s == sees)
+        // What is farther off the plane than this is another surface.
+        let far = 8.0 * texels * 2.0 * self.tangent / side as f64 * own;
+        (own - place.depth).abs() < 1e-3 * own
+            && (-STEPS..=STEPS).all(|row| {
+                (-STEPS..=STEPS).all(|column| {
+                    let (column, row) = (f64::from(column) * reach, f64::from(row) * reach);
+                    let way = self.way(place.column + column, place.row + row);
+                    let depth = dot(normal, minus(a, self.position)) / dot(normal, way);
+                    self.nearest(way, depth)
+                        .is_some_and(|(next, _, other)| other == sees && (next - depth).abs() < far)
+                })
             })
-        })
+    }
+
+    /// temp
+    pub(super) fn facing(&self, place: Place) -> std::string::String {
+        let way = self.way(place.column, place.row);
+        let mut list: Vec<_> = self
+            .hits(way)
+            .into_iter()
+            .map(|(t, [a, b, c])| {
+                let n = cross(minus(b, a), minus(c, a));
+                (t, -dot(n, way) / (dot(n, n) * dot(way, way)).sqrt())
+            })
+            .collect();
+        list.sort_by(|a, b| a.0.total_cmp(&b.0));
+        std::format!("{list:.3?}")
     }
 }
