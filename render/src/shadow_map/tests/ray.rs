@@ -2,19 +2,19 @@
 
 use crate::{bounds::Bounds, scene::Scene};
 use alloc::vec::Vec;
-extern crate std;
 use luminaire::{Projection, Vec3};
 
 pub(super) type Vector = [f64; 3];
+pub(super) type Triangle = [Vector; 3];
 
-/// The triangles of a mesh, from whichever side they are seen.
+/// The triangles of a mesh, whichever way they face, in a sphere.
 struct Body {
     center: Vector,
     radius: f64,
-    triangles: Vec<[Vector; 3]>,
+    triangles: Vec<Triangle>,
 }
 
-/// A light above a scene.
+/// A light in a scene, and the square that it projects.
 pub(super) struct Light {
     position: Vector,
     right: Vector,
@@ -24,15 +24,22 @@ pub(super) struct Light {
     bodies: Vec<Body>,
 }
 
-/// Where a point is on the map, in parts of its side, and at what depth.
+/// Where a point is on the square, in parts of its side, and at what depth.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Place {
-    pub(super) column: f64,
-    pub(super) row: f64,
-    pub(super) depth: f64,
+    column: f64,
+    row: f64,
+    depth: f64,
 }
 
-pub(super) fn double(v: Vec3<f32>) -> Vector {
+/// What a ray hits: the depth, the triangle, and whether nothing is before it.
+struct Hit {
+    depth: f64,
+    triangle: Triangle,
+    is_first: bool,
+}
+
+fn double(v: Vec3<f32>) -> Vector {
     [v.x, v.y, v.z].map(f64::from)
 }
 
@@ -48,39 +55,42 @@ fn cross(a: Vector, b: Vector) -> Vector {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
-impl Body {
-    fn is_missed(&self, from: Vector, way: Vector) -> bool {
-        let across = cross(minus(self.center, from), way);
-        dot(across, across) > self.radius * self.radius * dot(way, way)
-    }
+fn normal([a, b, c]: Triangle) -> Vector {
+    cross(minus(b, a), minus(c, a))
+}
+
+/// The parameter along a way at which it meets the plane of a triangle.
+fn plane(from: Vector, way: Vector, triangle: Triangle) -> f64 {
+    let normal = normal(triangle);
+    dot(normal, minus(triangle[0], from)) / dot(normal, way)
 }
 
 /// The parameter along a way at which it meets a triangle.
-fn hit(from: Vector, way: Vector, [a, b, c]: [Vector; 3]) -> Option<f64> {
-    let (u, v) = (minus(b, a), minus(c, a));
-    let normal = cross(u, v);
-    let along = dot(normal, way);
-    if along == 0.0 {
-        return None;
-    }
-    let t = dot(normal, minus(a, from)) / along;
+fn hit(from: Vector, way: Vector, triangle: Triangle) -> Option<f64> {
+    let t = plane(from, way, triangle);
+    let (normal, [a, b, c]) = (normal(triangle), triangle);
     let inside = minus([0, 1, 2].map(|i| from[i] + t * way[i]), a);
-    let area = dot(normal, normal);
-    let (beta, gamma) = (dot(cross(inside, v), normal) / area, dot(cross(u, inside), normal) / area);
-    (beta >= -1e-9 && gamma >= -1e-9 && beta + gamma <= 1.0 + 1e-9 && t > 0.0).then_some(t)
+    let part = |edge: Vector| dot(edge, normal) / dot(normal, normal);
+    let (to_b, to_c) = (part(cross(inside, minus(c, a))), part(cross(minus(b, a), inside)));
+    // A ray between two triangles shall hit one of them.
+    let least = -1e-9;
+    (to_b >= least && to_c >= least && to_b + to_c <= 1.0 - least).then_some(t)
+}
+
+/// The triangles of all objects of a scene.
+pub(super) fn triangles(scene: &Scene) -> impl Iterator<Item = Vec<Triangle>> {
+    scene.objects().iter().map(|object| {
+        let place = |corner: u32| double(object.mesh.vertices()[corner as usize].position.into());
+        object.mesh.triangles().iter().map(|triangle| triangle.map(place)).collect()
+    })
 }
 
 impl Light {
     pub(super) fn new(scene: &Scene, projection: &Projection) -> Self {
-        let bodies = scene.objects().iter().map(|object| {
-            let vertices = object.mesh.vertices();
-            let place = |i: u32| double(vertices[i as usize].position.into());
-            let bounds = Bounds::of(vertices.iter().map(|vertex| vertex.position));
-            Body {
-                center: double(bounds.center.into()),
-                radius: 1.001 * f64::from(bounds.radius),
-                triangles: object.mesh.triangles().iter().map(|triangle| triangle.map(place)).collect(),
-            }
+        let bodies = scene.objects().iter().zip(triangles(scene)).map(|(object, triangles)| {
+            let bounds = Bounds::of(object.mesh.vertices().iter().map(|vertex| vertex.position));
+            let (center, radius) = (double(bounds.center.into()), 1.001 * f64::from(bounds.radius));
+            Body { center, radius, triangles }
         });
         Self {
             position: double(projection.position()),
@@ -99,69 +109,59 @@ impl Light {
         Place { column: part(self.right), row: part(self.down), depth }
     }
 
+    /// The cosine of the angle between the front of a triangle and the way from a point of it to the light.
+    pub(super) fn cosine(&self, triangle: Triangle, point: Vector) -> f64 {
+        let (normal, back) = (normal(triangle), minus(self.position, point));
+        dot(normal, back) / (dot(normal, normal) * dot(back, back)).sqrt()
+    }
+
+    /// Whether a place is on the square.
+    pub(super) fn has(&self, place: Place) -> bool {
+        place.depth > 0.0 && [place.column, place.row].iter().all(|part| (0.0..1.0).contains(part))
+    }
+
+    /// The way to depth 1.
     fn way(&self, column: f64, row: f64) -> Vector {
         let (x, y) = ((2.0 * column - 1.0) * self.tangent, (2.0 * row - 1.0) * self.tangent);
         [0, 1, 2].map(|i| self.axis[i] + x * self.right[i] + y * self.down[i])
     }
 
-    /// Everything in a direction that is farther than a map begins to see: the depths, and the triangles.
-    fn hits(&self, way: Vector) -> Vec<(f64, [Vector; 3])> {
-        let bodies = self.bodies.iter().filter(|body| !body.is_missed(self.position, way));
-        let triangles = bodies.flat_map(|body| &body.triangles);
+    /// What is nearest to a depth in a direction, of all that is farther than a map begins to see.
+    fn nearest(&self, way: Vector, depth: f64) -> Option<Hit> {
+        let is_met = |body: &&Body| {
+            let across = cross(minus(body.center, self.position), way);
+            dot(across, across) <= body.radius * body.radius * dot(way, way)
+        };
+        let triangles = self.bodies.iter().filter(is_met).flat_map(|body| &body.triangles);
         let hits = triangles.filter_map(|&triangle| Some((hit(self.position, way, triangle)?, triangle)));
-        hits.filter(|&(depth, _)| depth > 0.05).collect()
-    }
-
-    /// The surface that is nearest to a depth in a direction: its depth, its triangle, and whether it is the first that the
-    /// light meets.
-    fn nearest(&self, way: Vector, depth: f64) -> Option<(f64, [Vector; 3], bool)> {
-        let hits = self.hits(way);
-        let off = |hit: &(f64, _)| (hit.0 - depth).abs();
+        let hits: Vec<_> = hits.filter(|(hit, _)| *hit > 0.05).collect();
+        let off = |hit: &(f64, Triangle)| (hit.0 - depth).abs();
         let &(own, triangle) = hits.iter().min_by(|a, b| off(a).total_cmp(&off(b)))?;
-        Some((own, triangle, hits.iter().all(|&(depth, _)| depth >= own - 1e-3)))
+        // What is a millimetre before is the same.
+        Some(Hit { depth: own, triangle, is_first: hits.iter().all(|&(depth, _)| depth >= own - 1e-3) })
     }
 
     /// Whether light arrives at a place.
     pub(super) fn sees(&self, place: Place) -> bool {
-        self.nearest(self.way(place.column, place.row), place.depth).is_none_or(|(_, _, sees)| sees)
+        self.nearest(self.way(place.column, place.row), place.depth).is_none_or(|hit| hit.is_first)
     }
 
-    /// Whether a place is farther than so many texels from the edge of a shadow and from that of its surface, beyond which
-    /// that is in its own shadow.
-    pub(super) fn is_inside(&self, place: Place, texels: f64, side: usize) -> bool {
+    /// Whether a place is farther than so many texels from the edge of any shadow, and from where its surface ends for the light:
+    /// there begins the shadow that lies on the surface itself.
+    pub(super) fn is_clear(&self, place: Place, texels: f64, side: usize) -> bool {
         const STEPS: i32 = 8;
-        let Some((own, [a, b, c], sees)) = self.nearest(self.way(place.column, place.row), place.depth)
-        else {
-            return false;
+        let Some(own) = self.nearest(self.way(place.column, place.row), place.depth) else { return false };
+        let step = texels / side as f64 / f64::from(STEPS);
+        let width = 2.0 * self.tangent / side as f64 * own.depth;
+        let is_same = |row: i32, column: i32| {
+            let way = self.way(place.column + f64::from(column) * step, place.row + f64::from(row) * step);
+            let depth = plane(self.position, way, own.triangle);
+            let next = self.nearest(way, depth);
+            next.is_some_and(|next| {
+                next.is_first == own.is_first && (next.depth - depth).abs() < 8.0 * texels * width
+            })
         };
-        let normal = cross(minus(b, a), minus(c, a));
-        let reach = texels / side as f64 / f64::from(STEPS);
-        // What is farther off the plane than this is another surface.
-        let far = 8.0 * texels * 2.0 * self.tangent / side as f64 * own;
-        (own - place.depth).abs() < 1e-3 * own
-            && (-STEPS..=STEPS).all(|row| {
-                (-STEPS..=STEPS).all(|column| {
-                    let (column, row) = (f64::from(column) * reach, f64::from(row) * reach);
-                    let way = self.way(place.column + column, place.row + row);
-                    let depth = dot(normal, minus(a, self.position)) / dot(normal, way);
-                    self.nearest(way, depth)
-                        .is_some_and(|(next, _, other)| other == sees && (next - depth).abs() < far)
-                })
-            })
-    }
-
-    /// temp
-    pub(super) fn facing(&self, place: Place) -> std::string::String {
-        let way = self.way(place.column, place.row);
-        let mut list: Vec<_> = self
-            .hits(way)
-            .into_iter()
-            .map(|(t, [a, b, c])| {
-                let n = cross(minus(b, a), minus(c, a));
-                (t, -dot(n, way) / (dot(n, n) * dot(way, way)).sqrt())
-            })
-            .collect();
-        list.sort_by(|a, b| a.0.total_cmp(&b.0));
-        std::format!("{list:.3?}")
+        (own.depth - place.depth).abs() < 1e-3 * own.depth
+            && (-STEPS..=STEPS).all(|row| (-STEPS..=STEPS).all(|column| is_same(row, column)))
     }
 }
