@@ -40,6 +40,8 @@ pub enum Parameter {
     DelimiterAngle,
     /// How far a projection is turned about its axis, in degrees.
     Roll,
+    /// How many transmissions a side of a gobo has, or texels one of a shadow map.
+    Side,
     /// The slope of a profile over `t` at the edge.
     EdgeSlope,
     /// The slope of a profile over `t` in the middle.
@@ -52,7 +54,7 @@ pub enum Parameter {
     Share,
     /// A measured intensity.
     Sample,
-    /// How many samples there are.
+    /// How many samples there are, or transmissions, or depths.
     SampleCount,
     /// Where a light stands.
     Position,
@@ -74,10 +76,6 @@ pub enum Parameter {
     Shininess,
     /// How much all light is amplified for the display.
     Exposure,
-    /// How many texels a side of a shadow map has.
-    ShadowSide,
-    /// How many depths a shadow map has.
-    DepthCount,
     /// `GL_SPOT_CUTOFF` of OpenGL, a half angle in degrees.
     SpotCutoff,
     /// `GL_SPOT_EXPONENT` of OpenGL.
@@ -139,6 +137,7 @@ impl fmt::Display for Parameter {
             Self::InnerAngle => "inner angle",
             Self::DelimiterAngle => "delimiter angle",
             Self::Roll => "roll",
+            Self::Side => "side",
             Self::EdgeSlope => "edge slope",
             Self::MiddleSlope => "middle slope",
             Self::CoefficientSum => "sum of coefficients",
@@ -156,8 +155,6 @@ impl fmt::Display for Parameter {
             Self::Range => "range",
             Self::Shininess => "shininess",
             Self::Exposure => "exposure",
-            Self::ShadowSide => "side of a shadow map",
-            Self::DepthCount => "number of depths",
             Self::SpotCutoff => "spot cutoff",
             Self::SpotExponent => "spot exponent",
             Self::Theta => "theta",

@@ -123,6 +123,10 @@ pub trait Scalar:
     /// The place of a point on the square of a light.
     fn place(frame: &Self::Frame, light: Vec3<Self::Length>, point: Vec3<Self::Length>) -> Place<Self>;
 
+    /// The value of a sum of bytes whose weights are 2^24 in all, 255 being one: exactly zero for none, exactly one for all
+    /// and for what is more, else within a step.
+    fn weighted_byte(sum: u32) -> Self;
+
     /// The versine of the angle between two unit directions, in the scale of a ramp, by their difference.
     fn versine_between(a: Vec3<Self::Unit>, b: Vec3<Self::Unit>, ramp: Self::Ramp) -> Self::Versine;
     /// `(1 - versine)^exponent` by repeated squaring, and zero from a right angle on: a power of the cosine that keeps

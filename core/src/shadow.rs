@@ -1,7 +1,7 @@
 //! Shadows: whether anything stands between a spotlight and a point.
 
 use crate::{
-    error::{Accepted, Error, Parameter, check_between},
+    error::{Accepted, Error, Parameter},
     projection::CompiledProjection,
     scalar::{Place, Scalar},
     vec3::Vec3,
@@ -25,7 +25,7 @@ use crate::{
 /// let spot = Spot::new(Vec3::new(0.0, 4.0, 0.0), Vec3::new(0.0, -1.0, 0.0), cone)?;
 /// let square = Projection::of(&spot)?.compile::<f32>()?;
 /// let depths = [2.0, 2.0, 9.0, 9.0].repeat(4);
-/// let shadow = Shadow::new(square, &depths, 4)?;
+/// let shadow = Shadow::new(square, 4, &depths)?;
 /// assert_eq!(shadow.visibility(Vec3::new(-2.0, 0.0, 0.0)), 0.0);
 /// assert_eq!(shadow.visibility(Vec3::new(2.0, 0.0, 0.0)), 1.0);
 /// assert_eq!(shadow.visibility(Vec3::new(0.0, 0.0, 0.0)), 0.5);
@@ -34,12 +34,12 @@ use crate::{
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Shadow<'a, S: Scalar> {
     pub(crate) projection: CompiledProjection<S>,
-    pub(crate) depths: &'a [S::Length],
     pub(crate) side: u32,
+    pub(crate) depths: &'a [S::Length],
 }
 
-/// The most texels on a side: with the 65,536 places of one they fit 32 bits.
-const MOST_TEXELS: u32 = 4096;
+/// The most texels along a side: then 16 steps of a place are in each.
+const MOST: usize = 4_096;
 
 /// Into how many parts the way from one middle to the next is divided, as a power of two: the product of two such parts is
 /// a step of the 16-bit format, and exact in every other.
@@ -58,23 +58,30 @@ struct Between {
 }
 
 impl<'a, S: Scalar> Shadow<'a, S> {
-    /// The shadow map of these depths on the square of a light, with so many texels on a side.
+    /// The shadow map of so many rows of as many depths on the square of a light.
     ///
     /// # Errors
-    /// A side that is not from 1 to 4,096 texels; depths that are not as many as its square.
-    pub fn new(projection: CompiledProjection<S>, depths: &'a [S::Length], side: u32) -> Result<Self, Error> {
-        check_between(Parameter::ShadowSide, side as f32, 1.0, MOST_TEXELS as f32)?;
-        let texels = side * side;
-        if depths.len() != texels as usize {
-            let accepted = Accepted::Exactly(texels as f32);
-            return Err(Error { parameter: Parameter::DepthCount, value: depths.len() as f32, accepted });
+    /// A side that is not from 1 to 4,096, or another number of depths than its square.
+    pub fn new(
+        projection: CompiledProjection<S>,
+        side: usize,
+        depths: &'a [S::Length],
+    ) -> Result<Self, Error> {
+        if !(1..=MOST).contains(&side) {
+            let accepted = Accepted::WholeBetween(1, MOST as u32);
+            return Err(Error { parameter: Parameter::Side, value: side as f32, accepted });
         }
-        Ok(Self { projection, depths, side })
+        if depths.len() != side * side {
+            let accepted = Accepted::Exactly((side * side) as f32);
+            let (parameter, value) = (Parameter::SampleCount, depths.len() as f32);
+            return Err(Error { parameter, value, accepted });
+        }
+        Ok(Self::from_parts(projection, side as u32, depths))
     }
 
-    /// The shadow map of these parts, as [`source`](crate::source) writes them. A texel that is missing has no shadow.
-    pub const fn from_parts(projection: CompiledProjection<S>, depths: &'a [S::Length], side: u32) -> Self {
-        Self { projection, depths, side }
+    /// The shadow map of these parts, as [`source`](crate::source) writes them. A texel that is missing hides nothing.
+    pub const fn from_parts(projection: CompiledProjection<S>, side: u32, depths: &'a [S::Length]) -> Self {
+        Self { projection, side, depths }
     }
 
     /// The square that the map lies on.

@@ -40,6 +40,7 @@ use crate::{
     },
     color::{CompiledExposure, Rgb},
     cone::Falloff,
+    gobo::{CompiledGobo, Gobo},
     material::CompiledMaterial,
     profile::{Blend, Cubic, CutOff, Edge, Fitted, Hard, Linear, Power, Profile, Rim, Smooth, Soft, Table},
     projection::CompiledProjection,
@@ -364,9 +365,31 @@ impl<S: Scalar> Source for CompiledProjection<S> {
     }
 }
 
+<<<<<<< HEAD
 impl<S: Scalar> Source for Shadow<'_, S> {
     fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
         write!(out, "Shadow::<{}>::", name::<S>())?;
-        call(out, "from_parts", &[&self.projection, &self.depths, &self.side])
+        call(out, "from_parts", &[&self.projection, &self.side, &self.depths])
+=======
+/// The rows of a gobo.
+struct Rows<'a>(Gobo<'a>);
+
+impl fmt::Debug for Rows<'_> {
+    fn fmt(&self, out: &mut Formatter<'_>) -> fmt::Result {
+        out.debug_list().entries(self.0.transmissions().chunks(self.0.side())).finish()
+    }
+}
+
+impl Source for Gobo<'_> {
+    fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
+        write!(out, "Gobo::of(&{:?})", Rows(*self))
+    }
+}
+
+impl<S: Scalar> Source for CompiledGobo<'_, S> {
+    fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
+        write!(out, "CompiledGobo::<{}>::", name::<S>())?;
+        call(out, "from_parts", &[&self.projection, &self.gobo])
+>>>>>>> 61ed258c5329b7dacd180bbc8546605dbf17d82b
     }
 }

@@ -35,6 +35,7 @@ mod clip;
 mod display;
 mod format;
 mod gbuffer;
+pub mod gobos;
 mod lighting;
 mod memory;
 mod mesh;

@@ -129,7 +129,7 @@ impl<S: Scalar> ShadowMap<S> {
     /// The map, ready to be asked; none before it has been drawn.
     pub fn shadow(&self) -> Option<Shadow<'_, S>> {
         let projection = self.drawn?.compiled;
-        Some(Shadow::from_parts(projection, &self.depths, self.side as u32))
+        Some(Shadow::from_parts(projection, self.side as u32, &self.depths))
     }
 
     /// How many texels a side has.

@@ -5,9 +5,9 @@ use std::fmt::Debug;
 use luminaire::source::Named;
 use luminaire::{
     Ambient, Angle, Attenuation, Blend, BlinnPhong, CompiledSpot, Cone, Cubic, CutOff, Directional, DualCone,
-    Edge, Error, Exposure, Fx16, Fx32, Hard, HardRange, InverseSquare, Linear, Lyon, Material, Phong, Point,
-    Polynomial, Power, Profile, Projection, Rgb, Rim, Scalar, Smooth, SmoothRange, Soft, Source, Specular,
-    Spot, SquaredWindow, Table, Unattenuated, Vec3, Windowed,
+    Edge, Error, Exposure, Fx16, Fx32, Gobo, Hard, HardRange, InverseSquare, Linear, Lyon, Material, Phong,
+    Point, Polynomial, Power, Profile, Projection, Rgb, Rim, Scalar, Smooth, SmoothRange, Soft, Source,
+    Specular, Spot, SquaredWindow, Table, Unattenuated, Vec3, Windowed,
 };
 
 /// What is done with each value.
@@ -24,6 +24,7 @@ const AXES: [Vec3<f32>; 3] =
 /// From less than a step of the smallest format to the most that a light may have.
 const INTENSITIES: [f32; 3] = [1e-6, 16.0, 1e9];
 const AMBER: Rgb<f32> = Rgb::new(1.0, 0.62, 0.0);
+const PANES: Gobo<'static> = Gobo::of(&[[0, 255, 0], [255, 1, 254], [7, 128, 0]]);
 const SAMPLES: [u16; 5] = [65_535, 60_000, 31_000, 400, 0];
 
 /// The light that the test looks at more closely.
@@ -74,6 +75,7 @@ fn of_format<S: Scalar>(visit: &mut impl Visit) -> Result<(), Error> {
         let spot = Spot::new(PLACES[index], AXES[index], Cone::from_outer(CutOff, Angle::degrees(degrees))?)?;
         let square = Projection::of(&spot)?.turned(Angle::degrees(degrees))?;
         visit.value(format!("{} {square:?}", S::NAME), square.compile::<S>()?);
+        visit.value(format!("{} {PANES:?} on {square:?}", S::NAME), PANES.on(square.compile::<S>()?));
     }
     let paper = Material::new(Rgb::new(0.9, 0.9, 0.85))?.with_emissive(AMBER)?;
     visit.value(format!("{} matt material", S::NAME), paper.compile::<S>());

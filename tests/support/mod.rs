@@ -12,6 +12,7 @@ pub mod cubics;
 pub mod every;
 pub mod every_falloff;
 pub mod format;
+pub mod gobos;
 pub mod imports;
 pub mod limits;
 pub mod operations;

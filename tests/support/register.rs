@@ -115,6 +115,16 @@ pub(crate) const REGISTER: &[Held] = &[
         "Place::is_inside",
     ]),
 
+    // Patterns on it.
+    by("tests/gobo.rs::transmissions_keep_their_rows", &[
+        "Gobo::new", "Gobo::on", "Gobo::transmission", "CompiledGobo::at",
+    ]),
+    by("tests/gobo.rs::weighted_bytes_keep_their_roundings", &["Scalar::weighted_byte"]),
+    by("tests/gobo.rs::clear_glass_changes_no_bit", &["CompiledGobo::filter"]),
+    by("tests/gobo.rs::a_gobo_keeps_what_it_is_given", &[
+        "Gobo::of", "Gobo::side", "Gobo::transmissions", "CompiledGobo::from_parts",
+    ]),
+
     // Distance, highlight and the lit point.
     by("tests/lit.rs::no_fall_keeps_its_row", &[
         "Attenuation for Unattenuated", "Attenuation::expose", "Point::compile", "Point::with_attenuation",

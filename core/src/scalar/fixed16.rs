@@ -205,6 +205,12 @@ impl Scalar for Fx16 {
     }
 
     #[inline(always)]
+    fn weighted_byte(sum: u32) -> Self {
+        // 257 / 2^16 is a 255th less 2^-16 of it: a quarter of a step at most, which the rounding makes good at one.
+        Self::from_bits((((sum >> 10) * 257 + (1 << 15)) >> 16).min(1 << 14) as i16)
+    }
+
+    #[inline(always)]
     fn versine_between(a: Vec3<I2F30>, b: Vec3<I2F30>, ramp: Ramp16) -> U3F29 {
         let shift = MOST_ZOOM - ramp.zoom + 1;
         // The rounding belongs to the second direction: where that is an axis, it is taken once per light. Opposite

@@ -244,6 +244,13 @@ impl Scalar for Fx32 {
     }
 
     #[inline(always)]
+    fn weighted_byte(sum: u32) -> Self {
+        /// `2^38 / 255`: a product of at most 63 bits.
+        const INVERSE: u64 = 1_077_952_576;
+        Self::from_bits(((u64::from(sum) * INVERSE + (1 << 31)) >> 32).min(1 << 30) as i32)
+    }
+
+    #[inline(always)]
     fn versine_between(a: Vec3<I2F30>, b: Vec3<I2F30>, _: Ramp32) -> Versine32 {
         let difference = a.zip(b, |a, b| a.to_bits().saturating_sub(b.to_bits()));
         let squares = difference.map(square);

@@ -167,6 +167,13 @@ impl Scalar for f32 {
     }
 
     #[inline(always)]
+    fn weighted_byte(sum: u32) -> Self {
+        // Of 24 bits, which is an integer of this format.
+        let share = (sum >> 8).cast_signed() as f32 * (1.0 / 16_711_680.0);
+        if share < 1.0 { share } else { 1.0 }
+    }
+
+    #[inline(always)]
     fn versine_between(a: Vec3<f32>, b: Vec3<f32>, _: FloatRamp) -> f32 {
         let difference = a.zip(b, |a, b| a - b);
         0.5 * difference.dot(difference)

@@ -226,7 +226,11 @@ fn assert_no_surface_shadows_itself<S: Exact>() {
         }
     }
     std::println!("{}: {steepest:.3}", S::NAME);
-    assert!(GRAZING.contains(&steepest), "{}: a point met with a cosine of {steepest:.3} is in shadow", S::NAME);
+    assert!(
+        GRAZING.contains(&steepest),
+        "{}: a point met with a cosine of {steepest:.3} is in shadow",
+        S::NAME
+    );
 }
 
 #[test]

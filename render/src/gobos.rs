@@ -1,0 +1,122 @@
+//! Patterns for the gate of a spotlight, drawn when the program is compiled.
+//!
+//! Each is a square of any side, white where the light passes; [`Gobo::of`](luminaire::Gobo::of) takes it. Edges are one part
+//! wide, so that a pattern of 32 already looks smooth.
+//!
+//! ```
+//! use luminaire::Gobo;
+//! use luminaire_render::gobos;
+//! const LEAVES: [[u8; 32]; 32] = gobos::breakup();
+//! assert_eq!(Gobo::of(&LEAVES).side(), 32);
+//! ```
+
+/// How many units a side has in the coordinates that patterns are drawn in, from -[`HALF`] to [`HALF`].
+const HALF: i32 = 1 << 12;
+
+/// A window of two by three panes, taller than wide.
+pub const fn window<const SIDE: usize>() -> [[u8; SIDE]; SIDE] {
+    /// Half the width and the height of the window, and half a bar.
+    const FRAME: [i32; 2] = [1_900, 2_700];
+    const BAR: i32 = 150;
+    let mut rows = [[0; SIDE]; SIDE];
+    let mut index = 0;
+    while index < SIDE * SIDE {
+        let [x, y] = middle::<SIDE>(index);
+        let (x, y) = (x.abs(), y.abs());
+        let within = least([FRAME[0] - x, FRAME[1] - y]);
+        let off_bars = least([x - BAR, (y - FRAME[1] / 3).abs() - BAR]);
+        rows[index / SIDE][index % SIDE] = coverage::<SIDE>(least([within, off_bars]));
+        index += 1;
+    }
+    rows
+}
+
+/// A star of five points.
+pub const fn star<const SIDE: usize>() -> [[u8; SIDE]; SIDE] {
+    /// The directions in which its five edges face, from the top clockwise, of a length of 1,024.
+    const FACING: [[i32; 2]; 5] = [[0, -1_024], [974, -316], [602, 828], [-602, 828], [-974, -316]];
+    /// How far from the middle the edges run.
+    const EDGE: i32 = 1_150;
+    let mut rows = [[0; SIDE]; SIDE];
+    let mut index = 0;
+    while index < SIDE * SIDE {
+        let [x, y] = middle::<SIDE>(index);
+        // Within all but one of the edges: the second least of what is left to them.
+        let (mut first, mut second) = (i32::MAX, i32::MAX);
+        let mut edge = 0;
+        while edge < FACING.len() {
+            let left = EDGE - (FACING[edge][0] * x + FACING[edge][1] * y) / 1_024;
+            second = least([second, if left > first { left } else { first }]);
+            first = least([first, left]);
+            edge += 1;
+        }
+        rows[index / SIDE][index % SIDE] = coverage::<SIDE>(second);
+        index += 1;
+    }
+    rows
+}
+
+/// A breakup: light through leaves, round gaps of many sizes.
+pub const fn breakup<const SIDE: usize>() -> [[u8; SIDE]; SIDE] {
+    let mut rows = [[0; SIDE]; SIDE];
+    let mut index = 0;
+    while index < SIDE * SIDE {
+        let [x, y] = middle::<SIDE>(index);
+        let mut deepest = i32::MIN;
+        let mut gap = 0;
+        while gap < GAPS.len() {
+            let [left, top, radius] = GAPS[gap];
+            let squared = (x - left) * (x - left) + (y - top) * (y - top);
+            // How far within the circle, to the first order.
+            let within = (radius * radius - squared) / (2 * radius);
+            deepest = if within > deepest { within } else { deepest };
+            gap += 1;
+        }
+        rows[index / SIDE][index % SIDE] = coverage::<SIDE>(deepest);
+        index += 1;
+    }
+    rows
+}
+
+/// Where the leaves leave gaps: middle and radius.
+const GAPS: [[i32; 3]; 22] = [
+    [-300, -250, 620],
+    [820, 300, 480],
+    [-900, 760, 540],
+    [260, 1_150, 420],
+    [900, -900, 560],
+    [-1_350, -500, 380],
+    [-500, -1_500, 520],
+    [1_800, -250, 430],
+    [1_500, 1_250, 560],
+    [-350, 2_050, 480],
+    [-1_900, 1_500, 430],
+    [-2_250, 350, 520],
+    [-1_800, -1_500, 480],
+    [400, -2_350, 440],
+    [1_750, -1_800, 500],
+    [2_700, 500, 420],
+    [850, 2_350, 520],
+    [-1_200, 2_850, 380],
+    [-3_050, -650, 360],
+    [-900, -2_800, 360],
+    [2_900, -1_150, 300],
+    [2_300, 2_250, 340],
+];
+
+/// The middle of a part, to the right and down from the middle of the square.
+const fn middle<const SIDE: usize>(index: usize) -> [i32; 2] {
+    let (side, column, row) = (SIDE as i32, (index % SIDE) as i32, (index / SIDE) as i32);
+    [(2 * column + 1 - side) * HALF / side, (2 * row + 1 - side) * HALF / side]
+}
+
+/// How much of a part is covered whose middle is so far within an edge.
+const fn coverage<const SIDE: usize>(within: i32) -> u8 {
+    let part = 2 * HALF / SIDE as i32;
+    let within = least([within + part / 2, part]);
+    if within > 0 { (within * 255 / part) as u8 } else { 0 }
+}
+
+const fn least([a, b]: [i32; 2]) -> i32 {
+    if a < b { a } else { b }
+}
