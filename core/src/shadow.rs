@@ -89,6 +89,16 @@ impl<'a, S: Scalar> Shadow<'a, S> {
         &self.projection
     }
 
+    /// How many texels a side has.
+    pub const fn side(&self) -> usize {
+        self.side as usize
+    }
+
+    /// The depths, row by row.
+    pub const fn depths(&self) -> &'a [S::Length] {
+        self.depths
+    }
+
     /// How much of the light arrives at a point, from 0 to 1: exactly one where nothing stands between, so that a factor of
     /// it changes no bit, and exactly zero in full shadow. What is off the square or behind the light has no shadow, as no
     /// light of the cone arrives there.

@@ -275,13 +275,6 @@ impl<T: Source, const N: usize> Source for [T; N] {
     }
 }
 
-impl<T: Source> Source for &[T] {
-    fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
-        out.write_str("&")?;
-        out.debug_list().entries(self.iter().map(Written)).finish()
-    }
-}
-
 impl<T: Source> Source for Vec3<T> {
     fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
         let Self { x, y, z } = self;
@@ -365,12 +358,6 @@ impl<S: Scalar> Source for CompiledProjection<S> {
     }
 }
 
-<<<<<<< HEAD
-impl<S: Scalar> Source for Shadow<'_, S> {
-    fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
-        write!(out, "Shadow::<{}>::", name::<S>())?;
-        call(out, "from_parts", &[&self.projection, &self.side, &self.depths])
-=======
 /// The rows of a gobo.
 struct Rows<'a>(Gobo<'a>);
 
@@ -390,6 +377,23 @@ impl<S: Scalar> Source for CompiledGobo<'_, S> {
     fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
         write!(out, "CompiledGobo::<{}>::", name::<S>())?;
         call(out, "from_parts", &[&self.projection, &self.gobo])
->>>>>>> 61ed258c5329b7dacd180bbc8546605dbf17d82b
+    }
+}
+
+/// Values that are borrowed, as a constant of their own: whoever borrows it may keep it.
+struct Borrowed<'a, T>(&'a [T]);
+
+impl<T: Source> Source for Borrowed<'_, T> {
+    fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
+        out.write_str("const { &")?;
+        out.debug_list().entries(self.0.iter().map(Written)).finish()?;
+        out.write_str(" }")
+    }
+}
+
+impl<S: Scalar> Source for Shadow<'_, S> {
+    fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
+        write!(out, "Shadow::<{}>::", name::<S>())?;
+        call(out, "from_parts", &[&self.projection, &self.side, &Borrowed(self.depths)])
     }
 }
