@@ -71,9 +71,9 @@ fn of_format<S: Scalar>(visit: &mut impl Visit) -> Result<(), Error> {
     surfaces::<S, _>(visit, BlinnPhong)?;
     surfaces::<S, _>(visit, DualCone)?;
     surfaces::<S, _>(visit, Lyon::<_, 3>(Phong))?;
-    for (index, degrees) in [1.5, 40.0, 160.0].into_iter().enumerate() {
+    for (index, (degrees, roll)) in [(1.5, 0.0), (40.0, 90.0), (160.0, -10.0)].into_iter().enumerate() {
         let spot = Spot::new(PLACES[index], AXES[index], Cone::from_outer(CutOff, Angle::degrees(degrees))?)?;
-        let square = Projection::of(&spot)?.turned(Angle::degrees(degrees))?;
+        let square = Projection::of(&spot)?.turned(Angle::degrees(roll))?;
         visit.value(format!("{} {square:?}", S::NAME), square.compile::<S>()?);
         let depths = [0.5, 7.25, f32::INFINITY, 3.0].map(S::length);
         visit.value(
