@@ -4,10 +4,11 @@ use crate::{
     bounds::Reach,
     gbuffer::{Block, LANES},
     scene::{Highlight, Material},
+    shadows::Shadows,
 };
 use luminaire::{
-    Arrival, CompiledGobo, CompiledLamp, Error, Light as _, Luminaire, Matte, Plan, Rgb, Scalar, Specular,
-    Surface, Surfaces, Vec3,
+    Angle, Arrival, CompiledGobo, CompiledLamp, CompiledProjection, Error, Gobo, Light as _, Luminaire,
+    Matte, Plan, Rgb, Scalar, Shadow, Specular, Surface, Surfaces, Vec3,
 };
 
 /// The light that the pixels of a block send to the eye: linear, 1 is full scale.
@@ -16,11 +17,14 @@ pub(crate) type Radiance = Rgb<[f32; LANES]>;
 /// Light at the pixels of a block.
 type Light<S> = Rgb<[<S as Scalar>::Irradiance; LANES]>;
 
-/// A lamp compiled for a format, and where its light may be.
+/// A luminaire compiled for a format, and where its light may be.
 #[derive(Clone, Copy, Debug)]
 pub struct Prepared<S: Scalar> {
+    number: usize,
     lamp: CompiledLamp<S>,
     gobo: Option<CompiledGobo<'static, S>>,
+    /// The square that the shadow map lies on.
+    shadow: Option<CompiledProjection<S>>,
     pub(crate) reach: Reach,
 }
 
@@ -39,17 +43,39 @@ pub struct Setting<'a, S: Scalar> {
     pub(crate) ambient: Rgb<f32>,
     /// By number.
     pub(crate) finishes: &'a [Finish<S>],
+    pub(crate) shadows: &'a Shadows<S>,
 }
 
+/// Clear glass: what there is in the gate of a spotlight where nothing is left out.
+const CLEAR: Gobo<'static> = Gobo::of(&[[u8::MAX]]);
+
 impl<S: Scalar> Prepared<S> {
-    /// The lamp, if the plan keeps it.
+    /// The luminaire of this number, if the plan keeps it.
     ///
     /// # Errors
     /// What the format can't hold.
-    pub(crate) fn new(luminaire: &Luminaire, plan: &Plan) -> Result<Option<Self>, Error> {
-        let (lamp, gobo) = (plan.prepare(luminaire.lamp())?, luminaire.compile_gobo()?);
-        Ok(lamp.map(|lamp| Self { lamp, gobo, reach: Reach::new(luminaire.lamp()) }))
+    pub(crate) fn new(number: usize, luminaire: &Luminaire, plan: &Plan) -> Result<Option<Self>, Error> {
+        let Some(lamp) = plan.prepare(luminaire.lamp())? else { return Ok(None) };
+        let mut luminaire = *luminaire;
+        if !plan.skips() {
+            luminaire = equipped(luminaire).unwrap_or(luminaire);
+        }
+        let shadow = luminaire.shadow().map(|(_, square)| square.compile()).transpose()?;
+        let (gobo, reach) = (luminaire.compile_gobo()?, Reach::new(luminaire.lamp()));
+        Ok(Some(Self { number, lamp, gobo, shadow, reach }))
     }
+}
+
+/// A luminaire with everything that it may have and has not: none of it changes its light.
+///
+/// # Errors
+/// A lamp that projects no square.
+fn equipped(mut luminaire: Luminaire) -> Result<Luminaire, Error> {
+    if luminaire.gobo().is_none() {
+        luminaire = luminaire.with_gobo(CLEAR, Angle::degrees(0.0))?;
+    }
+    // There is no map of it.
+    if luminaire.shadow().is_none() { luminaire.with_shadow(16) } else { Ok(luminaire) }
 }
 
 impl<S: Scalar> Finish<S> {
@@ -79,7 +105,8 @@ impl<S: Scalar> Setting<'_, S> {
         };
         let dark = [S::Irradiance::default(); LANES];
         let mut arrivals = Arrival { diffuse: dark, specular: dark };
-        for Prepared { lamp, gobo, .. } in lamps {
+        for prepared in lamps {
+            let lamp = &prepared.lamp;
             let mut lobes = dark;
             if shines {
                 for number in self.shining(block) {
@@ -92,10 +119,13 @@ impl<S: Scalar> Setting<'_, S> {
             } else {
                 self.arrive::<Matte>(lamp, &surfaces, &(), &mut arrivals);
             }
-            if let Some(gobo) = gobo {
-                let part = core::array::from_fn(|lane| gobo.at(block.point_at(lane)));
-                filter::<S>(&mut arrivals.diffuse, &part);
-                filter::<S>(&mut lobes, &part);
+            if let Some(gobo) = &prepared.gobo {
+                filter::<S>([&mut arrivals.diffuse, &mut lobes], block, |point| gobo.at(point));
+            }
+            if let Some(square) = prepared.shadow {
+                let none = Shadow::from_parts(square, 0, &[]);
+                let shadow = self.shadows.of(prepared.number).unwrap_or(none);
+                filter::<S>([&mut arrivals.diffuse, &mut lobes], block, |point| shadow.visibility(point));
             }
             add::<S>(diffuse, &arrivals.diffuse, lamp.color());
             if shines {
@@ -159,11 +189,20 @@ fn borrowed<T>(columns: &Vec3<T>) -> Vec3<&T> {
     Vec3::new(&columns.x, &columns.y, &columns.z)
 }
 
-/// Leaves a part of the light.
+/// Leaves a part of the light at each point: where none arrives there is nothing to leave.
 #[inline(always)]
-fn filter<S: Scalar>(light: &mut [S::Irradiance; LANES], part: &[S; LANES]) {
-    for (light, part) in light.iter_mut().zip(part) {
-        *light = S::filter(*light, *part);
+fn filter<S: Scalar>(
+    [diffuse, lobes]: [&mut [S::Irradiance; LANES]; 2],
+    block: &Block<S>,
+    part: impl Fn(Vec3<S::Length>) -> S,
+) {
+    let dark = S::Irradiance::default();
+    for lane in 0..LANES {
+        if diffuse[lane] > dark || lobes[lane] > dark {
+            let part = part(block.point_at(lane));
+            diffuse[lane] = S::filter(diffuse[lane], part);
+            lobes[lane] = S::filter(lobes[lane], part);
+        }
     }
 }
 
