@@ -23,11 +23,11 @@ use scene::Site;
 use tally::Tally;
 
 /// The width of the picture in pixels.
-pub const WIDTH: usize = 160;
+const WIDTH: usize = 160;
 /// The height of the picture in pixels.
-pub const HEIGHT: usize = 120;
+const HEIGHT: usize = 120;
 /// The stages of a row, in the order in which they are counted.
-pub const STAGES: [&str; 6] = ["geometry", "ambient", "light", "shadow", "colour", "display"];
+const STAGES: &str = "geometry ambient light shadow colour display";
 
 /// A row between the stages.
 struct Row {
@@ -37,9 +37,10 @@ struct Row {
     pixels: [u16; WIDTH],
 }
 
-/// Draws the picture, and prints the pixels of each row as hexadecimal digits; the last line tells how many pixels the lamp does
-/// not reach, and why.
+/// Draws the picture. The first line tells its size and the stages, the last one how many pixels the lamp does not reach and why;
+/// between them are the pixels of each row, as hexadecimal digits.
 pub fn frame() {
+    println!("{WIDTH} {HEIGHT} {STAGES}");
     let mut row = Row {
         sites: [Site::default(); WIDTH],
         lights: [U18F14::ZERO; WIDTH],

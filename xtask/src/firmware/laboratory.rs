@@ -61,10 +61,15 @@ impl Laboratory {
 
     /// Runs a firmware program, which prints one line for each region.
     pub(crate) fn run(&self, name: &str) -> Result<Run> {
+        self.run_with(name, <[String]>::len)
+    }
+
+    /// Runs a firmware program, whose lines tell how many regions it has.
+    pub(crate) fn run_with(&self, name: &str, regions: impl FnOnce(&[String]) -> usize) -> Result<Run> {
         let file = project::target().join(format!("{name}-{}.counts", self.board.name));
         let output = self.emulator.run(&self.program(name), &self.counter, &file)?;
         let lines: Vec<_> = output.lines().map(str::to_owned).collect();
-        let regions = counts::read(&file, lines.len())?;
+        let regions = counts::read(&file, regions(&lines))?;
         Ok(Run { lines, regions })
     }
 }
