@@ -1,13 +1,13 @@
 //! Ordered dither: each pixel shows one of the two codes about a colour, so that together they have its light.
 //!
-//! Rounded to the few codes of a display, a soft gradient falls apart into bands. Between two codes a part of the pixels
-//! shows the upper one instead, in the order of Bayer's matrix (B. E. Bayer, *An optimum method for two-level rendition of
-//! continuous-tone pictures*, ICC 1973), which spreads them evenly over cells of 8 x 8.
+//! Rounded to the few codes of a display, a soft gradient falls apart into bands. Between two codes a part of the
+//! pixels shows the upper one instead, in the order of Bayer's matrix, which spreads them evenly over cells of
+//! 8 x 8 (B. E. Bayer, *An optimum method for two-level rendition of continuous-tone pictures*, ICC 1973).
 //!
-//! How many they are goes by linear light, because that is what an eye adds up that does not see the pixels apart: a
-//! quarter of the way from one code's light to the next one's, a quarter of the pixels. Parts by the encoded value would
-//! make a cell too bright, in the dark by up to a twentieth of a step, and would need the encoded value. Linear light needs
-//! no more than the light of each code, which is a table.
+//! How many they are goes by linear light, because that is what an eye adds up that does not see the pixels
+//! apart: a quarter of the way from one code's light to the next one's, a quarter of the pixels. Parts by the
+//! encoded value would make a cell too bright, in the dark by up to a twentieth of a step, and would need the
+//! encoded value. Linear light needs no more than the light of each code, which is a table.
 //!
 //! There is no amplitude. All of the dither keeps the light, none of it ([`encode_srgb`](super::encode_srgb),
 //! [`Rgb565::from_linear`]) puts the nearest code everywhere, and anything between would have bands again.
@@ -21,9 +21,10 @@ use crate::scalar::{Scalar, float::clamp};
 /// The sRGB code that a pixel shows of a linear value: one of the two about it, the same one for the same last three
 /// bits of `x` and `y`. Below 0, and for what is not a number, it is 0; above 1 it is 255.
 ///
-/// Over a cell of 8 x 8 pixels the mean light of the codes is that of the value, within 1/128 of the step from one code to
-/// the next; a value as near as that to a code's own shows that code in every pixel. For each pixel the code never falls
-/// as the value rises. Channels of one value have one code, so that grey stays grey.
+/// Over a cell of 8 x 8 pixels the mean light of the codes is that of the value within 0.0081 of the step from one
+/// code to the next: 1/128, and the roundings of the table. A value nearer than that to a code's own light shows
+/// the code in every pixel. For each pixel the code never falls as the value rises. Channels of one value have one
+/// code, so that grey stays grey.
 ///
 /// ```
 /// use luminaire::{decode_srgb, encode_srgb_dithered};
@@ -81,58 +82,63 @@ const fn rank(x: usize, y: usize) -> u8 {
 
 /// The fraction bits of the table: as many as an f32 has below one, and few enough that 128 such steps fit 32 bits.
 const BITS: u32 = 24;
-/// The light of the last code.
-#[cfg(feature = "fixed")]
-const FULL: u32 = 1 << BITS;
+/// The light of a code from 0 to `last`, as the nearest multiple of 2^-24.
+const fn light(code: usize, last: usize) -> u32 {
+    // The least multiple of half a step that is not less, halved downwards, is the nearest step.
+    if code == 0 { 0 } else { least(code as f64 / last as f64, BITS + 1) / 2 }
+}
 
-/// The light of the codes from 0 to `LAST - 1`; that of the last is one.
+/// The light of the codes up to `LAST`.
 struct Light<const LAST: usize>;
 
 impl<const LAST: usize> Light<LAST> {
-    /// The nearest multiples of 2^-24.
+    /// From code 1 on, in steps of 2^-24.
+    #[cfg(feature = "fixed")]
     const STEPS: [u32; LAST] = {
         let mut table = [0; LAST];
-        let mut code = 1;
+        let mut code = 0;
         while code < LAST {
-            // The least multiple of half a step that is not less, halved downwards, is the nearest step.
-            table[code] = least(code as f64 / LAST as f64, BITS + 1) / 2;
+            table[code] = light(code + 1, LAST);
             code += 1;
         }
         table
     };
 
-    /// The same, exactly.
+    /// From code 0 on, exactly that; the last one's is one.
     const FLOAT: [f32; LAST] = {
         let mut table = [0.0; LAST];
         let mut code = 0;
         while code < LAST {
-            table[code] = Self::STEPS[code] as f32 / (1 << BITS) as f32;
+            table[code] = light(code, LAST) as f32 / (1 << BITS) as f32;
             code += 1;
         }
         table
     };
 }
 
-/// The code of a value in steps of 2^-24, of which there are at most 2^24: found by halving the codes that are left, and
-/// one more where the value is past the threshold.
+/// The code of a value in steps of 2^-24, of which there are at most 2^24: found by halving the codes that
+/// are left, and one more where the value is past the threshold.
 #[cfg(feature = "fixed")]
 #[inline]
 pub(crate) fn dithered_fixed<const LAST: usize>(linear: u32, threshold: u8) -> u8 {
-    let table = &Light::<LAST>::STEPS;
-    let (mut code, mut step) = (0, LAST.div_ceil(2));
-    while step > 0 {
-        let reaches = table.get(code + step).is_some_and(|light| linear >= *light);
-        code += if reaches { step } else { 0 };
-        step /= 2;
+    let mut left = Light::<LAST>::STEPS.as_slice();
+    let (mut code, mut here, mut next) = (0, 0, 1 << BITS);
+    // As many turns as the code has bits: a number that the compiler knows, and unrolls.
+    for _ in 0..=LAST.ilog2() {
+        let (below, [light, above @ ..]) = left.split_at(left.len() / 2) else { break };
+        if linear >= *light {
+            (left, here) = (above, *light);
+            code += below.len() + 1;
+        } else {
+            (left, next) = (below, *light);
+        }
     }
-    let here = table.get(code).copied().unwrap_or(FULL);
-    let next = table.get(code + 1).copied().unwrap_or(FULL);
     let is_past = (linear - here) << 7 > (next - here) * u32::from(threshold);
     (code + usize::from(is_past)) as u8
 }
 
-/// The same in f32, where the curve finds the code. Next to the light of a code it may find the neighbour, which makes no
-/// difference: the curve errs by 0.002 codes, and the nearest thresholds are 1/128 away.
+/// The same in f32, where the curve finds the code. Next to the light of a code it may find the neighbour,
+/// which makes no difference: the curve errs by 0.002 codes, and the nearest thresholds are 1/128 away.
 #[inline(always)]
 pub(crate) fn dithered_float<const LAST: usize>(linear: f32, threshold: u8) -> u8 {
     let linear = clamp(linear);

@@ -5,9 +5,9 @@ use luminaire::{Fx16, Vec3, source::I16F16};
 use super::camera::{Sight, Window, steps};
 use super::measures::{BALL, BALL_RADIUS, EYE};
 use super::quadratic::Quadratic;
-use super::shadow::{Way, dot};
+use super::shadow::{Passage, Way};
 
-/// The lines of sight that can meet it.
+/// The pixels that can see it.
 pub(super) const WINDOW: Window = Window::about(BALL, [BALL_RADIUS; 3]);
 const MIDDLE: Vec3<i32> = Vec3::new(steps(BALL[0]), steps(BALL[1]), steps(BALL[2]));
 /// From the eye to its middle, as lines of sight go.
@@ -38,12 +38,5 @@ pub(super) fn normal(point: Vec3<I16F16>) -> Vec3<Fx16> {
 /// Whether it is in the way from a point outside of it to the lamp.
 #[inline(always)]
 pub(super) fn is_between(way: &Way) -> bool {
-    let back = way.to(MIDDLE);
-    let radius = steps(BALL_RADIUS) >> 4;
-    let line = Quadratic {
-        a: dot(way.whole, way.whole),
-        b: dot(way.whole, back),
-        c: dot(back, back) - radius * radius,
-    };
-    line.b > 0 && line.c > 0 && line.discriminant() > 0
+    Passage::of(way.whole, way.to(MIDDLE), steps(BALL_RADIUS) >> 4).is_some()
 }

@@ -40,12 +40,17 @@ impl Sight {
         steps(EYE[1]) + ((self.up * depth) >> DEPTH_BITS)
     }
 
+    /// How far to the right it is at a depth.
+    #[inline(always)]
+    pub(super) fn x(self, depth: i32) -> I16F16 {
+        I16F16::from_bits(steps(EYE[0]) + ((self.right * depth) >> DEPTH_BITS))
+    }
+
     /// The point at a depth.
     #[inline(always)]
     pub(super) fn point(self, depth: i32) -> Vec3<I16F16> {
-        let right = steps(EYE[0]) + ((self.right * depth) >> DEPTH_BITS);
         let back = steps(EYE[2]) - (depth << (16 - DEPTH_BITS));
-        Vec3::new(right, self.height(depth), back).map(I16F16::from_bits)
+        Vec3::new(self.x(depth), I16F16::from_bits(self.height(depth)), I16F16::from_bits(back))
     }
 
     /// The squared length of the part to the right, of that upwards, and of one metre into the depth, in steps of
@@ -57,41 +62,47 @@ impl Sight {
     }
 }
 
-/// The lines of sight that can meet something: a box about it, as seen from the eye.
+/// The pixels that can see something: those of a box about it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Window {
-    right: [i32; 2],
-    up: [i32; 2],
+    columns: [usize; 2],
+    rows: [usize; 2],
 }
 
 impl Window {
     /// About a box of this middle and half size.
     pub(super) const fn about(middle: [f32; 3], half: [f32; 3]) -> Self {
         let depth = EYE[2] - middle[2];
-        let [near, far] = [depth - half[2], depth + half[2]];
+        let depths = [depth - half[2], depth + half[2]];
+        let [left, right] = slopes(middle[0] - EYE[0], half[0], depths);
+        let [bottom, top] = slopes(middle[1] - EYE[1], half[1], depths);
         Self {
-            right: range(middle[0] - EYE[0], half[0], near, far),
-            up: range(middle[1] - EYE[1], half[1], near, far),
+            columns: pixels([left, right], WIDTH as i32 / 2, WIDTH),
+            rows: pixels([-top, -bottom], HORIZON, HEIGHT),
         }
     }
 
-    /// Whether a line of sight goes through its rows.
-    #[inline(always)]
-    pub(super) fn has_row(&self, sight: Sight) -> bool {
-        sight.up >= self.up[0] && sight.up <= self.up[1]
-    }
-
-    /// Whether a line of sight goes through its columns.
-    #[inline(always)]
-    pub(super) fn has_column(&self, sight: Sight) -> bool {
-        sight.right >= self.right[0] && sight.right <= self.right[1]
+    /// Its pixels in a row, with the numbers of their columns.
+    pub(super) fn of<'a, T>(
+        &self,
+        row: usize,
+        pixels: &'a mut [T; WIDTH],
+    ) -> impl Iterator<Item = (usize, &'a mut T)> {
+        let [first, end] = if row >= self.rows[0] && row < self.rows[1] { self.columns } else { [0, 0] };
+        (first..).zip(pixels.get_mut(first..end).unwrap_or_default())
     }
 }
 
-/// The least and the largest slope of what is so wide, between two depths.
-const fn range(middle: f32, half: f32, near: f32, far: f32) -> [i32; 2] {
+/// The least and the largest slope towards what is so wide, between two depths.
+const fn slopes(middle: f32, half: f32, [near, far]: [f32; 2]) -> [f32; 2] {
     let (low, high) = (middle - half, middle + half);
-    let low = low / if low < 0.0 { near } else { far };
-    let high = high / if high < 0.0 { far } else { near };
-    [steps(low) - 1, steps(high) + 1]
+    [low / if low < 0.0 { near } else { far }, high / if high < 0.0 { far } else { near }]
+}
+
+/// The first pixel between two slopes, and the one behind the last.
+const fn pixels([low, high]: [f32; 2], zero: i32, count: usize) -> [usize; 2] {
+    let first = zero + steps(low) / (2 * HALF_PIXEL) - 1;
+    let end = zero + steps(high) / (2 * HALF_PIXEL) + 2;
+    let count = count as i32;
+    [if first < 0 { 0 } else { first as usize }, if end > count { count as usize } else { end as usize }]
 }

@@ -4,10 +4,10 @@ use luminaire::{Fx16, Vec3, source::I16F16};
 
 use super::camera::{DEPTH_BITS, Sight, Window, steps};
 use super::measures::{COLUMN, COLUMN_HEIGHT, COLUMN_RADIUS, EYE};
-use super::quadratic::{Quadratic, root};
-use super::shadow::Way;
+use super::quadratic::Quadratic;
+use super::shadow::{Passage, Way};
 
-/// The lines of sight that can meet it.
+/// The pixels that can see it.
 pub(super) const WINDOW: Window = Window::about(
     [COLUMN[0], COLUMN_HEIGHT / 2.0, COLUMN[1]],
     [COLUMN_RADIUS, COLUMN_HEIGHT / 2.0, COLUMN_RADIUS],
@@ -69,19 +69,11 @@ pub(super) fn normal(point: Vec3<I16F16>) -> Vec3<Fx16> {
 /// Whether it is in the way from a point outside of it to the lamp, which hangs higher.
 #[inline(always)]
 pub(super) fn is_between(way: &Way) -> bool {
-    let back = way.to(Vec3::new(steps(COLUMN[0]), steps(COLUMN_HEIGHT), steps(COLUMN[1])));
-    let radius = steps(COLUMN_RADIUS) >> 4;
-    let flat = |a: Vec3<i32>, b: Vec3<i32>| a.x * b.x + a.z * b.z;
-    let line = Quadratic {
-        a: flat(way.whole, way.whole),
-        b: flat(way.whole, back),
-        c: flat(back, back) - radius * radius,
-    };
-    let discriminant = line.discriminant();
-    if line.b <= 0 || line.c <= 0 || discriminant <= 0 {
-        return false;
-    }
-    // Where it enters, `entry / a` of the way, it must not yet be above the top.
-    let entry = line.b.cast_unsigned().saturating_sub(root(discriminant.cast_unsigned()));
-    i64::from(entry) * i64::from(way.whole.y) < i64::from(line.a) * i64::from(back.y)
+    let top = way.to(Vec3::new(steps(COLUMN[0]), steps(COLUMN_HEIGHT), steps(COLUMN[1])));
+    let flat = |way: Vec3<i32>| Vec3 { y: 0, ..way };
+    // Where the way comes over the column it must not yet be above the top.
+    Passage::of(flat(way.whole), flat(top), steps(COLUMN_RADIUS) >> 4).is_some_and(|passage| {
+        let entry = passage.nearest - passage.within.isqrt().cast_signed();
+        entry * way.whole.y < passage.squared * top.y
+    })
 }

@@ -12,6 +12,8 @@ mod quadratic;
 mod scene;
 mod shadow;
 mod tally;
+#[cfg(test)]
+mod tests;
 
 use core::fmt;
 
@@ -37,8 +39,8 @@ struct Row {
     pixels: [u16; WIDTH],
 }
 
-/// Draws the picture. The first line tells its size and the stages, the last one how many pixels the lamp does not reach and why;
-/// between them are the pixels of each row, as hexadecimal digits.
+/// Draws the picture. The first line tells its size and the stages, the last one how many pixels the lamp
+/// does not reach and why; between them are the pixels of each row, as hexadecimal digits.
 pub fn frame() {
     println!("{WIDTH} {HEIGHT} {STAGES}");
     let mut row = Row {

@@ -19,34 +19,37 @@ const TINT: [Rgb<Fx16>; 5] = include!(concat!(env!("OUT_DIR"), "/frame_tint.rs")
 /// The ambient light of each pixel, and nothing else.
 #[inline(never)]
 pub(super) fn glow(sites: &[Site; WIDTH], colors: &mut [Color; WIDTH]) {
-    for (site, color) in sites.iter().zip(colors) {
-        *color = GLOW[site.material as usize];
+    for (column, color) in colors.iter_mut().enumerate() {
+        *color = GLOW[sites[column].material as usize];
     }
 }
 
 /// What arrives of the lamp, before its colour.
 #[inline(never)]
 pub(super) fn light(sites: &[Site; WIDTH], lights: &mut [U18F14; WIDTH]) {
-    for (site, light) in sites.iter().zip(lights) {
-        *light = KEY.irradiance(site.point, site.normal);
+    for (column, light) in lights.iter_mut().enumerate() {
+        let Site { point, normal, .. } = sites[column];
+        *light = KEY.irradiance(point, normal);
     }
 }
 
 /// The ambient light and the lamp's, as the materials send them back.
 #[inline(never)]
 pub(super) fn color(sites: &[Site; WIDTH], lights: &[U18F14; WIDTH], colors: &mut [Color; WIDTH]) {
-    for ((site, light), color) in sites.iter().zip(lights).zip(colors) {
-        let glow = GLOW[site.material as usize];
-        let is_lit = *light != U18F14::ZERO;
-        let lit = || glow.plus::<Fx16>(Rgb::lit(*light, TINT[site.material as usize]));
-        *color = if is_lit { lit() } else { glow };
+    for (column, color) in colors.iter_mut().enumerate() {
+        let (material, light) = (sites[column].material as usize, lights[column]);
+        *color = GLOW[material];
+        if light != U18F14::ZERO {
+            *color = color.plus::<Fx16>(Rgb::lit(light, TINT[material]));
+        }
     }
 }
 
 /// The pixels of a row.
 #[inline(never)]
 pub(super) fn display(colors: &[Color; WIDTH], row: usize, pixels: &mut [u16; WIDTH]) {
-    for ((column, color), pixel) in (0..).zip(colors).zip(pixels) {
-        *pixel = Rgb565::from_linear_dithered(clip::<Fx16>(*color), column, row as u32).0;
+    for (column, pixel) in pixels.iter_mut().enumerate() {
+        let color = clip::<Fx16>(colors[column]);
+        *pixel = Rgb565::from_linear_dithered(color, column as u32, row as u32).0;
     }
 }

@@ -4,7 +4,7 @@ use luminaire::{Fx16, Vec3, source::I16F16};
 
 use super::camera::{DEPTH_BITS, Sight, steps};
 use super::column::Meeting;
-use super::measures::{COLUMN_HEIGHT, EYE, WALL};
+use super::measures::{EYE, WALL};
 use super::{WIDTH, ball, column};
 
 /// What something is made of, which is also where its colours stand in the tables.
@@ -32,62 +32,44 @@ const TO_THE_FRONT: Vec3<Fx16> = Vec3::new(Fx16::ZERO, Fx16::ZERO, Fx16::ONE);
 /// What the pixels of a row see.
 #[inline(never)]
 pub(crate) fn look(row: usize, sites: &mut [Site; WIDTH]) {
-    let first = Sight::through(0, row);
-    let backdrop = Backdrop::of(first);
-    let (ball_is_near, column_is_near) = (ball::WINDOW.has_row(first), column::WINDOW.has_row(first));
-    for (column, site) in sites.iter_mut().enumerate() {
+    paint_backdrop(row, sites);
+    for (column, site) in column::WINDOW.of(row, sites) {
         let sight = Sight::through(column, row);
-        *site = backdrop.site(sight);
-        if column_is_near && column::WINDOW.has_column(sight) {
-            match column::meet(sight) {
-                Some(Meeting::Side(depth)) => {
-                    let point = sight.point(depth);
-                    *site = Site { point, normal: column::normal(point), material: Material::Column };
-                }
-                Some(Meeting::Top(depth)) => {
-                    let mut point = sight.point(depth);
-                    point.y = I16F16::from_bits(steps(COLUMN_HEIGHT));
-                    *site = Site { point, normal: UP, material: Material::Column };
-                }
-                None => {}
-            }
-        }
-        // The ball stands before everything.
-        if ball_is_near
-            && ball::WINDOW.has_column(sight)
-            && let Some(depth) = ball::depth(sight)
-        {
+        let (depth, normal) = match column::meet(sight) {
+            Some(Meeting::Side(depth)) => (depth, column::normal(sight.point(depth))),
+            Some(Meeting::Top(depth)) => (depth, UP),
+            None => continue,
+        };
+        *site = Site { point: sight.point(depth), normal, material: Material::Column };
+    }
+    // The ball stands before everything.
+    for (column, site) in ball::WINDOW.of(row, sites) {
+        let sight = Sight::through(column, row);
+        if let Some(depth) = ball::depth(sight) {
             let point = sight.point(depth);
             *site = Site { point, normal: ball::normal(point), material: Material::Ball };
         }
     }
 }
 
-/// What a row sees where nothing stands: floor and wall are at one depth all along it.
-#[derive(Clone, Copy, Debug)]
-struct Backdrop {
-    depth: i32,
-    is_floor: bool,
-}
-
-impl Backdrop {
-    fn of(sight: Sight) -> Self {
-        const TO_THE_WALL: i32 = steps(EYE[2] - WALL) >> (16 - DEPTH_BITS);
-        let is_floor = sight.height(TO_THE_WALL) < 0;
-        let to_the_floor = (steps(EYE[1]) << DEPTH_BITS).checked_div(-sight.up).unwrap_or(TO_THE_WALL);
-        Self { depth: if is_floor { to_the_floor } else { TO_THE_WALL }, is_floor }
-    }
-
-    #[inline(always)]
-    fn site(self, sight: Sight) -> Site {
-        let mut point = sight.point(self.depth);
-        if !self.is_floor {
-            return Site { point, normal: TO_THE_FRONT, material: Material::Wall };
-        }
-        point.y = I16F16::ZERO;
-        // Tiles of half a metre.
-        let is_dark = (point.x.to_bits() ^ point.z.to_bits()) >> 15 & 1 == 1;
-        let material = if is_dark { Material::DarkTile } else { Material::LightTile };
-        Site { point, normal: UP, material }
+/// Wall or floor, which are at one depth all along a row.
+fn paint_backdrop(row: usize, sites: &mut [Site; WIDTH]) {
+    const TO_THE_WALL: i32 = steps(EYE[2] - WALL) >> (16 - DEPTH_BITS);
+    let first = Sight::through(0, row);
+    let to_the_floor = (steps(EYE[1]) << DEPTH_BITS).checked_div(-first.up).unwrap_or(TO_THE_WALL);
+    let is_floor = first.height(TO_THE_WALL) < 0;
+    let depth = if is_floor { to_the_floor } else { TO_THE_WALL };
+    let Vec3 { y, z, .. } = first.point(depth);
+    for (column, site) in sites.iter_mut().enumerate() {
+        let x = Sight::through(column, row).x(depth);
+        *site = if is_floor {
+            let point = Vec3::new(x, I16F16::ZERO, z);
+            // Tiles of half a metre.
+            let is_dark = (x.to_bits() ^ z.to_bits()) >> 15 & 1 == 1;
+            let material = if is_dark { Material::DarkTile } else { Material::LightTile };
+            Site { point, normal: UP, material }
+        } else {
+            Site { point: Vec3::new(x, y, z), normal: TO_THE_FRONT, material: Material::Wall }
+        };
     }
 }

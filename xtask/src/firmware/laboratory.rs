@@ -32,13 +32,22 @@ pub(crate) struct Run {
 impl Laboratory {
     /// Finds or installs the emulator, and builds the counter and the board's firmware.
     pub(crate) fn new(board: &'static Board, progress: &Progress) -> Result<Self> {
+        Self::with(&["--bins"], board, progress)
+    }
+
+    /// The same with one program alone, which is built sooner.
+    pub(crate) fn with_program(name: &str, board: &'static Board, progress: &Progress) -> Result<Self> {
+        Self::with(&["--bin", name], board, progress)
+    }
+
+    fn with(programs: &[&str], board: &'static Board, progress: &Progress) -> Result<Self> {
         let emulator = Emulator::find(board, progress)?;
         let step =
             progress.begin("Building", format_args!("the counter and the firmware for {}", board.name));
         let counter = build_counter(&emulator, progress)?;
         let toolchain = Toolchain::find(board.target, progress)?;
         let mut build = firmware(toolchain.cargo_build("core", &[]));
-        build.args(["--release", "--bins"]);
+        build.arg("--release").args(programs);
         progress.run(build)?;
         step.done();
         Ok(Self { board, emulator, counter, programs: toolchain.artifacts("release") })

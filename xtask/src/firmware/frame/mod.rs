@@ -41,7 +41,7 @@ pub(crate) fn run(options: &FrameOptions) -> Result<()> {
     let host = on_the_host(&progress)?;
     let mut record = Record::new(&host);
     for board in boards {
-        let counts = draw(&Laboratory::new(board, &progress)?, &host)?;
+        let counts = draw(&Laboratory::with_program(PROGRAM, board, &progress)?, &host)?;
         record.boards.insert(board.name.to_owned(), counts);
     }
     print!("{}", part::table(&record));
@@ -82,8 +82,8 @@ fn draw(laboratory: &Laboratory, host: &Output) -> Result<Counts> {
     Ok(counts)
 }
 
-/// Fails where a record differs from the one that is checked in, or the picture or the table from what is made of it. Answers
-/// what a reader should know of a comparison that has passed.
+/// Fails where a record differs from the one that is checked in, or the picture or the table from what is
+/// made of it. Answers what a reader should know of a comparison that has passed.
 fn compare(new: &Record, picture: &Picture) -> Result<Vec<String>> {
     let old = Record::load()?;
     let (mut differences, remarks) = record::compare(&old, new);

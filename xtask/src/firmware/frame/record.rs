@@ -88,7 +88,8 @@ impl Record {
     }
 }
 
-/// What differs between two records, on the boards of the new one; and what a reader should know that is no difference.
+/// What differs between two records, on the boards of the new one; and what a reader should know that is no
+/// difference.
 pub(super) fn compare(old: &Record, new: &Record) -> (Vec<String>, Vec<String>) {
     let (mut differences, mut remarks) = (Vec::new(), Vec::new());
     if (old.pixels, &old.lamp, &old.stages) != (new.pixels, &new.lamp, &new.stages) {
