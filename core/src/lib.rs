@@ -100,7 +100,9 @@ pub use attenuation::{
     Attenuation, Distance, Faded, HardRange, InverseSquare, Polynomial, SmoothRange, SquaredWindow,
     Unattenuated, Windowed,
 };
-pub use color::{CompiledExposure, Exposure, Rgb, Rgb565, clip, decode_srgb, encode_srgb, keep_hue};
+pub use color::{
+    CompiledExposure, Exposure, Rgb, Rgb565, clip, decode_srgb, encode_srgb, encode_srgb_dithered, keep_hue,
+};
 pub use cone::{Cone, Falloff};
 pub use effect::{Effect, Effects};
 pub use error::{Accepted, Error, Parameter};

@@ -158,6 +158,9 @@ pub trait Scalar:
     fn clip(light: Self::Irradiance) -> Self;
     /// The nearest of the codes from 0 to `LAST` of an sRGB channel, for a linear value; clipped to [0, 1].
     fn srgb<const LAST: usize>(self) -> u8;
+    /// One of the codes about a linear value, clipped to [0, 1]: the upper one where the light is past `threshold`
+    /// 128ths of the way from the lower one's to its own.
+    fn srgb_dithered<const LAST: usize>(self, threshold: u8) -> u8;
 }
 
 /// A factor from zero upwards with an exponent of its own, and the arithmetic of distances on it.

@@ -255,6 +255,10 @@ pub(crate) const REGISTER: &[Held] = &[
     by("tests/display.rs::pixels_are_the_nearest", &["Rgb565::from_codes", "Rgb565::to_codes"]),
     by("tests/display.rs::light_past_full_scale_follows_the_stated_policy", &["clip", "keep_hue"]),
     by("tests/display.rs::stops_double_and_halve", &["Exposure::stops"]),
+    by("tests/dither.rs::sixteen_bits_keep_the_light_of_a_cell", &[
+        "encode_srgb_dithered", "Rgb565::from_linear_dithered",
+    ]),
+    through("tests/dither.rs::sixteen_bits_keep_the_light_of_a_cell", &["Scalar::srgb_dithered"]),
 
     // The same bits another way.
     by("tests/equivalence.rs::skipping_is_exact_in_fx16", &["CompiledSpot::irradiance_unskipped"]),

@@ -251,6 +251,11 @@ impl Scalar for f32 {
     fn srgb<const LAST: usize>(self) -> u8 {
         crate::color::encode_float(self, LAST as f32)
     }
+
+    #[inline(always)]
+    fn srgb_dithered<const LAST: usize>(self, threshold: u8) -> u8 {
+        crate::color::dithered_float::<LAST>(self, threshold)
+    }
 }
 
 impl Gain<f32> for f32 {

@@ -12,7 +12,7 @@ use luminaire::{
     CompiledProjection, CompiledSpot, Cubic, CutOff, DualCone, Edge, Falloff, Fitted, Fx16, Fx32, Gobo, Hard,
     HardRange, InverseSquare, Light, Linear, Lyon, Matte, Phong, Polynomial, Power, Profile, Rgb, Rgb565,
     Rim, Scalar, Smooth, SmoothRange, Soft, Specular, SquaredWindow, Surface, Table, Unattenuated, Vec3,
-    Windowed, clip, encode_srgb, keep_hue,
+    Windowed, clip, encode_srgb, encode_srgb_dithered, keep_hue,
 };
 use luminaire_effects::Format;
 
@@ -272,6 +272,9 @@ fn shows<S: Raw>(bits: &mut Bits) {
     black_box(keep_hue::<S>(sum));
     let color = bits.color(S::scalar);
     black_box(color.map(encode_srgb));
+    let (x, y) = (bits.word() as u32, bits.word() as u32);
+    black_box(color.map(|channel| encode_srgb_dithered(channel, x, y)));
+    black_box(Rgb565::from_linear_dithered(color, x, y));
     let pixel = Rgb565::from_linear(color);
     black_box(Rgb565::from_codes(pixel.to_codes()));
 }
