@@ -57,6 +57,7 @@ mod view;
 
 pub use account::Account;
 pub use camera::Camera;
+pub use display::Display;
 pub use error::DrawError;
 pub use format::{Format, stated_error};
 pub use mesh::Mesh;

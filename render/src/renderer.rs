@@ -4,7 +4,7 @@ use crate::{
     account::Account,
     camera::Camera,
     clip::{Sighting, clip},
-    display::{self, CHANNELS},
+    display::{CHANNELS, Display},
     error::DrawError,
     format::Format,
     gbuffer::{GBuffer, LANES},
@@ -37,6 +37,7 @@ pub struct Renderer<S: Format> {
     radiance: Vec<Radiance>,
     /// How many lamps were evaluated at the pixels of each block.
     evaluated: Vec<u16>,
+    display: Display,
     pixels: Vec<u8>,
     drawn: Option<(Fingerprint, Camera)>,
     /// The lamps of the picture; nothing if all of it must be lit.
@@ -72,6 +73,7 @@ impl<S: Format> Renderer<S> {
             finishes: [Finish::new(Material::default())].into(),
             eye: Vec3::default(),
             ambient: Rgb::default(),
+            display: Display::default(),
             pixels: filled(width * height * CHANNELS, 0)?,
             drawn: None,
             lit: None,
@@ -218,7 +220,15 @@ impl<S: Format> Renderer<S> {
         }
     }
 
-    /// Encodes the light for a display, where it has changed: rows from top to bottom, each pixel red, green,
+    /// Shows the picture on another display; it is encoded anew with the next [`encode`](Self::encode).
+    pub fn set_display(&mut self, display: Display) {
+        if self.display != display {
+            self.display = display;
+            self.tiles.tiles.iter_mut().for_each(|tile| tile.is_encoded = false);
+        }
+    }
+
+    /// Encodes the light for the display, where it has changed: rows from top to bottom, each pixel red, green,
     /// blue in sRGB and alpha 255.
     pub fn encode(&mut self) -> &[u8] {
         let columns = self.geometry.columns;
@@ -230,7 +240,8 @@ impl<S: Format> Renderer<S> {
                 let (row, first) = (block / columns, block % columns * LANES);
                 let last = (first + LANES).min(self.width);
                 let pixels = (row * self.width + first) * CHANNELS..(row * self.width + last) * CHANNELS;
-                display::encode(&self.radiance[block], &mut self.pixels[pixels]);
+                let place = (first as u32, row as u32);
+                self.display.encode(&self.radiance[block], place, &mut self.pixels[pixels]);
             }
         }
         &self.pixels
