@@ -1,0 +1,197 @@
+//! The beam of a spotlight in haze.
+
+use super::{
+    Haze, ViewRay,
+    arc::{Arc, Extent, Span},
+    quadrature::integrate,
+};
+use crate::{
+    attenuation::{Attenuation, InverseSquare},
+    cone::Falloff,
+    profile::{Edge, Profile},
+    scalar::{Gain, Offset, Scalar},
+    shade::CompiledSpot,
+    trig,
+    vec3::Vec3,
+};
+
+/// The beam of a spotlight in haze. Made by [`CompiledSpot::in_haze`].
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct HazyBeam<P: Profile = Edge, A: Attenuation = InverseSquare> {
+    pub(crate) position: Vec3<f32>,
+    pub(crate) axis: Vec3<f32>,
+    pub(crate) falloff: Falloff<f32, P>,
+    pub(crate) attenuation: A::Constants<f32>,
+    pub(crate) gain: f32,
+    /// The versine up to which the intensity is that of the axis, and the one from which on there is none.
+    pub(crate) cone: [f32; 2],
+    /// The squared distances at which the light begins and ends.
+    pub(crate) reach: [f32; 2],
+}
+
+/// What counts as no difference of intensities: a step of 16 bits. A high power is so faint in most of its cone, and the
+/// places of the rule fall where it is not.
+const STEP: f32 = 1.0 / 65_536.0;
+
+/// Where space ends. Squares of distances and products of two of them stay within f32.
+pub(super) const FARTHEST: f32 = 1e15;
+
+impl<P: Profile, A: Attenuation> CompiledSpot<f32, P, A> {
+    /// The beam of this light in haze.
+    pub fn in_haze(&self, haze: &Haze) -> HazyBeam<P, A> {
+        let radius = haze.lamp_radius();
+        let reach = range::<A>(&self.attenuation);
+        HazyBeam {
+            position: self.position,
+            axis: self.axis,
+            falloff: self.falloff,
+            attenuation: self.attenuation,
+            gain: self.intensity.by(haze.density() / 4.0),
+            cone: rim(&self.falloff),
+            reach: [radius * radius, reach * reach],
+        }
+    }
+}
+
+impl<P: Profile, A: Attenuation> HazyBeam<P, A> {
+    /// The beam of these parts, as [`source`](crate::source) writes them: the two versines between which the intensity
+    /// varies, and the squares of the distances between which there is light.
+    pub const fn from_parts(
+        position: Vec3<f32>,
+        axis: Vec3<f32>,
+        falloff: Falloff<f32, P>,
+        attenuation: A::Constants<f32>,
+        gain: f32,
+        cone: [f32; 2],
+        reach: [f32; 2],
+    ) -> Self {
+        Self { position, axis, falloff, attenuation, gain, cone, reach }
+    }
+
+    /// The light that the haze scatters along a view ray towards the eye, before the colour: 1 is full scale, what a white
+    /// surface shows that receives 1. From zero up and finite, whatever the bits; exactly zero in clear air and where the
+    /// ray does not meet the cone.
+    ///
+    /// There is no branch in it, so that compilers make vector instructions of a loop over rays.
+    #[inline(always)]
+    pub fn air_light(&self, view: &ViewRay) -> f32 {
+        let arc = Arc::new(&self.extent(), view);
+        let [inner, outer] = self.cone.map(|versine| arc.edge(versine));
+        let Span { from, to, scale } = arc.within(outer);
+        let full = self.falloff.at(0.0);
+        let rim = |v: f32| {
+            let share = share(v);
+            self.weigh(&arc, v, share, self.falloff.at(arc.versine(v, share)))
+        };
+        let middle = |v: f32| self.weigh(&arc, v, share(v), full);
+        let sum = integrate(from, lesser(to, -inner), rim)
+            + integrate(greater(from, -inner), lesser(to, inner), middle)
+            + integrate(greater(from, inner), to, rim);
+        self.light(&arc, scale, sum)
+    }
+
+    /// As [`air_light`](Self::air_light), weighted by what gets through to each of so many places of the ray in the beam: by
+    /// a pattern in front of the lamp or past what throws a shadow, as `transmission` tells of a point of the world, from 0
+    /// to 1. The places are in the middle of equal parts of the ray's arc, seen from the lamp; without any there is no light.
+    #[inline(always)]
+    pub fn air_light_through(
+        &self,
+        view: &ViewRay,
+        samples: u32,
+        transmission: impl Fn(Vec3<f32>) -> f32,
+    ) -> f32 {
+        let arc = Arc::new(&self.extent(), view);
+        let Span { from, to, scale } = arc.within(arc.edge(self.cone[1]));
+        let step = (to - from) / samples as f32;
+        let mut sum = 0.0;
+        for sample in 0..samples {
+            let v = from + (sample as f32 + 0.5) * step;
+            let (place, _) = arc.place(v);
+            let through = transmission(arc.point(self.position, place));
+            let share = share(v);
+            sum += through * self.weigh(&arc, v, share, self.falloff.at(arc.versine(v, share)));
+        }
+        let sum = if step > 0.0 { step * sum } else { 0.0 };
+        self.light(&arc, scale, sum)
+    }
+
+    /// What there is in a direction of an intensity of one: as much as is left of the inverse square.
+    #[inline(always)]
+    fn weigh(&self, arc: &Arc, v: f32, share: f32, intensity: f32) -> f32 {
+        if A::IS_INVERSE_SQUARE {
+            return share * intensity;
+        }
+        let (_, squared) = arc.place(v);
+        let offset = at_distance(trig::sqrt(squared));
+        share * squared * A::expose::<f32>(&self.attenuation, &offset, &offset.ray(), intensity, 1.0)
+    }
+
+    /// The air light of a sum over the arc.
+    #[inline(always)]
+    fn light(&self, arc: &Arc, scale: f32, sum: f32) -> f32 {
+        let sum = if arc.is_any() { 2.0 * scale * sum } else { 0.0 };
+        sum.expose(self.gain)
+    }
+
+    #[inline(always)]
+    pub(super) fn extent(&self) -> Extent {
+        let [radius_squared, reach_squared] = self.reach;
+        Extent { position: self.position, axis: self.axis, radius_squared, reach_squared }
+    }
+}
+
+/// Half the angle that a unit of `v` spans.
+#[inline(always)]
+fn share(v: f32) -> f32 {
+    1.0 / (1.0 + v * v)
+}
+
+/// The way from a light to a point at a distance.
+#[inline(always)]
+fn at_distance(distance: f32) -> <f32 as Scalar>::Offset {
+    f32::offset(Vec3::new(0.0, 0.0, 0.0), Vec3::new(distance, 0.0, 0.0))
+}
+
+/// The distance at which a distance model ends, or the end of space.
+fn range<A: Attenuation>(constants: &A::Constants<f32>) -> f32 {
+    last(FARTHEST, |distance| !A::is_beyond::<f32>(constants, &at_distance(distance)))
+}
+
+/// The versines between which the intensity of a cone varies.
+fn rim<P: Profile>(falloff: &Falloff<f32, P>) -> [f32; 2] {
+    let [_, limit, _] = falloff.ramp.to_bits().map(f32::from_bits);
+    let limit = if limit < 1.0 { limit } else { 1.0 };
+    let full = falloff.at(0.0);
+    let is_full = |versine: f32| (falloff.at(versine) - full).abs() < STEP;
+    let is_lit = |versine: f32| falloff.at(versine) >= STEP;
+    // A table may fall and rise again: its first fall ends the middle, and its last light the rim.
+    let part = |i: u32| limit * (i as f32 / 256.0);
+    let first = (1..256).find(|&i| !is_full(part(i))).unwrap_or(256);
+    let end = (1..256).rev().find(|&i| is_lit(part(i))).map_or(1, |i| i + 1);
+    let [inner, outer] = [last(part(first), is_full), last(part(end), is_lit)];
+    [inner, outer]
+}
+
+/// The largest number up to `most` up to which a predicate holds.
+fn last(most: f32, holds: impl Fn(f32) -> bool) -> f32 {
+    if holds(most) {
+        return most;
+    }
+    // Floats from zero up are in the order of their bits.
+    let (mut low, mut high) = (0, most.to_bits());
+    while high - low > 1 {
+        let middle = low + (high - low) / 2;
+        if holds(f32::from_bits(middle)) { low = middle } else { high = middle }
+    }
+    f32::from_bits(low)
+}
+
+#[inline(always)]
+fn lesser(a: f32, b: f32) -> f32 {
+    if a < b { a } else { b }
+}
+
+#[inline(always)]
+fn greater(a: f32, b: f32) -> f32 {
+    if a > b { a } else { b }
+}

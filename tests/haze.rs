@@ -1,0 +1,284 @@
+//! Air light in haze against the oracle, row by row of `support/haze.rs`, and the laws that it keeps.
+//!
+//! `LUMINAIRE_FULL=1 cargo test --test haze -- --nocapture --test-threads 1` prints the measured rows.
+
+mod support;
+
+use fastrand::Rng;
+use luminaire::{
+    Attenuation, Cone, CutOff, Faded, Hard, HardRange, Haze, HazyBeam, InverseSquare, Polynomial, Power,
+    Profile, SmoothRange, Soft, Spot, SquaredWindow, Unattenuated, Vec3, ViewRay, Windowed,
+};
+use support::{
+    air_light::{Beam, Ray},
+    arbitrary::{bits, vector},
+    bounds,
+    format::Format,
+    haze::{self, HALF_ANGLES, Row},
+    profiles::{Shape, with_every_shape},
+    reference::{self, Vector, dot, minus, unit},
+    sweep,
+};
+
+const DENSITY: f32 = 0.5;
+
+/// A spotlight in haze, and what it stands for.
+struct Pair<P: Profile, A: Attenuation> {
+    kernel: HazyBeam<P, A>,
+    oracle: Beam,
+    across: f64,
+}
+
+fn exact(v: Vec3<f32>) -> Vector {
+    f32::exact_point(v)
+}
+
+fn place(from: Vector, way: Vector, distance: f64) -> Vector {
+    [0, 1, 2].map(|i| from[i] + distance * way[i])
+}
+
+fn haze() -> Haze {
+    Haze::new(DENSITY).expect("a sound density")
+}
+
+fn pair<P: Profile, A: Attenuation>(
+    spot: Spot<P, A>,
+    cone: reference::Cone,
+    attenuation: reference::Attenuation,
+) -> Pair<P, A> {
+    let spot_in_f64 = reference::Spot {
+        position: exact(spot.position()),
+        axis: unit(exact(spot.axis())),
+        cone,
+        intensity: spot.intensity().into(),
+    };
+    let oracle = Beam {
+        spot: spot_in_f64,
+        attenuation,
+        density: DENSITY.into(),
+        lamp_radius: haze().lamp_radius().into(),
+    };
+    let across = oracle.across();
+    Pair { kernel: spot.compile::<f32>().expect("held").in_haze(&haze()), oracle, across }
+}
+
+/// A place in the cone of a beam or not far beside it, 0.2 to 10 from the lamp.
+fn near_beam(rng: &mut Rng, spot: &reference::Spot, most: f64) -> Vector {
+    let outer = reference::half_degrees(spot.cone.limit).to_radians();
+    let angle = rng.f64() * most * outer;
+    place(spot.position, sweep::direction_off(rng, spot.axis, angle), 0.2 * 50.0_f64.powf(rng.f64()))
+}
+
+/// A view ray towards a place at the beam, from beside it or from within, that ends before it, behind it or nowhere. Its
+/// line does not pass the lamp so near that the ray's own roundings decide where.
+fn view(rng: &mut Rng, oracle: &Beam) -> ViewRay {
+    loop {
+        let view = any_view(rng, &oracle.spot);
+        let way = minus(exact(view.eye), oracle.spot.position);
+        let (_, height) = distances(oracle, &exactly(&view));
+        if height * height > 1e-4 * dot(way, way) {
+            return view;
+        }
+    }
+}
+
+fn any_view(rng: &mut Rng, spot: &reference::Spot) -> ViewRay {
+    let target = near_beam(rng, spot, 1.1);
+    let eye = match rng.u8(..3) {
+        0 => near_beam(rng, spot, 0.9),
+        _ => place(target, sweep::direction(rng), 0.3 * 30.0_f64.powf(rng.f64())),
+    };
+    let eye = sweep::single(eye);
+    let way = minus(target, exact(eye));
+    let distance = dot(way, way).sqrt();
+    let length = match rng.u8(..4) {
+        0 => f64::INFINITY,
+        1 => distance * rng.f64(),
+        _ => distance * (1.0 + rng.f64()),
+    };
+    ViewRay { eye, direction: sweep::single(unit(way)), length: length as f32 }
+}
+
+fn exactly(view: &ViewRay) -> Ray {
+    let length = f64::from(view.length).min(1e12);
+    Ray { eye: exact(view.eye), direction: unit(exact(view.direction)), length }
+}
+
+/// The distance of a ray from the lamp, and how near its line passes it.
+fn distances(oracle: &Beam, ray: &Ray) -> (f64, f64) {
+    let distance = |s: f64| {
+        let way = minus(ray.at(s), oracle.spot.position);
+        dot(way, way).sqrt()
+    };
+    let foot = dot(minus(oracle.spot.position, ray.eye), ray.direction);
+    (distance(foot.clamp(0.0, ray.length)).max(oracle.lamp_radius), distance(foot))
+}
+
+/// The error of a ray, relative to what is seen there or to what a line across the axis sees that is as near to the lamp,
+/// whichever is more. At the rim of the lamp's body there is none: the light jumps, and no format can place the jump.
+fn error<P: Profile, A: Attenuation>(
+    pair: &Pair<P, A>,
+    view: &ViewRay,
+    found: f32,
+    transmission: impl Fn(Vector) -> f64,
+) -> f64 {
+    let ray = exactly(view);
+    let (nearest, height) = distances(&pair.oracle, &ray);
+    if (0.9..1.1).contains(&(height / pair.oracle.lamp_radius)) {
+        return 0.0;
+    }
+    let exact = pair.oracle.air_light_through(&ray, transmission);
+    let across = pair.across * nearest * (pair.oracle.attenuation)(nearest);
+    // Where there is no light there is no error either.
+    let error = (f64::from(found) - exact).abs() / exact.max(across);
+    if error.is_nan() { 0.0 } else { error }
+}
+
+/// The largest error over so many lights, each seen along many rays.
+fn largest<P: Profile, A: Attenuation>(
+    pair: impl Fn(&mut Rng) -> Pair<P, A>,
+    mut error: impl FnMut(&mut Rng, &Pair<P, A>) -> f64,
+) -> f64 {
+    let mut rng = Rng::with_seed(4);
+    let mut worst = 0.0_f64;
+    for _ in 0..60 {
+        let pair = pair(&mut rng);
+        for _ in 0..30 * sweep::effort() {
+            worst = worst.max(error(&mut rng, &pair));
+        }
+    }
+    worst
+}
+
+fn inverse_square(d: f64) -> f64 {
+    1.0 / (d * d)
+}
+
+fn shaped<P: Profile>(rng: &mut Rng, shape: &Shape<P>, half: f32) -> Pair<P, InverseSquare> {
+    pair(sweep::spot(rng, shape.at(half)), shape.stored_at(half), inverse_square)
+}
+
+/// Prints a measured row and compares it with the table.
+fn broken(table: &[Row], name: &str, measured: &[f64]) -> Vec<String> {
+    println!("{name:16} {}", measured.iter().map(|e| format!("{e:.1e}")).collect::<Vec<_>>().join(", "));
+    let Some(row) = table.iter().find(|row| row.name == name) else {
+        return vec![format!("{name} has no row")];
+    };
+    let checked = measured.iter().zip(row.errors).enumerate();
+    checked.filter_map(|(i, (&e, bound))| bounds::check(&format!("{name} {i}"), e, bound).err()).collect()
+}
+
+fn cones_broken<S: Format, P: Profile>(shape: &Shape<P>) -> Vec<String> {
+    let measured = HALF_ANGLES.map(|half| {
+        largest(
+            |rng| shaped(rng, shape, half),
+            |rng, pair| {
+                let view = view(rng, &pair.oracle);
+                error(pair, &view, pair.kernel.air_light(&view), |_| 1.0)
+            },
+        )
+    });
+    broken(&haze::CONES, shape.name, &measured)
+}
+
+#[test]
+fn every_cone_keeps_its_row() {
+    let mut broken: Vec<_> = with_every_shape!(cones_broken::<f32>).into_iter().flatten().collect();
+    let shape = Shape::plain("power 128", Power::<128>, |t| t.powi(128));
+    broken.extend(cones_broken::<f32, _>(&shape));
+    assert!(broken.is_empty(), "{}", broken.join("\n"));
+}
+
+/// The largest errors of a distance model, along rays that end.
+fn distance_broken<A: Attenuation>(
+    name: &str,
+    attenuation: A,
+    oracle: reference::Attenuation,
+) -> Vec<String> {
+    let shape = Shape::plain("soft", Soft, reference::soft);
+    let measured = HALF_ANGLES.map(|half| {
+        largest(
+            |rng| {
+                let spot = sweep::spot(rng, shape.at(half)).with_attenuation(attenuation);
+                pair(spot, shape.stored_at(half), oracle)
+            },
+            |rng, pair| {
+                let view = view(rng, &pair.oracle);
+                let view = ViewRay { length: view.length.min(30.0), ..view };
+                error(pair, &view, pair.kernel.air_light(&view), |_| 1.0)
+            },
+        )
+    });
+    broken(&haze::DISTANCES, name, &measured)
+}
+
+#[test]
+fn every_distance_model_keeps_its_row() {
+    const RANGE: f32 = 6.0;
+    let sound = "a sound model";
+    let mut broken = distance_broken("unattenuated", Unattenuated, |_| 1.0);
+    let polynomial = Polynomial::new(0.5, 0.25, 0.125).expect(sound);
+    broken
+        .extend(distance_broken("polynomial", polynomial, |d| reference::polynomial([0.5, 0.25, 0.125], d)));
+    let smooth = SmoothRange::new(RANGE).expect(sound);
+    broken.extend(distance_broken("smooth range", smooth, |d| reference::smooth_range(6.0, d)));
+    let windowed = Windowed::new(Some(RANGE)).expect(sound);
+    broken.extend(distance_broken("windowed", windowed, |d| reference::windowed(6.0, d)));
+    let squared = SquaredWindow::new(Some(RANGE)).expect(sound);
+    broken.extend(distance_broken("squared window", squared, |d| reference::squared_window(6.0, d)));
+    let cut = HardRange::new(InverseSquare, Some(RANGE)).expect(sound);
+    broken.extend(distance_broken("hard range", cut, |d| if d < 6.0 { inverse_square(d) } else { 0.0 }));
+    assert!(broken.is_empty(), "{}", broken.join("\n"));
+}
+
+/// Something that lets more and less through, with waves of some two units.
+fn waves([x, y, z]: Vector) -> f64 {
+    0.5 + 0.5 * (3.0 * x + 2.0 * y - z).sin()
+}
+
+#[test]
+fn samples_keep_their_rows() {
+    let shape = Shape::plain("soft", Soft, reference::soft);
+    let mut all = Vec::new();
+    for (name, samples) in [("4 samples", 4), ("16 samples", 16), ("64 samples", 64)] {
+        let measured = HALF_ANGLES.map(|half| {
+            largest(
+                |rng| shaped(rng, &shape, half),
+                |rng, pair| {
+                    let view = view(rng, &pair.oracle);
+                    let found =
+                        pair.kernel.air_light_through(&view, samples, |point| waves(exact(point)) as f32);
+                    error(pair, &view, found, waves)
+                },
+            )
+        });
+        all.extend(broken(&haze::SAMPLES, name, &measured));
+    }
+    assert!(all.is_empty(), "{}", all.join("\n"));
+}
+
+/// Rays that pass close to the lamp: their own roundings, magnified by how much farther the eye is than their line, are
+/// what there is of an error. Measured in that.
+#[test]
+fn rays_at_the_lamp_keep_their_row() {
+    let shape = Shape::plain("soft", Soft, reference::soft);
+    let measured = HALF_ANGLES.map(|half| {
+        largest(
+            |rng| shaped(rng, &shape, half),
+            |rng, pair| {
+                let eye = sweep::single(near_beam(rng, &pair.oracle.spot, 0.9));
+                let aside = 0.05 * 1e-4_f64.powf(rng.f64());
+                let target = place(pair.oracle.spot.position, sweep::direction(rng), aside);
+                let way = minus(target, exact(eye));
+                // Towards the lamp, and away from it.
+                let way = if rng.bool() { way } else { way.map(|c| -c) };
+                let view = ViewRay::endless(eye, sweep::single(unit(way)));
+                let (_, height) = distances(&pair.oracle, &exactly(&view));
+                let magnified = 1.0 + dot(way, way).sqrt() / height;
+                error(pair, &view, pair.kernel.air_light(&view), |_| 1.0) / magnified
+            },
+        )
+    });
+    let broken = broken(&haze::AT_THE_LAMP, "at the lamp", &measured);
+    assert!(broken.is_empty(), "{}", broken.join("\n"));
+}
