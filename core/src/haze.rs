@@ -35,6 +35,7 @@ mod arc;
 mod beam;
 mod bundle;
 mod quadrature;
+mod stretch;
 
 pub use self::{beam::HazyBeam, bundle::ViewBundle};
 

@@ -11,11 +11,12 @@ pub struct Ray {
     pub length: f64,
 }
 
-/// A spotlight in haze, with what is left of its light at a distance.
+/// A spotlight in haze, with what is left of its light at a distance, up to a range.
 #[derive(Clone, Copy)]
 pub struct Beam {
     pub spot: reference::Spot,
     pub attenuation: Attenuation,
+    pub range: f64,
     pub density: f64,
     pub lamp_radius: f64,
 }
@@ -78,7 +79,7 @@ impl Beam {
         places
     }
 
-    /// From where to where the ray is neither in the lamp nor behind it.
+    /// From where to where the ray is neither in the lamp nor behind it, and within the range.
     fn visible(&self, ray: &Ray) -> Option<(f64, f64)> {
         let way = minus(ray.eye, self.spot.position);
         let foot = -dot(way, ray.direction);
@@ -89,6 +90,8 @@ impl Beam {
             (true, foot) if foot > -half => (foot + half, ray.length),
             _ => (0.0, ray.length),
         };
+        let reach = (self.range * self.range - (dot(way, way) - foot * foot)).max(0.0).sqrt();
+        let (first, last) = (first.max(foot - reach), last.min(foot + reach));
         (first < last).then_some((first, last))
     }
 

@@ -29,13 +29,9 @@ pub(super) struct Arc {
     /// The cosine and the versine of the angle between axis and circle.
     radius: f32,
     least: f32,
-    /// The ends, as places on the ray and as directions.
+    /// The ends, as places on the ray.
     first: f32,
     last: f32,
-    from: f32,
-    to: f32,
-    /// The length of the arc from `from` to `to` over that of the foot, not from the difference of the two.
-    worth: f32,
 }
 
 /// The part of an arc within a cone, in `v`, and what a unit of `v` there is worth.
@@ -56,6 +52,9 @@ const SHORT: f32 = 1.0 / 16.0;
 /// The shortest arc, in units of the cone's. A shorter one is lengthened and worth as much less, so that it does not matter
 /// if its ends are rounded to one.
 const SHORTEST: f32 = 1.0 / 262_144.0;
+
+/// What stands for the tangent of a right angle.
+const OPPOSITE: f32 = 1e6;
 
 impl Arc {
     /// The arc of a view ray.
@@ -85,31 +84,8 @@ impl Arc {
         let radius = trig::sqrt(positive(1.0 - squared_sine));
 
         let [first, last] = lit(squared, radius_squared, reach_squared, [start, start + view.length]);
-        let tangent = |place: f32, distance: f32| {
-            // One plus the cosine; opposite the axis it may be rounded to none.
-            let divisor = distance * radius + (across * height + along * place);
-            let least = 1e-6 * distance;
-            (across * place - along * height) / if divisor > least { divisor } else { least }
-        };
-        let distance = |place: f32| trig::sqrt(squared + place * place);
-        let (near, far) = (distance(first), distance(last));
-        let (from, to) = (tangent(first, near), tangent(last, far));
-        let way = (last - first) * ((1.0 + from * from) * (1.0 + to * to));
-        Self {
-            direction,
-            foot,
-            height,
-            reciprocal,
-            across,
-            along,
-            radius,
-            least: squared_sine / (1.0 + radius),
-            first,
-            last,
-            from,
-            to,
-            worth: way / (2.0 * (1.0 + from * to) * (near * far)),
-        }
+        let least = squared_sine / (1.0 + radius);
+        Self { direction, foot, height, reciprocal, across, along, radius, least, first, last }
     }
 
     /// Whether there is any of the ray between lamp and range.
@@ -126,23 +102,24 @@ impl Arc {
 
     /// The part of the arc within an [`edge`](Self::edge), which is at most 1. Empty where `to` is not over `from`.
     #[inline(always)]
-    pub(super) fn within(&self, edge: f32) -> Span {
-        let length = self.to - self.from;
+    pub(super) fn span(&self, edge: f32) -> Span {
+        let (near, far) = (self.distance(self.first), self.distance(self.last));
+        let (from, to) = (self.toward(self.first, near), self.toward(self.last, far));
+        let length = to - from;
         // An arc around the far side of the circle comes in at one edge, if at all: it is less than a half circle.
-        let is_around = length < 0.0 && self.from * self.to < -0.5;
+        let is_around = length < -1.0;
         let is_short = length < SHORT && !is_around;
+        // The length again, over that of the foot, and not from the difference of the ends.
+        let way = (self.last - self.first) * ((1.0 + from * from) * (1.0 + to * to));
+        let worth = way / (2.0 * (1.0 + from * to) * (near * far));
         let shortest = SHORTEST * edge;
         let kept = if length > shortest { length } else { shortest };
-        let scale = if is_short { self.worth / kept } else { self.reciprocal };
-        let from = if is_short { self.to - kept } else { self.from };
-        let (from, to) = match is_around {
-            true if from < edge => (from, edge),
-            true => (-edge, self.to),
-            false => (from, self.to),
-        };
-        let from = if from > -edge { from } else { -edge };
-        let to = if to < edge { to } else { edge };
-        Span { from, to, scale }
+        let scale = if is_short { worth / kept } else { self.reciprocal };
+        let begin = if is_short { to - kept } else { from };
+        let comes_in_last = is_around && from >= edge;
+        let begin = if comes_in_last || begin < -edge { -edge } else { begin };
+        let end = if (is_around && from < edge) || to > edge { edge } else { to };
+        Span { from: begin, to: end, scale }
     }
 
     /// The versine off the axis of a direction on the circle; `share` is `1 / (1 + v^2)`.
@@ -151,17 +128,51 @@ impl Arc {
         self.least + 2.0 * self.radius * (v * v) * share
     }
 
-    /// The place on the ray that lies in a direction, and its distance from the lamp, squared.
+    /// Where on the ray a cone of this [`edge`](Self::edge) begins and ends. One that is not met is at the last place, or where
+    /// the ray is nearest to the axis.
     #[inline(always)]
-    pub(super) fn place(&self, v: f32) -> (f32, f32) {
-        let (cosine, sine) = (1.0 - v * v, 2.0 * v);
-        let place = self.height * (sine * self.across + cosine * self.along);
-        let divisor = positive(cosine * self.across - sine * self.along);
-        // Without a divisor the direction is that of the ray, and the place beyond either end.
-        let place = place / if divisor > f32::MIN_POSITIVE { divisor } else { f32::MIN_POSITIVE };
+    pub(super) fn between(&self, edge: f32) -> [f32; 2] {
+        let (cosine, sine) = (1.0 - edge * edge, 2.0 * edge);
+        // The cosines with the foot of either edge, up to a factor. One that is not positive is beyond an end of the line.
+        let lower = cosine * self.across + sine * self.along;
+        let upper = cosine * self.across - sine * self.along;
+        let from = self.inside(self.height * (cosine * self.along - sine * self.across) / lower);
+        let to = self.inside(self.height * (cosine * self.along + sine * self.across) / upper);
+        let is_missed = (lower < 0.0 && upper < 0.0) || (edge <= 0.0 && self.across <= 0.0);
+        let from = if lower > 0.0 { from } else { self.first };
+        [if is_missed { self.last } else { from }, if upper > 0.0 && !is_missed { to } else { self.last }]
+    }
+
+    /// A place on the line, brought to the ray.
+    #[inline(always)]
+    fn inside(&self, place: f32) -> f32 {
         let place = if place > self.first { place } else { self.first };
-        let place = if place < self.last { place } else { self.last };
-        (place, self.height * self.height + place * place)
+        if place < self.last { place } else { self.last }
+    }
+
+    /// The distance of a place on the ray from the lamp.
+    #[inline(always)]
+    pub(super) fn distance(&self, place: f32) -> f32 {
+        trig::sqrt(self.height * self.height + place * place)
+    }
+
+    /// The direction of a place on the ray at this distance.
+    #[inline(always)]
+    pub(super) fn toward(&self, place: f32, distance: f32) -> f32 {
+        let sine = self.across * place - self.along * self.height;
+        let one_plus_cosine = distance * self.radius + (self.across * self.height + self.along * place);
+        // Opposite the axis that is none, but for the roundings.
+        let far = if sine < 0.0 { -OPPOSITE } else { OPPOSITE };
+        if one_plus_cosine * OPPOSITE > distance { sine / one_plus_cosine } else { far }
+    }
+
+    /// The place on the ray that lies in a direction.
+    #[inline(always)]
+    pub(super) fn place(&self, v: f32) -> f32 {
+        let (cosine, sine) = (1.0 - v * v, 2.0 * v);
+        let across = positive(cosine * self.across - sine * self.along);
+        let along = self.height * (sine * self.across + cosine * self.along);
+        self.inside(along / if across > f32::MIN_POSITIVE { across } else { f32::MIN_POSITIVE })
     }
 
     /// The point of the world at a place on the ray.

@@ -3,7 +3,8 @@
 use super::{
     Haze, ViewRay,
     arc::{Arc, Extent, Span},
-    quadrature::integrate,
+    quadrature::{integrate, integrate_by_parts},
+    stretch::Stretch,
 };
 use crate::{
     attenuation::{Attenuation, InverseSquare},
@@ -11,7 +12,6 @@ use crate::{
     profile::{Edge, Profile},
     scalar::{Gain, Offset, Scalar},
     shade::CompiledSpot,
-    trig,
     vec3::Vec3,
 };
 
@@ -77,22 +77,34 @@ impl<P: Profile, A: Attenuation> HazyBeam<P, A> {
     pub fn air_light(&self, view: &ViewRay) -> f32 {
         let arc = Arc::new(&self.extent(), view);
         let [inner, outer] = self.cone.map(|versine| arc.edge(versine));
-        let Span { from, to, scale } = arc.within(outer);
-        let full = self.falloff.at(0.0);
-        let rim = |v: f32| {
-            let share = share(v);
-            self.weigh(&arc, v, share, self.falloff.at(arc.versine(v, share)))
+        let rim = |v: f32, share: f32| self.falloff.at(arc.versine(v, share));
+        if A::IS_INVERSE_SQUARE {
+            let full = self.falloff.at(0.0);
+            let middle = |_: f32, _: f32| full;
+            let Span { from, to, scale } = arc.span(outer);
+            let sum = integrate(from, lesser(to, -inner), |v| by_angle(v, rim))
+                + integrate(greater(from, -inner), lesser(to, inner), |v| by_angle(v, middle))
+                + integrate(greater(from, inner), to, |v| by_angle(v, rim));
+            return self.light(&arc, scale * sum);
+        }
+        let ([from, to], [begin, end]) = (arc.between(outer), arc.between(inner));
+        let scattered = |stretch: &Stretch, from: f32, to: f32| {
+            integrate(from, to, |parameter| self.by_way(&arc, stretch.at(parameter), rim))
         };
-        let middle = |v: f32| self.weigh(&arc, v, share(v), full);
-        let sum = integrate(from, lesser(to, -inner), rim)
-            + integrate(greater(from, -inner), lesser(to, inner), middle)
-            + integrate(greater(from, inner), to, rim);
-        self.light(&arc, scale, sum)
+        let between = |from: f32, to: f32| {
+            let stretch = Stretch::new(&arc, from, to);
+            scattered(&stretch, 0.0, 0.5) + scattered(&stretch, 0.5, 1.0)
+        };
+        let sum = between(from, lesser(to, begin))
+            + between(greater(from, begin), lesser(to, end))
+            + between(greater(from, end), to);
+        self.light(&arc, sum)
     }
 
     /// As [`air_light`](Self::air_light), weighted by what gets through to each of so many places of the ray in the beam: by
     /// a pattern in front of the lamp or past what throws a shadow, as `transmission` tells of a point of the world, from 0
-    /// to 1. The places are in the middle of equal parts of the ray's arc, seen from the lamp; without any there is no light.
+    /// to 1. The places are in the middle of parts that are equal seen from the lamp, or about so where the light does not
+    /// fall with the square of the distance. Without any there is no light.
     #[inline(always)]
     pub fn air_light_through(
         &self,
@@ -101,36 +113,38 @@ impl<P: Profile, A: Attenuation> HazyBeam<P, A> {
         transmission: impl Fn(Vec3<f32>) -> f32,
     ) -> f32 {
         let arc = Arc::new(&self.extent(), view);
-        let Span { from, to, scale } = arc.within(arc.edge(self.cone[1]));
-        let step = (to - from) / samples as f32;
-        let mut sum = 0.0;
-        for sample in 0..samples {
-            let v = from + (sample as f32 + 0.5) * step;
-            let (place, _) = arc.place(v);
-            let through = transmission(arc.point(self.position, place));
-            let share = share(v);
-            sum += through * self.weigh(&arc, v, share, self.falloff.at(arc.versine(v, share)));
-        }
-        let sum = if step > 0.0 { step * sum } else { 0.0 };
-        self.light(&arc, scale, sum)
-    }
-
-    /// What there is in a direction of an intensity of one: as much as is left of the inverse square.
-    #[inline(always)]
-    fn weigh(&self, arc: &Arc, v: f32, share: f32, intensity: f32) -> f32 {
+        let outer = arc.edge(self.cone[1]);
+        let intensity = |v: f32, share: f32| self.falloff.at(arc.versine(v, share));
+        let through = |place: f32| transmission(arc.point(self.position, place));
         if A::IS_INVERSE_SQUARE {
-            return share * intensity;
+            let Span { from, to, scale } = arc.span(outer);
+            let sum =
+                integrate_by_parts(from, to, samples, |v| through(arc.place(v)) * by_angle(v, intensity));
+            return self.light(&arc, scale * sum);
         }
-        let (_, squared) = arc.place(v);
-        let offset = at_distance(trig::sqrt(squared));
-        share * squared * A::expose::<f32>(&self.attenuation, &offset, &offset.ray(), intensity, 1.0)
+        let [from, to] = arc.between(outer);
+        let stretch = Stretch::new(&arc, from, to);
+        let sum = integrate_by_parts(0.0, 1.0, samples, |parameter| {
+            let (place, way) = stretch.at(parameter);
+            through(place) * self.by_way(&arc, (place, way), intensity)
+        });
+        self.light(&arc, sum)
     }
 
-    /// The air light of a sum over the arc.
+    /// What a way along the ray scatters of an intensity that depends on the direction.
     #[inline(always)]
-    fn light(&self, arc: &Arc, scale: f32, sum: f32) -> f32 {
-        let sum = if arc.is_any() { 2.0 * scale * sum } else { 0.0 };
-        sum.expose(self.gain)
+    fn by_way(&self, arc: &Arc, (place, way): (f32, f32), intensity: impl Fn(f32, f32) -> f32) -> f32 {
+        let distance = arc.distance(place);
+        let v = arc.toward(place, distance);
+        let offset = at_distance(distance);
+        way * A::expose::<f32>(&self.attenuation, &offset, &offset.ray(), intensity(v, share(v)), 1.0)
+    }
+
+    /// The air light of what is scattered of an intensity of one.
+    #[inline(always)]
+    fn light(&self, arc: &Arc, scattered: f32) -> f32 {
+        let scattered = if arc.is_any() { scattered } else { 0.0 };
+        scattered.expose(self.gain)
     }
 
     #[inline(always)]
@@ -138,6 +152,13 @@ impl<P: Profile, A: Attenuation> HazyBeam<P, A> {
         let [radius_squared, reach_squared] = self.reach;
         Extent { position: self.position, axis: self.axis, radius_squared, reach_squared }
     }
+}
+
+/// What the angle of a unit of `v` scatters of an intensity that depends on the direction, at distance 1.
+#[inline(always)]
+fn by_angle(v: f32, intensity: impl Fn(f32, f32) -> f32) -> f32 {
+    let share = share(v);
+    2.0 * share * intensity(v, share)
 }
 
 /// Half the angle that a unit of `v` spans.
