@@ -40,7 +40,7 @@ mod stretch;
 pub use self::{beam::HazyBeam, bundle::ViewBundle};
 
 use crate::{
-    error::{Accepted, Error, Parameter, check_between},
+    error::{Error, Parameter, check_between},
     trig,
     vec3::Vec3,
 };
@@ -86,13 +86,8 @@ impl Haze {
     /// # Errors
     /// A radius outside 0.001 to 1e9.
     pub fn with_lamp_radius(self, lamp_radius: f32) -> Result<Self, Error> {
-        let (least, most) = (1e-3, 1e9);
-        if (least..=most).contains(&lamp_radius) {
-            Ok(Self { lamp_radius, ..self })
-        } else {
-            let accepted = Accepted::Between(least, most);
-            Err(Error { parameter: Parameter::LampRadius, value: lamp_radius, accepted })
-        }
+        check_between(Parameter::LampRadius, lamp_radius, 1e-3, 1e9)?;
+        Ok(Self { lamp_radius, ..self })
     }
 
     /// The part of the light that is scattered on a way of one unit.

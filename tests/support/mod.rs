@@ -23,4 +23,5 @@ pub mod profiles;
 pub mod reference;
 pub mod region;
 pub mod sweep;
+pub mod views;
 pub mod worst;
