@@ -5,9 +5,7 @@
 
 use std::io::{self, BufWriter};
 
-use luminaire::{
-    Angle, Cone, Exposure, Hard, Haze, Profile, Rgb, Soft, Spot, Vec3, ViewRay, clip, encode_srgb,
-};
+use luminaire::{Angle, Cone, Hard, Haze, Profile, Rgb, Soft, Spot, Vec3, ViewRay, clip, encode_srgb};
 
 const WIDTH: usize = 960;
 const HEIGHT: usize = 400;
@@ -20,7 +18,7 @@ type Beam = Box<dyn Fn(&ViewRay) -> Rgb<f32>>;
 fn beam<P: Profile + 'static>(from: [f32; 3], to: [f32; 3], cone: Cone<P>, color: Rgb<f32>) -> Beam {
     let [from, to] = [from, to].map(|[x, y, z]| Vec3::new(x, y, z));
     let spot = Spot::new(from, to.zip(from, |t, f| t - f), cone)
-        .and_then(|spot| spot.with_intensity(40.0))
+        .and_then(|spot| spot.with_intensity(120.0))
         .and_then(|spot| spot.with_color(color)?.compile::<f32>())
         .expect("a sound light");
     let beam = spot.in_haze(&Haze::new(0.03).expect("a sound density"));
@@ -43,7 +41,6 @@ fn main() -> io::Result<()> {
         beam([3.5, 4.0, -3.0], [2.0, 1.2, 6.0], cone(Soft, 10.0), Rgb::new(0.6, 1.0, 0.7)),
         beam([6.0, 0.3, 7.0], [4.5, 2.5, -8.0], cone(Hard, 8.0), Rgb::new(0.9, 0.6, 1.0)),
     ];
-    let exposure = Exposure::stops(0).expect("a sound exposure").compile::<f32>();
     let pixels: Vec<u8> = (0..WIDTH * HEIGHT)
         .flat_map(|i| {
             let (x, y) = ((i % WIDTH) as f32 + 0.5, (i / WIDTH) as f32 + 0.5);
@@ -52,7 +49,7 @@ fn main() -> io::Result<()> {
             let target = Vec3::new((x - half_width) * scale, 2.3 - (y - half_height) * scale, 0.0);
             let view = ViewRay { length: f32::INFINITY, ..ViewRay::between(EYE, target) };
             let light = beams.iter().map(|beam| beam(&view)).fold(Rgb::default(), Rgb::plus::<f32>);
-            let color = clip::<f32>(exposure.expose(light)).map(encode_srgb);
+            let color = clip::<f32>(light).map(encode_srgb);
             [color.red, color.green, color.blue]
         })
         .collect();

@@ -7,7 +7,7 @@ mod support;
 use fastrand::Rng;
 use luminaire::{
     Attenuation, Faded, HardRange, Haze, HazyBeam, InverseSquare, Polynomial, Power, Profile, SmoothRange,
-    Soft, Spot, SquaredWindow, Unattenuated, Vec3, ViewRay, Windowed,
+    Soft, Spot, SquaredWindow, Unattenuated, ViewRay, Windowed,
 };
 use support::{
     air_light::Beam,

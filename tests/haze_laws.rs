@@ -10,7 +10,7 @@ use luminaire::{
 };
 use support::{
     air_light::Beam,
-    arbitrary::{bits, vector},
+    arbitrary::bits,
     bounds,
     haze::LAWS,
     reference::{self, Vector, dot, minus, unit},

@@ -62,7 +62,7 @@
 //!
 //! Files, in the order in which they build on one another: `error`, `vec3`, `trig`, `search`, `scalar` (and a file for each
 //! format), `angle`, `profile`, `cone`, `attenuation`, `color`, `specular`, `shade` (and a file for each kind of
-//! light), `light` (the same), `material`, `batch`, `import` (and a file for each system), `source`.
+//! light), `light` (the same), `haze`, `material`, `batch`, `import` (and a file for each system), `source`.
 #![no_std]
 #![forbid(unsafe_code)]
 
