@@ -122,7 +122,7 @@ impl Arc {
         Span { from: begin, to: end, scale }
     }
 
-    /// The versine off the axis of a direction on the circle; `share` is `1 / (1 + v^2)`.
+    /// The versine off the axis in a direction on the circle; `share` is `1 / (1 + v^2)`.
     #[inline(always)]
     pub(super) fn versine(&self, v: f32, share: f32) -> f32 {
         self.least + 2.0 * self.radius * (v * v) * share
@@ -156,14 +156,29 @@ impl Arc {
         trig::sqrt(self.height * self.height + place * place)
     }
 
+    /// What makes a sine and one plus a cosine of a place on the ray, seen from the direction nearest to the axis: both times
+    /// the distance and the cosine of the circle.
+    #[inline(always)]
+    fn turn(&self, place: f32, distance: f32) -> (f32, f32) {
+        let sine = self.across * place - self.along * self.height;
+        (sine, distance * self.radius + (self.across * self.height + self.along * place))
+    }
+
     /// The direction of a place on the ray at this distance.
     #[inline(always)]
-    pub(super) fn toward(&self, place: f32, distance: f32) -> f32 {
-        let sine = self.across * place - self.along * self.height;
-        let one_plus_cosine = distance * self.radius + (self.across * self.height + self.along * place);
+    fn toward(&self, place: f32, distance: f32) -> f32 {
+        let (sine, one_plus_cosine) = self.turn(place, distance);
         // Opposite the axis that is none, but for the roundings.
         let far = if sine < 0.0 { -OPPOSITE } else { OPPOSITE };
         if one_plus_cosine * OPPOSITE > distance { sine / one_plus_cosine } else { far }
+    }
+
+    /// The versine off the axis of a place on the ray at this distance; any that is over 1 where it is over 1.
+    #[inline(always)]
+    pub(super) fn versine_at(&self, place: f32, distance: f32) -> f32 {
+        let (sine, one_plus_cosine) = self.turn(place, distance);
+        let is_ahead = one_plus_cosine > distance * self.radius;
+        self.least + if is_ahead { sine * sine / (distance * one_plus_cosine) } else { 1.0 }
     }
 
     /// The place on the ray that lies in a direction.

@@ -10,7 +10,7 @@ use crate::{
     attenuation::{Attenuation, InverseSquare},
     cone::Falloff,
     profile::{Edge, Profile},
-    scalar::{Gain, Offset, Scalar},
+    scalar::{Gain, Offset, Scalar, float::clamp},
     shade::CompiledSpot,
     vec3::Vec3,
 };
@@ -77,23 +77,21 @@ impl<P: Profile, A: Attenuation> HazyBeam<P, A> {
     pub fn air_light(&self, view: &ViewRay) -> f32 {
         let arc = Arc::new(&self.extent(), view);
         let [inner, outer] = self.cone.map(|versine| arc.edge(versine));
-        let rim = |v: f32, share: f32| self.falloff.at(arc.versine(v, share));
         if A::IS_INVERSE_SQUARE {
             let full = self.falloff.at(0.0);
-            let middle = |_: f32, _: f32| full;
+            let rim = |v: f32| by_angle(v, |share| self.falloff.at(arc.versine(v, share)));
+            let middle = |v: f32| by_angle(v, |_| full);
             let Span { from, to, scale } = arc.span(outer);
-            let sum = integrate(from, lesser(to, -inner), |v| by_angle(v, rim))
-                + integrate(greater(from, -inner), lesser(to, inner), |v| by_angle(v, middle))
-                + integrate(greater(from, inner), to, |v| by_angle(v, rim));
+            let sum = integrate(from, lesser(to, -inner), rim)
+                + integrate(greater(from, -inner), lesser(to, inner), middle)
+                + integrate(greater(from, inner), to, rim);
             return self.light(&arc, scale * sum);
         }
         let ([from, to], [begin, end]) = (arc.between(outer), arc.between(inner));
-        let scattered = |stretch: &Stretch, from: f32, to: f32| {
-            integrate(from, to, |parameter| self.by_way(&arc, stretch.at(parameter), rim))
-        };
         let between = |from: f32, to: f32| {
             let stretch = Stretch::new(&arc, from, to);
-            scattered(&stretch, 0.0, 0.5) + scattered(&stretch, 0.5, 1.0)
+            let value = |parameter: f32| self.by_way(&arc, stretch.at(parameter));
+            integrate(0.0, 0.5, value) + integrate(0.5, 1.0, value)
         };
         let sum = between(from, lesser(to, begin))
             + between(greater(from, begin), lesser(to, end))
@@ -114,30 +112,30 @@ impl<P: Profile, A: Attenuation> HazyBeam<P, A> {
     ) -> f32 {
         let arc = Arc::new(&self.extent(), view);
         let outer = arc.edge(self.cone[1]);
-        let intensity = |v: f32, share: f32| self.falloff.at(arc.versine(v, share));
         let through = |place: f32| transmission(arc.point(self.position, place));
         if A::IS_INVERSE_SQUARE {
             let Span { from, to, scale } = arc.span(outer);
-            let sum =
-                integrate_by_parts(from, to, samples, |v| through(arc.place(v)) * by_angle(v, intensity));
+            let sum = integrate_by_parts(from, to, samples, |v| {
+                through(arc.place(v)) * by_angle(v, |share| self.falloff.at(arc.versine(v, share)))
+            });
             return self.light(&arc, scale * sum);
         }
         let [from, to] = arc.between(outer);
         let stretch = Stretch::new(&arc, from, to);
         let sum = integrate_by_parts(0.0, 1.0, samples, |parameter| {
             let (place, way) = stretch.at(parameter);
-            through(place) * self.by_way(&arc, (place, way), intensity)
+            through(place) * self.by_way(&arc, (place, way))
         });
         self.light(&arc, sum)
     }
 
-    /// What a way along the ray scatters of an intensity that depends on the direction.
+    /// What a way along the ray scatters.
     #[inline(always)]
-    fn by_way(&self, arc: &Arc, (place, way): (f32, f32), intensity: impl Fn(f32, f32) -> f32) -> f32 {
+    fn by_way(&self, arc: &Arc, (place, way): (f32, f32)) -> f32 {
         let distance = arc.distance(place);
-        let v = arc.toward(place, distance);
+        let intensity = self.falloff.at(arc.versine_at(place, distance));
         let offset = at_distance(distance);
-        way * A::expose::<f32>(&self.attenuation, &offset, &offset.ray(), intensity(v, share(v)), 1.0)
+        way * A::expose::<f32>(&self.attenuation, &offset, &offset.ray(), intensity, 1.0)
     }
 
     /// The air light of what is scattered of an intensity of one.
@@ -154,17 +152,11 @@ impl<P: Profile, A: Attenuation> HazyBeam<P, A> {
     }
 }
 
-/// What the angle of a unit of `v` scatters of an intensity that depends on the direction, at distance 1.
+/// What the angle of a unit of `v` scatters of an intensity, at distance 1. The intensity is told `1 / (1 + v^2)`.
 #[inline(always)]
-fn by_angle(v: f32, intensity: impl Fn(f32, f32) -> f32) -> f32 {
-    let share = share(v);
-    2.0 * share * intensity(v, share)
-}
-
-/// Half the angle that a unit of `v` spans.
-#[inline(always)]
-fn share(v: f32) -> f32 {
-    1.0 / (1.0 + v * v)
+fn by_angle(v: f32, intensity: impl Fn(f32) -> f32) -> f32 {
+    let share = 1.0 / (1.0 + v * v);
+    2.0 * share * intensity(share)
 }
 
 /// The way from a light to a point at a distance.
@@ -181,7 +173,7 @@ fn range<A: Attenuation>(constants: &A::Constants<f32>) -> f32 {
 /// The versines between which the intensity of a cone varies.
 fn rim<P: Profile>(falloff: &Falloff<f32, P>) -> [f32; 2] {
     let [_, limit, _] = falloff.ramp.to_bits().map(f32::from_bits);
-    let limit = if limit < 1.0 { limit } else { 1.0 };
+    let limit = clamp(limit);
     let full = falloff.at(0.0);
     let is_full = |versine: f32| (falloff.at(versine) - full).abs() < STEP;
     let is_lit = |versine: f32| falloff.at(versine) >= STEP;
@@ -189,8 +181,7 @@ fn rim<P: Profile>(falloff: &Falloff<f32, P>) -> [f32; 2] {
     let part = |i: u32| limit * (i as f32 / 256.0);
     let first = (1..256).find(|&i| !is_full(part(i))).unwrap_or(256);
     let end = (1..256).rev().find(|&i| is_lit(part(i))).map_or(1, |i| i + 1);
-    let [inner, outer] = [last(part(first), is_full), last(part(end), is_lit)];
-    [inner, outer]
+    [last(part(first), is_full), last(part(end), is_lit)]
 }
 
 /// The largest number up to `most` up to which a predicate holds.
