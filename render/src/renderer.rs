@@ -147,6 +147,9 @@ impl<S: Format> Renderer<S> {
         if self.reached.make_room(self.tiles.tiles.len(), lamps.len()) {
             self.lit = None;
         }
+        if self.lit.is_none() {
+            self.reached.forget();
+        }
         let (is_new, changed) = (self.lit.is_none(), self.changed(&lamps));
         let kept = prepared.iter().flatten().count();
         self.account = Account::new(self.tiles.tiles.len(), lamps.len(), kept, self.width * self.height);
