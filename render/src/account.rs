@@ -1,10 +1,12 @@
 //! What a picture has cost: how often a lamp was evaluated at a pixel, and how often that was spared.
 
-/// The account of the last time that light was drawn. A pair is a lamp and a pixel: each lamp that was given makes one with
+/// The account of the last time that geometry was drawn, and light. A pair is a lamp and a pixel: each lamp that was given makes one with
 /// each pixel of the picture.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 #[non_exhaustive]
 pub struct Account {
+    /// The triangles that were drawn: none where the geometry could stay as it was.
+    pub triangles: usize,
     /// The tiles of the picture.
     pub tiles: u32,
     /// The tiles that were lit again.

@@ -37,6 +37,8 @@ pub struct Renderer<S: Format> {
     evaluated: Vec<u16>,
     pixels: Vec<u8>,
     drawn: Option<(Fingerprint, Camera)>,
+    /// How many triangles were drawn the last time that geometry was asked for.
+    triangles: usize,
     /// The lamps of the picture; nothing if all of it must be lit.
     lit: Option<Vec<Luminaire>>,
     reached: Reached,
@@ -71,6 +73,7 @@ impl<S: Format> Renderer<S> {
             ambient: Rgb::default(),
             pixels: filled(width * height * CHANNELS, 0)?,
             drawn: None,
+            triangles: 0,
             lit: None,
             reached: Reached::default(),
             account: Account::default(),
@@ -93,6 +96,7 @@ impl<S: Format> Renderer<S> {
         self.ambient = scene.ambient();
         let drawn = Some((scene.fingerprint(), *camera));
         let is_moved = self.drawn != drawn;
+        self.triangles = if is_moved { scene.triangle_count() } else { 0 };
         if is_moved {
             self.drawn = drawn;
             self.draw_triangles(scene, &View::new(camera, self.width, self.height));
@@ -225,9 +229,9 @@ impl<S: Format> Renderer<S> {
         (self.width, self.height)
     }
 
-    /// What the light of the picture has cost when it was last drawn.
+    /// What geometry and light of the picture have cost when they were last drawn.
     pub fn account(&self) -> Account {
-        self.account
+        Account { triangles: self.triangles, ..self.account }
     }
 
     /// How many lamps were evaluated at a pixel when it was last lit; none outside the picture.

@@ -2,7 +2,7 @@
 
 use crate::mesh::Mesh;
 use alloc::vec::Vec;
-use luminaire::{Error, Lyon, Phong, Rgb, Specular, decode_srgb};
+use luminaire::{Effect, Error, Lyon, Phong, Plan, Rgb, Specular, decode_srgb};
 
 /// The kind of highlight that surfaces have: Phong's, in the form that takes the same few steps whatever the shininess.
 pub type Highlight = Lyon<Phong, 3>;
@@ -110,6 +110,18 @@ impl Scene {
     /// The ambient light.
     pub fn ambient(&self) -> Rgb<f32> {
         self.ambient
+    }
+
+    /// The plan of a picture of the scene before there is a lamp in it: ambient light and highlights, where it has any.
+    pub fn plan(&self) -> Plan {
+        let mut plan = Plan::new();
+        if self.ambient != Rgb::default() {
+            plan = plan.with(Effect::Ambient);
+        }
+        if self.objects.iter().any(|object| object.material.shines()) {
+            plan = plan.with(Effect::Specular);
+        }
+        plan
     }
 
     /// How many triangles the meshes have together.
