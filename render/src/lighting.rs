@@ -2,7 +2,6 @@
 
 use crate::{
     bounds::Reach,
-    format::Format,
     gbuffer::{Block, LANES},
     scene::{Highlight, Material},
 };
@@ -19,7 +18,7 @@ type Light<S> = Rgb<[<S as Scalar>::Irradiance; LANES]>;
 
 /// A lamp compiled for a format, and where its light may be.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Prepared<S: Scalar> {
+pub struct Prepared<S: Scalar> {
     lamp: CompiledLamp<S>,
     gobo: Option<CompiledGobo<'static, S>>,
     pub(crate) reach: Reach,
@@ -34,7 +33,7 @@ pub(crate) struct Finish<S: Scalar> {
 
 /// What the lamps light: all that is the same for every block.
 #[derive(Debug)]
-pub(crate) struct Setting<'a, S: Scalar> {
+pub struct Setting<'a, S: Scalar> {
     pub(crate) plan: Plan,
     pub(crate) eye: Vec3<S::Length>,
     pub(crate) ambient: Rgb<f32>,
@@ -63,24 +62,13 @@ impl<S: Scalar> Finish<S> {
     }
 }
 
-impl<S: Format> Setting<'_, S> {
-    /// Lights the pixels of a block.
-    pub(crate) fn light<'l>(
+impl<S: Scalar> Setting<'_, S> {
+    /// Lights the pixels of a block; with `SKIPS`, none where a lamp's light cannot arrive.
+    #[inline(always)]
+    pub(crate) fn light<const SKIPS: bool>(
         &self,
         block: &Block<S>,
-        lamps: impl Iterator<Item = &'l Prepared<S>>,
-    ) -> Radiance {
-        if S::ASKS_EACH_POINT && self.plan.skips() {
-            self.light_by::<true>(block, lamps)
-        } else {
-            self.light_by::<false>(block, lamps)
-        }
-    }
-
-    fn light_by<'l, const SKIPS: bool>(
-        &self,
-        block: &Block<S>,
-        lamps: impl Iterator<Item = &'l Prepared<S>>,
+        lamps: &mut dyn Iterator<Item = &Prepared<S>>,
     ) -> Radiance {
         let mut sums = [self.ambient, Rgb::default()]
             .map(|light| light.map(|channel| [S::ONE.expose(S::gain(channel)); LANES]));

@@ -194,7 +194,7 @@ impl<S: Format> Renderer<S> {
             };
             let mut evaluated = 0;
             let reaching = lamps.clone().filter(|lamp| !(plan.skips() && is_missed(lamp)));
-            self.radiance[block] = setting.light(geometry, reaching.inspect(|_| evaluated += 1));
+            self.radiance[block] = S::light(&setting, geometry, &mut reaching.inspect(|_| evaluated += 1));
             self.evaluated[block] = evaluated;
             let pixels = LANES.min(self.width - block % self.geometry.columns * LANES);
             self.account.enter(pixels, reached, evaluated.into());
