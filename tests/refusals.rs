@@ -76,6 +76,8 @@ fn an_axis_without_a_direction() {
     for (axis, shown) in axes {
         let message = format!("axis {shown} is refused: {lengths}");
         assert_refused(Spot::new(ORIGIN, axis, cone()), Parameter::Axis, &message);
+        let spot = Spot::new(ORIGIN, Vec3::new(0.0, -1.0, 0.0), cone()).expect("sound");
+        assert_refused(spot.with_axis(axis), Parameter::Axis, &message);
     }
 }
 

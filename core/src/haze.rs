@@ -69,6 +69,9 @@ pub struct Haze {
 const LAMP_RADIUS: f32 = 0.01;
 
 impl Haze {
+    /// Clear air.
+    pub const CLEAR: Self = Self { density: 0.0, lamp_radius: LAMP_RADIUS };
+
     /// Haze of this density: the part of the light that is scattered on a way of one unit of the world's length. 0 is clear
     /// air and gives exactly no air light; beyond some tenths over the size of the scene haze is no longer thin.
     ///

@@ -30,6 +30,7 @@
 extern crate alloc;
 
 mod account;
+mod air;
 mod bounds;
 mod camera;
 mod clip;
