@@ -125,6 +125,12 @@ pub(crate) const REGISTER: &[Held] = &[
         "Gobo::of", "Gobo::side", "Gobo::transmissions", "CompiledGobo::from_parts",
     ]),
 
+    // Shadows on it.
+    by("tests/shadow.rs::visibilities_keep_their_row", &["Shadow::new", "Shadow::at", "Scalar::part"]),
+    by("tests/shadow.rs::a_point_has_the_visibility_of_its_place", &["Shadow::visibility"]),
+    by("tests/shadow.rs::any_bits_have_a_visibility", &["Shadow::from_parts"]),
+    by("tests/shadow.rs::a_shadow_keeps_what_it_is_given", &["Shadow::projection", "Shadow::side", "Shadow::depths"]),
+
     // Distance, highlight and the lit point.
     by("tests/lit.rs::no_fall_keeps_its_row", &[
         "Attenuation for Unattenuated", "Attenuation::expose", "Point::compile", "Point::with_attenuation",

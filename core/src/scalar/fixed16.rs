@@ -121,6 +121,11 @@ impl Scalar for Fx16 {
     }
 
     #[inline(always)]
+    fn part(steps: u32) -> Self {
+        Self::from_bits(steps as i16)
+    }
+
+    #[inline(always)]
     fn length(value: f32) -> I16F16 {
         I16F16::from_bits(nearest(value * 65_536.0))
     }

@@ -160,6 +160,11 @@ impl Scalar for Fx32 {
     }
 
     #[inline(always)]
+    fn part(steps: u32) -> Self {
+        Self::from_bits((steps << 16).cast_signed())
+    }
+
+    #[inline(always)]
     fn length(value: f32) -> I16F16 {
         I16F16::from_bits(nearest(value * 65_536.0))
     }

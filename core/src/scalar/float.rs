@@ -89,6 +89,11 @@ impl Scalar for f32 {
         self
     }
 
+    #[inline(always)]
+    fn part(steps: u32) -> Self {
+        steps as f32 * (1.0 / 16_384.0)
+    }
+
     fn length(value: f32) -> f32 {
         value
     }
