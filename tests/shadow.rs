@@ -164,6 +164,17 @@ fn what_is_not_a_number_is_not_in_shadow() {
 }
 
 #[test]
+fn a_texel_that_is_missing_hides_nothing() {
+    let projection = projection::<f32>(&mut Rng::with_seed(20));
+    let depths = [1.0; 3];
+    for (row, expected) in [(16_384, 0.0), (32_768, 0.25), (49_151, 0.5)] {
+        let place = Place { column: 32_768, row, depth: 2.0 };
+        let visibility = Shadow::<f32>::from_parts(projection, 2, &depths).at(&place);
+        assert!((visibility - expected).abs() < 1e-2, "{visibility} at row {row}");
+    }
+}
+
+#[test]
 fn a_shadow_keeps_what_it_is_given() {
     let projection = projection::<Fx16>(&mut Rng::with_seed(18));
     let depths = [1.0, 2.0, 3.0, 4.0].map(Fx16::length);

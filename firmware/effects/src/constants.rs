@@ -3,7 +3,7 @@
 use luminaire::{
     BlinnPhong, CompiledDirectional, CompiledExposure, CompiledGobo, CompiledMaterial, CompiledPoint,
     CompiledSpot, Cubic, DualCone, Hard, HardRange, HazyBeam, InverseSquare, Lyon, Matte, Phong, Polynomial,
-    Power, Smooth, SmoothRange, Soft, SquaredWindow, Table, Unattenuated, Windowed,
+    Power, Shadow, Smooth, SmoothRange, Soft, SquaredWindow, Table, Unattenuated, Windowed,
 };
 
 use crate::{Format, Light};
@@ -30,6 +30,7 @@ constants! {
     "spot_hard_range.rs" SPOT_HARD_RANGE: CompiledSpot<Format, Soft, HardRange<InverseSquare>>;
     "gobo.rs" GOBO: CompiledGobo<'static, Format>;
     "beam.rs" BEAM: HazyBeam<Soft>;
+    "shadow.rs" SHADOW: Shadow<'static, Format>;
     "point.rs" POINT: CompiledPoint<Format>;
     "directional.rs" DIRECTIONAL: CompiledDirectional<Format>;
     "ambient.rs" AMBIENT: Light;
