@@ -122,7 +122,7 @@ impl Example {
                 "26 lamps of every kind, profile and distance model, and highlights on the few things that shine."
             }
             Self::Show => {
-                "Moving heads with coloured beams, hard-edged and soft, in a house without ambient light."
+                "Moving heads with coloured beams, soft and hard, and two turning gobos, in a house without ambient light."
             }
             Self::Pocket => "One spot with a soft edge on a few triangles, for 160 x 120 pixels in 16 bits.",
             Self::Turntable => "Eight moving spots with a soft edge, and highlights on everything.",
