@@ -119,10 +119,10 @@ impl Example {
             Self::Grid => "64 narrow spots with a soft edge: each lights a sixty-fourth of the floor.",
             Self::WideGrid => "8 wide spots with a soft edge, which light as many square metres as the 64.",
             Self::Gallery => {
-                "32 lamps of every kind, profile and distance model, and highlights on the few things that shine."
+                "26 lamps of every kind, profile and distance model, and highlights on the few things that shine."
             }
             Self::Show => {
-                "Moving heads with coloured beams, hard-edged and soft, in a house without ambient light."
+                "Moving heads with coloured beams, soft and hard, and two turning gobos, in a house without ambient light."
             }
             Self::Pocket => "One spot with a soft edge on a few triangles, for 160 x 120 pixels in 16 bits.",
             Self::Turntable => "Eight moving spots with a soft edge, and highlights on everything.",
