@@ -19,6 +19,15 @@ pub(crate) enum Refusal {
         light: &'static str,
         error: luminaire::Error,
     },
+    /// A lamp of a scene does not fit into a number format.
+    Lamp {
+        format: Format,
+        /// Which lamp, counted from 0.
+        lamp: usize,
+        /// What the trade calls it.
+        name: &'static str,
+        error: luminaire::Error,
+    },
     /// A name that is not one of those to choose from.
     Name { parameter: &'static str, value: String, remedy: &'static str },
     /// A light that there is not.
@@ -45,6 +54,9 @@ impl fmt::Display for Refusal {
             Self::Size(error) => error.fmt(f),
             Self::Format { format, light, error } => {
                 write!(f, "{format} cannot hold the {light} light: {error}")
+            }
+            Self::Lamp { format, lamp, name, error } => {
+                write!(f, "{format} cannot hold lamp {}, {name}: {error}", lamp + 1)
             }
             Self::Name { parameter, value, remedy } => {
                 write!(f, "{parameter} \"{value}\" is refused: {remedy}")

@@ -8,10 +8,13 @@ const PASSES = ["geometry", "lighting", "encode", "show", "frame"];
 
 export class Readout {
   #demo;
-  #passes = PASSES.map((name) => ({ name, times: [], place: document.getElementById(`${name}-ms`) }));
+  #passes;
 
-  constructor(demo) {
+  /** @param {string} [prefix] what the ids of the places begin with */
+  constructor(demo, prefix = "") {
     this.#demo = demo;
+    const place = (name) => document.getElementById(`${prefix}${name}-ms`);
+    this.#passes = PASSES.map((name) => ({ name, times: [], place: place(name) }));
   }
 
   /** Takes in the times of the picture just drawn. */
