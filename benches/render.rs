@@ -1,5 +1,5 @@
 //! What a picture of the stage costs at 960 x 540, pass by pass, in one run: geometry, light of three and of
-//! eight spots, encoding.
+//! eight spots, encoding; and what a shadow map of it costs.
 //!
 //! `cargo bench --bench render`.
 
@@ -8,8 +8,8 @@
 use std::{hint::black_box, time::Instant};
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use luminaire::{Fx16, Fx32, Spot};
-use luminaire_render::{Camera, Format, Renderer, Scene, stage};
+use luminaire::{Angle, Fx16, Fx32, Projection, Spot, Vec3};
+use luminaire_render::{Camera, Format, Renderer, Scene, ShadowMap, stage};
 
 const SIZE: (usize, usize) = (960, 540);
 
@@ -71,6 +71,29 @@ fn bench<S: Format>(criterion: &mut Criterion) {
     group.finish();
 }
 
+/// A shadow map of the whole stage, of the light that sees the most of it, from another roll each time.
+fn shadow_map<S: Format>(criterion: &mut Criterion) {
+    let (scene, [_, fill, _]) = (stage::scene(), stage::lights().expect("sound lights"));
+    let square = Projection::of(&fill).expect("not too wide");
+    let mut squares = [square, square.turned(Angle::degrees(1.0)).expect("sound")];
+    let mut map = ShadowMap::<S>::new(512).expect("a sound side");
+    criterion.benchmark_group("render").sample_size(20).bench_function(
+        format!("shadow map of 512 {}", S::NAME),
+        |bencher| {
+            bencher.iter(|| {
+                squares.swap(0, 1);
+                assert_eq!(map.draw(&scene, &squares[0]), Ok(true));
+            });
+        },
+    );
+    // Behind the sphere, and on its top.
+    let visibility = |x, y, z| {
+        let point = Vec3::new(x, y, z).map(S::length);
+        map.shadow().map(|shadow| shadow.visibility(point))
+    };
+    assert_eq!([visibility(-0.9, 0.001, -0.1), visibility(-0.52, 1.12, 0.3)], [Some(S::ZERO), Some(S::ONE)]);
+}
+
 /// Only the encoding is timed; the light before it is what makes it due.
 fn encode(criterion: &mut Criterion) {
     let mut stage = Stage::<f32>::new(3);
@@ -90,5 +113,13 @@ fn encode(criterion: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, bench::<f32>, bench::<Fx32>, bench::<Fx16>, encode);
+criterion_group!(
+    benches,
+    bench::<f32>,
+    bench::<Fx32>,
+    bench::<Fx16>,
+    shadow_map::<f32>,
+    shadow_map::<Fx16>,
+    encode
+);
 criterion_main!(benches);

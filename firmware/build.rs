@@ -1,22 +1,60 @@
-//! Places the programs in memory, and writes the light of the program `still`.
+//! Places the programs in memory, and writes the lights of the programs `still` and `frame`.
 
+#[path = "src/frame/measures.rs"]
+#[allow(dead_code, reason = "the shapes are the program's part")]
+mod measures;
 mod memory;
 
 use std::error::Error;
 use std::path::Path;
 use std::{env, fs};
 
-use luminaire::{Angle, Cone, Fx16, Soft, Source, Spot, Vec3};
+use luminaire::{Ambient, Angle, Cone, Fx16, Material, Rgb, Scalar, Soft, Source, Spot, Vec3};
 
-fn main() -> Result<(), Box<dyn Error>> {
+/// The linear colours of the wall, a light tile, a dark one, the ball and the column of the program `frame`.
+const MATERIALS: [[f32; 3]; 5] =
+    [[0.5, 0.36, 0.4], [0.62, 0.55, 0.46], [0.3, 0.26, 0.23], [0.72, 0.1, 0.06], [0.66, 0.63, 0.56]];
+
+type Outcome = Result<(), Box<dyn Error>>;
+
+fn main() -> Outcome {
     println!("cargo::rerun-if-changed=build.rs");
     println!("cargo::rerun-if-changed=memory.rs");
+    println!("cargo::rerun-if-changed=src/frame/measures.rs");
     memory::place()?;
-    // Three metres above a floor, and at a slant.
+    still()?;
+    frame()
+}
+
+/// Three metres above a floor, and at a slant.
+fn still() -> Outcome {
     let cone = Cone::from_field(Soft, Angle::degrees(50.0))?;
     let key =
         Spot::new(Vec3::new(-1.0, 3.0, -0.5), Vec3::new(0.3, -1.0, 0.15), cone)?.with_intensity(10.0)?;
-    let file = Path::new(&env::var("OUT_DIR")?).join("key.rs");
-    fs::write(file, key.compile::<Fx16>()?.as_source().to_string())?;
-    Ok(())
+    write("key.rs", &key.compile::<Fx16>()?)
+}
+
+/// The lamp, and what the materials send back of the ambient light and of the lamp's.
+fn frame() -> Outcome {
+    let cone = Cone::from_field(Soft, Angle::degrees(44.0))?;
+    let [x, y, z] = measures::LAMP;
+    let axis = Vec3::new(0.125 - x, 0.375 - y, -0.375 - z);
+    let key = Spot::new(Vec3::new(x, y, z), axis, cone)?.with_intensity(24.0)?;
+    let color = Rgb::new(1.0, 0.8, 0.55);
+    let ambient = Ambient::new(Rgb::new(0.03, 0.04, 0.075))?.compile::<Fx16>();
+    let mut glow = MATERIALS.map(|_| Rgb::default());
+    let mut tint = MATERIALS.map(|_| Rgb::default());
+    for (index, [red, green, blue]) in MATERIALS.into_iter().enumerate() {
+        let diffuse = Rgb::new(red, green, blue);
+        glow[index] = Material::new(diffuse)?.compile::<Fx16>().glow(ambient);
+        tint[index] = color.zip(diffuse, |a, b| Fx16::from_f32(a * b));
+    }
+    write("frame_key.rs", &key.compile::<Fx16>()?)?;
+    write("frame_glow.rs", &glow)?;
+    write("frame_tint.rs", &tint)
+}
+
+fn write(name: &str, value: &impl Source) -> Outcome {
+    let file = Path::new(&env::var("OUT_DIR")?).join(name);
+    Ok(fs::write(file, value.as_source().to_string())?)
 }

@@ -1,14 +1,18 @@
 //! Linear colour, and the way from light to the codes of a display without a power function.
 
+mod dither;
 mod exposure;
 mod fit;
 mod rgb565;
 mod srgb;
 
-pub(crate) use self::srgb::encode_float;
+#[cfg(feature = "fixed")]
+pub(crate) use self::dither::dithered_fixed;
 #[cfg(feature = "fixed")]
 pub(crate) use self::srgb::{srgb16, srgb32};
+pub(crate) use self::{dither::dithered_float, srgb::encode_float};
 pub use self::{
+    dither::encode_srgb_dithered,
     exposure::{CompiledExposure, Exposure},
     fit::{clip, keep_hue},
     rgb565::Rgb565,

@@ -40,7 +40,7 @@ pub enum Parameter {
     DelimiterAngle,
     /// How far a projection is turned about its axis, in degrees.
     Roll,
-    /// How many transmissions a side of a gobo has.
+    /// How many transmissions a side of a gobo has, or texels one of a shadow map.
     Side,
     /// The slope of a profile over `t` at the edge.
     EdgeSlope,
@@ -54,7 +54,7 @@ pub enum Parameter {
     Share,
     /// A measured intensity.
     Sample,
-    /// How many samples there are.
+    /// How many samples there are, or transmissions, or depths.
     SampleCount,
     /// Where a light stands.
     Position,

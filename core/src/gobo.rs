@@ -46,14 +46,17 @@ impl<'a> Gobo<'a> {
     /// # Errors
     /// A side that is not from 1 to 4,096, or another number of transmissions than its square.
     pub fn new(side: usize, transmissions: &'a [u8]) -> Result<Self, Error> {
-        let count = transmissions.len() as f32;
         if !(1..=MOST).contains(&side) {
             let accepted = Accepted::WholeBetween(1, MOST as u32);
             return Err(Error { parameter: Parameter::Side, value: side as f32, accepted });
         }
         if transmissions.len() != side * side {
             let accepted = Accepted::Exactly((side * side) as f32);
-            return Err(Error { parameter: Parameter::SampleCount, value: count, accepted });
+            return Err(Error {
+                parameter: Parameter::SampleCount,
+                value: transmissions.len() as f32,
+                accepted,
+            });
         }
         Ok(Self { side: side as u32, transmissions })
     }

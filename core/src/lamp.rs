@@ -12,7 +12,8 @@ use crate::{
     light::{Directional, Point, Spot},
     profile::{Matched, Profile},
     scalar::Scalar,
-    shade::{CompiledDirectional, CompiledPoint, CompiledSpot},
+    shade::{Arrival, CompiledDirectional, CompiledPoint, CompiledSpot, Light, Surface},
+    specular::Specular,
 };
 
 /// A light of any kind, with any profile and any distance model: what a scene is made of that is not known when the
@@ -170,14 +171,22 @@ impl<P: Profile + Into<Matched>, A: Attenuation + Into<Distance>> From<Spot<P, A
     }
 }
 
-impl<S: Scalar> CompiledLamp<S> {
-    /// The linear colour.
-    pub fn color(&self) -> Rgb<S> {
+/// With a branch per point: what is slower than [`arrive_each`](CompiledLamp::arrive_each), and of the same bits.
+impl<S: Scalar> Light<S> for CompiledLamp<S> {
+    fn color(&self) -> Rgb<S> {
         any!(self, Self, light => light.color)
     }
 
-    /// The linear colour of the highlights.
-    pub fn specular_color(&self) -> Rgb<S> {
+    fn specular_color(&self) -> Rgb<S> {
         any!(self, Self, light => light.specular_color)
+    }
+
+    fn arrive<H: Specular>(
+        &self,
+        surface: &Surface<S>,
+        highlight: &H::Constants<S>,
+        skips: bool,
+    ) -> Arrival<S::Irradiance> {
+        any!(self, Self, light => light.arrive::<H>(surface, highlight, skips))
     }
 }

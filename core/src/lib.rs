@@ -62,8 +62,8 @@
 //!
 //! Files, in the order in which they build on one another: `error`, `vec3`, `trig`, `search`, `scalar` (and a file for each
 //! format), `angle`, `profile`, `cone`, `attenuation`, `color`, `specular`, `shade` (and a file for each kind of
-//! light), `light` (the same), `projection`, `gobo`, `material`, `batch`, `effect`, `lamp`, `luminaire`, `plan`, `import`
-//! (and a file for each system), `source`.
+//! light), `light` (the same), `projection`, `gobo`, `shadow`, `material`, `batch`, `effect`, `lamp`, `luminaire`, `plan`,
+//! `import` (and a file for each system), `source`.
 #![no_std]
 #![forbid(unsafe_code)]
 
@@ -89,6 +89,7 @@ mod projection;
 mod scalar;
 mod search;
 mod shade;
+mod shadow;
 pub mod source;
 mod specular;
 mod trig;
@@ -99,7 +100,9 @@ pub use attenuation::{
     Attenuation, Distance, Faded, HardRange, InverseSquare, Polynomial, SmoothRange, SquaredWindow,
     Unattenuated, Windowed,
 };
-pub use color::{CompiledExposure, Exposure, Rgb, Rgb565, clip, decode_srgb, encode_srgb, keep_hue};
+pub use color::{
+    CompiledExposure, Exposure, Rgb, Rgb565, clip, decode_srgb, encode_srgb, encode_srgb_dithered, keep_hue,
+};
 pub use cone::{Cone, Falloff};
 pub use effect::{Effect, Effects};
 pub use error::{Accepted, Error, Parameter};
@@ -118,6 +121,7 @@ pub use scalar::{Fraction, Gain, Offset, Place, Ray, Scalar};
 #[cfg(feature = "fixed")]
 pub use scalar::{Fx16, Fx32};
 pub use shade::{Arrival, CompiledDirectional, CompiledPoint, CompiledSpot, Light, Surface};
+pub use shadow::Shadow;
 pub use source::Source;
 pub use specular::{BlinnPhong, DualCone, Highlight, Lyon, Matte, Phong, Specular};
 pub use vec3::Vec3;

@@ -50,7 +50,7 @@ pub trait Scalar:
     Copy + Default + PartialOrd + core::fmt::Debug + Source + Named + sealed::Sealed + 'static
 {
     /// One component of a position in the world.
-    type Length: Copy + Default + PartialEq + core::fmt::Debug + Source;
+    type Length: Copy + Default + PartialOrd + core::fmt::Debug + Source;
     /// One component of a unit vector, at the format's finest resolution.
     type Unit: Copy + Default + PartialEq + core::fmt::Debug + Source;
     /// The versine of an angle off axis, in the scale of a ramp: a narrow cone keeps its leading bits.
@@ -87,6 +87,8 @@ pub trait Scalar:
     fn from_f32(value: f32) -> Self;
     /// The value, rounded to f32 where it has more bits.
     fn to_f32(self) -> f32;
+    /// So many 16,384ths, from 0 to 16,384: exact in every format.
+    fn part(steps: u32) -> Self;
     /// The nearest length.
     fn length(value: f32) -> Self::Length;
     /// The unit vector along an axis whose length is 1 within the roundings of f32.
@@ -156,6 +158,9 @@ pub trait Scalar:
     fn clip(light: Self::Irradiance) -> Self;
     /// The nearest of the codes from 0 to `LAST` of an sRGB channel, for a linear value; clipped to [0, 1].
     fn srgb<const LAST: usize>(self) -> u8;
+    /// One of the codes about a linear value, clipped to [0, 1]: the upper one where the light is past `threshold`
+    /// 128ths of the way from the lower one's to its own.
+    fn srgb_dithered<const LAST: usize>(self, threshold: u8) -> u8;
 }
 
 /// A factor from zero upwards with an exponent of its own, and the arithmetic of distances on it.

@@ -46,6 +46,7 @@ use crate::{
     projection::CompiledProjection,
     scalar::Scalar,
     shade::{CompiledDirectional, CompiledPoint, CompiledSpot},
+    shadow::Shadow,
     specular::{BlinnPhong, DualCone, Lyon, Matte, Phong, Specular},
     vec3::Vec3,
 };
@@ -376,5 +377,23 @@ impl<S: Scalar> Source for CompiledGobo<'_, S> {
     fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
         write!(out, "CompiledGobo::<{}>::", name::<S>())?;
         call(out, "from_parts", &[&self.projection, &self.gobo])
+    }
+}
+
+/// Values that are borrowed, as a constant of their own: whoever borrows it may keep it.
+struct Borrowed<'a, T>(&'a [T]);
+
+impl<T: Source> Source for Borrowed<'_, T> {
+    fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
+        out.write_str("const { &")?;
+        out.debug_list().entries(self.0.iter().map(Written)).finish()?;
+        out.write_str(" }")
+    }
+}
+
+impl<S: Scalar> Source for Shadow<'_, S> {
+    fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
+        write!(out, "Shadow::<{}>::", name::<S>())?;
+        call(out, "from_parts", &[&self.projection, &self.side, &Borrowed(self.depths)])
     }
 }

@@ -8,9 +8,9 @@ use std::path::Path;
 use std::{env, fs};
 
 use luminaire::{
-    Ambient, Angle, Attenuation, BlinnPhong, Cone, Cubic, Directional, DualCone, Exposure, Fx16, Fx32, Hard,
-    HardRange, InverseSquare, Lyon, Material, Phong, Point, Polynomial, Power, Profile, Rgb, Scalar, Smooth,
-    SmoothRange, Soft, Source, Spot, SquaredWindow, Table, Unattenuated, Vec3, Windowed,
+    Ambient, Angle, Attenuation, BlinnPhong, Cone, Cubic, Directional, DualCone, Exposure, Fx16, Fx32, Gobo,
+    Hard, HardRange, InverseSquare, Lyon, Material, Phong, Point, Polynomial, Power, Profile, Projection,
+    Rgb, Scalar, Smooth, SmoothRange, Soft, Source, Spot, SquaredWindow, Table, Unattenuated, Vec3, Windowed,
 };
 
 type Outcome = Result<(), Box<dyn Error>>;
@@ -50,6 +50,8 @@ fn constants<S: Scalar>() -> Outcome {
     spot::<S, _, _>("windowed", Soft, Windowed::new(Some(9.0))?)?;
     spot::<S, _, _>("squared_window", Soft, SquaredWindow::new(Some(9.0))?)?;
     spot::<S, _, _>("hard_range", Soft, HardRange::new(InverseSquare, Some(9.0))?)?;
+    let square = Projection::of(&Spot::new(POSITION, AXIS, Cone::from_field(Soft, Angle::degrees(36.0))?)?)?;
+    write("gobo", &Gobo::of(&panes()).on(square.compile::<S>()?))?;
     write("point", &Point::new(POSITION)?.with_color(AMBER)?.with_intensity(16.0)?.compile::<S>()?)?;
     write("directional", &Directional::new(AXIS)?.with_color(AMBER)?.compile::<S>())?;
     write("ambient", &Ambient::new(AMBER)?.with_intensity(0.1)?.compile::<S>())?;
@@ -61,6 +63,14 @@ fn constants<S: Scalar>() -> Outcome {
     write("blinn_phong", &paper.with_highlight(BlinnPhong, gloss, 32)?.compile::<S>())?;
     write("dual_cone", &paper.with_highlight(DualCone, gloss, 32)?.compile::<S>())?;
     write("lyon", &paper.with_highlight(Lyon::<_, 3>(Phong), gloss, 32)?.compile::<S>())
+}
+
+/// A window of two by two panes.
+fn panes() -> [[u8; 16]; 16] {
+    let is_pane = |i: usize| (3..7).contains(&i) || (9..13).contains(&i);
+    std::array::from_fn(|row| {
+        std::array::from_fn(|column| if is_pane(row) && is_pane(column) { 255 } else { 0 })
+    })
 }
 
 fn spot<S: Scalar, P: Profile + Source, A: Attenuation + luminaire::source::Named>(

@@ -2,6 +2,7 @@
 #![cfg_attr(target_os = "none", no_std)]
 
 pub mod board;
+pub mod frame;
 mod measure;
 
 pub use measure::{COUNT, measure};

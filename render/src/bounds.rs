@@ -6,8 +6,8 @@ use luminaire::Lamp;
 /// A sphere around points.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Bounds {
-    center: Vec3,
-    radius: f32,
+    pub(crate) center: Vec3,
+    pub(crate) radius: f32,
 }
 
 /// What the light of a lamp is within.
@@ -29,6 +29,14 @@ struct Beam {
 }
 
 impl Bounds {
+    /// A sphere around points: that of their box's middle.
+    pub(crate) fn of(points: impl Iterator<Item = Vec3> + Clone) -> Self {
+        let center = 0.5
+            * (points.clone().fold(Vec3::INFINITY, Vec3::min)
+                + points.clone().fold(-Vec3::INFINITY, Vec3::max));
+        Self { center, radius: points.map(|point| point.distance(center)).fold(0.0, f32::max) }
+    }
+
     /// A sphere around the convex hull of four points.
     #[inline(always)]
     pub(crate) fn around(points: [Vec3; 4]) -> Self {

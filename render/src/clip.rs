@@ -25,6 +25,11 @@ impl Sighting {
         let beyond = (0..PLANES).fold(0, |bits, plane| bits | is_beyond(plane) << plane);
         Self { seen, beyond, corner: if beyond == 0 { view.project(&seen) } else { Corner::default() } }
     }
+
+    /// The vertex as it is seen, in view or not.
+    pub(crate) fn seen(&self) -> &Seen {
+        &self.seen
+    }
 }
 
 /// Hands the visible part of a triangle to `draw`, as triangles in the same sense of rotation.

@@ -1,32 +1,54 @@
 //! What the renderer knows of a number format.
 
+use crate::{
+    gbuffer::Block,
+    lighting::{Prepared, Radiance, Setting},
+};
 use luminaire::{Fx16, Fx32, Scalar};
 
 /// A number format that a picture can be lit in: `f32`, [`Fx32`] and [`Fx16`].
-pub trait Format: Scalar {
-    /// Whether it pays to ask of each point if light can arrive there, before its square root is paid for. It
-    /// does where points are computed one by one; vector instructions are quicker without the question. The
-    /// picture is the same.
-    const ASKS_EACH_POINT: bool;
-
+pub trait Format: Scalar + Loops {
     /// See [`stated_error`].
     const STATED_ERROR: u8;
 }
 
+/// The loops of a format. They are compiled with this crate, once, and not with each that uses it.
+pub trait Loops: Scalar {
+    /// Lights the pixels of a block.
+    fn light(
+        setting: &Setting<'_, Self>,
+        block: &Block<Self>,
+        lamps: &mut dyn Iterator<Item = &Prepared<Self>>,
+    ) -> Radiance;
+}
+
 impl Format for f32 {
-    const ASKS_EACH_POINT: bool = false;
     const STATED_ERROR: u8 = 0;
 }
 
 impl Format for Fx32 {
-    const ASKS_EACH_POINT: bool = true;
     const STATED_ERROR: u8 = 2;
 }
 
 impl Format for Fx16 {
-    const ASKS_EACH_POINT: bool = true;
     const STATED_ERROR: u8 = 5;
 }
+
+macro_rules! loops {
+    ($($format:ty)*) => {$(
+        impl Loops for $format {
+            fn light(
+                setting: &Setting<'_, Self>,
+                block: &Block<Self>,
+                lamps: &mut dyn Iterator<Item = &Prepared<Self>>,
+            ) -> Radiance {
+                setting.light(block, lamps)
+            }
+        }
+    )*};
+}
+
+loops!(f32 Fx32 Fx16);
 
 /// The largest difference of a channel between a picture lit in this format and one in `f32`, in sRGB codes
 /// of 0 to 255.

@@ -9,7 +9,7 @@ pub(crate) const LANES: usize = 32;
 
 /// Some neighbouring pixels of a row, each quantity in an array of its own, as vector instructions want it.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Block<S: Scalar> {
+pub struct Block<S: Scalar> {
     pub(crate) point: Vec3<[S::Length; LANES]>,
     /// Of unit length; zero where nothing was drawn, so that no light arrives there.
     pub(crate) normal: Vec3<[S; LANES]>,

@@ -2,13 +2,13 @@
 
 use crate::{
     bounds::Reach,
-    format::Format,
     gbuffer::{Block, LANES},
     scene::{Highlight, Material},
+    shadows::Shadows,
 };
 use luminaire::{
-    Arrival, CompiledGobo, CompiledLamp, Error, Luminaire, Matte, Plan, Rgb, Scalar, Specular, Surface,
-    Surfaces, Vec3,
+    Angle, Arrival, CompiledGobo, CompiledLamp, CompiledProjection, Error, Gobo, Light as _, Luminaire,
+    Matte, Plan, Rgb, Scalar, Shadow, Specular, Surface, Surfaces, Vec3,
 };
 
 /// The light that the pixels of a block send to the eye: linear, 1 is full scale.
@@ -17,11 +17,14 @@ pub(crate) type Radiance = Rgb<[f32; LANES]>;
 /// Light at the pixels of a block.
 type Light<S> = Rgb<[<S as Scalar>::Irradiance; LANES]>;
 
-/// A lamp compiled for a format, and where its light may be.
+/// A luminaire compiled for a format, and where its light may be.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Prepared<S: Scalar> {
+pub struct Prepared<S: Scalar> {
+    number: usize,
     lamp: CompiledLamp<S>,
     gobo: Option<CompiledGobo<'static, S>>,
+    /// The square that the shadow map lies on.
+    shadow: Option<CompiledProjection<S>>,
     pub(crate) reach: Reach,
 }
 
@@ -34,23 +37,45 @@ pub(crate) struct Finish<S: Scalar> {
 
 /// What the lamps light: all that is the same for every block.
 #[derive(Debug)]
-pub(crate) struct Setting<'a, S: Scalar> {
+pub struct Setting<'a, S: Scalar> {
     pub(crate) plan: Plan,
     pub(crate) eye: Vec3<S::Length>,
     pub(crate) ambient: Rgb<f32>,
     /// By number.
     pub(crate) finishes: &'a [Finish<S>],
+    pub(crate) shadows: &'a Shadows<S>,
 }
 
+/// Clear glass: what there is in the gate of a spotlight where nothing is left out.
+const CLEAR: Gobo<'static> = Gobo::of(&[[u8::MAX]]);
+
 impl<S: Scalar> Prepared<S> {
-    /// The lamp, if the plan keeps it.
+    /// The luminaire of this number, if the plan keeps it.
     ///
     /// # Errors
     /// What the format can't hold.
-    pub(crate) fn new(luminaire: &Luminaire, plan: &Plan) -> Result<Option<Self>, Error> {
-        let (lamp, gobo) = (plan.prepare(luminaire.lamp())?, luminaire.compile_gobo()?);
-        Ok(lamp.map(|lamp| Self { lamp, gobo, reach: Reach::new(luminaire.lamp()) }))
+    pub(crate) fn new(number: usize, luminaire: &Luminaire, plan: &Plan) -> Result<Option<Self>, Error> {
+        let Some(lamp) = plan.prepare(luminaire.lamp())? else { return Ok(None) };
+        let mut luminaire = *luminaire;
+        if !plan.skips() {
+            luminaire = equipped(luminaire).unwrap_or(luminaire);
+        }
+        let shadow = luminaire.shadow().map(|(_, square)| square.compile()).transpose()?;
+        let (gobo, reach) = (luminaire.compile_gobo()?, Reach::new(luminaire.lamp()));
+        Ok(Some(Self { number, lamp, gobo, shadow, reach }))
     }
+}
+
+/// A luminaire with everything that it may have and has not: none of it changes its light.
+///
+/// # Errors
+/// A lamp that projects no square.
+fn equipped(mut luminaire: Luminaire) -> Result<Luminaire, Error> {
+    if luminaire.gobo().is_none() {
+        luminaire = luminaire.with_gobo(CLEAR, Angle::degrees(0.0))?;
+    }
+    // There is no map of it.
+    if luminaire.shadow().is_none() { luminaire.with_shadow(16) } else { Ok(luminaire) }
 }
 
 impl<S: Scalar> Finish<S> {
@@ -63,25 +88,10 @@ impl<S: Scalar> Finish<S> {
     }
 }
 
-impl<S: Format> Setting<'_, S> {
+impl<S: Scalar> Setting<'_, S> {
     /// Lights the pixels of a block.
-    pub(crate) fn light<'l>(
-        &self,
-        block: &Block<S>,
-        lamps: impl Iterator<Item = &'l Prepared<S>>,
-    ) -> Radiance {
-        if S::ASKS_EACH_POINT && self.plan.skips() {
-            self.light_by::<true>(block, lamps)
-        } else {
-            self.light_by::<false>(block, lamps)
-        }
-    }
-
-    fn light_by<'l, const SKIPS: bool>(
-        &self,
-        block: &Block<S>,
-        lamps: impl Iterator<Item = &'l Prepared<S>>,
-    ) -> Radiance {
+    #[inline(always)]
+    pub(crate) fn light(&self, block: &Block<S>, lamps: &mut dyn Iterator<Item = &Prepared<S>>) -> Radiance {
         let mut sums = [self.ambient, Rgb::default()]
             .map(|light| light.map(|channel| [S::ONE.expose(S::gain(channel)); LANES]));
         let [diffuse, specular] = &mut sums;
@@ -95,23 +105,27 @@ impl<S: Format> Setting<'_, S> {
         };
         let dark = [S::Irradiance::default(); LANES];
         let mut arrivals = Arrival { diffuse: dark, specular: dark };
-        for Prepared { lamp, gobo, .. } in lamps {
+        for prepared in lamps {
+            let lamp = &prepared.lamp;
             let mut lobes = dark;
             if shines {
                 for number in self.shining(block) {
                     let highlight = &self.finishes[number as usize].highlight;
-                    lamp.arrive_each::<Highlight, SKIPS, LANES>(&surfaces, highlight, &mut arrivals);
+                    self.arrive::<Highlight>(lamp, &surfaces, highlight, &mut arrivals);
                     for (lane, lobe) in lobes.iter_mut().enumerate() {
                         *lobe = if block.material[lane] == number { arrivals.specular[lane] } else { *lobe };
                     }
                 }
             } else {
-                lamp.arrive_each::<Matte, SKIPS, LANES>(&surfaces, &(), &mut arrivals);
+                self.arrive::<Matte>(lamp, &surfaces, &(), &mut arrivals);
             }
-            if let Some(gobo) = gobo {
-                let part = core::array::from_fn(|lane| gobo.at(block.point_at(lane)));
-                filter::<S>(&mut arrivals.diffuse, &part);
-                filter::<S>(&mut lobes, &part);
+            if let Some(gobo) = &prepared.gobo {
+                filter::<S>([&mut arrivals.diffuse, &mut lobes], block, |point| gobo.at(point));
+            }
+            if let Some(square) = prepared.shadow {
+                let none = Shadow::from_parts(square, 0, &[]);
+                let shadow = self.shadows.of(prepared.number).unwrap_or(none);
+                filter::<S>([&mut arrivals.diffuse, &mut lobes], block, |point| shadow.visibility(point));
             }
             add::<S>(diffuse, &arrivals.diffuse, lamp.color());
             if shines {
@@ -125,6 +139,25 @@ impl<S: Format> Setting<'_, S> {
                 .zip(shine, |diffuse, specular| core::array::from_fn(|lane| diffuse[lane] + specular[lane]));
         }
         radiance
+    }
+
+    /// What arrives of a lamp: by the loop that is made for it, or by none where nothing is left out.
+    #[inline(always)]
+    fn arrive<H: Specular>(
+        &self,
+        lamp: &CompiledLamp<S>,
+        surfaces: &Surfaces<'_, S, LANES>,
+        highlight: &H::Constants<S>,
+        arrivals: &mut Arrival<[S::Irradiance; LANES]>,
+    ) {
+        if self.plan.skips() {
+            return lamp.arrive_each::<H, LANES>(surfaces, highlight, arrivals);
+        }
+        for lane in 0..LANES {
+            let arrival = lamp.arrive::<H>(&surfaces.at(lane), highlight, false);
+            arrivals.diffuse[lane] = arrival.diffuse;
+            arrivals.specular[lane] = arrival.specular;
+        }
     }
 
     /// The numbers of the materials in a block that shine, each once; of all materials where nothing is left out.
@@ -156,11 +189,20 @@ fn borrowed<T>(columns: &Vec3<T>) -> Vec3<&T> {
     Vec3::new(&columns.x, &columns.y, &columns.z)
 }
 
-/// Leaves a part of the light.
+/// Leaves a part of the light at each point: where none arrives there is nothing to leave.
 #[inline(always)]
-fn filter<S: Scalar>(light: &mut [S::Irradiance; LANES], part: &[S; LANES]) {
-    for (light, part) in light.iter_mut().zip(part) {
-        *light = S::filter(*light, *part);
+fn filter<S: Scalar>(
+    [diffuse, lobes]: [&mut [S::Irradiance; LANES]; 2],
+    block: &Block<S>,
+    part: impl Fn(Vec3<S::Length>) -> S,
+) {
+    let dark = S::Irradiance::default();
+    for lane in 0..LANES {
+        if diffuse[lane] > dark || lobes[lane] > dark {
+            let part = part(block.point_at(lane));
+            diffuse[lane] = S::filter(diffuse[lane], part);
+            lobes[lane] = S::filter(lobes[lane], part);
+        }
     }
 }
 

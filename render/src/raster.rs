@@ -10,12 +10,78 @@ use alloc::{collections::TryReserveError, vec::Vec};
 /// One pixel in steps of a screen coordinate.
 const PIXEL: i64 = 1 << SUBPIXEL_BITS;
 
+/// The pixels of a picture. Rows are filled up to their stride.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Grid {
+    pub(crate) width: usize,
+    pub(crate) height: usize,
+    pub(crate) stride: usize,
+}
+
+/// Neighbouring pixels of a row that a triangle covers.
+pub(crate) struct Span<'a> {
+    /// Their numbers, row by row from the top.
+    pub(crate) pixels: core::ops::Range<usize>,
+    corners: [&'a Corner; 3],
+    /// The shares of the second and the third corner: of the first pixel, and the change to the next.
+    to_b: (f32, f32),
+    to_c: (f32, f32),
+}
+
+impl Grid {
+    /// Hands over what a triangle covers, row by row, if its corners follow each other against the clock:
+    /// others are seen from behind and cover nothing.
+    #[inline(always)]
+    pub(crate) fn cover(&self, corners: &[Corner; 3], mut fill: impl FnMut(Span<'_>)) {
+        // With y downwards the sense of rotation is reversed.
+        let [a, c, b] = corners;
+        let rows = centers([a.y, b.y, c.y], self.height);
+        let columns = centers([a.x, b.x, c.x], self.width);
+        let area = doubled_area(a, b, c);
+        if rows.is_empty() || columns.is_empty() || area <= 0 {
+            return;
+        }
+        let edge = |from, to| Edge::new(from, to).walk(rows.start);
+        let mut edges = [edge(b, c), edge(c, a), edge(a, b)];
+        let share = 1.0 / area as f32;
+        for y in rows {
+            let (mut start, mut end) = (columns.start, columns.end);
+            for edge in &edges {
+                edge.narrow(&mut start, &mut end);
+            }
+            if start < end {
+                let weight = |edge: &Walk| {
+                    ((edge.at + start * edge.column) as f32 * share, edge.column as f32 * share)
+                };
+                let row = y as usize * self.stride;
+                fill(Span {
+                    pixels: row + start as usize..row + end as usize,
+                    corners: [a, b, c],
+                    to_b: weight(&edges[1]),
+                    to_c: weight(&edges[2]),
+                });
+            }
+            edges.iter_mut().for_each(Walk::step);
+        }
+    }
+}
+
+impl Span<'_> {
+    /// A value of the corners along the pixels.
+    #[inline(always)]
+    pub(crate) fn line(&self, of: impl Fn(&Corner) -> f32) -> Line {
+        let [a, b, c] = self.corners.map(of);
+        Line {
+            start: a + self.to_b.0 * (b - a) + self.to_c.0 * (c - a),
+            step: self.to_b.1 * (b - a) + self.to_c.1 * (c - a),
+        }
+    }
+}
+
 /// The nearest fragment of each pixel. Rows are filled up to whole blocks of [`LANES`].
 #[derive(Clone, Debug)]
 pub(crate) struct Fragments {
-    width: usize,
-    height: usize,
-    stride: usize,
+    grid: Grid,
     /// The reciprocal of the depth; 0 where nothing was drawn.
     pub(crate) nearness: Vec<f32>,
     /// Normals of any length.
@@ -30,7 +96,8 @@ impl Fragments {
         let count = stride * height;
         let plane = || filled(count, 0.0_f32);
         let normal = [plane()?, plane()?, plane()?];
-        Ok(Self { width, height, stride, nearness: plane()?, normal, material: filled(count, 0)? })
+        let grid = Grid { width, height, stride };
+        Ok(Self { grid, nearness: plane()?, normal, material: filled(count, 0)? })
     }
 
     /// Removes all fragments.
@@ -39,48 +106,14 @@ impl Fragments {
         self.material.fill(0);
     }
 
-    /// Draws a triangle whose corners follow each other against the clock; others are seen from behind and
-    /// left out.
+    /// Draws a triangle where it is seen from the front and nearer than what is there.
     pub(crate) fn draw(&mut self, corners: [Corner; 3], material: u32) {
-        // With y downwards the sense of rotation is reversed.
-        let [a, c, b] = corners;
-        let edges = [Edge::new(&b, &c), Edge::new(&c, &a), Edge::new(&a, &b)];
-        let area = edges[2].at(i64::from(c.x), i64::from(c.y));
-        if area <= 0 {
-            return;
-        }
-        let ys = [a.y, b.y, c.y].map(i64::from);
-        let (top, bottom) = (ys[0].min(ys[1]).min(ys[2]), ys[0].max(ys[1]).max(ys[2]));
-        let first = first_center(top);
-        let last = first_center(bottom + 1).min(self.height as i64);
-        let share = 1.0 / area as f32;
-        for y in first..last {
-            let y_center = y * PIXEL + PIXEL / 2;
-            let (mut start, mut end) = (0, self.width as i64);
-            for edge in &edges {
-                edge.narrow(y_center, &mut start, &mut end);
-            }
-            if start >= end {
-                continue;
-            }
-            let x_center = start * PIXEL + PIXEL / 2;
-            let weight = |edge: &Edge| {
-                let (at, step) = (edge.at(x_center, y_center), edge.step() * PIXEL);
-                (at as f32 * share, step as f32 * share)
-            };
-            let (to_b, to_c) = (weight(&edges[1]), weight(&edges[2]));
-            let line = |a: f32, b: f32, c: f32| Line {
-                start: a + to_b.0 * (b - a) + to_c.0 * (c - a),
-                step: to_b.1 * (b - a) + to_c.1 * (c - a),
-            };
-            let row = y as usize * self.stride;
-            self.fill(
-                row + start as usize..row + end as usize,
-                line(a.nearness, b.nearness, c.nearness),
-                [0, 1, 2].map(|i| line(a.normal[i], b.normal[i], c.normal[i])),
-                material,
-            );
-        }
+        let grid = self.grid;
+        grid.cover(&corners, |span| {
+            let nearness = span.line(|corner| corner.nearness);
+            let normal = [0, 1, 2].map(|i| span.line(|corner| corner.normal[i]));
+            self.fill(span.pixels, nearness, normal, material);
+        });
     }
 
     /// Puts a span of fragments where they are nearer than what is there.
@@ -107,21 +140,35 @@ impl Fragments {
 
 /// A value that is linear along a span.
 #[derive(Clone, Copy)]
-struct Line {
+pub(crate) struct Line {
     start: f32,
     step: f32,
 }
 
 impl Line {
     #[inline(always)]
-    fn at(self, i: usize) -> f32 {
+    pub(crate) fn at(self, i: usize) -> f32 {
         self.start + self.step * i as f32
     }
 }
 
-/// The first row or column whose centre is at or after a screen coordinate.
-fn first_center(coordinate: i64) -> i64 {
-    (coordinate + PIXEL / 2 - 1) >> SUBPIXEL_BITS
+/// The rows or columns of so many whose centres lie between three screen coordinates.
+fn centers(coordinates: [i32; 3], count: usize) -> core::ops::Range<i64> {
+    // The first whose centre is at or after a coordinate.
+    let first = |coordinate: i32| i64::from((coordinate + PIXEL as i32 / 2 - 1) >> SUBPIXEL_BITS);
+    let [a, b, c] = coordinates;
+    first(a.min(b).min(c))..first(a.max(b).max(c) + 1).min(count as i64)
+}
+
+/// Twice the area of a triangle on a screen whose y points down: positive if its corners follow each other with the clock.
+fn doubled_area(a: &Corner, b: &Corner, c: &Corner) -> i64 {
+    let (x, y) = (i64::from(a.x), i64::from(a.y));
+    (i64::from(b.x) - x) * (i64::from(c.y) - y) - (i64::from(b.y) - y) * (i64::from(c.x) - x)
+}
+
+/// The corners of a triangle in the order that is seen from the front.
+pub(crate) fn faced([a, b, c]: [Corner; 3]) -> [Corner; 3] {
+    if doubled_area(&a, &b, &c) > 0 { [a, c, b] } else { [a, b, c] }
 }
 
 /// An edge of a triangle, which lies on its right on a screen whose y points down. All in exact integers.
@@ -130,16 +177,32 @@ struct Edge {
     y: i64,
     dx: i64,
     dy: i64,
+}
+
+/// An edge on its way down the rows, as Bresenham draws a line: one division at the start, and none per row.
+struct Walk {
+    /// Twice the area of the triangle that the edge forms with the centre of the row's first column: positive inside. And the
+    /// change to the next column, and to the next row.
+    at: i64,
+    column: i64,
+    row: i64,
     /// 0 for a top or left edge, which owns the points on it; 1 for the others, which leave them to the
     /// neighbour.
     excluded: i64,
+    /// Where the edge crosses the row: how many columns' change, without its sign, and what is left of it.
+    whole: i64,
+    columns: i64,
+    rest: i64,
+    /// How they change to the next row.
+    more_columns: i64,
+    more_rest: i64,
 }
 
 impl Edge {
+    #[inline(always)]
     fn new(from: &Corner, to: &Corner) -> Self {
         let (dx, dy) = (i64::from(to.x - from.x), i64::from(to.y - from.y));
-        let owns = dy < 0 || (dy == 0 && dx > 0);
-        Self { x: from.x.into(), y: from.y.into(), dx, dy, excluded: i64::from(!owns) }
+        Self { x: from.x.into(), y: from.y.into(), dx, dy }
     }
 
     /// Twice the area of the triangle that the edge forms with a point: positive inside.
@@ -147,22 +210,53 @@ impl Edge {
         self.dx * (y - self.y) - self.dy * (x - self.x)
     }
 
-    /// The change from a screen coordinate to the next along x.
-    fn step(&self) -> i64 {
-        -self.dy
+    /// The edge at a row.
+    #[inline(always)]
+    fn walk(&self, row: i64) -> Walk {
+        let owns = self.dy < 0 || (self.dy == 0 && self.dx > 0);
+        let at = self.at(PIXEL / 2, row * PIXEL + PIXEL / 2);
+        let excluded = i64::from(!owns);
+        // A level edge crosses no row: its columns are not asked for.
+        let whole = self.dy.abs().max(1) * PIXEL;
+        let reciprocal = 1.0 / whole as f64;
+        let (columns, rest) = divided(at - excluded, whole, reciprocal);
+        let (more_columns, more_rest) = divided(self.dx * PIXEL, whole, reciprocal);
+        let (column, row) = (-self.dy * PIXEL, self.dx * PIXEL);
+        Walk { at, column, row, excluded, whole, columns, rest, more_columns, more_rest }
     }
+}
 
-    /// Narrows a span of columns to those whose centres are inside, on the row with this centre.
-    fn narrow(&self, y_center: i64, start: &mut i64, end: &mut i64) {
-        let at_first = self.at(PIXEL / 2, y_center) - self.excluded;
-        let step = self.step() * PIXEL;
-        match step {
-            0 if at_first < 0 => *end = *start,
+impl Walk {
+    /// Narrows a span of columns to those whose centres are inside.
+    #[inline(always)]
+    fn narrow(&self, start: &mut i64, end: &mut i64) {
+        match self.column {
+            0 if self.at < self.excluded => *end = *start,
             0 => {}
-            1.. => *start = (*start).max(-at_first.div_euclid(step)),
-            _ => *end = (*end).min(at_first.div_euclid(-step) + 1),
+            1.. => *start = (*start).max(-self.columns),
+            _ => *end = (*end).min(self.columns + 1),
         }
     }
+
+    /// Goes on to the next row.
+    #[inline(always)]
+    fn step(&mut self) {
+        self.at += self.row;
+        let rest = self.rest + self.more_rest;
+        let carry = i64::from(rest >= self.whole);
+        self.rest = rest - carry * self.whole;
+        self.columns += self.more_columns + carry;
+    }
+}
+
+/// Quotient and remainder, rounded down, of a division whose divisor's reciprocal is known; what rounding makes of the quotient
+/// is at most one.
+#[inline(always)]
+fn divided(dividend: i64, divisor: i64, reciprocal: f64) -> (i64, i64) {
+    let guess = (dividend as f64 * reciprocal) as i64;
+    let rest = dividend - guess * divisor;
+    let more = i64::from(rest >= divisor) - i64::from(rest < 0);
+    (guess + more, rest - more * divisor)
 }
 
 #[cfg(test)]

@@ -5,6 +5,7 @@ use crate::{
     camera::Camera,
     clip::{Sighting, clip},
     display::{self, CHANNELS},
+    error::DrawError,
     format::Format,
     gbuffer::{GBuffer, LANES},
     lighting::{Finish, Prepared, Radiance, Setting},
@@ -12,6 +13,7 @@ use crate::{
     raster::Fragments,
     reached::Reached,
     scene::{Fingerprint, Material, Scene},
+    shadows::Shadows,
     size::SizeError,
     tile::Tiles,
     view::View,
@@ -40,6 +42,7 @@ pub struct Renderer<S: Format> {
     /// The lamps of the picture; nothing if all of it must be lit.
     lit: Option<Vec<Luminaire>>,
     reached: Reached,
+    shadows: Shadows<S>,
     account: Account,
     sightings: Vec<Sighting>,
 }
@@ -73,6 +76,7 @@ impl<S: Format> Renderer<S> {
             drawn: None,
             lit: None,
             reached: Reached::default(),
+            shadows: Shadows::new(),
             account: Account::default(),
             sightings: Vec::new(),
         };
@@ -118,6 +122,20 @@ impl<S: Format> Renderer<S> {
         self.eye = Vec3::from(view.eye()).map(S::length);
     }
 
+    /// Draws the shadow maps of the luminaires that ask for them, where scene or luminaire have changed. Returns whether
+    /// any had. Without it luminaires throw no shadows; with other luminaires than [`draw_light`](Self::draw_light)
+    /// is given, those of others.
+    ///
+    /// # Errors
+    /// A luminaire that the format can't hold, or no memory for a map.
+    pub fn draw_shadows<L: Copy + Into<Luminaire>>(
+        &mut self,
+        scene: &Scene,
+        lights: &[L],
+    ) -> Result<bool, DrawError> {
+        self.shadows.draw(scene, lights)
+    }
+
     /// Lights the geometry where lamps or geometry have changed since the last time: the tiles that a lamp reaches
     /// or has reached which is another now. Returns whether anything had changed: if not, nothing was done.
     ///
@@ -140,10 +158,11 @@ impl<S: Format> Renderer<S> {
 
     fn draw_light_by<L: Copy + Into<Luminaire>>(&mut self, plan: Plan, lights: &[L]) -> Result<bool, Error> {
         let lamps: Vec<Luminaire> = lights.iter().map(|&light| light.into()).collect();
-        if self.lit.as_ref() == Some(&lamps) {
+        if self.lit.as_ref() == Some(&lamps) && self.shadows.redrawn().is_empty() {
             return Ok(false);
         }
-        let prepared = lamps.iter().map(|lamp| Prepared::new(lamp, &plan)).collect::<Result<Vec<_>, _>>()?;
+        let prepare = |(number, lamp)| Prepared::new(number, lamp, &plan);
+        let prepared = lamps.iter().enumerate().map(prepare).collect::<Result<Vec<_>, _>>()?;
         if self.reached.make_room(self.tiles.tiles.len(), lamps.len()) {
             self.lit = None;
         }
@@ -163,6 +182,7 @@ impl<S: Format> Renderer<S> {
             }
         }
         self.lit = plan.skips().then_some(lamps);
+        self.shadows.settle();
         Ok(true)
     }
 
@@ -170,13 +190,17 @@ impl<S: Format> Renderer<S> {
     fn changed(&self, lamps: &[Luminaire]) -> Vec<usize> {
         let before = self.lit.as_deref().unwrap_or_default();
         let count = lamps.len().max(before.len());
-        (0..count).filter(|&i| self.lit.is_none() || before.get(i) != lamps.get(i)).collect()
+        let is_another = |&i: &usize| {
+            self.lit.is_none() || before.get(i) != lamps.get(i) || self.shadows.redrawn().contains(&i)
+        };
+        (0..count).filter(is_another).collect()
     }
 
     fn light_tile(&mut self, tile: usize, plan: Plan, prepared: &[Option<Prepared<S>>]) {
         self.tiles.tiles[tile].is_encoded = false;
         self.account.tiles_relit += 1;
-        let setting = Setting { plan, eye: self.eye, ambient: self.ambient, finishes: &self.finishes };
+        let (finishes, shadows) = (&self.finishes, &self.shadows);
+        let setting = Setting { plan, eye: self.eye, ambient: self.ambient, finishes, shadows };
         let lamps = self.reached.lamps(tile).filter_map(|lamp| prepared[lamp].as_ref());
         let reached = lamps.clone().count();
         for block in self.tiles.blocks(tile) {
@@ -187,7 +211,7 @@ impl<S: Format> Renderer<S> {
             };
             let mut evaluated = 0;
             let reaching = lamps.clone().filter(|lamp| !(plan.skips() && is_missed(lamp)));
-            self.radiance[block] = setting.light(geometry, reaching.inspect(|_| evaluated += 1));
+            self.radiance[block] = S::light(&setting, geometry, &mut reaching.inspect(|_| evaluated += 1));
             self.evaluated[block] = evaluated;
             let pixels = LANES.min(self.width - block % self.geometry.columns * LANES);
             self.account.enter(pixels, reached, evaluated.into());

@@ -1,5 +1,6 @@
 //! The sizes that a picture may have.
 
+use crate::shadow_map::SIDES;
 use core::fmt;
 
 /// The most pixels that a picture may have in a row, or in a column.
@@ -19,6 +20,8 @@ pub enum SizeError {
     Width(usize),
     /// The height in pixels that was given: zero, or more than [`LARGEST`].
     Height(usize),
+    /// The side of a shadow map in texels that was given: not from 16 to 2048.
+    ShadowSide(usize),
     /// Width and height are accepted, and there is no memory for a picture of that size.
     Memory(usize, usize),
 }
@@ -43,6 +46,10 @@ impl fmt::Display for SizeError {
         match self {
             Self::Width(width) => write!(f, "width {width} is refused: give 1 to {LARGEST} pixels"),
             Self::Height(height) => write!(f, "height {height} is refused: give 1 to {LARGEST} pixels"),
+            Self::ShadowSide(side) => {
+                let (least, most) = (SIDES.start(), SIDES.end());
+                write!(f, "side {side} of a shadow map is refused: give {least} to {most} texels")
+            }
             Self::Memory(width, height) => {
                 write!(f, "size {width} x {height} is refused: there is no memory for it, give fewer pixels")
             }

@@ -1,7 +1,12 @@
 //! From the world to the screen, and from a pixel back along its ray.
 
-use crate::{camera::Camera, mesh::Vertex};
+use crate::{
+    bounds::Bounds,
+    camera::{Camera, Pose},
+    mesh::Vertex,
+};
 use glam::{Vec2, Vec3};
+use luminaire::Projection;
 
 /// Nothing nearer to the eye than this is drawn, in metres along the line of sight.
 pub(crate) const NEAR: f32 = 0.05;
@@ -48,10 +53,24 @@ pub(crate) struct Corner {
 
 impl View {
     pub(crate) fn new(camera: &Camera, width: usize, height: usize) -> Self {
-        let pose = camera.pose();
-        let (width, height) = (width as f32, height as f32);
         let half_angle = Vec2::from_angle(camera.field_of_view() / 2.0);
-        let tall = half_angle.y / half_angle.x;
+        Self::of_pose(camera.pose(), half_angle.y / half_angle.x, width, height)
+    }
+
+    /// What a light sees on the square that it projects, with so many texels on a side.
+    pub(crate) fn of_light(projection: &Projection, side: usize) -> Self {
+        let pose = Pose {
+            eye: projection.position().into(),
+            right: projection.right().into(),
+            up: projection.up().into(),
+            ahead: projection.axis().into(),
+        };
+        Self::of_pose(pose, projection.tangent(), side, side)
+    }
+
+    /// The view of an eye, with the tangent of half its vertical angle.
+    fn of_pose(pose: Pose, tall: f32, width: usize, height: usize) -> Self {
+        let (width, height) = (width as f32, height as f32);
         let wide = tall * width / height;
         let column = pose.right * (2.0 * wide / width);
         let row = pose.up * (-2.0 * tall / height);
@@ -84,6 +103,16 @@ impl View {
             nearness,
             normal: seen.normal * nearness,
         }
+    }
+
+    /// Whether nothing within the bounds is in view, for certain: by a thousandth of the distance more than touching.
+    pub(crate) fn misses(&self, bounds: &Bounds) -> bool {
+        let way = bounds.center - self.eye;
+        let reach = bounds.radius + 1e-3 * (bounds.radius + way.length());
+        let is_beyond = |inwards: Vec3| way.dot(inwards) < -reach * inwards.length();
+        let (ahead, right, up) = (self.ahead, self.right, self.up);
+        way.dot(ahead) + reach < NEAR
+            || [ahead + right, ahead - right, ahead + up, ahead - up].into_iter().any(is_beyond)
     }
 
     /// The eye.

@@ -6,8 +6,8 @@ use luminaire::source::Named;
 use luminaire::{
     Ambient, Angle, Attenuation, Blend, BlinnPhong, CompiledSpot, Cone, Cubic, CutOff, Directional, DualCone,
     Edge, Error, Exposure, Fx16, Fx32, Gobo, Hard, HardRange, InverseSquare, Linear, Lyon, Material, Phong,
-    Point, Polynomial, Power, Profile, Projection, Rgb, Rim, Scalar, Smooth, SmoothRange, Soft, Source,
-    Specular, Spot, SquaredWindow, Table, Unattenuated, Vec3, Windowed,
+    Point, Polynomial, Power, Profile, Projection, Rgb, Rim, Scalar, Shadow, Smooth, SmoothRange, Soft,
+    Source, Specular, Spot, SquaredWindow, Table, Unattenuated, Vec3, Windowed,
 };
 
 /// What is done with each value.
@@ -71,10 +71,15 @@ fn of_format<S: Scalar>(visit: &mut impl Visit) -> Result<(), Error> {
     surfaces::<S, _>(visit, BlinnPhong)?;
     surfaces::<S, _>(visit, DualCone)?;
     surfaces::<S, _>(visit, Lyon::<_, 3>(Phong))?;
-    for (index, degrees) in [1.5, 40.0, 160.0].into_iter().enumerate() {
+    for (index, (degrees, roll)) in [(1.5, 0.0), (40.0, 90.0), (160.0, -10.0)].into_iter().enumerate() {
         let spot = Spot::new(PLACES[index], AXES[index], Cone::from_outer(CutOff, Angle::degrees(degrees))?)?;
-        let square = Projection::of(&spot)?.turned(Angle::degrees(degrees))?;
+        let square = Projection::of(&spot)?.turned(Angle::degrees(roll))?;
         visit.value(format!("{} {square:?}", S::NAME), square.compile::<S>()?);
+        let depths = [0.5, 7.25, f32::INFINITY, 3.0].map(S::length);
+        visit.value(
+            format!("{} shadow on {square:?}", S::NAME),
+            Shadow::new(square.compile::<S>()?, 2, &depths)?,
+        );
         visit.value(format!("{} {PANES:?} on {square:?}", S::NAME), PANES.on(square.compile::<S>()?));
     }
     let paper = Material::new(Rgb::new(0.9, 0.9, 0.85))?.with_emissive(AMBER)?;

@@ -2,7 +2,7 @@
 
 use super::format::Format;
 use super::words::Words;
-use luminaire::{Exposure, Rgb, Rgb565, clip, encode_srgb, keep_hue};
+use luminaire::{Exposure, Rgb, Rgb565, clip, encode_srgb, encode_srgb_dithered, keep_hue};
 
 /// Of two scalars of any bits the larger has no smaller code.
 pub fn codes_never_fall<S: Format>(words: &[u32]) {
@@ -15,6 +15,13 @@ pub fn codes_never_fall<S: Format>(words: &[u32]) {
         let gray = |value: S| Rgb565::from_linear(Rgb::new(value, value, value)).to_codes();
         let (low, high) = (gray(less), gray(more));
         assert!(low.red <= high.red && low.green <= high.green && low.blue == low.red, "{less:?} {more:?}");
+        let (x, y) = (words.wide() as u32, words.wide() as u32);
+        let dithered = |value: S| {
+            let pixel = Rgb565::from_linear_dithered(Rgb::new(value, value, value), x, y).to_codes();
+            [encode_srgb_dithered(value, x, y), pixel.red, pixel.green]
+        };
+        let (low, high) = (dithered(less), dithered(more));
+        assert!((0..3).all(|which| low[which] <= high[which]), "{less:?} {more:?} at {x} {y}");
     }
 }
 

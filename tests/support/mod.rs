@@ -21,6 +21,7 @@ pub mod prices;
 pub mod profiles;
 pub mod reference;
 pub mod region;
+pub mod shadows;
 pub mod squares;
 pub mod sweep;
 pub mod worst;

@@ -125,6 +125,12 @@ pub(crate) const REGISTER: &[Held] = &[
         "Gobo::of", "Gobo::side", "Gobo::transmissions", "CompiledGobo::from_parts",
     ]),
 
+    // Shadows on it.
+    by("tests/shadow.rs::visibilities_keep_their_row", &["Shadow::new", "Shadow::at", "Scalar::part"]),
+    by("tests/shadow.rs::a_point_has_the_visibility_of_its_place", &["Shadow::visibility"]),
+    by("tests/shadow.rs::any_bits_have_a_visibility", &["Shadow::from_parts"]),
+    by("tests/shadow.rs::a_shadow_keeps_what_it_is_given", &["Shadow::projection", "Shadow::side", "Shadow::depths"]),
+
     // Distance, highlight and the lit point.
     by("tests/lit.rs::no_fall_keeps_its_row", &[
         "Attenuation for Unattenuated", "Attenuation::expose", "Point::compile", "Point::with_attenuation",
@@ -159,14 +165,15 @@ pub(crate) const REGISTER: &[Held] = &[
     through("tests/operations.rs::parallel_light_keeps_its_row", &["Light for CompiledDirectional"]),
 
     // Lights that are chosen at run time, and the plan of a picture.
-    by("tests/lamps.rs::lamps_light_many_points_as_each", &["CompiledLamp::arrive_each", "Lamp::compile"]),
+    by("tests/lamps.rs::lamps_light_many_points_as_each", &[
+        "CompiledLamp::arrive_each", "Lamp::compile", "Light for CompiledLamp", "Surfaces::at",
+    ]),
     by("tests/lamps.rs::a_lamp_calls_for_what_it_is", &["Lamp::effects", "Lamp::intensity", "Luminaire::lamp"]),
     by("tests/lamps.rs::lamps_without_a_range_have_none", &[
         "Distance::range", "Cone::has_hotspot", "Cone::is_delimited",
     ]),
     by("tests/lamps.rs::a_dark_lamp_is_dropped", &[
         "Lamp::is_dark", "Luminaire::effects", "Plan::with_luminaire", "Plan::prepare", "Plan::everything",
-        "CompiledLamp::color", "CompiledLamp::specular_color",
     ]),
     through("tests/lamps.rs::a_dark_lamp_is_dropped", &["Lamp::color", "Lamp::specular_color"]),
     by("tests/lamps.rs::a_plan_calls_for_what_it_was_given", &[
@@ -248,6 +255,10 @@ pub(crate) const REGISTER: &[Held] = &[
     by("tests/display.rs::pixels_are_the_nearest", &["Rgb565::from_codes", "Rgb565::to_codes"]),
     by("tests/display.rs::light_past_full_scale_follows_the_stated_policy", &["clip", "keep_hue"]),
     by("tests/display.rs::stops_double_and_halve", &["Exposure::stops"]),
+    by("tests/dither.rs::sixteen_bits_keep_the_light_of_a_cell", &[
+        "encode_srgb_dithered", "Rgb565::from_linear_dithered",
+    ]),
+    through("tests/dither.rs::sixteen_bits_keep_the_light_of_a_cell", &["Scalar::srgb_dithered"]),
 
     // The same bits another way.
     by("tests/equivalence.rs::skipping_is_exact_in_fx16", &["CompiledSpot::irradiance_unskipped"]),

@@ -8,6 +8,7 @@ use std::str::FromStr;
 use lexopt::prelude::*;
 
 use crate::conform::{self, ConformOptions};
+use crate::firmware::frame::FrameOptions;
 use crate::firmware::{Board, FirmwareOptions};
 use crate::measure::{self, MeasureOptions};
 use crate::size::SizeOptions;
@@ -19,6 +20,7 @@ pub(crate) enum Request {
     Conform(ConformOptions),
     Demo(DemoOptions),
     Firmware(FirmwareOptions),
+    Frame(FrameOptions),
     Size(SizeOptions),
     Measure(MeasureOptions),
     Test(TestOptions),
@@ -86,6 +88,7 @@ impl Request {
             Some("conform") => Self::parse_conform(words),
             Some("demo") => Self::parse_demo(words),
             Some("firmware") => Self::parse_firmware(words),
+            Some("frame") => Self::parse_frame(words),
             Some("size") => Self::parse_size(words),
             Some("measure") => Self::parse_measure(words),
             Some("test") => Self::parse_test(words),
@@ -140,6 +143,19 @@ impl Request {
             }
         }
         Ok(Self::Firmware(options))
+    }
+
+    fn parse_frame(mut words: lexopt::Parser) -> Result<Self, lexopt::Error> {
+        let mut options = FrameOptions::default();
+        while let Some(word) = words.next()? {
+            match word {
+                Long("target") => options.boards.push(Board::named(&words.value()?.string()?)?),
+                Long("bless") => options.bless = true,
+                Short('h') | Long("help") => return Ok(Self::Help),
+                other => return Err(other.unexpected()),
+            }
+        }
+        Ok(Self::Frame(options))
     }
 
     fn parse_size(mut words: lexopt::Parser) -> Result<Self, lexopt::Error> {
@@ -257,6 +273,15 @@ mod tests {
         );
         let options = FirmwareOptions { boards: Vec::new(), by_symbol: Some("lit.fx16".into()) };
         assert_eq!(parse("firmware --by-symbol lit.fx16").unwrap(), Request::Firmware(options));
+    }
+
+    #[test]
+    fn frame_takes_targets_or_blesses() {
+        assert_eq!(parse("frame").unwrap(), Request::Frame(FrameOptions::default()));
+        let Request::Frame(options) = parse("frame --bless --target cortex-m3").unwrap() else {
+            panic!("another command");
+        };
+        assert_eq!((options.bless, options.boards[0].name), (true, "cortex-m3"));
     }
 
     #[test]

@@ -44,6 +44,10 @@ cargo xtask firmware [OPTIONS]   Count what the kernels cost on microcontrollers
     --target NAME            Count on this one only: cortex-m0, cortex-m3, cortex-m4f or rv32imc; may be repeated
     --by-symbol KERNEL       Split one kernel, such as lit.fx16, by function instead of printing the table
 
+cargo xtask frame [OPTIONS]  Draw a picture on microcontrollers, in QEMU, and count the instructions of a pixel
+    --target NAME            On this one only: one of the above; may be repeated
+    --bless                  Write picture and counts although they differ from those in docs and firmware/README.md
+
 cargo xtask size [OPTIONS]   Count what each effect takes of a microcontroller's flash
     --json                   Print {target: {format: {effect: bytes}}} instead of the table
 cargo xtask measure [OPTIONS]    Write the price list of accuracy: errors, and costs on every target
@@ -74,6 +78,7 @@ fn main() -> ExitCode {
         Request::Conform(options) => conform::run(&options),
         Request::Demo(options) => demo::run(&options).map(|()| ExitCode::SUCCESS),
         Request::Firmware(options) => firmware::run(&options).map(|()| ExitCode::SUCCESS),
+        Request::Frame(options) => firmware::frame::run(&options).map(|()| ExitCode::SUCCESS),
         Request::Size(options) => size::run(&options).map(|()| ExitCode::SUCCESS),
         Request::Measure(options) => measure::run(&options).map(|()| ExitCode::SUCCESS),
         Request::Test(options) => Ok(test::run(&options)),

@@ -41,6 +41,7 @@ pub(crate) fn run(options: &TestOptions) -> ExitCode {
     }
     bare_metal(&mut suite);
     firmware::tests::run(&mut suite);
+    firmware::frame::tests::run(&mut suite);
     size::tests::run(&mut suite);
     prices(&mut suite);
     conform::tests::run(&mut suite);

@@ -18,7 +18,7 @@ const fn widened(code: u16, last: u16) -> u8 {
 }
 
 impl Rgb565 {
-    const fn pack(red: u16, green: u16, blue: u16) -> Self {
+    pub(super) const fn pack(red: u16, green: u16, blue: u16) -> Self {
         Self(red << 11 | green << 5 | blue)
     }
 

@@ -41,10 +41,15 @@ pub fn encode_srgb<S: Scalar>(linear: S) -> u8 {
 /// The nearest code of f32, from 0 to `last`.
 #[inline(always)]
 pub(crate) fn encode_float(linear: f32, last: f32) -> u8 {
-    let linear = clamp(linear);
+    (curve(clamp(linear), last) + 0.5) as i32 as u8
+}
+
+/// The place of a value from 0 to 1 among the codes from 0 to `last`, before it is rounded.
+#[inline(always)]
+pub(super) fn curve(linear: f32, last: f32) -> f32 {
     let curve = polynomial(ENCODE, trig::sqrt(trig::sqrt(linear)));
     let code = if linear < TOE { 255.0 * 12.92 * linear } else { curve };
-    (code * (last / 255.0) + 0.5) as i32 as u8
+    code * (last / 255.0)
 }
 
 /// The linear value of an sRGB code, in [0, 1], within 2e-6 (exhaustive). For set-up: encoding gives the code back.
@@ -89,12 +94,16 @@ impl<const LAST: usize> Thresholds<LAST> {
     };
 }
 
-/// The least multiple of `2^-bits` whose sRGB value is not under `(code + 1/2) / last`, by bisection.
-///
-/// The curve is `x = v^(12/5)`, so that `x >= v^(12/5)` is `x^5 >= v^12`: a comparison of products.
+/// The least multiple of `2^-bits` whose sRGB value is not under `(code + 1/2) / last`.
 #[cfg(feature = "fixed")]
 const fn threshold(code: usize, last: usize, bits: u32) -> u32 {
-    let value = (code as f64 + 0.5) / last as f64;
+    least((code as f64 + 0.5) / last as f64, bits)
+}
+
+/// The least multiple of `2^-bits`, of those above 0, whose sRGB value is not under this one, by bisection.
+///
+/// The curve is `x = v^(12/5)`, so that `x >= v^(12/5)` is `x^5 >= v^12`: a comparison of products.
+pub(super) const fn least(value: f64, bits: u32) -> u32 {
     let base = (value + 0.055) / 1.055;
     let cube = base * base * base;
     let twelfth = cube * cube * cube * cube;

@@ -31,8 +31,9 @@ pub struct Surfaces<'a, S: Scalar, const N: usize> {
 }
 
 impl<S: Scalar, const N: usize> Surfaces<'_, S, N> {
+    /// One of the points, of `N`.
     #[inline(always)]
-    fn at(&self, i: usize) -> Surface<S> {
+    pub fn at(&self, i: usize) -> Surface<S> {
         Surface {
             point: self.point.map(|column| column[i]),
             normal: self.normal.map(|column| column[i]),
@@ -42,7 +43,7 @@ impl<S: Scalar, const N: usize> Surfaces<'_, S, N> {
 }
 
 /// What is given and taken by a loop.
-struct Loop<'a, S: Scalar, H: Specular, const SKIPS: bool, const N: usize> {
+struct Loop<'a, S: Scalar, H: Specular, const N: usize> {
     surfaces: &'a Surfaces<'a, S, N>,
     highlight: &'a H::Constants<S>,
     arrivals: &'a mut Arrival<[S::Irradiance; N]>,
@@ -53,15 +54,15 @@ impl<S: Scalar> CompiledLamp<S> {
     /// [`arrive`](Light::arrive) of the lamp's own type gives for one. The arrivals of a matt surface have no specular
     /// part; what was there stays.
     ///
-    /// With `SKIPS`, points where nothing can arrive are left before their root is paid for, with the same bits: that
-    /// pays where points are computed one by one, as in fixed point, and is in the way of vector instructions.
-    pub fn arrive_each<H: Specular, const SKIPS: bool, const N: usize>(
+    /// In fixed point, where points are computed one by one, those where nothing can arrive are left before their root is
+    /// paid for, with the same bits. In `f32` that would be in the way of vector instructions.
+    pub fn arrive_each<H: Specular, const N: usize>(
         &self,
         surfaces: &Surfaces<'_, S, N>,
         highlight: &H::Constants<S>,
         arrivals: &mut Arrival<[S::Irradiance; N]>,
     ) {
-        let mut each = Loop::<S, H, SKIPS, N> { surfaces, highlight, arrivals };
+        let mut each = Loop::<S, H, N> { surfaces, highlight, arrivals };
         match self {
             Self::Directional(light) => each.light(light),
             Self::Point(light) => each.point(light),
@@ -86,11 +87,13 @@ enum Plain {
     InverseSquare,
 }
 
-impl<S: Scalar, H: Specular, const SKIPS: bool, const N: usize> Loop<'_, S, H, SKIPS, N> {
+impl<S: Scalar, H: Specular, const N: usize> Loop<'_, S, H, N> {
+    const SKIPS: bool = !S::Offset::ROOTS_FIRST;
+
     #[inline(never)]
     fn light<L: Light<S>>(&mut self, light: &L) {
         for i in 0..N {
-            let arrival = light.arrive::<H>(&self.surfaces.at(i), self.highlight, SKIPS);
+            let arrival = light.arrive::<H>(&self.surfaces.at(i), self.highlight, Self::SKIPS);
             self.arrivals.diffuse[i] = arrival.diffuse;
             if H::SHINES {
                 self.arrivals.specular[i] = arrival.specular;
@@ -212,7 +215,7 @@ impl<S: Scalar, H: Specular, const SKIPS: bool, const N: usize> Loop<'_, S, H, S
         for i in 0..N {
             let lit = self.arrivals.diffuse[i] > S::Irradiance::default()
                 || H::SHINES && self.arrivals.specular[i] > S::Irradiance::default();
-            if SKIPS && !lit {
+            if Self::SKIPS && !lit {
                 continue;
             }
             let offset = S::offset(position, self.surfaces.point.map(|column| column[i]));

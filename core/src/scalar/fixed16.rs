@@ -9,7 +9,10 @@ mod offset;
 pub use self::frame::Frame16;
 use self::offset::Offset16;
 use super::{Offset, Place, Ray, Scalar, fraction::Fraction16, nearest};
-use crate::{color::srgb16, vec3::Vec3};
+use crate::{
+    color::{dithered_fixed, srgb16},
+    vec3::Vec3,
+};
 use fixed::types::{I2F14, I2F30, I16F16, I18F14, U3F29, U18F14};
 
 /// The 16-bit format: I2F14, from -2 to 2 in steps of 1/16384.
@@ -118,6 +121,11 @@ impl Scalar for Fx16 {
 
     fn to_f32(self) -> f32 {
         self.to_num()
+    }
+
+    #[inline(always)]
+    fn part(steps: u32) -> Self {
+        Self::from_bits(steps as i16)
     }
 
     #[inline(always)]
@@ -289,5 +297,11 @@ impl Scalar for Fx16 {
     #[inline(always)]
     fn srgb<const LAST: usize>(self) -> u8 {
         srgb16::<LAST>(self.to_bits())
+    }
+
+    #[inline(always)]
+    fn srgb_dithered<const LAST: usize>(self, threshold: u8) -> u8 {
+        let steps = self.to_bits().clamp(0, 1 << 14);
+        dithered_fixed::<LAST>(u32::from(steps.cast_unsigned()) << 10, threshold)
     }
 }

@@ -8,7 +8,10 @@ mod lobe;
 
 pub use self::frame::Frame32;
 use super::{Offset, Place, Ray, Scalar, fraction::Fraction32, nearest, root};
-use crate::{color::srgb32, vec3::Vec3};
+use crate::{
+    color::{dithered_fixed, srgb32},
+    vec3::Vec3,
+};
 use fixed::types::{I2F30, I16F16, I34F30, U34F30};
 
 /// The 32-bit format: I2F30, from -2 to 2 in steps of 1/1073741824.
@@ -157,6 +160,11 @@ impl Scalar for Fx32 {
 
     fn to_f32(self) -> f32 {
         self.to_num()
+    }
+
+    #[inline(always)]
+    fn part(steps: u32) -> Self {
+        Self::from_bits((steps << 16).cast_signed())
     }
 
     #[inline(always)]
@@ -321,6 +329,12 @@ impl Scalar for Fx32 {
     #[inline(always)]
     fn srgb<const LAST: usize>(self) -> u8 {
         srgb32::<LAST>(self.to_bits())
+    }
+
+    #[inline(always)]
+    fn srgb_dithered<const LAST: usize>(self, threshold: u8) -> u8 {
+        let steps = self.to_bits().clamp(0, 1 << 30);
+        dithered_fixed::<LAST>(steps.cast_unsigned() >> 6, threshold)
     }
 }
 

@@ -89,6 +89,11 @@ impl Scalar for f32 {
         self
     }
 
+    #[inline(always)]
+    fn part(steps: u32) -> Self {
+        steps as f32 * (1.0 / 16_384.0)
+    }
+
     fn length(value: f32) -> f32 {
         value
     }
@@ -245,6 +250,11 @@ impl Scalar for f32 {
     #[inline(always)]
     fn srgb<const LAST: usize>(self) -> u8 {
         crate::color::encode_float(self, LAST as f32)
+    }
+
+    #[inline(always)]
+    fn srgb_dithered<const LAST: usize>(self, threshold: u8) -> u8 {
+        crate::color::dithered_float::<LAST>(self, threshold)
     }
 }
 

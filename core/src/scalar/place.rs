@@ -18,19 +18,19 @@ pub struct Place<S: Scalar> {
 }
 
 /// How many steps of a place a side has.
-pub(crate) const SIDE: i32 = 1 << 16;
+pub(crate) const STEPS: i32 = 1 << 16;
 
 impl<S: Scalar> Place<S> {
     /// The place of what has none.
     #[cfg(feature = "fixed")]
     #[inline(always)]
     pub(super) fn outside() -> Self {
-        Self { column: -SIDE, row: -SIDE, depth: S::Length::default() }
+        Self { column: -STEPS, row: -STEPS, depth: S::Length::default() }
     }
 
     /// Whether it is on the square.
     #[inline(always)]
     pub const fn is_inside(&self) -> bool {
-        (self.column | self.row).cast_unsigned() < SIDE.cast_unsigned()
+        (self.column | self.row).cast_unsigned() < STEPS.cast_unsigned()
     }
 }

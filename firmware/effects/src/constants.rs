@@ -1,9 +1,9 @@
 //! The lights and surfaces of the programs, as the build script has written them.
 
 use luminaire::{
-    BlinnPhong, CompiledDirectional, CompiledExposure, CompiledMaterial, CompiledPoint, CompiledSpot, Cubic,
-    DualCone, Hard, HardRange, InverseSquare, Lyon, Matte, Phong, Polynomial, Power, Smooth, SmoothRange,
-    Soft, SquaredWindow, Table, Unattenuated, Windowed,
+    BlinnPhong, CompiledDirectional, CompiledExposure, CompiledGobo, CompiledMaterial, CompiledPoint,
+    CompiledSpot, Cubic, DualCone, Hard, HardRange, InverseSquare, Lyon, Matte, Phong, Polynomial, Power,
+    Smooth, SmoothRange, Soft, SquaredWindow, Table, Unattenuated, Windowed,
 };
 
 use crate::{Format, Light};
@@ -28,6 +28,7 @@ constants! {
     "spot_windowed.rs" SPOT_WINDOWED: CompiledSpot<Format, Soft, Windowed>;
     "spot_squared_window.rs" SPOT_SQUARED_WINDOW: CompiledSpot<Format, Soft, SquaredWindow>;
     "spot_hard_range.rs" SPOT_HARD_RANGE: CompiledSpot<Format, Soft, HardRange<InverseSquare>>;
+    "gobo.rs" GOBO: CompiledGobo<'static, Format>;
     "point.rs" POINT: CompiledPoint<Format>;
     "directional.rs" DIRECTIONAL: CompiledDirectional<Format>;
     "ambient.rs" AMBIENT: Light;

@@ -5,7 +5,7 @@
 pub mod constants;
 mod memory;
 
-pub use memory::{Input, run};
+pub use memory::{Input, Place, run};
 
 #[cfg(feature = "f32")]
 mod format {

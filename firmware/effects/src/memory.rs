@@ -27,6 +27,22 @@ impl Input for () {
     fn read() {}
 }
 
+/// A pixel's place in the picture.
+#[derive(Clone, Copy, Debug)]
+pub struct Place {
+    /// Its column.
+    pub x: u32,
+    /// Its row.
+    pub y: u32,
+}
+
+impl<A: Input, B: Input> Input for (A, B) {
+    #[inline(always)]
+    fn read() -> Self {
+        (A::read(), B::read())
+    }
+}
+
 macro_rules! inputs {
     ($($input:ty)*) => {$(
         impl Input for $input {
@@ -40,4 +56,4 @@ macro_rules! inputs {
     )*};
 }
 
-inputs!(Surface Rgb<f32> Rgb<Fx16> Rgb<Fx32> Rgb<U18F14> Rgb<U34F30> [u64; 64]);
+inputs!(Place Surface Rgb<f32> Rgb<Fx16> Rgb<Fx32> Rgb<U18F14> Rgb<U34F30> [u64; 64]);

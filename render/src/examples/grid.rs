@@ -46,9 +46,10 @@ fn setup(columns: usize, rows: usize, outer: HalfAngle) -> Result<Setup, Error> 
     Ok(Setup::new(scene, camera, fixtures))
 }
 
-/// The colour at a place of the floor: from amber on the left to blue on the right, paler towards the front.
+/// The colour at a place of the floor: from amber on the left over rose to blue on the right, paler towards the front.
 fn gel(across: f32, along: f32) -> Rgb<f32> {
-    let (amber, blue) = (Rgb::new(1.0, 0.36, 0.06), Rgb::new(0.1, 0.3, 1.0));
-    let pure = amber.zip(blue, |a, b| a + across * (b - a));
-    pure.map(|channel| channel + 0.45 * along * (1.0 - channel))
+    let (amber, rose, blue) = (Rgb::new(1.0, 0.4, 0.06), Rgb::new(1.0, 0.14, 0.4), Rgb::new(0.08, 0.28, 1.0));
+    let between = |a: Rgb<f32>, b, part| a.zip(b, |a: f32, b: f32| a + part * (b - a));
+    let pure = between(between(amber, rose, across), between(rose, blue, across), across);
+    between(pure, Rgb::new(1.0, 1.0, 1.0), 0.4 * along)
 }

@@ -20,6 +20,6 @@ pub(super) fn setup() -> Result<Setup, Error> {
     let cone = Cone::from_field(Soft, Angle::degrees(42.0))?;
     let spot = aimed(Vec3::new(-1.9, 3.0, 2.2), Vec3::new(0.0, 0.3, -0.1), cone)?
         .with_color(Rgb::new(1.0, 0.9, 0.76))?
-        .with_intensity(27.0)?;
+        .with_intensity(24.0)?;
     Ok(Setup::new(scene, camera, [Fixture::new("downlight", spot)].into()))
 }

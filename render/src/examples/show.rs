@@ -33,7 +33,7 @@ const BREAKUP: [[u8; 64]; 64] = gobos::breakup();
 const STAR: [[u8; 64]; 64] = gobos::star();
 
 pub(super) fn setup() -> Result<Setup, Error> {
-    let camera = Camera::new(Vec3::new(0.0, 1.85, 0.0), 11.0, 0.0, 0.17, 0.5);
+    let camera = Camera::new(Vec3::new(0.0, 1.75, 0.0), 11.4, 0.0, 0.2, 0.5);
     let mut fixtures = Vec::new();
     for (number, gel) in GELS.into_iter().enumerate() {
         fixtures.push(beam(number, gel)?);
@@ -81,12 +81,12 @@ fn beam(number: usize, gel: Rgb<f32>) -> Result<Fixture, Error> {
     let edge = if number % 2 == 0 { Edge::Hard } else { Edge::Soft };
     let cone = Cone::from_field(edge, Angle::degrees(14.0))?;
     let x = place(number);
-    let center = glam::Vec3::new(-0.5 * x, 0.0, 1.4);
+    let center = glam::Vec3::new(-0.4 * x, 0.0, 1.0);
     let spot = aimed(Vec3::new(x, TRUSS.0 - 0.34, TRUSS.1), center.into(), cone)?
         .with_color(gel)?
         .with_intensity(60.0)?;
     let start = number as f32 / GELS.len() as f32;
-    let sweep = Sweep { center, radii: Vec2::new(1.5, 0.9), period: 9.0, start };
+    let sweep = Sweep { center, radii: Vec2::new(1.7, 1.1), period: 9.0, start };
     Ok(Fixture::new("moving head (beam)", spot).sweeping(sweep))
 }
 

@@ -41,7 +41,7 @@ fn scene() -> Result<Scene, Error> {
     let up = luminaire::Vec3::new(0.0, 1.0, 0.0);
     let lying = capsule(0.24, 0.7).turned(luminaire::Vec3::new(0.0, 0.0, 1.0), FRAC_PI_2).turned(up, 0.5);
     let mut scene = Scene::new();
-    scene.set_ambient(Rgb::new(0.012, 0.013, 0.016));
+    scene.set_ambient(Rgb::new(0.02, 0.021, 0.026));
     let mut place =
         |mesh: Mesh, x, y, z, material| scene.add(mesh.moved(luminaire::Vec3::new(x, y, z)), material);
     place(sphere(0.52), -0.75, 0.0, 0.1, gloss(178, 60, 48, 0.5, 96)?);
@@ -58,9 +58,9 @@ fn fixture(number: usize, count: usize) -> Result<Fixture, Error> {
     let part = (number as f32 + 0.5) / count as f32;
     let around = Vec2::from_angle(GOLDEN_ANGLE * number as f32);
     // In front of the wall, and more of them towards the eye.
-    let position = Vec3::new(3.2 * around.x, 4.0 + 0.8 * part, 1.2 + 2.6 * around.y);
+    let position = Vec3::new(3.4 * around.x, 3.5 + 0.8 * part, 1.9 + 2.3 * around.y);
     let center = (0.4 + 1.5 * part) * Vec2::from_angle(GOLDEN_ANGLE * (number + 2) as f32);
-    let center = Vec3::new(center.x, 0.5, -0.5 + center.y);
+    let center = Vec3::new(center.x, 0.4, -0.3 + center.y);
     let cone = Cone::from_outer(Soft, Angle::from(HalfAngle::degrees(15.0)))?;
     let spot = aimed(position.into(), center.into(), cone)?
         .with_color(gel(number))?

@@ -3,7 +3,7 @@
 use std::io::Read;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, ExitStatus, Stdio};
-use std::thread;
+use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
 use std::{fs, io};
 
@@ -84,8 +84,10 @@ fn output(mut qemu: Command) -> Result<String> {
     qemu.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
     let name = command::describe(&qemu);
     let mut child = qemu.spawn().with_context(|| format!("cannot start {name}"))?;
-    let status = wait(&mut child).with_context(|| format!("{name} does not end"))?;
+    // A picture is more than a pipe holds, so that somebody has to read meanwhile.
     let (output, complaint) = (text(child.stdout.take()), text(child.stderr.take()));
+    let status = wait(&mut child).with_context(|| format!("{name} does not end"))?;
+    let (output, complaint) = (join(output), join(complaint));
     if !status.success() {
         bail!("{name} failed ({status}): {}{}", output?, complaint?);
     }
@@ -108,13 +110,20 @@ fn wait(child: &mut Child) -> Result<ExitStatus> {
     }
 }
 
-/// All that comes out of a pipe. Firmware prints less than a pipe holds, so that nobody has to read meanwhile.
-fn text(pipe: Option<impl Read>) -> Result<String> {
-    let mut text = String::new();
-    if let Some(mut pipe) = pipe {
-        pipe.read_to_string(&mut text).context("cannot read what QEMU printed")?;
-    }
-    Ok(text)
+/// All that comes out of a pipe, as it comes.
+fn text(pipe: Option<impl Read + Send + 'static>) -> JoinHandle<io::Result<String>> {
+    thread::spawn(|| {
+        let mut text = String::new();
+        if let Some(mut pipe) = pipe {
+            pipe.read_to_string(&mut text)?;
+        }
+        Ok(text)
+    })
+}
+
+fn join(text: JoinHandle<io::Result<String>>) -> Result<String> {
+    let text = text.join().ok().context("the reader of a pipe has panicked")?;
+    text.context("cannot read what QEMU printed")
 }
 
 /// The version in `QEMU emulator version 7.2.22 (Debian …)`.

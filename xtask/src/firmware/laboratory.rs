@@ -32,13 +32,22 @@ pub(crate) struct Run {
 impl Laboratory {
     /// Finds or installs the emulator, and builds the counter and the board's firmware.
     pub(crate) fn new(board: &'static Board, progress: &Progress) -> Result<Self> {
+        Self::with(&["--bins"], board, progress)
+    }
+
+    /// The same with one program alone, which is built sooner.
+    pub(crate) fn with_program(name: &str, board: &'static Board, progress: &Progress) -> Result<Self> {
+        Self::with(&["--bin", name], board, progress)
+    }
+
+    fn with(programs: &[&str], board: &'static Board, progress: &Progress) -> Result<Self> {
         let emulator = Emulator::find(board, progress)?;
         let step =
             progress.begin("Building", format_args!("the counter and the firmware for {}", board.name));
         let counter = build_counter(&emulator, progress)?;
         let toolchain = Toolchain::find(board.target, progress)?;
         let mut build = firmware(toolchain.cargo_build("core", &[]));
-        build.args(["--release", "--bins"]);
+        build.arg("--release").args(programs);
         progress.run(build)?;
         step.done();
         Ok(Self { board, emulator, counter, programs: toolchain.artifacts("release") })
@@ -61,10 +70,15 @@ impl Laboratory {
 
     /// Runs a firmware program, which prints one line for each region.
     pub(crate) fn run(&self, name: &str) -> Result<Run> {
+        self.run_with(name, <[String]>::len)
+    }
+
+    /// Runs a firmware program, whose lines tell how many regions it has.
+    pub(crate) fn run_with(&self, name: &str, regions: impl FnOnce(&[String]) -> usize) -> Result<Run> {
         let file = project::target().join(format!("{name}-{}.counts", self.board.name));
         let output = self.emulator.run(&self.program(name), &self.counter, &file)?;
         let lines: Vec<_> = output.lines().map(str::to_owned).collect();
-        let regions = counts::read(&file, lines.len())?;
+        let regions = counts::read(&file, regions(&lines))?;
         Ok(Run { lines, regions })
     }
 }

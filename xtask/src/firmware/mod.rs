@@ -5,6 +5,7 @@ mod cost;
 mod counts;
 mod cycles;
 pub(crate) mod emulator;
+pub(crate) mod frame;
 pub(crate) mod laboratory;
 mod package;
 mod report;

@@ -1,7 +1,7 @@
 //! `cargo xtask size`: what each effect takes of a microcontroller's flash.
 
 mod effects;
-mod program;
+pub(crate) mod program;
 mod report;
 pub(crate) mod tests;
 

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use anyhow::{Context, Result};
+use anyhow::{Context, Result, ensure};
 use object::elf::{SHF_ALLOC, SHT_NOBITS};
 use object::{Object, ObjectSection, ObjectSymbol, SectionFlags};
 
@@ -30,6 +30,13 @@ impl Program {
         })
     }
 
+    /// An error names the functions that stand in for a floating point unit.
+    pub(crate) fn has_no_float(&self) -> Result<()> {
+        let floats = self.names_of(is_float);
+        ensure!(floats.is_empty(), "there are floats: {}", floats.join(", "));
+        Ok(())
+    }
+
     /// The names of a kind.
     pub(crate) fn names_of(&self, kind: impl Fn(&str) -> bool) -> Vec<&str> {
         self.names.iter().map(String::as_str).filter(|name| kind(name)).collect()
@@ -43,7 +50,7 @@ fn is_in_flash(flags: SectionFlags) -> bool {
 
 /// Whether this is one of the compiler's functions for floats on a processor without them: of Arm's run-time ABI
 /// (`__aeabi_fadd`, `__aeabi_i2f`, `__aeabi_cdcmple`), or of GCC's (`__addsf3`, `__floatsisf`), or what they call.
-pub(crate) fn is_float(name: &str) -> bool {
+fn is_float(name: &str) -> bool {
     if let Some(arm) = name.strip_prefix("__aeabi_") {
         return arm.starts_with(['f', 'd'])
             || ["cf", "cd"].iter().any(|compare| arm.starts_with(compare))

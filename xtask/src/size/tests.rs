@@ -3,7 +3,7 @@
 use anyhow::{Result, ensure};
 
 use super::effects::{EMPTY, EVERYTHING, Effects, Format, UNUSED};
-use super::program::{Program, is_float, is_heap};
+use super::program::{Program, is_heap};
 use crate::command;
 use crate::firmware::laboratory::{self, Laboratory};
 use crate::firmware::{Board, board};
@@ -53,10 +53,7 @@ fn still(board: &'static Board, progress: &Progress) -> Result<()> {
     let host = laboratory::on_the_host("still", progress)?;
     ensure!(!host.is_empty(), "the firmware has printed nothing on the host");
     ensure!(laboratory.run("still")?.lines == host, "not the picture of the host");
-    let program = Program::read(&laboratory.program("still"))?;
-    let floats = program.names_of(is_float);
-    ensure!(floats.is_empty(), "there are floats: {}", floats.join(", "));
-    Ok(())
+    Program::read(&laboratory.program("still"))?.has_no_float()
 }
 
 fn unused(progress: &Progress) -> Result<()> {

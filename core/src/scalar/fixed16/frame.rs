@@ -1,12 +1,10 @@
 //! The way from a point to its place on the square, in 16 bits.
-//!
-//! In the comments `z` is the part of the scaled offset along the axis, and `bits` how many it has.
 
 use super::{Fx16, gain::high_product, offset::Offset16};
 use crate::{
     scalar::{
         mantissa_and_shift,
-        place::{Place, SIDE},
+        place::{Place, STEPS},
         reciprocal, root,
     },
     vec3::Vec3,
@@ -21,18 +19,18 @@ const LEAST_BITS: u32 = 24;
 
 /// One of a frame's vectors.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-struct Side {
-    vector: Vec3<i32>,
-    /// Half the sum of the components: what the bits amount to on average that an offset has lost.
+struct Vector {
+    parts: Vec3<i32>,
+    /// Half the sum of the parts: what the bits amount to on average that an offset has lost.
     half: i32,
 }
 
 /// A frame about the axis of a light.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Frame16 {
-    right: Side,
-    down: Side,
-    axis: Side,
+    right: Vector,
+    down: Vector,
+    axis: Vector,
     /// Where the axis meets the square.
     center: [i32; 2],
     /// `2^(shift + 8)` over a side at a depth of one, of 16 bits.
@@ -40,26 +38,26 @@ pub struct Frame16 {
     shift: u32,
 }
 
-impl Side {
+impl Vector {
     const fn from_bits(x: i32, y: i32, z: i32, half: i32) -> Self {
-        Self { vector: Vec3::new(x, y, z), half }
+        Self { parts: Vec3::new(x, y, z), half }
     }
 
     fn new(vector: Vec3<f32>) -> Self {
-        let vector = vector.map(|c| super::nearest(c * (1 << BITS) as f32));
-        Self { vector, half: (vector.x + vector.y + vector.z) >> 1 }
+        let parts = vector.map(|c| super::nearest(c * (1 << BITS) as f32));
+        Self { parts, half: (parts.x + parts.y + parts.z) >> 1 }
     }
 
     /// The inner product with a unit vector.
     fn along(self, unit: Vec3<f32>) -> f64 {
-        let products = self.vector.zip(unit, |side, unit| f64::from(side) * f64::from(unit));
+        let products = self.parts.zip(unit, |part, unit| f64::from(part) * f64::from(unit));
         (products.x + products.y + products.z) / f64::from(1 << BITS)
     }
 
     /// The inner product with an offset of 17 bits: at most 31 bits and a sign.
     #[inline(always)]
     fn part(&self, way: Vec3<i32>) -> i32 {
-        let products = self.vector.zip(way, i32::wrapping_mul);
+        let products = self.parts.zip(way, i32::wrapping_mul);
         products.x.wrapping_add(products.y).wrapping_add(products.z).wrapping_add(self.half)
     }
 }
@@ -69,9 +67,9 @@ impl Frame16 {
     pub const fn from_bits(bits: [i32; 16]) -> Self {
         let [a, b, c, d, e, f, g, h, i, j, k, l, column, row, scale, shift] = bits;
         Self {
-            right: Side::from_bits(a, b, c, d),
-            down: Side::from_bits(e, f, g, h),
-            axis: Side::from_bits(i, j, k, l),
+            right: Vector::from_bits(a, b, c, d),
+            down: Vector::from_bits(e, f, g, h),
+            axis: Vector::from_bits(i, j, k, l),
             center: [column, row],
             scale: scale.cast_unsigned() & ((1 << 16) - 1),
             shift: shift.cast_unsigned() % u32::BITS,
@@ -81,8 +79,8 @@ impl Frame16 {
     /// The bits, in the order of the fields.
     pub const fn to_bits(self) -> [i32; 16] {
         let Self { right, down, axis, center: [column, row], scale, shift } = self;
-        let [Vec3 { x: a, y: b, z: c }, Vec3 { x: e, y: f, z: g }] = [right.vector, down.vector];
-        let Vec3 { x: i, y: j, z: k } = axis.vector;
+        let [Vec3 { x: a, y: b, z: c }, Vec3 { x: e, y: f, z: g }] = [right.parts, down.parts];
+        let Vec3 { x: i, y: j, z: k } = axis.parts;
         let [scale, shift] = [scale.cast_signed(), shift.cast_signed()];
         [a, b, c, right.half, e, f, g, down.half, i, j, k, axis.half, column, row, scale, shift]
     }
@@ -90,18 +88,18 @@ impl Frame16 {
     /// The frame of three unit vectors and the tangent of half a side. What rounding makes of them would turn the square: what
     /// it makes a vector lean along the axis is taken off the centre, and how long it makes the axis is put on the scale.
     pub(super) fn new([right, down, axis]: [Vec3<f32>; 3], tangent: f32) -> Self {
-        let sides = [right, down, axis].map(Side::new);
-        let length = sides[2].along(axis);
+        let vectors = [right, down, axis].map(Vector::new);
+        let length = vectors[2].along(axis);
         let scale = (length / (2.0 * f64::from(tangent))) as f32;
-        let center = [sides[0], sides[1]].map(|side| {
-            let lean = side.along(axis) / length;
-            super::nearest(SIDE as f32 * (0.5 - lean as f32 * scale))
+        let center = [vectors[0], vectors[1]].map(|across| {
+            let lean = across.along(axis) / length;
+            super::nearest(STEPS as f32 * (0.5 - lean as f32 * scale))
         });
         let (mantissa, shift) = mantissa_and_shift(scale);
         Self {
-            right: sides[0],
-            down: sides[1],
-            axis: sides[2],
+            right: vectors[0],
+            down: vectors[1],
+            axis: vectors[2],
             center,
             scale: ((mantissa + (1 << 7)) >> 8).min((1 << 16) - 1),
             shift: (shift - 16).clamp(0, 24).cast_unsigned(),
@@ -122,9 +120,9 @@ impl Frame16 {
         // At most 17 and 16 bits, and 16 of their product.
         let factor = (inverse * self.scale + (1 << 15)) >> 16;
         let shift = (self.shift + more) % u32::BITS;
-        let step = |side: Side, center: i32| {
-            let step = signed_high_product(side.part(way), factor) >> shift;
-            step.wrapping_add(center).clamp(-SIDE, 2 * SIDE - 1)
+        let step = |across: Vector, center: i32| {
+            let step = signed_high_product(across.part(way), factor) >> shift;
+            step.wrapping_add(center).clamp(-STEPS, 2 * STEPS - 1)
         };
         Place {
             column: step(self.right, self.center[0]),

@@ -1,12 +1,10 @@
 //! The way from a point to its place on the square, in 32 bits.
-//!
-//! In the comments `z` is the part of the scaled offset along the axis, and `bits` how many it has.
 
 use super::{Fx32, Offset32, wide};
 use crate::{
     scalar::{
         Scalar, mantissa_and_shift,
-        place::{Place, SIDE},
+        place::{Place, STEPS},
         reciprocal,
     },
     vec3::Vec3,
@@ -33,14 +31,14 @@ pub struct Frame32 {
 }
 
 impl Frame32 {
-    /// The frame of these bits, in the order of the fields. Vectors longer than one are none of a frame: of each component
-    /// 30 bits and a sign count.
+    /// The frame of these bits, in the order of the fields. Components of more than one are none of a frame: they count as
+    /// one.
     pub const fn from_bits(bits: [i32; 13]) -> Self {
         let [a, b, c, d, e, f, g, h, i, column, row, scale, shift] = bits;
         Self {
-            right: component_bits([a, b, c]),
-            down: component_bits([d, e, f]),
-            axis: component_bits([g, h, i]),
+            right: Vec3::new(within_one(a), within_one(b), within_one(c)),
+            down: Vec3::new(within_one(d), within_one(e), within_one(f)),
+            axis: Vec3::new(within_one(g), within_one(h), within_one(i)),
             center: [column, row],
             scale: scale.cast_unsigned() & ((1 << 28) - 1),
             shift: shift.cast_unsigned() % u64::BITS,
@@ -64,7 +62,7 @@ impl Frame32 {
         let center = [right, down].map(|across| {
             let lean = across.zip(axis, |a, s| wide(a.to_bits(), s.to_bits()));
             let lean = (lean.x + lean.y + lean.z) as f64 / (1_u64 << 60) as f64;
-            (f64::from(SIDE << FINE) * (0.5 - lean * f64::from(scale))) as i32
+            (f64::from(STEPS << FINE) * (0.5 - lean * f64::from(scale))) as i32
         });
         let (mantissa, shift) = mantissa_and_shift(scale);
         Self {
@@ -93,7 +91,7 @@ impl Frame32 {
         let step = |across, center: i32| {
             let step = signed_high_product(part(across, offset.way), factor) >> shift;
             let step = (step + i64::from(center)) >> FINE;
-            step.clamp(i64::from(-SIDE), i64::from(2 * SIDE - 1)) as i32
+            step.clamp(i64::from(-STEPS), i64::from(2 * STEPS - 1)) as i32
         };
         Place {
             column: step(self.right, self.center[0]),
@@ -126,7 +124,14 @@ fn signed_high_product(a: i64, b: u64) -> i64 {
     (a >> 32) * b.cast_signed() + low.cast_signed()
 }
 
-/// Of each component 30 bits and a sign.
-const fn component_bits([x, y, z]: [i32; 3]) -> Vec3<i32> {
-    Vec3::new(x << 1 >> 1, y << 1 >> 1, z << 1 >> 1)
+/// A component of 30 fraction bits, clamped to [-1, 1].
+const fn within_one(component: i32) -> i32 {
+    const ONE: i32 = 1 << 30;
+    if component > ONE {
+        ONE
+    } else if component < -ONE {
+        -ONE
+    } else {
+        component
+    }
 }

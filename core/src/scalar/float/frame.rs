@@ -1,7 +1,7 @@
 //! The way from a point to its place on the square, in f32.
 
 use crate::{
-    scalar::place::{Place, SIDE},
+    scalar::place::{Place, STEPS},
     vec3::Vec3,
 };
 
@@ -39,18 +39,18 @@ impl FloatFrame {
     /// The frame of three unit vectors and the tangent of half a side. A vector across is not quite at a right angle to the
     /// axis once it is rounded, which a narrow cone would magnify: that much is taken off the centre.
     pub(super) fn new([right, down, axis]: [Vec3<f32>; 3], tangent: f32) -> Self {
-        let scale = SIDE as f32 / (2.0 * tangent);
+        let scale = STEPS as f32 / (2.0 * tangent);
         let [right, down] = [right, down].map(|across| across.map(|c| c * scale));
         let center = [right, down].map(|across| {
             let lean = across.zip(axis, |a, s| f64::from(a) * f64::from(s));
-            (1.5 * f64::from(SIDE) - (lean.x + lean.y + lean.z)) as f32
+            (1.5 * f64::from(STEPS) - (lean.x + lean.y + lean.z)) as f32
         });
         Self { right, down, axis, center }
     }
 
     #[inline(always)]
     pub(super) fn place(&self, way: Vec3<f32>) -> Place<f32> {
-        const LAST: f32 = (3 * SIDE - 1) as f32;
+        const LAST: f32 = (3 * STEPS - 1) as f32;
         let depth = way.dot(self.axis);
         let reciprocal = 1.0 / depth;
         // Neither behind the light nor at a depth that has no reciprocal.
@@ -58,7 +58,7 @@ impl FloatFrame {
         let step = |across: Vec3<f32>, center| {
             let step = way.dot(across) * reciprocal + center;
             let step = if is_ahead & (step > 0.0) { step } else { 0.0 };
-            (if step < LAST { step } else { LAST }) as i32 - SIDE
+            (if step < LAST { step } else { LAST }) as i32 - STEPS
         };
         Place {
             column: step(self.right, self.center[0]),

@@ -4,15 +4,15 @@
 use core::hint::black_box;
 
 use luminaire::source::{
-    CompiledBlend, CompiledCubic, CompiledFitted, FloatRamp, Gain16, Gain32, I16F16, I18F14, I34F30, Ramp16,
-    Ramp32, U18F14, U34F30,
+    CompiledBlend, CompiledCubic, CompiledFitted, FloatFrame, FloatRamp, Frame16, Frame32, Gain16, Gain32,
+    I16F16, I18F14, I34F30, Ramp16, Ramp32, U18F14, U34F30,
 };
 use luminaire::{
     Attenuation, Blend, BlinnPhong, CompiledDirectional, CompiledExposure, CompiledMaterial, CompiledPoint,
-    CompiledSpot, Cubic, CutOff, DualCone, Edge, Falloff, Fitted, Fx16, Fx32, Hard, HardRange, InverseSquare,
-    Light, Linear, Lyon, Matte, Phong, Polynomial, Power, Profile, Rgb, Rgb565, Rim, Scalar, Smooth,
-    SmoothRange, Soft, Specular, SquaredWindow, Surface, Table, Unattenuated, Vec3, Windowed, clip,
-    encode_srgb, keep_hue,
+    CompiledProjection, CompiledSpot, Cubic, CutOff, DualCone, Edge, Falloff, Fitted, Fx16, Fx32, Gobo, Hard,
+    HardRange, InverseSquare, Light, Linear, Lyon, Matte, Phong, Polynomial, Power, Profile, Rgb, Rgb565,
+    Rim, Scalar, Smooth, SmoothRange, Soft, Specular, SquaredWindow, Surface, Table, Unattenuated, Vec3,
+    Windowed, clip, encode_srgb, encode_srgb_dithered, keep_hue,
 };
 use luminaire_effects::Format;
 
@@ -53,10 +53,11 @@ trait Raw: Scalar {
     fn raw_gain(bits: u64) -> Self::Gain;
     fn light(bits: u64) -> Self::Irradiance;
     fn raw_ramp(bits: &mut Bits) -> Self::Ramp;
+    fn raw_frame(bits: &mut Bits) -> Self::Frame;
 }
 
 macro_rules! raw {
-    ($format:ty, $weight:ident, $gain:ident, $light:ident, $ramp:ident) => {
+    ($format:ty, $weight:ident, $gain:ident, $light:ident, $ramp:ident, $frame:ident) => {
         impl Raw for $format {
             fn scalar(bits: u64) -> Self {
                 Self::from_bits(bits as _)
@@ -85,12 +86,16 @@ macro_rules! raw {
             fn raw_ramp(bits: &mut Bits) -> $ramp {
                 $ramp::from_bits(core::array::from_fn(|_| bits.word() as _))
             }
+
+            fn raw_frame(bits: &mut Bits) -> $frame {
+                $frame::from_bits(core::array::from_fn(|_| bits.word() as _))
+            }
         }
     };
 }
 
-raw!(Fx16, I18F14, Gain16, U18F14, Ramp16);
-raw!(Fx32, I34F30, Gain32, U34F30, Ramp32);
+raw!(Fx16, I18F14, Gain16, U18F14, Ramp16, Frame16);
+raw!(Fx32, I34F30, Gain32, U34F30, Ramp32, Frame32);
 
 impl Raw for f32 {
     fn scalar(bits: u64) -> f32 {
@@ -120,8 +125,13 @@ impl Raw for f32 {
     fn raw_ramp(bits: &mut Bits) -> FloatRamp {
         FloatRamp::from_bits(core::array::from_fn(|_| bits.word() as u32))
     }
+
+    fn raw_frame(bits: &mut Bits) -> FloatFrame {
+        FloatFrame::from_bits(core::array::from_fn(|_| bits.word() as u32))
+    }
 }
 
+const PATTERN: [u8; 9] = [255, 0, 1, 254, 127, 128, 3, 200, 40];
 const SAMPLES: [u16; 5] = [65_535, 60_000, 31_000, 400, 0];
 
 fn of_format<S: Raw>(bits: &mut Bits) {
@@ -165,6 +175,7 @@ fn of_format<S: Raw>(bits: &mut Bits) {
     shines::<S, DualCone>(bits, (ramp, exponent));
     shines::<S, Lyon<Phong, 0>>(bits, ramp);
     shines::<S, Lyon<BlinnPhong, 4>>(bits, ramp);
+    projects::<S>(bits);
     shows::<S>(bits);
 }
 
@@ -240,6 +251,17 @@ fn reflects<S: Raw, H: Specular, L: Light<S>>(bits: &mut Bits, material: &Compil
     black_box(material.reflect_unskipped(&surface, light));
 }
 
+/// A pattern of any size on any square.
+#[inline(never)]
+fn projects<S: Raw>(bits: &mut Bits) {
+    let position = bits.vector(S::raw_length);
+    let square = CompiledProjection::<S>::from_parts(position, S::raw_frame(bits));
+    black_box(square.place(bits.vector(S::raw_length)));
+    let pattern = Gobo::new(bits.word() as usize, black_box(PATTERN.as_slice())).unwrap_or(Gobo::of(&[[9]]));
+    let light = S::light(bits.word());
+    black_box(pattern.on(square).filter(light, bits.vector(S::raw_length)));
+}
+
 /// From light to the codes of a display.
 #[inline(never)]
 fn shows<S: Raw>(bits: &mut Bits) {
@@ -250,6 +272,9 @@ fn shows<S: Raw>(bits: &mut Bits) {
     black_box(keep_hue::<S>(sum));
     let color = bits.color(S::scalar);
     black_box(color.map(encode_srgb));
+    let (x, y) = (bits.word() as u32, bits.word() as u32);
+    black_box(color.map(|channel| encode_srgb_dithered(channel, x, y)));
+    black_box(Rgb565::from_linear_dithered(color, x, y));
     let pixel = Rgb565::from_linear(color);
     black_box(Rgb565::from_codes(pixel.to_codes()));
 }

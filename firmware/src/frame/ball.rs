@@ -1,0 +1,42 @@
+//! The ball.
+
+use luminaire::{Fx16, Vec3, source::I16F16};
+
+use super::camera::{Sight, Window, steps};
+use super::measures::{BALL, BALL_RADIUS, EYE};
+use super::quadratic::Quadratic;
+use super::shadow::{Passage, Way};
+
+/// The pixels that can see it.
+pub(super) const WINDOW: Window = Window::about(BALL, [BALL_RADIUS; 3]);
+const MIDDLE: Vec3<i32> = Vec3::new(steps(BALL[0]), steps(BALL[1]), steps(BALL[2]));
+/// From the eye to its middle, as lines of sight go.
+const WAY: [f32; 3] = [BALL[0] - EYE[0], BALL[1] - EYE[1], EYE[2] - BALL[2]];
+/// The squared length of that, less the squared radius, in steps of 2^-20.
+const GAP: i32 =
+    steps(16.0 * (WAY[0] * WAY[0] + WAY[1] * WAY[1] + WAY[2] * WAY[2] - BALL_RADIUS * BALL_RADIUS));
+/// One over the radius: from steps of a length to steps of 2^-30.
+const RECIPROCAL: i32 = (16_384.0 / BALL_RADIUS) as i32;
+
+/// The depth at which a line of sight meets it.
+#[inline(always)]
+pub(super) fn depth(sight: Sight) -> Option<i32> {
+    let [right, up, ahead] = sight.squares();
+    let along = (sight.right * steps(WAY[0] / 16.0) + sight.up * steps(WAY[1] / 16.0)) >> 8;
+    Quadratic { a: right + up + ahead, b: along + steps(16.0 * WAY[2]), c: GAP }.depth()
+}
+
+/// The normal at a point of it.
+#[inline(always)]
+pub(super) fn normal(point: Vec3<I16F16>) -> Vec3<Fx16> {
+    point.zip(MIDDLE, |p, middle| {
+        let product = (p.to_bits() - middle) * RECIPROCAL;
+        Fx16::from_bits(((product + (1 << 15)) >> 16) as i16)
+    })
+}
+
+/// Whether it is in the way from a point outside of it to the lamp.
+#[inline(always)]
+pub(super) fn is_between(way: &Way) -> bool {
+    Passage::of(way.whole, way.to(MIDDLE), steps(BALL_RADIUS) >> 4).is_some()
+}

@@ -1,0 +1,79 @@
+//! The column.
+
+use luminaire::{Fx16, Vec3, source::I16F16};
+
+use super::camera::{DEPTH_BITS, Sight, Window, steps};
+use super::measures::{COLUMN, COLUMN_HEIGHT, COLUMN_RADIUS, EYE};
+use super::quadratic::Quadratic;
+use super::shadow::{Passage, Way};
+
+/// The pixels that can see it.
+pub(super) const WINDOW: Window = Window::about(
+    [COLUMN[0], COLUMN_HEIGHT / 2.0, COLUMN[1]],
+    [COLUMN_RADIUS, COLUMN_HEIGHT / 2.0, COLUMN_RADIUS],
+);
+/// From the eye to its middle, to the right and ahead.
+const WAY: [f32; 2] = [COLUMN[0] - EYE[0], EYE[2] - COLUMN[1]];
+/// The squared length of that, less the squared radius, in steps of 2^-20.
+const GAP: i32 = steps(16.0 * (WAY[0] * WAY[0] + WAY[1] * WAY[1] - COLUMN_RADIUS * COLUMN_RADIUS));
+/// One over the radius: from steps of a length to steps of 2^-30.
+const RECIPROCAL: i32 = (16_384.0 / COLUMN_RADIUS) as i32;
+
+/// Where a line of sight meets it.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Meeting {
+    /// At the side, at this depth.
+    Side(i32),
+    /// On top, at this depth.
+    Top(i32),
+}
+
+/// Where a line of sight meets it. The eye is above it, so that every line goes down to its top.
+#[inline(always)]
+pub(super) fn meet(sight: Sight) -> Option<Meeting> {
+    let [right, _, ahead] = sight.squares();
+    let along = (sight.right * steps(WAY[0] / 16.0)) >> 8;
+    let across = Quadratic { a: right + ahead, b: along + steps(16.0 * WAY[1]), c: GAP };
+    let depth = across.depth()?;
+    let height = sight.height(depth);
+    if height <= steps(COLUMN_HEIGHT) {
+        return (height >= 0).then_some(Meeting::Side(depth));
+    }
+    let drop = steps(EYE[1] - COLUMN_HEIGHT).cast_unsigned();
+    let depth = (drop << DEPTH_BITS).checked_div(u32::try_from(-sight.up).ok()?)?.cast_signed();
+    is_over(sight.point(depth)).then_some(Meeting::Top(depth))
+}
+
+/// From its middle to a point, to the right and to the front.
+#[inline(always)]
+fn from_middle(point: Vec3<I16F16>) -> [i32; 2] {
+    [point.x.to_bits() - steps(COLUMN[0]), point.z.to_bits() - steps(COLUMN[1])]
+}
+
+/// Whether a point is over or under it.
+#[inline(always)]
+fn is_over(point: Vec3<I16F16>) -> bool {
+    let [right, front] = from_middle(point).map(|way| way >> 4);
+    let radius = steps(COLUMN_RADIUS) >> 4;
+    right * right + front * front < radius * radius
+}
+
+/// The normal at a point of its side.
+#[inline(always)]
+pub(super) fn normal(point: Vec3<I16F16>) -> Vec3<Fx16> {
+    let [right, front] =
+        from_middle(point).map(|way| Fx16::from_bits(((way * RECIPROCAL + (1 << 15)) >> 16) as i16));
+    Vec3::new(right, Fx16::ZERO, front)
+}
+
+/// Whether it is in the way from a point outside of it to the lamp, which hangs higher.
+#[inline(always)]
+pub(super) fn is_between(way: &Way) -> bool {
+    let top = way.to(Vec3::new(steps(COLUMN[0]), steps(COLUMN_HEIGHT), steps(COLUMN[1])));
+    let flat = |way: Vec3<i32>| Vec3 { y: 0, ..way };
+    // Where the way comes over the column it must not yet be above the top.
+    Passage::of(flat(way.whole), flat(top), steps(COLUMN_RADIUS) >> 4).is_some_and(|passage| {
+        let entry = passage.nearest - passage.within.isqrt().cast_signed();
+        entry * way.whole.y < passage.squared * top.y
+    })
+}

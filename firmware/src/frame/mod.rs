@@ -1,0 +1,94 @@
+//! A picture lit pixel by pixel in 16 bits: a wall, a floor, a ball and a column under a soft spotlight, in 160 x 120
+//! pixels of RGB565. There is no float, and no more memory than for a row.
+//!
+//! Each row goes through the same stages, each between markers, so that the counter tells what they cost.
+
+mod ball;
+mod camera;
+mod column;
+mod measures;
+mod paint;
+mod quadratic;
+mod scene;
+mod shadow;
+mod tally;
+#[cfg(test)]
+mod tests;
+
+use core::fmt;
+
+use luminaire::source::U18F14;
+
+use crate::board::{begin, end, println};
+use paint::Color;
+use scene::Site;
+use tally::Tally;
+
+/// The width of the picture in pixels.
+const WIDTH: usize = 160;
+/// The height of the picture in pixels.
+const HEIGHT: usize = 120;
+/// The stages of a row, in the order in which they are counted.
+const STAGES: &str = "geometry ambient light shadow colour display";
+
+/// A row between the stages.
+struct Row {
+    sites: [Site; WIDTH],
+    lights: [U18F14; WIDTH],
+    colors: [Color; WIDTH],
+    pixels: [u16; WIDTH],
+}
+
+/// Draws the picture. The first line tells its size and the stages, the last one how many pixels the lamp
+/// does not reach and why; between them are the pixels of each row, as hexadecimal digits.
+pub fn frame() {
+    println!("{WIDTH} {HEIGHT} {STAGES}");
+    let mut row = Row {
+        sites: [Site::default(); WIDTH],
+        lights: [U18F14::ZERO; WIDTH],
+        colors: [Color::default(); WIDTH],
+        pixels: [0; WIDTH],
+    };
+    let mut tally = Tally::default();
+    for number in 0..HEIGHT {
+        row.draw(number);
+        tally.add(&row.sites);
+        println!("{}", Digits(&row.pixels));
+    }
+    println!("{tally}");
+}
+
+impl Row {
+    fn draw(&mut self, number: usize) {
+        count(|| scene::look(number, &mut self.sites));
+        // What the lamp comes on top of: the picture without it goes from here to the display.
+        count(|| paint::glow(&self.sites, &mut self.colors));
+        count(|| paint::light(&self.sites, &mut self.lights));
+        count(|| shadow::cast(&self.sites, &mut self.lights));
+        count(|| paint::color(&self.sites, &self.lights, &mut self.colors));
+        count(|| paint::display(&self.colors, number, &mut self.pixels));
+    }
+}
+
+/// Gives a stage to be counted.
+#[inline(always)]
+fn count(stage: impl FnOnce()) {
+    begin();
+    stage();
+    end();
+}
+
+/// Pixels, four digits each.
+struct Digits<'a>(&'a [u16; WIDTH]);
+
+impl fmt::Display for Digits<'_> {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut digits = [b'0'; 4 * WIDTH];
+        for (four, pixel) in digits.chunks_exact_mut(4).zip(self.0) {
+            for (digit, shift) in four.iter_mut().zip([12, 8, 4, 0]) {
+                *digit = b"0123456789abcdef"[usize::from(pixel >> shift & 15)];
+            }
+        }
+        out.write_str(str::from_utf8(&digits).unwrap_or_default())
+    }
+}

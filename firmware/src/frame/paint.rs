@@ -1,0 +1,55 @@
+//! From what a pixel sees to the pixel: light, colour, display.
+
+use luminaire::source::U18F14;
+use luminaire::{CompiledSpot, Fx16, Rgb, Rgb565, Soft, clip};
+
+use super::WIDTH;
+use super::scene::Site;
+
+/// Light of three channels.
+pub(super) type Color = Rgb<U18F14>;
+
+/// The lamp, computed by the build script.
+pub(super) const KEY: CompiledSpot<Fx16, Soft> = include!(concat!(env!("OUT_DIR"), "/frame_key.rs"));
+/// What each material sends back of the ambient light.
+const GLOW: [Color; 5] = include!(concat!(env!("OUT_DIR"), "/frame_glow.rs"));
+/// What each material sends back of the lamp's, the lamp's colour included.
+const TINT: [Rgb<Fx16>; 5] = include!(concat!(env!("OUT_DIR"), "/frame_tint.rs"));
+
+/// The ambient light of each pixel, and nothing else.
+#[inline(never)]
+pub(super) fn glow(sites: &[Site; WIDTH], colors: &mut [Color; WIDTH]) {
+    for (column, color) in colors.iter_mut().enumerate() {
+        *color = GLOW[sites[column].material as usize];
+    }
+}
+
+/// What arrives of the lamp, before its colour.
+#[inline(never)]
+pub(super) fn light(sites: &[Site; WIDTH], lights: &mut [U18F14; WIDTH]) {
+    for (column, light) in lights.iter_mut().enumerate() {
+        let Site { point, normal, .. } = sites[column];
+        *light = KEY.irradiance(point, normal);
+    }
+}
+
+/// The ambient light and the lamp's, as the materials send them back.
+#[inline(never)]
+pub(super) fn color(sites: &[Site; WIDTH], lights: &[U18F14; WIDTH], colors: &mut [Color; WIDTH]) {
+    for (column, color) in colors.iter_mut().enumerate() {
+        let (material, light) = (sites[column].material as usize, lights[column]);
+        *color = GLOW[material];
+        if light != U18F14::ZERO {
+            *color = color.plus::<Fx16>(Rgb::lit(light, TINT[material]));
+        }
+    }
+}
+
+/// The pixels of a row.
+#[inline(never)]
+pub(super) fn display(colors: &[Color; WIDTH], row: usize, pixels: &mut [u16; WIDTH]) {
+    for (column, pixel) in pixels.iter_mut().enumerate() {
+        let color = clip::<Fx16>(colors[column]);
+        *pixel = Rgb565::from_linear_dithered(color, column as u32, row as u32).0;
+    }
+}

@@ -1,0 +1,75 @@
+//! What a pixel sees: the nearest of wall, floor, ball and column.
+
+use luminaire::{Fx16, Vec3, source::I16F16};
+
+use super::camera::{DEPTH_BITS, Sight, steps};
+use super::column::Meeting;
+use super::measures::{EYE, WALL};
+use super::{WIDTH, ball, column};
+
+/// What something is made of, which is also where its colours stand in the tables.
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
+pub(crate) enum Material {
+    #[default]
+    Wall,
+    LightTile,
+    DarkTile,
+    Ball,
+    Column,
+}
+
+/// What a pixel sees.
+#[derive(Clone, Copy, Default, Debug)]
+pub(crate) struct Site {
+    pub(crate) point: Vec3<I16F16>,
+    pub(crate) normal: Vec3<Fx16>,
+    pub(crate) material: Material,
+}
+
+const UP: Vec3<Fx16> = Vec3::new(Fx16::ZERO, Fx16::ONE, Fx16::ZERO);
+const TO_THE_FRONT: Vec3<Fx16> = Vec3::new(Fx16::ZERO, Fx16::ZERO, Fx16::ONE);
+
+/// What the pixels of a row see.
+#[inline(never)]
+pub(crate) fn look(row: usize, sites: &mut [Site; WIDTH]) {
+    paint_backdrop(row, sites);
+    for (column, site) in column::WINDOW.of(row, sites) {
+        let sight = Sight::through(column, row);
+        let (depth, normal) = match column::meet(sight) {
+            Some(Meeting::Side(depth)) => (depth, column::normal(sight.point(depth))),
+            Some(Meeting::Top(depth)) => (depth, UP),
+            None => continue,
+        };
+        *site = Site { point: sight.point(depth), normal, material: Material::Column };
+    }
+    // The ball stands before everything.
+    for (column, site) in ball::WINDOW.of(row, sites) {
+        let sight = Sight::through(column, row);
+        if let Some(depth) = ball::depth(sight) {
+            let point = sight.point(depth);
+            *site = Site { point, normal: ball::normal(point), material: Material::Ball };
+        }
+    }
+}
+
+/// Wall or floor, which are at one depth all along a row.
+fn paint_backdrop(row: usize, sites: &mut [Site; WIDTH]) {
+    const TO_THE_WALL: i32 = steps(EYE[2] - WALL) >> (16 - DEPTH_BITS);
+    let first = Sight::through(0, row);
+    let to_the_floor = (steps(EYE[1]) << DEPTH_BITS).checked_div(-first.up).unwrap_or(TO_THE_WALL);
+    let is_floor = first.height(TO_THE_WALL) < 0;
+    let depth = if is_floor { to_the_floor } else { TO_THE_WALL };
+    let Vec3 { y, z, .. } = first.point(depth);
+    for (column, site) in sites.iter_mut().enumerate() {
+        let x = Sight::through(column, row).x(depth);
+        *site = if is_floor {
+            let point = Vec3::new(x, I16F16::ZERO, z);
+            // Tiles of half a metre.
+            let is_dark = (x.to_bits() ^ z.to_bits()) >> 15 & 1 == 1;
+            let material = if is_dark { Material::DarkTile } else { Material::LightTile };
+            Site { point, normal: UP, material }
+        } else {
+            Site { point: Vec3::new(x, y, z), normal: TO_THE_FRONT, material: Material::Wall }
+        };
+    }
+}

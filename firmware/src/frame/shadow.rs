@@ -1,0 +1,85 @@
+//! What stands between a point and the lamp.
+
+use luminaire::Vec3;
+use luminaire::source::{I16F16, U18F14};
+
+use super::camera::steps;
+use super::measures::LAMP;
+use super::scene::{Material, Site};
+use super::{WIDTH, ball, column};
+
+/// Takes away the light of what is in shadow.
+#[inline(never)]
+pub(super) fn cast(sites: &[Site; WIDTH], lights: &mut [U18F14; WIDTH]) {
+    for (column, light) in lights.iter_mut().enumerate() {
+        if *light != U18F14::ZERO && is_in_shadow(&sites[column]) {
+            *light = U18F14::ZERO;
+        }
+    }
+}
+
+/// Whether something stands between a site and the lamp. Nothing is asked for its own shadow: there the surface faces
+/// away.
+#[inline(always)]
+pub(super) fn is_in_shadow(site: &Site) -> bool {
+    let way = Way::to_lamp(site.point);
+    (site.material != Material::Ball && ball::is_between(&way))
+        || (site.material != Material::Column && column::is_between(&way))
+}
+
+/// The way from a point to the lamp, in steps of 2^-12, so that the sum of three squares fits 32 bits.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Way {
+    start: Vec3<i32>,
+    /// All of it.
+    pub(super) whole: Vec3<i32>,
+}
+
+impl Way {
+    /// From a point.
+    #[inline(always)]
+    pub(super) fn to_lamp(point: Vec3<I16F16>) -> Self {
+        const END: Vec3<i32> = Vec3::new(steps(LAMP[0]), steps(LAMP[1]), steps(LAMP[2]));
+        let start = point.map(I16F16::to_bits);
+        Self { start, whole: END.zip(start, |end, start| (end - start) >> 4) }
+    }
+
+    /// From where it starts to a place.
+    #[inline(always)]
+    pub(super) fn to(&self, place: Vec3<i32>) -> Vec3<i32> {
+        place.zip(self.start, |place, start| (place - start) >> 4)
+    }
+}
+
+/// How a way passes through something round: what two places have in common with the way, as inner products
+/// in steps of 2^-9, so that their products fit 32 bits. An outline is off by some millimetres for it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Passage {
+    /// The way with itself: its squared length.
+    pub(super) squared: i32,
+    /// The way with that to the middle: `nearest / squared` of it lead to where it is nearest to the middle.
+    pub(super) nearest: i32,
+    /// The square of what it takes, in the same measure, from where it enters to there.
+    pub(super) within: u32,
+}
+
+impl Passage {
+    /// The passage of a way that starts outside, so far from the middle, if there is one.
+    #[inline(always)]
+    pub(super) fn of(way: Vec3<i32>, middle: Vec3<i32>, radius: i32) -> Option<Self> {
+        let nearest = dot(way, middle);
+        let gap = dot(middle, middle) - radius * radius;
+        if nearest <= 0 || gap <= 0 {
+            return None;
+        }
+        let [squared, nearest, gap] = [dot(way, way), nearest, gap].map(|square| square >> 15);
+        let within = u32::try_from(nearest * nearest - squared * gap).ok().filter(|within| *within > 0)?;
+        Some(Self { squared, nearest, within })
+    }
+}
+
+/// The inner product, in steps of 2^-24.
+#[inline(always)]
+fn dot(a: Vec3<i32>, b: Vec3<i32>) -> i32 {
+    a.x * b.x + a.y * b.y + a.z * b.z
+}

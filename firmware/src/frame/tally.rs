@@ -1,0 +1,48 @@
+//! How many pixels the lamp reaches, and what keeps it from the others.
+
+use core::fmt;
+
+use luminaire::{Fx16, Offset, Scalar, Vec3};
+
+use super::camera::steps;
+use super::measures::LAMP;
+use super::paint::KEY;
+use super::scene::Site;
+use super::shadow::is_in_shadow;
+
+/// Pixels by the first thing that keeps the lamp from them, in the order in which they are asked.
+#[derive(Clone, Copy, Default, Debug)]
+pub(super) struct Tally {
+    facing_away: u32,
+    outside: u32,
+    in_shadow: u32,
+    lit: u32,
+}
+
+impl Tally {
+    /// Adds the pixels of a row.
+    pub(super) fn add(&mut self, sites: &[Site]) {
+        const PLACE: Vec3<i32> = Vec3::new(steps(LAMP[0]), steps(LAMP[1]), steps(LAMP[2]));
+        let lamp = PLACE.map(<Fx16 as Scalar>::Length::from_bits);
+        for site in sites {
+            let facing = Fx16::offset(lamp, site.point).facing(site.normal);
+            let group = if <Fx16 as Scalar>::Offset::faces_away(facing) {
+                &mut self.facing_away
+            } else if KEY.falloff(site.point) == Fx16::ZERO {
+                &mut self.outside
+            } else if is_in_shadow(site) {
+                &mut self.in_shadow
+            } else {
+                &mut self.lit
+            };
+            *group += 1;
+        }
+    }
+}
+
+impl fmt::Display for Tally {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { facing_away, outside, in_shadow, lit } = self;
+        write!(out, "{facing_away} facing away, {outside} outside the cone, {in_shadow} in shadow, {lit} lit")
+    }
+}

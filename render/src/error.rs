@@ -1,0 +1,38 @@
+//! What drawing refuses.
+
+use crate::size::SizeError;
+use core::fmt;
+use luminaire::Error;
+
+/// Why something could not be drawn; its message names parameter, value and remedy.
+#[derive(Clone, Copy, PartialEq, Debug)]
+#[non_exhaustive]
+pub enum DrawError {
+    /// A luminaire that the format can't hold.
+    Luminaire(Error),
+    /// A shadow map for which there is no memory.
+    ShadowMap(SizeError),
+}
+
+impl fmt::Display for DrawError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Luminaire(error) => error.fmt(f),
+            Self::ShadowMap(error) => error.fmt(f),
+        }
+    }
+}
+
+impl core::error::Error for DrawError {}
+
+impl From<Error> for DrawError {
+    fn from(error: Error) -> Self {
+        Self::Luminaire(error)
+    }
+}
+
+impl From<SizeError> for DrawError {
+    fn from(error: SizeError) -> Self {
+        Self::ShadowMap(error)
+    }
+}

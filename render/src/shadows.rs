@@ -1,0 +1,71 @@
+//! The shadow maps of a picture's luminaires.
+
+use crate::{error::DrawError, scene::Scene, shadow_map::ShadowMap};
+use alloc::vec::Vec;
+use luminaire::{Luminaire, Scalar, Shadow};
+
+/// A shadow map for each luminaire that asks for one, by its number.
+#[derive(Clone, Debug)]
+pub(crate) struct Shadows<S: Scalar> {
+    maps: Vec<Option<ShadowMap<S>>>,
+    /// The luminaires whose shadows are others than when light was drawn the last time.
+    redrawn: Vec<usize>,
+}
+
+impl<S: Scalar> Shadows<S> {
+    pub(crate) fn new() -> Self {
+        Self { maps: Vec::new(), redrawn: Vec::new() }
+    }
+
+    /// Draws the maps whose scene or luminaire has changed. Returns whether any had.
+    ///
+    /// # Errors
+    /// What the format can't hold, or no memory; the maps that were drawn before it stay drawn.
+    pub(crate) fn draw<L: Copy + Into<Luminaire>>(
+        &mut self,
+        scene: &Scene,
+        lights: &[L],
+    ) -> Result<bool, DrawError> {
+        self.maps.resize_with(lights.len(), || None);
+        let mut is_any = false;
+        for (number, (map, &light)) in self.maps.iter_mut().zip(lights).enumerate() {
+            let luminaire: Luminaire = light.into();
+            // A dark lamp throws no shadow; its map waits for its light.
+            let Some((side, projection)) = luminaire.shadow() else {
+                *map = None;
+                continue;
+            };
+            if luminaire.lamp().is_dark() {
+                continue;
+            }
+            let side = side.into();
+            if map.as_ref().is_none_or(|map| map.side() != side) {
+                *map = Some(ShadowMap::new(side)?);
+            }
+            if let Some(map) = map
+                && map.draw(scene, &projection)?
+            {
+                is_any = true;
+                if !self.redrawn.contains(&number) {
+                    self.redrawn.push(number);
+                }
+            }
+        }
+        Ok(is_any)
+    }
+
+    /// The shadows of a luminaire, once they are drawn.
+    pub(crate) fn of(&self, number: usize) -> Option<Shadow<'_, S>> {
+        self.maps.get(number)?.as_ref()?.shadow()
+    }
+
+    /// The luminaires whose shadows are others since light was drawn the last time.
+    pub(crate) fn redrawn(&self) -> &[usize] {
+        &self.redrawn
+    }
+
+    /// Light has been drawn by the maps as they are.
+    pub(crate) fn settle(&mut self) {
+        self.redrawn.clear();
+    }
+}

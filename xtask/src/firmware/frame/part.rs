@@ -1,0 +1,70 @@
+//! The table of the picture, as the command prints it and as `firmware/README.md` has it.
+
+use anyhow::{Context, Result};
+
+use super::super::board;
+use super::record::{Counts, Record};
+
+const BEGIN: &str = "<!-- frame: written by `cargo xtask frame --bless` -->\n";
+const END: &str = "<!-- end of frame -->\n";
+
+/// What the stages are called for people.
+const TITLES: [(&str, &str); 6] = [
+    ("geometry", "geometry: what the pixel sees, point and normal"),
+    ("ambient", "ambient light alone"),
+    ("light", "light: falloff, Lambert's cosine, inverse square"),
+    ("shadow", "shadow: is the ball or the column in the way"),
+    ("colour", "colour: ambient light and the lamp's, as the material sends it back"),
+    ("display", "display: clipped, dithered, packed"),
+];
+/// What the picture is made of, and without the lamp.
+const WITH: [&str; 5] = ["geometry", "light", "shadow", "colour", "display"];
+const WITHOUT: [&str; 3] = ["geometry", "ambient", "display"];
+
+/// The README with its part written anew.
+pub(super) fn replaced(readme: &str, record: &Record) -> Result<String> {
+    let (before, rest) = readme.split_once(BEGIN).context("the line where the frame begins is missing")?;
+    let (_, after) = rest.split_once(END).context("the line where the frame ends is missing")?;
+    Ok(format!(
+        "{before}{BEGIN}\n{}\nOf {} pixels: {}.\n\n{END}{after}",
+        table(record),
+        record.pixels,
+        record.lamp
+    ))
+}
+
+/// A row for each stage, a column for each board.
+pub(super) fn table(record: &Record) -> String {
+    let boards: Vec<_> = board::ALL
+        .iter()
+        .filter_map(|board| record.boards.get(board.name).map(|counts| (board.title, counts)))
+        .collect();
+    let row = |title: &str, cell: &dyn Fn(&Counts) -> String| {
+        let cells: String = boards.iter().map(|(_, counts)| format!(" {} |", cell(counts))).collect();
+        format!("| {title} |{cells}\n")
+    };
+    let each = |counts: &Counts, stages: &[&str]| {
+        let sum: u64 = stages.iter().filter_map(|stage| counts.instructions.get(*stage)).sum();
+        sum as f64 / record.pixels as f64
+    };
+    let heads: String = boards.iter().map(|(title, _)| format!(" {title} |")).collect();
+    let mut text =
+        format!("| instructions a pixel, on average |{heads}\n|---|{}\n", "---|".repeat(boards.len()));
+    for (stage, title) in TITLES {
+        text += &row(title, &|counts| format!("{:.1}", each(counts, &[stage])));
+    }
+    text += &row("the picture without the lamp", &|counts| format!("{:.1}", each(counts, &WITHOUT)));
+    text += &row("the picture with the lamp", &|counts| format!("{:.1}", each(counts, &WITH)));
+    text += &row("so the lamp", &|counts| format!("{:.1}", each(counts, &WITH) - each(counts, &WITHOUT)));
+    text += &row("million cycles, all pixels with the lamp, estimated", &|counts| million_cycles(counts));
+    text + &row("bytes of flash, the whole program", &|counts| counts.bytes.to_string())
+}
+
+/// The estimate from and to, or nothing where there is none.
+fn million_cycles(counts: &Counts) -> String {
+    let spans: Option<Vec<_>> = WITH.iter().map(|stage| counts.cycles.get(*stage)).collect();
+    spans.map_or_else(String::new, |spans| {
+        let [least, most] = [0, 1].map(|end| spans.iter().map(|span| span[end]).sum::<u64>() as f64 / 1e6);
+        format!("{least:.1} to {most:.1}")
+    })
+}

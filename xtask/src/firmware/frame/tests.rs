@@ -1,0 +1,27 @@
+//! The picture's part of `cargo xtask test`.
+
+use super::super::board;
+use super::super::laboratory::Laboratory;
+use super::record::Record;
+use super::{PROGRAM, compare, draw, on_the_host};
+use crate::suite::Suite;
+
+/// Adds a step for each board: the picture is the host's, there is no soft float, and what is counted is what
+/// is recorded.
+pub(crate) fn run(suite: &mut Suite) {
+    for board in &board::ALL {
+        let name = format!("frame: the picture, no soft float, and its counts on {}", board.name);
+        suite.step(&name, |progress| {
+            let host = on_the_host(progress)?;
+            let mut record = Record::new(&host);
+            record.boards.insert(
+                board.name.to_owned(),
+                draw(&Laboratory::with_program(PROGRAM, board, progress)?, &host)?,
+            );
+            for remark in compare(&record, &host.picture)? {
+                progress.say("Compared", remark);
+            }
+            Ok(())
+        });
+    }
+}
