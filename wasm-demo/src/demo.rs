@@ -113,7 +113,7 @@ impl Demo {
     /// How long the last picture took in all, in milliseconds: the passes that were done for it.
     #[wasm_bindgen(getter, js_name = frameMs)]
     pub fn frame_ms(&self) -> f64 {
-        let Times { geometry, lighting, encode, show } = self.times;
+        let Times { geometry, lighting, encode, show, .. } = self.times;
         geometry.unwrap_or(0.0) + lighting + encode + show
     }
 
@@ -291,7 +291,7 @@ impl Demo {
         let (show, shown) = clock.time(|| canvas.show(pixels));
         shown?;
         self.is_shown = true;
-        self.times = Times { geometry: moved.then_some(geometry), lighting, encode, show };
+        self.times = Times { geometry: moved.then_some(geometry), shadows: None, lighting, encode, show };
         Ok(true)
     }
 

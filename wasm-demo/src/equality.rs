@@ -34,6 +34,7 @@ impl Equality {
         (scene, camera, luminaires): (&Scene, &Camera, &[Luminaire]),
     ) -> Result<Self, Refusal> {
         renderer.draw_geometry(scene, camera);
+        renderer.draw_shadows(scene, luminaires)?;
         let (lighting_ms, lit) = clock.time(|| renderer.draw_light(luminaires));
         lit?;
         let account = renderer.account();

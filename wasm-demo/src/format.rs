@@ -2,7 +2,7 @@
 
 use crate::refusal::Refusal;
 use luminaire::{Angle, Cone, Edge, Error, Falloff, Fx16, Fx32, Luminaire, Rgb, Scalar, Spot};
-use luminaire_render::{Account, Camera, Renderer, Scene, SizeError};
+use luminaire_render::{Account, Camera, DrawError, Renderer, Scene, SizeError};
 use std::fmt;
 
 /// One of the kernel's number formats.
@@ -68,7 +68,8 @@ impl Format {
     pub(crate) fn check_luminaire(self, luminaire: &Luminaire) -> Result<(), Error> {
         with_scalar!(self, S => {
             luminaire.lamp().compile::<S>()?;
-            luminaire.compile_gobo::<S>().map(drop)
+            luminaire.compile_gobo::<S>()?;
+            luminaire.shadow().map_or(Ok(()), |(_, projection)| projection.compile::<S>().map(drop))
         })
     }
 
@@ -111,6 +112,8 @@ impl fmt::Display for Format {
 pub(crate) trait Draw {
     /// Draws what the camera sees, if that is not what was drawn last; whether it was drawn.
     fn draw_geometry(&mut self, scene: &Scene, camera: &Camera) -> bool;
+    /// Draws the shadow maps of the luminaires, where scene or luminaire has changed; whether any was drawn.
+    fn draw_shadows(&mut self, scene: &Scene, luminaires: &[Luminaire]) -> Result<bool, DrawError>;
     /// Lights what was drawn, if anything has changed; whether it was lit.
     fn draw_light(&mut self, luminaires: &[Luminaire]) -> Result<bool, Error>;
     /// Lights everything that was drawn with every effect, called for or not.
@@ -132,6 +135,10 @@ pub(crate) trait Draw {
 impl<S: luminaire_render::Format> Draw for Renderer<S> {
     fn draw_geometry(&mut self, scene: &Scene, camera: &Camera) -> bool {
         self.draw_geometry(scene, camera)
+    }
+
+    fn draw_shadows(&mut self, scene: &Scene, luminaires: &[Luminaire]) -> Result<bool, DrawError> {
+        self.draw_shadows(scene, luminaires)
     }
 
     fn draw_light(&mut self, luminaires: &[Luminaire]) -> Result<bool, Error> {

@@ -12,8 +12,13 @@ use luminaire_render::{
     examples::{Fixture, Setup},
 };
 
-/// The effects that can be left out of a scene, with the words for their switches.
-const SWITCHABLE: [(Effect, &str); 2] = [(Effect::Specular, "highlights"), (Effect::Gobo, "gobos")];
+/// The effects that have a switch, with the words for it.
+const SWITCHABLE: [(Effect, &str); 3] =
+    [(Effect::Specular, "highlights"), (Effect::Gobo, "gobos"), (Effect::Shadow, "shadows")];
+
+/// The side in texels of a shadow map that a visitor asks for, and for how many lamps there may be such maps.
+const SHADOW_SIDE: u16 = 512;
+const SHADOWS: usize = 16;
 
 /// Seconds at which a scene is looked at to find out whether anything in it moves.
 const LOOKS: [f32; 4] = [0.3, 1.1, 2.7, 6.0];
@@ -24,31 +29,38 @@ pub(crate) struct Rig {
     setup: Setup,
     /// What stands there, without what is left out.
     scene: Scene,
+    /// The luminaires, without what is left out.
+    fixtures: Vec<Fixture>,
     /// Which lamps are on.
     on: Vec<bool>,
     left_out: Vec<Effect>,
-    /// What the scene calls for with all switches on.
+    /// The side of the shadow maps of lamps that throw no shadows by themselves; nothing where they shall not.
+    added_shadows: Option<u16>,
+    /// What the scene calls for as it was made.
     effects: Effects,
 }
 
 impl Rig {
-    /// A scene with all of its switches on.
+    /// A scene as it was made: all lamps on, nothing left out, nothing added.
     pub(crate) fn new(setup: Setup) -> Result<Self, Error> {
-        let (scene, on) = (setup.scene.clone(), vec![true; setup.fixtures.len()]);
-        let mut rig = Self { setup, scene, on, left_out: Vec::new(), effects: Effects::NONE };
+        let mut rig = Self {
+            scene: setup.scene.clone(),
+            fixtures: setup.fixtures.clone(),
+            on: vec![true; setup.fixtures.len()],
+            setup,
+            left_out: Vec::new(),
+            added_shadows: None,
+            effects: Effects::NONE,
+        };
         rig.effects = rig.plan(&rig.luminaires_at(0.0)?).effects();
         Ok(rig)
     }
 
-    /// Gives every spotlight shadows, by maps of so many texels a side.
+    /// Gives every lamp shadows that can have them, by maps of so many texels a side.
     pub(crate) fn add_shadows(&mut self, side: u16) -> Result<(), Error> {
-        for fixture in &mut self.setup.fixtures {
-            if matches!(fixture.at(0.0)?.lamp(), Lamp::Spot(_)) {
-                *fixture = fixture.with_shadow(side);
-            }
-        }
-        *self = Self::new(self.setup.clone())?;
-        Ok(())
+        self.added_shadows = Some(side);
+        self.refit();
+        self.luminaires_at(0.0).map(drop)
     }
 
     /// What stands there.
@@ -64,20 +76,11 @@ impl Rig {
     /// The luminaires after so many seconds. One that is switched off is there, and dark, so that the others keep
     /// their numbers.
     pub(crate) fn luminaires_at(&self, seconds: f32) -> Result<Vec<Luminaire>, Error> {
-        let fixtures = self.setup.fixtures.iter().zip(&self.on);
-        fixtures.map(|(fixture, &on)| self.luminaire_at(fixture, on, seconds)).collect()
-    }
-
-    fn luminaire_at(&self, fixture: &Fixture, on: bool, seconds: f32) -> Result<Luminaire, Error> {
-        let luminaire = fixture.at(seconds)?;
-        if !on {
-            return Ok(darkened(luminaire.lamp())?.into());
-        }
-        if self.leaves_out(Effect::Gobo) && luminaire.gobo().is_some() {
-            let bare = Luminaire::from(*luminaire.lamp());
-            return luminaire.shadow().map_or(Ok(bare), |(side, _)| bare.with_shadow(side));
-        }
-        Ok(luminaire)
+        let luminaire = |(fixture, &on): (&Fixture, &bool)| {
+            let luminaire = fixture.at(seconds)?;
+            Ok(if on { luminaire } else { darkened(luminaire.lamp())?.into() })
+        };
+        self.fixtures.iter().zip(&self.on).map(luminaire).collect()
     }
 
     /// Which effects these luminaires and what stands there call for.
@@ -134,40 +137,73 @@ impl Rig {
         Ok(())
     }
 
-    /// The effects that can be left out, with their switches.
+    /// The effects that have a switch.
     pub(crate) fn switches(&self) -> Vec<SwitchState> {
         let state = |(effect, label): (Effect, &str)| SwitchState {
             effect: effect.name().to_owned(),
             label: label.to_owned(),
-            offered: self.effects.has(effect),
-            on: !self.leaves_out(effect),
+            offered: self.effects.has(effect) || (effect == Effect::Shadow && self.takes_shadows()),
+            on: self.has(effect),
         };
         SWITCHABLE.map(state).into()
     }
 
-    /// Leaves an effect out, or puts it back in.
+    /// Leaves an effect out, or puts it in. What a scene has not stays out of it, but for shadows.
     pub(crate) fn switch_effect(&mut self, name: &str, on: bool) -> Result<(), Refusal> {
         let Some((effect, _)) = SWITCHABLE.into_iter().find(|(effect, _)| effect.name() == name) else {
             return Err(Refusal::Name {
-                parameter: "effect to leave out",
+                parameter: "effect to switch",
                 value: name.to_owned(),
-                remedy: "give specular or gobo",
+                remedy: "give specular, gobo or shadow",
             });
         };
         self.left_out.retain(|&other| other != effect);
         if !on {
             self.left_out.push(effect);
         }
-        self.scene = self.setup.scene.clone();
-        if self.leaves_out(Effect::Specular) {
-            self.scene.repaint(|material| Material::new(material.albedo));
+        if effect == Effect::Shadow && !self.effects.has(effect) {
+            self.added_shadows = (on && self.takes_shadows()).then_some(SHADOW_SIDE);
         }
+        self.refit();
         Ok(())
     }
 
-    fn leaves_out(&self, effect: Effect) -> bool {
-        self.left_out.contains(&effect)
+    /// Whether an effect of the scene is there now.
+    fn has(&self, effect: Effect) -> bool {
+        let is_added = effect == Effect::Shadow && self.added_shadows.is_some();
+        is_added || (self.effects.has(effect) && !self.left_out.contains(&effect))
     }
+
+    /// Whether there are lamps that can throw shadows, and not too many of them.
+    fn takes_shadows(&self) -> bool {
+        (1..=SHADOWS).contains(&self.setup.fixtures.iter().filter(|fixture| takes_shadow(fixture)).count())
+    }
+
+    /// Makes scene and luminaires of what is left in.
+    fn refit(&mut self) {
+        self.scene = self.setup.scene.clone();
+        if !self.has(Effect::Specular) {
+            self.scene.repaint(|material| Material::new(material.albedo));
+        }
+        let (gobos, shadows, added) = (self.has(Effect::Gobo), self.has(Effect::Shadow), self.added_shadows);
+        self.fixtures = self.setup.fixtures.clone();
+        for fixture in &mut self.fixtures {
+            if !gobos {
+                *fixture = fixture.without_gobo();
+            }
+            if !shadows {
+                *fixture = fixture.without_shadow();
+            }
+            if let Some(side) = added.filter(|_| takes_shadow(fixture)) {
+                *fixture = fixture.with_shadow(side);
+            }
+        }
+    }
+}
+
+/// Whether the lamp of a fixture can throw shadows: a spotlight that is not too wide.
+fn takes_shadow(fixture: &Fixture) -> bool {
+    fixture.with_shadow(SHADOW_SIDE).at(0.0).is_ok()
 }
 
 /// The lamp without its light.
@@ -211,29 +247,42 @@ mod tests {
     }
 
     #[test]
-    fn an_effect_that_is_left_out_is_not_called_for() {
-        let offered = |example: Example| {
-            let switches = rig(example).switches();
-            switches
-                .into_iter()
-                .filter(|switch| switch.offered)
-                .map(|switch| switch.effect)
-                .collect::<Vec<_>>()
-        };
-        assert_eq!(offered(Example::BareSpot), Vec::<String>::new());
-        for (example, effect) in [(Example::Turntable, Effect::Specular), (Example::Show, Effect::Gobo)] {
-            assert!(offered(example).iter().any(|name| name == effect.name()), "{example:?}");
+    fn an_effect_is_left_out_and_put_back_in() {
+        for (example, effect) in [
+            (Example::Turntable, Effect::Specular),
+            (Example::Gallery, Effect::Specular),
+            (Example::Show, Effect::Gobo),
+        ] {
             let mut rig = rig(example);
+            let state = |rig: &Rig| {
+                let switches = rig.switches().into_iter();
+                let switch = switches.into_iter().find(|switch| switch.effect == effect.name()).unwrap();
+                (switch.offered, switch.on)
+            };
             let before = (effects(&rig), rig.luminaires_at(2.0).unwrap(), rig.scene().clone());
+            assert_eq!(state(&rig), (true, true), "{example:?}");
             rig.switch_effect(effect.name(), false).unwrap();
-            assert!(
-                before.0.has(effect) && effects(&rig).with(effect) == before.0 && !effects(&rig).has(effect)
-            );
+            assert_eq!(state(&rig), (true, false), "{example:?}");
+            assert!(before.0.has(effect) && !effects(&rig).has(effect), "{example:?}");
+            assert_eq!(effects(&rig).with(effect), before.0);
             rig.switch_effect(effect.name(), true).unwrap();
             assert_eq!((effects(&rig), rig.luminaires_at(2.0).unwrap(), rig.scene().clone()), before);
         }
         let refusal = rig(Example::Show).switch_effect("spot", false).unwrap_err().to_string();
         assert!(refusal.contains("\"spot\"") && refusal.contains("specular"), "{refusal}");
+    }
+
+    #[test]
+    fn a_scene_without_an_effect_offers_no_switch_for_it() {
+        let offered = |example: Example| {
+            let switches = rig(example).switches().into_iter().filter(|switch| switch.offered);
+            switches.map(|switch| switch.effect).collect::<Vec<_>>().join(" ")
+        };
+        assert_eq!([Example::BareSpot, Example::Grid].map(offered), ["shadow", ""]);
+        let mut rig = rig(Example::BareSpot);
+        let before = effects(&rig);
+        rig.switch_effect("gobo", true).unwrap();
+        assert_eq!(effects(&rig), before);
     }
 
     #[test]
@@ -246,12 +295,20 @@ mod tests {
     }
 
     #[test]
-    fn every_spotlight_takes_a_shadow() {
+    fn shadows_are_added_and_taken_away() {
         let mut rig = rig(Example::Turntable);
-        assert!(!effects(&rig).has(Effect::Shadow));
-        rig.add_shadows(512).unwrap();
-        let luminaires = rig.luminaires_at(1.0).unwrap();
-        assert!(luminaires.iter().all(|luminaire| luminaire.shadow().is_some()));
-        assert!(effects(&rig).has(Effect::Shadow) && rig.add_shadows(5).is_err());
+        let before = (effects(&rig), rig.luminaires_at(1.0).unwrap());
+        assert!(!before.0.has(Effect::Shadow));
+        rig.switch_effect("shadow", true).unwrap();
+        let sides = |rig: &Rig| -> Vec<_> {
+            rig.luminaires_at(1.0).unwrap().iter().map(|lamp| lamp.shadow().map(|(side, _)| side)).collect()
+        };
+        assert!(effects(&rig).has(Effect::Shadow));
+        assert_eq!(sides(&rig), [Some(SHADOW_SIDE); 8]);
+        rig.switch_effect("shadow", false).unwrap();
+        assert_eq!((effects(&rig), rig.luminaires_at(1.0).unwrap()), before);
+        rig.add_shadows(64).unwrap();
+        assert_eq!(sides(&rig), [Some(64); 8]);
+        assert!(rig.add_shadows(5).is_err());
     }
 }

@@ -38,7 +38,7 @@ pub struct EffectState {
     pub is_called_for: bool,
 }
 
-/// An effect that can be left out, with its switch.
+/// An effect with a switch.
 #[wasm_bindgen(getter_with_clone)]
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct SwitchState {
@@ -46,9 +46,9 @@ pub struct SwitchState {
     pub effect: String,
     /// What people call it.
     pub label: String,
-    /// Whether the scene has it to leave out.
+    /// Whether there is anything to switch: the scene has it, or can be given it.
     pub offered: bool,
-    /// Whether it is left in.
+    /// Whether it is there now.
     pub on: bool,
 }
 

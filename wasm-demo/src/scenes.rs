@@ -75,7 +75,7 @@ impl Scenes {
     /// Opens a scene with all of its switches on, in pictures of this width and height, or without them of the size that
     /// it is composed for.
     pub fn open(&mut self, name: &str, width: Option<u32>, height: Option<u32>) -> Result<(), JsValue> {
-        Ok(self.open_example(example_named(name)?, width, height)?)
+        Ok(self.open_example(example_named(name)?, [width, height])?)
     }
 
     /// Opens the turntable under so many spotlights, with shadows by maps of so many texels a side if that is given: for
@@ -189,6 +189,12 @@ impl Scenes {
         self.times.geometry
     }
 
+    /// How long the shadow maps of the last picture took, in milliseconds; nothing when all were kept.
+    #[wasm_bindgen(getter, js_name = shadowsMs)]
+    pub fn shadows_ms(&self) -> Option<f64> {
+        self.times.shadows
+    }
+
     /// How long the lighting of the last picture took, in milliseconds.
     #[wasm_bindgen(getter, js_name = lightingMs)]
     pub fn lighting_ms(&self) -> f64 {
@@ -228,12 +234,12 @@ impl Scenes {
         Ok(Effect::ALL.iter().map(state).collect())
     }
 
-    /// The effects that can be left out, with their switches.
+    /// The effects that have a switch.
     pub fn switches(&self) -> Vec<SwitchState> {
         self.rig.switches()
     }
 
-    /// Leaves an effect out, or puts it back in.
+    /// Leaves an effect out, or puts it in.
     #[wasm_bindgen(js_name = setEffect)]
     pub fn set_effect(&mut self, name: &str, on: bool) -> Result<(), JsValue> {
         Ok(self.rig.switch_effect(name, on)?)
@@ -309,27 +315,15 @@ impl Scenes {
         })
     }
 
-    fn open_example(
-        &mut self,
-        example: Example,
-        width: Option<u32>,
-        height: Option<u32>,
-    ) -> Result<(), Refusal> {
-        let (own_width, own_height) = composed(example);
-        let size = (width.unwrap_or(own_width), height.unwrap_or(own_height));
+    fn open_example(&mut self, example: Example, size: [Option<u32>; 2]) -> Result<(), Refusal> {
+        let (width, height) = composed(example);
+        let size = (size[0].unwrap_or(width), size[1].unwrap_or(height));
         self.change(example, Rig::new(example.setup()?)?, size)
     }
 
-    fn open_spots(
-        &mut self,
-        spots: usize,
-        shadow_side: Option<u16>,
-        size: (u32, u32),
-    ) -> Result<(), Refusal> {
+    fn open_spots(&mut self, spots: usize, side: Option<u16>, size: (u32, u32)) -> Result<(), Refusal> {
         let mut rig = Rig::new(turntable(spots)?)?;
-        if let Some(side) = shadow_side {
-            rig.add_shadows(side)?;
-        }
+        side.map_or(Ok(()), |side| rig.add_shadows(side))?;
         self.change(Example::Turntable, rig, size)
     }
 
@@ -353,7 +347,7 @@ impl Scenes {
         self.renderer = self.format.renderer(width, height)?;
         self.canvas = Canvas::new(&self.elements[0], width, height)?;
         self.map_canvas = Canvas::new(&self.elements[1], width, height)?;
-        (self.example, self.rig, self.size) = (example, rig, size);
+        (self.example, self.rig, self.size, self.is_shown) = (example, rig, size, false);
         (self.viewpoint, self.seconds) = (Viewpoint::ORIGINAL, [0.0; 2]);
         self.map.begin();
         Ok(())
@@ -372,6 +366,8 @@ impl Scenes {
         let (luminaires, camera) = (self.luminaires()?, self.camera());
         let Self { renderer, rig, canvas, clock, is_everything, .. } = self;
         let (geometry, moved) = clock.time(|| renderer.draw_geometry(rig.scene(), &camera));
+        let (shadows, cast) = clock.time(|| renderer.draw_shadows(rig.scene(), &luminaires));
+        let shadows = cast?.then_some(shadows);
         let (lighting, lit) = clock.time(|| match *is_everything {
             true => renderer.draw_everything(&luminaires).map(|()| true),
             false => renderer.draw_light(&luminaires),
@@ -385,7 +381,7 @@ impl Scenes {
         let (show, shown) = clock.time(|| canvas.show(pixels));
         shown?;
         self.is_shown = true;
-        Ok(Some(Times { geometry: moved.then_some(geometry), lighting, encode, show }))
+        Ok(Some(Times { geometry: moved.then_some(geometry), shadows, lighting, encode, show }))
     }
 }
 

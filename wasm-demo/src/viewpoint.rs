@@ -34,7 +34,8 @@ impl Viewpoint {
     }
 
     fn follow(&mut self, camera: Camera, other: Self) {
-        if other.of(camera) != self.of(camera) {
+        let is_finite = [other.yaw, other.pitch, other.factor].iter().all(|number| number.is_finite());
+        if is_finite && other.of(camera) != self.of(camera) {
             *self = other;
         }
     }

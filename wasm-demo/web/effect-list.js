@@ -1,4 +1,4 @@
-// The effects of the library: those that the scene calls for, and switches for those that can be left out.
+// The effects of the library: those that the scene calls for, and switches for some of them.
 import { plain } from "./plain.js";
 
 export class EffectList {

@@ -12,7 +12,7 @@ const STEP = 1 / 30;
 /** How far the camera turns from one frame to the next where it is to move, in radians. */
 const TURN = 0.004;
 
-const PASSES = ["geometryMs", "lightingMs", "encodeMs", "showMs", "frameMs"];
+const PASSES = ["geometryMs", "shadowsMs", "lightingMs", "encodeMs", "showMs", "frameMs"];
 
 export class SceneMeter {
   #scenes;

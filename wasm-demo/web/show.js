@@ -100,7 +100,7 @@ function views(view, meter) {
     },
     hide: () => meter.scenes?.hide(),
   };
-  const all = new Views(new Map([["stage", stage], ["scenes", scenes], ["compare", comparison]]));
+  const all = new Views(new Map([["stage", stage], ["compare", comparison], ["scenes", scenes]]));
   meter.openScenes = async () => {
     if (scenes.element.hidden) history.replaceState(null, "", "#scenes");
     await all.show();

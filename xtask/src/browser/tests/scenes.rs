@@ -112,6 +112,10 @@ pub(super) fn camera_is_moved(visitor: &mut Visitor) -> Result<()> {
 
 pub(super) fn are_switched(visitor: &mut Visitor) -> Result<()> {
     let mut page = visitor.ready_at("#scenes?scene=turntable")?;
+    must_change(&mut page, "shadows put in", |page| press(page, "scene-effect-shadow"))?;
+    let time = page.message("scene-shadows-ms")?;
+    ensure!(time.ends_with(" ms"), "the time of shadows is told as {time:?}");
+    must_change(&mut page, "shadows left out", |page| press(page, "scene-effect-shadow"))?;
     let (effects, account_before) = (called(&mut page)?, account(&mut page)?);
     must_change(&mut page, "highlights left out", |page| press(page, "scene-effect-specular"))?;
     ensure!(called(&mut page)? == effects - 1.0, "highlights left out are still called for");
@@ -218,6 +222,10 @@ pub(super) fn are_measured(visitor: &mut Visitor) -> Result<()> {
     let options = "{ width: 320, height: 180, spots: 3, without: ['specular'] }";
     let found = page.ask(&format!("luminaire.measureScene('turntable', 3, {options})"))?;
     ensure!(found["lamps"] == 3 && found["width"] == 320, "another scene was measured: {found}");
+    ensure!(
+        found["cameraMoving"]["shadowsMs"].is_null(),
+        "shadows were drawn that nobody asked for: {found}"
+    );
     for pass in PASSES {
         let time = found["cameraMoving"][pass].as_f64();
         ensure!(time.is_some_and(|time| time >= 0.0), "the {pass} of a moving camera is {time:?}: {found}");
