@@ -1,5 +1,5 @@
 // What was evaluated, and what was spared, by what: figures of the last pictures.
-import { tidy, whole } from "./numbers.js";
+import { whole } from "./numbers.js";
 
 /** So many pictures are averaged while a scene plays, so that the figures can be read. */
 const PICTURES = 30;
@@ -15,7 +15,9 @@ const percent = (share) => (share === 0 ? "0 %" : `${Number((100 * share).toPrec
 /** A small part of a whole, as people say it. */
 function oneIn(part, all) {
   if (all === 0) return "no lamps";
-  return part === 0 ? "none" : `1 in ${tidy(Number((all / part).toPrecision(3)))}`;
+  if (part === 0) return "none";
+  const times = all / part;
+  return `1 in ${times < 10 ? Number(times.toFixed(1)) : whole(times)}`;
 }
 
 export class AccountTable {

@@ -22,9 +22,20 @@ export class MapLegend {
     document.getElementById("map-relit").style.background = relit;
     document.getElementById("map-kept").style.background = kept;
     this.#select.addEventListener("input", () => {
-      scenes.setMap(this.#select.value);
+      this.choose(this.#select.value);
       this.onchange();
     });
+  }
+
+  /** What the map shows: `nothing`, `lamps` or `tiles`. */
+  get subject() {
+    return this.#select.value;
+  }
+
+  /** Makes it show something else, with the next draw; throws the module's words where there is no such map. */
+  choose(subject) {
+    this.#scenes.setMap(subject);
+    this.#select.value = subject;
   }
 
   /** Draws the map of the last picture, if there is to be one. */

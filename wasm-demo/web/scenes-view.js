@@ -40,7 +40,10 @@ export class ScenesView {
     this.#player.onchange = () => this.#request();
     this.#effects.onchange = () => this.#request();
     this.#lamps.onchange = () => this.#request();
-    this.#legend.onchange = () => this.#legend.draw();
+    this.#legend.onchange = () => {
+      this.#legend.draw();
+      this.#remember();
+    };
     for (const { name, title } of this.#examples.values()) element("name").add(new Option(title, name));
     element("name").addEventListener("input", (event) => this.open(event.target.value));
     element("format").addEventListener("input", (event) => this.setFormat(event.target.value));
@@ -77,10 +80,11 @@ export class ScenesView {
     return this.pixels().some((code, place) => place % 4 < 3 && code > 0);
   }
 
-  /** Shows what the address asks for, such as `scene=grid`; what is refused is told. */
+  /** Shows what the address asks for, such as `scene=grid&map=lamps`; what is refused is told. */
   show(query) {
     this.#view.pause(false);
-    const name = query.get("scene");
+    const [name, map] = [query.get("scene"), query.get("map")];
+    if (map !== null) this.#ask(() => this.#legend.choose(map));
     if (name !== null && name !== this.example) this.open(name);
     else this.#opened();
   }
@@ -160,14 +164,21 @@ export class ScenesView {
     element("name").value = this.example;
     this.#tellFormat();
     element("summary").textContent = summary;
-    element("size").textContent = `${width} × ${height} pixels`;
+    element("size").textContent = `The picture has ${width} × ${height} pixels.`;
     element("view").setAttribute("aria-label", `The scene: ${title}`);
     this.#player.open();
     this.#effects.open();
     this.#lamps.open();
     this.#readout.forget();
-    history.replaceState(null, "", `#scenes?${new URLSearchParams({ scene: this.example })}`);
+    this.#remember();
     this.#request();
+  }
+
+  /** Keeps the address in step, so that it can be passed on. */
+  #remember() {
+    const { subject: map } = this.#legend;
+    const query = new URLSearchParams({ scene: this.example, ...(map !== "nothing" && { map }) });
+    history.replaceState(null, "", `#scenes?${query}`);
   }
 
   /** Something other than the seconds has changed: figures of before say nothing of it. */

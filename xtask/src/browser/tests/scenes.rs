@@ -39,6 +39,7 @@ pub(super) fn are_all_drawn(visitor: &mut Visitor) -> Result<()> {
 /// What the visitor asks for by a button, for every scene.
 pub(super) fn equal_everything(visitor: &mut Visitor) -> Result<()> {
     let mut page = visitor.ready_at("#scenes")?;
+    let mut left_out = 0.0;
     for name in names(&mut page)? {
         page.enter("scene-name", &name)?;
         let found = page.ask("luminaire.scenes.compare()")?;
@@ -75,6 +76,8 @@ pub(super) fn are_opened_by_address(visitor: &mut Visitor) -> Result<()> {
         page.ask("void (location.hash = '#scenes?scene=turntable')").map(drop)
     })?;
     ensure!(page.text("luminaire.scenes.example")? == "turntable", "the view does not follow the address");
+    page.enter("scene-map-subject", "tiles")?;
+    ensure!(page.text("location.hash")? == "#scenes?scene=turntable&map=tiles", "the address has no map");
     page.ask("document.querySelector('.views a[href=\"#stage\"]').click()")?;
     page.settle()?;
     ensure!(page.shows("view")? && !page.shows("scenes-page")?, "the way back does not show the stage");
@@ -175,6 +178,9 @@ pub(super) fn map_is_shown(visitor: &mut Visitor) -> Result<()> {
 }
 
 pub(super) fn refusals_are_told(visitor: &mut Visitor) -> Result<()> {
+    let mut page = visitor.ready_at("#scenes?map=heat")?;
+    let told = page.message("scene-error")?;
+    ensure!(told.contains("\"heat\""), "a map that there is not is answered with {told:?}");
     let mut page = visitor.ready_at("#scenes?scene=nowhere")?;
     let told = page.message("scene-error")?;
     ensure!(told.contains("scene \"nowhere\""), "a scene that there is not is answered with {told:?}");
