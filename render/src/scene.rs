@@ -138,6 +138,18 @@ impl Scene {
         plan
     }
 
+    /// The materials of the objects, in their order.
+    pub fn materials(&self) -> impl Iterator<Item = &Material> {
+        self.objects.iter().map(|object| &object.material)
+    }
+
+    /// Gives each object the material that `paint` makes of its own.
+    pub fn repaint(&mut self, paint: impl Fn(&Material) -> Material) {
+        for object in &mut self.objects {
+            object.material = paint(&object.material);
+        }
+    }
+
     /// How many triangles the meshes have together.
     pub fn triangle_count(&self) -> usize {
         self.objects.iter().map(|object| object.mesh.triangle_count()).sum()
