@@ -9,8 +9,9 @@ use std::{env, fs};
 
 use luminaire::{
     Ambient, Angle, Attenuation, BlinnPhong, Cone, Cubic, Directional, DualCone, Exposure, Fx16, Fx32, Gobo,
-    Hard, HardRange, InverseSquare, Lyon, Material, Phong, Point, Polynomial, Power, Profile, Projection,
-    Rgb, Scalar, Smooth, SmoothRange, Soft, Source, Spot, SquaredWindow, Table, Unattenuated, Vec3, Windowed,
+    Hard, HardRange, Haze, InverseSquare, Lyon, Material, Phong, Point, Polynomial, Power, Profile,
+    Projection, Rgb, Scalar, Smooth, SmoothRange, Soft, Source, Spot, SquaredWindow, Table, Unattenuated,
+    Vec3, Windowed,
 };
 
 type Outcome = Result<(), Box<dyn Error>>;
@@ -52,6 +53,7 @@ fn constants<S: Scalar>() -> Outcome {
     spot::<S, _, _>("hard_range", Soft, HardRange::new(InverseSquare, Some(9.0))?)?;
     let square = Projection::of(&Spot::new(POSITION, AXIS, Cone::from_field(Soft, Angle::degrees(36.0))?)?)?;
     write("gobo", &Gobo::of(&panes()).on(square.compile::<S>()?))?;
+    write("beam", &key(Soft, InverseSquare)?.compile::<f32>()?.in_haze(&Haze::new(0.02)?))?;
     write("point", &Point::new(POSITION)?.with_color(AMBER)?.with_intensity(16.0)?.compile::<S>()?)?;
     write("directional", &Directional::new(AXIS)?.with_color(AMBER)?.compile::<S>())?;
     write("ambient", &Ambient::new(AMBER)?.with_intensity(0.1)?.compile::<S>())?;
@@ -82,9 +84,12 @@ where
     P::Compiled<S>: Source,
     A::Constants<S>: Source,
 {
+    write(&format!("spot_{name}"), &key(profile, attenuation)?.compile::<S>()?)
+}
+
+fn key<P: Profile, A: Attenuation>(profile: P, attenuation: A) -> Result<Spot<P, A>, luminaire::Error> {
     let cone = Cone::from_field(profile, Angle::degrees(36.0))?;
-    let spot = Spot::new(POSITION, AXIS, cone)?.with_intensity(16.0)?.with_attenuation(attenuation);
-    write(&format!("spot_{name}"), &spot.with_color(AMBER)?.compile::<S>()?)
+    Spot::new(POSITION, AXIS, cone)?.with_intensity(16.0)?.with_attenuation(attenuation).with_color(AMBER)
 }
 
 fn write(name: &str, value: &impl Source) -> Outcome {

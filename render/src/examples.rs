@@ -26,7 +26,7 @@ use crate::{Camera, Scene};
 use alloc::vec::Vec;
 use core::f32::consts::TAU;
 use glam::Vec2;
-use luminaire::{Error, Luminaire};
+use luminaire::{Effects, Error, Luminaire};
 
 /// A scene to learn from.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
@@ -171,6 +171,15 @@ impl Setup {
     /// Seconds that are not finite, where something moves.
     pub fn luminaires_at(&self, seconds: f32) -> Result<Vec<Luminaire>, Error> {
         self.fixtures.iter().map(|fixture| fixture.at(seconds)).collect()
+    }
+
+    /// What a picture calls for after so many seconds.
+    ///
+    /// # Errors
+    /// As [`luminaires_at`](Self::luminaires_at).
+    pub fn effects_at(&self, seconds: f32) -> Result<Effects, Error> {
+        let luminaires = self.luminaires_at(seconds)?;
+        Ok(luminaires.iter().fold(self.scene.plan(), |plan, lamp| plan.with_luminaire(lamp)).effects())
     }
 
     /// The camera after so many seconds, for who wants it to move: in most scenes it stands still.

@@ -30,6 +30,7 @@
 extern crate alloc;
 
 mod account;
+mod air;
 mod bounds;
 mod camera;
 mod clip;
@@ -57,6 +58,7 @@ mod view;
 
 pub use account::Account;
 pub use camera::Camera;
+pub use display::Display;
 pub use error::DrawError;
 pub use format::{Format, stated_error};
 pub use mesh::Mesh;

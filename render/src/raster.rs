@@ -100,6 +100,11 @@ impl Fragments {
         Ok(Self { grid, nearness: plane()?, normal, material: filled(count, 0)? })
     }
 
+    /// The nearness of a block of pixels.
+    pub(crate) fn block(&self, row: usize, column: usize) -> &[f32] {
+        &self.nearness[row * self.grid.stride + column * LANES..][..LANES]
+    }
+
     /// Removes all fragments.
     pub(crate) fn clear(&mut self) {
         self.nearness.fill(0.0);

@@ -120,6 +120,11 @@ impl View {
         self.eye
     }
 
+    /// The direction of sight, of unit length.
+    pub(crate) fn ahead(&self) -> Vec3 {
+        self.ahead
+    }
+
     /// The way along the ray through a pixel's centre to depth 1, for the first pixel of a row, and the step
     /// to the next.
     pub(crate) fn ray(&self, row: usize) -> (Vec3, Vec3) {
