@@ -113,6 +113,13 @@ impl Scene {
         self.ambient
     }
 
+    /// Gives each object the material that `paint` makes of its own.
+    pub fn repaint(&mut self, paint: impl Fn(&Material) -> Material) {
+        for object in &mut self.objects {
+            object.material = paint(&object.material);
+        }
+    }
+
     /// Fills the scene with haze, or with clear air.
     pub fn set_haze(&mut self, haze: Option<Haze>) {
         self.haze = haze;
@@ -136,18 +143,6 @@ impl Scene {
             plan = plan.with(Effect::Haze);
         }
         plan
-    }
-
-    /// The materials of the objects, in their order.
-    pub fn materials(&self) -> impl Iterator<Item = &Material> {
-        self.objects.iter().map(|object| &object.material)
-    }
-
-    /// Gives each object the material that `paint` makes of its own.
-    pub fn repaint(&mut self, paint: impl Fn(&Material) -> Material) {
-        for object in &mut self.objects {
-            object.material = paint(&object.material);
-        }
     }
 
     /// How many triangles the meshes have together.

@@ -2,7 +2,7 @@
 
 use crate::refusal::Refusal;
 use luminaire::{Angle, Cone, Edge, Error, Falloff, Fx16, Fx32, Luminaire, Rgb, Scalar, Spot};
-use luminaire_render::{Account, Camera, DrawError, Renderer, Scene, SizeError};
+use luminaire_render::{Account, Camera, Display, DrawError, Renderer, Scene, SizeError};
 use std::fmt;
 
 /// One of the kernel's number formats.
@@ -118,6 +118,8 @@ pub(crate) trait Draw {
     fn draw_light(&mut self, luminaires: &[Luminaire]) -> Result<bool, Error>;
     /// Lights everything that was drawn with every effect, called for or not.
     fn draw_everything(&mut self, luminaires: &[Luminaire]) -> Result<(), Error>;
+    /// Shows the picture on another display, with the next `encode`.
+    fn set_display(&mut self, display: Display);
     /// Encodes what was lit for the display: RGBA, sRGB, eight bits.
     fn encode(&mut self) -> &[u8];
     /// What was encoded last.
@@ -147,6 +149,10 @@ impl<S: luminaire_render::Format> Draw for Renderer<S> {
 
     fn draw_everything(&mut self, luminaires: &[Luminaire]) -> Result<(), Error> {
         self.draw_everything(luminaires)
+    }
+
+    fn set_display(&mut self, display: Display) {
+        self.set_display(display);
     }
 
     fn encode(&mut self) -> &[u8] {

@@ -79,7 +79,7 @@ impl Map {
 
     /// The colours of tiles that were lit again, and that were kept.
     pub(crate) fn tile_colours(&self) -> [[u8; 3]; 2] {
-        let of_all = Scale::holding(1.0);
+        let of_all = Scale::to(1.0);
         [RELIT.0, RELIT.1].map(|place| self.palette.colour(of_all, place))
     }
 
@@ -113,7 +113,7 @@ impl Map {
 
     /// At least one lamp, so that none at all has the first colour.
     fn scale(&self) -> Scale {
-        Scale::holding(self.most.max(1).into())
+        Scale::to(self.most.max(1).into())
     }
 }
 
@@ -172,7 +172,7 @@ mod tests {
         let mut map = Map::new();
         assert_eq!(map.end(), 1.0);
         map.most = 7;
-        assert_eq!(map.end(), 10.0);
+        assert_eq!(map.end(), 7.0);
         map.begin();
         assert_eq!(map.end(), 1.0);
         assert!(Subject::named("heat").unwrap_err().to_string().contains("lamps or tiles"));

@@ -6,19 +6,27 @@ use crate::{
     refusal::Refusal,
     scene_state::{LampState, SwitchState},
 };
-use luminaire::{Effect, Effects, Error, Lamp, Luminaire, Plan};
+use luminaire::{Effect, Effects, Error, Haze, Lamp, Luminaire, Plan};
 use luminaire_render::{
-    Camera, Material, Scene,
+    Camera, Display, Material, Scene,
     examples::{Fixture, Setup},
 };
 
 /// The effects that have a switch, with the words for it.
-const SWITCHABLE: [(Effect, &str); 3] =
-    [(Effect::Specular, "highlights"), (Effect::Gobo, "gobos"), (Effect::Shadow, "shadows")];
+const SWITCHABLE: [(Effect, &str); 5] = [
+    (Effect::Specular, "highlights"),
+    (Effect::Gobo, "gobos"),
+    (Effect::Shadow, "shadows"),
+    (Effect::Haze, "haze"),
+    (Effect::Dither, "dither"),
+];
 
 /// The side in texels of a shadow map that a visitor asks for, and for how many lamps there may be such maps.
 const SHADOW_SIDE: u16 = 512;
 const SHADOWS: usize = 16;
+
+/// The density of the haze that a visitor asks for, in parts of the light scattered in a metre.
+const HAZE: f32 = 0.05;
 
 /// Seconds at which a scene is looked at to find out whether anything in it moves.
 const LOOKS: [f32; 4] = [0.3, 1.1, 2.7, 6.0];
@@ -33,9 +41,10 @@ pub(crate) struct Rig {
     fixtures: Vec<Fixture>,
     /// Which lamps are on.
     on: Vec<bool>,
-    left_out: Vec<Effect>,
-    /// The side of the shadow maps of lamps that throw no shadows by themselves; nothing where they shall not.
-    added_shadows: Option<u16>,
+    /// The effects that were switched, and whether they are there since.
+    switched: Vec<(Effect, bool)>,
+    /// The side in texels of the shadow maps of lamps that throw no shadows by themselves.
+    shadow_side: u16,
     /// What the scene calls for as it was made.
     effects: Effects,
 }
@@ -48,8 +57,8 @@ impl Rig {
             fixtures: setup.fixtures.clone(),
             on: vec![true; setup.fixtures.len()],
             setup,
-            left_out: Vec::new(),
-            added_shadows: None,
+            switched: Vec::new(),
+            shadow_side: SHADOW_SIDE,
             effects: Effects::NONE,
         };
         rig.effects = rig.plan(&rig.luminaires_at(0.0)?).effects();
@@ -58,8 +67,8 @@ impl Rig {
 
     /// Gives every lamp shadows that can have them, by maps of so many texels a side.
     pub(crate) fn add_shadows(&mut self, side: u16) -> Result<(), Error> {
-        self.added_shadows = Some(side);
-        self.refit();
+        self.shadow_side = side;
+        self.switch(Effect::Shadow, true)?;
         self.luminaires_at(0.0).map(drop)
     }
 
@@ -85,14 +94,13 @@ impl Rig {
 
     /// Which effects these luminaires and what stands there call for.
     pub(crate) fn plan(&self, luminaires: &[Luminaire]) -> Plan {
-        let mut plan = luminaires.iter().fold(Plan::new(), Plan::with_luminaire);
-        if self.scene.ambient() != Default::default() {
-            plan = plan.with(Effect::Ambient);
-        }
-        if self.scene.materials().any(Material::shines) {
-            plan = plan.with(Effect::Specular);
-        }
-        plan
+        let plan = luminaires.iter().fold(self.scene.plan(), Plan::with_luminaire);
+        if self.has(Effect::Dither) { plan.with(Effect::Dither) } else { plan }
+    }
+
+    /// What the picture is shown on.
+    pub(crate) fn display(&self) -> Display {
+        if self.has(Effect::Dither) { Display::Rgb888Dithered } else { Display::Rgb888 }
     }
 
     /// Whether a lamp changes as the seconds pass.
@@ -142,62 +150,74 @@ impl Rig {
         let state = |(effect, label): (Effect, &str)| SwitchState {
             effect: effect.name().to_owned(),
             label: label.to_owned(),
-            offered: self.effects.has(effect) || (effect == Effect::Shadow && self.takes_shadows()),
+            offered: self.effects.has(effect) || self.takes(effect),
             on: self.has(effect),
         };
         SWITCHABLE.map(state).into()
     }
 
-    /// Leaves an effect out, or puts it in. What a scene has not stays out of it, but for shadows.
+    /// Leaves an effect out, or puts it in. What the scene neither has nor takes stays out of it.
     pub(crate) fn switch_effect(&mut self, name: &str, on: bool) -> Result<(), Refusal> {
         let Some((effect, _)) = SWITCHABLE.into_iter().find(|(effect, _)| effect.name() == name) else {
             return Err(Refusal::Name {
                 parameter: "effect to switch",
                 value: name.to_owned(),
-                remedy: "give specular, gobo or shadow",
+                remedy: "give specular, gobo, shadow, haze or dither",
             });
         };
-        self.left_out.retain(|&other| other != effect);
-        if !on {
-            self.left_out.push(effect);
-        }
-        if effect == Effect::Shadow && !self.effects.has(effect) {
-            self.added_shadows = (on && self.takes_shadows()).then_some(SHADOW_SIDE);
-        }
-        self.refit();
-        Ok(())
+        Ok(self.switch(effect, on)?)
     }
 
-    /// Whether an effect of the scene is there now.
+    fn switch(&mut self, effect: Effect, on: bool) -> Result<(), Error> {
+        self.switched.retain(|&(other, _)| other != effect);
+        if self.effects.has(effect) || self.takes(effect) {
+            self.switched.push((effect, on));
+        }
+        self.refit()
+    }
+
+    /// Whether an effect is in the scene now.
     fn has(&self, effect: Effect) -> bool {
-        let is_added = effect == Effect::Shadow && self.added_shadows.is_some();
-        is_added || (self.effects.has(effect) && !self.left_out.contains(&effect))
+        let switched = self.switched.iter().find(|(other, _)| *other == effect);
+        switched.map_or(self.effects.has(effect), |&(_, on)| on)
     }
 
-    /// Whether there are lamps that can throw shadows, and not too many of them.
-    fn takes_shadows(&self) -> bool {
-        (1..=SHADOWS).contains(&self.setup.fixtures.iter().filter(|fixture| takes_shadow(fixture)).count())
+    /// Whether an effect can be put into the scene. Shadows can, where a lamp throws any, and not too many do.
+    fn takes(&self, effect: Effect) -> bool {
+        let takers = || self.setup.fixtures.iter().filter(|fixture| takes_shadow(fixture)).count();
+        match effect {
+            Effect::Shadow => (1..=SHADOWS).contains(&takers()),
+            Effect::Haze | Effect::Dither => true,
+            _ => false,
+        }
     }
 
-    /// Makes scene and luminaires of what is left in.
-    fn refit(&mut self) {
+    /// Makes scene and luminaires of what is there.
+    fn refit(&mut self) -> Result<(), Error> {
         self.scene = self.setup.scene.clone();
         if !self.has(Effect::Specular) {
             self.scene.repaint(|material| Material::new(material.albedo));
         }
-        let (gobos, shadows, added) = (self.has(Effect::Gobo), self.has(Effect::Shadow), self.added_shadows);
-        self.fixtures = self.setup.fixtures.clone();
-        for fixture in &mut self.fixtures {
-            if !gobos {
-                *fixture = fixture.without_gobo();
-            }
-            if !shadows {
-                *fixture = fixture.without_shadow();
-            }
-            if let Some(side) = added.filter(|_| takes_shadow(fixture)) {
-                *fixture = fixture.with_shadow(side);
-            }
+        if self.has(Effect::Haze) != self.effects.has(Effect::Haze) {
+            let haze = if self.has(Effect::Haze) { Some(Haze::new(HAZE)?) } else { None };
+            self.scene.set_haze(haze);
         }
+        let has = |effect| self.has(effect);
+        let adds_shadows = has(Effect::Shadow) && !self.effects.has(Effect::Shadow);
+        let fit = |mut fixture: Fixture| {
+            if !has(Effect::Gobo) {
+                fixture = fixture.without_gobo();
+            }
+            if !has(Effect::Shadow) {
+                fixture = fixture.without_shadow();
+            }
+            if adds_shadows && takes_shadow(&fixture) {
+                fixture = fixture.with_shadow(self.shadow_side);
+            }
+            fixture
+        };
+        self.fixtures = self.setup.fixtures.iter().copied().map(fit).collect();
+        Ok(())
     }
 }
 
@@ -252,6 +272,7 @@ mod tests {
             (Example::Turntable, Effect::Specular),
             (Example::Gallery, Effect::Specular),
             (Example::Show, Effect::Gobo),
+            (Example::Show, Effect::Haze),
         ] {
             let mut rig = rig(example);
             let state = |rig: &Rig| {
@@ -278,7 +299,7 @@ mod tests {
             let switches = rig(example).switches().into_iter().filter(|switch| switch.offered);
             switches.map(|switch| switch.effect).collect::<Vec<_>>().join(" ")
         };
-        assert_eq!([Example::BareSpot, Example::Grid].map(offered), ["shadow", ""]);
+        assert_eq!([Example::BareSpot, Example::Grid].map(offered), ["shadow haze dither", "haze dither"]);
         let mut rig = rig(Example::BareSpot);
         let before = effects(&rig);
         rig.switch_effect("gobo", true).unwrap();
@@ -292,6 +313,22 @@ mod tests {
             assert!(rig(example).moves().unwrap(), "{example:?} stands still");
         }
         assert!(rig(Example::Turntable).camera_moves() && !rig(Example::Grid).camera_moves());
+    }
+
+    #[test]
+    fn haze_and_dither_are_added() {
+        let mut rig = rig(Example::BareSpot);
+        let before = (effects(&rig), rig.scene().clone());
+        assert_eq!((rig.scene().haze(), rig.display()), (None, Display::Rgb888));
+        for effect in [Effect::Haze, Effect::Dither] {
+            rig.switch_effect(effect.name(), true).unwrap();
+            assert!(effects(&rig).has(effect), "{effect:?}");
+        }
+        assert!(rig.scene().haze().is_some() && rig.display().is_dithered());
+        for effect in [Effect::Haze, Effect::Dither] {
+            rig.switch_effect(effect.name(), false).unwrap();
+        }
+        assert_eq!((effects(&rig), rig.scene().clone()), before);
     }
 
     #[test]

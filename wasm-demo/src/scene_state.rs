@@ -52,10 +52,12 @@ pub struct SwitchState {
     pub on: bool,
 }
 
-/// What the light of the last picture has cost: see [`Account`]. Counts as JavaScript has them.
+/// What the last picture has cost: see [`Account`]. Counts as JavaScript has them.
 #[wasm_bindgen(getter_with_clone)]
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct AccountState {
+    /// The triangles that were drawn.
+    pub triangles: f64,
     /// The lamps that were given.
     pub lamps: f64,
     /// The lamps that can light nothing, and were dropped.
@@ -70,6 +72,9 @@ pub struct AccountState {
     pub pairs: f64,
     /// The pairs that were evaluated.
     pub evaluated: f64,
+    /// The pairs of a beam and a pixel that were evaluated in the haze besides.
+    #[wasm_bindgen(js_name = evaluatedInAir)]
+    pub evaluated_in_air: f64,
     /// The pairs of a dropped lamp.
     pub dropped: f64,
     /// The pairs in tiles whose light could stay as it was.
@@ -92,12 +97,14 @@ impl From<Example> for ExampleState {
 impl From<Account> for AccountState {
     fn from(account: Account) -> Self {
         Self {
+            triangles: account.triangles as f64,
             lamps: account.lamps.into(),
             lamps_dropped: account.lamps_dropped.into(),
             tiles: account.tiles.into(),
             tiles_relit: account.tiles_relit.into(),
             pairs: account.pairs() as f64,
             evaluated: account.evaluated as f64,
+            evaluated_in_air: account.evaluated_in_air as f64,
             dropped: account.dropped as f64,
             kept: account.kept as f64,
             missed_by_tile: account.missed_by_tile as f64,

@@ -88,7 +88,9 @@ impl Scenes {
         width: u32,
         height: u32,
     ) -> Result<(), JsValue> {
-        Ok(self.open_spots(spots, shadow_side, (width, height))?)
+        let mut rig = Rig::new(turntable(spots).map_err(Refusal::from)?).map_err(Refusal::from)?;
+        shadow_side.map_or(Ok(()), |side| rig.add_shadows(side)).map_err(Refusal::from)?;
+        Ok(self.change(Example::Turntable, rig, (width, height))?)
     }
 
     /// Whether anything in the scene moves by itself.
@@ -219,7 +221,7 @@ impl Scenes {
         self.frame
     }
 
-    /// What the light of the last picture has cost.
+    /// What the last picture has cost.
     pub fn account(&self) -> AccountState {
         self.renderer.account().into()
     }
@@ -242,6 +244,7 @@ impl Scenes {
     /// Leaves an effect out, or puts it in.
     #[wasm_bindgen(js_name = setEffect)]
     pub fn set_effect(&mut self, name: &str, on: bool) -> Result<(), JsValue> {
+        self.is_shown = false;
         Ok(self.rig.switch_effect(name, on)?)
     }
 
@@ -321,12 +324,6 @@ impl Scenes {
         self.change(example, Rig::new(example.setup()?)?, size)
     }
 
-    fn open_spots(&mut self, spots: usize, side: Option<u16>, size: (u32, u32)) -> Result<(), Refusal> {
-        let mut rig = Rig::new(turntable(spots)?)?;
-        side.map_or(Ok(()), |side| rig.add_shadows(side))?;
-        self.change(Example::Turntable, rig, size)
-    }
-
     fn compare_pictures(&self) -> Result<Equality, Refusal> {
         let (width, height) = self.size;
         let picture = (self.rig.scene(), &self.camera(), &*self.luminaires()?);
@@ -377,6 +374,7 @@ impl Scenes {
         }
         // Until the canvas has taken it: a picture that it refused is handed over again with the next draw.
         self.is_shown = false;
+        renderer.set_display(rig.display());
         let (encode, pixels) = clock.time(|| renderer.encode());
         let (show, shown) = clock.time(|| canvas.show(pixels));
         shown?;

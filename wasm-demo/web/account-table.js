@@ -52,6 +52,8 @@ export class AccountTable {
     element("ratio").textContent = oneIn(this.#mean("evaluated"), pairs);
     element("pairs").textContent = `of ${whole(pairs)}: ${whole(lamps)} × ${whole(pixels)}`;
     element("lamps").textContent = `${whole(this.#mean("lampsDropped"))} of ${whole(lamps)}`;
+    element("triangles").textContent = whole(this.#mean("triangles"));
+    element("air").textContent = `${(this.#mean("evaluatedInAir") / pixels).toFixed(2)} a pixel`;
     element("tiles").textContent = `${whole(this.#mean("tilesRelit"))} of ${whole(this.#mean("tiles"))}`;
   }
 }
