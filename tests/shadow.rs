@@ -13,8 +13,8 @@ use support::{
     shadows, sweep,
 };
 
-/// How far a visibility may be off that of the same place in f64, and at least is somewhere: two ways are cut off to a 128th.
-/// Searched.
+/// How far a visibility may be off that of the same place in f64, and at least is somewhere: two ways are cut
+/// off to a 128th. Searched.
 const ERROR: std::ops::Range<f64> = 0.0138..0.0146;
 
 fn projection<S: Scalar>(rng: &mut Rng) -> CompiledProjection<S> {
@@ -60,7 +60,8 @@ fn visibilities_keep_their_row() {
     }
 }
 
-/// Nothing that is nowhere deeper than the map is touched, not by a bit; and what is deeper everywhere is dark.
+/// Nothing that is nowhere deeper than the map is touched, not by a bit; and what is deeper everywhere is
+/// dark.
 fn assert_exact_ends<S: Format>() {
     let mut rng = Rng::with_seed(13);
     for side in [1, 2, 3, 16, 100, 2048] {

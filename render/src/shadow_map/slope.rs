@@ -4,8 +4,8 @@ use crate::view::{NEAR, Seen};
 use glam::Vec3;
 use luminaire::Scalar;
 
-/// How far off their surface the points may be that are asked for, in metres: a G-buffer's are off by what a 256th of a
-/// pixel makes of a steep surface, and those of fixed point by half a quantum.
+/// How far off their surface the points may be that are asked for, in metres: a G-buffer's are off by what a
+/// 256th of a pixel makes of a steep surface, and those of fixed point by half a quantum.
 const POINT_ERROR: f32 = 2e-4;
 
 /// How far off a corner may be on the map, in texels.
@@ -14,7 +14,8 @@ const CORNER_ERROR: f32 = 1.0 / 256.0;
 /// How far off a nearness may be that is interpolated along a span, as a part of the largest of its triangle.
 const ROUNDING: f32 = 1e-6;
 
-/// How far off the place of a point may be, in sides of the square; `tests/support/squares.rs` has what is measured.
+/// How far off the place of a point may be, in sides of the square; `tests/support/squares.rs` has what is
+/// measured.
 fn place_error<S: Scalar>(tangent: f32) -> f32 {
     (2.0 + tangent) * S::STEP + S::DIRECTION_ERROR / tangent + 1.0 / 65_536.0
 }
@@ -29,7 +30,8 @@ pub(super) fn depth_error<S: Scalar>(tangent: f32) -> f32 {
 pub(super) struct Slope {
     /// The tangent of half a side.
     tangent: f32,
-    /// How far a point may be from the middle of the texel that it is compared with, in half sides of the square.
+    /// How far a point may be from the middle of the texel that it is compared with, in half sides of the
+    /// square.
     reach: f32,
 }
 
@@ -39,11 +41,12 @@ impl Slope {
         Self { tangent, reach: 2.0 * (texels + place_error::<S>(tangent)) }
     }
 
-    /// By how much the nearness along the plane of a triangle may be less than in the middle of a texel that a point of it is
-    /// compared with. Infinite for a plane that the light is in.
+    /// By how much the nearness along the plane of a triangle may be less than in the middle of a texel that
+    /// a point of it is compared with. Infinite for a plane that the light is in.
     ///
-    /// The nearness of a plane is linear on the map: `n.r / n.a` along the way `r` to depth 1, for a normal `n` of any length
-    /// and a point `a` of the plane. The square is two wide and two high here, whatever it is in the world.
+    /// The nearness of a plane is linear on the map: `n.r / n.a` along the way `r` to depth 1, for a normal
+    /// `n` of any length and a point `a` of the plane. The square is two wide and two high here, whatever it
+    /// is in the world.
     pub(super) fn within_texel(&self, corners: [&Seen; 3]) -> f32 {
         let [a, b, c] = corners.map(|seen| Vec3::new(seen.x, seen.y, seen.depth));
         let normal = (b - a).cross(c - a);

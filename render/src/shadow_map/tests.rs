@@ -66,8 +66,9 @@ fn drawn<S: Scalar>(scene: &Scene, projection: &Projection, side: usize) -> Shad
     map
 }
 
-/// Everything that a camera sees in the cone of a light, and that faces it, is lit or not as a ray says, exactly; but for what is
-/// within [`TEXELS`] of an edge. Returns how much is lit, how much is in shadow and how much is between.
+/// Everything that a camera sees in the cone of a light, and that faces it, is lit or not as a ray says,
+/// exactly; but for what is within [`TEXELS`] of an edge. Returns how much is lit, how much is in shadow and
+/// how much is between.
 fn assert_is_that_of_rays<S: Exact>(
     scene: &Scene,
     camera: &Camera,
@@ -171,8 +172,8 @@ fn wide_and_narrow_cones_have_the_shadows_of_rays() {
     }
 }
 
-/// Points of every triangle that faces the light are lit exactly: of flat surfaces at any angle, of round ones and at corners up to
-/// a grazing one. Returns the steepest angle, as a cosine, at which a point is not.
+/// Points of every triangle that faces the light are lit exactly: of flat surfaces at any angle, of round
+/// ones and at corners up to a grazing one. Returns the steepest angle, as a cosine, at which a point is not.
 fn steepest_shadowed<S: Exact>(mesh: Mesh, spot: &Spot, side: usize) -> f64 {
     let scene = scene([mesh]);
     let projection = Projection::of(spot).unwrap();
