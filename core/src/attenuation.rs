@@ -33,6 +33,9 @@ pub trait Attenuation: Copy + PartialEq + core::fmt::Debug {
     /// What the model knows once it is compiled for a format.
     type Constants<S: Scalar>: Copy + PartialEq + core::fmt::Debug;
 
+    /// Whether the light falls with the square of the distance and by nothing else.
+    const IS_INVERSE_SQUARE: bool = false;
+
     /// Compiles the model for the format `S`.
     fn constants<S: Scalar>(self) -> Self::Constants<S>;
 
@@ -229,6 +232,8 @@ impl Attenuation for Unattenuated {
 
 impl Attenuation for InverseSquare {
     type Constants<S: Scalar> = ();
+
+    const IS_INVERSE_SQUARE: bool = true;
 
     fn constants<S: Scalar>(self) {}
 

@@ -72,6 +72,10 @@ pub enum Parameter {
     Shininess,
     /// How much all light is amplified for the display.
     Exposure,
+    /// How dense haze is.
+    Density,
+    /// The radius of a lamp in haze.
+    LampRadius,
     /// `GL_SPOT_CUTOFF` of OpenGL, a half angle in degrees.
     SpotCutoff,
     /// `GL_SPOT_EXPONENT` of OpenGL.
@@ -149,6 +153,8 @@ impl fmt::Display for Parameter {
             Self::Range => "range",
             Self::Shininess => "shininess",
             Self::Exposure => "exposure",
+            Self::Density => "density",
+            Self::LampRadius => "lamp radius",
             Self::SpotCutoff => "spot cutoff",
             Self::SpotExponent => "spot exponent",
             Self::Theta => "theta",

@@ -62,7 +62,7 @@
 //!
 //! Files, in the order in which they build on one another: `error`, `vec3`, `trig`, `search`, `scalar` (and a file for each
 //! format), `angle`, `profile`, `cone`, `attenuation`, `color`, `specular`, `shade` (and a file for each kind of
-//! light), `light` (the same), `material`, `batch`, `import` (and a file for each system), `source`.
+//! light), `light` (the same), `haze`, `material`, `batch`, `import` (and a file for each system), `source`.
 #![no_std]
 #![forbid(unsafe_code)]
 
@@ -75,6 +75,7 @@ mod batch;
 mod color;
 mod cone;
 mod error;
+mod haze;
 pub mod import;
 mod light;
 mod material;
@@ -95,6 +96,7 @@ pub use attenuation::{
 pub use color::{CompiledExposure, Exposure, Rgb, Rgb565, clip, decode_srgb, encode_srgb, keep_hue};
 pub use cone::{Cone, Falloff};
 pub use error::{Accepted, Error, Parameter};
+pub use haze::{Haze, HazyBeam, ViewBundle, ViewRay};
 pub use light::{Ambient, Directional, Point, Spot};
 pub use material::{CompiledMaterial, Material};
 pub use profile::{
