@@ -4,6 +4,7 @@
 #![allow(unused_macros, unused_imports, reason = "each test binary uses its part of the support")]
 #![allow(unreachable_pub, reason = "every test binary has these modules to itself")]
 
+pub mod air_light;
 pub mod arbitrary;
 pub mod beams;
 pub mod beams_picture;
@@ -12,6 +13,7 @@ pub mod cubics;
 pub mod every;
 pub mod every_falloff;
 pub mod format;
+pub mod haze;
 pub mod imports;
 pub mod limits;
 pub mod operations;
@@ -21,4 +23,5 @@ pub mod profiles;
 pub mod reference;
 pub mod region;
 pub mod sweep;
+pub mod views;
 pub mod worst;

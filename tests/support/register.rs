@@ -135,6 +135,20 @@ pub(crate) const REGISTER: &[Held] = &[
     ]),
     through("tests/operations.rs::parallel_light_keeps_its_row", &["Light for CompiledDirectional"]),
 
+    // Haze.
+    by("tests/haze.rs::every_cone_keeps_its_row", &["HazyBeam::air_light", "CompiledSpot::in_haze"]),
+    by("tests/haze.rs::samples_keep_their_rows", &["HazyBeam::air_light_through"]),
+    by("tests/haze_laws.rs::no_bundle_with_a_lit_ray_is_rejected", &[
+        "HazyBeam::can_meet", "ViewBundle::around",
+    ]),
+    by("tests/haze_laws.rs::a_ray_between_two_points_has_their_direction_and_distance", &[
+        "ViewRay::between", "ViewRay::endless",
+    ]),
+    by("tests/haze_laws.rs::any_bits_have_an_air_light", &["HazyBeam::from_parts"]),
+    by("tests/haze_laws.rs::haze_keeps_what_it_is_given", &[
+        "Haze::new", "Haze::with_lamp_radius", "Haze::density", "Haze::lamp_radius",
+    ]),
+
     // What is only stored.
     by("tests/kept.rs::lights_keep_what_they_are_given", &[
         "Ambient::color", "Ambient::intensity", "Point::new", "Point::position", "Point::attenuation",
