@@ -9,8 +9,8 @@ use std::{env, fs};
 
 use luminaire::{
     Ambient, Angle, Attenuation, BlinnPhong, Cone, Cubic, Directional, DualCone, Exposure, Fx16, Fx32, Hard,
-    HardRange, InverseSquare, Lyon, Material, Phong, Point, Polynomial, Power, Profile, Rgb, Scalar, Smooth,
-    SmoothRange, Soft, Source, Spot, SquaredWindow, Table, Unattenuated, Vec3, Windowed,
+    HardRange, Haze, InverseSquare, Lyon, Material, Phong, Point, Polynomial, Power, Profile, Rgb, Scalar,
+    Smooth, SmoothRange, Soft, Source, Spot, SquaredWindow, Table, Unattenuated, Vec3, Windowed,
 };
 
 type Outcome = Result<(), Box<dyn Error>>;
@@ -50,6 +50,7 @@ fn constants<S: Scalar>() -> Outcome {
     spot::<S, _, _>("windowed", Soft, Windowed::new(Some(9.0))?)?;
     spot::<S, _, _>("squared_window", Soft, SquaredWindow::new(Some(9.0))?)?;
     spot::<S, _, _>("hard_range", Soft, HardRange::new(InverseSquare, Some(9.0))?)?;
+    write("beam", &key(Soft, InverseSquare)?.compile::<f32>()?.in_haze(&Haze::new(0.02)?))?;
     write("point", &Point::new(POSITION)?.with_color(AMBER)?.with_intensity(16.0)?.compile::<S>()?)?;
     write("directional", &Directional::new(AXIS)?.with_color(AMBER)?.compile::<S>())?;
     write("ambient", &Ambient::new(AMBER)?.with_intensity(0.1)?.compile::<S>())?;
@@ -72,9 +73,12 @@ where
     P::Compiled<S>: Source,
     A::Constants<S>: Source,
 {
+    write(&format!("spot_{name}"), &key(profile, attenuation)?.compile::<S>()?)
+}
+
+fn key<P: Profile, A: Attenuation>(profile: P, attenuation: A) -> Result<Spot<P, A>, luminaire::Error> {
     let cone = Cone::from_field(profile, Angle::degrees(36.0))?;
-    let spot = Spot::new(POSITION, AXIS, cone)?.with_intensity(16.0)?.with_attenuation(attenuation);
-    write(&format!("spot_{name}"), &spot.with_color(AMBER)?.compile::<S>()?)
+    Spot::new(POSITION, AXIS, cone)?.with_intensity(16.0)?.with_attenuation(attenuation).with_color(AMBER)
 }
 
 fn write(name: &str, value: &impl Source) -> Outcome {

@@ -2,8 +2,8 @@
 
 use luminaire::{
     BlinnPhong, CompiledDirectional, CompiledExposure, CompiledMaterial, CompiledPoint, CompiledSpot, Cubic,
-    DualCone, Hard, HardRange, InverseSquare, Lyon, Matte, Phong, Polynomial, Power, Smooth, SmoothRange,
-    Soft, SquaredWindow, Table, Unattenuated, Windowed,
+    DualCone, Hard, HardRange, HazyBeam, InverseSquare, Lyon, Matte, Phong, Polynomial, Power, Smooth,
+    SmoothRange, Soft, SquaredWindow, Table, Unattenuated, Windowed,
 };
 
 use crate::{Format, Light};
@@ -28,6 +28,7 @@ constants! {
     "spot_windowed.rs" SPOT_WINDOWED: CompiledSpot<Format, Soft, Windowed>;
     "spot_squared_window.rs" SPOT_SQUARED_WINDOW: CompiledSpot<Format, Soft, SquaredWindow>;
     "spot_hard_range.rs" SPOT_HARD_RANGE: CompiledSpot<Format, Soft, HardRange<InverseSquare>>;
+    "beam.rs" BEAM: HazyBeam<Soft>;
     "point.rs" POINT: CompiledPoint<Format>;
     "directional.rs" DIRECTIONAL: CompiledDirectional<Format>;
     "ambient.rs" AMBIENT: Light;
