@@ -146,6 +146,7 @@ pub(crate) const REGISTER: &[Held] = &[
     ]),
     by("tests/lit.rs::a_cut_is_a_cut", &["Attenuation for HardRange", "HardRange::new"]),
     through("tests/lit.rs::a_cut_is_a_cut", &["Attenuation::is_beyond"]),
+    through("tests/haze.rs::every_cone_keeps_its_row", &["Attenuation::is_inverse_square"]),
     by("tests/lit.rs::phong_keeps_its_rows", &[
         "Highlight for Phong", "Highlight::directions", "Specular for H", "Specular::constants",
         "Specular::lobe",

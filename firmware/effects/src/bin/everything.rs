@@ -166,7 +166,8 @@ fn of_format<S: Raw>(bits: &mut Bits) {
     reaches::<S, HardRange<InverseSquare>>(bits, (a, ()));
     reaches::<S, HardRange<SmoothRange>>(bits, (a, [b, c]));
     scatters::<InverseSquare>(bits, ());
-    scatters::<HardRange<SmoothRange>>(bits, (f32::raw_gain(bits.word()), [1.0, 1.0]));
+    let [reach, inverse, squared] = core::array::from_fn(|_| f32::raw_gain(bits.word()));
+    scatters::<HardRange<SmoothRange>>(bits, (reach, [inverse, squared]));
     let parallel = CompiledDirectional::<S>::from_parts(bits.vector(S::unit), a, colors(bits));
     black_box(parallel.irradiance(bits.vector(S::scalar)));
     let ramp = S::raw_ramp(bits);
