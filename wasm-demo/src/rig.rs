@@ -68,7 +68,7 @@ impl Rig {
     /// Gives every lamp shadows that can have them, by maps of so many texels a side.
     pub(crate) fn add_shadows(&mut self, side: u16) -> Result<(), Error> {
         self.shadow_side = side;
-        self.switch(Effect::Shadow, true)?;
+        self.put(Effect::Shadow, true)?;
         self.luminaires_at(0.0).map(drop)
     }
 
@@ -165,14 +165,15 @@ impl Rig {
                 remedy: "give specular, gobo, shadow, haze or dither",
             });
         };
-        Ok(self.switch(effect, on)?)
+        if self.effects.has(effect) || self.takes(effect) {
+            self.put(effect, on)?;
+        }
+        Ok(())
     }
 
-    fn switch(&mut self, effect: Effect, on: bool) -> Result<(), Error> {
+    fn put(&mut self, effect: Effect, on: bool) -> Result<(), Error> {
         self.switched.retain(|&(other, _)| other != effect);
-        if self.effects.has(effect) || self.takes(effect) {
-            self.switched.push((effect, on));
-        }
+        self.switched.push((effect, on));
         self.refit()
     }
 

@@ -327,7 +327,9 @@ impl Scenes {
     fn compare_pictures(&self) -> Result<Equality, Refusal> {
         let (width, height) = self.size;
         let picture = (self.rig.scene(), &self.camera(), &*self.luminaires()?);
-        Equality::new(self.format.renderer(width, height)?, width as usize, &self.clock, picture)
+        let mut renderer = self.format.renderer(width, height)?;
+        renderer.set_display(self.rig.display());
+        Equality::new(renderer, width as usize, &self.clock, picture)
     }
 
     fn change_format(&mut self, format: Format) -> Result<(), Refusal> {

@@ -86,7 +86,8 @@ export class ScenesView {
     const [name, map] = [query.get("scene"), query.get("map")];
     if (map !== null) this.#ask(() => this.#legend.choose(map));
     if (name !== null && name !== this.example) this.open(name);
-    else this.#opened();
+    this.#remember();
+    this.#request();
   }
 
   /** The view is no longer seen. */
@@ -102,7 +103,7 @@ export class ScenesView {
 
   /** Asks for a number format: `fx16`, `fx32` or `f32`. */
   setFormat(name) {
-    if (this.#ask(() => this.#scenes.setFormat(name))) this.#readout.forget();
+    this.#ask(() => this.#scenes.setFormat(name));
     this.#tellFormat();
     this.#request();
   }
@@ -169,7 +170,6 @@ export class ScenesView {
     this.#player.open();
     this.#effects.open();
     this.#lamps.open();
-    this.#readout.forget();
     this.#remember();
     this.#request();
   }
@@ -184,6 +184,7 @@ export class ScenesView {
   /** Something other than the seconds has changed: figures of before say nothing of it. */
   #request() {
     this.#account.forget();
+    this.#readout.forget();
     element("equality").textContent = "";
     this.#view.request();
   }
