@@ -1,0 +1,50 @@
+//! A spotlight: its edges, its distances, and what stands in its way.
+
+use crate::constants::{
+    GOBO, SPOT_CUBIC, SPOT_HARD, SPOT_HARD_RANGE, SPOT_INVERSE_SQUARE, SPOT_POLYNOMIAL, SPOT_POWER,
+    SPOT_SMOOTH, SPOT_SMOOTH_RANGE, SPOT_SOFT, SPOT_SQUARED_WINDOW, SPOT_TABLE, SPOT_WINDOWED,
+};
+use crate::{Irradiance, Surface};
+
+macro_rules! spots {
+    ($($(#[$meta:meta])* $name:ident = $light:ident;)*) => {$(
+        $(#[$meta])*
+        #[inline(always)]
+        pub fn $name(Surface { point, normal, .. }: Surface) -> Irradiance {
+            $light.irradiance(point, normal)
+        }
+    )*};
+}
+
+spots! {
+    /// The irradiance of a spotlight with a soft edge: Lambert's cosine, no fall with distance.
+    spot_soft_lambert = SPOT_SOFT;
+    /// The same with a hard edge.
+    spot_hard_lambert = SPOT_HARD;
+    /// The same with a smooth edge.
+    spot_smooth_lambert = SPOT_SMOOTH;
+    /// The same with a cubic edge.
+    spot_cubic_lambert = SPOT_CUBIC;
+    /// The same with the eighth power for an edge.
+    spot_power_lambert = SPOT_POWER;
+    /// The same with a table of 16 samples for an edge.
+    spot_table_lambert = SPOT_TABLE;
+    /// A soft edge, Lambert's cosine and the inverse-square law.
+    spot_soft_lambert_inverse_square = SPOT_INVERSE_SQUARE;
+    /// A soft edge, Lambert's cosine and the capped reciprocal of a polynomial in the distance.
+    spot_soft_lambert_polynomial = SPOT_POLYNOMIAL;
+    /// A soft edge, Lambert's cosine and a smoothstep to a range.
+    spot_soft_lambert_smooth_range = SPOT_SMOOTH_RANGE;
+    /// A soft edge, Lambert's cosine and the inverse-square law in the window of glTF.
+    spot_soft_lambert_windowed = SPOT_WINDOWED;
+    /// A soft edge, Lambert's cosine and the inverse-square law in the squared window.
+    spot_soft_lambert_squared_window = SPOT_SQUARED_WINDOW;
+    /// A soft edge, Lambert's cosine and the inverse-square law, cut off at a range.
+    spot_soft_lambert_hard_range = SPOT_HARD_RANGE;
+}
+
+/// The soft spotlight behind a gobo of 16 by 16.
+#[inline(always)]
+pub fn spot_soft_lambert_gobo(surface: Surface) -> Irradiance {
+    GOBO.filter(spot_soft_lambert(surface), surface.point)
+}
