@@ -1,10 +1,11 @@
 //! A spotlight: its edges, its distances, and what stands in its way.
 
 use crate::constants::{
-    GOBO, SPOT_CUBIC, SPOT_HARD, SPOT_HARD_RANGE, SPOT_INVERSE_SQUARE, SPOT_POLYNOMIAL, SPOT_POWER,
-    SPOT_SMOOTH, SPOT_SMOOTH_RANGE, SPOT_SOFT, SPOT_SQUARED_WINDOW, SPOT_TABLE, SPOT_WINDOWED,
+    GOBO, SPOT_BLEND, SPOT_CUBIC, SPOT_CUT_OFF, SPOT_DELIMITER, SPOT_HARD, SPOT_HARD_RANGE, SPOT_HOTSPOT,
+    SPOT_INVERSE_SQUARE, SPOT_LINEAR, SPOT_POLYNOMIAL, SPOT_POWER, SPOT_RIM, SPOT_SMOOTH, SPOT_SMOOTH_RANGE,
+    SPOT_SOFT, SPOT_SQUARED_WINDOW, SPOT_TABLE, SPOT_WINDOWED,
 };
-use crate::{Irradiance, Surface};
+use crate::{Format, Irradiance, Surface};
 
 macro_rules! spots {
     ($($(#[$meta:meta])* $name:ident = $light:ident;)*) => {$(
@@ -27,8 +28,20 @@ spots! {
     spot_cubic_lambert = SPOT_CUBIC;
     /// The same with the eighth power for an edge.
     spot_power_lambert = SPOT_POWER;
+    /// The same with a straight ramp for an edge.
+    spot_linear_lambert = SPOT_LINEAR;
+    /// The same with a step for an edge.
+    spot_cut_off_lambert = SPOT_CUT_OFF;
+    /// The same with an edge between soft and hard.
+    spot_blend_lambert = SPOT_BLEND;
+    /// The same with the fourth power of the rim for an edge.
+    spot_rim_lambert = SPOT_RIM;
     /// The same with a table of 16 samples for an edge.
     spot_table_lambert = SPOT_TABLE;
+    /// A soft edge around a hotspot.
+    spot_soft_lambert_hotspot = SPOT_HOTSPOT;
+    /// A soft edge that is cut off before it ends.
+    spot_soft_lambert_delimiter = SPOT_DELIMITER;
     /// A soft edge, Lambert's cosine and the inverse-square law.
     spot_soft_lambert_inverse_square = SPOT_INVERSE_SQUARE;
     /// A soft edge, Lambert's cosine and the capped reciprocal of a polynomial in the distance.
@@ -41,6 +54,12 @@ spots! {
     spot_soft_lambert_squared_window = SPOT_SQUARED_WINDOW;
     /// A soft edge, Lambert's cosine and the inverse-square law, cut off at a range.
     spot_soft_lambert_hard_range = SPOT_HARD_RANGE;
+}
+
+/// The falloff of the soft spotlight alone.
+#[inline(always)]
+pub fn spot_soft(Surface { point, .. }: Surface) -> Format {
+    SPOT_SOFT.falloff(point)
 }
 
 /// The soft spotlight behind a gobo of 16 by 16.

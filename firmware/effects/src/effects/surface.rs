@@ -1,12 +1,12 @@
 //! Other lights, and what surfaces send back.
 
 use crate::constants::{AMBIENT, BLINN_PHONG, DIRECTIONAL, DUAL_CONE, LYON, MATTE, PHONG, POINT};
-use crate::{Irradiance, Light, Surface};
+use crate::{Format, Irradiance, Light, Surface};
 
-/// Ambient light on a matt surface.
+/// Ambient light on a matt surface, beside the light of lamps.
 #[inline(always)]
-pub fn ambient((): ()) -> Light {
-    MATTE.glow(AMBIENT)
+pub fn ambient(lamps: Light) -> Light {
+    lamps.plus::<Format>(MATTE.glow(AMBIENT))
 }
 
 /// The irradiance of a directional light: Lambert's cosine.
