@@ -3,8 +3,6 @@
 mod input;
 mod output;
 
-use core::array;
-
 use luminaire_effects::{FORMAT, effects};
 
 use self::input::{Input, Inputs};
@@ -42,8 +40,11 @@ const EMPTY: &str = "empty";
 // Never inlined: the smallest board's memory holds a single table of inputs.
 #[inline(never)]
 fn run<I: Input, O: Output>(name: &str, effect: impl Fn(I) -> O, next: impl Fn(&mut Inputs) -> I) {
-    let mut inputs = Inputs::new();
-    let inputs: [I; COUNT] = array::from_fn(|_| next(&mut inputs));
+    let mut sequence = Inputs::new();
+    let mut inputs = [next(&mut sequence); COUNT];
+    for input in &mut inputs[1..] {
+        *input = next(&mut sequence);
+    }
     report(EMPTY, pass(&inputs, I::word));
     report(name, pass(&inputs, |input| effect(*input).fold()));
 }
