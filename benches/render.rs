@@ -1,48 +1,51 @@
 //! What a picture of the stage costs at 960 x 540, pass by pass, in one run: geometry, light of three and of
-//! eight spots, encoding; and what a shadow map of it costs.
+//! eight spots, encoding; the light of scenes with many lamps; and a shadow map.
 //!
 //! `cargo bench --bench render`.
 
 #![allow(missing_docs, reason = "criterion's macros make public items without documentation")]
 
-use std::{hint::black_box, time::Instant};
+use std::{hint::black_box, ops::Range, time::Instant};
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use luminaire::{Angle, Fx16, Fx32, Projection, Spot, Vec3};
-use luminaire_render::{Camera, Format, Renderer, Scene, ShadowMap, stage};
+use luminaire::{Angle, Fx16, Fx32, Lamp, Luminaire, Projection, Vec3};
+use luminaire_render::{
+    Camera, Format, Renderer, Scene, ShadowMap,
+    examples::{Example, Setup, turntable},
+    stage,
+};
 
 const SIZE: (usize, usize) = (960, 540);
 
 /// The renderer keeps what has not changed: each pass alternates between two inputs.
-struct Stage<S: Format> {
+struct Bench<S: Format> {
     renderer: Renderer<S>,
     scene: Scene,
     cameras: [Camera; 2],
-    lights: [Vec<Spot>; 2],
+    lights: [Vec<Luminaire>; 2],
 }
 
-impl<S: Format> Stage<S> {
-    fn new(spots: usize) -> Self {
-        let mut beside = stage::camera();
+impl<S: Format> Bench<S> {
+    /// Draws a picture once, and asserts which part of it is lit.
+    fn new(scene: Scene, camera: Camera, lights: [Vec<Luminaire>; 2], lit: Range<f32>) -> Self {
+        let mut beside = camera;
         beside.orbit(0.01, 0.0);
-        let lights: Vec<_> = stage::lights().expect("sound lights").into_iter().cycle().take(spots).collect();
-        let brighter =
-            |spot: &Spot| spot.with_intensity(1.001 * spot.intensity()).expect("a sound intensity");
-        let brighter = lights.iter().map(brighter).collect();
         let renderer = Renderer::new(SIZE.0, SIZE.1).expect("a sound size");
-        let mut stage = Self {
-            renderer,
-            scene: stage::scene(),
-            cameras: [beside, stage::camera()],
-            lights: [brighter, lights],
-        };
-        stage.draw_geometry();
-        stage.draw_light();
-        let lit =
-            stage.renderer.encode().chunks_exact(4).filter(|pixel| pixel[..3].iter().any(|&code| code > 32));
-        let share = lit.count() as f32 / (SIZE.0 * SIZE.1) as f32;
-        assert!((0.5..0.95).contains(&share), "{}: {share} of the stage is lit", S::NAME);
-        stage
+        let mut bench = Self { renderer, scene, cameras: [beside, camera], lights };
+        bench.draw_geometry();
+        bench.draw_light();
+        let pixels = bench.renderer.encode().chunks_exact(4);
+        let count = pixels.filter(|pixel| pixel[..3].iter().any(|&code| code > 32)).count();
+        let share = count as f32 / (SIZE.0 * SIZE.1) as f32;
+        assert!(lit.contains(&share), "{}: {share} of the picture is lit", S::NAME);
+        bench
+    }
+
+    /// The stage under so many spots.
+    fn stage(spots: usize) -> Self {
+        let lights = stage::lights().expect("sound lights").into_iter().cycle().take(spots);
+        let lights: Vec<Luminaire> = lights.map(Luminaire::from).collect();
+        Self::new(stage::scene(), stage::camera(), [brighter(&lights), lights], 0.5..0.95)
     }
 
     fn draw_geometry(&mut self) {
@@ -52,21 +55,53 @@ impl<S: Format> Stage<S> {
 
     fn draw_light(&mut self) {
         self.lights.swap(0, 1);
-        assert!(self.renderer.draw_light(&self.lights[0]).expect("every format holds the stage"));
+        assert!(self.renderer.draw_light(&self.lights[0]).expect("every format holds the lights"));
     }
+}
+
+/// The same spotlights, each a thousandth brighter.
+fn brighter(lights: &[Luminaire]) -> Vec<Luminaire> {
+    let brighter = |light: &Luminaire| match light.lamp() {
+        Lamp::Spot(spot) => spot.with_intensity(1.001 * spot.intensity()).expect("a sound intensity").into(),
+        other => panic!("{other:?}"),
+    };
+    lights.iter().map(brighter).collect()
 }
 
 fn bench<S: Format>(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("render");
     group.throughput(Throughput::Elements((SIZE.0 * SIZE.1) as u64));
     group.sample_size(20);
-    let mut stage = Stage::<S>::new(3);
+    let mut stage = Bench::<S>::stage(3);
     group.bench_function(format!("geometry {}", S::NAME), |bencher| bencher.iter(|| stage.draw_geometry()));
     for spots in [3, 8] {
-        let mut stage = Stage::<S>::new(spots);
+        let mut stage = Bench::<S>::stage(spots);
         group.bench_function(format!("light of {spots} {}", S::NAME), |bencher| {
             bencher.iter(|| stage.draw_light());
         });
+    }
+    group.finish();
+}
+
+/// Scenes in which every lamp changes from one picture to the next.
+fn scenes(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group("render");
+    group.throughput(Throughput::Elements((SIZE.0 * SIZE.1) as u64));
+    group.sample_size(20);
+    let mut bench =
+        |name: &str, setup: Setup, next: &dyn Fn(&[Luminaire]) -> Vec<Luminaire>, lit: Range<f32>| {
+            let lights = setup.luminaires_at(0.0).expect("sound lights");
+            let lights = [next(&lights), lights];
+            let mut bench = Bench::<f32>::new(setup.scene, setup.camera, lights, lit);
+            group.bench_function(name, |bencher| bencher.iter(|| bench.draw_light()));
+        };
+    for (name, example) in [("grid", Example::Grid), ("wide grid", Example::WideGrid)] {
+        bench(name, example.setup().expect("a sound scene"), &brighter, 0.2..0.35);
+    }
+    for spots in [8, 32] {
+        let setup = turntable(spots).expect("a sound scene");
+        let moved = setup.luminaires_at(0.02).expect("sound lights");
+        bench(&format!("turntable of {spots}"), setup, &|_| moved.clone(), 0.7..0.95);
     }
     group.finish();
 }
@@ -96,7 +131,7 @@ fn shadow_map<S: Format>(criterion: &mut Criterion) {
 
 /// Only the encoding is timed; the light before it is what makes it due.
 fn encode(criterion: &mut Criterion) {
-    let mut stage = Stage::<f32>::new(3);
+    let mut stage = Bench::<f32>::stage(3);
     let mut group = criterion.benchmark_group("render");
     group.throughput(Throughput::Elements((SIZE.0 * SIZE.1) as u64));
     group.bench_function("encode", |bencher| {
@@ -118,6 +153,7 @@ criterion_group!(
     bench::<f32>,
     bench::<Fx32>,
     bench::<Fx16>,
+    scenes,
     shadow_map::<f32>,
     shadow_map::<Fx16>,
     encode

@@ -46,6 +46,9 @@ fn lights_keep_what_they_are_given() {
         (other.cone(), other.attenuation(), other.position(), other.intensity()),
         (hard, Unattenuated, PLACE, 2.5)
     );
+    let turned = spot.with_axis(Vec3::new(3.0, 0.0, 4.0)).expect("sound");
+    assert_eq!(turned.axis(), Vec3::new(0.6, 0.0, 0.8));
+    assert_eq!(turned.with_axis(DOWN), Ok(spot), "all else stays");
     let ambient = Ambient::new(BLUE).and_then(|light| light.with_intensity(0.5)).expect("sound");
     assert_eq!((ambient.color(), ambient.intensity()), (BLUE, 0.5));
 }

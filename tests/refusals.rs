@@ -2,8 +2,8 @@
 
 use luminaire::{
     Accepted, Ambient, Angle, BlinnPhong, Cone, Directional, Edge, Error, Exposure, Fx16, Fx32, Hard,
-    HardRange, InverseSquare, Lyon, Material, Parameter, Phong, Point, Polynomial, Rgb, SmoothRange, Soft,
-    Spot, SquaredWindow, Vec3, Windowed,
+    HardRange, Haze, InverseSquare, Lyon, Material, Parameter, Phong, Point, Polynomial, Rgb, SmoothRange,
+    Soft, Spot, SquaredWindow, Vec3, Windowed,
 };
 
 const DOWN: Vec3<f32> = Vec3::new(0.0, -1.0, 0.0);
@@ -76,6 +76,8 @@ fn an_axis_without_a_direction() {
     for (axis, shown) in axes {
         let message = format!("axis {shown} is refused: {lengths}");
         assert_refused(Spot::new(ORIGIN, axis, cone()), Parameter::Axis, &message);
+        let spot = Spot::new(ORIGIN, Vec3::new(0.0, -1.0, 0.0), cone()).expect("sound");
+        assert_refused(spot.with_axis(axis), Parameter::Axis, &message);
     }
 }
 
@@ -220,6 +222,20 @@ fn an_exposure_out_of_range() {
     let message = "exposure 25 is refused: give a finite number from -24 to 24";
     assert_refused(Exposure::stops(25), Parameter::Exposure, message);
     assert!(Exposure::factor(-1.0).is_err());
+}
+
+#[test]
+fn haze_out_of_range() {
+    for (density, shown) in [(-0.5, "-0.5"), (f32::NAN, "NaN"), (f32::INFINITY, "inf")] {
+        let message = format!("density {shown} is refused: give a finite number from 0 to 1000000000");
+        assert_refused(Haze::new(density), Parameter::Density, &message);
+    }
+    let clear = Haze::new(0.0).expect("clear air");
+    for (radius, shown) in [(0.0, "0"), (f32::NAN, "NaN"), (2e9, "2000000000")] {
+        let message =
+            format!("lamp radius {shown} is refused: give a finite number from 0.001 to 1000000000");
+        assert_refused(clear.with_lamp_radius(radius), Parameter::LampRadius, &message);
+    }
 }
 
 /// An angle that was derived from another one is not shown to the last of its digits.

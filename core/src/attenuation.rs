@@ -39,6 +39,12 @@ pub trait Attenuation: Copy + PartialEq + core::fmt::Debug {
     /// Compiles the model for the format `S`.
     fn constants<S: Scalar>(self) -> Self::Constants<S>;
 
+    /// Whether the light falls with the square of the distance and by nothing else.
+    #[inline(always)]
+    fn is_inverse_square<S: Scalar>(_: &Self::Constants<S>) -> bool {
+        false
+    }
+
     /// Whether the light is exactly zero at this distance, told before the root is paid for.
     #[inline(always)]
     fn is_beyond<S: Scalar>(_: &Self::Constants<S>, _: &S::Offset) -> bool {
@@ -239,6 +245,11 @@ impl Attenuation for InverseSquare {
     type Constants<S: Scalar> = ();
 
     fn constants<S: Scalar>(self) {}
+
+    #[inline(always)]
+    fn is_inverse_square<S: Scalar>(_: &()) -> bool {
+        true
+    }
 
     #[inline(always)]
     fn expose<S: Scalar>(

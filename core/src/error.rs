@@ -78,6 +78,10 @@ pub enum Parameter {
     ShadowSide,
     /// How much all light is amplified for the display.
     Exposure,
+    /// How dense haze is.
+    Density,
+    /// The radius of a lamp in haze.
+    LampRadius,
     /// `GL_SPOT_CUTOFF` of OpenGL, a half angle in degrees.
     SpotCutoff,
     /// `GL_SPOT_EXPONENT` of OpenGL.
@@ -158,6 +162,8 @@ impl fmt::Display for Parameter {
             Self::Shininess => "shininess",
             Self::ShadowSide => "side of the shadow map",
             Self::Exposure => "exposure",
+            Self::Density => "density",
+            Self::LampRadius => "lamp radius",
             Self::SpotCutoff => "spot cutoff",
             Self::SpotExponent => "spot exponent",
             Self::Theta => "theta",

@@ -1,8 +1,24 @@
 //! Lights of any kind, chosen at run time.
 
-mod each;
+/// What the profile of a falloff answers by its own type, and its curve. A profile and a curve of two kinds, which no compiled
+/// light has and parts may have, answer by the branches of both.
+macro_rules! with_profile {
+    ($falloff:expr, $profile:ident, $curve:ident => $answer:expr) => {
+        with_profile!(@ $falloff, $profile, $curve, $answer;
+            CutOff Linear Soft Hard Smooth Blend Cubic Power Rim MixedPower MixedRim Table)
+    };
+    (@ $falloff:expr, $profile:ident, $curve:ident, $answer:expr; $($kind:ident)*) => {
+        match ($falloff.profile, $falloff.curve) {
+            $((Matched::$kind($profile), CompiledMatched::$kind($curve)) => $answer,)*
+            ($profile, $curve) => $answer,
+        }
+    };
+}
 
-pub use self::each::Surfaces;
+mod each;
+mod hazy;
+
+pub use self::{each::Surfaces, hazy::ViewRays};
 
 use crate::{
     attenuation::{Attenuation, Distance},

@@ -62,7 +62,7 @@
 //!
 //! Files, in the order in which they build on one another: `error`, `vec3`, `trig`, `search`, `scalar` (and a file for each
 //! format), `angle`, `profile`, `cone`, `attenuation`, `color`, `specular`, `shade` (and a file for each kind of
-//! light), `light` (the same), `projection`, `gobo`, `shadow`, `material`, `batch`, `effect`, `lamp`, `luminaire`, `plan`,
+//! light), `light` (the same), `projection`, `gobo`, `shadow`, `haze`, `material`, `batch`, `effect`, `lamp`, `luminaire`, `plan`,
 //! `import` (and a file for each system), `source`.
 #![no_std]
 #![forbid(unsafe_code)]
@@ -78,6 +78,7 @@ mod cone;
 mod effect;
 mod error;
 mod gobo;
+mod haze;
 pub mod import;
 mod lamp;
 mod light;
@@ -107,7 +108,8 @@ pub use cone::{Cone, Falloff};
 pub use effect::{Effect, Effects};
 pub use error::{Accepted, Error, Parameter};
 pub use gobo::{CompiledGobo, Gobo};
-pub use lamp::{CompiledLamp, Lamp, Surfaces};
+pub use haze::{Haze, HazyBeam, ViewBundle, ViewRay};
+pub use lamp::{CompiledLamp, Lamp, Surfaces, ViewRays};
 pub use light::{Ambient, Directional, Point, Spot};
 pub use luminaire::Luminaire;
 pub use material::{CompiledMaterial, Material};

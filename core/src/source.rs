@@ -22,8 +22,8 @@
 //! const KEY: CompiledSpot<Fx16, Soft> = include!(concat!(env!("OUT_DIR"), "/key.rs"));
 //! ```
 //!
-//! So are [`Rgb`] of ambient light, [`CompiledPoint`], [`CompiledDirectional`], [`CompiledMaterial`] and
-//! [`CompiledExposure`]. What the text calls are `const fn`s that take any bits: those that no compiled light has are
+//! So are [`Rgb`] of ambient light, [`CompiledPoint`], [`CompiledDirectional`], [`CompiledMaterial`],
+//! [`CompiledExposure`] and [`HazyBeam`]. What the text calls are `const fn`s that take any bits: those that no compiled light has are
 //! brought to where every point still has an answer. The bits belong to this version of the crate: they are generated
 //! anew with each build, and not kept.
 //!
@@ -41,6 +41,7 @@ use crate::{
     color::{CompiledExposure, Rgb},
     cone::Falloff,
     gobo::{CompiledGobo, Gobo},
+    haze::HazyBeam,
     material::CompiledMaterial,
     profile::{Blend, Cubic, CutOff, Edge, Fitted, Hard, Linear, Power, Profile, Rim, Smooth, Soft, Table},
     projection::CompiledProjection,
@@ -311,6 +312,18 @@ where
         let parts: [&dyn Source; 7] =
             [&position, &axis, &falloff, &outside, &attenuation, &intensity, &colors];
         call(out, "from_parts", &parts)
+    }
+}
+
+impl<P: Profile + Source, A: Attenuation + Named> Source for HazyBeam<P, A>
+where
+    P::Compiled<f32>: Source,
+    A::Constants<f32>: Source,
+{
+    fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
+        write!(out, "HazyBeam::<_, {}>::", name::<A>())?;
+        let Self { position, axis, falloff, attenuation, gain, cone, reach } = *self;
+        call(out, "from_parts", &[&position, &axis, &falloff, &attenuation, &gain, &cone, &reach])
     }
 }
 

@@ -9,9 +9,9 @@ use std::{env, fs};
 
 use luminaire::{
     Ambient, Angle, Attenuation, Blend, BlinnPhong, Cone, Cubic, CutOff, Directional, DualCone, Exposure,
-    Fx16, Fx32, Gobo, Hard, HardRange, InverseSquare, Linear, Lyon, Material, Phong, Point, Polynomial,
-    Power, Profile, Projection, Rgb, Rim, Scalar, Smooth, SmoothRange, Soft, Source, Spot, SquaredWindow,
-    Table, Unattenuated, Vec3, Windowed,
+    Fx16, Fx32, Gobo, Hard, HardRange, Haze, InverseSquare, Linear, Lyon, Material, Phong, Point, Polynomial,
+    Power, Profile, Projection, Rgb, Rim, Scalar, Shadow, Smooth, SmoothRange, Soft, Source, Spot,
+    SquaredWindow, Table, Unattenuated, Vec3, Windowed,
 };
 
 type Outcome = Result<(), Box<dyn Error>>;
@@ -62,6 +62,8 @@ fn constants<S: Scalar>() -> Outcome {
     spot::<S, _, _>("hard_range", Soft, HardRange::new(InverseSquare, Some(9.0))?)?;
     let square = Projection::of(&Spot::new(POSITION, AXIS, cone)?)?;
     write("gobo", &Gobo::of(&panes()).on(square.compile::<S>()?))?;
+    write("beam", &key(cone, InverseSquare)?.compile::<f32>()?.in_haze(&Haze::new(0.02)?))?;
+    write("shadow", &Shadow::new(square.compile::<S>()?, 16, &disc().map(S::length))?)?;
     write("point", &Point::new(POSITION)?.with_color(AMBER)?.with_intensity(16.0)?.compile::<S>()?)?;
     write("directional", &Directional::new(AXIS)?.with_color(AMBER)?.compile::<S>())?;
     write("ambient", &Ambient::new(AMBER)?.with_intensity(0.1)?.compile::<S>())?;
@@ -80,6 +82,15 @@ fn panes() -> [[u8; 16]; 16] {
     let is_pane = |i: usize| (3..7).contains(&i) || (9..13).contains(&i);
     std::array::from_fn(|row| {
         std::array::from_fn(|column| if is_pane(row) && is_pane(column) { 255 } else { 0 })
+    })
+}
+
+/// The depths of a shadow map of 16 by 16: a disc hangs two metres from the light, in the middle of its beam.
+fn disc() -> [f32; 256] {
+    core::array::from_fn(|texel| {
+        let (x, y) = (texel % 16, texel / 16);
+        let from_middle = (2 * x).abs_diff(15).pow(2) + (2 * y).abs_diff(15).pow(2);
+        if from_middle < 100 { 2.0 } else { f32::INFINITY }
     })
 }
 
@@ -104,8 +115,11 @@ where
     P::Compiled<S>: Source,
     A::Constants<S>: Source,
 {
-    let spot = Spot::new(POSITION, AXIS, cone)?.with_intensity(16.0)?.with_attenuation(attenuation);
-    write(&format!("spot_{name}"), &spot.with_color(AMBER)?.compile::<S>()?)
+    write(&format!("spot_{name}"), &key(cone, attenuation)?.compile::<S>()?)
+}
+
+fn key<P: Profile, A: Attenuation>(cone: Cone<P>, attenuation: A) -> Result<Spot<P, A>, luminaire::Error> {
+    Spot::new(POSITION, AXIS, cone)?.with_intensity(16.0)?.with_attenuation(attenuation).with_color(AMBER)
 }
 
 fn write(name: &str, value: &impl Source) -> Outcome {

@@ -27,7 +27,8 @@ pub fn price() {
     run!(surface: spot_soft spot_soft_lambert_hotspot spot_soft_lambert_delimiter);
     run!(surface: spot_soft_lambert_inverse_square spot_soft_lambert_polynomial spot_soft_lambert_smooth_range);
     run!(surface: spot_soft_lambert_windowed spot_soft_lambert_squared_window spot_soft_lambert_hard_range);
-    run!(surface: spot_soft_lambert_gobo);
+    run!(surface: spot_soft_lambert_gobo spot_soft_lambert_shadow);
+    run!(view: haze);
     run!(surface: matte phong blinn_phong dual_cone lyon);
     run!(light: ambient exposure clip keep_hue);
     run!(color: srgb rgb565);

@@ -1,10 +1,12 @@
 //! What a picture has cost: how often a lamp was evaluated at a pixel, and how often that was spared.
 
-/// The account of the last time that light was drawn. A pair is a lamp and a pixel: each lamp that was given makes one with
-/// each pixel of the picture.
+/// The account of the last time that geometry was drawn, and light. A pair is a lamp and a pixel: each lamp that was
+/// given makes one with each pixel of the picture.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 #[non_exhaustive]
 pub struct Account {
+    /// The triangles that were drawn: none where the geometry could stay as it was.
+    pub triangles: usize,
     /// The tiles of the picture.
     pub tiles: u32,
     /// The tiles that were lit again.
@@ -15,6 +17,8 @@ pub struct Account {
     pub lamps_dropped: u32,
     /// The pairs that were evaluated.
     pub evaluated: u64,
+    /// The pairs of a beam and a pixel through whose haze it may be seen, which were evaluated besides.
+    pub evaluated_in_air: u64,
     /// The pairs of a dropped lamp.
     pub dropped: u64,
     /// The pairs in tiles whose light could stay as it was.

@@ -1,15 +1,62 @@
 //! From linear light to the bytes of a display.
 
 use crate::{gbuffer::LANES, lighting::Radiance};
-use luminaire::encode_srgb;
+use luminaire::{Rgb, Rgb565, encode_srgb, encode_srgb_dithered};
 
 /// Bytes to a pixel: red, green, blue, alpha.
 pub(crate) const CHANNELS: usize = 4;
 
-/// Writes the sRGB codes of a block, as many as there is room for.
-pub(crate) fn encode(radiance: &Radiance, pixels: &mut [u8]) {
-    let codes = radiance.map(|channel| channel.map(encode_srgb));
+/// What a picture is shown on.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Default, Debug)]
+#[non_exhaustive]
+pub enum Display {
+    /// Eight bits to a channel.
+    #[default]
+    Rgb888,
+    /// Eight bits to a channel, dithered against banding.
+    Rgb888Dithered,
+    /// Five, six and five bits. Pixels have the nearest codes of eight bits, for who looks at them on another display.
+    Rgb565,
+    /// Five, six and five bits, dithered against banding.
+    Rgb565Dithered,
+}
+
+impl Display {
+    /// Whether the picture is dithered.
+    pub fn is_dithered(self) -> bool {
+        matches!(self, Self::Rgb888Dithered | Self::Rgb565Dithered)
+    }
+
+    /// Writes the codes of a block that begins at a place in the picture, as many as there is room for.
+    pub(crate) fn encode(self, radiance: &Radiance, (x, y): (u32, u32), pixels: &mut [u8]) {
+        match self {
+            // Whole blocks: a channel at a time, as vector instructions want it.
+            Self::Rgb888 => {
+                let codes = radiance.map(|channel| channel.map(encode_srgb));
+                write(pixels, |lane| Rgb::new(codes.red[lane], codes.green[lane], codes.blue[lane]));
+            }
+            Self::Rgb888Dithered => write(pixels, |lane| {
+                linear(radiance, lane).map(|channel| encode_srgb_dithered(channel, x + lane as u32, y))
+            }),
+            Self::Rgb565 => {
+                write(pixels, |lane| Rgb565::from_linear(linear(radiance, lane)).to_codes());
+            }
+            Self::Rgb565Dithered => write(pixels, |lane| {
+                Rgb565::from_linear_dithered(linear(radiance, lane), x + lane as u32, y).to_codes()
+            }),
+        }
+    }
+}
+
+fn linear(radiance: &Radiance, lane: usize) -> Rgb<f32> {
+    Rgb::new(radiance.red[lane], radiance.green[lane], radiance.blue[lane])
+}
+
+/// Writes the codes of each pixel, by its number.
+#[inline(always)]
+fn write(pixels: &mut [u8], code: impl Fn(usize) -> Rgb<u8>) {
     for (lane, pixel) in pixels.chunks_exact_mut(CHANNELS).enumerate().take(LANES) {
-        pixel.copy_from_slice(&[codes.red[lane], codes.green[lane], codes.blue[lane], u8::MAX]);
+        let Rgb { red, green, blue } = code(lane);
+        pixel.copy_from_slice(&[red, green, blue, u8::MAX]);
     }
 }

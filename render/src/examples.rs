@@ -26,7 +26,7 @@ use crate::{Camera, Scene};
 use alloc::vec::Vec;
 use core::f32::consts::TAU;
 use glam::Vec2;
-use luminaire::{Error, Luminaire};
+use luminaire::{Effects, Error, Luminaire};
 
 /// A scene to learn from.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
@@ -119,10 +119,10 @@ impl Example {
             Self::Grid => "64 narrow spots with a soft edge: each lights a sixty-fourth of the floor.",
             Self::WideGrid => "8 wide spots with a soft edge, which light as many square metres as the 64.",
             Self::Gallery => {
-                "32 lamps of every kind, profile and distance model, and highlights on the few things that shine."
+                "26 lamps of every kind, profile and distance model, and highlights on the few things that shine."
             }
             Self::Show => {
-                "Moving heads with coloured beams, hard-edged and soft, in a house without ambient light."
+                "Moving heads with coloured beams, soft and hard, and two turning gobos, in a house without ambient light."
             }
             Self::Pocket => "One spot with a soft edge on a few triangles, for 160 x 120 pixels in 16 bits.",
             Self::Turntable => "Eight moving spots with a soft edge, and highlights on everything.",
@@ -171,6 +171,15 @@ impl Setup {
     /// Seconds that are not finite, where something moves.
     pub fn luminaires_at(&self, seconds: f32) -> Result<Vec<Luminaire>, Error> {
         self.fixtures.iter().map(|fixture| fixture.at(seconds)).collect()
+    }
+
+    /// What a picture calls for after so many seconds.
+    ///
+    /// # Errors
+    /// As [`luminaires_at`](Self::luminaires_at).
+    pub fn effects_at(&self, seconds: f32) -> Result<Effects, Error> {
+        let luminaires = self.luminaires_at(seconds)?;
+        Ok(luminaires.iter().fold(self.scene.plan(), |plan, lamp| plan.with_luminaire(lamp)).effects())
     }
 
     /// The camera after so many seconds, for who wants it to move: in most scenes it stands still.

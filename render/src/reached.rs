@@ -23,6 +23,11 @@ impl Reached {
         true
     }
 
+    /// Takes every lamp for one that reaches no tile.
+    pub(crate) fn forget(&mut self) {
+        self.bits.fill(0);
+    }
+
     /// Asks anew whether a tile is reached by the lamps that are others now. Returns whether one of them reaches it or
     /// has reached it, so that its light is another.
     pub(crate) fn update(&mut self, tile: usize, changed: &[usize], reaches: impl Fn(usize) -> bool) -> bool {
@@ -62,6 +67,15 @@ mod tests {
         let changed: Vec<_> = (0..130).collect();
         assert!(reached.update(1, &changed, |lamp| lamp % 63 == 0));
         assert!(reached.lamps(1).eq([0, 63, 126]));
+        assert_eq!(reached.lamps(0).count(), 0);
+    }
+
+    #[test]
+    fn what_is_forgotten_reaches_nothing() {
+        let mut reached = Reached::default();
+        reached.make_room(1, 3);
+        reached.update(0, &[0, 1, 2], |_| true);
+        reached.forget();
         assert_eq!(reached.lamps(0).count(), 0);
     }
 

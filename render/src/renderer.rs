@@ -4,11 +4,11 @@ use crate::{
     account::Account,
     camera::Camera,
     clip::{Sighting, clip},
-    display::{self, CHANNELS},
+    display::{CHANNELS, Display},
     error::DrawError,
     format::Format,
     gbuffer::{GBuffer, LANES},
-    lighting::{Finish, Prepared, Radiance, Setting},
+    lighting::{Finish, Radiance},
     memory::filled,
     raster::Fragments,
     reached::Reached,
@@ -19,7 +19,7 @@ use crate::{
     view::View,
 };
 use alloc::{collections::TryReserveError, vec::Vec};
-use luminaire::{Error, Luminaire, Plan, Rgb, Vec3};
+use luminaire::{Error, Haze, Luminaire, Plan, Rgb, Vec3};
 
 /// A deferred renderer: geometry once into a buffer, then light over that buffer in the number format `S`,
 /// then the codes of a display. Each step is done again only where something before it has changed.
@@ -33,12 +33,17 @@ pub struct Renderer<S: Format> {
     /// The materials by number; number 0 is the background.
     finishes: Vec<Finish<S>>,
     eye: Vec3<S::Length>,
+    view: Option<View>,
+    haze: Option<Haze>,
     ambient: Rgb<f32>,
     radiance: Vec<Radiance>,
     /// How many lamps were evaluated at the pixels of each block.
     evaluated: Vec<u16>,
+    display: Display,
     pixels: Vec<u8>,
     drawn: Option<(Fingerprint, Camera)>,
+    /// How many triangles were drawn the last time that geometry was asked for.
+    triangles: usize,
     /// The lamps of the picture; nothing if all of it must be lit.
     lit: Option<Vec<Luminaire>>,
     reached: Reached,
@@ -71,9 +76,13 @@ impl<S: Format> Renderer<S> {
             geometry,
             finishes: [Finish::new(Material::default())].into(),
             eye: Vec3::default(),
+            view: None,
+            haze: None,
             ambient: Rgb::default(),
+            display: Display::default(),
             pixels: filled(width * height * CHANNELS, 0)?,
             drawn: None,
+            triangles: 0,
             lit: None,
             reached: Reached::default(),
             shadows: Shadows::new(),
@@ -93,10 +102,12 @@ impl<S: Format> Renderer<S> {
             self.finishes.truncate(1);
             self.finishes.extend(materials().map(Finish::new));
         }
-        let is_changed = is_repainted || self.ambient != scene.ambient();
-        self.ambient = scene.ambient();
+        let before = (self.ambient, self.haze);
+        (self.ambient, self.haze) = (scene.ambient(), scene.haze());
+        let is_changed = is_repainted || before != (self.ambient, self.haze);
         let drawn = Some((scene.fingerprint(), *camera));
         let is_moved = self.drawn != drawn;
+        self.triangles = if is_moved { scene.triangle_count() } else { 0 };
         if is_moved {
             self.drawn = drawn;
             self.draw_triangles(scene, &View::new(camera, self.width, self.height));
@@ -120,6 +131,8 @@ impl<S: Format> Renderer<S> {
         self.geometry.resolve(&self.fragments, view);
         self.tiles.enclose(&self.geometry.blocks);
         self.eye = Vec3::from(view.eye()).map(S::length);
+        self.view = Some(*view);
+        self.tiles.tiles.iter_mut().for_each(|tile| tile.sight = None);
     }
 
     /// Draws the shadow maps of the luminaires that ask for them, where scene or luminaire have changed. Returns whether
@@ -156,69 +169,15 @@ impl<S: Format> Renderer<S> {
         Ok(())
     }
 
-    fn draw_light_by<L: Copy + Into<Luminaire>>(&mut self, plan: Plan, lights: &[L]) -> Result<bool, Error> {
-        let lamps: Vec<Luminaire> = lights.iter().map(|&light| light.into()).collect();
-        if self.lit.as_ref() == Some(&lamps) && self.shadows.redrawn().is_empty() {
-            return Ok(false);
-        }
-        let prepare = |(number, lamp)| Prepared::new(number, lamp, &plan);
-        let prepared = lamps.iter().enumerate().map(prepare).collect::<Result<Vec<_>, _>>()?;
-        if self.reached.make_room(self.tiles.tiles.len(), lamps.len()) {
-            self.lit = None;
-        }
-        let (is_new, changed) = (self.lit.is_none(), self.changed(&lamps));
-        let kept = prepared.iter().flatten().count();
-        self.account = Account::new(self.tiles.tiles.len(), lamps.len(), kept, self.width * self.height);
-        for tile in 0..self.tiles.tiles.len() {
-            let bounds = self.tiles.tiles[tile].bounds;
-            let reaches = |lamp: usize| match prepared.get(lamp) {
-                Some(Some(lamp)) => !plan.skips() || bounds.is_some_and(|bounds| !lamp.reach.misses(&bounds)),
-                _ => false,
-            };
-            let is_another = self.reached.update(tile, &changed, reaches) || is_new;
-            self.tiles.tiles[tile].is_relit = is_another;
-            if is_another {
-                self.light_tile(tile, plan, &prepared);
-            }
-        }
-        self.lit = plan.skips().then_some(lamps);
-        self.shadows.settle();
-        Ok(true)
-    }
-
-    /// The numbers of the lamps that are others than those of the picture.
-    fn changed(&self, lamps: &[Luminaire]) -> Vec<usize> {
-        let before = self.lit.as_deref().unwrap_or_default();
-        let count = lamps.len().max(before.len());
-        let is_another = |&i: &usize| {
-            self.lit.is_none() || before.get(i) != lamps.get(i) || self.shadows.redrawn().contains(&i)
-        };
-        (0..count).filter(is_another).collect()
-    }
-
-    fn light_tile(&mut self, tile: usize, plan: Plan, prepared: &[Option<Prepared<S>>]) {
-        self.tiles.tiles[tile].is_encoded = false;
-        self.account.tiles_relit += 1;
-        let (finishes, shadows) = (&self.finishes, &self.shadows);
-        let setting = Setting { plan, eye: self.eye, ambient: self.ambient, finishes, shadows };
-        let lamps = self.reached.lamps(tile).filter_map(|lamp| prepared[lamp].as_ref());
-        let reached = lamps.clone().count();
-        for block in self.tiles.blocks(tile) {
-            let geometry = &self.geometry.blocks[block];
-            let is_missed = |lamp: &&Prepared<S>| match &geometry.bounds {
-                Some(bounds) => lamp.reach.misses(bounds),
-                None => true,
-            };
-            let mut evaluated = 0;
-            let reaching = lamps.clone().filter(|lamp| !(plan.skips() && is_missed(lamp)));
-            self.radiance[block] = S::light(&setting, geometry, &mut reaching.inspect(|_| evaluated += 1));
-            self.evaluated[block] = evaluated;
-            let pixels = LANES.min(self.width - block % self.geometry.columns * LANES);
-            self.account.enter(pixels, reached, evaluated.into());
+    /// Shows the picture on another display; it is encoded anew with the next [`encode`](Self::encode).
+    pub fn set_display(&mut self, display: Display) {
+        if self.display != display {
+            self.display = display;
+            self.tiles.tiles.iter_mut().for_each(|tile| tile.is_encoded = false);
         }
     }
 
-    /// Encodes the light for a display, where it has changed: rows from top to bottom, each pixel red, green,
+    /// Encodes the light for the display, where it has changed: rows from top to bottom, each pixel red, green,
     /// blue in sRGB and alpha 255.
     pub fn encode(&mut self) -> &[u8] {
         let columns = self.geometry.columns;
@@ -230,7 +189,8 @@ impl<S: Format> Renderer<S> {
                 let (row, first) = (block / columns, block % columns * LANES);
                 let last = (first + LANES).min(self.width);
                 let pixels = (row * self.width + first) * CHANNELS..(row * self.width + last) * CHANNELS;
-                display::encode(&self.radiance[block], &mut self.pixels[pixels]);
+                let place = (first as u32, row as u32);
+                self.display.encode(&self.radiance[block], place, &mut self.pixels[pixels]);
             }
         }
         &self.pixels
@@ -246,9 +206,9 @@ impl<S: Format> Renderer<S> {
         (self.width, self.height)
     }
 
-    /// What the light of the picture has cost when it was last drawn.
+    /// What geometry and light of the picture have cost when they were last drawn.
     pub fn account(&self) -> Account {
-        self.account
+        Account { triangles: self.triangles, ..self.account }
     }
 
     /// How many lamps were evaluated at a pixel when it was last lit; none outside the picture.
@@ -284,5 +244,6 @@ impl<S: Format> Renderer<S> {
     }
 }
 
+mod light;
 #[cfg(test)]
 mod tests;

@@ -2,7 +2,7 @@
 
 use crate::mesh::Mesh;
 use alloc::vec::Vec;
-use luminaire::{Error, Lyon, Phong, Rgb, Specular, decode_srgb};
+use luminaire::{Effect, Error, Haze, Lyon, Phong, Plan, Rgb, Specular, decode_srgb};
 
 /// The kind of highlight that surfaces have: Phong's, in the form that takes the same few steps whatever the shininess.
 pub type Highlight = Lyon<Phong, 3>;
@@ -65,6 +65,7 @@ impl Default for Material {
 pub struct Scene {
     objects: Vec<Object>,
     ambient: Rgb<f32>,
+    haze: Option<Haze>,
     fingerprint: Fingerprint,
 }
 
@@ -84,7 +85,7 @@ impl Scene {
     /// An empty scene without ambient light.
     pub fn new() -> Self {
         let fingerprint = Fingerprint(0xcbf2_9ce4_8422_2325);
-        Self { objects: Vec::new(), ambient: Rgb::default(), fingerprint }
+        Self { objects: Vec::new(), ambient: Rgb::default(), haze: None, fingerprint }
     }
 
     /// Adds a mesh of one material.
@@ -110,6 +111,38 @@ impl Scene {
     /// The ambient light.
     pub fn ambient(&self) -> Rgb<f32> {
         self.ambient
+    }
+
+    /// Gives each object the material that `paint` makes of its own.
+    pub fn repaint(&mut self, paint: impl Fn(&Material) -> Material) {
+        for object in &mut self.objects {
+            object.material = paint(&object.material);
+        }
+    }
+
+    /// Fills the scene with haze, or with clear air.
+    pub fn set_haze(&mut self, haze: Option<Haze>) {
+        self.haze = haze;
+    }
+
+    /// The haze; nothing in clear air.
+    pub fn haze(&self) -> Option<Haze> {
+        self.haze
+    }
+
+    /// The plan of a picture of the scene before there is a lamp in it: ambient light, highlights and haze, where it has any.
+    pub fn plan(&self) -> Plan {
+        let mut plan = Plan::new();
+        if self.ambient != Rgb::default() {
+            plan = plan.with(Effect::Ambient);
+        }
+        if self.objects.iter().any(|object| object.material.shines()) {
+            plan = plan.with(Effect::Specular);
+        }
+        if self.haze.is_some_and(|haze| haze.density() > 0.0) {
+            plan = plan.with(Effect::Haze);
+        }
+        plan
     }
 
     /// How many triangles the meshes have together.

@@ -2,7 +2,8 @@
 
 use crate::{bounds::Bounds, gbuffer::Block, memory::filled};
 use alloc::{collections::TryReserveError, vec::Vec};
-use luminaire::Scalar;
+use core::ops::Range;
+use luminaire::{Scalar, ViewBundle};
 
 /// Rows of a tile. Its width is that of a block.
 const ROWS: usize = 16;
@@ -20,6 +21,8 @@ pub(crate) struct Tiles {
 pub(crate) struct Tile {
     /// What encloses its points; nothing if nothing was drawn.
     pub(crate) bounds: Option<Bounds>,
+    /// The rays through its pixels; nothing in clear air.
+    pub(crate) sight: Option<ViewBundle>,
     /// Whether its light was drawn the last time that light was.
     pub(crate) is_relit: bool,
     /// Whether its codes are those of its light.
@@ -34,9 +37,14 @@ impl Tiles {
 
     /// The numbers of a tile's blocks, from top to bottom.
     pub(crate) fn blocks(&self, tile: usize) -> impl Iterator<Item = usize> + Clone + use<> {
-        let (columns, first) = (self.columns, tile / self.columns * ROWS);
-        let (column, last) = (tile % columns, (first + ROWS).min(self.rows));
-        (first..last).map(move |row| row * columns + column)
+        let (columns, (rows, column)) = (self.columns, self.place(tile));
+        rows.map(move |row| row * columns + column)
+    }
+
+    /// The rows of a tile, and its column.
+    pub(crate) fn place(&self, tile: usize) -> (Range<usize>, usize) {
+        let first = tile / self.columns * ROWS;
+        (first..(first + ROWS).min(self.rows), tile % self.columns)
     }
 
     /// The number of the tile that a block is in.

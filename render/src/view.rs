@@ -105,7 +105,8 @@ impl View {
         }
     }
 
-    /// Whether nothing within the bounds is in view, for certain: by a thousandth of the distance more than touching.
+    /// Whether nothing within the bounds is in view, for certain: by a thousandth of the distance more than
+    /// touching.
     pub(crate) fn misses(&self, bounds: &Bounds) -> bool {
         let way = bounds.center - self.eye;
         let reach = bounds.radius + 1e-3 * (bounds.radius + way.length());
@@ -118,6 +119,11 @@ impl View {
     /// The eye.
     pub(crate) fn eye(&self) -> Vec3 {
         self.eye
+    }
+
+    /// The direction of sight, of unit length.
+    pub(crate) fn ahead(&self) -> Vec3 {
+        self.ahead
     }
 
     /// The way along the ray through a pixel's centre to depth 1, for the first pixel of a row, and the step

@@ -56,6 +56,20 @@ fn a_change_of_any_part_is_noticed() {
 }
 
 #[test]
+fn a_lamp_may_go_while_the_camera_moves() {
+    let mut renderer = lit();
+    let lights = stage::lights().unwrap();
+    let mut camera = stage::camera();
+    camera.orbit(0.1, 0.0);
+    assert!(renderer.draw_geometry(&stage::scene(), &camera));
+    assert!(renderer.draw_light(&lights[..2]).unwrap());
+    let mut fresh = Renderer::<Fx16>::new(96, 54).unwrap();
+    fresh.draw_geometry(&stage::scene(), &camera);
+    fresh.draw_light(&lights[..2]).unwrap();
+    assert_eq!(renderer.encode(), fresh.encode());
+}
+
+#[test]
 fn a_refused_light_leaves_the_picture() {
     let mut renderer = lit();
     let before = (renderer.pixels().to_vec(), renderer.linear(40, 30));

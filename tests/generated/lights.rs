@@ -5,9 +5,9 @@ use std::fmt::Debug;
 use luminaire::source::Named;
 use luminaire::{
     Ambient, Angle, Attenuation, Blend, BlinnPhong, CompiledSpot, Cone, Cubic, CutOff, Directional, DualCone,
-    Edge, Error, Exposure, Fx16, Fx32, Gobo, Hard, HardRange, InverseSquare, Linear, Lyon, Material, Phong,
-    Point, Polynomial, Power, Profile, Projection, Rgb, Rim, Scalar, Shadow, Smooth, SmoothRange, Soft,
-    Source, Specular, Spot, SquaredWindow, Table, Unattenuated, Vec3, Windowed,
+    Edge, Error, Exposure, Fx16, Fx32, Gobo, Hard, HardRange, Haze, InverseSquare, Linear, Lyon, Material,
+    Phong, Point, Polynomial, Power, Profile, Projection, Rgb, Rim, Scalar, Shadow, Smooth, SmoothRange,
+    Soft, Source, Specular, Spot, SquaredWindow, Table, Unattenuated, Vec3, Windowed,
 };
 
 /// What is done with each value.
@@ -36,9 +36,21 @@ pub(crate) fn key() -> Result<CompiledSpot<Fx16, Soft>, Error> {
 
 /// Every value in every format.
 pub(crate) fn all(visit: &mut impl Visit) -> Result<(), Error> {
+    beams(visit)?;
     of_format::<f32>(visit)?;
     of_format::<Fx32>(visit)?;
     of_format::<Fx16>(visit)
+}
+
+/// Beams in haze, which are of one format.
+fn beams(visit: &mut impl Visit) -> Result<(), Error> {
+    let cone = Cone::from_outer(Cubic::with_slopes(1.25, 3.5)?, Angle::degrees(40.0))?;
+    let spot = Spot::new(PLACES[0], AXES[1], cone)?.with_intensity(16.0)?;
+    let haze = Haze::new(0.02)?.with_lamp_radius(0.05)?;
+    visit.value("beam".into(), spot.compile::<f32>()?.in_haze(&haze));
+    let windowed = spot.with_attenuation(Windowed::new(Some(8.0))?);
+    visit.value("beam in a window".into(), windowed.compile::<f32>()?.in_haze(&haze));
+    Ok(())
 }
 
 fn of_format<S: Scalar>(visit: &mut impl Visit) -> Result<(), Error> {

@@ -4,6 +4,7 @@
 #![allow(unused_macros, unused_imports, reason = "each test binary uses its part of the support")]
 #![allow(unreachable_pub, reason = "every test binary has these modules to itself")]
 
+pub mod air_light;
 pub mod arbitrary;
 pub mod beams;
 pub mod beams_picture;
@@ -13,6 +14,7 @@ pub mod every;
 pub mod every_falloff;
 pub mod format;
 pub mod gobos;
+pub mod haze;
 pub mod imports;
 pub mod limits;
 pub mod operations;
@@ -24,4 +26,5 @@ pub mod region;
 pub mod shadows;
 pub mod squares;
 pub mod sweep;
+pub mod views;
 pub mod worst;

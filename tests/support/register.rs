@@ -146,6 +146,7 @@ pub(crate) const REGISTER: &[Held] = &[
     ]),
     by("tests/lit.rs::a_cut_is_a_cut", &["Attenuation for HardRange", "HardRange::new"]),
     through("tests/lit.rs::a_cut_is_a_cut", &["Attenuation::is_beyond"]),
+    through("tests/haze.rs::every_cone_keeps_its_row", &["Attenuation::is_inverse_square"]),
     by("tests/lit.rs::phong_keeps_its_rows", &[
         "Highlight for Phong", "Highlight::directions", "Specular for H", "Specular::constants",
         "Specular::lobe",
@@ -168,6 +169,9 @@ pub(crate) const REGISTER: &[Held] = &[
     by("tests/lamps.rs::lamps_light_many_points_as_each", &[
         "CompiledLamp::arrive_each", "Lamp::compile", "Light for CompiledLamp", "Surfaces::at",
     ]),
+    by("tests/lamps.rs::beams_show_in_many_rays_as_in_each", &[
+        "CompiledLamp::in_haze", "HazyBeam::air_light_each", "ViewRays::at",
+    ]),
     by("tests/lamps.rs::a_lamp_calls_for_what_it_is", &["Lamp::effects", "Lamp::intensity", "Luminaire::lamp"]),
     by("tests/lamps.rs::lamps_without_a_range_have_none", &[
         "Distance::range", "Cone::has_hotspot", "Cone::is_delimited",
@@ -184,6 +188,19 @@ pub(crate) const REGISTER: &[Held] = &[
     by("tests/lamps.rs::a_shadow_map_has_a_side_that_can_be", &["Luminaire::with_shadow", "Luminaire::shadow"]),
     by("tests/lamps.rs::what_projects_no_square_is_refused", &[
         "Luminaire::with_gobo", "Luminaire::gobo", "Luminaire::compile_gobo",
+    ]),
+    // Haze.
+    by("tests/haze.rs::every_cone_keeps_its_row", &["HazyBeam::air_light", "CompiledSpot::in_haze"]),
+    by("tests/haze.rs::samples_keep_their_rows", &["HazyBeam::air_light_through"]),
+    by("tests/haze_laws.rs::no_bundle_with_a_lit_ray_is_rejected", &[
+        "HazyBeam::can_meet", "ViewBundle::around",
+    ]),
+    by("tests/haze_laws.rs::a_ray_between_two_points_has_their_direction_and_distance", &[
+        "ViewRay::between", "ViewRay::endless",
+    ]),
+    by("tests/haze_laws.rs::any_bits_have_an_air_light", &["HazyBeam::from_parts"]),
+    by("tests/haze_laws.rs::haze_keeps_what_it_is_given", &[
+        "Haze::new", "Haze::with_lamp_radius", "Haze::density", "Haze::lamp_radius",
     ]),
 
     // What is only stored.

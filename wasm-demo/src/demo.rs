@@ -9,8 +9,9 @@ use crate::{
     panic,
     refusal::Refusal,
     sweep,
+    times::Times,
 };
-use luminaire::{Spot, Vec3};
+use luminaire::{Luminaire, Vec3};
 use luminaire_render::{Camera, Scene, stage};
 use std::fmt;
 use wasm_bindgen::{Clamped, prelude::*};
@@ -23,16 +24,6 @@ const FIRST: Format = Format::F32;
 
 /// The most samples of a curve: a few for each pixel of a wide screen.
 const SAMPLES: usize = 10_000;
-
-/// How long the passes of the last picture took, in milliseconds.
-#[derive(Clone, Copy, Default, Debug)]
-struct Times {
-    /// Nothing when the picture was lit anew only.
-    geometry: Option<f64>,
-    lighting: f64,
-    encode: f64,
-    show: f64,
-}
 
 /// The demo. Every method that sets something takes it, or throws a string that names the parameter, its value
 /// and the remedy, and leaves everything as it was.
@@ -122,7 +113,7 @@ impl Demo {
     /// How long the last picture took in all, in milliseconds: the passes that were done for it.
     #[wasm_bindgen(getter, js_name = frameMs)]
     pub fn frame_ms(&self) -> f64 {
-        let Times { geometry, lighting, encode, show } = self.times;
+        let Times { geometry, lighting, encode, show, .. } = self.times;
         geometry.unwrap_or(0.0) + lighting + encode + show
     }
 
@@ -286,10 +277,10 @@ impl Demo {
 
     fn draw_changes(&mut self) -> Result<bool, Refusal> {
         let Self { renderer, scene, camera, canvas, clock, .. } = self;
-        let spots: Vec<Spot> =
-            self.lights.iter().filter(|light| light.is_on()).map(|light| *light.spot()).collect();
+        let luminaires: Vec<Luminaire> =
+            self.lights.iter().filter(|light| light.is_on()).map(|light| (*light.spot()).into()).collect();
         let (geometry, moved) = clock.time(|| renderer.draw_geometry(scene, camera));
-        let (lighting, lit) = clock.time(|| renderer.draw_light(&spots));
+        let (lighting, lit) = clock.time(|| renderer.draw_light(&luminaires));
         let changed = lit?;
         if !changed && self.is_shown {
             return Ok(false);
@@ -300,7 +291,7 @@ impl Demo {
         let (show, shown) = clock.time(|| canvas.show(pixels));
         shown?;
         self.is_shown = true;
-        self.times = Times { geometry: moved.then_some(geometry), lighting, encode, show };
+        self.times = Times { geometry: moved.then_some(geometry), shadows: None, lighting, encode, show };
         Ok(true)
     }
 

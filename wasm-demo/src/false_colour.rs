@@ -52,6 +52,11 @@ impl Scale {
         Self { end: ENDS.into_iter().find(|&end| end >= largest).unwrap_or(last) }
     }
 
+    /// The scale that ends at `end`, whatever it counts.
+    pub(crate) fn to(end: f64) -> Self {
+        Self { end }
+    }
+
     /// The scale that ends at so many codes, if it is one of [`ENDS`].
     pub(crate) fn ending_at(codes: f64) -> Option<Self> {
         ENDS.contains(&codes).then_some(Self { end: codes })

@@ -1,8 +1,8 @@
 //! The number format, chosen at run time here and a type everywhere below.
 
 use crate::refusal::Refusal;
-use luminaire::{Angle, Cone, Edge, Error, Falloff, Fx16, Fx32, Scalar, Spot};
-use luminaire_render::{Camera, Renderer, Scene, SizeError};
+use luminaire::{Angle, Cone, Edge, Error, Falloff, Fx16, Fx32, Luminaire, Rgb, Scalar, Spot};
+use luminaire_render::{Account, Camera, Display, DrawError, Renderer, Scene, SizeError};
 use std::fmt;
 
 /// One of the kernel's number formats.
@@ -64,6 +64,15 @@ impl Format {
         with_scalar!(self, S => spot.compile::<S>().map(drop))
     }
 
+    /// Whether the format can hold a luminaire with what is mounted on it.
+    pub(crate) fn check_luminaire(self, luminaire: &Luminaire) -> Result<(), Error> {
+        with_scalar!(self, S => {
+            luminaire.lamp().compile::<S>()?;
+            luminaire.compile_gobo::<S>()?;
+            luminaire.shadow().map_or(Ok(()), |(_, projection)| projection.compile::<S>().map(drop))
+        })
+    }
+
     /// The narrowest cone of this edge that the format holds.
     pub(crate) fn narrowest(self, edge: Edge) -> Angle {
         with_scalar!(self, S => Cone::narrowest::<S>(edge))
@@ -103,12 +112,26 @@ impl fmt::Display for Format {
 pub(crate) trait Draw {
     /// Draws what the camera sees, if that is not what was drawn last; whether it was drawn.
     fn draw_geometry(&mut self, scene: &Scene, camera: &Camera) -> bool;
+    /// Draws the shadow maps of the luminaires, where scene or luminaire has changed; whether any was drawn.
+    fn draw_shadows(&mut self, scene: &Scene, luminaires: &[Luminaire]) -> Result<bool, DrawError>;
     /// Lights what was drawn, if anything has changed; whether it was lit.
-    fn draw_light(&mut self, spots: &[Spot]) -> Result<bool, Error>;
+    fn draw_light(&mut self, luminaires: &[Luminaire]) -> Result<bool, Error>;
+    /// Lights everything that was drawn with every effect, called for or not.
+    fn draw_everything(&mut self, luminaires: &[Luminaire]) -> Result<(), Error>;
+    /// Shows the picture on another display, with the next `encode`.
+    fn set_display(&mut self, display: Display);
     /// Encodes what was lit for the display: RGBA, sRGB, eight bits.
     fn encode(&mut self) -> &[u8];
     /// What was encoded last.
     fn pixels(&self) -> &[u8];
+    /// What the light has cost when it was last drawn.
+    fn account(&self) -> Account;
+    /// How many lamps were evaluated at a pixel when it was last lit; none outside the picture.
+    fn lamps_evaluated(&self, x: usize, y: usize) -> Option<u16>;
+    /// Whether a pixel was lit again the last time that light was drawn; none outside the picture.
+    fn is_relit(&self, x: usize, y: usize) -> Option<bool>;
+    /// The linear light that a pixel sends to the eye; none outside the picture.
+    fn linear(&self, x: usize, y: usize) -> Option<Rgb<f32>>;
 }
 
 impl<S: luminaire_render::Format> Draw for Renderer<S> {
@@ -116,8 +139,20 @@ impl<S: luminaire_render::Format> Draw for Renderer<S> {
         self.draw_geometry(scene, camera)
     }
 
-    fn draw_light(&mut self, spots: &[Spot]) -> Result<bool, Error> {
-        self.draw_light(spots)
+    fn draw_shadows(&mut self, scene: &Scene, luminaires: &[Luminaire]) -> Result<bool, DrawError> {
+        self.draw_shadows(scene, luminaires)
+    }
+
+    fn draw_light(&mut self, luminaires: &[Luminaire]) -> Result<bool, Error> {
+        self.draw_light(luminaires)
+    }
+
+    fn draw_everything(&mut self, luminaires: &[Luminaire]) -> Result<(), Error> {
+        self.draw_everything(luminaires)
+    }
+
+    fn set_display(&mut self, display: Display) {
+        self.set_display(display);
     }
 
     fn encode(&mut self) -> &[u8] {
@@ -126,6 +161,22 @@ impl<S: luminaire_render::Format> Draw for Renderer<S> {
 
     fn pixels(&self) -> &[u8] {
         self.pixels()
+    }
+
+    fn account(&self) -> Account {
+        self.account()
+    }
+
+    fn lamps_evaluated(&self, x: usize, y: usize) -> Option<u16> {
+        self.lamps_evaluated(x, y)
+    }
+
+    fn is_relit(&self, x: usize, y: usize) -> Option<bool> {
+        self.is_relit(x, y)
+    }
+
+    fn linear(&self, x: usize, y: usize) -> Option<Rgb<f32>> {
+        self.linear(x, y)
     }
 }
 

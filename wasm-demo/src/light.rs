@@ -273,7 +273,8 @@ impl Light {
     }
 }
 
-fn hex_of(color: Rgb<f32>) -> String {
+/// A colour as `#rrggbb` in sRGB.
+pub(crate) fn hex_of(color: Rgb<f32>) -> String {
     let Rgb { red, green, blue } = color.map(encode_srgb);
     format!("#{red:02x}{green:02x}{blue:02x}")
 }

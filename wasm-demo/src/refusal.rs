@@ -1,7 +1,7 @@
 //! What is refused, in words for the page: the parameter, its value, and what to do about it.
 
 use crate::format::Format;
-use luminaire_render::SizeError;
+use luminaire_render::{DrawError, SizeError};
 use std::fmt;
 use wasm_bindgen::JsValue;
 
@@ -12,11 +12,22 @@ pub(crate) enum Refusal {
     Light(luminaire::Error),
     /// The renderer refused the size of the picture.
     Size(SizeError),
+    /// The renderer refused to draw something.
+    Draw(DrawError),
     /// A light does not fit into a number format.
     Format {
         format: Format,
         /// Which light, by its name on the page.
         light: &'static str,
+        error: luminaire::Error,
+    },
+    /// A lamp of a scene does not fit into a number format.
+    Lamp {
+        format: Format,
+        /// Which lamp, counted from 0.
+        lamp: usize,
+        /// What the trade calls it.
+        name: &'static str,
         error: luminaire::Error,
     },
     /// A name that is not one of those to choose from.
@@ -43,8 +54,12 @@ impl fmt::Display for Refusal {
         match self {
             Self::Light(error) => error.fmt(f),
             Self::Size(error) => error.fmt(f),
+            Self::Draw(error) => error.fmt(f),
             Self::Format { format, light, error } => {
                 write!(f, "{format} cannot hold the {light} light: {error}")
+            }
+            Self::Lamp { format, lamp, name, error } => {
+                write!(f, "{format} cannot hold lamp {}, {name}: {error}", lamp + 1)
             }
             Self::Name { parameter, value, remedy } => {
                 write!(f, "{parameter} \"{value}\" is refused: {remedy}")
@@ -72,6 +87,12 @@ impl From<luminaire::Error> for Refusal {
 impl From<SizeError> for Refusal {
     fn from(error: SizeError) -> Self {
         Self::Size(error)
+    }
+}
+
+impl From<DrawError> for Refusal {
+    fn from(error: DrawError) -> Self {
+        Self::Draw(error)
     }
 }
 

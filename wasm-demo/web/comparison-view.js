@@ -6,6 +6,7 @@ import { hasFailed } from "./failure.js";
 import { HalfAngle } from "./half-angle.js";
 import { Ledger } from "./ledger.js";
 import { degrees, tidy } from "./numbers.js";
+import { plain } from "./plain.js";
 import { PriceList } from "./price-list.js";
 
 /** Pixels a side: enough to see the rings of a beam that has lost its bits. */
@@ -163,12 +164,3 @@ export class ComparisonView {
 
 /** An f32 as the decimal fraction that it was meant to be. */
 const exact = (value) => Number(value.toPrecision(7));
-
-/** An object of the module as one of JavaScript, so that it need not be freed. */
-function plain(object) {
-  const names = Object.getOwnPropertyNames(Object.getPrototypeOf(object));
-  const fields = names.filter((name) => name !== "constructor" && typeof object[name] !== "function");
-  const copy = Object.fromEntries(fields.map((name) => [name, object[name]]));
-  object.free();
-  return copy;
-}

@@ -1,5 +1,5 @@
 // The scale of the errors: its colours, where it ends, and who says so.
-import { tidy } from "./numbers.js";
+import { colours, tidy } from "./numbers.js";
 
 export class ErrorScale {
   #comparison;
@@ -36,9 +36,3 @@ export class ErrorScale {
 
 /** A count of codes, in words. */
 const counted = (codes) => `${codes} ${codes === 1 ? "code" : "codes"}`;
-
-/** Three bytes a colour, as CSS has them. */
-function colours(bytes) {
-  const colour = (_, i) => `rgb(${bytes.slice(3 * i, 3 * i + 3).join(" ")})`;
-  return Array.from({ length: bytes.length / 3 }, colour);
-}

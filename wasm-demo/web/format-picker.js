@@ -2,7 +2,7 @@
 import { Demo } from "./pkg/wasm_demo.js";
 
 /** How near a picture in this format comes to the one that the others are compared with. */
-function accuracy(format) {
+export function accuracy(format) {
   const error = Demo.statedError(format);
   return error === 0 ? "what the other formats are compared with" : `within ${error} of 255 display codes of f32`;
 }

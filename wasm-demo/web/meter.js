@@ -12,6 +12,12 @@ export class Meter {
   /** The view of the comparison; nothing until it is opened. */
   comparison;
 
+  /** The view of the scenes; nothing until it is opened. */
+  scenes;
+
+  /** Opens the view of the scenes, and answers it. */
+  openScenes;
+
   constructor(demo, view, formats) {
     this.#demo = demo;
     this.#view = view;
@@ -20,7 +26,7 @@ export class Meter {
 
   /** How many pictures have been drawn, in whichever view. */
   get drawn() {
-    return this.#view.drawn + (this.comparison?.drawn ?? 0);
+    return this.#view.drawn + (this.comparison?.drawn ?? 0) + (this.scenes?.drawn ?? 0);
   }
 
   /** A copy of the last picture: RGBA, sRGB, eight bits. */
@@ -57,5 +63,10 @@ export class Meter {
     }
     const medians = Object.fromEntries(Object.entries(passes).map(([name, times]) => [name, median(times)]));
     return { width: demo.width, height: demo.height, lights: demo.lightsOn, format: demo.format, ...medians };
+  }
+
+  /** What a scene costs: see `SceneMeter.measure`. Opens the view of the scenes for it. */
+  async measureScene(name, frames, options) {
+    return (await this.openScenes()).measure(name, frames, options);
   }
 }

@@ -12,6 +12,9 @@ export const degrees = (value) => `${tidy(value)}°`.replace("-", "−");
 /** An angle for a glance: three digits. */
 export const roughly = (value) => `${Number(value.toPrecision(3))}°`;
 
+/** A whole number with its thousands apart. */
+export const whole = (value) => Math.round(value).toLocaleString("en");
+
 /** The largest decimal fraction that is not over a value: an end of a slider that the kernel takes. */
 export const floor = (value) => Math.floor(value * 100) / 100;
 
@@ -26,4 +29,10 @@ export function median(values) {
   const sorted = Float64Array.from(values).sort();
   const middle = sorted.length >> 1;
   return sorted.length % 2 === 1 ? sorted[middle] : (sorted[middle - 1] + sorted[middle]) / 2;
+}
+
+/** Colours as CSS has them, from three bytes each. */
+export function colours(bytes) {
+  const colour = (_, i) => `rgb(${bytes.slice(3 * i, 3 * i + 3).join(" ")})`;
+  return Array.from({ length: bytes.length / 3 }, colour);
 }

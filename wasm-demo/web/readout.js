@@ -4,21 +4,24 @@ import { median } from "./numbers.js";
 const PICTURES = 30;
 
 /** The passes of a picture, and all that were done for it together. */
-const PASSES = ["geometry", "lighting", "encode", "show", "frame"];
+const PASSES = ["geometry", "shadows", "lighting", "encode", "show", "frame"];
 
 export class Readout {
   #demo;
-  #passes = PASSES.map((name) => ({ name, times: [], place: document.getElementById(`${name}-ms`) }));
+  #passes;
 
-  constructor(demo) {
+  /** @param {string} [prefix] what the ids of the places begin with */
+  constructor(demo, prefix = "") {
     this.#demo = demo;
+    const place = (name) => document.getElementById(`${prefix}${name}-ms`);
+    this.#passes = PASSES.map((name) => ({ name, times: [], place: place(name) }));
   }
 
   /** Takes in the times of the picture just drawn. */
   add() {
     for (const { name, times, place } of this.#passes) {
       const time = this.#demo[`${name}Ms`];
-      // A picture that is only lit anew has no geometry: that pass keeps its last reading.
+      // A picture that is only lit anew has no geometry: a pass that was not done keeps its last reading.
       if (time === undefined) continue;
       times.push(time);
       if (times.length > PICTURES) times.shift();

@@ -72,7 +72,7 @@ export async function open() {
   await views(view, meter).show();
 }
 
-/** The stage, and the comparison, which is opened when it is first asked for. */
+/** The stage, and the comparison and the scenes, which are opened when they are first asked for. */
 function views(view, meter) {
   const stage = {
     element: document.getElementById("stage-page"),
@@ -90,5 +90,21 @@ function views(view, meter) {
     },
     hide: () => meter.comparison?.hide(),
   };
-  return new Views(new Map([["stage", stage], ["compare", comparison]]));
+  let openedScenes;
+  const scenes = {
+    element: document.getElementById("scenes-page"),
+    async show(query) {
+      openedScenes ??= import("./scenes-view.js").then(({ ScenesView }) => new ScenesView());
+      meter.scenes = await openedScenes;
+      if (!scenes.element.hidden) meter.scenes.show(query);
+    },
+    hide: () => meter.scenes?.hide(),
+  };
+  const all = new Views(new Map([["stage", stage], ["compare", comparison], ["scenes", scenes]]));
+  meter.openScenes = async () => {
+    if (scenes.element.hidden) history.replaceState(null, "", "#scenes");
+    await all.show();
+    return meter.scenes;
+  };
+  return all;
 }

@@ -35,7 +35,7 @@ pub(crate) struct DemoOptions {
     pub(crate) port: Option<u16>,
     /// The size of the lit picture; none leaves it to the page.
     pub(crate) size: Option<Size>,
-    /// What stands after the # of the address: `compare`, or with settings `compare?half=0.1`.
+    /// What stands after the # of the address: `compare`, or with settings `compare?half=0.1`, `scenes?scene=grid`.
     pub(crate) view: Option<String>,
     /// Run the page once in a browser instead of serving for ever.
     pub(crate) check: bool,
@@ -113,17 +113,24 @@ impl Request {
     }
 
     fn parse_demo(mut words: lexopt::Parser) -> Result<Self, lexopt::Error> {
-        let mut options = DemoOptions::default();
+        let (mut options, mut scene) = (DemoOptions::default(), None);
         while let Some(word) = words.next()? {
             match word {
                 Long("port") => options.port = Some(words.value()?.parse()?),
                 Long("size") => options.size = Some(words.value()?.parse()?),
                 Long("view") => options.view = Some(words.value()?.string()?),
+                Long("scene") => scene = Some(words.value()?.string()?),
                 Long("check") => options.check = true,
                 Long("screenshot") => options.screenshot = Some(words.value()?.into()),
                 Short('h') | Long("help") => return Ok(Self::Help),
                 other => return Err(other.unexpected()),
             }
+        }
+        if let Some(scene) = scene {
+            if options.view.is_some_and(|view| view != "scenes") {
+                return Err("--scene opens the view scenes, and no other".into());
+            }
+            options.view = Some(format!("scenes?scene={scene}"));
         }
         Ok(Self::Demo(options))
     }
@@ -246,6 +253,16 @@ mod tests {
             parse("demo --screenshot=page.png --view=compare --size=320x180 --port=9000 --check").unwrap(),
             expected
         );
+    }
+
+    #[test]
+    fn demo_opens_a_scene() {
+        let view = Some("scenes?scene=grid".to_owned());
+        let expected = Request::Demo(DemoOptions { view, ..DemoOptions::default() });
+        for line in ["demo --view scenes --scene grid", "demo --scene grid"] {
+            assert_eq!(parse(line).unwrap(), expected, "{line}");
+        }
+        assert!(parse("demo --view compare --scene grid").unwrap_err().to_string().contains("--scene"));
     }
 
     #[test]

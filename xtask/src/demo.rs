@@ -44,6 +44,7 @@ pub(crate) fn check(chromium: &mut Chromium, address: &str, screenshot: Option<&
     page.ready()?;
     let measured = page.ask(&format!("luminaire.measure({FRAMES})"))?;
     ensure!(page.lit_share()? > 0.0, "the page drew nothing: every pixel is black");
+    ensure!(page.holds("luminaire.scenes?.isLit ?? true")?, "the scene is black at every pixel");
     page.must_be_content()?;
     if let Some(file) = screenshot {
         page.settle()?;

@@ -32,7 +32,8 @@ The project's commands.
 cargo demo [OPTIONS]         Build the browser demo into target/demo and serve it on http://127.0.0.1:8080
     --port N                 Serve on port N instead of 8080
     --size WxH               Light a picture of WxH pixels instead of 960x540
-    --view NAME              Open this view of the page: stage or compare
+    --view NAME              Open this view of the page: stage, scenes or compare
+    --scene NAME             Open this scene of the view scenes, such as grid or show
     --check                  Instead of serving: run the page once in headless Chromium, print one line and exit
     --screenshot FILE        Like --check, and write a PNG of the page at 1440x900 to FILE
 

@@ -72,7 +72,7 @@ impl<S: Scalar> CompiledLamp<S> {
 }
 
 /// A compiled distance model without a range is the plain one.
-fn plain<S: Scalar>(distance: &CompiledDistance<S>) -> Option<Plain> {
+pub(super) fn plain<S: Scalar>(distance: &CompiledDistance<S>) -> Option<Plain> {
     let none = S::gain(0.0);
     match distance {
         CompiledDistance::Constant((range, ())) if *range == none => Some(Plain::Unattenuated),
@@ -82,7 +82,7 @@ fn plain<S: Scalar>(distance: &CompiledDistance<S>) -> Option<Plain> {
 }
 
 /// The distance models that have a loop with every profile.
-enum Plain {
+pub(super) enum Plain {
     Unattenuated,
     InverseSquare,
 }
@@ -120,26 +120,7 @@ impl<S: Scalar, H: Specular, const N: usize> Loop<'_, S, H, N> {
     }
 
     fn spot(&mut self, light: &CompiledSpot<S, Matched, Distance>) {
-        match (light.falloff.profile, light.falloff.curve) {
-            (Matched::CutOff(profile), CompiledMatched::CutOff(curve)) => self.cone(light, profile, curve),
-            (Matched::Linear(profile), CompiledMatched::Linear(curve)) => self.cone(light, profile, curve),
-            (Matched::Soft(profile), CompiledMatched::Soft(curve)) => self.cone(light, profile, curve),
-            (Matched::Hard(profile), CompiledMatched::Hard(curve)) => self.cone(light, profile, curve),
-            (Matched::Smooth(profile), CompiledMatched::Smooth(curve)) => self.cone(light, profile, curve),
-            (Matched::Blend(profile), CompiledMatched::Blend(curve)) => self.cone(light, profile, curve),
-            (Matched::Cubic(profile), CompiledMatched::Cubic(curve)) => self.cone(light, profile, curve),
-            (Matched::Power(profile), CompiledMatched::Power(curve)) => self.cone(light, profile, curve),
-            (Matched::Rim(profile), CompiledMatched::Rim(curve)) => self.cone(light, profile, curve),
-            (Matched::MixedPower(profile), CompiledMatched::MixedPower(curve)) => {
-                self.cone(light, profile, curve);
-            }
-            (Matched::MixedRim(profile), CompiledMatched::MixedRim(curve)) => {
-                self.cone(light, profile, curve);
-            }
-            (Matched::Table(profile), CompiledMatched::Table(curve)) => self.cone(light, profile, curve),
-            // No compiled light is so; its parts may be.
-            (profile, curve) => self.cone(light, profile, curve),
-        }
+        with_profile!(light.falloff, profile, curve => self.cone(light, profile, curve));
     }
 
     fn cone<P: Profile>(

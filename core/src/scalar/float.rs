@@ -51,7 +51,7 @@ impl FloatRamp {
 
 /// `x` if it is more than zero; anything else, also what is not a number, becomes zero.
 #[inline(always)]
-const fn positive(x: f32) -> f32 {
+pub(crate) const fn positive(x: f32) -> f32 {
     if x > 0.0 { x } else { 0.0 }
 }
 

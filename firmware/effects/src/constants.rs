@@ -2,8 +2,9 @@
 
 use luminaire::{
     Blend, BlinnPhong, CompiledDirectional, CompiledExposure, CompiledGobo, CompiledMaterial, CompiledPoint,
-    CompiledSpot, Cubic, CutOff, DualCone, Hard, HardRange, InverseSquare, Linear, Lyon, Matte, Phong,
-    Polynomial, Power, Rim, Smooth, SmoothRange, Soft, SquaredWindow, Table, Unattenuated, Windowed,
+    CompiledSpot, Cubic, CutOff, DualCone, Hard, HardRange, HazyBeam, InverseSquare, Linear, Lyon, Matte,
+    Phong, Polynomial, Power, Rim, Shadow, Smooth, SmoothRange, Soft, SquaredWindow, Table, Unattenuated,
+    Windowed,
 };
 
 use crate::{Format, Light};
@@ -35,6 +36,8 @@ constants! {
     "spot_squared_window.rs" SPOT_SQUARED_WINDOW: CompiledSpot<Format, Soft, SquaredWindow>;
     "spot_hard_range.rs" SPOT_HARD_RANGE: CompiledSpot<Format, Soft, HardRange<InverseSquare>>;
     "gobo.rs" GOBO: CompiledGobo<'static, Format>;
+    "beam.rs" BEAM: HazyBeam<Soft>;
+    "shadow.rs" SHADOW: Shadow<'static, Format>;
     "point.rs" POINT: CompiledPoint<Format>;
     "directional.rs" DIRECTIONAL: CompiledDirectional<Format>;
     "ambient.rs" AMBIENT: Light;

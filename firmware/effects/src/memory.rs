@@ -4,7 +4,7 @@ use core::mem::MaybeUninit;
 use core::ptr;
 
 use luminaire::source::{U18F14, U34F30};
-use luminaire::{Fx16, Fx32, Rgb};
+use luminaire::{Fx16, Fx32, Rgb, ViewRay};
 
 use crate::Surface;
 
@@ -56,4 +56,4 @@ macro_rules! inputs {
     )*};
 }
 
-inputs!(Place Surface Rgb<f32> Rgb<Fx16> Rgb<Fx32> Rgb<U18F14> Rgb<U34F30> [u64; 64]);
+inputs!(Place Surface ViewRay Rgb<f32> Rgb<Fx16> Rgb<Fx32> Rgb<U18F14> Rgb<U34F30> [u64; 64]);

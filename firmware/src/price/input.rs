@@ -1,9 +1,9 @@
 //! What pixels ask of an effect.
 
-use luminaire::{Rgb, Scalar};
+use luminaire::{Rgb, Scalar, ViewRay};
 use luminaire_effects::constants::{MATTE, SPOT_INVERSE_SQUARE};
 use luminaire_effects::{Color, Format, Light, Place, Surface};
-use luminaire_kernels::scene::{EYE, Population, Sites};
+use luminaire_kernels::scene::{EYE, Population, Site, Sites};
 use luminaire_kernels::{Format as _, Setting};
 
 use super::output::Output;
@@ -27,11 +27,20 @@ impl Inputs {
         Self { sites, number: 0, pixels: 0 }
     }
 
+    fn site(&mut self) -> Site {
+        self.sites.next().expect("an endless sequence")
+    }
+
     /// A point in the cone that faces the light, and the direction to the eye.
     pub(super) fn surface(&mut self) -> Surface {
-        let site = self.sites.next().expect("an endless sequence");
+        let site = self.site();
         let [eye, point] = [EYE, site.point].map(|place| place.map(Format::length));
         Surface::seen_from(eye, point, site.normal.map(Format::from_f32))
+    }
+
+    /// The way from the eye to such a point: it ends in the beam.
+    pub(super) fn view(&mut self) -> ViewRay {
+        ViewRay::between(EYE, self.site().point)
     }
 
     /// What such a point sends back: some of it is over full scale.
@@ -68,6 +77,13 @@ impl Input for Surface {
     #[inline(always)]
     fn word(&self) -> u32 {
         Format::length_bits(self.point.x)
+    }
+}
+
+impl Input for ViewRay {
+    #[inline(always)]
+    fn word(&self) -> u32 {
+        self.length.to_bits()
     }
 }
 

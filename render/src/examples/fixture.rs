@@ -78,6 +78,16 @@ impl Fixture {
         Self { shadow: Some(side), ..self }
     }
 
+    /// The same fixture without a gobo.
+    pub fn without_gobo(self) -> Self {
+        Self { gobo: None, ..self }
+    }
+
+    /// The same fixture without shadows.
+    pub fn without_shadow(self) -> Self {
+        Self { shadow: None, ..self }
+    }
+
     /// The luminaire after so many seconds.
     ///
     /// # Errors

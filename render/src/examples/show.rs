@@ -11,7 +11,7 @@ use crate::{
 };
 use alloc::vec::Vec;
 use glam::Vec2;
-use luminaire::{Angle, Cone, Edge, Error, Gobo, Rgb, Soft, Vec3};
+use luminaire::{Angle, Cone, Edge, Error, Gobo, Haze, Rgb, Soft, Vec3};
 
 /// How high the truss hangs, and at which z, in metres.
 const TRUSS: (f32, f32) = (4.3, -1.6);
@@ -48,7 +48,9 @@ pub(super) fn setup() -> Result<Setup, Error> {
     .with_color(Rgb::new(0.5, 0.28, 1.0))?
     .with_intensity(12.0)?;
     fixtures.push(Fixture::new("moving head (wash)", wash));
-    Ok(Setup::new(scene(), camera, fixtures))
+    let mut scene = scene();
+    scene.set_haze(Some(Haze::new(0.05)?));
+    Ok(Setup::new(scene, camera, fixtures))
 }
 
 fn scene() -> Scene {
@@ -78,7 +80,7 @@ fn place(number: usize) -> f32 {
 
 /// A moving head with a narrow beam that sweeps over the stage: with a hard edge and a soft one in turn.
 fn beam(number: usize, gel: Rgb<f32>) -> Result<Fixture, Error> {
-    let edge = if number % 2 == 0 { Edge::Hard } else { Edge::Soft };
+    let edge = if number.is_multiple_of(2) { Edge::Hard } else { Edge::Soft };
     let cone = Cone::from_field(edge, Angle::degrees(14.0))?;
     let x = place(number);
     let center = glam::Vec3::new(-0.4 * x, 0.0, 1.0);

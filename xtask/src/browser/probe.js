@@ -27,9 +27,18 @@ window.probe = (() => {
     await settle();
   }
 
+  // Waits until something holds.
+  async function until(holds) {
+    for (let tries = 0; !holds(); tries += 1) {
+      if (tries > 500) raise(`it does not come to be that ${holds}`);
+      await pause(20);
+    }
+  }
+
   return {
     settle,
     redrawn,
+    until,
     value: (id) => Number(element(id).value),
     least: (id) => Number(element(id).min),
     greatest: (id) => Number(element(id).max),

@@ -208,13 +208,32 @@ pub(super) static GROUPS: [Group; 6] = [
     Group {
         title: "In the way of a spotlight",
         note: "The soft spotlight through something. A luminaire has it or not, and one that has it not knows nothing of it.",
-        entries: &[Entry {
-            title: "gobo",
-            program: "spot-soft-lambert-gobo",
-            effects: &[Gobo],
-            over: Some(SPOT),
-            what: "A pattern that the spotlight projects, here of 16 x 16: a luminaire with a gobo calls for it.",
-        }],
+        entries: &[
+            Entry {
+                title: "gobo",
+                program: "spot-soft-lambert-gobo",
+                effects: &[Gobo],
+                over: Some(SPOT),
+                what: "A pattern that the spotlight projects, here of 16 x 16 bytes: a luminaire with a gobo calls for \
+                       it.",
+            },
+            Entry {
+                title: "shadow",
+                program: "spot-soft-lambert-shadow",
+                effects: &[Shadow],
+                over: Some(SPOT),
+                what: "A shadow map, here of 16 x 16 lengths, by four comparisons: a luminaire that casts shadows calls \
+                       for it. Drawing the map is not counted.",
+            },
+            Entry {
+                title: "haze",
+                program: "haze",
+                effects: &[Haze],
+                over: None,
+                what: "The light that air sends from a beam to the eye, once a pixel and beam, in `f32` on every \
+                       processor: a scene with haze calls for it.",
+            },
+        ],
     },
     Group {
         title: "Surfaces",
@@ -324,12 +343,8 @@ pub(super) static GROUPS: [Group; 6] = [
 ];
 
 /// The effects that no program shows, and why.
-pub(super) static UNPRICED: [(Effect, &str); 4] = [
-    (MixedPower, "is chosen while a program runs and is no constant of one"),
-    (MixedRim, "likewise"),
-    (Shadow, "has no program yet"),
-    (Haze, "has no program yet"),
-];
+pub(super) static UNPRICED: [(Effect, &str); 2] =
+    [(MixedPower, "is chosen while a program runs and is no constant of one"), (MixedRim, "likewise")];
 
 /// All entries, in the order of the page.
 pub(super) fn entries() -> impl Iterator<Item = &'static Entry> {

@@ -10,9 +10,9 @@ use luminaire::source::{
 use luminaire::{
     Attenuation, Blend, BlinnPhong, CompiledDirectional, CompiledExposure, CompiledMaterial, CompiledPoint,
     CompiledProjection, CompiledSpot, Cubic, CutOff, DualCone, Edge, Falloff, Fitted, Fx16, Fx32, Gobo, Hard,
-    HardRange, InverseSquare, Light, Linear, Lyon, Matte, Phong, Polynomial, Power, Profile, Rgb, Rgb565,
-    Rim, Scalar, Smooth, SmoothRange, Soft, Specular, SquaredWindow, Surface, Table, Unattenuated, Vec3,
-    Windowed, clip, encode_srgb, encode_srgb_dithered, keep_hue,
+    HardRange, Haze, HazyBeam, InverseSquare, Light, Linear, Lyon, Matte, Phong, Polynomial, Power, Profile,
+    Rgb, Rgb565, Rim, Scalar, Shadow, Smooth, SmoothRange, Soft, Specular, SquaredWindow, Surface, Table,
+    Unattenuated, Vec3, ViewBundle, ViewRay, Windowed, clip, encode_srgb, encode_srgb_dithered, keep_hue,
 };
 use luminaire_effects::Format;
 
@@ -165,6 +165,9 @@ fn of_format<S: Raw>(bits: &mut Bits) {
     reaches::<S, SquaredWindow>(bits, a);
     reaches::<S, HardRange<InverseSquare>>(bits, (a, ()));
     reaches::<S, HardRange<SmoothRange>>(bits, (a, [b, c]));
+    scatters::<InverseSquare>(bits, ());
+    let [reach, inverse, squared] = core::array::from_fn(|_| f32::raw_gain(bits.word()));
+    scatters::<HardRange<SmoothRange>>(bits, (reach, [inverse, squared]));
     let parallel = CompiledDirectional::<S>::from_parts(bits.vector(S::unit), a, colors(bits));
     black_box(parallel.irradiance(bits.vector(S::scalar)));
     let ramp = S::raw_ramp(bits);
@@ -228,6 +231,34 @@ fn reaches<S: Raw, A: Attenuation>(bits: &mut Bits, attenuation: A::Constants<S>
     black_box(point.irradiance_unskipped(place, normal));
 }
 
+/// A beam in haze, which is f32 in every format.
+#[inline(never)]
+fn scatters<A: Attenuation>(bits: &mut Bits, attenuation: A::Constants<f32>) {
+    let light = spot::<f32, Soft, A>(bits, Soft, Soft, attenuation);
+    if let Ok(haze) = Haze::new(f32::scalar(bits.word())) {
+        black_box(light.in_haze(&haze));
+    }
+    let falloff = Falloff::from_parts(f32::raw_ramp(bits), Soft, Soft);
+    let (position, axis) = (bits.vector(f32::raw_length), bits.vector(f32::unit));
+    let [gain, inner, outer, radius, reach, length, versine] =
+        core::array::from_fn(|_| f32::scalar(bits.word()));
+    let beam = HazyBeam::<Soft, A>::from_parts(
+        position,
+        axis,
+        falloff,
+        attenuation,
+        gain,
+        [inner, outer],
+        [radius, reach],
+    );
+    let (eye, direction) = (bits.vector(f32::raw_length), bits.vector(f32::unit));
+    let view = ViewRay { eye, direction, length };
+    black_box(beam.air_light(&view));
+    black_box(beam.air_light_through(&view, 4, |point| point.x));
+    black_box(beam.can_meet(&ViewBundle { eye, direction, versine, length }));
+    black_box(ViewRay::between(eye, direction));
+}
+
 /// A highlight, under every kind of light.
 #[inline(never)]
 fn shines<S: Raw, H: Specular>(bits: &mut Bits, highlight: H::Constants<S>) {
@@ -260,6 +291,9 @@ fn projects<S: Raw>(bits: &mut Bits) {
     let pattern = Gobo::new(bits.word() as usize, black_box(PATTERN.as_slice())).unwrap_or(Gobo::of(&[[9]]));
     let light = S::light(bits.word());
     black_box(pattern.on(square).filter(light, bits.vector(S::raw_length)));
+    let depths: [S::Length; 9] = core::array::from_fn(|_| S::raw_length(bits.word()));
+    let shadow = Shadow::from_parts(square, bits.word() as u32, black_box(depths.as_slice()));
+    black_box(shadow.visibility(bits.vector(S::raw_length)));
 }
 
 /// From light to the codes of a display.

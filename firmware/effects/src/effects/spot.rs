@@ -1,9 +1,11 @@
 //! A spotlight: its edges, its distances, and what stands in its way.
 
+use luminaire::{Scalar, ViewRay};
+
 use crate::constants::{
-    GOBO, SPOT_BLEND, SPOT_CUBIC, SPOT_CUT_OFF, SPOT_DELIMITER, SPOT_HARD, SPOT_HARD_RANGE, SPOT_HOTSPOT,
-    SPOT_INVERSE_SQUARE, SPOT_LINEAR, SPOT_POLYNOMIAL, SPOT_POWER, SPOT_RIM, SPOT_SMOOTH, SPOT_SMOOTH_RANGE,
-    SPOT_SOFT, SPOT_SQUARED_WINDOW, SPOT_TABLE, SPOT_WINDOWED,
+    BEAM, GOBO, SHADOW, SPOT_BLEND, SPOT_CUBIC, SPOT_CUT_OFF, SPOT_DELIMITER, SPOT_HARD, SPOT_HARD_RANGE,
+    SPOT_HOTSPOT, SPOT_INVERSE_SQUARE, SPOT_LINEAR, SPOT_POLYNOMIAL, SPOT_POWER, SPOT_RIM, SPOT_SMOOTH,
+    SPOT_SMOOTH_RANGE, SPOT_SOFT, SPOT_SQUARED_WINDOW, SPOT_TABLE, SPOT_WINDOWED,
 };
 use crate::{Format, Irradiance, Surface};
 
@@ -66,4 +68,16 @@ pub fn spot_soft(Surface { point, .. }: Surface) -> Format {
 #[inline(always)]
 pub fn spot_soft_lambert_gobo(surface: Surface) -> Irradiance {
     GOBO.filter(spot_soft_lambert(surface), surface.point)
+}
+
+/// The soft spotlight under a shadow map of 16 by 16.
+#[inline(always)]
+pub fn spot_soft_lambert_shadow(surface: Surface) -> Irradiance {
+    Format::filter(spot_soft_lambert(surface), SHADOW.visibility(surface.point))
+}
+
+/// The air light of a view ray through the beam of the soft spotlight in haze. It is f32 in every format.
+#[inline(always)]
+pub fn haze(view: ViewRay) -> f32 {
+    BEAM.air_light(&view)
 }

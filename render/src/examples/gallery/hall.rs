@@ -68,7 +68,7 @@ impl Side {
     }
 
     /// Where a lamp for a picture hangs, so far to its side.
-    pub(super) fn from_wall(self, along: f32, offset: f32) -> Vec3<f32> {
+    pub(super) fn before_wall(self, along: f32, offset: f32) -> Vec3<f32> {
         self.at(along + offset, 2.1, 4.3)
     }
 

@@ -219,7 +219,7 @@ pub(super) fn prices_stand_beside_the_errors(visitor: &mut Visitor) -> Result<()
 }
 
 pub(super) fn fits_every_screen(visitor: &mut Visitor) -> Result<()> {
-    for view in ["#stage", "#compare?left=fx16&half=0.1"] {
+    for view in ["#stage", "#scenes?scene=gallery", "#compare?left=fx16&half=0.1"] {
         let mut page = visitor.ready_with(view, &answering(LIST))?;
         for screen in [390, 700, 1000, 1440] {
             page.resize(screen, 900)?;

@@ -9,6 +9,7 @@ mod formats;
 mod network;
 mod picture;
 mod refusal;
+mod scenes;
 
 use std::path::Path;
 
@@ -28,7 +29,7 @@ pub(crate) struct Visitor {
 /// A test's name and what it does.
 pub(crate) type Test = (&'static str, fn(&mut Visitor) -> Result<()>);
 
-pub(crate) const ALL: [Test; 31] = [
+pub(crate) const ALL: [Test; 42] = [
     ("the page becomes ready without a complaint", picture::becomes_ready),
     ("the picture is lit by its lights, in several colours", picture::is_lit),
     ("a picture that the canvas refused is shown with the next draw", picture::is_shown_again),
@@ -56,7 +57,18 @@ pub(crate) const ALL: [Test; 31] = [
     ("the comparison is reached by its link", comparison::is_reached_by_its_link),
     ("the pictures of the comparison are timed", comparison::times_are_measured),
     ("prices stand beside the errors", comparison::prices_stand_beside_the_errors),
-    ("both views fit screens from 390 to 1440 pixels", comparison::fits_every_screen),
+    ("every scene is drawn, and called for what it shows", scenes::are_all_drawn),
+    ("a picture of what a scene calls for is that of everything, bit for bit", scenes::equal_everything),
+    ("a scene is opened by its address", scenes::are_opened_by_address),
+    ("a scene plays, and stops", scenes::play),
+    ("the camera of a scene is dragged, and moved by keys", scenes::camera_is_moved),
+    ("lamps and effects of a scene are switched", scenes::are_switched),
+    ("a lamp that moves lets tiles be lit again that it touches, and no others", scenes::tiles_are_lit_again),
+    ("the map shows how many lamps were evaluated, with a legend", scenes::map_is_shown),
+    ("what a format cannot hold of a scene is refused in words", scenes::refusals_are_told),
+    ("the scenes are used by the keyboard alone", scenes::keys_are_enough),
+    ("scenes are measured, pass by pass", scenes::are_measured),
+    ("all views fit screens from 390 to 1440 pixels", comparison::fits_every_screen),
     ("a browser without simd is told so", failure::without_simd),
     ("a browser that refuses the canvas is told so", failure::without_canvas),
     ("the page asks nobody but its own server", network::stays_at_home),

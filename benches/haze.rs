@@ -1,0 +1,116 @@
+//! What the air light of a view ray costs: from the rows of a picture in memory to air light in memory.
+//!
+//! `cargo bench --bench haze`. The rays see a spotlight from the side, in blocks of 32 pixels as a renderer
+//! has them; about half of the picture is within the beam. The rival marches along the ray in equal steps.
+
+#![allow(missing_docs, reason = "criterion's macros make public items without documentation")]
+
+use std::hint::black_box;
+
+use criterion::{Criterion, Throughput, criterion_group, criterion_main};
+use luminaire::{
+    Angle, Attenuation, CompiledSpot, Cone, Hard, Haze, HazyBeam, InverseSquare, Profile, Soft, Spot,
+    SquaredWindow, Vec3, ViewRay,
+};
+
+const WIDTH: usize = 256;
+const HEIGHT: usize = 64;
+const BLOCK: usize = 32;
+const EYE: Vec3<f32> = Vec3::new(0.0, 2.0, 6.0);
+
+/// A block of pixels: the ways that they look, and how far.
+#[derive(Clone, Copy)]
+struct Block {
+    direction: Vec3<[f32; BLOCK]>,
+    length: [f32; BLOCK],
+    light: [f32; BLOCK],
+}
+
+/// A picture of a back wall.
+fn picture() -> Vec<Block> {
+    let mut blocks = Vec::new();
+    for start in (0..WIDTH * HEIGHT).step_by(BLOCK) {
+        let mut block = Block {
+            direction: Vec3::new([0.0; BLOCK], [0.0; BLOCK], [0.0; BLOCK]),
+            length: [0.0; BLOCK],
+            light: [0.0; BLOCK],
+        };
+        for i in 0..BLOCK {
+            let (x, y) = ((start + i) % WIDTH, (start + i) / WIDTH);
+            let at = |place: usize, of: usize| place as f32 / of as f32 - 0.5;
+            let wall = Vec3::new(8.0 * at(x, WIDTH), 2.0 + 4.0 * at(y, HEIGHT), -3.0);
+            let view = ViewRay::between(EYE, wall);
+            block.direction.x[i] = view.direction.x;
+            block.direction.y[i] = view.direction.y;
+            block.direction.z[i] = view.direction.z;
+            block.length[i] = view.length;
+        }
+        blocks.push(block);
+    }
+    blocks
+}
+
+fn spot<P: Profile>(profile: P) -> Spot<P> {
+    let cone = Cone::from_field(profile, Angle::degrees(36.0)).expect("a sound angle");
+    Spot::new(Vec3::new(0.3, 4.5, 0.2), Vec3::new(-0.05, -1.0, 0.0), cone)
+        .and_then(|spot| spot.with_intensity(16.0))
+        .expect("a sound light")
+}
+
+/// Fills a picture with a light of each ray.
+#[inline(always)]
+fn fill(blocks: &mut [Block], light: impl Fn(&ViewRay) -> f32) {
+    for block in blocks {
+        for i in 0..BLOCK {
+            let direction = Vec3::new(block.direction.x[i], block.direction.y[i], block.direction.z[i]);
+            block.light[i] = light(&ViewRay { eye: EYE, direction, length: block.length[i] });
+        }
+    }
+}
+
+fn bench_with(criterion: &mut Criterion, name: &str, mut fill: impl FnMut(&mut [Block])) {
+    let mut blocks = picture();
+    fill(&mut blocks);
+    let lights = blocks.iter().flat_map(|block| block.light);
+    let (lit, brightest) = lights.fold((0, 0.0_f32), |(n, most), l| (n + u32::from(l > 0.0), most.max(l)));
+    assert!((0.2..0.8).contains(&(f64::from(lit) / (WIDTH * HEIGHT) as f64)), "{name}: {lit} are lit");
+    assert!((0.01..1.0).contains(&brightest), "{name}: the brightest is {brightest}");
+    let mut group = criterion.benchmark_group("haze");
+    group.throughput(Throughput::Elements((WIDTH * HEIGHT) as u64));
+    group.bench_function(name, |bencher| bencher.iter(|| fill(black_box(&mut blocks))));
+    group.finish();
+}
+
+fn bench<P: Profile, A: Attenuation>(criterion: &mut Criterion, name: &str, spot: Spot<P, A>) {
+    let beam: HazyBeam<P, A> =
+        spot.compile::<f32>().expect("held").in_haze(&Haze::new(0.02).expect("a sound density"));
+    bench_with(criterion, name, |blocks| fill(blocks, |view| beam.air_light(view)));
+    bench_with(criterion, &format!("{name}, 16 samples"), |blocks| {
+        fill(blocks, |view| beam.air_light_through(view, 16, |point| if point.y > 0.0 { 1.0 } else { 0.5 }));
+    });
+}
+
+/// The usual way: so many steps along the ray.
+fn march(light: &CompiledSpot<f32, Soft>, view: &ViewRay, steps: u32) -> f32 {
+    let step = view.length / steps as f32;
+    let mut sum = 0.0;
+    for i in 0..steps {
+        let s = (i as f32 + 0.5) * step;
+        let point = view.eye.zip(view.direction, |e, d| e + s * d);
+        let way = point.zip(Vec3::new(0.3, 4.5, 0.2), |p, l| p - l);
+        sum += light.falloff(point) / way.dot(way);
+    }
+    16.0 * 0.02 / 4.0 * step * sum
+}
+
+fn haze(criterion: &mut Criterion) {
+    bench::<_, InverseSquare>(criterion, "soft", spot(Soft));
+    bench::<_, InverseSquare>(criterion, "hard", spot(Hard));
+    let window = SquaredWindow::new(Some(9.0)).expect("a sound range");
+    bench(criterion, "soft, squared window", spot(Soft).with_attenuation(window));
+    let light = spot(Soft).compile::<f32>().expect("held");
+    bench_with(criterion, "16 steps along the ray", |blocks| fill(blocks, |view| march(&light, view, 16)));
+}
+
+criterion_group!(benches, haze);
+criterion_main!(benches);

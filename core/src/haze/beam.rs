@@ -1,0 +1,212 @@
+//! The beam of a spotlight in haze.
+
+use super::{
+    Haze, ViewRay,
+    arc::{Arc, Extent, Span},
+    quadrature::{integrate, integrate_by_parts},
+    stretch::Stretch,
+};
+use crate::{
+    attenuation::{Attenuation, InverseSquare},
+    cone::Falloff,
+    profile::{Edge, Profile},
+    scalar::{Gain, Offset, Scalar, float::clamp},
+    shade::CompiledSpot,
+    vec3::Vec3,
+};
+
+/// The beam of a spotlight in haze. Made by [`CompiledSpot::in_haze`].
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct HazyBeam<P: Profile = Edge, A: Attenuation = InverseSquare> {
+    pub(crate) position: Vec3<f32>,
+    pub(crate) axis: Vec3<f32>,
+    pub(crate) falloff: Falloff<f32, P>,
+    pub(crate) attenuation: A::Constants<f32>,
+    pub(crate) gain: f32,
+    /// The versine up to which the intensity is that of the axis, and the one from which on there is none,
+    /// within a step.
+    pub(crate) cone: [f32; 2],
+    /// The squared distances at which the light begins and ends.
+    pub(crate) reach: [f32; 2],
+}
+
+/// What counts as no difference of intensities: a step of 16 bits. A high power is so faint in most of its
+/// cone, and the places of the rule fall where it is not.
+const STEP: f32 = 1.0 / 65_536.0;
+
+/// Where space ends. Squares of distances and products of two of them stay within f32.
+pub(super) const FARTHEST: f32 = 1e15;
+
+impl<P: Profile, A: Attenuation> CompiledSpot<f32, P, A> {
+    /// The beam of this light in haze.
+    pub fn in_haze(&self, haze: &Haze) -> HazyBeam<P, A> {
+        let radius = haze.lamp_radius();
+        let reach = range::<A>(&self.attenuation);
+        HazyBeam {
+            position: self.position,
+            axis: self.axis,
+            falloff: self.falloff,
+            attenuation: self.attenuation,
+            gain: self.intensity.by(haze.density() / 4.0),
+            cone: rim(&self.falloff),
+            reach: [radius * radius, reach * reach],
+        }
+    }
+}
+
+impl<P: Profile, A: Attenuation> HazyBeam<P, A> {
+    /// The beam of these parts, as [`source`](crate::source) writes them: the two versines between which
+    /// the intensity varies, and the squares of the distances between which there is light.
+    pub const fn from_parts(
+        position: Vec3<f32>,
+        axis: Vec3<f32>,
+        falloff: Falloff<f32, P>,
+        attenuation: A::Constants<f32>,
+        gain: f32,
+        cone: [f32; 2],
+        reach: [f32; 2],
+    ) -> Self {
+        Self { position, axis, falloff, attenuation, gain, cone, reach }
+    }
+
+    /// The light that the haze scatters along a view ray towards the eye, before the colour: 1 is full
+    /// scale, what a white surface shows that receives 1. From zero up and finite, whatever the bits;
+    /// exactly zero in clear air and where the ray does not meet the cone.
+    ///
+    /// There is no branch in it that depends on the ray, so that compilers make vector instructions of a loop over rays.
+    #[inline(always)]
+    pub fn air_light(&self, view: &ViewRay) -> f32 {
+        let arc = Arc::new(&self.extent(), view);
+        let [inner, outer] = self.cone.map(|versine| arc.edge(versine));
+        if A::is_inverse_square::<f32>(&self.attenuation) {
+            let full = self.falloff.at(0.0);
+            let rim = |v: f32| by_angle(v, |share| self.falloff.at(arc.versine(v, share)));
+            let middle = |v: f32| by_angle(v, |_| full);
+            let Span { from, to, scale } = arc.span(outer);
+            let sum = integrate(from, lesser(to, -inner), rim)
+                + integrate(greater(from, -inner), lesser(to, inner), middle)
+                + integrate(greater(from, inner), to, rim);
+            return self.light(&arc, scale * sum);
+        }
+        let ([from, to], [begin, end]) = (arc.between(outer), arc.between(inner));
+        let between = |from: f32, to: f32| {
+            let stretch = Stretch::new(&arc, from, to);
+            let value = |parameter: f32| self.by_way(&arc, stretch.at(parameter));
+            integrate(0.0, 0.5, value) + integrate(0.5, 1.0, value)
+        };
+        let sum = between(from, lesser(to, begin))
+            + between(greater(from, begin), lesser(to, end))
+            + between(greater(from, end), to);
+        self.light(&arc, sum)
+    }
+
+    /// As [`air_light`](Self::air_light), weighted by what gets through to each of so many places of the
+    /// ray in the beam: by a pattern in front of the lamp or past what throws a shadow, as `transmission`
+    /// tells of a point of the world, from 0 to 1. The places are in the middle of parts that are equal
+    /// seen from the lamp, or about so where the light does not fall with the square of the distance.
+    /// Without any there is no light.
+    #[inline(always)]
+    pub fn air_light_through(
+        &self,
+        view: &ViewRay,
+        samples: u32,
+        transmission: impl Fn(Vec3<f32>) -> f32,
+    ) -> f32 {
+        let arc = Arc::new(&self.extent(), view);
+        let outer = arc.edge(self.cone[1]);
+        let through = |place: f32| transmission(arc.point(self.position, place));
+        if A::is_inverse_square::<f32>(&self.attenuation) {
+            let Span { from, to, scale } = arc.span(outer);
+            let sum = integrate_by_parts(from, to, samples, |v| {
+                through(arc.place(v)) * by_angle(v, |share| self.falloff.at(arc.versine(v, share)))
+            });
+            return self.light(&arc, scale * sum);
+        }
+        let [from, to] = arc.between(outer);
+        let stretch = Stretch::new(&arc, from, to);
+        let sum = integrate_by_parts(0.0, 1.0, samples, |parameter| {
+            let (place, way) = stretch.at(parameter);
+            through(place) * self.by_way(&arc, (place, way))
+        });
+        self.light(&arc, sum)
+    }
+
+    /// What a way along the ray scatters.
+    #[inline(always)]
+    fn by_way(&self, arc: &Arc, (place, way): (f32, f32)) -> f32 {
+        let distance = arc.distance(place);
+        let intensity = self.falloff.at(arc.versine_at(place, distance));
+        let offset = at_distance(distance);
+        way * A::expose::<f32>(&self.attenuation, &offset, &offset.ray(), intensity, 1.0)
+    }
+
+    /// The air light of what is scattered of an intensity of one.
+    #[inline(always)]
+    fn light(&self, arc: &Arc, scattered: f32) -> f32 {
+        let scattered = if arc.is_any() { scattered } else { 0.0 };
+        scattered.expose(self.gain)
+    }
+
+    #[inline(always)]
+    pub(super) fn extent(&self) -> Extent {
+        let [radius_squared, reach_squared] = self.reach;
+        Extent { position: self.position, axis: self.axis, radius_squared, reach_squared }
+    }
+}
+
+/// What the angle of a unit of `v` scatters of an intensity, at distance 1. The intensity is told `1 / (1 +
+/// v^2)`.
+#[inline(always)]
+fn by_angle(v: f32, intensity: impl Fn(f32) -> f32) -> f32 {
+    let share = 1.0 / (1.0 + v * v);
+    2.0 * share * intensity(share)
+}
+
+/// The way from a light to a point at a distance.
+#[inline(always)]
+fn at_distance(distance: f32) -> <f32 as Scalar>::Offset {
+    f32::offset(Vec3::new(0.0, 0.0, 0.0), Vec3::new(distance, 0.0, 0.0))
+}
+
+/// The distance at which a distance model ends, or the end of space.
+fn range<A: Attenuation>(constants: &A::Constants<f32>) -> f32 {
+    last(FARTHEST, |distance| !A::is_beyond::<f32>(constants, &at_distance(distance)))
+}
+
+/// The versines between which the intensity of a cone varies.
+fn rim<P: Profile>(falloff: &Falloff<f32, P>) -> [f32; 2] {
+    let [_, limit, _] = falloff.ramp.to_bits().map(f32::from_bits);
+    let limit = clamp(limit);
+    let full = falloff.at(0.0);
+    let is_full = |versine: f32| (falloff.at(versine) - full).abs() < STEP;
+    let is_lit = |versine: f32| falloff.at(versine) >= STEP;
+    // A table may fall and rise again: its first fall ends the middle, and its last light the rim.
+    let part = |i: u32| limit * (i as f32 / 256.0);
+    let first = (1..256).find(|&i| !is_full(part(i))).unwrap_or(256);
+    let end = (1..256).rev().find(|&i| is_lit(part(i))).map_or(1, |i| i + 1);
+    [last(part(first), is_full), last(part(end), is_lit)]
+}
+
+/// The largest number up to `most` up to which a predicate holds.
+fn last(most: f32, holds: impl Fn(f32) -> bool) -> f32 {
+    if holds(most) {
+        return most;
+    }
+    // Floats from zero up are in the order of their bits.
+    let (mut low, mut high) = (0, most.to_bits());
+    while high - low > 1 {
+        let middle = low + (high - low) / 2;
+        if holds(f32::from_bits(middle)) { low = middle } else { high = middle }
+    }
+    f32::from_bits(low)
+}
+
+#[inline(always)]
+fn lesser(a: f32, b: f32) -> f32 {
+    if a < b { a } else { b }
+}
+
+#[inline(always)]
+fn greater(a: f32, b: f32) -> f32 {
+    if a > b { a } else { b }
+}

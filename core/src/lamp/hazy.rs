@@ -1,0 +1,83 @@
+//! The beam of a lamp in haze, for many view rays.
+
+use super::{
+    CompiledLamp,
+    each::{Plain, plain},
+};
+use crate::{
+    attenuation::{Attenuation, Distance, InverseSquare},
+    cone::Falloff,
+    haze::{Haze, HazyBeam, ViewRay},
+    profile::{CompiledMatched, Matched, Profile},
+    vec3::Vec3,
+};
+
+/// View rays from one eye, each quantity in an array of its own: see [`ViewRay`].
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct ViewRays<const N: usize> {
+    /// Where the eye is.
+    pub eye: Vec3<f32>,
+    /// Where it looks, of unit length.
+    pub direction: Vec3<[f32; N]>,
+    /// How far it sees; infinity where there is no surface.
+    pub length: [f32; N],
+}
+
+impl<const N: usize> ViewRays<N> {
+    /// One of the rays, of `N`.
+    #[inline(always)]
+    pub fn at(&self, i: usize) -> ViewRay {
+        let Vec3 { x, y, z } = &self.direction;
+        ViewRay { eye: self.eye, direction: Vec3::new(x[i], y[i], z[i]), length: self.length[i] }
+    }
+}
+
+impl CompiledLamp<f32> {
+    /// The beam of the lamp in haze; nothing where it is no spotlight.
+    pub fn in_haze(&self, haze: &Haze) -> Option<HazyBeam<Matched, Distance>> {
+        match self {
+            Self::Spot(spot) => Some(spot.in_haze(haze)),
+            Self::Directional(_) | Self::Point(_) => None,
+        }
+    }
+}
+
+impl HazyBeam<Matched, Distance> {
+    /// The air light of each of many rays: to the bit what [`air_light`](Self::air_light) of the beam's own profile gives for
+    /// one. There is a loop for each profile under the inverse-square law, and one with branches for all others.
+    pub fn air_light_each<const N: usize>(&self, rays: &ViewRays<N>, lights: &mut [f32; N]) {
+        match plain::<f32>(&self.attenuation) {
+            Some(Plain::InverseSquare) => {
+                with_profile!(self.falloff, profile, curve => self.by_square(profile, curve, rays, lights));
+            }
+            _ => each(self, rays, lights),
+        }
+    }
+
+    fn by_square<P: Profile, const N: usize>(
+        &self,
+        profile: P,
+        curve: P::Compiled<f32>,
+        rays: &ViewRays<N>,
+        lights: &mut [f32; N],
+    ) {
+        let falloff = Falloff::from_parts(self.falloff.ramp, profile, curve);
+        let Self { position, axis, gain, cone, reach, .. } = *self;
+        each(
+            &HazyBeam::<P, InverseSquare>::from_parts(position, axis, falloff, (), gain, cone, reach),
+            rays,
+            lights,
+        );
+    }
+}
+
+#[inline(never)]
+fn each<P: Profile, A: Attenuation, const N: usize>(
+    beam: &HazyBeam<P, A>,
+    rays: &ViewRays<N>,
+    lights: &mut [f32; N],
+) {
+    for (i, light) in lights.iter_mut().enumerate() {
+        *light = beam.air_light(&rays.at(i));
+    }
+}

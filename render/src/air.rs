@@ -1,0 +1,108 @@
+//! The air of a picture: what the haze between eye and surface shows of the beams.
+
+use crate::{gbuffer::LANES, lighting::Radiance, raster::Fragments, view::View};
+use luminaire::{
+    CompiledGobo, Distance, Error, Haze, HazyBeam, Lamp, Matched, Rgb, Scalar, Shadow, Vec3, ViewBundle,
+    ViewRays,
+};
+
+/// At how many places of a ray a beam with a gobo or with shadows is looked at.
+const SAMPLES: u32 = 16;
+
+/// The beam of a spotlight in haze.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Hazy {
+    beam: HazyBeam<Matched, Distance>,
+    color: Rgb<f32>,
+}
+
+/// What is in the way of a beam.
+#[derive(Debug)]
+pub(crate) struct Way<'a, S: Scalar> {
+    pub(crate) gobo: Option<&'a CompiledGobo<'static, S>>,
+    pub(crate) shadow: Option<Shadow<'a, S>>,
+}
+
+impl Hazy {
+    /// The beam of a lamp; nothing where it is no spotlight.
+    ///
+    /// # Errors
+    /// What `f32` can't hold.
+    pub(crate) fn new(lamp: &Lamp, haze: &Haze) -> Result<Option<Self>, Error> {
+        let color = lamp.color();
+        Ok(lamp.compile::<f32>()?.in_haze(haze).map(|beam| Self { beam, color }))
+    }
+
+    /// Whether any ray of a bundle may meet the beam.
+    pub(crate) fn may_be_seen(&self, sight: &ViewBundle) -> bool {
+        self.beam.can_meet(sight)
+    }
+
+    /// Adds the light of the air to that of the surfaces behind it.
+    pub(crate) fn add<S: Scalar>(&self, rays: &ViewRays<LANES>, way: &Way<'_, S>, radiance: &mut Radiance) {
+        let mut air = [0.0; LANES];
+        self.beam.air_light_each(rays, &mut air);
+        if way.gobo.is_some() || way.shadow.is_some() {
+            for (lane, light) in air.iter_mut().enumerate().filter(|(_, light)| **light > 0.0) {
+                let through = |point: Vec3<f32>| way.transmission(point.map(S::length));
+                *light = self.beam.air_light_through(&rays.at(lane), SAMPLES, through);
+            }
+        }
+        let Rgb { red, green, blue } = radiance;
+        for (sum, color) in [(red, self.color.red), (green, self.color.green), (blue, self.color.blue)] {
+            sum.iter_mut().zip(air).for_each(|(sum, light)| *sum += light * color);
+        }
+    }
+}
+
+impl<S: Scalar> Way<'_, S> {
+    /// What is left of the light at a point.
+    fn transmission(&self, point: Vec3<S::Length>) -> f32 {
+        let pattern = self.gobo.map_or(1.0, |gobo| gobo.at(point).to_f32());
+        pattern * self.shadow.as_ref().map_or(1.0, |shadow| shadow.visibility(point).to_f32())
+    }
+}
+
+/// The rays through the pixels of a block, from the eye to what was drawn there.
+pub(crate) fn rays(view: &View, fragments: &Fragments, row: usize, column: usize) -> ViewRays<LANES> {
+    let (first, step) = view.ray(row);
+    let first = first + step * (column * LANES) as f32;
+    let nearness = fragments.block(row, column);
+    let mut rays = ViewRays {
+        eye: view.eye().into(),
+        direction: Vec3::new([0.0; LANES], [0.0; LANES], [0.0; LANES]),
+        length: [0.0; LANES],
+    };
+    for lane in 0..LANES {
+        let way = first + step * lane as f32;
+        let unit = way.length();
+        rays.direction.x[lane] = way.x / unit;
+        rays.direction.y[lane] = way.y / unit;
+        rays.direction.z[lane] = way.z / unit;
+        // At depth 1 the way is as long as this; where nothing was drawn it has no end.
+        rays.length[lane] = unit / nearness[lane];
+    }
+    rays
+}
+
+/// A bundle of all rays through a rectangle of pixels, up to its farthest surface.
+pub(crate) fn bundle(
+    view: &View,
+    fragments: &Fragments,
+    rows: core::ops::Range<usize>,
+    column: usize,
+) -> ViewBundle {
+    let direction = |row: usize, lane: usize| {
+        let (first, step) = view.ray(row);
+        (first + step * (column * LANES + lane) as f32).normalize()
+    };
+    let last = rows.end.saturating_sub(1);
+    let corners = [(rows.start, 0), (rows.start, LANES - 1), (last, 0), (last, LANES - 1)];
+    let corners = corners.map(|(row, lane)| direction(row, lane));
+    let middle = corners.into_iter().sum::<glam::Vec3>().normalize();
+    let farthest = |row: usize| fragments.block(row, column).iter().copied().fold(f32::INFINITY, f32::min);
+    let least = rows.map(farthest).fold(f32::INFINITY, f32::min);
+    // The longest way to depth 1 goes to a corner.
+    let longest = corners.into_iter().map(|corner| 1.0 / corner.dot(view.ahead())).fold(0.0, f32::max);
+    ViewBundle::around(view.eye().into(), middle.into(), &corners.map(Into::into), longest / least)
+}

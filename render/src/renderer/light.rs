@@ -1,0 +1,123 @@
+//! The light of a picture: which tiles must be lit again, and by which lamps.
+
+use super::Renderer;
+use crate::{
+    account::Account,
+    air,
+    format::Format,
+    gbuffer::LANES,
+    lighting::{Prepared, Setting},
+};
+use alloc::vec::Vec;
+use luminaire::{Error, Haze, Luminaire, Plan};
+
+impl<S: Format> Renderer<S> {
+    /// Lights the tiles that have changed, or all where the plan leaves nothing out. Returns whether any had.
+    pub(super) fn draw_light_by<L: Copy + Into<Luminaire>>(
+        &mut self,
+        plan: Plan,
+        lights: &[L],
+    ) -> Result<bool, Error> {
+        let luminaires: Vec<Luminaire> = lights.iter().map(|&light| light.into()).collect();
+        if self.lit.as_ref() == Some(&luminaires) && self.shadows.redrawn().is_empty() {
+            return Ok(false);
+        }
+        let haze = if plan.skips() { self.haze } else { Some(self.haze.unwrap_or(Haze::CLEAR)) };
+        let prepare = |(number, luminaire)| Prepared::new(number, luminaire, haze, &plan);
+        let prepared = luminaires.iter().enumerate().map(prepare).collect::<Result<Vec<_>, _>>()?;
+        if self.reached.make_room(self.tiles.tiles.len(), luminaires.len()) {
+            self.lit = None;
+        }
+        if self.lit.is_none() {
+            self.reached.forget();
+        }
+        let (is_new, changed) = (self.lit.is_none(), self.changed(&luminaires));
+        let kept = prepared.iter().flatten().count();
+        self.account = Account::new(self.tiles.tiles.len(), luminaires.len(), kept, self.width * self.height);
+        let is_hazy = prepared.iter().flatten().any(|lamp| lamp.hazy.is_some());
+        for tile in 0..self.tiles.tiles.len() {
+            if is_hazy {
+                self.sight(tile);
+            }
+            let is_another = self.reach(tile, plan, &changed, &prepared) || is_new;
+            self.tiles.tiles[tile].is_relit = is_another;
+            if is_another {
+                self.light_tile(tile, plan, &prepared);
+            }
+        }
+        self.lit = plan.skips().then_some(luminaires);
+        self.shadows.settle();
+        Ok(true)
+    }
+
+    /// The numbers of the luminaires that are others than those of the picture.
+    fn changed(&self, luminaires: &[Luminaire]) -> Vec<usize> {
+        let before = self.lit.as_deref().unwrap_or_default();
+        let count = luminaires.len().max(before.len());
+        let is_another = |&i: &usize| {
+            self.lit.is_none() || before.get(i) != luminaires.get(i) || self.shadows.redrawn().contains(&i)
+        };
+        (0..count).filter(is_another).collect()
+    }
+
+    /// Bundles the view rays of a tile, once for a view.
+    fn sight(&mut self, tile: usize) {
+        let (rows, column) = self.tiles.place(tile);
+        let sight = &mut self.tiles.tiles[tile].sight;
+        if let Some(view) = self.view.as_ref().filter(|_| sight.is_none()) {
+            *sight = Some(air::bundle(view, &self.fragments, rows, column));
+        }
+    }
+
+    /// Asks anew whether a tile is reached by the luminaires that are others now, on its surfaces or in the air before
+    /// them. Returns whether its light is another for it.
+    fn reach(
+        &mut self,
+        tile: usize,
+        plan: Plan,
+        changed: &[usize],
+        prepared: &[Option<Prepared<S>>],
+    ) -> bool {
+        let place = &self.tiles.tiles[tile];
+        let reaches = |lamp: &Prepared<S>| {
+            !plan.skips()
+                || place.bounds.is_some_and(|bounds| !lamp.reach.misses(&bounds))
+                || lamp.is_seen_in_air(place.sight.as_ref())
+        };
+        let reaches =
+            |number: usize| prepared.get(number).is_some_and(|lamp| lamp.as_ref().is_some_and(reaches));
+        self.reached.update(tile, changed, reaches)
+    }
+
+    fn light_tile(&mut self, tile: usize, plan: Plan, prepared: &[Option<Prepared<S>>]) {
+        self.tiles.tiles[tile].is_encoded = false;
+        self.account.tiles_relit += 1;
+        let (finishes, shadows) = (&self.finishes, &self.shadows);
+        let setting = Setting { plan, eye: self.eye, ambient: self.ambient, finishes, shadows };
+        let lamps = self.reached.lamps(tile).filter_map(|lamp| prepared[lamp].as_ref());
+        let reached = lamps.clone().count();
+        let sight = self.tiles.tiles[tile].sight;
+        let seen: Vec<_> =
+            lamps.clone().filter(|lamp| !plan.skips() || lamp.is_seen_in_air(sight.as_ref())).collect();
+        for block in self.tiles.blocks(tile) {
+            let geometry = &self.geometry.blocks[block];
+            let is_missed = |lamp: &&Prepared<S>| match &geometry.bounds {
+                Some(bounds) => lamp.reach.misses(bounds),
+                None => true,
+            };
+            let mut evaluated = 0;
+            let reaching = lamps.clone().filter(|lamp| !(plan.skips() && is_missed(lamp)));
+            let radiance = &mut self.radiance[block];
+            *radiance = S::light(&setting, geometry, &mut reaching.inspect(|_| evaluated += 1));
+            self.evaluated[block] = evaluated;
+            let (row, column) = (block / self.geometry.columns, block % self.geometry.columns);
+            let pixels = LANES.min(self.width - column * LANES);
+            self.account.enter(pixels, reached, evaluated.into());
+            if let (Some(view), false) = (&self.view, seen.is_empty()) {
+                let rays = air::rays(view, &self.fragments, row, column);
+                seen.iter().for_each(|lamp| lamp.scatter(&rays, &self.shadows, radiance));
+                self.account.evaluated_in_air += (pixels * seen.len()) as u64;
+            }
+        }
+    }
+}

@@ -1,0 +1,70 @@
+//! View rays that meet a beam, or nearly do.
+
+use super::{
+    air_light::{Beam, Ray},
+    format::Format,
+    reference::{self, Vector, dot, minus, unit},
+    sweep,
+};
+use fastrand::Rng;
+use luminaire::{Vec3, ViewRay};
+
+pub fn exact(v: Vec3<f32>) -> Vector {
+    f32::exact_point(v)
+}
+
+pub fn place(from: Vector, way: Vector, distance: f64) -> Vector {
+    [0, 1, 2].map(|i| from[i] + distance * way[i])
+}
+
+/// A place in the cone of a beam or not far beside it, 0.2 to 10 from the lamp.
+pub fn near_beam(rng: &mut Rng, spot: &reference::Spot, most: f64) -> Vector {
+    let outer = reference::half_degrees(spot.cone.limit).to_radians();
+    let angle = rng.f64() * most * outer;
+    place(spot.position, sweep::direction_off(rng, spot.axis, angle), 0.2 * 50.0_f64.powf(rng.f64()))
+}
+
+/// A view ray towards a place at the beam, from beside it or from within, that ends before it, behind it or
+/// nowhere. Its line does not pass the lamp so near that the ray's own roundings decide where.
+pub fn view(rng: &mut Rng, oracle: &Beam) -> ViewRay {
+    loop {
+        let view = any_view(rng, &oracle.spot);
+        let way = minus(exact(view.eye), oracle.spot.position);
+        let (_, height) = distances(oracle, &exactly(&view));
+        if height * height > 1e-4 * dot(way, way) {
+            return view;
+        }
+    }
+}
+
+fn any_view(rng: &mut Rng, spot: &reference::Spot) -> ViewRay {
+    let target = near_beam(rng, spot, 1.1);
+    let eye = match rng.u8(..3) {
+        0 => near_beam(rng, spot, 0.9),
+        _ => place(target, sweep::direction(rng), 0.3 * 30.0_f64.powf(rng.f64())),
+    };
+    let eye = sweep::single(eye);
+    let way = minus(target, exact(eye));
+    let distance = dot(way, way).sqrt();
+    let length = match rng.u8(..4) {
+        0 => f64::INFINITY,
+        1 => distance * rng.f64(),
+        _ => distance * (1.0 + rng.f64()),
+    };
+    ViewRay { eye, direction: sweep::single(unit(way)), length: length as f32 }
+}
+
+pub fn exactly(view: &ViewRay) -> Ray {
+    let length = f64::from(view.length).min(1e12);
+    Ray { eye: exact(view.eye), direction: unit(exact(view.direction)), length }
+}
+
+/// The distance of a ray from the lamp, and how near its line passes it.
+pub fn distances(oracle: &Beam, ray: &Ray) -> (f64, f64) {
+    let distance = |s: f64| {
+        let way = minus(ray.at(s), oracle.spot.position);
+        dot(way, way).sqrt()
+    };
+    let foot = dot(minus(oracle.spot.position, ray.eye), ray.direction);
+    (distance(foot.clamp(0.0, ray.length)).max(oracle.lamp_radius), distance(foot))
+}

@@ -1,0 +1,66 @@
+//! Whether the picture of the effects that are called for is the one of all effects.
+
+use crate::{clock::Clock, format::Draw, refusal::Refusal};
+use luminaire::Luminaire;
+use luminaire_render::{Camera, Scene};
+use wasm_bindgen::prelude::*;
+
+/// A picture that was lit by what it calls for, beside one for which everything was evaluated.
+#[wasm_bindgen]
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Equality {
+    /// The pixels of each picture.
+    pub pixels: usize,
+    /// The pixels whose light or displayed code is not the same in both, to the bit.
+    pub differing: usize,
+    /// The pairs of a lamp and a pixel that were evaluated.
+    pub evaluated: f64,
+    /// All pairs, which were evaluated for the other picture.
+    pub pairs: f64,
+    /// How long the light took, in milliseconds.
+    #[wasm_bindgen(js_name = lightingMs)]
+    pub lighting_ms: f64,
+    /// How long everything took, in milliseconds.
+    #[wasm_bindgen(js_name = everythingMs)]
+    pub everything_ms: f64,
+}
+
+impl Equality {
+    /// Draws both pictures, of this width in pixels, and compares them.
+    pub(crate) fn new(
+        mut renderer: Box<dyn Draw>,
+        width: usize,
+        clock: &Clock,
+        (scene, camera, luminaires): (&Scene, &Camera, &[Luminaire]),
+    ) -> Result<Self, Refusal> {
+        renderer.draw_geometry(scene, camera);
+        renderer.draw_shadows(scene, luminaires)?;
+        let (lighting_ms, lit) = clock.time(|| renderer.draw_light(luminaires));
+        lit?;
+        let account = renderer.account();
+        let called_for = bits(&mut *renderer, width);
+        let (everything_ms, lit) = clock.time(|| renderer.draw_everything(luminaires));
+        lit?;
+        let everything = bits(&mut *renderer, width);
+        let differing = called_for.iter().zip(&everything).filter(|(one, other)| one != other).count();
+        Ok(Self {
+            pixels: everything.len(),
+            differing,
+            evaluated: account.evaluated as f64,
+            pairs: renderer.account().evaluated as f64,
+            lighting_ms,
+            everything_ms,
+        })
+    }
+}
+
+/// The bits of each pixel: its light, and its displayed code.
+fn bits(renderer: &mut dyn Draw, width: usize) -> Vec<([u32; 3], [u8; 4])> {
+    renderer.encode();
+    let codes = renderer.pixels().as_chunks().0.iter().enumerate();
+    let pixel = |(place, &codes): (usize, &[u8; 4])| {
+        let light = renderer.linear(place % width, place / width).unwrap_or_default();
+        ([light.red, light.green, light.blue].map(f32::to_bits), codes)
+    };
+    codes.map(pixel).collect()
+}

@@ -1,0 +1,180 @@
+//! A map over the picture: how many lamps were evaluated where, or which tiles were lit again.
+
+use crate::{
+    false_colour::{Palette, Scale},
+    format::Draw,
+    refusal::Refusal,
+};
+
+/// How much of the map covers the picture, of 255: so much that its colours are those of the legend for the eye, and the
+/// picture is still seen.
+const COVER: u8 = 215;
+
+/// Where on the palette tiles stand that were lit again, and that were kept.
+const RELIT: (f32, f32) = (0.7, 0.0);
+
+/// What a map shows.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum Subject {
+    /// Nothing: there is no map.
+    Nothing,
+    /// How many lamps were evaluated at each pixel.
+    Lamps,
+    /// Which tiles were lit again.
+    Tiles,
+}
+
+/// A map of a picture in false colours.
+#[derive(Clone, Debug)]
+pub(crate) struct Map {
+    subject: Subject,
+    palette: Palette,
+    /// The most lamps at a pixel since the map was begun. The scale grows, and never shrinks: else its colours would change
+    /// their meaning from picture to picture.
+    most: u16,
+    pixels: Vec<u8>,
+}
+
+impl Subject {
+    /// The subject of this name.
+    pub(crate) fn named(name: &str) -> Result<Self, Refusal> {
+        match name {
+            "nothing" => Ok(Self::Nothing),
+            "lamps" => Ok(Self::Lamps),
+            "tiles" => Ok(Self::Tiles),
+            _ => Err(Refusal::Name {
+                parameter: "subject of the map",
+                value: name.to_owned(),
+                remedy: "give nothing, lamps or tiles",
+            }),
+        }
+    }
+}
+
+impl Map {
+    /// A map of nothing.
+    pub(crate) fn new() -> Self {
+        Self { subject: Subject::Nothing, palette: Palette::new(), most: 0, pixels: Vec::new() }
+    }
+
+    /// Makes it a map of something.
+    pub(crate) fn set_subject(&mut self, subject: Subject) {
+        self.subject = subject;
+    }
+
+    /// Begins the map anew, for a picture that has nothing to do with the last one.
+    pub(crate) fn begin(&mut self) {
+        self.most = 0;
+    }
+
+    /// The colours of its scale: red, green, blue in sRGB.
+    pub(crate) fn colours(&self) -> &[[u8; 3]] {
+        self.palette.colours()
+    }
+
+    /// How many lamps have the last colour.
+    pub(crate) fn end(&self) -> f64 {
+        self.scale().end()
+    }
+
+    /// The colours of tiles that were lit again, and that were kept.
+    pub(crate) fn tile_colours(&self) -> [[u8; 3]; 2] {
+        let of_all = Scale::to(1.0);
+        [RELIT.0, RELIT.1].map(|place| self.palette.colour(of_all, place))
+    }
+
+    /// Draws the map of a picture of this width and height: RGBA, sRGB; nothing for a map of nothing.
+    pub(crate) fn draw(&mut self, renderer: &dyn Draw, width: usize, height: usize) -> Option<&[u8]> {
+        let places = || (0..height).flat_map(|y| (0..width).map(move |x| (x, y)));
+        let lamps = |(x, y)| renderer.lamps_evaluated(x, y).unwrap_or_default();
+        self.pixels.clear();
+        match self.subject {
+            Subject::Nothing => return None,
+            Subject::Lamps => {
+                self.most = places().map(lamps).fold(self.most, u16::max);
+                let scale = self.scale();
+                for place in places() {
+                    self.put(self.palette.colour(scale, lamps(place).into()));
+                }
+            }
+            Subject::Tiles => {
+                let [relit, kept] = self.tile_colours();
+                for (x, y) in places() {
+                    self.put(if renderer.is_relit(x, y) == Some(true) { relit } else { kept });
+                }
+            }
+        }
+        Some(&self.pixels)
+    }
+
+    fn put(&mut self, [red, green, blue]: [u8; 3]) {
+        self.pixels.extend([red, green, blue, COVER]);
+    }
+
+    /// At least one lamp, so that none at all has the first colour.
+    fn scale(&self) -> Scale {
+        Scale::to(self.most.max(1).into())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::format::Format;
+    use luminaire_render::examples::Example;
+
+    const SIZE: (usize, usize) = (96, 54);
+
+    #[test]
+    fn the_map_has_the_colour_of_each_count() {
+        let setup = Example::Grid.setup().unwrap();
+        let mut renderer = Format::F32.renderer(SIZE.0 as u32, SIZE.1 as u32).unwrap();
+        renderer.draw_geometry(&setup.scene, &setup.camera);
+        renderer.draw_light(&setup.luminaires_at(0.0).unwrap()).unwrap();
+        let mut map = Map::new();
+        assert!(map.draw(&*renderer, SIZE.0, SIZE.1).is_none());
+        map.set_subject(Subject::Lamps);
+        let pixels = map.draw(&*renderer, SIZE.0, SIZE.1).unwrap().to_vec();
+        assert_eq!(pixels.len(), 4 * SIZE.0 * SIZE.1);
+        let mut counts = Vec::new();
+        for (place, pixel) in pixels.chunks(4).enumerate() {
+            let count = renderer.lamps_evaluated(place % SIZE.0, place / SIZE.0).unwrap();
+            let colour = map.palette.colour(map.scale(), count.into());
+            assert_eq!(*pixel, [colour[0], colour[1], colour[2], COVER], "{count} lamps");
+            counts.push(count);
+        }
+        let (least, most) = (counts.iter().min().unwrap(), counts.iter().max().unwrap());
+        assert!(least < most && f64::from(*most) <= map.end(), "from {least} to {most} lamps");
+    }
+
+    #[test]
+    fn the_map_of_tiles_tells_what_was_lit_again() {
+        let setup = Example::Grid.setup().unwrap();
+        let mut renderer = Format::F32.renderer(SIZE.0 as u32, SIZE.1 as u32).unwrap();
+        let mut map = Map::new();
+        map.set_subject(Subject::Tiles);
+        let [relit, kept] = map.tile_colours();
+        renderer.draw_geometry(&setup.scene, &setup.camera);
+        let mut share = |seconds| {
+            assert!(renderer.draw_light(&setup.luminaires_at(seconds).unwrap()).unwrap());
+            let pixels = map.draw(&*renderer, SIZE.0, SIZE.1).unwrap();
+            let count = |colour: [u8; 3]| pixels.chunks(4).filter(|pixel| pixel[..3] == colour).count();
+            assert_eq!(count(relit) + count(kept), SIZE.0 * SIZE.1);
+            count(relit) as f64 / (SIZE.0 * SIZE.1) as f64
+        };
+        assert_eq!(share(0.0), 1.0);
+        let some = share(0.3);
+        assert!(some > 0.0 && some < 0.5, "a share of {some} is lit again for two lamps of 64");
+    }
+
+    #[test]
+    fn the_scale_does_not_shrink_until_the_map_is_begun_anew() {
+        let mut map = Map::new();
+        assert_eq!(map.end(), 1.0);
+        map.most = 7;
+        assert_eq!(map.end(), 7.0);
+        map.begin();
+        assert_eq!(map.end(), 1.0);
+        assert!(Subject::named("heat").unwrap_err().to_string().contains("lamps or tiles"));
+    }
+}

@@ -1,0 +1,351 @@
+//! A scene with its switches: which lamps are on, which effects are left out, and so what the renderer is given.
+
+use crate::{
+    format::Format,
+    light::hex_of,
+    refusal::Refusal,
+    scene_state::{LampState, SwitchState},
+};
+use luminaire::{Effect, Effects, Error, Haze, Lamp, Luminaire, Plan};
+use luminaire_render::{
+    Camera, Display, Material, Scene,
+    examples::{Fixture, Setup},
+};
+
+/// The effects that have a switch, with the words for it.
+const SWITCHABLE: [(Effect, &str); 5] = [
+    (Effect::Specular, "highlights"),
+    (Effect::Gobo, "gobos"),
+    (Effect::Shadow, "shadows"),
+    (Effect::Haze, "haze"),
+    (Effect::Dither, "dither"),
+];
+
+/// The side in texels of a shadow map that a visitor asks for, and for how many lamps there may be such maps.
+const SHADOW_SIDE: u16 = 512;
+const SHADOWS: usize = 16;
+
+/// The density of the haze that a visitor asks for, in parts of the light scattered in a metre.
+const HAZE: f32 = 0.05;
+
+/// Seconds at which a scene is looked at to find out whether anything in it moves.
+const LOOKS: [f32; 4] = [0.3, 1.1, 2.7, 6.0];
+
+/// A scene, the luminaires above it, and what of both is switched off.
+#[derive(Clone, Debug)]
+pub(crate) struct Rig {
+    setup: Setup,
+    /// What stands there, without what is left out.
+    scene: Scene,
+    /// The luminaires, without what is left out.
+    fixtures: Vec<Fixture>,
+    /// Which lamps are on.
+    on: Vec<bool>,
+    /// The effects that were switched, and whether they are there since.
+    switched: Vec<(Effect, bool)>,
+    /// The side in texels of the shadow maps of lamps that throw no shadows by themselves.
+    shadow_side: u16,
+    /// What the scene calls for as it was made.
+    effects: Effects,
+}
+
+impl Rig {
+    /// A scene as it was made: all lamps on, nothing left out, nothing added.
+    pub(crate) fn new(setup: Setup) -> Result<Self, Error> {
+        let mut rig = Self {
+            scene: setup.scene.clone(),
+            fixtures: setup.fixtures.clone(),
+            on: vec![true; setup.fixtures.len()],
+            setup,
+            switched: Vec::new(),
+            shadow_side: SHADOW_SIDE,
+            effects: Effects::NONE,
+        };
+        rig.effects = rig.plan(&rig.luminaires_at(0.0)?).effects();
+        Ok(rig)
+    }
+
+    /// Gives every lamp shadows that can have them, by maps of so many texels a side.
+    pub(crate) fn add_shadows(&mut self, side: u16) -> Result<(), Error> {
+        self.shadow_side = side;
+        self.switch(Effect::Shadow, true)?;
+        self.luminaires_at(0.0).map(drop)
+    }
+
+    /// What stands there.
+    pub(crate) fn scene(&self) -> &Scene {
+        &self.scene
+    }
+
+    /// The scene's own camera after so many seconds.
+    pub(crate) fn camera_at(&self, seconds: f32) -> Camera {
+        self.setup.camera_at(seconds)
+    }
+
+    /// The luminaires after so many seconds. One that is switched off is there, and dark, so that the others keep
+    /// their numbers.
+    pub(crate) fn luminaires_at(&self, seconds: f32) -> Result<Vec<Luminaire>, Error> {
+        let luminaire = |(fixture, &on): (&Fixture, &bool)| {
+            let luminaire = fixture.at(seconds)?;
+            Ok(if on { luminaire } else { darkened(luminaire.lamp())?.into() })
+        };
+        self.fixtures.iter().zip(&self.on).map(luminaire).collect()
+    }
+
+    /// Which effects these luminaires and what stands there call for.
+    pub(crate) fn plan(&self, luminaires: &[Luminaire]) -> Plan {
+        let plan = luminaires.iter().fold(self.scene.plan(), Plan::with_luminaire);
+        if self.has(Effect::Dither) { plan.with(Effect::Dither) } else { plan }
+    }
+
+    /// What the picture is shown on.
+    pub(crate) fn display(&self) -> Display {
+        if self.has(Effect::Dither) { Display::Rgb888Dithered } else { Display::Rgb888 }
+    }
+
+    /// Whether a lamp changes as the seconds pass.
+    pub(crate) fn moves(&self) -> Result<bool, Error> {
+        let rest = self.setup.luminaires_at(0.0)?;
+        for seconds in LOOKS {
+            if self.setup.luminaires_at(seconds)? != rest {
+                return Ok(true);
+            }
+        }
+        Ok(false)
+    }
+
+    /// Whether the camera moves by itself as the seconds pass.
+    pub(crate) fn camera_moves(&self) -> bool {
+        LOOKS.iter().any(|&seconds| self.camera_at(seconds) != self.camera_at(0.0))
+    }
+
+    /// Whether a format can hold every lamp as it is after so many seconds.
+    pub(crate) fn check(&self, format: Format, seconds: f32) -> Result<(), Refusal> {
+        let luminaires = self.luminaires_at(seconds)?;
+        for (lamp, (luminaire, fixture)) in luminaires.iter().zip(&self.setup.fixtures).enumerate() {
+            let refused = |error| Refusal::Lamp { format, lamp, name: fixture.name, error };
+            format.check_luminaire(luminaire).map_err(refused)?;
+        }
+        Ok(())
+    }
+
+    /// The lamps with their switches.
+    pub(crate) fn lamps(&self) -> Result<Vec<LampState>, Error> {
+        let state = |(fixture, &on): (&Fixture, &bool)| {
+            let color = hex_of(fixture.at(0.0)?.lamp().color());
+            Ok(LampState { name: fixture.name.to_owned(), color, on })
+        };
+        self.setup.fixtures.iter().zip(&self.on).map(state).collect()
+    }
+
+    /// Switches a lamp on or off.
+    pub(crate) fn switch_lamp(&mut self, lamp: usize, on: bool) -> Result<(), Refusal> {
+        let count = self.on.len();
+        *self.on.get_mut(lamp).ok_or(Refusal::Number { value: lamp, count })? = on;
+        Ok(())
+    }
+
+    /// The effects that have a switch.
+    pub(crate) fn switches(&self) -> Vec<SwitchState> {
+        let state = |(effect, label): (Effect, &str)| SwitchState {
+            effect: effect.name().to_owned(),
+            label: label.to_owned(),
+            offered: self.effects.has(effect) || self.takes(effect),
+            on: self.has(effect),
+        };
+        SWITCHABLE.map(state).into()
+    }
+
+    /// Leaves an effect out, or puts it in. What the scene neither has nor takes stays out of it.
+    pub(crate) fn switch_effect(&mut self, name: &str, on: bool) -> Result<(), Refusal> {
+        let Some((effect, _)) = SWITCHABLE.into_iter().find(|(effect, _)| effect.name() == name) else {
+            return Err(Refusal::Name {
+                parameter: "effect to switch",
+                value: name.to_owned(),
+                remedy: "give specular, gobo, shadow, haze or dither",
+            });
+        };
+        Ok(self.switch(effect, on)?)
+    }
+
+    fn switch(&mut self, effect: Effect, on: bool) -> Result<(), Error> {
+        self.switched.retain(|&(other, _)| other != effect);
+        if self.effects.has(effect) || self.takes(effect) {
+            self.switched.push((effect, on));
+        }
+        self.refit()
+    }
+
+    /// Whether an effect is in the scene now.
+    fn has(&self, effect: Effect) -> bool {
+        let switched = self.switched.iter().find(|(other, _)| *other == effect);
+        switched.map_or(self.effects.has(effect), |&(_, on)| on)
+    }
+
+    /// Whether an effect can be put into the scene. Shadows can, where a lamp throws any, and not too many do.
+    fn takes(&self, effect: Effect) -> bool {
+        let takers = || self.setup.fixtures.iter().filter(|fixture| takes_shadow(fixture)).count();
+        match effect {
+            Effect::Shadow => (1..=SHADOWS).contains(&takers()),
+            Effect::Haze | Effect::Dither => true,
+            _ => false,
+        }
+    }
+
+    /// Makes scene and luminaires of what is there.
+    fn refit(&mut self) -> Result<(), Error> {
+        self.scene = self.setup.scene.clone();
+        if !self.has(Effect::Specular) {
+            self.scene.repaint(|material| Material::new(material.albedo));
+        }
+        if self.has(Effect::Haze) != self.effects.has(Effect::Haze) {
+            let haze = if self.has(Effect::Haze) { Some(Haze::new(HAZE)?) } else { None };
+            self.scene.set_haze(haze);
+        }
+        let has = |effect| self.has(effect);
+        let adds_shadows = has(Effect::Shadow) && !self.effects.has(Effect::Shadow);
+        let fit = |mut fixture: Fixture| {
+            if !has(Effect::Gobo) {
+                fixture = fixture.without_gobo();
+            }
+            if !has(Effect::Shadow) {
+                fixture = fixture.without_shadow();
+            }
+            if adds_shadows && takes_shadow(&fixture) {
+                fixture = fixture.with_shadow(self.shadow_side);
+            }
+            fixture
+        };
+        self.fixtures = self.setup.fixtures.iter().copied().map(fit).collect();
+        Ok(())
+    }
+}
+
+/// Whether the lamp of a fixture can throw shadows: a spotlight that is not too wide.
+fn takes_shadow(fixture: &Fixture) -> bool {
+    fixture.with_shadow(SHADOW_SIDE).at(0.0).is_ok()
+}
+
+/// The lamp without its light.
+fn darkened(lamp: &Lamp) -> Result<Lamp, Error> {
+    Ok(match *lamp {
+        Lamp::Directional(light) => light.with_intensity(0.0)?.into(),
+        Lamp::Point(light) => light.with_intensity(0.0)?.into(),
+        Lamp::Spot(light) => light.with_intensity(0.0)?.into(),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use luminaire_render::examples::Example;
+
+    fn rig(example: Example) -> Rig {
+        Rig::new(example.setup().unwrap()).unwrap()
+    }
+
+    fn effects(rig: &Rig) -> Effects {
+        rig.plan(&rig.luminaires_at(0.0).unwrap()).effects()
+    }
+
+    #[test]
+    fn a_lamp_that_is_switched_off_is_dark_and_keeps_its_number() {
+        for example in Example::ALL {
+            let mut rig = rig(example);
+            let lit = rig.luminaires_at(1.0).unwrap();
+            for lamp in 0..lit.len() {
+                rig.switch_lamp(lamp, false).unwrap();
+                let mut dark = rig.luminaires_at(1.0).unwrap();
+                assert!(dark[lamp].lamp().is_dark() && !rig.lamps().unwrap()[lamp].on);
+                dark[lamp] = lit[lamp];
+                assert_eq!(dark, lit, "lamp {lamp} of {example:?}");
+                rig.switch_lamp(lamp, true).unwrap();
+            }
+            let refusal = rig.switch_lamp(lit.len(), false).unwrap_err().to_string();
+            assert!(refusal.contains(&format!("light {}", lit.len())), "{refusal}");
+        }
+    }
+
+    #[test]
+    fn an_effect_is_left_out_and_put_back_in() {
+        for (example, effect) in [
+            (Example::Turntable, Effect::Specular),
+            (Example::Gallery, Effect::Specular),
+            (Example::Show, Effect::Gobo),
+            (Example::Show, Effect::Haze),
+        ] {
+            let mut rig = rig(example);
+            let state = |rig: &Rig| {
+                let switches = rig.switches().into_iter();
+                let switch = switches.into_iter().find(|switch| switch.effect == effect.name()).unwrap();
+                (switch.offered, switch.on)
+            };
+            let before = (effects(&rig), rig.luminaires_at(2.0).unwrap(), rig.scene().clone());
+            assert_eq!(state(&rig), (true, true), "{example:?}");
+            rig.switch_effect(effect.name(), false).unwrap();
+            assert_eq!(state(&rig), (true, false), "{example:?}");
+            assert!(before.0.has(effect) && !effects(&rig).has(effect), "{example:?}");
+            assert_eq!(effects(&rig).with(effect), before.0);
+            rig.switch_effect(effect.name(), true).unwrap();
+            assert_eq!((effects(&rig), rig.luminaires_at(2.0).unwrap(), rig.scene().clone()), before);
+        }
+        let refusal = rig(Example::Show).switch_effect("spot", false).unwrap_err().to_string();
+        assert!(refusal.contains("\"spot\"") && refusal.contains("specular"), "{refusal}");
+    }
+
+    #[test]
+    fn a_scene_without_an_effect_offers_no_switch_for_it() {
+        let offered = |example: Example| {
+            let switches = rig(example).switches().into_iter().filter(|switch| switch.offered);
+            switches.map(|switch| switch.effect).collect::<Vec<_>>().join(" ")
+        };
+        assert_eq!([Example::BareSpot, Example::Grid].map(offered), ["shadow haze dither", "haze dither"]);
+        let mut rig = rig(Example::BareSpot);
+        let before = effects(&rig);
+        rig.switch_effect("gobo", true).unwrap();
+        assert_eq!(effects(&rig), before);
+    }
+
+    #[test]
+    fn a_scene_knows_what_moves_in_it() {
+        assert!(!rig(Example::BareSpot).moves().unwrap());
+        for example in [Example::Grid, Example::Show, Example::Turntable] {
+            assert!(rig(example).moves().unwrap(), "{example:?} stands still");
+        }
+        assert!(rig(Example::Turntable).camera_moves() && !rig(Example::Grid).camera_moves());
+    }
+
+    #[test]
+    fn haze_and_dither_are_added() {
+        let mut rig = rig(Example::BareSpot);
+        let before = (effects(&rig), rig.scene().clone());
+        assert_eq!((rig.scene().haze(), rig.display()), (None, Display::Rgb888));
+        for effect in [Effect::Haze, Effect::Dither] {
+            rig.switch_effect(effect.name(), true).unwrap();
+            assert!(effects(&rig).has(effect), "{effect:?}");
+        }
+        assert!(rig.scene().haze().is_some() && rig.display().is_dithered());
+        for effect in [Effect::Haze, Effect::Dither] {
+            rig.switch_effect(effect.name(), false).unwrap();
+        }
+        assert_eq!((effects(&rig), rig.scene().clone()), before);
+    }
+
+    #[test]
+    fn shadows_are_added_and_taken_away() {
+        let mut rig = rig(Example::Turntable);
+        let before = (effects(&rig), rig.luminaires_at(1.0).unwrap());
+        assert!(!before.0.has(Effect::Shadow));
+        rig.switch_effect("shadow", true).unwrap();
+        let sides = |rig: &Rig| -> Vec<_> {
+            rig.luminaires_at(1.0).unwrap().iter().map(|lamp| lamp.shadow().map(|(side, _)| side)).collect()
+        };
+        assert!(effects(&rig).has(Effect::Shadow));
+        assert_eq!(sides(&rig), [Some(SHADOW_SIDE); 8]);
+        rig.switch_effect("shadow", false).unwrap();
+        assert_eq!((effects(&rig), rig.luminaires_at(1.0).unwrap()), before);
+        rig.add_shadows(64).unwrap();
+        assert_eq!(sides(&rig), [Some(64); 8]);
+        assert!(rig.add_shadows(5).is_err());
+    }
+}

@@ -1,0 +1,114 @@
+//! What the page displays of a scene: plain values.
+
+use luminaire_render::{Account, examples::Example};
+use wasm_bindgen::prelude::*;
+
+/// A scene to choose.
+#[wasm_bindgen(getter_with_clone)]
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct ExampleState {
+    /// The name that `open` takes.
+    pub name: String,
+    /// What people call it.
+    pub title: String,
+    /// What it calls for, in a sentence.
+    pub summary: String,
+}
+
+/// A lamp with its switch.
+#[wasm_bindgen(getter_with_clone)]
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct LampState {
+    /// What the trade calls it.
+    pub name: String,
+    /// Its colour as `#rrggbb` in sRGB.
+    pub color: String,
+    /// Whether it is switched on.
+    pub on: bool,
+}
+
+/// An effect of the library.
+#[wasm_bindgen(getter_with_clone)]
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct EffectState {
+    /// The name, in the words of the price list.
+    pub name: String,
+    /// Whether the picture calls for it.
+    #[wasm_bindgen(js_name = isCalledFor)]
+    pub is_called_for: bool,
+}
+
+/// An effect with a switch.
+#[wasm_bindgen(getter_with_clone)]
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct SwitchState {
+    /// The name of the effect.
+    pub effect: String,
+    /// What people call it.
+    pub label: String,
+    /// Whether there is anything to switch: the scene has it, or can be given it.
+    pub offered: bool,
+    /// Whether it is there now.
+    pub on: bool,
+}
+
+/// What the last picture has cost: see [`Account`]. Counts as JavaScript has them.
+#[wasm_bindgen(getter_with_clone)]
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct AccountState {
+    /// The triangles that were drawn.
+    pub triangles: f64,
+    /// The lamps that were given.
+    pub lamps: f64,
+    /// The lamps that can light nothing, and were dropped.
+    #[wasm_bindgen(js_name = lampsDropped)]
+    pub lamps_dropped: f64,
+    /// The tiles of the picture.
+    pub tiles: f64,
+    /// The tiles that were lit again.
+    #[wasm_bindgen(js_name = tilesRelit)]
+    pub tiles_relit: f64,
+    /// All pairs of a lamp and a pixel.
+    pub pairs: f64,
+    /// The pairs that were evaluated.
+    pub evaluated: f64,
+    /// The pairs of a beam and a pixel that were evaluated in the haze besides.
+    #[wasm_bindgen(js_name = evaluatedInAir)]
+    pub evaluated_in_air: f64,
+    /// The pairs of a dropped lamp.
+    pub dropped: f64,
+    /// The pairs in tiles whose light could stay as it was.
+    pub kept: f64,
+    /// The pairs of a lamp and a tile that it does not reach.
+    #[wasm_bindgen(js_name = missedByTile)]
+    pub missed_by_tile: f64,
+    /// The pairs of a lamp and a row of pixels that it does not reach.
+    #[wasm_bindgen(js_name = missedByRow)]
+    pub missed_by_row: f64,
+}
+
+impl From<Example> for ExampleState {
+    fn from(example: Example) -> Self {
+        let [name, title, summary] = [example.name(), example.title(), example.summary()].map(str::to_owned);
+        Self { name, title, summary }
+    }
+}
+
+impl From<Account> for AccountState {
+    fn from(account: Account) -> Self {
+        Self {
+            triangles: account.triangles as f64,
+            lamps: account.lamps.into(),
+            lamps_dropped: account.lamps_dropped.into(),
+            tiles: account.tiles.into(),
+            tiles_relit: account.tiles_relit.into(),
+            pairs: account.pairs() as f64,
+            evaluated: account.evaluated as f64,
+            evaluated_in_air: account.evaluated_in_air as f64,
+            dropped: account.dropped as f64,
+            kept: account.kept as f64,
+            missed_by_tile: account.missed_by_tile as f64,
+            missed_by_row: account.missed_by_row as f64,
+        }
+    }
+}

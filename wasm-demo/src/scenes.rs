@@ -1,0 +1,398 @@
+//! The class that the page holds for the scenes: one at a time, lit by the effects that it calls for.
+
+use crate::{
+    canvas::Canvas,
+    clock::Clock,
+    equality::Equality,
+    format::{Draw, Format},
+    map::{Map, Subject},
+    panic,
+    refusal::Refusal,
+    rig::Rig,
+    scene_state::{AccountState, EffectState, ExampleState, LampState, SwitchState},
+    times::Times,
+    viewpoint::Viewpoint,
+};
+use luminaire::{Effect, Luminaire};
+use luminaire_render::{
+    Camera,
+    examples::{Example, turntable},
+};
+use std::fmt;
+use wasm_bindgen::{Clamped, prelude::*};
+use web_sys::HtmlCanvasElement;
+
+/// The format that the page starts with: the one that holds every scene.
+const FIRST: Format = Format::F32;
+
+/// A scene that plays. Every method that sets something takes it, or throws a string that names the parameter, its
+/// value and the remedy, and leaves everything as it was.
+#[wasm_bindgen]
+pub struct Scenes {
+    example: Example,
+    rig: Rig,
+    viewpoint: Viewpoint,
+    /// How long the lamps have moved, and the camera.
+    seconds: [f32; 2],
+    /// Whether every effect is evaluated for every lamp at every pixel.
+    is_everything: bool,
+    format: Format,
+    renderer: Box<dyn Draw>,
+    size: (u32, u32),
+    /// The elements of picture and map: their size is that of the scene.
+    elements: [HtmlCanvasElement; 2],
+    canvas: Canvas,
+    map_canvas: Canvas,
+    map: Map,
+    clock: Clock,
+    /// Whether the canvas has taken the last picture.
+    is_shown: bool,
+    times: Times,
+    /// All of the last picture, in milliseconds: from setting the lamps to the canvas having taken it.
+    frame: f64,
+}
+
+#[wasm_bindgen]
+impl Scenes {
+    /// The first scene, on a canvas for the picture and one for the map. Nothing is drawn yet.
+    #[wasm_bindgen(constructor)]
+    pub fn new(canvas: HtmlCanvasElement, map: HtmlCanvasElement) -> Result<Self, JsValue> {
+        panic::tell_the_page();
+        Ok(Self::begin([canvas, map])?)
+    }
+
+    /// The scenes to choose from.
+    pub fn examples() -> Vec<ExampleState> {
+        Example::ALL.map(ExampleState::from).into()
+    }
+
+    /// The name of the scene.
+    #[wasm_bindgen(getter)]
+    pub fn example(&self) -> String {
+        self.example.name().to_owned()
+    }
+
+    /// Opens a scene with all of its switches on, in pictures of this width and height, or without them of the size that
+    /// it is composed for.
+    pub fn open(&mut self, name: &str, width: Option<u32>, height: Option<u32>) -> Result<(), JsValue> {
+        Ok(self.open_example(example_named(name)?, [width, height])?)
+    }
+
+    /// Opens the turntable under so many spotlights, with shadows by maps of so many texels a side if that is given: for
+    /// measuring.
+    #[wasm_bindgen(js_name = openTurntable)]
+    pub fn open_turntable(
+        &mut self,
+        spots: usize,
+        shadow_side: Option<u16>,
+        width: u32,
+        height: u32,
+    ) -> Result<(), JsValue> {
+        let mut rig = Rig::new(turntable(spots).map_err(Refusal::from)?).map_err(Refusal::from)?;
+        shadow_side.map_or(Ok(()), |side| rig.add_shadows(side)).map_err(Refusal::from)?;
+        Ok(self.change(Example::Turntable, rig, (width, height))?)
+    }
+
+    /// Whether anything in the scene moves by itself.
+    pub fn moves(&self) -> Result<bool, JsValue> {
+        Ok(self.rig.moves().map_err(Refusal::from)?)
+    }
+
+    /// Whether its camera moves by itself.
+    #[wasm_bindgen(js_name = cameraMoves)]
+    pub fn camera_moves(&self) -> bool {
+        self.rig.camera_moves()
+    }
+
+    /// Moves the lamps to where they are after so many seconds.
+    pub fn seek(&mut self, seconds: f32) {
+        self.seconds[0] = seconds;
+    }
+
+    /// Moves the camera to where it is after so many seconds.
+    #[wasm_bindgen(js_name = seekCamera)]
+    pub fn seek_camera(&mut self, seconds: f32) {
+        self.seconds[1] = seconds;
+    }
+
+    /// Moves the camera around its target, by angles in radians.
+    pub fn orbit(&mut self, yaw: f32, pitch: f32) {
+        self.viewpoint.orbit(self.rig.camera_at(self.seconds[1]), yaw, pitch);
+    }
+
+    /// Moves the camera to `factor` times its distance.
+    pub fn zoom(&mut self, factor: f32) {
+        self.viewpoint.zoom(self.rig.camera_at(self.seconds[1]), factor);
+    }
+
+    /// Draws what has changed since the last picture; whether there was anything to draw.
+    pub fn draw(&mut self) -> Result<bool, JsValue> {
+        let clock = self.clock.clone();
+        let (frame, drawn) = clock.time(|| self.draw_changes());
+        let Some(times) = drawn? else { return Ok(false) };
+        (self.times, self.frame) = (times, frame);
+        Ok(true)
+    }
+
+    /// Shows the map of the last picture; whether there is one.
+    #[wasm_bindgen(js_name = drawMap)]
+    pub fn draw_map(&mut self) -> Result<bool, JsValue> {
+        let (width, height) = self.size;
+        match self.map.draw(&*self.renderer, width as usize, height as usize) {
+            Some(pixels) => self.map_canvas.show(pixels).map(|()| true).map_err(JsValue::from),
+            None => Ok(false),
+        }
+    }
+
+    /// Makes the map one of `nothing`, `lamps` or `tiles`.
+    #[wasm_bindgen(js_name = setMap)]
+    pub fn set_map(&mut self, subject: &str) -> Result<(), JsValue> {
+        self.map.set_subject(Subject::named(subject)?);
+        Ok(())
+    }
+
+    /// How many lamps have the last colour of the map.
+    #[wasm_bindgen(getter, js_name = mapEnd)]
+    pub fn map_end(&self) -> f64 {
+        self.map.end()
+    }
+
+    /// The colours of the map from no lamp to its end: red, green, blue of each.
+    pub fn palette(&self) -> Clamped<Vec<u8>> {
+        Clamped(self.map.colours().concat())
+    }
+
+    /// The colours of tiles that were lit again, and that were kept: red, green, blue of each.
+    #[wasm_bindgen(js_name = tileColours)]
+    pub fn tile_colours(&self) -> Clamped<Vec<u8>> {
+        Clamped(self.map.tile_colours().concat())
+    }
+
+    /// A copy of the last picture: RGBA, sRGB, eight bits.
+    pub fn pixels(&self) -> Clamped<Vec<u8>> {
+        Clamped(self.renderer.pixels().to_vec())
+    }
+
+    /// Pixels in a row.
+    #[wasm_bindgen(getter)]
+    pub fn width(&self) -> u32 {
+        self.size.0
+    }
+
+    /// Rows of pixels.
+    #[wasm_bindgen(getter)]
+    pub fn height(&self) -> u32 {
+        self.size.1
+    }
+
+    /// How long the geometry of the last picture took, in milliseconds; nothing when it was kept.
+    #[wasm_bindgen(getter, js_name = geometryMs)]
+    pub fn geometry_ms(&self) -> Option<f64> {
+        self.times.geometry
+    }
+
+    /// How long the shadow maps of the last picture took, in milliseconds; nothing when all were kept.
+    #[wasm_bindgen(getter, js_name = shadowsMs)]
+    pub fn shadows_ms(&self) -> Option<f64> {
+        self.times.shadows
+    }
+
+    /// How long the lighting of the last picture took, in milliseconds.
+    #[wasm_bindgen(getter, js_name = lightingMs)]
+    pub fn lighting_ms(&self) -> f64 {
+        self.times.lighting
+    }
+
+    /// How long the display encoding of the last picture took, in milliseconds.
+    #[wasm_bindgen(getter, js_name = encodeMs)]
+    pub fn encode_ms(&self) -> f64 {
+        self.times.encode
+    }
+
+    /// How long handing the last picture to the canvas took, in milliseconds.
+    #[wasm_bindgen(getter, js_name = showMs)]
+    pub fn show_ms(&self) -> f64 {
+        self.times.show
+    }
+
+    /// How long the last picture took in all, in milliseconds: from setting the lamps to the canvas having taken it.
+    #[wasm_bindgen(getter, js_name = frameMs)]
+    pub fn frame_ms(&self) -> f64 {
+        self.frame
+    }
+
+    /// What the last picture has cost.
+    pub fn account(&self) -> AccountState {
+        self.renderer.account().into()
+    }
+
+    /// The effects of the library, and whether the picture calls for them.
+    pub fn effects(&self) -> Result<Vec<EffectState>, JsValue> {
+        let plan = self.rig.plan(&self.luminaires()?);
+        let state = |&effect: &Effect| EffectState {
+            name: effect.name().to_owned(),
+            is_called_for: plan.calls_for(effect),
+        };
+        Ok(Effect::ALL.iter().map(state).collect())
+    }
+
+    /// The effects that have a switch.
+    pub fn switches(&self) -> Vec<SwitchState> {
+        self.rig.switches()
+    }
+
+    /// Leaves an effect out, or puts it in.
+    #[wasm_bindgen(js_name = setEffect)]
+    pub fn set_effect(&mut self, name: &str, on: bool) -> Result<(), JsValue> {
+        self.is_shown = false;
+        Ok(self.rig.switch_effect(name, on)?)
+    }
+
+    /// The lamps with their switches.
+    pub fn lamps(&self) -> Result<Vec<LampState>, JsValue> {
+        Ok(self.rig.lamps().map_err(Refusal::from)?)
+    }
+
+    /// Switches a lamp on or off.
+    #[wasm_bindgen(js_name = setOn)]
+    pub fn set_on(&mut self, lamp: usize, on: bool) -> Result<(), JsValue> {
+        Ok(self.rig.switch_lamp(lamp, on)?)
+    }
+
+    /// Evaluates every effect for every lamp at every pixel, or only what the scene calls for.
+    #[wasm_bindgen(js_name = setEverything)]
+    pub fn set_everything(&mut self, everything: bool) {
+        self.is_everything = everything;
+        self.map.begin();
+    }
+
+    /// Lights the picture both ways, and compares them bit for bit.
+    pub fn compare(&self) -> Result<Equality, JsValue> {
+        Ok(self.compare_pictures()?)
+    }
+
+    /// The name of the number format in force.
+    #[wasm_bindgen(getter)]
+    pub fn format(&self) -> String {
+        self.format.name().to_owned()
+    }
+
+    /// Changes the number format to `fx16`, `fx32` or `f32`. The picture is drawn anew with the next `draw`.
+    #[wasm_bindgen(js_name = setFormat)]
+    pub fn set_format(&mut self, name: &str) -> Result<(), JsValue> {
+        Ok(self.change_format(Format::named(name)?)?)
+    }
+}
+
+impl fmt::Debug for Scenes {
+    /// Without the renderer: all of its pixels would be told, and the module be larger for it.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { example, format, size, .. } = self;
+        let mut scenes = f.debug_struct("Scenes");
+        scenes.field("example", example).field("format", format).field("size", size).finish_non_exhaustive()
+    }
+}
+
+impl Scenes {
+    fn begin(elements: [HtmlCanvasElement; 2]) -> Result<Self, Refusal> {
+        let [example, ..] = Example::ALL;
+        let (width, height) = composed(example);
+        let canvas = |element| Canvas::new(element, width, height);
+        Ok(Self {
+            example,
+            rig: Rig::new(example.setup()?)?,
+            viewpoint: Viewpoint::ORIGINAL,
+            seconds: [0.0; 2],
+            is_everything: false,
+            format: FIRST,
+            renderer: FIRST.renderer(width, height)?,
+            size: (width, height),
+            canvas: canvas(&elements[0])?,
+            map_canvas: canvas(&elements[1])?,
+            elements,
+            map: Map::new(),
+            clock: Clock::new()?,
+            is_shown: false,
+            times: Times::default(),
+            frame: 0.0,
+        })
+    }
+
+    fn open_example(&mut self, example: Example, size: [Option<u32>; 2]) -> Result<(), Refusal> {
+        let (width, height) = composed(example);
+        let size = (size[0].unwrap_or(width), size[1].unwrap_or(height));
+        self.change(example, Rig::new(example.setup()?)?, size)
+    }
+
+    fn compare_pictures(&self) -> Result<Equality, Refusal> {
+        let (width, height) = self.size;
+        let picture = (self.rig.scene(), &self.camera(), &*self.luminaires()?);
+        Equality::new(self.format.renderer(width, height)?, width as usize, &self.clock, picture)
+    }
+
+    fn change_format(&mut self, format: Format) -> Result<(), Refusal> {
+        self.rig.check(format, self.seconds[0])?;
+        self.renderer = format.renderer(self.size.0, self.size.1)?;
+        self.format = format;
+        Ok(())
+    }
+
+    /// A change is whole: what is refused leaves the scene that there is.
+    fn change(&mut self, example: Example, rig: Rig, size: (u32, u32)) -> Result<(), Refusal> {
+        let (width, height) = size;
+        rig.check(self.format, 0.0)?;
+        self.renderer = self.format.renderer(width, height)?;
+        self.canvas = Canvas::new(&self.elements[0], width, height)?;
+        self.map_canvas = Canvas::new(&self.elements[1], width, height)?;
+        (self.example, self.rig, self.size, self.is_shown) = (example, rig, size, false);
+        (self.viewpoint, self.seconds) = (Viewpoint::ORIGINAL, [0.0; 2]);
+        self.map.begin();
+        Ok(())
+    }
+
+    fn luminaires(&self) -> Result<Vec<Luminaire>, Refusal> {
+        Ok(self.rig.luminaires_at(self.seconds[0])?)
+    }
+
+    fn camera(&self) -> Camera {
+        self.viewpoint.of(self.rig.camera_at(self.seconds[1]))
+    }
+
+    /// How long the passes took; nothing where there was nothing to draw.
+    fn draw_changes(&mut self) -> Result<Option<Times>, Refusal> {
+        let (luminaires, camera) = (self.luminaires()?, self.camera());
+        let Self { renderer, rig, canvas, clock, is_everything, .. } = self;
+        let (geometry, moved) = clock.time(|| renderer.draw_geometry(rig.scene(), &camera));
+        let (shadows, cast) = clock.time(|| renderer.draw_shadows(rig.scene(), &luminaires));
+        let shadows = cast?.then_some(shadows);
+        let (lighting, lit) = clock.time(|| match *is_everything {
+            true => renderer.draw_everything(&luminaires).map(|()| true),
+            false => renderer.draw_light(&luminaires),
+        });
+        if !lit? && self.is_shown {
+            return Ok(None);
+        }
+        // Until the canvas has taken it: a picture that it refused is handed over again with the next draw.
+        self.is_shown = false;
+        renderer.set_display(rig.display());
+        let (encode, pixels) = clock.time(|| renderer.encode());
+        let (show, shown) = clock.time(|| canvas.show(pixels));
+        shown?;
+        self.is_shown = true;
+        Ok(Some(Times { geometry: moved.then_some(geometry), shadows, lighting, encode, show }))
+    }
+}
+
+fn example_named(name: &str) -> Result<Example, Refusal> {
+    Example::named(name).ok_or_else(|| Refusal::Name {
+        parameter: "scene",
+        value: name.to_owned(),
+        remedy: "give one of those on the list",
+    })
+}
+
+/// The width and height that a scene is composed for.
+fn composed(example: Example) -> (u32, u32) {
+    let (width, height) = example.size();
+    (width as u32, height as u32)
+}

@@ -1,0 +1,63 @@
+// The effects of the library: those that the scene calls for, and switches for some of them.
+import { plain } from "./plain.js";
+
+export class EffectList {
+  #scenes;
+  #list = document.getElementById("scene-effects");
+  #count = document.getElementById("scene-effects-count");
+  #switches = document.getElementById("scene-switches");
+  /** What is shown, so that it is written only when it changes. */
+  #shown = "";
+
+  /** Called when an effect was left out, or put back in. */
+  onchange = () => {};
+
+  constructor(scenes) {
+    this.#scenes = scenes;
+  }
+
+  /** Shows the switches of the scene that was opened. */
+  open() {
+    this.#switches.replaceChildren(...this.#scenes.switches().map((state) => this.#switch(plain(state))));
+    this.show();
+  }
+
+  /** Shows what the picture calls for. */
+  show() {
+    const effects = this.#scenes.effects().map(plain);
+    const called = effects.filter(({ isCalledFor }) => isCalledFor);
+    const shown = called.map(({ name }) => name).join();
+    if (shown === this.#shown && this.#list.childElementCount > 0) return;
+    this.#shown = shown;
+    this.#count.textContent = `${called.length} of ${effects.length}`;
+    this.#list.replaceChildren(...effects.map(item));
+  }
+
+  #switch({ effect, label, offered, on }) {
+    const holder = document.getElementById("switch").content.firstElementChild.cloneNode(true);
+    const input = holder.querySelector("input");
+    input.id = `scene-effect-${effect}`;
+    input.checked = offered && on;
+    input.disabled = !offered;
+    holder.querySelector("span").textContent = label;
+    input.addEventListener("input", () => {
+      this.#scenes.setEffect(effect, input.checked);
+      this.onchange();
+    });
+    return holder;
+  }
+}
+
+function item({ name, isCalledFor }) {
+  const item = document.createElement("li");
+  item.textContent = name;
+  item.dataset.effect = name;
+  item.classList.toggle("called", isCalledFor);
+  if (!isCalledFor) {
+    const words = document.createElement("span");
+    words.className = "unseen";
+    words.textContent = ", left out";
+    item.append(words);
+  }
+  return item;
+}

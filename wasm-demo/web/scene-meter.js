@@ -1,0 +1,72 @@
+// What a scene costs in this browser, frame by frame.
+import { median } from "./numbers.js";
+
+const pause = () => new Promise((resolve) => setTimeout(resolve));
+
+/** Frames drawn before those that count: the first ones run code that the browser has not optimised yet. */
+const WARM_UP = 8;
+
+/** Seconds of the scene from one frame to the next. */
+const STEP = 1 / 30;
+
+/** How far the camera turns from one frame to the next where it is to move, in radians. */
+const TURN = 0.004;
+
+const PASSES = ["geometryMs", "shadowsMs", "lightingMs", "encodeMs", "showMs", "frameMs"];
+
+export class SceneMeter {
+  #scenes;
+
+  constructor(scenes) {
+    this.#scenes = scenes;
+  }
+
+  /**
+   * Draws a scene for so many frames while its lamps move, and answers the medians of each pass in milliseconds: with
+   * the camera at rest, and with a camera that turns, so that the geometry is drawn anew and every pixel lit again. A
+   * frame is everything from setting the lamps to the canvas having taken the picture. At rest, where nothing moves,
+   * nothing is drawn: then there are no times but `null`.
+   *
+   * @param {string} name
+   * @param {number} frames
+   * @param {object} [options]
+   * @param {number} [options.width] of the picture in pixels
+   * @param {number} [options.height]
+   * @param {string} [options.format] `f32`, `fx32` or `fx16`
+   * @param {number} [options.spots] how many there are above the turntable
+   * @param {number} [options.shadows] the side of their shadow maps in texels, above the turntable
+   * @param {string[]} [options.without] effects to leave out, such as `specular`
+   * @param {boolean} [options.everything] whether all effects are evaluated, called for or not
+   */
+  async measure(name, frames, options = {}) {
+    const { width = 960, height = 540, format = "f32", spots, shadows, without = [], everything = false } = options;
+    const scenes = this.#scenes;
+    if (name === "turntable") scenes.openTurntable(spots ?? 8, shadows, width, height);
+    else scenes.open(name, width, height);
+    scenes.setFormat(format);
+    scenes.setEverything(everything);
+    for (const effect of without) scenes.setEffect(effect, false);
+    const cameraAtRest = await this.#run(frames, () => {});
+    const cameraMoving = await this.#run(frames, () => scenes.orbit(TURN, 0));
+    const account = scenes.account();
+    const { lamps } = account;
+    account.free();
+    return { scene: name, width, height, format, lamps, cameraAtRest, cameraMoving };
+  }
+
+  async #run(frames, move) {
+    const times = Object.fromEntries(PASSES.map((pass) => [pass, []]));
+    for (let frame = -WARM_UP; frame < frames; frame += 1) {
+      this.#scenes.seek(STEP * (frame + WARM_UP));
+      move();
+      if (this.#scenes.draw() && frame >= 0) {
+        for (const pass of PASSES) times[pass].push(this.#scenes[pass]);
+      }
+      // The browser gets its turn, as it does between frames.
+      await pause();
+    }
+    if (times.frameMs.length === 0) return null;
+    const known = (pass) => times[pass].filter((time) => time !== undefined);
+    return Object.fromEntries(PASSES.map((pass) => [pass, known(pass).length > 0 ? median(known(pass)) : null]));
+  }
+}
