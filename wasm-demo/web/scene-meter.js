@@ -60,7 +60,7 @@ export class SceneMeter {
   async #run(frames, move) {
     const times = Object.fromEntries(PASSES.map((pass) => [pass, []]));
     for (let frame = -WARM_UP; frame < frames; frame += 1) {
-      this.#scenes.seek(STEP * (frame + WARM_UP));
+      this.#scenes.seek(STEP * (frame + WARM_UP), 0);
       move();
       if (this.#scenes.draw() && frame >= 0) {
         for (const pass of PASSES) times[pass].push(this.#scenes[pass]);

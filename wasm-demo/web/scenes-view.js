@@ -38,7 +38,11 @@ export class ScenesView {
     this.#view.before((now) => this.#player.step(now));
     this.#view.after(() => this.#tell());
     this.#player.onchange = () => this.#request();
-    this.#effects.onchange = () => this.#request();
+    this.#effects.onswitch = (effect, on) => {
+      const taken = this.#ask(() => scenes.setEffect(effect, on));
+      this.#request();
+      return taken;
+    };
     this.#lamps.onchange = () => this.#request();
     this.#legend.onchange = () => {
       this.#legend.draw();
@@ -95,7 +99,7 @@ export class ScenesView {
     this.#view.pause(true);
   }
 
-  /** Opens a scene, with all of its switches on. */
+  /** Opens a scene, as it was made. */
   open(name) {
     if (this.#ask(() => this.#scenes.open(name))) this.#opened();
     else element("name").value = this.example;

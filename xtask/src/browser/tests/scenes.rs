@@ -312,7 +312,7 @@ fn share_of_map(page: &mut Page, colour: &str) -> Result<f64> {
          const {{ data }} = map.getContext('2d').getImageData(0, 0, map.width, map.height); \
          const colour = '{colour}'.match(/\\d+/g).map(Number); let count = 0; \
          for (let i = 0; i < data.length; i += 4) \
-             if (colour.every((code, channel) => Math.abs(code - data[i + channel]) < 3)) count += 1; \
+             if (colour.every((code, channel) => Math.abs(code - data[i + channel]) < 4)) count += 1; \
          return 4 * count / data.length; }})()"
     ))
 }
