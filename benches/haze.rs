@@ -1,7 +1,7 @@
 //! What the air light of a view ray costs: from the rows of a picture in memory to air light in memory.
 //!
-//! `cargo bench --bench haze`. The rays see a spotlight from the side, in blocks of 32 pixels as a renderer has them; half of
-//! the picture is within the beam. The rival marches along the ray in steps of equal length.
+//! `cargo bench --bench haze`. The rays see a spotlight from the side, in blocks of 32 pixels as a renderer
+//! has them; about half of the picture is within the beam. The rival marches along the ray in equal steps.
 
 #![allow(missing_docs, reason = "criterion's macros make public items without documentation")]
 

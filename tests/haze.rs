@@ -56,8 +56,9 @@ fn pair<P: Profile, A: Attenuation>(
     Pair { kernel: spot.compile::<f32>().expect("held").in_haze(&haze()), oracle, across }
 }
 
-/// The error of a ray, relative to what is seen there or to what a line across the axis sees that is as near to the lamp,
-/// whichever is more. At the rim of the lamp's body there is none: the light jumps, and no format can place the jump.
+/// The error of a ray, relative to what is seen there or to what a line across the axis sees that is as
+/// near to the lamp, whichever is more. At the rim of the lamp's body there is none: the light jumps, and
+/// no format can place the jump.
 fn error<P: Profile, A: Attenuation>(
     pair: &Pair<P, A>,
     view: &ViewRay,
@@ -205,8 +206,8 @@ fn samples_keep_their_rows() {
     assert!(all.is_empty(), "{}", all.join("\n"));
 }
 
-/// Rays that pass close to the lamp: their own roundings, magnified by how much farther the eye is than their line, are
-/// what there is of an error. Measured in that.
+/// Rays that pass close to the lamp: their own roundings, magnified by how much farther the eye is than
+/// their line, are what there is of an error. Measured in that.
 #[test]
 fn rays_at_the_lamp_keep_their_row() {
     let shape = Shape::plain("soft", Soft, reference::soft);

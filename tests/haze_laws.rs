@@ -47,7 +47,8 @@ fn oracle(spot: &Spot<Soft>) -> Beam {
     }
 }
 
-/// Tries a law on many lights and rays, the same in every run, and counts those that are lit: a law of the dark would be none.
+/// Tries a law on many lights and rays, the same in every run, and counts those that are lit: a law of the
+/// dark would be none.
 fn on_many(mut law: impl FnMut(&mut Rng, &Spot<Soft>, &ViewRay) -> bool) {
     let mut rng = Rng::with_seed(1910);
     let mut lit = 0;
@@ -77,8 +78,8 @@ fn twice_the_density_is_exactly_twice_the_light() {
     });
 }
 
-/// Light of about a fifth of what is seen across the beam, as near to the lamp as the ray comes: differences are relative to
-/// it or to the light itself, whichever is more.
+/// Light of about a fifth of what is seen across the beam, as near to the lamp as the ray comes:
+/// differences are relative to it or to the light itself, whichever is more.
 fn unit_of_light(spot: &Spot<Soft>, view: &ViewRay) -> f64 {
     let (nearest, _) = distances(&oracle(spot), &exactly(view));
     0.05 * f64::from(spot.cone().outer().to_radians()) / nearest
@@ -276,7 +277,8 @@ fn bundle(rng: &mut Rng, oracle: &Beam) -> (ViewBundle, Vec<ViewRay>) {
     (ViewBundle::around(eye, sweep::single(middle), &corners, length), rays)
 }
 
-/// Nothing is lost: where one ray of a bundle has light the answer is yes. Of the bundles that are dark most are rejected.
+/// Nothing is lost: where one ray of a bundle has light the answer is yes. Of the bundles that are dark
+/// most are rejected.
 fn assert_meets<A: Attenuation>(attenuation: A, least_rejected: f64) {
     let mut rng = Rng::with_seed(12);
     let (mut dark, mut rejected, mut lit) = (0, 0, 0);

@@ -5,9 +5,10 @@ mod support;
 use fastrand::Rng;
 use luminaire::{
     Ambient, Angle, Arrival, CompiledLamp, Cone, CutOff, Directional, Distance, Edge, Effect, Effects, Error,
-    Faded, Fitted, Fx16, Fx32, Gobo, Hard, HardRange, InverseSquare, Lamp, Light, Linear, Luminaire, Matched,
-    Material, Matte, Phong, Plan, Point, Polynomial, Power, Profile, Projection, Rgb, Rim, Scalar, Smooth,
-    SmoothRange, Soft, Specular, Spot, SquaredWindow, Surface, Surfaces, Unattenuated, Vec3, Windowed,
+    Faded, Fitted, Fx16, Fx32, Gobo, Hard, HardRange, Haze, InverseSquare, Lamp, Light, Linear, Luminaire,
+    Matched, Material, Matte, Phong, Plan, Point, Polynomial, Power, Profile, Projection, Rgb, Rim, Scalar,
+    Smooth, SmoothRange, Soft, Specular, Spot, SquaredWindow, Surface, Surfaces, Unattenuated, Vec3, ViewRay,
+    ViewRays, Windowed,
 };
 use support::{arbitrary::vector, format::Format, profiles, reference, sweep};
 
@@ -149,6 +150,38 @@ fn lamps_light_many_points_as_each() {
     assert_format::<f32>();
     assert_format::<Fx32>();
     assert_format::<Fx16>();
+}
+
+/// A loop for many view rays has the bits of the branches for one.
+#[test]
+fn beams_show_in_many_rays_as_in_each() {
+    let mut rng = Rng::with_seed(23);
+    let haze = Haze::new(0.05).expect("a sound density");
+    let (mut seen, mut count) = (0, 0);
+    for lamp in lamps(&mut rng).expect("sound lamps") {
+        let beam = lamp.compile::<f32>().expect("held").in_haze(&haze);
+        let Lamp::Spot(spot) = lamp else {
+            assert_eq!(beam, None, "only spotlights have beams");
+            continue;
+        };
+        let beam = beam.expect("a spotlight has one");
+        let eye = spot.position().zip(spot.axis(), |p, a| p + a + 12.0 * (rng.f32() - 0.5));
+        let directions: [Vec3<f32>; COUNT] =
+            std::array::from_fn(|_| sweep::single(sweep::direction(&mut rng)));
+        let mut length = [f32::INFINITY; COUNT];
+        length[..8].fill(3.0);
+        let rays = ViewRays { eye, direction: columns(|i| directions[i]), length };
+        let mut lights = [f32::NAN; COUNT];
+        beam.air_light_each(&rays, &mut lights);
+        for (i, light) in lights.into_iter().enumerate() {
+            let ray = ViewRay { eye, direction: directions[i], length: length[i] };
+            assert_eq!(rays.at(i), ray);
+            assert_eq!(light.to_bits(), beam.air_light(&ray).to_bits(), "{beam:?} along {ray:?}");
+            seen += usize::from(light > 0.0);
+            count += 1;
+        }
+    }
+    assert!((0.2..0.95).contains(&(seen as f32 / count as f32)), "{seen} of {count} rays show a beam");
 }
 
 /// A profile that is chosen at run time is the one that was given; a power whose exponent is part of the type becomes one

@@ -13,8 +13,8 @@ use support::{
     shadows, sweep,
 };
 
-/// How far a visibility may be off that of the same place in f64, and at least is somewhere: two ways are cut off to a 128th.
-/// Searched.
+/// How far a visibility may be off that of the same place in f64, and at least is somewhere: two ways are cut
+/// off to a 128th. Searched.
 const ERROR: std::ops::Range<f64> = 0.0138..0.0146;
 
 fn projection<S: Scalar>(rng: &mut Rng) -> CompiledProjection<S> {
@@ -60,7 +60,8 @@ fn visibilities_keep_their_row() {
     }
 }
 
-/// Nothing that is nowhere deeper than the map is touched, not by a bit; and what is deeper everywhere is dark.
+/// Nothing that is nowhere deeper than the map is touched, not by a bit; and what is deeper everywhere is
+/// dark.
 fn assert_exact_ends<S: Format>() {
     let mut rng = Rng::with_seed(13);
     for side in [1, 2, 3, 16, 100, 2048] {
@@ -160,6 +161,17 @@ fn what_is_not_a_number_is_not_in_shadow() {
         let depths = [limit; 4];
         let shadow = Shadow::<f32>::new(projection(&mut rng), 2, &depths).expect("a square of them");
         assert_eq!(shadow.at(&Place { column: 1, row: 2, depth }), 1.0);
+    }
+}
+
+#[test]
+fn a_texel_that_is_missing_hides_nothing() {
+    let projection = projection::<f32>(&mut Rng::with_seed(20));
+    let depths = [1.0; 3];
+    for (row, expected) in [(16_384, 0.0), (32_768, 0.25), (49_151, 0.5)] {
+        let place = Place { column: 32_768, row, depth: 2.0 };
+        let visibility = Shadow::<f32>::from_parts(projection, 2, &depths).at(&place);
+        assert!((visibility - expected).abs() < 1e-2, "{visibility} at row {row}");
     }
 }
 

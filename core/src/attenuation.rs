@@ -36,11 +36,14 @@ pub trait Attenuation: Copy + PartialEq + core::fmt::Debug {
     /// What the model knows once it is compiled for a format.
     type Constants<S: Scalar>: Copy + PartialEq + core::fmt::Debug;
 
-    /// Whether the light falls with the square of the distance and by nothing else.
-    const IS_INVERSE_SQUARE: bool = false;
-
     /// Compiles the model for the format `S`.
     fn constants<S: Scalar>(self) -> Self::Constants<S>;
+
+    /// Whether the light falls with the square of the distance and by nothing else.
+    #[inline(always)]
+    fn is_inverse_square<S: Scalar>(_: &Self::Constants<S>) -> bool {
+        false
+    }
 
     /// Whether the light is exactly zero at this distance, told before the root is paid for.
     #[inline(always)]
@@ -241,9 +244,12 @@ impl Attenuation for Unattenuated {
 impl Attenuation for InverseSquare {
     type Constants<S: Scalar> = ();
 
-    const IS_INVERSE_SQUARE: bool = true;
-
     fn constants<S: Scalar>(self) {}
+
+    #[inline(always)]
+    fn is_inverse_square<S: Scalar>(_: &()) -> bool {
+        true
+    }
 
     #[inline(always)]
     fn expose<S: Scalar>(

@@ -6,30 +6,34 @@
 //! air light = density phase I ∫ f(w(s)) / d(s)^2 ds
 //! ```
 //!
-//! with the distance `d` of a place of the ray from the lamp and the falloff `f` at the versine `w` off the axis. The
-//! haze is taken as thin: it takes no light away, neither from the beam nor from what is seen through it, and light is
-//! scattered once. It scatters alike in all directions, by a phase of `1/(4 pi)`; a surface that receives 1 shows 1, which
-//! is a radiance of `1/pi`, so that a quarter of the density is left as the factor.
+//! with the distance `d` of a place of the ray from the lamp and the falloff `f` at the versine `w` off the
+//! axis. The haze is taken as thin: it takes no light away, neither from the beam nor from what is seen
+//! through it, and light is scattered once. It scatters alike in all directions, by a phase of `1/(4 pi)`;
+//! a surface that receives 1 shows 1, which is a radiance of `1/pi`, so that a quarter of the density is
+//! left as the factor.
 //!
 //! # Directions in place of distances
 //!
-//! With `h` the distance of the lamp from the line of sight, `ds / d^2 = d(psi) / h`: the inverse square cancels, and what
-//! is left is an integral of `f` over the directions in which the lamp sees the ray, an arc of a great circle. `psi` counts
-//! from the direction of the arc's circle that is nearest to the axis. With `v = tan(psi/2)` there is no trigonometry:
+//! With `h` the distance of the lamp from the line of sight, `ds / d^2 = d(psi) / h`: the inverse square
+//! cancels, and what is left is an integral of `f` over the directions in which the lamp sees the ray, an
+//! arc of a great circle. `psi` counts from the direction of the arc's circle that is nearest to the axis.
+//! With `v = tan(psi/2)` there is no trigonometry:
 //!
 //! ```text
 //! w = w0 + 2 r v^2 / (1 + v^2),   d(psi) = 2 dv / (1 + v^2),   w0 = 1 - r
 //! ```
 //!
-//! where `r` is the cosine of the angle between axis and circle and `w0` comes from its sine, so that narrow beams keep
-//! their bits. The arc ends where the cone does, at `v^2 = (omega - w0) / (1 - omega + r)`, and is divided where the hotspot
-//! begins and ends, or at `v = 0`. In each part `f` is smooth and a [Gauss-Legendre rule](quadrature) of a few places is
-//! enough. NUMERICS.md has the errors.
+//! where `r` is the cosine of the angle between axis and circle and `w0` comes from its sine, so that
+//! narrow beams keep their bits. The arc ends where the cone does, at `v^2 = (omega - w0) / (1 - omega +
+//! r)`, and is divided where the hotspot begins and ends, or at `v = 0`. In each part `f` is smooth, and
+//! Gauss and Legendre's rule of five places is enough. NUMERICS.md has the errors.
 //!
-//! Other distance models weigh each place by what they leave of the inverse square, and end at their range.
+//! Light that falls by another distance model is summed over the way along the ray, between the same ends
+//! and up to its range; without a range, and without a fall with the square, an endless ray in the beam is
+//! as bright as f32 allows.
 //!
-//! It is `f32` whatever the format of the light. An arc has no range that a fixed format could be scaled to: `1/h` spans as
-//! many binades as the picture has pixels, and haze is for renderers that have floats for colours already.
+//! It is `f32` whatever the format of the light: `1/h` has no scale that a fixed format could be given once
+//! for a picture, and a renderer with haze has floats for what it does to colours anyway.
 
 mod arc;
 mod beam;
@@ -72,8 +76,9 @@ impl Haze {
     /// Clear air.
     pub const CLEAR: Self = Self { density: 0.0, lamp_radius: LAMP_RADIUS };
 
-    /// Haze of this density: the part of the light that is scattered on a way of one unit of the world's length. 0 is clear
-    /// air and gives exactly no air light; beyond some tenths over the size of the scene haze is no longer thin.
+    /// Haze of this density: the part of the light that is scattered on a way of one unit of the world's
+    /// length. 0 is clear air and gives exactly no air light; beyond some tenths over the size of the scene
+    /// haze is no longer thin.
     ///
     /// # Errors
     /// A density outside 0 to 1e9.
@@ -82,9 +87,9 @@ impl Haze {
         Ok(Self { density, lamp_radius: LAMP_RADIUS })
     }
 
-    /// The same haze around lamps of this radius, 0.01 until told otherwise. There is no haze within it, and no view
-    /// through it: a ray that meets the lamp ends there. Without a body a lamp would be infinitely bright where the eye
-    /// looks straight at it.
+    /// The same haze around lamps of this radius, 0.01 until told otherwise. There is no haze within it,
+    /// and no view through it: a ray that meets the lamp ends there. Without a body a lamp would be
+    /// infinitely bright where the eye looks straight at it.
     ///
     /// # Errors
     /// A radius outside 0.001 to 1e9.

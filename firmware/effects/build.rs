@@ -8,10 +8,10 @@ use std::path::Path;
 use std::{env, fs};
 
 use luminaire::{
-    Ambient, Angle, Attenuation, BlinnPhong, Cone, Cubic, Directional, DualCone, Exposure, Fx16, Fx32, Gobo,
-    Hard, HardRange, Haze, InverseSquare, Lyon, Material, Phong, Point, Polynomial, Power, Profile,
-    Projection, Rgb, Scalar, Smooth, SmoothRange, Soft, Source, Spot, SquaredWindow, Table, Unattenuated,
-    Vec3, Windowed,
+    Ambient, Angle, Attenuation, Blend, BlinnPhong, Cone, Cubic, CutOff, Directional, DualCone, Exposure,
+    Fx16, Fx32, Gobo, Hard, HardRange, Haze, InverseSquare, Linear, Lyon, Material, Phong, Point, Polynomial,
+    Power, Profile, Projection, Rgb, Rim, Scalar, Shadow, Smooth, SmoothRange, Soft, Source, Spot,
+    SquaredWindow, Table, Unattenuated, Vec3, Windowed,
 };
 
 type Outcome = Result<(), Box<dyn Error>>;
@@ -24,6 +24,8 @@ const SAMPLES: [u16; 16] = [
 const AMBER: Rgb<f32> = Rgb::new(1.0, 0.62, 0.1);
 const POSITION: Vec3<f32> = Vec3::new(1.5, 4.0, -0.75);
 const AXIS: Vec3<f32> = Vec3::new(0.36, -0.8, 0.48);
+/// The field angle of the spotlights.
+const FIELD: Angle = Angle::degrees(36.0);
 
 fn main() -> Outcome {
     println!("cargo::rerun-if-changed=build.rs");
@@ -45,15 +47,23 @@ fn constants<S: Scalar>() -> Outcome {
     spot::<S, _, _>("cubic", Cubic::with_slopes(1.25, 3.5)?, Unattenuated)?;
     spot::<S, _, _>("power", Power::<8>, Unattenuated)?;
     spot::<S, _, _>("table", Table::new(&SAMPLES)?, Unattenuated)?;
+    spot::<S, _, _>("linear", Linear, Unattenuated)?;
+    spot::<S, _, _>("cut_off", CutOff, Unattenuated)?;
+    spot::<S, _, _>("blend", Blend::new(0.75)?, Unattenuated)?;
+    spot::<S, _, _>("rim", Rim::<4>, Unattenuated)?;
+    let cone = Cone::from_field(Soft, FIELD)?;
+    spot_of::<S, _, _>("hotspot", cone.with_inner(Angle::degrees(12.0))?, Unattenuated)?;
+    spot_of::<S, _, _>("delimiter", cone.with_delimiter(FIELD)?, Unattenuated)?;
     spot::<S, _, _>("inverse_square", Soft, InverseSquare)?;
     spot::<S, _, _>("polynomial", Soft, Polynomial::new(1.0, 0.2, 0.03)?)?;
     spot::<S, _, _>("smooth_range", Soft, SmoothRange::new(9.0)?)?;
     spot::<S, _, _>("windowed", Soft, Windowed::new(Some(9.0))?)?;
     spot::<S, _, _>("squared_window", Soft, SquaredWindow::new(Some(9.0))?)?;
     spot::<S, _, _>("hard_range", Soft, HardRange::new(InverseSquare, Some(9.0))?)?;
-    let square = Projection::of(&Spot::new(POSITION, AXIS, Cone::from_field(Soft, Angle::degrees(36.0))?)?)?;
+    let square = Projection::of(&Spot::new(POSITION, AXIS, cone)?)?;
     write("gobo", &Gobo::of(&panes()).on(square.compile::<S>()?))?;
-    write("beam", &key(Soft, InverseSquare)?.compile::<f32>()?.in_haze(&Haze::new(0.02)?))?;
+    write("beam", &key(cone, InverseSquare)?.compile::<f32>()?.in_haze(&Haze::new(0.02)?))?;
+    write("shadow", &Shadow::new(square.compile::<S>()?, 16, &disc().map(S::length))?)?;
     write("point", &Point::new(POSITION)?.with_color(AMBER)?.with_intensity(16.0)?.compile::<S>()?)?;
     write("directional", &Directional::new(AXIS)?.with_color(AMBER)?.compile::<S>())?;
     write("ambient", &Ambient::new(AMBER)?.with_intensity(0.1)?.compile::<S>())?;
@@ -75,6 +85,15 @@ fn panes() -> [[u8; 16]; 16] {
     })
 }
 
+/// The depths of a shadow map of 16 by 16: a disc hangs two metres from the light, in the middle of its beam.
+fn disc() -> [f32; 256] {
+    core::array::from_fn(|texel| {
+        let (x, y) = (texel % 16, texel / 16);
+        let from_middle = (2 * x).abs_diff(15).pow(2) + (2 * y).abs_diff(15).pow(2);
+        if from_middle < 100 { 2.0 } else { f32::INFINITY }
+    })
+}
+
 fn spot<S: Scalar, P: Profile + Source, A: Attenuation + luminaire::source::Named>(
     name: &str,
     profile: P,
@@ -84,11 +103,22 @@ where
     P::Compiled<S>: Source,
     A::Constants<S>: Source,
 {
-    write(&format!("spot_{name}"), &key(profile, attenuation)?.compile::<S>()?)
+    spot_of::<S, P, A>(name, Cone::from_field(profile, FIELD)?, attenuation)
 }
 
-fn key<P: Profile, A: Attenuation>(profile: P, attenuation: A) -> Result<Spot<P, A>, luminaire::Error> {
-    let cone = Cone::from_field(profile, Angle::degrees(36.0))?;
+fn spot_of<S: Scalar, P: Profile + Source, A: Attenuation + luminaire::source::Named>(
+    name: &str,
+    cone: Cone<P>,
+    attenuation: A,
+) -> Outcome
+where
+    P::Compiled<S>: Source,
+    A::Constants<S>: Source,
+{
+    write(&format!("spot_{name}"), &key(cone, attenuation)?.compile::<S>()?)
+}
+
+fn key<P: Profile, A: Attenuation>(cone: Cone<P>, attenuation: A) -> Result<Spot<P, A>, luminaire::Error> {
     Spot::new(POSITION, AXIS, cone)?.with_intensity(16.0)?.with_attenuation(attenuation).with_color(AMBER)
 }
 

@@ -4,5 +4,9 @@
 pub mod board;
 pub mod frame;
 mod measure;
+#[cfg(feature = "effects")]
+mod price;
 
 pub use measure::{COUNT, measure};
+#[cfg(feature = "effects")]
+pub use price::price;

@@ -18,6 +18,8 @@
 //!    pixels with each quantity in an array of its own. A block that a beam cannot reach is left out.
 //! 3. [`encode`](Renderer::encode) makes sRGB codes of it.
 //!
+//! The [`examples`] are scenes that differ in what they call for.
+//!
 //! The number format is the renderer's type parameter: `f32`, [`Fx32`](luminaire::Fx32) or
 //! [`Fx16`](luminaire::Fx16); [`stated_error`] says how far the pictures differ. There are no shadows and no
 //! highlights: the light is the kernel's, falloff, inverse-square distance and Lambert's cosine.

@@ -165,7 +165,8 @@ fn centers(coordinates: [i32; 3], count: usize) -> core::ops::Range<i64> {
     first(a.min(b).min(c))..first(a.max(b).max(c) + 1).min(count as i64)
 }
 
-/// Twice the area of a triangle on a screen whose y points down: positive if its corners follow each other with the clock.
+/// Twice the area of a triangle on a screen whose y points down: positive if its corners follow each other
+/// with the clock.
 fn doubled_area(a: &Corner, b: &Corner, c: &Corner) -> i64 {
     let (x, y) = (i64::from(a.x), i64::from(a.y));
     (i64::from(b.x) - x) * (i64::from(c.y) - y) - (i64::from(b.y) - y) * (i64::from(c.x) - x)
@@ -186,8 +187,8 @@ struct Edge {
 
 /// An edge on its way down the rows, as Bresenham draws a line: one division at the start, and none per row.
 struct Walk {
-    /// Twice the area of the triangle that the edge forms with the centre of the row's first column: positive inside. And the
-    /// change to the next column, and to the next row.
+    /// Twice the area of the triangle that the edge forms with the centre of the row's first column: positive
+    /// inside. And the change to the next column, and to the next row.
     at: i64,
     column: i64,
     row: i64,
@@ -254,8 +255,8 @@ impl Walk {
     }
 }
 
-/// Quotient and remainder, rounded down, of a division whose divisor's reciprocal is known; what rounding makes of the quotient
-/// is at most one.
+/// Quotient and remainder, rounded down, of a division whose divisor's reciprocal is known; what rounding
+/// makes of the quotient is at most one.
 #[inline(always)]
 fn divided(dividend: i64, divisor: i64, reciprocal: f64) -> (i64, i64) {
     let guess = (dividend as f64 * reciprocal) as i64;

@@ -14,23 +14,26 @@ use crate::{
 use alloc::{collections::TryReserveError, vec::Vec};
 use layer::Layer;
 use luminaire::{CompiledProjection, Error, Projection, Scalar, Shadow};
-use slope::Slope;
+use slope::{Slope, depth_error};
 
 /// How many texels a side may have.
 pub(crate) const SIDES: core::ops::RangeInclusive<usize> = 16..=2048;
 
 /// A shadow map of a [`Scene`] on the square that a spotlight projects, in the number format of the light.
 ///
-/// Its depths are those of what is nearest to the light, from whichever side it is seen: a sheet without a back,
-/// as a curtain is, lets no light through. What is nearer to the light than 5 centimetres along its axis casts no
-/// shadow, as the lamp's own housing would.
+/// Its depths are those of what is nearest to the light, from whichever side it is seen: a sheet without a
+/// back, as a curtain is, lets no light through. What is nearer to the light than 5 centimetres along its
+/// axis casts no shadow, as the lamp's own housing would.
 ///
-/// **No surface shadows itself.** A depth is compared with points up to a texel away, where the surface is at another depth.
-/// So each triangle is drawn as deep as its plane comes within one texel, and then each texel is given the largest
-/// depth of those around it that belong to the same surface: what is lit on a flat or a convex surface is lit exactly,
-/// at any angle. The price: a shadow is narrower by up to a texel on every side, and begins up to
-/// one and a half texels' width behind a sheet, measured at right angles to it. That is `tan(outer half angle) * 3 / side`
-/// times the depth: under 2 centimetres in a map of 512 at 6 metres from a light of 60 degrees.
+/// **No surface shadows itself.** A depth is compared with points up to a texel away, where the surface is at
+/// another depth. So each triangle is drawn as deep as its plane comes within one texel, and then each texel
+/// is given the largest depth of the nine around it that belong to the same surface. What is lit of a flat
+/// surface is lit exactly, at any angle; of a convex one where the light meets it at 11 degrees or more.
+///
+/// The price: an edge of a shadow is off by up to two texels, and a shadow begins up to one and a half
+/// texels' width behind a sheet, at right angles to it. That is `3 tan(outer half angle) / side` times the
+/// depth: 2 centimetres in a map of 512 at 6 metres from a light of 60 degrees. Behind a body it begins at
+/// once, for its front is what hides.
 ///
 /// ```
 /// use luminaire::{Projection, Vec3};
@@ -86,7 +89,8 @@ impl<S: Scalar> ShadowMap<S> {
         })
     }
 
-    /// Draws a scene as a light sees it. Returns whether scene or light had changed: if not, nothing was done.
+    /// Draws a scene as a light sees it. Returns whether scene or light had changed: if not, nothing was
+    /// done.
     ///
     /// # Errors
     /// A projection that the format can't hold; the map stays as it was.
@@ -105,7 +109,8 @@ impl<S: Scalar> ShadowMap<S> {
             self.bounds.extend(positions.map(|mesh| Bounds::of(mesh.iter().map(|vertex| vertex.position))));
         }
         let view = View::of_light(projection, self.side);
-        let slope = Slope::new(projection.tangent(), self.side);
+        let tangent = projection.tangent();
+        let slope = Slope::new::<S>(tangent, self.side);
         self.layer.clear();
         for (object, bounds) in scene.objects().iter().zip(&self.bounds) {
             if view.misses(bounds) {
@@ -120,8 +125,8 @@ impl<S: Scalar> ShadowMap<S> {
                 });
             }
         }
-        let texel = 2.0 * projection.tangent() / self.side as f32;
-        self.layer.resolve::<S>(texel, &mut self.depths);
+        let texel = 2.0 * tangent / self.side as f32;
+        self.layer.resolve::<S>(texel, 1.0 + depth_error::<S>(tangent), &mut self.depths);
         self.drawn = Some(drawn);
         Ok(true)
     }

@@ -105,7 +105,8 @@ impl View {
         }
     }
 
-    /// Whether nothing within the bounds is in view, for certain: by a thousandth of the distance more than touching.
+    /// Whether nothing within the bounds is in view, for certain: by a thousandth of the distance more than
+    /// touching.
     pub(crate) fn misses(&self, bounds: &Bounds) -> bool {
         let way = bounds.center - self.eye;
         let reach = bounds.radius + 1e-3 * (bounds.radius + way.length());

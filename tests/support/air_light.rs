@@ -1,5 +1,5 @@
-//! The oracle of haze: what is scattered along a view ray, summed over the way along it, in f64 and as plainly as it can be
-//! written.
+//! The oracle of haze: what is scattered along a view ray, summed over the way along it, in f64 and as
+//! plainly as it can be written.
 
 use super::reference::{self, Attenuation, Vector, dot, minus};
 
@@ -48,8 +48,8 @@ impl Beam {
         self.density / 4.0 * self.spot.intensity * sum
     }
 
-    /// The part of the ray within the cone, cut where it enters and leaves the hotspot, and ever more finely towards the
-    /// lamp.
+    /// The part of the ray within the cone, cut where it enters and leaves the hotspot, and ever more
+    /// finely towards the lamp.
     fn panels(&self, ray: &Ray) -> Vec<f64> {
         let Some((first, last)) = self.visible(ray) else { return Vec::new() };
         let way = minus(ray.eye, self.spot.position);
@@ -66,7 +66,8 @@ impl Beam {
         };
         retain(&mut places, first, last);
         let nearest = self.nearest_to_axis(ray, &places);
-        // A cone of up to 180 degrees is convex: to either side of a place within there is one place to leave it.
+        // A cone of up to 180 degrees is convex: to either side of a place within there is one place to
+        // leave it.
         let ends = |versine: f64| {
             let is_within = |s: f64| self.spot.versine(ray.at(s)) < versine;
             let ends = [first, last].map(|end| boundary(nearest, end, is_within));

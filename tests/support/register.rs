@@ -146,6 +146,7 @@ pub(crate) const REGISTER: &[Held] = &[
     ]),
     by("tests/lit.rs::a_cut_is_a_cut", &["Attenuation for HardRange", "HardRange::new"]),
     through("tests/lit.rs::a_cut_is_a_cut", &["Attenuation::is_beyond"]),
+    through("tests/haze.rs::every_cone_keeps_its_row", &["Attenuation::is_inverse_square"]),
     by("tests/lit.rs::phong_keeps_its_rows", &[
         "Highlight for Phong", "Highlight::directions", "Specular for H", "Specular::constants",
         "Specular::lobe",
@@ -167,6 +168,9 @@ pub(crate) const REGISTER: &[Held] = &[
     // Lights that are chosen at run time, and the plan of a picture.
     by("tests/lamps.rs::lamps_light_many_points_as_each", &[
         "CompiledLamp::arrive_each", "Lamp::compile", "Light for CompiledLamp", "Surfaces::at",
+    ]),
+    by("tests/lamps.rs::beams_show_in_many_rays_as_in_each", &[
+        "CompiledLamp::in_haze", "HazyBeam::air_light_each", "ViewRays::at",
     ]),
     by("tests/lamps.rs::a_lamp_calls_for_what_it_is", &["Lamp::effects", "Lamp::intensity", "Luminaire::lamp"]),
     by("tests/lamps.rs::lamps_without_a_range_have_none", &[

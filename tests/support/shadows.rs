@@ -1,7 +1,8 @@
 //! What a shadow map says of a place, in f64 and as plainly as it can be said.
 
-/// The part of the light that arrives at a place, in parts of a side, and at a depth: the four nearest middles of texels are
-/// asked, and each answer counts by how near the place is. Outside the outermost middles the nearest ones are asked.
+/// The part of the light that arrives at a place, in parts of a side, and at a depth: the four nearest
+/// middles of texels are asked, and each answer counts by how near the place is. Outside the outermost
+/// middles the nearest ones are asked.
 pub fn visibility(side: usize, depths: &[f64], [column, row]: [f64; 2], depth: f64) -> f64 {
     let last = side as f64 - 1.0;
     let taps = |part: f64| {

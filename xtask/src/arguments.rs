@@ -8,6 +8,7 @@ use std::str::FromStr;
 use lexopt::prelude::*;
 
 use crate::conform::{self, ConformOptions};
+use crate::effects::EffectsOptions;
 use crate::firmware::frame::FrameOptions;
 use crate::firmware::{Board, FirmwareOptions};
 use crate::measure::{self, MeasureOptions};
@@ -19,6 +20,7 @@ pub(crate) enum Request {
     Help,
     Conform(ConformOptions),
     Demo(DemoOptions),
+    Effects(EffectsOptions),
     Firmware(FirmwareOptions),
     Frame(FrameOptions),
     Size(SizeOptions),
@@ -87,6 +89,7 @@ impl Request {
             Some("help") => Ok(Self::Help),
             Some("conform") => Self::parse_conform(words),
             Some("demo") => Self::parse_demo(words),
+            Some("effects") => Self::parse_effects(words),
             Some("firmware") => Self::parse_firmware(words),
             Some("frame") => Self::parse_frame(words),
             Some("size") => Self::parse_size(words),
@@ -130,6 +133,22 @@ impl Request {
             options.view = Some(format!("scenes?scene={scene}"));
         }
         Ok(Self::Demo(options))
+    }
+
+    fn parse_effects(mut words: lexopt::Parser) -> Result<Self, lexopt::Error> {
+        let mut options = EffectsOptions::default();
+        while let Some(word) = words.next()? {
+            match word {
+                Long("check") => options.check = true,
+                Long("bless") => options.bless = true,
+                Short('h') | Long("help") => return Ok(Self::Help),
+                other => return Err(other.unexpected()),
+            }
+        }
+        if options.check && options.bless {
+            return Err("--check compares and --bless accepts: one of them".into());
+        }
+        Ok(Self::Effects(options))
     }
 
     fn parse_firmware(mut words: lexopt::Parser) -> Result<Self, lexopt::Error> {
@@ -273,6 +292,15 @@ mod tests {
         );
         let options = FirmwareOptions { boards: Vec::new(), by_symbol: Some("lit.fx16".into()) };
         assert_eq!(parse("firmware --by-symbol lit.fx16").unwrap(), Request::Firmware(options));
+    }
+
+    #[test]
+    fn effects_either_compares_or_accepts() {
+        let check = EffectsOptions { check: true, bless: false };
+        assert_eq!(parse("effects --check").unwrap(), Request::Effects(check));
+        let bless = EffectsOptions { check: false, bless: true };
+        assert_eq!(parse("effects --bless").unwrap(), Request::Effects(bless));
+        assert!(parse("effects --check --bless").is_err());
     }
 
     #[test]

@@ -5,6 +5,7 @@ mod browser;
 mod command;
 mod conform;
 mod demo;
+mod effects;
 mod firmware;
 mod http;
 mod install;
@@ -48,6 +49,10 @@ cargo xtask frame [OPTIONS]  Draw a picture on microcontrollers, in QEMU, and co
     --target NAME            On this one only: one of the above; may be repeated
     --bless                  Write picture and counts although they differ from those in docs and firmware/README.md
 
+cargo xtask effects [OPTIONS]    Write what each effect costs: instructions a pixel and bytes of flash, on two processors
+    --check                  Compare with what is recorded instead, and write nothing
+    --bless                  Write the prices also where they differ from those recorded
+
 cargo xtask size [OPTIONS]   Count what each effect takes of a microcontroller's flash
     --json                   Print {target: {format: {effect: bytes}}} instead of the table
 cargo xtask measure [OPTIONS]    Write the price list of accuracy: errors, and costs on every target
@@ -77,6 +82,7 @@ fn main() -> ExitCode {
         }
         Request::Conform(options) => conform::run(&options),
         Request::Demo(options) => demo::run(&options).map(|()| ExitCode::SUCCESS),
+        Request::Effects(options) => effects::run(&options).map(|()| ExitCode::SUCCESS),
         Request::Firmware(options) => firmware::run(&options).map(|()| ExitCode::SUCCESS),
         Request::Frame(options) => firmware::frame::run(&options).map(|()| ExitCode::SUCCESS),
         Request::Size(options) => size::run(&options).map(|()| ExitCode::SUCCESS),

@@ -10,7 +10,7 @@ use crate::progress::Progress;
 use crate::suite::Suite;
 use crate::tally::Tally;
 use crate::toolchain::Toolchain;
-use crate::{command, conform, demo, firmware, measure, site, size};
+use crate::{command, conform, demo, effects, firmware, measure, site, size};
 
 /// The smallest processor that is promised: no floating point unit, no division, no atomics.
 const BARE: &str = "thumbv6m-none-eabi";
@@ -43,6 +43,7 @@ pub(crate) fn run(options: &TestOptions) -> ExitCode {
     firmware::tests::run(&mut suite);
     firmware::frame::tests::run(&mut suite);
     size::tests::run(&mut suite);
+    effects::tests::run(&mut suite);
     prices(&mut suite);
     conform::tests::run(&mut suite);
     browser(&mut suite);

@@ -145,6 +145,11 @@ impl Attenuation for Distance {
     }
 
     #[inline(always)]
+    fn is_inverse_square<S: Scalar>(constants: &CompiledDistance<S>) -> bool {
+        matches!(constants, CompiledDistance::InverseSquare((range, ())) if *range == S::gain(0.0))
+    }
+
+    #[inline(always)]
     fn is_beyond<S: Scalar>(constants: &CompiledDistance<S>, offset: &S::Offset) -> bool {
         compiled!(constants, model: Model => Model::is_beyond::<S>(model, offset))
     }

@@ -14,8 +14,9 @@ pub(super) struct Extent {
 
 /// The part of a view ray between the lamp's body and its range, as an arc of directions from the lamp.
 ///
-/// The arc lies on a great circle. A direction on it is `v`, the tangent of half the angle to the direction of the circle
-/// that is nearest to the axis. Places on the ray itself count from the foot, where it comes nearest to the lamp.
+/// The arc lies on a great circle. A direction on it is `v`, the tangent of half the angle to the direction
+/// of the circle that is nearest to the axis. Places on the ray itself count from the foot, where it comes
+/// nearest to the lamp.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Arc {
     direction: Vec3<f32>,
@@ -42,15 +43,16 @@ pub(super) struct Span {
     pub(super) scale: f32,
 }
 
-/// How near a line passes the lamp that counts as going through it, squared, in units of the lamp's radius. What is so
-/// near is within the lamp, and from its surface on all directions are those of the ray.
+/// How near a line passes the lamp that counts as going through it, squared, in units of the lamp's radius.
+/// What is so near is within the lamp, and from its surface on all directions are those of the ray.
 const THROUGH: f32 = 1e-14;
 
-/// A shorter arc takes its worth from the way along the ray, because the difference of its ends has lost bits.
+/// A shorter arc takes its worth from the way along the ray, because the difference of its ends has lost
+/// bits.
 const SHORT: f32 = 1.0 / 16.0;
 
-/// The shortest arc, in units of the cone's. A shorter one is lengthened and worth as much less, so that it does not matter
-/// if its ends are rounded to one.
+/// The shortest arc, in units of the cone's. A shorter one is lengthened and worth as much less, so that it
+/// does not matter if its ends are rounded to one.
 const SHORTEST: f32 = 1.0 / 262_144.0;
 
 /// What stands for the tangent of a right angle.
@@ -100,13 +102,15 @@ impl Arc {
         trig::sqrt(positive((versine - self.least) / ((1.0 - versine) + self.radius)))
     }
 
-    /// The part of the arc within an [`edge`](Self::edge), which is at most 1. Empty where `to` is not over `from`.
+    /// The part of the arc within an [`edge`](Self::edge), which is at most 1. Empty where `to` is not over
+    /// `from`.
     #[inline(always)]
     pub(super) fn span(&self, edge: f32) -> Span {
         let (near, far) = (self.distance(self.first), self.distance(self.last));
         let (from, to) = (self.toward(self.first, near), self.toward(self.last, far));
         let length = to - from;
-        // An arc around the far side of the circle comes in at one edge, if at all: it is less than a half circle.
+        // An arc around the far side of the circle comes in at one edge, if at all: it is less than a half
+        // circle.
         let is_around = length < -1.0;
         let is_short = length < SHORT && !is_around;
         // The length again, over that of the foot, and not from the difference of the ends.
@@ -128,12 +132,13 @@ impl Arc {
         self.least + 2.0 * self.radius * (v * v) * share
     }
 
-    /// Where on the ray a cone of this [`edge`](Self::edge) begins and ends. One that is not met is at the last place, or where
-    /// the ray is nearest to the axis.
+    /// Where on the ray a cone of this [`edge`](Self::edge) begins and ends. One that is not met is at the
+    /// last place, or where the ray is nearest to the axis.
     #[inline(always)]
     pub(super) fn between(&self, edge: f32) -> [f32; 2] {
         let (cosine, sine) = (1.0 - edge * edge, 2.0 * edge);
-        // The cosines with the foot of either edge, up to a factor. One that is not positive is beyond an end of the line.
+        // The cosines with the foot of either edge, up to a factor. One that is not positive is beyond an
+        // end of the line.
         let lower = cosine * self.across + sine * self.along;
         let upper = cosine * self.across - sine * self.along;
         let from = self.inside(self.height * (cosine * self.along - sine * self.across) / lower);
@@ -156,8 +161,8 @@ impl Arc {
         trig::sqrt(self.height * self.height + place * place)
     }
 
-    /// What makes a sine and one plus a cosine of a place on the ray, seen from the direction nearest to the axis: both times
-    /// the distance and the cosine of the circle.
+    /// What makes a sine and one plus a cosine of a place on the ray, seen from the direction nearest to
+    /// the axis: both times the distance and the cosine of the circle.
     #[inline(always)]
     fn turn(&self, place: f32, distance: f32) -> (f32, f32) {
         let sine = self.across * place - self.along * self.height;
@@ -173,7 +178,8 @@ impl Arc {
         if one_plus_cosine * OPPOSITE > distance { sine / one_plus_cosine } else { far }
     }
 
-    /// The versine off the axis of a place on the ray at this distance; any that is over 1 where it is over 1.
+    /// The versine off the axis of a place on the ray at this distance; any that is over 1 where it is over
+    /// 1.
     #[inline(always)]
     pub(super) fn versine_at(&self, place: f32, distance: f32) -> f32 {
         let (sine, one_plus_cosine) = self.turn(place, distance);

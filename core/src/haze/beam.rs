@@ -23,14 +23,15 @@ pub struct HazyBeam<P: Profile = Edge, A: Attenuation = InverseSquare> {
     pub(crate) falloff: Falloff<f32, P>,
     pub(crate) attenuation: A::Constants<f32>,
     pub(crate) gain: f32,
-    /// The versine up to which the intensity is that of the axis, and the one from which on there is none.
+    /// The versine up to which the intensity is that of the axis, and the one from which on there is none,
+    /// within a step.
     pub(crate) cone: [f32; 2],
     /// The squared distances at which the light begins and ends.
     pub(crate) reach: [f32; 2],
 }
 
-/// What counts as no difference of intensities: a step of 16 bits. A high power is so faint in most of its cone, and the
-/// places of the rule fall where it is not.
+/// What counts as no difference of intensities: a step of 16 bits. A high power is so faint in most of its
+/// cone, and the places of the rule fall where it is not.
 const STEP: f32 = 1.0 / 65_536.0;
 
 /// Where space ends. Squares of distances and products of two of them stay within f32.
@@ -54,8 +55,8 @@ impl<P: Profile, A: Attenuation> CompiledSpot<f32, P, A> {
 }
 
 impl<P: Profile, A: Attenuation> HazyBeam<P, A> {
-    /// The beam of these parts, as [`source`](crate::source) writes them: the two versines between which the intensity
-    /// varies, and the squares of the distances between which there is light.
+    /// The beam of these parts, as [`source`](crate::source) writes them: the two versines between which
+    /// the intensity varies, and the squares of the distances between which there is light.
     pub const fn from_parts(
         position: Vec3<f32>,
         axis: Vec3<f32>,
@@ -68,16 +69,16 @@ impl<P: Profile, A: Attenuation> HazyBeam<P, A> {
         Self { position, axis, falloff, attenuation, gain, cone, reach }
     }
 
-    /// The light that the haze scatters along a view ray towards the eye, before the colour: 1 is full scale, what a white
-    /// surface shows that receives 1. From zero up and finite, whatever the bits; exactly zero in clear air and where the
-    /// ray does not meet the cone.
+    /// The light that the haze scatters along a view ray towards the eye, before the colour: 1 is full
+    /// scale, what a white surface shows that receives 1. From zero up and finite, whatever the bits;
+    /// exactly zero in clear air and where the ray does not meet the cone.
     ///
-    /// There is no branch in it, so that compilers make vector instructions of a loop over rays.
+    /// There is no branch in it that depends on the ray, so that compilers make vector instructions of a loop over rays.
     #[inline(always)]
     pub fn air_light(&self, view: &ViewRay) -> f32 {
         let arc = Arc::new(&self.extent(), view);
         let [inner, outer] = self.cone.map(|versine| arc.edge(versine));
-        if A::IS_INVERSE_SQUARE {
+        if A::is_inverse_square::<f32>(&self.attenuation) {
             let full = self.falloff.at(0.0);
             let rim = |v: f32| by_angle(v, |share| self.falloff.at(arc.versine(v, share)));
             let middle = |v: f32| by_angle(v, |_| full);
@@ -99,10 +100,11 @@ impl<P: Profile, A: Attenuation> HazyBeam<P, A> {
         self.light(&arc, sum)
     }
 
-    /// As [`air_light`](Self::air_light), weighted by what gets through to each of so many places of the ray in the beam: by
-    /// a pattern in front of the lamp or past what throws a shadow, as `transmission` tells of a point of the world, from 0
-    /// to 1. The places are in the middle of parts that are equal seen from the lamp, or about so where the light does not
-    /// fall with the square of the distance. Without any there is no light.
+    /// As [`air_light`](Self::air_light), weighted by what gets through to each of so many places of the
+    /// ray in the beam: by a pattern in front of the lamp or past what throws a shadow, as `transmission`
+    /// tells of a point of the world, from 0 to 1. The places are in the middle of parts that are equal
+    /// seen from the lamp, or about so where the light does not fall with the square of the distance.
+    /// Without any there is no light.
     #[inline(always)]
     pub fn air_light_through(
         &self,
@@ -113,7 +115,7 @@ impl<P: Profile, A: Attenuation> HazyBeam<P, A> {
         let arc = Arc::new(&self.extent(), view);
         let outer = arc.edge(self.cone[1]);
         let through = |place: f32| transmission(arc.point(self.position, place));
-        if A::IS_INVERSE_SQUARE {
+        if A::is_inverse_square::<f32>(&self.attenuation) {
             let Span { from, to, scale } = arc.span(outer);
             let sum = integrate_by_parts(from, to, samples, |v| {
                 through(arc.place(v)) * by_angle(v, |share| self.falloff.at(arc.versine(v, share)))
@@ -152,7 +154,8 @@ impl<P: Profile, A: Attenuation> HazyBeam<P, A> {
     }
 }
 
-/// What the angle of a unit of `v` scatters of an intensity, at distance 1. The intensity is told `1 / (1 + v^2)`.
+/// What the angle of a unit of `v` scatters of an intensity, at distance 1. The intensity is told `1 / (1 +
+/// v^2)`.
 #[inline(always)]
 fn by_angle(v: f32, intensity: impl Fn(f32) -> f32) -> f32 {
     let share = 1.0 / (1.0 + v * v);

@@ -20,12 +20,13 @@ pub struct ViewBundle {
     pub length: f32,
 }
 
-/// What the roundings of both sides may add up to, of the distances from the eye to lamp and surface: some hundred of them.
+/// What the roundings of both sides may add up to, of the distances from the eye to lamp and surface: some
+/// hundred of them.
 const MARGIN: f32 = 2e-5;
 
 impl ViewBundle {
-    /// The least bundle around a direction that has the rays of these others, all of unit length: the corners of a tile
-    /// are enough, because a bundle has whatever lies between its rays.
+    /// The least bundle around a direction that has the rays of these others, all of unit length: the
+    /// corners of a tile are enough, because a bundle has whatever lies between its rays.
     pub fn around(eye: Vec3<f32>, direction: Vec3<f32>, others: &[Vec3<f32>], length: f32) -> Self {
         let versine = |&other: &Vec3<f32>| {
             let difference = other.zip(direction, |o, d| o - d);
@@ -55,7 +56,8 @@ impl Cap {
         if along > self.cosine { 1.0 } else { beside }
     }
 
-    /// The normal of the plane that touches the cap on the side of a direction; it points away from the cap.
+    /// The normal of the plane that touches the cap on the side of a direction; it points away from the
+    /// cap.
     fn outward(&self, side: Vec3<f32>) -> Vec3<f32> {
         let along = side.dot(self.axis);
         let across = unit(side.zip(self.axis, |s, a| s - along * a));
@@ -85,13 +87,14 @@ fn reversed(v: Vec3<f32>) -> Vec3<f32> {
 }
 
 impl<P: Profile, A: Attenuation> HazyBeam<P, A> {
-    /// Whether any ray of a bundle may have [`air_light`](Self::air_light). Where this says no, each has exactly none; where
-    /// it says yes, all may have none.
+    /// Whether any ray of a bundle may have [`air_light`](Self::air_light). Where this says no, each has
+    /// exactly none; where it says yes, all may have none.
     ///
-    /// The answer is no where a plane through the lamp has the beam on one side and the rays on the other, or all rays are
-    /// beyond a plane at the light's range. The margin is some hundred roundings of the distances, more than this test and
-    /// the evaluation have together. The planes that might serve are those that touch beam or bundle. Each is tried as it
-    /// has come out of its construction, whose roundings can lose a no and cannot make one.
+    /// The answer is no where a plane through the lamp has the beam on one side and the rays on the other,
+    /// or all rays are beyond a plane at the light's range. The margin is some hundred roundings of the
+    /// distances, more than this test and the evaluation have together. The planes that might serve are
+    /// those that touch beam or bundle. Each is tried as it has come out of its construction, whose
+    /// roundings can lose a no and cannot make one.
     pub fn can_meet(&self, bundle: &ViewBundle) -> bool {
         let Extent { position, axis, reach_squared, .. } = self.extent();
         let eye = bundle.eye.zip(position, |e, p| e - p);

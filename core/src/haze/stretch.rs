@@ -5,9 +5,9 @@ use crate::trig;
 
 /// A stretch of a view ray, run through by a parameter from 0 to 1.
 ///
-/// Neither equal ways nor equal angles suit what varies with the distance in part and with the direction in part: along a
-/// beam the ones lose what is near the lamp and the others what is far. Here the parameter gives both ends the weight of the
-/// root of the other's distance, which is halfway between the two.
+/// Neither equal ways nor equal angles suit what varies with the distance in part and with the direction in
+/// part: along a beam the ones lose what is near the lamp and the others what is far. Here the parameter
+/// gives both ends the weight of the root of the other's distance, which is halfway between the two.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Stretch {
     from: f32,
@@ -23,7 +23,8 @@ impl Stretch {
         Self { from, to, weights: [far, near] }
     }
 
-    /// The place at a parameter, and the way that a unit of it makes there; none if the ends are not in their order.
+    /// The place at a parameter, and the way that a unit of it makes there; none if the ends are not in
+    /// their order.
     #[inline(always)]
     pub(super) fn at(&self, parameter: f32) -> (f32, f32) {
         let [far, near] = self.weights;

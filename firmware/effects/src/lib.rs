@@ -1,8 +1,9 @@
-//! What programs of one effect have in common: the constants, the inputs and the output, and a panic that cannot be
-//! linked.
+//! Effects, each a function of one input with constants for lights and surfaces; and what programs of one effect have in
+//! common: the input, the output, and a panic that cannot be linked.
 #![cfg_attr(target_os = "none", no_std)]
 
 pub mod constants;
+pub mod effects;
 mod memory;
 
 pub use memory::{Input, Place, run};
@@ -11,40 +12,49 @@ pub use memory::{Input, Place, run};
 mod format {
     /// The number format of this build.
     pub type Format = f32;
+    /// Its name.
+    pub const FORMAT: &str = "f32";
 }
 #[cfg(all(feature = "fx32", not(feature = "f32")))]
 mod format {
     /// The number format of this build.
     pub type Format = luminaire::Fx32;
+    /// Its name.
+    pub const FORMAT: &str = "fx32";
 }
 #[cfg(not(any(feature = "fx32", feature = "f32")))]
 mod format {
     /// The number format of this build.
     pub type Format = luminaire::Fx16;
+    /// Its name.
+    pub const FORMAT: &str = "fx16";
 }
-pub use format::Format;
+pub use format::{FORMAT, Format};
 
+/// What arrives of a light in the format.
+pub type Irradiance = <Format as luminaire::Scalar>::Irradiance;
 /// Light in the format, before it is fitted to a display.
-pub type Light = luminaire::Rgb<<Format as luminaire::Scalar>::Irradiance>;
+pub type Light = luminaire::Rgb<Irradiance>;
 /// A colour in the format.
 pub type Color = luminaire::Rgb<Format>;
 /// A surface point in the format.
 pub type Surface = luminaire::Surface<Format>;
 
-/// A program that can panic needs this function, which is nowhere: it does not link.
-#[cfg(target_os = "none")]
-#[panic_handler]
-fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
-    unsafe extern "C" {
-        safe fn a_panic_is_reachable() -> !;
-    }
-    a_panic_is_reachable()
-}
-
 /// Makes a program of an effect, a function of one [`Input`].
+///
+/// If it can panic, it needs a function that is nowhere: then it does not link.
 #[macro_export]
 macro_rules! program {
     ($effect:expr) => {
+        #[cfg(target_os = "none")]
+        #[panic_handler]
+        fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
+            unsafe extern "C" {
+                safe fn a_panic_is_reachable() -> !;
+            }
+            a_panic_is_reachable()
+        }
+
         #[cfg(all(target_os = "none", target_arch = "arm"))]
         #[cortex_m_rt::entry]
         fn start() -> ! {

@@ -1,5 +1,5 @@
-//! A gallery: pictures on three walls and sculptures between them, each in the light of two lamps of its own, no two
-//! of which are alike; pendants, and a skylight. Of all that stands there two things shine.
+//! A gallery: pictures on three walls and sculptures between them, each in the light of two lamps of its own, of every
+//! profile and distance model; pendants, a follow spot and a skylight. Of all that stands there two things shine.
 
 mod hall;
 mod lamps;
@@ -24,7 +24,7 @@ fn fixtures() -> Result<Vec<Fixture>, Error> {
     let mut fixtures = Vec::new();
     for &(place, side) in &hall::PICTURES {
         for offset in [-0.8, 0.8] {
-            let position = side.from_wall(place, offset);
+            let position = side.before_wall(place, offset);
             fixtures.push(lamps::track_spot(fixtures.len(), position, side.on_wall(place), 0.42)?);
         }
     }

@@ -80,7 +80,7 @@ fn place(number: usize) -> f32 {
 
 /// A moving head with a narrow beam that sweeps over the stage: with a hard edge and a soft one in turn.
 fn beam(number: usize, gel: Rgb<f32>) -> Result<Fixture, Error> {
-    let edge = if number % 2 == 0 { Edge::Hard } else { Edge::Soft };
+    let edge = if number.is_multiple_of(2) { Edge::Hard } else { Edge::Soft };
     let cone = Cone::from_field(edge, Angle::degrees(14.0))?;
     let x = place(number);
     let center = glam::Vec3::new(-0.4 * x, 0.0, 1.0);

@@ -14,7 +14,8 @@ pub(super) struct Layer {
     grid: Grid,
     /// The nearness of what is nearest; 0 where nothing was drawn.
     nearness: Vec<f32>,
-    /// The nearness up to which a texel hides what is behind: the most that any of its surfaces keeps within the texel.
+    /// The nearness up to which a texel hides what is behind: the most that any of its surfaces keeps within
+    /// a texel. So one that is almost edge-on leaves it to what is behind.
     hiding: Vec<f32>,
     /// The least of it in each texel of a row and in those above and below that are of the same surface.
     column: Vec<f32>,
@@ -38,8 +39,8 @@ impl Layer {
         self.hiding.fill(0.0);
     }
 
-    /// Draws a triangle, from whichever side it is seen. Many cover no texel: the change of its nearness within one is asked
-    /// for if it does.
+    /// Draws a triangle, from whichever side it is seen. How much its nearness changes within a texel is
+    /// asked for only if it covers one.
     pub(super) fn draw(&mut self, corners: [Corner; 3], change: impl Fn() -> f32) {
         let grid = self.grid;
         let mut known = None;
@@ -61,9 +62,10 @@ impl Layer {
         }
     }
 
-    /// Finds the depth of each texel: the largest that its surface has in the nine texels around it. A texel has this width at
-    /// depth 1; what it has no room for is passed over, so that a surface may have steps of a texel.
-    pub(super) fn resolve<S: Scalar>(&mut self, texel: f32, depths: &mut [S::Length]) {
+    /// Finds the depth of each texel: the largest that its surface has in the nine texels around it, and by
+    /// this factor more. A texel has this width at depth 1; a surface may have steps of as much, for which a
+    /// texel has no room.
+    pub(super) fn resolve<S: Scalar>(&mut self, texel: f32, factor: f32, depths: &mut [S::Length]) {
         let Grid { width, stride, .. } = self.grid;
         let Self { nearness, hiding, column, .. } = self;
         let texels = |first: usize| {
@@ -83,7 +85,7 @@ impl Layer {
             {
                 let end = own.end(texel);
                 let hiding = end.with(right, column[2], end.with(left, column[0], column[1]));
-                *depth = S::length(if hiding > 0.0 { (1.0 + 4.0 * S::STEP) / hiding } else { f32::INFINITY });
+                *depth = S::length(if hiding > 0.0 { factor / hiding } else { f32::INFINITY });
             }
         }
     }

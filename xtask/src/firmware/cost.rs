@@ -9,7 +9,7 @@ use super::cycles::{self, Core};
 use super::laboratory::{Laboratory, Run};
 use super::symbols::{Function, Symbols};
 
-/// A line of the program `cost`: a kernel that was run in a number format over inputs.
+/// A line of such a program: a kernel that was run in a number format over inputs.
 #[derive(Clone, Debug, PartialEq)]
 struct Line {
     format: String,
@@ -53,11 +53,11 @@ pub(crate) struct Costs {
     pub(crate) emulator: String,
 }
 
-/// Runs the program `cost`. Its results must be the host's.
-pub(crate) fn measure(laboratory: &Laboratory, host: &[String]) -> Result<Costs> {
-    let run = laboratory.run("cost")?;
+/// Runs a program that prints a line for each kernel. Its results must be the host's.
+pub(crate) fn measure(laboratory: &Laboratory, program: &str, host: &[String]) -> Result<Costs> {
+    let run = laboratory.run(program)?;
     compare(&run.lines, host)?;
-    let symbols = Symbols::read(&laboratory.program("cost"))?;
+    let symbols = Symbols::read(&laboratory.program(program))?;
     let kernels = kernels(&run, &symbols, laboratory.board().core)?;
     Ok(Costs { kernels, compiler: symbols.compiler, emulator: laboratory.emulator() })
 }

@@ -40,6 +40,16 @@ impl Laboratory {
         Self::with(&["--bin", name], board, progress)
     }
 
+    /// The same with a feature of the firmware.
+    pub(crate) fn with_feature(
+        name: &str,
+        feature: &str,
+        board: &'static Board,
+        progress: &Progress,
+    ) -> Result<Self> {
+        Self::with(&["--bin", name, "--features", feature], board, progress)
+    }
+
     fn with(programs: &[&str], board: &'static Board, progress: &Progress) -> Result<Self> {
         let emulator = Emulator::find(board, progress)?;
         let step =
@@ -85,8 +95,21 @@ impl Laboratory {
 
 /// What a firmware program prints when it is compiled for the host, where its results are right by definition.
 pub(crate) fn on_the_host(name: &str, progress: &Progress) -> Result<Vec<String>> {
+    on_the_host_with(name, &[], progress)
+}
+
+/// The same with a feature of the firmware.
+pub(crate) fn on_the_host_with_feature(
+    name: &str,
+    feature: &str,
+    progress: &Progress,
+) -> Result<Vec<String>> {
+    on_the_host_with(name, &["--features", feature], progress)
+}
+
+fn on_the_host_with(name: &str, features: &[&str], progress: &Progress) -> Result<Vec<String>> {
     let mut build = firmware(command::cargo("build"));
-    build.args(["--release", "--bin", name]);
+    build.args(["--release", "--bin", name]).args(features);
     progress.run(build)?;
     let program = project::target().join("release").join(format!("{name}{EXE_SUFFIX}"));
     Ok(command::answer(&mut Command::new(program))?.lines().map(str::to_owned).collect())

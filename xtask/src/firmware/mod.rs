@@ -18,6 +18,7 @@ use crate::progress::Progress;
 
 pub(crate) use board::{ALL as BOARDS, Board};
 pub(crate) use cost::Costs;
+use laboratory::Laboratory;
 
 /// The options of `firmware`.
 #[derive(Debug, Default, PartialEq)]
@@ -28,14 +29,26 @@ pub(crate) struct FirmwareOptions {
     pub(crate) by_symbol: Option<String>,
 }
 
-/// What the program `cost` must print.
+/// The program that runs the kernels.
+const KERNELS: &str = "cost";
+/// The program that runs the effects.
+const EFFECTS: &str = "effects";
+
+/// What the program of the kernels must print.
 pub(crate) fn expected(progress: &Progress) -> Result<Vec<String>> {
-    laboratory::on_the_host("cost", progress)
+    laboratory::on_the_host(KERNELS, progress)
 }
 
 /// What every kernel costs on a board, where it must have the results that are expected.
 pub(crate) fn costs(board: &'static Board, expected: &[String], progress: &Progress) -> Result<Costs> {
-    cost::measure(&laboratory::Laboratory::new(board, progress)?, expected)
+    cost::measure(&Laboratory::new(board, progress)?, KERNELS, expected)
+}
+
+/// What every effect costs on a board, in the number format that a feature selects.
+pub(crate) fn effects(board: &'static Board, feature: &str, progress: &Progress) -> Result<Costs> {
+    let expected = laboratory::on_the_host_with_feature(EFFECTS, feature, progress)?;
+    let laboratory = Laboratory::with_feature(EFFECTS, feature, board, progress)?;
+    cost::measure(&laboratory, EFFECTS, &expected)
 }
 
 /// Counts, and prints the table.

@@ -3,7 +3,7 @@
 use anyhow::{Context, Result, bail, ensure};
 
 use super::laboratory::{self, Laboratory};
-use super::{board, cost};
+use super::{KERNELS, board, cost};
 use crate::command;
 use crate::progress::Progress;
 use crate::suite::Suite;
@@ -53,7 +53,7 @@ fn instrument(laboratory: &Laboratory) -> Result<()> {
 }
 
 fn results(laboratory: &Laboratory, progress: &Progress) -> Result<()> {
-    let host = laboratory::on_the_host("cost", progress)?;
+    let host = laboratory::on_the_host(KERNELS, progress)?;
     ensure!(!host.is_empty(), "the firmware has printed nothing on the host");
-    cost::measure(laboratory, &host).map(|_| ())
+    cost::measure(laboratory, KERNELS, &host).map(|_| ())
 }

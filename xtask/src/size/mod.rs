@@ -1,6 +1,6 @@
 //! `cargo xtask size`: what each effect takes of a microcontroller's flash.
 
-mod effects;
+pub(crate) mod effects;
 pub(crate) mod program;
 mod report;
 pub(crate) mod tests;

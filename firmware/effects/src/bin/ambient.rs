@@ -1,6 +1,4 @@
-//! Ambient light on a matt surface.
+//! Ambient light on a matt surface, beside the light of lamps.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
-use luminaire_effects::constants::{AMBIENT, MATTE};
-
-luminaire_effects::program!(|(): ()| MATTE.glow(AMBIENT));
+luminaire_effects::program!(luminaire_effects::effects::ambient);

@@ -11,7 +11,7 @@ use luminaire::{
     Attenuation, Blend, BlinnPhong, CompiledDirectional, CompiledExposure, CompiledMaterial, CompiledPoint,
     CompiledProjection, CompiledSpot, Cubic, CutOff, DualCone, Edge, Falloff, Fitted, Fx16, Fx32, Gobo, Hard,
     HardRange, Haze, HazyBeam, InverseSquare, Light, Linear, Lyon, Matte, Phong, Polynomial, Power, Profile,
-    Rgb, Rgb565, Rim, Scalar, Smooth, SmoothRange, Soft, Specular, SquaredWindow, Surface, Table,
+    Rgb, Rgb565, Rim, Scalar, Shadow, Smooth, SmoothRange, Soft, Specular, SquaredWindow, Surface, Table,
     Unattenuated, Vec3, ViewBundle, ViewRay, Windowed, clip, encode_srgb, encode_srgb_dithered, keep_hue,
 };
 use luminaire_effects::Format;
@@ -166,7 +166,8 @@ fn of_format<S: Raw>(bits: &mut Bits) {
     reaches::<S, HardRange<InverseSquare>>(bits, (a, ()));
     reaches::<S, HardRange<SmoothRange>>(bits, (a, [b, c]));
     scatters::<InverseSquare>(bits, ());
-    scatters::<HardRange<SmoothRange>>(bits, (f32::raw_gain(bits.word()), [1.0, 1.0]));
+    let [reach, inverse, squared] = core::array::from_fn(|_| f32::raw_gain(bits.word()));
+    scatters::<HardRange<SmoothRange>>(bits, (reach, [inverse, squared]));
     let parallel = CompiledDirectional::<S>::from_parts(bits.vector(S::unit), a, colors(bits));
     black_box(parallel.irradiance(bits.vector(S::scalar)));
     let ramp = S::raw_ramp(bits);
@@ -290,6 +291,9 @@ fn projects<S: Raw>(bits: &mut Bits) {
     let pattern = Gobo::new(bits.word() as usize, black_box(PATTERN.as_slice())).unwrap_or(Gobo::of(&[[9]]));
     let light = S::light(bits.word());
     black_box(pattern.on(square).filter(light, bits.vector(S::raw_length)));
+    let depths: [S::Length; 9] = core::array::from_fn(|_| S::raw_length(bits.word()));
+    let shadow = Shadow::from_parts(square, bits.word() as u32, black_box(depths.as_slice()));
+    black_box(shadow.visibility(bits.vector(S::raw_length)));
 }
 
 /// From light to the codes of a display.

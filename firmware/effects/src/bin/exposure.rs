@@ -1,6 +1,4 @@
 //! Light after an exposure, in three channels.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
-use luminaire_effects::{Light, constants::EXPOSURE};
-
-luminaire_effects::program!(|light: Light| EXPOSURE.expose(light));
+luminaire_effects::program!(luminaire_effects::effects::exposure);

@@ -146,8 +146,8 @@ impl Light {
         self.nearest(self.way(place.column, place.row), place.depth).is_none_or(|hit| hit.is_first)
     }
 
-    /// Whether a place is farther than so many texels from the edge of any shadow, and from where its surface ends for the light:
-    /// there begins the shadow that lies on the surface itself.
+    /// Whether a place is farther than so many texels from the edge of any shadow, and from where its surface
+    /// ends for the light: there begins the shadow that lies on the surface itself.
     pub(super) fn is_clear(&self, place: Place, texels: f64, side: usize) -> bool {
         const STEPS: i32 = 8;
         let Some(own) = self.nearest(self.way(place.column, place.row), place.depth) else { return false };

@@ -1,0 +1,4 @@
+//! Runs each effect over its inputs between the markers, and prints a checksum of its results.
+#![cfg_attr(target_os = "none", no_std, no_main)]
+
+luminaire_firmware::entry!(luminaire_firmware::price);

@@ -1,0 +1,102 @@
+//! What pixels ask of an effect.
+
+use luminaire::{Rgb, Scalar, ViewRay};
+use luminaire_effects::constants::{MATTE, SPOT_INVERSE_SQUARE};
+use luminaire_effects::{Color, Format, Light, Place, Surface};
+use luminaire_kernels::scene::{EYE, Population, Site, Sites};
+use luminaire_kernels::{Format as _, Setting};
+
+use super::output::Output;
+
+/// Columns of a picture.
+const WIDTH: u32 = 160;
+
+/// Sequences of inputs, the same on every machine.
+pub(super) struct Inputs {
+    sites: Sites,
+    /// The bits of a number in [0, 1).
+    number: u32,
+    /// How many pixels there have been.
+    pixels: u32,
+}
+
+impl Inputs {
+    /// The sequences from their beginnings.
+    pub(super) fn new() -> Self {
+        let sites = Sites::new(Population::Lit, Setting::standard().outer_versine());
+        Self { sites, number: 0, pixels: 0 }
+    }
+
+    fn site(&mut self) -> Site {
+        self.sites.next().expect("an endless sequence")
+    }
+
+    /// A point in the cone that faces the light, and the direction to the eye.
+    pub(super) fn surface(&mut self) -> Surface {
+        let site = self.site();
+        let [eye, point] = [EYE, site.point].map(|place| place.map(Format::length));
+        Surface::seen_from(eye, point, site.normal.map(Format::from_f32))
+    }
+
+    /// The way from the eye to such a point: it ends in the beam.
+    pub(super) fn view(&mut self) -> ViewRay {
+        ViewRay::between(EYE, self.site().point)
+    }
+
+    /// What such a point sends back: some of it is over full scale.
+    pub(super) fn light(&mut self) -> Light {
+        MATTE.reflect(&self.surface(), &SPOT_INVERSE_SQUARE)
+    }
+
+    /// A colour, its channels spread evenly from black to white.
+    pub(super) fn color(&mut self) -> Color {
+        Rgb::new(self.channel(), self.channel(), self.channel())
+    }
+
+    /// A colour and its place, from left to right and from top to bottom.
+    pub(super) fn pixel(&mut self) -> (Color, Place) {
+        let place = Place { x: self.pixels % WIDTH, y: self.pixels / WIDTH };
+        self.pixels += 1;
+        (self.color(), place)
+    }
+
+    /// The fractions of the multiples of the golden ratio, which are spread evenly however many are taken.
+    fn channel(&mut self) -> Format {
+        self.number = self.number.wrapping_add(0x9e37_79b9);
+        Format::from_f32((self.number >> 8) as f32 / 16_777_216.0)
+    }
+}
+
+/// An input of an effect.
+pub(super) trait Input: Copy {
+    /// What a loop loads that does nothing.
+    fn word(&self) -> u32;
+}
+
+impl Input for Surface {
+    #[inline(always)]
+    fn word(&self) -> u32 {
+        Format::length_bits(self.point.x)
+    }
+}
+
+impl Input for ViewRay {
+    #[inline(always)]
+    fn word(&self) -> u32 {
+        self.length.to_bits()
+    }
+}
+
+impl<T: Output + Copy> Input for Rgb<T> {
+    #[inline(always)]
+    fn word(&self) -> u32 {
+        self.red.fold()
+    }
+}
+
+impl Input for (Color, Place) {
+    #[inline(always)]
+    fn word(&self) -> u32 {
+        self.0.word()
+    }
+}

@@ -1,0 +1,187 @@
+//! Patterns, shadows and haze in a picture: each is what the kernel says of a pixel, and none is where it is not called
+//! for.
+
+use luminaire::{
+    Angle, Cone, Edge, Error, Fx16, Fx32, Gobo, Haze, Lamp, Luminaire, Projection, Rgb, Spot, Vec3, ViewRay,
+};
+use luminaire_render::{Display, Format, Renderer, Scene, ShadowMap, gobos, stage};
+
+const SIZE: (usize, usize) = (160, 90);
+const STAR: [[u8; 32]; 32] = gobos::star();
+
+/// The lights of the stage: one with a pattern, one with shadows, one with both.
+fn luminaires() -> Result<Vec<Luminaire>, Error> {
+    let [key, fill, back] = stage::lights()?.map(Luminaire::from);
+    let star = |luminaire: Luminaire| luminaire.with_gobo(Gobo::of(&STAR), Angle::degrees(20.0));
+    Ok(vec![star(key)?.with_shadow(128)?, fill.with_shadow(64)?, star(back)?])
+}
+
+fn hazy() -> Result<Scene, Error> {
+    let mut scene = stage::scene();
+    scene.set_haze(Some(Haze::new(0.03)?));
+    Ok(scene)
+}
+
+fn renderer<S: Format>(scene: &Scene, luminaires: &[Luminaire]) -> Renderer<S> {
+    renderer_of(SIZE, scene, luminaires)
+}
+
+fn renderer_of<S: Format>(
+    (width, height): (usize, usize),
+    scene: &Scene,
+    luminaires: &[Luminaire],
+) -> Renderer<S> {
+    let mut renderer = Renderer::new(width, height).expect("a sound size");
+    renderer.draw_geometry(scene, &stage::camera());
+    renderer.draw_shadows(scene, luminaires).expect("held");
+    renderer.draw_light(luminaires).expect("held");
+    renderer
+}
+
+fn pixels() -> impl Iterator<Item = (usize, usize)> {
+    (0..SIZE.1).flat_map(|y| (0..SIZE.0).map(move |x| (x, y)))
+}
+
+fn bits<S: Format>(renderer: &Renderer<S>) -> Vec<Option<[u32; 3]>> {
+    let channels = |Rgb { red, green, blue }: Rgb<f32>| [red, green, blue].map(f32::to_bits);
+    pixels().map(|(x, y)| renderer.linear(x, y).map(channels)).collect()
+}
+
+/// What is called for gives the bits of everything, also after single luminaires have moved.
+#[test]
+fn what_is_called_for_is_everything() -> Result<(), Error> {
+    fn assert_format<S: Format>() -> Result<(), Error> {
+        for scene in [stage::scene(), hazy()?] {
+            let mut luminaires = luminaires()?;
+            let mut planned = renderer::<S>(&scene, &luminaires);
+            for step in 0..4 {
+                let mut everything = planned.clone();
+                everything.draw_everything(&luminaires)?;
+                assert_eq!(bits(&planned), bits(&everything), "{} after {step} steps", S::NAME);
+                let fresh = renderer::<S>(&scene, &luminaires);
+                assert_eq!(bits(&planned), bits(&fresh), "{} after {step} steps", S::NAME);
+                let Lamp::Spot(spot) = *luminaires[step % 3].lamp() else { panic!("they are spotlights") };
+                let axis = spot.axis().map(|c| c + 0.05);
+                let moved = Spot::new(spot.position(), axis, spot.cone())?
+                    .with_color(spot.color())?
+                    .with_intensity(spot.intensity())?;
+                luminaires[step % 3] = Luminaire::from(moved).with_shadow(64)?;
+                planned.draw_shadows(&scene, &luminaires).expect("held");
+                planned.draw_light(&luminaires)?;
+            }
+        }
+        Ok(())
+    }
+    assert_format::<f32>()?;
+    assert_format::<Fx32>()?;
+    assert_format::<Fx16>()
+}
+
+/// The light of a pixel is that of the lamp, times what its pattern and its shadow leave of it, to the bit.
+#[test]
+fn patterns_and_shadows_are_factors() -> Result<(), Error> {
+    let mut scene = stage::scene();
+    scene.set_ambient(Rgb::default());
+    let luminaire = luminaires()?[0];
+    let Lamp::Spot(spot) = *luminaire.lamp() else { panic!("it is a spotlight") };
+    let renderer = renderer::<f32>(&scene, &[luminaire]);
+    let compiled = spot.compile::<f32>()?;
+    let gobo = luminaire.compile_gobo::<f32>()?.expect("it has one");
+    let mut map = ShadowMap::<f32>::new(128).expect("a sound side");
+    map.draw(&scene, &Projection::of(&spot)?)?;
+    let shadow = map.shadow().expect("drawn");
+    let (mut dimmed, mut shadowed) = (0, 0);
+    for (x, y) in pixels() {
+        let Some((point, normal, material)) = renderer.surface(x, y) else { continue };
+        let light = compiled.irradiance(point, normal);
+        let (pattern, visibility) = (gobo.at(point), shadow.visibility(point));
+        dimmed += u32::from(light > 0.0 && pattern < 1.0);
+        shadowed += u32::from(light > 0.0 && visibility < 1.0);
+        let light = light * pattern * visibility;
+        let expected = spot.color().zip(material.albedo, |color, albedo| light * color * albedo);
+        assert_eq!(renderer.linear(x, y), Some(expected), "at {x}, {y}");
+    }
+    assert!(dimmed > 500 && shadowed > 200, "{dimmed} pixels under the pattern, {shadowed} in shadow");
+    Ok(())
+}
+
+/// Haze adds to each pixel what the kernel says of its view ray.
+#[test]
+fn haze_is_added() -> Result<(), Error> {
+    let spots = stage::lights()?;
+    let luminaires = spots.map(Luminaire::from);
+    let clear = renderer::<f32>(&stage::scene(), &luminaires);
+    let scene = hazy()?;
+    let hazy = renderer::<f32>(&scene, &luminaires);
+    let haze = scene.haze().expect("it was set");
+    let eye = stage::camera().eye();
+    let beams = spots.map(|spot| spot.compile::<f32>().map(|spot| spot.in_haze(&haze)));
+    let mut brightest: f32 = 0.0;
+    for (x, y) in pixels() {
+        let Some((point, ..)) = hazy.surface(x, y) else { continue };
+        let ray = ViewRay::between(eye, point);
+        let air = beams.iter().zip(&spots).map(|(beam, spot)| {
+            beam.as_ref().map(|beam| beam.air_light(&ray) * spot.color().green).expect("held")
+        });
+        let [before, after] = [&clear, &hazy].map(|picture| picture.linear(x, y).expect("inside").green);
+        let expected: f32 = air.sum();
+        assert!((after - before - expected).abs() <= 2e-4 * (1.0 + after), "{} at {x}, {y}", after - before);
+        brightest = brightest.max(expected);
+    }
+    assert!((0.02..2.0).contains(&brightest), "the air shows {brightest}");
+    Ok(())
+}
+
+/// A luminaire that moves changes the tiles that it lights on surfaces or in the air, and no other.
+#[test]
+fn what_no_beam_meets_is_not_lit_again() -> Result<(), Error> {
+    let cone = Cone::from_outer(Edge::Hard, Angle::degrees(6.0))?;
+    let narrow = |x: f32| -> Result<Luminaire, Error> {
+        let down = Vec3::new(0.0, -1.0, 0.0);
+        Ok(Spot::new(Vec3::new(x, 3.0, 0.0), down, cone)?.with_intensity(9.0)?.into())
+    };
+    let mut relit = [0; 2];
+    for (scene, relit) in [stage::scene(), hazy()?].iter().zip(&mut relit) {
+        let luminaires = [narrow(-1.0)?, narrow(1.0)?];
+        let mut renderer = renderer_of::<f32>((640, 360), scene, &luminaires);
+        assert!(!renderer.draw_light(&luminaires)?);
+        assert!(renderer.draw_light(&[narrow(-1.0)?, narrow(1.01)?])?);
+        *relit = renderer.account().tiles_relit;
+    }
+    // Of 460 tiles. In haze a tile is left out where a plane divides it from the beam, which not every dark tile has.
+    let [in_clear_air, in_haze] = relit;
+    assert!((2..40).contains(&in_clear_air) && (in_clear_air..400).contains(&in_haze), "{relit:?}");
+    Ok(())
+}
+
+/// A map that is drawn anew lights its tiles anew, and one that is not lights none.
+#[test]
+fn shadows_that_change_are_seen() -> Result<(), Error> {
+    let luminaires = luminaires()?;
+    let mut renderer = renderer::<f32>(&stage::scene(), &luminaires);
+    assert_eq!(renderer.draw_shadows(&stage::scene(), &luminaires), Ok(false));
+    assert!(!renderer.draw_light(&luminaires)?);
+    // Without anything that throws a shadow, though the camera sees what it saw.
+    assert_eq!(renderer.draw_shadows(&Scene::new(), &luminaires), Ok(true));
+    let before = bits(&renderer);
+    assert!(renderer.draw_light(&luminaires)?);
+    assert_ne!(bits(&renderer), before);
+    Ok(())
+}
+
+#[test]
+fn another_display_shows_other_codes() -> Result<(), Error> {
+    let mut renderer = renderer::<f32>(&stage::scene(), &luminaires()?);
+    let plain = renderer.encode().to_vec();
+    let displays = [Display::Rgb888Dithered, Display::Rgb565, Display::Rgb565Dithered];
+    for (display, most) in displays.into_iter().zip([1, 5, 9]) {
+        renderer.set_display(display);
+        let codes = renderer.encode();
+        let largest = codes.iter().zip(&plain).map(|(a, b)| a.abs_diff(*b)).max().unwrap_or(0);
+        assert_eq!(largest, most, "{display:?}");
+        assert_eq!(display.is_dithered(), display != Display::Rgb565);
+    }
+    renderer.set_display(Display::Rgb888);
+    assert_eq!(renderer.encode(), plain);
+    Ok(())
+}

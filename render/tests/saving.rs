@@ -1,0 +1,215 @@
+//! What is left out changes no bit of a picture, and what it saves is what it is said to save.
+
+use luminaire::{Fx16, Fx32, Lamp, Luminaire, Rgb};
+use luminaire_render::{
+    Format, Material, Mesh, Renderer, Scene,
+    examples::{Example, Setup, turntable},
+};
+use std::ops::Range;
+
+/// Of no whole number of tiles either way.
+const SIZE: (usize, usize) = (250, 141);
+
+fn renderer<S: Format>(setup: &Setup) -> Renderer<S> {
+    let mut renderer = Renderer::new(SIZE.0, SIZE.1).unwrap();
+    assert!(renderer.draw_geometry(&setup.scene, &setup.camera));
+    renderer
+}
+
+/// The places of all pixels.
+fn pixels<S: Format>(renderer: &Renderer<S>) -> impl Iterator<Item = (usize, usize)> + use<S> {
+    let (width, height) = renderer.size();
+    (0..height).flat_map(move |y| (0..width).map(move |x| (x, y)))
+}
+
+/// The light of all pixels and their codes, as bits.
+fn bits<S: Format>(renderer: &mut Renderer<S>) -> (Vec<[u32; 3]>, Vec<u8>) {
+    let light = pixels(renderer).map(|(x, y)| {
+        let Rgb { red, green, blue } = renderer.linear(x, y).unwrap();
+        [red, green, blue].map(f32::to_bits)
+    });
+    (light.collect(), renderer.encode().to_vec())
+}
+
+/// Draws one picture after the other with one renderer, and each with a fresh one, and compares both with the picture of
+/// everything.
+fn assert_same<S: Format>(setup: &Setup, pictures: &[Vec<Luminaire>], what: &str) {
+    let (mut going_on, mut everything) = (renderer::<S>(setup), renderer::<S>(setup));
+    for (number, luminaires) in pictures.iter().enumerate() {
+        let mut fresh = renderer::<S>(setup);
+        for renderer in [&mut going_on, &mut fresh, &mut everything] {
+            renderer.draw_shadows(&setup.scene, luminaires).unwrap();
+        }
+        going_on.draw_light(luminaires).unwrap();
+        fresh.draw_light(luminaires).unwrap();
+        everything.draw_everything(luminaires).unwrap();
+        let expected = bits(&mut everything);
+        assert!(bits(&mut fresh) == expected, "{what} in {}: picture {number}", S::NAME);
+        assert!(bits(&mut going_on) == expected, "{what} in {}: picture {number} after others", S::NAME);
+        for account in [fresh.account(), going_on.account(), everything.account()] {
+            assert_eq!(account.pairs(), (luminaires.len() * SIZE.0 * SIZE.1) as u64, "{what}: {account:?}");
+        }
+        let account = everything.account();
+        assert_eq!(account.evaluated, account.pairs(), "{what}: {account:?}");
+    }
+}
+
+fn assert_same_everywhere(example: Example, pictures: impl Fn(&Setup) -> Vec<Vec<Luminaire>>) {
+    let setup = example.setup().unwrap();
+    let pictures = pictures(&setup);
+    assert_same::<f32>(&setup, &pictures, example.name());
+    assert_same::<Fx32>(&setup, &pictures, example.name());
+    assert_same::<Fx16>(&setup, &pictures, example.name());
+}
+
+/// A lamp that is switched off.
+fn off(luminaire: &Luminaire) -> Luminaire {
+    match luminaire.lamp() {
+        Lamp::Directional(lamp) => lamp.with_intensity(0.0).unwrap().into(),
+        Lamp::Point(lamp) => lamp.with_intensity(0.0).unwrap().into(),
+        Lamp::Spot(lamp) => lamp.with_intensity(0.0).unwrap().into(),
+    }
+}
+
+#[test]
+fn planned_pictures_are_those_of_everything() {
+    for example in Example::ALL {
+        assert_same_everywhere(example, |setup| {
+            [0.0, 1.7, 1.75, 6.3].map(|seconds| setup.luminaires_at(seconds).unwrap()).to_vec()
+        });
+    }
+}
+
+#[test]
+fn dark_lamps_and_lamps_that_go_off_and_on_leave_no_trace() {
+    for example in [Example::ThreePoint, Example::Show, Example::Gallery] {
+        assert_same_everywhere(example, |setup| {
+            let all = setup.luminaires_at(0.0).unwrap();
+            let without = |part: usize| {
+                let number =
+                    |(number, lamp): (usize, &Luminaire)| if number % 3 == part { off(lamp) } else { *lamp };
+                all.iter().enumerate().map(number).collect::<Vec<_>>()
+            };
+            let fewer = all[..all.len() - 1].to_vec();
+            let reversed = all.iter().rev().copied().collect();
+            let none = all.iter().map(off).collect();
+            vec![all.clone(), without(0), without(1), all.clone(), Vec::new(), all, fewer, reversed, none]
+        });
+    }
+}
+
+#[test]
+fn dark_lamps_are_dropped() {
+    let setup = Example::ThreePoint.setup().unwrap();
+    let mut luminaires = setup.luminaires_at(0.0).unwrap();
+    luminaires[1] = off(&luminaires[1]);
+    let mut renderer = renderer::<f32>(&setup);
+    renderer.draw_light(&luminaires).unwrap();
+    let account = renderer.account();
+    assert_eq!((account.lamps, account.lamps_dropped), (3, 1));
+    assert_eq!(account.dropped, (SIZE.0 * SIZE.1) as u64);
+}
+
+/// A renderer of the size that the grids are composed for, lit.
+fn lit(example: Example) -> (Setup, Renderer<f32>) {
+    let setup = example.setup().unwrap();
+    let (width, height) = example.size();
+    let mut renderer = Renderer::new(width, height).unwrap();
+    assert!(renderer.draw_geometry(&setup.scene, &setup.camera));
+    assert!(renderer.draw_light(&setup.luminaires_at(0.0).unwrap()).unwrap());
+    (setup, renderer)
+}
+
+/// How many pairs of a spotlight and a pixel there are in which light arrives: the least that can be evaluated.
+fn lit_pairs(setup: &Setup, renderer: &Renderer<f32>) -> u64 {
+    let luminaires = setup.luminaires_at(0.0).unwrap();
+    let spots = luminaires.iter().map(|luminaire| match luminaire.lamp() {
+        Lamp::Spot(spot) => spot.compile::<f32>().unwrap(),
+        other => panic!("{other:?}"),
+    });
+    let spots: Vec<_> = spots.collect();
+    let points = pixels(renderer).filter_map(|(x, y)| renderer.surface(x, y));
+    let lights = |(point, normal, _)| spots.iter().filter(move |spot| spot.irradiance(point, normal) > 0.0);
+    points.map(|surface| lights(surface).count() as u64).sum()
+}
+
+/// How many times fewer pairs are evaluated than there are, and how many times more than light arrives in.
+fn assert_saving(example: Example, saving: Range<f64>, surplus: Range<f64>) {
+    let (setup, renderer) = lit(example);
+    let (account, least) = (renderer.account(), lit_pairs(&setup, &renderer));
+    let evaluated = account.evaluated as f64;
+    let found = (account.pairs() as f64 / evaluated, evaluated / least as f64);
+    assert!(saving.contains(&found.0) && surplus.contains(&found.1), "{}: {found:?}", example.name());
+}
+
+#[test]
+fn a_spot_is_evaluated_little_beyond_its_circle() {
+    // A circle is about as wide as a row of 32 pixels there, and more than twice as wide under a wide spot.
+    assert_saving(Example::Grid, 92.8..93.0, 2.01..2.02);
+    assert_saving(Example::WideGrid, 17.2..17.3, 1.36..1.37);
+}
+
+/// Draws one picture after another, and compares what was lit again with what has changed. Gives both as parts of the
+/// picture.
+fn assert_relit(example: Example, seconds: f32, relit: Range<f64>, changed: Range<f64>) {
+    let (setup, mut renderer) = lit(example);
+    let light = |renderer: &Renderer<f32>| -> Vec<_> {
+        pixels(renderer).map(|(x, y)| renderer.linear(x, y).unwrap()).collect()
+    };
+    let before = light(&renderer);
+    assert!(renderer.draw_light(&setup.luminaires_at(seconds).unwrap()).unwrap());
+    let is_changed = before.iter().zip(&light(&renderer)).map(|(a, b)| a != b).collect::<Vec<_>>();
+    let is_relit: Vec<_> = pixels(&renderer).map(|(x, y)| renderer.is_relit(x, y).unwrap()).collect();
+    assert!(is_changed.iter().zip(&is_relit).all(|(changed, relit)| relit | !changed), "{}", example.name());
+    let (account, all) = (renderer.account(), is_relit.len());
+    let count = |is: &[bool]| is.iter().filter(|is| **is).count();
+    assert_eq!(account.kept, u64::from(account.lamps) * (all - count(&is_relit)) as u64, "{account:?}");
+    let found = (count(&is_relit) as f64 / all as f64, count(&is_changed) as f64 / all as f64);
+    assert!(relit.contains(&found.0) && changed.contains(&found.1), "{}: {found:?}", example.name());
+}
+
+#[test]
+fn only_the_tiles_of_lamps_that_have_changed_are_relit() {
+    // The chase has gone from one of 64 lamps to the next, and from one of 8; the follow spot has moved, one of 26 lamps.
+    assert_relit(Example::Grid, 0.25, 0.028..0.0292, 0.0087..0.0089);
+    assert_relit(Example::WideGrid, 0.25, 0.124..0.125, 0.0758..0.0762);
+    assert_relit(Example::Gallery, 0.25, 0.0505..0.0515, 0.0119..0.0122);
+}
+
+#[test]
+fn where_nothing_has_changed_nothing_is_done() {
+    for example in Example::ALL {
+        let setup = example.setup().unwrap();
+        let mut renderer = renderer::<f32>(&setup);
+        assert_eq!(renderer.account().triangles, setup.scene.triangle_count());
+        renderer.draw_light(&setup.luminaires_at(0.1).unwrap()).unwrap();
+        assert!(!renderer.draw_geometry(&setup.scene, &setup.camera));
+        assert_eq!(renderer.account().triangles, 0);
+        assert!(!renderer.draw_light(&setup.luminaires_at(0.1).unwrap()).unwrap(), "{}", example.name());
+    }
+}
+
+#[test]
+fn paint_and_ambient_light_draw_no_triangle() {
+    let painted = |albedo| {
+        let mut scene = Scene::new();
+        scene.add(Mesh::cuboid(2.0, 1.0, 1.0), Material::new(albedo));
+        scene
+    };
+    let (red, blue) = (painted(Rgb::new(0.8, 0.1, 0.1)), painted(Rgb::new(0.1, 0.1, 0.8)));
+    let mut dim = blue.clone();
+    dim.set_ambient(Rgb::new(0.1, 0.1, 0.1));
+    let setup = turntable(4).unwrap();
+    let luminaires = setup.luminaires_at(0.0).unwrap();
+    let mut renderer = Renderer::<f32>::new(SIZE.0, SIZE.1).unwrap();
+    for (scene, triangles) in [(&red, 12), (&blue, 0), (&dim, 0)] {
+        assert!(renderer.draw_geometry(scene, &setup.camera));
+        assert!(renderer.draw_light(&luminaires).unwrap());
+        let account = renderer.account();
+        assert_eq!((account.triangles, account.tiles_relit), (triangles, account.tiles));
+        let mut fresh = Renderer::<f32>::new(SIZE.0, SIZE.1).unwrap();
+        fresh.draw_geometry(scene, &setup.camera);
+        fresh.draw_everything(&luminaires).unwrap();
+        assert!(bits(&mut renderer) == bits(&mut fresh), "{triangles} triangles");
+    }
+}
