@@ -88,17 +88,9 @@ pub(super) enum Plain {
 }
 
 impl<S: Scalar, H: Specular, const N: usize> Loop<'_, S, H, N> {
-    const SKIPS: bool = !S::Offset::ROOTS_FIRST;
-
-    #[inline(never)]
     fn light<L: Light<S>>(&mut self, light: &L) {
-        for i in 0..N {
-            let arrival = light.arrive::<H>(&self.surfaces.at(i), self.highlight, Self::SKIPS);
-            self.arrivals.diffuse[i] = arrival.diffuse;
-            if H::SHINES {
-                self.arrivals.specular[i] = arrival.specular;
-            }
-        }
+        let Arrival { diffuse, specular } = self.arrivals;
+        light_each::<S, H, L, N>(light, self.surfaces, self.highlight, diffuse, specular);
     }
 
     fn point(&mut self, light: &CompiledPoint<S, Distance>) {
@@ -160,7 +152,6 @@ impl<S: Scalar, H: Specular, const N: usize> Loop<'_, S, H, N> {
         }
     }
 
-    /// Takes fractions of a full intensity to what is left of the intensity at each distance.
     fn fall(&mut self, position: Vec3<S::Length>, distance: &CompiledDistance<S>, intensity: S::Gain) {
         match distance {
             CompiledDistance::Constant(model) => {
@@ -186,26 +177,54 @@ impl<S: Scalar, H: Specular, const N: usize> Loop<'_, S, H, N> {
         }
     }
 
-    #[inline(never)]
     fn attenuate<A: Attenuation>(
         &mut self,
         position: Vec3<S::Length>,
         constants: &A::Constants<S>,
         intensity: S::Gain,
     ) {
-        for i in 0..N {
-            let lit = self.arrivals.diffuse[i] > S::Irradiance::default()
-                || H::SHINES && self.arrivals.specular[i] > S::Irradiance::default();
-            if Self::SKIPS && !lit {
-                continue;
-            }
-            let offset = S::offset(position, self.surfaces.point.map(|column| column[i]));
-            let ray = offset.ray();
-            let expose = |fraction| A::expose(constants, &offset, &ray, S::clip(fraction), intensity);
-            self.arrivals.diffuse[i] = expose(self.arrivals.diffuse[i]);
-            if H::SHINES {
-                self.arrivals.specular[i] = expose(self.arrivals.specular[i]);
-            }
+        let Arrival { diffuse, specular } = self.arrivals;
+        attenuate_each::<S, A, N>(position, constants, intensity, self.surfaces.point, diffuse);
+        if H::SHINES {
+            attenuate_each::<S, A, N>(position, constants, intensity, self.surfaces.point, specular);
         }
+    }
+}
+
+/// The loop of a light. What it writes to are arguments of their own, which compilers know to be apart from what it reads.
+#[inline(never)]
+fn light_each<S: Scalar, H: Specular, L: Light<S>, const N: usize>(
+    light: &L,
+    surfaces: &Surfaces<'_, S, N>,
+    highlight: &H::Constants<S>,
+    diffuse: &mut [S::Irradiance; N],
+    specular: &mut [S::Irradiance; N],
+) {
+    let (surfaces, highlight) = (*surfaces, *highlight);
+    for i in 0..N {
+        let arrival = light.arrive::<H>(&surfaces.at(i), &highlight, !S::Offset::ROOTS_FIRST);
+        diffuse[i] = arrival.diffuse;
+        if H::SHINES {
+            specular[i] = arrival.specular;
+        }
+    }
+}
+
+/// Takes fractions of a full intensity to what is left of the intensity at each distance.
+#[inline(never)]
+fn attenuate_each<S: Scalar, A: Attenuation, const N: usize>(
+    position: Vec3<S::Length>,
+    constants: &A::Constants<S>,
+    intensity: S::Gain,
+    points: Vec3<&[S::Length; N]>,
+    lights: &mut [S::Irradiance; N],
+) {
+    let constants = *constants;
+    for (i, light) in lights.iter_mut().enumerate() {
+        if !S::Offset::ROOTS_FIRST && *light == S::Irradiance::default() {
+            continue;
+        }
+        let offset = S::offset(position, points.map(|column| column[i]));
+        *light = A::expose(&constants, &offset, &offset.ray(), S::clip(*light), intensity);
     }
 }
