@@ -35,16 +35,19 @@ export class SceneMeter {
    * @param {string} [options.format] `f32`, `fx32` or `fx16`
    * @param {number} [options.spots] how many there are above the turntable
    * @param {number} [options.shadows] the side of their shadow maps in texels, above the turntable
+   * @param {string[]} [options.having] effects to put in, such as `haze`
    * @param {string[]} [options.without] effects to leave out, such as `specular`
    * @param {boolean} [options.everything] whether all effects are evaluated, called for or not
    */
   async measure(name, frames, options = {}) {
-    const { width = 960, height = 540, format = "f32", spots, shadows, without = [], everything = false } = options;
+    const { width = 960, height = 540, format = "f32", spots, shadows, everything = false } = options;
+    const { having = [], without = [] } = options;
     const scenes = this.#scenes;
     if (name === "turntable") scenes.openTurntable(spots ?? 8, shadows, width, height);
     else scenes.open(name, width, height);
     scenes.setFormat(format);
     scenes.setEverything(everything);
+    for (const effect of having) scenes.setEffect(effect, true);
     for (const effect of without) scenes.setEffect(effect, false);
     const cameraAtRest = await this.#run(frames, () => {});
     const cameraMoving = await this.#run(frames, () => scenes.orbit(TURN, 0));
