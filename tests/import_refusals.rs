@@ -7,7 +7,7 @@ use fastrand::Rng;
 use luminaire::{
     Angle, Attenuation, CompiledPoint, CompiledSpot, Error, Fx16, Fx32, IntegerPower, IntegerRim, MixedPower,
     MixedRim, Profile, Vec3,
-    import::{self, Difference, Direct3d, Gltf, Godot, Imported, Lamp, OpenGl, Penumbra, Ramp, Three},
+    import::{Difference, Direct3d, Gltf, Godot, Imported, Lamp, OpenGl, Penumbra, Ramp, Three},
 };
 use support::{
     arbitrary::{bits, vector},

@@ -165,7 +165,7 @@ fn beams_show_in_many_rays_as_in_each() {
             continue;
         };
         let beam = beam.expect("a spotlight has one");
-        let eye = spot.position().zip(spot.axis(), |p, a| p + 2.0 * a + rng.f32() - 0.5);
+        let eye = spot.position().zip(spot.axis(), |p, a| p + a + 12.0 * (rng.f32() - 0.5));
         let directions: [Vec3<f32>; COUNT] =
             std::array::from_fn(|_| sweep::single(sweep::direction(&mut rng)));
         let mut length = [f32::INFINITY; COUNT];

@@ -12,6 +12,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         let (width, height) = example.size();
         let mut renderer = Renderer::<f32>::new(width, height)?;
         renderer.draw_geometry(&setup.scene, &setup.camera_at(seconds));
+        renderer.set_display(setup.display);
         let luminaires = setup.luminaires_at(seconds)?;
         renderer.draw_shadows(&setup.scene, &luminaires)?;
         renderer.draw_light(&luminaires)?;

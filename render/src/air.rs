@@ -73,14 +73,14 @@ pub(crate) fn rays(view: &View, fragments: &Fragments, row: usize, column: usize
         direction: Vec3::new([0.0; LANES], [0.0; LANES], [0.0; LANES]),
         length: [0.0; LANES],
     };
-    for lane in 0..LANES {
+    for (lane, nearness) in nearness.iter().enumerate() {
         let way = first + step * lane as f32;
         let unit = way.length();
         rays.direction.x[lane] = way.x / unit;
         rays.direction.y[lane] = way.y / unit;
         rays.direction.z[lane] = way.z / unit;
         // At depth 1 the way is as long as this; where nothing was drawn it has no end.
-        rays.length[lane] = unit / nearness[lane];
+        rays.length[lane] = unit / nearness;
     }
     rays
 }

@@ -22,11 +22,11 @@ mod turntable;
 
 pub use self::{fixture::Fixture, turntable::turntable};
 
-use crate::{Camera, Scene};
+use crate::{Camera, Display, Scene};
 use alloc::vec::Vec;
 use core::f32::consts::TAU;
 use glam::Vec2;
-use luminaire::{Effects, Error, Luminaire};
+use luminaire::{Effect, Effects, Error, Luminaire};
 
 /// A scene to learn from.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
@@ -59,6 +59,8 @@ pub struct Setup {
     pub camera: Camera,
     /// The luminaires, with their names and movements.
     pub fixtures: Vec<Fixture>,
+    /// What the picture is shown on.
+    pub display: Display,
     /// How far to either side the camera swings, in radians.
     swing: f32,
 }
@@ -114,7 +116,7 @@ impl Example {
                 "One spot with a soft edge on matt surfaces, and nothing else: no ambient light."
             }
             Self::ThreePoint => {
-                "Key, fill and back light with the edges that two angles of a data sheet ask for, and ambient light."
+                "Key, fill and back light with the edges that two angles of a data sheet ask for, ambient light, and the shadows of two of the three."
             }
             Self::Grid => "64 narrow spots with a soft edge: each lights a sixty-fourth of the floor.",
             Self::WideGrid => "8 wide spots with a soft edge, which light as many square metres as the 64.",
@@ -124,7 +126,9 @@ impl Example {
             Self::Show => {
                 "Moving heads with coloured beams, soft and hard, and two turning gobos, in a house without ambient light."
             }
-            Self::Pocket => "One spot with a soft edge on a few triangles, for 160 x 120 pixels in 16 bits.",
+            Self::Pocket => {
+                "One spot with a soft edge on a few triangles, for 160 x 120 pixels in 16 bits, dithered for RGB565."
+            }
             Self::Turntable => "Eight moving spots with a soft edge, and highlights on everything.",
         }
     }
@@ -162,7 +166,7 @@ impl Example {
 
 impl Setup {
     fn new(scene: Scene, camera: Camera, fixtures: Vec<Fixture>) -> Self {
-        Self { scene, camera, fixtures, swing: 0.0 }
+        Self { scene, camera, fixtures, display: Display::default(), swing: 0.0 }
     }
 
     /// The luminaires after so many seconds, in the order of the fixtures. The same seconds always give the same.
@@ -179,7 +183,11 @@ impl Setup {
     /// As [`luminaires_at`](Self::luminaires_at).
     pub fn effects_at(&self, seconds: f32) -> Result<Effects, Error> {
         let luminaires = self.luminaires_at(seconds)?;
-        Ok(luminaires.iter().fold(self.scene.plan(), |plan, lamp| plan.with_luminaire(lamp)).effects())
+        let mut plan = self.scene.plan();
+        if self.display.is_dithered() {
+            plan = plan.with(Effect::Dither);
+        }
+        Ok(luminaires.iter().fold(plan, |plan, luminaire| plan.with_luminaire(luminaire)).effects())
     }
 
     /// The camera after so many seconds, for who wants it to move: in most scenes it stands still.

@@ -10,19 +10,24 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! A picture is made in three passes, and each is made again only if something before it has changed:
+//! A picture is made in four passes, and each is made again only where something before it has changed:
 //!
 //! 1. [`draw_geometry`](Renderer::draw_geometry) draws the [`Scene`] from a [`Camera`] into the G-buffer:
 //!    position, normal and material of each pixel, already in the number format of the light.
-//! 2. [`draw_light`](Renderer::draw_light) adds up the light of the spots over that buffer, in blocks of
-//!    pixels with each quantity in an array of its own. A block that a beam cannot reach is left out.
-//! 3. [`encode`](Renderer::encode) makes sRGB codes of it.
+//! 2. [`draw_shadows`](Renderer::draw_shadows) draws a [`ShadowMap`] for each luminaire that asks for one.
+//! 3. [`draw_light`](Renderer::draw_light) adds up the light of the luminaires over that buffer, in blocks of
+//!    32 pixels with each quantity in an array of its own. Tiles that no luminaire reaches which is another now
+//!    are left as they are; in the others, blocks that a lamp cannot reach are left out.
+//! 4. [`encode`](Renderer::encode) makes the codes of a [`Display`] of it, in the tiles that were lit.
 //!
-//! The [`examples`] are scenes that differ in what they call for.
+//! **Only the effects that a scene calls for are computed.** The kind of a lamp, its profile and its distance model pick a
+//! loop, once for a block; highlights are computed where a material has them, patterns, shadows and haze for luminaires
+//! that ask for them. What is left out changes no bit:
+//! [`draw_everything`](Renderer::draw_everything) leaves nothing out and gives the same picture. The
+//! [`Account`] says what was spared.
 //!
 //! The number format is the renderer's type parameter: `f32`, [`Fx32`](luminaire::Fx32) or
-//! [`Fx16`](luminaire::Fx16); [`stated_error`] says how far the pictures differ. There are no shadows and no
-//! highlights: the light is the kernel's, falloff, inverse-square distance and Lambert's cosine.
+//! [`Fx16`](luminaire::Fx16); [`stated_error`] says how far the pictures differ.
 //!
 //! The feature `std` takes the square root from the standard library in place of `libm`: the same bits, and
 //! on most targets several times quicker, because only then the loops become vector instructions.

@@ -34,7 +34,10 @@ impl Picture {
         let setup = example.setup()?;
         let mut renderer = Renderer::<S>::new(size.0, size.1)?;
         renderer.draw_geometry(&setup.scene, &setup.camera);
-        renderer.draw_light(&setup.luminaires_at(0.0)?)?;
+        renderer.set_display(setup.display);
+        let luminaires = setup.luminaires_at(0.0)?;
+        renderer.draw_shadows(&setup.scene, &luminaires)?;
+        renderer.draw_light(&luminaires)?;
         let codes = renderer.encode().chunks_exact(4).flat_map(|pixel| &pixel[..3]).copied().collect();
         Ok(Self { size, codes })
     }

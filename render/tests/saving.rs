@@ -37,6 +37,9 @@ fn assert_same<S: Format>(setup: &Setup, pictures: &[Vec<Luminaire>], what: &str
     let (mut going_on, mut everything) = (renderer::<S>(setup), renderer::<S>(setup));
     for (number, luminaires) in pictures.iter().enumerate() {
         let mut fresh = renderer::<S>(setup);
+        for renderer in [&mut going_on, &mut fresh, &mut everything] {
+            renderer.draw_shadows(&setup.scene, luminaires).unwrap();
+        }
         going_on.draw_light(luminaires).unwrap();
         fresh.draw_light(luminaires).unwrap();
         everything.draw_everything(luminaires).unwrap();

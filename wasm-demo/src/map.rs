@@ -6,9 +6,10 @@ use crate::{
     refusal::Refusal,
 };
 
-/// How much of the map covers the picture, of 255: so much that its colours are those of the legend for the eye, and the
-/// picture is still seen.
+/// How much a map of lamps covers of the picture, of 255: so much that its colours are those of the legend for the eye,
+/// and the picture is still seen. Two colours are told apart through less.
 const COVER: u8 = 215;
+const TILE_COVER: u8 = 120;
 
 /// Where on the palette tiles stand that were lit again, and that were kept.
 const RELIT: (f32, f32) = (0.7, 0.0);
@@ -94,21 +95,22 @@ impl Map {
                 self.most = places().map(lamps).fold(self.most, u16::max);
                 let scale = self.scale();
                 for place in places() {
-                    self.put(self.palette.colour(scale, lamps(place).into()));
+                    self.put(self.palette.colour(scale, lamps(place).into()), COVER);
                 }
             }
             Subject::Tiles => {
                 let [relit, kept] = self.tile_colours();
                 for (x, y) in places() {
-                    self.put(if renderer.is_relit(x, y) == Some(true) { relit } else { kept });
+                    let is_relit = renderer.is_relit(x, y) == Some(true);
+                    self.put(if is_relit { relit } else { kept }, TILE_COVER);
                 }
             }
         }
         Some(&self.pixels)
     }
 
-    fn put(&mut self, [red, green, blue]: [u8; 3]) {
-        self.pixels.extend([red, green, blue, COVER]);
+    fn put(&mut self, [red, green, blue]: [u8; 3], cover: u8) {
+        self.pixels.extend([red, green, blue, cover]);
     }
 
     /// At least one lamp, so that none at all has the first colour.

@@ -72,10 +72,10 @@ impl Scenes {
         self.example.name().to_owned()
     }
 
-    /// Opens a scene with all of its switches on, in pictures of this width and height, or without them of the size that
+    /// Opens a scene as it was made, in pictures of this width and height, or without them of the size that
     /// it is composed for.
     pub fn open(&mut self, name: &str, width: Option<u32>, height: Option<u32>) -> Result<(), JsValue> {
-        Ok(self.open_example(example_named(name)?, [width, height])?)
+        Ok(self.open_example(name, [width, height])?)
     }
 
     /// Opens the turntable under so many spotlights, with shadows by maps of so many texels a side if that is given: for
@@ -94,8 +94,8 @@ impl Scenes {
     }
 
     /// Whether anything in the scene moves by itself.
-    pub fn moves(&self) -> Result<bool, JsValue> {
-        Ok(self.rig.moves().map_err(Refusal::from)?)
+    pub fn moves(&self) -> bool {
+        self.rig.moves()
     }
 
     /// Whether its camera moves by itself.
@@ -104,15 +104,9 @@ impl Scenes {
         self.rig.camera_moves()
     }
 
-    /// Moves the lamps to where they are after so many seconds.
-    pub fn seek(&mut self, seconds: f32) {
-        self.seconds[0] = seconds;
-    }
-
-    /// Moves the camera to where it is after so many seconds.
-    #[wasm_bindgen(js_name = seekCamera)]
-    pub fn seek_camera(&mut self, seconds: f32) {
-        self.seconds[1] = seconds;
+    /// Moves the lamps, and the camera, to where they are after so many seconds.
+    pub fn seek(&mut self, lamps: f32, camera: f32) {
+        self.seconds = [lamps, camera];
     }
 
     /// Moves the camera around its target, by angles in radians.
@@ -244,8 +238,7 @@ impl Scenes {
     /// Leaves an effect out, or puts it in.
     #[wasm_bindgen(js_name = setEffect)]
     pub fn set_effect(&mut self, name: &str, on: bool) -> Result<(), JsValue> {
-        self.is_shown = false;
-        Ok(self.rig.switch_effect(name, on)?)
+        Ok(self.switch_effect(name, on)?)
     }
 
     /// The lamps with their switches.
@@ -318,16 +311,31 @@ impl Scenes {
         })
     }
 
-    fn open_example(&mut self, example: Example, size: [Option<u32>; 2]) -> Result<(), Refusal> {
+    fn open_example(&mut self, name: &str, size: [Option<u32>; 2]) -> Result<(), Refusal> {
+        let example = Example::named(name).ok_or_else(|| Refusal::Name {
+            parameter: "scene",
+            value: name.to_owned(),
+            remedy: "give one of those on the list",
+        })?;
         let (width, height) = composed(example);
         let size = (size[0].unwrap_or(width), size[1].unwrap_or(height));
         self.change(example, Rig::new(example.setup()?)?, size)
     }
 
+    fn switch_effect(&mut self, name: &str, on: bool) -> Result<(), Refusal> {
+        let mut rig = self.rig.clone();
+        rig.switch_effect(name, on)?;
+        rig.check(self.format, self.seconds[0])?;
+        (self.rig, self.is_shown) = (rig, false);
+        Ok(())
+    }
+
     fn compare_pictures(&self) -> Result<Equality, Refusal> {
         let (width, height) = self.size;
         let picture = (self.rig.scene(), &self.camera(), &*self.luminaires()?);
-        Equality::new(self.format.renderer(width, height)?, width as usize, &self.clock, picture)
+        let mut renderer = self.format.renderer(width, height)?;
+        renderer.set_display(self.rig.display());
+        Equality::new(renderer, width as usize, &self.clock, picture)
     }
 
     fn change_format(&mut self, format: Format) -> Result<(), Refusal> {
@@ -381,14 +389,6 @@ impl Scenes {
         self.is_shown = true;
         Ok(Some(Times { geometry: moved.then_some(geometry), shadows, lighting, encode, show }))
     }
-}
-
-fn example_named(name: &str) -> Result<Example, Refusal> {
-    Example::named(name).ok_or_else(|| Refusal::Name {
-        parameter: "scene",
-        value: name.to_owned(),
-        remedy: "give one of those on the list",
-    })
 }
 
 /// The width and height that a scene is composed for.

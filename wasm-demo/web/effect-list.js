@@ -9,8 +9,8 @@ export class EffectList {
   /** What is shown, so that it is written only when it changes. */
   #shown = "";
 
-  /** Called when an effect was left out, or put back in. */
-  onchange = () => {};
+  /** Called with an effect that is to be left out, or put in; answers whether that was taken. */
+  onswitch = () => false;
 
   constructor(scenes) {
     this.#scenes = scenes;
@@ -41,8 +41,7 @@ export class EffectList {
     input.disabled = !offered;
     holder.querySelector("span").textContent = label;
     input.addEventListener("input", () => {
-      this.#scenes.setEffect(effect, input.checked);
-      this.onchange();
+      if (!this.onswitch(effect, input.checked)) input.checked = !input.checked;
     });
     return holder;
   }

@@ -3,13 +3,13 @@
 /** A switch, and how long what it moves has been moving. */
 class Track {
   #switch;
-  #seek;
-  #seconds = 0;
   #last;
 
-  constructor(id, seek, onchange) {
+  /** For how long it has been moving. */
+  seconds = 0;
+
+  constructor(id, onchange) {
     this.#switch = document.getElementById(id);
-    this.#seek = seek;
     this.#switch.addEventListener("input", () => {
       this.#last = undefined;
       onchange();
@@ -22,7 +22,7 @@ class Track {
 
   /** Begins at rest; without anything to move the switch can't be switched. */
   open(moves) {
-    this.#seconds = 0;
+    this.seconds = 0;
     this.#last = undefined;
     this.#switch.disabled = !moves;
     if (!moves) this.stop();
@@ -34,9 +34,8 @@ class Track {
 
   step(now) {
     if (!this.isPlaying) return;
-    this.#seconds += (now - (this.#last ?? now)) / 1000;
+    this.seconds += (now - (this.#last ?? now)) / 1000;
     this.#last = now;
-    this.#seek(this.#seconds);
   }
 }
 
@@ -50,11 +49,8 @@ export class Player {
 
   constructor(scenes) {
     this.#scenes = scenes;
-    const track = (id, seek) => new Track(id, seek, () => this.onchange());
-    this.#tracks = {
-      lamps: track("scene-play", (seconds) => scenes.seek(seconds)),
-      camera: track("scene-camera", (seconds) => scenes.seekCamera(seconds)),
-    };
+    const track = (id) => new Track(id, () => this.onchange());
+    this.#tracks = { lamps: track("scene-play"), camera: track("scene-camera") };
   }
 
   /** Whether anything moves by itself. */
@@ -80,7 +76,9 @@ export class Player {
    * @returns {boolean} whether they are moving
    */
   step(now) {
-    for (const track of Object.values(this.#tracks)) track.step(now);
+    const { lamps, camera } = this.#tracks;
+    for (const track of [lamps, camera]) track.step(now);
+    this.#scenes.seek(lamps.seconds, camera.seconds);
     return this.isPlaying;
   }
 }

@@ -25,7 +25,8 @@ export class SceneMeter {
    * Draws a scene for so many frames while its lamps move, and answers the medians of each pass in milliseconds: with
    * the camera at rest, and with a camera that turns, so that the geometry is drawn anew and every pixel lit again. A
    * frame is everything from setting the lamps to the canvas having taken the picture. At rest, where nothing moves,
-   * nothing is drawn: then there are no times but `null`.
+   * nothing is drawn: then there are no times but `null`. Beside the medians, `leastFrameMs` is the shortest frame: what
+   * a machine does that has nothing else to do.
    *
    * @param {string} name
    * @param {number} frames
@@ -35,19 +36,19 @@ export class SceneMeter {
    * @param {string} [options.format] `f32`, `fx32` or `fx16`
    * @param {number} [options.spots] how many there are above the turntable
    * @param {number} [options.shadows] the side of their shadow maps in texels, above the turntable
-   * @param {string[]} [options.having] effects to put in, such as `haze`
+   * @param {string[]} [options.with] effects to put in, such as `haze`
    * @param {string[]} [options.without] effects to leave out, such as `specular`
    * @param {boolean} [options.everything] whether all effects are evaluated, called for or not
    */
   async measure(name, frames, options = {}) {
-    const { width = 960, height = 540, format = "f32", spots, shadows, everything = false } = options;
-    const { having = [], without = [] } = options;
+    const { width = 960, height = 540, format = "f32", everything = false } = options;
+    const { spots, shadows, with: added = [], without = [] } = options;
     const scenes = this.#scenes;
     if (name === "turntable") scenes.openTurntable(spots ?? 8, shadows, width, height);
     else scenes.open(name, width, height);
     scenes.setFormat(format);
     scenes.setEverything(everything);
-    for (const effect of having) scenes.setEffect(effect, true);
+    for (const effect of added) scenes.setEffect(effect, true);
     for (const effect of without) scenes.setEffect(effect, false);
     const cameraAtRest = await this.#run(frames, () => {});
     const cameraMoving = await this.#run(frames, () => scenes.orbit(TURN, 0));
@@ -60,7 +61,7 @@ export class SceneMeter {
   async #run(frames, move) {
     const times = Object.fromEntries(PASSES.map((pass) => [pass, []]));
     for (let frame = -WARM_UP; frame < frames; frame += 1) {
-      this.#scenes.seek(STEP * (frame + WARM_UP));
+      this.#scenes.seek(STEP * (frame + WARM_UP), 0);
       move();
       if (this.#scenes.draw() && frame >= 0) {
         for (const pass of PASSES) times[pass].push(this.#scenes[pass]);
@@ -69,7 +70,11 @@ export class SceneMeter {
       await pause();
     }
     if (times.frameMs.length === 0) return null;
-    const known = (pass) => times[pass].filter((time) => time !== undefined);
-    return Object.fromEntries(PASSES.map((pass) => [pass, known(pass).length > 0 ? median(known(pass)) : null]));
+    const middle = (pass) => {
+      const known = times[pass].filter((time) => time !== undefined);
+      return known.length > 0 ? median(known) : null;
+    };
+    const medians = Object.fromEntries(PASSES.map((pass) => [pass, middle(pass)]));
+    return { ...medians, leastFrameMs: Math.min(...times.frameMs) };
   }
 }

@@ -38,7 +38,11 @@ export class ScenesView {
     this.#view.before((now) => this.#player.step(now));
     this.#view.after(() => this.#tell());
     this.#player.onchange = () => this.#request();
-    this.#effects.onchange = () => this.#request();
+    this.#effects.onswitch = (effect, on) => {
+      const taken = this.#ask(() => scenes.setEffect(effect, on));
+      this.#request();
+      return taken;
+    };
     this.#lamps.onchange = () => this.#request();
     this.#legend.onchange = () => {
       this.#legend.draw();
@@ -86,7 +90,8 @@ export class ScenesView {
     const [name, map] = [query.get("scene"), query.get("map")];
     if (map !== null) this.#ask(() => this.#legend.choose(map));
     if (name !== null && name !== this.example) this.open(name);
-    else this.#opened();
+    this.#remember();
+    this.#request();
   }
 
   /** The view is no longer seen. */
@@ -94,7 +99,7 @@ export class ScenesView {
     this.#view.pause(true);
   }
 
-  /** Opens a scene, with all of its switches on. */
+  /** Opens a scene, as it was made. */
   open(name) {
     if (this.#ask(() => this.#scenes.open(name))) this.#opened();
     else element("name").value = this.example;
@@ -102,7 +107,7 @@ export class ScenesView {
 
   /** Asks for a number format: `fx16`, `fx32` or `f32`. */
   setFormat(name) {
-    if (this.#ask(() => this.#scenes.setFormat(name))) this.#readout.forget();
+    this.#ask(() => this.#scenes.setFormat(name));
     this.#tellFormat();
     this.#request();
   }
@@ -169,7 +174,6 @@ export class ScenesView {
     this.#player.open();
     this.#effects.open();
     this.#lamps.open();
-    this.#readout.forget();
     this.#remember();
     this.#request();
   }
@@ -184,6 +188,7 @@ export class ScenesView {
   /** Something other than the seconds has changed: figures of before say nothing of it. */
   #request() {
     this.#account.forget();
+    this.#readout.forget();
     element("equality").textContent = "";
     this.#view.request();
   }

@@ -4,6 +4,7 @@ use std::fs;
 use std::path::Path;
 
 use anyhow::{Context, Result, ensure};
+use serde_json::Value;
 
 use crate::arguments::{DemoOptions, Size};
 use crate::browser::Chromium;
@@ -45,6 +46,8 @@ pub(crate) fn check(chromium: &mut Chromium, address: &str, screenshot: Option<&
     let measured = page.ask(&format!("luminaire.measure({FRAMES})"))?;
     ensure!(page.lit_share()? > 0.0, "the page drew nothing: every pixel is black");
     ensure!(page.holds("luminaire.scenes?.isLit ?? true")?, "the scene is black at every pixel");
+    let scene =
+        page.ask(&format!("luminaire.scenes && luminaire.measureScene(luminaire.scenes.example, {FRAMES})"))?;
     page.must_be_content()?;
     if let Some(file) = screenshot {
         page.settle()?;
@@ -55,7 +58,7 @@ pub(crate) fn check(chromium: &mut Chromium, address: &str, screenshot: Option<&
         let value = &measured[name];
         value.as_f64().with_context(|| format!("luminaire.measure() gives {value} as its {name}"))
     };
-    Ok(format!(
+    let stage = format!(
         "demo ok: {}x{}, {} lights, {}, lighting {:.2} ms, frame {:.2} ms",
         number("width")?,
         number("height")?,
@@ -63,7 +66,21 @@ pub(crate) fn check(chromium: &mut Chromium, address: &str, screenshot: Option<&
         measured["format"].as_str().context("luminaire.measure() gives no format")?,
         number("lightingMs")?,
         number("frameMs")?,
-    ))
+    );
+    Ok(if scene.is_null() { stage } else { format!("{stage}; {}", of_scene(&scene)) })
+}
+
+/// What a scene has cost, in words.
+fn of_scene(measured: &Value) -> String {
+    let of = |camera: &str| {
+        let time = |pass: &str| measured[camera][pass].as_f64();
+        match (time("lightingMs"), time("frameMs")) {
+            (Some(lighting), Some(frame)) => format!("lighting {lighting:.2} ms, frame {frame:.2} ms"),
+            _ => "nothing moves".to_owned(),
+        }
+    };
+    let (at_rest, moving) = (of("cameraAtRest"), of("cameraMoving"));
+    format!("{}: {at_rest}; with a moving camera {moving}", measured["scene"].as_str().unwrap_or("a scene"))
 }
 
 fn address(server: &Server, options: &DemoOptions) -> String {

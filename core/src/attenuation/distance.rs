@@ -9,8 +9,8 @@ use crate::scalar::Scalar;
 /// Any distance model, chosen at run time: the one that matches a light of [another system](crate::import), or that a
 /// [`Lamp`](crate::Lamp) was given.
 ///
-/// It branches per point; [`CompiledLamp::visit`](crate::CompiledLamp::visit) branches once per light instead, and goes on
-/// with the model's own type.
+/// It branches per point; [`CompiledLamp::arrive_each`](crate::CompiledLamp::arrive_each) branches once per light
+/// instead, and goes on with the model's own type.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum Distance {
     /// No fall, cut off.

@@ -12,8 +12,8 @@ use crate::scalar::Scalar;
 /// Any profile, chosen at run time: the one that matches a light of [another system](crate::import), or that a
 /// [`Lamp`](crate::Lamp) was given.
 ///
-/// Like [`Edge`](crate::Edge) it branches per point; [`CompiledLamp::visit`](crate::CompiledLamp::visit) branches once per
-/// light instead, and goes on with the profile's own type.
+/// Like [`Edge`](crate::Edge) it branches per point; [`CompiledLamp::arrive_each`](crate::CompiledLamp::arrive_each)
+/// branches once per light instead, and goes on with the profile's own type.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum Matched {
     /// A step.

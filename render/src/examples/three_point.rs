@@ -16,9 +16,9 @@ pub(super) fn setup() -> Result<Setup, Error> {
         .with_color(Rgb::new(0.9, 0.88, 1.0))?
         .with_intensity(75.0)?;
     let fixtures = [
-        Fixture::new("profile spot (key)", key),
+        Fixture::new("profile spot (key)", key).with_shadow(512),
         Fixture::new("Fresnel (fill)", fill),
-        Fixture::new("PAR (back)", back),
+        Fixture::new("PAR (back)", back).with_shadow(512),
     ];
     Ok(Setup::new(stage::scene(), stage::camera(), fixtures.into()))
 }

@@ -38,9 +38,9 @@ struct Trial {
 static TRIALS: [Trial; 5] = [
     Trial { effect: Effect::Specular, scene: "turntable", options: ["{}", "{ without: ['specular'] }"] },
     Trial { effect: Effect::Gobo, scene: "show", options: ["{}", "{ without: ['gobo'] }"] },
-    Trial { effect: Effect::Shadow, scene: "turntable", options: ["{ having: ['shadow'] }", "{}"] },
-    Trial { effect: Effect::Haze, scene: "turntable", options: ["{ having: ['haze'] }", "{}"] },
-    Trial { effect: Effect::Dither, scene: "turntable", options: ["{ having: ['dither'] }", "{}"] },
+    Trial { effect: Effect::Shadow, scene: "turntable", options: ["{ with: ['shadow'] }", "{}"] },
+    Trial { effect: Effect::Haze, scene: "turntable", options: ["{ with: ['haze'] }", "{}"] },
+    Trial { effect: Effect::Dither, scene: "turntable", options: ["{ with: ['dither'] }", "{}"] },
 ];
 
 /// The median of so many frames counts, in the quickest of so many rounds: other work seldom disturbs all of them.
@@ -94,7 +94,7 @@ mod tests {
     fn an_effect_is_there_in_one_picture_and_not_in_the_other() {
         for Trial { effect, options: [with, without], .. } in &TRIALS {
             let effect = effect.name();
-            let puts_in = with.contains(&format!("having: ['{effect}']"));
+            let puts_in = with.contains(&format!("with: ['{effect}']"));
             let leaves_out = without.contains(&format!("without: ['{effect}']"));
             assert!(puts_in != leaves_out, "{effect}");
         }

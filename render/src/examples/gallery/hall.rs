@@ -129,7 +129,7 @@ pub(super) fn room(scene: &mut Scene) {
     }
     scene.add(floor(2.0 * HALF, 16.0).moved(Vec3::new(0.0, 0.0, 8.0 + BACK)), Material::srgb(138, 126, 112));
     scene.add(wall(2.0 * HALF, HEIGHT, BACK), paint);
-    let side = || wall(16.0, HEIGHT, -HALF).moved(Vec3::new(0.0, 0.0, 0.0));
+    let side = || wall(16.0, HEIGHT, -HALF);
     let ahead = Vec3::new(0.0, 0.0, 8.0 + BACK);
     scene.add(side().turned(up, FRAC_PI_2).moved(ahead), paint);
     scene.add(side().turned(up, -FRAC_PI_2).moved(ahead), paint);

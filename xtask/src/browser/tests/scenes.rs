@@ -44,11 +44,10 @@ pub(super) fn equal_everything(visitor: &mut Visitor) -> Result<()> {
         page.enter("scene-name", &name)?;
         let found = page.ask("luminaire.scenes.compare()")?;
         ensure!(found["differing"] == 0 && found["pixels"].as_f64() > Some(0.0), "{name}: {found}");
-        ensure!(
-            found["evaluated"].as_f64() < found["pairs"].as_f64(),
-            "nothing is left out of {name}: {found}"
-        );
+        left_out += found["pairs"].as_f64().unwrap_or(0.0) - found["evaluated"].as_f64().unwrap_or(0.0);
     }
+    // More than nine tenths of the 40 million pairs of the grids alone.
+    ensure!(left_out > 3e7, "hardly anything is left out: {left_out} pairs");
     press(&mut page, "scene-compare")?;
     let told = page.message("scene-equality")?;
     ensure!(told.contains("are equal, bit for bit"), "the comparison is told as {told:?}");
@@ -313,7 +312,7 @@ fn share_of_map(page: &mut Page, colour: &str) -> Result<f64> {
          const {{ data }} = map.getContext('2d').getImageData(0, 0, map.width, map.height); \
          const colour = '{colour}'.match(/\\d+/g).map(Number); let count = 0; \
          for (let i = 0; i < data.length; i += 4) \
-             if (colour.every((code, channel) => Math.abs(code - data[i + channel]) < 3)) count += 1; \
+             if (colour.every((code, channel) => Math.abs(code - data[i + channel]) < 4)) count += 1; \
          return 4 * count / data.length; }})()"
     ))
 }

@@ -1,0 +1,96 @@
+//! What each example calls for, and no more.
+
+use luminaire_render::examples::{Example, turntable};
+use std::collections::BTreeSet;
+
+/// The effects of each example at any time, in the words of the price list.
+const CALLED_FOR: [(Example, &str); 8] = [
+    (Example::BareSpot, "diffuse, spot, soft, inverse-square"),
+    (Example::Pocket, "diffuse, spot, soft, inverse-square, dither"),
+    (Example::ThreePoint, "ambient, diffuse, spot, blend, cubic, inverse-square, shadow"),
+    (Example::Grid, "diffuse, spot, soft, inverse-square"),
+    (Example::WideGrid, "diffuse, spot, soft, inverse-square"),
+    (Example::Turntable, "ambient, diffuse, specular, spot, soft, inverse-square"),
+    (Example::Show, "diffuse, spot, soft, hard, inverse-square, gobo, haze"),
+    (
+        Example::Gallery,
+        "ambient, diffuse, specular, directional, point, spot, cut-off, linear, soft, hard, smooth, blend, cubic, power, \
+         rim, mixed-power, mixed-rim, table, hotspot, delimiter, unattenuated, inverse-square, polynomial, \
+         smooth-range, window, range",
+    ),
+];
+
+#[test]
+fn each_example_calls_for_what_it_shows() {
+    assert_eq!(CALLED_FOR.map(|(example, _)| example), Example::ALL);
+    for (example, effects) in CALLED_FOR {
+        let setup = example.setup().unwrap();
+        for seconds in [0.0, 1.3, 100.0] {
+            assert_eq!(
+                setup.effects_at(seconds).unwrap().to_string(),
+                effects,
+                "{} at {seconds}",
+                example.name()
+            );
+        }
+    }
+}
+
+#[test]
+fn as_many_lamps_hang_as_the_summaries_say() {
+    let counts = Example::ALL.map(|example| example.setup().unwrap().fixtures.len());
+    assert_eq!(counts, [1, 1, 3, 64, 8, 8, 11, 26]);
+}
+
+#[test]
+fn shadows_are_called_for_where_they_are_asked_for() {
+    let mut setup = turntable(4).unwrap();
+    assert_eq!(setup.fixtures.len(), 4);
+    setup.fixtures = setup.fixtures.into_iter().map(|fixture| fixture.with_shadow(512)).collect();
+    let effects = setup.effects_at(0.0).unwrap().to_string();
+    assert_eq!(effects, "ambient, diffuse, specular, spot, soft, inverse-square, shadow");
+}
+
+#[test]
+fn names_tell_examples_apart() {
+    let names: BTreeSet<_> = Example::ALL.iter().map(|example| example.name()).collect();
+    let titles: BTreeSet<_> = Example::ALL.iter().map(|example| example.title()).collect();
+    assert_eq!((names.len(), titles.len()), (Example::ALL.len(), Example::ALL.len()));
+    for example in Example::ALL {
+        assert_eq!(Example::named(example.name()), Some(example));
+    }
+    assert_eq!(Example::named("Grid"), None);
+}
+
+#[test]
+fn the_seconds_alone_say_what_has_moved() {
+    for example in Example::ALL {
+        let setup = example.setup().unwrap();
+        assert_eq!(setup, example.setup().unwrap());
+        for seconds in [-3.0, 0.0, 0.1, 1e6, 1e30] {
+            let luminaires = setup.luminaires_at(seconds).unwrap();
+            assert_eq!(luminaires, setup.luminaires_at(seconds).unwrap());
+            assert_eq!(luminaires.len(), setup.fixtures.len());
+        }
+        let moves = setup.luminaires_at(0.0).unwrap() != setup.luminaires_at(2.6).unwrap();
+        let stands_still = matches!(example, Example::BareSpot | Example::Pocket | Example::ThreePoint);
+        assert_eq!(moves, !stands_still, "{}", example.name());
+    }
+}
+
+/// 64 circles of 10 degrees cover as much as 8 of 26.5.
+#[test]
+fn the_grids_light_the_same_area() {
+    let area = |example: Example| -> f64 {
+        let spots = example.setup().unwrap().luminaires_at(0.0).unwrap();
+        let circles = spots.iter().map(|luminaire| {
+            let luminaire::Lamp::Spot(spot) = luminaire.lamp() else { panic!("{luminaire:?}") };
+            let versine = f64::from(spot.cone().outer_versine());
+            let radius = f64::from(spot.position().y) * (versine * (2.0 - versine)).sqrt() / (1.0 - versine);
+            std::f64::consts::PI * radius * radius
+        });
+        circles.sum()
+    };
+    let ratio = area(Example::WideGrid) / area(Example::Grid);
+    assert!((0.999..1.0).contains(&ratio), "{ratio}");
+}
