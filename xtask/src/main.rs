@@ -51,7 +51,7 @@ cargo xtask frame [OPTIONS]  Draw a picture on microcontrollers, in QEMU, and co
 
 cargo xtask effects [OPTIONS]    Write what each effect costs: instructions a pixel and bytes of flash, on two processors
     --check                  Compare with what is recorded instead, and write nothing
-    --bless                  Write the prices also where they differ from those recorded
+    --bless                  Write the prices also where they differ from those recorded, and time a browser anew
 
 cargo xtask size [OPTIONS]   Count what each effect takes of a microcontroller's flash
     --json                   Print {target: {format: {effect: bytes}}} instead of the table

@@ -48,7 +48,7 @@ pub(super) static GROUPS: [Group; 6] = [
                 program: "spot-soft",
                 effects: &[],
                 over: None,
-                what: "The same without Lambert's cosine: what haze or a sensor sees that has no normal.",
+                what: "The same without Lambert's cosine: for what has no normal, such as air.",
             },
             Entry {
                 title: "Lambert's cosine",
@@ -56,14 +56,14 @@ pub(super) static GROUPS: [Group; 6] = [
                 effects: &[Diffuse],
                 over: Some("spot-soft"),
                 what: "The cosine between the normal and the way to the light: every lit surface calls for it. Facing \
-                       away is seen before the root is paid for.",
+                       away is found before the root is paid for.",
             },
             Entry {
                 title: "point light",
                 program: "point",
                 effects: &[Point],
                 over: None,
-                what: "Light in all directions by the inverse-square law: a scene has it per point light.",
+                what: "Light in all directions by the inverse-square law, and Lambert's cosine.",
             },
             Entry {
                 title: "directional light",

@@ -1,5 +1,6 @@
 //! `cargo xtask effects`: what each effect adds to the price of a pixel, and to a firmware's flash.
 
+mod browser;
 mod catalogue;
 mod documents;
 mod gate;
@@ -22,7 +23,7 @@ use crate::project;
 pub(crate) struct EffectsOptions {
     /// Compare with what is recorded instead of writing it.
     pub(crate) check: bool,
-    /// Write the prices although they differ from those recorded.
+    /// Write the prices although they differ from those recorded, and time a browser anew.
     pub(crate) bless: bool,
 }
 
@@ -41,6 +42,7 @@ pub(crate) fn run(options: &EffectsOptions) -> Result<()> {
         new.boards.insert(stand.board.to_owned(), prices::count(stand, &progress)?);
     }
     if let Some(old) = Record::load()? {
+        new.browser.clone_from(&old.browser);
         let verdict = gate::compare(&old, &new);
         verdict.remarks.iter().chain(&verdict.differences).for_each(|line| println!("{line}"));
         let number = verdict.differences.len();
@@ -48,6 +50,9 @@ pub(crate) fn run(options: &EffectsOptions) -> Result<()> {
             number == 0 || options.bless,
             "{number} prices differ from those recorded: `cargo xtask effects --bless` accepts them"
         );
+    }
+    if options.bless {
+        new.browser = Some(browser::time(&progress)?);
     }
     for (file, text) in documents::made_of(&new)? {
         fs::write(&file, text).with_context(|| format!("cannot write {}", project::shown(&file)))?;

@@ -1,7 +1,9 @@
 //! The page `docs/EFFECTS.md`.
 
 use anyhow::{Context, Result};
+use luminaire::Effect;
 
+use super::browser::{Browser, Frame};
 use super::catalogue::{Entry, GROUPS, Group, UNPRICED};
 use super::prices::STANDS;
 use super::record::{Price, Prices, Record};
@@ -10,25 +12,27 @@ use crate::firmware::Board;
 const INTRODUCTION: &str = "\
 # What effects cost
 
-`cargo xtask effects` counts, and writes this page and [effects.json](effects.json), the same figures by program;
-`cargo xtask effects --check` compares. A scene pays for the effects that it calls for and for no others: the renderer skips a
-light only where its contribution is exactly zero, and what a firmware does not name is not linked. The names are those of
-[`luminaire::Effect`](../core/src/effect.rs).
+`cargo xtask effects` writes this page, and [effects.json](effects.json) with the same figures by program;
+`cargo xtask effects --check` counts anew and compares. A scene pays for the effects that it calls for and for no
+others: the renderer skips a light only where its contribution is exactly zero, and what a firmware does not name is
+not linked. The effects are those of [`luminaire::Effect`](../core/src/effect.rs), and what every picture has besides.
 
-**Instructions** are those of an average pixel, counted under QEMU over 256 inputs, less an empty loop that loads a word of
-the same inputs and folds it into the same checksum. The points are in the cone and face the light, none of them in the
-dark, so that nothing is skipped: an upper bound for a pixel that lights fall on. Fields and functions are inlined in
-the loop; lights and materials are constants of the program, as a firmware has them. Folding three channels into the
-checksum takes two instructions, which are counted with the effect. The results must be the host's, bit for bit.
+**Instructions** are those of an average pixel: counted under QEMU over 256 inputs, compiled for speed, less an empty
+loop that loads a word of the same inputs and folds it into the same checksum, as
+[firmware/README.md](../firmware/README.md#what-is-counted) describes. All surface points are in the cone and face the
+light, so that nothing is skipped: they are the dearest. Colours are spread evenly; the light that is exposed and
+fitted is that of such points, some of it over full scale. Lights and materials are constants of the program; one that
+is made while the program runs is loaded from memory besides. To fold three channels takes two instructions, which
+count. Results must be the host's, bit for bit.
 
-**Bytes** are of flash, over an empty program, compiled for size, as [firmware/README.md](../firmware/README.md#bytes-of-flash-and-no-panic)
-describes. Effects share the root and its tables, so that the bytes of two do not add up.
+**Bytes** are of flash, over an empty program, compiled for size, constant tables included. Effects share the root and
+its tables, so that the bytes of two do not add up.
 
-In brackets is what the effect **adds**: the difference from the program that lacks it and nothing else, which each group
-names. This is what a scene pays for it. Each program is
-compiled by itself, so that a difference may be less than nothing by a little.
+What an effect **adds** is in brackets: the difference from the program that lacks it and nothing else, which is what a
+scene pays for it. Each program is compiled by itself, so that a difference may be a little less than nothing.
 
-Instructions are exact and the same in every run. They are not cycles, and nothing here says how long a pixel takes.
+Instructions are exact, and the same in every run of the same compiler. They are not cycles: nothing here says how long
+a pixel takes on a microcontroller.
 ";
 
 /// Writes the page.
@@ -43,11 +47,33 @@ pub(super) fn write(record: &Record) -> Result<String> {
     for group in &GROUPS {
         text += &section(record, group)?;
     }
+    if let Some(browser) = &record.browser {
+        text += &frames(browser);
+    }
     text += "\n## Without a price of their own\n\n";
     for (effect, reason) in &UNPRICED {
         text += &format!("- `{}` {reason}.\n", effect.name());
     }
     Ok(text)
+}
+
+/// What effects take of a frame, in the order of the library.
+fn frames(browser: &Browser) -> String {
+    let mut text = format!(
+        "\n## In a browser\n\nMilliseconds a frame of 960 x 540 in `f32` while all lamps move and the camera is at rest, in \
+         {}: the median of 15 frames, in the quickest of three rounds. They depend on the machine and its other work, and \
+         nothing fails because of them. `cargo xtask effects --bless` times them anew.\n\n\
+         | effect | scene | with | without | adds |\n|---|---|---:|---:|---:|\n",
+        browser.runs_on
+    );
+    for effect in Effect::ALL {
+        if let Some(Frame { scene, with_ms, without_ms }) = browser.frames.get(effect.name()) {
+            let adds = with_ms - without_ms;
+            text +=
+                &format!("| {} | `{scene}` | {with_ms:.1} | {without_ms:.1} | {adds:+.1} |\n", effect.name());
+        }
+    }
+    text
 }
 
 fn section(record: &Record, group: &Group) -> Result<String> {
@@ -104,26 +130,39 @@ mod tests {
     use super::super::catalogue::entries;
     use super::*;
 
-    /// On both boards a hundred instructions more and ten bytes less for each program than for the one before.
+    /// A hundred instructions and a thousand bytes for each program.
     fn record() -> Record {
         let mut record = Record::default();
         for stand in &STANDS {
             let prices = record.boards.entry(stand.board.to_owned()).or_default();
-            for (number, entry) in entries().enumerate() {
-                let price = Price { instructions: 100.0 * number as f64, bytes: 1000 - 10 * number as u64 };
-                prices.prices.entry(entry.program.to_owned()).or_insert(price);
-            }
+            let price = Price { instructions: 100.0, bytes: 1000 };
+            prices.prices = entries().map(|entry| (entry.program.to_owned(), price)).collect();
         }
         record
     }
 
     #[test]
     fn a_row_has_the_figures_and_what_is_added() {
-        let text = write(&record()).unwrap();
-        let line = |start: &str| text.lines().find(|line| line.starts_with(start)).unwrap_or_default();
-        let hard = line("| hard |");
-        assert!(hard.ends_with("| 500.0 (+500.0) | 500.0 (+500.0) | 950 (-50) | 950 (-50) |"), "{hard}");
-        assert!(line("| matt |").ends_with("0 | 770 | 770 |"), "{}", line("| matt |"));
+        let mut record = record();
+        for prices in record.boards.values_mut() {
+            prices.prices.insert("plain".to_owned(), Price { instructions: 100.25, bytes: 500 });
+            prices.prices.insert("better".to_owned(), Price { instructions: 120.5, bytes: 490 });
+        }
+        let mut entry = Entry { title: "b", program: "better", effects: &[], over: None, what: "It." };
+        assert_eq!(row(&record, &entry).unwrap(), "| b | It. | 120.5 | 120.5 | 490 | 490 |\n");
+        entry.over = Some("plain");
+        let adds = "| b | It. | 120.5 (+20.2) | 120.5 (+20.2) | 490 (-10) | 490 (-10) |\n";
+        assert_eq!(row(&record, &entry).unwrap(), adds);
+    }
+
+    #[test]
+    fn a_browser_that_was_timed_has_a_section() {
+        let mut record = record();
+        assert!(!write(&record).unwrap().contains("browser"));
+        let frame = Frame { scene: "show".to_owned(), with_ms: 12.25, without_ms: 10.0 };
+        let frames = [("haze".to_owned(), frame)].into();
+        record.browser = Some(Browser { runs_on: "Chromium 1".to_owned(), frames });
+        assert!(write(&record).unwrap().contains("| haze | `show` | 12.2 | 10.0 | +2.2 |"));
     }
 
     #[test]

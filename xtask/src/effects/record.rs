@@ -8,6 +8,7 @@ use std::{fs, io};
 use anyhow::{Context, Result};
 use serde::{Deserialize, Serialize};
 
+use super::browser::Browser;
 use super::catalogue;
 use crate::project;
 
@@ -19,6 +20,9 @@ pub(super) struct Record {
     effects: (),
     /// What they cost, by board.
     pub(super) boards: BTreeMap<String, Prices>,
+    /// What they take in a browser, once that was timed.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) browser: Option<Browser>,
 }
 
 /// The prices on a board, and what they depend on.

@@ -1,0 +1,102 @@
+//! Timing frames in a browser, with an effect and without it.
+
+use std::collections::BTreeMap;
+
+use anyhow::{Context, Result};
+use luminaire::Effect;
+use serde::{Deserialize, Serialize};
+
+use crate::browser::{Chromium, Page};
+use crate::progress::Progress;
+use crate::server::{self, Server};
+use crate::site;
+
+/// The times of a browser, which nothing is held to.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub(super) struct Browser {
+    pub(super) runs_on: String,
+    /// By the name of the effect.
+    pub(super) frames: BTreeMap<String, Frame>,
+}
+
+/// What a frame takes, in milliseconds.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub(super) struct Frame {
+    pub(super) scene: String,
+    pub(super) with_ms: f64,
+    pub(super) without_ms: f64,
+}
+
+/// A scene that has an effect or can be given it.
+struct Trial {
+    effect: Effect,
+    scene: &'static str,
+    /// What is asked of the page's meter for the picture with the effect, and for the one without.
+    options: [&'static str; 2],
+}
+
+static TRIALS: [Trial; 5] = [
+    Trial { effect: Effect::Specular, scene: "turntable", options: ["{}", "{ without: ['specular'] }"] },
+    Trial { effect: Effect::Gobo, scene: "show", options: ["{}", "{ without: ['gobo'] }"] },
+    Trial { effect: Effect::Shadow, scene: "turntable", options: ["{ with: ['shadow'] }", "{}"] },
+    Trial { effect: Effect::Haze, scene: "turntable", options: ["{ with: ['haze'] }", "{}"] },
+    Trial { effect: Effect::Dither, scene: "turntable", options: ["{ with: ['dither'] }", "{}"] },
+];
+
+/// The median of so many frames counts, in the quickest of so many rounds: other work seldom disturbs all of them.
+const FRAMES: u32 = 15;
+const ROUNDS: usize = 3;
+
+/// Times every effect that has a switch.
+pub(super) fn time(progress: &Progress) -> Result<Browser> {
+    let server = Server::start(server::listen(0)?, &site::build(progress)?)?;
+    let mut chromium = Chromium::start(progress)?;
+    let runs_on = chromium.version()?;
+    let step = progress.begin("Timing", format_args!("frames in {runs_on}"));
+    let mut page = chromium.open(&server.address(), "")?;
+    page.ready()?;
+    let mut frames = BTreeMap::new();
+    for trial in &TRIALS {
+        let mut best = [f64::INFINITY; 2];
+        for _ in 0..ROUNDS {
+            let [with, without] = trial.options.map(|options| frame(&mut page, trial.scene, options));
+            let round = [with?, without?];
+            // Both of the same round: what slows one of them down slows down the other.
+            if round.iter().sum::<f64>() < best.iter().sum() {
+                best = round;
+            }
+        }
+        let [with_ms, without_ms] = best.map(hundredths);
+        let frame = Frame { scene: trial.scene.to_owned(), with_ms, without_ms };
+        frames.insert(trial.effect.name().to_owned(), frame);
+    }
+    page.must_be_content()?;
+    step.done();
+    Ok(Browser { runs_on, frames })
+}
+
+/// A frame while the lamps move and the camera is at rest.
+fn frame(page: &mut Page, scene: &str, options: &str) -> Result<f64> {
+    let found = page.ask(&format!("luminaire.measureScene('{scene}', {FRAMES}, {options})"))?;
+    let time = found["cameraAtRest"]["frameMs"].as_f64();
+    time.with_context(|| format!("the page has no time of {scene} with {options}: {found}"))
+}
+
+fn hundredths(value: f64) -> f64 {
+    (value * 100.0).round() / 100.0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_effect_is_there_in_one_picture_and_not_in_the_other() {
+        for Trial { effect, options: [with, without], .. } in &TRIALS {
+            let effect = effect.name();
+            let puts_in = with.contains(&format!("with: ['{effect}']"));
+            let leaves_out = without.contains(&format!("without: ['{effect}']"));
+            assert!(puts_in != leaves_out, "{effect}");
+        }
+    }
+}
