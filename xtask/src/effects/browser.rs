@@ -62,7 +62,7 @@ pub(super) fn time(progress: &Progress) -> Result<Browser> {
             let [with, without] = trial.options.map(|options| frame(&mut page, trial.scene, options));
             let round = [with?, without?];
             // Both of the same round: what slows one of them down slows down the other.
-            if round.iter().sum::<f64>() < best.iter().sum() {
+            if round.iter().sum::<f64>() < best.iter().sum::<f64>() {
                 best = round;
             }
         }
