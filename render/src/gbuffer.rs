@@ -20,6 +20,15 @@ pub struct Block<S: Scalar> {
 }
 
 impl<S: Scalar> Block<S> {
+    /// The number of the material, if all pixels have the same.
+    #[inline(always)]
+    pub(crate) fn only_material(&self) -> Option<u32> {
+        let first = self.material[0];
+        // Without a way out of the loop, as vector instructions want it.
+        let is_only = self.material.iter().fold(true, |is_only, &number| is_only & (number == first));
+        is_only.then_some(first)
+    }
+
     /// The point of a pixel.
     #[inline(always)]
     pub(crate) fn point_at(&self, lane: usize) -> Vec3<S::Length> {

@@ -118,51 +118,108 @@ impl<S: Scalar> Setting<'_, S> {
     /// Lights the pixels of a block.
     #[inline(always)]
     pub(crate) fn light(&self, block: &Block<S>, lamps: &mut dyn Iterator<Item = &Prepared<S>>) -> Radiance {
-        let mut sums = [self.ambient, Rgb::default()]
-            .map(|light| light.map(|channel| [S::ONE.expose(S::gain(channel)); LANES]));
-        let [diffuse, specular] = &mut sums;
-        let shines = self.shining(block).next().is_some();
-        let view =
-            if shines { self.views(block) } else { Vec3::default().map(|()| [S::Unit::default(); LANES]) };
+        let mut shining = [0; LANES];
+        match self.shining(block, &mut shining) {
+            [] => self.light_matte(block, lamps),
+            shining => self.light_shining(block, shining, lamps),
+        }
+    }
+
+    /// Lights a block of matt surfaces.
+    #[inline(always)]
+    fn light_matte(&self, block: &Block<S>, lamps: &mut dyn Iterator<Item = &Prepared<S>>) -> Radiance {
+        let dark = [S::Irradiance::default(); LANES];
+        let mut sum = self.ambient();
+        let mut arrivals = Arrival { diffuse: dark, specular: dark };
+        let no_view = [S::Unit::default(); LANES];
+        let surfaces = Surfaces {
+            point: borrowed(&block.point),
+            normal: borrowed(&block.normal),
+            view: Vec3::new(&no_view, &no_view, &no_view),
+        };
+        for prepared in lamps {
+            self.arrive::<Matte>(&prepared.lamp, &surfaces, &(), &mut arrivals);
+            let Arrival { diffuse, specular } = &mut arrivals;
+            self.filter(prepared, block, [diffuse, specular]);
+            add::<S>(&mut sum, diffuse, prepared.lamp.color());
+        }
+        self.reflected(&sum, block, |material| material.albedo)
+    }
+
+    /// Lights a block with surfaces that shine, whose materials have these numbers.
+    #[inline(always)]
+    fn light_shining(
+        &self,
+        block: &Block<S>,
+        shining: &[u32],
+        lamps: &mut dyn Iterator<Item = &Prepared<S>>,
+    ) -> Radiance {
+        let dark = [S::Irradiance::default(); LANES];
+        let (mut sum, mut shine) = (self.ambient(), Rgb::new(dark, dark, dark));
+        let mut arrivals = Arrival { diffuse: dark, specular: dark };
+        let view = self.views(block);
         let surfaces = Surfaces {
             point: borrowed(&block.point),
             normal: borrowed(&block.normal),
             view: borrowed(&view),
         };
-        let dark = [S::Irradiance::default(); LANES];
-        let mut arrivals = Arrival { diffuse: dark, specular: dark };
         for prepared in lamps {
-            let lamp = &prepared.lamp;
             let mut lobes = dark;
-            if shines {
-                for number in self.shining(block) {
-                    let highlight = &self.finishes[number as usize].highlight;
-                    self.arrive::<Highlight>(lamp, &surfaces, highlight, &mut arrivals);
-                    for (lane, lobe) in lobes.iter_mut().enumerate() {
-                        *lobe = if block.material[lane] == number { arrivals.specular[lane] } else { *lobe };
-                    }
+            for &number in shining {
+                let highlight = &self.finishes[number as usize].highlight;
+                self.arrive::<Highlight>(&prepared.lamp, &surfaces, highlight, &mut arrivals);
+                for (lane, lobe) in lobes.iter_mut().enumerate() {
+                    *lobe = if block.material[lane] == number { arrivals.specular[lane] } else { *lobe };
                 }
-            } else {
-                self.arrive::<Matte>(lamp, &surfaces, &(), &mut arrivals);
             }
-            if let Some(gobo) = &prepared.gobo {
-                filter::<S>([&mut arrivals.diffuse, &mut lobes], block, |point| gobo.at(point));
-            }
-            if let Some(square) = prepared.shadow {
-                let none = Shadow::from_parts(square, 0, &[]);
-                let shadow = self.shadows.of(prepared.number).unwrap_or(none);
-                filter::<S>([&mut arrivals.diffuse, &mut lobes], block, |point| shadow.visibility(point));
-            }
-            add::<S>(diffuse, &arrivals.diffuse, lamp.color());
-            if shines {
-                add::<S>(specular, &lobes, lamp.specular_color());
-            }
+            self.filter(prepared, block, [&mut arrivals.diffuse, &mut lobes]);
+            add::<S>(&mut sum, &arrivals.diffuse, prepared.lamp.color());
+            add::<S>(&mut shine, &lobes, prepared.lamp.specular_color());
         }
-        let mut radiance = reflected::<S>(diffuse, block, |number| self.finishes[number].material.albedo);
-        if shines {
-            let shine = reflected::<S>(specular, block, |number| self.finishes[number].material.specular());
-            radiance = radiance
-                .zip(shine, |diffuse, specular| core::array::from_fn(|lane| diffuse[lane] + specular[lane]));
+        let diffuse = self.reflected(&sum, block, |material| material.albedo);
+        let specular = self.reflected(&shine, block, |material| material.specular());
+        diffuse.zip(specular, |a, b| core::array::from_fn(|lane| a[lane] + b[lane]))
+    }
+
+    /// The light that is everywhere.
+    #[inline(always)]
+    fn ambient(&self) -> Light<S> {
+        self.ambient.map(|channel| [S::ONE.expose(S::gain(channel)); LANES])
+    }
+
+    /// Leaves of the light of a lamp what its pattern and its shadow leave of it.
+    #[inline(always)]
+    fn filter(&self, prepared: &Prepared<S>, block: &Block<S>, lights: [&mut [S::Irradiance; LANES]; 2]) {
+        let [diffuse, lobes] = lights;
+        if let Some(gobo) = &prepared.gobo {
+            filter::<S>([&mut *diffuse, &mut *lobes], block, |point| gobo.at(point));
+        }
+        if let Some(square) = prepared.shadow {
+            let none = Shadow::from_parts(square, 0, &[]);
+            let shadow = self.shadows.of(prepared.number).unwrap_or(none);
+            filter::<S>([diffuse, lobes], block, |point| shadow.visibility(point));
+        }
+    }
+
+    /// What the surfaces of a block send back of the light, each by a colour of its material.
+    #[inline(always)]
+    fn reflected(
+        &self,
+        light: &Light<S>,
+        block: &Block<S>,
+        color: impl Fn(&Material) -> Rgb<f32>,
+    ) -> Radiance {
+        let mut radiance = light.map(|channel| channel.map(S::light_to_f32));
+        let color = |number: u32| color(&self.finishes[number as usize].material);
+        if let Some(number) = block.only_material() {
+            let color = color(number);
+            return radiance.zip(color, |channel, color| channel.map(|light| light * color));
+        }
+        for (lane, &number) in block.material.iter().enumerate() {
+            let color = color(number);
+            radiance.red[lane] *= color.red;
+            radiance.green[lane] *= color.green;
+            radiance.blue[lane] *= color.blue;
         }
         radiance
     }
@@ -187,15 +244,21 @@ impl<S: Scalar> Setting<'_, S> {
     }
 
     /// The numbers of the materials in a block that shine, each once; of all materials where nothing is left out.
-    fn shining(&self, block: &Block<S>) -> impl Iterator<Item = u32> {
-        let numbers = &block.material;
-        let is_new = |lane: usize| lane == 0 || !numbers[..lane].contains(&numbers[lane]);
+    #[inline(always)]
+    fn shining<'n>(&self, block: &Block<S>, numbers: &'n mut [u32; LANES]) -> &'n [u32] {
         let shines = |number: u32| !self.plan.skips() || self.finishes[number as usize].material.shines();
-        let differs = move |lane: &usize| *lane == 0 || numbers[*lane] != numbers[*lane - 1];
-        (0..LANES)
-            .filter(differs)
-            .filter(move |lane| shines(numbers[*lane]) && is_new(*lane))
-            .map(|lane| numbers[lane])
+        let mut count = 0;
+        let mut note = |number: u32| {
+            if shines(number) && !numbers[..count].contains(&number) {
+                numbers[count] = number;
+                count += 1;
+            }
+        };
+        match block.only_material() {
+            Some(number) => note(number),
+            None => block.material.iter().for_each(|&number| note(number)),
+        }
+        &numbers[..count]
     }
 
     /// The directions to the eye.
@@ -242,17 +305,4 @@ fn add<S: Scalar>(sum: &mut Light<S>, light: &[S::Irradiance; LANES], color: Rgb
             *sum = S::add_light(*sum, S::filter(*light, color));
         }
     }
-}
-
-/// What the surfaces send back, each by the colour that goes with the number of its material.
-#[inline(always)]
-fn reflected<S: Scalar>(light: &Light<S>, block: &Block<S>, color: impl Fn(usize) -> Rgb<f32>) -> Radiance {
-    let mut radiance = light.map(|channel| channel.map(S::light_to_f32));
-    for lane in 0..LANES {
-        let color = color(block.material[lane] as usize);
-        radiance.red[lane] *= color.red;
-        radiance.green[lane] *= color.green;
-        radiance.blue[lane] *= color.blue;
-    }
-    radiance
 }
