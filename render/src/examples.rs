@@ -116,7 +116,7 @@ impl Example {
                 "One spot with a soft edge on matt surfaces, and nothing else: no ambient light."
             }
             Self::ThreePoint => {
-                "Key, fill and back light with the edges that two angles of a data sheet ask for, ambient light, and the shadows of two of the three."
+                "Key, fill and back light with the edges that two angles of a data sheet ask for, ambient light, and two shadows."
             }
             Self::Grid => "64 narrow spots with a soft edge: each lights a sixty-fourth of the floor.",
             Self::WideGrid => "8 wide spots with a soft edge, which light as many square metres as the 64.",
@@ -124,7 +124,7 @@ impl Example {
                 "26 lamps of every kind, profile and distance model, and highlights on the few things that shine."
             }
             Self::Show => {
-                "Moving heads with coloured beams, soft and hard, and two turning gobos, in a house without ambient light."
+                "Moving heads with coloured beams in haze, soft and hard, and two turning gobos, in a house without ambient light."
             }
             Self::Pocket => {
                 "One spot with a soft edge on a few triangles, for 160 x 120 pixels in 16 bits, dithered for RGB565."

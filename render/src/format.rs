@@ -2,7 +2,8 @@
 
 use crate::{
     gbuffer::Block,
-    lighting::{Prepared, Radiance, Setting},
+    lighting::{Radiance, Setting},
+    prepared::Prepared,
 };
 use luminaire::{Fx16, Fx32, Scalar};
 

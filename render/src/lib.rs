@@ -51,6 +51,7 @@ mod lighting;
 mod memory;
 mod mesh;
 mod outline;
+mod prepared;
 mod raster;
 mod reached;
 mod renderer;

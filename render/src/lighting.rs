@@ -1,15 +1,13 @@
 //! The lighting pass: how much light arrives at each pixel, and how much of it the surface sends to the eye.
 
 use crate::{
-    air::{Hazy, Way},
-    bounds::Reach,
     gbuffer::{Block, LANES},
+    prepared::Prepared,
     scene::{Highlight, Material},
     shadows::Shadows,
 };
 use luminaire::{
-    Angle, Arrival, CompiledGobo, CompiledLamp, CompiledProjection, Error, Gobo, Haze, Light as _, Luminaire,
-    Matte, Plan, Rgb, Scalar, Shadow, Specular, Surface, Surfaces, Vec3, ViewBundle, ViewRays,
+    Arrival, CompiledLamp, Light as _, Matte, Plan, Rgb, Scalar, Shadow, Specular, Surface, Surfaces, Vec3,
 };
 
 /// The light that the pixels of a block send to the eye: linear, 1 is full scale.
@@ -17,21 +15,6 @@ pub(crate) type Radiance = Rgb<[f32; LANES]>;
 
 /// Light at the pixels of a block.
 type Light<S> = Rgb<[<S as Scalar>::Irradiance; LANES]>;
-
-/// A luminaire compiled for a format, and where its light may be.
-#[derive(Clone, Copy, Debug)]
-pub struct Prepared<S: Scalar> {
-    number: usize,
-    lamp: CompiledLamp<S>,
-    gobo: Option<CompiledGobo<'static, S>>,
-    /// The square that the shadow map lies on.
-    shadow: Option<CompiledProjection<S>>,
-    pub(crate) hazy: Option<Hazy>,
-    /// Whether the beam has anything in its way but clear glass.
-    is_patterned: bool,
-    casts_shadow: bool,
-    pub(crate) reach: Reach,
-}
 
 /// A material compiled for a format.
 #[derive(Clone, Copy, Debug)]
@@ -49,59 +32,6 @@ pub struct Setting<'a, S: Scalar> {
     /// By number.
     pub(crate) finishes: &'a [Finish<S>],
     pub(crate) shadows: &'a Shadows<S>,
-}
-
-/// Clear glass: what there is in the gate of a spotlight where nothing is left out.
-const CLEAR: Gobo<'static> = Gobo::of(&[[u8::MAX]]);
-
-impl<S: Scalar> Prepared<S> {
-    /// The luminaire of this number, if the plan keeps it.
-    ///
-    /// # Errors
-    /// What the format can't hold.
-    pub(crate) fn new(
-        number: usize,
-        luminaire: &Luminaire,
-        haze: Option<Haze>,
-        plan: &Plan,
-    ) -> Result<Option<Self>, Error> {
-        let Some(lamp) = plan.prepare(luminaire.lamp())? else { return Ok(None) };
-        let (is_patterned, casts_shadow) = (luminaire.gobo().is_some(), luminaire.shadow().is_some());
-        let mut luminaire = *luminaire;
-        if !plan.skips() {
-            luminaire = equipped(luminaire).unwrap_or(luminaire);
-        }
-        let shadow = luminaire.shadow().map(|(_, square)| square.compile()).transpose()?;
-        let (gobo, reach) = (luminaire.compile_gobo()?, Reach::new(luminaire.lamp()));
-        let hazy = haze.map(|haze| Hazy::new(luminaire.lamp(), &haze)).transpose()?.flatten();
-        Ok(Some(Self { number, lamp, gobo, shadow, hazy, is_patterned, casts_shadow, reach }))
-    }
-
-    /// Whether the beam may be seen in the air of a bundle of view rays.
-    pub(crate) fn is_seen_in_air(&self, sight: Option<&ViewBundle>) -> bool {
-        matches!((&self.hazy, sight), (Some(hazy), Some(sight)) if hazy.may_be_seen(sight))
-    }
-
-    /// Adds what the beam shows of itself along view rays.
-    pub(crate) fn scatter(&self, rays: &ViewRays<LANES>, shadows: &Shadows<S>, radiance: &mut Radiance) {
-        if let Some(hazy) = &self.hazy {
-            let gobo = self.gobo.as_ref().filter(|_| self.is_patterned);
-            let shadow = shadows.of(self.number).filter(|_| self.casts_shadow);
-            hazy.add(rays, &Way { gobo, shadow }, radiance);
-        }
-    }
-}
-
-/// A luminaire with everything that it may have and has not: none of it changes its light.
-///
-/// # Errors
-/// A lamp that projects no square.
-fn equipped(mut luminaire: Luminaire) -> Result<Luminaire, Error> {
-    if luminaire.gobo().is_none() {
-        luminaire = luminaire.with_gobo(CLEAR, Angle::degrees(0.0))?;
-    }
-    // There is no map of it.
-    if luminaire.shadow().is_none() { luminaire.with_shadow(16) } else { Ok(luminaire) }
 }
 
 impl<S: Scalar> Finish<S> {

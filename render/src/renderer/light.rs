@@ -1,13 +1,7 @@
 //! The light of a picture: which tiles must be lit again, and by which lamps.
 
 use super::Renderer;
-use crate::{
-    account::Account,
-    air,
-    format::Format,
-    gbuffer::LANES,
-    lighting::{Prepared, Setting},
-};
+use crate::{account::Account, air, format::Format, gbuffer::LANES, lighting::Setting, prepared::Prepared};
 use alloc::vec::Vec;
 use luminaire::{Error, Haze, Luminaire, Plan};
 
@@ -34,7 +28,7 @@ impl<S: Format> Renderer<S> {
         let (is_new, changed) = (self.lit.is_none(), self.changed(&luminaires));
         let kept = prepared.iter().flatten().count();
         self.account = Account::new(self.tiles.tiles.len(), luminaires.len(), kept, self.width * self.height);
-        let is_hazy = prepared.iter().flatten().any(|lamp| lamp.hazy.is_some());
+        let is_hazy = prepared.iter().flatten().any(|lamp| lamp.is_hazy());
         for tile in 0..self.tiles.tiles.len() {
             if is_hazy {
                 self.sight(tile);
