@@ -111,6 +111,7 @@ fn assert_each<S: Format, H: Specular>(
     let columns =
         Surfaces::<S, COUNT> { point: borrowed(&point), normal: borrowed(&normal), view: borrowed(&view) };
     let stale = S::ONE.expose(S::gain(0.5));
+    assert_eq!(columns.at(COUNT), Surface::matte(Vec3::default(), Vec3::default()), "beyond the last");
     let mut found = Arrival { diffuse: [stale; COUNT], specular: [stale; COUNT] };
     lamp.arrive_each::<H, COUNT>(&columns, &highlight, &mut found);
     let mut lit = [0; 2];
@@ -181,6 +182,9 @@ fn beams_show_in_many_rays_as_in_each() {
             count += 1;
         }
     }
+    let none = Vec3::default();
+    let rays = ViewRays { eye: none, direction: Vec3::new([1.0], [0.0], [0.0]), length: [2.0] };
+    assert_eq!(rays.at(1), ViewRay { eye: none, direction: none, length: 0.0 }, "beyond the last");
     assert!((0.1..0.5).contains(&(seen as f32 / count as f32)), "{seen} of {count} rays show a beam");
 }
 

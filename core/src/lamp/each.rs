@@ -31,15 +31,21 @@ pub struct Surfaces<'a, S: Scalar, const N: usize> {
 }
 
 impl<S: Scalar, const N: usize> Surfaces<'_, S, N> {
-    /// One of the points, of `N`.
+    /// One of the points; beyond the last a point that faces nowhere.
     #[inline(always)]
     pub fn at(&self, i: usize) -> Surface<S> {
         Surface {
-            point: self.point.map(|column| column[i]),
-            normal: self.normal.map(|column| column[i]),
-            view: self.view.map(|column| column[i]),
+            point: self.point.map(|column| nth(column, i)),
+            normal: self.normal.map(|column| nth(column, i)),
+            view: self.view.map(|column| nth(column, i)),
         }
     }
+}
+
+/// A value of a column, or the default beyond its end: within a loop over the column the compiler leaves the question out.
+#[inline(always)]
+pub(super) fn nth<T: Copy + Default, const N: usize>(column: &[T; N], i: usize) -> T {
+    column.get(i).copied().unwrap_or_default()
 }
 
 /// What is given and taken by a loop.
@@ -224,7 +230,7 @@ fn attenuate_each<S: Scalar, A: Attenuation, const N: usize>(
         if !S::Offset::ROOTS_FIRST && *light == S::Irradiance::default() {
             continue;
         }
-        let offset = S::offset(position, points.map(|column| column[i]));
+        let offset = S::offset(position, points.map(|column| nth(column, i)));
         *light = A::expose(&constants, &offset, &offset.ray(), S::clip(*light), intensity);
     }
 }

@@ -2,7 +2,7 @@
 
 use super::{
     CompiledLamp,
-    each::{Plain, plain},
+    each::{Plain, nth, plain},
 };
 use crate::{
     attenuation::{Attenuation, Distance, InverseSquare},
@@ -24,11 +24,12 @@ pub struct ViewRays<const N: usize> {
 }
 
 impl<const N: usize> ViewRays<N> {
-    /// One of the rays, of `N`.
+    /// One of the rays; beyond the last a ray of no length.
     #[inline(always)]
     pub fn at(&self, i: usize) -> ViewRay {
         let Vec3 { x, y, z } = &self.direction;
-        ViewRay { eye: self.eye, direction: Vec3::new(x[i], y[i], z[i]), length: self.length[i] }
+        let direction = Vec3::new(nth(x, i), nth(y, i), nth(z, i));
+        ViewRay { eye: self.eye, direction, length: nth(&self.length, i) }
     }
 }
 
