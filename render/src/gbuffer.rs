@@ -34,6 +34,12 @@ impl<S: Scalar> Block<S> {
     pub(crate) fn point_at(&self, lane: usize) -> Vec3<S::Length> {
         Vec3::new(self.point.x[lane], self.point.y[lane], self.point.z[lane])
     }
+
+    /// The normal of a pixel.
+    #[inline(always)]
+    pub(crate) fn normal_at(&self, lane: usize) -> Vec3<S> {
+        Vec3::new(self.normal.x[lane], self.normal.y[lane], self.normal.z[lane])
+    }
 }
 
 /// The blocks of a picture, row by row.

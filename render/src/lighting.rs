@@ -191,11 +191,13 @@ impl<S: Scalar> Setting<'_, S> {
         &numbers[..count]
     }
 
-    /// The directions to the eye.
+    /// The directions to the eye, mirrored in the surfaces.
+    #[inline(always)]
     fn views(&self, block: &Block<S>) -> Vec3<[S::Unit; LANES]> {
         let mut views = Vec3::default().map(|()| [S::Unit::default(); LANES]);
         for lane in 0..LANES {
-            let view = Surface::<S>::seen_from(self.eye, block.point_at(lane), Vec3::default()).view;
+            let surface = Surface::<S>::seen_from(self.eye, block.point_at(lane), block.normal_at(lane));
+            let view = S::mirror(surface.view, surface.normal);
             views.x[lane] = view.x;
             views.y[lane] = view.y;
             views.z[lane] = view.z;

@@ -233,7 +233,7 @@ impl<S: Format> Renderer<S> {
         let lane = x % LANES;
         let number = block.material[lane] as usize;
         let point = block.point_at(lane);
-        let normal = Vec3::new(block.normal.x[lane], block.normal.y[lane], block.normal.z[lane]);
+        let normal = block.normal_at(lane);
         (number > 0).then(|| (point, normal, *self.finishes[number].material()))
     }
 

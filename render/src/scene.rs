@@ -2,10 +2,22 @@
 
 use crate::mesh::Mesh;
 use alloc::vec::Vec;
-use luminaire::{Effect, Error, Haze, Lyon, Phong, Plan, Rgb, Specular, decode_srgb};
+use luminaire::{Effect, Error, Haze, Lyon, Plan, Rgb, Scalar, Specular, Vec3, decode_srgb};
 
 /// The kind of highlight that surfaces have: Phong's, in the form that takes the same few steps whatever the shininess.
-pub type Highlight = Lyon<Phong, 3>;
+pub type Highlight = Lyon<Mirrored, 3>;
+
+/// Phong's highlight for a view that is mirrored in the surface: `|R - V|` is `|L - V'|`, and the mirror image of the view
+/// is found once for a point and not once for each lamp.
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
+pub struct Mirrored;
+
+impl luminaire::Highlight for Mirrored {
+    #[inline(always)]
+    fn directions<S: Scalar>(incoming: Vec3<S::Unit>, _: Vec3<S>, view: Vec3<S::Unit>) -> [Vec3<S::Unit>; 2] {
+        [incoming, view]
+    }
+}
 
 /// How a surface answers to light.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -28,7 +40,11 @@ impl Material {
     /// # Errors
     /// A channel outside [0, 1]; a shininess under 8 or over 1024.
     pub fn with_highlight(self, specular: Rgb<f32>, shininess: u32) -> Result<Self, Error> {
-        luminaire::Material::new(Rgb::default())?.with_highlight(Lyon::<_, 3>(Phong), specular, shininess)?;
+        luminaire::Material::new(Rgb::default())?.with_highlight(
+            Lyon::<_, 3>(Mirrored),
+            specular,
+            shininess,
+        )?;
         Ok(Self { specular, shininess, ..self })
     }
 

@@ -2,9 +2,10 @@
 //! for.
 
 use luminaire::{
-    Angle, Cone, Edge, Error, Fx16, Fx32, Gobo, Haze, Lamp, Luminaire, Projection, Rgb, Spot, Vec3, ViewRay,
+    Angle, Cone, Edge, Error, Fx16, Fx32, Gobo, Haze, Lamp, Luminaire, Lyon, Phong, Projection, Rgb, Spot,
+    Surface, Vec3, ViewRay,
 };
-use luminaire_render::{Display, Format, Renderer, Scene, ShadowMap, gobos, stage};
+use luminaire_render::{Display, Format, Material, Renderer, Scene, ShadowMap, gobos, stage};
 
 const SIZE: (usize, usize) = (160, 90);
 const STAR: [[u8; 32]; 32] = gobos::star();
@@ -102,6 +103,34 @@ fn patterns_and_shadows_are_factors() -> Result<(), Error> {
         assert_eq!(renderer.linear(x, y), Some(expected), "at {x}, {y}");
     }
     assert!(dimmed > 500 && shadowed > 200, "{dimmed} pixels under the pattern, {shadowed} in shadow");
+    Ok(())
+}
+
+/// A highlight is Phong's, in the form that takes the same steps whatever the shininess.
+#[test]
+fn highlights_are_phongs() -> Result<(), Error> {
+    let (albedo, specular) = (Rgb::new(0.0, 0.0, 0.0), Rgb::new(0.9, 0.8, 0.7));
+    let mut scene = stage::scene();
+    scene.set_ambient(Rgb::default());
+    let glazed = Material::new(albedo).with_highlight(specular, 40)?;
+    scene.repaint(|_| glazed);
+    let spots = stage::lights()?;
+    let renderer = renderer::<f32>(&scene, &spots.map(Luminaire::from));
+    let phong = luminaire::Material::new(albedo)?.with_highlight(Lyon::<_, 3>(Phong), specular, 40)?;
+    let phong = phong.compile::<f32>();
+    let compiled = [spots[0].compile::<f32>()?, spots[1].compile()?, spots[2].compile()?];
+    let eye = stage::camera().eye();
+    let (mut largest, mut brightest) = (0.0_f32, 0.0_f32);
+    for (x, y) in pixels() {
+        let Some((point, normal, _)) = renderer.surface(x, y) else { continue };
+        let surface = Surface::seen_from(eye, point, normal);
+        let expected = compiled.iter().map(|spot| phong.reflect(&surface, spot).green).sum::<f32>();
+        let found = renderer.linear(x, y).expect("inside").green;
+        largest = largest.max((found - expected).abs() / (1.0 + expected));
+        brightest = brightest.max(expected);
+    }
+    assert!(brightest > 1.0, "the brightest highlight is {brightest}");
+    assert!((1e-8..1e-5).contains(&largest), "{largest}");
     Ok(())
 }
 
