@@ -57,7 +57,7 @@ pub(super) fn table(record: &Record) -> String {
     text += &row("the picture with the lamp", &|counts| format!("{:.1}", each(counts, &WITH)));
     text += &row("so the lamp", &|counts| format!("{:.1}", each(counts, &WITH) - each(counts, &WITHOUT)));
     text += &row("million cycles, all pixels with the lamp, estimated", &|counts| million_cycles(counts));
-    text + &row("bytes of flash, the whole program", &|counts| counts.bytes.to_string())
+    text + &row("KiB of flash, the whole program", &|counts| counts.kibibytes.to_string())
 }
 
 /// The estimate from and to, or nothing where there is none.

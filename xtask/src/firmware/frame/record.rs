@@ -31,8 +31,9 @@ pub(super) struct Record {
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub(super) struct Counts {
     pub(super) compiler: String,
-    /// Of flash: code and constants of the whole program.
-    pub(super) bytes: u64,
+    /// KiB of flash, rounded up: code and constants of the whole program. Where a panic would be is told by the path of
+    /// the folder, so that the bytes are others in each.
+    pub(super) kibibytes: u64,
     /// Of all pixels, by stage.
     pub(super) instructions: BTreeMap<String, u64>,
     /// An estimate of their cycles, from and to; nothing where there is no table for the processor.
@@ -42,7 +43,7 @@ pub(super) struct Counts {
 impl Counts {
     /// A program of which nothing has run.
     pub(super) fn new(compiler: &str, bytes: u64) -> Self {
-        Self { compiler: compiler.to_owned(), bytes, ..Self::default() }
+        Self { compiler: compiler.to_owned(), kibibytes: bytes.div_ceil(1024), ..Self::default() }
     }
 
     /// Adds a row's stage.
@@ -118,9 +119,11 @@ pub(super) fn compare(old: &Record, new: &Record) -> (Vec<String>, Vec<String>) 
                 differences.push(format!("{board}: {word}: {stage} {now} instructions, recorded {before}"));
             }
         }
-        if is_same && (before.bytes, &before.cycles) != (now.bytes, &now.cycles) {
-            differences
-                .push(format!("{board}: {} bytes, recorded {}, or other cycles", now.bytes, before.bytes));
+        if is_same && (before.kibibytes, &before.cycles) != (now.kibibytes, &now.cycles) {
+            differences.push(format!(
+                "{board}: {} KiB, recorded {}, or other cycles",
+                now.kibibytes, before.kibibytes
+            ));
         }
     }
     (differences, remarks)
@@ -170,8 +173,8 @@ mod tests {
         other.lamp = "3 lit".to_owned();
         assert!(compare(&old, &other).0[0].contains("3 lit"));
         let mut larger = old.clone();
-        larger.boards.get_mut("cortex-m0").unwrap().bytes = 4004;
-        assert!(compare(&old, &larger).0[0].contains("4004"));
+        larger.boards.get_mut("cortex-m0").unwrap().kibibytes = 5;
+        assert!(compare(&old, &larger).0[0].contains("5 KiB, recorded 4"));
         assert!(
             compare(&Record { boards: BTreeMap::new(), ..old.clone() }, &old).0[0].contains("not recorded")
         );
