@@ -1,5 +1,7 @@
 //! Luminaires: lamps with what is mounted in front of them.
 
+use core::ops::RangeInclusive;
+
 use crate::{
     angle::Angle,
     effect::{Effect, Effects},
@@ -28,10 +30,10 @@ pub struct Luminaire {
     shadow: Option<(u16, Projection)>,
 }
 
-/// The sides that a shadow map may have, in texels.
-const SHADOW_SIDES: (u32, u32) = (16, 2048);
-
 impl Luminaire {
+    /// The sides that a shadow map may have, in texels.
+    pub const SHADOW_SIDES: RangeInclusive<u16> = 16..=2048;
+
     /// The same luminaire with a gobo, turned about the axis as [`Projection::turned`] does.
     ///
     /// # Errors
@@ -46,9 +48,9 @@ impl Luminaire {
     /// # Errors
     /// A side that is not from 16 to 2048; a lamp that projects no square: a cone over 160 degrees, or none.
     pub fn with_shadow(self, side: u16) -> Result<Self, Error> {
-        let (least, most) = SHADOW_SIDES;
-        if !(least..=most).contains(&u32::from(side)) {
-            let accepted = Accepted::WholeBetween(least, most);
+        let sides = Self::SHADOW_SIDES;
+        if !sides.contains(&side) {
+            let accepted = Accepted::WholeBetween((*sides.start()).into(), (*sides.end()).into());
             return Err(Error { parameter: Parameter::ShadowSide, value: side.into(), accepted });
         }
         Ok(Self { shadow: Some((side, self.project()?)), ..self })

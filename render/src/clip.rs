@@ -1,9 +1,10 @@
 //! Triangles cut at the borders of what a camera sees.
 
 use crate::{
-    mesh::Vertex,
+    mesh::{Mesh, Vertex},
     view::{Corner, NEAR, Seen, View},
 };
+use alloc::vec::Vec;
 
 /// The borders: near, left, right, bottom, top.
 const PLANES: usize = 5;
@@ -32,8 +33,25 @@ impl Sighting {
     }
 }
 
+/// Hands the visible parts of a mesh's triangles to `draw`, each with what is seen of the triangle's corners. The memory for
+/// sightings is lent.
+#[inline(always)]
+pub(crate) fn clip_mesh(
+    view: &View,
+    mesh: &Mesh,
+    sightings: &mut Vec<Sighting>,
+    mut draw: impl FnMut([&Sighting; 3], [Corner; 3]),
+) {
+    sightings.clear();
+    sightings.extend(mesh.vertices().iter().map(|vertex| Sighting::new(view, vertex)));
+    for triangle in mesh.triangles() {
+        let corners = triangle.map(|corner| &sightings[corner as usize]);
+        clip(view, corners, |visible| draw(corners, visible));
+    }
+}
+
 /// Hands the visible part of a triangle to `draw`, as triangles in the same sense of rotation.
-pub(crate) fn clip(view: &View, [a, b, c]: [&Sighting; 3], mut draw: impl FnMut([Corner; 3])) {
+fn clip(view: &View, [a, b, c]: [&Sighting; 3], mut draw: impl FnMut([Corner; 3])) {
     if a.beyond & b.beyond & c.beyond != 0 {
         return;
     }

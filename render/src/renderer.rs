@@ -3,7 +3,7 @@
 use crate::{
     account::Account,
     camera::Camera,
-    clip::{Sighting, clip},
+    clip::{Sighting, clip_mesh},
     display::{CHANNELS, Display},
     error::DrawError,
     format::Format,
@@ -46,7 +46,9 @@ pub struct Renderer<S: Format> {
     triangles: usize,
     /// The lamps of the picture; nothing if all of it must be lit.
     lit: Option<Vec<Luminaire>>,
+    /// Which luminaires reach which tiles on their surfaces, and in the air before them.
     reached: Reached,
+    seen: Reached,
     shadows: Shadows<S>,
     account: Account,
     sightings: Vec<Sighting>,
@@ -85,6 +87,7 @@ impl<S: Format> Renderer<S> {
             triangles: 0,
             lit: None,
             reached: Reached::default(),
+            seen: Reached::default(),
             shadows: Shadows::new(),
             account: Account::default(),
             sightings: Vec::new(),
@@ -121,12 +124,9 @@ impl<S: Format> Renderer<S> {
     fn draw_triangles(&mut self, scene: &Scene, view: &View) {
         self.fragments.clear();
         for (number, object) in (1..).zip(scene.objects()) {
-            self.sightings.clear();
-            self.sightings.extend(object.mesh.vertices().iter().map(|vertex| Sighting::new(view, vertex)));
-            for triangle in object.mesh.triangles() {
-                let corners = triangle.map(|corner| &self.sightings[corner as usize]);
-                clip(view, corners, |visible| self.fragments.draw(visible, number));
-            }
+            clip_mesh(view, &object.mesh, &mut self.sightings, |_, visible| {
+                self.fragments.draw(visible, number)
+            });
         }
         self.geometry.resolve(&self.fragments, view);
         self.tiles.enclose(&self.geometry.blocks);

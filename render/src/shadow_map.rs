@@ -5,7 +5,7 @@ mod slope;
 
 use crate::{
     bounds::Bounds,
-    clip::{Sighting, clip},
+    clip::{Sighting, clip_mesh},
     memory::filled,
     scene::{Fingerprint, Scene},
     size::SizeError,
@@ -13,11 +13,8 @@ use crate::{
 };
 use alloc::{collections::TryReserveError, vec::Vec};
 use layer::Layer;
-use luminaire::{CompiledProjection, Error, Projection, Scalar, Shadow};
+use luminaire::{CompiledProjection, Error, Luminaire, Projection, Scalar, Shadow};
 use slope::{Slope, depth_error};
-
-/// How many texels a side may have.
-pub(crate) const SIDES: core::ops::RangeInclusive<usize> = 16..=2048;
 
 /// A shadow map of a [`Scene`] on the square that a spotlight projects, in the number format of the light.
 ///
@@ -72,7 +69,7 @@ impl<S: Scalar> ShadowMap<S> {
     /// # Errors
     /// A side that is not from 16 to 2048, or for which there is no memory.
     pub fn new(side: usize) -> Result<Self, SizeError> {
-        if !SIDES.contains(&side) {
+        if !u16::try_from(side).is_ok_and(|side| Luminaire::SHADOW_SIDES.contains(&side)) {
             return Err(SizeError::ShadowSide(side));
         }
         Self::with_memory(side).map_err(|_| SizeError::Memory(side, side))
@@ -116,14 +113,9 @@ impl<S: Scalar> ShadowMap<S> {
             if view.misses(bounds) {
                 continue;
             }
-            self.sightings.clear();
-            self.sightings.extend(object.mesh.vertices().iter().map(|vertex| Sighting::new(&view, vertex)));
-            for triangle in object.mesh.triangles() {
-                let corners = triangle.map(|corner| &self.sightings[corner as usize]);
-                clip(&view, corners, |visible| {
-                    self.layer.draw(visible, || slope.within_texel(corners.map(Sighting::seen)));
-                });
-            }
+            clip_mesh(&view, &object.mesh, &mut self.sightings, |corners, visible| {
+                self.layer.draw(visible, || slope.within_texel(corners.map(Sighting::seen)));
+            });
         }
         let texel = 2.0 * tangent / self.side as f32;
         self.layer.resolve::<S>(texel, 1.0 + depth_error::<S>(tangent), &mut self.depths);

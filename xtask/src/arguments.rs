@@ -145,9 +145,7 @@ impl Request {
                 other => return Err(other.unexpected()),
             }
         }
-        if options.check && options.bless {
-            return Err("--check compares and --bless accepts: one of them".into());
-        }
+        refuse_both(options.check, options.bless)?;
         Ok(Self::Effects(options))
     }
 
@@ -200,9 +198,7 @@ impl Request {
                 other => return Err(other.unexpected()),
             }
         }
-        if options.check && options.bless {
-            return Err("--check compares and --bless accepts: one of them".into());
-        }
+        refuse_both(options.check, options.bless)?;
         Ok(Self::Measure(options))
     }
 
@@ -218,6 +214,11 @@ impl Request {
         }
         Ok(Self::Test(options))
     }
+}
+
+/// A record is compared or accepted.
+fn refuse_both(check: bool, bless: bool) -> Result<(), lexopt::Error> {
+    if check && bless { Err("--check compares and --bless accepts: one of them".into()) } else { Ok(()) }
 }
 
 #[cfg(test)]

@@ -78,17 +78,17 @@ impl<S: Scalar> CompiledLamp<S> {
 }
 
 /// A compiled distance model without a range is the plain one.
-pub(super) fn plain<S: Scalar>(distance: &CompiledDistance<S>) -> Option<Plain> {
+fn plain<S: Scalar>(distance: &CompiledDistance<S>) -> Option<Plain> {
     let none = S::gain(0.0);
     match distance {
         CompiledDistance::Constant((range, ())) if *range == none => Some(Plain::Unattenuated),
-        CompiledDistance::InverseSquare((range, ())) if *range == none => Some(Plain::InverseSquare),
+        distance if Distance::is_inverse_square::<S>(distance) => Some(Plain::InverseSquare),
         _ => None,
     }
 }
 
 /// The distance models that have a loop with every profile.
-pub(super) enum Plain {
+enum Plain {
     Unattenuated,
     InverseSquare,
 }

@@ -1,9 +1,6 @@
 //! The beam of a lamp in haze, for many view rays.
 
-use super::{
-    CompiledLamp,
-    each::{Plain, nth, plain},
-};
+use super::{CompiledLamp, each::nth};
 use crate::{
     attenuation::{Attenuation, Distance, InverseSquare},
     cone::Falloff,
@@ -47,11 +44,10 @@ impl HazyBeam<Matched, Distance> {
     /// The air light of each of many rays: to the bit what [`air_light`](Self::air_light) of the beam's own profile gives for
     /// one. There is a loop for each profile under the inverse-square law, and one with branches for all others.
     pub fn air_light_each<const N: usize>(&self, rays: &ViewRays<N>, lights: &mut [f32; N]) {
-        match plain::<f32>(&self.attenuation) {
-            Some(Plain::InverseSquare) => {
-                with_profile!(self.falloff, profile, curve => self.by_square(profile, curve, rays, lights));
-            }
-            _ => each(self, rays, lights),
+        if Distance::is_inverse_square::<f32>(&self.attenuation) {
+            with_profile!(self.falloff, profile, curve => self.by_square(profile, curve, rays, lights));
+        } else {
+            each(self, rays, lights);
         }
     }
 

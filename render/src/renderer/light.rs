@@ -19,11 +19,14 @@ impl<S: Format> Renderer<S> {
         let haze = if plan.skips() { self.haze } else { Some(self.haze.unwrap_or(Haze::CLEAR)) };
         let prepare = |(number, luminaire)| Prepared::new(number, luminaire, haze, &plan);
         let prepared = luminaires.iter().enumerate().map(prepare).collect::<Result<Vec<_>, _>>()?;
-        if self.reached.make_room(self.tiles.tiles.len(), luminaires.len()) {
-            self.lit = None;
+        for reached in [&mut self.reached, &mut self.seen] {
+            if reached.make_room(self.tiles.tiles.len(), luminaires.len()) {
+                self.lit = None;
+            }
         }
         if self.lit.is_none() {
             self.reached.forget();
+            self.seen.forget();
         }
         let (is_new, changed) = (self.lit.is_none(), self.changed(&luminaires));
         let kept = prepared.iter().flatten().count();
@@ -33,7 +36,7 @@ impl<S: Format> Renderer<S> {
             if is_hazy {
                 self.sight(tile);
             }
-            let is_another = self.reach(tile, plan, &changed, &prepared) || is_new;
+            let is_another = self.ask(tile, plan, &changed, &prepared) || is_new;
             self.tiles.tiles[tile].is_relit = is_another;
             if is_another {
                 self.light_tile(tile, plan, &prepared);
@@ -65,22 +68,15 @@ impl<S: Format> Renderer<S> {
 
     /// Asks anew whether a tile is reached by the luminaires that are others now, on its surfaces or in the air before
     /// them. Returns whether its light is another for it.
-    fn reach(
-        &mut self,
-        tile: usize,
-        plan: Plan,
-        changed: &[usize],
-        prepared: &[Option<Prepared<S>>],
-    ) -> bool {
+    fn ask(&mut self, tile: usize, plan: Plan, changed: &[usize], prepared: &[Option<Prepared<S>>]) -> bool {
         let place = &self.tiles.tiles[tile];
         let reaches = |lamp: &Prepared<S>| {
-            !plan.skips()
-                || place.bounds.is_some_and(|bounds| !lamp.reach.misses(&bounds))
-                || lamp.is_seen_in_air(place.sight.as_ref())
+            !plan.skips() || place.bounds.is_some_and(|bounds| !lamp.reach.misses(&bounds))
         };
-        let reaches =
-            |number: usize| prepared.get(number).is_some_and(|lamp| lamp.as_ref().is_some_and(reaches));
-        self.reached.update(tile, changed, reaches)
+        let is_seen = |lamp: &Prepared<S>| !plan.skips() || lamp.is_seen_in_air(place.sight.as_ref());
+        let of = |number: usize| prepared.get(number).and_then(Option::as_ref);
+        let is_another = self.reached.update(tile, changed, |number| of(number).is_some_and(reaches));
+        self.seen.update(tile, changed, |number| of(number).is_some_and(is_seen)) || is_another
     }
 
     fn light_tile(&mut self, tile: usize, plan: Plan, prepared: &[Option<Prepared<S>>]) {
@@ -89,28 +85,26 @@ impl<S: Format> Renderer<S> {
         let (finishes, shadows) = (&self.finishes, &self.shadows);
         let setting = Setting { plan, eye: self.eye, ambient: self.ambient, finishes, shadows };
         let lamps = self.reached.lamps(tile).filter_map(|lamp| prepared[lamp].as_ref());
-        let reached = lamps.clone().count();
-        let sight = self.tiles.tiles[tile].sight;
-        let seen: Vec<_> =
-            lamps.clone().filter(|lamp| !plan.skips() || lamp.is_seen_in_air(sight.as_ref())).collect();
+        let seen = self.seen.lamps(tile).filter_map(|lamp| prepared[lamp].as_ref());
+        let (reached, seen_count) = (lamps.clone().count(), seen.clone().count());
         for block in self.tiles.blocks(tile) {
             let geometry = &self.geometry.blocks[block];
             let is_missed = |lamp: &&Prepared<S>| match &geometry.bounds {
                 Some(bounds) => lamp.reach.misses(bounds),
                 None => true,
             };
-            let mut evaluated = 0;
+            let mut evaluated = 0_usize;
             let reaching = lamps.clone().filter(|lamp| !(plan.skips() && is_missed(lamp)));
             let radiance = &mut self.radiance[block];
             *radiance = S::light(&setting, geometry, &mut reaching.inspect(|_| evaluated += 1));
-            self.evaluated[block] = evaluated;
+            self.evaluated[block] = evaluated.try_into().unwrap_or(u16::MAX);
             let (row, column) = (block / self.geometry.columns, block % self.geometry.columns);
             let pixels = LANES.min(self.width - column * LANES);
-            self.account.enter(pixels, reached, evaluated.into());
-            if let (Some(view), false) = (&self.view, seen.is_empty()) {
+            self.account.enter(pixels, reached, evaluated);
+            if let Some(view) = self.view.as_ref().filter(|_| seen_count > 0) {
                 let rays = air::rays(view, &self.fragments, row, column);
-                seen.iter().for_each(|lamp| lamp.scatter(&rays, &self.shadows, radiance));
-                self.account.evaluated_in_air += (pixels * seen.len()) as u64;
+                seen.clone().for_each(|lamp| lamp.scatter(&rays, &self.shadows, radiance));
+                self.account.evaluated_in_air += (pixels * seen_count) as u64;
             }
         }
     }
