@@ -13,9 +13,9 @@ use support::{
     shadows, sweep,
 };
 
-/// How far a visibility may be off that of the same place in f64, and at least is somewhere: two ways are cut
-/// off to a 128th. Searched.
-const ERROR: std::ops::Range<f64> = 0.0138..0.0146;
+/// How far a visibility may be off that of the same place in f64, and at least is somewhere (searched). Two ways are cut
+/// off to a 128th, so that it can't be more than 1 - (1 - 1 / 128)^2.
+const ERROR: std::ops::Range<f64> = 0.0138..0.015_57;
 
 fn projection<S: Scalar>(rng: &mut Rng) -> CompiledProjection<S> {
     let cone = Cone::from_outer(CutOff, Angle::degrees(60.0)).expect("sound");
