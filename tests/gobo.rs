@@ -288,4 +288,5 @@ fn a_gobo_keeps_what_it_is_given() {
     assert_eq!(Gobo::new(32, STAR.as_flattened()), Ok(gobo));
     let square = projection::<Fx16>(&mut Rng::with_seed(1), 20.0).1.compile::<Fx16>().expect("held");
     assert_eq!(CompiledGobo::from_parts(square, gobo), gobo.on(square));
+    assert_eq!((gobo.on(square).gobo(), *gobo.on(square).projection()), (gobo, square));
 }

@@ -8,8 +8,8 @@ mod support;
 use fastrand::Rng;
 use luminaire::{
     Ambient, Attenuation, BlinnPhong, Cone, DualCone, Fx16, Fx32, HardRange, InverseSquare, Lyon, Material,
-    Phong, Point, Polynomial, Rgb, SmoothRange, Soft, Specular, SquaredWindow, Surface, Unattenuated, Vec3,
-    Windowed, clip, encode_srgb,
+    Matte, Phong, Point, Polynomial, Rgb, SmoothRange, Soft, Specular, SquaredWindow, Surface, Unattenuated,
+    Vec3, Windowed, clip, encode_srgb,
 };
 use support::{
     bounds,
@@ -207,6 +207,33 @@ fn dual_cone_keeps_its_rows() {
 #[test]
 fn lyon_keeps_its_rows() {
     assert_highlight::<Lyon<Phong, 2>>("lyon", reference::lyon, [4, 32, 256]);
+}
+
+/// A mirror image in a level surface is seen from this versine off it.
+fn lobe_at<H: Specular, S: Format>(shininess: u32, versine: f32) -> f64 {
+    let cosine = 1.0 - versine;
+    let [up, down, view] = [[0.0, 1.0], [0.0, -1.0], [(1.0 - cosine * cosine).sqrt(), cosine]]
+        .map(|[x, y]| Vec3::new(x, y, 0.0_f32));
+    H::lobe::<S>(&H::constants::<S>(shininess), S::axis(down), up.map(S::from_f32), S::axis(view)).exact()
+}
+
+fn assert_end<H: Specular>(shininess: [u32; 3]) {
+    for shininess in shininess {
+        let end = H::end(shininess);
+        let [inside, outside] = [0.8, 1.001].map(|part| {
+            let versine = part * end;
+            [lobe_at::<H, f32>, lobe_at::<H, Fx32>, lobe_at::<H, Fx16>].map(|lobe| lobe(shininess, versine))
+        });
+        assert!(H::SHINES == inside.iter().all(|lobe| *lobe > 0.0), "{shininess}: {inside:?} before {end}");
+        assert_eq!(outside, [0.0; 3], "{shininess}: after {end}");
+    }
+}
+
+#[test]
+fn a_highlight_ends_where_it_says() {
+    assert_end::<Phong>([1, 2, 4]);
+    assert_end::<Lyon<Phong, 2>>([4, 32, 256]);
+    assert_end::<Matte>([0, 1, 32]);
 }
 
 /// Lyon's form against the power, over the angle between the two directions.

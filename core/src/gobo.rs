@@ -134,6 +134,16 @@ impl<'a, S: Scalar> CompiledGobo<'a, S> {
         Self { projection, gobo }
     }
 
+    /// The square that the gobo lies on.
+    pub const fn projection(&self) -> &CompiledProjection<S> {
+        &self.projection
+    }
+
+    /// The gobo.
+    pub const fn gobo(&self) -> Gobo<'a> {
+        self.gobo
+    }
+
     /// What is left of the light at a point: a factor from 0 to 1.
     #[inline(always)]
     pub fn at(&self, point: Vec3<S::Length>) -> S {

@@ -35,6 +35,9 @@ pub trait Specular: Copy + PartialEq + core::fmt::Debug {
     /// Compiles a highlight of this shininess for the format `S`.
     fn constants<S: Scalar>(shininess: u32) -> Self::Constants<S>;
 
+    /// The versine between the two directions whose nearness makes the highlight from which on there is none.
+    fn end(shininess: u32) -> f32;
+
     /// The lobe, in [0, 1]: `incoming` goes from the light to the surface, `view` from the surface to the eye.
     fn lobe<S: Scalar>(
         constants: &Self::Constants<S>,
@@ -89,6 +92,10 @@ impl Specular for Matte {
 
     fn constants<S: Scalar>(_: u32) {}
 
+    fn end(_: u32) -> f32 {
+        0.0
+    }
+
     #[inline(always)]
     fn lobe<S: Scalar>((): &(), _: Vec3<S::Unit>, _: Vec3<S>, _: Vec3<S::Unit>) -> S {
         S::ZERO
@@ -101,6 +108,10 @@ impl<H: Highlight> Specular for H {
 
     fn constants<S: Scalar>(shininess: u32) -> (S::Ramp, u32) {
         (S::ramp(0.0, 1.0, 1.0), shininess)
+    }
+
+    fn end(_: u32) -> f32 {
+        1.0
     }
 
     #[inline(always)]
@@ -121,8 +132,12 @@ impl<H: Highlight, const N: u32> Specular for Lyon<H, N> {
     type Constants<S: Scalar> = S::Ramp;
 
     fn constants<S: Scalar>(shininess: u32) -> S::Ramp {
-        let end = (1_u32 << N) as f32 / shininess as f32;
+        let end = Self::end(shininess);
         S::ramp(0.0, end, end)
+    }
+
+    fn end(shininess: u32) -> f32 {
+        (1_u32 << N) as f32 / shininess as f32
     }
 
     #[inline(always)]

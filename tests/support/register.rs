@@ -122,7 +122,8 @@ pub(crate) const REGISTER: &[Held] = &[
     by("tests/gobo.rs::weighted_bytes_keep_their_roundings", &["Scalar::weighted_byte"]),
     by("tests/gobo.rs::clear_glass_changes_no_bit", &["CompiledGobo::filter"]),
     by("tests/gobo.rs::a_gobo_keeps_what_it_is_given", &[
-        "Gobo::of", "Gobo::side", "Gobo::transmissions", "CompiledGobo::from_parts",
+        "Gobo::of", "Gobo::side", "Gobo::transmissions", "CompiledGobo::from_parts", "CompiledGobo::gobo",
+        "CompiledGobo::projection",
     ]),
 
     // Shadows on it.
@@ -153,6 +154,7 @@ pub(crate) const REGISTER: &[Held] = &[
     ]),
     by("tests/lit.rs::blinn_phong_keeps_its_rows", &["Highlight for BlinnPhong"]),
     by("tests/lit.rs::dual_cone_keeps_its_rows", &["Highlight for DualCone"]),
+    by("tests/lit.rs::a_highlight_ends_where_it_says", &["Specular::end"]),
     by("tests/lit.rs::lyon_keeps_its_rows", &["Specular for Lyon"]),
     by("tests/lit.rs::the_lit_point_keeps_its_rows", &[
         "Material::new", "Material::with_highlight", "Ambient::new", "Spot::new", "Surface::seen_from",
