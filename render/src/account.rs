@@ -17,6 +17,8 @@ pub struct Account {
     pub lamps_dropped: u32,
     /// The pairs that were evaluated.
     pub evaluated: u64,
+    /// Those of them that were evaluated with a highlight.
+    pub evaluated_shining: u64,
     /// The pairs of a beam and a pixel through whose haze it may be seen, which were evaluated besides.
     pub evaluated_in_air: u64,
     /// The pairs of a dropped lamp.
@@ -25,7 +27,8 @@ pub struct Account {
     pub kept: u64,
     /// The pairs of a lamp and a tile that it does not reach.
     pub missed_by_tile: u64,
-    /// The pairs of a lamp and a row of 32 pixels that it does not reach, within a tile that it may.
+    /// The pairs of a lamp and a row of 32 pixels that it does not reach or that faces away from it, within a tile that it may
+    /// reach.
     pub missed_by_row: u64,
 }
 
@@ -41,11 +44,13 @@ impl Account {
     }
 
     /// Enters a row of pixels of a tile that is lit, of which so many lamps may reach the tile, and so many are
-    /// evaluated.
-    pub(crate) fn enter(&mut self, pixels: usize, reached: usize, evaluated: usize) {
-        let [pixels, reached, evaluated] = [pixels, reached, evaluated].map(|count| count as u64);
+    /// evaluated, and so many of those with a highlight.
+    pub(crate) fn enter(&mut self, pixels: usize, reached: usize, evaluated: usize, shining: usize) {
+        let [pixels, reached, evaluated, shining] =
+            [pixels, reached, evaluated, shining].map(|count| count as u64);
         let missed = u64::from(self.lamps - self.lamps_dropped) - reached;
         self.evaluated += evaluated * pixels;
+        self.evaluated_shining += shining * pixels;
         self.missed_by_row += (reached - evaluated) * pixels;
         self.missed_by_tile += missed * pixels;
         self.kept -= (reached + missed) * pixels;

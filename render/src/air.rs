@@ -1,6 +1,6 @@
 //! The air of a picture: what the haze between eye and surface shows of the beams.
 
-use crate::{gbuffer::LANES, lighting::Radiance, raster::Fragments, view::View};
+use crate::{block::LANES, lighting::Radiance, raster::Fragments, view::View, ways};
 use luminaire::{
     CompiledGobo, Distance, Error, Haze, HazyBeam, Lamp, Matched, Rgb, Scalar, Shadow, Vec3, ViewBundle,
     ViewRays,
@@ -75,7 +75,7 @@ pub(crate) fn rays(view: &View, fragments: &Fragments, row: usize, column: usize
     };
     for (lane, nearness) in nearness.iter().enumerate() {
         let way = first + step * lane as f32;
-        let unit = way.length();
+        let unit = ways::length(way);
         rays.direction.x[lane] = way.x / unit;
         rays.direction.y[lane] = way.y / unit;
         rays.direction.z[lane] = way.z / unit;
@@ -94,12 +94,12 @@ pub(crate) fn bundle(
 ) -> ViewBundle {
     let direction = |row: usize, lane: usize| {
         let (first, step) = view.ray(row);
-        (first + step * (column * LANES + lane) as f32).normalize()
+        ways::direction(first + step * (column * LANES + lane) as f32)
     };
     let last = rows.end.saturating_sub(1);
     let corners = [(rows.start, 0), (rows.start, LANES - 1), (last, 0), (last, LANES - 1)];
     let corners = corners.map(|(row, lane)| direction(row, lane));
-    let middle = corners.into_iter().sum::<glam::Vec3>().normalize();
+    let middle = ways::direction(corners.into_iter().sum());
     let farthest = |row: usize| fragments.block(row, column).iter().copied().fold(f32::INFINITY, f32::min);
     let least = rows.map(farthest).fold(f32::INFINITY, f32::min);
     // The longest way to depth 1 goes to a corner.

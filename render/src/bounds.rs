@@ -3,6 +3,8 @@
 use glam::{Vec2, Vec3};
 use luminaire::Lamp;
 
+use crate::{directions::Directions, ways::length};
+
 /// A sphere around points.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Bounds {
@@ -13,11 +15,18 @@ pub(crate) struct Bounds {
 /// What the light of a lamp is within.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Reach {
-    /// Nothing for light from infinitely far away.
-    position: Option<Vec3>,
+    source: Source,
     /// Nothing where there is no range.
     range: Option<f32>,
     beam: Option<Beam>,
+}
+
+/// Where light comes from.
+#[derive(Clone, Copy, Debug)]
+enum Source {
+    Place(Vec3),
+    /// From infinitely far away, in this direction.
+    Direction(Vec3),
 }
 
 /// What a spotlight's cone is within.
@@ -34,7 +43,7 @@ impl Bounds {
         let center = 0.5
             * (points.clone().fold(Vec3::INFINITY, Vec3::min)
                 + points.clone().fold(-Vec3::INFINITY, Vec3::max));
-        Self { center, radius: points.map(|point| point.distance(center)).fold(0.0, f32::max) }
+        Self { center, radius: points.map(|point| length(point - center)).fold(0.0, f32::max) }
     }
 
     /// A sphere around the convex hull of four points.
@@ -43,14 +52,21 @@ impl Bounds {
         let center = 0.25 * points.into_iter().sum::<Vec3>();
         let ways = points.map(|point| point - center);
         let farther = |a: Vec3, b: Vec3| if b.length_squared() > a.length_squared() { b } else { a };
-        Self { center, radius: ways.into_iter().fold(Vec3::ZERO, farther).length() }
+        Self { center, radius: length(ways.into_iter().fold(Vec3::ZERO, farther)) }
+    }
+
+    /// The radius of a sphere that the points are within for certain, in every number format, as it is seen from the end
+    /// of a way from its centre: by a five thousandth of the distance and a tenth of a millimetre larger. The formats' directions
+    /// are off by 1.6e-5 at most, and their positions by 8e-6 metres.
+    pub(crate) fn padded(&self, way: Vec3) -> f32 {
+        self.radius + 2e-4 * (way.abs().element_sum() + self.center.abs().element_sum()) + 1e-4
     }
 
     /// A sphere around spheres; nothing if there are none.
     pub(crate) fn enclosing(spheres: impl Iterator<Item = Self> + Clone) -> Option<Self> {
         let (sum, count) = spheres.clone().fold((Vec3::ZERO, 0.0), |(sum, n), s| (sum + s.center, n + 1.0));
         let center = sum / count;
-        let reach = |sphere: Self| center.distance(sphere.center) + sphere.radius;
+        let reach = |sphere: Self| length(center - sphere.center) + sphere.radius;
         // Not a number, and so no sphere, without any.
         (count > 0.0).then(|| Self { center, radius: spheres.map(reach).fold(0.0, f32::max) })
     }
@@ -59,9 +75,12 @@ impl Bounds {
 impl Reach {
     pub(crate) fn new(lamp: &Lamp) -> Self {
         match lamp {
-            Lamp::Directional(_) => Self { position: None, range: None, beam: None },
+            Lamp::Directional(light) => {
+                let direction = Vec3::from(light.direction());
+                Self { source: Source::Direction(-direction), range: None, beam: None }
+            }
             Lamp::Point(point) => Self {
-                position: Some(point.position().into()),
+                source: Source::Place(point.position().into()),
                 range: point.attenuation().range(),
                 beam: None,
             },
@@ -69,7 +88,7 @@ impl Reach {
                 let outer = spot.cone().outer().to_radians();
                 let beam = Beam { axis: spot.axis().into(), edge: Vec2::from_angle(outer / 2.0) };
                 Self {
-                    position: Some(spot.position().into()),
+                    source: Source::Place(spot.position().into()),
                     range: spot.attenuation().range(),
                     beam: Some(beam),
                 }
@@ -77,19 +96,37 @@ impl Reach {
         }
     }
 
-    /// Whether the bounds are out of reach for certain, in every number format: by a thousandth of the distance and a
-    /// tenth of a millimetre more than touching. The formats' directions are off by 1.6e-5 at most, and their positions
-    /// by 8e-6 metres.
+    /// Whether the bounds are out of reach for certain, in every number format.
     pub(crate) fn misses(&self, bounds: &Bounds) -> bool {
-        let Some(position) = self.position else { return false };
+        let Source::Place(position) = self.source else { return false };
         let way = bounds.center - position;
-        let margin = 1e-3 * (way.abs().element_sum() + bounds.center.abs().element_sum()) + 1e-4;
-        let padded = bounds.radius + margin;
+        let padded = bounds.padded(way);
         let is_beyond = self.range.is_some_and(|range| {
             let reach = range + padded;
             way.length_squared() > reach * reach
         });
         is_beyond || self.beam.is_some_and(|beam| beam.misses(way, padded))
+    }
+
+    /// Whether surfaces within the bounds and with these normals face away from the lamp for certain, in every number
+    /// format.
+    #[inline(always)]
+    pub(crate) fn is_behind(&self, bounds: &Bounds, normals: &Directions) -> bool {
+        match self.source {
+            Source::Direction(direction) => normals.most_along(direction) < -1e-3,
+            Source::Place(position) => {
+                let way = position - bounds.center;
+                normals.most_along(way) < -(1e-3 * way.abs().element_sum() + bounds.padded(way))
+            }
+        }
+    }
+
+    /// The directions to the lamp from points within bounds; nothing where it may be among them.
+    pub(crate) fn directions_from(&self, bounds: &Bounds) -> Option<Directions> {
+        match self.source {
+            Source::Direction(direction) => Some(Directions::new(direction)),
+            Source::Place(place) => Directions::towards(place, bounds),
+        }
     }
 }
 

@@ -1,8 +1,8 @@
 //! What the renderer knows of a number format.
 
 use crate::{
-    gbuffer::Block,
-    lighting::{Radiance, Setting},
+    block::Block,
+    lighting::{Radiance, Setting, Workspace},
     prepared::Prepared,
 };
 use luminaire::{Fx16, Fx32, Scalar};
@@ -15,12 +15,14 @@ pub trait Format: Scalar + Loops {
 
 /// The loops of a format. They are compiled with this crate, once, and not with each that uses it.
 pub trait Loops: Scalar {
-    /// Lights the pixels of a block.
+    /// Lights the pixels of a block. Returns how many of the lamps were evaluated with a highlight.
     fn light(
         setting: &Setting<'_, Self>,
         block: &Block<Self>,
-        lamps: &mut dyn Iterator<Item = &Prepared<Self>>,
-    ) -> Radiance;
+        lamps: &[&Prepared<Self>],
+        work: &mut Workspace<Self>,
+        radiance: &mut Radiance,
+    ) -> usize;
 }
 
 impl Format for f32 {
@@ -41,9 +43,11 @@ macro_rules! loops {
             fn light(
                 setting: &Setting<'_, Self>,
                 block: &Block<Self>,
-                lamps: &mut dyn Iterator<Item = &Prepared<Self>>,
-            ) -> Radiance {
-                setting.light(block, lamps)
+                lamps: &[&Prepared<Self>],
+                work: &mut Workspace<Self>,
+                radiance: &mut Radiance,
+            ) -> usize {
+                setting.light(block, lamps, work, radiance)
             }
         }
     )*};

@@ -1,46 +1,14 @@
 //! The geometry of a picture, ready to be lit: position, normal and material of each pixel.
 
-use crate::{bounds::Bounds, memory::filled, raster::Fragments, view::View};
+use crate::{
+    block::{Block, LANES},
+    memory::filled,
+    part::{Fan, Part},
+    raster::Fragments,
+    view::View,
+};
 use alloc::{collections::TryReserveError, vec::Vec};
 use luminaire::{Offset, Ray, Scalar, Vec3};
-
-/// How many pixels of a row make a block.
-pub(crate) const LANES: usize = 32;
-
-/// Some neighbouring pixels of a row, each quantity in an array of its own, as vector instructions want it.
-#[derive(Clone, Copy, Debug)]
-pub struct Block<S: Scalar> {
-    pub(crate) point: Vec3<[S::Length; LANES]>,
-    /// Of unit length; zero where nothing was drawn, so that no light arrives there.
-    pub(crate) normal: Vec3<[S; LANES]>,
-    /// The number of the material; 0 where nothing was drawn.
-    pub(crate) material: [u32; LANES],
-    /// What encloses the points; nothing if nothing was drawn.
-    pub(crate) bounds: Option<Bounds>,
-}
-
-impl<S: Scalar> Block<S> {
-    /// The number of the material, if all pixels have the same.
-    #[inline(always)]
-    pub(crate) fn only_material(&self) -> Option<u32> {
-        let first = self.material[0];
-        // Without a way out of the loop, as vector instructions want it.
-        let is_only = self.material.iter().fold(true, |is_only, &number| is_only & (number == first));
-        is_only.then_some(first)
-    }
-
-    /// The point of a pixel.
-    #[inline(always)]
-    pub(crate) fn point_at(&self, lane: usize) -> Vec3<S::Length> {
-        Vec3::new(self.point.x[lane], self.point.y[lane], self.point.z[lane])
-    }
-
-    /// The normal of a pixel.
-    #[inline(always)]
-    pub(crate) fn normal_at(&self, lane: usize) -> Vec3<S> {
-        Vec3::new(self.normal.x[lane], self.normal.y[lane], self.normal.z[lane])
-    }
-}
 
 /// The blocks of a picture, row by row.
 #[derive(Clone, Debug)]
@@ -53,13 +21,7 @@ pub(crate) struct GBuffer<S: Scalar> {
 impl<S: Scalar> GBuffer<S> {
     pub(crate) fn new(width: usize, height: usize) -> Result<Self, TryReserveError> {
         let columns = width.div_ceil(LANES);
-        let empty = Block {
-            point: Vec3::default().map(|()| [S::Length::default(); LANES]),
-            normal: Vec3::default().map(|()| [S::ZERO; LANES]),
-            material: [0; LANES],
-            bounds: None,
-        };
-        Ok(Self { blocks: filled(columns * height, empty)?, columns })
+        Ok(Self { blocks: filled(columns * height, Block::empty())?, columns })
     }
 
     /// Finds position and unit normal of each fragment.
@@ -79,31 +41,25 @@ impl<S: Scalar> GBuffer<S> {
             block.point = points.map(|plane| plane.map(S::length));
             block.normal = normals.map(|plane| plane.map(S::from_f32));
             block.material = *material;
+            // Without a way out of the loop, as vector instructions want it.
+            block.is_uniform =
+                material.iter().fold(true, |is_uniform, number| is_uniform & (number == &material[0]));
             let last = first + step * (LANES - 1) as f32;
-            block.bounds = depths(nearness).map(|(near, far)| {
-                // The rays of a row lie in a plane, so that the points are within the corners of a trapezium.
-                let corners = [first * near, first * far, last * near, last * far];
-                Bounds::around(corners.map(|corner| view.eye() + corner))
-            });
+            let fan = Fan { eye: view.eye(), edges: [first, last] };
+            let whole = Part::new(&fan, nearness, &normals);
+            block.bounds = whole.map(|part| part.bounds);
+            block.parts = if block.is_uniform {
+                [whole, None]
+            } else {
+                [true, false].map(|is_first| {
+                    let is_in = |lane: usize| (material[lane] == material[0]) == is_first;
+                    let nearness =
+                        core::array::from_fn(|lane| if is_in(lane) { nearness[lane] } else { 0.0 });
+                    Part::new(&fan, &nearness, &normals)
+                })
+            };
         }
     }
-}
-
-/// The least and the largest depth of the fragments, if there are any.
-fn depths(nearness: &[f32; LANES]) -> Option<(f32, f32)> {
-    let mut nearest = *nearness;
-    let mut farthest = nearness.map(|nearness| if nearness > 0.0 { nearness } else { f32::INFINITY });
-    // One half of the lanes against the other, as vector instructions want it.
-    let mut half = LANES / 2;
-    while half > 0 {
-        for lane in 0..half {
-            let (near, far) = (nearest[lane + half], farthest[lane + half]);
-            nearest[lane] = if near > nearest[lane] { near } else { nearest[lane] };
-            farthest[lane] = if far < farthest[lane] { far } else { farthest[lane] };
-        }
-        half /= 2;
-    }
-    (nearest[0] > 0.0).then(|| (1.0 / nearest[0], 1.0 / farthest[0]))
 }
 
 /// Where along their rays the fragments are; at the eye where there are none.

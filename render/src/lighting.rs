@@ -1,26 +1,33 @@
 //! The lighting pass: how much light arrives at each pixel, and how much of it the surface sends to the eye.
 
 use crate::{
-    gbuffer::{Block, LANES},
+    block::{Block, LANES},
+    bounds::Bounds,
+    directions::Directions,
+    filter::Filter,
+    part::Part,
     prepared::Prepared,
     scene::{Highlight, Material},
     shadows::Shadows,
 };
+use glam::Vec2;
 use luminaire::{
-    Arrival, CompiledLamp, Light as _, Matte, Plan, Rgb, Scalar, Shadow, Specular, Surface, Surfaces, Vec3,
+    Angle, Arrival, CompiledLamp, Light as _, Matte, Plan, Rgb, Scalar, Specular, Surface, Surfaces, Vec3,
 };
 
 /// The light that the pixels of a block send to the eye: linear, 1 is full scale.
 pub(crate) type Radiance = Rgb<[f32; LANES]>;
 
 /// Light at the pixels of a block.
-type Light<S> = Rgb<[<S as Scalar>::Irradiance; LANES]>;
+pub(crate) type Lights<S> = [<S as Scalar>::Irradiance; LANES];
 
 /// A material compiled for a format.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Finish<S: Scalar> {
     material: Material,
-    highlight: <Highlight as Specular>::Constants<S>,
+    pub(crate) highlight: <Highlight as Specular>::Constants<S>,
+    /// How far a direction is at most from the mirrored one in a highlight: the chord between the two.
+    pub(crate) lobe: f32,
 }
 
 /// What the lamps light: all that is the same for every block.
@@ -28,15 +35,54 @@ pub(crate) struct Finish<S: Scalar> {
 pub struct Setting<'a, S: Scalar> {
     pub(crate) plan: Plan,
     pub(crate) eye: Vec3<S::Length>,
+    /// The same, for what is asked about bounds.
+    pub(crate) viewpoint: glam::Vec3,
     pub(crate) ambient: Rgb<f32>,
     /// By number.
     pub(crate) finishes: &'a [Finish<S>],
     pub(crate) shadows: &'a Shadows<S>,
 }
 
+/// What a block is lit in, kept from block to block: clearing it for each would cost as much as a lamp.
+#[derive(Clone, Debug)]
+pub struct Workspace<S: Scalar> {
+    /// The numbers of the materials that shine.
+    shining: [u32; LANES],
+    /// Where the pixels of each are, and what encloses the directions to the eye that are mirrored there.
+    parts: [Option<(Bounds, Directions)>; LANES],
+    /// The directions to the eye, mirrored in the surfaces.
+    views: Vec3<[S::Unit; LANES]>,
+    /// What arrives of a lamp.
+    arrivals: Arrival<Lights<S>>,
+    /// The highlights of a lamp on several materials.
+    lobes: Lights<S>,
+    filter: Filter<S>,
+    /// What arrives of all lamps, and their highlights.
+    sums: Arrival<Rgb<Lights<S>>>,
+}
+
+impl<S: Scalar> Default for Workspace<S> {
+    fn default() -> Self {
+        let dark = [S::Irradiance::default(); LANES];
+        let sum = Rgb::new(dark, dark, dark);
+        Self {
+            shining: [0; LANES],
+            parts: [None; LANES],
+            views: Vec3::default().map(|()| [S::Unit::default(); LANES]),
+            arrivals: Arrival { diffuse: dark, specular: dark },
+            lobes: dark,
+            filter: Filter::default(),
+            sums: Arrival { diffuse: sum, specular: sum },
+        }
+    }
+}
+
 impl<S: Scalar> Finish<S> {
     pub(crate) fn new(material: Material) -> Self {
-        Self { material, highlight: Highlight::constants::<S>(material.shininess()) }
+        let shininess = material.shininess();
+        let end = Angle::from_versine(Highlight::end(shininess)).to_radians() / 2.0;
+        let lobe = 2.0 * Vec2::from_angle(end / 2.0).y;
+        Self { material, highlight: Highlight::constants::<S>(shininess), lobe }
     }
 
     pub(crate) fn material(&self) -> &Material {
@@ -45,113 +91,152 @@ impl<S: Scalar> Finish<S> {
 }
 
 impl<S: Scalar> Setting<'_, S> {
-    /// Lights the pixels of a block.
+    /// Lights the pixels of a block. Returns how many of the lamps were evaluated with a highlight.
     #[inline(always)]
-    pub(crate) fn light(&self, block: &Block<S>, lamps: &mut dyn Iterator<Item = &Prepared<S>>) -> Radiance {
-        let mut shining = [0; LANES];
-        match self.shining(block, &mut shining) {
-            [] => self.light_matte(block, lamps),
-            shining => self.light_shining(block, shining, lamps),
-        }
-    }
-
-    /// Lights a block of matt surfaces.
-    #[inline(always)]
-    fn light_matte(&self, block: &Block<S>, lamps: &mut dyn Iterator<Item = &Prepared<S>>) -> Radiance {
-        let dark = [S::Irradiance::default(); LANES];
-        let mut sum = self.ambient();
-        let mut arrivals = Arrival { diffuse: dark, specular: dark };
-        let no_view = [S::Unit::default(); LANES];
-        let surfaces = Surfaces {
-            point: borrowed(&block.point),
-            normal: borrowed(&block.normal),
-            view: Vec3::new(&no_view, &no_view, &no_view),
+    pub(crate) fn light(
+        &self,
+        block: &Block<S>,
+        lamps: &[&Prepared<S>],
+        work: &mut Workspace<S>,
+        radiance: &mut Radiance,
+    ) -> usize {
+        fill::<S>(&mut work.sums.diffuse, self.ambient.map(|channel| S::ONE.expose(S::gain(channel))));
+        let glints = match self.shining(block, &mut work.shining) {
+            0 => self.light_matte(block, lamps, work),
+            kinds => self.light_shining(block, kinds, lamps, work),
         };
-        for prepared in lamps {
-            self.arrive::<Matte>(&prepared.lamp, &surfaces, &(), &mut arrivals);
-            let Arrival { diffuse, specular } = &mut arrivals;
-            self.filter(prepared, block, [diffuse, specular]);
-            add::<S>(&mut sum, diffuse, prepared.lamp.color());
+        let Arrival { diffuse, specular } = &work.sums;
+        self.reflect(block, diffuse, |of| of.albedo, radiance, |sum, light| *sum = light);
+        if glints > 0 {
+            self.reflect(block, specular, |of| of.specular(), radiance, |sum, light| *sum += light);
         }
-        self.reflected(&sum, block, |material| material.albedo)
+        glints
     }
 
-    /// Lights a block with surfaces that shine, whose materials have these numbers.
+    /// Sums up what arrives at a block of matt surfaces. No lamp has a highlight there.
+    #[inline(always)]
+    fn light_matte(&self, block: &Block<S>, lamps: &[&Prepared<S>], work: &mut Workspace<S>) -> usize {
+        let Workspace { views, arrivals, filter, sums, .. } = work;
+        for lamp in lamps {
+            self.arrive::<Matte>(&lamp.lamp, &surfaces(block, views), &(), arrivals);
+            let Arrival { diffuse, specular } = arrivals;
+            if lamp.is_filtered() {
+                specular.fill(S::Irradiance::default());
+                filter.apply(lamp, self.shadows, block, [diffuse, specular]);
+            }
+            add::<S>(&mut sums.diffuse, diffuse, lamp.lamp.color());
+        }
+        0
+    }
+
+    /// Sums up what arrives at a block with surfaces that shine, of so many kinds. Returns how many of the lamps have a
+    /// highlight that the eye may see.
     #[inline(always)]
     fn light_shining(
         &self,
         block: &Block<S>,
-        shining: &[u32],
-        lamps: &mut dyn Iterator<Item = &Prepared<S>>,
-    ) -> Radiance {
-        let dark = [S::Irradiance::default(); LANES];
-        let (mut sum, mut shine) = (self.ambient(), Rgb::new(dark, dark, dark));
-        let mut arrivals = Arrival { diffuse: dark, specular: dark };
-        let view = self.views(block);
-        let surfaces = Surfaces {
-            point: borrowed(&block.point),
-            normal: borrowed(&block.normal),
-            view: borrowed(&view),
-        };
-        for prepared in lamps {
-            let mut lobes = dark;
-            for &number in shining {
-                let highlight = &self.finishes[number as usize].highlight;
-                self.arrive::<Highlight>(&prepared.lamp, &surfaces, highlight, &mut arrivals);
-                for (lane, lobe) in lobes.iter_mut().enumerate() {
-                    *lobe = if block.material[lane] == number { arrivals.specular[lane] } else { *lobe };
+        kinds: usize,
+        lamps: &[&Prepared<S>],
+        work: &mut Workspace<S>,
+    ) -> usize {
+        for (&number, part) in work.shining[..kinds].iter().zip(&mut work.parts) {
+            *part = self.mirrored(block, number);
+        }
+        let mut glints = 0;
+        for lamp in lamps {
+            let shines = self.arrive_shining(block, kinds, lamp, glints == 0, work);
+            let Workspace { arrivals: Arrival { diffuse, specular }, lobes, filter, sums, .. } = &mut *work;
+            let highlights = if block.is_uniform { specular } else { lobes };
+            if lamp.is_filtered() {
+                if !shines {
+                    highlights.fill(S::Irradiance::default());
                 }
+                filter.apply(lamp, self.shadows, block, [diffuse, highlights]);
             }
-            self.filter(prepared, block, [&mut arrivals.diffuse, &mut lobes]);
-            add::<S>(&mut sum, &arrivals.diffuse, prepared.lamp.color());
-            add::<S>(&mut shine, &lobes, prepared.lamp.specular_color());
+            add::<S>(&mut sums.diffuse, diffuse, lamp.lamp.color());
+            if shines {
+                glints += 1;
+                add::<S>(&mut sums.specular, highlights, lamp.lamp.specular_color());
+            }
         }
-        let diffuse = self.reflected(&sum, block, |material| material.albedo);
-        let specular = self.reflected(&shine, block, |material| material.specular());
-        diffuse.zip(specular, |a, b| core::array::from_fn(|lane| a[lane] + b[lane]))
+        glints
     }
 
-    /// The light that is everywhere.
+    /// Finds what arrives of a lamp, with the highlights that the eye may see: among the arrivals, or among the lobes where
+    /// the block has several materials. Returns whether there are any; for the first lamp that has, their sum is
+    /// begun.
     #[inline(always)]
-    fn ambient(&self) -> Light<S> {
-        self.ambient.map(|channel| [S::ONE.expose(S::gain(channel)); LANES])
-    }
-
-    /// Leaves of the light of a lamp what its pattern and its shadow leave of it.
-    #[inline(always)]
-    fn filter(&self, prepared: &Prepared<S>, block: &Block<S>, lights: [&mut [S::Irradiance; LANES]; 2]) {
-        let [diffuse, lobes] = lights;
-        if let Some(gobo) = &prepared.gobo {
-            filter::<S>([&mut *diffuse, &mut *lobes], block, |point| gobo.at(point));
-        }
-        if let Some(square) = prepared.shadow {
-            let none = Shadow::from_parts(square, 0, &[]);
-            let shadow = self.shadows.of(prepared.number).unwrap_or(none);
-            filter::<S>([diffuse, lobes], block, |point| shadow.visibility(point));
-        }
-    }
-
-    /// What the surfaces of a block send back of the light, each by a colour of its material.
-    #[inline(always)]
-    fn reflected(
+    fn arrive_shining(
         &self,
-        light: &Light<S>,
         block: &Block<S>,
+        kinds: usize,
+        lamp: &Prepared<S>,
+        is_first: bool,
+        work: &mut Workspace<S>,
+    ) -> bool {
+        let Workspace { shining, parts, views, arrivals, lobes, sums, .. } = work;
+        let dark = S::Irradiance::default();
+        let mut shines = false;
+        for (&number, part) in shining[..kinds].iter().zip(&*parts) {
+            let finish = &self.finishes[number as usize];
+            if self.misses_highlight(finish, part, lamp) {
+                continue;
+            }
+            if is_first && !shines {
+                self.look(block, views);
+                fill::<S>(&mut sums.specular, Rgb::new(dark, dark, dark));
+            }
+            self.arrive::<Highlight>(&lamp.lamp, &surfaces(block, views), &finish.highlight, arrivals);
+            if !block.is_uniform {
+                if !shines {
+                    lobes.fill(dark);
+                }
+                take_where(number, block, &arrivals.specular, lobes);
+            }
+            shines = true;
+        }
+        if !shines {
+            self.arrive::<Matte>(&lamp.lamp, &surfaces(block, views), &(), arrivals);
+        }
+        shines
+    }
+
+    /// Whether the highlight of a lamp on a surface of this finish surely misses the eye.
+    #[inline(always)]
+    fn misses_highlight(
+        &self,
+        finish: &Finish<S>,
+        mirrored: &Option<(Bounds, Directions)>,
+        lamp: &Prepared<S>,
+    ) -> bool {
+        let Some((bounds, mirrored)) = mirrored else { return false };
+        let Some(to_lamp) = lamp.reach.directions_from(bounds) else { return false };
+        self.plan.skips() && mirrored.are_apart(&to_lamp, finish.lobe)
+    }
+
+    /// Puts what the surfaces of a block send back of the light, each by a colour of its material, where it is sent.
+    #[inline(always)]
+    fn reflect(
+        &self,
+        block: &Block<S>,
+        light: &Rgb<Lights<S>>,
         color: impl Fn(&Material) -> Rgb<f32>,
-    ) -> Radiance {
-        let mut radiance = light.map(|channel| channel.map(S::light_to_f32));
+        radiance: &mut Radiance,
+        put: impl Fn(&mut f32, f32),
+    ) {
         let color = |number: u32| color(&self.finishes[number as usize].material);
-        if let Some(number) = block.only_material() {
-            let color = color(number);
-            return radiance.zip(color, |channel, color| channel.map(|light| light * color));
+        let mut reflect = |lane: usize, color: Rgb<f32>| {
+            put(&mut radiance.red[lane], S::light_to_f32(light.red[lane]) * color.red);
+            put(&mut radiance.green[lane], S::light_to_f32(light.green[lane]) * color.green);
+            put(&mut radiance.blue[lane], S::light_to_f32(light.blue[lane]) * color.blue);
+        };
+        match block.only_material() {
+            Some(number) => {
+                let color = color(number);
+                (0..LANES).for_each(|lane| reflect(lane, color));
+            }
+            None => (0..LANES).for_each(|lane| reflect(lane, color(block.material[lane]))),
         }
-        for (lane, &number) in block.material.iter().enumerate() {
-            let color = color(number);
-            radiance.red[lane] *= color.red;
-            radiance.green[lane] *= color.green;
-            radiance.blue[lane] *= color.blue;
-        }
-        radiance
     }
 
     /// What arrives of a lamp: by the loop that is made for it, or by none where nothing is left out.
@@ -161,7 +246,7 @@ impl<S: Scalar> Setting<'_, S> {
         lamp: &CompiledLamp<S>,
         surfaces: &Surfaces<'_, S, LANES>,
         highlight: &H::Constants<S>,
-        arrivals: &mut Arrival<[S::Irradiance; LANES]>,
+        arrivals: &mut Arrival<Lights<S>>,
     ) {
         if self.plan.skips() {
             return lamp.arrive_each::<H, LANES>(surfaces, highlight, arrivals);
@@ -173,9 +258,10 @@ impl<S: Scalar> Setting<'_, S> {
         }
     }
 
-    /// The numbers of the materials in a block that shine, each once; of all materials where nothing is left out.
+    /// Finds the numbers of the materials in a block that shine, each once; of all materials where nothing is left out.
+    /// Returns how many there are.
     #[inline(always)]
-    fn shining<'n>(&self, block: &Block<S>, numbers: &'n mut [u32; LANES]) -> &'n [u32] {
+    fn shining(&self, block: &Block<S>, numbers: &mut [u32; LANES]) -> usize {
         let shines = |number: u32| !self.plan.skips() || self.finishes[number as usize].material.shines();
         let mut count = 0;
         let mut note = |number: u32| {
@@ -188,13 +274,19 @@ impl<S: Scalar> Setting<'_, S> {
             Some(number) => note(number),
             None => block.material.iter().for_each(|&number| note(number)),
         }
-        &numbers[..count]
+        count
     }
 
-    /// The directions to the eye, mirrored in the surfaces.
+    /// What encloses the directions to the eye, mirrored in the surfaces.
     #[inline(always)]
-    fn views(&self, block: &Block<S>) -> Vec3<[S::Unit; LANES]> {
-        let mut views = Vec3::default().map(|()| [S::Unit::default(); LANES]);
+    fn mirrored(&self, block: &Block<S>, number: u32) -> Option<(Bounds, Directions)> {
+        let Part { bounds, normals } = block.part(number)?;
+        Some((bounds, Directions::towards(self.viewpoint, &bounds)?.mirrored(&normals)))
+    }
+
+    /// Finds the directions to the eye, mirrored in the surfaces.
+    #[inline(always)]
+    fn look(&self, block: &Block<S>, views: &mut Vec3<[S::Unit; LANES]>) {
         for lane in 0..LANES {
             let surface = Surface::<S>::seen_from(self.eye, block.point_at(lane), block.normal_at(lane));
             let view = S::mirror(surface.view, surface.normal);
@@ -202,39 +294,42 @@ impl<S: Scalar> Setting<'_, S> {
             views.y[lane] = view.y;
             views.z[lane] = view.z;
         }
-        views
     }
+}
+
+/// The surfaces of a block.
+fn surfaces<'a, S: Scalar>(block: &'a Block<S>, views: &'a Vec3<[S::Unit; LANES]>) -> Surfaces<'a, S, LANES> {
+    Surfaces { point: borrowed(&block.point), normal: borrowed(&block.normal), view: borrowed(views) }
 }
 
 fn borrowed<T>(columns: &Vec3<T>) -> Vec3<&T> {
     Vec3::new(&columns.x, &columns.y, &columns.z)
 }
 
-/// Leaves a part of the light at each point: where none arrives there is nothing to leave.
+/// Takes the lights at the pixels whose material has this number.
 #[inline(always)]
-fn filter<S: Scalar>(
-    [diffuse, lobes]: [&mut [S::Irradiance; LANES]; 2],
-    block: &Block<S>,
-    part: impl Fn(Vec3<S::Length>) -> S,
-) {
-    let dark = S::Irradiance::default();
-    for lane in 0..LANES {
-        if diffuse[lane] > dark || lobes[lane] > dark {
-            let part = part(block.point_at(lane));
-            diffuse[lane] = S::filter(diffuse[lane], part);
-            lobes[lane] = S::filter(lobes[lane], part);
-        }
+fn take_where<S: Scalar>(number: u32, block: &Block<S>, from: &[S::Irradiance], to: &mut Lights<S>) {
+    for ((to, &from), &material) in to.iter_mut().zip(from).zip(&block.material) {
+        *to = if material == number { from } else { *to };
     }
 }
 
-/// Adds the light of a lamp in its colour.
+/// Gives every pixel the same light.
 #[inline(always)]
-fn add<S: Scalar>(sum: &mut Light<S>, light: &[S::Irradiance; LANES], color: Rgb<S>) {
-    for (sum, color) in
-        [(&mut sum.red, color.red), (&mut sum.green, color.green), (&mut sum.blue, color.blue)]
-    {
-        for (sum, light) in sum.iter_mut().zip(light) {
-            *sum = S::add_light(*sum, S::filter(*light, color));
-        }
+fn fill<S: Scalar>(lights: &mut Rgb<Lights<S>>, light: Rgb<S::Irradiance>) {
+    lights.red.fill(light.red);
+    lights.green.fill(light.green);
+    lights.blue.fill(light.blue);
+}
+
+/// Adds the light of a lamp in its colour.
+#[inline(never)]
+fn add<S: Scalar>(sum: &mut Rgb<Lights<S>>, light: &Lights<S>, color: Rgb<S>) {
+    let Rgb { red, green, blue } = sum;
+    // All channels of a pixel at once: compilers would unroll shorter loops before they think of vector instructions.
+    for lane in 0..LANES {
+        red[lane] = S::add_light(red[lane], S::filter(light[lane], color.red));
+        green[lane] = S::add_light(green[lane], S::filter(light[lane], color.green));
+        blue[lane] = S::add_light(blue[lane], S::filter(light[lane], color.blue));
     }
 }

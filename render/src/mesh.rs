@@ -12,6 +12,8 @@ use glam::{Quat, Vec3};
 pub struct Mesh {
     vertices: Vec<Vertex>,
     triangles: Vec<[u32; 3]>,
+    /// Whether it is known to enclose what is behind its triangles.
+    is_closed: bool,
 }
 
 /// A corner of triangles.
@@ -49,6 +51,7 @@ impl Mesh {
                 })
             });
         }
+        mesh.is_closed = outline.encloses() && mesh.is_outwards();
         mesh
     }
 
@@ -83,6 +86,7 @@ impl Mesh {
         ] {
             mesh.parallelogram(corner, u, v);
         }
+        mesh.is_closed = mesh.is_outwards();
         mesh
     }
 
@@ -102,6 +106,7 @@ impl Mesh {
     /// The meshes as one.
     pub fn and(mut self, other: Self) -> Self {
         let first = self.vertices.len() as u32;
+        self.is_closed &= other.is_closed;
         self.vertices.extend(other.vertices);
         self.triangles.extend(other.triangles.into_iter().map(|triangle| triangle.map(|v| v + first)));
         self
@@ -120,6 +125,22 @@ impl Mesh {
     /// The triangles, as indices of vertices; their front sees them against the clock.
     pub(crate) fn triangles(&self) -> &[[u32; 3]] {
         &self.triangles
+    }
+
+    /// Whether the mesh encloses what is behind its triangles, so that whoever is outside of it sees no back of one
+    /// that the front of another does not hide.
+    pub(crate) fn is_closed(&self) -> bool {
+        self.is_closed
+    }
+
+    /// Whether what triangles without a gap enclose is behind them and not before them: by the volume of the
+    /// tetrahedra that they span with a vertex.
+    fn is_outwards(&self) -> bool {
+        let corner = |corner: u32| self.vertices[corner as usize].position;
+        let volume = |&[a, b, c]: &[u32; 3]| {
+            (corner(a) - corner(0)).dot((corner(b) - corner(0)).cross(corner(c) - corner(0)))
+        };
+        self.triangles.iter().map(volume).sum::<f32>() > 0.0
     }
 
     /// A parallelogram from a corner along two edges; its front is where `u` turns to `v` against the clock.
@@ -157,5 +178,32 @@ impl Mesh {
     fn mapped(mut self, f: impl Fn(Vertex) -> Vertex) -> Self {
         self.vertices.iter_mut().for_each(|vertex| *vertex = f(*vertex));
         self
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::solids::{capsule, column, cone, sphere, torus, vase};
+
+    #[test]
+    fn solids_are_closed() {
+        let solids = [sphere(0.5), torus(0.5, 0.2), cone(0.5, 1.0), capsule(0.2, 0.5), vase(), column()];
+        for solid in solids.into_iter().chain([Mesh::cuboid(1.0, 2.0, 3.0)]) {
+            assert!(solid.is_closed());
+            let turned = solid.turned(luminaire::Vec3::new(1.0, 0.0, 0.0), 1.0);
+            assert!(turned.moved(luminaire::Vec3::new(9.0, 0.0, 0.0)).is_closed());
+        }
+        assert!(sphere(0.5).and(cone(0.5, 1.0)).is_closed());
+    }
+
+    #[test]
+    fn what_has_a_border_or_shows_its_inside_is_open() {
+        let wall = Mesh::extrude(&Outline::start(0.0, 0.0).line_to(1.0, 0.0), 1.0, 1);
+        let tube = Mesh::lathe(&Outline::start(0.5, 0.0).line_to(0.5, 1.0), 48);
+        let hollow = Mesh::lathe(&Outline::start(0.0, 1.0).line_to(0.5, 0.0).line_to(0.0, 0.0), 48);
+        for open in [wall.clone(), tube, hollow, sphere(0.5).and(wall), Mesh::default()] {
+            assert!(!open.is_closed());
+        }
     }
 }

@@ -7,6 +7,9 @@ use glam::Vec2;
 /// crease.
 const CREASE: f32 = core::f32::consts::FRAC_1_SQRT_2;
 
+/// How near points are in one place, in metres.
+const JOINED: f32 = 1e-6;
+
 /// A plane curve, drawn as a pen would: from a point, along lines and curves.
 ///
 /// For a [lathe](crate::Mesh::lathe) the coordinates are radius and height. The surface is on the right of
@@ -60,6 +63,12 @@ impl Outline {
         self
     }
 
+    /// Whether what it sweeps on a lathe has no border: it ends where it began, or begins and ends on the axis.
+    pub(crate) fn encloses(&self) -> bool {
+        let Some((first, last)) = self.points.first().zip(self.points.last()) else { return false };
+        first.distance(*last) < JOINED || (first.x.abs() < JOINED && last.x.abs() < JOINED)
+    }
+
     /// Where the pen is.
     fn pen(&self) -> Vec2 {
         self.points.last().copied().unwrap_or_default()
@@ -71,11 +80,12 @@ impl Outline {
     pub(crate) fn strips(&self, mirrored: bool) -> impl Iterator<Item = [Station; 2]> + '_ {
         let normals = self.normals();
         let count = normals.len();
-        let closed = self.points.first().zip(self.points.last()).is_some_and(|(a, b)| a.distance(*b) < 1e-6);
+        let closed =
+            self.points.first().zip(self.points.last()).is_some_and(|(a, b)| a.distance(*b) < JOINED);
         (0..count).map(move |strip| {
             let normal = normals[strip];
             let beyond = |point: Vec2, end: usize| {
-                if mirrored && point.x.abs() < 1e-6 {
+                if mirrored && point.x.abs() < JOINED {
                     Vec2::new(-normal.x, normal.y)
                 } else if closed {
                     normals[end]

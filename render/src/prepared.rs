@@ -2,8 +2,8 @@
 
 use crate::{
     air::{Hazy, Way},
+    block::LANES,
     bounds::Reach,
-    gbuffer::LANES,
     lighting::Radiance,
     shadows::Shadows,
 };
@@ -51,6 +51,11 @@ impl<S: Scalar> Prepared<S> {
         let (gobo, reach) = (luminaire.compile_gobo()?, Reach::new(luminaire.lamp()));
         let hazy = haze.map(|haze| Hazy::new(luminaire.lamp(), &haze)).transpose()?.flatten();
         Ok(Some(Self { number, lamp, gobo, shadow, hazy, is_patterned, casts_shadow, reach }))
+    }
+
+    /// Whether there is anything in the way of the light.
+    pub(crate) fn is_filtered(&self) -> bool {
+        self.gobo.is_some() || self.shadow.is_some()
     }
 
     /// Whether there is a beam in haze.

@@ -1,7 +1,7 @@
 //! Triangles to fragments: exact coverage, and the nearest fragment of each pixel.
 
 use crate::{
-    gbuffer::LANES,
+    block::LANES,
     memory::filled,
     view::{Corner, SUBPIXEL_BITS},
 };
@@ -153,7 +153,8 @@ pub(crate) struct Line {
 impl Line {
     #[inline(always)]
     pub(crate) fn at(self, i: usize) -> f32 {
-        self.start + self.step * i as f32
+        // A signed number of 32 bits is what vector instructions convert.
+        self.start + self.step * (i as i32) as f32
     }
 }
 

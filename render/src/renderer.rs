@@ -2,13 +2,14 @@
 
 use crate::{
     account::Account,
+    block::LANES,
     camera::Camera,
     clip::{Sighting, clip_mesh},
     display::{CHANNELS, Display},
     error::DrawError,
     format::Format,
-    gbuffer::{GBuffer, LANES},
-    lighting::{Finish, Radiance},
+    gbuffer::GBuffer,
+    lighting::{Finish, Radiance, Workspace},
     memory::filled,
     raster::Fragments,
     reached::Reached,
@@ -51,6 +52,7 @@ pub struct Renderer<S: Format> {
     seen: Reached,
     shadows: Shadows<S>,
     account: Account,
+    workspace: Workspace<S>,
     sightings: Vec<Sighting>,
 }
 
@@ -90,6 +92,7 @@ impl<S: Format> Renderer<S> {
             seen: Reached::default(),
             shadows: Shadows::new(),
             account: Account::default(),
+            workspace: Workspace::default(),
             sightings: Vec::new(),
         };
         renderer.encode();

@@ -113,8 +113,13 @@ impl<S: Scalar> ShadowMap<S> {
             if view.misses(bounds) {
                 continue;
             }
+            // What is closed has a front before every back, except for a light within it.
+            let is_solid = object.mesh.is_closed() && view.is_before(bounds);
             clip_mesh(&view, &object.mesh, &mut self.sightings, |corners, visible| {
-                self.layer.draw(visible, || slope.within_texel(corners.map(Sighting::seen)));
+                let corners = corners.map(Sighting::seen);
+                if !(is_solid && slope.is_turned_away(corners)) {
+                    self.layer.draw(visible, || slope.within_texel(corners));
+                }
             });
         }
         let texel = 2.0 * tangent / self.side as f32;

@@ -1,6 +1,6 @@
 //! Tiles: rectangles of blocks that are lit, or left as they are, together.
 
-use crate::{bounds::Bounds, gbuffer::Block, memory::filled};
+use crate::{block::Block, bounds::Bounds, memory::filled};
 use alloc::{collections::TryReserveError, vec::Vec};
 use core::ops::Range;
 use luminaire::{Scalar, ViewBundle};

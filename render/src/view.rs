@@ -116,6 +116,11 @@ impl View {
             || [ahead + right, ahead - right, ahead + up, ahead - up].into_iter().any(is_beyond)
     }
 
+    /// Whether all within the bounds is before the eye, and none of it too near to be drawn.
+    pub(crate) fn is_before(&self, bounds: &Bounds) -> bool {
+        (bounds.center - self.eye).dot(self.ahead) > NEAR + bounds.radius
+    }
+
     /// The eye.
     pub(crate) fn eye(&self) -> Vec3 {
         self.eye

@@ -72,6 +72,9 @@ pub struct AccountState {
     pub pairs: f64,
     /// The pairs that were evaluated.
     pub evaluated: f64,
+    /// Those of them that were evaluated with a highlight.
+    #[wasm_bindgen(js_name = evaluatedShining)]
+    pub evaluated_shining: f64,
     /// The pairs of a beam and a pixel that were evaluated in the haze besides.
     #[wasm_bindgen(js_name = evaluatedInAir)]
     pub evaluated_in_air: f64,
@@ -82,7 +85,7 @@ pub struct AccountState {
     /// The pairs of a lamp and a tile that it does not reach.
     #[wasm_bindgen(js_name = missedByTile)]
     pub missed_by_tile: f64,
-    /// The pairs of a lamp and a row of pixels that it does not reach.
+    /// The pairs of a lamp and a row of pixels that it does not reach, or that faces away from it.
     #[wasm_bindgen(js_name = missedByRow)]
     pub missed_by_row: f64,
 }
@@ -104,6 +107,7 @@ impl From<Account> for AccountState {
             tiles_relit: account.tiles_relit.into(),
             pairs: account.pairs() as f64,
             evaluated: account.evaluated as f64,
+            evaluated_shining: account.evaluated_shining as f64,
             evaluated_in_air: account.evaluated_in_air as f64,
             dropped: account.dropped as f64,
             kept: account.kept as f64,

@@ -53,6 +53,7 @@ export class AccountTable {
     element("pairs").textContent = `of ${whole(pairs)}: ${whole(lamps)} × ${whole(pixels)}`;
     element("lamps").textContent = `${whole(this.#mean("lampsDropped"))} of ${whole(lamps)}`;
     element("triangles").textContent = whole(this.#mean("triangles"));
+    element("shining").textContent = `${(this.#mean("evaluatedShining") / pixels).toFixed(2)} a pixel`;
     element("air").textContent = `${(this.#mean("evaluatedInAir") / pixels).toFixed(2)} a pixel`;
     element("tiles").textContent = `${whole(this.#mean("tilesRelit"))} of ${whole(this.#mean("tiles"))}`;
   }

@@ -1,7 +1,7 @@
 //! The light of a picture: which tiles must be lit again, and by which lamps.
 
 use super::Renderer;
-use crate::{account::Account, air, format::Format, gbuffer::LANES, lighting::Setting, prepared::Prepared};
+use crate::{account::Account, air, block::LANES, format::Format, lighting::Setting, prepared::Prepared};
 use alloc::vec::Vec;
 use luminaire::{Error, Haze, Luminaire, Plan};
 
@@ -83,28 +83,25 @@ impl<S: Format> Renderer<S> {
         self.tiles.tiles[tile].is_encoded = false;
         self.account.tiles_relit += 1;
         let (finishes, shadows) = (&self.finishes, &self.shadows);
-        let setting = Setting { plan, eye: self.eye, ambient: self.ambient, finishes, shadows };
-        let lamps = self.reached.lamps(tile).filter_map(|lamp| prepared[lamp].as_ref());
-        let seen = self.seen.lamps(tile).filter_map(|lamp| prepared[lamp].as_ref());
-        let (reached, seen_count) = (lamps.clone().count(), seen.clone().count());
+        let viewpoint = self.view.as_ref().map_or(glam::Vec3::ZERO, |view| view.eye());
+        let setting = Setting { plan, eye: self.eye, viewpoint, ambient: self.ambient, finishes, shadows };
+        let lamps: Vec<_> = self.reached.lamps(tile).filter_map(|lamp| prepared[lamp].as_ref()).collect();
+        let seen: Vec<_> = self.seen.lamps(tile).filter_map(|lamp| prepared[lamp].as_ref()).collect();
+        let mut reaching = Vec::with_capacity(lamps.len());
         for block in self.tiles.blocks(tile) {
             let geometry = &self.geometry.blocks[block];
-            let is_missed = |lamp: &&Prepared<S>| match &geometry.bounds {
-                Some(bounds) => lamp.reach.misses(bounds),
-                None => true,
-            };
-            let mut evaluated = 0_usize;
-            let reaching = lamps.clone().filter(|lamp| !(plan.skips() && is_missed(lamp)));
+            reaching.clear();
+            reaching.extend(lamps.iter().filter(|lamp| !(plan.skips() && geometry.is_missed(&lamp.reach))));
             let radiance = &mut self.radiance[block];
-            *radiance = S::light(&setting, geometry, &mut reaching.inspect(|_| evaluated += 1));
-            self.evaluated[block] = evaluated.try_into().unwrap_or(u16::MAX);
+            let shining = S::light(&setting, geometry, &reaching, &mut self.workspace, radiance);
+            self.evaluated[block] = reaching.len().try_into().unwrap_or(u16::MAX);
             let (row, column) = (block / self.geometry.columns, block % self.geometry.columns);
             let pixels = LANES.min(self.width - column * LANES);
-            self.account.enter(pixels, reached, evaluated);
-            if let Some(view) = self.view.as_ref().filter(|_| seen_count > 0) {
+            self.account.enter(pixels, lamps.len(), reaching.len(), shining);
+            if let Some(view) = self.view.as_ref().filter(|_| !seen.is_empty()) {
                 let rays = air::rays(view, &self.fragments, row, column);
-                seen.clone().for_each(|lamp| lamp.scatter(&rays, &self.shadows, radiance));
-                self.account.evaluated_in_air += (pixels * seen_count) as u64;
+                seen.iter().for_each(|lamp| lamp.scatter(&rays, &self.shadows, radiance));
+                self.account.evaluated_in_air += (pixels * seen.len()) as u64;
             }
         }
     }

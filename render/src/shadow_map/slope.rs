@@ -14,6 +14,10 @@ const CORNER_ERROR: f32 = 1.0 / 256.0;
 /// How far off a nearness may be that is interpolated along a span, as a part of the largest of its triangle.
 const ROUNDING: f32 = 1e-6;
 
+/// The cosine under which a back is drawn, because it may be needed around an outline. With it the examples' pictures differ
+/// from those of all backs in two pixels, by 8 codes at most; with none of them the outlines of shadows are ragged.
+const EDGE_ON: f32 = 0.4;
+
 /// How far off the place of a point may be, in sides of the square; `tests/support/squares.rs` has what is
 /// measured.
 fn place_error<S: Scalar>(tangent: f32) -> f32 {
@@ -39,6 +43,16 @@ impl Slope {
     pub(super) fn new<S: Scalar>(tangent: f32, side: usize) -> Self {
         let texels = (1.0 + CORNER_ERROR) / side as f32;
         Self { tangent, reach: 2.0 * (texels + place_error::<S>(tangent)) }
+    }
+
+    /// Whether the light sees the back of a triangle, and by far not edge-on: around the outline of a solid its backs fill the
+    /// texels that its fronts leave for being too steep.
+    pub(super) fn is_turned_away(&self, corners: [&Seen; 3]) -> bool {
+        let [a, b, c] =
+            corners.map(|seen| Vec3::new(seen.x * self.tangent, seen.y * self.tangent, seen.depth));
+        let normal = (b - a).cross(c - a);
+        let height = normal.dot(a);
+        height < 0.0 && height * height > EDGE_ON * EDGE_ON * normal.length_squared() * a.length_squared()
     }
 
     /// By how much the nearness along the plane of a triangle may be less than in the middle of a texel that

@@ -1,0 +1,72 @@
+//! A block of pixels: what is lit at once.
+
+use crate::{
+    bounds::{Bounds, Reach},
+    part::Part,
+};
+use luminaire::{Scalar, Vec3};
+
+/// How many pixels of a row make a block.
+pub(crate) const LANES: usize = 32;
+
+/// Some neighbouring pixels of a row, each quantity in an array of its own, as vector instructions want it.
+#[derive(Clone, Copy, Debug)]
+pub struct Block<S: Scalar> {
+    pub(crate) point: Vec3<[S::Length; LANES]>,
+    /// Of unit length; zero where nothing was drawn, so that no light arrives there.
+    pub(crate) normal: Vec3<[S; LANES]>,
+    /// The number of the material; 0 where nothing was drawn.
+    pub(crate) material: [u32; LANES],
+    /// Whether it is the same everywhere.
+    pub(crate) is_uniform: bool,
+    /// What encloses the points; nothing if nothing was drawn.
+    pub(crate) bounds: Option<Bounds>,
+    /// The pixels of the first one's material and those of any other, if there are any: at the outline of an object what is
+    /// near and what is far are told apart.
+    pub(crate) parts: [Option<Part>; 2],
+}
+
+impl<S: Scalar> Block<S> {
+    /// A block in which nothing was drawn.
+    pub(crate) fn empty() -> Self {
+        Self {
+            point: Vec3::default().map(|()| [S::Length::default(); LANES]),
+            normal: Vec3::default().map(|()| [S::ZERO; LANES]),
+            material: [0; LANES],
+            is_uniform: true,
+            bounds: None,
+            parts: [None; 2],
+        }
+    }
+
+    /// The number of the material, if all pixels have the same.
+    #[inline(always)]
+    pub(crate) fn only_material(&self) -> Option<u32> {
+        self.is_uniform.then_some(self.material[0])
+    }
+
+    /// A part with all pixels of a material, and perhaps with others.
+    pub(crate) fn part(&self, number: u32) -> Option<Part> {
+        self.parts[usize::from(number != self.material[0])]
+    }
+
+    /// Whether no light of a lamp arrives at any pixel, for certain.
+    pub(crate) fn is_missed(&self, reach: &Reach) -> bool {
+        self.parts
+            .iter()
+            .flatten()
+            .all(|part| reach.is_behind(&part.bounds, &part.normals) || reach.misses(&part.bounds))
+    }
+
+    /// The point of a pixel.
+    #[inline(always)]
+    pub(crate) fn point_at(&self, lane: usize) -> Vec3<S::Length> {
+        Vec3::new(self.point.x[lane], self.point.y[lane], self.point.z[lane])
+    }
+
+    /// The normal of a pixel.
+    #[inline(always)]
+    pub(crate) fn normal_at(&self, lane: usize) -> Vec3<S> {
+        Vec3::new(self.normal.x[lane], self.normal.y[lane], self.normal.z[lane])
+    }
+}

@@ -1,0 +1,73 @@
+//! What is in the way of a lamp's light: its pattern, and what throws shadows.
+
+use crate::{
+    block::{Block, LANES},
+    lighting::Lights,
+    prepared::Prepared,
+    shadows::Shadows,
+};
+use luminaire::{CompiledProjection, Place, Scalar, Shadow};
+
+/// Leaves of light what its way leaves of it. It keeps where the points of a block are on the square of a lamp, each
+/// quantity in an array of its own.
+#[derive(Clone, Debug)]
+pub(crate) struct Filter<S: Scalar> {
+    column: [i32; LANES],
+    row: [i32; LANES],
+    depth: [S::Length; LANES],
+}
+
+impl<S: Scalar> Default for Filter<S> {
+    fn default() -> Self {
+        Self { column: [0; LANES], row: [0; LANES], depth: [S::Length::default(); LANES] }
+    }
+}
+
+impl<S: Scalar> Filter<S> {
+    /// Leaves of the light of a lamp on a block, and of its highlights, what its pattern and its shadow leave of it.
+    #[inline(never)]
+    pub(crate) fn apply(
+        &mut self,
+        lamp: &Prepared<S>,
+        shadows: &Shadows<S>,
+        block: &Block<S>,
+        [diffuse, specular]: [&mut Lights<S>; 2],
+    ) {
+        if let Some(gobo) = &lamp.gobo {
+            self.find(gobo.projection(), block);
+            self.leave([&mut *diffuse, &mut *specular], |place| gobo.gobo().transmission(&place));
+        }
+        if let Some(square) = &lamp.shadow {
+            self.find(square, block);
+            let none = Shadow::from_parts(*square, 0, &[]);
+            let shadow = shadows.of(lamp.number).unwrap_or(none);
+            self.leave([diffuse, specular], |place| shadow.at(&place));
+        }
+    }
+
+    /// Finds the places of all points, lit or not, as vector instructions want it.
+    #[inline(never)]
+    fn find(&mut self, square: &CompiledProjection<S>, block: &Block<S>) {
+        let Self { column, row, depth } = self;
+        for lane in 0..LANES {
+            let place = square.place(block.point_at(lane));
+            column[lane] = place.column;
+            row[lane] = place.row;
+            depth[lane] = place.depth;
+        }
+    }
+
+    /// Leaves a part of the light at each place: where none arrives there is nothing to leave.
+    #[inline(always)]
+    fn leave(&self, [diffuse, specular]: [&mut Lights<S>; 2], part: impl Fn(Place<S>) -> S) {
+        let dark = S::Irradiance::default();
+        for lane in 0..LANES {
+            if diffuse[lane] > dark || specular[lane] > dark {
+                let part =
+                    part(Place { column: self.column[lane], row: self.row[lane], depth: self.depth[lane] });
+                diffuse[lane] = S::filter(diffuse[lane], part);
+                specular[lane] = S::filter(specular[lane], part);
+            }
+        }
+    }
+}
