@@ -1,6 +1,6 @@
 //! The way from light to the codes of a display.
 
-use luminaire::{Exposure, Rgb, Rgb565, decode_srgb, encode_srgb};
+use luminaire::{Exposure, Rgb, Rgb565, decode_srgb, encode_srgb, encode_srgb_dithered};
 
 use crate::case::{Case, Outcome};
 use crate::word::Format;
@@ -37,6 +37,22 @@ pub(super) fn srgb<S: Format>(case: &mut Case<'_>) -> Outcome {
 pub(super) fn rgb565<S: Format>(case: &mut Case<'_>) -> Outcome {
     let color = case.normal::<S>("linear");
     case.give(Rgb565::from_linear(Rgb::new(color.x, color.y, color.z)).0);
+    Ok(())
+}
+
+/// The dithered code of a linear value in a pixel.
+pub(super) fn srgb_dithered<S: Format>(case: &mut Case<'_>) -> Outcome {
+    let linear = case.scalar::<S>("linear");
+    let (column, row) = (case.whole("column"), case.whole("row"));
+    case.give(encode_srgb_dithered(linear, column, row));
+    Ok(())
+}
+
+/// The dithered pixel of a linear colour.
+pub(super) fn rgb565_dithered<S: Format>(case: &mut Case<'_>) -> Outcome {
+    let color = case.normal::<S>("linear");
+    let (column, row) = (case.whole("column"), case.whole("row"));
+    case.give(Rgb565::from_linear_dithered(Rgb::new(color.x, color.y, color.z), column, row).0);
     Ok(())
 }
 

@@ -1,5 +1,6 @@
 //! Every model, as a function of a case.
 
+mod beam;
 mod display;
 mod falloff;
 mod light;
@@ -132,6 +133,10 @@ pub static MODELS: &[Model] = &[
     each!("point hard-range", S, case => {
         light::point::<S, _>(case, |case| HardRange::new(Unattenuated, Some(range(case))))
     }),
+    each!("place", S, case => beam::place::<S>(case)),
+    each!("gobo", S, case => beam::gobo::<S>(case)),
+    each!("shadow", S, case => beam::shadow::<S>(case)),
+    once!("air-light", case => beam::air_light(case)),
     each!("directional", S, case => light::directional::<S>(case)),
     each!("ambient", S, case => light::ambient::<S>(case)),
     each!("reflect matte", S, case => material::reflect::<S, _>(case, Matte)),
@@ -148,6 +153,8 @@ pub static MODELS: &[Model] = &[
     each!("keep-hue", S, case => display::keep_hue::<S>(case)),
     each!("srgb", S, case => display::srgb::<S>(case)),
     each!("rgb565", S, case => display::rgb565::<S>(case)),
+    each!("srgb-dithered", S, case => display::srgb_dithered::<S>(case)),
+    each!("rgb565-dithered", S, case => display::rgb565_dithered::<S>(case)),
     once!("decode-srgb", case => display::decode(case)),
     each!("convert", S, case => seam::convert::<S>(case)),
     each!("arithmetic", S, case => seam::arithmetic::<S>(case)),

@@ -51,7 +51,18 @@ impl Scene {
         scene.set("shininess", libm::floor(libm::exp(random.between(0.0, libm::log(1024.0)))));
         scene.set("code", random.below(256) as f64);
         scene.set("number", random.between(-3.0, 3.0));
+        scene.set_beam(&mut Random(random.0 ^ 0x6265_616d));
         scene
+    }
+
+    /// What is in the beam, and the pixel that it is seen in.
+    fn set_beam(&mut self, random: &mut Random) {
+        // Every third one is a quarter of a turn, which is exact.
+        let roll = random.between(-180.0, 180.0);
+        self.set("roll", if random.below(3) == 0 { 90.0 * libm::floor(roll / 90.0) } else { roll });
+        self.set("density", libm::exp(random.between(-6.0, -1.0)));
+        self.set("column", random.below(1_000) as f64);
+        self.set("row", random.below(1_000) as f64);
     }
 
     /// A value by its name.

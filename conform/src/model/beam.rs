@@ -1,0 +1,67 @@
+//! What is in the beam of a spotlight: patterns, shadows and haze.
+
+use luminaire::{
+    Angle, CompiledProjection, Error, Gobo, Haze, Projection, Shadow, Soft, Spot, Vec3, ViewRay,
+};
+
+use super::falloff::Description;
+use crate::case::{Case, Outcome};
+use crate::word::Format;
+
+/// The transmissions of the gobo.
+const GOBO: Gobo<'static> =
+    Gobo::of(&[[0, 255, 128, 1], [254, 60, 90, 200], [17, 17, 255, 255], [3, 180, 0, 99]]);
+
+/// The depths of the shadow map, in metres: nine texels.
+const DEPTHS: [f32; 9] = [0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 3.0, 0.0, 32.0];
+
+/// The square of a soft spotlight and a point, which all of them ask for.
+fn square<S: Format>(case: &mut Case<'_>) -> (Result<CompiledProjection<S>, Error>, Vec3<S::Length>) {
+    let description = Description::of(case, |_| Ok(Soft));
+    let (position, axis, roll) = (case.vector("position"), case.vector("axis"), case.number("roll"));
+    let point = case.point::<S>("point");
+    let square = || {
+        let spot = Spot::new(position, axis, description.cone()?)?;
+        Projection::of(&spot)?.turned(Angle::degrees(roll))?.compile::<S>()
+    };
+    (square(), point)
+}
+
+/// Column, row and depth of a point.
+pub(super) fn place<S: Format>(case: &mut Case<'_>) -> Outcome {
+    let (square, point) = square::<S>(case);
+    let place = square?.place(point);
+    case.give(place.column.cast_unsigned());
+    case.give(place.row.cast_unsigned());
+    case.give(place.depth);
+    Ok(())
+}
+
+/// What a gobo leaves of the light.
+pub(super) fn gobo<S: Format>(case: &mut Case<'_>) -> Outcome {
+    let (square, point) = square::<S>(case);
+    case.give(GOBO.on(square?).at(point));
+    Ok(())
+}
+
+/// What a shadow leaves of the light.
+pub(super) fn shadow<S: Format>(case: &mut Case<'_>) -> Outcome {
+    let (square, point) = square::<S>(case);
+    let depths = DEPTHS.map(S::length);
+    case.give(Shadow::new(square?, 3, &depths)?.visibility(point));
+    Ok(())
+}
+
+/// What haze shows of the beam between an eye and a surface, and of the whole beam in that direction.
+pub(super) fn air_light(case: &mut Case<'_>) -> Outcome {
+    let description = Description::of(case, |_| Ok(Soft));
+    let (position, axis, intensity) =
+        (case.vector("position"), case.vector("axis"), case.number("intensity"));
+    let (eye, surface, density) = (case.vector("eye"), case.vector("point"), case.number("density"));
+    let spot = Spot::new(position, axis, description.cone()?)?.with_intensity(intensity)?;
+    let beam = spot.compile::<f32>()?.in_haze(&Haze::new(density)?);
+    let ray = ViewRay::between(eye, surface);
+    case.give(beam.air_light(&ray));
+    case.give(beam.air_light(&ViewRay::endless(eye, ray.direction)));
+    Ok(())
+}
