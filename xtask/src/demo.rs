@@ -4,13 +4,13 @@ use std::fs;
 use std::path::Path;
 
 use anyhow::{Context, Result, ensure};
-use serde_json::Value;
 
 use crate::arguments::{DemoOptions, Size};
-use crate::browser::Chromium;
+use crate::browser::{Chromium, Page};
 use crate::progress::Progress;
 use crate::server::{self, Server};
 use crate::site;
+use crate::turntable::{self, Frame, LOADS, Load};
 
 const PORT: u16 = 8080;
 
@@ -46,8 +46,8 @@ pub(crate) fn check(chromium: &mut Chromium, address: &str, screenshot: Option<&
     let measured = page.ask(&format!("luminaire.measure({FRAMES})"))?;
     ensure!(page.lit_share()? > 0.0, "the page drew nothing: every pixel is black");
     ensure!(page.holds("luminaire.scenes?.isLit ?? true")?, "the scene is black at every pixel");
-    let scene =
-        page.ask(&format!("luminaire.scenes && luminaire.measureScene(luminaire.scenes.example, {FRAMES})"))?;
+    let scene = page.ask("luminaire.scenes?.example ?? null")?;
+    let scene = scene.as_str().map(|scene| frames(&mut page, scene)).transpose()?;
     page.must_be_content()?;
     if let Some(file) = screenshot {
         page.settle()?;
@@ -67,20 +67,26 @@ pub(crate) fn check(chromium: &mut Chromium, address: &str, screenshot: Option<&
         number("lightingMs")?,
         number("frameMs")?,
     );
-    Ok(if scene.is_null() { stage } else { format!("{stage}; {}", of_scene(&scene)) })
+    Ok(scene.map_or(stage.clone(), |scene| format!("{stage}; {scene}")))
 }
 
-/// What a scene has cost, in words.
-fn of_scene(measured: &Value) -> String {
-    let of = |camera: &str| {
-        let time = |pass: &str| measured[camera][pass].as_f64();
-        match (time("lightingMs"), time("frameMs")) {
-            (Some(lighting), Some(frame)) => format!("lighting {lighting:.2} ms, frame {frame:.2} ms"),
-            _ => "nothing moves".to_owned(),
+/// What frames of a scene take, in words: of the turntable under each of its loads.
+fn frames(page: &mut Page, scene: &str) -> Result<String> {
+    if scene != turntable::SCENE {
+        return Ok(format!("{scene}: {}", in_words(turntable::frame(page, scene, FRAMES, "{}")?)));
+    }
+    let load = |load: &Load| Ok(format!("{}: {}", load.name, in_words(load.time(page, FRAMES)?)));
+    Ok(format!("{scene}: {}", LOADS.iter().map(load).collect::<Result<Vec<_>>>()?.join("; ")))
+}
+
+fn in_words(frame: Frame) -> String {
+    match frame {
+        Frame { at_rest: Some(at_rest), moving: Some(moving) } => {
+            format!("{at_rest:.2} ms a frame, {moving:.2} ms with a moving camera")
         }
-    };
-    let (at_rest, moving) = (of("cameraAtRest"), of("cameraMoving"));
-    format!("{}: {at_rest}; with a moving camera {moving}", measured["scene"].as_str().unwrap_or("a scene"))
+        Frame { moving: Some(moving), .. } => format!("{moving:.2} ms a frame with a moving camera"),
+        _ => "nothing moves".to_owned(),
+    }
 }
 
 fn address(server: &Server, options: &DemoOptions) -> String {

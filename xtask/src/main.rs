@@ -20,6 +20,7 @@ mod suite;
 mod tally;
 mod test;
 mod toolchain;
+mod turntable;
 mod wasm;
 
 use std::process::ExitCode;

@@ -10,6 +10,7 @@ use crate::browser::{Chromium, Page};
 use crate::progress::Progress;
 use crate::server::{self, Server};
 use crate::site;
+use crate::turntable::{self, LOADS, Load};
 
 /// The times of a browser, which nothing is held to.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -17,6 +18,15 @@ pub(super) struct Browser {
     pub(super) runs_on: String,
     /// By the name of the effect.
     pub(super) frames: BTreeMap<String, Frame>,
+    /// Of the turntable, by the name of its load.
+    pub(super) loads: BTreeMap<String, Whole>,
+}
+
+/// What a whole frame takes, in milliseconds.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub(super) struct Whole {
+    pub(super) at_rest_ms: f64,
+    pub(super) moving_ms: f64,
 }
 
 /// What a frame takes, in milliseconds.
@@ -70,16 +80,31 @@ pub(super) fn time(progress: &Progress) -> Result<Browser> {
         let frame = Frame { scene: trial.scene.to_owned(), with_ms, without_ms };
         frames.insert(trial.effect.name().to_owned(), frame);
     }
+    let loads = LOADS.iter().map(|load| Ok((load.name.to_owned(), whole(&mut page, load)?)));
+    let loads = loads.collect::<Result<_>>()?;
     page.must_be_content()?;
     step.done();
-    Ok(Browser { runs_on, frames })
+    Ok(Browser { runs_on, frames, loads })
+}
+
+/// The turntable under a load, in the quickest round.
+fn whole(page: &mut Page, load: &Load) -> Result<Whole> {
+    let mut best = [f64::INFINITY; 2];
+    for _ in 0..ROUNDS {
+        let turntable::Frame { at_rest, moving } = load.time(page, FRAMES)?;
+        let round = [at_rest, moving].map(|time| time.with_context(|| format!("{} has no frame", load.name)));
+        for (best, time) in best.iter_mut().zip(round) {
+            *best = best.min(time?);
+        }
+    }
+    let [at_rest_ms, moving_ms] = best.map(hundredths);
+    Ok(Whole { at_rest_ms, moving_ms })
 }
 
 /// A frame while the lamps move and the camera is at rest.
 fn frame(page: &mut Page, scene: &str, options: &str) -> Result<f64> {
-    let found = page.ask(&format!("luminaire.measureScene('{scene}', {FRAMES}, {options})"))?;
-    let time = found["cameraAtRest"]["frameMs"].as_f64();
-    time.with_context(|| format!("the page has no time of {scene} with {options}: {found}"))
+    let time = turntable::frame(page, scene, FRAMES, options)?.at_rest;
+    time.with_context(|| format!("the page has no time of {scene} with {options}"))
 }
 
 fn hundredths(value: f64) -> f64 {

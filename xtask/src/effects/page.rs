@@ -3,11 +3,12 @@
 use anyhow::{Context, Result};
 use luminaire::Effect;
 
-use super::browser::{Browser, Frame};
+use super::browser::{Browser, Frame, Whole};
 use super::catalogue::{Entry, GROUPS, Group, UNPRICED};
 use super::prices::STANDS;
 use super::record::{Price, Prices, Record};
 use crate::firmware::Board;
+use crate::turntable::LOADS;
 
 const INTRODUCTION: &str = "\
 # What effects cost
@@ -71,6 +72,13 @@ fn frames(browser: &Browser) -> String {
             let adds = with_ms - without_ms;
             text +=
                 &format!("| {} | `{scene}` | {with_ms:.1} | {without_ms:.1} | {adds:+.1} |\n", effect.name());
+        }
+    }
+    text += "\nWhole frames of `turntable`, whose spotlights all move and whose surfaces all shine:\n\n\
+             | load | camera at rest | camera moving |\n|---|---:|---:|\n";
+    for load in &LOADS {
+        if let Some(Whole { at_rest_ms, moving_ms }) = browser.loads.get(load.name) {
+            text += &format!("| {} | {at_rest_ms:.1} | {moving_ms:.1} |\n", load.name);
         }
     }
     text
@@ -161,8 +169,11 @@ mod tests {
         assert!(!write(&record).unwrap().contains("browser"));
         let frame = Frame { scene: "show".to_owned(), with_ms: 12.25, without_ms: 10.0 };
         let frames = [("haze".to_owned(), frame)].into();
-        record.browser = Some(Browser { runs_on: "Chromium 1".to_owned(), frames });
-        assert!(write(&record).unwrap().contains("| haze | `show` | 12.2 | 10.0 | +2.2 |"));
+        let loads = [("8 spots".to_owned(), Whole { at_rest_ms: 10.0, moving_ms: 20.06 })].into();
+        record.browser = Some(Browser { runs_on: "Chromium 1".to_owned(), frames, loads });
+        let text = write(&record).unwrap();
+        assert!(text.contains("| haze | `show` | 12.2 | 10.0 | +2.2 |"));
+        assert!(text.contains("| 8 spots | 10.0 | 20.1 |"));
     }
 
     #[test]

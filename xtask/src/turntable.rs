@@ -1,0 +1,44 @@
+//! Timing whole frames in a browser: the scene that is made for it, under each of its loads.
+
+use anyhow::Result;
+
+use crate::browser::Page;
+
+/// The name of the scene.
+pub(crate) const SCENE: &str = "turntable";
+
+/// What hangs above the turntable.
+pub(crate) struct Load {
+    pub(crate) name: &'static str,
+    /// What is asked of the page's meter for it.
+    options: &'static str,
+}
+
+/// The loads, from the least to the largest.
+pub(crate) static LOADS: [Load; 3] = [
+    Load { name: "8 spots", options: "{}" },
+    Load { name: "4 spots, shadow maps of 512", options: "{ spots: 4, shadows: 512 }" },
+    Load { name: "32 spots", options: "{ spots: 32 }" },
+];
+
+/// The median of so many frames, in milliseconds; nothing where nothing was drawn.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Frame {
+    pub(crate) at_rest: Option<f64>,
+    /// With a camera that turns, so that the geometry is drawn anew.
+    pub(crate) moving: Option<f64>,
+}
+
+impl Load {
+    /// Draws the turntable under the load.
+    pub(crate) fn time(&self, page: &mut Page, frames: u32) -> Result<Frame> {
+        frame(page, SCENE, frames, self.options)
+    }
+}
+
+/// Draws any scene, with options of the page's meter.
+pub(crate) fn frame(page: &mut Page, scene: &str, frames: u32, options: &str) -> Result<Frame> {
+    let found = page.ask(&format!("luminaire.measureScene('{scene}', {frames}, {options})"))?;
+    let time = |camera: &str| found[camera]["frameMs"].as_f64();
+    Ok(Frame { at_rest: time("cameraAtRest"), moving: time("cameraMoving") })
+}
