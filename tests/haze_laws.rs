@@ -303,8 +303,8 @@ fn assert_meets<A: Attenuation>(attenuation: A, least_rejected: f64) {
 
 #[test]
 fn no_bundle_with_a_lit_ray_is_rejected() {
-    assert_meets(InverseSquare, 0.6);
-    assert_meets(SquaredWindow::new(Some(3.0)).expect("a sound range"), 0.57);
+    assert_meets(InverseSquare, 0.72);
+    assert_meets(SquaredWindow::new(Some(3.0)).expect("a sound range"), 0.65);
 }
 
 #[test]

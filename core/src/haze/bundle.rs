@@ -59,22 +59,14 @@ impl Cap {
     /// The normal of the plane that touches the cap on the side of a direction; it points away from the
     /// cap.
     fn outward(&self, side: Vec3<f32>) -> Vec3<f32> {
-        let along = side.dot(self.axis);
-        let across = unit(side.zip(self.axis, |s, a| s - along * a));
-        across.zip(self.axis, |c, a| self.cosine * c - self.sine * a)
+        unit(across(side, self.axis)).zip(self.axis, |c, a| self.cosine * c - self.sine * a)
     }
+}
 
-    /// The normals of the two planes through a direction that touch the cap, pointing to its side.
-    fn tangents(&self, through: Vec3<f32>) -> [Vec3<f32>; 2] {
-        let normal = cross(through, self.axis);
-        let squared = normal.dot(normal);
-        // In the plane of the two directions at a right angle with the one and at the sine with the other.
-        let lean = self.sine / squared;
-        let within = through.zip(self.axis, |t, a| lean * (a - through.dot(self.axis) * t));
-        let beside = trig::sqrt(positive(1.0 - lean * self.sine));
-        let normal = unit(normal).map(|c| beside * c);
-        [within.zip(normal, |w, n| w + n), within.zip(normal, |w, n| w - n)]
-    }
+/// The part of a vector at a right angle with a unit vector.
+fn across(v: Vec3<f32>, axis: Vec3<f32>) -> Vec3<f32> {
+    let along = v.dot(axis);
+    v.zip(axis, |v, a| v - along * a)
 }
 
 fn unit(v: Vec3<f32>) -> Vec3<f32> {
@@ -93,7 +85,8 @@ impl<P: Profile, A: Attenuation> HazyBeam<P, A> {
     /// The answer is no where a plane through the lamp has the beam on one side and the rays on the other,
     /// or all rays are beyond a plane at the light's range. The margin is some hundred roundings of the
     /// distances, more than this test and the evaluation have together. The planes that might serve are
-    /// those that touch beam or bundle. Each is tried as it has come out of its construction, whose
+    /// those that touch beam or bundle: a ray beside the beam is told by one that touches the beam between where the
+    /// ray begins and where it ends, seen along the axis. Each is tried as it has come out of its construction, whose
     /// roundings can lose a no and cannot make one.
     pub fn can_meet(&self, bundle: &ViewBundle) -> bool {
         let Extent { position, axis, reach_squared, .. } = self.extent();
@@ -114,14 +107,16 @@ impl<P: Profile, A: Attenuation> HazyBeam<P, A> {
             (near > slack * distance && far > slack * (distance + length))
                 || (near > beyond + MARGIN * distance && far > beyond + MARGIN * (distance + length))
         };
-        let [left, right] = rays.tangents(back);
+        let end = eye.zip(bundle.direction, |e, d| e + length * d);
+        let [first, last] = [eye, end].map(|v| unit(across(v, axis)));
+        let middle = first.zip(last, |f, l| f + l);
         let normals = [
             back,
-            beam.outward(back),
+            beam.outward(first),
+            beam.outward(middle),
+            beam.outward(last),
             reversed(rays.outward(axis)),
             reversed(rays.outward(reversed(back))),
-            left,
-            right,
         ];
         self.gain > 0.0 && !normals.into_iter().any(separates)
     }
