@@ -51,6 +51,7 @@ impl Slope {
         let [a, b, c] =
             corners.map(|seen| Vec3::new(seen.x * self.tangent, seen.y * self.tangent, seen.depth));
         let normal = (b - a).cross(c - a);
+        // To the right, up and ahead are left-handed: the normal of a front points ahead.
         let height = normal.dot(a);
         height < 0.0 && height * height > EDGE_ON * EDGE_ON * normal.length_squared() * a.length_squared()
     }
