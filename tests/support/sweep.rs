@@ -8,9 +8,9 @@ use luminaire::{Cone, HalfAngle, Profile, Spot, Vec3};
 /// The half angles, in degrees, that every accuracy row is measured at.
 pub const HALF_ANGLES: [f32; 11] = [0.01, 0.1, 0.5, 1.0, 2.0, 3.5, 7.5, 15.0, 30.0, 60.0, 89.0];
 
-/// How much longer to look: 1, or 32 where `LUMINAIRE_FULL` is set.
+/// How much longer to look: 1, or 16 where `LUMINAIRE_FULL` is set.
 pub fn effort() -> usize {
-    if std::env::var_os("LUMINAIRE_FULL").is_some() { 32 } else { 1 }
+    if std::env::var_os("LUMINAIRE_FULL").is_some() { 16 } else { 1 }
 }
 
 pub fn half(degrees: f32) -> HalfAngle {
