@@ -36,7 +36,7 @@ impl<S: Format> Renderer<S> {
             if is_hazy {
                 self.sight(tile);
             }
-            let is_another = self.ask(tile, plan, &changed, &prepared) || is_new;
+            let is_another = self.ask(tile, plan, &changed, &prepared, is_hazy) || is_new;
             self.tiles.tiles[tile].is_relit = is_another;
             if is_another {
                 self.light_tile(tile, plan, &prepared);
@@ -68,7 +68,14 @@ impl<S: Format> Renderer<S> {
 
     /// Asks anew whether a tile is reached by the luminaires that are others now, on its surfaces or in the air before
     /// them. Returns whether its light is another for it.
-    fn ask(&mut self, tile: usize, plan: Plan, changed: &[usize], prepared: &[Option<Prepared<S>>]) -> bool {
+    fn ask(
+        &mut self,
+        tile: usize,
+        plan: Plan,
+        changed: &[usize],
+        prepared: &[Option<Prepared<S>>],
+        is_hazy: bool,
+    ) -> bool {
         let place = &self.tiles.tiles[tile];
         let reaches = |lamp: &Prepared<S>| {
             !plan.skips() || place.bounds.is_some_and(|bounds| !lamp.reach.misses(&bounds))
@@ -76,7 +83,9 @@ impl<S: Format> Renderer<S> {
         let is_seen = |lamp: &Prepared<S>| !plan.skips() || lamp.is_seen_in_air(place.sight.as_ref());
         let of = |number: usize| prepared.get(number).and_then(Option::as_ref);
         let is_another = self.reached.update(tile, changed, |number| of(number).is_some_and(reaches));
-        self.seen.update(tile, changed, |number| of(number).is_some_and(is_seen)) || is_another
+        // In clear air, where no beam was seen before, there is nothing to ask for.
+        let may_be_seen = !plan.skips() || is_hazy || self.seen.lamps(tile).next().is_some();
+        may_be_seen && self.seen.update(tile, changed, |number| of(number).is_some_and(is_seen)) || is_another
     }
 
     fn light_tile(&mut self, tile: usize, plan: Plan, prepared: &[Option<Prepared<S>>]) {
