@@ -59,6 +59,7 @@ mod prepared;
 mod raster;
 mod reached;
 mod renderer;
+mod rig;
 mod scene;
 mod shadow_map;
 mod shadows;

@@ -47,7 +47,8 @@ pub struct Renderer<S: Format> {
     triangles: usize,
     /// The lamps of the picture; nothing if all of it must be lit.
     lit: Option<Vec<Luminaire>>,
-    /// Which luminaires reach which tiles on their surfaces, and in the air before them.
+    /// Which luminaires reach which regions, and which of their tiles: on their surfaces, and in the air before them.
+    near: Reached,
     reached: Reached,
     seen: Reached,
     shadows: Shadows<S>,
@@ -88,6 +89,7 @@ impl<S: Format> Renderer<S> {
             drawn: None,
             triangles: 0,
             lit: None,
+            near: Reached::default(),
             reached: Reached::default(),
             seen: Reached::default(),
             shadows: Shadows::new(),

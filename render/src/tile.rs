@@ -1,4 +1,4 @@
-//! Tiles: rectangles of blocks that are lit, or left as they are, together.
+//! Tiles: rectangles of blocks that are lit, or left as they are, together; and regions: squares of tiles.
 
 use crate::{block::Block, bounds::Bounds, memory::filled};
 use alloc::{collections::TryReserveError, vec::Vec};
@@ -8,12 +8,18 @@ use luminaire::{Scalar, ViewBundle};
 /// Rows of a tile. Its width is that of a block.
 const ROWS: usize = 16;
 
+/// Tiles along a side of a region.
+const SIDE: usize = 4;
+
 /// The tiles of a picture, row by row.
 #[derive(Clone, Debug)]
 pub(crate) struct Tiles {
     columns: usize,
     rows: usize,
     pub(crate) tiles: Vec<Tile>,
+    /// What encloses the points of each square of tiles; nothing if nothing was drawn there. A lamp that misses a region
+    /// misses its tiles, which need not be asked.
+    pub(crate) regions: Vec<Option<Bounds>>,
 }
 
 /// A rectangle of blocks.
@@ -32,7 +38,23 @@ pub(crate) struct Tile {
 impl Tiles {
     /// For a picture of so many columns of blocks and rows of pixels.
     pub(crate) fn new(columns: usize, rows: usize) -> Result<Self, TryReserveError> {
-        Ok(Self { columns, rows, tiles: filled(columns * rows.div_ceil(ROWS), Tile::default())? })
+        let lines = rows.div_ceil(ROWS);
+        let regions = columns.div_ceil(SIDE) * lines.div_ceil(SIDE);
+        Ok(Self {
+            columns,
+            rows,
+            tiles: filled(columns * lines, Tile::default())?,
+            regions: filled(regions, None)?,
+        })
+    }
+
+    /// The numbers of a region's tiles, line by line.
+    pub(crate) fn of_region(&self, region: usize) -> impl Iterator<Item = usize> + Clone + use<> {
+        let (columns, across) = (self.columns, self.columns.div_ceil(SIDE));
+        let from = |place: usize, end: usize| place * SIDE..((place + 1) * SIDE).min(end);
+        let lines = from(region / across, self.rows.div_ceil(ROWS));
+        let row = from(region % across, columns);
+        lines.flat_map(move |line| row.clone().map(move |column| line * columns + column))
     }
 
     /// The numbers of a tile's blocks, from top to bottom.
@@ -52,11 +74,15 @@ impl Tiles {
         block / self.columns / ROWS * self.columns + block % self.columns
     }
 
-    /// Encloses the points of each tile.
+    /// Encloses the points of each tile, and of each region.
     pub(crate) fn enclose<S: Scalar>(&mut self, blocks: &[Block<S>]) {
         for number in 0..self.tiles.len() {
             let spheres = self.blocks(number).filter_map(|block| blocks[block].bounds);
             self.tiles[number].bounds = Bounds::enclosing(spheres);
+        }
+        for number in 0..self.regions.len() {
+            let spheres = self.of_region(number).filter_map(|tile| self.tiles[tile].bounds);
+            self.regions[number] = Bounds::enclosing(spheres);
         }
     }
 }

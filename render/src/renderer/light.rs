@@ -1,9 +1,9 @@
 //! The light of a picture: which tiles must be lit again, and by which lamps.
 
 use super::Renderer;
-use crate::{account::Account, air, block::LANES, format::Format, lighting::Setting, prepared::Prepared};
+use crate::{account::Account, air, block::LANES, format::Format, lighting::Setting, rig::Rig};
 use alloc::vec::Vec;
-use luminaire::{Error, Haze, Luminaire, Plan};
+use luminaire::{Error, Luminaire, Plan};
 
 impl<S: Format> Renderer<S> {
     /// Lights the tiles that have changed, or all where the plan leaves nothing out. Returns whether any had.
@@ -16,35 +16,43 @@ impl<S: Format> Renderer<S> {
         if self.lit.as_ref() == Some(&luminaires) && self.shadows.redrawn().is_empty() {
             return Ok(false);
         }
-        let haze = if plan.skips() { self.haze } else { Some(self.haze.unwrap_or(Haze::CLEAR)) };
-        let prepare = |(number, luminaire)| Prepared::new(number, luminaire, haze, &plan);
-        let prepared = luminaires.iter().enumerate().map(prepare).collect::<Result<Vec<_>, _>>()?;
-        for reached in [&mut self.reached, &mut self.seen] {
-            if reached.make_room(self.tiles.tiles.len(), luminaires.len()) {
-                self.lit = None;
-            }
-        }
-        if self.lit.is_none() {
-            self.reached.forget();
-            self.seen.forget();
-        }
+        let rig = Rig::new(plan, &luminaires, self.haze)?;
+        self.make_room(luminaires.len());
         let (is_new, changed) = (self.lit.is_none(), self.changed(&luminaires));
-        let kept = prepared.iter().flatten().count();
-        self.account = Account::new(self.tiles.tiles.len(), luminaires.len(), kept, self.width * self.height);
-        let is_hazy = prepared.iter().flatten().any(|lamp| lamp.is_hazy());
-        for tile in 0..self.tiles.tiles.len() {
-            if is_hazy {
-                self.sight(tile);
-            }
-            let is_another = self.ask(tile, plan, &changed, &prepared, is_hazy) || is_new;
-            self.tiles.tiles[tile].is_relit = is_another;
-            if is_another {
-                self.light_tile(tile, plan, &prepared);
+        let (tiles, pixels) = (self.tiles.tiles.len(), self.width * self.height);
+        self.account = Account::new(tiles, luminaires.len(), rig.kept(), pixels);
+        let mut near = Vec::with_capacity(changed.len());
+        for region in 0..self.tiles.regions.len() {
+            near.clear();
+            near.extend(changed.iter().filter(|&&lamp| self.come_near(region, lamp, &rig)));
+            for tile in self.tiles.of_region(region) {
+                let is_another = self.ask(tile, &rig, &near, &changed) || is_new;
+                self.tiles.tiles[tile].is_relit = is_another;
+                if is_another {
+                    self.light_tile(tile, &rig);
+                }
             }
         }
         self.lit = plan.skips().then_some(luminaires);
         self.shadows.settle();
         Ok(true)
+    }
+
+    /// Makes room for what so many lamps reach. Where all of the picture must be lit, nothing is known of it.
+    fn make_room(&mut self, lamps: usize) {
+        let (regions, tiles) = (self.tiles.regions.len(), self.tiles.tiles.len());
+        for (reached, places) in
+            [(&mut self.near, regions), (&mut self.reached, tiles), (&mut self.seen, tiles)]
+        {
+            if reached.make_room(places, lamps) {
+                self.lit = None;
+            }
+        }
+        if self.lit.is_none() {
+            self.near.forget();
+            self.reached.forget();
+            self.seen.forget();
+        }
     }
 
     /// The numbers of the luminaires that are others than those of the picture.
@@ -66,41 +74,46 @@ impl<S: Format> Renderer<S> {
         }
     }
 
-    /// Asks anew whether a tile is reached by the luminaires that are others now, on its surfaces or in the air before
-    /// them. Returns whether its light is another for it.
-    fn ask(
-        &mut self,
-        tile: usize,
-        plan: Plan,
-        changed: &[usize],
-        prepared: &[Option<Prepared<S>>],
-        is_hazy: bool,
-    ) -> bool {
-        let place = &self.tiles.tiles[tile];
-        let reaches = |lamp: &Prepared<S>| {
-            !plan.skips() || place.bounds.is_some_and(|bounds| !lamp.reach.misses(&bounds))
-        };
-        let is_seen = |lamp: &Prepared<S>| !plan.skips() || lamp.is_seen_in_air(place.sight.as_ref());
-        let of = |number: usize| prepared.get(number).and_then(Option::as_ref);
-        let is_another = self.reached.update(tile, changed, |number| of(number).is_some_and(reaches));
-        // In clear air, where no beam was seen before, there is nothing to ask for.
-        let may_be_seen = !plan.skips() || is_hazy || self.seen.lamps(tile).next().is_some();
-        may_be_seen && self.seen.update(tile, changed, |number| of(number).is_some_and(is_seen)) || is_another
+    /// Asks anew whether a lamp may reach a region. Returns whether it does or did, so that its tiles must be asked.
+    fn come_near(&mut self, region: usize, lamp: usize, rig: &Rig<S>) -> bool {
+        let bounds = self.tiles.regions[region].as_ref();
+        self.near.update(region, lamp, rig.reaches(lamp, bounds))
     }
 
-    fn light_tile(&mut self, tile: usize, plan: Plan, prepared: &[Option<Prepared<S>>]) {
+    /// Asks anew whether a tile is reached by the lamps that are others now: on its surfaces by those near it, in the air
+    /// before them by any. Returns whether its light is another for it.
+    fn ask(&mut self, tile: usize, rig: &Rig<S>, near: &[usize], changed: &[usize]) -> bool {
+        let mut is_another = false;
+        let bounds = self.tiles.tiles[tile].bounds;
+        for &lamp in near {
+            is_another |= self.reached.update(tile, lamp, rig.reaches(lamp, bounds.as_ref()));
+        }
+        // In clear air, where no beam was seen before, there is nothing to ask for.
+        if rig.is_hazy() || self.seen.lamps(tile).next().is_some() {
+            self.sight(tile);
+            let sight = self.tiles.tiles[tile].sight.as_ref();
+            for &lamp in changed {
+                is_another |= self.seen.update(tile, lamp, rig.is_seen_in_air(lamp, sight));
+            }
+        }
+        is_another
+    }
+
+    fn light_tile(&mut self, tile: usize, rig: &Rig<S>) {
         self.tiles.tiles[tile].is_encoded = false;
         self.account.tiles_relit += 1;
         let (finishes, shadows) = (&self.finishes, &self.shadows);
         let viewpoint = self.view.as_ref().map_or(glam::Vec3::ZERO, |view| view.eye());
-        let setting = Setting { plan, eye: self.eye, viewpoint, ambient: self.ambient, finishes, shadows };
-        let lamps: Vec<_> = self.reached.lamps(tile).filter_map(|lamp| prepared[lamp].as_ref()).collect();
-        let seen: Vec<_> = self.seen.lamps(tile).filter_map(|lamp| prepared[lamp].as_ref()).collect();
+        let (eye, ambient) = (self.eye, self.ambient);
+        let setting = Setting { plan: rig.plan(), eye, viewpoint, ambient, finishes, shadows };
+        let lamps: Vec<_> = self.reached.lamps(tile).collect();
+        let seen: Vec<_> = self.seen.lamps(tile).filter_map(|lamp| rig.lamp(lamp)).collect();
         let mut reaching = Vec::with_capacity(lamps.len());
         for block in self.tiles.blocks(tile) {
             let geometry = &self.geometry.blocks[block];
             reaching.clear();
-            reaching.extend(lamps.iter().filter(|lamp| !(plan.skips() && geometry.is_missed(&lamp.reach))));
+            let lights = lamps.iter().filter(|&&lamp| rig.lights(lamp, geometry));
+            reaching.extend(lights.filter_map(|&lamp| rig.lamp(lamp)));
             let radiance = &mut self.radiance[block];
             let shining = S::light(&setting, geometry, &reaching, &mut self.workspace, radiance);
             self.evaluated[block] = reaching.len().try_into().unwrap_or(u16::MAX);

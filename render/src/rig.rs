@@ -1,0 +1,70 @@
+//! The luminaires of a picture, ready to light it.
+
+use crate::{
+    block::Block,
+    bounds::{Bounds, Reach},
+    prepared::Prepared,
+};
+use alloc::vec::Vec;
+use luminaire::{Error, Haze, Luminaire, Plan, Scalar, ViewBundle};
+
+/// All luminaires by number, prepared but for those that the plan drops.
+pub(crate) struct Rig<S: Scalar> {
+    plan: Plan,
+    lamps: Vec<Option<Prepared<S>>>,
+    /// Where the light of each may be, side by side: every one is asked for in many places.
+    reaches: Vec<Option<Reach>>,
+    is_hazy: bool,
+}
+
+impl<S: Scalar> Rig<S> {
+    /// # Errors
+    /// A luminaire that the format can't hold.
+    pub(crate) fn new(plan: Plan, luminaires: &[Luminaire], haze: Option<Haze>) -> Result<Self, Error> {
+        let haze = if plan.skips() { haze } else { Some(haze.unwrap_or(Haze::CLEAR)) };
+        let prepare = |(number, luminaire)| Prepared::new(number, luminaire, haze, &plan);
+        let lamps = luminaires.iter().enumerate().map(prepare).collect::<Result<Vec<_>, _>>()?;
+        let reaches = lamps.iter().map(|lamp| lamp.as_ref().map(|lamp| lamp.reach)).collect();
+        let is_hazy = !plan.skips() || lamps.iter().flatten().any(Prepared::is_hazy);
+        Ok(Self { plan, lamps, reaches, is_hazy })
+    }
+
+    pub(crate) fn plan(&self) -> Plan {
+        self.plan
+    }
+
+    /// How many luminaires the plan keeps.
+    pub(crate) fn kept(&self) -> usize {
+        self.lamps.iter().flatten().count()
+    }
+
+    /// Whether there is a beam in haze, or the plan takes clear air for haze.
+    pub(crate) fn is_hazy(&self) -> bool {
+        self.is_hazy
+    }
+
+    /// Whether the light of a luminaire may arrive within bounds.
+    pub(crate) fn reaches(&self, number: usize, bounds: Option<&Bounds>) -> bool {
+        self.reach(number)
+            .is_some_and(|reach| !self.plan.skips() || bounds.is_some_and(|bounds| !reach.misses(bounds)))
+    }
+
+    /// Whether the light of a luminaire may arrive at a pixel of a block.
+    pub(crate) fn lights(&self, number: usize, block: &Block<S>) -> bool {
+        self.reach(number).is_some_and(|reach| !(self.plan.skips() && block.is_missed(reach)))
+    }
+
+    /// Whether the beam of a luminaire may be seen in the air of a bundle of view rays.
+    pub(crate) fn is_seen_in_air(&self, number: usize, sight: Option<&ViewBundle>) -> bool {
+        self.lamp(number).is_some_and(|lamp| !self.plan.skips() || lamp.is_seen_in_air(sight))
+    }
+
+    /// The luminaire of a number; nothing if the plan has dropped it, or there is none.
+    pub(crate) fn lamp(&self, number: usize) -> Option<&Prepared<S>> {
+        self.lamps.get(number)?.as_ref()
+    }
+
+    fn reach(&self, number: usize) -> Option<&Reach> {
+        self.reaches.get(number)?.as_ref()
+    }
+}
