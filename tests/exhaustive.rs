@@ -21,20 +21,20 @@ use support::{
 
 /// A format whose versines can all be visited.
 trait Countable: Format<Versine: Sync, Ramp: Sync> {
-    /// The versines from the axis to beyond the edge in rising order, by their index up to a last one, each
-    /// with what it stands for.
+    /// The versines from the axis to beyond the edge in rising order, by their index up to a last one: the first and the last
+    /// of those that share an answer, each with what it stands for.
     fn versines<P: Profile>(
         falloff: &Falloff<Self, P>,
         outer: f32,
-    ) -> (u64, impl Fn(u64) -> (Self::Versine, f64) + Sync);
+    ) -> (u64, impl Fn(u64) -> [(Self::Versine, f64); 2] + Sync);
 }
 
 impl Countable for f32 {
     /// Every bit pattern that is not negative, infinity and what is not a number included.
-    fn versines<P: Profile>(_: &Falloff<f32, P>, _: f32) -> (u64, impl Fn(u64) -> (f32, f64) + Sync) {
+    fn versines<P: Profile>(_: &Falloff<f32, P>, _: f32) -> (u64, impl Fn(u64) -> [(f32, f64); 2] + Sync) {
         let versine = |bits: u64| {
             let versine = f32::from_bits(bits as u32);
-            (versine, versine.into())
+            [(versine, versine.into()); 2]
         };
         (0x7fff_ffff, versine)
     }
@@ -45,10 +45,10 @@ impl Countable for Fx16 {
     fn versines<P: Profile>(
         falloff: &Falloff<Fx16, P>,
         outer: f32,
-    ) -> (u64, impl Fn(u64) -> (Self::Versine, f64) + Sync) {
+    ) -> (u64, impl Fn(u64) -> [(Self::Versine, f64); 2] + Sync) {
         let edge = u64::from(falloff.versine(outer).to_bits());
         let step = Fx16::exact_versine(falloff, Fx16::versine_from_bits(edge)) / edge as f64;
-        (edge + edge / 8, move |bits| (Fx16::versine_from_bits(bits), bits as f64 * step))
+        (edge + edge / 8, move |bits| [(Fx16::versine_from_bits(bits), bits as f64 * step); 2])
     }
 }
 
@@ -59,17 +59,19 @@ impl Countable for Fx32 {
     fn versines<P: Profile>(
         falloff: &Falloff<Fx32, P>,
         outer: f32,
-    ) -> (u64, impl Fn(u64) -> (Self::Versine, f64) + Sync) {
+    ) -> (u64, impl Fn(u64) -> [(Self::Versine, f64); 2] + Sync) {
         let edge = falloff.versine(outer).to_bits();
         let shift = (u64::BITS - edge.leading_zeros()).saturating_sub(32);
         let classes = edge >> shift;
         let versine = move |index: u64| {
-            let (class, is_last) = (classes - index / 2, index % 2);
-            let gap = (class << shift) + if is_last == 1 { 0 } else { (1 << shift) - 1 };
-            let bits = edge.saturating_sub(gap);
-            (Fx32::versine_from_bits(bits), bits as f64 * 0.5_f64.powi(61))
+            let last_gap = (classes - index) << shift;
+            let versine = |gap: u64| {
+                let bits = edge.saturating_sub(gap);
+                (Fx32::versine_from_bits(bits), bits.cast_signed() as f64 * 0.5_f64.powi(61))
+            };
+            [versine(last_gap + ((1 << shift) - 1)), versine(last_gap)]
         };
-        (2 * classes + 1, versine)
+        (classes, versine)
     }
 }
 
@@ -81,19 +83,26 @@ where
     let falloff = shape.at(half_degrees).compile::<S>().ok()?;
     let exact = shape.stored_at(half_degrees);
     let (last, versine) = S::versines(&falloff, exact.outer as f32);
-    assert_eq!(falloff.at(versine(0).0), S::ONE, "{} on the axis", shape.name);
+    assert_eq!(falloff.at(versine(0)[0].0), S::ONE, "{} on the axis", shape.name);
     let steps = f64::from(S::STEP).recip();
     let name = format!("{} {} at {half_degrees} degrees", shape.name, S::NAME);
-    Some(every::input(&name, 0..=last, |index| {
-        let (versine, value) = versine(index);
-        let found = falloff.at(versine).exact();
-        if value < exact.outer {
-            return [found * steps, exact.falloff(value) * steps];
+    let [seen] = every::inputs(&name, 0..=last, |index| {
+        let [first, last] = versine(index);
+        let found = falloff.at(first.0).exact();
+        if index % every::STRIDE == 0 {
+            assert_eq!(falloff.at(last.0).exact(), found, "{name}: at {last:?} and {first:?}");
         }
-        // At the edge, beyond it, and where the versine is not a number.
-        assert!(found == 0.0, "{name}: {found} at {value}");
-        [0.0; 2]
-    }))
+        let exact = |value: f64| {
+            // At the edge, beyond it, and where the versine is not a number.
+            if !(value < exact.outer) {
+                assert!(found == 0.0, "{name}: {found} at {value}");
+                return 0.0;
+            }
+            exact.falloff(value) * steps
+        };
+        [(found * steps, [exact(first.1), exact(last.1)])]
+    });
+    Some(seen)
 }
 
 /// What a shape breaks of its row, and of the law that intensities do not rise towards the edge.
@@ -216,21 +225,20 @@ fn fx32_keeps_its_roundings_over_every_fraction() {
 /// How far a displayed code is from the exact one before it is rounded, in eight bits, in the five of RGB565
 /// and in its six.
 fn display_errors<S: Countable>(domain: u64, linear: impl Fn(u64) -> S + Sync) -> [f64; 3] {
-    let codes = |bits: u64| {
+    const LAST: [f64; 3] = [255.0, 31.0, 63.0];
+    let seen = every::inputs(&format!("{} to codes", S::NAME), 0..=domain, |bits| {
         let value = linear(bits);
         let Rgb565(pixel) = Rgb565::from_linear(Rgb::new(value, value, value));
         assert_eq!(pixel >> 11, pixel & 31, "red and blue of {value:?}");
-        ([encode_srgb(value).into(), pixel & 31, pixel >> 5 & 63], reference::srgb_code(value.exact()))
-    };
-    [(0, 255.0), (1, 31.0), (2, 63.0)].map(|(which, last)| {
-        let seen = every::input(&format!("{} to {last} codes", S::NAME), 0..=domain, |bits| {
-            let (codes, exact) = codes(bits);
-            [codes[which].into(), exact / 255.0 * last]
-        });
+        let codes = [encode_srgb(value).into(), pixel & 31, pixel >> 5 & 63];
+        let exact = reference::srgb_code(value.exact()) / 255.0;
+        std::array::from_fn(|i| (f64::from(codes[i]), [exact * LAST[i]]))
+    });
+    for (seen, last) in seen.iter().zip(LAST) {
         assert_eq!(seen.fall, 0.0, "{}: a brighter value has a darker code of {last}", S::NAME);
         println!("{} to {last} codes: {:.5}", S::NAME, seen.error);
-        seen.error
-    })
+    }
+    seen.map(|seen| seen.error)
 }
 
 /// Every number from 0 to 1.

@@ -39,14 +39,49 @@ impl Seen {
     }
 }
 
+impl Seen {
+    /// Sees what was found, after what was found before, and what would be exact: more than one value where several inputs
+    /// share an answer.
+    #[inline(always)]
+    fn see(&mut self, before: f64, found: f64, exact: &[f64]) {
+        for exact in exact {
+            let error = (found - exact).abs();
+            // A difference that is not a number is no small one.
+            if error > self.error || error.is_nan() {
+                self.error = if error.is_nan() { f64::INFINITY } else { error };
+            }
+        }
+        let step = found - before;
+        if step > self.rise {
+            self.rise = step;
+        }
+        if -step > self.fall {
+            self.fall = -step;
+        }
+    }
+}
+
 /// Goes over a domain in rising order. `at` gives what was found for an input and what would be exact.
 ///
 /// The long run says on stderr when it is done with a domain, and how long that took.
 pub fn input(name: &str, domain: RangeInclusive<u64>, at: impl Fn(u64) -> [f64; 2] + Sync) -> Seen {
+    let [seen] = inputs(name, domain, |input| {
+        let [found, exact] = at(input);
+        [(found, [exact])]
+    });
+    seen
+}
+
+/// The same for several functions of an input, and for as many exact values of each as the inputs have that share an answer.
+pub fn inputs<const FUNCTIONS: usize, const EXACT: usize>(
+    name: &str,
+    domain: RangeInclusive<u64>,
+    at: impl Fn(u64) -> [(f64, [f64; EXACT]); FUNCTIONS] + Sync,
+) -> [Seen; FUNCTIONS] {
     let (start, stride) = (Instant::now(), if is_full() { 1 } else { STRIDE });
     let (first, last) = (*domain.start(), *domain.end());
     let next = AtomicU64::new(0);
-    let seen = Mutex::new(Seen::default());
+    let seen = Mutex::new([Seen::default(); FUNCTIONS]);
     let chunks = (last - first) / CHUNK + 1;
     let work = || {
         loop {
@@ -59,7 +94,7 @@ pub fn input(name: &str, domain: RangeInclusive<u64>, at: impl Fn(u64) -> [f64; 
             let to = from.saturating_add(CHUNK).min(last);
             let found = over(from, to, stride, &at);
             let mut seen = seen.lock().expect("no other processor has failed");
-            *seen = seen.and(found);
+            seen.iter_mut().zip(found).for_each(|(seen, found)| *seen = seen.and(found));
         }
     };
     thread::scope(|scope| {
@@ -75,18 +110,21 @@ pub fn input(name: &str, domain: RangeInclusive<u64>, at: impl Fn(u64) -> [f64; 
 }
 
 /// One in `stride` inputs, the last one always.
-fn over(from: u64, to: u64, stride: u64, at: &impl Fn(u64) -> [f64; 2]) -> Seen {
-    let mut previous = at(from)[0];
-    let mut seen = Seen::default();
+fn over<const FUNCTIONS: usize, const EXACT: usize>(
+    from: u64,
+    to: u64,
+    stride: u64,
+    at: &impl Fn(u64) -> [(f64, [f64; EXACT]); FUNCTIONS],
+) -> [Seen; FUNCTIONS] {
+    let mut seen = [Seen::default(); FUNCTIONS];
+    // Before the first input there is nothing to rise or fall from: a step from what is not a number is none.
+    let mut before = [f64::NAN; FUNCTIONS];
     let mut input = from;
     loop {
-        let [found, exact] = at(input);
-        let (error, step) = ((found - exact).abs(), found - previous);
-        // A difference that is not a number is no small one.
-        seen.error = if error <= seen.error { seen.error } else { error };
-        seen.rise = if step > seen.rise { step } else { seen.rise };
-        seen.fall = if -step > seen.fall { -step } else { seen.fall };
-        previous = found;
+        for (i, (found, exact)) in at(input).into_iter().enumerate() {
+            seen[i].see(before[i], found, &exact);
+            before[i] = found;
+        }
         if input == to {
             return seen;
         }

@@ -73,8 +73,9 @@ impl Format for f32 {
 macro_rules! fixed_format {
     ($format:ty, $scalar:ty, $length:ty, $versine:ty) => {
         impl Format for $format {
+            // Asked of every input there is, and sooner answered than by `to_num`.
             fn exact(self) -> f64 {
-                self.to_num()
+                f64::from(self.to_bits()) * f64::from(Self::STEP)
             }
 
             fn exact_length(length: Self::Length) -> f64 {
