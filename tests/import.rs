@@ -187,7 +187,7 @@ fn compiled_lights_are_the_originals() {
     }
     assert_format::<f32>(1.8e-5, 274);
     assert_format::<Fx32>(1.6e-6, 274);
-    assert_format::<Fx16>(1e-2, 269);
+    assert_format::<Fx16>(8e-3, 269);
 }
 
 /// The cutoff of 180 degrees shines into all directions, whatever the exponent.

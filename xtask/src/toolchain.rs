@@ -5,6 +5,7 @@
 //! rustup: what a user's rustup holds is the user's business.
 
 use std::env;
+use std::iter;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -24,7 +25,7 @@ pub(crate) struct Toolchain {
     library: Library,
 }
 
-#[derive(Debug)]
+#[derive(Debug, PartialEq)]
 enum Library {
     Installed,
     FromSource { rustc: PathBuf },
@@ -55,8 +56,30 @@ impl Toolchain {
     /// A `cargo build` for the target. `library` names what a library built from source must hold, such as
     /// `core,alloc`; `flags` are the compiler's.
     pub(crate) fn cargo_build(&self, library: &str, flags: &[&str]) -> Command {
+        self.cargo_build_with(&[], library, flags)
+    }
+
+    /// The same for many targets: as few calls as there are ways to have their libraries, each of which builds for its
+    /// targets side by side.
+    pub(crate) fn cargo_builds(toolchains: &[Self], library: &str, flags: &[&str]) -> Vec<Command> {
+        let groups = toolchains.chunk_by(|one, next| one.library == next.library);
+        let build = |group: &[Self]| {
+            let (first, rest) = group.split_first()?;
+            Some(first.cargo_build_with(rest, library, flags))
+        };
+        groups.filter_map(build).collect()
+    }
+
+    /// A build for others too, whose library is had in the same way.
+    fn cargo_build_with(&self, others: &[Self], library: &str, flags: &[&str]) -> Command {
         let mut build = command::cargo("build");
-        build.args(["--target", self.target]);
+        for target in iter::once(self).chain(others).map(|toolchain| toolchain.target) {
+            build.args(["--target", target]);
+            let variable = linker_variable(target);
+            if let (None, Some(linker)) = (env::var_os(&variable), linker(target)) {
+                build.env(variable, linker);
+            }
+        }
         // Flags from the environment are meant for the host, and would silently replace ours.
         build.env_remove("RUSTFLAGS").env("CARGO_ENCODED_RUSTFLAGS", flags.join("\u{1f}"));
         if let Library::FromSource { rustc } = &self.library {
@@ -64,10 +87,6 @@ impl Toolchain {
             build.env("RUSTC", rustc).env("RUSTC_BOOTSTRAP", "1");
             // These belong to the active compiler, which this may not be.
             build.env("RUSTC_WRAPPER", "").env("RUSTC_WORKSPACE_WRAPPER", "").env_remove("LD_LIBRARY_PATH");
-        }
-        let variable = linker_variable(self.target);
-        if let (None, Some(linker)) = (env::var_os(&variable), linker(self.target)) {
-            build.env(variable, linker);
         }
         build
     }

@@ -118,12 +118,31 @@ fn on_the_host(options: &[&str], profile: &str, progress: &Progress) -> Result<S
 
 fn on_a_board(board: &'static Board, progress: &Progress) -> Result<String> {
     let emulator = Emulator::find(board, progress)?;
-    let toolchain = Toolchain::find(board.target, progress)?;
-    let profile = if SMALL.contains(&board.name) { "conform" } else { "release" };
-    let mut build = laboratory::firmware(toolchain.cargo_build("core", &[]));
-    build.args(["--profile", profile, "--bin", "conform", "--features", "conform"]);
-    progress.run(build)?;
-    emulator.run_in(&golden::folder(), &toolchain.artifacts(profile).join("conform"))
+    build_for_boards([board], profile(board), progress)?;
+    let artifacts = Toolchain::find(board.target, progress)?.artifacts(profile(board));
+    emulator.run_in(&golden::folder(), &artifacts.join("conform"))
+}
+
+/// Builds the check for all boards, so that it is there when it is asked for.
+pub(super) fn build_for_all_boards(progress: &Progress) -> Result<()> {
+    for group in board::ALL.chunk_by(|one, next| profile(one) == profile(next)) {
+        build_for_boards(group, profile(&group[0]), progress)?;
+    }
+    Ok(())
+}
+
+fn build_for_boards<'a>(
+    boards: impl IntoIterator<Item = &'a Board>,
+    profile: &str,
+    progress: &Progress,
+) -> Result<()> {
+    let arguments = ["--profile", profile, "--bin", "conform", "--features", "conform"];
+    laboratory::build_for_all(boards, &arguments, progress)
+}
+
+/// The profile that the check is compiled with for a board.
+fn profile(board: &Board) -> &'static str {
+    if SMALL.contains(&board.name) { "conform" } else { "release" }
 }
 
 #[cfg(test)]

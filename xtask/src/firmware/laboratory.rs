@@ -55,12 +55,10 @@ impl Laboratory {
         let step =
             progress.begin("Building", format_args!("the counter and the firmware for {}", board.name));
         let counter = build_counter(&emulator, progress)?;
-        let toolchain = Toolchain::find(board.target, progress)?;
-        let mut build = firmware(toolchain.cargo_build("core", &[]));
-        build.arg("--release").args(programs);
-        progress.run(build)?;
+        build_for_all([board], &[&["--release"], programs].concat(), progress)?;
+        let programs = Toolchain::find(board.target, progress)?.artifacts("release");
         step.done();
-        Ok(Self { board, emulator, counter, programs: toolchain.artifacts("release") })
+        Ok(Self { board, emulator, counter, programs })
     }
 
     /// The board.
@@ -113,6 +111,21 @@ fn on_the_host_with(name: &str, features: &[&str], progress: &Progress) -> Resul
     progress.run(build)?;
     let program = project::target().join("release").join(format!("{name}{EXE_SUFFIX}"));
     Ok(command::answer(&mut Command::new(program))?.lines().map(str::to_owned).collect())
+}
+
+/// Builds firmware for many boards side by side. Each program is linked by one processor, and so is each board's library:
+/// board after board the others would have nothing to do.
+pub(crate) fn build_for_all<'a>(
+    boards: impl IntoIterator<Item = &'a Board>,
+    arguments: &[&str],
+    progress: &Progress,
+) -> Result<()> {
+    let toolchains = boards.into_iter().map(|board| Toolchain::find(board.target, progress));
+    for mut build in Toolchain::cargo_builds(&toolchains.collect::<Result<Vec<_>>>()?, "core", &[]) {
+        build.args(arguments);
+        progress.run(firmware(build))?;
+    }
+    Ok(())
 }
 
 /// A call of cargo, in the firmware's workspace.

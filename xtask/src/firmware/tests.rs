@@ -28,6 +28,9 @@ pub(crate) fn run(suite: &mut Suite) {
         ensure!(ended.success, "cargo test failed");
         Ok(Tally::of_cargo_test(&ended.output))
     });
+    suite.step("firmware: built for all boards", |progress| {
+        laboratory::build_for_all(&board::ALL, &["--release", "--bins"], progress)
+    });
     for board in &board::ALL {
         suite.step(&format!("firmware: the counter is exact on {}", board.name), |progress| {
             instrument(&Laboratory::new(board, progress)?)

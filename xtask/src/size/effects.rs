@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use anyhow::{Context, Result};
 
 use super::program::Program;
-use crate::firmware::{Board, laboratory};
+use crate::firmware::{Board, board, laboratory};
 use crate::progress::Progress;
 use crate::project;
 use crate::toolchain::Toolchain;
@@ -67,13 +67,19 @@ impl Effects {
         Self::cargo(board, format, &["--bin", name], progress)
     }
 
+    /// Builds one program for all boards, so that each is there when it is asked for.
+    pub(crate) fn build_one_for_all(format: Format, name: &str, progress: &Progress) -> Result<()> {
+        laboratory::build_for_all(&board::ALL, &Self::arguments(format, &["--bin", name]), progress)
+    }
+
     fn cargo(board: &Board, format: Format, programs: &[&str], progress: &Progress) -> Result<Self> {
-        let toolchain = Toolchain::find(board.target, progress)?;
-        let mut build = laboratory::firmware(toolchain.cargo_build("core", &[]));
-        build.args(["--profile", PROFILE, "--package", "luminaire-effects"]);
-        build.args(programs).args(format.features());
-        progress.run(build)?;
-        Ok(Self { folder: toolchain.artifacts(PROFILE) })
+        laboratory::build_for_all([board], &Self::arguments(format, programs), progress)?;
+        Ok(Self { folder: Toolchain::find(board.target, progress)?.artifacts(PROFILE) })
+    }
+
+    /// What cargo is told to build.
+    fn arguments<'a>(format: Format, programs: &[&'a str]) -> Vec<&'a str> {
+        [&["--profile", PROFILE, "--package", "luminaire-effects"], programs, format.features()].concat()
     }
 
     /// A program.

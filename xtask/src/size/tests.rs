@@ -20,6 +20,9 @@ pub(crate) fn run(suite: &mut Suite) {
         cargo.args(["--package", "luminaire-effects", "--all-targets", "--", "-Dwarnings"]);
         progress.run(cargo)
     });
+    suite.step("effects: everything at once, built for all boards", |progress| {
+        Format::ALL.iter().try_for_each(|&format| Effects::build_one_for_all(format, EVERYTHING, progress))
+    });
     for board in &board::ALL {
         suite.step(
             &format!("effects: nothing panics and nothing is allocated on {}", board.name),
