@@ -4,6 +4,7 @@ use std::env::consts::EXE_SUFFIX;
 use std::fs::File;
 use std::path::PathBuf;
 use std::process::Command;
+use std::slice;
 
 use anyhow::{Context, Result, ensure};
 
@@ -118,7 +119,7 @@ fn on_the_host(options: &[&str], profile: &str, progress: &Progress) -> Result<S
 
 fn on_a_board(board: &'static Board, progress: &Progress) -> Result<String> {
     let emulator = Emulator::find(board, progress)?;
-    build_for_boards([board], profile(board), progress)?;
+    build_for_boards(slice::from_ref(board), profile(board), progress)?;
     let artifacts = Toolchain::find(board.target, progress)?.artifacts(profile(board));
     emulator.run_in(&golden::folder(), &artifacts.join("conform"))
 }
@@ -131,11 +132,7 @@ pub(super) fn build_for_all_boards(progress: &Progress) -> Result<()> {
     Ok(())
 }
 
-fn build_for_boards<'a>(
-    boards: impl IntoIterator<Item = &'a Board>,
-    profile: &str,
-    progress: &Progress,
-) -> Result<()> {
+fn build_for_boards(boards: &[Board], profile: &str, progress: &Progress) -> Result<()> {
     let arguments = ["--profile", profile, "--bin", "conform", "--features", "conform"];
     laboratory::build_for_all(boards, &arguments, progress)
 }

@@ -3,6 +3,7 @@
 use std::env::consts::{DLL_PREFIX, DLL_SUFFIX, EXE_SUFFIX};
 use std::path::PathBuf;
 use std::process::Command;
+use std::slice;
 
 use anyhow::{Result, bail};
 
@@ -55,7 +56,7 @@ impl Laboratory {
         let step =
             progress.begin("Building", format_args!("the counter and the firmware for {}", board.name));
         let counter = build_counter(&emulator, progress)?;
-        build_for_all([board], &[&["--release"], programs].concat(), progress)?;
+        build_for_all(slice::from_ref(board), &[&["--release"], programs].concat(), progress)?;
         let programs = Toolchain::find(board.target, progress)?.artifacts("release");
         step.done();
         Ok(Self { board, emulator, counter, programs })
@@ -113,17 +114,17 @@ fn on_the_host_with(name: &str, features: &[&str], progress: &Progress) -> Resul
     Ok(command::answer(&mut Command::new(program))?.lines().map(str::to_owned).collect())
 }
 
-/// Builds firmware for many boards side by side. Each program is linked by one processor, and so is each board's library:
-/// board after board the others would have nothing to do.
-pub(crate) fn build_for_all<'a>(
-    boards: impl IntoIterator<Item = &'a Board>,
-    arguments: &[&str],
-    progress: &Progress,
-) -> Result<()> {
-    let toolchains = boards.into_iter().map(|board| Toolchain::find(board.target, progress));
-    for mut build in Toolchain::cargo_builds(&toolchains.collect::<Result<Vec<_>>>()?, "core", &[]) {
-        build.args(arguments);
-        progress.run(firmware(build))?;
+/// Builds firmware for many boards side by side: each program is linked by one processor, and so is each board's library, so
+/// that board after board the others would have nothing to do.
+pub(crate) fn build_for_all(boards: &[Board], arguments: &[&str], progress: &Progress) -> Result<()> {
+    // Of what their start-up macros ask for, cargo gives all that any board of a call asks for to each of them: with one
+    // of another make they would be built anew when they are built alone.
+    for boards in boards.chunk_by(|one, next| one.emulator == next.emulator) {
+        let toolchains = boards.iter().map(|board| Toolchain::find(board.target, progress));
+        for mut build in Toolchain::cargo_builds(&toolchains.collect::<Result<Vec<_>>>()?, "core", &[]) {
+            build.args(arguments);
+            progress.run(firmware(build))?;
+        }
     }
     Ok(())
 }

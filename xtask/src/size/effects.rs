@@ -2,6 +2,7 @@
 
 use std::fs;
 use std::path::PathBuf;
+use std::slice;
 
 use anyhow::{Context, Result};
 
@@ -73,7 +74,7 @@ impl Effects {
     }
 
     fn cargo(board: &Board, format: Format, programs: &[&str], progress: &Progress) -> Result<Self> {
-        laboratory::build_for_all([board], &Self::arguments(format, programs), progress)?;
+        laboratory::build_for_all(slice::from_ref(board), &Self::arguments(format, programs), progress)?;
         Ok(Self { folder: Toolchain::find(board.target, progress)?.artifacts(PROFILE) })
     }
 
