@@ -153,6 +153,20 @@ fn lamps_light_many_points_as_each() {
     assert_format::<Fx16>();
 }
 
+/// At how many places of a ray it is asked what gets through.
+const PLACES: usize = 16;
+
+/// What gets through to a point.
+fn stripes(point: Vec3<f32>) -> f32 {
+    0.5 + 0.5 * (3.0 * point.x).sin()
+}
+
+fn through_stripes(points: &Vec3<[f32; PLACES]>, lights: &mut [f32; PLACES]) {
+    for (i, light) in lights.iter_mut().enumerate() {
+        *light *= stripes(Vec3::new(points.x[i], points.y[i], points.z[i]));
+    }
+}
+
 /// A loop for many view rays has the bits of the branches for one.
 #[test]
 fn beams_show_in_many_rays_as_in_each() {
@@ -172,12 +186,15 @@ fn beams_show_in_many_rays_as_in_each() {
         let mut length = [f32::INFINITY; COUNT];
         length[..8].fill(3.0);
         let rays = ViewRays { eye, direction: columns(|i| directions[i]), length };
-        let mut lights = [f32::NAN; COUNT];
+        let (mut lights, mut striped) = ([f32::NAN; COUNT], [f32::NAN; COUNT]);
         beam.air_light_each(&rays, &mut lights);
+        beam.air_light_through_each(&rays, &mut through_stripes, &mut striped);
         for (i, light) in lights.into_iter().enumerate() {
             let ray = ViewRay { eye, direction: directions[i], length: length[i] };
             assert_eq!(rays.at(i), ray);
             assert_eq!(light.to_bits(), beam.air_light(&ray).to_bits(), "{beam:?} along {ray:?}");
+            let through = beam.air_light_through(&ray, PLACES as u32, stripes);
+            assert_eq!(striped[i].to_bits(), through.to_bits(), "{beam:?} along {ray:?}");
             seen += usize::from(light > 0.0);
             count += 1;
         }

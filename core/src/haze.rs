@@ -38,10 +38,11 @@
 mod arc;
 mod beam;
 mod bundle;
+mod parts;
 mod quadrature;
 mod stretch;
 
-pub use self::{beam::HazyBeam, bundle::ViewBundle};
+pub use self::{beam::HazyBeam, bundle::ViewBundle, parts::AirFilter};
 
 use crate::{
     error::{Error, Parameter, check_between},

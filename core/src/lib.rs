@@ -108,7 +108,7 @@ pub use cone::{Cone, Falloff};
 pub use effect::{Effect, Effects};
 pub use error::{Accepted, Error, Parameter};
 pub use gobo::{CompiledGobo, Gobo};
-pub use haze::{Haze, HazyBeam, ViewBundle, ViewRay};
+pub use haze::{AirFilter, Haze, HazyBeam, ViewBundle, ViewRay};
 pub use lamp::{CompiledLamp, Lamp, Surfaces, ViewRays};
 pub use light::{Ambient, Directional, Point, Spot};
 pub use luminaire::Luminaire;

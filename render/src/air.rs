@@ -1,13 +1,13 @@
 //! The air of a picture: what the haze between eye and surface shows of the beams.
 
-use crate::{block::LANES, lighting::Radiance, raster::Fragments, view::View, ways};
+use crate::{block::LANES, lighting::Radiance, places::Places, raster::Fragments, view::View, ways};
 use luminaire::{
     CompiledGobo, Distance, Error, Haze, HazyBeam, Lamp, Matched, Rgb, Scalar, Shadow, Vec3, ViewBundle,
     ViewRays,
 };
 
 /// At how many places of a ray a beam with a gobo or with shadows is looked at.
-const SAMPLES: u32 = 16;
+const PLACES: usize = 16;
 
 /// The beam of a spotlight in haze.
 #[derive(Clone, Copy, Debug)]
@@ -41,12 +41,12 @@ impl Hazy {
     /// Adds the light of the air to that of the surfaces behind it.
     pub(crate) fn add<S: Scalar>(&self, rays: &ViewRays<LANES>, way: &Way<'_, S>, radiance: &mut Radiance) {
         let mut air = [0.0; LANES];
-        self.beam.air_light_each(rays, &mut air);
-        if way.gobo.is_some() || way.shadow.is_some() {
-            for (lane, light) in air.iter_mut().enumerate().filter(|(_, light)| **light > 0.0) {
-                let through = |point: Vec3<f32>| way.transmission(point.map(S::length));
-                *light = self.beam.air_light_through(&rays.at(lane), SAMPLES, through);
-            }
+        if way.is_clear() {
+            self.beam.air_light_each(rays, &mut air);
+        } else {
+            let mut places = Places::default();
+            let mut filter = |points: &Vec3<_>, lights: &mut _| way.leave(points, lights, &mut places);
+            self.beam.air_light_through_each(rays, &mut filter, &mut air);
         }
         let Rgb { red, green, blue } = radiance;
         for (sum, color) in [(red, self.color.red), (green, self.color.green), (blue, self.color.blue)] {
@@ -56,10 +56,31 @@ impl Hazy {
 }
 
 impl<S: Scalar> Way<'_, S> {
-    /// What is left of the light at a point.
-    fn transmission(&self, point: Vec3<S::Length>) -> f32 {
-        let pattern = self.gobo.map_or(1.0, |gobo| gobo.at(point).to_f32());
-        pattern * self.shadow.as_ref().map_or(1.0, |shadow| shadow.visibility(point).to_f32())
+    /// Whether there is nothing.
+    fn is_clear(&self) -> bool {
+        self.gobo.is_none() && self.shadow.is_none()
+    }
+
+    /// Leaves of the light of points what gets through to them.
+    fn leave(
+        &self,
+        points: &Vec3<[f32; PLACES]>,
+        lights: &mut [f32; PLACES],
+        places: &mut Places<S, PLACES>,
+    ) {
+        let points = points.map(|column| column.map(S::length));
+        if let Some(gobo) = self.gobo {
+            places.find(gobo.projection(), &points);
+            for (i, light) in lights.iter_mut().enumerate() {
+                *light *= gobo.gobo().transmission(&places.at(i)).to_f32();
+            }
+        }
+        if let Some(shadow) = &self.shadow {
+            places.find(shadow.projection(), &points);
+            for (i, light) in lights.iter_mut().enumerate().filter(|(_, light)| **light > 0.0) {
+                *light *= shadow.at(&places.at(i)).to_f32();
+            }
+        }
     }
 }
 

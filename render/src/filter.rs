@@ -3,23 +3,21 @@
 use crate::{
     block::{Block, LANES},
     lighting::Lights,
+    places::Places,
     prepared::Prepared,
     shadows::Shadows,
 };
-use luminaire::{CompiledProjection, Place, Scalar, Shadow};
+use luminaire::{Place, Scalar, Shadow};
 
-/// Leaves of light what its way leaves of it. It keeps where the points of a block are on the square of a lamp, each
-/// quantity in an array of its own.
+/// Leaves of light what its way leaves of it. It keeps where the points of a block are on the square of a lamp.
 #[derive(Clone, Debug)]
 pub(crate) struct Filter<S: Scalar> {
-    column: [i32; LANES],
-    row: [i32; LANES],
-    depth: [S::Length; LANES],
+    places: Places<S, LANES>,
 }
 
 impl<S: Scalar> Default for Filter<S> {
     fn default() -> Self {
-        Self { column: [0; LANES], row: [0; LANES], depth: [S::Length::default(); LANES] }
+        Self { places: Places::default() }
     }
 }
 
@@ -34,26 +32,14 @@ impl<S: Scalar> Filter<S> {
         [diffuse, specular]: [&mut Lights<S>; 2],
     ) {
         if let Some(gobo) = &lamp.gobo {
-            self.find(gobo.projection(), block);
+            self.places.find(gobo.projection(), &block.point);
             self.leave([&mut *diffuse, &mut *specular], |place| gobo.gobo().transmission(&place));
         }
         if let Some(square) = &lamp.shadow {
-            self.find(square, block);
+            self.places.find(square, &block.point);
             let none = Shadow::from_parts(*square, 0, &[]);
             let shadow = shadows.of(lamp.number).unwrap_or(none);
             self.leave([diffuse, specular], |place| shadow.at(&place));
-        }
-    }
-
-    /// Finds the places of all points, lit or not, as vector instructions want it.
-    #[inline(never)]
-    fn find(&mut self, square: &CompiledProjection<S>, block: &Block<S>) {
-        let Self { column, row, depth } = self;
-        for lane in 0..LANES {
-            let place = square.place(block.point_at(lane));
-            column[lane] = place.column;
-            row[lane] = place.row;
-            depth[lane] = place.depth;
         }
     }
 
@@ -63,8 +49,7 @@ impl<S: Scalar> Filter<S> {
         let dark = S::Irradiance::default();
         for lane in 0..LANES {
             if diffuse[lane] > dark || specular[lane] > dark {
-                let part =
-                    part(Place { column: self.column[lane], row: self.row[lane], depth: self.depth[lane] });
+                let part = part(self.places.at(lane));
                 diffuse[lane] = S::filter(diffuse[lane], part);
                 specular[lane] = S::filter(specular[lane], part);
             }

@@ -55,6 +55,7 @@ mod memory;
 mod mesh;
 mod outline;
 mod part;
+mod places;
 mod prepared;
 mod raster;
 mod reached;

@@ -172,7 +172,7 @@ pub(crate) const REGISTER: &[Held] = &[
         "CompiledLamp::arrive_each", "Lamp::compile", "Light for CompiledLamp", "Surfaces::at",
     ]),
     by("tests/lamps.rs::beams_show_in_many_rays_as_in_each", &[
-        "CompiledLamp::in_haze", "HazyBeam::air_light_each", "ViewRays::at",
+        "CompiledLamp::in_haze", "HazyBeam::air_light_each", "HazyBeam::air_light_through_each", "ViewRays::at",
     ]),
     by("tests/lamps.rs::a_lamp_calls_for_what_it_is", &["Lamp::effects", "Lamp::intensity", "Luminaire::lamp"]),
     by("tests/lamps.rs::lamps_without_a_range_have_none", &[

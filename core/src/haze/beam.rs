@@ -3,7 +3,7 @@
 use super::{
     Haze, ViewRay,
     arc::{Arc, Extent, Span},
-    quadrature::{integrate, integrate_by_parts},
+    quadrature::integrate,
     stretch::Stretch,
 };
 use crate::{
@@ -100,40 +100,9 @@ impl<P: Profile, A: Attenuation> HazyBeam<P, A> {
         self.light(&arc, sum)
     }
 
-    /// As [`air_light`](Self::air_light), weighted by what gets through to each of so many places of the
-    /// ray in the beam: by a pattern in front of the lamp or past what throws a shadow, as `transmission`
-    /// tells of a point of the world, from 0 to 1. The places are in the middle of parts that are equal
-    /// seen from the lamp, or about so where the light does not fall with the square of the distance.
-    /// Without any there is no light.
-    #[inline(always)]
-    pub fn air_light_through(
-        &self,
-        view: &ViewRay,
-        samples: u32,
-        transmission: impl Fn(Vec3<f32>) -> f32,
-    ) -> f32 {
-        let arc = Arc::new(&self.extent(), view);
-        let outer = arc.edge(self.cone[1]);
-        let through = |place: f32| transmission(arc.point(self.position, place));
-        if A::is_inverse_square::<f32>(&self.attenuation) {
-            let Span { from, to, scale } = arc.span(outer);
-            let sum = integrate_by_parts(from, to, samples, |v| {
-                through(arc.place(v)) * by_angle(v, |share| self.falloff.at(arc.versine(v, share)))
-            });
-            return self.light(&arc, scale * sum);
-        }
-        let [from, to] = arc.between(outer);
-        let stretch = Stretch::new(&arc, from, to);
-        let sum = integrate_by_parts(0.0, 1.0, samples, |parameter| {
-            let (place, way) = stretch.at(parameter);
-            through(place) * self.by_way(&arc, (place, way))
-        });
-        self.light(&arc, sum)
-    }
-
     /// What a way along the ray scatters.
     #[inline(always)]
-    fn by_way(&self, arc: &Arc, (place, way): (f32, f32)) -> f32 {
+    pub(super) fn by_way(&self, arc: &Arc, (place, way): (f32, f32)) -> f32 {
         let distance = arc.distance(place);
         let intensity = self.falloff.at(arc.versine_at(place, distance));
         let offset = at_distance(distance);
@@ -142,7 +111,7 @@ impl<P: Profile, A: Attenuation> HazyBeam<P, A> {
 
     /// The air light of what is scattered of an intensity of one.
     #[inline(always)]
-    fn light(&self, arc: &Arc, scattered: f32) -> f32 {
+    pub(super) fn light(&self, arc: &Arc, scattered: f32) -> f32 {
         let scattered = if arc.is_any() { scattered } else { 0.0 };
         scattered.expose(self.gain)
     }
@@ -157,7 +126,7 @@ impl<P: Profile, A: Attenuation> HazyBeam<P, A> {
 /// What the angle of a unit of `v` scatters of an intensity, at distance 1. The intensity is told `1 / (1 +
 /// v^2)`.
 #[inline(always)]
-fn by_angle(v: f32, intensity: impl Fn(f32) -> f32) -> f32 {
+pub(super) fn by_angle(v: f32, intensity: impl Fn(f32) -> f32) -> f32 {
     let share = 1.0 / (1.0 + v * v);
     2.0 * share * intensity(share)
 }

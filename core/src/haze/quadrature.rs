@@ -17,17 +17,6 @@ pub(super) fn integrate(from: f32, to: f32, value: impl Fn(f32) -> f32) -> f32 {
     if half > 0.0 { half * sum } else { 0.0 }
 }
 
-/// The same integral by the middles of so many equal parts: what is less than smooth has nothing better.
-#[inline(always)]
-pub(super) fn integrate_by_parts(from: f32, to: f32, parts: u32, value: impl Fn(f32) -> f32) -> f32 {
-    let step = (to - from) / parts as f32;
-    let mut sum = 0.0;
-    for part in 0..parts {
-        sum += value(from + (part as f32 + 0.5) * step);
-    }
-    if parts > 0 && step > 0.0 { step * sum } else { 0.0 }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -50,9 +39,6 @@ mod tests {
     #[test]
     fn an_interval_that_is_turned_around_is_empty() {
         assert_eq!(integrate(1.0, 0.5, |_| 1.0), 0.0);
-        assert_eq!(integrate_by_parts(1.0, 0.5, 3, |_| 1.0), 0.0);
         assert!((integrate(0.5, 1.0, |_| 1.0) - 0.5).abs() < 1e-6);
-        assert_eq!(integrate_by_parts(0.5, 1.0, 4, |x| x), 0.375);
-        assert_eq!(integrate_by_parts(0.5, 1.0, 0, |x| x), 0.0);
     }
 }

@@ -4,7 +4,7 @@ use super::{CompiledLamp, each::nth};
 use crate::{
     attenuation::{Attenuation, Distance, InverseSquare},
     cone::Falloff,
-    haze::{Haze, HazyBeam, ViewRay},
+    haze::{AirFilter, Haze, HazyBeam, ViewRay},
     profile::{CompiledMatched, Matched, Profile},
     vec3::Vec3,
 };
@@ -45,26 +45,35 @@ impl HazyBeam<Matched, Distance> {
     /// one. There is a loop for each profile under the inverse-square law, and one with branches for all others.
     pub fn air_light_each<const N: usize>(&self, rays: &ViewRays<N>, lights: &mut [f32; N]) {
         if Distance::is_inverse_square::<f32>(&self.attenuation) {
-            with_profile!(self.falloff, profile, curve => self.by_square(profile, curve, rays, lights));
+            with_profile!(self.falloff, profile, curve => each(&self.by_square(profile, curve), rays, lights));
         } else {
             each(self, rays, lights);
         }
     }
 
-    fn by_square<P: Profile, const N: usize>(
+    /// The air light of each of many rays through something: to the bit what
+    /// [`air_light_through`](Self::air_light_through) gives for one with `PARTS` places, which the filter is told all at once,
+    /// ray by ray. It is not asked for rays that are not in the beam.
+    pub fn air_light_through_each<const PARTS: usize, const N: usize>(
         &self,
-        profile: P,
-        curve: P::Compiled<f32>,
         rays: &ViewRays<N>,
+        filter: &mut AirFilter<'_, PARTS>,
         lights: &mut [f32; N],
     ) {
+        if Distance::is_inverse_square::<f32>(&self.attenuation) {
+            with_profile!(self.falloff, profile, curve => {
+                each_through(&self.by_square(profile, curve), rays, filter, lights)
+            });
+        } else {
+            each_through(self, rays, filter, lights);
+        }
+    }
+
+    /// The same beam with the types of its profile and of the inverse-square law.
+    fn by_square<P: Profile>(&self, profile: P, curve: P::Compiled<f32>) -> HazyBeam<P, InverseSquare> {
         let falloff = Falloff::from_parts(self.falloff.ramp, profile, curve);
         let Self { position, axis, gain, cone, reach, .. } = *self;
-        each(
-            &HazyBeam::<P, InverseSquare>::from_parts(position, axis, falloff, (), gain, cone, reach),
-            rays,
-            lights,
-        );
+        HazyBeam::from_parts(position, axis, falloff, (), gain, cone, reach)
     }
 }
 
@@ -76,5 +85,17 @@ fn each<P: Profile, A: Attenuation, const N: usize>(
 ) {
     for (i, light) in lights.iter_mut().enumerate() {
         *light = beam.air_light(&rays.at(i));
+    }
+}
+
+#[inline(never)]
+fn each_through<P: Profile, A: Attenuation, const PARTS: usize, const N: usize>(
+    beam: &HazyBeam<P, A>,
+    rays: &ViewRays<N>,
+    filter: &mut AirFilter<'_, PARTS>,
+    lights: &mut [f32; N],
+) {
+    for (i, light) in lights.iter_mut().enumerate() {
+        *light = beam.air_light_filtered(&rays.at(i), filter);
     }
 }

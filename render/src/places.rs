@@ -1,0 +1,37 @@
+//! Where points are on the square of a lamp.
+
+use luminaire::{CompiledProjection, Place, Scalar, Vec3};
+
+/// Places on a square, each quantity in an array of its own.
+#[derive(Clone, Debug)]
+pub(crate) struct Places<S: Scalar, const N: usize> {
+    column: [i32; N],
+    row: [i32; N],
+    depth: [S::Length; N],
+}
+
+impl<S: Scalar, const N: usize> Default for Places<S, N> {
+    fn default() -> Self {
+        Self { column: [0; N], row: [0; N], depth: [S::Length::default(); N] }
+    }
+}
+
+impl<S: Scalar, const N: usize> Places<S, N> {
+    /// Finds the places of all points, as vector instructions want it.
+    #[inline(never)]
+    pub(crate) fn find(&mut self, square: &CompiledProjection<S>, points: &Vec3<[S::Length; N]>) {
+        let Self { column, row, depth } = self;
+        for i in 0..N {
+            let place = square.place(Vec3::new(points.x[i], points.y[i], points.z[i]));
+            column[i] = place.column;
+            row[i] = place.row;
+            depth[i] = place.depth;
+        }
+    }
+
+    /// The place of a point.
+    #[inline(always)]
+    pub(crate) fn at(&self, i: usize) -> Place<S> {
+        Place { column: self.column[i], row: self.row[i], depth: self.depth[i] }
+    }
+}
