@@ -48,8 +48,14 @@ impl Tiles {
         })
     }
 
-    /// The numbers of a region's tiles, line by line.
-    pub(crate) fn of_region(&self, region: usize) -> impl Iterator<Item = usize> + Clone + use<> {
+    /// The number of the region that a tile is in.
+    pub(crate) fn region(&self, tile: usize) -> usize {
+        let (line, column) = (tile / self.columns, tile % self.columns);
+        line / SIDE * self.columns.div_ceil(SIDE) + column / SIDE
+    }
+
+    /// The numbers of a region's tiles.
+    fn of_region(&self, region: usize) -> impl Iterator<Item = usize> + Clone + use<> {
         let (columns, across) = (self.columns, self.columns.div_ceil(SIDE));
         let from = |place: usize, end: usize| place * SIDE..((place + 1) * SIDE).min(end);
         let lines = from(region / across, self.rows.div_ceil(ROWS));

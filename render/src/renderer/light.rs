@@ -1,7 +1,9 @@
 //! The light of a picture: which tiles must be lit again, and by which lamps.
 
 use super::Renderer;
-use crate::{account::Account, air, block::LANES, format::Format, lighting::Setting, rig::Rig};
+use crate::{
+    account::Account, air, block::LANES, format::Format, lighting::Setting, reached::Reached, rig::Rig,
+};
 use alloc::vec::Vec;
 use luminaire::{Error, Luminaire, Plan};
 
@@ -21,16 +23,13 @@ impl<S: Format> Renderer<S> {
         let (is_new, changed) = (self.lit.is_none(), self.changed(&luminaires));
         let (tiles, pixels) = (self.tiles.tiles.len(), self.width * self.height);
         self.account = Account::new(tiles, luminaires.len(), rig.kept(), pixels);
-        let mut near = Vec::with_capacity(changed.len());
-        for region in 0..self.tiles.regions.len() {
-            near.clear();
-            near.extend(changed.iter().filter(|&&lamp| self.come_near(region, lamp, &rig)));
-            for tile in self.tiles.of_region(region) {
-                let is_another = self.ask(tile, &rig, &near, &changed) || is_new;
-                self.tiles.tiles[tile].is_relit = is_another;
-                if is_another {
-                    self.light_tile(tile, &rig);
-                }
+        let near = self.approach(&rig, &changed);
+        for tile in 0..tiles {
+            let near = near.lamps(self.tiles.region(tile));
+            let is_another = self.ask(tile, &rig, near, &changed) || is_new;
+            self.tiles.tiles[tile].is_relit = is_another;
+            if is_another {
+                self.light_tile(tile, &rig);
             }
         }
         self.lit = plan.skips().then_some(luminaires);
@@ -74,18 +73,32 @@ impl<S: Format> Renderer<S> {
         }
     }
 
-    /// Asks anew whether a lamp may reach a region. Returns whether it does or did, so that its tiles must be asked.
-    fn come_near(&mut self, region: usize, lamp: usize, rig: &Rig<S>) -> bool {
-        let bounds = self.tiles.regions[region].as_ref();
-        self.near.update(region, lamp, rig.reaches(lamp, bounds))
+    /// Asks anew which regions the lamps may reach that are others now. Returns which of them reach a region or have reached
+    /// it, so that its tiles must be asked.
+    fn approach(&mut self, rig: &Rig<S>, changed: &[usize]) -> Reached {
+        let mut near = self.near.clone();
+        near.forget();
+        for (region, bounds) in self.tiles.regions.iter().enumerate() {
+            for &lamp in changed {
+                let is_near = self.near.update(region, lamp, rig.reaches(lamp, bounds.as_ref()));
+                near.update(region, lamp, is_near);
+            }
+        }
+        near
     }
 
     /// Asks anew whether a tile is reached by the lamps that are others now: on its surfaces by those near it, in the air
     /// before them by any. Returns whether its light is another for it.
-    fn ask(&mut self, tile: usize, rig: &Rig<S>, near: &[usize], changed: &[usize]) -> bool {
+    fn ask(
+        &mut self,
+        tile: usize,
+        rig: &Rig<S>,
+        near: impl Iterator<Item = usize>,
+        changed: &[usize],
+    ) -> bool {
         let mut is_another = false;
         let bounds = self.tiles.tiles[tile].bounds;
-        for &lamp in near {
+        for lamp in near {
             is_another |= self.reached.update(tile, lamp, rig.reaches(lamp, bounds.as_ref()));
         }
         // In clear air, where no beam was seen before, there is nothing to ask for.
