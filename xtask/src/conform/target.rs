@@ -4,7 +4,6 @@ use std::env::consts::EXE_SUFFIX;
 use std::fs::File;
 use std::path::PathBuf;
 use std::process::Command;
-use std::slice;
 
 use anyhow::{Context, Result, ensure};
 
@@ -14,7 +13,6 @@ use crate::firmware::emulator::Emulator;
 use crate::firmware::{Board, board, laboratory};
 use crate::progress::Progress;
 use crate::project;
-use crate::toolchain::Toolchain;
 
 /// The boards whose flash of 256 kB holds all models at once only if they are compiled for size.
 const SMALL: [&str; 2] = ["cortex-m0", "cortex-m3"];
@@ -119,22 +117,22 @@ fn on_the_host(options: &[&str], profile: &str, progress: &Progress) -> Result<S
 
 fn on_a_board(board: &'static Board, progress: &Progress) -> Result<String> {
     let emulator = Emulator::find(board, progress)?;
-    build_for_boards(slice::from_ref(board), profile(board), progress)?;
-    let artifacts = Toolchain::find(board.target, progress)?.artifacts(profile(board));
-    emulator.run_in(&golden::folder(), &artifacts.join("conform"))
+    let profile = profile(board);
+    let toolchain = laboratory::build(board, &arguments(profile), progress)?;
+    emulator.run_in(&golden::folder(), &toolchain.artifacts(profile).join("conform"))
 }
 
 /// Builds the check for all boards, so that it is there when it is asked for.
 pub(super) fn build_for_all_boards(progress: &Progress) -> Result<()> {
     for group in board::ALL.chunk_by(|one, next| profile(one) == profile(next)) {
-        build_for_boards(group, profile(&group[0]), progress)?;
+        laboratory::build_for_all(group, &arguments(profile(&group[0])), progress)?;
     }
     Ok(())
 }
 
-fn build_for_boards(boards: &[Board], profile: &str, progress: &Progress) -> Result<()> {
-    let arguments = ["--profile", profile, "--bin", "conform", "--features", "conform"];
-    laboratory::build_for_all(boards, &arguments, progress)
+/// What cargo is told to build for a board.
+fn arguments(profile: &str) -> [&str; 6] {
+    ["--profile", profile, "--bin", "conform", "--features", "conform"]
 }
 
 /// The profile that the check is compiled with for a board.

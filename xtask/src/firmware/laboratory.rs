@@ -3,7 +3,6 @@
 use std::env::consts::{DLL_PREFIX, DLL_SUFFIX, EXE_SUFFIX};
 use std::path::PathBuf;
 use std::process::Command;
-use std::slice;
 
 use anyhow::{Result, bail};
 
@@ -56,10 +55,9 @@ impl Laboratory {
         let step =
             progress.begin("Building", format_args!("the counter and the firmware for {}", board.name));
         let counter = build_counter(&emulator, progress)?;
-        build_for_all(slice::from_ref(board), &[&["--release"], programs].concat(), progress)?;
-        let programs = Toolchain::find(board.target, progress)?.artifacts("release");
+        let toolchain = build(board, &[&["--release"], programs].concat(), progress)?;
         step.done();
-        Ok(Self { board, emulator, counter, programs })
+        Ok(Self { board, emulator, counter, programs: toolchain.artifacts("release") })
     }
 
     /// The board.
@@ -112,6 +110,15 @@ fn on_the_host_with(name: &str, features: &[&str], progress: &Progress) -> Resul
     progress.run(build)?;
     let program = project::target().join("release").join(format!("{name}{EXE_SUFFIX}"));
     Ok(command::answer(&mut Command::new(program))?.lines().map(str::to_owned).collect())
+}
+
+/// Builds firmware for a board: its programs are among the artifacts of what compiled them.
+pub(crate) fn build(board: &Board, arguments: &[&str], progress: &Progress) -> Result<Toolchain> {
+    let toolchain = Toolchain::find(board.target, progress)?;
+    let mut build = firmware(toolchain.cargo_build("core", &[]));
+    build.args(arguments);
+    progress.run(build)?;
+    Ok(toolchain)
 }
 
 /// Builds firmware for many boards side by side: each program is linked by one processor, and so is each board's library, so

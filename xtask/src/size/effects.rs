@@ -2,7 +2,6 @@
 
 use std::fs;
 use std::path::PathBuf;
-use std::slice;
 
 use anyhow::{Context, Result};
 
@@ -10,7 +9,6 @@ use super::program::Program;
 use crate::firmware::{Board, board, laboratory};
 use crate::progress::Progress;
 use crate::project;
-use crate::toolchain::Toolchain;
 
 /// The profile that the programs are compiled with: `opt-level = "s"`, everything seen at once.
 const PROFILE: &str = "size";
@@ -74,8 +72,8 @@ impl Effects {
     }
 
     fn cargo(board: &Board, format: Format, programs: &[&str], progress: &Progress) -> Result<Self> {
-        laboratory::build_for_all(slice::from_ref(board), &Self::arguments(format, programs), progress)?;
-        Ok(Self { folder: Toolchain::find(board.target, progress)?.artifacts(PROFILE) })
+        let toolchain = laboratory::build(board, &Self::arguments(format, programs), progress)?;
+        Ok(Self { folder: toolchain.artifacts(PROFILE) })
     }
 
     /// What cargo is told to build.
