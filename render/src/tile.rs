@@ -92,3 +92,21 @@ impl Tiles {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Of a picture that no whole number of regions fills.
+    #[test]
+    fn each_tile_is_in_one_region_and_names_it() {
+        let tiles = Tiles::new(9, 5 * ROWS + 1).unwrap();
+        assert_eq!((tiles.tiles.len(), tiles.regions.len()), (54, 6));
+        let mut regions = [None; 54];
+        for region in 0..6 {
+            tiles.of_region(region).for_each(|tile| assert_eq!(regions[tile].replace(region), None));
+        }
+        assert!(regions.into_iter().enumerate().all(|(tile, region)| region == Some(tiles.region(tile))));
+        assert_eq!([0, 3, 4, 8, 35, 36, 53].map(|tile| tiles.region(tile)), [0, 0, 1, 2, 2, 3, 5]);
+    }
+}

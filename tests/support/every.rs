@@ -37,9 +37,7 @@ impl Seen {
             fall: self.fall.max(other.fall),
         }
     }
-}
 
-impl Seen {
     /// Sees what was found, after what was found before, and what would be exact: more than one value where several inputs
     /// share an answer.
     #[inline(always)]
@@ -47,8 +45,9 @@ impl Seen {
         for exact in exact {
             let error = (found - exact).abs();
             // A difference that is not a number is no small one.
-            if error > self.error || error.is_nan() {
-                self.error = if error.is_nan() { f64::INFINITY } else { error };
+            let error = if error.is_nan() { f64::INFINITY } else { error };
+            if error > self.error {
+                self.error = error;
             }
         }
         let step = found - before;
