@@ -42,7 +42,7 @@ fn falloff_error<S: Format, P: Profile>(shape: &Shape<P>) -> f64 {
 fn stored<S: Format, P: Profile>(spot: &Spot<P>, cone: reference::Cone) -> reference::Spot {
     reference::Spot {
         position: S::exact_point(spot.position().map(S::length)),
-        axis: reference::unit(S::exact_direction(S::axis(spot.axis()))),
+        axis: reference::unit(S::exact_direction(spot.axis_in::<S>())),
         cone,
         intensity: spot.intensity().into(),
     }

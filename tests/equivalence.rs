@@ -23,7 +23,7 @@ fn assert_skipping_is_exact<S: Format, P: Profile>(shape: &Shape<P>) {
             let spot = sweep::spot(&mut rng, cone).with_intensity(100.0).expect("sound");
             let compiled = spot.compile::<S>().expect("held");
             let position = S::exact_point(spot.position().map(S::length));
-            let axis = reference::unit(S::exact_direction(S::axis(spot.axis())));
+            let axis = reference::unit(S::exact_direction(spot.axis_in::<S>()));
             for _ in 0..1_000 {
                 let distance = sweep::distance(&mut rng);
                 let site = sweep::site::<S>(&mut rng, position, axis, degrees.into(), distance);

@@ -281,7 +281,7 @@ fn lit_errors<S: Format>() -> [f64; 2] {
         let lit = spot.compile::<S>().expect("held");
         let exact_spot = reference::Spot {
             position: S::exact_point(spot.position().map(S::length)),
-            axis: unit(S::exact_direction(S::axis(spot.axis()))),
+            axis: unit(S::exact_direction(spot.axis_in::<S>())),
             cone: reference::Cone::new(reference::soft, reference::versine(outer_degrees.into())),
             intensity: spot.intensity().into(),
         };

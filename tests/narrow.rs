@@ -44,7 +44,7 @@ fn error_at_the_narrowest<S: Format, P: Profile>(shape: &Shape<P>) -> f64 {
         let spot = sweep::spot(&mut rng, cone);
         let compiled = spot.compile::<S>().expect("the narrowest cone is accepted");
         let position = S::exact_point(spot.position().map(S::length));
-        let axis = reference::unit(S::exact_direction(S::axis(spot.axis())));
+        let axis = reference::unit(S::exact_direction(spot.axis_in::<S>()));
         let exact = reference::Spot { position, axis, intensity: 1.0, cone: shape.exactly_at(half_degrees) };
         for _ in 0..2_000 {
             let off_axis = radians * (steepest + 0.1 * (rng.f64() - 0.5)).min(1.0);
@@ -120,7 +120,7 @@ fn a_step_is_in_its_place() {
             let spot = sweep::spot(&mut rng, cone);
             let compiled = spot.compile::<S>().expect("the narrowest cone is accepted");
             let position = S::exact_point(spot.position().map(S::length));
-            let axis = reference::unit(S::exact_direction(S::axis(spot.axis())));
+            let axis = reference::unit(S::exact_direction(spot.axis_in::<S>()));
             for _ in 0..500 {
                 let inside = rng.bool();
                 let fraction = if inside { 1.0 - 1.1 / 510.0 } else { 1.0 + 1.1 / 510.0 };

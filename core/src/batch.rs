@@ -61,7 +61,7 @@ impl<S: Scalar, P: Profile, A: Attenuation> Lamp<S> for CompiledSpot<S, P, A> {
         normal: Vec3<S>,
     ) -> S::Irradiance {
         let cosine = ray.cosine(offset.facing(normal));
-        let fraction = cosine.of(self.falloff.toward(*ray, self.axis));
+        let fraction = cosine.of(self.falloff.toward(offset, ray, self.axis));
         A::expose(&self.attenuation, offset, ray, fraction, self.intensity)
     }
 }

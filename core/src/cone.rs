@@ -9,7 +9,7 @@ use crate::{
     angle::Angle,
     error::{Accepted, Error, Parameter},
     profile::{Edge, Power, Profile},
-    scalar::Scalar,
+    scalar::{Scalar, Slopes, float::positive},
     search::bisect,
 };
 
@@ -197,12 +197,15 @@ impl<P: Profile> Cone<P> {
         core::f32::consts::TAU * versine
     }
 
-    /// The narrowest outer angle of this profile, without a hotspot, that the format `S` evaluates within half a
-    /// step of eight bits, on exact inputs: the format's error of direction, magnified by the profile's
-    /// steepness, reaches 1/510. A hotspot makes the profile steeper; a step, which no format can hold to an
-    /// intensity, is in its place within 1/510 of its half angle.
+    /// The narrowest outer angle of this profile, without a hotspot, that the format `S` evaluates within half a linear
+    /// code, 1/510, on exact inputs: the format's error of direction, magnified by the profile's steepness, and all other
+    /// roundings reach it there. A hotspot makes the profile steeper; a step, which no format can hold to an intensity, is in
+    /// its place within 1/510 of its half angle.
+    ///
+    /// In `f32` that holds wherever light and point are. On a common grid, where their difference is exact, a cone of half the
+    /// angle would hold it too.
     pub fn narrowest<S: Scalar>(profile: P) -> Angle {
-        narrowest::<S>(profile.steepness(0.0))
+        narrowest::<S>(&slopes(profile, 0.0))
     }
 
     /// Compiles the cone for the format `S`.
@@ -212,14 +215,21 @@ impl<P: Profile> Cone<P> {
     /// steep, or a delimiter that is too narrow.
     pub fn compile<S: Scalar>(&self) -> Result<Falloff<S, P>, Error> {
         self.check::<S>()?;
-        Ok(Falloff::new(S::ramp(self.inner, self.outer, self.limit), self.profile))
+        let Self { inner, outer, limit, .. } = *self;
+        let ramp = if S::holds_coarsely(&self.slopes(inner), outer, limit) { S::ramp } else { S::fine_ramp };
+        Ok(Falloff::new(ramp(inner, outer, limit), self.profile))
+    }
+
+    /// The slopes of the cone, if it had this inner versine.
+    fn slopes(&self, inner: f32) -> Slopes {
+        if inner < self.outer { slopes(self.profile, inner / self.outer) } else { Slopes::STEP }
     }
 
     /// Whether the format can hold the cone: or which of its angles it cannot.
     fn check<S: Scalar>(&self) -> Result<(), Error> {
         let refused =
             |parameter, value: Angle, accepted| Err(Error { parameter, value: value.to_degrees(), accepted });
-        let (outer, step) = (Angle::from_versine(self.outer), narrowest::<S>(1.0));
+        let (outer, step) = (Angle::from_versine(self.outer), narrowest::<S>(&Slopes::STEP));
         let is_step = self.inner >= self.outer;
         let least = if is_step { step } else { Self::narrowest::<S>(self.profile) };
         if outer < least {
@@ -228,8 +238,8 @@ impl<P: Profile> Cone<P> {
         if self.outer() < step {
             return refused(Parameter::DelimiterAngle, self.outer(), Accepted::AngleFrom(step.to_degrees()));
         }
-        let holds = |inner| outer >= narrowest::<S>(self.profile.steepness(inner / self.outer));
-        if is_step || holds(self.inner) {
+        let holds = |inner| outer >= narrowest::<S>(&self.slopes(inner));
+        if holds(self.inner) {
             return Ok(());
         }
         let widest = Angle::from_versine(bisect(0.0, self.inner, holds));
@@ -260,7 +270,16 @@ impl<const N: u32> Cone<Power<N>> {
     }
 }
 
-/// The narrowest outer angle of a steepness that a format holds.
-fn narrowest<S: Scalar>(steepness: f32) -> Angle {
-    Angle::radians(2.0 * S::DIRECTION_ERROR * steepness * 510.0)
+/// The slopes of a profile around a hotspot whose versine is that share of the outer one, in [0, 1).
+fn slopes<P: Profile>(profile: P, hotspot: f32) -> Slopes {
+    /// So narrow a rim that all of it is at the edge, where the slope over the argument is half of that over the angle.
+    const RIM: f32 = 1.0 / 1024.0;
+    let fraction = profile.steepness(1.0 - RIM) * RIM / 2.0;
+    Slopes { angle: profile.steepness(hotspot), fraction: fraction * (1.0 + RIM) }
+}
+
+/// The narrowest outer angle of these slopes that a format holds; 360 degrees and more where it holds none.
+fn narrowest<S: Scalar>(edge: &Slopes) -> Angle {
+    let room = positive(1.0 / 510.0 - S::rounding(edge));
+    Angle::radians(2.0 * S::DIRECTION_ERROR * edge.angle / room)
 }

@@ -107,12 +107,25 @@ pub(crate) fn check_reach<S: Scalar>(position: Vec3<f32>) -> Result<(), Error> {
     Ok(())
 }
 
-/// The axis at unit length and the length it had, or the error that shows that.
-fn unit_axis(parameter: Parameter, axis: Vec3<f32>) -> Result<(Vec3<f32>, f32), Error> {
-    let length = trig::sqrt(axis.dot(axis));
-    if (1e-18..=1e18).contains(&length) {
-        Ok((axis.map(|c| c / length), length))
-    } else {
-        Err(Error { parameter, value: length, accepted: Accepted::Direction })
+/// An axis of a light.
+#[derive(Clone, Copy, PartialEq, Debug)]
+struct Axis {
+    /// At unit length, within the roundings of f32.
+    unit: Vec3<f32>,
+    /// With all bits that were given: times a power of two, its largest component from 1/2 to 1.
+    toward: Vec3<f32>,
+}
+
+impl Axis {
+    /// The axis along a vector and the length of that, or the error that shows it.
+    fn new(parameter: Parameter, vector: Vec3<f32>) -> Result<(Self, f32), Error> {
+        let length = trig::sqrt(vector.dot(vector));
+        if !(1e-18..=1e18).contains(&length) {
+            return Err(Error { parameter, value: length, accepted: Accepted::Direction });
+        }
+        let [x, y, z] = [vector.x, vector.y, vector.z].map(f32::abs);
+        let exponent = x.max(y).max(z).to_bits() >> 23;
+        let scale = f32::from_bits((253 - exponent) << 23);
+        Ok((Self { unit: vector.map(|c| c / length), toward: vector.map(|c| c * scale) }, length))
     }
 }

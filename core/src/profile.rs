@@ -33,7 +33,7 @@ mod quadratic;
 mod step;
 mod table;
 
-use crate::scalar::Scalar;
+use crate::scalar::{Fraction, Scalar};
 
 pub(crate) use self::matched::CompiledMatched;
 pub use self::{
@@ -79,7 +79,7 @@ pub trait Profile: Copy + core::fmt::Debug {
 /// A [`Profile`] in the format `S`: what is evaluated per point.
 pub trait Curve<S: Scalar>: Copy + PartialEq + core::fmt::Debug {
     /// The intensity at `t`, in [0, 1].
-    fn intensity(self, t: S::Fraction) -> S;
+    fn intensity<F: Fraction<S>>(self, t: F) -> F::Value;
 }
 
 /// Implements the compilation of a profile without coefficients: it is its own curve.

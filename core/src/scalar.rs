@@ -56,7 +56,10 @@ pub trait Scalar:
     /// The versine of an angle off axis, in the scale of a ramp: a narrow cone keeps its leading bits.
     type Versine: Copy + PartialOrd + core::fmt::Debug;
     /// The argument of an edge profile: from 0 at the edge of a cone to 1 in its middle.
-    type Fraction: Fraction<Self>;
+    type Fraction: Fraction<Self, Value = Self>;
+    /// The same argument with more bits, where a steep cone needs them. A format whose fraction has enough of them has no
+    /// other.
+    type Fine: Fraction<Self>;
     /// A coefficient of an edge profile, from -4 to 4.
     type Weight: Copy + PartialEq + core::fmt::Debug + Source;
     /// The ramp from the edge of a cone to its middle, compiled.
@@ -78,7 +81,8 @@ pub trait Scalar:
     const ONE: Self;
     /// The unit in the last place of one.
     const STEP: f32;
-    /// How far off the direction to a point can be, in radians: what a narrow cone magnifies.
+    /// How far off the direction to a point can be, in radians: what a narrow cone magnifies. In `f32` half of it is the
+    /// rounding of the difference of point and light, which have none where both are on a common grid.
     const DIRECTION_ERROR: f32;
     /// The largest coordinate of a light, in either direction. Points may be anywhere.
     const FARTHEST: f32;
@@ -93,6 +97,10 @@ pub trait Scalar:
     fn length(value: f32) -> Self::Length;
     /// The unit vector along an axis whose length is 1 within the roundings of f32.
     fn axis(axis: Vec3<f32>) -> Vec3<Self::Unit>;
+    /// The unit vector along a vector whose largest component is from 1/2 to 1; `unit` is the same in f32.
+    fn aim(_: Vec3<f32>, unit: Vec3<f32>) -> Vec3<Self::Unit> {
+        Self::axis(unit)
+    }
     /// The nearest versine in the scale of a ramp; saturates beyond its outer versine.
     fn versine(ramp: Self::Ramp, value: f32) -> Self::Versine;
     /// The nearest weight; saturates at -4 and 4, and what is not a number becomes zero.
@@ -111,9 +119,24 @@ pub trait Scalar:
     /// Compiles a ramp between two versines, from 0 at `outer` to 1 from `inner` inwards, that is cut off to 0 from
     /// `limit` outwards. A limit at `outer` cuts nothing off; an inner versine at `outer` makes a step.
     fn ramp(inner: f32, outer: f32, limit: f32) -> Self::Ramp;
+    /// Upper bound of what rounding adds to the error of an intensity that the direction makes, whatever the angle of the cone:
+    /// the length of the direction, the versines of the set-up, the argument of the profile and the profile itself.
+    /// Infinite where the format does not hold the profile at any angle.
+    fn rounding(edge: &Slopes) -> f32;
+    /// Whether [`Fraction`](Self::Fraction) holds the cone between versines of 0 and `outer`, evaluated up to `limit`, to
+    /// half a step of eight bits: otherwise it wants a [`fine_ramp`](Self::fine_ramp).
+    fn holds_coarsely(_edge: &Slopes, _outer: f32, _limit: f32) -> bool {
+        true
+    }
+    /// As [`ramp`](Self::ramp), evaluated with [`Fine`](Self::Fine) fractions.
+    fn fine_ramp(inner: f32, outer: f32, limit: f32) -> Self::Ramp {
+        Self::ramp(inner, outer, limit)
+    }
     /// Where a versine stands on a ramp: exactly 0 at and beyond the limit, else exactly 1 at and within the inner
     /// versine, monotone between.
-    fn rise(ramp: Self::Ramp, versine: Self::Versine) -> Self::Fraction;
+    fn rise(ramp: Self::Ramp, versine: Self::Versine) -> Rise<Self>;
+    /// The scalar nearest to what a profile makes of a fine fraction.
+    fn rounded(value: <Self::Fine as Fraction<Self>>::Value) -> Self;
     /// `t^2 (3 - 2t)` of a fraction clamped to [0, 1]: exact at both ends.
     fn smooth(self) -> Self;
 
@@ -161,6 +184,41 @@ pub trait Scalar:
     /// One of the codes about a linear value, clipped to [0, 1]: the upper one where the light is past `threshold`
     /// 128ths of the way from the lower one's to its own.
     fn srgb_dithered<const LAST: usize>(self, threshold: u8) -> u8;
+}
+
+/// How steep the intensity of a cone is, at most: what its errors are magnified by.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Slopes {
+    /// Over the angle off axis, in units of the outer half angle. An error of the versine by a factor `1 + e` is an error of
+    /// the intensity of no more than half of this times `e`.
+    pub angle: f32,
+    /// Over the argument of the profile.
+    pub fraction: f32,
+}
+
+impl Slopes {
+    /// Of a jump: its place is to be right within 1/510 of its half angle.
+    pub const STEP: Self = Self { angle: 1.0, fraction: 0.0 };
+}
+
+/// The argument of an edge profile, with as many bits as the cone needs.
+#[derive(Clone, Copy, PartialEq, PartialOrd, Debug)]
+pub enum Rise<S: Scalar> {
+    /// One bit more than a scalar.
+    Coarse(S::Fraction),
+    /// All that the format can give.
+    Fine(S::Fine),
+}
+
+impl<S: Scalar> Rise<S> {
+    /// The nearest scalar.
+    #[inline(always)]
+    pub(crate) fn scalar(self) -> S {
+        match self {
+            Self::Coarse(t) => t.scalar(),
+            Self::Fine(t) => S::rounded(t.scalar()),
+        }
+    }
 }
 
 /// A factor from zero upwards with an exponent of its own, and the arithmetic of distances on it.
@@ -223,9 +281,9 @@ pub trait Ray<S: Scalar>: Copy + core::fmt::Debug {
     /// The versine of the angle between direction and axis, in the scale of a ramp, by the difference of the two:
     /// `|l - s|^2 / 2` keeps the narrow beams that `1 - l.s` loses.
     fn versine(&self, axis: Vec3<S::Unit>, ramp: S::Ramp) -> S::Versine;
-    /// Where the direction stands on a ramp about an axis: [`Scalar::rise`] of [`versine`](Self::versine).
+    /// Where the direction of an offset, of which this is the ray, stands on a ramp about an axis.
     #[inline(always)]
-    fn rise(&self, axis: Vec3<S::Unit>, ramp: S::Ramp) -> S::Fraction {
+    fn rise(&self, _: &S::Offset, axis: Vec3<S::Unit>, ramp: S::Ramp) -> Rise<S> {
         S::rise(ramp, self.versine(axis, ramp))
     }
     /// The cosine of the angle of incidence, and zero where the surface faces away.

@@ -18,7 +18,7 @@
 //! the light shine through.
 
 use crate::{
-    scalar::{Fraction, Scalar},
+    scalar::Scalar,
     vec3::Vec3,
 };
 

@@ -47,7 +47,7 @@ fn versine_form<S: Format>(half_degrees: f32) -> Option<f64> {
         let spot = sweep::spot(&mut rng, cone);
         let exact = reference::Spot {
             position: S::exact_point(spot.position().map(S::length)),
-            axis: unit(S::exact_direction(S::axis(spot.axis()))),
+            axis: unit(S::exact_direction(spot.axis_in::<S>())),
             cone: reference::Cone::new(reference::soft, reference::versine(half_degrees.into())),
             intensity: 1.0,
         };

@@ -69,7 +69,7 @@ impl Find {
 pub fn error<S: Format, P: Profile>(shape: &Shape<P>, half_degrees: f32, place: Place) -> Option<f64> {
     let cone = shape.exactly_at(half_degrees);
     let spot = Spot::new(Vec3::default(), place.axis, shape.at(half_degrees)).ok()?;
-    let axis = reference::unit(S::exact_direction(S::axis(spot.axis())));
+    let axis = reference::unit(S::exact_direction(spot.axis_in::<S>()));
     let exact = reference::Spot { position: [0.0; 3], axis, cone, intensity: 1.0 };
     let point = place.point.map(S::length);
     let found = spot.compile::<S>().ok()?.falloff(point).exact();

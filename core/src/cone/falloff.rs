@@ -2,7 +2,7 @@
 
 use crate::{
     profile::{Curve, Edge, Profile},
-    scalar::{Offset, Ray, Scalar},
+    scalar::{Offset, Ray, Rise, Scalar},
     vec3::Vec3,
 };
 
@@ -29,10 +29,18 @@ impl<S: Scalar, P: Profile> Falloff<S, P> {
         S::versine(self.ramp, value)
     }
 
-    /// The intensity in a direction from the light, which has an axis.
+    /// The intensity in the direction of an offset from the light, of which `ray` is the ray.
     #[inline(always)]
-    pub fn toward(&self, ray: <S::Offset as Offset<S>>::Ray, axis: Vec3<S::Unit>) -> S {
-        self.curve.intensity(ray.rise(axis, self.ramp))
+    pub fn toward(&self, offset: &S::Offset, ray: &<S::Offset as Offset<S>>::Ray, axis: Vec3<S::Unit>) -> S {
+        self.intensity(ray.rise(offset, axis, self.ramp))
+    }
+
+    #[inline(always)]
+    fn intensity(&self, rise: Rise<S>) -> S {
+        match rise {
+            Rise::Coarse(t) => self.curve.intensity(t),
+            Rise::Fine(t) => S::rounded(self.curve.intensity(t)),
+        }
     }
 
     /// The intensity at a versine, in the scale of [`versine`](Self::versine): exactly 0 from the outer versine or a
@@ -40,7 +48,7 @@ impl<S: Scalar, P: Profile> Falloff<S, P> {
     /// a step of the format).
     #[inline(always)]
     pub fn at(&self, versine: S::Versine) -> S {
-        self.curve.intensity(S::rise(self.ramp, versine))
+        self.intensity(S::rise(self.ramp, versine))
     }
 
     /// The same falloff with another type of profile.

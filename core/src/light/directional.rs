@@ -1,6 +1,6 @@
 //! Light from infinitely far away.
 
-use super::{Emission, emission_methods, unit_axis};
+use super::{Axis, Emission, emission_methods};
 use crate::{
     color::Rgb,
     error::{Error, Parameter},
@@ -29,7 +29,7 @@ impl Directional {
     /// # Errors
     /// A direction that is zero, not finite, or of a length that cannot be squared.
     pub fn new(direction: Vec3<f32>) -> Result<Self, Error> {
-        let (direction, _) = unit_axis(Parameter::Direction, direction)?;
+        let (Axis { unit: direction, .. }, _) = Axis::new(Parameter::Direction, direction)?;
         Ok(Self { direction, emission: Emission::WHITE })
     }
 

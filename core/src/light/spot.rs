@@ -1,6 +1,6 @@
 //! Light from a place into a cone.
 
-use super::{Emission, check_reach, checked_position, emission_methods, unit_axis};
+use super::{Axis, Emission, check_reach, checked_position, emission_methods};
 use crate::{
     attenuation::{Attenuation, InverseSquare, SmoothRange},
     color::Rgb,
@@ -31,7 +31,7 @@ use crate::{
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Spot<P = Edge, A = InverseSquare> {
     position: Vec3<f32>,
-    axis: Vec3<f32>,
+    axis: Axis,
     cone: Cone<P>,
     attenuation: A,
     emission: Emission,
@@ -44,7 +44,7 @@ impl<P: Profile> Spot<P> {
     /// A position that is not finite; an axis that is zero, not finite, or of a length that cannot be squared.
     pub fn new(position: Vec3<f32>, axis: Vec3<f32>, cone: Cone<P>) -> Result<Self, Error> {
         let position = checked_position(Parameter::Position, position)?;
-        let (axis, _) = unit_axis(Parameter::Axis, axis)?;
+        let (axis, _) = Axis::new(Parameter::Axis, axis)?;
         Ok(Self { position, axis, cone, attenuation: InverseSquare, emission: Emission::WHITE })
     }
 }
@@ -66,7 +66,7 @@ impl<P: Profile> Spot<P, SmoothRange> {
     pub fn between(position: Vec3<f32>, end: Vec3<f32>, cone: Cone<P>) -> Result<Self, Error> {
         let position = checked_position(Parameter::Position, position)?;
         let end = checked_position(Parameter::EndPoint, end)?;
-        let (axis, range) = unit_axis(Parameter::EndPoint, end.zip(position, |e, p| e - p))?;
+        let (axis, range) = Axis::new(Parameter::EndPoint, end.zip(position, |e, p| e - p))?;
         Ok(Self { position, axis, cone, attenuation: SmoothRange::new(range)?, emission: Emission::WHITE })
     }
 }
@@ -85,7 +85,7 @@ impl<P: Profile, A: Attenuation> Spot<P, A> {
     /// # Errors
     /// An axis that is zero, not finite, or of a length that cannot be squared.
     pub fn with_axis(&self, axis: Vec3<f32>) -> Result<Self, Error> {
-        let (axis, _) = unit_axis(Parameter::Axis, axis)?;
+        let (axis, _) = Axis::new(Parameter::Axis, axis)?;
         Ok(Self { axis, ..*self })
     }
 
@@ -102,7 +102,13 @@ impl<P: Profile, A: Attenuation> Spot<P, A> {
 
     /// Where the light points, of unit length.
     pub fn axis(&self) -> Vec3<f32> {
-        self.axis
+        self.axis.unit
+    }
+
+    /// Where the light points, as the format `S` stores it: from all bits of the axis that was given, so that in `Fx32` a
+    /// point on it is on the axis of the compiled light too.
+    pub fn axis_in<S: Scalar>(&self) -> Vec3<S::Unit> {
+        S::aim(self.axis.toward, self.axis.unit)
     }
 
     /// The cone.
@@ -124,7 +130,7 @@ impl<P: Profile, A: Attenuation> Spot<P, A> {
         check_reach::<S>(self.position)?;
         Ok(CompiledSpot {
             position: self.position.map(S::length),
-            axis: S::axis(self.axis),
+            axis: self.axis_in::<S>(),
             falloff: self.cone.compile()?,
             outside: scalar::outside_bound(self.cone.outer_versine()),
             attenuation: self.attenuation.constants::<S>(),

@@ -5,7 +5,7 @@ use super::{
     Blend, Cubic, Curve, Hard, Profile, Soft, cubic::CompiledCubic, quadratic::CompiledBlend,
     without_coefficients,
 };
-use crate::scalar::Scalar;
+use crate::scalar::{Fraction, Scalar};
 
 /// One of the two profiles of one multiply, chosen at run time.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -82,7 +82,7 @@ impl Profile for Edge {
 
 impl<S: Scalar> Curve<S> for Edge {
     #[inline(always)]
-    fn intensity(self, t: S::Fraction) -> S {
+    fn intensity<F: Fraction<S>>(self, t: F) -> F::Value {
         edge!(self, profile => profile.intensity(t))
     }
 }
@@ -116,7 +116,7 @@ impl Profile for Fitted {
 
 impl<S: Scalar> Curve<S> for CompiledFitted<S> {
     #[inline(always)]
-    fn intensity(self, t: S::Fraction) -> S {
+    fn intensity<F: Fraction<S>>(self, t: F) -> F::Value {
         fitted!(self, profile => profile.intensity(t))
     }
 }

@@ -173,7 +173,7 @@ impl Profile for Smooth {
 
 impl<S: Scalar> Curve<S> for Smooth {
     #[inline(always)]
-    fn intensity(self, t: S::Fraction) -> S {
+    fn intensity<F: Fraction<S>>(self, t: F) -> F::Value {
         t.smooth()
     }
 }
@@ -219,7 +219,7 @@ impl Profile for Cubic {
 
 impl<S: Scalar> Curve<S> for CompiledCubic<S> {
     #[inline(always)]
-    fn intensity(self, t: S::Fraction) -> S {
+    fn intensity<F: Fraction<S>>(self, t: F) -> F::Value {
         t.cubic(self.g, self.h)
     }
 }

@@ -46,7 +46,7 @@ fn raised(x: f32, n: u32) -> f32 {
 
 /// `t^n` for `n` from 1 up, kept fine: by the binary digits of `n`, from the second highest down.
 #[inline(always)]
-pub(super) fn power<S: Scalar>(t: S::Fraction, n: u32) -> S::Fraction {
+pub(super) fn power<S: Scalar, F: Fraction<S>>(t: F, n: u32) -> F {
     let mut power = t;
     let mut digit = n.ilog2();
     while digit > 0 {
@@ -61,14 +61,14 @@ pub(super) fn power<S: Scalar>(t: S::Fraction, n: u32) -> S::Fraction {
 
 /// `t^n`, whose last product is rounded to the scalar at once.
 #[inline(always)]
-pub(super) fn rounded_power<S: Scalar>(t: S::Fraction, n: u32) -> S {
+pub(super) fn rounded_power<S: Scalar, F: Fraction<S>>(t: F, n: u32) -> F::Value {
     if n == 1 {
         t.scalar()
     } else if n.is_multiple_of(2) {
-        let root = power::<S>(t, n / 2);
+        let root = power(t, n / 2);
         root.product(root)
     } else {
-        power::<S>(t, n - 1).product(t)
+        power(t, n - 1).product(t)
     }
 }
 
@@ -142,8 +142,8 @@ impl Profile for IntegerPower {
 
 impl<S: Scalar> Curve<S> for IntegerPower {
     #[inline(always)]
-    fn intensity(self, t: S::Fraction) -> S {
-        rounded_power::<S>(t, self.exponent)
+    fn intensity<F: Fraction<S>>(self, t: F) -> F::Value {
+        rounded_power::<S, F>(t, self.exponent)
     }
 }
 
@@ -173,7 +173,7 @@ impl Profile for IntegerRim {
 
 impl<S: Scalar> Curve<S> for IntegerRim {
     #[inline(always)]
-    fn intensity(self, t: S::Fraction) -> S {
-        S::ONE.minus(rounded_power::<S>(t.complement(), self.exponent))
+    fn intensity<F: Fraction<S>>(self, t: F) -> F::Value {
+        F::lack(rounded_power::<S, F>(t.complement(), self.exponent))
     }
 }

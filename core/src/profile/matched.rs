@@ -7,7 +7,7 @@ use super::{
     mixed::{CompiledMixedPower, CompiledMixedRim},
     quadratic::CompiledBlend,
 };
-use crate::scalar::Scalar;
+use crate::scalar::{Fraction, Scalar};
 
 /// Any profile, chosen at run time: the one that matches a light of [another system](crate::import), or that a
 /// [`Lamp`](crate::Lamp) was given.
@@ -207,7 +207,7 @@ impl Profile for Matched {
 
 impl<S: Scalar> Curve<S> for CompiledMatched<S> {
     #[inline(always)]
-    fn intensity(self, t: S::Fraction) -> S {
+    fn intensity<F: Fraction<S>>(self, t: F) -> F::Value {
         matched!(self, profile => profile.intensity(t))
     }
 }

@@ -139,15 +139,15 @@ impl<S: Scalar> CompiledMixture<S> {
 
     /// The mixture of the powers of a fraction: exactly 0 at 0 and exactly 1 at 1.
     #[inline(always)]
-    fn of(self, x: S::Fraction) -> S {
-        let rise = power::<S>(x, self.rise);
+    fn of<F: Fraction<S>>(self, x: F) -> F::Value {
+        let rise = power(x, self.rise);
         let (low, high) = if self.low == 0 {
             (x.step(), rise.scalar())
         } else {
-            let low = power::<S>(x, self.low);
+            let low = power(x, self.low);
             (low.scalar(), low.product(rise))
         };
-        low.minus(low.minus(high).times(self.share))
+        F::mixed(low, high, self.share)
     }
 }
 
@@ -195,7 +195,7 @@ impl Profile for MixedPower {
 
 impl<S: Scalar> Curve<S> for CompiledMixedPower<S> {
     #[inline(always)]
-    fn intensity(self, t: S::Fraction) -> S {
+    fn intensity<F: Fraction<S>>(self, t: F) -> F::Value {
         self.0.of(t)
     }
 }
@@ -229,7 +229,7 @@ impl Profile for MixedRim {
 
 impl<S: Scalar> Curve<S> for CompiledMixedRim<S> {
     #[inline(always)]
-    fn intensity(self, t: S::Fraction) -> S {
-        S::ONE.minus(self.0.of(t.complement()))
+    fn intensity<F: Fraction<S>>(self, t: F) -> F::Value {
+        F::lack(self.0.of(t.complement()))
     }
 }

@@ -48,8 +48,8 @@ impl<const N: u32> Profile for Power<N> {
 
 impl<S: Scalar, const N: u32> Curve<S> for Power<N> {
     #[inline(always)]
-    fn intensity(self, t: S::Fraction) -> S {
-        rounded_power::<S>(t, sound::<N>())
+    fn intensity<F: Fraction<S>>(self, t: F) -> F::Value {
+        rounded_power::<S, F>(t, sound::<N>())
     }
 }
 
@@ -75,7 +75,7 @@ impl<const N: u32> Profile for Rim<N> {
 
 impl<S: Scalar, const N: u32> Curve<S> for Rim<N> {
     #[inline(always)]
-    fn intensity(self, t: S::Fraction) -> S {
-        S::ONE.minus(rounded_power::<S>(t.complement(), sound::<N>()))
+    fn intensity<F: Fraction<S>>(self, t: F) -> F::Value {
+        F::lack(rounded_power::<S, F>(t.complement(), sound::<N>()))
     }
 }

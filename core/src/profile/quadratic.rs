@@ -102,7 +102,7 @@ impl Profile for Soft {
 
 impl<S: Scalar> Curve<S> for Soft {
     #[inline(always)]
-    fn intensity(self, t: S::Fraction) -> S {
+    fn intensity<F: Fraction<S>>(self, t: F) -> F::Value {
         t.product(t)
     }
 }
@@ -132,9 +132,9 @@ impl Profile for Hard {
 
 impl<S: Scalar> Curve<S> for Hard {
     #[inline(always)]
-    fn intensity(self, t: S::Fraction) -> S {
+    fn intensity<F: Fraction<S>>(self, t: F) -> F::Value {
         let u = t.complement();
-        S::ONE.minus(u.product(u))
+        F::lack(u.product(u))
     }
 }
 
@@ -163,7 +163,7 @@ impl Profile for Linear {
 
 impl<S: Scalar> Curve<S> for Linear {
     #[inline(always)]
-    fn intensity(self, t: S::Fraction) -> S {
+    fn intensity<F: Fraction<S>>(self, t: F) -> F::Value {
         t.scalar()
     }
 }
@@ -207,7 +207,7 @@ impl Profile for Blend {
 
 impl<S: Scalar> Curve<S> for CompiledBlend<S> {
     #[inline(always)]
-    fn intensity(self, t: S::Fraction) -> S {
+    fn intensity<F: Fraction<S>>(self, t: F) -> F::Value {
         t.blend(self.g)
     }
 }

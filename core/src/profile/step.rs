@@ -31,7 +31,7 @@ impl Profile for CutOff {
 
 impl<S: Scalar> Curve<S> for CutOff {
     #[inline(always)]
-    fn intensity(self, t: S::Fraction) -> S {
+    fn intensity<F: Fraction<S>>(self, t: F) -> F::Value {
         t.step()
     }
 }

@@ -165,8 +165,8 @@ impl Profile for Table<'_> {
 
 impl<S: Scalar> Curve<S> for Table<'_> {
     #[inline(always)]
-    fn intensity(self, t: S::Fraction) -> S {
+    fn intensity<F: Fraction<S>>(self, t: F) -> F::Value {
         // A table may end above zero: the edge is dark all the same.
-        if t.step() > S::ZERO { t.sample(self.samples) } else { S::ZERO }
+        if t.step() > F::Value::default() { t.sample(self.samples) } else { F::Value::default() }
     }
 }

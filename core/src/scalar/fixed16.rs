@@ -1,16 +1,18 @@
 //! The 16-bit format: scalars of 16 bits, lengths and directions of 32, and no product wider than 32 bits, so that
 //! a processor with nothing but a 32-bit multiply runs it.
 
+mod fine;
 mod frame;
 mod gain;
 mod lobe;
 mod offset;
 
 pub use self::frame::Frame16;
-use self::offset::Offset16;
-use super::{Offset, Place, Ray, Scalar, fraction::Fraction16, nearest};
+use self::{fine::Fine16, offset::Offset16};
+use super::{Offset, Place, Ray, Rise, Scalar, Slopes, fraction::Fraction16, nearest};
 use crate::{
     color::{dithered_fixed, srgb16},
+    trig,
     vec3::Vec3,
 };
 use fixed::types::{I2F14, I2F30, I16F16, I18F14, U3F29, U18F14};
@@ -34,6 +36,9 @@ pub struct Ramp16 {
     /// One with 31 fraction bits, half a step of the result, less half of what a shifted versine has lost: what the
     /// product is taken from, and all roundings, in one subtraction.
     one: u32,
+    /// The width of a fine ramp, whose `width` is 0: then `shift` is that of its span to 32 bits, and `mantissa` `2^63`
+    /// over the shifted span. 0 for any other.
+    fine: u32,
 }
 
 /// A factor `mantissa / 2^shift`.
@@ -47,32 +52,63 @@ pub struct Gain16 {
 impl Ramp16 {
     /// The ramp of these bits, in the order of the fields. Those that no ramp has are brought to where every versine has a
     /// place.
-    pub const fn from_bits([zoom, inner, width, shift, mantissa, one]: [u32; 6]) -> Self {
+    pub const fn from_bits([zoom, inner, width, shift, mantissa, one, fine]: [u32; 7]) -> Self {
         /// Beyond this a versine at the inner one would be more than one.
         const MOST: u32 = (1 << 31) + (1 << 16) - 1;
+        let zoom = if zoom < MOST_ZOOM { zoom } else { MOST_ZOOM };
+        if fine > 0 {
+            return Self { zoom, inner, width: 0, shift: shift % u64::BITS, mantissa, one: 0, fine };
+        }
         let shift = shift % u32::BITS;
         let one = if one < MOST { one } else { MOST };
         let steps = width.saturating_sub(1) >> shift;
         Self {
-            zoom: if zoom < MOST_ZOOM { zoom } else { MOST_ZOOM },
+            zoom,
             inner,
             width,
             shift,
             mantissa: if steps.saturating_mul(mantissa) <= one { mantissa } else { 0 },
             one,
+            fine,
         }
     }
 
     /// The bits, in the order of the fields.
-    pub const fn to_bits(self) -> [u32; 6] {
-        [self.zoom, self.inner, self.width, self.shift, self.mantissa, self.one]
+    pub const fn to_bits(self) -> [u32; 7] {
+        [self.zoom, self.inner, self.width, self.shift, self.mantissa, self.one, self.fine]
+    }
+
+    /// Inner versine, limit and outer versine, times `2^29 4^zoom`, and the zoom.
+    fn scaled(inner: f32, outer: f32, limit: f32) -> (u32, u32, u32, u64) {
+        // Two is the square of the largest component that `versine_between` lets pass. Beyond the limit none has to.
+        let limit = if limit < outer { limit } else { outer };
+        let zoom = zoom(limit);
+        let [inner, limit] = [inner, limit].map(|versine| magnified(versine, zoom).to_bits());
+        (zoom, inner, limit, (outer * (1_u64 << (29 + 2 * zoom)) as f32 + 0.5) as u64)
+    }
+
+    /// `t` for what a versine has over the inner one, which is less than the width.
+    #[inline(always)]
+    fn within(self, past: u32) -> Fraction16 {
+        Fraction16((self.one - (past >> self.shift) * self.mantissa) >> 16)
+    }
+
+    /// `t` for a versine within the inner one or beyond the width.
+    #[inline(always)]
+    fn end(self, versine: u32) -> Fraction16 {
+        Fraction16(if versine < self.inner { 1 << 15 } else { 0 })
     }
 }
 
 /// The largest zoom of a ramp: one more would ask for bits that a direction does not have.
 const MOST_ZOOM: u32 = 15;
 
-/// The nearest versine times `4^zoom`, saturating; not a number becomes zero.
+/// The zoom of a ramp that ends at this versine.
+fn zoom(limit: f32) -> u32 {
+    (1..=MOST_ZOOM).take_while(|&zoom| magnified(limit, zoom) <= 2).last().unwrap_or(0)
+}
+
+/// The nearest versine times `4^zoom`, saturating; NaN becomes zero.
 fn magnified(value: f32, zoom: u32) -> U3F29 {
     let value = value * (1_u64 << (2 * zoom)) as f32;
     if value.is_nan() { U3F29::ZERO } else { U3F29::saturating_from_num(value) }
@@ -99,6 +135,7 @@ impl Scalar for Fx16 {
     type Unit = I2F30;
     type Versine = U3F29;
     type Fraction = Fraction16;
+    type Fine = Fine16;
     type Weight = I18F14;
     type Ramp = Ramp16;
     type Frame = Frame16;
@@ -167,11 +204,7 @@ impl Scalar for Fx16 {
     }
 
     fn ramp(inner: f32, outer: f32, limit: f32) -> Ramp16 {
-        // Two is the square of the largest component that `versine_between` lets pass. Beyond the limit none has to.
-        let limit = if limit < outer { limit } else { outer };
-        let zoom = (1..=MOST_ZOOM).take_while(|&zoom| magnified(limit, zoom) <= 2).last().unwrap_or(0);
-        let [inner, limit] = [inner, limit].map(|versine| magnified(versine, zoom).to_bits());
-        let outer = (outer * (1_u64 << (29 + 2 * zoom)) as f32 + 0.5) as u64;
+        let (zoom, inner, limit, outer) = Ramp16::scaled(inner, outer, limit);
         let span = outer.saturating_sub(inner.into()).max(1);
         let shift = (u64::BITS - span.leading_zeros()).saturating_sub(16).min(31);
         // The whole span divides, not the shifted one: what the shift loses would be an error of the slope.
@@ -180,17 +213,46 @@ impl Scalar for Fx16 {
         let one = (1 << 31) + (1 << 15) - (mantissa - (mantissa >> shift)) / 2;
         // The last versine short of the limit must not be taken below zero.
         let one = one.max((width.saturating_sub(1) >> shift) * mantissa);
-        Ramp16 { zoom, inner: inner.min(limit), width, shift, mantissa, one }
+        Ramp16 { zoom, inner: inner.min(limit), width, shift, mantissa, one, fine: 0 }
+    }
+
+    /// That of a fine ramp, whose direction is hardly off: [`DIRECTION_ERROR`](Self::DIRECTION_ERROR) is the coarse one's, and
+    /// leaves room for it.
+    fn rounding(edge: &Slopes) -> f32 {
+        const ROOM: f32 = 0.99 / 510.0;
+        let fine = edge.angle * 0.25e-6 + edge.fraction * 1e-8 + Self::STEP;
+        if fine <= ROOM { 0.0 } else { f32::INFINITY }
+    }
+
+    /// A coarse versine is within 2.4e-4 of itself: by the rounding of the reciprocal length, by its table and by the
+    /// bits that the offset has lost, 9e-5 and less each; and within half the square of that. The components of the
+    /// difference are rounded to integers, 0.87 units in length. The direction is off by 1.36e-5 else.
+    fn holds_coarsely(edge: &Slopes, outer: f32, limit: f32) -> bool {
+        const LENGTH: f32 = 2.4e-4;
+        let limit = if limit < outer { limit } else { outer };
+        let direction = 1.36e-5 + 0.87 / (1_u32 << (14 + zoom(limit))) as f32;
+        // Twice the sine of half an angle is no longer than its arc: what the slope over a narrow cone's angle is a
+        // bound of, it is over that of a wide one.
+        let chord = trig::sqrt(2.0 * outer);
+        let versine = edge.angle * (direction / chord + LENGTH / 2.0)
+            + edge.fraction * (LENGTH * LENGTH / 2.0 / outer);
+        // The argument and each product of a power are rounded to 15 bits; the ramp has 16.
+        versine + edge.fraction * 3.0 / 65_536.0 + 1.5 * Self::STEP <= 1.0 / 510.0
+    }
+
+    fn fine_ramp(inner: f32, outer: f32, limit: f32) -> Ramp16 {
+        let (zoom, inner, limit, outer) = Ramp16::scaled(inner, outer, limit);
+        Ramp16::finely(zoom, inner, limit, outer)
     }
 
     #[inline(always)]
-    fn rise(ramp: Ramp16, versine: U3F29) -> Fraction16 {
-        let versine = versine.to_bits();
-        let past = versine.wrapping_sub(ramp.inner);
-        if past >= ramp.width {
-            return Fraction16(if versine < ramp.inner { 1 << 15 } else { 0 });
-        }
-        Fraction16((ramp.one - (past >> ramp.shift) * ramp.mantissa) >> 16)
+    fn rise(ramp: Ramp16, versine: U3F29) -> Rise<Self> {
+        ramp.rise(versine, || versine)
+    }
+
+    #[inline(always)]
+    fn rounded(value: Fine16) -> Self {
+        value.rounded()
     }
 
     #[inline(always)]

@@ -1,13 +1,13 @@
 //! The 32-bit format: scalars, lengths and directions of 32 bits, products of 64.
 //!
-//! In the comments `|v|` is the length of the scaled offset, whose largest component has 30 bits.
+//! In the comments `|v|` is the length of the scaled offset, whose largest component has 31 bits.
 
 mod frame;
 mod gain;
 mod lobe;
 
 pub use self::frame::Frame32;
-use super::{Offset, Place, Ray, Scalar, fraction::Fraction32, nearest, root};
+use super::{Offset, Place, Ray, Rise, Scalar, Slopes, fraction::Fraction32, nearest, root};
 use crate::{
     color::{dithered_fixed, srgb32},
     vec3::Vec3,
@@ -20,11 +20,11 @@ pub type Fx32 = I2F30;
 /// A versine with 61 fraction bits: the scale that half the squared difference of two directions has by itself.
 type Versine32 = fixed::FixedU64<fixed::types::extra::U61>;
 
-/// The way from a light to a point, scaled until its largest component has 30 bits.
+/// The way from a light to a point, scaled until its largest component has 31 bits.
 #[derive(Clone, Copy, Debug)]
 pub struct Offset32 {
     way: Vec3<i32>,
-    /// Bits of the largest component before scaling; 0 where the point is on the light.
+    /// Bits of the largest component before scaling, at least 1.
     bits: u32,
 }
 
@@ -34,7 +34,7 @@ pub struct Ray32 {
     direction: Vec3<i32>,
     bits: u32,
     squared: u64,
-    /// `2^62 / |v|`, of 32 to 34 bits.
+    /// `2^62 / |v|`, of 31 to 33 bits.
     reciprocal: u64,
 }
 
@@ -44,6 +44,8 @@ pub struct Ramp32 {
     /// From here on there is no light: the outer versine, or that of a tighter delimiter.
     limit: u64,
     outer: u64,
+    /// From here on inwards there is all the light: the inner versine, or [`ON_AXIS`].
+    inner: u64,
     span: u64,
     /// Takes the span to at most 32 bits.
     shift: u32,
@@ -64,7 +66,7 @@ pub struct Gain32 {
 impl Ramp32 {
     /// The ramp of these bits, in the order of the fields. Those that no ramp has are brought to where every versine has a
     /// place.
-    pub const fn from_bits([limit, outer, span, shift, mantissa, half]: [u64; 6]) -> Self {
+    pub const fn from_bits([limit, outer, inner, span, shift, mantissa, half]: [u64; 7]) -> Self {
         // What the longest product short of the span must stay within, with `half`, to be one at most.
         const MOST: u64 = (1 << 63) + (1 << 32) - 1;
         let shift = shift as u32 % u64::BITS;
@@ -74,6 +76,8 @@ impl Ramp32 {
         Self {
             limit: if limit < outer { limit } else { outer },
             outer,
+            // Beyond the span a gap would be rounded past one.
+            inner: if inner > outer.saturating_sub(span) { inner } else { outer.saturating_sub(span) },
             span,
             shift,
             mantissa,
@@ -82,23 +86,37 @@ impl Ramp32 {
     }
 
     /// The bits, in the order of the fields.
-    pub const fn to_bits(self) -> [u64; 6] {
-        [self.limit, self.outer, self.span, self.shift as u64, self.mantissa, self.half]
+    pub const fn to_bits(self) -> [u64; 7] {
+        [self.limit, self.outer, self.inner, self.span, self.shift as u64, self.mantissa, self.half]
+    }
+
+    #[inline(always)]
+    fn rise(self, versine: u64) -> Fraction32 {
+        if versine >= self.limit {
+            return Fraction32(0);
+        }
+        if versine <= self.inner {
+            return Fraction32(1 << 31);
+        }
+        Fraction32(((((self.outer - versine) >> self.shift) * self.mantissa + self.half) >> 32) as u32)
     }
 }
 
-/// Scales a component of at most this many bits to 30, rounding to nearest: first up to all that there are, so that one
-/// way serves long offsets and short ones.
-#[inline(always)]
-fn scale(component: i32, bits: u32) -> i32 {
-    let doubled = component << (31 - bits);
-    (doubled >> 1) + (doubled & 1)
-}
+/// A versine of no more than this is one on the axis: each component of a direction, of the axis as of the way to a point, is
+/// within a unit in the last place of the exact one, so that two of the same direction are at most 2 units apart in each.
+const ON_AXIS: u64 = 3 * 2 * 2;
 
 /// The product in 64 bits.
 #[inline(always)]
 fn wide(a: i32, b: i32) -> i64 {
     i64::from(a) * i64::from(b)
+}
+
+/// The inner product of a vector and a way. Wraps where the vector is longer than 1.15.
+#[inline(always)]
+fn inner_product(vector: Vec3<I2F30>, way: Vec3<i32>) -> i64 {
+    let products = vector.zip(way, |a, b| wide(a.to_bits(), b));
+    products.x.wrapping_add(products.y).wrapping_add(products.z)
 }
 
 /// The square of a component.
@@ -139,6 +157,7 @@ impl Scalar for Fx32 {
     type Unit = I2F30;
     type Versine = Versine32;
     type Fraction = Fraction32;
+    type Fine = Fraction32;
     type Weight = I34F30;
     type Ramp = Ramp32;
     type Frame = Frame32;
@@ -150,6 +169,7 @@ impl Scalar for Fx32 {
     const ZERO: Self = I2F30::ZERO;
     const ONE: Self = I2F30::ONE;
     const STEP: f32 = 1.0 / 1_073_741_824.0;
+    // Three roundings of half a step: 0.87 steps across the direction.
     const DIRECTION_ERROR: f32 = 8.2e-10;
     const FARTHEST: f32 = 32_767.0;
 
@@ -172,9 +192,18 @@ impl Scalar for Fx32 {
         I16F16::from_bits(nearest(value * 65_536.0))
     }
 
-    /// Made of unit length anew: 24 bits are less than this format's directions have.
+    /// From all bits that the components have, and made of unit length as a direction to a point is.
     fn axis(axis: Vec3<f32>) -> Vec3<I2F30> {
         Offset32::scaled(axis.map(|c| Self::from_f32(c).to_bits())).ray().direction()
+    }
+
+    fn aim(toward: Vec3<f32>, _: Vec3<f32>) -> Vec3<I2F30> {
+        Self::axis(toward)
+    }
+
+    /// The set-up has the versines in f32, within 4e-7 of themselves.
+    fn rounding(edge: &Slopes) -> f32 {
+        edge.angle * 0.21e-6 + (edge.fraction + 1.5) * Self::STEP
     }
 
     fn versine(_: Ramp32, value: f32) -> Versine32 {
@@ -203,8 +232,14 @@ impl Scalar for Fx32 {
 
     #[inline(always)]
     fn offset(light: Vec3<I16F16>, point: Vec3<I16F16>) -> Offset32 {
-        let way = point.zip(light, |p, l| p.to_bits().saturating_sub(l.to_bits()));
-        Offset32::scaled(way)
+        let [p, l] = [point, light].map(|place| place.map(I16F16::to_bits));
+        let way = (p.x.checked_sub(l.x), p.y.checked_sub(l.y), p.z.checked_sub(l.z));
+        if let (Some(x), Some(y), Some(z)) = way {
+            return Offset32::scaled(Vec3::new(x, y, z));
+        }
+        core::hint::cold_path();
+        let Offset32 { way, bits } = Offset32::scaled(p.zip(l, |p, l| (p >> 1) - (l >> 1)));
+        Offset32 { way, bits: bits + 1 }
     }
 
     fn ramp(inner: f32, outer: f32, limit: f32) -> Ramp32 {
@@ -213,23 +248,21 @@ impl Scalar for Fx32 {
         let shift = (u64::BITS - span.leading_zeros()).saturating_sub(32);
         let divisor = (span >> shift).max(1);
         let mantissa = ((1 << 63) + divisor / 2) / divisor;
+        let inner = inner.max(ON_AXIS);
         // The largest gap short of the span must not be rounded past one.
         let room = ((1 << 63) + (1 << 32) - 1) - (span.saturating_sub(1) >> shift) * mantissa;
         let half = ((mantissa - (mantissa >> shift)) / 2 + (1 << 31)).min(room);
-        Ramp32 { limit: limit.min(outer), outer, span, shift, mantissa, half }
+        Ramp32 { limit: limit.min(outer), outer, inner, span, shift, mantissa, half }
     }
 
     #[inline(always)]
-    fn rise(ramp: Ramp32, versine: Versine32) -> Fraction32 {
-        let versine = versine.to_bits();
-        if versine >= ramp.limit {
-            return Fraction32(0);
-        }
-        let gap = ramp.outer - versine;
-        if gap >= ramp.span {
-            return Fraction32(1 << 31);
-        }
-        Fraction32((((gap >> ramp.shift) * ramp.mantissa + ramp.half) >> 32) as u32)
+    fn rise(ramp: Ramp32, versine: Versine32) -> Rise<Self> {
+        Rise::Coarse(ramp.rise(versine.to_bits()))
+    }
+
+    #[inline(always)]
+    fn rounded(value: Self) -> Self {
+        value
     }
 
     #[inline(always)]
@@ -343,7 +376,7 @@ impl Offset32 {
     fn scaled(way: Vec3<i32>) -> Self {
         let magnitudes = way.map(|c| (c ^ (c >> 31)).cast_unsigned());
         let bits = root::bit_length(magnitudes.x | magnitudes.y | magnitudes.z);
-        Self { way: way.map(|c| scale(c, bits)), bits }
+        Self { way: way.map(|c| c << (31 - bits)), bits }
     }
 
     /// `|v|^2`. Computed where it is needed, for a surface that faces away has no need of it.
@@ -356,13 +389,12 @@ impl Offset32 {
 
 impl Offset<Fx32> for Offset32 {
     type Ray = Ray32;
-    /// In steps of 2^-30 of `|v|`.
+    /// In steps of 2^-30 of `|v|`. Wraps for normals that are longer than 1.15, which leaves it defined.
     type Facing = i64;
 
     #[inline(always)]
     fn facing(&self, normal: Vec3<Fx32>) -> i64 {
-        let products = normal.zip(self.way, |n, v| wide(n.to_bits(), v));
-        -(products.x + products.y + products.z)
+        inner_product(normal, self.way).wrapping_neg()
     }
 
     #[inline(always)]
@@ -372,23 +404,22 @@ impl Offset<Fx32> for Offset32 {
 
     #[inline(always)]
     fn is_outside(&self, axis: Vec3<I2F30>, bound: Fx32) -> bool {
-        let products = axis.zip(self.way, |s, v| wide(s.to_bits(), v));
-        let along = (products.x + products.y + products.z) >> 30;
-        along.wrapping_mul(along.abs()) < (self.squared() >> 30).cast_signed() * i64::from(bound.to_bits())
+        let along = inner_product(axis, self.way) >> 31;
+        along.wrapping_mul(along.abs()) < (self.squared() >> 32).cast_signed() * i64::from(bound.to_bits())
     }
 
     #[inline(always)]
     fn squared_distance(&self) -> Gain32 {
-        Gain32::normalised(self.squared(), 92 - 2 * self.bits.cast_signed())
+        Gain32::normalised(self.squared(), 94 - 2 * self.bits.cast_signed())
     }
 
     #[inline(always)]
     fn ray(&self) -> Ray32 {
         let squared = self.squared();
-        let reciprocal = if squared >= 1 << 60 {
+        let reciprocal = if squared >= 1 << 62 {
+            root::inverse_sqrt_32(squared) >> 1
+        } else if squared >= 1 << 60 {
             root::inverse_sqrt_32(squared << 2)
-        } else if squared >= 1 << 58 {
-            root::inverse_sqrt_32(squared << 4) << 1
         } else {
             0
         };
@@ -403,9 +434,9 @@ impl Offset<Fx32> for Offset32 {
 impl Ray<Fx32> for Ray32 {
     #[inline(always)]
     fn distance(&self) -> Gain32 {
-        // `|v| 2^30`, of 60 or 61 bits.
-        let distance = (self.squared >> 29) * (self.reciprocal >> 3);
-        Gain32::normalised(distance, 76 - self.bits.cast_signed())
+        // `|v| 2^30`, of 61 or 62 bits.
+        let distance = (self.squared >> 30) * (self.reciprocal >> 2);
+        Gain32::normalised(distance, 77 - self.bits.cast_signed())
     }
 
     #[inline(always)]
@@ -420,15 +451,16 @@ impl Ray<Fx32> for Ray32 {
 
     #[inline(always)]
     fn cosine(&self, facing: i64) -> Fraction32 {
-        // Whatever the normal's length, the product has at most 63 bits: it is that length in steps of 2^-61.
+        // The product is the length of the normal in steps of 2^-61: of at most 64 bits, also where the facing has wrapped,
+        // for then `|v|` is over `2^31`.
         let cosine = ((facing.max(0).cast_unsigned() >> 31) * self.reciprocal) >> 30;
         Fraction32(cosine.min(1 << 31) as u32)
     }
 
     #[inline(always)]
     fn expose(&self, share: Fx32, gain: Gain32) -> U34F30 {
-        // At most 34, 28 and 34 bits: every product fits 64.
-        let reciprocal = self.reciprocal >> 2;
+        // At most 32, 28 and 34 bits: every product fits 64.
+        let reciprocal = self.reciprocal >> 1;
         let squared = (reciprocal * reciprocal) >> 28;
         let mantissa = (u64::from(gain.mantissa) * squared) >> 28;
         shifted(fraction(share) * mantissa, gain.shift + 2 * self.bits.cast_signed() - 28)

@@ -11,28 +11,35 @@ use super::{Scalar, float};
 /// Made by [`Scalar::rise`] and [`Ray::cosine`](super::Ray::cosine) alone, so that it is in its range whatever the input was. In what follows it is called
 /// `t`, and `u = 1 - t`.
 pub trait Fraction<S: Scalar>: Copy + PartialOrd + core::fmt::Debug {
+    /// What a profile makes of it: a scalar, or a number of more bits where the scalar's are too few.
+    type Value: Copy + Default + PartialOrd + core::fmt::Debug;
+
     /// `1 - t`.
     fn complement(self) -> Self;
     /// The product, kept fine: to be multiplied again.
     fn fine_product(self, other: Self) -> Self;
     /// The product, rounded once.
-    fn product(self, other: Self) -> S;
-    /// The nearest scalar.
-    fn scalar(self) -> S;
-    /// What is left of a scalar from 0 to 1: the product.
-    fn of(self, scalar: S) -> S;
+    fn product(self, other: Self) -> Self::Value;
+    /// The nearest value.
+    fn scalar(self) -> Self::Value;
+    /// The product with a value from 0 to 1.
+    fn of(self, value: Self::Value) -> Self::Value;
+    /// `1 - value`.
+    fn lack(value: Self::Value) -> Self::Value;
+    /// `low - (low - high) share`: from `low` to a `high` that is not over it.
+    fn mixed(low: Self::Value, high: Self::Value, share: S) -> Self::Value;
     /// One wherever `t` is more than zero.
-    fn step(self) -> S;
+    fn step(self) -> Self::Value;
     /// `t^2 (3 - 2 t)`: two multiplies.
-    fn smooth(self) -> S;
+    fn smooth(self) -> Self::Value;
     /// `t (1 + g u)` for `g` in [-1, 1]: two multiplies.
-    fn blend(self, g: S::Weight) -> S;
+    fn blend(self, g: S::Weight) -> Self::Value;
     /// `t (1 + u (g + h t))` for `g` in [-1, 3], `h` in [-4, 2] and `g + h` in [-3, 1], where it is monotone: three
     /// multiplies.
-    fn cubic(self, g: S::Weight, h: S::Weight) -> S;
+    fn cubic(self, g: S::Weight, h: S::Weight) -> Self::Value;
     /// The linear interpolation of samples that are evenly spaced from `u = 0`, 65,535 being one: one multiply, and
     /// one to find the place. No samples are dark; at most 65,536 are looked at.
-    fn sample(self, samples: &[u16]) -> S;
+    fn sample(self, samples: &[u16]) -> Self::Value;
 }
 
 /// A fraction in f32.
@@ -40,6 +47,18 @@ pub trait Fraction<S: Scalar>: Copy + PartialOrd + core::fmt::Debug {
 pub struct FloatFraction(pub(super) f32);
 
 impl Fraction<f32> for FloatFraction {
+    type Value = f32;
+
+    #[inline(always)]
+    fn lack(value: f32) -> f32 {
+        f32::ONE.minus(value)
+    }
+
+    #[inline(always)]
+    fn mixed(low: f32, high: f32, share: f32) -> f32 {
+        low.minus(low.minus(high).times(share))
+    }
+
     #[inline(always)]
     fn complement(self) -> Self {
         Self(1.0 - self.0)
@@ -97,7 +116,7 @@ impl Fraction<f32> for FloatFraction {
 
 /// Two neighbouring samples; beyond the last one it is its own neighbour.
 #[inline(always)]
-fn neighbours(samples: &[u16], index: usize) -> (u16, u16) {
+pub(super) fn neighbours(samples: &[u16], index: usize) -> (u16, u16) {
     let here = samples.get(index).copied().unwrap_or(0);
     (here, samples.get(index + 1).copied().unwrap_or(here))
 }
@@ -108,7 +127,7 @@ pub(super) use fixed_point::{Fraction16, Fraction32};
 #[cfg(feature = "fixed")]
 mod fixed_point {
     use super::{Fraction, neighbours};
-    use crate::scalar::{Fx16, Fx32};
+    use crate::scalar::{Fx16, Fx32, Scalar};
     use fixed::types::{I18F14, I34F30};
 
     /// A fraction with 15 fraction bits: its products have 30. In a whole register, for a half one has to be cut off
@@ -143,6 +162,18 @@ mod fixed_point {
     }
 
     impl Fraction<Fx16> for Fraction16 {
+        type Value = Fx16;
+
+        #[inline(always)]
+        fn lack(value: Fx16) -> Fx16 {
+            Fx16::ONE.minus(value)
+        }
+
+        #[inline(always)]
+        fn mixed(low: Fx16, high: Fx16, share: Fx16) -> Fx16 {
+            low.minus(low.minus(high).times(share))
+        }
+
         #[inline(always)]
         fn complement(self) -> Self {
             Self(Self::ONE - self.wide())
@@ -226,6 +257,18 @@ mod fixed_point {
     }
 
     impl Fraction<Fx32> for Fraction32 {
+        type Value = Fx32;
+
+        #[inline(always)]
+        fn lack(value: Fx32) -> Fx32 {
+            Fx32::ONE.minus(value)
+        }
+
+        #[inline(always)]
+        fn mixed(low: Fx32, high: Fx32, share: Fx32) -> Fx32 {
+            low.minus(low.minus(high).times(share))
+        }
+
         #[inline(always)]
         fn complement(self) -> Self {
             Self((Self::ONE - self.wide()) as u32)

@@ -60,7 +60,8 @@ impl<S: Scalar, P: Profile, A: Attenuation> CompiledSpot<S, P, A> {
     /// The falloff of the cone alone at a point: in [0, 1].
     #[inline(always)]
     pub fn falloff(&self, point: Vec3<S::Length>) -> S {
-        self.falloff.toward(S::offset(self.position, point).ray(), self.axis)
+        let offset = S::offset(self.position, point);
+        self.falloff.toward(&offset, &offset.ray(), self.axis)
     }
 
     /// The light's linear colour.
@@ -120,7 +121,7 @@ impl<S: Scalar, P: Profile, A: Attenuation> Light<S> for CompiledSpot<S, P, A> {
             return Arrival::default();
         }
         let ray = offset.ray();
-        let falloff = self.falloff.toward(ray, self.axis);
+        let falloff = self.falloff.toward(&offset, &ray, self.axis);
         let cosine = ray.cosine(facing);
         let expose = |fraction| A::expose(&self.attenuation, &offset, &ray, fraction, self.intensity);
         let diffuse = expose(cosine.of(falloff));

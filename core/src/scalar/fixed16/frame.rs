@@ -1,6 +1,6 @@
 //! The way from a point to its place on the square, in 16 bits.
 
-use super::{Fx16, gain::high_product, offset::Offset16};
+use super::{Fx16, gain::signed_high_product, offset::Offset16};
 use crate::{
     scalar::{
         mantissa_and_shift,
@@ -130,11 +130,4 @@ impl Frame16 {
             depth: offset.length_of(depth),
         }
     }
-}
-
-/// `a b / 2^16` for b of 16 bits, rounded down.
-#[inline(always)]
-fn signed_high_product(a: i32, b: u32) -> i32 {
-    let low = high_product(a.cast_unsigned() & 0xffff, b);
-    (a >> 16) * b.cast_signed() + low.cast_signed()
 }

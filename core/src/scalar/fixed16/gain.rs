@@ -10,6 +10,13 @@ pub(super) fn high_product(a: u32, b: u32) -> u32 {
     (a >> 16) * b + (((a & 0xffff) * b) >> 16)
 }
 
+/// The same for a signed a.
+#[inline(always)]
+pub(super) fn signed_high_product(a: i32, b: u32) -> i32 {
+    let low = ((a.cast_unsigned() & 0xffff) * b) >> 16;
+    (a >> 16).wrapping_mul(b.cast_signed()).wrapping_add(low.cast_signed())
+}
+
 impl Gain16 {
     const ONE: Self = Self { mantissa: 1 << 15, shift: 15 };
 

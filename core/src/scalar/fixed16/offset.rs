@@ -4,7 +4,7 @@
 
 use super::{Fx16, Gain16, Ramp16, gain, shifted};
 use crate::{
-    scalar::{Offset, Ray, Scalar, fraction::Fraction16, root},
+    scalar::{Offset, Ray, Rise, Scalar, fraction::Fraction16, root},
     vec3::Vec3,
 };
 use fixed::types::{I2F30, I16F16, U3F29, U18F14};
@@ -79,12 +79,13 @@ impl Offset16 {
         Self { way: way.map(|c| c << (31 - bits)), shift: 31 - WAY_BITS, bits }
     }
 
-    /// A way of more than 24 bits. Whether it had more than 32 can be seen now: a light's position has at most 30
-    /// and a sign, so that a way that wrapped round has not come back to less.
+    /// A way of more than 24 bits, halved so that 32 are enough: a light's position has at most 30 and a sign, so that a way
+    /// that wrapped round has not come back to fewer than 24.
     #[inline(always)]
     fn far(light: Vec3<I16F16>, point: Vec3<I16F16>) -> Self {
-        let way = point.zip(light, |p, l| p.to_bits().saturating_sub(l.to_bits()));
-        Self::scaled(way, root::bit_length(size(way)) - WAY_BITS)
+        let way = point.zip(light, |p, l| (p.to_bits() >> 1) - (l.to_bits() >> 1));
+        let Self { way, shift, bits } = Self::scaled(way, root::bit_length(size(way)) - WAY_BITS);
+        Self { way, shift, bits: bits + 1 }
     }
 
     /// A way of any size.
@@ -110,8 +111,14 @@ impl Offset16 {
         I16F16::from_bits(if self.bits <= BITS {
             part >> (BITS - self.bits)
         } else {
-            part.saturating_add(part)
+            part.saturating_mul(1 << (self.bits - BITS))
         })
+    }
+
+    /// The way with its largest component of 31 bits: all that it has.
+    #[inline(always)]
+    pub(super) fn whole(&self) -> Vec3<i32> {
+        self.way.map(|c| c << (31 - WAY_BITS - self.shift))
     }
 
     /// `v`.
@@ -123,7 +130,7 @@ impl Offset16 {
     /// `|v|^2`: three squares of 15 bits and a sign fit 32. Computed where it is needed, for a surface that faces away
     /// has no need of it.
     #[inline(always)]
-    fn squared(&self) -> u32 {
+    pub(super) fn squared(&self) -> u32 {
         let squares = self.coarse().map(|c| (c * c).cast_unsigned());
         squares.x.wrapping_add(squares.y).wrapping_add(squares.z)
     }
@@ -190,6 +197,11 @@ impl Ray<Fx16> for Ray16 {
     #[inline(always)]
     fn versine(&self, axis: Vec3<I2F30>, ramp: Ramp16) -> U3F29 {
         Fx16::versine_between(self.direction(), axis, ramp)
+    }
+
+    #[inline(always)]
+    fn rise(&self, offset: &Offset16, axis: Vec3<I2F30>, ramp: Ramp16) -> Rise<Fx16> {
+        ramp.rise(self.versine(axis, ramp), || offset.fine_versine(axis, ramp.zoom))
     }
 
     #[inline(always)]

@@ -110,10 +110,10 @@ impl Offset32 {
     }
 }
 
-/// The inner product with an offset: at most 61 bits and a sign for a vector of unit length.
+/// Half the inner product with an offset: at most 61 bits and a sign for a vector of unit length.
 #[inline(always)]
 fn part(vector: Vec3<i32>, way: Vec3<i32>) -> i64 {
-    let products = vector.zip(way, wide);
+    let products = vector.zip(way, |a, b| wide(a, b) >> 1);
     products.x + products.y + products.z
 }
 
