@@ -346,7 +346,7 @@ fn ray_cosine<S: Format>(rng: &mut Rng) -> f64 {
     if exact.abs() > 4.0 * f64::from(S::STEP) {
         assert_eq!(S::Offset::faces_away(facing), exact < 0.0, "{} {exact}", S::NAME);
     }
-    let cosine = offset.ray().cosine(facing);
+    let cosine = offset.ray().cosine(facing, normal);
     assert_eq!(cosine.of(S::ONE), cosine.scalar());
     let half = S::from_f32(0.5);
     steps::<S>(2.0 * cosine.of(half).exact() - exact.clamp(0.0, 1.0))

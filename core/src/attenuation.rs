@@ -24,11 +24,8 @@ pub use self::{distance::Distance, faded::Faded};
 
 use crate::{
     error::{Accepted, Error, Parameter, check_between},
-    scalar::{Gain, Offset, Ray, Scalar},
+    scalar::{Gain, Offset, Ray, Scalar, Share},
 };
-
-/// The offset's ray, in the words of the seam.
-pub(crate) type RayOf<S> = <<S as Scalar>::Offset as Offset<S>>::Ray;
 
 /// A distance model. The type decides which one is compiled in: there is no branch per point, and a model that is not
 /// named is not linked.
@@ -51,12 +48,17 @@ pub trait Attenuation: Copy + PartialEq + core::fmt::Debug {
         false
     }
 
-    /// The light of a fraction of an intensity that is left at this distance; none for a negative fraction.
-    fn expose<S: Scalar>(
+    /// Whether more light arrives than the intensity where the lamp is nearer than 1.
+    fn grows(&self) -> bool {
+        true
+    }
+
+    /// The light of a share of an intensity that is left at this distance; none for a negative share.
+    fn expose<S: Scalar, R: Ray<S>>(
         constants: &Self::Constants<S>,
         offset: &S::Offset,
-        ray: &RayOf<S>,
-        fraction: S,
+        ray: &R,
+        share: R::Share,
         intensity: S::Gain,
     ) -> S::Irradiance;
 }
@@ -129,9 +131,9 @@ fn squared_fraction<S: Scalar>(inverse_squared: S::Gain, offset: &S::Offset) -> 
 
 /// `1 - (d/r)^4`.
 #[inline(always)]
-fn window<S: Scalar>(inverse_squared: S::Gain, offset: &S::Offset) -> S {
-    let squared = squared_fraction::<S>(inverse_squared, offset);
-    S::ONE.minus(squared.times(squared))
+fn window<S: Scalar, R: Ray<S>>(inverse_squared: S::Gain, offset: &S::Offset, ray: &R) -> R::Share {
+    let squared = ray.squared_near(offset, inverse_squared);
+    squared.share_of(squared).rest()
 }
 
 impl Polynomial {
@@ -229,15 +231,19 @@ impl Attenuation for Unattenuated {
 
     fn constants<S: Scalar>(self) {}
 
+    fn grows(&self) -> bool {
+        false
+    }
+
     #[inline(always)]
-    fn expose<S: Scalar>(
+    fn expose<S: Scalar, R: Ray<S>>(
         (): &(),
         _: &S::Offset,
-        _: &RayOf<S>,
-        fraction: S,
+        _: &R,
+        share: R::Share,
         intensity: S::Gain,
     ) -> S::Irradiance {
-        fraction.expose(intensity)
+        share.give(intensity)
     }
 }
 
@@ -252,14 +258,14 @@ impl Attenuation for InverseSquare {
     }
 
     #[inline(always)]
-    fn expose<S: Scalar>(
+    fn expose<S: Scalar, R: Ray<S>>(
         (): &(),
         _: &S::Offset,
-        ray: &RayOf<S>,
-        fraction: S,
+        ray: &R,
+        share: R::Share,
         intensity: S::Gain,
     ) -> S::Irradiance {
-        ray.expose(fraction, intensity)
+        ray.expose(share, intensity)
     }
 }
 
@@ -270,17 +276,21 @@ impl Attenuation for Polynomial {
         self.coefficients.map(S::gain)
     }
 
+    fn grows(&self) -> bool {
+        false
+    }
+
     #[inline(always)]
-    fn expose<S: Scalar>(
+    fn expose<S: Scalar, R: Ray<S>>(
         &[constant, linear, quadratic]: &[S::Gain; 3],
         _: &S::Offset,
-        ray: &RayOf<S>,
-        fraction: S,
+        ray: &R,
+        share: R::Share,
         intensity: S::Gain,
     ) -> S::Irradiance {
         let distance = ray.distance();
         let divisor = quadratic.by(distance).plus(linear).by(distance).plus(constant);
-        fraction.expose(divisor.inverse_capped().by(intensity))
+        share.give(divisor.inverse_capped().by(intensity))
     }
 }
 
@@ -292,22 +302,27 @@ impl Attenuation for SmoothRange {
         [S::gain(1.0 / self.range), inverse_squared::<S>(Some(self.range))]
     }
 
+    fn grows(&self) -> bool {
+        false
+    }
+
     #[inline(always)]
     fn is_beyond<S: Scalar>(&[_, squared]: &[S::Gain; 2], offset: &S::Offset) -> bool {
         squared_fraction::<S>(squared, offset) == S::ONE
     }
 
     #[inline(always)]
-    fn expose<S: Scalar>(
+    fn expose<S: Scalar, R: Ray<S>>(
         constants: &[S::Gain; 2],
         offset: &S::Offset,
-        ray: &RayOf<S>,
-        fraction: S,
+        ray: &R,
+        share: R::Share,
         intensity: S::Gain,
     ) -> S::Irradiance {
-        let smooth = S::ONE.minus(ray.distance().by(constants[0]).fraction()).smooth();
-        let smooth = if Self::is_beyond::<S>(constants, offset) { S::ZERO } else { smooth };
-        fraction.times(smooth).expose(intensity)
+        let smooth = ray.near(constants[0]).rest().smoothed();
+        let is_beyond = ray.squared_near(offset, constants[1]).is_all();
+        let smooth = if is_beyond { R::Share::default() } else { smooth };
+        share.share_of(smooth).give(intensity)
     }
 }
 
@@ -325,14 +340,14 @@ impl Attenuation for Windowed {
     }
 
     #[inline(always)]
-    fn expose<S: Scalar>(
+    fn expose<S: Scalar, R: Ray<S>>(
         &squared: &S::Gain,
         offset: &S::Offset,
-        ray: &RayOf<S>,
-        fraction: S,
+        ray: &R,
+        share: R::Share,
         intensity: S::Gain,
     ) -> S::Irradiance {
-        ray.expose(fraction.times(window(squared, offset)), intensity)
+        ray.expose(share.share_of(window::<S, R>(squared, offset, ray)), intensity)
     }
 }
 
@@ -350,15 +365,15 @@ impl Attenuation for SquaredWindow {
     }
 
     #[inline(always)]
-    fn expose<S: Scalar>(
+    fn expose<S: Scalar, R: Ray<S>>(
         &squared: &S::Gain,
         offset: &S::Offset,
-        ray: &RayOf<S>,
-        fraction: S,
+        ray: &R,
+        share: R::Share,
         intensity: S::Gain,
     ) -> S::Irradiance {
-        let window = window::<S>(squared, offset);
-        ray.expose(fraction.times(window.times(window)), intensity)
+        let window = window::<S, R>(squared, offset, ray);
+        ray.expose(share.share_of(window.share_of(window)), intensity)
     }
 }
 
@@ -370,21 +385,25 @@ impl<A: Attenuation> Attenuation for HardRange<A> {
         (inverse_squared::<S>(self.range), self.attenuation.constants::<S>())
     }
 
+    fn grows(&self) -> bool {
+        self.attenuation.grows()
+    }
+
     #[inline(always)]
     fn is_beyond<S: Scalar>((squared, inner): &Self::Constants<S>, offset: &S::Offset) -> bool {
         squared_fraction::<S>(*squared, offset) == S::ONE || A::is_beyond::<S>(inner, offset)
     }
 
     #[inline(always)]
-    fn expose<S: Scalar>(
+    fn expose<S: Scalar, R: Ray<S>>(
         (squared, inner): &Self::Constants<S>,
         offset: &S::Offset,
-        ray: &RayOf<S>,
-        fraction: S,
+        ray: &R,
+        share: R::Share,
         intensity: S::Gain,
     ) -> S::Irradiance {
-        let is_cut = squared_fraction::<S>(*squared, offset) == S::ONE;
-        let fraction = if is_cut { S::ZERO } else { fraction };
-        A::expose::<S>(inner, offset, ray, fraction, intensity)
+        let is_cut = ray.squared_near(offset, *squared).is_all();
+        let share = if is_cut { R::Share::default() } else { share };
+        A::expose::<S, R>(inner, offset, ray, share, intensity)
     }
 }

@@ -60,9 +60,9 @@ impl<S: Scalar, P: Profile, A: Attenuation> Lamp<S> for CompiledSpot<S, P, A> {
         ray: &<S::Offset as Offset<S>>::Ray,
         normal: Vec3<S>,
     ) -> S::Irradiance {
-        let cosine = ray.cosine(offset.facing(normal));
-        let fraction = cosine.of(self.falloff.toward(offset, ray, self.axis));
-        A::expose(&self.attenuation, offset, ray, fraction, self.intensity)
+        let cosine = ray.cosine(offset.facing(normal), normal);
+        let share = cosine.of(self.falloff.toward(ray, self.axis));
+        A::expose(&self.attenuation, offset, ray, share, self.intensity)
     }
 }
 
@@ -79,7 +79,7 @@ impl<S: Scalar, A: Attenuation> Lamp<S> for CompiledPoint<S, A> {
         ray: &<S::Offset as Offset<S>>::Ray,
         normal: Vec3<S>,
     ) -> S::Irradiance {
-        let cosine = ray.cosine(offset.facing(normal)).scalar();
+        let cosine = ray.cosine(offset.facing(normal), normal).scalar();
         A::expose(&self.attenuation, offset, ray, cosine, self.intensity)
     }
 }

@@ -47,7 +47,7 @@ pub use self::{fraction::Fraction, place::Place};
 ///
 /// Sealed: the formats are final in number, so that each can be measured. The module's table states the laws.
 pub trait Scalar:
-    Copy + Default + PartialOrd + core::fmt::Debug + Source + Named + sealed::Sealed + 'static
+    Copy + Default + PartialOrd + core::fmt::Debug + Source + Named + Share<Self> + sealed::Sealed + 'static
 {
     /// One component of a position in the world.
     type Length: Copy + Default + PartialOrd + core::fmt::Debug + Source;
@@ -57,8 +57,8 @@ pub trait Scalar:
     type Versine: Copy + PartialOrd + core::fmt::Debug;
     /// The argument of an edge profile: from 0 at the edge of a cone to 1 in its middle.
     type Fraction: Fraction<Self, Value = Self>;
-    /// The same argument with more bits, where a steep cone needs them. A format whose fraction has enough of them has no
-    /// other.
+    /// The same argument with more bits, where a steep cone or a bright light needs them. A format whose fraction has enough
+    /// of them has no other.
     type Fine: Fraction<Self>;
     /// A coefficient of an edge profile, from -4 to 4.
     type Weight: Copy + PartialEq + core::fmt::Debug + Source;
@@ -135,8 +135,18 @@ pub trait Scalar:
     /// Where a versine stands on a ramp: exactly 0 at and beyond the limit, else exactly 1 at and within the inner
     /// versine, monotone between.
     fn rise(ramp: Self::Ramp, versine: Self::Versine) -> Rise<Self>;
-    /// The scalar nearest to what a profile makes of a fine fraction.
-    fn rounded(value: <Self::Fine as Fraction<Self>>::Value) -> Self;
+    /// The bits of the way from a light to a point, in quanta of a length, below which all of the evaluation is fine: because
+    /// the gain, which magnifies what a share of it is off, is so large there. `intensity` is the gain at distance 1, and
+    /// everywhere if the light does not grow towards the lamp.
+    fn fine_below(_ramp: Option<Self::Ramp>, _intensity: f32, _grows: bool) -> u32 {
+        0
+    }
+    /// Whether a light is past full scale whatever its share of a gain is off by, so that a fine evaluation would show nothing
+    /// else.
+    #[inline(always)]
+    fn is_past_full(_share: Self, _light: Self::Irradiance) -> bool {
+        false
+    }
     /// `t^2 (3 - 2t)` of a fraction clamped to [0, 1]: exact at both ends.
     fn smooth(self) -> Self;
 
@@ -216,10 +226,75 @@ impl<S: Scalar> Rise<S> {
     pub(crate) fn scalar(self) -> S {
         match self {
             Self::Coarse(t) => t.scalar(),
-            Self::Fine(t) => S::rounded(t.scalar()),
+            Self::Fine(t) => t.scalar().rounded(),
         }
     }
 }
+
+/// A share of a light, from 0 to 1: a scalar, or a number of more bits.
+pub trait Share<S: Scalar>: Copy + Default + PartialOrd + core::fmt::Debug {
+    /// The share with the value of a scalar from 0 to 1.
+    fn of_scalar(scalar: S) -> Self;
+    /// The nearest scalar.
+    fn rounded(self) -> S;
+    /// Whether it is all of the light.
+    fn is_all(self) -> bool;
+
+    /// One less the share.
+    fn rest(self) -> Self;
+    /// The product.
+    fn share_of(self, other: Self) -> Self;
+    /// `t^2 (3 - 2t)`.
+    fn smoothed(self) -> Self;
+    /// The light of a share of a gain, whatever the distance.
+    fn give(self, gain: S::Gain) -> S::Irradiance;
+}
+
+/// The share that a scalar is, by its own operations.
+macro_rules! share_of_its_own {
+    ($($scalar:ty)*) => {$(
+        impl Share<$scalar> for $scalar {
+            #[inline(always)]
+            fn of_scalar(scalar: Self) -> Self {
+                scalar
+            }
+
+            #[inline(always)]
+            fn rounded(self) -> Self {
+                self
+            }
+
+            #[inline(always)]
+            fn is_all(self) -> bool {
+                self == Self::ONE
+            }
+
+            #[inline(always)]
+            fn rest(self) -> Self {
+                Self::ONE.minus(self)
+            }
+
+            #[inline(always)]
+            fn share_of(self, other: Self) -> Self {
+                self.times(other)
+            }
+
+            #[inline(always)]
+            fn smoothed(self) -> Self {
+                self.smooth()
+            }
+
+            #[inline(always)]
+            fn give(self, gain: <Self as Scalar>::Gain) -> <Self as Scalar>::Irradiance {
+                self.expose(gain)
+            }
+        }
+    )*};
+}
+
+share_of_its_own!(f32);
+#[cfg(feature = "fixed")]
+share_of_its_own!(Fx16 Fx32);
 
 /// A factor from zero upwards with an exponent of its own, and the arithmetic of distances on it.
 ///
@@ -239,7 +314,9 @@ pub trait Gain<S: Scalar>: Copy + PartialEq + core::fmt::Debug {
 /// The way from a light to a point: what can be asked of it before a square root is paid for, and the root.
 pub trait Offset<S: Scalar>: Copy + core::fmt::Debug {
     /// What is known once the root is paid for.
-    type Ray: Ray<S>;
+    type Ray: Ray<S, Fraction = S::Fraction, Share = S>;
+    /// The same with more bits; in a format that has no finer ones, the same.
+    type FineRay: Ray<S, Fraction = S::Fine>;
     /// The inner product of a surface normal with the way back to the light, in a scale of its own.
     type Facing: Copy + core::fmt::Debug;
 
@@ -257,6 +334,13 @@ pub trait Offset<S: Scalar>: Copy + core::fmt::Debug {
     fn squared_distance(&self) -> S::Gain;
     /// Pays for the square root.
     fn ray(&self) -> Self::Ray;
+    /// Pays for the square root and for all bits that it can have.
+    fn fine_ray(&self) -> Self::FineRay;
+    /// Whether the way has fewer bits than these: see [`Scalar::fine_below`].
+    #[inline(always)]
+    fn is_below(&self, _bits: u32) -> bool {
+        false
+    }
     /// The root alone, as a reciprocal length: zero where there is no direction, or where roots are not taken first.
     #[inline(always)]
     fn reciprocal(&self) -> f32 {
@@ -274,6 +358,11 @@ pub trait Offset<S: Scalar>: Copy + core::fmt::Debug {
 /// A point on the light itself, or one so far that its squared distance cannot be held, has no direction: it stays
 /// dark, because its [`cosine`](Ray::cosine) is zero or its versine outside every cone.
 pub trait Ray<S: Scalar>: Copy + core::fmt::Debug {
+    /// Where a direction stands on a ramp, and the cosine of an angle of incidence.
+    type Fraction: Fraction<S, Value = Self::Share>;
+    /// What profiles and distance models make of them.
+    type Share: Share<S>;
+
     /// The distance.
     fn distance(&self) -> S::Gain;
     /// The direction.
@@ -281,15 +370,17 @@ pub trait Ray<S: Scalar>: Copy + core::fmt::Debug {
     /// The versine of the angle between direction and axis, in the scale of a ramp, by the difference of the two:
     /// `|l - s|^2 / 2` keeps the narrow beams that `1 - l.s` loses.
     fn versine(&self, axis: Vec3<S::Unit>, ramp: S::Ramp) -> S::Versine;
-    /// Where the direction of an offset, of which this is the ray, stands on a ramp about an axis.
-    #[inline(always)]
-    fn rise(&self, _: &S::Offset, axis: Vec3<S::Unit>, ramp: S::Ramp) -> Rise<S> {
-        S::rise(ramp, self.versine(axis, ramp))
-    }
-    /// The cosine of the angle of incidence, and zero where the surface faces away.
-    fn cosine(&self, facing: <S::Offset as Offset<S>>::Facing) -> S::Fraction;
-    /// The light of a fraction of a gain at this distance, by the inverse-square law; none for a negative fraction.
-    fn expose(&self, fraction: S, gain: S::Gain) -> S::Irradiance;
+    /// Where the direction stands on a ramp about an axis.
+    fn rise(&self, axis: Vec3<S::Unit>, ramp: S::Ramp) -> Self::Fraction;
+    /// The cosine of the angle of incidence on a surface of this normal, and zero where it faces away; `facing` is that of the
+    /// offset.
+    fn cosine(&self, facing: <S::Offset as Offset<S>>::Facing, normal: Vec3<S>) -> Self::Fraction;
+    /// The distance times a gain, and exactly one from there on.
+    fn near(&self, gain: S::Gain) -> Self::Share;
+    /// The squared distance, which is that of the offset, times a gain, and exactly one from there on.
+    fn squared_near(&self, offset: &S::Offset, gain: S::Gain) -> Self::Share;
+    /// The light of a share of a gain at this distance, by the inverse-square law; none for a negative share.
+    fn expose(&self, share: Self::Share, gain: S::Gain) -> S::Irradiance;
 }
 
 /// The bound for [`Offset::is_outside`]: the squared cosine of the outer half angle, less a margin for the roundings

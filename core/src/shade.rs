@@ -67,13 +67,13 @@ pub trait Light<S: Scalar>: Copy + core::fmt::Debug {
 #[inline(always)]
 fn lobe<S: Scalar, H: Specular>(
     highlight: &H::Constants<S>,
-    surface: &Surface<S>,
+    (normal, view): (Vec3<S>, Vec3<S::Unit>),
     incoming: Vec3<S::Unit>,
     cosine: S,
 ) -> S {
     if !H::SHINES {
         return S::ZERO;
     }
-    let lobe = H::lobe(highlight, incoming, surface.normal, surface.view);
+    let lobe = H::lobe(highlight, incoming, normal, view);
     if cosine > S::ZERO { lobe } else { S::ZERO }
 }

@@ -307,10 +307,10 @@ where
 {
     fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
         write!(out, "CompiledSpot::<{}, _, {}>::", name::<S>(), name::<A>())?;
-        let Self { position, axis, falloff, outside, attenuation, intensity, color, specular_color } = *self;
-        let colors = [color, specular_color];
-        let parts: [&dyn Source; 7] =
-            [&position, &axis, &falloff, &outside, &attenuation, &intensity, &colors];
+        let Self { position, axis, falloff, outside, attenuation, intensity, fine_below, .. } = *self;
+        let colors = [self.color, self.specular_color];
+        let parts: [&dyn Source; 8] =
+            [&position, &axis, &falloff, &outside, &attenuation, &intensity, &fine_below, &colors];
         call(out, "from_parts", &parts)
     }
 }
@@ -333,8 +333,9 @@ where
 {
     fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
         write!(out, "CompiledPoint::<{}, {}>::", name::<S>(), name::<A>())?;
-        let Self { position, attenuation, intensity, color, specular_color } = *self;
-        call(out, "from_parts", &[&position, &attenuation, &intensity, &[color, specular_color]])
+        let Self { position, attenuation, intensity, fine_below, color, specular_color } = *self;
+        let colors = [color, specular_color];
+        call(out, "from_parts", &[&position, &attenuation, &intensity, &fine_below, &colors])
     }
 }
 

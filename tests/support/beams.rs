@@ -42,12 +42,11 @@ pub fn errors<S: Format>(half_degrees: f64, count: usize) -> Errors {
         let exact = reference::versine_between(reference::minus(point, light), exact_axis);
         let exact = reference::falloff(reference::soft, exact, outer);
         let [from, to] = [light, point].map(|v| sweep::single(v).map(S::length));
-        let offset = S::offset(from, to);
-        let ray = offset.ray();
+        let ray = S::offset(from, to).ray();
         let cosine_form = (cosine_form::<S>(ray.direction(), axis, outer) - exact).abs();
         found.cosine_form = found.cosine_form.max(cosine_form);
         if let (Some(falloff), Some(worst)) = (&falloff, &mut found.versine_form) {
-            *worst = worst.max((falloff.toward(&offset, &ray, axis).exact() - exact).abs());
+            *worst = worst.max((falloff.toward(&ray, axis).exact() - exact).abs());
         }
     }
     found

@@ -1,10 +1,10 @@
 //! Any distance model, chosen at run time.
 
 use super::{
-    Attenuation, Faded, HardRange, InverseSquare, Polynomial, RayOf, SmoothRange, SquaredWindow,
+    Attenuation, Faded, HardRange, InverseSquare, Polynomial, SmoothRange, SquaredWindow,
     Unattenuated, Windowed,
 };
-use crate::scalar::Scalar;
+use crate::scalar::{Ray, Scalar};
 
 /// Any distance model, chosen at run time: the one that matches a light of [another system](crate::import), or that a
 /// [`Lamp`](crate::Lamp) was given.
@@ -144,6 +144,17 @@ impl Attenuation for Distance {
         }
     }
 
+    fn grows(&self) -> bool {
+        match self {
+            Self::Constant(_)
+            | Self::Polynomial(_)
+            | Self::FadedConstant(_)
+            | Self::FadedPolynomial(_)
+            | Self::SmoothRange(_) => false,
+            Self::InverseSquare(_) | Self::Windowed(_) | Self::SquaredWindow(_) => true,
+        }
+    }
+
     #[inline(always)]
     fn is_inverse_square<S: Scalar>(constants: &CompiledDistance<S>) -> bool {
         matches!(constants, CompiledDistance::InverseSquare((range, ())) if *range == S::gain(0.0))
@@ -155,13 +166,13 @@ impl Attenuation for Distance {
     }
 
     #[inline(always)]
-    fn expose<S: Scalar>(
+    fn expose<S: Scalar, R: Ray<S>>(
         constants: &CompiledDistance<S>,
         offset: &S::Offset,
-        ray: &RayOf<S>,
-        fraction: S,
+        ray: &R,
+        share: R::Share,
         intensity: S::Gain,
     ) -> S::Irradiance {
-        compiled!(constants, model: Model => Model::expose::<S>(model, offset, ray, fraction, intensity))
+        compiled!(constants, model: Model => Model::expose::<S, R>(model, offset, ray, share, intensity))
     }
 }

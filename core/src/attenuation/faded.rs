@@ -1,7 +1,10 @@
 //! Any distance model, faded out to a range.
 
-use super::{Attenuation, RayOf, checked_range, inverse_squared, squared_fraction, window};
-use crate::{error::Error, scalar::Scalar};
+use super::{Attenuation, checked_range, inverse_squared, squared_fraction, window};
+use crate::{
+    error::Error,
+    scalar::{Ray, Scalar, Share},
+};
 
 /// Another model in the squared window `(1 - (d/r)^4)^2`, which ends it at a range without a rim: of the
 /// inverse-square law that is [`SquaredWindow`](crate::SquaredWindow), to the bit.
@@ -39,20 +42,24 @@ impl<A: Attenuation> Attenuation for Faded<A> {
         (inverse_squared::<S>(self.range), self.attenuation.constants::<S>())
     }
 
+    fn grows(&self) -> bool {
+        self.attenuation.grows()
+    }
+
     #[inline(always)]
     fn is_beyond<S: Scalar>((squared, inner): &Self::Constants<S>, offset: &S::Offset) -> bool {
         squared_fraction::<S>(*squared, offset) == S::ONE || A::is_beyond::<S>(inner, offset)
     }
 
     #[inline(always)]
-    fn expose<S: Scalar>(
+    fn expose<S: Scalar, R: Ray<S>>(
         (squared, inner): &Self::Constants<S>,
         offset: &S::Offset,
-        ray: &RayOf<S>,
-        fraction: S,
+        ray: &R,
+        share: R::Share,
         intensity: S::Gain,
     ) -> S::Irradiance {
-        let window = window::<S>(*squared, offset);
-        A::expose::<S>(inner, offset, ray, fraction.times(window.times(window)), intensity)
+        let window = window::<S, R>(*squared, offset, ray);
+        A::expose::<S, R>(inner, offset, ray, share.share_of(window.share_of(window)), intensity)
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::{
     profile::{Curve, Edge, Profile},
-    scalar::{Offset, Ray, Rise, Scalar},
+    scalar::{Ray, Rise, Scalar, Share},
     vec3::Vec3,
 };
 
@@ -29,18 +29,10 @@ impl<S: Scalar, P: Profile> Falloff<S, P> {
         S::versine(self.ramp, value)
     }
 
-    /// The intensity in the direction of an offset from the light, of which `ray` is the ray.
+    /// The intensity in the direction of a ray from the light, which has an axis.
     #[inline(always)]
-    pub fn toward(&self, offset: &S::Offset, ray: &<S::Offset as Offset<S>>::Ray, axis: Vec3<S::Unit>) -> S {
-        self.intensity(ray.rise(offset, axis, self.ramp))
-    }
-
-    #[inline(always)]
-    fn intensity(&self, rise: Rise<S>) -> S {
-        match rise {
-            Rise::Coarse(t) => self.curve.intensity(t),
-            Rise::Fine(t) => S::rounded(self.curve.intensity(t)),
-        }
+    pub fn toward<R: Ray<S>>(&self, ray: &R, axis: Vec3<S::Unit>) -> R::Share {
+        self.curve.intensity(ray.rise(axis, self.ramp))
     }
 
     /// The intensity at a versine, in the scale of [`versine`](Self::versine): exactly 0 from the outer versine or a
@@ -48,7 +40,10 @@ impl<S: Scalar, P: Profile> Falloff<S, P> {
     /// a step of the format).
     #[inline(always)]
     pub fn at(&self, versine: S::Versine) -> S {
-        self.intensity(S::rise(self.ramp, versine))
+        match S::rise(self.ramp, versine) {
+            Rise::Coarse(t) => self.curve.intensity(t),
+            Rise::Fine(t) => self.curve.intensity(t).rounded(),
+        }
     }
 
     /// The same falloff with another type of profile.

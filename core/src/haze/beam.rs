@@ -106,7 +106,7 @@ impl<P: Profile, A: Attenuation> HazyBeam<P, A> {
         let distance = arc.distance(place);
         let intensity = self.falloff.at(arc.versine_at(place, distance));
         let offset = at_distance(distance);
-        way * A::expose::<f32>(&self.attenuation, &offset, &offset.ray(), intensity, 1.0)
+        way * A::expose(&self.attenuation, &offset, &offset.ray(), intensity, 1.0)
     }
 
     /// The air light of what is scattered of an intensity of one.

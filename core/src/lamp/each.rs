@@ -100,19 +100,21 @@ impl<S: Scalar, H: Specular, const N: usize> Loop<'_, S, H, N> {
     }
 
     fn point(&mut self, light: &CompiledPoint<S, Distance>) {
-        let CompiledPoint { position, intensity, color, specular_color, .. } = *light;
+        let CompiledPoint { position, intensity, fine_below, color, specular_color, .. } = *light;
         let colors = [color, specular_color];
         match plain(&light.attenuation) {
             Some(Plain::InverseSquare) => {
-                self.light(&CompiledPoint::<S>::from_parts(position, (), intensity, colors));
+                self.light(&CompiledPoint::<S>::from_parts(position, (), intensity, fine_below, colors));
             }
             Some(Plain::Unattenuated) => {
-                self.light(&CompiledPoint::<S, Unattenuated>::from_parts(position, (), intensity, colors));
+                let light = CompiledPoint::<S, Unattenuated>::from_parts(position, (), intensity, fine_below, colors);
+                self.light(&light);
             }
             None => {
                 let one = S::gain(1.0);
-                self.light(&CompiledPoint::<S, Unattenuated>::from_parts(position, (), one, colors));
+                self.light(&CompiledPoint::<S, Unattenuated>::from_parts(position, (), one, 0, colors));
                 self.fall(position, &light.attenuation, intensity);
+                self.refine(light, position, fine_below);
             }
         }
     }
@@ -127,7 +129,7 @@ impl<S: Scalar, H: Specular, const N: usize> Loop<'_, S, H, N> {
         profile: P,
         curve: P::Compiled<S>,
     ) {
-        let CompiledSpot { position, axis, outside, intensity, color, specular_color, .. } = *light;
+        let CompiledSpot { position, axis, outside, intensity, fine_below, color, specular_color, .. } = *light;
         let colors = [color, specular_color];
         let falloff = Falloff::from_parts(light.falloff.ramp, profile, curve);
         match plain(&light.attenuation) {
@@ -138,10 +140,11 @@ impl<S: Scalar, H: Specular, const N: usize> Loop<'_, S, H, N> {
                 outside,
                 (),
                 intensity,
+                fine_below,
                 colors,
             )),
             plain => {
-                let gain = if plain.is_some() { intensity } else { S::gain(1.0) };
+                let (gain, below) = if plain.is_some() { (intensity, fine_below) } else { (S::gain(1.0), 0) };
                 self.light(&CompiledSpot::<S, P, Unattenuated>::from_parts(
                     position,
                     axis,
@@ -149,10 +152,26 @@ impl<S: Scalar, H: Specular, const N: usize> Loop<'_, S, H, N> {
                     outside,
                     (),
                     gain,
+                    below,
                     colors,
                 ));
                 if plain.is_none() {
                     self.fall(position, &light.attenuation, intensity);
+                    self.refine(light, position, fine_below);
+                }
+            }
+        }
+    }
+
+    /// Gives the points so near to the lamp that they want it the fine evaluation, which two loops cannot share.
+    fn refine<L: Light<S>>(&mut self, light: &L, position: Vec3<S::Length>, fine_below: u32) {
+        for i in 0..N {
+            let surface = self.surfaces.at(i);
+            if S::offset(position, surface.point).is_below(fine_below) {
+                let arrival = light.arrive::<H>(&surface, self.highlight, true);
+                self.arrivals.diffuse[i] = arrival.diffuse;
+                if H::SHINES {
+                    self.arrivals.specular[i] = arrival.specular;
                 }
             }
         }

@@ -128,13 +128,16 @@ impl<P: Profile, A: Attenuation> Spot<P, A> {
     /// A cone narrower than the format can hold: see [`Cone::narrowest`]. A position beyond [`Scalar::FARTHEST`].
     pub fn compile<S: Scalar>(&self) -> Result<CompiledSpot<S, P, A>, Error> {
         check_reach::<S>(self.position)?;
+        let falloff = self.cone.compile::<S>()?;
+        let intensity = self.emission.intensity;
         Ok(CompiledSpot {
             position: self.position.map(S::length),
             axis: self.axis_in::<S>(),
-            falloff: self.cone.compile()?,
+            falloff,
             outside: scalar::outside_bound(self.cone.outer_versine()),
             attenuation: self.attenuation.constants::<S>(),
-            intensity: S::gain(self.emission.intensity),
+            intensity: S::gain(intensity),
+            fine_below: S::fine_below(Some(falloff.ramp), intensity, self.attenuation.grows()),
             color: self.emission.color.map(S::from_f32),
             specular_color: self.emission.specular_color.map(S::from_f32),
         })

@@ -2,6 +2,7 @@
 //! a processor with nothing but a 32-bit multiply runs it.
 
 mod fine;
+mod fine_ray;
 mod frame;
 mod gain;
 mod lobe;
@@ -36,15 +37,18 @@ pub struct Ramp16 {
     /// One with 31 fraction bits, half a step of the result, less half of what a shifted versine has lost: what the
     /// product is taken from, and all roundings, in one subtraction.
     one: u32,
-    /// The width of a fine ramp, whose `width` is 0: then `shift` is that of its span to 32 bits, and `mantissa` `2^63`
-    /// over the shifted span. 0 for any other.
+    /// The width of a ramp that is always evaluated finely, so that its `width` is 0; 0 for any other.
     fine: u32,
+    /// How many bits the span has.
+    fine_shift: u32,
+    /// `2^63` over the span, which is shifted to 32 bits for that.
+    fine_mantissa: u32,
 }
 
 /// A factor `mantissa / 2^shift`.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Gain16 {
-    /// At most 16 bits.
+    /// Of 32 bits. The coarse evaluation has need of the upper 16 alone.
     mantissa: u32,
     shift: i32,
 }
@@ -52,51 +56,50 @@ pub struct Gain16 {
 impl Ramp16 {
     /// The ramp of these bits, in the order of the fields. Those that no ramp has are brought to where every versine has a
     /// place.
-    pub const fn from_bits([zoom, inner, width, shift, mantissa, one, fine]: [u32; 7]) -> Self {
+    pub const fn from_bits(bits: [u32; 9]) -> Self {
         /// Beyond this a versine at the inner one would be more than one.
         const MOST: u32 = (1 << 31) + (1 << 16) - 1;
-        let zoom = if zoom < MOST_ZOOM { zoom } else { MOST_ZOOM };
-        if fine > 0 {
-            return Self { zoom, inner, width: 0, shift: shift % u64::BITS, mantissa, one: 0, fine };
-        }
+        let [zoom, inner, width, shift, mantissa, one, fine, fine_shift, fine_mantissa] = bits;
+        let width = if fine == 0 { width } else { 0 };
         let shift = shift % u32::BITS;
         let one = if one < MOST { one } else { MOST };
         let steps = width.saturating_sub(1) >> shift;
         Self {
-            zoom,
+            zoom: if zoom < MOST_ZOOM { zoom } else { MOST_ZOOM },
             inner,
             width,
             shift,
             mantissa: if steps.saturating_mul(mantissa) <= one { mantissa } else { 0 },
             one,
             fine,
+            fine_shift: fine_shift % u64::BITS,
+            fine_mantissa,
         }
     }
 
     /// The bits, in the order of the fields.
-    pub const fn to_bits(self) -> [u32; 7] {
-        [self.zoom, self.inner, self.width, self.shift, self.mantissa, self.one, self.fine]
+    pub const fn to_bits(self) -> [u32; 9] {
+        let Self { zoom, inner, width, shift, mantissa, one, fine, fine_shift, fine_mantissa } = self;
+        [zoom, inner, width, shift, mantissa, one, fine, fine_shift, fine_mantissa]
     }
 
-    /// Inner versine, limit and outer versine, times `2^29 4^zoom`, and the zoom.
-    fn scaled(inner: f32, outer: f32, limit: f32) -> (u32, u32, u32, u64) {
-        // Two is the square of the largest component that `versine_between` lets pass. Beyond the limit none has to.
-        let limit = if limit < outer { limit } else { outer };
-        let zoom = zoom(limit);
-        let [inner, limit] = [inner, limit].map(|versine| magnified(versine, zoom).to_bits());
-        (zoom, inner, limit, (outer * (1_u64 << (29 + 2 * zoom)) as f32 + 0.5) as u64)
-    }
-
-    /// `t` for what a versine has over the inner one, which is less than the width.
+    /// Where a versine stands on a ramp that is not always fine.
     #[inline(always)]
-    fn within(self, past: u32) -> Fraction16 {
-        Fraction16((self.one - (past >> self.shift) * self.mantissa) >> 16)
+    fn rise(self, versine: U3F29) -> Fraction16 {
+        self.within(versine).unwrap_or_else(|| self.end(versine))
     }
 
-    /// `t` for a versine within the inner one or beyond the width.
+    /// Where it stands between the ends.
     #[inline(always)]
-    fn end(self, versine: u32) -> Fraction16 {
-        Fraction16(if versine < self.inner { 1 << 15 } else { 0 })
+    fn within(self, versine: U3F29) -> Option<Fraction16> {
+        let past = versine.to_bits().wrapping_sub(self.inner);
+        (past < self.width).then(|| Fraction16((self.one - (past >> self.shift) * self.mantissa) >> 16))
+    }
+
+    /// Where it stands at or beyond one of them.
+    #[inline(always)]
+    fn end(self, versine: U3F29) -> Fraction16 {
+        Fraction16(if versine.to_bits() < self.inner { 1 << 15 } else { 0 })
     }
 }
 
@@ -184,7 +187,7 @@ impl Scalar for Fx16 {
 
     fn gain(value: f32) -> Gain16 {
         let (mantissa, shift) = super::mantissa_and_shift(value);
-        Gain16::normalised(mantissa, shift)
+        Gain16 { mantissa: mantissa << 8, shift: shift + 8 }
     }
 
     #[inline(always)]
@@ -204,7 +207,11 @@ impl Scalar for Fx16 {
     }
 
     fn ramp(inner: f32, outer: f32, limit: f32) -> Ramp16 {
-        let (zoom, inner, limit, outer) = Ramp16::scaled(inner, outer, limit);
+        // Two is the square of the largest component that `versine_between` lets pass. Beyond the limit none has to.
+        let limit = if limit < outer { limit } else { outer };
+        let zoom = zoom(limit);
+        let [inner, limit] = [inner, limit].map(|versine| magnified(versine, zoom).to_bits());
+        let outer = (outer * (1_u64 << (29 + 2 * zoom)) as f32 + 0.5) as u64;
         let span = outer.saturating_sub(inner.into()).max(1);
         let shift = (u64::BITS - span.leading_zeros()).saturating_sub(16).min(31);
         // The whole span divides, not the shifted one: what the shift loses would be an error of the slope.
@@ -213,7 +220,12 @@ impl Scalar for Fx16 {
         let one = (1 << 31) + (1 << 15) - (mantissa - (mantissa >> shift)) / 2;
         // The last versine short of the limit must not be taken below zero.
         let one = one.max((width.saturating_sub(1) >> shift) * mantissa);
-        Ramp16 { zoom, inner: inner.min(limit), width, shift, mantissa, one, fine: 0 }
+        // Of the whole span, too: `divisor 2^(fine_shift - 32)`.
+        let fine_shift = u64::BITS - span.leading_zeros();
+        let divisor = (span << span.leading_zeros()) >> 32;
+        let fine_mantissa = ((1 << 63) / divisor).min(u32::MAX.into()) as u32;
+        let inner = inner.min(limit);
+        Ramp16 { zoom, inner, width, shift, mantissa, one, fine: 0, fine_shift, fine_mantissa }
     }
 
     /// That of a fine ramp, whose direction is hardly off: [`DIRECTION_ERROR`](Self::DIRECTION_ERROR) is the coarse one's, and
@@ -241,18 +253,36 @@ impl Scalar for Fx16 {
     }
 
     fn fine_ramp(inner: f32, outer: f32, limit: f32) -> Ramp16 {
-        let (zoom, inner, limit, outer) = Ramp16::scaled(inner, outer, limit);
-        Ramp16::finely(zoom, inner, limit, outer)
+        let ramp = Self::ramp(inner, outer, limit);
+        Ramp16 { width: 0, fine: ramp.width, ..ramp }
     }
 
     #[inline(always)]
     fn rise(ramp: Ramp16, versine: U3F29) -> Rise<Self> {
-        ramp.rise(versine, || versine)
+        match ramp.within(versine) {
+            Some(t) => Rise::Coarse(t),
+            // No versine is within a fine ramp.
+            None if ramp.fine > 0 => Rise::Fine(ramp.rise_finely(versine)),
+            None => Rise::Coarse(ramp.end(versine)),
+        }
+    }
+
+    fn fine_below(ramp: Option<Ramp16>, intensity: f32, grows: bool) -> u32 {
+        /// A gain up to which the coarse evaluation is within half a linear code.
+        const GAIN: f32 = 4.0;
+        let is_fine = ramp.is_some_and(|ramp| ramp.fine > 0);
+        if is_fine || (intensity > GAIN && !grows) {
+            return u32::MAX;
+        }
+        // A way of so many bits is at least `2^(bits - 17)` long.
+        let squared = |bits: u32| f32::from_bits((127 - 2 * 17 + 2 * bits) << 23);
+        (0..=33).take_while(|&bits| grows && intensity > GAIN * squared(bits)).count() as u32
     }
 
     #[inline(always)]
-    fn rounded(value: Fine16) -> Self {
-        value.rounded()
+    fn is_past_full(share: Self, light: U18F14) -> bool {
+        // A share of 1/128 is off by 7 % at most.
+        share.to_bits() > 1 << 7 && light.to_bits() > 9 << 11
     }
 
     #[inline(always)]
@@ -318,8 +348,8 @@ impl Scalar for Fx16 {
 
     #[inline(always)]
     fn expose(self, gain: Gain16) -> U18F14 {
-        let fraction = u32::from(self.to_bits().cast_unsigned());
-        shifted(fraction * gain.mantissa, gain.shift)
+        let fraction = u32::from(self.to_bits().max(0).cast_unsigned());
+        shifted(fraction * gain.top(), gain.shift - 16)
     }
 
     #[inline(always)]

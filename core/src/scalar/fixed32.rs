@@ -7,7 +7,7 @@ mod gain;
 mod lobe;
 
 pub use self::frame::Frame32;
-use super::{Offset, Place, Ray, Rise, Scalar, Slopes, fraction::Fraction32, nearest, root};
+use super::{Gain, Offset, Place, Ray, Rise, Scalar, Slopes, fraction::Fraction32, nearest, root};
 use crate::{
     color::{dithered_fixed, srgb32},
     vec3::Vec3,
@@ -261,11 +261,6 @@ impl Scalar for Fx32 {
     }
 
     #[inline(always)]
-    fn rounded(value: Self) -> Self {
-        value
-    }
-
-    #[inline(always)]
     fn smooth(self) -> Self {
         lobe::smooth(self)
     }
@@ -389,6 +384,7 @@ impl Offset32 {
 
 impl Offset<Fx32> for Offset32 {
     type Ray = Ray32;
+    type FineRay = Ray32;
     /// In steps of 2^-30 of `|v|`. Wraps for normals that are longer than 1.15, which leaves it defined.
     type Facing = i64;
 
@@ -429,9 +425,17 @@ impl Offset<Fx32> for Offset32 {
         });
         Ray32 { direction, bits: self.bits, squared, reciprocal }
     }
+
+    #[inline(always)]
+    fn fine_ray(&self) -> Ray32 {
+        self.ray()
+    }
 }
 
 impl Ray<Fx32> for Ray32 {
+    type Fraction = Fraction32;
+    type Share = Fx32;
+
     #[inline(always)]
     fn distance(&self) -> Gain32 {
         // `|v| 2^30`, of 61 or 62 bits.
@@ -450,11 +454,26 @@ impl Ray<Fx32> for Ray32 {
     }
 
     #[inline(always)]
-    fn cosine(&self, facing: i64) -> Fraction32 {
+    fn rise(&self, axis: Vec3<I2F30>, ramp: Ramp32) -> Fraction32 {
+        ramp.rise(self.versine(axis, ramp).to_bits())
+    }
+
+    #[inline(always)]
+    fn cosine(&self, facing: i64, _: Vec3<Fx32>) -> Fraction32 {
         // The product is the length of the normal in steps of 2^-61: of at most 64 bits, also where the facing has wrapped,
         // for then `|v|` is over `2^31`.
         let cosine = ((facing.max(0).cast_unsigned() >> 31) * self.reciprocal) >> 30;
         Fraction32(cosine.min(1 << 31) as u32)
+    }
+
+    #[inline(always)]
+    fn near(&self, gain: Gain32) -> Fx32 {
+        self.distance().by(gain).fraction()
+    }
+
+    #[inline(always)]
+    fn squared_near(&self, offset: &Offset32, gain: Gain32) -> Fx32 {
+        offset.squared_distance().by(gain).fraction()
     }
 
     #[inline(always)]

@@ -47,6 +47,13 @@ impl FloatRamp {
     pub const fn to_bits(self) -> [u32; 3] {
         [self.outer.to_bits(), self.limit.to_bits(), self.reciprocal.to_bits()]
     }
+
+    #[inline(always)]
+    fn rise(self, versine: f32) -> FloatFraction {
+        // NaN is not within the limit.
+        let rise = if versine < self.limit { (self.outer - versine) * self.reciprocal } else { 0.0 };
+        FloatFraction(if rise < 1.0 { rise } else { 1.0 })
+    }
 }
 
 /// `x` if it is more than zero; anything else, also what is not a number, becomes zero.
@@ -155,14 +162,7 @@ impl Scalar for f32 {
 
     #[inline(always)]
     fn rise(ramp: FloatRamp, versine: f32) -> Rise<f32> {
-        // NaN is not within the limit.
-        let rise = if versine < ramp.limit { (ramp.outer - versine) * ramp.reciprocal } else { 0.0 };
-        Rise::Coarse(FloatFraction(if rise < 1.0 { rise } else { 1.0 }))
-    }
-
-    #[inline(always)]
-    fn rounded(value: f32) -> f32 {
-        value
+        Rise::Coarse(ramp.rise(versine))
     }
 
     #[inline(always)]
@@ -296,6 +296,7 @@ impl Gain<f32> for f32 {
 
 impl Offset<f32> for FloatOffset {
     type Ray = FloatRay;
+    type FineRay = FloatRay;
     type Facing = f32;
 
     const ROOTS_FIRST: bool = true;
@@ -326,6 +327,11 @@ impl Offset<f32> for FloatOffset {
         self.ray_of(self.reciprocal())
     }
 
+    #[inline(always)]
+    fn fine_ray(&self) -> FloatRay {
+        self.ray()
+    }
+
     /// Where the square is less than any normal number the point counts as on the light, and its direction is zero.
     /// Where it is beyond f32 the reciprocal is zero too, and no light arrives either.
     #[inline(always)]
@@ -349,6 +355,9 @@ impl FloatRay {
 }
 
 impl Ray<f32> for FloatRay {
+    type Fraction = FloatFraction;
+    type Share = f32;
+
     #[inline(always)]
     fn direction(&self) -> Vec3<f32> {
         self.back.map(|c| -c)
@@ -366,15 +375,25 @@ impl Ray<f32> for FloatRay {
 
     /// On a ramp of twice the size, which halves nothing per point and changes no bit.
     #[inline(always)]
-    fn rise(&self, _: &FloatOffset, axis: Vec3<f32>, ramp: FloatRamp) -> Rise<f32> {
+    fn rise(&self, axis: Vec3<f32>, ramp: FloatRamp) -> FloatFraction {
         let doubled =
             FloatRamp { outer: 2.0 * ramp.outer, limit: 2.0 * ramp.limit, reciprocal: 0.5 * ramp.reciprocal };
-        f32::rise(doubled, self.twice_versine(axis))
+        doubled.rise(self.twice_versine(axis))
     }
 
     #[inline(always)]
-    fn cosine(&self, facing: f32) -> FloatFraction {
+    fn cosine(&self, facing: f32, _: Vec3<f32>) -> FloatFraction {
         FloatFraction(clamp(facing * self.reciprocal))
+    }
+
+    #[inline(always)]
+    fn near(&self, gain: f32) -> f32 {
+        self.distance().by(gain).fraction()
+    }
+
+    #[inline(always)]
+    fn squared_near(&self, offset: &FloatOffset, gain: f32) -> f32 {
+        offset.squared.by(gain).fraction()
     }
 
     /// The gain saturates and not the light, because the compiler sees that a product of clamped fractions is not

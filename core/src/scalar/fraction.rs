@@ -4,7 +4,7 @@
 //! A profile magnifies the rounding of its argument by its slope, so a fraction has one bit more than a scalar; it
 //! costs nothing, because the products that use it are as wide as before.
 
-use super::{Scalar, float};
+use super::{Scalar, Share, float};
 
 /// A number from 0 to 1, one bit finer than the scalar: the argument of an edge profile.
 ///
@@ -12,7 +12,7 @@ use super::{Scalar, float};
 /// `t`, and `u = 1 - t`.
 pub trait Fraction<S: Scalar>: Copy + PartialOrd + core::fmt::Debug {
     /// What a profile makes of it: a scalar, or a number of more bits where the scalar's are too few.
-    type Value: Copy + Default + PartialOrd + core::fmt::Debug;
+    type Value: Share<S>;
 
     /// `1 - t`.
     fn complement(self) -> Self;
@@ -197,7 +197,8 @@ mod fixed_point {
         #[inline(always)]
         fn of(self, scalar: Fx16) -> Fx16 {
             let scalar = u32::from(scalar.to_bits().cast_unsigned());
-            Fx16::from_bits(((self.wide() * scalar + (1 << 14)) >> 15) as i16)
+            // Masked so that the compiler sees that it is not negative.
+            Fx16::from_bits(((self.wide() * scalar + (1 << 14)) >> 15 & 0x7fff) as i16)
         }
 
         #[inline(always)]

@@ -57,7 +57,7 @@ impl<S: Scalar> Light<S> for CompiledDirectional<S> {
         if skips && H::SHINES && !is_lit {
             return Arrival::default();
         }
-        let lobe = lobe::<S, H>(highlight, surface, self.direction, cosine);
+        let lobe = lobe::<S, H>(highlight, (surface.normal, surface.view), self.direction, cosine);
         Arrival { diffuse: cosine.expose(self.intensity), specular: lobe.expose(self.intensity) }
     }
 }

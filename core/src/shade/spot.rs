@@ -6,7 +6,7 @@ use crate::{
     color::Rgb,
     cone::Falloff,
     profile::{Edge, Profile},
-    scalar::{Fraction, Offset, Ray, Scalar},
+    scalar::{Fraction, Offset, Ray, Scalar, Share},
     specular::{Matte, Specular},
     vec3::Vec3,
 };
@@ -20,13 +20,15 @@ pub struct CompiledSpot<S: Scalar, P: Profile = Edge, A: Attenuation = InverseSq
     pub(crate) outside: S,
     pub(crate) attenuation: A::Constants<S>,
     pub(crate) intensity: S::Gain,
+    pub(crate) fine_below: u32,
     pub(crate) color: Rgb<S>,
     pub(crate) specular_color: Rgb<S>,
 }
 
 impl<S: Scalar, P: Profile, A: Attenuation> CompiledSpot<S, P, A> {
     /// The light of these parts, as [`source`](crate::source) writes them: `outside` is the bound by which points outside
-    /// the cone are rejected, and the colours are the diffuse and the specular one.
+    /// the cone are rejected, `fine_below` that of [`Scalar::fine_below`], and the colours are the diffuse and the specular
+    /// one.
     pub const fn from_parts(
         position: Vec3<S::Length>,
         axis: Vec3<S::Unit>,
@@ -34,9 +36,10 @@ impl<S: Scalar, P: Profile, A: Attenuation> CompiledSpot<S, P, A> {
         outside: S,
         attenuation: A::Constants<S>,
         intensity: S::Gain,
+        fine_below: u32,
         [color, specular_color]: [Rgb<S>; 2],
     ) -> Self {
-        Self { position, axis, falloff, outside, attenuation, intensity, color, specular_color }
+        Self { position, axis, falloff, outside, attenuation, intensity, fine_below, color, specular_color }
     }
 
     /// The light that arrives at a surface point, before the colours: falloff, distance and Lambert's cosine. 1 is
@@ -61,7 +64,64 @@ impl<S: Scalar, P: Profile, A: Attenuation> CompiledSpot<S, P, A> {
     #[inline(always)]
     pub fn falloff(&self, point: Vec3<S::Length>) -> S {
         let offset = S::offset(self.position, point);
-        self.falloff.toward(&offset, &offset.ray(), self.axis)
+        if offset.is_below(self.fine_below) {
+            return self.falloff.toward(&offset.fine_ray(), self.axis).rounded();
+        }
+        self.falloff.toward(&offset.ray(), self.axis)
+    }
+
+    /// What arrives along a ray.
+    #[inline(always)]
+    fn along<H: Specular, R: Ray<S>>(
+        &self,
+        offset: &S::Offset,
+        ray: &R,
+        cosine: R::Fraction,
+        (normal, view): (Vec3<S>, Vec3<S::Unit>),
+        highlight: &H::Constants<S>,
+    ) -> Arrival<S::Irradiance> {
+        let falloff = self.falloff.toward(ray, self.axis);
+        let expose = |share| A::expose(&self.attenuation, offset, ray, share, self.intensity);
+        let diffuse = expose(cosine.of(falloff));
+        if !H::SHINES {
+            return Arrival { diffuse, specular: S::Irradiance::default() };
+        }
+        let lobe = lobe::<S, H>(highlight, (normal, view), ray.direction(), cosine.scalar().rounded());
+        Arrival { diffuse, specular: expose(falloff.share_of(R::Share::of_scalar(lobe))) }
+    }
+
+    /// The share of the intensity that falls on the surface, and its light.
+    #[inline(always)]
+    fn diffuse<R: Ray<S>>(
+        &self,
+        offset: &S::Offset,
+        ray: &R,
+        cosine: R::Fraction,
+    ) -> (R::Share, S::Irradiance) {
+        let share = cosine.of(self.falloff.toward(ray, self.axis));
+        (share, A::expose(&self.attenuation, offset, ray, share, self.intensity))
+    }
+
+    /// What arrives at a point that is near, or of a cone that is steep: with all bits that the format can give, but where the
+    /// light is past full scale without them. Apart from the rest, which is to stay in registers.
+    #[cold]
+    #[inline(never)]
+    fn arrive_finely<H: Specular>(
+        &self,
+        offset: S::Offset,
+        (normal, view): (Vec3<S>, Vec3<S::Unit>),
+        highlight: &H::Constants<S>,
+    ) -> Arrival<S::Irradiance> {
+        let facing = offset.facing(normal);
+        if !H::SHINES && self.fine_below < u32::MAX {
+            let ray = offset.ray();
+            let (share, light) = self.diffuse(&offset, &ray, ray.cosine(facing, normal));
+            if S::is_past_full(share, light) {
+                return Arrival { diffuse: light, specular: S::Irradiance::default() };
+            }
+        }
+        let ray = offset.fine_ray();
+        self.along::<H, _>(&offset, &ray, ray.cosine(facing, normal), (normal, view), highlight)
     }
 
     /// The light's linear colour.
@@ -89,6 +149,7 @@ impl<S: Scalar, P: Profile, A: Attenuation> CompiledSpot<S, P, A> {
             outside: self.outside,
             attenuation: self.attenuation,
             intensity: self.intensity,
+            fine_below: self.fine_below,
             color: self.color,
             specular_color: self.specular_color,
         }
@@ -111,8 +172,12 @@ impl<S: Scalar, P: Profile, A: Attenuation> Light<S> for CompiledSpot<S, P, A> {
         highlight: &H::Constants<S>,
         skips: bool,
     ) -> Arrival<S::Irradiance> {
-        let offset = S::offset(self.position, surface.point);
-        let facing = offset.facing(surface.normal);
+        let Surface { point, normal, view } = *surface;
+        let offset = S::offset(self.position, point);
+        if offset.is_below(self.fine_below) {
+            return self.arrive_finely::<H>(offset, (normal, view), highlight);
+        }
+        let facing = offset.facing(normal);
         if skips
             && (S::Offset::faces_away(facing)
                 || offset.is_outside(self.axis, self.outside)
@@ -121,14 +186,7 @@ impl<S: Scalar, P: Profile, A: Attenuation> Light<S> for CompiledSpot<S, P, A> {
             return Arrival::default();
         }
         let ray = offset.ray();
-        let falloff = self.falloff.toward(&offset, &ray, self.axis);
-        let cosine = ray.cosine(facing);
-        let expose = |fraction| A::expose(&self.attenuation, &offset, &ray, fraction, self.intensity);
-        let diffuse = expose(cosine.of(falloff));
-        if !H::SHINES {
-            return Arrival { diffuse, specular: S::Irradiance::default() };
-        }
-        let lobe = lobe::<S, H>(highlight, surface, ray.direction(), cosine.scalar());
-        Arrival { diffuse, specular: expose(falloff.times(lobe)) }
+        let cosine = ray.cosine(facing, normal);
+        self.along::<H, _>(&offset, &ray, cosine, (normal, view), highlight)
     }
 }

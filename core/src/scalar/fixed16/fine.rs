@@ -1,15 +1,12 @@
-//! Fractions and directions of 30 bits in 32-bit products, for the cones that 15 bits do not hold.
+//! Fractions of 31 bits in 32-bit products, for cones and lights that 15 bits do not hold.
 //!
-//! A cone whose edge is steep over its width magnifies what 15 bits have rounded away: the length of a direction, the
-//! components of a difference and the argument of the profile. Here each has about 28 bits, for some 100 instructions
-//! more on a Cortex-M0. Only the cones pay that need it: [`Cone::compile`](crate::Cone::compile) chooses by a bound.
+//! A cone that is steep over its width and a light that is bright magnify what 15 bits have rounded away. Only these pay for
+//! more: [`Cone::compile`](crate::Cone::compile) finds by a bound which cones need it, and
+//! [`Scalar::fine_below`](crate::Scalar::fine_below) how near to a lamp points do.
 
-use super::{Fx16, Offset16, Ramp16, gain, offset};
-use crate::{
-    scalar::{Fraction, Rise, fraction::neighbours, root},
-    vec3::Vec3,
-};
-use fixed::types::{I2F30, I18F14, U3F29};
+use super::{Fx16, Gain16, Ramp16, gain, shifted};
+use crate::scalar::{Fraction, Share, fraction::neighbours};
+use fixed::types::{I18F14, U3F29, U18F14};
 
 /// A number from 0 to 1 with 31 fraction bits.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Default, Debug)]
@@ -17,7 +14,7 @@ pub struct Fine16(u32);
 
 /// `a b / 2^32`, rounded down: exactly, so that it never falls where a factor rises.
 #[inline(always)]
-const fn high_half(a: u32, b: u32) -> u32 {
+pub(super) const fn high_half(a: u32, b: u32) -> u32 {
     let (high, low) = (a >> 16, a & 0xffff);
     let upper = high * (b & 0xffff) + ((low * (b & 0xffff)) >> 16);
     let lower = low * (b >> 16) + (upper & 0xffff);
@@ -33,10 +30,25 @@ impl Fine16 {
         Self(high_half(self.0, other.0) << 1)
     }
 
-    /// The nearest scalar.
+    /// `product / 2^shift`, and one where that is more.
     #[inline(always)]
-    pub(super) fn rounded(self) -> Fx16 {
-        Fx16::from_bits(((self.0 + (1 << 16)) >> 17) as i16)
+    pub(super) fn capped(product: u32, shift: i32) -> Self {
+        let capped = if shift >= 0 {
+            product.checked_shr(shift.unsigned_abs()).unwrap_or(0)
+        } else if shift.unsigned_abs() < product.leading_zeros() {
+            product << shift.unsigned_abs()
+        } else if product > 0 {
+            Self::ONE.0
+        } else {
+            0
+        };
+        Self(capped.min(Self::ONE.0))
+    }
+
+    /// The bits.
+    #[inline(always)]
+    pub(super) fn to_bits(self) -> u32 {
+        self.0
     }
 
     /// `t (1 + u slope)` for a slope of 28 fraction bits, within [0, 1] whatever the slope.
@@ -85,7 +97,7 @@ impl Fraction<Fx16> for Fine16 {
 
     #[inline(always)]
     fn mixed(low: Self, high: Self, share: Fx16) -> Self {
-        let share = Self(u32::from(share.to_bits().clamp(0, 1 << 14).cast_unsigned()) << 17);
+        let share = Self::of_scalar(share);
         Self(low.0 - Self(low.0.saturating_sub(high.0)).times(share).0)
     }
 
@@ -125,74 +137,57 @@ impl Fraction<Fx16> for Fine16 {
     }
 }
 
-impl Ramp16 {
-    /// The ramp between two versines times `2^29 4^zoom`, in 32 bits.
-    pub(super) fn finely(zoom: u32, inner: u32, limit: u32, outer: u64) -> Self {
-        let span = outer.saturating_sub(inner.into()).max(1);
-        // The span is `divisor 2^(shift - 32)`.
-        let shift = u64::BITS - span.leading_zeros();
-        let divisor = (span << (64 - shift)) >> 32;
-        let mantissa = ((1 << 63) / divisor).min(u32::MAX.into()) as u32;
-        Self { zoom, inner: inner.min(limit), width: 0, shift, mantissa, one: 0, fine: limit.saturating_sub(inner) }
-    }
-
-    /// Where a versine stands on the ramp. On a fine one, which no versine is within coarsely, `finely` gives it with all
-    /// of its bits.
+impl Share<Fx16> for Fine16 {
     #[inline(always)]
-    pub(super) fn rise(self, versine: U3F29, finely: impl FnOnce() -> U3F29) -> Rise<Fx16> {
-        let past = versine.to_bits().wrapping_sub(self.inner);
-        if past < self.width {
-            Rise::Coarse(self.within(past))
-        } else if self.fine == 0 {
-            Rise::Coarse(self.end(versine.to_bits()))
-        } else {
-            core::hint::cold_path();
-            Rise::Fine(self.rise_finely(finely()))
-        }
+    fn of_scalar(scalar: Fx16) -> Self {
+        Self(u32::from(scalar.to_bits().clamp(0, 1 << 14).cast_unsigned()) << 17)
     }
 
-    /// Where a versine stands on a fine ramp.
-    fn rise_finely(&self, versine: U3F29) -> Fine16 {
-        let versine = versine.to_bits();
-        let past = versine.wrapping_sub(self.inner);
-        if past >= self.fine {
-            return if versine < self.inner { Fine16::ONE } else { Fine16(0) };
-        }
-        let fallen = if self.shift < u32::BITS {
-            high_half(past.wrapping_shl(u32::BITS - self.shift), self.mantissa)
-        } else {
-            high_half(past, self.mantissa) >> (self.shift - u32::BITS)
-        };
-        Fine16(Fine16::ONE.0.saturating_sub(fallen))
+    #[inline(always)]
+    fn rounded(self) -> Fx16 {
+        Fx16::from_bits(((self.0 + (1 << 16)) >> 17) as i16)
+    }
+
+    #[inline(always)]
+    fn is_all(self) -> bool {
+        self == Self::ONE
+    }
+
+    #[inline(always)]
+    fn rest(self) -> Self {
+        self.complement()
+    }
+
+    #[inline(always)]
+    fn share_of(self, other: Self) -> Self {
+        self.times(other)
+    }
+
+    #[inline(always)]
+    fn smoothed(self) -> Self {
+        self.smooth()
+    }
+
+    #[inline(always)]
+    fn give(self, gain: Gain16) -> U18F14 {
+        shifted(high_half(self.0, gain.mantissa), gain.shift - 15)
     }
 }
 
-impl Offset16 {
-    /// The unit direction with 30 fraction bits: each component within 6 units and the length within 3e-8.
+impl Ramp16 {
+    /// Where a versine stands on the ramp, with all bits that it has.
     #[inline(always)]
-    fn fine_direction(&self) -> Vec3<i32> {
-        let reciprocal = root::inverse_sqrt_16(self.squared());
-        let nearly = self.whole().map(|c| gain::signed_high_product(c, reciprocal));
-        // What the squared length is over one is `x`; `1 / sqrt(1 + x) = 1 - x / 2 + 3/8 x^2`.
-        let squares = nearly.map(|c| high_half(2 * c.unsigned_abs(), 2 * c.unsigned_abs()));
-        let over = (squares.x + squares.y + squares.z).wrapping_sub(1 << 30).cast_signed();
-        let coarse = over >> 4;
-        let excess = (over >> 1) - 3 * (coarse.wrapping_mul(coarse) >> 25);
-        nearly.map(|c| c - ((c >> 14).wrapping_mul(excess >> 4) >> 12))
-    }
-
-    /// The versine of the angle between direction and axis, as [`versine_between`](crate::Scalar::versine_between) has
-    /// it, of 29 bits.
-    #[inline(always)]
-    pub(super) fn fine_versine(&self, axis: Vec3<I2F30>, zoom: u32) -> U3F29 {
-        let difference = self.fine_direction().zip(axis, |d, s| d.wrapping_sub(s.to_bits()));
-        if offset::size(difference) >> (31 - zoom) != 0 {
-            return U3F29::MAX;
+    pub(super) fn rise_finely(self, versine: U3F29) -> Fine16 {
+        let versine = versine.to_bits();
+        let past = versine.wrapping_sub(self.inner);
+        if past >= self.width.max(self.fine) {
+            return if versine < self.inner { Fine16::ONE } else { Fine16(0) };
         }
-        let squares = difference.map(|c| {
-            let c = c.unsigned_abs() << zoom;
-            high_half(c, c)
-        });
-        U3F29::from_bits(squares.x + squares.y + squares.z)
+        let fallen = if self.fine_shift < u32::BITS {
+            high_half(past.wrapping_shl(u32::BITS - self.fine_shift), self.fine_mantissa)
+        } else {
+            high_half(past, self.fine_mantissa) >> (self.fine_shift - u32::BITS)
+        };
+        Fine16(Fine16::ONE.0.saturating_sub(fallen))
     }
 }

@@ -2,9 +2,9 @@
 //!
 //! In the comments `v` is the way scaled until its largest component has 15 bits, and `|v|` its length.
 
-use super::{Fx16, Gain16, Ramp16, gain, shifted};
+use super::{Fx16, Gain16, Ramp16, fine_ray::FineRay16, gain, shifted};
 use crate::{
-    scalar::{Offset, Ray, Rise, Scalar, fraction::Fraction16, root},
+    scalar::{Gain, Offset, Ray, Scalar, fraction::Fraction16, root},
     vec3::Vec3,
 };
 use fixed::types::{I2F30, I16F16, U3F29, U18F14};
@@ -117,7 +117,7 @@ impl Offset16 {
 
     /// The way with its largest component of 31 bits: all that it has.
     #[inline(always)]
-    pub(super) fn whole(&self) -> Vec3<i32> {
+    fn whole(&self) -> Vec3<i32> {
         self.way.map(|c| c << (31 - WAY_BITS - self.shift))
     }
 
@@ -130,7 +130,7 @@ impl Offset16 {
     /// `|v|^2`: three squares of 15 bits and a sign fit 32. Computed where it is needed, for a surface that faces away
     /// has no need of it.
     #[inline(always)]
-    pub(super) fn squared(&self) -> u32 {
+    fn squared(&self) -> u32 {
         let squares = self.coarse().map(|c| (c * c).cast_unsigned());
         squares.x.wrapping_add(squares.y).wrapping_add(squares.z)
     }
@@ -138,6 +138,7 @@ impl Offset16 {
 
 impl Offset<Fx16> for Offset16 {
     type Ray = Ray16;
+    type FineRay = FineRay16;
     /// In steps of 2^-14 of `|v|`, less than zero where the surface faces the light. Wraps for normals that are longer than
     /// 1.15, which leaves it defined.
     type Facing = i32;
@@ -180,9 +181,22 @@ impl Offset<Fx16> for Offset16 {
             reciprocal,
         }
     }
+
+    #[inline(always)]
+    fn fine_ray(&self) -> FineRay16 {
+        FineRay16::new(self.whole(), root::inverse_sqrt_16(self.squared()), self.bits)
+    }
+
+    #[inline(always)]
+    fn is_below(&self, bits: u32) -> bool {
+        self.bits < bits
+    }
 }
 
 impl Ray<Fx16> for Ray16 {
+    type Fraction = Fraction16;
+    type Share = Fx16;
+
     #[inline(always)]
     fn distance(&self) -> Gain16 {
         // `|v| 2^14`, of 29 or 30 bits.
@@ -200,23 +214,33 @@ impl Ray<Fx16> for Ray16 {
     }
 
     #[inline(always)]
-    fn rise(&self, offset: &Offset16, axis: Vec3<I2F30>, ramp: Ramp16) -> Rise<Fx16> {
-        ramp.rise(self.versine(axis, ramp), || offset.fine_versine(axis, ramp.zoom))
+    fn rise(&self, axis: Vec3<I2F30>, ramp: Ramp16) -> Fraction16 {
+        ramp.rise(self.versine(axis, ramp))
     }
 
     #[inline(always)]
-    fn cosine(&self, facing: i32) -> Fraction16 {
+    fn cosine(&self, facing: i32, _: Vec3<Fx16>) -> Fraction16 {
         // The product is the length of the normal in steps of 2^-31, and wraps beyond two of it.
         let along = facing.min(0).unsigned_abs() >> 13;
         Fraction16((along.wrapping_mul(self.reciprocal) >> 16).min(1 << 15))
     }
 
     #[inline(always)]
+    fn near(&self, gain: Gain16) -> Fx16 {
+        self.distance().by(gain).fraction()
+    }
+
+    #[inline(always)]
+    fn squared_near(&self, offset: &Offset16, gain: Gain16) -> Fx16 {
+        offset.squared_distance().by(gain).fraction()
+    }
+
+    #[inline(always)]
     fn expose(&self, fraction: Fx16, gain: Gain16) -> U18F14 {
-        let fraction = u32::from(fraction.to_bits().cast_unsigned());
+        let fraction = u32::from(fraction.to_bits().max(0).cast_unsigned());
         // At most 16, 16 and 18 bits: every product fits 32.
         let squared = (self.reciprocal * self.reciprocal) >> 16;
-        let mantissa = (gain.mantissa * squared) >> 14;
-        shifted(fraction.wrapping_mul(mantissa), gain.shift + 2 * self.bits.cast_signed() - 32)
+        let mantissa = (gain.top() * squared) >> 14;
+        shifted(fraction.wrapping_mul(mantissa), gain.shift + 2 * self.bits.cast_signed() - 48)
     }
 }

@@ -204,7 +204,7 @@ fn spot<S: Raw, P: Profile, A: Attenuation>(
     let falloff = Falloff::from_parts(S::raw_ramp(bits), profile, curve);
     let (position, axis) = (bits.vector(S::raw_length), bits.vector(S::unit));
     let (outside, intensity) = (S::scalar(bits.word()), S::raw_gain(bits.word()));
-    CompiledSpot::from_parts(position, axis, falloff, outside, attenuation, intensity, colors(bits))
+    CompiledSpot::from_parts(position, axis, falloff, outside, attenuation, intensity, bits.word() as u32, colors(bits))
 }
 
 /// A profile, on its own and in a light.
@@ -223,7 +223,7 @@ fn reaches<S: Raw, A: Attenuation>(bits: &mut Bits, attenuation: A::Constants<S>
     let spot = spot::<S, Soft, A>(bits, Soft, Soft, attenuation);
     let position = bits.vector(S::raw_length);
     let point =
-        CompiledPoint::<S, A>::from_parts(position, attenuation, S::raw_gain(bits.word()), colors(bits));
+        CompiledPoint::<S, A>::from_parts(position, attenuation, S::raw_gain(bits.word()), bits.word() as u32, colors(bits));
     let Surface { point: place, normal, .. } = surface::<S>(bits);
     black_box(spot.irradiance(place, normal));
     black_box(spot.irradiance_unskipped(place, normal));
@@ -270,7 +270,7 @@ fn shines<S: Raw, H: Specular>(bits: &mut Bits, highlight: H::Constants<S>) {
     let spot = spot::<S, Soft, InverseSquare>(bits, Soft, Soft, ());
     reflects(bits, &material, &spot);
     let (place, intensity) = (bits.vector(S::raw_length), S::raw_gain(bits.word()));
-    let point = CompiledPoint::<S>::from_parts(place, (), intensity, colors(bits));
+    let point = CompiledPoint::<S>::from_parts(place, (), intensity, bits.word() as u32, colors(bits));
     reflects(bits, &material, &point);
     let parallel = CompiledDirectional::<S>::from_parts(bits.vector(S::unit), intensity, colors(bits));
     reflects(bits, &material, &parallel);
