@@ -81,7 +81,7 @@ fn spots<S: Format, A: Attenuation>(
             let chord = (2.0 * exact.outer).sqrt();
             let steepness = f64::from(luminaire::Profile::steepness(profile, 0.0));
             let slope = f64::from(S::DIRECTION_ERROR) * (steepness / chord + 1.0);
-            for (intensity, None, errors) in INTENSITIES.into_iter().zip(&mut *errors) {
+            for (intensity, errors) in INTENSITIES.into_iter().zip(&mut *errors) {
                 let spot = sweep::spot(rng, cone).with_attenuation(attenuation);
                 let spot = spot.with_intensity(intensity).expect("a sound intensity");
                 let compiled = spot.compile::<S>().expect("held");
@@ -111,7 +111,7 @@ fn spots<S: Format, A: Attenuation>(
 
 /// The same of a point light: the cosine alone.
 fn points<S: Format>(rng: &mut Rng, errors: &mut [Errors; INTENSITIES.len()]) {
-    for (intensity, None, errors) in INTENSITIES.into_iter().zip(errors) {
+    for (intensity, errors) in INTENSITIES.into_iter().zip(errors) {
         let position = [1.5, -0.25, 2.0];
         let point = Point::new(sweep::single(position)).and_then(|point| point.with_intensity(intensity));
         let compiled = point.and_then(|point| point.compile::<S>()).expect("sound");
@@ -136,7 +136,7 @@ fn rows<S: Format>() -> Vec<(String, [Errors; INTENSITIES.len()])> {
         let mut errors = [Errors::default(); INTENSITIES.len()];
         fill(&mut Rng::with_seed(1000), &mut errors);
         println!("{} {name}: {}", S::NAME, shown(&errors));
-        rows.push((name, None, errors));
+        rows.push((name, errors));
     };
     let far = |intensity: f64| intensity.sqrt();
     row("none".into(), &mut |rng, errors| spots::<S, _>(rng, Unattenuated, |_| 1.0, |_| 10.0, None, errors));
