@@ -15,8 +15,8 @@ const PROBE: &str = include_str!("probe.js");
 /// The size of the window, and so of screenshots.
 const WINDOW: (u32, u32) = (1440, 900);
 
-/// How long the page may take to load and draw its first picture.
-const LOADING: Duration = Duration::from_secs(60);
+/// How long the page may take to load and draw its first picture, on a busy machine.
+const LOADING: Duration = Duration::from_secs(300);
 
 /// An open page; dropping it closes it.
 pub(crate) struct Page {
