@@ -64,6 +64,15 @@ window.probe = (() => {
       return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
     },
 
+    // Where an element is on the page, in whole pixels.
+    place(selector) {
+      const found = document.querySelector(selector) ?? raise(`the page has no element ${selector}`);
+      found.scrollIntoView({ block: "center" });
+      const { x, y, width, height } = found.getBoundingClientRect();
+      const [left, top] = [Math.round(x + scrollX), Math.round(y + scrollY)];
+      return { x: left, y: top, width: Math.round(width), height: Math.round(height), scale: 1 };
+    },
+
     keep(name) {
       pictures.set(name, luminaire.pixels().slice());
     },
