@@ -31,7 +31,7 @@ const LIMITS: Limits =
 
 /// A caller who is still sending when he is answered has so long to stop: closing the connection would be told to him as
 /// an error, and his answer be lost.
-const LINGER: Duration = Duration::from_millis(500);
+const LINGER: Duration = Duration::from_secs(2);
 
 /// After a call that could not be accepted; the system may be short of file handles.
 const PAUSE: Duration = Duration::from_millis(50);
@@ -175,7 +175,8 @@ fn answer(stream: &TcpStream, folder: &Path, limits: Limits) {
 /// Answers a call that there is no room for, in so few bytes that nobody has to wait until they are read.
 fn refuse(stream: &TcpStream) {
     let full = Response::plain("503 Service Unavailable", "too many calls at once");
-    let _ = full.write(&mut Timed::new(stream, PAUSE), &HEADERS, false);
+    let written = full.write(&mut Timed::new(stream, PAUSE), &HEADERS, false);
+    let _ = written.and_then(|()| stream.shutdown(Shutdown::Write));
 }
 
 fn respond(request: &Request, folder: &Path) -> Response {
