@@ -8,7 +8,7 @@ addEventListener(
       location.protocol === "file:"
         ? "This page was opened as a file, and from files browsers load no modules. " +
           "Run `cargo demo` in the project's folder, and open the address that it names."
-        : `${target.src} could not be loaded. Serve the whole folder over HTTP, and reload the page.`;
+        : `${target.src}, or a file that it needs, could not be loaded. Serve the whole folder over HTTP, and reload the page.`;
     place.hidden = false;
     document.body.dataset.state = "failed";
   },
