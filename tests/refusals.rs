@@ -90,7 +90,15 @@ fn a_position_that_is_not_finite() {
 
 #[test]
 fn an_intensity_out_of_range() {
-    for (intensity, shown) in [(-1.0, "-1"), (f32::NAN, "NaN"), (f32::INFINITY, "inf")] {
+    let values = [
+        (-1.0, "-1"),
+        (f32::NAN, "NaN"),
+        (f32::INFINITY, "inf"),
+        // Neither of them in full, with 39 digits and with 38 zeros.
+        (3.4e38, "3.4e38"),
+        (-1e-38, "-1e-38"),
+    ];
+    for (intensity, shown) in values {
         let message = format!("intensity {shown} is refused: give a finite number from 0 to 1000000000");
         assert_refused(spot().with_intensity(intensity), Parameter::Intensity, &message);
     }

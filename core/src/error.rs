@@ -213,7 +213,7 @@ impl fmt::Display for Accepted {
 
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} {} is refused: {}", self.parameter, shown(self.value), self.accepted)
+        write!(f, "{} {} is refused: {}", self.parameter, Shown(self.value), self.accepted)
     }
 }
 
@@ -237,7 +237,20 @@ pub(crate) fn check_up_to(parameter: Parameter, value: f32, most: f32) -> Result
     }
 }
 
-/// A value of everyday size to four decimals, as people write it; any other as it is.
-fn shown(value: f32) -> f32 {
-    if (1e-3..1e4).contains(&value) { (value * 1e4 + 0.5) as u32 as f32 / 1e4 } else { value }
+/// A value of everyday size with four decimals, a very large or small one with an exponent, any other in full.
+struct Shown(f32);
+
+impl fmt::Display for Shown {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self(value) = *self;
+        let size = if value < 0.0 { -value } else { value };
+        if (1e-3..1e4).contains(&value) {
+            write!(f, "{}", (value * 1e4 + 0.5) as u32 as f32 / 1e4)
+        } else if size == 0.0 || (1e-6..1e12).contains(&size) {
+            write!(f, "{value}")
+        } else {
+            // In full it would have up to 39 digits.
+            write!(f, "{value:e}")
+        }
+    }
 }

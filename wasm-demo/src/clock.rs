@@ -1,31 +1,27 @@
 //! Milliseconds, by the browser's clock.
 
-use crate::refusal::Refusal;
-use web_sys::Performance;
+use web_sys::{Performance, js_sys::Date};
 
-/// `performance.now()`, looked up once.
+/// `performance.now()`, looked up once; the date where a browser does not have it, for times only decorate a picture.
 #[derive(Clone, Debug)]
 pub(crate) struct Clock {
-    performance: Performance,
+    performance: Option<Performance>,
 }
 
 impl Clock {
     /// The clock of this window.
-    pub(crate) fn new() -> Result<Self, Refusal> {
-        let performance = web_sys::window().and_then(|window| window.performance());
-        match performance {
-            Some(performance) => Ok(Self { performance }),
-            None => Err(Refusal::Browser {
-                what: "the clock",
-                reason: "window.performance is missing: open the page in a browser window".to_owned(),
-            }),
-        }
+    pub(crate) fn new() -> Self {
+        Self { performance: web_sys::window().and_then(|window| window.performance()) }
     }
 
     /// How long something takes, in milliseconds, and what came of it.
     pub(crate) fn time<T>(&self, work: impl FnOnce() -> T) -> (f64, T) {
-        let start = self.performance.now();
+        let start = self.now();
         let done = work();
-        (self.performance.now() - start, done)
+        (self.now() - start, done)
+    }
+
+    fn now(&self) -> f64 {
+        self.performance.as_ref().map_or_else(Date::now, Performance::now)
     }
 }

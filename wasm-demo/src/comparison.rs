@@ -5,7 +5,7 @@ use crate::{
     clock::Clock,
     difference::Truth,
     false_colour::{ENDS, Palette, Scale},
-    form::{Curve, Form},
+    form::Form,
     panic,
     refusal::Refusal,
     side::{FormState, Side, SideState},
@@ -123,6 +123,14 @@ impl Comparison {
         Ok(self.sides.get(side).ok_or(no_side(side))?.state())
     }
 
+    /// Whether both forms stand for one curve. Only then do their errors, each of which is a difference to the form's
+    /// own truth, say which of them is better.
+    #[wasm_bindgen(getter, js_name = isOneCurve)]
+    pub fn is_one_curve(&self) -> bool {
+        let [left, right] = self.sides.each_ref().map(Side::form);
+        left.shares_truth_with(right)
+    }
+
     /// Lights the picture of a side once more; how long that took, in milliseconds, or nothing where the form
     /// was refused.
     pub fn time(&mut self, side: usize) -> Result<Option<f64>, JsValue> {
@@ -195,7 +203,7 @@ impl Comparison {
             chosen: None,
             canvases: [[canvas(left)?, canvas(left_errors)?], [canvas(right)?, canvas(right_errors)?]],
             pixels: vec![0; 4 * wall.sites().len()],
-            clock: Clock::new()?,
+            clock: Clock::new(),
             wall,
         })
     }
@@ -209,11 +217,11 @@ impl Comparison {
 
 /// Both sides, lit. Forms of the same curve share the truth about it.
 fn light(forms: [Form; 2], wall: &Wall) -> [Side; 2] {
-    let truth = |curve: Curve| Truth::about(wall.sites(), &curve.truth(wall));
-    let curves = forms.map(Form::curve);
-    let left = truth(curves[0]);
-    let other = (curves[1] != curves[0]).then(|| truth(curves[1]));
-    [Side::new(forms[0], wall, &left), Side::new(forms[1], wall, other.as_ref().unwrap_or(&left))]
+    let truth = |form: Form| Truth::about(wall.sites(), &form.curve().truth(wall));
+    let [left, right] = forms;
+    let one = truth(left);
+    let other = (!left.shares_truth_with(right)).then(|| truth(right));
+    [Side::new(left, wall, &one), Side::new(right, wall, other.as_ref().unwrap_or(&one))]
 }
 
 fn no_side(value: usize) -> Refusal {

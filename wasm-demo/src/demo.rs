@@ -267,7 +267,7 @@ impl Demo {
             rest: spots.map(|spot| spot.axis()),
             format: FIRST,
             canvas: Canvas::new(canvas, width, height)?,
-            clock: Clock::new()?,
+            clock: Clock::new(),
             is_shown: false,
             times: Times::default(),
             width,

@@ -85,6 +85,12 @@ impl Form {
         }
     }
 
+    /// Whether its picture is compared with the same truth as that of another form: errors of different curves do not
+    /// say which form is better.
+    pub(crate) fn shares_truth_with(self, other: Self) -> bool {
+        self.curve() == other.curve()
+    }
+
     /// Its rows on the price list: from the angle to the intensity, and where it has one, the lit point.
     pub(crate) fn rows(self) -> (Row, Option<Row>) {
         let row = |kernel, stage, format| Row { kernel, stage, format };
@@ -247,4 +253,25 @@ impl<F: Kernel<Input = f64, Output = f64>> Kernel for FromVersine<F> {
 #[inline(always)]
 fn dot(a: Vec3<f64>, b: Vec3<f64>) -> f64 {
     a.x * b.x + a.y * b.y + a.z * b.z
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn forms_share_a_truth_only_where_their_truths_are_equal() {
+        let wall = Wall::new(24, 20.0).unwrap();
+        let lights = Form::ALL.map(|form| {
+            let truth = form.curve().truth(&wall);
+            wall.sites().iter().map(|site| truth.at(site)).collect::<Vec<_>>()
+        });
+        for (one, light) in Form::ALL.iter().zip(&lights) {
+            for (other, other_light) in Form::ALL.iter().zip(&lights) {
+                let are_equal = light == other_light;
+                assert_eq!(one.shares_truth_with(*other), are_equal, "{one:?} and {other:?}");
+            }
+        }
+        assert!(!Form::Fx16.shares_truth_with(Form::Powf) && Form::Fx16.shares_truth_with(Form::Gltf));
+    }
 }

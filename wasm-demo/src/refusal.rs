@@ -49,6 +49,20 @@ impl Refusal {
     }
 }
 
+/// A number as the kernel's own refusals have it: a very large or small one with an exponent.
+struct Short(f32);
+
+impl fmt::Display for Short {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self(value) = *self;
+        if value == 0.0 || (1e-6..1e12).contains(&value.abs()) {
+            write!(f, "{value}")
+        } else {
+            write!(f, "{value:e}")
+        }
+    }
+}
+
 impl fmt::Display for Refusal {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -68,10 +82,14 @@ impl fmt::Display for Refusal {
                 write!(f, "light {value} is refused: give a number from 0 to {}", count - 1)
             }
             Self::Zoom { value, narrow, wide } => {
-                write!(f, "zoom {value} is refused: this fixture goes from {narrow} to {wide} degrees")
+                write!(
+                    f,
+                    "zoom {} is refused: this fixture goes from {narrow} to {wide} degrees",
+                    Short(*value)
+                )
             }
             Self::Outside { parameter, value, least, most, unit } => {
-                write!(f, "{parameter} {value} is refused: give from {least} to {most} {unit}")
+                write!(f, "{parameter} {} is refused: give from {least} to {most} {unit}", Short(*value))
             }
             Self::Browser { what, reason } => write!(f, "{what}: {reason}"),
         }
@@ -100,5 +118,28 @@ impl From<Refusal> for JsValue {
     /// A plain string: the page shows it as it is.
     fn from(refusal: Refusal) -> Self {
         Self::from_str(&refusal.to_string())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_refused_number_is_short_whatever_its_size() {
+        for value in [f32::MAX, f32::MIN, f32::MIN_POSITIVE, 1e-9, 3.4e38, f32::NAN, f32::INFINITY] {
+            let zoom = Refusal::Zoom { value, narrow: 1.0, wide: 2.0 }.to_string();
+            let outside =
+                Refusal::Outside { parameter: "zoom", value, least: 1.0, most: 2.0, unit: "" }.to_string();
+            let light = luminaire::Angle::degrees(value);
+            let light = luminaire::Cone::from_field(luminaire::Soft, light).map(drop);
+            let light = light.map_or_else(|error| error.to_string(), |()| String::new());
+            for words in [zoom, outside, light] {
+                assert!(words.len() < 100, "{words}");
+            }
+        }
+        assert!(
+            Refusal::Zoom { value: 20.5, narrow: 1.0, wide: 2.0 }.to_string().starts_with("zoom 20.5 is")
+        );
     }
 }

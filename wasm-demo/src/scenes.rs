@@ -304,7 +304,7 @@ impl Scenes {
             map_canvas: canvas(&elements[1])?,
             elements,
             map: Map::new(),
-            clock: Clock::new()?,
+            clock: Clock::new(),
             is_shown: false,
             times: Times::default(),
             frame: 0.0,

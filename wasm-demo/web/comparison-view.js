@@ -1,11 +1,12 @@
 // The comparison: two forms of one beam, each beside what f64 makes of it.
 import { Comparison } from "./pkg/wasm_demo.js";
+import { remember } from "./address.js";
 import { Divider } from "./divider.js";
 import { ErrorScale } from "./error-scale.js";
 import { hasFailed } from "./failure.js";
 import { HalfAngle } from "./half-angle.js";
 import { Ledger } from "./ledger.js";
-import { degrees, tidy } from "./numbers.js";
+import { degrees } from "./numbers.js";
 import { plain } from "./plain.js";
 import { PriceList } from "./price-list.js";
 
@@ -158,7 +159,7 @@ export class ComparisonView {
   #remember([left, right]) {
     const half = exact(this.#comparison.halfAngle);
     const query = new URLSearchParams({ left: left.form, right: right.form, half });
-    history.replaceState(null, "", `#compare?${query}`);
+    remember("compare", query);
   }
 }
 

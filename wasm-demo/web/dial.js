@@ -1,6 +1,16 @@
 // A slider and a number beside it, for one value.
 import { tidy } from "./numbers.js";
 
+/** Joins a number field: `set` is called with what is typed, and `leave` when there is nothing to set. */
+export function joinNumber(field, set, leave) {
+  field.addEventListener("input", () => {
+    // Whoever clears a field is about to type into it. NaN is what the browser makes of anything else.
+    if (field.value === "" && !field.validity.badInput) leave(field);
+    else set(field.valueAsNumber, field);
+  });
+  field.addEventListener("blur", () => leave());
+}
+
 /**
  * The slider offers what is taken. Anything can be typed into the number, so that the kernel can say what is wrong
  * with it.
@@ -13,13 +23,14 @@ export class Dial {
    * @param {HTMLInputElement} slider
    * @param {HTMLInputElement} number
    * @param {(value: number, control: HTMLInputElement) => void} set called as the value changes; NaN for no number
+   * @param {(number: HTMLInputElement, source?: HTMLInputElement) => void} leave called when the number is empty, then
+   *   with itself as the source, and when it is left: its refusal is over, and it shows the value in force
    */
-  constructor(slider, number, set) {
+  constructor(slider, number, set, leave) {
     this.#slider = slider;
     this.#number = number;
-    for (const control of [slider, number]) {
-      control.addEventListener("input", () => set(control.valueAsNumber, control));
-    }
+    slider.addEventListener("input", () => set(slider.valueAsNumber, slider));
+    joinNumber(number, set, (source) => leave(number, source));
   }
 
   /** Sets the ends of the slider. */

@@ -1,4 +1,5 @@
 // The width of the beam: a slider that is even in its logarithm, and a number.
+import { joinNumber } from "./dial.js";
 import { degrees, tidy } from "./numbers.js";
 
 /** Three digits, whatever the size: the slider would give a dozen. */
@@ -11,6 +12,8 @@ export class HalfAngle {
   #error = document.getElementById("half-angle-error");
   #set;
   #ends;
+  /** The value in force. */
+  #value;
 
   /**
    * @param {[number, number]} ends the narrowest and the widest, in degrees
@@ -21,11 +24,19 @@ export class HalfAngle {
     this.#ends = ends;
     [this.#slider.min, this.#slider.max] = ends.map(Math.log10);
     this.#slider.addEventListener("input", () => this.take(this.#ofSlider(), this.#slider));
-    this.#number.addEventListener("input", () => this.take(this.#number.valueAsNumber, this.#number));
+    joinNumber(
+      this.#number,
+      (value) => this.take(value, this.#number),
+      (source) => {
+        this.#tell("");
+        this.show(this.#value, source);
+      },
+    );
   }
 
   /** Shows a value, except on the control that it comes from. */
   show(value, source) {
+    this.#value = value;
     if (source !== this.#number) this.#number.value = tidy(value);
     if (source !== this.#slider) this.#slider.value = Math.log10(value);
     const { min, max } = this.#slider;
@@ -42,9 +53,13 @@ export class HalfAngle {
       if (typeof error !== "string") throw error;
       refusal = error;
     }
+    this.#tell(refusal);
+    if (refusal === "") this.show(value, source);
+  }
+
+  #tell(refusal) {
     this.#error.textContent = refusal;
     this.#number.setAttribute("aria-invalid", refusal !== "");
-    if (refusal === "") this.show(value, source);
   }
 
   #ofSlider() {

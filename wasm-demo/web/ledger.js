@@ -1,6 +1,6 @@
 // Errors and costs of both forms, side by side.
 import { degrees, median, tidy } from "./numbers.js";
-import { amount, missing, price, stageName, targetName } from "./price-list.js";
+import { amount, price, stageName, targetName } from "./price-list.js";
 
 /** So many times are taken of each picture, in turns. */
 const RUNS = 9;
@@ -25,10 +25,13 @@ const percent = (share) =>
   share === 0 ? "none" : `${Number((100 * share).toPrecision(share < 0.1 ? 2 : 3))} %`;
 
 /** How much better the better of two forms is here, and for how much: in one sentence. */
-function verdict(states, costs) {
+function verdict(states, isOneCurve, costs) {
   const refused = ["A", "B"].filter((_, side) => states[side].refusal !== undefined);
   if (refused.length === 2) return "Neither holds this beam.";
   if (refused.length === 1) return `${refused[0]} does not hold this beam.`;
+  if (!isOneCurve) {
+    return "A and B are not the same curve. Each errs against its own truth: the errors do not say which is better.";
+  }
   const better = states[0].largest < states[1].largest ? 0 : 1;
   const [least, most] = [states[better].largest, states[1 - better].largest];
   if (most < LEAST) return "Neither errs by a thousandth of a code here.";
@@ -67,7 +70,11 @@ export class Ledger {
   show(states) {
     for (const [side, state] of states.entries()) this.#tell(side, state);
     const forms = states.map((state) => this.#forms.get(state.form));
-    document.getElementById("verdict").textContent = verdict(states, this.#showCosts(forms));
+    document.getElementById("verdict").textContent = verdict(
+      states,
+      this.#comparison.isOneCurve,
+      this.#showCosts(forms),
+    );
     this.measured = this.#measure();
   }
 
@@ -91,7 +98,7 @@ export class Ledger {
     const list = this.#prices;
     if (list.isEmpty) {
       this.#costs.replaceChildren();
-      this.#note.replaceChildren(...missing());
+      this.#note.replaceChildren(...list.lack());
       list.mark([]);
       return [];
     }

@@ -88,8 +88,11 @@ export class LightPanel {
     const demo = this.#demo;
     const light = this.#light;
     const dial = (slider, number, set) =>
-      new Dial(this.#control(slider), this.#control(number), (value, control) =>
-        this.#set(control, () => set(value)),
+      new Dial(
+        this.#control(slider),
+        this.#control(number),
+        (value, control) => this.#set(control, () => set(value)),
+        (control, source) => this.#leave(control, source),
       );
     const simple = (name, set) => {
       const control = this.#control(name);
@@ -127,6 +130,12 @@ export class LightPanel {
     this.onchange();
   }
 
+  /** A number field is empty or left: it is not in error any more, and shows the value in force unless it is edited. */
+  #leave(control, source) {
+    if (control.hasAttribute("aria-invalid")) this.#refuse(control, "");
+    this.#show(source);
+  }
+
   #refuse(control, refusal) {
     this.element.querySelector("[aria-invalid]")?.removeAttribute("aria-invalid");
     if (refusal) {
@@ -134,6 +143,9 @@ export class LightPanel {
       control.setAttribute("aria-errormessage", this.#control("error").id);
       // The message stands under the control that it is about.
       control.closest(".row").after(this.#control("error"));
+    } else {
+      // What a number format has against the light is about no control of it.
+      this.element.append(this.#control("error"));
     }
     this.#refusal = refusal;
     this.#tell();

@@ -1,4 +1,5 @@
 // The price list that `cargo xtask measure` makes: what each kernel errs, and what it costs on each target.
+import { words } from "./failure.js";
 import { tidy } from "./numbers.js";
 
 /** What the targets are called, in the order in which they are shown. */
@@ -35,20 +36,27 @@ const small = (value) =>
 
 export class PriceList {
   #rows;
+  #problem;
   #stage = document.getElementById("stage-of-list");
   #note = document.getElementById("prices-note");
   #table = document.getElementById("prices");
   #marks = [];
 
-  /** Loads the list; one that was not made is empty. */
+  /** Loads the list; one that was not made, or can't be loaded, is empty. */
   static async load() {
-    const answer = await fetch("accuracy-vs-cost.json");
-    if (!answer.ok) throw new Error(`The price list could not be loaded (${answer.status}). Serve the whole folder.`);
-    return new PriceList((await answer.json())?.rows ?? []);
+    try {
+      const answer = await fetch("accuracy-vs-cost.json");
+      if (!answer.ok) throw new Error(`the server answers ${answer.status}`);
+      return new PriceList((await answer.json())?.rows ?? []);
+    } catch (error) {
+      return new PriceList([], words(error));
+    }
   }
 
-  constructor(rows) {
+  /** @param {string} [problem] why there are no rows, if not for want of a list */
+  constructor(rows, problem) {
     this.#rows = rows;
+    this.#problem = problem;
     this.#stage.closest(".row").classList.toggle("empty", this.isEmpty);
     this.#stage.disabled = this.isEmpty;
     this.#stage.addEventListener("input", () => this.#show());
@@ -57,6 +65,14 @@ export class PriceList {
   /** Whether no list was made. */
   get isEmpty() {
     return this.#rows.length === 0;
+  }
+
+  /** Why the list is empty, and what to do about it. */
+  lack() {
+    if (this.#problem) return [`The price list could not be loaded: ${this.#problem}. Reload the page to try again.`];
+    const command = document.createElement("code");
+    command.textContent = "cargo xtask measure";
+    return ["This page was built without a price list. Run ", command, ", and build the page again."];
   }
 
   /** The row of a kernel, or undefined. */
@@ -78,7 +94,7 @@ export class PriceList {
 
   #show() {
     if (this.isEmpty) {
-      this.#note.replaceChildren(...missing());
+      this.#note.replaceChildren(...this.lack());
       return;
     }
     const stage = this.#stage.value;
@@ -105,13 +121,6 @@ export class PriceList {
     cells.classList.toggle("marked", names.length > 0);
     return cells;
   }
-}
-
-/** How to make a list, where there is none. */
-export function missing() {
-  const command = document.createElement("code");
-  command.textContent = "cargo xtask measure";
-  return ["This page was built without a price list. Run ", command, ", and build the page again."];
 }
 
 function line(kind, texts) {

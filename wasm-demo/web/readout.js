@@ -3,34 +3,50 @@ import { median } from "./numbers.js";
 
 const PICTURES = 30;
 
-/** The passes of a picture, and all that were done for it together. */
-const PASSES = ["geometry", "shadows", "lighting", "encode", "show", "frame"];
+/** The passes of a picture. */
+const PASSES = ["geometry", "shadows", "lighting", "encode", "show"];
 
 export class Readout {
   #demo;
   #passes;
+  #frame;
 
   /** @param {string} [prefix] what the ids of the places begin with */
   constructor(demo, prefix = "") {
     this.#demo = demo;
     const place = (name) => document.getElementById(`${prefix}${name}-ms`);
-    this.#passes = PASSES.map((name) => ({ name, times: [], place: place(name) }));
+    const passes = PASSES.map((name) => ({ name, times: [], place: place(name) }));
+    this.#passes = passes.filter((pass) => pass.place);
+    this.#frame = place("frame");
   }
 
-  /** Takes in the times of the picture just drawn. */
+  /** Takes in the times of the picture just drawn. The frame is the sum of the passes that were done for it. */
   add() {
+    let frame = 0;
     for (const { name, times, place } of this.#passes) {
       const time = this.#demo[`${name}Ms`];
-      // A picture that is only lit anew has no geometry: a pass that was not done keeps its last reading.
-      if (time === undefined) continue;
-      times.push(time);
+      if (time !== undefined) times.push(time);
       if (times.length > PICTURES) times.shift();
-      place.textContent = `${median(times).toFixed(2)} ms`;
+      // In hundredths, as it is shown: what is read can be added up.
+      const shown = times.length === 0 ? undefined : Number(median(times).toFixed(2));
+      tell(place, shown, time === undefined);
+      if (time !== undefined) frame += shown;
     }
+    tell(this.#frame, frame, false);
   }
 
   /** Forgets the times, as those of another number format say nothing. */
   forget() {
     for (const { times } of this.#passes) times.length = 0;
   }
+}
+
+/** Shows a time, or that there is none; a pass that the last picture was drawn without keeps its time, and says so. */
+function tell(place, time, isKept) {
+  place.textContent = time === undefined ? "–" : `${time.toFixed(2)} ms`;
+  place.classList.toggle("kept", isKept);
+  if (!isKept || time === undefined) return;
+  const word = document.createElement("small");
+  word.textContent = " kept";
+  place.append(word);
 }

@@ -1,5 +1,6 @@
 // The scenes: one at a time, with what it calls for, what was left out, and what that saves.
 import { Scenes } from "./pkg/wasm_demo.js";
+import { remember } from "./address.js";
 import { AccountTable } from "./account-table.js";
 import { EffectList } from "./effect-list.js";
 import { accuracy } from "./format-picker.js";
@@ -37,7 +38,7 @@ export class ScenesView {
     this.#player = new Player(scenes);
     this.#view.before((now) => this.#player.step(now));
     this.#view.after(() => this.#tell());
-    this.#player.onchange = () => this.#request();
+    this.#player.onchange = () => this.#move();
     this.#effects.onswitch = (effect, on) => {
       const taken = this.#ask(() => scenes.setEffect(effect, on));
       this.#request();
@@ -182,13 +183,18 @@ export class ScenesView {
   #remember() {
     const { subject: map } = this.#legend;
     const query = new URLSearchParams({ scene: this.example, ...(map !== "nothing" && { map }) });
-    history.replaceState(null, "", `#scenes?${query}`);
+    remember("scenes", query);
   }
 
   /** Something other than the seconds has changed: figures of before say nothing of it. */
   #request() {
-    this.#account.forget();
     this.#readout.forget();
+    this.#move();
+  }
+
+  /** The seconds have begun to run, or to stand still: a picture takes as long as before. */
+  #move() {
+    this.#account.forget();
     element("equality").textContent = "";
     this.#view.request();
   }

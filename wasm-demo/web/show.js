@@ -1,17 +1,18 @@
 // The whole of the demo: loads the module, and joins the parts of the page to one another.
 import init, { Demo } from "./pkg/wasm_demo.js";
 import { Curve } from "./curve.js";
+import { aside } from "./failure.js";
 import { FormatPicker } from "./format-picker.js";
 import { LightDesk } from "./light-desk.js";
 import { Meter } from "./meter.js";
 import { Readout } from "./readout.js";
 import { StageView } from "./stage-view.js";
-import { requestedSize } from "./support.js";
+import { load, requestedSize } from "./support.js";
 import { Sweep } from "./sweep.js";
 import { Views } from "./views.js";
 
 /** Loads the module; what the browser says when it can't is of little help by itself. */
-async function load() {
+async function start() {
   try {
     await init();
   } catch (error) {
@@ -30,13 +31,13 @@ const WARM_UP = 400;
  * in a format that is new to it, and the readout shall not stay with their times.
  */
 async function warmUp(meter) {
-  const end = performance.now() + WARM_UP;
-  while (performance.now() < end) await meter.measure(1);
+  const end = Date.now() + WARM_UP;
+  while (Date.now() < end) await meter.measure(1);
 }
 
 /** Opens the show. The order of joining: what is drawn, what sets it, what tells of it. */
 export async function open() {
-  await load();
+  await start();
   const { width, height } = requestedSize(location.search);
   const canvas = document.getElementById("view");
   const demo = new Demo(canvas, width, height);
@@ -50,23 +51,25 @@ export async function open() {
 
   view.before((now) => sweep.step(now));
   view.after(() => readout.add());
-  desk.onselect = (light) => curve.draw(light);
+  const drawCurve = (light) => aside(() => curve.draw(light));
+  desk.onselect = drawCurve;
   desk.onchange = (light) => {
     formats.retry();
-    curve.draw(light);
+    drawCurve(light);
     view.request();
   };
   formats.onchange = () => {
     readout.forget();
     desk.refresh();
-    curve.draw(desk.selected);
+    drawCurve(desk.selected);
     warmUp(meter);
   };
   sweep.onchange = () => view.request();
 
   desk.select(0);
   formats.show();
-  view.draw(performance.now());
+  // Nothing moves yet, so that it does not matter when this is.
+  view.draw(0);
   await warmUp(meter);
   window.luminaire = meter;
   await views(view, meter).show();
@@ -76,34 +79,25 @@ export async function open() {
 function views(view, meter) {
   const stage = {
     element: document.getElementById("stage-page"),
-    show: () => view.pause(false),
-    hide: () => view.pause(true),
+    open: async () => ({ show: () => view.pause(false), hide: () => view.pause(true) }),
   };
-  let opened;
   const comparison = {
     element: document.getElementById("comparison"),
-    async show(query) {
-      opened ??= import("./comparison-view.js").then(({ ComparisonView }) => ComparisonView.open());
-      meter.comparison = await opened;
-      // Meanwhile the visitor may have gone back.
-      if (!comparison.element.hidden) meter.comparison.show(query);
+    async open(attempt) {
+      const { ComparisonView } = await load("comparison-view.js", attempt);
+      return (meter.comparison = await ComparisonView.open());
     },
-    hide: () => meter.comparison?.hide(),
   };
-  let openedScenes;
   const scenes = {
     element: document.getElementById("scenes-page"),
-    async show(query) {
-      openedScenes ??= import("./scenes-view.js").then(({ ScenesView }) => new ScenesView());
-      meter.scenes = await openedScenes;
-      if (!scenes.element.hidden) meter.scenes.show(query);
+    async open(attempt) {
+      const { ScenesView } = await load("scenes-view.js", attempt);
+      return (meter.scenes = new ScenesView());
     },
-    hide: () => meter.scenes?.hide(),
   };
   const all = new Views(new Map([["stage", stage], ["compare", comparison], ["scenes", scenes]]));
   meter.openScenes = async () => {
-    if (scenes.element.hidden) history.replaceState(null, "", "#scenes");
-    await all.show();
+    await all.show({ name: "scenes", query: new URLSearchParams() });
     return meter.scenes;
   };
   return all;

@@ -1,5 +1,5 @@
 // The canvas: draws when something has changed, and lets the visitor walk around.
-import { hasFailed } from "./failure.js";
+import { aside, hasFailed } from "./failure.js";
 
 /** How far a key turns the camera, in radians. */
 const STEP = 0.08;
@@ -74,7 +74,7 @@ export class StageView {
 
   #tell() {
     this.drawn += 1;
-    for (const tell of this.#after) tell();
+    for (const tell of this.#after) aside(tell);
   }
 
   #orbit(yaw, pitch) {

@@ -15,6 +15,21 @@ export function requireSimd() {
   }
 }
 
+/**
+ * Imports a file of the page. Under an address that has failed the browser remembers the failure, so that every further
+ * attempt has an address of its own.
+ */
+export async function load(file, attempt = 0) {
+  try {
+    return await import(`./${file}${attempt === 0 ? "" : `?attempt=${attempt}`}`);
+  } catch (error) {
+    throw new Error(
+      `${file}, or a file that it needs, could not be loaded (${error.message}). ` +
+        "Is the connection up, and the whole folder served?",
+    );
+  }
+}
+
 /** The size of the picture: `?width=&height=`, else 960x540. */
 export function requestedSize(search) {
   const query = new URLSearchParams(search);

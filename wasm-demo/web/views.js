@@ -1,4 +1,6 @@
 // The views of the page, one at a time: which of them, the address says after its #.
+import { follow } from "./address.js";
+import { isTrap, words } from "./failure.js";
 
 /** What stands after the #: the name of a view and, behind a question mark, what it is asked for. */
 function requestedView(hash) {
@@ -6,34 +8,82 @@ function requestedView(hash) {
   return { name, query: new URLSearchParams(query) };
 }
 
-export class Views {
-  #views;
+/** A view that is opened when it is first asked for; if that fails, it can be tried again. */
+class View {
+  #open;
+  #attempts = 0;
+  #opening;
+  #opened;
 
-  /**
-   * @param {Map<string, {element: HTMLElement, show: Function, hide: Function}>} views by name; the first is
-   *   shown where the address names none of them. `show` is given what else the address says
-   */
-  constructor(views) {
-    this.#views = views;
-    window.addEventListener("hashchange", () => this.show());
+  constructor({ element, open }) {
+    this.element = element;
+    this.#open = open;
   }
 
-  /** Shows the view that the address asks for; answers what its `show` does. */
-  show() {
-    const { name, query } = requestedView(location.hash);
+  async show(query, isWanted) {
+    this.#opening ??= this.#open(this.#attempts);
+    try {
+      this.#opened = await this.#opening;
+    } catch (error) {
+      this.#opening = undefined;
+      this.#attempts += 1;
+      throw error;
+    }
+    // Meanwhile the visitor may have gone back.
+    if (isWanted()) this.#opened.show(query);
+  }
+
+  hide() {
+    this.element.hidden = true;
+    this.#opened?.hide();
+  }
+}
+
+export class Views {
+  #views;
+  #chosen;
+  #absent = document.getElementById("absent");
+  #reason = document.getElementById("absent-reason");
+
+  /**
+   * @param {Map<string, {element: HTMLElement, open: (attempt: number) => Promise<{show: Function, hide: Function}>}>}
+   *   views by name; the first is shown where the address names none of them. `show` is given what else the address
+   *   says, and `open` how many times it has failed
+   */
+  constructor(views) {
+    this.#views = new Map([...views].map(([name, view]) => [name, new View(view)]));
+    window.addEventListener("hashchange", () => this.show());
+    document.getElementById("absent-retry").addEventListener("click", () => this.show());
+  }
+
+  /** Shows a view, or else the one that the address asks for. One that can't be shown says so in its place. */
+  async show({ name, query } = requestedView(location.hash)) {
     const [first] = this.#views.keys();
     const chosen = this.#views.has(name) ? name : first;
-    for (const [other, { element, hide }] of this.#views) {
-      if (other === chosen || element.hidden) continue;
-      element.hidden = true;
-      hide();
+    const isWanted = () => this.#chosen === chosen;
+    this.#chosen = chosen;
+    follow(chosen);
+    for (const [other, view] of this.#views) {
+      if (other !== chosen && !view.element.hidden) view.hide();
     }
     for (const link of document.querySelectorAll(".views a")) {
       if (link.hash === `#${chosen}`) link.setAttribute("aria-current", "page");
       else link.removeAttribute("aria-current");
     }
+    this.#absent.hidden = true;
     const view = this.#views.get(chosen);
     view.element.hidden = false;
-    return view.show(query);
+    try {
+      await view.show(query, isWanted);
+    } catch (error) {
+      if (isTrap(error)) throw error;
+      if (isWanted()) this.#tell(view, error);
+    }
+  }
+
+  #tell(view, error) {
+    view.hide();
+    this.#reason.textContent = `This view can't be shown: ${words(error)} The other views still work.`;
+    this.#absent.hidden = false;
   }
 }

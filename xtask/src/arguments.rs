@@ -6,12 +6,14 @@ use std::path::PathBuf;
 use std::str::FromStr;
 
 use lexopt::prelude::*;
+use luminaire_render::examples::Example;
 
 use crate::conform::{self, ConformOptions};
 use crate::effects::EffectsOptions;
 use crate::firmware::frame::FrameOptions;
 use crate::firmware::{Board, FirmwareOptions};
 use crate::measure::{self, MeasureOptions};
+use crate::site;
 use crate::size::SizeOptions;
 
 /// A command with its options.
@@ -116,7 +118,7 @@ impl Request {
         let (mut options, mut scene) = (DemoOptions::default(), None);
         while let Some(word) = words.next()? {
             match word {
-                Long("port") => options.port = Some(words.value()?.parse()?),
+                Long("port") => options.port = Some(port(&words.value()?.string()?)?),
                 Long("size") => options.size = Some(words.value()?.parse()?),
                 Long("view") => options.view = Some(words.value()?.string()?),
                 Long("scene") => scene = Some(words.value()?.string()?),
@@ -132,6 +134,7 @@ impl Request {
             }
             options.view = Some(format!("scenes?scene={scene}"));
         }
+        options.view.as_deref().map_or(Ok(()), check_view)?;
         Ok(Self::Demo(options))
     }
 
@@ -216,6 +219,27 @@ impl Request {
     }
 }
 
+fn port(text: &str) -> Result<u16, lexopt::Error> {
+    text.parse().map_err(|_| format!("--port {text}: expected a whole number from 0 to {}", u16::MAX).into())
+}
+
+/// The page would show another view than one that it does not have, or refuse a scene: it is better to say so before it
+/// is built.
+fn check_view(view: &str) -> Result<(), lexopt::Error> {
+    let (name, settings) = view.split_once('?').unwrap_or((view, ""));
+    one_of("--view", name, &site::views().collect::<Vec<_>>())?;
+    let mut scenes = settings.split('&').filter_map(|setting| setting.strip_prefix("scene="));
+    scenes.try_for_each(|scene| one_of("--scene", scene, &Example::ALL.map(Example::name)))
+}
+
+fn one_of(option: &str, name: &str, names: &[&str]) -> Result<(), lexopt::Error> {
+    if names.contains(&name) {
+        Ok(())
+    } else {
+        Err(format!("{option} {name}: expected one of {}", names.join(", ")).into())
+    }
+}
+
 /// A record is compared or accepted.
 fn refuse_both(check: bool, bless: bool) -> Result<(), lexopt::Error> {
     if check && bless { Err("--check compares and --bless accepts: one of them".into()) } else { Ok(()) }
@@ -262,6 +286,10 @@ mod tests {
         let expected = Request::Demo(DemoOptions { view, ..DemoOptions::default() });
         for line in ["demo --view scenes --scene grid", "demo --scene grid"] {
             assert_eq!(parse(line).unwrap(), expected, "{line}");
+        }
+        for view in ["stage", "compare?left=f32&half=0.1", "scenes?scene=show&map=tiles"] {
+            let expected = DemoOptions { view: Some(view.to_owned()), ..DemoOptions::default() };
+            assert_eq!(parse(&format!("demo --view {view}")).unwrap(), Request::Demo(expected));
         }
         assert!(parse("demo --view compare --scene grid").unwrap_err().to_string().contains("--scene"));
     }
@@ -338,7 +366,12 @@ mod tests {
             ("--fast", "fast"),
             ("demo --prot 1", "prot"),
             ("demo now", "now"),
-            ("demo --port 70000", "70000"),
+            ("demo --port 99999", "--port 99999: expected a whole number from 0 to 65535"),
+            ("demo --port=-1", "--port -1: expected a whole number from 0 to 65535"),
+            ("demo --view nope", "--view nope: expected one of stage, compare, scenes"),
+            ("demo --view nope?half=1", "--view nope: expected one of stage"),
+            ("demo --scene nope", "--scene nope: expected one of bare-spot, pocket, three-point"),
+            ("demo --view scenes?map=lamps&scene=nope", "--scene nope: expected one of bare-spot"),
             ("demo --port", "port"),
             ("demo --size 960", "960"),
             ("demo --size 0x540", "0x540"),

@@ -46,15 +46,28 @@ pub(crate) fn run_live(command: &mut Command) -> Result<()> {
 }
 
 /// Runs a program and keeps what it writes to stdout and stderr, in the order of writing.
-pub(crate) fn capture(mut command: Command) -> Result<Ended> {
+pub(crate) fn capture(command: Command) -> Result<Ended> {
+    capture_and_tell(command, |_| {})
+}
+
+/// The same; `tell` is given each part as it is written.
+pub(crate) fn capture_and_tell(mut command: Command, mut tell: impl FnMut(&str)) -> Result<Ended> {
     let name = describe(&command);
     let (mut reader, writer) = io::pipe().context("cannot make a pipe")?;
     command.stdin(Stdio::null()).stdout(writer.try_clone()?).stderr(writer);
     let mut child = command.spawn().with_context(|| format!("cannot start {name}"))?;
     // The command holds the writing ends; while they are open, the reading end waits for more.
     drop(command);
-    let mut output = Vec::new();
-    reader.read_to_end(&mut output).with_context(|| format!("cannot read what {name} writes"))?;
+    let (mut output, mut part) = (Vec::new(), [0; 4096]);
+    loop {
+        match reader.read(&mut part).with_context(|| format!("cannot read what {name} writes"))? {
+            0 => break,
+            length => {
+                tell(&String::from_utf8_lossy(&part[..length]));
+                output.extend_from_slice(&part[..length]);
+            }
+        }
+    }
     let status = child.wait().with_context(|| format!("cannot wait for {name}"))?;
     Ok(Ended { success: status.success(), output: String::from_utf8_lossy(&output).into_owned() })
 }

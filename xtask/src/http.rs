@@ -1,19 +1,22 @@
 //! As much of HTTP as a browser needs to fetch files: one request and one answer for each connection.
 //!
 //! Connections are not kept alive. A browser opens half a dozen at once, and a server with a pool of threads that
-//! wait on idle connections leaves some of its calls unanswered.
+//! wait on idle connections leaves some of its calls unanswered. That speaks against `tiny_http` as well, which besides
+//! limits neither the connections nor the time that a request takes in all.
 
-use std::io::{self, ErrorKind, Read, Write};
+use std::io::{self, Read, Write};
 
 /// Longer heads than this are sent by no browser.
 const LONGEST_HEAD: usize = 32 * 1024;
 const MOST_HEADERS: usize = 64;
 
-/// What is asked for; a request's headers and body do not matter here.
+/// What is asked for; a request's other headers and its body do not matter here.
 #[derive(Debug, PartialEq)]
 pub(crate) struct Request {
     pub(crate) method: String,
     pub(crate) target: String,
+    /// Who is taken to be asked, as in `127.0.0.1:8080`; empty where that is not told.
+    pub(crate) host: String,
 }
 
 /// What is answered.
@@ -23,35 +26,54 @@ pub(crate) struct Response {
     pub(crate) body: Vec<u8>,
 }
 
+/// Why a call is no request.
+#[derive(Debug, PartialEq)]
+pub(crate) enum BadCall {
+    /// It said nothing, or its connection broke off.
+    Silent,
+    /// It is no HTTP, or its host is told twice.
+    Malformed,
+    /// It has more headers, or longer ones, than any browser sends.
+    TooLarge,
+}
+
 impl Request {
     /// Reads a request's head.
-    pub(crate) fn read(stream: &mut impl Read) -> io::Result<Self> {
+    pub(crate) fn read(stream: &mut impl Read) -> Result<Self, BadCall> {
         let mut head = Vec::new();
         let mut part = [0; 4096];
         while head.len() < LONGEST_HEAD {
-            let length = stream.read(&mut part)?;
-            if length == 0 {
-                return Err(ErrorKind::UnexpectedEof.into());
+            match stream.read(&mut part).map_err(|_| BadCall::Silent)? {
+                0 if head.is_empty() => return Err(BadCall::Silent),
+                0 => return Err(BadCall::Malformed),
+                length => head.extend_from_slice(&part[..length]),
             }
-            head.extend_from_slice(&part[..length]);
             if let Some(request) = Self::parse(&head)? {
                 return Ok(request);
             }
         }
-        Err(ErrorKind::InvalidData.into())
+        Err(BadCall::TooLarge)
     }
 
     /// The request in a head; none as long as more of it is to come.
-    fn parse(head: &[u8]) -> io::Result<Option<Self>> {
+    fn parse(head: &[u8]) -> Result<Option<Self>, BadCall> {
         let mut headers = [httparse::EMPTY_HEADER; MOST_HEADERS];
         let mut request = httparse::Request::new(&mut headers);
-        let status = request.parse(head).map_err(|error| io::Error::new(ErrorKind::InvalidData, error))?;
-        Ok(match (status, request.method, request.path) {
-            (httparse::Status::Complete(_), Some(method), Some(target)) => {
-                Some(Self { method: method.to_owned(), target: target.to_owned() })
-            }
-            _ => None,
-        })
+        let status = request.parse(head).map_err(|error| match error {
+            httparse::Error::TooManyHeaders => BadCall::TooLarge,
+            _ => BadCall::Malformed,
+        })?;
+        let (httparse::Status::Complete(_), Some(method), Some(target)) =
+            (status, request.method, request.path)
+        else {
+            return Ok(None);
+        };
+        let mut hosts = request.headers.iter().filter(|header| header.name.eq_ignore_ascii_case("host"));
+        let host = hosts.next().map_or("", |header| str::from_utf8(header.value).unwrap_or_default());
+        if hosts.next().is_some() {
+            return Err(BadCall::Malformed);
+        }
+        Ok(Some(Self { method: method.to_owned(), target: target.to_owned(), host: host.to_owned() }))
     }
 }
 
@@ -91,14 +113,23 @@ mod tests {
     fn a_request_is_read_however_it_is_cut() {
         let (first, second) = ("GET /pkg/a.wasm?x=1 HT", "TP/1.1\r\nHost: 127.0.0.1\r\n\r\n");
         let request = Request::read(&mut first.as_bytes().chain(second.as_bytes())).unwrap();
-        assert_eq!(request, Request { method: "GET".into(), target: "/pkg/a.wasm?x=1".into() });
+        let [method, target, host] = ["GET", "/pkg/a.wasm?x=1", "127.0.0.1"].map(String::from);
+        assert_eq!(request, Request { method, target, host });
     }
 
     #[test]
     fn what_is_no_request_is_refused() {
-        let endless = "GET / HTTP/1.1\r\n".to_owned() + &"A: b\r\n".repeat(10_000);
-        for head in ["", "GET / HT", "\u{1}\r\n\r\n", "GET /\r\n\r\n", &endless] {
-            assert!(Request::read(&mut head.as_bytes()).is_err(), "{head:.20}");
+        let with = |header: &str| format!("GET / HTTP/1.1\r\n{header}\r\n");
+        for (head, bad) in [
+            ("", BadCall::Silent),
+            ("GET / HT", BadCall::Malformed),
+            ("\u{1}\r\n\r\n", BadCall::Malformed),
+            ("GET /\r\n\r\n", BadCall::Malformed),
+            (&with("Host: a\r\nhost: b\r\n"), BadCall::Malformed),
+            (&with(&"A: b\r\n".repeat(MOST_HEADERS + 1)), BadCall::TooLarge),
+            (&with(&format!("A: {}\r\n", "b".repeat(LONGEST_HEAD))), BadCall::TooLarge),
+        ] {
+            assert_eq!(Request::read(&mut head.as_bytes()).unwrap_err(), bad, "{head:.20}");
         }
     }
 

@@ -1,13 +1,21 @@
 //! Installing missing tools: Debian packages where we may, npm packages into the project's own target folder.
 
-use std::fs;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::time::{Duration, Instant};
+use std::{fs, thread};
 
-use anyhow::{Context, Result};
+use anyhow::{Context, Result, bail};
 
+use crate::command::Ended;
 use crate::progress::Progress;
 use crate::{command, project};
+
+/// How long another apt is waited for, such as the one that brings a fresh Debian up to date.
+const PATIENCE: Duration = Duration::from_secs(600);
+
+/// How long until it is asked again.
+const PAUSE: Duration = Duration::from_secs(5);
 
 /// Whether Debian packages can be installed without asking anybody: this is Debian, and we are root.
 pub(crate) fn debian_root() -> bool {
@@ -22,22 +30,51 @@ fn is_debian(os_release: &str) -> bool {
 /// Installs Debian packages. Ask [`debian_root`] first.
 pub(crate) fn apt(packages: &[&str], progress: &Progress) -> Result<()> {
     let step = progress.begin("Installing", format_args!("Debian packages: {}", packages.join(" ")));
-    let apt_get = || {
-        let mut command = Command::new("apt-get");
-        command.env("DEBIAN_FRONTEND", "noninteractive");
-        command
-    };
     let remedy = || {
         format!("cannot install them: try `apt-get update && apt-get install {}` by hand", packages.join(" "))
     };
-    let mut update = apt_get();
-    update.arg("update");
-    progress.run(update).with_context(remedy)?;
-    let mut install = apt_get();
-    install.args(["install", "-y", "--no-install-recommends"]).args(packages);
-    progress.run(install).with_context(remedy)?;
+    let install = [&["install", "-y", "--no-install-recommends"], packages].concat();
+    for words in [&["update"][..], &install] {
+        apt_get(words, project::root(), progress).with_context(remedy)?;
+    }
     step.done();
     Ok(())
+}
+
+/// Runs `apt-get` in a folder, when no other apt is running.
+pub(crate) fn apt_get(words: &[&str], folder: &Path, progress: &Progress) -> Result<()> {
+    let call = || apt_get_command(words, folder);
+    let run = || command::capture_and_tell(call(), |text| progress.quote(text));
+    let wait = || {
+        progress.say("Waiting", "for another program that installs packages");
+        thread::sleep(PAUSE);
+    };
+    if !until_unlocked(Instant::now() + PATIENCE, wait, run)?.success {
+        bail!("{} failed", command::describe(&call()));
+    }
+    Ok(())
+}
+
+fn apt_get_command(words: &[&str], folder: &Path) -> Command {
+    let mut command = Command::new("apt-get");
+    // One of its locks it waits for by itself: the one that is held while packages are unpacked.
+    command.arg("-o").arg(format!("DPkg::Lock::Timeout={}", PATIENCE.as_secs())).args(words);
+    // What it complains of is read.
+    command.env("DEBIAN_FRONTEND", "noninteractive").env("LC_ALL", "C").current_dir(folder);
+    command
+}
+
+/// Runs a program again until it finds nothing locked, or until it is too late.
+fn until_unlocked(end: Instant, wait: impl Fn(), run: impl Fn() -> Result<Ended>) -> Result<Ended> {
+    loop {
+        let ended = run()?;
+        // Of the lists and of the archive apt has locks that it does not wait for, whatever it is told.
+        let is_locked = ended.output.lines().any(|line| line.starts_with("E: Could not get lock"));
+        if ended.success || !is_locked || Instant::now() > end {
+            return Ok(ended);
+        }
+        wait();
+    }
 }
 
 /// The program that an npm package brought into `target/tools`, if it was installed there.
@@ -66,7 +103,40 @@ fn tools() -> PathBuf {
 
 #[cfg(test)]
 mod tests {
+    use std::cell::Cell;
+
     use super::*;
+
+    #[test]
+    fn apt_waits_for_the_lock_of_dpkg() {
+        let command = apt_get_command(&["install", "-y", "lld"], Path::new("/"));
+        let described = command::describe(&command);
+        assert_eq!(described, "`apt-get -o DPkg::Lock::Timeout=600 install -y lld`");
+    }
+
+    #[test]
+    fn a_busy_apt_is_waited_for_and_a_failure_is_not() {
+        const LOCKED: &str =
+            "Reading package lists...\nE: Could not get lock /var/lib/apt/lists/lock. It is held";
+        let calls = |outputs: &[&str], end: Instant| {
+            let (calls, waits) = (Cell::new(0), Cell::new(0));
+            let run = || {
+                let output = outputs[calls.replace(calls.get() + 1).min(outputs.len() - 1)].to_owned();
+                Ok(Ended { success: output.is_empty(), output })
+            };
+            let ended = until_unlocked(end, || waits.set(waits.get() + 1), run).unwrap();
+            (ended.success, calls.get(), waits.get())
+        };
+        let later = Instant::now() + PATIENCE;
+        assert_eq!(calls(&[LOCKED, LOCKED, ""], later), (true, 3, 2));
+        // It may also have waited by itself, and then found no network.
+        let waited = "Waiting for cache lock: Could not get lock /var/lib/dpkg/lock\nE: Failed to fetch";
+        for failure in ["E: Unable to locate package", waited] {
+            assert_eq!(calls(&[failure], later), (false, 1, 0), "{failure}");
+        }
+        assert_eq!(calls(&[LOCKED, "E: none"], later), (false, 2, 1));
+        assert_eq!(calls(&[LOCKED], Instant::now() - PAUSE), (false, 1, 0));
+    }
 
     #[test]
     fn only_debian_itself_is_debian() {

@@ -1,24 +1,49 @@
 //! A small web server for one folder, on this machine only.
 
-use std::net::{Ipv4Addr, TcpListener, TcpStream};
+use std::fs;
+use std::io::{self, Read, Write};
+use std::net::{Ipv4Addr, Shutdown, TcpListener, TcpStream};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread::{self, JoinHandle};
-use std::time::Duration;
-use std::{fs, io};
+use std::time::{Duration, Instant};
 
 use anyhow::{Result, anyhow};
 use percent_encoding::percent_decode_str;
 
-use crate::http::{Request, Response};
+use crate::http::{BadCall, Request, Response};
 
-/// A browser opens connections in advance, which may never ask for anything.
-const PATIENCE: Duration = Duration::from_secs(30);
+/// How much of this machine callers may take.
+#[derive(Clone, Copy)]
+struct Limits {
+    /// How many are answered at a time.
+    calls: usize,
+    /// The longest that a request may take to arrive, from its first byte to its last. A browser opens connections in
+    /// advance, which may never ask for anything.
+    asking: Duration,
+    /// The longest that an answer may take to be read, in all.
+    answering: Duration,
+}
+
+const LIMITS: Limits =
+    Limits { calls: 64, asking: Duration::from_secs(10), answering: Duration::from_secs(60) };
+
+/// A caller who is still sending when he is answered has so long to stop: closing the connection would be told to him as
+/// an error, and his answer be lost.
+const LINGER: Duration = Duration::from_secs(2);
+
+/// After a call that could not be accepted; the system may be short of file handles.
+const PAUSE: Duration = Duration::from_millis(50);
+
+/// The names of this machine. Any other is the name of a foreign page, which its owner has made an address of ours to read
+/// what is served. A port may follow, and be another than ours where it is forwarded.
+const HOSTS: [&str; 3] = ["127.0.0.1", "localhost", "[::1]"];
 
 /// The demo may be rebuilt at any time, so nothing is cached; the rest makes the page `crossOriginIsolated`, which
-/// gives its clock microseconds.
-const HEADERS: [(&str, &str); 5] = [
+/// gives its clock microseconds. What is allowed has to be told to whoever asks for anything else.
+const HEADERS: [(&str, &str); 6] = [
+    ("Allow", "GET, HEAD"),
     ("Cache-Control", "no-store"),
     ("Cross-Origin-Opener-Policy", "same-origin"),
     ("Cross-Origin-Embedder-Policy", "require-corp"),
@@ -46,14 +71,25 @@ pub(crate) fn listen(port: u16) -> Result<TcpListener> {
 impl Server {
     /// Serves `folder` to whoever calls the port.
     pub(crate) fn start(listener: TcpListener, folder: &Path) -> Result<Self> {
+        Self::start_within(LIMITS, listener, folder)
+    }
+
+    fn start_within(limits: Limits, listener: TcpListener, folder: &Path) -> Result<Self> {
         let port = listener.local_addr()?.port();
         let stopped = Arc::new(AtomicBool::new(false));
         let (stop, folder) = (Arc::clone(&stopped), Arc::<Path>::from(folder));
         let accepting = thread::spawn(move || {
-            let calls = listener.incoming().take_while(|_| !stop.load(Ordering::Relaxed));
-            for stream in calls.flatten() {
-                let folder = Arc::clone(&folder);
-                thread::spawn(move || answer(stream, &folder));
+            for call in listener.incoming().take_while(|_| !stop.load(Ordering::Relaxed)) {
+                match call {
+                    // Every call that is being answered holds the folder once more.
+                    Ok(stream) if Arc::strong_count(&folder) > limits.calls => refuse(&stream),
+                    Ok(stream) => {
+                        let folder = Arc::clone(&folder);
+                        // A system that has no thread left drops the call, and the next may find one.
+                        let _ = thread::Builder::new().spawn(move || answer(&stream, &folder, limits));
+                    }
+                    Err(_) => thread::sleep(PAUSE),
+                }
             }
         });
         Ok(Self { port, stopped, accepting: Some(accepting) })
@@ -83,24 +119,95 @@ impl Drop for Server {
     }
 }
 
-/// Answers a call. One that breaks off, or is no HTTP, gets no answer and misses none.
-fn answer(mut stream: TcpStream, folder: &Path) {
-    let _ = stream.set_read_timeout(Some(PATIENCE));
-    if let Ok(request) = Request::read(&mut stream) {
-        let _ = respond(&request, folder).write(&mut stream, &HEADERS, request.method == "HEAD");
+/// A connection until a moment, after which it neither reads nor writes.
+struct Timed<'a> {
+    stream: &'a TcpStream,
+    end: Instant,
+}
+
+impl<'a> Timed<'a> {
+    fn new(stream: &'a TcpStream, time: Duration) -> Self {
+        Self { stream, end: Instant::now() + time }
+    }
+
+    fn left(&self) -> io::Result<Option<Duration>> {
+        let left = self.end.saturating_duration_since(Instant::now());
+        if left.is_zero() { Err(io::ErrorKind::TimedOut.into()) } else { Ok(Some(left)) }
     }
 }
 
+impl Read for Timed<'_> {
+    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+        self.stream.set_read_timeout(self.left()?)?;
+        self.stream.read(buffer)
+    }
+}
+
+impl Write for Timed<'_> {
+    fn write(&mut self, buffer: &[u8]) -> io::Result<usize> {
+        self.stream.set_write_timeout(self.left()?)?;
+        self.stream.write(buffer)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.stream.flush()
+    }
+}
+
+/// Answers a call. One that says nothing in time gets no answer and misses none.
+fn answer(stream: &TcpStream, folder: &Path, limits: Limits) {
+    let request = Request::read(&mut Timed::new(stream, limits.asking));
+    let is_head = request.as_ref().is_ok_and(|request| request.method == "HEAD");
+    let response = match request {
+        Ok(request) => respond(&request, folder),
+        Err(BadCall::Silent) => return,
+        Err(BadCall::Malformed) => Response::plain("400 Bad Request", "this is no HTTP"),
+        Err(BadCall::TooLarge) => {
+            Response::plain("431 Request Header Fields Too Large", "the headers are too many or too long")
+        }
+    };
+    let written = response.write(&mut Timed::new(stream, limits.answering), &HEADERS, is_head);
+    if written.and_then(|()| stream.shutdown(Shutdown::Write)).is_ok() {
+        let _ = io::copy(&mut Timed::new(stream, LINGER), &mut io::sink());
+    }
+}
+
+/// Answers a call that there is no room for, in so few bytes that nobody has to wait until they are read.
+fn refuse(stream: &TcpStream) {
+    let full = Response::plain("503 Service Unavailable", "too many calls at once");
+    let written = full.write(&mut Timed::new(stream, PAUSE), &HEADERS, false);
+    let _ = written.and_then(|()| stream.shutdown(Shutdown::Write));
+}
+
 fn respond(request: &Request, folder: &Path) -> Response {
+    let host =
+        request.host.rsplit_once(':').filter(|(_, port)| port.bytes().all(|byte| byte.is_ascii_digit()));
+    let host = host.map_or(request.host.as_str(), |(name, _)| name);
+    if host.is_empty() {
+        return Response::plain("400 Bad Request", "a Host is missing");
+    }
+    if !HOSTS.iter().any(|name| host.eq_ignore_ascii_case(name)) {
+        return Response::plain("421 Misdirected Request", "this is another host");
+    }
     if !matches!(request.method.as_str(), "GET" | "HEAD") {
         return Response::plain("405 Method Not Allowed", "only GET and HEAD are answered");
     }
     let Some(path) = file_of(&request.target) else {
         return Response::plain("403 Forbidden", "only files below this folder are served");
     };
-    match fs::read(folder.join(&path)) {
+    match read(folder, &path) {
         Ok(body) => Response { status: "200 OK", mime: mime(&path), body },
         Err(_) => Response::plain("404 Not Found", "there is no such file"),
+    }
+}
+
+/// A file below a folder. There is none behind a link, which might lead anywhere.
+fn read(folder: &Path, path: &Path) -> io::Result<Vec<u8>> {
+    let file = folder.canonicalize()?.join(path);
+    if file.canonicalize()? == file && file.is_file() {
+        fs::read(file)
+    } else {
+        Err(io::ErrorKind::NotFound.into())
     }
 }
 
@@ -137,111 +244,4 @@ fn mime(path: &Path) -> &'static str {
 }
 
 #[cfg(test)]
-mod tests {
-    use std::io::{Read, Write};
-    use std::net::TcpStream;
-
-    use super::*;
-
-    #[test]
-    fn an_address_names_a_file() {
-        for (url, file) in [
-            ("/", "index.html"),
-            ("/?width=960&height=540", "index.html"),
-            ("/pkg/wasm_demo_bg.wasm", "pkg/wasm_demo_bg.wasm"),
-            ("/data/", "data/index.html"),
-            ("/two%20words.svg#part", "two words.svg"),
-        ] {
-            assert_eq!(file_of(url), Some(file.into()), "{url}");
-        }
-    }
-
-    #[test]
-    fn an_address_never_leads_out_of_the_folder() {
-        for url in [
-            "",
-            "index.html",
-            "http://127.0.0.1/",
-            "/..",
-            "/../Cargo.toml",
-            "/pkg/../../Cargo.toml",
-            "/%2e%2e/Cargo.toml",
-            "/..%2fCargo.toml",
-            "/.git/config",
-            "/..\\Cargo.toml",
-            "/c:/windows",
-            "/%00",
-            "/%ff",
-            "//etc/passwd",
-            "/pkg//etc/passwd",
-            "/%2fetc/passwd",
-        ] {
-            let file = file_of(url);
-            assert!(file.is_none(), "{url} leads to {file:?}");
-        }
-    }
-
-    #[test]
-    fn each_kind_of_file_has_its_type() {
-        assert_eq!(mime(Path::new("a.wasm")), "application/wasm");
-        assert_eq!(mime(Path::new("a.js")), "text/javascript; charset=utf-8");
-        assert_eq!(mime(Path::new("a.b.svg")), "image/svg+xml");
-        assert_eq!(mime(Path::new("a")), "application/octet-stream");
-    }
-
-    fn ask(server: &Server, request: &str) -> String {
-        let mut stream = TcpStream::connect(("127.0.0.1", server.port)).unwrap();
-        write!(stream, "{request} HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n").unwrap();
-        let mut answer = String::new();
-        stream.read_to_string(&mut answer).unwrap();
-        answer
-    }
-
-    #[test]
-    fn the_folder_is_served_isolated_and_uncached() {
-        let folder = tempfile::tempdir().unwrap();
-        fs::write(folder.path().join("index.html"), "the page").unwrap();
-        let server = Server::start(listen(0).unwrap(), folder.path()).unwrap();
-        let page = ask(&server, "GET /");
-        assert!(page.starts_with("HTTP/1.1 200"), "{page}");
-        assert!(page.ends_with("the page"), "{page}");
-        for line in [
-            "Content-Type: text/html; charset=utf-8",
-            "Cache-Control: no-store",
-            "Cross-Origin-Opener-Policy: same-origin",
-            "Cross-Origin-Embedder-Policy: require-corp",
-        ] {
-            assert!(page.contains(line), "{line} is missing from {page}");
-        }
-        assert!(ask(&server, "GET /none.html").starts_with("HTTP/1.1 404"));
-        assert!(ask(&server, "GET /../index.html").starts_with("HTTP/1.1 403"));
-        assert!(ask(&server, "POST /").starts_with("HTTP/1.1 405"));
-    }
-
-    #[test]
-    fn many_callers_at_once_are_answered_while_others_say_nothing() {
-        let folder = tempfile::tempdir().unwrap();
-        fs::write(folder.path().join("index.html"), "the page").unwrap();
-        let server = Server::start(listen(0).unwrap(), folder.path()).unwrap();
-        let connect = |_| TcpStream::connect(("127.0.0.1", server.port)).unwrap();
-        let _silent: Vec<_> = (0..16).map(connect).collect();
-        let mut callers: Vec<_> = (0..16).map(connect).collect();
-        for caller in &mut callers {
-            caller.set_read_timeout(Some(Duration::from_secs(10))).unwrap();
-            caller.write_all(b"GET / HTTP/1.1\r\n\r\n").unwrap();
-        }
-        for mut caller in callers {
-            let mut answer = String::new();
-            caller.read_to_string(&mut answer).unwrap();
-            assert!(answer.ends_with("the page"), "{answer}");
-        }
-    }
-
-    #[test]
-    fn a_taken_port_is_told_with_its_remedy() {
-        let port = listen(0).unwrap().local_addr().unwrap().port();
-        let _taken = listen(port).unwrap();
-        let error = listen(port).unwrap_err().to_string();
-        assert!(error.contains(&port.to_string()) && error.contains("--port N"), "{error}");
-    }
-}
+mod tests;

@@ -1,6 +1,7 @@
 //! The demo as one folder, which works wherever it is served from.
 
-use std::fs;
+use std::fs::{self, File};
+use std::io;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result};
@@ -11,20 +12,59 @@ use crate::{project, shrink, wasm};
 /// The price list that the page shows beside its pictures.
 const PRICE_LIST: &str = "accuracy-vs-cost.json";
 
+/// The page, which names its views.
+const PAGE: &str = include_str!("../../wasm-demo/web/index.html");
+
+/// The views of the page, as its address names them: what its navigation links to.
+pub(crate) fn views() -> impl Iterator<Item = &'static str> {
+    let navigation = PAGE.split_once("<nav class=\"views\"").and_then(|(_, rest)| rest.split_once("</nav>"));
+    let links = navigation.map_or("", |(links, _)| links).split("href=\"#").skip(1);
+    links.filter_map(|link| Some(link.split_once('"')?.0))
+}
+
 /// Builds the demo into `target/demo`: the page from `wasm-demo/web`, the price list, the bindings in `pkg`.
 pub(crate) fn build(progress: &Progress) -> Result<PathBuf> {
     let module = wasm::DEMO.compile(progress)?;
     let site = project::target().join("demo");
-    let step = progress.begin("Gathering", project::shown(&site));
-    if site.exists() {
-        fs::remove_dir_all(&site).with_context(|| format!("cannot empty {}", site.display()))?;
-    }
-    copy_folder(&project::root().join("wasm-demo/web"), &site)?;
-    copy_price_list(&project::root().join("docs"), &site)?;
-    step.done();
-    let bound = wasm::DEMO.bind(&module, &site.join("pkg"), progress)?;
-    shrink::shrink(&bound, progress)?;
+    renew(&site, |new| {
+        let step = progress.begin("Gathering", project::shown(&site));
+        copy_folder(&project::root().join("wasm-demo/web"), new)?;
+        copy_price_list(&project::root().join("docs"), new)?;
+        step.done();
+        let bound = wasm::DEMO.bind(&module, &new.join("pkg"), progress)?;
+        shrink::shrink(&bound, progress)
+    })?;
     Ok(site)
+}
+
+/// Fills a new folder beside one that may be in use, and puts it in its place when it is complete. Whoever does the same
+/// at the same time waits.
+fn renew(folder: &Path, fill: impl FnOnce(&Path) -> Result<()>) -> Result<()> {
+    let [new, old, lock] = ["new", "old", "lock"].map(|extension| folder.with_extension(extension));
+    let lock = File::create(&lock).with_context(|| format!("cannot write {}", lock.display()))?;
+    lock.lock().with_context(|| format!("cannot wait for another build of {}", folder.display()))?;
+    // What a build has left that was cut off, perhaps while it replaced the one by the other.
+    if !folder.exists() {
+        let _ = fs::rename(&old, folder);
+    }
+    for left in [&new, &old] {
+        if left.exists() {
+            fs::remove_dir_all(left).with_context(|| format!("cannot remove {}", left.display()))?;
+        }
+    }
+    fill(&new)?;
+    // A folder takes the place of another only if that is empty.
+    let replaced = match fs::rename(folder, &old) {
+        Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),
+        _ => fs::rename(&new, folder).inspect_err(|_| {
+            let _ = fs::rename(&old, folder);
+        }),
+    };
+    replaced.with_context(|| format!("cannot replace {}", folder.display()))?;
+    if old.exists() {
+        fs::remove_dir_all(&old).with_context(|| format!("cannot remove {}", old.display()))?;
+    }
+    Ok(())
 }
 
 /// Copies the price list, or writes `null` where none was measured: the page asks for it either way, and a file
@@ -84,6 +124,55 @@ mod tests {
         assert_eq!(copied(), "null");
         fs::write(from.join(PRICE_LIST), r#"{"rows":[]}"#).unwrap();
         assert_eq!(copied(), r#"{"rows":[]}"#);
+    }
+
+    #[test]
+    fn the_views_are_those_of_the_navigation() {
+        assert_eq!(views().collect::<Vec<_>>(), ["stage", "compare", "scenes"]);
+    }
+
+    #[test]
+    fn a_folder_is_renewed_whole_or_not_at_all() {
+        let temporary = tempfile::tempdir().unwrap();
+        let folder = temporary.path().join("demo");
+        let page = || fs::read_to_string(folder.join("index.html")).unwrap();
+        let write = |new: &Path, text: &str| {
+            fs::create_dir(new)?;
+            Ok(fs::write(new.join("index.html"), text)?)
+        };
+        renew(&folder, |new| write(new, "first")).unwrap();
+        assert_eq!(page(), "first");
+        let failed = renew(&folder, |new| {
+            write(new, "half")?;
+            assert_eq!(page(), "first");
+            anyhow::bail!("no module")
+        });
+        assert_eq!((failed.unwrap_err().to_string().as_str(), page().as_str()), ("no module", "first"));
+        renew(&folder, |new| write(new, "second")).unwrap();
+        assert_eq!(page(), "second");
+        let names = temporary.path().read_dir().unwrap().map(|entry| entry.unwrap().file_name());
+        assert_eq!(names.count(), 2, "a folder is left beside the new one and its lock");
+    }
+
+    #[test]
+    fn builds_at_the_same_time_take_nothing_from_one_another() {
+        let temporary = tempfile::tempdir().unwrap();
+        let folder = temporary.path().join("demo");
+        std::thread::scope(|scope| {
+            for _ in 0..8 {
+                scope.spawn(|| {
+                    renew(&folder, |new| {
+                        fs::create_dir(new)?;
+                        for part in 0..20 {
+                            fs::write(new.join(part.to_string()), "")?;
+                        }
+                        Ok(())
+                    })
+                    .unwrap();
+                });
+            }
+        });
+        assert_eq!(folder.read_dir().unwrap().count(), 20);
     }
 
     #[test]

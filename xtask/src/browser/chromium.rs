@@ -38,7 +38,8 @@ const FLAGS: [&str; 14] = [
 /// Where in its folder the browser's complaints are kept, which matter only when it does not start.
 const STDERR: &str = "stderr.txt";
 
-const START: Duration = Duration::from_secs(60);
+/// Far longer than it takes, for the machine may be busy with other work.
+const START: Duration = Duration::from_secs(300);
 const END: Duration = Duration::from_secs(5);
 
 /// A running browser with a folder of its own; dropping it ends the one and removes the other.

@@ -8,8 +8,8 @@ use anyhow::{Context, Result, anyhow, bail};
 use serde_json::{Value, json};
 use tungstenite::{Message, WebSocket};
 
-/// Nothing that is asked of a page takes longer, even on a slow machine.
-const PATIENCE: Duration = Duration::from_secs(60);
+/// Nothing that is asked of a page takes longer, even on a busy machine.
+const PATIENCE: Duration = Duration::from_secs(300);
 
 pub(crate) struct DevTools {
     socket: WebSocket<TcpStream>,

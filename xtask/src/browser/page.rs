@@ -15,8 +15,8 @@ const PROBE: &str = include_str!("probe.js");
 /// The size of the window, and so of screenshots.
 const WINDOW: (u32, u32) = (1440, 900);
 
-/// How long the page may take to load and draw its first picture.
-const LOADING: Duration = Duration::from_secs(60);
+/// How long the page may take to load and draw its first picture, on a busy machine.
+const LOADING: Duration = Duration::from_secs(300);
 
 /// An open page; dropping it closes it.
 pub(crate) struct Page {
@@ -144,9 +144,38 @@ impl Page {
         Ok(())
     }
 
+    /// Cuts the page off from the network, or lets it have it again.
+    pub(crate) fn set_offline(&mut self, offline: bool) -> Result<()> {
+        let unlimited = json!({
+            "offline": offline, "latency": 0, "downloadThroughput": -1, "uploadThroughput": -1,
+        });
+        self.devtools.call("Network.emulateNetworkConditions", unlimited).map(drop)
+    }
+
+    /// Shows the page as to a visitor who has chosen the colours of all pages.
+    pub(crate) fn force_colours(&mut self) -> Result<()> {
+        let features = json!({ "features": [{ "name": "forced-colors", "value": "active" }] });
+        self.devtools.call("Emulation.setEmulatedMedia", features).map(drop)
+    }
+
+    /// Types a text where the focus is.
+    pub(crate) fn type_text(&mut self, text: &str) -> Result<()> {
+        self.devtools.call("Input.insertText", json!({ "text": text })).map(drop)
+    }
+
     /// The page as a PNG.
     pub(crate) fn screenshot(&mut self) -> Result<Vec<u8>> {
-        let answer = self.devtools.call("Page.captureScreenshot", json!({ "format": "png" }))?;
+        self.capture(json!({ "format": "png" }))
+    }
+
+    /// A part of the page as a PNG: the first element that a selector finds.
+    pub(crate) fn screenshot_of(&mut self, selector: &str) -> Result<Vec<u8>> {
+        let clip = self.ask(&format!("probe.place({})", json!(selector)))?;
+        self.capture(json!({ "format": "png", "clip": clip }))
+    }
+
+    fn capture(&mut self, what: Value) -> Result<Vec<u8>> {
+        let answer = self.devtools.call("Page.captureScreenshot", what)?;
         let data = answer["data"].as_str().context("Chromium took a screenshot without data")?;
         BASE64_STANDARD.decode(data).context("Chromium's screenshot is not base64")
     }

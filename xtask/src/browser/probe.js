@@ -2,6 +2,9 @@
 window.probe = (() => {
   "use strict";
 
+  // Waits end after some minutes: what is waited for takes a fraction of a second, but for other work of the machine.
+  const TRIES = 6000;
+
   const pictures = new Map();
   const element = (id) => document.getElementById(id) ?? raise(`the page has no element #${id}`);
   const raise = (message) => { throw new Error(message); };
@@ -10,7 +13,7 @@ window.probe = (() => {
 
   // The page has settled when it has drawn nothing for a while.
   async function settle() {
-    for (let tries = 0; tries < 100; tries += 1) {
+    for (let tries = 0; tries < TRIES; tries += 1) {
       const drawn = luminaire.drawn;
       await pause(150);
       if (luminaire.drawn === drawn) return;
@@ -21,7 +24,7 @@ window.probe = (() => {
   // Waits for a picture after the `drawn`th, and for the last of several.
   async function redrawn(drawn) {
     for (let tries = 0; luminaire.drawn === drawn; tries += 1) {
-      if (tries > 500) raise("the page draws no new picture");
+      if (tries > TRIES) raise("the page draws no new picture");
       await pause(20);
     }
     await settle();
@@ -30,7 +33,7 @@ window.probe = (() => {
   // Waits until something holds.
   async function until(holds) {
     for (let tries = 0; !holds(); tries += 1) {
-      if (tries > 500) raise(`it does not come to be that ${holds}`);
+      if (tries > TRIES) raise(`it does not come to be that ${holds}`);
       await pause(20);
     }
   }
@@ -59,6 +62,15 @@ window.probe = (() => {
       element(id).scrollIntoView({ block: "center" });
       const box = element(id).getBoundingClientRect();
       return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+    },
+
+    // Where an element is on the page, in whole pixels.
+    place(selector) {
+      const found = document.querySelector(selector) ?? raise(`the page has no element ${selector}`);
+      found.scrollIntoView({ block: "center" });
+      const { x, y, width, height } = found.getBoundingClientRect();
+      const [left, top] = [Math.round(x + scrollX), Math.round(y + scrollY)];
+      return { x: left, y: top, width: Math.round(width), height: Math.round(height), scale: 1 };
     },
 
     keep(name) {

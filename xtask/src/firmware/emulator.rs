@@ -14,8 +14,8 @@ use super::package;
 use crate::command;
 use crate::progress::Progress;
 
-/// The longest that firmware may run: a processor that has crashed loops for ever.
-const PATIENCE: Duration = Duration::from_secs(120);
+/// The longest that firmware may run, on a busy machine: a processor that has crashed loops for ever.
+const PATIENCE: Duration = Duration::from_secs(600);
 
 /// An emulator that can play a board.
 #[derive(Debug)]

@@ -42,15 +42,9 @@ fn folder() -> PathBuf {
 fn unpack(folder: &Path, progress: &Progress) -> Result<()> {
     let step = progress.begin("Unpacking", "Debian packages of QEMU into target/tools/qemu");
     fs::create_dir_all(folder).with_context(|| format!("cannot create {}", folder.display()))?;
-    let apt_get = |words: &[&str]| {
-        let mut command = Command::new("apt-get");
-        command.args(words).current_dir(folder);
-        command
-    };
-    progress.run(apt_get(&["update"]))?;
-    let mut download = apt_get(&["download"]);
-    download.args(PACKAGES);
-    progress.run(download)?;
+    for words in [&["update"][..], &[&["download"][..], &PACKAGES].concat()] {
+        install::apt_get(words, folder, progress)?;
+    }
     let mut libraries = Vec::new();
     for entry in fs::read_dir(folder)? {
         let file = entry?.path();

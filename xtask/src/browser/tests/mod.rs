@@ -1,13 +1,16 @@
 //! What the page promises its visitors, each promise a test in a real browser.
 
+mod address;
 mod angles;
 mod camera;
 mod comparison;
+mod contrast;
 mod failure;
 mod fixtures;
 mod formats;
 mod network;
 mod picture;
+mod readout;
 mod refusal;
 mod scenes;
 
@@ -29,7 +32,7 @@ pub(crate) struct Visitor {
 /// A test's name and what it does.
 pub(crate) type Test = (&'static str, fn(&mut Visitor) -> Result<()>);
 
-pub(crate) const ALL: [Test; 42] = [
+pub(crate) const ALL: [Test; 53] = [
     ("the page becomes ready without a complaint", picture::becomes_ready),
     ("the picture is lit by its lights, in several colours", picture::is_lit),
     ("a picture that the canvas refused is shown with the next draw", picture::is_shown_again),
@@ -39,6 +42,11 @@ pub(crate) const ALL: [Test; 42] = [
     ("a hard edge looks different from a soft one", angles::edge_changes_picture),
     ("a refused field angle is told and leaves the picture alone", refusal::is_told_and_harmless),
     ("bad intensities, zooms and colours are told and leave the picture alone", refusal::are_all_told),
+    (
+        "an empty field is no error, and a field that is left shows what is in force",
+        refusal::ends_with_the_field,
+    ),
+    ("what a format refuses is told under no other control", refusal::of_a_format_stands_by_itself),
     ("a curve of too few or too many samples is refused", refusal::of_curves),
     ("every fixture can be chosen", fixtures::can_be_chosen),
     ("the intensity of a light is seen", fixtures::intensity_is_seen),
@@ -71,6 +79,15 @@ pub(crate) const ALL: [Test; 42] = [
     ("all views fit screens from 390 to 1440 pixels", comparison::fits_every_screen),
     ("a browser without simd is told so", failure::without_simd),
     ("a browser that refuses the canvas is told so", failure::without_canvas),
+    ("a page that is opened as a file says so", failure::from_a_file),
+    ("every view of the navigation can be opened", failure::of_no_view),
+    ("a lost connection keeps one view from opening, until it is back", failure::of_the_connection),
+    ("what decorates a picture may fail", failure::of_decorations),
+    ("only the module's own end stops the demo", failure::of_the_module),
+    ("the address is written when the visitor pauses", address::is_written_seldom),
+    ("a browser that refuses an address is none the worse for it", address::may_be_refused),
+    ("a time that is not of the last picture says so, and the others add up", readout::adds_up),
+    ("forced colours hide nothing", contrast::forced_colours_hide_nothing),
     ("the page asks nobody but its own server", network::stays_at_home),
 ];
 

@@ -12,8 +12,7 @@ pub(super) fn is_told_and_harmless(visitor: &mut Visitor) -> Result<()> {
     let mut page = visitor.ready()?;
     let good = page.value(FIELD)?;
     ensure!(page.message(ERROR)?.is_empty(), "a light that is fine has an error");
-    // An empty text is what a number input makes of everything that is no number.
-    must_refuse(&mut page, FIELD, "field angle", &["400", "0", "-10", ""])?;
+    must_refuse(&mut page, FIELD, "field angle", &["400", "0", "-10"])?;
     page.enter(FIELD, good)?;
     let message = page.message(ERROR)?;
     ensure!(message.is_empty(), "a field angle of {good} is answered with {message:?}");
@@ -22,9 +21,9 @@ pub(super) fn is_told_and_harmless(visitor: &mut Visitor) -> Result<()> {
 
 pub(super) fn are_all_told(visitor: &mut Visitor) -> Result<()> {
     let mut page = visitor.ready()?;
-    must_refuse(&mut page, "light-0-intensity", "intensity", &["-1", "1e40", ""])?;
+    must_refuse(&mut page, "light-0-intensity", "intensity", &["-1", "1e40"])?;
     page.enter("light-0-fixture", "ARRI L7-C")?;
-    must_refuse(&mut page, "light-0-zoom-number", "zoom", &["5", "5000", "-15", ""])?;
+    must_refuse(&mut page, "light-0-zoom-number", "zoom", &["5", "5000", "-15"])?;
     // A picker of colours holds nothing else; what it was before it was one can.
     page.ask("document.getElementById('light-0-color').type = 'text'")?;
     must_refuse(&mut page, "light-0-color", "color", &["red", "#fff", "#gggggg", ""])?;
@@ -47,6 +46,91 @@ fn must_refuse(page: &mut Page, control: &str, name: &str, values: &[&str]) -> R
         ensure!(difference == 0.0, "{value:?} as the {name} changed the picture by {difference}");
     }
     Ok(())
+}
+
+/// A field that is cleared is about to be typed into; one that is left shows what is in force.
+pub(super) fn ends_with_the_field(visitor: &mut Visitor) -> Result<()> {
+    let mut page = visitor.ready()?;
+    page.enter("light-0-fixture", "ARRI L7-C")?;
+    for (field, error) in [
+        ("light-0-beam-number", ERROR),
+        (FIELD, ERROR),
+        ("light-0-zoom-number", ERROR),
+        ("light-0-intensity", ERROR),
+    ] {
+        must_forgive(&mut page, field, error)?;
+    }
+    page.must_be_content()?;
+    let mut page = visitor.ready_at("#compare?half=10")?;
+    must_forgive(&mut page, "half-angle-number", "half-angle-error")?;
+    page.must_be_content()
+}
+
+fn must_forgive(page: &mut Page, field: &str, error: &str) -> Result<()> {
+    let valid = format!("document.getElementById('{field}').getAttribute('aria-invalid') !== 'true'");
+    let good = page.value(field)?;
+    page.enter(field, "")?;
+    let told = page.message(error)?;
+    ensure!(told.is_empty() && page.holds(&valid)?, "{field}, cleared, is answered with {told:?}");
+    leave(page, field)?;
+    ensure!(page.value(field)? == good, "{field}, left empty, shows {}", page.value(field)?);
+
+    page.enter(field, "-3")?;
+    ensure!(!page.message(error)?.is_empty() && !page.holds(&valid)?, "-3 is taken for {field}");
+    page.enter(field, "")?;
+    let told = page.message(error)?;
+    ensure!(told.is_empty() && page.holds(&valid)?, "{field}, cleared of -3, is answered with {told:?}");
+
+    page.enter(field, "-3e38")?;
+    let told = page.message(error)?;
+    ensure!(told.contains("-3e38 is refused"), "-3e38 as {field} is answered with {told:?}");
+    leave(page, field)?;
+    let told = page.message(error)?;
+    ensure!(told.is_empty() && page.holds(&valid)?, "{field} is left, and the message stays: {told:?}");
+    ensure!(page.value(field)? == good, "{field}, left with -3e38, shows {}", page.value(field)?);
+
+    // What is no number is refused while it stands there: the browser tells it from an empty field.
+    page.ask(&format!(
+        "{{ const field = document.getElementById('{field}'); field.focus(); field.select(); }}"
+    ))?;
+    page.type_text("1e")?;
+    let told = page.message(error)?;
+    ensure!(told.contains("NaN is refused"), "1e as {field} is answered with {told:?}");
+    leave(page, field)?;
+    ensure!(page.message(error)?.is_empty() && page.value(field)? == good, "1e stays in {field}");
+    Ok(())
+}
+
+fn leave(page: &mut Page, field: &str) -> Result<()> {
+    page.ask(&format!("document.getElementById('{field}').blur()"))?;
+    page.settle()
+}
+
+/// What a format has against a light is told beside the format, and on the light's panel under no control of it.
+pub(super) fn of_a_format_stands_by_itself(visitor: &mut Visitor) -> Result<()> {
+    let mut page = visitor.ready()?;
+    page.enter("light-0-beam-number", "500")?;
+    let previous = format!("document.getElementById('{ERROR}').previousElementSibling");
+    let is_under = |page: &mut Page, id: &str| {
+        page.holds(&format!("{previous}.contains(document.getElementById('{id}'))"))
+    };
+    ensure!(is_under(&mut page, "light-0-beam-number")?, "the refusal does not stand under the beam angle");
+    page.enter("light-0-beam-number", "1")?;
+    page.enter("format", "fx16")?;
+    for place in ["format-error", ERROR] {
+        let told = page.message(place)?;
+        ensure!(told.contains("outer angle") && page.shows(place)?, "the format's refusal is {told:?}");
+    }
+    ensure!(!is_under(&mut page, "light-0-beam-number")?, "the format's refusal stands under the beam angle");
+    ensure!(
+        page.holds(&format!("document.getElementById('{ERROR}').nextElementSibling === null"))?,
+        "it is not last"
+    );
+    page.enter("light-0-beam-number", "30")?;
+    for place in ["format-error", ERROR] {
+        ensure!(page.message(place)?.is_empty(), "the format's refusal stays in {place}");
+    }
+    page.must_be_content()
 }
 
 /// No control asks for so many samples, so the module is asked itself.

@@ -70,13 +70,15 @@ pub(super) fn are_opened_by_address(visitor: &mut Visitor) -> Result<()> {
         "the list shows another scene"
     );
     page.enter("scene-name", "show")?;
-    ensure!(page.text("location.hash")? == "#scenes?scene=show", "the address does not follow");
+    page.ask("probe.until(() => location.hash === '#scenes?scene=show')")
+        .context("the address does not follow")?;
     redraw(&mut page, "the address", |page| {
         page.ask("void (location.hash = '#scenes?scene=turntable')").map(drop)
     })?;
     ensure!(page.text("luminaire.scenes.example")? == "turntable", "the view does not follow the address");
     page.enter("scene-map-subject", "tiles")?;
-    ensure!(page.text("location.hash")? == "#scenes?scene=turntable&map=tiles", "the address has no map");
+    page.ask("probe.until(() => location.hash === '#scenes?scene=turntable&map=tiles')")
+        .context("the address has no map")?;
     page.ask("document.querySelector('.views a[href=\"#stage\"]').click()")?;
     page.settle()?;
     ensure!(page.shows("view")? && !page.shows("scenes-page")?, "the way back does not show the stage");
