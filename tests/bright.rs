@@ -87,7 +87,7 @@ fn spots<S: Format, A: Attenuation>(
                 let compiled = spot.compile::<S>().expect("held");
                 let position = S::exact_point(spot.position().map(S::length));
                 let axis = reference::unit(S::exact_direction(spot.axis_in::<S>()));
-                for _ in 0..60 * sweep::effort() {
+                for _ in 0..400 * sweep::effort() {
                     let half = f64::from(half_degrees).to_radians();
                     let site = site(rng, position, axis, half, reach(intensity.into()));
                     let point = sweep::single(sweep::on_grid(site.point)).map(S::length);
@@ -115,7 +115,7 @@ fn points<S: Format>(rng: &mut Rng, errors: &mut [Errors; INTENSITIES.len()]) {
         let position = [1.5, -0.25, 2.0];
         let point = Point::new(sweep::single(position)).and_then(|point| point.with_intensity(intensity));
         let compiled = point.and_then(|point| point.compile::<S>()).expect("sound");
-        for _ in 0..2_000 * sweep::effort() {
+        for _ in 0..20_000 * sweep::effort() {
             let axis = sweep::direction(rng);
             let site = site(rng, position, axis, 3.0, f64::from(intensity).sqrt());
             let point = sweep::single(sweep::on_grid(site.point)).map(S::length);
