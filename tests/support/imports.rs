@@ -85,7 +85,6 @@ pub const PLAIN: [f32; 3] = [1.0, 0.0, 0.0];
 pub fn exact() -> Vec<(Import, Original)> {
     let mut lights: Vec<_> = (0..=128_u8).map(|e| opengl(35.0, e.into(), PLAIN)).collect();
     lights.extend([
-        opengl(90.0, 1.0, [1.0, 0.25, 0.5]),
         opengl(60.0, 3.0, [0.2, 0.3, 0.4]),
         opengl(20.0, 0.0, [0.0, 0.0, 2.0]),
         opengl(45.0, 2.0, [0.0, 0.5, 0.25]),
@@ -112,6 +111,12 @@ pub fn exact() -> Vec<(Import, Original)> {
         penumbra(0.0, 180.0, import::Ramp::Smooth),
         penumbra(40.0, 40.0, import::Ramp::Linear),
     ]);
+    // Every way in which some of the coefficients are none.
+    for some in 1..8_u8 {
+        let coefficients = [0, 1, 2].map(|i| if some >> i & 1 == 1 { [1.0, 0.25, 0.5][i] } else { 0.0 });
+        lights.push(opengl(90.0, 1.0, coefficients));
+        lights.push(direct3d(0.3, 0.9, 1.0, coefficients, 20.0));
+    }
     lights
 }
 
