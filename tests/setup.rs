@@ -4,7 +4,7 @@
 mod support;
 
 use fastrand::Rng;
-use luminaire::{Angle, Cone, CutOff, HalfAngle, Profile, SmoothRange, Spot, Table};
+use luminaire::{Angle, Cone, CutOff, HalfAngle, Point, Profile, SmoothRange, Spot, Table, Vec3};
 use support::{
     bounds,
     format::Format,
@@ -168,6 +168,27 @@ fn cones_keep_their_figures() {
     let [lumens, candela] = largest(with_every_shape!(flux_errors::<f32>));
     assert_figure("lumens of a cone", lumens);
     assert_figure("candela of a cone", candela);
+}
+
+/// All of the light of a point passes any sphere around it, as does that of a cone that leaves nothing out; and an
+/// energy of 1 is `1 / (4 pi d^2)` at a distance.
+#[test]
+fn point_lights_keep_their_flux() {
+    let point = Point::new(Vec3::default()).expect("a sound position");
+    let half = Cone::from_outer(CutOff, Angle::degrees(180.0)).expect("a sound angle");
+    for candela in [1e-6_f32, 1.0, 1_000.0] {
+        let lumens = point.lumens(candela);
+        assert!(relative(lumens, 4.0 * std::f64::consts::PI * f64::from(candela)) < 2e-7);
+        assert!(relative(lumens, f64::from(2.0 * half.lumens(candela))) < 2e-7);
+        assert!(relative(point.candela(lumens), candela.into()) < 2e-7);
+    }
+    let energy = point.with_intensity(point.candela(1.0)).expect("a sound intensity");
+    let lit = energy.compile::<f32>().expect("held");
+    for distance in [0.5_f32, 1.0, 7.0] {
+        let area = 4.0 * std::f64::consts::PI * f64::from(distance).powi(2);
+        let found = lit.irradiance(Vec3::new(distance, 0.0, 0.0), Vec3::new(-1.0, 0.0, 0.0));
+        assert!(relative(found, 1.0 / area) < 1e-6, "at {distance}: {found}");
+    }
 }
 
 /// Both angles at once, and how far off they come back.

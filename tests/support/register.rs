@@ -96,6 +96,7 @@ pub(crate) const REGISTER: &[Held] = &[
         "Cone::from_beam_and_field", "Cone::from_beam_field_and_slope",
     ]),
     by("tests/setup.rs::tables_keep_their_figure", &["Table::from_angles"]),
+    by("tests/setup.rs::point_lights_keep_their_flux", &["Point::lumens", "Point::candela"]),
     by("tests/setup.rs::inner_products_keep_their_figure", &["Vec3::dot"]),
     by("tests/two_angles.rs::edge_slopes_are_what_the_search_finds", &["Cone::edge_slopes"]),
     by("tests/setup.rs::axes_and_ranges_keep_their_figures", &[
