@@ -187,7 +187,44 @@ fn compiled_lights_are_the_originals() {
     }
     assert_format::<f32>(1.8e-5, 274);
     assert_format::<Fx32>(1.6e-6, 274);
-    assert_format::<Fx16>(8e-3, 269);
+    assert_format::<Fx16>(7e-3, 269);
+}
+
+/// The reference code of the extension, `max(0.001, ...)` and all, beside the light that has it: the intensity on the
+/// axis included.
+#[test]
+fn gltf_as_recommended_is_the_reference_code() {
+    const BINDING: [[f32; 2]; 7] =
+        [[0.0, 0.005], [0.0, 0.02], [0.01, 0.044], [0.05, 0.06], [0.3, 0.3], [0.785, 0.785], [1.57, 1.5707]];
+    const LOOSE: [[f32; 2]; 4] =
+        [[0.0, 0.0448], [0.0, 0.785], [0.3, 0.5], [1.2, std::f32::consts::FRAC_PI_2]];
+    for [inner, outer] in BINDING.into_iter().chain(LOOSE) {
+        let gltf = import::Gltf {
+            inner_cone_angle: inner,
+            outer_cone_angle: outer,
+            intensity: 3.0,
+            ..Default::default()
+        };
+        let Imported { light, difference } =
+            gltf.import_as_recommended(ORIGIN, imports::DOWN).expect("sound");
+        assert_eq!(difference, Difference::default());
+        if LOOSE.contains(&[inner, outer]) {
+            assert_eq!(light, gltf.import(ORIGIN, imports::DOWN).expect("sound").light, "{inner} {outer}");
+        }
+        let versine = |half: f32| 2.0 * (f64::from(half) / 2.0).sin().powi(2);
+        let scale = 1.0 / (versine(outer) - versine(inner)).max(0.001);
+        let [from, to] = [light.cone().inner(), light.cone().outer()].map(|angle| f64::from(angle.versine()));
+        let worst = (0..=1_000_u32)
+            .map(|i| versine(outer) * f64::from(i) / 900.0)
+            .map(|v| {
+                let exact = 3.0 * ((versine(outer) - v) * scale).clamp(0.0, 1.0).powi(2);
+                let found = f64::from(light.intensity()) * ((to - v) / (to - from)).clamp(0.0, 1.0).powi(2);
+                (found - exact).abs()
+            })
+            .fold(0.0, f64::max);
+        // Versines of f32, magnified by the ramp.
+        assert!(worst <= 3.0 * 2.0 * 8e-7 * versine(outer) * scale, "{inner} {outer}: {worst:.1e}");
+    }
 }
 
 /// The cutoff of 180 degrees shines into all directions, whatever the exponent.

@@ -79,6 +79,9 @@ fn gltf_three_and_godot_are_refused_by_their_names() {
     let message =
         "range 0 is refused: give a distance from 0.001 to 1000000000, or a distance model without a range";
     refused(Gltf { range: Some(0.0), ..Default::default() }, message);
+    let steep = Gltf { inner_cone_angle: 0.8, ..Default::default() };
+    let message = "inner cone angle 0.8 is refused: give a finite number from 0 to 0.7853982";
+    assert_refused(steep.import_as_recommended(ORIGIN, DOWN), message);
 
     let refused = |light: Three, message: &str| assert_refused(light.import(ORIGIN, DOWN), message);
     let message = "spot angle NaN is refused: give more than 0 and at most 1.5707964";
@@ -187,7 +190,7 @@ fn parameter(rng: &mut Rng) -> f32 {
 fn every_parameter_has_an_answer() {
     let mut rng = Rng::with_seed(0x6c_7466);
     let rng = &mut rng;
-    let mut accepted = [0; 6];
+    let mut accepted = [0; 7];
     for _ in 0..200 * sweep::effort() {
         let [a, b, c, d, e, f, g, h] = core::array::from_fn(|_| parameter(rng));
         let (position, direction) = (sweep::direction(rng), sweep::direction(rng));
@@ -231,10 +234,11 @@ fn every_parameter_has_an_answer() {
             intensity: c,
         };
         let into_lamp = |Imported { light, difference }| Imported { light: Lamp::Spot(light), difference };
-        let imports: [Result<Imported<Lamp>, Error>; 6] = [
+        let imports: [Result<Imported<Lamp>, Error>; 7] = [
             opengl.import(position, direction),
             direct3d.import(position, direction).map(into_lamp),
             gltf.import(position, direction).map(into_lamp),
+            gltf.import_as_recommended(position, direction).map(into_lamp),
             three.import(position, direction).map(into_lamp),
             godot.import(position, direction).map(into_lamp),
             penumbra.import(position, direction).map(into_lamp),

@@ -240,6 +240,7 @@ pub(crate) const REGISTER: &[Held] = &[
         "OpenGl::import", "Direct3d::import", "Gltf::import", "Three::import", "Godot::import", "Penumbra::import",
         "Difference::most",
     ]),
+    by("tests/import.rs::gltf_as_recommended_is_the_reference_code", &["Gltf::import_as_recommended"]),
     through("tests/import.rs::compiled_lights_are_the_originals", &["Attenuation for Distance"]),
     by("tests/import.rs::a_faded_inverse_square_is_the_squared_window", &["Attenuation for Faded"]),
     by("tests/import.rs::a_matched_profile_changes_no_bit", &["Profile for Matched"]),
