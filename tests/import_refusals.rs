@@ -40,8 +40,8 @@ fn opengl_is_refused_by_its_names() {
         let message = format!("spot cutoff {shown} is refused: give more than 0 and at most 90, or 180");
         refused(OpenGl { spot_cutoff, ..Default::default() }, &message);
     }
-    let message = "spot exponent 128.5 is refused: give a finite number from 0 to 128";
-    refused(OpenGl { spot_exponent: 128.5, ..Default::default() }, message);
+    let message = "spot exponent 1024.5 is refused: give a finite number from 0 to 1024";
+    refused(OpenGl { spot_exponent: 1024.5, ..Default::default() }, message);
     let message = "attenuation coefficient -1 is refused: give a finite number from 0 to 1000000000";
     refused(OpenGl { linear_attenuation: -1.0, ..Default::default() }, message);
     // All three at none would divide by it.
@@ -61,7 +61,7 @@ fn direct3d_is_refused_by_its_names() {
     refused(Direct3d { theta: 0.7, ..DIRECT3D }, "theta 0.7 is refused: give a finite number from 0 to 0.6");
     refused(
         Direct3d { falloff: -1.0, ..DIRECT3D },
-        "falloff -1 is refused: give a finite number from 0 to 128",
+        "falloff -1 is refused: give a finite number from 0 to 1024",
     );
     let message =
         "range 0 is refused: give a distance from 0.001 to 1000000000, or a distance model without a range";
@@ -117,15 +117,15 @@ fn penumbras_are_refused_by_their_names() {
 
 #[test]
 fn exponents_and_shares_out_of_range() {
-    let message = "exponent 129 is refused: give a whole number from 1 to 128";
-    assert_refused(IntegerPower::new(129), message);
-    assert_refused(IntegerRim::new(0), "exponent 0 is refused: give a whole number from 1 to 128");
-    assert_refused(MixedPower::new([3, 3], 0.5), "exponent 3 is refused: give a whole number from 4 to 128");
+    let message = "exponent 1025 is refused: give a whole number from 1 to 1024";
+    assert_refused(IntegerPower::new(1_025), message);
+    assert_refused(IntegerRim::new(0), "exponent 0 is refused: give a whole number from 1 to 1024");
+    assert_refused(MixedPower::new([3, 3], 0.5), "exponent 3 is refused: give a whole number from 4 to 1024");
     assert_refused(
-        MixedPower::new([128, 129], 0.5),
-        "exponent 128 is refused: give a whole number from 0 to 127",
+        MixedPower::new([1_024, 1_025], 0.5),
+        "exponent 1024 is refused: give a whole number from 0 to 1023",
     );
-    assert_refused(MixedRim::new([0, 3], 0.5), "exponent 0 is refused: give a whole number from 1 to 127");
+    assert_refused(MixedRim::new([0, 3], 0.5), "exponent 0 is refused: give a whole number from 1 to 1023");
     assert_refused(MixedRim::new([1, 3], 1.5), "share 1.5 is refused: give a finite number from 0 to 1");
     assert!(MixedPower::new([0, 1], 0.0).is_ok());
 }

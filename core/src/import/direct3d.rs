@@ -29,7 +29,7 @@ pub struct Direct3d {
     pub theta: f32,
     /// `Phi`: the full outer angle in radians, more than 0 and at most pi.
     pub phi: f32,
-    /// `Falloff`: from 0 to 128, 1 in most programs.
+    /// `Falloff`: from 0 to 1,024, 1 in most programs.
     pub falloff: f32,
     /// `Attenuation0`: from 0 to 1e9.
     pub attenuation0: f32,
@@ -56,7 +56,7 @@ impl Direct3d {
     ) -> Result<Imported<Spot<Matched, Distance>>, Error> {
         check_up_to(Parameter::Phi, self.phi, core::f32::consts::PI)?;
         check_between(Parameter::Theta, self.theta, 0.0, self.phi)?;
-        check_between(Parameter::Falloff, self.falloff, 0.0, 128.0)?;
+        check_between(Parameter::Falloff, self.falloff, 0.0, 1_024.0)?;
         let (profile, angle) = power(RealPower { exponent: self.falloff, least: 0.0, floor: 0.0 });
         let (theta, phi) = (Angle::radians(self.theta), Angle::radians(self.phi));
         // A step has no inner angle, and what has none is exact.

@@ -27,7 +27,7 @@ pub struct OpenGl {
     /// `GL_SPOT_CUTOFF`: the half angle in degrees at which the light ends, more than 0 and at most 90, or
     /// 180 for a point light.
     pub spot_cutoff: f32,
-    /// `GL_SPOT_EXPONENT`: from 0 to 128.
+    /// `GL_SPOT_EXPONENT`: from 0 to 1,024, where OpenGL takes up to 128.
     pub spot_exponent: f32,
     /// `GL_CONSTANT_ATTENUATION`: from 0 to 1e9.
     pub constant_attenuation: f32,
@@ -68,7 +68,7 @@ impl OpenGl {
     /// A parameter out of its range, or no attenuation coefficient of at least 1e-6; a position or direction
     /// that [`Spot::new`] refuses; an intensity that over the constant coefficient is more than 1e9.
     pub fn import(&self, position: Vec3<f32>, direction: Vec3<f32>) -> Result<Imported<Lamp>, Error> {
-        check_between(Parameter::SpotExponent, self.spot_exponent, 0.0, 128.0)?;
+        check_between(Parameter::SpotExponent, self.spot_exponent, 0.0, 1_024.0)?;
         let coefficients = [self.constant_attenuation, self.linear_attenuation, self.quadratic_attenuation];
         let fall = fall::polynomial(coefficients, None, self.intensity)?;
         if self.spot_cutoff == 180.0 {

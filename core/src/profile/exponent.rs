@@ -4,11 +4,7 @@
 //! each binary digit of its exponent, in f64, so that the difference that is found is that of the profile and
 //! not of the search.
 
-use super::{
-    Cubic, Matched, MixedPower, MixedRim,
-    cubic::middle_slopes,
-    mixed::{Mixture, raised},
-};
+use super::{Cubic, Matched, MixedPower, MixedRim, cubic::middle_slopes, integer::raised, mixed::Mixture};
 use crate::{
     search::{least_at, maximum},
     trig,

@@ -92,7 +92,7 @@ macro_rules! matched {
 }
 
 impl Matched {
-    /// `t^n` by the cheapest profile that has it, for `n` from 0 to 128: to the power of 0 it is a step.
+    /// `t^n` by the cheapest profile that has it, for `n` from 0 to 1,024: to the power of 0 it is a step.
     pub(crate) fn power(exponent: u32) -> Self {
         match exponent {
             0 => Self::CutOff(CutOff),
@@ -102,7 +102,7 @@ impl Matched {
         }
     }
 
-    /// `1 - u^n` by the cheapest profile that has it, for `n` from 1 to 128.
+    /// `1 - u^n` by the cheapest profile that has it, for `n` from 1 to 1,024.
     pub(crate) fn rim(exponent: u32) -> Self {
         match exponent {
             1 => Self::Linear(Linear),

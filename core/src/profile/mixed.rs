@@ -2,7 +2,7 @@
 
 use super::{
     Curve, Profile,
-    integer::{IntegerPower, IntegerRim, MOST, checked, power},
+    integer::{IntegerPower, IntegerRim, MOST, checked, power, raised},
 };
 use crate::{
     error::{Error, Parameter, check_between},
@@ -66,16 +66,11 @@ impl Mixture {
     }
 }
 
-/// `x^n`, set-up only.
-pub(super) fn raised(x: f64, n: u32) -> f64 {
-    (0..n).fold(1.0, |product, _| product * x)
-}
-
 impl MixedPower {
     /// The mixture of the powers of two exponents, the smaller one first, with this share of the larger.
     ///
     /// # Errors
-    /// A first exponent outside 0 to 127, a second one that is not larger or over 128, or a share outside [0,
+    /// A first exponent outside 0 to 1,023, a second one that is not larger or over 1,024, or a share outside [0,
     /// 1].
     pub fn new(exponents: [u32; 2], share: f32) -> Result<Self, Error> {
         Mixture::checked(0, exponents, share).map(Self)
@@ -101,7 +96,7 @@ impl MixedRim {
     /// The mixture of the rim powers of two exponents, the smaller one first, with this share of the larger.
     ///
     /// # Errors
-    /// A first exponent outside 1 to 127, a second one that is not larger or over 128, or a share outside [0,
+    /// A first exponent outside 1 to 1,023, a second one that is not larger or over 1,024, or a share outside [0,
     /// 1].
     pub fn new(exponents: [u32; 2], share: f32) -> Result<Self, Error> {
         Mixture::checked(1, exponents, share).map(Self)
