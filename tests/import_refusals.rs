@@ -6,7 +6,7 @@ mod support;
 use fastrand::Rng;
 use luminaire::{
     Angle, Attenuation, CompiledPoint, CompiledSpot, Error, Fx16, Fx32, IntegerPower, IntegerRim, MixedPower,
-    MixedRim, Profile, Vec3,
+    MixedRim, Profile, RealPower, RealRim, Vec3,
     import::{Difference, Direct3d, Gltf, Godot, Imported, Lamp, OpenGl, Penumbra, Ramp, Three},
 };
 use support::{
@@ -128,6 +128,11 @@ fn exponents_and_shares_out_of_range() {
     assert_refused(MixedRim::new([0, 3], 0.5), "exponent 0 is refused: give a whole number from 1 to 1023");
     assert_refused(MixedRim::new([1, 3], 1.5), "share 1.5 is refused: give a finite number from 0 to 1");
     assert!(MixedPower::new([0, 1], 0.0).is_ok());
+    for exponent in [0.0, -1.0, 1_024.1, f32::NAN] {
+        let message = format!("exponent {exponent} is refused: give more than 0 and at most 1024");
+        assert_refused(RealPower::new(exponent), &message);
+        assert_refused(RealRim::new(exponent), &message);
+    }
 }
 
 fn assert_light<S: Format>(light: S::Irradiance, unskipped: S::Irradiance, what: &impl core::fmt::Debug) {
@@ -245,7 +250,8 @@ fn every_parameter_has_an_answer() {
         ];
         for (imported, accepted) in imports.into_iter().zip(&mut accepted) {
             let Ok(Imported { light, difference }) = imported else { continue };
-            let Difference { angle, distance } = difference;
+            let Difference { angle, place, distance } = difference;
+            assert!((0.0..=1.0 / 510.0).contains(&place), "{light:?} {difference:?}");
             assert!(
                 (0.0..=1.0).contains(&angle) && (0.0..=1.0).contains(&distance),
                 "{light:?} {difference:?}"

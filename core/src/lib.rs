@@ -116,7 +116,7 @@ pub use material::{CompiledMaterial, Material};
 pub use plan::Plan;
 pub use profile::{
     Blend, Cubic, Curve, CutOff, Edge, Fitted, Hard, IntegerPower, IntegerRim, Linear, Matched, MixedPower,
-    MixedRim, Power, Profile, Rim, Smooth, Soft, Table,
+    MixedRim, Power, Profile, RealPower, RealRim, Rim, Smooth, Soft, Table,
 };
 pub use projection::{CompiledProjection, Projection};
 pub use scalar::{Fraction, Gain, Offset, Place, Ray, Scalar};

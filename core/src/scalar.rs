@@ -24,6 +24,7 @@
 pub(crate) mod float;
 mod fraction;
 mod place;
+mod real;
 
 #[cfg(feature = "fixed")]
 pub(crate) mod fixed16;
@@ -39,6 +40,7 @@ use crate::{
     vec3::Vec3,
 };
 
+pub(crate) use self::real::RealExponent;
 #[cfg(feature = "fixed")]
 pub use self::{fixed16::Fx16, fixed32::Fx32};
 pub use self::{fraction::Fraction, place::Place};

@@ -227,7 +227,8 @@ pub(crate) const REGISTER: &[Held] = &[
     by("tests/kept.rs::profiles_keep_what_they_are_given", &[
         "IntegerPower::new", "IntegerPower::exponent", "IntegerRim::new", "IntegerRim::exponent",
         "MixedPower::new", "MixedPower::exponents", "MixedPower::share", "MixedRim::new",
-        "MixedRim::exponents", "MixedRim::share", "Blend::new", "Blend::edge_slope", "Cubic::new", "Cubic::with_slopes", "Cubic::coefficients",
+        "MixedRim::exponents", "MixedRim::share", "RealPower::new", "RealPower::exponent", "RealRim::new", "RealRim::exponent",
+        "RealRim::floor", "Blend::new", "Blend::edge_slope", "Cubic::new", "Cubic::with_slopes", "Cubic::coefficients",
         "Cubic::edge_slope", "Cubic::middle_slope", "Table::new", "Table::samples", "Cone::profile",
         "Falloff::profile", "Falloff::with_profile",
     ]),
@@ -242,6 +243,8 @@ pub(crate) const REGISTER: &[Held] = &[
     ]),
     by("tests/import.rs::gltf_as_recommended_is_the_reference_code", &["Gltf::import_as_recommended"]),
     through("tests/import.rs::compiled_lights_are_the_originals", &["Attenuation for Distance"]),
+    by("tests/powers.rs::real_powers_keep_their_rows", &["Profile for RealPower", "Profile for RealRim"]),
+    through("tests/powers.rs::real_powers_keep_their_rows", &["Fraction::real_power"]),
     by("tests/import.rs::a_faded_inverse_square_is_the_squared_window", &["Attenuation for Faded"]),
     by("tests/import.rs::a_matched_profile_changes_no_bit", &["Profile for Matched"]),
 

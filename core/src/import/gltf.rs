@@ -1,6 +1,6 @@
 //! Lights of glTF.
 
-use super::{Distance, Imported, fall::Fall, ramp, spot};
+use super::{Difference, Distance, Imported, fall::Fall, ramp, spot};
 use crate::{
     angle::{Angle, HalfAngle},
     attenuation::Windowed,
@@ -95,6 +95,6 @@ impl Gltf {
         intensity: f32,
     ) -> Result<Imported<Spot<Matched, Distance>>, Error> {
         let distance = Distance::Windowed(Windowed::new(self.range)?);
-        spot(position, direction, cone, 0.0, Fall { distance, intensity, difference: 0.0 })
+        spot(position, direction, cone, Difference::NONE, Fall { distance, intensity, difference: 0.0 })
     }
 }

@@ -34,7 +34,7 @@ pub(super) fn checked(exponent: u32, least: u32, most: u32) -> Result<u32, Error
 }
 
 /// `1 - exp(-x)` for `x` in [0, 2.4], without cancellation: the series of the exponential, to the last place.
-fn lost_after(x: f32) -> f32 {
+pub(super) fn lost_after(x: f32) -> f32 {
     let terms = (2..=20).rev().fold(1.0, |sum, n| 1.0 - x / n as f32 * sum);
     x * terms
 }

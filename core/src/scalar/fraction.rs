@@ -4,7 +4,7 @@
 //! A profile magnifies the rounding of its argument by its slope, so a fraction has one bit more than a scalar; it
 //! costs nothing, because the products that use it are as wide as before.
 
-use super::{Scalar, float};
+use super::{RealExponent, Scalar, float};
 
 /// A number from 0 to 1, one bit finer than the scalar: the argument of an edge profile.
 ///
@@ -19,6 +19,10 @@ pub trait Fraction<S: Scalar>: Copy + PartialOrd + core::fmt::Debug {
     fn product(self, other: Self) -> S;
     /// The nearest scalar.
     fn scalar(self) -> S;
+    /// `t^p` for a real exponent, kept fine: exactly 0 at 0 and 1 at 1, within `1.2e-9 + 6e-10 p` of the power of `t` before
+    /// the format rounds it. Eleven multiplies of 64 bits in every format. Of an exponent with a floor,
+    /// `(max(t, floor)^p - floor^p) / (1 - floor^p)`.
+    fn real_power(self, exponent: RealExponent) -> Self;
     /// What is left of a scalar from 0 to 1: the product.
     fn of(self, scalar: S) -> S;
     /// One wherever `t` is more than zero.
@@ -58,6 +62,10 @@ impl Fraction<f32> for FloatFraction {
     #[inline(always)]
     fn scalar(self) -> f32 {
         self.0
+    }
+
+    fn real_power(self, exponent: RealExponent) -> Self {
+        Self(exponent.of_f32(self.0) as f32 * (1.0 / 2_147_483_648.0))
     }
 
     #[inline(always)]
@@ -107,7 +115,7 @@ pub(super) use fixed_point::{Fraction16, Fraction32};
 
 #[cfg(feature = "fixed")]
 mod fixed_point {
-    use super::{Fraction, neighbours};
+    use super::{Fraction, RealExponent, neighbours};
     use crate::scalar::{Fx16, Fx32};
     use fixed::types::{I18F14, I34F30};
 
@@ -161,6 +169,10 @@ mod fixed_point {
         #[inline(always)]
         fn scalar(self) -> Fx16 {
             Fx16::from_bits(((self.wide() + 1) >> 1) as i16)
+        }
+
+        fn real_power(self, exponent: RealExponent) -> Self {
+            Self(((exponent.of_bits(self.0 << 16) + (1 << 15)) >> 16) as u32)
         }
 
         #[inline(always)]
@@ -244,6 +256,10 @@ mod fixed_point {
         #[inline(always)]
         fn scalar(self) -> Fx32 {
             Fx32::from_bits(((self.0 >> 1) + (self.0 & 1)).cast_signed())
+        }
+
+        fn real_power(self, exponent: RealExponent) -> Self {
+            Self(exponent.of_bits(self.0) as u32)
         }
 
         #[inline(always)]
