@@ -4,7 +4,7 @@
 mod support;
 
 use fastrand::Rng;
-use luminaire::{Angle, Cone, CutOff, HalfAngle, Point, Profile, SmoothRange, Spot, Table, Vec3};
+use luminaire::{Angle, Cone, CutOff, HalfAngle, Point, Profile, SmoothRange, Spot, Vec3};
 use support::{
     bounds,
     format::Format,
@@ -246,27 +246,6 @@ fn axes_and_ranges_keep_their_figures() {
     assert_figure("direction of an axis, radians", worst[0]);
     assert_figure("length of an axis", worst[1]);
     assert_figure("range of a spotlight between points", worst[2]);
-}
-
-/// Measured every ten degrees and resampled: how far a sample is from the line between its neighbours, of
-/// full scale.
-#[test]
-fn tables_keep_their_figure() {
-    let measured = [1.0_f32, 0.97, 0.88, 0.71, 0.46, 0.22, 0.08, 0.02, 0.005, 0.0];
-    let mut worst = 0.0_f64;
-    for outer in [0.5_f32, 20.0, 90.0, 180.0] {
-        let mut samples = [0; 1_000];
-        let table = Table::from_angles(&measured, Angle::degrees(outer), &mut samples).expect("sound");
-        for (i, &sample) in table.samples().iter().enumerate() {
-            let versine = reference::versine(f64::from(outer) / 2.0) * i as f64 / 999.0;
-            let place = (2.0 * half_degrees(versine) / f64::from(outer) * 9.0).min(9.0);
-            let index = (place as usize).min(8);
-            let [here, next] = [index, index + 1].map(|i| f64::from(measured[i]));
-            let exact = here + (next - here) * (place - index as f64);
-            worst = worst.max((f64::from(sample) / 65_535.0 - exact).abs());
-        }
-    }
-    assert_figure("sample of a table of angles", worst);
 }
 
 #[test]

@@ -17,7 +17,7 @@
 //! | [`IntegerPower`], [`IntegerRim`] | the same, `N` at run time | as [`Power`] | [imports](crate::import) |
 //! | [`MixedPower`], [`MixedRim`] | a mixture of two of these | 2 more | curves between the powers |
 //! | [`RealPower`], [`RealRim`] | `t^p`, `1 - u^p`, `p` any real number | 11, and two tables | imports |
-//! | [`Table`] | samples | 2 | goniometric data |
+//! | [`Table`] | samples, evenly spaced or [`Knot`](crate::Knot)s | 2, or 1 and a search | goniometric data |
 //! | [`Edge`], [`Fitted`], [`Matched`] | one of the above | as it, and a branch | the choice at run time |
 
 mod choice;

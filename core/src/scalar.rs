@@ -23,6 +23,7 @@
 
 pub(crate) mod float;
 mod fraction;
+mod knot;
 mod place;
 mod real;
 
@@ -43,7 +44,7 @@ use crate::{
 pub(crate) use self::real::RealExponent;
 #[cfg(feature = "fixed")]
 pub use self::{fixed16::Fx16, fixed32::Fx32};
-pub use self::{fraction::Fraction, place::Place};
+pub use self::{fraction::Fraction, knot::Knot, place::Place};
 
 /// A number format that the kernel runs in: `f32`, and with the feature `fixed` also [`Fx32`] and [`Fx16`].
 ///

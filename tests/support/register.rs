@@ -95,7 +95,10 @@ pub(crate) const REGISTER: &[Held] = &[
     by("tests/setup.rs::two_angles_keep_their_figures", &[
         "Cone::from_beam_and_field", "Cone::from_beam_field_and_slope",
     ]),
-    by("tests/setup.rs::tables_keep_their_figure", &["Table::from_angles"]),
+    by("tests/tables.rs::a_stated_difference_is_what_a_dense_search_finds", &["Table::from_angles"]),
+    by("tests/tables.rs::a_table_of_knots_is_written_as_source", &["Table::knots", "Table::of_knots", "Knot::to_bits"]),
+    by("tests/tables.rs::every_bit_pattern_of_a_knot_has_an_answer", &["Knot::from_bits"]),
+    through("tests/tables.rs::formats_keep_to_the_line_between_knots", &["Fraction::along"]),
     by("tests/setup.rs::point_lights_keep_their_flux", &["Point::lumens", "Point::candela"]),
     by("tests/setup.rs::inner_products_keep_their_figure", &["Vec3::dot"]),
     by("tests/two_angles.rs::edge_slopes_are_what_the_search_finds", &["Cone::edge_slopes"]),
