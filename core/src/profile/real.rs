@@ -168,7 +168,7 @@ impl Profile for RealRim {
             return per_height as f32;
         }
         let strip = f64::from(trig::sqrt(hotspot as f32)) + STRIP;
-        let from = ((strip * strip - hotspot) / span).clamp(f64::from(self.floor).max(1e-12), 1.0);
+        let from = ((strip * strip - hotspot) / span).max(self.floor.into()).clamp(1e-12, 1.0);
         let versine = hotspot + span * from;
         let begin = trig::sqrt(versine as f32) * (per_height / real_power(from, 1.0 - p)) as f32;
         begin.max(per_height as f32).max(1.0)

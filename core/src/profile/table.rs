@@ -116,22 +116,22 @@ impl<'a> Table<'a> {
 
     /// The segments from the axis to the edge.
     fn segments(self) -> impl DoubleEndedIterator<Item = Segment> {
-        let count = match self.samples {
-            Samples::Even(samples) => samples.len() - 1,
-            Samples::Knots(knots) => knots.len(),
-        };
-        (0..count).map(move |i| match self.samples {
+        (0..self.samples().len().saturating_sub(1) + self.knots().len()).filter_map(move |i| self.segment(i))
+    }
+
+    fn segment(self, i: usize) -> Option<Segment> {
+        match self.samples {
             Samples::Even(samples) => {
-                let [start, end] = [i, i + 1].map(|i| i as f32 / count as f32);
-                let [from, to] = [samples[i], samples[i + 1]].map(|sample| f32::from(sample) / FULL);
-                Segment { start, end, from, to }
+                let [start, end] = [i, i + 1].map(|i| i as f32 / (samples.len() - 1) as f32);
+                let (from, to) = (f32::from(*samples.get(i)?) / FULL, f32::from(*samples.get(i + 1)?) / FULL);
+                Some(Segment { start, end, from, to })
             }
             Samples::Knots(knots) => {
-                let end = knots.get(i + 1).map_or(1.0, |next| next.versine());
-                let [from, to] = [knots[i].versine(), end].map(|u| knots[i].intensity(u));
-                Segment { start: knots[i].versine(), end, from, to }
+                let (knot, end) = (knots.get(i)?, knots.get(i + 1).map_or(1.0, |next| next.versine()));
+                let start = knot.versine();
+                Some(Segment { start, end, from: knot.intensity(start), to: knot.intensity(end) })
             }
-        })
+        }
     }
 
     /// The last `u` with this intensity; 1 where the table ends above it, 0 where it is always below.
