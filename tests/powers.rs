@@ -1,5 +1,6 @@
-//! Powers as edge profiles, whole and real, up to the largest exponent: their figures of set-up and their intensities
-//! against f64. `cargo test --test powers -- --nocapture --test-threads 1` prints the errors.
+//! Powers as edge profiles, whole and real, up to the largest exponent: their figures of set-up and
+//! their intensities against f64. `cargo test --test powers -- --nocapture --test-threads 1` prints
+//! the errors.
 
 mod support;
 
@@ -19,8 +20,8 @@ fn lost(value: f64, n: f64) -> f64 {
     -(value.ln() / n).exp_m1()
 }
 
-/// The largest relative errors of the figures that a cone is designed and checked by: beam, field, integral and
-/// steepness, over every whole exponent.
+/// The largest relative errors of the figures that a cone is designed and checked by: beam, field,
+/// integral and steepness, over every whole exponent.
 #[test]
 fn every_whole_exponent_keeps_its_figures() {
     const HOTSPOTS: [f32; 5] = [0.0, 1e-4, 0.01, 0.5, 0.999];
@@ -65,8 +66,8 @@ fn every_whole_exponent_keeps_its_figures() {
 /// The real exponents, and the integral of their powers from `t` to 1.
 const EXPONENTS: [f32; 12] = [1e-3, 0.1, 0.25, 0.5, 0.75, 0.999, 1.5, 2.2, 7.5, 33.3, 268.5, 1_023.9];
 
-/// `u` over which a real power of an exponent under 1 is compared in place: 1/510 of the half angle, at the edge of a
-/// power and on the axis of a rim.
+/// `u` over which a real power of an exponent under 1 is compared in place: 1/510 of the half
+/// angle, at the edge of a power and on the axis of a rim.
 const STRIP: f64 = 1.0 / 510.0;
 
 #[test]
@@ -124,7 +125,8 @@ fn every_real_exponent_keeps_its_figures() {
     }
 }
 
-/// The largest error of a profile's intensity over a cone of 180 degrees, between two versines; the format may refuse it.
+/// The largest error of a profile's intensity over a cone of 180 degrees, between two versines; the
+/// format may refuse it.
 fn error<S: Format, P: Profile>(profile: P, exact: impl Fn(f64) -> f64, [from, to]: [f64; 2]) -> f64 {
     let cone = Cone::from_outer(profile, Angle::degrees(180.0)).expect("a sound angle");
     let Ok(falloff) = cone.compile::<S>() else { return REFUSE };

@@ -1,5 +1,6 @@
-//! Goniometric data as tables: how far a table is off its data, that the number it gives for it is the true one, and what
-//! the formats add. `cargo test --test tables -- --nocapture --test-threads 1` prints the differences.
+//! Goniometric data as tables: how far a table is off its data, that the number it gives for it is
+//! the true one, and what the formats add. `cargo test --test tables -- --nocapture --test-threads
+//! 1` prints the differences.
 
 mod support;
 
@@ -7,8 +8,8 @@ use fastrand::Rng;
 use luminaire::{Angle, Cone, Fx16, Fx32, Knot, Profile, Source, Table};
 use support::{format::Format, reference, sweep};
 
-/// A file of LM-63 as it is published, in candela every 2.5 degrees from the axis to 90: `tests/data` of
-/// dlippok/photometric-viewer (MIT licence).
+/// A file of LM-63 as it is published, in candela every 2.5 degrees from the axis to 90:
+/// `tests/data` of dlippok/photometric-viewer (MIT licence).
 #[rustfmt::skip]
 const PUBLISHED: [f32; 37] = [
     2200.0, 2000.2, 1950.0, 1700.1, 1328.4, 1115.1, 900.5, 700.4, 600.3, 501.2, 400.1, 398.3, 380.9, 400.2, 390.5, 320.0,
@@ -134,7 +135,8 @@ fn a_stated_difference_is_what_a_dense_search_finds() {
     println!("stated over found: {ratio:.4} at most");
 }
 
-/// Every versine of 16 bits, and many of the others: within two steps of the line, and never rising where that falls.
+/// Every versine of 16 bits, and many of the others: within two steps of the line, and never rising
+/// where that falls.
 #[test]
 fn formats_keep_to_the_line_between_knots() {
     fn assert_format<S: Format>(table: Table<'_>, steps: f64) {
@@ -199,7 +201,8 @@ fn a_table_of_knots_is_written_as_source() {
     assert_eq!((table.knots(), table.samples()), (&knots[..], &[][..]));
 }
 
-/// Knots that are evenly spaced are the table of their samples: to its figures, and within a step of each format.
+/// Knots that are evenly spaced are the table of their samples: to its figures, and within a step
+/// of each format.
 #[test]
 fn even_knots_are_the_table_of_their_samples() {
     fn assert_format<S: Format>(even: Table<'_>, knots: Table<'_>) {

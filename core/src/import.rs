@@ -1,7 +1,7 @@
 //! Lights of other systems: what their parameters mean, as lights of this crate.
 //!
-//! Each system has a type whose fields have its names, units and defaults; `import` places the light and says
-//! how far it is from the original. Nothing is parsed here.
+//! Each system has a type whose fields have its names, units and defaults; `import` places the
+//! light and says how far it is from the original. Nothing is parsed here.
 //!
 //! ```
 //! use luminaire::{Vec3, import};
@@ -23,14 +23,16 @@
 //! | [`Godot`] | half, degrees | `1 - u^(1/p)` | `1 / d^k` in a squared window |
 //! | [`Penumbra`] | as an [`Angle`] | `t` or smoothstep around a hotspot | `1 / d^2` |
 //!
-//! `t` and `u = 1 - t` are those of the [profiles](crate::Profile): the cosine on the way from the outer to
-//! the inner angle.
+//! `t` and `u = 1 - t` are those of the [profiles](crate::Profile): the cosine on the way from the
+//! outer to the inner angle.
 //!
 //! # What is exact, and what is not
 //!
-//! Everything is held exactly but Godot's axis, where its whole exponents lack up to 0.0001, and the fall with distance by a
-//! power other than 0, 1 and 2. That becomes `1 / (a0 + a1 d)` under 1 and `1 / (a1 d + a2 d^2)` over it, with coefficients that are
-//! searched for a small largest [`Difference`]. The largest differences over the lights of each system, as `cargo test --test import -- --nocapture --test-threads 1` prints them:
+//! Everything is held exactly but Godot's axis, where its whole exponents lack up to 0.0001, and
+//! the fall with distance by a power other than 0, 1 and 2. That becomes `1 / (a0 + a1 d)` under 1
+//! and `1 / (a1 d + a2 d^2)` over it, with coefficients that are searched for a small largest
+//! [`Difference`]. The largest differences over the lights of each system, as `cargo test --test
+//! import -- --nocapture --test-threads 1` prints them:
 //!
 //! | system | intensity over the angle | place of a boundless slope, half angles | distance |
 //! |---|---|---|---|
@@ -44,18 +46,19 @@
 //! |---|---|---|---|---|---|---|---|---|---|
 //! | Godot, to a range of 8 | 0.065 | 0.13 | 0.035 | 0.042 | 0.084 | 0.028 | 0.22 | 0.75 | 1.0 |
 //!
-//! A decay over 2 falls faster than any divisor of the kernel grows: those are the numbers to look at before a light is
-//! used. A falloff under 1 has a slope without bound at its edge, which no format follows: it holds the place there.
+//! A decay over 2 falls faster than any divisor of the kernel grows: those are the numbers to look
+//! at before a light is used. A falloff under 1 has a slope without bound at its edge, which no
+//! format follows: it holds the place there.
 //!
-//! What an original makes of numbers that divide by zero in it is not imported: an inner angle at the outer
-//! one is a step here. glTF's reference code divides by 0.001 there, which
+//! What an original makes of numbers that divide by zero in it is not imported: an inner angle at
+//! the outer one is a step here. glTF's reference code divides by 0.001 there, which
 //! [`Gltf::import_as_recommended`] reproduces.
 //!
 //! # One type
 //!
-//! A light that is imported may have any profile and any distance model, so that both are chosen at run time
-//! ([`Matched`], [`Distance`]) and cost a branch per point. A renderer that minds makes a [`Lamp`](crate::Lamp) of it,
-//! which branches once per light.
+//! A light that is imported may have any profile and any distance model, so that both are chosen at
+//! run time ([`Matched`], [`Distance`]) and cost a branch per point. A renderer that minds makes a
+//! [`Lamp`](crate::Lamp) of it, which branches once per light.
 
 mod direct3d;
 mod fall;
@@ -94,28 +97,31 @@ pub struct Imported<L> {
     pub difference: Difference,
 }
 
-/// The largest difference between an imported light and the original, each in exact arithmetic: 0 where the
-/// light is held exactly. What a number format adds is its own.
+/// The largest difference between an imported light and the original, each in exact arithmetic: 0
+/// where the light is held exactly. What a number format adds is its own.
 ///
-/// Intensities are relative to the light on the axis. The differences are upper bounds, at most a thousandth over the
-/// true ones.
+/// Intensities are relative to the light on the axis. The differences are upper bounds, at most a
+/// thousandth over the true ones.
 #[derive(Clone, Copy, PartialEq, Default, Debug)]
 pub struct Difference {
-    /// Of the intensity over the angle, from 0 to 1: at most 1/510 for every light that is imported.
+    /// Of the intensity over the angle, from 0 to 1: at most 1/510 for every light that is
+    /// imported.
     pub angle: f32,
-    /// Of the place, in outer half angles, where the slope over the angle has no bound: at the edge of a
+    /// Of the place, in outer half angles, where the slope over the angle has no bound: at the edge
+    /// of a
     /// [`Direct3d::falloff`] between 0 and 1, and of such an [`OpenGl::spot_exponent`] with a cutoff of 90 degrees. There an
-    /// f32 tells no angle that is nearer to the edge than 2^-25, so that no format holds an intensity. 0 for every other
-    /// light, and at most 1/510.
+    /// f32 tells no angle that is nearer to the edge than 2^-25, so that no format holds an
+    /// intensity. 0 for every other light, and at most 1/510.
     pub place: f32,
-    /// Of the fall with distance, from 0 to 1: relative to the light at distance 1, or to the brighter of the
-    /// two where that is more. At distances from 0.1 on, or from where the original stops growing, to the
-    /// range or 32,767.
+    /// Of the fall with distance, from 0 to 1: relative to the light at distance 1, or to the
+    /// brighter of the two where that is more. At distances from 0.1 on, or from where the original
+    /// stops growing, to the range or 32,767.
     pub distance: f32,
 }
 
 impl Difference {
-    /// What the light differs by at most where it arrives, but for a difference of the place: the sum of the other two.
+    /// What the light differs by at most where it arrives, but for a difference of the place: the
+    /// sum of the other two.
     pub fn most(self) -> f32 {
         (self.angle + self.distance).min(1.0)
     }

@@ -13,23 +13,25 @@ use crate::{
 
 /// A spotlight of glTF's extension `KHR_lights_punctual`, with its defaults.
 ///
-/// The square of the ramp between the cosines of the two angles, and `(1 - (d / range)^4) / d^2`, at least 0.
-/// Exact. A node's direction is its local -z.
+/// The square of the ramp between the cosines of the two angles, and `(1 - (d / range)^4) / d^2`,
+/// at least 0. Exact. A node's direction is its local -z.
 ///
-/// The code that the extension recommends takes at least 0.001 for the difference of the two cosines, so that a
-/// beam of half a degree is nearly dark on its axis. [`import`](Self::import) leaves that out;
+/// The code that the extension recommends takes at least 0.001 for the difference of the two
+/// cosines, so that a beam of half a degree is nearly dark on its axis. [`import`](Self::import)
+/// leaves that out;
 /// [`import_as_recommended`](Self::import_as_recommended) has it.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Gltf {
-    /// `innerConeAngle`: the half angle in radians where the light begins to fall, from 0 to the outer one.
-    /// At the outer one, which the extension does not allow, it is a step.
+    /// `innerConeAngle`: the half angle in radians where the light begins to fall, from 0 to the
+    /// outer one. At the outer one, which the extension does not allow, it is a step.
     pub inner_cone_angle: f32,
-    /// `outerConeAngle`: the half angle in radians where the light ends, more than 0 and at most pi / 2.
+    /// `outerConeAngle`: the half angle in radians where the light ends, more than 0 and at most pi
+    /// / 2.
     pub outer_cone_angle: f32,
     /// `range`: from 0.001 to 1e9, if there is one.
     pub range: Option<f32>,
-    /// `intensity`: in candela, from 0 to 1e9. One candela lights a facing surface at distance 1 to full
-    /// scale.
+    /// `intensity`: in candela, from 0 to 1e9. One candela lights a facing surface at distance 1 to
+    /// full scale.
     pub intensity: f32,
 }
 
@@ -59,10 +61,11 @@ impl Gltf {
         self.spot(position, direction, cone, self.intensity)
     }
 
-    /// The spotlight by the code that the extension recommends, with its `max(0.001, ...)`: for pictures that are to
-    /// match those of other renderers. The same light as by [`import`](Self::import) where the cosines of the angles are
-    /// 0.001 apart or more. Where they are nearer the ramp still spans 0.001, from the outer angle inwards; an axis
-    /// that it ends before has less than the intensity of the light. Exact.
+    /// The spotlight by the code that the extension recommends, with its `max(0.001, ...)`: for
+    /// pictures that are to match those of other renderers. The same light as by
+    /// [`import`](Self::import) where the cosines of the angles are 0.001 apart or more. Where they
+    /// are nearer the ramp still spans 0.001, from the outer angle inwards; an axis that it ends
+    /// before has less than the intensity of the light. Exact.
     ///
     /// # Errors
     /// As [`import`](Self::import).

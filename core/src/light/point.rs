@@ -60,14 +60,15 @@ impl<A: Attenuation> Point<A> {
         self.attenuation
     }
 
-    /// The luminous flux in lumens of this light with an intensity in candela: `4 pi` times it, the intensity of all
-    /// directions alike.
+    /// The luminous flux in lumens of this light with an intensity in candela: `4 pi` times it, the
+    /// intensity of all directions alike.
     pub fn lumens(&self, candela: f32) -> f32 {
         candela * SPHERE
     }
 
-    /// The intensity in candela of this light when its flux is in lumens: the inverse of [`lumens`](Self::lumens). Of
-    /// a flux of 1 arrives `1 / (4 pi d^2)` at a facing surface at distance d.
+    /// The intensity in candela of this light when its flux is in lumens: the inverse of
+    /// [`lumens`](Self::lumens). Of a flux of 1 arrives `1 / (4 pi d^2)` at a facing surface at
+    /// distance d.
     pub fn candela(&self, lumens: f32) -> f32 {
         lumens / SPHERE
     }

@@ -11,17 +11,18 @@ use crate::{
     trig,
 };
 
-/// The power `t^p` of any exponent up to 1,024: a logarithm and an exponential from tables, in integers. For whole
-/// exponents [`IntegerPower`](super::IntegerPower) costs less.
+/// The power `t^p` of any exponent up to 1,024: a logarithm and an exponential from tables, in
+/// integers. For whole exponents [`IntegerPower`](super::IntegerPower) costs less.
 ///
-/// An exponent under 1 has a slope without bound at the edge, where a format tells the place and not the intensity.
+/// An exponent under 1 has a slope without bound at the edge, where a format tells the place and
+/// not the intensity.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct RealPower {
     exponent: f32,
 }
 
-/// The rim power `1 - u^p` of any exponent up to 1,024, the mirror image of [`RealPower`]. An exponent under 1 has a sharp peak
-/// on the axis.
+/// The rim power `1 - u^p` of any exponent up to 1,024, the mirror image of [`RealPower`]. An
+/// exponent under 1 has a sharp peak on the axis.
 ///
 /// [Imports](crate::import::Godot) give it a floor: `(1 - max(u, floor)^p) / (1 - floor^p)`.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -30,8 +31,8 @@ pub struct RealRim {
     floor: f32,
 }
 
-/// How near to the place of a slope without bound a steepness does not count, in outer half angles: there a format
-/// promises the place and not the intensity, as at a step.
+/// How near to the place of a slope without bound a steepness does not count, in outer half angles:
+/// there a format promises the place and not the intensity, as at a step.
 const STRIP: f64 = 1.0 / 510.0;
 
 fn checked(exponent: f32) -> Result<f32, Error> {
@@ -77,7 +78,8 @@ impl RealRim {
         Ok(Self { exponent: checked(exponent)?, floor: 0.0 })
     }
 
-    /// The rim power of an exponent and a floor that are known to be sound: the power of the floor is at most 15/16.
+    /// The rim power of an exponent and a floor that are known to be sound: the power of the floor
+    /// is at most 15/16.
     pub(crate) const fn of(exponent: f32, floor: f32) -> Self {
         Self { exponent, floor }
     }
@@ -118,8 +120,8 @@ impl Profile for RealPower {
         self.lost_at(0.1, core::f32::consts::LN_10)
     }
 
-    /// The largest of `2 p t^(p - 1) sqrt(v) / (1 - h)`, `t = (1 - v) / (1 - h)`: as for a whole exponent, and of an
-    /// exponent under 1 at the inner end of the strip, at least that of a step.
+    /// The largest of `2 p t^(p - 1) sqrt(v) / (1 - h)`, `t = (1 - v) / (1 - h)`: as for a whole
+    /// exponent, and of an exponent under 1 at the inner end of the strip, at least that of a step.
     fn steepness(self, hotspot: f32) -> f32 {
         let (p, hotspot) = (f64::from(self.exponent), f64::from(hotspot));
         let edge = (1.0 - STRIP) * (1.0 - STRIP);
@@ -158,9 +160,9 @@ impl Profile for RealRim {
         self.versine_of(0.1)
     }
 
-    /// The larger of `2 p u^(p - 1) sqrt(v) / (1 - h)`, `v = h + (1 - h) u`, at the edge and where the slope begins:
-    /// between them it has no hill. Of an exponent under 1 it begins at the floor or the outer end of the strip,
-    /// and it is at least that of a step.
+    /// The larger of `2 p u^(p - 1) sqrt(v) / (1 - h)`, `v = h + (1 - h) u`, at the edge and where
+    /// the slope begins: between them it has no hill. Of an exponent under 1 it begins at the floor
+    /// or the outer end of the strip, and it is at least that of a step.
     fn steepness(self, hotspot: f32) -> f32 {
         let (p, hotspot) = (f64::from(self.exponent), f64::from(hotspot));
         let (span, per_height) = (1.0 - hotspot, 2.0 * p / (1.0 - hotspot) / self.height());

@@ -11,16 +11,18 @@ use crate::{
     trig,
 };
 
-/// A table of measured intensities, with linear interpolation over the **versine** of the angle off axis, from the axis (or the
-/// rim of the hotspot) to the edge, so that no trigonometry happens per point.
+/// A table of measured intensities, with linear interpolation over the **versine** of the angle off
+/// axis, from the axis (or the rim of the hotspot) to the edge, so that no trigonometry happens per
+/// point.
 ///
-/// Its samples are evenly spaced over the versine, sample `i` of `n` at `u = i / (n - 1)`, and then a place in the table
-/// is a multiply away: two multiplies. Or they are [`Knot`]s, closer together where the curve bends: `log2 n` comparisons and
-/// a multiply. Data that are evenly spaced in the angle, as goniometers give them, become knots by [`Table::from_angles`].
+/// Its samples are evenly spaced over the versine, sample `i` of `n` at `u = i / (n - 1)`, and then
+/// a place in the table is a multiply away: two multiplies. Or they are [`Knot`]s, closer together
+/// where the curve bends: `log2 n` comparisons and a multiply. Data that are evenly spaced in the
+/// angle, as goniometers give them, become knots by [`Table::from_angles`].
 ///
-/// 65,535 is full intensity, whatever the number format. A table need not begin at full intensity, end at none or be
-/// monotone; beyond its last sample it is dark. Beam and field are where it falls to half and a tenth of *full*
-/// intensity for the last time.
+/// 65,535 is full intensity, whatever the number format. A table need not begin at full intensity,
+/// end at none or be monotone; beyond its last sample it is dark. Beam and field are where it falls
+/// to half and a tenth of *full* intensity for the last time.
 ///
 /// ```
 /// use luminaire::{Angle, Cone, Knot, Table};
@@ -62,23 +64,25 @@ impl<'a> Table<'a> {
         Self { samples: Samples::Even(samples) }
     }
 
-    /// The table of knots that are known when the program is compiled, from 1 to 65,536 of them. Knots whose places do not rise
-    /// have intensities from 0 to 1 all the same.
+    /// The table of knots that are known when the program is compiled, from 1 to 65,536 of them.
+    /// Knots whose places do not rise have intensities from 0 to 1 all the same.
     pub const fn of_knots<const N: usize>(knots: &'a [Knot; N]) -> Self {
         const { assert!(N >= 1 && N <= 65_536, "a table has 1 to 65,536 knots") };
         Self { samples: Samples::Knots(knots) }
     }
 
-    /// The table of intensities that are evenly spaced in the angle, from the axis to the outer angle, and linear between;
-    /// 1 is full intensity. For a cone without a hotspot of that outer angle. Takes as many of the knots as it has a use for,
-    /// and places them where the curve is off most.
+    /// The table of intensities that are evenly spaced in the angle, from the axis to the outer
+    /// angle, and linear between; 1 is full intensity. For a cone without a hotspot of that outer
+    /// angle. Takes as many of the knots as it has a use for, and places them where the curve is
+    /// off most.
     ///
-    /// Beside it the largest difference to the data, of full intensity: an upper bound, in exact arithmetic. Places are
-    /// multiples of 2^-16 of the outer versine; in a table of 180 degrees that is a third of a degree next to the axis.
+    /// Beside it the largest difference to the data, of full intensity: an upper bound, in exact
+    /// arithmetic. Places are multiples of 2^-16 of the outer versine; in a table of 180 degrees
+    /// that is a third of a degree next to the axis.
     ///
     /// # Errors
-    /// Fewer than 2 measured values, no knot, more than 65,536 of either, a measured value outside [0, 1], or an outer angle that
-    /// is not more than 0 and at most 180 degrees.
+    /// Fewer than 2 measured values, no knot, more than 65,536 of either, a measured value outside
+    /// [0, 1], or an outer angle that is not more than 0 and at most 180 degrees.
     pub fn from_angles(
         measured: &[f32],
         outer: impl Into<Angle>,
@@ -134,7 +138,8 @@ impl<'a> Table<'a> {
         }
     }
 
-    /// The last `u` with this intensity; 1 where the table ends above it, 0 where it is always below.
+    /// The last `u` with this intensity; 1 where the table ends above it, 0 where it is always
+    /// below.
     fn versine_of(self, intensity: f32) -> f32 {
         for Segment { start, end, from, to } in self.segments().rev() {
             if to >= intensity {
@@ -176,7 +181,8 @@ impl Profile for Table<'_> {
         self.versine_of(0.1)
     }
 
-    /// The largest slope of its segments, each taken where it is widest, and at least that of a step.
+    /// The largest slope of its segments, each taken where it is widest, and at least that of a
+    /// step.
     fn steepness(self, hotspot: f32) -> f32 {
         let span = 1.0 - hotspot;
         self.segments().fold(1.0, |largest, Segment { start, end, from, to }| {

@@ -1,6 +1,7 @@
 //! Polylines over the versine.
 
-/// A knot of a [`Table`](crate::Table): where a straight line begins that goes on to the next knot, or to the edge.
+/// A knot of a [`Table`](crate::Table): where a straight line begins that goes on to the next knot,
+/// or to the edge.
 ///
 /// [`Table::from_angles`](crate::Table::from_angles) makes them.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
@@ -17,8 +18,9 @@ pub struct Knot {
 pub(super) const SLOPE_BITS: u32 = 15;
 
 impl Knot {
-    /// The knot from a place to an end, both in 65,536ths of `u`, of a line between two values: rounded to fall or rise a little
-    /// less, so that a table of them is monotone where its values are.
+    /// The knot from a place to an end, both in 65,536ths of `u`, of a line between two values:
+    /// rounded to fall or rise a little less, so that a table of them is monotone where its values
+    /// are.
     pub(crate) fn line([place, end]: [u32; 2], [value, next]: [u16; 2]) -> Self {
         let rise = i32::from(next) - i32::from(value);
         let width = end.saturating_sub(place).max(1).cast_signed();
@@ -55,7 +57,8 @@ impl Knot {
         (f32::from(self.value) / 65_535.0 + self.rise() * (u - self.versine())).clamp(0.0, 1.0)
     }
 
-    /// The last of the knots whose place is not over this one, in 65,536ths of `u`; a dark one if there is none.
+    /// The last of the knots whose place is not over this one, in 65,536ths of `u`; a dark one if
+    /// there is none.
     #[inline(always)]
     pub(super) fn at(knots: &[Self], place: u32) -> Self {
         let after = knots.partition_point(|knot| u32::from(knot.place) <= place);

@@ -1,8 +1,9 @@
-//! Real powers of a fraction: a logarithm, a product and an exponential, in integers and with the same bits in every
-//! format. Two tables of 64 segments about whose middles three terms of a series are enough.
+//! Real powers of a fraction: a logarithm, a product and an exponential, in integers and with the
+//! same bits in every format. Two tables of 64 segments about whose middles three terms of a series
+//! are enough.
 
-/// A real exponent from 0 up, for [`Fraction::real_power`](super::Fraction::real_power), and the floor below which the
-/// power does not fall any further.
+/// A real exponent from 0 up, for [`Fraction::real_power`](super::Fraction::real_power), and the
+/// floor below which the power does not fall any further.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct RealExponent {
     /// The exponent is `mantissa / 2^shift`: that of an f32, exactly.
@@ -25,7 +26,8 @@ const fn middle(segment: usize) -> f64 {
     (segment as f64 + 0.5) / SEGMENTS as f64
 }
 
-/// `1 / c` with 31 fraction bits and `log2 c` with 32, where `c` is the middle of a segment of [1, 2).
+/// `1 / c` with 31 fraction bits and `log2 c` with 32, where `c` is the middle of a segment of [1,
+/// 2).
 const LOGARITHMS: [(u32, u32); SEGMENTS] = {
     let (mut table, mut i) = ([(0, 0); SEGMENTS], 0);
     while i < SEGMENTS {
@@ -72,8 +74,9 @@ fn times(a: i64, b: i64) -> i64 {
     (a * b) >> 32
 }
 
-/// What `x = significand / 2^31 / 2^octaves` lacks of one in octaves, `-log2 x`, with 32 fraction bits: for a
-/// significand from 2^31 up and numbers up to one. Error under 2e-9; 32 octaves at most.
+/// What `x = significand / 2^31 / 2^octaves` lacks of one in octaves, `-log2 x`, with 32 fraction
+/// bits: for a significand from 2^31 up and numbers up to one. Error under 2e-9; 32 octaves at
+/// most.
 fn octaves_below_one(significand: u32, octaves: u32) -> u64 {
     const FIRST: i64 = fine(core::f64::consts::LOG2_E);
     const SECOND: i64 = fine(core::f64::consts::LOG2_E / 2.0);
@@ -106,7 +109,8 @@ fn power_of_two(octaves: u64) -> u64 {
 }
 
 impl RealExponent {
-    /// The exponent, which is from 0 to 1,024, and the floor: from 0, and so small that its power is at most 15/16.
+    /// The exponent, which is from 0 to 1,024, and the floor: from 0, and so small that its power
+    /// is at most 15/16.
     pub(crate) fn new(exponent: f32, floor: f32) -> Self {
         let bits = exponent.to_bits();
         let plain = Self {
@@ -169,7 +173,8 @@ mod tests {
         1_024.0,
     ];
 
-    /// Numbers with 31 fraction bits: both ends, all powers of two with their neighbours, and a million between.
+    /// Numbers with 31 fraction bits: both ends, all powers of two with their neighbours, and a
+    /// million between.
     fn numbers() -> impl Iterator<Item = u32> {
         let ends = (0..31).flat_map(|shift| [0, 1, 2].map(|i| (1_u32 << shift) + i - 1));
         ends.chain((0..1 << 20).map(|i| (i << 11) + (i * 1_667) % 2_048)).chain([(1 << 31) - 1, 1 << 31])
@@ -192,7 +197,8 @@ mod tests {
         }
     }
 
-    /// With a number its power rises, or falls by a step at most: about every seam of the tables, and next to one.
+    /// With a number its power rises, or falls by a step at most: about every seam of the tables,
+    /// and next to one.
     #[test]
     fn real_powers_rise() {
         let seams =

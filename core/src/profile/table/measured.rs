@@ -2,7 +2,8 @@
 
 use crate::{angle::Angle, scalar::Knot, trig};
 
-/// Intensities that are evenly spaced in the angle, from the axis to an outer angle, and linear between.
+/// Intensities that are evenly spaced in the angle, from the axis to an outer angle, and linear
+/// between.
 pub(super) struct Measured<'m> {
     values: &'m [f32],
     /// The outer half angle in radians, and its versine.
@@ -17,13 +18,15 @@ const EDGE: u32 = 65_536;
 const LEAST: f32 = 1.0 / 131_072.0;
 
 impl<'m> Measured<'m> {
-    /// At least two values from 0 to 1, up to an outer angle of more than 0 and at most 180 degrees.
+    /// At least two values from 0 to 1, up to an outer angle of more than 0 and at most 180
+    /// degrees.
     pub(super) fn new(values: &'m [f32], outer: Angle) -> Self {
         Self { values, outer: outer.to_radians() / 2.0, versine: outer.versine() }
     }
 
-    /// The knots that are used, at least one, and the largest difference of their lines to the data: the line that is off
-    /// most gets a knot where it is, until there are no more (Ramer 1972; Douglas and Peucker 1973).
+    /// The knots that are used, at least one, and the largest difference of their lines to the
+    /// data: the line that is off most gets a knot where it is, until there are no more (Ramer
+    /// 1972; Douglas and Peucker 1973).
     pub(super) fn resample<'k>(&self, knots: &'k mut [Knot]) -> (&'k [Knot], f32) {
         knots[0] = self.line(0, EDGE);
         let mut count = 1;
@@ -55,8 +58,9 @@ impl<'m> Measured<'m> {
         Knot::line([place, end], [place, end].map(value))
     }
 
-    /// How far a line is off the data at most, and at which place strictly inside of it, if there is one. The data bend where
-    /// they were measured; between, their slope is that of the line where `sin(angle)` makes it so.
+    /// How far a line is off the data at most, and at which place strictly inside of it, if there
+    /// is one. The data bend where they were measured; between, their slope is that of the line
+    /// where `sin(angle)` makes it so.
     fn farthest(&self, line: Knot, end: u32) -> (f32, u32) {
         let (first, last) = (self.angle(line.place()), self.angle(end));
         let (mut largest, mut at) = (0.0, 0.0);
