@@ -3,7 +3,7 @@
 mod support;
 
 use luminaire::{
-    Accepted, Angle, Blend, Cone, Cubic, CutOff, Error, Fx16, Fx32, HalfAngle, Hard, Linear, Parameter,
+    Accepted, Angle, Blend, Cone, Cubic, CutOff, Error, Fx16, Fx32, HalfAngle, Hard, Knot, Linear, Parameter,
     Power, Profile, Scalar, Smooth, Soft, Table,
 };
 use support::{
@@ -170,8 +170,15 @@ fn coefficients_out_of_range_are_refused() {
 fn tables_out_of_range_are_refused() {
     assert_refused(Table::new(&[]), Parameter::SampleCount, "from 2 to 65536");
     assert_refused(Table::new(&[1]), Parameter::SampleCount, "from 2 to 65536");
-    let mut samples = [0; 8];
+    assert_refused(Table::new(&[0; 65_537]), Parameter::SampleCount, "from 2 to 65536");
+    assert!(Table::new(&[0; 65_536]).is_ok());
+    let mut samples = [Knot::default(); 8];
     let outer = Angle::degrees(80.0);
+    assert_refused(
+        Table::from_angles(&[1.0, 0.0], outer, &mut []),
+        Parameter::SampleCount,
+        "from 1 to 65536",
+    );
     assert_refused(Table::from_angles(&[1.0], outer, &mut samples), Parameter::SampleCount, "from 2");
     assert_refused(Table::from_angles(&[1.0, 1.1], outer, &mut samples), Parameter::Sample, "from 0 to 1");
     assert_refused(
@@ -187,9 +194,9 @@ fn tables_out_of_range_are_refused() {
 #[test]
 fn a_table_of_angles_gives_its_values_back() {
     let measured = [1.0, 0.97, 0.88, 0.71, 0.46, 0.22, 0.08, 0.02, 0.0, 0.0];
-    let mut samples = [0; 256];
+    let mut samples = [Knot::default(); 256];
     let outer = Angle::degrees(180.0);
-    let table = Table::from_angles(&measured, outer, &mut samples).expect("sound data");
+    let (table, _) = Table::from_angles(&measured, outer, &mut samples).expect("sound data");
     let falloff = Cone::from_outer(table, outer).expect("sound").compile::<Fx16>().expect("held");
     for (i, &expected) in measured.iter().enumerate() {
         let half = HalfAngle::degrees(10.0 * i as f32);

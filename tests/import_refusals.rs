@@ -6,7 +6,7 @@ mod support;
 use fastrand::Rng;
 use luminaire::{
     Angle, Attenuation, CompiledPoint, CompiledSpot, Error, Fx16, Fx32, IntegerPower, IntegerRim, MixedPower,
-    MixedRim, Profile, Vec3,
+    MixedRim, Profile, RealPower, RealRim, Vec3,
     import::{Difference, Direct3d, Gltf, Godot, Imported, Lamp, OpenGl, Penumbra, Ramp, Three},
 };
 use support::{
@@ -40,8 +40,8 @@ fn opengl_is_refused_by_its_names() {
         let message = format!("spot cutoff {shown} is refused: give more than 0 and at most 90, or 180");
         refused(OpenGl { spot_cutoff, ..Default::default() }, &message);
     }
-    let message = "spot exponent 128.5 is refused: give a finite number from 0 to 128";
-    refused(OpenGl { spot_exponent: 128.5, ..Default::default() }, message);
+    let message = "spot exponent 1024.5 is refused: give a finite number from 0 to 1024";
+    refused(OpenGl { spot_exponent: 1024.5, ..Default::default() }, message);
     let message = "attenuation coefficient -1 is refused: give a finite number from 0 to 1000000000";
     refused(OpenGl { linear_attenuation: -1.0, ..Default::default() }, message);
     // All three at none would divide by it.
@@ -61,7 +61,7 @@ fn direct3d_is_refused_by_its_names() {
     refused(Direct3d { theta: 0.7, ..DIRECT3D }, "theta 0.7 is refused: give a finite number from 0 to 0.6");
     refused(
         Direct3d { falloff: -1.0, ..DIRECT3D },
-        "falloff -1 is refused: give a finite number from 0 to 128",
+        "falloff -1 is refused: give a finite number from 0 to 1024",
     );
     let message =
         "range 0 is refused: give a distance from 0.001 to 1000000000, or a distance model without a range";
@@ -79,6 +79,9 @@ fn gltf_three_and_godot_are_refused_by_their_names() {
     let message =
         "range 0 is refused: give a distance from 0.001 to 1000000000, or a distance model without a range";
     refused(Gltf { range: Some(0.0), ..Default::default() }, message);
+    let steep = Gltf { inner_cone_angle: 0.8, ..Default::default() };
+    let message = "inner cone angle 0.8 is refused: give a finite number from 0 to 0.7853982";
+    assert_refused(steep.import_as_recommended(ORIGIN, DOWN), message);
 
     let refused = |light: Three, message: &str| assert_refused(light.import(ORIGIN, DOWN), message);
     let message = "spot angle NaN is refused: give more than 0 and at most 1.5707964";
@@ -114,17 +117,22 @@ fn penumbras_are_refused_by_their_names() {
 
 #[test]
 fn exponents_and_shares_out_of_range() {
-    let message = "exponent 129 is refused: give a whole number from 1 to 128";
-    assert_refused(IntegerPower::new(129), message);
-    assert_refused(IntegerRim::new(0), "exponent 0 is refused: give a whole number from 1 to 128");
-    assert_refused(MixedPower::new([3, 3], 0.5), "exponent 3 is refused: give a whole number from 4 to 128");
+    let message = "exponent 1025 is refused: give a whole number from 1 to 1024";
+    assert_refused(IntegerPower::new(1_025), message);
+    assert_refused(IntegerRim::new(0), "exponent 0 is refused: give a whole number from 1 to 1024");
+    assert_refused(MixedPower::new([3, 3], 0.5), "exponent 3 is refused: give a whole number from 4 to 1024");
     assert_refused(
-        MixedPower::new([128, 129], 0.5),
-        "exponent 128 is refused: give a whole number from 0 to 127",
+        MixedPower::new([1_024, 1_025], 0.5),
+        "exponent 1024 is refused: give a whole number from 0 to 1023",
     );
-    assert_refused(MixedRim::new([0, 3], 0.5), "exponent 0 is refused: give a whole number from 1 to 127");
+    assert_refused(MixedRim::new([0, 3], 0.5), "exponent 0 is refused: give a whole number from 1 to 1023");
     assert_refused(MixedRim::new([1, 3], 1.5), "share 1.5 is refused: give a finite number from 0 to 1");
     assert!(MixedPower::new([0, 1], 0.0).is_ok());
+    for exponent in [0.0, -1.0, 1_024.1, f32::NAN] {
+        let message = format!("exponent {exponent} is refused: give more than 0 and at most 1024");
+        assert_refused(RealPower::new(exponent), &message);
+        assert_refused(RealRim::new(exponent), &message);
+    }
 }
 
 fn assert_light<S: Format>(light: S::Irradiance, unskipped: S::Irradiance, what: &impl core::fmt::Debug) {
@@ -187,7 +195,7 @@ fn parameter(rng: &mut Rng) -> f32 {
 fn every_parameter_has_an_answer() {
     let mut rng = Rng::with_seed(0x6c_7466);
     let rng = &mut rng;
-    let mut accepted = [0; 6];
+    let mut accepted = [0; 7];
     for _ in 0..200 * sweep::effort() {
         let [a, b, c, d, e, f, g, h] = core::array::from_fn(|_| parameter(rng));
         let (position, direction) = (sweep::direction(rng), sweep::direction(rng));
@@ -231,17 +239,19 @@ fn every_parameter_has_an_answer() {
             intensity: c,
         };
         let into_lamp = |Imported { light, difference }| Imported { light: Lamp::Spot(light), difference };
-        let imports: [Result<Imported<Lamp>, Error>; 6] = [
+        let imports: [Result<Imported<Lamp>, Error>; 7] = [
             opengl.import(position, direction),
             direct3d.import(position, direction).map(into_lamp),
             gltf.import(position, direction).map(into_lamp),
+            gltf.import_as_recommended(position, direction).map(into_lamp),
             three.import(position, direction).map(into_lamp),
             godot.import(position, direction).map(into_lamp),
             penumbra.import(position, direction).map(into_lamp),
         ];
         for (imported, accepted) in imports.into_iter().zip(&mut accepted) {
             let Ok(Imported { light, difference }) = imported else { continue };
-            let Difference { angle, distance } = difference;
+            let Difference { angle, place, distance } = difference;
+            assert!((0.0..=1.0 / 510.0).contains(&place), "{light:?} {difference:?}");
             assert!(
                 (0.0..=1.0).contains(&angle) && (0.0..=1.0).contains(&distance),
                 "{light:?} {difference:?}"

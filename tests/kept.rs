@@ -2,8 +2,9 @@
 
 use luminaire::{
     Ambient, Angle, Blend, Cone, Cubic, Directional, Exposure, Faded, Fx16, Hard, HardRange, IntegerPower,
-    IntegerRim, InverseSquare, Light, Material, MixedPower, MixedRim, Phong, Point, Polynomial, Rgb, Scalar,
-    SmoothRange, Soft, Spot, SquaredWindow, Surface, Table, Unattenuated, Vec3, Windowed,
+    IntegerRim, InverseSquare, Light, Material, MixedPower, MixedRim, Phong, Point, Polynomial, RealPower,
+    RealRim, Rgb, Scalar, SmoothRange, Soft, Spot, SquaredWindow, Surface, Table, Unattenuated, Vec3,
+    Windowed,
 };
 
 const RED: Rgb<f32> = Rgb::new(0.75, 0.25, 0.125);
@@ -113,6 +114,9 @@ fn profiles_keep_what_they_are_given() {
     assert_eq!((mixed.exponents(), mixed.share()), ([2, 7], 0.25));
     let mixed = MixedRim::new([2, 7], 0.25).expect("sound");
     assert_eq!((mixed.exponents(), mixed.share()), ([2, 7], 0.25));
+    assert_eq!(RealPower::new(2.2).expect("sound").exponent(), 2.2);
+    let rim = RealRim::new(0.3).expect("sound");
+    assert_eq!((rim.exponent(), rim.floor()), (0.3, 0.0));
     let samples = [65_535, 1_234, 0];
     assert_eq!(Table::new(&samples).expect("sound").samples(), samples);
     assert_eq!(cone().profile(), Soft);

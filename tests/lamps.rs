@@ -28,6 +28,8 @@ fn matched() -> Vec<Matched> {
         profiles::integer_rim().into(),
         profiles::mixed_power().into(),
         profiles::mixed_rim().into(),
+        profiles::real_power().into(),
+        profiles::real_rim().into(),
         profiles::table().into(),
     ]
 }
@@ -239,6 +241,8 @@ fn any_profile_is_what_it_was() {
     assert_same(profiles::integer_rim());
     assert_same(profiles::mixed_power());
     assert_same(profiles::mixed_rim());
+    assert_same(profiles::real_power());
+    assert_same(profiles::real_rim());
     assert_same(profiles::table());
     assert_same(Edge::Soft);
     assert_same(Edge::Hard);
@@ -279,6 +283,8 @@ fn a_lamp_calls_for_what_it_is() -> Result<(), Error> {
         "rim",
         "mixed-power",
         "mixed-rim",
+        "real-power",
+        "real-rim",
         "table",
     ];
     let expected = profiles.map(|profile| format!("diffuse, spot, {profile}, inverse-square"));

@@ -2,7 +2,7 @@
 
 mod support;
 
-use luminaire::{Angle, Cone, Edge, HalfAngle, Hard, Profile, Soft};
+use luminaire::{Angle, Cone, Edge, HalfAngle, Hard, IntegerPower, Power, Profile, Soft};
 use support::reference;
 
 fn assert_degrees(what: &str, angle: Angle, expected: f32, within: f32) {
@@ -22,6 +22,23 @@ fn a_hard_field_angle_of_15_degrees_has_the_papers_beam_and_outer_angle() {
     let cone = Cone::from_field(Hard, Angle::degrees(15.0)).expect("a sound angle");
     assert_degrees("beam", cone.beam(), 12.95, 0.005);
     assert_degrees("outer", cone.outer(), 15.40, 0.005);
+}
+
+/// Figure 7: the cosine power that has the paper's field angle, and what is left of it where the soft and the hard edge
+/// have half their light.
+#[test]
+fn a_cosine_power_of_the_papers_field_angle_has_exponent_268() {
+    let cone = Cone::<Power<268>>::opengl(HalfAngle::degrees(90.0)).expect("a sound cutoff");
+    assert_degrees("field", cone.field(), 15.0, 5e-4);
+    assert_degrees("beam", cone.beam(), 8.238, 5e-4);
+    let run_time = Cone::from_outer(IntegerPower::new(268).expect("a sound exponent"), Angle::degrees(180.0));
+    assert_eq!(run_time.expect("a sound angle").field(), cone.field());
+    let compiled = cone.compile::<f32>().expect("f32 holds it");
+    for degrees in [4.9_f64, 6.475, 7.5, 9.0] {
+        let versine = compiled.versine(reference::versine(degrees) as f32);
+        let exact = degrees.to_radians().cos().powi(268);
+        assert!((f64::from(compiled.at(versine)) - exact).abs() < 1e-5, "{degrees}");
+    }
 }
 
 /// Any angle of a cone gives the other two, and they give it back, to a few units in the last place.

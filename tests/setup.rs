@@ -4,7 +4,7 @@
 mod support;
 
 use fastrand::Rng;
-use luminaire::{Angle, Cone, CutOff, HalfAngle, Profile, SmoothRange, Spot, Table};
+use luminaire::{Angle, Cone, CutOff, HalfAngle, Point, Profile, SmoothRange, Spot, Vec3};
 use support::{
     bounds,
     format::Format,
@@ -170,6 +170,27 @@ fn cones_keep_their_figures() {
     assert_figure("candela of a cone", candela);
 }
 
+/// All of the light of a point passes any sphere around it, as does that of a cone that leaves nothing out; and an
+/// energy of 1 is `1 / (4 pi d^2)` at a distance.
+#[test]
+fn point_lights_keep_their_flux() {
+    let point = Point::new(Vec3::default()).expect("a sound position");
+    let half = Cone::from_outer(CutOff, Angle::degrees(180.0)).expect("a sound angle");
+    for candela in [1e-6_f32, 1.0, 1_000.0] {
+        let lumens = point.lumens(candela);
+        assert!(relative(lumens, 4.0 * std::f64::consts::PI * f64::from(candela)) < 2e-7);
+        assert!(relative(lumens, f64::from(2.0 * half.lumens(candela))) < 2e-7);
+        assert!(relative(point.candela(lumens), candela.into()) < 2e-7);
+    }
+    let energy = point.with_intensity(point.candela(1.0)).expect("a sound intensity");
+    let lit = energy.compile::<f32>().expect("held");
+    for distance in [0.5_f32, 1.0, 7.0] {
+        let area = 4.0 * std::f64::consts::PI * f64::from(distance).powi(2);
+        let found = lit.irradiance(Vec3::new(distance, 0.0, 0.0), Vec3::new(-1.0, 0.0, 0.0));
+        assert!(relative(found, 1.0 / area) < 1e-6, "at {distance}: {found}");
+    }
+}
+
 /// Both angles at once, and how far off they come back.
 fn two_angle_errors<P: Profile>(design: impl Fn(Angle, Angle) -> Option<Cone<P>>) -> f64 {
     let mut worst = 0.0_f64;
@@ -225,27 +246,6 @@ fn axes_and_ranges_keep_their_figures() {
     assert_figure("direction of an axis, radians", worst[0]);
     assert_figure("length of an axis", worst[1]);
     assert_figure("range of a spotlight between points", worst[2]);
-}
-
-/// Measured every ten degrees and resampled: how far a sample is from the line between its neighbours, of
-/// full scale.
-#[test]
-fn tables_keep_their_figure() {
-    let measured = [1.0_f32, 0.97, 0.88, 0.71, 0.46, 0.22, 0.08, 0.02, 0.005, 0.0];
-    let mut worst = 0.0_f64;
-    for outer in [0.5_f32, 20.0, 90.0, 180.0] {
-        let mut samples = [0; 1_000];
-        let table = Table::from_angles(&measured, Angle::degrees(outer), &mut samples).expect("sound");
-        for (i, &sample) in table.samples().iter().enumerate() {
-            let versine = reference::versine(f64::from(outer) / 2.0) * i as f64 / 999.0;
-            let place = (2.0 * half_degrees(versine) / f64::from(outer) * 9.0).min(9.0);
-            let index = (place as usize).min(8);
-            let [here, next] = [index, index + 1].map(|i| f64::from(measured[i]));
-            let exact = here + (next - here) * (place - index as f64);
-            worst = worst.max((f64::from(sample) / 65_535.0 - exact).abs());
-        }
-    }
-    assert_figure("sample of a table of angles", worst);
 }
 
 #[test]

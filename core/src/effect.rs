@@ -61,6 +61,10 @@ effects! {
     MixedPower = "mixed-power",
     /// A cone that falls by a mixture of rim powers.
     MixedRim = "mixed-rim",
+    /// A cone that falls by a power of a real exponent.
+    RealPower = "real-power",
+    /// A cone that falls by a rim power of a real exponent.
+    RealRim = "real-rim",
     /// A cone that falls by samples.
     Table = "table",
     /// Full intensity up to an inner angle.

@@ -5,7 +5,7 @@
 macro_rules! with_profile {
     ($falloff:expr, $profile:ident, $curve:ident => $answer:expr) => {
         with_profile!(@ $falloff, $profile, $curve, $answer;
-            CutOff Linear Soft Hard Smooth Blend Cubic Power Rim MixedPower MixedRim Table)
+            CutOff Linear Soft Hard Smooth Blend Cubic Power Rim MixedPower MixedRim RealPower RealRim Table)
     };
     (@ $falloff:expr, $profile:ident, $curve:ident, $answer:expr; $($kind:ident)*) => {
         match ($falloff.profile, $falloff.curve) {
@@ -138,6 +138,8 @@ fn cone_effects(spot: &Spot<Matched, Distance>) -> Effects {
         Matched::Rim(_) => Effect::Rim,
         Matched::MixedPower(_) => Effect::MixedPower,
         Matched::MixedRim(_) => Effect::MixedRim,
+        Matched::RealPower(_) => Effect::RealPower,
+        Matched::RealRim(_) => Effect::RealRim,
         Matched::Table(_) => Effect::Table,
     };
     let mut effects = Effects::NONE.with(profile);

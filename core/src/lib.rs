@@ -116,10 +116,10 @@ pub use material::{CompiledMaterial, Material};
 pub use plan::Plan;
 pub use profile::{
     Blend, Cubic, Curve, CutOff, Edge, Fitted, Hard, IntegerPower, IntegerRim, Linear, Matched, MixedPower,
-    MixedRim, Power, Profile, Rim, Smooth, Soft, Table,
+    MixedRim, Power, Profile, RealPower, RealRim, Rim, Smooth, Soft, Table,
 };
 pub use projection::{CompiledProjection, Projection};
-pub use scalar::{Fraction, Gain, Offset, Place, Ray, Scalar};
+pub use scalar::{Fraction, Gain, Knot, Offset, Place, Ray, Scalar};
 #[cfg(feature = "fixed")]
 pub use scalar::{Fx16, Fx32};
 pub use shade::{Arrival, CompiledDirectional, CompiledPoint, CompiledSpot, Light, Surface};

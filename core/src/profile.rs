@@ -15,8 +15,9 @@
 //! | [`Power`] | `t^N` | log2 N for powers of two | OpenGL's cosine power by [`Cone::opengl`](crate::Cone::opengl) |
 //! | [`Rim`] | `1 - u^N` | as [`Power`] | Godot, by an angle attenuation of `1/N` |
 //! | [`IntegerPower`], [`IntegerRim`] | the same, `N` at run time | as [`Power`] | [imports](crate::import) |
-//! | [`MixedPower`], [`MixedRim`] | a mixture of two of these | 2 more | imports, for a real exponent |
-//! | [`Table`] | samples | 2 | goniometric data |
+//! | [`MixedPower`], [`MixedRim`] | a mixture of two of these | 2 more | curves between the powers |
+//! | [`RealPower`], [`RealRim`] | `t^p`, `1 - u^p`, `p` any real number | 11, and two tables | imports |
+//! | [`Table`] | samples, evenly spaced or [`Knot`](crate::Knot)s | 2, or 1 and a search | goniometric data |
 //! | [`Edge`], [`Fitted`], [`Matched`] | one of the above | as it, and a branch | the choice at run time |
 
 mod choice;
@@ -30,6 +31,7 @@ mod mixed;
 mod polynomial;
 mod power;
 mod quadratic;
+mod real;
 mod step;
 mod table;
 
@@ -44,6 +46,7 @@ pub use self::{
     mixed::{MixedPower, MixedRim},
     power::{Power, Rim},
     quadratic::{Blend, CompiledBlend, Hard, Linear, Soft},
+    real::{RealPower, RealRim},
     step::CutOff,
     table::Table,
 };

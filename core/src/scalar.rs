@@ -23,7 +23,9 @@
 
 pub(crate) mod float;
 mod fraction;
+mod knot;
 mod place;
+mod real;
 
 #[cfg(feature = "fixed")]
 pub(crate) mod fixed16;
@@ -39,9 +41,10 @@ use crate::{
     vec3::Vec3,
 };
 
+pub(crate) use self::real::RealExponent;
 #[cfg(feature = "fixed")]
 pub use self::{fixed16::Fx16, fixed32::Fx32};
-pub use self::{fraction::Fraction, place::Place};
+pub use self::{fraction::Fraction, knot::Knot, place::Place};
 
 /// A number format that the kernel runs in: `f32`, and with the feature `fixed` also [`Fx32`] and [`Fx16`].
 ///

@@ -210,7 +210,15 @@ impl<const N: u32> Source for Rim<N> {
 
 impl Source for Table<'_> {
     fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
-        write!(out, "Table::of(&{:?})", self.samples())
+        if self.knots().is_empty() {
+            return write!(out, "Table::of(&{:?})", self.samples());
+        }
+        // A call is no constant that lives on but in a block of one.
+        out.write_str("Table::of_knots(const { &[")?;
+        for (place, value, slope) in self.knots().iter().map(|knot| knot.to_bits()) {
+            write!(out, "Knot::from_bits({place}, {value}, {slope}), ")?;
+        }
+        out.write_str("] })")
     }
 }
 

@@ -5,9 +5,9 @@ use std::fmt::Debug;
 use luminaire::source::Named;
 use luminaire::{
     Ambient, Angle, Attenuation, Blend, BlinnPhong, CompiledSpot, Cone, Cubic, CutOff, Directional, DualCone,
-    Edge, Error, Exposure, Fx16, Fx32, Gobo, Hard, HardRange, Haze, InverseSquare, Linear, Lyon, Material,
-    Phong, Point, Polynomial, Power, Profile, Projection, Rgb, Rim, Scalar, Shadow, Smooth, SmoothRange,
-    Soft, Source, Specular, Spot, SquaredWindow, Table, Unattenuated, Vec3, Windowed,
+    Edge, Error, Exposure, Fx16, Fx32, Gobo, Hard, HardRange, Haze, InverseSquare, Knot, Linear, Lyon,
+    Material, Phong, Point, Polynomial, Power, Profile, Projection, Rgb, Rim, Scalar, Shadow, Smooth,
+    SmoothRange, Soft, Source, Specular, Spot, SquaredWindow, Table, Unattenuated, Vec3, Windowed,
 };
 
 /// What is done with each value.
@@ -26,6 +26,7 @@ const INTENSITIES: [f32; 3] = [1e-6, 16.0, 1e9];
 const AMBER: Rgb<f32> = Rgb::new(1.0, 0.62, 0.0);
 const PANES: Gobo<'static> = Gobo::of(&[[0, 255, 0], [255, 1, 254], [7, 128, 0]]);
 const SAMPLES: [u16; 5] = [65_535, 60_000, 31_000, 400, 0];
+const KNOTS: [Knot; 2] = [Knot::from_bits(0, 65_535, -65_535), Knot::from_bits(32_768, 32_768, -32_768)];
 
 /// The light that the test looks at more closely.
 pub(crate) fn key() -> Result<CompiledSpot<Fx16, Soft>, Error> {
@@ -65,6 +66,7 @@ fn of_format<S: Scalar>(visit: &mut impl Visit) -> Result<(), Error> {
     spots::<S, _>(visit, Power::<15>)?;
     spots::<S, _>(visit, Rim::<4>)?;
     spots::<S, _>(visit, Table::of(&SAMPLES))?;
+    spots::<S, _>(visit, Table::of_knots(&KNOTS))?;
     spots::<S, _>(visit, Edge::Hard)?;
     for field in [20.0, 29.0] {
         spots::<S, _>(

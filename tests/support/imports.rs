@@ -85,7 +85,6 @@ pub const PLAIN: [f32; 3] = [1.0, 0.0, 0.0];
 pub fn exact() -> Vec<(Import, Original)> {
     let mut lights: Vec<_> = (0..=128_u8).map(|e| opengl(35.0, e.into(), PLAIN)).collect();
     lights.extend([
-        opengl(90.0, 1.0, [1.0, 0.25, 0.5]),
         opengl(60.0, 3.0, [0.2, 0.3, 0.4]),
         opengl(20.0, 0.0, [0.0, 0.0, 2.0]),
         opengl(45.0, 2.0, [0.0, 0.5, 0.25]),
@@ -112,19 +111,28 @@ pub fn exact() -> Vec<(Import, Original)> {
         penumbra(0.0, 180.0, import::Ramp::Smooth),
         penumbra(40.0, 40.0, import::Ramp::Linear),
     ]);
+    for exponent in EXPONENTS {
+        lights.push(opengl(90.0, exponent, PLAIN));
+        lights.push(opengl(30.0, exponent, PLAIN));
+        lights.push(direct3d(0.3, 0.9, exponent, PLAIN, 20.0));
+        lights.push(godot(30.0, 1.0 / exponent, 8.0, 2.0));
+    }
+    for attenuation in [0.125, 1.5, 2.0, 3.0, 4.0, 20.0, 128.0] {
+        lights.push(godot(45.0, attenuation, 5.0, 2.0));
+    }
+    // Every way in which some of the coefficients are none.
+    for some in 1..8_u8 {
+        let coefficients = [0, 1, 2].map(|i| if some >> i & 1 == 1 { [1.0, 0.25, 0.5][i] } else { 0.0 });
+        lights.push(opengl(90.0, 1.0, coefficients));
+        lights.push(direct3d(0.3, 0.9, 1.0, coefficients, 20.0));
+    }
     lights
 }
 
 /// Lights that the kernel comes near to.
 pub fn near() -> Vec<(Import, Original)> {
     let mut lights = Vec::new();
-    for exponent in EXPONENTS {
-        lights.push(opengl(90.0, exponent, PLAIN));
-        lights.push(opengl(30.0, exponent, PLAIN));
-        lights.push(direct3d(0.3, 0.9, exponent, PLAIN, 20.0));
-        lights.push(godot(30.0, 1.0 / exponent, 8.0, 1.0));
-    }
-    for attenuation in [0.1, 0.125, 0.25, 0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 20.0, 128.0] {
+    for attenuation in [0.25, 0.5, 1.0] {
         lights.push(godot(45.0, attenuation, 5.0, 2.0));
     }
     for decay in [0.1, 0.5, 0.9, 1.0, 1.1, 1.5, 1.9, 2.2, 3.0, 8.0, 16.0] {
@@ -141,10 +149,6 @@ const EXPONENTS: [f32; 16] =
 
 /// An imported profile in exact arithmetic, from its coefficients.
 pub fn curve(profile: Matched, t: f64) -> f64 {
-    let mixed = |x: f64, [low, high]: [u32; 2], share: f32| {
-        let share = f64::from(share);
-        (1.0 - share) * x.powi(low as i32) + share * x.powi(high as i32)
-    };
     let u = 1.0 - t;
     match profile {
         Matched::CutOff(_) => reference::cut_off(t),
@@ -152,15 +156,20 @@ pub fn curve(profile: Matched, t: f64) -> f64 {
         Matched::Soft(_) => reference::soft(t),
         Matched::Hard(_) => reference::hard(t),
         Matched::Smooth(_) => reference::smooth(t),
-        Matched::Cubic(cubic) => {
-            let [a, b, c] = cubic.coefficients().map(f64::from);
-            t * (a + t * (b + t * c))
-        }
         Matched::Power(power) => t.powi(power.exponent() as i32),
         Matched::Rim(rim) => 1.0 - u.powi(rim.exponent() as i32),
-        Matched::MixedPower(power) => mixed(t, power.exponents(), power.share()),
-        Matched::MixedRim(rim) => 1.0 - mixed(u, rim.exponents(), rim.share()),
-        Matched::Blend(_) | Matched::Table(_) => panic!("no import makes {profile:?}"),
+        Matched::RealPower(power) => t.powf(power.exponent().into()),
+        Matched::RealRim(rim) => {
+            let floor = f64::from(rim.floor());
+            (1.0 - u.max(floor).powf(rim.exponent().into())) / (1.0 - floor.powf(rim.exponent().into()))
+        }
+        Matched::Blend(_)
+        | Matched::Cubic(_)
+        | Matched::MixedPower(_)
+        | Matched::MixedRim(_)
+        | Matched::Table(_) => {
+            panic!("no import makes {profile:?}")
+        }
     }
 }
 

@@ -63,7 +63,7 @@ const fn figure(name: &'static str, bound: f64) -> Figure {
 }
 
 #[rustfmt::skip]
-pub const FIGURES: [Figure; 25] = [
+pub const FIGURES: [Figure; 24] = [
     figure("angle in radians",                    7.3e-8),
     figure("angle from radians",                  7.7e-8),
     figure("half angle in radians",               7.3e-8),
@@ -85,7 +85,6 @@ pub const FIGURES: [Figure; 25] = [
     figure("beam versine of a profile",           9.3e-8),
     figure("field versine of a profile",          1.1e-7),
     figure("integral of a profile",               3.4e-7),
-    figure("sample of a table of angles",         8.3e-6),
     figure("inner product of unit vectors",       1.1e-7),
     figure("beam and field angle at once",        5.2e-7),
     figure("beam and field angle with a slope",   4.1e-7),

@@ -1,7 +1,10 @@
 //! Every profile of the kernel beside its reference: the list that the sweeps run over.
 
 use super::{reference, sweep};
-use luminaire::{Blend, Cone, Cubic, IntegerPower, IntegerRim, MixedPower, MixedRim, Power, Profile, Table};
+use luminaire::{
+    Blend, Cone, Cubic, IntegerPower, IntegerRim, MixedPower, MixedRim, Power, Profile, RealPower, RealRim,
+    Table,
+};
 
 pub fn blend() -> Blend {
     Blend::new(0.5).expect("a sound slope")
@@ -25,6 +28,14 @@ pub fn mixed_power() -> MixedPower {
 
 pub fn mixed_rim() -> MixedRim {
     MixedRim::new([2, 3], 0.5625).expect("a sound mixture")
+}
+
+pub fn real_power() -> RealPower {
+    RealPower::new(2.2).expect("a sound exponent")
+}
+
+pub fn real_rim() -> RealRim {
+    RealRim::new(0.75).expect("a sound exponent")
 }
 
 pub fn table() -> Table<'static> {

@@ -95,7 +95,11 @@ pub(crate) const REGISTER: &[Held] = &[
     by("tests/setup.rs::two_angles_keep_their_figures", &[
         "Cone::from_beam_and_field", "Cone::from_beam_field_and_slope",
     ]),
-    by("tests/setup.rs::tables_keep_their_figure", &["Table::from_angles"]),
+    by("tests/tables.rs::a_stated_difference_is_what_a_dense_search_finds", &["Table::from_angles"]),
+    by("tests/tables.rs::a_table_of_knots_is_written_as_source", &["Table::knots", "Table::of_knots", "Knot::to_bits"]),
+    by("tests/tables.rs::every_bit_pattern_of_a_knot_has_an_answer", &["Knot::from_bits"]),
+    through("tests/tables.rs::formats_keep_to_the_line_between_knots", &["Fraction::along"]),
+    by("tests/setup.rs::point_lights_keep_their_flux", &["Point::lumens", "Point::candela"]),
     by("tests/setup.rs::inner_products_keep_their_figure", &["Vec3::dot"]),
     by("tests/two_angles.rs::edge_slopes_are_what_the_search_finds", &["Cone::edge_slopes"]),
     by("tests/setup.rs::axes_and_ranges_keep_their_figures", &[
@@ -226,7 +230,8 @@ pub(crate) const REGISTER: &[Held] = &[
     by("tests/kept.rs::profiles_keep_what_they_are_given", &[
         "IntegerPower::new", "IntegerPower::exponent", "IntegerRim::new", "IntegerRim::exponent",
         "MixedPower::new", "MixedPower::exponents", "MixedPower::share", "MixedRim::new",
-        "MixedRim::exponents", "MixedRim::share", "Blend::new", "Blend::edge_slope", "Cubic::new", "Cubic::with_slopes", "Cubic::coefficients",
+        "MixedRim::exponents", "MixedRim::share", "RealPower::new", "RealPower::exponent", "RealRim::new", "RealRim::exponent",
+        "RealRim::floor", "Blend::new", "Blend::edge_slope", "Cubic::new", "Cubic::with_slopes", "Cubic::coefficients",
         "Cubic::edge_slope", "Cubic::middle_slope", "Table::new", "Table::samples", "Cone::profile",
         "Falloff::profile", "Falloff::with_profile",
     ]),
@@ -239,7 +244,10 @@ pub(crate) const REGISTER: &[Held] = &[
         "OpenGl::import", "Direct3d::import", "Gltf::import", "Three::import", "Godot::import", "Penumbra::import",
         "Difference::most",
     ]),
+    by("tests/import.rs::gltf_as_recommended_is_the_reference_code", &["Gltf::import_as_recommended"]),
     through("tests/import.rs::compiled_lights_are_the_originals", &["Attenuation for Distance"]),
+    by("tests/powers.rs::real_powers_keep_their_rows", &["Profile for RealPower", "Profile for RealRim"]),
+    through("tests/powers.rs::real_powers_keep_their_rows", &["Fraction::real_power"]),
     by("tests/import.rs::a_faded_inverse_square_is_the_squared_window", &["Attenuation for Faded"]),
     by("tests/import.rs::a_matched_profile_changes_no_bit", &["Profile for Matched"]),
 

@@ -1,14 +1,11 @@
 //! Lights of Direct3D's fixed functions.
 
-use super::{Distance, Imported, fall, ramp, spot};
+use super::{Difference, Distance, Imported, fall, ramp, spot};
 use crate::{
     angle::Angle,
     error::{Error, Parameter, check_between, check_up_to},
     light::Spot,
-    profile::{
-        Matched,
-        exponent::{RealPower, power},
-    },
+    profile::Matched,
     vec3::Vec3,
 };
 
@@ -22,14 +19,14 @@ use crate::{
 /// ```
 ///
 /// At a distance d it is divided by `attenuation0 + attenuation1 d + attenuation2 d^2`, and none beyond the
-/// range. An integer falloff is exact; falloff 0 and theta at phi are steps.
+/// range. Exact; falloff 0 and theta at phi are steps.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Direct3d {
     /// `Theta`: the full inner angle in radians, from 0 to phi.
     pub theta: f32,
     /// `Phi`: the full outer angle in radians, more than 0 and at most pi.
     pub phi: f32,
-    /// `Falloff`: from 0 to 128, 1 in most programs.
+    /// `Falloff`: from 0 to 1,024, 1 in most programs.
     pub falloff: f32,
     /// `Attenuation0`: from 0 to 1e9.
     pub attenuation0: f32,
@@ -56,15 +53,17 @@ impl Direct3d {
     ) -> Result<Imported<Spot<Matched, Distance>>, Error> {
         check_up_to(Parameter::Phi, self.phi, core::f32::consts::PI)?;
         check_between(Parameter::Theta, self.theta, 0.0, self.phi)?;
-        check_between(Parameter::Falloff, self.falloff, 0.0, 128.0)?;
-        let (profile, angle) = power(RealPower { exponent: self.falloff, least: 0.0, floor: 0.0 });
+        check_between(Parameter::Falloff, self.falloff, 0.0, 1_024.0)?;
+        let profile = Matched::real_power(self.falloff);
         let (theta, phi) = (Angle::radians(self.theta), Angle::radians(self.phi));
-        // A step has no inner angle, and what has none is exact.
+        // A step has no inner angle.
         let is_step = theta >= phi || matches!(profile, Matched::CutOff(_));
         let cone = ramp(profile, if is_step { phi } else { theta }, phi)?;
         let coefficients = [self.attenuation0, self.attenuation1, self.attenuation2];
         let range = if self.range > 1e9 { None } else { Some(self.range) };
         let fall = fall::polynomial(coefficients, range, self.intensity)?;
-        spot(position, direction, cone, if is_step { 0.0 } else { angle }, fall)
+        let is_boundless = !is_step && self.falloff < 1.0;
+        let difference = if is_boundless { Difference::AT_THE_EDGE } else { Difference::NONE };
+        spot(position, direction, cone, difference, fall)
     }
 }

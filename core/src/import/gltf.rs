@@ -1,9 +1,10 @@
 //! Lights of glTF.
 
-use super::{Distance, Imported, fall::Fall, ramp, spot};
+use super::{Difference, Distance, Imported, fall::Fall, ramp, spot};
 use crate::{
     angle::{Angle, HalfAngle},
     attenuation::Windowed,
+    cone::Cone,
     error::{Error, Parameter, check_between, check_up_to},
     light::Spot,
     profile::{Matched, Soft},
@@ -12,20 +13,25 @@ use crate::{
 
 /// A spotlight of glTF's extension `KHR_lights_punctual`, with its defaults.
 ///
-/// The square of the ramp between the cosines of the two angles, and `(1 - (d / range)^4) / d^2`, at least 0:
-/// the code that the extension recommends, without its `max(0.001, ...)`, which leaves a beam of one degree
-/// dark on its axis. Exact. A node's direction is its local -z.
+/// The square of the ramp between the cosines of the two angles, and `(1 - (d / range)^4) / d^2`,
+/// at least 0. Exact. A node's direction is its local -z.
+///
+/// The code that the extension recommends takes at least 0.001 for the difference of the two
+/// cosines, so that a beam of half a degree is nearly dark on its axis. [`import`](Self::import)
+/// leaves that out;
+/// [`import_as_recommended`](Self::import_as_recommended) has it.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Gltf {
-    /// `innerConeAngle`: the half angle in radians where the light begins to fall, from 0 to the outer one.
-    /// At the outer one, which the extension does not allow, it is a step.
+    /// `innerConeAngle`: the half angle in radians where the light begins to fall, from 0 to the
+    /// outer one. At the outer one, which the extension does not allow, it is a step.
     pub inner_cone_angle: f32,
-    /// `outerConeAngle`: the half angle in radians where the light ends, more than 0 and at most pi / 2.
+    /// `outerConeAngle`: the half angle in radians where the light ends, more than 0 and at most pi
+    /// / 2.
     pub outer_cone_angle: f32,
     /// `range`: from 0.001 to 1e9, if there is one.
     pub range: Option<f32>,
-    /// `intensity`: in candela, from 0 to 1e9. One candela lights a facing surface at distance 1 to full
-    /// scale.
+    /// `intensity`: in candela, from 0 to 1e9. One candela lights a facing surface at distance 1 to
+    /// full scale.
     pub intensity: f32,
 }
 
@@ -50,11 +56,48 @@ impl Gltf {
         position: Vec3<f32>,
         direction: Vec3<f32>,
     ) -> Result<Imported<Spot<Matched, Distance>>, Error> {
+        let [inner, outer] = self.angles()?;
+        let cone = ramp(Matched::Soft(Soft), inner, outer)?;
+        self.spot(position, direction, cone, self.intensity)
+    }
+
+    /// The spotlight by the code that the extension recommends, with its `max(0.001, ...)`: for
+    /// pictures that are to match those of other renderers. The same light as by
+    /// [`import`](Self::import) where the cosines of the angles are 0.001 apart or more. Where they
+    /// are nearer the ramp still spans 0.001, from the outer angle inwards; an axis that it ends
+    /// before has less than the intensity of the light. Exact.
+    ///
+    /// # Errors
+    /// As [`import`](Self::import).
+    pub fn import_as_recommended(
+        &self,
+        position: Vec3<f32>,
+        direction: Vec3<f32>,
+    ) -> Result<Imported<Spot<Matched, Distance>>, Error> {
+        const LEAST_SPAN: f32 = 1e-3;
+        let [inner, outer] = self.angles()?;
+        let versine = outer.versine();
+        let on_axis = (versine / LEAST_SPAN).min(1.0);
+        let widest = Angle::from_versine((versine - LEAST_SPAN).max(0.0));
+        let cone = ramp(Matched::Soft(Soft), if inner < widest { inner } else { widest }, outer)?;
+        self.spot(position, direction, cone, self.intensity * on_axis * on_axis)
+    }
+
+    /// The inner and the outer angle.
+    fn angles(&self) -> Result<[Angle; 2], Error> {
         check_up_to(Parameter::OuterConeAngle, self.outer_cone_angle, core::f32::consts::FRAC_PI_2)?;
         check_between(Parameter::InnerConeAngle, self.inner_cone_angle, 0.0, self.outer_cone_angle)?;
-        let half = |radians| Angle::from(HalfAngle::radians(radians));
-        let cone = ramp(Matched::Soft(Soft), half(self.inner_cone_angle), half(self.outer_cone_angle))?;
+        Ok([self.inner_cone_angle, self.outer_cone_angle].map(|half| HalfAngle::radians(half).into()))
+    }
+
+    fn spot(
+        &self,
+        position: Vec3<f32>,
+        direction: Vec3<f32>,
+        cone: Cone<Matched>,
+        intensity: f32,
+    ) -> Result<Imported<Spot<Matched, Distance>>, Error> {
         let distance = Distance::Windowed(Windowed::new(self.range)?);
-        spot(position, direction, cone, 0.0, Fall { distance, intensity: self.intensity, difference: 0.0 })
+        spot(position, direction, cone, Difference::NONE, Fall { distance, intensity, difference: 0.0 })
     }
 }

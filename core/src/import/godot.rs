@@ -1,14 +1,15 @@
 //! Lights of Godot.
 
-use super::{Distance, Imported, fall, ramp, spot};
+use super::{
+    Difference, Distance, Imported,
+    fall::{self, Fall},
+    ramp, spot,
+};
 use crate::{
     angle::{Angle, HalfAngle},
     error::{Error, Parameter, check_between, check_up_to},
     light::Spot,
-    profile::{
-        Matched,
-        exponent::{RealPower, rim},
-    },
+    profile::{Matched, RealRim},
     vec3::Vec3,
 };
 
@@ -16,8 +17,8 @@ use crate::{
 ///
 /// With u the versine of the angle off axis over that of the spot angle, the light is
 /// `1 - max(0.0001, u)^(1 / spot_angle_attenuation)`: the reciprocal is taken where Godot fills its light buffer.
-/// So an attenuation of 1/2, 1/3 and so on is an integer power, held to the 0.0001 that Godot lacks of one on the
-/// axis to that power; one over 1 is a root, with a sharp peak on the axis.
+/// An attenuation of 1, 1/2, 1/3 and so on is an integer power, held to what Godot lacks of one on the axis, 0.0001 to
+/// that power. Any other is exact: the intensity of the light is then what Godot has on the axis.
 ///
 /// With the distance it falls by `max(d, 0.0001)^-spot_attenuation`, in the squared window
 /// `(1 - (d / spot_range)^4)^2`. The attenuations 0, 1 and 2 are exact, but that the last of them goes on growing
@@ -35,6 +36,9 @@ pub struct Godot {
     /// `light_energy`: from 0 to 1e9.
     pub light_energy: f32,
 }
+
+/// The least u that Godot takes.
+const FLOOR: f32 = 1e-4;
 
 impl Default for Godot {
     fn default() -> Self {
@@ -61,10 +65,19 @@ impl Godot {
         check_up_to(Parameter::SpotAngle, self.spot_angle, 90.0)?;
         let attenuation = self.spot_angle_attenuation;
         check_between(Parameter::SpotAngleAttenuation, attenuation, 1.0 / 128.0, 128.0)?;
-        let (profile, angle) = rim(RealPower { exponent: 1.0 / attenuation, least: 0.0, floor: 1e-4 });
+        let exponent = 1.0 / attenuation;
+        let floored = RealRim::of(exponent, FLOOR);
+        let whole = exponent as u32;
+        let (profile, difference, on_axis) = if whole as f32 == exponent {
+            let angle = (1.0 - floored.height()) as f32;
+            (Matched::rim(whole), Difference { angle: angle * 1.001, ..Difference::NONE }, 1.0)
+        } else {
+            (Matched::RealRim(floored), Difference::NONE, floored.height() as f32)
+        };
         let outer = Angle::from(HalfAngle::degrees(self.spot_angle));
         let cone = ramp(profile, Angle::degrees(0.0), outer)?;
         let fall = fall::decay(self.spot_attenuation, 1e-4, Some(self.spot_range), self.light_energy)?;
-        spot(position, direction, cone, angle, fall)
+        let fall = Fall { intensity: fall.intensity * on_axis, ..fall };
+        spot(position, direction, cone, difference, fall)
     }
 }

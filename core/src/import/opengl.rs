@@ -6,10 +6,7 @@ use crate::{
     cone::Cone,
     error::{Accepted, Error, Parameter, check_between},
     light::{Point, Spot},
-    profile::{
-        Matched,
-        exponent::{RealPower, power},
-    },
+    profile::Matched,
     vec3::Vec3,
 };
 
@@ -20,14 +17,13 @@ use crate::{
 /// distance d it is divided by `k0 + k1 d + k2 d^2`. That is not capped here either, but for distances under
 /// 0.001 where `k0` is 0.
 ///
-/// An integer exponent is exact, and so are exponent 0, a cone of even light, and the cutoff of 180 degrees,
-/// a point light.
+/// Exact. Exponent 0 is a cone of even light, and the cutoff of 180 degrees a point light.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct OpenGl {
     /// `GL_SPOT_CUTOFF`: the half angle in degrees at which the light ends, more than 0 and at most 90, or
     /// 180 for a point light.
     pub spot_cutoff: f32,
-    /// `GL_SPOT_EXPONENT`: from 0 to 128.
+    /// `GL_SPOT_EXPONENT`: from 0 to 1,024, where OpenGL takes up to 128.
     pub spot_exponent: f32,
     /// `GL_CONSTANT_ATTENUATION`: from 0 to 1e9.
     pub constant_attenuation: f32,
@@ -68,33 +64,30 @@ impl OpenGl {
     /// A parameter out of its range, or no attenuation coefficient of at least 1e-6; a position or direction
     /// that [`Spot::new`] refuses; an intensity that over the constant coefficient is more than 1e9.
     pub fn import(&self, position: Vec3<f32>, direction: Vec3<f32>) -> Result<Imported<Lamp>, Error> {
-        check_between(Parameter::SpotExponent, self.spot_exponent, 0.0, 128.0)?;
+        check_between(Parameter::SpotExponent, self.spot_exponent, 0.0, 1_024.0)?;
         let coefficients = [self.constant_attenuation, self.linear_attenuation, self.quadratic_attenuation];
         let fall = fall::polynomial(coefficients, None, self.intensity)?;
         if self.spot_cutoff == 180.0 {
             let light = Point::new(position)?.with_intensity(fall.intensity)?;
             let light = Lamp::Point(light.with_attenuation(fall.distance));
-            return Ok(Imported { light, difference: Difference::new(0.0, fall.difference) });
+            return Ok(Imported { light, difference: Difference::NONE });
         }
-        let (cone, angle) = self.cone()?;
-        let Imported { light, difference } = spot(position, direction, cone, angle, fall)?;
+        // A cosine to a power under 1 is steepest at a right angle, where only the cutoff of 90 degrees lets it.
+        let is_boundless = self.spot_cutoff == 90.0 && self.spot_exponent > 0.0 && self.spot_exponent < 1.0;
+        let difference = if is_boundless { Difference::AT_THE_EDGE } else { Difference::NONE };
+        let Imported { light, difference } = spot(position, direction, self.cone()?, difference, fall)?;
         Ok(Imported { light: Lamp::Spot(light), difference })
     }
 
-    /// The cone, and how far its profile is from the power.
-    fn cone(&self) -> Result<(Cone<Matched>, f64), Error> {
+    fn cone(&self) -> Result<Cone<Matched>, Error> {
         if !(self.spot_cutoff > 0.0 && self.spot_cutoff <= 90.0) {
             let accepted = Accepted::UpToOr(90.0, 180.0);
             return Err(Error { parameter: Parameter::SpotCutoff, value: self.spot_cutoff, accepted });
         }
         let cutoff = Angle::from(HalfAngle::degrees(self.spot_cutoff));
-        // The cosine at the cutoff is the least that is lit.
-        let least = 1.0 - cutoff.versine();
-        let (profile, difference) = power(RealPower { exponent: self.spot_exponent, least, floor: 0.0 });
-        let cone = match profile {
-            Matched::CutOff(_) => Cone::from_outer(profile, cutoff)?,
-            _ => Cone::from_outer(profile, Angle::degrees(180.0))?.with_delimiter(cutoff)?,
-        };
-        Ok((cone, difference))
+        match Matched::real_power(self.spot_exponent) {
+            step @ Matched::CutOff(_) => Cone::from_outer(step, cutoff),
+            profile => Cone::from_outer(profile, Angle::degrees(180.0))?.with_delimiter(cutoff),
+        }
     }
 }

@@ -1,6 +1,6 @@
 //! Spotlights of an umbra and a penumbra.
 
-use super::{Distance, Imported, fall::Fall, ramp, spot};
+use super::{Difference, Distance, Imported, fall::Fall, ramp, spot};
 use crate::{
     angle::Angle,
     attenuation::{HardRange, InverseSquare},
@@ -69,6 +69,12 @@ impl Penumbra {
         };
         let cone = ramp(profile, self.umbra, self.penumbra)?;
         let distance = Distance::InverseSquare(HardRange::new(InverseSquare, None)?);
-        spot(position, direction, cone, 0.0, Fall { distance, intensity: self.intensity, difference: 0.0 })
+        spot(
+            position,
+            direction,
+            cone,
+            Difference::NONE,
+            Fall { distance, intensity: self.intensity, difference: 0.0 },
+        )
     }
 }

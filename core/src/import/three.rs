@@ -1,6 +1,6 @@
 //! Lights of three.js.
 
-use super::{Distance, Imported, fall, ramp, spot};
+use super::{Difference, Distance, Imported, fall, ramp, spot};
 use crate::{
     angle::{Angle, HalfAngle},
     error::{Error, Parameter, check_between, check_up_to},
@@ -55,6 +55,6 @@ impl Three {
         // Where d^decay is 0.01.
         let stop = real_power(0.01, 1.0 / f64::from(self.decay));
         let fall = fall::decay(self.decay, stop, range, self.intensity)?;
-        spot(position, direction, cone, 0.0, fall)
+        spot(position, direction, cone, Difference::NONE, fall)
     }
 }

@@ -10,6 +10,9 @@ use crate::{
     vec3::Vec3,
 };
 
+/// The solid angle of all directions, in steradians.
+const SPHERE: f32 = 2.0 * core::f32::consts::TAU;
+
 /// A point light: it shines from a position into all directions alike.
 ///
 /// ```
@@ -55,6 +58,19 @@ impl<A: Attenuation> Point<A> {
     /// The distance model.
     pub fn attenuation(&self) -> A {
         self.attenuation
+    }
+
+    /// The luminous flux in lumens of this light with an intensity in candela: `4 pi` times it, the
+    /// intensity of all directions alike.
+    pub fn lumens(&self, candela: f32) -> f32 {
+        candela * SPHERE
+    }
+
+    /// The intensity in candela of this light when its flux is in lumens: the inverse of
+    /// [`lumens`](Self::lumens). Of a flux of 1 arrives `1 / (4 pi d^2)` at a facing surface at
+    /// distance d.
+    pub fn candela(&self, lumens: f32) -> f32 {
+        lumens / SPHERE
     }
 
     /// Compiles the light for the format `S`.

@@ -129,11 +129,6 @@ impl Cubic {
         Self { edge_slope: on_grid(edge_slope), middle_slope: on_grid(middle_slope) }
     }
 
-    /// The cubic `1 - f(u)`, upside down and back to front.
-    pub(super) fn mirrored(self) -> Self {
-        Self { edge_slope: self.middle_slope, middle_slope: self.edge_slope }
-    }
-
     fn polynomial(self) -> Polynomial {
         let [a, b, c] = self.coefficients();
         Polynomial { a, b, c }

@@ -2,10 +2,11 @@
 
 use super::{
     Blend, Cubic, Curve, CutOff, Edge, Fitted, Hard, IntegerPower, IntegerRim, Linear, MixedPower, MixedRim,
-    Power, Profile, Rim, Smooth, Soft, Table,
+    Power, Profile, RealPower, RealRim, Rim, Smooth, Soft, Table,
     cubic::CompiledCubic,
     mixed::{CompiledMixedPower, CompiledMixedRim},
     quadratic::CompiledBlend,
+    real::{CompiledRealPower, CompiledRealRim},
 };
 use crate::scalar::{Fraction, Scalar};
 
@@ -38,6 +39,10 @@ pub enum Matched {
     MixedPower(MixedPower),
     /// A mixture of two rim powers.
     MixedRim(MixedRim),
+    /// A power of a real exponent.
+    RealPower(RealPower),
+    /// A rim power of a real exponent.
+    RealRim(RealRim),
     /// Samples.
     Table(Table<'static>),
 }
@@ -67,6 +72,10 @@ pub enum CompiledMatched<S: Scalar> {
     MixedPower(CompiledMixedPower<S>),
     /// A mixture of two rim powers.
     MixedRim(CompiledMixedRim<S>),
+    /// A power of a real exponent.
+    RealPower(CompiledRealPower),
+    /// A rim power of a real exponent.
+    RealRim(CompiledRealRim),
     /// Samples.
     Table(Table<'static>),
 }
@@ -86,13 +95,15 @@ macro_rules! matched {
             Self::Rim($profile) => $answer,
             Self::MixedPower($profile) => $answer,
             Self::MixedRim($profile) => $answer,
+            Self::RealPower($profile) => $answer,
+            Self::RealRim($profile) => $answer,
             Self::Table($profile) => $answer,
         }
     };
 }
 
 impl Matched {
-    /// `t^n` by the cheapest profile that has it, for `n` from 0 to 128: to the power of 0 it is a step.
+    /// `t^n` by the cheapest profile that has it, for `n` from 0 to 1,024: to the power of 0 it is a step.
     pub(crate) fn power(exponent: u32) -> Self {
         match exponent {
             0 => Self::CutOff(CutOff),
@@ -102,7 +113,13 @@ impl Matched {
         }
     }
 
-    /// `1 - u^n` by the cheapest profile that has it, for `n` from 1 to 128.
+    /// `t^p` by the cheapest profile that has it, for any `p` from 0 to 1,024.
+    pub(crate) fn real_power(exponent: f32) -> Self {
+        let whole = exponent as u32;
+        if whole as f32 == exponent { Self::power(whole) } else { Self::RealPower(RealPower::of(exponent)) }
+    }
+
+    /// `1 - u^n` by the cheapest profile that has it, for `n` from 1 to 1,024.
     pub(crate) fn rim(exponent: u32) -> Self {
         match exponent {
             1 => Self::Linear(Linear),
@@ -135,6 +152,8 @@ from! {
     IntegerRim => Rim,
     MixedPower => MixedPower,
     MixedRim => MixedRim,
+    RealPower => RealPower,
+    RealRim => RealRim,
     Table<'static> => Table,
 }
 
@@ -184,6 +203,8 @@ impl Profile for Matched {
             Self::Rim(rim) => CompiledMatched::Rim(rim),
             Self::MixedPower(mixed) => CompiledMatched::MixedPower(mixed.compile()),
             Self::MixedRim(mixed) => CompiledMatched::MixedRim(mixed.compile()),
+            Self::RealPower(real) => CompiledMatched::RealPower(real.compile::<S>()),
+            Self::RealRim(real) => CompiledMatched::RealRim(real.compile::<S>()),
             Self::Table(table) => CompiledMatched::Table(table),
         }
     }

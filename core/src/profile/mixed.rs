@@ -1,8 +1,8 @@
-//! Mixtures of two integer powers: what comes nearest to a power of a real exponent without a power function.
+//! Mixtures of two integer powers.
 
 use super::{
     Curve, Profile,
-    integer::{IntegerPower, IntegerRim, MOST, checked, power},
+    integer::{IntegerPower, IntegerRim, MOST, checked, power, raised},
 };
 use crate::{
     error::{Error, Parameter, check_between},
@@ -14,8 +14,7 @@ use crate::{
 /// The mixture `(1 - s) t^n + s t^m` of two integer powers, with a share s of the larger: two multiplies more
 /// than for the powers.
 ///
-/// Between neighbours it stands for a power of a real exponent, within 0.015 from an exponent of 1 on; a line
-/// with a share of a high power has the sharp tip of a root. `n` may be 0: that power is one wherever `t` is
+/// A line with a share of a high power has a sharp tip. `n` may be 0: that power is one wherever `t` is
 /// more than zero, so that the mixture jumps at its edge.
 ///
 /// Towards the middle it falls by one step of the format at most.
@@ -28,10 +27,10 @@ pub struct MixedRim(Mixture);
 
 /// Two exponents, the smaller one first, and the share of the larger.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub(super) struct Mixture {
-    pub(super) low: u32,
-    pub(super) high: u32,
-    pub(super) share: f32,
+struct Mixture {
+    low: u32,
+    high: u32,
+    share: f32,
 }
 
 impl Mixture {
@@ -48,7 +47,7 @@ impl Mixture {
     }
 
     /// The mixture of the powers of `x` in [0, 1].
-    pub(super) fn value(self, x: f64) -> f64 {
+    fn value(self, x: f64) -> f64 {
         let (low, high) = (raised(x, self.low), raised(x, self.high));
         low + (high - low) * f64::from(self.share)
     }
@@ -66,24 +65,14 @@ impl Mixture {
     }
 }
 
-/// `x^n`, set-up only.
-pub(super) fn raised(x: f64, n: u32) -> f64 {
-    (0..n).fold(1.0, |product, _| product * x)
-}
-
 impl MixedPower {
     /// The mixture of the powers of two exponents, the smaller one first, with this share of the larger.
     ///
     /// # Errors
-    /// A first exponent outside 0 to 127, a second one that is not larger or over 128, or a share outside [0,
+    /// A first exponent outside 0 to 1,023, a second one that is not larger or over 1,024, or a share outside [0,
     /// 1].
     pub fn new(exponents: [u32; 2], share: f32) -> Result<Self, Error> {
         Mixture::checked(0, exponents, share).map(Self)
-    }
-
-    /// The mixture of numbers that are known to be sound.
-    pub(super) fn of(mixture: Mixture) -> Self {
-        Self(mixture)
     }
 
     /// The two exponents.
@@ -101,15 +90,10 @@ impl MixedRim {
     /// The mixture of the rim powers of two exponents, the smaller one first, with this share of the larger.
     ///
     /// # Errors
-    /// A first exponent outside 1 to 127, a second one that is not larger or over 128, or a share outside [0,
+    /// A first exponent outside 1 to 1,023, a second one that is not larger or over 1,024, or a share outside [0,
     /// 1].
     pub fn new(exponents: [u32; 2], share: f32) -> Result<Self, Error> {
         Mixture::checked(1, exponents, share).map(Self)
-    }
-
-    /// The mixture of numbers that are known to be sound.
-    pub(super) fn of(mixture: Mixture) -> Self {
-        Self(mixture)
     }
 
     /// The two exponents.

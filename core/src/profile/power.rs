@@ -8,13 +8,13 @@ use super::{
 use crate::scalar::{Fraction, Scalar};
 
 /// The power `t^N`, by repeated squaring: one multiply for each of `t^2`, `t^4`, `t^8` and so on, and one more for
-/// each further binary one of `N`. `N` is from 1 to 128.
+/// each further binary one of `N`. `N` is from 1 to 1,024.
 ///
 /// The larger `N`, the more of the cone is close to dark: `Power<2>` is [`Soft`](crate::Soft).
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct Power<const N: u32>;
 
-/// The rim power `1 - u^N`, Godot's spotlight of the angle attenuation `1/N`: as many multiplies as [`Power`]. `N` is from 1 to 128.
+/// The rim power `1 - u^N`, Godot's spotlight of the angle attenuation `1/N`: as many multiplies as [`Power`]. `N` is from 1 to 1,024.
 ///
 /// The larger `N`, the flatter the middle and the crisper the rim: `Rim<2>` is [`Hard`](crate::Hard).
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
@@ -22,7 +22,7 @@ pub struct Rim<const N: u32>;
 
 /// `N`, which the compiler checks.
 const fn sound<const N: u32>() -> u32 {
-    const { assert!(N >= 1 && N <= MOST, "a power has an exponent from 1 to 128") };
+    const { assert!(N >= 1 && N <= MOST, "a power has an exponent from 1 to 1,024") };
     N
 }
 

@@ -1,74 +1,95 @@
 //! Measured profiles.
 
+mod measured;
+
+use self::measured::Measured;
 use super::{Curve, Profile, without_coefficients};
 use crate::{
     angle::Angle,
     error::{Accepted, Error, Parameter},
-    scalar::{Fraction, Scalar},
+    scalar::{Fraction, Knot, Scalar},
     trig,
 };
 
-/// A table of measured intensities, with linear interpolation: two multiplies.
+/// A table of measured intensities, with linear interpolation over the **versine** of the angle off
+/// axis, from the axis (or the rim of the hotspot) to the edge, so that no trigonometry happens per
+/// point.
 ///
-/// The samples are evenly spaced in the **versine** of the angle off axis, from the axis (or the rim of the hotspot)
-/// to the edge: sample `i` of `n` stands at `u = i / (n - 1)`. So a place in the table is a multiply away from
-/// `u`, and no trigonometry happens per point. Data that are evenly spaced in the angle, as goniometers give
-/// them, are resampled once by [`Table::from_angles`].
+/// Its samples are evenly spaced over the versine, sample `i` of `n` at `u = i / (n - 1)`, and then
+/// a place in the table is a multiply away: two multiplies. Or they are [`Knot`]s, closer together
+/// where the curve bends: `log2 n` comparisons and a multiply. Data that are evenly spaced in the
+/// angle, as goniometers give them, become knots by [`Table::from_angles`].
 ///
-/// 65,535 is full intensity, whatever the number format. A table need not begin at full intensity, end at none or be
-/// monotone; beyond its last sample it is dark. Beam and field are where it falls to half and a tenth of *full*
-/// intensity for the last time.
+/// 65,535 is full intensity, whatever the number format. A table need not begin at full intensity,
+/// end at none or be monotone; beyond its last sample it is dark. Beam and field are where it falls
+/// to half and a tenth of *full* intensity for the last time.
 ///
 /// ```
-/// use luminaire::{Angle, Cone, Table};
+/// use luminaire::{Angle, Cone, Knot, Table};
 /// // Every ten degrees off axis, up to 40: the intensities as the data sheet has them.
-/// let mut samples = [0; 64];
-/// let table = Table::from_angles(&[1.0, 0.93, 0.61, 0.18, 0.0], Angle::degrees(80.0), &mut samples)?;
+/// let mut knots = [Knot::default(); 32];
+/// let (table, difference) = Table::from_angles(&[1.0, 0.93, 0.61, 0.18, 0.0], Angle::degrees(80.0), &mut knots)?;
+/// assert!(difference < 0.5 / 255.0);
 /// let cone = Cone::from_outer(table, Angle::degrees(80.0))?;
 /// assert!((cone.beam().to_degrees() - 45.0).abs() < 1.0);
 /// # Ok::<(), luminaire::Error>(())
 /// ```
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Table<'a> {
-    samples: &'a [u16],
+    samples: Samples<'a>,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+enum Samples<'a> {
+    Even(&'a [u16]),
+    Knots(&'a [Knot]),
 }
 
 /// What counts as full intensity.
 const FULL: f32 = 65_535.0;
 
 impl<'a> Table<'a> {
-    /// The table of these samples.
+    /// The table of these samples, evenly spaced over the versine.
     ///
     /// # Errors
     /// Fewer than 2 samples, or more than 65,536.
     pub fn new(samples: &'a [u16]) -> Result<Self, Error> {
-        check_count(samples.len())?;
-        Ok(Self { samples })
+        check_count(samples.len(), 2)?;
+        Ok(Self { samples: Samples::Even(samples) })
     }
 
     /// The table of samples that are known when the program is compiled, from 2 to 65,536 of them.
     pub const fn of<const N: usize>(samples: &'a [u16; N]) -> Self {
         const { assert!(N >= 2 && N <= 65_536, "a table has 2 to 65,536 samples") };
-        Self { samples }
+        Self { samples: Samples::Even(samples) }
     }
 
-    /// Resamples intensities that are evenly spaced in the angle, from the axis to the outer angle, into `samples`,
-    /// which are evenly spaced in the versine. 1 is full intensity. For a cone without a hotspot of that outer angle.
+    /// The table of knots that are known when the program is compiled, from 1 to 65,536 of them.
+    /// Knots whose places do not rise have intensities from 0 to 1 all the same.
+    pub const fn of_knots<const N: usize>(knots: &'a [Knot; N]) -> Self {
+        const { assert!(N >= 1 && N <= 65_536, "a table has 1 to 65,536 knots") };
+        Self { samples: Samples::Knots(knots) }
+    }
+
+    /// The table of intensities that are evenly spaced in the angle, from the axis to the outer
+    /// angle, and linear between; 1 is full intensity. For a cone without a hotspot of that outer
+    /// angle. Takes as many of the knots as it has a use for, and places them where the curve is
+    /// off most.
     ///
-    /// Linear interpolation over the angle becomes linear interpolation over the versine between more points; near
-    /// the axis, where the versine hardly grows with the angle, a sample stands for a larger step of the angle: `k`
-    /// samples have their first off the axis at about `1 / sqrt(k - 1)` of the outer half angle.
+    /// Beside it the largest difference to the data, of full intensity: an upper bound, in exact
+    /// arithmetic. Places are multiples of 2^-16 of the outer versine; in a table of 180 degrees
+    /// that is a third of a degree next to the axis.
     ///
     /// # Errors
-    /// Fewer than 2 measured values or samples, more than 65,536, a measured value outside [0, 1], or an outer angle
-    /// that is not more than 0 and at most 180 degrees.
+    /// Fewer than 2 measured values, no knot, more than 65,536 of either, a measured value outside
+    /// [0, 1], or an outer angle that is not more than 0 and at most 180 degrees.
     pub fn from_angles(
         measured: &[f32],
         outer: impl Into<Angle>,
-        samples: &'a mut [u16],
-    ) -> Result<Self, Error> {
-        check_count(measured.len())?;
-        check_count(samples.len())?;
+        knots: &'a mut [Knot],
+    ) -> Result<(Self, f32), Error> {
+        check_count(measured.len(), 2)?;
+        check_count(knots.len(), 1)?;
         let outer = outer.into();
         if !(outer > Angle::degrees(0.0) && outer <= Angle::degrees(180.0)) {
             let accepted = Accepted::AngleUpTo(180.0);
@@ -77,60 +98,76 @@ impl<'a> Table<'a> {
         if let Some(&value) = measured.iter().find(|value| !(0.0..=1.0).contains(*value)) {
             return Err(Error { parameter: Parameter::Sample, value, accepted: Accepted::Between(0.0, 1.0) });
         }
-        let last = (samples.len() - 1) as f32;
-        for (i, sample) in samples.iter_mut().enumerate() {
-            let angle = Angle::from_versine(outer.versine() * (i as f32 / last));
-            let place = angle.to_degrees() / outer.to_degrees() * (measured.len() - 1) as f32;
-            *sample = (interpolated(measured, place) * FULL + 0.5) as u16;
-        }
-        Ok(Self { samples })
+        let (knots, difference) = Measured::new(measured, outer).resample(knots);
+        Ok((Self { samples: Samples::Knots(knots) }, difference))
     }
 
-    /// The samples, from the axis to the edge.
+    /// The samples, from the axis to the edge, where they are evenly spaced; else none.
     pub fn samples(self) -> &'a [u16] {
-        self.samples
+        match self.samples {
+            Samples::Even(samples) => samples,
+            Samples::Knots(_) => &[],
+        }
     }
 
-    /// The segments from the axis to the edge: each with the `u` where it begins, and its two intensities.
-    fn segments(self) -> impl DoubleEndedIterator<Item = (f32, f32, f32)> {
-        let width = self.width();
-        let pairs = self.samples.windows(2).enumerate();
-        pairs.map(move |(i, pair)| (i as f32 * width, f32::from(pair[0]) / FULL, f32::from(pair[1]) / FULL))
+    /// The knots, from the axis to the edge, where there are some.
+    pub fn knots(self) -> &'a [Knot] {
+        match self.samples {
+            Samples::Even(_) => &[],
+            Samples::Knots(knots) => knots,
+        }
     }
 
-    /// How much of `u` a segment takes.
-    fn width(self) -> f32 {
-        1.0 / (self.samples.len() - 1) as f32
+    /// The segments from the axis to the edge.
+    fn segments(self) -> impl DoubleEndedIterator<Item = Segment> {
+        (0..self.samples().len().saturating_sub(1) + self.knots().len()).filter_map(move |i| self.segment(i))
     }
 
-    /// The last `u` with this intensity; 1 where the table ends above it, 0 where it is always below.
+    fn segment(self, i: usize) -> Option<Segment> {
+        match self.samples {
+            Samples::Even(samples) => {
+                let [start, end] = [i, i + 1].map(|i| i as f32 / (samples.len() - 1) as f32);
+                let (from, to) = (f32::from(*samples.get(i)?) / FULL, f32::from(*samples.get(i + 1)?) / FULL);
+                Some(Segment { start, end, from, to })
+            }
+            Samples::Knots(knots) => {
+                let (knot, end) = (knots.get(i)?, knots.get(i + 1).map_or(1.0, |next| next.versine()));
+                let start = knot.versine();
+                Some(Segment { start, end, from: knot.intensity(start), to: knot.intensity(end) })
+            }
+        }
+    }
+
+    /// The last `u` with this intensity; 1 where the table ends above it, 0 where it is always
+    /// below.
     fn versine_of(self, intensity: f32) -> f32 {
-        for (start, from, to) in self.segments().rev() {
+        for Segment { start, end, from, to } in self.segments().rev() {
             if to >= intensity {
-                return start + self.width();
+                return end;
             }
             if from >= intensity {
-                return start + self.width() * (from - intensity) / (from - to);
+                return start + (end - start) * (from - intensity) / (from - to);
             }
         }
         0.0
     }
 }
 
-fn check_count(count: usize) -> Result<(), Error> {
-    if (2..=65_536).contains(&count) {
-        Ok(())
-    } else {
-        let accepted = Accepted::Between(2.0, 65_536.0);
-        Err(Error { parameter: Parameter::SampleCount, value: count as f32, accepted })
-    }
+/// A straight line between two `u`, by its intensities there.
+struct Segment {
+    start: f32,
+    end: f32,
+    from: f32,
+    to: f32,
 }
 
-/// The value at a place between those of a slice that is not empty.
-fn interpolated(values: &[f32], place: f32) -> f32 {
-    let index = (place as usize).min(values.len() - 1);
-    let (here, next) = (values[index], values[(index + 1).min(values.len() - 1)]);
-    here + (next - here) * (place - index as f32).min(1.0)
+fn check_count(count: usize, least: u16) -> Result<(), Error> {
+    if (least.into()..=65_536).contains(&count) {
+        Ok(())
+    } else {
+        let accepted = Accepted::Between(least.into(), 65_536.0);
+        Err(Error { parameter: Parameter::SampleCount, value: count as f32, accepted })
+    }
 }
 
 impl Profile for Table<'_> {
@@ -144,21 +181,21 @@ impl Profile for Table<'_> {
         self.versine_of(0.1)
     }
 
-    /// The largest slope of its segments, each taken where it is widest, and at least that of a step.
+    /// The largest slope of its segments, each taken where it is widest, and at least that of a
+    /// step.
     fn steepness(self, hotspot: f32) -> f32 {
-        let (span, width) = (1.0 - hotspot, self.width());
-        self.segments().fold(1.0, |largest, (start, from, to)| {
-            let versine = hotspot + (start + width) * span;
-            let slope = 2.0 * ((to - from) / width).abs() * trig::sqrt(versine) / span;
+        let span = 1.0 - hotspot;
+        self.segments().fold(1.0, |largest, Segment { start, end, from, to }| {
+            let versine = hotspot + end * span;
+            let slope = 2.0 * ((to - from) / (end - start)).abs() * trig::sqrt(versine) / span;
             if slope > largest { slope } else { largest }
         })
     }
 
     fn integral(self, u: f32) -> f32 {
-        let width = self.width();
-        self.segments().fold(0.0, |sum, (start, from, to)| {
-            let part = ((u - start) / width).clamp(0.0, 1.0);
-            sum + width * part * (from + (to - from) * part / 2.0)
+        self.segments().fold(0.0, |sum, Segment { start, end, from, to }| {
+            let part = ((u - start) / (end - start)).clamp(0.0, 1.0);
+            sum + (end - start) * part * (from + (to - from) * part / 2.0)
         })
     }
 }
@@ -167,6 +204,13 @@ impl<S: Scalar> Curve<S> for Table<'_> {
     #[inline(always)]
     fn intensity<F: Fraction<S>>(self, t: F) -> F::Value {
         // A table may end above zero: the edge is dark all the same.
-        if t.step() > F::Value::default() { t.sample(self.samples) } else { F::Value::default() }
+        if t.step() > F::Value::default() {
+            match self.samples {
+                Samples::Even(samples) => t.sample(samples),
+                Samples::Knots(knots) => t.along(knots),
+            }
+        } else {
+            F::Value::default()
+        }
     }
 }

@@ -4,7 +4,7 @@
 //! A profile magnifies the rounding of its argument by its slope, so a fraction has one bit more than a scalar; it
 //! costs nothing, because the products that use it are as wide as before.
 
-use super::{Scalar, Share, float};
+use super::{Knot, RealExponent, Scalar, Share, float, knot::SLOPE_BITS};
 
 /// A number from 0 to 1, one bit finer than the scalar: the argument of an edge profile.
 ///
@@ -20,6 +20,10 @@ pub trait Fraction<S: Scalar>: Copy + PartialOrd + core::fmt::Debug {
     fn fine_product(self, other: Self) -> Self;
     /// The product, rounded once.
     fn product(self, other: Self) -> Self::Value;
+    /// `t^p` for a real exponent, kept fine: exactly 0 at 0 and 1 at 1, within `2e-9 + 6.5e-10 p` of the power of `t` before
+    /// the format rounds it. Eleven multiplies of 64 bits in every format. Of an exponent with a floor,
+    /// `(max(t, floor)^p - floor^p) / (1 - floor^p)`.
+    fn real_power(self, exponent: RealExponent) -> Self;
     /// The nearest value.
     fn scalar(self) -> Self::Value;
     /// The product with a value from 0 to 1.
@@ -40,6 +44,8 @@ pub trait Fraction<S: Scalar>: Copy + PartialOrd + core::fmt::Debug {
     /// The linear interpolation of samples that are evenly spaced from `u = 0`, 65,535 being one: one multiply, and
     /// one to find the place. No samples are dark; at most 65,536 are looked at.
     fn sample(self, samples: &[u16]) -> Self::Value;
+    /// The value of a polyline over `u`, clamped to [0, 1]: a binary search and one multiply. No knots are dark.
+    fn along(self, knots: &[Knot]) -> Self::Value;
 }
 
 /// A fraction in f32.
@@ -79,6 +85,10 @@ impl Fraction<f32> for FloatFraction {
         self.0
     }
 
+    fn real_power(self, exponent: RealExponent) -> Self {
+        Self(exponent.of_f32(self.0) as f32 * (1.0 / 2_147_483_648.0))
+    }
+
     #[inline(always)]
     fn of(self, scalar: f32) -> f32 {
         scalar * self.0
@@ -112,6 +122,15 @@ impl Fraction<f32> for FloatFraction {
         let (here, next) = (f32::from(here), f32::from(next));
         float::clamp((here + (next - here) * (place - index as f32)) * (1.0 / 65_535.0))
     }
+
+    #[inline(always)]
+    fn along(self, knots: &[Knot]) -> f32 {
+        const STEP: f32 = 1.0 / (1 << SLOPE_BITS) as f32;
+        let place = (1.0 - self.0) * 65_536.0;
+        let knot = Knot::at(knots, place as u32);
+        let rise = (place - f32::from(knot.place)) * (knot.slope as f32 * STEP);
+        float::clamp((f32::from(knot.value) + rise) * (1.0 / 65_535.0))
+    }
 }
 
 /// Two neighbouring samples; beyond the last one it is its own neighbour.
@@ -126,7 +145,7 @@ pub(super) use fixed_point::{Fraction16, Fraction32};
 
 #[cfg(feature = "fixed")]
 mod fixed_point {
-    use super::{Fraction, neighbours};
+    use super::{Fraction, Knot, RealExponent, SLOPE_BITS, neighbours};
     use crate::scalar::{Fx16, Fx32, Scalar};
     use fixed::types::{I18F14, I34F30};
 
@@ -161,6 +180,20 @@ mod fixed_point {
         }
     }
 
+    /// The scalar of a value from 0 to 65,535, which is one: the top bit, added at the bottom, makes it 65,536.
+    #[inline(always)]
+    fn of_sixteen_bits(value: i32) -> Fx16 {
+        Fx16::from_bits(((value + (value >> 15) + 2) >> 2) as i16)
+    }
+
+    /// The scalar of a value from 0 to 65,535, which is one, with 31 fraction bits: 2^16 / (2^16 - 1) is
+    /// 1 + 2^-16 + 2^-32 + ...
+    #[inline(always)]
+    fn of_wide_value(value: i64) -> Fx32 {
+        let scaled = value + (value >> 16) + (value >> 32);
+        Fx32::from_bits(((scaled + (1 << 16)) >> 17) as i32)
+    }
+
     impl Fraction<Fx16> for Fraction16 {
         type Value = Fx16;
 
@@ -192,6 +225,10 @@ mod fixed_point {
         #[inline(always)]
         fn scalar(self) -> Fx16 {
             Fx16::from_bits(((self.wide() + 1) >> 1) as i16)
+        }
+
+        fn real_power(self, exponent: RealExponent) -> Self {
+            Self(((exponent.of_bits(self.0 << 16) + (1 << 15)) >> 16) as u32)
         }
 
         #[inline(always)]
@@ -230,9 +267,16 @@ mod fixed_point {
             let (here, next) = neighbours(samples, (place >> 15) as usize);
             let (here, next) = (i32::from(here), i32::from(next));
             let between = (here << 15) + (next - here) * (place & 0x7fff).cast_signed();
-            let sixteen_bits = (between + (1 << 14)) >> 15;
-            // 65,535 is one: the top bit, added at the bottom, makes it 65,536.
-            Fx16::from_bits(((sixteen_bits + (sixteen_bits >> 15) + 2) >> 2) as i16)
+            of_sixteen_bits((between + (1 << 14)) >> 15)
+        }
+
+        #[inline(always)]
+        fn along(self, knots: &[Knot]) -> Fx16 {
+            let place = self.complement().wide() << 1;
+            let knot = Knot::at(knots, place);
+            let beyond = place.wrapping_sub(knot.place.into()).cast_signed();
+            let rise = knot.slope.wrapping_mul(beyond).wrapping_add(1 << (SLOPE_BITS - 1)) >> SLOPE_BITS;
+            of_sixteen_bits((i32::from(knot.value) + rise).clamp(0, 65_535))
         }
     }
 
@@ -290,6 +334,10 @@ mod fixed_point {
             Fx32::from_bits(((self.0 >> 1) + (self.0 & 1)).cast_signed())
         }
 
+        fn real_power(self, exponent: RealExponent) -> Self {
+            Self(exponent.of_bits(self.0) as u32)
+        }
+
         #[inline(always)]
         fn of(self, scalar: Fx32) -> Fx32 {
             let scalar = u64::from(scalar.to_bits().cast_unsigned());
@@ -324,10 +372,16 @@ mod fixed_point {
             let place = self.complement().wide().wrapping_mul((samples.len() as u64).saturating_sub(1));
             let (here, next) = neighbours(samples, (place >> 31) as usize);
             let (here, next) = (i64::from(here), i64::from(next));
-            let between = (here << 31) + (next - here) * (place & 0x7fff_ffff).cast_signed();
-            // 65,535 is one: 2^16 / (2^16 - 1) = 1 + 2^-16 + 2^-32 + ...
-            let scaled = between + (between >> 16) + (between >> 32);
-            Fx32::from_bits(((scaled + (1 << 16)) >> 17) as i32)
+            of_wide_value((here << 31) + (next - here) * (place & 0x7fff_ffff).cast_signed())
+        }
+
+        #[inline(always)]
+        fn along(self, knots: &[Knot]) -> Fx32 {
+            let place = self.complement().0;
+            let knot = Knot::at(knots, place >> 15);
+            let beyond = i64::from(place) - (i64::from(knot.place) << 15);
+            let between = (i64::from(knot.value) << 30) + i64::from(knot.slope) * beyond;
+            of_wide_value(between.clamp(0, 65_535 << 30) << 1)
         }
     }
 }

@@ -343,8 +343,12 @@ pub(super) static GROUPS: [Group; 6] = [
 ];
 
 /// The effects that no program shows, and why.
-pub(super) static UNPRICED: [(Effect, &str); 2] =
-    [(MixedPower, "is chosen while a program runs and is no constant of one"), (MixedRim, "likewise")];
+pub(super) static UNPRICED: [(Effect, &str); 4] = [
+    (MixedPower, "is chosen while a program runs and is no constant of one"),
+    (MixedRim, "likewise"),
+    (RealPower, "likewise"),
+    (RealRim, "likewise"),
+];
 
 /// All entries, in the order of the page.
 pub(super) fn entries() -> impl Iterator<Item = &'static Entry> {

@@ -5,7 +5,7 @@
 //! [`Scalar::fine_below`](crate::Scalar::fine_below) how near to a lamp points do.
 
 use super::{Fx16, Gain16, Ramp16, gain, shifted};
-use crate::scalar::{Fraction, Share, fraction::neighbours};
+use crate::scalar::{Fraction, Knot, RealExponent, Share, fraction::neighbours};
 use fixed::types::{I18F14, U3F29, U18F14};
 
 /// A number from 0 to 1 with 31 fraction bits.
@@ -45,6 +45,12 @@ impl Fine16 {
         Self(capped.min(Self::ONE.0))
     }
 
+    /// The share of a value of which 65,535 is one, with 15 fraction bits: `2^16 / (2^16 - 1) = 1 + 2^-16 + ..`
+    #[inline(always)]
+    fn of_value(value: u32) -> Self {
+        Self((value + ((value + (1 << 15)) >> 16)).min(Self::ONE.0))
+    }
+
     /// The bits.
     #[inline(always)]
     pub(super) fn to_bits(self) -> u32 {
@@ -78,6 +84,11 @@ impl Fraction<Fx16> for Fine16 {
     #[inline(always)]
     fn product(self, other: Self) -> Self {
         self.times(other)
+    }
+
+    #[inline(always)]
+    fn real_power(self, exponent: RealExponent) -> Self {
+        Self(exponent.of_bits(self.0) as u32)
     }
 
     #[inline(always)]
@@ -131,9 +142,19 @@ impl Fraction<Fx16> for Fine16 {
         let place = gain::high_product(self.complement().0, last);
         let (here, next) = neighbours(samples, (place >> 15) as usize);
         let (here, next) = (i32::from(here), i32::from(next));
-        let between = ((here << 15) + (next - here) * (place & 0x7fff).cast_signed()).cast_unsigned();
-        // 65,535 is one: `2^16 / (2^16 - 1) = 1 + 2^-16 + ..`
-        Self((between + ((between + (1 << 15)) >> 16)).min(Self::ONE.0))
+        Self::of_value(((here << 15) + (next - here) * (place & 0x7fff).cast_signed()).cast_unsigned())
+    }
+
+    #[inline(always)]
+    fn along(self, knots: &[Knot]) -> Self {
+        let place = self.complement().0;
+        let knot = Knot::at(knots, place >> 15);
+        let (beyond, slope) = (place - (u32::from(knot.place) << 15).min(place), knot.slope.unsigned_abs());
+        // The product of a sound line has 46 bits: all but 15 of them.
+        let rise = high_half(beyond, slope) << 17 | beyond.wrapping_mul(slope) >> 15;
+        let value = u32::from(knot.value) << 15;
+        let value = if knot.slope < 0 { value.saturating_sub(rise) } else { value.saturating_add(rise) };
+        Self::of_value(value.min(65_535 << 15))
     }
 }
 

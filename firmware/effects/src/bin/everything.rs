@@ -10,9 +10,10 @@ use luminaire::source::{
 use luminaire::{
     Attenuation, Blend, BlinnPhong, CompiledDirectional, CompiledExposure, CompiledMaterial, CompiledPoint,
     CompiledProjection, CompiledSpot, Cubic, CutOff, DualCone, Edge, Falloff, Fitted, Fx16, Fx32, Gobo, Hard,
-    HardRange, Haze, HazyBeam, InverseSquare, Light, Linear, Lyon, Matte, Phong, Polynomial, Power, Profile,
-    Rgb, Rgb565, Rim, Scalar, Shadow, Smooth, SmoothRange, Soft, Specular, SquaredWindow, Surface, Table,
-    Unattenuated, Vec3, ViewBundle, ViewRay, Windowed, clip, encode_srgb, encode_srgb_dithered, keep_hue,
+    HardRange, Haze, HazyBeam, InverseSquare, Knot, Light, Linear, Lyon, Matte, Phong, Polynomial, Power,
+    Profile, RealPower, RealRim, Rgb, Rgb565, Rim, Scalar, Shadow, Smooth, SmoothRange, Soft, Specular,
+    SquaredWindow, Surface, Table, Unattenuated, Vec3, ViewBundle, ViewRay, Windowed, clip, encode_srgb,
+    encode_srgb_dithered, keep_hue,
 };
 use luminaire_effects::Format;
 
@@ -133,6 +134,7 @@ impl Raw for f32 {
 
 const PATTERN: [u8; 9] = [255, 0, 1, 254, 127, 128, 3, 200, 40];
 const SAMPLES: [u16; 5] = [65_535, 60_000, 31_000, 400, 0];
+const KNOTS: [Knot; 2] = [Knot::from_bits(0, 65_535, -65_535), Knot::from_bits(32_768, 32_768, i32::MIN)];
 
 fn of_format<S: Raw>(bits: &mut Bits) {
     let (g, h) = (S::raw_weight(bits.word()), S::raw_weight(bits.word()));
@@ -152,6 +154,15 @@ fn of_format<S: Raw>(bits: &mut Bits) {
     falls::<S, _>(bits, Rim::<4>, Rim);
     let table = Table::new(black_box(SAMPLES.as_slice())).unwrap_or(Table::of(&SAMPLES));
     falls::<S, _>(bits, table, table);
+    let knots = Table::of_knots(black_box(&KNOTS));
+    falls::<S, _>(bits, knots, knots);
+    let exponent = f32::from_bits(bits.word() as u32);
+    if let Ok(power) = RealPower::new(exponent) {
+        falls::<S, _>(bits, power, power.compile::<S>());
+    }
+    if let Ok(rim) = RealRim::new(exponent) {
+        falls::<S, _>(bits, rim, rim.compile::<S>());
+    }
     let edge = if bits.word() == 0 { Edge::Soft } else { Edge::Hard };
     falls::<S, _>(bits, edge, edge);
     falls::<S, _>(bits, Fitted::Blend(any_blend), CompiledFitted::Blend(blend));

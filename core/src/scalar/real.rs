@@ -1,0 +1,250 @@
+//! Real powers of a fraction: a logarithm, a product and an exponential, in integers and with the
+//! same bits in every format. Two tables of 64 segments about whose middles three terms of a series
+//! are enough.
+
+/// A real exponent from 0 up, for [`Fraction::real_power`](super::Fraction::real_power), and the
+/// floor below which the power does not fall any further.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct RealExponent {
+    /// The exponent is `mantissa / 2^shift`: that of an f32, exactly.
+    mantissa: u32,
+    shift: u32,
+    /// The power of the floor, with 31 fraction bits.
+    least: u32,
+    /// `1 / (1 - least)`, with 27 fraction bits.
+    gain: u32,
+}
+
+/// The bits of a table's place.
+const BITS: u32 = 6;
+const SEGMENTS: usize = 1 << BITS;
+const ONE: u64 = 1 << 31;
+const GAIN_BITS: u32 = 27;
+
+/// The middle of a segment of [0, 1).
+const fn middle(segment: usize) -> f64 {
+    (segment as f64 + 0.5) / SEGMENTS as f64
+}
+
+/// `1 / c` with 31 fraction bits and `log2 c` with 32, where `c` is the middle of a segment of [1,
+/// 2).
+const LOGARITHMS: [(u32, u32); SEGMENTS] = {
+    let (mut table, mut i) = ([(0, 0); SEGMENTS], 0);
+    while i < SEGMENTS {
+        let c = 1.0 + middle(i);
+        // ln c = 2 (a + a^3 / 3 + a^5 / 5 + ...), a being at most 1/3.
+        let a = (c - 1.0) / (c + 1.0);
+        let (mut sum, mut power, mut n) = (0.0, a, 1.0);
+        while n < 40.0 {
+            sum += 2.0 * power / n;
+            power *= a * a;
+            n += 2.0;
+        }
+        let log2 = sum * core::f64::consts::LOG2_E;
+        table[i] = ((2_147_483_648.0 / c + 0.5) as u32, (4_294_967_296.0 * log2 + 0.5) as u32);
+        i += 1;
+    }
+    table
+};
+
+/// `2^-c` with 32 fraction bits, where `c` is the middle of a segment of [0, 1).
+const POWERS: [u32; SEGMENTS] = {
+    let (mut table, mut i) = ([0; SEGMENTS], 0);
+    while i < SEGMENTS {
+        let x = -middle(i) * core::f64::consts::LN_2;
+        let (mut sum, mut term, mut n) = (0.0, 1.0, 1.0);
+        while n < 24.0 {
+            sum += term;
+            term *= x / n;
+            n += 1.0;
+        }
+        table[i] = (4_294_967_296.0 * sum + 0.5) as u32;
+        i += 1;
+    }
+    table
+};
+
+/// A constant with 32 fraction bits.
+const fn fine(value: f64) -> i64 {
+    (value * 4_294_967_296.0 + 0.5) as i64
+}
+
+/// The product of two numbers with 32 fraction bits, for factors under 2^31 in size by 2^33.
+fn times(a: i64, b: i64) -> i64 {
+    (a * b) >> 32
+}
+
+/// What `x = significand / 2^31 / 2^octaves` lacks of one in octaves, `-log2 x`, with 32 fraction
+/// bits: for a significand from 2^31 up and numbers up to one. Error under 2e-9; 32 octaves at
+/// most.
+fn octaves_below_one(significand: u32, octaves: u32) -> u64 {
+    const FIRST: i64 = fine(core::f64::consts::LOG2_E);
+    const SECOND: i64 = fine(core::f64::consts::LOG2_E / 2.0);
+    const THIRD: i64 = fine(core::f64::consts::LOG2_E / 3.0);
+    let (reciprocal, logarithm) = LOGARITHMS[(significand >> (31 - BITS)) as usize % SEGMENTS];
+    // significand = c (1 + z)
+    let product = u64::from(significand) * u64::from(reciprocal);
+    let z = product.cast_signed().wrapping_sub(1 << 62) >> 30;
+    let above = times(z, FIRST - times(z, SECOND - times(z, THIRD)));
+    if octaves == 0 {
+        return 0;
+    }
+    let below = (i64::from(octaves.min(32)) << 32) - i64::from(logarithm) - above;
+    below.clamp(0, (32 << 32) - 1).cast_unsigned()
+}
+
+/// `2^-octaves`, both with 32 fraction bits but for the result, which has 31. Error under 1e-9.
+fn power_of_two(octaves: u64) -> u64 {
+    let (whole, part) = (octaves >> 32, octaves & 0xffff_ffff);
+    if octaves == 0 || whole > 31 {
+        return if octaves == 0 { ONE } else { 0 };
+    }
+    const HALF_SEGMENT: i64 = 1 << (31 - BITS);
+    let beyond = (part & ((1 << (32 - BITS)) - 1)).cast_signed() - HALF_SEGMENT;
+    let x = times(beyond, fine(core::f64::consts::LN_2));
+    let lost = x - times(x, x) / 2 + times(times(x, x), x) / 6;
+    let middle = i64::from(POWERS[(part >> (32 - BITS)) as usize % SEGMENTS]);
+    let power = (middle - times(middle, lost)).cast_unsigned();
+    ((power >> whole) + 1) >> 1
+}
+
+impl RealExponent {
+    /// The exponent, which is from 0 to 1,024, and the floor: from 0, and so small that its power
+    /// is at most 15/16.
+    pub(crate) fn new(exponent: f32, floor: f32) -> Self {
+        let bits = exponent.to_bits();
+        let plain = Self {
+            mantissa: bits & 0x7f_ffff | 0x80_0000,
+            shift: (150 - (bits >> 23 & 0xff)).min(63),
+            least: 0,
+            gain: 1 << GAIN_BITS,
+        };
+        let least = plain.of_f32(floor);
+        // Rounded up, so that one is reached.
+        let gain = (ONE << GAIN_BITS).div_ceil(ONE - least.min(ONE / 16 * 15));
+        Self { least: least as u32, gain: gain as u32, ..plain }
+    }
+
+    /// The power of an f32 from 0 to 1, with 31 fraction bits.
+    pub(super) fn of_f32(self, x: f32) -> u64 {
+        let bits = x.to_bits();
+        // A subnormal number is nearer to zero than any format tells.
+        if x < f32::MIN_POSITIVE {
+            return 0;
+        }
+        self.of(bits << 8 | 1 << 31, 127_u32.saturating_sub(bits >> 23))
+    }
+
+    /// The power of a number with 31 fraction bits from 0 to 1, with as many.
+    #[cfg(feature = "fixed")]
+    pub(super) fn of_bits(self, x: u32) -> u64 {
+        let octaves = x.leading_zeros();
+        if x == 0 { 0 } else { self.of(x << octaves, octaves) }
+    }
+
+    fn of(self, significand: u32, octaves: u32) -> u64 {
+        let below = octaves_below_one(significand, octaves);
+        let power = power_of_two((below * u64::from(self.mantissa)) >> self.shift);
+        let above = power.saturating_sub(self.least.into());
+        ((above * u64::from(self.gain)) >> GAIN_BITS).min(ONE)
+    }
+}
+
+#[cfg(all(test, feature = "fixed"))]
+mod tests {
+    use super::*;
+
+    extern crate std;
+
+    const EXPONENTS: [f32; 14] = [
+        1e-30,
+        1e-6,
+        0.007_812_5,
+        0.1,
+        0.333_333_34,
+        0.5,
+        0.999_999,
+        1.0,
+        1.5,
+        2.2,
+        33.3,
+        127.99,
+        268.0,
+        1_024.0,
+    ];
+
+    /// Numbers with 31 fraction bits: both ends, all powers of two with their neighbours, and a
+    /// million between.
+    fn numbers() -> impl Iterator<Item = u32> {
+        let ends = (0..31).flat_map(|shift| [0, 1, 2].map(|i| (1_u32 << shift) + i - 1));
+        ends.chain((0..1 << 20).map(|i| (i << 11) + (i * 1_667) % 2_048)).chain([(1 << 31) - 1, 1 << 31])
+    }
+
+    fn exact(x: u32) -> f64 {
+        f64::from(x) / 2_147_483_648.0
+    }
+
+    #[test]
+    fn real_powers_keep_their_error() {
+        for exponent in EXPONENTS {
+            let power = RealExponent::new(exponent, 0.0);
+            assert_eq!((power.of_bits(0), power.of_bits(1 << 31)), (0, ONE), "{exponent}");
+            let worst = numbers()
+                .map(|x| (power.of_bits(x) as f64 / 2_147_483_648.0 - exact(x).powf(exponent.into())).abs())
+                .fold(0.0, f64::max);
+            std::println!("{exponent}: {worst:.1e}");
+            assert!(worst <= 2e-9 + 6.5e-10 * f64::from(exponent), "{exponent}: {worst:.1e}");
+        }
+    }
+
+    /// With a number its power rises, or falls by a step at most: about every seam of the tables,
+    /// and next to one.
+    #[test]
+    fn real_powers_rise() {
+        let seams =
+            (0..64_u32).map(|i| (1 << 30) + (i << 24)).chain([(1 << 31) - 20_000, 1 << 20, 1 << 11, 3 << 4]);
+        for exponent in EXPONENTS {
+            let power = RealExponent::new(exponent, 0.0);
+            let mut worst = 0;
+            for seam in seams.clone() {
+                let mut before = 0_u64;
+                for x in seam.saturating_sub(1_000)..=(seam + 20_000).min(1 << 31) {
+                    let here = power.of_bits(x);
+                    worst = worst.max(before.saturating_sub(here));
+                    before = here;
+                }
+            }
+            std::println!("{exponent}: falls by {worst}");
+            assert!(worst <= 1, "{exponent}: falls by {worst}");
+        }
+    }
+
+    #[test]
+    fn a_float_has_the_power_of_its_bits() {
+        for exponent in EXPONENTS {
+            let power = RealExponent::new(exponent, 0.0);
+            for x in numbers().map(|x| x >> 7 << 7) {
+                assert_eq!(power.of_f32(exact(x) as f32), power.of_bits(x), "{x} to {exponent}");
+            }
+            for tiny in [0.0, f32::MIN_POSITIVE, 1e-20] {
+                assert!(power.of_f32(tiny) <= ONE);
+            }
+        }
+    }
+
+    #[test]
+    fn a_floor_is_none_and_one_is_one() {
+        for exponent in [0.007_812_5, 0.5, 1.5, 100.5] {
+            let (floor, power) = (1e-4_f32, RealExponent::new(exponent, 1e-4));
+            assert_eq!((power.of_f32(floor), power.of_f32(0.0), power.of_f32(1.0)), (0, 0, ONE));
+            let least = f64::from(floor).powf(exponent.into());
+            let worst = numbers()
+                .map(|x| {
+                    let raised = exact(x).max(floor.into()).powf(exponent.into());
+                    (power.of_bits(x) as f64 / 2_147_483_648.0 - (raised - least) / (1.0 - least)).abs()
+                })
+                .fold(0.0, f64::max);
+            assert!(worst < 1e-7, "{exponent}: {worst:.1e}");
+        }
+    }
+}
