@@ -17,18 +17,72 @@ fn every_code_comes_back() {
     assert!((1e-6..=2e-6).contains(&worst), "largest error {worst:.2e}");
 }
 
-/// A code is the nearest one, but for values whose exact code is within 0.002 of halfway between two.
-#[test]
-fn codes_are_the_nearest() {
-    let (mut worst, mut count) = (0.0_f64, 0_u32);
-    let steps = 4_000_000_u32;
-    for linear in (0..=steps).map(|i| i as f32 / steps as f32) {
-        let exact = reference::srgb_code(linear.into());
-        worst = worst.max((f64::from(encode_srgb(linear)) - exact).abs());
-        count += u32::from(f64::from(encode_srgb(linear)) != (exact + 0.5).floor());
+/// The product of numbers, to the last digit: the least digits first, without leading zeros.
+fn product(factors: impl IntoIterator<Item = u32>) -> Vec<u32> {
+    let mut digits = vec![1];
+    for factor in factors {
+        let mut carry = 0;
+        for digit in &mut digits {
+            let sum = u64::from(*digit) * u64::from(factor) + carry;
+            (*digit, carry) = (sum as u32, sum >> 32);
+        }
+        digits.extend((carry > 0).then_some(carry as u32));
     }
-    assert!((0.5005..=0.502).contains(&worst), "largest distance from the exact code {worst:.5}");
-    assert!(count > 0 && count < steps / 250, "{count} of {steps} round the other way");
+    digits
+}
+
+/// Whether `mantissa / 2^exponent` is at or over the linear value halfway between a code and the
+/// next, in exact integers: the standard's power 2.4 is a comparison of a fifth with a twelfth
+/// power.
+fn reaches([mantissa, exponent]: [u32; 2], code: u32, last: u32) -> bool {
+    let odd = 2 * code + 1;
+    let copies = |factor, count| std::iter::repeat_n(factor, count);
+    // v = odd / (2 last) is in the toe up to 12.92 * 0.0031308; beyond it (v + 0.055) / 1.055 is a
+    // quotient of integers.
+    let is_toe = f64::from(odd) / f64::from(2 * last) <= 12.92 * 0.003_130_8;
+    let (power, [numerator, denominator]) = match is_toe {
+        true => ([1, 1], [100 * odd, 1292 * 2 * last]),
+        false => ([5, 12], [1000 * odd + 110 * last, 2110 * last]),
+    };
+    let value = copies(mantissa, power[0]).chain(copies(denominator, power[1]));
+    let threshold = copies(numerator, power[1]).chain(copies(2, exponent as usize * power[0]));
+    let order = |digits: Vec<u32>| (digits.len(), digits.into_iter().rev().collect::<Vec<_>>());
+    order(product(value)) >= order(product(threshold))
+}
+
+/// The codes of a grey value: of eight, six and five bits.
+fn codes<S: Format>(value: S) -> [u32; 3] {
+    let Rgb565(pixel) = Rgb565::from_linear(Rgb::new(value, value, value));
+    assert_eq!(pixel >> 11, pixel & 31, "red and blue of {value:?}");
+    [encode_srgb(value).into(), (pixel >> 5 & 63).into(), (pixel & 31).into()]
+}
+
+/// The code changes exactly where the standard's does, and nowhere else among so many values to
+/// either side. `exactly` is a value as a mantissa over a power of two.
+fn assert_nearest<S: Format>(one: u32, side: u32, value: fn(u32) -> S, exactly: fn(u32) -> [u32; 2]) {
+    for (which, last) in [255, 63, 31].into_iter().enumerate() {
+        for code in 0..last {
+            let (mut below, mut above) = (0, one);
+            while above - below > 1 {
+                let middle = u32::midpoint(below, above);
+                if reaches(exactly(middle), code, last) { above = middle } else { below = middle }
+            }
+            for bits in below - side..=(above + side).min(one) {
+                let expected = code + u32::from(bits >= above);
+                assert_eq!(codes(value(bits))[which], expected, "{:?} of {last} codes", value(bits));
+            }
+        }
+    }
+}
+
+/// In f32 and 32 bits with 3,000 values to either side: with codes that never fall, which
+/// `exhaustive` sweeps, all values.
+#[test]
+fn every_threshold_is_exact() {
+    let float = |bits: u32| [bits & 0x007f_ffff | 0x0080_0000, 150 - (bits >> 23)];
+    assert_nearest(1.0_f32.to_bits(), 3_000, f32::from_bits, float);
+    assert_nearest(1 << 30, 3_000, |bits| Fx32::from_bits(bits as i32), |bits| [bits, 30]);
+    assert_nearest(1 << 14, 0, |bits| Fx16::from_bits(bits as i16), |bits| [bits, 14]);
 }
 
 #[test]
@@ -60,21 +114,20 @@ fn sixteen_bits_are_encoded_exactly() {
     }
 }
 
-/// The nearest code of 32 bits, at random and beside every threshold.
+/// The nearest code of 32 bits and of f32, at random.
 #[test]
-fn thirty_two_bits_are_encoded_exactly() {
-    let mut rng = fastrand::Rng::with_seed(61966);
-    let thresholds = (0..255).map(|code| {
-        let linear = reference::srgb_linear(f64::from(code) + 0.5);
-        (linear * f64::from(1 << 30)) as i32 + [-2, -1, 2, 3][code as usize % 4]
-    });
-    let random = (0..1_000_000).map(|_| rng.i32(0..=1 << 30));
-    for value in thresholds.chain(random).map(Fx32::from_bits) {
+fn other_values_are_encoded_exactly() {
+    fn assert_exact<S: Format>(value: S) {
         let exact = reference::srgb_code(value.exact());
         // The standard's two halves do not quite meet: the reference may not tell which side of a half a value is on.
         if (exact.fract() - 0.5).abs() > 1e-7 {
-            assert_eq!(f64::from(encode_srgb(value)), nearest(exact), "{value}");
+            assert_eq!(f64::from(encode_srgb(value)), nearest(exact), "{value:?}");
         }
+    }
+    let mut rng = fastrand::Rng::with_seed(61966);
+    for _ in 0..1_000_000 {
+        assert_exact(Fx32::from_bits(rng.i32(0..=1 << 30)));
+        assert_exact(rng.f32());
     }
     assert_eq!(encode_srgb(Fx32::ONE), 255);
     assert_eq!(encode_srgb(Fx32::MIN), 0);

@@ -124,6 +124,18 @@ fn f32_keeps_the_light_of_a_cell() {
     assert_keeps_the_light("f32", &show(spread(40_000).map(|light| light as f32)), 2e-4);
 }
 
+/// In f32 a pixel shows the code that it shows in fixed point, but within a rounding of a
+/// threshold: none of these.
+#[test]
+fn f32_shows_the_codes_of_fixed_point() {
+    for steps in (0..=1 << 24).step_by(1_009) {
+        let (float, fixed) = (steps as f32 / (1 << 24) as f32, Fx32::from_bits(steps << 6));
+        for (x, y) in (0..64).map(|i| (i % 8, i / 8)) {
+            assert_eq!(codes(float, x, y), codes(fixed, x, y), "{steps} at {x} {y}");
+        }
+    }
+}
+
 /// How many pixels of a cell do not show a code.
 fn others<S: Scalar>(value: S, which: usize, code: u16) -> usize {
     (0..64).filter(|i| codes(value, i % 8, i / 8)[which] != code).count()

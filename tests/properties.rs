@@ -70,4 +70,5 @@ hold! {
     order_does_not_matter,
     codes_never_fall,
     fitting_keeps_what_fits,
+    beams_that_are_not_met_are_dark,
 }

@@ -23,10 +23,12 @@
 //! w = w0 + 2 r v^2 / (1 + v^2),   d(psi) = 2 dv / (1 + v^2),   w0 = 1 - r
 //! ```
 //!
-//! where `r` is the cosine of the angle between axis and circle and `w0` comes from its sine, so that
-//! narrow beams keep their bits. The arc ends where the cone does, at `v^2 = (omega - w0) / (1 - omega +
-//! r)`, and is divided where the hotspot begins and ends, or at `v = 0`. In each part `f` is smooth, and
-//! Gauss and Legendre's rule of five places is enough. NUMERICS.md has the errors.
+//! where `r` is the cosine of the angle between axis and circle. It comes from the cosines of the
+//! axis with foot and ray, so that a circle nearly across the axis keeps its bits, and `w0` comes
+//! from the sine, so that narrow beams keep theirs. The arc ends where the cone does, at `v^2 =
+//! (omega - w0) / (1 - omega + r)`, and is divided where the hotspot begins and ends, or at `v =
+//! 0`. In each part `f` is smooth, and Gauss and Legendre's rule of five places is enough.
+//! NUMERICS.md has the errors.
 //!
 //! Light that falls by another distance model is summed over the way along the ray, between the same ends
 //! and up to its range; without a range, and without a fall with the square, an endless ray in the beam is

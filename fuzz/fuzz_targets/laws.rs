@@ -1,4 +1,4 @@
-//! Light falls, adds, and has no preferred direction.
+//! Light falls, adds, has no preferred direction, and is none where a beam is not met.
 #![no_main]
 
 #[path = "../../tests/properties/mod.rs"]
@@ -7,7 +7,7 @@ mod properties;
 use libfuzzer_sys::fuzz_target;
 use luminaire_fuzz::{Law, hold};
 
-const LAWS: [Law; 8] = [
+const LAWS: [Law; 9] = [
     properties::falloffs_fall,
     properties::distances_fall,
     properties::intensity_adds,
@@ -16,6 +16,7 @@ const LAWS: [Law; 8] = [
     properties::order_does_not_matter,
     properties::codes_never_fall,
     properties::fitting_keeps_what_fits,
+    properties::beams_that_are_not_met_are_dark,
 ];
 
 fuzz_target!(|bytes: &[u8]| hold(&LAWS, bytes));

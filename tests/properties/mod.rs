@@ -14,12 +14,14 @@ pub mod words;
 
 pub mod design;
 pub mod display;
+pub mod haze;
 pub mod linearity;
 pub mod monotony;
 pub mod symmetry;
 pub mod totality;
 
 pub use design::{descriptions_are_taken_or_refused, two_angles_come_back};
+pub use haze::beams_that_are_not_met_are_dark;
 use luminaire::{Fx16, Fx32};
 
 /// Laws that are written for one format, in all three.

@@ -74,3 +74,11 @@ pub const LAWS: [(&str, f64); 7] = [
     ("direction",      1.8e-7),
     ("distance",       2.3e-7),
 ];
+
+/// The soft edge along a million rays, half of them near critical directions
+/// (`tests/haze_search.rs`).
+#[rustfmt::skip]
+pub const CRITICAL: [Row; 2] = [
+    row("inverse square",    [4.7e-5, 1.1e-5, 8.6e-6, 6.7e-6, 1.0e-5, 6.3e-6]),
+    row("squared window",    [1.2e-2, 1.5e-2, 1.5e-2, 1.5e-2, 1.4e-2, 3.0e-2]),
+];

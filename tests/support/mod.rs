@@ -9,6 +9,7 @@ pub mod arbitrary;
 pub mod beams;
 pub mod beams_picture;
 pub mod bounds;
+pub mod critical;
 pub mod cubics;
 pub mod every;
 pub mod every_falloff;

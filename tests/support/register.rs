@@ -275,7 +275,7 @@ pub(crate) const REGISTER: &[Held] = &[
     ]),
 
     // The display.
-    by("tests/display.rs::codes_are_the_nearest", &["encode_srgb"]),
+    by("tests/display.rs::every_threshold_is_exact", &["encode_srgb"]),
     by("tests/display.rs::sixteen_bits_are_encoded_exactly", &["Rgb565::from_linear"]),
     through("tests/display.rs::sixteen_bits_are_encoded_exactly", &["Scalar::srgb"]),
     by("tests/display.rs::every_code_comes_back", &["decode_srgb"]),

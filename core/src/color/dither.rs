@@ -14,7 +14,7 @@
 
 use super::{
     Rgb, Rgb565,
-    srgb::{curve, least},
+    srgb::{curve, linear},
 };
 use crate::scalar::{Scalar, float::clamp};
 
@@ -84,8 +84,7 @@ const fn rank(x: usize, y: usize) -> u8 {
 const BITS: u32 = 24;
 /// The light of a code from 0 to `last`, as the nearest multiple of 2^-24.
 const fn light(code: usize, last: usize) -> u32 {
-    // The least multiple of half a step that is not less, halved downwards, is the nearest step.
-    if code == 0 { 0 } else { least(code as f64 / last as f64, BITS + 1) / 2 }
+    (linear(code as f64 / last as f64) * (1 << BITS) as f64 + 0.5) as u32
 }
 
 /// The light of the codes up to `LAST`.
@@ -137,15 +136,16 @@ pub(crate) fn dithered_fixed<const LAST: usize>(linear: u32, threshold: u8) -> u
     (code + usize::from(is_past)) as u8
 }
 
-/// The same in f32, where the curve finds the code. Next to the light of a code it may find the neighbour,
-/// which makes no difference: the curve errs by 0.002 codes, and the nearest thresholds are 1/128 away.
+/// The same in f32, where the curve finds the nearest code, or at worst the other one about the
+/// value. The code is the fixed-point one of an equal value but where the product rounds: within
+/// 2^-24 of the way to a threshold.
 #[inline(always)]
 pub(crate) fn dithered_float<const LAST: usize>(linear: f32, threshold: u8) -> u8 {
     let linear = clamp(linear);
-    let code = (curve(linear, LAST as f32) as i32 as usize).min(LAST - 1);
-    let table = &Light::<LAST>::FLOAT;
-    let here = table.get(code).copied().unwrap_or(1.0);
-    let next = table.get(code + 1).copied().unwrap_or(1.0);
+    let light = |code: usize| Light::<LAST>::FLOAT.get(code).copied().unwrap_or(1.0);
+    let near = (curve(linear, LAST as f32) + 0.5) as i32 as usize;
+    let code = near.saturating_sub(usize::from(linear < light(near))).min(LAST - 1);
+    let (here, next) = (light(code), light(code + 1));
     let is_past = (linear - here) * 128.0 > (next - here) * f32::from(threshold);
     (code + usize::from(is_past)) as u8
 }

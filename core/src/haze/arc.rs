@@ -83,7 +83,8 @@ impl Arc {
         let squared_sine = if is_through { normal.dot(normal) } else { sine * sine };
         let across = if is_through { 0.0 } else { foot.dot(axis) * reciprocal };
         let along = direction.dot(axis);
-        let radius = trig::sqrt(positive(1.0 - squared_sine));
+        // From the sine it would have no bits where the circle is nearly across the axis.
+        let radius = trig::sqrt(across * across + along * along);
 
         let [first, last] = lit(squared, radius_squared, reach_squared, [start, start + view.length]);
         let least = squared_sine / (1.0 + radius);
@@ -109,17 +110,20 @@ impl Arc {
         let (near, far) = (self.distance(self.first), self.distance(self.last));
         let (from, to) = (self.toward(self.first, near), self.toward(self.last, far));
         let length = to - from;
-        // An arc around the far side of the circle comes in at one edge, if at all: it is less than a half
-        // circle.
-        let is_around = length < -1.0;
+        // `v` rises along a ray, but where the arc passes the far side of its circle. The sign of
+        // `v` is that of a sine which is monotone in the place, roundings included; the difference
+        // of the ends is rounding alone near the far side. Such an arc comes in at one edge, if at
+        // all: it is less than a half circle.
+        let is_around = from > 0.0 && to < 0.0;
         let is_short = length < SHORT && !is_around;
         // The length again, over that of the foot, and not from the difference of the ends.
         let way = (self.last - self.first) * ((1.0 + from * from) * (1.0 + to * to));
         let worth = way / (2.0 * (1.0 + from * to) * (near * far));
         let shortest = SHORTEST * edge;
         let kept = if length > shortest { length } else { shortest };
-        let scale = if is_short { worth / kept } else { self.reciprocal };
         let begin = if is_short { to - kept } else { from };
+        // Over the length that is left when its beginning has been rounded.
+        let scale = if is_short { worth / (to - begin) } else { self.reciprocal };
         let comes_in_last = is_around && from >= edge;
         let begin = if comes_in_last || begin < -edge { -edge } else { begin };
         let end = if (is_around && from < edge) || to > edge { edge } else { to };

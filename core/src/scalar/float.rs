@@ -263,7 +263,7 @@ impl Scalar for f32 {
 
     #[inline(always)]
     fn srgb<const LAST: usize>(self) -> u8 {
-        crate::color::encode_float(self, LAST as f32)
+        crate::color::encode_float::<LAST>(self)
     }
 
     #[inline(always)]

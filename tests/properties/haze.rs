@@ -1,0 +1,65 @@
+//! Air light: none where the beam cannot be met.
+
+use super::scene::{self, with_any_distance, with_any_profile};
+use super::words::Words;
+use luminaire::{Attenuation, Haze, Profile, Spot, Vec3, ViewBundle, ViewRay};
+
+/// Where `can_meet` says no, the air light of a ray is exactly zero. The ray looks along the axis,
+/// against it, at the lamp, in a plane tangent to the cone or anywhere; so does the lamp look at
+/// the eye.
+pub fn beams_that_are_not_met_are_dark(words: &[u32]) {
+    let _: Option<()> = not_met(&mut Words::new(words));
+}
+
+fn not_met(words: &mut Words<'_>) -> Option<()> {
+    with_any_profile!(words, profile => {
+        let cone = scene::cone(words, profile)?;
+        let spot = Spot::new(words.numbers(-8.0, 8.0), words.direction(), cone).ok()?;
+        with_any_distance!(words, model => assert_not_met(words, spot.with_attenuation(model)))
+    })
+}
+
+fn assert_not_met<P: Profile, A: Attenuation>(words: &mut Words<'_>, spot: Spot<P, A>) -> Option<()> {
+    let haze = Haze::new(words.number(0.0, 1.0)).ok()?.with_lamp_radius(words.number(0.001, 0.1)).ok()?;
+    let beam = spot.compile::<f32>().ok()?.in_haze(&haze);
+    let half = spot.cone().outer().to_radians() / 2.0;
+    let (axis, distance) = (spot.axis(), words.between(-7.0, 10.0).exp2());
+    let across = unit(cross(axis, words.direction()));
+    let tangent = unit(sum(axis, half.cos(), across, half.sin()));
+    let seen = |words: &mut Words<'_>, to_lamp: Vec3<f32>| {
+        let exact = match words.choice(6) {
+            0 => axis,
+            1 => axis.map(|c| -c),
+            2 => to_lamp,
+            3 => to_lamp.map(|c| -c),
+            4 => unit(sum(tangent, 1.0, cross(axis, across), words.between(-4.0, 4.0))),
+            _ => words.direction(),
+        };
+        unit(sum(exact, 1.0, words.direction(), words.between(-23.0, -7.0).exp2()))
+    };
+    let to_eye = seen(words, axis);
+    let eye = sum(spot.position(), 1.0, to_eye, distance);
+    let eye = eye.map(|c| words.number(c, c));
+    let direction = seen(words, to_eye.map(|c| -c));
+    let length = words.number(0.0, 2.0 * distance);
+    let view = ViewRay { eye, direction, length };
+    if !beam.can_meet(&ViewBundle { eye, direction, versine: 0.0, length }) {
+        let lights = [beam.air_light(&view), beam.air_light_through(&view, 4, |_| 1.0)];
+        assert_eq!(lights, [0.0; 2], "{spot:?} {haze:?} along {view:?}");
+    }
+    Some(())
+}
+
+/// The sum of two vectors with weights.
+fn sum(a: Vec3<f32>, by: f32, b: Vec3<f32>, with: f32) -> Vec3<f32> {
+    a.zip(b, |a, b| by * a + with * b)
+}
+
+fn unit(v: Vec3<f32>) -> Vec3<f32> {
+    let length = v.dot(v).sqrt();
+    v.map(|c| c / length)
+}
+
+fn cross(a: Vec3<f32>, b: Vec3<f32>) -> Vec3<f32> {
+    Vec3::new(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x)
+}
