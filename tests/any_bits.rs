@@ -148,7 +148,8 @@ fn assert_distance<S: Raw, A: Attenuation>(
     assert_spot::<S, Soft, A>(rng, falloff, distance);
     let colors = [color(rng), color(rng)];
     let (position, intensity) = (vector(rng, S::length_from_bits), S::any_gain(rng));
-    assert_lights(rng, CompiledPoint::<S, A>::from_parts(position, distance, intensity, rng.u32(..40), colors));
+    let point = CompiledPoint::<S, A>::from_parts(position, distance, intensity, rng.u32(..40), colors);
+    assert_lights(rng, point);
     let direction = vector(rng, S::unit_from_bits);
     assert_lights(rng, CompiledDirectional::<S>::from_parts(direction, intensity, colors));
 }
