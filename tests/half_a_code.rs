@@ -8,7 +8,7 @@ mod support;
 
 use fastrand::Rng;
 use luminaire::{
-    Blend, CompiledSpot, Cone, Cubic, Fx16, Fx32, Hard, HalfAngle, IntegerPower, IntegerRim, Linear, Matched,
+    Blend, CompiledSpot, Cone, Cubic, Fx16, Fx32, HalfAngle, Hard, IntegerPower, IntegerRim, Linear, Matched,
     MixedPower, MixedRim, Smooth, Soft, Spot, Table, Vec3,
 };
 use support::{
@@ -21,7 +21,7 @@ use support::{
 const HALF_A_CODE: f64 = 0.5 / 255.0;
 
 /// The largest exponent of a power.
-const MOST: u32 = 128;
+const MOST: u32 = 1_024;
 
 /// A profile and its formula in f64.
 struct Shape {
@@ -187,7 +187,7 @@ impl Domain {
     }
 
     /// A light, and a point within an angle of its axis.
-    fn scene<S: Format>(&self, rng: &mut Rng, half_degrees: f32) -> Scene {
+    fn scene(&self, rng: &mut Rng, half_degrees: f32) -> Scene {
         let reach = self.farthest[0] * 1e-7_f64.powf(rng.f64());
         let light = [0; 3].map(|_| reach * (2.0 * rng.f64() - 1.0));
         let axis = if rng.bool() {
@@ -277,51 +277,61 @@ struct Worst {
 }
 
 impl Worst {
+    /// Of random cones.
     fn of<S: Format>(seed: u64, starts: usize, steps: usize) -> Self {
-        let (mut rng, tables, domain) = (Rng::with_seed(seed), tables(), Domain::of::<S>());
+        let (mut rng, tables) = (Rng::with_seed(seed), tables());
         let mut worst = Self::default();
         for _ in 0..starts {
             let shape = Shape::random(&mut rng, &tables);
-            let Some(angles) = Angles::random::<S>(&mut rng, shape.profile) else { continue };
-            let cone = angles.cone(shape.profile).expect("accepted before");
-            let mut best: Option<(f64, Scene, Light<S>)> = None;
-            for _ in 0..16 {
-                let scene = domain.scene::<S>(&mut rng, angles.limit);
-                let Some(light) = Light::<S>::new(cone, &scene) else { continue };
-                let error = light.error(&shape, angles, scene.point);
-                if best.as_ref().is_none_or(|(most, ..)| error > *most) {
-                    best = Some((error, scene, light));
-                }
-            }
-            let Some((mut error, mut scene, mut light)) = best else { continue };
-            // The most promising are climbed from for longer.
-            let steps = if error > 0.4 * HALF_A_CODE { 4 * steps } else { steps };
-            for _ in 0..steps {
-                let other = domain.moved(&mut rng, scene);
-                let is_same = other.light == scene.light && other.axis == scene.axis;
-                let moved = if is_same { None } else { Light::<S>::new(cone, &other) };
-                if !is_same && moved.is_none() {
-                    continue;
-                }
-                let there = moved.as_ref().unwrap_or(&light).error(&shape, angles, other.point);
-                if there >= error {
-                    (error, scene) = (there, other);
-                    light = moved.unwrap_or(light);
-                }
-            }
-            if error > worst.error {
-                let place = format!("{:?} {angles:?} {scene:?}", shape.profile);
-                worst = Self { error, place };
+            if let Some(angles) = Angles::random::<S>(&mut rng, shape.profile) {
+                worst.climb::<S>(&mut rng, &shape, angles, steps);
             }
         }
         worst
     }
+
+    /// Climbs in a cone from the worst of 16 random places.
+    fn climb<S: Format>(&mut self, rng: &mut Rng, shape: &Shape, angles: Angles, steps: usize) {
+        let (domain, cone) = (Domain::of::<S>(), angles.cone(shape.profile).expect("accepted before"));
+        let mut best: Option<(f64, Scene, Light<S>)> = None;
+        for _ in 0..16 {
+            let scene = domain.scene(rng, angles.limit);
+            let Some(light) = Light::<S>::new(cone, &scene) else { continue };
+            let error = light.error(shape, angles, scene.point);
+            if best.as_ref().is_none_or(|(most, ..)| error > *most) {
+                best = Some((error, scene, light));
+            }
+        }
+        let Some((mut error, mut scene, mut light)) = best else { return };
+        // The most promising are climbed from for longer.
+        let steps = if error > 0.4 * HALF_A_CODE { 4 * steps } else { steps };
+        for _ in 0..steps {
+            let other = domain.moved(rng, scene);
+            let is_same = other.light == scene.light && other.axis == scene.axis;
+            let moved = if is_same { None } else { Light::<S>::new(cone, &other) };
+            if !is_same && moved.is_none() {
+                continue;
+            }
+            let there = moved.as_ref().unwrap_or(&light).error(shape, angles, other.point);
+            if there >= error {
+                (error, scene) = (there, other);
+                light = moved.unwrap_or(light);
+            }
+        }
+        if error > self.error {
+            let place = format!("{:?} {angles:?} {scene:?}", shape.profile);
+            *self = Self { error, place };
+        }
+    }
 }
 
-/// Every format's worst is under half a code, and the search is not blind: it finds most of that.
+fn is_full() -> bool {
+    std::env::var_os("LUMINAIRE_FULL").is_some()
+}
+
+/// Every format's worst is under half a code, and the search is not blind: it finds some of that.
 fn assert_held<S: Format>() {
-    let is_full = std::env::var_os("LUMINAIRE_FULL").is_some();
-    let (starts, steps) = if is_full { (500_000, 100) } else { (1_500, 150) };
+    let (starts, steps) = if is_full() { (500_000, 100) } else { (250, 120) };
     let worst = std::thread::scope(|scope| {
         let halves = [2004, 2005].map(|seed| scope.spawn(move || Worst::of::<S>(seed, starts, steps)));
         let [a, b] = halves.map(|half| half.join().expect("no search panics"));
@@ -329,7 +339,7 @@ fn assert_held<S: Format>() {
     });
     let codes = 255.0 * worst.error;
     println!("{}: {codes:.3} linear codes at {}", S::NAME, worst.place);
-    assert!((0.3..=0.5).contains(&codes), "{}: {codes:.3} linear codes at {}", S::NAME, worst.place);
+    assert!((0.15..=0.5).contains(&codes), "{}: {codes:.3} linear codes at {}", S::NAME, worst.place);
 }
 
 #[test]
@@ -345,4 +355,51 @@ fn fx32_holds_every_cone_that_it_accepts() {
 #[test]
 fn fx16_holds_every_cone_that_it_accepts() {
     assert_held::<Fx16>();
+}
+
+/// Steep shapes and the share of the outer angle that their inner angle is.
+fn steep_shapes() -> Vec<(String, f32, Shape)> {
+    let power = |n: u32| Shape::new(IntegerPower::new(n).expect("sound"), move |t| t.powi(n.cast_signed()));
+    let rim =
+        |n: u32| Shape::new(IntegerRim::new(n).expect("sound"), move |t| 1.0 - (1.0 - t).powi(n.cast_signed()));
+    let mut shapes = Vec::new();
+    shapes.extend([32, 64, 128, 268, 1_024].map(|n| (format!("power {n}"), 0.0, power(n))));
+    shapes.extend([8, 16, 32, 64, 128].map(|n| (format!("rim {n}"), 0.0, rim(n))));
+    let step: &[u16] = tables()[0];
+    let table = Shape::new(Table::new(step).expect("sound samples"), move |t| interpolated(step, t));
+    shapes.push(("table of 100 with a step".into(), 0.0, table));
+    shapes.push(("soft, inner angle 0.9".into(), 0.9, Shape::new(Soft, reference::soft)));
+    shapes.push(("hard, inner angle 0.9".into(), 0.9, Shape::new(Hard, reference::hard)));
+    shapes.push(("linear, inner angle 0.9".into(), 0.9, Shape::new(Linear, reference::linear)));
+    shapes.push(("rim 8, inner angle 0.9".into(), 0.9, rim(8)));
+    shapes
+}
+
+/// The narrowest cone of each steep shape, where a format has one, and the worst that is found there and at 45 degrees.
+fn assert_steep<S: Format>() {
+    for (name, hotspot, shape) in steep_shapes() {
+        let at = |outer: f32| Angles { outer, inner: hotspot * outer, limit: outer };
+        if !at(90.0).is_accepted::<S>(shape.profile) {
+            println!("{} {name}: refused", S::NAME);
+            continue;
+        }
+        let narrowest = bisected(1e-6, 90.0, |outer| at(outer).is_accepted::<S>(shape.profile));
+        let rng = &mut Rng::with_seed(64);
+        let [there, wide] = [narrowest, narrowest.max(45.0)].map(|outer| {
+            let mut worst = Worst::default();
+            for _ in 0..if is_full() { 400 } else { 4 } {
+                worst.climb::<S>(rng, &shape, at(outer), 100);
+            }
+            255.0 * worst.error
+        });
+        println!("{} {name}: {narrowest:.5} degrees, {there:.2} codes, at 45 degrees {wide:.2}", S::NAME);
+        assert!((0.01..=0.5).contains(&there) && (0.0..=0.5).contains(&wide), "{} {name}: {there} {wide}", S::NAME);
+    }
+}
+
+#[test]
+fn steep_shapes_are_held_at_their_narrowest() {
+    assert_steep::<f32>();
+    assert_steep::<Fx32>();
+    assert_steep::<Fx16>();
 }
