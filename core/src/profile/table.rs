@@ -126,11 +126,12 @@ fn check_count(count: usize) -> Result<(), Error> {
     }
 }
 
-/// The value at a place between those of a slice that is not empty.
+/// The value at a place between those of a slice; from its last one on, the last.
 fn interpolated(values: &[f32], place: f32) -> f32 {
-    let index = (place as usize).min(values.len() - 1);
-    let (here, next) = (values[index], values[(index + 1).min(values.len() - 1)]);
-    here + (next - here) * (place - index as f32).min(1.0)
+    let index = place as usize;
+    let at = |index| values.get(index).or(values.last()).copied().unwrap_or_default();
+    let (here, next) = (at(index), at(index + 1));
+    here + (next - here) * (place - index as f32)
 }
 
 impl Profile for Table<'_> {
