@@ -38,6 +38,17 @@ fn what_no_scene_can_have_is_refused_by_name() {
 }
 
 #[test]
+fn what_no_renderer_can_have_is_refused_by_name() {
+    let refused = |width, height| Renderer::<f32>::new(width, height).map(drop).unwrap_err().to_string();
+    assert_eq!(refused(0, 10), "width 0 is refused: give 1 to 8192 pixels");
+    assert_eq!(refused(10, usize::MAX), format!("height {} is refused: give 1 to 8192 pixels", usize::MAX));
+    let mut renderer = Renderer::<Fx16>::new(16, 16).expect("a sound size");
+    let far = Point::new(Vec3::new(0.0, 40_000.0, 0.0)).expect("a sound light");
+    let message = "position 40000 is refused: give a finite number from -16383 to 16383";
+    assert_refused(renderer.draw_light(&[far]), message);
+}
+
+#[test]
 fn meshes_larger_than_memory_are_refused_by_name() {
     let mut scene = Scene::new();
     let line = Outline::start(1.0, 0.0).line_to(1.0, 1.0);
