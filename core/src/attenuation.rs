@@ -127,6 +127,12 @@ fn squared_fraction<S: Scalar>(inverse_squared: S::Gain, offset: &S::Offset) -> 
     offset.squared_distance().by(inverse_squared).fraction()
 }
 
+/// What a window leaves of a fraction; nothing of a negative one, of which the product would have no meaning.
+#[inline(always)]
+fn dimmed<S: Scalar>(fraction: S, window: S) -> S {
+    if fraction > S::ZERO { fraction.times(window) } else { S::ZERO }
+}
+
 /// `1 - (d/r)^4`.
 #[inline(always)]
 fn window<S: Scalar>(inverse_squared: S::Gain, offset: &S::Offset) -> S {
@@ -307,7 +313,7 @@ impl Attenuation for SmoothRange {
     ) -> S::Irradiance {
         let smooth = S::ONE.minus(ray.distance().by(constants[0]).fraction()).smooth();
         let smooth = if Self::is_beyond::<S>(constants, offset) { S::ZERO } else { smooth };
-        fraction.times(smooth).expose(intensity)
+        dimmed(fraction, smooth).expose(intensity)
     }
 }
 
@@ -332,7 +338,7 @@ impl Attenuation for Windowed {
         fraction: S,
         intensity: S::Gain,
     ) -> S::Irradiance {
-        ray.expose(fraction.times(window(squared, offset)), intensity)
+        ray.expose(dimmed(fraction, window(squared, offset)), intensity)
     }
 }
 
@@ -358,7 +364,7 @@ impl Attenuation for SquaredWindow {
         intensity: S::Gain,
     ) -> S::Irradiance {
         let window = window::<S>(squared, offset);
-        ray.expose(fraction.times(window.times(window)), intensity)
+        ray.expose(dimmed(fraction, window.times(window)), intensity)
     }
 }
 

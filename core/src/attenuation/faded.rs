@@ -1,6 +1,6 @@
 //! Any distance model, faded out to a range.
 
-use super::{Attenuation, RayOf, checked_range, inverse_squared, squared_fraction, window};
+use super::{Attenuation, RayOf, checked_range, dimmed, inverse_squared, squared_fraction, window};
 use crate::{error::Error, scalar::Scalar};
 
 /// Another model in the squared window `(1 - (d/r)^4)^2`, which ends it at a range without a rim: of the
@@ -53,6 +53,6 @@ impl<A: Attenuation> Attenuation for Faded<A> {
         intensity: S::Gain,
     ) -> S::Irradiance {
         let window = window::<S>(*squared, offset);
-        A::expose::<S>(inner, offset, ray, fraction.times(window.times(window)), intensity)
+        A::expose::<S>(inner, offset, ray, dimmed(fraction, window.times(window)), intensity)
     }
 }
