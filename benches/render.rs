@@ -45,7 +45,12 @@ impl<S: Format> Bench<S> {
     fn stage(spots: usize) -> Self {
         let lights = stage::lights().expect("sound lights").into_iter().cycle().take(spots);
         let lights: Vec<Luminaire> = lights.map(Luminaire::from).collect();
-        Self::new(stage::scene(), stage::camera(), [brighter(&lights), lights], 0.5..0.95)
+        Self::new(
+            stage::scene().expect("a sound scene"),
+            stage::camera(),
+            [brighter(&lights), lights],
+            0.5..0.95,
+        )
     }
 
     fn draw_geometry(&mut self) {
@@ -108,7 +113,8 @@ fn scenes(criterion: &mut Criterion) {
 
 /// A shadow map of the whole stage, of the light that sees the most of it, from another roll each time.
 fn shadow_map<S: Format>(criterion: &mut Criterion) {
-    let (scene, [_, fill, _]) = (stage::scene(), stage::lights().expect("sound lights"));
+    let (scene, [_, fill, _]) =
+        (stage::scene().expect("a sound scene"), stage::lights().expect("sound lights"));
     let square = Projection::of(&fill).expect("not too wide");
     let mut squares = [square, square.turned(Angle::degrees(1.0)).expect("sound")];
     let mut map = ShadowMap::<S>::new(512).expect("a sound side");

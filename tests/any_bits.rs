@@ -8,10 +8,10 @@ use luminaire::source::{
     CompiledBlend, CompiledCubic, FloatRamp, Gain16, Gain32, I18F14, I34F30, Ramp16, Ramp32, U18F14, U34F30,
 };
 use luminaire::{
-    Attenuation, Blend, BlinnPhong, CompiledDirectional, CompiledExposure, CompiledMaterial, CompiledPoint,
-    CompiledSpot, Cubic, Falloff, Fx16, Fx32, Hard, HardRange, InverseSquare, Light, Lyon, Matte, Phong,
-    Polynomial, Power, Profile, Rgb, SmoothRange, Soft, Specular, SquaredWindow, Surface, Unattenuated,
-    Windowed, keep_hue,
+    Angle, Attenuation, Blend, BlinnPhong, CompiledDirectional, CompiledExposure, CompiledMaterial,
+    CompiledPoint, CompiledSpot, Cone, Cubic, Falloff, Fx16, Fx32, Hard, HardRange, InverseSquare, Light,
+    Lyon, Matte, Phong, Polynomial, Power, Profile, Rgb, SmoothRange, Soft, Specular, SquaredWindow, Surface,
+    Unattenuated, Windowed, keep_hue,
 };
 use support::arbitrary::{bits, vector};
 use support::format::Format;
@@ -184,4 +184,41 @@ fn any_bits_make_a_light_in_fx32() {
 #[test]
 fn any_bits_make_a_light_in_fx16() {
     assert_any_bits_make_a_light::<Fx16>();
+}
+
+/// Any bits, and as often NaN of any payload.
+fn float_bits(rng: &mut Rng) -> u32 {
+    let bits = rng.u32(..);
+    if rng.bool() { bits | 0x7f80_0001 } else { bits }
+}
+
+/// The figures of a profile, and of cones that are made with it.
+fn assert_figures<P: Profile + PartialEq>(rng: &mut Rng, profile: P) {
+    for figure in [profile.beam_versine(), profile.field_versine(), profile.integral(rng.f32())] {
+        assert!((0.0..=1.0).contains(&figure), "{profile:?}: {figure}");
+    }
+    for hotspot in [0.0, 0.99 * rng.f32()] {
+        let steepness = profile.steepness(hotspot);
+        assert!(steepness >= 0.0 && steepness.is_finite(), "{profile:?} {hotspot}: {steepness}");
+    }
+    let cone = Cone::from_outer(profile, Angle::degrees(1.0 + 179.0 * rng.f32())).expect("a sound angle");
+    for flux in [cone.lumens(1000.0), cone.candela(1000.0)] {
+        assert!(flux > 0.0 && flux.is_finite(), "{cone:?}: {flux}");
+    }
+    assert!(Cone::narrowest::<Fx16>(profile).to_degrees().is_finite(), "{profile:?}");
+}
+
+#[test]
+fn any_bits_make_a_profile_with_figures() {
+    let mut rng = Rng::with_seed(0x0b17_5eed);
+    for _ in 0..3000 * sweep::effort() {
+        let blend = Blend::from_bits(float_bits(&mut rng));
+        assert!((0.0..=2.0).contains(&blend.edge_slope()), "{blend:?}");
+        assert_figures(&mut rng, blend);
+        let cubic = Cubic::from_bits([float_bits(&mut rng), float_bits(&mut rng)]);
+        for slope in [cubic.edge_slope(), cubic.middle_slope()] {
+            assert!((0.0..=4.0).contains(&slope), "{cubic:?}");
+        }
+        assert_figures(&mut rng, cubic);
+    }
 }

@@ -6,12 +6,17 @@ mod register;
 #[path = "support/source.rs"]
 mod source;
 
-use register::{KINDS, REGISTER};
+use register::{KINDS, REGISTER, UNPROVED};
+use source::Declaration;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// What the core declares.
-fn declared() -> BTreeSet<String> {
+fn declarations() -> Vec<Declaration> {
     source::files("core/src").iter().flat_map(|source| source.declarations(&KINDS)).collect()
+}
+
+fn declared() -> BTreeSet<String> {
+    declarations().into_iter().map(|declaration| declaration.name).collect()
 }
 
 /// What the register says, with the test of each item.
@@ -78,6 +83,46 @@ fn every_registered_test_names_what_it_holds() {
         }
     }
     assert_none(&wrong, "name the test that holds it in tests/support/register.rs");
+}
+
+/// Every function that computes is called by a program that does not link where anything can panic (see
+/// `firmware/README.md`), and every kind of profile, distance, highlight, light and format is named there.
+#[test]
+fn every_function_that_computes_is_linked_without_a_panic() {
+    const VALUES: &str = "firmware/effects/src/raw.rs";
+    let is_proof = |of: &source::Source| of.path == VALUES || of.text.contains("luminaire_effects::raw");
+    let texts: Vec<_> = source::files("firmware/effects/src").into_iter().filter(is_proof).collect();
+    // `S` is the format.
+    let calls = texts.iter().flat_map(source::Source::calls);
+    let calls: BTreeSet<_> = calls.map(|call| call.replace("S::", "Scalar::")).collect();
+    let named: BTreeSet<_> = texts.iter().flat_map(|source| words(&source.text)).collect();
+    let declarations = declarations();
+    let mut owners = BTreeMap::<_, BTreeSet<_>>::new();
+    for Declaration { name, .. } in &declarations {
+        owners.entry(words(name).last()).or_default().insert(name);
+    }
+    let is_called = |name: &String| {
+        if let Some((_, of)) = name.split_once(" for ") {
+            return named.contains(of);
+        }
+        // A method that only one type has, or that a macro gives to many, is known by its name.
+        let method = words(name).last();
+        let is_known = owners[&method].len() == 1 || name.contains('!');
+        calls.contains(name) || method.is_some_and(|method| is_known && calls.contains(&format!(".{method}")))
+    };
+    let excused: BTreeSet<_> = UNPROVED.iter().flat_map(|(_, items)| *items).copied().collect();
+    let is_missing = |declaration: &&Declaration| {
+        declaration.computes && !is_called(&declaration.name) && !excused.contains(&*declaration.name)
+    };
+    let missing: Vec<_> = declarations.iter().filter(is_missing).map(|of| of.name.clone()).collect();
+    assert_none(
+        &missing,
+        "call it, as Type::method where two types have one of its name, in a program of firmware/effects/src/bin that \
+         cannot panic, or say in UNPROVED of tests/support/register.rs why that proves nothing",
+    );
+    let idle = excused.iter().filter(|item| !declarations.iter().any(|of| of.name == **item && of.computes));
+    let idle: Vec<_> = idle.map(|item| item.to_string()).collect();
+    assert_none(&idle, "it is gone or computes nothing: take it out of UNPROVED");
 }
 
 fn words(text: &str) -> impl Iterator<Item = &str> {

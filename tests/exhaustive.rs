@@ -7,7 +7,7 @@
 mod support;
 
 use luminaire::{
-    Cone, Cubic, Curve, Falloff, Fx16, Fx32, Hard, Linear, Power, Profile, Rgb, Rgb565, Rim, Scalar, Smooth,
+    Cone, Cubic, Falloff, Fx16, Fx32, Hard, Linear, Power, Profile, Rgb, Rgb565, Rim, Scalar, Smooth,
     Soft, encode_srgb,
 };
 use support::{
@@ -185,18 +185,19 @@ fn every_negative_versine_of_f32_is_on_the_axis() {
 }
 
 /// Every fraction of 31 bits: the ramp from 0 to 1 gives each of them.
-fn fraction_error<P: Profile>(shape: &Shape<P>) -> f64
+fn fraction_error<P: Profile + Sync>(shape: &Shape<P>) -> f64
 where
     P::Compiled<Fx32>: Sync,
 {
-    let (curve, ramp, oracle) = (shape.profile.compile::<Fx32>(), Fx32::ramp(0.0, 1.0, 1.0), shape.oracle);
+    let (ramp, oracle) = (Fx32::ramp(0.0, 1.0, 1.0), shape.oracle);
+    let falloff = Falloff::<Fx32, P>::from_parts(ramp, shape.profile, shape.profile.compile::<Fx32>());
     let name = format!("{} fx32, every fraction", shape.name);
     let seen = every::input(&name, 0..=1 << 31, |fraction| {
         let versine = Fx32::versine_from_bits(((1 << 31) - fraction) << 30);
-        let found = curve.intensity(Fx32::rise(ramp, versine)).exact();
+        let found = falloff.at(versine).exact();
         [found, oracle(fraction as f64 * 0.5_f64.powi(31))].map(|f| f * f64::from(1 << 30))
     });
-    assert_eq!(curve.intensity(Fx32::rise(ramp, Fx32::versine_from_bits(0))), Fx32::ONE, "{name}");
+    assert_eq!(falloff.at(Fx32::versine_from_bits(0)), Fx32::ONE, "{name}");
     let may_fall = if NEVER_RISE.contains(&shape.name) { 0.0 } else { 1.0 };
     assert!(seen.fall <= may_fall, "{name}: falls by {} steps towards the middle", seen.fall);
     println!("{name}: {:.3}", seen.error);

@@ -4,7 +4,10 @@
 mod support;
 
 use fastrand::Rng;
-use luminaire::{Fx16, Fx32, Profile, Spot};
+use luminaire::{
+    Attenuation, Distance, Faded, Fx16, Fx32, HardRange, InverseSquare, Offset, Polynomial, Profile, Ray,
+    SmoothRange, Spot, SquaredWindow, Unattenuated, Windowed,
+};
 use support::{
     arbitrary::{bits, vector},
     format::Format,
@@ -131,4 +134,51 @@ fn the_laws_of_the_seam_hold() {
     assert_laws::<f32>();
     assert_laws::<Fx32>();
     assert_laws::<Fx16>();
+}
+
+/// A fraction below zero sends no light, by whatever way it is exposed.
+fn assert_negative_fractions_are_dark<S: Format>() {
+    let mut rng = Rng::with_seed(0xda2c);
+    let range = Some(9.0);
+    let polynomial = Polynomial::new(1.0, 0.2, 0.03).expect("sound");
+    let mut tried = 0;
+    while tried < 100_000 {
+        let fraction = S::scalar_from_bits(bits(&mut rng));
+        let is_negative = fraction < S::ZERO;
+        if !is_negative {
+            continue;
+        }
+        tried += 1;
+        let gain = S::gain(f32::from_bits(rng.u32(..)).abs());
+        let dark = S::Irradiance::default();
+        assert_eq!(fraction.expose(gain), dark, "{fraction:?} {gain:?}");
+        let [light, point] = [vector(&mut rng, S::length_from_bits), vector(&mut rng, S::length_from_bits)];
+        // As often near as far.
+        let point = if rng.bool() { light.map(|_| S::length(rng.f32())) } else { point };
+        let light = if rng.bool() { light } else { light.map(|_| S::length(rng.f32())) };
+        let offset = S::offset(light, point);
+        let ray = offset.ray();
+        assert_eq!(ray.expose(fraction, gain), dark, "{fraction:?} {gain:?} {offset:?}");
+        assert_dark::<S, _>(Unattenuated, &offset, fraction, gain);
+        assert_dark::<S, _>(InverseSquare, &offset, fraction, gain);
+        assert_dark::<S, _>(polynomial, &offset, fraction, gain);
+        assert_dark::<S, _>(SmoothRange::new(9.0).expect("sound"), &offset, fraction, gain);
+        assert_dark::<S, _>(Windowed::new(range).expect("sound"), &offset, fraction, gain);
+        assert_dark::<S, _>(SquaredWindow::new(range).expect("sound"), &offset, fraction, gain);
+        assert_dark::<S, _>(HardRange::new(InverseSquare, range).expect("sound"), &offset, fraction, gain);
+        assert_dark::<S, _>(Faded::new(polynomial, range).expect("sound"), &offset, fraction, gain);
+        assert_dark::<S, _>(Distance::from(InverseSquare), &offset, fraction, gain);
+    }
+}
+
+fn assert_dark<S: Format, A: Attenuation>(model: A, offset: &S::Offset, fraction: S, gain: S::Gain) {
+    let light = A::expose(&model.constants::<S>(), offset, &offset.ray(), fraction, gain);
+    assert_eq!(light, S::Irradiance::default(), "{model:?} {fraction:?} {gain:?} {offset:?}");
+}
+
+#[test]
+fn a_negative_fraction_sends_no_light() {
+    assert_negative_fractions_are_dark::<f32>();
+    assert_negative_fractions_are_dark::<Fx32>();
+    assert_negative_fractions_are_dark::<Fx16>();
 }

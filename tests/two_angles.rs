@@ -233,3 +233,14 @@ fn the_documented_picture_is_up_to_date() {
         "cargo run -p suite --example feasible-region > docs/feasible-region.svg"
     );
 }
+
+#[test]
+fn half_a_turn_is_an_angle() {
+    let half_a_turn = Angle::degrees(180.0);
+    let step = Cone::from_beam_and_field(half_a_turn, half_a_turn).expect("a step at the widest outer angle");
+    assert_eq!(step.outer().to_degrees(), 180.0);
+    assert!(Cone::edge_slopes(Angle::degrees(140.0), half_a_turn).is_ok());
+    let wider = Angle::degrees(180.0_f32.next_up());
+    assert!(Cone::from_beam_and_field(wider, wider).is_err());
+    assert!(Cone::edge_slopes(Angle::degrees(140.0), wider).is_err());
+}

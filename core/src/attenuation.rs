@@ -129,6 +129,12 @@ fn squared_fraction<S: Scalar>(inverse_squared: S::Gain, offset: &S::Offset) -> 
     offset.squared_distance().by(inverse_squared).fraction()
 }
 
+/// What a window leaves of a share; nothing of a negative one, of which the product would have no meaning.
+#[inline(always)]
+fn dimmed<S: Scalar, T: Share<S>>(share: T, window: T) -> T {
+    if share > T::default() { share.share_of(window) } else { T::default() }
+}
+
 /// `1 - (d/r)^4`.
 #[inline(always)]
 fn window<S: Scalar, R: Ray<S>>(inverse_squared: S::Gain, offset: &S::Offset, ray: &R) -> R::Share {
@@ -322,7 +328,7 @@ impl Attenuation for SmoothRange {
         let smooth = ray.near(constants[0]).rest().smoothed();
         let is_beyond = ray.squared_near(offset, constants[1]).is_all();
         let smooth = if is_beyond { R::Share::default() } else { smooth };
-        share.share_of(smooth).give(intensity)
+        dimmed::<S, _>(share, smooth).give(intensity)
     }
 }
 
@@ -347,7 +353,7 @@ impl Attenuation for Windowed {
         share: R::Share,
         intensity: S::Gain,
     ) -> S::Irradiance {
-        ray.expose(share.share_of(window::<S, R>(squared, offset, ray)), intensity)
+        ray.expose(dimmed::<S, _>(share, window::<S, R>(squared, offset, ray)), intensity)
     }
 }
 
@@ -373,7 +379,7 @@ impl Attenuation for SquaredWindow {
         intensity: S::Gain,
     ) -> S::Irradiance {
         let window = window::<S, R>(squared, offset, ray);
-        ray.expose(share.share_of(window.share_of(window)), intensity)
+        ray.expose(dimmed::<S, _>(share, window.share_of(window)), intensity)
     }
 }
 

@@ -76,6 +76,16 @@ pub enum Parameter {
     Shininess,
     /// How many texels a side of a shadow map has.
     ShadowSide,
+    /// The part of the light that a surface sends back, linear.
+    Albedo,
+    /// The linear light that reaches every surface from everywhere.
+    AmbientLight,
+    /// A coordinate of a vertex, or a component of its normal.
+    Vertex,
+    /// How many vertices a mesh has.
+    VertexCount,
+    /// How many parts a swept surface or a curve is divided into.
+    Segments,
     /// How much all light is amplified for the display.
     Exposure,
     /// How dense haze is.
@@ -161,6 +171,11 @@ impl fmt::Display for Parameter {
             Self::Range => "range",
             Self::Shininess => "shininess",
             Self::ShadowSide => "side of the shadow map",
+            Self::Albedo => "albedo",
+            Self::AmbientLight => "ambient light",
+            Self::Vertex => "vertex",
+            Self::VertexCount => "number of vertices",
+            Self::Segments => "number of segments",
             Self::Exposure => "exposure",
             Self::Density => "density",
             Self::LampRadius => "lamp radius",

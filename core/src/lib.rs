@@ -119,7 +119,7 @@ pub use profile::{
     MixedRim, Power, Profile, RealPower, RealRim, Rim, Smooth, Soft, Table,
 };
 pub use projection::{CompiledProjection, Projection};
-pub use scalar::{Fraction, Gain, Knot, Offset, Place, Ray, Scalar};
+pub use scalar::{Fraction, Gain, Knot, Offset, Place, Ray, Rise, Scalar, Share, Slopes};
 #[cfg(feature = "fixed")]
 pub use scalar::{Fx16, Fx32};
 pub use shade::{Arrival, CompiledDirectional, CompiledPoint, CompiledSpot, Light, Surface};

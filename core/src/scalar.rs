@@ -406,10 +406,16 @@ pub(crate) fn outside_bound<S: Scalar>(outer_versine: f32) -> S {
 #[cfg(feature = "fixed")]
 #[inline(always)]
 fn nearest(value: f32) -> i32 {
+    rounded(value) as i32
+}
+
+/// The same as a float, for conversions to other integers.
+#[cfg(feature = "fixed")]
+#[inline(always)]
+fn rounded(value: f32) -> f32 {
     const FIRST_INTEGER: f32 = 8_388_608.0;
     let units = FIRST_INTEGER.copysign(value);
-    let rounded = if value.abs() < FIRST_INTEGER { value + units - units } else { value };
-    rounded as i32
+    if value.abs() < FIRST_INTEGER { value + units - units } else { value }
 }
 
 /// A value as `mantissa / 2^shift` with a mantissa of 24 bits, which is exact; zero where it is not more than zero.
@@ -447,7 +453,10 @@ mod sealed {
 #[cfg(all(test, feature = "fixed"))]
 mod tests {
     use super::*;
-    use fixed::types::{I2F14, I16F16};
+    use fixed::{
+        FixedU64,
+        types::{I2F14, I16F16, I18F14, I34F30, extra::U61},
+    };
 
     extern crate std;
 
@@ -471,6 +480,14 @@ mod tests {
             let found = (Fx16::from_f32(value), Fx32::from_f32(value), Fx16::length(value));
             assert_eq!(found, expected(value), "{value} ({bits:#x})");
             assert_eq!(Fx32::length(value), found.2);
+            assert_eq!(Fx16::axis(Vec3::new(value, 0.0, 0.0)).x, found.1);
+            let weight = if value.is_nan() { 0.0 } else { value.clamp(-4.0, 4.0) };
+            assert_eq!(Fx16::weight(value), I18F14::saturating_from_num(weight));
+            assert_eq!(Fx32::weight(value), I34F30::saturating_from_num(weight));
+            if !value.is_nan() {
+                let versine = Fx32::versine(Fx32::ramp(0.0, 1.0, 1.0), value);
+                assert_eq!(versine, FixedU64::<U61>::saturating_from_num(value));
+            }
         }
     }
 }

@@ -3,7 +3,7 @@
 //! ```
 //! use luminaire_render::{Renderer, stage};
 //! let mut renderer = Renderer::<f32>::new(320, 180)?;
-//! renderer.draw_geometry(&stage::scene(), &stage::camera());
+//! renderer.draw_geometry(&stage::scene()?, &stage::camera());
 //! renderer.draw_light(&stage::lights()?)?;
 //! let pixels = renderer.encode(); // red, green, blue, alpha; sRGB
 //! assert!(pixels.chunks_exact(4).any(|pixel| pixel[0] > 200));

@@ -106,7 +106,7 @@ impl<S: Scalar> Setting<'_, S> {
             kinds => self.light_shining(block, kinds, lamps, work),
         };
         let Arrival { diffuse, specular } = &work.sums;
-        self.reflect(block, diffuse, |of| of.albedo, radiance, |sum, light| *sum = light);
+        self.reflect(block, diffuse, |of| of.albedo(), radiance, |sum, light| *sum = light);
         if glints > 0 {
             self.reflect(block, specular, |of| of.specular(), radiance, |sum, light| *sum += light);
         }

@@ -3,17 +3,21 @@
 use crate::outline::Outline;
 use alloc::vec::Vec;
 use glam::{Quat, Vec3};
+use luminaire::{Accepted, Error, Parameter};
 
 /// A mesh of triangles, smooth between its vertices, seen from the front only: a closed one shows its
 /// outside.
 ///
-/// The world is right-handed, in metres, and y points up.
+/// The world is right-handed, in metres, and y points up. A mesh may be made of any numbers; those that none can have are
+/// refused by [`Scene::add`](crate::Scene::add).
 #[derive(Clone, PartialEq, Default, Debug)]
 pub struct Mesh {
     vertices: Vec<Vertex>,
     triangles: Vec<[u32; 3]>,
     /// Whether it is known to enclose what is behind its triangles.
     is_closed: bool,
+    /// Why no scene takes it: the first of what was refused when it was made.
+    refused: Option<Error>,
 }
 
 /// A corner of triangles.
@@ -24,6 +28,11 @@ pub(crate) struct Vertex {
 }
 
 impl Mesh {
+    /// The most vertices that a mesh may have.
+    pub const MOST_VERTICES: u32 = 1 << 20;
+    /// The largest coordinate of a vertex, in metres.
+    pub const FARTHEST: f32 = 1e6;
+
     /// The surface that an outline of radius and height sweeps around the y axis, in this many segments.
     ///
     /// ```
@@ -32,7 +41,7 @@ impl Mesh {
     /// assert_eq!(cone.triangle_count(), 2 * 48);
     /// ```
     pub fn lathe(outline: &Outline, segments: usize) -> Self {
-        let mut mesh = Self::default();
+        let (mut mesh, segments) = Self::swept(outline, segments);
         for strip in outline.strips(true) {
             mesh.sweep(segments, true, |segment| {
                 let angle = core::f32::consts::TAU * segment as f32 / segments as f32;
@@ -57,7 +66,7 @@ impl Mesh {
 
     /// The surface that an outline in x and y sweeps along the z axis, from z = 0 to z = `depth` metres.
     pub fn extrude(outline: &Outline, depth: f32, segments: usize) -> Self {
-        let mut mesh = Self::default();
+        let (mut mesh, segments) = Self::swept(outline, segments);
         for strip in outline.strips(false) {
             mesh.sweep(segments, false, |segment| {
                 let z = depth * (1.0 - segment as f32 / segments as f32);
@@ -107,6 +116,13 @@ impl Mesh {
     pub fn and(mut self, other: Self) -> Self {
         let first = self.vertices.len() as u32;
         self.is_closed &= other.is_closed;
+        self.refused = self.refused.or(other.refused);
+        let count = self.vertices.len() + other.vertices.len();
+        if count > Self::MOST_VERTICES as usize {
+            let accepted = Accepted::WholeBetween(0, Self::MOST_VERTICES);
+            let error = Error { parameter: Parameter::VertexCount, value: count as f32, accepted };
+            return Self { refused: self.refused.or(Some(error)), ..Self::default() };
+        }
         self.vertices.extend(other.vertices);
         self.triangles.extend(other.triangles.into_iter().map(|triangle| triangle.map(|v| v + first)));
         self
@@ -115,6 +131,32 @@ impl Mesh {
     /// How many triangles the mesh has.
     pub fn triangle_count(&self) -> usize {
         self.triangles.len()
+    }
+
+    /// An error names what no mesh can be made of.
+    pub(crate) fn check(&self) -> Result<(), Error> {
+        if let Some(error) = self.refused {
+            return Err(error);
+        }
+        for &Vertex { position, normal } in &self.vertices {
+            // Normals are of unit length, but for their roundings, or of none.
+            for (vector, most) in [(position, Self::FARTHEST), (normal, 2.0)] {
+                check_channels(Parameter::Vertex, vector.to_array(), -most, most)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// A mesh to sweep an outline into, with the number of segments; none in place of one that is refused.
+    fn swept(outline: &Outline, segments: usize) -> (Self, usize) {
+        // A strip has a pair of vertices at each end of its segments.
+        let pairs = Self::MOST_VERTICES / 2 / (outline.line_count() as u32).max(1);
+        let most = pairs.saturating_sub(1);
+        let is_accepted = segments <= most as usize;
+        let accepted = Accepted::WholeBetween(0, most);
+        let error = Error { parameter: Parameter::Segments, value: segments as f32, accepted };
+        let refused = outline.refused().or((!is_accepted).then_some(error));
+        (Self { refused, ..Self::default() }, if refused.is_none() { segments } else { 0 })
     }
 
     /// The vertices.
@@ -178,6 +220,19 @@ impl Mesh {
     fn mapped(mut self, f: impl Fn(Vertex) -> Vertex) -> Self {
         self.vertices.iter_mut().for_each(|vertex| *vertex = f(*vertex));
         self
+    }
+}
+
+/// Numbers in a closed range, or the error that names the first that is not. NaN is outside every range.
+pub(crate) fn check_channels(
+    parameter: Parameter,
+    channels: [f32; 3],
+    least: f32,
+    most: f32,
+) -> Result<(), Error> {
+    match channels.into_iter().find(|channel| !(least..=most).contains(channel)) {
+        Some(value) => Err(Error { parameter, value, accepted: Accepted::Between(least, most) }),
+        None => Ok(()),
     }
 }
 

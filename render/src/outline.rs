@@ -2,6 +2,7 @@
 
 use alloc::vec::Vec;
 use glam::Vec2;
+use luminaire::{Accepted, Error, Parameter};
 
 /// The cosine of the largest turn of an outline that is drawn as smooth: 45 degrees. What turns more is a
 /// crease.
@@ -18,6 +19,8 @@ const JOINED: f32 = 1e-6;
 #[derive(Clone, PartialEq, Debug)]
 pub struct Outline {
     points: Vec<Vec2>,
+    /// The first number of lines that was refused.
+    refused: Option<Error>,
 }
 
 /// A point of an outline and the normal of the surface there.
@@ -28,9 +31,12 @@ pub(crate) struct Station {
 }
 
 impl Outline {
+    /// The most lines that a curve may have.
+    pub const MOST_LINES: u32 = 65_536;
+
     /// Begins at a point, in metres.
     pub fn start(x: f32, y: f32) -> Self {
-        Self { points: [Vec2::new(x, y)].into() }
+        Self { points: [Vec2::new(x, y)].into(), refused: None }
     }
 
     /// A straight line to a point, in metres.
@@ -39,8 +45,10 @@ impl Outline {
         self
     }
 
-    /// A cubic Bézier curve by two control points to a point, in metres, of this many lines.
+    /// A cubic Bézier curve by two control points to a point, in metres, of this many lines: at most
+    /// [`MOST_LINES`](Self::MOST_LINES), or no scene takes what is swept.
     pub fn curve_to(mut self, controls: [(f32, f32); 2], x: f32, y: f32, lines: usize) -> Self {
+        let lines = self.accepted(lines);
         let [a, b] = controls.map(Vec2::from);
         let (from, to) = (self.pen(), Vec2::new(x, y));
         self.points.extend((1..=lines).map(|line| {
@@ -51,9 +59,11 @@ impl Outline {
         self
     }
 
-    /// An arc around a centre, in metres, from the present point by an angle in radians, of this many lines.
-    /// A positive angle turns left: from the x axis towards the y axis.
+    /// An arc around a centre, in metres, from the present point by an angle in radians, of this many lines: at most
+    /// [`MOST_LINES`](Self::MOST_LINES), or no scene takes what is swept. A positive angle turns left: from the x axis
+    /// towards the y axis.
     pub fn arc(mut self, x: f32, y: f32, angle: f32, lines: usize) -> Self {
+        let lines = self.accepted(lines);
         let center = Vec2::new(x, y);
         let from = self.pen() - center;
         self.points.extend(
@@ -67,6 +77,27 @@ impl Outline {
     pub(crate) fn encloses(&self) -> bool {
         let Some((first, last)) = self.points.first().zip(self.points.last()) else { return false };
         first.distance(*last) < JOINED || (first.x.abs() < JOINED && last.x.abs() < JOINED)
+    }
+
+    /// A number of lines; none in place of one that is refused.
+    fn accepted(&mut self, lines: usize) -> usize {
+        let is_accepted = lines <= Self::MOST_LINES as usize;
+        if !is_accepted {
+            let accepted = Accepted::WholeBetween(0, Self::MOST_LINES);
+            let error = Error { parameter: Parameter::Segments, value: lines as f32, accepted };
+            self.refused = self.refused.or(Some(error));
+        }
+        if is_accepted { lines } else { 0 }
+    }
+
+    /// Why no surface can be swept from it.
+    pub(crate) fn refused(&self) -> Option<Error> {
+        self.refused
+    }
+
+    /// How many lines there are.
+    pub(crate) fn line_count(&self) -> usize {
+        self.points.len() - 1
     }
 
     /// Where the pen is.

@@ -1,8 +1,8 @@
 //! What stands on the stage: meshes, their materials, and the light that is everywhere.
 
-use crate::mesh::Mesh;
+use crate::mesh::{Mesh, check_channels};
 use alloc::vec::Vec;
-use luminaire::{Effect, Error, Haze, Lyon, Plan, Rgb, Scalar, Specular, Vec3, decode_srgb};
+use luminaire::{Effect, Error, Haze, Lyon, Parameter, Plan, Rgb, Scalar, Specular, Vec3, decode_srgb};
 
 /// The kind of highlight that surfaces have: Phong's, in the form that takes the same few steps whatever the shininess.
 pub type Highlight = Lyon<Mirrored, 3>;
@@ -23,16 +23,33 @@ impl luminaire::Highlight for Mirrored {
 #[derive(Clone, Copy, PartialEq, Debug)]
 #[non_exhaustive]
 pub struct Material {
-    /// The part of the light that the surface sends back, linear, in [0, 1].
-    pub albedo: Rgb<f32>,
+    albedo: Rgb<f32>,
     specular: Rgb<f32>,
     shininess: u32,
 }
 
 impl Material {
     /// A matt surface of this linear albedo.
-    pub const fn new(albedo: Rgb<f32>) -> Self {
-        Self { albedo, specular: Rgb::new(0.0, 0.0, 0.0), shininess: Highlight::LEAST_SHININESS }
+    ///
+    /// # Errors
+    /// A channel outside [0, 1].
+    pub fn new(albedo: Rgb<f32>) -> Result<Self, Error> {
+        check_color(Parameter::Albedo, albedo, 1.0)?;
+        Ok(Self::matt(albedo))
+    }
+
+    fn matt(albedo: Rgb<f32>) -> Self {
+        Self { albedo, specular: Rgb::default(), shininess: Highlight::LEAST_SHININESS }
+    }
+
+    /// The same surface without a highlight.
+    pub fn without_highlight(self) -> Self {
+        Self::matt(self.albedo)
+    }
+
+    /// The part of the light that the surface sends back, linear, in [0, 1].
+    pub fn albedo(&self) -> Rgb<f32> {
+        self.albedo
     }
 
     /// The same surface with a highlight of this linear colour and shininess.
@@ -65,14 +82,18 @@ impl Material {
 
     /// A matt surface that shows these sRGB codes under white light of full scale.
     pub fn srgb(red: u8, green: u8, blue: u8) -> Self {
-        Self::new(Rgb::new(red, green, blue).map(decode_srgb))
+        Self::matt(Rgb::new(red, green, blue).map(decode_srgb))
     }
+}
+
+fn check_color(parameter: Parameter, color: Rgb<f32>, most: f32) -> Result<(), Error> {
+    check_channels(parameter, [color.red, color.green, color.blue], 0.0, most)
 }
 
 /// Black and matt.
 impl Default for Material {
     fn default() -> Self {
-        Self::new(Rgb::default())
+        Self::matt(Rgb::default())
     }
 }
 
@@ -105,7 +126,12 @@ impl Scene {
     }
 
     /// Adds a mesh of one material.
-    pub fn add(&mut self, mesh: Mesh, material: Material) {
+    ///
+    /// # Errors
+    /// A coordinate of a vertex beyond [`Mesh::FARTHEST`], or NaN; more vertices than [`Mesh::MOST_VERTICES`], or segments
+    /// or lines that would make as many. The scene stays as it was.
+    pub fn add(&mut self, mesh: Mesh, material: Material) -> Result<(), Error> {
+        mesh.check()?;
         // Where an object ends is part of the picture: materials go by objects.
         self.fingerprint.add([mesh.vertices().len() as u32, mesh.triangle_count() as u32, 0]);
         for vertex in mesh.vertices() {
@@ -116,12 +142,17 @@ impl Scene {
             self.fingerprint.add(triangle);
         }
         self.objects.push(Object { mesh, material });
+        Ok(())
     }
 
-    /// Sets the ambient light: the linear colour that reaches every surface from everywhere, 1 being full
-    /// scale. What is negative or not a number counts as zero.
-    pub fn set_ambient(&mut self, color: Rgb<f32>) {
-        self.ambient = color.map(|channel| if channel > 0.0 { channel } else { 0.0 });
+    /// Sets the ambient light: the linear colour that reaches every surface from everywhere, 1 being full scale.
+    ///
+    /// # Errors
+    /// A channel outside [0, 1e9]. The scene stays as it was.
+    pub fn set_ambient(&mut self, color: Rgb<f32>) -> Result<(), Error> {
+        check_color(Parameter::AmbientLight, color, 1e9)?;
+        self.ambient = color;
+        Ok(())
     }
 
     /// The ambient light.

@@ -37,7 +37,7 @@ use slope::{Slope, depth_error};
 /// use luminaire_render::{ShadowMap, stage};
 /// let key = stage::lights()?[0];
 /// let mut map = ShadowMap::<f32>::new(512)?;
-/// assert!(map.draw(&stage::scene(), &Projection::of(&key)?)?);
+/// assert!(map.draw(&stage::scene()?, &Projection::of(&key)?)?);
 /// let shadow = map.shadow().expect("drawn");
 /// // Behind the sphere that stands in the key light, and on its top.
 /// assert_eq!(shadow.visibility(Vec3::new(0.0, 0.001, -0.4)), 0.0);

@@ -17,21 +17,21 @@ const WOOD: [(u8, u8, u8); 5] =
     [(150, 114, 84), (138, 103, 75), (160, 123, 91), (129, 97, 72), (145, 108, 78)];
 
 /// The scene: metres, y up, the audience at positive z. Everything stands on the floor y = 0.
-pub fn scene() -> Scene {
+pub fn scene() -> Result<Scene, Error> {
     let mut scene = Scene::new();
-    scene.set_ambient(Rgb::new(0.014, 0.016, 0.022));
+    scene.set_ambient(Rgb::new(0.014, 0.016, 0.022))?;
     // From front to back: what is hidden is then found so before it is drawn.
     for (mesh, material) in actors() {
-        scene.add(mesh, material);
+        scene.add(mesh, material)?;
     }
     for board in 0..BOARDS {
         let (red, green, blue) = WOOD[(board * 7 + board / 5) % WOOD.len()];
-        scene.add(plank(board), Material::srgb(red, green, blue));
+        scene.add(plank(board), Material::srgb(red, green, blue))?;
     }
     for (mesh, material) in house() {
-        scene.add(mesh, material);
+        scene.add(mesh, material)?;
     }
-    scene
+    Ok(scene)
 }
 
 /// The camera: from the stalls, a little above the boards.

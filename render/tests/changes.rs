@@ -6,7 +6,7 @@ use luminaire_render::{Material, Mesh, Renderer, SizeError, stage};
 
 fn lit() -> Renderer<Fx16> {
     let mut renderer = Renderer::new(96, 54).unwrap();
-    assert!(renderer.draw_geometry(&stage::scene(), &stage::camera()));
+    assert!(renderer.draw_geometry(&stage::scene().unwrap(), &stage::camera()));
     assert!(renderer.draw_light(&stage::lights().unwrap()).unwrap());
     renderer.encode();
     renderer
@@ -21,7 +21,7 @@ fn a_picture_is_the_same_every_time() {
 #[test]
 fn what_has_not_changed_is_not_done_again() {
     let mut renderer = lit();
-    let (scene, lights) = (stage::scene(), stage::lights().unwrap());
+    let (scene, lights) = (stage::scene().unwrap(), stage::lights().unwrap());
     assert!(!renderer.draw_geometry(&scene, &stage::camera()));
     assert!(!renderer.draw_light(&lights).unwrap());
     assert!(!renderer.draw_geometry(&scene.clone(), &stage::camera()));
@@ -35,18 +35,18 @@ fn a_change_of_any_part_is_noticed() {
 
     let mut camera = stage::camera();
     camera.orbit(0.1, 0.0);
-    assert!(renderer.draw_geometry(&stage::scene(), &camera));
+    assert!(renderer.draw_geometry(&stage::scene().unwrap(), &camera));
     assert!(renderer.draw_light(&lights).unwrap(), "the geometry is another");
 
-    let mut scene = stage::scene();
-    scene.add(Mesh::cuboid(1.0, 1.0, 1.0), Material::srgb(255, 0, 0));
+    let mut scene = stage::scene().unwrap();
+    scene.add(Mesh::cuboid(1.0, 1.0, 1.0), Material::srgb(255, 0, 0)).unwrap();
     assert!(renderer.draw_geometry(&scene, &camera));
-    let mut other = stage::scene();
-    other.add(Mesh::cuboid(1.0, 1.0, 1.0), Material::srgb(254, 0, 0));
+    let mut other = stage::scene().unwrap();
+    other.add(Mesh::cuboid(1.0, 1.0, 1.0), Material::srgb(254, 0, 0)).unwrap();
     assert!(renderer.draw_geometry(&other, &camera), "the material is another");
     assert!(renderer.draw_light(&lights).unwrap());
 
-    other.set_ambient(Rgb::new(0.5, 0.5, 0.5));
+    other.set_ambient(Rgb::new(0.5, 0.5, 0.5)).unwrap();
     assert!(renderer.draw_geometry(&other, &camera), "the ambient light is another");
     let before = renderer.encode().to_vec();
     assert!(renderer.draw_light(&lights).unwrap());
@@ -61,10 +61,10 @@ fn a_lamp_may_go_while_the_camera_moves() {
     let lights = stage::lights().unwrap();
     let mut camera = stage::camera();
     camera.orbit(0.1, 0.0);
-    assert!(renderer.draw_geometry(&stage::scene(), &camera));
+    assert!(renderer.draw_geometry(&stage::scene().unwrap(), &camera));
     assert!(renderer.draw_light(&lights[..2]).unwrap());
     let mut fresh = Renderer::<Fx16>::new(96, 54).unwrap();
-    fresh.draw_geometry(&stage::scene(), &camera);
+    fresh.draw_geometry(&stage::scene().unwrap(), &camera);
     fresh.draw_light(&lights[..2]).unwrap();
     assert_eq!(renderer.encode(), fresh.encode());
 }
@@ -92,7 +92,7 @@ fn a_refused_light_leaves_the_picture_of_the_former_geometry_too() {
     camera.orbit(1.0, 0.0);
     let needle = Cone::from_outer(Edge::Hard, Angle::degrees(0.5)).unwrap();
     let needle = Spot::new(Vec3::new(0.0, 3.0, 0.0), Vec3::new(0.0, -1.0, 0.0), needle).unwrap();
-    assert!(renderer.draw_geometry(&stage::scene(), &camera));
+    assert!(renderer.draw_geometry(&stage::scene().unwrap(), &camera));
     assert!(renderer.draw_light(&[needle]).is_err());
     assert_eq!(renderer.encode(), before);
     assert!(renderer.draw_light(&stage::lights().unwrap()).unwrap());
@@ -115,7 +115,7 @@ fn sizes_that_can_be_are_drawn() {
         let mut renderer = Renderer::<f32>::new(width, height).unwrap();
         assert_eq!(renderer.pixels().len(), width * height * 4);
         assert!(renderer.pixels().chunks_exact(4).all(|pixel| pixel == [0, 0, 0, 255]), "black until drawn");
-        assert!(renderer.draw_geometry(&stage::scene(), &stage::camera()));
+        assert!(renderer.draw_geometry(&stage::scene().unwrap(), &stage::camera()));
         assert!(renderer.draw_light(&stage::lights().unwrap()).unwrap());
         assert_eq!(renderer.encode().len(), width * height * 4);
         assert!(renderer.linear(width - 1, height - 1).is_some());

@@ -18,7 +18,7 @@ fn luminaires() -> Result<Vec<Luminaire>, Error> {
 }
 
 fn hazy() -> Result<Scene, Error> {
-    let mut scene = stage::scene();
+    let mut scene = stage::scene().unwrap();
     scene.set_haze(Some(Haze::new(0.03)?));
     Ok(scene)
 }
@@ -52,7 +52,7 @@ fn bits<S: Format>(renderer: &Renderer<S>) -> Vec<Option<[u32; 3]>> {
 #[test]
 fn what_is_called_for_is_everything() -> Result<(), Error> {
     fn assert_format<S: Format>() -> Result<(), Error> {
-        for scene in [stage::scene(), hazy()?] {
+        for scene in [stage::scene().unwrap(), hazy()?] {
             let mut luminaires = luminaires()?;
             let mut planned = renderer::<S>(&scene, &luminaires);
             for step in 0..4 {
@@ -81,8 +81,8 @@ fn what_is_called_for_is_everything() -> Result<(), Error> {
 /// The light of a pixel is that of the lamp, times what its pattern and its shadow leave of it, to the bit.
 #[test]
 fn patterns_and_shadows_are_factors() -> Result<(), Error> {
-    let mut scene = stage::scene();
-    scene.set_ambient(Rgb::default());
+    let mut scene = stage::scene().unwrap();
+    scene.set_ambient(Rgb::default()).unwrap();
     let luminaire = luminaires()?[0];
     let Lamp::Spot(spot) = *luminaire.lamp() else { panic!("it is a spotlight") };
     let renderer = renderer::<f32>(&scene, &[luminaire]);
@@ -99,7 +99,7 @@ fn patterns_and_shadows_are_factors() -> Result<(), Error> {
         dimmed += u32::from(light > 0.0 && pattern < 1.0);
         shadowed += u32::from(light > 0.0 && visibility < 1.0);
         let light = light * pattern * visibility;
-        let expected = spot.color().zip(material.albedo, |color, albedo| light * color * albedo);
+        let expected = spot.color().zip(material.albedo(), |color, albedo| light * color * albedo);
         assert_eq!(renderer.linear(x, y), Some(expected), "at {x}, {y}");
     }
     assert!(dimmed > 500 && shadowed > 200, "{dimmed} pixels under the pattern, {shadowed} in shadow");
@@ -110,9 +110,9 @@ fn patterns_and_shadows_are_factors() -> Result<(), Error> {
 #[test]
 fn highlights_are_phongs() -> Result<(), Error> {
     let (albedo, specular) = (Rgb::new(0.0, 0.0, 0.0), Rgb::new(0.9, 0.8, 0.7));
-    let mut scene = stage::scene();
-    scene.set_ambient(Rgb::default());
-    let glazed = Material::new(albedo).with_highlight(specular, 40)?;
+    let mut scene = stage::scene().unwrap();
+    scene.set_ambient(Rgb::default()).unwrap();
+    let glazed = Material::new(albedo)?.with_highlight(specular, 40)?;
     scene.repaint(|_| glazed);
     let spots = stage::lights()?;
     let renderer = renderer::<f32>(&scene, &spots.map(Luminaire::from));
@@ -139,7 +139,7 @@ fn highlights_are_phongs() -> Result<(), Error> {
 fn haze_is_added() -> Result<(), Error> {
     let spots = stage::lights()?;
     let luminaires = spots.map(Luminaire::from);
-    let clear = renderer::<f32>(&stage::scene(), &luminaires);
+    let clear = renderer::<f32>(&stage::scene().unwrap(), &luminaires);
     let scene = hazy()?;
     let hazy = renderer::<f32>(&scene, &luminaires);
     let haze = scene.haze().expect("it was set");
@@ -170,7 +170,7 @@ fn what_no_beam_meets_is_not_lit_again() -> Result<(), Error> {
         Ok(Spot::new(Vec3::new(x, 3.0, 0.0), down, cone)?.with_intensity(9.0)?.into())
     };
     let mut relit = [0; 2];
-    for (scene, relit) in [stage::scene(), hazy()?].iter().zip(&mut relit) {
+    for (scene, relit) in [stage::scene().unwrap(), hazy()?].iter().zip(&mut relit) {
         let luminaires = [narrow(-1.0)?, narrow(1.0)?];
         let mut renderer = renderer_of::<f32>((640, 360), scene, &luminaires);
         assert!(!renderer.draw_light(&luminaires)?);
@@ -187,8 +187,8 @@ fn what_no_beam_meets_is_not_lit_again() -> Result<(), Error> {
 #[test]
 fn shadows_that_change_are_seen() -> Result<(), Error> {
     let luminaires = luminaires()?;
-    let mut renderer = renderer::<f32>(&stage::scene(), &luminaires);
-    assert_eq!(renderer.draw_shadows(&stage::scene(), &luminaires), Ok(false));
+    let mut renderer = renderer::<f32>(&stage::scene().unwrap(), &luminaires);
+    assert_eq!(renderer.draw_shadows(&stage::scene().unwrap(), &luminaires), Ok(false));
     assert!(!renderer.draw_light(&luminaires)?);
     // Without anything that throws a shadow, though the camera sees what it saw.
     assert_eq!(renderer.draw_shadows(&Scene::new(), &luminaires), Ok(true));
@@ -200,7 +200,7 @@ fn shadows_that_change_are_seen() -> Result<(), Error> {
 
 #[test]
 fn another_display_shows_other_codes() -> Result<(), Error> {
-    let mut renderer = renderer::<f32>(&stage::scene(), &luminaires()?);
+    let mut renderer = renderer::<f32>(&stage::scene().unwrap(), &luminaires()?);
     let plain = renderer.encode().to_vec();
     let displays = [Display::Rgb888Dithered, Display::Rgb565, Display::Rgb565Dithered];
     for (display, most) in displays.into_iter().zip([1, 5, 9]) {

@@ -32,7 +32,7 @@ fn narrow_beams() -> [Spot; 3] {
 fn difference<S: Format>(lights: &[Spot]) -> (u8, f64) {
     let mut renderer = Renderer::<S>::new(960, 540).unwrap();
     let mut reference = Renderer::<f32>::new(960, 540).unwrap();
-    let scene = stage::scene();
+    let scene = stage::scene().unwrap();
     let (mut largest, mut sum, mut count) = (0, 0_u64, 0_u64);
     for camera in cameras() {
         renderer.draw_geometry(&scene, &camera);

@@ -219,12 +219,12 @@ fn where_nothing_has_changed_nothing_is_done() {
 fn paint_and_ambient_light_draw_no_triangle() {
     let painted = |albedo| {
         let mut scene = Scene::new();
-        scene.add(Mesh::cuboid(2.0, 1.0, 1.0), Material::new(albedo));
+        scene.add(Mesh::cuboid(2.0, 1.0, 1.0), Material::new(albedo).unwrap()).unwrap();
         scene
     };
     let (red, blue) = (painted(Rgb::new(0.8, 0.1, 0.1)), painted(Rgb::new(0.1, 0.1, 0.8)));
     let mut dim = blue.clone();
-    dim.set_ambient(Rgb::new(0.1, 0.1, 0.1));
+    dim.set_ambient(Rgb::new(0.1, 0.1, 0.1)).unwrap();
     let setup = turntable(4).unwrap();
     let luminaires = setup.luminaires_at(0.0).unwrap();
     let mut renderer = Renderer::<f32>::new(SIZE.0, SIZE.1).unwrap();

@@ -26,6 +26,26 @@ const fn through(test: &'static str, items: &'static [&'static str]) -> Held {
 pub(crate) const KINDS: [&str; 6] = ["Profile", "Attenuation", "Specular", "Highlight", "Light", "Scalar"];
 
 #[rustfmt::skip]
+/// What no program that is linked without a panic is seen to call, and why.
+pub(crate) const UNPROVED: &[(&str, &[&str])] = &[
+    (
+        "source is written on the host, by build scripts",
+        &[
+            "Source::write", "Source::as_source", "Named::write_name", "Blend::to_bits", "Cubic::to_bits",
+            "FloatFrame::to_bits", "FloatRamp::to_bits", "Frame16::to_bits", "Frame32::to_bits",
+            "Gain16::to_bits", "Gain32::to_bits", "Ramp32::to_bits",
+        ],
+    ),
+    (
+        "a macro of firmware/effects/src/raw.rs calls it, for each format",
+        &[
+            "Frame16::from_bits", "Frame32::from_bits", "Gain16::from_bits", "Gain32::from_bits",
+            "Ramp16::from_bits", "Ramp32::from_bits",
+        ],
+    ),
+];
+
+#[rustfmt::skip]
 pub(crate) const REGISTER: &[Held] = &[
     // From a position or a versine to the intensity.
     by("tests/accuracy.rs::f32_keeps_its_rows", &[

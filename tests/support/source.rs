@@ -1,15 +1,26 @@
 //! What Rust source declares: its public functions, its implementations of traits, and its tests.
 
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use syn::{ImplItem, Item, TraitItem, Type, Visibility};
+use syn::visit::{self, Visit};
+use syn::{Block, Expr, ExprMethodCall, ExprPath, ImplItem, Item, TraitItem, Type, Visibility};
 
 /// A Rust file and where it is, from the root of the workspace.
 pub(crate) struct Source {
     pub(crate) path: String,
     pub(crate) text: String,
     items: Vec<Item>,
+}
+
+/// Something that is declared for others.
+pub(crate) struct Declaration {
+    /// `function`, `Type::method` or `Trait::method`; of a method that a macro writes `macro!::method`, and of an
+    /// implementation of a trait `Trait for Type`.
+    pub(crate) name: String,
+    /// Whether it does more than to store and to give back.
+    pub(crate) computes: bool,
 }
 
 /// Every Rust file of a folder and of the folders in it, in the order of their paths.
@@ -41,13 +52,18 @@ fn collect(folder: &Path, paths: &mut Vec<PathBuf>) {
 }
 
 impl Source {
-    /// Every public function and method, as `function`, `Type::method` or `Trait::method`; the methods that a
-    /// macro writes as `macro!::method`. Every implementation of one of the traits `kinds`, as `Trait for
-    /// Type`.
-    pub(crate) fn declarations(&self, kinds: &[&str]) -> Vec<String> {
+    /// Every public function and method, and every implementation of one of the traits `kinds`.
+    pub(crate) fn declarations(&self, kinds: &[&str]) -> Vec<Declaration> {
         let mut found = Vec::new();
         declared(&self.items, kinds, &mut found);
         found
+    }
+
+    /// What the file calls or names as a value: `function`, `Type::method` where the type is named, and `.method`.
+    pub(crate) fn calls(&self) -> BTreeSet<String> {
+        let mut calls = Calls::default();
+        self.items.iter().for_each(|item| calls.visit_item(item));
+        calls.0
     }
 
     /// Every test, as `path::name`.
@@ -58,44 +74,93 @@ impl Source {
     }
 }
 
-fn declared(items: &[Item], kinds: &[&str], found: &mut Vec<String>) {
+fn declare(found: &mut Vec<Declaration>, name: String, computes: bool) {
+    found.push(Declaration { name, computes });
+}
+
+fn declared(items: &[Item], kinds: &[&str], found: &mut Vec<Declaration>) {
     for item in items {
         match item {
-            Item::Fn(function) if is_public(&function.vis) => found.push(function.sig.ident.to_string()),
+            Item::Fn(function) if is_public(&function.vis) => {
+                declare(found, function.sig.ident.to_string(), computes(&function.block));
+            }
             Item::Trait(declaration) if is_public(&declaration.vis) => {
-                let methods = declaration.items.iter().filter_map(|item| match item {
-                    TraitItem::Fn(method) => Some(format!("{}::{}", declaration.ident, method.sig.ident)),
-                    _ => None,
-                });
-                found.extend(methods);
+                for item in &declaration.items {
+                    let TraitItem::Fn(method) = item else { continue };
+                    declare(found, format!("{}::{}", declaration.ident, method.sig.ident), true);
+                }
             }
             Item::Impl(implementation) => {
                 let of = type_name(&implementation.self_ty);
                 if let Some((path, _)) = &implementation.trait_ {
                     let kind = path.segments.last().expect("a path has a name").ident.to_string();
                     if kinds.contains(&kind.as_str()) {
-                        found.push(format!("{kind} for {of}"));
+                        declare(found, format!("{kind} for {of}"), true);
                     }
                     continue;
                 }
-                let methods = implementation.items.iter().filter_map(|item| match item {
-                    ImplItem::Fn(method) if is_public(&method.vis) => {
-                        Some(format!("{of}::{}", method.sig.ident))
+                for item in &implementation.items {
+                    match item {
+                        ImplItem::Fn(method) if is_public(&method.vis) => {
+                            declare(found, format!("{of}::{}", method.sig.ident), computes(&method.block));
+                        }
+                        _ => {}
                     }
-                    _ => None,
-                });
-                found.extend(methods);
+                }
             }
             Item::Macro(definition) => {
                 let Some(name) = &definition.ident else { continue };
-                let methods = public_functions(&definition.mac.tokens.to_string());
-                found.extend(methods.into_iter().map(|method| format!("{name}!::{method}")));
+                for method in public_functions(&definition.mac.tokens.to_string()) {
+                    declare(found, format!("{name}!::{method}"), true);
+                }
             }
             Item::Mod(module) => {
                 declared(module.content.as_ref().map_or(&[], |(_, items)| items), kinds, found);
             }
             _ => {}
         }
+    }
+}
+
+/// Whether a function does more than to store and to give back: it has an expression of another kind.
+fn computes(block: &Block) -> bool {
+    struct Computes(bool);
+    impl Visit<'_> for Computes {
+        fn visit_expr(&mut self, expression: &Expr) {
+            match expression {
+                Expr::Path(_)
+                | Expr::Field(_)
+                | Expr::Struct(_)
+                | Expr::Array(_)
+                | Expr::Reference(_)
+                | Expr::Lit(_) => visit::visit_expr(self, expression),
+                _ => self.0 = true,
+            }
+        }
+
+        fn visit_macro(&mut self, _: &syn::Macro) {
+            self.0 = true;
+        }
+    }
+    let mut found = Computes(false);
+    found.visit_block(block);
+    found.0
+}
+
+/// What is called.
+#[derive(Default)]
+struct Calls(BTreeSet<String>);
+
+impl Visit<'_> for Calls {
+    fn visit_expr_path(&mut self, named: &ExprPath) {
+        let names: Vec<_> = named.path.segments.iter().map(|segment| segment.ident.to_string()).collect();
+        self.0.insert(names[names.len().saturating_sub(2)..].join("::"));
+        visit::visit_expr_path(self, named);
+    }
+
+    fn visit_expr_method_call(&mut self, call: &ExprMethodCall) {
+        self.0.insert(format!(".{}", call.method));
+        visit::visit_expr_method_call(self, call);
     }
 }
 

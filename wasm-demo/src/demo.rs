@@ -261,7 +261,7 @@ impl Demo {
         let mut names = NAMES.iter();
         Ok(Self {
             renderer: FIRST.renderer(width, height)?,
-            scene: stage::scene(),
+            scene: stage::scene()?,
             camera: stage::camera(),
             lights: spots.map(|spot| Light::new(names.next().copied().unwrap_or_default(), spot)),
             rest: spots.map(|spot| spot.axis()),

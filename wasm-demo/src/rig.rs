@@ -8,7 +8,7 @@ use crate::{
 };
 use luminaire::{Effect, Effects, Error, Haze, Lamp, Luminaire, Plan};
 use luminaire_render::{
-    Camera, Display, Material, Scene,
+    Camera, Display, Scene,
     examples::{Fixture, Setup},
 };
 
@@ -192,7 +192,7 @@ impl Rig {
     fn refit(&mut self) -> Result<(), Error> {
         self.scene = self.setup.scene.clone();
         if !self.has(Effect::Specular) {
-            self.scene.repaint(|material| Material::new(material.albedo));
+            self.scene.repaint(|material| material.without_highlight());
         }
         if self.has(Effect::Haze) != self.effects.has(Effect::Haze) {
             let haze = if self.has(Effect::Haze) { Some(Haze::new(HAZE)?) } else { None };

@@ -1,6 +1,6 @@
 //! Any distance model, faded out to a range.
 
-use super::{Attenuation, checked_range, inverse_squared, squared_fraction, window};
+use super::{Attenuation, checked_range, dimmed, inverse_squared, squared_fraction, window};
 use crate::{
     error::Error,
     scalar::{Ray, Scalar, Share},
@@ -60,6 +60,6 @@ impl<A: Attenuation> Attenuation for Faded<A> {
         intensity: S::Gain,
     ) -> S::Irradiance {
         let window = window::<S, R>(*squared, offset, ray);
-        A::expose::<S, R>(inner, offset, ray, share.share_of(window.share_of(window)), intensity)
+        A::expose::<S, R>(inner, offset, ray, dimmed::<S, _>(share, window.share_of(window)), intensity)
     }
 }

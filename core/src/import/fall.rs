@@ -85,17 +85,16 @@ struct Decay {
 /// stands.
 #[derive(Clone, Copy)]
 struct Divisor {
-    exponent: usize,
+    /// Whether `n` is 1.
+    is_steep: bool,
     scale: f64,
     share: f64,
 }
 
 impl Divisor {
     fn coefficients(self) -> [f32; 3] {
-        let mut coefficients = [0.0; 3];
-        coefficients[self.exponent] = (self.scale * (1.0 - self.share)) as f32;
-        coefficients[self.exponent + 1] = (self.scale * self.share) as f32;
-        coefficients
+        let [low, high] = [1.0 - self.share, self.share].map(|part| (self.scale * part) as f32);
+        if self.is_steep { [0.0, low, high] } else { [low, high, 0.0] }
     }
 
     fn value(self, distance: f64) -> f64 {
@@ -155,7 +154,7 @@ impl Decay {
         let with = |share: f64, octaves: f64| {
             let scale = real_power(2.0, octaves.abs());
             let scale = if octaves < 0.0 { 1.0 / scale } else { scale };
-            Divisor { exponent: usize::from(self.exponent >= 1.0), scale, share }
+            Divisor { is_steep: self.exponent >= 1.0, scale, share }
         };
         let scaled = |share: f64| with(share, least_at(-4.0, 4.0, |octaves| worst(with(share, octaves))));
         let divisor = if self.exponent == 1.0 {

@@ -1,6 +1,10 @@
 //! Profiles of the third degree.
 
-use super::{Curve, Profile, polynomial::Polynomial, without_coefficients};
+use super::{
+    Curve, Profile,
+    polynomial::{Polynomial, slope_of_bits},
+    without_coefficients,
+};
 use crate::{
     error::{Accepted, Error, Parameter},
     scalar::{Fraction, Scalar},
@@ -101,12 +105,9 @@ impl Cubic {
     }
 
     /// The cubic of slopes of these bits, at the edge and in the middle, as [`source`](crate::source) writes them; each
-    /// brought to [0, 4]. Only those that [`with_slopes`](Self::with_slopes) accepts make a monotone cubic.
+    /// clamped to [0, 4], NaN to 0. Only those that [`with_slopes`](Self::with_slopes) accepts make a monotone cubic.
     pub const fn from_bits([edge_slope, middle_slope]: [u32; 2]) -> Self {
-        Self {
-            edge_slope: f32::from_bits(edge_slope).clamp(0.0, 4.0),
-            middle_slope: f32::from_bits(middle_slope).clamp(0.0, 4.0),
-        }
+        Self { edge_slope: slope_of_bits(edge_slope, 4.0), middle_slope: slope_of_bits(middle_slope, 4.0) }
     }
 
     /// The bits of the slopes, at the edge and in the middle.

@@ -52,11 +52,12 @@ pub(super) fn raised(x: f64, n: u32) -> f64 {
     power
 }
 
-/// `t^n` for `n` from 1 up, kept fine: by the binary digits of `n`, from the second highest down.
+/// `t^n` for `n` from 1 up, kept fine: by the binary digits of `n`, from the second highest down. `t` for 0.
 #[inline(always)]
 pub(super) fn power<S: Scalar, F: Fraction<S>>(t: F, n: u32) -> F {
     let mut power = t;
-    let mut digit = n.ilog2();
+    // No exponent is 0, but only so does the compiler know: the logarithm of 0 would panic.
+    let mut digit = (n | 1).ilog2();
     while digit > 0 {
         digit -= 1;
         power = power.fine_product(power);

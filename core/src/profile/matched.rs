@@ -5,6 +5,7 @@ use super::{
     Power, Profile, RealPower, RealRim, Rim, Smooth, Soft, Table,
     cubic::CompiledCubic,
     mixed::{CompiledMixedPower, CompiledMixedRim},
+    power::sound,
     quadratic::CompiledBlend,
     real::{CompiledRealPower, CompiledRealRim},
 };
@@ -159,13 +160,13 @@ from! {
 
 impl<const N: u32> From<Power<N>> for Matched {
     fn from(_: Power<N>) -> Self {
-        Self::power(N)
+        Self::power(sound::<N>())
     }
 }
 
 impl<const N: u32> From<Rim<N>> for Matched {
     fn from(_: Rim<N>) -> Self {
-        Self::rim(N)
+        Self::rim(sound::<N>())
     }
 }
 

@@ -38,6 +38,13 @@ impl Polynomial {
     }
 }
 
+/// The slope of these bits, clamped to what a profile may have: from 0, which also stands for NaN, to `most`.
+pub(super) const fn slope_of_bits(bits: u32, most: f32) -> f32 {
+    let slope = f32::from_bits(bits);
+    // A clamp keeps NaN.
+    if slope.is_nan() { 0.0 } else { slope.clamp(0.0, most) }
+}
+
 /// The real roots of `a x^2 + b x + c`, without cancellation; not a number or infinite where there is none.
 fn roots(a: f32, b: f32, c: f32) -> [f32; 2] {
     let root = trig::sqrt(b * b - 4.0 * a * c);

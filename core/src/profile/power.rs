@@ -11,17 +11,37 @@ use crate::scalar::{Fraction, Scalar};
 /// each further binary one of `N`. `N` is from 1 to 1,024.
 ///
 /// The larger `N`, the more of the cone is close to dark: `Power<2>` is [`Soft`](crate::Soft).
+///
+/// Any other `N` does not compile:
+///
+/// ```compile_fail,E0080
+/// let profile = luminaire::Matched::from(luminaire::Power::<0>);
+/// ```
+///
+/// ```compile_fail,E0080
+/// let profile = luminaire::Matched::from(luminaire::Power::<4_000_000_000>);
+/// ```
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct Power<const N: u32>;
 
 /// The rim power `1 - u^N`, Godot's spotlight of the angle attenuation `1/N`: as many multiplies as [`Power`]. `N` is from 1 to 1,024.
 ///
 /// The larger `N`, the flatter the middle and the crisper the rim: `Rim<2>` is [`Hard`](crate::Hard).
+///
+/// Any other `N` does not compile:
+///
+/// ```compile_fail,E0080
+/// let profile = luminaire::Matched::from(luminaire::Rim::<0>);
+/// ```
+///
+/// ```compile_fail,E0080
+/// let profile = luminaire::Matched::from(luminaire::Rim::<4_000_000_000>);
+/// ```
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct Rim<const N: u32>;
 
-/// `N`, which the compiler checks.
-const fn sound<const N: u32>() -> u32 {
+/// `N`, which the compiler checks. Every use of `N` comes through here, so that no conversion lets another one pass.
+pub(super) const fn sound<const N: u32>() -> u32 {
     const { assert!(N >= 1 && N <= MOST, "a power has an exponent from 1 to 1,024") };
     N
 }
@@ -30,19 +50,19 @@ impl<const N: u32> Profile for Power<N> {
     without_coefficients!();
 
     fn beam_versine(self) -> f32 {
-        IntegerPower::of(N).beam_versine()
+        IntegerPower::of(sound::<N>()).beam_versine()
     }
 
     fn field_versine(self) -> f32 {
-        IntegerPower::of(N).field_versine()
+        IntegerPower::of(sound::<N>()).field_versine()
     }
 
     fn steepness(self, hotspot: f32) -> f32 {
-        IntegerPower::of(N).steepness(hotspot)
+        IntegerPower::of(sound::<N>()).steepness(hotspot)
     }
 
     fn integral(self, u: f32) -> f32 {
-        IntegerPower::of(N).integral(u)
+        IntegerPower::of(sound::<N>()).integral(u)
     }
 }
 
@@ -57,19 +77,19 @@ impl<const N: u32> Profile for Rim<N> {
     without_coefficients!();
 
     fn beam_versine(self) -> f32 {
-        IntegerRim::of(N).beam_versine()
+        IntegerRim::of(sound::<N>()).beam_versine()
     }
 
     fn field_versine(self) -> f32 {
-        IntegerRim::of(N).field_versine()
+        IntegerRim::of(sound::<N>()).field_versine()
     }
 
     fn steepness(self, hotspot: f32) -> f32 {
-        IntegerRim::of(N).steepness(hotspot)
+        IntegerRim::of(sound::<N>()).steepness(hotspot)
     }
 
     fn integral(self, u: f32) -> f32 {
-        IntegerRim::of(N).integral(u)
+        IntegerRim::of(sound::<N>()).integral(u)
     }
 }
 

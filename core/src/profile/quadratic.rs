@@ -1,6 +1,10 @@
 //! Profiles up to the second degree: the paper's two, the straight line between them, and every blend of them.
 
-use super::{Curve, Profile, polynomial::Polynomial, without_coefficients};
+use super::{
+    Curve, Profile,
+    polynomial::{Polynomial, slope_of_bits},
+    without_coefficients,
+};
 use crate::{
     error::{Accepted, Error, Parameter},
     scalar::{Fraction, Scalar},
@@ -42,9 +46,9 @@ impl Blend {
         }
     }
 
-    /// The quadratic of an edge slope of these bits, as [`source`](crate::source) writes it; brought to [0, 2].
+    /// The quadratic of an edge slope of these bits, as [`source`](crate::source) writes it; clamped to [0, 2], NaN to 0.
     pub const fn from_bits(edge_slope: u32) -> Self {
-        Self { edge_slope: f32::from_bits(edge_slope).clamp(0.0, 2.0) }
+        Self { edge_slope: slope_of_bits(edge_slope, 2.0) }
     }
 
     /// The bits of the edge slope.

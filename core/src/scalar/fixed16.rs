@@ -10,7 +10,7 @@ mod offset;
 
 pub use self::frame::Frame16;
 use self::{fine::Fine16, offset::Offset16};
-use super::{Offset, Place, Ray, Rise, Scalar, Slopes, fraction::Fraction16, nearest};
+use super::{Offset, Place, Ray, Rise, Scalar, Slopes, fraction::Fraction16, nearest, rounded};
 use crate::{
     color::{dithered_fixed, srgb16},
     trig,
@@ -113,8 +113,7 @@ fn zoom(limit: f32) -> u32 {
 
 /// The nearest versine times `4^zoom`, saturating; NaN becomes zero.
 fn magnified(value: f32, zoom: u32) -> U3F29 {
-    let value = value * (1_u64 << (2 * zoom)) as f32;
-    if value.is_nan() { U3F29::ZERO } else { U3F29::saturating_from_num(value) }
+    U3F29::from_bits(rounded(value * (1_u64 << (29 + 2 * zoom)) as f32) as u32)
 }
 
 /// `product / 2^shift`, rounded to nearest, saturating.
@@ -174,7 +173,7 @@ impl Scalar for Fx16 {
     }
 
     fn axis(axis: Vec3<f32>) -> Vec3<I2F30> {
-        axis.map(|c| if c.is_nan() { I2F30::ZERO } else { I2F30::saturating_from_num(c) })
+        axis.map(|c| I2F30::from_bits(nearest(c * 1_073_741_824.0)))
     }
 
     fn versine(ramp: Ramp16, value: f32) -> U3F29 {
@@ -182,7 +181,7 @@ impl Scalar for Fx16 {
     }
 
     fn weight(value: f32) -> I18F14 {
-        if value.is_nan() { I18F14::ZERO } else { I18F14::saturating_from_num(value.clamp(-4.0, 4.0)) }
+        I18F14::from_bits(nearest(value.clamp(-4.0, 4.0) * 16_384.0))
     }
 
     fn gain(value: f32) -> Gain16 {

@@ -7,7 +7,7 @@ mod gain;
 mod lobe;
 
 pub use self::frame::Frame32;
-use super::{Gain, Offset, Place, Ray, Rise, Scalar, Slopes, fraction::Fraction32, nearest, root};
+use super::{Gain, Offset, Place, Ray, Rise, Scalar, Slopes, fraction::Fraction32, nearest, root, rounded};
 use crate::{
     color::{dithered_fixed, srgb32},
     vec3::Vec3,
@@ -149,7 +149,7 @@ fn fraction(scalar: Fx32) -> u64 {
 
 /// The nearest versine; not a number becomes zero.
 fn nearest_versine(value: f32) -> Versine32 {
-    if value.is_nan() { Versine32::ZERO } else { Versine32::saturating_from_num(value) }
+    Versine32::from_bits(rounded(value * (1_u64 << 61) as f32) as u64)
 }
 
 impl Scalar for Fx32 {
@@ -211,7 +211,7 @@ impl Scalar for Fx32 {
     }
 
     fn weight(value: f32) -> I34F30 {
-        if value.is_nan() { I34F30::ZERO } else { I34F30::saturating_from_num(value.clamp(-4.0, 4.0)) }
+        I34F30::from_bits(rounded(value.clamp(-4.0, 4.0) * 1_073_741_824.0) as i64)
     }
 
     fn gain(value: f32) -> Gain32 {

@@ -48,7 +48,7 @@ pub(crate) struct MachBands {
 impl MachBands {
     pub(crate) fn draw() -> Result<Self, Box<dyn Error>> {
         let mut renderer = picture::renderer(PANEL, PANEL)?;
-        renderer.draw_geometry(&wall(), &camera());
+        renderer.draw_geometry(&wall()?, &camera());
         let linear = Cone::from_outer(Linear, OUTER)?.with_inner(INNER)?;
         let soft = Cone::from_outer(Soft, OUTER)?;
         let smooth = Cone::from_outer(Smooth, OUTER)?.with_inner(INNER)?;
@@ -141,11 +141,11 @@ fn tangent(angle: Angle) -> f64 {
 }
 
 /// A wall whose face is at z = 0.
-fn wall() -> Scene {
+fn wall() -> Result<Scene, luminaire::Error> {
     let mut scene = Scene::new();
     let wall = Mesh::cuboid(8.0, 4.0, 1.0).moved(Vec3::new(0.0, 0.0, -0.5));
-    scene.add(wall, Material::new(Rgb::new(ALBEDO, ALBEDO, ALBEDO)));
-    scene
+    scene.add(wall, Material::new(Rgb::new(ALBEDO, ALBEDO, ALBEDO))?)?;
+    Ok(scene)
 }
 
 /// The eye where the light is.

@@ -29,7 +29,7 @@ pub(crate) fn lit(
     move |x, y| {
         renderer.surface(x, y).map_or_else(Rgb::default, |(point, normal, material)| {
             let light = arriving(point, normal);
-            ambient.map(|ambient| ambient + light).zip(material.albedo, |light, albedo| light * albedo)
+            ambient.map(|ambient| ambient + light).zip(material.albedo(), |light, albedo| light * albedo)
         })
     }
 }

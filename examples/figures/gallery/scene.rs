@@ -20,7 +20,7 @@ const AMBIENT: Rgb<f32> = Rgb::new(0.010, 0.012, 0.016);
 /// The scene under Warn's model, the soft and the hard edge, in this order.
 pub(crate) fn pictures() -> Result<[Picture; 3], Box<dyn Error>> {
     let mut renderer = picture::renderer(SIZE.0, SIZE.1)?;
-    renderer.draw_geometry(&scene(), &camera());
+    renderer.draw_geometry(&scene()?, &camera());
 
     let warn = Warn::from_field(Angle::degrees(FIELD));
     let place = spot(Edge::Soft)?;
@@ -48,16 +48,16 @@ fn camera() -> Camera {
 }
 
 /// A sphere, a cone and a ring on a floor.
-fn scene() -> Scene {
+fn scene() -> Result<Scene, luminaire::Error> {
     let floor = Mesh::extrude(&Outline::start(6.0, 0.0).line_to(-6.0, 0.0), 12.0, 1);
     let sphere = Mesh::lathe(&Outline::start(0.0, 0.0).arc(0.0, 0.34, PI, 48), 96);
     let cone = Mesh::lathe(&Outline::start(0.0, 0.0).line_to(0.3, 0.0).line_to(0.0, 0.9), 96);
     let ring = Mesh::lathe(&Outline::start(0.26, 0.0).arc(0.26, 0.09, TAU, 48), 96);
     let mut scene = Scene::new();
-    scene.set_ambient(AMBIENT);
-    scene.add(sphere.moved(Vec3::new(-0.42, 0.0, -0.1)), Material::srgb(204, 92, 62));
-    scene.add(cone.moved(Vec3::new(0.42, 0.0, -0.3)), Material::srgb(226, 216, 196));
-    scene.add(ring.moved(Vec3::new(0.14, 0.0, 0.52)), Material::srgb(214, 160, 62));
-    scene.add(floor.moved(Vec3::new(0.0, 0.0, -6.0)), Material::srgb(196, 178, 156));
-    scene
+    scene.set_ambient(AMBIENT)?;
+    scene.add(sphere.moved(Vec3::new(-0.42, 0.0, -0.1)), Material::srgb(204, 92, 62))?;
+    scene.add(cone.moved(Vec3::new(0.42, 0.0, -0.3)), Material::srgb(226, 216, 196))?;
+    scene.add(ring.moved(Vec3::new(0.14, 0.0, 0.52)), Material::srgb(214, 160, 62))?;
+    scene.add(floor.moved(Vec3::new(0.0, 0.0, -6.0)), Material::srgb(196, 178, 156))?;
+    Ok(scene)
 }

@@ -5,6 +5,7 @@
 pub mod constants;
 pub mod effects;
 mod memory;
+pub mod raw;
 
 pub use memory::{Input, Place, run};
 

@@ -70,7 +70,10 @@ fn excess<S: Format>() -> f32 {
     for _ in 0..400_000 {
         let shininess = 8 + (1_000.0 * random.share().powi(4)) as u32;
         let finish = Finish::<S>::new(
-            Material::new(Rgb::default()).with_highlight(Rgb::new(1.0, 1.0, 1.0), shininess).unwrap(),
+            Material::new(Rgb::default())
+                .unwrap()
+                .with_highlight(Rgb::new(1.0, 1.0, 1.0), shininess)
+                .unwrap(),
         );
         let (point, normal) = (8.0 * random.vector(), random.direction());
         let to_eye = (normal + random.vector()).normalize();

@@ -12,10 +12,10 @@ use luminaire::{Directional, Error, Point, Rgb, SquaredWindow, Vec3};
 
 pub(super) fn setup() -> Result<Setup, Error> {
     let mut scene = Scene::new();
-    scene.set_ambient(Rgb::new(0.02, 0.02, 0.021));
+    scene.set_ambient(Rgb::new(0.02, 0.02, 0.021))?;
     hall::sculptures(&mut scene)?;
-    hall::pictures(&mut scene);
-    hall::room(&mut scene);
+    hall::pictures(&mut scene)?;
+    hall::room(&mut scene)?;
     let camera = Camera::new(Vec3::new(0.0, 1.5, -1.0), 7.7, 0.0, 0.07, 0.56);
     Ok(Setup::new(scene, camera, fixtures()?))
 }

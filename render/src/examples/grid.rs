@@ -28,7 +28,7 @@ pub(super) fn wide() -> Result<Setup, Error> {
 fn setup(columns: usize, rows: usize, outer: HalfAngle) -> Result<Setup, Error> {
     let mut scene = Scene::new();
     // Larger than what is lit, so that its edges stay out of the picture.
-    scene.add(floor(SIDE + 6.0, SIDE + 6.0), Material::srgb(212, 208, 202));
+    scene.add(floor(SIDE + 6.0, SIDE + 6.0), Material::srgb(212, 208, 202))?;
     // From far away, so that the floor is a parallelogram almost: its depth of 16 m is as high as 9 m of its width.
     let camera = Camera::new(Vec3::new(0.0, 0.0, 0.2), 90.0, 0.0, 0.61, 0.108);
     let cone = Cone::from_outer(Soft, outer)?;

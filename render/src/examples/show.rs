@@ -48,29 +48,29 @@ pub(super) fn setup() -> Result<Setup, Error> {
     .with_color(Rgb::new(0.5, 0.28, 1.0))?
     .with_intensity(12.0)?;
     fixtures.push(Fixture::new("moving head (wash)", wash));
-    let mut scene = scene();
+    let mut scene = scene()?;
     scene.set_haze(Some(Haze::new(0.05)?));
     Ok(Setup::new(scene, camera, fixtures))
 }
 
-fn scene() -> Scene {
+fn scene() -> Result<Scene, Error> {
     let mut scene = Scene::new();
     let black = Material::srgb(74, 74, 80);
     let cube = |width, height, depth, x, y, z| Mesh::cuboid(width, height, depth).moved(Vec3::new(x, y, z));
-    scene.add(sphere(0.6).moved(Vec3::new(0.0, 0.4, 0.0)), Material::srgb(224, 220, 214));
-    scene.add(cube(2.6, 0.4, 1.8, 0.0, 0.0, 0.0), black);
+    scene.add(sphere(0.6).moved(Vec3::new(0.0, 0.4, 0.0)), Material::srgb(224, 220, 214))?;
+    scene.add(cube(2.6, 0.4, 1.8, 0.0, 0.0, 0.0), black)?;
     for x in [-2.5, 2.5] {
-        scene.add(column().moved(Vec3::new(x, 0.0, 0.2)), Material::srgb(214, 210, 204));
+        scene.add(column().moved(Vec3::new(x, 0.0, 0.2)), Material::srgb(214, 210, 204))?;
     }
     for bar in [0.0, 0.3] {
-        scene.add(cube(11.0, 0.05, 0.05, 0.0, TRUSS.0 + bar, TRUSS.1), black);
+        scene.add(cube(11.0, 0.05, 0.05, 0.0, TRUSS.0 + bar, TRUSS.1), black)?;
     }
     for number in 0..GELS.len() {
-        scene.add(cube(0.22, 0.3, 0.22, place(number), TRUSS.0 - 0.32, TRUSS.1), black);
+        scene.add(cube(0.22, 0.3, 0.22, place(number), TRUSS.0 - 0.32, TRUSS.1), black)?;
     }
-    scene.add(floor(24.0, 20.0), Material::srgb(150, 148, 150));
-    scene.add(wall(24.0, 9.0, -3.6), Material::srgb(150, 152, 160));
-    scene
+    scene.add(floor(24.0, 20.0), Material::srgb(150, 148, 150))?;
+    scene.add(wall(24.0, 9.0, -3.6), Material::srgb(150, 152, 160))?;
+    Ok(scene)
 }
 
 /// Where on the truss a head hangs.

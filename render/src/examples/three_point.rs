@@ -20,5 +20,5 @@ pub(super) fn setup() -> Result<Setup, Error> {
         Fixture::new("Fresnel (fill)", fill),
         Fixture::new("PAR (back)", back).with_shadow(512),
     ];
-    Ok(Setup::new(stage::scene(), stage::camera(), fixtures.into()))
+    Ok(Setup::new(stage::scene()?, stage::camera(), fixtures.into()))
 }

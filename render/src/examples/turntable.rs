@@ -41,15 +41,15 @@ fn scene() -> Result<Scene, Error> {
     let up = luminaire::Vec3::new(0.0, 1.0, 0.0);
     let lying = capsule(0.24, 0.7).turned(luminaire::Vec3::new(0.0, 0.0, 1.0), FRAC_PI_2).turned(up, 0.5);
     let mut scene = Scene::new();
-    scene.set_ambient(Rgb::new(0.02, 0.021, 0.026));
+    scene.set_ambient(Rgb::new(0.02, 0.021, 0.026))?;
     let mut place =
         |mesh: Mesh, x, y, z, material| scene.add(mesh.moved(luminaire::Vec3::new(x, y, z)), material);
-    place(sphere(0.52), -0.75, 0.0, 0.1, gloss(178, 60, 48, 0.5, 96)?);
-    place(torus(0.42, 0.15), 0.62, 0.0, 0.78, gloss(206, 152, 60, 0.45, 48)?);
-    place(vase(), 0.42, 0.0, -0.5, gloss(44, 122, 128, 0.5, 128)?);
-    place(lying, -0.7, 0.24, 1.05, gloss(92, 82, 152, 0.4, 64)?);
-    place(floor(14.0, 12.0), 0.0, 0.0, 0.0, gloss(122, 118, 114, 0.12, 40)?);
-    place(wall(14.0, 6.0, -1.9), 0.0, 0.0, 0.0, gloss(168, 172, 182, 0.05, 16)?);
+    place(sphere(0.52), -0.75, 0.0, 0.1, gloss(178, 60, 48, 0.5, 96)?)?;
+    place(torus(0.42, 0.15), 0.62, 0.0, 0.78, gloss(206, 152, 60, 0.45, 48)?)?;
+    place(vase(), 0.42, 0.0, -0.5, gloss(44, 122, 128, 0.5, 128)?)?;
+    place(lying, -0.7, 0.24, 1.05, gloss(92, 82, 152, 0.4, 64)?)?;
+    place(floor(14.0, 12.0), 0.0, 0.0, 0.0, gloss(122, 118, 114, 0.12, 40)?)?;
+    place(wall(14.0, 6.0, -1.9), 0.0, 0.0, 0.0, gloss(168, 172, 182, 0.05, 16)?)?;
     Ok(scene)
 }
 

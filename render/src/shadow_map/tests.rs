@@ -47,7 +47,8 @@ fn spot(position: Vec3<f32>, target: Vec3<f32>, outer: f32) -> Spot {
 
 fn scene(meshes: impl IntoIterator<Item = Mesh>) -> Scene {
     let mut scene = Scene::new();
-    meshes.into_iter().for_each(|mesh| scene.add(mesh, Material::new(Rgb::new(1.0, 1.0, 1.0))));
+    let white = Material::srgb(255, 255, 255);
+    meshes.into_iter().for_each(|mesh| scene.add(mesh, white).unwrap());
     scene
 }
 
@@ -116,7 +117,7 @@ fn assert_stage_is_that_of_rays<S: Exact>() {
     let mut counts = [0; 3];
     for (camera, roll) in cameras().zip([0.0, 30.0, -90.0]) {
         for spot in stage::lights().unwrap() {
-            let found = assert_is_that_of_rays::<S>(&stage::scene(), &camera, &spot, roll, 512);
+            let found = assert_is_that_of_rays::<S>(&stage::scene().unwrap(), &camera, &spot, roll, 512);
             counts = [0, 1, 2].map(|i| counts[i] + found[i]);
         }
     }
@@ -143,7 +144,8 @@ fn shadows_on_the_stage_are_those_of_rays_in_fx16() {
 #[test]
 fn a_finer_map_has_finer_edges() {
     let spot = stage::lights().unwrap()[1];
-    let of = |side| assert_is_that_of_rays::<f32>(&stage::scene(), &stage::camera(), &spot, 0.0, side)[2];
+    let of =
+        |side| assert_is_that_of_rays::<f32>(&stage::scene().unwrap(), &stage::camera(), &spot, 0.0, side)[2];
     let (coarse, fine) = (of(512), of(2048));
     assert!(2 * fine < coarse, "{fine} of {coarse}");
 }
@@ -294,7 +296,7 @@ fn objects_outside_of_the_cone_change_no_bit() {
     for spot in stage::lights().unwrap() {
         let spot = spot.with_cone(Cone::from_outer(Edge::Soft, Angle::degrees(14.0)).unwrap());
         let projection = Projection::of(&spot).unwrap();
-        let apart = stage::scene();
+        let apart = stage::scene().unwrap();
         let view = View::of_light(&projection, 256);
         let meshes = || apart.objects().iter().map(|object| object.mesh.clone());
         let is_missed = |mesh: &Mesh| view.misses(&Bounds::of(mesh.vertices().iter().map(|v| v.position)));
@@ -314,18 +316,18 @@ fn a_map_is_drawn_again_only_if_scene_or_light_have_changed() {
     let [key, fill, _] = stage::lights().unwrap().map(|spot| Projection::of(&spot).unwrap());
     let mut map = ShadowMap::<Fx32>::new(64).unwrap();
     assert!(map.shadow().is_none());
-    let mut scene = stage::scene();
+    let mut scene = stage::scene().unwrap();
     assert_eq!(map.draw(&scene, &key), Ok(true));
     assert_eq!(map.draw(&scene, &key), Ok(false));
     assert_eq!(map.draw(&scene, &fill), Ok(true));
-    scene.add(sphere(0.5, Vec3::new(0.0, 2.0, 2.0)), Material::default());
+    scene.add(sphere(0.5, Vec3::new(0.0, 2.0, 2.0)), Material::default()).unwrap();
     assert_eq!(map.draw(&scene, &fill), Ok(true));
     assert_eq!(
         map.depths,
         drawn::<Fx32>(&scene, &fill, 64).depths,
         "nothing is left of what was drawn before"
     );
-    scene.set_ambient(Rgb::new(1.0, 1.0, 1.0));
+    scene.set_ambient(Rgb::new(1.0, 1.0, 1.0)).unwrap();
     assert_eq!(map.draw(&scene, &fill), Ok(false));
 }
 

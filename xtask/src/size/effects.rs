@@ -15,8 +15,10 @@ const PROFILE: &str = "size";
 
 /// The program that does nothing, whose bytes are no effect's.
 pub(crate) const EMPTY: &str = "empty";
-/// The program that evaluates everything, to show that nothing panics.
+/// The program that evaluates every light at a point, to show that nothing panics.
 pub(crate) const EVERYTHING: &str = "everything";
+/// The programs that call every function between them, to show that nothing panics. What they share is in the module `raw`.
+pub(crate) const PROOFS: [&str; 5] = [EVERYTHING, "batches", "lamps", "seam", "setup"];
 /// The program that would have more effects if its constants said so.
 pub(crate) const UNUSED: &str = "unused";
 
@@ -61,9 +63,15 @@ impl Effects {
         Self::cargo(board, format, &["--bins"], progress)
     }
 
-    /// Builds one program.
-    pub(crate) fn build_one(board: &Board, format: Format, name: &str, progress: &Progress) -> Result<Self> {
-        Self::cargo(board, format, &["--bin", name], progress)
+    /// Builds some of the programs.
+    pub(crate) fn build_some(
+        board: &Board,
+        format: Format,
+        names: &[&str],
+        progress: &Progress,
+    ) -> Result<Self> {
+        let programs: Vec<_> = names.iter().flat_map(|name| ["--bin", name]).collect();
+        Self::cargo(board, format, &programs, progress)
     }
 
     /// Builds one program for all boards, so that each is there when it is asked for.
@@ -107,7 +115,8 @@ fn names() -> Result<Vec<String>> {
         let name = entry.with_context(failed)?.path().with_extension("");
         names.extend(name.file_name().map(|name| name.to_string_lossy().into_owned()));
     }
-    names.retain(|name| ![EMPTY, EVERYTHING, UNUSED].contains(&name.as_str()));
+    let is_no_effect = |name: &str| [EMPTY, UNUSED].contains(&name) || PROOFS.contains(&name);
+    names.retain(|name| !is_no_effect(name));
     names.sort_unstable();
     Ok(names)
 }
@@ -121,5 +130,14 @@ mod tests {
         let names = names().unwrap();
         assert!(names.iter().any(|name| name == "spot_soft_lambert"), "{names:?}");
         assert!(!names.iter().any(|name| name == EMPTY), "{names:?}");
+    }
+
+    #[test]
+    fn the_programs_on_any_bits_are_the_proofs() {
+        let folder = project::root().join("firmware/effects/src/bin");
+        for name in names().unwrap().iter().map(String::as_str).chain(PROOFS) {
+            let program = fs::read_to_string(folder.join(name).with_extension("rs")).unwrap();
+            assert_eq!(program.contains("luminaire_effects::raw"), PROOFS.contains(&name), "{name}");
+        }
     }
 }

@@ -2,7 +2,7 @@
 
 use anyhow::{Result, ensure};
 
-use super::effects::{EMPTY, EVERYTHING, Effects, Format, UNUSED};
+use super::effects::{EMPTY, EVERYTHING, Effects, Format, PROOFS, UNUSED};
 use super::program::{Program, is_heap};
 use crate::command;
 use crate::firmware::laboratory::{self, Laboratory};
@@ -26,26 +26,31 @@ pub(crate) fn run(suite: &mut Suite) {
     for board in &board::ALL {
         suite.step(
             &format!("effects: nothing panics and nothing is allocated on {}", board.name),
-            |progress| no_panic(board, progress),
+            |progress| no_panic(&[EVERYTHING], board, progress),
         );
         suite.step(
             &format!("still: the picture of a constant light, and no soft float, on {}", board.name),
             |progress| still(board, progress),
         );
     }
+    suite.step("effects: no function panics and none allocates", |progress| {
+        no_panic(&PROOFS, smallest(), progress)
+    });
     suite.step("effects: what is not used takes no bytes", unused);
     suite.step("effects: the soft spotlight keeps to its budget", budget);
 }
 
 /// A panic that can be reached fails to link.
-fn no_panic(board: &Board, progress: &Progress) -> Result<()> {
+fn no_panic(names: &[&str], board: &Board, progress: &Progress) -> Result<()> {
     for format in Format::ALL {
-        let effects = Effects::build_one(board, format, EVERYTHING, progress)?;
-        let program = effects.program(EVERYTHING)?;
-        let heap = program.names_of(is_heap);
-        ensure!(heap.is_empty(), "in {} there is a heap: {}", format.name(), heap.join(", "));
-        // Nothing would be shown by a program from which the linker has thrown everything out.
-        ensure!(program.bytes > 20_000, "in {} there is nothing left to panic", format.name());
+        let effects = Effects::build_some(board, format, names, progress)?;
+        for name in names {
+            let program = effects.program(name)?;
+            let (heap, format) = (program.names_of(is_heap), format.name());
+            ensure!(heap.is_empty(), "in {name} in {format} there is a heap: {}", heap.join(", "));
+            // Nothing would be shown by a program from which the linker has thrown everything out.
+            ensure!(program.bytes > 20_000, "in {name} in {format} there is nothing left to panic");
+        }
     }
     Ok(())
 }

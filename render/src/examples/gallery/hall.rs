@@ -97,40 +97,45 @@ pub(super) fn sculptures(scene: &mut Scene) -> Result<(), Error> {
     ];
     for ((mesh, lift, material), (x, z)) in shown.into_iter().zip(SCULPTURES) {
         let plinth = 0.8;
-        scene.add(mesh.moved(Vec3::new(x, plinth + lift, z)), material);
-        scene
-            .add(Mesh::cuboid(0.62, plinth, 0.62).moved(Vec3::new(x, 0.0, z)), Material::srgb(226, 224, 220));
+        scene.add(mesh.moved(Vec3::new(x, plinth + lift, z)), material)?;
+        scene.add(
+            Mesh::cuboid(0.62, plinth, 0.62).moved(Vec3::new(x, 0.0, z)),
+            Material::srgb(226, 224, 220),
+        )?;
     }
     Ok(())
 }
 
 /// Framed pictures: two fields of colour on a ground.
-pub(super) fn pictures(scene: &mut Scene) {
+pub(super) fn pictures(scene: &mut Scene) -> Result<(), Error> {
     let board = |width: f32, height: f32, thickness: f32, middle: f32| {
         Mesh::cuboid(width, height, thickness).moved(Vec3::new(0.0, middle - height / 2.0, thickness / 2.0))
     };
     for (&(along, side), paints) in PICTURES.iter().zip(PAINTS) {
         let [ground, upper, lower] = paints.map(|(red, green, blue)| Material::srgb(red, green, blue));
         let mut hang = |mesh, before, material| scene.add(side.hang(mesh, along, before), material);
-        hang(board(1.12, 0.52, 0.004, EYE_LEVEL + 0.36), 0.034, upper);
-        hang(board(1.12, 0.68, 0.004, EYE_LEVEL - 0.3), 0.034, lower);
-        hang(board(1.36, 1.56, 0.03, EYE_LEVEL), 0.004, ground);
-        hang(board(1.44, 1.64, 0.02, EYE_LEVEL), 0.0, Material::srgb(48, 40, 34));
+        hang(board(1.12, 0.52, 0.004, EYE_LEVEL + 0.36), 0.034, upper)?;
+        hang(board(1.12, 0.68, 0.004, EYE_LEVEL - 0.3), 0.034, lower)?;
+        hang(board(1.36, 1.56, 0.03, EYE_LEVEL), 0.004, ground)?;
+        hang(board(1.44, 1.64, 0.02, EYE_LEVEL), 0.0, Material::srgb(48, 40, 34))?;
     }
+    Ok(())
 }
 
 /// Floor, walls and the shades of the pendants.
-pub(super) fn room(scene: &mut Scene) {
+pub(super) fn room(scene: &mut Scene) -> Result<(), Error> {
     let up = Vec3::new(0.0, 1.0, 0.0);
     let paint = Material::srgb(208, 206, 202);
     for (x, z) in PENDANTS {
-        scene.add(cone(0.16, 0.2).moved(Vec3::new(x, 2.92, z)), Material::srgb(60, 58, 56));
-        scene.add(Mesh::cuboid(0.012, 3.0, 0.012).moved(Vec3::new(x, 3.1, z)), Material::srgb(40, 40, 40));
+        scene.add(cone(0.16, 0.2).moved(Vec3::new(x, 2.92, z)), Material::srgb(60, 58, 56))?;
+        scene.add(Mesh::cuboid(0.012, 3.0, 0.012).moved(Vec3::new(x, 3.1, z)), Material::srgb(40, 40, 40))?;
     }
-    scene.add(floor(2.0 * HALF, 16.0).moved(Vec3::new(0.0, 0.0, 8.0 + BACK)), Material::srgb(138, 126, 112));
-    scene.add(wall(2.0 * HALF, HEIGHT, BACK), paint);
+    scene
+        .add(floor(2.0 * HALF, 16.0).moved(Vec3::new(0.0, 0.0, 8.0 + BACK)), Material::srgb(138, 126, 112))?;
+    scene.add(wall(2.0 * HALF, HEIGHT, BACK), paint)?;
     let side = || wall(16.0, HEIGHT, -HALF);
     let ahead = Vec3::new(0.0, 0.0, 8.0 + BACK);
-    scene.add(side().turned(up, FRAC_PI_2).moved(ahead), paint);
-    scene.add(side().turned(up, -FRAC_PI_2).moved(ahead), paint);
+    scene.add(side().turned(up, FRAC_PI_2).moved(ahead), paint)?;
+    scene.add(side().turned(up, -FRAC_PI_2).moved(ahead), paint)?;
+    Ok(())
 }

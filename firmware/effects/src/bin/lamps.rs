@@ -1,0 +1,101 @@
+//! Lamps of any kind, at a point and at many, and their beams in haze: what panics anywhere does not link.
+#![cfg_attr(target_os = "none", no_std, no_main)]
+
+use core::hint::black_box;
+
+use luminaire::{
+    Attenuation, CompiledDirectional, CompiledLamp, CompiledPoint, Distance, Haze, HazyBeam, Light, Lyon,
+    Matched, Matte, Phong, Profile, Scalar, Specular, Surface, Surfaces, Vec3, ViewRays,
+};
+use luminaire_effects::Format;
+use luminaire_effects::raw::{Bits, Raw, each};
+
+luminaire_effects::program!(lamps);
+
+/// As many points as a renderer may take at once.
+const LANES: usize = 4;
+
+fn lamps(words: [u64; 64]) {
+    of_format::<Format>(&mut Bits::new(words));
+}
+
+fn of_format<S: Raw>(bits: &mut Bits) {
+    let lamp = lamp::<S>(bits);
+    arrives_each::<S, Matte>(bits, &lamp, &());
+    let lobe = (S::raw_ramp(bits), bits.word() as u32);
+    arrives_each::<S, Lyon<Phong, 3>>(bits, &lamp, &lobe.0);
+    arrives::<S, Matte>(bits, &lamp, &());
+    arrives::<S, Phong>(bits, &lamp, &lobe);
+    if S::NAME == f32::NAME {
+        let (haze, lamp) = (Haze::new(bits.float()), self::lamp::<f32>(bits));
+        if let Ok(haze) = haze
+            && let Some(beam) = CompiledLamp::in_haze(&lamp, &haze)
+        {
+            scatters(bits, &beam);
+        }
+    }
+}
+
+/// A lamp of any kind, profile and distance model; its profile and its curve need not be of one kind.
+#[inline(never)]
+fn lamp<S: Raw>(bits: &mut Bits) -> CompiledLamp<S> {
+    let attenuation = bits.any_distance().constants::<S>();
+    let (place, intensity) = (bits.vector(S::raw_length), S::raw_gain(bits.word()));
+    let colors = bits.colors();
+    match bits.choice(3) {
+        0 => CompiledLamp::Directional(CompiledDirectional::from_parts(
+            bits.vector(S::unit),
+            intensity,
+            colors,
+        )),
+        1 => CompiledLamp::Point(CompiledPoint::from_parts(place, attenuation, intensity, colors)),
+        _ => {
+            let (profile, curve) = (bits.any_profile(), bits.any_profile().compile::<S>());
+            CompiledLamp::Spot(bits.any_spot(profile, curve, attenuation))
+        }
+    }
+}
+
+/// A kind of highlight at many points. Two kinds are enough here: there are loops with a highlight and loops without, for each
+/// profile and distance model. What the other kinds do at a point is in the program `everything`.
+#[inline(never)]
+fn arrives_each<S: Raw, H: Specular>(bits: &mut Bits, lamp: &CompiledLamp<S>, highlight: &H::Constants<S>) {
+    let (points, normals, views) =
+        (bits.columns(S::raw_length), bits.columns(S::scalar), bits.columns(S::unit));
+    let surfaces = Surfaces::<S, LANES> { point: each(&points), normal: each(&normals), view: each(&views) };
+    let mut arrivals = Default::default();
+    lamp.arrive_each::<H, LANES>(&surfaces, highlight, &mut arrivals);
+    black_box(arrivals);
+    black_box(Surfaces::at(&surfaces, bits.word() as usize));
+}
+
+/// A kind of highlight at a point, under a lamp of any kind.
+#[inline(never)]
+fn arrives<S: Raw, H: Specular>(bits: &mut Bits, lamp: &CompiledLamp<S>, highlight: &H::Constants<S>) {
+    let (point, normal) = (bits.vector(S::raw_length), bits.vector(S::scalar));
+    let surface = Surface { point, normal, view: bits.vector(S::unit) };
+    let skips = bits.choice(2) == 0;
+    black_box(lamp.arrive::<H>(&surface, highlight, skips));
+    black_box((Light::color(lamp), Light::specular_color(lamp)));
+}
+
+/// A beam in haze, for one ray and for many.
+#[inline(never)]
+fn scatters(bits: &mut Bits, beam: &HazyBeam<Matched, Distance>) {
+    let rays = ViewRays::<LANES> {
+        eye: bits.vector(f32::raw_length),
+        direction: bits.columns(f32::unit),
+        length: bits.column(f32::raw_length),
+    };
+    let mut lights = [0.0; LANES];
+    beam.air_light_each(&rays, &mut lights);
+    black_box(lights);
+    let mut filter = |places: &Vec3<[f32; LANES]>, lights: &mut [f32; LANES]| {
+        lights.iter_mut().zip(black_box(places.x)).for_each(|(light, x)| *light *= x);
+    };
+    beam.air_light_through_each(&rays, &mut filter, &mut lights);
+    black_box(lights);
+    let ray = ViewRays::at(&rays, bits.word() as usize);
+    black_box(beam.air_light(&ray));
+    black_box(beam.air_light_through(&ray, 4, |point| point.x));
+}

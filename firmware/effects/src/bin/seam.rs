@@ -1,0 +1,168 @@
+//! Every operation of the seam between the kernel and a number format, on any bits: what panics anywhere does not link.
+#![cfg_attr(target_os = "none", no_std, no_main)]
+
+use core::array::from_fn;
+use core::hint::black_box;
+
+use luminaire::source::{CompiledBlend, CompiledCubic};
+use luminaire::{
+    Attenuation, BlinnPhong, CompiledPoint, CompiledSpot, Cubic, Curve, Distance, DualCone, Effect, Effects,
+    Falloff, Fraction, Gain, Highlight, InverseSquare, Light, Lyon, Matched, Matte, Offset, Phong, Profile,
+    Ray, Rgb, Scalar, Soft, Specular, Surface, Vec3,
+};
+use luminaire_effects::Format;
+use luminaire_effects::raw::{Bits, Raw};
+
+luminaire_effects::program!(seam);
+
+fn seam(words: [u64; 64]) {
+    of_format::<Format>(&mut Bits::new(words));
+}
+
+fn of_format<S: Raw>(bits: &mut Bits) {
+    converts::<S>(bits);
+    multiplies::<S>(bits);
+    points::<S>(bits);
+    bends::<S>(bits);
+    shows::<S>(bits);
+    falls::<S>(bits);
+    glitters::<S, Matte>(bits);
+    glitters::<S, Phong>(bits);
+    glitters::<S, BlinnPhong>(bits);
+    glitters::<S, DualCone>(bits);
+    glitters::<S, Lyon<Phong, 3>>(bits);
+    keeps::<S>(bits);
+}
+
+/// From floats to the format and back.
+#[inline(never)]
+fn converts<S: Raw>(bits: &mut Bits) {
+    black_box(S::to_f32(S::from_f32(bits.float())));
+    black_box((S::length(bits.float()), S::weight(bits.float()), S::gain(bits.float())));
+    black_box(S::axis(bits.vector(f32::scalar)));
+    black_box(S::ramp(bits.float(), bits.float(), bits.float()));
+    let vectors = from_fn(|_| bits.vector(f32::scalar));
+    black_box(S::frame(vectors, bits.float()));
+    black_box((S::part(bits.word() as u32), S::weighted_byte(bits.word() as u32)));
+    black_box(S::versine(S::raw_ramp(bits), bits.float()));
+}
+
+/// Scalars, gains and directions.
+#[inline(never)]
+fn multiplies<S: Raw>(bits: &mut Bits) {
+    let [a, b] = from_fn(|_| S::scalar(bits.word()));
+    black_box((Scalar::times(a, b), Scalar::minus(a, b), Scalar::smooth(a)));
+    let [a, b] = from_fn(|_| S::raw_gain(bits.word()));
+    black_box((Gain::by(a, b), Gain::plus(a, b), Gain::inverse_capped(a), Gain::fraction(b)));
+    let [a, b] = from_fn(|_| bits.vector(S::unit));
+    let normal = bits.vector(S::scalar);
+    black_box((S::normal_unit(normal), S::mirror(a, normal), S::direction_between(a, b)));
+    black_box(S::incidence(a, normal));
+    let ramp = S::raw_ramp(bits);
+    let versine = S::versine_between(a, b, ramp);
+    black_box((S::power(versine, bits.word() as u32), S::rise(ramp, versine)));
+    black_box(Vec3::dot(bits.vector(f32::scalar), bits.vector(f32::scalar)));
+}
+
+/// The way from a light to a point.
+#[inline(never)]
+fn points<S: Raw>(bits: &mut Bits) {
+    let [light, point] = from_fn(|_| bits.vector(S::raw_length));
+    let (axis, normal, ramp) = (bits.vector(S::unit), bits.vector(S::scalar), S::raw_ramp(bits));
+    black_box(S::place(&S::raw_frame(bits), light, point));
+    let offset = S::offset(light, point);
+    let facing = Offset::facing(&offset, normal);
+    black_box(<S::Offset as Offset<S>>::faces_away(facing));
+    black_box(Offset::is_outside(&offset, axis, S::scalar(bits.word())));
+    black_box(Offset::squared_distance(&offset));
+    let ray = if bits.choice(2) == 0 {
+        Offset::ray(&offset)
+    } else {
+        black_box(Offset::reciprocal(&offset));
+        Offset::ray_of(&offset, bits.float())
+    };
+    black_box((Ray::distance(&ray), Ray::direction(&ray), Ray::versine(&ray, axis, ramp)));
+    black_box((Ray::rise(&ray, axis, ramp), Ray::cosine(&ray, facing)));
+    black_box(Ray::expose(&ray, S::scalar(bits.word()), S::raw_gain(bits.word())));
+}
+
+/// Fractions, and the curves of profiles.
+#[inline(never)]
+fn bends<S: Raw>(bits: &mut Bits) {
+    let [t, other]: [S::Fraction; 2] = from_fn(|_| {
+        let ramp = S::raw_ramp(bits);
+        S::rise(ramp, S::versine(ramp, bits.float()))
+    });
+    black_box((Fraction::complement(t), Fraction::fine_product(t, other), Fraction::product(t, other)));
+    black_box((Fraction::scalar(t), Fraction::of(t, S::scalar(bits.word()))));
+    black_box((Fraction::step(t), Fraction::smooth(t)));
+    let (g, h) = (S::raw_weight(bits.word()), S::raw_weight(bits.word()));
+    black_box((Fraction::blend(t, g), Fraction::cubic(t, g, h)));
+    let samples: [u16; 4] = bits.column(|bits| bits as u16);
+    black_box(Fraction::sample(t, black_box(&samples[..])));
+    black_box(Curve::<S>::intensity(CompiledBlend::from_parts(g), t));
+    black_box(Curve::<S>::intensity(CompiledCubic::from_parts(g, h), t));
+    let curve = Profile::compile::<S>(bits.any_profile());
+    black_box(Curve::<S>::intensity(curve, t));
+    let falloff = Falloff::<S, Matched>::from_parts(S::raw_ramp(bits), bits.any_profile(), curve);
+    let [light, point] = from_fn(|_| bits.vector(S::raw_length));
+    let ray = Offset::ray(&S::offset(light, point));
+    black_box(Falloff::toward(&falloff, ray, bits.vector(S::unit)));
+    black_box(Falloff::at(&falloff, Falloff::versine(&falloff, bits.float())));
+    black_box(Falloff::at(&Falloff::with_profile(&falloff, Soft), Falloff::versine(&falloff, bits.float())));
+}
+
+/// Light.
+#[inline(never)]
+fn shows<S: Raw>(bits: &mut Bits) {
+    let [a, b] = from_fn(|_| S::light(bits.word()));
+    let [color, part] = from_fn(|_| S::scalar(bits.word()));
+    let gain = S::raw_gain(bits.word());
+    black_box((S::expose(part, gain), S::filter(a, color), S::add_light(a, b), S::amplify(a, gain)));
+    black_box((S::light_to_f32(a), S::light_to_gain(b), S::clip(a)));
+    black_box((Scalar::srgb::<255>(color), Scalar::srgb::<63>(color), Scalar::srgb::<31>(color)));
+    black_box(Scalar::srgb_dithered::<31>(color, bits.word() as u8));
+}
+
+/// A distance model that is chosen at run time.
+#[inline(never)]
+fn falls<S: Raw>(bits: &mut Bits) {
+    let model = bits.any_distance();
+    black_box(Distance::range(&model));
+    let constants = Attenuation::constants::<S>(model);
+    let [light, point] = from_fn(|_| bits.vector(S::raw_length));
+    let offset = S::offset(light, point);
+    black_box(<Distance as Attenuation>::is_inverse_square::<S>(&constants));
+    black_box(<Distance as Attenuation>::is_beyond::<S>(&constants, &offset));
+    let (part, gain) = (S::scalar(bits.word()), S::raw_gain(bits.word()));
+    black_box(<Distance as Attenuation>::expose::<S>(&constants, &offset, &Offset::ray(&offset), part, gain));
+}
+
+/// A kind of highlight by itself.
+#[inline(never)]
+fn glitters<S: Raw, H: Specular>(bits: &mut Bits) {
+    let constants = <H as Specular>::constants::<S>(bits.word() as u32);
+    black_box(<H as Specular>::end(bits.word() as u32));
+    let [incoming, view] = from_fn(|_| bits.vector(S::unit));
+    let normal = bits.vector(S::scalar);
+    black_box(<H as Specular>::lobe::<S>(&constants, incoming, normal, view));
+    black_box(<BlinnPhong as Highlight>::directions::<S>(incoming, normal, view));
+}
+
+/// What gives back a part of what was made, and what makes one of another.
+#[inline(never)]
+fn keeps<S: Raw>(bits: &mut Bits) {
+    let spot = bits.any_spot::<S, Soft, InverseSquare>(Soft, Soft, ());
+    black_box((CompiledSpot::profile(&spot), CompiledSpot::with_profile(&spot, Soft)));
+    let position = bits.vector(S::raw_length);
+    let point = CompiledPoint::<S>::from_parts(position, (), S::raw_gain(bits.word()), bits.colors());
+    black_box((Light::color(&point), Light::specular_color(&point)));
+    black_box(Surface::<S>::matte(position, bits.vector(S::scalar)));
+    let colors = Rgb::zip(bits.color(S::scalar), bits.color(S::scalar), |a, b| a.minus(b));
+    black_box(Rgb::map(colors, S::to_f32));
+    let lengths = Vec3::zip(position, bits.vector(S::raw_length), |a, b| if a < b { a } else { b });
+    black_box(Vec3::map(lengths, |length| length));
+    black_box(Cubic::coefficients(bits.any_cubic()));
+    let effects = Effects::with(Effects::NONE, Effect::Gobo);
+    black_box(Effects::has(Effects::and(effects, Effects::ALL), black_box(Effect::Soft)));
+}
