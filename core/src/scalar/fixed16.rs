@@ -221,7 +221,8 @@ impl Scalar for Fx16 {
         let one = one.max((width.saturating_sub(1) >> shift) * mantissa);
         // Of the whole span, too: `divisor 2^(fine_shift - 32)`.
         let fine_shift = u64::BITS - span.leading_zeros();
-        let divisor = (span << span.leading_zeros()) >> 32;
+        // The upper bit is set already: the compiler cannot know.
+        let divisor = (span << span.leading_zeros()) >> 32 | 1 << 31;
         let fine_mantissa = ((1 << 63) / divisor).min(u32::MAX.into()) as u32;
         let inner = inner.min(limit);
         Ramp16 { zoom, inner, width, shift, mantissa, one, fine: 0, fine_shift, fine_mantissa }

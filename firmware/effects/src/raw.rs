@@ -8,12 +8,13 @@ use luminaire::source::{
     U34F30,
 };
 use luminaire::{
-    Attenuation, Blend, CompiledSpot, Cubic, CutOff, Distance, Faded, Falloff, Fx16, Fx32, Hard, HardRange,
-    IntegerPower, IntegerRim, InverseSquare, Linear, Matched, MixedPower, MixedRim, Polynomial, Profile, Rgb,
-    Scalar, Smooth, SmoothRange, Soft, SquaredWindow, Table, Unattenuated, Vec3, Windowed,
+    Attenuation, Blend, CompiledPoint, CompiledSpot, Cubic, CutOff, Distance, Faded, Falloff, Fx16, Fx32, Hard, HardRange,
+    IntegerPower, IntegerRim, InverseSquare, Knot, Linear, Matched, MixedPower, MixedRim, Polynomial, Profile,
+    RealPower, RealRim, Rgb, Scalar, Smooth, SmoothRange, Soft, SquaredWindow, Table, Unattenuated, Vec3, Windowed,
 };
 
 const SAMPLES: [u16; 5] = [65_535, 60_000, 31_000, 400, 0];
+const KNOTS: [Knot; 2] = [Knot::from_bits(0, 65_535, -65_535), Knot::from_bits(32_768, 32_768, i32::MIN)];
 
 /// Bits that the compiler does not know.
 #[derive(Debug)]
@@ -38,6 +39,11 @@ impl Bits {
     /// Any number in `f32`.
     pub fn float(&mut self) -> f32 {
         f32::from_bits(self.word() as u32)
+    }
+
+    /// Any integer.
+    pub fn integer(&mut self) -> u32 {
+        self.word() as u32
     }
 
     /// One of so many choices.
@@ -70,12 +76,17 @@ impl Bits {
         Table::new(black_box(SAMPLES.as_slice())).unwrap_or(Table::of(&SAMPLES))
     }
 
+    /// A table of knots that the compiler does not know.
+    pub fn any_knots() -> Table<'static> {
+        Table::of_knots(black_box(&KNOTS))
+    }
+
     /// Any profile; the straight ramp in place of one that is refused.
     #[inline(never)]
     pub fn any_profile(&mut self) -> Matched {
         let exponents = [self.word() as u32, self.word() as u32];
         let share = self.float();
-        let made = match self.choice(12) {
+        let made = match self.choice(15) {
             0 => Ok(CutOff.into()),
             1 => Ok(Soft.into()),
             2 => Ok(Hard.into()),
@@ -87,6 +98,9 @@ impl Bits {
             8 => IntegerRim::new(exponents[0]).map(Matched::from),
             9 => MixedPower::new(exponents, share).map(Matched::from),
             10 => MixedRim::new(exponents, share).map(Matched::from),
+            11 => RealPower::new(share).map(Matched::from),
+            12 => RealRim::new(share).map(Matched::from),
+            13 => Ok(Self::any_knots().into()),
             _ => Ok(Linear.into()),
         };
         made.unwrap_or(Matched::Linear(Linear))
@@ -117,7 +131,22 @@ impl Bits {
         let falloff = Falloff::from_parts(S::raw_ramp(self), profile, curve);
         let (position, axis) = (self.vector(S::raw_length), self.vector(S::unit));
         let (outside, intensity) = (S::scalar(self.word()), S::raw_gain(self.word()));
-        CompiledSpot::from_parts(position, axis, falloff, outside, attenuation, intensity, self.colors())
+        CompiledSpot::from_parts(
+            position,
+            axis,
+            falloff,
+            outside,
+            attenuation,
+            intensity,
+            self.integer(),
+            self.colors(),
+        )
+    }
+
+    /// A point light of any bits.
+    pub fn any_point<S: Raw, A: Attenuation>(&mut self, attenuation: A::Constants<S>) -> CompiledPoint<S, A> {
+        let (position, intensity) = (self.vector(S::raw_length), S::raw_gain(self.word()));
+        CompiledPoint::from_parts(position, attenuation, intensity, self.integer(), self.colors())
     }
 
     /// Any range, or none.

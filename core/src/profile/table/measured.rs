@@ -28,28 +28,30 @@ impl<'m> Measured<'m> {
     /// data: the line that is off most gets a knot where it is, until there are no more (Ramer
     /// 1972; Douglas and Peucker 1973).
     pub(super) fn resample<'k>(&self, knots: &'k mut [Knot]) -> (&'k [Knot], f32) {
-        knots[0] = self.line(0, EDGE);
-        let mut count = 1;
-        loop {
-            let (mut largest, mut widest, mut split) = (0.0, LEAST, None);
-            for line in 0..count {
-                let end = knots[..count].get(line + 1).map_or(EDGE, |next| next.place());
-                let (difference, place) = self.farthest(knots[line], end);
-                largest = f32::max(largest, difference);
-                if difference > widest && end - knots[line].place() > 1 {
-                    (widest, split) = (difference, Some((line, place, end)));
-                }
-            }
-            match split {
-                Some((line, place, end)) if count < knots.len() => {
-                    knots.copy_within(line + 1..count, line + 2);
-                    knots[line + 1] = self.line(place, end);
-                    knots[line] = self.line(knots[line].place(), place);
-                    count += 1;
-                }
-                _ => return (&knots[..count], (largest + self.own_error()).min(1.0)),
-            }
+        if let Some(first) = knots.first_mut() {
+            *first = self.line(0, EDGE);
         }
+        let mut count = 1;
+        let largest = loop {
+            let lines = knots.get(..count).unwrap_or_default();
+            let ends = lines.iter().skip(1).map(|next| next.place()).chain([EDGE]);
+            let (mut largest, mut widest, mut split) = (0.0, LEAST, None);
+            for (i, (&line, end)) in lines.iter().zip(ends).enumerate() {
+                let (difference, place) = self.farthest(line, end);
+                largest = f32::max(largest, difference);
+                if difference > widest && end - line.place() > 1 {
+                    (widest, split) = (difference, Some((i, place, end)));
+                }
+            }
+            let Some((i, place, end)) = split else { break largest };
+            let Some([before, behind @ ..]) = knots.get_mut(i..=count) else { break largest };
+            *before = self.line(before.place(), place);
+            // The others move by one: the last of these was free.
+            let mut moved = self.line(place, end);
+            behind.iter_mut().for_each(|knot| core::mem::swap(knot, &mut moved));
+            count += 1;
+        };
+        (knots.get(..count).unwrap_or_default(), (largest + self.own_error()).min(1.0))
     }
 
     /// The line between the data at two places.
@@ -75,14 +77,14 @@ impl<'m> Measured<'m> {
         look(last);
         let step = self.outer / (self.values.len() - 1) as f32;
         for (i, pair) in self.values.windows(2).enumerate().skip((first / step) as usize) {
-            let [from, to] = [i, i + 1].map(|i| (i as f32 * step).clamp(first, last));
+            let [from, to] = [i, i + 1].map(|i| (i as f32 * step).max(first).min(last));
             if from >= last {
                 break;
             }
             look(to);
             let sine = (pair[1] - pair[0]) / step * self.versine / line.rise();
             if sine > 0.0 && sine < 1.0 {
-                look(trig::asin(sine).clamp(from, to));
+                look(trig::asin(sine).max(from).min(to));
             }
         }
         let inside = ((at * EDGE as f32 + 0.5) as u32).min(end.saturating_sub(1)).max(line.place() + 1);
@@ -109,10 +111,10 @@ impl<'m> Measured<'m> {
 
     /// The data at a half angle.
     fn value(&self, angle: f32) -> f32 {
-        let last = self.values.len() - 1;
-        let place = angle / self.outer * last as f32;
-        let index = (place as usize).min(last);
-        let (here, next) = (self.values[index], self.values[(index + 1).min(last)]);
+        let place = angle / self.outer * (self.values.len() - 1) as f32;
+        let index = place as usize;
+        let here = self.values.get(index).or(self.values.last()).copied().unwrap_or_default();
+        let next = self.values.get(index + 1).copied().unwrap_or(here);
         here + (next - here) * (place - index as f32).min(1.0)
     }
 }

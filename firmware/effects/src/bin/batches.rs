@@ -4,7 +4,7 @@
 use core::hint::black_box;
 
 use luminaire::{
-    CompiledPoint, Falloff, HardRange, InverseSquare, Polynomial, Power, Profile, Rgb, Scalar, Soft, Vec3,
+    Falloff, HardRange, InverseSquare, Polynomial, Power, Profile, Rgb, Scalar, Soft, Vec3,
 };
 use luminaire_effects::Format;
 use luminaire_effects::raw::{Bits, Raw, each};
@@ -26,11 +26,8 @@ fn of_format<S: Raw>(bits: &mut Bits) {
     let matched = bits.any_profile();
     shine::<S, _>(bits, matched);
     let gains = [S::raw_gain(bits.word()), S::raw_gain(bits.word()), S::raw_gain(bits.word())];
-    let (position, intensity) = (bits.vector(S::raw_length), S::raw_gain(bits.word()));
-    let colors = bits.colors();
-    let point = CompiledPoint::<S, InverseSquare>::from_parts(position, (), intensity, colors);
-    let limited =
-        CompiledPoint::<S, HardRange<Polynomial>>::from_parts(position, (gains[0], gains), intensity, colors);
+    let point = bits.any_point::<S, InverseSquare>(());
+    let limited = bits.any_point::<S, HardRange<Polynomial>>((gains[0], gains));
     let sites = Sites::<S>::new(bits);
     let (points, normals) = sites.slices();
     let mut sums = Sums::<S>::default();

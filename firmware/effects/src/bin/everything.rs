@@ -7,9 +7,9 @@ use luminaire::source::{CompiledBlend, CompiledCubic, CompiledFitted};
 use luminaire::{
     Attenuation, Blend, BlinnPhong, CompiledDirectional, CompiledExposure, CompiledGobo, CompiledMaterial,
     CompiledPoint, CompiledProjection, CompiledSpot, Cubic, CutOff, DualCone, Edge, Falloff, Fitted, Gobo,
-    Hard, HardRange, Haze, HazyBeam, InverseSquare, Knot, Light, Linear, Lyon, Matte, Phong, Polynomial, Power,
+    Hard, HardRange, Haze, HazyBeam, InverseSquare, Light, Linear, Lyon, Matte, Phong, Polynomial, Power,
     Profile, RealPower, RealRim, Rgb, Rgb565, Rim, Scalar, Shadow, Smooth, SmoothRange, Soft, Specular, SquaredWindow, Surface,
-    Table, Unattenuated, ViewBundle, ViewRay, Windowed, clip, encode_srgb, encode_srgb_dithered, keep_hue,
+    Unattenuated, ViewBundle, ViewRay, Windowed, clip, encode_srgb, encode_srgb_dithered, keep_hue,
 };
 use luminaire_effects::Format;
 use luminaire_effects::raw::{Bits, Raw};
@@ -21,8 +21,6 @@ fn everything(words: [u64; 64]) {
 }
 
 const PATTERN: [u8; 9] = [255, 0, 1, 254, 127, 128, 3, 200, 40];
-const SAMPLES: [u16; 5] = [65_535, 60_000, 31_000, 400, 0];
-const KNOTS: [Knot; 2] = [Knot::from_bits(0, 65_535, -65_535), Knot::from_bits(32_768, 32_768, i32::MIN)];
 
 fn of_format<S: Raw>(bits: &mut Bits) {
     let (g, h) = (S::raw_weight(bits.word()), S::raw_weight(bits.word()));
@@ -40,11 +38,10 @@ fn of_format<S: Raw>(bits: &mut Bits) {
     falls::<S, _>(bits, Power::<15>, Power);
     falls::<S, _>(bits, Power::<128>, Power);
     falls::<S, _>(bits, Rim::<4>, Rim);
-    let table = Table::new(black_box(SAMPLES.as_slice())).unwrap_or(Table::of(&SAMPLES));
-    falls::<S, _>(bits, table, table);
-    let knots = Table::of_knots(black_box(&KNOTS));
-    falls::<S, _>(bits, knots, knots);
-    let exponent = f32::from_bits(bits.word() as u32);
+    for table in [Bits::any_table(), Bits::any_knots()] {
+        falls::<S, _>(bits, table, table);
+    }
+    let exponent = bits.float();
     if let Ok(power) = RealPower::new(exponent) {
         falls::<S, _>(bits, power, power.compile::<S>());
     }
@@ -107,9 +104,7 @@ fn falls<S: Raw, P: Profile>(bits: &mut Bits, profile: P, curve: P::Compiled<S>)
 #[inline(never)]
 fn reaches<S: Raw, A: Attenuation>(bits: &mut Bits, attenuation: A::Constants<S>) {
     let spot = bits.any_spot::<S, Soft, A>(Soft, Soft, attenuation);
-    let position = bits.vector(S::raw_length);
-    let point =
-        CompiledPoint::<S, A>::from_parts(position, attenuation, S::raw_gain(bits.word()), bits.bits(), bits.colors());
+    let point = bits.any_point::<S, A>(attenuation);
     let Surface { point: place, normal, .. } = surface::<S>(bits);
     black_box(CompiledSpot::irradiance(&spot, place, normal));
     black_box(CompiledSpot::irradiance_unskipped(&spot, place, normal));
@@ -155,10 +150,10 @@ fn shines<S: Raw, H: Specular>(bits: &mut Bits, highlight: H::Constants<S>) {
     black_box(material.glow(bits.color(S::light)));
     let spot = bits.any_spot::<S, Soft, InverseSquare>(Soft, Soft, ());
     reflects(bits, &material, &spot);
-    let (place, intensity) = (bits.vector(S::raw_length), S::raw_gain(bits.word()));
-    let point = CompiledPoint::<S>::from_parts(place, (), intensity, bits.bits(), bits.colors());
+    let point = bits.any_point::<S, InverseSquare>(());
     reflects(bits, &material, &point);
-    let parallel = CompiledDirectional::<S>::from_parts(bits.vector(S::unit), intensity, bits.colors());
+    let (direction, intensity) = (bits.vector(S::unit), S::raw_gain(bits.word()));
+    let parallel = CompiledDirectional::<S>::from_parts(direction, intensity, bits.colors());
     reflects(bits, &material, &parallel);
 }
 

@@ -4,7 +4,7 @@
 use core::hint::black_box;
 
 use luminaire::{
-    Attenuation, CompiledDirectional, CompiledLamp, CompiledPoint, Distance, Haze, HazyBeam, Light, Lyon,
+    Attenuation, CompiledDirectional, CompiledLamp, Distance, Haze, HazyBeam, Light, Lyon,
     Matched, Matte, Phong, Profile, Scalar, Specular, Surface, Surfaces, Vec3, ViewRays,
 };
 use luminaire_effects::Format;
@@ -21,7 +21,6 @@ fn lamps(words: [u64; 64]) {
 
 fn of_format<S: Raw>(bits: &mut Bits) {
     let lamp = lamp::<S>(bits);
-    arrives_each::<S, Matte>(bits, &lamp, &());
     let lobe = (S::raw_ramp(bits), bits.word() as u32);
     arrives_each::<S, Lyon<Phong, 3>>(bits, &lamp, &lobe.0);
     arrives::<S, Matte>(bits, &lamp, &());
@@ -40,15 +39,12 @@ fn of_format<S: Raw>(bits: &mut Bits) {
 #[inline(never)]
 fn lamp<S: Raw>(bits: &mut Bits) -> CompiledLamp<S> {
     let attenuation = bits.any_distance().constants::<S>();
-    let (place, intensity) = (bits.vector(S::raw_length), S::raw_gain(bits.word()));
-    let colors = bits.colors();
     match bits.choice(3) {
-        0 => CompiledLamp::Directional(CompiledDirectional::from_parts(
-            bits.vector(S::unit),
-            intensity,
-            colors,
-        )),
-        1 => CompiledLamp::Point(CompiledPoint::from_parts(place, attenuation, intensity, colors)),
+        0 => {
+            let (direction, intensity) = (bits.vector(S::unit), S::raw_gain(bits.word()));
+            CompiledLamp::Directional(CompiledDirectional::from_parts(direction, intensity, bits.colors()))
+        }
+        1 => CompiledLamp::Point(bits.any_point(attenuation)),
         _ => {
             let (profile, curve) = (bits.any_profile(), bits.any_profile().compile::<S>());
             CompiledLamp::Spot(bits.any_spot(profile, curve, attenuation))
@@ -56,8 +52,8 @@ fn lamp<S: Raw>(bits: &mut Bits) -> CompiledLamp<S> {
     }
 }
 
-/// A kind of highlight at many points. Two kinds are enough here: there are loops with a highlight and loops without, for each
-/// profile and distance model. What the other kinds do at a point is in the program `everything`.
+/// A kind of highlight at many points. One is enough: the loops have nothing of their own for another, for each profile and
+/// distance model, and without highlights they have less. What each does at a point is in the program `everything`.
 #[inline(never)]
 fn arrives_each<S: Raw, H: Specular>(bits: &mut Bits, lamp: &CompiledLamp<S>, highlight: &H::Constants<S>) {
     let (points, normals, views) =

@@ -6,9 +6,9 @@ use core::hint::black_box;
 
 use luminaire::source::{CompiledBlend, CompiledCubic};
 use luminaire::{
-    Attenuation, BlinnPhong, CompiledPoint, CompiledSpot, Cubic, Curve, Distance, DualCone, Effect, Effects,
-    Falloff, Fraction, Gain, Highlight, InverseSquare, Light, Lyon, Matched, Matte, Offset, Phong, Profile,
-    Ray, Rgb, Scalar, Soft, Specular, Surface, Vec3,
+    Attenuation, BlinnPhong, CompiledSpot, Cubic, Curve, Distance, DualCone, Effect, Effects, Falloff,
+    Fraction, Gain, Highlight, InverseSquare, Knot, Light, Lyon, Matched, Matte, Offset, Phong, Profile, Ray,
+    Rgb, Rise, Scalar, Share, Slopes, Soft, Specular, Surface, Vec3,
 };
 use luminaire_effects::Format;
 use luminaire_effects::raw::{Bits, Raw};
@@ -23,7 +23,6 @@ fn of_format<S: Raw>(bits: &mut Bits) {
     converts::<S>(bits);
     multiplies::<S>(bits);
     points::<S>(bits);
-    bends::<S>(bits);
     shows::<S>(bits);
     falls::<S>(bits);
     glitters::<S, Matte>(bits);
@@ -39,8 +38,14 @@ fn of_format<S: Raw>(bits: &mut Bits) {
 fn converts<S: Raw>(bits: &mut Bits) {
     black_box(S::to_f32(S::from_f32(bits.float())));
     black_box((S::length(bits.float()), S::weight(bits.float()), S::gain(bits.float())));
-    black_box(S::axis(bits.vector(f32::scalar)));
-    black_box(S::ramp(bits.float(), bits.float(), bits.float()));
+    let [way, unit] = from_fn(|_| bits.vector(f32::scalar));
+    black_box((S::axis(unit), S::aim(way, unit)));
+    let [inner, outer, limit] = from_fn(|_| bits.float());
+    black_box((S::ramp(inner, outer, limit), S::fine_ramp(inner, outer, limit)));
+    let edge = Slopes { angle: bits.float(), fraction: bits.float() };
+    black_box((S::rounding(&edge), S::holds_coarsely(&edge, outer, limit)));
+    let ramp = (bits.choice(2) == 0).then(|| S::raw_ramp(bits));
+    black_box(S::fine_below(ramp, bits.float(), bits.choice(2) == 0));
     let vectors = from_fn(|_| bits.vector(f32::scalar));
     black_box(S::frame(vectors, bits.float()));
     black_box((S::part(bits.word() as u32), S::weighted_byte(bits.word() as u32)));
@@ -60,7 +65,10 @@ fn multiplies<S: Raw>(bits: &mut Bits) {
     black_box(S::incidence(a, normal));
     let ramp = S::raw_ramp(bits);
     let versine = S::versine_between(a, b, ramp);
-    black_box((S::power(versine, bits.word() as u32), S::rise(ramp, versine)));
+    black_box(S::power(versine, bits.integer()));
+    if let Rise::Fine(t) = S::rise(ramp, versine) {
+        bends(bits, t, t);
+    }
     black_box(Vec3::dot(bits.vector(f32::scalar), bits.vector(f32::scalar)));
 }
 
@@ -68,48 +76,67 @@ fn multiplies<S: Raw>(bits: &mut Bits) {
 #[inline(never)]
 fn points<S: Raw>(bits: &mut Bits) {
     let [light, point] = from_fn(|_| bits.vector(S::raw_length));
-    let (axis, normal, ramp) = (bits.vector(S::unit), bits.vector(S::scalar), S::raw_ramp(bits));
+    let (axis, normal) = (bits.vector(S::unit), bits.vector(S::scalar));
     black_box(S::place(&S::raw_frame(bits), light, point));
     let offset = S::offset(light, point);
     let facing = Offset::facing(&offset, normal);
     black_box(<S::Offset as Offset<S>>::faces_away(facing));
     black_box(Offset::is_outside(&offset, axis, S::scalar(bits.word())));
     black_box(Offset::squared_distance(&offset));
-    let ray = if bits.choice(2) == 0 {
-        Offset::ray(&offset)
-    } else {
-        black_box(Offset::reciprocal(&offset));
-        Offset::ray_of(&offset, bits.float())
-    };
-    black_box((Ray::distance(&ray), Ray::direction(&ray), Ray::versine(&ray, axis, ramp)));
-    black_box((Ray::rise(&ray, axis, ramp), Ray::cosine(&ray, facing)));
-    black_box(Ray::expose(&ray, S::scalar(bits.word()), S::raw_gain(bits.word())));
+    black_box(Offset::is_below(&offset, bits.integer()));
+    black_box(Offset::reciprocal(&offset));
+    let reciprocal = bits.float();
+    let ray = if bits.choice(2) == 0 { Offset::ray(&offset) } else { Offset::ray_of(&offset, reciprocal) };
+    goes(bits, &offset, &ray);
+    goes(bits, &offset, &Offset::fine_ray(&offset));
+}
+
+/// What is known of a way once its root is, coarse or fine; and what a lamp of any kind of profile and distance model has
+/// there.
+#[inline(never)]
+fn goes<S: Raw, R: Ray<S>>(bits: &mut Bits, offset: &S::Offset, ray: &R) {
+    let (axis, normal, ramp) = (bits.vector(S::unit), bits.vector(S::scalar), S::raw_ramp(bits));
+    black_box((Ray::distance(ray), Ray::direction(ray), Ray::versine(ray, axis, ramp)));
+    let cosine = Ray::cosine(ray, Offset::facing(offset, normal), normal);
+    bends(bits, Ray::rise(ray, axis, ramp), cosine);
+    let gain = S::raw_gain(bits.word());
+    let [share, other] = [Ray::near(ray, gain), Ray::squared_near(ray, offset, gain)];
+    shares(bits, share, other);
+    black_box(Ray::expose(ray, share, gain));
+    let curve = Profile::compile::<S>(bits.any_profile());
+    let falloff = Falloff::<S, Matched>::from_parts(ramp, bits.any_profile(), curve);
+    black_box(Falloff::toward(&falloff, ray, axis));
+    let constants = Attenuation::constants::<S>(bits.any_distance());
+    black_box(<Distance as Attenuation>::expose::<S, R>(&constants, offset, ray, other, gain));
+}
+
+/// Shares of a light.
+fn shares<S: Raw, T: Share<S>>(bits: &mut Bits, share: T, other: T) {
+    let of_scalar = <T as Share<S>>::of_scalar(S::scalar(bits.word()));
+    black_box((Share::rounded(of_scalar), Share::is_all(of_scalar), Share::rest(share)));
+    black_box((Share::share_of(share, other), Share::smoothed(share)));
+    black_box(Share::give(share, S::raw_gain(bits.word())));
 }
 
 /// Fractions, and the curves of profiles.
 #[inline(never)]
-fn bends<S: Raw>(bits: &mut Bits) {
-    let [t, other]: [S::Fraction; 2] = from_fn(|_| {
-        let ramp = S::raw_ramp(bits);
-        S::rise(ramp, S::versine(ramp, bits.float()))
-    });
+fn bends<S: Raw, F: Fraction<S>>(bits: &mut Bits, t: F, other: F) {
     black_box((Fraction::complement(t), Fraction::fine_product(t, other), Fraction::product(t, other)));
-    black_box((Fraction::scalar(t), Fraction::of(t, S::scalar(bits.word()))));
+    let value = <F::Value as Share<S>>::of_scalar(S::scalar(bits.word()));
+    black_box((Fraction::scalar(t), Fraction::of(t, value), <F as Fraction<S>>::lack(value)));
+    black_box(<F as Fraction<S>>::mixed(value, t.scalar(), S::scalar(bits.word())));
     black_box((Fraction::step(t), Fraction::smooth(t)));
     let (g, h) = (S::raw_weight(bits.word()), S::raw_weight(bits.word()));
     black_box((Fraction::blend(t, g), Fraction::cubic(t, g, h)));
     let samples: [u16; 4] = bits.column(|bits| bits as u16);
     black_box(Fraction::sample(t, black_box(&samples[..])));
+    let knots: [Knot; 4] =
+        bits.column(|bits| Knot::from_bits(bits as u16, (bits >> 16) as u16, (bits >> 32) as i32));
+    black_box(Fraction::along(t, black_box(&knots[..])));
     black_box(Curve::<S>::intensity(CompiledBlend::from_parts(g), t));
     black_box(Curve::<S>::intensity(CompiledCubic::from_parts(g, h), t));
     let curve = Profile::compile::<S>(bits.any_profile());
     black_box(Curve::<S>::intensity(curve, t));
-    let falloff = Falloff::<S, Matched>::from_parts(S::raw_ramp(bits), bits.any_profile(), curve);
-    let [light, point] = from_fn(|_| bits.vector(S::raw_length));
-    let ray = Offset::ray(&S::offset(light, point));
-    black_box(Falloff::toward(&falloff, ray, bits.vector(S::unit)));
-    black_box(Falloff::at(&falloff, Falloff::versine(&falloff, bits.float())));
-    black_box(Falloff::at(&Falloff::with_profile(&falloff, Soft), Falloff::versine(&falloff, bits.float())));
 }
 
 /// Light.
@@ -119,23 +146,25 @@ fn shows<S: Raw>(bits: &mut Bits) {
     let [color, part] = from_fn(|_| S::scalar(bits.word()));
     let gain = S::raw_gain(bits.word());
     black_box((S::expose(part, gain), S::filter(a, color), S::add_light(a, b), S::amplify(a, gain)));
-    black_box((S::light_to_f32(a), S::light_to_gain(b), S::clip(a)));
+    black_box((S::light_to_f32(a), S::light_to_gain(b), S::clip(a), S::is_past_full(part, b)));
     black_box((Scalar::srgb::<255>(color), Scalar::srgb::<63>(color), Scalar::srgb::<31>(color)));
     black_box(Scalar::srgb_dithered::<31>(color, bits.word() as u8));
 }
 
-/// A distance model that is chosen at run time.
+/// A distance model and a cone that are chosen at run time.
 #[inline(never)]
 fn falls<S: Raw>(bits: &mut Bits) {
     let model = bits.any_distance();
-    black_box(Distance::range(&model));
+    black_box((Distance::range(&model), Attenuation::grows(&model)));
     let constants = Attenuation::constants::<S>(model);
     let [light, point] = from_fn(|_| bits.vector(S::raw_length));
     let offset = S::offset(light, point);
     black_box(<Distance as Attenuation>::is_inverse_square::<S>(&constants));
     black_box(<Distance as Attenuation>::is_beyond::<S>(&constants, &offset));
-    let (part, gain) = (S::scalar(bits.word()), S::raw_gain(bits.word()));
-    black_box(<Distance as Attenuation>::expose::<S>(&constants, &offset, &Offset::ray(&offset), part, gain));
+    let profile = bits.any_profile();
+    let falloff = Falloff::<S, Matched>::from_parts(S::raw_ramp(bits), profile, profile.compile());
+    black_box(Falloff::at(&falloff, Falloff::versine(&falloff, bits.float())));
+    black_box(Falloff::at(&Falloff::with_profile(&falloff, Soft), Falloff::versine(&falloff, bits.float())));
 }
 
 /// A kind of highlight by itself.
@@ -154,9 +183,9 @@ fn glitters<S: Raw, H: Specular>(bits: &mut Bits) {
 fn keeps<S: Raw>(bits: &mut Bits) {
     let spot = bits.any_spot::<S, Soft, InverseSquare>(Soft, Soft, ());
     black_box((CompiledSpot::profile(&spot), CompiledSpot::with_profile(&spot, Soft)));
-    let position = bits.vector(S::raw_length);
-    let point = CompiledPoint::<S>::from_parts(position, (), S::raw_gain(bits.word()), bits.colors());
+    let point = bits.any_point::<S, InverseSquare>(());
     black_box((Light::color(&point), Light::specular_color(&point)));
+    let position = bits.vector(S::raw_length);
     black_box(Surface::<S>::matte(position, bits.vector(S::scalar)));
     let colors = Rgb::zip(bits.color(S::scalar), bits.color(S::scalar), |a, b| a.minus(b));
     black_box(Rgb::map(colors, S::to_f32));

@@ -7,7 +7,7 @@ use core::hint::black_box;
 use luminaire::import::{Difference, Direct3d, Gltf, Godot, OpenGl, Penumbra, Ramp, Three};
 use luminaire::{
     Ambient, Angle, Blend, BlinnPhong, Cone, Cubic, CutOff, Directional, DualCone, Edge, Effect, Error,
-    Exposure, Fitted, Gobo, HalfAngle, Hard, Haze, Lamp, Linear, Luminaire, Lyon, Material, Phong, Plan,
+    Exposure, Fitted, Gobo, HalfAngle, Hard, Haze, Knot, Lamp, Linear, Luminaire, Lyon, Material, Phong, Plan,
     Point, Power, Profile, Projection, Rim, Shadow, Smooth, Soft, Specular, Spot, Table, Vec3, ViewBundle,
     ViewRay, decode_srgb,
 };
@@ -30,7 +30,6 @@ fn of_format<S: Raw>(bits: &mut Bits) {
     designs::<S, _>(bits, Smooth);
     designs::<S, _>(bits, Power::<15>);
     designs::<S, _>(bits, Rim::<4>);
-    designs::<S, _>(bits, Bits::any_table());
     let edge = if bits.choice(2) == 0 { Edge::Soft } else { Edge::Hard };
     designs::<S, _>(bits, edge);
     let (blend, cubic) = (bits.any_blend(), bits.any_cubic());
@@ -38,12 +37,12 @@ fn of_format<S: Raw>(bits: &mut Bits) {
     designs::<S, _>(bits, fitted);
     let matched = bits.any_profile();
     designs::<S, _>(bits, matched);
-    measures(bits);
+    measures::<S>(bits);
     two_angles::<S>(bits);
     if let Ok(lamp) = lamp::<S>(bits) {
         hangs::<S>(bits, lamp);
     }
-    imports(bits);
+    imports::<S>(bits);
     surfaces::<S>(bits);
     sees(bits);
 }
@@ -71,7 +70,7 @@ fn designs<S: Raw, P: Profile>(bits: &mut Bits, profile: P) {
 
 /// Angles, and profiles that have numbers of their own.
 #[inline(never)]
-fn measures(bits: &mut Bits) {
+fn measures<S: Raw>(bits: &mut Bits) {
     let half = HalfAngle::radians(bits.float());
     black_box([half.to_degrees(), HalfAngle::to_radians(HalfAngle::degrees(bits.float()))]);
     let angle = if bits.choice(2) == 0 { Angle::from(half) } else { Angle::radians(bits.float()) };
@@ -82,10 +81,12 @@ fn measures(bits: &mut Bits) {
     black_box(
         [Cubic::new(a, b, c), Cubic::with_slopes(a, b)].map(|made| made.map(Cubic::coefficients).is_ok()),
     );
-    let mut samples = [0; 7];
+    let mut knots = [Knot::default(); 7];
     let measured = [a, b, c, bits.float()];
-    let table = Table::from_angles(black_box(&measured[..]), angle, black_box(&mut samples[..]));
-    black_box(table.map(|table| table.samples().len()).is_ok());
+    if let Ok((table, _)) = Table::from_angles(black_box(&measured[..]), angle, black_box(&mut knots[..])) {
+        black_box((table.samples().len(), table.knots().len()));
+        designs::<S, _>(bits, table);
+    }
 }
 
 /// Cones that have two angles.
@@ -123,6 +124,7 @@ fn lamp<S: Raw>(bits: &mut Bits) -> Result<Lamp, Error> {
         1 => {
             let light = Point::new(place)?.with_color(color)?.with_specular_color(shine)?;
             let light = light.with_intensity(intensity)?.with_attenuation(bits.any_distance());
+            black_box([Point::lumens(&light, bits.float()), Point::candela(&light, bits.float())]);
             black_box(Point::compile::<S>(&light).is_ok());
             Ok(light.into())
         }
@@ -137,6 +139,7 @@ fn lamp<S: Raw>(bits: &mut Bits) -> Result<Lamp, Error> {
             let light = light.with_axis(floats(bits))?.with_cone(light.cone()).with_color(color)?;
             let light = light.with_specular_color(shine)?.with_intensity(intensity)?;
             black_box((light.color(), light.specular_color(), light.intensity()));
+            black_box(Spot::axis_in::<S>(&light));
             black_box(Spot::compile::<S>(&light).is_ok());
             Ok(light.into())
         }
@@ -177,7 +180,7 @@ fn hangs<S: Raw>(bits: &mut Bits, lamp: Lamp) {
 
 /// The lights of other systems.
 #[inline(never)]
-fn imports(bits: &mut Bits) {
+fn imports<S: Raw>(bits: &mut Bits) {
     let (place, direction) = (floats(bits), floats(bits));
     let [a, b, c, d, e, f] = from_fn(|_| bits.float());
     let opengl = OpenGl {
@@ -202,6 +205,7 @@ fn imports(bits: &mut Bits) {
     imported(Direct3d::import(&direct3d, place, direction).map(|of| of.difference));
     let gltf = Gltf { inner_cone_angle: a, outer_cone_angle: b, range: bits.any_range(), intensity: c };
     imported(Gltf::import(&gltf, place, direction).map(|of| of.difference));
+    imported(Gltf::import_as_recommended(&gltf, place, direction).map(|of| of.difference));
     let three = Three { angle: a, penumbra: b, distance: c, decay: d, intensity: e };
     imported(Three::import(&three, place, direction).map(|of| of.difference));
     let godot = Godot {
@@ -211,7 +215,12 @@ fn imports(bits: &mut Bits) {
         spot_attenuation: d,
         light_energy: e,
     };
-    imported(Godot::import(&godot, place, direction).map(|of| of.difference));
+    let godot = Godot::import(&godot, place, direction);
+    if let Ok(of) = godot {
+        // No other rim has a floor.
+        black_box(Spot::compile::<S>(&of.light).is_ok());
+    }
+    imported(godot.map(|of| of.difference));
     let ramp = if bits.choice(2) == 0 { Ramp::Linear } else { Ramp::Smooth };
     let penumbra = Penumbra { umbra: Angle::degrees(a), penumbra: Angle::degrees(b), ramp, intensity: c };
     imported(Penumbra::import(&penumbra, place, direction).map(|of| of.difference));
