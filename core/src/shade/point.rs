@@ -89,15 +89,17 @@ impl<S: Scalar, A: Attenuation> CompiledPoint<S, A> {
         highlight: &H::Constants<S>,
     ) -> Arrival<S::Irradiance> {
         let facing = offset.facing(normal);
-        if !H::SHINES && self.fine_below < u32::MAX {
-            let ray = offset.ray();
-            let (share, light) = self.diffuse(&offset, &ray, ray.cosine(facing, normal));
-            if S::is_past_full(share, light) {
-                return Arrival { diffuse: light, specular: S::Irradiance::default() };
-            }
+        let ray = offset.ray();
+        let (share, light) = self.diffuse(&offset, &ray, ray.cosine(facing, normal));
+        let is_past_full = self.fine_below < u32::MAX && S::is_past_full(share, light);
+        if is_past_full && !H::SHINES {
+            return Arrival { diffuse: light, specular: S::Irradiance::default() };
         }
         let ray = offset.fine_ray();
-        self.along::<H, _>(&offset, &ray, ray.cosine(facing, normal), (normal, view), highlight)
+        let cosine = ray.cosine(facing, normal);
+        let arrival = self.along::<H, _>(&offset, &ray, cosine, (normal, view), highlight);
+        // With a highlight or without, the diffuse light is the same.
+        if is_past_full { Arrival { diffuse: light, ..arrival } } else { arrival }
     }
 
 }
