@@ -393,7 +393,10 @@ fn assert_steep<S: Format>() {
             255.0 * worst.error
         });
         println!("{} {name}: {narrowest:.5} degrees, {there:.2} codes, at 45 degrees {wide:.2}", S::NAME);
-        assert!((0.01..=0.5).contains(&there) && (0.0..=0.5).contains(&wide), "{} {name}: {there} {wide}", S::NAME);
+        // A step in a table is so narrow that few climbs begin at it.
+        let least = if name.starts_with("table") { 0.0 } else { 0.01 };
+        let is_held = (least..=0.5).contains(&there) && (0.0..=0.5).contains(&wide);
+        assert!(is_held, "{} {name}: {there} {wide}", S::NAME);
     }
 }
 

@@ -52,19 +52,22 @@ fn what_no_renderer_can_have_is_refused_by_name() {
 fn meshes_larger_than_memory_are_refused_by_name() {
     let mut scene = Scene::new();
     let line = Outline::start(1.0, 0.0).line_to(1.0, 1.0);
-    for segments in [524_288, u32::MAX as usize / 2 + 1, usize::MAX / 4, usize::MAX] {
-        let message = format!(
-            "number of segments {} is refused: give a whole number from 0 to 524287",
-            segments as f32
-        );
+    let numbers = [
+        (524_288, "524288"),
+        (u32::MAX as usize / 2 + 1, "2147483600"),
+        (usize::MAX / 4, "4.611686e18"),
+        (usize::MAX, "1.8446744e19"),
+    ];
+    for (segments, shown) in numbers {
+        let message =
+            format!("number of segments {shown} is refused: give a whole number from 0 to 524287");
         assert_refused(scene.add(Mesh::lathe(&line, segments), Material::default()), &message);
         assert_refused(scene.add(Mesh::extrude(&line, 1.0, segments), Material::default()), &message);
     }
     let most = Mesh::extrude(&line, 1.0, 524_287);
     assert_eq!(most.triangle_count(), 2 * 524_287);
-    for lines in [65_537, usize::MAX] {
-        let message =
-            format!("number of segments {} is refused: give a whole number from 0 to 65536", lines as f32);
+    for (lines, shown) in [(65_537, "65537"), (usize::MAX, "1.8446744e19")] {
+        let message = format!("number of segments {shown} is refused: give a whole number from 0 to 65536");
         for curve in
             [line.clone().arc(0.0, 0.0, 1.0, lines), line.clone().curve_to([(0.0, 0.0); 2], 1.0, 2.0, lines)]
         {

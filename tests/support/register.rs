@@ -33,7 +33,7 @@ pub(crate) const UNPROVED: &[(&str, &[&str])] = &[
         &[
             "Source::write", "Source::as_source", "Named::write_name", "Blend::to_bits", "Cubic::to_bits",
             "FloatFrame::to_bits", "FloatRamp::to_bits", "Frame16::to_bits", "Frame32::to_bits",
-            "Gain16::to_bits", "Gain32::to_bits", "Ramp32::to_bits",
+            "Gain16::to_bits", "Gain32::to_bits", "Knot::to_bits", "Ramp32::to_bits",
         ],
     ),
     (
@@ -43,6 +43,7 @@ pub(crate) const UNPROVED: &[(&str, &[&str])] = &[
             "Ramp16::from_bits", "Ramp32::from_bits",
         ],
     ),
+    ("only a profile can give it an exponent, and all profiles are linked", &["Fraction::real_power"]),
 ];
 
 #[rustfmt::skip]
@@ -67,6 +68,17 @@ pub(crate) const REGISTER: &[Held] = &[
         "Fraction::complement", "Fraction::fine_product", "Fraction::product", "Fraction::scalar",
         "Fraction::smooth", "Fraction::blend", "Fraction::cubic", "Fraction::sample",
     ]),
+    through("tests/half_a_code.rs::fx16_holds_every_cone_that_it_accepts", &[
+        "Scalar::rounding", "Scalar::holds_coarsely", "Scalar::fine_ramp", "Offset::fine_ray", "Offset::is_below",
+        "Fraction::lack", "Fraction::mixed", "Share::rounded",
+    ]),
+    through("tests/bright.rs::fx16_adds_half_a_code_at_most", &[
+        "Scalar::fine_below", "Scalar::is_past_full", "Attenuation::grows", "Ray::near", "Ray::squared_near",
+        "Share::give", "Share::is_all", "Share::rest", "Share::share_of", "Share::smoothed",
+    ]),
+    through("tests/lamps.rs::lamps_light_many_points_as_each", &["Share::of_scalar"]),
+    by("tests/domain.rs::points_on_the_axis_have_all_the_light", &["Spot::axis_in"]),
+    through("tests/domain.rs::points_on_the_axis_have_all_the_light", &["Scalar::aim"]),
     by("tests/cones.rs::inner_at_outer_is_a_step", &["Fraction::step", "Cone::with_inner", "Cone::inner"]),
     by("tests/cones.rs::a_delimiter_changes_nothing_within", &["Cone::with_delimiter"]),
     by("tests/narrow.rs::steepness_is_the_largest_slope", &["Profile::steepness"]),

@@ -62,7 +62,7 @@ fn designs<S: Raw, P: Profile>(bits: &mut Bits, profile: P) {
     let made = made.and_then(|cone| cone.with_inner(inner)?.with_delimiter(delimiter));
     if let Ok(cone) = made {
         black_box([cone.inner(), cone.beam(), cone.field(), cone.outer()]);
-        black_box([cone.outer_versine(), cone.lumens(bits.float()), cone.candela(bits.float())]);
+        black_box([cone.outer_versine(), Cone::lumens(&cone, bits.float()), Cone::candela(&cone, bits.float())]);
         black_box([cone.has_hotspot(), cone.is_delimited()]);
         black_box(Cone::compile::<S>(&cone.with_profile(cone.profile())).is_ok());
     }
