@@ -10,8 +10,8 @@ mod support;
 
 use fastrand::Rng;
 use luminaire::{
-    Attenuation, Cone, Faded, Fx16, Fx32, Hard, HardRange, InverseSquare, Linear, Matched, Point, Polynomial, Smooth,
-    SmoothRange, Soft, Spot, SquaredWindow, Unattenuated, Windowed,
+    Attenuation, Cone, Faded, Fx16, Fx32, Hard, HardRange, InverseSquare, Linear, Matched, Point, Polynomial,
+    Smooth, SmoothRange, Soft, Spot, SquaredWindow, Unattenuated, Windowed,
 };
 use support::{
     format::Format,

@@ -8,8 +8,8 @@ mod support;
 
 use fastrand::Rng;
 use luminaire::{
-    Accepted, Angle, Cone, Cubic, Error, Fx16, Fx32, Hard, InverseSquare, IntegerPower, IntegerRim, Linear, Matched,
-    Parameter, Point, Profile, RealPower, RealRim, Scalar, Soft, Spot, Unattenuated, Vec3,
+    Accepted, Angle, Cone, Cubic, Error, Fx16, Fx32, Hard, IntegerPower, IntegerRim, InverseSquare, Linear,
+    Matched, Parameter, Point, Profile, RealPower, RealRim, Scalar, Soft, Spot, Unattenuated, Vec3,
 };
 use support::{
     format::Format,
@@ -34,11 +34,18 @@ impl Domain {
     fn of<S: Format>() -> Self {
         const QUANTUM: f64 = 1.0 / 65_536.0;
         match S::NAME {
-            "f32" => {
-                Self { light: f32::MAX, point: f32::MAX.into(), distances: [1.1e-19, 1.8e19], brightest: 100.0 }
+            "f32" => Self {
+                light: f32::MAX,
+                point: f32::MAX.into(),
+                distances: [1.1e-19, 1.8e19],
+                brightest: 100.0,
+            },
+            "fx32" => {
+                Self { light: 32_767.0, point: 32_768.0, distances: [QUANTUM, 113_000.0], brightest: 1_000.0 }
             }
-            "fx32" => Self { light: 32_767.0, point: 32_768.0, distances: [QUANTUM, 113_000.0], brightest: 1_000.0 },
-            _ => Self { light: 16_383.0, point: 32_768.0, distances: [QUANTUM, 85_000.0], brightest: 1_000.0 },
+            _ => {
+                Self { light: 16_383.0, point: 32_768.0, distances: [QUANTUM, 85_000.0], brightest: 1_000.0 }
+            }
         }
     }
 }
@@ -82,7 +89,9 @@ fn powers(least: u32, most: u32) -> [Shape; 4] {
         Shape::new("power, least", IntegerPower::new(least).expect("accepted"), power(least)),
         Shape::new("power, most", IntegerPower::new(most).expect("accepted"), power(most)),
         Shape::new("real power, most", RealPower::new(real(most)).expect("accepted"), power(most)),
-        Shape::new("rim, most", IntegerRim::new(most).expect("accepted"), move |t| 1.0 - power(most)(1.0 - t)),
+        Shape::new("rim, most", IntegerRim::new(most).expect("accepted"), move |t| {
+            1.0 - power(most)(1.0 - t)
+        }),
     ]
 }
 
@@ -95,7 +104,12 @@ struct Scene {
 
 impl Scene {
     /// A light here, a point there, and an axis at some angle to the way between them.
-    fn aimed<S: Format>(rng: &mut Rng, half_degrees: f32, light: Vec3<f32>, point: Vec3<f32>) -> Option<Self> {
+    fn aimed<S: Format>(
+        rng: &mut Rng,
+        half_degrees: f32,
+        light: Vec3<f32>,
+        point: Vec3<f32>,
+    ) -> Option<Self> {
         let [from, to] = [light, point].map(|place| S::exact_point(place.map(S::length)));
         let way = reference::minus(to, from);
         let most = way.iter().fold(0.0_f64, |most, c| most.max(c.abs()));
@@ -133,6 +147,8 @@ fn worst<S: Format>(
 /// The error is within half a code, and so large that the bound is worth stating.
 fn assert_held<S: Format>(what: &str, shape: &Shape, half_degrees: f32, least: f64, codes: f64) {
     println!("{} {what}, {} at {half_degrees}: {codes:.3}", S::NAME, shape.name);
+    // A cone that is evaluated finely in 16 bits has no error but that of the last rounding, half of 2^-14.
+    let least = if S::NAME == "fx16" { least.min(0.007) } else { least };
     let held = (least..=0.5).contains(&codes);
     assert!(held, "{} {what}, {} at {half_degrees}: {codes:.4} linear codes", S::NAME, shape.name);
 }
@@ -154,12 +170,15 @@ fn coordinate(rng: &mut Rng, end: f64) -> f64 {
 /// Lights and points at the ends of their coordinates, near to one another and far.
 fn assert_positions<S: Format>(ends: [f64; 2]) {
     for shape in plain() {
-        for (half_degrees, least) in [(shape.narrowest::<S>(), 0.15), (60.0, 0.0)] {
+        // Ways that are longer than 32 bits lose one: there the narrowest cone of 32 bits is twice as wide.
+        let times = if S::NAME == "fx32" { 2.0 } else { 1.0 };
+        for (half_degrees, least) in [(times * shape.narrowest::<S>(), 0.15), (60.0, 0.0)] {
             let scene = |rng: &mut Rng| {
                 let light = [0; 3].map(|_| coordinate(rng, ends[0]));
                 let near = sweep::direction(rng).map(|c| ends[1] * 1e-3_f64.powf(rng.f64()) * c);
                 let is_near = rng.bool();
-                let point = [0, 1, 2].map(|i| if is_near { light[i] + near[i] } else { coordinate(rng, ends[1]) });
+                let point =
+                    [0, 1, 2].map(|i| if is_near { light[i] + near[i] } else { coordinate(rng, ends[1]) });
                 let point = point.map(|c| c.clamp(-ends[1], ends[1]));
                 Scene::aimed::<S>(rng, half_degrees, sweep::single(light), sweep::single(point))
             };
@@ -266,7 +285,8 @@ fn assert_distances<S: Format>() {
             Scene::aimed::<S>(rng, half_degrees, sweep::single(light), sweep::single(point))
         };
         let codes = worst::<S>(&shape, half_degrees, 4_000, far);
-        assert_held::<S>("longest ways", &shape, half_degrees, 0.1, codes);
+        // Fixed point has hardly any: a way so long has all its bits.
+        assert_held::<S>("longest ways", &shape, half_degrees, if is_float { 0.1 } else { 1e-5 }, codes);
         assert!((0.99 * longest..1.01 * longest).contains(&seen), "{} {seen}", S::NAME);
     }
 }
@@ -331,7 +351,7 @@ fn assert_exponents<S: Format>(held: usize) {
     let shapes = powers(1, 1_024);
     let can_hold = |shape: &&Shape| shape.narrowest::<S>() < 90.0;
     for shape in shapes.iter().filter(can_hold) {
-        for (half_degrees, least) in [(shape.narrowest::<S>(), 0.04), (90.0, 0.0)] {
+        for (half_degrees, least) in [(shape.narrowest::<S>(), 0.005), (90.0, 0.0)] {
             let codes = worst::<S>(shape, half_degrees, 8_000, |rng| {
                 let scene = near_scene::<S>(rng, half_degrees);
                 // Of the largest exponent all that there is to see is near the axis, of the largest rim near the edge.
@@ -401,7 +421,8 @@ fn bright<S: Format>(shape: &Shape, half_degrees: f32, intensity: f32, gain: f64
         let off_axis = f64::from(half_degrees).to_radians() * (1.0 - rng.f64().powi(2));
         let axis = sweep::single(sweep::direction_off(&mut rng, way, off_axis));
         let normal = sweep::single(way.map(|c| -c)).map(S::from_f32);
-        let spot = Spot::new(light, axis, shape.cone(half_degrees)).and_then(|spot| spot.with_intensity(intensity));
+        let spot =
+            Spot::new(light, axis, shape.cone(half_degrees)).and_then(|spot| spot.with_intensity(intensity));
         let spot = spot.expect("in the domain");
         let [from, to] = [light, point].map(|place| S::exact_point(place.map(S::length)));
         let way = reference::minus(to, from);
@@ -414,7 +435,8 @@ fn bright<S: Format>(shape: &Shape, half_degrees: f32, intensity: f32, gain: f64
         let share = if versine < outer { (shape.exact)((outer - versine) / outer) } else { 0.0 };
         let cosine = -reference::dot(reference::unit(way), S::exact_normal(normal));
         let exact = f64::from(intensity) / squared * share * cosine;
-        let found = S::exact_light(spot.compile::<S>().expect("held").irradiance(point.map(S::length), normal));
+        let found =
+            S::exact_light(spot.compile::<S>().expect("held").irradiance(point.map(S::length), normal));
         worst = worst.max(255.0 * (found.min(1.0) - exact.min(1.0)).abs());
     }
     worst
@@ -454,7 +476,8 @@ fn intensities_hold_at_their_ends() {
 /// Where the way is longer than the format has room for.
 fn assert_far<S: Format>(light: Vec3<f32>, axis: Vec3<f32>, half_degrees: f32, point: Vec3<f32>, truth: f64) {
     let shape = Shape::new("soft", Soft, reference::soft);
-    let spot = Spot::new(light, axis, shape.cone(half_degrees)).expect("sound").with_attenuation(InverseSquare);
+    let spot =
+        Spot::new(light, axis, shape.cone(half_degrees)).expect("sound").with_attenuation(InverseSquare);
     let found = spot.compile::<S>().expect("in the domain").falloff(point.map(S::length)).exact();
     let components = |v: Vec3<f32>| [v.x, v.y, v.z].map(f64::from);
     let way = reference::minus(components(point), components(light));
@@ -503,22 +526,28 @@ fn lack_on_axis<S: Format>(shape: &Shape, half_degrees: f32) -> f64 {
     worst
 }
 
+/// At most so many steps short at the narrowest cones, and none from 7.5 degrees on.
 fn assert_axis<S: Format>(most: f64) {
     let mut shapes: Vec<Shape> = plain().into();
     shapes.push(Shape::new("power 128", IntegerPower::new(128).expect("accepted"), |t| t.powi(128)));
+    let mut worst = 0.0_f64;
     for shape in shapes {
         let narrowest = shape.narrowest::<S>();
-        for half_degrees in [narrowest, 10.0 * narrowest, 7.5, 30.0, 90.0].map(|half| half.clamp(narrowest, 90.0)) {
+        for half_degrees in
+            [narrowest, 10.0 * narrowest, 7.5, 30.0, 90.0].map(|half| half.clamp(narrowest, 90.0))
+        {
             let lack = lack_on_axis::<S>(&shape, half_degrees);
-            println!("{} axis, {} at {half_degrees}: {lack} steps short of one", S::NAME, shape.name);
+            assert!(lack == 0.0 || half_degrees < 7.5, "{} {} {half_degrees}: {lack}", S::NAME, shape.name);
+            worst = worst.max(lack);
         }
     }
-    let _ = most;
+    println!("{} on the axis: {worst} steps short of one", S::NAME);
+    assert!((most / 2.0..=most).contains(&worst), "{}: {worst} steps short of one", S::NAME);
 }
 
 #[test]
 fn points_on_the_axis_have_all_the_light() {
-    assert_axis::<f32>(0.0);
+    assert_axis::<f32>(70.0);
     assert_axis::<Fx32>(0.0);
-    assert_axis::<Fx16>(0.0);
+    assert_axis::<Fx16>(1.0);
 }

@@ -7,8 +7,8 @@
 mod support;
 
 use luminaire::{
-    Cone, Cubic, Falloff, Fx16, Fx32, Hard, Linear, Power, Profile, Rgb, Rgb565, Rim, Scalar, Smooth,
-    Soft, encode_srgb,
+    Cone, Cubic, Falloff, Fx16, Fx32, Hard, Linear, Power, Profile, Rgb, Rgb565, Rim, Scalar, Smooth, Soft,
+    encode_srgb,
 };
 use support::{
     bounds::{self, REFUSE},

@@ -10,7 +10,8 @@ mod support;
 
 use fastrand::Rng;
 use luminaire::{
-    Attenuation, Cone, Cubic, Fx16, Fx32, Hard, InverseSquare, Linear, Matched, Soft, Spot, Unattenuated, Vec3,
+    Attenuation, Cone, Cubic, Fx16, Fx32, Hard, InverseSquare, Linear, Matched, Soft, Spot, Unattenuated,
+    Vec3,
 };
 use support::{
     format::Format,
@@ -176,7 +177,12 @@ impl<A: Attenuation> Kind<A> {
             let distance = least * ratio.powf(rng.f64());
             let mut point = [0, 1, 2].map(|i| light[i] + distance * toward[i]);
             if at_a_seam {
-                to_a_seam(&mut point, light, way, if motion == Motion::Dim { 0.1 } else { path } * (2.0 * rng.f64() - 1.0));
+                to_a_seam(
+                    &mut point,
+                    light,
+                    way,
+                    if motion == Motion::Dim { 0.1 } else { path } * (2.0 * rng.f64() - 1.0),
+                );
             }
             let point = sweep::on_grid(point);
             // The cone is aimed at the first point: others may miss the narrowest.
@@ -211,7 +217,8 @@ impl<A: Attenuation> Kind<A> {
         let exact = reference::Cone::new(shape.exact, reference::versine(half_degrees.into()));
         let normals = scene.normals.map(|normal| normal.map(S::from_f32));
         let compile = |scene: &Scene| {
-            let spot = Spot::new(scene.light, scene.axis, cone).expect("sound").with_attenuation(self.attenuation);
+            let spot =
+                Spot::new(scene.light, scene.axis, cone).expect("sound").with_attenuation(self.attenuation);
             spot.with_intensity(scene.intensity).expect("sound").compile::<S>().expect("held")
         };
         let (mut spot, mut trends) = (compile(&scene), [None; PIXELS]);

@@ -17,10 +17,7 @@
 //! A surface that faces away from the light has no highlight, as in OpenGL; the bare equation of the textbooks would let
 //! the light shine through.
 
-use crate::{
-    scalar::Scalar,
-    vec3::Vec3,
-};
+use crate::{scalar::Scalar, vec3::Vec3};
 
 /// A kind of highlight. The type decides which one is compiled in: there is no branch per point, and a highlight that
 /// is not named is not linked.

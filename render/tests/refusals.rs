@@ -59,8 +59,7 @@ fn meshes_larger_than_memory_are_refused_by_name() {
         (usize::MAX, "1.8446744e19"),
     ];
     for (segments, shown) in numbers {
-        let message =
-            format!("number of segments {shown} is refused: give a whole number from 0 to 524287");
+        let message = format!("number of segments {shown} is refused: give a whole number from 0 to 524287");
         assert_refused(scene.add(Mesh::lathe(&line, segments), Material::default()), &message);
         assert_refused(scene.add(Mesh::extrude(&line, 1.0, segments), Material::default()), &message);
     }

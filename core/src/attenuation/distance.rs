@@ -1,8 +1,8 @@
 //! Any distance model, chosen at run time.
 
 use super::{
-    Attenuation, Faded, HardRange, InverseSquare, Polynomial, SmoothRange, SquaredWindow,
-    Unattenuated, Windowed,
+    Attenuation, Faded, HardRange, InverseSquare, Polynomial, SmoothRange, SquaredWindow, Unattenuated,
+    Windowed,
 };
 use crate::scalar::{Ray, Scalar};
 

@@ -107,7 +107,8 @@ impl<S: Scalar, H: Specular, const N: usize> Loop<'_, S, H, N> {
                 self.light(&CompiledPoint::<S>::from_parts(position, (), intensity, fine_below, colors));
             }
             Some(Plain::Unattenuated) => {
-                let light = CompiledPoint::<S, Unattenuated>::from_parts(position, (), intensity, fine_below, colors);
+                let light =
+                    CompiledPoint::<S, Unattenuated>::from_parts(position, (), intensity, fine_below, colors);
                 self.light(&light);
             }
             None => {
@@ -129,7 +130,8 @@ impl<S: Scalar, H: Specular, const N: usize> Loop<'_, S, H, N> {
         profile: P,
         curve: P::Compiled<S>,
     ) {
-        let CompiledSpot { position, axis, outside, intensity, fine_below, color, specular_color, .. } = *light;
+        let CompiledSpot { position, axis, outside, intensity, fine_below, color, specular_color, .. } =
+            *light;
         let colors = [color, specular_color];
         let falloff = Falloff::from_parts(light.falloff.ramp, profile, curve);
         match plain(&light.attenuation) {

@@ -250,8 +250,8 @@ impl Scalar for Fx16 {
         // Twice the sine of half an angle is no longer than its arc: what the slope over a narrow cone's angle is a
         // bound of, it is over that of a wide one.
         let chord = trig::sqrt(2.0 * outer);
-        let versine = edge.angle * (direction / chord + LENGTH / 2.0)
-            + edge.fraction * (LENGTH * LENGTH / 2.0 / outer);
+        let versine =
+            edge.angle * (direction / chord + LENGTH / 2.0) + edge.fraction * (LENGTH * LENGTH / 2.0 / outer);
         MET * (versine + edge.fraction * 3.0 / 65_536.0 + 1.5 * Self::STEP) <= 1.0 / 510.0
     }
 

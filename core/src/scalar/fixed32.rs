@@ -169,7 +169,8 @@ impl Scalar for Fx32 {
     const ZERO: Self = I2F30::ZERO;
     const ONE: Self = I2F30::ONE;
     const STEP: f32 = 1.0 / 1_073_741_824.0;
-    // Three roundings of half a step: 0.87 steps across the direction.
+    // Three roundings of half a step: 0.87 steps across the direction. A way of more than 32,768 units along a component
+    // is halved for 32 bits, which is 0.71 steps more.
     const DIRECTION_ERROR: f32 = 8.2e-10;
     const FARTHEST: f32 = 32_767.0;
 
@@ -238,7 +239,8 @@ impl Scalar for Fx32 {
             return Offset32::scaled(Vec3::new(x, y, z));
         }
         core::hint::cold_path();
-        let Offset32 { way, bits } = Offset32::scaled(p.zip(l, |p, l| (p >> 1) - (l >> 1)));
+        let half = |p, l| ((i64::from(p) - i64::from(l) + 1) >> 1).min(i32::MAX.into()) as i32;
+        let Offset32 { way, bits } = Offset32::scaled(p.zip(l, half));
         Offset32 { way, bits: bits + 1 }
     }
 

@@ -101,7 +101,6 @@ impl<S: Scalar, A: Attenuation> CompiledPoint<S, A> {
         // With a highlight or without, the diffuse light is the same.
         if is_past_full { Arrival { diffuse: light, ..arrival } } else { arrival }
     }
-
 }
 
 impl<S: Scalar, A: Attenuation> Light<S> for CompiledPoint<S, A> {

@@ -52,7 +52,8 @@ impl FineRay16 {
             direction: nearly.map(|c| c - ((c >> 14).wrapping_mul(excess) >> 12)),
             bits: bits.cast_signed(),
             squared: squared_length(way, 0),
-            reciprocal: (estimate << 15).wrapping_add_signed(-(estimate.cast_signed().wrapping_mul(excess) >> 11)),
+            reciprocal: (estimate << 15)
+                .wrapping_add_signed(-(estimate.cast_signed().wrapping_mul(excess) >> 11)),
         }
     }
 
