@@ -284,14 +284,14 @@ struct Worst {
 }
 
 impl Worst {
-    /// Of random cones.
-    fn of<S: Format>(seed: u64, starts: usize, steps: usize) -> Self {
+    /// Of random cones, from so many starts in each.
+    fn of<S: Format>(seed: u64, cones: usize, starts: usize, steps: usize) -> Self {
         let (mut rng, tables) = (Rng::with_seed(seed), tables());
         let mut worst = Self::default();
-        for _ in 0..starts {
+        for _ in 0..cones {
             let shape = Shape::random(&mut rng, &tables);
             if let Some(angles) = Angles::random::<S>(&mut rng, shape.profile) {
-                worst.climb::<S>(&mut rng, &shape, angles, steps);
+                (0..starts).for_each(|_| worst.climb::<S>(&mut rng, &shape, angles, steps));
             }
         }
         worst
@@ -338,9 +338,9 @@ fn is_full() -> bool {
 
 /// Every format's worst is under half a code, and the search is not blind: it finds some of that.
 fn assert_held<S: Format>() {
-    let (starts, steps) = if is_full() { (500_000, 100) } else { (250, 120) };
+    let (cones, starts, steps) = if is_full() { (25_000, 20, 100) } else { (150, 2, 100) };
     let worst = std::thread::scope(|scope| {
-        let halves = [2004, 2005].map(|seed| scope.spawn(move || Worst::of::<S>(seed, starts, steps)));
+        let halves = [2004, 2005].map(|seed| scope.spawn(move || Worst::of::<S>(seed, cones, starts, steps)));
         let [a, b] = halves.map(|half| half.join().expect("no search panics"));
         if a.error > b.error { a } else { b }
     });
@@ -402,7 +402,7 @@ fn assert_steep<S: Format>() {
         });
         println!("{} {name}: {narrowest:.5} degrees, {there:.2} codes, at 45 degrees {wide:.2}", S::NAME);
         // A step in a table is so narrow that few climbs begin at it.
-        let least = if name.starts_with("table") { 0.0 } else { 0.01 };
+        let least = if name.starts_with("table") { 0.0 } else { 0.005 };
         let is_held = (least..=0.5).contains(&there) && (0.0..=0.5).contains(&wide);
         assert!(is_held, "{} {name}: {there} {wide}", S::NAME);
     }
