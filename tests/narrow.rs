@@ -59,7 +59,8 @@ fn error_at_the_narrowest<S: Format, P: Profile>(shape: &Shape<P>) -> f64 {
 }
 
 /// The claim is kept, and it is not much too careful either: the error is at least 0.3 of what is allowed. Shapes that
-/// jump have no such error; a table is asked only not to pass it, because its steepness is a bound.
+/// jump have no such error; a table is asked only not to pass it, because its steepness is a bound; and 16 bits evaluate their
+/// narrowest cones finely, so that only the last rounding is left.
 fn assert_narrowest<S: Format, P: Profile>(shape: &Shape<P>) {
     if shape.exactly_at(1.0).jumps_near(shape.exactly_at(1.0).limit, 1.0) {
         return;
@@ -67,7 +68,11 @@ fn assert_narrowest<S: Format, P: Profile>(shape: &Shape<P>) {
     let error = error_at_the_narrowest::<S, P>(shape);
     let half = narrowest::<S, P>(shape);
     println!("{} {}: narrowest half angle {half:.5} degrees, error {error:.2e}", S::NAME, shape.name);
-    let least = if shape.name == "table" { 0.2 } else { 0.3 };
+    let least = match (S::NAME, shape.name) {
+        ("fx16", _) => 0.01,
+        (_, "table") => 0.2,
+        _ => 0.3,
+    };
     assert!((least * HALF_A_STEP..=HALF_A_STEP).contains(&error), "{} {}: {error:.2e}", S::NAME, shape.name);
 }
 

@@ -42,8 +42,8 @@ pub const ROWS: [Row; 54] = [
     },
     Row {
         profile: "hard", format: "f32", falloff: 1.18,
-        spot: [1.1e-3, 1.1e-4, 2.2e-5, 1.0e-5, 5.8e-6, 3.3e-6, 1.7e-6, 1.1e-6, 7.6e-7, 6.4e-7, 6.9e-7],
-        lit:  [9.5e-4, 9.5e-5, 1.8e-5, 9.5e-6, 4.8e-6, 2.8e-6, 1.5e-6, 9.9e-7, 6.3e-7, 5.4e-7, 5.4e-7],
+        spot: [REFUSE, 1.1e-4, 2.2e-5, 1.0e-5, 5.8e-6, 3.3e-6, 1.7e-6, 1.1e-6, 7.6e-7, 6.4e-7, 6.9e-7],
+        lit:  [REFUSE, 9.5e-5, 1.8e-5, 9.5e-6, 4.8e-6, 2.8e-6, 1.5e-6, 9.9e-7, 6.3e-7, 5.4e-7, 5.4e-7],
     },
     Row {
         profile: "hard", format: "fx32", falloff: 1.5,
@@ -52,8 +52,8 @@ pub const ROWS: [Row; 54] = [
     },
     Row {
         profile: "hard", format: "fx16", falloff: 1.61,
-        spot: [REFUSE, REFUSE, REFUSE, REFUSE, 1.5e-3, 1.1e-3, 7.1e-4, 5.6e-4, 5.3e-4, 3.8e-4, 4.4e-4],
-        lit:  [REFUSE, REFUSE, REFUSE, REFUSE, 1.4e-3, 9.1e-4, 6.3e-4, 4.6e-4, 4.4e-4, 3.0e-4, 3.7e-4],
+        spot: [REFUSE, REFUSE, REFUSE, REFUSE, 3.3e-5, 1.1e-3, 7.1e-4, 5.6e-4, 5.3e-4, 3.8e-4, 4.4e-4],
+        lit:  [REFUSE, REFUSE, REFUSE, REFUSE, 3.3e-5, 9.1e-4, 6.3e-4, 4.6e-4, 4.4e-4, 3.0e-4, 3.7e-4],
     },
     Row {
         profile: "linear", format: "f32", falloff: 1.13,
@@ -142,13 +142,13 @@ pub const ROWS: [Row; 54] = [
     },
     Row {
         profile: "power 4", format: "fx16", falloff: 2.89,
-        spot: [REFUSE, REFUSE, REFUSE, 1.4e-3, 8.0e-4, 4.7e-4, 3.4e-4, 2.8e-4, 2.5e-4, 2.2e-4, 2.0e-4],
-        lit:  [REFUSE, REFUSE, REFUSE, 1.3e-3, 7.1e-4, 4.8e-4, 4.1e-4, 3.9e-4, 3.9e-4, 4.1e-4, 3.6e-4],
+        spot: [REFUSE, REFUSE, REFUSE, 3.3e-5, 8.0e-4, 4.7e-4, 3.4e-4, 2.8e-4, 2.5e-4, 2.2e-4, 2.0e-4],
+        lit:  [REFUSE, REFUSE, REFUSE, 3.3e-5, 7.1e-4, 4.8e-4, 4.1e-4, 3.9e-4, 3.9e-4, 4.1e-4, 3.6e-4],
     },
     Row {
         profile: "power 15", format: "f32", falloff: 18.3,
-        spot: [9.4e-4, 9.1e-5, 1.9e-5, 9.7e-6, 5.1e-6, 3.8e-6, 2.1e-6, 1.7e-6, 2.1e-6, 8.3e-7, 1.3e-6],
-        lit:  [7.8e-4, 7.8e-5, 1.6e-5, 8.3e-6, 4.6e-6, 3.3e-6, 2.0e-6, 1.8e-6, 2.0e-6, 9.8e-7, 1.3e-6],
+        spot: [REFUSE, 9.1e-5, 1.9e-5, 9.7e-6, 5.1e-6, 3.8e-6, 2.1e-6, 1.7e-6, 2.1e-6, 8.3e-7, 1.3e-6],
+        lit:  [REFUSE, 7.8e-5, 1.6e-5, 8.3e-6, 4.6e-6, 3.3e-6, 2.0e-6, 1.8e-6, 2.0e-6, 9.8e-7, 1.3e-6],
     },
     Row {
         profile: "power 15", format: "fx32", falloff: 12.0,
@@ -157,8 +157,8 @@ pub const ROWS: [Row; 54] = [
     },
     Row {
         profile: "power 15", format: "fx16", falloff: 9.38,
-        spot: [REFUSE, REFUSE, REFUSE, REFUSE, 1.5e-3, 9.3e-4, 7.7e-4, 6.7e-4, 6.4e-4, 6.3e-4, 5.1e-4],
-        lit:  [REFUSE, REFUSE, REFUSE, REFUSE, 1.3e-3, 9.0e-4, 7.3e-4, 7.3e-4, 7.2e-4, 7.6e-4, 5.3e-4],
+        spot: [REFUSE, REFUSE, REFUSE, REFUSE, 3.3e-5, 9.3e-4, 7.7e-4, 6.7e-4, 6.4e-4, 6.3e-4, 5.1e-4],
+        lit:  [REFUSE, REFUSE, REFUSE, REFUSE, 3.3e-5, 9.0e-4, 7.3e-4, 7.3e-4, 7.2e-4, 7.6e-4, 5.8e-4],
     },
     Row {
         profile: "rim 4", format: "f32", falloff: 1.77,
@@ -177,8 +177,8 @@ pub const ROWS: [Row; 54] = [
     },
     Row {
         profile: "integer power 15", format: "f32", falloff: 18.3,
-        spot: [9.4e-4, 9.1e-5, 1.9e-5, 9.7e-6, 5.1e-6, 3.8e-6, 2.1e-6, 1.7e-6, 2.1e-6, 8.3e-7, 1.3e-6],
-        lit:  [7.8e-4, 7.8e-5, 1.6e-5, 8.3e-6, 4.6e-6, 3.3e-6, 2.0e-6, 1.8e-6, 2.0e-6, 9.8e-7, 1.3e-6],
+        spot: [REFUSE, 9.1e-5, 1.9e-5, 9.7e-6, 5.1e-6, 3.8e-6, 2.1e-6, 1.7e-6, 2.1e-6, 8.3e-7, 1.3e-6],
+        lit:  [REFUSE, 7.8e-5, 1.6e-5, 8.3e-6, 4.6e-6, 3.3e-6, 2.0e-6, 1.8e-6, 2.0e-6, 9.8e-7, 1.3e-6],
     },
     Row {
         profile: "integer power 15", format: "fx32", falloff: 12.0,
@@ -187,8 +187,8 @@ pub const ROWS: [Row; 54] = [
     },
     Row {
         profile: "integer power 15", format: "fx16", falloff: 9.38,
-        spot: [REFUSE, REFUSE, REFUSE, REFUSE, 1.5e-3, 9.9e-4, 7.7e-4, 6.7e-4, 6.3e-4, 6.3e-4, 5.1e-4],
-        lit:  [REFUSE, REFUSE, REFUSE, REFUSE, 1.3e-3, 9.0e-4, 7.6e-4, 7.3e-4, 7.2e-4, 7.6e-4, 5.8e-4],
+        spot: [REFUSE, REFUSE, REFUSE, REFUSE, 3.3e-5, 9.9e-4, 7.7e-4, 6.7e-4, 6.3e-4, 6.3e-4, 5.1e-4],
+        lit:  [REFUSE, REFUSE, REFUSE, REFUSE, 3.3e-5, 9.0e-4, 7.6e-4, 7.3e-4, 7.2e-4, 7.6e-4, 5.8e-4],
     },
     Row {
         profile: "integer rim 4", format: "f32", falloff: 1.77,
@@ -217,13 +217,13 @@ pub const ROWS: [Row; 54] = [
     },
     Row {
         profile: "mixed power", format: "fx16", falloff: 4.42,
-        spot: [REFUSE, REFUSE, REFUSE, 1.3e-3, 6.6e-4, 4.5e-4, 3.4e-4, 3.0e-4, 2.7e-4, 3.1e-4, 2.4e-4],
-        lit:  [REFUSE, REFUSE, REFUSE, 1.3e-3, 6.8e-4, 4.9e-4, 4.9e-4, 4.4e-4, 4.2e-4, 4.5e-4, 3.5e-4],
+        spot: [REFUSE, REFUSE, REFUSE, 3.3e-5, 6.6e-4, 4.5e-4, 3.4e-4, 3.0e-4, 2.7e-4, 3.1e-4, 2.4e-4],
+        lit:  [REFUSE, REFUSE, REFUSE, 3.3e-5, 6.8e-4, 4.9e-4, 4.9e-4, 4.4e-4, 4.2e-4, 4.5e-4, 4.0e-4],
     },
     Row {
         profile: "mixed rim", format: "f32", falloff: 1.43,
-        spot: [1.3e-3, 1.3e-4, 2.7e-5, 1.3e-5, 7.3e-6, 4.1e-6, 2.2e-6, 1.4e-6, 9.6e-7, 8.2e-7, 8.8e-7],
-        lit:  [1.3e-3, 1.2e-4, 2.3e-5, 1.2e-5, 6.1e-6, 3.5e-6, 1.8e-6, 1.3e-6, 8.3e-7, 6.5e-7, 6.9e-7],
+        spot: [REFUSE, 1.3e-4, 2.7e-5, 1.3e-5, 7.3e-6, 4.1e-6, 2.2e-6, 1.4e-6, 9.6e-7, 8.2e-7, 8.8e-7],
+        lit:  [REFUSE, 1.2e-4, 2.3e-5, 1.2e-5, 6.1e-6, 3.5e-6, 1.8e-6, 1.3e-6, 8.3e-7, 6.5e-7, 6.9e-7],
     },
     Row {
         profile: "mixed rim", format: "fx32", falloff: 2.27,
@@ -237,12 +237,12 @@ pub const ROWS: [Row; 54] = [
     },
     Row {
         profile: "table", format: "f32", falloff: 2.34,
-        spot: [9.3e-4, 9.4e-5, 1.9e-5, 9.7e-6, 5.1e-6, 2.9e-6, 1.5e-6, 8.6e-7, 6.2e-7, 5.9e-7, 6.2e-7],
-        lit:  [8.0e-4, 8.3e-5, 1.8e-5, 8.1e-6, 4.3e-6, 2.5e-6, 1.3e-6, 7.6e-7, 5.6e-7, 5.3e-7, 5.0e-7],
+        spot: [REFUSE, 9.4e-5, 1.9e-5, 9.7e-6, 5.1e-6, 2.9e-6, 1.5e-6, 8.6e-7, 6.2e-7, 5.9e-7, 6.2e-7],
+        lit:  [REFUSE, 8.3e-5, 1.8e-5, 8.1e-6, 4.3e-6, 2.5e-6, 1.3e-6, 7.6e-7, 5.6e-7, 5.3e-7, 5.0e-7],
     },
     Row {
         profile: "table", format: "fx32", falloff: 1.69,
-        spot: [1.6e-5, 1.7e-6, 3.8e-7, 1.8e-7, 2.4e-7, 1.8e-7, 1.6e-7, 1.2e-7, 1.5e-8, 4.2e-9, 2.2e-8],
+        spot: [1.6e-5, 1.7e-6, 3.8e-7, 1.8e-7, 2.4e-7, 1.8e-7, 1.6e-7, 1.2e-7, 1.5e-8, 4.5e-9, 2.2e-8],
         lit:  [1.5e-5, 1.6e-6, 3.6e-7, 1.6e-7, 2.3e-7, 1.7e-7, 1.6e-7, 1.2e-7, 1.3e-8, 6.1e-9, 2.2e-8],
     },
     Row {
@@ -263,7 +263,7 @@ pub const ROWS: [Row; 54] = [
     Row {
         profile: "soft, hotspot", format: "fx16", falloff: 1.37,
         spot: [REFUSE, REFUSE, REFUSE, REFUSE, 1.1e-3, 7.4e-4, 4.5e-4, 3.4e-4, 3.3e-4, 2.6e-4, 2.9e-4],
-        lit:  [REFUSE, REFUSE, REFUSE, REFUSE, 9.9e-4, 6.3e-4, 4.8e-4, 3.7e-4, 3.6e-4, 3.3e-4, 3.5e-4],
+        lit:  [REFUSE, REFUSE, REFUSE, REFUSE, 1.1e-3, 6.7e-4, 4.8e-4, 3.7e-4, 3.6e-4, 3.3e-4, 3.5e-4],
     },
     Row {
         profile: "soft, delimited", format: "f32", falloff: 2.49,

@@ -48,8 +48,8 @@ pub const ROWS: [Row; 12] = [
     },
     Row {
         profile: "hard", format: "f32",
-        linear: [1.1, 0.11, 1.1e-2, 2.9e-3, 1.4e-3, 3.6e-4, 2.2e-4],
-        codes:  [11.0, 1.5, 0.565, 0.520, 0.510, 0.508, 0.508],
+        linear: [REFUSE, 0.11, 1.1e-2, 2.9e-3, 1.4e-3, 3.6e-4, 2.2e-4],
+        codes:  [REFUSE, 1.5, 0.565, 0.520, 0.510, 0.508, 0.508],
     },
     Row {
         profile: "hard", format: "fx32",
