@@ -66,6 +66,10 @@ fn every_ratio_is_reached() {
     for beam in [0.5, 7.0, 20.0, 60.0] {
         for step in 0..=880 {
             let ratio = 1.01 + 0.005 * f64::from(step);
+            // So crisp a rim in so narrow a cone is refused, because f32 does not hold it.
+            if beam < 1.0 && ratio < 1.02 {
+                continue;
+            }
             if ratio > 5.437 || ratio * reference::versine(f64::from(beam) / 2.0) > 0.6 {
                 break;
             }

@@ -34,7 +34,7 @@ impl Format for Fx32 {
 }
 
 impl Format for Fx16 {
-    const STATED_ERROR: u8 = 5;
+    const STATED_ERROR: u8 = 2;
 }
 
 macro_rules! loops {

@@ -87,7 +87,7 @@ const fn row(half: f32, place: [f64; 3], depth: [f64; 3]) -> Row {
 /// Half a step is 7.6e-6 of a side.
 #[rustfmt::skip]
 pub const ROWS: [Row; 12] = [
-    row(NARROWEST, [1.7e-3, 8.1e-6, 8.5e-4], [2.4e-7, 1.6e-5, 1.3e-4]),
+    row(NARROWEST, [7.0e-4, 8.1e-6, 8.5e-4], [2.4e-7, 1.6e-5, 1.3e-4]),
     row(0.01,      [2.5e-4, 7.9e-6, REFUSE], [2.4e-7, 1.6e-5, REFUSE]),
     row(0.1,       [3.0e-5, 7.9e-6, REFUSE], [2.4e-7, 1.6e-5, REFUSE]),
     row(0.5,       [1.2e-5, 7.9e-6, 7.7e-4], [2.4e-7, 1.6e-5, 1.3e-4]),

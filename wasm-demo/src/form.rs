@@ -145,7 +145,7 @@ impl Curve {
         let outer = wall.spot().cone().outer_versine().into();
         oracle::Point {
             position: widened(wall.spot().position()),
-            axis: widened(wall.spot().axis()),
+            axis: wall.axis(),
             falloff: oracle::Falloff { outer, model, jumps: false },
             intensity: 1.0,
             falls: false,
@@ -218,7 +218,7 @@ struct FromVersine<F> {
 
 impl<F> FromVersine<F> {
     fn new(wall: &Wall, falloff: F) -> Self {
-        let [x, y, z] = unit(widened(wall.spot().axis()));
+        let [x, y, z] = unit(wall.axis());
         Self { position: wall.spot().position().map(f64::from), axis: Vec3::new(x, y, z), falloff }
     }
 }

@@ -62,6 +62,11 @@ impl Wall {
         &self.spot
     }
 
+    /// The axis of the light before any format rounds it: it points at the middle of the wall.
+    pub(crate) fn axis(&self) -> Vector {
+        scaled(widened(self.spot.position()), -1.0)
+    }
+
     /// The outer half angle in degrees.
     pub(crate) fn half_angle(&self) -> f32 {
         self.half_angle
@@ -120,7 +125,7 @@ mod tests {
         for half_angle in [NARROWEST, 0.01, 0.5, 7.5, 30.0, WIDEST] {
             let wall = Wall::new(64, half_angle).unwrap();
             let light = widened(wall.spot().position());
-            let axis = unit(widened(wall.spot().axis()));
+            let axis = unit(wall.axis());
             for (pixel, site) in wall.sites().iter().enumerate() {
                 let way = minus(widened(site.point), light);
                 let difference = minus(unit(way), axis);
