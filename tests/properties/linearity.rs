@@ -1,7 +1,6 @@
 //! Light is linear: twice the lamp is twice the light, and lamps add in any order.
 
 use super::format::Format;
-use super::reference;
 use super::scene;
 use super::words::Words;
 use luminaire::{Rgb, Soft};
@@ -23,8 +22,9 @@ fn twice<S: Format>(words: &mut Words<'_>) -> Option<()> {
     };
     let (once, twice) = (light(1.0)?, light(2.0)?);
     if twice <= 1.0 {
-        let way = reference::minus(S::exact_point(point), S::exact_point(spot.position().map(S::length)));
-        let gain = 2.0 * f64::from(spot.intensity()) / reference::dot(way, way);
+        let (from, to) = (S::exact_point(spot.position().map(S::length)), S::exact_point(point));
+        let squared: f64 = from.iter().zip(to).map(|(from, to)| (to - from) * (to - from)).sum();
+        let gain = 2.0 * f64::from(spot.intensity()) / squared;
         // In 16 bits one of the two may be evaluated finely and the other not, each within half a code.
         let steps = match S::NAME {
             "f32" => 0.0,
