@@ -38,14 +38,12 @@ impl Domain {
                 light: f32::MAX,
                 point: f32::MAX.into(),
                 distances: [1.1e-19, 1.8e19],
-                brightest: 100.0,
+                brightest: 10.0,
             },
             "fx32" => {
-                Self { light: 32_767.0, point: 32_768.0, distances: [QUANTUM, 113_000.0], brightest: 1_000.0 }
+                Self { light: 32_767.0, point: 32_768.0, distances: [QUANTUM, 113_000.0], brightest: 300.0 }
             }
-            _ => {
-                Self { light: 16_383.0, point: 32_768.0, distances: [QUANTUM, 85_000.0], brightest: 1_000.0 }
-            }
+            _ => Self { light: 16_383.0, point: 32_768.0, distances: [QUANTUM, 85_000.0], brightest: 300.0 },
         }
     }
 }

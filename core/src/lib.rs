@@ -33,6 +33,26 @@
 //! validates and returns an [`Error`] that names the parameter; evaluation is defined for every bit pattern and
 //! never fails.
 //!
+//! # Domain
+//!
+//! A cone that compiles errs at most half a *linear code*, 1/510 of full scale, or where it jumps 1/510 of its half angle in
+//! place, within these ranges. `tests/domain.rs` tests each end.
+//!
+//! | | `f32` | [`Fx32`] | [`Fx16`] | outside |
+//! |---|---|---|---|---|
+//! | coordinate of a light | any finite | ±32,767 | ±16,383 | refused |
+//! | coordinate of a point | any finite | -32,768 to 32,768 | -32,768 to 32,768 | [`Scalar::length`] saturates; infinite or NaN is dark in `f32` |
+//! | distance | 1.1e-19 to 1.8e19 | 2^-16 to 113,000, but see below | 2^-16 to 85,000 | dark: it counts as on the light, or out of reach |
+//! | outer half angle | [`Cone::narrowest`] to 90° | the same | the same | refused |
+//! | hotspot | to where the rim is as steep as the format holds | the same | the same | refused, with the widest |
+//! | exponent | 1 to 1,024, real ones more than 0 | the same | the same | refused |
+//! | intensity, half a code / one code | 10 / 300 | 300 / 1,000 | 300 / 1,000 | to 1e9: the error is the share's times the gain; beyond: refused |
+//!
+//! Where a component of the way from a light to a point is more than 32,768 units, `Fx32` has lost a bit of it, and its
+//! narrowest cones are twice as wide. Intensities are those of cones with half angles from 3°, at any distance (searched, with
+//! light clipped at full scale); a narrower cone has fewer of them in proportion. For brighter lights divide the intensity, and
+//! give it back by an [`Exposure`]; or stay as far away as a light of full scale does.
+//!
 //! # Half or full angle
 //!
 //! An [`Angle`] is a full angle, edge to edge through the axis; a [`HalfAngle`] goes from the axis to the edge. Each

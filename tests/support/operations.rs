@@ -39,7 +39,7 @@ pub const ROWS: [Row; 35] = [
     row("ambient light and glow",        [1.1, 35.0, 2.1]),
     row("light, filter and sum",         [4.1, 1.1, 1.1]),
     row("ray direction, of the stated",  [0.46, 1.1, 1.1]),
-    row("ray direction, its length",     [1.8e-7, 1.2e-9, 1.9e-4]),
+    row("ray direction, its length",     [1.8e-7, 1.4e-9, 1.9e-4]),
     row("ray distance, relative",        [1.4e-7, 6.6e-9, 1.4e-4]),
     row("squared distance, relative",    [1.8e-7, 4.0e-9, 1.6e-4]),
     row("ray cosine",                    [2.2, 5.2, 2.8]),

@@ -1,5 +1,6 @@
 //! The 16-bit format: scalars of 16 bits, lengths and directions of 32, and no product wider than 32 bits, so that
-//! a processor with nothing but a 32-bit multiply runs it.
+//! a processor with nothing but a 32-bit multiply runs it. Steep cones and bright light have products of 32 by 32 bits, which
+//! are four of 16 where the processor has no wider one; real powers have 64 bits in every format.
 
 mod fine;
 mod fine_ray;

@@ -29,6 +29,7 @@ impl<S: Scalar, P: Profile, A: Attenuation> CompiledSpot<S, P, A> {
     /// The light of these parts, as [`source`](crate::source) writes them: `outside` is the bound by which points outside
     /// the cone are rejected, `fine_below` that of [`Scalar::fine_below`], and the colours are the diffuse and the specular
     /// one.
+    #[expect(clippy::too_many_arguments, reason = "generated source names each part of a light once")]
     pub const fn from_parts(
         position: Vec3<S::Length>,
         axis: Vec3<S::Unit>,
