@@ -11,7 +11,9 @@ const SIZE: usize = 64;
 fn a_lamp_that_points_away_behind_a_surface_is_dark() {
     let middle = Vec3::new(0.0, 2.0, 0.0);
     let mut scene = Scene::new();
-    scene.add(Mesh::cuboid(0.2, 0.2, 0.2).moved(Vec3::new(0.0, 1.9, 0.0)), Material::srgb(0, 0, 0));
+    scene
+        .add(Mesh::cuboid(0.2, 0.2, 0.2).moved(Vec3::new(0.0, 1.9, 0.0)), Material::srgb(0, 0, 0))
+        .expect("a sound mesh");
     scene.set_haze(Some(Haze::new(0.02).unwrap()));
     let cone = Cone::from_outer(Soft, Angle::degrees(40.0)).unwrap();
     for setting in 0..90 {
