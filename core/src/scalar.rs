@@ -144,10 +144,10 @@ pub trait Scalar:
     fn fine_below(_ramp: Option<Self::Ramp>, _intensity: f32, _grows: bool) -> u32 {
         0
     }
-    /// Whether a light is past full scale whatever its share of a gain is off by, so that a fine evaluation would show nothing
-    /// else.
+    /// Whether a fine evaluation would show nothing else than this light of a share of a gain: it is past full scale whatever
+    /// the share is off by, or the gain is small after all, which the light tells where no window has a part in it.
     #[inline(always)]
-    fn is_past_full(_share: Self, _light: Self::Irradiance) -> bool {
+    fn is_enough(_share: Self, _light: Self::Irradiance, _has_window: bool) -> bool {
         false
     }
     /// `t^2 (3 - 2t)` of a fraction clamped to [0, 1]: exact at both ends.
@@ -330,6 +330,11 @@ pub trait Offset<S: Scalar>: Copy + core::fmt::Debug {
     fn facing(&self, normal: Vec3<S>) -> Self::Facing;
     /// Whether the surface faces away, so that nothing can arrive. Not a number faces away.
     fn faces_away(facing: Self::Facing) -> bool;
+    /// Whether it faces away so far that a fine evaluation finds nothing either.
+    #[inline(always)]
+    fn faces_far_away(facing: Self::Facing) -> bool {
+        Self::faces_away(facing)
+    }
     /// Whether the point is outside a cone for certain: by squares, and only ever in error towards evaluating.
     /// `bound` is the squared cosine of the outer half angle, less a margin for the roundings.
     fn is_outside(&self, axis: Vec3<S::Unit>, bound: S) -> bool;

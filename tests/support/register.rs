@@ -69,11 +69,11 @@ pub(crate) const REGISTER: &[Held] = &[
         "Fraction::smooth", "Fraction::blend", "Fraction::cubic", "Fraction::sample",
     ]),
     through("tests/half_a_code.rs::fx16_holds_every_cone_that_it_accepts", &[
-        "Scalar::rounding", "Scalar::holds_coarsely", "Scalar::fine_ramp", "Offset::fine_ray", "Offset::is_below",
+        "Scalar::rounding", "Scalar::holds_coarsely", "Scalar::fine_ramp", "Offset::fine_ray", "Offset::is_below", "Offset::faces_far_away",
         "Fraction::lack", "Fraction::mixed", "Share::rounded",
     ]),
     through("tests/bright.rs::fx16_adds_half_a_code_at_most", &[
-        "Scalar::fine_below", "Scalar::is_past_full", "Attenuation::grows", "Ray::near", "Ray::squared_near",
+        "Scalar::fine_below", "Scalar::is_enough", "Attenuation::grows", "Ray::near", "Ray::squared_near",
         "Share::give", "Share::is_all", "Share::rest", "Share::share_of", "Share::smoothed",
     ]),
     through("tests/lamps.rs::lamps_light_many_points_as_each", &["Share::of_scalar"]),

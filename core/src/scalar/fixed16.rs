@@ -107,6 +107,9 @@ impl Ramp16 {
 /// The largest zoom of a ramp: one more would ask for bits that a direction does not have.
 const MOST_ZOOM: u32 = 15;
 
+/// A gain up to which the coarse evaluation is within half a linear code.
+const GAIN: f32 = 4.0;
+
 /// The zoom of a ramp that ends at this versine.
 fn zoom(limit: f32) -> u32 {
     (1..=MOST_ZOOM).take_while(|&zoom| magnified(limit, zoom) <= 2).last().unwrap_or(0)
@@ -272,8 +275,6 @@ impl Scalar for Fx16 {
     }
 
     fn fine_below(ramp: Option<Ramp16>, intensity: f32, grows: bool) -> u32 {
-        /// A gain up to which the coarse evaluation is within half a linear code.
-        const GAIN: f32 = 4.0;
         let is_fine = ramp.is_some_and(|ramp| ramp.fine > 0);
         if is_fine || (intensity > GAIN && !grows) {
             return u32::MAX;
@@ -284,9 +285,11 @@ impl Scalar for Fx16 {
     }
 
     #[inline(always)]
-    fn is_past_full(share: Self, light: U18F14) -> bool {
-        // A share of 1/128 is off by 7 % at most.
-        share.to_bits() > 1 << 7 && light.to_bits() > 9 << 11
+    fn is_enough(share: Self, light: U18F14, has_window: bool) -> bool {
+        let share = u32::from(share.to_bits().max(0).cast_unsigned());
+        // A share of 1/128 is off by 7 % at most, and one that is so small does not tell the gain.
+        let is_told = share > 1 << 7;
+        is_told && (light.to_bits() > 9 << 11 || (!has_window && light.to_bits() <= GAIN as u32 * share))
     }
 
     #[inline(always)]

@@ -103,8 +103,8 @@ impl<S: Scalar, P: Profile, A: Attenuation> CompiledSpot<S, P, A> {
         (share, A::expose(&self.attenuation, offset, ray, share, self.intensity))
     }
 
-    /// What arrives at a point that is near, or of a cone that is steep: with all bits that the format can give, but where the
-    /// light is past full scale without them. Apart from the rest, which is to stay in registers.
+    /// What arrives at a point that is near, or of a cone that is steep: with all bits that the format can give, but where they
+    /// would show nothing. Apart from the rest, which is to stay in registers.
     #[cold]
     #[inline(never)]
     fn arrive_finely<H: Specular>(
@@ -114,17 +114,21 @@ impl<S: Scalar, P: Profile, A: Attenuation> CompiledSpot<S, P, A> {
         highlight: &H::Constants<S>,
     ) -> Arrival<S::Irradiance> {
         let facing = offset.facing(normal);
+        if S::Offset::faces_far_away(facing) || offset.is_outside(self.axis, self.outside) {
+            return Arrival::default();
+        }
         let ray = offset.ray();
         let (share, light) = self.diffuse(&offset, &ray, ray.cosine(facing, normal));
-        let is_past_full = self.fine_below < u32::MAX && S::is_past_full(share, light);
-        if is_past_full && !H::SHINES {
+        let has_window = !A::is_inverse_square::<S>(&self.attenuation);
+        let is_enough = self.fine_below < u32::MAX && S::is_enough(share, light, has_window);
+        if is_enough && !H::SHINES {
             return Arrival { diffuse: light, specular: S::Irradiance::default() };
         }
         let ray = offset.fine_ray();
         let cosine = ray.cosine(facing, normal);
         let arrival = self.along::<H, _>(&offset, &ray, cosine, (normal, view), highlight);
         // With a highlight or without, the diffuse light is the same.
-        if is_past_full { Arrival { diffuse: light, ..arrival } } else { arrival }
+        if is_enough { Arrival { diffuse: light, ..arrival } } else { arrival }
     }
 
     /// The light's linear colour.

@@ -8,9 +8,10 @@ use luminaire::source::{
     U34F30,
 };
 use luminaire::{
-    Attenuation, Blend, CompiledPoint, CompiledSpot, Cubic, CutOff, Distance, Faded, Falloff, Fx16, Fx32, Hard, HardRange,
-    IntegerPower, IntegerRim, InverseSquare, Knot, Linear, Matched, MixedPower, MixedRim, Polynomial, Profile,
-    RealPower, RealRim, Rgb, Scalar, Smooth, SmoothRange, Soft, SquaredWindow, Table, Unattenuated, Vec3, Windowed,
+    Attenuation, Blend, CompiledPoint, CompiledSpot, Cubic, CutOff, Distance, Faded, Falloff, Fx16, Fx32,
+    Hard, HardRange, IntegerPower, IntegerRim, InverseSquare, Knot, Linear, Matched, MixedPower, MixedRim,
+    Polynomial, Profile, RealPower, RealRim, Rgb, Scalar, Smooth, SmoothRange, Soft, SquaredWindow, Table,
+    Unattenuated, Vec3, Windowed,
 };
 
 const SAMPLES: [u16; 5] = [65_535, 60_000, 31_000, 400, 0];

@@ -155,6 +155,12 @@ impl Offset<Fx16> for Offset16 {
     }
 
     #[inline(always)]
+    fn faces_far_away(facing: i32) -> bool {
+        // What was cut off of three components is less than the square root of three, for a normal of unit length.
+        facing >= 7 << 12
+    }
+
+    #[inline(always)]
     fn is_outside(&self, axis: Vec3<I2F30>, bound: Fx16) -> bool {
         let products = axis.zip(self.coarse(), |s, v| (s.to_bits() >> 16) * v);
         let along = products.x.wrapping_add(products.y).wrapping_add(products.z) >> 14;

@@ -3,9 +3,7 @@
 
 use core::hint::black_box;
 
-use luminaire::{
-    Falloff, HardRange, InverseSquare, Polynomial, Power, Profile, Rgb, Scalar, Soft, Vec3,
-};
+use luminaire::{Falloff, HardRange, InverseSquare, Polynomial, Power, Profile, Rgb, Scalar, Soft, Vec3};
 use luminaire_effects::Format;
 use luminaire_effects::raw::{Bits, Raw, each};
 

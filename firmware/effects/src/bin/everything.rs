@@ -8,8 +8,9 @@ use luminaire::{
     Attenuation, Blend, BlinnPhong, CompiledDirectional, CompiledExposure, CompiledGobo, CompiledMaterial,
     CompiledPoint, CompiledProjection, CompiledSpot, Cubic, CutOff, DualCone, Edge, Falloff, Fitted, Gobo,
     Hard, HardRange, Haze, HazyBeam, InverseSquare, Light, Linear, Lyon, Matte, Phong, Polynomial, Power,
-    Profile, RealPower, RealRim, Rgb, Rgb565, Rim, Scalar, Shadow, Smooth, SmoothRange, Soft, Specular, SquaredWindow, Surface,
-    Unattenuated, ViewBundle, ViewRay, Windowed, clip, encode_srgb, encode_srgb_dithered, keep_hue,
+    Profile, RealPower, RealRim, Rgb, Rgb565, Rim, Scalar, Shadow, Smooth, SmoothRange, Soft, Specular,
+    SquaredWindow, Surface, Unattenuated, ViewBundle, ViewRay, Windowed, clip, encode_srgb,
+    encode_srgb_dithered, keep_hue,
 };
 use luminaire_effects::Format;
 use luminaire_effects::raw::{Bits, Raw};

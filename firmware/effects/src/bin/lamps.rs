@@ -4,8 +4,8 @@
 use core::hint::black_box;
 
 use luminaire::{
-    Attenuation, CompiledDirectional, CompiledLamp, Distance, Haze, HazyBeam, Light, Lyon,
-    Matched, Matte, Phong, Profile, Scalar, Specular, Surface, Surfaces, Vec3, ViewRays,
+    Attenuation, CompiledDirectional, CompiledLamp, Distance, Haze, HazyBeam, Light, Lyon, Matched, Matte,
+    Phong, Profile, Scalar, Specular, Surface, Surfaces, Vec3, ViewRays,
 };
 use luminaire_effects::Format;
 use luminaire_effects::raw::{Bits, Raw, each};

@@ -80,7 +80,9 @@ fn points<S: Raw>(bits: &mut Bits) {
     black_box(S::place(&S::raw_frame(bits), light, point));
     let offset = S::offset(light, point);
     let facing = Offset::facing(&offset, normal);
-    black_box(<S::Offset as Offset<S>>::faces_away(facing));
+    black_box(
+        <S::Offset as Offset<S>>::faces_away(facing) | <S::Offset as Offset<S>>::faces_far_away(facing),
+    );
     black_box(Offset::is_outside(&offset, axis, S::scalar(bits.word())));
     black_box(Offset::squared_distance(&offset));
     black_box(Offset::is_below(&offset, bits.integer()));
@@ -146,7 +148,7 @@ fn shows<S: Raw>(bits: &mut Bits) {
     let [color, part] = from_fn(|_| S::scalar(bits.word()));
     let gain = S::raw_gain(bits.word());
     black_box((S::expose(part, gain), S::filter(a, color), S::add_light(a, b), S::amplify(a, gain)));
-    black_box((S::light_to_f32(a), S::light_to_gain(b), S::clip(a), S::is_past_full(part, b)));
+    black_box((S::light_to_f32(a), S::light_to_gain(b), S::clip(a), S::is_enough(part, b, false)));
     black_box((Scalar::srgb::<255>(color), Scalar::srgb::<63>(color), Scalar::srgb::<31>(color)));
     black_box(Scalar::srgb_dithered::<31>(color, bits.word() as u8));
 }

@@ -7,9 +7,9 @@ use core::hint::black_box;
 use luminaire::import::{Difference, Direct3d, Gltf, Godot, OpenGl, Penumbra, Ramp, Three};
 use luminaire::{
     Ambient, Angle, Blend, BlinnPhong, Cone, Cubic, CutOff, Directional, DualCone, Edge, Effect, Error,
-    Exposure, Fitted, Gobo, HalfAngle, Hard, Haze, Knot, Lamp, Linear, Luminaire, Lyon, Material, Phong, Plan,
-    Point, Power, Profile, Projection, Rim, Shadow, Smooth, Soft, Specular, Spot, Table, Vec3, ViewBundle,
-    ViewRay, decode_srgb,
+    Exposure, Fitted, Gobo, HalfAngle, Hard, Haze, Knot, Lamp, Linear, Luminaire, Lyon, Material, Phong,
+    Plan, Point, Power, Profile, Projection, Rim, Shadow, Smooth, Soft, Specular, Spot, Table, Vec3,
+    ViewBundle, ViewRay, decode_srgb,
 };
 use luminaire_effects::Format;
 use luminaire_effects::raw::{Bits, Raw};
@@ -62,7 +62,11 @@ fn designs<S: Raw, P: Profile>(bits: &mut Bits, profile: P) {
     let made = made.and_then(|cone| cone.with_inner(inner)?.with_delimiter(delimiter));
     if let Ok(cone) = made {
         black_box([cone.inner(), cone.beam(), cone.field(), cone.outer()]);
-        black_box([cone.outer_versine(), Cone::lumens(&cone, bits.float()), Cone::candela(&cone, bits.float())]);
+        black_box([
+            cone.outer_versine(),
+            Cone::lumens(&cone, bits.float()),
+            Cone::candela(&cone, bits.float()),
+        ]);
         black_box([cone.has_hotspot(), cone.is_delimited()]);
         black_box(Cone::compile::<S>(&cone.with_profile(cone.profile())).is_ok());
     }
