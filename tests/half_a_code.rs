@@ -258,11 +258,9 @@ impl<S: Format> Light<S> {
         }
         let versine = reference::versine_between(way, self.axis);
         let [inner, outer, limit] = angles.exact();
-        // A jump is in its place within 1/510 of its half angle.
-        if angles.limit < angles.outer
-            && (versine / limit).sqrt() > 1.0 - 1.0 / 510.0
-            && versine < 1.01 * limit
-        {
+        // A jump, of a delimiter or of a table that ends above zero, is in its place within 1/510 of its half angle.
+        let jumps = angles.limit < angles.outer || (shape.exact)(0.0) > 0.0;
+        if jumps && (versine / limit).sqrt() > 1.0 - 1.0 / 510.0 && versine < 1.01 * limit {
             return 0.0;
         }
         let exact = if versine >= limit {
