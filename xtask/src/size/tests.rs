@@ -11,7 +11,7 @@ use crate::progress::Progress;
 use crate::suite::Suite;
 
 /// The most that a soft spotlight with Lambert's cosine may take in 16 bits on the smallest processor.
-const BUDGET: u64 = 1024;
+const BUDGET: u64 = 1920;
 
 /// Adds the steps.
 pub(crate) fn run(suite: &mut Suite) {
