@@ -106,7 +106,7 @@ fn march(light: &CompiledSpot<f32, Soft>, view: &ViewRay, steps: u32) -> f32 {
 fn haze(criterion: &mut Criterion) {
     bench::<_, InverseSquare>(criterion, "soft", spot(Soft));
     bench::<_, InverseSquare>(criterion, "hard", spot(Hard));
-    let window = SquaredWindow::new(Some(9.0)).expect("a sound range");
+    let window = SquaredWindow::new(InverseSquare, Some(9.0)).expect("a sound range");
     bench(criterion, "soft, squared window", spot(Soft).with_attenuation(window));
     let light = spot(Soft).compile::<f32>().expect("held");
     bench_with(criterion, "16 steps along the ray", |blocks| fill(blocks, |view| march(&light, view, 16)));

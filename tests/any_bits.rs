@@ -135,8 +135,8 @@ fn assert_distances<S: Raw>(rng: &mut Rng) {
     let [a, b, c] = [S::any_gain(rng), S::any_gain(rng), S::any_gain(rng)];
     assert_distance::<S, Polynomial>(rng, falloff, [a, b, c]);
     assert_distance::<S, SmoothRange>(rng, falloff, [a, b]);
-    assert_distance::<S, Windowed>(rng, falloff, a);
-    assert_distance::<S, SquaredWindow>(rng, falloff, b);
+    assert_distance::<S, Windowed>(rng, falloff, (a, ()));
+    assert_distance::<S, SquaredWindow>(rng, falloff, (b, ()));
     assert_distance::<S, HardRange<SmoothRange>>(rng, falloff, (c, [a, b]));
 }
 

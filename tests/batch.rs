@@ -193,8 +193,8 @@ fn every_distance_model_lights_a_batch_as_it_lights_a_point() {
         assert_model::<S, _>(InverseSquare);
         assert_model::<S, _>(Polynomial::new(1.0, 0.1, 0.01).expect("sound"));
         assert_model::<S, _>(SmoothRange::new(20.0).expect("sound"));
-        assert_model::<S, _>(Windowed::new(Some(20.0)).expect("sound"));
-        assert_model::<S, _>(SquaredWindow::new(Some(20.0)).expect("sound"));
+        assert_model::<S, _>(Windowed::new(InverseSquare, Some(20.0)).expect("sound"));
+        assert_model::<S, _>(SquaredWindow::new(InverseSquare, Some(20.0)).expect("sound"));
         assert_model::<S, _>(HardRange::new(InverseSquare, Some(20.0)).expect("sound"));
     }
     assert_models::<f32>();

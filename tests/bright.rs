@@ -157,11 +157,11 @@ fn rows<S: Format>() -> Vec<(String, [Errors; INTENSITIES.len()])> {
             spots::<S, _>(rng, model, |d| reference::smooth_range(r, d), |_| r, None, errors);
         });
         row(format!("window of {range}"), &mut |rng, errors| {
-            let model = Windowed::new(some).expect("sound");
+            let model = Windowed::new(InverseSquare, some).expect("sound");
             spots::<S, _>(rng, model, |d| reference::windowed(r, d), within, None, errors);
         });
         row(format!("squared window of {range}"), &mut |rng, errors| {
-            let model = SquaredWindow::new(some).expect("sound");
+            let model = SquaredWindow::new(InverseSquare, some).expect("sound");
             spots::<S, _>(rng, model, |d| reference::squared_window(r, d), within, None, errors);
         });
         row(format!("polynomial faded to {range}"), &mut |rng, errors| {

@@ -162,8 +162,8 @@ fn every_distance_model_keeps_its_row() {
     let (sound, range, none) = ("a sound model", f64::from(RANGE), f64::INFINITY);
     let polynomial = Polynomial::new(0.5, 0.25, 0.125).expect(sound);
     let smooth = SmoothRange::new(RANGE).expect(sound);
-    let windowed = Windowed::new(Some(RANGE)).expect(sound);
-    let squared = SquaredWindow::new(Some(RANGE)).expect(sound);
+    let windowed = Windowed::new(InverseSquare, Some(RANGE)).expect(sound);
+    let squared = SquaredWindow::new(InverseSquare, Some(RANGE)).expect(sound);
     let cut = HardRange::new(InverseSquare, Some(RANGE)).expect(sound);
     let faded = Faded::new(InverseSquare, Some(RANGE)).expect(sound);
     let broken = [

@@ -255,7 +255,7 @@ fn any_bits_have_an_air_light() {
         assert_total::<Unattenuated>(&mut rng, |_| ());
         assert_total::<Polynomial>(&mut rng, |rng| [(); 3].map(|()| any(rng)));
         assert_total::<SmoothRange>(&mut rng, |rng| [(); 2].map(|()| any(rng)));
-        assert_total::<SquaredWindow>(&mut rng, any);
+        assert_total::<SquaredWindow>(&mut rng, |rng| (any(rng), ()));
     }
 }
 
@@ -304,7 +304,7 @@ fn assert_meets<A: Attenuation>(attenuation: A, least_rejected: f64) {
 #[test]
 fn no_bundle_with_a_lit_ray_is_rejected() {
     assert_meets(InverseSquare, 0.72);
-    assert_meets(SquaredWindow::new(Some(3.0)).expect("a sound range"), 0.65);
+    assert_meets(SquaredWindow::new(InverseSquare, Some(3.0)).expect("a sound range"), 0.65);
 }
 
 #[test]

@@ -125,7 +125,7 @@ fn a_ray_that_cannot_meet_the_beam_is_exactly_dark() {
     let (start, total) = (Instant::now(), AtomicU64::new(0));
     in_parallel(rays / (RAYS * EYES) as u64, |rng, number| {
         let range = 0.1 * 1e4_f32.powf(rng.f32());
-        let window = SquaredWindow::new(Some(range)).expect("a sound range");
+        let window = SquaredWindow::new(InverseSquare, Some(range)).expect("a sound range");
         let cut = HardRange::new(InverseSquare, Some(range)).expect("a sound range");
         let polynomial = Polynomial::new(0.5, 0.25, 0.125).expect("sound coefficients");
         let lit = match number % 8 {
@@ -205,7 +205,7 @@ fn largest<A: Attenuation + Sync>(
 
 #[test]
 fn rays_near_critical_directions_keep_their_rows() {
-    let window = SquaredWindow::new(Some(6.0)).expect("a sound range");
+    let window = SquaredWindow::new(InverseSquare, Some(6.0)).expect("a sound range");
     let square = HALF_ANGLES.map(|half| largest(half, InverseSquare, |d| 1.0 / (d * d), f64::INFINITY));
     let windowed = HALF_ANGLES.map(|half| largest(half, window, |d| reference::squared_window(6.0, d), 6.0));
     for (row, measured) in CRITICAL.iter().zip([square, windowed]) {

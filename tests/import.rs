@@ -7,14 +7,13 @@ mod support;
 
 use fastrand::Rng;
 use luminaire::{
-    CompiledSpot, Distance, Faded, Fx16, Fx32, InverseSquare, Matched, Point, Profile, Scalar, Spot,
-    SquaredWindow, Vec3,
+    Attenuation, CompiledSpot, Distance, Fx16, Fx32, Matched, Profile, Scalar, Spot, Vec3,
     import::{self, Difference, Imported, Lamp},
 };
 use support::{
     bounds,
     format::Format,
-    imports::{self, ORIGIN, curve, fall},
+    imports::{self, ORIGIN},
     originals::Original,
     reference::{dot, minus, unit},
     sweep,
@@ -27,6 +26,11 @@ fn places(count: u32) -> impl Iterator<Item = f64> {
         let (near, far) = (place.powi(4), (1.0 - place).powi(4));
         near / (near + far)
     })
+}
+
+/// The light at a distance, on the axis.
+fn fall(light: &Spot<Matched, Distance>, distance: f64) -> f64 {
+    f64::from(light.intensity()) * light.attenuation().exact(distance)
 }
 
 /// What the importer took into the intensity: what Godot has on the axis, where a real power stands for it.
@@ -47,7 +51,7 @@ fn angle_difference(light: &Spot<Matched, Distance>, original: &Original) -> f64
             let t = least + (1.0 - least) * place;
             // Inside of the seams, where f64 cannot tell on which side of them it is.
             let cosine = 1.0 - (outer - t * (outer - inner)) + if place == 0.0 { 1e-15 } else { 0.0 };
-            (curve(light.cone().profile(), t) - (original.angle)(cosine) / on_axis).abs()
+            (light.cone().profile().formula().exact(t) - (original.angle)(cosine) / on_axis).abs()
         })
         .fold(0.0, f64::max)
 }
@@ -294,32 +298,4 @@ fn a_matched_profile_changes_no_bit() {
         }
     }
     assert_eq!(seen.len(), 9, "every kind of profile is imported by one of the lights");
-}
-
-/// The inverse-square law, faded out, is the squared window.
-#[test]
-fn a_faded_inverse_square_is_the_squared_window() {
-    fn assert_same<S: Format>() {
-        let mut rng = Rng::with_seed(4);
-        let point = Point::new(ORIGIN).expect("sound");
-        for range in [None, Some(3.0), Some(17.5)] {
-            let faded = point.with_attenuation(Faded::new(InverseSquare, range).expect("sound"));
-            let squared = point.with_attenuation(SquaredWindow::new(range).expect("sound"));
-            let (faded, squared) =
-                (faded.compile::<S>().expect("held"), squared.compile::<S>().expect("held"));
-            let mut lit = 0;
-            for _ in 0..10_000 {
-                let distance = 20.0 * rng.f64();
-                let place = sweep::single(sweep::direction(&mut rng).map(|c| distance * c)).map(S::length);
-                let normal = sweep::single(sweep::direction(&mut rng)).map(S::from_f32);
-                let light = faded.irradiance(place, normal);
-                assert_eq!(light, squared.irradiance(place, normal));
-                lit += usize::from(light > S::Irradiance::default());
-            }
-            assert!(lit > 500, "only {lit} points are lit");
-        }
-    }
-    assert_same::<f32>();
-    assert_same::<Fx32>();
-    assert_same::<Fx16>();
 }

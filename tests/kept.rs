@@ -91,8 +91,8 @@ fn distances_keep_what_they_are_given() {
     let polynomial = Polynomial::new(0.5, 0.25, 0.125).expect("sound");
     assert_eq!(polynomial.coefficients(), [0.5, 0.25, 0.125]);
     for range in [None, Some(7.5)] {
-        assert_eq!(Windowed::new(range).expect("sound").range(), range);
-        assert_eq!(SquaredWindow::new(range).expect("sound").range(), range);
+        assert_eq!(Windowed::new(InverseSquare, range).expect("sound").range(), range);
+        assert_eq!(SquaredWindow::new(InverseSquare, range).expect("sound").range(), range);
         assert_eq!(HardRange::new(polynomial, range).expect("sound").range(), range);
     }
     assert_eq!(SmoothRange::new(7.5).expect("sound").range(), 7.5);

@@ -88,9 +88,9 @@ fn assert_total<S: Format>() {
     assert_model::<S, _>(rng, |range| Polynomial::new(0.0, 1.0, range).expect("sound"));
     assert_model::<S, _>(rng, |_| Polynomial::new(0.0, 0.0, 0.0).expect("sound"));
     assert_model::<S, _>(rng, |range| SmoothRange::new(range).expect("sound"));
-    assert_model::<S, _>(rng, |range| Windowed::new(Some(range)).expect("sound"));
-    assert_model::<S, _>(rng, |_| Windowed::new(None).expect("sound"));
-    assert_model::<S, _>(rng, |range| SquaredWindow::new(Some(range)).expect("sound"));
+    assert_model::<S, _>(rng, |range| Windowed::new(InverseSquare, Some(range)).expect("sound"));
+    assert_model::<S, _>(rng, |_| Windowed::new(InverseSquare, None).expect("sound"));
+    assert_model::<S, _>(rng, |range| SquaredWindow::new(InverseSquare, Some(range)).expect("sound"));
     assert_model::<S, _>(rng, |range| HardRange::new(Unattenuated, Some(range)).expect("sound"));
     for _ in 0..2_000 {
         let direction = sweep::single(sweep::direction(rng));

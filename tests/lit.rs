@@ -111,12 +111,16 @@ fn smooth_range_keeps_its_row() {
 
 #[test]
 fn windowed_keeps_its_row() {
-    assert_distance("windowed", |r| Windowed::new(Some(r)).expect("sound"), reference::windowed);
+    assert_distance(
+        "windowed",
+        |r| Windowed::new(InverseSquare, Some(r)).expect("sound"),
+        reference::windowed,
+    );
 }
 
 #[test]
 fn squared_window_keeps_its_row() {
-    let model = |r| SquaredWindow::new(Some(r)).expect("sound");
+    let model = |r| SquaredWindow::new(InverseSquare, Some(r)).expect("sound");
     assert_distance("squared window", model, reference::squared_window);
 }
 

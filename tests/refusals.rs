@@ -152,11 +152,11 @@ fn ranges_out_of_range() {
             "range {shown} is refused: give a distance from 0.001 to 1000000000, or a distance model without a range"
         );
         assert_refused(SmoothRange::new(range), Parameter::Range, &message);
-        assert_refused(Windowed::new(Some(range)), Parameter::Range, &message);
-        assert_refused(SquaredWindow::new(Some(range)), Parameter::Range, &message);
+        assert_refused(Windowed::new(InverseSquare, Some(range)), Parameter::Range, &message);
+        assert_refused(SquaredWindow::new(InverseSquare, Some(range)), Parameter::Range, &message);
         assert_refused(HardRange::new(InverseSquare, Some(range)), Parameter::Range, &message);
     }
-    assert!(Windowed::new(None).is_ok());
+    assert!(Windowed::new(InverseSquare, None).is_ok());
 }
 
 #[test]

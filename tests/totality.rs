@@ -163,8 +163,13 @@ fn assert_negative_fractions_are_dark<S: Format>() {
         assert_dark::<S, _>(InverseSquare, &offset, fraction, gain);
         assert_dark::<S, _>(polynomial, &offset, fraction, gain);
         assert_dark::<S, _>(SmoothRange::new(9.0).expect("sound"), &offset, fraction, gain);
-        assert_dark::<S, _>(Windowed::new(range).expect("sound"), &offset, fraction, gain);
-        assert_dark::<S, _>(SquaredWindow::new(range).expect("sound"), &offset, fraction, gain);
+        assert_dark::<S, _>(Windowed::new(InverseSquare, range).expect("sound"), &offset, fraction, gain);
+        assert_dark::<S, _>(
+            SquaredWindow::new(InverseSquare, range).expect("sound"),
+            &offset,
+            fraction,
+            gain,
+        );
         assert_dark::<S, _>(HardRange::new(InverseSquare, range).expect("sound"), &offset, fraction, gain);
         assert_dark::<S, _>(Faded::new(polynomial, range).expect("sound"), &offset, fraction, gain);
         assert_dark::<S, _>(Distance::from(InverseSquare), &offset, fraction, gain);

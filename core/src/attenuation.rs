@@ -16,13 +16,17 @@
 //! rejected by its squared distance, before a root is paid for: by the same number that the model itself compares, so
 //! that the reject changes no bit. In fixed point "from its range on" begins half a step of the format before it.
 
-mod distance;
-mod faded;
+mod any;
+mod ranged;
 
-pub(crate) use self::distance::CompiledDistance;
-pub use self::{distance::Distance, faded::Faded};
+pub(crate) use self::any::{CompiledDistance, attenuations, with_attenuation};
+pub use self::{
+    any::Distance,
+    ranged::{Cut, Faded, GltfWindow, HardRange, Ranged, SquareWindow, SquaredWindow, Window, Windowed},
+};
 
 use crate::{
+    effect::{Effect, Effects},
     error::{Accepted, Error, Parameter, check_between},
     scalar::{Gain, Offset, Ray, Scalar, Share},
 };
@@ -47,6 +51,18 @@ pub trait Attenuation: Copy + PartialEq + core::fmt::Debug {
     fn is_beyond<S: Scalar>(_: &Self::Constants<S>, _: &S::Offset) -> bool {
         false
     }
+
+    /// Where the light ends, if it does.
+    fn range(&self) -> Option<f32> {
+        None
+    }
+
+    /// The effects that the attenuation requires.
+    fn effects(&self) -> Effects;
+
+    /// The factor at a distance in f64, as plainly as it can be written: the truth that errors are
+    /// measured against.
+    fn exact(&self, distance: f64) -> f64;
 
     /// Whether more light arrives than the intensity where the lamp is nearer than 1.
     fn grows(&self) -> bool {
@@ -86,25 +102,6 @@ pub struct SmoothRange {
     range: f32,
 }
 
-/// The inverse-square law in the window `1 - (d/r)^4` of glTF, which ends it at a range.
-#[derive(Clone, Copy, PartialEq, Debug)]
-pub struct Windowed {
-    range: Option<f32>,
-}
-
-/// The inverse-square law in the squared window `(1 - (d/r)^4)^2`, which ends it at a range without a rim.
-#[derive(Clone, Copy, PartialEq, Debug)]
-pub struct SquaredWindow {
-    range: Option<f32>,
-}
-
-/// Another model, cut off at a range: unchanged within it, 0 from there on.
-#[derive(Clone, Copy, PartialEq, Debug)]
-pub struct HardRange<A> {
-    attenuation: A,
-    range: Option<f32>,
-}
-
 /// The shortest and the longest range. Their squares and the reciprocals of these stay clear of the ends of f32.
 const RANGES: (f32, f32) = (1e-3, 1e9);
 
@@ -129,17 +126,10 @@ fn squared_fraction<S: Scalar>(inverse_squared: S::Gain, offset: &S::Offset) -> 
     offset.squared_distance().by(inverse_squared).fraction()
 }
 
-/// What a window leaves of a share; nothing of a negative one, of which the product would have no meaning.
+/// What a factor in [0, 1] leaves of a share; nothing of a negative one.
 #[inline(always)]
-fn dimmed<S: Scalar, T: Share<S>>(share: T, window: T) -> T {
-    if share > T::default() { share.share_of(window) } else { T::default() }
-}
-
-/// `1 - (d/r)^4`.
-#[inline(always)]
-fn window<S: Scalar, R: Ray<S>>(inverse_squared: S::Gain, offset: &S::Offset, ray: &R) -> R::Share {
-    let squared = ray.squared_near(offset, inverse_squared);
-    squared.share_of(squared).rest()
+fn dimmed<S: Scalar, T: Share<S>>(share: T, factor: T) -> T {
+    if share > T::default() { share.share_of(factor) } else { T::default() }
 }
 
 impl Polynomial {
@@ -177,65 +167,18 @@ impl SmoothRange {
     }
 }
 
-impl Windowed {
-    /// Ends at this range, in units of the world's length; without one it is the inverse-square law.
-    ///
-    /// # Errors
-    /// A range outside 0.001 to 1e9.
-    pub fn new(range: Option<f32>) -> Result<Self, Error> {
-        Ok(Self { range: range.map(checked_range).transpose()? })
-    }
-
-    /// Where the light ends, if it does.
-    pub fn range(&self) -> Option<f32> {
-        self.range
-    }
-}
-
-impl SquaredWindow {
-    /// Ends at this range, in units of the world's length; without one it is the inverse-square law.
-    ///
-    /// # Errors
-    /// A range outside 0.001 to 1e9.
-    pub fn new(range: Option<f32>) -> Result<Self, Error> {
-        Ok(Self { range: range.map(checked_range).transpose()? })
-    }
-
-    /// Where the light ends, if it does.
-    pub fn range(&self) -> Option<f32> {
-        self.range
-    }
-}
-
-impl<A: Attenuation> HardRange<A> {
-    /// The model, cut off at this range, in units of the world's length; without one it is the model alone.
-    ///
-    /// # Errors
-    /// A range outside 0.001 to 1e9.
-    pub fn new(attenuation: A, range: Option<f32>) -> Result<Self, Error> {
-        Ok(Self { attenuation, range: range.map(checked_range).transpose()? })
-    }
-
-    /// The model without a range.
-    pub(crate) fn unlimited(attenuation: A) -> Self {
-        Self { attenuation, range: None }
-    }
-
-    /// The model that is cut off.
-    pub fn attenuation(&self) -> A {
-        self.attenuation
-    }
-
-    /// Where the light ends, if it does.
-    pub fn range(&self) -> Option<f32> {
-        self.range
-    }
-}
-
 impl Attenuation for Unattenuated {
     type Constants<S: Scalar> = ();
 
     fn constants<S: Scalar>(self) {}
+
+    fn effects(&self) -> Effects {
+        Effects::NONE.with(Effect::Unattenuated)
+    }
+
+    fn exact(&self, _: f64) -> f64 {
+        1.0
+    }
 
     fn grows(&self) -> bool {
         false
@@ -257,6 +200,14 @@ impl Attenuation for InverseSquare {
     type Constants<S: Scalar> = ();
 
     fn constants<S: Scalar>(self) {}
+
+    fn effects(&self) -> Effects {
+        Effects::NONE.with(Effect::InverseSquare)
+    }
+
+    fn exact(&self, d: f64) -> f64 {
+        1.0 / (d * d)
+    }
 
     #[inline(always)]
     fn is_inverse_square<S: Scalar>(_: &()) -> bool {
@@ -280,6 +231,15 @@ impl Attenuation for Polynomial {
 
     fn constants<S: Scalar>(self) -> [S::Gain; 3] {
         self.coefficients.map(S::gain)
+    }
+
+    fn effects(&self) -> Effects {
+        Effects::NONE.with(Effect::Polynomial)
+    }
+
+    fn exact(&self, d: f64) -> f64 {
+        let [constant, linear, quadratic] = self.coefficients.map(f64::from);
+        1.0 / (constant + linear * d + quadratic * d * d).max(1.0)
     }
 
     fn grows(&self) -> bool {
@@ -308,6 +268,19 @@ impl Attenuation for SmoothRange {
         [S::gain(1.0 / self.range), inverse_squared::<S>(Some(self.range))]
     }
 
+    fn range(&self) -> Option<f32> {
+        Some(self.range)
+    }
+
+    fn effects(&self) -> Effects {
+        Effects::NONE.with(Effect::SmoothRange).with(Effect::Range)
+    }
+
+    fn exact(&self, d: f64) -> f64 {
+        let t = (1.0 - d / f64::from(self.range)).max(0.0);
+        t * t * (3.0 - 2.0 * t)
+    }
+
     fn grows(&self) -> bool {
         false
     }
@@ -329,87 +302,5 @@ impl Attenuation for SmoothRange {
         let is_beyond = ray.squared_near(offset, constants[1]).is_all();
         let smooth = if is_beyond { R::Share::default() } else { smooth };
         dimmed::<S, _>(share, smooth).give(intensity)
-    }
-}
-
-impl Attenuation for Windowed {
-    /// The reciprocal of the squared range.
-    type Constants<S: Scalar> = S::Gain;
-
-    fn constants<S: Scalar>(self) -> S::Gain {
-        inverse_squared::<S>(self.range)
-    }
-
-    #[inline(always)]
-    fn is_beyond<S: Scalar>(&squared: &S::Gain, offset: &S::Offset) -> bool {
-        squared_fraction::<S>(squared, offset) == S::ONE
-    }
-
-    #[inline(always)]
-    fn expose<S: Scalar, R: Ray<S>>(
-        &squared: &S::Gain,
-        offset: &S::Offset,
-        ray: &R,
-        share: R::Share,
-        intensity: S::Gain,
-    ) -> S::Irradiance {
-        ray.expose(dimmed::<S, _>(share, window::<S, R>(squared, offset, ray)), intensity)
-    }
-}
-
-impl Attenuation for SquaredWindow {
-    /// The reciprocal of the squared range.
-    type Constants<S: Scalar> = S::Gain;
-
-    fn constants<S: Scalar>(self) -> S::Gain {
-        inverse_squared::<S>(self.range)
-    }
-
-    #[inline(always)]
-    fn is_beyond<S: Scalar>(&squared: &S::Gain, offset: &S::Offset) -> bool {
-        squared_fraction::<S>(squared, offset) == S::ONE
-    }
-
-    #[inline(always)]
-    fn expose<S: Scalar, R: Ray<S>>(
-        &squared: &S::Gain,
-        offset: &S::Offset,
-        ray: &R,
-        share: R::Share,
-        intensity: S::Gain,
-    ) -> S::Irradiance {
-        let window = window::<S, R>(squared, offset, ray);
-        ray.expose(dimmed::<S, _>(share, window.share_of(window)), intensity)
-    }
-}
-
-impl<A: Attenuation> Attenuation for HardRange<A> {
-    /// The reciprocal of the squared range, and the model's.
-    type Constants<S: Scalar> = (S::Gain, A::Constants<S>);
-
-    fn constants<S: Scalar>(self) -> Self::Constants<S> {
-        (inverse_squared::<S>(self.range), self.attenuation.constants::<S>())
-    }
-
-    fn grows(&self) -> bool {
-        self.attenuation.grows()
-    }
-
-    #[inline(always)]
-    fn is_beyond<S: Scalar>((squared, inner): &Self::Constants<S>, offset: &S::Offset) -> bool {
-        squared_fraction::<S>(*squared, offset) == S::ONE || A::is_beyond::<S>(inner, offset)
-    }
-
-    #[inline(always)]
-    fn expose<S: Scalar, R: Ray<S>>(
-        (squared, inner): &Self::Constants<S>,
-        offset: &S::Offset,
-        ray: &R,
-        share: R::Share,
-        intensity: S::Gain,
-    ) -> S::Irradiance {
-        let is_cut = ray.squared_near(offset, *squared).is_all();
-        let share = if is_cut { R::Share::default() } else { share };
-        A::expose::<S, R>(inner, offset, ray, share, intensity)
     }
 }

@@ -2,8 +2,14 @@
 
 use core::fmt;
 
+use crate::profile::falloffs;
+
 /// Declares the effects with their names, which are the keys of the price list.
 macro_rules! effects {
+    ([$($before:tt)*] [$($after:tt)*]
+     $($(#[$meta:meta])* $falloff:ident($type:ty) = $name:literal, $sample:expr;)*) => {
+        effects! { $($before)* $($(#[$meta])* $falloff = $name,)* $($after)* }
+    };
     ($($(#[$meta:meta])* $effect:ident = $name:literal,)*) => {
         /// Something that a picture may call for, and that costs nothing where none does.
         #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
@@ -26,7 +32,7 @@ macro_rules! effects {
     };
 }
 
-effects! {
+falloffs! { effects! [
     /// Light that is everywhere.
     Ambient = "ambient",
     /// Lambert's cosine.
@@ -39,34 +45,7 @@ effects! {
     Point = "point",
     /// A spotlight.
     Spot = "spot",
-    /// A cone that ends in a step.
-    CutOff = "cut-off",
-    /// A cone that falls on a straight ramp.
-    Linear = "linear",
-    /// A cone with the soft edge.
-    Soft = "soft",
-    /// A cone with the hard edge.
-    Hard = "hard",
-    /// A cone that falls by smoothstep.
-    Smooth = "smooth",
-    /// A cone between soft and hard.
-    Blend = "blend",
-    /// A cone that falls by a monotone cubic.
-    Cubic = "cubic",
-    /// A cone that falls by an integer power.
-    Power = "power",
-    /// A cone that falls by an integer rim power.
-    Rim = "rim",
-    /// A cone that falls by a mixture of powers.
-    MixedPower = "mixed-power",
-    /// A cone that falls by a mixture of rim powers.
-    MixedRim = "mixed-rim",
-    /// A cone that falls by a power of a real exponent.
-    RealPower = "real-power",
-    /// A cone that falls by a rim power of a real exponent.
-    RealRim = "real-rim",
-    /// A cone that falls by samples.
-    Table = "table",
+] [
     /// Full intensity up to an inner angle.
     Hotspot = "hotspot",
     /// A cone that is cut off before its profile ends.
@@ -91,7 +70,7 @@ effects! {
     Haze = "haze",
     /// Dither against banding.
     Dither = "dither",
-}
+]}
 
 /// A set of effects.
 ///

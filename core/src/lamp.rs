@@ -1,20 +1,5 @@
 //! Lights of any kind, chosen at run time.
 
-/// What the profile of a falloff answers by its own type, and its curve. A profile and a curve of two kinds, which no compiled
-/// light has and parts may have, answer by the branches of both.
-macro_rules! with_profile {
-    ($falloff:expr, $profile:ident, $curve:ident => $answer:expr) => {
-        with_profile!(@ $falloff, $profile, $curve, $answer;
-            CutOff Linear Soft Hard Smooth Blend Cubic Power Rim MixedPower MixedRim RealPower RealRim Table)
-    };
-    (@ $falloff:expr, $profile:ident, $curve:ident, $answer:expr; $($kind:ident)*) => {
-        match ($falloff.profile, $falloff.curve) {
-            $((Matched::$kind($profile), CompiledMatched::$kind($curve)) => $answer,)*
-            ($profile, $curve) => $answer,
-        }
-    };
-}
-
 mod each;
 mod hazy;
 
@@ -104,9 +89,9 @@ impl Lamp {
         let effects = Effects::NONE.with(Effect::Diffuse);
         match self {
             Self::Directional(_) => effects.with(Effect::Directional),
-            Self::Point(point) => effects.with(Effect::Point).and(distance_effects(point.attenuation())),
+            Self::Point(point) => effects.with(Effect::Point).and(point.attenuation().effects()),
             Self::Spot(spot) => {
-                effects.with(Effect::Spot).and(cone_effects(spot)).and(distance_effects(spot.attenuation()))
+                effects.with(Effect::Spot).and(cone_effects(spot)).and(spot.attenuation().effects())
             }
         }
     }
@@ -126,23 +111,7 @@ impl Lamp {
 
 fn cone_effects(spot: &Spot<Matched, Distance>) -> Effects {
     let cone = spot.cone();
-    let profile = match cone.profile() {
-        Matched::CutOff(_) => Effect::CutOff,
-        Matched::Linear(_) => Effect::Linear,
-        Matched::Soft(_) => Effect::Soft,
-        Matched::Hard(_) => Effect::Hard,
-        Matched::Smooth(_) => Effect::Smooth,
-        Matched::Blend(_) => Effect::Blend,
-        Matched::Cubic(_) => Effect::Cubic,
-        Matched::Power(_) => Effect::Power,
-        Matched::Rim(_) => Effect::Rim,
-        Matched::MixedPower(_) => Effect::MixedPower,
-        Matched::MixedRim(_) => Effect::MixedRim,
-        Matched::RealPower(_) => Effect::RealPower,
-        Matched::RealRim(_) => Effect::RealRim,
-        Matched::Table(_) => Effect::Table,
-    };
-    let mut effects = Effects::NONE.with(profile);
+    let mut effects = Effects::NONE.with(cone.profile().effect());
     if cone.has_hotspot() {
         effects = effects.with(Effect::Hotspot);
     }
@@ -150,24 +119,6 @@ fn cone_effects(spot: &Spot<Matched, Distance>) -> Effects {
         effects = effects.with(Effect::Delimiter);
     }
     effects
-}
-
-fn distance_effects(distance: Distance) -> Effects {
-    let (law, is_windowed) = match distance {
-        Distance::Constant(_) => (Effect::Unattenuated, false),
-        Distance::InverseSquare(_) => (Effect::InverseSquare, false),
-        Distance::Polynomial(_) => (Effect::Polynomial, false),
-        Distance::Windowed(_) | Distance::SquaredWindow(_) => (Effect::InverseSquare, true),
-        Distance::FadedConstant(_) => (Effect::Unattenuated, true),
-        Distance::FadedPolynomial(_) => (Effect::Polynomial, true),
-        Distance::SmoothRange(_) => (Effect::SmoothRange, false),
-    };
-    let effects = Effects::NONE.with(law);
-    match distance.range() {
-        Some(_) if is_windowed => effects.with(Effect::Window).with(Effect::Range),
-        Some(_) => effects.with(Effect::Range),
-        None => effects,
-    }
 }
 
 impl From<Directional> for Lamp {

@@ -119,8 +119,8 @@ mod vec3;
 
 pub use angle::{Angle, HalfAngle};
 pub use attenuation::{
-    Attenuation, Distance, Faded, HardRange, InverseSquare, Polynomial, SmoothRange, SquaredWindow,
-    Unattenuated, Windowed,
+    Attenuation, Cut, Distance, Faded, GltfWindow, HardRange, InverseSquare, Polynomial, Ranged, SmoothRange,
+    SquareWindow, SquaredWindow, Unattenuated, Window, Windowed,
 };
 pub use color::{
     CompiledExposure, Exposure, Rgb, Rgb565, clip, decode_srgb, encode_srgb, encode_srgb_dithered, keep_hue,
@@ -136,8 +136,8 @@ pub use luminaire::Luminaire;
 pub use material::{CompiledMaterial, Material};
 pub use plan::Plan;
 pub use profile::{
-    Blend, Cubic, Curve, CutOff, Edge, Fitted, Hard, IntegerPower, IntegerRim, Linear, Matched, MixedPower,
-    MixedRim, Power, Profile, RealPower, RealRim, Rim, Smooth, Soft, Table,
+    Blend, Cubic, Curve, CutOff, Edge, Fitted, Formula, Hard, IntegerPower, IntegerRim, Linear, Matched,
+    MixedPower, MixedRim, Power, Profile, RealPower, RealRim, Rim, Smooth, Soft, Table,
 };
 pub use projection::{CompiledProjection, Projection};
 pub use scalar::{Fraction, Gain, Knot, Offset, Place, Ray, Rise, Scalar, Share, Slopes};

@@ -20,13 +20,13 @@
 //! | [`Table`] | samples, evenly spaced or [`Knot`](crate::Knot)s | 2, or 1 and a search | goniometric data |
 //! | [`Edge`], [`Fitted`], [`Matched`] | one of the above | as it, and a branch | the choice at run time |
 
+mod any;
 mod choice;
 mod cubic;
 pub(crate) mod exponent;
 pub(crate) mod fit;
-
+mod formula;
 mod integer;
-mod matched;
 mod mixed;
 mod polynomial;
 mod power;
@@ -37,12 +37,13 @@ mod table;
 
 use crate::scalar::{Fraction, Scalar};
 
-pub(crate) use self::matched::CompiledMatched;
+pub(crate) use self::any::{CompiledMatched, falloffs, with_profile};
 pub use self::{
+    any::Matched,
     choice::{CompiledFitted, Edge, Fitted},
     cubic::{CompiledCubic, Cubic, Smooth},
+    formula::Formula,
     integer::{IntegerPower, IntegerRim},
-    matched::Matched,
     mixed::{MixedPower, MixedRim},
     power::{Power, Rim},
     quadratic::{Blend, CompiledBlend, Hard, Linear, Soft},
@@ -61,6 +62,9 @@ pub trait Profile: Copy + core::fmt::Debug {
 
     /// Takes the coefficients to the format `S`, once per light.
     fn compile<S: Scalar>(self) -> Self::Compiled<S>;
+
+    /// The formula, as data.
+    fn formula(&self) -> Formula<'_>;
 
     /// Where half the intensity is left: `u` from 0 to 1.
     fn beam_versine(self) -> f32;

@@ -35,9 +35,7 @@ use core::{
 };
 
 use crate::{
-    attenuation::{
-        Attenuation, HardRange, InverseSquare, Polynomial, SmoothRange, SquaredWindow, Unattenuated, Windowed,
-    },
+    attenuation::{Attenuation, InverseSquare, Polynomial, Ranged, SmoothRange, Unattenuated, Window},
     color::{CompiledExposure, Rgb},
     cone::Falloff,
     gobo::{CompiledGobo, Gobo},
@@ -166,14 +164,14 @@ macro_rules! named {
     )*};
 }
 
-named!(f32, Unattenuated, InverseSquare, Polynomial, SmoothRange, Windowed, SquaredWindow);
+named!(f32, Unattenuated, InverseSquare, Polynomial, SmoothRange);
 named!(Matte, Phong, BlinnPhong, DualCone);
 #[cfg(feature = "fixed")]
 named!(Fx16, Fx32);
 
-impl<A: Named> Named for HardRange<A> {
+impl<W: Window, A: Named> Named for Ranged<W, A> {
     fn write_name(out: &mut Formatter<'_>) -> fmt::Result {
-        write!(out, "HardRange<{}>", name::<A>())
+        write!(out, "Ranged<{}, {}>", W::NAME, name::<A>())
     }
 }
 

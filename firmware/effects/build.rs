@@ -57,8 +57,8 @@ fn constants<S: Scalar>() -> Outcome {
     spot::<S, _, _>("inverse_square", Soft, InverseSquare)?;
     spot::<S, _, _>("polynomial", Soft, Polynomial::new(1.0, 0.2, 0.03)?)?;
     spot::<S, _, _>("smooth_range", Soft, SmoothRange::new(9.0)?)?;
-    spot::<S, _, _>("windowed", Soft, Windowed::new(Some(9.0))?)?;
-    spot::<S, _, _>("squared_window", Soft, SquaredWindow::new(Some(9.0))?)?;
+    spot::<S, _, _>("windowed", Soft, Windowed::new(InverseSquare, Some(9.0))?)?;
+    spot::<S, _, _>("squared_window", Soft, SquaredWindow::new(InverseSquare, Some(9.0))?)?;
     spot::<S, _, _>("hard_range", Soft, HardRange::new(InverseSquare, Some(9.0))?)?;
     let square = Projection::of(&Spot::new(POSITION, AXIS, cone)?)?;
     write("gobo", &Gobo::of(&panes()).on(square.compile::<S>()?))?;

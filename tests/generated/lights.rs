@@ -49,7 +49,7 @@ fn beams(visit: &mut impl Visit) -> Result<(), Error> {
     let spot = Spot::new(PLACES[0], AXES[1], cone)?.with_intensity(16.0)?;
     let haze = Haze::new(0.02)?.with_lamp_radius(0.05)?;
     visit.value("beam".into(), spot.compile::<f32>()?.in_haze(&haze));
-    let windowed = spot.with_attenuation(Windowed::new(Some(8.0))?);
+    let windowed = spot.with_attenuation(Windowed::new(InverseSquare, Some(8.0))?);
     visit.value("beam in a window".into(), windowed.compile::<f32>()?.in_haze(&haze));
     Ok(())
 }
@@ -78,9 +78,9 @@ fn of_format<S: Scalar>(visit: &mut impl Visit) -> Result<(), Error> {
     at_distances::<S, _>(visit, InverseSquare)?;
     at_distances::<S, _>(visit, Polynomial::new(1.0, 0.2, 0.03)?)?;
     at_distances::<S, _>(visit, SmoothRange::new(9.0)?)?;
-    at_distances::<S, _>(visit, Windowed::new(None)?)?;
-    at_distances::<S, _>(visit, SquaredWindow::new(Some(12.5))?)?;
-    at_distances::<S, _>(visit, HardRange::new(Windowed::new(Some(8.0))?, Some(6.0))?)?;
+    at_distances::<S, _>(visit, Windowed::new(InverseSquare, None)?)?;
+    at_distances::<S, _>(visit, SquaredWindow::new(InverseSquare, Some(12.5))?)?;
+    at_distances::<S, _>(visit, HardRange::new(Windowed::new(InverseSquare, Some(8.0))?, Some(6.0))?)?;
     surfaces::<S, _>(visit, Phong)?;
     surfaces::<S, _>(visit, BlinnPhong)?;
     surfaces::<S, _>(visit, DualCone)?;

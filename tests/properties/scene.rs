@@ -102,15 +102,15 @@ macro_rules! with_any_distance {
                 $answer
             }
             4 => {
-                let $model = Windowed::new(Some(range(words))).ok()?;
+                let $model = Windowed::new(InverseSquare, Some(range(words))).ok()?;
                 $answer
             }
             5 => {
-                let $model = Windowed::new(None).ok()?;
+                let $model = Windowed::new(InverseSquare, None).ok()?;
                 $answer
             }
             6 => {
-                let $model = SquaredWindow::new(Some(range(words))).ok()?;
+                let $model = SquaredWindow::new(InverseSquare, Some(range(words))).ok()?;
                 $answer
             }
             7 => {

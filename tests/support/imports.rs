@@ -1,10 +1,6 @@
-//! Imported lights beside the originals that they stand for: the lists that the tests run over, and what the
-//! kernel's profiles and distance models are in exact arithmetic.
+//! Imported lights beside the originals that they stand for: the lists that the tests run over.
 
-use super::{
-    originals::{self, Original},
-    reference,
-};
+use super::originals::{self, Original};
 use luminaire::{
     Angle, Distance, Matched, Spot, Vec3,
     import::{self, Imported, Lamp},
@@ -146,52 +142,3 @@ pub fn near() -> Vec<(Import, Original)> {
 
 const EXPONENTS: [f32; 16] =
     [0.02, 0.1, 0.2, 0.25, 0.333_333_34, 0.5, 0.75, 0.9, 1.1, 1.5, 2.5, 3.5, 7.5, 12.5, 31.5, 127.5];
-
-/// An imported profile in exact arithmetic, from its coefficients.
-pub fn curve(profile: Matched, t: f64) -> f64 {
-    let u = 1.0 - t;
-    match profile {
-        Matched::CutOff(_) => reference::cut_off(t),
-        Matched::Linear(_) => t,
-        Matched::Soft(_) => reference::soft(t),
-        Matched::Hard(_) => reference::hard(t),
-        Matched::Smooth(_) => reference::smooth(t),
-        Matched::Power(power) => t.powi(power.exponent() as i32),
-        Matched::Rim(rim) => 1.0 - u.powi(rim.exponent() as i32),
-        Matched::RealPower(power) => t.powf(power.exponent().into()),
-        Matched::RealRim(rim) => {
-            let floor = f64::from(rim.floor());
-            (1.0 - u.max(floor).powf(rim.exponent().into())) / (1.0 - floor.powf(rim.exponent().into()))
-        }
-        Matched::Blend(_)
-        | Matched::Cubic(_)
-        | Matched::MixedPower(_)
-        | Matched::MixedRim(_)
-        | Matched::Table(_) => {
-            panic!("no import makes {profile:?}")
-        }
-    }
-}
-
-/// An imported distance model in exact arithmetic, for the intensity of the light.
-pub fn fall(light: &Spot<Matched, Distance>, d: f64) -> f64 {
-    let polynomial = |polynomial: luminaire::Polynomial| {
-        reference::polynomial(polynomial.coefficients().map(f64::from), d)
-    };
-    let before =
-        |range: Option<f32>| if range.is_some_and(|range| d >= f64::from(range)) { 0.0 } else { 1.0 };
-    let window = |range: Option<f32>| {
-        range.map_or(1.0, |range| (1.0 - (d / f64::from(range)).powi(4)).clamp(0.0, 1.0))
-    };
-    let model = match light.attenuation() {
-        Distance::Constant(model) => before(model.range()),
-        Distance::InverseSquare(model) => before(model.range()) / (d * d),
-        Distance::Polynomial(model) => before(model.range()) * polynomial(model.attenuation()),
-        Distance::Windowed(model) => window(model.range()) / (d * d),
-        Distance::FadedConstant(model) => window(model.range()).powi(2),
-        Distance::SquaredWindow(model) => window(model.range()).powi(2) / (d * d),
-        Distance::FadedPolynomial(model) => window(model.range()).powi(2) * polynomial(model.attenuation()),
-        Distance::SmoothRange(_) => panic!("no import makes a smooth range"),
-    };
-    f64::from(light.intensity()) * model
-}

@@ -280,7 +280,6 @@ pub(crate) const REGISTER: &[Held] = &[
     through("tests/import.rs::compiled_lights_are_the_originals", &["Attenuation for Distance"]),
     by("tests/powers.rs::real_powers_keep_their_rows", &["Profile for RealPower", "Profile for RealRim"]),
     through("tests/powers.rs::real_powers_keep_their_rows", &["Fraction::real_power"]),
-    by("tests/import.rs::a_faded_inverse_square_is_the_squared_window", &["Attenuation for Faded"]),
     by("tests/import.rs::a_matched_profile_changes_no_bit", &["Profile for Matched"]),
 
     // Many at once.

@@ -1,8 +1,8 @@
 //! What a surface sends back, and the whole way from lights to a display.
 
 use luminaire::{
-    Ambient, Angle, Cone, Directional, Exposure, Material, Phong, Rgb565, Soft, Specular, Spot,
-    SquaredWindow, Surface, encode_srgb, keep_hue,
+    Ambient, Angle, Cone, Directional, Exposure, InverseSquare, Material, Phong, Rgb565, Soft, Specular,
+    Spot, SquaredWindow, Surface, encode_srgb, keep_hue,
 };
 
 use crate::case::{Case, Outcome};
@@ -55,7 +55,7 @@ pub(super) fn lit_point<S: Format>(case: &mut Case<'_>) -> Outcome {
     let (eye, point, normal) = (case.point::<S>("eye"), case.point::<S>("point"), case.normal::<S>("normal"));
     let cone = Cone::from_field(Soft, Angle::degrees(field))?;
     let spot = Spot::new(position, axis, cone)?.with_intensity(intensity)?.with_color(color)?;
-    let spot = spot.with_attenuation(SquaredWindow::new(Some(range))?).compile::<S>()?;
+    let spot = spot.with_attenuation(SquaredWindow::new(InverseSquare, Some(range))?).compile::<S>()?;
     let sky = Ambient::new(color)?.with_intensity(0.05)?.compile::<S>();
     let material = Material::new(diffuse)?.with_highlight(Phong, specular, shininess)?.compile::<S>();
     let exposure = Exposure::factor(factor)?.compile::<S>();

@@ -125,10 +125,10 @@ pub static MODELS: &[Model] = &[
     each!("point inverse-square", S, case => light::point::<S, _>(case, |_| Ok(InverseSquare))),
     each!("point polynomial", S, case => light::point::<S, _>(case, polynomial)),
     each!("point smooth-range", S, case => light::point::<S, _>(case, |case| SmoothRange::new(range(case)))),
-    each!("point windowed", S, case => light::point::<S, _>(case, |case| Windowed::new(Some(range(case))))),
-    each!("point windowed-without-range", S, case => light::point::<S, _>(case, |_| Windowed::new(None))),
+    each!("point windowed", S, case => light::point::<S, _>(case, |case| Windowed::new(InverseSquare, Some(range(case))))),
+    each!("point windowed-without-range", S, case => light::point::<S, _>(case, |_| Windowed::new(InverseSquare, None))),
     each!("point squared-window", S, case => {
-        light::point::<S, _>(case, |case| SquaredWindow::new(Some(range(case))))
+        light::point::<S, _>(case, |case| SquaredWindow::new(InverseSquare, Some(range(case))))
     }),
     each!("point hard-range", S, case => {
         light::point::<S, _>(case, |case| HardRange::new(Unattenuated, Some(range(case))))

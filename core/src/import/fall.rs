@@ -60,7 +60,7 @@ pub(super) fn decay(decay: f32, stop: f64, range: Option<f32>, intensity: f32) -
         return Ok(Fall { distance, intensity, difference: 0.0 });
     }
     if decay == 2.0 {
-        let distance = Distance::SquaredWindow(SquaredWindow::new(range)?);
+        let distance = Distance::SquaredWindow(SquaredWindow::new(InverseSquare, range)?);
         return Ok(Fall { distance, intensity, difference: 0.0 });
     }
     let original = Decay::new(decay, stop, range);

@@ -3,7 +3,7 @@
 use super::{Difference, Distance, Imported, fall::Fall, ramp, spot};
 use crate::{
     angle::{Angle, HalfAngle},
-    attenuation::Windowed,
+    attenuation::{InverseSquare, Windowed},
     cone::Cone,
     error::{Error, Parameter, check_between, check_up_to},
     light::Spot,
@@ -97,7 +97,7 @@ impl Gltf {
         cone: Cone<Matched>,
         intensity: f32,
     ) -> Result<Imported<Spot<Matched, Distance>>, Error> {
-        let distance = Distance::Windowed(Windowed::new(self.range)?);
+        let distance = Distance::Windowed(Windowed::new(InverseSquare, self.range)?);
         spot(position, direction, cone, Difference::NONE, Fall { distance, intensity, difference: 0.0 })
     }
 }

@@ -7,12 +7,9 @@
 
 use super::CompiledLamp;
 use crate::{
-    attenuation::{
-        Attenuation, CompiledDistance, Distance, Faded, HardRange, InverseSquare, Polynomial, SmoothRange,
-        SquaredWindow, Unattenuated, Windowed,
-    },
+    attenuation::{Attenuation, CompiledDistance, Distance, Unattenuated, with_attenuation},
     cone::Falloff,
-    profile::{CompiledMatched, Matched, Profile},
+    profile::{Matched, Profile, with_profile},
     scalar::{Offset, Scalar},
     shade::{Arrival, CompiledPoint, CompiledSpot, Light, Surface},
     specular::Specular,
@@ -180,28 +177,9 @@ impl<S: Scalar, H: Specular, const N: usize> Loop<'_, S, H, N> {
     }
 
     fn fall(&mut self, position: Vec3<S::Length>, distance: &CompiledDistance<S>, intensity: S::Gain) {
-        match distance {
-            CompiledDistance::Constant(model) => {
-                self.attenuate::<HardRange<Unattenuated>>(position, model, intensity);
-            }
-            CompiledDistance::InverseSquare(model) => {
-                self.attenuate::<HardRange<InverseSquare>>(position, model, intensity);
-            }
-            CompiledDistance::Polynomial(model) => {
-                self.attenuate::<HardRange<Polynomial>>(position, model, intensity);
-            }
-            CompiledDistance::Windowed(model) => self.attenuate::<Windowed>(position, model, intensity),
-            CompiledDistance::FadedConstant(model) => {
-                self.attenuate::<Faded<Unattenuated>>(position, model, intensity);
-            }
-            CompiledDistance::SquaredWindow(model) => {
-                self.attenuate::<SquaredWindow>(position, model, intensity);
-            }
-            CompiledDistance::FadedPolynomial(model) => {
-                self.attenuate::<Faded<Polynomial>>(position, model, intensity);
-            }
-            CompiledDistance::SmoothRange(model) => self.attenuate::<SmoothRange>(position, model, intensity),
-        }
+        with_attenuation!(distance, constants: Model => {
+            self.attenuate::<Model>(position, constants, intensity);
+        });
     }
 
     fn attenuate<A: Attenuation>(

@@ -5,7 +5,7 @@ use crate::{
     attenuation::{Attenuation, Distance, InverseSquare},
     cone::Falloff,
     haze::{AirFilter, Haze, HazyBeam, ViewRay},
-    profile::{CompiledMatched, Matched, Profile},
+    profile::{Matched, Profile, with_profile},
     vec3::Vec3,
 };
 

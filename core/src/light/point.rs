@@ -16,11 +16,11 @@ const SPHERE: f32 = 2.0 * core::f32::consts::TAU;
 /// A point light: it shines from a position into all directions alike.
 ///
 /// ```
-/// use luminaire::{Point, Vec3, Windowed};
+/// use luminaire::{InverseSquare, Point, Vec3, Windowed};
 /// let bulb = Point::new(Vec3::new(0.0, 2.0, 0.0))?.with_intensity(4.0)?;
 /// let (floor, up) = (Vec3::new(0.0, 0.0, 0.0), Vec3::new(0.0, 1.0, 0.0));
 /// assert_eq!(bulb.compile::<f32>()?.irradiance(floor, up), 1.0);
-/// let short = bulb.with_attenuation(Windowed::new(Some(1.5))?);
+/// let short = bulb.with_attenuation(Windowed::new(InverseSquare, Some(1.5))?);
 /// assert_eq!(short.compile::<f32>()?.irradiance(floor, up), 0.0);
 /// # Ok::<(), luminaire::Error>(())
 /// ```

@@ -1,7 +1,7 @@
 //! Profiles of the third degree.
 
 use super::{
-    Curve, Profile,
+    Curve, Formula, Profile,
     polynomial::{Polynomial, slope_of_bits},
     without_coefficients,
 };
@@ -148,6 +148,10 @@ impl Cubic {
 impl Profile for Smooth {
     without_coefficients!();
 
+    fn formula(&self) -> Formula<'_> {
+        Formula::Polynomial([0.0, 3.0, -2.0])
+    }
+
     /// `1/2`.
     fn beam_versine(self) -> f32 {
         0.5
@@ -194,6 +198,10 @@ impl Profile for Cubic {
     fn compile<S: Scalar>(self) -> CompiledCubic<S> {
         let (a, d) = (self.edge_slope, self.middle_slope);
         CompiledCubic { g: S::weight(a - 1.0), h: S::weight(2.0 - a - d) }
+    }
+
+    fn formula(&self) -> Formula<'_> {
+        Formula::Polynomial(self.coefficients())
     }
 
     fn beam_versine(self) -> f32 {

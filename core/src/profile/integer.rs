@@ -1,6 +1,6 @@
 //! Integer powers whose exponent is known at run time, by repeated squaring.
 
-use super::{Curve, Profile, without_coefficients};
+use super::{Curve, Formula, Profile, without_coefficients};
 use crate::{
     error::{Accepted, Error, Parameter},
     scalar::{Fraction, Scalar},
@@ -124,6 +124,10 @@ impl IntegerRim {
 impl Profile for IntegerPower {
     without_coefficients!();
 
+    fn formula(&self) -> Formula<'_> {
+        Formula::Power(self.exponent as f32)
+    }
+
     /// `1 - (1/2)^(1/n)`.
     fn beam_versine(self) -> f32 {
         lost_after(core::f32::consts::LN_2 / self.exponent as f32)
@@ -160,6 +164,10 @@ impl<S: Scalar> Curve<S> for IntegerPower {
 
 impl Profile for IntegerRim {
     without_coefficients!();
+
+    fn formula(&self) -> Formula<'_> {
+        Formula::InvertedPower(self.exponent as f32, 0.0)
+    }
 
     /// `(1/2)^(1/n)`.
     fn beam_versine(self) -> f32 {

@@ -1,7 +1,7 @@
 //! Mixtures of two integer powers.
 
 use super::{
-    Curve, Profile,
+    Curve, Formula, Profile,
     integer::{IntegerPower, IntegerRim, MOST, checked, power, raised},
 };
 use crate::{
@@ -150,6 +150,10 @@ impl Profile for MixedPower {
         CompiledMixedPower(CompiledMixture::new(self.0))
     }
 
+    fn formula(&self) -> Formula<'_> {
+        Formula::MixedPower(self.exponents(), self.share())
+    }
+
     fn beam_versine(self) -> f32 {
         self.0.lack_at(0.5)
     }
@@ -189,6 +193,10 @@ impl Profile for MixedRim {
 
     fn compile<S: Scalar>(self) -> CompiledMixedRim<S> {
         CompiledMixedRim(CompiledMixture::new(self.0))
+    }
+
+    fn formula(&self) -> Formula<'_> {
+        Formula::InvertedMixedPower(self.exponents(), self.share())
     }
 
     fn beam_versine(self) -> f32 {

@@ -1,7 +1,7 @@
 //! Integer powers whose exponent is part of the type.
 
 use super::{
-    Curve, Profile,
+    Curve, Formula, Profile,
     integer::{IntegerPower, IntegerRim, MOST, rounded_power},
     without_coefficients,
 };
@@ -49,6 +49,10 @@ pub(super) const fn sound<const N: u32>() -> u32 {
 impl<const N: u32> Profile for Power<N> {
     without_coefficients!();
 
+    fn formula(&self) -> Formula<'_> {
+        Formula::Power(sound::<N>() as f32)
+    }
+
     fn beam_versine(self) -> f32 {
         IntegerPower::of(sound::<N>()).beam_versine()
     }
@@ -75,6 +79,10 @@ impl<S: Scalar, const N: u32> Curve<S> for Power<N> {
 
 impl<const N: u32> Profile for Rim<N> {
     without_coefficients!();
+
+    fn formula(&self) -> Formula<'_> {
+        Formula::InvertedPower(sound::<N>() as f32, 0.0)
+    }
 
     fn beam_versine(self) -> f32 {
         IntegerRim::of(sound::<N>()).beam_versine()

@@ -1,7 +1,7 @@
 //! Profiles up to the second degree: the paper's two, the straight line between them, and every blend of them.
 
 use super::{
-    Curve, Profile,
+    Curve, Formula, Profile,
     polynomial::{Polynomial, slope_of_bits},
     without_coefficients,
 };
@@ -84,6 +84,10 @@ impl Blend {
 impl Profile for Soft {
     without_coefficients!();
 
+    fn formula(&self) -> Formula<'_> {
+        Formula::Polynomial([0.0, 1.0, 0.0])
+    }
+
     /// `1 - 1/sqrt(2)`.
     fn beam_versine(self) -> f32 {
         1.0 - core::f32::consts::FRAC_1_SQRT_2
@@ -113,6 +117,10 @@ impl<S: Scalar> Curve<S> for Soft {
 
 impl Profile for Hard {
     without_coefficients!();
+
+    fn formula(&self) -> Formula<'_> {
+        Formula::Polynomial([2.0, -1.0, 0.0])
+    }
 
     /// `1/sqrt(2)`.
     fn beam_versine(self) -> f32 {
@@ -144,6 +152,10 @@ impl<S: Scalar> Curve<S> for Hard {
 
 impl Profile for Linear {
     without_coefficients!();
+
+    fn formula(&self) -> Formula<'_> {
+        Formula::Polynomial([1.0, 0.0, 0.0])
+    }
 
     /// `1/2`.
     fn beam_versine(self) -> f32 {
@@ -190,6 +202,10 @@ impl Profile for Blend {
 
     fn compile<S: Scalar>(self) -> CompiledBlend<S> {
         CompiledBlend { g: S::weight(self.edge_slope - 1.0) }
+    }
+
+    fn formula(&self) -> Formula<'_> {
+        Formula::Polynomial([self.edge_slope, 1.0 - self.edge_slope, 0.0])
     }
 
     fn beam_versine(self) -> f32 {

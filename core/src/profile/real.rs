@@ -1,7 +1,7 @@
 //! Powers of any real exponent.
 
 use super::{
-    Curve, Profile,
+    Curve, Formula, Profile,
     exponent::real_power,
     integer::{MOST, lost_after},
 };
@@ -112,6 +112,10 @@ impl Profile for RealPower {
         CompiledRealPower(RealExponent::new(self.exponent, 0.0))
     }
 
+    fn formula(&self) -> Formula<'_> {
+        Formula::Power(self.exponent())
+    }
+
     fn beam_versine(self) -> f32 {
         self.lost_at(0.5, core::f32::consts::LN_2)
     }
@@ -150,6 +154,10 @@ impl Profile for RealRim {
 
     fn compile<S: Scalar>(self) -> CompiledRealRim {
         CompiledRealRim(RealExponent::new(self.exponent, self.floor))
+    }
+
+    fn formula(&self) -> Formula<'_> {
+        Formula::InvertedPower(self.exponent(), self.floor())
     }
 
     fn beam_versine(self) -> f32 {

@@ -1,6 +1,6 @@
 //! The profile without a slope.
 
-use super::{Curve, Profile, without_coefficients};
+use super::{Curve, Formula, Profile, without_coefficients};
 use crate::scalar::{Fraction, Scalar};
 
 /// Full intensity up to the edge and none from there on: no multiply. A single umbra, and OpenGL with exponent 0.
@@ -11,6 +11,10 @@ pub struct CutOff;
 
 impl Profile for CutOff {
     without_coefficients!();
+
+    fn formula(&self) -> Formula<'_> {
+        Formula::Step
+    }
 
     fn beam_versine(self) -> f32 {
         1.0

@@ -3,7 +3,7 @@
 mod measured;
 
 use self::measured::Measured;
-use super::{Curve, Profile, without_coefficients};
+use super::{Curve, Formula, Profile, without_coefficients};
 use crate::{
     angle::Angle,
     error::{Accepted, Error, Parameter},
@@ -172,6 +172,10 @@ fn check_count(count: usize, least: u16) -> Result<(), Error> {
 
 impl Profile for Table<'_> {
     without_coefficients!();
+
+    fn formula(&self) -> Formula<'_> {
+        Formula::Table(*self)
+    }
 
     fn beam_versine(self) -> f32 {
         self.versine_of(0.5)

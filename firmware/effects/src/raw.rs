@@ -165,9 +165,9 @@ impl Bits {
             0 => HardRange::new(Unattenuated, range).map(Distance::from),
             1 => HardRange::new(InverseSquare, range).map(Distance::from),
             2 => polynomial.and_then(|polynomial| HardRange::new(polynomial, range)).map(Distance::from),
-            3 => Windowed::new(range).map(Distance::from),
+            3 => Windowed::new(InverseSquare, range).map(Distance::from),
             4 => Faded::new(Unattenuated, range).map(Distance::from),
-            5 => SquaredWindow::new(range).map(Distance::from),
+            5 => SquaredWindow::new(InverseSquare, range).map(Distance::from),
             6 => polynomial.and_then(|polynomial| Faded::new(polynomial, range)).map(Distance::from),
             _ => SmoothRange::new(a).map(Distance::from),
         };

@@ -8,7 +8,7 @@ use super::{Fixture, Setup, fixture::Sweep};
 use crate::{Camera, Scene};
 use alloc::vec::Vec;
 use glam::Vec2;
-use luminaire::{Directional, Error, Point, Rgb, SquaredWindow, Vec3};
+use luminaire::{Directional, Error, InverseSquare, Point, Rgb, SquaredWindow, Vec3};
 
 pub(super) fn setup() -> Result<Setup, Error> {
     let mut scene = Scene::new();
@@ -42,7 +42,7 @@ fn fixtures() -> Result<Vec<Fixture>, Error> {
         let pendant = Point::new(Vec3::new(x, 2.9, z))?
             .with_color(Rgb::new(1.0, 0.7, 0.4))?
             .with_intensity(0.9)?
-            .with_attenuation(SquaredWindow::new(Some(2.8))?);
+            .with_attenuation(SquaredWindow::new(InverseSquare, Some(2.8))?);
         fixtures.push(Fixture::new("pendant", pendant));
     }
     let skylight = Directional::new(Vec3::new(0.25, -1.0, -0.35))?

@@ -58,8 +58,8 @@ fn of_format<S: Raw>(bits: &mut Bits) {
     reaches::<S, InverseSquare>(bits, ());
     reaches::<S, Polynomial>(bits, [a, b, c]);
     reaches::<S, SmoothRange>(bits, [a, b]);
-    reaches::<S, Windowed>(bits, a);
-    reaches::<S, SquaredWindow>(bits, a);
+    reaches::<S, Windowed>(bits, (a, ()));
+    reaches::<S, SquaredWindow>(bits, (a, ()));
     reaches::<S, HardRange<InverseSquare>>(bits, (a, ()));
     reaches::<S, HardRange<SmoothRange>>(bits, (a, [b, c]));
     // Haze is f32 in every format.

@@ -63,10 +63,10 @@ fn kind(number: usize) -> Result<(&'static str, Cone<Matched>), Error> {
 fn distance(number: usize) -> Result<Distance, Error> {
     Ok(match number {
         0 => InverseSquare.into(),
-        1 => SquaredWindow::new(Some(9.0))?.into(),
+        1 => SquaredWindow::new(InverseSquare, Some(9.0))?.into(),
         2 => Polynomial::new(0.0, 0.5, 0.8)?.into(),
         3 => SmoothRange::new(8.0)?.into(),
-        4 => Windowed::new(Some(8.0))?.into(),
+        4 => Windowed::new(InverseSquare, Some(8.0))?.into(),
         5 => HardRange::new(InverseSquare, Some(9.0))?.into(),
         6 => Faded::new(Polynomial::new(0.2, 0.0, 1.0)?, Some(9.0))?.into(),
         _ => Faded::new(Unattenuated, Some(7.0))?.into(),

@@ -1,0 +1,164 @@
+//! An attenuation chosen at run time.
+
+use super::{
+    Attenuation, Faded, HardRange, InverseSquare, Polynomial, SmoothRange, SquaredWindow, Unattenuated,
+    Windowed,
+};
+use crate::{
+    effect::Effects,
+    scalar::{Ray, Scalar},
+};
+
+/// The list of the attenuations that can be chosen at run time: hands its rows to a macro, after the
+/// macro's own arguments.
+macro_rules! attenuations {
+    ($consumer:ident! $($arguments:tt)*) => {
+        $consumer! {
+            $($arguments)*
+            /// No attenuation, cut off.
+            Constant(HardRange<Unattenuated>),
+            /// The inverse-square law, cut off.
+            InverseSquare(HardRange<InverseSquare>),
+            /// One over a polynomial, cut off.
+            Polynomial(HardRange<Polynomial>),
+            /// The inverse-square law in glTF's window.
+            Windowed(Windowed),
+            /// No attenuation, faded out.
+            FadedConstant(Faded<Unattenuated>),
+            /// The inverse-square law, faded out.
+            SquaredWindow(SquaredWindow),
+            /// One over a polynomial, faded out.
+            FadedPolynomial(Faded<Polynomial>),
+            /// Smoothstep to a range.
+            SmoothRange(SmoothRange),
+        }
+    };
+}
+
+/// The enums of the list, and what is one arm a row.
+macro_rules! any_attenuation {
+    ($($(#[$doc:meta])* $variant:ident($type:ty),)*) => {
+        /// Any attenuation, chosen at run time: that of a light of [another system](crate::import), or of a
+        /// [`Lamp`](crate::Lamp).
+        ///
+        /// It branches per point; [`CompiledLamp::arrive_each`](crate::CompiledLamp::arrive_each) branches
+        /// once per light.
+        #[derive(Clone, Copy, PartialEq, Debug)]
+        #[non_exhaustive]
+        pub enum Distance {
+            $($(#[$doc])* $variant($type),)*
+        }
+
+        /// The constants of a [`Distance`].
+        #[derive(Clone, Copy, PartialEq, Debug)]
+        #[non_exhaustive]
+        pub enum CompiledDistance<S: Scalar> {
+            $($(#[$doc])* $variant(<$type as Attenuation>::Constants<S>),)*
+        }
+
+        $(impl From<$type> for Distance {
+            fn from(attenuation: $type) -> Self {
+                Self::$variant(attenuation)
+            }
+        })*
+
+        impl Distance {
+            /// Where the light ends, if it does.
+            pub fn range(&self) -> Option<f32> {
+                match self {
+                    $(Self::$variant(attenuation) => Attenuation::range(attenuation),)*
+                }
+            }
+        }
+
+        impl Attenuation for Distance {
+            type Constants<S: Scalar> = CompiledDistance<S>;
+
+            fn constants<S: Scalar>(self) -> CompiledDistance<S> {
+                match self {
+                    $(Self::$variant(attenuation) => CompiledDistance::$variant(attenuation.constants::<S>()),)*
+                }
+            }
+
+            fn range(&self) -> Option<f32> {
+                self.range()
+            }
+
+            fn effects(&self) -> Effects {
+                match self {
+                    $(Self::$variant(attenuation) => attenuation.effects(),)*
+                }
+            }
+
+            fn exact(&self, distance: f64) -> f64 {
+                match self {
+                    $(Self::$variant(attenuation) => attenuation.exact(distance),)*
+                }
+            }
+
+            fn grows(&self) -> bool {
+                match self {
+                    $(Self::$variant(attenuation) => attenuation.grows(),)*
+                }
+            }
+
+            #[inline(always)]
+            fn is_inverse_square<S: Scalar>(constants: &CompiledDistance<S>) -> bool {
+                with_attenuation!(constants, inner: Inner => Inner::is_inverse_square::<S>(inner))
+            }
+
+            #[inline(always)]
+            fn is_beyond<S: Scalar>(constants: &CompiledDistance<S>, offset: &S::Offset) -> bool {
+                with_attenuation!(constants, inner: Inner => Inner::is_beyond::<S>(inner, offset))
+            }
+
+            #[inline(always)]
+            fn expose<S: Scalar, R: Ray<S>>(
+                constants: &CompiledDistance<S>,
+                offset: &S::Offset,
+                ray: &R,
+                share: R::Share,
+                intensity: S::Gain,
+            ) -> S::Irradiance {
+                with_attenuation!(constants, inner: Inner => {
+                    Inner::expose::<S, R>(inner, offset, ray, share, intensity)
+                })
+            }
+        }
+    };
+}
+
+/// Evaluates an expression with the constants of a [`CompiledDistance`] and the type of the attenuation.
+macro_rules! with_attenuation {
+    ([$compiled:expr, $constants:ident, $type:ident, $answer:expr]
+     $($(#[$doc:meta])* $variant:ident($attenuation:ty),)*) => {
+        match $compiled {
+            $($crate::attenuation::CompiledDistance::$variant($constants) => {
+                #[allow(clippy::wildcard_imports, reason = "the types of the list, wherever it is used")]
+                use $crate::attenuation::*;
+                type $type = $attenuation;
+                $answer
+            })*
+        }
+    };
+    ($compiled:expr, $constants:ident: $type:ident => $answer:expr) => {
+        $crate::attenuation::attenuations!(with_attenuation! [$compiled, $constants, $type, $answer])
+    };
+}
+
+pub(crate) use {attenuations, with_attenuation};
+
+attenuations!(any_attenuation!);
+
+/// An attenuation that has no range of its own is one without a range.
+macro_rules! from_unlimited {
+    ($($type:ty => $variant:ident)*) => {$(
+        impl From<$type> for Distance {
+            fn from(attenuation: $type) -> Self {
+                Self::$variant(HardRange::unlimited(attenuation))
+            }
+        }
+    )*};
+}
+
+from_unlimited!(Unattenuated => Constant InverseSquare => InverseSquare Polynomial => Polynomial);

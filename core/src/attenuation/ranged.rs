@@ -1,0 +1,173 @@
+//! Attenuations that end at a range.
+
+use core::marker::PhantomData;
+
+use super::{Attenuation, InverseSquare, checked_range, dimmed, inverse_squared, squared_fraction};
+use crate::{
+    effect::{Effect, Effects},
+    error::Error,
+    scalar::{Ray, Scalar, Share},
+};
+
+/// An attenuation that a window ends at a range.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Ranged<W, A> {
+    attenuation: A,
+    range: Option<f32>,
+    window: PhantomData<W>,
+}
+
+/// An attenuation, cut off at a range: unchanged within it, 0 from there on.
+pub type HardRange<A> = Ranged<Cut, A>;
+/// An attenuation times `(1 - (d/r)^4)^2`, which ends it at a range without a rim.
+pub type Faded<A> = Ranged<SquareWindow, A>;
+/// The inverse-square law times glTF's window `1 - (d/r)^4`.
+pub type Windowed = Ranged<GltfWindow, InverseSquare>;
+/// The inverse-square law times `(1 - (d/r)^4)^2`, the window of Filament, Bevy and three.js.
+pub type SquaredWindow = Ranged<SquareWindow, InverseSquare>;
+
+/// How a range ends an attenuation.
+pub trait Window: Copy + PartialEq + core::fmt::Debug {
+    /// The name of the type.
+    const NAME: &'static str;
+
+    /// The effects that the window requires beside a range.
+    const EFFECTS: Effects;
+
+    /// The factor at a fraction `d/r` of the range, in f64.
+    fn exact(fraction: f64) -> f64;
+
+    /// What is left of a share of the intensity at the squared fraction `(d/r)^2` of the range.
+    fn dim<S: Scalar, T: Share<S>>(share: T, squared: T) -> T;
+}
+
+/// 1 within the range, 0 from there on.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Cut;
+
+/// `1 - (d/r)^4`.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct GltfWindow;
+
+/// `(1 - (d/r)^4)^2`.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct SquareWindow;
+
+impl Window for Cut {
+    const NAME: &'static str = "Cut";
+    const EFFECTS: Effects = Effects::NONE;
+
+    fn exact(fraction: f64) -> f64 {
+        if fraction < 1.0 { 1.0 } else { 0.0 }
+    }
+
+    #[inline(always)]
+    fn dim<S: Scalar, T: Share<S>>(share: T, squared: T) -> T {
+        if squared.is_all() { T::default() } else { share }
+    }
+}
+
+impl Window for GltfWindow {
+    const NAME: &'static str = "GltfWindow";
+    const EFFECTS: Effects = Effects::NONE.with(Effect::Window);
+
+    fn exact(fraction: f64) -> f64 {
+        (1.0 - fraction * fraction * fraction * fraction).max(0.0)
+    }
+
+    #[inline(always)]
+    fn dim<S: Scalar, T: Share<S>>(share: T, squared: T) -> T {
+        dimmed::<S, T>(share, squared.share_of(squared).rest())
+    }
+}
+
+impl Window for SquareWindow {
+    const NAME: &'static str = "SquareWindow";
+    const EFFECTS: Effects = Effects::NONE.with(Effect::Window);
+
+    fn exact(fraction: f64) -> f64 {
+        let window = GltfWindow::exact(fraction);
+        window * window
+    }
+
+    #[inline(always)]
+    fn dim<S: Scalar, T: Share<S>>(share: T, squared: T) -> T {
+        let window = squared.share_of(squared).rest();
+        dimmed::<S, T>(share, window.share_of(window))
+    }
+}
+
+impl<W: Window, A: Attenuation> Ranged<W, A> {
+    /// Ends an attenuation at this range, in units of the world's length; without a range it is the
+    /// attenuation alone.
+    ///
+    /// # Errors
+    /// A range outside 0.001 to 1e9.
+    pub fn new(attenuation: A, range: Option<f32>) -> Result<Self, Error> {
+        Ok(Self { range: range.map(checked_range).transpose()?, ..Self::unlimited(attenuation) })
+    }
+
+    /// The attenuation without a range.
+    pub(super) fn unlimited(attenuation: A) -> Self {
+        Self { attenuation, range: None, window: PhantomData }
+    }
+
+    /// The attenuation without its range.
+    pub fn attenuation(&self) -> A {
+        self.attenuation
+    }
+
+    /// Where the light ends, if it does.
+    pub fn range(&self) -> Option<f32> {
+        self.range
+    }
+}
+
+impl<W: Window, A: Attenuation> Attenuation for Ranged<W, A> {
+    /// The reciprocal of the squared range, and the constants of the attenuation.
+    type Constants<S: Scalar> = (S::Gain, A::Constants<S>);
+
+    fn constants<S: Scalar>(self) -> Self::Constants<S> {
+        (inverse_squared::<S>(self.range), self.attenuation.constants::<S>())
+    }
+
+    fn range(&self) -> Option<f32> {
+        self.range
+    }
+
+    fn effects(&self) -> Effects {
+        let effects = self.attenuation.effects();
+        if self.range.is_some() { effects.and(W::EFFECTS).with(Effect::Range) } else { effects }
+    }
+
+    fn exact(&self, distance: f64) -> f64 {
+        let window = self.range.map_or(1.0, |range| W::exact(distance / f64::from(range)));
+        window * self.attenuation.exact(distance)
+    }
+
+    fn grows(&self) -> bool {
+        self.attenuation.grows()
+    }
+
+    #[inline(always)]
+    fn is_inverse_square<S: Scalar>((squared, inner): &Self::Constants<S>) -> bool {
+        *squared == S::gain(0.0) && A::is_inverse_square::<S>(inner)
+    }
+
+    #[inline(always)]
+    fn is_beyond<S: Scalar>((squared, inner): &Self::Constants<S>, offset: &S::Offset) -> bool {
+        squared_fraction::<S>(*squared, offset) == S::ONE || A::is_beyond::<S>(inner, offset)
+    }
+
+    #[inline(always)]
+    fn expose<S: Scalar, R: Ray<S>>(
+        (squared, inner): &Self::Constants<S>,
+        offset: &S::Offset,
+        ray: &R,
+        share: R::Share,
+        intensity: S::Gain,
+    ) -> S::Irradiance {
+        let share = W::dim::<S, _>(share, ray.squared_near(offset, *squared));
+        A::expose::<S, R>(inner, offset, ray, share, intensity)
+    }
+}
