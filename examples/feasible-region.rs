@@ -3,16 +3,7 @@
 //! `cargo run -p suite --example feasible-region > docs/feasible-region.svg`. Everything is computed in f64, by search;
 //! `tests/two_angles.rs` holds the picture to this.
 
-#[path = "../tests/support/cubics.rs"]
-#[allow(dead_code, reason = "the tests use the rest")]
-#[allow(missing_docs, reason = "it is the tests' module")]
-#[allow(unreachable_pub, reason = "it is the tests' module")]
-mod cubics;
-
-#[path = "../tests/support/region.rs"]
-#[allow(missing_docs, reason = "it is the tests' module")]
-#[allow(unreachable_pub, reason = "it is the tests' module")]
-mod region;
+use support::region;
 
 fn main() {
     print!("{}", region::svg());

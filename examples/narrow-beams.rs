@@ -4,9 +4,6 @@
 //! `cargo run --release --example narrow-beams > docs/narrow-beams.svg`. Everything in it is measured against
 //! the tests' f64 reference; `tests/limits.rs` holds the lines to their bounds.
 
-#[path = "../tests/support/mod.rs"]
-mod support;
-
 fn main() {
     print!("{}", support::beams_picture::svg());
 }

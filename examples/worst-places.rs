@@ -3,15 +3,9 @@
 //!
 //! `cargo run -p suite --example worst-places > tests/worst/places.txt`
 
-#[path = "../tests/support/mod.rs"]
-mod support;
-
 use luminaire::{Fx16, Fx32, Profile};
-use support::{
-    format::Format,
-    profiles::{Shape, with_every_shape},
-    worst,
-};
+use support::with_every_shape;
+use support::{format::Format, profiles::Shape, worst};
 
 fn find<S: Format, P: Profile>(shape: &Shape<P>) {
     if worst::is_smooth(shape) {

@@ -1,6 +1,6 @@
 //! From the bytes of the fuzzer to the words of a law.
 
-/// A law of `tests/properties`: it panics where raw words break it.
+/// A law of `tests/laws`: it panics where raw words break it.
 pub type Law = fn(&[u32]);
 
 /// Holds one of the laws, chosen by the first byte, on the words that the rest is made of.

@@ -127,10 +127,11 @@ fn exact_delimited(profile: reference::Profile, outer: f64) -> reference::Cone {
 
 /// The answers of a generic function to every shape: each profile plain, one with a hotspot, one delimited, and
 /// OpenGL's.
+#[macro_export]
 macro_rules! with_every_shape {
     ($function:ident :: <$format:ty>) => {{
         use luminaire::{CutOff, Hard, Linear, Power, Rim, Smooth, Soft};
-        use $crate::support::{
+        use $crate::{
             profiles::{self, Shape},
             reference,
         };
@@ -168,4 +169,3 @@ macro_rules! with_every_shape {
         ]
     }};
 }
-pub(crate) use with_every_shape;

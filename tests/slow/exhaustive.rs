@@ -1,0 +1,284 @@
+//! The falloff over every input that it can have, in all three formats, row by row of
+//! `support/every_falloff.rs`.
+//!
+//! A plain run visits one input in a thousand; `LUMINAIRE_FULL=1 cargo test --test exhaustive -- --nocapture`
+//! visits every one, some nine minutes on two processors, and prints the rows.
+
+use luminaire::{
+    Cone, Cubic, Falloff, Fx16, Fx32, Hard, Linear, Power, Profile, Rgb, Rgb565, Rim, Scalar, Smooth, Soft,
+    encode_srgb,
+};
+use support::with_every_shape;
+use support::{
+    bounds::{self, REFUSE},
+    every::{self, Seen},
+    every_falloff::{CONES, FRACTIONS, NEVER_RISE, ROWS},
+    format::Format,
+    profiles::{self, Shape},
+    reference, sweep,
+};
+
+/// The first and the last of the versines that share an answer, each with what it stands for.
+type Ends<S> = [(<S as Scalar>::Versine, f64); 2];
+
+/// A format whose versines can all be visited.
+trait Countable: Format<Versine: Sync, Ramp: Sync> {
+    /// The versines from the axis to beyond the edge in rising order, by their index up to a last one.
+    fn versines<P: Profile>(
+        falloff: &Falloff<Self, P>,
+        outer: f32,
+    ) -> (u64, impl Fn(u64) -> Ends<Self> + Sync);
+}
+
+impl Countable for f32 {
+    /// Every bit pattern that is not negative, infinity and what is not a number included.
+    fn versines<P: Profile>(_: &Falloff<f32, P>, _: f32) -> (u64, impl Fn(u64) -> Ends<f32> + Sync) {
+        let versine = |bits: u64| {
+            let versine = f32::from_bits(bits as u32);
+            [(versine, versine.into()); 2]
+        };
+        (0x7fff_ffff, versine)
+    }
+}
+
+impl Countable for Fx16 {
+    /// Every bit pattern up to an eighth beyond the edge.
+    fn versines<P: Profile>(
+        falloff: &Falloff<Fx16, P>,
+        outer: f32,
+    ) -> (u64, impl Fn(u64) -> Ends<Self> + Sync) {
+        let edge = u64::from(falloff.versine(outer).to_bits());
+        let step = Fx16::exact_versine(falloff, Fx16::versine_from_bits(edge)) / edge as f64;
+        (edge + edge / 8, move |bits| [(Fx16::versine_from_bits(bits), bits as f64 * step); 2])
+    }
+}
+
+impl Countable for Fx32 {
+    /// The gap to the edge counts in its upper 32 bits alone. So there are 2^32 classes of versines with one
+    /// answer each, and the first and the last of a class are the farthest from that answer, since the exact
+    /// intensity never rises.
+    fn versines<P: Profile>(
+        falloff: &Falloff<Fx32, P>,
+        outer: f32,
+    ) -> (u64, impl Fn(u64) -> Ends<Self> + Sync) {
+        let edge = falloff.versine(outer).to_bits();
+        let shift = (u64::BITS - edge.leading_zeros()).saturating_sub(32);
+        let classes = edge >> shift;
+        let versine = move |index: u64| {
+            let last_gap = (classes - index) << shift;
+            let versine = |gap: u64| {
+                let bits = edge.saturating_sub(gap);
+                (Fx32::versine_from_bits(bits), bits.cast_signed() as f64 * 0.5_f64.powi(61))
+            };
+            [versine(last_gap + ((1 << shift) - 1)), versine(last_gap)]
+        };
+        (classes, versine)
+    }
+}
+
+/// What is seen of a shape in one cone, in steps of the format; nothing where the format refuses the cone.
+fn seen<S: Countable, P: Profile>(shape: &Shape<P>, half_degrees: f32) -> Option<Seen>
+where
+    Falloff<S, P>: Sync,
+{
+    let falloff = shape.at(half_degrees).compile::<S>().ok()?;
+    let exact = shape.stored_at(half_degrees);
+    let (last, versine) = S::versines(&falloff, exact.outer as f32);
+    assert_eq!(falloff.at(versine(0)[0].0), S::ONE, "{} on the axis", shape.name);
+    let steps = f64::from(S::STEP).recip();
+    let name = format!("{} {} at {half_degrees} degrees", shape.name, S::NAME);
+    let [seen] = every::inputs(&name, 0..=last, |index| {
+        let [first, last] = versine(index);
+        let found = falloff.at(first.0).exact();
+        if index % every::STRIDE == 0 {
+            assert_eq!(falloff.at(last.0).exact(), found, "{name}: at {last:?} and {first:?}");
+        }
+        let exact = |value: f64| {
+            // At the edge, beyond it, and where the versine is not a number.
+            if value.is_nan() || value >= exact.outer {
+                assert!(found == 0.0, "{name}: {found} at {value}");
+                return 0.0;
+            }
+            exact.falloff(value) * steps
+        };
+        [(found * steps, [exact(first.1), exact(last.1)])]
+    });
+    Some(seen)
+}
+
+/// What a shape breaks of its row, and of the law that intensities do not rise towards the edge.
+fn broken<S: Countable, P: Profile>(shape: &Shape<P>) -> Vec<String>
+where
+    Falloff<S, P>: Sync,
+{
+    // A jump is where it is within the rounding of a versine, which no error of an intensity measures.
+    if shape.exactly_at(1.0).jumps_near(shape.exactly_at(1.0).limit, 1.0) {
+        return Vec::new();
+    }
+    let name = format!("{} {}", shape.name, S::NAME);
+    let found = CONES.map(|half_degrees| seen::<S, P>(shape, half_degrees));
+    let errors = found.map(|seen| seen.map_or(REFUSE, |seen| seen.error));
+    println!("{name}: {}", errors.map(|error| format!("{error:.2}")).join(", "));
+    let Some(row) = ROWS.iter().find(|row| row.profile == shape.name && row.format == S::NAME) else {
+        return vec![format!("{name} has no row")];
+    };
+    let may_rise = if NEVER_RISE.contains(&shape.name) { 0.0 } else { 1.0 };
+    let mut broken = Vec::new();
+    for (i, half_degrees) in CONES.into_iter().enumerate() {
+        let cell = format!("{name} at {half_degrees} degrees");
+        broken.extend(bounds::check(&cell, errors[i], row.errors[i]).err());
+        let rise = found[i].map_or(0.0, |seen| seen.rise);
+        if rise > may_rise {
+            broken.push(format!("{cell}: rises by {rise} steps towards the edge"));
+        }
+    }
+    broken
+}
+
+fn assert_kept(broken: Vec<String>) {
+    assert!(broken.is_empty(), "{}", broken.join("\n"));
+}
+
+/// The four that the formats of 32 bits are held to over every versine.
+fn four<S: Countable>() -> Vec<String>
+where
+    Falloff<S, Soft>: Sync,
+    Falloff<S, Hard>: Sync,
+    Falloff<S, Smooth>: Sync,
+    Falloff<S, Cubic>: Sync,
+{
+    [
+        broken::<S, _>(&Shape::plain("soft", Soft, reference::soft)),
+        broken::<S, _>(&Shape::plain("hard", Hard, reference::hard)),
+        broken::<S, _>(&Shape::plain("smooth", Smooth, reference::smooth)),
+        broken::<S, _>(&Shape::plain("cubic", profiles::cubic(), reference::cubic)),
+    ]
+    .concat()
+}
+
+#[test]
+fn f32_keeps_its_rows_over_every_bit_pattern() {
+    assert_kept(four::<f32>());
+}
+
+#[test]
+fn fx32_keeps_its_rows_over_every_versine() {
+    assert_kept(four::<Fx32>());
+}
+
+#[test]
+fn fx16_keeps_its_rows_over_every_versine() {
+    assert_kept(with_every_shape!(broken::<Fx16>).concat());
+}
+
+/// A versine below zero, which rounding may make of a point on the axis, is on the axis.
+#[test]
+fn every_negative_versine_of_f32_is_on_the_axis() {
+    let falloff = Cone::from_outer(Soft, sweep::half(1.0)).and_then(|cone| cone.compile::<f32>());
+    let falloff = falloff.expect("held");
+    let seen = every::input("negative versines", 0x8000_0000..=0xffff_ffff, |bits| {
+        let versine = f32::from_bits(bits as u32);
+        [falloff.at(versine).into(), f64::from(u8::from(!versine.is_nan()))]
+    });
+    assert_eq!(seen.error, 0.0);
+}
+
+/// Every fraction of 31 bits: the ramp from 0 to 1 gives each of them.
+fn fraction_error<P: Profile + Sync>(shape: &Shape<P>) -> f64
+where
+    P::Compiled<Fx32>: Sync,
+{
+    let (ramp, oracle) = (Fx32::ramp(0.0, 1.0, 1.0), shape.oracle);
+    let falloff = Falloff::<Fx32, P>::from_parts(ramp, shape.profile, shape.profile.compile::<Fx32>());
+    let name = format!("{} fx32, every fraction", shape.name);
+    let seen = every::input(&name, 0..=1 << 31, |fraction| {
+        let versine = Fx32::versine_from_bits(((1 << 31) - fraction) << 30);
+        let found = falloff.at(versine).exact();
+        [found, oracle(fraction as f64 * 0.5_f64.powi(31))].map(|f| f * f64::from(1 << 30))
+    });
+    assert_eq!(falloff.at(Fx32::versine_from_bits(0)), Fx32::ONE, "{name}");
+    let may_fall = if NEVER_RISE.contains(&shape.name) { 0.0 } else { 1.0 };
+    assert!(seen.fall <= may_fall, "{name}: falls by {} steps towards the middle", seen.fall);
+    println!("{name}: {:.3}", seen.error);
+    seen.error
+}
+
+#[test]
+fn fx32_keeps_its_roundings_over_every_fraction() {
+    let measured = [
+        ("soft", fraction_error(&Shape::plain("soft", Soft, reference::soft))),
+        ("hard", fraction_error(&Shape::plain("hard", Hard, reference::hard))),
+        ("linear", fraction_error(&Shape::plain("linear", Linear, reference::linear))),
+        ("smooth", fraction_error(&Shape::plain("smooth", Smooth, reference::smooth))),
+        ("blend", fraction_error(&Shape::plain("blend", profiles::blend(), reference::blend))),
+        ("cubic", fraction_error(&Shape::plain("cubic", profiles::cubic(), reference::cubic))),
+        ("power 4", fraction_error(&Shape::plain("power 4", Power::<4>, reference::power_4))),
+        ("power 15", fraction_error(&Shape::plain("power 15", Power::<15>, reference::power_15))),
+        ("rim 4", fraction_error(&Shape::plain("rim 4", Rim::<4>, reference::rim_4))),
+        ("table", fraction_error(&Shape::plain("table", profiles::table(), reference::table))),
+    ];
+    let broken = measured.iter().zip(FRACTIONS).filter_map(|((name, error), (row, bound))| {
+        assert_eq!(*name, row);
+        bounds::check(name, *error, bound).err()
+    });
+    assert_kept(broken.collect());
+}
+
+/// How far a displayed code is from the exact one before it is rounded, in eight bits, in the five of RGB565
+/// and in its six.
+fn display_errors<S: Countable>(domain: u64, linear: impl Fn(u64) -> S + Sync) -> [f64; 3] {
+    const LAST: [f64; 3] = [255.0, 31.0, 63.0];
+    let seen = every::inputs(&format!("{} to codes", S::NAME), 0..=domain, |bits| {
+        let value = linear(bits);
+        let Rgb565(pixel) = Rgb565::from_linear(Rgb::new(value, value, value));
+        assert_eq!(pixel >> 11, pixel & 31, "red and blue of {value:?}");
+        let codes = [encode_srgb(value).into(), pixel & 31, pixel >> 5 & 63];
+        let exact = reference::srgb_code(value.exact()) / 255.0;
+        std::array::from_fn(|i| (f64::from(codes[i]), [exact * LAST[i]]))
+    });
+    for (seen, last) in seen.iter().zip(LAST) {
+        assert_eq!(seen.fall, 0.0, "{}: a brighter value has a darker code of {last}", S::NAME);
+        println!("{} to {last} codes: {:.5}", S::NAME, seen.error);
+    }
+    seen.map(|seen| seen.error)
+}
+
+/// Every number from 0 to 1: the nearest code, up to the gap of 1e-7 between the standard's two
+/// halves.
+fn assert_encodes<S: Countable>(domain: u64, linear: impl Fn(u64) -> S + Sync) {
+    for error in display_errors(domain, linear) {
+        assert!((0.499..=0.500_001).contains(&error), "{error}");
+    }
+}
+
+#[test]
+fn f32_is_encoded_to_the_nearest_code() {
+    assert_encodes(1.0_f32.to_bits().into(), |bits| f32::from_bits(bits as u32));
+}
+
+#[test]
+fn fx32_is_encoded_to_the_nearest_code() {
+    assert_encodes(1 << 30, Fx32::scalar_from_bits);
+}
+
+/// What is no number from 0 to 1 is clipped to it: every bit pattern of f32.
+#[test]
+fn every_other_f32_is_clipped() {
+    let code = |bits: u64| encode_srgb(f32::from_bits(bits as u32)).into();
+    let brighter = every::input("f32 over 1", 0x3f80_0000..=0x7f80_0000, |bits| [code(bits), 255.0]);
+    let negative =
+        every::input("f32 under 0 and not a number", 0x7f80_0001..=0xffff_ffff, |bits| [code(bits), 0.0]);
+    assert_eq!((brighter.error, negative.error), (0.0, 0.0));
+}
+
+/// Every colour of three times eight bits: each channel of a pixel is that of its code alone.
+#[test]
+fn every_color_is_packed_by_its_channels() {
+    let grey: Vec<_> = (0..=255).map(|code| Rgb565::from_codes(Rgb::new(code, code, code))).collect();
+    for color in 0..1_u32 << 24 {
+        let [_, red, green, blue] = color.to_be_bytes();
+        let [r, g, b] = [red, green, blue].map(|code| grey[usize::from(code)].0);
+        let Rgb565(found) = Rgb565::from_codes(Rgb::new(red, green, blue));
+        assert_eq!(found, r & 0xf800 | g & 0x07e0 | b & 0x001f, "{color:#08x}");
+    }
+}

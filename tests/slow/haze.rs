@@ -1,0 +1,232 @@
+//! Air light in haze against the oracle, row by row of `support/haze.rs`, and the laws that it keeps.
+//!
+//! `cargo test --test haze -- --nocapture --test-threads 1` prints the measured rows.
+
+use fastrand::Rng;
+use luminaire::{
+    Attenuation, Faded, HardRange, Haze, HazyBeam, InverseSquare, Polynomial, Power, Profile, SmoothRange,
+    Soft, Spot, SquaredWindow, Unattenuated, ViewRay, Windowed,
+};
+use support::with_every_shape;
+use support::{
+    air_light::Beam,
+    bounds,
+    format::Format,
+    haze::{self, HALF_ANGLES, Row},
+    profiles::Shape,
+    reference::{self, Vector, dot, minus, unit},
+    sweep,
+    views::{distances, exact, exactly, near_beam, place, view},
+};
+
+const DENSITY: f32 = 0.5;
+
+/// A spotlight in haze, and what it stands for.
+struct Pair<P: Profile, A: Attenuation> {
+    kernel: HazyBeam<P, A>,
+    oracle: Beam,
+    across: f64,
+}
+
+fn haze() -> Haze {
+    Haze::new(DENSITY).expect("a sound density")
+}
+
+fn pair<P: Profile, A: Attenuation>(
+    spot: Spot<P, A>,
+    cone: reference::Cone,
+    attenuation: reference::Attenuation,
+    range: f64,
+) -> Pair<P, A> {
+    let spot_in_f64 = reference::Spot {
+        position: exact(spot.position()),
+        axis: unit(exact(spot.axis())),
+        cone,
+        intensity: spot.intensity().into(),
+    };
+    let oracle = Beam {
+        spot: spot_in_f64,
+        attenuation,
+        range,
+        density: DENSITY.into(),
+        lamp_radius: haze().lamp_radius().into(),
+    };
+    let across = oracle.across();
+    Pair { kernel: spot.compile::<f32>().expect("held").in_haze(&haze()), oracle, across }
+}
+
+/// The error of a ray, relative to what is seen there or to what a line across the axis sees that is as
+/// near to the lamp, whichever is more. At the rim of the lamp's body there is none: the light jumps, and
+/// no format can place the jump.
+fn error<P: Profile, A: Attenuation>(
+    pair: &Pair<P, A>,
+    view: &ViewRay,
+    found: f32,
+    transmission: impl Fn(Vector) -> f64,
+) -> f64 {
+    let ray = exactly(view);
+    let (nearest, height) = distances(&pair.oracle, &ray);
+    if (0.9..1.1).contains(&(height / pair.oracle.lamp_radius)) {
+        return 0.0;
+    }
+    let truth = pair.oracle.air_light_through(&ray, transmission);
+    let across = pair.across * nearest * (pair.oracle.attenuation)(nearest);
+    // Where there is no light there is no error either.
+    let error = (f64::from(found) - truth).abs() / truth.max(across);
+    if error.is_nan() { 0.0 } else { error }
+}
+
+/// The largest error over 1,800 rays, the same in every run.
+fn largest<P: Profile, A: Attenuation>(
+    pair: impl Fn(&mut Rng) -> Pair<P, A>,
+    mut error: impl FnMut(&mut Rng, &Pair<P, A>) -> f64,
+) -> f64 {
+    let mut rng = Rng::with_seed(4);
+    let mut worst = 0.0_f64;
+    for _ in 0..60 {
+        let pair = pair(&mut rng);
+        for _ in 0..30 {
+            worst = worst.max(error(&mut rng, &pair));
+        }
+    }
+    worst
+}
+
+fn inverse_square(d: f64) -> f64 {
+    1.0 / (d * d)
+}
+
+fn shaped<P: Profile>(rng: &mut Rng, shape: &Shape<P>, half: f32) -> Pair<P, InverseSquare> {
+    pair(sweep::spot(rng, shape.at(half)), shape.stored_at(half), inverse_square, f64::INFINITY)
+}
+
+/// Prints a measured row and compares it with the table.
+fn broken(table: &[Row], name: &str, measured: &[f64]) -> Vec<String> {
+    println!("{name:16} {}", measured.iter().map(|e| format!("{e:.1e}")).collect::<Vec<_>>().join(", "));
+    let Some(row) = table.iter().find(|row| row.name == name) else {
+        return vec![format!("{name} has no row")];
+    };
+    let checked = measured.iter().zip(row.errors).enumerate();
+    checked.filter_map(|(i, (&e, bound))| bounds::check(&format!("{name} {i}"), e, bound).err()).collect()
+}
+
+fn cones_broken<S: Format, P: Profile>(shape: &Shape<P>) -> Vec<String> {
+    let measured = HALF_ANGLES.map(|half| {
+        largest(
+            |rng| shaped(rng, shape, half),
+            |rng, pair| {
+                let view = view(rng, &pair.oracle);
+                error(pair, &view, pair.kernel.air_light(&view), |_| 1.0)
+            },
+        )
+    });
+    broken(&haze::CONES, shape.name, &measured)
+}
+
+#[test]
+fn every_cone_keeps_its_row() {
+    let mut broken: Vec<_> = with_every_shape!(cones_broken::<f32>).into_iter().flatten().collect();
+    let shape = Shape::plain("power 128", Power::<128>, |t| t.powi(128));
+    broken.extend(cones_broken::<f32, _>(&shape));
+    assert!(broken.is_empty(), "{}", broken.join("\n"));
+}
+
+/// The largest errors of a distance model, along rays that end.
+fn distance_broken<A: Attenuation>(
+    name: &str,
+    attenuation: A,
+    range: f64,
+    oracle: reference::Attenuation,
+) -> Vec<String> {
+    let shape = Shape::plain("soft", Soft, reference::soft);
+    let measured = HALF_ANGLES.map(|half| {
+        largest(
+            |rng| {
+                let spot = sweep::spot(rng, shape.at(half)).with_attenuation(attenuation);
+                pair(spot, shape.stored_at(half), oracle, range)
+            },
+            |rng, pair| {
+                let view = view(rng, &pair.oracle);
+                let view = ViewRay { length: view.length.min(30.0), ..view };
+                error(pair, &view, pair.kernel.air_light(&view), |_| 1.0)
+            },
+        )
+    });
+    broken(&haze::DISTANCES, name, &measured)
+}
+
+#[test]
+fn every_distance_model_keeps_its_row() {
+    const RANGE: f32 = 6.0;
+    let (sound, range, none) = ("a sound model", f64::from(RANGE), f64::INFINITY);
+    let polynomial = Polynomial::new(0.5, 0.25, 0.125).expect(sound);
+    let smooth = SmoothRange::new(RANGE).expect(sound);
+    let windowed = Windowed::new(InverseSquare, Some(RANGE)).expect(sound);
+    let squared = SquaredWindow::new(InverseSquare, Some(RANGE)).expect(sound);
+    let cut = HardRange::new(InverseSquare, Some(RANGE)).expect(sound);
+    let faded = Faded::new(InverseSquare, Some(RANGE)).expect(sound);
+    let broken = [
+        distance_broken("unattenuated", Unattenuated, none, |_| 1.0),
+        distance_broken("polynomial", polynomial, none, |d| reference::polynomial([0.5, 0.25, 0.125], d)),
+        distance_broken("smooth range", smooth, range, |d| reference::smooth_range(RANGE.into(), d)),
+        distance_broken("windowed", windowed, range, |d| reference::windowed(RANGE.into(), d)),
+        distance_broken("squared window", squared, range, |d| reference::squared_window(RANGE.into(), d)),
+        distance_broken("faded", faded, range, |d| reference::squared_window(RANGE.into(), d)),
+        distance_broken("hard range", cut, range, inverse_square),
+    ]
+    .concat();
+    assert!(broken.is_empty(), "{}", broken.join("\n"));
+}
+
+/// Something that lets more and less through, in waves of ten units.
+fn waves([x, y, z]: Vector) -> f64 {
+    0.5 + 0.5 * (0.3 * x + 0.5 * y - 0.2 * z).sin()
+}
+
+#[test]
+fn samples_keep_their_rows() {
+    let shape = Shape::plain("soft", Soft, reference::soft);
+    let mut all = Vec::new();
+    for (name, samples) in [("16 samples", 16), ("64 samples", 64)] {
+        let measured = HALF_ANGLES.map(|half| {
+            largest(
+                |rng| shaped(rng, &shape, half),
+                |rng, pair| {
+                    let view = view(rng, &pair.oracle);
+                    let view = ViewRay { length: view.length.min(20.0), ..view };
+                    let found =
+                        pair.kernel.air_light_through(&view, samples, |point| waves(exact(point)) as f32);
+                    error(pair, &view, found, waves)
+                },
+            )
+        });
+        all.extend(broken(&haze::SAMPLES, name, &measured));
+    }
+    assert!(all.is_empty(), "{}", all.join("\n"));
+}
+
+/// Rays that pass close to the lamp: their own roundings, magnified by how much farther the eye is than
+/// their line, are what there is of an error. Measured in that.
+#[test]
+fn rays_at_the_lamp_keep_their_row() {
+    let shape = Shape::plain("soft", Soft, reference::soft);
+    let measured = HALF_ANGLES.map(|half| {
+        largest(
+            |rng| shaped(rng, &shape, half),
+            |rng, pair| {
+                let eye = sweep::single(near_beam(rng, &pair.oracle.spot, 0.9));
+                let aside = 0.05 * 1e-4_f64.powf(rng.f64());
+                let target = place(pair.oracle.spot.position, sweep::direction(rng), aside);
+                let way = minus(target, exact(eye));
+                // Towards the lamp, and away from it.
+                let way = if rng.bool() { way } else { way.map(|c| -c) };
+                let view = ViewRay::endless(eye, sweep::single(unit(way)));
+                let (_, height) = distances(&pair.oracle, &exactly(&view));
+                let magnified = 1.0 + dot(way, way).sqrt() / height;
+                error(pair, &view, pair.kernel.air_light(&view), |_| 1.0) / magnified
+            },
+        )
+    });
+    let broken = broken(&haze::AT_THE_LAMP, "at the lamp", &measured);
+    assert!(broken.is_empty(), "{}", broken.join("\n"));
+}

@@ -1,0 +1,222 @@
+//! Bits that no light has, where a generated constant would have them: an answer at every point, as for all other input.
+//! Run with overflow checks, as `cargo test` does.
+
+use fastrand::Rng;
+use luminaire::source::{
+    CompiledBlend, CompiledCubic, FloatRamp, Gain16, Gain32, I18F14, I34F30, Ramp16, Ramp32, U18F14, U34F30,
+};
+use luminaire::{
+    Angle, Attenuation, Blend, BlinnPhong, CompiledDirectional, CompiledExposure, CompiledMaterial,
+    CompiledPoint, CompiledSpot, Cone, Cubic, Falloff, Fx16, Fx32, Hard, HardRange, InverseSquare, Light,
+    Lyon, Matte, Phong, Polynomial, Power, Profile, Rgb, SmoothRange, Soft, Specular, SquaredWindow, Surface,
+    Unattenuated, Windowed, keep_hue,
+};
+use support::arbitrary::{bits, vector};
+use support::format::Format;
+use support::sweep;
+
+/// A format whose constants are made of any bits.
+trait Raw: Format {
+    fn any_ramp(rng: &mut Rng) -> Self::Ramp;
+    fn any_gain(rng: &mut Rng) -> Self::Gain;
+    fn any_weight(rng: &mut Rng) -> Self::Weight;
+    fn any_light(rng: &mut Rng) -> Self::Irradiance;
+}
+
+macro_rules! raw {
+    ($format:ty, $ramp:ident, $gain:expr, $weight:expr, $light:expr) => {
+        impl Raw for $format {
+            fn any_ramp(rng: &mut Rng) -> Self::Ramp {
+                $ramp::from_bits(std::array::from_fn(|_| number(rng) as _))
+            }
+
+            fn any_gain(rng: &mut Rng) -> Self::Gain {
+                $gain([number(rng) as _, number(rng) as _])
+            }
+
+            fn any_weight(rng: &mut Rng) -> Self::Weight {
+                $weight(bits(rng) as _)
+            }
+
+            fn any_light(rng: &mut Rng) -> Self::Irradiance {
+                $light(bits(rng) as _)
+            }
+        }
+    };
+}
+
+raw!(
+    f32,
+    FloatRamp,
+    |[bits, _]: [u32; 2]| f32::from_bits(bits),
+    |bits: u32| f32::from_bits(bits),
+    |bits: u32| { f32::from_bits(bits) }
+);
+raw!(Fx32, Ramp32, Gain32::from_bits, I34F30::from_bits, U34F30::from_bits);
+raw!(Fx16, Ramp16, Gain16::from_bits, I18F14::from_bits, U18F14::from_bits);
+
+/// Any bits, and as often a small number: shifts are small, and so are some versines.
+fn number(rng: &mut Rng) -> u64 {
+    if rng.bool() { bits(rng) } else { rng.u64(..80) }
+}
+
+fn color<S: Raw>(rng: &mut Rng) -> Rgb<S> {
+    Rgb::default().map(|_: ()| S::scalar_from_bits(bits(rng)))
+}
+
+fn assert_lights<S: Raw, L: Light<S>>(rng: &mut Rng, light: L) {
+    for _ in 0..20 {
+        let surface = Surface {
+            point: vector(rng, S::length_from_bits),
+            normal: vector(rng, S::scalar_from_bits),
+            view: vector(rng, S::unit_from_bits),
+        };
+        assert_shades::<S, L, Matte>(rng, &surface, &light, ());
+        let lobe = (S::any_ramp(rng), number(rng) as u32);
+        assert_shades::<S, L, Phong>(rng, &surface, &light, lobe);
+        assert_shades::<S, L, BlinnPhong>(rng, &surface, &light, lobe);
+        assert_shades::<S, L, Lyon<Phong, 3>>(rng, &surface, &light, lobe.0);
+    }
+}
+
+/// The end of every way is a code of the display, whatever came before.
+fn assert_shades<S: Raw, L: Light<S>, H: Specular>(
+    rng: &mut Rng,
+    surface: &Surface<S>,
+    light: &L,
+    highlight: H::Constants<S>,
+) {
+    let emissive = Rgb::default().map(|_: ()| S::any_light(rng));
+    let material =
+        CompiledMaterial::<S, H>::from_parts(color(rng), color(rng), emissive, color(rng), highlight);
+    let ambient = Rgb::default().map(|_: ()| S::any_light(rng));
+    let sum = material.glow(ambient).plus::<S>(material.reflect(surface, light));
+    let exposed = CompiledExposure::<S>::from_parts(S::any_gain(rng)).expose(sum);
+    for channel in [keep_hue::<S>(exposed).red, S::clip(exposed.green)] {
+        assert!((0.0..=1.0).contains(&channel.exact()), "{material:?} {light:?} {surface:?}: {channel:?}");
+    }
+}
+
+fn assert_falls<S: Raw, P: Profile + PartialEq>(rng: &mut Rng, profile: P, curve: P::Compiled<S>) {
+    let falloff = Falloff::<S, P>::from_parts(S::any_ramp(rng), profile, curve);
+    for _ in 0..50 {
+        let intensity = falloff.at(S::versine_from_bits(number(rng))).exact();
+        assert!((0.0..=1.0).contains(&intensity), "{falloff:?}: {intensity}");
+    }
+    assert_spot::<S, P, InverseSquare>(rng, falloff, ());
+}
+
+fn assert_spot<S: Raw, P: Profile, A: Attenuation>(
+    rng: &mut Rng,
+    falloff: Falloff<S, P>,
+    distance: A::Constants<S>,
+) {
+    let (position, axis) = (vector(rng, S::length_from_bits), vector(rng, S::unit_from_bits));
+    let colors = [color(rng), color(rng)];
+    let outside = S::scalar_from_bits(bits(rng));
+    let spot = CompiledSpot::<S, P, A>::from_parts(
+        position,
+        axis,
+        falloff,
+        outside,
+        distance,
+        S::any_gain(rng),
+        rng.u32(..40),
+        colors,
+    );
+    assert_lights(rng, spot);
+}
+
+fn assert_distances<S: Raw>(rng: &mut Rng) {
+    let falloff = Falloff::from_parts(S::any_ramp(rng), Soft, Soft);
+    assert_distance::<S, Unattenuated>(rng, falloff, ());
+    let [a, b, c] = [S::any_gain(rng), S::any_gain(rng), S::any_gain(rng)];
+    assert_distance::<S, Polynomial>(rng, falloff, [a, b, c]);
+    assert_distance::<S, SmoothRange>(rng, falloff, [a, b]);
+    assert_distance::<S, Windowed>(rng, falloff, (a, ()));
+    assert_distance::<S, SquaredWindow>(rng, falloff, (b, ()));
+    assert_distance::<S, HardRange<SmoothRange>>(rng, falloff, (c, [a, b]));
+}
+
+fn assert_distance<S: Raw, A: Attenuation>(
+    rng: &mut Rng,
+    falloff: Falloff<S, Soft>,
+    distance: A::Constants<S>,
+) {
+    assert_spot::<S, Soft, A>(rng, falloff, distance);
+    let colors = [color(rng), color(rng)];
+    let (position, intensity) = (vector(rng, S::length_from_bits), S::any_gain(rng));
+    let point = CompiledPoint::<S, A>::from_parts(position, distance, intensity, rng.u32(..40), colors);
+    assert_lights(rng, point);
+    let direction = vector(rng, S::unit_from_bits);
+    assert_lights(rng, CompiledDirectional::<S>::from_parts(direction, intensity, colors));
+}
+
+fn assert_any_bits_make_a_light<S: Raw>() {
+    let mut rng = Rng::with_seed(0xb175);
+    for _ in 0..300 * sweep::effort() {
+        let rng = &mut rng;
+        let blend = CompiledBlend::from_parts(S::any_weight(rng));
+        let cubic = CompiledCubic::from_parts(S::any_weight(rng), S::any_weight(rng));
+        assert_falls::<S, _>(rng, Soft, Soft);
+        assert_falls::<S, _>(rng, Hard, Hard);
+        assert_falls::<S, _>(rng, Power::<15>, Power::<15>);
+        let raw = Blend::from_bits(bits(rng) as u32);
+        assert_falls::<S, _>(rng, raw, blend);
+        let raw = Cubic::from_bits([bits(rng) as u32, bits(rng) as u32]);
+        assert_falls::<S, _>(rng, raw, cubic);
+        assert_distances::<S>(rng);
+    }
+}
+
+#[test]
+fn any_bits_make_a_light_in_f32() {
+    assert_any_bits_make_a_light::<f32>();
+}
+
+#[test]
+fn any_bits_make_a_light_in_fx32() {
+    assert_any_bits_make_a_light::<Fx32>();
+}
+
+#[test]
+fn any_bits_make_a_light_in_fx16() {
+    assert_any_bits_make_a_light::<Fx16>();
+}
+
+/// Any bits, and as often NaN of any payload.
+fn float_bits(rng: &mut Rng) -> u32 {
+    let bits = rng.u32(..);
+    if rng.bool() { bits | 0x7f80_0001 } else { bits }
+}
+
+/// The figures of a profile, and of cones that are made with it.
+fn assert_figures<P: Profile + PartialEq>(rng: &mut Rng, profile: P) {
+    for figure in [profile.beam_versine(), profile.field_versine(), profile.integral(rng.f32())] {
+        assert!((0.0..=1.0).contains(&figure), "{profile:?}: {figure}");
+    }
+    for hotspot in [0.0, 0.99 * rng.f32()] {
+        let steepness = profile.steepness(hotspot);
+        assert!(steepness >= 0.0 && steepness.is_finite(), "{profile:?} {hotspot}: {steepness}");
+    }
+    let cone = Cone::from_outer(profile, Angle::degrees(1.0 + 179.0 * rng.f32())).expect("a sound angle");
+    for flux in [cone.lumens(1000.0), cone.candela(1000.0)] {
+        assert!(flux > 0.0 && flux.is_finite(), "{cone:?}: {flux}");
+    }
+    assert!(Cone::narrowest::<Fx16>(profile).to_degrees().is_finite(), "{profile:?}");
+}
+
+#[test]
+fn any_bits_make_a_profile_with_figures() {
+    let mut rng = Rng::with_seed(0x0b17_5eed);
+    for _ in 0..3000 * sweep::effort() {
+        let blend = Blend::from_bits(float_bits(&mut rng));
+        assert!((0.0..=2.0).contains(&blend.edge_slope()), "{blend:?}");
+        assert_figures(&mut rng, blend);
+        let cubic = Cubic::from_bits([float_bits(&mut rng), float_bits(&mut rng)]);
+        for slope in [cubic.edge_slope(), cubic.middle_slope()] {
+            assert!((0.0..=4.0).contains(&slope), "{cubic:?}");
+        }
+        assert_figures(&mut rng, cubic);
+    }
+}

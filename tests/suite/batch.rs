@@ -1,0 +1,284 @@
+//! Many points in one call have the bits that they have one by one.
+
+use fastrand::Rng;
+use luminaire::{
+    Attenuation, CompiledPoint, CompiledSpot, Fx16, Fx32, HardRange, InverseSquare, Point, Polynomial,
+    Profile, Rgb, Scalar, SmoothRange, Soft, SquaredWindow, Unattenuated, Vec3, Windowed,
+};
+use support::with_every_shape;
+use support::{
+    arbitrary::{bits, vector},
+    format::Format,
+    profiles::Shape,
+    reference, sweep,
+};
+
+/// Every remainder of the vectors of any machine, and of a block in the kernel, with whole blocks before it and without.
+const LENGTHS: std::ops::RangeInclusive<usize> = 0..=67;
+const LONG: usize = 3 * 64 + 5;
+
+/// Surface points, structure of arrays.
+struct Sites<S: Scalar> {
+    points: Vec3<Vec<S::Length>>,
+    normals: Vec3<Vec<S>>,
+}
+
+fn column<T: Copy, U>(rows: &[Vec3<T>], component: impl Fn(Vec3<T>) -> U) -> Vec<U> {
+    rows.iter().map(|&row| component(row)).collect()
+}
+
+fn columns<T: Copy>(rows: &[Vec3<T>]) -> Vec3<Vec<T>> {
+    Vec3::new(column(rows, |v| v.x), column(rows, |v| v.y), column(rows, |v| v.z))
+}
+
+fn slices<T>(columns: &Vec3<Vec<T>>, length: usize) -> Vec3<&[T]> {
+    Vec3::new(&columns.x[..length], &columns.y[..length], &columns.z[..length])
+}
+
+fn row<T: Copy>(columns: &Vec3<Vec<T>>, i: usize) -> Vec3<T> {
+    Vec3::new(columns.x[i], columns.y[i], columns.z[i])
+}
+
+impl<S: Format> Sites<S> {
+    /// Points about a cone, points at and next to the lamp, and points and normals of any bits at all, mixed so that
+    /// neighbours differ in kind.
+    fn about(rng: &mut Rng, lamp: Vec3<f32>, axis: Vec3<f32>, half_degrees: f32, count: usize) -> Self {
+        let stored = S::exact_point(lamp.map(S::length));
+        let axis = reference::unit(S::exact_direction(S::axis(axis)));
+        let (mut points, mut normals) = (Vec::new(), Vec::new());
+        for _ in 0..count {
+            let distance = sweep::distance(rng);
+            let mut site = sweep::site::<S>(rng, stored, axis, half_degrees.into(), distance);
+            match rng.u8(..8) {
+                0 => site.point = vector(rng, S::length_from_bits),
+                1 => site.normal = vector(rng, S::scalar_from_bits),
+                2 => site.point = lamp.map(S::length),
+                3 => site.point = lamp.map(|c| S::length(c + 1e-19 * (rng.f32() - 0.5))),
+                _ => {}
+            }
+            points.push(site.point);
+            normals.push(site.normal);
+        }
+        Self { points: columns(&points), normals: columns(&normals) }
+    }
+}
+
+/// All bits of a light: not a number, and the sign of zero, included.
+fn light_bits<S: Format>(light: S::Irradiance) -> u64 {
+    S::exact_light(light).to_bits()
+}
+
+/// Lights that are there before, different for each point.
+fn before<S: Format>(rng: &mut Rng, count: usize) -> Vec<S::Irradiance> {
+    (0..count).map(|_| S::from_f32(rng.f32()).expose(S::gain(4.0))).collect()
+}
+
+/// A lamp of either kind, one point at a time and many at once.
+trait Lamp<S: Scalar> {
+    fn one(&self, point: Vec3<S::Length>, normal: Vec3<S>) -> S::Irradiance;
+    fn each(&self, points: Vec3<&[S::Length]>, normals: Vec3<&[S]>, lights: &mut [S::Irradiance]);
+    fn add(&self, points: Vec3<&[S::Length]>, normals: Vec3<&[S]>, sums: Rgb<&mut [S::Irradiance]>);
+    fn tint(&self) -> Rgb<S>;
+}
+
+macro_rules! lamp {
+    () => {
+        fn one(&self, point: Vec3<S::Length>, normal: Vec3<S>) -> S::Irradiance {
+            self.irradiance(point, normal)
+        }
+
+        fn each(&self, points: Vec3<&[S::Length]>, normals: Vec3<&[S]>, lights: &mut [S::Irradiance]) {
+            self.irradiance_each(points, normals, lights);
+        }
+
+        fn add(&self, points: Vec3<&[S::Length]>, normals: Vec3<&[S]>, sums: Rgb<&mut [S::Irradiance]>) {
+            self.add_each(points, normals, sums);
+        }
+
+        fn tint(&self) -> Rgb<S> {
+            luminaire::Light::color(self)
+        }
+    };
+}
+
+impl<S: Scalar, P: Profile, A: Attenuation> Lamp<S> for CompiledSpot<S, P, A> {
+    lamp!();
+}
+
+impl<S: Scalar, A: Attenuation> Lamp<S> for CompiledPoint<S, A> {
+    lamp!();
+}
+
+/// Returns how many of the points were lit.
+fn assert_batch<S: Format>(lamp: &impl Lamp<S>, sites: &Sites<S>, length: usize, rng: &mut Rng) -> usize {
+    let (points, normals) = (slices(&sites.points, length), slices(&sites.normals, length));
+    let stale = before::<S>(rng, length);
+    let mut lights = stale.clone();
+    lamp.each(points, normals, &mut lights);
+    let mut sums = Rgb::new((), (), ()).map(|()| stale.clone());
+    lamp.add(points, normals, Rgb::new(&mut sums.red, &mut sums.green, &mut sums.blue));
+    let mut lit = 0;
+    for i in 0..length {
+        let (point, normal) = (row(&sites.points, i), row(&sites.normals, i));
+        let light = lamp.one(point, normal);
+        assert_eq!(
+            light_bits::<S>(lights[i]),
+            light_bits::<S>(light),
+            "{i} of {length}: {point:?} {normal:?}"
+        );
+        let sum = Rgb::new(stale[i], stale[i], stale[i]).plus::<S>(Rgb::lit(light, lamp.tint()));
+        let found = Rgb::new(sums.red[i], sums.green[i], sums.blue[i]);
+        assert_eq!(
+            found.map(light_bits::<S>),
+            sum.map(light_bits::<S>),
+            "{i} of {length}: {point:?} {normal:?}"
+        );
+        lit += usize::from(light != S::Irradiance::default());
+    }
+    lit
+}
+
+fn assert_spot<S: Format, P: Profile>(shape: &Shape<P>) {
+    let mut rng = Rng::with_seed(4096);
+    let (mut lit, mut all) = (0, 0);
+    for half_degrees in [4.0, 20.0, 60.0, 90.0] {
+        let spot = sweep::spot(&mut rng, shape.at(half_degrees))
+            .with_intensity(100.0)
+            .and_then(|spot| spot.with_color(Rgb::new(1.0, 0.7, 0.2)))
+            .expect("a sound light");
+        let compiled = spot.compile::<S>().expect("held");
+        for length in LENGTHS.chain([LONG; 20]) {
+            let sites = Sites::about(&mut rng, spot.position(), spot.axis(), half_degrees, length);
+            lit += assert_batch(&compiled, &sites, length, &mut rng);
+            all += length;
+        }
+    }
+    assert!(lit > all / 20 && lit < all / 2, "{}: {lit} of {all} points are lit", shape.name);
+}
+
+#[test]
+fn spots_light_a_batch_as_they_light_a_point_in_f32() {
+    with_every_shape!(assert_spot::<f32>);
+}
+
+#[test]
+fn spots_light_a_batch_as_they_light_a_point_in_fx32() {
+    with_every_shape!(assert_spot::<Fx32>);
+}
+
+#[test]
+fn spots_light_a_batch_as_they_light_a_point_in_fx16() {
+    with_every_shape!(assert_spot::<Fx16>);
+}
+
+/// Point lights and spots of one distance model.
+fn assert_model<S: Format, A: Attenuation>(model: A) {
+    let mut rng = Rng::with_seed(17);
+    let cone = luminaire::Cone::from_outer(Soft, sweep::half(40.0)).expect("a sound cone");
+    for length in LENGTHS.chain([LONG; 20]) {
+        let spot = sweep::spot(&mut rng, cone).with_intensity(100.0).expect("a sound light");
+        let sites = Sites::about(&mut rng, spot.position(), spot.axis(), 40.0, length);
+        let point =
+            Point::new(spot.position()).and_then(|point| point.with_intensity(100.0)).expect("a sound light");
+        assert_batch(&spot.with_attenuation(model).compile::<S>().expect("held"), &sites, length, &mut rng);
+        assert_batch(&point.with_attenuation(model).compile::<S>().expect("held"), &sites, length, &mut rng);
+    }
+}
+
+#[test]
+fn every_distance_model_lights_a_batch_as_it_lights_a_point() {
+    fn assert_models<S: Format>() {
+        assert_model::<S, _>(Unattenuated);
+        assert_model::<S, _>(InverseSquare);
+        assert_model::<S, _>(Polynomial::new(1.0, 0.1, 0.01).expect("sound"));
+        assert_model::<S, _>(SmoothRange::new(20.0).expect("sound"));
+        assert_model::<S, _>(Windowed::new(InverseSquare, Some(20.0)).expect("sound"));
+        assert_model::<S, _>(SquaredWindow::new(InverseSquare, Some(20.0)).expect("sound"));
+        assert_model::<S, _>(HardRange::new(InverseSquare, Some(20.0)).expect("sound"));
+    }
+    assert_models::<f32>();
+    assert_models::<Fx32>();
+    assert_models::<Fx16>();
+}
+
+/// Slices as long as the test says: the shortest of them counts, wherever it stands.
+#[test]
+fn the_shortest_slice_counts() {
+    fn assert_shortest<S: Format>() {
+        let mut rng = Rng::with_seed(8);
+        let spot = sweep::spot(&mut rng, shape_cone()).with_intensity(100.0).expect("a sound light");
+        let compiled = spot.compile::<S>().expect("held");
+        let sites = Sites::<S>::about(&mut rng, spot.position(), spot.axis(), 40.0, LONG);
+        let stale = before::<S>(&mut rng, LONG);
+        for short in [0, 1, 63, 64, 65, 128, LONG - 1] {
+            for which in 0..9 {
+                let length = |index: usize| if index == which { short } else { LONG };
+                let points = Vec3::new(
+                    &sites.points.x[..length(0)],
+                    &sites.points.y[..length(1)],
+                    &sites.points.z[..length(2)],
+                );
+                let normals = Vec3::new(
+                    &sites.normals.x[..length(3)],
+                    &sites.normals.y[..length(4)],
+                    &sites.normals.z[..length(5)],
+                );
+                let mut lights = stale.clone();
+                compiled.irradiance_each(points, normals, &mut lights[..length(6)]);
+                let mut sums = Rgb::new((), (), ()).map(|()| stale.clone());
+                let Rgb { red, green, blue } = &mut sums;
+                let channels =
+                    Rgb::new(&mut red[..length(6)], &mut green[..length(7)], &mut blue[..length(8)]);
+                compiled.add_each(points, normals, channels);
+                for i in 0..LONG {
+                    let light = compiled.irradiance(row(&sites.points, i), row(&sites.normals, i));
+                    // Of a single channel only the first may be the short one.
+                    let expected = if i < short || which > 6 { light } else { stale[i] };
+                    assert_eq!(lights[i], expected, "{i} of {short}, slice {which}");
+                    let sum = S::add_light(stale[i], S::filter(light, compiled.color().green));
+                    assert_eq!(
+                        sums.green[i],
+                        if i < short { sum } else { stale[i] },
+                        "{i} of {short}, {which}"
+                    );
+                }
+            }
+        }
+    }
+    assert_shortest::<f32>();
+    assert_shortest::<Fx32>();
+    assert_shortest::<Fx16>();
+}
+
+fn shape_cone() -> luminaire::Cone<Soft> {
+    luminaire::Cone::from_outer(Soft, sweep::half(40.0)).expect("a sound cone")
+}
+
+fn assert_falloff<S: Format, P: Profile>(shape: &Shape<P>) {
+    let mut rng = Rng::with_seed(2);
+    let cone = shape.at(30.0);
+    let falloff = cone.compile::<S>().expect("held");
+    let designed = sweep::versines(cone.outer_versine().into(), 50).map(|versine| falloff.versine(versine));
+    let mut versines: Vec<_> = designed.collect();
+    versines.extend((0..50).map(|_| S::versine_from_bits(bits(&mut rng))));
+    versines.push(falloff.versine(f32::NAN));
+    rng.shuffle(&mut versines);
+    for length in (0..=versines.len()).rev() {
+        let mut intensities = vec![S::from_f32(0.25); versines.len()];
+        falloff.at_each(&versines[..length], &mut intensities);
+        for (i, (&intensity, &versine)) in intensities.iter().zip(&versines).enumerate() {
+            let expected = if i < length { falloff.at(versine) } else { S::from_f32(0.25) };
+            assert_eq!(intensity.exact().to_bits(), expected.exact().to_bits(), "{} {versine:?}", shape.name);
+        }
+        let mut fewer = vec![S::ZERO; length];
+        falloff.at_each(&versines, &mut fewer);
+        assert_eq!(fewer, intensities[..length]);
+    }
+}
+
+#[test]
+fn a_falloff_of_many_versines_is_that_of_each() {
+    with_every_shape!(assert_falloff::<f32>);
+    with_every_shape!(assert_falloff::<Fx32>);
+    with_every_shape!(assert_falloff::<Fx16>);
+}

@@ -1,0 +1,243 @@
+//! What a cone says of itself: its angles with a hotspot and a delimiter, its flux, and the angles of other systems.
+
+use luminaire::{
+    Accepted, Angle, Blend, Cone, Cubic, CutOff, Error, Fx16, Fx32, HalfAngle, Hard, Knot, Linear, Parameter,
+    Power, Profile, Scalar, Smooth, Soft, Table,
+};
+use support::with_every_shape;
+use support::{
+    format::Format,
+    profiles::Shape,
+    reference::{self, half_degrees},
+};
+
+fn assert_near(what: &str, found: f32, expected: f64, within: f64) {
+    assert!((f64::from(found) / expected - 1.0).abs() < within, "{what} is {found}, not {expected}");
+}
+
+/// Beam and field are the last angles with at least a half and a tenth of the intensity, whatever the cone has.
+fn assert_angles<S: Format, P: Profile>(shape: &Shape<P>) {
+    for degrees in [0.1, 3.0, 20.0, 70.0, 90.0] {
+        let (cone, exact) = (shape.at(degrees), shape.exactly_at(degrees));
+        for (angle, intensity) in [(cone.beam(), 0.5), (cone.field(), 0.1)] {
+            let (mut light, mut dark) = (0.0, exact.limit);
+            for _ in 0..60 {
+                let middle = (light + dark) / 2.0;
+                if exact.falloff(middle) >= intensity { light = middle } else { dark = middle }
+            }
+            let what = format!("{} of {degrees} at {intensity}", shape.name);
+            assert_near(&what, angle.to_degrees(), 2.0 * half_degrees(light), 1e-5);
+        }
+        assert_near(shape.name, cone.outer().to_degrees(), 2.0 * half_degrees(exact.limit), 1e-5);
+        assert!(cone.inner() <= cone.beam() && cone.beam() <= cone.field() && cone.field() <= cone.outer());
+    }
+}
+
+#[test]
+fn angles_are_where_the_intensity_says() {
+    with_every_shape!(assert_angles::<f32>);
+}
+
+/// Flux is 2 pi times the integral of the intensity over the versine: by the midpoint rule, in f64.
+fn assert_flux<S: Format, P: Profile>(shape: &Shape<P>) {
+    for degrees in [0.1, 20.0, 90.0] {
+        let (cone, exact) = (shape.at(degrees), shape.exactly_at(degrees));
+        let steps = 200_000;
+        let width = exact.limit / f64::from(steps);
+        let sum: f64 = (0..steps).map(|i| exact.falloff((f64::from(i) + 0.5) * width)).sum();
+        let lumens = 1_000.0 * std::f64::consts::TAU * sum * width;
+        assert_near(shape.name, cone.lumens(1_000.0), lumens, 2e-5);
+        assert_near(shape.name, cone.candela(cone.lumens(1_000.0)), 1_000.0, 1e-6);
+    }
+}
+
+#[test]
+fn flux_is_the_integral_of_the_intensity() {
+    with_every_shape!(assert_flux::<f32>);
+}
+
+/// The shares of the paper's profiles: a third and two thirds of a full cone.
+#[test]
+fn soft_has_a_third_of_the_flux_and_hard_two() {
+    let full = Cone::from_outer(CutOff, Angle::degrees(30.0)).expect("sound").lumens(1.0);
+    let soft = Cone::from_outer(Soft, Angle::degrees(30.0)).expect("sound").lumens(1.0);
+    let hard = Cone::from_outer(Hard, Angle::degrees(30.0)).expect("sound").lumens(1.0);
+    assert_near("soft", soft / full, 1.0 / 3.0, 1e-6);
+    assert_near("hard", hard / full, 2.0 / 3.0, 1e-6);
+}
+
+/// The delimiter takes what is beyond it and leaves the rest as it was, bit for bit; tighter than the beam, it is all
+/// three angles.
+#[test]
+fn a_delimiter_changes_nothing_within() {
+    let cone = Cone::from_field(Soft, Angle::degrees(30.0)).expect("sound");
+    let cut = cone.with_delimiter(Angle::degrees(12.0)).expect("tighter");
+    assert_delimited::<f32>(&cone, &cut);
+    assert_delimited::<Fx32>(&cone, &cut);
+    assert_delimited::<Fx16>(&cone, &cut);
+    assert_eq!((cut.beam(), cut.field()), (cut.outer(), cut.outer()));
+    assert_near("outer", cut.outer().to_degrees(), 12.0, 1e-6);
+}
+
+/// The same within a delimiter of 12 degrees, each versine in the scale of its own cone, and nothing beyond.
+fn assert_delimited<S: Format>(open: &Cone<Soft>, cut: &Cone<Soft>) {
+    let (open, cut) = (open.compile::<S>().expect("held"), cut.compile::<S>().expect("held"));
+    for millidegrees in 0..20_000_u16 {
+        let half = f32::from(millidegrees) / 1e3;
+        let versine = Angle::from(HalfAngle::degrees(half)).versine();
+        let expected = if half < 6.0 { open.at(open.versine(versine)) } else { S::ZERO };
+        assert_eq!(cut.at(cut.versine(versine)), expected, "{} {half}", S::NAME);
+    }
+}
+
+/// Inner and outer angle in one make a step in every profile and format.
+#[test]
+fn inner_at_outer_is_a_step() {
+    fn assert_step<S: Format, P: Profile>(profile: P) {
+        let angle = Angle::degrees(40.0);
+        let cone = Cone::from_outer(profile, angle).and_then(|cone| cone.with_inner(angle)).expect("sound");
+        let falloff = cone.compile::<S>().expect("held");
+        let outer = cone.outer_versine();
+        assert_eq!(falloff.at(falloff.versine(outer.next_down())), S::ONE, "{profile:?}");
+        assert_eq!(falloff.at(falloff.versine(outer)), S::ZERO, "{profile:?}");
+        assert_eq!((cone.inner(), cone.beam(), cone.field()), (cone.outer(), cone.outer(), cone.outer()));
+    }
+    assert_step::<f32, _>(Soft);
+    assert_step::<Fx32, _>(Smooth);
+    assert_step::<Fx16, _>(Hard);
+    assert_step::<Fx16, _>(Power::<8>);
+}
+
+fn assert_refused<T: core::fmt::Debug>(result: Result<T, Error>, parameter: Parameter, remedy: &str) {
+    let error = result.expect_err(remedy);
+    assert_eq!(error.parameter, parameter, "{error}");
+    assert!(error.to_string().contains(remedy), "{error}");
+}
+
+#[test]
+fn hotspots_and_delimiters_out_of_range_are_refused() {
+    let cone = Cone::from_outer(Soft, Angle::degrees(30.0)).expect("sound");
+    for inner in [-1.0, 30.1, 400.0, f32::NAN] {
+        let refused = cone.with_inner(Angle::degrees(inner));
+        assert_refused(refused, Parameter::InnerAngle, "give from 0 to ");
+    }
+    for delimiter in [0.0, -1.0, 30.1, 400.0, f32::NAN] {
+        let refused = cone.with_delimiter(Angle::degrees(delimiter));
+        assert_refused(refused, Parameter::DelimiterAngle, "give more than 0 and at most ");
+    }
+    for cutoff in [0.0, 91.0, f32::NAN] {
+        let refused = Cone::<Power<8>>::opengl(HalfAngle::degrees(cutoff));
+        assert_refused(refused, Parameter::DelimiterAngle, "at most 180 degrees");
+    }
+}
+
+/// A hotspot that makes the edge too steep for a format is refused with the largest one that is not.
+#[test]
+fn a_hotspot_too_steep_for_its_format_is_refused() {
+    let cone = Cone::from_outer(Linear, Angle::degrees(30.0)).expect("sound");
+    let steep = cone.with_inner(Angle::degrees(29.9)).expect("sound");
+    let error = steep.compile::<Fx16>().expect_err("too steep for 16 bits");
+    assert_eq!(error.parameter, Parameter::InnerAngle);
+    let Accepted::AngleBetween(_, most) = error.accepted else { panic!("{error}") };
+    let with = |inner: f32| cone.with_inner(Angle::degrees(inner)).expect("sound").compile::<Fx16>();
+    assert!(with(most * 0.999_99).is_ok() && with(most * 1.000_1).is_err(), "{most}");
+    assert!(steep.compile::<Fx32>().is_ok());
+    let needle = cone.with_delimiter(Angle::degrees(0.1)).expect("sound");
+    assert_refused(needle.compile::<Fx16>().map(drop), Parameter::DelimiterAngle, "give at least ");
+}
+
+#[test]
+fn coefficients_out_of_range_are_refused() {
+    for slope in [-0.1, 2.1, f32::NAN] {
+        assert_refused(Blend::new(slope), Parameter::EdgeSlope, "from 0 to 2");
+    }
+    for slope in [-0.1, 4.1, f32::NAN] {
+        assert_refused(Cubic::with_slopes(slope, 1.0), Parameter::EdgeSlope, "from 0 to 4");
+    }
+    // The ellipse of Fritsch and Carlson, at an edge slope of 1 and of 3.5.
+    assert_refused(Cubic::with_slopes(1.0, 4.01), Parameter::MiddleSlope, "from 0 to 4");
+    assert_refused(Cubic::with_slopes(3.5, 0.05), Parameter::MiddleSlope, "from 0.104");
+    assert_refused(Cubic::new(1.0, 0.5, 0.5), Parameter::CoefficientSum, "give exactly 1");
+    // A sum within 2^-20 of one is taken for it, and no other.
+    for step in [-2.0_f32, 2.0] {
+        let beside = step / 1_048_576.0;
+        assert_refused(Cubic::new(1.0, 0.0, beside), Parameter::CoefficientSum, "give exactly 1");
+        assert!(Cubic::new(1.0, 0.0, beside / 2.0).is_ok());
+    }
+    assert_refused(Cubic::new(f32::NAN, 0.5, 0.5), Parameter::CoefficientSum, "give exactly 1");
+    assert_refused(Cubic::new(-0.5, 3.0, -1.5), Parameter::EdgeSlope, "from 0 to 4");
+    assert_eq!(Cubic::new(0.7, 0.2, 0.1).expect("monotone").coefficients().iter().sum::<f32>(), 1.0);
+    let smooth = Cubic::new(0.0, 3.0, -2.0).expect("monotone");
+    assert_eq!(smooth.coefficients(), [0.0, 3.0, -2.0]);
+}
+
+#[test]
+fn tables_out_of_range_are_refused() {
+    assert_refused(Table::new(&[]), Parameter::SampleCount, "from 2 to 65536");
+    assert_refused(Table::new(&[1]), Parameter::SampleCount, "from 2 to 65536");
+    let count = |samples| Table::new(samples).map(|table| table.samples().len());
+    assert_refused(count(&[1; 65_537]), Parameter::SampleCount, "from 2 to 65536");
+    assert_eq!(count(&[1; 65_536]), Ok(65_536));
+    let mut samples = [Knot::default(); 8];
+    let outer = Angle::degrees(80.0);
+    assert_refused(
+        Table::from_angles(&[1.0, 0.0], outer, &mut []),
+        Parameter::SampleCount,
+        "from 1 to 65536",
+    );
+    assert_refused(Table::from_angles(&[1.0], outer, &mut samples), Parameter::SampleCount, "from 2");
+    assert_refused(Table::from_angles(&[1.0, 1.1], outer, &mut samples), Parameter::Sample, "from 0 to 1");
+    assert_refused(
+        Table::from_angles(&[1.0, f32::NAN], outer, &mut samples),
+        Parameter::Sample,
+        "from 0 to 1",
+    );
+    let wide = Table::from_angles(&[1.0, 0.0], Angle::degrees(181.0), &mut samples);
+    assert_refused(wide, Parameter::OuterAngle, "at most 180");
+}
+
+/// Data given every ten degrees come back at every ten degrees, and what is between lies between.
+#[test]
+fn a_table_of_angles_gives_its_values_back() {
+    let measured = [1.0, 0.97, 0.88, 0.71, 0.46, 0.22, 0.08, 0.02, 0.0, 0.0];
+    let mut samples = [Knot::default(); 256];
+    let outer = Angle::degrees(180.0);
+    let (table, _) = Table::from_angles(&measured, outer, &mut samples).expect("sound data");
+    let falloff = Cone::from_outer(table, outer).expect("sound").compile::<Fx16>().expect("held");
+    for (i, &expected) in measured.iter().enumerate() {
+        let half = HalfAngle::degrees(10.0 * i as f32);
+        let found = falloff.at(falloff.versine(Angle::from(half).versine())).to_f32();
+        assert!((found - expected).abs() < 2e-3, "{found} at {half:?}");
+    }
+}
+
+/// A table may end above zero; the edge is dark all the same.
+#[test]
+fn a_table_is_dark_from_its_edge_on() {
+    let samples = [65_535, 50_000, 40_000];
+    let table = Table::new(&samples).expect("sound");
+    let cone = Cone::from_outer(table, Angle::degrees(60.0)).expect("sound");
+    let falloff = cone.compile::<Fx32>().expect("held");
+    let outer = cone.outer_versine();
+    assert_eq!(falloff.at(falloff.versine(outer)), Fx32::ZERO);
+    assert!(falloff.at(falloff.versine(outer.next_down())).to_f32() > 0.6);
+    assert_eq!(cone.beam(), cone.outer());
+}
+
+/// The angles of other systems, as the crate's page lists them: each line is a fixture of 15 degrees edge to edge.
+#[test]
+fn the_systems_angles_are_one() {
+    let full = Angle::degrees(15.0);
+    let same = |angle: Angle| assert_near("full angle", angle.to_degrees(), 15.0, 1e-6);
+    // Data sheets and GDTF.
+    same(full);
+    // Direct3D 9: Phi.
+    same(Angle::radians(0.261_799_4));
+    // OpenGL: GL_SPOT_CUTOFF.
+    same(HalfAngle::degrees(7.5).into());
+    // glTF: outerConeAngle; three.js: angle.
+    same(HalfAngle::radians(0.130_899_7).into());
+    let outer = |angle: Angle| Cone::from_outer(Soft, angle).expect("sound").outer_versine();
+    assert_near("outer versine", outer(HalfAngle::degrees(7.5).into()), reference::versine(7.5), 1e-6);
+    assert_eq!(outer(full), outer(HalfAngle::from(full).into()));
+}

@@ -1,0 +1,204 @@
+//! The encoding for the display against IEC 61966-2-1.
+
+use luminaire::{Exposure, Fx16, Fx32, Rgb, Rgb565, clip, decode_srgb, encode_srgb, keep_hue};
+use support::{format::Format, reference};
+
+/// Every code decodes to a linear value that encodes to it again, within the stated error of the standard.
+#[test]
+fn every_code_comes_back() {
+    let mut worst = 0.0_f64;
+    for code in 0..=255 {
+        let linear = decode_srgb(code);
+        assert_eq!(encode_srgb(linear), code);
+        worst = worst.max((f64::from(linear) - reference::srgb_linear(code.into())).abs());
+    }
+    assert!((1e-6..=2e-6).contains(&worst), "largest error {worst:.2e}");
+}
+
+/// The product of numbers, to the last digit: the least digits first, without leading zeros.
+fn product(factors: impl IntoIterator<Item = u32>) -> Vec<u32> {
+    let mut digits = vec![1];
+    for factor in factors {
+        let mut carry = 0;
+        for digit in &mut digits {
+            let sum = u64::from(*digit) * u64::from(factor) + carry;
+            (*digit, carry) = (sum as u32, sum >> 32);
+        }
+        digits.extend((carry > 0).then_some(carry as u32));
+    }
+    digits
+}
+
+/// Whether `mantissa / 2^exponent` is at or over the linear value halfway between a code and the
+/// next, in exact integers: the standard's power 2.4 is a comparison of a fifth with a twelfth
+/// power.
+fn reaches([mantissa, exponent]: [u32; 2], code: u32, last: u32) -> bool {
+    let odd = 2 * code + 1;
+    let copies = |factor, count| std::iter::repeat_n(factor, count);
+    // v = odd / (2 last) is in the toe up to 12.92 * 0.0031308; beyond it (v + 0.055) / 1.055 is a
+    // quotient of integers.
+    let is_toe = f64::from(odd) / f64::from(2 * last) <= 12.92 * 0.003_130_8;
+    let (power, [numerator, denominator]) = match is_toe {
+        true => ([1, 1], [100 * odd, 1292 * 2 * last]),
+        false => ([5, 12], [1000 * odd + 110 * last, 2110 * last]),
+    };
+    let value = copies(mantissa, power[0]).chain(copies(denominator, power[1]));
+    let threshold = copies(numerator, power[1]).chain(copies(2, exponent as usize * power[0]));
+    let order = |digits: Vec<u32>| (digits.len(), digits.into_iter().rev().collect::<Vec<_>>());
+    order(product(value)) >= order(product(threshold))
+}
+
+/// The codes of a grey value: of eight, six and five bits.
+fn codes<S: Format>(value: S) -> [u32; 3] {
+    let Rgb565(pixel) = Rgb565::from_linear(Rgb::new(value, value, value));
+    assert_eq!(pixel >> 11, pixel & 31, "red and blue of {value:?}");
+    [encode_srgb(value).into(), (pixel >> 5 & 63).into(), (pixel & 31).into()]
+}
+
+/// The code changes exactly where the standard's does, and nowhere else among so many values to
+/// either side. `exactly` is a value as a mantissa over a power of two.
+fn assert_nearest<S: Format>(one: u32, side: u32, value: fn(u32) -> S, exactly: fn(u32) -> [u32; 2]) {
+    for (which, last) in [255, 63, 31].into_iter().enumerate() {
+        for code in 0..last {
+            let (mut below, mut above) = (0, one);
+            while above - below > 1 {
+                let middle = u32::midpoint(below, above);
+                if reaches(exactly(middle), code, last) { above = middle } else { below = middle }
+            }
+            for bits in below - side..=(above + side).min(one) {
+                let expected = code + u32::from(bits >= above);
+                assert_eq!(codes(value(bits))[which], expected, "{:?} of {last} codes", value(bits));
+            }
+        }
+    }
+}
+
+/// In f32 and 32 bits with 3,000 values to either side: with codes that never fall, which
+/// `exhaustive` sweeps, all values.
+#[test]
+fn every_threshold_is_exact() {
+    let float = |bits: u32| [bits & 0x007f_ffff | 0x0080_0000, 150 - (bits >> 23)];
+    assert_nearest(1.0_f32.to_bits(), 3_000, f32::from_bits, float);
+    assert_nearest(1 << 30, 3_000, |bits| Fx32::from_bits(bits as i32), |bits| [bits, 30]);
+    assert_nearest(1 << 14, 0, |bits| Fx16::from_bits(bits as i16), |bits| [bits, 14]);
+}
+
+#[test]
+fn codes_never_fall() {
+    let codes = (0..=2_000_000).map(|i| encode_srgb(i as f32 / 2_000_000.0));
+    assert!(codes.is_sorted());
+}
+
+#[test]
+fn values_beyond_the_display_are_clipped() {
+    let clipped = [-1.0, -0.0, f32::NAN, f32::NEG_INFINITY, 1.0, 2.0, f32::INFINITY].map(encode_srgb);
+    assert_eq!(clipped, [0, 0, 0, 0, 255, 255, 255]);
+}
+
+/// The nearest code of an exact one.
+fn nearest(exact: f64) -> f64 {
+    (exact + 0.5).floor()
+}
+
+/// Every 16-bit value has the nearest code of eight, six and five bits: exhaustive, with what is clipped.
+#[test]
+fn sixteen_bits_are_encoded_exactly() {
+    for value in (i16::MIN..=i16::MAX).map(Fx16::from_bits) {
+        let exact = reference::srgb_code(value.exact().clamp(0.0, 1.0));
+        assert_eq!(f64::from(encode_srgb(value)), nearest(exact), "{value}");
+        let Rgb565(pixel) = Rgb565::from_linear(Rgb::new(value, value, value));
+        let [five, six] = [31.0, 63.0].map(|last| nearest(exact / 255.0 * last) as u16);
+        assert_eq!(pixel, five << 11 | six << 5 | five, "{value}");
+    }
+}
+
+/// The nearest code of 32 bits and of f32, at random.
+#[test]
+fn other_values_are_encoded_exactly() {
+    fn assert_exact<S: Format>(value: S) {
+        let exact = reference::srgb_code(value.exact());
+        // The standard's two halves do not quite meet: the reference may not tell which side of a half a value is on.
+        if (exact.fract() - 0.5).abs() > 1e-7 {
+            assert_eq!(f64::from(encode_srgb(value)), nearest(exact), "{value:?}");
+        }
+    }
+    let mut rng = fastrand::Rng::with_seed(61966);
+    for _ in 0..1_000_000 {
+        assert_exact(Fx32::from_bits(rng.i32(0..=1 << 30)));
+        assert_exact(rng.f32());
+    }
+    assert_eq!(encode_srgb(Fx32::ONE), 255);
+    assert_eq!(encode_srgb(Fx32::MIN), 0);
+}
+
+/// Every pixel comes back from its codes, and every code goes to the nearest pixel.
+#[test]
+fn pixels_are_the_nearest() {
+    for pixel in (0..=u16::MAX).map(Rgb565) {
+        assert_eq!(Rgb565::from_codes(pixel.to_codes()), pixel);
+    }
+    for code in 0..=255_u8 {
+        let Rgb565(pixel) = Rgb565::from_codes(Rgb::new(code, code, code));
+        for (found, last) in [(pixel >> 11, 31), (pixel >> 5 & 63, 63), (pixel & 31, 31)] {
+            let off = |level: u16| (f64::from(level) / f64::from(last) - f64::from(code) / 255.0).abs();
+            assert!((0..=last).all(|level| off(found) <= off(level)), "{code} as one of {last}");
+        }
+    }
+}
+
+/// Both policies leave alone what fits; beyond, one cuts and the other keeps the proportion.
+fn assert_fits<S: Format>(steps: f64) {
+    let mut rng = fastrand::Rng::with_seed(8);
+    let mut worst = 0.0_f64;
+    for _ in 0..100_000 {
+        let brightness = 64.0_f32.powf(rng.f32() * 2.0 - 1.0);
+        let light = Rgb::new((), (), ()).map(|()| S::from_f32(rng.f32()).expose(S::gain(brightness)));
+        let (clipped, kept) = (clip::<S>(light), keep_hue::<S>(light));
+        let exact = light.map(S::exact_light);
+        let most = exact.red.max(exact.green).max(exact.blue).max(1.0);
+        for (channel, clipped, kept) in [
+            (exact.red, clipped.red, kept.red),
+            (exact.green, clipped.green, kept.green),
+            (exact.blue, clipped.blue, kept.blue),
+        ] {
+            assert_eq!(clipped.exact(), channel.min(1.0));
+            if most == 1.0 {
+                assert_eq!(kept, clipped);
+            }
+            worst = worst.max((kept.exact() - channel / most).abs() / f64::from(S::STEP));
+        }
+    }
+    println!("keep hue {}: {worst:.2} steps", S::NAME);
+    assert!((steps / 2.0..=steps).contains(&worst), "{}: {worst:.2} steps", S::NAME);
+}
+
+#[test]
+fn light_past_full_scale_follows_the_stated_policy() {
+    assert_fits::<f32>(1.0);
+    assert_fits::<Fx32>(8.0);
+    assert_fits::<Fx16>(2.0);
+}
+
+/// The exposed light is within a step of the product, and a factor of one changes nothing.
+fn assert_exposes<S: Format>() {
+    let mut rng = fastrand::Rng::with_seed(16);
+    for stops in -6..=6 {
+        let exposure = Exposure::stops(stops).expect("sound").compile::<S>();
+        for _ in 0..10_000 {
+            let light = Rgb::new((), (), ()).map(|()| S::from_f32(rng.f32()).expose(S::gain(8.0)));
+            let exposed = S::exact_light(exposure.expose(light).red);
+            let exact = S::exact_light(light.red) * 2.0_f64.powi(stops);
+            assert!((exposed - exact).abs() <= f64::from(S::STEP), "{stops}: {exposed} for {exact}");
+            if stops == 0 {
+                assert_eq!(exposure.expose(light), light);
+            }
+        }
+    }
+}
+
+#[test]
+fn stops_double_and_halve() {
+    assert_exposes::<f32>();
+    assert_exposes::<Fx32>();
+    assert_exposes::<Fx16>();
+}

@@ -1,0 +1,262 @@
+//! Ordered dither against its law in f64: a cell of 8 x 8 pixels has the light of the colour that it stands for.
+
+use luminaire::{Fx16, Fx32, Rgb, Rgb565, Scalar, decode_srgb, encode_srgb_dithered};
+use support::{format::Format, reference};
+
+/// The last codes of eight, six and five bits.
+const LASTS: [u16; 3] = [255, 63, 31];
+/// How far the table's 24 bits can move a threshold, in steps from one code to the next: half of 2^-24 of the
+/// shortest step, and as much again for what a value loses.
+const LEEWAY: f64 = 3e-4;
+
+/// Bayer's matrix by his recursion: four copies of the next smaller one, four times as far apart.
+fn bayer(x: u32, y: u32, size: u32) -> u32 {
+    if size == 1 {
+        return 0;
+    }
+    let half = size / 2;
+    4 * bayer(x % half, y % half, half) + [[0, 2], [3, 1]][(y / half) as usize][(x / half) as usize]
+}
+
+/// The codes of a grey value at a place: of eight, six and five bits.
+fn codes<S: Scalar>(value: S, x: u32, y: u32) -> [u16; 3] {
+    let Rgb565(pixel) = Rgb565::from_linear_dithered(Rgb::new(value, value, value), x, y);
+    assert_eq!(pixel >> 11, pixel & 31, "red and blue of one value");
+    [encode_srgb_dithered(value, x, y).into(), pixel >> 5 & 63, pixel & 31]
+}
+
+/// The light of each code.
+fn lights(last: u16) -> Vec<f64> {
+    (0..=last).map(|code| reference::srgb_linear(f64::from(code) / f64::from(last) * 255.0)).collect()
+}
+
+/// The code under a light, and how far the light is from there to the next one.
+fn place(lights: &[f64], light: f64) -> (u16, f64) {
+    let code = lights.partition_point(|&of_code| of_code <= light).clamp(1, lights.len() - 1) - 1;
+    (code as u16, (light - lights[code]) / (lights[code + 1] - lights[code]))
+}
+
+/// What a cell shows of one value, against the law.
+#[derive(Default, Debug)]
+struct Seen {
+    /// How far the mean light of a cell is from the value, in steps from code to code, and the sum of that.
+    off: f64,
+    sum: f64,
+    /// The largest distance of a pixel from the exact code.
+    pixel: f64,
+    values: u32,
+    /// Pixels so near to a threshold that the law does not say which code they show.
+    open: u32,
+}
+
+/// Shows each value in a cell. Every pixel must have the code of the law, and none may fall where values rise.
+fn show<S: Format>(values: impl Iterator<Item = S>) -> [Seen; 3] {
+    let lights = LASTS.map(lights);
+    let mut seen: [Seen; 3] = Default::default();
+    for value in values {
+        let light = value.exact().clamp(0.0, 1.0);
+        let places = [0, 1, 2].map(|which| place(&lights[which], light));
+        let mut mean = [0.0; 3];
+        for (x, y) in (0..64).map(|i| (i % 8, i / 8)) {
+            let threshold = (f64::from(bayer(x, y, 8)) + 0.5) / 64.0;
+            for (which, code) in codes(value, x, y).into_iter().enumerate() {
+                let (below, part) = places[which];
+                let law = below + u16::from(part > threshold);
+                let is_open = (part - threshold).abs() < LEEWAY;
+                assert!(code == law || is_open, "{value:?} at {x} {y} of {}: {code}", LASTS[which]);
+                let seen = &mut seen[which];
+                seen.open += u32::from(is_open);
+                let exact = reference::srgb_code(light) / 255.0 * f64::from(LASTS[which]);
+                seen.pixel = seen.pixel.max((f64::from(code) - exact).abs());
+                mean[which] += f64::from(code - below) / 64.0;
+            }
+        }
+        for which in 0..3 {
+            let (off, seen) = (mean[which] - places[which].1, &mut seen[which]);
+            seen.off = seen.off.max(off.abs());
+            seen.sum += off;
+            seen.values += 1;
+        }
+    }
+    seen
+}
+
+/// A cell is off by 1/128 of a step, no pixel by a whole code, and all values together by nothing.
+fn assert_keeps_the_light(name: &str, seen: &[Seen; 3], bias: f64) {
+    for (last, seen) in LASTS.into_iter().zip(seen) {
+        let mean = seen.sum / f64::from(seen.values);
+        println!(
+            "{name} to {last} codes: {:.6} of a step, bias {mean:.1e}, a pixel {:.4}",
+            seen.off, seen.pixel
+        );
+        assert!((1.0 / 128.0 - 1e-4..=0.0081).contains(&seen.off), "{name} {last}: {}", seen.off);
+        assert!((0.98..=1.0).contains(&seen.pixel), "{name} {last}: a pixel is off by {}", seen.pixel);
+        assert!(mean.abs() <= bias, "{name} {last}: a bias of {mean:.1e} of a step");
+        assert!(seen.open < seen.values * 64 / 20, "{name} {last}: {} pixels are left open", seen.open);
+    }
+}
+
+/// Values evenly spread over the codes, so that the dark ones have their share.
+fn spread(count: u32) -> impl Iterator<Item = f64> {
+    let mut rng = fastrand::Rng::with_seed(64);
+    (0..count).map(move |_| reference::srgb_linear(255.0 * rng.f64()))
+}
+
+/// Exhaustive, with what is clipped.
+#[test]
+fn sixteen_bits_keep_the_light_of_a_cell() {
+    let seen = show((-3..=(1 << 14) + 3).map(Fx16::from_bits));
+    assert_keeps_the_light("fx16", &seen, 2e-4);
+}
+
+/// Searched.
+#[test]
+fn thirty_two_bits_keep_the_light_of_a_cell() {
+    let seen = show(spread(40_000).map(|light| Fx32::from_bits((light * f64::from(1 << 30)) as i32)));
+    assert_keeps_the_light("fx32", &seen, 2e-4);
+}
+
+/// Searched.
+#[test]
+fn f32_keeps_the_light_of_a_cell() {
+    assert_keeps_the_light("f32", &show(spread(40_000).map(|light| light as f32)), 2e-4);
+}
+
+/// In f32 a pixel shows the code that it shows in fixed point, but within a rounding of a
+/// threshold: none of these.
+#[test]
+fn f32_shows_the_codes_of_fixed_point() {
+    for steps in (0..=1 << 24).step_by(1_009) {
+        let (float, fixed) = (steps as f32 / (1 << 24) as f32, Fx32::from_bits(steps << 6));
+        for (x, y) in (0..64).map(|i| (i % 8, i / 8)) {
+            assert_eq!(codes(float, x, y), codes(fixed, x, y), "{steps} at {x} {y}");
+        }
+    }
+}
+
+/// How many pixels of a cell do not show a code.
+fn others<S: Scalar>(value: S, which: usize, code: u16) -> usize {
+    (0..64).filter(|i| codes(value, i % 8, i / 8)[which] != code).count()
+}
+
+/// A colour that is a code stays it, in every pixel. Sixteen bits hold the light of a code to half of their
+/// step, so that it is no longer the code's where that is more than 1/128 of the way to the next.
+#[test]
+fn a_code_stays_that_code() {
+    for code in 0..=255_u8 {
+        let light = decode_srgb(code);
+        assert_eq!(others(light, 0, code.into()), 0, "{code} of f32");
+        assert_eq!(others(Fx32::from_f32(light), 0, code.into()), 0, "{code} of fx32");
+    }
+    for (which, last) in [(1, 63), (2, 31)] {
+        let mut uneven = 0;
+        for (code, light) in (0..).zip(lights(last)) {
+            let light = light as f32;
+            assert_eq!(others(light, which, code), 0, "{code} of {last} in f32");
+            assert_eq!(others(Fx32::from_f32(light), which, code), 0, "{code} of {last} in fx32");
+            uneven += usize::from(others(Fx16::from_f32(light), which, code) > 0);
+        }
+        assert!(uneven <= 8, "{uneven} codes of {last} in fx16");
+    }
+    for (value, codes_of) in [(Fx16::ZERO, [0, 0, 0]), (Fx16::ONE, LASTS)] {
+        assert_eq!([0, 1, 2].map(|which| others(value, which, codes_of[which])), [0; 3]);
+    }
+}
+
+fn assert_never_falls<S: Scalar>(values: impl Iterator<Item = S> + Clone) {
+    for (x, y) in (0..64).map(|i| (i % 8, i / 8)) {
+        let mut before = [0; 3];
+        for value in values.clone() {
+            let now = codes(value, x, y);
+            assert!((0..3).all(|which| now[which] >= before[which]), "{value:?} at {x} {y}");
+            before = now;
+        }
+    }
+}
+
+/// Exhaustive in sixteen bits; in the others beside the light of every code and every threshold, where they
+/// could fall.
+#[test]
+fn no_pixel_falls_where_the_light_rises() {
+    assert_never_falls((i16::MIN..=i16::MAX).map(Fx16::from_bits));
+    let mut edges = Vec::new();
+    for lights in LASTS.map(lights) {
+        for pair in lights.windows(2) {
+            let parts = (0..=128).step_by(if lights.len() > 100 { 8 } else { 1 });
+            edges.extend(parts.map(|part| pair[0] + (pair[1] - pair[0]) * f64::from(part) / 128.0));
+        }
+    }
+    edges.sort_by(f64::total_cmp);
+    let beside = |light: f64| {
+        (-3..=3).map(move |ulp| f32::from_bits((light as f32).to_bits().saturating_add_signed(ulp)))
+    };
+    let mut floats: Vec<_> =
+        edges.iter().copied().flat_map(beside).filter(|value| value.is_finite()).collect();
+    floats.sort_by(f32::total_cmp);
+    assert_never_falls(floats.iter().copied());
+    let wide = |light: f64| (-70..=70).step_by(35).map(move |off| (light * f64::from(1 << 30)) as i32 + off);
+    let mut fixed: Vec<_> = edges.iter().copied().flat_map(wide).collect();
+    fixed.sort_unstable();
+    assert_never_falls(fixed.iter().copied().map(Fx32::from_bits));
+}
+
+#[test]
+fn values_beyond_the_display_are_clipped() {
+    for (x, y) in (0..64).map(|i| (i % 8, i / 8)) {
+        for dark in [-1.0, -0.0, f32::NAN, -f32::NAN, f32::NEG_INFINITY, 1e-40] {
+            assert_eq!(codes(dark, x, y), [0; 3], "{dark}");
+        }
+        for bright in [1.0, 2.0, f32::MAX, f32::INFINITY] {
+            assert_eq!(codes(bright, x, y), LASTS, "{bright}");
+        }
+        for (value, expected) in [(Fx32::MIN, [0; 3]), (Fx32::MAX, LASTS)] {
+            assert_eq!(codes(value, x, y), expected);
+        }
+    }
+}
+
+/// Only the place within a cell counts, up to the last pixel that can be named.
+#[test]
+fn cells_repeat() {
+    for (x, y) in (0..64).map(|i| (i % 8, i / 8)) {
+        let here = codes(0.2_f32, x, y);
+        for (far_x, far_y) in [(x + 8, y), (x, y + 80), (u32::MAX - 7 + x, u32::MAX - 7 + y)] {
+            assert_eq!(codes(0.2_f32, far_x, far_y), here);
+        }
+    }
+}
+
+/// The matrix spreads the pixels: a part of 4 x 4 is off by 7/128 at most and one of 2 x 2 by 31/128, where
+/// as few pixels could not do better than 4/128 and 16/128.
+#[test]
+fn parts_of_a_cell_keep_the_light_too() {
+    let lights = lights(31);
+    for (size, bound) in [(4_u32, 7.0 / 128.0), (2, 31.0 / 128.0)] {
+        let mut worst = 0.0_f64;
+        for step in 0..=1000 {
+            let part = f64::from(step) / 1000.0;
+            let value = (lights[12] + part * (lights[13] - lights[12])) as f32;
+            for (left, top) in (0..64 / size / size).map(|i| (i % (8 / size), i / (8 / size))) {
+                let pixels = (0..size * size).map(|i| (left * size + i % size, top * size + i / size));
+                let upper = pixels.filter(|&(x, y)| codes(value, x, y)[2] == 13).count();
+                worst = worst.max((upper as f64 / f64::from(size * size) - part).abs());
+            }
+        }
+        println!("{size} x {size}: {:.2} of 128", worst * 128.0);
+        assert!((0.98 * bound..=bound + 1e-6).contains(&worst), "{size} x {size}: {worst}");
+    }
+}
+
+/// Why the parts go by light: by the encoded value a cell is too bright, by up to a twentieth of a step.
+#[test]
+fn parts_by_the_encoded_value_would_be_too_bright() {
+    let lights = lights(31);
+    let mut worst = 0.0_f64;
+    for light in spread(100_000) {
+        let exact = reference::srgb_code(light) / 255.0 * 31.0;
+        let (_, part) = place(&lights, light);
+        worst = worst.max(exact.fract() - part);
+    }
+    println!("by the encoded value: {worst:.4} of a step");
+    assert!((0.048..=0.0495).contains(&worst), "{worst}");
+}

@@ -1,0 +1,549 @@
+//! The domain of validity: at each end of each range that is stated the promises hold, and beyond it happens what the
+//! documentation says.
+//!
+//! `cargo test --test domain -- --nocapture --test-threads 1` prints the errors at the ends; `LUMINAIRE_FULL=1` looks 16 times
+//! as long.
+
+use fastrand::Rng;
+use luminaire::{
+    Accepted, Angle, Cone, Cubic, Error, Fx16, Fx32, Hard, IntegerPower, IntegerRim, InverseSquare, Linear,
+    Matched, Parameter, Point, Profile, RealPower, RealRim, Scalar, Soft, Spot, Unattenuated, Vec3,
+};
+use support::{
+    format::Format,
+    profiles,
+    reference::{self, Vector},
+    sweep,
+};
+
+/// The ranges of a format, as its documentation states them.
+struct Domain {
+    /// The largest coordinate of a light.
+    light: f32,
+    /// Points are from minus this up to a quantum under it.
+    point: f64,
+    /// The shortest and the longest way from a light to a point.
+    distances: [f64; 2],
+    /// The brightest light that is within half a code in cones of 3 degrees and wider, from half a unit of distance on.
+    brightest: f32,
+}
+
+impl Domain {
+    fn of<S: Format>() -> Self {
+        const QUANTUM: f64 = 1.0 / 65_536.0;
+        match S::NAME {
+            "f32" => Self {
+                light: f32::MAX,
+                point: f32::MAX.into(),
+                distances: [1.1e-19, 1.8e19],
+                brightest: 10.0,
+            },
+            "fx32" => {
+                Self { light: 32_767.0, point: 32_768.0, distances: [QUANTUM, 113_000.0], brightest: 300.0 }
+            }
+            _ => Self { light: 16_383.0, point: 32_768.0, distances: [QUANTUM, 85_000.0], brightest: 0.25 },
+        }
+    }
+}
+
+/// A profile and its formula in f64.
+struct Shape {
+    name: String,
+    profile: Matched,
+    exact: Box<dyn Fn(f64) -> f64>,
+}
+
+impl Shape {
+    fn new(name: &str, profile: impl Into<Matched>, exact: impl Fn(f64) -> f64 + 'static) -> Self {
+        Self { name: name.into(), profile: profile.into(), exact: Box::new(exact) }
+    }
+
+    /// The narrowest half angle in degrees, and a little more, for what an angle is rounded by.
+    fn narrowest<S: Format>(&self) -> f32 {
+        Cone::narrowest::<S>(self.profile).to_degrees() / 2.0 * 1.000_01
+    }
+
+    fn cone(&self, half_degrees: f32) -> Cone<Matched> {
+        Cone::from_outer(self.profile, sweep::half(half_degrees)).expect("a sound angle")
+    }
+}
+
+fn plain() -> [Shape; 4] {
+    let cubic: Cubic = profiles::cubic();
+    [
+        Shape::new("soft", Soft, reference::soft),
+        Shape::new("hard", Hard, reference::hard),
+        Shape::new("linear", Linear, reference::linear),
+        Shape::new("cubic", cubic, reference::cubic),
+    ]
+}
+
+fn powers(least: u32, most: u32) -> [Shape; 4] {
+    let real = |n: u32| n as f32;
+    let power = |n: u32| move |x: f64| x.powi(n.cast_signed());
+    [
+        Shape::new("power, least", IntegerPower::new(least).expect("accepted"), power(least)),
+        Shape::new("power, most", IntegerPower::new(most).expect("accepted"), power(most)),
+        Shape::new("real power, most", RealPower::new(real(most)).expect("accepted"), power(most)),
+        Shape::new("rim, most", IntegerRim::new(most).expect("accepted"), move |t| {
+            1.0 - power(most)(1.0 - t)
+        }),
+    ]
+}
+
+/// A light and a point within its cone, more or less: both where the format has them.
+struct Scene {
+    light: Vec3<f32>,
+    axis: Vec3<f32>,
+    point: Vec3<f32>,
+}
+
+impl Scene {
+    /// A light here, a point there, and an axis at some angle to the way between them.
+    fn aimed<S: Format>(
+        rng: &mut Rng,
+        half_degrees: f32,
+        light: Vec3<f32>,
+        point: Vec3<f32>,
+    ) -> Option<Self> {
+        let [from, to] = [light, point].map(|place| S::exact_point(place.map(S::length)));
+        let way = reference::minus(to, from);
+        let most = way.iter().fold(0.0_f64, |most, c| most.max(c.abs()));
+        let off_axis = f64::from(half_degrees).to_radians() * rng.f64();
+        let way = (most > 0.0).then(|| reference::unit(reference::scaled(way, 1.0 / most)))?;
+        Some(Self { light, axis: sweep::single(sweep::direction_off(rng, way, off_axis)), point })
+    }
+}
+
+/// The largest error of an intensity in these scenes, in linear codes.
+fn worst<S: Format>(
+    shape: &Shape,
+    half_degrees: f32,
+    count: usize,
+    mut scene: impl FnMut(&mut Rng) -> Option<Scene>,
+) -> f64 {
+    let (mut rng, cone) = (Rng::with_seed(7), shape.cone(half_degrees));
+    let outer = reference::versine(half_degrees.into());
+    let mut worst = 0.0_f64;
+    for _ in 0..count * sweep::effort() {
+        let Some(Scene { light, axis, point }) = scene(&mut rng) else { continue };
+        let spot = Spot::new(light, axis, cone).expect("in the domain");
+        let [from, to] = [light, point].map(|place| S::exact_point(place.map(S::length)));
+        let way = reference::minus(to, from);
+        // Squares of the shortest and the longest ways are within f64.
+        let axis = reference::unit(S::exact_direction(spot.axis_in::<S>()));
+        let versine = reference::versine_between(way, axis);
+        let exact = if versine < outer { (shape.exact)((outer - versine) / outer) } else { 0.0 };
+        let found = spot.compile::<S>().expect("in the domain").falloff(point.map(S::length)).exact();
+        worst = worst.max(255.0 * (found - exact).abs());
+    }
+    worst
+}
+
+/// The error is within half a code, and so large that the bound is worth stating.
+fn assert_held<S: Format>(what: &str, shape: &Shape, half_degrees: f32, least: f64, codes: f64) {
+    println!("{} {what}, {} at {half_degrees}: {codes:.3}", S::NAME, shape.name);
+    // A cone that is evaluated finely in 16 bits has no error but that of the last rounding, half of 2^-14.
+    let least = if S::NAME == "fx16" { least.min(0.007) } else { least };
+    let held = (least..=0.5).contains(&codes);
+    assert!(held, "{} {what}, {} at {half_degrees}: {codes:.4} linear codes", S::NAME, shape.name);
+}
+
+fn assert_refused<T: core::fmt::Debug>(refused: Result<T, Error>, parameter: Parameter, accepted: Accepted) {
+    let error = refused.expect_err("outside of the domain");
+    assert_eq!((error.parameter, error.accepted), (parameter, accepted), "{error}");
+}
+
+/// A coordinate at an end, or anywhere.
+fn coordinate(rng: &mut Rng, end: f64) -> f64 {
+    match rng.u8(..3) {
+        0 => end,
+        1 => -end,
+        _ => end * (2.0 * rng.f64() - 1.0),
+    }
+}
+
+/// Lights and points at the ends of their coordinates, near to one another and far.
+fn assert_positions<S: Format>(ends: [f64; 2]) {
+    for shape in plain() {
+        // Ways that are longer than 32 bits lose one: there the narrowest cone of 32 bits is twice as wide.
+        let times = if S::NAME == "fx32" { 2.0 } else { 1.0 };
+        for (half_degrees, least) in [(times * shape.narrowest::<S>(), 0.15), (60.0, 0.0)] {
+            let scene = |rng: &mut Rng| {
+                let light = [0; 3].map(|_| coordinate(rng, ends[0]));
+                let near = sweep::direction(rng).map(|c| ends[1] * 1e-3_f64.powf(rng.f64()) * c);
+                let is_near = rng.bool();
+                let point =
+                    [0, 1, 2].map(|i| if is_near { light[i] + near[i] } else { coordinate(rng, ends[1]) });
+                let point = point.map(|c| c.clamp(-ends[1], ends[1]));
+                Scene::aimed::<S>(rng, half_degrees, sweep::single(light), sweep::single(point))
+            };
+            let codes = worst::<S>(&shape, half_degrees, 4_000, scene);
+            assert_held::<S>("positions", &shape, half_degrees, least, codes);
+        }
+    }
+}
+
+#[test]
+fn positions_hold_at_their_ends() {
+    assert_positions::<Fx16>([Domain::of::<Fx16>().light.into(), Domain::of::<Fx16>().point]);
+    assert_positions::<Fx32>([Domain::of::<Fx32>().light.into(), Domain::of::<Fx32>().point]);
+    // Of f32 the distance has an end, and positions as far as that have room for one.
+    assert_positions::<f32>([1e18; 2]);
+}
+
+fn assert_farther_lights_refused<S: Format>() {
+    let most = Domain::of::<S>().light;
+    assert_eq!(S::FARTHEST, most);
+    let at = |x: f32| {
+        let cone = plain()[0].cone(30.0);
+        let spot = Spot::new(Vec3::new(0.5, x, 0.0), Vec3::new(0.0, 1.0, 0.0), cone)?;
+        let point = Point::new(spot.position())?;
+        Ok((spot.compile::<S>()?, point.compile::<S>()?))
+    };
+    for sign in [1.0, -1.0] {
+        assert!(at(sign * most).is_ok());
+        assert_refused(at(sign * most.next_up()), Parameter::Position, Accepted::Between(-most, most));
+    }
+}
+
+#[test]
+fn lights_beyond_the_domain_are_refused() {
+    assert_farther_lights_refused::<f32>();
+    assert_farther_lights_refused::<Fx32>();
+    assert_farther_lights_refused::<Fx16>();
+}
+
+/// A point that fixed point cannot hold is the nearest that it can; NaN is at 0 there, and dark in f32.
+#[test]
+fn points_beyond_the_domain() {
+    for beyond in [32_768.0, 1e9, f32::INFINITY] {
+        assert_eq!(Fx32::exact_length(Fx32::length(beyond)), 32_768.0 - 0.5_f64.powi(16));
+        assert_eq!(Fx16::exact_length(Fx16::length(-beyond)), -32_768.0);
+    }
+    assert_eq!(Fx32::exact_length(Fx32::length(f32::NAN)), 0.0);
+    assert_eq!(Fx16::exact_length(Fx16::length(f32::NAN)), 0.0);
+    for far in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY] {
+        assert_eq!(brightest_at::<f32>(Vec3::new(0.0, 0.0, 0.0), Vec3::new(0.0, far, 0.0)), 0.0);
+    }
+}
+
+/// The light of the brightest lamps at a point that faces them: of a spotlight as wide as any, with and without rejects and
+/// with and without distance, and of a point light.
+fn brightest_at<S: Format>(light: Vec3<f32>, point: Vec3<f32>) -> f64 {
+    let spot = Spot::new(light, Vec3::new(0.0, 1.0, 0.0), plain()[0].cone(90.0)).expect("sound");
+    let spot = spot.with_intensity(1e9).expect("sound");
+    let falling = spot.compile::<S>().expect("held");
+    let constant = spot.with_attenuation(Unattenuated).compile::<S>().expect("held");
+    let lamp = Point::new(light).and_then(|lamp| lamp.with_intensity(1e9)).expect("sound");
+    let lamp = lamp.compile::<S>().expect("held");
+    let (point, normal) = (point.map(S::length), Vec3::new(S::ZERO, S::from_f32(-1.0), S::ZERO));
+    let lights = [
+        falling.irradiance(point, normal),
+        falling.irradiance_unskipped(point, normal),
+        constant.irradiance(point, normal),
+        constant.irradiance_unskipped(point, normal),
+        lamp.irradiance(point, normal),
+    ];
+    lights.into_iter().map(S::exact_light).fold(0.0, f64::max)
+}
+
+/// The shortest and the longest ways: a few quanta, and from corner to corner; in f32 those with a normal square.
+fn assert_distances<S: Format>() {
+    let Domain { light: farthest, point: end, distances: [shortest, longest], .. } = Domain::of::<S>();
+    let is_float = S::NAME == "f32";
+    for shape in plain() {
+        let half_degrees = shape.narrowest::<S>();
+        let near = |rng: &mut Rng| {
+            let way = if is_float {
+                sweep::direction(rng).map(|c| c * shortest * (1.0 + rng.f64()))
+            } else {
+                [0; 3].map(|_| shortest * f64::from(rng.i8(-3..=3)))
+            };
+            let light = if is_float { [0.0; 3] } else { sweep::on_grid([0; 3].map(|_| 8.0 * rng.f64())) };
+            let point = [0, 1, 2].map(|i| light[i] + way[i]);
+            Scene::aimed::<S>(rng, half_degrees, sweep::single(light), sweep::single(point))
+        };
+        let codes = worst::<S>(&shape, half_degrees, 4_000, near);
+        assert_held::<S>("shortest ways", &shape, half_degrees, 0.1, codes);
+        let mut seen = 0.0_f64;
+        let far = |rng: &mut Rng| {
+            let (light, point): (Vector, Vector) = if is_float {
+                let way = sweep::direction(rng).map(|c| c * longest * (1.0 - 0.1 * rng.f64()));
+                (sweep::direction(rng), way)
+            } else {
+                let corner = [0; 3].map(|_| if rng.bool() { 1.0 } else { -1.0 });
+                let inset = 1.0 - 0.001 * rng.f64();
+                (corner.map(|c| c * f64::from(farthest)), corner.map(|c| -c * end * inset))
+            };
+            let way = reference::minus(point, light);
+            seen = seen.max(reference::dot(way, way).sqrt());
+            Scene::aimed::<S>(rng, half_degrees, sweep::single(light), sweep::single(point))
+        };
+        let codes = worst::<S>(&shape, half_degrees, 4_000, far);
+        // Fixed point has hardly any: a way so long has all its bits.
+        assert_held::<S>("longest ways", &shape, half_degrees, if is_float { 0.1 } else { 1e-5 }, codes);
+        assert!((0.99 * longest..1.01 * longest).contains(&seen), "{} {seen}", S::NAME);
+    }
+}
+
+#[test]
+fn distances_hold_at_their_ends() {
+    assert_distances::<f32>();
+    assert_distances::<Fx32>();
+    assert_distances::<Fx16>();
+}
+
+/// A point on the light is dark; in f32 so is one whose squared distance is no normal number.
+#[test]
+fn distances_beyond_the_domain_are_dark() {
+    let at = |y: f32| Vec3::new(0.0, y, 0.0);
+    for place in [0.0, 1.5, -16_383.0] {
+        assert_eq!(brightest_at::<f32>(at(place), at(place)), 0.0);
+        assert_eq!(brightest_at::<Fx32>(at(place), at(place)), 0.0);
+        assert_eq!(brightest_at::<Fx16>(at(place), at(place)), 0.0);
+    }
+    let [shortest, longest] = Domain::of::<f32>().distances.map(|distance| distance as f32);
+    for inside in [shortest, longest] {
+        assert!(brightest_at::<f32>(at(0.0), at(inside)) > 0.0, "{inside}");
+    }
+    for outside in [0.98 * shortest, 1e-30, 1.03 * longest, 1e30, f32::MAX] {
+        assert_eq!(brightest_at::<f32>(at(0.0), at(outside)), 0.0, "{outside}");
+    }
+}
+
+/// A light within a few units of the origin and a point anywhere near.
+fn near_scene<S: Format>(rng: &mut Rng, half_degrees: f32) -> Option<Scene> {
+    let light = sweep::on_grid([0; 3].map(|_| 16.0 * rng.f64() - 8.0));
+    let (distance, toward) = (sweep::distance(rng), sweep::direction(rng));
+    let point = [0, 1, 2].map(|i| light[i] + distance * toward[i]);
+    Scene::aimed::<S>(rng, half_degrees, sweep::single(light), sweep::single(point))
+}
+
+fn assert_angles<S: Format>() {
+    for shape in plain() {
+        let narrowest = shape.narrowest::<S>();
+        for (half_degrees, least) in [(narrowest, 0.15), (90.0, 0.0)] {
+            let codes = worst::<S>(&shape, half_degrees, 8_000, |rng| near_scene::<S>(rng, half_degrees));
+            assert_held::<S>("angles", &shape, half_degrees, least, codes);
+        }
+        let accepted = Accepted::AngleFrom(Cone::narrowest::<S>(shape.profile).to_degrees());
+        assert_refused(shape.cone(0.999_9 * narrowest).compile::<S>(), Parameter::OuterAngle, accepted);
+        let wide = Cone::from_outer(shape.profile, Angle::degrees(180.001));
+        let error = wide.expect_err("wider than a half space");
+        assert!(matches!(error.accepted, Accepted::AngleUpTo(179.999..180.001)), "{error}");
+    }
+}
+
+#[test]
+fn angles_hold_at_their_ends() {
+    assert_angles::<f32>();
+    assert_angles::<Fx32>();
+    assert_angles::<Fx16>();
+}
+
+/// The least and the largest exponent at the narrowest angle and wide open, and how many of the shapes the format holds at all.
+fn assert_exponents<S: Format>(held: usize) {
+    let shapes = powers(1, 1_024);
+    let can_hold = |shape: &&Shape| shape.narrowest::<S>() < 90.0;
+    for shape in shapes.iter().filter(can_hold) {
+        for (half_degrees, least) in [(shape.narrowest::<S>(), 0.005), (90.0, 0.0)] {
+            let codes = worst::<S>(shape, half_degrees, 8_000, |rng| {
+                let scene = near_scene::<S>(rng, half_degrees);
+                // Of the largest exponent all that there is to see is near the axis, of the largest rim near the edge.
+                scene.filter(|_| true)
+            });
+            assert_held::<S>("exponents", shape, half_degrees, least, codes);
+        }
+    }
+    for shape in shapes.iter().filter(|shape| !can_hold(shape)) {
+        let accepted = Accepted::AngleFrom(Cone::narrowest::<S>(shape.profile).to_degrees());
+        assert_refused(shape.cone(90.0).compile::<S>(), Parameter::OuterAngle, accepted);
+    }
+    assert_eq!(shapes.iter().filter(can_hold).count(), held, "{}", S::NAME);
+}
+
+#[test]
+fn exponents_hold_at_their_ends() {
+    assert_exponents::<f32>(4);
+    assert_exponents::<Fx32>(4);
+    assert_exponents::<Fx16>(3);
+    for refused in [0, 1_025] {
+        let accepted = Accepted::WholeBetween(1, 1_024);
+        assert_refused(IntegerPower::new(refused), Parameter::Exponent, accepted);
+        assert_refused(IntegerRim::new(refused), Parameter::Exponent, accepted);
+    }
+    for refused in [0.0, -1.0, 1_024.0_f32.next_up(), f32::NAN] {
+        let error = RealPower::new(refused).expect_err("outside of the domain");
+        assert_eq!((error.parameter, error.accepted), (Parameter::Exponent, Accepted::UpTo(1_024.0)));
+        assert!(RealRim::new(refused).is_err());
+    }
+}
+
+/// The power of the least exponent there is is a step: full up to the strip at the edge in which it has a place and no
+/// intensity.
+fn assert_least_exponent<S: Format>() {
+    let least = RealPower::new(f32::from_bits(1)).expect("more than 0");
+    let cone = Cone::from_outer(least, sweep::half(30.0)).expect("a sound angle");
+    let falloff = cone.compile::<S>().expect("held");
+    let outer = cone.outer_versine();
+    let strip = 1.0 - 1.0 / 510.0_f32;
+    for u in [0.0, 0.1, 0.9, strip * strip] {
+        assert!(falloff.at(falloff.versine(u * outer)).exact() > 1.0 - 0.5 / 255.0, "{} {u}", S::NAME);
+    }
+    assert_eq!(falloff.at(falloff.versine(outer)), S::ZERO);
+}
+
+#[test]
+fn the_least_exponent_is_a_step() {
+    assert_least_exponent::<f32>();
+    assert_least_exponent::<Fx32>();
+    assert_least_exponent::<Fx16>();
+    assert!(RealPower::new(f32::from_bits(1)).expect("accepted").steepness(0.0) >= 1.0);
+}
+
+/// The error of clipped light in codes, of a lamp of this intensity in a cone where its gain at the point is at most `gain`.
+fn bright<S: Format>(shape: &Shape, half_degrees: f32, intensity: f32, gain: f64) -> f64 {
+    let (mut rng, mut worst) = (Rng::with_seed(9), 0.0_f64);
+    let outer = reference::versine(half_degrees.into());
+    let farthest = f64::from(S::FARTHEST.min(16_383.0));
+    for _ in 0..10_000 * sweep::effort() {
+        let distance = (f64::from(intensity) / gain).sqrt() * 30.0_f64.powf(rng.f64());
+        let way = sweep::direction(&mut rng);
+        let light = [0; 3].map(|_| 8.0 * rng.f64());
+        let point = [0, 1, 2].map(|i| (light[i] + distance * way[i]).clamp(-farthest, farthest));
+        let point = sweep::single(sweep::on_grid(point));
+        let light = sweep::single(sweep::on_grid(light));
+        let off_axis = f64::from(half_degrees).to_radians() * (1.0 - rng.f64().powi(2));
+        let axis = sweep::single(sweep::direction_off(&mut rng, way, off_axis));
+        let normal = sweep::single(way.map(|c| -c)).map(S::from_f32);
+        let spot =
+            Spot::new(light, axis, shape.cone(half_degrees)).and_then(|spot| spot.with_intensity(intensity));
+        let spot = spot.expect("in the domain");
+        let [from, to] = [light, point].map(|place| S::exact_point(place.map(S::length)));
+        let way = reference::minus(to, from);
+        let squared = reference::dot(way, way);
+        if f64::from(intensity) / squared > gain {
+            continue;
+        }
+        let axis = reference::unit(S::exact_direction(spot.axis_in::<S>()));
+        let versine = reference::versine_between(way, axis);
+        let share = if versine < outer { (shape.exact)((outer - versine) / outer) } else { 0.0 };
+        let cosine = -reference::dot(reference::unit(way), S::exact_normal(normal));
+        let exact = f64::from(intensity) / squared * share * cosine;
+        let found =
+            S::exact_light(spot.compile::<S>().expect("held").irradiance(point.map(S::length), normal));
+        worst = worst.max(255.0 * (found.min(1.0) - exact.min(1.0)).abs());
+    }
+    worst
+}
+
+/// The brightest light that is promised half a code, and the brightest that there is where it has no larger gain.
+fn assert_intensities<S: Format>() {
+    let brightest = Domain::of::<S>().brightest;
+    for shape in plain() {
+        for half_degrees in [3.0, 30.0] {
+            let codes = bright::<S>(&shape, half_degrees, brightest, 4.0 * f64::from(brightest));
+            assert_held::<S>("brightest of half a code", &shape, half_degrees, 0.0, codes);
+            let codes = bright::<S>(&shape, half_degrees, 1e9, brightest.into());
+            assert_held::<S>("brightest of all", &shape, half_degrees, 0.0, codes);
+        }
+    }
+    let (light, above) = (Vec3::new(0.0, 0.0, 0.0), Vec3::new(0.0, 1.0, 0.0));
+    let spot = Spot::new(light, above, plain()[0].cone(30.0)).expect("sound");
+    let (point, normal) = (above.map(S::length), Vec3::new(S::ZERO, S::from_f32(-1.0), S::ZERO));
+    for dark in [0.0, f32::from_bits(1), f32::MIN_POSITIVE] {
+        let compiled = spot.with_intensity(dark).and_then(|spot| spot.compile::<S>()).expect("accepted");
+        assert!(S::exact_light(compiled.irradiance(point, normal)) <= f64::from(dark));
+    }
+    for refused in [-f32::MIN_POSITIVE, 1e9_f32.next_up(), f32::NAN] {
+        let error = spot.with_intensity(refused).expect_err("outside of the domain");
+        assert_eq!((error.parameter, error.accepted), (Parameter::Intensity, Accepted::Between(0.0, 1e9)));
+    }
+}
+
+#[test]
+fn intensities_hold_at_their_ends() {
+    assert_intensities::<f32>();
+    assert_intensities::<Fx32>();
+    assert_intensities::<Fx16>();
+}
+
+/// Where the way is longer than the format has room for.
+fn assert_far<S: Format>(light: Vec3<f32>, axis: Vec3<f32>, half_degrees: f32, point: Vec3<f32>, truth: f64) {
+    let shape = Shape::new("soft", Soft, reference::soft);
+    let spot =
+        Spot::new(light, axis, shape.cone(half_degrees)).expect("sound").with_attenuation(InverseSquare);
+    let found = spot.compile::<S>().expect("in the domain").falloff(point.map(S::length)).exact();
+    let components = |v: Vec3<f32>| [v.x, v.y, v.z].map(f64::from);
+    let way = reference::minus(components(point), components(light));
+    let versine = reference::versine_between(way, reference::unit(components(axis)));
+    let exact = reference::falloff(reference::soft, versine, reference::versine(half_degrees.into()));
+    assert!((exact - truth).abs() < 1e-4, "{exact}");
+    assert!(255.0 * (found - exact).abs() < 0.5, "{}: {found} against {exact}", S::NAME);
+}
+
+/// Offsets of more than 32,768 keep their direction.
+#[test]
+fn far_points_keep_their_direction() {
+    let at = Vec3::new;
+    let along = at(-36_000.0, 0.0, 20_000.0);
+    assert_far::<f32>(at(16_000.0, 0.0, 0.0), along, 1.5, at(-20_000.0, 0.0, 20_000.0), 1.0);
+    assert_far::<Fx32>(at(16_000.0, 0.0, 0.0), along, 1.5, at(-20_000.0, 0.0, 20_000.0), 1.0);
+    assert_far::<Fx16>(at(16_000.0, 0.0, 0.0), along, 1.5, at(-20_000.0, 0.0, 20_000.0), 1.0);
+    let along = at(-1.0, 0.0, 0.0);
+    assert_far::<f32>(at(16_000.0, 0.0, 0.0), along, 60.0, at(-32_000.0, 30_000.0, 0.0), 0.4844);
+    assert_far::<Fx32>(at(16_000.0, 0.0, 0.0), along, 60.0, at(-32_000.0, 30_000.0, 0.0), 0.4844);
+    assert_far::<Fx16>(at(16_000.0, 0.0, 0.0), along, 60.0, at(-32_000.0, 30_000.0, 0.0), 0.4844);
+    assert_far::<f32>(at(32_000.0, 0.0, 0.0), along, 60.0, at(-32_000.0, 30_000.0, 0.0), 0.6576);
+    assert_far::<Fx32>(at(32_000.0, 0.0, 0.0), along, 60.0, at(-32_000.0, 30_000.0, 0.0), 0.6576);
+}
+
+/// What points on the axis lack of full intensity at most, in steps of the format: multiples of integer axes, as far as
+/// coordinates go.
+fn lack_on_axis<S: Format>(shape: &Shape, half_degrees: f32) -> f64 {
+    let (mut rng, cone) = (Rng::with_seed(30), shape.cone(half_degrees));
+    let mut worst = 0.0_f64;
+    for _ in 0..2_000 * sweep::effort() {
+        let most = [2, 10, 100, 10_000][rng.usize(..4)];
+        let axis = [0; 3].map(|_| rng.i32(-most..=most));
+        let largest = axis.iter().fold(0, |largest, c| c.abs().max(largest));
+        if largest == 0 {
+            continue;
+        }
+        let light = [0; 3].map(|_| rng.i32(-16_383..=16_383));
+        let times = rng.i32(1..=(16_384 / largest).max(1));
+        let vector = |v: [i32; 3]| Vec3::new(v[0] as f32, v[1] as f32, v[2] as f32);
+        let point = vector([0, 1, 2].map(|i| light[i] + times * axis[i]));
+        let spot = Spot::new(vector(light), vector(axis), cone).expect("a sound axis");
+        let found = spot.compile::<S>().expect("held").falloff(point.map(S::length));
+        worst = worst.max((1.0 - found.exact()) / f64::from(S::STEP));
+    }
+    worst
+}
+
+/// At most so many steps short at the narrowest cones, and none from 7.5 degrees on.
+fn assert_axis<S: Format>(most: f64) {
+    let mut shapes: Vec<Shape> = plain().into();
+    shapes.push(Shape::new("power 128", IntegerPower::new(128).expect("accepted"), |t| t.powi(128)));
+    let mut worst = 0.0_f64;
+    for shape in shapes {
+        let narrowest = shape.narrowest::<S>();
+        for half_degrees in
+            [narrowest, 10.0 * narrowest, 7.5, 30.0, 90.0].map(|half| half.clamp(narrowest, 90.0))
+        {
+            let lack = lack_on_axis::<S>(&shape, half_degrees);
+            assert!(lack == 0.0 || half_degrees < 7.5, "{} {} {half_degrees}: {lack}", S::NAME, shape.name);
+            worst = worst.max(lack);
+        }
+    }
+    println!("{} on the axis: {worst} steps short of one", S::NAME);
+    assert!((most / 2.0..=most).contains(&worst), "{}: {worst} steps short of one", S::NAME);
+}
+
+#[test]
+fn points_on_the_axis_have_all_the_light() {
+    assert_axis::<f32>(90.0);
+    assert_axis::<Fx32>(0.0);
+    assert_axis::<Fx16>(1.0);
+}

@@ -1,0 +1,62 @@
+//! Lights that were written as Rust source and compiled: the same bits as those that are compiled now. And bits that no
+//! light has: an answer at every point.
+
+mod lights;
+
+use std::fmt::Debug;
+
+use fastrand::Rng;
+use luminaire::source::U18F14;
+use luminaire::{CompiledSpot, Fx16, Scalar, Soft, Source, Vec3};
+
+/// A constant of any type.
+trait Constant {
+    /// Its fields, and the bits that it is made of.
+    fn shown(&self) -> String;
+}
+
+impl<T: Source + Debug> Constant for T {
+    fn shown(&self) -> String {
+        format!("{self:?}\n{}", self.as_source())
+    }
+}
+
+/// The values as they are compiled now.
+struct Compiled(Vec<(String, String)>);
+
+impl lights::Visit for Compiled {
+    fn value<T: Source + Debug>(&mut self, name: String, value: T) {
+        self.0.push((name, value.shown()));
+    }
+}
+
+#[test]
+fn a_generated_constant_has_the_bits_of_the_compiled_value() {
+    let constants: &[(&str, &dyn Constant)] = &include!(concat!(env!("OUT_DIR"), "/constants.rs"));
+    let mut compiled = Compiled(Vec::new());
+    lights::all(&mut compiled).expect("sound lights");
+    assert_eq!(constants.len(), compiled.0.len());
+    assert!(constants.len() > 300, "only {} constants", constants.len());
+    for ((name, constant), (compiled_name, compiled)) in constants.iter().zip(&compiled.0) {
+        assert_eq!(name, compiled_name);
+        assert_eq!(constant.shown(), *compiled, "{name}");
+    }
+}
+
+const KEY: CompiledSpot<Fx16, Soft> = include!(concat!(env!("OUT_DIR"), "/key.rs"));
+
+#[test]
+fn a_generated_light_lights_as_the_compiled_one() {
+    let compiled = lights::key().expect("a sound light");
+    assert_eq!(KEY, compiled);
+    let mut rng = Rng::with_seed(36);
+    let mut lit = 0;
+    for _ in 0..100_000 {
+        let point = Vec3::new(rng.f32(), rng.f32(), rng.f32()).map(|c| Fx16::length(8.0 * c - 4.0));
+        let normal = Vec3::new(Fx16::ZERO, Fx16::ONE, Fx16::ZERO);
+        let light = KEY.irradiance(point, normal);
+        assert_eq!(light, compiled.irradiance(point, normal));
+        lit += u32::from(light > U18F14::ZERO);
+    }
+    assert!(lit > 1_000, "only {lit} points are lit");
+}

@@ -1,0 +1,29 @@
+//! Writes every compiled value of the list as Rust source, for the test `generated` to compile.
+
+mod lights;
+
+use std::error::Error;
+use std::fmt::Debug;
+use std::path::Path;
+use std::{env, fs};
+
+use luminaire::Source;
+
+/// The source of a list of names and constants.
+struct Listing(String);
+
+impl lights::Visit for Listing {
+    fn value<T: Source + Debug>(&mut self, name: String, value: T) {
+        self.0 += &format!("({name:?}, &const {} as &dyn Constant),\n", value.as_source());
+    }
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    println!("cargo::rerun-if-changed=tests/suite/generated");
+    let mut listing = Listing(String::new());
+    lights::all(&mut listing)?;
+    let out = env::var("OUT_DIR")?;
+    fs::write(Path::new(&out).join("constants.rs"), format!("[\n{}]\n", listing.0))?;
+    fs::write(Path::new(&out).join("key.rs"), lights::key()?.as_source().to_string())?;
+    Ok(())
+}

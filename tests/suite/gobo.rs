@@ -1,0 +1,290 @@
+//! Patterns that a spotlight projects: their transmission against f64, and where it is exact.
+
+use fastrand::Rng;
+use luminaire::{
+    Accepted, Angle, CompiledGobo, Cone, CutOff, Error, Fx16, Fx32, Gobo, Parameter, Place, Projection,
+    Scalar, Soft, Spot, Vec3,
+};
+use luminaire_render::gobos;
+use support::{
+    arbitrary::{bits, vector},
+    bounds::{self, REFUSE},
+    every,
+    format::Format,
+    gobos::{ROWS, transmission},
+    squares::Square,
+    sweep,
+};
+
+const WINDOW: [[u8; 16]; 16] = gobos::window();
+const STAR: [[u8; 32]; 32] = gobos::star();
+const BREAKUP: [[u8; 64]; 64] = gobos::breakup();
+/// All transmissions as one sum of weights.
+const ALL: u32 = 255 << 24;
+
+fn random(rng: &mut Rng, side: usize) -> Vec<u8> {
+    (0..side * side).map(|_| if rng.bool() { rng.u8(..) } else { 255 * rng.u8(..2) }).collect()
+}
+
+fn at<S: Scalar>(column: i32, row: i32) -> Place<S> {
+    Place { column, row, depth: S::Length::default() }
+}
+
+/// A spotlight of this half angle somewhere, the square around it, and the same one in f64.
+fn projection<S: Format>(rng: &mut Rng, half_degrees: f32) -> (Spot<CutOff>, Projection, Square) {
+    let cone = Cone::from_outer(CutOff, sweep::half(half_degrees)).expect("sound");
+    let spot = sweep::spot(rng, cone);
+    let square = Square::stored::<S, _, _>(&spot, half_degrees.into(), 0.0);
+    (spot, Projection::of(&spot).expect("not too wide"), square)
+}
+
+/// The largest error at places of the middles of their steps.
+fn error_of_places<S: Format>(side: usize) -> f64 {
+    let mut rng = Rng::with_seed(7);
+    let mut worst = 0.0_f64;
+    for _ in 0..20 * sweep::effort() {
+        let transmissions = random(&mut rng, side);
+        let gobo = Gobo::new(side, &transmissions).expect("a square of them");
+        for _ in 0..10_000 {
+            let steps = [rng.i32(0..65_536), rng.i32(0..65_536)];
+            let exact = transmission(side, &transmissions, steps.map(|s| (f64::from(s) + 0.5) / 65_536.0));
+            let found: S = gobo.transmission(&at(steps[0], steps[1]));
+            worst = worst.max((found.exact() - exact).abs());
+        }
+    }
+    worst
+}
+
+/// The largest error at points all over the square.
+fn error_of_points<S: Format>(side: usize, half_degrees: f32) -> f64 {
+    let mut rng = Rng::with_seed(8);
+    let mut worst = 0.0_f64;
+    for _ in 0..50 * sweep::effort() {
+        let (_, projection, square) = projection::<S>(&mut rng, half_degrees);
+        let Ok(compiled) = projection.compile::<S>() else { return REFUSE };
+        let transmissions = random(&mut rng, side);
+        let gobo = Gobo::new(side, &transmissions).expect("a square of them").on(compiled);
+        for _ in 0..4_000 {
+            let place = [rng.f64(), rng.f64(), sweep::distance(&mut rng)];
+            let point = sweep::single(sweep::on_grid(square.point(place))).map(S::length);
+            let [column, row, _] = square.place(S::exact_point(point));
+            let exact = transmission(side, &transmissions, [column, row]);
+            worst = worst.max((gobo.at(point).exact() - exact).abs());
+        }
+    }
+    worst
+}
+
+#[test]
+fn transmissions_keep_their_rows() {
+    fn error<S: Format>(side: usize, half: Option<f32>) -> f64 {
+        half.map_or_else(|| error_of_places::<S>(side), |half| error_of_points::<S>(side, half))
+    }
+    let mut broken = Vec::new();
+    for row in &ROWS {
+        let (side, half) = (row.side, row.half);
+        let measured = [error::<f32>(side, half), error::<Fx32>(side, half), error::<Fx16>(side, half)];
+        println!("{:22} [{}]", row.name, measured.map(|error| format!("{error:.2e}")).join(", "));
+        for ((format, measured), bound) in ["f32", "fx32", "fx16"].iter().zip(measured).zip(row.bounds) {
+            broken.extend(bounds::check(&format!("{} in {format}", row.name), measured, bound).err());
+        }
+    }
+    assert!(broken.is_empty(), "{}", broken.join("\n"));
+}
+
+/// A sum of weighted bytes in steps of the format: exact at both ends, never falling, and one from there on. Exhaustive in
+/// the long run, else one sum in 1,009.
+#[test]
+fn weighted_bytes_keep_their_roundings() {
+    fn assert_within<S: Format>(bound: f64) {
+        let step = f64::from(S::STEP);
+        let seen = every::input(S::NAME, 0..=u64::from(ALL), |sum| {
+            [S::weighted_byte(sum as u32).exact() / step, sum as f64 / f64::from(ALL) / step]
+        });
+        println!("{:4} weighted byte {:.4} steps", S::NAME, seen.error);
+        bounds::check(S::NAME, seen.error, bound).unwrap_or_else(|broken| panic!("{broken}"));
+        assert_eq!(seen.fall, 0.0);
+        assert_eq!((S::weighted_byte(0), S::weighted_byte(ALL)), (S::ZERO, S::ONE));
+        for more in [ALL + 1, u32::MAX] {
+            assert_eq!(S::weighted_byte(more), S::ONE);
+        }
+    }
+    assert_within::<f32>(0.75);
+    assert_within::<Fx32>(0.75);
+    assert_within::<Fx16>(0.76);
+}
+
+/// A pane that is even has one transmission, to the bit, whatever its size is.
+#[test]
+fn an_even_pane_has_one_transmission() {
+    fn assert_even<S: Format>() {
+        let mut rng = Rng::with_seed(77);
+        for side in [1, 2, 7, 32, 100] {
+            let byte = rng.u8(..);
+            let transmissions = vec![byte; side * side];
+            let gobo = Gobo::new(side, &transmissions).expect("a square of them");
+            for _ in 0..10_000 {
+                let [column, row] = [0; 2].map(|_| bits(&mut rng) as i32);
+                let found: S = gobo.transmission(&at(column, row));
+                assert_eq!(found, S::weighted_byte(u32::from(byte) << 24), "{side}: {column} {row}");
+            }
+        }
+    }
+    assert_even::<f32>();
+    assert_even::<Fx32>();
+    assert_even::<Fx16>();
+}
+
+/// The interpolation is one of integers: formats differ by their own rounding of its sum and by nothing else.
+#[test]
+fn a_place_has_one_transmission_in_every_format() {
+    let mut rng = Rng::with_seed(3);
+    let gobo = Gobo::of(&BREAKUP);
+    for _ in 0..100_000 {
+        let [column, row] = [0; 2].map(|_| rng.i32(-70_000..135_000));
+        let found: Fx32 = gobo.transmission(&at(column, row));
+        let close: Fx16 = gobo.transmission(&at(column, row));
+        let float: f32 = gobo.transmission(&at(column, row));
+        assert!((close.exact() - found.exact()).abs() <= 0.76 * f64::from(Fx16::STEP));
+        assert!((float.exact() - found.exact()).abs() <= 1.5 * f64::from(f32::EPSILON));
+    }
+}
+
+/// Off the square and in the outermost half of a part the border goes on.
+#[test]
+fn the_border_goes_on() {
+    let mut rng = Rng::with_seed(31);
+    let transmissions = random(&mut rng, 8);
+    let gobo = Gobo::new(8, &transmissions).expect("a square of them");
+    for _ in 0..10_000 {
+        let [column, row] = [0; 2].map(|_| bits(&mut rng) as i32);
+        // From the middle of the first part to the middle of the last.
+        let [nearest_column, nearest_row] = [column, row].map(|steps| steps.clamp(4_096, 61_440));
+        let found: Fx32 = gobo.transmission(&at(column, row));
+        let nearest = gobo.transmission(&at::<Fx32>(nearest_column, nearest_row));
+        assert_eq!(found, nearest, "{column} {row}");
+    }
+}
+
+/// A factor of one is exactly one: behind clear glass no light changes by a bit, and behind none of it is any left, at every
+/// point of any bits.
+#[test]
+fn clear_glass_changes_no_bit() {
+    fn assert_clear<S: Format>() {
+        let mut rng = Rng::with_seed(255);
+        let (clear, shut) = (Gobo::of(&[[255; 5]; 5]), Gobo::of(&[[0; 5]; 5]));
+        let mut lit = 0;
+        for _ in 0..200 * sweep::effort() {
+            let half_degrees = 2.0 + 70.0 * rng.f32();
+            let (spot, projection, square) = projection::<S>(&mut rng, half_degrees);
+            let compiled = projection.compile::<S>().expect("held");
+            let light = spot.with_intensity(64.0).and_then(|spot| spot.compile::<S>()).expect("held");
+            for _ in 0..100 {
+                let near = sweep::single(square.point([rng.f64(), rng.f64(), 4.0])).map(S::length);
+                let normal = sweep::single(sweep::direction(&mut rng)).map(S::from_f32);
+                for (point, normal) in [
+                    (near, normal),
+                    (vector(&mut rng, S::length_from_bits), vector(&mut rng, S::scalar_from_bits)),
+                ] {
+                    let arriving = light.irradiance(point, normal);
+                    assert_eq!(clear.on(compiled).at(point), S::ONE);
+                    assert_eq!(clear.on(compiled).filter(arriving, point), arriving);
+                    assert_eq!(shut.on(compiled).at(point), S::ZERO);
+                    assert_eq!(shut.on(compiled).filter(arriving, point), S::Irradiance::default());
+                    lit += u32::from(arriving > S::Irradiance::default());
+                }
+            }
+        }
+        assert!(lit > 5_000, "only {lit} points are lit");
+    }
+    assert_clear::<f32>();
+    assert_clear::<Fx32>();
+    assert_clear::<Fx16>();
+}
+
+/// A projection that is turned by a quarter shows the pattern turned by a quarter.
+#[test]
+fn a_quarter_of_a_turn_turns_the_pattern() {
+    fn assert_turns<S: Format>() {
+        let mut rng = Rng::with_seed(90);
+        let pattern: [[u8; 8]; 8] = std::array::from_fn(|_| std::array::from_fn(|_| rng.u8(..)));
+        // Clockwise: the first column of what was, from the bottom up, is the first row of what is.
+        let turned: [[u8; 8]; 8] =
+            std::array::from_fn(|row| std::array::from_fn(|column| pattern[7 - column][row]));
+        for _ in 0..50 {
+            let (_, projection, square) = projection::<S>(&mut rng, 20.0);
+            let quarter =
+                projection.turned(Angle::degrees(90.0)).expect("sound").compile::<S>().expect("held");
+            let (upright, quarter) = (projection.compile::<S>().expect("held"), quarter);
+            for _ in 0..1_000 {
+                let point = sweep::single(square.point([rng.f64(), rng.f64(), 3.0])).map(S::length);
+                let (by_square, by_pattern) = (Gobo::of(&pattern).on(quarter), Gobo::of(&turned).on(upright));
+                let apart = by_square.at(point).exact() - by_pattern.at(point).exact();
+                // A step of a place in each direction, and a fraction that is rounded the other way.
+                assert!(apart.abs() < 2.0 * (8.0 / 65_536.0 + 1.0 / 4_096.0), "{apart}");
+            }
+        }
+    }
+    assert_turns::<f32>();
+    assert_turns::<Fx32>();
+    assert_turns::<Fx16>();
+}
+
+/// A gobo on the wall, as a spectator behind the light sees it: top to the top and left to the left.
+#[test]
+fn a_pattern_stands_upright_on_a_wall() {
+    let cone = Cone::from_outer(Soft, Angle::degrees(90.0)).expect("sound");
+    let spot = Spot::new(Vec3::default(), Vec3::new(0.0, 0.0, -1.0), cone).expect("sound");
+    let square = Projection::of(&spot).and_then(|square| square.compile::<f32>()).expect("held");
+    let gobo = Gobo::of(&[[255, 0], [0, 0]]).on(square);
+    let corners = [(-1.0, 1.0), (1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)];
+    assert_eq!(corners.map(|(x, y)| gobo.at(Vec3::new(x, y, -1.0))), [1.0, 0.0, 0.0, 0.0]);
+}
+
+/// The patterns of the renderer pass some of the light and not all of it, and lie within the cone.
+#[test]
+fn patterns_lie_within_the_cone() {
+    for (name, gobo, share) in [
+        ("window", Gobo::of(&WINDOW), 0.2..0.3),
+        ("star", Gobo::of(&STAR), 0.2..0.4),
+        ("breakup", Gobo::of(&BREAKUP), 0.2..0.4),
+    ] {
+        let (side, transmissions) = (gobo.side(), gobo.transmissions());
+        let sum: f64 = transmissions.iter().map(|&t| f64::from(t) / 255.0).sum();
+        let passed = sum / (side * side) as f64;
+        println!("{name} passes {passed:.3}");
+        assert!(share.contains(&passed), "{name} passes {passed}");
+        for (index, &transmission) in transmissions.iter().enumerate() {
+            let [x, y] = [index % side, index / side].map(|i| (i as f64 + 0.5) / side as f64 * 2.0 - 1.0);
+            assert!(transmission == 0 || x * x + y * y < 1.0, "{name}: {index} is outside of the cone");
+        }
+        // Left and right are alike in what people make.
+        let mirrored = transmissions.chunks(side).all(|row| row.iter().eq(row.iter().rev()));
+        assert_eq!(mirrored, name != "breakup", "{name}");
+    }
+}
+
+#[test]
+fn what_is_no_gobo() {
+    let message = |refused: Result<Gobo<'_>, Error>| refused.expect_err("no gobo").to_string();
+    assert_eq!(message(Gobo::new(0, &[])), "side 0 is refused: give a whole number from 1 to 4096");
+    assert_eq!(message(Gobo::new(4_097, &[])), "side 4097 is refused: give a whole number from 1 to 4096");
+    assert_eq!(message(Gobo::new(3, &[0; 8])), "number of samples 8 is refused: give exactly 9");
+    let refused = Gobo::new(usize::MAX, &[]).expect_err("no gobo");
+    assert_eq!((refused.parameter, refused.accepted), (Parameter::Side, Accepted::WholeBetween(1, 4_096)));
+    let widest = vec![9; 4_096 * 4_096];
+    let gobo = Gobo::new(4_096, &widest).expect("the limit itself is accepted");
+    let found: Fx32 = gobo.transmission(&at(65_535, 65_535));
+    assert_eq!(found, Fx32::weighted_byte(9 << 24));
+}
+
+/// Both ways to a gobo, and what is given back.
+#[test]
+fn a_gobo_keeps_what_it_is_given() {
+    let gobo = Gobo::of(&STAR);
+    assert_eq!((gobo.side(), gobo.transmissions()), (32, STAR.as_flattened()));
+    assert_eq!(Gobo::new(32, STAR.as_flattened()), Ok(gobo));
+    let square = projection::<Fx16>(&mut Rng::with_seed(1), 20.0).1.compile::<Fx16>().expect("held");
+    assert_eq!(CompiledGobo::from_parts(square, gobo), gobo.on(square));
+    assert_eq!((gobo.on(square).gobo(), *gobo.on(square).projection()), (gobo, square));
+}

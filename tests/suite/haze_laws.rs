@@ -1,0 +1,324 @@
+//! What holds for every beam in haze and every view ray.
+
+use fastrand::Rng;
+use luminaire::source::FloatRamp;
+use luminaire::{
+    Attenuation, Cone, Falloff, Haze, HazyBeam, InverseSquare, Polynomial, SmoothRange, Soft, Spot,
+    SquaredWindow, Unattenuated, Vec3, ViewBundle, ViewRay,
+};
+use support::{
+    air_light::Beam,
+    arbitrary::bits,
+    bounds,
+    haze::LAWS,
+    reference::{self, Vector, dot, minus, unit},
+    sweep,
+    views::{distances, exact, exactly, near_beam, place, view},
+};
+
+const HALF_ANGLES: [f32; 5] = [0.5, 5.0, 22.0, 60.0, 90.0];
+
+fn haze(density: f32) -> Haze {
+    Haze::new(density).expect("a sound density")
+}
+
+fn spot(rng: &mut Rng) -> Spot<Soft> {
+    let half = HALF_ANGLES[rng.usize(..HALF_ANGLES.len())];
+    sweep::spot(rng, Cone::from_outer(Soft, sweep::half(half)).expect("a sound cone"))
+}
+
+fn in_haze<A: Attenuation>(spot: &Spot<Soft, A>, density: f32) -> HazyBeam<Soft, A> {
+    spot.compile::<f32>().expect("held").in_haze(&haze(density))
+}
+
+/// What a spotlight stands for.
+fn oracle(spot: &Spot<Soft>) -> Beam {
+    let cone = reference::Cone::new(reference::soft, spot.cone().outer_versine().into());
+    let spot =
+        reference::Spot { position: exact(spot.position()), axis: exact(spot.axis()), cone, intensity: 1.0 };
+    Beam {
+        spot,
+        attenuation: |d| 1.0 / (d * d),
+        range: f64::INFINITY,
+        density: 1.0,
+        lamp_radius: haze(1.0).lamp_radius().into(),
+    }
+}
+
+/// Tries a law on many lights and rays, the same in every run, and counts those that are lit: a law of the
+/// dark would be none.
+fn on_many(mut law: impl FnMut(&mut Rng, &Spot<Soft>, &ViewRay) -> bool) {
+    let mut rng = Rng::with_seed(1910);
+    let mut lit = 0;
+    for _ in 0..40_000 {
+        let spot = spot(&mut rng);
+        let view = view(&mut rng, &oracle(&spot));
+        lit += usize::from(law(&mut rng, &spot, &view));
+    }
+    assert!(lit > 10_000, "only {lit} rays are lit");
+}
+
+#[test]
+fn clear_air_gives_exactly_no_light() {
+    on_many(|_, spot, view| {
+        assert_eq!(in_haze(spot, 0.0).air_light(view), 0.0);
+        assert_eq!(in_haze(spot, 0.0).air_light_through(view, 8, |_| 1.0), 0.0);
+        in_haze(spot, 1.0).air_light(view) > 0.0
+    });
+}
+
+#[test]
+fn twice_the_density_is_exactly_twice_the_light() {
+    on_many(|_, spot, view| {
+        let light = in_haze(spot, 0.125).air_light(view);
+        assert_eq!(in_haze(spot, 0.25).air_light(view), 2.0 * light);
+        light > 0.0
+    });
+}
+
+/// Light of about a fifth of what is seen across the beam, as near to the lamp as the ray comes:
+/// differences are relative to it or to the light itself, whichever is more.
+fn unit_of_light(spot: &Spot<Soft>, view: &ViewRay) -> f64 {
+    let (nearest, _) = distances(&oracle(spot), &exactly(view));
+    0.05 * f64::from(spot.cone().outer().to_radians()) / nearest
+}
+
+fn assert_within(name: &str, measured: f64) {
+    println!("{name}: {measured:.2e}");
+    let (_, bound) = LAWS.into_iter().find(|(law, _)| *law == name).expect("every law has a bound");
+    bounds::check(name, measured, bound).expect("the stated difference");
+}
+
+#[test]
+fn a_longer_ray_sees_no_less() {
+    let mut worst = 0.0_f64;
+    on_many(|rng, spot, view| {
+        let beam = in_haze(spot, 1.0);
+        let longer = ViewRay { length: view.length * (1.0 + 0.01 * rng.f32()), ..*view };
+        let [light, more] = [view, &longer].map(|view| f64::from(beam.air_light(view)));
+        worst = worst.max((light - more) / light.max(unit_of_light(spot, view)));
+        light > 0.0
+    });
+    assert_within("largest fall", worst);
+}
+
+#[test]
+fn parts_of_a_ray_add_up() {
+    let mut worst = 0.0_f64;
+    on_many(|rng, spot, view| {
+        let beam = in_haze(spot, 1.0);
+        let length = view.length.min(20.0);
+        let first = length * rng.f32();
+        let there = view.eye.zip(view.direction, |e, d| e + first * d);
+        let parts = [(view.eye, length), (view.eye, first), (there, length - first)];
+        let light = |(eye, length)| f64::from(beam.air_light(&ViewRay { eye, length, ..*view }));
+        let [whole, near, far] = parts.map(light);
+        worst = worst.max((near + far - whole).abs() / whole.max(unit_of_light(spot, view)));
+        whole > 0.0
+    });
+    assert_within("parts", worst);
+}
+
+/// The axes of a turned world.
+fn turned(rng: &mut Rng) -> [Vector; 3] {
+    let first = sweep::direction(rng);
+    let second = sweep::direction_off(rng, first, std::f64::consts::FRAC_PI_2);
+    let [a, b] = [first, second];
+    [a, b, [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]]
+}
+
+/// Turning lamp and eye changes what rounding to f32 does to them, and no more.
+#[test]
+fn a_turned_scene_looks_the_same() {
+    let mut worst = 0.0_f64;
+    on_many(|rng, spot, view| {
+        let axes = turned(rng);
+        let turn = |v: Vec3<f32>| sweep::single(axes.map(|axis| dot(axis, exact(v))));
+        let other = Spot::new(turn(spot.position()), turn(spot.axis()), spot.cone()).expect("a sound light");
+        let across = ViewRay { eye: turn(view.eye), direction: turn(view.direction), length: view.length };
+        let light = f64::from(in_haze(spot, 1.0).air_light(view));
+        let same = f64::from(in_haze(&other, 1.0).air_light(&across));
+        worst = worst.max((light - same).abs() / light.max(unit_of_light(spot, view)));
+        light > 0.0
+    });
+    assert_within("turned", worst);
+}
+
+/// The ray that looks along the axis meets the lamp head on and has no plane of its own.
+#[test]
+fn along_the_axis_there_is_light() {
+    let cone = Cone::from_outer(Soft, sweep::half(5.0)).expect("a sound cone");
+    let down = Vec3::new(0.0, -1.0, 0.0);
+    let beam = in_haze(&Spot::new(Vec3::new(1.0, 4.0, -2.0), down, cone).expect("a sound light"), 4.0);
+    let light = |height: f32, direction, length| {
+        beam.air_light(&ViewRay { eye: Vec3::new(1.0, height, -2.0), direction, length })
+    };
+    let up = Vec3::new(0.0, 1.0, 0.0);
+    let assert_near = |light: f32, expected: f32| assert!((light / expected - 1.0).abs() < 1e-5, "{light}");
+    // From distance a to distance b of the lamp the integral is 1/a - 1/b.
+    assert_near(light(2.0, down, f32::INFINITY), 0.5);
+    assert_near(light(2.0, down, 2.0), 0.25);
+    assert_near(light(2.0, up, 1.0), 0.5);
+    // The lamp hides what is behind it, and there is nothing behind it either.
+    assert_near(light(2.0, up, f32::INFINITY), 99.5);
+    assert_near(light(6.0, down, f32::INFINITY) + 1.0, 1.0);
+    // The eye in the lamp sees the whole beam from the lamp's surface on.
+    assert_near(light(4.0, down, f32::INFINITY), 100.0);
+}
+
+#[test]
+fn nothing_in_the_way_is_the_air_light() {
+    let mut worst = 0.0_f64;
+    on_many(|_, spot, view| {
+        let beam = in_haze(spot, 1.0);
+        assert_eq!(beam.air_light_through(view, 0, |_| 1.0), 0.0);
+        assert_eq!(beam.air_light_through(view, 16, |_| 0.0), 0.0);
+        let [light, sampled] =
+            [beam.air_light(view), beam.air_light_through(view, 256, |_| 1.0)].map(f64::from);
+        worst = worst.max((light - sampled).abs() / light.max(unit_of_light(spot, view)));
+        light > 0.0
+    });
+    assert_within("by 256 samples", worst);
+}
+
+/// The sampled places are on the ray.
+#[test]
+fn samples_are_taken_on_the_ray() {
+    let mut worst = 0.0_f64;
+    on_many(|_, spot, view| {
+        let ray = exactly(view);
+        let off = std::cell::Cell::new(0.0_f64);
+        let light = in_haze(spot, 1.0).air_light_through(view, 8, |point| {
+            let way = minus(exact(point), ray.eye);
+            let along = dot(way, ray.direction);
+            let beside = (dot(way, way) - along * along).max(0.0).sqrt();
+            let beyond = (-along).max(along - ray.length).max(0.0);
+            off.set(off.get().max((beside + beyond) / (1.0 + dot(way, way).sqrt())));
+            1.0
+        });
+        worst = worst.max(if light > 0.0 { off.get() } else { 0.0 });
+        light > 0.0
+    });
+    assert_within("beside the ray", worst);
+}
+
+#[test]
+fn a_ray_between_two_points_has_their_direction_and_distance() {
+    let mut rng = Rng::with_seed(7);
+    let mut worst = [0.0_f64; 2];
+    for _ in 0..100_000 {
+        let [eye, surface] = [(); 2].map(|()| Vec3::new((), (), ()).map(|()| 16.0 * rng.f32() - 8.0));
+        let found = ViewRay::between(eye, surface);
+        let way = minus(exact(surface), exact(eye));
+        let distance = dot(way, way).sqrt();
+        let off = minus(exact(found.direction), unit(way));
+        worst[0] = worst[0].max(dot(off, off).sqrt());
+        worst[1] = worst[1].max((f64::from(found.length) / distance - 1.0).abs());
+        assert_eq!(ViewRay::endless(eye, found.direction).length, f32::INFINITY);
+    }
+    assert_within("direction", worst[0]);
+    assert_within("distance", worst[1]);
+    let nowhere = ViewRay::between(Vec3::new(1.0, 2.0, 3.0), Vec3::new(1.0, 2.0, 3.0));
+    assert_eq!((nowhere.direction, nowhere.length), (Vec3::new(0.0, 0.0, 0.0), 0.0));
+}
+
+/// A beam of any bits, and what it makes of rays of any bits.
+fn assert_total<A: Attenuation>(rng: &mut Rng, constants: impl Fn(&mut Rng) -> A::Constants<f32>) {
+    let any = |rng: &mut Rng| f32::from_bits(bits(rng) as u32);
+    let tame = rng.bool();
+    let number = move |rng: &mut Rng| if tame && rng.u8(..8) > 0 { 4.0 * rng.f32() - 2.0 } else { any(rng) };
+    let place = |rng: &mut Rng| Vec3::new((), (), ()).map(|()| number(rng));
+    let ramp = FloatRamp::from_bits([(); 3].map(|()| number(rng).to_bits()));
+    let falloff = Falloff::from_parts(ramp, Soft, Soft);
+    let (position, axis, gain) = (place(rng), place(rng), number(rng));
+    let (cone, reach) = ([number(rng), number(rng)], [number(rng), number(rng)]);
+    let constants = constants(rng);
+    let beam = HazyBeam::<Soft, A>::from_parts(position, axis, falloff, constants, gain, cone, reach);
+    let view = ViewRay { eye: place(rng), direction: place(rng), length: number(rng) };
+    let through = number(rng);
+    for light in [beam.air_light(&view), beam.air_light_through(&view, 3, |_| through)] {
+        assert!((0.0..=f32::MAX).contains(&light), "{light} from {view:?} of {beam:?}");
+    }
+    let bundle =
+        ViewBundle { eye: view.eye, direction: view.direction, versine: number(rng), length: view.length };
+    beam.can_meet(&bundle);
+}
+
+#[test]
+fn any_bits_have_an_air_light() {
+    let mut rng = Rng::with_seed(0xa1e);
+    let any = |rng: &mut Rng| f32::from_bits(bits(rng) as u32);
+    for _ in 0..20_000 * sweep::effort() {
+        assert_total::<InverseSquare>(&mut rng, |_| ());
+        assert_total::<Unattenuated>(&mut rng, |_| ());
+        assert_total::<Polynomial>(&mut rng, |rng| [(); 3].map(|()| any(rng)));
+        assert_total::<SmoothRange>(&mut rng, |rng| [(); 2].map(|()| any(rng)));
+        assert_total::<SquaredWindow>(&mut rng, |rng| (any(rng), ()));
+    }
+}
+
+/// A bundle of rays at a beam, and a ray of it.
+fn bundle(rng: &mut Rng, oracle: &Beam) -> (ViewBundle, Vec<ViewRay>) {
+    let target = near_beam(rng, &oracle.spot, 3.0);
+    let eye = sweep::single(place(target, sweep::direction(rng), 0.3 * 30.0_f64.powf(rng.f64())));
+    let middle = unit(minus(target, exact(eye)));
+    let spread = 0.5 * 0.002_f64.powf(rng.f64());
+    let length = if rng.bool() { f32::INFINITY } else { 0.2 * 100.0_f32.powf(rng.f32()) };
+    let rays: Vec<_> = (0..24)
+        .map(|i| {
+            let angle = if i < 8 { spread } else { spread * rng.f64().sqrt() };
+            let direction = sweep::single(sweep::direction_off(rng, middle, angle));
+            ViewRay { eye, direction, length: if i < 8 { length } else { length * rng.f32() } }
+        })
+        .collect();
+    let corners: Vec<_> = rays.iter().map(|ray| ray.direction).collect();
+    (ViewBundle::around(eye, sweep::single(middle), &corners, length), rays)
+}
+
+/// Nothing is lost: where one ray of a bundle has light the answer is yes. Of the bundles that are dark
+/// most are rejected.
+fn assert_meets<A: Attenuation>(attenuation: A, least_rejected: f64) {
+    let mut rng = Rng::with_seed(12);
+    let (mut dark, mut rejected, mut lit) = (0, 0, 0);
+    for _ in 0..10_000 * sweep::effort() {
+        let spot = spot(&mut rng);
+        let beam = in_haze(&spot.with_attenuation(attenuation), 1.0);
+        let (bundle, rays) = bundle(&mut rng, &oracle(&spot));
+        let can_meet = beam.can_meet(&bundle);
+        let is_lit = rays.iter().any(|ray| beam.air_light(ray) > 0.0);
+        assert!(can_meet || !is_lit, "{beam:?} lights a ray of {bundle:?}");
+        dark += u32::from(!is_lit);
+        rejected += u32::from(!can_meet);
+        lit += u32::from(is_lit);
+    }
+    let share = f64::from(rejected) / f64::from(dark);
+    println!("{lit} bundles are lit, {:.1} % of {dark} dark ones rejected", 100.0 * share);
+    assert!(
+        (least_rejected..least_rejected + 0.1).contains(&share),
+        "{rejected} of {dark} dark bundles are rejected"
+    );
+}
+
+#[test]
+fn no_bundle_with_a_lit_ray_is_rejected() {
+    assert_meets(InverseSquare, 0.72);
+    assert_meets(SquaredWindow::new(InverseSquare, Some(3.0)).expect("a sound range"), 0.65);
+}
+
+#[test]
+fn clear_air_meets_nothing() {
+    let mut rng = Rng::with_seed(3);
+    for _ in 0..100 {
+        let spot = spot(&mut rng);
+        let (bundle, _) = bundle(&mut rng, &oracle(&spot));
+        assert!(!in_haze(&spot, 0.0).can_meet(&bundle));
+    }
+}
+
+#[test]
+fn haze_keeps_what_it_is_given() {
+    let thin = haze(0.125);
+    assert_eq!((thin.density(), thin.lamp_radius()), (0.125, 0.01));
+    let around = thin.with_lamp_radius(0.5).expect("a sound radius");
+    assert_eq!((around.density(), around.lamp_radius()), (0.125, 0.5));
+}

@@ -1,0 +1,299 @@
+//! Imported lights against the formulas of the systems that they come from, whole and in f64: what is exact,
+//! how far off the rest is, and that the number that an importer gives for it is the true one.
+//!
+//! `cargo test --test import -- --nocapture --test-threads 1` prints the differences and the errors.
+
+use fastrand::Rng;
+use luminaire::{
+    Attenuation, CompiledSpot, Distance, Fx16, Fx32, Matched, Profile, Scalar, Spot, Vec3,
+    import::{self, Difference, Imported, Lamp},
+};
+use support::{
+    bounds,
+    format::Format,
+    imports::{self, ORIGIN},
+    originals::Original,
+    reference::{dot, minus, unit},
+    sweep,
+};
+
+/// Places from 0 to 1, crowded at both ends.
+fn places(count: u32) -> impl Iterator<Item = f64> {
+    (0..=count).map(move |i| {
+        let place = f64::from(i) / f64::from(count);
+        let (near, far) = (place.powi(4), (1.0 - place).powi(4));
+        near / (near + far)
+    })
+}
+
+/// The light at a distance, on the axis.
+fn fall(light: &Spot<Matched, Distance>, distance: f64) -> f64 {
+    f64::from(light.intensity()) * light.attenuation().exact(distance)
+}
+
+/// What the importer took into the intensity: what Godot has on the axis, where a real power stands for it.
+fn on_axis(light: &Spot<Matched, Distance>, original: &Original) -> f64 {
+    if matches!(light.cone().profile(), Matched::RealRim(_)) { (original.angle)(1.0) } else { 1.0 }
+}
+
+/// The largest difference over the angle between an original and the profile that stands for it, relative to the axis of
+/// that: where `t` is 1 in the middle of the ramp and 2^-24 at its edge, and of OpenGL as far as its cutoff.
+fn angle_difference(light: &Spot<Matched, Distance>, original: &Original) -> f64 {
+    let is_opengl = original.name.starts_with("OpenGL");
+    let (inner, edge) = (1.0 - original.inner, 1.0 - original.outer);
+    let outer = if is_opengl { 1.0 } else { edge };
+    let on_axis = on_axis(light, original);
+    let least = ((outer - edge) / (outer - inner)).max(0.5_f64.powi(24));
+    places(20_000 * sweep::effort() as u32)
+        .map(|place| {
+            let t = least + (1.0 - least) * place;
+            // Inside of the seams, where f64 cannot tell on which side of them it is.
+            let cosine = 1.0 - (outer - t * (outer - inner)) + if place == 0.0 { 1e-15 } else { 0.0 };
+            (light.cone().profile().formula().exact(t) - (original.angle)(cosine) / on_axis).abs()
+        })
+        .fold(0.0, f64::max)
+}
+
+/// The largest difference over the distance, as [`Difference`] defines it.
+fn distance_difference(light: &Spot<Matched, Distance>, original: &Original, nearest: f64) -> f64 {
+    let start = original.stop.max(nearest);
+    let end = original.range.unwrap_or(32_767.0);
+    let count = 20_000 * sweep::effort() as u32;
+    (0..count)
+        .map(|i| {
+            let d = start * (end / start).powf(f64::from(i) / f64::from(count));
+            let (found, exact) = (fall(light, d) / on_axis(light, original), (original.distance)(d));
+            (found - exact).abs() / exact.max(found).max(1.0)
+        })
+        .fold(0.0, f64::max)
+}
+
+#[test]
+fn what_the_kernel_has_is_exact() {
+    for (Imported { light, difference }, original) in imports::exact() {
+        assert_eq!((difference.angle, difference.distance), (0.0, 0.0), "{}", original.name);
+        let is_step =
+            original.inner == original.outer || matches!(light.cone().profile(), Matched::CutOff(_));
+        if !is_step {
+            let angle = angle_difference(&light, &original);
+            // Where a root is steep the original itself cancels to fewer digits.
+            let is_real = matches!(light.cone().profile(), Matched::RealPower(_) | Matched::RealRim(_));
+            let most = if is_real { 1e-8 } else { 1e-12 };
+            assert!(angle < most, "{}: {angle:.1e} over the angle", original.name);
+        }
+        let distance = distance_difference(&light, &original, 1e-4);
+        // Coefficients are rounded to f32 when they are scaled.
+        assert!(distance < 2e-7, "{}: {distance:.1e} over the distance", original.name);
+    }
+}
+
+/// The number is the largest difference: not smaller, and not more than 2 % larger.
+#[test]
+fn a_difference_is_what_a_dense_search_finds() {
+    for (Imported { light, difference }, original) in imports::near() {
+        let found = [angle_difference(&light, &original), distance_difference(&light, &original, 0.1)];
+        println!(
+            "{}: {:.3e} {:.3e} {:?}",
+            original.name,
+            difference.angle,
+            difference.distance,
+            light.cone().profile()
+        );
+        for (found, stated) in found.into_iter().zip([difference.angle, difference.distance]) {
+            let stated = f64::from(stated);
+            // Under 1e-7 there is only the rounding of coefficients.
+            let holds = stated >= found - 1e-7 && stated <= 1.02 * found + 1e-7;
+            assert!(holds, "{}: {found:.5e} is stated as {stated:.5e}", original.name);
+        }
+    }
+}
+
+/// The largest stated differences of each system, over all lights of this file: at most half of an eight-bit step over
+/// the angle, or 1/510 of the half angle in place where the slope has no bound.
+#[test]
+fn no_import_is_off_by_half_a_step_over_the_angle() {
+    let mut systems: Vec<(String, u32, Difference)> = Vec::new();
+    for (Imported { difference, .. }, original) in imports::exact().into_iter().chain(imports::near()) {
+        let name = original.name.split(',').next().unwrap_or_default().split(' ').next().unwrap_or_default();
+        let Some((_, lights, worst)) = systems.iter_mut().find(|(system, ..)| system == name) else {
+            systems.push((name.to_string(), 1, difference));
+            continue;
+        };
+        *lights += 1;
+        worst.angle = worst.angle.max(difference.angle);
+        worst.place = worst.place.max(difference.place);
+        worst.distance = worst.distance.max(difference.distance);
+    }
+    for (system, lights, Difference { angle, place, distance }) in systems {
+        println!(
+            "{system:10} {lights:3} lights: angle {angle:.2e}, place {place:.2e}, distance {distance:.2e}"
+        );
+        assert!(angle.max(place) <= 1.0 / 510.0, "{system}: {angle} {place}");
+    }
+}
+
+/// The slope is boundless where it is said to be, and nowhere else: of what the original rises by over a ten-thousandth of
+/// the angle next to its edge, more than the hundredth part falls to the last hundredth.
+#[test]
+fn a_difference_of_the_place_is_a_boundless_slope() {
+    let mut boundless = 0;
+    for (Imported { light, difference }, original) in imports::exact() {
+        let is_step =
+            original.inner == original.outer || matches!(light.cone().profile(), Matched::CutOff(_));
+        let at = |within: f64| (original.angle)((original.outer.acos() * (1.0 - within)).cos());
+        let [edge, near, far] = [1e-10, 1e-6, 1e-4].map(at);
+        let is_boundless = !is_step && near - edge > 0.011 * (far - edge);
+        assert_eq!(difference.place > 0.0, is_boundless, "{}: {edge:e} {near:e} {far:e}", original.name);
+        boundless += u32::from(is_boundless);
+    }
+    assert!(boundless >= 16, "only {boundless} lights have a boundless slope");
+}
+
+/// How far off the edge of a cone, in radians, a point is on its right side, as in the other tests.
+fn blur<S: Format>(radians: f64) -> f64 {
+    f64::from(S::DIRECTION_ERROR) * (3.0 + 8.0 * radians) + 4e-7 * radians
+}
+
+/// The largest error of a compiled light beyond its difference, if the format holds it.
+fn excess<S: Format>(
+    Imported { light, difference }: imports::Import,
+    original: &Original,
+    rng: &mut Rng,
+) -> Option<f64> {
+    let compiled = light.compile::<S>().ok()?;
+    let outer = original.outer.acos();
+    let farthest = original.range.map_or(50.0, |range| range.min(50.0));
+    let mut worst = f64::NEG_INFINITY;
+    for _ in 0..3_000 * sweep::effort() {
+        let off_axis = outer * 1.2 * rng.f64();
+        let nearest = original.stop.max(0.1);
+        let distance = nearest * (1.1 * farthest / nearest).powf(rng.f64());
+        let way = sweep::direction_off(rng, [0.0, -1.0, 0.0], off_axis);
+        let place = sweep::on_grid(way.map(|c| c * distance));
+        let (way, distance) = (unit(place), dot(place, place).sqrt());
+        let strip = if difference.place > 0.0 { outer / 510.0 } else { 0.0 };
+        let at_the_edge = (dot(way, [0.0, -1.0, 0.0]).acos() - outer).abs() < blur::<S>(outer) + strip;
+        let at_the_end = original.range.is_some_and(|range| (distance / range - 1.0).abs() < 1e-3);
+        if at_the_edge || at_the_end || distance < nearest {
+            continue;
+        }
+        let normal = sweep::single(minus([0.0; 3], way)).map(S::from_f32);
+        let incidence = (-dot(way, S::exact_normal(normal))).clamp(0.0, 1.0);
+        let exact = original.light(-way[1], distance) * incidence;
+        let found = S::exact_light(compiled.irradiance(sweep::single(place).map(S::length), normal));
+        let on_axis = (original.distance)(distance).max(fall(&light, distance));
+        let error = (found - exact).abs() / on_axis.max(1.0);
+        worst = worst.max(error - f64::from(difference.most()));
+    }
+    Some(worst)
+}
+
+/// Every light in every format, as far as it is held: at most the difference, and what the format adds.
+#[test]
+fn compiled_lights_are_the_originals() {
+    fn assert_format<S: Format>(bound: f64, least_held: usize) {
+        let mut rng = Rng::with_seed(92);
+        let lights: Vec<_> = imports::exact().into_iter().chain(imports::near()).collect();
+        let (mut worst, mut held) = ((f64::NEG_INFINITY, String::new()), 0);
+        for (import, original) in &lights {
+            let Some(excess) = excess::<S>(*import, original, &mut rng) else { continue };
+            held += 1;
+            if excess > worst.0 {
+                worst = (excess, original.name.clone());
+            }
+        }
+        println!("{}: {held} of {} held, {:.2e} at {}", S::NAME, lights.len(), worst.0, worst.1);
+        assert!(held >= least_held, "{}: only {held} are held", S::NAME);
+        bounds::check(&format!("{} {}", S::NAME, worst.1), worst.0, bound).expect("within its bound");
+    }
+    assert_format::<f32>(4e-5, 286);
+    assert_format::<Fx32>(2.2e-6, 286);
+    assert_format::<Fx16>(8e-3, 284);
+}
+
+/// The reference code of the extension, `max(0.001, ...)` and all, beside the light that has it: the intensity on the
+/// axis included.
+#[test]
+fn gltf_as_recommended_is_the_reference_code() {
+    const BINDING: [[f32; 2]; 7] =
+        [[0.0, 0.005], [0.0, 0.02], [0.01, 0.044], [0.05, 0.06], [0.3, 0.3], [0.785, 0.785], [1.55, 1.56]];
+    const LOOSE: [[f32; 2]; 4] =
+        [[0.0, 0.0448], [0.0, 0.785], [0.3, 0.5], [1.2, std::f32::consts::FRAC_PI_2]];
+    for [inner, outer] in BINDING.into_iter().chain(LOOSE) {
+        let gltf = import::Gltf {
+            inner_cone_angle: inner,
+            outer_cone_angle: outer,
+            intensity: 3.0,
+            ..Default::default()
+        };
+        let Imported { light, difference } =
+            gltf.import_as_recommended(ORIGIN, imports::DOWN).expect("sound");
+        assert_eq!(difference, Difference::default());
+        if LOOSE.contains(&[inner, outer]) {
+            assert_eq!(light, gltf.import(ORIGIN, imports::DOWN).expect("sound").light, "{inner} {outer}");
+        }
+        let versine = |half: f32| 2.0 * (f64::from(half) / 2.0).sin().powi(2);
+        let scale = 1.0 / (versine(outer) - versine(inner)).max(0.001);
+        let [from, to] = [light.cone().inner(), light.cone().outer()].map(|angle| f64::from(angle.versine()));
+        let worst = (0..=1_000_u32)
+            .map(|i| versine(outer) * f64::from(i) / 900.0)
+            .map(|v| {
+                let exact = 3.0 * ((versine(outer) - v) * scale).clamp(0.0, 1.0).powi(2);
+                let found = f64::from(light.intensity()) * ((to - v) / (to - from)).clamp(0.0, 1.0).powi(2);
+                (found - exact).abs()
+            })
+            .fold(0.0, f64::max);
+        // Versines of f32, magnified by the ramp.
+        assert!(worst <= 3.0 * 2.0 * 8e-7 * versine(outer) * scale, "{inner} {outer}: {worst:.1e}");
+    }
+}
+
+/// The cutoff of 180 degrees shines into all directions, whatever the exponent.
+#[test]
+fn a_cutoff_of_half_a_turn_is_a_point_light() {
+    let light = import::OpenGl { spot_exponent: 7.0, linear_attenuation: 0.5, ..Default::default() };
+    let imported = light.import(ORIGIN, Vec3::default()).expect("a point light has no direction");
+    let Lamp::Point(point) = imported.light else { panic!("{imported:?}") };
+    assert_eq!(imported.difference, Difference::default());
+    let lit = point.compile::<f32>().expect("held");
+    for (x, expected) in [(2.0, 0.5), (-8.0, 0.2)] {
+        let normal = Vec3::new(-x / f32::abs(x), 0.0, 0.0);
+        let light = lit.irradiance(Vec3::new(x, 0.0, 0.0), normal);
+        assert!((light - expected).abs() < 1e-6, "{light}");
+    }
+}
+
+/// A profile that was chosen by an importer and one that is a type are the same light.
+#[test]
+fn a_matched_profile_changes_no_bit() {
+    fn assert_same<S: Scalar, P: Profile>(chosen: &CompiledSpot<S, Matched, Distance>, profile: P, x: f32) {
+        let point = Vec3::new(x, -1.0, 0.0).map(S::length);
+        assert_eq!(chosen.with_profile(profile).falloff(point), chosen.falloff(point), "{profile:?} at {x}");
+    }
+    let mut seen = Vec::new();
+    let hard = imports::godot(45.0, 0.5, 5.0, 1.0);
+    for (Imported { light, .. }, _) in imports::exact().into_iter().chain(imports::near()).chain([hard]) {
+        let Ok(chosen) = light.compile::<Fx32>() else { continue };
+        let profile = light.cone().profile();
+        let kind = std::mem::discriminant(&profile);
+        if seen.contains(&kind) {
+            continue;
+        }
+        seen.push(kind);
+        for x in (0..300_u16).map(|i| f32::from(i) / 100.0) {
+            match profile {
+                Matched::CutOff(typed) => assert_same(&chosen, typed, x),
+                Matched::Linear(typed) => assert_same(&chosen, typed, x),
+                Matched::Soft(typed) => assert_same(&chosen, typed, x),
+                Matched::Hard(typed) => assert_same(&chosen, typed, x),
+                Matched::Smooth(typed) => assert_same(&chosen, typed, x),
+                Matched::Power(typed) => assert_same(&chosen, typed, x),
+                Matched::Rim(typed) => assert_same(&chosen, typed, x),
+                Matched::RealPower(typed) => assert_same(&chosen, typed, x),
+                Matched::RealRim(typed) => assert_same(&chosen, typed, x),
+                _ => panic!("no import makes {profile:?}"),
+            }
+        }
+    }
+    assert_eq!(seen.len(), 9, "every kind of profile is imported by one of the lights");
+}

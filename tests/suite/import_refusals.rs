@@ -1,0 +1,279 @@
+//! Parameters of other systems that are refused, by the names that they have there, and any bit pattern at
+//! all in them: an importer never panics, and what it returns is a sound light.
+
+use fastrand::Rng;
+use luminaire::{
+    Angle, Attenuation, CompiledPoint, CompiledSpot, Error, Fx16, Fx32, IntegerPower, IntegerRim, MixedPower,
+    MixedRim, Profile, RealPower, RealRim, Vec3,
+    import::{Difference, Direct3d, Gltf, Godot, Imported, Lamp, OpenGl, Penumbra, Ramp, Three},
+};
+use support::{
+    arbitrary::{bits, vector},
+    format::Format,
+    imports::{DOWN, ORIGIN},
+    sweep,
+};
+
+fn assert_refused<T: core::fmt::Debug>(result: Result<T, Error>, message: &str) {
+    assert_eq!(result.expect_err(message).to_string(), message);
+}
+
+const DIRECT3D: Direct3d = Direct3d {
+    theta: 0.3,
+    phi: 0.6,
+    falloff: 1.0,
+    attenuation0: 1.0,
+    attenuation1: 0.0,
+    attenuation2: 0.0,
+    range: 10.0,
+    intensity: 1.0,
+};
+
+#[test]
+fn opengl_is_refused_by_its_names() {
+    let refused = |light: OpenGl, message: &str| assert_refused(light.import(ORIGIN, DOWN), message);
+    for (spot_cutoff, shown) in
+        [(0.0, "0"), (-1.0, "-1"), (90.5, "90.5"), (179.0, "179"), (f32::NAN, "NaN"), (f32::INFINITY, "inf")]
+    {
+        let message = format!("spot cutoff {shown} is refused: give more than 0 and at most 90, or 180");
+        refused(OpenGl { spot_cutoff, ..Default::default() }, &message);
+    }
+    let message = "spot exponent 1024.5 is refused: give a finite number from 0 to 1024";
+    refused(OpenGl { spot_exponent: 1024.5, ..Default::default() }, message);
+    let message = "attenuation coefficient -1 is refused: give a finite number from 0 to 1000000000";
+    refused(OpenGl { linear_attenuation: -1.0, ..Default::default() }, message);
+    // All three at none would divide by it.
+    let message = "attenuation coefficient 0 is refused: give a finite number from 0.000001 to 1000000000";
+    refused(OpenGl { constant_attenuation: 0.0, ..Default::default() }, message);
+    let message = "intensity NaN is refused: give a finite number from 0 to 1000000000";
+    refused(OpenGl { intensity: f32::NAN, ..Default::default() }, message);
+    let message = "axis 0 is refused: give finite components and a length between 1e-18 and 1e18";
+    assert_refused(OpenGl { spot_cutoff: 20.0, ..Default::default() }.import(ORIGIN, ORIGIN), message);
+}
+
+#[test]
+fn direct3d_is_refused_by_its_names() {
+    let refused = |light: Direct3d, message: &str| assert_refused(light.import(ORIGIN, DOWN), message);
+    refused(Direct3d { phi: 3.2, ..DIRECT3D }, "phi 3.2 is refused: give more than 0 and at most 3.1415927");
+    refused(Direct3d { phi: 0.0, ..DIRECT3D }, "phi 0 is refused: give more than 0 and at most 3.1415927");
+    refused(Direct3d { theta: 0.7, ..DIRECT3D }, "theta 0.7 is refused: give a finite number from 0 to 0.6");
+    refused(
+        Direct3d { falloff: -1.0, ..DIRECT3D },
+        "falloff -1 is refused: give a finite number from 0 to 1024",
+    );
+    let message =
+        "range 0 is refused: give a distance from 0.001 to 1000000000, or a distance model without a range";
+    refused(Direct3d { range: 0.0, ..DIRECT3D }, message);
+    refused(Direct3d { range: f32::NAN, ..DIRECT3D }, &message.replace("range 0", "range NaN"));
+}
+
+#[test]
+fn gltf_three_and_godot_are_refused_by_their_names() {
+    let refused = |light: Gltf, message: &str| assert_refused(light.import(ORIGIN, DOWN), message);
+    let message = "outer cone angle 1.6 is refused: give more than 0 and at most 1.5707964";
+    refused(Gltf { outer_cone_angle: 1.6, ..Default::default() }, message);
+    let message = "inner cone angle 0.8 is refused: give a finite number from 0 to 0.7853982";
+    refused(Gltf { inner_cone_angle: 0.8, ..Default::default() }, message);
+    let message =
+        "range 0 is refused: give a distance from 0.001 to 1000000000, or a distance model without a range";
+    refused(Gltf { range: Some(0.0), ..Default::default() }, message);
+    let steep = Gltf { inner_cone_angle: 0.8, ..Default::default() };
+    let message = "inner cone angle 0.8 is refused: give a finite number from 0 to 0.7853982";
+    assert_refused(steep.import_as_recommended(ORIGIN, DOWN), message);
+
+    let refused = |light: Three, message: &str| assert_refused(light.import(ORIGIN, DOWN), message);
+    let message = "spot angle NaN is refused: give more than 0 and at most 1.5707964";
+    refused(Three { angle: f32::NAN, ..Default::default() }, message);
+    let message = "penumbra 1.5 is refused: give a finite number from 0 to 1";
+    refused(Three { penumbra: 1.5, ..Default::default() }, message);
+    let message = "decay -1 is refused: give a finite number from 0 to 16";
+    refused(Three { decay: -1.0, ..Default::default() }, message);
+    let message =
+        "range -3 is refused: give a distance from 0.001 to 1000000000, or a distance model without a range";
+    refused(Three { distance: -3.0, ..Default::default() }, message);
+
+    let refused = |light: Godot, message: &str| assert_refused(light.import(ORIGIN, DOWN), message);
+    let message = "spot angle 120 is refused: give more than 0 and at most 90";
+    refused(Godot { spot_angle: 120.0, ..Default::default() }, message);
+    let message = "spot angle attenuation 0 is refused: give a finite number from 0.0078125 to 128";
+    refused(Godot { spot_angle_attenuation: 0.0, ..Default::default() }, message);
+    let message = "intensity -1 is refused: give a finite number from 0 to 1000000000";
+    refused(Godot { light_energy: -1.0, ..Default::default() }, message);
+}
+
+#[test]
+fn penumbras_are_refused_by_their_names() {
+    let light = |umbra, penumbra| {
+        let [umbra, penumbra] = [umbra, penumbra].map(Angle::degrees);
+        Penumbra { umbra, penumbra, ramp: Ramp::Linear, intensity: 1.0 }.import(ORIGIN, DOWN)
+    };
+    let message = "penumbra 181 is refused: give more than 0 and at most 180 degrees, the full angle";
+    assert_refused(light(10.0, 181.0), message);
+    assert_refused(light(20.0, 10.0), "umbra 20 is refused: give from 0 to 10 degrees, the full angle");
+    assert_refused(light(f32::NAN, 10.0), "umbra NaN is refused: give from 0 to 10 degrees, the full angle");
+}
+
+#[test]
+fn exponents_and_shares_out_of_range() {
+    let message = "exponent 1025 is refused: give a whole number from 1 to 1024";
+    assert_refused(IntegerPower::new(1_025), message);
+    assert_refused(IntegerRim::new(0), "exponent 0 is refused: give a whole number from 1 to 1024");
+    assert_refused(MixedPower::new([3, 3], 0.5), "exponent 3 is refused: give a whole number from 4 to 1024");
+    assert_refused(
+        MixedPower::new([1_024, 1_025], 0.5),
+        "exponent 1024 is refused: give a whole number from 0 to 1023",
+    );
+    assert_refused(MixedRim::new([0, 3], 0.5), "exponent 0 is refused: give a whole number from 1 to 1023");
+    assert_refused(MixedRim::new([1, 3], 1.5), "share 1.5 is refused: give a finite number from 0 to 1");
+    assert!(MixedPower::new([0, 1], 0.0).is_ok());
+    for exponent in [0.0, -1.0, 1_024.1, f32::NAN] {
+        let message = format!("exponent {exponent} is refused: give more than 0 and at most 1024");
+        assert_refused(RealPower::new(exponent), &message);
+        assert_refused(RealRim::new(exponent), &message);
+    }
+}
+
+fn assert_light<S: Format>(light: S::Irradiance, unskipped: S::Irradiance, what: &impl core::fmt::Debug) {
+    let value = S::exact_light(light);
+    assert!(value >= 0.0 && value.is_finite(), "{what:?}: {value}");
+    assert_eq!(light, unskipped, "{what:?}");
+}
+
+fn assert_spot<S: Format, P: Profile, A: Attenuation>(rng: &mut Rng, light: &CompiledSpot<S, P, A>) {
+    for _ in 0..20 {
+        let (point, normal) = (vector(rng, S::length_from_bits), vector(rng, S::scalar_from_bits));
+        let falloff = light.falloff(point).exact();
+        assert!((0.0..=1.0).contains(&falloff), "{light:?} {point:?}: {falloff}");
+        assert_light::<S>(light.irradiance(point, normal), light.irradiance_unskipped(point, normal), light);
+    }
+}
+
+fn assert_point<S: Format, A: Attenuation>(rng: &mut Rng, light: &CompiledPoint<S, A>) {
+    for _ in 0..20 {
+        let (point, normal) = (vector(rng, S::length_from_bits), vector(rng, S::scalar_from_bits));
+        assert_light::<S>(light.irradiance(point, normal), light.irradiance_unskipped(point, normal), light);
+    }
+}
+
+fn assert_lamp<S: Format>(rng: &mut Rng, lamp: &Lamp) {
+    match lamp {
+        // A light that the format cannot hold is refused, which is an answer too.
+        Lamp::Spot(light) => drop(light.compile().map(|light| assert_spot::<S, _, _>(rng, &light))),
+        Lamp::Point(light) => drop(light.compile().map(|light| assert_point::<S, _>(rng, &light))),
+    }
+}
+
+/// Parameters as nobody would give them, with sound ones and seams among them, so that many of the lights are
+/// accepted.
+fn parameter(rng: &mut Rng) -> f32 {
+    const SEAMS: [f32; 14] = [
+        0.0,
+        1e-30,
+        1e-6,
+        1e-3,
+        0.01,
+        1.0,
+        1.5,
+        2.0,
+        std::f32::consts::FRAC_PI_2,
+        std::f32::consts::PI,
+        90.0,
+        128.0,
+        180.0,
+        1e9,
+    ];
+    match rng.u8(..8) {
+        0 => f32::from_bits(bits(rng) as u32),
+        1..=3 => SEAMS[rng.usize(..SEAMS.len())],
+        _ => rng.f32() * [1.0, 2.0, 90.0][rng.usize(..3)],
+    }
+}
+
+#[test]
+fn every_parameter_has_an_answer() {
+    let mut rng = Rng::with_seed(0x6c_7466);
+    let rng = &mut rng;
+    let mut accepted = [0; 7];
+    for _ in 0..200 * sweep::effort() {
+        let [a, b, c, d, e, f, g, h] = core::array::from_fn(|_| parameter(rng));
+        let (position, direction) = (sweep::direction(rng), sweep::direction(rng));
+        let (position, direction) = (sweep::single(position), sweep::single(direction));
+        let opengl = OpenGl {
+            spot_cutoff: a,
+            spot_exponent: b,
+            constant_attenuation: c,
+            linear_attenuation: d,
+            quadratic_attenuation: e,
+            intensity: f,
+        };
+        let direct3d = Direct3d {
+            theta: a.min(b),
+            phi: b,
+            falloff: c,
+            attenuation0: d,
+            attenuation1: e,
+            attenuation2: f,
+            range: g,
+            intensity: h,
+        };
+        let gltf = Gltf {
+            inner_cone_angle: a.min(b),
+            outer_cone_angle: b,
+            range: rng.bool().then_some(c),
+            intensity: d,
+        };
+        let three = Three { angle: a, penumbra: b, distance: c, decay: d, intensity: e };
+        let godot = Godot {
+            spot_angle: a,
+            spot_angle_attenuation: b,
+            spot_range: c,
+            spot_attenuation: d,
+            light_energy: e,
+        };
+        let penumbra = Penumbra {
+            umbra: Angle::degrees(a.min(b)),
+            penumbra: Angle::degrees(b),
+            ramp: if rng.bool() { Ramp::Linear } else { Ramp::Smooth },
+            intensity: c,
+        };
+        let into_lamp = |Imported { light, difference }| Imported { light: Lamp::Spot(light), difference };
+        let imports: [Result<Imported<Lamp>, Error>; 7] = [
+            opengl.import(position, direction),
+            direct3d.import(position, direction).map(into_lamp),
+            gltf.import(position, direction).map(into_lamp),
+            gltf.import_as_recommended(position, direction).map(into_lamp),
+            three.import(position, direction).map(into_lamp),
+            godot.import(position, direction).map(into_lamp),
+            penumbra.import(position, direction).map(into_lamp),
+        ];
+        for (imported, accepted) in imports.into_iter().zip(&mut accepted) {
+            let Ok(Imported { light, difference }) = imported else { continue };
+            let Difference { angle, place, distance } = difference;
+            assert!((0.0..=1.0 / 510.0).contains(&place), "{light:?} {difference:?}");
+            assert!(
+                (0.0..=1.0).contains(&angle) && (0.0..=1.0).contains(&distance),
+                "{light:?} {difference:?}"
+            );
+            assert!((angle.max(distance)..=1.0).contains(&difference.most()));
+            *accepted += 1;
+            assert_lamp::<f32>(rng, &light);
+            assert_lamp::<Fx32>(rng, &light);
+            assert_lamp::<Fx16>(rng, &light);
+        }
+    }
+    println!("accepted: {accepted:?}");
+    assert!(accepted.iter().all(|&accepted| accepted > 10), "{accepted:?}");
+}
+
+/// The defaults are lights, and those of the systems.
+#[test]
+fn defaults_are_sound() {
+    let down = Vec3::new(0.0, -1.0, 0.0);
+    let lamp = OpenGl::default().import(ORIGIN, down).expect("sound");
+    assert!(matches!(lamp.light, Lamp::Point(_)));
+    let cone = |light: luminaire::Spot<luminaire::Matched, luminaire::Distance>| light.cone();
+    let near = |angle: Angle, degrees: f32| assert!((angle.to_degrees() - degrees).abs() < 1e-3, "{angle:?}");
+    near(cone(Gltf::default().import(ORIGIN, down).expect("sound").light).outer(), 90.0);
+    near(cone(Three::default().import(ORIGIN, down).expect("sound").light).outer(), 120.0);
+    near(cone(Godot::default().import(ORIGIN, down).expect("sound").light).outer(), 90.0);
+}

@@ -1,0 +1,429 @@
+//! Lights that are chosen at run time: their loops have the bits of a single point, and a plan knows what they call for.
+
+use fastrand::Rng;
+use luminaire::{
+    Ambient, Angle, Arrival, CompiledLamp, Cone, CutOff, Directional, Distance, Edge, Effect, Effects, Error,
+    Faded, Fitted, Fx16, Fx32, Gobo, Hard, HardRange, Haze, InverseSquare, Lamp, Light, Linear, Luminaire,
+    Matched, Material, Matte, Phong, Plan, Point, Polynomial, Power, Profile, Projection, Rgb, Rim, Scalar,
+    Smooth, SmoothRange, Soft, Specular, Spot, SquaredWindow, Surface, Surfaces, Unattenuated, Vec3, ViewRay,
+    ViewRays, Windowed,
+};
+use support::{arbitrary::vector, format::Format, profiles, reference, sweep};
+
+const COUNT: usize = 32;
+
+/// Every profile, as one of any.
+fn matched() -> Vec<Matched> {
+    vec![
+        CutOff.into(),
+        Linear.into(),
+        Soft.into(),
+        Hard.into(),
+        Smooth.into(),
+        profiles::blend().into(),
+        profiles::cubic().into(),
+        profiles::integer_power().into(),
+        profiles::integer_rim().into(),
+        profiles::mixed_power().into(),
+        profiles::mixed_rim().into(),
+        profiles::real_power().into(),
+        profiles::real_rim().into(),
+        profiles::table().into(),
+    ]
+}
+
+/// Every distance model, as one of any.
+fn distances() -> Result<Vec<Distance>, Error> {
+    let polynomial = Polynomial::new(0.5, 0.25, 0.125)?;
+    Ok(vec![
+        Unattenuated.into(),
+        InverseSquare.into(),
+        polynomial.into(),
+        HardRange::new(Unattenuated, Some(6.0))?.into(),
+        HardRange::new(InverseSquare, Some(6.0))?.into(),
+        HardRange::new(polynomial, Some(6.0))?.into(),
+        Windowed::new(InverseSquare, Some(6.0))?.into(),
+        SquaredWindow::new(InverseSquare, Some(6.0))?.into(),
+        Faded::new(Unattenuated, Some(6.0))?.into(),
+        Faded::new(polynomial, Some(6.0))?.into(),
+        SmoothRange::new(6.0)?.into(),
+    ])
+}
+
+/// Lamps of every kind, profile and distance model: a spotlight stands and points anew for each.
+fn lamps(rng: &mut Rng) -> Result<Vec<Lamp>, Error> {
+    let mut lamps = Vec::new();
+    for distance in distances()? {
+        for profile in matched() {
+            let cone = Cone::from_outer(profile, sweep::half(35.0))?;
+            let spot = sweep::spot(rng, cone).with_attenuation(distance).with_intensity(3.0)?;
+            lamps.push(spot.into());
+        }
+        lamps.push(
+            Point::new(Vec3::new(0.5, 1.0, -1.0))?.with_attenuation(distance).with_intensity(2.0)?.into(),
+        );
+    }
+    lamps.push(Directional::new(Vec3::new(0.3, -1.0, 0.2))?.into());
+    Ok(lamps)
+}
+
+/// Points that a lamp lights, that it does not, and of any bits.
+fn surfaces<S: Format>(rng: &mut Rng, lamp: &Lamp) -> [Surface<S>; COUNT] {
+    let (position, axis) = match lamp {
+        Lamp::Spot(spot) => (spot.position(), spot.axis()),
+        Lamp::Point(point) => (point.position(), Vec3::new(0.0, 1.0, 0.0)),
+        Lamp::Directional(light) => (Vec3::default(), light.direction()),
+    };
+    let stored = S::exact_point(position.map(S::length));
+    let axis = reference::unit(S::exact_direction(S::axis(axis)));
+    std::array::from_fn(|_| {
+        let distance = sweep::distance(rng);
+        let site = sweep::site::<S>(rng, stored, axis, 35.0, distance);
+        let mut surface =
+            Surface::seen_from(Vec3::new(3.0, 1.0, 2.0).map(S::length), site.point, site.normal);
+        match rng.u8(..8) {
+            0 => surface.point = vector(rng, S::length_from_bits),
+            1 => surface.normal = vector(rng, S::scalar_from_bits),
+            2 => surface.point = position.map(S::length),
+            _ => {}
+        }
+        surface
+    })
+}
+
+fn columns<T: Copy, const N: usize>(of: impl Fn(usize) -> Vec3<T>) -> Vec3<[T; N]> {
+    let column = |component: fn(Vec3<T>) -> T| std::array::from_fn(|i| component(of(i)));
+    Vec3::new(column(|v| v.x), column(|v| v.y), column(|v| v.z))
+}
+
+fn borrowed<T>(columns: &Vec3<T>) -> Vec3<&T> {
+    Vec3::new(&columns.x, &columns.y, &columns.z)
+}
+
+/// Returns how many points were lit, and how many have a highlight.
+fn assert_each<S: Format, H: Specular>(
+    lamp: &CompiledLamp<S>,
+    surfaces: &[Surface<S>; COUNT],
+    highlight: H::Constants<S>,
+) -> [usize; 2] {
+    let (point, normal) = (columns(|i| surfaces[i].point), columns(|i| surfaces[i].normal));
+    let view = columns(|i| surfaces[i].view);
+    let columns =
+        Surfaces::<S, COUNT> { point: borrowed(&point), normal: borrowed(&normal), view: borrowed(&view) };
+    let stale = S::ONE.expose(S::gain(0.5));
+    assert_eq!(columns.at(COUNT), Surface::matte(Vec3::default(), Vec3::default()), "beyond the last");
+    let mut found = Arrival { diffuse: [stale; COUNT], specular: [stale; COUNT] };
+    lamp.arrive_each::<H, COUNT>(&columns, &highlight, &mut found);
+    let mut lit = [0; 2];
+    let bits = |light| S::exact_light(light).to_bits();
+    for (i, surface) in surfaces.iter().enumerate() {
+        let expected = lamp.arrive::<H>(surface, &highlight, false);
+        let specular = if H::SHINES { expected.specular } else { stale };
+        assert_eq!(bits(found.diffuse[i]), bits(expected.diffuse), "{lamp:?} at {surface:?}");
+        assert_eq!(bits(found.specular[i]), bits(specular), "{lamp:?} at {surface:?}");
+        assert_eq!(lamp.arrive::<H>(surface, &highlight, true), expected, "{lamp:?} at {surface:?}");
+        lit[0] += usize::from(expected.diffuse > S::Irradiance::default());
+        lit[1] += usize::from(expected.specular > S::Irradiance::default());
+    }
+    lit
+}
+
+/// A loop for many points has the bits of the branches for one, whatever the lamp.
+#[test]
+fn lamps_light_many_points_as_each() {
+    fn assert_format<S: Format>() {
+        let mut rng = Rng::with_seed(17);
+        let mut lit = [0; 2];
+        let mut count = 0;
+        for lamp in lamps(&mut rng).expect("sound lamps") {
+            let compiled = lamp.compile::<S>().expect("held");
+            for _ in 0..3 {
+                let surfaces = surfaces::<S>(&mut rng, &lamp);
+                let matte = assert_each::<S, Matte>(&compiled, &surfaces, ());
+                let phong = assert_each::<S, Phong>(&compiled, &surfaces, Phong::constants::<S>(20));
+                (lit[0], lit[1], count) = (lit[0] + matte[0], lit[1] + phong[1], count + COUNT);
+            }
+        }
+        let share = lit.map(|lit| lit as f32 / count as f32);
+        assert!((0.15..0.8).contains(&share[0]), "{}: {share:?} of the points are lit", S::NAME);
+        assert!((0.015..0.8).contains(&share[1]), "{}: {share:?} of the points shine", S::NAME);
+    }
+    assert_format::<f32>();
+    assert_format::<Fx32>();
+    assert_format::<Fx16>();
+}
+
+/// At how many places of a ray it is asked what gets through.
+const PLACES: usize = 16;
+
+/// What gets through to a point.
+fn stripes(point: Vec3<f32>) -> f32 {
+    0.5 + 0.5 * (3.0 * point.x).sin()
+}
+
+fn through_stripes(points: &Vec3<[f32; PLACES]>, lights: &mut [f32; PLACES]) {
+    for (i, light) in lights.iter_mut().enumerate() {
+        *light *= stripes(Vec3::new(points.x[i], points.y[i], points.z[i]));
+    }
+}
+
+/// A loop for many view rays has the bits of the branches for one.
+#[test]
+fn beams_show_in_many_rays_as_in_each() {
+    let mut rng = Rng::with_seed(23);
+    let haze = Haze::new(0.05).expect("a sound density");
+    let (mut seen, mut count) = (0, 0);
+    for lamp in lamps(&mut rng).expect("sound lamps") {
+        let beam = lamp.compile::<f32>().expect("held").in_haze(&haze);
+        let Lamp::Spot(spot) = lamp else {
+            assert_eq!(beam, None, "only spotlights have beams");
+            continue;
+        };
+        let beam = beam.expect("a spotlight has one");
+        let eye = spot.position().zip(spot.axis(), |p, a| p + a + 12.0 * (rng.f32() - 0.5));
+        let directions: [Vec3<f32>; COUNT] =
+            std::array::from_fn(|_| sweep::single(sweep::direction(&mut rng)));
+        let mut length = [f32::INFINITY; COUNT];
+        length[..8].fill(3.0);
+        let rays = ViewRays { eye, direction: columns(|i| directions[i]), length };
+        let (mut lights, mut striped) = ([f32::NAN; COUNT], [f32::NAN; COUNT]);
+        beam.air_light_each(&rays, &mut lights);
+        beam.air_light_through_each(&rays, &mut through_stripes, &mut striped);
+        for (i, light) in lights.into_iter().enumerate() {
+            let ray = ViewRay { eye, direction: directions[i], length: length[i] };
+            assert_eq!(rays.at(i), ray);
+            assert_eq!(light.to_bits(), beam.air_light(&ray).to_bits(), "{beam:?} along {ray:?}");
+            let through = beam.air_light_through(&ray, PLACES as u32, stripes);
+            assert_eq!(striped[i].to_bits(), through.to_bits(), "{beam:?} along {ray:?}");
+            seen += usize::from(light > 0.0);
+            count += 1;
+        }
+    }
+    let none = Vec3::default();
+    let rays = ViewRays { eye: none, direction: Vec3::new([1.0], [0.0], [0.0]), length: [2.0] };
+    assert_eq!(rays.at(1), ViewRay { eye: none, direction: none, length: 0.0 }, "beyond the last");
+    assert!((0.1..0.5).contains(&(seen as f32 / count as f32)), "{seen} of {count} rays show a beam");
+}
+
+/// A profile that is chosen at run time is the one that was given; a power whose exponent is part of the type becomes one
+/// whose exponent is not, which may be rounded otherwise.
+#[test]
+fn any_profile_is_what_it_was() {
+    fn assert_within<P: Profile + Into<Matched>>(profile: P, most: f32) {
+        let typed = Cone::from_outer(profile, sweep::half(30.0)).expect("sound");
+        let chosen = typed.with_profile(profile.into());
+        let angles = |cone: [luminaire::Angle; 2]| cone.map(|angle| angle.to_degrees());
+        let [typed_angles, chosen_angles] =
+            [angles([typed.beam(), typed.field()]), angles([chosen.beam(), chosen.field()])];
+        assert!(typed_angles.iter().zip(chosen_angles).all(|(a, b)| (a - b).abs() <= 1e-4));
+        for versine in sweep::versines(typed.outer_versine().into(), 300) {
+            let at = |versine| {
+                let (typed, chosen) = (typed.compile::<f32>(), chosen.compile::<f32>());
+                (typed.expect("held").at(versine), chosen.expect("held").at(versine))
+            };
+            let (typed, chosen) = at(versine);
+            assert!((typed - chosen).abs() <= most, "{profile:?} at {versine}: {typed}, {chosen}");
+        }
+    }
+    fn assert_same<P: Profile + Into<Matched>>(profile: P) {
+        assert_within(profile, 0.0);
+    }
+    assert_same(CutOff);
+    assert_same(Linear);
+    assert_same(Soft);
+    assert_same(Hard);
+    assert_same(Smooth);
+    assert_same(profiles::blend());
+    assert_same(profiles::cubic());
+    assert_same(profiles::integer_power());
+    assert_same(profiles::integer_rim());
+    assert_same(profiles::mixed_power());
+    assert_same(profiles::mixed_rim());
+    assert_same(profiles::real_power());
+    assert_same(profiles::real_rim());
+    assert_same(profiles::table());
+    assert_same(Edge::Soft);
+    assert_same(Edge::Hard);
+    assert_within(Power::<1>, 4e-7);
+    assert_within(Power::<2>, 4e-7);
+    assert_within(Power::<13>, 4e-7);
+    assert_within(Rim::<1>, 4e-7);
+    assert_within(Rim::<2>, 4e-7);
+    assert_within(Rim::<6>, 4e-7);
+    assert_same(Fitted::Blend(profiles::blend()));
+    assert_same(Fitted::Cubic(profiles::cubic()));
+}
+
+fn down() -> Vec3<f32> {
+    Vec3::new(0.0, -1.0, 0.0)
+}
+
+fn spot(profile: impl Profile + Into<Matched>) -> Result<Spot<Matched>, Error> {
+    Spot::new(Vec3::new(0.0, 4.0, 0.0), down(), Cone::from_outer(profile.into(), Angle::degrees(40.0))?)
+}
+
+/// What each lamp calls for, in words.
+#[test]
+fn a_lamp_calls_for_what_it_is() -> Result<(), Error> {
+    let names: Vec<_> = matched()
+        .into_iter()
+        .map(|profile| Ok(Lamp::from(spot(profile)?).effects().to_string()))
+        .collect::<Result<_, Error>>()?;
+    let profiles = [
+        "cut-off",
+        "linear",
+        "soft",
+        "hard",
+        "smooth",
+        "blend",
+        "cubic",
+        "power",
+        "rim",
+        "mixed-power",
+        "mixed-rim",
+        "real-power",
+        "real-rim",
+        "table",
+    ];
+    let expected = profiles.map(|profile| format!("diffuse, spot, {profile}, inverse-square"));
+    assert_eq!(names, expected);
+
+    let names: Vec<_> = distances()?
+        .into_iter()
+        .map(|distance| Ok(Lamp::from(Point::new(down())?.with_attenuation(distance)).effects().to_string()))
+        .collect::<Result<_, Error>>()?;
+    let expected = [
+        "unattenuated",
+        "inverse-square",
+        "polynomial",
+        "unattenuated, range",
+        "inverse-square, range",
+        "polynomial, range",
+        "inverse-square, window, range",
+        "inverse-square, window, range",
+        "unattenuated, window, range",
+        "polynomial, window, range",
+        "smooth-range, range",
+    ];
+    assert_eq!(names, expected.map(|distance| format!("diffuse, point, {distance}")));
+
+    let sun = Lamp::from(Directional::new(down())?);
+    assert_eq!(sun.effects().to_string(), "diffuse, directional");
+    let cone = spot(Linear)?.cone().with_inner(Angle::degrees(10.0))?.with_delimiter(Angle::degrees(30.0))?;
+    let cut = Luminaire::from(spot(Linear)?.with_cone(cone)).with_shadow(64)?;
+    assert_eq!(
+        cut.effects().to_string(),
+        "diffuse, spot, linear, hotspot, delimiter, inverse-square, shadow"
+    );
+    assert_eq!((cut.shadow().map(|(side, _)| side), cut.lamp().intensity()), (Some(64), 1.0));
+    Ok(())
+}
+
+/// A light that can light nothing calls for nothing, and is dropped: not so by the plan that leaves nothing out.
+#[test]
+fn a_dark_lamp_is_dropped() -> Result<(), Error> {
+    let (black, red) = (Rgb::default(), Rgb::new(1.0, 0.0, 0.0));
+    let lit = spot(Soft)?;
+    let dark = [lit.with_intensity(0.0)?, lit.with_color(black)?];
+    let bright = [lit, lit.with_color(black)?.with_specular_color(red)?, lit.with_specular_color(black)?];
+    for (spots, is_dark) in [(&dark[..], true), (&bright[..], false)] {
+        for spot in spots {
+            let luminaire = Luminaire::from(*spot).with_shadow(16)?;
+            assert_eq!(luminaire.lamp().is_dark(), is_dark);
+            assert_eq!(luminaire.effects() == Effects::NONE, is_dark);
+            assert_eq!(Plan::new().with_luminaire(&luminaire).effects(), luminaire.effects());
+            let prepare = |plan: Plan| plan.prepare::<f32>(luminaire.lamp());
+            assert_eq!(prepare(Plan::new())?.is_none(), is_dark);
+            assert!(prepare(Plan::everything())?.is_some());
+        }
+    }
+    let compiled = Plan::new().prepare::<Fx16>(&lit.with_specular_color(red)?.into())?.expect("not dark");
+    assert_eq!(compiled.color(), lit.color().map(Fx16::from_f32));
+    assert_eq!(compiled.specular_color(), red.map(Fx16::from_f32));
+    // Dark or not: what the format can't hold is refused.
+    let far = Spot::new(Vec3::new(4e4, 0.0, 0.0), down(), lit.cone())?.with_intensity(0.0)?;
+    assert!(Plan::new().prepare::<Fx16>(&far.into()).is_err());
+    Ok(())
+}
+
+#[test]
+fn a_plan_calls_for_what_it_was_given() -> Result<(), Error> {
+    let (grey, black) = (Rgb::new(0.5, 0.5, 0.5), Rgb::default());
+    let matt = Material::new(grey)?;
+    let glazed = matt.with_highlight(Phong, grey, 20)?;
+    let dull = matt.with_highlight(Phong, black, 20)?;
+    let calls = |plan: Plan| plan.effects().to_string();
+    assert_eq!(calls(Plan::new().with_material(&matt).with_material(&dull)), "");
+    assert_eq!(calls(Plan::new().with_material(&glazed)), "specular");
+    assert_eq!(calls(Plan::new().with_ambient(&Ambient::new(grey)?)), "ambient");
+    assert_eq!(calls(Plan::new().with_ambient(&Ambient::new(black)?)), "");
+    assert_eq!(calls(Plan::new().with_ambient(&Ambient::new(grey)?.with_intensity(0.0)?)), "");
+    let plan = Plan::new().with(Effect::Dither);
+    assert!(plan.skips() && plan.calls_for(Effect::Dither) && !plan.calls_for(Effect::Haze));
+    let everything = Plan::everything();
+    assert!(!everything.skips() && Effect::ALL.iter().all(|&effect| everything.calls_for(effect)));
+    Ok(())
+}
+
+#[test]
+fn effects_are_a_set() {
+    let mut sets = Effects::NONE;
+    for &effect in Effect::ALL {
+        assert!(!sets.has(effect), "{} is there already", effect.name());
+        sets = sets.and(Effects::NONE.with(effect));
+        assert!(sets.has(effect));
+    }
+    assert_eq!(sets, Effects::ALL);
+    assert!(Effects::ALL.iter().eq(Effect::ALL.iter().copied()));
+    assert_eq!(Effects::NONE.iter().count(), 0);
+    assert_eq!(format!("{:?}", Effects::NONE.with(Effect::Gobo)), "{Gobo}");
+}
+
+#[test]
+fn a_shadow_map_has_a_side_that_can_be() -> Result<(), Error> {
+    for side in [16, 512, 2048] {
+        assert_eq!(
+            Luminaire::from(spot(Soft)?).with_shadow(side)?.shadow(),
+            Some((side, Projection::of(&spot(Soft)?)?))
+        );
+    }
+    for side in [0, 15, 2049, u16::MAX] {
+        let refused = Luminaire::from(spot(Soft)?).with_shadow(side).unwrap_err().to_string();
+        let expected =
+            format!("side of the shadow map {side} is refused: give a whole number from 16 to 2048");
+        assert_eq!(refused, expected);
+    }
+    Ok(())
+}
+
+/// Patterns and shadows lie on the square that a cone projects.
+#[test]
+fn what_projects_no_square_is_refused() -> Result<(), Error> {
+    const BARS: Gobo<'static> = Gobo::of(&[[255, 0]; 2]);
+    let key = Luminaire::from(spot(Soft)?).with_gobo(BARS, Angle::degrees(30.0))?;
+    let square = Projection::of(&spot(Soft)?)?.turned(Angle::degrees(30.0))?;
+    assert_eq!(key.gobo(), Some((BARS, square)));
+    assert_eq!(key.compile_gobo::<f32>()?, Some(BARS.on(square.compile()?)));
+    assert_eq!(Luminaire::from(spot(Soft)?).compile_gobo::<f32>()?, None);
+    let wide = spot(Soft)?.with_cone(Cone::from_outer(Soft, Angle::degrees(170.0))?);
+    let odd: [(Luminaire, u32); 3] =
+        [(wide.into(), 170), (Point::new(down())?.into(), 360), (Directional::new(down())?.into(), 0)];
+    for (luminaire, angle) in odd {
+        let expected = format!(
+            "outer angle {angle} is refused: give more than 0 and at most 160 degrees, the full angle"
+        );
+        assert_eq!(luminaire.with_gobo(BARS, Angle::degrees(0.0)).unwrap_err().to_string(), expected);
+        assert_eq!(luminaire.with_shadow(64).unwrap_err().to_string(), expected);
+    }
+    Ok(())
+}
+
+#[test]
+fn lamps_without_a_range_have_none() -> Result<(), Error> {
+    let ranges: Vec<_> = distances()?.iter().map(Distance::range).collect();
+    assert_eq!(ranges[..3], [None; 3]);
+    assert_eq!(ranges[3..], [Some(6.0); 8]);
+    let cone = spot(Soft)?.cone();
+    assert!(!cone.has_hotspot() && !cone.is_delimited());
+    Ok(())
+}

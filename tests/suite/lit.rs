@@ -1,0 +1,355 @@
+//! Accuracy of distance models, highlights and the complete lit point in all three formats against the f64 reference,
+//! row by row of `support/prices.rs`.
+//!
+//! `cargo test --test lit -- --nocapture` prints the measured rows.
+
+use fastrand::Rng;
+use luminaire::{
+    Ambient, Attenuation, BlinnPhong, Cone, DualCone, Fx16, Fx32, HardRange, InverseSquare, Lyon, Material,
+    Matte, Phong, Point, Polynomial, Rgb, SmoothRange, Soft, Specular, SquaredWindow, Surface, Unattenuated,
+    Vec3, Windowed, clip, encode_srgb,
+};
+use support::{
+    bounds,
+    format::Format,
+    prices::{self, Row},
+    reference::{self, Classic, Lobe, Vector, minus, scaled, unit},
+    sweep,
+};
+
+/// Compares the measured errors of the three formats with the row of a model.
+fn assert_row(table: &[Row], model: &str, measured: [f64; 3]) {
+    println!("{model:16} {}", measured.map(|error| format!("{error:.2e}")).join("  "));
+    let row = table.iter().find(|row| row.model == model).expect("every model has a row");
+    let mut broken = Vec::new();
+    for ((format, measured), bound) in ["f32", "fx32", "fx16"].iter().zip(measured).zip(row.bounds) {
+        broken.extend(bounds::check(&format!("{model} {format}"), measured, bound).err());
+    }
+    assert!(broken.is_empty(), "{}", broken.join("\n"));
+}
+
+/// A random position on the grid of the formats.
+fn position(rng: &mut Rng) -> Vector {
+    sweep::on_grid([0; 3].map(|_| rng.f64() * 16.0 - 8.0))
+}
+
+/// A random direction less than an angle off an axis.
+fn direction_within(rng: &mut Rng, axis: Vector, radians: f64) -> Vector {
+    let angle = radians * rng.f64();
+    sweep::direction_off(rng, axis, angle)
+}
+
+/// A random range that is the same number in every format.
+fn range(rng: &mut Rng) -> f32 {
+    (1.0 + 63.0 * rng.f32()).round()
+}
+
+fn distance_error<S: Format, A: Attenuation>(
+    model: impl Fn(f32) -> A,
+    oracle: impl Fn(f64, f64) -> f64,
+) -> f64 {
+    let mut rng = Rng::with_seed(20);
+    let mut worst = 0.0_f64;
+    for _ in 0..400 * sweep::effort() {
+        let (place, range) = (position(&mut rng), range(&mut rng));
+        let model = model(range);
+        // Full scale at half the range for what falls with the square, at the light itself for what does not.
+        let falls = oracle(range.into(), 0.01) > 1.0;
+        let intensity = if falls { range * range / 4.0 } else { 1.0 };
+        let point = Point::new(sweep::single(place)).and_then(|point| point.with_intensity(intensity));
+        let lit = point.expect("a sound light").with_attenuation(model).compile::<S>().expect("held");
+        for _ in 0..1_000 {
+            let way = sweep::direction(&mut rng);
+            let distance = f64::from(range) * (0.02 + 1.08 * rng.f64());
+            let site = sweep::on_grid([0, 1, 2].map(|i| place[i] + distance * way[i]));
+            let normal = sweep::single(scaled(way, -1.0)).map(S::from_f32);
+            let offset = minus(site, place);
+            let distance = reference::dot(offset, offset).sqrt();
+            let cosine = (-reference::dot(unit(offset), S::exact_normal(normal))).clamp(0.0, 1.0);
+            let exact = f64::from(intensity) * oracle(range.into(), distance) * cosine;
+            let light = S::exact_light(lit.irradiance(sweep::single(site).map(S::length), normal));
+            let unwindowed = if falls { f64::from(intensity) / (distance * distance) } else { 1.0 };
+            worst = worst.max((light - exact).abs() / unwindowed.max(1.0));
+        }
+    }
+    worst
+}
+
+fn assert_distance<A: Attenuation>(name: &str, model: impl Fn(f32) -> A + Copy, oracle: fn(f64, f64) -> f64) {
+    let measured = [
+        distance_error::<f32, A>(model, oracle),
+        distance_error::<Fx32, A>(model, oracle),
+        distance_error::<Fx16, A>(model, oracle),
+    ];
+    assert_row(&prices::DISTANCE, name, measured);
+}
+
+#[test]
+fn no_fall_keeps_its_row() {
+    assert_distance("unattenuated", |_| Unattenuated, |_, _| 1.0);
+}
+
+#[test]
+fn inverse_square_keeps_its_row() {
+    assert_distance("inverse square", |_| InverseSquare, |_, d| 1.0 / (d * d));
+}
+
+#[test]
+fn polynomial_keeps_its_row() {
+    let model = |range: f32| Polynomial::new(0.5, 0.25, 4.0 / (range * range)).expect("sound");
+    assert_distance("polynomial", model, |r, d| {
+        reference::polynomial([0.5, 0.25, f64::from(4.0_f32 / (r * r) as f32)], d)
+    });
+}
+
+#[test]
+fn smooth_range_keeps_its_row() {
+    assert_distance("smooth range", |r| SmoothRange::new(r).expect("sound"), reference::smooth_range);
+}
+
+#[test]
+fn windowed_keeps_its_row() {
+    assert_distance(
+        "windowed",
+        |r| Windowed::new(InverseSquare, Some(r)).expect("sound"),
+        reference::windowed,
+    );
+}
+
+#[test]
+fn squared_window_keeps_its_row() {
+    let model = |r| SquaredWindow::new(InverseSquare, Some(r)).expect("sound");
+    assert_distance("squared window", model, reference::squared_window);
+}
+
+/// A cut changes no bit within its range and leaves none beyond. At the range itself the squared distance decides, as the
+/// format rounds it.
+fn assert_cut<S: Format>() {
+    let mut rng = Rng::with_seed(44);
+    for _ in 0..20_000 {
+        let (place, range) = (position(&mut rng), range(&mut rng));
+        let whole = Point::new(sweep::single(place)).expect("a sound light");
+        let cut = whole.with_attenuation(HardRange::new(InverseSquare, Some(range)).expect("sound"));
+        let way = sweep::direction(&mut rng);
+        let fraction = rng.f64() * 2.0;
+        let site = [0, 1, 2].map(|i| place[i] + f64::from(range) * fraction * way[i]);
+        let site = sweep::single(sweep::on_grid(site)).map(S::length);
+        let normal = sweep::single(scaled(way, -1.0)).map(S::from_f32);
+        let cut = cut.compile::<S>().expect("held").irradiance(site, normal);
+        if fraction > 1.000_2 {
+            assert_eq!(cut, S::Irradiance::default());
+        } else if fraction < 0.999_8 {
+            assert_eq!(cut, whole.compile::<S>().expect("held").irradiance(site, normal));
+        }
+    }
+}
+
+#[test]
+fn a_cut_is_a_cut() {
+    assert_cut::<f32>();
+    assert_cut::<Fx32>();
+    assert_cut::<Fx16>();
+}
+
+/// The lobe of a highlight against its oracle, near the mirror direction and far from it.
+fn highlight_error<S: Format, H: Specular>(oracle: Lobe, shininess: u32) -> f64 {
+    let mut rng = Rng::with_seed(75);
+    let constants = H::constants::<S>(shininess);
+    let mut worst = 0.0_f64;
+    for _ in 0..200_000 * sweep::effort() {
+        let normal = sweep::single(sweep::direction(&mut rng)).map(S::from_f32);
+        let exact_normal = unit(S::exact_normal(normal));
+        let to_light = direction_within(&mut rng, exact_normal, 1.5);
+        let mirror = reference::reflect(scaled(to_light, -1.0), exact_normal);
+        let to_eye = direction_within(&mut rng, mirror, (4.0 / f64::from(shininess).sqrt()).min(3.0));
+        // An eye below the surface does not see it, and one just above it may have no direction halfway to the light.
+        if reference::dot(to_eye, exact_normal) < 0.1 {
+            continue;
+        }
+        let incoming = S::axis(sweep::single(scaled(to_light, -1.0)));
+        let view = S::axis(sweep::single(to_eye));
+        let exact = oracle(
+            scaled(unit(S::exact_direction(incoming)), -1.0),
+            unit(S::exact_direction(view)),
+            exact_normal,
+            shininess.into(),
+        );
+        let lobe = H::lobe::<S>(&constants, incoming, normal, view).exact();
+        worst = worst.max((lobe - exact).abs());
+    }
+    worst
+}
+
+fn assert_highlight<H: Specular>(name: &str, oracle: Lobe, shininesses: [u32; 3]) {
+    for shininess in shininesses {
+        let measured = [
+            highlight_error::<f32, H>(oracle, shininess),
+            highlight_error::<Fx32, H>(oracle, shininess),
+            highlight_error::<Fx16, H>(oracle, shininess),
+        ];
+        assert_row(&prices::HIGHLIGHT, &format!("{name} {shininess}"), measured);
+    }
+}
+
+#[test]
+fn phong_keeps_its_rows() {
+    assert_highlight::<Phong>("phong", reference::phong, [2, 32, 256]);
+}
+
+#[test]
+fn blinn_phong_keeps_its_rows() {
+    assert_highlight::<BlinnPhong>("blinn-phong", reference::blinn_phong, [2, 32, 256]);
+}
+
+#[test]
+fn dual_cone_keeps_its_rows() {
+    assert_highlight::<DualCone>("dual cone", reference::dual_cone, [2, 32, 256]);
+}
+
+#[test]
+fn lyon_keeps_its_rows() {
+    assert_highlight::<Lyon<Phong, 2>>("lyon", reference::lyon, [4, 32, 256]);
+}
+
+/// A mirror image in a level surface is seen from this versine off it.
+fn lobe_at<H: Specular, S: Format>(shininess: u32, versine: f32) -> f64 {
+    let cosine = 1.0 - versine;
+    let [up, down, view] = [[0.0, 1.0], [0.0, -1.0], [(1.0 - cosine * cosine).sqrt(), cosine]]
+        .map(|[x, y]| Vec3::new(x, y, 0.0_f32));
+    H::lobe::<S>(&H::constants::<S>(shininess), S::axis(down), up.map(S::from_f32), S::axis(view)).exact()
+}
+
+fn assert_end<H: Specular>(shininess: [u32; 3]) {
+    for shininess in shininess {
+        let end = H::end(shininess);
+        let [inside, outside] = [0.8, 1.001].map(|part| {
+            let versine = part * end;
+            [lobe_at::<H, f32>, lobe_at::<H, Fx32>, lobe_at::<H, Fx16>].map(|lobe| lobe(shininess, versine))
+        });
+        assert!(H::SHINES == inside.iter().all(|lobe| *lobe > 0.0), "{shininess}: {inside:?} before {end}");
+        assert_eq!(outside, [0.0; 3], "{shininess}: after {end}");
+    }
+}
+
+#[test]
+fn a_highlight_ends_where_it_says() {
+    assert_end::<Phong>([1, 2, 4]);
+    assert_end::<Lyon<Phong, 2>>([4, 32, 256]);
+    assert_end::<Matte>([0, 1, 32]);
+}
+
+/// Lyon's form against the power, over the angle between the two directions.
+#[test]
+fn lyons_form_is_as_near_to_the_power_as_is_stated() {
+    for (squarings, row) in prices::LYON {
+        for (shininess, bound) in [16.0_f64, 64.0, 256.0].into_iter().zip(row) {
+            let largest = (0..=100_000)
+                .map(|i| {
+                    let cosine = f64::from(i) / 100_000.0;
+                    let factor = shininess / f64::from(1 << squarings);
+                    let lyon = (1.0 - factor * (1.0 - cosine)).max(0.0).powi(1 << squarings);
+                    (lyon - cosine.powf(shininess)).abs()
+                })
+                .fold(0.0, f64::max);
+            println!("lyon {squarings} squarings, shininess {shininess}: {largest:.2e}");
+            bounds::check("lyon", largest, bound).expect("the stated difference");
+        }
+    }
+}
+
+/// The largest errors of the whole equation, in linear light and in display codes.
+fn lit_errors<S: Format>() -> [f64; 2] {
+    let mut rng = Rng::with_seed(1975);
+    let outer_degrees = 20.0_f32;
+    let cone = Cone::from_outer(Soft, sweep::half(outer_degrees)).expect("a sound cone");
+    // Channels that every format stores exactly.
+    let [ma, md, ms] = [0.25_f32, 0.625, 0.375];
+    let [ia, diffuse, specular] = [0.125_f32, 0.75, 0.5];
+    let grey = |value: f32| Rgb::new(value, value, value);
+    let material = Material::new(grey(md))
+        .and_then(|material| material.with_ambient(grey(ma)))
+        .and_then(|material| material.with_highlight(Phong, grey(ms), 32))
+        .expect("a sound material");
+    let ambient = Ambient::new(grey(ia)).expect("sound").compile::<S>();
+    let compiled = material.compile::<S>();
+    let (mut linear, mut codes) = (0.0_f64, 0.0_f64);
+    for _ in 0..200 * sweep::effort() {
+        let reach = 1.0 + 15.0 * rng.f32();
+        let spot = sweep::spot(&mut rng, cone)
+            .with_color(grey(diffuse))
+            .and_then(|spot| spot.with_specular_color(grey(specular)))
+            .and_then(|spot| spot.with_intensity((reach * reach).round()))
+            .expect("a sound light");
+        let lit = spot.compile::<S>().expect("held");
+        let exact_spot = reference::Spot {
+            position: S::exact_point(spot.position().map(S::length)),
+            axis: unit(S::exact_direction(spot.axis_in::<S>())),
+            cone: reference::Cone::new(reference::soft, reference::versine(outer_degrees.into())),
+            intensity: spot.intensity().into(),
+        };
+        for _ in 0..1_000 {
+            let distance = f64::from(reach) * (1.0 + rng.f64());
+            let way = direction_within(&mut rng, exact_spot.axis, 0.4);
+            let site = sweep::on_grid([0, 1, 2].map(|i| exact_spot.position[i] + distance * way[i]));
+            let normal = direction_within(&mut rng, scaled(way, -1.0), 1.7);
+            let normal = sweep::single(normal).map(S::from_f32);
+            let exact_normal = S::exact_normal(normal);
+            let to_light = unit(minus(exact_spot.position, site));
+            // At grazing incidence the highlight jumps to zero, in the model itself: no format can place the jump.
+            if reference::dot(unit(exact_normal), to_light).abs() < 1e-3 {
+                continue;
+            }
+            let mirror = reference::reflect(scaled(to_light, -1.0), unit(exact_normal));
+            let eye_way = direction_within(&mut rng, mirror, 0.8);
+            let eye = sweep::on_grid([0, 1, 2].map(|i| site[i] + 5.0 * eye_way[i]));
+            let to_length = |v: Vector| sweep::single(v).map(S::length);
+            let surface = Surface::seen_from(to_length(eye), to_length(site), normal);
+            let light = compiled.glow(ambient).plus::<S>(compiled.reflect(&surface, &lit));
+            let classic = Classic {
+                ambient: [ma.into(), ia.into()],
+                diffuse: [md.into(), diffuse.into()],
+                specular: [ms.into(), specular.into()],
+                shininess: 32.0,
+            };
+            let offset = minus(site, exact_spot.position);
+            let arriving = exact_spot.intensity * exact_spot.falloff(site) / reference::dot(offset, offset);
+            let exact = classic.light(arriving, to_light, unit(minus(eye, site)), unit(exact_normal));
+            linear = linear.max((S::exact_light(light.red) - exact).abs());
+            let code = f64::from(encode_srgb(clip::<S>(light).red));
+            codes = codes.max((code - reference::srgb_code(exact.min(1.0))).abs());
+        }
+    }
+    [linear, codes]
+}
+
+#[test]
+fn the_lit_point_keeps_its_rows() {
+    let [float, wide, narrow] = [lit_errors::<f32>(), lit_errors::<Fx32>(), lit_errors::<Fx16>()];
+    let column = |i: usize| [float[i], wide[i], narrow[i]];
+    assert_row(&prices::LIT, "lit point, linear", column(0));
+    assert_row(&prices::LIT, "lit point, codes", column(1));
+}
+
+/// The dual-cone article's highlight is not brightest in the mirror direction, where Phong's and Blinn's are.
+#[test]
+fn the_dual_cone_highlight_peaks_beside_the_mirror_direction() {
+    let incidence = 20.0_f32.to_radians();
+    let incoming = Vec3::new(incidence.sin(), 0.0, -incidence.cos());
+    let normal = Vec3::new(0.0, 0.0, 1.0);
+    let peak = |lobe: &dyn Fn(Vec3<f32>) -> f32| {
+        let at = |degrees: i32| {
+            let (sine, cosine) = (degrees as f32).to_radians().sin_cos();
+            lobe(Vec3::new(sine, 0.0, cosine))
+        };
+        (-90..=90).max_by(|&a, &b| at(a).total_cmp(&at(b))).expect("some angle")
+    };
+    fn lobe<H: Specular>(incoming: Vec3<f32>, normal: Vec3<f32>, view: Vec3<f32>) -> f32 {
+        H::lobe::<f32>(&H::constants::<f32>(16), incoming, normal, view)
+    }
+    assert_eq!(peak(&|view| lobe::<Phong>(incoming, normal, view)), 20);
+    assert_eq!(peak(&|view| lobe::<BlinnPhong>(incoming, normal, view)), 20);
+    assert_eq!(peak(&|view| lobe::<DualCone>(incoming, normal, view)), 60);
+    let mirror = Vec3::new(incidence.sin(), 0.0, incidence.cos());
+    let at_mirror = lobe::<DualCone>(incoming, normal, mirror);
+    assert!((at_mirror - incidence.cos().powi(16)).abs() < 1e-5);
+}

@@ -1,0 +1,32 @@
+//! The quick tests of the kernel: a module a subject.
+//!
+//! `cargo test --test suite NAME::` runs one of them.
+
+mod any_bits;
+mod batch;
+mod cones;
+mod display;
+mod dither;
+mod domain;
+mod equivalence;
+mod figures;
+mod formats;
+mod generated;
+mod gobo;
+mod haze_laws;
+mod import;
+mod import_refusals;
+mod kept;
+mod lamps;
+mod lights;
+mod lit;
+mod operations;
+mod paper;
+mod projection;
+mod refusals;
+mod regressions;
+mod setup;
+mod shadow;
+mod tables;
+mod totality;
+mod two_angles;

@@ -1,0 +1,398 @@
+//! Accuracy of every operation of the seam in all three formats against f64, row by row of
+//! `support/operations.rs`.
+//!
+//! Operands are what the format has stored, so that an error is the operation's own. Errors of scalars and of
+//! light are in steps of the format, of gains relative, of directions in radians.
+
+use fastrand::Rng;
+use luminaire::{
+    Ambient, Cone, Directional, Exposure, Fraction, Fx16, Fx32, Gain, Linear, Material, Offset, Ray, Rgb,
+    Soft, Vec3,
+};
+use support::{
+    bounds,
+    format::Format,
+    operations::ROWS,
+    reference::{self, Vector, minus, unit},
+    sweep,
+};
+
+/// The largest of the errors that a search finds.
+fn largest(mut error: impl FnMut(&mut Rng) -> f64) -> f64 {
+    let mut rng = Rng::with_seed(1_000);
+    (0..20_000 * sweep::effort()).map(|_| error(&mut rng)).fold(0.0, f64::max)
+}
+
+/// Compares the measured errors of the three formats with the row of an operation.
+fn assert_row(operation: &str, measured: [f64; 3]) {
+    println!("{operation:32} {}", measured.map(|error| format!("{error:.2e}")).join("  "));
+    let Some(row) = ROWS.iter().find(|row| row.operation == operation) else {
+        panic!("{operation} has no row");
+    };
+    let mut broken = Vec::new();
+    for ((format, measured), bound) in ["f32", "fx32", "fx16"].iter().zip(measured).zip(row.bounds) {
+        broken.extend(bounds::check(&format!("{operation} {format}"), measured, bound).err());
+    }
+    assert!(broken.is_empty(), "{}", broken.join("\n"));
+}
+
+macro_rules! assert_in_every_format {
+    ($name:literal, $error:ident) => {
+        assert_row($name, [largest($error::<f32>), largest($error::<Fx32>), largest($error::<Fx16>)])
+    };
+}
+
+fn steps<S: Format>(error: f64) -> f64 {
+    error.abs() / f64::from(S::STEP)
+}
+
+/// A scalar from -1 to 1.
+fn scalar<S: Format>(rng: &mut Rng) -> S {
+    S::from_f32(2.0 * rng.f32() - 1.0)
+}
+
+/// A number of 16 bits times a power of two from `2^least` up to `2^most`: every format has a gain for it.
+fn sixteen_bits(rng: &mut Rng, least: i32, most: i32) -> f32 {
+    rng.u32(1 << 15..1 << 16) as f32 * 2.0_f32.powi(rng.i32(least..most) - 15)
+}
+
+/// The value of a gain, read as the light of a gain 2^`up` times as large.
+fn value<S: Format>(gain: S::Gain, up: i32) -> f64 {
+    let factor = 2.0_f32.powi(up);
+    S::exact_light(S::ONE.expose(gain.by(S::gain(factor)))) / f64::from(factor)
+}
+
+fn relative(found: f64, exact: f64) -> f64 {
+    (found / exact - 1.0).abs()
+}
+
+fn direction<S: Format>(rng: &mut Rng) -> Vec3<S::Unit> {
+    S::axis(sweep::single(sweep::direction(rng)))
+}
+
+fn normal<S: Format>(rng: &mut Rng) -> Vec3<S> {
+    sweep::single(sweep::direction(rng)).map(S::from_f32)
+}
+
+/// The angle between two directions, in radians.
+fn angle(a: Vector, b: Vector) -> f64 {
+    (2.0 * reference::versine_between(a, b)).sqrt()
+}
+
+/// The way from a light to a point, and the exact one.
+fn offset<S: Format>(rng: &mut Rng) -> (S::Offset, Vector) {
+    let light = sweep::on_grid([0; 3].map(|_| rng.f64() * 16.0 - 8.0));
+    let (way, distance) = (sweep::direction(rng), sweep::distance(rng));
+    let point = sweep::on_grid([0, 1, 2].map(|i| light[i] + distance * way[i]));
+    let [from, to] = [light, point].map(|v| sweep::single(v).map(S::length));
+    (S::offset(from, to), minus(S::exact_point(to), S::exact_point(from)))
+}
+
+fn times<S: Format>(rng: &mut Rng) -> f64 {
+    let (a, b) = (S::from_f32(rng.f32()), S::from_f32(rng.f32()));
+    steps::<S>(a.times(b).exact() - a.exact() * b.exact())
+}
+
+fn difference<S: Format>(rng: &mut Rng) -> f64 {
+    let (a, b) = (scalar::<S>(rng), scalar::<S>(rng));
+    steps::<S>(a.minus(b).exact() - (a.exact() - b.exact()))
+}
+
+fn smooth<S: Format>(rng: &mut Rng) -> f64 {
+    let t = S::from_f32(rng.f32());
+    steps::<S>(t.smooth().exact() - reference::smooth(t.exact()))
+}
+
+/// The value in f32, relative.
+fn to_f32<S: Format>(rng: &mut Rng) -> f64 {
+    let value = S::from_f32(0.5 + 0.5 * rng.f32()).times(S::from_f32(0.5 + 0.5 * rng.f32()));
+    relative(value.to_f32().into(), value.exact())
+}
+
+#[test]
+fn scalars_keep_their_rows() {
+    assert_in_every_format!("times", times);
+    assert_in_every_format!("minus", difference);
+    assert_in_every_format!("smooth", smooth);
+    assert_in_every_format!("to f32, relative", to_f32);
+}
+
+fn gain<S: Format>(rng: &mut Rng) -> f64 {
+    let exact = 1.0 + rng.f32();
+    relative(value::<S>(S::gain(exact), 14), exact.into())
+}
+
+fn gain_by<S: Format>(rng: &mut Rng) -> f64 {
+    let [a, b] = [0; 2].map(|_| sixteen_bits(rng, -2, 2));
+    relative(value::<S>(S::gain(a).by(S::gain(b)), 12), f64::from(a) * f64::from(b))
+}
+
+fn gain_plus<S: Format>(rng: &mut Rng) -> f64 {
+    let [a, b] = [0; 2].map(|_| sixteen_bits(rng, -4, 2));
+    relative(value::<S>(S::gain(a).plus(S::gain(b)), 12), f64::from(a) + f64::from(b))
+}
+
+fn inverse_capped<S: Format>(rng: &mut Rng) -> f64 {
+    let a = sixteen_bits(rng, -1, 4);
+    relative(value::<S>(S::gain(a).inverse_capped(), 16), (1.0 / f64::from(a)).min(1.0))
+}
+
+fn gain_fraction<S: Format>(rng: &mut Rng) -> f64 {
+    let a = sixteen_bits(rng, -6, 1);
+    steps::<S>(S::gain(a).fraction().exact() - f64::from(a).min(1.0))
+}
+
+#[test]
+fn gains_keep_their_rows() {
+    assert_in_every_format!("gain, relative", gain);
+    assert_in_every_format!("gain by, relative", gain_by);
+    assert_in_every_format!("gain plus, relative", gain_plus);
+    assert_in_every_format!("inverse capped, relative", inverse_capped);
+    assert_in_every_format!("fraction of a gain", gain_fraction);
+}
+
+/// Light of up to four times full scale.
+fn light<S: Format>(rng: &mut Rng) -> S::Irradiance {
+    S::from_f32(rng.f32()).expose(S::gain(4.0))
+}
+
+fn expose<S: Format>(rng: &mut Rng) -> f64 {
+    let (fraction, gain) = (S::from_f32(rng.f32()), sixteen_bits(rng, -3, 0));
+    steps::<S>(S::exact_light(fraction.expose(S::gain(gain))) - fraction.exact() * f64::from(gain))
+}
+
+fn filter<S: Format>(rng: &mut Rng) -> f64 {
+    let (light, color) = (light::<S>(rng), S::from_f32(rng.f32()));
+    steps::<S>(S::exact_light(S::filter(light, color)) - S::exact_light(light) * color.exact())
+}
+
+fn add_light<S: Format>(rng: &mut Rng) -> f64 {
+    let (a, b) = (light::<S>(rng), light::<S>(rng));
+    steps::<S>(S::exact_light(S::add_light(a, b)) - (S::exact_light(a) + S::exact_light(b)))
+}
+
+fn light_to_f32<S: Format>(rng: &mut Rng) -> f64 {
+    let light = S::filter(light::<S>(rng), S::from_f32(0.5 + 0.5 * rng.f32()));
+    let exact = S::exact_light(light);
+    if exact > 0.0 { relative(S::light_to_f32(light).into(), exact) } else { 0.0 }
+}
+
+fn light_to_gain<S: Format>(rng: &mut Rng) -> f64 {
+    let light = S::from_f32(0.5 + 0.5 * rng.f32()).expose(S::gain(16.0));
+    relative(value::<S>(S::light_to_gain(light), 12), S::exact_light(light))
+}
+
+/// By a gain of the light's own size, as an exposure or the keeping of a hue would have it.
+fn amplify<S: Format>(rng: &mut Rng) -> f64 {
+    let (light, gain) = (light::<S>(rng), sixteen_bits(rng, -3, 0));
+    steps::<S>(S::exact_light(S::amplify(light, S::gain(gain))) - S::exact_light(light) * f64::from(gain))
+}
+
+fn clip<S: Format>(rng: &mut Rng) -> f64 {
+    let light = light::<S>(rng);
+    steps::<S>(S::clip(light).exact() - S::exact_light(light).min(1.0))
+}
+
+/// An exposure of any factor from 1/8 to 1, the rounding of the factor included.
+fn exposure<S: Format>(rng: &mut Rng) -> f64 {
+    let (light, factor) = (light::<S>(rng), 0.125 + 0.875 * rng.f32());
+    let exposed =
+        Exposure::factor(factor).expect("sound").compile::<S>().expose(Rgb::new(light, light, light));
+    steps::<S>(S::exact_light(exposed.green) - S::exact_light(light) * f64::from(factor))
+}
+
+fn grey(value: f32) -> Rgb<f32> {
+    Rgb::new(value, value, value)
+}
+
+/// Ambient light as it is compiled and as a material gives it back with its own glow: every rounding of both.
+fn glow<S: Format>(rng: &mut Rng) -> f64 {
+    let [color, ambient, emissive, intensity] = [0; 4].map(|_| rng.f32());
+    let light = Ambient::new(grey(color)).and_then(|light| light.with_intensity(intensity)).expect("sound");
+    let material = Material::new(grey(0.0))
+        .and_then(|material| material.with_ambient(grey(ambient)))
+        .and_then(|material| material.with_emissive(grey(emissive)))
+        .expect("sound");
+    let found = material.compile::<S>().glow(light.compile::<S>()).blue;
+    let [color, ambient, emissive, intensity] = [color, ambient, emissive, intensity].map(f64::from);
+    steps::<S>(S::exact_light(found) - (color * intensity * ambient + emissive))
+}
+
+/// A grey light in a colour, after a filter, and a second light added to it.
+fn colored<S: Format>(rng: &mut Rng) -> f64 {
+    let (a, b) = (light::<S>(rng), light::<S>(rng));
+    let [color, filter] = [0; 2].map(|_| S::from_f32(rng.f32()));
+    let rgb = |value: S| Rgb::new(value, value, value);
+    let lit = Rgb::lit(a, rgb(color)).filtered(rgb(filter)).plus::<S>(Rgb::new(b, b, b)).red;
+    let exact = S::exact_light(a) * color.exact() * filter.exact() + S::exact_light(b);
+    steps::<S>(S::exact_light(lit) - exact)
+}
+
+#[test]
+fn light_keeps_its_rows() {
+    assert_in_every_format!("expose", expose);
+    assert_in_every_format!("filter", filter);
+    assert_in_every_format!("add light", add_light);
+    assert_in_every_format!("light to f32, relative", light_to_f32);
+    assert_in_every_format!("light to gain, relative", light_to_gain);
+    assert_in_every_format!("amplify", amplify);
+    assert_in_every_format!("clip", clip);
+    assert_in_every_format!("exposure", exposure);
+    assert_in_every_format!("ambient light and glow", glow);
+    assert_in_every_format!("light, filter and sum", colored);
+}
+
+fn axis<S: Format>(rng: &mut Rng) -> f64 {
+    let given = sweep::single(sweep::direction(rng));
+    angle(S::exact_direction(S::axis(given)), f32::exact_direction(given))
+}
+
+fn normal_unit<S: Format>(rng: &mut Rng) -> f64 {
+    let normal = normal::<S>(rng);
+    angle(S::exact_direction(S::normal_unit(normal)), S::exact_normal(normal))
+}
+
+fn mirror<S: Format>(rng: &mut Rng) -> f64 {
+    let (direction, normal) = (direction::<S>(rng), normal::<S>(rng));
+    let exact = reference::reflect(S::exact_direction(direction), S::exact_normal(normal));
+    angle(S::exact_direction(S::mirror(direction, normal)), exact)
+}
+
+/// Of two directions that are at least a tenth apart.
+fn direction_between<S: Format>(rng: &mut Rng) -> f64 {
+    let (a, b) = (direction::<S>(rng), direction::<S>(rng));
+    let exact = minus(S::exact_direction(b), S::exact_direction(a));
+    if reference::dot(exact, exact) < 0.01 {
+        return 0.0;
+    }
+    angle(S::exact_direction(S::direction_between(a, b)), exact)
+}
+
+fn incidence<S: Format>(rng: &mut Rng) -> f64 {
+    let (direction, normal) = (direction::<S>(rng), normal::<S>(rng));
+    let exact = -reference::dot(S::exact_direction(direction), S::exact_normal(normal));
+    steps::<S>(S::incidence(direction, normal).exact() - exact.clamp(0.0, 1.0))
+}
+
+/// The versine of two directions up to the edge of a cone of 10 degrees, relative to its outer versine.
+fn versine_between<S: Format>(rng: &mut Rng) -> f64 {
+    let cone = Cone::from_outer(Linear, sweep::half(10.0)).expect("sound");
+    let (falloff, outer) = (cone.compile::<S>().expect("held"), cone.outer_versine());
+    let a = sweep::direction(rng);
+    let off = 9.9_f64.to_radians() * rng.f64();
+    let b = sweep::direction_off(rng, a, off);
+    let [a, b] = [a, b].map(|v| S::axis(sweep::single(v)));
+    let apart = minus(S::exact_direction(a), S::exact_direction(b));
+    let found = S::versine_between(a, b, S::ramp(0.0, outer, outer));
+    (S::exact_versine(&falloff, found) - reference::dot(apart, apart) / 2.0).abs() / f64::from(outer)
+}
+
+/// The nearest versine in the scale of a cone of 10 degrees, relative to its outer versine.
+fn versine<S: Format>(rng: &mut Rng) -> f64 {
+    let cone = Cone::from_outer(Linear, sweep::half(10.0)).expect("sound");
+    let (falloff, outer) = (cone.compile::<S>().expect("held"), cone.outer_versine());
+    let value = outer * rng.f32();
+    (S::exact_versine(&falloff, falloff.versine(value)) - f64::from(value)).abs() / f64::from(outer)
+}
+
+/// The 32nd power of a cosine from its versine.
+fn power<S: Format>(rng: &mut Rng) -> f64 {
+    let falloff = Cone::from_outer(Linear, sweep::half(90.0)).expect("sound").compile::<S>().expect("held");
+    let versine = falloff.versine(0.2 * rng.f32());
+    let exact = (1.0 - S::exact_versine(&falloff, versine)).powi(32);
+    steps::<S>(S::power(versine, 32).exact() - exact)
+}
+
+#[test]
+fn directions_keep_their_rows() {
+    assert_in_every_format!("axis, radians", axis);
+    assert_in_every_format!("normal unit, radians", normal_unit);
+    assert_in_every_format!("mirror, radians", mirror);
+    assert_in_every_format!("direction between, radians", direction_between);
+    assert_in_every_format!("incidence", incidence);
+    assert_in_every_format!("versine between, of the outer", versine_between);
+    assert_in_every_format!("versine, of the outer", versine);
+    assert_in_every_format!("power 32", power);
+}
+
+fn ray_direction<S: Format>(rng: &mut Rng) -> f64 {
+    let (offset, way) = offset::<S>(rng);
+    angle(S::exact_direction(offset.ray().direction()), way) / f64::from(S::DIRECTION_ERROR)
+}
+
+fn ray_length<S: Format>(rng: &mut Rng) -> f64 {
+    let (offset, _) = offset::<S>(rng);
+    let direction = S::exact_direction(offset.ray().direction());
+    relative(reference::dot(direction, direction).sqrt(), 1.0)
+}
+
+fn ray_distance<S: Format>(rng: &mut Rng) -> f64 {
+    let (offset, way) = offset::<S>(rng);
+    relative(value::<S>(offset.ray().distance(), 11), reference::dot(way, way).sqrt())
+}
+
+fn squared_distance<S: Format>(rng: &mut Rng) -> f64 {
+    let (offset, way) = offset::<S>(rng);
+    relative(value::<S>(offset.squared_distance(), 6), reference::dot(way, way))
+}
+
+/// Lambert's cosine, in steps; a surface that faces away by more than a step is known to.
+fn ray_cosine<S: Format>(rng: &mut Rng) -> f64 {
+    let ((offset, way), normal) = (offset::<S>(rng), normal::<S>(rng));
+    let exact = -reference::dot(unit(way), S::exact_normal(normal));
+    let facing = offset.facing(normal);
+    if exact.abs() > 4.0 * f64::from(S::STEP) {
+        assert_eq!(S::Offset::faces_away(facing), exact < 0.0, "{} {exact}", S::NAME);
+    }
+    let cosine = offset.ray().cosine(facing, normal);
+    assert_eq!(cosine.of(S::ONE), cosine.scalar());
+    let half = S::from_f32(0.5);
+    steps::<S>(2.0 * cosine.of(half).exact() - exact.clamp(0.0, 1.0))
+}
+
+fn ray_versine<S: Format>(rng: &mut Rng) -> f64 {
+    let cone = Cone::from_outer(Soft, sweep::half(10.0)).expect("sound");
+    let (falloff, outer) = (cone.compile::<S>().expect("held"), cone.outer_versine());
+    let (offset, way) = offset::<S>(rng);
+    let off = 9.9_f64.to_radians() * rng.f64();
+    let axis = S::axis(sweep::single(sweep::direction_off(rng, unit(way), off)));
+    let found = offset.ray().versine(axis, S::ramp(0.0, outer, outer));
+    let exact = reference::versine_between(way, S::exact_direction(axis));
+    (S::exact_versine(&falloff, found) - exact).abs() / f64::from(outer)
+}
+
+/// The inverse square, for light of 16 to 64 times full scale, where roundings of light itself do not count;
+/// relative.
+fn ray_expose<S: Format>(rng: &mut Rng) -> f64 {
+    let (offset, way) = offset::<S>(rng);
+    let squared = reference::dot(way, way);
+    let gain = (squared * (16.0 + 48.0 * rng.f64())) as f32;
+    let exact = f64::from(gain) / squared;
+    relative(S::exact_light(offset.ray().expose(S::ONE, S::gain(gain))), exact)
+}
+
+/// Lambert's cosine of parallel light, of intensities up to full scale.
+fn directional<S: Format>(rng: &mut Rng) -> f64 {
+    let (direction, normal, intensity) = (sweep::direction(rng), normal::<S>(rng), 0.5 + 0.5 * rng.f32());
+    let sun = Directional::new(sweep::single(direction)).and_then(|sun| sun.with_intensity(intensity));
+    let sun = sun.expect("sound");
+    let exact = -reference::dot(unit(f32::exact_direction(sun.direction())), S::exact_normal(normal));
+    let found = S::exact_light(sun.compile::<S>().irradiance(normal));
+    steps::<S>(found - f64::from(intensity) * exact.clamp(0.0, 1.0))
+}
+
+#[test]
+fn parallel_light_keeps_its_row() {
+    assert_in_every_format!("directional light", directional);
+}
+
+#[test]
+fn rays_keep_their_rows() {
+    assert_in_every_format!("ray direction, of the stated", ray_direction);
+    assert_in_every_format!("ray direction, its length", ray_length);
+    assert_in_every_format!("ray distance, relative", ray_distance);
+    assert_in_every_format!("squared distance, relative", squared_distance);
+    assert_in_every_format!("ray cosine", ray_cosine);
+    assert_in_every_format!("ray versine, of the outer", ray_versine);
+    assert_in_every_format!("ray expose, relative", ray_expose);
+}

@@ -1,0 +1,260 @@
+//! Accuracy of what is computed once: angles, cones, flux and the figures of profiles, each against f64,
+//! figure by figure of `support/operations.rs`. All of it is f32, whatever the format of the light.
+
+use fastrand::Rng;
+use luminaire::{Angle, Cone, CutOff, HalfAngle, Point, Profile, SmoothRange, Spot, Vec3};
+use support::with_every_shape;
+use support::{
+    bounds,
+    format::Format,
+    operations::FIGURES,
+    profiles::Shape,
+    reference::{self, half_degrees, minus, unit},
+    sweep,
+};
+
+/// Compares a measured error with the bound of a figure.
+fn assert_figure(name: &str, measured: f64) {
+    println!("{name:40} {measured:.2e}");
+    let Some(figure) = FIGURES.iter().find(|figure| figure.name == name) else {
+        panic!("{name} has no bound");
+    };
+    let kept = bounds::check(name, measured, figure.bound);
+    assert!(kept.is_ok(), "{}", kept.unwrap_err());
+}
+
+fn relative(found: f32, exact: f64) -> f64 {
+    (f64::from(found) / exact - 1.0).abs()
+}
+
+/// The largest error over full angles from 0.01 to 179.99 degrees.
+fn over_angles(error: impl Fn(f32) -> f64) -> f64 {
+    let count = 20_000 * sweep::effort();
+    let angles = (0..count).map(|i| 0.01 * 17_999.0_f32.powf(i as f32 / (count - 1) as f32));
+    angles.map(error).fold(0.0, f64::max)
+}
+
+#[test]
+fn angles_keep_their_figures() {
+    let radians = |degrees: f32| f64::from(degrees).to_radians();
+    assert_figure("angle in radians", over_angles(|d| relative(Angle::degrees(d).to_radians(), radians(d))));
+    assert_figure(
+        "angle from radians",
+        over_angles(|d| relative(Angle::radians(d / 57.0).to_degrees(), f64::from(d / 57.0).to_degrees())),
+    );
+    assert_figure(
+        "half angle in radians",
+        over_angles(|d| relative(HalfAngle::degrees(d).to_radians(), radians(d))),
+    );
+    assert_figure(
+        "half angle from radians",
+        over_angles(|d| {
+            relative(HalfAngle::radians(d / 57.0).to_degrees(), f64::from(d / 57.0).to_degrees())
+        }),
+    );
+    let versine = |d: f32| relative(Angle::degrees(d).versine(), reference::versine(f64::from(d) / 2.0));
+    assert_figure("versine of an angle", over_angles(versine));
+    let angle = |d: f32| {
+        let versine = reference::versine(f64::from(d) / 2.0) as f32;
+        relative(Angle::from_versine(versine).to_degrees(), 2.0 * half_degrees(versine.into()))
+    };
+    assert_figure("angle of a versine", over_angles(angle));
+}
+
+/// The last `u` at which a profile has at least so much intensity, by bisection in f64.
+fn last_u(oracle: reference::Profile, intensity: f64) -> f64 {
+    let (mut light, mut dark) = (0.0, 1.0);
+    for _ in 0..60 {
+        let middle = (light + dark) / 2.0;
+        if oracle(1.0 - middle) >= intensity { light = middle } else { dark = middle }
+    }
+    light
+}
+
+/// The integral of a profile over `u` from 0, by the midpoint rule.
+fn integral(oracle: reference::Profile, to: f64) -> f64 {
+    let steps = 20_000;
+    let width = to / f64::from(steps);
+    (0..steps).map(|i| oracle(1.0 - (f64::from(i) + 0.5) * width)).sum::<f64>() * width
+}
+
+fn profile_errors<S: Format, P: Profile>(shape: &Shape<P>) -> [f64; 3] {
+    let beam = relative(shape.profile.beam_versine(), last_u(shape.oracle, 0.5));
+    let field = relative(shape.profile.field_versine(), last_u(shape.oracle, 0.1));
+    let at = |u: f32| relative(shape.profile.integral(u), integral(shape.oracle, u.into()));
+    [beam, field, (1..=20_u8).map(|i| at(f32::from(i) / 20.0)).fold(0.0, f64::max)]
+}
+
+fn largest<const N: usize>(errors: impl IntoIterator<Item = [f64; N]>) -> [f64; N] {
+    errors.into_iter().fold([0.0; N], |worst, errors| std::array::from_fn(|i| worst[i].max(errors[i])))
+}
+
+#[test]
+fn profiles_keep_their_figures() {
+    let [beam, field, integral] = largest(with_every_shape!(profile_errors::<f32>));
+    assert_figure("beam versine of a profile", beam);
+    assert_figure("field versine of a profile", field);
+    assert_figure("integral of a profile", integral);
+}
+
+/// The errors of the outer angle of cones that are designed from their outer, field and beam angle.
+fn design_errors<S: Format, P: Profile>(shape: &Shape<P>) -> [f64; 3] {
+    let (to_field, to_beam) = (last_u(shape.oracle, 0.1), last_u(shape.oracle, 0.5));
+    let error = |cone: Result<Cone<P>, _>, degrees: f32, u: f64| {
+        let cone = cone.ok()?;
+        Some(relative(cone.outer_versine(), reference::versine(f64::from(degrees) / 2.0) / u))
+    };
+    largest((1..=300).map(|i| {
+        let degrees = 0.01 * 17_000.0_f32.powf(i as f32 / 300.0);
+        let (profile, angle) = (shape.profile, Angle::degrees(degrees));
+        let outer = error(Cone::from_outer(profile, angle), degrees, 1.0);
+        let field = error(Cone::from_field(profile, angle), degrees, to_field);
+        let beam = error(Cone::from_beam(profile, angle), degrees, to_beam);
+        // Where the outer angle would pass 180 degrees there is no cone.
+        [outer, field, beam].map(|error| error.unwrap_or(0.0))
+    }))
+}
+
+/// The errors of the inner, beam, field and outer angles that a cone gives.
+fn angle_errors<S: Format, P: Profile>(shape: &Shape<P>) -> [f64; 4] {
+    largest((0..=60).map(|i| {
+        let half = 0.01 * 9_000.0_f32.powf(i as f32 / 60.0);
+        let (cone, exact) = (shape.at(half), shape.exactly_at(half));
+        let last = |intensity: f64| {
+            let (mut light, mut dark) = (0.0, exact.limit);
+            for _ in 0..60 {
+                let middle = (light + dark) / 2.0;
+                if exact.falloff(middle) >= intensity { light = middle } else { dark = middle }
+            }
+            2.0 * half_degrees(light)
+        };
+        let inner = match exact.inner {
+            0.0 => cone.inner().to_degrees().into(),
+            inner => relative(cone.inner().to_degrees(), 2.0 * half_degrees(inner)),
+        };
+        let outer = relative(cone.outer().to_degrees(), 2.0 * half_degrees(exact.limit));
+        [
+            inner,
+            relative(cone.beam().to_degrees(), last(0.5)),
+            relative(cone.field().to_degrees(), last(0.1)),
+            outer,
+        ]
+    }))
+}
+
+fn flux_errors<S: Format, P: Profile>(shape: &Shape<P>) -> [f64; 2] {
+    largest([0.1_f32, 3.0, 20.0, 90.0].map(|half| {
+        let (cone, exact) = (shape.at(half), shape.exactly_at(half));
+        let steps = 50_000;
+        let width = exact.limit / f64::from(steps);
+        let sum: f64 = (0..steps).map(|i| exact.falloff((f64::from(i) + 0.5) * width)).sum();
+        let lumens = 1_000.0 * std::f64::consts::TAU * sum * width;
+        [relative(cone.lumens(1_000.0), lumens), relative(cone.candela(lumens as f32), 1_000.0)]
+    }))
+}
+
+#[test]
+fn cones_keep_their_figures() {
+    let [outer, field, beam] = largest(with_every_shape!(design_errors::<f32>));
+    assert_figure("outer versine from the outer angle", outer);
+    assert_figure("outer versine from the field angle", field);
+    assert_figure("outer versine from the beam angle", beam);
+    let [inner, beam, field, outer] = largest(with_every_shape!(angle_errors::<f32>));
+    assert_figure("inner angle of a cone", inner);
+    assert_figure("beam angle of a cone", beam);
+    assert_figure("field angle of a cone", field);
+    assert_figure("outer angle of a cone", outer);
+    let [lumens, candela] = largest(with_every_shape!(flux_errors::<f32>));
+    assert_figure("lumens of a cone", lumens);
+    assert_figure("candela of a cone", candela);
+}
+
+/// All of the light of a point passes any sphere around it, as does that of a cone that leaves nothing out; and an
+/// energy of 1 is `1 / (4 pi d^2)` at a distance.
+#[test]
+fn point_lights_keep_their_flux() {
+    let point = Point::new(Vec3::default()).expect("a sound position");
+    let half = Cone::from_outer(CutOff, Angle::degrees(180.0)).expect("a sound angle");
+    for candela in [1e-6_f32, 1.0, 1_000.0] {
+        let lumens = point.lumens(candela);
+        assert!(relative(lumens, 4.0 * std::f64::consts::PI * f64::from(candela)) < 2e-7);
+        assert!(relative(lumens, f64::from(2.0 * half.lumens(candela))) < 2e-7);
+        assert!(relative(point.candela(lumens), candela.into()) < 2e-7);
+    }
+    let energy = point.with_intensity(point.candela(1.0)).expect("a sound intensity");
+    let lit = energy.compile::<f32>().expect("held");
+    for distance in [0.5_f32, 1.0, 7.0] {
+        let area = 4.0 * std::f64::consts::PI * f64::from(distance).powi(2);
+        let found = lit.irradiance(Vec3::new(distance, 0.0, 0.0), Vec3::new(-1.0, 0.0, 0.0));
+        assert!(relative(found, 1.0 / area) < 1e-6, "at {distance}: {found}");
+    }
+}
+
+/// Both angles at once, and how far off they come back.
+fn two_angle_errors<P: Profile>(design: impl Fn(Angle, Angle) -> Option<Cone<P>>) -> f64 {
+    let mut worst = 0.0_f64;
+    for beam in [0.5_f32, 7.0, 20.0, 60.0] {
+        for step in 0..=440_u16 {
+            let ratio = 1.01 + 0.01 * f64::from(step);
+            let versine = ratio * reference::versine(f64::from(beam) / 2.0);
+            if versine > 0.6 {
+                break;
+            }
+            let field = (2.0 * half_degrees(versine)) as f32;
+            let Some(cone) = design(Angle::degrees(beam), Angle::degrees(field)) else { continue };
+            worst = worst.max(relative(cone.beam().to_degrees(), beam.into()));
+            worst = worst.max(relative(cone.field().to_degrees(), field.into()));
+        }
+    }
+    worst
+}
+
+#[test]
+fn two_angles_keep_their_figures() {
+    let fitted = two_angle_errors(|beam, field| Cone::from_beam_and_field(beam, field).ok());
+    assert_figure("beam and field angle at once", fitted);
+    let sloped = two_angle_errors(|beam, field| {
+        let (least, most) = Cone::edge_slopes(beam, field).ok()?;
+        // The ends of the interval may be level where they are a half: there f32 finds the angle to fewer
+        // digits.
+        Cone::from_beam_field_and_slope(beam, field, least + 0.5 * (most - least)).ok()
+    });
+    assert_figure("beam and field angle with a slope", sloped);
+}
+
+#[test]
+fn axes_and_ranges_keep_their_figures() {
+    let cone = Cone::from_outer(CutOff, sweep::half(20.0)).expect("sound");
+    let mut rng = Rng::with_seed(3);
+    let mut worst = [0.0_f64; 3];
+    for _ in 0..20_000 * sweep::effort() {
+        let from = sweep::on_grid([0; 3].map(|_| rng.f64() * 16.0 - 8.0));
+        let (way, distance) = (sweep::direction(&mut rng), sweep::distance(&mut rng));
+        let to = sweep::on_grid([0, 1, 2].map(|i| from[i] + distance * way[i]));
+        let spot: Spot<_, SmoothRange> =
+            Spot::between(sweep::single(from), sweep::single(to), cone).expect("sound");
+        let (axis, exact) = (f32::exact_direction(spot.axis()), minus(to, from));
+        let length = reference::dot(axis, axis).sqrt();
+        let errors = [
+            (2.0 * reference::versine_between(unit(axis), exact)).sqrt(),
+            (length - 1.0).abs(),
+            relative(spot.attenuation().range(), reference::dot(exact, exact).sqrt()),
+        ];
+        worst = std::array::from_fn(|i| worst[i].max(errors[i]));
+    }
+    assert_figure("direction of an axis, radians", worst[0]);
+    assert_figure("length of an axis", worst[1]);
+    assert_figure("range of a spotlight between points", worst[2]);
+}
+
+#[test]
+fn inner_products_keep_their_figure() {
+    let mut rng = Rng::with_seed(4);
+    let mut worst = 0.0_f64;
+    for _ in 0..20_000 * sweep::effort() {
+        let [a, b] = [0; 2].map(|_| sweep::single(sweep::direction(&mut rng)));
+        let exact = reference::dot(f32::exact_direction(a), f32::exact_direction(b));
+        worst = worst.max((f64::from(a.dot(b)) - exact).abs());
+    }
+    assert_figure("inner product of unit vectors", worst);
+}

@@ -1,0 +1,196 @@
+//! Shadow maps: what they say of a place against f64, and where it is exact.
+
+use fastrand::Rng;
+use luminaire::{
+    Accepted, Angle, CompiledProjection, Cone, CutOff, Error, Fx16, Fx32, Parameter, Place, Projection,
+    Scalar, Shadow, Vec3,
+};
+use support::{
+    arbitrary::{bits, vector},
+    format::Format,
+    shadows, sweep,
+};
+
+/// How far a visibility may be off that of the same place in f64, and at least is somewhere (searched). Two ways are cut
+/// off to a 128th, so that it can't be more than 1 - (1 - 1 / 128)^2.
+const ERROR: std::ops::Range<f64> = 0.0138..0.015_57;
+
+fn projection<S: Scalar>(rng: &mut Rng) -> CompiledProjection<S> {
+    let cone = Cone::from_outer(CutOff, Angle::degrees(60.0)).expect("sound");
+    Projection::of(&sweep::spot(rng, cone)).and_then(|square| square.compile()).expect("held")
+}
+
+fn random<S: Scalar>(rng: &mut Rng, side: usize) -> Vec<S::Length> {
+    (0..side * side).map(|_| S::length(1.0 + (rng.f32() * 8.0).round())).collect()
+}
+
+/// The largest error of a visibility, at random places on maps of all sides up to 40.
+fn error<S: Format>() -> f64 {
+    let mut rng = Rng::with_seed(12);
+    let mut worst = 0.0_f64;
+    for side in 1..=40 {
+        let depths = random::<S>(&mut rng, side);
+        let exact: Vec<_> = depths.iter().map(|&depth| S::exact_length(depth)).collect();
+        let shadow = Shadow::<S>::new(projection(&mut rng), side, &depths).expect("a square of them");
+        for _ in 0..4_000 * sweep::effort() {
+            let (column, row) = (rng.i32(0..65_536), rng.i32(0..65_536));
+            let depth = S::length((rng.f32() * 40.0).round() / 4.0);
+            let place = [column, row].map(|steps| f64::from(steps) / 65_536.0);
+            let exact = shadows::visibility(side, &exact, place, S::exact_length(depth));
+            worst = worst.max((shadow.at(&Place { column, row, depth }).exact() - exact).abs());
+        }
+    }
+    worst
+}
+
+#[test]
+fn visibilities_keep_their_row() {
+    for (format, error) in [("f32", error::<f32>()), ("fx32", error::<Fx32>()), ("fx16", error::<Fx16>())] {
+        println!("{format}: {error:.5}");
+        assert!(ERROR.contains(&error), "{format}: {error}");
+    }
+    for steps in 0..=16_384 {
+        let exact = f64::from(steps) / 16_384.0;
+        assert_eq!(
+            [f32::part(steps).exact(), Fx32::part(steps).exact(), Fx16::part(steps).exact()],
+            [exact; 3]
+        );
+    }
+}
+
+/// Nothing that is nowhere deeper than the map is touched, not by a bit; and what is deeper everywhere is
+/// dark.
+fn assert_exact_ends<S: Format>() {
+    let mut rng = Rng::with_seed(13);
+    for side in [1, 2, 3, 16, 100, 2048] {
+        let depth = S::length(5.0);
+        let (below, beyond) = (S::length(4.999), S::length(f32::INFINITY));
+        for (limit, expected) in [(depth, S::ONE), (beyond, S::ONE), (below, S::ZERO)] {
+            let depths = vec![limit; side * side];
+            let shadow = Shadow::<S>::new(projection(&mut rng), side, &depths).expect("a square of them");
+            for _ in 0..2_000 {
+                let place = Place { column: rng.i32(0..65_536), row: rng.i32(0..65_536), depth };
+                assert_eq!(shadow.at(&place), expected, "{place:?}");
+            }
+            for (column, row) in [(-1, 9), (9, -1), (65_536, 9), (9, 65_536), (i32::MIN, i32::MAX)] {
+                assert_eq!(shadow.at(&Place { column, row, depth }), S::ONE, "off the square");
+            }
+        }
+    }
+}
+
+#[test]
+fn light_that_nothing_hides_and_full_shadow_are_exact() {
+    assert_exact_ends::<f32>();
+    assert_exact_ends::<Fx32>();
+    assert_exact_ends::<Fx16>();
+}
+
+/// A part of the light changes no bit where it is all of it.
+fn assert_changes_no_bit<S: Format>() {
+    let mut rng = Rng::with_seed(14);
+    for _ in 0..10_000 {
+        let light = S::from_f32(rng.f32()).expose(S::gain(2.0_f32.powi(rng.i32(-10..10))));
+        assert_eq!(S::filter(light, S::part(16_384)), light);
+        assert_eq!(S::filter(light, S::part(0)), S::Irradiance::default());
+    }
+}
+
+#[test]
+fn all_of_the_light_is_every_bit_of_it() {
+    assert_changes_no_bit::<f32>();
+    assert_changes_no_bit::<Fx32>();
+    assert_changes_no_bit::<Fx16>();
+}
+
+fn assert_point_is_place<S: Format>() {
+    let mut rng = Rng::with_seed(15);
+    let depths = random::<S>(&mut rng, 64);
+    let mut partial = 0;
+    for _ in 0..20 {
+        let shadow = Shadow::<S>::new(projection(&mut rng), 64, &depths).expect("a square of them");
+        for _ in 0..2_000 {
+            let point = Vec3::new(rng.f32(), rng.f32(), rng.f32()).map(|c| S::length(20.0 * c - 10.0));
+            let visibility = shadow.visibility(point);
+            assert_eq!(visibility, shadow.at(&shadow.projection().place(point)));
+            partial += usize::from(visibility > S::ZERO && visibility < S::ONE);
+        }
+    }
+    assert!(partial > 100, "{partial} points are between light and shadow");
+}
+
+#[test]
+fn a_point_has_the_visibility_of_its_place() {
+    assert_point_is_place::<f32>();
+    assert_point_is_place::<Fx32>();
+    assert_point_is_place::<Fx16>();
+}
+
+fn assert_any_bits<S: Format>() {
+    let mut rng = Rng::with_seed(16);
+    for _ in 0..2_000 * sweep::effort() {
+        let depths: Vec<_> = (0..rng.usize(..40)).map(|_| S::length_from_bits(bits(&mut rng))).collect();
+        let side = if rng.bool() { rng.u32(..8) } else { bits(&mut rng) as u32 };
+        let shadow = Shadow::<S>::from_parts(projection(&mut rng), side, &depths);
+        for _ in 0..20 {
+            let steps = if rng.bool() { 65_535 } else { u64::MAX };
+            let [column, row] = [(); 2].map(|()| (bits(&mut rng) & steps) as i32);
+            let place = Place { column, row, depth: S::length_from_bits(bits(&mut rng)) };
+            let point = vector(&mut rng, S::length_from_bits);
+            for visibility in [shadow.at(&place), shadow.visibility(point)] {
+                assert!((0.0..=1.0).contains(&visibility.exact()), "{shadow:?} at {place:?}, {point:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn any_bits_have_a_visibility() {
+    assert_any_bits::<f32>();
+    assert_any_bits::<Fx32>();
+    assert_any_bits::<Fx16>();
+}
+
+/// In floating point a depth that is not a number is not beyond anything.
+#[test]
+fn what_is_not_a_number_is_not_in_shadow() {
+    let mut rng = Rng::with_seed(17);
+    for (limit, depth) in [(f32::NAN, 1.0), (1.0, f32::NAN)] {
+        let depths = [limit; 4];
+        let shadow = Shadow::<f32>::new(projection(&mut rng), 2, &depths).expect("a square of them");
+        assert_eq!(shadow.at(&Place { column: 1, row: 2, depth }), 1.0);
+    }
+}
+
+#[test]
+fn a_texel_that_is_missing_hides_nothing() {
+    let projection = projection::<f32>(&mut Rng::with_seed(20));
+    let depths = [1.0; 3];
+    for (row, expected) in [(16_384, 0.0), (32_768, 0.25), (49_151, 0.5)] {
+        let place = Place { column: 32_768, row, depth: 2.0 };
+        let visibility = Shadow::<f32>::from_parts(projection, 2, &depths).at(&place);
+        assert!((visibility - expected).abs() < 1e-2, "{visibility} at row {row}");
+    }
+}
+
+#[test]
+fn a_shadow_keeps_what_it_is_given() {
+    let projection = projection::<Fx16>(&mut Rng::with_seed(18));
+    let depths = [1.0, 2.0, 3.0, 4.0].map(Fx16::length);
+    let shadow = Shadow::new(projection, 2, &depths).expect("a square of them");
+    assert_eq!((*shadow.projection(), shadow.side(), shadow.depths()), (projection, 2, &depths[..]));
+    assert_eq!(shadow, Shadow::from_parts(projection, 2, &depths));
+}
+
+#[test]
+fn maps_that_are_no_square_are_refused() {
+    let projection = projection::<f32>(&mut Rng::with_seed(19));
+    let refused = |side, count| Shadow::new(projection, side, &vec![1.0; count]).expect_err("no square");
+    for side in [0, 4_097] {
+        let accepted = Accepted::WholeBetween(1, 4_096);
+        assert_eq!(refused(side, 16), Error { parameter: Parameter::Side, value: side as f32, accepted });
+    }
+    let error = refused(4, 15);
+    assert_eq!(error.parameter, Parameter::SampleCount);
+    assert_eq!(error.to_string(), "number of samples 15 is refused: give exactly 16");
+}

@@ -1,0 +1,233 @@
+//! Goniometric data as tables: how far a table is off its data, that the number it gives for it is
+//! the true one, and what the formats add. `cargo test --test tables -- --nocapture --test-threads
+//! 1` prints the differences.
+
+use fastrand::Rng;
+use luminaire::{Angle, Cone, Fx16, Fx32, Knot, Profile, Source, Table};
+use support::{format::Format, reference, sweep};
+
+/// A file of LM-63 as it is published, in candela every 2.5 degrees from the axis to 90:
+/// `tests/data` of dlippok/photometric-viewer (MIT licence).
+#[rustfmt::skip]
+const PUBLISHED: [f32; 37] = [
+    2200.0, 2000.2, 1950.0, 1700.1, 1328.4, 1115.1, 900.5, 700.4, 600.3, 501.2, 400.1, 398.3, 380.9, 400.2, 390.5, 320.0,
+    185.0, 100.6, 40.1, 20.0, 15.2, 15.0, 14.0, 11.0, 10.8, 10.8, 10.0, 7.0, 4.0, 1.2, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0,
+];
+
+fn published() -> [f32; 37] {
+    PUBLISHED.map(|candela| candela / 2200.0)
+}
+
+/// The data at a half angle in degrees, linear between.
+fn exact(measured: &[f32], outer: f64, half: f64) -> f64 {
+    let last = measured.len() - 1;
+    let place = (2.0 * half / outer).clamp(0.0, 1.0) * last as f64;
+    let index = (place as usize).min(last - 1);
+    let [here, next] = [index, index + 1].map(|i| f64::from(measured[i]));
+    here + (next - here) * (place - index as f64)
+}
+
+/// The line of a table at a `u`, from its bits.
+fn line(knots: &[Knot], u: f64) -> f64 {
+    let place = u * 65_536.0;
+    let knot =
+        knots.iter().rfind(|knot| f64::from(knot.to_bits().0) <= place).expect("the first is at the axis");
+    let (start, value, slope) = knot.to_bits();
+    (f64::from(value) + (place - f64::from(start)) * f64::from(slope) / 32_768.0).clamp(0.0, 65_535.0)
+        / 65_535.0
+}
+
+/// The largest difference between a table and its data, by a dense search in the angle.
+fn searched(table: Table<'_>, measured: &[f32], outer: f64) -> f64 {
+    let versine = reference::versine(outer / 2.0);
+    let count = 20_000 * sweep::effort() as u32;
+    let places = (0..=count).map(|i| f64::from(i) / f64::from(count));
+    let bends = (0..measured.len()).map(|i| i as f64 / (measured.len() - 1) as f64);
+    let both_sides =
+        bends.flat_map(|place| [place - 1e-9, place, place + 1e-9]).map(|place| place.clamp(0.0, 1.0));
+    places
+        .chain(both_sides)
+        .map(|place| {
+            let half = outer / 2.0 * place;
+            let u = (reference::versine(half) / versine).min(1.0);
+            (line(table.knots(), u) - exact(measured, outer, half)).abs()
+        })
+        .fold(0.0, f64::max)
+}
+
+#[test]
+fn sixty_four_knots_hold_a_published_file_within_a_linear_code() {
+    let outer = Angle::degrees(180.0);
+    for (count, most) in [(8, 9.8), (16, 1.8), (32, 1.0), (48, 1.0), (64, 1.0), (128, 1.0)] {
+        let mut knots = [Knot::default(); 128];
+        let (table, difference) =
+            Table::from_angles(&published(), outer, &mut knots[..count]).expect("sound data");
+        let codes = 255.0 * f64::from(difference);
+        let found = 255.0 * searched(table, &published(), 180.0);
+        println!("{count} knots: {codes:.3} linear codes stated, {found:.3} found");
+        assert!(codes <= most && codes > most / 300.0, "{count} knots: {codes:.2} codes");
+    }
+}
+
+/// What was measured comes back in every format where it was measured, and the axis exactly.
+#[test]
+fn a_published_file_comes_back_in_every_format() {
+    fn assert_format<S: Format>(table: Table<'_>, most: f64) {
+        let cone = Cone::from_outer(table, Angle::degrees(180.0)).expect("a sound angle");
+        let falloff = cone.compile::<S>().expect("held");
+        let worst = (0..36_u8)
+            .map(|i| {
+                let versine = reference::versine(2.5 * f64::from(i)) as f32;
+                (falloff.at(falloff.versine(versine)).exact() - f64::from(published()[usize::from(i)])).abs()
+            })
+            .fold(0.0, f64::max);
+        println!("{}: {:.2} linear codes", S::NAME, 255.0 * worst);
+        assert!(worst <= most, "{}: {worst:.1e}", S::NAME);
+        assert_eq!(falloff.at(falloff.versine(0.0)), S::ONE);
+        assert_eq!(falloff.at(falloff.versine(1.0)), S::ZERO);
+    }
+    let mut knots = [Knot::default(); 64];
+    let (table, _) = Table::from_angles(&published(), Angle::degrees(180.0), &mut knots).expect("sound data");
+    assert_format::<f32>(table, 0.5 / 255.0);
+    assert_format::<Fx32>(table, 0.5 / 255.0);
+    assert_format::<Fx16>(table, 0.5 / 255.0);
+}
+
+/// Curves as no luminaire has them, and numbers of knots from one on.
+#[test]
+fn a_stated_difference_is_what_a_dense_search_finds() {
+    let mut rng = Rng::with_seed(63);
+    let mut ratio = 0.0_f64;
+    for _ in 0..150 * sweep::effort() {
+        let count = rng.usize(2..60);
+        let mut level = 1.0_f32;
+        let kind = rng.u8(..4);
+        let measured: Vec<f32> = (0..count)
+            .map(|_| match kind {
+                // Any, falling, peaks and steps.
+                0 => rng.f32(),
+                1 => {
+                    level *= rng.f32();
+                    level
+                }
+                2 => f32::from(rng.u8(..8) == 0),
+                _ => f32::from(rng.u8(..3)) / 2.0,
+            })
+            .collect();
+        let outer = [0.05, 3.0, 40.0, 120.0, 180.0][rng.usize(..5)];
+        let mut knots = vec![Knot::default(); rng.usize(1..100)];
+        let (table, stated) =
+            Table::from_angles(&measured, Angle::degrees(outer), &mut knots).expect("sound data");
+        let (stated, found) = (f64::from(stated), searched(table, &measured, outer.into()));
+        assert!(stated >= found - 1e-9, "{outer} {measured:?}: {found:.3e} is stated as {stated:.3e}");
+        assert!(stated <= 1.01 * found + 1e-4, "{outer} {measured:?}: {found:.3e} is stated as {stated:.3e}");
+        ratio = if found > 1e-3 { ratio.max(stated / found) } else { ratio };
+        // A table falls where its data do.
+        let places: Vec<_> = table.knots().iter().map(|knot| knot.to_bits().0).collect();
+        assert!(places.is_sorted_by(|a, b| a < b) && places[0] == 0);
+        if kind == 1 {
+            let fall = |u: u32| line(table.knots(), f64::from(u) / 65_536.0);
+            assert!((1..65_536).step_by(7).all(|u| fall(u) <= fall(u - 1)), "{measured:?}");
+        }
+    }
+    println!("stated over found: {ratio:.4} at most");
+}
+
+/// Every versine of 16 bits, and many of the others: within two steps of the line, and never rising
+/// where that falls.
+#[test]
+fn formats_keep_to_the_line_between_knots() {
+    fn assert_format<S: Format>(table: Table<'_>, steps: f64) {
+        let cone = Cone::from_outer(table, Angle::degrees(90.0)).expect("a sound angle");
+        let (falloff, outer) = (cone.compile::<S>().expect("held"), f64::from(cone.outer_versine()));
+        let (mut worst, mut before) = (0.0_f64, 2.0);
+        for i in 0..100_000 * sweep::effort() as u32 {
+            let versine =
+                falloff.versine((outer * f64::from(i) / f64::from(100_000 * sweep::effort() as u32)) as f32);
+            let found = falloff.at(versine).exact();
+            let u = S::exact_versine(&falloff, versine) / outer;
+            // The slopes of these lines are up to 4.
+            worst = worst.max((found - line(table.knots(), u)).abs() / f64::from(S::STEP));
+            assert!(found <= before, "{}: rises at {u}", S::NAME);
+            before = found;
+        }
+        println!("{}: {worst:.2} steps", S::NAME);
+        assert!(worst <= steps && worst > steps / 2.0, "{}: {worst} steps", S::NAME);
+    }
+    let measured = [1.0, 0.99, 0.9, 0.7, 0.3, 0.1, 0.02, 0.0];
+    let mut knots = [Knot::default(); 24];
+    let (table, _) = Table::from_angles(&measured, Angle::degrees(90.0), &mut knots).expect("sound data");
+    assert_format::<f32>(table, 3.0);
+    assert_format::<Fx32>(table, 2.0);
+    assert_format::<Fx16>(table, 2.5);
+}
+
+/// Knots of any bits have intensities from 0 to 1, and no knots at all would be dark.
+#[test]
+fn every_bit_pattern_of_a_knot_has_an_answer() {
+    fn assert_format<S: Format>(table: Table<'_>) {
+        let Ok(falloff) = Cone::from_outer(table, Angle::degrees(120.0)).expect("sound").compile::<S>()
+        else {
+            return;
+        };
+        for i in 0..=64_u8 {
+            let found = falloff.at(falloff.versine(f32::from(i) / 128.0)).exact();
+            assert!((0.0..=1.0).contains(&found), "{table:?}: {found}");
+        }
+        let _ = (table.samples(), falloff.at(falloff.versine(f32::NAN)));
+    }
+    let mut rng = Rng::with_seed(64);
+    for _ in 0..2_000 {
+        let knots: [Knot; 4] = std::array::from_fn(|_| {
+            let slope = if rng.bool() { [i32::MIN, -1, 0, i32::MAX][rng.usize(..4)] } else { rng.i32(..) };
+            Knot::from_bits(rng.u16(..), rng.u16(..), slope)
+        });
+        let table = Table::of_knots(&knots);
+        assert_format::<f32>(table);
+        assert_format::<Fx32>(table);
+        assert_format::<Fx16>(table);
+    }
+}
+
+#[test]
+fn a_table_of_knots_is_written_as_source() {
+    let knots = [Knot::from_bits(0, 65_535, -32_768), Knot::from_bits(9, 7, 0)];
+    let table = Table::of_knots(&knots);
+    let written =
+        "Table::of_knots(const { &[Knot::from_bits(0, 65535, -32768), Knot::from_bits(9, 7, 0), ] })";
+    assert!(table.as_source().to_string().contains(written));
+    assert_eq!((table.knots(), table.samples()), (&knots[..], &[][..]));
+}
+
+/// Knots that are evenly spaced are the table of their samples: to its figures, and within a step
+/// of each format.
+#[test]
+fn even_knots_are_the_table_of_their_samples() {
+    fn assert_format<S: Format>(even: Table<'_>, knots: Table<'_>) {
+        let [even, knots] = [even, knots].map(|table| {
+            let cone = Cone::from_outer(table, Angle::degrees(100.0)).expect("sound");
+            cone.compile::<S>().expect("held")
+        });
+        for i in 0..=10_000_u16 {
+            let u = f32::from(i) / 10_000.0;
+            let [a, b] = [even, knots].map(|falloff| falloff.at(falloff.versine(0.36 * u)).exact());
+            assert!((a - b).abs() <= f64::from(S::STEP), "{}: {a} and {b} at {u}", S::NAME);
+        }
+    }
+    let samples = [65_535_u16, 52_000, 52_500, 9_000, 2_000];
+    let knots: [Knot; 4] = std::array::from_fn(|i| {
+        let rise = i32::from(samples[i + 1]) - i32::from(samples[i]);
+        Knot::from_bits(16_384 * i as u16, samples[i], 2 * rise)
+    });
+    let (even, of_knots) = (Table::of(&samples), Table::of_knots(&knots));
+    let near = |a: f32, b: f32| assert!((a - b).abs() <= 3e-7 * a.abs(), "{a} and {b}");
+    near(even.beam_versine(), of_knots.beam_versine());
+    near(even.field_versine(), of_knots.field_versine());
+    for part in [0.0, 0.1, 0.25, 0.6, 0.99, 1.0] {
+        near(even.integral(part), of_knots.integral(part));
+        near(even.steepness(0.9 * part), of_knots.steepness(0.9 * part));
+    }
+    assert_format::<f32>(even, of_knots);
+    assert_format::<Fx32>(even, of_knots);
+    assert_format::<Fx16>(even, of_knots);
+}

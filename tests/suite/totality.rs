@@ -1,0 +1,188 @@
+//! Every bit pattern has a defined answer: no panic, nothing that is not a number, the falloff in [0, 1], exact on
+//! the axis and from the edge outwards, monotone between. Run with overflow checks, as `cargo test` does.
+
+use fastrand::Rng;
+use luminaire::{
+    Attenuation, Distance, Faded, Fx16, Fx32, HardRange, InverseSquare, Offset, Polynomial, Profile, Ray,
+    SmoothRange, Spot, SquaredWindow, Unattenuated, Windowed,
+};
+use support::with_every_shape;
+use support::{
+    arbitrary::{bits, vector},
+    format::Format,
+    profiles::Shape,
+    sweep,
+};
+
+fn assert_total<S: Format, P: Profile>(shape: &Shape<P>) {
+    let mut rng = Rng::with_seed(0x0dd_b175);
+    for _ in 0..500 * sweep::effort() {
+        let cone = shape.at(6.0 + 84.0 * rng.f32());
+        let position = vector(&mut rng, |bits| f32::from_bits(bits as u32));
+        let axis = vector(&mut rng, |bits| f32::from_bits(bits as u32));
+        // A refused light is an answer too.
+        let Ok(spot) = Spot::new(position, axis, cone).and_then(|spot| spot.with_intensity(1e9 * rng.f32()))
+        else {
+            continue;
+        };
+        // Nor does a fixed-point format take a position that it would have to move.
+        let Ok(compiled) = spot.compile::<S>() else {
+            let p = spot.position();
+            assert!([p.x, p.y, p.z].into_iter().any(|c| c.abs() > S::FARTHEST), "{spot:?}");
+            continue;
+        };
+        let falloff = cone.compile::<S>().expect("held");
+        for _ in 0..100 {
+            let point = vector(&mut rng, S::length_from_bits);
+            let normal = vector(&mut rng, S::scalar_from_bits);
+            let intensity = compiled.falloff(point).exact();
+            assert!((0.0..=1.0).contains(&intensity), "{spot:?} {point:?}: {intensity}");
+            for light in [compiled.irradiance(point, normal), compiled.irradiance_unskipped(point, normal)] {
+                let light = S::exact_light(light);
+                assert!(light >= 0.0 && light.is_finite(), "{spot:?} {point:?} {normal:?}: {light}");
+                let sum = S::add_light(S::Irradiance::default(), compiled.irradiance(point, normal));
+                assert!(S::exact_light(S::filter(sum, S::ONE)).is_finite());
+            }
+            assert_eq!(falloff.at(falloff.versine(f32::NAN)), S::ZERO);
+            let intensity = falloff.at(S::versine_from_bits(bits(&mut rng))).exact();
+            assert!((0.0..=1.0).contains(&intensity), "{cone:?}: {intensity}");
+        }
+        // The light itself has no direction and stays dark.
+        let here = spot.position().map(S::length);
+        let up = vector(&mut rng, S::scalar_from_bits);
+        assert_eq!(compiled.irradiance(here, up), S::Irradiance::default());
+    }
+}
+
+#[test]
+fn every_bit_pattern_has_an_answer_in_f32() {
+    with_every_shape!(assert_total::<f32>);
+}
+
+#[test]
+fn every_bit_pattern_has_an_answer_in_fx32() {
+    with_every_shape!(assert_total::<Fx32>);
+}
+
+#[test]
+fn every_bit_pattern_has_an_answer_in_fx16() {
+    with_every_shape!(assert_total::<Fx16>);
+}
+
+/// Exactly one on the axis, exactly zero at the edge and beyond, never rising between: without exception for soft, hard,
+/// linear and powers, by a step of the format at most for the others.
+fn assert_exact_at_both_ends<S: Format, P: Profile>(shape: &Shape<P>) {
+    let strict = !["smooth", "blend", "cubic", "mixed power", "mixed rim", "table"].contains(&shape.name);
+    let slack = if strict { 0.0 } else { f64::from(S::STEP) };
+    for degrees in sweep::HALF_ANGLES.into_iter().chain([90.0]) {
+        let cone = shape.at(degrees);
+        let Ok(falloff) = cone.compile::<S>() else { continue };
+        let outer = cone.outer_versine();
+        assert_eq!(falloff.at(falloff.versine(0.0)), S::ONE);
+        if cone.inner().to_degrees() > 0.0 {
+            assert_eq!(falloff.at(falloff.versine(cone.inner().versine() * 0.999_999)), S::ONE);
+        }
+        for beyond in [outer, outer.next_up(), 1.5 * outer, 2.0] {
+            assert_eq!(falloff.at(falloff.versine(beyond)), S::ZERO, "{} {degrees} {beyond}", shape.name);
+        }
+        let steps = 100_000;
+        let mut previous = 1.0;
+        for versine in (0..=steps).map(|i| outer * (i as f32 / steps as f32)) {
+            let intensity = falloff.at(falloff.versine(versine)).exact();
+            let name = shape.name;
+            assert!(intensity <= previous + slack, "{name} {degrees}: {intensity:?} after {previous:?}");
+            previous = intensity;
+        }
+    }
+}
+
+#[test]
+fn both_ends_are_exact() {
+    with_every_shape!(assert_exact_at_both_ends::<f32>);
+    with_every_shape!(assert_exact_at_both_ends::<Fx32>);
+    with_every_shape!(assert_exact_at_both_ends::<Fx16>);
+}
+
+/// The laws of the table in the core's `scalar` module, on every seam and on random bits.
+fn assert_laws<S: Format>() {
+    let mut rng = Rng::with_seed(5);
+    for _ in 0..100_000 {
+        let (a, b) = (S::scalar_from_bits(bits(&mut rng)), S::scalar_from_bits(bits(&mut rng)));
+        if a.exact().is_finite() {
+            assert_eq!(a.minus(S::ZERO), a);
+        }
+        let part = S::from_f32(rng.f32());
+        assert_eq!((S::ONE.times(part), part.times(S::ONE)), (part, part));
+        if S::NAME != "f32" {
+            assert!((S::ZERO..=S::ONE).contains(&a.times(b)), "{a:?} {b:?}");
+        }
+        assert_eq!(format!("{:?}", a.times(b)).contains("NaN"), (a.exact() * b.exact()).is_nan());
+    }
+    for value in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 0.0, 1.0, -1.0, 1e30] {
+        assert!(!S::from_f32(value).exact().is_nan());
+    }
+    assert_eq!(S::from_f32(1.0), S::ONE);
+    assert_eq!(S::ONE.expose(S::gain(1.0)), S::filter(S::ONE.expose(S::gain(1.0)), S::ONE));
+    assert_eq!(S::exact_light(S::ONE.expose(S::gain(1.0))), 1.0);
+    assert_eq!(S::exact_light(S::ONE.expose(S::gain(f32::NAN))), 0.0);
+    assert_eq!(S::exact_light(S::ONE.expose(S::gain(-1.0))), 0.0);
+}
+
+#[test]
+fn the_laws_of_the_seam_hold() {
+    assert_laws::<f32>();
+    assert_laws::<Fx32>();
+    assert_laws::<Fx16>();
+}
+
+/// A fraction below zero sends no light, by whatever way it is exposed.
+fn assert_negative_fractions_are_dark<S: Format>() {
+    let mut rng = Rng::with_seed(0xda2c);
+    let range = Some(9.0);
+    let polynomial = Polynomial::new(1.0, 0.2, 0.03).expect("sound");
+    let mut tried = 0;
+    while tried < 100_000 {
+        let fraction = S::scalar_from_bits(bits(&mut rng));
+        let is_negative = fraction < S::ZERO;
+        if !is_negative {
+            continue;
+        }
+        tried += 1;
+        let gain = S::gain(f32::from_bits(rng.u32(..)).abs());
+        let dark = S::Irradiance::default();
+        assert_eq!(fraction.expose(gain), dark, "{fraction:?} {gain:?}");
+        let [light, point] = [vector(&mut rng, S::length_from_bits), vector(&mut rng, S::length_from_bits)];
+        // As often near as far.
+        let point = if rng.bool() { light.map(|_| S::length(rng.f32())) } else { point };
+        let light = if rng.bool() { light } else { light.map(|_| S::length(rng.f32())) };
+        let offset = S::offset(light, point);
+        let ray = offset.ray();
+        assert_eq!(ray.expose(fraction, gain), dark, "{fraction:?} {gain:?} {offset:?}");
+        assert_dark::<S, _>(Unattenuated, &offset, fraction, gain);
+        assert_dark::<S, _>(InverseSquare, &offset, fraction, gain);
+        assert_dark::<S, _>(polynomial, &offset, fraction, gain);
+        assert_dark::<S, _>(SmoothRange::new(9.0).expect("sound"), &offset, fraction, gain);
+        assert_dark::<S, _>(Windowed::new(InverseSquare, range).expect("sound"), &offset, fraction, gain);
+        assert_dark::<S, _>(
+            SquaredWindow::new(InverseSquare, range).expect("sound"),
+            &offset,
+            fraction,
+            gain,
+        );
+        assert_dark::<S, _>(HardRange::new(InverseSquare, range).expect("sound"), &offset, fraction, gain);
+        assert_dark::<S, _>(Faded::new(polynomial, range).expect("sound"), &offset, fraction, gain);
+        assert_dark::<S, _>(Distance::from(InverseSquare), &offset, fraction, gain);
+    }
+}
+
+fn assert_dark<S: Format, A: Attenuation>(model: A, offset: &S::Offset, fraction: S, gain: S::Gain) {
+    let light = A::expose(&model.constants::<S>(), offset, &offset.ray(), fraction, gain);
+    assert_eq!(light, S::Irradiance::default(), "{model:?} {fraction:?} {gain:?} {offset:?}");
+}
+
+#[test]
+fn a_negative_fraction_sends_no_light() {
+    assert_negative_fractions_are_dark::<f32>();
+    assert_negative_fractions_are_dark::<Fx32>();
+    assert_negative_fractions_are_dark::<Fx16>();
+}

@@ -1,0 +1,248 @@
+//! Cones that have both angles of a data sheet, against a search over all monotone cubics in f64.
+
+use luminaire::{Accepted, Angle, Cone, Cubic, Error, Fitted, Fx16, Fx32, Parameter, Profile};
+use support::{
+    cubics,
+    format::Format,
+    reference::{self, half_degrees},
+};
+
+/// The full angle in degrees whose half has this versine.
+fn full(versine: f64) -> f64 {
+    2.0 * half_degrees(versine)
+}
+
+/// The field angle that has this ratio to a beam angle, both in degrees.
+fn field_of(beam: f32, ratio: f64) -> f32 {
+    full(ratio * reference::versine(f64::from(beam) / 2.0)) as f32
+}
+
+fn degrees(degrees: f32) -> Angle {
+    Angle::degrees(degrees)
+}
+
+/// The two angles are where they were asked to be, by the getters and by the falloff itself.
+fn assert_both<S: Format, P: Profile>(cone: &Cone<P>, beam: f32, field: f32) {
+    assert_both_within::<S, P>(cone, beam, field, 4e-6);
+}
+
+/// The same, the angles within a relative error.
+fn assert_both_within<S: Format, P: Profile>(cone: &Cone<P>, beam: f32, field: f32, error: f32) {
+    let near = |angle: Angle, asked: f32| (angle.to_degrees() / asked - 1.0).abs() < error;
+    assert!(near(cone.beam(), beam), "{cone:?}: beam {} for {beam}", cone.beam().to_degrees());
+    assert!(near(cone.field(), field), "{cone:?}: field {} for {field}", cone.field().to_degrees());
+    let falloff = cone.compile::<S>().expect("held");
+    // A steep edge around a wide hotspot magnifies what f32 has rounded off an angle.
+    let within = 4.0 * f64::from(S::STEP) + 2e-6 * f64::from(steepness(cone));
+    for (asked, intensity) in [(beam, 0.5), (field, 0.1)] {
+        let versine = reference::versine(f64::from(asked) / 2.0) as f32;
+        let found = falloff.at(falloff.versine(versine)).exact();
+        assert!((found - intensity).abs() < within, "{} {cone:?}: {found} at {asked}", S::NAME);
+    }
+}
+
+fn steepness<P: Profile>(cone: &Cone<P>) -> f32 {
+    let hotspot = cone.inner().versine() / cone.outer_versine();
+    if hotspot < 1.0 { cone.profile().steepness(hotspot) } else { 1.0 }
+}
+
+#[test]
+fn the_papers_fresnel_has_both_its_angles() {
+    let cone = Cone::from_beam_and_field(degrees(7.0), degrees(15.0)).expect("reachable");
+    assert!(matches!(cone.profile(), Fitted::Cubic(_)));
+    assert_both::<f32, _>(&cone, 7.0, 15.0);
+    assert_both::<Fx32, _>(&cone, 7.0, 15.0);
+    assert_both::<Fx16, _>(&cone, 7.0, 15.0);
+    let (least, most) = Cone::edge_slopes(degrees(7.0), degrees(15.0)).expect("reachable");
+    assert!((least - 0.89).abs() < 0.01 && (most - 2.27).abs() < 0.01, "{least} to {most}");
+}
+
+/// Every ratio from 1.01 to the largest, from narrow beams to wide ones, ends in a cone that has both angles.
+#[test]
+fn every_ratio_is_reached() {
+    let mut kinds = [0; 3];
+    for beam in [0.5, 7.0, 20.0, 60.0] {
+        for step in 0..=880 {
+            let ratio = 1.01 + 0.005 * f64::from(step);
+            // So crisp a rim in so narrow a cone is refused, because f32 does not hold it.
+            if beam < 1.0 && ratio < 1.02 {
+                continue;
+            }
+            if ratio > 5.437 || ratio * reference::versine(f64::from(beam) / 2.0) > 0.6 {
+                break;
+            }
+            let field = field_of(beam, ratio);
+            let cone = Cone::from_beam_and_field(degrees(beam), degrees(field)).expect("reachable");
+            assert_both::<f32, _>(&cone, beam, field);
+            let kind = match cone.profile() {
+                _ if cone.inner().to_degrees() > 0.0 => 0,
+                Fitted::Blend(_) => 1,
+                Fitted::Cubic(_) => 2,
+            };
+            let expected = if ratio < 1.3416 { 0 } else { 1 + usize::from(ratio > 2.33456) };
+            let between = (ratio - 1.3416).abs() < 1e-4 || (ratio - 2.33455).abs() < 1e-4;
+            assert!(kind == expected || between, "{ratio}: {cone:?}");
+            kinds[kind] += 1;
+        }
+    }
+    assert!(kinds.iter().all(|&count| count > 100), "{kinds:?}");
+}
+
+/// The ends of the range: soft and hard are found again, and equal angles make a step. Near soft the edge slope
+/// goes with the root of what the ratio lacks, so that f32 finds it to three digits only.
+#[test]
+fn the_ends_of_the_ratios_are_soft_hard_and_a_step() {
+    let slope = |field| match Cone::from_beam_and_field(degrees(10.0), degrees(field)).expect("ok").profile()
+    {
+        Fitted::Blend(blend) => blend.edge_slope(),
+        Fitted::Cubic(cubic) => panic!("{cubic:?}"),
+    };
+    let field = |profile: &dyn Fn() -> Angle| profile().to_degrees();
+    let soft = field(&|| Cone::from_beam(luminaire::Soft, degrees(10.0)).expect("sound").field());
+    let hard = field(&|| Cone::from_beam(luminaire::Hard, degrees(10.0)).expect("sound").field());
+    assert!(slope(soft * 0.999_999) < 1e-2 && slope(hard * 1.000_001) > 1.999);
+    let step = Cone::from_beam_and_field(degrees(10.0), degrees(10.0)).expect("a step");
+    assert_eq!(step.inner(), step.outer());
+    for half in [4.999, 5.001_f32] {
+        let falloff = step.compile::<Fx16>().expect("held");
+        let intensity = falloff.at(falloff.versine(reference::versine(half.into()) as f32));
+        assert_eq!(intensity.exact(), f64::from(u8::from(half < 5.0)));
+    }
+}
+
+/// The feasible region, as the documentation has it: smallest and largest ratio of each edge slope.
+#[test]
+fn the_feasible_region_is_the_documented_one() {
+    let documented = [
+        (0.0, 1.608, 2.597),
+        (0.5, 1.587, 3.258),
+        (1.0, 1.521, 5.115),
+        (1.5, 1.430, 5.403),
+        (2.0, 1.342, 4.982),
+        (2.5, 1.270, 4.154),
+        (3.0, 1.216, 1.928),
+    ];
+    for (edge, least, most) in documented {
+        let (found_least, found_most) = cubics::ratios(edge, 8_000).expect("there are cubics");
+        assert!((found_least - least).abs() < 1e-3, "{edge}: smallest {found_least}");
+        assert!((found_most - most).abs() < 5e-3, "{edge}: largest {found_most}");
+    }
+    let all =
+        (0..=400).filter_map(|i| Some((f64::from(i) / 100.0, cubics::ratios(f64::from(i) / 100.0, 2_000)?)));
+    let (farthest, most) =
+        all.clone().map(|(a, (_, most))| (a, most)).fold((0.0, 0.0), |x, y| if y.1 > x.1 { y } else { x });
+    let least = all.map(|(_, (least, _))| least).fold(f64::INFINITY, f64::min);
+    assert!((most - 5.437).abs() < 2e-3 && (farthest - 1.34).abs() < 0.02, "{most} at {farthest}");
+    assert!((least - 1.1585).abs() < 5e-4, "{least}");
+}
+
+/// The kernel's interval of edge slopes is the one that the search finds.
+#[test]
+fn edge_slopes_are_what_the_search_finds() {
+    let table: Vec<_> = (0..=400)
+        .filter_map(|i| Some((f64::from(i) / 100.0, cubics::ratios(f64::from(i) / 100.0, 2_000)?)))
+        .collect();
+    for ratio in [1.18, 1.25, 1.4, 1.62, 2.0, 2.6, 3.0, 4.0, 4.587, 5.2, 5.4] {
+        let found =
+            || table.iter().filter(|(_, (least, most))| *least <= ratio && ratio <= *most).map(|&(a, _)| a);
+        let (first, last) = (found().fold(4.0, f64::min), found().fold(0.0, f64::max));
+        let (least, most) =
+            Cone::edge_slopes(degrees(7.0), degrees(field_of(7.0, ratio))).expect("reachable");
+        assert!((f64::from(least) - first).abs() < 0.015, "{ratio}: from {least}, searched {first}");
+        assert!((f64::from(most) - last).abs() < 0.015, "{ratio}: to {most}, searched {last}");
+    }
+}
+
+/// For an edge slope of choice the cubic has both angles, is monotone, and of the two that share them it is the one
+/// whose smallest slope is larger.
+#[test]
+fn of_two_cubics_the_one_without_a_ring_is_taken() {
+    let mut shared = 0;
+    for ratio in [1.3, 1.62, 2.0, 2.62, 2.7, 2.8, 3.0, 3.2, 4.0, 4.587, 5.3] {
+        let field = field_of(7.0, ratio);
+        let (least, most) = Cone::edge_slopes(degrees(7.0), degrees(field)).expect("reachable");
+        for i in 0..=16 {
+            let edge = (least + (most - least) * i as f32 / 16.0).clamp(least, most);
+            let cone = Cone::from_beam_field_and_slope(degrees(7.0), degrees(field), edge).expect("feasible");
+            // At an end of the interval the curve may be level just where it is a half: f32 sees the angle less well.
+            let error = if i % 16 == 0 { 5e-5 } else { 4e-6 };
+            assert_both_within::<f32, _>(&cone, 7.0, field, error);
+            let [a, b, c] = cone.profile().coefficients().map(f64::from);
+            assert_eq!(a + b + c, 1.0);
+            let taken = cubics::Cubic { a, b, c };
+            assert!(taken.smallest_slope() > -1e-5, "{taken:?}");
+            let cubics: Vec<_> =
+                cubics::of_edge_slope(a, 1_500).map(|cubic| (cubic, cubic.ratio())).collect();
+            let crossings = cubics.windows(2).filter(|pair| (pair[0].1 > ratio) != (pair[1].1 > ratio));
+            let sharing: Vec<_> = crossings.map(|pair| pair[0].0.smallest_slope()).collect();
+            let best = sharing.iter().copied().fold(0.0, f64::max);
+            shared += usize::from(sharing.iter().any(|slope| best - slope > 0.05));
+            assert!(
+                taken.smallest_slope() > best - 0.02,
+                "{ratio} {edge}: {} of {best}",
+                taken.smallest_slope()
+            );
+        }
+    }
+    assert!(shared > 5, "only {shared} cases had two cubics");
+}
+
+/// Beyond the last ratio the error names the widest field angle for the beam angle, and that one is accepted.
+#[test]
+fn an_unreachable_pair_names_the_nearest() {
+    for (beam, field) in [(7.0, 18.0), (7.0, 6.0), (40.0, 179.0), (120.0, 179.0), (0.5, 9.0)] {
+        let refused = Cone::from_beam_and_field(degrees(beam), degrees(field)).expect_err("out of reach");
+        assert_eq!((refused.parameter, refused.value), (Parameter::FieldAngle, field));
+        let Accepted::AngleBetween(least, most) = refused.accepted else { panic!("{refused}") };
+        assert_eq!(least, beam);
+        for shown in [least, most * 0.999_99] {
+            assert!(Cone::from_beam_and_field(degrees(beam), degrees(shown)).is_ok(), "{beam} {shown}");
+        }
+        assert!(Cone::from_beam_and_field(degrees(beam), degrees(most * 1.000_1)).is_err());
+    }
+    let refused = Cone::from_beam_and_field(degrees(7.0), degrees(18.0)).expect_err("out of reach");
+    assert_eq!(
+        refused.to_string(),
+        "field angle 18 is refused: give from 7 to 16.3334 degrees, the full angle"
+    );
+}
+
+#[test]
+fn what_is_no_angle_is_refused_by_name() {
+    for beam in [0.0, -7.0, f32::NAN, 181.0, f32::INFINITY] {
+        let refused = Cone::from_beam_and_field(degrees(beam), degrees(15.0)).expect_err("no beam");
+        assert_eq!(refused.parameter, Parameter::BeamAngle, "{refused}");
+    }
+    for field in [0.0, f32::NAN, 181.0, f32::INFINITY] {
+        let refused = Cone::from_beam_and_field(degrees(7.0), degrees(field)).expect_err("no field");
+        assert_eq!(refused.parameter, Parameter::FieldAngle, "{refused}");
+    }
+    for slope in [0.8, 2.4, f32::NAN] {
+        let refused: Result<Cone<Cubic>, Error> =
+            Cone::from_beam_field_and_slope(degrees(7.0), degrees(15.0), slope);
+        let refused = refused.expect_err("no such slope");
+        assert_eq!(refused.parameter, Parameter::EdgeSlope, "{refused}");
+    }
+}
+
+/// The picture in the documentation is the one that the search draws.
+#[test]
+fn the_documented_picture_is_up_to_date() {
+    let picture = include_str!("../../docs/feasible-region.svg");
+    assert_eq!(
+        picture,
+        support::region::svg(),
+        "cargo run -p suite --example feasible-region > docs/feasible-region.svg"
+    );
+}
+
+#[test]
+fn half_a_turn_is_an_angle() {
+    let half_a_turn = Angle::degrees(180.0);
+    let step = Cone::from_beam_and_field(half_a_turn, half_a_turn).expect("a step at the widest outer angle");
+    assert_eq!(step.outer().to_degrees(), 180.0);
+    assert!(Cone::edge_slopes(Angle::degrees(140.0), half_a_turn).is_ok());
+    let wider = Angle::degrees(180.0_f32.next_up());
+    assert!(Cone::from_beam_and_field(wider, wider).is_err());
+    assert!(Cone::edge_slopes(Angle::degrees(140.0), wider).is_err());
+}

@@ -1,0 +1,28 @@
+//! What the tests share: the f64 reference, the table of error bounds, the sweeps, the exact view of a format.
+#![allow(missing_docs, missing_debug_implementations, reason = "tests are read, not published")]
+
+pub mod air_light;
+pub mod arbitrary;
+pub mod beams;
+pub mod beams_picture;
+pub mod bounds;
+pub mod critical;
+pub mod cubics;
+pub mod every;
+pub mod every_falloff;
+pub mod format;
+pub mod gobos;
+pub mod haze;
+pub mod imports;
+pub mod limits;
+pub mod operations;
+pub mod originals;
+pub mod prices;
+pub mod profiles;
+pub mod reference;
+pub mod region;
+pub mod shadows;
+pub mod squares;
+pub mod sweep;
+pub mod views;
+pub mod worst;
