@@ -19,7 +19,7 @@
 mod any;
 mod ranged;
 
-pub(crate) use self::any::{CompiledDistance, attenuations, with_attenuation};
+pub(crate) use self::any::{CompiledDistance, with_attenuation};
 pub use self::{
     any::Distance,
     ranged::{Cut, Faded, GltfWindow, HardRange, Ranged, SquareWindow, SquaredWindow, Window, Windowed},

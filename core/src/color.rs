@@ -6,11 +6,6 @@ mod fit;
 mod rgb565;
 mod srgb;
 
-#[cfg(feature = "fixed")]
-pub(crate) use self::dither::dithered_fixed;
-#[cfg(feature = "fixed")]
-pub(crate) use self::srgb::{srgb16, srgb32};
-pub(crate) use self::{dither::dithered_float, srgb::encode_float};
 pub use self::{
     dither::encode_srgb_dithered,
     exposure::{CompiledExposure, Exposure},

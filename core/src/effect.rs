@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use crate::profile::falloffs;
+use crate::models::falloffs;
 
 /// Declares the effects with their names, which are the keys of the price list.
 macro_rules! effects {

@@ -81,10 +81,10 @@
 //! | `micromath` | roots and sines where neither of the above is there: smaller, angles within 0.11 %, a tier of its own |
 //! | `glam` | conversions between [`Vec3`]`<f32>` and `glam::Vec3` |
 //!
-//! Files, in the order in which they build on one another: `error`, `vec3`, `trig`, `search`, `scalar` (and a file for each
-//! format), `angle`, `profile`, `cone`, `attenuation`, `color`, `specular`, `shade` (and a file for each kind of
-//! light), `light` (the same), `projection`, `gobo`, `shadow`, `haze`, `material`, `batch`, `effect`, `lamp`, `luminaire`, `plan`,
-//! `import` (and a file for each system), `source`.
+//! Modules, lowest first: `error`, `models`, `search`, `trig`, `vec3`, `angle`, `effect`,
+//! `scalar`, `attenuation`, `color`, `profile`, `specular`, `cone`, `shade`, `batch`, `haze`,
+//! `light`, `material`, `import`, `lamp`, `projection`, `gobo`, `shadow`, `luminaire`, `source`,
+//! `plan`.
 #![no_std]
 #![forbid(unsafe_code)]
 
@@ -105,6 +105,7 @@ mod lamp;
 mod light;
 mod luminaire;
 mod material;
+mod models;
 mod plan;
 mod profile;
 mod projection;
@@ -140,7 +141,7 @@ pub use profile::{
     MixedPower, MixedRim, Power, Profile, RealPower, RealRim, Rim, Smooth, Soft, Table,
 };
 pub use projection::{CompiledProjection, Projection};
-pub use scalar::{Fraction, Gain, Knot, Offset, Place, Ray, Rise, Scalar, Share, Slopes};
+pub use scalar::{Fraction, Gain, Knot, Offset, Place, Ray, Rise, Scalar, Share, Slopes, Word};
 #[cfg(feature = "fixed")]
 pub use scalar::{Fx16, Fx32};
 pub use shade::{Arrival, CompiledDirectional, CompiledPoint, CompiledSpot, Light, Surface};

@@ -37,7 +37,7 @@ mod table;
 
 use crate::scalar::{Fraction, Scalar};
 
-pub(crate) use self::any::{CompiledMatched, falloffs, with_profile};
+pub(crate) use self::any::{CompiledMatched, with_profile};
 pub use self::{
     any::Matched,
     choice::{CompiledFitted, Edge, Fitted},

@@ -36,10 +36,7 @@ mod reciprocal;
 #[cfg(feature = "fixed")]
 mod root;
 
-use crate::{
-    source::{Named, Source},
-    vec3::Vec3,
-};
+use crate::vec3::Vec3;
 
 pub(crate) use self::real::RealExponent;
 #[cfg(feature = "fixed")]
@@ -50,12 +47,12 @@ pub use self::{fraction::Fraction, knot::Knot, place::Place};
 ///
 /// Sealed: the formats are final in number, so that each can be measured. The module's table states the laws.
 pub trait Scalar:
-    Copy + Default + PartialOrd + core::fmt::Debug + Source + Named + Share<Self> + sealed::Sealed + 'static
+    Copy + Default + PartialOrd + core::fmt::Debug + Share<Self> + sealed::Sealed + 'static
 {
     /// One component of a position in the world.
-    type Length: Copy + Default + PartialOrd + core::fmt::Debug + Source;
+    type Length: Copy + Default + PartialOrd + core::fmt::Debug;
     /// One component of a unit vector, at the format's finest resolution.
-    type Unit: Copy + Default + PartialEq + core::fmt::Debug + Source;
+    type Unit: Copy + Default + PartialEq + core::fmt::Debug;
     /// The versine of an angle off axis, in the scale of a ramp: a narrow cone keeps its leading bits.
     type Versine: Copy + PartialOrd + core::fmt::Debug;
     /// The argument of an edge profile: from 0 at the edge of a cone to 1 in its middle.
@@ -64,15 +61,15 @@ pub trait Scalar:
     /// of them has no other.
     type Fine: Fraction<Self>;
     /// A coefficient of an edge profile, from -4 to 4.
-    type Weight: Copy + PartialEq + core::fmt::Debug + Source;
+    type Weight: Copy + PartialEq + core::fmt::Debug;
     /// The ramp from the edge of a cone to its middle, compiled.
-    type Ramp: Copy + PartialEq + core::fmt::Debug + Source;
+    type Ramp: Copy + PartialEq + core::fmt::Debug;
     /// The frame of a projection about the axis of a light, compiled.
-    type Frame: Copy + PartialEq + core::fmt::Debug + Source;
+    type Frame: Copy + PartialEq + core::fmt::Debug;
     /// A factor from zero upwards that keeps its leading bits whatever its size.
-    type Gain: Gain<Self> + Source;
+    type Gain: Gain<Self>;
     /// Light that has arrived at a surface: from zero upwards, 1 is full scale.
-    type Irradiance: Copy + Default + PartialOrd + core::fmt::Debug + Source;
+    type Irradiance: Copy + Default + PartialOrd + core::fmt::Debug;
     /// The way from a light to a point before its length is known.
     type Offset: Offset<Self>;
 
@@ -192,11 +189,21 @@ pub trait Scalar:
     fn amplify(light: Self::Irradiance, gain: Self::Gain) -> Self::Irradiance;
     /// A light clipped to full scale.
     fn clip(light: Self::Irradiance) -> Self;
-    /// The nearest of the codes from 0 to `LAST` of an sRGB channel, for a linear value; clipped to [0, 1].
-    fn srgb<const LAST: usize>(self) -> u8;
-    /// One of the codes about a linear value, clipped to [0, 1]: the upper one where the light is past `threshold`
-    /// 128ths of the way from the lower one's to its own.
-    fn srgb_dithered<const LAST: usize>(self, threshold: u8) -> u8;
+    /// The value as the word that stores it.
+    fn word(self) -> Word;
+}
+
+/// A scalar as the word that its format stores: what tables of a display are compared with.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum Word {
+    /// A number of `f32`.
+    Single(f32),
+    /// Steps of 2^-14.
+    #[cfg(feature = "fixed")]
+    Steps14(i16),
+    /// Steps of 2^-30.
+    #[cfg(feature = "fixed")]
+    Steps30(i32),
 }
 
 /// How steep the intensity of a cone is, at most: what its errors are magnified by.

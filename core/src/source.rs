@@ -91,6 +91,27 @@ pub trait Named {
     fn write_name(out: &mut Formatter<'_>) -> fmt::Result;
 }
 
+/// A number format whose values can be written as constant expressions: every one.
+pub trait SourceScalar:
+    Scalar<
+        Length: Source,
+        Unit: Source,
+        Weight: Source,
+        Ramp: Source,
+        Frame: Source,
+        Gain: Source,
+        Irradiance: Source,
+    > + Source
+    + Named
+{
+}
+
+impl SourceScalar for f32 {}
+#[cfg(feature = "fixed")]
+impl SourceScalar for Fx16 {}
+#[cfg(feature = "fixed")]
+impl SourceScalar for Fx32 {}
+
 /// A value that is displayed as a constant expression. Made by [`Source::as_source`].
 #[derive(Clone, Copy, Debug)]
 pub struct AsSource<'a, T>(&'a T);
@@ -235,21 +256,21 @@ impl Source for Fitted {
     }
 }
 
-impl<S: Scalar> Source for CompiledBlend<S> {
+impl<S: SourceScalar> Source for CompiledBlend<S> {
     fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
         write!(out, "CompiledBlend::<{}>::", name::<S>())?;
         call(out, "from_parts", &[&self.g])
     }
 }
 
-impl<S: Scalar> Source for CompiledCubic<S> {
+impl<S: SourceScalar> Source for CompiledCubic<S> {
     fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
         write!(out, "CompiledCubic::<{}>::", name::<S>())?;
         call(out, "from_parts", &[&self.g, &self.h])
     }
 }
 
-impl<S: Scalar> Source for CompiledFitted<S> {
+impl<S: SourceScalar> Source for CompiledFitted<S> {
     fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
         match self {
             Self::Blend(blend) => call(out, "CompiledFitted::Blend", &[blend]),
@@ -296,7 +317,7 @@ impl<T: Source> Source for Rgb<T> {
     }
 }
 
-impl<S: Scalar, P: Profile + Source> Source for Falloff<S, P>
+impl<S: SourceScalar, P: Profile + Source> Source for Falloff<S, P>
 where
     P::Compiled<S>: Source,
 {
@@ -306,7 +327,7 @@ where
     }
 }
 
-impl<S: Scalar, P: Profile + Source, A: Attenuation + Named> Source for CompiledSpot<S, P, A>
+impl<S: SourceScalar, P: Profile + Source, A: Attenuation + Named> Source for CompiledSpot<S, P, A>
 where
     P::Compiled<S>: Source,
     A::Constants<S>: Source,
@@ -333,7 +354,7 @@ where
     }
 }
 
-impl<S: Scalar, A: Attenuation + Named> Source for CompiledPoint<S, A>
+impl<S: SourceScalar, A: Attenuation + Named> Source for CompiledPoint<S, A>
 where
     A::Constants<S>: Source,
 {
@@ -345,7 +366,7 @@ where
     }
 }
 
-impl<S: Scalar> Source for CompiledDirectional<S> {
+impl<S: SourceScalar> Source for CompiledDirectional<S> {
     fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
         write!(out, "CompiledDirectional::<{}>::", name::<S>())?;
         let Self { direction, intensity, color, specular_color } = *self;
@@ -353,7 +374,7 @@ impl<S: Scalar> Source for CompiledDirectional<S> {
     }
 }
 
-impl<S: Scalar, H: Specular + Named> Source for CompiledMaterial<S, H>
+impl<S: SourceScalar, H: Specular + Named> Source for CompiledMaterial<S, H>
 where
     H::Constants<S>: Source,
 {
@@ -364,14 +385,14 @@ where
     }
 }
 
-impl<S: Scalar> Source for CompiledExposure<S> {
+impl<S: SourceScalar> Source for CompiledExposure<S> {
     fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
         write!(out, "CompiledExposure::<{}>::", name::<S>())?;
         call(out, "from_parts", &[&self.gain])
     }
 }
 
-impl<S: Scalar> Source for CompiledProjection<S> {
+impl<S: SourceScalar> Source for CompiledProjection<S> {
     fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
         write!(out, "CompiledProjection::<{}>::", name::<S>())?;
         call(out, "from_parts", &[&self.position, &self.frame])
@@ -393,7 +414,7 @@ impl Source for Gobo<'_> {
     }
 }
 
-impl<S: Scalar> Source for CompiledGobo<'_, S> {
+impl<S: SourceScalar> Source for CompiledGobo<'_, S> {
     fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
         write!(out, "CompiledGobo::<{}>::", name::<S>())?;
         call(out, "from_parts", &[&self.projection, &self.gobo])
@@ -411,7 +432,7 @@ impl<T: Source> Source for Borrowed<'_, T> {
     }
 }
 
-impl<S: Scalar> Source for Shadow<'_, S> {
+impl<S: SourceScalar> Source for Shadow<'_, S> {
     fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
         write!(out, "Shadow::<{}>::", name::<S>())?;
         call(out, "from_parts", &[&self.projection, &self.side, &Borrowed(self.depths)])

@@ -7,7 +7,7 @@ use std::error::Error;
 use std::path::Path;
 use std::{env, fs};
 
-use luminaire::{
+use luminaire::{source::SourceScalar, 
     Ambient, Angle, Attenuation, Blend, BlinnPhong, Cone, Cubic, CutOff, Directional, DualCone, Exposure,
     Fx16, Fx32, Gobo, Hard, HardRange, Haze, InverseSquare, Linear, Lyon, Material, Phong, Point, Polynomial,
     Power, Profile, Projection, Rgb, Rim, Scalar, Shadow, Smooth, SmoothRange, Soft, Source, Spot,
@@ -40,7 +40,7 @@ fn main() -> Outcome {
     }
 }
 
-fn constants<S: Scalar>() -> Outcome {
+fn constants<S: SourceScalar>() -> Outcome {
     spot::<S, _, _>("soft", Soft, Unattenuated)?;
     spot::<S, _, _>("hard", Hard, Unattenuated)?;
     spot::<S, _, _>("smooth", Smooth, Unattenuated)?;
@@ -94,7 +94,7 @@ fn disc() -> [f32; 256] {
     })
 }
 
-fn spot<S: Scalar, P: Profile + Source, A: Attenuation + luminaire::source::Named>(
+fn spot<S: SourceScalar, P: Profile + Source, A: Attenuation + luminaire::source::Named>(
     name: &str,
     profile: P,
     attenuation: A,
@@ -106,7 +106,7 @@ where
     spot_of::<S, P, A>(name, Cone::from_field(profile, FIELD)?, attenuation)
 }
 
-fn spot_of<S: Scalar, P: Profile + Source, A: Attenuation + luminaire::source::Named>(
+fn spot_of<S: SourceScalar, P: Profile + Source, A: Attenuation + luminaire::source::Named>(
     name: &str,
     cone: Cone<P>,
     attenuation: A,

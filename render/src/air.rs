@@ -1,6 +1,12 @@
 //! The air of a picture: what the haze between eye and surface shows of the beams.
 
-use crate::{block::LANES, lighting::Radiance, places::Places, raster::Fragments, view::View, ways};
+use crate::{
+    lanes::{LANES, Radiance},
+    places::Places,
+    raster::Fragments,
+    view::View,
+    ways,
+};
 use luminaire::{
     CompiledGobo, Distance, Error, Haze, HazyBeam, Lamp, Matched, Rgb, Scalar, Shadow, Vec3, ViewBundle,
     ViewRays,

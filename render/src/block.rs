@@ -1,13 +1,7 @@
 //! A block of pixels: what is lit at once.
 
-use crate::{
-    bounds::{Bounds, Reach},
-    part::Part,
-};
+use crate::{bounds::Bounds, lanes::LANES, part::Part, reach::Reach};
 use luminaire::{Scalar, Vec3};
-
-/// How many pixels of a row make a block.
-pub(crate) const LANES: usize = 32;
 
 /// Some neighbouring pixels of a row, each quantity in an array of its own, as vector instructions want it.
 #[derive(Clone, Copy, Debug)]

@@ -1,6 +1,6 @@
 //! From linear light to the bytes of a display.
 
-use crate::{block::LANES, lighting::Radiance};
+use crate::lanes::{LANES, Radiance};
 use luminaire::{Rgb, Rgb565, encode_srgb, encode_srgb_dithered};
 
 /// Bytes to a pixel: red, green, blue, alpha.

@@ -1,11 +1,7 @@
 //! What is in the way of a lamp's light: its pattern, and what throws shadows.
 
 use crate::{
-    block::{Block, LANES},
-    lighting::Lights,
-    places::Places,
-    prepared::Prepared,
-    shadows::Shadows,
+    block::Block, lanes::LANES, lanes::Lights, places::Places, prepared::Prepared, shadows::Shadows,
 };
 use luminaire::{Place, Scalar, Shadow};
 

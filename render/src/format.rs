@@ -2,7 +2,8 @@
 
 use crate::{
     block::Block,
-    lighting::{Radiance, Setting, Workspace},
+    lanes::Radiance,
+    lighting::{Setting, Workspace},
     prepared::Prepared,
 };
 use luminaire::{Fx16, Fx32, Scalar};

@@ -1,7 +1,8 @@
 //! The geometry of a picture, ready to be lit: position, normal and material of each pixel.
 
 use crate::{
-    block::{Block, LANES},
+    block::Block,
+    lanes::LANES,
     memory::filled,
     part::{Fan, Part},
     raster::Fragments,

@@ -31,6 +31,12 @@
 //!
 //! The feature `std` takes the square root from the standard library in place of `libm`: the same bits, and
 //! on most targets several times quicker, because only then the loops become vector instructions.
+//!
+//! Modules, lowest first: `account`, `camera`, `gobos`, `lanes`, `memory`, `outline`, `places`,
+//! `reached`, `size`, `solids`, `ways`, `bounds`, `display`, `error`, `mesh`, `stage`,
+//! `directions`, `examples`, `scene`, `view`, `clip`, `part`, `raster`, `reach`, `air`, `block`,
+//! `shadow_map`, `gbuffer`, `shadows`, `tile`, `prepared`, `filter`, `rig`, `lighting`, `format`,
+//! `renderer`.
 #![no_std]
 #![forbid(unsafe_code)]
 
@@ -50,6 +56,7 @@ mod filter;
 mod format;
 mod gbuffer;
 pub mod gobos;
+mod lanes;
 mod lighting;
 mod memory;
 mod mesh;
@@ -58,6 +65,7 @@ mod part;
 mod places;
 mod prepared;
 mod raster;
+mod reach;
 mod reached;
 mod renderer;
 mod rig;

@@ -1,10 +1,11 @@
 //! The lighting pass: how much light arrives at each pixel, and how much of it the surface sends to the eye.
 
 use crate::{
-    block::{Block, LANES},
+    block::Block,
     bounds::Bounds,
     directions::Directions,
     filter::Filter,
+    lanes::{LANES, Lights, Radiance},
     part::Part,
     prepared::Prepared,
     scene::{Highlight, Material},
@@ -14,12 +15,6 @@ use glam::Vec2;
 use luminaire::{
     Angle, Arrival, CompiledLamp, Light as _, Matte, Plan, Rgb, Scalar, Specular, Surface, Surfaces, Vec3,
 };
-
-/// The light that the pixels of a block send to the eye: linear, 1 is full scale.
-pub(crate) type Radiance = Rgb<[f32; LANES]>;
-
-/// Light at the pixels of a block.
-pub(crate) type Lights<S> = [<S as Scalar>::Irradiance; LANES];
 
 /// A material compiled for a format.
 #[derive(Clone, Copy, Debug)]

@@ -1,6 +1,6 @@
 //! A part of a block of pixels: what encloses those of one surface.
 
-use crate::{block::LANES, bounds::Bounds, directions::Directions};
+use crate::{bounds::Bounds, directions::Directions, lanes::LANES};
 use glam::Vec3;
 
 /// What encloses some pixels of a block.

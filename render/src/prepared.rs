@@ -2,9 +2,9 @@
 
 use crate::{
     air::{Hazy, Way},
-    block::LANES,
-    bounds::Reach,
-    lighting::Radiance,
+    lanes::LANES,
+    lanes::Radiance,
+    reach::Reach,
     shadows::Shadows,
 };
 use luminaire::{

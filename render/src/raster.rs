@@ -1,7 +1,7 @@
 //! Triangles to fragments: exact coverage, and the nearest fragment of each pixel.
 
 use crate::{
-    block::LANES,
+    lanes::LANES,
     memory::filled,
     view::{Corner, SUBPIXEL_BITS},
 };

@@ -2,14 +2,15 @@
 
 use crate::{
     account::Account,
-    block::LANES,
     camera::Camera,
     clip::{Sighting, clip_mesh},
     display::{CHANNELS, Display},
     error::DrawError,
     format::Format,
     gbuffer::GBuffer,
-    lighting::{Finish, Radiance, Workspace},
+    lanes::LANES,
+    lanes::Radiance,
+    lighting::{Finish, Workspace},
     memory::filled,
     raster::Fragments,
     reached::Reached,

@@ -1,10 +1,6 @@
 //! The luminaires of a picture, ready to light it.
 
-use crate::{
-    block::Block,
-    bounds::{Bounds, Reach},
-    prepared::Prepared,
-};
+use crate::{block::Block, bounds::Bounds, prepared::Prepared, reach::Reach};
 use alloc::vec::Vec;
 use luminaire::{Error, Haze, Luminaire, Plan, Scalar, ViewBundle};
 

@@ -18,6 +18,7 @@ mod import;
 mod import_refusals;
 mod kept;
 mod lamps;
+mod layers;
 mod lights;
 mod lit;
 mod operations;

@@ -6,34 +6,9 @@ use super::{
 };
 use crate::{
     effect::Effects,
+    models::attenuations,
     scalar::{Ray, Scalar},
 };
-
-/// The list of the attenuations that can be chosen at run time: hands its rows to a macro, after the
-/// macro's own arguments.
-macro_rules! attenuations {
-    ($consumer:ident! $($arguments:tt)*) => {
-        $consumer! {
-            $($arguments)*
-            /// No attenuation, cut off.
-            Constant(HardRange<Unattenuated>),
-            /// The inverse-square law, cut off.
-            InverseSquare(HardRange<InverseSquare>),
-            /// One over a polynomial, cut off.
-            Polynomial(HardRange<Polynomial>),
-            /// The inverse-square law in glTF's window.
-            Windowed(Windowed),
-            /// No attenuation, faded out.
-            FadedConstant(Faded<Unattenuated>),
-            /// The inverse-square law, faded out.
-            SquaredWindow(SquaredWindow),
-            /// One over a polynomial, faded out.
-            FadedPolynomial(Faded<Polynomial>),
-            /// Smoothstep to a range.
-            SmoothRange(SmoothRange),
-        }
-    };
-}
 
 /// The enums of the list, and what is one arm a row.
 macro_rules! any_attenuation {
@@ -142,11 +117,11 @@ macro_rules! with_attenuation {
         }
     };
     ($compiled:expr, $constants:ident: $type:ident => $answer:expr) => {
-        $crate::attenuation::attenuations!(with_attenuation! [$compiled, $constants, $type, $answer])
+        $crate::models::attenuations!(with_attenuation! [$compiled, $constants, $type, $answer])
     };
 }
 
-pub(crate) use {attenuations, with_attenuation};
+pub(crate) use with_attenuation;
 
 attenuations!(any_attenuation!);
 

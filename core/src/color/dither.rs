@@ -16,7 +16,7 @@ use super::{
     Rgb, Rgb565,
     srgb::{curve, linear},
 };
-use crate::scalar::{Scalar, float::clamp};
+use crate::scalar::{Scalar, Word, float::clamp};
 
 /// The sRGB code that a pixel shows of a linear value: one of the two about it, the same one for the same last three
 /// bits of `x` and `y`. Below 0, and for what is not a number, it is 0; above 1 it is 255.
@@ -35,7 +35,7 @@ use crate::scalar::{Scalar, float::clamp};
 /// ```
 #[inline(always)]
 pub fn encode_srgb_dithered<S: Scalar>(linear: S, x: u32, y: u32) -> u8 {
-    linear.srgb_dithered::<255>(threshold(x, y))
+    dithered::<S, 255>(linear, threshold(x, y))
 }
 
 impl Rgb565 {
@@ -44,10 +44,27 @@ impl Rgb565 {
     #[inline(always)]
     pub fn from_linear_dithered<S: Scalar>(color: Rgb<S>, x: u32, y: u32) -> Self {
         let threshold = threshold(x, y);
-        let red = color.red.srgb_dithered::<31>(threshold);
-        let green = color.green.srgb_dithered::<63>(threshold);
-        let blue = color.blue.srgb_dithered::<31>(threshold);
+        let red = dithered::<S, 31>(color.red, threshold);
+        let green = dithered::<S, 63>(color.green, threshold);
+        let blue = dithered::<S, 31>(color.blue, threshold);
         Self::pack(red.into(), green.into(), blue.into())
+    }
+}
+
+/// One of the codes from 0 to `LAST` about a linear value, clamped to [0, 1]: the upper one where the light is past
+/// `threshold` 128ths of the way from the lower one's to its own.
+#[inline(always)]
+fn dithered<S: Scalar, const LAST: usize>(linear: S, threshold: u8) -> u8 {
+    match linear.word() {
+        Word::Single(linear) => dithered_float::<LAST>(linear, threshold),
+        #[cfg(feature = "fixed")]
+        Word::Steps14(linear) => {
+            dithered_fixed::<LAST>(u32::from(linear.clamp(0, 1 << 14).cast_unsigned()) << 10, threshold)
+        }
+        #[cfg(feature = "fixed")]
+        Word::Steps30(linear) => {
+            dithered_fixed::<LAST>(linear.clamp(0, 1 << 30).cast_unsigned() >> 6, threshold)
+        }
     }
 }
 
@@ -119,7 +136,7 @@ impl<const LAST: usize> Light<LAST> {
 /// are left, and one more where the value is past the threshold.
 #[cfg(feature = "fixed")]
 #[inline]
-pub(crate) fn dithered_fixed<const LAST: usize>(linear: u32, threshold: u8) -> u8 {
+fn dithered_fixed<const LAST: usize>(linear: u32, threshold: u8) -> u8 {
     let mut left = Light::<LAST>::STEPS.as_slice();
     let (mut code, mut here, mut next) = (0, 0, 1 << BITS);
     // As many turns as the code has bits: a number that the compiler knows, and unrolls.
@@ -140,7 +157,7 @@ pub(crate) fn dithered_fixed<const LAST: usize>(linear: u32, threshold: u8) -> u
 /// value. The code is the fixed-point one of an equal value but where the product rounds: within
 /// 2^-24 of the way to a threshold.
 #[inline(always)]
-pub(crate) fn dithered_float<const LAST: usize>(linear: f32, threshold: u8) -> u8 {
+fn dithered_float<const LAST: usize>(linear: f32, threshold: u8) -> u8 {
     let linear = clamp(linear);
     let light = |code: usize| Light::<LAST>::FLOAT.get(code).copied().unwrap_or(1.0);
     let near = (curve(linear, LAST as f32) + 0.5) as i32 as usize;

@@ -1,6 +1,6 @@
 //! The pixels of small displays: 5 bits of red, 6 of green, 5 of blue.
 
-use super::Rgb;
+use super::{Rgb, srgb::nearest_code};
 use crate::scalar::Scalar;
 
 /// A pixel of 16 bits: red in the upper five, green in the middle six, blue in the lower five.
@@ -37,9 +37,9 @@ impl Rgb565 {
     /// would round some colours twice. In fixed point exactly the nearest, and without a float.
     #[inline(always)]
     pub fn from_linear<S: Scalar>(color: Rgb<S>) -> Self {
-        let red = color.red.srgb::<31>();
-        let green = color.green.srgb::<63>();
-        let blue = color.blue.srgb::<31>();
+        let red = nearest_code::<S, 31>(color.red);
+        let green = nearest_code::<S, 63>(color.green);
+        let blue = nearest_code::<S, 31>(color.blue);
         Self::pack(red.into(), green.into(), blue.into())
     }
 

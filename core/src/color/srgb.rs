@@ -2,7 +2,7 @@
 //! polynomial tells which threshold to compare with, in fixed point a bisection finds it.
 
 use crate::{
-    scalar::{Scalar, float::clamp},
+    scalar::{Scalar, Word, float::clamp},
     trig,
 };
 
@@ -37,12 +37,24 @@ const DECODE: [f32; 8] = [
 /// ```
 #[inline(always)]
 pub fn encode_srgb<S: Scalar>(linear: S) -> u8 {
-    linear.srgb::<255>()
+    nearest_code::<S, 255>(linear)
+}
+
+/// The nearest of the codes from 0 to `LAST`.
+#[inline(always)]
+pub(super) fn nearest_code<S: Scalar, const LAST: usize>(linear: S) -> u8 {
+    match linear.word() {
+        Word::Single(linear) => encode_float::<LAST>(linear),
+        #[cfg(feature = "fixed")]
+        Word::Steps14(linear) => encode_steps14::<LAST>(linear),
+        #[cfg(feature = "fixed")]
+        Word::Steps30(linear) => encode_steps30::<LAST>(linear),
+    }
 }
 
 /// The nearest code of f32, from 0 to `LAST`.
 #[inline(always)]
-pub(crate) fn encode_float<const LAST: usize>(linear: f32) -> u8 {
+fn encode_float<const LAST: usize>(linear: f32) -> u8 {
     let linear = clamp(linear);
     let code = curve(linear, LAST as f32) as i32 as usize;
     // The threshold between the two codes about the value. Near the light of a code the curve may
@@ -156,13 +168,13 @@ macro_rules! code {
 /// The nearest code of a value in steps of 2^-14.
 #[cfg(feature = "fixed")]
 #[inline]
-pub(crate) fn srgb16<const LAST: usize>(linear: i16) -> u8 {
+fn encode_steps14<const LAST: usize>(linear: i16) -> u8 {
     code!(&Thresholds::<LAST>::SIXTEEN, linear.max(0).cast_unsigned())
 }
 
 /// The nearest code of a value in steps of 2^-30.
 #[cfg(feature = "fixed")]
 #[inline]
-pub(crate) fn srgb32<const LAST: usize>(linear: i32) -> u8 {
+fn encode_steps30<const LAST: usize>(linear: i32) -> u8 {
     code!(&Thresholds::<LAST>::THIRTY_TWO, linear.max(0).cast_unsigned())
 }

@@ -4,47 +4,7 @@ use super::{
     Blend, Cubic, Curve, CutOff, Edge, Fitted, Hard, IntegerPower, IntegerRim, Linear, MixedPower, MixedRim,
     Power, Profile, RealPower, RealRim, Rim, Smooth, Soft, Table, choice::choice, power::sound,
 };
-use crate::{effect::Effect, error::Error};
-
-/// The list of the falloffs that can be chosen at run time: hands its rows, each with a sample, to a
-/// macro after the macro's own arguments.
-macro_rules! falloffs {
-    ($consumer:ident! $($arguments:tt)*) => {
-        $consumer! {
-            $($arguments)*
-            /// A step.
-            CutOff(CutOff) = "cut-off", Ok(CutOff);
-            /// The straight ramp.
-            Linear(Linear) = "linear", Ok(Linear);
-            /// The square.
-            Soft(Soft) = "soft", Ok(Soft);
-            /// The mirror image of the square.
-            Hard(Hard) = "hard", Ok(Hard);
-            /// Smoothstep.
-            Smooth(Smooth) = "smooth", Ok(Smooth);
-            /// A quadratic between soft and hard.
-            Blend(Blend) = "blend", Blend::new(0.5);
-            /// A monotone cubic.
-            Cubic(Cubic) = "cubic", Cubic::with_slopes(1.25, 3.5);
-            /// An integer power.
-            Power(IntegerPower) = "power", IntegerPower::new(15);
-            /// An inverted integer power.
-            Rim(IntegerRim) = "rim", IntegerRim::new(4);
-            /// A mixture of two powers.
-            MixedPower(MixedPower) = "mixed-power", MixedPower::new([1, 16], 0.375);
-            /// A mixture of two inverted powers.
-            MixedRim(MixedRim) = "mixed-rim", MixedRim::new([2, 3], 0.5625);
-            /// A power of a real exponent.
-            RealPower(RealPower) = "real-power", RealPower::new(2.2);
-            /// An inverted power of a real exponent.
-            RealRim(RealRim) = "real-rim", RealRim::new(0.75);
-            /// Samples.
-            Table(Table<'static>) = "table", Ok(Table::of(&[
-                65_535, 65_000, 63_211, 60_007, 51_234, 39_876, 24_321, 11_111, 3_210, 0,
-            ]));
-        }
-    };
-}
+use crate::{effect::Effect, error::Error, models::falloffs};
 
 /// The enums of the list.
 macro_rules! any_falloff {
@@ -88,11 +48,11 @@ macro_rules! with_profile {
         }
     };
     ($cone:expr, $profile:ident, $curve:ident => $answer:expr) => {
-        $crate::profile::falloffs!(with_profile! [$cone, $profile, $curve, $answer])
+        $crate::models::falloffs!(with_profile! [$cone, $profile, $curve, $answer])
     };
 }
 
-pub(crate) use {falloffs, with_profile};
+pub(crate) use with_profile;
 
 falloffs!(any_falloff!);
 

@@ -11,12 +11,8 @@ mod offset;
 
 pub use self::frame::Frame16;
 use self::{fine::Fine16, offset::Offset16};
-use super::{Offset, Place, Ray, Rise, Scalar, Slopes, fraction::Fraction16, nearest, rounded};
-use crate::{
-    color::{dithered_fixed, srgb16},
-    trig,
-    vec3::Vec3,
-};
+use super::{Offset, Place, Ray, Rise, Scalar, Slopes, Word, fraction::Fraction16, nearest, rounded};
+use crate::{trig, vec3::Vec3};
 use fixed::types::{I2F14, I2F30, I16F16, I18F14, U3F29, U18F14};
 
 /// The 16-bit format: I2F14, from -2 to 2 in steps of 1/16384.
@@ -394,13 +390,7 @@ impl Scalar for Fx16 {
     }
 
     #[inline(always)]
-    fn srgb<const LAST: usize>(self) -> u8 {
-        srgb16::<LAST>(self.to_bits())
-    }
-
-    #[inline(always)]
-    fn srgb_dithered<const LAST: usize>(self, threshold: u8) -> u8 {
-        let steps = self.to_bits().clamp(0, 1 << 14);
-        dithered_fixed::<LAST>(u32::from(steps.cast_unsigned()) << 10, threshold)
+    fn word(self) -> Word {
+        Word::Steps14(self.to_bits())
     }
 }

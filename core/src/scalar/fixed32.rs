@@ -7,11 +7,10 @@ mod gain;
 mod lobe;
 
 pub use self::frame::Frame32;
-use super::{Gain, Offset, Place, Ray, Rise, Scalar, Slopes, fraction::Fraction32, nearest, root, rounded};
-use crate::{
-    color::{dithered_fixed, srgb32},
-    vec3::Vec3,
+use super::{
+    Gain, Offset, Place, Ray, Rise, Scalar, Slopes, Word, fraction::Fraction32, nearest, root, rounded,
 };
+use crate::vec3::Vec3;
 use fixed::types::{I2F30, I16F16, I34F30, U34F30};
 
 /// The 32-bit format: I2F30, from -2 to 2 in steps of 1/1073741824.
@@ -357,14 +356,8 @@ impl Scalar for Fx32 {
     }
 
     #[inline(always)]
-    fn srgb<const LAST: usize>(self) -> u8 {
-        srgb32::<LAST>(self.to_bits())
-    }
-
-    #[inline(always)]
-    fn srgb_dithered<const LAST: usize>(self, threshold: u8) -> u8 {
-        let steps = self.to_bits().clamp(0, 1 << 30);
-        dithered_fixed::<LAST>(steps.cast_unsigned() >> 6, threshold)
+    fn word(self) -> Word {
+        Word::Steps30(self.to_bits())
     }
 }
 

@@ -4,7 +4,7 @@
 mod frame;
 
 pub use self::frame::FloatFrame;
-use super::{Gain, Offset, Place, Ray, Rise, Scalar, Slopes, fraction::FloatFraction};
+use super::{Gain, Offset, Place, Ray, Rise, Scalar, Slopes, Word, fraction::FloatFraction};
 use crate::{trig, vec3::Vec3};
 
 /// Where irradiance saturates: finite whatever is added to it or divided by it in practice.
@@ -262,13 +262,8 @@ impl Scalar for f32 {
     }
 
     #[inline(always)]
-    fn srgb<const LAST: usize>(self) -> u8 {
-        crate::color::encode_float::<LAST>(self)
-    }
-
-    #[inline(always)]
-    fn srgb_dithered<const LAST: usize>(self, threshold: u8) -> u8 {
-        crate::color::dithered_float::<LAST>(self, threshold)
+    fn word(self) -> Word {
+        Word::Single(self)
     }
 }
 

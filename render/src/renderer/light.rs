@@ -2,7 +2,7 @@
 
 use super::Renderer;
 use crate::{
-    account::Account, air, block::LANES, format::Format, lighting::Setting, reached::Reached, rig::Rig,
+    account::Account, air, format::Format, lanes::LANES, lighting::Setting, reached::Reached, rig::Rig,
 };
 use alloc::vec::Vec;
 use luminaire::{Error, Luminaire, Plan};

@@ -2,12 +2,12 @@
 
 use std::fmt::Debug;
 
-use luminaire::source::Named;
+use luminaire::source::{Named, SourceScalar};
 use luminaire::{
     Ambient, Angle, Attenuation, Blend, BlinnPhong, CompiledSpot, Cone, Cubic, CutOff, Directional, DualCone,
     Edge, Error, Exposure, Fx16, Fx32, Gobo, Hard, HardRange, Haze, InverseSquare, Knot, Linear, Lyon,
-    Material, Phong, Point, Polynomial, Power, Profile, Projection, Rgb, Rim, Scalar, Shadow, Smooth,
-    SmoothRange, Soft, Source, Specular, Spot, SquaredWindow, Table, Unattenuated, Vec3, Windowed,
+    Material, Phong, Point, Polynomial, Power, Profile, Projection, Rgb, Rim, Shadow, Smooth, SmoothRange,
+    Soft, Source, Specular, Spot, SquaredWindow, Table, Unattenuated, Vec3, Windowed,
 };
 
 /// What is done with each value.
@@ -54,7 +54,7 @@ fn beams(visit: &mut impl Visit) -> Result<(), Error> {
     Ok(())
 }
 
-fn of_format<S: Scalar>(visit: &mut impl Visit) -> Result<(), Error> {
+fn of_format<S: SourceScalar>(visit: &mut impl Visit) -> Result<(), Error> {
     spots::<S, _>(visit, Soft)?;
     spots::<S, _>(visit, Hard)?;
     spots::<S, _>(visit, Linear)?;
@@ -111,7 +111,7 @@ fn of_format<S: Scalar>(visit: &mut impl Visit) -> Result<(), Error> {
 }
 
 /// A profile over the whole cone, around a hotspot, and delimited.
-fn spots<S: Scalar, P: Profile + Source>(visit: &mut impl Visit, profile: P) -> Result<(), Error>
+fn spots<S: SourceScalar, P: Profile + Source>(visit: &mut impl Visit, profile: P) -> Result<(), Error>
 where
     P::Compiled<S>: Source,
 {
@@ -127,7 +127,7 @@ where
 }
 
 /// A distance model, of a spotlight and of a point light.
-fn at_distances<S: Scalar, A: Attenuation + Named>(
+fn at_distances<S: SourceScalar, A: Attenuation + Named>(
     visit: &mut impl Visit,
     attenuation: A,
 ) -> Result<(), Error>
@@ -143,7 +143,7 @@ where
 }
 
 /// A highlight, wide and narrow.
-fn surfaces<S: Scalar, H: Specular + Named>(visit: &mut impl Visit, highlight: H) -> Result<(), Error>
+fn surfaces<S: SourceScalar, H: Specular + Named>(visit: &mut impl Visit, highlight: H) -> Result<(), Error>
 where
     H::Constants<S>: Source,
 {
