@@ -9,7 +9,7 @@ use crate::{
     angle::Angle,
     error::{Accepted, Error, Parameter},
     profile::{Edge, Power, Profile},
-    scalar::{Scalar, Slopes, float::positive},
+    scalar::{HALF_A_CODE, Scalar, Slopes, float::positive},
     search::bisect,
 };
 
@@ -216,8 +216,13 @@ impl<P: Profile> Cone<P> {
     pub fn compile<S: Scalar>(&self) -> Result<Falloff<S, P>, Error> {
         self.check::<S>()?;
         let Self { inner, outer, limit, .. } = *self;
-        let ramp = if S::holds_coarsely(&self.slopes(inner), outer, limit) { S::ramp } else { S::fine_ramp };
+        let ramp = if self.coarse_error::<S>() <= HALF_A_CODE { S::ramp } else { S::fine_ramp };
         Ok(Falloff::new(ramp(inner, outer, limit), self.profile))
+    }
+
+    /// That of [`Scalar::coarse_error`].
+    pub(crate) fn coarse_error<S: Scalar>(&self) -> f32 {
+        S::coarse_error(&self.slopes(self.inner), self.outer, self.limit)
     }
 
     /// The slopes of the cone, if it had this inner versine.
@@ -280,6 +285,6 @@ fn slopes<P: Profile>(profile: P, hotspot: f32) -> Slopes {
 
 /// The narrowest outer angle of these slopes that a format holds; 360 degrees and more where it holds none.
 fn narrowest<S: Scalar>(edge: &Slopes) -> Angle {
-    let room = positive(1.0 / 510.0 - S::rounding(edge));
+    let room = positive(HALF_A_CODE - S::rounding(edge));
     Angle::radians(2.0 * S::DIRECTION_ERROR * edge.angle / room)
 }

@@ -46,7 +46,7 @@
 //! | outer half angle | [`Cone::narrowest`] to 90° | the same | the same | refused |
 //! | hotspot | to where the rim is as steep as the format holds | the same | the same | refused, with the widest |
 //! | exponent | 1 to 1,024, real ones more than 0 | the same | the same | refused |
-//! | intensity for half a code | 10 | 300 | a gain, intensity over squared distance, of 1 | see the next row |
+//! | intensity for half a code | 10 | 300 | 300 | see the next row |
 //! | intensity for one code | 300 | 1,000 | 1,000 | to 1e9: the error is the share's times the gain; beyond: refused |
 //!
 //! Where a component of the way from a light to a point is more than 32,768 units, `Fx32` has lost a bit of it, and its

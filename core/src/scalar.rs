@@ -123,10 +123,11 @@ pub trait Scalar:
     /// the length of the direction, the versines of the set-up, the argument of the profile and the profile itself.
     /// Infinite where the format does not hold the profile at any angle.
     fn rounding(edge: &Slopes) -> f32;
-    /// Whether [`Fraction`](Self::Fraction) holds the cone between versines of 0 and `outer`, evaluated up to `limit`, to
-    /// half a step of eight bits: otherwise it wants a [`fine_ramp`](Self::fine_ramp).
-    fn holds_coarsely(_edge: &Slopes, _outer: f32, _limit: f32) -> bool {
-        true
+    /// Upper bound of what all of the coarse evaluation, direction included, adds to the error of the intensity of a cone
+    /// between versines of 0 and `outer`, evaluated up to `limit`: from half a step of eight bits on the cone wants a
+    /// [`fine_ramp`](Self::fine_ramp). Zero in a format that has no finer evaluation.
+    fn coarse_error(_edge: &Slopes, _outer: f32, _limit: f32) -> f32 {
+        0.0
     }
     /// As [`ramp`](Self::ramp), evaluated with [`Fine`](Self::Fine) fractions.
     fn fine_ramp(inner: f32, outer: f32, limit: f32) -> Self::Ramp {
@@ -135,16 +136,17 @@ pub trait Scalar:
     /// Where a versine stands on a ramp: exactly 0 at and beyond the limit, else exactly 1 at and within the inner
     /// versine, monotone between.
     fn rise(ramp: Self::Ramp, versine: Self::Versine) -> Rise<Self>;
-    /// The bits of the way from a light to a point, in quanta of a length, below which all of the evaluation is fine: because
-    /// the gain, which magnifies what a share of it is off, is so large there. `intensity` is the gain at distance 1, and
+    /// How short the way from a light to a point has to be for a fine evaluation, as [`Offset::is_near`] takes it: where the
+    /// gain, which magnifies what a share of it is off, may take that to half a step of eight bits. `error` is the
+    /// [`coarse_error`](Self::coarse_error) of the light's cone, if it has one; `intensity` is the gain at distance 1, and
     /// everywhere if the light does not grow towards the lamp.
-    fn fine_below(_ramp: Option<Self::Ramp>, _intensity: f32, _grows: bool) -> u32 {
+    fn fine_below(_error: Option<f32>, _intensity: f32, _grows: bool) -> u32 {
         0
     }
-    /// Whether a fine evaluation would show nothing else than this light of a share of a gain: it is past full scale whatever
-    /// the share is off by, or the gain is small after all, which the light tells where no window has a part in it.
+    /// Whether this light of a share of a gain is past full scale whatever the share is off by, so that a fine evaluation would
+    /// show nothing else.
     #[inline(always)]
-    fn is_enough(_share: Self, _light: Self::Irradiance, _has_window: bool) -> bool {
+    fn is_clipped(_share: Self, _light: Self::Irradiance) -> bool {
         false
     }
     /// `t^2 (3 - 2t)` of a fraction clamped to [0, 1]: exact at both ends.
@@ -206,6 +208,9 @@ pub enum Word {
     Steps30(i32),
 }
 
+/// Half a step of eight bits: what an intensity may be off.
+pub(crate) const HALF_A_CODE: f32 = 1.0 / 510.0;
+
 /// How steep the intensity of a cone is, at most: what its errors are magnified by.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Slopes {
@@ -249,7 +254,6 @@ pub trait Share<S: Scalar>: Copy + Default + PartialOrd + core::fmt::Debug {
     fn rounded(self) -> S;
     /// Whether it is all of the light.
     fn is_all(self) -> bool;
-
     /// One less the share.
     fn rest(self) -> Self;
     /// The product.
@@ -351,9 +355,9 @@ pub trait Offset<S: Scalar>: Copy + core::fmt::Debug {
     fn ray(&self) -> Self::Ray;
     /// Pays for the square root and for all bits that it can have.
     fn fine_ray(&self) -> Self::FineRay;
-    /// Whether the way has fewer bits than these: see [`Scalar::fine_below`].
+    /// Whether the way is so short that all of the evaluation is to be fine: see [`Scalar::fine_below`].
     #[inline(always)]
-    fn is_below(&self, _bits: u32) -> bool {
+    fn is_near(&self, _fine_below: u32) -> bool {
         false
     }
     /// The root alone, as a reciprocal length: zero where there is no direction, or where roots are not taken first.

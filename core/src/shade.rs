@@ -1,6 +1,7 @@
 //! One surface point and one compiled light: how much of the light arrives.
 
 mod directional;
+mod placed;
 mod point;
 mod spot;
 

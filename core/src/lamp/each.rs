@@ -166,7 +166,7 @@ impl<S: Scalar, H: Specular, const N: usize> Loop<'_, S, H, N> {
     fn refine<L: Light<S>>(&mut self, light: &L, position: Vec3<S::Length>, fine_below: u32) {
         for i in 0..N {
             let surface = self.surfaces.at(i);
-            if S::offset(position, surface.point).is_below(fine_below) {
+            if S::offset(position, surface.point).is_near(fine_below) {
                 let arrival = light.arrive::<H>(&surface, self.highlight, true);
                 self.arrivals.diffuse[i] = arrival.diffuse;
                 if H::SHINES {

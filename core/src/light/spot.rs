@@ -137,7 +137,11 @@ impl<P: Profile, A: Attenuation> Spot<P, A> {
             outside: scalar::outside_bound(self.cone.outer_versine()),
             attenuation: self.attenuation.constants::<S>(),
             intensity: S::gain(intensity),
-            fine_below: S::fine_below(Some(falloff.ramp), intensity, self.attenuation.grows()),
+            fine_below: S::fine_below(
+                Some(self.cone.coarse_error::<S>()),
+                intensity,
+                self.attenuation.grows(),
+            ),
             color: self.emission.color.map(S::from_f32),
             specular_color: self.emission.specular_color.map(S::from_f32),
         })

@@ -11,7 +11,9 @@ mod offset;
 
 pub use self::frame::Frame16;
 use self::{fine::Fine16, offset::Offset16};
-use super::{Offset, Place, Ray, Rise, Scalar, Slopes, Word, fraction::Fraction16, nearest, rounded};
+use super::{
+    HALF_A_CODE, Offset, Place, Ray, Rise, Scalar, Slopes, Word, fraction::Fraction16, nearest, rounded,
+};
 use crate::{trig, vec3::Vec3};
 use fixed::types::{I2F14, I2F30, I16F16, I18F14, U3F29, U18F14};
 
@@ -102,9 +104,6 @@ impl Ramp16 {
 
 /// The largest zoom of a ramp: one more would ask for bits that a direction does not have.
 const MOST_ZOOM: u32 = 15;
-
-/// A gain up to which the coarse evaluation is within half a linear code.
-const GAIN: f32 = 4.0;
 
 /// The zoom of a ramp that ends at this versine.
 fn zoom(limit: f32) -> u32 {
@@ -231,7 +230,7 @@ impl Scalar for Fx16 {
     /// That of a fine ramp, whose direction is hardly off: [`DIRECTION_ERROR`](Self::DIRECTION_ERROR) is the coarse one's, and
     /// leaves room for it.
     fn rounding(edge: &Slopes) -> f32 {
-        const ROOM: f32 = 0.99 / 510.0;
+        const ROOM: f32 = 0.99 * HALF_A_CODE;
         let fine = edge.angle * 0.25e-6 + edge.fraction * 1e-8 + Self::STEP;
         if fine <= ROOM { 0.0 } else { f32::INFINITY }
     }
@@ -242,7 +241,7 @@ impl Scalar for Fx16 {
     /// product of a power are rounded to 15 bits; the ramp has 16.
     ///
     /// The largest of all of these do not meet in one place: a search finds 0.71 of their sum, and 0.8 of it decide.
-    fn holds_coarsely(edge: &Slopes, outer: f32, limit: f32) -> bool {
+    fn coarse_error(edge: &Slopes, outer: f32, limit: f32) -> f32 {
         const LENGTH: f32 = 2.3e-4;
         const MET: f32 = 0.8;
         let limit = if limit < outer { limit } else { outer };
@@ -252,7 +251,7 @@ impl Scalar for Fx16 {
         let chord = trig::sqrt(2.0 * outer);
         let versine =
             edge.angle * (direction / chord + LENGTH / 2.0) + edge.fraction * (LENGTH * LENGTH / 2.0 / outer);
-        MET * (versine + edge.fraction * 3.0 / 65_536.0 + 1.5 * Self::STEP) <= 1.0 / 510.0
+        MET * (versine + edge.fraction * 3.0 / 65_536.0 + 1.5 * Self::STEP)
     }
 
     fn fine_ramp(inner: f32, outer: f32, limit: f32) -> Ramp16 {
@@ -270,22 +269,29 @@ impl Scalar for Fx16 {
         }
     }
 
-    fn fine_below(ramp: Option<Ramp16>, intensity: f32, grows: bool) -> u32 {
-        let is_fine = ramp.is_some_and(|ramp| ramp.fine > 0);
-        if is_fine || (intensity > GAIN && !grows) {
+    fn fine_below(error: Option<f32>, intensity: f32, grows: bool) -> u32 {
+        /// That of a cosine.
+        const COSINE: f32 = 2.2e-4;
+        /// Where light is not past full scale, a share of a large gain is small, and errs less: a search finds 0.4.
+        const MET: f32 = 0.625;
+        let error = error.unwrap_or(0.0).max(COSINE) / HALF_A_CODE;
+        let squared = MET * error * intensity;
+        if error > 1.0 || (squared > 1.0 && !grows) {
             return u32::MAX;
         }
-        // A way of so many bits is at least `2^(bits - 17)` long.
-        let squared = |bits: u32| f32::from_bits((127 - 2 * 17 + 2 * bits) << 23);
-        (0..=33).take_while(|&bits| grows && intensity > GAIN * squared(bits)).count() as u32
+        if !grows {
+            return 0;
+        }
+        // The squared distance in quanta of a length.
+        let squared = ((squared * (1_u64 << 32) as f32) as u64).min((1 << 62) - 1);
+        let bits = (u64::BITS - squared.leading_zeros()).div_ceil(2);
+        bits << 26 | ((squared << (62 - 2 * bits)) >> 36) as u32
     }
 
     #[inline(always)]
-    fn is_enough(share: Self, light: U18F14, has_window: bool) -> bool {
-        let share = u32::from(share.to_bits().max(0).cast_unsigned());
-        // A share of 1/128 is off by 7 % at most, and one that is so small does not tell the gain.
-        let is_told = share > 1 << 7;
-        is_told && (light.to_bits() > 9 << 11 || (!has_window && light.to_bits() <= GAIN as u32 * share))
+    fn is_clipped(share: Self, light: U18F14) -> bool {
+        // A share of 1/32 is off by 6 % at most.
+        share.to_bits() > 1 << 9 && light.to_bits() > 9 << 11
     }
 
     #[inline(always)]

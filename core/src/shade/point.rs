@@ -1,10 +1,13 @@
 //! Point lights, compiled.
 
-use super::{Arrival, Light, Surface, lobe};
+use super::{
+    Arrival, Light, Surface,
+    placed::{Place, Placed},
+};
 use crate::{
     attenuation::{Attenuation, InverseSquare},
     color::Rgb,
-    scalar::{Fraction, Offset, Ray, Scalar, Share},
+    scalar::{Ray, Scalar},
     specular::{Matte, Specular},
     vec3::Vec3,
 };
@@ -45,65 +48,23 @@ impl<S: Scalar, A: Attenuation> CompiledPoint<S, A> {
     pub fn irradiance_unskipped(&self, point: Vec3<S::Length>, normal: Vec3<S>) -> S::Irradiance {
         self.arrive::<Matte>(&Surface::matte(point, normal), &(), false).diffuse
     }
+}
 
-    /// What arrives along a ray.
+impl<S: Scalar, A: Attenuation> Placed<S, A> for CompiledPoint<S, A> {
     #[inline(always)]
-    fn along<H: Specular, R: Ray<S>>(
-        &self,
-        offset: &S::Offset,
-        ray: &R,
-        cosine: R::Fraction,
-        (normal, view): (Vec3<S>, Vec3<S::Unit>),
-        highlight: &H::Constants<S>,
-    ) -> Arrival<S::Irradiance> {
-        let cosine = cosine.scalar();
-        let expose = |share| A::expose(&self.attenuation, offset, ray, share, self.intensity);
-        let diffuse = expose(cosine);
-        if !H::SHINES {
-            return Arrival { diffuse, specular: S::Irradiance::default() };
-        }
-        let lobe = lobe::<S, H>(highlight, (normal, view), ray.direction(), cosine.rounded());
-        Arrival { diffuse, specular: expose(R::Share::of_scalar(lobe)) }
+    fn place(&self) -> Place<'_, S, A> {
+        let Self { position, ref attenuation, intensity, fine_below, .. } = *self;
+        Place { position, attenuation, intensity, fine_below }
     }
 
-    /// The share of the intensity that falls on the surface, and its light.
     #[inline(always)]
-    fn diffuse<R: Ray<S>>(
-        &self,
-        offset: &S::Offset,
-        ray: &R,
-        cosine: R::Fraction,
-    ) -> (R::Share, S::Irradiance) {
-        let share = cosine.scalar();
-        (share, A::expose(&self.attenuation, offset, ray, share, self.intensity))
+    fn is_outside(&self, _: &S::Offset) -> bool {
+        false
     }
 
-    /// What arrives at a point that is near: with all bits that the format can give, but where they
-    /// would show nothing. Apart from the rest, which is to stay in registers.
-    #[cold]
-    #[inline(never)]
-    fn arrive_finely<H: Specular>(
-        &self,
-        offset: S::Offset,
-        (normal, view): (Vec3<S>, Vec3<S::Unit>),
-        highlight: &H::Constants<S>,
-    ) -> Arrival<S::Irradiance> {
-        let facing = offset.facing(normal);
-        if S::Offset::faces_far_away(facing) {
-            return Arrival::default();
-        }
-        let ray = offset.ray();
-        let (share, light) = self.diffuse(&offset, &ray, ray.cosine(facing, normal));
-        let has_window = !A::is_inverse_square::<S>(&self.attenuation);
-        let is_enough = self.fine_below < u32::MAX && S::is_enough(share, light, has_window);
-        if is_enough && !H::SHINES {
-            return Arrival { diffuse: light, specular: S::Irradiance::default() };
-        }
-        let ray = offset.fine_ray();
-        let cosine = ray.cosine(facing, normal);
-        let arrival = self.along::<H, _>(&offset, &ray, cosine, (normal, view), highlight);
-        // With a highlight or without, the diffuse light is the same.
-        if is_enough { Arrival { diffuse: light, ..arrival } } else { arrival }
+    #[inline(always)]
+    fn falloff<R: Ray<S>>(&self, _: &R) -> Option<R::Share> {
+        None
     }
 }
 
@@ -123,17 +84,6 @@ impl<S: Scalar, A: Attenuation> Light<S> for CompiledPoint<S, A> {
         highlight: &H::Constants<S>,
         skips: bool,
     ) -> Arrival<S::Irradiance> {
-        let Surface { point, normal, view } = *surface;
-        let offset = S::offset(self.position, point);
-        if offset.is_below(self.fine_below) {
-            return self.arrive_finely::<H>(offset, (normal, view), highlight);
-        }
-        let facing = offset.facing(normal);
-        if skips && (S::Offset::faces_away(facing) || A::is_beyond::<S>(&self.attenuation, &offset)) {
-            return Arrival::default();
-        }
-        let ray = offset.ray();
-        let cosine = ray.cosine(facing, normal);
-        self.along::<H, _>(&offset, &ray, cosine, (normal, view), highlight)
+        self.arrive_at::<H>(surface, highlight, skips)
     }
 }

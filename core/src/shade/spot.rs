@@ -1,12 +1,15 @@
 //! Spotlights, compiled.
 
-use super::{Arrival, Light, Surface, lobe};
+use super::{
+    Arrival, Light, Surface,
+    placed::{Place, Placed},
+};
 use crate::{
     attenuation::{Attenuation, InverseSquare},
     color::Rgb,
     cone::Falloff,
     profile::{Edge, Profile},
-    scalar::{Fraction, Offset, Ray, Scalar, Share},
+    scalar::{Offset, Ray, Scalar, Share},
     specular::{Matte, Specular},
     vec3::Vec3,
 };
@@ -65,70 +68,10 @@ impl<S: Scalar, P: Profile, A: Attenuation> CompiledSpot<S, P, A> {
     #[inline(always)]
     pub fn falloff(&self, point: Vec3<S::Length>) -> S {
         let offset = S::offset(self.position, point);
-        if offset.is_below(self.fine_below) {
+        if offset.is_near(self.fine_below) {
             return self.falloff.toward(&offset.fine_ray(), self.axis).rounded();
         }
         self.falloff.toward(&offset.ray(), self.axis)
-    }
-
-    /// What arrives along a ray.
-    #[inline(always)]
-    fn along<H: Specular, R: Ray<S>>(
-        &self,
-        offset: &S::Offset,
-        ray: &R,
-        cosine: R::Fraction,
-        (normal, view): (Vec3<S>, Vec3<S::Unit>),
-        highlight: &H::Constants<S>,
-    ) -> Arrival<S::Irradiance> {
-        let falloff = self.falloff.toward(ray, self.axis);
-        let expose = |share| A::expose(&self.attenuation, offset, ray, share, self.intensity);
-        let diffuse = expose(cosine.of(falloff));
-        if !H::SHINES {
-            return Arrival { diffuse, specular: S::Irradiance::default() };
-        }
-        let lobe = lobe::<S, H>(highlight, (normal, view), ray.direction(), cosine.scalar().rounded());
-        Arrival { diffuse, specular: expose(falloff.share_of(R::Share::of_scalar(lobe))) }
-    }
-
-    /// The share of the intensity that falls on the surface, and its light.
-    #[inline(always)]
-    fn diffuse<R: Ray<S>>(
-        &self,
-        offset: &S::Offset,
-        ray: &R,
-        cosine: R::Fraction,
-    ) -> (R::Share, S::Irradiance) {
-        let share = cosine.of(self.falloff.toward(ray, self.axis));
-        (share, A::expose(&self.attenuation, offset, ray, share, self.intensity))
-    }
-
-    /// What arrives at a point that is near, or of a cone that is steep: with all bits that the format can give, but where they
-    /// would show nothing. Apart from the rest, which is to stay in registers.
-    #[cold]
-    #[inline(never)]
-    fn arrive_finely<H: Specular>(
-        &self,
-        offset: S::Offset,
-        (normal, view): (Vec3<S>, Vec3<S::Unit>),
-        highlight: &H::Constants<S>,
-    ) -> Arrival<S::Irradiance> {
-        let facing = offset.facing(normal);
-        if S::Offset::faces_far_away(facing) || offset.is_outside(self.axis, self.outside) {
-            return Arrival::default();
-        }
-        let ray = offset.ray();
-        let (share, light) = self.diffuse(&offset, &ray, ray.cosine(facing, normal));
-        let has_window = !A::is_inverse_square::<S>(&self.attenuation);
-        let is_enough = self.fine_below < u32::MAX && S::is_enough(share, light, has_window);
-        if is_enough && !H::SHINES {
-            return Arrival { diffuse: light, specular: S::Irradiance::default() };
-        }
-        let ray = offset.fine_ray();
-        let cosine = ray.cosine(facing, normal);
-        let arrival = self.along::<H, _>(&offset, &ray, cosine, (normal, view), highlight);
-        // With a highlight or without, the diffuse light is the same.
-        if is_enough { Arrival { diffuse: light, ..arrival } } else { arrival }
     }
 
     /// The light's linear colour.
@@ -163,6 +106,24 @@ impl<S: Scalar, P: Profile, A: Attenuation> CompiledSpot<S, P, A> {
     }
 }
 
+impl<S: Scalar, P: Profile, A: Attenuation> Placed<S, A> for CompiledSpot<S, P, A> {
+    #[inline(always)]
+    fn place(&self) -> Place<'_, S, A> {
+        let Self { position, ref attenuation, intensity, fine_below, .. } = *self;
+        Place { position, attenuation, intensity, fine_below }
+    }
+
+    #[inline(always)]
+    fn is_outside(&self, offset: &S::Offset) -> bool {
+        offset.is_outside(self.axis, self.outside)
+    }
+
+    #[inline(always)]
+    fn falloff<R: Ray<S>>(&self, ray: &R) -> Option<R::Share> {
+        Some(self.falloff.toward(ray, self.axis))
+    }
+}
+
 impl<S: Scalar, P: Profile, A: Attenuation> Light<S> for CompiledSpot<S, P, A> {
     fn color(&self) -> Rgb<S> {
         self.color
@@ -179,21 +140,6 @@ impl<S: Scalar, P: Profile, A: Attenuation> Light<S> for CompiledSpot<S, P, A> {
         highlight: &H::Constants<S>,
         skips: bool,
     ) -> Arrival<S::Irradiance> {
-        let Surface { point, normal, view } = *surface;
-        let offset = S::offset(self.position, point);
-        if offset.is_below(self.fine_below) {
-            return self.arrive_finely::<H>(offset, (normal, view), highlight);
-        }
-        let facing = offset.facing(normal);
-        if skips
-            && (S::Offset::faces_away(facing)
-                || offset.is_outside(self.axis, self.outside)
-                || A::is_beyond::<S>(&self.attenuation, &offset))
-        {
-            return Arrival::default();
-        }
-        let ray = offset.ray();
-        let cosine = ray.cosine(facing, normal);
-        self.along::<H, _>(&offset, &ray, cosine, (normal, view), highlight)
+        self.arrive_at::<H>(surface, highlight, skips)
     }
 }

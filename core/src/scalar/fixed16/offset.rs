@@ -193,9 +193,15 @@ impl Offset<Fx16> for Offset16 {
         FineRay16::new(self.whole(), root::inverse_sqrt_16(self.squared()), self.bits)
     }
 
+    /// `fine_below` is a number of bits and, in its lower 26, the squared length of a way with as many: a way with more cannot
+    /// be shorter, one of fewer by two is for certain.
     #[inline(always)]
-    fn is_below(&self, bits: u32) -> bool {
-        self.bits < bits
+    fn is_near(&self, fine_below: u32) -> bool {
+        let is_shorter = || {
+            let fewer = (fine_below >> 26).wrapping_sub(self.bits);
+            self.squared().checked_shr(2 * fewer + 4).unwrap_or(0) < fine_below & ((1 << 26) - 1)
+        };
+        self.bits <= fine_below >> 26 && is_shorter()
     }
 }
 

@@ -43,9 +43,9 @@ fn converts<S: Raw>(bits: &mut Bits) {
     let [inner, outer, limit] = from_fn(|_| bits.float());
     black_box((S::ramp(inner, outer, limit), S::fine_ramp(inner, outer, limit)));
     let edge = Slopes { angle: bits.float(), fraction: bits.float() };
-    black_box((S::rounding(&edge), S::holds_coarsely(&edge, outer, limit)));
-    let ramp = (bits.choice(2) == 0).then(|| S::raw_ramp(bits));
-    black_box(S::fine_below(ramp, bits.float(), bits.choice(2) == 0));
+    black_box((S::rounding(&edge), S::coarse_error(&edge, outer, limit)));
+    let error = (bits.choice(2) == 0).then(|| bits.float());
+    black_box(S::fine_below(error, bits.float(), bits.choice(2) == 0));
     let vectors = from_fn(|_| bits.vector(f32::scalar));
     black_box(S::frame(vectors, bits.float()));
     black_box((S::part(bits.word() as u32), S::weighted_byte(bits.word() as u32)));
@@ -85,7 +85,7 @@ fn points<S: Raw>(bits: &mut Bits) {
     );
     black_box(Offset::is_outside(&offset, axis, S::scalar(bits.word())));
     black_box(Offset::squared_distance(&offset));
-    black_box(Offset::is_below(&offset, bits.integer()));
+    black_box(Offset::is_near(&offset, bits.integer()));
     black_box(Offset::reciprocal(&offset));
     let reciprocal = bits.float();
     let ray = if bits.choice(2) == 0 { Offset::ray(&offset) } else { Offset::ray_of(&offset, reciprocal) };
@@ -148,7 +148,7 @@ fn shows<S: Raw>(bits: &mut Bits) {
     let [color, part] = from_fn(|_| S::scalar(bits.word()));
     let gain = S::raw_gain(bits.word());
     black_box((S::expose(part, gain), S::filter(a, color), S::add_light(a, b), S::amplify(a, gain)));
-    black_box((S::light_to_f32(a), S::light_to_gain(b), S::clip(a), S::is_enough(part, b, false)));
+    black_box((S::light_to_f32(a), S::light_to_gain(b), S::clip(a), S::is_clipped(part, b)));
     black_box((Scalar::srgb::<255>(color), Scalar::srgb::<63>(color), Scalar::srgb::<31>(color)));
     black_box(Scalar::srgb_dithered::<31>(color, bits.word() as u8));
 }

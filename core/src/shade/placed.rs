@@ -1,0 +1,113 @@
+//! Lights that stand in a place: what spotlights and point lights have in common.
+
+use super::{Arrival, Surface, lobe};
+use crate::{
+    attenuation::Attenuation,
+    scalar::{Fraction, Offset, Ray, Scalar, Share},
+    specular::Specular,
+    vec3::Vec3,
+};
+
+/// Where a light stands, and how its light falls with the distance.
+#[derive(Clone, Copy)]
+pub(super) struct Place<'a, S: Scalar, A: Attenuation> {
+    pub(super) position: Vec3<S::Length>,
+    pub(super) attenuation: &'a A::Constants<S>,
+    pub(super) intensity: S::Gain,
+    pub(super) fine_below: u32,
+}
+
+/// A compiled light that stands in a place.
+pub(super) trait Placed<S: Scalar, A: Attenuation> {
+    /// Where it stands.
+    fn place(&self) -> Place<'_, S, A>;
+    /// Whether a point is outside its cone for certain: see [`Offset::is_outside`].
+    fn is_outside(&self, offset: &S::Offset) -> bool;
+    /// The falloff of its cone along a ray; none for a light without a cone.
+    fn falloff<R: Ray<S>>(&self, ray: &R) -> Option<R::Share>;
+
+    /// The light that arrives at a surface: see [`Light::arrive`](super::Light::arrive).
+    #[inline(always)]
+    fn arrive_at<H: Specular>(
+        &self,
+        surface: &Surface<S>,
+        highlight: &H::Constants<S>,
+        skips: bool,
+    ) -> Arrival<S::Irradiance> {
+        let Surface { point, normal, view } = *surface;
+        let Place { position, attenuation, fine_below, .. } = self.place();
+        let offset = S::offset(position, point);
+        if offset.is_near(fine_below) {
+            return self.arrive_finely::<H>(offset, (normal, view), highlight);
+        }
+        let facing = offset.facing(normal);
+        if skips
+            && (S::Offset::faces_away(facing)
+                || self.is_outside(&offset)
+                || A::is_beyond::<S>(attenuation, &offset))
+        {
+            return Arrival::default();
+        }
+        let ray = offset.ray();
+        let cosine = ray.cosine(facing, normal);
+        let lobe = || lobe::<S, H>(highlight, (normal, view), ray.direction(), cosine.scalar().rounded());
+        self.along::<H, _>(&offset, &ray, cosine, lobe).1
+    }
+
+    /// What arrives at a point that is near, or of a cone that is steep: with all bits that the format can give, but where they
+    /// would show nothing. Apart from the rest, which is to stay in registers.
+    #[cold]
+    #[inline(never)]
+    fn arrive_finely<H: Specular>(
+        &self,
+        offset: S::Offset,
+        (normal, view): (Vec3<S>, Vec3<S::Unit>),
+        highlight: &H::Constants<S>,
+    ) -> Arrival<S::Irradiance> {
+        let facing = offset.facing(normal);
+        if S::Offset::faces_far_away(facing) || self.is_outside(&offset) {
+            return Arrival::default();
+        }
+        let ray = offset.ray();
+        let cosine = ray.cosine(facing, normal);
+        let lobe = lobe::<S, H>(highlight, (normal, view), ray.direction(), cosine.scalar().rounded());
+        let (shares, light) = self.along::<H, _>(&offset, &ray, cosine, || lobe);
+        let is_enough = |share, light| self.place().fine_below < u32::MAX && S::is_clipped(share, light);
+        let keeps_diffuse = is_enough(shares.diffuse, light.diffuse);
+        let keeps_specular = lobe == S::ZERO || is_enough(shares.specular, light.specular);
+        if keeps_diffuse && keeps_specular {
+            return light;
+        }
+        let ray = offset.fine_ray();
+        let cosine = ray.cosine(facing, normal);
+        // The rounding of a lobe to a scalar is more than a finer direction would add to it.
+        let (_, fine) = self.along::<H, _>(&offset, &ray, cosine, || lobe);
+        Arrival {
+            diffuse: if keeps_diffuse { light.diffuse } else { fine.diffuse },
+            specular: if keeps_specular { light.specular } else { fine.specular },
+        }
+    }
+
+    /// What arrives along a ray: as shares of the intensity, and the light of them.
+    #[inline(always)]
+    fn along<H: Specular, R: Ray<S>>(
+        &self,
+        offset: &S::Offset,
+        ray: &R,
+        cosine: R::Fraction,
+        lobe: impl FnOnce() -> S,
+    ) -> (Arrival<R::Share>, Arrival<S::Irradiance>) {
+        let Place { attenuation, intensity, .. } = self.place();
+        let expose = |share| A::expose(attenuation, offset, ray, share, intensity);
+        let falloff = self.falloff(ray);
+        let share = falloff.map_or(cosine.scalar(), |falloff| cosine.of(falloff));
+        let diffuse = Arrival { diffuse: share, specular: R::Share::default() };
+        let light = Arrival { diffuse: expose(share), specular: S::Irradiance::default() };
+        if !H::SHINES {
+            return (diffuse, light);
+        }
+        let lobe = R::Share::of_scalar(lobe());
+        let share = falloff.map_or(lobe, |falloff| falloff.share_of(lobe));
+        (Arrival { specular: share, ..diffuse }, Arrival { specular: expose(share), ..light })
+    }
+}
