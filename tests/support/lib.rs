@@ -22,6 +22,7 @@ pub mod profiles;
 pub mod reference;
 pub mod region;
 pub mod shadows;
+pub mod shapes;
 pub mod squares;
 pub mod sweep;
 pub mod views;
