@@ -6,13 +6,13 @@
 
 use fastrand::Rng;
 use luminaire::{
-    Angle, CompiledSpot, Cone, Falloff, Fx16, Fx32, HalfAngle, Hard, IntegerPower, IntegerRim, Linear,
-    Matched, Profile, Rgb, Soft, Spot, Table, Vec3,
+    Angle, Blend, CompiledSpot, Cone, Falloff, Fx16, Fx32, HalfAngle, Hard, IntegerPower, IntegerRim, Linear,
+    Matched, Profile, Soft, Spot, Table, Vec3,
 };
 use support::{
     format::Format,
     reference::{self, Vector},
-    shapes::{Shape, interpolated, tables},
+    shapes::{self, tables},
     sweep,
 };
 
@@ -171,27 +171,20 @@ fn changed(rng: &mut Rng, v: Vec3<f32>, by: impl Fn(f32) -> f32) -> Vec3<f32> {
 
 /// A cone that the format accepts, compiled once for all its lights: where a mixture is steepest is
 /// searched for, which takes thousands of times as long as an evaluation.
-struct Beam<'a, S: Format> {
-    shape: &'a Shape,
+struct Beam<S: Format> {
+    shape: Matched,
     angles: Angles,
     exact_versines: [f64; 3],
     cone: Cone<Matched>,
-    falloff: Falloff<S, Matched>,
-    fine_below: u32,
+    compiled: CompiledSpot<S, Matched>,
 }
 
-impl<'a, S: Format> Beam<'a, S> {
-    fn new(shape: &'a Shape, angles: Angles) -> Option<Self> {
-        let cone = angles.cone(shape.profile)?;
-        let falloff = cone.compile::<S>().ok()?;
-        let [inner, outer, limit] = angles.versines();
-        let ramp = [S::ramp, S::fine_ramp]
-            .map(|ramp| ramp(inner, outer, limit))
-            .into_iter()
-            .find(|&ramp| falloff == Falloff::from_parts(ramp, shape.profile, shape.profile.compile::<S>()))
-            .expect("a cone is compiled to one of two ramps");
-        let fine_below = S::fine_below(Some(ramp), 1.0, true);
-        Some(Self { shape, angles, exact_versines: angles.exact_versines(), cone, falloff, fine_below })
+impl<S: Format> Beam<S> {
+    fn new(shape: Matched, angles: Angles) -> Option<Self> {
+        let cone = angles.cone(shape)?;
+        let spot = Spot::new(Vec3::default(), Vec3::new(0.0, 0.0, 1.0), cone).ok()?;
+        let compiled = spot.compile::<S>().ok()?;
+        Some(Self { shape, angles, exact_versines: angles.exact_versines(), cone, compiled })
     }
 
     fn spot(&self, scene: &Scene) -> Option<Spot<Matched>> {
@@ -203,26 +196,15 @@ impl<'a, S: Format> Beam<'a, S> {
         let compiled = self.spot(scene).expect("a sound light").compile::<S>().expect("accepted before");
         let light = self.light(scene).expect("a sound light").compiled;
         let [a, b] = [light, compiled].map(|light| light.falloff(scene.point.map(S::length)).exact());
-        assert_eq!(a.to_bits(), b.to_bits(), "{:?} {:?} {scene:?}", self.shape.profile, self.angles);
+        assert_eq!(a.to_bits(), b.to_bits(), "{:?} {:?} {scene:?}", self.shape, self.angles);
     }
 
     fn light(&self, scene: &Scene) -> Option<Light<'_, S>> {
         let spot = self.spot(scene)?;
         let (position, axis) = (spot.position().map(S::length), spot.axis_in::<S>());
-        let white = Rgb::new(S::ONE, S::ONE, S::ONE);
         Some(Light {
             beam: self,
-            // The falloff does not read the bound by which points outside are rejected: it is zero.
-            compiled: CompiledSpot::from_parts(
-                position,
-                axis,
-                self.falloff,
-                S::ZERO,
-                (),
-                S::gain(1.0),
-                self.fine_below,
-                [white; 2],
-            ),
+            compiled: self.compiled.placed(position, axis),
             position: S::exact_point(position),
             axis: reference::unit(S::exact_direction(axis)),
         })
@@ -231,7 +213,7 @@ impl<'a, S: Format> Beam<'a, S> {
 
 /// A light, and what it is in f64.
 struct Light<'a, S: Format> {
-    beam: &'a Beam<'a, S>,
+    beam: &'a Beam<S>,
     compiled: CompiledSpot<S, Matched>,
     position: Vector,
     axis: Vector,
@@ -252,16 +234,16 @@ impl<S: Format> Light<'_, S> {
         }
         let versine = reference::versine_between(way, self.axis);
         // A jump, of a delimiter or of a table that ends above zero, is in its place within 1/510 of its half angle.
-        let jumps = angles.limit < angles.outer || (shape.exact)(0.0) > 0.0;
+        let jumps = angles.limit < angles.outer || shape.formula().exact(f64::MIN_POSITIVE) > 1e-9;
         if jumps && (versine / limit).sqrt() > 1.0 - 1.0 / 510.0 && versine < 1.01 * limit {
             return 0.0;
         }
         let exact = if versine >= limit {
             0.0
         } else if versine <= inner {
-            (shape.exact)(1.0)
+            shape.formula().exact(1.0)
         } else {
-            (shape.exact)((outer - versine) / (outer - inner))
+            shape.formula().exact((outer - versine) / (outer - inner))
         };
         (self.compiled.falloff(point).exact() - exact).abs()
     }
@@ -281,9 +263,9 @@ impl Worst {
         let mut worst = Self::default();
         let mut left = cones;
         while left > 0 {
-            let shape = Shape::random(&mut rng, &tables);
-            let Some(angles) = Angles::random::<S>(&mut rng, shape.profile) else { continue };
-            let beam = Beam::<S>::new(&shape, angles).expect("accepted before");
+            let shape = shapes::random(&mut rng, &tables);
+            let Some(angles) = Angles::random::<S>(&mut rng, shape) else { continue };
+            let beam = Beam::<S>::new(shape, angles).expect("accepted before");
             beam.assert_same(&domain.scene(&mut rng, angles.limit));
             (0..starts).for_each(|_| worst.climb(&mut rng, &beam, steps));
             left -= 1;
@@ -320,7 +302,7 @@ impl Worst {
             }
         }
         if error > self.error {
-            let place = format!("{:?} {angles:?} {scene:?}", beam.shape.profile);
+            let place = format!("{:?} {angles:?} {scene:?}", beam.shape);
             *self = Self { error, place };
         }
     }
@@ -364,21 +346,21 @@ fn fx16_holds_every_cone_that_it_accepts() {
 fn fx16_holds_the_worst_cones_that_were_found() {
     let worst = [
         (
-            Shape::new(Linear, reference::linear),
+            Linear.into(),
             [1.1757023, 1.7149847],
             [-28.650364, 33.615997, -13.373532],
             [1.0157257, 0.0038974285, 0.0008697548],
             [16456.35, -197.38402, -393.12357],
         ),
         (
-            Shape::blend(1.5701874),
+            Blend::new(1.5701874).expect("sound").into(),
             [0.0, 1.4466475],
             [0.030180821, 0.16335364, 0.13611338],
             [-0.057993323, -0.17201087, 0.99506766],
             [-612.21985, -1619.5867, 8346.136],
         ),
         (
-            Shape::blend(1.1751151),
+            Blend::new(1.1751151).expect("sound").into(),
             [0.79994786, 1.493479],
             [-0.0007753705, -0.0024057247, -0.0015799699],
             [1.0005511, 0.0055236816, 0.0010518609],
@@ -386,29 +368,26 @@ fn fx16_holds_the_worst_cones_that_were_found() {
         ),
     ];
     for (shape, [inner, outer], light, axis, point) in worst {
-        let beam = Beam::<Fx16>::new(&shape, Angles { inner, outer, limit: outer }).expect("accepted");
+        let beam = Beam::<Fx16>::new(shape, Angles { inner, outer, limit: outer }).expect("accepted");
         let [light, axis, point] = [light, axis, point].map(|[x, y, z]| Vec3::new(x, y, z));
         let codes = 255.0 * beam.light(&Scene { light, axis, point }).expect("a sound light").error(point);
-        println!("{:?}: {codes:.3} linear codes", shape.profile);
-        assert!(codes <= 0.5, "{:?}: {codes:.3} linear codes", shape.profile);
+        println!("{:?}: {codes:.3} linear codes", shape);
+        assert!(codes <= 0.5, "{:?}: {codes:.3} linear codes", shape);
     }
 }
 
 /// Steep shapes and the share of the outer angle that their inner angle is.
-fn steep_shapes() -> Vec<(String, f32, Shape)> {
-    let power = |n: u32| Shape::new(IntegerPower::new(n).expect("sound"), move |t| t.powi(n.cast_signed()));
-    let rim = |n: u32| {
-        Shape::new(IntegerRim::new(n).expect("sound"), move |t| 1.0 - (1.0 - t).powi(n.cast_signed()))
-    };
+fn steep_shapes() -> Vec<(String, f32, Matched)> {
+    let power = |n: u32| IntegerPower::new(n).expect("a sound exponent").into();
+    let rim = |n: u32| IntegerRim::new(n).expect("a sound exponent").into();
     let mut shapes = Vec::new();
     shapes.extend([32, 64, 128, 268, 1_024].map(|n| (format!("power {n}"), 0.0, power(n))));
     shapes.extend([8, 16, 32, 64, 128].map(|n| (format!("rim {n}"), 0.0, rim(n))));
-    let step: &[u16] = tables()[0];
-    let table = Shape::new(Table::new(step).expect("sound samples"), move |t| interpolated(step, t));
+    let table = Table::new(tables()[0]).expect("sound samples").into();
     shapes.push(("table of 100 with a step".into(), 0.0, table));
-    shapes.push(("soft, inner angle 0.9".into(), 0.9, Shape::new(Soft, reference::soft)));
-    shapes.push(("hard, inner angle 0.9".into(), 0.9, Shape::new(Hard, reference::hard)));
-    shapes.push(("linear, inner angle 0.9".into(), 0.9, Shape::new(Linear, reference::linear)));
+    shapes.push(("soft, inner angle 0.9".into(), 0.9, Soft.into()));
+    shapes.push(("hard, inner angle 0.9".into(), 0.9, Hard.into()));
+    shapes.push(("linear, inner angle 0.9".into(), 0.9, Linear.into()));
     shapes.push(("rim 8, inner angle 0.9".into(), 0.9, rim(8)));
     shapes
 }
@@ -417,15 +396,15 @@ fn steep_shapes() -> Vec<(String, f32, Shape)> {
 fn assert_steep<S: Format>() {
     for (name, hotspot, shape) in steep_shapes() {
         let at = |outer: f32| Angles { outer, inner: hotspot * outer, limit: outer };
-        if !at(90.0).is_accepted::<S>(shape.profile) {
+        if !at(90.0).is_accepted::<S>(shape) {
             println!("{} {name}: refused", S::NAME);
             continue;
         }
-        let narrowest = bisected(1e-6, 90.0, 0.0, |outer| at(outer).is_accepted::<S>(shape.profile));
+        let narrowest = bisected(1e-6, 90.0, 0.0, |outer| at(outer).is_accepted::<S>(shape));
         let rng = &mut Rng::with_seed(64);
         let [there, wide] = [narrowest, narrowest.max(45.0)].map(|outer| {
             let mut worst = Worst::default();
-            let beam = Beam::<S>::new(&shape, at(outer)).expect("accepted before");
+            let beam = Beam::<S>::new(shape, at(outer)).expect("accepted before");
             for _ in 0..if is_full() { 4_000 } else { 100 } {
                 worst.climb(rng, &beam, 100);
             }

@@ -240,10 +240,11 @@ impl Scalar for Fx16 {
     /// difference are rounded to integers, 0.87 units in length. The direction is off by 1.36e-5 else. The argument and each
     /// product of a power are rounded to 15 bits; the ramp has 16.
     ///
-    /// The largest of all of these do not meet in one place: a search finds 0.71 of their sum, and 0.8 of it decide.
+    /// The largest of all of these do not meet in one place: a search finds 0.84 of their sum, and 0.9 of it
+    /// decide.
     fn coarse_error(edge: &Slopes, outer: f32, limit: f32) -> f32 {
         const LENGTH: f32 = 2.3e-4;
-        const MET: f32 = 0.8;
+        const MET: f32 = 0.9;
         let limit = if limit < outer { limit } else { outer };
         let direction = 1.36e-5 + 0.87 / (1_u32 << (14 + zoom(limit))) as f32;
         // Twice the sine of half an angle is no longer than its arc: what the slope over a narrow cone's angle is a
@@ -272,8 +273,8 @@ impl Scalar for Fx16 {
     fn fine_below(error: Option<f32>, intensity: f32, grows: bool) -> u32 {
         /// That of a cosine.
         const COSINE: f32 = 2.2e-4;
-        /// Where light is not past full scale, a share of a large gain is small, and errs less: a search finds 0.4.
-        const MET: f32 = 0.625;
+        /// Where light is not past full scale, a share of a large gain is small, and errs less: a search finds 0.36.
+        const MET: f32 = 0.5556;
         let error = error.unwrap_or(0.0).max(COSINE) / HALF_A_CODE;
         let squared = MET * error * intensity;
         if error > 1.0 || (squared > 1.0 && !grows) {

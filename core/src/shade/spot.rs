@@ -74,6 +74,13 @@ impl<S: Scalar, P: Profile, A: Attenuation> CompiledSpot<S, P, A> {
         self.falloff.toward(&offset.ray(), self.axis)
     }
 
+    /// The same light in another place, along another axis of unit length: see
+    /// [`Spot::axis_in`](crate::Spot::axis_in).
+    #[must_use]
+    pub fn placed(self, position: Vec3<S::Length>, axis: Vec3<S::Unit>) -> Self {
+        Self { position, axis, ..self }
+    }
+
     /// The light's linear colour.
     pub fn color(&self) -> Rgb<S> {
         self.color
