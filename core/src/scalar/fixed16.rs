@@ -273,7 +273,7 @@ impl Scalar for Fx16 {
     fn fine_below(error: Option<f32>, intensity: f32, grows: bool) -> u32 {
         /// That of a cosine.
         const COSINE: f32 = 2.2e-4;
-        /// Where light is not past full scale, a share of a large gain is small, and errs less: a search finds 0.36.
+        /// Where light is not past full scale, a share of a large gain is small, and errs less: a search finds 0.43.
         const MET: f32 = 0.5556;
         let error = error.unwrap_or(0.0).max(COSINE) / HALF_A_CODE;
         let squared = MET * error * intensity;
