@@ -197,12 +197,9 @@ impl Offset<Fx16> for Offset16 {
     /// be shorter, one of fewer by two is for certain.
     #[inline(always)]
     fn is_near(&self, fine_below: u32) -> bool {
-        if self.bits > fine_below >> 26 {
-            return false;
-        }
-        core::hint::cold_path();
         let fewer = (fine_below >> 26).wrapping_sub(self.bits);
-        self.squared().checked_shr(2 * fewer + 4).unwrap_or(0) < fine_below & ((1 << 26) - 1)
+        fewer.cast_signed() >= 0
+            && self.squared().checked_shr(2 * fewer + 4).unwrap_or(0) < fine_below & ((1 << 26) - 1)
     }
 }
 
