@@ -29,7 +29,7 @@ const BLOCK: usize = 64;
 struct Lanes<T>([T; BLOCK]);
 
 /// A light that stands somewhere.
-trait Lamp<S: Scalar>: Light<S> {
+trait Batched<S: Scalar>: Light<S> {
     /// Where it stands.
     fn position(&self) -> Vec3<S::Length>;
     /// What arrives at a single point, in the form that suits a loop.
@@ -47,7 +47,7 @@ trait Lamp<S: Scalar>: Light<S> {
     ) -> S::Irradiance;
 }
 
-impl<S: Scalar, P: Profile, A: Attenuation> Lamp<S> for CompiledSpot<S, P, A> {
+impl<S: Scalar, P: Profile, A: Attenuation> Batched<S> for CompiledSpot<S, P, A> {
     #[inline(always)]
     fn position(&self) -> Vec3<S::Length> {
         self.position
@@ -66,7 +66,7 @@ impl<S: Scalar, P: Profile, A: Attenuation> Lamp<S> for CompiledSpot<S, P, A> {
     }
 }
 
-impl<S: Scalar, A: Attenuation> Lamp<S> for CompiledPoint<S, A> {
+impl<S: Scalar, A: Attenuation> Batched<S> for CompiledPoint<S, A> {
     #[inline(always)]
     fn position(&self) -> Vec3<S::Length> {
         self.position
@@ -112,7 +112,7 @@ fn rows<T: Copy>(columns: Vec3<&[T]>, range: Range<usize>) -> impl Iterator<Item
 /// The light at each point of a block.
 #[inline(always)]
 fn light_block<S: Scalar>(
-    lamp: &impl Lamp<S>,
+    lamp: &impl Batched<S>,
     points: Vec3<&[S::Length; BLOCK]>,
     normals: Vec3<&[S; BLOCK]>,
     lights: &mut [S::Irradiance; BLOCK],
@@ -155,7 +155,7 @@ macro_rules! batch_methods {
             }
             let sites = rows(points, whole..count).zip(rows(normals, whole..count));
             for ((point, normal), light) in sites.zip(lights.iter_mut().skip(whole)) {
-                *light = Lamp::irradiance(self, point, normal);
+                *light = Batched::irradiance(self, point, normal);
             }
         }
 
@@ -182,7 +182,7 @@ macro_rules! batch_methods {
             let sites = rows(points, whole..count).zip(rows(normals, whole..count));
             let sums = red.iter_mut().zip(green.iter_mut()).zip(blue.iter_mut()).skip(whole);
             for ((point, normal), ((red, green), blue)) in sites.zip(sums) {
-                let light = Lamp::irradiance(self, point, normal);
+                let light = Batched::irradiance(self, point, normal);
                 add(red, light, color.red);
                 add(green, light, color.green);
                 add(blue, light, color.blue);

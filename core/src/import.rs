@@ -72,7 +72,7 @@ pub use self::{
     direct3d::Direct3d,
     gltf::Gltf,
     godot::Godot,
-    opengl::{Lamp, OpenGl},
+    opengl::{OpenGl, OpenGlLight},
     penumbra::{Penumbra, Ramp},
     three::Three,
 };

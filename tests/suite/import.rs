@@ -6,7 +6,7 @@
 use fastrand::Rng;
 use luminaire::{
     Attenuation, CompiledSpot, Distance, Fx16, Fx32, Matched, Profile, Scalar, Spot, Vec3,
-    import::{self, Difference, Imported, Lamp},
+    import::{self, Difference, Imported, OpenGlLight},
 };
 use support::{
     bounds,
@@ -253,7 +253,7 @@ fn gltf_as_recommended_is_the_reference_code() {
 fn a_cutoff_of_half_a_turn_is_a_point_light() {
     let light = import::OpenGl { spot_exponent: 7.0, linear_attenuation: 0.5, ..Default::default() };
     let imported = light.import(ORIGIN, Vec3::default()).expect("a point light has no direction");
-    let Lamp::Point(point) = imported.light else { panic!("{imported:?}") };
+    let OpenGlLight::Point(point) = imported.light else { panic!("{imported:?}") };
     assert_eq!(imported.difference, Difference::default());
     let lit = point.compile::<f32>().expect("held");
     for (x, expected) in [(2.0, 0.5), (-8.0, 0.2)] {

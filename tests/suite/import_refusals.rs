@@ -5,7 +5,7 @@ use fastrand::Rng;
 use luminaire::{
     Angle, Attenuation, CompiledPoint, CompiledSpot, Error, Fx16, Fx32, IntegerPower, IntegerRim, MixedPower,
     MixedRim, Profile, RealPower, RealRim, Vec3,
-    import::{Difference, Direct3d, Gltf, Godot, Imported, Lamp, OpenGl, Penumbra, Ramp, Three},
+    import::{Difference, Direct3d, Gltf, Godot, Imported, OpenGlLight, OpenGl, Penumbra, Ramp, Three},
 };
 use support::{
     arbitrary::{bits, vector},
@@ -155,11 +155,11 @@ fn assert_point<S: Format, A: Attenuation>(rng: &mut Rng, light: &CompiledPoint<
     }
 }
 
-fn assert_lamp<S: Format>(rng: &mut Rng, lamp: &Lamp) {
+fn assert_lamp<S: Format>(rng: &mut Rng, lamp: &OpenGlLight) {
     match lamp {
         // A light that the format cannot hold is refused, which is an answer too.
-        Lamp::Spot(light) => drop(light.compile().map(|light| assert_spot::<S, _, _>(rng, &light))),
-        Lamp::Point(light) => drop(light.compile().map(|light| assert_point::<S, _>(rng, &light))),
+        OpenGlLight::Spot(light) => drop(light.compile().map(|light| assert_spot::<S, _, _>(rng, &light))),
+        OpenGlLight::Point(light) => drop(light.compile().map(|light| assert_point::<S, _>(rng, &light))),
     }
 }
 
@@ -236,8 +236,8 @@ fn every_parameter_has_an_answer() {
             ramp: if rng.bool() { Ramp::Linear } else { Ramp::Smooth },
             intensity: c,
         };
-        let into_lamp = |Imported { light, difference }| Imported { light: Lamp::Spot(light), difference };
-        let imports: [Result<Imported<Lamp>, Error>; 7] = [
+        let into_lamp = |Imported { light, difference }| Imported { light: OpenGlLight::Spot(light), difference };
+        let imports: [Result<Imported<OpenGlLight>, Error>; 7] = [
             opengl.import(position, direction),
             direct3d.import(position, direction).map(into_lamp),
             gltf.import(position, direction).map(into_lamp),
@@ -270,7 +270,7 @@ fn every_parameter_has_an_answer() {
 fn defaults_are_sound() {
     let down = Vec3::new(0.0, -1.0, 0.0);
     let lamp = OpenGl::default().import(ORIGIN, down).expect("sound");
-    assert!(matches!(lamp.light, Lamp::Point(_)));
+    assert!(matches!(lamp.light, OpenGlLight::Point(_)));
     let cone = |light: luminaire::Spot<luminaire::Matched, luminaire::Distance>| light.cone();
     let near = |angle: Angle, degrees: f32| assert!((angle.to_degrees() - degrees).abs() < 1e-3, "{angle:?}");
     near(cone(Gltf::default().import(ORIGIN, down).expect("sound").light).outer(), 90.0);

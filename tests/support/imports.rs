@@ -3,7 +3,7 @@
 use super::originals::{self, Original};
 use luminaire::{
     Angle, Distance, Matched, Spot, Vec3,
-    import::{self, Imported, Lamp},
+    import::{self, Imported, OpenGlLight},
 };
 
 pub type Import = Imported<Spot<Matched, Distance>>;
@@ -21,7 +21,7 @@ pub fn opengl(cutoff: f32, exponent: f32, [k0, k1, k2]: [f32; 3]) -> (Import, Or
         intensity: 1.0,
     };
     let Imported { light, difference } = light.import(ORIGIN, DOWN).expect("sound");
-    let Lamp::Spot(light) = light else { panic!("a spotlight is no point light") };
+    let OpenGlLight::Spot(light) = light else { panic!("a spotlight is no point light") };
     (Imported { light, difference }, originals::opengl(cutoff, exponent, [k0, k1, k2]))
 }
 

@@ -105,9 +105,9 @@ const fn light(code: usize, last: usize) -> u32 {
 }
 
 /// The light of the codes up to `LAST`.
-struct Light<const LAST: usize>;
+struct CodeLight<const LAST: usize>;
 
-impl<const LAST: usize> Light<LAST> {
+impl<const LAST: usize> CodeLight<LAST> {
     /// From code 1 on, in steps of 2^-24.
     #[cfg(feature = "fixed")]
     const STEPS: [u32; LAST] = {
@@ -137,7 +137,7 @@ impl<const LAST: usize> Light<LAST> {
 #[cfg(feature = "fixed")]
 #[inline]
 fn dithered_fixed<const LAST: usize>(linear: u32, threshold: u8) -> u8 {
-    let mut left = Light::<LAST>::STEPS.as_slice();
+    let mut left = CodeLight::<LAST>::STEPS.as_slice();
     let (mut code, mut here, mut next) = (0, 0, 1 << BITS);
     // As many turns as the code has bits: a number that the compiler knows, and unrolls.
     for _ in 0..=LAST.ilog2() {
@@ -159,7 +159,7 @@ fn dithered_fixed<const LAST: usize>(linear: u32, threshold: u8) -> u8 {
 #[inline(always)]
 fn dithered_float<const LAST: usize>(linear: f32, threshold: u8) -> u8 {
     let linear = clamp(linear);
-    let light = |code: usize| Light::<LAST>::FLOAT.get(code).copied().unwrap_or(1.0);
+    let light = |code: usize| CodeLight::<LAST>::FLOAT.get(code).copied().unwrap_or(1.0);
     let near = (curve(linear, LAST as f32) + 0.5) as i32 as usize;
     let code = near.saturating_sub(usize::from(linear < light(near))).min(LAST - 1);
     let (here, next) = (light(code), light(code + 1));

@@ -37,7 +37,7 @@ pub struct OpenGl {
 
 /// A light that shines into a cone or into all directions.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub enum Lamp {
+pub enum OpenGlLight {
     /// Into a cone.
     Spot(Spot<Matched, Distance>),
     /// Into all directions.
@@ -63,20 +63,20 @@ impl OpenGl {
     /// # Errors
     /// A parameter out of its range, or no attenuation coefficient of at least 1e-6; a position or direction
     /// that [`Spot::new`] refuses; an intensity that over the constant coefficient is more than 1e9.
-    pub fn import(&self, position: Vec3<f32>, direction: Vec3<f32>) -> Result<Imported<Lamp>, Error> {
+    pub fn import(&self, position: Vec3<f32>, direction: Vec3<f32>) -> Result<Imported<OpenGlLight>, Error> {
         check_between(Parameter::SpotExponent, self.spot_exponent, 0.0, 1_024.0)?;
         let coefficients = [self.constant_attenuation, self.linear_attenuation, self.quadratic_attenuation];
         let fall = fall::polynomial(coefficients, None, self.intensity)?;
         if self.spot_cutoff == 180.0 {
             let light = Point::new(position)?.with_intensity(fall.intensity)?;
-            let light = Lamp::Point(light.with_attenuation(fall.distance));
+            let light = OpenGlLight::Point(light.with_attenuation(fall.distance));
             return Ok(Imported { light, difference: Difference::NONE });
         }
         // A cosine to a power under 1 is steepest at a right angle, where only the cutoff of 90 degrees lets it.
         let is_boundless = self.spot_cutoff == 90.0 && self.spot_exponent > 0.0 && self.spot_exponent < 1.0;
         let difference = if is_boundless { Difference::AT_THE_EDGE } else { Difference::NONE };
         let Imported { light, difference } = spot(position, direction, self.cone()?, difference, fall)?;
-        Ok(Imported { light: Lamp::Spot(light), difference })
+        Ok(Imported { light: OpenGlLight::Spot(light), difference })
     }
 
     fn cone(&self) -> Result<Cone<Matched>, Error> {

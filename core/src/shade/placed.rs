@@ -10,7 +10,7 @@ use crate::{
 
 /// Where a light stands, and how its light falls with the distance.
 #[derive(Clone, Copy)]
-pub(super) struct Place<'a, S: Scalar, A: Attenuation> {
+pub(super) struct Stand<'a, S: Scalar, A: Attenuation> {
     pub(super) position: Vec3<S::Length>,
     pub(super) attenuation: &'a A::Constants<S>,
     pub(super) intensity: S::Gain,
@@ -20,7 +20,7 @@ pub(super) struct Place<'a, S: Scalar, A: Attenuation> {
 /// A compiled light that stands in a place.
 pub(super) trait Placed<S: Scalar, A: Attenuation> {
     /// Where it stands.
-    fn place(&self) -> Place<'_, S, A>;
+    fn place(&self) -> Stand<'_, S, A>;
     /// Whether a point is outside its cone for certain: see [`Offset::is_outside`].
     fn is_outside(&self, offset: &S::Offset) -> bool;
     /// The falloff of its cone along a ray; none for a light without a cone.
@@ -35,7 +35,7 @@ pub(super) trait Placed<S: Scalar, A: Attenuation> {
         skips: bool,
     ) -> Arrival<S::Irradiance> {
         let Surface { point, normal, view } = *surface;
-        let Place { position, attenuation, fine_below, .. } = self.place();
+        let Stand { position, attenuation, fine_below, .. } = self.place();
         let offset = S::offset(position, point);
         if offset.is_near(fine_below) {
             return self.arrive_finely::<H>(offset, (normal, view), highlight);
@@ -97,7 +97,7 @@ pub(super) trait Placed<S: Scalar, A: Attenuation> {
         cosine: R::Fraction,
         lobe: impl FnOnce() -> S,
     ) -> (Arrival<R::Share>, Arrival<S::Irradiance>) {
-        let Place { attenuation, intensity, .. } = self.place();
+        let Stand { attenuation, intensity, .. } = self.place();
         let expose = |share| A::expose(attenuation, offset, ray, share, intensity);
         let falloff = self.falloff(ray);
         let share = falloff.map_or(cosine.scalar(), |falloff| cosine.of(falloff));

@@ -2,7 +2,7 @@
 
 use super::{
     Arrival, Light, Surface,
-    placed::{Place, Placed},
+    placed::{Placed, Stand},
 };
 use crate::{
     attenuation::{Attenuation, InverseSquare},
@@ -52,9 +52,9 @@ impl<S: Scalar, A: Attenuation> CompiledPoint<S, A> {
 
 impl<S: Scalar, A: Attenuation> Placed<S, A> for CompiledPoint<S, A> {
     #[inline(always)]
-    fn place(&self) -> Place<'_, S, A> {
+    fn place(&self) -> Stand<'_, S, A> {
         let Self { position, ref attenuation, intensity, fine_below, .. } = *self;
-        Place { position, attenuation, intensity, fine_below }
+        Stand { position, attenuation, intensity, fine_below }
     }
 
     #[inline(always)]

@@ -2,7 +2,7 @@
 
 use super::{
     Arrival, Light, Surface,
-    placed::{Place, Placed},
+    placed::{Placed, Stand},
 };
 use crate::{
     attenuation::{Attenuation, InverseSquare},
@@ -115,9 +115,9 @@ impl<S: Scalar, P: Profile, A: Attenuation> CompiledSpot<S, P, A> {
 
 impl<S: Scalar, P: Profile, A: Attenuation> Placed<S, A> for CompiledSpot<S, P, A> {
     #[inline(always)]
-    fn place(&self) -> Place<'_, S, A> {
+    fn place(&self) -> Stand<'_, S, A> {
         let Self { position, ref attenuation, intensity, fine_below, .. } = *self;
-        Place { position, attenuation, intensity, fine_below }
+        Stand { position, attenuation, intensity, fine_below }
     }
 
     #[inline(always)]
