@@ -9,7 +9,11 @@
 use std::hint::black_box;
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use luminaire::{Angle, Cone, Cubic, Falloff, Fx16, Fx32, Hard, Power, Profile, Scalar, Smooth, Soft};
+use luminaire::{
+    Angle, Cone, Fx16, Fx32, Scalar,
+    falloff::{Cubic, Falloff, Hard, Power, Smooth, Soft},
+    light::CompiledCone,
+};
 
 const POINTS: usize = 4096;
 
@@ -18,24 +22,24 @@ fn versines(outer: f32) -> Vec<f32> {
     (0..POINTS).map(|i| 1.1 * outer * i as f32 / POINTS as f32).collect()
 }
 
-fn cone<P: Profile>(profile: P) -> Cone<P> {
+fn cone<P: Falloff>(profile: P) -> Cone<P> {
     Cone::from_field(profile, Angle::degrees(15.0)).expect("a sound angle")
 }
 
 /// One by one, each by a call that is not inlined, as `powf` is called.
-fn evaluate<S: Scalar, P: Profile>(falloff: &Falloff<S, P>, versines: &[S::Versine], out: &mut [S]) {
+fn evaluate<S: Scalar, P: Falloff>(falloff: &CompiledCone<S, P>, versines: &[S::Versine], out: &mut [S]) {
     for (out, versine) in out.iter_mut().zip(versines) {
         *out = at(falloff, *versine);
     }
 }
 
 #[inline(never)]
-fn at<S: Scalar, P: Profile>(falloff: &Falloff<S, P>, versine: S::Versine) -> S {
+fn at<S: Scalar, P: Falloff>(falloff: &CompiledCone<S, P>, versine: S::Versine) -> S {
     falloff.at(versine)
 }
 
 /// Benches a falloff after checking that it is what the reference says: half at the beam angle.
-fn bench<S: Scalar, P: Profile>(criterion: &mut Criterion, name: &str, profile: P) {
+fn bench<S: Scalar, P: Falloff>(criterion: &mut Criterion, name: &str, profile: P) {
     let cone = cone(profile);
     let falloff = cone.compile::<S>().expect("held");
     let at_beam = falloff.at(falloff.versine(cone.beam().versine())).to_f32();

@@ -9,8 +9,11 @@ use std::hint::black_box;
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use luminaire::{
-    Angle, Attenuation, CompiledSpot, Cone, Hard, Haze, HazyBeam, InverseSquare, Profile, Soft, Spot,
-    SquaredWindow, Vec3, ViewRay,
+    Angle, Cone, SpotLight, Vec3,
+    attenuation::{Attenuation, FilamentRange, InverseSquare},
+    falloff::{Falloff, Hard, Soft},
+    haze::{BeamScattering, Haze, ViewRay},
+    light::CompiledSpotLight,
 };
 
 const WIDTH: usize = 256;
@@ -50,9 +53,9 @@ fn picture() -> Vec<Block> {
     blocks
 }
 
-fn spot<P: Profile>(profile: P) -> Spot<P> {
+fn spot<P: Falloff>(profile: P) -> SpotLight<P> {
     let cone = Cone::from_field(profile, Angle::degrees(36.0)).expect("a sound angle");
-    Spot::new(Vec3::new(0.3, 4.5, 0.2), Vec3::new(-0.05, -1.0, 0.0), cone)
+    SpotLight::new(Vec3::new(0.3, 4.5, 0.2), Vec3::new(-0.05, -1.0, 0.0), cone)
         .and_then(|spot| spot.with_intensity(16.0))
         .expect("a sound light")
 }
@@ -81,8 +84,8 @@ fn bench_with(criterion: &mut Criterion, name: &str, mut fill: impl FnMut(&mut [
     group.finish();
 }
 
-fn bench<P: Profile, A: Attenuation>(criterion: &mut Criterion, name: &str, spot: Spot<P, A>) {
-    let beam: HazyBeam<P, A> =
+fn bench<P: Falloff, A: Attenuation>(criterion: &mut Criterion, name: &str, spot: SpotLight<P, A>) {
+    let beam: BeamScattering<P, A> =
         spot.compile::<f32>().expect("held").in_haze(&Haze::new(0.02).expect("a sound density"));
     bench_with(criterion, name, |blocks| fill(blocks, |view| beam.air_light(view)));
     bench_with(criterion, &format!("{name}, 16 samples"), |blocks| {
@@ -91,7 +94,7 @@ fn bench<P: Profile, A: Attenuation>(criterion: &mut Criterion, name: &str, spot
 }
 
 /// The usual way: so many steps along the ray.
-fn march(light: &CompiledSpot<f32, Soft>, view: &ViewRay, steps: u32) -> f32 {
+fn march(light: &CompiledSpotLight<f32, Soft>, view: &ViewRay, steps: u32) -> f32 {
     let step = view.length / steps as f32;
     let mut sum = 0.0;
     for i in 0..steps {
@@ -106,7 +109,7 @@ fn march(light: &CompiledSpot<f32, Soft>, view: &ViewRay, steps: u32) -> f32 {
 fn haze(criterion: &mut Criterion) {
     bench::<_, InverseSquare>(criterion, "soft", spot(Soft));
     bench::<_, InverseSquare>(criterion, "hard", spot(Hard));
-    let window = SquaredWindow::new(InverseSquare, Some(9.0)).expect("a sound range");
+    let window = FilamentRange::new(InverseSquare, Some(9.0)).expect("a sound range");
     bench(criterion, "soft, squared window", spot(Soft).with_attenuation(window));
     let light = spot(Soft).compile::<f32>().expect("held");
     bench_with(criterion, "16 steps along the ray", |blocks| fill(blocks, |view| march(&light, view, 16)));

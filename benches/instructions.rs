@@ -11,19 +11,21 @@ use std::hint::black_box;
 
 use gungraun::{library_benchmark, library_benchmark_group, main};
 use luminaire::{
-    Angle, CompiledSpot, Cone, Falloff, Fx16, Fx32, Hard, Profile, Rgb, Scalar, Smooth, Soft, Spot, Vec3,
+    Angle, Cone, Fx16, Fx32, Rgb, Scalar, SpotLight, Vec3,
+    falloff::{Falloff, Hard, Smooth, Soft},
+    light::{CompiledCone, CompiledSpotLight},
 };
 
 const POINTS: usize = 4096;
 
 /// A falloff, versines from the axis to the edge, and room for their intensities.
-struct Ramp<S: Scalar, P: Profile> {
-    falloff: Falloff<S, P>,
+struct Ramp<S: Scalar, P: Falloff> {
+    falloff: CompiledCone<S, P>,
     versines: Vec<S::Versine>,
     intensities: Vec<S>,
 }
 
-fn ramp<S: Scalar, P: Profile>(profile: P) -> Ramp<S, P> {
+fn ramp<S: Scalar, P: Falloff>(profile: P) -> Ramp<S, P> {
     let cone = Cone::from_field(profile, Angle::degrees(15.0)).expect("a sound angle");
     let falloff = cone.compile::<S>().expect("held");
     let at = |i: usize| falloff.versine(cone.outer_versine() * i as f32 / POINTS as f32);
@@ -31,7 +33,7 @@ fn ramp<S: Scalar, P: Profile>(profile: P) -> Ramp<S, P> {
 }
 
 /// The profile is one on the axis and falls from there to the edge.
-fn check_ramp<S: Scalar, P: Profile>(ramp: Ramp<S, P>) {
+fn check_ramp<S: Scalar, P: Falloff>(ramp: Ramp<S, P>) {
     assert_eq!(ramp.intensities[0], S::ONE);
     assert!(ramp.intensities.is_sorted_by(|a, b| a >= b) && ramp.intensities[POINTS - 1].to_f32() < 0.01);
 }
@@ -42,14 +44,14 @@ fn check_ramp<S: Scalar, P: Profile>(ramp: Ramp<S, P>) {
 #[bench::smooth_f32(args = (ramp::<f32, _>(Smooth)), teardown = check_ramp)]
 #[bench::soft_fx32(args = (ramp::<Fx32, _>(Soft)), teardown = check_ramp)]
 #[bench::soft_fx16(args = (ramp::<Fx16, _>(Soft)), teardown = check_ramp)]
-fn falloff<S: Scalar, P: Profile>(mut ramp: Ramp<S, P>) -> Ramp<S, P> {
+fn falloff<S: Scalar, P: Falloff>(mut ramp: Ramp<S, P>) -> Ramp<S, P> {
     ramp.falloff.at_each(black_box(&ramp.versines), &mut ramp.intensities);
     ramp
 }
 
 /// A spotlight and a floor under it, structure of arrays.
 struct Floor<S: Scalar> {
-    spot: CompiledSpot<S, Soft>,
+    spot: CompiledSpotLight<S, Soft>,
     point: Vec3<Vec<S::Length>>,
     normal: Vec3<Vec<S>>,
     light: Rgb<Vec<S::Irradiance>>,
@@ -57,7 +59,7 @@ struct Floor<S: Scalar> {
 
 fn floor<S: Scalar>() -> Floor<S> {
     let cone = Cone::from_field(Soft, Angle::degrees(26.0)).expect("a sound angle");
-    let spot = Spot::new(Vec3::new(0.3, 4.0, 0.2), Vec3::new(-0.05, -1.0, 0.0), cone)
+    let spot = SpotLight::new(Vec3::new(0.3, 4.0, 0.2), Vec3::new(-0.05, -1.0, 0.0), cone)
         .and_then(|spot| spot.with_intensity(16.0))
         .and_then(|spot| spot.compile())
         .expect("a sound light");

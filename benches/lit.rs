@@ -9,7 +9,11 @@
 use std::hint::black_box;
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use luminaire::{Angle, CompiledSpot, Cone, Fx16, Fx32, Hard, Profile, Rgb, Scalar, Soft, Spot, Vec3};
+use luminaire::{
+    Angle, Cone, Fx16, Fx32, Rgb, Scalar, SpotLight, Vec3,
+    falloff::{Falloff, Hard, Soft},
+    light::CompiledSpotLight,
+};
 
 const POINTS: usize = 4096;
 
@@ -33,16 +37,16 @@ fn floor<S: Scalar>() -> Floor<S> {
     }
 }
 
-fn spot<P: Profile>(profile: P) -> Spot<P> {
+fn spot<P: Falloff>(profile: P) -> SpotLight<P> {
     let cone = Cone::from_field(profile, Angle::degrees(26.0)).expect("a sound angle");
-    Spot::new(Vec3::new(0.3, 4.0, 0.2), Vec3::new(-0.05, -1.0, 0.0), cone)
+    SpotLight::new(Vec3::new(0.3, 4.0, 0.2), Vec3::new(-0.05, -1.0, 0.0), cone)
         .and_then(|spot| spot.with_intensity(16.0))
         .and_then(|spot| spot.with_color(Rgb::new(1.0, 0.8, 0.6)))
         .expect("a sound light")
 }
 
 /// Lights the floor point by point.
-fn light_singly<S: Scalar, P: Profile>(spot: &CompiledSpot<S, P>, floor: &mut Floor<S>) {
+fn light_singly<S: Scalar, P: Falloff>(spot: &CompiledSpotLight<S, P>, floor: &mut Floor<S>) {
     let (point, normal, color) = (&floor.point, &floor.normal, spot.color());
     let (red, green, blue) =
         (&mut floor.light.red[..POINTS], &mut floor.light.green[..POINTS], &mut floor.light.blue[..POINTS]);
@@ -57,7 +61,7 @@ fn light_singly<S: Scalar, P: Profile>(spot: &CompiledSpot<S, P>, floor: &mut Fl
 }
 
 /// Lights the floor in one call.
-fn light_batch<S: Scalar, P: Profile>(spot: &CompiledSpot<S, P>, floor: &mut Floor<S>) {
+fn light_batch<S: Scalar, P: Falloff>(spot: &CompiledSpotLight<S, P>, floor: &mut Floor<S>) {
     let Floor { point, normal, light } = floor;
     let Rgb { red, green, blue } = light;
     spot.add_each(columns(point), columns(normal), Rgb::new(red, green, blue));
@@ -67,11 +71,11 @@ fn columns<T>(columns: &Vec3<Vec<T>>) -> Vec3<&[T]> {
     Vec3::new(&columns.x, &columns.y, &columns.z)
 }
 
-fn bench<S: Scalar, P: Profile>(
+fn bench<S: Scalar, P: Falloff>(
     criterion: &mut Criterion,
     name: &str,
     profile: P,
-    light: fn(&CompiledSpot<S, P>, &mut Floor<S>),
+    light: fn(&CompiledSpotLight<S, P>, &mut Floor<S>),
 ) {
     let spot = spot(profile).compile::<S>().expect("held");
     let mut lit = floor::<S>();
@@ -87,7 +91,7 @@ fn bench<S: Scalar, P: Profile>(
 }
 
 /// Lights the floor by a plain loop, with a formula of the cosine of the angle off axis for the cone.
-fn light_plainly(floor: &mut Floor<f32>, spot: &Spot<Soft>, cone: impl Fn(f32) -> f32) {
+fn light_plainly(floor: &mut Floor<f32>, spot: &SpotLight<Soft>, cone: impl Fn(f32) -> f32) {
     let (position, axis, color) = (spot.position(), spot.axis(), spot.color());
     let (x, y, z) = (&floor.point.x[..POINTS], &floor.point.y[..POINTS], &floor.point.z[..POINTS]);
     let (nx, ny, nz) = (&floor.normal.x[..POINTS], &floor.normal.y[..POINTS], &floor.normal.z[..POINTS]);

@@ -10,7 +10,7 @@ use std::{
     time::{Duration, Instant},
 };
 
-use luminaire::{Angle, Cone, Falloff, Soft};
+use luminaire::{Angle, Cone, falloff::Soft, light::CompiledCone};
 
 /// What the paper states.
 const PAPER: f64 = 47.7;
@@ -20,7 +20,7 @@ const DIRECTIONS: usize = 4096;
 
 /// A call that is not inlined, as `pow` is called.
 #[inline(never)]
-fn at(soft: &Falloff<f32, Soft>, versine: f32) -> f32 {
+fn at(soft: &CompiledCone<f32, Soft>, versine: f32) -> f32 {
     soft.at(versine)
 }
 
@@ -39,7 +39,7 @@ fn main() {
     let calls: usize = if std::env::var_os("LUMINAIRE_FULL").is_some() { 1_000_000_000 } else { 100_000_000 };
     let passes = calls.div_ceil(DIRECTIONS);
     let cone = Cone::from_field(Soft, Angle::degrees(15.0)).expect("a sound angle");
-    let soft: Falloff<f32, Soft> = cone.compile().expect("held");
+    let soft: CompiledCone<f32, Soft> = cone.compile().expect("held");
     let outer = cone.outer_versine();
     let versines: Vec<f32> = (0..DIRECTIONS).map(|i| outer * i as f32 / DIRECTIONS as f32).collect();
     let cosines: Vec<f32> = versines.iter().map(|versine| 1.0 - versine).collect();

@@ -8,7 +8,11 @@
 use std::{hint::black_box, ops::Range, time::Instant};
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use luminaire::{Angle, Fx16, Fx32, Lamp, Luminaire, Projection, Vec3};
+use luminaire::{
+    Angle, Fx16, Fx32, Vec3,
+    dynamic::AnyLight,
+    projector::{Fixture, Projection},
+};
 use luminaire_render::{
     Camera, Format, Renderer, Scene, ShadowMap,
     examples::{Example, Setup, turntable},
@@ -22,12 +26,12 @@ struct Bench<S: Format> {
     renderer: Renderer<S>,
     scene: Scene,
     cameras: [Camera; 2],
-    lights: [Vec<Luminaire>; 2],
+    lights: [Vec<Fixture>; 2],
 }
 
 impl<S: Format> Bench<S> {
     /// Draws a picture once, and asserts which part of it is lit.
-    fn new(scene: Scene, camera: Camera, lights: [Vec<Luminaire>; 2], lit: Range<f32>) -> Self {
+    fn new(scene: Scene, camera: Camera, lights: [Vec<Fixture>; 2], lit: Range<f32>) -> Self {
         let mut beside = camera;
         beside.orbit(0.01, 0.0);
         let renderer = Renderer::new(SIZE.0, SIZE.1).expect("a sound size");
@@ -44,7 +48,7 @@ impl<S: Format> Bench<S> {
     /// The stage under so many spots.
     fn stage(spots: usize) -> Self {
         let lights = stage::lights().expect("sound lights").into_iter().cycle().take(spots);
-        let lights: Vec<Luminaire> = lights.map(Luminaire::from).collect();
+        let lights: Vec<Fixture> = lights.map(Fixture::from).collect();
         Self::new(
             stage::scene().expect("a sound scene"),
             stage::camera(),
@@ -65,9 +69,11 @@ impl<S: Format> Bench<S> {
 }
 
 /// The same spotlights, each a thousandth brighter.
-fn brighter(lights: &[Luminaire]) -> Vec<Luminaire> {
-    let brighter = |light: &Luminaire| match light.lamp() {
-        Lamp::Spot(spot) => spot.with_intensity(1.001 * spot.intensity()).expect("a sound intensity").into(),
+fn brighter(lights: &[Fixture]) -> Vec<Fixture> {
+    let brighter = |light: &Fixture| match light.lamp() {
+        AnyLight::Spot(spot) => {
+            spot.with_intensity(1.001 * spot.intensity()).expect("a sound intensity").into()
+        }
         other => panic!("{other:?}"),
     };
     lights.iter().map(brighter).collect()
@@ -93,13 +99,12 @@ fn scenes(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("render");
     group.throughput(Throughput::Elements((SIZE.0 * SIZE.1) as u64));
     group.sample_size(20);
-    let mut bench =
-        |name: &str, setup: Setup, next: &dyn Fn(&[Luminaire]) -> Vec<Luminaire>, lit: Range<f32>| {
-            let lights = setup.luminaires_at(0.0).expect("sound lights");
-            let lights = [next(&lights), lights];
-            let mut bench = Bench::<f32>::new(setup.scene, setup.camera, lights, lit);
-            group.bench_function(name, |bencher| bencher.iter(|| bench.draw_light()));
-        };
+    let mut bench = |name: &str, setup: Setup, next: &dyn Fn(&[Fixture]) -> Vec<Fixture>, lit: Range<f32>| {
+        let lights = setup.luminaires_at(0.0).expect("sound lights");
+        let lights = [next(&lights), lights];
+        let mut bench = Bench::<f32>::new(setup.scene, setup.camera, lights, lit);
+        group.bench_function(name, |bencher| bencher.iter(|| bench.draw_light()));
+    };
     for (name, example) in [("grid", Example::Grid), ("wide grid", Example::WideGrid)] {
         bench(name, example.setup().expect("a sound scene"), &brighter, 0.2..0.35);
     }

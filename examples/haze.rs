@@ -5,7 +5,12 @@
 
 use std::io::{self, BufWriter};
 
-use luminaire::{Angle, Cone, Hard, Haze, Profile, Rgb, Soft, Spot, Vec3, ViewRay, clip, encode_srgb};
+use luminaire::{
+    Angle, Cone, Rgb, SpotLight, Vec3,
+    display::{clip, encode_srgb},
+    falloff::{Falloff, Hard, Soft},
+    haze::{Haze, ViewRay},
+};
 
 const WIDTH: usize = 960;
 const HEIGHT: usize = 400;
@@ -15,9 +20,9 @@ const EYE: Vec3<f32> = Vec3::new(0.0, 1.7, 8.0);
 type Beam = Box<dyn Fn(&ViewRay) -> Rgb<f32>>;
 
 /// A spotlight from one point to another.
-fn beam<P: Profile + 'static>(from: [f32; 3], to: [f32; 3], cone: Cone<P>, color: Rgb<f32>) -> Beam {
+fn beam<P: Falloff + 'static>(from: [f32; 3], to: [f32; 3], cone: Cone<P>, color: Rgb<f32>) -> Beam {
     let [from, to] = [from, to].map(|[x, y, z]| Vec3::new(x, y, z));
-    let spot = Spot::new(from, to.zip(from, |t, f| t - f), cone)
+    let spot = SpotLight::new(from, to.zip(from, |t, f| t - f), cone)
         .and_then(|spot| spot.with_intensity(120.0))
         .and_then(|spot| spot.with_color(color)?.compile::<f32>())
         .expect("a sound light");
@@ -28,7 +33,7 @@ fn beam<P: Profile + 'static>(from: [f32; 3], to: [f32; 3], cone: Cone<P>, color
     })
 }
 
-fn cone<P: Profile>(profile: P, field: f32) -> Cone<P> {
+fn cone<P: Falloff>(profile: P, field: f32) -> Cone<P> {
     Cone::from_field(profile, Angle::degrees(field)).expect("a sound angle")
 }
 

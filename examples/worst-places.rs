@@ -3,11 +3,11 @@
 //!
 //! `cargo run -p suite --example worst-places > tests/worst/places.txt`
 
-use luminaire::{Fx16, Fx32, Profile};
+use luminaire::{Fx16, Fx32, falloff::Falloff};
 use support::with_every_shape;
 use support::{format::Format, profiles::Shape, worst};
 
-fn find<S: Format, P: Profile>(shape: &Shape<P>) {
+fn find<S: Format, P: Falloff>(shape: &Shape<P>) {
     if worst::is_smooth(shape) {
         for half_degrees in [worst::narrowest::<S, P>(shape), 30.0] {
             println!("{}", worst::search::<S, P>(shape, half_degrees));

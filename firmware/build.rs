@@ -9,7 +9,7 @@ use std::error::Error;
 use std::path::Path;
 use std::{env, fs};
 
-use luminaire::{Ambient, Angle, Cone, Fx16, Material, Rgb, Scalar, Soft, Source, Spot, Vec3};
+use luminaire::{AmbientLight, Angle, Cone, Fx16, Material, Rgb, Scalar, SpotLight, Vec3, codegen::Source, falloff::Soft};
 
 /// The linear colours of the wall, a light tile, a dark one, the ball and the column of the program `frame`.
 const MATERIALS: [[f32; 3]; 5] =
@@ -30,7 +30,7 @@ fn main() -> Outcome {
 fn still() -> Outcome {
     let cone = Cone::from_field(Soft, Angle::degrees(50.0))?;
     let key =
-        Spot::new(Vec3::new(-1.0, 3.0, -0.5), Vec3::new(0.3, -1.0, 0.15), cone)?.with_intensity(10.0)?;
+        SpotLight::new(Vec3::new(-1.0, 3.0, -0.5), Vec3::new(0.3, -1.0, 0.15), cone)?.with_intensity(10.0)?;
     write("key.rs", &key.compile::<Fx16>()?)
 }
 
@@ -39,9 +39,9 @@ fn frame() -> Outcome {
     let cone = Cone::from_field(Soft, Angle::degrees(44.0))?;
     let [x, y, z] = measures::LAMP;
     let axis = Vec3::new(0.125 - x, 0.375 - y, -0.375 - z);
-    let key = Spot::new(Vec3::new(x, y, z), axis, cone)?.with_intensity(24.0)?;
+    let key = SpotLight::new(Vec3::new(x, y, z), axis, cone)?.with_intensity(24.0)?;
     let color = Rgb::new(1.0, 0.8, 0.55);
-    let ambient = Ambient::new(Rgb::new(0.03, 0.04, 0.075))?.compile::<Fx16>();
+    let ambient = AmbientLight::new(Rgb::new(0.03, 0.04, 0.075))?.compile::<Fx16>();
     let mut glow = MATERIALS.map(|_| Rgb::default());
     let mut tint = MATERIALS.map(|_| Rgb::default());
     for (index, [red, green, blue]) in MATERIALS.into_iter().enumerate() {

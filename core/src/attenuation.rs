@@ -2,15 +2,15 @@
 //!
 //! | model | f(d) | source |
 //! |---|---|---|
-//! | [`Unattenuated`] | 1 | directional light brought to a place |
+//! | [`NoAttenuation`] | 1 | directional light brought to a place |
 //! | [`InverseSquare`] | `1 / d^2` | physics; the default |
 //! | [`Polynomial`] | `1 / (a0 + a1 d + a2 d^2)`, at most 1 | OpenGL and Direct3D 9; capped as lectures teach it |
 //! | [`SmoothRange`] | `t^2 (3 - 2t)` of `t = 1 - d/r` | the dual-cone spotlight, smoothstep from its range to 0 |
-//! | [`Windowed`] | `(1 - (d/r)^4) / d^2`, at least 0 | glTF's KHR_lights_punctual |
-//! | [`SquaredWindow`] | `(1 - (d/r)^4)^2 / d^2` within r | Filament, Bevy, three.js with decay 2 |
-//! | [`HardRange`] of a model | the model within r, 0 from there on | Direct3D 9 |
-//! | [`Faded`] of a model | the model times `(1 - (d/r)^4)^2` within r | Godot, and three.js with any decay |
-//! | [`Distance`] | one of the above | the choice at run time |
+//! | [`GltfRange`] | `(1 - (d/r)^4) / d^2`, at least 0 | glTF's KHR_lights_punctual |
+//! | [`FilamentRange`] | `(1 - (d/r)^4)^2 / d^2` within r | Filament, Bevy, three.js with decay 2 |
+//! | [`CutAt`] of a model | the model within r, 0 from there on | Direct3D 9 |
+//! | [`Windowed`] of a model | the model times `(1 - (d/r)^4)^2` within r | Godot, and three.js with any decay |
+//! | [`AnyAttenuation`] | one of the above | the choice at run time |
 //!
 //! A light that has no range says `None`, never 0. From its range on a light is exactly zero, and a point there is
 //! rejected by its squared distance, before a root is paid for: by the same number that the model itself compares, so
@@ -19,16 +19,16 @@
 mod any;
 mod ranged;
 
-pub(crate) use self::any::{CompiledDistance, with_attenuation};
+pub(crate) use self::any::{CompiledAnyAttenuation, with_attenuation};
 pub use self::{
-    any::Distance,
-    ranged::{Cut, Faded, GltfWindow, HardRange, Ranged, SquareWindow, SquaredWindow, Window, Windowed},
+    any::AnyAttenuation,
+    ranged::{Cut, CutAt, FilamentRange, GltfRange, GltfWindow, Ranged, SquareWindow, Window, Windowed},
 };
 
 use crate::{
     effect::{Effect, Effects},
-    error::{Accepted, Error, Parameter, check_between},
-    scalar::{Gain, Offset, Ray, Scalar, Share},
+    error::{Error, Expected, Parameter, check_between},
+    number::{Gain, Offset, Ray, Scalar, Share},
 };
 
 /// A distance model. The type decides which one is compiled in: there is no branch per point, and a model that is not
@@ -81,7 +81,7 @@ pub trait Attenuation: Copy + PartialEq + core::fmt::Debug {
 
 /// No fall with distance.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
-pub struct Unattenuated;
+pub struct NoAttenuation;
 
 /// The inverse-square law, which is the default: an intensity of 1 lights a facing surface at distance 1 to full scale.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
@@ -110,7 +110,7 @@ fn checked_range(range: f32) -> Result<f32, Error> {
     if (least..=most).contains(&range) {
         Ok(range)
     } else {
-        let accepted = Accepted::RangeBetween(least, most);
+        let accepted = Expected::RangeBetween(least, most);
         Err(Error { parameter: Parameter::Range, value: range, accepted })
     }
 }
@@ -167,7 +167,7 @@ impl SmoothRange {
     }
 }
 
-impl Attenuation for Unattenuated {
+impl Attenuation for NoAttenuation {
     type Constants<S: Scalar> = ();
 
     fn constants<S: Scalar>(self) {}

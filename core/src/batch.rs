@@ -12,11 +12,11 @@ use core::ops::Range;
 use crate::{
     attenuation::Attenuation,
     color::Rgb,
-    cone::Falloff,
-    profile::Profile,
-    scalar::{Fraction, Offset, Ray, Scalar},
-    shade::{CompiledPoint, CompiledSpot, Light, Surface},
-    specular::Matte,
+    cone::CompiledCone,
+    falloff::Falloff,
+    number::{Fraction, Offset, Ray, Scalar},
+    shade::{CompiledPointLight, CompiledSpotLight, LightModel, SurfacePoint},
+    specular::NoSpecular,
     vec3::Vec3,
 };
 
@@ -29,14 +29,14 @@ const BLOCK: usize = 64;
 struct Lanes<T>([T; BLOCK]);
 
 /// A light that stands somewhere.
-trait Batched<S: Scalar>: Light<S> {
+trait Batched<S: Scalar>: LightModel<S> {
     /// Where it stands.
     fn position(&self) -> Vec3<S::Length>;
     /// What arrives at a single point, in the form that suits a loop.
     #[inline(always)]
     fn irradiance(&self, point: Vec3<S::Length>, normal: Vec3<S>) -> S::Irradiance {
         let skips = !S::Offset::ROOTS_FIRST;
-        self.arrive::<Matte>(&Surface::matte(point, normal), &(), skips).diffuse
+        self.arrive::<NoSpecular>(&SurfacePoint::matte(point, normal), &(), skips).diffuse
     }
     /// The same, once the root is paid for.
     fn expose(
@@ -47,7 +47,7 @@ trait Batched<S: Scalar>: Light<S> {
     ) -> S::Irradiance;
 }
 
-impl<S: Scalar, P: Profile, A: Attenuation> Batched<S> for CompiledSpot<S, P, A> {
+impl<S: Scalar, P: Falloff, A: Attenuation> Batched<S> for CompiledSpotLight<S, P, A> {
     #[inline(always)]
     fn position(&self) -> Vec3<S::Length> {
         self.position
@@ -66,7 +66,7 @@ impl<S: Scalar, P: Profile, A: Attenuation> Batched<S> for CompiledSpot<S, P, A>
     }
 }
 
-impl<S: Scalar, A: Attenuation> Batched<S> for CompiledPoint<S, A> {
+impl<S: Scalar, A: Attenuation> Batched<S> for CompiledPointLight<S, A> {
     #[inline(always)]
     fn position(&self) -> Vec3<S::Length> {
         self.position
@@ -191,15 +191,15 @@ macro_rules! batch_methods {
     };
 }
 
-impl<S: Scalar, P: Profile, A: Attenuation> CompiledSpot<S, P, A> {
+impl<S: Scalar, P: Falloff, A: Attenuation> CompiledSpotLight<S, P, A> {
     batch_methods!();
 }
 
-impl<S: Scalar, A: Attenuation> CompiledPoint<S, A> {
+impl<S: Scalar, A: Attenuation> CompiledPointLight<S, A> {
     batch_methods!();
 }
 
-impl<S: Scalar, P: Profile> Falloff<S, P> {
+impl<S: Scalar, P: Falloff> CompiledCone<S, P> {
     /// The intensity at each of many versines: to the bit what [`at`](Self::at) gives for one. As many as the shorter
     /// slice has.
     pub fn at_each(&self, versines: &[S::Versine], intensities: &mut [S]) {

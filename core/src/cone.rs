@@ -1,15 +1,15 @@
 //! Cones of light: designed from the angle that a data sheet gives, compiled to a falloff that knows no angles.
 
-mod falloff;
+mod compiled;
 mod two_angles;
 
-pub use self::falloff::Falloff;
+pub use self::compiled::CompiledCone;
 
 use crate::{
     angle::Angle,
-    error::{Accepted, Error, Parameter},
-    profile::{Edge, Power, Profile},
-    scalar::{HALF_A_CODE, Scalar, Slopes, float::positive},
+    error::{Error, Expected, Parameter},
+    falloff::{Falloff, Power, SoftOrHard},
+    number::{HALF_A_CODE, Scalar, Slopes, float::positive},
     search::bisect,
 };
 
@@ -26,14 +26,14 @@ use crate::{
 /// All are full angles.
 ///
 /// ```
-/// use luminaire::{Angle, Cone, Soft};
+/// use luminaire::{Angle, Cone, falloff::Soft};
 /// let cone = Cone::from_field(Soft, Angle::degrees(15.0))?;
 /// assert!((cone.beam().to_degrees() - 9.81).abs() < 0.005);
 /// assert!((cone.outer().to_degrees() - 18.15).abs() < 0.005);
 /// # Ok::<(), luminaire::Error>(())
 /// ```
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct Cone<P = Edge> {
+pub struct Cone<P = SoftOrHard> {
     profile: P,
     /// The versine of the inner half angle, in [0, outer]; 0 without a hotspot.
     inner: f32,
@@ -43,7 +43,7 @@ pub struct Cone<P = Edge> {
     limit: f32,
 }
 
-impl<P: Profile> Cone<P> {
+impl<P: Falloff> Cone<P> {
     /// The cone that has a tenth of its intensity left at this angle.
     ///
     /// # Errors
@@ -78,7 +78,7 @@ impl<P: Profile> Cone<P> {
         if angle > Angle::degrees(0.0) && angle <= largest && outer >= f32::MIN_POSITIVE {
             Ok(Self::open(profile, 0.0, outer.min(1.0)))
         } else {
-            let accepted = Accepted::AngleUpTo(largest.to_degrees());
+            let accepted = Expected::AngleUpTo(largest.to_degrees());
             Err(Error { parameter, value: angle.to_degrees(), accepted })
         }
     }
@@ -99,7 +99,7 @@ impl<P: Profile> Cone<P> {
         if angle >= Angle::degrees(0.0) && angle <= Angle::degrees(180.0) && inner <= self.outer {
             Ok(Self { inner, ..self })
         } else {
-            let accepted = Accepted::AngleBetween(0.0, Angle::from_versine(self.outer).to_degrees());
+            let accepted = Expected::AngleBetween(0.0, Angle::from_versine(self.outer).to_degrees());
             Err(Error { parameter: Parameter::InnerAngle, value: angle.to_degrees(), accepted })
         }
     }
@@ -116,7 +116,7 @@ impl<P: Profile> Cone<P> {
         if angle > Angle::degrees(0.0) && angle <= Angle::degrees(180.0) && range.contains(&limit) {
             Ok(Self { limit, ..self })
         } else {
-            let accepted = Accepted::AngleUpTo(Angle::from_versine(self.outer).to_degrees());
+            let accepted = Expected::AngleUpTo(Angle::from_versine(self.outer).to_degrees());
             Err(Error { parameter: Parameter::DelimiterAngle, value: angle.to_degrees(), accepted })
         }
     }
@@ -170,7 +170,7 @@ impl<P: Profile> Cone<P> {
     }
 
     /// The same cone with another type of profile: what turns a choice made at run time into a type.
-    pub fn with_profile<Q: Profile>(&self, profile: Q) -> Cone<Q> {
+    pub fn with_profile<Q: Falloff>(&self, profile: Q) -> Cone<Q> {
         Cone { profile, inner: self.inner, outer: self.outer, limit: self.limit }
     }
 
@@ -213,11 +213,11 @@ impl<P: Profile> Cone<P> {
     /// # Errors
     /// A cone narrower than [`Cone::narrowest`] of its profile in this format, a hotspot that makes its edge too
     /// steep, or a delimiter that is too narrow.
-    pub fn compile<S: Scalar>(&self) -> Result<Falloff<S, P>, Error> {
+    pub fn compile<S: Scalar>(&self) -> Result<CompiledCone<S, P>, Error> {
         self.check::<S>()?;
         let Self { inner, outer, limit, .. } = *self;
         let ramp = if self.coarse_error::<S>() <= HALF_A_CODE { S::ramp } else { S::fine_ramp };
-        Ok(Falloff::new(ramp(inner, outer, limit), self.profile))
+        Ok(CompiledCone::new(ramp(inner, outer, limit), self.profile))
     }
 
     /// That of [`Scalar::coarse_error`].
@@ -238,17 +238,17 @@ impl<P: Profile> Cone<P> {
         let is_step = self.inner >= self.outer;
         let least = if is_step { step } else { Self::narrowest::<S>(self.profile) };
         if outer < least {
-            return refused(Parameter::OuterAngle, outer, Accepted::AngleFrom(least.to_degrees()));
+            return refused(Parameter::OuterAngle, outer, Expected::AngleFrom(least.to_degrees()));
         }
         if self.outer() < step {
-            return refused(Parameter::DelimiterAngle, self.outer(), Accepted::AngleFrom(step.to_degrees()));
+            return refused(Parameter::DelimiterAngle, self.outer(), Expected::AngleFrom(step.to_degrees()));
         }
         let holds = |inner| outer >= narrowest::<S>(&self.slopes(inner));
         if holds(self.inner) {
             return Ok(());
         }
         let widest = Angle::from_versine(bisect(0.0, self.inner, holds));
-        refused(Parameter::InnerAngle, self.inner(), Accepted::AngleBetween(0.0, widest.to_degrees()))
+        refused(Parameter::InnerAngle, self.inner(), Expected::AngleBetween(0.0, widest.to_degrees()))
     }
 }
 
@@ -262,7 +262,7 @@ impl<const N: u32> Cone<Power<N>> {
     /// [`Power`], and the cutoff a delimiter, where the light jumps as it does in OpenGL.
     ///
     /// ```
-    /// use luminaire::{Cone, HalfAngle, Power};
+    /// use luminaire::{Cone, HalfAngle, falloff::Power};
     /// let cone = Cone::<Power<32>>::opengl(HalfAngle::degrees(30.0))?;
     /// assert!((cone.beam().to_degrees() / 2.0 - 11.88).abs() < 0.01);
     /// # Ok::<(), luminaire::Error>(())
@@ -276,7 +276,7 @@ impl<const N: u32> Cone<Power<N>> {
 }
 
 /// The slopes of a profile around a hotspot whose versine is that share of the outer one, in [0, 1).
-fn slopes<P: Profile>(profile: P, hotspot: f32) -> Slopes {
+fn slopes<P: Falloff>(profile: P, hotspot: f32) -> Slopes {
     /// So narrow a rim that all of it is at the edge, where the slope over the argument is half of that over the angle.
     const RIM: f32 = 1.0 / 1024.0;
     let fraction = profile.steepness(1.0 - RIM) * RIM / 2.0;

@@ -75,7 +75,7 @@ falloffs! { effects! [
 /// A set of effects.
 ///
 /// ```
-/// use luminaire::{Effect, Effects};
+/// use luminaire::dynamic::{Effect, Effects};
 /// let effects = Effects::NONE.with(Effect::Soft).with(Effect::Spot);
 /// assert!(effects.has(Effect::Soft) && !effects.has(Effect::Gobo));
 /// assert_eq!(effects.to_string(), "spot, soft");

@@ -7,7 +7,7 @@ use core::fmt;
 /// Only construction returns it; evaluation never fails. Its message names parameter, value and remedy:
 ///
 /// ```
-/// use luminaire::{Angle, Cone, Soft};
+/// use luminaire::{Angle, Cone, falloff::Soft};
 /// let refused = Cone::from_field(Soft, Angle::degrees(400.0)).unwrap_err();
 /// assert_eq!(
 ///     refused.to_string(),
@@ -21,7 +21,7 @@ pub struct Error {
     /// The value that was given; of a vector the component at fault, or its length.
     pub value: f32,
     /// What is accepted.
-    pub accepted: Accepted,
+    pub accepted: Expected,
 }
 
 /// The name of a parameter, in the words of the field.
@@ -100,7 +100,7 @@ pub enum Parameter {
     Theta,
     /// `Phi` of Direct3D 9, the full outer angle in radians.
     Phi,
-    /// `Falloff` of Direct3D 9, an exponent.
+    /// `CompiledCone` of Direct3D 9, an exponent.
     Falloff,
     /// `innerConeAngle` of glTF, a half angle in radians.
     InnerConeAngle,
@@ -121,7 +121,7 @@ pub enum Parameter {
 /// What a parameter may be.
 #[derive(Clone, Copy, PartialEq, Debug)]
 #[non_exhaustive]
-pub enum Accepted {
+pub enum Expected {
     /// A full angle in degrees: more than 0 and at most this.
     AngleUpTo(f32),
     /// A full angle in degrees: at least this, the narrowest that the number format can hold.
@@ -195,7 +195,7 @@ impl fmt::Display for Parameter {
     }
 }
 
-impl fmt::Display for Accepted {
+impl fmt::Display for Expected {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             // Limits are rounded inwards, so that the angle in the message is itself accepted.
@@ -239,7 +239,7 @@ pub(crate) fn check_between(parameter: Parameter, value: f32, least: f32, most: 
     if (least..=most).contains(&value) {
         Ok(())
     } else {
-        Err(Error { parameter, value, accepted: Accepted::Between(least, most) })
+        Err(Error { parameter, value, accepted: Expected::Between(least, most) })
     }
 }
 
@@ -248,7 +248,7 @@ pub(crate) fn check_up_to(parameter: Parameter, value: f32, most: f32) -> Result
     if value > 0.0 && value <= most {
         Ok(())
     } else {
-        Err(Error { parameter, value, accepted: Accepted::UpTo(most) })
+        Err(Error { parameter, value, accepted: Expected::UpTo(most) })
     }
 }
 

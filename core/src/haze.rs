@@ -42,9 +42,10 @@ mod beam;
 mod bundle;
 mod parts;
 mod quadrature;
+mod rays;
 mod stretch;
 
-pub use self::{beam::HazyBeam, bundle::ViewBundle, parts::AirFilter};
+pub use self::{beam::BeamScattering, bundle::RayBundle, parts::TransmittanceFn, rays::ViewRays};
 
 use crate::{
     error::{Error, Parameter, check_between},
@@ -55,9 +56,9 @@ use crate::{
 /// Thin haze that fills the scene evenly.
 ///
 /// ```
-/// use luminaire::{Angle, Cone, Haze, Soft, Spot, Vec3, ViewRay};
+/// use luminaire::{Angle, Cone, SpotLight, Vec3, falloff::Soft, haze::{Haze, ViewRay}};
 /// let cone = Cone::from_field(Soft, Angle::degrees(15.0))?;
-/// let spot = Spot::new(Vec3::new(0.0, 4.0, 0.0), Vec3::new(0.0, -1.0, 0.0), cone)?.with_intensity(16.0)?;
+/// let spot = SpotLight::new(Vec3::new(0.0, 4.0, 0.0), Vec3::new(0.0, -1.0, 0.0), cone)?.with_intensity(16.0)?;
 /// let beam = spot.compile::<f32>()?.in_haze(&Haze::new(0.02)?);
 ///
 /// // From the side, through the beam and past it.

@@ -57,8 +57,8 @@
 //! # One type
 //!
 //! A light that is imported may have any profile and any distance model, so that both are chosen at
-//! run time ([`Matched`], [`Distance`]) and cost a branch per point. A renderer that minds makes a
-//! [`Lamp`](crate::Lamp) of it, which branches once per light.
+//! run time ([`AnyFalloff`], [`AnyAttenuation`]) and cost a branch per point. A renderer that minds makes a
+//! [`AnyLight`](crate::Lamp) of it, which branches once per light.
 
 mod direct3d;
 mod fall;
@@ -80,11 +80,11 @@ pub use self::{
 use self::fall::Fall;
 use crate::{
     angle::Angle,
-    attenuation::Distance,
+    attenuation::AnyAttenuation,
     cone::Cone,
     error::Error,
-    light::Spot,
-    profile::{CutOff, Matched},
+    falloff::{AnyFalloff, Step},
+    light::SpotLight,
     vec3::Vec3,
 };
 
@@ -137,9 +137,9 @@ impl Difference {
 }
 
 /// The ramp of a profile from an outer angle to an inner one; a step where the two are one.
-fn ramp(profile: Matched, inner: Angle, outer: Angle) -> Result<Cone<Matched>, Error> {
+fn ramp(profile: AnyFalloff, inner: Angle, outer: Angle) -> Result<Cone<AnyFalloff>, Error> {
     if inner >= outer {
-        Cone::from_outer(Matched::CutOff(CutOff), outer)
+        Cone::from_outer(AnyFalloff::Step(Step), outer)
     } else {
         Cone::from_outer(profile, outer)?.with_inner(inner)
     }
@@ -149,11 +149,11 @@ fn ramp(profile: Matched, inner: Angle, outer: Angle) -> Result<Cone<Matched>, E
 fn spot(
     position: Vec3<f32>,
     direction: Vec3<f32>,
-    cone: Cone<Matched>,
+    cone: Cone<AnyFalloff>,
     difference: Difference,
     fall: Fall,
-) -> Result<Imported<Spot<Matched, Distance>>, Error> {
-    let light = Spot::new(position, direction, cone)?.with_intensity(fall.intensity)?;
+) -> Result<Imported<SpotLight<AnyFalloff, AnyAttenuation>>, Error> {
+    let light = SpotLight::new(position, direction, cone)?.with_intensity(fall.intensity)?;
     let difference = difference.with_distance(fall.difference);
     Ok(Imported { light: light.with_attenuation(fall.distance), difference })
 }

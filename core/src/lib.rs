@@ -9,11 +9,11 @@
 //! Soft and Hard Edged Spotlights*, WSCG 2004 Short Communications, pages 95 to 100.
 //!
 //! ```
-//! use luminaire::{Angle, Cone, Fx16, Scalar, Soft, Spot, Vec3};
+//! use luminaire::{Angle, Cone, Fx16, Scalar, SpotLight, Vec3, falloff::Soft};
 //!
 //! // A Fresnel with a field angle of 15 degrees, four metres above the origin, pointing down.
 //! let cone = Cone::from_field(Soft, Angle::degrees(15.0))?;
-//! let spot = Spot::new(Vec3::new(0.0, 4.0, 0.0), Vec3::new(0.0, -1.0, 0.0), cone)?.with_intensity(16.0)?;
+//! let spot = SpotLight::new(Vec3::new(0.0, 4.0, 0.0), Vec3::new(0.0, -1.0, 0.0), cone)?.with_intensity(16.0)?;
 //!
 //! // Angles enter, coefficients leave: from here on there is no trigonometry, no division and, in fixed point, no float.
 //! let lit = spot.compile::<Fx16>()?;
@@ -28,8 +28,8 @@
 //!
 //! # The way of the data
 //!
-//! [`Angle`] → [`Cone`] (designed from its outer, beam or field angle, or from the last two) → [`Spot`] (placed,
-//! coloured, validated) → [`CompiledSpot`] (constants of one number format) → irradiance at a point. Construction
+//! [`Angle`] → [`Cone`] (designed from its outer, beam or field angle, or from the last two) → [`SpotLight`] (placed,
+//! coloured, validated) → [`CompiledSpotLight`] (constants of one number format) → irradiance at a point. Construction
 //! validates and returns an [`Error`] that names the parameter; evaluation is defined for every bit pattern and
 //! never fails.
 //!
@@ -92,62 +92,40 @@
 extern crate std;
 
 mod angle;
-mod attenuation;
+mod any_light;
+pub mod attenuation;
 mod batch;
+pub mod codegen;
 mod color;
 mod cone;
+pub mod display;
+pub mod dynamic;
 mod effect;
-mod error;
-mod gobo;
-mod haze;
+pub mod error;
+pub mod falloff;
+pub mod haze;
 pub mod import;
-mod lamp;
-mod light;
-mod luminaire;
+pub mod light;
 mod material;
 mod models;
+pub mod number;
 mod plan;
-mod profile;
-mod projection;
-mod scalar;
+pub mod projector;
 mod search;
 mod shade;
-mod shadow;
-pub mod source;
-mod specular;
+pub mod specular;
 mod trig;
 mod vec3;
 
 pub use angle::{Angle, HalfAngle};
-pub use attenuation::{
-    Attenuation, Cut, Distance, Faded, GltfWindow, HardRange, InverseSquare, Polynomial, Ranged, SmoothRange,
-    SquareWindow, SquaredWindow, Unattenuated, Window, Windowed,
-};
-pub use color::{
-    CompiledExposure, Exposure, Rgb, Rgb565, clip, decode_srgb, encode_srgb, encode_srgb_dithered, keep_hue,
-};
-pub use cone::{Cone, Falloff};
-pub use effect::{Effect, Effects};
-pub use error::{Accepted, Error, Parameter};
-pub use gobo::{CompiledGobo, Gobo};
-pub use haze::{AirFilter, Haze, HazyBeam, ViewBundle, ViewRay};
-pub use lamp::{CompiledLamp, Lamp, Surfaces, ViewRays};
-pub use light::{Ambient, Directional, Point, Spot};
-pub use luminaire::Luminaire;
-pub use material::{CompiledMaterial, Material};
-pub use plan::Plan;
-pub use profile::{
-    Blend, Cubic, Curve, CutOff, Edge, Fitted, Formula, Hard, IntegerPower, IntegerRim, Linear, Matched,
-    MixedPower, MixedRim, Power, Profile, RealPower, RealRim, Rim, Smooth, Soft, Table,
-};
-pub use projection::{CompiledProjection, Projection};
-pub use scalar::{Fraction, Gain, Knot, Offset, Place, Ray, Rise, Scalar, Share, Slopes, Word};
+pub use color::Rgb;
+pub use cone::Cone;
+pub use error::Error;
+pub use light::{AmbientLight, DirectionalLight, PointLight, SpotLight};
+pub use material::Material;
+pub use number::Scalar;
 #[cfg(feature = "fixed")]
-pub use scalar::{Fx16, Fx32};
-pub use shade::{Arrival, CompiledDirectional, CompiledPoint, CompiledSpot, Light, Surface};
-pub use shadow::Shadow;
-pub use source::Source;
-pub use specular::{BlinnPhong, DualCone, Highlight, Lyon, Matte, Phong, Specular};
+pub use number::{Fx16, Fx32};
 pub use vec3::Vec3;
 
 /// The README's example is a test.

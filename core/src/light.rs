@@ -8,12 +8,19 @@ mod directional;
 mod point;
 mod spot;
 
-pub use self::{ambient::Ambient, directional::Directional, point::Point, spot::Spot};
+pub use self::{ambient::AmbientLight, directional::DirectionalLight, point::PointLight, spot::SpotLight};
+pub use crate::{
+    cone::CompiledCone,
+    material::CompiledMaterial,
+    shade::{
+        CompiledDirectionalLight, CompiledPointLight, CompiledSpotLight, Incident, LightModel, SurfacePoint,
+    },
+};
 
 use crate::{
     color::{Rgb, checked_color},
-    error::{Accepted, Error, Parameter, check_between},
-    scalar::Scalar,
+    error::{Error, Expected, Parameter, check_between},
+    number::Scalar,
     trig,
     vec3::Vec3,
 };
@@ -121,7 +128,7 @@ impl Axis {
     fn new(parameter: Parameter, vector: Vec3<f32>) -> Result<(Self, f32), Error> {
         let length = trig::sqrt(vector.dot(vector));
         if !(1e-18..=1e18).contains(&length) {
-            return Err(Error { parameter, value: length, accepted: Accepted::Direction });
+            return Err(Error { parameter, value: length, accepted: Expected::Direction });
         }
         let [x, y, z] = [vector.x, vector.y, vector.z].map(f32::abs);
         let exponent = x.max(y).max(z).to_bits() >> 23;

@@ -2,10 +2,10 @@
 
 use crate::{
     color::{Rgb, checked_color},
-    error::{Accepted, Error, Parameter},
-    scalar::Scalar,
-    shade::{Light, Surface},
-    specular::{Matte, Specular},
+    error::{Error, Expected, Parameter},
+    number::Scalar,
+    shade::{LightModel, SurfacePoint},
+    specular::{NoSpecular, SpecularLobe},
 };
 
 /// A material: the parts of ambient, diffuse and specular light that it sends back, and the light that it gives itself.
@@ -14,22 +14,22 @@ use crate::{
 ///
 /// `I = emissive + ambient Ia + sum of f(d) spot [diffuse Is max(0, N.L) + specular Is lobe]`
 ///
-/// The type decides the highlight: a [`Matte`] material costs nothing for it.
+/// The type decides the highlight: a [`NoSpecular`] material costs nothing for it.
 ///
 /// ```
-/// use luminaire::{Angle, BlinnPhong, Cone, Material, Rgb, Soft, Spot, Surface, Vec3};
+/// use luminaire::{Angle, Cone, Material, Rgb, SpotLight, Vec3, falloff::Soft, light::SurfacePoint, specular::BlinnPhong};
 /// let red = Material::new(Rgb::new(0.8, 0.1, 0.1))?;
 /// let glazed = red.with_highlight(BlinnPhong, Rgb::new(0.5, 0.5, 0.5), 64)?.compile::<f32>();
 /// let cone = Cone::from_field(Soft, Angle::degrees(30.0))?;
-/// let spot = Spot::new(Vec3::new(0.0, 2.0, 0.0), Vec3::new(0.0, -1.0, 0.0), cone)?.with_intensity(4.0)?;
+/// let spot = SpotLight::new(Vec3::new(0.0, 2.0, 0.0), Vec3::new(0.0, -1.0, 0.0), cone)?.with_intensity(4.0)?;
 /// let (floor, up) = (Vec3::new(0.0, 0.0, 0.0), Vec3::new(0.0, 1.0, 0.0));
-/// let surface = Surface::seen_from(Vec3::new(0.0, 3.0, 0.0), floor, up);
+/// let surface = SurfacePoint::seen_from(Vec3::new(0.0, 3.0, 0.0), floor, up);
 /// let light = glazed.reflect(&surface, &spot.compile()?);
 /// assert!((light.red - 1.3).abs() < 1e-5 && (light.green - 0.6).abs() < 1e-5);
 /// # Ok::<(), luminaire::Error>(())
 /// ```
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct Material<H = Matte> {
+pub struct Material<H = NoSpecular> {
     ambient: Rgb<f32>,
     diffuse: Rgb<f32>,
     emissive: Rgb<f32>,
@@ -50,17 +50,17 @@ impl Material {
         checked_color(diffuse)?;
         let dark = Rgb::default();
         let (ambient, emissive, specular) = (diffuse, dark, dark);
-        Ok(Self { ambient, diffuse, emissive, specular, shininess: 0, highlight: Matte })
+        Ok(Self { ambient, diffuse, emissive, specular, shininess: 0, highlight: NoSpecular })
     }
 }
 
-impl<H: Specular> Material<H> {
+impl<H: SpecularLobe> Material<H> {
     /// The same material with a highlight: its kind, its linear colour and its shininess, the exponent of the lobe.
     ///
     /// # Errors
     /// A channel outside [0, 1]; a shininess over 1024, or under the least of its kind, which is 1 but for
-    /// [`Lyon`](crate::Lyon).
-    pub fn with_highlight<K: Specular>(
+    /// [`DifferenceForm`](crate::Lyon).
+    pub fn with_highlight<K: SpecularLobe>(
         &self,
         highlight: K,
         specular: Rgb<f32>,
@@ -71,7 +71,7 @@ impl<H: Specular> Material<H> {
             return Err(Error {
                 parameter: Parameter::Shininess,
                 value: shininess as f32,
-                accepted: Accepted::WholeBetween(K::LEAST_SHININESS, SHINIEST),
+                accepted: Expected::WholeBetween(K::LEAST_SHININESS, SHINIEST),
             });
         }
         let Self { ambient, diffuse, emissive, .. } = *self;
@@ -133,7 +133,7 @@ impl<H: Specular> Material<H> {
 
 /// A material compiled for the format `S`. Made by [`Material::compile`].
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct CompiledMaterial<S: Scalar, H: Specular = Matte> {
+pub struct CompiledMaterial<S: Scalar, H: SpecularLobe = NoSpecular> {
     pub(crate) ambient: Rgb<S>,
     pub(crate) diffuse: Rgb<S>,
     pub(crate) emissive: Rgb<S::Irradiance>,
@@ -141,8 +141,8 @@ pub struct CompiledMaterial<S: Scalar, H: Specular = Matte> {
     pub(crate) highlight: H::Constants<S>,
 }
 
-impl<S: Scalar, H: Specular> CompiledMaterial<S, H> {
-    /// The material of these parts, as [`source`](crate::source) writes them.
+impl<S: Scalar, H: SpecularLobe> CompiledMaterial<S, H> {
+    /// The material of these parts, as [`source`](crate::codegen) writes them.
     pub const fn from_parts(
         ambient: Rgb<S>,
         diffuse: Rgb<S>,
@@ -154,7 +154,7 @@ impl<S: Scalar, H: Specular> CompiledMaterial<S, H> {
     }
 
     /// What the surface shows without any lamp: `emissive + ambient Ia`, with `Ia` from
-    /// [`Ambient::compile`](crate::Ambient::compile).
+    /// [`AmbientLight::compile`](crate::Ambient::compile).
     #[inline(always)]
     pub fn glow(&self, ambient: Rgb<S::Irradiance>) -> Rgb<S::Irradiance> {
         self.emissive.plus::<S>(ambient.filtered::<S>(self.ambient))
@@ -164,18 +164,27 @@ impl<S: Scalar, H: Specular> CompiledMaterial<S, H> {
     /// arrive. What is skipped is exactly zero, so the answer has the bits of
     /// [`reflect_unskipped`](Self::reflect_unskipped).
     #[inline(always)]
-    pub fn reflect<L: Light<S>>(&self, surface: &Surface<S>, light: &L) -> Rgb<S::Irradiance> {
+    pub fn reflect<L: LightModel<S>>(&self, surface: &SurfacePoint<S>, light: &L) -> Rgb<S::Irradiance> {
         self.reflected(surface, light, true)
     }
 
     /// As [`reflect`](Self::reflect), with every step done for every point: the form without branches.
     #[inline(always)]
-    pub fn reflect_unskipped<L: Light<S>>(&self, surface: &Surface<S>, light: &L) -> Rgb<S::Irradiance> {
+    pub fn reflect_unskipped<L: LightModel<S>>(
+        &self,
+        surface: &SurfacePoint<S>,
+        light: &L,
+    ) -> Rgb<S::Irradiance> {
         self.reflected(surface, light, false)
     }
 
     #[inline(always)]
-    fn reflected<L: Light<S>>(&self, surface: &Surface<S>, light: &L, skips: bool) -> Rgb<S::Irradiance> {
+    fn reflected<L: LightModel<S>>(
+        &self,
+        surface: &SurfacePoint<S>,
+        light: &L,
+        skips: bool,
+    ) -> Rgb<S::Irradiance> {
         let arrived = light.arrive::<H>(surface, &self.highlight, skips);
         let diffuse = Rgb::lit::<S>(arrived.diffuse, light.color()).filtered::<S>(self.diffuse);
         if !H::SHINES {

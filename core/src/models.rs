@@ -8,7 +8,7 @@ macro_rules! falloffs {
         $consumer! {
             $($arguments)*
             /// A step.
-            CutOff(CutOff) = "cut-off", Ok(CutOff);
+            Step(Step) = "cut-off", Ok(Step);
             /// The straight ramp.
             Linear(Linear) = "linear", Ok(Linear);
             /// The square.
@@ -18,21 +18,21 @@ macro_rules! falloffs {
             /// Smoothstep.
             Smooth(Smooth) = "smooth", Ok(Smooth);
             /// A quadratic between soft and hard.
-            Blend(Blend) = "blend", Blend::new(0.5);
+            Quadratic(Quadratic) = "blend", Quadratic::new(0.5);
             /// A monotone cubic.
             Cubic(Cubic) = "cubic", Cubic::with_slopes(1.25, 3.5);
             /// An integer power.
             Power(IntegerPower) = "power", IntegerPower::new(15);
             /// An inverted integer power.
-            Rim(IntegerRim) = "rim", IntegerRim::new(4);
+            InvertedPower(InvertedIntegerPower) = "rim", InvertedIntegerPower::new(4);
             /// A mixture of two powers.
             MixedPower(MixedPower) = "mixed-power", MixedPower::new([1, 16], 0.375);
             /// A mixture of two inverted powers.
-            MixedRim(MixedRim) = "mixed-rim", MixedRim::new([2, 3], 0.5625);
+            InvertedMixedPower(InvertedMixedPower) = "mixed-rim", InvertedMixedPower::new([2, 3], 0.5625);
             /// A power of a real exponent.
             RealPower(RealPower) = "real-power", RealPower::new(2.2);
             /// An inverted power of a real exponent.
-            RealRim(RealRim) = "real-rim", RealRim::new(0.75);
+            InvertedRealPower(InvertedRealPower) = "real-rim", InvertedRealPower::new(0.75);
             /// Samples.
             Table(Table<'static>) = "table", Ok(Table::of(&[
                 65_535, 65_000, 63_211, 60_007, 51_234, 39_876, 24_321, 11_111, 3_210, 0,
@@ -48,19 +48,19 @@ macro_rules! attenuations {
         $consumer! {
             $($arguments)*
             /// No attenuation, cut off.
-            Constant(HardRange<Unattenuated>),
+            Constant(CutAt<NoAttenuation>),
             /// The inverse-square law, cut off.
-            InverseSquare(HardRange<InverseSquare>),
+            InverseSquare(CutAt<InverseSquare>),
             /// One over a polynomial, cut off.
-            Polynomial(HardRange<Polynomial>),
+            Polynomial(CutAt<Polynomial>),
             /// The inverse-square law in glTF's window.
-            Windowed(Windowed),
+            GltfRange(GltfRange),
             /// No attenuation, faded out.
-            FadedConstant(Faded<Unattenuated>),
+            WindowedConstant(Windowed<NoAttenuation>),
             /// The inverse-square law, faded out.
-            SquaredWindow(SquaredWindow),
+            FilamentRange(FilamentRange),
             /// One over a polynomial, faded out.
-            FadedPolynomial(Faded<Polynomial>),
+            WindowedPolynomial(Windowed<Polynomial>),
             /// Smoothstep to a range.
             SmoothRange(SmoothRange),
         }

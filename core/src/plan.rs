@@ -1,41 +1,41 @@
 //! The plan of a picture: which effects its lights and materials call for, and so what is left out.
 //!
 //! Left out is only what changes no bit of the picture: a light that can light nothing, a highlight of no colour, a
-//! factor of one. [`Plan::everything`] leaves nothing out, and gives the same picture: that is how a renderer is tested.
+//! factor of one. [`RenderPlan::everything`] leaves nothing out, and gives the same picture: that is how a renderer is tested.
 //!
 //! Where lights are constants of the program there is nothing to plan: their types say what is called for, and what no type
 //! names is not linked.
 
 use crate::{
+    any_light::{AnyLight, CompiledAnyLight},
     effect::{Effect, Effects},
     error::Error,
-    lamp::{CompiledLamp, Lamp},
-    light::Ambient,
-    luminaire::Luminaire,
+    light::AmbientLight,
     material::Material,
-    scalar::Scalar,
-    specular::Specular,
+    number::Scalar,
+    projector::Fixture,
+    specular::SpecularLobe,
 };
 
 /// Which effects a picture calls for.
 ///
 /// ```
-/// use luminaire::{Ambient, Angle, Cone, Effect, Hard, Luminaire, Material, Plan, Rgb, Spot, Vec3};
+/// use luminaire::{AmbientLight, Angle, Cone, Material, Rgb, SpotLight, Vec3, dynamic::{Effect, RenderPlan}, falloff::Hard, projector::Fixture};
 /// let cone = Cone::from_field(Hard, Angle::degrees(15.0))?;
-/// let spot = Luminaire::from(Spot::new(Vec3::new(0.0, 4.0, 0.0), Vec3::new(0.0, -1.0, 0.0), cone)?);
+/// let spot = Fixture::from(SpotLight::new(Vec3::new(0.0, 4.0, 0.0), Vec3::new(0.0, -1.0, 0.0), cone)?);
 /// let clay = Material::new(Rgb::new(0.8, 0.4, 0.2))?;
-/// let plan = Plan::new().with_luminaire(&spot).with_material(&clay);
+/// let plan = RenderPlan::new().with_luminaire(&spot).with_material(&clay);
 /// assert_eq!(plan.effects().to_string(), "diffuse, spot, hard, inverse-square");
-/// assert!(!plan.calls_for(Effect::Specular) && Plan::everything().calls_for(Effect::Specular));
+/// assert!(!plan.calls_for(Effect::Specular) && RenderPlan::everything().calls_for(Effect::Specular));
 /// # Ok::<(), luminaire::Error>(())
 /// ```
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
-pub struct Plan {
+pub struct RenderPlan {
     effects: Effects,
     leaves_nothing_out: bool,
 }
 
-impl Plan {
+impl RenderPlan {
     /// The plan of an empty picture, which calls for nothing.
     pub const fn new() -> Self {
         Self { effects: Effects::NONE, leaves_nothing_out: false }
@@ -54,20 +54,20 @@ impl Plan {
 
     /// The plan with ambient light, unless it is black.
     #[must_use]
-    pub fn with_ambient(self, ambient: &Ambient) -> Self {
+    pub fn with_ambient(self, ambient: &AmbientLight) -> Self {
         let is_dark = ambient.intensity() == 0.0 || ambient.color().is_black();
         if is_dark { self } else { self.with(Effect::Ambient) }
     }
 
     /// The plan with a luminaire, unless it is dark.
     #[must_use]
-    pub fn with_luminaire(self, luminaire: &Luminaire) -> Self {
+    pub fn with_luminaire(self, luminaire: &Fixture) -> Self {
         Self { effects: self.effects.and(luminaire.effects()), ..self }
     }
 
     /// The plan with a material.
     #[must_use]
-    pub fn with_material<H: Specular>(self, material: &Material<H>) -> Self {
+    pub fn with_material<H: SpecularLobe>(self, material: &Material<H>) -> Self {
         let shines = H::SHINES && !material.specular().is_black();
         if shines { self.with(Effect::Specular) } else { self }
     }
@@ -92,7 +92,7 @@ impl Plan {
     ///
     /// # Errors
     /// A lamp that the format can't hold, dark or not.
-    pub fn prepare<S: Scalar>(&self, lamp: &Lamp) -> Result<Option<CompiledLamp<S>>, Error> {
+    pub fn prepare<S: Scalar>(&self, lamp: &AnyLight) -> Result<Option<CompiledAnyLight<S>>, Error> {
         let compiled = lamp.compile()?;
         Ok((!(self.skips() && lamp.is_dark())).then_some(compiled))
     }

@@ -5,18 +5,18 @@ mod placed;
 mod point;
 mod spot;
 
-pub use self::{directional::CompiledDirectional, point::CompiledPoint, spot::CompiledSpot};
+pub use self::{directional::CompiledDirectionalLight, point::CompiledPointLight, spot::CompiledSpotLight};
 
 use crate::{
     color::Rgb,
-    scalar::{Offset, Ray, Scalar},
-    specular::Specular,
+    number::{Offset, Ray, Scalar},
+    specular::SpecularLobe,
     vec3::Vec3,
 };
 
 /// A point of a surface, as a light and an eye see it.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct Surface<S: Scalar> {
+pub struct SurfacePoint<S: Scalar> {
     /// Where the point is, in the unit of the lights' positions.
     pub point: Vec3<S::Length>,
     /// The normal, of unit length.
@@ -25,7 +25,7 @@ pub struct Surface<S: Scalar> {
     pub view: Vec3<S::Unit>,
 }
 
-impl<S: Scalar> Surface<S> {
+impl<S: Scalar> SurfacePoint<S> {
     /// A point of a matt surface, the same from every side.
     #[inline(always)]
     pub fn matte(point: Vec3<S::Length>, normal: Vec3<S>) -> Self {
@@ -41,7 +41,7 @@ impl<S: Scalar> Surface<S> {
 
 /// What arrives of a light, before its colours: 1 is full scale.
 #[derive(Clone, Copy, PartialEq, Default, Debug)]
-pub struct Arrival<I> {
+pub struct Incident<I> {
     /// Falloff, distance and Lambert's cosine.
     pub diffuse: I,
     /// Falloff, distance and the lobe of the highlight.
@@ -49,24 +49,24 @@ pub struct Arrival<I> {
 }
 
 /// A compiled light of any kind.
-pub trait Light<S: Scalar>: Copy + core::fmt::Debug {
+pub trait LightModel<S: Scalar>: Copy + core::fmt::Debug {
     /// The linear colour of its diffuse light.
     fn color(&self) -> Rgb<S>;
     /// The linear colour of its highlights.
     fn specular_color(&self) -> Rgb<S>;
     /// What arrives at a surface whose highlight is of the kind `H`. With `skips`, points where nothing can arrive are
     /// left before the root is paid for, with the same bits.
-    fn arrive<H: Specular>(
+    fn arrive<H: SpecularLobe>(
         &self,
-        surface: &Surface<S>,
+        surface: &SurfacePoint<S>,
         highlight: &H::Constants<S>,
         skips: bool,
-    ) -> Arrival<S::Irradiance>;
+    ) -> Incident<S::Irradiance>;
 }
 
 /// The lobe of a highlight where the light falls on the front of a surface, and zero elsewhere.
 #[inline(always)]
-fn lobe<S: Scalar, H: Specular>(
+fn lobe<S: Scalar, H: SpecularLobe>(
     highlight: &H::Constants<S>,
     (normal, view): (Vec3<S>, Vec3<S::Unit>),
     incoming: Vec3<S::Unit>,

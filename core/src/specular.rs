@@ -5,11 +5,11 @@
 //!
 //! | type | lobe | source |
 //! |---|---|---|
-//! | [`Matte`] | none, and nothing of it is compiled in | |
+//! | [`NoSpecular`] | none, and nothing of it is compiled in | |
 //! | [`Phong`] | `max(0, R.V)^m` | Phong 1975 |
 //! | [`BlinnPhong`] | `max(0, N.H)^m` | Blinn 1977; OpenGL and Direct3D 9 |
-//! | [`DualCone`] | `max(0, R.H)^m` | the dual-cone GLSL article |
-//! | [`Lyon`] of one of these | `max(0, 1 - k \|difference\|^2 / 2)^(2^n)`, `k = m / 2^n` | Lyon 1993, *Phong Shading Reformulation for Hardware Renderer Simplification* |
+//! | [`DualConeLobe`] | `max(0, R.H)^m` | the dual-cone GLSL article |
+//! | [`DifferenceForm`] of one of these | `max(0, 1 - k \|difference\|^2 / 2)^(2^n)`, `k = m / 2^n` | Lyon 1993, *Phong Shading Reformulation for Hardware Renderer Simplification* |
 //!
 //! Every cosine is had from the difference of its two directions, `1 - |a - b|^2 / 2`: a highlight is a narrow beam,
 //! and loses what a narrow beam would lose to an inner product.
@@ -17,11 +17,11 @@
 //! A surface that faces away from the light has no highlight, as in OpenGL; the bare equation of the textbooks would let
 //! the light shine through.
 
-use crate::{scalar::Scalar, vec3::Vec3};
+use crate::{number::Scalar, vec3::Vec3};
 
 /// A kind of highlight. The type decides which one is compiled in: there is no branch per point, and a highlight that
 /// is not named is not linked.
-pub trait Specular: Copy + PartialEq + core::fmt::Debug {
+pub trait SpecularLobe: Copy + PartialEq + core::fmt::Debug {
     /// Whether there is any highlight at all.
     const SHINES: bool = true;
     /// The least shininess that the kind of highlight is defined for.
@@ -56,7 +56,7 @@ pub trait Highlight: Copy + PartialEq + core::fmt::Debug {
 
 /// No highlight.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
-pub struct Matte;
+pub struct NoSpecular;
 
 /// `max(0, R.V)^m`: brightest where the eye is in the mirror direction.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
@@ -73,16 +73,16 @@ pub struct BlinnPhong;
 /// m-th power of the cosine of the angle of incidence; it is brightest where H is the mirror direction, which is for
 /// an eye at three times that angle.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
-pub struct DualCone;
+pub struct DualConeLobe;
 
 /// Lyon's difference form of another highlight, by `N` squarings: the shininess goes into a factor, so that every point
 /// takes the same few steps whatever its material, which suits vector instructions.
 ///
 /// Defined from a shininess of `2^N` on. It ends at a finite angle, and is the narrower the fewer the squarings.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
-pub struct Lyon<H, const N: u32>(pub H);
+pub struct DifferenceForm<H, const N: u32>(pub H);
 
-impl Specular for Matte {
+impl SpecularLobe for NoSpecular {
     const SHINES: bool = false;
     const LEAST_SHININESS: u32 = 0;
     type Constants<S: Scalar> = ();
@@ -99,7 +99,7 @@ impl Specular for Matte {
     }
 }
 
-impl<H: Highlight> Specular for H {
+impl<H: Highlight> SpecularLobe for H {
     /// The ramp from 0 to 1, whose scale the versine is in, and the exponent.
     type Constants<S: Scalar> = (S::Ramp, u32);
 
@@ -123,7 +123,7 @@ impl<H: Highlight> Specular for H {
     }
 }
 
-impl<H: Highlight, const N: u32> Specular for Lyon<H, N> {
+impl<H: Highlight, const N: u32> SpecularLobe for DifferenceForm<H, N> {
     const LEAST_SHININESS: u32 = 1 << N;
     /// `1 - k versine` is a ramp that ends at a versine of `1 / k`.
     type Constants<S: Scalar> = S::Ramp;
@@ -167,7 +167,7 @@ impl Highlight for BlinnPhong {
     }
 }
 
-impl Highlight for DualCone {
+impl Highlight for DualConeLobe {
     #[inline(always)]
     fn directions<S: Scalar>(
         incoming: Vec3<S::Unit>,

@@ -40,6 +40,12 @@ impl Vec3<f32> {
     }
 }
 
+/// A value of a column, or the default beyond its end: within a loop over the column the compiler leaves the question out.
+#[inline(always)]
+pub(crate) fn nth<T: Copy + Default, const N: usize>(column: &[T; N], i: usize) -> T {
+    column.get(i).copied().unwrap_or_default()
+}
+
 #[cfg(feature = "glam")]
 impl From<glam::Vec3> for Vec3<f32> {
     fn from(v: glam::Vec3) -> Self {

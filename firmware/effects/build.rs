@@ -7,12 +7,7 @@ use std::error::Error;
 use std::path::Path;
 use std::{env, fs};
 
-use luminaire::{source::SourceScalar, 
-    Ambient, Angle, Attenuation, Blend, BlinnPhong, Cone, Cubic, CutOff, Directional, DualCone, Exposure,
-    Fx16, Fx32, Gobo, Hard, HardRange, Haze, InverseSquare, Linear, Lyon, Material, Phong, Point, Polynomial,
-    Power, Profile, Projection, Rgb, Rim, Scalar, Shadow, Smooth, SmoothRange, Soft, Source, Spot,
-    SquaredWindow, Table, Unattenuated, Vec3, Windowed,
-};
+use luminaire::{AmbientLight, Angle, Cone, DirectionalLight, Fx16, Fx32, Material, PointLight, Rgb, Scalar, SpotLight, Vec3, attenuation::{Attenuation, CutAt, FilamentRange, GltfRange, InverseSquare, NoAttenuation, Polynomial, SmoothRange}, codegen::{Source, SourceScalar}, display::Exposure, falloff::{Cubic, Falloff, Hard, InvertedPower, Linear, Power, Quadratic, Smooth, Soft, Step, Table}, haze::Haze, projector::{Gobo, Projection, Shadow}, specular::{BlinnPhong, DifferenceForm, DualConeLobe, Phong}};
 
 type Outcome = Result<(), Box<dyn Error>>;
 
@@ -41,40 +36,40 @@ fn main() -> Outcome {
 }
 
 fn constants<S: SourceScalar>() -> Outcome {
-    spot::<S, _, _>("soft", Soft, Unattenuated)?;
-    spot::<S, _, _>("hard", Hard, Unattenuated)?;
-    spot::<S, _, _>("smooth", Smooth, Unattenuated)?;
-    spot::<S, _, _>("cubic", Cubic::with_slopes(1.25, 3.5)?, Unattenuated)?;
-    spot::<S, _, _>("power", Power::<8>, Unattenuated)?;
-    spot::<S, _, _>("table", Table::new(&SAMPLES)?, Unattenuated)?;
-    spot::<S, _, _>("linear", Linear, Unattenuated)?;
-    spot::<S, _, _>("cut_off", CutOff, Unattenuated)?;
-    spot::<S, _, _>("blend", Blend::new(0.75)?, Unattenuated)?;
-    spot::<S, _, _>("rim", Rim::<4>, Unattenuated)?;
+    spot::<S, _, _>("soft", Soft, NoAttenuation)?;
+    spot::<S, _, _>("hard", Hard, NoAttenuation)?;
+    spot::<S, _, _>("smooth", Smooth, NoAttenuation)?;
+    spot::<S, _, _>("cubic", Cubic::with_slopes(1.25, 3.5)?, NoAttenuation)?;
+    spot::<S, _, _>("power", Power::<8>, NoAttenuation)?;
+    spot::<S, _, _>("table", Table::new(&SAMPLES)?, NoAttenuation)?;
+    spot::<S, _, _>("linear", Linear, NoAttenuation)?;
+    spot::<S, _, _>("cut_off", Step, NoAttenuation)?;
+    spot::<S, _, _>("blend", Quadratic::new(0.75)?, NoAttenuation)?;
+    spot::<S, _, _>("rim", InvertedPower::<4>, NoAttenuation)?;
     let cone = Cone::from_field(Soft, FIELD)?;
-    spot_of::<S, _, _>("hotspot", cone.with_inner(Angle::degrees(12.0))?, Unattenuated)?;
-    spot_of::<S, _, _>("delimiter", cone.with_delimiter(FIELD)?, Unattenuated)?;
+    spot_of::<S, _, _>("hotspot", cone.with_inner(Angle::degrees(12.0))?, NoAttenuation)?;
+    spot_of::<S, _, _>("delimiter", cone.with_delimiter(FIELD)?, NoAttenuation)?;
     spot::<S, _, _>("inverse_square", Soft, InverseSquare)?;
     spot::<S, _, _>("polynomial", Soft, Polynomial::new(1.0, 0.2, 0.03)?)?;
     spot::<S, _, _>("smooth_range", Soft, SmoothRange::new(9.0)?)?;
-    spot::<S, _, _>("windowed", Soft, Windowed::new(InverseSquare, Some(9.0))?)?;
-    spot::<S, _, _>("squared_window", Soft, SquaredWindow::new(InverseSquare, Some(9.0))?)?;
-    spot::<S, _, _>("hard_range", Soft, HardRange::new(InverseSquare, Some(9.0))?)?;
-    let square = Projection::of(&Spot::new(POSITION, AXIS, cone)?)?;
+    spot::<S, _, _>("windowed", Soft, GltfRange::new(InverseSquare, Some(9.0))?)?;
+    spot::<S, _, _>("squared_window", Soft, FilamentRange::new(InverseSquare, Some(9.0))?)?;
+    spot::<S, _, _>("hard_range", Soft, CutAt::new(InverseSquare, Some(9.0))?)?;
+    let square = Projection::of(&SpotLight::new(POSITION, AXIS, cone)?)?;
     write("gobo", &Gobo::of(&panes()).on(square.compile::<S>()?))?;
     write("beam", &key(cone, InverseSquare)?.compile::<f32>()?.in_haze(&Haze::new(0.02)?))?;
     write("shadow", &Shadow::new(square.compile::<S>()?, 16, &disc().map(S::length))?)?;
-    write("point", &Point::new(POSITION)?.with_color(AMBER)?.with_intensity(16.0)?.compile::<S>()?)?;
-    write("directional", &Directional::new(AXIS)?.with_color(AMBER)?.compile::<S>())?;
-    write("ambient", &Ambient::new(AMBER)?.with_intensity(0.1)?.compile::<S>())?;
+    write("point", &PointLight::new(POSITION)?.with_color(AMBER)?.with_intensity(16.0)?.compile::<S>()?)?;
+    write("directional", &DirectionalLight::new(AXIS)?.with_color(AMBER)?.compile::<S>())?;
+    write("ambient", &AmbientLight::new(AMBER)?.with_intensity(0.1)?.compile::<S>())?;
     write("exposure", &Exposure::stops(1)?.compile::<S>())?;
     let paper = Material::new(Rgb::new(0.9, 0.9, 0.85))?;
     let gloss = Rgb::new(0.5, 0.5, 0.5);
     write("matte", &paper.compile::<S>())?;
     write("phong", &paper.with_highlight(Phong, gloss, 32)?.compile::<S>())?;
     write("blinn_phong", &paper.with_highlight(BlinnPhong, gloss, 32)?.compile::<S>())?;
-    write("dual_cone", &paper.with_highlight(DualCone, gloss, 32)?.compile::<S>())?;
-    write("lyon", &paper.with_highlight(Lyon::<_, 3>(Phong), gloss, 32)?.compile::<S>())
+    write("dual_cone", &paper.with_highlight(DualConeLobe, gloss, 32)?.compile::<S>())?;
+    write("lyon", &paper.with_highlight(DifferenceForm::<_, 3>(Phong), gloss, 32)?.compile::<S>())
 }
 
 /// A window of two by two panes.
@@ -94,7 +89,7 @@ fn disc() -> [f32; 256] {
     })
 }
 
-fn spot<S: SourceScalar, P: Profile + Source, A: Attenuation + luminaire::source::Named>(
+fn spot<S: SourceScalar, P: Falloff + Source, A: Attenuation + luminaire::codegen::Named>(
     name: &str,
     profile: P,
     attenuation: A,
@@ -106,7 +101,7 @@ where
     spot_of::<S, P, A>(name, Cone::from_field(profile, FIELD)?, attenuation)
 }
 
-fn spot_of<S: SourceScalar, P: Profile + Source, A: Attenuation + luminaire::source::Named>(
+fn spot_of<S: SourceScalar, P: Falloff + Source, A: Attenuation + luminaire::codegen::Named>(
     name: &str,
     cone: Cone<P>,
     attenuation: A,
@@ -118,8 +113,8 @@ where
     write(&format!("spot_{name}"), &key(cone, attenuation)?.compile::<S>()?)
 }
 
-fn key<P: Profile, A: Attenuation>(cone: Cone<P>, attenuation: A) -> Result<Spot<P, A>, luminaire::Error> {
-    Spot::new(POSITION, AXIS, cone)?.with_intensity(16.0)?.with_attenuation(attenuation).with_color(AMBER)
+fn key<P: Falloff, A: Attenuation>(cone: Cone<P>, attenuation: A) -> Result<SpotLight<P, A>, luminaire::Error> {
+    SpotLight::new(POSITION, AXIS, cone)?.with_intensity(16.0)?.with_attenuation(attenuation).with_color(AMBER)
 }
 
 fn write(name: &str, value: &impl Source) -> Outcome {

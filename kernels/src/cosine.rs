@@ -1,6 +1,6 @@
 //! f32 with the versine by `1 - l.s`: what is left of a narrow beam when two numbers near one are subtracted.
 
-use luminaire::{Falloff, Vec3};
+use luminaire::{Vec3, light::CompiledCone};
 
 use crate::{
     kernel::Kernel,
@@ -12,12 +12,12 @@ use crate::{
 /// A compiled cone that is asked by the cosine of the angle off axis.
 #[derive(Clone, Copy, Debug)]
 pub struct CosineFalloff<P: Shape> {
-    falloff: Falloff<f32, P>,
+    falloff: CompiledCone<f32, P>,
 }
 
 impl<P: Shape> CosineFalloff<P> {
     /// The same cone, asked by a cosine.
-    pub fn new(falloff: Falloff<f32, P>) -> Self {
+    pub fn new(falloff: CompiledCone<f32, P>) -> Self {
         Self { falloff }
     }
 }

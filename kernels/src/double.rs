@@ -54,7 +54,7 @@ impl<P: Shape> Kernel for DoubleFalloff<P> {
 /// A spotlight with a soft edge, Lambert's cosine and no distance.
 #[derive(Clone, Copy, Debug)]
 pub struct DoublePoint {
-    falloff: DoubleFalloff<luminaire::Soft>,
+    falloff: DoubleFalloff<luminaire::falloff::Soft>,
     axis: Vector,
     /// The squared cosine of the outer half angle, less what roundings may take off it.
     bound: f64,

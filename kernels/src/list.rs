@@ -1,7 +1,9 @@
 //! The list: every row, once.
 
 use luminaire::{
-    Angle, Attenuation, Cone, CutOff, Fx16, Fx32, Hard, Linear, Power, Rim, Smooth, Soft, Spot, Unattenuated,
+    Angle, Cone, Fx16, Fx32, SpotLight,
+    attenuation::{Attenuation, NoAttenuation},
+    falloff::{Hard, InvertedPower, Linear, Power, Smooth, Soft, Step},
 };
 
 use crate::{
@@ -69,12 +71,12 @@ pub fn falloffs(setting: Setting, visitor: &mut impl Visitor) {
     shape(setting, Hard, visitor);
     shape(setting, Linear, visitor);
     shape(setting, Smooth, visitor);
-    shape(setting, CutOff, visitor);
+    shape(setting, Step, visitor);
     shape(setting, profile::blend(), visitor);
     shape(setting, profile::cubic(), visitor);
     shape(setting, Power::<4>, visitor);
     shape(setting, Power::<16>, visitor);
-    shape(setting, Rim::<4>, visitor);
+    shape(setting, InvertedPower::<4>, visitor);
     shape(setting, profile::table(), visitor);
     rivals(setting, visitor);
 }
@@ -152,7 +154,7 @@ fn format<S: Format>(setting: Setting, visitor: &mut impl Visitor) {
     };
     let bright = oracle::Point { highlight: Some(highlight), ..far };
     let refused = Cone::narrowest::<S>(Soft).to_degrees() / 2.0;
-    let spot = spot(setting).with_attenuation(Unattenuated);
+    let spot = spot(setting).with_attenuation(NoAttenuation);
     let falling = self::spot(setting).with_intensity(INTENSITY).expect("a sound intensity");
     let Ok(highlit) = Highlit::<S>::new(&falling) else {
         for kernel in ["away", "outside", "lit", "lit-inverse-square", "lit-specular"] {
@@ -168,8 +170,8 @@ fn format<S: Format>(setting: Setting, visitor: &mut impl Visitor) {
     visitor.point(Row::lit("lit-specular", S::NAME), highlit, &bright);
 }
 
-fn spot(setting: Setting) -> Spot<Soft> {
-    Spot::new(POSITION, AXIS, setting.cone(Soft)).expect("a sound place and axis")
+fn spot(setting: Setting) -> SpotLight<Soft> {
+    SpotLight::new(POSITION, AXIS, setting.cone(Soft)).expect("a sound place and axis")
 }
 
 fn light(setting: Setting, population: Population, intensity: f32, falls: bool) -> oracle::Point {
@@ -186,7 +188,7 @@ fn light(setting: Setting, population: Population, intensity: f32, falls: bool) 
 
 fn point<S: Format, A: Attenuation>(
     kernel: &'static str,
-    spot: &Spot<Soft, A>,
+    spot: &SpotLight<Soft, A>,
     truth: &oracle::Point,
     visitor: &mut impl Visitor,
 ) {

@@ -1,7 +1,11 @@
 //! The crate `luminaire`, as it is.
 
 use luminaire::{
-    Attenuation, CompiledSpot, Falloff, Light, Phong, Scalar, Soft, Specular, Spot, Surface, Vec3,
+    Scalar, SpotLight, Vec3,
+    attenuation::Attenuation,
+    falloff::Soft,
+    light::{CompiledCone, CompiledSpotLight, LightModel, SurfacePoint},
+    specular::{Phong, SpecularLobe},
 };
 
 use crate::{
@@ -14,13 +18,13 @@ use crate::{
 /// A compiled cone.
 #[derive(Clone, Copy, Debug)]
 pub struct OurFalloff<S: Scalar, P: Shape> {
-    falloff: Falloff<S, P>,
+    falloff: CompiledCone<S, P>,
     outer: f32,
 }
 
 impl<S: Scalar, P: Shape> OurFalloff<S, P> {
     /// The falloff of a cone that ends at this versine.
-    pub fn new(falloff: Falloff<S, P>, outer: f32) -> Self {
+    pub fn new(falloff: CompiledCone<S, P>, outer: f32) -> Self {
         Self { falloff, outer }
     }
 }
@@ -71,12 +75,12 @@ impl<S: Format> Stored<S> {
 /// A spotlight with a soft edge, and Lambert's cosine.
 #[derive(Clone, Copy, Debug)]
 pub struct OurPoint<S: Scalar, A: Attenuation> {
-    light: CompiledSpot<S, Soft, A>,
+    light: CompiledSpotLight<S, Soft, A>,
 }
 
 impl<S: Scalar, A: Attenuation> OurPoint<S, A> {
     /// The points that this light lights.
-    pub fn new(light: CompiledSpot<S, Soft, A>) -> Self {
+    pub fn new(light: CompiledSpotLight<S, Soft, A>) -> Self {
         Self { light }
     }
 }
@@ -104,8 +108,8 @@ impl<S: Format, A: Attenuation> Kernel for OurPoint<S, A> {
 /// The same with Phong's highlight, in one channel: the direction to the eye, two lobes and their colours.
 #[derive(Clone, Copy, Debug)]
 pub struct Highlit<S: Scalar> {
-    light: CompiledSpot<S, Soft>,
-    highlight: <Phong as Specular>::Constants<S>,
+    light: CompiledSpotLight<S, Soft>,
+    highlight: <Phong as SpecularLobe>::Constants<S>,
     eye: Vec3<S::Length>,
     diffuse: S,
     specular: S,
@@ -123,7 +127,7 @@ impl<S: Format> Highlit<S> {
     ///
     /// # Errors
     /// A cone that the format cannot hold.
-    pub fn new(spot: &Spot<Soft>) -> Result<Self, luminaire::Error> {
+    pub fn new(spot: &SpotLight<Soft>) -> Result<Self, luminaire::Error> {
         Ok(Self {
             light: spot.compile()?,
             highlight: Phong::constants::<S>(Self::SHININESS),
@@ -145,7 +149,7 @@ impl<S: Format> Kernel for Highlit<S> {
 
     #[inline(always)]
     fn evaluate(&self, site: &Stored<S>) -> S::Irradiance {
-        let surface = Surface::seen_from(self.eye, site.point, site.normal);
+        let surface = SurfacePoint::seen_from(self.eye, site.point, site.normal);
         let arrival = self.light.arrive::<Phong>(&surface, &self.highlight, true);
         S::add_light(S::filter(arrival.diffuse, self.diffuse), S::filter(arrival.specular, self.specular))
     }

@@ -1,9 +1,11 @@
 //! The profiles, each beside the truth about it.
 
-use luminaire::{Blend, Cubic, CutOff, Hard, Linear, Power, Profile, Rim, Smooth, Soft, Table};
+use luminaire::falloff::{
+    Cubic, Falloff, Hard, InvertedPower, Linear, Power, Quadratic, Smooth, Soft, Step, Table,
+};
 
 /// A profile of the crate `luminaire` and what it stands for.
-pub trait Shape: Profile {
+pub trait Shape: Falloff {
     /// The name on the price list.
     const NAME: &'static str;
     /// Whether the intensity jumps at the edge.
@@ -19,8 +21,8 @@ pub trait Shape: Profile {
 pub const SAMPLES: [u16; 10] = [65_535, 65_000, 63_211, 60_007, 51_234, 39_876, 24_321, 11_111, 3_210, 0];
 
 /// The quadratic halfway from soft to linear.
-pub(crate) fn blend() -> Blend {
-    Blend::new(0.5).expect("a slope from 0 to 2")
+pub(crate) fn blend() -> Quadratic {
+    Quadratic::new(0.5).expect("a slope from 0 to 2")
 }
 
 /// A steep cubic: of slopes 1.25 at the edge and 3.5 in the middle.
@@ -51,9 +53,9 @@ macro_rules! shape {
 shape!(Soft, "soft", false, |t| t * t, t * t);
 shape!(Hard, "hard", false, |t| 1.0 - (1.0 - t) * (1.0 - t), t * (2.0 - t));
 shape!(Linear, "linear", false, |t| t, t);
-shape!(CutOff, "cut-off", true, |t| if t > 0.0 { 1.0 } else { 0.0 }, if t > 0.0 { 1.0 } else { 0.0 });
+shape!(Step, "cut-off", true, |t| if t > 0.0 { 1.0 } else { 0.0 }, if t > 0.0 { 1.0 } else { 0.0 });
 shape!(Smooth, "smooth", false, |t| t * t * (3.0 - 2.0 * t), t * t * (3.0 - 2.0 * t));
-shape!(Blend, "blend", false, |t| 0.5 * t + 0.5 * t * t, t * (0.5 + 0.5 * t));
+shape!(Quadratic, "blend", false, |t| 0.5 * t + 0.5 * t * t, t * (0.5 + 0.5 * t));
 shape!(
     Cubic,
     "cubic",
@@ -63,7 +65,7 @@ shape!(
 );
 shape!(Power<4>, "power-4", false, |t| libm::pow(t, 4.0), squared(squared(t)));
 shape!(Power<16>, "power-16", false, |t| libm::pow(t, 16.0), squared(squared(squared(squared(t)))));
-shape!(Rim<4>, "rim-4", false, |t| 1.0 - libm::pow(1.0 - t, 4.0), 1.0 - squared(squared(1.0 - t)));
+shape!(InvertedPower<4>, "rim-4", false, |t| 1.0 - libm::pow(1.0 - t, 4.0), 1.0 - squared(squared(1.0 - t)));
 shape!(Table<'_>, "table", false, |t| interpolated(t), interpolated(t));
 
 #[inline(always)]
@@ -99,13 +101,13 @@ mod tests {
         assert_forms(Soft);
         assert_forms(Hard);
         assert_forms(Linear);
-        assert_forms(CutOff);
+        assert_forms(Step);
         assert_forms(Smooth);
         assert_forms(blend());
         assert_forms(cubic());
         assert_forms(Power::<4>);
         assert_forms(Power::<16>);
-        assert_forms(Rim::<4>);
+        assert_forms(InvertedPower::<4>);
         assert_forms(table());
     }
 }

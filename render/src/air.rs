@@ -8,8 +8,12 @@ use crate::{
     ways,
 };
 use luminaire::{
-    CompiledGobo, Distance, Error, Haze, HazyBeam, Lamp, Matched, Rgb, Scalar, Shadow, Vec3, ViewBundle,
-    ViewRays,
+    Error, Rgb, Scalar, Vec3,
+    attenuation::AnyAttenuation,
+    dynamic::AnyLight,
+    falloff::AnyFalloff,
+    haze::{BeamScattering, Haze, RayBundle, ViewRays},
+    projector::{CompiledGobo, Shadow},
 };
 
 /// At how many places of a ray a beam with a gobo or with shadows is looked at.
@@ -18,7 +22,7 @@ const PLACES: usize = 16;
 /// The beam of a spotlight in haze.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Hazy {
-    beam: HazyBeam<Matched, Distance>,
+    beam: BeamScattering<AnyFalloff, AnyAttenuation>,
     color: Rgb<f32>,
 }
 
@@ -34,13 +38,13 @@ impl Hazy {
     ///
     /// # Errors
     /// What `f32` can't hold.
-    pub(crate) fn new(lamp: &Lamp, haze: &Haze) -> Result<Option<Self>, Error> {
+    pub(crate) fn new(lamp: &AnyLight, haze: &Haze) -> Result<Option<Self>, Error> {
         let color = lamp.color();
         Ok(lamp.compile::<f32>()?.in_haze(haze).map(|beam| Self { beam, color }))
     }
 
     /// Whether any ray of a bundle may meet the beam.
-    pub(crate) fn may_be_seen(&self, sight: &ViewBundle) -> bool {
+    pub(crate) fn may_be_seen(&self, sight: &RayBundle) -> bool {
         self.beam.can_meet(sight)
     }
 
@@ -118,7 +122,7 @@ pub(crate) fn bundle(
     fragments: &Fragments,
     rows: core::ops::Range<usize>,
     column: usize,
-) -> ViewBundle {
+) -> RayBundle {
     let direction = |row: usize, lane: usize| {
         let (first, step) = view.ray(row);
         ways::direction(first + step * (column * LANES + lane) as f32)
@@ -131,5 +135,5 @@ pub(crate) fn bundle(
     let least = rows.map(farthest).fold(f32::INFINITY, f32::min);
     // The longest way to depth 1 goes to a corner.
     let longest = corners.into_iter().map(|corner| 1.0 / corner.dot(view.ahead())).fold(0.0, f32::max);
-    ViewBundle::around(view.eye().into(), middle.into(), &corners.map(Into::into), longest / least)
+    RayBundle::around(view.eye().into(), middle.into(), &corners.map(Into::into), longest / least)
 }

@@ -1,7 +1,10 @@
 //! From linear light to the bytes of a display.
 
 use crate::lanes::{LANES, Radiance};
-use luminaire::{Rgb, Rgb565, encode_srgb, encode_srgb_dithered};
+use luminaire::{
+    Rgb,
+    display::{Rgb565, encode_srgb, encode_srgb_dithered},
+};
 
 /// Bytes to a pixel: red, green, blue, alpha.
 pub(crate) const CHANNELS: usize = 4;

@@ -20,13 +20,17 @@ mod show;
 mod three_point;
 mod turntable;
 
-pub use self::{fixture::Fixture, turntable::turntable};
+pub use self::{fixture::MovingLight, turntable::turntable};
 
 use crate::{Camera, Display, Scene};
 use alloc::vec::Vec;
 use core::f32::consts::TAU;
 use glam::Vec2;
-use luminaire::{Effect, Effects, Error, Luminaire};
+use luminaire::{
+    Error,
+    dynamic::{Effect, Effects},
+    projector::Fixture,
+};
 
 /// A scene to learn from.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
@@ -58,7 +62,7 @@ pub struct Setup {
     /// The camera at second 0.
     pub camera: Camera,
     /// The luminaires, with their names and movements.
-    pub fixtures: Vec<Fixture>,
+    pub fixtures: Vec<MovingLight>,
     /// What the picture is shown on.
     pub display: Display,
     /// How far to either side the camera swings, in radians.
@@ -165,7 +169,7 @@ impl Example {
 }
 
 impl Setup {
-    fn new(scene: Scene, camera: Camera, fixtures: Vec<Fixture>) -> Self {
+    fn new(scene: Scene, camera: Camera, fixtures: Vec<MovingLight>) -> Self {
         Self { scene, camera, fixtures, display: Display::default(), swing: 0.0 }
     }
 
@@ -173,7 +177,7 @@ impl Setup {
     ///
     /// # Errors
     /// Seconds that are not finite, where something moves.
-    pub fn luminaires_at(&self, seconds: f32) -> Result<Vec<Luminaire>, Error> {
+    pub fn luminaires_at(&self, seconds: f32) -> Result<Vec<Fixture>, Error> {
         self.fixtures.iter().map(|fixture| fixture.at(seconds)).collect()
     }
 

@@ -3,7 +3,10 @@
 use crate::{
     block::Block, lanes::LANES, lanes::Lights, places::Places, prepared::Prepared, shadows::Shadows,
 };
-use luminaire::{Place, Scalar, Shadow};
+use luminaire::{
+    Scalar,
+    projector::{ProjectedPoint, Shadow},
+};
 
 /// Leaves of light what its way leaves of it. It keeps where the points of a block are on the square of a lamp.
 #[derive(Clone, Debug)]
@@ -41,7 +44,7 @@ impl<S: Scalar> Filter<S> {
 
     /// Leaves a part of the light at each place: where none arrives there is nothing to leave.
     #[inline(always)]
-    fn leave(&self, [diffuse, specular]: [&mut Lights<S>; 2], part: impl Fn(Place<S>) -> S) {
+    fn leave(&self, [diffuse, specular]: [&mut Lights<S>; 2], part: impl Fn(ProjectedPoint<S>) -> S) {
         let dark = S::Irradiance::default();
         for lane in 0..LANES {
             if diffuse[lane] > dark || specular[lane] > dark {

@@ -9,7 +9,10 @@ use crate::{
     view::View,
 };
 use alloc::{collections::TryReserveError, vec::Vec};
-use luminaire::{Offset, Ray, Scalar, Vec3};
+use luminaire::{
+    Scalar, Vec3,
+    number::{Offset, Ray},
+};
 
 /// The blocks of a picture, row by row.
 #[derive(Clone, Debug)]

@@ -1,10 +1,10 @@
 //! Patterns for the gate of a spotlight, drawn when the program is compiled.
 //!
-//! Each is a square of any side, white where the light passes; [`Gobo::of`](luminaire::Gobo::of) takes it. Edges are one part
+//! Each is a square of any side, white where the light passes; [`Gobo::of`](luminaire::projector::Gobo::of) takes it. Edges are one part
 //! wide, so that a pattern of 32 already looks smooth.
 //!
 //! ```
-//! use luminaire::Gobo;
+//! use luminaire::projector::Gobo;
 //! use luminaire_render::gobos;
 //! const LEAVES: [[u8; 32]; 32] = gobos::breakup();
 //! assert_eq!(Gobo::of(&LEAVES).side(), 32);

@@ -13,14 +13,17 @@ use crate::{
 };
 use glam::Vec2;
 use luminaire::{
-    Angle, Arrival, CompiledLamp, Light as _, Matte, Plan, Rgb, Scalar, Specular, Surface, Surfaces, Vec3,
+    Angle, Rgb, Scalar, Vec3,
+    dynamic::{CompiledAnyLight, RenderPlan, SurfacePoints},
+    light::{Incident, LightModel as _, SurfacePoint},
+    specular::{NoSpecular, SpecularLobe},
 };
 
 /// A material compiled for a format.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Finish<S: Scalar> {
     material: Material,
-    pub(crate) highlight: <Highlight as Specular>::Constants<S>,
+    pub(crate) highlight: <Highlight as SpecularLobe>::Constants<S>,
     /// How far a direction is at most from the mirrored one in a highlight: the chord between the two.
     pub(crate) lobe: f32,
 }
@@ -28,7 +31,7 @@ pub(crate) struct Finish<S: Scalar> {
 /// What the lamps light: all that is the same for every block.
 #[derive(Debug)]
 pub struct Setting<'a, S: Scalar> {
-    pub(crate) plan: Plan,
+    pub(crate) plan: RenderPlan,
     pub(crate) eye: Vec3<S::Length>,
     /// The same, for what is asked about bounds.
     pub(crate) viewpoint: glam::Vec3,
@@ -48,12 +51,12 @@ pub struct Workspace<S: Scalar> {
     /// The directions to the eye, mirrored in the surfaces.
     views: Vec3<[S::Unit; LANES]>,
     /// What arrives of a lamp.
-    arrivals: Arrival<Lights<S>>,
+    arrivals: Incident<Lights<S>>,
     /// The highlights of a lamp on several materials.
     lobes: Lights<S>,
     filter: Filter<S>,
     /// What arrives of all lamps, and their highlights.
-    sums: Arrival<Rgb<Lights<S>>>,
+    sums: Incident<Rgb<Lights<S>>>,
 }
 
 impl<S: Scalar> Default for Workspace<S> {
@@ -64,10 +67,10 @@ impl<S: Scalar> Default for Workspace<S> {
             shining: [0; LANES],
             parts: [None; LANES],
             views: Vec3::default().map(|()| [S::Unit::default(); LANES]),
-            arrivals: Arrival { diffuse: dark, specular: dark },
+            arrivals: Incident { diffuse: dark, specular: dark },
             lobes: dark,
             filter: Filter::default(),
-            sums: Arrival { diffuse: sum, specular: sum },
+            sums: Incident { diffuse: sum, specular: sum },
         }
     }
 }
@@ -100,7 +103,7 @@ impl<S: Scalar> Setting<'_, S> {
             0 => self.light_matte(block, lamps, work),
             kinds => self.light_shining(block, kinds, lamps, work),
         };
-        let Arrival { diffuse, specular } = &work.sums;
+        let Incident { diffuse, specular } = &work.sums;
         self.reflect(block, diffuse, |of| of.albedo(), radiance, |sum, light| *sum = light);
         if glints > 0 {
             self.reflect(block, specular, |of| of.specular(), radiance, |sum, light| *sum += light);
@@ -113,8 +116,8 @@ impl<S: Scalar> Setting<'_, S> {
     fn light_matte(&self, block: &Block<S>, lamps: &[&Prepared<S>], work: &mut Workspace<S>) -> usize {
         let Workspace { views, arrivals, filter, sums, .. } = work;
         for lamp in lamps {
-            self.arrive::<Matte>(&lamp.lamp, &surfaces(block, views), &(), arrivals);
-            let Arrival { diffuse, specular } = arrivals;
+            self.arrive::<NoSpecular>(&lamp.lamp, &surfaces(block, views), &(), arrivals);
+            let Incident { diffuse, specular } = arrivals;
             if lamp.is_filtered() {
                 specular.fill(S::Irradiance::default());
                 filter.apply(lamp, self.shadows, block, [diffuse, specular]);
@@ -140,7 +143,7 @@ impl<S: Scalar> Setting<'_, S> {
         let mut glints = 0;
         for lamp in lamps {
             let shines = self.arrive_shining(block, kinds, lamp, glints == 0, work);
-            let Workspace { arrivals: Arrival { diffuse, specular }, lobes, filter, sums, .. } = &mut *work;
+            let Workspace { arrivals: Incident { diffuse, specular }, lobes, filter, sums, .. } = &mut *work;
             let highlights = if block.is_uniform { specular } else { lobes };
             if lamp.is_filtered() {
                 if !shines {
@@ -191,7 +194,7 @@ impl<S: Scalar> Setting<'_, S> {
             shines = true;
         }
         if !shines {
-            self.arrive::<Matte>(&lamp.lamp, &surfaces(block, views), &(), arrivals);
+            self.arrive::<NoSpecular>(&lamp.lamp, &surfaces(block, views), &(), arrivals);
         }
         shines
     }
@@ -236,12 +239,12 @@ impl<S: Scalar> Setting<'_, S> {
 
     /// What arrives of a lamp: by the loop that is made for it, or by none where nothing is left out.
     #[inline(always)]
-    fn arrive<H: Specular>(
+    fn arrive<H: SpecularLobe>(
         &self,
-        lamp: &CompiledLamp<S>,
-        surfaces: &Surfaces<'_, S, LANES>,
+        lamp: &CompiledAnyLight<S>,
+        surfaces: &SurfacePoints<'_, S, LANES>,
         highlight: &H::Constants<S>,
-        arrivals: &mut Arrival<Lights<S>>,
+        arrivals: &mut Incident<Lights<S>>,
     ) {
         if self.plan.skips() {
             return lamp.arrive_each::<H, LANES>(surfaces, highlight, arrivals);
@@ -283,7 +286,7 @@ impl<S: Scalar> Setting<'_, S> {
     #[inline(always)]
     fn look(&self, block: &Block<S>, views: &mut Vec3<[S::Unit; LANES]>) {
         for lane in 0..LANES {
-            let surface = Surface::<S>::seen_from(self.eye, block.point_at(lane), block.normal_at(lane));
+            let surface = SurfacePoint::<S>::seen_from(self.eye, block.point_at(lane), block.normal_at(lane));
             let view = S::mirror(surface.view, surface.normal);
             views.x[lane] = view.x;
             views.y[lane] = view.y;
@@ -293,8 +296,11 @@ impl<S: Scalar> Setting<'_, S> {
 }
 
 /// The surfaces of a block.
-fn surfaces<'a, S: Scalar>(block: &'a Block<S>, views: &'a Vec3<[S::Unit; LANES]>) -> Surfaces<'a, S, LANES> {
-    Surfaces { point: borrowed(&block.point), normal: borrowed(&block.normal), view: borrowed(views) }
+fn surfaces<'a, S: Scalar>(
+    block: &'a Block<S>,
+    views: &'a Vec3<[S::Unit; LANES]>,
+) -> SurfacePoints<'a, S, LANES> {
+    SurfacePoints { point: borrowed(&block.point), normal: borrowed(&block.normal), view: borrowed(views) }
 }
 
 fn borrowed<T>(columns: &Vec3<T>) -> Vec3<&T> {

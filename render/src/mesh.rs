@@ -3,7 +3,10 @@
 use crate::outline::Outline;
 use alloc::vec::Vec;
 use glam::{Quat, Vec3};
-use luminaire::{Accepted, Error, Parameter};
+use luminaire::{
+    Error,
+    error::{Expected, Parameter},
+};
 
 /// A mesh of triangles, smooth between its vertices, seen from the front only: a closed one shows its
 /// outside.
@@ -119,7 +122,7 @@ impl Mesh {
         self.refused = self.refused.or(other.refused);
         let count = self.vertices.len() + other.vertices.len();
         if count > Self::MOST_VERTICES as usize {
-            let accepted = Accepted::WholeBetween(0, Self::MOST_VERTICES);
+            let accepted = Expected::WholeBetween(0, Self::MOST_VERTICES);
             let error = Error { parameter: Parameter::VertexCount, value: count as f32, accepted };
             return Self { refused: self.refused.or(Some(error)), ..Self::default() };
         }
@@ -153,7 +156,7 @@ impl Mesh {
         let pairs = Self::MOST_VERTICES / 2 / (outline.line_count() as u32).max(1);
         let most = pairs.saturating_sub(1);
         let is_accepted = segments <= most as usize;
-        let accepted = Accepted::WholeBetween(0, most);
+        let accepted = Expected::WholeBetween(0, most);
         let error = Error { parameter: Parameter::Segments, value: segments as f32, accepted };
         let refused = outline.refused().or((!is_accepted).then_some(error));
         (Self { refused, ..Self::default() }, if refused.is_none() { segments } else { 0 })
@@ -231,7 +234,7 @@ pub(crate) fn check_channels(
     most: f32,
 ) -> Result<(), Error> {
     match channels.into_iter().find(|channel| !(least..=most).contains(channel)) {
-        Some(value) => Err(Error { parameter, value, accepted: Accepted::Between(least, most) }),
+        Some(value) => Err(Error { parameter, value, accepted: Expected::Between(least, most) }),
         None => Ok(()),
     }
 }

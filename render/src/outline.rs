@@ -2,7 +2,10 @@
 
 use alloc::vec::Vec;
 use glam::Vec2;
-use luminaire::{Accepted, Error, Parameter};
+use luminaire::{
+    Error,
+    error::{Expected, Parameter},
+};
 
 /// The cosine of the largest turn of an outline that is drawn as smooth: 45 degrees. What turns more is a
 /// crease.
@@ -83,7 +86,7 @@ impl Outline {
     fn accepted(&mut self, lines: usize) -> usize {
         let is_accepted = lines <= Self::MOST_LINES as usize;
         if !is_accepted {
-            let accepted = Accepted::WholeBetween(0, Self::MOST_LINES);
+            let accepted = Expected::WholeBetween(0, Self::MOST_LINES);
             let error = Error { parameter: Parameter::Segments, value: lines as f32, accepted };
             self.refused = self.refused.or(Some(error));
         }

@@ -1,6 +1,9 @@
 //! Where points are on the square of a lamp.
 
-use luminaire::{CompiledProjection, Place, Scalar, Vec3};
+use luminaire::{
+    Scalar, Vec3,
+    projector::{CompiledProjection, ProjectedPoint},
+};
 
 /// Places on a square, each quantity in an array of its own.
 #[derive(Clone, Debug)]
@@ -31,7 +34,7 @@ impl<S: Scalar, const N: usize> Places<S, N> {
 
     /// The place of a point.
     #[inline(always)]
-    pub(crate) fn at(&self, i: usize) -> Place<S> {
-        Place { column: self.column[i], row: self.row[i], depth: self.depth[i] }
+    pub(crate) fn at(&self, i: usize) -> ProjectedPoint<S> {
+        ProjectedPoint { column: self.column[i], row: self.row[i], depth: self.depth[i] }
     }
 }

@@ -8,15 +8,17 @@ use crate::{
     shadows::Shadows,
 };
 use luminaire::{
-    Angle, CompiledGobo, CompiledLamp, CompiledProjection, Error, Gobo, Haze, Luminaire, Plan, Scalar,
-    ViewBundle, ViewRays,
+    Angle, Error, Scalar,
+    dynamic::{CompiledAnyLight, RenderPlan},
+    haze::{Haze, RayBundle, ViewRays},
+    projector::{CompiledGobo, CompiledProjection, Fixture, Gobo},
 };
 
 /// A luminaire compiled for a format, and where its light may be.
 #[derive(Clone, Copy, Debug)]
 pub struct Prepared<S: Scalar> {
     pub(crate) number: usize,
-    pub(crate) lamp: CompiledLamp<S>,
+    pub(crate) lamp: CompiledAnyLight<S>,
     pub(crate) gobo: Option<CompiledGobo<'static, S>>,
     /// The square that the shadow map lies on.
     pub(crate) shadow: Option<CompiledProjection<S>>,
@@ -37,9 +39,9 @@ impl<S: Scalar> Prepared<S> {
     /// What the format can't hold.
     pub(crate) fn new(
         number: usize,
-        luminaire: &Luminaire,
+        luminaire: &Fixture,
         haze: Option<Haze>,
-        plan: &Plan,
+        plan: &RenderPlan,
     ) -> Result<Option<Self>, Error> {
         let Some(lamp) = plan.prepare(luminaire.lamp())? else { return Ok(None) };
         let (is_patterned, casts_shadow) = (luminaire.gobo().is_some(), luminaire.shadow().is_some());
@@ -64,7 +66,7 @@ impl<S: Scalar> Prepared<S> {
     }
 
     /// Whether the beam may be seen in the air of a bundle of view rays.
-    pub(crate) fn is_seen_in_air(&self, sight: Option<&ViewBundle>) -> bool {
+    pub(crate) fn is_seen_in_air(&self, sight: Option<&RayBundle>) -> bool {
         matches!((&self.hazy, sight), (Some(hazy), Some(sight)) if hazy.may_be_seen(sight))
     }
 
@@ -82,7 +84,7 @@ impl<S: Scalar> Prepared<S> {
 ///
 /// # Errors
 /// A lamp that projects no square.
-fn equipped(mut luminaire: Luminaire) -> Result<Luminaire, Error> {
+fn equipped(mut luminaire: Fixture) -> Result<Fixture, Error> {
     if luminaire.gobo().is_none() {
         luminaire = luminaire.with_gobo(CLEAR, Angle::degrees(0.0))?;
     }

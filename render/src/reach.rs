@@ -1,7 +1,7 @@
 //! Bounds of the light of a lamp, so that points that no light reaches are left out.
 
 use glam::{Vec2, Vec3};
-use luminaire::Lamp;
+use luminaire::dynamic::AnyLight;
 
 use crate::{bounds::Bounds, directions::Directions};
 
@@ -31,18 +31,18 @@ struct Beam {
 }
 
 impl Reach {
-    pub(crate) fn new(lamp: &Lamp) -> Self {
+    pub(crate) fn new(lamp: &AnyLight) -> Self {
         match lamp {
-            Lamp::Directional(light) => {
+            AnyLight::Directional(light) => {
                 let direction = Vec3::from(light.direction());
                 Self { source: Source::Direction(-direction), range: None, beam: None }
             }
-            Lamp::Point(point) => Self {
+            AnyLight::Point(point) => Self {
                 source: Source::Place(point.position().into()),
                 range: point.attenuation().range(),
                 beam: None,
             },
-            Lamp::Spot(spot) => {
+            AnyLight::Spot(spot) => {
                 let outer = spot.cone().outer().to_radians();
                 let beam = Beam { axis: spot.axis().into(), edge: Vec2::from_angle(outer / 2.0) };
                 Self {

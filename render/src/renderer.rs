@@ -21,7 +21,7 @@ use crate::{
     view::View,
 };
 use alloc::{collections::TryReserveError, vec::Vec};
-use luminaire::{Error, Haze, Luminaire, Plan, Rgb, Vec3};
+use luminaire::{Error, Rgb, Vec3, dynamic::RenderPlan, haze::Haze, projector::Fixture};
 
 /// A deferred renderer: geometry once into a buffer, then light over that buffer in the number format `S`,
 /// then the codes of a display. Each step is done again only where something before it has changed.
@@ -47,7 +47,7 @@ pub struct Renderer<S: Format> {
     /// How many triangles were drawn the last time that geometry was asked for.
     triangles: usize,
     /// The lamps of the picture; nothing if all of it must be lit.
-    lit: Option<Vec<Luminaire>>,
+    lit: Option<Vec<Fixture>>,
     /// Which luminaires reach which regions, and which of their tiles: on their surfaces, and in the air before them.
     near: Reached,
     reached: Reached,
@@ -147,7 +147,7 @@ impl<S: Format> Renderer<S> {
     ///
     /// # Errors
     /// A luminaire that the format can't hold, or no memory for a map.
-    pub fn draw_shadows<L: Copy + Into<Luminaire>>(
+    pub fn draw_shadows<L: Copy + Into<Fixture>>(
         &mut self,
         scene: &Scene,
         lights: &[L],
@@ -160,8 +160,8 @@ impl<S: Format> Renderer<S> {
     ///
     /// # Errors
     /// A light that the format can't hold; the picture stays as it was.
-    pub fn draw_light<L: Copy + Into<Luminaire>>(&mut self, lights: &[L]) -> Result<bool, Error> {
-        self.draw_light_by(Plan::new(), lights)
+    pub fn draw_light<L: Copy + Into<Fixture>>(&mut self, lights: &[L]) -> Result<bool, Error> {
+        self.draw_light_by(RenderPlan::new(), lights)
     }
 
     /// Lights the whole picture with every effect of every lamp at every pixel, called for or not, changed or not:
@@ -169,9 +169,9 @@ impl<S: Format> Renderer<S> {
     ///
     /// # Errors
     /// A light that the format can't hold; the picture stays as it was.
-    pub fn draw_everything<L: Copy + Into<Luminaire>>(&mut self, lights: &[L]) -> Result<(), Error> {
+    pub fn draw_everything<L: Copy + Into<Fixture>>(&mut self, lights: &[L]) -> Result<(), Error> {
         self.lit = None;
-        self.draw_light_by(Plan::everything(), lights)?;
+        self.draw_light_by(RenderPlan::everything(), lights)?;
         Ok(())
     }
 

@@ -2,11 +2,16 @@
 
 use crate::{block::Block, bounds::Bounds, prepared::Prepared, reach::Reach};
 use alloc::vec::Vec;
-use luminaire::{Error, Haze, Luminaire, Plan, Scalar, ViewBundle};
+use luminaire::{
+    Error, Scalar,
+    dynamic::RenderPlan,
+    haze::{Haze, RayBundle},
+    projector::Fixture,
+};
 
 /// All luminaires by number, prepared but for those that the plan drops.
 pub(crate) struct Rig<S: Scalar> {
-    plan: Plan,
+    plan: RenderPlan,
     lamps: Vec<Option<Prepared<S>>>,
     /// Where the light of each may be, side by side: every one is asked for in many places.
     reaches: Vec<Option<Reach>>,
@@ -16,7 +21,7 @@ pub(crate) struct Rig<S: Scalar> {
 impl<S: Scalar> Rig<S> {
     /// # Errors
     /// A luminaire that the format can't hold.
-    pub(crate) fn new(plan: Plan, luminaires: &[Luminaire], haze: Option<Haze>) -> Result<Self, Error> {
+    pub(crate) fn new(plan: RenderPlan, luminaires: &[Fixture], haze: Option<Haze>) -> Result<Self, Error> {
         let haze = if plan.skips() { haze } else { Some(haze.unwrap_or(Haze::CLEAR)) };
         let prepare = |(number, luminaire)| Prepared::new(number, luminaire, haze, &plan);
         let lamps = luminaires.iter().enumerate().map(prepare).collect::<Result<Vec<_>, _>>()?;
@@ -25,7 +30,7 @@ impl<S: Scalar> Rig<S> {
         Ok(Self { plan, lamps, reaches, is_hazy })
     }
 
-    pub(crate) fn plan(&self) -> Plan {
+    pub(crate) fn plan(&self) -> RenderPlan {
         self.plan
     }
 
@@ -51,7 +56,7 @@ impl<S: Scalar> Rig<S> {
     }
 
     /// Whether the beam of a luminaire may be seen in the air of a bundle of view rays.
-    pub(crate) fn is_seen_in_air(&self, number: usize, sight: Option<&ViewBundle>) -> bool {
+    pub(crate) fn is_seen_in_air(&self, number: usize, sight: Option<&RayBundle>) -> bool {
         self.lamp(number).is_some_and(|lamp| !self.plan.skips() || lamp.is_seen_in_air(sight))
     }
 

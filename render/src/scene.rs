@@ -2,17 +2,24 @@
 
 use crate::mesh::{Mesh, check_channels};
 use alloc::vec::Vec;
-use luminaire::{Effect, Error, Haze, Lyon, Parameter, Plan, Rgb, Scalar, Specular, Vec3, decode_srgb};
+use luminaire::{
+    Error, Rgb, Scalar, Vec3,
+    display::decode_srgb,
+    dynamic::{Effect, RenderPlan},
+    error::Parameter,
+    haze::Haze,
+    specular::{DifferenceForm, SpecularLobe},
+};
 
 /// The kind of highlight that surfaces have: Phong's, in the form that takes the same few steps whatever the shininess.
-pub type Highlight = Lyon<Mirrored, 3>;
+pub type Highlight = DifferenceForm<Mirrored, 3>;
 
 /// Phong's highlight for a view that is mirrored in the surface: `|R - V|` is `|L - V'|`, and the mirror image of the view
 /// is found once for a point and not once for each lamp.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct Mirrored;
 
-impl luminaire::Highlight for Mirrored {
+impl luminaire::specular::Highlight for Mirrored {
     #[inline(always)]
     fn directions<S: Scalar>(incoming: Vec3<S::Unit>, _: Vec3<S>, view: Vec3<S::Unit>) -> [Vec3<S::Unit>; 2] {
         [incoming, view]
@@ -58,7 +65,7 @@ impl Material {
     /// A channel outside [0, 1]; a shininess under 8 or over 1024.
     pub fn with_highlight(self, specular: Rgb<f32>, shininess: u32) -> Result<Self, Error> {
         luminaire::Material::new(Rgb::default())?.with_highlight(
-            Lyon::<_, 3>(Mirrored),
+            DifferenceForm::<_, 3>(Mirrored),
             specular,
             shininess,
         )?;
@@ -178,8 +185,8 @@ impl Scene {
     }
 
     /// The plan of a picture of the scene before there is a lamp in it: ambient light, highlights and haze, where it has any.
-    pub fn plan(&self) -> Plan {
-        let mut plan = Plan::new();
+    pub fn plan(&self) -> RenderPlan {
+        let mut plan = RenderPlan::new();
         if self.ambient != Rgb::default() {
             plan = plan.with(Effect::Ambient);
         }

@@ -13,7 +13,10 @@ use crate::{
 };
 use alloc::{collections::TryReserveError, vec::Vec};
 use layer::Layer;
-use luminaire::{CompiledProjection, Error, Luminaire, Projection, Scalar, Shadow};
+use luminaire::{
+    Error, Scalar,
+    projector::{CompiledProjection, Fixture, Projection, Shadow},
+};
 use slope::{Slope, depth_error};
 
 /// A shadow map of a [`Scene`] on the square that a spotlight projects, in the number format of the light.
@@ -33,7 +36,7 @@ use slope::{Slope, depth_error};
 /// once, for its front is what hides.
 ///
 /// ```
-/// use luminaire::{Projection, Vec3};
+/// use luminaire::{Vec3, projector::Projection};
 /// use luminaire_render::{ShadowMap, stage};
 /// let key = stage::lights()?[0];
 /// let mut map = ShadowMap::<f32>::new(512)?;
@@ -69,7 +72,7 @@ impl<S: Scalar> ShadowMap<S> {
     /// # Errors
     /// A side that is not from 16 to 2048, or for which there is no memory.
     pub fn new(side: usize) -> Result<Self, SizeError> {
-        if !u16::try_from(side).is_ok_and(|side| Luminaire::SHADOW_SIDES.contains(&side)) {
+        if !u16::try_from(side).is_ok_and(|side| Fixture::SHADOW_SIDES.contains(&side)) {
             return Err(SizeError::ShadowSide(side));
         }
         Self::with_memory(side).map_err(|_| SizeError::Memory(side, side))

@@ -2,7 +2,10 @@
 
 use crate::{error::DrawError, scene::Scene, shadow_map::ShadowMap};
 use alloc::vec::Vec;
-use luminaire::{Luminaire, Scalar, Shadow};
+use luminaire::{
+    Scalar,
+    projector::{Fixture, Shadow},
+};
 
 /// A shadow map for each luminaire that asks for one, by its number.
 #[derive(Clone, Debug)]
@@ -21,7 +24,7 @@ impl<S: Scalar> Shadows<S> {
     ///
     /// # Errors
     /// What the format can't hold, or no memory; the maps that were drawn before it stay drawn.
-    pub(crate) fn draw<L: Copy + Into<Luminaire>>(
+    pub(crate) fn draw<L: Copy + Into<Fixture>>(
         &mut self,
         scene: &Scene,
         lights: &[L],
@@ -29,7 +32,7 @@ impl<S: Scalar> Shadows<S> {
         self.maps.resize_with(lights.len(), || None);
         let mut is_any = false;
         for (number, (map, &light)) in self.maps.iter_mut().zip(lights).enumerate() {
-            let luminaire: Luminaire = light.into();
+            let luminaire: Fixture = light.into();
             // A dark lamp throws no shadow; its map waits for its light.
             let Some((side, projection)) = luminaire.shadow() else {
                 *map = None;

@@ -1,7 +1,7 @@
 //! The sizes that a picture may have.
 
 use core::fmt;
-use luminaire::Luminaire;
+use luminaire::projector::Fixture;
 
 /// The most pixels that a picture may have in a row, or in a column.
 pub const LARGEST: usize = 8192;
@@ -47,7 +47,7 @@ impl fmt::Display for SizeError {
             Self::Width(width) => write!(f, "width {width} is refused: give 1 to {LARGEST} pixels"),
             Self::Height(height) => write!(f, "height {height} is refused: give 1 to {LARGEST} pixels"),
             Self::ShadowSide(side) => {
-                let (least, most) = (Luminaire::SHADOW_SIDES.start(), Luminaire::SHADOW_SIDES.end());
+                let (least, most) = (Fixture::SHADOW_SIDES.start(), Fixture::SHADOW_SIDES.end());
                 write!(f, "side {side} of a shadow map is refused: give {least} to {most} texels")
             }
             Self::Memory(width, height) => {

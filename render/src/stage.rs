@@ -6,7 +6,7 @@ use crate::{
     solids::{QUARTER, capsule, column, cone, sphere, torus, vase},
 };
 use core::f32::consts::{FRAC_PI_2, TAU};
-use luminaire::{Angle, Cone, Edge, Error, Rgb, Spot, Vec3};
+use luminaire::{Angle, Cone, Error, Rgb, SpotLight, Vec3, falloff::SoftOrHard};
 
 /// Width and depth of the boards in metres; the back of the stage is at negative z.
 const DECK: (f32, f32) = (7.2, 5.4);
@@ -47,10 +47,10 @@ pub fn camera() -> Camera {
 ///
 /// # Errors
 /// None, unless a constructor comes to refuse what it accepts today.
-pub fn lights() -> Result<[Spot; 3], Error> {
-    let key = Cone::from_field(Edge::Hard, Angle::degrees(26.0))?;
-    let fill = Cone::from_field(Edge::Soft, Angle::degrees(50.0))?;
-    let back = Cone::from_field(Edge::Soft, Angle::degrees(44.0))?;
+pub fn lights() -> Result<[SpotLight; 3], Error> {
+    let key = Cone::from_field(SoftOrHard::Hard, Angle::degrees(26.0))?;
+    let fill = Cone::from_field(SoftOrHard::Soft, Angle::degrees(50.0))?;
+    let back = Cone::from_field(SoftOrHard::Soft, Angle::degrees(44.0))?;
     Ok([
         aimed(Vec3::new(-4.0, 4.6, 5.6), Vec3::new(-0.2, 0.65, -0.2), key)?
             .with_color(Rgb::new(1.0, 0.82, 0.6))?
@@ -65,8 +65,8 @@ pub fn lights() -> Result<[Spot; 3], Error> {
 }
 
 /// A spotlight at a position that points at a target.
-fn aimed(position: Vec3<f32>, target: Vec3<f32>, cone: Cone) -> Result<Spot, Error> {
-    Spot::new(position, target.zip(position, |t, p| t - p), cone)
+fn aimed(position: Vec3<f32>, target: Vec3<f32>, cone: Cone) -> Result<SpotLight, Error> {
+    SpotLight::new(position, target.zip(position, |t, p| t - p), cone)
 }
 
 /// The cyclorama, the deck under the boards, and the curtains.

@@ -3,7 +3,7 @@
 use crate::{block::Block, bounds::Bounds, memory::filled};
 use alloc::{collections::TryReserveError, vec::Vec};
 use core::ops::Range;
-use luminaire::{Scalar, ViewBundle};
+use luminaire::{Scalar, haze::RayBundle};
 
 /// Rows of a tile. Its width is that of a block.
 const ROWS: usize = 16;
@@ -28,7 +28,7 @@ pub(crate) struct Tile {
     /// What encloses its points; nothing if nothing was drawn.
     pub(crate) bounds: Option<Bounds>,
     /// The rays through its pixels; nothing in clear air.
-    pub(crate) sight: Option<ViewBundle>,
+    pub(crate) sight: Option<RayBundle>,
     /// Whether its light was drawn the last time that light was.
     pub(crate) is_relit: bool,
     /// Whether its codes are those of its light.

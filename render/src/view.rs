@@ -6,7 +6,7 @@ use crate::{
     mesh::Vertex,
 };
 use glam::{Vec2, Vec3};
-use luminaire::Projection;
+use luminaire::projector::Projection;
 
 /// Nothing nearer to the eye than this is drawn, in metres along the line of sight.
 pub(crate) const NEAR: f32 = 0.05;

@@ -1,7 +1,10 @@
 //! The length and the direction of a way, by the kernel's root: the processor's own where there is one.
 
 use glam::Vec3;
-use luminaire::{Offset, Ray, Scalar};
+use luminaire::{
+    Scalar,
+    number::{Offset, Ray},
+};
 
 /// The length; zero for a way so short that its square is no normal number.
 #[inline(always)]

@@ -1,7 +1,7 @@
 //! Each pass is done again only if something before it has changed, and a refusal leaves the picture as it
 //! was.
 
-use luminaire::{Angle, Cone, Edge, Fx16, Rgb, Spot, Vec3};
+use luminaire::{Angle, Cone, Fx16, Rgb, SpotLight, Vec3, falloff::SoftOrHard};
 use luminaire_render::{Material, Mesh, Renderer, SizeError, stage};
 
 fn lit() -> Renderer<Fx16> {
@@ -73,8 +73,8 @@ fn a_lamp_may_go_while_the_camera_moves() {
 fn a_refused_light_leaves_the_picture() {
     let mut renderer = lit();
     let before = (renderer.pixels().to_vec(), renderer.linear(40, 30));
-    let needle = Cone::from_outer(Edge::Hard, Angle::degrees(0.5)).unwrap();
-    let needle = Spot::new(Vec3::new(0.0, 3.0, 0.0), Vec3::new(0.0, -1.0, 0.0), needle).unwrap();
+    let needle = Cone::from_outer(SoftOrHard::Hard, Angle::degrees(0.5)).unwrap();
+    let needle = SpotLight::new(Vec3::new(0.0, 3.0, 0.0), Vec3::new(0.0, -1.0, 0.0), needle).unwrap();
     let refused = renderer.draw_light(&[needle]).unwrap_err();
     assert!(refused.to_string().starts_with("outer angle 0.5 is refused"), "{refused}");
     assert_eq!((renderer.encode().to_vec(), renderer.linear(40, 30)), before);
@@ -90,8 +90,8 @@ fn a_refused_light_leaves_the_picture_of_the_former_geometry_too() {
     let before = renderer.pixels().to_vec();
     let mut camera = stage::camera();
     camera.orbit(1.0, 0.0);
-    let needle = Cone::from_outer(Edge::Hard, Angle::degrees(0.5)).unwrap();
-    let needle = Spot::new(Vec3::new(0.0, 3.0, 0.0), Vec3::new(0.0, -1.0, 0.0), needle).unwrap();
+    let needle = Cone::from_outer(SoftOrHard::Hard, Angle::degrees(0.5)).unwrap();
+    let needle = SpotLight::new(Vec3::new(0.0, 3.0, 0.0), Vec3::new(0.0, -1.0, 0.0), needle).unwrap();
     assert!(renderer.draw_geometry(&stage::scene().unwrap(), &camera));
     assert!(renderer.draw_light(&[needle]).is_err());
     assert_eq!(renderer.encode(), before);

@@ -2,8 +2,13 @@
 //! for.
 
 use luminaire::{
-    Angle, Cone, Edge, Error, Fx16, Fx32, Gobo, Haze, Lamp, Luminaire, Lyon, Phong, Projection, Rgb, Spot,
-    Surface, Vec3, ViewRay,
+    Angle, Cone, Error, Fx16, Fx32, Rgb, SpotLight, Vec3,
+    dynamic::AnyLight,
+    falloff::SoftOrHard,
+    haze::{Haze, ViewRay},
+    light::SurfacePoint,
+    projector::{Fixture, Gobo, Projection},
+    specular::{DifferenceForm, Phong},
 };
 use luminaire_render::{Display, Format, Material, Renderer, Scene, ShadowMap, gobos, stage};
 
@@ -11,9 +16,9 @@ const SIZE: (usize, usize) = (160, 90);
 const STAR: [[u8; 32]; 32] = gobos::star();
 
 /// The lights of the stage: one with a pattern, one with shadows, one with both.
-fn luminaires() -> Result<Vec<Luminaire>, Error> {
-    let [key, fill, back] = stage::lights()?.map(Luminaire::from);
-    let star = |luminaire: Luminaire| luminaire.with_gobo(Gobo::of(&STAR), Angle::degrees(20.0));
+fn luminaires() -> Result<Vec<Fixture>, Error> {
+    let [key, fill, back] = stage::lights()?.map(Fixture::from);
+    let star = |luminaire: Fixture| luminaire.with_gobo(Gobo::of(&STAR), Angle::degrees(20.0));
     Ok(vec![star(key)?.with_shadow(128)?, fill.with_shadow(64)?, star(back)?])
 }
 
@@ -23,14 +28,14 @@ fn hazy() -> Result<Scene, Error> {
     Ok(scene)
 }
 
-fn renderer<S: Format>(scene: &Scene, luminaires: &[Luminaire]) -> Renderer<S> {
+fn renderer<S: Format>(scene: &Scene, luminaires: &[Fixture]) -> Renderer<S> {
     renderer_of(SIZE, scene, luminaires)
 }
 
 fn renderer_of<S: Format>(
     (width, height): (usize, usize),
     scene: &Scene,
-    luminaires: &[Luminaire],
+    luminaires: &[Fixture],
 ) -> Renderer<S> {
     let mut renderer = Renderer::new(width, height).expect("a sound size");
     renderer.draw_geometry(scene, &stage::camera());
@@ -61,12 +66,14 @@ fn what_is_called_for_is_everything() -> Result<(), Error> {
                 assert_eq!(bits(&planned), bits(&everything), "{} after {step} steps", S::NAME);
                 let fresh = renderer::<S>(&scene, &luminaires);
                 assert_eq!(bits(&planned), bits(&fresh), "{} after {step} steps", S::NAME);
-                let Lamp::Spot(spot) = *luminaires[step % 3].lamp() else { panic!("they are spotlights") };
+                let AnyLight::Spot(spot) = *luminaires[step % 3].lamp() else {
+                    panic!("they are spotlights")
+                };
                 let axis = spot.axis().map(|c| c + 0.05);
-                let moved = Spot::new(spot.position(), axis, spot.cone())?
+                let moved = SpotLight::new(spot.position(), axis, spot.cone())?
                     .with_color(spot.color())?
                     .with_intensity(spot.intensity())?;
-                luminaires[step % 3] = Luminaire::from(moved).with_shadow(64)?;
+                luminaires[step % 3] = Fixture::from(moved).with_shadow(64)?;
                 planned.draw_shadows(&scene, &luminaires).expect("held");
                 planned.draw_light(&luminaires)?;
             }
@@ -84,7 +91,7 @@ fn patterns_and_shadows_are_factors() -> Result<(), Error> {
     let mut scene = stage::scene().unwrap();
     scene.set_ambient(Rgb::default()).unwrap();
     let luminaire = luminaires()?[0];
-    let Lamp::Spot(spot) = *luminaire.lamp() else { panic!("it is a spotlight") };
+    let AnyLight::Spot(spot) = *luminaire.lamp() else { panic!("it is a spotlight") };
     let renderer = renderer::<f32>(&scene, &[luminaire]);
     let compiled = spot.compile::<f32>()?;
     let gobo = luminaire.compile_gobo::<f32>()?.expect("it has one");
@@ -115,15 +122,16 @@ fn highlights_are_phongs() -> Result<(), Error> {
     let glazed = Material::new(albedo)?.with_highlight(specular, 40)?;
     scene.repaint(|_| glazed);
     let spots = stage::lights()?;
-    let renderer = renderer::<f32>(&scene, &spots.map(Luminaire::from));
-    let phong = luminaire::Material::new(albedo)?.with_highlight(Lyon::<_, 3>(Phong), specular, 40)?;
+    let renderer = renderer::<f32>(&scene, &spots.map(Fixture::from));
+    let phong =
+        luminaire::Material::new(albedo)?.with_highlight(DifferenceForm::<_, 3>(Phong), specular, 40)?;
     let phong = phong.compile::<f32>();
     let compiled = [spots[0].compile::<f32>()?, spots[1].compile()?, spots[2].compile()?];
     let eye = stage::camera().eye();
     let (mut largest, mut brightest) = (0.0_f32, 0.0_f32);
     for (x, y) in pixels() {
         let Some((point, normal, _)) = renderer.surface(x, y) else { continue };
-        let surface = Surface::seen_from(eye, point, normal);
+        let surface = SurfacePoint::seen_from(eye, point, normal);
         let expected = compiled.iter().map(|spot| phong.reflect(&surface, spot).green).sum::<f32>();
         let found = renderer.linear(x, y).expect("inside").green;
         largest = largest.max((found - expected).abs() / (1.0 + expected));
@@ -138,7 +146,7 @@ fn highlights_are_phongs() -> Result<(), Error> {
 #[test]
 fn haze_is_added() -> Result<(), Error> {
     let spots = stage::lights()?;
-    let luminaires = spots.map(Luminaire::from);
+    let luminaires = spots.map(Fixture::from);
     let clear = renderer::<f32>(&stage::scene().unwrap(), &luminaires);
     let scene = hazy()?;
     let hazy = renderer::<f32>(&scene, &luminaires);
@@ -164,10 +172,10 @@ fn haze_is_added() -> Result<(), Error> {
 /// A luminaire that moves changes the tiles that it lights on surfaces or in the air, and no other.
 #[test]
 fn what_no_beam_meets_is_not_lit_again() -> Result<(), Error> {
-    let cone = Cone::from_outer(Edge::Hard, Angle::degrees(6.0))?;
-    let narrow = |x: f32| -> Result<Luminaire, Error> {
+    let cone = Cone::from_outer(SoftOrHard::Hard, Angle::degrees(6.0))?;
+    let narrow = |x: f32| -> Result<Fixture, Error> {
         let down = Vec3::new(0.0, -1.0, 0.0);
-        Ok(Spot::new(Vec3::new(x, 3.0, 0.0), down, cone)?.with_intensity(9.0)?.into())
+        Ok(SpotLight::new(Vec3::new(x, 3.0, 0.0), down, cone)?.with_intensity(9.0)?.into())
     };
     let mut relit = [0; 2];
     for (scene, relit) in [stage::scene().unwrap(), hazy()?].iter().zip(&mut relit) {

@@ -84,7 +84,7 @@ fn the_grids_light_the_same_area() {
     let area = |example: Example| -> f64 {
         let spots = example.setup().unwrap().luminaires_at(0.0).unwrap();
         let circles = spots.iter().map(|luminaire| {
-            let luminaire::Lamp::Spot(spot) = luminaire.lamp() else { panic!("{luminaire:?}") };
+            let luminaire::dynamic::AnyLight::Spot(spot) = luminaire.lamp() else { panic!("{luminaire:?}") };
             let versine = f64::from(spot.cone().outer_versine());
             let radius = f64::from(spot.position().y) * (versine * (2.0 - versine)).sqrt() / (1.0 - versine);
             std::f64::consts::PI * radius * radius

@@ -1,6 +1,6 @@
 //! The picture of the stage in every number format against the one in `f32`.
 
-use luminaire::{Angle, Cone, Edge, Fx16, Fx32, Spot};
+use luminaire::{Angle, Cone, Fx16, Fx32, SpotLight, falloff::SoftOrHard};
 use luminaire_render::{Camera, Format, Renderer, stage, stated_error};
 
 /// From the stalls, from both sides, from above, close to the boards, among the actors.
@@ -23,13 +23,13 @@ fn cameras() -> impl Iterator<Item = Camera> {
 
 /// The lights of the stage as beams of 4 degrees with a hard edge, four times as bright: the narrower a beam,
 /// the more it magnifies the error of a direction.
-fn narrow_beams() -> [Spot; 3] {
-    let cone = Cone::from_field(Edge::Hard, Angle::degrees(4.0)).unwrap();
+fn narrow_beams() -> [SpotLight; 3] {
+    let cone = Cone::from_field(SoftOrHard::Hard, Angle::degrees(4.0)).unwrap();
     stage::lights().unwrap().map(|spot| spot.with_cone(cone).with_intensity(4.0 * spot.intensity()).unwrap())
 }
 
 /// Largest and mean difference of a channel, in codes.
-fn difference<S: Format>(lights: &[Spot]) -> (u8, f64) {
+fn difference<S: Format>(lights: &[SpotLight]) -> (u8, f64) {
     let mut renderer = Renderer::<S>::new(960, 540).unwrap();
     let mut reference = Renderer::<f32>::new(960, 540).unwrap();
     let scene = stage::scene().unwrap();

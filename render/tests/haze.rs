@@ -1,6 +1,6 @@
 //! The air before a surface shows only beams that are before it.
 
-use luminaire::{Angle, Cone, Fx16, Haze, Lamp, Rgb, Soft, Spot, Vec3};
+use luminaire::{Angle, Cone, Fx16, Rgb, SpotLight, Vec3, dynamic::AnyLight, falloff::Soft, haze::Haze};
 use luminaire_render::{Camera, Material, Mesh, Renderer, Scene};
 
 const SIZE: usize = 64;
@@ -25,8 +25,8 @@ fn a_lamp_that_points_away_behind_a_surface_is_dark() {
         let off = 0.009 + 0.017 * number / 90.0;
         let position = eye.zip(ahead, |e, a| e + 4.5 * a);
         let position = Vec3::new(position.x, position.y + off, position.z);
-        let spot = Spot::new(position, ahead, cone).unwrap();
-        let lamps = [Lamp::from(spot.with_intensity(16.0).unwrap())];
+        let spot = SpotLight::new(position, ahead, cone).unwrap();
+        let lamps = [AnyLight::from(spot.with_intensity(16.0).unwrap())];
         planned.draw_light(&lamps).unwrap();
         everything.draw_everything(&lamps).unwrap();
         for (x, y) in (0..SIZE * SIZE).map(|i| (i % SIZE, i / SIZE)) {

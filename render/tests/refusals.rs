@@ -1,7 +1,9 @@
 //! Scenes of any numbers: refused by name, or drawn finite, and the same whatever is left out.
 
 use fastrand::Rng;
-use luminaire::{Angle, Cone, Fx16, Fx32, Haze, Luminaire, Point, Rgb, Soft, Spot, Vec3};
+use luminaire::{
+    Angle, Cone, Fx16, Fx32, PointLight, Rgb, SpotLight, Vec3, falloff::Soft, haze::Haze, projector::Fixture,
+};
 use luminaire_render::{Camera, Format, Material, Mesh, Outline, Renderer, Scene};
 
 fn assert_refused<T: std::fmt::Debug>(result: Result<T, luminaire::Error>, message: &str) {
@@ -43,7 +45,7 @@ fn what_no_renderer_can_have_is_refused_by_name() {
     assert_eq!(refused(0, 10), "width 0 is refused: give 1 to 8192 pixels");
     assert_eq!(refused(10, usize::MAX), format!("height {} is refused: give 1 to 8192 pixels", usize::MAX));
     let mut renderer = Renderer::<Fx16>::new(16, 16).expect("a sound size");
-    let far = Point::new(Vec3::new(0.0, 40_000.0, 0.0)).expect("a sound light");
+    let far = PointLight::new(Vec3::new(0.0, 40_000.0, 0.0)).expect("a sound light");
     let message = "position 40000 is refused: give a finite number from -16383 to 16383";
     assert_refused(renderer.draw_light(&[far]), message);
 }
@@ -116,19 +118,19 @@ fn mesh(rng: &mut Rng) -> Mesh {
     mesh.turned(vector(rng), number(rng)).moved(vector(rng))
 }
 
-fn luminaire(rng: &mut Rng) -> Result<Luminaire, luminaire::Error> {
+fn luminaire(rng: &mut Rng) -> Result<Fixture, luminaire::Error> {
     let place = vector(rng);
     if rng.bool() {
-        return Ok(Point::new(place)?.with_intensity(number(rng))?.with_color(color(rng))?.into());
+        return Ok(PointLight::new(place)?.with_intensity(number(rng))?.with_color(color(rng))?.into());
     }
     let cone = Cone::from_field(Soft, Angle::degrees(180.0 * rng.f32()))?;
-    let spot = Spot::new(place, vector(rng), cone)?.with_intensity(30.0 * number(rng))?;
-    let luminaire = Luminaire::from(spot.with_color(color(rng))?);
+    let spot = SpotLight::new(place, vector(rng), cone)?.with_intensity(30.0 * number(rng))?;
+    let luminaire = Fixture::from(spot.with_color(color(rng))?);
     if rng.bool() { luminaire.with_shadow(16) } else { Ok(luminaire) }
 }
 
 /// Draws a scene, and compares what leaving out and leaving nothing out shows. Returns whether the format holds its lamps.
-fn assert_drawn<S: Format>(scene: &Scene, camera: &Camera, lamps: &[Luminaire]) -> bool {
+fn assert_drawn<S: Format>(scene: &Scene, camera: &Camera, lamps: &[Fixture]) -> bool {
     let mut renderer = Renderer::<S>::new(24, 16).expect("a sound size");
     renderer.draw_geometry(scene, camera);
     let drawn = renderer.draw_shadows(scene, lamps).is_ok() && renderer.draw_light(lamps).is_ok();

@@ -1,6 +1,12 @@
 //! What is left out changes no bit of a picture, and what it saves is what it is said to save.
 
-use luminaire::{Fx16, Fx32, Lamp, Light as _, Luminaire, Rgb, Scalar as _, Specular as _, Surface, Vec3};
+use luminaire::{
+    Fx16, Fx32, Rgb, Scalar as _, Vec3,
+    dynamic::AnyLight,
+    light::{LightModel as _, SurfacePoint},
+    projector::Fixture,
+    specular::SpecularLobe as _,
+};
 use luminaire_render::{
     Format, Highlight, Material, Mesh, Renderer, Scene,
     examples::{Example, Setup, turntable},
@@ -33,7 +39,7 @@ fn bits<S: Format>(renderer: &mut Renderer<S>) -> (Vec<[u32; 3]>, Vec<u8>) {
 
 /// Draws one picture after the other with one renderer, and each with a fresh one, and compares both with the picture of
 /// everything.
-fn assert_same<S: Format>(setup: &Setup, pictures: &[Vec<Luminaire>], what: &str) {
+fn assert_same<S: Format>(setup: &Setup, pictures: &[Vec<Fixture>], what: &str) {
     let (mut going_on, mut everything) = (renderer::<S>(setup), renderer::<S>(setup));
     for (number, luminaires) in pictures.iter().enumerate() {
         let mut fresh = renderer::<S>(setup);
@@ -54,7 +60,7 @@ fn assert_same<S: Format>(setup: &Setup, pictures: &[Vec<Luminaire>], what: &str
     }
 }
 
-fn assert_same_everywhere(example: Example, pictures: impl Fn(&Setup) -> Vec<Vec<Luminaire>>) {
+fn assert_same_everywhere(example: Example, pictures: impl Fn(&Setup) -> Vec<Vec<Fixture>>) {
     let setup = example.setup().unwrap();
     let pictures = pictures(&setup);
     assert_same::<f32>(&setup, &pictures, example.name());
@@ -63,11 +69,11 @@ fn assert_same_everywhere(example: Example, pictures: impl Fn(&Setup) -> Vec<Vec
 }
 
 /// A lamp that is switched off.
-fn off(luminaire: &Luminaire) -> Luminaire {
+fn off(luminaire: &Fixture) -> Fixture {
     match luminaire.lamp() {
-        Lamp::Directional(lamp) => lamp.with_intensity(0.0).unwrap().into(),
-        Lamp::Point(lamp) => lamp.with_intensity(0.0).unwrap().into(),
-        Lamp::Spot(lamp) => lamp.with_intensity(0.0).unwrap().into(),
+        AnyLight::Directional(lamp) => lamp.with_intensity(0.0).unwrap().into(),
+        AnyLight::Point(lamp) => lamp.with_intensity(0.0).unwrap().into(),
+        AnyLight::Spot(lamp) => lamp.with_intensity(0.0).unwrap().into(),
     }
 }
 
@@ -87,7 +93,7 @@ fn dark_lamps_and_lamps_that_go_off_and_on_leave_no_trace() {
             let all = setup.luminaires_at(0.0).unwrap();
             let without = |part: usize| {
                 let number =
-                    |(number, lamp): (usize, &Luminaire)| if number % 3 == part { off(lamp) } else { *lamp };
+                    |(number, lamp): (usize, &Fixture)| if number % 3 == part { off(lamp) } else { *lamp };
                 all.iter().enumerate().map(number).collect::<Vec<_>>()
             };
             let fewer = all[..all.len() - 1].to_vec();
@@ -124,7 +130,7 @@ fn lit(example: Example) -> (Setup, Renderer<f32>) {
 fn lit_pairs(setup: &Setup, renderer: &Renderer<f32>) -> u64 {
     let luminaires = setup.luminaires_at(0.0).unwrap();
     let spots = luminaires.iter().map(|luminaire| match luminaire.lamp() {
-        Lamp::Spot(spot) => spot.compile::<f32>().unwrap(),
+        AnyLight::Spot(spot) => spot.compile::<f32>().unwrap(),
         other => panic!("{other:?}"),
     });
     let spots: Vec<_> = spots.collect();
@@ -155,8 +161,8 @@ fn shining_pairs(setup: &Setup, renderer: &Renderer<f32>) -> u64 {
     let lamps: Vec<_> = luminaires.iter().map(|lit| lit.lamp().compile::<f32>().unwrap()).collect();
     let points = pixels(renderer).filter_map(|(x, y)| renderer.surface(x, y));
     let shines = |(point, normal, material): (Vec3<f32>, Vec3<f32>, Material)| {
-        let surface = Surface::<f32>::seen_from(setup.camera.eye(), point, normal);
-        let surface = Surface { view: f32::mirror(surface.view, normal), ..surface };
+        let surface = SurfacePoint::<f32>::seen_from(setup.camera.eye(), point, normal);
+        let surface = SurfacePoint { view: f32::mirror(surface.view, normal), ..surface };
         let highlight = Highlight::constants::<f32>(material.shininess());
         lamps
             .iter()

@@ -2,7 +2,7 @@
 
 use super::scene::{self, with_any_profile};
 use super::words::Words;
-use luminaire::{Accepted, Angle, Cone, Error, Fx16, Fx32, Profile, Scalar};
+use luminaire::{Angle, Cone, Error, Fx16, Fx32, Scalar, error::Expected, falloff::Falloff};
 
 /// A cone of any numbers: its angles are in their order, and each format holds it or names an angle that it holds.
 pub fn descriptions_are_taken_or_refused(words: &[u32]) {
@@ -24,11 +24,13 @@ fn description(words: &mut Words<'_>) -> Option<()> {
 }
 
 /// A cone that a format refuses without a hotspot is taken at the angle that the refusal names.
-fn assert_held<S: Scalar, P: Profile>(cone: Cone<P>) {
+fn assert_held<S: Scalar, P: Falloff>(cone: Cone<P>) {
     let Err(error) = cone.compile::<S>() else { return };
     assert!(!error.to_string().is_empty());
     if let Error {
-        parameter: luminaire::Parameter::OuterAngle, accepted: Accepted::AngleFrom(least), ..
+        parameter: luminaire::error::Parameter::OuterAngle,
+        accepted: Expected::AngleFrom(least),
+        ..
     } = error
     {
         let plain = Cone::from_outer(cone.profile(), Angle::degrees(least * 1.000_01));
@@ -50,7 +52,7 @@ pub fn two_angles_come_back(words: &[u32]) {
         }
         Err(error) => {
             assert!(!error.to_string().is_empty());
-            if let Accepted::AngleBetween(least, most) = error.accepted {
+            if let Expected::AngleBetween(least, most) = error.accepted {
                 // Between a versine and degrees lie a few roundings.
                 for nearest in [least * 1.000_001, most * 0.999_999] {
                     let cone = Cone::from_beam_and_field(Angle::degrees(beam), Angle::degrees(nearest));

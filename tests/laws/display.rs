@@ -2,7 +2,10 @@
 
 use super::format::Format;
 use super::words::Words;
-use luminaire::{Exposure, Rgb, Rgb565, clip, encode_srgb, encode_srgb_dithered, keep_hue};
+use luminaire::{
+    Rgb,
+    display::{Exposure, Rgb565, clip, encode_srgb, encode_srgb_dithered, keep_hue},
+};
 
 /// Of two scalars of any bits the larger has no smaller code.
 pub fn codes_never_fall<S: Format>(words: &[u32]) {

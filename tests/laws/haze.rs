@@ -2,7 +2,12 @@
 
 use super::scene::{self, with_any_distance, with_any_profile};
 use super::words::Words;
-use luminaire::{Attenuation, Haze, Profile, Spot, Vec3, ViewBundle, ViewRay};
+use luminaire::{
+    SpotLight, Vec3,
+    attenuation::Attenuation,
+    falloff::Falloff,
+    haze::{Haze, RayBundle, ViewRay},
+};
 
 /// Where `can_meet` says no, the air light of a ray is exactly zero. The ray looks along the axis,
 /// against it, at the lamp, in a plane tangent to the cone or anywhere; so does the lamp look at
@@ -14,12 +19,12 @@ pub fn beams_that_are_not_met_are_dark(words: &[u32]) {
 fn not_met(words: &mut Words<'_>) -> Option<()> {
     with_any_profile!(words, profile => {
         let cone = scene::cone(words, profile)?;
-        let spot = Spot::new(words.numbers(-8.0, 8.0), words.direction(), cone).ok()?;
+        let spot = SpotLight::new(words.numbers(-8.0, 8.0), words.direction(), cone).ok()?;
         with_any_distance!(words, model => assert_not_met(words, spot.with_attenuation(model)))
     })
 }
 
-fn assert_not_met<P: Profile, A: Attenuation>(words: &mut Words<'_>, spot: Spot<P, A>) -> Option<()> {
+fn assert_not_met<P: Falloff, A: Attenuation>(words: &mut Words<'_>, spot: SpotLight<P, A>) -> Option<()> {
     let haze = Haze::new(words.number(0.0, 1.0)).ok()?.with_lamp_radius(words.number(0.001, 0.1)).ok()?;
     let beam = spot.compile::<f32>().ok()?.in_haze(&haze);
     let half = spot.cone().outer().to_radians() / 2.0;
@@ -43,7 +48,7 @@ fn assert_not_met<P: Profile, A: Attenuation>(words: &mut Words<'_>, spot: Spot<
     let direction = seen(words, to_eye.map(|c| -c));
     let length = words.number(0.0, 2.0 * distance);
     let view = ViewRay { eye, direction, length };
-    if !beam.can_meet(&ViewBundle { eye, direction, versine: 0.0, length }) {
+    if !beam.can_meet(&RayBundle { eye, direction, versine: 0.0, length }) {
         let lights = [beam.air_light(&view), beam.air_light_through(&view, 4, |_| 1.0)];
         assert_eq!(lights, [0.0; 2], "{spot:?} {haze:?} along {view:?}");
     }

@@ -3,7 +3,7 @@
 use super::format::Format;
 use super::scene;
 use super::words::Words;
-use luminaire::{Rgb, Soft};
+use luminaire::{Rgb, falloff::Soft};
 
 /// Below full scale a lamp of twice the intensity gives twice the light: exactly in f32, within the rounding of both in
 /// fixed point.

@@ -1,7 +1,9 @@
 //! Lights and surfaces made of words, or nothing where a constructor refuses.
 
 use super::words::Words;
-use luminaire::{Angle, Cone, HalfAngle, Material, Profile, Rgb, Specular, Spot, Vec3};
+use luminaire::{
+    Angle, Cone, HalfAngle, Material, Rgb, SpotLight, Vec3, falloff::Falloff, specular::SpecularLobe,
+};
 
 /// The samples of a table that is monotone, begins in full light and ends above the dark.
 pub static SAMPLES: [u16; 6] = [65_535, 65_535, 40_000, 39_999, 1_000, 7];
@@ -15,7 +17,9 @@ pub const RISING: [u32; 4] = [4, 5, 6, 12];
 /// Evaluates an expression with one of the profiles there are, in a type of its own each, or refuses.
 macro_rules! with_any_profile {
     ($words:expr, $profile:ident => $answer:expr) => {{
-        use luminaire::{Blend, Cubic, CutOff, Edge, Hard, Linear, Power, Rim, Smooth, Soft, Table};
+        use luminaire::falloff::{
+            Cubic, Hard, InvertedPower, Linear, Power, Quadratic, Smooth, Soft, SoftOrHard, Step, Table,
+        };
         let words: &mut Words<'_> = $words;
         match words.choice($crate::laws::scene::PROFILES) {
             0 => {
@@ -31,7 +35,7 @@ macro_rules! with_any_profile {
                 $answer
             }
             3 => {
-                let $profile = CutOff;
+                let $profile = Step;
                 $answer
             }
             4 => {
@@ -39,7 +43,7 @@ macro_rules! with_any_profile {
                 $answer
             }
             5 => {
-                let $profile = Blend::new(words.number(0.0, 2.0)).ok()?;
+                let $profile = Quadratic::new(words.number(0.0, 2.0)).ok()?;
                 $answer
             }
             6 => {
@@ -59,11 +63,11 @@ macro_rules! with_any_profile {
                 $answer
             }
             10 => {
-                let $profile = Rim::<7>;
+                let $profile = InvertedPower::<7>;
                 $answer
             }
             11 => {
-                let $profile = Edge::Soft;
+                let $profile = SoftOrHard::Soft;
                 $answer
             }
             _ => {
@@ -78,14 +82,14 @@ pub(crate) use with_any_profile;
 /// Evaluates an expression with one of the distance models there are, in a type of its own each, or refuses.
 macro_rules! with_any_distance {
     ($words:expr, $model:ident => $answer:expr) => {{
-        use luminaire::{
-            HardRange, InverseSquare, Polynomial, SmoothRange, SquaredWindow, Unattenuated, Windowed,
+        use luminaire::attenuation::{
+            CutAt, FilamentRange, GltfRange, InverseSquare, NoAttenuation, Polynomial, SmoothRange,
         };
         let words: &mut Words<'_> = $words;
         let range = |words: &mut Words<'_>| words.number(0.001, 40.0);
         match words.choice(9) {
             0 => {
-                let $model = Unattenuated;
+                let $model = NoAttenuation;
                 $answer
             }
             1 => {
@@ -102,24 +106,24 @@ macro_rules! with_any_distance {
                 $answer
             }
             4 => {
-                let $model = Windowed::new(InverseSquare, Some(range(words))).ok()?;
+                let $model = GltfRange::new(InverseSquare, Some(range(words))).ok()?;
                 $answer
             }
             5 => {
-                let $model = Windowed::new(InverseSquare, None).ok()?;
+                let $model = GltfRange::new(InverseSquare, None).ok()?;
                 $answer
             }
             6 => {
-                let $model = SquaredWindow::new(InverseSquare, Some(range(words))).ok()?;
+                let $model = FilamentRange::new(InverseSquare, Some(range(words))).ok()?;
                 $answer
             }
             7 => {
-                let $model = HardRange::new(InverseSquare, Some(range(words))).ok()?;
+                let $model = CutAt::new(InverseSquare, Some(range(words))).ok()?;
                 $answer
             }
             _ => {
                 let inner = SmoothRange::new(range(words)).ok()?;
-                let $model = HardRange::new(inner, Some(range(words))).ok()?;
+                let $model = CutAt::new(inner, Some(range(words))).ok()?;
                 $answer
             }
         }
@@ -130,10 +134,10 @@ pub(crate) use with_any_distance;
 /// Evaluates an expression with one of the highlights there are, in a type of its own each.
 macro_rules! with_any_highlight {
     ($words:expr, $highlight:ident => $answer:expr) => {{
-        use luminaire::{BlinnPhong, DualCone, Lyon, Matte, Phong};
+        use luminaire::specular::{BlinnPhong, DifferenceForm, DualConeLobe, NoSpecular, Phong};
         match $words.choice(7) {
             0 => {
-                let $highlight = Matte;
+                let $highlight = NoSpecular;
                 $answer
             }
             1 => {
@@ -145,19 +149,19 @@ macro_rules! with_any_highlight {
                 $answer
             }
             3 => {
-                let $highlight = DualCone;
+                let $highlight = DualConeLobe;
                 $answer
             }
             4 => {
-                let $highlight = Lyon::<_, 2>(Phong);
+                let $highlight = DifferenceForm::<_, 2>(Phong);
                 $answer
             }
             5 => {
-                let $highlight = Lyon::<_, 3>(BlinnPhong);
+                let $highlight = DifferenceForm::<_, 3>(BlinnPhong);
                 $answer
             }
             _ => {
-                let $highlight = Lyon::<_, 4>(DualCone);
+                let $highlight = DifferenceForm::<_, 4>(DualConeLobe);
                 $answer
             }
         }
@@ -166,7 +170,7 @@ macro_rules! with_any_highlight {
 pub(crate) use with_any_highlight;
 
 /// A cone by one of its angles, with or without a hotspot and a delimiter.
-pub fn cone<P: Profile>(words: &mut Words<'_>, profile: P) -> Option<Cone<P>> {
+pub fn cone<P: Falloff>(words: &mut Words<'_>, profile: P) -> Option<Cone<P>> {
     let design = [Cone::from_outer, Cone::from_field, Cone::from_beam][words.choice(3) as usize];
     // Evenly spread over the logarithm: narrow cones are the hard ones.
     let angle = words.number(-16.0, 7.5);
@@ -182,13 +186,13 @@ pub fn cone<P: Profile>(words: &mut Words<'_>, profile: P) -> Option<Cone<P>> {
 }
 
 /// A spotlight that is aimed about at a place.
-pub fn spot<P: Profile>(words: &mut Words<'_>, cone: Cone<P>, target: Vec3<f32>) -> Option<Spot<P>> {
+pub fn spot<P: Falloff>(words: &mut Words<'_>, cone: Cone<P>, target: Vec3<f32>) -> Option<SpotLight<P>> {
     let position = words.numbers(-8.0, 8.0);
     let off = words.numbers(-1.0, 1.0).map(|c| c * HalfAngle::from(cone.outer()).to_radians());
     let way = target.zip(position, |t, p| t - p);
     let distance = way.dot(way).sqrt();
     let axis = way.zip(off, |way, off| way + distance * off);
-    Spot::new(position, axis, cone).ok()?.with_intensity(words.number(0.0, 100.0)).ok()
+    SpotLight::new(position, axis, cone).ok()?.with_intensity(words.number(0.0, 100.0)).ok()
 }
 
 /// A colour.
@@ -198,7 +202,7 @@ pub fn color(words: &mut Words<'_>) -> Rgb<f32> {
 }
 
 /// A material.
-pub fn material<H: Specular>(words: &mut Words<'_>, highlight: H) -> Option<Material<H>> {
+pub fn material<H: SpecularLobe>(words: &mut Words<'_>, highlight: H) -> Option<Material<H>> {
     let shininess = H::LEAST_SHININESS + words.choice(1_025 - H::LEAST_SHININESS);
     let matt = Material::new(color(words)).ok()?.with_ambient(color(words)).ok()?;
     matt.with_emissive(color(words)).ok()?.with_highlight(highlight, color(words), shininess).ok()

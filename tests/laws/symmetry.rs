@@ -2,7 +2,11 @@
 
 use super::format::Format;
 use super::words::Words;
-use luminaire::{Blend, Cone, HalfAngle, Point, Profile, Spot, Unattenuated, Vec3};
+use luminaire::{
+    Cone, HalfAngle, PointLight, SpotLight, Vec3,
+    attenuation::NoAttenuation,
+    falloff::{Falloff, Quadratic},
+};
 
 /// A permutation of the axes, and which of them are mirrored.
 #[derive(Clone, Copy, Debug)]
@@ -45,7 +49,7 @@ pub fn turned_scenes_are_the_same<S: Format>(words: &[u32]) {
 
 fn turned<S: Format>(words: &mut Words<'_>) -> Option<()> {
     let turn = Turn::of(words);
-    let profile = Blend::new(words.between(0.0, 2.0)).ok()?;
+    let profile = Quadratic::new(words.between(0.0, 2.0)).ok()?;
     let half = words.between(-10.0, 6.49).exp2();
     let cone = Cone::from_outer(profile, HalfAngle::degrees(half)).ok()?;
     let (position, normal) = (words.place(), words.direction());
@@ -57,11 +61,12 @@ fn turned<S: Format>(words: &mut Words<'_>) -> Option<()> {
     let point = point.zip(position, |w, p| ((w + p) * 65_536.0).round() / 65_536.0);
 
     let spot = |turn: &dyn Fn(Vec3<f32>) -> Vec3<f32>| {
-        let light = Spot::new(turn(position), turn(axis), cone).ok()?.compile::<S>().ok()?;
+        let light = SpotLight::new(turn(position), turn(axis), cone).ok()?.compile::<S>().ok()?;
         Some(light.falloff(turn(point).map(S::length)).exact())
     };
     let lamp = |turn: &dyn Fn(Vec3<f32>) -> Vec3<f32>| {
-        let light = Point::new(turn(position)).ok()?.with_attenuation(Unattenuated).compile::<S>().ok()?;
+        let light =
+            PointLight::new(turn(position)).ok()?.with_attenuation(NoAttenuation).compile::<S>().ok()?;
         let light = light.irradiance(turn(point).map(S::length), turn(normal).map(S::from_f32));
         Some(S::exact_light(light))
     };

@@ -5,8 +5,11 @@ use super::format::Format;
 use super::scene::{self, with_any_distance, with_any_highlight, with_any_profile};
 use super::words::Words;
 use luminaire::{
-    Ambient, Cone, Directional, Exposure, Light, Material, Point, Profile, Rgb, Rgb565, Soft, Specular,
-    Surface, clip, encode_srgb, keep_hue,
+    AmbientLight, Cone, DirectionalLight, Material, PointLight, Rgb,
+    display::{Exposure, Rgb565, clip, encode_srgb, keep_hue},
+    falloff::{Falloff, Soft},
+    light::{LightModel, SurfacePoint},
+    specular::SpecularLobe,
 };
 
 /// The falloff and the light of a spotlight with any profile.
@@ -21,7 +24,7 @@ fn spotlight<S: Format>(words: &mut Words<'_>) -> Option<()> {
     })
 }
 
-fn spotlight_in<S: Format, P: Profile>(words: &mut Words<'_>, cone: Cone<P>) -> Option<()> {
+fn spotlight_in<S: Format, P: Falloff>(words: &mut Words<'_>, cone: Cone<P>) -> Option<()> {
     let place = words.place();
     let spot = scene::spot(words, cone, place)?;
     let light = spot.compile::<S>().ok()?;
@@ -46,7 +49,7 @@ fn distance<S: Format>(words: &mut Words<'_>) -> Option<()> {
     let spot = scene::cone(words, Soft).and_then(|cone| scene::spot(words, cone, place));
     let position = words.numbers(-8.0, 8.0);
     with_any_distance!(words, model => {
-        let point = Point::new(position).ok()?.with_intensity(words.number(0.0, 100.0)).ok()?;
+        let point = PointLight::new(position).ok()?.with_intensity(words.number(0.0, 100.0)).ok()?;
         let matt = Material::new(Rgb::new(1.0, 0.5, 0.25)).ok()?;
         let surface = words.surface::<S>(place);
         if let Ok(light) = point.with_attenuation(model).compile::<S>() {
@@ -70,7 +73,7 @@ fn highlight<S: Format>(words: &mut Words<'_>) -> Option<()> {
         let place = words.place();
         let surface = words.surface::<S>(place);
         let direction = words.numbers(-1.0, 1.0);
-        let sun = Directional::new(direction).and_then(|sun| sun.with_intensity(words.number(0.0, 100.0)));
+        let sun = DirectionalLight::new(direction).and_then(|sun| sun.with_intensity(words.number(0.0, 100.0)));
         let mut sum = Rgb::default();
         if let Ok(sun) = sun {
             sum = assert_reflects(material, &sun.compile::<S>(), &surface);
@@ -79,7 +82,7 @@ fn highlight<S: Format>(words: &mut Words<'_>) -> Option<()> {
         if let Some(light) = spot.and_then(|spot| spot.compile::<S>().ok()) {
             sum = sum.plus::<S>(assert_reflects(material, &light, &surface));
         }
-        let ambient = Ambient::new(scene::color(words)).and_then(|a| a.with_intensity(words.number(0.0, 2.0)));
+        let ambient = AmbientLight::new(scene::color(words)).and_then(|a| a.with_intensity(words.number(0.0, 2.0)));
         if let Ok(ambient) = ambient {
             sum = sum.plus::<S>(material.compile::<S>().glow(ambient.compile::<S>()));
         }
@@ -89,10 +92,10 @@ fn highlight<S: Format>(words: &mut Words<'_>) -> Option<()> {
 }
 
 /// What a material sends back of a light: sound, and the same without the rejects.
-fn assert_reflects<S: Format, H: Specular>(
+fn assert_reflects<S: Format, H: SpecularLobe>(
     material: Material<H>,
-    light: &impl Light<S>,
-    surface: &Surface<S>,
+    light: &impl LightModel<S>,
+    surface: &SurfacePoint<S>,
 ) -> Rgb<S::Irradiance> {
     let compiled = material.compile::<S>();
     let reflected = compiled.reflect(surface, light);
@@ -101,7 +104,7 @@ fn assert_reflects<S: Format, H: Specular>(
     reflected
 }
 
-/// Light on its way to the display stays in range at every step.
+/// LightModel on its way to the display stays in range at every step.
 fn assert_shown<S: Format>(words: &mut Words<'_>, light: Rgb<S::Irradiance>) {
     let Ok(exposure) = Exposure::factor(words.number(0.0, 4.0)) else { return };
     let exposed = exposure.compile::<S>().expose(light);

@@ -1,7 +1,7 @@
 //! Raw words, and what can be made of them.
 
 use super::format::Format;
-use luminaire::{Surface, Vec3};
+use luminaire::{Vec3, light::SurfacePoint};
 
 /// Words of any bits, taken one by one; after the last come zeros.
 ///
@@ -99,10 +99,10 @@ impl<'a> Words<'a> {
     }
 
     /// A point of a surface that an eye sees.
-    pub fn surface<S: Format>(&mut self, place: Vec3<f32>) -> Surface<S> {
+    pub fn surface<S: Format>(&mut self, place: Vec3<f32>) -> SurfacePoint<S> {
         let (point, normal) = (self.point::<S>(place), self.normal());
         let view = S::axis(self.direction());
         let view = view.map(|c| if self.is_wild() { S::unit_from_bits(self.wide()) } else { c });
-        Surface { point, normal, view }
+        SurfacePoint { point, normal, view }
     }
 }

@@ -3,7 +3,7 @@
 //! `cargo test --test accuracy -- --nocapture` prints the measured rows.
 
 use fastrand::Rng;
-use luminaire::{Fx16, Fx32, Profile, Spot};
+use luminaire::{Fx16, Fx32, SpotLight, falloff::Falloff};
 use support::with_every_shape;
 use support::{
     bounds::{self, Column, REFUSE, ROWS, Row},
@@ -21,7 +21,7 @@ struct Measured {
 }
 
 /// Versine to intensity, over every cone that the format holds, in steps of the format.
-fn falloff_error<S: Format, P: Profile>(shape: &Shape<P>) -> f64 {
+fn falloff_error<S: Format, P: Falloff>(shape: &Shape<P>) -> f64 {
     let held = HALF_ANGLES.into_iter().filter_map(|half| Some((half, shape.at(half).compile::<S>().ok()?)));
     held.flat_map(|(half, falloff)| {
         let exact = shape.stored_at(half);
@@ -38,8 +38,8 @@ fn falloff_error<S: Format, P: Profile>(shape: &Shape<P>) -> f64 {
 }
 
 /// What the format has stored of a spotlight, for the reference.
-fn stored<S: Format, P: Profile>(spot: &Spot<P>, cone: reference::Cone) -> reference::Spot {
-    reference::Spot {
+fn stored<S: Format, P: Falloff>(spot: &SpotLight<P>, cone: reference::Cone) -> reference::SpotLight {
+    reference::SpotLight {
         position: S::exact_point(spot.position().map(S::length)),
         axis: reference::unit(S::exact_direction(spot.axis_in::<S>())),
         cone,
@@ -55,7 +55,7 @@ fn blur<S: Format>(half_degrees: f32) -> f64 {
 }
 
 /// Position to intensity and to irradiance at one cone, if the format holds it.
-fn spot_errors<S: Format, P: Profile>(shape: &Shape<P>, half_degrees: f32) -> [f64; 2] {
+fn spot_errors<S: Format, P: Falloff>(shape: &Shape<P>, half_degrees: f32) -> [f64; 2] {
     let mut rng = Rng::with_seed(2004);
     let cone = shape.at(half_degrees);
     if cone.compile::<S>().is_err() {
@@ -87,7 +87,7 @@ fn spot_errors<S: Format, P: Profile>(shape: &Shape<P>, half_degrees: f32) -> [f
     [worst_spot, worst_lit]
 }
 
-fn measure<S: Format, P: Profile>(shape: &Shape<P>) -> Measured {
+fn measure<S: Format, P: Falloff>(shape: &Shape<P>) -> Measured {
     let errors = HALF_ANGLES.map(|degrees| spot_errors::<S, P>(shape, degrees));
     Measured {
         falloff: falloff_error::<S, P>(shape),
@@ -101,7 +101,7 @@ fn show(errors: Column) -> String {
 }
 
 /// What a shape breaks of its row.
-fn broken<S: Format, P: Profile>(shape: &Shape<P>) -> Vec<String> {
+fn broken<S: Format, P: Falloff>(shape: &Shape<P>) -> Vec<String> {
     let measured = measure::<S, P>(shape);
     println!("{} {}: falloff {:.3} steps", shape.name, S::NAME, measured.falloff);
     println!("    spot: [{}]", show(measured.spot));

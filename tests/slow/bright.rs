@@ -8,8 +8,12 @@
 
 use fastrand::Rng;
 use luminaire::{
-    Attenuation, Cone, Faded, Fx16, Fx32, Hard, HardRange, InverseSquare, Linear, Matched, Point, Polynomial,
-    Smooth, SmoothRange, Soft, SquaredWindow, Unattenuated, Windowed,
+    Cone, Fx16, Fx32, PointLight,
+    attenuation::{
+        Attenuation, CutAt, FilamentRange, GltfRange, InverseSquare, NoAttenuation, Polynomial, SmoothRange,
+        Windowed,
+    },
+    falloff::{AnyFalloff, Hard, Linear, Smooth, Soft},
 };
 use support::{
     format::Format,
@@ -66,7 +70,7 @@ fn spots<S: Format, A: Attenuation>(
     jump: Option<f64>,
     errors: &mut [Errors; INTENSITIES.len()],
 ) {
-    let profiles: [(Matched, reference::Profile); 4] = [
+    let profiles: [(AnyFalloff, reference::Falloff); 4] = [
         (Soft.into(), reference::soft),
         (Hard.into(), reference::hard),
         (Linear.into(), reference::linear),
@@ -77,7 +81,7 @@ fn spots<S: Format, A: Attenuation>(
             let cone = Cone::from_outer(profile, sweep::half(half_degrees)).expect("a sound cone");
             let exact = reference::Cone::new(exact, reference::versine(half_degrees.into()));
             let chord = (2.0 * exact.outer).sqrt();
-            let steepness = f64::from(luminaire::Profile::steepness(profile, 0.0));
+            let steepness = f64::from(luminaire::falloff::Falloff::steepness(profile, 0.0));
             let slope = f64::from(S::DIRECTION_ERROR) * (steepness / chord + 1.0);
             for (intensity, errors) in INTENSITIES.into_iter().zip(&mut *errors) {
                 let spot = sweep::spot(rng, cone).with_attenuation(attenuation);
@@ -111,7 +115,8 @@ fn spots<S: Format, A: Attenuation>(
 fn points<S: Format>(rng: &mut Rng, errors: &mut [Errors; INTENSITIES.len()]) {
     for (intensity, errors) in INTENSITIES.into_iter().zip(errors) {
         let position = [1.5, -0.25, 2.0];
-        let point = Point::new(sweep::single(position)).and_then(|point| point.with_intensity(intensity));
+        let point =
+            PointLight::new(sweep::single(position)).and_then(|point| point.with_intensity(intensity));
         let compiled = point.and_then(|point| point.compile::<S>()).expect("sound");
         for _ in 0..20_000 * sweep::effort() {
             let axis = sweep::direction(rng);
@@ -137,7 +142,7 @@ fn rows<S: Format>() -> Vec<(String, [Errors; INTENSITIES.len()])> {
         rows.push((name, errors));
     };
     let far = |intensity: f64| intensity.sqrt();
-    row("none".into(), &mut |rng, errors| spots::<S, _>(rng, Unattenuated, |_| 1.0, |_| 10.0, None, errors));
+    row("none".into(), &mut |rng, errors| spots::<S, _>(rng, NoAttenuation, |_| 1.0, |_| 10.0, None, errors));
     row("inverse square".into(), &mut |rng, errors| {
         spots::<S, _>(rng, InverseSquare, |d| 1.0 / (d * d), far, None, errors);
     });
@@ -155,20 +160,20 @@ fn rows<S: Format>() -> Vec<(String, [Errors; INTENSITIES.len()])> {
             spots::<S, _>(rng, model, |d| reference::smooth_range(r, d), |_| r, None, errors);
         });
         row(format!("window of {range}"), &mut |rng, errors| {
-            let model = Windowed::new(InverseSquare, some).expect("sound");
+            let model = GltfRange::new(InverseSquare, some).expect("sound");
             spots::<S, _>(rng, model, |d| reference::windowed(r, d), within, None, errors);
         });
         row(format!("squared window of {range}"), &mut |rng, errors| {
-            let model = SquaredWindow::new(InverseSquare, some).expect("sound");
+            let model = FilamentRange::new(InverseSquare, some).expect("sound");
             spots::<S, _>(rng, model, |d| reference::squared_window(r, d), within, None, errors);
         });
         row(format!("polynomial faded to {range}"), &mut |rng, errors| {
-            let model = Faded::new(polynomial, some).expect("sound");
+            let model = Windowed::new(polynomial, some).expect("sound");
             let exact = |d| reference::polynomial([1.0, 0.25, 0.5], d) * squared(d);
             spots::<S, _>(rng, model, exact, |_| r, None, errors);
         });
         row(format!("inverse square cut at {range}"), &mut |rng, errors| {
-            let model = HardRange::new(InverseSquare, some).expect("sound");
+            let model = CutAt::new(InverseSquare, some).expect("sound");
             let exact = |d: f64| if d < r { 1.0 / (d * d) } else { 0.0 };
             spots::<S, _>(rng, model, exact, within, Some(r), errors);
         });

@@ -5,8 +5,10 @@
 //! visits every one, some nine minutes on two processors, and prints the rows.
 
 use luminaire::{
-    Cone, Cubic, Falloff, Fx16, Fx32, Hard, Linear, Power, Profile, Rgb, Rgb565, Rim, Scalar, Smooth, Soft,
-    encode_srgb,
+    Cone, Fx16, Fx32, Rgb, Scalar,
+    display::{Rgb565, encode_srgb},
+    falloff::{Cubic, Falloff, Hard, InvertedPower, Linear, Power, Smooth, Soft},
+    light::CompiledCone,
 };
 use support::with_every_shape;
 use support::{
@@ -24,15 +26,15 @@ type Ends<S> = [(<S as Scalar>::Versine, f64); 2];
 /// A format whose versines can all be visited.
 trait Countable: Format<Versine: Sync, Ramp: Sync> {
     /// The versines from the axis to beyond the edge in rising order, by their index up to a last one.
-    fn versines<P: Profile>(
-        falloff: &Falloff<Self, P>,
+    fn versines<P: Falloff>(
+        falloff: &CompiledCone<Self, P>,
         outer: f32,
     ) -> (u64, impl Fn(u64) -> Ends<Self> + Sync);
 }
 
 impl Countable for f32 {
     /// Every bit pattern that is not negative, infinity and what is not a number included.
-    fn versines<P: Profile>(_: &Falloff<f32, P>, _: f32) -> (u64, impl Fn(u64) -> Ends<f32> + Sync) {
+    fn versines<P: Falloff>(_: &CompiledCone<f32, P>, _: f32) -> (u64, impl Fn(u64) -> Ends<f32> + Sync) {
         let versine = |bits: u64| {
             let versine = f32::from_bits(bits as u32);
             [(versine, versine.into()); 2]
@@ -43,8 +45,8 @@ impl Countable for f32 {
 
 impl Countable for Fx16 {
     /// Every bit pattern up to an eighth beyond the edge.
-    fn versines<P: Profile>(
-        falloff: &Falloff<Fx16, P>,
+    fn versines<P: Falloff>(
+        falloff: &CompiledCone<Fx16, P>,
         outer: f32,
     ) -> (u64, impl Fn(u64) -> Ends<Self> + Sync) {
         let edge = u64::from(falloff.versine(outer).to_bits());
@@ -57,8 +59,8 @@ impl Countable for Fx32 {
     /// The gap to the edge counts in its upper 32 bits alone. So there are 2^32 classes of versines with one
     /// answer each, and the first and the last of a class are the farthest from that answer, since the exact
     /// intensity never rises.
-    fn versines<P: Profile>(
-        falloff: &Falloff<Fx32, P>,
+    fn versines<P: Falloff>(
+        falloff: &CompiledCone<Fx32, P>,
         outer: f32,
     ) -> (u64, impl Fn(u64) -> Ends<Self> + Sync) {
         let edge = falloff.versine(outer).to_bits();
@@ -77,9 +79,9 @@ impl Countable for Fx32 {
 }
 
 /// What is seen of a shape in one cone, in steps of the format; nothing where the format refuses the cone.
-fn seen<S: Countable, P: Profile>(shape: &Shape<P>, half_degrees: f32) -> Option<Seen>
+fn seen<S: Countable, P: Falloff>(shape: &Shape<P>, half_degrees: f32) -> Option<Seen>
 where
-    Falloff<S, P>: Sync,
+    CompiledCone<S, P>: Sync,
 {
     let falloff = shape.at(half_degrees).compile::<S>().ok()?;
     let exact = shape.stored_at(half_degrees);
@@ -107,9 +109,9 @@ where
 }
 
 /// What a shape breaks of its row, and of the law that intensities do not rise towards the edge.
-fn broken<S: Countable, P: Profile>(shape: &Shape<P>) -> Vec<String>
+fn broken<S: Countable, P: Falloff>(shape: &Shape<P>) -> Vec<String>
 where
-    Falloff<S, P>: Sync,
+    CompiledCone<S, P>: Sync,
 {
     // A jump is where it is within the rounding of a versine, which no error of an intensity measures.
     if shape.exactly_at(1.0).jumps_near(shape.exactly_at(1.0).limit, 1.0) {
@@ -142,10 +144,10 @@ fn assert_kept(broken: Vec<String>) {
 /// The four that the formats of 32 bits are held to over every versine.
 fn four<S: Countable>() -> Vec<String>
 where
-    Falloff<S, Soft>: Sync,
-    Falloff<S, Hard>: Sync,
-    Falloff<S, Smooth>: Sync,
-    Falloff<S, Cubic>: Sync,
+    CompiledCone<S, Soft>: Sync,
+    CompiledCone<S, Hard>: Sync,
+    CompiledCone<S, Smooth>: Sync,
+    CompiledCone<S, Cubic>: Sync,
 {
     [
         broken::<S, _>(&Shape::plain("soft", Soft, reference::soft)),
@@ -184,12 +186,12 @@ fn every_negative_versine_of_f32_is_on_the_axis() {
 }
 
 /// Every fraction of 31 bits: the ramp from 0 to 1 gives each of them.
-fn fraction_error<P: Profile + Sync>(shape: &Shape<P>) -> f64
+fn fraction_error<P: Falloff + Sync>(shape: &Shape<P>) -> f64
 where
     P::Compiled<Fx32>: Sync,
 {
     let (ramp, oracle) = (Fx32::ramp(0.0, 1.0, 1.0), shape.oracle);
-    let falloff = Falloff::<Fx32, P>::from_parts(ramp, shape.profile, shape.profile.compile::<Fx32>());
+    let falloff = CompiledCone::<Fx32, P>::from_parts(ramp, shape.profile, shape.profile.compile::<Fx32>());
     let name = format!("{} fx32, every fraction", shape.name);
     let seen = every::input(&name, 0..=1 << 31, |fraction| {
         let versine = Fx32::versine_from_bits(((1 << 31) - fraction) << 30);
@@ -214,7 +216,7 @@ fn fx32_keeps_its_roundings_over_every_fraction() {
         ("cubic", fraction_error(&Shape::plain("cubic", profiles::cubic(), reference::cubic))),
         ("power 4", fraction_error(&Shape::plain("power 4", Power::<4>, reference::power_4))),
         ("power 15", fraction_error(&Shape::plain("power 15", Power::<15>, reference::power_15))),
-        ("rim 4", fraction_error(&Shape::plain("rim 4", Rim::<4>, reference::rim_4))),
+        ("rim 4", fraction_error(&Shape::plain("rim 4", InvertedPower::<4>, reference::rim_4))),
         ("table", fraction_error(&Shape::plain("table", profiles::table(), reference::table))),
     ];
     let broken = measured.iter().zip(FRACTIONS).filter_map(|((name, error), (row, bound))| {

@@ -6,8 +6,11 @@
 
 use fastrand::Rng;
 use luminaire::{
-    Angle, Blend, CompiledSpot, Cone, Falloff, Fx16, Fx32, HalfAngle, Hard, IntegerPower, IntegerRim, Linear,
-    Matched, Profile, Soft, Spot, Table, Vec3,
+    Angle, Cone, Fx16, Fx32, HalfAngle, SpotLight, Vec3,
+    falloff::{
+        AnyFalloff, Falloff, Hard, IntegerPower, InvertedIntegerPower, Linear, Quadratic, Soft, Table,
+    },
+    light::{CompiledCone, CompiledSpotLight},
 };
 use support::{
     format::Format,
@@ -29,27 +32,27 @@ struct Angles {
 }
 
 impl Angles {
-    fn cone(self, profile: Matched) -> Option<Cone<Matched>> {
+    fn cone(self, profile: AnyFalloff) -> Option<Cone<AnyFalloff>> {
         let half = HalfAngle::degrees;
         let cone = Cone::from_outer(profile, half(self.outer)).ok()?.with_inner(half(self.inner)).ok()?;
         if self.limit < self.outer { cone.with_delimiter(half(self.limit)).ok() } else { Some(cone) }
     }
 
-    fn is_accepted<S: Format>(self, profile: Matched) -> bool {
+    fn is_accepted<S: Format>(self, profile: AnyFalloff) -> bool {
         self.cone(profile).is_some_and(|cone| cone.compile::<S>().is_ok())
     }
 
     /// Whether the format accepts the cone and evaluates it coarsely.
-    fn is_coarse<S: Format>(self, profile: Matched) -> bool {
+    fn is_coarse<S: Format>(self, profile: AnyFalloff) -> bool {
         let [inner, outer, limit] = self.versines();
         let coarse =
-            Falloff::<S, _>::from_parts(S::ramp(inner, outer, limit), profile, profile.compile::<S>());
+            CompiledCone::<S, _>::from_parts(S::ramp(inner, outer, limit), profile, profile.compile::<S>());
         self.cone(profile).is_some_and(|cone| cone.compile::<S>() == Ok(coarse))
     }
 
     /// Random angles of a cone that the format accepts, most of them at the limit of that or of what
     /// is evaluated coarsely.
-    fn random<S: Format>(rng: &mut Rng, profile: Matched) -> Option<Self> {
+    fn random<S: Format>(rng: &mut Rng, profile: AnyFalloff) -> Option<Self> {
         let hotspot = match rng.u8(..4) {
             0 | 1 => 0.0,
             2 => rng.f32(),
@@ -172,26 +175,26 @@ fn changed(rng: &mut Rng, v: Vec3<f32>, by: impl Fn(f32) -> f32) -> Vec3<f32> {
 /// A cone that the format accepts, compiled once for all its lights: where a mixture is steepest is
 /// searched for, which takes thousands of times as long as an evaluation.
 struct Beam<S: Format> {
-    shape: Matched,
+    shape: AnyFalloff,
     angles: Angles,
     exact_versines: [f64; 3],
-    cone: Cone<Matched>,
-    compiled: CompiledSpot<S, Matched>,
+    cone: Cone<AnyFalloff>,
+    compiled: CompiledSpotLight<S, AnyFalloff>,
 }
 
 impl<S: Format> Beam<S> {
-    fn new(shape: Matched, angles: Angles) -> Option<Self> {
+    fn new(shape: AnyFalloff, angles: Angles) -> Option<Self> {
         let cone = angles.cone(shape)?;
-        let spot = Spot::new(Vec3::default(), Vec3::new(0.0, 0.0, 1.0), cone).ok()?;
+        let spot = SpotLight::new(Vec3::default(), Vec3::new(0.0, 0.0, 1.0), cone).ok()?;
         let compiled = spot.compile::<S>().ok()?;
         Some(Self { shape, angles, exact_versines: angles.exact_versines(), cone, compiled })
     }
 
-    fn spot(&self, scene: &Scene) -> Option<Spot<Matched>> {
-        Spot::new(scene.light, scene.axis, self.cone).ok()
+    fn spot(&self, scene: &Scene) -> Option<SpotLight<AnyFalloff>> {
+        SpotLight::new(scene.light, scene.axis, self.cone).ok()
     }
 
-    /// Asserts that the falloff has the bits of that of [`Spot::compile`].
+    /// Asserts that the falloff has the bits of that of [`SpotLight::compile`].
     fn assert_same(&self, scene: &Scene) {
         let compiled = self.spot(scene).expect("a sound light").compile::<S>().expect("accepted before");
         let light = self.light(scene).expect("a sound light").compiled;
@@ -214,7 +217,7 @@ impl<S: Format> Beam<S> {
 /// A light, and what it is in f64.
 struct Light<'a, S: Format> {
     beam: &'a Beam<S>,
-    compiled: CompiledSpot<S, Matched>,
+    compiled: CompiledSpotLight<S, AnyFalloff>,
     position: Vector,
     axis: Vector,
 }
@@ -353,14 +356,14 @@ fn fx16_holds_the_worst_cones_that_were_found() {
             [16456.35, -197.38402, -393.12357],
         ),
         (
-            Blend::new(1.5701874).expect("sound").into(),
+            Quadratic::new(1.5701874).expect("sound").into(),
             [0.0, 1.4466475],
             [0.030180821, 0.16335364, 0.13611338],
             [-0.057993323, -0.17201087, 0.99506766],
             [-612.21985, -1619.5867, 8346.136],
         ),
         (
-            Blend::new(1.1751151).expect("sound").into(),
+            Quadratic::new(1.1751151).expect("sound").into(),
             [0.79994786, 1.493479],
             [-0.0007753705, -0.0024057247, -0.0015799699],
             [1.0005511, 0.0055236816, 0.0010518609],
@@ -377,9 +380,9 @@ fn fx16_holds_the_worst_cones_that_were_found() {
 }
 
 /// Steep shapes and the share of the outer angle that their inner angle is.
-fn steep_shapes() -> Vec<(String, f32, Matched)> {
+fn steep_shapes() -> Vec<(String, f32, AnyFalloff)> {
     let power = |n: u32| IntegerPower::new(n).expect("a sound exponent").into();
-    let rim = |n: u32| IntegerRim::new(n).expect("a sound exponent").into();
+    let rim = |n: u32| InvertedIntegerPower::new(n).expect("a sound exponent").into();
     let mut shapes = Vec::new();
     shapes.extend([32, 64, 128, 268, 1_024].map(|n| (format!("power {n}"), 0.0, power(n))));
     shapes.extend([8, 16, 32, 64, 128].map(|n| (format!("rim {n}"), 0.0, rim(n))));

@@ -4,8 +4,13 @@
 
 use fastrand::Rng;
 use luminaire::{
-    Attenuation, Faded, HardRange, Haze, HazyBeam, InverseSquare, Polynomial, Power, Profile, SmoothRange,
-    Soft, Spot, SquaredWindow, Unattenuated, ViewRay, Windowed,
+    SpotLight,
+    attenuation::{
+        Attenuation, CutAt, FilamentRange, GltfRange, InverseSquare, NoAttenuation, Polynomial, SmoothRange,
+        Windowed,
+    },
+    falloff::{Falloff, Power, Soft},
+    haze::{BeamScattering, Haze, ViewRay},
 };
 use support::with_every_shape;
 use support::{
@@ -22,8 +27,8 @@ use support::{
 const DENSITY: f32 = 0.5;
 
 /// A spotlight in haze, and what it stands for.
-struct Pair<P: Profile, A: Attenuation> {
-    kernel: HazyBeam<P, A>,
+struct Pair<P: Falloff, A: Attenuation> {
+    kernel: BeamScattering<P, A>,
     oracle: Beam,
     across: f64,
 }
@@ -32,13 +37,13 @@ fn haze() -> Haze {
     Haze::new(DENSITY).expect("a sound density")
 }
 
-fn pair<P: Profile, A: Attenuation>(
-    spot: Spot<P, A>,
+fn pair<P: Falloff, A: Attenuation>(
+    spot: SpotLight<P, A>,
     cone: reference::Cone,
     attenuation: reference::Attenuation,
     range: f64,
 ) -> Pair<P, A> {
-    let spot_in_f64 = reference::Spot {
+    let spot_in_f64 = reference::SpotLight {
         position: exact(spot.position()),
         axis: unit(exact(spot.axis())),
         cone,
@@ -58,7 +63,7 @@ fn pair<P: Profile, A: Attenuation>(
 /// The error of a ray, relative to what is seen there or to what a line across the axis sees that is as
 /// near to the lamp, whichever is more. At the rim of the lamp's body there is none: the light jumps, and
 /// no format can place the jump.
-fn error<P: Profile, A: Attenuation>(
+fn error<P: Falloff, A: Attenuation>(
     pair: &Pair<P, A>,
     view: &ViewRay,
     found: f32,
@@ -77,7 +82,7 @@ fn error<P: Profile, A: Attenuation>(
 }
 
 /// The largest error over 1,800 rays, the same in every run.
-fn largest<P: Profile, A: Attenuation>(
+fn largest<P: Falloff, A: Attenuation>(
     pair: impl Fn(&mut Rng) -> Pair<P, A>,
     mut error: impl FnMut(&mut Rng, &Pair<P, A>) -> f64,
 ) -> f64 {
@@ -96,7 +101,7 @@ fn inverse_square(d: f64) -> f64 {
     1.0 / (d * d)
 }
 
-fn shaped<P: Profile>(rng: &mut Rng, shape: &Shape<P>, half: f32) -> Pair<P, InverseSquare> {
+fn shaped<P: Falloff>(rng: &mut Rng, shape: &Shape<P>, half: f32) -> Pair<P, InverseSquare> {
     pair(sweep::spot(rng, shape.at(half)), shape.stored_at(half), inverse_square, f64::INFINITY)
 }
 
@@ -110,7 +115,7 @@ fn broken(table: &[Row], name: &str, measured: &[f64]) -> Vec<String> {
     checked.filter_map(|(i, (&e, bound))| bounds::check(&format!("{name} {i}"), e, bound).err()).collect()
 }
 
-fn cones_broken<S: Format, P: Profile>(shape: &Shape<P>) -> Vec<String> {
+fn cones_broken<S: Format, P: Falloff>(shape: &Shape<P>) -> Vec<String> {
     let measured = HALF_ANGLES.map(|half| {
         largest(
             |rng| shaped(rng, shape, half),
@@ -161,12 +166,12 @@ fn every_distance_model_keeps_its_row() {
     let (sound, range, none) = ("a sound model", f64::from(RANGE), f64::INFINITY);
     let polynomial = Polynomial::new(0.5, 0.25, 0.125).expect(sound);
     let smooth = SmoothRange::new(RANGE).expect(sound);
-    let windowed = Windowed::new(InverseSquare, Some(RANGE)).expect(sound);
-    let squared = SquaredWindow::new(InverseSquare, Some(RANGE)).expect(sound);
-    let cut = HardRange::new(InverseSquare, Some(RANGE)).expect(sound);
-    let faded = Faded::new(InverseSquare, Some(RANGE)).expect(sound);
+    let windowed = GltfRange::new(InverseSquare, Some(RANGE)).expect(sound);
+    let squared = FilamentRange::new(InverseSquare, Some(RANGE)).expect(sound);
+    let cut = CutAt::new(InverseSquare, Some(RANGE)).expect(sound);
+    let faded = Windowed::new(InverseSquare, Some(RANGE)).expect(sound);
     let broken = [
-        distance_broken("unattenuated", Unattenuated, none, |_| 1.0),
+        distance_broken("unattenuated", NoAttenuation, none, |_| 1.0),
         distance_broken("polynomial", polynomial, none, |d| reference::polynomial([0.5, 0.25, 0.125], d)),
         distance_broken("smooth range", smooth, range, |d| reference::smooth_range(RANGE.into(), d)),
         distance_broken("windowed", windowed, range, |d| reference::windowed(RANGE.into(), d)),

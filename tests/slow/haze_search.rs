@@ -6,8 +6,13 @@
 
 use fastrand::Rng;
 use luminaire::{
-    Attenuation, Cone, CutOff, Distance, HalfAngle, Hard, HardRange, Haze, InverseSquare, Lamp, Matched,
-    Polynomial, Profile, Soft, SquaredWindow, Unattenuated, Vec3, ViewBundle, ViewRay, ViewRays,
+    Cone, HalfAngle, Vec3,
+    attenuation::{
+        AnyAttenuation, Attenuation, CutAt, FilamentRange, InverseSquare, NoAttenuation, Polynomial,
+    },
+    dynamic::AnyLight,
+    falloff::{AnyFalloff, Falloff, Hard, Soft, Step},
+    haze::{Haze, RayBundle, ViewRay, ViewRays},
 };
 use std::{
     sync::{
@@ -70,7 +75,7 @@ fn any_half(rng: &mut Rng) -> HalfAngle {
 
 /// Every form of air light of rays from some eyes is exactly zero where the beam cannot meet the
 /// ray. Returns how many rays are lit.
-fn lit<P: Profile + Into<Matched>, A: Attenuation + Into<Distance>>(
+fn lit<P: Falloff + Into<AnyFalloff>, A: Attenuation + Into<AnyAttenuation>>(
     rng: &mut Rng,
     profile: P,
     attenuation: A,
@@ -84,7 +89,7 @@ fn lit<P: Profile + Into<Matched>, A: Attenuation + Into<Distance>>(
     let spot = sweep::spot(rng, cone).with_attenuation(attenuation);
     let haze = haze(rng);
     let typed = spot.compile::<f32>().expect("held").in_haze(&haze);
-    let any = Lamp::from(spot).compile::<f32>().expect("held").in_haze(&haze).expect("a spotlight");
+    let any = AnyLight::from(spot).compile::<f32>().expect("held").in_haze(&haze).expect("a spotlight");
     let frame = Frame::new(rng, spot.position(), spot.axis(), half.to_radians().into());
     let mut lit = 0;
     for _ in 0..EYES {
@@ -105,7 +110,7 @@ fn lit<P: Profile + Into<Matched>, A: Attenuation + Into<Distance>>(
             ];
             if forms != [0.0; 6] {
                 let ViewRay { eye, direction, length } = ray;
-                let bundle = ViewBundle { eye, direction, versine: 0.0, length };
+                let bundle = RayBundle { eye, direction, versine: 0.0, length };
                 assert!(
                     any.can_meet(&bundle) && typed.can_meet(&bundle),
                     "{forms:?} of {spot:?} along {ray:?}"
@@ -123,18 +128,18 @@ fn a_ray_that_cannot_meet_the_beam_is_exactly_dark() {
     let (start, total) = (Instant::now(), AtomicU64::new(0));
     in_parallel(rays / (RAYS * EYES) as u64, |rng, number| {
         let range = 0.1 * 1e4_f32.powf(rng.f32());
-        let window = SquaredWindow::new(InverseSquare, Some(range)).expect("a sound range");
-        let cut = HardRange::new(InverseSquare, Some(range)).expect("a sound range");
+        let window = FilamentRange::new(InverseSquare, Some(range)).expect("a sound range");
+        let cut = CutAt::new(InverseSquare, Some(range)).expect("a sound range");
         let polynomial = Polynomial::new(0.5, 0.25, 0.125).expect("sound coefficients");
         let lit = match number % 8 {
             0 => lit(rng, Soft, InverseSquare),
             1 => lit(rng, Hard, InverseSquare),
-            2 => lit(rng, CutOff, InverseSquare),
-            3 => lit(rng, CutOff, cut),
-            4 => lit(rng, CutOff, window),
+            2 => lit(rng, Step, InverseSquare),
+            3 => lit(rng, Step, cut),
+            4 => lit(rng, Step, window),
             5 => lit(rng, Hard, window),
             6 => lit(rng, Hard, polynomial),
-            _ => lit(rng, CutOff, Unattenuated),
+            _ => lit(rng, Step, NoAttenuation),
         };
         total.fetch_add(lit, Ordering::Relaxed);
     });
@@ -159,7 +164,7 @@ fn largest<A: Attenuation + Sync>(
         let haze = haze(rng);
         let beam = spot.with_attenuation(attenuation).compile::<f32>().expect("held").in_haze(&haze);
         let oracle = Beam {
-            spot: reference::Spot {
+            spot: reference::SpotLight {
                 position: exact(spot.position()),
                 axis: unit(exact(spot.axis())),
                 cone: reference::Cone::new(reference::soft, spot.cone().outer_versine().into()),
@@ -203,7 +208,7 @@ fn largest<A: Attenuation + Sync>(
 
 #[test]
 fn rays_near_critical_directions_keep_their_rows() {
-    let window = SquaredWindow::new(InverseSquare, Some(6.0)).expect("a sound range");
+    let window = FilamentRange::new(InverseSquare, Some(6.0)).expect("a sound range");
     let square = HALF_ANGLES.map(|half| largest(half, InverseSquare, |d| 1.0 / (d * d), f64::INFINITY));
     let windowed = HALF_ANGLES.map(|half| largest(half, window, |d| reference::squared_window(6.0, d), 6.0));
     for (row, measured) in CRITICAL.iter().zip([square, windowed]) {

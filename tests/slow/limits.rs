@@ -4,7 +4,11 @@
 //! `LUMINAIRE_FULL=1 cargo test --test limits -- --nocapture --test-threads 1` prints the measured rows.
 
 use fastrand::Rng;
-use luminaire::{Fx16, Fx32, Hard, Profile, Smooth, Soft, Spot, encode_srgb};
+use luminaire::{
+    Fx16, Fx32, SpotLight,
+    display::encode_srgb,
+    falloff::{Falloff, Hard, Smooth, Soft},
+};
 use support::{
     beams,
     bounds::{self, REFUSE},
@@ -15,7 +19,7 @@ use support::{
 };
 
 /// The largest errors, linear and in codes, from ideal inputs: the format rounds position, axis and point.
-fn errors<S: Format, P: Profile>(shape: &Shape<P>, half_degrees: f32) -> [f64; 2] {
+fn errors<S: Format, P: Falloff>(shape: &Shape<P>, half_degrees: f32) -> [f64; 2] {
     let cone = shape.at(half_degrees);
     if cone.compile::<S>().is_err() {
         return [REFUSE; 2];
@@ -26,7 +30,7 @@ fn errors<S: Format, P: Profile>(shape: &Shape<P>, half_degrees: f32) -> [f64; 2
     for _ in 0..200 * sweep::effort() {
         let position = [0; 3].map(|_| LIGHT_WITHIN * (2.0 * rng.f64() - 1.0));
         let axis = sweep::direction(&mut rng);
-        let spot = Spot::new(sweep::single(position), sweep::single(axis), cone).expect("a sound light");
+        let spot = SpotLight::new(sweep::single(position), sweep::single(axis), cone).expect("a sound light");
         let compiled = spot.compile::<S>().expect("the cone compiled");
         for _ in 0..500 {
             let off_axis = f64::from(half_degrees).to_radians() * rng.f64();
@@ -42,7 +46,7 @@ fn errors<S: Format, P: Profile>(shape: &Shape<P>, half_degrees: f32) -> [f64; 2
 }
 
 /// What the rounding of the inputs alone makes, at most: linear and in codes, for each cone.
-fn limit<S: Format, P: Profile>(shape: &Shape<P>) -> [Column; 2] {
+fn limit<S: Format, P: Falloff>(shape: &Shape<P>) -> [Column; 2] {
     let at = CONES.map(|half| {
         limits::largest_change(&shape.exactly_at(half), half.into(), limits::input_rounding::<S>(), 0.0)
     });
@@ -52,7 +56,7 @@ fn limit<S: Format, P: Profile>(shape: &Shape<P>) -> [Column; 2] {
 /// What the kernel may add of its own, linear and in codes: the rounding from a versine to an intensity by
 /// its row in the table of bounds, and what the length of its directions is off: `|l| = 1 + e` stretches
 /// every versine by `e`.
-fn own<S: Format, P: Profile>(shape: &Shape<P>, half_degrees: f32) -> [f64; 2] {
+fn own<S: Format, P: Falloff>(shape: &Shape<P>, half_degrees: f32) -> [f64; 2] {
     let row = bounds::ROWS.iter().find(|row| row.profile == shape.name && row.format == S::NAME);
     let falloff = row.expect("every profile has a row").falloff * f64::from(S::STEP);
     let stretch = beams::operation::<S>("ray direction, its length");
@@ -68,7 +72,7 @@ fn show(errors: Column) -> String {
 }
 
 /// What a shape breaks of its row and of four times its limit.
-fn broken<S: Format, P: Profile>(shape: &Shape<P>) -> Vec<String> {
+fn broken<S: Format, P: Falloff>(shape: &Shape<P>) -> Vec<String> {
     let measured = CONES.map(|half| errors::<S, P>(shape, half));
     let measured = [measured.map(|[linear, _]| linear), measured.map(|[_, codes]| codes)];
     let limit = limit::<S, P>(shape);
@@ -160,7 +164,7 @@ fn the_documented_tables_are_up_to_date() {
     assert!(page.contains(&block), "replace the tables under \"What a user sees\" by these:\n\n{block}");
 }
 
-fn limit_of<P: Profile>(shape: &Shape<P>, format: &str) -> [Column; 2] {
+fn limit_of<P: Falloff>(shape: &Shape<P>, format: &str) -> [Column; 2] {
     match format {
         "f32" => limit::<f32, P>(shape),
         "fx32" => limit::<Fx32, P>(shape),

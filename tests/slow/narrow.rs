@@ -1,14 +1,17 @@
 //! The narrowest beam of each profile in each format: where the error of a position reaches half of one 8-bit step.
 
 use fastrand::Rng;
-use luminaire::{Cone, CutOff, Fx16, Fx32, HalfAngle, Profile, Soft};
+use luminaire::{
+    Cone, Fx16, Fx32, HalfAngle,
+    falloff::{Falloff, Soft, Step},
+};
 use support::with_every_shape;
 use support::{format::Format, profiles::Shape, reference, sweep};
 
 const HALF_A_STEP: f64 = 1.0 / 510.0;
 
 /// Half the narrowest outer angle that the format accepts of a shape, in degrees: all of its angles in proportion.
-fn narrowest<S: Format, P: Profile>(shape: &Shape<P>) -> f32 {
+fn narrowest<S: Format, P: Falloff>(shape: &Shape<P>) -> f32 {
     let (mut refused, mut held) = (1e-6_f32, 90.0_f32);
     for _ in 0..40 {
         let middle = (refused * held).sqrt();
@@ -18,7 +21,7 @@ fn narrowest<S: Format, P: Profile>(shape: &Shape<P>) -> f32 {
 }
 
 /// Where the intensity of a shape is steepest over the angle, as a fraction of its outer half angle, and how steep.
-fn steepest<P: Profile>(shape: &Shape<P>) -> (f64, f64) {
+fn steepest<P: Falloff>(shape: &Shape<P>) -> (f64, f64) {
     let cone = shape.exactly_at(0.5);
     let half = reference::half_degrees(cone.limit);
     let at = |x: f64| cone.falloff(reference::versine(x * half));
@@ -29,7 +32,7 @@ fn steepest<P: Profile>(shape: &Shape<P>) -> (f64, f64) {
 }
 
 /// The largest error of the intensity where a shape is steepest, at the narrowest cone the format accepts.
-fn error_at_the_narrowest<S: Format, P: Profile>(shape: &Shape<P>) -> f64 {
+fn error_at_the_narrowest<S: Format, P: Falloff>(shape: &Shape<P>) -> f64 {
     let half_degrees = narrowest::<S, P>(shape) * 1.000_01;
     let (cone, (steepest, _)) = (shape.at(half_degrees), steepest(shape));
     let radians = f64::from(half_degrees).to_radians();
@@ -40,7 +43,8 @@ fn error_at_the_narrowest<S: Format, P: Profile>(shape: &Shape<P>) -> f64 {
         let compiled = spot.compile::<S>().expect("the narrowest cone is accepted");
         let position = S::exact_point(spot.position().map(S::length));
         let axis = reference::unit(S::exact_direction(spot.axis_in::<S>()));
-        let exact = reference::Spot { position, axis, intensity: 1.0, cone: shape.exactly_at(half_degrees) };
+        let exact =
+            reference::SpotLight { position, axis, intensity: 1.0, cone: shape.exactly_at(half_degrees) };
         for _ in 0..2_000 {
             let off_axis = radians * (steepest + 0.1 * (rng.f64() - 0.5)).min(1.0);
             let way = sweep::direction_off(&mut rng, axis, off_axis);
@@ -56,7 +60,7 @@ fn error_at_the_narrowest<S: Format, P: Profile>(shape: &Shape<P>) -> f64 {
 /// The claim is kept, and it is not much too careful either: the error is at least 0.25 of what is allowed. Shapes that
 /// jump have no such error; a table is asked only not to pass it, because its steepness is a bound; and 16 bits evaluate their
 /// narrowest cones finely, so that only the last rounding is left.
-fn assert_narrowest<S: Format, P: Profile>(shape: &Shape<P>) {
+fn assert_narrowest<S: Format, P: Falloff>(shape: &Shape<P>) {
     if shape.exactly_at(1.0).jumps_near(shape.exactly_at(1.0).limit, 1.0) {
         return;
     }
@@ -87,7 +91,7 @@ fn fx16_holds_what_it_states() {
 }
 
 /// The steepness a profile states is the largest slope of its reference over the angle, with and without a hotspot.
-fn assert_steepness<S: Format, P: Profile>(shape: &Shape<P>) {
+fn assert_steepness<S: Format, P: Falloff>(shape: &Shape<P>) {
     if shape.exactly_at(1.0).jumps_near(shape.exactly_at(1.0).limit, 1.0) {
         return;
     }
@@ -113,8 +117,8 @@ fn steepness_is_the_largest_slope() {
 #[test]
 fn a_step_is_in_its_place() {
     fn assert_place<S: Format>() {
-        let half = HalfAngle::from(Cone::narrowest::<S>(CutOff)).to_degrees() * 1.000_01;
-        let cone = Cone::from_outer(CutOff, HalfAngle::degrees(half)).expect("a sound cone");
+        let half = HalfAngle::from(Cone::narrowest::<S>(Step)).to_degrees() * 1.000_01;
+        let cone = Cone::from_outer(Step, HalfAngle::degrees(half)).expect("a sound cone");
         let mut rng = Rng::with_seed(510);
         for _ in 0..200 {
             let spot = sweep::spot(&mut rng, cone);
@@ -148,7 +152,7 @@ fn the_cosine_form_loses_what_the_versine_form_keeps() {
         let distance = sweep::distance(&mut rng);
         let site =
             sweep::site::<f32>(&mut rng, position, reference::unit(axis), half_degrees.into(), distance);
-        let exact = reference::Spot {
+        let exact = reference::SpotLight {
             position,
             axis,
             cone: reference::Cone::new(reference::soft, outer),

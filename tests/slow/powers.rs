@@ -2,7 +2,10 @@
 //! their intensities against f64. `cargo test --test powers -- --nocapture --test-threads 1` prints
 //! the errors.
 
-use luminaire::{Angle, Cone, Fx16, Fx32, IntegerPower, IntegerRim, Profile, RealPower, RealRim};
+use luminaire::{
+    Angle, Cone, Fx16, Fx32,
+    falloff::{Falloff, IntegerPower, InvertedIntegerPower, InvertedRealPower, RealPower},
+};
 use support::{
     bounds::{self, REFUSE},
     format::Format,
@@ -28,7 +31,7 @@ fn every_whole_exponent_keeps_its_figures() {
     for exponent in 1..=1_024_u16 {
         let n = f64::from(exponent);
         let power = IntegerPower::new(exponent.into()).expect("a sound exponent");
-        let rim = IntegerRim::new(exponent.into()).expect("a sound exponent");
+        let rim = InvertedIntegerPower::new(exponent.into()).expect("a sound exponent");
         note(0, relative(power.beam_versine(), lost(0.5, n)));
         note(0, relative(power.field_versine(), lost(0.1, n)));
         note(1, relative(rim.beam_versine(), 1.0 - lost(0.5, n)));
@@ -74,7 +77,8 @@ fn every_real_exponent_keeps_its_figures() {
     let mut note = |i: usize, error: f64| worst[i] = worst[i].max(error);
     for exponent in EXPONENTS {
         let p = f64::from(exponent);
-        let (power, rim) = (RealPower::new(exponent).expect("sound"), RealRim::new(exponent).expect("sound"));
+        let (power, rim) =
+            (RealPower::new(exponent).expect("sound"), InvertedRealPower::new(exponent).expect("sound"));
         note(0, relative(power.beam_versine(), lost(0.5, p)));
         note(0, relative(power.field_versine(), lost(0.1, p)));
         for (found, value) in [(rim.beam_versine(), 0.5_f64), (rim.field_versine(), 0.9)] {
@@ -125,7 +129,7 @@ fn every_real_exponent_keeps_its_figures() {
 
 /// The largest error of a profile's intensity over a cone of 180 degrees, between two versines; the
 /// format may refuse it.
-fn error<S: Format, P: Profile>(profile: P, exact: impl Fn(f64) -> f64, [from, to]: [f64; 2]) -> f64 {
+fn error<S: Format, P: Falloff>(profile: P, exact: impl Fn(f64) -> f64, [from, to]: [f64; 2]) -> f64 {
     let cone = Cone::from_outer(profile, Angle::degrees(180.0)).expect("a sound angle");
     let Ok(falloff) = cone.compile::<S>() else { return REFUSE };
     let outer = f64::from(cone.outer_versine());
@@ -154,11 +158,12 @@ fn errors<S: Format>(exponent: f32) -> [f64; 2] {
     let of_rim = [if is_boundless { begin } else { 0.0 }, 1.0];
     if exponent.fract() == 0.0 {
         let power = IntegerPower::new(exponent as u32).expect("sound");
-        let rim = IntegerRim::new(exponent as u32).expect("sound");
+        let rim = InvertedIntegerPower::new(exponent as u32).expect("sound");
         let of_power = error::<S, _>(power, |u| (1.0 - u).powf(p), of_power);
         return [of_power, error::<S, _>(rim, |u| 1.0 - u.powf(p), of_rim)];
     }
-    let (power, rim) = (RealPower::new(exponent).expect("sound"), RealRim::new(exponent).expect("sound"));
+    let (power, rim) =
+        (RealPower::new(exponent).expect("sound"), InvertedRealPower::new(exponent).expect("sound"));
     [error::<S, _>(power, |u| (1.0 - u).powf(p), of_power), error::<S, _>(rim, |u| 1.0 - u.powf(p), of_rim)]
 }
 

@@ -8,8 +8,9 @@
 
 use fastrand::Rng;
 use luminaire::{
-    Attenuation, Cone, Cubic, Fx16, Fx32, Hard, InverseSquare, Linear, Matched, Soft, Spot, Unattenuated,
-    Vec3,
+    Cone, Fx16, Fx32, SpotLight, Vec3,
+    attenuation::{Attenuation, InverseSquare, NoAttenuation},
+    falloff::{AnyFalloff, Cubic, Hard, Linear, Soft},
 };
 use support::{
     format::Format,
@@ -113,8 +114,8 @@ const QUANTUM: f32 = 1.0 / 65_536.0;
 /// A cone and what it is in f64.
 struct Shape {
     name: &'static str,
-    profile: Matched,
-    exact: reference::Profile,
+    profile: AnyFalloff,
+    exact: reference::Falloff,
 }
 
 fn shapes() -> [Shape; 4] {
@@ -215,8 +216,9 @@ impl<A: Attenuation> Kind<A> {
         let exact = reference::Cone::new(shape.exact, reference::versine(half_degrees.into()));
         let normals = scene.normals.map(|normal| normal.map(S::from_f32));
         let compile = |scene: &Scene| {
-            let spot =
-                Spot::new(scene.light, scene.axis, cone).expect("sound").with_attenuation(self.attenuation);
+            let spot = SpotLight::new(scene.light, scene.axis, cone)
+                .expect("sound")
+                .with_attenuation(self.attenuation);
             spot.with_intensity(scene.intensity).expect("sound").compile::<S>().expect("held")
         };
         let (mut spot, mut trends) = (compile(&scene), [None; PIXELS]);
@@ -279,8 +281,8 @@ fn shown(row: Row) -> String {
     shown.collect::<Vec<_>>().join(", ").to_lowercase()
 }
 
-const FULL_SCALE: Kind<Unattenuated> =
-    Kind { attenuation: Unattenuated, gain: |_| 1.0, intensity: 1.0, distances: [1.0, 100.0] };
+const FULL_SCALE: Kind<NoAttenuation> =
+    Kind { attenuation: NoAttenuation, gain: |_| 1.0, intensity: 1.0, distances: [1.0, 100.0] };
 
 /// No reversal is as large as half a code: in cones of any angle from so many times the narrowest on, and of lights up to the
 /// intensity up to which the format promises half a code. And the search is not blind.

@@ -2,7 +2,7 @@
 //!
 //! `cargo run -p suite --example worst-places > tests/worst/places.txt` searches anew.
 
-use luminaire::{Fx16, Fx32, Profile};
+use luminaire::{Fx16, Fx32, falloff::Falloff};
 use support::with_every_shape;
 use support::{
     format::Format,
@@ -18,7 +18,7 @@ const AT_THE_NARROWEST: [(&str, f64); 3] = [("f32", 8.2e-4), ("fx32", 1.68e-3), 
 
 /// Both of a shape's places, at its narrowest cone and at 30 degrees: an error that grew fails, and one that shrank.
 /// Returns the larger of the two.
-fn as_found<S: Format, P: Profile>(shape: &Shape<P>) -> f64 {
+fn as_found<S: Format, P: Falloff>(shape: &Shape<P>) -> f64 {
     let finds =
         PLACES.lines().filter(|line| !line.starts_with('#')).map(|line| Find::parse(line).expect(line));
     let finds: Vec<_> = finds.filter(|find| find.format == S::NAME && find.shape == shape.name).collect();

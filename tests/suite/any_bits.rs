@@ -2,14 +2,22 @@
 //! Run with overflow checks, as `cargo test` does.
 
 use fastrand::Rng;
-use luminaire::source::{
-    CompiledBlend, CompiledCubic, FloatRamp, Gain16, Gain32, I18F14, I34F30, Ramp16, Ramp32, U18F14, U34F30,
+use luminaire::codegen::{
+    CompiledCubic, CompiledQuadratic, FloatRamp, Gain16, Gain32, I18F14, I34F30, Ramp16, Ramp32, U18F14,
+    U34F30,
 };
 use luminaire::{
-    Angle, Attenuation, Blend, BlinnPhong, CompiledDirectional, CompiledExposure, CompiledMaterial,
-    CompiledPoint, CompiledSpot, Cone, Cubic, Falloff, Fx16, Fx32, Hard, HardRange, InverseSquare, Light,
-    Lyon, Matte, Phong, Polynomial, Power, Profile, Rgb, SmoothRange, Soft, Specular, SquaredWindow, Surface,
-    Unattenuated, Windowed, keep_hue,
+    Angle, Cone, Fx16, Fx32, Rgb,
+    attenuation::{
+        Attenuation, CutAt, FilamentRange, GltfRange, InverseSquare, NoAttenuation, Polynomial, SmoothRange,
+    },
+    display::{CompiledExposure, keep_hue},
+    falloff::{Cubic, Falloff, Hard, Power, Quadratic, Soft},
+    light::{
+        CompiledCone, CompiledDirectionalLight, CompiledMaterial, CompiledPointLight, CompiledSpotLight,
+        LightModel, SurfacePoint,
+    },
+    specular::{BlinnPhong, DifferenceForm, NoSpecular, Phong, SpecularLobe},
 };
 use support::arbitrary::{bits, vector};
 use support::format::Format;
@@ -64,25 +72,25 @@ fn color<S: Raw>(rng: &mut Rng) -> Rgb<S> {
     Rgb::default().map(|_: ()| S::scalar_from_bits(bits(rng)))
 }
 
-fn assert_lights<S: Raw, L: Light<S>>(rng: &mut Rng, light: L) {
+fn assert_lights<S: Raw, L: LightModel<S>>(rng: &mut Rng, light: L) {
     for _ in 0..20 {
-        let surface = Surface {
+        let surface = SurfacePoint {
             point: vector(rng, S::length_from_bits),
             normal: vector(rng, S::scalar_from_bits),
             view: vector(rng, S::unit_from_bits),
         };
-        assert_shades::<S, L, Matte>(rng, &surface, &light, ());
+        assert_shades::<S, L, NoSpecular>(rng, &surface, &light, ());
         let lobe = (S::any_ramp(rng), number(rng) as u32);
         assert_shades::<S, L, Phong>(rng, &surface, &light, lobe);
         assert_shades::<S, L, BlinnPhong>(rng, &surface, &light, lobe);
-        assert_shades::<S, L, Lyon<Phong, 3>>(rng, &surface, &light, lobe.0);
+        assert_shades::<S, L, DifferenceForm<Phong, 3>>(rng, &surface, &light, lobe.0);
     }
 }
 
 /// The end of every way is a code of the display, whatever came before.
-fn assert_shades<S: Raw, L: Light<S>, H: Specular>(
+fn assert_shades<S: Raw, L: LightModel<S>, H: SpecularLobe>(
     rng: &mut Rng,
-    surface: &Surface<S>,
+    surface: &SurfacePoint<S>,
     light: &L,
     highlight: H::Constants<S>,
 ) {
@@ -97,8 +105,8 @@ fn assert_shades<S: Raw, L: Light<S>, H: Specular>(
     }
 }
 
-fn assert_falls<S: Raw, P: Profile + PartialEq>(rng: &mut Rng, profile: P, curve: P::Compiled<S>) {
-    let falloff = Falloff::<S, P>::from_parts(S::any_ramp(rng), profile, curve);
+fn assert_falls<S: Raw, P: Falloff + PartialEq>(rng: &mut Rng, profile: P, curve: P::Compiled<S>) {
+    let falloff = CompiledCone::<S, P>::from_parts(S::any_ramp(rng), profile, curve);
     for _ in 0..50 {
         let intensity = falloff.at(S::versine_from_bits(number(rng))).exact();
         assert!((0.0..=1.0).contains(&intensity), "{falloff:?}: {intensity}");
@@ -106,15 +114,15 @@ fn assert_falls<S: Raw, P: Profile + PartialEq>(rng: &mut Rng, profile: P, curve
     assert_spot::<S, P, InverseSquare>(rng, falloff, ());
 }
 
-fn assert_spot<S: Raw, P: Profile, A: Attenuation>(
+fn assert_spot<S: Raw, P: Falloff, A: Attenuation>(
     rng: &mut Rng,
-    falloff: Falloff<S, P>,
+    falloff: CompiledCone<S, P>,
     distance: A::Constants<S>,
 ) {
     let (position, axis) = (vector(rng, S::length_from_bits), vector(rng, S::unit_from_bits));
     let colors = [color(rng), color(rng)];
     let outside = S::scalar_from_bits(bits(rng));
-    let spot = CompiledSpot::<S, P, A>::from_parts(
+    let spot = CompiledSpotLight::<S, P, A>::from_parts(
         position,
         axis,
         falloff,
@@ -128,40 +136,40 @@ fn assert_spot<S: Raw, P: Profile, A: Attenuation>(
 }
 
 fn assert_distances<S: Raw>(rng: &mut Rng) {
-    let falloff = Falloff::from_parts(S::any_ramp(rng), Soft, Soft);
-    assert_distance::<S, Unattenuated>(rng, falloff, ());
+    let falloff = CompiledCone::from_parts(S::any_ramp(rng), Soft, Soft);
+    assert_distance::<S, NoAttenuation>(rng, falloff, ());
     let [a, b, c] = [S::any_gain(rng), S::any_gain(rng), S::any_gain(rng)];
     assert_distance::<S, Polynomial>(rng, falloff, [a, b, c]);
     assert_distance::<S, SmoothRange>(rng, falloff, [a, b]);
-    assert_distance::<S, Windowed>(rng, falloff, (a, ()));
-    assert_distance::<S, SquaredWindow>(rng, falloff, (b, ()));
-    assert_distance::<S, HardRange<SmoothRange>>(rng, falloff, (c, [a, b]));
+    assert_distance::<S, GltfRange>(rng, falloff, (a, ()));
+    assert_distance::<S, FilamentRange>(rng, falloff, (b, ()));
+    assert_distance::<S, CutAt<SmoothRange>>(rng, falloff, (c, [a, b]));
 }
 
 fn assert_distance<S: Raw, A: Attenuation>(
     rng: &mut Rng,
-    falloff: Falloff<S, Soft>,
+    falloff: CompiledCone<S, Soft>,
     distance: A::Constants<S>,
 ) {
     assert_spot::<S, Soft, A>(rng, falloff, distance);
     let colors = [color(rng), color(rng)];
     let (position, intensity) = (vector(rng, S::length_from_bits), S::any_gain(rng));
-    let point = CompiledPoint::<S, A>::from_parts(position, distance, intensity, rng.u32(..40), colors);
+    let point = CompiledPointLight::<S, A>::from_parts(position, distance, intensity, rng.u32(..40), colors);
     assert_lights(rng, point);
     let direction = vector(rng, S::unit_from_bits);
-    assert_lights(rng, CompiledDirectional::<S>::from_parts(direction, intensity, colors));
+    assert_lights(rng, CompiledDirectionalLight::<S>::from_parts(direction, intensity, colors));
 }
 
 fn assert_any_bits_make_a_light<S: Raw>() {
     let mut rng = Rng::with_seed(0xb175);
     for _ in 0..300 * sweep::effort() {
         let rng = &mut rng;
-        let blend = CompiledBlend::from_parts(S::any_weight(rng));
+        let blend = CompiledQuadratic::from_parts(S::any_weight(rng));
         let cubic = CompiledCubic::from_parts(S::any_weight(rng), S::any_weight(rng));
         assert_falls::<S, _>(rng, Soft, Soft);
         assert_falls::<S, _>(rng, Hard, Hard);
         assert_falls::<S, _>(rng, Power::<15>, Power::<15>);
-        let raw = Blend::from_bits(bits(rng) as u32);
+        let raw = Quadratic::from_bits(bits(rng) as u32);
         assert_falls::<S, _>(rng, raw, blend);
         let raw = Cubic::from_bits([bits(rng) as u32, bits(rng) as u32]);
         assert_falls::<S, _>(rng, raw, cubic);
@@ -191,7 +199,7 @@ fn float_bits(rng: &mut Rng) -> u32 {
 }
 
 /// The figures of a profile, and of cones that are made with it.
-fn assert_figures<P: Profile + PartialEq>(rng: &mut Rng, profile: P) {
+fn assert_figures<P: Falloff + PartialEq>(rng: &mut Rng, profile: P) {
     for figure in [profile.beam_versine(), profile.field_versine(), profile.integral(rng.f32())] {
         assert!((0.0..=1.0).contains(&figure), "{profile:?}: {figure}");
     }
@@ -210,7 +218,7 @@ fn assert_figures<P: Profile + PartialEq>(rng: &mut Rng, profile: P) {
 fn any_bits_make_a_profile_with_figures() {
     let mut rng = Rng::with_seed(0x0b17_5eed);
     for _ in 0..3000 * sweep::effort() {
-        let blend = Blend::from_bits(float_bits(&mut rng));
+        let blend = Quadratic::from_bits(float_bits(&mut rng));
         assert!((0.0..=2.0).contains(&blend.edge_slope()), "{blend:?}");
         assert_figures(&mut rng, blend);
         let cubic = Cubic::from_bits([float_bits(&mut rng), float_bits(&mut rng)]);

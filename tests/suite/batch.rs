@@ -2,8 +2,12 @@
 
 use fastrand::Rng;
 use luminaire::{
-    Attenuation, CompiledPoint, CompiledSpot, Fx16, Fx32, HardRange, InverseSquare, Point, Polynomial,
-    Profile, Rgb, Scalar, SmoothRange, Soft, SquaredWindow, Unattenuated, Vec3, Windowed,
+    Fx16, Fx32, PointLight, Rgb, Scalar, Vec3,
+    attenuation::{
+        Attenuation, CutAt, FilamentRange, GltfRange, InverseSquare, NoAttenuation, Polynomial, SmoothRange,
+    },
+    falloff::{Falloff, Soft},
+    light::{CompiledPointLight, CompiledSpotLight},
 };
 use support::with_every_shape;
 use support::{
@@ -96,16 +100,16 @@ macro_rules! lamp {
         }
 
         fn tint(&self) -> Rgb<S> {
-            luminaire::Light::color(self)
+            luminaire::light::LightModel::color(self)
         }
     };
 }
 
-impl<S: Scalar, P: Profile, A: Attenuation> Lamp<S> for CompiledSpot<S, P, A> {
+impl<S: Scalar, P: Falloff, A: Attenuation> Lamp<S> for CompiledSpotLight<S, P, A> {
     lamp!();
 }
 
-impl<S: Scalar, A: Attenuation> Lamp<S> for CompiledPoint<S, A> {
+impl<S: Scalar, A: Attenuation> Lamp<S> for CompiledPointLight<S, A> {
     lamp!();
 }
 
@@ -138,7 +142,7 @@ fn assert_batch<S: Format>(lamp: &impl Lamp<S>, sites: &Sites<S>, length: usize,
     lit
 }
 
-fn assert_spot<S: Format, P: Profile>(shape: &Shape<P>) {
+fn assert_spot<S: Format, P: Falloff>(shape: &Shape<P>) {
     let mut rng = Rng::with_seed(4096);
     let (mut lit, mut all) = (0, 0);
     for half_degrees in [4.0, 20.0, 60.0, 90.0] {
@@ -171,15 +175,16 @@ fn spots_light_a_batch_as_they_light_a_point_in_fx16() {
     with_every_shape!(assert_spot::<Fx16>);
 }
 
-/// Point lights and spots of one distance model.
+/// PointLight lights and spots of one distance model.
 fn assert_model<S: Format, A: Attenuation>(model: A) {
     let mut rng = Rng::with_seed(17);
     let cone = luminaire::Cone::from_outer(Soft, sweep::half(40.0)).expect("a sound cone");
     for length in LENGTHS.chain([LONG; 20]) {
         let spot = sweep::spot(&mut rng, cone).with_intensity(100.0).expect("a sound light");
         let sites = Sites::about(&mut rng, spot.position(), spot.axis(), 40.0, length);
-        let point =
-            Point::new(spot.position()).and_then(|point| point.with_intensity(100.0)).expect("a sound light");
+        let point = PointLight::new(spot.position())
+            .and_then(|point| point.with_intensity(100.0))
+            .expect("a sound light");
         assert_batch(&spot.with_attenuation(model).compile::<S>().expect("held"), &sites, length, &mut rng);
         assert_batch(&point.with_attenuation(model).compile::<S>().expect("held"), &sites, length, &mut rng);
     }
@@ -188,13 +193,13 @@ fn assert_model<S: Format, A: Attenuation>(model: A) {
 #[test]
 fn every_distance_model_lights_a_batch_as_it_lights_a_point() {
     fn assert_models<S: Format>() {
-        assert_model::<S, _>(Unattenuated);
+        assert_model::<S, _>(NoAttenuation);
         assert_model::<S, _>(InverseSquare);
         assert_model::<S, _>(Polynomial::new(1.0, 0.1, 0.01).expect("sound"));
         assert_model::<S, _>(SmoothRange::new(20.0).expect("sound"));
-        assert_model::<S, _>(Windowed::new(InverseSquare, Some(20.0)).expect("sound"));
-        assert_model::<S, _>(SquaredWindow::new(InverseSquare, Some(20.0)).expect("sound"));
-        assert_model::<S, _>(HardRange::new(InverseSquare, Some(20.0)).expect("sound"));
+        assert_model::<S, _>(GltfRange::new(InverseSquare, Some(20.0)).expect("sound"));
+        assert_model::<S, _>(FilamentRange::new(InverseSquare, Some(20.0)).expect("sound"));
+        assert_model::<S, _>(CutAt::new(InverseSquare, Some(20.0)).expect("sound"));
     }
     assert_models::<f32>();
     assert_models::<Fx32>();
@@ -254,7 +259,7 @@ fn shape_cone() -> luminaire::Cone<Soft> {
     luminaire::Cone::from_outer(Soft, sweep::half(40.0)).expect("a sound cone")
 }
 
-fn assert_falloff<S: Format, P: Profile>(shape: &Shape<P>) {
+fn assert_falloff<S: Format, P: Falloff>(shape: &Shape<P>) {
     let mut rng = Rng::with_seed(2);
     let cone = shape.at(30.0);
     let falloff = cone.compile::<S>().expect("held");

@@ -1,8 +1,9 @@
 //! What a cone says of itself: its angles with a hotspot and a delimiter, its flux, and the angles of other systems.
 
 use luminaire::{
-    Accepted, Angle, Blend, Cone, Cubic, CutOff, Error, Fx16, Fx32, HalfAngle, Hard, Knot, Linear, Parameter,
-    Power, Profile, Scalar, Smooth, Soft, Table,
+    Angle, Cone, Error, Fx16, Fx32, HalfAngle, Scalar,
+    error::{Expected, Parameter},
+    falloff::{Cubic, Falloff, Hard, Knot, Linear, Power, Quadratic, Smooth, Soft, Step, Table},
 };
 use support::with_every_shape;
 use support::{
@@ -16,7 +17,7 @@ fn assert_near(what: &str, found: f32, expected: f64, within: f64) {
 }
 
 /// Beam and field are the last angles with at least a half and a tenth of the intensity, whatever the cone has.
-fn assert_angles<S: Format, P: Profile>(shape: &Shape<P>) {
+fn assert_angles<S: Format, P: Falloff>(shape: &Shape<P>) {
     for degrees in [0.1, 3.0, 20.0, 70.0, 90.0] {
         let (cone, exact) = (shape.at(degrees), shape.exactly_at(degrees));
         for (angle, intensity) in [(cone.beam(), 0.5), (cone.field(), 0.1)] {
@@ -39,7 +40,7 @@ fn angles_are_where_the_intensity_says() {
 }
 
 /// Flux is 2 pi times the integral of the intensity over the versine: by the midpoint rule, in f64.
-fn assert_flux<S: Format, P: Profile>(shape: &Shape<P>) {
+fn assert_flux<S: Format, P: Falloff>(shape: &Shape<P>) {
     for degrees in [0.1, 20.0, 90.0] {
         let (cone, exact) = (shape.at(degrees), shape.exactly_at(degrees));
         let steps = 200_000;
@@ -59,7 +60,7 @@ fn flux_is_the_integral_of_the_intensity() {
 /// The shares of the paper's profiles: a third and two thirds of a full cone.
 #[test]
 fn soft_has_a_third_of_the_flux_and_hard_two() {
-    let full = Cone::from_outer(CutOff, Angle::degrees(30.0)).expect("sound").lumens(1.0);
+    let full = Cone::from_outer(Step, Angle::degrees(30.0)).expect("sound").lumens(1.0);
     let soft = Cone::from_outer(Soft, Angle::degrees(30.0)).expect("sound").lumens(1.0);
     let hard = Cone::from_outer(Hard, Angle::degrees(30.0)).expect("sound").lumens(1.0);
     assert_near("soft", soft / full, 1.0 / 3.0, 1e-6);
@@ -93,7 +94,7 @@ fn assert_delimited<S: Format>(open: &Cone<Soft>, cut: &Cone<Soft>) {
 /// Inner and outer angle in one make a step in every profile and format.
 #[test]
 fn inner_at_outer_is_a_step() {
-    fn assert_step<S: Format, P: Profile>(profile: P) {
+    fn assert_step<S: Format, P: Falloff>(profile: P) {
         let angle = Angle::degrees(40.0);
         let cone = Cone::from_outer(profile, angle).and_then(|cone| cone.with_inner(angle)).expect("sound");
         let falloff = cone.compile::<S>().expect("held");
@@ -138,7 +139,7 @@ fn a_hotspot_too_steep_for_its_format_is_refused() {
     let steep = cone.with_inner(Angle::degrees(29.9)).expect("sound");
     let error = steep.compile::<Fx16>().expect_err("too steep for 16 bits");
     assert_eq!(error.parameter, Parameter::InnerAngle);
-    let Accepted::AngleBetween(_, most) = error.accepted else { panic!("{error}") };
+    let Expected::AngleBetween(_, most) = error.accepted else { panic!("{error}") };
     let with = |inner: f32| cone.with_inner(Angle::degrees(inner)).expect("sound").compile::<Fx16>();
     assert!(with(most * 0.999_99).is_ok() && with(most * 1.000_1).is_err(), "{most}");
     assert!(steep.compile::<Fx32>().is_ok());
@@ -149,7 +150,7 @@ fn a_hotspot_too_steep_for_its_format_is_refused() {
 #[test]
 fn coefficients_out_of_range_are_refused() {
     for slope in [-0.1, 2.1, f32::NAN] {
-        assert_refused(Blend::new(slope), Parameter::EdgeSlope, "from 0 to 2");
+        assert_refused(Quadratic::new(slope), Parameter::EdgeSlope, "from 0 to 2");
     }
     for slope in [-0.1, 4.1, f32::NAN] {
         assert_refused(Cubic::with_slopes(slope, 1.0), Parameter::EdgeSlope, "from 0 to 4");

@@ -1,6 +1,9 @@
 //! The encoding for the display against IEC 61966-2-1.
 
-use luminaire::{Exposure, Fx16, Fx32, Rgb, Rgb565, clip, decode_srgb, encode_srgb, keep_hue};
+use luminaire::{
+    Fx16, Fx32, Rgb,
+    display::{Exposure, Rgb565, clip, decode_srgb, encode_srgb, keep_hue},
+};
 use support::{format::Format, reference};
 
 /// Every code decodes to a linear value that encodes to it again, within the stated error of the standard.

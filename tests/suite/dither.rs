@@ -1,6 +1,9 @@
 //! Ordered dither against its law in f64: a cell of 8 x 8 pixels has the light of the colour that it stands for.
 
-use luminaire::{Fx16, Fx32, Rgb, Rgb565, Scalar, decode_srgb, encode_srgb_dithered};
+use luminaire::{
+    Fx16, Fx32, Rgb, Scalar,
+    display::{Rgb565, decode_srgb, encode_srgb_dithered},
+};
 use support::{format::Format, reference};
 
 /// The last codes of eight, six and five bits.

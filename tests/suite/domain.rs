@@ -6,8 +6,13 @@
 
 use fastrand::Rng;
 use luminaire::{
-    Accepted, Angle, Cone, Cubic, Error, Fx16, Fx32, Hard, IntegerPower, IntegerRim, InverseSquare, Linear,
-    Matched, Parameter, Point, Profile, RealPower, RealRim, Scalar, Soft, Spot, Unattenuated, Vec3,
+    Angle, Cone, Error, Fx16, Fx32, PointLight, Scalar, SpotLight, Vec3,
+    attenuation::{InverseSquare, NoAttenuation},
+    error::{Expected, Parameter},
+    falloff::{
+        AnyFalloff, Cubic, Falloff, Hard, IntegerPower, InvertedIntegerPower, InvertedRealPower, Linear,
+        RealPower, Soft,
+    },
 };
 use support::{
     format::Format,
@@ -49,12 +54,12 @@ impl Domain {
 /// A profile and its formula in f64.
 struct Shape {
     name: String,
-    profile: Matched,
+    profile: AnyFalloff,
     exact: Box<dyn Fn(f64) -> f64>,
 }
 
 impl Shape {
-    fn new(name: &str, profile: impl Into<Matched>, exact: impl Fn(f64) -> f64 + 'static) -> Self {
+    fn new(name: &str, profile: impl Into<AnyFalloff>, exact: impl Fn(f64) -> f64 + 'static) -> Self {
         Self { name: name.into(), profile: profile.into(), exact: Box::new(exact) }
     }
 
@@ -63,7 +68,7 @@ impl Shape {
         Cone::narrowest::<S>(self.profile).to_degrees() / 2.0 * 1.000_01
     }
 
-    fn cone(&self, half_degrees: f32) -> Cone<Matched> {
+    fn cone(&self, half_degrees: f32) -> Cone<AnyFalloff> {
         Cone::from_outer(self.profile, sweep::half(half_degrees)).expect("a sound angle")
     }
 }
@@ -85,7 +90,7 @@ fn powers(least: u32, most: u32) -> [Shape; 4] {
         Shape::new("power, least", IntegerPower::new(least).expect("accepted"), power(least)),
         Shape::new("power, most", IntegerPower::new(most).expect("accepted"), power(most)),
         Shape::new("real power, most", RealPower::new(real(most)).expect("accepted"), power(most)),
-        Shape::new("rim, most", IntegerRim::new(most).expect("accepted"), move |t| {
+        Shape::new("rim, most", InvertedIntegerPower::new(most).expect("accepted"), move |t| {
             1.0 - power(most)(1.0 - t)
         }),
     ]
@@ -127,7 +132,7 @@ fn worst<S: Format>(
     let mut worst = 0.0_f64;
     for _ in 0..count * sweep::effort() {
         let Some(Scene { light, axis, point }) = scene(&mut rng) else { continue };
-        let spot = Spot::new(light, axis, cone).expect("in the domain");
+        let spot = SpotLight::new(light, axis, cone).expect("in the domain");
         let [from, to] = [light, point].map(|place| S::exact_point(place.map(S::length)));
         let way = reference::minus(to, from);
         // Squares of the shortest and the longest ways are within f64.
@@ -149,7 +154,7 @@ fn assert_held<S: Format>(what: &str, shape: &Shape, half_degrees: f32, least: f
     assert!(held, "{} {what}, {} at {half_degrees}: {codes:.4} linear codes", S::NAME, shape.name);
 }
 
-fn assert_refused<T: core::fmt::Debug>(refused: Result<T, Error>, parameter: Parameter, accepted: Accepted) {
+fn assert_refused<T: core::fmt::Debug>(refused: Result<T, Error>, parameter: Parameter, accepted: Expected) {
     let error = refused.expect_err("outside of the domain");
     assert_eq!((error.parameter, error.accepted), (parameter, accepted), "{error}");
 }
@@ -197,13 +202,13 @@ fn assert_farther_lights_refused<S: Format>() {
     assert_eq!(S::FARTHEST, most);
     let at = |x: f32| {
         let cone = plain()[0].cone(30.0);
-        let spot = Spot::new(Vec3::new(0.5, x, 0.0), Vec3::new(0.0, 1.0, 0.0), cone)?;
-        let point = Point::new(spot.position())?;
+        let spot = SpotLight::new(Vec3::new(0.5, x, 0.0), Vec3::new(0.0, 1.0, 0.0), cone)?;
+        let point = PointLight::new(spot.position())?;
         Ok((spot.compile::<S>()?, point.compile::<S>()?))
     };
     for sign in [1.0, -1.0] {
         assert!(at(sign * most).is_ok());
-        assert_refused(at(sign * most.next_up()), Parameter::Position, Accepted::Between(-most, most));
+        assert_refused(at(sign * most.next_up()), Parameter::Position, Expected::Between(-most, most));
     }
 }
 
@@ -231,11 +236,11 @@ fn points_beyond_the_domain() {
 /// The light of the brightest lamps at a point that faces them: of a spotlight as wide as any, with and without rejects and
 /// with and without distance, and of a point light.
 fn brightest_at<S: Format>(light: Vec3<f32>, point: Vec3<f32>) -> f64 {
-    let spot = Spot::new(light, Vec3::new(0.0, 1.0, 0.0), plain()[0].cone(90.0)).expect("sound");
+    let spot = SpotLight::new(light, Vec3::new(0.0, 1.0, 0.0), plain()[0].cone(90.0)).expect("sound");
     let spot = spot.with_intensity(1e9).expect("sound");
     let falling = spot.compile::<S>().expect("held");
-    let constant = spot.with_attenuation(Unattenuated).compile::<S>().expect("held");
-    let lamp = Point::new(light).and_then(|lamp| lamp.with_intensity(1e9)).expect("sound");
+    let constant = spot.with_attenuation(NoAttenuation).compile::<S>().expect("held");
+    let lamp = PointLight::new(light).and_then(|lamp| lamp.with_intensity(1e9)).expect("sound");
     let lamp = lamp.compile::<S>().expect("held");
     let (point, normal) = (point.map(S::length), Vec3::new(S::ZERO, S::from_f32(-1.0), S::ZERO));
     let lights = [
@@ -327,11 +332,11 @@ fn assert_angles<S: Format>() {
             let codes = worst::<S>(&shape, half_degrees, 8_000, |rng| near_scene::<S>(rng, half_degrees));
             assert_held::<S>("angles", &shape, half_degrees, least, codes);
         }
-        let accepted = Accepted::AngleFrom(Cone::narrowest::<S>(shape.profile).to_degrees());
+        let accepted = Expected::AngleFrom(Cone::narrowest::<S>(shape.profile).to_degrees());
         assert_refused(shape.cone(0.999_9 * narrowest).compile::<S>(), Parameter::OuterAngle, accepted);
         let wide = Cone::from_outer(shape.profile, Angle::degrees(180.001));
         let error = wide.expect_err("wider than a half space");
-        assert!(matches!(error.accepted, Accepted::AngleUpTo(179.999..180.001)), "{error}");
+        assert!(matches!(error.accepted, Expected::AngleUpTo(179.999..180.001)), "{error}");
     }
 }
 
@@ -357,7 +362,7 @@ fn assert_exponents<S: Format>(held: usize) {
         }
     }
     for shape in shapes.iter().filter(|shape| !can_hold(shape)) {
-        let accepted = Accepted::AngleFrom(Cone::narrowest::<S>(shape.profile).to_degrees());
+        let accepted = Expected::AngleFrom(Cone::narrowest::<S>(shape.profile).to_degrees());
         assert_refused(shape.cone(90.0).compile::<S>(), Parameter::OuterAngle, accepted);
     }
     assert_eq!(shapes.iter().filter(can_hold).count(), held, "{}", S::NAME);
@@ -369,14 +374,14 @@ fn exponents_hold_at_their_ends() {
     assert_exponents::<Fx32>(4);
     assert_exponents::<Fx16>(3);
     for refused in [0, 1_025] {
-        let accepted = Accepted::WholeBetween(1, 1_024);
+        let accepted = Expected::WholeBetween(1, 1_024);
         assert_refused(IntegerPower::new(refused), Parameter::Exponent, accepted);
-        assert_refused(IntegerRim::new(refused), Parameter::Exponent, accepted);
+        assert_refused(InvertedIntegerPower::new(refused), Parameter::Exponent, accepted);
     }
     for refused in [0.0, -1.0, 1_024.0_f32.next_up(), f32::NAN] {
         let error = RealPower::new(refused).expect_err("outside of the domain");
-        assert_eq!((error.parameter, error.accepted), (Parameter::Exponent, Accepted::UpTo(1_024.0)));
-        assert!(RealRim::new(refused).is_err());
+        assert_eq!((error.parameter, error.accepted), (Parameter::Exponent, Expected::UpTo(1_024.0)));
+        assert!(InvertedRealPower::new(refused).is_err());
     }
 }
 
@@ -417,8 +422,8 @@ fn bright<S: Format>(shape: &Shape, half_degrees: f32, intensity: f32, gain: f64
         let off_axis = f64::from(half_degrees).to_radians() * (1.0 - rng.f64().powi(2));
         let axis = sweep::single(sweep::direction_off(&mut rng, way, off_axis));
         let normal = sweep::single(way.map(|c| -c)).map(S::from_f32);
-        let spot =
-            Spot::new(light, axis, shape.cone(half_degrees)).and_then(|spot| spot.with_intensity(intensity));
+        let spot = SpotLight::new(light, axis, shape.cone(half_degrees))
+            .and_then(|spot| spot.with_intensity(intensity));
         let spot = spot.expect("in the domain");
         let [from, to] = [light, point].map(|place| S::exact_point(place.map(S::length)));
         let way = reference::minus(to, from);
@@ -450,7 +455,7 @@ fn assert_intensities<S: Format>() {
         }
     }
     let (light, above) = (Vec3::new(0.0, 0.0, 0.0), Vec3::new(0.0, 1.0, 0.0));
-    let spot = Spot::new(light, above, plain()[0].cone(30.0)).expect("sound");
+    let spot = SpotLight::new(light, above, plain()[0].cone(30.0)).expect("sound");
     let (point, normal) = (above.map(S::length), Vec3::new(S::ZERO, S::from_f32(-1.0), S::ZERO));
     for dark in [0.0, f32::from_bits(1), f32::MIN_POSITIVE] {
         let compiled = spot.with_intensity(dark).and_then(|spot| spot.compile::<S>()).expect("accepted");
@@ -458,7 +463,7 @@ fn assert_intensities<S: Format>() {
     }
     for refused in [-f32::MIN_POSITIVE, 1e9_f32.next_up(), f32::NAN] {
         let error = spot.with_intensity(refused).expect_err("outside of the domain");
-        assert_eq!((error.parameter, error.accepted), (Parameter::Intensity, Accepted::Between(0.0, 1e9)));
+        assert_eq!((error.parameter, error.accepted), (Parameter::Intensity, Expected::Between(0.0, 1e9)));
     }
 }
 
@@ -473,7 +478,7 @@ fn intensities_hold_at_their_ends() {
 fn assert_far<S: Format>(light: Vec3<f32>, axis: Vec3<f32>, half_degrees: f32, point: Vec3<f32>, truth: f64) {
     let shape = Shape::new("soft", Soft, reference::soft);
     let spot =
-        Spot::new(light, axis, shape.cone(half_degrees)).expect("sound").with_attenuation(InverseSquare);
+        SpotLight::new(light, axis, shape.cone(half_degrees)).expect("sound").with_attenuation(InverseSquare);
     let found = spot.compile::<S>().expect("in the domain").falloff(point.map(S::length)).exact();
     let components = |v: Vec3<f32>| [v.x, v.y, v.z].map(f64::from);
     let way = reference::minus(components(point), components(light));
@@ -515,7 +520,7 @@ fn lack_on_axis<S: Format>(shape: &Shape, half_degrees: f32) -> f64 {
         let times = rng.i32(1..=(16_384 / largest).max(1));
         let vector = |v: [i32; 3]| Vec3::new(v[0] as f32, v[1] as f32, v[2] as f32);
         let point = vector([0, 1, 2].map(|i| light[i] + times * axis[i]));
-        let spot = Spot::new(vector(light), vector(axis), cone).expect("a sound axis");
+        let spot = SpotLight::new(vector(light), vector(axis), cone).expect("a sound axis");
         let found = spot.compile::<S>().expect("held").falloff(point.map(S::length));
         worst = worst.max((1.0 - found.exact()) / f64::from(S::STEP));
     }

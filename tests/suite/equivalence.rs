@@ -1,12 +1,15 @@
 //! Two ways to the same light give the same bits.
 
 use fastrand::Rng;
-use luminaire::{Cone, Edge, Fitted, Fx16, Fx32, Hard, Profile, Soft};
+use luminaire::{
+    Cone, Fx16, Fx32,
+    falloff::{Falloff, FittedFalloff, Hard, Soft, SoftOrHard},
+};
 use support::with_every_shape;
 use support::{format::Format, profiles::Shape, reference, sweep};
 
 /// What is skipped is exactly zero: with and without the rejects, the same bits, inside, outside and at the edge.
-fn assert_skipping_is_exact<S: Format, P: Profile>(shape: &Shape<P>) {
+fn assert_skipping_is_exact<S: Format, P: Falloff>(shape: &Shape<P>) {
     let mut rng = Rng::with_seed(64);
     let (mut lit, mut dark) = (0, 0);
     for degrees in sweep::HALF_ANGLES.into_iter().chain([90.0]) {
@@ -50,7 +53,7 @@ fn skipping_is_exact_in_fx16() {
 #[test]
 fn a_choice_at_run_time_changes_no_bit() {
     let mut rng = Rng::with_seed(3);
-    for edge in [Edge::Soft, Edge::Hard] {
+    for edge in [SoftOrHard::Soft, SoftOrHard::Hard] {
         let cone = Cone::from_field(edge, sweep::half(10.0)).expect("a sound cone");
         let spot = sweep::spot(&mut rng, cone);
         let chosen = spot.compile::<Fx16>().expect("held");
@@ -60,8 +63,8 @@ fn a_choice_at_run_time_changes_no_bit() {
             let distance = sweep::distance(&mut rng);
             let site = sweep::site::<Fx16>(&mut rng, position, axis, 10.0, distance);
             let typed = match edge {
-                Edge::Soft => chosen.with_profile(Soft).irradiance(site.point, site.normal),
-                Edge::Hard => chosen.with_profile(Hard).irradiance(site.point, site.normal),
+                SoftOrHard::Soft => chosen.with_profile(Soft).irradiance(site.point, site.normal),
+                SoftOrHard::Hard => chosen.with_profile(Hard).irradiance(site.point, site.normal),
             };
             assert_eq!(chosen.irradiance(site.point, site.normal), typed);
         }
@@ -77,8 +80,8 @@ fn a_fitted_profile_changes_no_bit() {
         for versine in sweep::versines(cone.outer_versine().into(), 10_000) {
             let versine = chosen.versine(versine);
             let typed = match cone.profile() {
-                Fitted::Blend(blend) => chosen.with_profile(blend).at(versine),
-                Fitted::Cubic(cubic) => chosen.with_profile(cubic).at(versine),
+                FittedFalloff::Quadratic(blend) => chosen.with_profile(blend).at(versine),
+                FittedFalloff::Cubic(cubic) => chosen.with_profile(cubic).at(versine),
             };
             assert_eq!(chosen.at(versine), typed);
         }

@@ -23,7 +23,7 @@ type Normalise<'a> = &'a dyn Fn(Vector) -> Vector;
 
 /// The largest error of a profile at a half angle, when the versine is half the squared difference of the candidate's
 /// direction and the axis, and all else is exact.
-fn difference_error(normalise: Normalise, profile: reference::Profile, half_degrees: f64) -> f64 {
+fn difference_error(normalise: Normalise, profile: reference::Falloff, half_degrees: f64) -> f64 {
     largest_error(profile, half_degrees, |way, axis| {
         let difference = minus(normalise(way), axis);
         dot(difference, difference) / 2.0
@@ -31,7 +31,7 @@ fn difference_error(normalise: Normalise, profile: reference::Profile, half_degr
 }
 
 fn largest_error(
-    profile: reference::Profile,
+    profile: reference::Falloff,
     half_degrees: f64,
     versine: impl Fn(Vector, Vector) -> f64,
 ) -> f64 {
@@ -71,7 +71,7 @@ fn split(way_bits: i32, reciprocal_bits: i32) -> impl Fn(Vector) -> Vector {
 /// be wider than a scalar.
 #[test]
 fn a_direction_needs_more_bits_than_a_scalar() {
-    let columns: [(&str, reference::Profile, f64); 4] = [
+    let columns: [(&str, reference::Falloff, f64); 4] = [
         ("soft 3 deg", reference::soft, 3.0),
         ("hard 3 deg", reference::hard, 3.0),
         ("soft 1 deg", reference::soft, 1.0),

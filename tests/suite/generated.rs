@@ -6,8 +6,8 @@ mod lights;
 use std::fmt::Debug;
 
 use fastrand::Rng;
-use luminaire::source::U18F14;
-use luminaire::{CompiledSpot, Fx16, Scalar, Soft, Source, Vec3};
+use luminaire::codegen::U18F14;
+use luminaire::{Fx16, Scalar, Vec3, codegen::Source, falloff::Soft, light::CompiledSpotLight};
 
 /// A constant of any type.
 trait Constant {
@@ -43,7 +43,7 @@ fn a_generated_constant_has_the_bits_of_the_compiled_value() {
     }
 }
 
-const KEY: CompiledSpot<Fx16, Soft> = include!(concat!(env!("OUT_DIR"), "/key.rs"));
+const KEY: CompiledSpotLight<Fx16, Soft> = include!(concat!(env!("OUT_DIR"), "/key.rs"));
 
 #[test]
 fn a_generated_light_lights_as_the_compiled_one() {

@@ -2,8 +2,10 @@
 
 use fastrand::Rng;
 use luminaire::{
-    Accepted, Angle, CompiledGobo, Cone, CutOff, Error, Fx16, Fx32, Gobo, Parameter, Place, Projection,
-    Scalar, Soft, Spot, Vec3,
+    Angle, Cone, Error, Fx16, Fx32, Scalar, SpotLight, Vec3,
+    error::{Expected, Parameter},
+    falloff::{Soft, Step},
+    projector::{CompiledGobo, Gobo, ProjectedPoint, Projection},
 };
 use luminaire_render::gobos;
 use support::{
@@ -26,13 +28,13 @@ fn random(rng: &mut Rng, side: usize) -> Vec<u8> {
     (0..side * side).map(|_| if rng.bool() { rng.u8(..) } else { 255 * rng.u8(..2) }).collect()
 }
 
-fn at<S: Scalar>(column: i32, row: i32) -> Place<S> {
-    Place { column, row, depth: S::Length::default() }
+fn at<S: Scalar>(column: i32, row: i32) -> ProjectedPoint<S> {
+    ProjectedPoint { column, row, depth: S::Length::default() }
 }
 
 /// A spotlight of this half angle somewhere, the square around it, and the same one in f64.
-fn projection<S: Format>(rng: &mut Rng, half_degrees: f32) -> (Spot<CutOff>, Projection, Square) {
-    let cone = Cone::from_outer(CutOff, sweep::half(half_degrees)).expect("sound");
+fn projection<S: Format>(rng: &mut Rng, half_degrees: f32) -> (SpotLight<Step>, Projection, Square) {
+    let cone = Cone::from_outer(Step, sweep::half(half_degrees)).expect("sound");
     let spot = sweep::spot(rng, cone);
     let square = Square::stored::<S, _, _>(&spot, half_degrees.into(), 0.0);
     (spot, Projection::of(&spot).expect("not too wide"), square)
@@ -234,7 +236,7 @@ fn a_quarter_of_a_turn_turns_the_pattern() {
 #[test]
 fn a_pattern_stands_upright_on_a_wall() {
     let cone = Cone::from_outer(Soft, Angle::degrees(90.0)).expect("sound");
-    let spot = Spot::new(Vec3::default(), Vec3::new(0.0, 0.0, -1.0), cone).expect("sound");
+    let spot = SpotLight::new(Vec3::default(), Vec3::new(0.0, 0.0, -1.0), cone).expect("sound");
     let square = Projection::of(&spot).and_then(|square| square.compile::<f32>()).expect("held");
     let gobo = Gobo::of(&[[255, 0], [0, 0]]).on(square);
     let corners = [(-1.0, 1.0), (1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)];
@@ -271,7 +273,7 @@ fn what_is_no_gobo() {
     assert_eq!(message(Gobo::new(4_097, &[])), "side 4097 is refused: give a whole number from 1 to 4096");
     assert_eq!(message(Gobo::new(3, &[0; 8])), "number of samples 8 is refused: give exactly 9");
     let refused = Gobo::new(usize::MAX, &[]).expect_err("no gobo");
-    assert_eq!((refused.parameter, refused.accepted), (Parameter::Side, Accepted::WholeBetween(1, 4_096)));
+    assert_eq!((refused.parameter, refused.accepted), (Parameter::Side, Expected::WholeBetween(1, 4_096)));
     let widest = vec![9; 4_096 * 4_096];
     let gobo = Gobo::new(4_096, &widest).expect("the limit itself is accepted");
     let found: Fx32 = gobo.transmission(&at(65_535, 65_535));

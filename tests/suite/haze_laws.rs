@@ -1,10 +1,13 @@
 //! What holds for every beam in haze and every view ray.
 
 use fastrand::Rng;
-use luminaire::source::FloatRamp;
+use luminaire::codegen::FloatRamp;
 use luminaire::{
-    Attenuation, Cone, Falloff, Haze, HazyBeam, InverseSquare, Polynomial, SmoothRange, Soft, Spot,
-    SquaredWindow, Unattenuated, Vec3, ViewBundle, ViewRay,
+    Cone, SpotLight, Vec3,
+    attenuation::{Attenuation, FilamentRange, InverseSquare, NoAttenuation, Polynomial, SmoothRange},
+    falloff::Soft,
+    haze::{BeamScattering, Haze, RayBundle, ViewRay},
+    light::CompiledCone,
 };
 use support::{
     air_light::Beam,
@@ -22,20 +25,24 @@ fn haze(density: f32) -> Haze {
     Haze::new(density).expect("a sound density")
 }
 
-fn spot(rng: &mut Rng) -> Spot<Soft> {
+fn spot(rng: &mut Rng) -> SpotLight<Soft> {
     let half = HALF_ANGLES[rng.usize(..HALF_ANGLES.len())];
     sweep::spot(rng, Cone::from_outer(Soft, sweep::half(half)).expect("a sound cone"))
 }
 
-fn in_haze<A: Attenuation>(spot: &Spot<Soft, A>, density: f32) -> HazyBeam<Soft, A> {
+fn in_haze<A: Attenuation>(spot: &SpotLight<Soft, A>, density: f32) -> BeamScattering<Soft, A> {
     spot.compile::<f32>().expect("held").in_haze(&haze(density))
 }
 
 /// What a spotlight stands for.
-fn oracle(spot: &Spot<Soft>) -> Beam {
+fn oracle(spot: &SpotLight<Soft>) -> Beam {
     let cone = reference::Cone::new(reference::soft, spot.cone().outer_versine().into());
-    let spot =
-        reference::Spot { position: exact(spot.position()), axis: exact(spot.axis()), cone, intensity: 1.0 };
+    let spot = reference::SpotLight {
+        position: exact(spot.position()),
+        axis: exact(spot.axis()),
+        cone,
+        intensity: 1.0,
+    };
     Beam {
         spot,
         attenuation: |d| 1.0 / (d * d),
@@ -47,7 +54,7 @@ fn oracle(spot: &Spot<Soft>) -> Beam {
 
 /// Tries a law on many lights and rays, the same in every run, and counts those that are lit: a law of the
 /// dark would be none.
-fn on_many(mut law: impl FnMut(&mut Rng, &Spot<Soft>, &ViewRay) -> bool) {
+fn on_many(mut law: impl FnMut(&mut Rng, &SpotLight<Soft>, &ViewRay) -> bool) {
     let mut rng = Rng::with_seed(1910);
     let mut lit = 0;
     for _ in 0..40_000 {
@@ -78,7 +85,7 @@ fn twice_the_density_is_exactly_twice_the_light() {
 
 /// Light of about a fifth of what is seen across the beam, as near to the lamp as the ray comes:
 /// differences are relative to it or to the light itself, whichever is more.
-fn unit_of_light(spot: &Spot<Soft>, view: &ViewRay) -> f64 {
+fn unit_of_light(spot: &SpotLight<Soft>, view: &ViewRay) -> f64 {
     let (nearest, _) = distances(&oracle(spot), &exactly(view));
     0.05 * f64::from(spot.cone().outer().to_radians()) / nearest
 }
@@ -134,7 +141,8 @@ fn a_turned_scene_looks_the_same() {
     on_many(|rng, spot, view| {
         let axes = turned(rng);
         let turn = |v: Vec3<f32>| sweep::single(axes.map(|axis| dot(axis, exact(v))));
-        let other = Spot::new(turn(spot.position()), turn(spot.axis()), spot.cone()).expect("a sound light");
+        let other =
+            SpotLight::new(turn(spot.position()), turn(spot.axis()), spot.cone()).expect("a sound light");
         let across = ViewRay { eye: turn(view.eye), direction: turn(view.direction), length: view.length };
         let light = f64::from(in_haze(spot, 1.0).air_light(view));
         let same = f64::from(in_haze(&other, 1.0).air_light(&across));
@@ -149,7 +157,7 @@ fn a_turned_scene_looks_the_same() {
 fn along_the_axis_there_is_light() {
     let cone = Cone::from_outer(Soft, sweep::half(5.0)).expect("a sound cone");
     let down = Vec3::new(0.0, -1.0, 0.0);
-    let beam = in_haze(&Spot::new(Vec3::new(1.0, 4.0, -2.0), down, cone).expect("a sound light"), 4.0);
+    let beam = in_haze(&SpotLight::new(Vec3::new(1.0, 4.0, -2.0), down, cone).expect("a sound light"), 4.0);
     let light = |height: f32, direction, length| {
         beam.air_light(&ViewRay { eye: Vec3::new(1.0, height, -2.0), direction, length })
     };
@@ -229,18 +237,18 @@ fn assert_total<A: Attenuation>(rng: &mut Rng, constants: impl Fn(&mut Rng) -> A
     let number = move |rng: &mut Rng| if tame && rng.u8(..8) > 0 { 4.0 * rng.f32() - 2.0 } else { any(rng) };
     let place = |rng: &mut Rng| Vec3::new((), (), ()).map(|()| number(rng));
     let ramp = FloatRamp::from_bits([(); 3].map(|()| number(rng).to_bits()));
-    let falloff = Falloff::from_parts(ramp, Soft, Soft);
+    let falloff = CompiledCone::from_parts(ramp, Soft, Soft);
     let (position, axis, gain) = (place(rng), place(rng), number(rng));
     let (cone, reach) = ([number(rng), number(rng)], [number(rng), number(rng)]);
     let constants = constants(rng);
-    let beam = HazyBeam::<Soft, A>::from_parts(position, axis, falloff, constants, gain, cone, reach);
+    let beam = BeamScattering::<Soft, A>::from_parts(position, axis, falloff, constants, gain, cone, reach);
     let view = ViewRay { eye: place(rng), direction: place(rng), length: number(rng) };
     let through = number(rng);
     for light in [beam.air_light(&view), beam.air_light_through(&view, 3, |_| through)] {
         assert!((0.0..=f32::MAX).contains(&light), "{light} from {view:?} of {beam:?}");
     }
     let bundle =
-        ViewBundle { eye: view.eye, direction: view.direction, versine: number(rng), length: view.length };
+        RayBundle { eye: view.eye, direction: view.direction, versine: number(rng), length: view.length };
     beam.can_meet(&bundle);
 }
 
@@ -250,15 +258,15 @@ fn any_bits_have_an_air_light() {
     let any = |rng: &mut Rng| f32::from_bits(bits(rng) as u32);
     for _ in 0..20_000 * sweep::effort() {
         assert_total::<InverseSquare>(&mut rng, |_| ());
-        assert_total::<Unattenuated>(&mut rng, |_| ());
+        assert_total::<NoAttenuation>(&mut rng, |_| ());
         assert_total::<Polynomial>(&mut rng, |rng| [(); 3].map(|()| any(rng)));
         assert_total::<SmoothRange>(&mut rng, |rng| [(); 2].map(|()| any(rng)));
-        assert_total::<SquaredWindow>(&mut rng, |rng| (any(rng), ()));
+        assert_total::<FilamentRange>(&mut rng, |rng| (any(rng), ()));
     }
 }
 
 /// A bundle of rays at a beam, and a ray of it.
-fn bundle(rng: &mut Rng, oracle: &Beam) -> (ViewBundle, Vec<ViewRay>) {
+fn bundle(rng: &mut Rng, oracle: &Beam) -> (RayBundle, Vec<ViewRay>) {
     let target = near_beam(rng, &oracle.spot, 3.0);
     let eye = sweep::single(place(target, sweep::direction(rng), 0.3 * 30.0_f64.powf(rng.f64())));
     let middle = unit(minus(target, exact(eye)));
@@ -272,7 +280,7 @@ fn bundle(rng: &mut Rng, oracle: &Beam) -> (ViewBundle, Vec<ViewRay>) {
         })
         .collect();
     let corners: Vec<_> = rays.iter().map(|ray| ray.direction).collect();
-    (ViewBundle::around(eye, sweep::single(middle), &corners, length), rays)
+    (RayBundle::around(eye, sweep::single(middle), &corners, length), rays)
 }
 
 /// Nothing is lost: where one ray of a bundle has light the answer is yes. Of the bundles that are dark
@@ -302,7 +310,7 @@ fn assert_meets<A: Attenuation>(attenuation: A, least_rejected: f64) {
 #[test]
 fn no_bundle_with_a_lit_ray_is_rejected() {
     assert_meets(InverseSquare, 0.72);
-    assert_meets(SquaredWindow::new(InverseSquare, Some(3.0)).expect("a sound range"), 0.65);
+    assert_meets(FilamentRange::new(InverseSquare, Some(3.0)).expect("a sound range"), 0.65);
 }
 
 #[test]

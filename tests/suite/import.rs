@@ -5,8 +5,11 @@
 
 use fastrand::Rng;
 use luminaire::{
-    Attenuation, CompiledSpot, Distance, Fx16, Fx32, Matched, Profile, Scalar, Spot, Vec3,
+    Fx16, Fx32, Scalar, SpotLight, Vec3,
+    attenuation::{AnyAttenuation, Attenuation},
+    falloff::{AnyFalloff, Falloff},
     import::{self, Difference, Imported, OpenGlLight},
+    light::CompiledSpotLight,
 };
 use support::{
     bounds,
@@ -27,18 +30,22 @@ fn places(count: u32) -> impl Iterator<Item = f64> {
 }
 
 /// The light at a distance, on the axis.
-fn fall(light: &Spot<Matched, Distance>, distance: f64) -> f64 {
+fn fall(light: &SpotLight<AnyFalloff, AnyAttenuation>, distance: f64) -> f64 {
     f64::from(light.intensity()) * light.attenuation().exact(distance)
 }
 
 /// What the importer took into the intensity: what Godot has on the axis, where a real power stands for it.
-fn on_axis(light: &Spot<Matched, Distance>, original: &Original) -> f64 {
-    if matches!(light.cone().profile(), Matched::RealRim(_)) { (original.angle)(1.0) } else { 1.0 }
+fn on_axis(light: &SpotLight<AnyFalloff, AnyAttenuation>, original: &Original) -> f64 {
+    if matches!(light.cone().profile(), AnyFalloff::InvertedRealPower(_)) {
+        (original.angle)(1.0)
+    } else {
+        1.0
+    }
 }
 
 /// The largest difference over the angle between an original and the profile that stands for it, relative to the axis of
 /// that: where `t` is 1 in the middle of the ramp and 2^-24 at its edge, and of OpenGL as far as its cutoff.
-fn angle_difference(light: &Spot<Matched, Distance>, original: &Original) -> f64 {
+fn angle_difference(light: &SpotLight<AnyFalloff, AnyAttenuation>, original: &Original) -> f64 {
     let is_opengl = original.name.starts_with("OpenGL");
     let (inner, edge) = (1.0 - original.inner, 1.0 - original.outer);
     let outer = if is_opengl { 1.0 } else { edge };
@@ -55,7 +62,11 @@ fn angle_difference(light: &Spot<Matched, Distance>, original: &Original) -> f64
 }
 
 /// The largest difference over the distance, as [`Difference`] defines it.
-fn distance_difference(light: &Spot<Matched, Distance>, original: &Original, nearest: f64) -> f64 {
+fn distance_difference(
+    light: &SpotLight<AnyFalloff, AnyAttenuation>,
+    original: &Original,
+    nearest: f64,
+) -> f64 {
     let start = original.stop.max(nearest);
     let end = original.range.unwrap_or(32_767.0);
     let count = 20_000 * sweep::effort() as u32;
@@ -73,11 +84,12 @@ fn what_the_kernel_has_is_exact() {
     for (Imported { light, difference }, original) in imports::exact() {
         assert_eq!((difference.angle, difference.distance), (0.0, 0.0), "{}", original.name);
         let is_step =
-            original.inner == original.outer || matches!(light.cone().profile(), Matched::CutOff(_));
+            original.inner == original.outer || matches!(light.cone().profile(), AnyFalloff::Step(_));
         if !is_step {
             let angle = angle_difference(&light, &original);
             // Where a root is steep the original itself cancels to fewer digits.
-            let is_real = matches!(light.cone().profile(), Matched::RealPower(_) | Matched::RealRim(_));
+            let is_real =
+                matches!(light.cone().profile(), AnyFalloff::RealPower(_) | AnyFalloff::InvertedRealPower(_));
             let most = if is_real { 1e-8 } else { 1e-12 };
             assert!(angle < most, "{}: {angle:.1e} over the angle", original.name);
         }
@@ -139,7 +151,7 @@ fn a_difference_of_the_place_is_a_boundless_slope() {
     let mut boundless = 0;
     for (Imported { light, difference }, original) in imports::exact() {
         let is_step =
-            original.inner == original.outer || matches!(light.cone().profile(), Matched::CutOff(_));
+            original.inner == original.outer || matches!(light.cone().profile(), AnyFalloff::Step(_));
         let at = |within: f64| (original.angle)((original.outer.acos() * (1.0 - within)).cos());
         let [edge, near, far] = [1e-10, 1e-6, 1e-4].map(at);
         let is_boundless = !is_step && near - edge > 0.011 * (far - edge);
@@ -266,7 +278,11 @@ fn a_cutoff_of_half_a_turn_is_a_point_light() {
 /// A profile that was chosen by an importer and one that is a type are the same light.
 #[test]
 fn a_matched_profile_changes_no_bit() {
-    fn assert_same<S: Scalar, P: Profile>(chosen: &CompiledSpot<S, Matched, Distance>, profile: P, x: f32) {
+    fn assert_same<S: Scalar, P: Falloff>(
+        chosen: &CompiledSpotLight<S, AnyFalloff, AnyAttenuation>,
+        profile: P,
+        x: f32,
+    ) {
         let point = Vec3::new(x, -1.0, 0.0).map(S::length);
         assert_eq!(chosen.with_profile(profile).falloff(point), chosen.falloff(point), "{profile:?} at {x}");
     }
@@ -282,15 +298,15 @@ fn a_matched_profile_changes_no_bit() {
         seen.push(kind);
         for x in (0..300_u16).map(|i| f32::from(i) / 100.0) {
             match profile {
-                Matched::CutOff(typed) => assert_same(&chosen, typed, x),
-                Matched::Linear(typed) => assert_same(&chosen, typed, x),
-                Matched::Soft(typed) => assert_same(&chosen, typed, x),
-                Matched::Hard(typed) => assert_same(&chosen, typed, x),
-                Matched::Smooth(typed) => assert_same(&chosen, typed, x),
-                Matched::Power(typed) => assert_same(&chosen, typed, x),
-                Matched::Rim(typed) => assert_same(&chosen, typed, x),
-                Matched::RealPower(typed) => assert_same(&chosen, typed, x),
-                Matched::RealRim(typed) => assert_same(&chosen, typed, x),
+                AnyFalloff::Step(typed) => assert_same(&chosen, typed, x),
+                AnyFalloff::Linear(typed) => assert_same(&chosen, typed, x),
+                AnyFalloff::Soft(typed) => assert_same(&chosen, typed, x),
+                AnyFalloff::Hard(typed) => assert_same(&chosen, typed, x),
+                AnyFalloff::Smooth(typed) => assert_same(&chosen, typed, x),
+                AnyFalloff::Power(typed) => assert_same(&chosen, typed, x),
+                AnyFalloff::InvertedPower(typed) => assert_same(&chosen, typed, x),
+                AnyFalloff::RealPower(typed) => assert_same(&chosen, typed, x),
+                AnyFalloff::InvertedRealPower(typed) => assert_same(&chosen, typed, x),
                 _ => panic!("no import makes {profile:?}"),
             }
         }

@@ -3,9 +3,14 @@
 
 use fastrand::Rng;
 use luminaire::{
-    Angle, Attenuation, CompiledPoint, CompiledSpot, Error, Fx16, Fx32, IntegerPower, IntegerRim, MixedPower,
-    MixedRim, Profile, RealPower, RealRim, Vec3,
-    import::{Difference, Direct3d, Gltf, Godot, Imported, OpenGlLight, OpenGl, Penumbra, Ramp, Three},
+    Angle, Error, Fx16, Fx32, Vec3,
+    attenuation::Attenuation,
+    falloff::{
+        Falloff, IntegerPower, InvertedIntegerPower, InvertedMixedPower, InvertedRealPower, MixedPower,
+        RealPower,
+    },
+    import::{Difference, Direct3d, Gltf, Godot, Imported, OpenGl, OpenGlLight, Penumbra, Ramp, Three},
+    light::{CompiledPointLight, CompiledSpotLight},
 };
 use support::{
     arbitrary::{bits, vector},
@@ -117,19 +122,25 @@ fn penumbras_are_refused_by_their_names() {
 fn exponents_and_shares_out_of_range() {
     let message = "exponent 1025 is refused: give a whole number from 1 to 1024";
     assert_refused(IntegerPower::new(1_025), message);
-    assert_refused(IntegerRim::new(0), "exponent 0 is refused: give a whole number from 1 to 1024");
+    assert_refused(InvertedIntegerPower::new(0), "exponent 0 is refused: give a whole number from 1 to 1024");
     assert_refused(MixedPower::new([3, 3], 0.5), "exponent 3 is refused: give a whole number from 4 to 1024");
     assert_refused(
         MixedPower::new([1_024, 1_025], 0.5),
         "exponent 1024 is refused: give a whole number from 0 to 1023",
     );
-    assert_refused(MixedRim::new([0, 3], 0.5), "exponent 0 is refused: give a whole number from 1 to 1023");
-    assert_refused(MixedRim::new([1, 3], 1.5), "share 1.5 is refused: give a finite number from 0 to 1");
+    assert_refused(
+        InvertedMixedPower::new([0, 3], 0.5),
+        "exponent 0 is refused: give a whole number from 1 to 1023",
+    );
+    assert_refused(
+        InvertedMixedPower::new([1, 3], 1.5),
+        "share 1.5 is refused: give a finite number from 0 to 1",
+    );
     assert!(MixedPower::new([0, 1], 0.0).is_ok());
     for exponent in [0.0, -1.0, 1_024.1, f32::NAN] {
         let message = format!("exponent {exponent} is refused: give more than 0 and at most 1024");
         assert_refused(RealPower::new(exponent), &message);
-        assert_refused(RealRim::new(exponent), &message);
+        assert_refused(InvertedRealPower::new(exponent), &message);
     }
 }
 
@@ -139,7 +150,7 @@ fn assert_light<S: Format>(light: S::Irradiance, unskipped: S::Irradiance, what:
     assert_eq!(light, unskipped, "{what:?}");
 }
 
-fn assert_spot<S: Format, P: Profile, A: Attenuation>(rng: &mut Rng, light: &CompiledSpot<S, P, A>) {
+fn assert_spot<S: Format, P: Falloff, A: Attenuation>(rng: &mut Rng, light: &CompiledSpotLight<S, P, A>) {
     for _ in 0..20 {
         let (point, normal) = (vector(rng, S::length_from_bits), vector(rng, S::scalar_from_bits));
         let falloff = light.falloff(point).exact();
@@ -148,7 +159,7 @@ fn assert_spot<S: Format, P: Profile, A: Attenuation>(rng: &mut Rng, light: &Com
     }
 }
 
-fn assert_point<S: Format, A: Attenuation>(rng: &mut Rng, light: &CompiledPoint<S, A>) {
+fn assert_point<S: Format, A: Attenuation>(rng: &mut Rng, light: &CompiledPointLight<S, A>) {
     for _ in 0..20 {
         let (point, normal) = (vector(rng, S::length_from_bits), vector(rng, S::scalar_from_bits));
         assert_light::<S>(light.irradiance(point, normal), light.irradiance_unskipped(point, normal), light);
@@ -236,7 +247,8 @@ fn every_parameter_has_an_answer() {
             ramp: if rng.bool() { Ramp::Linear } else { Ramp::Smooth },
             intensity: c,
         };
-        let into_lamp = |Imported { light, difference }| Imported { light: OpenGlLight::Spot(light), difference };
+        let into_lamp =
+            |Imported { light, difference }| Imported { light: OpenGlLight::Spot(light), difference };
         let imports: [Result<Imported<OpenGlLight>, Error>; 7] = [
             opengl.import(position, direction),
             direct3d.import(position, direction).map(into_lamp),
@@ -271,7 +283,10 @@ fn defaults_are_sound() {
     let down = Vec3::new(0.0, -1.0, 0.0);
     let lamp = OpenGl::default().import(ORIGIN, down).expect("sound");
     assert!(matches!(lamp.light, OpenGlLight::Point(_)));
-    let cone = |light: luminaire::Spot<luminaire::Matched, luminaire::Distance>| light.cone();
+    let cone = |light: luminaire::SpotLight<
+        luminaire::falloff::AnyFalloff,
+        luminaire::attenuation::AnyAttenuation,
+    >| light.cone();
     let near = |angle: Angle, degrees: f32| assert!((angle.to_degrees() - degrees).abs() < 1e-3, "{angle:?}");
     near(cone(Gltf::default().import(ORIGIN, down).expect("sound").light).outer(), 90.0);
     near(cone(Three::default().import(ORIGIN, down).expect("sound").light).outer(), 120.0);

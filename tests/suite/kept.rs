@@ -1,10 +1,17 @@
 //! What is given to a description is given back, to the bit; what is replaced leaves the rest alone.
 
 use luminaire::{
-    Ambient, Angle, Blend, Cone, Cubic, Directional, Exposure, Faded, Fx16, Hard, HardRange, IntegerPower,
-    IntegerRim, InverseSquare, Light, Material, MixedPower, MixedRim, Phong, Point, Polynomial, RealPower,
-    RealRim, Rgb, Scalar, SmoothRange, Soft, Spot, SquaredWindow, Surface, Table, Unattenuated, Vec3,
-    Windowed,
+    AmbientLight, Angle, Cone, DirectionalLight, Fx16, Material, PointLight, Rgb, Scalar, SpotLight, Vec3,
+    attenuation::{
+        CutAt, FilamentRange, GltfRange, InverseSquare, NoAttenuation, Polynomial, SmoothRange, Windowed,
+    },
+    display::Exposure,
+    falloff::{
+        Cubic, Hard, IntegerPower, InvertedIntegerPower, InvertedMixedPower, InvertedRealPower, MixedPower,
+        Quadratic, RealPower, Soft, Table,
+    },
+    light::{LightModel, SurfacePoint},
+    specular::Phong,
 };
 
 const RED: Rgb<f32> = Rgb::new(0.75, 0.25, 0.125);
@@ -32,36 +39,39 @@ const WHITE: Rgb<f32> = Rgb::new(1.0, 1.0, 1.0);
 
 #[test]
 fn lights_keep_what_they_are_given() {
-    let sun = assert_emission!(Directional::new(DOWN));
+    let sun = assert_emission!(DirectionalLight::new(DOWN));
     assert_eq!(sun.direction(), DOWN);
-    let bulb = assert_emission!(Point::new(PLACE)).with_attenuation(Unattenuated);
-    assert_eq!((bulb.position(), bulb.attenuation(), bulb.color()), (PLACE, Unattenuated, RED));
-    let spot = assert_emission!(Spot::new(PLACE, DOWN, cone()));
+    let bulb = assert_emission!(PointLight::new(PLACE)).with_attenuation(NoAttenuation);
+    assert_eq!((bulb.position(), bulb.attenuation(), bulb.color()), (PLACE, NoAttenuation, RED));
+    let spot = assert_emission!(SpotLight::new(PLACE, DOWN, cone()));
     assert_eq!(
         (spot.position(), spot.axis(), spot.cone(), spot.attenuation()),
         (PLACE, DOWN, cone(), InverseSquare)
     );
     let hard = Cone::from_outer(Hard, Angle::degrees(10.0)).expect("sound");
-    let other = spot.with_cone(hard).with_attenuation(Unattenuated);
+    let other = spot.with_cone(hard).with_attenuation(NoAttenuation);
     assert_eq!(
         (other.cone(), other.attenuation(), other.position(), other.intensity()),
-        (hard, Unattenuated, PLACE, 2.5)
+        (hard, NoAttenuation, PLACE, 2.5)
     );
     let turned = spot.with_axis(Vec3::new(3.0, 0.0, 4.0)).expect("sound");
     assert_eq!(turned.axis(), Vec3::new(0.6, 0.0, 0.8));
     assert_eq!(turned.with_axis(DOWN), Ok(spot), "all else stays");
-    let ambient = Ambient::new(BLUE).and_then(|light| light.with_intensity(0.5)).expect("sound");
+    let ambient = AmbientLight::new(BLUE).and_then(|light| light.with_intensity(0.5)).expect("sound");
     assert_eq!((ambient.color(), ambient.intensity()), (BLUE, 0.5));
 }
 
 /// Colours of eighths are the same number in every format.
 fn assert_compiled<S: Scalar>() {
-    let spot = Spot::new(PLACE, DOWN, cone()).and_then(|spot| spot.with_color(RED)).expect("sound");
+    let spot = SpotLight::new(PLACE, DOWN, cone()).and_then(|spot| spot.with_color(RED)).expect("sound");
     let spot = spot.with_specular_color(BLUE).and_then(|spot| spot.compile::<S>()).expect("held");
     assert_eq!((spot.color().map(S::to_f32), spot.specular_color().map(S::to_f32)), (RED, BLUE));
-    assert_eq!((Light::color(&spot), Light::specular_color(&spot)), (spot.color(), spot.specular_color()));
+    assert_eq!(
+        (LightModel::color(&spot), LightModel::specular_color(&spot)),
+        (spot.color(), spot.specular_color())
+    );
     assert_eq!(spot.profile(), Soft);
-    let surface = Surface::<S>::matte(PLACE.map(S::length), DOWN.map(S::from_f32));
+    let surface = SurfacePoint::<S>::matte(PLACE.map(S::length), DOWN.map(S::from_f32));
     assert_eq!((surface.point, surface.normal), (PLACE.map(S::length), DOWN.map(S::from_f32)));
 }
 
@@ -70,7 +80,7 @@ fn compiled_lights_keep_their_colors() {
     assert_compiled::<f32>();
     assert_compiled::<luminaire::Fx32>();
     assert_compiled::<Fx16>();
-    let bulb = Point::new(PLACE).and_then(|bulb| bulb.with_color(RED)).expect("sound");
+    let bulb = PointLight::new(PLACE).and_then(|bulb| bulb.with_color(RED)).expect("sound");
     let bulb = bulb.compile::<f32>().expect("held");
     assert_eq!((bulb.color(), bulb.specular_color()), (RED, RED));
 }
@@ -91,31 +101,31 @@ fn distances_keep_what_they_are_given() {
     let polynomial = Polynomial::new(0.5, 0.25, 0.125).expect("sound");
     assert_eq!(polynomial.coefficients(), [0.5, 0.25, 0.125]);
     for range in [None, Some(7.5)] {
-        assert_eq!(Windowed::new(InverseSquare, range).expect("sound").range(), range);
-        assert_eq!(SquaredWindow::new(InverseSquare, range).expect("sound").range(), range);
-        assert_eq!(HardRange::new(polynomial, range).expect("sound").range(), range);
+        assert_eq!(GltfRange::new(InverseSquare, range).expect("sound").range(), range);
+        assert_eq!(FilamentRange::new(InverseSquare, range).expect("sound").range(), range);
+        assert_eq!(CutAt::new(polynomial, range).expect("sound").range(), range);
     }
     assert_eq!(SmoothRange::new(7.5).expect("sound").range(), 7.5);
-    let faded = Faded::new(polynomial, Some(7.5)).expect("sound");
+    let faded = Windowed::new(polynomial, Some(7.5)).expect("sound");
     assert_eq!((faded.attenuation(), faded.range()), (polynomial, Some(7.5)));
-    assert_eq!(HardRange::new(polynomial, None).expect("sound").attenuation(), polynomial);
+    assert_eq!(CutAt::new(polynomial, None).expect("sound").attenuation(), polynomial);
 }
 
 #[test]
 fn profiles_keep_what_they_are_given() {
-    assert_eq!(Blend::new(0.75).expect("sound").edge_slope(), 0.75);
+    assert_eq!(Quadratic::new(0.75).expect("sound").edge_slope(), 0.75);
     let cubic = Cubic::with_slopes(1.25, 3.5).expect("sound");
     assert_eq!((cubic.edge_slope(), cubic.middle_slope()), (1.25, 3.5));
     assert_eq!(cubic.coefficients(), [1.25, -3.0, 2.75]);
     assert_eq!(Cubic::new(1.25, -3.0, 2.75).expect("sound"), cubic);
     assert_eq!(IntegerPower::new(12).expect("sound").exponent(), 12);
-    assert_eq!(IntegerRim::new(12).expect("sound").exponent(), 12);
+    assert_eq!(InvertedIntegerPower::new(12).expect("sound").exponent(), 12);
     let mixed = MixedPower::new([2, 7], 0.25).expect("sound");
     assert_eq!((mixed.exponents(), mixed.share()), ([2, 7], 0.25));
-    let mixed = MixedRim::new([2, 7], 0.25).expect("sound");
+    let mixed = InvertedMixedPower::new([2, 7], 0.25).expect("sound");
     assert_eq!((mixed.exponents(), mixed.share()), ([2, 7], 0.25));
     assert_eq!(RealPower::new(2.2).expect("sound").exponent(), 2.2);
-    let rim = RealRim::new(0.3).expect("sound");
+    let rim = InvertedRealPower::new(0.3).expect("sound");
     assert_eq!((rim.exponent(), rim.floor()), (0.3, 0.0));
     let samples = [65_535, 1_234, 0];
     assert_eq!(Table::new(&samples).expect("sound").samples(), samples);

@@ -2,20 +2,30 @@
 
 use fastrand::Rng;
 use luminaire::{
-    Ambient, Angle, Arrival, CompiledLamp, Cone, CutOff, Directional, Distance, Edge, Effect, Effects, Error,
-    Faded, Fitted, Fx16, Fx32, Gobo, Hard, HardRange, Haze, InverseSquare, Lamp, Light, Linear, Luminaire,
-    Matched, Material, Matte, Phong, Plan, Point, Polynomial, Power, Profile, Projection, Rgb, Rim, Scalar,
-    Smooth, SmoothRange, Soft, Specular, Spot, SquaredWindow, Surface, Surfaces, Unattenuated, Vec3, ViewRay,
-    ViewRays, Windowed,
+    AmbientLight, Angle, Cone, DirectionalLight, Error, Fx16, Fx32, Material, PointLight, Rgb, Scalar,
+    SpotLight, Vec3,
+    attenuation::{
+        AnyAttenuation, CutAt, FilamentRange, GltfRange, InverseSquare, NoAttenuation, Polynomial,
+        SmoothRange, Windowed,
+    },
+    dynamic::{AnyLight, CompiledAnyLight, Effect, Effects, RenderPlan, SurfacePoints},
+    falloff::{
+        AnyFalloff, Falloff, FittedFalloff, Hard, InvertedPower, Linear, Power, Smooth, Soft, SoftOrHard,
+        Step,
+    },
+    haze::{Haze, ViewRay, ViewRays},
+    light::{Incident, LightModel, SurfacePoint},
+    projector::{Fixture, Gobo, Projection},
+    specular::{NoSpecular, Phong, SpecularLobe},
 };
 use support::{arbitrary::vector, format::Format, profiles, reference, sweep};
 
 const COUNT: usize = 32;
 
 /// Every profile, as one of any.
-fn matched() -> Vec<Matched> {
+fn matched() -> Vec<AnyFalloff> {
     vec![
-        CutOff.into(),
+        Step.into(),
         Linear.into(),
         Soft.into(),
         Hard.into(),
@@ -33,25 +43,25 @@ fn matched() -> Vec<Matched> {
 }
 
 /// Every distance model, as one of any.
-fn distances() -> Result<Vec<Distance>, Error> {
+fn distances() -> Result<Vec<AnyAttenuation>, Error> {
     let polynomial = Polynomial::new(0.5, 0.25, 0.125)?;
     Ok(vec![
-        Unattenuated.into(),
+        NoAttenuation.into(),
         InverseSquare.into(),
         polynomial.into(),
-        HardRange::new(Unattenuated, Some(6.0))?.into(),
-        HardRange::new(InverseSquare, Some(6.0))?.into(),
-        HardRange::new(polynomial, Some(6.0))?.into(),
-        Windowed::new(InverseSquare, Some(6.0))?.into(),
-        SquaredWindow::new(InverseSquare, Some(6.0))?.into(),
-        Faded::new(Unattenuated, Some(6.0))?.into(),
-        Faded::new(polynomial, Some(6.0))?.into(),
+        CutAt::new(NoAttenuation, Some(6.0))?.into(),
+        CutAt::new(InverseSquare, Some(6.0))?.into(),
+        CutAt::new(polynomial, Some(6.0))?.into(),
+        GltfRange::new(InverseSquare, Some(6.0))?.into(),
+        FilamentRange::new(InverseSquare, Some(6.0))?.into(),
+        Windowed::new(NoAttenuation, Some(6.0))?.into(),
+        Windowed::new(polynomial, Some(6.0))?.into(),
         SmoothRange::new(6.0)?.into(),
     ])
 }
 
 /// Lamps of every kind, profile and distance model: a spotlight stands and points anew for each.
-fn lamps(rng: &mut Rng) -> Result<Vec<Lamp>, Error> {
+fn lamps(rng: &mut Rng) -> Result<Vec<AnyLight>, Error> {
     let mut lamps = Vec::new();
     for distance in distances()? {
         for profile in matched() {
@@ -60,19 +70,22 @@ fn lamps(rng: &mut Rng) -> Result<Vec<Lamp>, Error> {
             lamps.push(spot.into());
         }
         lamps.push(
-            Point::new(Vec3::new(0.5, 1.0, -1.0))?.with_attenuation(distance).with_intensity(2.0)?.into(),
+            PointLight::new(Vec3::new(0.5, 1.0, -1.0))?
+                .with_attenuation(distance)
+                .with_intensity(2.0)?
+                .into(),
         );
     }
-    lamps.push(Directional::new(Vec3::new(0.3, -1.0, 0.2))?.into());
+    lamps.push(DirectionalLight::new(Vec3::new(0.3, -1.0, 0.2))?.into());
     Ok(lamps)
 }
 
 /// Points that a lamp lights, that it does not, and of any bits.
-fn surfaces<S: Format>(rng: &mut Rng, lamp: &Lamp) -> [Surface<S>; COUNT] {
+fn surfaces<S: Format>(rng: &mut Rng, lamp: &AnyLight) -> [SurfacePoint<S>; COUNT] {
     let (position, axis) = match lamp {
-        Lamp::Spot(spot) => (spot.position(), spot.axis()),
-        Lamp::Point(point) => (point.position(), Vec3::new(0.0, 1.0, 0.0)),
-        Lamp::Directional(light) => (Vec3::default(), light.direction()),
+        AnyLight::Spot(spot) => (spot.position(), spot.axis()),
+        AnyLight::Point(point) => (point.position(), Vec3::new(0.0, 1.0, 0.0)),
+        AnyLight::Directional(light) => (Vec3::default(), light.direction()),
     };
     let stored = S::exact_point(position.map(S::length));
     let axis = reference::unit(S::exact_direction(S::axis(axis)));
@@ -80,7 +93,7 @@ fn surfaces<S: Format>(rng: &mut Rng, lamp: &Lamp) -> [Surface<S>; COUNT] {
         let distance = sweep::distance(rng);
         let site = sweep::site::<S>(rng, stored, axis, 35.0, distance);
         let mut surface =
-            Surface::seen_from(Vec3::new(3.0, 1.0, 2.0).map(S::length), site.point, site.normal);
+            SurfacePoint::seen_from(Vec3::new(3.0, 1.0, 2.0).map(S::length), site.point, site.normal);
         match rng.u8(..8) {
             0 => surface.point = vector(rng, S::length_from_bits),
             1 => surface.normal = vector(rng, S::scalar_from_bits),
@@ -101,18 +114,21 @@ fn borrowed<T>(columns: &Vec3<T>) -> Vec3<&T> {
 }
 
 /// Returns how many points were lit, and how many have a highlight.
-fn assert_each<S: Format, H: Specular>(
-    lamp: &CompiledLamp<S>,
-    surfaces: &[Surface<S>; COUNT],
+fn assert_each<S: Format, H: SpecularLobe>(
+    lamp: &CompiledAnyLight<S>,
+    surfaces: &[SurfacePoint<S>; COUNT],
     highlight: H::Constants<S>,
 ) -> [usize; 2] {
     let (point, normal) = (columns(|i| surfaces[i].point), columns(|i| surfaces[i].normal));
     let view = columns(|i| surfaces[i].view);
-    let columns =
-        Surfaces::<S, COUNT> { point: borrowed(&point), normal: borrowed(&normal), view: borrowed(&view) };
+    let columns = SurfacePoints::<S, COUNT> {
+        point: borrowed(&point),
+        normal: borrowed(&normal),
+        view: borrowed(&view),
+    };
     let stale = S::ONE.expose(S::gain(0.5));
-    assert_eq!(columns.at(COUNT), Surface::matte(Vec3::default(), Vec3::default()), "beyond the last");
-    let mut found = Arrival { diffuse: [stale; COUNT], specular: [stale; COUNT] };
+    assert_eq!(columns.at(COUNT), SurfacePoint::matte(Vec3::default(), Vec3::default()), "beyond the last");
+    let mut found = Incident { diffuse: [stale; COUNT], specular: [stale; COUNT] };
     lamp.arrive_each::<H, COUNT>(&columns, &highlight, &mut found);
     let mut lit = [0; 2];
     let bits = |light| S::exact_light(light).to_bits();
@@ -139,7 +155,7 @@ fn lamps_light_many_points_as_each() {
             let compiled = lamp.compile::<S>().expect("held");
             for _ in 0..3 {
                 let surfaces = surfaces::<S>(&mut rng, &lamp);
-                let matte = assert_each::<S, Matte>(&compiled, &surfaces, ());
+                let matte = assert_each::<S, NoSpecular>(&compiled, &surfaces, ());
                 let phong = assert_each::<S, Phong>(&compiled, &surfaces, Phong::constants::<S>(20));
                 (lit[0], lit[1], count) = (lit[0] + matte[0], lit[1] + phong[1], count + COUNT);
             }
@@ -175,7 +191,7 @@ fn beams_show_in_many_rays_as_in_each() {
     let (mut seen, mut count) = (0, 0);
     for lamp in lamps(&mut rng).expect("sound lamps") {
         let beam = lamp.compile::<f32>().expect("held").in_haze(&haze);
-        let Lamp::Spot(spot) = lamp else {
+        let AnyLight::Spot(spot) = lamp else {
             assert_eq!(beam, None, "only spotlights have beams");
             continue;
         };
@@ -209,7 +225,7 @@ fn beams_show_in_many_rays_as_in_each() {
 /// whose exponent is not, which may be rounded otherwise.
 #[test]
 fn any_profile_is_what_it_was() {
-    fn assert_within<P: Profile + Into<Matched>>(profile: P, most: f32) {
+    fn assert_within<P: Falloff + Into<AnyFalloff>>(profile: P, most: f32) {
         let typed = Cone::from_outer(profile, sweep::half(30.0)).expect("sound");
         let chosen = typed.with_profile(profile.into());
         let angles = |cone: [luminaire::Angle; 2]| cone.map(|angle| angle.to_degrees());
@@ -225,10 +241,10 @@ fn any_profile_is_what_it_was() {
             assert!((typed - chosen).abs() <= most, "{profile:?} at {versine}: {typed}, {chosen}");
         }
     }
-    fn assert_same<P: Profile + Into<Matched>>(profile: P) {
+    fn assert_same<P: Falloff + Into<AnyFalloff>>(profile: P) {
         assert_within(profile, 0.0);
     }
-    assert_same(CutOff);
+    assert_same(Step);
     assert_same(Linear);
     assert_same(Soft);
     assert_same(Hard);
@@ -242,24 +258,24 @@ fn any_profile_is_what_it_was() {
     assert_same(profiles::real_power());
     assert_same(profiles::real_rim());
     assert_same(profiles::table());
-    assert_same(Edge::Soft);
-    assert_same(Edge::Hard);
+    assert_same(SoftOrHard::Soft);
+    assert_same(SoftOrHard::Hard);
     assert_within(Power::<1>, 4e-7);
     assert_within(Power::<2>, 4e-7);
     assert_within(Power::<13>, 4e-7);
-    assert_within(Rim::<1>, 4e-7);
-    assert_within(Rim::<2>, 4e-7);
-    assert_within(Rim::<6>, 4e-7);
-    assert_same(Fitted::Blend(profiles::blend()));
-    assert_same(Fitted::Cubic(profiles::cubic()));
+    assert_within(InvertedPower::<1>, 4e-7);
+    assert_within(InvertedPower::<2>, 4e-7);
+    assert_within(InvertedPower::<6>, 4e-7);
+    assert_same(FittedFalloff::Quadratic(profiles::blend()));
+    assert_same(FittedFalloff::Cubic(profiles::cubic()));
 }
 
 fn down() -> Vec3<f32> {
     Vec3::new(0.0, -1.0, 0.0)
 }
 
-fn spot(profile: impl Profile + Into<Matched>) -> Result<Spot<Matched>, Error> {
-    Spot::new(Vec3::new(0.0, 4.0, 0.0), down(), Cone::from_outer(profile.into(), Angle::degrees(40.0))?)
+fn spot(profile: impl Falloff + Into<AnyFalloff>) -> Result<SpotLight<AnyFalloff>, Error> {
+    SpotLight::new(Vec3::new(0.0, 4.0, 0.0), down(), Cone::from_outer(profile.into(), Angle::degrees(40.0))?)
 }
 
 /// What each lamp calls for, in words.
@@ -267,7 +283,7 @@ fn spot(profile: impl Profile + Into<Matched>) -> Result<Spot<Matched>, Error> {
 fn a_lamp_calls_for_what_it_is() -> Result<(), Error> {
     let names: Vec<_> = matched()
         .into_iter()
-        .map(|profile| Ok(Lamp::from(spot(profile)?).effects().to_string()))
+        .map(|profile| Ok(AnyLight::from(spot(profile)?).effects().to_string()))
         .collect::<Result<_, Error>>()?;
     let profiles = [
         "cut-off",
@@ -290,7 +306,9 @@ fn a_lamp_calls_for_what_it_is() -> Result<(), Error> {
 
     let names: Vec<_> = distances()?
         .into_iter()
-        .map(|distance| Ok(Lamp::from(Point::new(down())?.with_attenuation(distance)).effects().to_string()))
+        .map(|distance| {
+            Ok(AnyLight::from(PointLight::new(down())?.with_attenuation(distance)).effects().to_string())
+        })
         .collect::<Result<_, Error>>()?;
     let expected = [
         "unattenuated",
@@ -307,10 +325,10 @@ fn a_lamp_calls_for_what_it_is() -> Result<(), Error> {
     ];
     assert_eq!(names, expected.map(|distance| format!("diffuse, point, {distance}")));
 
-    let sun = Lamp::from(Directional::new(down())?);
+    let sun = AnyLight::from(DirectionalLight::new(down())?);
     assert_eq!(sun.effects().to_string(), "diffuse, directional");
     let cone = spot(Linear)?.cone().with_inner(Angle::degrees(10.0))?.with_delimiter(Angle::degrees(30.0))?;
-    let cut = Luminaire::from(spot(Linear)?.with_cone(cone)).with_shadow(64)?;
+    let cut = Fixture::from(spot(Linear)?.with_cone(cone)).with_shadow(64)?;
     assert_eq!(
         cut.effects().to_string(),
         "diffuse, spot, linear, hotspot, delimiter, inverse-square, shadow"
@@ -328,21 +346,22 @@ fn a_dark_lamp_is_dropped() -> Result<(), Error> {
     let bright = [lit, lit.with_color(black)?.with_specular_color(red)?, lit.with_specular_color(black)?];
     for (spots, is_dark) in [(&dark[..], true), (&bright[..], false)] {
         for spot in spots {
-            let luminaire = Luminaire::from(*spot).with_shadow(16)?;
+            let luminaire = Fixture::from(*spot).with_shadow(16)?;
             assert_eq!(luminaire.lamp().is_dark(), is_dark);
             assert_eq!(luminaire.effects() == Effects::NONE, is_dark);
-            assert_eq!(Plan::new().with_luminaire(&luminaire).effects(), luminaire.effects());
-            let prepare = |plan: Plan| plan.prepare::<f32>(luminaire.lamp());
-            assert_eq!(prepare(Plan::new())?.is_none(), is_dark);
-            assert!(prepare(Plan::everything())?.is_some());
+            assert_eq!(RenderPlan::new().with_luminaire(&luminaire).effects(), luminaire.effects());
+            let prepare = |plan: RenderPlan| plan.prepare::<f32>(luminaire.lamp());
+            assert_eq!(prepare(RenderPlan::new())?.is_none(), is_dark);
+            assert!(prepare(RenderPlan::everything())?.is_some());
         }
     }
-    let compiled = Plan::new().prepare::<Fx16>(&lit.with_specular_color(red)?.into())?.expect("not dark");
+    let compiled =
+        RenderPlan::new().prepare::<Fx16>(&lit.with_specular_color(red)?.into())?.expect("not dark");
     assert_eq!(compiled.color(), lit.color().map(Fx16::from_f32));
     assert_eq!(compiled.specular_color(), red.map(Fx16::from_f32));
     // Dark or not: what the format can't hold is refused.
-    let far = Spot::new(Vec3::new(4e4, 0.0, 0.0), down(), lit.cone())?.with_intensity(0.0)?;
-    assert!(Plan::new().prepare::<Fx16>(&far.into()).is_err());
+    let far = SpotLight::new(Vec3::new(4e4, 0.0, 0.0), down(), lit.cone())?.with_intensity(0.0)?;
+    assert!(RenderPlan::new().prepare::<Fx16>(&far.into()).is_err());
     Ok(())
 }
 
@@ -352,15 +371,15 @@ fn a_plan_calls_for_what_it_was_given() -> Result<(), Error> {
     let matt = Material::new(grey)?;
     let glazed = matt.with_highlight(Phong, grey, 20)?;
     let dull = matt.with_highlight(Phong, black, 20)?;
-    let calls = |plan: Plan| plan.effects().to_string();
-    assert_eq!(calls(Plan::new().with_material(&matt).with_material(&dull)), "");
-    assert_eq!(calls(Plan::new().with_material(&glazed)), "specular");
-    assert_eq!(calls(Plan::new().with_ambient(&Ambient::new(grey)?)), "ambient");
-    assert_eq!(calls(Plan::new().with_ambient(&Ambient::new(black)?)), "");
-    assert_eq!(calls(Plan::new().with_ambient(&Ambient::new(grey)?.with_intensity(0.0)?)), "");
-    let plan = Plan::new().with(Effect::Dither);
+    let calls = |plan: RenderPlan| plan.effects().to_string();
+    assert_eq!(calls(RenderPlan::new().with_material(&matt).with_material(&dull)), "");
+    assert_eq!(calls(RenderPlan::new().with_material(&glazed)), "specular");
+    assert_eq!(calls(RenderPlan::new().with_ambient(&AmbientLight::new(grey)?)), "ambient");
+    assert_eq!(calls(RenderPlan::new().with_ambient(&AmbientLight::new(black)?)), "");
+    assert_eq!(calls(RenderPlan::new().with_ambient(&AmbientLight::new(grey)?.with_intensity(0.0)?)), "");
+    let plan = RenderPlan::new().with(Effect::Dither);
     assert!(plan.skips() && plan.calls_for(Effect::Dither) && !plan.calls_for(Effect::Haze));
-    let everything = Plan::everything();
+    let everything = RenderPlan::everything();
     assert!(!everything.skips() && Effect::ALL.iter().all(|&effect| everything.calls_for(effect)));
     Ok(())
 }
@@ -383,12 +402,12 @@ fn effects_are_a_set() {
 fn a_shadow_map_has_a_side_that_can_be() -> Result<(), Error> {
     for side in [16, 512, 2048] {
         assert_eq!(
-            Luminaire::from(spot(Soft)?).with_shadow(side)?.shadow(),
+            Fixture::from(spot(Soft)?).with_shadow(side)?.shadow(),
             Some((side, Projection::of(&spot(Soft)?)?))
         );
     }
     for side in [0, 15, 2049, u16::MAX] {
-        let refused = Luminaire::from(spot(Soft)?).with_shadow(side).unwrap_err().to_string();
+        let refused = Fixture::from(spot(Soft)?).with_shadow(side).unwrap_err().to_string();
         let expected =
             format!("side of the shadow map {side} is refused: give a whole number from 16 to 2048");
         assert_eq!(refused, expected);
@@ -400,14 +419,17 @@ fn a_shadow_map_has_a_side_that_can_be() -> Result<(), Error> {
 #[test]
 fn what_projects_no_square_is_refused() -> Result<(), Error> {
     const BARS: Gobo<'static> = Gobo::of(&[[255, 0]; 2]);
-    let key = Luminaire::from(spot(Soft)?).with_gobo(BARS, Angle::degrees(30.0))?;
+    let key = Fixture::from(spot(Soft)?).with_gobo(BARS, Angle::degrees(30.0))?;
     let square = Projection::of(&spot(Soft)?)?.turned(Angle::degrees(30.0))?;
     assert_eq!(key.gobo(), Some((BARS, square)));
     assert_eq!(key.compile_gobo::<f32>()?, Some(BARS.on(square.compile()?)));
-    assert_eq!(Luminaire::from(spot(Soft)?).compile_gobo::<f32>()?, None);
+    assert_eq!(Fixture::from(spot(Soft)?).compile_gobo::<f32>()?, None);
     let wide = spot(Soft)?.with_cone(Cone::from_outer(Soft, Angle::degrees(170.0))?);
-    let odd: [(Luminaire, u32); 3] =
-        [(wide.into(), 170), (Point::new(down())?.into(), 360), (Directional::new(down())?.into(), 0)];
+    let odd: [(Fixture, u32); 3] = [
+        (wide.into(), 170),
+        (PointLight::new(down())?.into(), 360),
+        (DirectionalLight::new(down())?.into(), 0),
+    ];
     for (luminaire, angle) in odd {
         let expected = format!(
             "outer angle {angle} is refused: give more than 0 and at most 160 degrees, the full angle"
@@ -420,7 +442,7 @@ fn what_projects_no_square_is_refused() -> Result<(), Error> {
 
 #[test]
 fn lamps_without_a_range_have_none() -> Result<(), Error> {
-    let ranges: Vec<_> = distances()?.iter().map(Distance::range).collect();
+    let ranges: Vec<_> = distances()?.iter().map(AnyAttenuation::range).collect();
     assert_eq!(ranges[..3], [None; 3]);
     assert_eq!(ranges[3..], [Some(6.0); 8]);
     let cone = spot(Soft)?.cone();

@@ -2,9 +2,15 @@
 
 use fastrand::Rng;
 use luminaire::{
-    Attenuation, BlinnPhong, Cone, Directional, DualCone, Fx16, Fx32, Gain, HardRange, InverseSquare, Light,
-    Lyon, Material, Matte, Phong, Point, Polynomial, Rgb, SmoothRange, Soft, Specular, Spot, SquaredWindow,
-    Surface, Unattenuated, Vec3, Windowed, clip, keep_hue,
+    Cone, DirectionalLight, Fx16, Fx32, Material, PointLight, Rgb, SpotLight, Vec3,
+    attenuation::{
+        Attenuation, CutAt, FilamentRange, GltfRange, InverseSquare, NoAttenuation, Polynomial, SmoothRange,
+    },
+    display::{clip, keep_hue},
+    falloff::Soft,
+    light::{LightModel, SurfacePoint},
+    number::Gain,
+    specular::{BlinnPhong, DifferenceForm, DualConeLobe, NoSpecular, Phong, SpecularLobe},
 };
 use support::{
     arbitrary::vector,
@@ -13,8 +19,8 @@ use support::{
     sweep,
 };
 
-fn any_surface<S: Format>(rng: &mut Rng) -> Surface<S> {
-    Surface {
+fn any_surface<S: Format>(rng: &mut Rng) -> SurfacePoint<S> {
+    SurfacePoint {
         point: vector(rng, S::length_from_bits),
         normal: vector(rng, S::scalar_from_bits),
         view: vector(rng, S::unit_from_bits),
@@ -22,7 +28,11 @@ fn any_surface<S: Format>(rng: &mut Rng) -> Surface<S> {
 }
 
 /// A sound answer, the same with and without the rejects.
-fn assert_answer<S: Format, H: Specular>(material: Material<H>, light: &impl Light<S>, surface: &Surface<S>) {
+fn assert_answer<S: Format, H: SpecularLobe>(
+    material: Material<H>,
+    light: &impl LightModel<S>,
+    surface: &SurfacePoint<S>,
+) {
     let material = material.compile::<S>();
     let (skipped, whole) = (material.reflect(surface, light), material.reflect_unskipped(surface, light));
     assert_eq!(skipped, whole, "{material:?} {light:?} {surface:?}");
@@ -37,15 +47,23 @@ fn assert_answer<S: Format, H: Specular>(material: Material<H>, light: &impl Lig
     }
 }
 
-fn assert_all_highlights<S: Format>(light: &impl Light<S>, surface: &Surface<S>) {
+fn assert_all_highlights<S: Format>(light: &impl LightModel<S>, surface: &SurfacePoint<S>) {
     let matt = Material::new(Rgb::new(0.5, 0.25, 1.0)).expect("sound");
     let gloss = Rgb::new(1.0, 0.5, 0.75);
-    assert_answer::<S, Matte>(matt, light, surface);
+    assert_answer::<S, NoSpecular>(matt, light, surface);
     assert_answer(matt.with_highlight(Phong, gloss, 7).expect("sound"), light, surface);
     assert_answer(matt.with_highlight(BlinnPhong, gloss, 1024).expect("sound"), light, surface);
-    assert_answer(matt.with_highlight(DualCone, gloss, 1).expect("sound"), light, surface);
-    assert_answer(matt.with_highlight(Lyon::<_, 3>(Phong), gloss, 90).expect("sound"), light, surface);
-    assert_answer(matt.with_highlight(Lyon::<_, 2>(BlinnPhong), gloss, 4).expect("sound"), light, surface);
+    assert_answer(matt.with_highlight(DualConeLobe, gloss, 1).expect("sound"), light, surface);
+    assert_answer(
+        matt.with_highlight(DifferenceForm::<_, 3>(Phong), gloss, 90).expect("sound"),
+        light,
+        surface,
+    );
+    assert_answer(
+        matt.with_highlight(DifferenceForm::<_, 2>(BlinnPhong), gloss, 4).expect("sound"),
+        light,
+        surface,
+    );
 }
 
 fn assert_model<S: Format, A: Attenuation>(rng: &mut Rng, model: impl Fn(f32) -> A) {
@@ -54,7 +72,7 @@ fn assert_model<S: Format, A: Attenuation>(rng: &mut Rng, model: impl Fn(f32) ->
         let cone = Cone::from_outer(Soft, sweep::half(5.0 + 80.0 * rng.f32())).expect("a sound cone");
         let spot = sweep::spot(rng, cone).with_intensity(1e9 * rng.f32()).expect("sound");
         let spot = spot.with_attenuation(model(range));
-        let point = Point::new(spot.position()).and_then(|point| point.with_intensity(1e9 * rng.f32()));
+        let point = PointLight::new(spot.position()).and_then(|point| point.with_intensity(1e9 * rng.f32()));
         let point = point.expect("sound").with_attenuation(model(range));
         let position = S::exact_point(spot.position().map(S::length));
         let (spot, point) = (spot.compile::<S>().expect("held"), point.compile::<S>().expect("held"));
@@ -68,7 +86,7 @@ fn assert_model<S: Format, A: Attenuation>(rng: &mut Rng, model: impl Fn(f32) ->
             let way = sweep::direction(rng);
             let stretch = [0.5, 0.999, 1.0, 1.000_01, 1.2][rng.usize(..5)];
             let site = sweep::on_grid([0, 1, 2].map(|i| position[i] + f64::from(range) * stretch * way[i]));
-            let surface = Surface::<S>::seen_from(
+            let surface = SurfacePoint::<S>::seen_from(
                 sweep::single(sweep::direction(rng)).map(S::length),
                 sweep::single(site).map(S::length),
                 sweep::single(sweep::direction(rng)).map(S::from_f32),
@@ -81,18 +99,18 @@ fn assert_model<S: Format, A: Attenuation>(rng: &mut Rng, model: impl Fn(f32) ->
 
 fn assert_total<S: Format>() {
     let rng = &mut Rng::with_seed(0x11_6875);
-    assert_model::<S, _>(rng, |_| Unattenuated);
+    assert_model::<S, _>(rng, |_| NoAttenuation);
     assert_model::<S, _>(rng, |_| InverseSquare);
     assert_model::<S, _>(rng, |range| Polynomial::new(0.0, 1.0, range).expect("sound"));
     assert_model::<S, _>(rng, |_| Polynomial::new(0.0, 0.0, 0.0).expect("sound"));
     assert_model::<S, _>(rng, |range| SmoothRange::new(range).expect("sound"));
-    assert_model::<S, _>(rng, |range| Windowed::new(InverseSquare, Some(range)).expect("sound"));
-    assert_model::<S, _>(rng, |_| Windowed::new(InverseSquare, None).expect("sound"));
-    assert_model::<S, _>(rng, |range| SquaredWindow::new(InverseSquare, Some(range)).expect("sound"));
-    assert_model::<S, _>(rng, |range| HardRange::new(Unattenuated, Some(range)).expect("sound"));
+    assert_model::<S, _>(rng, |range| GltfRange::new(InverseSquare, Some(range)).expect("sound"));
+    assert_model::<S, _>(rng, |_| GltfRange::new(InverseSquare, None).expect("sound"));
+    assert_model::<S, _>(rng, |range| FilamentRange::new(InverseSquare, Some(range)).expect("sound"));
+    assert_model::<S, _>(rng, |range| CutAt::new(NoAttenuation, Some(range)).expect("sound"));
     for _ in 0..2_000 {
         let direction = sweep::single(sweep::direction(rng));
-        let sun = Directional::new(direction).and_then(|sun| sun.with_intensity(1e9 * rng.f32()));
+        let sun = DirectionalLight::new(direction).and_then(|sun| sun.with_intensity(1e9 * rng.f32()));
         assert_all_highlights(&sun.expect("sound").compile::<S>(), &any_surface(rng));
     }
 }
@@ -114,8 +132,11 @@ fn every_bit_pattern_has_an_answer_in_fx16() {
 
 /// Along an axis a model never rises by more than `steps` of its format, starts at full scale and ends at exact zero.
 fn assert_falls<S: Format, A: Attenuation>(model: A, range: f32, starts: f64, steps: f64) {
-    let light =
-        Point::new(Vec3::default()).expect("sound").with_attenuation(model).compile::<S>().expect("held");
+    let light = PointLight::new(Vec3::default())
+        .expect("sound")
+        .with_attenuation(model)
+        .compile::<S>()
+        .expect("held");
     let toward = Vec3::new(S::from_f32(-1.0), S::ZERO, S::ZERO);
     let at = |quanta: i32| {
         let place = Vec3::new(quanta as f32 / 65_536.0, 0.0, 0.0).map(S::length);
@@ -139,8 +160,7 @@ fn assert_monotone<S: Format>(steps: f64) {
     assert_falls::<S, _>(SmoothRange::new(range).expect("sound"), range, 1.0, steps);
     let cut = |coefficients: [f32; 3]| {
         let [constant, linear, quadratic] = coefficients;
-        HardRange::new(Polynomial::new(constant, linear, quadratic).expect("sound"), Some(range))
-            .expect("sound")
+        CutAt::new(Polynomial::new(constant, linear, quadratic).expect("sound"), Some(range)).expect("sound")
     };
     assert_falls::<S, _>(cut([0.5, 0.3, 0.7]), range, 1.0, steps);
     assert_falls::<S, _>(cut([1.0, 0.0, 0.0]), range, 1.0, steps);
@@ -196,7 +216,7 @@ fn one_vector_gives_direction_and_range() {
     for _ in 0..1_000 {
         let (position, way) = (Vec3::new(1.0, 2.0, 3.0), sweep::direction(&mut rng));
         let end = sweep::single(scaled(way, 5.0)).zip(position, |w, p| w + p);
-        let spot = Spot::between(position, end, cone).expect("sound");
+        let spot = SpotLight::between(position, end, cone).expect("sound");
         let off = reference::minus(f32::exact_direction(spot.axis()), way);
         assert!(reference::dot(off, off).sqrt() < 1e-6);
         assert!((spot.attenuation().range() - 5.0).abs() < 1e-5);
@@ -206,7 +226,7 @@ fn one_vector_gives_direction_and_range() {
 /// However near the lamp, and however small the numbers get, no more light arrives than the lamp has.
 #[test]
 fn no_light_is_made_next_to_a_lamp() {
-    let lamp = Point::new(Vec3::default()).expect("sound").with_attenuation(Unattenuated);
+    let lamp = PointLight::new(Vec3::default()).expect("sound").with_attenuation(NoAttenuation);
     let lamp = lamp.compile::<f32>().expect("held");
     for exponent in 0..=149 {
         let point = Vec3::new(0.0, 0.5_f32.powi(exponent), 0.0);

@@ -5,9 +5,14 @@
 
 use fastrand::Rng;
 use luminaire::{
-    Ambient, Attenuation, BlinnPhong, Cone, DualCone, Fx16, Fx32, HardRange, InverseSquare, Lyon, Material,
-    Matte, Phong, Point, Polynomial, Rgb, SmoothRange, Soft, Specular, SquaredWindow, Surface, Unattenuated,
-    Vec3, Windowed, clip, encode_srgb,
+    AmbientLight, Cone, Fx16, Fx32, Material, PointLight, Rgb, Vec3,
+    attenuation::{
+        Attenuation, CutAt, FilamentRange, GltfRange, InverseSquare, NoAttenuation, Polynomial, SmoothRange,
+    },
+    display::{clip, encode_srgb},
+    falloff::Soft,
+    light::SurfacePoint,
+    specular::{BlinnPhong, DifferenceForm, DualConeLobe, NoSpecular, Phong, SpecularLobe},
 };
 use support::{
     bounds,
@@ -56,7 +61,7 @@ fn distance_error<S: Format, A: Attenuation>(
         // Full scale at half the range for what falls with the square, at the light itself for what does not.
         let falls = oracle(range.into(), 0.01) > 1.0;
         let intensity = if falls { range * range / 4.0 } else { 1.0 };
-        let point = Point::new(sweep::single(place)).and_then(|point| point.with_intensity(intensity));
+        let point = PointLight::new(sweep::single(place)).and_then(|point| point.with_intensity(intensity));
         let lit = point.expect("a sound light").with_attenuation(model).compile::<S>().expect("held");
         for _ in 0..1_000 {
             let way = sweep::direction(&mut rng);
@@ -86,7 +91,7 @@ fn assert_distance<A: Attenuation>(name: &str, model: impl Fn(f32) -> A + Copy, 
 
 #[test]
 fn no_fall_keeps_its_row() {
-    assert_distance("unattenuated", |_| Unattenuated, |_, _| 1.0);
+    assert_distance("unattenuated", |_| NoAttenuation, |_, _| 1.0);
 }
 
 #[test]
@@ -111,14 +116,14 @@ fn smooth_range_keeps_its_row() {
 fn windowed_keeps_its_row() {
     assert_distance(
         "windowed",
-        |r| Windowed::new(InverseSquare, Some(r)).expect("sound"),
+        |r| GltfRange::new(InverseSquare, Some(r)).expect("sound"),
         reference::windowed,
     );
 }
 
 #[test]
 fn squared_window_keeps_its_row() {
-    let model = |r| SquaredWindow::new(InverseSquare, Some(r)).expect("sound");
+    let model = |r| FilamentRange::new(InverseSquare, Some(r)).expect("sound");
     assert_distance("squared window", model, reference::squared_window);
 }
 
@@ -128,8 +133,8 @@ fn assert_cut<S: Format>() {
     let mut rng = Rng::with_seed(44);
     for _ in 0..20_000 {
         let (place, range) = (position(&mut rng), range(&mut rng));
-        let whole = Point::new(sweep::single(place)).expect("a sound light");
-        let cut = whole.with_attenuation(HardRange::new(InverseSquare, Some(range)).expect("sound"));
+        let whole = PointLight::new(sweep::single(place)).expect("a sound light");
+        let cut = whole.with_attenuation(CutAt::new(InverseSquare, Some(range)).expect("sound"));
         let way = sweep::direction(&mut rng);
         let fraction = rng.f64() * 2.0;
         let site = [0, 1, 2].map(|i| place[i] + f64::from(range) * fraction * way[i]);
@@ -152,7 +157,7 @@ fn a_cut_is_a_cut() {
 }
 
 /// The lobe of a highlight against its oracle, near the mirror direction and far from it.
-fn highlight_error<S: Format, H: Specular>(oracle: Lobe, shininess: u32) -> f64 {
+fn highlight_error<S: Format, H: SpecularLobe>(oracle: Lobe, shininess: u32) -> f64 {
     let mut rng = Rng::with_seed(75);
     let constants = H::constants::<S>(shininess);
     let mut worst = 0.0_f64;
@@ -180,7 +185,7 @@ fn highlight_error<S: Format, H: Specular>(oracle: Lobe, shininess: u32) -> f64 
     worst
 }
 
-fn assert_highlight<H: Specular>(name: &str, oracle: Lobe, shininesses: [u32; 3]) {
+fn assert_highlight<H: SpecularLobe>(name: &str, oracle: Lobe, shininesses: [u32; 3]) {
     for shininess in shininesses {
         let measured = [
             highlight_error::<f32, H>(oracle, shininess),
@@ -203,23 +208,23 @@ fn blinn_phong_keeps_its_rows() {
 
 #[test]
 fn dual_cone_keeps_its_rows() {
-    assert_highlight::<DualCone>("dual cone", reference::dual_cone, [2, 32, 256]);
+    assert_highlight::<DualConeLobe>("dual cone", reference::dual_cone, [2, 32, 256]);
 }
 
 #[test]
 fn lyon_keeps_its_rows() {
-    assert_highlight::<Lyon<Phong, 2>>("lyon", reference::lyon, [4, 32, 256]);
+    assert_highlight::<DifferenceForm<Phong, 2>>("lyon", reference::lyon, [4, 32, 256]);
 }
 
 /// A mirror image in a level surface is seen from this versine off it.
-fn lobe_at<H: Specular, S: Format>(shininess: u32, versine: f32) -> f64 {
+fn lobe_at<H: SpecularLobe, S: Format>(shininess: u32, versine: f32) -> f64 {
     let cosine = 1.0 - versine;
     let [up, down, view] = [[0.0, 1.0], [0.0, -1.0], [(1.0 - cosine * cosine).sqrt(), cosine]]
         .map(|[x, y]| Vec3::new(x, y, 0.0_f32));
     H::lobe::<S>(&H::constants::<S>(shininess), S::axis(down), up.map(S::from_f32), S::axis(view)).exact()
 }
 
-fn assert_end<H: Specular>(shininess: [u32; 3]) {
+fn assert_end<H: SpecularLobe>(shininess: [u32; 3]) {
     for shininess in shininess {
         let end = H::end(shininess);
         let [inside, outside] = [0.8, 1.001].map(|part| {
@@ -234,11 +239,11 @@ fn assert_end<H: Specular>(shininess: [u32; 3]) {
 #[test]
 fn a_highlight_ends_where_it_says() {
     assert_end::<Phong>([1, 2, 4]);
-    assert_end::<Lyon<Phong, 2>>([4, 32, 256]);
-    assert_end::<Matte>([0, 1, 32]);
+    assert_end::<DifferenceForm<Phong, 2>>([4, 32, 256]);
+    assert_end::<NoSpecular>([0, 1, 32]);
 }
 
-/// Lyon's form against the power, over the angle between the two directions.
+/// DifferenceForm's form against the power, over the angle between the two directions.
 #[test]
 fn lyons_form_is_as_near_to_the_power_as_is_stated() {
     for (squarings, row) in prices::LYON {
@@ -270,7 +275,7 @@ fn lit_errors<S: Format>() -> [f64; 2] {
         .and_then(|material| material.with_ambient(grey(ma)))
         .and_then(|material| material.with_highlight(Phong, grey(ms), 32))
         .expect("a sound material");
-    let ambient = Ambient::new(grey(ia)).expect("sound").compile::<S>();
+    let ambient = AmbientLight::new(grey(ia)).expect("sound").compile::<S>();
     let compiled = material.compile::<S>();
     let (mut linear, mut codes) = (0.0_f64, 0.0_f64);
     for _ in 0..200 * sweep::effort() {
@@ -281,7 +286,7 @@ fn lit_errors<S: Format>() -> [f64; 2] {
             .and_then(|spot| spot.with_intensity((reach * reach).round()))
             .expect("a sound light");
         let lit = spot.compile::<S>().expect("held");
-        let exact_spot = reference::Spot {
+        let exact_spot = reference::SpotLight {
             position: S::exact_point(spot.position().map(S::length)),
             axis: unit(S::exact_direction(spot.axis_in::<S>())),
             cone: reference::Cone::new(reference::soft, reference::versine(outer_degrees.into())),
@@ -303,7 +308,7 @@ fn lit_errors<S: Format>() -> [f64; 2] {
             let eye_way = direction_within(&mut rng, mirror, 0.8);
             let eye = sweep::on_grid([0, 1, 2].map(|i| site[i] + 5.0 * eye_way[i]));
             let to_length = |v: Vector| sweep::single(v).map(S::length);
-            let surface = Surface::seen_from(to_length(eye), to_length(site), normal);
+            let surface = SurfacePoint::seen_from(to_length(eye), to_length(site), normal);
             let light = compiled.glow(ambient).plus::<S>(compiled.reflect(&surface, &lit));
             let classic = Classic {
                 ambient: [ma.into(), ia.into()],
@@ -343,13 +348,13 @@ fn the_dual_cone_highlight_peaks_beside_the_mirror_direction() {
         };
         (-90..=90).max_by(|&a, &b| at(a).total_cmp(&at(b))).expect("some angle")
     };
-    fn lobe<H: Specular>(incoming: Vec3<f32>, normal: Vec3<f32>, view: Vec3<f32>) -> f32 {
+    fn lobe<H: SpecularLobe>(incoming: Vec3<f32>, normal: Vec3<f32>, view: Vec3<f32>) -> f32 {
         H::lobe::<f32>(&H::constants::<f32>(16), incoming, normal, view)
     }
     assert_eq!(peak(&|view| lobe::<Phong>(incoming, normal, view)), 20);
     assert_eq!(peak(&|view| lobe::<BlinnPhong>(incoming, normal, view)), 20);
-    assert_eq!(peak(&|view| lobe::<DualCone>(incoming, normal, view)), 60);
+    assert_eq!(peak(&|view| lobe::<DualConeLobe>(incoming, normal, view)), 60);
     let mirror = Vec3::new(incidence.sin(), 0.0, incidence.cos());
-    let at_mirror = lobe::<DualCone>(incoming, normal, mirror);
+    let at_mirror = lobe::<DualConeLobe>(incoming, normal, mirror);
     assert!((at_mirror - incidence.cos().powi(16)).abs() < 1e-5);
 }

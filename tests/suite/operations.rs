@@ -6,8 +6,10 @@
 
 use fastrand::Rng;
 use luminaire::{
-    Ambient, Cone, Directional, Exposure, Fraction, Fx16, Fx32, Gain, Linear, Material, Offset, Ray, Rgb,
-    Soft, Vec3,
+    AmbientLight, Cone, DirectionalLight, Fx16, Fx32, Material, Rgb, Vec3,
+    display::Exposure,
+    falloff::{Linear, Soft},
+    number::{Fraction, Gain, Offset, Ray},
 };
 use support::{
     bounds,
@@ -205,10 +207,11 @@ fn grey(value: f32) -> Rgb<f32> {
     Rgb::new(value, value, value)
 }
 
-/// Ambient light as it is compiled and as a material gives it back with its own glow: every rounding of both.
+/// AmbientLight light as it is compiled and as a material gives it back with its own glow: every rounding of both.
 fn glow<S: Format>(rng: &mut Rng) -> f64 {
     let [color, ambient, emissive, intensity] = [0; 4].map(|_| rng.f32());
-    let light = Ambient::new(grey(color)).and_then(|light| light.with_intensity(intensity)).expect("sound");
+    let light =
+        AmbientLight::new(grey(color)).and_then(|light| light.with_intensity(intensity)).expect("sound");
     let material = Material::new(grey(0.0))
         .and_then(|material| material.with_ambient(grey(ambient)))
         .and_then(|material| material.with_emissive(grey(emissive)))
@@ -374,7 +377,7 @@ fn ray_expose<S: Format>(rng: &mut Rng) -> f64 {
 /// Lambert's cosine of parallel light, of intensities up to full scale.
 fn directional<S: Format>(rng: &mut Rng) -> f64 {
     let (direction, normal, intensity) = (sweep::direction(rng), normal::<S>(rng), 0.5 + 0.5 * rng.f32());
-    let sun = Directional::new(sweep::single(direction)).and_then(|sun| sun.with_intensity(intensity));
+    let sun = DirectionalLight::new(sweep::single(direction)).and_then(|sun| sun.with_intensity(intensity));
     let sun = sun.expect("sound");
     let exact = -reference::dot(unit(f32::exact_direction(sun.direction())), S::exact_normal(normal));
     let found = S::exact_light(sun.compile::<S>().irradiance(normal));

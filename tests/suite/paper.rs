@@ -1,6 +1,9 @@
 //! The paper's own figures, and the three angles of a cone as functions of one another.
 
-use luminaire::{Angle, Cone, Edge, HalfAngle, Hard, IntegerPower, Power, Profile, Soft};
+use luminaire::{
+    Angle, Cone, HalfAngle,
+    falloff::{Falloff, Hard, IntegerPower, Power, Soft, SoftOrHard},
+};
 use support::reference;
 
 fn assert_degrees(what: &str, angle: Angle, expected: f32, within: f32) {
@@ -40,7 +43,7 @@ fn a_cosine_power_of_the_papers_field_angle_has_exponent_268() {
 }
 
 /// Any angle of a cone gives the other two, and they give it back, to a few units in the last place.
-fn assert_angles_follow<P: Profile>(profile: P) {
+fn assert_angles_follow<P: Falloff>(profile: P) {
     for tenths in 1..1790_u16 {
         let outer = Angle::degrees(f32::from(tenths) / 10.0);
         let cone = Cone::from_outer(profile, outer).expect("a sound angle");
@@ -69,7 +72,8 @@ fn hard_angles_follow_one_another() {
 /// Half the intensity is left at the beam angle and a tenth at the field angle: by the reference, from the getters.
 #[test]
 fn beam_and_field_are_where_the_intensity_says() {
-    for (edge, oracle) in [(Edge::Soft, reference::soft as reference::Profile), (Edge::Hard, reference::hard)]
+    for (edge, oracle) in
+        [(SoftOrHard::Soft, reference::soft as reference::Falloff), (SoftOrHard::Hard, reference::hard)]
     {
         for degrees in [0.02, 0.2, 1.0, 7.0, 15.0, 30.0, 60.0, 120.0, 178.0_f32] {
             let cone = Cone::from_outer(edge, Angle::degrees(degrees)).expect("a sound angle");

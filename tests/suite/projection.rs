@@ -2,10 +2,12 @@
 //! has an answer.
 
 use fastrand::Rng;
-use luminaire::source::{FloatFrame, Frame16, Frame32};
+use luminaire::codegen::{FloatFrame, Frame16, Frame32};
 use luminaire::{
-    Accepted, Angle, CompiledProjection, Cone, CutOff, Error, Fx16, Fx32, Parameter, Place, Power,
-    Projection, Soft, Spot, Vec3,
+    Angle, Cone, Error, Fx16, Fx32, SpotLight, Vec3,
+    error::{Expected, Parameter},
+    falloff::{Power, Soft, Step},
+    projector::{CompiledProjection, ProjectedPoint, Projection},
 };
 use support::{
     arbitrary::{bits, vector},
@@ -18,17 +20,17 @@ use support::{
 
 const SIDE: f64 = 65_536.0;
 
-fn spot(position: [f32; 3], axis: [f32; 3], degrees: f32) -> Spot<CutOff> {
+fn spot(position: [f32; 3], axis: [f32; 3], degrees: f32) -> SpotLight<Step> {
     let [position, axis] = [position, axis].map(|[x, y, z]| Vec3::new(x, y, z));
-    let cone = Cone::from_outer(CutOff, Angle::degrees(degrees)).expect("a sound cone");
-    Spot::new(position, axis, cone).expect("a sound light")
+    let cone = Cone::from_outer(Step, Angle::degrees(degrees)).expect("a sound cone");
+    SpotLight::new(position, axis, cone).expect("a sound light")
 }
 
 fn square(axis: [f32; 3]) -> Projection {
     Projection::of(&spot([0.0; 3], axis, 40.0)).expect("not too wide")
 }
 
-fn rolled(spot: &Spot<CutOff>, degrees: f32) -> Result<Projection, Error> {
+fn rolled(spot: &SpotLight<Step>, degrees: f32) -> Result<Projection, Error> {
     Projection::of(spot)?.turned(Angle::degrees(degrees))
 }
 
@@ -36,12 +38,12 @@ fn rolled(spot: &Spot<CutOff>, degrees: f32) -> Result<Projection, Error> {
 /// are turned at random.
 fn errors<S: Format>(half_degrees: f32) -> [f64; 2] {
     let mut rng = Rng::with_seed(45);
-    let narrowest = Cone::narrowest::<S>(CutOff).to_degrees() / 2.0;
+    let narrowest = Cone::narrowest::<S>(Step).to_degrees() / 2.0;
     let half_degrees = if half_degrees == NARROWEST { 1.000_1 * narrowest } else { half_degrees };
     if half_degrees < narrowest {
         return [REFUSE; 2];
     }
-    let cone = Cone::from_outer(CutOff, sweep::half(half_degrees)).expect("a sound cone");
+    let cone = Cone::from_outer(Step, sweep::half(half_degrees)).expect("a sound cone");
     let (mut worst_place, mut worst_depth) = (0.0_f64, 0.0_f64);
     for _ in 0..100 * sweep::effort() {
         let (spot, roll) = (sweep::spot(&mut rng, cone), 720.0 * rng.f32() - 360.0);
@@ -145,7 +147,7 @@ fn tangents_keep_their_figure() {
     let worst = (0..20_000 * sweep::effort()).map(|_| {
         let degrees = 160.0 * rng.f32();
         let cone = Cone::from_outer(Soft, Angle::degrees(degrees)).expect("sound");
-        let spot = Spot::new(Vec3::default(), Vec3::new(0.0, 0.0, 1.0), cone).expect("sound");
+        let spot = SpotLight::new(Vec3::default(), Vec3::new(0.0, 0.0, 1.0), cone).expect("sound");
         let tangent = Projection::of(&spot).expect("not too wide").tangent();
         (f64::from(tangent) / f64::from(degrees / 2.0).to_radians().tan() - 1.0).abs()
     });
@@ -231,7 +233,7 @@ macro_rules! raw {
 
 raw!(f32: FloatFrame Fx32: Frame32 Fx16: Frame16);
 
-fn assert_sound<S: Format>(place: Place<S>) {
+fn assert_sound<S: Format>(place: ProjectedPoint<S>) {
     let range = -65_536..=131_071;
     assert!(range.contains(&place.column) && range.contains(&place.row), "{place:?}");
     assert_eq!(
@@ -249,7 +251,7 @@ fn every_bit_pattern_has_a_place() {
         for _ in 0..2_000 * sweep::effort() {
             let frame = S::any_frame(&mut rng);
             let any = CompiledProjection::<S>::from_parts(vector(&mut rng, S::length_from_bits), frame);
-            let cone = Cone::from_outer(CutOff, Angle::degrees(160.0 - 155.0 * rng.f32())).expect("sound");
+            let cone = Cone::from_outer(Step, Angle::degrees(160.0 - 155.0 * rng.f32())).expect("sound");
             let light = sweep::spot(&mut rng, cone);
             let real = Projection::of(&light).and_then(|square| square.compile::<S>()).expect("held");
             for _ in 0..20 {
@@ -294,7 +296,7 @@ fn what_has_no_place_is_off_the_square() {
 #[test]
 fn a_square_is_that_of_the_delimiter() {
     let cone = Cone::<Power<8>>::opengl(sweep::half(30.0)).expect("sound");
-    let spot = Spot::new(Vec3::default(), Vec3::new(0.0, -1.0, 0.0), cone).expect("sound");
+    let spot = SpotLight::new(Vec3::default(), Vec3::new(0.0, -1.0, 0.0), cone).expect("sound");
     let tangent = Projection::of(&spot).expect("not too wide").tangent();
     assert!((tangent - 0.577_350).abs() < 1e-6, "{tangent}");
 }
@@ -316,10 +318,10 @@ fn what_no_square_can_be() {
     }
     let narrow = Projection::of(&spot([0.0; 3], [0.0, 1.0, 0.0], 0.5)).expect("a sound square");
     let refused = narrow.compile::<Fx16>().expect_err("too narrow for 16 bits");
-    let narrowest = Cone::narrowest::<Fx16>(CutOff).to_degrees();
+    let narrowest = Cone::narrowest::<Fx16>(Step).to_degrees();
     assert_eq!(
         (refused.parameter, refused.accepted),
-        (Parameter::OuterAngle, Accepted::AngleFrom(narrowest))
+        (Parameter::OuterAngle, Expected::AngleFrom(narrowest))
     );
     assert!(narrow.compile::<f32>().is_ok() && narrow.compile::<Fx32>().is_ok());
     let far = Projection::of(&spot([0.0, 0.0, 20_000.0], [0.0, 1.0, 0.0], 40.0)).expect("a sound square");

@@ -1,9 +1,14 @@
 //! Bad input is refused at construction, by name, and the message says what would be accepted.
 
 use luminaire::{
-    Accepted, Ambient, Angle, BlinnPhong, Cone, Directional, Edge, Error, Exposure, Fx16, Fx32, Hard,
-    HardRange, Haze, InverseSquare, Lyon, Material, Parameter, Phong, Point, Polynomial, Rgb, SmoothRange,
-    Soft, Spot, SquaredWindow, Vec3, Windowed,
+    AmbientLight, Angle, Cone, DirectionalLight, Error, Fx16, Fx32, Material, PointLight, Rgb, SpotLight,
+    Vec3,
+    attenuation::{CutAt, FilamentRange, GltfRange, InverseSquare, Polynomial, SmoothRange},
+    display::Exposure,
+    error::{Expected, Parameter},
+    falloff::{Hard, Soft, SoftOrHard},
+    haze::Haze,
+    specular::{BlinnPhong, DifferenceForm, Phong},
 };
 
 const DOWN: Vec3<f32> = Vec3::new(0.0, -1.0, 0.0);
@@ -13,8 +18,8 @@ fn cone() -> Cone<Soft> {
     Cone::from_field(Soft, Angle::degrees(15.0)).expect("a sound angle")
 }
 
-fn spot() -> Spot<Soft> {
-    Spot::new(ORIGIN, DOWN, cone()).expect("a sound light")
+fn spot() -> SpotLight<Soft> {
+    SpotLight::new(ORIGIN, DOWN, cone()).expect("a sound light")
 }
 
 fn assert_refused<T: core::fmt::Debug>(result: Result<T, Error>, parameter: Parameter, message: &str) {
@@ -38,11 +43,13 @@ fn field_angles_out_of_range() {
 /// The outer angle passes 180 degrees just beyond the angle that the message names.
 #[test]
 fn the_limit_that_a_message_names_is_the_limit() {
-    type From = fn(Edge, Angle) -> Result<Cone, Error>;
+    type From = fn(SoftOrHard, Angle) -> Result<Cone, Error>;
     let constructors: [From; 3] = [Cone::from_field, Cone::from_beam, Cone::from_outer];
-    for (constructor, edges) in constructors.into_iter().flat_map(|c| [(c, Edge::Soft), (c, Edge::Hard)]) {
+    for (constructor, edges) in
+        constructors.into_iter().flat_map(|c| [(c, SoftOrHard::Soft), (c, SoftOrHard::Hard)])
+    {
         let refused = constructor(edges, Angle::degrees(400.0)).expect_err("no cone is that wide");
-        let Accepted::AngleUpTo(limit) = refused.accepted else { panic!("{refused} names no limit") };
+        let Expected::AngleUpTo(limit) = refused.accepted else { panic!("{refused} names no limit") };
         let widest = constructor(edges, Angle::degrees(limit)).expect("the limit itself is accepted");
         assert!((widest.outer().to_degrees() - 180.0).abs() < 1e-3);
         assert!(constructor(edges, Angle::degrees(limit * 1.000_001)).is_err());
@@ -56,16 +63,16 @@ fn the_limit_that_a_message_names_is_the_limit() {
 
 #[test]
 fn limits_are_the_models() {
-    let limit = |result: Result<Cone<Edge>, Error>| match result.expect_err("too wide").accepted {
-        Accepted::AngleUpTo(limit) => (limit * 100.0).floor() / 100.0,
+    let limit = |result: Result<Cone<SoftOrHard>, Error>| match result.expect_err("too wide").accepted {
+        Expected::AngleUpTo(limit) => (limit * 100.0).floor() / 100.0,
         other => panic!("{other}"),
     };
     let wide = Angle::degrees(200.0);
-    assert_eq!(limit(Cone::from_field(Edge::Soft, wide)), 143.13);
-    assert_eq!(limit(Cone::from_field(Edge::Hard, wide)), 174.11);
-    assert_eq!(limit(Cone::from_beam(Edge::Soft, wide)), 90.0);
-    assert_eq!(limit(Cone::from_beam(Edge::Hard, wide)), 145.93);
-    assert_eq!(limit(Cone::from_outer(Edge::Soft, wide)), 180.0);
+    assert_eq!(limit(Cone::from_field(SoftOrHard::Soft, wide)), 143.13);
+    assert_eq!(limit(Cone::from_field(SoftOrHard::Hard, wide)), 174.11);
+    assert_eq!(limit(Cone::from_beam(SoftOrHard::Soft, wide)), 90.0);
+    assert_eq!(limit(Cone::from_beam(SoftOrHard::Hard, wide)), 145.93);
+    assert_eq!(limit(Cone::from_outer(SoftOrHard::Soft, wide)), 180.0);
 }
 
 #[test]
@@ -75,8 +82,8 @@ fn an_axis_without_a_direction() {
         [(ORIGIN, "0"), (Vec3::new(f32::NAN, 0.0, 1.0), "NaN"), (Vec3::new(f32::MAX, 0.0, 0.0), "inf")];
     for (axis, shown) in axes {
         let message = format!("axis {shown} is refused: {lengths}");
-        assert_refused(Spot::new(ORIGIN, axis, cone()), Parameter::Axis, &message);
-        let spot = Spot::new(ORIGIN, Vec3::new(0.0, -1.0, 0.0), cone()).expect("sound");
+        assert_refused(SpotLight::new(ORIGIN, axis, cone()), Parameter::Axis, &message);
+        let spot = SpotLight::new(ORIGIN, Vec3::new(0.0, -1.0, 0.0), cone()).expect("sound");
         assert_refused(spot.with_axis(axis), Parameter::Axis, &message);
     }
 }
@@ -84,7 +91,7 @@ fn an_axis_without_a_direction() {
 #[test]
 fn a_position_that_is_not_finite() {
     let position = Vec3::new(0.0, f32::INFINITY, 0.0);
-    let error = Spot::new(position, DOWN, cone()).expect_err("not a place");
+    let error = SpotLight::new(position, DOWN, cone()).expect_err("not a place");
     assert_eq!((error.parameter, error.value), (Parameter::Position, f32::INFINITY));
 }
 
@@ -118,11 +125,11 @@ fn a_cone_too_narrow_for_its_format() {
     // As narrow as even a step could not be.
     let needle = Cone::from_outer(Hard, Angle::degrees(0.1)).expect("a sound angle");
     let error = needle.compile::<Fx16>().expect_err("too narrow for 16 bits");
-    assert_eq!(error.accepted, Accepted::AngleFrom(Cone::narrowest::<Fx16>(Hard).to_degrees()));
+    assert_eq!(error.accepted, Expected::AngleFrom(Cone::narrowest::<Fx16>(Hard).to_degrees()));
     let narrow = Cone::from_outer(Hard, Angle::degrees(1.0)).expect("a sound angle");
     let error = narrow.compile::<Fx16>().expect_err("too narrow for 16 bits");
     assert_eq!(error.parameter, Parameter::OuterAngle);
-    let Accepted::AngleFrom(narrowest) = error.accepted else { panic!("{error} names no limit") };
+    let Expected::AngleFrom(narrowest) = error.accepted else { panic!("{error} names no limit") };
     assert_eq!(narrowest, Cone::narrowest::<Fx16>(Hard).to_degrees());
     assert!(error.to_string().contains("or a number format of more bits"), "{error}");
     let shown = error.to_string();
@@ -152,11 +159,11 @@ fn ranges_out_of_range() {
             "range {shown} is refused: give a distance from 0.001 to 1000000000, or a distance model without a range"
         );
         assert_refused(SmoothRange::new(range), Parameter::Range, &message);
-        assert_refused(Windowed::new(InverseSquare, Some(range)), Parameter::Range, &message);
-        assert_refused(SquaredWindow::new(InverseSquare, Some(range)), Parameter::Range, &message);
-        assert_refused(HardRange::new(InverseSquare, Some(range)), Parameter::Range, &message);
+        assert_refused(GltfRange::new(InverseSquare, Some(range)), Parameter::Range, &message);
+        assert_refused(FilamentRange::new(InverseSquare, Some(range)), Parameter::Range, &message);
+        assert_refused(CutAt::new(InverseSquare, Some(range)), Parameter::Range, &message);
     }
-    assert!(Windowed::new(InverseSquare, None).is_ok());
+    assert!(GltfRange::new(InverseSquare, None).is_ok());
 }
 
 #[test]
@@ -171,16 +178,16 @@ fn coefficients_out_of_range() {
 #[test]
 fn a_direction_that_is_none() {
     let message = "direction 0 is refused: give finite components and a length between 1e-18 and 1e18";
-    assert_refused(Directional::new(ORIGIN), Parameter::Direction, message);
+    assert_refused(DirectionalLight::new(ORIGIN), Parameter::Direction, message);
 }
 
 #[test]
 fn an_end_point_on_the_light() {
     let message = "end point 0 is refused: give finite components and a length between 1e-18 and 1e18";
-    assert_refused(Spot::between(DOWN, DOWN, cone()), Parameter::EndPoint, message);
-    let error = Spot::between(ORIGIN, Vec3::new(f32::NAN, 0.0, 0.0), cone()).expect_err("not a place");
+    assert_refused(SpotLight::between(DOWN, DOWN, cone()), Parameter::EndPoint, message);
+    let error = SpotLight::between(ORIGIN, Vec3::new(f32::NAN, 0.0, 0.0), cone()).expect_err("not a place");
     assert_eq!(error.parameter, Parameter::EndPoint);
-    let error = Spot::between(ORIGIN, Vec3::new(1e-6, 0.0, 0.0), cone()).expect_err("too short");
+    let error = SpotLight::between(ORIGIN, Vec3::new(1e-6, 0.0, 0.0), cone()).expect_err("too short");
     assert_eq!(error.parameter, Parameter::Range);
 }
 
@@ -193,7 +200,11 @@ fn a_shininess_out_of_range() {
         assert_refused(matt.with_highlight(BlinnPhong, grey, shininess), Parameter::Shininess, &message);
     }
     let message = "shininess 7 is refused: give a whole number from 8 to 1024";
-    assert_refused(matt.with_highlight(Lyon::<_, 3>(Phong), grey, 7), Parameter::Shininess, message);
+    assert_refused(
+        matt.with_highlight(DifferenceForm::<_, 3>(Phong), grey, 7),
+        Parameter::Shininess,
+        message,
+    );
 }
 
 /// Every kind of light and every material has the same limits.
@@ -201,13 +212,13 @@ fn a_shininess_out_of_range() {
 fn what_lights_and_materials_share() {
     let wrong = Rgb::new(0.5, 0.5, 1.5);
     let grey = Rgb::new(0.5, 0.5, 0.5);
-    let (sun, bulb) = (Directional::new(DOWN).expect("sound"), Point::new(ORIGIN).expect("sound"));
+    let (sun, bulb) = (DirectionalLight::new(DOWN).expect("sound"), PointLight::new(ORIGIN).expect("sound"));
     let matt = Material::new(grey).expect("sound");
     let colors = [
         sun.with_color(wrong).err(),
         bulb.with_color(wrong).err(),
         spot().with_specular_color(wrong).err(),
-        Ambient::new(wrong).err(),
+        AmbientLight::new(wrong).err(),
         Material::new(wrong).err(),
         matt.with_ambient(wrong).err(),
         matt.with_emissive(wrong).err(),
@@ -218,11 +229,11 @@ fn what_lights_and_materials_share() {
     let intensities = [
         sun.with_intensity(-1.0).err(),
         bulb.with_intensity(-1.0).err(),
-        Ambient::new(grey).and_then(|ambient| ambient.with_intensity(-1.0)).err(),
+        AmbientLight::new(grey).and_then(|ambient| ambient.with_intensity(-1.0)).err(),
     ];
     assert!(intensities.iter().all(|error| error.is_some_and(|e| e.parameter == Parameter::Intensity)));
     let place = Vec3::new(0.0, f32::NAN, 0.0);
-    assert_eq!(Point::new(place).expect_err("not a place").parameter, Parameter::Position);
+    assert_eq!(PointLight::new(place).expect_err("not a place").parameter, Parameter::Position);
 }
 
 #[test]
@@ -257,12 +268,12 @@ fn derived_values_are_shown_to_four_decimals() {
 /// A position that a format would have to move is refused when the light is compiled for it, and only then.
 #[test]
 fn a_position_beyond_the_reach_of_its_format() {
-    let far = Spot::new(Vec3::new(0.0, 40_000.0, 0.0), DOWN, cone()).expect("a sound light");
+    let far = SpotLight::new(Vec3::new(0.0, 40_000.0, 0.0), DOWN, cone()).expect("a sound light");
     assert!(far.compile::<f32>().is_ok());
     let message = |most| format!("position 40000 is refused: give a finite number from -{most} to {most}");
     assert_refused(far.compile::<Fx16>(), Parameter::Position, &message(16_383));
     assert_refused(far.compile::<Fx32>(), Parameter::Position, &message(32_767));
-    let lamp = luminaire::Point::new(Vec3::new(0.0, 0.0, -40_000.0)).expect("a sound light");
+    let lamp = luminaire::PointLight::new(Vec3::new(0.0, 0.0, -40_000.0)).expect("a sound light");
     assert!(lamp.compile::<Fx16>().is_err());
 }
 
@@ -284,6 +295,6 @@ fn angles_too_small_for_a_versine() {
     ] {
         let error = refused.expect_err("no such cone");
         assert_eq!(error.value, 1e-30);
-        assert!(matches!(error.accepted, Accepted::AngleUpTo(_)), "{error}");
+        assert!(matches!(error.accepted, Expected::AngleUpTo(_)), "{error}");
     }
 }

@@ -2,7 +2,11 @@
 //! figure by figure of `support/operations.rs`. All of it is f32, whatever the format of the light.
 
 use fastrand::Rng;
-use luminaire::{Angle, Cone, CutOff, HalfAngle, Point, Profile, SmoothRange, Spot, Vec3};
+use luminaire::{
+    Angle, Cone, HalfAngle, PointLight, SpotLight, Vec3,
+    attenuation::SmoothRange,
+    falloff::{Falloff, Step},
+};
 use support::with_every_shape;
 use support::{
     bounds,
@@ -62,7 +66,7 @@ fn angles_keep_their_figures() {
 }
 
 /// The last `u` at which a profile has at least so much intensity, by bisection in f64.
-fn last_u(oracle: reference::Profile, intensity: f64) -> f64 {
+fn last_u(oracle: reference::Falloff, intensity: f64) -> f64 {
     let (mut light, mut dark) = (0.0, 1.0);
     for _ in 0..60 {
         let middle = (light + dark) / 2.0;
@@ -72,13 +76,13 @@ fn last_u(oracle: reference::Profile, intensity: f64) -> f64 {
 }
 
 /// The integral of a profile over `u` from 0, by the midpoint rule.
-fn integral(oracle: reference::Profile, to: f64) -> f64 {
+fn integral(oracle: reference::Falloff, to: f64) -> f64 {
     let steps = 20_000;
     let width = to / f64::from(steps);
     (0..steps).map(|i| oracle(1.0 - (f64::from(i) + 0.5) * width)).sum::<f64>() * width
 }
 
-fn profile_errors<S: Format, P: Profile>(shape: &Shape<P>) -> [f64; 3] {
+fn profile_errors<S: Format, P: Falloff>(shape: &Shape<P>) -> [f64; 3] {
     let beam = relative(shape.profile.beam_versine(), last_u(shape.oracle, 0.5));
     let field = relative(shape.profile.field_versine(), last_u(shape.oracle, 0.1));
     let at = |u: f32| relative(shape.profile.integral(u), integral(shape.oracle, u.into()));
@@ -98,7 +102,7 @@ fn profiles_keep_their_figures() {
 }
 
 /// The errors of the outer angle of cones that are designed from their outer, field and beam angle.
-fn design_errors<S: Format, P: Profile>(shape: &Shape<P>) -> [f64; 3] {
+fn design_errors<S: Format, P: Falloff>(shape: &Shape<P>) -> [f64; 3] {
     let (to_field, to_beam) = (last_u(shape.oracle, 0.1), last_u(shape.oracle, 0.5));
     let error = |cone: Result<Cone<P>, _>, degrees: f32, u: f64| {
         let cone = cone.ok()?;
@@ -116,7 +120,7 @@ fn design_errors<S: Format, P: Profile>(shape: &Shape<P>) -> [f64; 3] {
 }
 
 /// The errors of the inner, beam, field and outer angles that a cone gives.
-fn angle_errors<S: Format, P: Profile>(shape: &Shape<P>) -> [f64; 4] {
+fn angle_errors<S: Format, P: Falloff>(shape: &Shape<P>) -> [f64; 4] {
     largest((0..=60).map(|i| {
         let half = 0.01 * 9_000.0_f32.powf(i as f32 / 60.0);
         let (cone, exact) = (shape.at(half), shape.exactly_at(half));
@@ -142,7 +146,7 @@ fn angle_errors<S: Format, P: Profile>(shape: &Shape<P>) -> [f64; 4] {
     }))
 }
 
-fn flux_errors<S: Format, P: Profile>(shape: &Shape<P>) -> [f64; 2] {
+fn flux_errors<S: Format, P: Falloff>(shape: &Shape<P>) -> [f64; 2] {
     largest([0.1_f32, 3.0, 20.0, 90.0].map(|half| {
         let (cone, exact) = (shape.at(half), shape.exactly_at(half));
         let steps = 50_000;
@@ -173,8 +177,8 @@ fn cones_keep_their_figures() {
 /// energy of 1 is `1 / (4 pi d^2)` at a distance.
 #[test]
 fn point_lights_keep_their_flux() {
-    let point = Point::new(Vec3::default()).expect("a sound position");
-    let half = Cone::from_outer(CutOff, Angle::degrees(180.0)).expect("a sound angle");
+    let point = PointLight::new(Vec3::default()).expect("a sound position");
+    let half = Cone::from_outer(Step, Angle::degrees(180.0)).expect("a sound angle");
     for candela in [1e-6_f32, 1.0, 1_000.0] {
         let lumens = point.lumens(candela);
         assert!(relative(lumens, 4.0 * std::f64::consts::PI * f64::from(candela)) < 2e-7);
@@ -191,7 +195,7 @@ fn point_lights_keep_their_flux() {
 }
 
 /// Both angles at once, and how far off they come back.
-fn two_angle_errors<P: Profile>(design: impl Fn(Angle, Angle) -> Option<Cone<P>>) -> f64 {
+fn two_angle_errors<P: Falloff>(design: impl Fn(Angle, Angle) -> Option<Cone<P>>) -> f64 {
     let mut worst = 0.0_f64;
     for beam in [0.5_f32, 7.0, 20.0, 60.0] {
         for step in 0..=440_u16 {
@@ -224,15 +228,15 @@ fn two_angles_keep_their_figures() {
 
 #[test]
 fn axes_and_ranges_keep_their_figures() {
-    let cone = Cone::from_outer(CutOff, sweep::half(20.0)).expect("sound");
+    let cone = Cone::from_outer(Step, sweep::half(20.0)).expect("sound");
     let mut rng = Rng::with_seed(3);
     let mut worst = [0.0_f64; 3];
     for _ in 0..20_000 * sweep::effort() {
         let from = sweep::on_grid([0; 3].map(|_| rng.f64() * 16.0 - 8.0));
         let (way, distance) = (sweep::direction(&mut rng), sweep::distance(&mut rng));
         let to = sweep::on_grid([0, 1, 2].map(|i| from[i] + distance * way[i]));
-        let spot: Spot<_, SmoothRange> =
-            Spot::between(sweep::single(from), sweep::single(to), cone).expect("sound");
+        let spot: SpotLight<_, SmoothRange> =
+            SpotLight::between(sweep::single(from), sweep::single(to), cone).expect("sound");
         let (axis, exact) = (f32::exact_direction(spot.axis()), minus(to, from));
         let length = reference::dot(axis, axis).sqrt();
         let errors = [

@@ -2,8 +2,10 @@
 
 use fastrand::Rng;
 use luminaire::{
-    Accepted, Angle, CompiledProjection, Cone, CutOff, Error, Fx16, Fx32, Parameter, Place, Projection,
-    Scalar, Shadow, Vec3,
+    Angle, Cone, Error, Fx16, Fx32, Scalar, Vec3,
+    error::{Expected, Parameter},
+    falloff::Step,
+    projector::{CompiledProjection, ProjectedPoint, Projection, Shadow},
 };
 use support::{
     arbitrary::{bits, vector},
@@ -16,7 +18,7 @@ use support::{
 const ERROR: std::ops::Range<f64> = 0.0138..0.015_57;
 
 fn projection<S: Scalar>(rng: &mut Rng) -> CompiledProjection<S> {
-    let cone = Cone::from_outer(CutOff, Angle::degrees(60.0)).expect("sound");
+    let cone = Cone::from_outer(Step, Angle::degrees(60.0)).expect("sound");
     Projection::of(&sweep::spot(rng, cone)).and_then(|square| square.compile()).expect("held")
 }
 
@@ -37,7 +39,7 @@ fn error<S: Format>() -> f64 {
             let depth = S::length((rng.f32() * 40.0).round() / 4.0);
             let place = [column, row].map(|steps| f64::from(steps) / 65_536.0);
             let exact = shadows::visibility(side, &exact, place, S::exact_length(depth));
-            worst = worst.max((shadow.at(&Place { column, row, depth }).exact() - exact).abs());
+            worst = worst.max((shadow.at(&ProjectedPoint { column, row, depth }).exact() - exact).abs());
         }
     }
     worst
@@ -69,11 +71,11 @@ fn assert_exact_ends<S: Format>() {
             let depths = vec![limit; side * side];
             let shadow = Shadow::<S>::new(projection(&mut rng), side, &depths).expect("a square of them");
             for _ in 0..2_000 {
-                let place = Place { column: rng.i32(0..65_536), row: rng.i32(0..65_536), depth };
+                let place = ProjectedPoint { column: rng.i32(0..65_536), row: rng.i32(0..65_536), depth };
                 assert_eq!(shadow.at(&place), expected, "{place:?}");
             }
             for (column, row) in [(-1, 9), (9, -1), (65_536, 9), (9, 65_536), (i32::MIN, i32::MAX)] {
-                assert_eq!(shadow.at(&Place { column, row, depth }), S::ONE, "off the square");
+                assert_eq!(shadow.at(&ProjectedPoint { column, row, depth }), S::ONE, "off the square");
             }
         }
     }
@@ -135,7 +137,7 @@ fn assert_any_bits<S: Format>() {
         for _ in 0..20 {
             let steps = if rng.bool() { 65_535 } else { u64::MAX };
             let [column, row] = [(); 2].map(|()| (bits(&mut rng) & steps) as i32);
-            let place = Place { column, row, depth: S::length_from_bits(bits(&mut rng)) };
+            let place = ProjectedPoint { column, row, depth: S::length_from_bits(bits(&mut rng)) };
             let point = vector(&mut rng, S::length_from_bits);
             for visibility in [shadow.at(&place), shadow.visibility(point)] {
                 assert!((0.0..=1.0).contains(&visibility.exact()), "{shadow:?} at {place:?}, {point:?}");
@@ -158,7 +160,7 @@ fn what_is_not_a_number_is_not_in_shadow() {
     for (limit, depth) in [(f32::NAN, 1.0), (1.0, f32::NAN)] {
         let depths = [limit; 4];
         let shadow = Shadow::<f32>::new(projection(&mut rng), 2, &depths).expect("a square of them");
-        assert_eq!(shadow.at(&Place { column: 1, row: 2, depth }), 1.0);
+        assert_eq!(shadow.at(&ProjectedPoint { column: 1, row: 2, depth }), 1.0);
     }
 }
 
@@ -167,7 +169,7 @@ fn a_texel_that_is_missing_hides_nothing() {
     let projection = projection::<f32>(&mut Rng::with_seed(20));
     let depths = [1.0; 3];
     for (row, expected) in [(16_384, 0.0), (32_768, 0.25), (49_151, 0.5)] {
-        let place = Place { column: 32_768, row, depth: 2.0 };
+        let place = ProjectedPoint { column: 32_768, row, depth: 2.0 };
         let visibility = Shadow::<f32>::from_parts(projection, 2, &depths).at(&place);
         assert!((visibility - expected).abs() < 1e-2, "{visibility} at row {row}");
     }
@@ -187,7 +189,7 @@ fn maps_that_are_no_square_are_refused() {
     let projection = projection::<f32>(&mut Rng::with_seed(19));
     let refused = |side, count| Shadow::new(projection, side, &vec![1.0; count]).expect_err("no square");
     for side in [0, 4_097] {
-        let accepted = Accepted::WholeBetween(1, 4_096);
+        let accepted = Expected::WholeBetween(1, 4_096);
         assert_eq!(refused(side, 16), Error { parameter: Parameter::Side, value: side as f32, accepted });
     }
     let error = refused(4, 15);

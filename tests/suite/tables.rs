@@ -3,7 +3,11 @@
 //! 1` prints the differences.
 
 use fastrand::Rng;
-use luminaire::{Angle, Cone, Fx16, Fx32, Knot, Profile, Source, Table};
+use luminaire::{
+    Angle, Cone, Fx16, Fx32,
+    codegen::Source,
+    falloff::{Falloff, Knot, Table},
+};
 use support::{format::Format, reference, sweep};
 
 /// A file of LM-63 as it is published, in candela every 2.5 degrees from the axis to 90:

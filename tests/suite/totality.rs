@@ -3,8 +3,13 @@
 
 use fastrand::Rng;
 use luminaire::{
-    Attenuation, Distance, Faded, Fx16, Fx32, HardRange, InverseSquare, Offset, Polynomial, Profile, Ray,
-    SmoothRange, Spot, SquaredWindow, Unattenuated, Windowed,
+    Fx16, Fx32, SpotLight,
+    attenuation::{
+        AnyAttenuation, Attenuation, CutAt, FilamentRange, GltfRange, InverseSquare, NoAttenuation,
+        Polynomial, SmoothRange, Windowed,
+    },
+    falloff::Falloff,
+    number::{Offset, Ray},
 };
 use support::with_every_shape;
 use support::{
@@ -14,14 +19,15 @@ use support::{
     sweep,
 };
 
-fn assert_total<S: Format, P: Profile>(shape: &Shape<P>) {
+fn assert_total<S: Format, P: Falloff>(shape: &Shape<P>) {
     let mut rng = Rng::with_seed(0x0dd_b175);
     for _ in 0..500 * sweep::effort() {
         let cone = shape.at(6.0 + 84.0 * rng.f32());
         let position = vector(&mut rng, |bits| f32::from_bits(bits as u32));
         let axis = vector(&mut rng, |bits| f32::from_bits(bits as u32));
         // A refused light is an answer too.
-        let Ok(spot) = Spot::new(position, axis, cone).and_then(|spot| spot.with_intensity(1e9 * rng.f32()))
+        let Ok(spot) =
+            SpotLight::new(position, axis, cone).and_then(|spot| spot.with_intensity(1e9 * rng.f32()))
         else {
             continue;
         };
@@ -71,7 +77,7 @@ fn every_bit_pattern_has_an_answer_in_fx16() {
 
 /// Exactly one on the axis, exactly zero at the edge and beyond, never rising between: without exception for soft, hard,
 /// linear and powers, by a step of the format at most for the others.
-fn assert_exact_at_both_ends<S: Format, P: Profile>(shape: &Shape<P>) {
+fn assert_exact_at_both_ends<S: Format, P: Falloff>(shape: &Shape<P>) {
     let strict = !["smooth", "blend", "cubic", "mixed power", "mixed rim", "table"].contains(&shape.name);
     let slack = if strict { 0.0 } else { f64::from(S::STEP) };
     for degrees in sweep::HALF_ANGLES.into_iter().chain([90.0]) {
@@ -158,20 +164,20 @@ fn assert_negative_fractions_are_dark<S: Format>() {
         let offset = S::offset(light, point);
         let ray = offset.ray();
         assert_eq!(ray.expose(fraction, gain), dark, "{fraction:?} {gain:?} {offset:?}");
-        assert_dark::<S, _>(Unattenuated, &offset, fraction, gain);
+        assert_dark::<S, _>(NoAttenuation, &offset, fraction, gain);
         assert_dark::<S, _>(InverseSquare, &offset, fraction, gain);
         assert_dark::<S, _>(polynomial, &offset, fraction, gain);
         assert_dark::<S, _>(SmoothRange::new(9.0).expect("sound"), &offset, fraction, gain);
-        assert_dark::<S, _>(Windowed::new(InverseSquare, range).expect("sound"), &offset, fraction, gain);
+        assert_dark::<S, _>(GltfRange::new(InverseSquare, range).expect("sound"), &offset, fraction, gain);
         assert_dark::<S, _>(
-            SquaredWindow::new(InverseSquare, range).expect("sound"),
+            FilamentRange::new(InverseSquare, range).expect("sound"),
             &offset,
             fraction,
             gain,
         );
-        assert_dark::<S, _>(HardRange::new(InverseSquare, range).expect("sound"), &offset, fraction, gain);
-        assert_dark::<S, _>(Faded::new(polynomial, range).expect("sound"), &offset, fraction, gain);
-        assert_dark::<S, _>(Distance::from(InverseSquare), &offset, fraction, gain);
+        assert_dark::<S, _>(CutAt::new(InverseSquare, range).expect("sound"), &offset, fraction, gain);
+        assert_dark::<S, _>(Windowed::new(polynomial, range).expect("sound"), &offset, fraction, gain);
+        assert_dark::<S, _>(AnyAttenuation::from(InverseSquare), &offset, fraction, gain);
     }
 }
 

@@ -1,6 +1,10 @@
 //! Cones that have both angles of a data sheet, against a search over all monotone cubics in f64.
 
-use luminaire::{Accepted, Angle, Cone, Cubic, Error, Fitted, Fx16, Fx32, Parameter, Profile};
+use luminaire::{
+    Angle, Cone, Error, Fx16, Fx32,
+    error::{Expected, Parameter},
+    falloff::{Cubic, Falloff, FittedFalloff},
+};
 use support::{
     cubics,
     format::Format,
@@ -22,12 +26,12 @@ fn degrees(degrees: f32) -> Angle {
 }
 
 /// The two angles are where they were asked to be, by the getters and by the falloff itself.
-fn assert_both<S: Format, P: Profile>(cone: &Cone<P>, beam: f32, field: f32) {
+fn assert_both<S: Format, P: Falloff>(cone: &Cone<P>, beam: f32, field: f32) {
     assert_both_within::<S, P>(cone, beam, field, 4e-6);
 }
 
 /// The same, the angles within a relative error.
-fn assert_both_within<S: Format, P: Profile>(cone: &Cone<P>, beam: f32, field: f32, error: f32) {
+fn assert_both_within<S: Format, P: Falloff>(cone: &Cone<P>, beam: f32, field: f32, error: f32) {
     let near = |angle: Angle, asked: f32| (angle.to_degrees() / asked - 1.0).abs() < error;
     assert!(near(cone.beam(), beam), "{cone:?}: beam {} for {beam}", cone.beam().to_degrees());
     assert!(near(cone.field(), field), "{cone:?}: field {} for {field}", cone.field().to_degrees());
@@ -41,7 +45,7 @@ fn assert_both_within<S: Format, P: Profile>(cone: &Cone<P>, beam: f32, field: f
     }
 }
 
-fn steepness<P: Profile>(cone: &Cone<P>) -> f32 {
+fn steepness<P: Falloff>(cone: &Cone<P>) -> f32 {
     let hotspot = cone.inner().versine() / cone.outer_versine();
     if hotspot < 1.0 { cone.profile().steepness(hotspot) } else { 1.0 }
 }
@@ -49,7 +53,7 @@ fn steepness<P: Profile>(cone: &Cone<P>) -> f32 {
 #[test]
 fn the_papers_fresnel_has_both_its_angles() {
     let cone = Cone::from_beam_and_field(degrees(7.0), degrees(15.0)).expect("reachable");
-    assert!(matches!(cone.profile(), Fitted::Cubic(_)));
+    assert!(matches!(cone.profile(), FittedFalloff::Cubic(_)));
     assert_both::<f32, _>(&cone, 7.0, 15.0);
     assert_both::<Fx32, _>(&cone, 7.0, 15.0);
     assert_both::<Fx16, _>(&cone, 7.0, 15.0);
@@ -76,8 +80,8 @@ fn every_ratio_is_reached() {
             assert_both::<f32, _>(&cone, beam, field);
             let kind = match cone.profile() {
                 _ if cone.inner().to_degrees() > 0.0 => 0,
-                Fitted::Blend(_) => 1,
-                Fitted::Cubic(_) => 2,
+                FittedFalloff::Quadratic(_) => 1,
+                FittedFalloff::Cubic(_) => 2,
             };
             let expected = if ratio < 1.3416 { 0 } else { 1 + usize::from(ratio > 2.33456) };
             let between = (ratio - 1.3416).abs() < 1e-4 || (ratio - 2.33455).abs() < 1e-4;
@@ -94,12 +98,12 @@ fn every_ratio_is_reached() {
 fn the_ends_of_the_ratios_are_soft_hard_and_a_step() {
     let slope = |field| match Cone::from_beam_and_field(degrees(10.0), degrees(field)).expect("ok").profile()
     {
-        Fitted::Blend(blend) => blend.edge_slope(),
-        Fitted::Cubic(cubic) => panic!("{cubic:?}"),
+        FittedFalloff::Quadratic(blend) => blend.edge_slope(),
+        FittedFalloff::Cubic(cubic) => panic!("{cubic:?}"),
     };
     let field = |profile: &dyn Fn() -> Angle| profile().to_degrees();
-    let soft = field(&|| Cone::from_beam(luminaire::Soft, degrees(10.0)).expect("sound").field());
-    let hard = field(&|| Cone::from_beam(luminaire::Hard, degrees(10.0)).expect("sound").field());
+    let soft = field(&|| Cone::from_beam(luminaire::falloff::Soft, degrees(10.0)).expect("sound").field());
+    let hard = field(&|| Cone::from_beam(luminaire::falloff::Hard, degrees(10.0)).expect("sound").field());
     assert!(slope(soft * 0.999_999) < 1e-2 && slope(hard * 1.000_001) > 1.999);
     let step = Cone::from_beam_and_field(degrees(10.0), degrees(10.0)).expect("a step");
     assert_eq!(step.inner(), step.outer());
@@ -193,7 +197,7 @@ fn an_unreachable_pair_names_the_nearest() {
     for (beam, field) in [(7.0, 18.0), (7.0, 6.0), (40.0, 179.0), (120.0, 179.0), (0.5, 9.0)] {
         let refused = Cone::from_beam_and_field(degrees(beam), degrees(field)).expect_err("out of reach");
         assert_eq!((refused.parameter, refused.value), (Parameter::FieldAngle, field));
-        let Accepted::AngleBetween(least, most) = refused.accepted else { panic!("{refused}") };
+        let Expected::AngleBetween(least, most) = refused.accepted else { panic!("{refused}") };
         assert_eq!(least, beam);
         for shown in [least, most * 0.999_99] {
             assert!(Cone::from_beam_and_field(degrees(beam), degrees(shown)).is_ok(), "{beam} {shown}");

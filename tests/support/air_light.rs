@@ -14,7 +14,7 @@ pub struct Ray {
 /// A spotlight in haze, with what is left of its light at a distance, up to a range.
 #[derive(Clone, Copy)]
 pub struct Beam {
-    pub spot: reference::Spot,
+    pub spot: reference::SpotLight,
     pub attenuation: Attenuation,
     pub range: f64,
     pub density: f64,

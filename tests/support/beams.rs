@@ -4,7 +4,12 @@
 use super::format::Format;
 use super::{bounds, operations, reference, sweep};
 use fastrand::Rng;
-use luminaire::{Cone, Falloff, Offset, Ray, Scalar, Soft, Vec3};
+use luminaire::{
+    Cone, Scalar, Vec3,
+    falloff::Soft,
+    light::CompiledCone,
+    number::{Offset, Ray},
+};
 
 /// The largest errors at a half angle.
 #[derive(Clone, Copy)]
@@ -28,7 +33,7 @@ fn cosine_form<S: Format>(direction: Vec3<S::Unit>, axis: Vec3<S::Unit>, outer: 
 /// Looks at as many points as that, within the cone and on the grid that is exact in every format.
 pub fn errors<S: Format>(half_degrees: f64, count: usize) -> Errors {
     let cone = Cone::from_outer(Soft, sweep::half(half_degrees as f32)).expect("a sound angle");
-    let falloff: Option<Falloff<S, Soft>> = cone.compile().ok();
+    let falloff: Option<CompiledCone<S, Soft>> = cone.compile().ok();
     let outer = reference::versine((half_degrees as f32).into());
     let mut rng = Rng::with_seed(1_993);
     let mut found = Errors { half_degrees, cosine_form: 0.0, versine_form: falloff.map(|_| 0.0) };

@@ -7,7 +7,10 @@ use super::{
     views::{exact, place},
 };
 use fastrand::Rng;
-use luminaire::{Vec3, ViewRay, ViewRays};
+use luminaire::{
+    Vec3,
+    haze::{ViewRay, ViewRays},
+};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 /// The largest angle between a critical direction and one that counts as near to it, in radians.

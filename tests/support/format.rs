@@ -1,6 +1,6 @@
 //! The exact view of a number format: what its stored values stand for, in f64.
 
-use luminaire::{Falloff, Fx16, Fx32, Profile, Scalar, Vec3};
+use luminaire::{Fx16, Fx32, Scalar, Vec3, falloff::Falloff, light::CompiledCone};
 
 /// A format whose values can be read exactly, and whose versines can be made from f64.
 pub trait Format: Scalar {
@@ -9,7 +9,7 @@ pub trait Format: Scalar {
     fn exact_unit(unit: Self::Unit) -> f64;
     fn exact_light(light: Self::Irradiance) -> f64;
     /// What a versine stands for in the scale of a cone: the scale is found from what the cone makes of 2^-28.
-    fn exact_versine<P: Profile>(falloff: &Falloff<Self, P>, versine: Self::Versine) -> f64;
+    fn exact_versine<P: Falloff>(falloff: &CompiledCone<Self, P>, versine: Self::Versine) -> f64;
     /// The scalar, length, unit and versine with these bits, cut to what the format has.
     fn scalar_from_bits(bits: u64) -> Self;
     fn length_from_bits(bits: u64) -> Self::Length;
@@ -49,7 +49,7 @@ impl Format for f32 {
         f64::from(light)
     }
 
-    fn exact_versine<P: Profile>(_: &Falloff<f32, P>, versine: f32) -> f64 {
+    fn exact_versine<P: Falloff>(_: &CompiledCone<f32, P>, versine: f32) -> f64 {
         f64::from(versine)
     }
 
@@ -90,7 +90,7 @@ macro_rules! fixed_format {
                 light.to_num()
             }
 
-            fn exact_versine<P: Profile>(falloff: &Falloff<Self, P>, versine: Self::Versine) -> f64 {
+            fn exact_versine<P: Falloff>(falloff: &CompiledCone<Self, P>, versine: Self::Versine) -> f64 {
                 let unit: f64 = falloff.versine(0.5_f32.powi(28)).to_num();
                 versine.to_num::<f64>() * 0.5_f64.powi(28) / unit
             }

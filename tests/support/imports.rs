@@ -2,11 +2,13 @@
 
 use super::originals::{self, Original};
 use luminaire::{
-    Angle, Distance, Matched, Spot, Vec3,
+    Angle, SpotLight, Vec3,
+    attenuation::AnyAttenuation,
+    falloff::AnyFalloff,
     import::{self, Imported, OpenGlLight},
 };
 
-pub type Import = Imported<Spot<Matched, Distance>>;
+pub type Import = Imported<SpotLight<AnyFalloff, AnyAttenuation>>;
 
 pub const ORIGIN: Vec3<f32> = Vec3::new(0.0, 0.0, 0.0);
 pub const DOWN: Vec3<f32> = Vec3::new(0.0, -1.0, 0.0);

@@ -2,12 +2,15 @@
 
 use super::{reference, sweep};
 use luminaire::{
-    Blend, Cone, Cubic, IntegerPower, IntegerRim, MixedPower, MixedRim, Power, Profile, RealPower, RealRim,
-    Table,
+    Cone,
+    falloff::{
+        Cubic, Falloff, IntegerPower, InvertedIntegerPower, InvertedMixedPower, InvertedRealPower,
+        MixedPower, Power, Quadratic, RealPower, Table,
+    },
 };
 
-pub fn blend() -> Blend {
-    Blend::new(0.5).expect("a sound slope")
+pub fn blend() -> Quadratic {
+    Quadratic::new(0.5).expect("a sound slope")
 }
 
 pub fn cubic() -> Cubic {
@@ -18,24 +21,24 @@ pub fn integer_power() -> IntegerPower {
     IntegerPower::new(15).expect("a sound exponent")
 }
 
-pub fn integer_rim() -> IntegerRim {
-    IntegerRim::new(4).expect("a sound exponent")
+pub fn integer_rim() -> InvertedIntegerPower {
+    InvertedIntegerPower::new(4).expect("a sound exponent")
 }
 
 pub fn mixed_power() -> MixedPower {
     MixedPower::new([1, 16], 0.375).expect("a sound mixture")
 }
 
-pub fn mixed_rim() -> MixedRim {
-    MixedRim::new([2, 3], 0.5625).expect("a sound mixture")
+pub fn mixed_rim() -> InvertedMixedPower {
+    InvertedMixedPower::new([2, 3], 0.5625).expect("a sound mixture")
 }
 
 pub fn real_power() -> RealPower {
     RealPower::new(2.2).expect("a sound exponent")
 }
 
-pub fn real_rim() -> RealRim {
-    RealRim::new(0.75).expect("a sound exponent")
+pub fn real_rim() -> InvertedRealPower {
+    InvertedRealPower::new(0.75).expect("a sound exponent")
 }
 
 pub fn table() -> Table<'static> {
@@ -47,23 +50,23 @@ pub struct Shape<P> {
     pub name: &'static str,
     pub cone: fn(P, f32) -> Cone<P>,
     pub profile: P,
-    pub exact: fn(reference::Profile, f64) -> reference::Cone,
-    pub oracle: reference::Profile,
+    pub exact: fn(reference::Falloff, f64) -> reference::Cone,
+    pub oracle: reference::Falloff,
 }
 
-impl<P: Profile> Shape<P> {
+impl<P: Falloff> Shape<P> {
     /// The profile from the axis to the edge.
-    pub fn plain(name: &'static str, profile: P, oracle: reference::Profile) -> Self {
+    pub fn plain(name: &'static str, profile: P, oracle: reference::Falloff) -> Self {
         Self { name, cone: plain, profile, exact: reference::Cone::new, oracle }
     }
 
     /// The profile around a hotspot whose versine is half the outer one, up to the roundings of f32.
-    pub fn hotspot(name: &'static str, profile: P, oracle: reference::Profile) -> Self {
+    pub fn hotspot(name: &'static str, profile: P, oracle: reference::Falloff) -> Self {
         Self { name, cone: hotspot, profile, exact: exact_hotspot, oracle }
     }
 
     /// The profile, delimited at 0.75 of its half angle.
-    pub fn delimited(name: &'static str, profile: P, oracle: reference::Profile) -> Self {
+    pub fn delimited(name: &'static str, profile: P, oracle: reference::Falloff) -> Self {
         Self { name, cone: delimited, profile, exact: exact_delimited, oracle }
     }
 
@@ -91,7 +94,7 @@ impl<P: Profile> Shape<P> {
 
 impl<const N: u32> Shape<Power<N>> {
     /// OpenGL's spotlight with its cutoff at the half angle.
-    pub fn opengl(name: &'static str, oracle: reference::Profile) -> Self {
+    pub fn opengl(name: &'static str, oracle: reference::Falloff) -> Self {
         let cone = |_: Power<N>, half| Cone::opengl(sweep::half(half)).expect("a sound cutoff");
         Self { name, cone, profile: Power, exact: reference::Cone::opengl, oracle }
     }
@@ -101,26 +104,26 @@ impl<const N: u32> Shape<Power<N>> {
 const HOTSPOT: f32 = 0.5;
 const DELIMITER: f32 = 0.75;
 
-fn plain<P: Profile>(profile: P, half_degrees: f32) -> Cone<P> {
+fn plain<P: Falloff>(profile: P, half_degrees: f32) -> Cone<P> {
     Cone::from_outer(profile, sweep::half(half_degrees)).expect("a sound cone")
 }
 
-fn hotspot<P: Profile>(profile: P, half_degrees: f32) -> Cone<P> {
+fn hotspot<P: Falloff>(profile: P, half_degrees: f32) -> Cone<P> {
     let cone = plain(profile, half_degrees);
     cone.with_inner(sweep::half(half_degrees * HOTSPOT)).expect("a sound hotspot")
 }
 
-fn delimited<P: Profile>(profile: P, half_degrees: f32) -> Cone<P> {
+fn delimited<P: Falloff>(profile: P, half_degrees: f32) -> Cone<P> {
     let cone = plain(profile, half_degrees);
     cone.with_delimiter(sweep::half(half_degrees * DELIMITER)).expect("a sound delimiter")
 }
 
-fn exact_hotspot(profile: reference::Profile, outer: f64) -> reference::Cone {
+fn exact_hotspot(profile: reference::Falloff, outer: f64) -> reference::Cone {
     let inner = reference::versine(reference::half_degrees(outer) * f64::from(HOTSPOT));
     reference::Cone { inner, ..reference::Cone::new(profile, outer) }
 }
 
-fn exact_delimited(profile: reference::Profile, outer: f64) -> reference::Cone {
+fn exact_delimited(profile: reference::Falloff, outer: f64) -> reference::Cone {
     let limit = reference::versine(reference::half_degrees(outer) * f64::from(DELIMITER));
     reference::Cone { limit, ..reference::Cone::new(profile, outer) }
 }
@@ -130,7 +133,7 @@ fn exact_delimited(profile: reference::Profile, outer: f64) -> reference::Cone {
 #[macro_export]
 macro_rules! with_every_shape {
     ($function:ident :: <$format:ty>) => {{
-        use luminaire::{CutOff, Hard, Linear, Power, Rim, Smooth, Soft};
+        use luminaire::falloff::{Hard, InvertedPower, Linear, Power, Smooth, Soft, Step};
         use $crate::{
             profiles::{self, Shape},
             reference,
@@ -139,13 +142,13 @@ macro_rules! with_every_shape {
             $function::<$format, _>(&Shape::plain("soft", Soft, reference::soft)),
             $function::<$format, _>(&Shape::plain("hard", Hard, reference::hard)),
             $function::<$format, _>(&Shape::plain("linear", Linear, reference::linear)),
-            $function::<$format, _>(&Shape::plain("cut-off", CutOff, reference::cut_off)),
+            $function::<$format, _>(&Shape::plain("cut-off", Step, reference::cut_off)),
             $function::<$format, _>(&Shape::plain("smooth", Smooth, reference::smooth)),
             $function::<$format, _>(&Shape::plain("blend", profiles::blend(), reference::blend)),
             $function::<$format, _>(&Shape::plain("cubic", profiles::cubic(), reference::cubic)),
             $function::<$format, _>(&Shape::plain("power 4", Power::<4>, reference::power_4)),
             $function::<$format, _>(&Shape::plain("power 15", Power::<15>, reference::power_15)),
-            $function::<$format, _>(&Shape::plain("rim 4", Rim::<4>, reference::rim_4)),
+            $function::<$format, _>(&Shape::plain("rim 4", InvertedPower::<4>, reference::rim_4)),
             $function::<$format, _>(&Shape::plain(
                 "integer power 15",
                 profiles::integer_power(),

@@ -4,7 +4,7 @@
 //! is `2 sin^2(angle / 2)` or half the squared difference of two unit vectors.
 
 /// An edge profile as a function of t.
-pub type Profile = fn(f64) -> f64;
+pub type Falloff = fn(f64) -> f64;
 
 /// Hast 2004, section 2.
 pub fn soft(t: f64) -> f64 {
@@ -89,14 +89,14 @@ pub fn half_degrees(versine: f64) -> f64 {
 }
 
 /// Intensity of a spotlight without a hotspot at a versine off its axis.
-pub fn falloff(profile: Profile, versine: f64, outer_versine: f64) -> f64 {
+pub fn falloff(profile: Falloff, versine: f64, outer_versine: f64) -> f64 {
     Cone::new(profile, outer_versine).falloff(versine)
 }
 
 /// A cone by the versines of its half angles.
 #[derive(Clone, Copy)]
 pub struct Cone {
-    pub profile: Profile,
+    pub profile: Falloff,
     pub inner: f64,
     pub outer: f64,
     /// Where a delimiter cuts the cone off; `outer` where there is none.
@@ -105,12 +105,12 @@ pub struct Cone {
 
 impl Cone {
     /// Without a hotspot or a delimiter.
-    pub fn new(profile: Profile, outer: f64) -> Self {
+    pub fn new(profile: Falloff, outer: f64) -> Self {
         Self { profile, inner: 0.0, outer, limit: outer }
     }
 
     /// The cosine of the angle off axis to an integer power, and nothing from the cutoff on.
-    pub fn opengl(power: Profile, cutoff: f64) -> Self {
+    pub fn opengl(power: Falloff, cutoff: f64) -> Self {
         Self { profile: power, inner: 0.0, outer: 1.0, limit: cutoff }
     }
 
@@ -239,14 +239,14 @@ impl Classic {
 
 /// A spotlight with inverse-square distance.
 #[derive(Clone, Copy)]
-pub struct Spot {
+pub struct SpotLight {
     pub position: Vector,
     pub axis: Vector,
     pub cone: Cone,
     pub intensity: f64,
 }
 
-impl Spot {
+impl SpotLight {
     /// The falloff of the cone at a point.
     pub fn falloff(&self, point: Vector) -> f64 {
         self.cone.falloff(self.versine(point))

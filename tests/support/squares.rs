@@ -3,7 +3,7 @@
 use super::bounds::REFUSE;
 use super::format::Format;
 use super::reference::{Vector, dot, minus, scaled, unit};
-use luminaire::{Attenuation, Profile, Spot};
+use luminaire::{SpotLight, attenuation::Attenuation, falloff::Falloff};
 
 /// The square around a cone: where its light stands, the vectors of its frame, and half its side at a depth of one.
 #[derive(Clone, Copy, Debug)]
@@ -29,8 +29,8 @@ impl Square {
     }
 
     /// The square of a spotlight as a format stores it, turned clockwise.
-    pub fn stored<S: Format, P: Profile, A: Attenuation>(
-        spot: &Spot<P, A>,
+    pub fn stored<S: Format, P: Falloff, A: Attenuation>(
+        spot: &SpotLight<P, A>,
         half_degrees: f64,
         roll: f64,
     ) -> Self {

@@ -3,7 +3,7 @@
 use super::format::Format;
 use super::reference::{self, Vector};
 use fastrand::Rng;
-use luminaire::{Cone, HalfAngle, Profile, Spot, Vec3};
+use luminaire::{Cone, HalfAngle, SpotLight, Vec3, falloff::Falloff};
 
 /// The half angles, in degrees, that every accuracy row is measured at.
 pub const HALF_ANGLES: [f32; 11] = [0.01, 0.1, 0.5, 1.0, 2.0, 3.5, 7.5, 15.0, 30.0, 60.0, 89.0];
@@ -53,9 +53,9 @@ pub fn on_grid(v: Vector) -> Vector {
 }
 
 /// A spotlight somewhere within 8 units of the origin, aimed at random.
-pub fn spot<P: Profile>(rng: &mut Rng, cone: Cone<P>) -> Spot<P> {
+pub fn spot<P: Falloff>(rng: &mut Rng, cone: Cone<P>) -> SpotLight<P> {
     let position = on_grid([0; 3].map(|_| rng.f64() * 16.0 - 8.0));
-    Spot::new(single(position), single(direction(rng)), cone).expect("a sweep makes sound lights")
+    SpotLight::new(single(position), single(direction(rng)), cone).expect("a sweep makes sound lights")
 }
 
 /// A point of the world and the normal of the surface there, as a format stores them.

@@ -7,7 +7,7 @@ use super::{
     sweep,
 };
 use fastrand::Rng;
-use luminaire::{Vec3, ViewRay};
+use luminaire::{Vec3, haze::ViewRay};
 
 pub fn exact(v: Vec3<f32>) -> Vector {
     f32::exact_point(v)
@@ -18,7 +18,7 @@ pub fn place(from: Vector, way: Vector, distance: f64) -> Vector {
 }
 
 /// A place in the cone of a beam or not far beside it, 0.2 to 10 from the lamp.
-pub fn near_beam(rng: &mut Rng, spot: &reference::Spot, most: f64) -> Vector {
+pub fn near_beam(rng: &mut Rng, spot: &reference::SpotLight, most: f64) -> Vector {
     let outer = reference::half_degrees(spot.cone.limit).to_radians();
     let angle = rng.f64() * most * outer;
     place(spot.position, sweep::direction_off(rng, spot.axis, angle), 0.2 * 50.0_f64.powf(rng.f64()))
@@ -37,7 +37,7 @@ pub fn view(rng: &mut Rng, oracle: &Beam) -> ViewRay {
     }
 }
 
-fn any_view(rng: &mut Rng, spot: &reference::Spot) -> ViewRay {
+fn any_view(rng: &mut Rng, spot: &reference::SpotLight) -> ViewRay {
     let target = near_beam(rng, spot, 1.1);
     let eye = match rng.u8(..3) {
         0 => near_beam(rng, spot, 0.9),

@@ -7,7 +7,7 @@ use super::{
     sweep,
 };
 use fastrand::Rng;
-use luminaire::{Profile, Spot, Vec3};
+use luminaire::{SpotLight, Vec3, falloff::Falloff};
 use std::fmt;
 
 /// Random places to begin with, how many of them are climbed from, and for how many steps each.
@@ -66,18 +66,18 @@ impl Find {
 }
 
 /// How far the intensity of a shape is off at a place; none where the light is refused, or where it jumps.
-pub fn error<S: Format, P: Profile>(shape: &Shape<P>, half_degrees: f32, place: Place) -> Option<f64> {
+pub fn error<S: Format, P: Falloff>(shape: &Shape<P>, half_degrees: f32, place: Place) -> Option<f64> {
     let cone = shape.exactly_at(half_degrees);
-    let spot = Spot::new(Vec3::default(), place.axis, shape.at(half_degrees)).ok()?;
+    let spot = SpotLight::new(Vec3::default(), place.axis, shape.at(half_degrees)).ok()?;
     let axis = reference::unit(S::exact_direction(spot.axis_in::<S>()));
-    let exact = reference::Spot { position: [0.0; 3], axis, cone, intensity: 1.0 };
+    let exact = reference::SpotLight { position: [0.0; 3], axis, cone, intensity: 1.0 };
     let point = place.point.map(S::length);
     let found = spot.compile::<S>().ok()?.falloff(point).exact();
     Some((found - exact.falloff(S::exact_point(point))).abs())
 }
 
 /// Half the narrowest outer angle that a format accepts of a shape, in degrees, a little wider.
-pub fn narrowest<S: Format, P: Profile>(shape: &Shape<P>) -> f32 {
+pub fn narrowest<S: Format, P: Falloff>(shape: &Shape<P>) -> f32 {
     let (mut refused, mut held) = (1e-6_f32, 90.0_f32);
     for _ in 0..40 {
         let middle = (refused * held).sqrt();
@@ -87,14 +87,14 @@ pub fn narrowest<S: Format, P: Profile>(shape: &Shape<P>) -> f32 {
 }
 
 /// Whether a shape has a slope everywhere: where it jumps there is no error of the intensity to look for.
-pub fn is_smooth<P: Profile>(shape: &Shape<P>) -> bool {
+pub fn is_smooth<P: Falloff>(shape: &Shape<P>) -> bool {
     let cone = shape.exactly_at(1.0);
     !cone.jumps_near(cone.limit, 1.0)
 }
 
 /// The worst place of a shape at a half angle: the best of random ones, each moved in ever other ways as long as it
 /// gets worse.
-pub fn search<S: Format, P: Profile>(shape: &Shape<P>, half_degrees: f32) -> Find {
+pub fn search<S: Format, P: Falloff>(shape: &Shape<P>, half_degrees: f32) -> Find {
     let mut rng = Rng::with_seed(1953);
     let at = |place: Place| error::<S, P>(shape, half_degrees, place).unwrap_or(0.0);
     let mut starts: Vec<_> = (0..STARTS)

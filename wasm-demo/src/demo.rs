@@ -3,7 +3,7 @@
 use crate::{
     canvas::Canvas,
     clock::Clock,
-    fixture::{self, Fixture},
+    fixture,
     format::{Draw, Format},
     light::{self, Light, LightState, Mark},
     panic,
@@ -11,7 +11,7 @@ use crate::{
     sweep,
     times::Times,
 };
-use luminaire::{Luminaire, Vec3};
+use luminaire::{Vec3, projector::Fixture};
 use luminaire_render::{Camera, Scene, stage};
 use std::fmt;
 use wasm_bindgen::{Clamped, prelude::*};
@@ -240,7 +240,7 @@ impl Demo {
     }
 
     /// The fixtures to choose from.
-    pub fn fixtures() -> Vec<Fixture> {
+    pub fn fixtures() -> Vec<fixture::Fixture> {
         fixture::all().to_vec()
     }
 }
@@ -277,7 +277,7 @@ impl Demo {
 
     fn draw_changes(&mut self) -> Result<bool, Refusal> {
         let Self { renderer, scene, camera, canvas, clock, .. } = self;
-        let luminaires: Vec<Luminaire> =
+        let luminaires: Vec<Fixture> =
             self.lights.iter().filter(|light| light.is_on()).map(|light| (*light.spot()).into()).collect();
         let (geometry, moved) = clock.time(|| renderer.draw_geometry(scene, camera));
         let (lighting, lit) = clock.time(|| renderer.draw_light(&luminaires));

@@ -1,7 +1,7 @@
 //! From linear light to the codes of a display: as a format does it, and exactly.
 
 use fixed::types::{U18F14, U34F30};
-use luminaire::{Fx16, Fx32, Scalar, encode_srgb};
+use luminaire::{Fx16, Fx32, Scalar, display::encode_srgb};
 use luminaire_kernels::Value;
 
 /// The code of a linear value before rounding, from 0 to 255: sRGB as IEC 61966-2-1 writes it. What is not a

@@ -1,7 +1,7 @@
 //! Whether the picture of the effects that are called for is the one of all effects.
 
 use crate::{clock::Clock, format::Draw, refusal::Refusal};
-use luminaire::Luminaire;
+use luminaire::projector::Fixture;
 use luminaire_render::{Camera, Scene};
 use wasm_bindgen::prelude::*;
 
@@ -31,7 +31,7 @@ impl Equality {
         mut renderer: Box<dyn Draw>,
         width: usize,
         clock: &Clock,
-        (scene, camera, luminaires): (&Scene, &Camera, &[Luminaire]),
+        (scene, camera, luminaires): (&Scene, &Camera, &[Fixture]),
     ) -> Result<Self, Refusal> {
         renderer.draw_geometry(scene, camera);
         renderer.draw_shadows(scene, luminaires)?;

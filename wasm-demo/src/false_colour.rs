@@ -98,7 +98,7 @@ fn code(linear: f64) -> u8 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use luminaire::decode_srgb;
+    use luminaire::display::decode_srgb;
 
     /// How light a colour is: L* of CIE 1976, from 0 to 100.
     fn lightness([red, green, blue]: [f64; 3]) -> f64 {

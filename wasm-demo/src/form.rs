@@ -1,7 +1,10 @@
 //! The formats and formulas to compare: each a kernel of the price list, set up for a wall.
 
 use crate::{picture::Picture, refusal::Refusal, wall::Wall};
-use luminaire::{Accepted, CompiledSpot, Error, Fx16, Fx32, Scalar, Soft, Spot, Unattenuated, Vec3};
+use luminaire::{
+    Error, Fx16, Fx32, Scalar, SpotLight, Vec3, attenuation::NoAttenuation, error::Expected, falloff::Soft,
+    light::CompiledSpotLight,
+};
 use luminaire_kernels::{
     CosineFalloff, DoubleFalloff, Gltf, Kernel, Libm, OurPoint, Powf, Row, Shape, Stage,
     oracle::{self, unit, widened},
@@ -129,8 +132,8 @@ impl Form {
 
 /// The light, or why the format cannot hold it: first its cone, for a narrower one is farther away as well.
 fn compiled<S: Scalar>(
-    spot: &Spot<Soft, Unattenuated>,
-) -> Result<CompiledSpot<S, Soft, Unattenuated>, Error> {
+    spot: &SpotLight<Soft, NoAttenuation>,
+) -> Result<CompiledSpotLight<S, Soft, NoAttenuation>, Error> {
     spot.cone().compile::<S>()?;
     spot.compile()
 }
@@ -158,7 +161,7 @@ impl Curve {
 /// The least half angle in degrees that would be accepted, if it is the angle that was refused; rounded up.
 pub(crate) fn accepted_half_angle(error: &Error) -> Option<f32> {
     match error.accepted {
-        Accepted::AngleFrom(full) => Some(((full * 5e3).floor() + 1.0) / 1e4),
+        Expected::AngleFrom(full) => Some(((full * 5e3).floor() + 1.0) / 1e4),
         _ => None,
     }
 }

@@ -1,7 +1,10 @@
 //! The number format, chosen at run time here and a type everywhere below.
 
 use crate::refusal::Refusal;
-use luminaire::{Angle, Cone, Edge, Error, Falloff, Fx16, Fx32, Luminaire, Rgb, Scalar, Spot};
+use luminaire::{
+    Angle, Cone, Error, Fx16, Fx32, Rgb, Scalar, SpotLight, falloff::SoftOrHard, light::CompiledCone,
+    projector::Fixture,
+};
 use luminaire_render::{Account, Camera, Display, DrawError, Renderer, Scene, SizeError};
 use std::fmt;
 
@@ -60,12 +63,12 @@ impl Format {
     }
 
     /// Whether the format can hold a light.
-    pub(crate) fn check(self, spot: &Spot) -> Result<(), Error> {
+    pub(crate) fn check(self, spot: &SpotLight) -> Result<(), Error> {
         with_scalar!(self, S => spot.compile::<S>().map(drop))
     }
 
     /// Whether the format can hold a luminaire with what is mounted on it.
-    pub(crate) fn check_luminaire(self, luminaire: &Luminaire) -> Result<(), Error> {
+    pub(crate) fn check_luminaire(self, luminaire: &Fixture) -> Result<(), Error> {
         with_scalar!(self, S => {
             luminaire.lamp().compile::<S>()?;
             luminaire.compile_gobo::<S>()?;
@@ -74,14 +77,14 @@ impl Format {
     }
 
     /// The narrowest cone of this edge that the format holds.
-    pub(crate) fn narrowest(self, edge: Edge) -> Angle {
+    pub(crate) fn narrowest(self, edge: SoftOrHard) -> Angle {
         with_scalar!(self, S => Cone::narrowest::<S>(edge))
     }
 
     /// The intensity of a cone at angles off its axis in degrees, as this format evaluates it.
     pub(crate) fn intensities(self, cone: &Cone, angles: &[f32]) -> Result<Vec<f32>, Error> {
         with_scalar!(self, S => {
-            let falloff: Falloff<S> = cone.compile()?;
+            let falloff: CompiledCone<S> = cone.compile()?;
             let versine = |off_axis: f32| falloff.versine(Angle::degrees(2.0 * off_axis).versine());
             Ok(angles.iter().map(|&angle| falloff.at(versine(angle)).to_f32()).collect())
         })
@@ -113,11 +116,11 @@ pub(crate) trait Draw {
     /// Draws what the camera sees, if that is not what was drawn last; whether it was drawn.
     fn draw_geometry(&mut self, scene: &Scene, camera: &Camera) -> bool;
     /// Draws the shadow maps of the luminaires, where scene or luminaire has changed; whether any was drawn.
-    fn draw_shadows(&mut self, scene: &Scene, luminaires: &[Luminaire]) -> Result<bool, DrawError>;
+    fn draw_shadows(&mut self, scene: &Scene, luminaires: &[Fixture]) -> Result<bool, DrawError>;
     /// Lights what was drawn, if anything has changed; whether it was lit.
-    fn draw_light(&mut self, luminaires: &[Luminaire]) -> Result<bool, Error>;
+    fn draw_light(&mut self, luminaires: &[Fixture]) -> Result<bool, Error>;
     /// Lights everything that was drawn with every effect, called for or not.
-    fn draw_everything(&mut self, luminaires: &[Luminaire]) -> Result<(), Error>;
+    fn draw_everything(&mut self, luminaires: &[Fixture]) -> Result<(), Error>;
     /// Shows the picture on another display, with the next `encode`.
     fn set_display(&mut self, display: Display);
     /// Encodes what was lit for the display: RGBA, sRGB, eight bits.
@@ -139,15 +142,15 @@ impl<S: luminaire_render::Format> Draw for Renderer<S> {
         self.draw_geometry(scene, camera)
     }
 
-    fn draw_shadows(&mut self, scene: &Scene, luminaires: &[Luminaire]) -> Result<bool, DrawError> {
+    fn draw_shadows(&mut self, scene: &Scene, luminaires: &[Fixture]) -> Result<bool, DrawError> {
         self.draw_shadows(scene, luminaires)
     }
 
-    fn draw_light(&mut self, luminaires: &[Luminaire]) -> Result<bool, Error> {
+    fn draw_light(&mut self, luminaires: &[Fixture]) -> Result<bool, Error> {
         self.draw_light(luminaires)
     }
 
-    fn draw_everything(&mut self, luminaires: &[Luminaire]) -> Result<(), Error> {
+    fn draw_everything(&mut self, luminaires: &[Fixture]) -> Result<(), Error> {
         self.draw_everything(luminaires)
     }
 
@@ -183,7 +186,7 @@ impl<S: luminaire_render::Format> Draw for Renderer<S> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use luminaire::Soft;
+    use luminaire::falloff::Soft;
 
     #[test]
     fn a_format_has_its_own_name() {
@@ -199,7 +202,7 @@ mod tests {
 
     #[test]
     fn the_curve_passes_its_marks_in_every_format() {
-        let cone = Cone::from_field(Soft, Angle::degrees(30.0)).unwrap().with_profile(Edge::Soft);
+        let cone = Cone::from_field(Soft, Angle::degrees(30.0)).unwrap().with_profile(SoftOrHard::Soft);
         let half = |angle: Angle| angle.to_degrees() / 2.0;
         let angles = [0.0, half(cone.beam()), half(cone.field()), half(cone.outer()) * 1.01];
         for format in Format::ALL {
@@ -212,8 +215,8 @@ mod tests {
 
     #[test]
     fn a_cone_under_the_narrowest_is_refused() {
-        let narrowest = Format::Fx16.narrowest(Edge::Hard).to_degrees();
-        let cone = Cone::from_outer(Edge::Hard, Angle::degrees(narrowest * 0.99)).unwrap();
+        let narrowest = Format::Fx16.narrowest(SoftOrHard::Hard).to_degrees();
+        let cone = Cone::from_outer(SoftOrHard::Hard, Angle::degrees(narrowest * 0.99)).unwrap();
         assert!(Format::Fx16.intensities(&cone, &[0.0]).is_err());
         assert!(Format::F32.intensities(&cone, &[0.0]).is_ok());
     }

@@ -5,7 +5,11 @@ use crate::{
     format::Format,
     refusal::Refusal,
 };
-use luminaire::{Angle, Cone, Edge, Rgb, Spot, Vec3, decode_srgb, encode_srgb};
+use luminaire::{
+    Angle, Cone, Rgb, SpotLight, Vec3,
+    display::{decode_srgb, encode_srgb},
+    falloff::SoftOrHard,
+};
 use wasm_bindgen::prelude::*;
 
 /// Which of its angles a cone is designed from. The kernel says what the others are.
@@ -28,7 +32,7 @@ struct Design {
 #[derive(Clone, Debug)]
 pub(crate) struct Light {
     name: &'static str,
-    spot: Spot,
+    spot: SpotLight,
     design: Design,
     /// What a fixture's published angle is taken for.
     reading: Mark,
@@ -99,10 +103,10 @@ impl Mark {
 }
 
 /// The edge of this name.
-pub(crate) fn edge_named(name: &str) -> Result<Edge, Refusal> {
+pub(crate) fn edge_named(name: &str) -> Result<SoftOrHard, Refusal> {
     match name {
-        "soft" => Ok(Edge::Soft),
-        "hard" => Ok(Edge::Hard),
+        "soft" => Ok(SoftOrHard::Soft),
+        "hard" => Ok(SoftOrHard::Hard),
         _ => Err(Refusal::Name { parameter: "edge", value: name.to_owned(), remedy: "give soft or hard" }),
     }
 }
@@ -123,7 +127,7 @@ pub(crate) fn color_of(hex: &str) -> Result<Rgb<f32>, Refusal> {
 
 impl Light {
     /// A light that is switched on.
-    pub(crate) fn new(name: &'static str, spot: Spot) -> Self {
+    pub(crate) fn new(name: &'static str, spot: SpotLight) -> Self {
         let design = Design { mark: Mark::Field, degrees: spot.cone().field().to_degrees() };
         Self { name, spot, design, reading: Mark::Field, fixture: None, on: true }
     }
@@ -134,7 +138,7 @@ impl Light {
     }
 
     /// The light as the kernel knows it, whether it is on or off.
-    pub(crate) fn spot(&self) -> &Spot {
+    pub(crate) fn spot(&self) -> &SpotLight {
         &self.spot
     }
 
@@ -156,7 +160,7 @@ impl Light {
     }
 
     /// Gives the cone another edge, keeping the angle that it was designed from.
-    pub(crate) fn set_edge(&mut self, edge: Edge, format: Format) -> Result<(), Refusal> {
+    pub(crate) fn set_edge(&mut self, edge: SoftOrHard, format: Format) -> Result<(), Refusal> {
         self.design_cone(self.design, edge, format)
     }
 
@@ -173,7 +177,7 @@ impl Light {
     /// Points the light elsewhere.
     pub(crate) fn aim(&mut self, axis: Vec3<f32>, format: Format) -> Result<(), Refusal> {
         let spot = &self.spot;
-        let aimed = Spot::new(spot.position(), axis, spot.cone())?;
+        let aimed = SpotLight::new(spot.position(), axis, spot.cone())?;
         self.put(aimed.with_color(spot.color())?.with_intensity(spot.intensity())?, format)
     }
 
@@ -241,8 +245,8 @@ impl Light {
             widest_field: most.field().to_degrees(),
             outer: cone.outer().to_degrees(),
             edge: match edge {
-                Edge::Soft => "soft",
-                Edge::Hard => "hard",
+                SoftOrHard::Soft => "soft",
+                SoftOrHard::Hard => "hard",
             }
             .to_owned(),
             color: hex_of(self.spot.color()),
@@ -254,7 +258,7 @@ impl Light {
         }
     }
 
-    fn design_cone(&mut self, design: Design, edge: Edge, format: Format) -> Result<(), Refusal> {
+    fn design_cone(&mut self, design: Design, edge: SoftOrHard, format: Format) -> Result<(), Refusal> {
         let angle = Angle::degrees(design.degrees);
         let cone = match design.mark {
             Mark::Beam => Cone::from_beam(edge, angle),
@@ -266,7 +270,7 @@ impl Light {
     }
 
     /// The one place where a light changes.
-    fn put(&mut self, spot: Spot, format: Format) -> Result<(), Refusal> {
+    fn put(&mut self, spot: SpotLight, format: Format) -> Result<(), Refusal> {
         format.check(&spot)?;
         self.spot = spot;
         Ok(())
@@ -286,8 +290,8 @@ mod tests {
     const FORMAT: Format = Format::F32;
 
     fn light() -> Light {
-        let cone = Cone::from_field(Edge::Soft, Angle::degrees(15.0)).unwrap();
-        Light::new("key", Spot::new(Vec3::new(0.0, 4.0, 0.0), Vec3::new(0.0, -1.0, 0.0), cone).unwrap())
+        let cone = Cone::from_field(SoftOrHard::Soft, Angle::degrees(15.0)).unwrap();
+        Light::new("key", SpotLight::new(Vec3::new(0.0, 4.0, 0.0), Vec3::new(0.0, -1.0, 0.0), cone).unwrap())
     }
 
     #[test]
@@ -302,11 +306,11 @@ mod tests {
     #[test]
     fn an_edge_keeps_the_angle_that_was_given() {
         let mut light = light();
-        light.set_edge(Edge::Hard, FORMAT).unwrap();
+        light.set_edge(SoftOrHard::Hard, FORMAT).unwrap();
         let state = light.state(FORMAT);
         assert!((state.field - 15.0).abs() < 1e-3 && (state.beam - 12.95).abs() < 0.005);
         light.set_angle(Mark::Beam, 9.0, FORMAT).unwrap();
-        light.set_edge(Edge::Soft, FORMAT).unwrap();
+        light.set_edge(SoftOrHard::Soft, FORMAT).unwrap();
         assert!((light.state(FORMAT).beam - 9.0).abs() < 1e-3);
     }
 
@@ -322,7 +326,7 @@ mod tests {
             refused(light.set_angle(Mark::Field, degrees, FORMAT), "field angle");
             refused(light.set_angle(Mark::Beam, degrees, FORMAT), "beam angle");
         }
-        let needle = Format::Fx16.narrowest(Edge::Soft).to_degrees() / 2.0;
+        let needle = Format::Fx16.narrowest(SoftOrHard::Soft).to_degrees() / 2.0;
         refused(light.set_angle(Mark::Field, needle, Format::Fx16), "outer angle");
         refused(light.set_intensity(-1.0, FORMAT), "intensity");
         refused(light.set_intensity(f32::NAN, FORMAT), "intensity");
@@ -366,7 +370,7 @@ mod tests {
 
     #[test]
     fn the_ends_of_the_sliders_are_taken() {
-        for edge in [Edge::Soft, Edge::Hard] {
+        for edge in [SoftOrHard::Soft, SoftOrHard::Hard] {
             for format in Format::ALL {
                 let mut light = light();
                 light.set_edge(edge, FORMAT).unwrap();

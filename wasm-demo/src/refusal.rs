@@ -132,7 +132,7 @@ mod tests {
             let outside =
                 Refusal::Outside { parameter: "zoom", value, least: 1.0, most: 2.0, unit: "" }.to_string();
             let light = luminaire::Angle::degrees(value);
-            let light = luminaire::Cone::from_field(luminaire::Soft, light).map(drop);
+            let light = luminaire::Cone::from_field(luminaire::falloff::Soft, light).map(drop);
             let light = light.map_or_else(|error| error.to_string(), |()| String::new());
             for words in [zoom, outside, light] {
                 assert!(words.len() < 100, "{words}");

@@ -6,10 +6,15 @@ use crate::{
     refusal::Refusal,
     scene_state::{LampState, SwitchState},
 };
-use luminaire::{Effect, Effects, Error, Haze, Lamp, Luminaire, Plan};
+use luminaire::{
+    Error,
+    dynamic::{AnyLight, Effect, Effects, RenderPlan},
+    haze::Haze,
+    projector::Fixture,
+};
 use luminaire_render::{
     Camera, Display, Scene,
-    examples::{Fixture, Setup},
+    examples::{MovingLight, Setup},
 };
 
 /// The effects that have a switch, with the words for it.
@@ -38,7 +43,7 @@ pub(crate) struct Rig {
     /// What stands there, without what is left out.
     scene: Scene,
     /// The luminaires, without what is left out.
-    fixtures: Vec<Fixture>,
+    fixtures: Vec<MovingLight>,
     /// Which lamps are on.
     on: Vec<bool>,
     /// The effects that were switched, and whether they are there since.
@@ -84,8 +89,8 @@ impl Rig {
 
     /// The luminaires after so many seconds. One that is switched off is there, and dark, so that the others keep
     /// their numbers.
-    pub(crate) fn luminaires_at(&self, seconds: f32) -> Result<Vec<Luminaire>, Error> {
-        let luminaire = |(fixture, &on): (&Fixture, &bool)| {
+    pub(crate) fn luminaires_at(&self, seconds: f32) -> Result<Vec<Fixture>, Error> {
+        let luminaire = |(fixture, &on): (&MovingLight, &bool)| {
             let luminaire = fixture.at(seconds)?;
             Ok(if on { luminaire } else { darkened(luminaire.lamp())?.into() })
         };
@@ -93,8 +98,8 @@ impl Rig {
     }
 
     /// Which effects these luminaires and what stands there call for.
-    pub(crate) fn plan(&self, luminaires: &[Luminaire]) -> Plan {
-        let plan = luminaires.iter().fold(self.scene.plan(), Plan::with_luminaire);
+    pub(crate) fn plan(&self, luminaires: &[Fixture]) -> RenderPlan {
+        let plan = luminaires.iter().fold(self.scene.plan(), RenderPlan::with_luminaire);
         if self.has(Effect::Dither) { plan.with(Effect::Dither) } else { plan }
     }
 
@@ -126,7 +131,7 @@ impl Rig {
 
     /// The lamps with their switches.
     pub(crate) fn lamps(&self) -> Result<Vec<LampState>, Error> {
-        let state = |(fixture, &on): (&Fixture, &bool)| {
+        let state = |(fixture, &on): (&MovingLight, &bool)| {
             let color = hex_of(fixture.at(0.0)?.lamp().color());
             Ok(LampState { name: fixture.name.to_owned(), color, on })
         };
@@ -200,7 +205,7 @@ impl Rig {
         }
         let has = |effect| self.has(effect);
         let adds_shadows = has(Effect::Shadow) && !self.effects.has(Effect::Shadow);
-        let fit = |mut fixture: Fixture| {
+        let fit = |mut fixture: MovingLight| {
             if !has(Effect::Gobo) {
                 fixture = fixture.without_gobo();
             }
@@ -218,16 +223,16 @@ impl Rig {
 }
 
 /// Whether the lamp of a fixture can throw shadows: a spotlight that is not too wide.
-fn takes_shadow(fixture: &Fixture) -> bool {
+fn takes_shadow(fixture: &MovingLight) -> bool {
     fixture.with_shadow(SHADOW_SIDE).at(0.0).is_ok()
 }
 
 /// The lamp without its light.
-fn darkened(lamp: &Lamp) -> Result<Lamp, Error> {
+fn darkened(lamp: &AnyLight) -> Result<AnyLight, Error> {
     Ok(match *lamp {
-        Lamp::Directional(light) => light.with_intensity(0.0)?.into(),
-        Lamp::Point(light) => light.with_intensity(0.0)?.into(),
-        Lamp::Spot(light) => light.with_intensity(0.0)?.into(),
+        AnyLight::Directional(light) => light.with_intensity(0.0)?.into(),
+        AnyLight::Point(light) => light.with_intensity(0.0)?.into(),
+        AnyLight::Spot(light) => light.with_intensity(0.0)?.into(),
     })
 }
 

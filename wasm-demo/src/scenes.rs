@@ -13,7 +13,7 @@ use crate::{
     times::Times,
     viewpoint::Viewpoint,
 };
-use luminaire::{Effect, Luminaire};
+use luminaire::{dynamic::Effect, projector::Fixture};
 use luminaire_render::{
     Camera,
     examples::{Example, turntable},
@@ -358,7 +358,7 @@ impl Scenes {
         Ok(())
     }
 
-    fn luminaires(&self) -> Result<Vec<Luminaire>, Refusal> {
+    fn luminaires(&self) -> Result<Vec<Fixture>, Refusal> {
         Ok(self.rig.luminaires_at(self.seconds[0])?)
     }
 

@@ -1,7 +1,7 @@
 //! The scene of the comparison: a wall that one beam meets head on.
 
 use crate::refusal::Refusal;
-use luminaire::{Cone, HalfAngle, Soft, Spot, Unattenuated, Vec3};
+use luminaire::{Cone, HalfAngle, SpotLight, Vec3, attenuation::NoAttenuation, falloff::Soft};
 use luminaire_kernels::{
     oracle::{Vector, dot, scaled, unit, widened},
     scene::{AXIS, Site},
@@ -24,7 +24,7 @@ const ACROSS: [Vector; 2] = [[-0.8, 0.0, 0.6], [0.48, 0.6, 0.64]];
 pub(crate) struct Wall {
     /// What each pixel shows, row by row from the top.
     sites: Vec<Site>,
-    spot: Spot<Soft, Unattenuated>,
+    spot: SpotLight<Soft, NoAttenuation>,
     half_angle: f32,
     distance: f64,
 }
@@ -58,7 +58,7 @@ impl Wall {
     }
 
     /// The light.
-    pub(crate) fn spot(&self) -> &Spot<Soft, Unattenuated> {
+    pub(crate) fn spot(&self) -> &SpotLight<Soft, NoAttenuation> {
         &self.spot
     }
 
@@ -88,7 +88,7 @@ impl Wall {
 }
 
 /// The light of this outer half angle in degrees, and its distance from the middle of the wall.
-fn lamp(half_angle: f32) -> Result<(Spot<Soft, Unattenuated>, f64), Refusal> {
+fn lamp(half_angle: f32) -> Result<(SpotLight<Soft, NoAttenuation>, f64), Refusal> {
     if !(NARROWEST..=WIDEST).contains(&half_angle) {
         return Err(Refusal::Outside {
             parameter: "half angle",
@@ -101,8 +101,8 @@ fn lamp(half_angle: f32) -> Result<(Spot<Soft, Unattenuated>, f64), Refusal> {
     let distance = 1.0 / f64::from(half_angle).to_radians().tan();
     let position = on_grid(scaled(unit(widened(AXIS)), -distance));
     let cone = Cone::from_outer(Soft, HalfAngle::degrees(half_angle))?;
-    let spot = Spot::new(position, position.map(|c| -c), cone)?;
-    Ok((spot.with_attenuation(Unattenuated), distance))
+    let spot = SpotLight::new(position, position.map(|c| -c), cone)?;
+    Ok((spot.with_attenuation(NoAttenuation), distance))
 }
 
 /// The nearest place that every number format has: a multiple of 2^-16 in f32.

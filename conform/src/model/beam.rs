@@ -1,7 +1,10 @@
 //! What is in the beam of a spotlight: patterns, shadows and haze.
 
 use luminaire::{
-    Angle, CompiledProjection, Error, Gobo, Haze, Projection, Shadow, Soft, Spot, Vec3, ViewRay,
+    Angle, Error, SpotLight, Vec3,
+    falloff::Soft,
+    haze::{Haze, ViewRay},
+    projector::{CompiledProjection, Gobo, Projection, Shadow},
 };
 
 use super::falloff::Description;
@@ -21,7 +24,7 @@ fn square<S: Format>(case: &mut Case<'_>) -> (Result<CompiledProjection<S>, Erro
     let (position, axis, roll) = (case.vector("position"), case.vector("axis"), case.number("roll"));
     let point = case.point::<S>("point");
     let square = || {
-        let spot = Spot::new(position, axis, description.cone()?)?;
+        let spot = SpotLight::new(position, axis, description.cone()?)?;
         Projection::of(&spot)?.turned(Angle::degrees(roll))?.compile::<S>()
     };
     (square(), point)
@@ -58,7 +61,7 @@ pub(super) fn air_light(case: &mut Case<'_>) -> Outcome {
     let (position, axis, intensity) =
         (case.vector("position"), case.vector("axis"), case.number("intensity"));
     let (eye, surface, density) = (case.vector("eye"), case.vector("point"), case.number("density"));
-    let spot = Spot::new(position, axis, description.cone()?)?.with_intensity(intensity)?;
+    let spot = SpotLight::new(position, axis, description.cone()?)?.with_intensity(intensity)?;
     let beam = spot.compile::<f32>()?.in_haze(&Haze::new(density)?);
     let ray = ViewRay::between(eye, surface);
     case.give(beam.air_light(&ray));

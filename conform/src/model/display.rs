@@ -1,6 +1,9 @@
 //! The way from light to the codes of a display.
 
-use luminaire::{Exposure, Rgb, Rgb565, decode_srgb, encode_srgb, encode_srgb_dithered};
+use luminaire::{
+    Rgb,
+    display::{Exposure, Rgb565, decode_srgb, encode_srgb, encode_srgb_dithered},
+};
 
 use crate::case::{Case, Outcome};
 use crate::word::Format;
@@ -15,14 +18,14 @@ pub(super) fn expose<S: Format>(case: &mut Case<'_>) -> Outcome {
 /// Light clipped to full scale.
 pub(super) fn clip<S: Format>(case: &mut Case<'_>) -> Outcome {
     let light = case.light::<S>("light");
-    case.give_color(luminaire::clip::<S>(light));
+    case.give_color(luminaire::display::clip::<S>(light));
     Ok(())
 }
 
 /// Light within full scale, its hue kept.
 pub(super) fn keep_hue<S: Format>(case: &mut Case<'_>) -> Outcome {
     let light = case.light::<S>("light");
-    case.give_color(luminaire::keep_hue::<S>(light));
+    case.give_color(luminaire::display::keep_hue::<S>(light));
     Ok(())
 }
 

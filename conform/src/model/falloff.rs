@@ -1,6 +1,9 @@
 //! Cones, and the falloff from a versine to an intensity.
 
-use luminaire::{Angle, Cone, Error, Fitted, HalfAngle, Power, Profile, Vec3};
+use luminaire::{
+    Angle, Cone, Error, HalfAngle, Vec3,
+    falloff::{Falloff, FittedFalloff, Power},
+};
 
 use crate::case::{Case, Outcome};
 use crate::word::Format;
@@ -22,7 +25,7 @@ pub(super) struct Description<P> {
     delimiter: f32,
 }
 
-impl<P: Profile> Description<P> {
+impl<P: Falloff> Description<P> {
     pub(super) fn of(case: &mut Case<'_>, profile: impl Fn(&mut Case<'_>) -> Result<P, Error>) -> Self {
         Self {
             profile: profile(case),
@@ -51,7 +54,7 @@ impl<P: Profile> Description<P> {
 }
 
 /// The outer versine, then beam, field and outer angle in degrees and the flux of one candela in lumens.
-fn give<P: Profile>(case: &mut Case<'_>, cone: &Cone<P>) {
+fn give<P: Falloff>(case: &mut Case<'_>, cone: &Cone<P>) {
     case.give(cone.outer_versine());
     for angle in [cone.beam(), cone.field(), cone.outer()] {
         case.give(angle.to_degrees());
@@ -59,7 +62,7 @@ fn give<P: Profile>(case: &mut Case<'_>, cone: &Cone<P>) {
     case.give(cone.lumens(1.0));
 }
 
-pub(super) fn cone<P: Profile>(
+pub(super) fn cone<P: Falloff>(
     case: &mut Case<'_>,
     profile: impl Fn(&mut Case<'_>) -> Result<P, Error>,
 ) -> Outcome {
@@ -75,8 +78,8 @@ pub(super) fn two_angles(case: &mut Case<'_>) -> Outcome {
     give(case, &cone);
     case.give(cone.inner().to_degrees());
     match cone.profile() {
-        Fitted::Blend(blend) => case.give(blend.edge_slope()),
-        Fitted::Cubic(cubic) => {
+        FittedFalloff::Quadratic(blend) => case.give(blend.edge_slope()),
+        FittedFalloff::Cubic(cubic) => {
             case.give(cubic.edge_slope());
             case.give(cubic.middle_slope());
         }
@@ -102,7 +105,7 @@ pub(super) fn opengl(case: &mut Case<'_>) -> Outcome {
 
 /// The versine in the scale of the cone that is nearest to a number, the intensity there, and that at a versine of
 /// any bits.
-pub(super) fn falloff<S: Format, P: Profile>(
+pub(super) fn falloff<S: Format, P: Falloff>(
     case: &mut Case<'_>,
     profile: impl Fn(&mut Case<'_>) -> Result<P, Error>,
 ) -> Outcome {

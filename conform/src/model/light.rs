@@ -1,13 +1,17 @@
 //! Lights of every kind, from their description to the light that arrives.
 
-use luminaire::{Ambient, Attenuation, Cone, Directional, Error, Point, Profile, Soft, Spot};
+use luminaire::{
+    AmbientLight, Cone, DirectionalLight, Error, PointLight, SpotLight,
+    attenuation::Attenuation,
+    falloff::{Falloff, Soft},
+};
 
 use super::falloff::Description;
 use crate::case::{Case, Outcome};
 use crate::word::Format;
 
 /// The falloff and the light at a point.
-pub(super) fn spot<S: Format, P: Profile>(
+pub(super) fn spot<S: Format, P: Falloff>(
     case: &mut Case<'_>,
     profile: impl Fn(&mut Case<'_>) -> Result<P, Error>,
 ) -> Outcome {
@@ -15,7 +19,7 @@ pub(super) fn spot<S: Format, P: Profile>(
     let (position, axis, intensity) =
         (case.vector("position"), case.vector("axis"), case.number("intensity"));
     let (point, normal) = (case.point::<S>("point"), case.normal::<S>("normal"));
-    let spot = Spot::new(position, axis, description.cone()?)?.with_intensity(intensity)?;
+    let spot = SpotLight::new(position, axis, description.cone()?)?.with_intensity(intensity)?;
     let light = spot.compile::<S>()?;
     case.give(light.falloff(point));
     case.give(light.irradiance(point, normal));
@@ -28,7 +32,7 @@ pub(super) fn between<S: Format>(case: &mut Case<'_>) -> Outcome {
     let (position, end) = (case.vector("position"), case.vector("end"));
     let (point, normal) = (case.point::<S>("point"), case.normal::<S>("normal"));
     let cone: Cone<Soft> = description.cone()?;
-    let light = Spot::between(position, end, cone)?.compile::<S>()?;
+    let light = SpotLight::between(position, end, cone)?.compile::<S>()?;
     case.give(light.irradiance(point, normal));
     Ok(())
 }
@@ -41,7 +45,7 @@ pub(super) fn point<S: Format, A: Attenuation>(
     let attenuation = attenuation(case);
     let (position, intensity) = (case.vector("position"), case.number("intensity"));
     let (point, normal) = (case.point::<S>("point"), case.normal::<S>("normal"));
-    let light = Point::new(position)?.with_intensity(intensity)?.with_attenuation(attenuation?);
+    let light = PointLight::new(position)?.with_intensity(intensity)?.with_attenuation(attenuation?);
     case.give(light.compile::<S>()?.irradiance(point, normal));
     Ok(())
 }
@@ -50,7 +54,7 @@ pub(super) fn point<S: Format, A: Attenuation>(
 pub(super) fn directional<S: Format>(case: &mut Case<'_>) -> Outcome {
     let (direction, intensity) = (case.vector("axis"), case.number("intensity"));
     let normal = case.normal::<S>("normal");
-    let light = Directional::new(direction)?.with_intensity(intensity)?.compile::<S>();
+    let light = DirectionalLight::new(direction)?.with_intensity(intensity)?.compile::<S>();
     case.give(light.irradiance(normal));
     Ok(())
 }
@@ -58,7 +62,7 @@ pub(super) fn directional<S: Format>(case: &mut Case<'_>) -> Outcome {
 /// The light everywhere.
 pub(super) fn ambient<S: Format>(case: &mut Case<'_>) -> Outcome {
     let (color, intensity) = (case.color("color"), case.number("intensity"));
-    let light = Ambient::new(color)?.with_intensity(intensity)?;
+    let light = AmbientLight::new(color)?.with_intensity(intensity)?;
     case.give_color(light.compile::<S>());
     Ok(())
 }

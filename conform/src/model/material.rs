@@ -1,27 +1,31 @@
 //! What a surface sends back, and the whole way from lights to a display.
 
 use luminaire::{
-    Ambient, Angle, Cone, Directional, Exposure, InverseSquare, Material, Phong, Rgb565, Soft, Specular,
-    Spot, SquaredWindow, Surface, encode_srgb, keep_hue,
+    AmbientLight, Angle, Cone, DirectionalLight, Material, SpotLight,
+    attenuation::{FilamentRange, InverseSquare},
+    display::{Exposure, Rgb565, encode_srgb, keep_hue},
+    falloff::Soft,
+    light::SurfacePoint,
+    specular::{Phong, SpecularLobe},
 };
 
 use crate::case::{Case, Outcome};
 use crate::word::Format;
 
 /// What a material sends back of a directional light.
-pub(super) fn reflect<S: Format, H: Specular>(case: &mut Case<'_>, highlight: H) -> Outcome {
+pub(super) fn reflect<S: Format, H: SpecularLobe>(case: &mut Case<'_>, highlight: H) -> Outcome {
     let (diffuse, specular, shininess) =
         (case.color("diffuse"), case.color("specular"), case.whole("shininess"));
     let (direction, intensity) = (case.vector("axis"), case.number("intensity"));
     let (color, specular_color) = (case.color("color"), case.color("specular color"));
     let (normal, view) = (case.normal::<S>("normal"), case.direction::<S>("view"));
     let material = Material::new(diffuse)?.with_highlight(highlight, specular, shininess)?;
-    let light = Directional::new(direction)?.with_intensity(intensity)?.with_color(color)?;
+    let light = DirectionalLight::new(direction)?.with_intensity(intensity)?.with_color(color)?;
     let light = light.with_specular_color(specular_color)?.compile::<S>();
     case.give_color(
         material
             .compile::<S>()
-            .reflect(&Surface { view, ..Surface::matte(Default::default(), normal) }, &light),
+            .reflect(&SurfacePoint { view, ..SurfacePoint::matte(Default::default(), normal) }, &light),
     );
     Ok(())
 }
@@ -38,7 +42,7 @@ pub(super) fn glow<S: Format>(case: &mut Case<'_>) -> Outcome {
 /// The direction from a point to an eye.
 pub(super) fn view<S: Format>(case: &mut Case<'_>) -> Outcome {
     let (eye, point) = (case.point::<S>("eye"), case.point::<S>("point"));
-    let view = Surface::<S>::seen_from(eye, point, Default::default()).view;
+    let view = SurfacePoint::<S>::seen_from(eye, point, Default::default()).view;
     for component in [view.x, view.y, view.z] {
         case.give(component);
     }
@@ -54,12 +58,12 @@ pub(super) fn lit_point<S: Format>(case: &mut Case<'_>) -> Outcome {
     let (shininess, factor) = (case.whole("shininess"), case.number("exposure"));
     let (eye, point, normal) = (case.point::<S>("eye"), case.point::<S>("point"), case.normal::<S>("normal"));
     let cone = Cone::from_field(Soft, Angle::degrees(field))?;
-    let spot = Spot::new(position, axis, cone)?.with_intensity(intensity)?.with_color(color)?;
-    let spot = spot.with_attenuation(SquaredWindow::new(InverseSquare, Some(range))?).compile::<S>()?;
-    let sky = Ambient::new(color)?.with_intensity(0.05)?.compile::<S>();
+    let spot = SpotLight::new(position, axis, cone)?.with_intensity(intensity)?.with_color(color)?;
+    let spot = spot.with_attenuation(FilamentRange::new(InverseSquare, Some(range))?).compile::<S>()?;
+    let sky = AmbientLight::new(color)?.with_intensity(0.05)?.compile::<S>();
     let material = Material::new(diffuse)?.with_highlight(Phong, specular, shininess)?.compile::<S>();
     let exposure = Exposure::factor(factor)?.compile::<S>();
-    let surface = Surface::seen_from(eye, point, normal);
+    let surface = SurfacePoint::seen_from(eye, point, normal);
     let light = material.glow(sky).plus::<S>(material.reflect(&surface, &spot));
     case.give_color(light);
     let shown = keep_hue::<S>(exposure.expose(light));

@@ -8,9 +8,10 @@ mod material;
 mod seam;
 
 use luminaire::{
-    Blend, BlinnPhong, Cubic, CutOff, DualCone, Edge, Fx16, Fx32, Hard, HardRange, InverseSquare, Linear,
-    Lyon, Matte, Phong, Polynomial, Power, Rim, Smooth, SmoothRange, Soft, SquaredWindow, Table,
-    Unattenuated, Windowed,
+    Fx16, Fx32,
+    attenuation::{CutAt, FilamentRange, GltfRange, InverseSquare, NoAttenuation, Polynomial, SmoothRange},
+    falloff::{Cubic, Hard, InvertedPower, Linear, Power, Quadratic, Smooth, Soft, SoftOrHard, Step, Table},
+    specular::{BlinnPhong, DifferenceForm, DualConeLobe, NoSpecular, Phong},
 };
 
 use crate::case::{Case, Outcome};
@@ -67,8 +68,8 @@ macro_rules! once {
     };
 }
 
-fn blend(case: &mut Case<'_>) -> Result<Blend, luminaire::Error> {
-    Blend::new(case.number("edge slope of a blend"))
+fn blend(case: &mut Case<'_>) -> Result<Quadratic, luminaire::Error> {
+    Quadratic::new(case.number("edge slope of a blend"))
 }
 
 fn cubic(case: &mut Case<'_>) -> Result<Cubic, luminaire::Error> {
@@ -94,12 +95,12 @@ pub static MODELS: &[Model] = &[
     once!("cone soft", case => falloff::cone(case, |_| Ok(Soft))),
     once!("cone hard", case => falloff::cone(case, |_| Ok(Hard))),
     once!("cone linear", case => falloff::cone(case, |_| Ok(Linear))),
-    once!("cone cut-off", case => falloff::cone(case, |_| Ok(CutOff))),
+    once!("cone cut-off", case => falloff::cone(case, |_| Ok(Step))),
     once!("cone smooth", case => falloff::cone(case, |_| Ok(Smooth))),
     once!("cone blend", case => falloff::cone(case, blend)),
     once!("cone cubic", case => falloff::cone(case, cubic)),
     once!("cone power-15", case => falloff::cone(case, |_| Ok(Power::<15>))),
-    once!("cone rim-4", case => falloff::cone(case, |_| Ok(Rim::<4>))),
+    once!("cone rim-4", case => falloff::cone(case, |_| Ok(InvertedPower::<4>))),
     once!("cone table", case => falloff::cone(case, table)),
     once!("cone two-angles", case => falloff::two_angles(case)),
     once!("cone two-angles-and-slope", case => falloff::two_angles_and_slope(case)),
@@ -107,7 +108,7 @@ pub static MODELS: &[Model] = &[
     each!("falloff soft", S, case => falloff::falloff::<S, _>(case, |_| Ok(Soft))),
     each!("falloff hard", S, case => falloff::falloff::<S, _>(case, |_| Ok(Hard))),
     each!("falloff linear", S, case => falloff::falloff::<S, _>(case, |_| Ok(Linear))),
-    each!("falloff cut-off", S, case => falloff::falloff::<S, _>(case, |_| Ok(CutOff))),
+    each!("falloff cut-off", S, case => falloff::falloff::<S, _>(case, |_| Ok(Step))),
     each!("falloff smooth", S, case => falloff::falloff::<S, _>(case, |_| Ok(Smooth))),
     each!("falloff blend", S, case => falloff::falloff::<S, _>(case, blend)),
     each!("falloff cubic", S, case => falloff::falloff::<S, _>(case, cubic)),
@@ -115,23 +116,23 @@ pub static MODELS: &[Model] = &[
     each!("falloff power-4", S, case => falloff::falloff::<S, _>(case, |_| Ok(Power::<4>))),
     each!("falloff power-15", S, case => falloff::falloff::<S, _>(case, |_| Ok(Power::<15>))),
     each!("falloff power-128", S, case => falloff::falloff::<S, _>(case, |_| Ok(Power::<128>))),
-    each!("falloff rim-4", S, case => falloff::falloff::<S, _>(case, |_| Ok(Rim::<4>))),
+    each!("falloff rim-4", S, case => falloff::falloff::<S, _>(case, |_| Ok(InvertedPower::<4>))),
     each!("falloff table", S, case => falloff::falloff::<S, _>(case, table)),
     each!("spot soft", S, case => light::spot::<S, _>(case, |_| Ok(Soft))),
     each!("spot hard", S, case => light::spot::<S, _>(case, |_| Ok(Hard))),
-    each!("spot either-edge", S, case => light::spot::<S, _>(case, |_| Ok(Edge::Hard))),
+    each!("spot either-edge", S, case => light::spot::<S, _>(case, |_| Ok(SoftOrHard::Hard))),
     each!("spot between", S, case => light::between::<S>(case)),
-    each!("point unattenuated", S, case => light::point::<S, _>(case, |_| Ok(Unattenuated))),
+    each!("point unattenuated", S, case => light::point::<S, _>(case, |_| Ok(NoAttenuation))),
     each!("point inverse-square", S, case => light::point::<S, _>(case, |_| Ok(InverseSquare))),
     each!("point polynomial", S, case => light::point::<S, _>(case, polynomial)),
     each!("point smooth-range", S, case => light::point::<S, _>(case, |case| SmoothRange::new(range(case)))),
-    each!("point windowed", S, case => light::point::<S, _>(case, |case| Windowed::new(InverseSquare, Some(range(case))))),
-    each!("point windowed-without-range", S, case => light::point::<S, _>(case, |_| Windowed::new(InverseSquare, None))),
+    each!("point windowed", S, case => light::point::<S, _>(case, |case| GltfRange::new(InverseSquare, Some(range(case))))),
+    each!("point windowed-without-range", S, case => light::point::<S, _>(case, |_| GltfRange::new(InverseSquare, None))),
     each!("point squared-window", S, case => {
-        light::point::<S, _>(case, |case| SquaredWindow::new(InverseSquare, Some(range(case))))
+        light::point::<S, _>(case, |case| FilamentRange::new(InverseSquare, Some(range(case))))
     }),
     each!("point hard-range", S, case => {
-        light::point::<S, _>(case, |case| HardRange::new(Unattenuated, Some(range(case))))
+        light::point::<S, _>(case, |case| CutAt::new(NoAttenuation, Some(range(case))))
     }),
     each!("place", S, case => beam::place::<S>(case)),
     each!("gobo", S, case => beam::gobo::<S>(case)),
@@ -139,12 +140,12 @@ pub static MODELS: &[Model] = &[
     once!("air-light", case => beam::air_light(case)),
     each!("directional", S, case => light::directional::<S>(case)),
     each!("ambient", S, case => light::ambient::<S>(case)),
-    each!("reflect matte", S, case => material::reflect::<S, _>(case, Matte)),
+    each!("reflect matte", S, case => material::reflect::<S, _>(case, NoSpecular)),
     each!("reflect phong", S, case => material::reflect::<S, _>(case, Phong)),
     each!("reflect blinn-phong", S, case => material::reflect::<S, _>(case, BlinnPhong)),
-    each!("reflect dual-cone", S, case => material::reflect::<S, _>(case, DualCone)),
-    each!("reflect lyon-2-phong", S, case => material::reflect::<S, _>(case, Lyon::<_, 2>(Phong))),
-    each!("reflect lyon-3-blinn-phong", S, case => material::reflect::<S, _>(case, Lyon::<_, 3>(BlinnPhong))),
+    each!("reflect dual-cone", S, case => material::reflect::<S, _>(case, DualConeLobe)),
+    each!("reflect lyon-2-phong", S, case => material::reflect::<S, _>(case, DifferenceForm::<_, 2>(Phong))),
+    each!("reflect lyon-3-blinn-phong", S, case => material::reflect::<S, _>(case, DifferenceForm::<_, 3>(BlinnPhong))),
     each!("glow", S, case => material::glow::<S>(case)),
     each!("view", S, case => material::view::<S>(case)),
     each!("lit-point", S, case => material::lit_point::<S>(case)),

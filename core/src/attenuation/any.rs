@@ -1,43 +1,43 @@
 //! An attenuation chosen at run time.
 
 use super::{
-    Attenuation, Faded, HardRange, InverseSquare, Polynomial, SmoothRange, SquaredWindow, Unattenuated,
+    Attenuation, CutAt, FilamentRange, GltfRange, InverseSquare, NoAttenuation, Polynomial, SmoothRange,
     Windowed,
 };
 use crate::{
     effect::Effects,
     models::attenuations,
-    scalar::{Ray, Scalar},
+    number::{Ray, Scalar},
 };
 
 /// The enums of the list, and what is one arm a row.
 macro_rules! any_attenuation {
     ($($(#[$doc:meta])* $variant:ident($type:ty),)*) => {
         /// Any attenuation, chosen at run time: that of a light of [another system](crate::import), or of a
-        /// [`Lamp`](crate::Lamp).
+        /// [`AnyLight`](crate::Lamp).
         ///
-        /// It branches per point; [`CompiledLamp::arrive_each`](crate::CompiledLamp::arrive_each) branches
+        /// It branches per point; [`CompiledAnyLight::arrive_each`](crate::CompiledLamp::arrive_each) branches
         /// once per light.
         #[derive(Clone, Copy, PartialEq, Debug)]
         #[non_exhaustive]
-        pub enum Distance {
+        pub enum AnyAttenuation {
             $($(#[$doc])* $variant($type),)*
         }
 
-        /// The constants of a [`Distance`].
+        /// The constants of a [`AnyAttenuation`].
         #[derive(Clone, Copy, PartialEq, Debug)]
         #[non_exhaustive]
-        pub enum CompiledDistance<S: Scalar> {
+        pub enum CompiledAnyAttenuation<S: Scalar> {
             $($(#[$doc])* $variant(<$type as Attenuation>::Constants<S>),)*
         }
 
-        $(impl From<$type> for Distance {
+        $(impl From<$type> for AnyAttenuation {
             fn from(attenuation: $type) -> Self {
                 Self::$variant(attenuation)
             }
         })*
 
-        impl Distance {
+        impl AnyAttenuation {
             /// Where the light ends, if it does.
             pub fn range(&self) -> Option<f32> {
                 match self {
@@ -46,12 +46,12 @@ macro_rules! any_attenuation {
             }
         }
 
-        impl Attenuation for Distance {
-            type Constants<S: Scalar> = CompiledDistance<S>;
+        impl Attenuation for AnyAttenuation {
+            type Constants<S: Scalar> = CompiledAnyAttenuation<S>;
 
-            fn constants<S: Scalar>(self) -> CompiledDistance<S> {
+            fn constants<S: Scalar>(self) -> CompiledAnyAttenuation<S> {
                 match self {
-                    $(Self::$variant(attenuation) => CompiledDistance::$variant(attenuation.constants::<S>()),)*
+                    $(Self::$variant(attenuation) => CompiledAnyAttenuation::$variant(attenuation.constants::<S>()),)*
                 }
             }
 
@@ -78,18 +78,18 @@ macro_rules! any_attenuation {
             }
 
             #[inline(always)]
-            fn is_inverse_square<S: Scalar>(constants: &CompiledDistance<S>) -> bool {
+            fn is_inverse_square<S: Scalar>(constants: &CompiledAnyAttenuation<S>) -> bool {
                 with_attenuation!(constants, inner: Inner => Inner::is_inverse_square::<S>(inner))
             }
 
             #[inline(always)]
-            fn is_beyond<S: Scalar>(constants: &CompiledDistance<S>, offset: &S::Offset) -> bool {
+            fn is_beyond<S: Scalar>(constants: &CompiledAnyAttenuation<S>, offset: &S::Offset) -> bool {
                 with_attenuation!(constants, inner: Inner => Inner::is_beyond::<S>(inner, offset))
             }
 
             #[inline(always)]
             fn expose<S: Scalar, R: Ray<S>>(
-                constants: &CompiledDistance<S>,
+                constants: &CompiledAnyAttenuation<S>,
                 offset: &S::Offset,
                 ray: &R,
                 share: R::Share,
@@ -103,12 +103,12 @@ macro_rules! any_attenuation {
     };
 }
 
-/// Evaluates an expression with the constants of a [`CompiledDistance`] and the type of the attenuation.
+/// Evaluates an expression with the constants of a [`CompiledAnyAttenuation`] and the type of the attenuation.
 macro_rules! with_attenuation {
     ([$compiled:expr, $constants:ident, $type:ident, $answer:expr]
      $($(#[$doc:meta])* $variant:ident($attenuation:ty),)*) => {
         match $compiled {
-            $($crate::attenuation::CompiledDistance::$variant($constants) => {
+            $($crate::attenuation::CompiledAnyAttenuation::$variant($constants) => {
                 #[allow(clippy::wildcard_imports, reason = "the types of the list, wherever it is used")]
                 use $crate::attenuation::*;
                 type $type = $attenuation;
@@ -128,12 +128,12 @@ attenuations!(any_attenuation!);
 /// An attenuation that has no range of its own is one without a range.
 macro_rules! from_unlimited {
     ($($type:ty => $variant:ident)*) => {$(
-        impl From<$type> for Distance {
+        impl From<$type> for AnyAttenuation {
             fn from(attenuation: $type) -> Self {
-                Self::$variant(HardRange::unlimited(attenuation))
+                Self::$variant(CutAt::unlimited(attenuation))
             }
         }
     )*};
 }
 
-from_unlimited!(Unattenuated => Constant InverseSquare => InverseSquare Polynomial => Polynomial);
+from_unlimited!(NoAttenuation => Constant InverseSquare => InverseSquare Polynomial => Polynomial);

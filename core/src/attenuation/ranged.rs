@@ -6,7 +6,7 @@ use super::{Attenuation, InverseSquare, checked_range, dimmed, inverse_squared, 
 use crate::{
     effect::{Effect, Effects},
     error::Error,
-    scalar::{Ray, Scalar, Share},
+    number::{Ray, Scalar, Share},
 };
 
 /// An attenuation that a window ends at a range.
@@ -18,13 +18,13 @@ pub struct Ranged<W, A> {
 }
 
 /// An attenuation, cut off at a range: unchanged within it, 0 from there on.
-pub type HardRange<A> = Ranged<Cut, A>;
+pub type CutAt<A> = Ranged<Cut, A>;
 /// An attenuation times `(1 - (d/r)^4)^2`, which ends it at a range without a rim.
-pub type Faded<A> = Ranged<SquareWindow, A>;
+pub type Windowed<A> = Ranged<SquareWindow, A>;
 /// The inverse-square law times glTF's window `1 - (d/r)^4`.
-pub type Windowed = Ranged<GltfWindow, InverseSquare>;
+pub type GltfRange = Ranged<GltfWindow, InverseSquare>;
 /// The inverse-square law times `(1 - (d/r)^4)^2`, the window of Filament, Bevy and three.js.
-pub type SquaredWindow = Ranged<SquareWindow, InverseSquare>;
+pub type FilamentRange = Ranged<SquareWindow, InverseSquare>;
 
 /// How a range ends an attenuation.
 pub trait Window: Copy + PartialEq + core::fmt::Debug {

@@ -3,14 +3,14 @@
 use super::Cone;
 use crate::{
     angle::Angle,
-    error::{Accepted, Error, Parameter},
-    profile::{
-        Blend, Cubic, Fitted, Hard, Profile,
+    error::{Error, Expected, Parameter},
+    falloff::{
+        Cubic, Falloff, FittedFalloff, Hard, Quadratic,
         fit::{self, DEFAULT_SLOPE, HARD_RATIO, LEAST_RATIO, MOST_RATIO, SOFT_RATIO},
     },
 };
 
-impl Cone<Fitted> {
+impl Cone<FittedFalloff> {
     /// The cone that has half of its intensity left at the one angle and a tenth at the other.
     ///
     /// What can be had depends on `r`, the versine of half the field angle over that of half the beam angle:
@@ -18,7 +18,7 @@ impl Cone<Fitted> {
     /// | r | profile |
     /// |---|---|
     /// | 1 to 1.3416 | the hard edge around a hotspot; at 1, where both angles are equal, a step |
-    /// | 1.3416 to 2.3345 | the [`Blend`] of hard and soft that has this ratio |
+    /// | 1.3416 to 2.3345 | the [`Quadratic`] of hard and soft that has this ratio |
     /// | 2.3345 to 5.437 | the [`Cubic`] of edge slope 1.34 that has this ratio |
     ///
     /// The two quadratics of Hast 2004 are the ends of the middle row. In wide cones a blend's outer angle may pass
@@ -56,7 +56,7 @@ impl Cone<Cubic> {
         let (beam, field) = (beam.into(), field.into());
         let (least, most) = Self::edge_slopes(beam, field)?;
         if !(least..=most).contains(&edge_slope) {
-            let accepted = Accepted::Between(least, most);
+            let accepted = Expected::Between(least, most);
             return Err(Error { parameter: Parameter::EdgeSlope, value: edge_slope, accepted });
         }
         design(beam, field, |beam, field| cubic(beam, field, edge_slope))
@@ -82,13 +82,13 @@ fn design<T>(beam: Angle, field: Angle, design: impl Fn(f32, f32) -> Option<T>) 
     let (near, far) = (beam.versine(), field.versine());
     // An angle above zero may be so small that its versine is none.
     if !(beam > Angle::degrees(0.0) && beam <= Angle::degrees(180.0) && near >= f32::MIN_POSITIVE) {
-        let accepted = Accepted::AngleUpTo(180.0);
+        let accepted = Expected::AngleUpTo(180.0);
         return Err(Error { parameter: Parameter::BeamAngle, value: beam.to_degrees(), accepted });
     }
     let designed = if field >= beam && field <= Angle::degrees(180.0) { design(near, far) } else { None };
     designed.ok_or_else(|| {
         let (least, most) = reach(near, |field| design(near, field).is_some());
-        let accepted = Accepted::AngleBetween(
+        let accepted = Expected::AngleBetween(
             if least > near { Angle::from_versine(least).to_degrees() } else { beam.to_degrees() },
             Angle::from_versine(most).to_degrees(),
         );
@@ -112,28 +112,28 @@ fn reach(beam: f32, can: impl Fn(f32) -> bool) -> (f32, f32) {
 }
 
 /// The profile and the cone for the versines of a beam and a field angle.
-fn fitted(beam: f32, field: f32) -> Option<Cone<Fitted>> {
+fn fitted(beam: f32, field: f32) -> Option<Cone<FittedFalloff>> {
     let ratio = field / beam;
     let quadratic = if ratio <= HARD_RATIO {
         Some(hotspot(beam, field))
     } else if ratio <= SOFT_RATIO {
         let blend = fit::quadratic(ratio);
-        Some(Cone::open(Fitted::Blend(blend), 0.0, field / blend.field_versine()))
+        Some(Cone::open(FittedFalloff::Quadratic(blend), 0.0, field / blend.field_versine()))
     } else {
         None
     };
-    let within = |cone: &Cone<Fitted>| cone.outer <= 1.0;
+    let within = |cone: &Cone<FittedFalloff>| cone.outer <= 1.0;
     quadratic.filter(within).or_else(|| {
         let cubic = cubic(beam, field, DEFAULT_SLOPE)?;
-        Some(cubic.with_profile(Fitted::Cubic(cubic.profile())))
+        Some(cubic.with_profile(FittedFalloff::Cubic(cubic.profile())))
     })
 }
 
 /// The hard edge around a hotspot, which has any ratio below its own.
-fn hotspot(beam: f32, field: f32) -> Cone<Fitted> {
+fn hotspot(beam: f32, field: f32) -> Cone<FittedFalloff> {
     let span = (field - beam) / (Hard.field_versine() - Hard.beam_versine());
     let inner = (beam - span * Hard.beam_versine()).max(0.0);
-    Cone::open(Fitted::Blend(Blend::HARD), inner, field + span * (1.0 - Hard.field_versine()))
+    Cone::open(FittedFalloff::Quadratic(Quadratic::HARD), inner, field + span * (1.0 - Hard.field_versine()))
 }
 
 /// The cubic cone of an edge slope, if it ends within 180 degrees.

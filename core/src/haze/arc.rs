@@ -1,7 +1,7 @@
 //! A view ray as the lamp sees it: an arc of directions.
 
 use super::ViewRay;
-use crate::{scalar::float::positive, trig, vec3::Vec3};
+use crate::{number::float::positive, trig, vec3::Vec3};
 
 /// Where a beam has light: the lamp and its axis, the lamp's radius and the light's range, both squared.
 #[derive(Clone, Copy, Debug)]

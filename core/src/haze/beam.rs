@@ -8,19 +8,19 @@ use super::{
 };
 use crate::{
     attenuation::{Attenuation, InverseSquare},
-    cone::Falloff,
-    profile::{Edge, Profile},
-    scalar::{Gain, Offset, Scalar, float::clamp},
-    shade::CompiledSpot,
+    cone::CompiledCone,
+    falloff::{Falloff, SoftOrHard},
+    number::{Gain, Offset, Scalar, float::clamp},
+    shade::CompiledSpotLight,
     vec3::Vec3,
 };
 
-/// The beam of a spotlight in haze. Made by [`CompiledSpot::in_haze`].
+/// The beam of a spotlight in haze. Made by [`CompiledSpotLight::in_haze`].
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct HazyBeam<P: Profile = Edge, A: Attenuation = InverseSquare> {
+pub struct BeamScattering<P: Falloff = SoftOrHard, A: Attenuation = InverseSquare> {
     pub(crate) position: Vec3<f32>,
     pub(crate) axis: Vec3<f32>,
-    pub(crate) falloff: Falloff<f32, P>,
+    pub(crate) falloff: CompiledCone<f32, P>,
     pub(crate) attenuation: A::Constants<f32>,
     pub(crate) gain: f32,
     /// The versine up to which the intensity is that of the axis, and the one from which on there is none,
@@ -37,12 +37,12 @@ const STEP: f32 = 1.0 / 65_536.0;
 /// Where space ends. Squares of distances and products of two of them stay within f32.
 pub(super) const FARTHEST: f32 = 1e15;
 
-impl<P: Profile, A: Attenuation> CompiledSpot<f32, P, A> {
+impl<P: Falloff, A: Attenuation> CompiledSpotLight<f32, P, A> {
     /// The beam of this light in haze.
-    pub fn in_haze(&self, haze: &Haze) -> HazyBeam<P, A> {
+    pub fn in_haze(&self, haze: &Haze) -> BeamScattering<P, A> {
         let radius = haze.lamp_radius();
         let reach = range::<A>(&self.attenuation);
-        HazyBeam {
+        BeamScattering {
             position: self.position,
             axis: self.axis,
             falloff: self.falloff,
@@ -54,13 +54,13 @@ impl<P: Profile, A: Attenuation> CompiledSpot<f32, P, A> {
     }
 }
 
-impl<P: Profile, A: Attenuation> HazyBeam<P, A> {
-    /// The beam of these parts, as [`source`](crate::source) writes them: the two versines between which
+impl<P: Falloff, A: Attenuation> BeamScattering<P, A> {
+    /// The beam of these parts, as [`source`](crate::codegen) writes them: the two versines between which
     /// the intensity varies, and the squares of the distances between which there is light.
     pub const fn from_parts(
         position: Vec3<f32>,
         axis: Vec3<f32>,
-        falloff: Falloff<f32, P>,
+        falloff: CompiledCone<f32, P>,
         attenuation: A::Constants<f32>,
         gain: f32,
         cone: [f32; 2],
@@ -143,7 +143,7 @@ fn range<A: Attenuation>(constants: &A::Constants<f32>) -> f32 {
 }
 
 /// The versines between which the intensity of a cone varies.
-fn rim<P: Profile>(falloff: &Falloff<f32, P>) -> [f32; 2] {
+fn rim<P: Falloff>(falloff: &CompiledCone<f32, P>) -> [f32; 2] {
     let [_, limit, _] = falloff.ramp.to_bits().map(f32::from_bits);
     let limit = clamp(limit);
     let full = falloff.at(0.0);

@@ -1,15 +1,15 @@
 //! Many view rays at once, and whether a beam can meet any of them.
 
 use super::{
-    HazyBeam,
+    BeamScattering,
     arc::{Extent, cross},
     beam::FARTHEST,
 };
-use crate::{attenuation::Attenuation, profile::Profile, scalar::float::positive, trig, vec3::Vec3};
+use crate::{attenuation::Attenuation, falloff::Falloff, number::float::positive, trig, vec3::Vec3};
 
 /// Every view ray from an eye within an angle of a direction, up to a length: those of a tile of a picture.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct ViewBundle {
+pub struct RayBundle {
     /// Where the eye is.
     pub eye: Vec3<f32>,
     /// The direction in the middle, of unit length.
@@ -24,7 +24,7 @@ pub struct ViewBundle {
 /// hundred of them.
 const MARGIN: f32 = 2e-5;
 
-impl ViewBundle {
+impl RayBundle {
     /// The least bundle around a direction that has the rays of these others, all of unit length: the
     /// corners of a tile are enough, because a bundle has whatever lies between its rays.
     pub fn around(eye: Vec3<f32>, direction: Vec3<f32>, others: &[Vec3<f32>], length: f32) -> Self {
@@ -78,7 +78,7 @@ fn reversed(v: Vec3<f32>) -> Vec3<f32> {
     v.map(|c| -c)
 }
 
-impl<P: Profile, A: Attenuation> HazyBeam<P, A> {
+impl<P: Falloff, A: Attenuation> BeamScattering<P, A> {
     /// Whether any ray of a bundle may have [`air_light`](Self::air_light). Where this says no, each has
     /// exactly none; where it says yes, all may have none.
     ///
@@ -88,7 +88,7 @@ impl<P: Profile, A: Attenuation> HazyBeam<P, A> {
     /// those that touch beam or bundle: a ray beside the beam is told by one that touches the beam between where the
     /// ray begins and where it ends, seen along the axis. Each is tried as it has come out of its construction, whose
     /// roundings can lose a no and cannot make one.
-    pub fn can_meet(&self, bundle: &ViewBundle) -> bool {
+    pub fn can_meet(&self, bundle: &RayBundle) -> bool {
         let Extent { position, axis, reach_squared, .. } = self.extent();
         let eye = bundle.eye.zip(position, |e, p| e - p);
         let (back, distance) = (unit(eye), trig::sqrt(eye.dot(eye)));

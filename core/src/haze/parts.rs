@@ -2,15 +2,15 @@
 //! that best.
 
 use super::{
-    HazyBeam, ViewRay,
+    BeamScattering, ViewRay,
     arc::{Arc, Span},
     beam::by_angle,
     stretch::Stretch,
 };
-use crate::{attenuation::Attenuation, profile::Profile, vec3::Vec3};
+use crate::{attenuation::Attenuation, falloff::Falloff, vec3::Vec3};
 
 /// Is told so many points in a beam and what the haze scatters at each, and leaves of that what gets through to it.
-pub type AirFilter<'a, const PARTS: usize> = dyn FnMut(&Vec3<[f32; PARTS]>, &mut [f32; PARTS]) + 'a;
+pub type TransmittanceFn<'a, const PARTS: usize> = dyn FnMut(&Vec3<[f32; PARTS]>, &mut [f32; PARTS]) + 'a;
 
 /// The part of a view ray that is in a beam, divided by what its light is summed over.
 struct Parts {
@@ -22,7 +22,7 @@ struct Parts {
     scale: f32,
 }
 
-impl<P: Profile, A: Attenuation> HazyBeam<P, A> {
+impl<P: Falloff, A: Attenuation> BeamScattering<P, A> {
     /// As [`air_light`](Self::air_light), weighted by what gets through to each of so many places of the
     /// ray in the beam: by a pattern in front of the lamp or past what throws a shadow, as `transmission`
     /// tells of a point of the world, from 0 to 1. The places are in the middle of parts that are equal
@@ -50,7 +50,7 @@ impl<P: Profile, A: Attenuation> HazyBeam<P, A> {
     pub(crate) fn air_light_filtered<const PARTS: usize>(
         &self,
         view: &ViewRay,
-        filter: &mut AirFilter<'_, PARTS>,
+        filter: &mut TransmittanceFn<'_, PARTS>,
     ) -> f32 {
         let parts = self.parts(view, PARTS as u32);
         if !(parts.arc.is_any() && parts.step > 0.0) {

@@ -1,11 +1,11 @@
 //! Lights of Direct3D's fixed functions.
 
-use super::{Difference, Distance, Imported, fall, ramp, spot};
+use super::{AnyAttenuation, Difference, Imported, fall, ramp, spot};
 use crate::{
     angle::Angle,
     error::{Error, Parameter, check_between, check_up_to},
-    light::Spot,
-    profile::Matched,
+    falloff::AnyFalloff,
+    light::SpotLight,
     vec3::Vec3,
 };
 
@@ -26,7 +26,7 @@ pub struct Direct3d {
     pub theta: f32,
     /// `Phi`: the full outer angle in radians, more than 0 and at most pi.
     pub phi: f32,
-    /// `Falloff`: from 0 to 1,024, 1 in most programs.
+    /// `CompiledCone`: from 0 to 1,024, 1 in most programs.
     pub falloff: f32,
     /// `Attenuation0`: from 0 to 1e9.
     pub attenuation0: f32,
@@ -45,19 +45,19 @@ impl Direct3d {
     ///
     /// # Errors
     /// A parameter out of its range, or no attenuation coefficient of at least 1e-6; a position or direction
-    /// that [`Spot::new`] refuses; an intensity that over the constant coefficient is more than 1e9.
+    /// that [`SpotLight::new`] refuses; an intensity that over the constant coefficient is more than 1e9.
     pub fn import(
         &self,
         position: Vec3<f32>,
         direction: Vec3<f32>,
-    ) -> Result<Imported<Spot<Matched, Distance>>, Error> {
+    ) -> Result<Imported<SpotLight<AnyFalloff, AnyAttenuation>>, Error> {
         check_up_to(Parameter::Phi, self.phi, core::f32::consts::PI)?;
         check_between(Parameter::Theta, self.theta, 0.0, self.phi)?;
         check_between(Parameter::Falloff, self.falloff, 0.0, 1_024.0)?;
-        let profile = Matched::real_power(self.falloff);
+        let profile = AnyFalloff::real_power(self.falloff);
         let (theta, phi) = (Angle::radians(self.theta), Angle::radians(self.phi));
         // A step has no inner angle.
-        let is_step = theta >= phi || matches!(profile, Matched::CutOff(_));
+        let is_step = theta >= phi || matches!(profile, AnyFalloff::Step(_));
         let cone = ramp(profile, if is_step { phi } else { theta }, phi)?;
         let coefficients = [self.attenuation0, self.attenuation1, self.attenuation2];
         let range = if self.range > 1e9 { None } else { Some(self.range) };

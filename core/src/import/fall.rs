@@ -1,10 +1,10 @@
 //! How an imported light falls with distance.
 
-use super::Distance;
+use super::AnyAttenuation;
 use crate::{
-    attenuation::{Faded, HardRange, InverseSquare, Polynomial, SquaredWindow, Unattenuated},
+    attenuation::{CutAt, FilamentRange, InverseSquare, NoAttenuation, Polynomial, Windowed},
     error::{Error, Parameter, check_between},
-    profile::exponent::real_power,
+    falloff::exponent::real_power,
     search::{least_at, maximum},
 };
 
@@ -20,7 +20,7 @@ const MOST_CAP: f32 = 6e7;
 
 /// A distance model in the place of another system's.
 pub(super) struct Fall {
-    pub(super) distance: Distance,
+    pub(super) distance: AnyAttenuation,
     /// The intensity, with whatever the model had to be scaled by.
     pub(super) intensity: f32,
     /// How far it is from the original at most.
@@ -37,16 +37,16 @@ pub(super) fn polynomial(coefficients: [f32; 3], range: Option<f32>, intensity: 
     let [constant, linear, quadratic] = coefficients;
     check_between(Parameter::Attenuation, constant.max(linear).max(quadratic), 1e-6, MOST)?;
     let (distance, scale) = if linear == 0.0 && quadratic == 0.0 {
-        (Distance::Constant(HardRange::new(Unattenuated, range)?), 1.0 / constant)
+        (AnyAttenuation::Constant(CutAt::new(NoAttenuation, range)?), 1.0 / constant)
     } else if constant == 0.0 && linear == 0.0 {
-        (Distance::InverseSquare(HardRange::new(InverseSquare, range)?), 1.0 / quadratic)
+        (AnyAttenuation::InverseSquare(CutAt::new(InverseSquare, range)?), 1.0 / quadratic)
     } else {
         // The polynomial is capped at 1: it is scaled until the cap is never met, and the intensity with it.
         const NEAREST: f32 = 1e-3;
         let has_constant = linear.max(quadratic) <= MOST * constant;
         let least = if has_constant { constant } else { constant + NEAREST * (linear + NEAREST * quadratic) };
         let polynomial = Polynomial::new(constant / least, linear / least, quadratic / least)?;
-        (Distance::Polynomial(HardRange::new(polynomial, range)?), 1.0 / least)
+        (AnyAttenuation::Polynomial(CutAt::new(polynomial, range)?), 1.0 / least)
     };
     Ok(Fall { distance, intensity: intensity * scale, difference: 0.0 })
 }
@@ -56,11 +56,11 @@ pub(super) fn decay(decay: f32, stop: f64, range: Option<f32>, intensity: f32) -
     check_between(Parameter::Decay, decay, 0.0, 16.0)?;
     check_between(Parameter::Intensity, intensity, 0.0, MOST)?;
     if decay == 0.0 {
-        let distance = Distance::FadedConstant(Faded::new(Unattenuated, range)?);
+        let distance = AnyAttenuation::WindowedConstant(Windowed::new(NoAttenuation, range)?);
         return Ok(Fall { distance, intensity, difference: 0.0 });
     }
     if decay == 2.0 {
-        let distance = Distance::SquaredWindow(SquaredWindow::new(InverseSquare, range)?);
+        let distance = AnyAttenuation::FilamentRange(FilamentRange::new(InverseSquare, range)?);
         return Ok(Fall { distance, intensity, difference: 0.0 });
     }
     let original = Decay::new(decay, stop, range);
@@ -68,7 +68,7 @@ pub(super) fn decay(decay: f32, stop: f64, range: Option<f32>, intensity: f32) -
     let (divisor, difference) = original.nearest(cap.into());
     let [constant, linear, quadratic] = divisor.coefficients().map(|value| value * cap);
     let polynomial = Polynomial::new(constant, linear, quadratic)?;
-    let distance = Distance::FadedPolynomial(Faded::new(polynomial, range)?);
+    let distance = AnyAttenuation::WindowedPolynomial(Windowed::new(polynomial, range)?);
     Ok(Fall { distance, intensity: (intensity * cap).min(MOST), difference })
 }
 

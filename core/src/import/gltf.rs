@@ -1,13 +1,13 @@
 //! Lights of glTF.
 
-use super::{Difference, Distance, Imported, fall::Fall, ramp, spot};
+use super::{AnyAttenuation, Difference, Imported, fall::Fall, ramp, spot};
 use crate::{
     angle::{Angle, HalfAngle},
-    attenuation::{InverseSquare, Windowed},
+    attenuation::{GltfRange, InverseSquare},
     cone::Cone,
     error::{Error, Parameter, check_between, check_up_to},
-    light::Spot,
-    profile::{Matched, Soft},
+    falloff::{AnyFalloff, Soft},
+    light::SpotLight,
     vec3::Vec3,
 };
 
@@ -50,14 +50,14 @@ impl Gltf {
     /// The spotlight at a position, pointing in a direction.
     ///
     /// # Errors
-    /// A parameter out of its range; a position or direction that [`Spot::new`] refuses.
+    /// A parameter out of its range; a position or direction that [`SpotLight::new`] refuses.
     pub fn import(
         &self,
         position: Vec3<f32>,
         direction: Vec3<f32>,
-    ) -> Result<Imported<Spot<Matched, Distance>>, Error> {
+    ) -> Result<Imported<SpotLight<AnyFalloff, AnyAttenuation>>, Error> {
         let [inner, outer] = self.angles()?;
-        let cone = ramp(Matched::Soft(Soft), inner, outer)?;
+        let cone = ramp(AnyFalloff::Soft(Soft), inner, outer)?;
         self.spot(position, direction, cone, self.intensity)
     }
 
@@ -73,13 +73,13 @@ impl Gltf {
         &self,
         position: Vec3<f32>,
         direction: Vec3<f32>,
-    ) -> Result<Imported<Spot<Matched, Distance>>, Error> {
+    ) -> Result<Imported<SpotLight<AnyFalloff, AnyAttenuation>>, Error> {
         const LEAST_SPAN: f32 = 1e-3;
         let [inner, outer] = self.angles()?;
         let versine = outer.versine();
         let on_axis = (versine / LEAST_SPAN).min(1.0);
         let widest = Angle::from_versine((versine - LEAST_SPAN).max(0.0));
-        let cone = ramp(Matched::Soft(Soft), if inner < widest { inner } else { widest }, outer)?;
+        let cone = ramp(AnyFalloff::Soft(Soft), if inner < widest { inner } else { widest }, outer)?;
         self.spot(position, direction, cone, self.intensity * on_axis * on_axis)
     }
 
@@ -94,10 +94,10 @@ impl Gltf {
         &self,
         position: Vec3<f32>,
         direction: Vec3<f32>,
-        cone: Cone<Matched>,
+        cone: Cone<AnyFalloff>,
         intensity: f32,
-    ) -> Result<Imported<Spot<Matched, Distance>>, Error> {
-        let distance = Distance::Windowed(Windowed::new(InverseSquare, self.range)?);
+    ) -> Result<Imported<SpotLight<AnyFalloff, AnyAttenuation>>, Error> {
+        let distance = AnyAttenuation::GltfRange(GltfRange::new(InverseSquare, self.range)?);
         spot(position, direction, cone, Difference::NONE, Fall { distance, intensity, difference: 0.0 })
     }
 }

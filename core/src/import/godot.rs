@@ -1,15 +1,15 @@
 //! Lights of Godot.
 
 use super::{
-    Difference, Distance, Imported,
+    AnyAttenuation, Difference, Imported,
     fall::{self, Fall},
     ramp, spot,
 };
 use crate::{
     angle::{Angle, HalfAngle},
     error::{Error, Parameter, check_between, check_up_to},
-    light::Spot,
-    profile::{Matched, RealRim},
+    falloff::{AnyFalloff, InvertedRealPower},
+    light::SpotLight,
     vec3::Vec3,
 };
 
@@ -56,23 +56,23 @@ impl Godot {
     /// The spotlight at a position, pointing in a direction: in Godot the local -z of its node.
     ///
     /// # Errors
-    /// A parameter out of its range; a position or direction that [`Spot::new`] refuses.
+    /// A parameter out of its range; a position or direction that [`SpotLight::new`] refuses.
     pub fn import(
         &self,
         position: Vec3<f32>,
         direction: Vec3<f32>,
-    ) -> Result<Imported<Spot<Matched, Distance>>, Error> {
+    ) -> Result<Imported<SpotLight<AnyFalloff, AnyAttenuation>>, Error> {
         check_up_to(Parameter::SpotAngle, self.spot_angle, 90.0)?;
         let attenuation = self.spot_angle_attenuation;
         check_between(Parameter::SpotAngleAttenuation, attenuation, 1.0 / 128.0, 128.0)?;
         let exponent = 1.0 / attenuation;
-        let floored = RealRim::of(exponent, FLOOR);
+        let floored = InvertedRealPower::of(exponent, FLOOR);
         let whole = exponent as u32;
         let (profile, difference, on_axis) = if whole as f32 == exponent {
             let angle = (1.0 - floored.height()) as f32;
-            (Matched::rim(whole), Difference { angle: angle * 1.001, ..Difference::NONE }, 1.0)
+            (AnyFalloff::rim(whole), Difference { angle: angle * 1.001, ..Difference::NONE }, 1.0)
         } else {
-            (Matched::RealRim(floored), Difference::NONE, floored.height() as f32)
+            (AnyFalloff::InvertedRealPower(floored), Difference::NONE, floored.height() as f32)
         };
         let outer = Angle::from(HalfAngle::degrees(self.spot_angle));
         let cone = ramp(profile, Angle::degrees(0.0), outer)?;

@@ -1,12 +1,12 @@
 //! Lights of OpenGL's fixed functions.
 
-use super::{Difference, Distance, Imported, fall, spot};
+use super::{AnyAttenuation, Difference, Imported, fall, spot};
 use crate::{
     angle::{Angle, HalfAngle},
     cone::Cone,
-    error::{Accepted, Error, Parameter, check_between},
-    light::{Point, Spot},
-    profile::Matched,
+    error::{Error, Expected, Parameter, check_between},
+    falloff::AnyFalloff,
+    light::{PointLight, SpotLight},
     vec3::Vec3,
 };
 
@@ -39,9 +39,9 @@ pub struct OpenGl {
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum OpenGlLight {
     /// Into a cone.
-    Spot(Spot<Matched, Distance>),
+    Spot(SpotLight<AnyFalloff, AnyAttenuation>),
     /// Into all directions.
-    Point(Point<Distance>),
+    Point(PointLight<AnyAttenuation>),
 }
 
 impl Default for OpenGl {
@@ -62,13 +62,13 @@ impl OpenGl {
     ///
     /// # Errors
     /// A parameter out of its range, or no attenuation coefficient of at least 1e-6; a position or direction
-    /// that [`Spot::new`] refuses; an intensity that over the constant coefficient is more than 1e9.
+    /// that [`SpotLight::new`] refuses; an intensity that over the constant coefficient is more than 1e9.
     pub fn import(&self, position: Vec3<f32>, direction: Vec3<f32>) -> Result<Imported<OpenGlLight>, Error> {
         check_between(Parameter::SpotExponent, self.spot_exponent, 0.0, 1_024.0)?;
         let coefficients = [self.constant_attenuation, self.linear_attenuation, self.quadratic_attenuation];
         let fall = fall::polynomial(coefficients, None, self.intensity)?;
         if self.spot_cutoff == 180.0 {
-            let light = Point::new(position)?.with_intensity(fall.intensity)?;
+            let light = PointLight::new(position)?.with_intensity(fall.intensity)?;
             let light = OpenGlLight::Point(light.with_attenuation(fall.distance));
             return Ok(Imported { light, difference: Difference::NONE });
         }
@@ -79,14 +79,14 @@ impl OpenGl {
         Ok(Imported { light: OpenGlLight::Spot(light), difference })
     }
 
-    fn cone(&self) -> Result<Cone<Matched>, Error> {
+    fn cone(&self) -> Result<Cone<AnyFalloff>, Error> {
         if !(self.spot_cutoff > 0.0 && self.spot_cutoff <= 90.0) {
-            let accepted = Accepted::UpToOr(90.0, 180.0);
+            let accepted = Expected::UpToOr(90.0, 180.0);
             return Err(Error { parameter: Parameter::SpotCutoff, value: self.spot_cutoff, accepted });
         }
         let cutoff = Angle::from(HalfAngle::degrees(self.spot_cutoff));
-        match Matched::real_power(self.spot_exponent) {
-            step @ Matched::CutOff(_) => Cone::from_outer(step, cutoff),
+        match AnyFalloff::real_power(self.spot_exponent) {
+            step @ AnyFalloff::Step(_) => Cone::from_outer(step, cutoff),
             profile => Cone::from_outer(profile, Angle::degrees(180.0))?.with_delimiter(cutoff),
         }
     }

@@ -1,18 +1,18 @@
 //! Spotlights of an umbra and a penumbra.
 
-use super::{Difference, Distance, Imported, fall::Fall, ramp, spot};
+use super::{AnyAttenuation, Difference, Imported, fall::Fall, ramp, spot};
 use crate::{
     angle::Angle,
-    attenuation::{HardRange, InverseSquare},
-    error::{Accepted, Error, Parameter},
-    light::Spot,
-    profile::{Linear, Matched, Smooth},
+    attenuation::{CutAt, InverseSquare},
+    error::{Error, Expected, Parameter},
+    falloff::{AnyFalloff, Linear, Smooth},
+    light::SpotLight,
     vec3::Vec3,
 };
 
 /// A spotlight that is full within its umbra and ends at its penumbra, as the retained mode of early Direct3D
 /// and many a small engine have it. With the inverse-square law, until it is given another [distance
-/// model](Spot::with_attenuation). Exact.
+/// model](SpotLight::with_attenuation). Exact.
 ///
 /// ```
 /// use luminaire::{Angle, Vec3, import};
@@ -48,27 +48,27 @@ impl Penumbra {
     /// The spotlight at a position, pointing in a direction.
     ///
     /// # Errors
-    /// A parameter out of its range; a position or direction that [`Spot::new`] refuses.
+    /// A parameter out of its range; a position or direction that [`SpotLight::new`] refuses.
     pub fn import(
         &self,
         position: Vec3<f32>,
         direction: Vec3<f32>,
-    ) -> Result<Imported<Spot<Matched, Distance>>, Error> {
+    ) -> Result<Imported<SpotLight<AnyFalloff, AnyAttenuation>>, Error> {
         let none = Angle::degrees(0.0);
         if !(self.penumbra > none && self.penumbra <= Angle::degrees(180.0)) {
-            let (value, accepted) = (self.penumbra.to_degrees(), Accepted::AngleUpTo(180.0));
+            let (value, accepted) = (self.penumbra.to_degrees(), Expected::AngleUpTo(180.0));
             return Err(Error { parameter: Parameter::Penumbra, value, accepted });
         }
         if !(self.umbra >= none && self.umbra <= self.penumbra) {
-            let accepted = Accepted::AngleBetween(0.0, self.penumbra.to_degrees());
+            let accepted = Expected::AngleBetween(0.0, self.penumbra.to_degrees());
             return Err(Error { parameter: Parameter::Umbra, value: self.umbra.to_degrees(), accepted });
         }
         let profile = match self.ramp {
-            Ramp::Linear => Matched::Linear(Linear),
-            Ramp::Smooth => Matched::Smooth(Smooth),
+            Ramp::Linear => AnyFalloff::Linear(Linear),
+            Ramp::Smooth => AnyFalloff::Smooth(Smooth),
         };
         let cone = ramp(profile, self.umbra, self.penumbra)?;
-        let distance = Distance::InverseSquare(HardRange::new(InverseSquare, None)?);
+        let distance = AnyAttenuation::InverseSquare(CutAt::new(InverseSquare, None)?);
         spot(
             position,
             direction,

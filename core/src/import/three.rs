@@ -1,11 +1,11 @@
 //! Lights of three.js.
 
-use super::{Difference, Distance, Imported, fall, ramp, spot};
+use super::{AnyAttenuation, Difference, Imported, fall, ramp, spot};
 use crate::{
     angle::{Angle, HalfAngle},
     error::{Error, Parameter, check_between, check_up_to},
-    light::Spot,
-    profile::{Matched, Smooth, exponent::real_power},
+    falloff::{AnyFalloff, Smooth, exponent::real_power},
+    light::SpotLight,
     vec3::Vec3,
 };
 
@@ -40,17 +40,17 @@ impl Three {
     /// target.
     ///
     /// # Errors
-    /// A parameter out of its range; a position or direction that [`Spot::new`] refuses.
+    /// A parameter out of its range; a position or direction that [`SpotLight::new`] refuses.
     pub fn import(
         &self,
         position: Vec3<f32>,
         direction: Vec3<f32>,
-    ) -> Result<Imported<Spot<Matched, Distance>>, Error> {
+    ) -> Result<Imported<SpotLight<AnyFalloff, AnyAttenuation>>, Error> {
         check_up_to(Parameter::SpotAngle, self.angle, core::f32::consts::FRAC_PI_2)?;
         check_between(Parameter::Penumbra, self.penumbra, 0.0, 1.0)?;
         let half = |radians| Angle::from(HalfAngle::radians(radians));
         let inner = half(self.angle * (1.0 - self.penumbra));
-        let cone = ramp(Matched::Smooth(Smooth), inner, half(self.angle))?;
+        let cone = ramp(AnyFalloff::Smooth(Smooth), inner, half(self.angle))?;
         let range = if self.distance == 0.0 { None } else { Some(self.distance) };
         // Where d^decay is 0.01.
         let stop = real_power(0.01, 1.0 / f64::from(self.decay));

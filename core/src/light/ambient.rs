@@ -3,24 +3,24 @@
 use crate::{
     color::{Rgb, checked_color},
     error::{Error, Parameter, check_between},
-    scalar::Scalar,
+    number::Scalar,
 };
 
 /// Global ambient light: the same at every point and from every side, the `Ia` of the classic equation.
 ///
 /// ```
-/// use luminaire::{Ambient, Rgb};
-/// let night = Ambient::new(Rgb::new(0.4, 0.5, 1.0))?.with_intensity(0.02)?;
+/// use luminaire::{AmbientLight, Rgb};
+/// let night = AmbientLight::new(Rgb::new(0.4, 0.5, 1.0))?.with_intensity(0.02)?;
 /// assert_eq!(night.compile::<f32>().blue, 0.02);
 /// # Ok::<(), luminaire::Error>(())
 /// ```
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct Ambient {
+pub struct AmbientLight {
     color: Rgb<f32>,
     intensity: f32,
 }
 
-impl Ambient {
+impl AmbientLight {
     /// Ambient light in this linear colour, of intensity 1.
     ///
     /// # Errors
@@ -48,7 +48,7 @@ impl Ambient {
         self.intensity
     }
 
-    /// The light in the format `S`, ready for [`CompiledMaterial::glow`](crate::CompiledMaterial::glow).
+    /// The light in the format `S`, ready for [`CompiledMaterial::glow`](crate::light::CompiledMaterial::glow).
     pub fn compile<S: Scalar>(&self) -> Rgb<S::Irradiance> {
         self.color.map(|channel| S::ONE.expose(S::gain(channel * self.intensity)))
     }

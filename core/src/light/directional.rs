@@ -4,26 +4,26 @@ use super::{Axis, Emission, emission_methods};
 use crate::{
     color::Rgb,
     error::{Error, Parameter},
-    scalar::Scalar,
-    shade::CompiledDirectional,
+    number::Scalar,
+    shade::CompiledDirectionalLight,
     vec3::Vec3,
 };
 
 /// A directional light: everywhere of the same direction and strength, as the sun's.
 ///
 /// ```
-/// use luminaire::{Directional, Vec3};
-/// let sun = Directional::new(Vec3::new(0.0, -1.0, 0.0))?.with_intensity(0.75)?;
+/// use luminaire::{DirectionalLight, Vec3};
+/// let sun = DirectionalLight::new(Vec3::new(0.0, -1.0, 0.0))?.with_intensity(0.75)?;
 /// assert_eq!(sun.compile::<f32>().irradiance(Vec3::new(0.0, 1.0, 0.0)), 0.75);
 /// # Ok::<(), luminaire::Error>(())
 /// ```
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct Directional {
+pub struct DirectionalLight {
     direction: Vec3<f32>,
     emission: Emission,
 }
 
-impl Directional {
+impl DirectionalLight {
     /// White light of intensity 1 that travels in this direction, which need not have unit length.
     ///
     /// # Errors
@@ -41,8 +41,8 @@ impl Directional {
     }
 
     /// Compiles the light for the format `S`.
-    pub fn compile<S: Scalar>(&self) -> CompiledDirectional<S> {
-        CompiledDirectional {
+    pub fn compile<S: Scalar>(&self) -> CompiledDirectionalLight<S> {
+        CompiledDirectionalLight {
             direction: S::axis(self.direction),
             intensity: S::gain(self.emission.intensity),
             color: self.emission.color.map(S::from_f32),

@@ -5,8 +5,8 @@ use crate::{
     attenuation::{Attenuation, InverseSquare},
     color::Rgb,
     error::{Error, Parameter},
-    scalar::Scalar,
-    shade::CompiledPoint,
+    number::Scalar,
+    shade::CompiledPointLight,
     vec3::Vec3,
 };
 
@@ -16,22 +16,22 @@ const SPHERE: f32 = 2.0 * core::f32::consts::TAU;
 /// A point light: it shines from a position into all directions alike.
 ///
 /// ```
-/// use luminaire::{InverseSquare, Point, Vec3, Windowed};
-/// let bulb = Point::new(Vec3::new(0.0, 2.0, 0.0))?.with_intensity(4.0)?;
+/// use luminaire::{PointLight, Vec3, attenuation::{GltfRange, InverseSquare}};
+/// let bulb = PointLight::new(Vec3::new(0.0, 2.0, 0.0))?.with_intensity(4.0)?;
 /// let (floor, up) = (Vec3::new(0.0, 0.0, 0.0), Vec3::new(0.0, 1.0, 0.0));
 /// assert_eq!(bulb.compile::<f32>()?.irradiance(floor, up), 1.0);
-/// let short = bulb.with_attenuation(Windowed::new(InverseSquare, Some(1.5))?);
+/// let short = bulb.with_attenuation(GltfRange::new(InverseSquare, Some(1.5))?);
 /// assert_eq!(short.compile::<f32>()?.irradiance(floor, up), 0.0);
 /// # Ok::<(), luminaire::Error>(())
 /// ```
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct Point<A = InverseSquare> {
+pub struct PointLight<A = InverseSquare> {
     position: Vec3<f32>,
     attenuation: A,
     emission: Emission,
 }
 
-impl Point {
+impl PointLight {
     /// A white point light of intensity 1 that falls with the square of the distance.
     ///
     /// # Errors
@@ -42,12 +42,12 @@ impl Point {
     }
 }
 
-impl<A: Attenuation> Point<A> {
+impl<A: Attenuation> PointLight<A> {
     emission_methods!();
 
     /// The same light with another distance model.
-    pub fn with_attenuation<B: Attenuation>(&self, attenuation: B) -> Point<B> {
-        Point { position: self.position, attenuation, emission: self.emission }
+    pub fn with_attenuation<B: Attenuation>(&self, attenuation: B) -> PointLight<B> {
+        PointLight { position: self.position, attenuation, emission: self.emission }
     }
 
     /// Where the light stands.
@@ -77,9 +77,9 @@ impl<A: Attenuation> Point<A> {
     ///
     /// # Errors
     /// A position beyond [`Scalar::FARTHEST`].
-    pub fn compile<S: Scalar>(&self) -> Result<CompiledPoint<S, A>, Error> {
+    pub fn compile<S: Scalar>(&self) -> Result<CompiledPointLight<S, A>, Error> {
         check_reach::<S>(self.position)?;
-        Ok(CompiledPoint {
+        Ok(CompiledPointLight {
             position: self.position.map(S::length),
             attenuation: self.attenuation.constants::<S>(),
             intensity: S::gain(self.emission.intensity),

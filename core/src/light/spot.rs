@@ -6,9 +6,9 @@ use crate::{
     color::Rgb,
     cone::Cone,
     error::{Error, Parameter},
-    profile::{Edge, Profile},
-    scalar::{self, Scalar},
-    shade::CompiledSpot,
+    falloff::{Falloff, SoftOrHard},
+    number::{self, Scalar},
+    shade::CompiledSpotLight,
     vec3::Vec3,
 };
 
@@ -19,9 +19,9 @@ use crate::{
 /// full scale.
 ///
 /// ```
-/// use luminaire::{Angle, Cone, Rgb, Soft, Spot, Vec3};
+/// use luminaire::{Angle, Cone, Rgb, SpotLight, Vec3, falloff::Soft};
 /// let cone = Cone::from_beam(Soft, Angle::degrees(9.0))?;
-/// let spot = Spot::new(Vec3::new(0.0, 4.0, 0.0), Vec3::new(0.0, -1.0, 0.0), cone)?
+/// let spot = SpotLight::new(Vec3::new(0.0, 4.0, 0.0), Vec3::new(0.0, -1.0, 0.0), cone)?
 ///     .with_color(Rgb::new(1.0, 0.8, 0.6))?
 ///     .with_intensity(16.0)?;
 /// let lit = spot.compile::<f32>()?;
@@ -29,7 +29,7 @@ use crate::{
 /// # Ok::<(), luminaire::Error>(())
 /// ```
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct Spot<P = Edge, A = InverseSquare> {
+pub struct SpotLight<P = SoftOrHard, A = InverseSquare> {
     position: Vec3<f32>,
     axis: Axis,
     cone: Cone<P>,
@@ -37,7 +37,7 @@ pub struct Spot<P = Edge, A = InverseSquare> {
     emission: Emission,
 }
 
-impl<P: Profile> Spot<P> {
+impl<P: Falloff> SpotLight<P> {
     /// A white spotlight of intensity 1. The axis points away from the light and need not have unit length.
     ///
     /// # Errors
@@ -49,14 +49,14 @@ impl<P: Profile> Spot<P> {
     }
 }
 
-impl<P: Profile> Spot<P, SmoothRange> {
+impl<P: Falloff> SpotLight<P, SmoothRange> {
     /// A white spotlight of intensity 1 that points at its end point and fades smoothly to nothing there: one vector
     /// gives direction and range, as in the dual-cone article.
     ///
     /// ```
-    /// use luminaire::{Angle, Cone, Soft, Spot, Vec3};
+    /// use luminaire::{Angle, Cone, SpotLight, Vec3, falloff::Soft};
     /// let cone = Cone::from_field(Soft, Angle::degrees(30.0))?;
-    /// let spot = Spot::between(Vec3::new(0.0, 5.0, 0.0), Vec3::new(0.0, 1.0, 0.0), cone)?;
+    /// let spot = SpotLight::between(Vec3::new(0.0, 5.0, 0.0), Vec3::new(0.0, 1.0, 0.0), cone)?;
     /// assert_eq!((spot.axis().y, spot.attenuation().range()), (-1.0, 4.0));
     /// # Ok::<(), luminaire::Error>(())
     /// ```
@@ -71,13 +71,13 @@ impl<P: Profile> Spot<P, SmoothRange> {
     }
 }
 
-impl<P: Profile, A: Attenuation> Spot<P, A> {
+impl<P: Falloff, A: Attenuation> SpotLight<P, A> {
     emission_methods!();
 
     /// The same spotlight with another cone, also of another type of profile.
-    pub fn with_cone<Q: Profile>(&self, cone: Cone<Q>) -> Spot<Q, A> {
+    pub fn with_cone<Q: Falloff>(&self, cone: Cone<Q>) -> SpotLight<Q, A> {
         let Self { position, axis, attenuation, emission, .. } = *self;
-        Spot { position, axis, cone, attenuation, emission }
+        SpotLight { position, axis, cone, attenuation, emission }
     }
 
     /// The same spotlight, turned to point along another axis, which need not have unit length.
@@ -90,9 +90,9 @@ impl<P: Profile, A: Attenuation> Spot<P, A> {
     }
 
     /// The same spotlight with another distance model.
-    pub fn with_attenuation<B: Attenuation>(&self, attenuation: B) -> Spot<P, B> {
+    pub fn with_attenuation<B: Attenuation>(&self, attenuation: B) -> SpotLight<P, B> {
         let Self { position, axis, cone, emission, .. } = *self;
-        Spot { position, axis, cone, attenuation, emission }
+        SpotLight { position, axis, cone, attenuation, emission }
     }
 
     /// Where the light stands.
@@ -126,15 +126,15 @@ impl<P: Profile, A: Attenuation> Spot<P, A> {
     ///
     /// # Errors
     /// A cone narrower than the format can hold: see [`Cone::narrowest`]. A position beyond [`Scalar::FARTHEST`].
-    pub fn compile<S: Scalar>(&self) -> Result<CompiledSpot<S, P, A>, Error> {
+    pub fn compile<S: Scalar>(&self) -> Result<CompiledSpotLight<S, P, A>, Error> {
         check_reach::<S>(self.position)?;
         let falloff = self.cone.compile::<S>()?;
         let intensity = self.emission.intensity;
-        Ok(CompiledSpot {
+        Ok(CompiledSpotLight {
             position: self.position.map(S::length),
             axis: self.axis_in::<S>(),
             falloff,
-            outside: scalar::outside_bound(self.cone.outer_versine()),
+            outside: number::outside_bound(self.cone.outer_versine()),
             attenuation: self.attenuation.constants::<S>(),
             intensity: S::gain(intensity),
             fine_below: S::fine_below(

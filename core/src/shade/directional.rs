@@ -1,24 +1,24 @@
 //! Directional lights, compiled.
 
-use super::{Arrival, Light, Surface, lobe};
+use super::{Incident, LightModel, SurfacePoint, lobe};
 use crate::{
     color::Rgb,
-    scalar::Scalar,
-    specular::{Matte, Specular},
+    number::Scalar,
+    specular::{NoSpecular, SpecularLobe},
     vec3::Vec3,
 };
 
-/// A directional light compiled for the format `S`. Made by [`Directional::compile`](crate::Directional::compile).
+/// A directional light compiled for the format `S`. Made by [`DirectionalLight::compile`](crate::Directional::compile).
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct CompiledDirectional<S: Scalar> {
+pub struct CompiledDirectionalLight<S: Scalar> {
     pub(crate) direction: Vec3<S::Unit>,
     pub(crate) intensity: S::Gain,
     pub(crate) color: Rgb<S>,
     pub(crate) specular_color: Rgb<S>,
 }
 
-impl<S: Scalar> CompiledDirectional<S> {
-    /// The light of these parts, as [`source`](crate::source) writes them: the colours are the diffuse and the specular
+impl<S: Scalar> CompiledDirectionalLight<S> {
+    /// The light of these parts, as [`source`](crate::codegen) writes them: the colours are the diffuse and the specular
     /// one.
     pub const fn from_parts(
         direction: Vec3<S::Unit>,
@@ -31,11 +31,11 @@ impl<S: Scalar> CompiledDirectional<S> {
     /// The light that arrives at a surface of this normal, before the colours: Lambert's cosine of the intensity.
     #[inline(always)]
     pub fn irradiance(&self, normal: Vec3<S>) -> S::Irradiance {
-        self.arrive::<Matte>(&Surface::matte(Vec3::default(), normal), &(), false).diffuse
+        self.arrive::<NoSpecular>(&SurfacePoint::matte(Vec3::default(), normal), &(), false).diffuse
     }
 }
 
-impl<S: Scalar> Light<S> for CompiledDirectional<S> {
+impl<S: Scalar> LightModel<S> for CompiledDirectionalLight<S> {
     fn color(&self) -> Rgb<S> {
         self.color
     }
@@ -45,19 +45,19 @@ impl<S: Scalar> Light<S> for CompiledDirectional<S> {
     }
 
     #[inline(always)]
-    fn arrive<H: Specular>(
+    fn arrive<H: SpecularLobe>(
         &self,
-        surface: &Surface<S>,
+        surface: &SurfacePoint<S>,
         highlight: &H::Constants<S>,
         skips: bool,
-    ) -> Arrival<S::Irradiance> {
+    ) -> Incident<S::Irradiance> {
         let cosine = S::incidence(self.direction, surface.normal);
         // Not more than zero, so that what is not a number is skipped too.
         let is_lit = cosine > S::ZERO;
         if skips && H::SHINES && !is_lit {
-            return Arrival::default();
+            return Incident::default();
         }
         let lobe = lobe::<S, H>(highlight, (surface.normal, surface.view), self.direction, cosine);
-        Arrival { diffuse: cosine.expose(self.intensity), specular: lobe.expose(self.intensity) }
+        Incident { diffuse: cosine.expose(self.intensity), specular: lobe.expose(self.intensity) }
     }
 }

@@ -1,10 +1,10 @@
 //! Lights that stand in a place: what spotlights and point lights have in common.
 
-use super::{Arrival, Surface, lobe};
+use super::{Incident, SurfacePoint, lobe};
 use crate::{
     attenuation::Attenuation,
-    scalar::{Fraction, Offset, Ray, Scalar, Share},
-    specular::Specular,
+    number::{Fraction, Offset, Ray, Scalar, Share},
+    specular::SpecularLobe,
     vec3::Vec3,
 };
 
@@ -26,15 +26,15 @@ pub(super) trait Placed<S: Scalar, A: Attenuation> {
     /// The falloff of its cone along a ray; none for a light without a cone.
     fn falloff<R: Ray<S>>(&self, ray: &R) -> Option<R::Share>;
 
-    /// The light that arrives at a surface: see [`Light::arrive`](super::Light::arrive).
+    /// The light that arrives at a surface: see [`LightModel::arrive`](super::Light::arrive).
     #[inline(always)]
-    fn arrive_at<H: Specular>(
+    fn arrive_at<H: SpecularLobe>(
         &self,
-        surface: &Surface<S>,
+        surface: &SurfacePoint<S>,
         highlight: &H::Constants<S>,
         skips: bool,
-    ) -> Arrival<S::Irradiance> {
-        let Surface { point, normal, view } = *surface;
+    ) -> Incident<S::Irradiance> {
+        let SurfacePoint { point, normal, view } = *surface;
         let Stand { position, attenuation, fine_below, .. } = self.place();
         let offset = S::offset(position, point);
         if offset.is_near(fine_below) {
@@ -46,7 +46,7 @@ pub(super) trait Placed<S: Scalar, A: Attenuation> {
                 || self.is_outside(&offset)
                 || A::is_beyond::<S>(attenuation, &offset))
         {
-            return Arrival::default();
+            return Incident::default();
         }
         let ray = offset.ray();
         let cosine = ray.cosine(facing, normal);
@@ -58,15 +58,15 @@ pub(super) trait Placed<S: Scalar, A: Attenuation> {
     /// would show nothing. Apart from the rest, which is to stay in registers.
     #[cold]
     #[inline(never)]
-    fn arrive_finely<H: Specular>(
+    fn arrive_finely<H: SpecularLobe>(
         &self,
         offset: S::Offset,
         (normal, view): (Vec3<S>, Vec3<S::Unit>),
         highlight: &H::Constants<S>,
-    ) -> Arrival<S::Irradiance> {
+    ) -> Incident<S::Irradiance> {
         let facing = offset.facing(normal);
         if S::Offset::faces_far_away(facing) || self.is_outside(&offset) {
-            return Arrival::default();
+            return Incident::default();
         }
         let ray = offset.ray();
         let cosine = ray.cosine(facing, normal);
@@ -82,7 +82,7 @@ pub(super) trait Placed<S: Scalar, A: Attenuation> {
         let cosine = ray.cosine(facing, normal);
         // The rounding of a lobe to a scalar is more than a finer direction would add to it.
         let (_, fine) = self.along::<H, _>(&offset, &ray, cosine, || lobe);
-        Arrival {
+        Incident {
             diffuse: if keeps_diffuse { light.diffuse } else { fine.diffuse },
             specular: if keeps_specular { light.specular } else { fine.specular },
         }
@@ -90,24 +90,24 @@ pub(super) trait Placed<S: Scalar, A: Attenuation> {
 
     /// What arrives along a ray: as shares of the intensity, and the light of them.
     #[inline(always)]
-    fn along<H: Specular, R: Ray<S>>(
+    fn along<H: SpecularLobe, R: Ray<S>>(
         &self,
         offset: &S::Offset,
         ray: &R,
         cosine: R::Fraction,
         lobe: impl FnOnce() -> S,
-    ) -> (Arrival<R::Share>, Arrival<S::Irradiance>) {
+    ) -> (Incident<R::Share>, Incident<S::Irradiance>) {
         let Stand { attenuation, intensity, .. } = self.place();
         let expose = |share| A::expose(attenuation, offset, ray, share, intensity);
         let falloff = self.falloff(ray);
         let share = falloff.map_or(cosine.scalar(), |falloff| cosine.of(falloff));
-        let diffuse = Arrival { diffuse: share, specular: R::Share::default() };
-        let light = Arrival { diffuse: expose(share), specular: S::Irradiance::default() };
+        let diffuse = Incident { diffuse: share, specular: R::Share::default() };
+        let light = Incident { diffuse: expose(share), specular: S::Irradiance::default() };
         if !H::SHINES {
             return (diffuse, light);
         }
         let lobe = R::Share::of_scalar(lobe());
         let share = falloff.map_or(lobe, |falloff| falloff.share_of(lobe));
-        (Arrival { specular: share, ..diffuse }, Arrival { specular: expose(share), ..light })
+        (Incident { specular: share, ..diffuse }, Incident { specular: expose(share), ..light })
     }
 }

@@ -1,20 +1,20 @@
 //! Point lights, compiled.
 
 use super::{
-    Arrival, Light, Surface,
+    Incident, LightModel, SurfacePoint,
     placed::{Placed, Stand},
 };
 use crate::{
     attenuation::{Attenuation, InverseSquare},
     color::Rgb,
-    scalar::{Ray, Scalar},
-    specular::{Matte, Specular},
+    number::{Ray, Scalar},
+    specular::{NoSpecular, SpecularLobe},
     vec3::Vec3,
 };
 
-/// A point light compiled for the format `S`. Made by [`Point::compile`](crate::Point::compile).
+/// A point light compiled for the format `S`. Made by [`PointLight::compile`](crate::Point::compile).
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct CompiledPoint<S: Scalar, A: Attenuation = InverseSquare> {
+pub struct CompiledPointLight<S: Scalar, A: Attenuation = InverseSquare> {
     pub(crate) position: Vec3<S::Length>,
     pub(crate) attenuation: A::Constants<S>,
     pub(crate) intensity: S::Gain,
@@ -23,8 +23,8 @@ pub struct CompiledPoint<S: Scalar, A: Attenuation = InverseSquare> {
     pub(crate) specular_color: Rgb<S>,
 }
 
-impl<S: Scalar, A: Attenuation> CompiledPoint<S, A> {
-    /// The light of these parts, as [`source`](crate::source) writes them: `fine_below` is that of [`Scalar::fine_below`], and
+impl<S: Scalar, A: Attenuation> CompiledPointLight<S, A> {
+    /// The light of these parts, as [`source`](crate::codegen) writes them: `fine_below` is that of [`Scalar::fine_below`], and
     /// the colours are the diffuse and the specular one.
     pub const fn from_parts(
         position: Vec3<S::Length>,
@@ -37,20 +37,20 @@ impl<S: Scalar, A: Attenuation> CompiledPoint<S, A> {
     }
 
     /// The light that arrives at a surface point, before the colours: distance and Lambert's cosine. Skips what is
-    /// exactly zero, as [`CompiledSpot::irradiance`](crate::CompiledSpot::irradiance) does.
+    /// exactly zero, as [`CompiledSpotLight::irradiance`](crate::CompiledSpot::irradiance) does.
     #[inline(always)]
     pub fn irradiance(&self, point: Vec3<S::Length>, normal: Vec3<S>) -> S::Irradiance {
-        self.arrive::<Matte>(&Surface::matte(point, normal), &(), true).diffuse
+        self.arrive::<NoSpecular>(&SurfacePoint::matte(point, normal), &(), true).diffuse
     }
 
     /// As [`irradiance`](Self::irradiance), with every step done for every point.
     #[inline(always)]
     pub fn irradiance_unskipped(&self, point: Vec3<S::Length>, normal: Vec3<S>) -> S::Irradiance {
-        self.arrive::<Matte>(&Surface::matte(point, normal), &(), false).diffuse
+        self.arrive::<NoSpecular>(&SurfacePoint::matte(point, normal), &(), false).diffuse
     }
 }
 
-impl<S: Scalar, A: Attenuation> Placed<S, A> for CompiledPoint<S, A> {
+impl<S: Scalar, A: Attenuation> Placed<S, A> for CompiledPointLight<S, A> {
     #[inline(always)]
     fn place(&self) -> Stand<'_, S, A> {
         let Self { position, ref attenuation, intensity, fine_below, .. } = *self;
@@ -68,7 +68,7 @@ impl<S: Scalar, A: Attenuation> Placed<S, A> for CompiledPoint<S, A> {
     }
 }
 
-impl<S: Scalar, A: Attenuation> Light<S> for CompiledPoint<S, A> {
+impl<S: Scalar, A: Attenuation> LightModel<S> for CompiledPointLight<S, A> {
     fn color(&self) -> Rgb<S> {
         self.color
     }
@@ -78,12 +78,12 @@ impl<S: Scalar, A: Attenuation> Light<S> for CompiledPoint<S, A> {
     }
 
     #[inline(always)]
-    fn arrive<H: Specular>(
+    fn arrive<H: SpecularLobe>(
         &self,
-        surface: &Surface<S>,
+        surface: &SurfacePoint<S>,
         highlight: &H::Constants<S>,
         skips: bool,
-    ) -> Arrival<S::Irradiance> {
+    ) -> Incident<S::Irradiance> {
         self.arrive_at::<H>(surface, highlight, skips)
     }
 }

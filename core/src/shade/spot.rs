@@ -1,25 +1,25 @@
 //! Spotlights, compiled.
 
 use super::{
-    Arrival, Light, Surface,
+    Incident, LightModel, SurfacePoint,
     placed::{Placed, Stand},
 };
 use crate::{
     attenuation::{Attenuation, InverseSquare},
     color::Rgb,
-    cone::Falloff,
-    profile::{Edge, Profile},
-    scalar::{Offset, Ray, Scalar, Share},
-    specular::{Matte, Specular},
+    cone::CompiledCone,
+    falloff::{Falloff, SoftOrHard},
+    number::{Offset, Ray, Scalar, Share},
+    specular::{NoSpecular, SpecularLobe},
     vec3::Vec3,
 };
 
-/// A spotlight compiled for the format `S`. Made by [`Spot::compile`](crate::Spot::compile).
+/// A spotlight compiled for the format `S`. Made by [`SpotLight::compile`](crate::Spot::compile).
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct CompiledSpot<S: Scalar, P: Profile = Edge, A: Attenuation = InverseSquare> {
+pub struct CompiledSpotLight<S: Scalar, P: Falloff = SoftOrHard, A: Attenuation = InverseSquare> {
     pub(crate) position: Vec3<S::Length>,
     pub(crate) axis: Vec3<S::Unit>,
-    pub(crate) falloff: Falloff<S, P>,
+    pub(crate) falloff: CompiledCone<S, P>,
     pub(crate) outside: S,
     pub(crate) attenuation: A::Constants<S>,
     pub(crate) intensity: S::Gain,
@@ -28,15 +28,15 @@ pub struct CompiledSpot<S: Scalar, P: Profile = Edge, A: Attenuation = InverseSq
     pub(crate) specular_color: Rgb<S>,
 }
 
-impl<S: Scalar, P: Profile, A: Attenuation> CompiledSpot<S, P, A> {
-    /// The light of these parts, as [`source`](crate::source) writes them: `outside` is the bound by which points outside
+impl<S: Scalar, P: Falloff, A: Attenuation> CompiledSpotLight<S, P, A> {
+    /// The light of these parts, as [`source`](crate::codegen) writes them: `outside` is the bound by which points outside
     /// the cone are rejected, `fine_below` that of [`Scalar::fine_below`], and the colours are the diffuse and the specular
     /// one.
     #[expect(clippy::too_many_arguments, reason = "generated source names each part of a light once")]
     pub const fn from_parts(
         position: Vec3<S::Length>,
         axis: Vec3<S::Unit>,
-        falloff: Falloff<S, P>,
+        falloff: CompiledCone<S, P>,
         outside: S,
         attenuation: A::Constants<S>,
         intensity: S::Gain,
@@ -54,14 +54,14 @@ impl<S: Scalar, P: Profile, A: Attenuation> CompiledSpot<S, P, A> {
     /// [`irradiance_unskipped`](Self::irradiance_unskipped).
     #[inline(always)]
     pub fn irradiance(&self, point: Vec3<S::Length>, normal: Vec3<S>) -> S::Irradiance {
-        self.arrive::<Matte>(&Surface::matte(point, normal), &(), true).diffuse
+        self.arrive::<NoSpecular>(&SurfacePoint::matte(point, normal), &(), true).diffuse
     }
 
     /// As [`irradiance`](Self::irradiance), with every step done for every point: the form without branches, which
     /// compilers turn into vector instructions.
     #[inline(always)]
     pub fn irradiance_unskipped(&self, point: Vec3<S::Length>, normal: Vec3<S>) -> S::Irradiance {
-        self.arrive::<Matte>(&Surface::matte(point, normal), &(), false).diffuse
+        self.arrive::<NoSpecular>(&SurfacePoint::matte(point, normal), &(), false).diffuse
     }
 
     /// The falloff of the cone alone at a point: in [0, 1].
@@ -75,7 +75,7 @@ impl<S: Scalar, P: Profile, A: Attenuation> CompiledSpot<S, P, A> {
     }
 
     /// The same light in another place, along another axis of unit length: see
-    /// [`Spot::axis_in`](crate::Spot::axis_in).
+    /// [`SpotLight::axis_in`](crate::Spot::axis_in).
     #[must_use]
     pub fn placed(self, position: Vec3<S::Length>, axis: Vec3<S::Unit>) -> Self {
         Self { position, axis, ..self }
@@ -98,8 +98,8 @@ impl<S: Scalar, P: Profile, A: Attenuation> CompiledSpot<S, P, A> {
 
     /// The same light with another type of profile: what turns a choice made at run time into a type, once per
     /// light and not once per point.
-    pub fn with_profile<Q: Profile>(&self, profile: Q) -> CompiledSpot<S, Q, A> {
-        CompiledSpot {
+    pub fn with_profile<Q: Falloff>(&self, profile: Q) -> CompiledSpotLight<S, Q, A> {
+        CompiledSpotLight {
             position: self.position,
             axis: self.axis,
             falloff: self.falloff.with_profile(profile),
@@ -113,7 +113,7 @@ impl<S: Scalar, P: Profile, A: Attenuation> CompiledSpot<S, P, A> {
     }
 }
 
-impl<S: Scalar, P: Profile, A: Attenuation> Placed<S, A> for CompiledSpot<S, P, A> {
+impl<S: Scalar, P: Falloff, A: Attenuation> Placed<S, A> for CompiledSpotLight<S, P, A> {
     #[inline(always)]
     fn place(&self) -> Stand<'_, S, A> {
         let Self { position, ref attenuation, intensity, fine_below, .. } = *self;
@@ -131,7 +131,7 @@ impl<S: Scalar, P: Profile, A: Attenuation> Placed<S, A> for CompiledSpot<S, P, 
     }
 }
 
-impl<S: Scalar, P: Profile, A: Attenuation> Light<S> for CompiledSpot<S, P, A> {
+impl<S: Scalar, P: Falloff, A: Attenuation> LightModel<S> for CompiledSpotLight<S, P, A> {
     fn color(&self) -> Rgb<S> {
         self.color
     }
@@ -141,12 +141,12 @@ impl<S: Scalar, P: Profile, A: Attenuation> Light<S> for CompiledSpot<S, P, A> {
     }
 
     #[inline(always)]
-    fn arrive<H: Specular>(
+    fn arrive<H: SpecularLobe>(
         &self,
-        surface: &Surface<S>,
+        surface: &SurfacePoint<S>,
         highlight: &H::Constants<S>,
         skips: bool,
-    ) -> Arrival<S::Irradiance> {
+    ) -> Incident<S::Irradiance> {
         self.arrive_at::<H>(surface, highlight, skips)
     }
 }

@@ -5,7 +5,10 @@ use super::{
     svg::{Drawing, Frame},
     warn::Warn,
 };
-use luminaire::{Angle, Cone, Error, HalfAngle, Hard, Profile, Soft};
+use luminaire::{
+    Angle, Cone, Error, HalfAngle,
+    falloff::{Falloff, Hard, Soft},
+};
 
 const SIZE: (f64, f64) = (760.0, 500.0);
 /// The angles off axis shown, in degrees to either side.
@@ -38,7 +41,7 @@ impl Model {
     }
 
     /// One of the kernel's profiles, evaluated by the kernel.
-    fn kernel<P: Profile + 'static>(color: &'static str, name: &str, profile: P) -> Result<Self, Error> {
+    fn kernel<P: Falloff + 'static>(color: &'static str, name: &str, profile: P) -> Result<Self, Error> {
         let cone = Cone::from_field(profile, Angle::degrees(FIELD))?;
         let falloff = cone.compile::<f32>()?;
         let versine = |degrees: f64| Angle::from(HalfAngle::degrees(degrees as f32)).versine();

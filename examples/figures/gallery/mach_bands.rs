@@ -4,7 +4,10 @@ use super::{
     picture::{self, Picture},
     svg::{Drawing, Frame},
 };
-use luminaire::{Angle, Cone, HalfAngle, Linear, Profile, Rgb, Smooth, Soft, Spot, Vec3};
+use luminaire::{
+    Angle, Cone, HalfAngle, Rgb, SpotLight, Vec3,
+    falloff::{Falloff, Linear, Smooth, Soft},
+};
 use luminaire_render::{Camera, Material, Mesh, Renderer, Scene};
 use std::error::Error;
 
@@ -86,7 +89,7 @@ impl MachBands {
 
 impl Panel {
     /// The wall under a cone of light.
-    fn lit<P: Profile>(
+    fn lit<P: Falloff>(
         renderer: &Renderer<f32>,
         cone: Cone<P>,
         title: &'static str,
@@ -94,7 +97,7 @@ impl Panel {
         kinks: &'static [Angle],
     ) -> Result<Self, luminaire::Error> {
         let position = Vec3::new(0.0, HEIGHT, DISTANCE);
-        let spot = Spot::new(position, Vec3::new(0.0, 0.0, -1.0), cone)?;
+        let spot = SpotLight::new(position, Vec3::new(0.0, 0.0, -1.0), cone)?;
         let spot = spot.with_intensity(DISTANCE * DISTANCE)?.compile::<f32>()?;
         let linear = picture::lit(renderer, Rgb::default(), |point, normal| spot.irradiance(point, normal));
         let (width, height) = renderer.size();

@@ -1,6 +1,6 @@
 //! Pictures: linear light averaged over each pixel, then encoded.
 
-use luminaire::{Rgb, Vec3, encode_srgb};
+use luminaire::{Rgb, Vec3, display::encode_srgb};
 use luminaire_render::Renderer;
 
 /// Samples to the side of a pixel. Edges of solids are smooth for it; edges of light need none.

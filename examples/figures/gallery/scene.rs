@@ -4,7 +4,7 @@ use super::{
     picture::{self, Picture},
     warn::Warn,
 };
-use luminaire::{Angle, Cone, Edge, Rgb, Spot, Vec3};
+use luminaire::{Angle, Cone, Rgb, SpotLight, Vec3, falloff::SoftOrHard};
 use luminaire_render::{Camera, Material, Mesh, Outline, Scene};
 use std::{
     error::Error,
@@ -23,7 +23,7 @@ pub(crate) fn pictures() -> Result<[Picture; 3], Box<dyn Error>> {
     renderer.draw_geometry(&scene()?, &camera());
 
     let warn = Warn::from_field(Angle::degrees(FIELD));
-    let place = spot(Edge::Soft)?;
+    let place = spot(SoftOrHard::Soft)?;
     let irradiance = |point, normal| warn.irradiance(&place, point, normal) as f32;
     let warn = Picture::develop(&renderer, picture::lit(&renderer, AMBIENT, irradiance));
 
@@ -31,16 +31,16 @@ pub(crate) fn pictures() -> Result<[Picture; 3], Box<dyn Error>> {
         renderer.draw_light(&[spot(edge)?])?;
         Ok(Picture::develop(&renderer, |x, y| renderer.linear(x, y).unwrap_or_default()))
     };
-    Ok([warn, under(Edge::Soft)?, under(Edge::Hard)?])
+    Ok([warn, under(SoftOrHard::Soft)?, under(SoftOrHard::Hard)?])
 }
 
 /// The spotlight, from above on the left: one and a half times full scale at the target, because nothing
 /// there is white and faces it.
-fn spot(edge: Edge) -> Result<Spot, luminaire::Error> {
+fn spot(edge: SoftOrHard) -> Result<SpotLight, luminaire::Error> {
     let (position, target) = (Vec3::new(-3.2, 6.4, 4.6), Vec3::new(0.0, 0.2, 0.0));
     let axis = target.zip(position, |t, p| t - p);
     let cone = Cone::from_field(edge, Angle::degrees(FIELD))?;
-    Spot::new(position, axis, cone)?.with_intensity(1.5 * axis.dot(axis))
+    SpotLight::new(position, axis, cone)?.with_intensity(1.5 * axis.dot(axis))
 }
 
 fn camera() -> Camera {

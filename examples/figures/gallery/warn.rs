@@ -29,7 +29,7 @@ impl Warn {
 
     /// The light that arrives at a surface point, as the kernel has it: falloff, Lambert's cosine and the
     /// inverse square of the distance.
-    pub(crate) fn irradiance(self, light: &luminaire::Spot, point: Vec3<f32>, normal: Vec3<f32>) -> f64 {
+    pub(crate) fn irradiance(self, light: &luminaire::SpotLight, point: Vec3<f32>, normal: Vec3<f32>) -> f64 {
         let way = point.zip(light.position(), |p, l| p - l).map(f64::from);
         let (axis, normal) = (light.axis().map(f64::from), normal.map(f64::from));
         let squared = dot(way, way);

@@ -39,7 +39,7 @@ pub type Light = luminaire::Rgb<Irradiance>;
 /// A colour in the format.
 pub type Color = luminaire::Rgb<Format>;
 /// A surface point in the format.
-pub type Surface = luminaire::Surface<Format>;
+pub type Surface = luminaire::light::SurfacePoint<Format>;
 
 /// Makes a program of an effect, a function of one [`Input`].
 ///

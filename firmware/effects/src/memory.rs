@@ -3,8 +3,8 @@
 use core::mem::MaybeUninit;
 use core::ptr;
 
-use luminaire::source::{U18F14, U34F30};
-use luminaire::{Fx16, Fx32, Rgb, ViewRay};
+use luminaire::codegen::{U18F14, U34F30};
+use luminaire::{Fx16, Fx32, Rgb, haze::ViewRay};
 
 use crate::Surface;
 

@@ -3,16 +3,11 @@
 use core::array::from_fn;
 use core::hint::black_box;
 
-use luminaire::source::{
+use luminaire::codegen::{
     FloatFrame, FloatRamp, Frame16, Frame32, Gain16, Gain32, I16F16, I18F14, I34F30, Ramp16, Ramp32, U18F14,
     U34F30,
 };
-use luminaire::{
-    Attenuation, Blend, CompiledPoint, CompiledSpot, Cubic, CutOff, Distance, Faded, Falloff, Fx16, Fx32,
-    Hard, HardRange, IntegerPower, IntegerRim, InverseSquare, Knot, Linear, Matched, MixedPower, MixedRim,
-    Polynomial, Profile, RealPower, RealRim, Rgb, Scalar, Smooth, SmoothRange, Soft, SquaredWindow, Table,
-    Unattenuated, Vec3, Windowed,
-};
+use luminaire::{Fx16, Fx32, Rgb, Scalar, Vec3, attenuation::{AnyAttenuation, Attenuation, CutAt, FilamentRange, GltfRange, InverseSquare, NoAttenuation, Polynomial, SmoothRange, Windowed}, falloff::{AnyFalloff, Cubic, Falloff, Hard, IntegerPower, InvertedIntegerPower, InvertedMixedPower, InvertedRealPower, Knot, Linear, MixedPower, Quadratic, RealPower, Smooth, Soft, Step, Table}, light::{CompiledCone, CompiledPointLight, CompiledSpotLight}};
 
 const SAMPLES: [u16; 5] = [65_535, 60_000, 31_000, 400, 0];
 const KNOTS: [Knot; 2] = [Knot::from_bits(0, 65_535, -65_535), Knot::from_bits(32_768, 32_768, i32::MIN)];
@@ -63,8 +58,8 @@ impl Bits {
     }
 
     /// A quadratic of any bits.
-    pub fn any_blend(&mut self) -> Blend {
-        Blend::from_bits(self.word() as u32)
+    pub fn any_blend(&mut self) -> Quadratic {
+        Quadratic::from_bits(self.word() as u32)
     }
 
     /// A cubic of any bits.
@@ -84,27 +79,27 @@ impl Bits {
 
     /// Any profile; the straight ramp in place of one that is refused.
     #[inline(never)]
-    pub fn any_profile(&mut self) -> Matched {
+    pub fn any_profile(&mut self) -> AnyFalloff {
         let exponents = [self.word() as u32, self.word() as u32];
         let share = self.float();
         let made = match self.choice(15) {
-            0 => Ok(CutOff.into()),
+            0 => Ok(Step.into()),
             1 => Ok(Soft.into()),
             2 => Ok(Hard.into()),
             3 => Ok(Smooth.into()),
             4 => Ok(self.any_blend().into()),
             5 => Ok(self.any_cubic().into()),
             6 => Ok(Self::any_table().into()),
-            7 => IntegerPower::new(exponents[0]).map(Matched::from),
-            8 => IntegerRim::new(exponents[0]).map(Matched::from),
-            9 => MixedPower::new(exponents, share).map(Matched::from),
-            10 => MixedRim::new(exponents, share).map(Matched::from),
-            11 => RealPower::new(share).map(Matched::from),
-            12 => RealRim::new(share).map(Matched::from),
+            7 => IntegerPower::new(exponents[0]).map(AnyFalloff::from),
+            8 => InvertedIntegerPower::new(exponents[0]).map(AnyFalloff::from),
+            9 => MixedPower::new(exponents, share).map(AnyFalloff::from),
+            10 => InvertedMixedPower::new(exponents, share).map(AnyFalloff::from),
+            11 => RealPower::new(share).map(AnyFalloff::from),
+            12 => InvertedRealPower::new(share).map(AnyFalloff::from),
             13 => Ok(Self::any_knots().into()),
             _ => Ok(Linear.into()),
         };
-        made.unwrap_or(Matched::Linear(Linear))
+        made.unwrap_or(AnyFalloff::Linear(Linear))
     }
 
     /// An array of any bits.
@@ -123,16 +118,16 @@ impl Bits {
     }
 
     /// A spotlight of this profile, which need not be that of the curve, and of any bits.
-    pub fn any_spot<S: Raw, P: Profile, A: Attenuation>(
+    pub fn any_spot<S: Raw, P: Falloff, A: Attenuation>(
         &mut self,
         profile: P,
         curve: P::Compiled<S>,
         attenuation: A::Constants<S>,
-    ) -> CompiledSpot<S, P, A> {
-        let falloff = Falloff::from_parts(S::raw_ramp(self), profile, curve);
+    ) -> CompiledSpotLight<S, P, A> {
+        let falloff = CompiledCone::from_parts(S::raw_ramp(self), profile, curve);
         let (position, axis) = (self.vector(S::raw_length), self.vector(S::unit));
         let (outside, intensity) = (S::scalar(self.word()), S::raw_gain(self.word()));
-        CompiledSpot::from_parts(
+        CompiledSpotLight::from_parts(
             position,
             axis,
             falloff,
@@ -145,9 +140,9 @@ impl Bits {
     }
 
     /// A point light of any bits.
-    pub fn any_point<S: Raw, A: Attenuation>(&mut self, attenuation: A::Constants<S>) -> CompiledPoint<S, A> {
+    pub fn any_point<S: Raw, A: Attenuation>(&mut self, attenuation: A::Constants<S>) -> CompiledPointLight<S, A> {
         let (position, intensity) = (self.vector(S::raw_length), S::raw_gain(self.word()));
-        CompiledPoint::from_parts(position, attenuation, intensity, self.integer(), self.colors())
+        CompiledPointLight::from_parts(position, attenuation, intensity, self.integer(), self.colors())
     }
 
     /// Any range, or none.
@@ -157,21 +152,21 @@ impl Bits {
 
     /// Any distance model; none in place of one that is refused.
     #[inline(never)]
-    pub fn any_distance(&mut self) -> Distance {
+    pub fn any_distance(&mut self) -> AnyAttenuation {
         let [a, b, c] = from_fn(|_| self.float());
         let range = self.any_range();
         let polynomial = Polynomial::new(a, b, c);
         let made = match self.choice(8) {
-            0 => HardRange::new(Unattenuated, range).map(Distance::from),
-            1 => HardRange::new(InverseSquare, range).map(Distance::from),
-            2 => polynomial.and_then(|polynomial| HardRange::new(polynomial, range)).map(Distance::from),
-            3 => Windowed::new(InverseSquare, range).map(Distance::from),
-            4 => Faded::new(Unattenuated, range).map(Distance::from),
-            5 => SquaredWindow::new(InverseSquare, range).map(Distance::from),
-            6 => polynomial.and_then(|polynomial| Faded::new(polynomial, range)).map(Distance::from),
-            _ => SmoothRange::new(a).map(Distance::from),
+            0 => CutAt::new(NoAttenuation, range).map(AnyAttenuation::from),
+            1 => CutAt::new(InverseSquare, range).map(AnyAttenuation::from),
+            2 => polynomial.and_then(|polynomial| CutAt::new(polynomial, range)).map(AnyAttenuation::from),
+            3 => GltfRange::new(InverseSquare, range).map(AnyAttenuation::from),
+            4 => Windowed::new(NoAttenuation, range).map(AnyAttenuation::from),
+            5 => FilamentRange::new(InverseSquare, range).map(AnyAttenuation::from),
+            6 => polynomial.and_then(|polynomial| Windowed::new(polynomial, range)).map(AnyAttenuation::from),
+            _ => SmoothRange::new(a).map(AnyAttenuation::from),
         };
-        made.unwrap_or(Unattenuated.into())
+        made.unwrap_or(NoAttenuation.into())
     }
 }
 

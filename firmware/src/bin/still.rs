@@ -2,13 +2,13 @@
 //! the pixels of each row, as hexadecimal digits of RGB565.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
-use luminaire::{CompiledSpot, Fx16, Rgb, Rgb565, Scalar, Soft, Vec3, clip};
+use luminaire::{Fx16, Rgb, Scalar, Vec3, display::{Rgb565, clip}, falloff::Soft, light::CompiledSpotLight};
 use luminaire_firmware::board::println;
 
 luminaire_firmware::entry!(still);
 
 /// Computed by the build script.
-const KEY: CompiledSpot<Fx16, Soft> = include!(concat!(env!("OUT_DIR"), "/key.rs"));
+const KEY: CompiledSpotLight<Fx16, Soft> = include!(concat!(env!("OUT_DIR"), "/key.rs"));
 
 const WIDTH: usize = 16;
 const HEIGHT: i32 = 12;

@@ -1,6 +1,6 @@
 //! The ball.
 
-use luminaire::{Fx16, Vec3, source::I16F16};
+use luminaire::{Fx16, Vec3, codegen::I16F16};
 
 use super::camera::{Sight, Window, steps};
 use super::measures::{BALL, BALL_RADIUS, EYE};

@@ -1,6 +1,6 @@
 //! From a pixel to a line of sight.
 
-use luminaire::{Vec3, source::I16F16};
+use luminaire::{Vec3, codegen::I16F16};
 
 use super::measures::EYE;
 use super::{HEIGHT, WIDTH};

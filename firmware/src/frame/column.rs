@@ -1,6 +1,6 @@
 //! The column.
 
-use luminaire::{Fx16, Vec3, source::I16F16};
+use luminaire::{Fx16, Vec3, codegen::I16F16};
 
 use super::camera::{DEPTH_BITS, Sight, Window, steps};
 use super::measures::{COLUMN, COLUMN_HEIGHT, COLUMN_RADIUS, EYE};

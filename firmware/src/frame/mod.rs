@@ -17,7 +17,7 @@ mod tests;
 
 use core::fmt;
 
-use luminaire::source::U18F14;
+use luminaire::codegen::U18F14;
 
 use crate::board::{begin, end, println};
 use paint::Color;

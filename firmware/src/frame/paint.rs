@@ -1,7 +1,7 @@
 //! From what a pixel sees to the pixel: light, colour, display.
 
-use luminaire::source::U18F14;
-use luminaire::{CompiledSpot, Fx16, Rgb, Rgb565, Soft, clip};
+use luminaire::codegen::U18F14;
+use luminaire::{Fx16, Rgb, display::{Rgb565, clip}, falloff::Soft, light::CompiledSpotLight};
 
 use super::WIDTH;
 use super::scene::Site;
@@ -10,7 +10,7 @@ use super::scene::Site;
 pub(super) type Color = Rgb<U18F14>;
 
 /// The lamp, computed by the build script.
-pub(super) const KEY: CompiledSpot<Fx16, Soft> = include!(concat!(env!("OUT_DIR"), "/frame_key.rs"));
+pub(super) const KEY: CompiledSpotLight<Fx16, Soft> = include!(concat!(env!("OUT_DIR"), "/frame_key.rs"));
 /// What each material sends back of the ambient light.
 const GLOW: [Color; 5] = include!(concat!(env!("OUT_DIR"), "/frame_glow.rs"));
 /// What each material sends back of the lamp's, the lamp's colour included.

@@ -1,6 +1,6 @@
 //! What a pixel sees: the nearest of wall, floor, ball and column.
 
-use luminaire::{Fx16, Vec3, source::I16F16};
+use luminaire::{Fx16, Vec3, codegen::I16F16};
 
 use super::camera::{DEPTH_BITS, Sight, steps};
 use super::column::Meeting;

@@ -1,7 +1,7 @@
 //! What stands between a point and the lamp.
 
 use luminaire::Vec3;
-use luminaire::source::{I16F16, U18F14};
+use luminaire::codegen::{I16F16, U18F14};
 
 use super::camera::steps;
 use super::measures::LAMP;

@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use luminaire::{Fx16, Offset, Scalar, Vec3};
+use luminaire::{Fx16, Scalar, Vec3, number::Offset};
 
 use super::camera::steps;
 use super::measures::LAMP;

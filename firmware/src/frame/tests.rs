@@ -1,7 +1,7 @@
 //! What the pixels see and what is in shadow, against f64.
 
 use luminaire::Vec3;
-use luminaire::source::I16F16;
+use luminaire::codegen::I16F16;
 
 use super::measures::{BALL, BALL_RADIUS, COLUMN, COLUMN_HEIGHT, COLUMN_RADIUS, EYE, LAMP, WALL};
 use super::scene::{Material, Site, look};

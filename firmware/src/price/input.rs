@@ -1,6 +1,6 @@
 //! What pixels ask of an effect.
 
-use luminaire::{Rgb, Scalar, ViewRay};
+use luminaire::{Rgb, Scalar, haze::ViewRay};
 use luminaire_effects::constants::{MATTE, SPOT_INVERSE_SQUARE};
 use luminaire_effects::{Color, Format, Light, Place, Surface};
 use luminaire_kernels::scene::{EYE, Population, Site, Sites};

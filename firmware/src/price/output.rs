@@ -1,7 +1,7 @@
 //! What comes of an effect.
 
-use luminaire::source::U18F14;
-use luminaire::{Fx16, Rgb, Rgb565};
+use luminaire::codegen::U18F14;
+use luminaire::{Fx16, Rgb, display::Rgb565};
 use luminaire_kernels::Value;
 
 /// A result of an effect.

@@ -1,11 +1,11 @@
 //! One soft spotlight from the left on a vase, a floor and a wall; all else is dark.
 
 use super::{
-    Fixture, Setup,
+    MovingLight, Setup,
     room::{aimed, floor, wall},
 };
 use crate::{Camera, Material, Scene, solids::vase};
-use luminaire::{Angle, Cone, Error, Rgb, Soft, Vec3};
+use luminaire::{Angle, Cone, Error, Rgb, Vec3, falloff::Soft};
 
 pub(super) fn setup() -> Result<Setup, Error> {
     let mut scene = Scene::new();
@@ -17,5 +17,5 @@ pub(super) fn setup() -> Result<Setup, Error> {
     let spot = aimed(Vec3::new(-1.9, 2.7, 3.1), Vec3::new(0.1, 0.6, -0.4), cone)?
         .with_color(Rgb::new(1.0, 0.86, 0.68))?
         .with_intensity(30.0)?;
-    Ok(Setup::new(scene, camera, [Fixture::new("Fresnel", spot)].into()))
+    Ok(Setup::new(scene, camera, [MovingLight::new("Fresnel", spot)].into()))
 }

@@ -2,15 +2,21 @@
 
 use core::f32::consts::TAU;
 use glam::{Vec2, Vec3};
-use luminaire::{Angle, Distance, Error, Gobo, Lamp, Luminaire, Matched, Spot};
+use luminaire::{
+    Angle, Error, SpotLight,
+    attenuation::AnyAttenuation,
+    dynamic::AnyLight,
+    falloff::AnyFalloff,
+    projector::{Fixture, Gobo},
+};
 
 /// A luminaire of a scene, with what it does as the seconds pass.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct Fixture {
+pub struct MovingLight {
     /// What the trade calls it.
     pub name: &'static str,
     /// The lamp before it moves.
-    lamp: Lamp,
+    lamp: AnyLight,
     motion: Motion,
     gobo: Option<Wheel>,
     shadow: Option<u16>,
@@ -54,9 +60,9 @@ struct Wheel {
     speed: f32,
 }
 
-impl Fixture {
+impl MovingLight {
     /// A luminaire that stays as it is.
-    pub(super) fn new(name: &'static str, lamp: impl Into<Lamp>) -> Self {
+    pub(super) fn new(name: &'static str, lamp: impl Into<AnyLight>) -> Self {
         Self { name, lamp: lamp.into(), motion: Motion::Still, gobo: None, shadow: None }
     }
 
@@ -73,7 +79,7 @@ impl Fixture {
         Self { gobo: Some(Wheel { gobo, speed }), ..self }
     }
 
-    /// The same fixture with shadows, by a map of so many texels a side: see [`Luminaire::with_shadow`].
+    /// The same fixture with shadows, by a map of so many texels a side: see [`Fixture::with_shadow`].
     pub fn with_shadow(self, side: u16) -> Self {
         Self { shadow: Some(side), ..self }
     }
@@ -92,8 +98,8 @@ impl Fixture {
     ///
     /// # Errors
     /// Seconds that are not finite, where something moves. Shadows that the luminaire can't have.
-    pub fn at(&self, seconds: f32) -> Result<Luminaire, Error> {
-        let mut luminaire = Luminaire::from(self.lamp_at(seconds)?);
+    pub fn at(&self, seconds: f32) -> Result<Fixture, Error> {
+        let mut luminaire = Fixture::from(self.lamp_at(seconds)?);
         if let Some(Wheel { gobo, speed }) = self.gobo {
             luminaire = luminaire.with_gobo(gobo, Angle::degrees(speed * seconds % 360.0))?;
         }
@@ -103,17 +109,17 @@ impl Fixture {
         Ok(luminaire)
     }
 
-    fn lamp_at(&self, seconds: f32) -> Result<Lamp, Error> {
+    fn lamp_at(&self, seconds: f32) -> Result<AnyLight, Error> {
         match (&self.lamp, &self.motion) {
-            (Lamp::Spot(spot), Motion::Sweep(sweep)) => Ok(sweep.turned(spot, seconds)?.into()),
-            (Lamp::Spot(spot), Motion::Chase(chase)) => Ok(chase.bumped(spot, seconds)?.into()),
+            (AnyLight::Spot(spot), Motion::Sweep(sweep)) => Ok(sweep.turned(spot, seconds)?.into()),
+            (AnyLight::Spot(spot), Motion::Chase(chase)) => Ok(chase.bumped(spot, seconds)?.into()),
             _ => Ok(self.lamp),
         }
     }
 }
 
 /// A spotlight of any kind.
-type AnySpot = Spot<Matched, Distance>;
+type AnySpot = SpotLight<AnyFalloff, AnyAttenuation>;
 
 impl Sweep {
     fn turned(&self, spot: &AnySpot, seconds: f32) -> Result<AnySpot, Error> {

@@ -4,11 +4,14 @@
 mod hall;
 mod lamps;
 
-use super::{Fixture, Setup, fixture::Sweep};
+use super::{MovingLight, Setup, fixture::Sweep};
 use crate::{Camera, Scene};
 use alloc::vec::Vec;
 use glam::Vec2;
-use luminaire::{Directional, Error, InverseSquare, Point, Rgb, SquaredWindow, Vec3};
+use luminaire::{
+    DirectionalLight, Error, PointLight, Rgb, Vec3,
+    attenuation::{FilamentRange, InverseSquare},
+};
 
 pub(super) fn setup() -> Result<Setup, Error> {
     let mut scene = Scene::new();
@@ -20,7 +23,7 @@ pub(super) fn setup() -> Result<Setup, Error> {
     Ok(Setup::new(scene, camera, fixtures()?))
 }
 
-fn fixtures() -> Result<Vec<Fixture>, Error> {
+fn fixtures() -> Result<Vec<MovingLight>, Error> {
     let mut fixtures = Vec::new();
     for &(place, side) in &hall::PICTURES {
         for offset in [-0.8, 0.8] {
@@ -39,15 +42,15 @@ fn fixtures() -> Result<Vec<Fixture>, Error> {
     let center = glam::Vec3::new(0.0, 0.0, 0.9);
     fixtures.push(follow.sweeping(Sweep { center, radii: Vec2::new(2.6, 0.5), period: 16.0, start: 0.1 }));
     for (x, z) in hall::PENDANTS {
-        let pendant = Point::new(Vec3::new(x, 2.9, z))?
+        let pendant = PointLight::new(Vec3::new(x, 2.9, z))?
             .with_color(Rgb::new(1.0, 0.7, 0.4))?
             .with_intensity(0.9)?
-            .with_attenuation(SquaredWindow::new(InverseSquare, Some(2.8))?);
-        fixtures.push(Fixture::new("pendant", pendant));
+            .with_attenuation(FilamentRange::new(InverseSquare, Some(2.8))?);
+        fixtures.push(MovingLight::new("pendant", pendant));
     }
-    let skylight = Directional::new(Vec3::new(0.25, -1.0, -0.35))?
+    let skylight = DirectionalLight::new(Vec3::new(0.25, -1.0, -0.35))?
         .with_color(Rgb::new(0.62, 0.8, 1.0))?
         .with_intensity(0.07)?;
-    fixtures.push(Fixture::new("skylight", skylight));
+    fixtures.push(MovingLight::new("skylight", skylight));
     Ok(fixtures)
 }

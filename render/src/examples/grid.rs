@@ -4,13 +4,13 @@
 //! angle: 64 circles of 10 degrees have the area of 8 circles of 26.5 degrees, within a thousandth.
 
 use super::{
-    Fixture, Setup,
+    MovingLight, Setup,
     fixture::Chase,
     room::{aimed, floor},
 };
 use crate::{Camera, Material, Scene};
 use alloc::vec::Vec;
-use luminaire::{Cone, Error, HalfAngle, Rgb, Soft, Vec3};
+use luminaire::{Cone, Error, HalfAngle, Rgb, Vec3, falloff::Soft};
 
 /// The side of the floor in metres.
 const SIDE: f32 = 16.0;
@@ -41,7 +41,7 @@ fn setup(columns: usize, rows: usize, outer: HalfAngle) -> Result<Setup, Error> 
             .with_color(gel(x / SIDE + 0.5, z / SIDE + 0.5))?
             .with_intensity(0.86 * HEIGHT * HEIGHT)?;
         let chase = Chase { turn, turns, step: 0.25, bump: 1.5 };
-        fixtures.push(Fixture::new("downlight", spot).chased(chase));
+        fixtures.push(MovingLight::new("downlight", spot).chased(chase));
     }
     Ok(Setup::new(scene, camera, fixtures))
 }

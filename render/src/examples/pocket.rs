@@ -1,12 +1,12 @@
 //! A still life of a few triangles for a display of 160 x 120 pixels.
 
 use super::{
-    Fixture, Setup,
+    MovingLight, Setup,
     room::{aimed, floor, wall},
 };
 use crate::{Camera, Display, Material, Mesh, Outline, Scene};
 use core::f32::consts::PI;
-use luminaire::{Angle, Cone, Error, Rgb, Soft, Vec3};
+use luminaire::{Angle, Cone, Error, Rgb, Vec3, falloff::Soft};
 
 pub(super) fn setup() -> Result<Setup, Error> {
     let mut scene = Scene::new();
@@ -21,6 +21,6 @@ pub(super) fn setup() -> Result<Setup, Error> {
     let spot = aimed(Vec3::new(-1.9, 3.0, 2.2), Vec3::new(0.0, 0.3, -0.1), cone)?
         .with_color(Rgb::new(1.0, 0.9, 0.76))?
         .with_intensity(24.0)?;
-    let setup = Setup::new(scene, camera, [Fixture::new("downlight", spot)].into());
+    let setup = Setup::new(scene, camera, [MovingLight::new("downlight", spot)].into());
     Ok(Setup { display: Display::Rgb565Dithered, ..setup })
 }

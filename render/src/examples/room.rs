@@ -2,7 +2,7 @@
 
 use crate::{Mesh, Outline};
 use core::f32::consts::FRAC_PI_2;
-use luminaire::{Cone, Error, Profile, Spot, Vec3};
+use luminaire::{Cone, Error, SpotLight, Vec3, falloff::Falloff};
 
 /// A floor around the origin: its width and depth in metres.
 pub(super) fn floor(width: f32, depth: f32) -> Mesh {
@@ -17,10 +17,10 @@ pub(super) fn wall(width: f32, height: f32, z: f32) -> Mesh {
 }
 
 /// A spotlight at a position that points at a target.
-pub(super) fn aimed<P: Profile>(
+pub(super) fn aimed<P: Falloff>(
     position: Vec3<f32>,
     target: Vec3<f32>,
     cone: Cone<P>,
-) -> Result<Spot<P>, Error> {
-    Spot::new(position, target.zip(position, |t, p| t - p), cone)
+) -> Result<SpotLight<P>, Error> {
+    SpotLight::new(position, target.zip(position, |t, p| t - p), cone)
 }

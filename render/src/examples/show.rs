@@ -1,7 +1,7 @@
 //! A dark house: moving heads send coloured beams from a truss across a stage, and two patterns on the wall behind it.
 
 use super::{
-    Fixture, Setup,
+    MovingLight, Setup,
     fixture::Sweep,
     room::{aimed, floor, wall},
 };
@@ -11,7 +11,12 @@ use crate::{
 };
 use alloc::vec::Vec;
 use glam::Vec2;
-use luminaire::{Angle, Cone, Edge, Error, Gobo, Haze, Rgb, Soft, Vec3};
+use luminaire::{
+    Angle, Cone, Error, Rgb, Vec3,
+    falloff::{Soft, SoftOrHard},
+    haze::Haze,
+    projector::Gobo,
+};
 
 /// How high the truss hangs, and at which z, in metres.
 const TRUSS: (f32, f32) = (4.3, -1.6);
@@ -47,7 +52,7 @@ pub(super) fn setup() -> Result<Setup, Error> {
     )?
     .with_color(Rgb::new(0.5, 0.28, 1.0))?
     .with_intensity(12.0)?;
-    fixtures.push(Fixture::new("moving head (wash)", wash));
+    fixtures.push(MovingLight::new("moving head (wash)", wash));
     let mut scene = scene()?;
     scene.set_haze(Some(Haze::new(0.05)?));
     Ok(Setup::new(scene, camera, fixtures))
@@ -79,8 +84,8 @@ fn place(number: usize) -> f32 {
 }
 
 /// A moving head with a narrow beam that sweeps over the stage: with a hard edge and a soft one in turn.
-fn beam(number: usize, gel: Rgb<f32>) -> Result<Fixture, Error> {
-    let edge = if number.is_multiple_of(2) { Edge::Hard } else { Edge::Soft };
+fn beam(number: usize, gel: Rgb<f32>) -> Result<MovingLight, Error> {
+    let edge = if number.is_multiple_of(2) { SoftOrHard::Hard } else { SoftOrHard::Soft };
     let cone = Cone::from_field(edge, Angle::degrees(14.0))?;
     let x = place(number);
     let center = glam::Vec3::new(-0.4 * x, 0.0, 1.0);
@@ -89,15 +94,15 @@ fn beam(number: usize, gel: Rgb<f32>) -> Result<Fixture, Error> {
         .with_intensity(60.0)?;
     let start = number as f32 / GELS.len() as f32;
     let sweep = Sweep { center, radii: Vec2::new(1.7, 1.1), period: 9.0, start };
-    Ok(Fixture::new("moving head (beam)", spot).sweeping(sweep))
+    Ok(MovingLight::new("moving head (beam)", spot).sweeping(sweep))
 }
 
 /// A moving head at the front of the house that throws a turning pattern on the wall at the back.
-fn pattern(side: f32, gel: Rgb<f32>, gobo: Gobo<'static>) -> Result<Fixture, Error> {
-    let cone = Cone::from_field(Edge::Hard, Angle::degrees(21.0))?;
+fn pattern(side: f32, gel: Rgb<f32>, gobo: Gobo<'static>) -> Result<MovingLight, Error> {
+    let cone = Cone::from_field(SoftOrHard::Hard, Angle::degrees(21.0))?;
     let center = glam::Vec3::new(2.3 * side, 2.3, -3.6);
     let spot =
         aimed(Vec3::new(4.2 * side, 3.4, 4.6), center.into(), cone)?.with_color(gel)?.with_intensity(64.0)?;
     let sweep = Sweep { center, radii: Vec2::new(0.5, 0.0), period: 14.0, start: 0.25 * side };
-    Ok(Fixture::new("moving head (profile)", spot).with_gobo(gobo, 12.0 * side).sweeping(sweep))
+    Ok(MovingLight::new("moving head (profile)", spot).with_gobo(gobo, 12.0 * side).sweeping(sweep))
 }

@@ -1,6 +1,6 @@
 //! The still life of the stage in key, fill and back light, whose edges have both angles of a data sheet.
 
-use super::{Fixture, Setup, room::aimed};
+use super::{MovingLight, Setup, room::aimed};
 use crate::stage;
 use luminaire::{Angle, Cone, Error, Rgb, Vec3};
 
@@ -16,9 +16,9 @@ pub(super) fn setup() -> Result<Setup, Error> {
         .with_color(Rgb::new(0.9, 0.88, 1.0))?
         .with_intensity(75.0)?;
     let fixtures = [
-        Fixture::new("profile spot (key)", key).with_shadow(512),
-        Fixture::new("Fresnel (fill)", fill),
-        Fixture::new("PAR (back)", back).with_shadow(512),
+        MovingLight::new("profile spot (key)", key).with_shadow(512),
+        MovingLight::new("Fresnel (fill)", fill),
+        MovingLight::new("PAR (back)", back).with_shadow(512),
     ];
     Ok(Setup::new(stage::scene()?, stage::camera(), fixtures.into()))
 }

@@ -1,7 +1,7 @@
 //! Four solids on a floor before a wall, all of which shine, under spotlights that all move.
 
 use super::{
-    Fixture, Setup,
+    MovingLight, Setup,
     fixture::Sweep,
     room::{aimed, floor, wall},
 };
@@ -12,7 +12,7 @@ use crate::{
 use alloc::vec::Vec;
 use core::f32::consts::{FRAC_PI_2, TAU};
 use glam::{Vec2, Vec3};
-use luminaire::{Angle, Cone, Error, HalfAngle, Rgb, Soft};
+use luminaire::{Angle, Cone, Error, HalfAngle, Rgb, falloff::Soft};
 
 /// The angle between one spotlight and the next around the middle: the golden one, so that any number of them are
 /// spread.
@@ -54,7 +54,7 @@ fn scene() -> Result<Scene, Error> {
 }
 
 /// A spotlight on a ring above, which follows a point on an ellipse of its own.
-fn fixture(number: usize, count: usize) -> Result<Fixture, Error> {
+fn fixture(number: usize, count: usize) -> Result<MovingLight, Error> {
     let part = (number as f32 + 0.5) / count as f32;
     let around = Vec2::from_angle(GOLDEN_ANGLE * number as f32);
     // In front of the wall, and more of them towards the eye.
@@ -66,7 +66,7 @@ fn fixture(number: usize, count: usize) -> Result<Fixture, Error> {
         .with_color(gel(number))?
         .with_intensity(INTENSITY / count as f32)?;
     let sweep = Sweep { center, radii: Vec2::new(0.9, 0.5), period: 5.0 + 4.0 * part, start: part };
-    Ok(Fixture::new("moving head", spot).sweeping(sweep))
+    Ok(MovingLight::new("moving head", spot).sweeping(sweep))
 }
 
 /// The colour of a spotlight: pale, and no two neighbours alike.

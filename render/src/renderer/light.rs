@@ -5,16 +5,16 @@ use crate::{
     account::Account, air, format::Format, lanes::LANES, lighting::Setting, reached::Reached, rig::Rig,
 };
 use alloc::vec::Vec;
-use luminaire::{Error, Luminaire, Plan};
+use luminaire::{Error, dynamic::RenderPlan, projector::Fixture};
 
 impl<S: Format> Renderer<S> {
     /// Lights the tiles that have changed, or all where the plan leaves nothing out. Returns whether any had.
-    pub(super) fn draw_light_by<L: Copy + Into<Luminaire>>(
+    pub(super) fn draw_light_by<L: Copy + Into<Fixture>>(
         &mut self,
-        plan: Plan,
+        plan: RenderPlan,
         lights: &[L],
     ) -> Result<bool, Error> {
-        let luminaires: Vec<Luminaire> = lights.iter().map(|&light| light.into()).collect();
+        let luminaires: Vec<Fixture> = lights.iter().map(|&light| light.into()).collect();
         if self.lit.as_ref() == Some(&luminaires) && self.shadows.redrawn().is_empty() {
             return Ok(false);
         }
@@ -55,7 +55,7 @@ impl<S: Format> Renderer<S> {
     }
 
     /// The numbers of the luminaires that are others than those of the picture.
-    fn changed(&self, luminaires: &[Luminaire]) -> Vec<usize> {
+    fn changed(&self, luminaires: &[Fixture]) -> Vec<usize> {
         let before = self.lit.as_deref().unwrap_or_default();
         let count = luminaires.len().max(before.len());
         let is_another = |&i: &usize| {

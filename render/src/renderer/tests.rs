@@ -3,7 +3,7 @@
 use super::*;
 use crate::{Mesh, Outline, stage};
 use core::f32::consts::PI;
-use luminaire::{Angle, Cone, Edge, Fx16, Fx32, Spot, Vec3};
+use luminaire::{Angle, Cone, Fx16, Fx32, SpotLight, Vec3, falloff::SoftOrHard};
 
 extern crate std;
 
@@ -174,7 +174,7 @@ fn odd_meshes_and_cameras_are_drawn_without_a_panic() {
 }
 
 /// Lights each pixel by the kernel alone, and compares the light to the bit.
-fn blocks_left_out_are_dark<S: Format>(camera: &Camera, lights: &[Spot]) {
+fn blocks_left_out_are_dark<S: Format>(camera: &Camera, lights: &[SpotLight]) {
     let scene = stage::scene().unwrap();
     let mut renderer = renderer::<S>(&scene, camera);
     renderer.draw_light(lights).unwrap();
@@ -203,10 +203,15 @@ fn blocks_left_out_are_dark<S: Format>(camera: &Camera, lights: &[Spot]) {
 fn a_block_is_left_out_only_where_no_light_arrives() {
     let mut camera = stage::camera();
     let mut lights = stage::lights().unwrap().to_vec();
-    for (profile, outer) in [(Edge::Soft, 180.0), (Edge::Hard, 180.0), (Edge::Hard, 8.0), (Edge::Soft, 5.0)] {
+    for (profile, outer) in [
+        (SoftOrHard::Soft, 180.0),
+        (SoftOrHard::Hard, 180.0),
+        (SoftOrHard::Hard, 8.0),
+        (SoftOrHard::Soft, 5.0),
+    ] {
         let cone = Cone::from_outer(profile, Angle::degrees(outer)).unwrap();
         let axis = Vec3::new(outer - 6.0, -20.0, 3.0);
-        lights.push(Spot::new(Vec3::new(0.0, 3.0, 0.0), axis, cone).unwrap());
+        lights.push(SpotLight::new(Vec3::new(0.0, 3.0, 0.0), axis, cone).unwrap());
     }
     for _ in 0..5 {
         blocks_left_out_are_dark::<f32>(&camera, &lights);
@@ -222,7 +227,7 @@ fn most_blocks_outside_a_narrow_beam_are_left_out() {
     let mut renderer = Renderer::<f32>::new(960, 540).unwrap();
     renderer.draw_geometry(&stage::scene().unwrap(), &stage::camera());
     let spot = stage::lights().unwrap()[0];
-    let cone = Cone::from_outer(Edge::Hard, Angle::degrees(8.0)).unwrap();
+    let cone = Cone::from_outer(SoftOrHard::Hard, Angle::degrees(8.0)).unwrap();
     let reach = crate::reach::Reach::new(&spot.with_cone(cone).into());
     let drawn: Vec<_> = renderer.geometry.blocks.iter().filter(|block| block.bounds.is_some()).collect();
     let missed = drawn.iter().filter(|block| block.is_missed(&reach)).count();

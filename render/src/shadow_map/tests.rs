@@ -5,7 +5,9 @@ mod ray;
 use super::*;
 use crate::{Camera, Format, Material, Mesh, Outline, Renderer, stage};
 use core::f32::consts::PI;
-use luminaire::{Angle, CompiledSpot, Cone, Edge, Fx16, Fx32, Rgb, Spot, Vec3};
+use luminaire::{
+    Angle, Cone, Fx16, Fx32, Rgb, SpotLight, Vec3, falloff::SoftOrHard, light::CompiledSpotLight,
+};
 use ray::Light;
 
 extern crate std;
@@ -40,9 +42,9 @@ impl Exact for Fx16 {
     }
 }
 
-fn spot(position: Vec3<f32>, target: Vec3<f32>, outer: f32) -> Spot {
-    let cone = Cone::from_outer(Edge::Soft, Angle::degrees(outer)).unwrap();
-    Spot::new(position, target.zip(position, |t, p| t - p), cone).unwrap().with_intensity(50.0).unwrap()
+fn spot(position: Vec3<f32>, target: Vec3<f32>, outer: f32) -> SpotLight {
+    let cone = Cone::from_outer(SoftOrHard::Soft, Angle::degrees(outer)).unwrap();
+    SpotLight::new(position, target.zip(position, |t, p| t - p), cone).unwrap().with_intensity(50.0).unwrap()
 }
 
 fn scene(meshes: impl IntoIterator<Item = Mesh>) -> Scene {
@@ -73,7 +75,7 @@ fn drawn<S: Scalar>(scene: &Scene, projection: &Projection, side: usize) -> Shad
 fn assert_is_that_of_rays<S: Exact>(
     scene: &Scene,
     camera: &Camera,
-    spot: &Spot,
+    spot: &SpotLight,
     roll: f32,
     side: usize,
 ) -> [usize; 3] {
@@ -81,7 +83,7 @@ fn assert_is_that_of_rays<S: Exact>(
     let projection = Projection::of(spot).unwrap().turned(Angle::degrees(roll)).unwrap();
     let map = drawn::<S>(scene, &projection, side);
     let (shadow, light) = (map.shadow().unwrap(), Light::new(scene, &projection));
-    let compiled: CompiledSpot<S> = spot.compile().unwrap();
+    let compiled: CompiledSpotLight<S> = spot.compile().unwrap();
     let mut renderer = Renderer::<S>::new(SIZE.0, SIZE.1).unwrap();
     renderer.draw_geometry(scene, camera);
     let pixels = (0..SIZE.1).flat_map(|y| (0..SIZE.0).map(move |x| (x, y)));
@@ -176,7 +178,7 @@ fn wide_and_narrow_cones_have_the_shadows_of_rays() {
 
 /// Points of every triangle that faces the light are lit exactly: of flat surfaces at any angle, of round
 /// ones and at corners up to a grazing one. Returns the steepest angle, as a cosine, at which a point is not.
-fn steepest_shadowed<S: Exact>(mesh: Mesh, spot: &Spot, side: usize) -> f64 {
+fn steepest_shadowed<S: Exact>(mesh: Mesh, spot: &SpotLight, side: usize) -> f64 {
     let scene = scene([mesh]);
     let projection = Projection::of(spot).unwrap();
     let map = drawn::<S>(&scene, &projection, side);
@@ -294,7 +296,7 @@ fn a_sheet_hides_whichever_side_it_shows() {
 #[test]
 fn objects_outside_of_the_cone_change_no_bit() {
     for spot in stage::lights().unwrap() {
-        let spot = spot.with_cone(Cone::from_outer(Edge::Soft, Angle::degrees(14.0)).unwrap());
+        let spot = spot.with_cone(Cone::from_outer(SoftOrHard::Soft, Angle::degrees(14.0)).unwrap());
         let projection = Projection::of(&spot).unwrap();
         let apart = stage::scene().unwrap();
         let view = View::of_light(&projection, 256);

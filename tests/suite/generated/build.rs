@@ -7,7 +7,7 @@ use std::fmt::Debug;
 use std::path::Path;
 use std::{env, fs};
 
-use luminaire::Source;
+use luminaire::codegen::Source;
 
 /// The source of a list of names and constants.
 struct Listing(String);

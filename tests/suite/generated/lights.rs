@@ -2,12 +2,23 @@
 
 use std::fmt::Debug;
 
-use luminaire::source::{Named, SourceScalar};
+use luminaire::codegen::{Named, SourceScalar};
 use luminaire::{
-    Ambient, Angle, Attenuation, Blend, BlinnPhong, CompiledSpot, Cone, Cubic, CutOff, Directional, DualCone,
-    Edge, Error, Exposure, Fx16, Fx32, Gobo, Hard, HardRange, Haze, InverseSquare, Knot, Linear, Lyon,
-    Material, Phong, Point, Polynomial, Power, Profile, Projection, Rgb, Rim, Shadow, Smooth, SmoothRange,
-    Soft, Source, Specular, Spot, SquaredWindow, Table, Unattenuated, Vec3, Windowed,
+    AmbientLight, Angle, Cone, DirectionalLight, Error, Fx16, Fx32, Material, PointLight, Rgb, SpotLight,
+    Vec3,
+    attenuation::{
+        Attenuation, CutAt, FilamentRange, GltfRange, InverseSquare, NoAttenuation, Polynomial, SmoothRange,
+    },
+    codegen::Source,
+    display::Exposure,
+    falloff::{
+        Cubic, Falloff, Hard, InvertedPower, Knot, Linear, Power, Quadratic, Smooth, Soft, SoftOrHard, Step,
+        Table,
+    },
+    haze::Haze,
+    light::CompiledSpotLight,
+    projector::{Gobo, Projection, Shadow},
+    specular::{BlinnPhong, DifferenceForm, DualConeLobe, Phong, SpecularLobe},
 };
 
 /// What is done with each value.
@@ -29,8 +40,8 @@ const SAMPLES: [u16; 5] = [65_535, 60_000, 31_000, 400, 0];
 const KNOTS: [Knot; 2] = [Knot::from_bits(0, 65_535, -65_535), Knot::from_bits(32_768, 32_768, -32_768)];
 
 /// The light that the test looks at more closely.
-pub(crate) fn key() -> Result<CompiledSpot<Fx16, Soft>, Error> {
-    Spot::new(PLACES[0], AXES[1], Cone::from_field(Soft, Angle::degrees(36.0))?)?
+pub(crate) fn key() -> Result<CompiledSpotLight<Fx16, Soft>, Error> {
+    SpotLight::new(PLACES[0], AXES[1], Cone::from_field(Soft, Angle::degrees(36.0))?)?
         .with_intensity(16.0)?
         .compile()
 }
@@ -46,10 +57,10 @@ pub(crate) fn all(visit: &mut impl Visit) -> Result<(), Error> {
 /// Beams in haze, which are of one format.
 fn beams(visit: &mut impl Visit) -> Result<(), Error> {
     let cone = Cone::from_outer(Cubic::with_slopes(1.25, 3.5)?, Angle::degrees(40.0))?;
-    let spot = Spot::new(PLACES[0], AXES[1], cone)?.with_intensity(16.0)?;
+    let spot = SpotLight::new(PLACES[0], AXES[1], cone)?.with_intensity(16.0)?;
     let haze = Haze::new(0.02)?.with_lamp_radius(0.05)?;
     visit.value("beam".into(), spot.compile::<f32>()?.in_haze(&haze));
-    let windowed = spot.with_attenuation(Windowed::new(InverseSquare, Some(8.0))?);
+    let windowed = spot.with_attenuation(GltfRange::new(InverseSquare, Some(8.0))?);
     visit.value("beam in a window".into(), windowed.compile::<f32>()?.in_haze(&haze));
     Ok(())
 }
@@ -58,35 +69,36 @@ fn of_format<S: SourceScalar>(visit: &mut impl Visit) -> Result<(), Error> {
     spots::<S, _>(visit, Soft)?;
     spots::<S, _>(visit, Hard)?;
     spots::<S, _>(visit, Linear)?;
-    spots::<S, _>(visit, CutOff)?;
+    spots::<S, _>(visit, Step)?;
     spots::<S, _>(visit, Smooth)?;
-    spots::<S, _>(visit, Blend::new(0.3)?)?;
+    spots::<S, _>(visit, Quadratic::new(0.3)?)?;
     spots::<S, _>(visit, Cubic::with_slopes(1.25, 3.5)?)?;
     spots::<S, _>(visit, Power::<4>)?;
     spots::<S, _>(visit, Power::<15>)?;
-    spots::<S, _>(visit, Rim::<4>)?;
+    spots::<S, _>(visit, InvertedPower::<4>)?;
     spots::<S, _>(visit, Table::of(&SAMPLES))?;
     spots::<S, _>(visit, Table::of_knots(&KNOTS))?;
-    spots::<S, _>(visit, Edge::Hard)?;
+    spots::<S, _>(visit, SoftOrHard::Hard)?;
     for field in [20.0, 29.0] {
         spots::<S, _>(
             visit,
             Cone::from_beam_and_field(Angle::degrees(14.0), Angle::degrees(field))?.profile(),
         )?;
     }
-    at_distances::<S, _>(visit, Unattenuated)?;
+    at_distances::<S, _>(visit, NoAttenuation)?;
     at_distances::<S, _>(visit, InverseSquare)?;
     at_distances::<S, _>(visit, Polynomial::new(1.0, 0.2, 0.03)?)?;
     at_distances::<S, _>(visit, SmoothRange::new(9.0)?)?;
-    at_distances::<S, _>(visit, Windowed::new(InverseSquare, None)?)?;
-    at_distances::<S, _>(visit, SquaredWindow::new(InverseSquare, Some(12.5))?)?;
-    at_distances::<S, _>(visit, HardRange::new(Windowed::new(InverseSquare, Some(8.0))?, Some(6.0))?)?;
+    at_distances::<S, _>(visit, GltfRange::new(InverseSquare, None)?)?;
+    at_distances::<S, _>(visit, FilamentRange::new(InverseSquare, Some(12.5))?)?;
+    at_distances::<S, _>(visit, CutAt::new(GltfRange::new(InverseSquare, Some(8.0))?, Some(6.0))?)?;
     surfaces::<S, _>(visit, Phong)?;
     surfaces::<S, _>(visit, BlinnPhong)?;
-    surfaces::<S, _>(visit, DualCone)?;
-    surfaces::<S, _>(visit, Lyon::<_, 3>(Phong))?;
+    surfaces::<S, _>(visit, DualConeLobe)?;
+    surfaces::<S, _>(visit, DifferenceForm::<_, 3>(Phong))?;
     for (index, (degrees, roll)) in [(1.5, 0.0), (40.0, 90.0), (160.0, -10.0)].into_iter().enumerate() {
-        let spot = Spot::new(PLACES[index], AXES[index], Cone::from_outer(CutOff, Angle::degrees(degrees))?)?;
+        let spot =
+            SpotLight::new(PLACES[index], AXES[index], Cone::from_outer(Step, Angle::degrees(degrees))?)?;
         let square = Projection::of(&spot)?.turned(Angle::degrees(roll))?;
         visit.value(format!("{} {square:?}", S::NAME), square.compile::<S>()?);
         let depths = [0.5, 7.25, f32::INFINITY, 3.0].map(S::length);
@@ -100,10 +112,10 @@ fn of_format<S: SourceScalar>(visit: &mut impl Visit) -> Result<(), Error> {
     visit.value(format!("{} matt material", S::NAME), paper.compile::<S>());
     for intensity in INTENSITIES {
         let name = |kind| format!("{} {kind} of {intensity}", S::NAME);
-        visit.value(name("ambient"), Ambient::new(AMBER)?.with_intensity(intensity)?.compile::<S>());
+        visit.value(name("ambient"), AmbientLight::new(AMBER)?.with_intensity(intensity)?.compile::<S>());
         visit.value(name("exposure"), Exposure::factor(intensity)?.compile::<S>());
         for axis in AXES {
-            let sun = Directional::new(axis)?.with_color(AMBER)?.with_intensity(intensity)?;
+            let sun = DirectionalLight::new(axis)?.with_color(AMBER)?.with_intensity(intensity)?;
             visit.value(format!("{:?}", sun), sun.compile::<S>());
         }
     }
@@ -111,7 +123,7 @@ fn of_format<S: SourceScalar>(visit: &mut impl Visit) -> Result<(), Error> {
 }
 
 /// A profile over the whole cone, around a hotspot, and delimited.
-fn spots<S: SourceScalar, P: Profile + Source>(visit: &mut impl Visit, profile: P) -> Result<(), Error>
+fn spots<S: SourceScalar, P: Falloff + Source>(visit: &mut impl Visit, profile: P) -> Result<(), Error>
 where
     P::Compiled<S>: Source,
 {
@@ -119,7 +131,7 @@ where
     let hotspot = plain.with_inner(Angle::degrees(13.0))?;
     let delimited = plain.with_delimiter(Angle::degrees(31.0))?;
     for (index, cone) in [plain, hotspot, delimited].into_iter().enumerate() {
-        let spot = Spot::new(PLACES[index], AXES[index], cone)?.with_intensity(INTENSITIES[index])?;
+        let spot = SpotLight::new(PLACES[index], AXES[index], cone)?.with_intensity(INTENSITIES[index])?;
         visit.value(format!("{} {spot:?}", S::NAME), spot.compile::<S>()?);
         visit.value(format!("{} {cone:?}", S::NAME), cone.compile::<S>()?);
     }
@@ -135,15 +147,18 @@ where
     A::Constants<S>: Source,
 {
     let cone = Cone::from_field(Soft, Angle::degrees(36.0))?;
-    let spot = Spot::new(PLACES[0], AXES[0], cone)?.with_attenuation(attenuation).with_color(AMBER)?;
+    let spot = SpotLight::new(PLACES[0], AXES[0], cone)?.with_attenuation(attenuation).with_color(AMBER)?;
     visit.value(format!("{} {spot:?}", S::NAME), spot.compile::<S>()?);
-    let point = Point::new(PLACES[1])?.with_attenuation(attenuation).with_specular_color(AMBER)?;
+    let point = PointLight::new(PLACES[1])?.with_attenuation(attenuation).with_specular_color(AMBER)?;
     visit.value(format!("{} {point:?}", S::NAME), point.compile::<S>()?);
     Ok(())
 }
 
 /// A highlight, wide and narrow.
-fn surfaces<S: SourceScalar, H: Specular + Named>(visit: &mut impl Visit, highlight: H) -> Result<(), Error>
+fn surfaces<S: SourceScalar, H: SpecularLobe + Named>(
+    visit: &mut impl Visit,
+    highlight: H,
+) -> Result<(), Error>
 where
     H::Constants<S>: Source,
 {

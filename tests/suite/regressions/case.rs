@@ -1,6 +1,6 @@
 //! What the tests share: the case of a cone, asked of every format.
 
-use luminaire::{Angle, Cone, Fx16, Fx32, HalfAngle, Profile};
+use luminaire::{Angle, Cone, Fx16, Fx32, HalfAngle, falloff::Falloff};
 use std::ops::RangeInclusive;
 use support::{
     bounds::{self, ROWS},
@@ -11,15 +11,15 @@ use support::{
 /// A cone between two half angles in degrees, and the row of the table of bounds that its profile has.
 pub(crate) struct Case<P> {
     pub(crate) profile: P,
-    pub(crate) oracle: reference::Profile,
+    pub(crate) oracle: reference::Falloff,
     pub(crate) row: &'static str,
     pub(crate) inner: f32,
     pub(crate) outer: f32,
 }
 
-impl<P: Profile> Case<P> {
+impl<P: Falloff> Case<P> {
     /// The profile from the axis to the edge.
-    pub(crate) fn open(row: &'static str, profile: P, oracle: reference::Profile, outer: f32) -> Self {
+    pub(crate) fn open(row: &'static str, profile: P, oracle: reference::Falloff, outer: f32) -> Self {
         Self { profile, oracle, row, inner: 0.0, outer }
     }
 

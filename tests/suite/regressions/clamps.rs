@@ -1,7 +1,11 @@
 //! Cones that an epsilon, a singular angle or a rounded angle takes the light from.
 
 use super::case::{ALL, Case, assert_fault};
-use luminaire::{Angle, Cone, CutOff, HalfAngle, Parameter, Rim, Soft};
+use luminaire::{
+    Angle, Cone, HalfAngle,
+    error::Parameter,
+    falloff::{InvertedPower, Soft, Step},
+};
 use std::f32::consts::FRAC_PI_2;
 use support::reference;
 
@@ -99,7 +103,7 @@ fn godot_loses_a_lamp_whose_angles_round_to_one() {
         assert_eq!(godot(1e-4, exponent, cosine, (outer as f32).cos()), 0.0);
     }
     let half = (outer as f32).to_degrees();
-    let step = Case { inner: half, ..Case::open("cut-off", CutOff, reference::cut_off, half) };
+    let step = Case { inner: half, ..Case::open("cut-off", Step, reference::cut_off, half) };
     assert_eq!(step.held_by(), ALL);
     let soft = Case { inner: half, ..Case::open("soft", Soft, reference::soft, half) };
     assert_eq!(soft.held_by(), ALL);
@@ -112,5 +116,5 @@ fn godot_loses_a_lamp_whose_angles_round_to_one() {
 fn godot_raises_zero_to_the_power_of_zero() {
     assert!(godot(0.0, 0.0, 1.0, 0.9).is_nan());
     assert_fault(godot(1e-4, 0.1, 1.0, 0.9), 0.60..=0.61);
-    assert_eq!(Case::open("rim 4", Rim::<4>, reference::rim_4, 30.0).held_by(), ALL);
+    assert_eq!(Case::open("rim 4", InvertedPower::<4>, reference::rim_4, 30.0).held_by(), ALL);
 }

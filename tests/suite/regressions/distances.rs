@@ -2,13 +2,16 @@
 
 use super::case::assert_fault;
 use super::edges::smoothstep_by_comparison;
-use luminaire::{Attenuation, Fx16, Fx32, Point, Polynomial, SmoothRange, Vec3};
+use luminaire::{
+    Fx16, Fx32, PointLight, Vec3,
+    attenuation::{Attenuation, Polynomial, SmoothRange},
+};
 use support::{format::Format, prices, reference};
 
 /// Holds a distance model to its row of the table of prices in one format, from 0.05 to 12 units straight
 /// above a floor.
 fn assert_held<S: Format, A: Attenuation>(row: &str, bound: f64, model: A, oracle: impl Fn(f64) -> f64) {
-    let light = Point::new(Vec3::default()).expect("sound").with_attenuation(model);
+    let light = PointLight::new(Vec3::default()).expect("sound").with_attenuation(model);
     let light = light.compile::<S>().expect("held");
     let up = Vec3::new(S::ZERO, S::ONE, S::ZERO);
     for sixty_fourths in 3..=768_u16 {

@@ -1,7 +1,12 @@
 //! Edges that are undefined, and an edge that should not be there.
 
 use super::case::{ALL, Case, assert_fault, assert_ours};
-use luminaire::{Angle, Cone, Fx16, Fx32, HalfAngle, Parameter, Smooth, Soft, Spot, Vec3, encode_srgb};
+use luminaire::{
+    Angle, Cone, Fx16, Fx32, HalfAngle, SpotLight, Vec3,
+    display::encode_srgb,
+    error::Parameter,
+    falloff::{Smooth, Soft},
+};
 use support::{format::Format, reference};
 
 /// GLSL's smoothstep by the equation of its specification, which leaves `edge0 >= edge1` undefined.
@@ -62,7 +67,8 @@ const ENERGY: f32 = 200.0;
 /// that falls on a floor from a height of 4; and whether skipping changed any of them.
 fn largest_step<S: Format>(early_exit: impl Fn(f32) -> f32) -> u8 {
     let cone = Cone::from_outer(Soft, Angle::degrees(45.0)).expect("a sound cone");
-    let spot = Spot::new(Vec3::new(0.0, 4.0, 0.0), Vec3::new(0.0, -1.0, 0.0), cone).expect("a sound light");
+    let spot =
+        SpotLight::new(Vec3::new(0.0, 4.0, 0.0), Vec3::new(0.0, -1.0, 0.0), cone).expect("a sound light");
     let spot = spot.with_intensity(16.0).expect("sound").compile::<S>().expect("held");
     let up = Vec3::new(S::ZERO, S::ONE, S::ZERO);
     let gain = S::gain(ENERGY);

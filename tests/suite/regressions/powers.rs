@@ -1,7 +1,10 @@
 //! Powers and sines that were approximated and not measured.
 
 use super::case::{ALL, Case, assert_fault, assert_ours};
-use luminaire::{Angle, Cone, CutOff, Fx16, Fx32, HalfAngle, Hard, Power};
+use luminaire::{
+    Angle, Cone, Fx16, Fx32, HalfAngle,
+    falloff::{Hard, Power, Step},
+};
 use micromath::F32;
 use std::f32::consts::{FRAC_PI_2, FRAC_PI_3, FRAC_PI_4, FRAC_PI_6, PI, TAU};
 use support::{format::Format, reference};
@@ -95,7 +98,7 @@ fn opengl_has_an_exponent_of_zero() {
     let pow = |x: f32, y: f32| (y * x.log2()).exp2();
     assert_eq!(pow(0.5, 0.0), 1.0);
     assert!(pow(0.0, 0.0).is_nan());
-    assert_eq!(Case::open("cut-off", CutOff, reference::cut_off, 90.0).held_by(), ALL);
+    assert_eq!(Case::open("cut-off", Step, reference::cut_off, 90.0).held_by(), ALL);
 }
 
 /// leftger/embedded-gfx, src/lut.rs: a table of the sine by six terms of its series, unreduced over the whole

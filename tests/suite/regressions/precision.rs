@@ -2,7 +2,10 @@
 
 use super::case::{ALL, Case, assert_fault};
 use fastrand::Rng;
-use luminaire::{Cone, Fx16, Fx32, HalfAngle, Linear, Smooth, Soft};
+use luminaire::{
+    Cone, Fx16, Fx32, HalfAngle,
+    falloff::{Linear, Smooth, Soft},
+};
 use support::{
     bounds::{REFUSE, ROWS},
     format::Format,
@@ -45,7 +48,7 @@ fn versine_form<S: Format>(half_degrees: f32) -> Option<f64> {
     let mut worst = 0.0_f64;
     for _ in 0..100 {
         let spot = sweep::spot(&mut rng, cone);
-        let exact = reference::Spot {
+        let exact = reference::SpotLight {
             position: S::exact_point(spot.position().map(S::length)),
             axis: unit(S::exact_direction(spot.axis_in::<S>())),
             cone: reference::Cone::new(reference::soft, reference::versine(half_degrees.into())),

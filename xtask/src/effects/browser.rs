@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use anyhow::{Context, Result};
-use luminaire::Effect;
+use luminaire::dynamic::Effect;
 use serde::{Deserialize, Serialize};
 
 use crate::browser::{Chromium, Page};

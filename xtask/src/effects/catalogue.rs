@@ -1,6 +1,6 @@
 //! The effects that have a price, and why the others have none of their own.
 
-use luminaire::Effect::{self, *};
+use luminaire::dynamic::Effect::{self, *};
 
 /// Effects of a kind.
 #[derive(Debug)]
@@ -95,7 +95,7 @@ pub(super) static GROUPS: [Group; 6] = [
             Entry {
                 title: "cut-off",
                 program: "spot-cut-off-lambert",
-                effects: &[CutOff],
+                effects: &[Step],
                 over: Some(SPOT),
                 what: "A step: all or nothing.",
             },
@@ -109,7 +109,7 @@ pub(super) static GROUPS: [Group; 6] = [
             Entry {
                 title: "blend",
                 program: "spot-blend-lambert",
-                effects: &[Blend],
+                effects: &[Quadratic],
                 over: Some(SPOT),
                 what: "A quadratic between soft and hard: a luminaire of given beam and field angles calls for it.",
             },
@@ -130,7 +130,7 @@ pub(super) static GROUPS: [Group; 6] = [
             Entry {
                 title: "rim",
                 program: "spot-rim-lambert",
-                effects: &[Rim],
+                effects: &[InvertedPower],
                 over: Some(SPOT),
                 what: "An integer power of the rim, here the fourth: a flat middle and a steep edge.",
             },
@@ -345,9 +345,9 @@ pub(super) static GROUPS: [Group; 6] = [
 /// The effects that no program shows, and why.
 pub(super) static UNPRICED: [(Effect, &str); 4] = [
     (MixedPower, "is chosen while a program runs and is no constant of one"),
-    (MixedRim, "likewise"),
+    (InvertedMixedPower, "likewise"),
     (RealPower, "likewise"),
-    (RealRim, "likewise"),
+    (InvertedRealPower, "likewise"),
 ];
 
 /// All entries, in the order of the page.

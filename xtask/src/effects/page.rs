@@ -1,7 +1,7 @@
 //! The page `docs/EFFECTS.md`.
 
 use anyhow::{Context, Result};
-use luminaire::Effect;
+use luminaire::dynamic::Effect;
 
 use super::browser::{Browser, Frame, Whole};
 use super::catalogue::{Entry, GROUPS, Group, UNPRICED};
@@ -16,7 +16,7 @@ const INTRODUCTION: &str = "\
 `cargo xtask effects` writes this page, and [effects.json](effects.json) with the same figures by program;
 `cargo xtask effects --check` counts anew and compares. A scene pays for the effects that it calls for and for no
 others: the renderer skips a light only where its contribution is exactly zero, and what a firmware does not name is
-not linked. The effects are those of [`luminaire::Effect`](../core/src/effect.rs), and what every picture has besides.
+not linked. The effects are those of [`luminaire::dynamic::Effect`](../core/src/effect.rs), and what every picture has besides.
 
 **Instructions** are those of an average pixel: counted under QEMU over 256 inputs, compiled for speed, less an empty
 loop that loads a word of the same inputs and folds it into the same checksum, as

@@ -3,7 +3,7 @@
 
 use core::hint::black_box;
 
-use luminaire::{Falloff, HardRange, InverseSquare, Polynomial, Power, Profile, Rgb, Scalar, Soft, Vec3};
+use luminaire::{Rgb, Scalar, Vec3, attenuation::{CutAt, InverseSquare, Polynomial}, falloff::{Falloff, Power, Soft}, light::CompiledCone};
 use luminaire_effects::Format;
 use luminaire_effects::raw::{Bits, Raw, each};
 
@@ -25,7 +25,7 @@ fn of_format<S: Raw>(bits: &mut Bits) {
     shine::<S, _>(bits, matched);
     let gains = [S::raw_gain(bits.word()), S::raw_gain(bits.word()), S::raw_gain(bits.word())];
     let point = bits.any_point::<S, InverseSquare>(());
-    let limited = bits.any_point::<S, HardRange<Polynomial>>((gains[0], gains));
+    let limited = bits.any_point::<S, CutAt<Polynomial>>((gains[0], gains));
     let sites = Sites::<S>::new(bits);
     let (points, normals) = sites.slices();
     let mut sums = Sums::<S>::default();
@@ -64,14 +64,14 @@ fn slices<T>(sums: &mut Rgb<[T; MOST]>) -> Rgb<&mut [T]> {
 
 /// A spotlight of a profile, and its falloff.
 #[inline(never)]
-fn shine<S: Raw, P: Profile>(bits: &mut Bits, profile: P) {
+fn shine<S: Raw, P: Falloff>(bits: &mut Bits, profile: P) {
     let light = bits.any_spot::<S, P, InverseSquare>(profile, profile.compile::<S>(), ());
     let sites = Sites::<S>::new(bits);
     let (points, normals) = sites.slices();
     let mut sums = Sums::<S>::default();
     light.irradiance_each(points, normals, black_box(&mut sums.red[..]));
     light.add_each(points, normals, slices(&mut sums));
-    let falloff = Falloff::<S, P>::from_parts(S::raw_ramp(bits), profile, profile.compile::<S>());
+    let falloff = CompiledCone::<S, P>::from_parts(S::raw_ramp(bits), profile, profile.compile::<S>());
     let versines = [falloff.versine(bits.float()), falloff.versine(bits.float())];
     let mut intensities = bits.column::<S, MOST>(S::scalar);
     falloff.at_each(black_box(&versines[..]), black_box(&mut intensities[..]));

@@ -3,15 +3,8 @@
 
 use core::hint::black_box;
 
-use luminaire::source::{CompiledBlend, CompiledCubic, CompiledFitted};
-use luminaire::{
-    Attenuation, Blend, BlinnPhong, CompiledDirectional, CompiledExposure, CompiledGobo, CompiledMaterial,
-    CompiledPoint, CompiledProjection, CompiledSpot, Cubic, CutOff, DualCone, Edge, Falloff, Fitted, Gobo,
-    Hard, HardRange, Haze, HazyBeam, InverseSquare, Light, Linear, Lyon, Matte, Phong, Polynomial, Power,
-    Profile, RealPower, RealRim, Rgb, Rgb565, Rim, Scalar, Shadow, Smooth, SmoothRange, Soft, Specular,
-    SquaredWindow, Surface, Unattenuated, ViewBundle, ViewRay, Windowed, clip, encode_srgb,
-    encode_srgb_dithered, keep_hue,
-};
+use luminaire::codegen::{CompiledBlend, CompiledCubic, CompiledFitted};
+use luminaire::{Rgb, Scalar, attenuation::{Attenuation, CutAt, FilamentRange, GltfRange, InverseSquare, NoAttenuation, Polynomial, SmoothRange}, display::{CompiledExposure, Rgb565, clip, encode_srgb, encode_srgb_dithered, keep_hue}, falloff::{Cubic, Falloff, FittedFalloff, Hard, InvertedPower, InvertedRealPower, Linear, Power, Quadratic, RealPower, Smooth, Soft, SoftOrHard, Step}, haze::{BeamScattering, Haze, RayBundle, ViewRay}, light::{CompiledCone, CompiledDirectionalLight, CompiledMaterial, CompiledPointLight, CompiledSpotLight, LightModel, SurfacePoint}, projector::{CompiledGobo, CompiledProjection, Gobo, Shadow}, specular::{BlinnPhong, DifferenceForm, DualConeLobe, NoSpecular, Phong, SpecularLobe}};
 use luminaire_effects::Format;
 use luminaire_effects::raw::{Bits, Raw};
 
@@ -26,19 +19,19 @@ const PATTERN: [u8; 9] = [255, 0, 1, 254, 127, 128, 3, 200, 40];
 fn of_format<S: Raw>(bits: &mut Bits) {
     let (g, h) = (S::raw_weight(bits.word()), S::raw_weight(bits.word()));
     let (blend, cubic) = (CompiledBlend::from_parts(g), CompiledCubic::from_parts(g, h));
-    let any_blend = Blend::from_bits(bits.word() as u32);
+    let any_blend = Quadratic::from_bits(bits.word() as u32);
     let any_cubic = Cubic::from_bits([bits.word() as u32, bits.word() as u32]);
     falls::<S, _>(bits, Soft, Soft);
     falls::<S, _>(bits, Hard, Hard);
     falls::<S, _>(bits, Linear, Linear);
-    falls::<S, _>(bits, CutOff, CutOff);
+    falls::<S, _>(bits, Step, Step);
     falls::<S, _>(bits, Smooth, Smooth);
     falls::<S, _>(bits, any_blend, blend);
     falls::<S, _>(bits, any_cubic, cubic);
     falls::<S, _>(bits, Power::<1>, Power);
     falls::<S, _>(bits, Power::<15>, Power);
     falls::<S, _>(bits, Power::<128>, Power);
-    falls::<S, _>(bits, Rim::<4>, Rim);
+    falls::<S, _>(bits, InvertedPower::<4>, InvertedPower);
     for table in [Bits::any_table(), Bits::any_knots()] {
         falls::<S, _>(bits, table, table);
     }
@@ -46,59 +39,59 @@ fn of_format<S: Raw>(bits: &mut Bits) {
     if let Ok(power) = RealPower::new(exponent) {
         falls::<S, _>(bits, power, power.compile::<S>());
     }
-    if let Ok(rim) = RealRim::new(exponent) {
+    if let Ok(rim) = InvertedRealPower::new(exponent) {
         falls::<S, _>(bits, rim, rim.compile::<S>());
     }
-    let edge = if bits.word() == 0 { Edge::Soft } else { Edge::Hard };
+    let edge = if bits.word() == 0 { SoftOrHard::Soft } else { SoftOrHard::Hard };
     falls::<S, _>(bits, edge, edge);
-    falls::<S, _>(bits, Fitted::Blend(any_blend), CompiledFitted::Blend(blend));
-    falls::<S, _>(bits, Fitted::Cubic(any_cubic), CompiledFitted::Cubic(cubic));
+    falls::<S, _>(bits, FittedFalloff::Quadratic(any_blend), CompiledFitted::Quadratic(blend));
+    falls::<S, _>(bits, FittedFalloff::Cubic(any_cubic), CompiledFitted::Cubic(cubic));
     let [a, b, c] = core::array::from_fn(|_| S::raw_gain(bits.word()));
-    reaches::<S, Unattenuated>(bits, ());
+    reaches::<S, NoAttenuation>(bits, ());
     reaches::<S, InverseSquare>(bits, ());
     reaches::<S, Polynomial>(bits, [a, b, c]);
     reaches::<S, SmoothRange>(bits, [a, b]);
-    reaches::<S, Windowed>(bits, (a, ()));
-    reaches::<S, SquaredWindow>(bits, (a, ()));
-    reaches::<S, HardRange<InverseSquare>>(bits, (a, ()));
-    reaches::<S, HardRange<SmoothRange>>(bits, (a, [b, c]));
+    reaches::<S, GltfRange>(bits, (a, ()));
+    reaches::<S, FilamentRange>(bits, (a, ()));
+    reaches::<S, CutAt<InverseSquare>>(bits, (a, ()));
+    reaches::<S, CutAt<SmoothRange>>(bits, (a, [b, c]));
     // Haze is f32 in every format.
     if S::NAME == f32::NAME {
         scatters::<InverseSquare>(bits, ());
         let [reach, inverse, squared] = core::array::from_fn(|_| f32::raw_gain(bits.word()));
-        scatters::<HardRange<SmoothRange>>(bits, (reach, [inverse, squared]));
+        scatters::<CutAt<SmoothRange>>(bits, (reach, [inverse, squared]));
     }
-    let parallel = CompiledDirectional::<S>::from_parts(bits.vector(S::unit), a, bits.colors());
-    black_box(CompiledDirectional::irradiance(&parallel, bits.vector(S::scalar)));
+    let parallel = CompiledDirectionalLight::<S>::from_parts(bits.vector(S::unit), a, bits.colors());
+    black_box(CompiledDirectionalLight::irradiance(&parallel, bits.vector(S::scalar)));
     let ramp = S::raw_ramp(bits);
     let exponent = bits.word() as u32;
-    shines::<S, Matte>(bits, ());
+    shines::<S, NoSpecular>(bits, ());
     shines::<S, Phong>(bits, (ramp, exponent));
     shines::<S, BlinnPhong>(bits, (ramp, exponent));
-    shines::<S, DualCone>(bits, (ramp, exponent));
-    shines::<S, Lyon<Phong, 0>>(bits, ramp);
-    shines::<S, Lyon<BlinnPhong, 4>>(bits, ramp);
+    shines::<S, DualConeLobe>(bits, (ramp, exponent));
+    shines::<S, DifferenceForm<Phong, 0>>(bits, ramp);
+    shines::<S, DifferenceForm<BlinnPhong, 4>>(bits, ramp);
     projects::<S>(bits);
     shows::<S>(bits);
 }
 
-fn surface<S: Raw>(bits: &mut Bits) -> Surface<S> {
+fn surface<S: Raw>(bits: &mut Bits) -> SurfacePoint<S> {
     let (point, normal) = (bits.vector(S::raw_length), bits.vector(S::scalar));
     if bits.word() == 0 {
-        Surface::seen_from(bits.vector(S::raw_length), point, normal)
+        SurfacePoint::seen_from(bits.vector(S::raw_length), point, normal)
     } else {
-        Surface { point, normal, view: bits.vector(S::unit) }
+        SurfacePoint { point, normal, view: bits.vector(S::unit) }
     }
 }
 
 /// A profile, on its own and in a light.
 #[inline(never)]
-fn falls<S: Raw, P: Profile>(bits: &mut Bits, profile: P, curve: P::Compiled<S>) {
+fn falls<S: Raw, P: Falloff>(bits: &mut Bits, profile: P, curve: P::Compiled<S>) {
     let light = bits.any_spot::<S, P, InverseSquare>(profile, curve, ());
-    let Surface { point, normal, .. } = surface::<S>(bits);
+    let SurfacePoint { point, normal, .. } = surface::<S>(bits);
     black_box(light.falloff(point));
-    black_box(CompiledSpot::irradiance(&light, point, normal));
-    black_box(CompiledSpot::irradiance_unskipped(&light, point, normal));
+    black_box(CompiledSpotLight::irradiance(&light, point, normal));
+    black_box(CompiledSpotLight::irradiance_unskipped(&light, point, normal));
 }
 
 /// A distance model, in both kinds of light that have one.
@@ -106,11 +99,11 @@ fn falls<S: Raw, P: Profile>(bits: &mut Bits, profile: P, curve: P::Compiled<S>)
 fn reaches<S: Raw, A: Attenuation>(bits: &mut Bits, attenuation: A::Constants<S>) {
     let spot = bits.any_spot::<S, Soft, A>(Soft, Soft, attenuation);
     let point = bits.any_point::<S, A>(attenuation);
-    let Surface { point: place, normal, .. } = surface::<S>(bits);
-    black_box(CompiledSpot::irradiance(&spot, place, normal));
-    black_box(CompiledSpot::irradiance_unskipped(&spot, place, normal));
-    black_box(CompiledPoint::irradiance(&point, place, normal));
-    black_box(CompiledPoint::irradiance_unskipped(&point, place, normal));
+    let SurfacePoint { point: place, normal, .. } = surface::<S>(bits);
+    black_box(CompiledSpotLight::irradiance(&spot, place, normal));
+    black_box(CompiledSpotLight::irradiance_unskipped(&spot, place, normal));
+    black_box(CompiledPointLight::irradiance(&point, place, normal));
+    black_box(CompiledPointLight::irradiance_unskipped(&point, place, normal));
 }
 
 /// A beam in haze.
@@ -118,13 +111,13 @@ fn reaches<S: Raw, A: Attenuation>(bits: &mut Bits, attenuation: A::Constants<S>
 fn scatters<A: Attenuation>(bits: &mut Bits, attenuation: A::Constants<f32>) {
     let light = bits.any_spot::<f32, Soft, A>(Soft, Soft, attenuation);
     if let Ok(haze) = Haze::new(f32::scalar(bits.word())) {
-        black_box(CompiledSpot::in_haze(&light, &haze));
+        black_box(CompiledSpotLight::in_haze(&light, &haze));
     }
-    let falloff = Falloff::from_parts(f32::raw_ramp(bits), Soft, Soft);
+    let falloff = CompiledCone::from_parts(f32::raw_ramp(bits), Soft, Soft);
     let (position, axis) = (bits.vector(f32::raw_length), bits.vector(f32::unit));
     let [gain, inner, outer, radius, reach, length, versine] =
         core::array::from_fn(|_| f32::scalar(bits.word()));
-    let beam = HazyBeam::<Soft, A>::from_parts(
+    let beam = BeamScattering::<Soft, A>::from_parts(
         position,
         axis,
         falloff,
@@ -137,13 +130,13 @@ fn scatters<A: Attenuation>(bits: &mut Bits, attenuation: A::Constants<f32>) {
     let view = ViewRay { eye, direction, length };
     black_box(beam.air_light(&view));
     black_box(beam.air_light_through(&view, 4, |point| point.x));
-    black_box(beam.can_meet(&ViewBundle { eye, direction, versine, length }));
+    black_box(beam.can_meet(&RayBundle { eye, direction, versine, length }));
     black_box(ViewRay::between(eye, direction));
 }
 
 /// A highlight, under every kind of light.
 #[inline(never)]
-fn shines<S: Raw, H: Specular>(bits: &mut Bits, highlight: H::Constants<S>) {
+fn shines<S: Raw, H: SpecularLobe>(bits: &mut Bits, highlight: H::Constants<S>) {
     let emissive = bits.color(S::light);
     let [ambient, diffuse] = bits.colors::<S>();
     let material =
@@ -154,11 +147,11 @@ fn shines<S: Raw, H: Specular>(bits: &mut Bits, highlight: H::Constants<S>) {
     let point = bits.any_point::<S, InverseSquare>(());
     reflects(bits, &material, &point);
     let (direction, intensity) = (bits.vector(S::unit), S::raw_gain(bits.word()));
-    let parallel = CompiledDirectional::<S>::from_parts(direction, intensity, bits.colors());
+    let parallel = CompiledDirectionalLight::<S>::from_parts(direction, intensity, bits.colors());
     reflects(bits, &material, &parallel);
 }
 
-fn reflects<S: Raw, H: Specular, L: Light<S>>(bits: &mut Bits, material: &CompiledMaterial<S, H>, light: &L) {
+fn reflects<S: Raw, H: SpecularLobe, L: LightModel<S>>(bits: &mut Bits, material: &CompiledMaterial<S, H>, light: &L) {
     let surface = surface::<S>(bits);
     black_box(material.reflect(&surface, light));
     black_box(material.reflect_unskipped(&surface, light));

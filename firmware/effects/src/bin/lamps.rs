@@ -3,10 +3,7 @@
 
 use core::hint::black_box;
 
-use luminaire::{
-    Attenuation, CompiledDirectional, CompiledLamp, Distance, Haze, HazyBeam, Light, Lyon, Matched, Matte,
-    Phong, Profile, Scalar, Specular, Surface, Surfaces, Vec3, ViewRays,
-};
+use luminaire::{Scalar, Vec3, attenuation::{AnyAttenuation, Attenuation}, dynamic::{CompiledAnyLight, SurfacePoints}, falloff::{AnyFalloff, Falloff}, haze::{BeamScattering, Haze, ViewRays}, light::{CompiledDirectionalLight, LightModel, SurfacePoint}, specular::{DifferenceForm, NoSpecular, Phong, SpecularLobe}};
 use luminaire_effects::Format;
 use luminaire_effects::raw::{Bits, Raw, each};
 
@@ -22,13 +19,13 @@ fn lamps(words: [u64; 64]) {
 fn of_format<S: Raw>(bits: &mut Bits) {
     let lamp = lamp::<S>(bits);
     let lobe = (S::raw_ramp(bits), bits.word() as u32);
-    arrives_each::<S, Lyon<Phong, 3>>(bits, &lamp, &lobe.0);
-    arrives::<S, Matte>(bits, &lamp, &());
+    arrives_each::<S, DifferenceForm<Phong, 3>>(bits, &lamp, &lobe.0);
+    arrives::<S, NoSpecular>(bits, &lamp, &());
     arrives::<S, Phong>(bits, &lamp, &lobe);
     if S::NAME == f32::NAME {
         let (haze, lamp) = (Haze::new(bits.float()), self::lamp::<f32>(bits));
         if let Ok(haze) = haze
-            && let Some(beam) = CompiledLamp::in_haze(&lamp, &haze)
+            && let Some(beam) = CompiledAnyLight::in_haze(&lamp, &haze)
         {
             scatters(bits, &beam);
         }
@@ -37,17 +34,17 @@ fn of_format<S: Raw>(bits: &mut Bits) {
 
 /// A lamp of any kind, profile and distance model; its profile and its curve need not be of one kind.
 #[inline(never)]
-fn lamp<S: Raw>(bits: &mut Bits) -> CompiledLamp<S> {
+fn lamp<S: Raw>(bits: &mut Bits) -> CompiledAnyLight<S> {
     let attenuation = bits.any_distance().constants::<S>();
     match bits.choice(3) {
         0 => {
             let (direction, intensity) = (bits.vector(S::unit), S::raw_gain(bits.word()));
-            CompiledLamp::Directional(CompiledDirectional::from_parts(direction, intensity, bits.colors()))
+            CompiledAnyLight::Directional(CompiledDirectionalLight::from_parts(direction, intensity, bits.colors()))
         }
-        1 => CompiledLamp::Point(bits.any_point(attenuation)),
+        1 => CompiledAnyLight::Point(bits.any_point(attenuation)),
         _ => {
             let (profile, curve) = (bits.any_profile(), bits.any_profile().compile::<S>());
-            CompiledLamp::Spot(bits.any_spot(profile, curve, attenuation))
+            CompiledAnyLight::Spot(bits.any_spot(profile, curve, attenuation))
         }
     }
 }
@@ -55,29 +52,29 @@ fn lamp<S: Raw>(bits: &mut Bits) -> CompiledLamp<S> {
 /// A kind of highlight at many points. One is enough: the loops have nothing of their own for another, for each profile and
 /// distance model, and without highlights they have less. What each does at a point is in the program `everything`.
 #[inline(never)]
-fn arrives_each<S: Raw, H: Specular>(bits: &mut Bits, lamp: &CompiledLamp<S>, highlight: &H::Constants<S>) {
+fn arrives_each<S: Raw, H: SpecularLobe>(bits: &mut Bits, lamp: &CompiledAnyLight<S>, highlight: &H::Constants<S>) {
     let (points, normals, views) =
         (bits.columns(S::raw_length), bits.columns(S::scalar), bits.columns(S::unit));
-    let surfaces = Surfaces::<S, LANES> { point: each(&points), normal: each(&normals), view: each(&views) };
+    let surfaces = SurfacePoints::<S, LANES> { point: each(&points), normal: each(&normals), view: each(&views) };
     let mut arrivals = Default::default();
     lamp.arrive_each::<H, LANES>(&surfaces, highlight, &mut arrivals);
     black_box(arrivals);
-    black_box(Surfaces::at(&surfaces, bits.word() as usize));
+    black_box(SurfacePoints::at(&surfaces, bits.word() as usize));
 }
 
 /// A kind of highlight at a point, under a lamp of any kind.
 #[inline(never)]
-fn arrives<S: Raw, H: Specular>(bits: &mut Bits, lamp: &CompiledLamp<S>, highlight: &H::Constants<S>) {
+fn arrives<S: Raw, H: SpecularLobe>(bits: &mut Bits, lamp: &CompiledAnyLight<S>, highlight: &H::Constants<S>) {
     let (point, normal) = (bits.vector(S::raw_length), bits.vector(S::scalar));
-    let surface = Surface { point, normal, view: bits.vector(S::unit) };
+    let surface = SurfacePoint { point, normal, view: bits.vector(S::unit) };
     let skips = bits.choice(2) == 0;
     black_box(lamp.arrive::<H>(&surface, highlight, skips));
-    black_box((Light::color(lamp), Light::specular_color(lamp)));
+    black_box((LightModel::color(lamp), LightModel::specular_color(lamp)));
 }
 
 /// A beam in haze, for one ray and for many.
 #[inline(never)]
-fn scatters(bits: &mut Bits, beam: &HazyBeam<Matched, Distance>) {
+fn scatters(bits: &mut Bits, beam: &BeamScattering<AnyFalloff, AnyAttenuation>) {
     let rays = ViewRays::<LANES> {
         eye: bits.vector(f32::raw_length),
         direction: bits.columns(f32::unit),

@@ -4,12 +4,8 @@
 use core::array::from_fn;
 use core::hint::black_box;
 
-use luminaire::source::{CompiledBlend, CompiledCubic};
-use luminaire::{
-    Attenuation, BlinnPhong, CompiledSpot, Cubic, Curve, Distance, DualCone, Effect, Effects, Falloff,
-    Fraction, Gain, Highlight, InverseSquare, Knot, Light, Lyon, Matched, Matte, Offset, Phong, Profile, Ray,
-    Rgb, Rise, Scalar, Share, Slopes, Soft, Specular, Surface, Vec3,
-};
+use luminaire::codegen::{CompiledBlend, CompiledCubic};
+use luminaire::{Rgb, Scalar, Vec3, attenuation::{AnyAttenuation, Attenuation, InverseSquare}, dynamic::{Effect, Effects}, falloff::{AnyFalloff, Cubic, Curve, Falloff, Knot, Soft}, light::{CompiledCone, CompiledSpotLight, LightModel, SurfacePoint}, number::{Fraction, Gain, Offset, Ray, Rise, Share, Slopes}, specular::{BlinnPhong, DifferenceForm, DualConeLobe, Highlight, NoSpecular, Phong, SpecularLobe}};
 use luminaire_effects::Format;
 use luminaire_effects::raw::{Bits, Raw};
 
@@ -25,11 +21,11 @@ fn of_format<S: Raw>(bits: &mut Bits) {
     points::<S>(bits);
     shows::<S>(bits);
     falls::<S>(bits);
-    glitters::<S, Matte>(bits);
+    glitters::<S, NoSpecular>(bits);
     glitters::<S, Phong>(bits);
     glitters::<S, BlinnPhong>(bits);
-    glitters::<S, DualCone>(bits);
-    glitters::<S, Lyon<Phong, 3>>(bits);
+    glitters::<S, DualConeLobe>(bits);
+    glitters::<S, DifferenceForm<Phong, 3>>(bits);
     keeps::<S>(bits);
 }
 
@@ -105,11 +101,11 @@ fn goes<S: Raw, R: Ray<S>>(bits: &mut Bits, offset: &S::Offset, ray: &R) {
     let [share, other] = [Ray::near(ray, gain), Ray::squared_near(ray, offset, gain)];
     shares(bits, share, other);
     black_box(Ray::expose(ray, share, gain));
-    let curve = Profile::compile::<S>(bits.any_profile());
-    let falloff = Falloff::<S, Matched>::from_parts(ramp, bits.any_profile(), curve);
-    black_box(Falloff::toward(&falloff, ray, axis));
+    let curve = Falloff::compile::<S>(bits.any_profile());
+    let falloff = CompiledCone::<S, AnyFalloff>::from_parts(ramp, bits.any_profile(), curve);
+    black_box(CompiledCone::toward(&falloff, ray, axis));
     let constants = Attenuation::constants::<S>(bits.any_distance());
-    black_box(<Distance as Attenuation>::expose::<S, R>(&constants, offset, ray, other, gain));
+    black_box(<AnyAttenuation as Attenuation>::expose::<S, R>(&constants, offset, ray, other, gain));
 }
 
 /// Shares of a light.
@@ -137,11 +133,11 @@ fn bends<S: Raw, F: Fraction<S>>(bits: &mut Bits, t: F, other: F) {
     black_box(Fraction::along(t, black_box(&knots[..])));
     black_box(Curve::<S>::intensity(CompiledBlend::from_parts(g), t));
     black_box(Curve::<S>::intensity(CompiledCubic::from_parts(g, h), t));
-    let curve = Profile::compile::<S>(bits.any_profile());
+    let curve = Falloff::compile::<S>(bits.any_profile());
     black_box(Curve::<S>::intensity(curve, t));
 }
 
-/// Light.
+/// LightModel.
 #[inline(never)]
 fn shows<S: Raw>(bits: &mut Bits) {
     let [a, b] = from_fn(|_| S::light(bits.word()));
@@ -157,26 +153,26 @@ fn shows<S: Raw>(bits: &mut Bits) {
 #[inline(never)]
 fn falls<S: Raw>(bits: &mut Bits) {
     let model = bits.any_distance();
-    black_box((Distance::range(&model), Attenuation::grows(&model)));
+    black_box((AnyAttenuation::range(&model), Attenuation::grows(&model)));
     let constants = Attenuation::constants::<S>(model);
     let [light, point] = from_fn(|_| bits.vector(S::raw_length));
     let offset = S::offset(light, point);
-    black_box(<Distance as Attenuation>::is_inverse_square::<S>(&constants));
-    black_box(<Distance as Attenuation>::is_beyond::<S>(&constants, &offset));
+    black_box(<AnyAttenuation as Attenuation>::is_inverse_square::<S>(&constants));
+    black_box(<AnyAttenuation as Attenuation>::is_beyond::<S>(&constants, &offset));
     let profile = bits.any_profile();
-    let falloff = Falloff::<S, Matched>::from_parts(S::raw_ramp(bits), profile, profile.compile());
-    black_box(Falloff::at(&falloff, Falloff::versine(&falloff, bits.float())));
-    black_box(Falloff::at(&Falloff::with_profile(&falloff, Soft), Falloff::versine(&falloff, bits.float())));
+    let falloff = CompiledCone::<S, AnyFalloff>::from_parts(S::raw_ramp(bits), profile, profile.compile());
+    black_box(CompiledCone::at(&falloff, CompiledCone::versine(&falloff, bits.float())));
+    black_box(CompiledCone::at(&CompiledCone::with_profile(&falloff, Soft), CompiledCone::versine(&falloff, bits.float())));
 }
 
 /// A kind of highlight by itself.
 #[inline(never)]
-fn glitters<S: Raw, H: Specular>(bits: &mut Bits) {
-    let constants = <H as Specular>::constants::<S>(bits.word() as u32);
-    black_box(<H as Specular>::end(bits.word() as u32));
+fn glitters<S: Raw, H: SpecularLobe>(bits: &mut Bits) {
+    let constants = <H as SpecularLobe>::constants::<S>(bits.word() as u32);
+    black_box(<H as SpecularLobe>::end(bits.word() as u32));
     let [incoming, view] = from_fn(|_| bits.vector(S::unit));
     let normal = bits.vector(S::scalar);
-    black_box(<H as Specular>::lobe::<S>(&constants, incoming, normal, view));
+    black_box(<H as SpecularLobe>::lobe::<S>(&constants, incoming, normal, view));
     black_box(<BlinnPhong as Highlight>::directions::<S>(incoming, normal, view));
 }
 
@@ -184,11 +180,11 @@ fn glitters<S: Raw, H: Specular>(bits: &mut Bits) {
 #[inline(never)]
 fn keeps<S: Raw>(bits: &mut Bits) {
     let spot = bits.any_spot::<S, Soft, InverseSquare>(Soft, Soft, ());
-    black_box((CompiledSpot::profile(&spot), CompiledSpot::with_profile(&spot, Soft)));
+    black_box((CompiledSpotLight::profile(&spot), CompiledSpotLight::with_profile(&spot, Soft)));
     let point = bits.any_point::<S, InverseSquare>(());
-    black_box((Light::color(&point), Light::specular_color(&point)));
+    black_box((LightModel::color(&point), LightModel::specular_color(&point)));
     let position = bits.vector(S::raw_length);
-    black_box(Surface::<S>::matte(position, bits.vector(S::scalar)));
+    black_box(SurfacePoint::<S>::matte(position, bits.vector(S::scalar)));
     let colors = Rgb::zip(bits.color(S::scalar), bits.color(S::scalar), |a, b| a.minus(b));
     black_box(Rgb::map(colors, S::to_f32));
     let lengths = Vec3::zip(position, bits.vector(S::raw_length), |a, b| if a < b { a } else { b });

@@ -5,12 +5,7 @@ use core::array::from_fn;
 use core::hint::black_box;
 
 use luminaire::import::{Difference, Direct3d, Gltf, Godot, OpenGl, Penumbra, Ramp, Three};
-use luminaire::{
-    Ambient, Angle, Blend, BlinnPhong, Cone, Cubic, CutOff, Directional, DualCone, Edge, Effect, Error,
-    Exposure, Fitted, Gobo, HalfAngle, Hard, Haze, Knot, Lamp, Linear, Luminaire, Lyon, Material, Phong,
-    Plan, Point, Power, Profile, Projection, Rim, Shadow, Smooth, Soft, Specular, Spot, Table, Vec3,
-    ViewBundle, ViewRay, decode_srgb,
-};
+use luminaire::{AmbientLight, Angle, Cone, DirectionalLight, Error, HalfAngle, Material, PointLight, SpotLight, Vec3, display::{Exposure, decode_srgb}, dynamic::{AnyLight, Effect, RenderPlan}, falloff::{Cubic, Falloff, FittedFalloff, Hard, InvertedPower, Knot, Linear, Power, Quadratic, Smooth, Soft, SoftOrHard, Step, Table}, haze::{Haze, RayBundle, ViewRay}, projector::{Fixture, Gobo, Projection, Shadow}, specular::{BlinnPhong, DifferenceForm, DualConeLobe, Phong, SpecularLobe}};
 use luminaire_effects::Format;
 use luminaire_effects::raw::{Bits, Raw};
 
@@ -26,14 +21,14 @@ fn of_format<S: Raw>(bits: &mut Bits) {
     designs::<S, _>(bits, Soft);
     designs::<S, _>(bits, Hard);
     designs::<S, _>(bits, Linear);
-    designs::<S, _>(bits, CutOff);
+    designs::<S, _>(bits, Step);
     designs::<S, _>(bits, Smooth);
     designs::<S, _>(bits, Power::<15>);
-    designs::<S, _>(bits, Rim::<4>);
-    let edge = if bits.choice(2) == 0 { Edge::Soft } else { Edge::Hard };
+    designs::<S, _>(bits, InvertedPower::<4>);
+    let edge = if bits.choice(2) == 0 { SoftOrHard::Soft } else { SoftOrHard::Hard };
     designs::<S, _>(bits, edge);
     let (blend, cubic) = (bits.any_blend(), bits.any_cubic());
-    let fitted = if bits.choice(2) == 0 { Fitted::Blend(blend) } else { Fitted::Cubic(cubic) };
+    let fitted = if bits.choice(2) == 0 { FittedFalloff::Quadratic(blend) } else { FittedFalloff::Cubic(cubic) };
     designs::<S, _>(bits, fitted);
     let matched = bits.any_profile();
     designs::<S, _>(bits, matched);
@@ -49,7 +44,7 @@ fn of_format<S: Raw>(bits: &mut Bits) {
 
 /// All cones of a profile, each with what it answers.
 #[inline(never)]
-fn designs<S: Raw, P: Profile>(bits: &mut Bits, profile: P) {
+fn designs<S: Raw, P: Falloff>(bits: &mut Bits, profile: P) {
     let [angle, inner, delimiter] = from_fn(|_| Angle::degrees(bits.float()));
     black_box([profile.beam_versine(), profile.field_versine()]);
     black_box([profile.steepness(bits.float()), profile.integral(bits.float())]);
@@ -80,7 +75,7 @@ fn measures<S: Raw>(bits: &mut Bits) {
     let angle = if bits.choice(2) == 0 { Angle::from(half) } else { Angle::radians(bits.float()) };
     black_box([angle.to_degrees(), Angle::to_radians(angle), Angle::versine(angle)]);
     black_box(HalfAngle::from(Angle::from_versine(bits.float())));
-    black_box(Blend::new(bits.float()).is_ok());
+    black_box(Quadratic::new(bits.float()).is_ok());
     let [a, b, c] = from_fn(|_| bits.float());
     black_box(
         [Cubic::new(a, b, c), Cubic::with_slopes(a, b)].map(|made| made.map(Cubic::coefficients).is_ok()),
@@ -113,38 +108,38 @@ fn floats(bits: &mut Bits) -> Vec3<f32> {
 
 /// A lamp of any kind.
 #[inline(never)]
-fn lamp<S: Raw>(bits: &mut Bits) -> Result<Lamp, Error> {
+fn lamp<S: Raw>(bits: &mut Bits) -> Result<AnyLight, Error> {
     let (place, direction) = (floats(bits), floats(bits));
     let [color, shine] = from_fn(|_| bits.color(f32::scalar));
     let intensity = bits.float();
     match bits.choice(3) {
         0 => {
-            let light = Directional::new(direction)?.with_color(color)?.with_specular_color(shine)?;
+            let light = DirectionalLight::new(direction)?.with_color(color)?.with_specular_color(shine)?;
 
             let light = light.with_intensity(intensity)?;
-            black_box(Directional::compile::<S>(&light));
+            black_box(DirectionalLight::compile::<S>(&light));
             Ok(light.into())
         }
         1 => {
-            let light = Point::new(place)?.with_color(color)?.with_specular_color(shine)?;
+            let light = PointLight::new(place)?.with_color(color)?.with_specular_color(shine)?;
             let light = light.with_intensity(intensity)?.with_attenuation(bits.any_distance());
-            black_box([Point::lumens(&light, bits.float()), Point::candela(&light, bits.float())]);
-            black_box(Point::compile::<S>(&light).is_ok());
+            black_box([PointLight::lumens(&light, bits.float()), PointLight::candela(&light, bits.float())]);
+            black_box(PointLight::compile::<S>(&light).is_ok());
             Ok(light.into())
         }
         _ => {
             let cone = Cone::from_outer(bits.any_profile(), Angle::degrees(bits.float()))?;
             let light = if bits.choice(2) == 0 {
-                Spot::with_attenuation(&Spot::new(place, direction, cone)?, bits.any_distance())
+                SpotLight::with_attenuation(&SpotLight::new(place, direction, cone)?, bits.any_distance())
             } else {
-                let light = Spot::between(place, direction, cone)?;
+                let light = SpotLight::between(place, direction, cone)?;
                 light.with_attenuation(light.attenuation().into())
             };
             let light = light.with_axis(floats(bits))?.with_cone(light.cone()).with_color(color)?;
             let light = light.with_specular_color(shine)?.with_intensity(intensity)?;
             black_box((light.color(), light.specular_color(), light.intensity()));
-            black_box(Spot::axis_in::<S>(&light));
-            black_box(Spot::compile::<S>(&light).is_ok());
+            black_box(SpotLight::axis_in::<S>(&light));
+            black_box(SpotLight::compile::<S>(&light).is_ok());
             Ok(light.into())
         }
     }
@@ -152,23 +147,23 @@ fn lamp<S: Raw>(bits: &mut Bits) -> Result<Lamp, Error> {
 
 /// What hangs from a truss: a lamp with what is in front of it, and the plan of its picture.
 #[inline(never)]
-fn hangs<S: Raw>(bits: &mut Bits, lamp: Lamp) {
-    black_box((Lamp::color(&lamp), Lamp::specular_color(&lamp), Lamp::intensity(&lamp)));
-    black_box((Lamp::effects(&lamp), lamp.is_dark()));
+fn hangs<S: Raw>(bits: &mut Bits, lamp: AnyLight) {
+    black_box((AnyLight::color(&lamp), AnyLight::specular_color(&lamp), AnyLight::intensity(&lamp)));
+    black_box((AnyLight::effects(&lamp), lamp.is_dark()));
     let pattern = Gobo::new(bits.word() as usize, black_box(PATTERN.as_slice()));
     let hung = pattern.and_then(|pattern| {
         let roll = Angle::degrees(bits.float());
-        Luminaire::from(lamp).with_gobo(pattern, roll)?.with_shadow(bits.word() as u16)
+        Fixture::from(lamp).with_gobo(pattern, roll)?.with_shadow(bits.word() as u16)
     });
     let luminaire = hung.unwrap_or(lamp.into());
     black_box(luminaire.compile_gobo::<S>().is_ok());
-    let plan = if bits.choice(2) == 0 { Plan::with(Plan::new(), Effect::Haze) } else { Plan::everything() };
+    let plan = if bits.choice(2) == 0 { RenderPlan::with(RenderPlan::new(), Effect::Haze) } else { RenderPlan::everything() };
     let plan = plan.with_luminaire(&luminaire);
     black_box((plan.calls_for(Effect::Gobo), plan.effects().iter().count()));
-    black_box(Luminaire::effects(&luminaire));
+    black_box(Fixture::effects(&luminaire));
     black_box(plan.prepare::<S>(luminaire.lamp()).is_ok());
-    black_box(Lamp::compile::<S>(&lamp).is_ok());
-    if let Lamp::Spot(spot) = lamp {
+    black_box(AnyLight::compile::<S>(&lamp).is_ok());
+    if let AnyLight::Spot(spot) = lamp {
         let roll = Angle::degrees(bits.float());
         black_box(Projection::of(&spot).and_then(|square| square.turned(roll)).is_ok());
     }
@@ -222,7 +217,7 @@ fn imports<S: Raw>(bits: &mut Bits) {
     let godot = Godot::import(&godot, place, direction);
     if let Ok(of) = godot {
         // No other rim has a floor.
-        black_box(Spot::compile::<S>(&of.light).is_ok());
+        black_box(SpotLight::compile::<S>(&of.light).is_ok());
     }
     imported(godot.map(|of| of.difference));
     let ramp = if bits.choice(2) == 0 { Ramp::Linear } else { Ramp::Smooth };
@@ -243,14 +238,14 @@ fn surfaces<S: Raw>(bits: &mut Bits) {
         black_box(Material::compile::<S>(&paper));
         glossy::<S, _>(bits, paper, Phong);
         glossy::<S, _>(bits, paper, BlinnPhong);
-        glossy::<S, _>(bits, paper, DualCone);
-        glossy::<S, _>(bits, paper, Lyon::<_, 3>(Phong));
+        glossy::<S, _>(bits, paper, DualConeLobe);
+        glossy::<S, _>(bits, paper, DifferenceForm::<_, 3>(Phong));
     }
     let ambient =
-        Ambient::new(bits.color(f32::scalar)).and_then(|all| Ambient::with_intensity(all, bits.float()));
+        AmbientLight::new(bits.color(f32::scalar)).and_then(|all| AmbientLight::with_intensity(all, bits.float()));
     if let Ok(ambient) = ambient {
-        black_box(Ambient::compile::<S>(&ambient));
-        black_box(Plan::with_ambient(Plan::new(), &ambient).skips());
+        black_box(AmbientLight::compile::<S>(&ambient));
+        black_box(RenderPlan::with_ambient(RenderPlan::new(), &ambient).skips());
     }
     for exposure in [Exposure::factor(bits.float()), Exposure::stops(bits.word() as i32)] {
         black_box(exposure.map(Exposure::compile::<S>).is_ok());
@@ -263,10 +258,10 @@ fn paper(bits: &mut Bits) -> Result<Material, Error> {
     Material::with_ambient(Material::new(diffuse)?, ambient)?.with_emissive(emissive)
 }
 
-fn glossy<S: Raw, H: Specular>(bits: &mut Bits, paper: Material, highlight: H) {
+fn glossy<S: Raw, H: SpecularLobe>(bits: &mut Bits, paper: Material, highlight: H) {
     if let Ok(gloss) = paper.with_highlight(highlight, bits.color(f32::scalar), bits.word() as u32) {
         black_box(Material::compile::<S>(&gloss));
-        black_box(Plan::new().with_material(&gloss).effects());
+        black_box(RenderPlan::new().with_material(&gloss).effects());
     }
     black_box(H::end(bits.word() as u32));
 }
@@ -279,6 +274,6 @@ fn sees(bits: &mut Bits) {
     }
     let (eye, direction) = (floats(bits), floats(bits));
     let others = [floats(bits), floats(bits), floats(bits)];
-    black_box(ViewBundle::around(eye, direction, black_box(&others[..]), bits.float()));
+    black_box(RayBundle::around(eye, direction, black_box(&others[..]), bits.float()));
     black_box([ViewRay::between(eye, direction), ViewRay::endless(eye, direction)]);
 }

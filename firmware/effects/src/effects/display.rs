@@ -1,6 +1,6 @@
 //! From light to the codes of a display, in three channels.
 
-use luminaire::{Rgb, Rgb565};
+use luminaire::{Rgb, display::Rgb565};
 
 use crate::constants::EXPOSURE;
 use crate::{Color, Format, Light, Place};
@@ -14,25 +14,25 @@ pub fn exposure(light: Light) -> Light {
 /// Light clipped to full scale.
 #[inline(always)]
 pub fn clip(light: Light) -> Color {
-    luminaire::clip::<Format>(light)
+    luminaire::display::clip::<Format>(light)
 }
 
 /// Light scaled to full scale with its hue.
 #[inline(always)]
 pub fn keep_hue(light: Light) -> Color {
-    luminaire::keep_hue::<Format>(light)
+    luminaire::display::keep_hue::<Format>(light)
 }
 
 /// A colour in sRGB codes of eight bits.
 #[inline(always)]
 pub fn srgb(color: Color) -> Rgb<u8> {
-    color.map(luminaire::encode_srgb)
+    color.map(luminaire::display::encode_srgb)
 }
 
 /// A colour in sRGB codes of eight bits, dithered.
 #[inline(always)]
 pub fn dither((color, Place { x, y }): (Color, Place)) -> Rgb<u8> {
-    color.map(|channel| luminaire::encode_srgb_dithered(channel, x, y))
+    color.map(|channel| luminaire::display::encode_srgb_dithered(channel, x, y))
 }
 
 /// A colour as a pixel of 16 bits.

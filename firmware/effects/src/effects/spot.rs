@@ -1,6 +1,6 @@
 //! A spotlight: its edges, its distances, and what stands in its way.
 
-use luminaire::{Scalar, ViewRay};
+use luminaire::{Scalar, haze::ViewRay};
 
 use crate::constants::{
     BEAM, GOBO, SHADOW, SPOT_BLEND, SPOT_CUBIC, SPOT_CUT_OFF, SPOT_DELIMITER, SPOT_HARD, SPOT_HARD_RANGE,

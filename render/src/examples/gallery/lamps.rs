@@ -1,10 +1,16 @@
 //! The spotlights of the gallery: each profile and each distance model in turn.
 
-use crate::examples::{Fixture, room::aimed};
+use crate::examples::{MovingLight, room::aimed};
 use luminaire::{
-    Angle, Cone, CutOff, Distance, Error, Faded, Hard, HardRange, InverseSquare, Linear, Matched, MixedPower,
-    MixedRim, Polynomial, Power, Rgb, Rim, Smooth, SmoothRange, Soft, Spot, SquaredWindow, Table,
-    Unattenuated, Vec3, Windowed,
+    Angle, Cone, Error, Rgb, SpotLight, Vec3,
+    attenuation::{
+        AnyAttenuation, CutAt, FilamentRange, GltfRange, InverseSquare, NoAttenuation, Polynomial,
+        SmoothRange, Windowed,
+    },
+    falloff::{
+        AnyFalloff, Hard, InvertedMixedPower, InvertedPower, Linear, MixedPower, Power, Smooth, Soft, Step,
+        Table,
+    },
 };
 
 /// A profile as a goniometer measures it: 11 samples from the axis to the outer angle, with a bright ring.
@@ -21,27 +27,27 @@ pub(super) fn track_spot(
     position: Vec3<f32>,
     target: Vec3<f32>,
     level: f32,
-) -> Result<Fixture, Error> {
+) -> Result<MovingLight, Error> {
     let (name, cone) = kind(number % PROFILES)?;
     let spot = aimed(position, target, cone)?.with_attenuation(distance(number % DISTANCES)?);
-    Ok(Fixture::new(name, lit_to(level, target, spot.with_color(tint(number))?)?))
+    Ok(MovingLight::new(name, lit_to(level, target, spot.with_color(tint(number))?)?))
 }
 
 /// A spotlight with a hotspot and an iris.
-pub(super) fn follow_spot(position: Vec3<f32>, target: Vec3<f32>) -> Result<Fixture, Error> {
+pub(super) fn follow_spot(position: Vec3<f32>, target: Vec3<f32>) -> Result<MovingLight, Error> {
     let cone = Cone::from_outer(Hard, Angle::degrees(16.0))?
         .with_inner(Angle::degrees(9.0))?
         .with_delimiter(Angle::degrees(14.5))?;
     let spot = aimed(position, target, cone)?.with_color(Rgb::new(0.9, 0.95, 1.0))?.with_intensity(9.0)?;
-    Ok(Fixture::new("follow spot", spot))
+    Ok(MovingLight::new("follow spot", spot))
 }
 
 /// The name and the cone of a kind of spotlight: about 40 degrees wide in the beam or in the field.
-fn kind(number: usize) -> Result<(&'static str, Cone<Matched>), Error> {
-    let field = |profile: Matched| Cone::from_field(profile, Angle::degrees(42.0));
+fn kind(number: usize) -> Result<(&'static str, Cone<AnyFalloff>), Error> {
+    let field = |profile: AnyFalloff| Cone::from_field(profile, Angle::degrees(42.0));
     let data_sheet = |beam: f32, field: f32| {
         let cone = Cone::from_beam_and_field(Angle::degrees(beam), Angle::degrees(field))?;
-        Ok(cone.with_profile(Matched::from(cone.profile())))
+        Ok(cone.with_profile(AnyFalloff::from(cone.profile())))
     };
     Ok(match number {
         0 => ("Fresnel", field(Soft.into())?),
@@ -50,26 +56,26 @@ fn kind(number: usize) -> Result<(&'static str, Cone<Matched>), Error> {
         3 => ("PAR", data_sheet(24.0, 44.0)?),
         4 => ("pebble convex", field(Smooth.into())?),
         5 => ("reflector lamp", field(Power::<3>.into())?),
-        6 => ("framing projector", Cone::from_outer(CutOff.into(), Angle::degrees(34.0))?),
+        6 => ("framing projector", Cone::from_outer(Step.into(), Angle::degrees(34.0))?),
         7 => ("accent spot", field(Linear.into())?),
-        8 => ("zoom profile", field(Rim::<4>.into())?),
+        8 => ("zoom profile", field(InvertedPower::<4>.into())?),
         9 => ("lensed spot", field(MixedPower::new([2, 5], 0.5)?.into())?),
-        10 => ("contour spot", field(MixedRim::new([2, 6], 0.4)?.into())?),
+        10 => ("contour spot", field(InvertedMixedPower::new([2, 6], 0.4)?.into())?),
         _ => ("measured spot", field(Table::of(&MEASURED).into())?),
     })
 }
 
 /// A distance model.
-fn distance(number: usize) -> Result<Distance, Error> {
+fn distance(number: usize) -> Result<AnyAttenuation, Error> {
     Ok(match number {
         0 => InverseSquare.into(),
-        1 => SquaredWindow::new(InverseSquare, Some(9.0))?.into(),
+        1 => FilamentRange::new(InverseSquare, Some(9.0))?.into(),
         2 => Polynomial::new(0.0, 0.5, 0.8)?.into(),
         3 => SmoothRange::new(8.0)?.into(),
-        4 => Windowed::new(InverseSquare, Some(8.0))?.into(),
-        5 => HardRange::new(InverseSquare, Some(9.0))?.into(),
-        6 => Faded::new(Polynomial::new(0.2, 0.0, 1.0)?, Some(9.0))?.into(),
-        _ => Faded::new(Unattenuated, Some(7.0))?.into(),
+        4 => GltfRange::new(InverseSquare, Some(8.0))?.into(),
+        5 => CutAt::new(InverseSquare, Some(9.0))?.into(),
+        6 => Windowed::new(Polynomial::new(0.2, 0.0, 1.0)?, Some(9.0))?.into(),
+        _ => Windowed::new(NoAttenuation, Some(7.0))?.into(),
     })
 }
 
@@ -83,8 +89,8 @@ fn tint(number: usize) -> Rgb<f32> {
 fn lit_to(
     level: f32,
     target: Vec3<f32>,
-    spot: Spot<Matched, Distance>,
-) -> Result<Spot<Matched, Distance>, Error> {
+    spot: SpotLight<AnyFalloff, AnyAttenuation>,
+) -> Result<SpotLight<AnyFalloff, AnyAttenuation>, Error> {
     let facing = spot.axis().map(|component| -component);
     let lit = spot.with_intensity(1.0)?.compile::<f32>()?.irradiance(target, facing);
     spot.with_intensity(level / lit)

@@ -2,7 +2,7 @@
 
 use crate::{bounds::Bounds, scene::Scene};
 use alloc::vec::Vec;
-use luminaire::{Projection, Vec3};
+use luminaire::{Vec3, projector::Projection};
 
 pub(super) type Vector = [f64; 3];
 pub(super) type Triangle = [Vector; 3];

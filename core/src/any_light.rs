@@ -1,0 +1,165 @@
+//! Lights of any kind, chosen at run time.
+
+mod each;
+mod hazy;
+
+pub use self::each::SurfacePoints;
+
+use crate::{
+    attenuation::{AnyAttenuation, Attenuation},
+    color::Rgb,
+    effect::{Effect, Effects},
+    error::Error,
+    falloff::{AnyFalloff, Falloff},
+    light::{DirectionalLight, PointLight, SpotLight},
+    number::Scalar,
+    shade::{
+        CompiledDirectionalLight, CompiledPointLight, CompiledSpotLight, Incident, LightModel, SurfacePoint,
+    },
+    specular::SpecularLobe,
+};
+
+/// A light of any kind, with any profile and any distance model: what a scene is made of that is not known when the
+/// program is compiled.
+///
+/// ```
+/// use luminaire::{Angle, Cone, PointLight, SpotLight, Vec3, dynamic::AnyLight, falloff::Soft};
+/// let cone = Cone::from_field(Soft, Angle::degrees(15.0))?;
+/// let spot = SpotLight::new(Vec3::new(0.0, 4.0, 0.0), Vec3::new(0.0, -1.0, 0.0), cone)?;
+/// let lamps = [AnyLight::from(spot), PointLight::new(Vec3::new(1.0, 2.0, 0.0))?.into()];
+/// assert_eq!(lamps[0].effects().to_string(), "diffuse, spot, soft, inverse-square");
+/// # Ok::<(), luminaire::Error>(())
+/// ```
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum AnyLight {
+    /// Light from infinitely far away.
+    Directional(DirectionalLight),
+    /// Light from a place into all directions.
+    Point(PointLight<AnyAttenuation>),
+    /// Light from a place into a cone.
+    Spot(SpotLight<AnyFalloff, AnyAttenuation>),
+}
+
+/// A [`AnyLight`] compiled for the format `S`. Made by [`AnyLight::compile`].
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum CompiledAnyLight<S: Scalar> {
+    /// Light from infinitely far away.
+    Directional(CompiledDirectionalLight<S>),
+    /// Light from a place into all directions.
+    Point(CompiledPointLight<S, AnyAttenuation>),
+    /// Light from a place into a cone.
+    Spot(CompiledSpotLight<S, AnyFalloff, AnyAttenuation>),
+}
+
+/// What every kind of light answers.
+macro_rules! any {
+    ($lamp:expr, $kind:ident, $light:ident => $answer:expr) => {
+        match $lamp {
+            $kind::Directional($light) => $answer,
+            $kind::Point($light) => $answer,
+            $kind::Spot($light) => $answer,
+        }
+    };
+}
+
+impl AnyLight {
+    /// The linear colour.
+    pub fn color(&self) -> Rgb<f32> {
+        any!(self, Self, light => light.color())
+    }
+
+    /// The linear colour of the highlights.
+    pub fn specular_color(&self) -> Rgb<f32> {
+        any!(self, Self, light => light.specular_color())
+    }
+
+    /// The intensity.
+    pub fn intensity(&self) -> f32 {
+        any!(self, Self, light => light.intensity())
+    }
+
+    /// Whether the light can light nothing: an intensity of zero, or no colour.
+    pub fn is_dark(&self) -> bool {
+        self.intensity() == 0.0 || (self.color().is_black() && self.specular_color().is_black())
+    }
+
+    /// What the light calls for; nothing where it is dark.
+    pub fn effects(&self) -> Effects {
+        if self.is_dark() {
+            return Effects::NONE;
+        }
+        let effects = Effects::NONE.with(Effect::Diffuse);
+        match self {
+            Self::Directional(_) => effects.with(Effect::Directional),
+            Self::Point(point) => effects.with(Effect::Point).and(point.attenuation().effects()),
+            Self::Spot(spot) => {
+                effects.with(Effect::Spot).and(cone_effects(spot)).and(spot.attenuation().effects())
+            }
+        }
+    }
+
+    /// Compiles the light for the format `S`.
+    ///
+    /// # Errors
+    /// What the format can't hold: a cone that is too narrow, a position too far away.
+    pub fn compile<S: Scalar>(&self) -> Result<CompiledAnyLight<S>, Error> {
+        Ok(match self {
+            Self::Directional(light) => CompiledAnyLight::Directional(light.compile()),
+            Self::Point(light) => CompiledAnyLight::Point(light.compile()?),
+            Self::Spot(light) => CompiledAnyLight::Spot(light.compile()?),
+        })
+    }
+}
+
+fn cone_effects(spot: &SpotLight<AnyFalloff, AnyAttenuation>) -> Effects {
+    let cone = spot.cone();
+    let mut effects = Effects::NONE.with(cone.profile().effect());
+    if cone.has_hotspot() {
+        effects = effects.with(Effect::Hotspot);
+    }
+    if cone.is_delimited() {
+        effects = effects.with(Effect::Delimiter);
+    }
+    effects
+}
+
+impl From<DirectionalLight> for AnyLight {
+    fn from(light: DirectionalLight) -> Self {
+        Self::Directional(light)
+    }
+}
+
+impl<A: Attenuation + Into<AnyAttenuation>> From<PointLight<A>> for AnyLight {
+    fn from(light: PointLight<A>) -> Self {
+        Self::Point(light.with_attenuation(light.attenuation().into()))
+    }
+}
+
+impl<P: Falloff + Into<AnyFalloff>, A: Attenuation + Into<AnyAttenuation>> From<SpotLight<P, A>>
+    for AnyLight
+{
+    fn from(light: SpotLight<P, A>) -> Self {
+        let cone = light.cone().with_profile(light.cone().profile().into());
+        Self::Spot(light.with_cone(cone).with_attenuation(light.attenuation().into()))
+    }
+}
+
+/// With a branch per point: what is slower than [`arrive_each`](CompiledLamp::arrive_each), and of the same bits.
+impl<S: Scalar> LightModel<S> for CompiledAnyLight<S> {
+    fn color(&self) -> Rgb<S> {
+        any!(self, Self, light => light.color)
+    }
+
+    fn specular_color(&self) -> Rgb<S> {
+        any!(self, Self, light => light.specular_color)
+    }
+
+    fn arrive<H: SpecularLobe>(
+        &self,
+        surface: &SurfacePoint<S>,
+        highlight: &H::Constants<S>,
+        skips: bool,
+    ) -> Incident<S::Irradiance> {
+        any!(self, Self, light => light.arrive::<H>(surface, highlight, skips))
+    }
+}

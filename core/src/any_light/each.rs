@@ -1,0 +1,235 @@
+//! The loop for a lamp: its kind, profile and distance model are told apart once for many points, and the loop over them
+//! has no branch on what is the same for all.
+//!
+//! There is a loop for each profile under the inverse-square law, and one for each without a fall. Under another
+//! distance model the light is found in two loops, the cone's and then the distance's: together as many as there are
+//! profiles and models, and not one for each pair.
+
+use super::CompiledAnyLight;
+use crate::{
+    attenuation::{AnyAttenuation, Attenuation, CompiledAnyAttenuation, NoAttenuation, with_attenuation},
+    cone::CompiledCone,
+    falloff::{AnyFalloff, Falloff, with_profile},
+    number::{Offset, Scalar},
+    shade::{CompiledPointLight, CompiledSpotLight, Incident, LightModel, SurfacePoint},
+    specular::SpecularLobe,
+    vec3::{Vec3, nth},
+};
+
+/// Points of surfaces, each quantity in an array of its own: see [`SurfacePoint`].
+#[derive(Clone, Copy, Debug)]
+pub struct SurfacePoints<'a, S: Scalar, const N: usize> {
+    /// Where the points are.
+    pub point: Vec3<&'a [S::Length; N]>,
+    /// The normals, of unit length.
+    pub normal: Vec3<&'a [S; N]>,
+    /// The directions from the points to the eye, of unit length. Matt surfaces do not ask for them.
+    pub view: Vec3<&'a [S::Unit; N]>,
+}
+
+impl<S: Scalar, const N: usize> SurfacePoints<'_, S, N> {
+    /// One of the points; beyond the last a point that faces nowhere.
+    #[inline(always)]
+    pub fn at(&self, i: usize) -> SurfacePoint<S> {
+        SurfacePoint {
+            point: self.point.map(|column| nth(column, i)),
+            normal: self.normal.map(|column| nth(column, i)),
+            view: self.view.map(|column| nth(column, i)),
+        }
+    }
+}
+
+/// What is given and taken by a loop.
+struct Loop<'a, S: Scalar, H: SpecularLobe, const N: usize> {
+    surfaces: &'a SurfacePoints<'a, S, N>,
+    highlight: &'a H::Constants<S>,
+    arrivals: &'a mut Incident<[S::Irradiance; N]>,
+}
+
+impl<S: Scalar> CompiledAnyLight<S> {
+    /// What arrives at each of many points whose highlights are of the kind `H`: to the bit what
+    /// [`arrive`](Light::arrive) of the lamp's own type gives for one. The arrivals of a matt surface have no specular
+    /// part; what was there stays.
+    ///
+    /// In fixed point, where points are computed one by one, those where nothing can arrive are left before their root is
+    /// paid for, with the same bits. In `f32` that would be in the way of vector instructions.
+    pub fn arrive_each<H: SpecularLobe, const N: usize>(
+        &self,
+        surfaces: &SurfacePoints<'_, S, N>,
+        highlight: &H::Constants<S>,
+        arrivals: &mut Incident<[S::Irradiance; N]>,
+    ) {
+        let mut each = Loop::<S, H, N> { surfaces, highlight, arrivals };
+        match self {
+            Self::Directional(light) => each.light(light),
+            Self::Point(light) => each.point(light),
+            Self::Spot(light) => each.spot(light),
+        }
+    }
+}
+
+/// A compiled distance model without a range is the plain one.
+fn plain<S: Scalar>(distance: &CompiledAnyAttenuation<S>) -> Option<Plain> {
+    let none = S::gain(0.0);
+    match distance {
+        CompiledAnyAttenuation::Constant((range, ())) if *range == none => Some(Plain::Unattenuated),
+        distance if AnyAttenuation::is_inverse_square::<S>(distance) => Some(Plain::InverseSquare),
+        _ => None,
+    }
+}
+
+/// The distance models that have a loop with every profile.
+enum Plain {
+    Unattenuated,
+    InverseSquare,
+}
+
+impl<S: Scalar, H: SpecularLobe, const N: usize> Loop<'_, S, H, N> {
+    fn light<L: LightModel<S>>(&mut self, light: &L) {
+        let Incident { diffuse, specular } = self.arrivals;
+        light_each::<S, H, L, N>(light, self.surfaces, self.highlight, diffuse, specular);
+    }
+
+    fn point(&mut self, light: &CompiledPointLight<S, AnyAttenuation>) {
+        let CompiledPointLight { position, intensity, fine_below, color, specular_color, .. } = *light;
+        let colors = [color, specular_color];
+        match plain(&light.attenuation) {
+            Some(Plain::InverseSquare) => {
+                self.light(&CompiledPointLight::<S>::from_parts(position, (), intensity, fine_below, colors));
+            }
+            Some(Plain::Unattenuated) => {
+                let light = CompiledPointLight::<S, NoAttenuation>::from_parts(
+                    position,
+                    (),
+                    intensity,
+                    fine_below,
+                    colors,
+                );
+                self.light(&light);
+            }
+            None => {
+                let one = S::gain(1.0);
+                self.light(&CompiledPointLight::<S, NoAttenuation>::from_parts(position, (), one, 0, colors));
+                self.fall(position, &light.attenuation, intensity);
+                self.refine(light, position, fine_below);
+            }
+        }
+    }
+
+    fn spot(&mut self, light: &CompiledSpotLight<S, AnyFalloff, AnyAttenuation>) {
+        with_profile!(light.falloff, profile, curve => self.cone(light, profile, curve));
+    }
+
+    fn cone<P: Falloff>(
+        &mut self,
+        light: &CompiledSpotLight<S, AnyFalloff, AnyAttenuation>,
+        profile: P,
+        curve: P::Compiled<S>,
+    ) {
+        let CompiledSpotLight {
+            position, axis, outside, intensity, fine_below, color, specular_color, ..
+        } = *light;
+        let colors = [color, specular_color];
+        let falloff = CompiledCone::from_parts(light.falloff.ramp, profile, curve);
+        match plain(&light.attenuation) {
+            Some(Plain::InverseSquare) => self.light(&CompiledSpotLight::<S, P>::from_parts(
+                position,
+                axis,
+                falloff,
+                outside,
+                (),
+                intensity,
+                fine_below,
+                colors,
+            )),
+            plain => {
+                let (gain, below) = if plain.is_some() { (intensity, fine_below) } else { (S::gain(1.0), 0) };
+                self.light(&CompiledSpotLight::<S, P, NoAttenuation>::from_parts(
+                    position,
+                    axis,
+                    falloff,
+                    outside,
+                    (),
+                    gain,
+                    below,
+                    colors,
+                ));
+                if plain.is_none() {
+                    self.fall(position, &light.attenuation, intensity);
+                    self.refine(light, position, fine_below);
+                }
+            }
+        }
+    }
+
+    /// Gives the points so near to the lamp that they want it the fine evaluation, which two loops cannot share.
+    fn refine<L: LightModel<S>>(&mut self, light: &L, position: Vec3<S::Length>, fine_below: u32) {
+        for i in 0..N {
+            let surface = self.surfaces.at(i);
+            if S::offset(position, surface.point).is_near(fine_below) {
+                let arrival = light.arrive::<H>(&surface, self.highlight, true);
+                self.arrivals.diffuse[i] = arrival.diffuse;
+                if H::SHINES {
+                    self.arrivals.specular[i] = arrival.specular;
+                }
+            }
+        }
+    }
+
+    fn fall(&mut self, position: Vec3<S::Length>, distance: &CompiledAnyAttenuation<S>, intensity: S::Gain) {
+        with_attenuation!(distance, constants: Model => {
+            self.attenuate::<Model>(position, constants, intensity);
+        });
+    }
+
+    fn attenuate<A: Attenuation>(
+        &mut self,
+        position: Vec3<S::Length>,
+        constants: &A::Constants<S>,
+        intensity: S::Gain,
+    ) {
+        let Incident { diffuse, specular } = self.arrivals;
+        attenuate_each::<S, A, N>(position, constants, intensity, self.surfaces.point, diffuse);
+        if H::SHINES {
+            attenuate_each::<S, A, N>(position, constants, intensity, self.surfaces.point, specular);
+        }
+    }
+}
+
+/// The loop of a light. What it writes to are arguments of their own, which compilers know to be apart from what it reads.
+#[inline(never)]
+fn light_each<S: Scalar, H: SpecularLobe, L: LightModel<S>, const N: usize>(
+    light: &L,
+    surfaces: &SurfacePoints<'_, S, N>,
+    highlight: &H::Constants<S>,
+    diffuse: &mut [S::Irradiance; N],
+    specular: &mut [S::Irradiance; N],
+) {
+    let (surfaces, highlight) = (*surfaces, *highlight);
+    for i in 0..N {
+        let arrival = light.arrive::<H>(&surfaces.at(i), &highlight, !S::Offset::ROOTS_FIRST);
+        diffuse[i] = arrival.diffuse;
+        if H::SHINES {
+            specular[i] = arrival.specular;
+        }
+    }
+}
+
+/// Takes fractions of a full intensity to what is left of the intensity at each distance.
+#[inline(never)]
+fn attenuate_each<S: Scalar, A: Attenuation, const N: usize>(
+    position: Vec3<S::Length>,
+    constants: &A::Constants<S>,
+    intensity: S::Gain,
+    points: Vec3<&[S::Length; N]>,
+    lights: &mut [S::Irradiance; N],
+) {
+    let constants = *constants;
+    for (i, light) in lights.iter_mut().enumerate() {
+        if !S::Offset::ROOTS_FIRST && *light == S::Irradiance::default() {
+            continue;
+        }
+        let offset = S::offset(position, points.map(|column| nth(column, i)));
+        *light = A::expose(&constants, &offset, &offset.ray(), S::clip(*light), intensity);
+    }
+}

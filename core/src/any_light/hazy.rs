@@ -1,0 +1,79 @@
+//! The beam of a lamp in haze, for many view rays.
+
+use super::CompiledAnyLight;
+use crate::{
+    attenuation::{AnyAttenuation, Attenuation, InverseSquare},
+    cone::CompiledCone,
+    falloff::{AnyFalloff, Falloff, with_profile},
+    haze::{BeamScattering, Haze, TransmittanceFn, ViewRays},
+};
+
+impl CompiledAnyLight<f32> {
+    /// The beam of the lamp in haze; nothing where it is no spotlight.
+    pub fn in_haze(&self, haze: &Haze) -> Option<BeamScattering<AnyFalloff, AnyAttenuation>> {
+        match self {
+            Self::Spot(spot) => Some(spot.in_haze(haze)),
+            Self::Directional(_) | Self::Point(_) => None,
+        }
+    }
+}
+
+impl BeamScattering<AnyFalloff, AnyAttenuation> {
+    /// The air light of each of many rays: to the bit what [`air_light`](Self::air_light) of the beam's own profile gives for
+    /// one. There is a loop for each profile under the inverse-square law, and one with branches for all others.
+    pub fn air_light_each<const N: usize>(&self, rays: &ViewRays<N>, lights: &mut [f32; N]) {
+        if AnyAttenuation::is_inverse_square::<f32>(&self.attenuation) {
+            with_profile!(self.falloff, profile, curve => each(&self.by_square(profile, curve), rays, lights));
+        } else {
+            each(self, rays, lights);
+        }
+    }
+
+    /// The air light of each of many rays through something: to the bit what
+    /// [`air_light_through`](Self::air_light_through) gives for one with `PARTS` places, which the filter is told all at once,
+    /// ray by ray. It is not asked for rays that are not in the beam.
+    pub fn air_light_through_each<const PARTS: usize, const N: usize>(
+        &self,
+        rays: &ViewRays<N>,
+        filter: &mut TransmittanceFn<'_, PARTS>,
+        lights: &mut [f32; N],
+    ) {
+        if AnyAttenuation::is_inverse_square::<f32>(&self.attenuation) {
+            with_profile!(self.falloff, profile, curve => {
+                each_through(&self.by_square(profile, curve), rays, filter, lights)
+            });
+        } else {
+            each_through(self, rays, filter, lights);
+        }
+    }
+
+    /// The same beam with the types of its profile and of the inverse-square law.
+    fn by_square<P: Falloff>(&self, profile: P, curve: P::Compiled<f32>) -> BeamScattering<P, InverseSquare> {
+        let falloff = CompiledCone::from_parts(self.falloff.ramp, profile, curve);
+        let Self { position, axis, gain, cone, reach, .. } = *self;
+        BeamScattering::from_parts(position, axis, falloff, (), gain, cone, reach)
+    }
+}
+
+#[inline(never)]
+fn each<P: Falloff, A: Attenuation, const N: usize>(
+    beam: &BeamScattering<P, A>,
+    rays: &ViewRays<N>,
+    lights: &mut [f32; N],
+) {
+    for (i, light) in lights.iter_mut().enumerate() {
+        *light = beam.air_light(&rays.at(i));
+    }
+}
+
+#[inline(never)]
+fn each_through<P: Falloff, A: Attenuation, const PARTS: usize, const N: usize>(
+    beam: &BeamScattering<P, A>,
+    rays: &ViewRays<N>,
+    filter: &mut TransmittanceFn<'_, PARTS>,
+    lights: &mut [f32; N],
+) {
+    for (i, light) in lights.iter_mut().enumerate() {
+        *light = beam.air_light_filtered(&rays.at(i), filter);
+    }
+}

@@ -1,0 +1,15 @@
+//! From linear light to the codes of a display, without a power function.
+
+mod dither;
+mod exposure;
+mod fit;
+mod rgb565;
+mod srgb;
+
+pub use self::{
+    dither::encode_srgb_dithered,
+    exposure::{CompiledExposure, Exposure},
+    fit::{clip, keep_hue},
+    rgb565::Rgb565,
+    srgb::{decode_srgb, encode_srgb},
+};

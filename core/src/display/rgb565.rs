@@ -1,0 +1,50 @@
+//! The pixels of small displays: 5 bits of red, 6 of green, 5 of blue.
+
+use super::srgb::nearest_code;
+use crate::{color::Rgb, number::Scalar};
+
+/// A pixel of 16 bits: red in the upper five, green in the middle six, blue in the lower five.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Default, Debug)]
+pub struct Rgb565(pub u16);
+
+/// The nearest of the codes from 0 to `last` for one from 0 to 255.
+const fn nearest(code: u8, last: u16) -> u16 {
+    (code as u16 * last + 127) / 255
+}
+
+/// The nearest of the codes from 0 to 255 for one from 0 to `last`.
+const fn widened(code: u16, last: u16) -> u8 {
+    ((code * 255 + last / 2) / last) as u8
+}
+
+impl Rgb565 {
+    pub(super) const fn pack(red: u16, green: u16, blue: u16) -> Self {
+        Self(red << 11 | green << 5 | blue)
+    }
+
+    /// The nearest pixel to codes of eight bits.
+    ///
+    /// ```
+    /// use luminaire::{Rgb, display::Rgb565};
+    /// assert_eq!(Rgb565::from_codes(Rgb::new(255, 128, 0)), Rgb565(0b11111_100000_00000));
+    /// ```
+    #[inline(always)]
+    pub const fn from_codes(codes: Rgb<u8>) -> Self {
+        Self::pack(nearest(codes.red, 31), nearest(codes.green, 63), nearest(codes.blue, 31))
+    }
+
+    /// The nearest pixel in sRGB to a linear colour, clipped to [0, 1]. Rounded once, not by way of eight bits, which
+    /// would round some colours twice. In fixed point exactly the nearest, and without a float.
+    #[inline(always)]
+    pub fn from_linear<S: Scalar>(color: Rgb<S>) -> Self {
+        let red = nearest_code::<S, 31>(color.red);
+        let green = nearest_code::<S, 63>(color.green);
+        let blue = nearest_code::<S, 31>(color.blue);
+        Self::pack(red.into(), green.into(), blue.into())
+    }
+
+    /// The nearest codes of eight bits. Packing them gives the pixel back.
+    pub const fn to_codes(self) -> Rgb<u8> {
+        Rgb::new(widened(self.0 >> 11, 31), widened(self.0 >> 5 & 63, 63), widened(self.0 & 31, 31))
+    }
+}

@@ -1,0 +1,7 @@
+//! What is chosen at run time: lights of any kind, and the effects that a scene requires.
+
+pub use crate::{
+    any_light::{AnyLight, CompiledAnyLight, SurfacePoints},
+    effect::{Effect, Effects},
+    plan::RenderPlan,
+};

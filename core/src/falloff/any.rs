@@ -1,0 +1,115 @@
+//! A falloff chosen at run time.
+
+use super::{
+    Cubic, Curve, Falloff, FittedFalloff, Hard, IntegerPower, InvertedIntegerPower, InvertedMixedPower,
+    InvertedPower, InvertedRealPower, Linear, MixedPower, Power, Quadratic, RealPower, Smooth, Soft,
+    SoftOrHard, Step, Table, choice::choice, power::sound,
+};
+use crate::{effect::Effect, error::Error, models::falloffs};
+
+/// The enums of the list.
+macro_rules! any_falloff {
+    ($($(#[$doc:meta])* $variant:ident($type:ty) = $name:literal, $sample:expr;)*) => {
+        choice! {
+            /// Any falloff, chosen at run time: that of a light of [another system](crate::import), or of a
+            /// [`AnyLight`](crate::Lamp).
+            ///
+            /// It branches per point; [`CompiledAnyLight::arrive_each`](crate::CompiledLamp::arrive_each)
+            /// branches once per light.
+            #[non_exhaustive]
+            AnyFalloff, CompiledAnyFalloff { $($(#[$doc])* $variant($type),)* }
+        }
+
+        impl AnyFalloff {
+            /// One of each falloff, for galleries and tests.
+            pub fn samples() -> impl Iterator<Item = Self> {
+                let samples: [Result<Self, Error>; _] = [$($sample.map(Self::$variant),)*];
+                samples.into_iter().flatten()
+            }
+
+            /// The effect that the falloff is.
+            pub fn effect(&self) -> Effect {
+                match self {
+                    $(Self::$variant(_) => Effect::$variant,)*
+                }
+            }
+        }
+    };
+}
+
+/// Evaluates an expression with the falloff and the curve of a compiled cone by their own types. A
+/// falloff and a curve of two kinds, which only `from_parts` can bring together, stay enums.
+macro_rules! with_profile {
+    ([$cone:expr, $profile:ident, $curve:ident, $answer:expr]
+     $($(#[$doc:meta])* $variant:ident($type:ty) = $name:literal, $sample:expr;)*) => {
+        match ($cone.profile, $cone.curve) {
+            $(($crate::falloff::AnyFalloff::$variant($profile),
+               $crate::falloff::CompiledAnyFalloff::$variant($curve)) => $answer,)*
+            ($profile, $curve) => $answer,
+        }
+    };
+    ($cone:expr, $profile:ident, $curve:ident => $answer:expr) => {
+        $crate::models::falloffs!(with_profile! [$cone, $profile, $curve, $answer])
+    };
+}
+
+pub(crate) use with_profile;
+
+falloffs!(any_falloff!);
+
+impl AnyFalloff {
+    /// `t^n` by the cheapest profile that has it, for `n` from 0 to 1,024: to the power of 0 it is a step.
+    pub(crate) fn power(exponent: u32) -> Self {
+        match exponent {
+            0 => Self::Step(Step),
+            1 => Self::Linear(Linear),
+            2 => Self::Soft(Soft),
+            _ => Self::Power(IntegerPower::of(exponent)),
+        }
+    }
+
+    /// `t^p` by the cheapest profile that has it, for any `p` from 0 to 1,024.
+    pub(crate) fn real_power(exponent: f32) -> Self {
+        let whole = exponent as u32;
+        if whole as f32 == exponent { Self::power(whole) } else { Self::RealPower(RealPower::of(exponent)) }
+    }
+
+    /// `1 - u^n` by the cheapest profile that has it, for `n` from 1 to 1,024.
+    pub(crate) fn rim(exponent: u32) -> Self {
+        match exponent {
+            1 => Self::Linear(Linear),
+            2 => Self::Hard(Hard),
+            _ => Self::InvertedPower(InvertedIntegerPower::of(exponent)),
+        }
+    }
+}
+
+impl<const N: u32> From<Power<N>> for AnyFalloff {
+    fn from(_: Power<N>) -> Self {
+        Self::power(sound::<N>())
+    }
+}
+
+impl<const N: u32> From<InvertedPower<N>> for AnyFalloff {
+    fn from(_: InvertedPower<N>) -> Self {
+        Self::rim(sound::<N>())
+    }
+}
+
+impl From<SoftOrHard> for AnyFalloff {
+    fn from(edge: SoftOrHard) -> Self {
+        match edge {
+            SoftOrHard::Soft => Self::Soft(Soft),
+            SoftOrHard::Hard => Self::Hard(Hard),
+        }
+    }
+}
+
+impl From<FittedFalloff> for AnyFalloff {
+    fn from(fitted: FittedFalloff) -> Self {
+        match fitted {
+            FittedFalloff::Quadratic(blend) => Self::Quadratic(blend),
+            FittedFalloff::Cubic(cubic) => Self::Cubic(cubic),
+        }
+    }
+}

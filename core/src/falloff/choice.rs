@@ -1,0 +1,147 @@
+//! Profiles chosen at run time, at the price of a branch per point. A renderer matches on them once per light and calls
+//! `with_profile`.
+
+use super::{Cubic, Curve, Falloff, Formula, Hard, Quadratic, Soft, without_coefficients};
+use crate::number::{Fraction, Scalar};
+
+/// One of the two profiles of one multiply, chosen at run time.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum SoftOrHard {
+    /// As [`Soft`].
+    Soft,
+    /// As [`Hard`].
+    Hard,
+}
+
+/// Declares an enum of falloffs, the enum of them compiled, and both as the falloff that they hold.
+macro_rules! choice {
+    ($(#[$meta:meta])* $choice:ident, $compiled:ident { $($(#[$doc:meta])* $variant:ident($type:ty),)* }) => {
+        $(#[$meta])*
+        #[derive(Clone, Copy, PartialEq, Debug)]
+        pub enum $choice {
+            $($(#[$doc])* $variant($type),)*
+        }
+
+        #[doc = concat!("A [`", stringify!($choice), "`] in the format `S`.")]
+        #[derive(Clone, Copy, PartialEq, Debug)]
+        pub enum $compiled<S: $crate::number::Scalar> {
+            $($(#[$doc])* $variant(<$type as Falloff>::Compiled<S>),)*
+        }
+
+        $(impl From<$type> for $choice {
+            fn from(falloff: $type) -> Self {
+                Self::$variant(falloff)
+            }
+        })*
+
+        impl Falloff for $choice {
+            type Compiled<S: $crate::number::Scalar> = $compiled<S>;
+
+            fn compile<S: $crate::number::Scalar>(self) -> $compiled<S> {
+                match self {
+                    $(Self::$variant(falloff) => $compiled::$variant(Falloff::compile::<S>(falloff)),)*
+                }
+            }
+
+            fn formula(&self) -> $crate::falloff::Formula<'_> {
+                match self {
+                    $(Self::$variant(falloff) => falloff.formula(),)*
+                }
+            }
+
+            fn beam_versine(self) -> f32 {
+                match self {
+                    $(Self::$variant(falloff) => falloff.beam_versine(),)*
+                }
+            }
+
+            fn field_versine(self) -> f32 {
+                match self {
+                    $(Self::$variant(falloff) => falloff.field_versine(),)*
+                }
+            }
+
+            fn steepness(self, hotspot: f32) -> f32 {
+                match self {
+                    $(Self::$variant(falloff) => falloff.steepness(hotspot),)*
+                }
+            }
+
+            fn integral(self, u: f32) -> f32 {
+                match self {
+                    $(Self::$variant(falloff) => falloff.integral(u),)*
+                }
+            }
+        }
+
+        impl<S: $crate::number::Scalar> Curve<S> for $compiled<S> {
+            #[inline(always)]
+            fn intensity<F: $crate::number::Fraction<S>>(self, t: F) -> F::Value {
+                match self {
+                    $(Self::$variant(curve) => curve.intensity(t),)*
+                }
+            }
+        }
+    };
+}
+pub(super) use choice;
+
+choice! {
+    /// The falloff that has a pair of angles: see [`Cone::from_beam_and_field`](crate::Cone::from_beam_and_field).
+    FittedFalloff, CompiledFittedFalloff {
+        /// A quadratic.
+        Quadratic(Quadratic),
+        /// A cubic, where no quadratic has these angles.
+        Cubic(Cubic),
+    }
+}
+
+/// What the chosen edge answers.
+macro_rules! edge {
+    ($choice:ident, $profile:ident => $answer:expr) => {
+        match $choice {
+            Self::Soft => {
+                let $profile = Soft;
+                $answer
+            }
+            Self::Hard => {
+                let $profile = Hard;
+                $answer
+            }
+        }
+    };
+}
+
+impl Falloff for SoftOrHard {
+    without_coefficients!();
+
+    fn formula(&self) -> Formula<'_> {
+        match self {
+            Self::Soft => Formula::Polynomial([0.0, 1.0, 0.0]),
+            Self::Hard => Formula::Polynomial([2.0, -1.0, 0.0]),
+        }
+    }
+
+    fn beam_versine(self) -> f32 {
+        edge!(self, profile => profile.beam_versine())
+    }
+
+    fn field_versine(self) -> f32 {
+        edge!(self, profile => profile.field_versine())
+    }
+
+    fn steepness(self, hotspot: f32) -> f32 {
+        edge!(self, profile => profile.steepness(hotspot))
+    }
+
+    fn integral(self, u: f32) -> f32 {
+        edge!(self, profile => profile.integral(u))
+    }
+}
+
+impl<S: Scalar> Curve<S> for SoftOrHard {
+    #[inline(always)]
+    fn intensity<F: Fraction<S>>(self, t: F) -> F::Value {
+        edge!(self, profile => profile.intensity(t))
+    }
+}

@@ -1,0 +1,229 @@
+//! Profiles of the third degree.
+
+use super::{
+    Curve, Falloff, Formula,
+    polynomial::{Polynomial, slope_of_bits},
+    without_coefficients,
+};
+use crate::{
+    error::{Error, Expected, Parameter},
+    number::{Fraction, Scalar},
+    search::bisect,
+    trig,
+};
+
+/// The smooth edge `t^2 (3 - 2t)`: two multiplies. Flat at both ends: the smoothstep of dual-cone shaders in GLSL, of
+/// three.js and of Blender.
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
+pub struct Smooth;
+
+/// Any monotone cubic `t (a + t (b + t c))` with `a + b + c = 1`: three multiplies.
+///
+/// It is fixed by its slopes over `t` at the edge, `a`, and in the middle, `d = a + 2b + 3c`; it is monotone where
+/// these are in the region of F. N. Fritsch and R. E. Carlson, *Monotone Piecewise Cubic Interpolation*, SIAM J.
+/// Numer. Anal. 17 (1980). Evaluated as `t (1 + u (g + h t))` with `g = a - 1` and `g + h = 1 - d`, so that it is
+/// one on the axis whatever rounding the slopes have.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Cubic {
+    /// Both slopes are on the grid of [`GRID`], on which the coefficients are exact.
+    edge_slope: f32,
+    middle_slope: f32,
+}
+
+/// How many steps to one: coefficients are below 8, so that they and their sums are exact in the 24 bits of f32.
+const GRID: f32 = 1_048_576.0;
+
+/// The nearest multiple of the grid's step.
+fn on_grid(value: f32) -> f32 {
+    let steps = value * GRID;
+    (if steps < 0.0 { steps - 0.5 } else { steps + 0.5 }) as i32 as f32 / GRID
+}
+
+/// The smallest and the largest slope in the middle with which a cubic of edge slope `a` in [0, 4] is monotone.
+///
+/// Up to an edge slope of 3 the smallest is 0; from there on, and for the largest, it is the ellipse
+/// `a^2 + a d + d^2 - 6 a - 6 d + 9 = 0`.
+pub(super) fn middle_slopes(edge_slope: f32) -> (f32, f32) {
+    let (a, root) = (edge_slope, trig::sqrt((3.0 * edge_slope * (4.0 - edge_slope)).max(0.0)));
+    let least = if a <= 3.0 { 0.0 } else { (6.0 - a - root) / 2.0 };
+    (least, (6.0 - a + root) / 2.0)
+}
+
+impl Cubic {
+    /// The cubic with these slopes over `t`, at the edge and in the middle: each from 0 to 4, and monotone. They are
+    /// rounded to multiples of 2^-20.
+    ///
+    /// # Errors
+    /// An edge slope outside [0, 4], or a middle slope with which the cubic would not be monotone: the message
+    /// says which are for this edge slope.
+    pub fn with_slopes(edge_slope: f32, middle_slope: f32) -> Result<Self, Error> {
+        let check = |parameter, value: f32, least: f32, most: f32| {
+            if (least..=most).contains(&value) {
+                Ok(on_grid(value))
+            } else {
+                Err(Error { parameter, value, accepted: Expected::Between(least, most) })
+            }
+        };
+        let edge_slope = check(Parameter::EdgeSlope, edge_slope, 0.0, 4.0)?;
+        let (least, most) = middle_slopes(edge_slope);
+        // The ends of the interval are roots: as exact as the grid, they are accepted.
+        let (least, most) = (on_grid(least), on_grid(most));
+        let middle_slope = check(Parameter::MiddleSlope, middle_slope, least, most)?;
+        Ok(Self { edge_slope, middle_slope })
+    }
+
+    /// The cubic `t (a + t (b + t c))`. The coefficients are rounded to multiples of 2^-20, on which `a + b + c` is
+    /// exactly 1.
+    ///
+    /// # Errors
+    /// A sum that is not 1 within 2^-20; else as [`Cubic::with_slopes`].
+    pub fn new(a: f32, b: f32, c: f32) -> Result<Self, Error> {
+        let sum = a + b + c;
+        let near = (1.0 - 1.0 / GRID)..=(1.0 + 1.0 / GRID);
+        if !near.contains(&sum) {
+            let accepted = Expected::Exactly(1.0);
+            return Err(Error { parameter: Parameter::CoefficientSum, value: sum, accepted });
+        }
+        // d = a + 2b + 3c with c = 1 - a - b.
+        Self::with_slopes(on_grid(a), on_grid(3.0 - 2.0 * on_grid(a) - on_grid(b)))
+    }
+
+    /// The coefficients `[a, b, c]`: multiples of 2^-20 whose sum is exactly 1.
+    pub fn coefficients(self) -> [f32; 3] {
+        let (a, d) = (self.edge_slope, self.middle_slope);
+        [a, 3.0 - 2.0 * a - d, a + d - 2.0]
+    }
+
+    /// The slope over `t` at the edge.
+    pub fn edge_slope(self) -> f32 {
+        self.edge_slope
+    }
+
+    /// The slope over `t` in the middle: on the axis, or at the rim of a hotspot.
+    pub fn middle_slope(self) -> f32 {
+        self.middle_slope
+    }
+
+    /// The cubic of slopes of these bits, at the edge and in the middle, as [`source`](crate::codegen) writes them; each
+    /// clamped to [0, 4], NaN to 0. Only those that [`with_slopes`](Self::with_slopes) accepts make a monotone cubic.
+    pub const fn from_bits([edge_slope, middle_slope]: [u32; 2]) -> Self {
+        Self { edge_slope: slope_of_bits(edge_slope, 4.0), middle_slope: slope_of_bits(middle_slope, 4.0) }
+    }
+
+    /// The bits of the slopes, at the edge and in the middle.
+    pub const fn to_bits(self) -> [u32; 2] {
+        [self.edge_slope.to_bits(), self.middle_slope.to_bits()]
+    }
+
+    /// The cubic with these very slopes: for searches, which end on the grid.
+    pub(super) fn exactly(edge_slope: f32, middle_slope: f32) -> Self {
+        Self { edge_slope, middle_slope }
+    }
+
+    /// The versine at the field over that at the beam.
+    pub(super) fn ratio(self) -> f32 {
+        self.field_versine() / self.beam_versine()
+    }
+
+    /// The cubic with the nearest slopes of the grid.
+    pub(super) fn nearest(edge_slope: f32, middle_slope: f32) -> Self {
+        Self { edge_slope: on_grid(edge_slope), middle_slope: on_grid(middle_slope) }
+    }
+
+    fn polynomial(self) -> Polynomial {
+        let [a, b, c] = self.coefficients();
+        Polynomial { a, b, c }
+    }
+
+    /// The `u` with this intensity, by bisection: a cubic of slope zero defeats faster methods.
+    fn versine_of(self, intensity: f32) -> f32 {
+        let (g, h) = (self.edge_slope - 1.0, 2.0 - self.edge_slope - self.middle_slope);
+        bisect(0.0, 1.0, |u| {
+            let t = 1.0 - u;
+            t * (1.0 + u * (g + h * t)) > intensity
+        })
+    }
+}
+
+impl Falloff for Smooth {
+    without_coefficients!();
+
+    fn formula(&self) -> Formula<'_> {
+        Formula::Polynomial([0.0, 3.0, -2.0])
+    }
+
+    /// `1/2`.
+    fn beam_versine(self) -> f32 {
+        0.5
+    }
+
+    /// `1 - t` with `t^2 (3 - 2t) = 1/10`.
+    fn field_versine(self) -> f32 {
+        0.804_199_9
+    }
+
+    fn steepness(self, hotspot: f32) -> f32 {
+        Polynomial { a: 0.0, b: 3.0, c: -2.0 }.steepness(hotspot)
+    }
+
+    fn integral(self, u: f32) -> f32 {
+        u * (1.0 - u * u * (1.0 - u / 2.0))
+    }
+}
+
+impl<S: Scalar> Curve<S> for Smooth {
+    #[inline(always)]
+    fn intensity<F: Fraction<S>>(self, t: F) -> F::Value {
+        t.smooth()
+    }
+}
+
+/// A [`Cubic`] in the format `S`.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct CompiledCubic<S: Scalar> {
+    pub(crate) g: S::Weight,
+    pub(crate) h: S::Weight,
+}
+
+impl<S: Scalar> CompiledCubic<S> {
+    /// The cubic `t (1 + u (g + h t))`, as [`source`](crate::codegen) writes it.
+    pub const fn from_parts(g: S::Weight, h: S::Weight) -> Self {
+        Self { g, h }
+    }
+}
+
+impl Falloff for Cubic {
+    type Compiled<S: Scalar> = CompiledCubic<S>;
+
+    fn compile<S: Scalar>(self) -> CompiledCubic<S> {
+        let (a, d) = (self.edge_slope, self.middle_slope);
+        CompiledCubic { g: S::weight(a - 1.0), h: S::weight(2.0 - a - d) }
+    }
+
+    fn formula(&self) -> Formula<'_> {
+        Formula::Polynomial(self.coefficients())
+    }
+
+    fn beam_versine(self) -> f32 {
+        self.versine_of(0.5)
+    }
+
+    fn field_versine(self) -> f32 {
+        self.versine_of(0.1)
+    }
+
+    fn steepness(self, hotspot: f32) -> f32 {
+        self.polynomial().steepness(hotspot)
+    }
+
+    fn integral(self, u: f32) -> f32 {
+        self.polynomial().integral(u)
+    }
+}
+
+impl<S: Scalar> Curve<S> for CompiledCubic<S> {
+    #[inline(always)]
+    fn intensity<F: Fraction<S>>(self, t: F) -> F::Value {
+        t.cubic(self.g, self.h)
+    }
+}

@@ -1,0 +1,79 @@
+//! Falloffs as data.
+
+use super::Table;
+#[cfg(feature = "libm")]
+use crate::number::Knot;
+
+/// The formula of a falloff as data, for oracles and generated code: a function of `t` in [0, 1], and 0
+/// at `t = 0`.
+#[derive(Clone, Copy, PartialEq, Debug)]
+#[non_exhaustive]
+pub enum Formula<'a> {
+    /// 1 for `t > 0`.
+    Step,
+    /// `t (a + t (b + t c))` of `[a, b, c]`.
+    Polynomial([f32; 3]),
+    /// `t^p` of `p`.
+    Power(f32),
+    /// `(1 - max(u, f)^p) / (1 - f^p)` with `u = 1 - t`, of `p` and `f`. The floor `f` is 0, but for
+    /// exponents less than 1, whose slope over `t` has no bound at `t = 1`.
+    InvertedPower(f32, f32),
+    /// `(1 - s) t^n + s t^m` of `[n, m]` and `s`.
+    MixedPower([u32; 2], f32),
+    /// `1 - (1 - s) u^n - s u^m` with `u = 1 - t`, of `[n, m]` and `s`.
+    InvertedMixedPower([u32; 2], f32),
+    /// Samples, linear between.
+    Table(Table<'a>),
+}
+
+#[cfg(feature = "libm")]
+impl Formula<'_> {
+    /// The formula in f64, as plainly as it can be written: the truth that errors are measured against.
+    pub fn exact(&self, t: f64) -> f64 {
+        let power = |x: f64, exponent: f32| libm::pow(x, exponent.into());
+        let mixed = |x: f64, [low, high]: [u32; 2], share: f32| {
+            let [low, high] = [low, high].map(|n| libm::pow(x, n.into()));
+            (1.0 - f64::from(share)) * low + f64::from(share) * high
+        };
+        if t <= 0.0 {
+            return 0.0;
+        }
+        match *self {
+            Self::Step => 1.0,
+            Self::Polynomial(coefficients) => {
+                let [a, b, c] = coefficients.map(f64::from);
+                t * (a + t * (b + t * c))
+            }
+            Self::Power(exponent) => power(t, exponent),
+            Self::InvertedPower(exponent, floor) => {
+                let lack = power((1.0 - t).max(floor.into()), exponent);
+                (1.0 - lack) / (1.0 - power(floor.into(), exponent))
+            }
+            Self::MixedPower(exponents, share) => mixed(t, exponents, share),
+            Self::InvertedMixedPower(exponents, share) => 1.0 - mixed(1.0 - t, exponents, share),
+            Self::Table(table) if table.knots().is_empty() => interpolated(table.samples(), 1.0 - t),
+            Self::Table(table) => along(table.knots(), 1.0 - t),
+        }
+    }
+}
+
+/// Linear interpolation of evenly spaced samples.
+#[cfg(feature = "libm")]
+fn interpolated(samples: &[u16], u: f64) -> f64 {
+    let place = u * (samples.len() - 1) as f64;
+    let index = (place as usize).min(samples.len() - 2);
+    let [from, to] = [samples[index], samples[index + 1]].map(f64::from);
+    (from + (to - from) * (place - index as f64)) / 65_535.0
+}
+
+/// The line of the last knot at or before `u`.
+#[cfg(feature = "libm")]
+fn along(knots: &[Knot], u: f64) -> f64 {
+    let place = u * 65_536.0;
+    let knot = knots.iter().rev().find(|knot| f64::from(knot.place()) <= place);
+    let line = knot.map_or(0.0, |knot| {
+        let (start, value, slope) = knot.to_bits();
+        f64::from(value) + f64::from(slope) / 32_768.0 * (place - f64::from(start))
+    });
+    (line / 65_535.0).clamp(0.0, 1.0)
+}

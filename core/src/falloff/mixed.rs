@@ -1,0 +1,227 @@
+//! Mixtures of two integer powers.
+
+use super::{
+    Curve, Falloff, Formula,
+    integer::{IntegerPower, InvertedIntegerPower, MOST, checked, power, raised},
+};
+use crate::{
+    error::{Error, Parameter, check_between},
+    number::{Fraction, Scalar},
+    search::{bisect, maximum},
+    trig,
+};
+
+/// The mixture `(1 - s) t^n + s t^m` of two integer powers, with a share s of the larger: two multiplies more
+/// than for the powers.
+///
+/// A line with a share of a high power has a sharp tip. `n` may be 0: that power is one wherever `t` is
+/// more than zero, so that the mixture jumps at its edge.
+///
+/// Towards the middle it falls by one step of the format at most.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct MixedPower(Mixture);
+
+/// The mixture `1 - (1 - s) u^n - s u^m` of two rim powers, the mirror image of [`MixedPower`].
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct InvertedMixedPower(Mixture);
+
+/// Two exponents, the smaller one first, and the share of the larger.
+#[derive(Clone, Copy, PartialEq, Debug)]
+struct Mixture {
+    low: u32,
+    high: u32,
+    share: f32,
+}
+
+impl Mixture {
+    fn checked(least: u32, exponents: [u32; 2], share: f32) -> Result<Self, Error> {
+        let low = checked(exponents[0], least, MOST - 1)?;
+        let high = checked(exponents[1], low + 1, MOST)?;
+        check_between(Parameter::Share, share, 0.0, 1.0)?;
+        Ok(Self { low, high, share })
+    }
+
+    /// The mixture of two numbers.
+    fn of(self, low: f32, high: f32) -> f32 {
+        low + (high - low) * self.share
+    }
+
+    /// The mixture of the powers of `x` in [0, 1].
+    fn value(self, x: f64) -> f64 {
+        let (low, high) = (raised(x, self.low), raised(x, self.high));
+        low + (high - low) * f64::from(self.share)
+    }
+
+    /// The derivative of the mixture.
+    fn slope(self, x: f64) -> f64 {
+        let slope = |n: u32| if n == 0 { 0.0 } else { f64::from(n) * raised(x, n - 1) };
+        let (low, high) = (slope(self.low), slope(self.high));
+        low + (high - low) * f64::from(self.share)
+    }
+
+    /// `1 - x` for the `x` at which the mixture has this value, and 1 where it is above it everywhere.
+    fn lack_at(self, value: f64) -> f32 {
+        bisect(0.0, 1.0, |lack| self.value(1.0 - f64::from(lack)) > value)
+    }
+}
+
+impl MixedPower {
+    /// The mixture of the powers of two exponents, the smaller one first, with this share of the larger.
+    ///
+    /// # Errors
+    /// A first exponent outside 0 to 1,023, a second one that is not larger or over 1,024, or a share outside [0,
+    /// 1].
+    pub fn new(exponents: [u32; 2], share: f32) -> Result<Self, Error> {
+        Mixture::checked(0, exponents, share).map(Self)
+    }
+
+    /// The two exponents.
+    pub fn exponents(self) -> [u32; 2] {
+        [self.0.low, self.0.high]
+    }
+
+    /// The share of the larger exponent.
+    pub fn share(self) -> f32 {
+        self.0.share
+    }
+}
+
+impl InvertedMixedPower {
+    /// The mixture of the rim powers of two exponents, the smaller one first, with this share of the larger.
+    ///
+    /// # Errors
+    /// A first exponent outside 1 to 1,023, a second one that is not larger or over 1,024, or a share outside [0,
+    /// 1].
+    pub fn new(exponents: [u32; 2], share: f32) -> Result<Self, Error> {
+        Mixture::checked(1, exponents, share).map(Self)
+    }
+
+    /// The two exponents.
+    pub fn exponents(self) -> [u32; 2] {
+        [self.0.low, self.0.high]
+    }
+
+    /// The share of the larger exponent.
+    pub fn share(self) -> f32 {
+        self.0.share
+    }
+}
+
+/// A [`Mixture`] in the format `S`.
+#[derive(Clone, Copy, PartialEq, Debug)]
+struct CompiledMixture<S> {
+    low: u32,
+    /// How much larger the other exponent is.
+    rise: u32,
+    share: S,
+}
+
+impl<S: Scalar> CompiledMixture<S> {
+    fn new(mixture: Mixture) -> Self {
+        Self { low: mixture.low, rise: mixture.high - mixture.low, share: S::from_f32(mixture.share) }
+    }
+
+    /// The mixture of the powers of a fraction: exactly 0 at 0 and exactly 1 at 1.
+    #[inline(always)]
+    fn of<F: Fraction<S>>(self, x: F) -> F::Value {
+        let rise = power(x, self.rise);
+        let (low, high) = if self.low == 0 {
+            (x.step(), rise.scalar())
+        } else {
+            let low = power(x, self.low);
+            (low.scalar(), low.product(rise))
+        };
+        F::mixed(low, high, self.share)
+    }
+}
+
+/// A [`MixedPower`] in the format `S`.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct CompiledMixedPower<S>(CompiledMixture<S>);
+
+/// A [`InvertedMixedPower`] in the format `S`.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct CompiledInvertedMixedPower<S>(CompiledMixture<S>);
+
+impl Falloff for MixedPower {
+    type Compiled<S: Scalar> = CompiledMixedPower<S>;
+
+    fn compile<S: Scalar>(self) -> CompiledMixedPower<S> {
+        CompiledMixedPower(CompiledMixture::new(self.0))
+    }
+
+    fn formula(&self) -> Formula<'_> {
+        Formula::MixedPower(self.exponents(), self.share())
+    }
+
+    fn beam_versine(self) -> f32 {
+        self.0.lack_at(0.5)
+    }
+
+    fn field_versine(self) -> f32 {
+        self.0.lack_at(0.1)
+    }
+
+    /// The largest of `2 f'(t) sqrt(v) / (1 - h)`, `t = (1 - v) / (1 - h)`: a mixture may have two hills, so
+    /// that it is searched. At least that of a step where the mixture jumps.
+    fn steepness(self, hotspot: f32) -> f32 {
+        let (hotspot, jump) = (f64::from(hotspot), if self.0.low == 0 { 1.0 } else { 0.0 });
+        let span = 1.0 - hotspot;
+        // Evenly spread over the angle, for which the root of the versine stands.
+        let steepest = maximum(0.0, 1.0, |x| {
+            let versine = hotspot + span * x * x;
+            2.0 * self.0.slope(1.0 - x * x) * f64::from(trig::sqrt(versine as f32)) / span
+        });
+        (steepest as f32).max(jump)
+    }
+
+    fn integral(self, u: f32) -> f32 {
+        let of = |n: u32| if n == 0 { u } else { IntegerPower::of(n).integral(u) };
+        self.0.of(of(self.0.low), of(self.0.high))
+    }
+}
+
+impl<S: Scalar> Curve<S> for CompiledMixedPower<S> {
+    #[inline(always)]
+    fn intensity<F: Fraction<S>>(self, t: F) -> F::Value {
+        self.0.of(t)
+    }
+}
+
+impl Falloff for InvertedMixedPower {
+    type Compiled<S: Scalar> = CompiledInvertedMixedPower<S>;
+
+    fn compile<S: Scalar>(self) -> CompiledInvertedMixedPower<S> {
+        CompiledInvertedMixedPower(CompiledMixture::new(self.0))
+    }
+
+    fn formula(&self) -> Formula<'_> {
+        Formula::InvertedMixedPower(self.exponents(), self.share())
+    }
+
+    fn beam_versine(self) -> f32 {
+        1.0 - self.0.lack_at(0.5)
+    }
+
+    fn field_versine(self) -> f32 {
+        1.0 - self.0.lack_at(0.9)
+    }
+
+    /// The slope at the edge, where both powers are steepest.
+    fn steepness(self, hotspot: f32) -> f32 {
+        let of = |n: u32| InvertedIntegerPower::of(n).steepness(hotspot);
+        self.0.of(of(self.0.low), of(self.0.high))
+    }
+
+    fn integral(self, u: f32) -> f32 {
+        let of = |n: u32| InvertedIntegerPower::of(n).integral(u);
+        self.0.of(of(self.0.low), of(self.0.high))
+    }
+}
+
+impl<S: Scalar> Curve<S> for CompiledInvertedMixedPower<S> {
+    #[inline(always)]
+    fn intensity<F: Fraction<S>>(self, t: F) -> F::Value {
+        F::lack(self.0.of(t.complement()))
+    }
+}

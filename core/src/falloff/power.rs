@@ -1,0 +1,109 @@
+//! Integer powers whose exponent is part of the type.
+
+use super::{
+    Curve, Falloff, Formula,
+    integer::{IntegerPower, InvertedIntegerPower, MOST, rounded_power},
+    without_coefficients,
+};
+use crate::number::{Fraction, Scalar};
+
+/// The power `t^N`, by repeated squaring: one multiply for each of `t^2`, `t^4`, `t^8` and so on, and one more for
+/// each further binary one of `N`. `N` is from 1 to 1,024.
+///
+/// The larger `N`, the more of the cone is close to dark: `Power<2>` is [`Soft`](crate::falloff::Soft).
+///
+/// Any other `N` does not compile:
+///
+/// ```compile_fail,E0080
+/// let profile = luminaire::falloff::AnyFalloff::from(luminaire::falloff::Power::<0>);
+/// ```
+///
+/// ```compile_fail,E0080
+/// let profile = luminaire::falloff::AnyFalloff::from(luminaire::falloff::Power::<4_000_000_000>);
+/// ```
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
+pub struct Power<const N: u32>;
+
+/// The rim power `1 - u^N`, Godot's spotlight of the angle attenuation `1/N`: as many multiplies as [`Power`]. `N` is from 1 to 1,024.
+///
+/// The larger `N`, the flatter the middle and the crisper the rim: `InvertedPower<2>` is [`Hard`](crate::falloff::Hard).
+///
+/// Any other `N` does not compile:
+///
+/// ```compile_fail,E0080
+/// let profile = luminaire::falloff::AnyFalloff::from(luminaire::falloff::InvertedPower::<0>);
+/// ```
+///
+/// ```compile_fail,E0080
+/// let profile = luminaire::falloff::AnyFalloff::from(luminaire::falloff::InvertedPower::<4_000_000_000>);
+/// ```
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
+pub struct InvertedPower<const N: u32>;
+
+/// `N`, which the compiler checks. Every use of `N` comes through here, so that no conversion lets another one pass.
+pub(super) const fn sound<const N: u32>() -> u32 {
+    const { assert!(N >= 1 && N <= MOST, "a power has an exponent from 1 to 1,024") };
+    N
+}
+
+impl<const N: u32> Falloff for Power<N> {
+    without_coefficients!();
+
+    fn formula(&self) -> Formula<'_> {
+        Formula::Power(sound::<N>() as f32)
+    }
+
+    fn beam_versine(self) -> f32 {
+        IntegerPower::of(sound::<N>()).beam_versine()
+    }
+
+    fn field_versine(self) -> f32 {
+        IntegerPower::of(sound::<N>()).field_versine()
+    }
+
+    fn steepness(self, hotspot: f32) -> f32 {
+        IntegerPower::of(sound::<N>()).steepness(hotspot)
+    }
+
+    fn integral(self, u: f32) -> f32 {
+        IntegerPower::of(sound::<N>()).integral(u)
+    }
+}
+
+impl<S: Scalar, const N: u32> Curve<S> for Power<N> {
+    #[inline(always)]
+    fn intensity<F: Fraction<S>>(self, t: F) -> F::Value {
+        rounded_power::<S, F>(t, sound::<N>())
+    }
+}
+
+impl<const N: u32> Falloff for InvertedPower<N> {
+    without_coefficients!();
+
+    fn formula(&self) -> Formula<'_> {
+        Formula::InvertedPower(sound::<N>() as f32, 0.0)
+    }
+
+    fn beam_versine(self) -> f32 {
+        InvertedIntegerPower::of(sound::<N>()).beam_versine()
+    }
+
+    fn field_versine(self) -> f32 {
+        InvertedIntegerPower::of(sound::<N>()).field_versine()
+    }
+
+    fn steepness(self, hotspot: f32) -> f32 {
+        InvertedIntegerPower::of(sound::<N>()).steepness(hotspot)
+    }
+
+    fn integral(self, u: f32) -> f32 {
+        InvertedIntegerPower::of(sound::<N>()).integral(u)
+    }
+}
+
+impl<S: Scalar, const N: u32> Curve<S> for InvertedPower<N> {
+    #[inline(always)]
+    fn intensity<F: Fraction<S>>(self, t: F) -> F::Value {
+        F::lack(rounded_power::<S, F>(t.complement(), sound::<N>()))
+    }
+}

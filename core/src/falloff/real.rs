@@ -1,0 +1,217 @@
+//! Powers of any real exponent.
+
+use super::{
+    Curve, Falloff, Formula,
+    exponent::real_power,
+    integer::{MOST, lost_after},
+};
+use crate::{
+    error::{Error, Parameter, check_up_to},
+    number::{Fraction, RealExponent, Scalar},
+    trig,
+};
+
+/// The power `t^p` of any exponent up to 1,024: a logarithm and an exponential from tables, in
+/// integers. For whole exponents [`IntegerPower`](super::IntegerPower) costs less.
+///
+/// An exponent under 1 has a slope without bound at the edge, where a format tells the place and
+/// not the intensity.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct RealPower {
+    exponent: f32,
+}
+
+/// The rim power `1 - u^p` of any exponent up to 1,024, the mirror image of [`RealPower`]. An
+/// exponent under 1 has a sharp peak on the axis.
+///
+/// [Imports](crate::import::Godot) give it a floor: `(1 - max(u, floor)^p) / (1 - floor^p)`.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct InvertedRealPower {
+    exponent: f32,
+    floor: f32,
+}
+
+/// How near to the place of a slope without bound a steepness does not count, in outer half angles:
+/// there a format promises the place and not the intensity, as at a step.
+const STRIP: f64 = 1.0 / 510.0;
+
+fn checked(exponent: f32) -> Result<f32, Error> {
+    check_up_to(Parameter::Exponent, exponent, MOST as f32)?;
+    Ok(exponent)
+}
+
+impl RealPower {
+    /// The power of this exponent.
+    ///
+    /// # Errors
+    /// An exponent that is not more than 0 and at most 1,024.
+    pub fn new(exponent: f32) -> Result<Self, Error> {
+        Ok(Self { exponent: checked(exponent)? })
+    }
+
+    /// The power of an exponent that is known to be sound.
+    pub(crate) const fn of(exponent: f32) -> Self {
+        Self { exponent }
+    }
+
+    /// The exponent.
+    pub fn exponent(self) -> f32 {
+        self.exponent
+    }
+
+    /// `1 - x^(1/p)`, `lost` being `-ln x`.
+    fn lost_at(self, x: f64, lost: f32) -> f32 {
+        if self.exponent >= 1.0 {
+            lost_after(lost / self.exponent)
+        } else {
+            (1.0 - real_power(x, 1.0 / f64::from(self.exponent))) as f32
+        }
+    }
+}
+
+impl InvertedRealPower {
+    /// The rim power of this exponent.
+    ///
+    /// # Errors
+    /// An exponent that is not more than 0 and at most 1,024.
+    pub fn new(exponent: f32) -> Result<Self, Error> {
+        Ok(Self { exponent: checked(exponent)?, floor: 0.0 })
+    }
+
+    /// The rim power of an exponent and a floor that are known to be sound: the power of the floor
+    /// is at most 15/16.
+    pub(crate) const fn of(exponent: f32, floor: f32) -> Self {
+        Self { exponent, floor }
+    }
+
+    /// The exponent.
+    pub fn exponent(self) -> f32 {
+        self.exponent
+    }
+
+    /// The `u` up to which the intensity is full: 0 but for the rims of an import.
+    pub fn floor(self) -> f32 {
+        self.floor
+    }
+
+    /// `1 - floor^p`: what of the power is left above its floor.
+    pub(crate) fn height(self) -> f64 {
+        if self.floor > 0.0 { 1.0 - real_power(self.floor.into(), self.exponent.into()) } else { 1.0 }
+    }
+
+    /// The last `u` with this intensity.
+    fn versine_of(self, intensity: f64) -> f32 {
+        real_power(1.0 - intensity * self.height(), 1.0 / f64::from(self.exponent)) as f32
+    }
+}
+
+impl Falloff for RealPower {
+    type Compiled<S: Scalar> = CompiledRealPower;
+
+    fn compile<S: Scalar>(self) -> CompiledRealPower {
+        CompiledRealPower(RealExponent::new(self.exponent, 0.0))
+    }
+
+    fn formula(&self) -> Formula<'_> {
+        Formula::Power(self.exponent())
+    }
+
+    fn beam_versine(self) -> f32 {
+        self.lost_at(0.5, core::f32::consts::LN_2)
+    }
+
+    fn field_versine(self) -> f32 {
+        self.lost_at(0.1, core::f32::consts::LN_10)
+    }
+
+    /// The largest of `2 p t^(p - 1) sqrt(v) / (1 - h)`, `t = (1 - v) / (1 - h)`: as for a whole
+    /// exponent, and of an exponent under 1 at the inner end of the strip, at least that of a step.
+    fn steepness(self, hotspot: f32) -> f32 {
+        let (p, hotspot) = (f64::from(self.exponent), f64::from(hotspot));
+        let edge = (1.0 - STRIP) * (1.0 - STRIP);
+        let steepest = if p < 1.0 { edge } else { (1.0 / (2.0 * p - 1.0)).min(1.0) };
+        let (versine, span) = (steepest.max(hotspot), 1.0 - hotspot);
+        let t = (1.0 - versine) / span;
+        let power = if p < 1.0 { 1.0 / real_power(t, 1.0 - p) } else { real_power(t, p - 1.0) };
+        let slope = 2.0 * p * power / span;
+        (slope as f32 * trig::sqrt(versine as f32)).max(if p < 1.0 { 1.0 } else { 0.0 })
+    }
+
+    /// `(1 - t^(p + 1)) / (p + 1)`, by its series where `u` is small.
+    fn integral(self, u: f32) -> f32 {
+        let (p, u) = (f64::from(self.exponent), f64::from(u));
+        let integral = if (p + 1.0) * u < 1e-3 {
+            u * (1.0 - p * u / 2.0 * (1.0 - (p - 1.0) * u / 3.0))
+        } else {
+            (1.0 - real_power(1.0 - u, p + 1.0)) / (p + 1.0)
+        };
+        integral as f32
+    }
+}
+
+impl Falloff for InvertedRealPower {
+    type Compiled<S: Scalar> = CompiledInvertedRealPower;
+
+    fn compile<S: Scalar>(self) -> CompiledInvertedRealPower {
+        CompiledInvertedRealPower(RealExponent::new(self.exponent, self.floor))
+    }
+
+    fn formula(&self) -> Formula<'_> {
+        Formula::InvertedPower(self.exponent(), self.floor())
+    }
+
+    fn beam_versine(self) -> f32 {
+        self.versine_of(0.5)
+    }
+
+    fn field_versine(self) -> f32 {
+        self.versine_of(0.1)
+    }
+
+    /// The larger of `2 p u^(p - 1) sqrt(v) / (1 - h)`, `v = h + (1 - h) u`, at the edge and where
+    /// the slope begins: between them it has no hill. Of an exponent under 1 it begins at the floor
+    /// or the outer end of the strip, and it is at least that of a step.
+    fn steepness(self, hotspot: f32) -> f32 {
+        let (p, hotspot) = (f64::from(self.exponent), f64::from(hotspot));
+        let (span, per_height) = (1.0 - hotspot, 2.0 * p / (1.0 - hotspot) / self.height());
+        if p >= 1.0 {
+            return per_height as f32;
+        }
+        let strip = f64::from(trig::sqrt(hotspot as f32)) + STRIP;
+        let from = ((strip * strip - hotspot) / span).max(self.floor.into()).clamp(1e-12, 1.0);
+        let versine = hotspot + span * from;
+        let begin = trig::sqrt(versine as f32) * (per_height / real_power(from, 1.0 - p)) as f32;
+        begin.max(per_height as f32).max(1.0)
+    }
+
+    fn integral(self, u: f32) -> f32 {
+        let (p, u, floor) = (f64::from(self.exponent), f64::from(u), f64::from(self.floor));
+        if u <= floor {
+            return u as f32;
+        }
+        let power = |x: f64| x * real_power(x, p) / (p + 1.0);
+        (floor + (u - floor - (power(u) - power(floor))) / self.height()) as f32
+    }
+}
+
+/// A [`RealPower`], the same in every format.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct CompiledRealPower(RealExponent);
+
+/// A [`InvertedRealPower`], the same in every format.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct CompiledInvertedRealPower(RealExponent);
+
+impl<S: Scalar> Curve<S> for CompiledRealPower {
+    #[inline(always)]
+    fn intensity<F: Fraction<S>>(self, t: F) -> F::Value {
+        t.real_power(self.0).scalar()
+    }
+}
+
+impl<S: Scalar> Curve<S> for CompiledInvertedRealPower {
+    #[inline(always)]
+    fn intensity<F: Fraction<S>>(self, t: F) -> F::Value {
+        t.complement().real_power(self.0).complement().scalar()
+    }
+}

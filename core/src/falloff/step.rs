@@ -1,0 +1,41 @@
+//! The profile without a slope.
+
+use super::{Curve, Falloff, Formula, without_coefficients};
+use crate::number::{Fraction, Scalar};
+
+/// Full intensity up to the edge and none from there on: no multiply. A single umbra, and OpenGL with exponent 0.
+///
+/// Beam, field and outer angle are one. The edge itself is dark, as it is in every profile.
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
+pub struct Step;
+
+impl Falloff for Step {
+    without_coefficients!();
+
+    fn formula(&self) -> Formula<'_> {
+        Formula::Step
+    }
+
+    fn beam_versine(self) -> f32 {
+        1.0
+    }
+
+    fn field_versine(self) -> f32 {
+        1.0
+    }
+
+    fn steepness(self, _: f32) -> f32 {
+        1.0
+    }
+
+    fn integral(self, u: f32) -> f32 {
+        u
+    }
+}
+
+impl<S: Scalar> Curve<S> for Step {
+    #[inline(always)]
+    fn intensity<F: Fraction<S>>(self, t: F) -> F::Value {
+        t.step()
+    }
+}

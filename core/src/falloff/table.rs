@@ -1,0 +1,220 @@
+//! Measured profiles.
+
+mod measured;
+
+use self::measured::Measured;
+use super::{Curve, Falloff, Formula, without_coefficients};
+use crate::{
+    angle::Angle,
+    error::{Error, Expected, Parameter},
+    number::{Fraction, Knot, Scalar},
+    trig,
+};
+
+/// A table of measured intensities, with linear interpolation over the **versine** of the angle off
+/// axis, from the axis (or the rim of the hotspot) to the edge, so that no trigonometry happens per
+/// point.
+///
+/// Its samples are evenly spaced over the versine, sample `i` of `n` at `u = i / (n - 1)`, and then
+/// a place in the table is a multiply away: two multiplies. Or they are [`Knot`]s, closer together
+/// where the curve bends: `log2 n` comparisons and a multiply. Data that are evenly spaced in the
+/// angle, as goniometers give them, become knots by [`Table::from_angles`].
+///
+/// 65,535 is full intensity, whatever the number format. A table need not begin at full intensity,
+/// end at none or be monotone; beyond its last sample it is dark. Beam and field are where it falls
+/// to half and a tenth of *full* intensity for the last time.
+///
+/// ```
+/// use luminaire::{Angle, Cone, falloff::{Knot, Table}};
+/// // Every ten degrees off axis, up to 40: the intensities as the data sheet has them.
+/// let mut knots = [Knot::default(); 32];
+/// let (table, difference) = Table::from_angles(&[1.0, 0.93, 0.61, 0.18, 0.0], Angle::degrees(80.0), &mut knots)?;
+/// assert!(difference < 0.5 / 255.0);
+/// let cone = Cone::from_outer(table, Angle::degrees(80.0))?;
+/// assert!((cone.beam().to_degrees() - 45.0).abs() < 1.0);
+/// # Ok::<(), luminaire::Error>(())
+/// ```
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Table<'a> {
+    samples: Samples<'a>,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+enum Samples<'a> {
+    Even(&'a [u16]),
+    Knots(&'a [Knot]),
+}
+
+/// What counts as full intensity.
+const FULL: f32 = 65_535.0;
+
+impl<'a> Table<'a> {
+    /// The table of these samples, evenly spaced over the versine.
+    ///
+    /// # Errors
+    /// Fewer than 2 samples, or more than 65,536.
+    pub fn new(samples: &'a [u16]) -> Result<Self, Error> {
+        check_count(samples.len(), 2)?;
+        Ok(Self { samples: Samples::Even(samples) })
+    }
+
+    /// The table of samples that are known when the program is compiled, from 2 to 65,536 of them.
+    pub const fn of<const N: usize>(samples: &'a [u16; N]) -> Self {
+        const { assert!(N >= 2 && N <= 65_536, "a table has 2 to 65,536 samples") };
+        Self { samples: Samples::Even(samples) }
+    }
+
+    /// The table of knots that are known when the program is compiled, from 1 to 65,536 of them.
+    /// Knots whose places do not rise have intensities from 0 to 1 all the same.
+    pub const fn of_knots<const N: usize>(knots: &'a [Knot; N]) -> Self {
+        const { assert!(N >= 1 && N <= 65_536, "a table has 1 to 65,536 knots") };
+        Self { samples: Samples::Knots(knots) }
+    }
+
+    /// The table of intensities that are evenly spaced in the angle, from the axis to the outer
+    /// angle, and linear between; 1 is full intensity. For a cone without a hotspot of that outer
+    /// angle. Takes as many of the knots as it has a use for, and places them where the curve is
+    /// off most.
+    ///
+    /// Beside it the largest difference to the data, of full intensity: an upper bound, in exact
+    /// arithmetic. Places are multiples of 2^-16 of the outer versine; in a table of 180 degrees
+    /// that is a third of a degree next to the axis.
+    ///
+    /// # Errors
+    /// Fewer than 2 measured values, no knot, more than 65,536 of either, a measured value outside
+    /// [0, 1], or an outer angle that is not more than 0 and at most 180 degrees.
+    pub fn from_angles(
+        measured: &[f32],
+        outer: impl Into<Angle>,
+        knots: &'a mut [Knot],
+    ) -> Result<(Self, f32), Error> {
+        check_count(measured.len(), 2)?;
+        check_count(knots.len(), 1)?;
+        let outer = outer.into();
+        if !(outer > Angle::degrees(0.0) && outer <= Angle::degrees(180.0)) {
+            let accepted = Expected::AngleUpTo(180.0);
+            return Err(Error { parameter: Parameter::OuterAngle, value: outer.to_degrees(), accepted });
+        }
+        if let Some(&value) = measured.iter().find(|value| !(0.0..=1.0).contains(*value)) {
+            return Err(Error { parameter: Parameter::Sample, value, accepted: Expected::Between(0.0, 1.0) });
+        }
+        let (knots, difference) = Measured::new(measured, outer).resample(knots);
+        Ok((Self { samples: Samples::Knots(knots) }, difference))
+    }
+
+    /// The samples, from the axis to the edge, where they are evenly spaced; else none.
+    pub fn samples(self) -> &'a [u16] {
+        match self.samples {
+            Samples::Even(samples) => samples,
+            Samples::Knots(_) => &[],
+        }
+    }
+
+    /// The knots, from the axis to the edge, where there are some.
+    pub fn knots(self) -> &'a [Knot] {
+        match self.samples {
+            Samples::Even(_) => &[],
+            Samples::Knots(knots) => knots,
+        }
+    }
+
+    /// The segments from the axis to the edge.
+    fn segments(self) -> impl DoubleEndedIterator<Item = Segment> {
+        (0..self.samples().len().saturating_sub(1) + self.knots().len()).filter_map(move |i| self.segment(i))
+    }
+
+    fn segment(self, i: usize) -> Option<Segment> {
+        match self.samples {
+            Samples::Even(samples) => {
+                let [start, end] = [i, i + 1].map(|i| i as f32 / (samples.len() - 1) as f32);
+                let (from, to) = (f32::from(*samples.get(i)?) / FULL, f32::from(*samples.get(i + 1)?) / FULL);
+                Some(Segment { start, end, from, to })
+            }
+            Samples::Knots(knots) => {
+                let (knot, end) = (knots.get(i)?, knots.get(i + 1).map_or(1.0, |next| next.versine()));
+                let start = knot.versine();
+                Some(Segment { start, end, from: knot.intensity(start), to: knot.intensity(end) })
+            }
+        }
+    }
+
+    /// The last `u` with this intensity; 1 where the table ends above it, 0 where it is always
+    /// below.
+    fn versine_of(self, intensity: f32) -> f32 {
+        for Segment { start, end, from, to } in self.segments().rev() {
+            if to >= intensity {
+                return end;
+            }
+            if from >= intensity {
+                return start + (end - start) * (from - intensity) / (from - to);
+            }
+        }
+        0.0
+    }
+}
+
+/// A straight line between two `u`, by its intensities there.
+struct Segment {
+    start: f32,
+    end: f32,
+    from: f32,
+    to: f32,
+}
+
+fn check_count(count: usize, least: u16) -> Result<(), Error> {
+    if (least.into()..=65_536).contains(&count) {
+        Ok(())
+    } else {
+        let accepted = Expected::Between(least.into(), 65_536.0);
+        Err(Error { parameter: Parameter::SampleCount, value: count as f32, accepted })
+    }
+}
+
+impl Falloff for Table<'_> {
+    without_coefficients!();
+
+    fn formula(&self) -> Formula<'_> {
+        Formula::Table(*self)
+    }
+
+    fn beam_versine(self) -> f32 {
+        self.versine_of(0.5)
+    }
+
+    fn field_versine(self) -> f32 {
+        self.versine_of(0.1)
+    }
+
+    /// The largest slope of its segments, each taken where it is widest, and at least that of a
+    /// step.
+    fn steepness(self, hotspot: f32) -> f32 {
+        let span = 1.0 - hotspot;
+        self.segments().fold(1.0, |largest, Segment { start, end, from, to }| {
+            let versine = hotspot + end * span;
+            let slope = 2.0 * ((to - from) / (end - start)).abs() * trig::sqrt(versine) / span;
+            if slope > largest { slope } else { largest }
+        })
+    }
+
+    fn integral(self, u: f32) -> f32 {
+        self.segments().fold(0.0, |sum, Segment { start, end, from, to }| {
+            let part = ((u - start) / (end - start)).clamp(0.0, 1.0);
+            sum + (end - start) * part * (from + (to - from) * part / 2.0)
+        })
+    }
+}
+
+impl<S: Scalar> Curve<S> for Table<'_> {
+    #[inline(always)]
+    fn intensity<F: Fraction<S>>(self, t: F) -> F::Value {
+        // A table may end above zero: the edge is dark all the same.
+        if t.step() > F::Value::default() {
+            match self.samples {
+                Samples::Even(samples) => t.sample(samples),
+                Samples::Knots(knots) => t.along(knots),
+            }
+        } else {
+            F::Value::default()
+        }
+    }
+}

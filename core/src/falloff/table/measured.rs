@@ -1,0 +1,120 @@
+//! Goniometric data as knots: set-up only.
+
+use crate::{angle::Angle, number::Knot, trig};
+
+/// Intensities that are evenly spaced in the angle, from the axis to an outer angle, and linear
+/// between.
+pub(super) struct Measured<'m> {
+    values: &'m [f32],
+    /// The outer half angle in radians, and its versine.
+    outer: f32,
+    versine: f32,
+}
+
+/// The place of the outer angle: places are in 65,536ths of its versine.
+const EDGE: u32 = 65_536;
+
+/// A difference that values of 16 bits do not make smaller.
+const LEAST: f32 = 1.0 / 131_072.0;
+
+impl<'m> Measured<'m> {
+    /// At least two values from 0 to 1, up to an outer angle of more than 0 and at most 180
+    /// degrees.
+    pub(super) fn new(values: &'m [f32], outer: Angle) -> Self {
+        Self { values, outer: outer.to_radians() / 2.0, versine: outer.versine() }
+    }
+
+    /// The knots that are used, at least one, and the largest difference of their lines to the
+    /// data: the line that is off most gets a knot where it is, until there are no more (Ramer
+    /// 1972; Douglas and Peucker 1973).
+    pub(super) fn resample<'k>(&self, knots: &'k mut [Knot]) -> (&'k [Knot], f32) {
+        if let Some(first) = knots.first_mut() {
+            *first = self.line(0, EDGE);
+        }
+        let mut count = 1;
+        let largest = loop {
+            let lines = knots.get(..count).unwrap_or_default();
+            let ends = lines.iter().skip(1).map(|next| next.place()).chain([EDGE]);
+            let (mut largest, mut widest, mut split) = (0.0, LEAST, None);
+            for (i, (&line, end)) in lines.iter().zip(ends).enumerate() {
+                let (difference, place) = self.farthest(line, end);
+                largest = f32::max(largest, difference);
+                if difference > widest && end - line.place() > 1 {
+                    (widest, split) = (difference, Some((i, place, end)));
+                }
+            }
+            let Some((i, place, end)) = split else { break largest };
+            let Some([before, behind @ ..]) = knots.get_mut(i..=count) else { break largest };
+            *before = self.line(before.place(), place);
+            // The others move by one: the last of these was free.
+            let mut moved = self.line(place, end);
+            behind.iter_mut().for_each(|knot| core::mem::swap(knot, &mut moved));
+            count += 1;
+        };
+        (knots.get(..count).unwrap_or_default(), (largest + self.own_error()).min(1.0))
+    }
+
+    /// The line between the data at two places.
+    fn line(&self, place: u32, end: u32) -> Knot {
+        let value = |place| (self.value(self.angle(place)) * 65_535.0 + 0.5) as u16;
+        Knot::line([place, end], [place, end].map(value))
+    }
+
+    /// How far a line is off the data at most, and at which place strictly inside of it, if there
+    /// is one. The data bend where they were measured; between, their slope is that of the line
+    /// where `sin(angle)` makes it so.
+    fn farthest(&self, line: Knot, end: u32) -> (f32, u32) {
+        let (first, last) = (self.angle(line.place()), self.angle(end));
+        let (mut largest, mut at) = (0.0, 0.0);
+        let mut look = |angle: f32| {
+            let u = self.u(angle);
+            let difference = (self.value(angle) - line.intensity(u)).abs();
+            if difference >= largest {
+                (largest, at) = (difference, u);
+            }
+        };
+        look(first);
+        look(last);
+        let step = self.outer / (self.values.len() - 1) as f32;
+        for (i, pair) in self.values.windows(2).enumerate().skip((first / step) as usize) {
+            let [from, to] = [i, i + 1].map(|i| (i as f32 * step).max(first).min(last));
+            if from >= last {
+                break;
+            }
+            look(to);
+            let sine = (pair[1] - pair[0]) / step * self.versine / line.rise();
+            if sine > 0.0 && sine < 1.0 {
+                look(trig::asin(sine).max(from).min(to));
+            }
+        }
+        let inside = ((at * EDGE as f32 + 0.5) as u32).min(end.saturating_sub(1)).max(line.place() + 1);
+        (largest, inside)
+    }
+
+    /// What the roundings of f32 make of the data, where they are steepest.
+    fn own_error(&self) -> f32 {
+        let steepest = self.values.windows(2).map(|pair| (pair[1] - pair[0]).abs()).fold(0.0, f32::max);
+        1e-6 + 1e-6 * steepest * (self.values.len() - 1) as f32
+    }
+
+    /// The half angle of a place, in radians.
+    fn angle(&self, place: u32) -> f32 {
+        let u = place as f32 / EDGE as f32;
+        if place == EDGE { self.outer } else { 2.0 * trig::asin(trig::sqrt(u * self.versine / 2.0)) }
+    }
+
+    /// The versine of a half angle, of the outer one.
+    fn u(&self, angle: f32) -> f32 {
+        let sine = trig::sin(angle / 2.0);
+        2.0 * sine * sine / self.versine
+    }
+
+    /// The data at a half angle.
+    fn value(&self, angle: f32) -> f32 {
+        let place = angle / self.outer * (self.values.len() - 1) as f32;
+        let index = place as usize;
+        let here = self.values.get(index).or(self.values.last()).copied().unwrap_or_default();
+        let next = self.values.get(index + 1).copied().unwrap_or(here);
+        here + (next - here) * (place - index as f32).min(1.0)
+    }
+}

@@ -1,0 +1,214 @@
+//! Fractions of 31 bits in 32-bit products, for cones and lights that 15 bits do not hold.
+//!
+//! A cone that is steep over its width and a light that is bright magnify what 15 bits have rounded away. Only these pay for
+//! more: [`Cone::compile`](crate::Cone::compile) finds by a bound which cones need it, and
+//! [`Scalar::fine_below`](crate::Scalar::fine_below) how near to a lamp points do.
+
+use super::{Fx16, Gain16, Ramp16, gain, shifted};
+use crate::number::{Fraction, Knot, RealExponent, Share, fraction::neighbours};
+use fixed::types::{I18F14, U3F29, U18F14};
+
+/// A number from 0 to 1 with 31 fraction bits.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Default, Debug)]
+pub struct Fine16(u32);
+
+/// `a b / 2^32`, rounded down: exactly, so that it never falls where a factor rises.
+#[inline(always)]
+pub(super) const fn high_half(a: u32, b: u32) -> u32 {
+    let (high, low) = (a >> 16, a & 0xffff);
+    let upper = high * (b & 0xffff) + ((low * (b & 0xffff)) >> 16);
+    let lower = low * (b >> 16) + (upper & 0xffff);
+    high * (b >> 16) + (upper >> 16) + (lower >> 16)
+}
+
+impl Fine16 {
+    const ONE: Self = Self(1 << 31);
+
+    /// The product, within 2^-30 below the exact one; exact where a factor is one or zero.
+    #[inline(always)]
+    fn times(self, other: Self) -> Self {
+        Self(high_half(self.0, other.0) << 1)
+    }
+
+    /// `product / 2^shift`, and one where that is more.
+    #[inline(always)]
+    pub(super) fn capped(product: u32, shift: i32) -> Self {
+        let capped = if shift >= 0 {
+            product.checked_shr(shift.unsigned_abs()).unwrap_or(0)
+        } else if shift.unsigned_abs() < product.leading_zeros() {
+            product << shift.unsigned_abs()
+        } else if product > 0 {
+            Self::ONE.0
+        } else {
+            0
+        };
+        Self(capped.min(Self::ONE.0))
+    }
+
+    /// The share of a value of which 65,535 is one, with 15 fraction bits: `2^16 / (2^16 - 1) = 1 + 2^-16 + ..`
+    #[inline(always)]
+    fn of_value(value: u32) -> Self {
+        Self((value + ((value + (1 << 15)) >> 16)).min(Self::ONE.0))
+    }
+
+    /// The bits.
+    #[inline(always)]
+    pub(super) fn to_bits(self) -> u32 {
+        self.0
+    }
+
+    /// `t (1 + u slope)` for a slope of 28 fraction bits, within [0, 1] whatever the slope.
+    #[inline(always)]
+    fn lifted(self, slope: i32) -> Self {
+        // At most 28 bits each: a sound slope is from -3 to 3.
+        let lift = high_half(high_half(self.0, self.complement().0) << 1, slope.unsigned_abs());
+        let lift = lift.min((1 << 28) - 1) << 4;
+        let lifted = if slope < 0 { self.0.saturating_sub(lift) } else { self.0.saturating_add(lift) };
+        Self(lifted.min(Self::ONE.0))
+    }
+}
+
+impl Fraction<Fx16> for Fine16 {
+    type Value = Self;
+
+    #[inline(always)]
+    fn complement(self) -> Self {
+        Self(Self::ONE.0 - self.0)
+    }
+
+    #[inline(always)]
+    fn fine_product(self, other: Self) -> Self {
+        self.times(other)
+    }
+
+    #[inline(always)]
+    fn product(self, other: Self) -> Self {
+        self.times(other)
+    }
+
+    #[inline(always)]
+    fn real_power(self, exponent: RealExponent) -> Self {
+        Self(exponent.of_bits(self.0) as u32)
+    }
+
+    #[inline(always)]
+    fn scalar(self) -> Self {
+        self
+    }
+
+    #[inline(always)]
+    fn of(self, value: Self) -> Self {
+        self.times(value)
+    }
+
+    #[inline(always)]
+    fn lack(value: Self) -> Self {
+        value.complement()
+    }
+
+    #[inline(always)]
+    fn mixed(low: Self, high: Self, share: Fx16) -> Self {
+        let share = Self::of_scalar(share);
+        Self(low.0 - Self(low.0.saturating_sub(high.0)).times(share).0)
+    }
+
+    #[inline(always)]
+    fn step(self) -> Self {
+        if self.0 > 0 { Self::ONE } else { Self(0) }
+    }
+
+    #[inline(always)]
+    fn smooth(self) -> Self {
+        let square = self.times(self);
+        Self((square.0 + 2 * square.times(self.complement()).0).min(Self::ONE.0))
+    }
+
+    #[inline(always)]
+    fn blend(self, g: I18F14) -> Self {
+        self.lifted(g.to_bits().wrapping_shl(14))
+    }
+
+    #[inline(always)]
+    fn cubic(self, g: I18F14, h: I18F14) -> Self {
+        let bend = high_half(self.0, h.to_bits().unsigned_abs() << 14).cast_signed() << 1;
+        let bend = if h < 0 { bend.wrapping_neg() } else { bend };
+        self.lifted(g.to_bits().wrapping_shl(14).wrapping_add(bend))
+    }
+
+    #[inline(always)]
+    fn sample(self, samples: &[u16]) -> Self {
+        let last = (samples.len().min(1 << 16) as u32).saturating_sub(1);
+        // With 15 fraction bits: 31 and 16 bits in, 16 cut off.
+        let place = gain::high_product(self.complement().0, last);
+        let (here, next) = neighbours(samples, (place >> 15) as usize);
+        let (here, next) = (i32::from(here), i32::from(next));
+        Self::of_value(((here << 15) + (next - here) * (place & 0x7fff).cast_signed()).cast_unsigned())
+    }
+
+    #[inline(always)]
+    fn along(self, knots: &[Knot]) -> Self {
+        let place = self.complement().0;
+        let knot = Knot::at(knots, place >> 15);
+        let (beyond, slope) = (place - (u32::from(knot.place) << 15).min(place), knot.slope.unsigned_abs());
+        // The product of a sound line has 46 bits: all but 15 of them.
+        let rise = high_half(beyond, slope) << 17 | beyond.wrapping_mul(slope) >> 15;
+        let value = u32::from(knot.value) << 15;
+        let value = if knot.slope < 0 { value.saturating_sub(rise) } else { value.saturating_add(rise) };
+        Self::of_value(value.min(65_535 << 15))
+    }
+}
+
+impl Share<Fx16> for Fine16 {
+    #[inline(always)]
+    fn of_scalar(scalar: Fx16) -> Self {
+        Self(u32::from(scalar.to_bits().clamp(0, 1 << 14).cast_unsigned()) << 17)
+    }
+
+    #[inline(always)]
+    fn rounded(self) -> Fx16 {
+        Fx16::from_bits(((self.0 + (1 << 16)) >> 17) as i16)
+    }
+
+    #[inline(always)]
+    fn is_all(self) -> bool {
+        self == Self::ONE
+    }
+
+    #[inline(always)]
+    fn rest(self) -> Self {
+        self.complement()
+    }
+
+    #[inline(always)]
+    fn share_of(self, other: Self) -> Self {
+        self.times(other)
+    }
+
+    #[inline(always)]
+    fn smoothed(self) -> Self {
+        self.smooth()
+    }
+
+    #[inline(always)]
+    fn give(self, gain: Gain16) -> U18F14 {
+        shifted(high_half(self.0, gain.mantissa), gain.shift - 15)
+    }
+}
+
+impl Ramp16 {
+    /// Where a versine stands on the ramp, with all bits that it has.
+    #[inline(always)]
+    pub(super) fn rise_finely(self, versine: U3F29) -> Fine16 {
+        let versine = versine.to_bits();
+        let past = versine.wrapping_sub(self.inner);
+        if past >= self.width.max(self.fine) {
+            return if versine < self.inner { Fine16::ONE } else { Fine16(0) };
+        }
+        let fallen = if self.fine_shift < u32::BITS {
+            high_half(past.wrapping_shl(u32::BITS - self.fine_shift), self.fine_mantissa)
+        } else {
+            high_half(past, self.fine_mantissa) >> (self.fine_shift - u32::BITS)
+        };
+        Fine16(Fine16::ONE.0.saturating_sub(fallen))
+    }
+}

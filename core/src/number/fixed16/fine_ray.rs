@@ -1,0 +1,123 @@
+//! The direction to a point with 30 bits, and what is made of it with as many.
+//!
+//! In the comments `W` is the way scaled until its largest component has 31 bits, and `|W|` its length.
+
+use super::{
+    Fx16, Gain16, Ramp16,
+    fine::{Fine16, high_half},
+    gain::signed_high_product,
+    offset::{self, Offset16},
+    shifted,
+};
+use crate::{number::Ray, vec3::Vec3};
+use fixed::types::{I2F30, U3F29, U18F14};
+
+/// A unit direction of 30 fraction bits and the length it had.
+#[derive(Clone, Copy, Debug)]
+pub struct FineRay16 {
+    direction: Vec3<i32>,
+    /// How many bits the largest component of the way had.
+    bits: i32,
+    /// `|W|^2 / 2^32`.
+    squared: u32,
+    /// `2^61 / |W|`.
+    reciprocal: u32,
+}
+
+/// The upper half of a square, within 2 of it: two products where [`high_half`] has four.
+#[inline(always)]
+fn high_square(a: u32) -> u32 {
+    let (high, low) = (a >> 16, a & 0xffff);
+    high * high + ((high * low) >> 15)
+}
+
+/// A sum of squares over 2^32, of components with a sign.
+#[inline(always)]
+fn squared_length(vector: Vec3<i32>, shift: u32) -> u32 {
+    let squares = vector.map(|c| high_square(c.unsigned_abs() << shift));
+    squares.x + squares.y + squares.z
+}
+
+impl FineRay16 {
+    /// The ray of a way whose largest component has 31 bits, and had so many; `estimate` is `2^46 / |W|` within 2.4e-4. The
+    /// components of the direction are within 6 units and its length within 3e-8.
+    #[inline(always)]
+    pub(super) fn new(way: Vec3<i32>, estimate: u32, bits: u32) -> Self {
+        let nearly = way.map(|c| signed_high_product(c, estimate));
+        // What the squared length is over one is `x`, and `1 / sqrt(1 + x) = 1 - x / 2 + 3/8 x^2`.
+        let over = squared_length(nearly, 1).wrapping_sub(1 << 30).cast_signed();
+        let coarse = over >> 4;
+        let excess = ((over >> 1) - 3 * (coarse.wrapping_mul(coarse) >> 25)) >> 4;
+        Self {
+            direction: nearly.map(|c| c - ((c >> 14).wrapping_mul(excess) >> 12)),
+            bits: bits.cast_signed(),
+            squared: squared_length(way, 0),
+            reciprocal: (estimate << 15)
+                .wrapping_add_signed(-(estimate.cast_signed().wrapping_mul(excess) >> 11)),
+        }
+    }
+
+    /// `|W|`.
+    #[inline(always)]
+    fn length(&self) -> u32 {
+        high_half(self.squared, self.reciprocal) << 3
+    }
+}
+
+impl Ray<Fx16> for FineRay16 {
+    type Fraction = Fine16;
+    type Share = Fine16;
+
+    #[inline(always)]
+    fn distance(&self) -> Gain16 {
+        Gain16::normalised(self.length(), 47 - self.bits)
+    }
+
+    #[inline(always)]
+    fn direction(&self) -> Vec3<I2F30> {
+        self.direction.map(I2F30::from_bits)
+    }
+
+    #[inline(always)]
+    fn versine(&self, axis: Vec3<I2F30>, ramp: Ramp16) -> U3F29 {
+        let difference = self.direction.zip(axis, |d, s| d.wrapping_sub(s.to_bits()));
+        // As in the coarse one: inside the cone the squares of what passes have a sum of 30 bits.
+        if offset::size(difference) >> (31 - ramp.zoom) != 0 {
+            return U3F29::MAX;
+        }
+        U3F29::from_bits(squared_length(difference, ramp.zoom))
+    }
+
+    #[inline(always)]
+    fn rise(&self, axis: Vec3<I2F30>, ramp: Ramp16) -> Fine16 {
+        ramp.rise_finely(self.versine(axis, ramp))
+    }
+
+    /// From the normal: the facing has too few bits. Wraps for normals of more than unit length, which leaves it defined.
+    #[inline(always)]
+    fn cosine(&self, _: i32, normal: Vec3<Fx16>) -> Fine16 {
+        let products = self.direction.zip(normal, |d, n| {
+            let n = i32::from(n.to_bits());
+            (d >> 14).wrapping_mul(n).wrapping_add(((d & 0x3fff) * n) >> 14)
+        });
+        let along = products.x.wrapping_add(products.y).wrapping_add(products.z);
+        Fine16::capped(along.min(0).unsigned_abs(), -1)
+    }
+
+    #[inline(always)]
+    fn near(&self, gain: Gain16) -> Fine16 {
+        Fine16::capped(high_half(self.length(), gain.mantissa), gain.shift - self.bits - 16)
+    }
+
+    #[inline(always)]
+    fn squared_near(&self, _: &Offset16, gain: Gain16) -> Fine16 {
+        Fine16::capped(high_half(self.squared, gain.mantissa), gain.shift - 2 * self.bits - 1)
+    }
+
+    #[inline(always)]
+    fn expose(&self, share: Fine16, gain: Gain16) -> U18F14 {
+        // Of 26 bits and more, and the product of 16 and more where the light is not far below a code.
+        let here = high_half(high_square(self.reciprocal), gain.mantissa);
+        shifted(high_half(share.to_bits(), here), gain.shift + 2 * self.bits - 51)
+    }
+}

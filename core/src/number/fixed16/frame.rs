@@ -1,0 +1,133 @@
+//! The way from a point to its place on the square, in 16 bits.
+
+use super::{Fx16, gain::signed_high_product, offset::Offset16};
+use crate::{
+    number::{
+        mantissa_and_shift,
+        place::{ProjectedPoint, STEPS},
+        reciprocal, root,
+    },
+    vec3::Vec3,
+};
+use fixed::types::I16F16;
+
+/// The fraction bits of a frame's vectors: an offset of 17 bits leaves no more.
+const BITS: u32 = 13;
+
+/// What is less far along the axis is more than 88 degrees off it, and the corners of the widest square are 83.
+const LEAST_BITS: u32 = 24;
+
+/// One of a frame's vectors.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+struct Vector {
+    parts: Vec3<i32>,
+    /// Half the sum of the parts: what the bits amount to on average that an offset has lost.
+    half: i32,
+}
+
+/// A frame about the axis of a light.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Frame16 {
+    right: Vector,
+    down: Vector,
+    axis: Vector,
+    /// Where the axis meets the square.
+    center: [i32; 2],
+    /// `2^(shift + 8)` over a side at a depth of one, of 16 bits.
+    scale: u32,
+    shift: u32,
+}
+
+impl Vector {
+    const fn from_bits(x: i32, y: i32, z: i32, half: i32) -> Self {
+        Self { parts: Vec3::new(x, y, z), half }
+    }
+
+    fn new(vector: Vec3<f32>) -> Self {
+        let parts = vector.map(|c| super::nearest(c * (1 << BITS) as f32));
+        Self { parts, half: (parts.x + parts.y + parts.z) >> 1 }
+    }
+
+    /// The inner product with a unit vector.
+    fn along(self, unit: Vec3<f32>) -> f64 {
+        let products = self.parts.zip(unit, |part, unit| f64::from(part) * f64::from(unit));
+        (products.x + products.y + products.z) / f64::from(1 << BITS)
+    }
+
+    /// The inner product with an offset of 17 bits: at most 31 bits and a sign.
+    #[inline(always)]
+    fn part(&self, way: Vec3<i32>) -> i32 {
+        let products = self.parts.zip(way, i32::wrapping_mul);
+        products.x.wrapping_add(products.y).wrapping_add(products.z).wrapping_add(self.half)
+    }
+}
+
+impl Frame16 {
+    /// The frame of these bits, in the order of the fields.
+    pub const fn from_bits(bits: [i32; 16]) -> Self {
+        let [a, b, c, d, e, f, g, h, i, j, k, l, column, row, scale, shift] = bits;
+        Self {
+            right: Vector::from_bits(a, b, c, d),
+            down: Vector::from_bits(e, f, g, h),
+            axis: Vector::from_bits(i, j, k, l),
+            center: [column, row],
+            scale: scale.cast_unsigned() & ((1 << 16) - 1),
+            shift: shift.cast_unsigned() % u32::BITS,
+        }
+    }
+
+    /// The bits, in the order of the fields.
+    pub const fn to_bits(self) -> [i32; 16] {
+        let Self { right, down, axis, center: [column, row], scale, shift } = self;
+        let [Vec3 { x: a, y: b, z: c }, Vec3 { x: e, y: f, z: g }] = [right.parts, down.parts];
+        let Vec3 { x: i, y: j, z: k } = axis.parts;
+        let [scale, shift] = [scale.cast_signed(), shift.cast_signed()];
+        [a, b, c, right.half, e, f, g, down.half, i, j, k, axis.half, column, row, scale, shift]
+    }
+
+    /// The frame of three unit vectors and the tangent of half a side. What rounding makes of them would turn the square: what
+    /// it makes a vector lean along the axis is taken off the centre, and how long it makes the axis is put on the scale.
+    pub(super) fn new([right, down, axis]: [Vec3<f32>; 3], tangent: f32) -> Self {
+        let vectors = [right, down, axis].map(Vector::new);
+        let length = vectors[2].along(axis);
+        let scale = (length / (2.0 * f64::from(tangent))) as f32;
+        let center = [vectors[0], vectors[1]].map(|across| {
+            let lean = across.along(axis) / length;
+            super::nearest(STEPS as f32 * (0.5 - lean as f32 * scale))
+        });
+        let (mantissa, shift) = mantissa_and_shift(scale);
+        Self {
+            right: vectors[0],
+            down: vectors[1],
+            axis: vectors[2],
+            center,
+            scale: ((mantissa + (1 << 7)) >> 8).min((1 << 16) - 1),
+            shift: (shift - 16).clamp(0, 24).cast_unsigned(),
+        }
+    }
+
+    #[inline(always)]
+    pub(super) fn place(&self, light: Vec3<I16F16>, point: Vec3<I16F16>) -> ProjectedPoint<Fx16> {
+        let offset = Offset16::between(light, point);
+        let way = offset.fine();
+        let depth = self.axis.part(way);
+        if depth >> LEAST_BITS <= 0 {
+            return ProjectedPoint::outside();
+        }
+        let z = depth.cast_unsigned();
+        let more = root::ilog2_of_seven_bits(z >> LEAST_BITS);
+        let inverse = reciprocal::inverse_16(z >> (more + LEAST_BITS + 1 - 16));
+        // At most 17 and 16 bits, and 16 of their product.
+        let factor = (inverse * self.scale + (1 << 15)) >> 16;
+        let shift = (self.shift + more) % u32::BITS;
+        let step = |across: Vector, center: i32| {
+            let step = signed_high_product(across.part(way), factor) >> shift;
+            step.wrapping_add(center).clamp(-STEPS, 2 * STEPS - 1)
+        };
+        ProjectedPoint {
+            column: step(self.right, self.center[0]),
+            row: step(self.down, self.center[1]),
+            depth: offset.length_of(depth),
+        }
+    }
+}

@@ -1,0 +1,137 @@
+//! The way from a point to its place on the square, in 32 bits.
+
+use super::{Fx32, Offset32, wide};
+use crate::{
+    number::{
+        Scalar, mantissa_and_shift,
+        place::{ProjectedPoint, STEPS},
+        reciprocal,
+    },
+    vec3::Vec3,
+};
+use fixed::types::{I2F30, I16F16};
+
+/// What is less far along the axis is more than 88 degrees off it, and the corners of the widest square are 83.
+const LEAST_BITS: u32 = 54;
+
+/// How many fraction bits a step has until it is rounded down.
+const FINE: u32 = 8;
+
+/// A frame about the axis of a light.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Frame32 {
+    right: Vec3<i32>,
+    down: Vec3<i32>,
+    axis: Vec3<i32>,
+    /// Where the axis meets the square, in steps of a place that have [`FINE`] fraction bits.
+    center: [i32; 2],
+    /// `2^(shift + 2)` over a side at a depth of one, of 28 bits.
+    scale: u32,
+    shift: u32,
+}
+
+impl Frame32 {
+    /// The frame of these bits, in the order of the fields. Components of more than one are none of a frame: they count as
+    /// one.
+    pub const fn from_bits(bits: [i32; 13]) -> Self {
+        let [a, b, c, d, e, f, g, h, i, column, row, scale, shift] = bits;
+        Self {
+            right: Vec3::new(within_one(a), within_one(b), within_one(c)),
+            down: Vec3::new(within_one(d), within_one(e), within_one(f)),
+            axis: Vec3::new(within_one(g), within_one(h), within_one(i)),
+            center: [column, row],
+            scale: scale.cast_unsigned() & ((1 << 28) - 1),
+            shift: shift.cast_unsigned() % u64::BITS,
+        }
+    }
+
+    /// The bits, in the order of the fields.
+    pub const fn to_bits(self) -> [i32; 13] {
+        let Self { right, down, axis, center: [column, row], scale, shift } = self;
+        let [Vec3 { x: a, y: b, z: c }, Vec3 { x: d, y: e, z: f }] = [right, down];
+        let Vec3 { x: g, y: h, z: i } = axis;
+        [a, b, c, d, e, f, g, h, i, column, row, scale.cast_signed(), shift.cast_signed()]
+    }
+
+    /// The frame of three unit vectors and the tangent of half a side. A vector across is not quite at a right angle to the
+    /// axis once it is rounded, which a narrow cone would magnify: that much is taken off the centre.
+    pub(super) fn new([right, down, axis]: [Vec3<f32>; 3], tangent: f32) -> Self {
+        let [right, down] = [right, down].map(|across| across.map(Fx32::from_f32));
+        let axis = Fx32::axis(axis);
+        let scale = 1.0 / (2.0 * tangent);
+        let center = [right, down].map(|across| {
+            let lean = across.zip(axis, |a, s| wide(a.to_bits(), s.to_bits()));
+            let lean = (lean.x + lean.y + lean.z) as f64 / (1_u64 << 60) as f64;
+            (f64::from(STEPS << FINE) * (0.5 - lean * f64::from(scale))) as i32
+        });
+        let (mantissa, shift) = mantissa_and_shift(scale);
+        Self {
+            right: right.map(I2F30::to_bits),
+            down: down.map(I2F30::to_bits),
+            axis: axis.map(I2F30::to_bits),
+            center,
+            scale: mantissa << 4,
+            shift: (shift + 4 - 2).clamp(0, 63).cast_unsigned(),
+        }
+    }
+
+    #[inline(always)]
+    pub(super) fn place(&self, light: Vec3<I16F16>, point: Vec3<I16F16>) -> ProjectedPoint<Fx32> {
+        let offset = Fx32::offset(light, point);
+        let depth = part(self.axis, offset.way);
+        if depth >> LEAST_BITS <= 0 {
+            return ProjectedPoint::outside();
+        }
+        let z = depth.cast_unsigned();
+        let bits = u64::BITS - z.leading_zeros();
+        let inverse = u64::from(reciprocal::inverse_28((z >> (bits - 28)) as u32));
+        // At most 29 and 28 bits, and 28 of their product.
+        let factor = (inverse * u64::from(self.scale) + (1 << 27)) >> 28;
+        let shift = (self.shift + bits - LEAST_BITS - 1) % u64::BITS;
+        let step = |across, center: i32| {
+            let step = signed_high_product(part(across, offset.way), factor) >> shift;
+            let step = (step + i64::from(center)) >> FINE;
+            step.clamp(i64::from(-STEPS), i64::from(2 * STEPS - 1)) as i32
+        };
+        ProjectedPoint {
+            column: step(self.right, self.center[0]),
+            row: step(self.down, self.center[1]),
+            depth: offset.length_of(depth),
+        }
+    }
+}
+
+impl Offset32 {
+    /// A part of the way, of 60 fraction bits as it is scaled, as a length; saturates.
+    #[inline(always)]
+    fn length_of(&self, part: i64) -> I16F16 {
+        let doubled = part >> (59 - self.bits);
+        I16F16::from_bits(((doubled + 1) >> 1).min(i64::from(i32::MAX)) as i32)
+    }
+}
+
+/// Half the inner product with an offset: at most 61 bits and a sign for a vector of unit length.
+#[inline(always)]
+fn part(vector: Vec3<i32>, way: Vec3<i32>) -> i64 {
+    let products = vector.zip(way, |a, b| wide(a, b) >> 1);
+    products.x + products.y + products.z
+}
+
+/// `a b / 2^32` for b of 28 bits, rounded down.
+#[inline(always)]
+fn signed_high_product(a: i64, b: u64) -> i64 {
+    let low = ((a.cast_unsigned() & 0xffff_ffff) * b) >> 32;
+    (a >> 32) * b.cast_signed() + low.cast_signed()
+}
+
+/// A component of 30 fraction bits, clamped to [-1, 1].
+const fn within_one(component: i32) -> i32 {
+    const ONE: i32 = 1 << 30;
+    if component > ONE {
+        ONE
+    } else if component < -ONE {
+        -ONE
+    } else {
+        component
+    }
+}

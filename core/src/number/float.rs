@@ -1,0 +1,402 @@
+//! The format `f32`: only `+ - * /` and a correctly rounded root, and clamps by compare and select, so that the
+//! same inputs give the same bits on every machine.
+
+mod frame;
+
+pub use self::frame::FloatFrame;
+use super::{Gain, Offset, ProjectedPoint, Ray, Rise, Scalar, Slopes, Word, fraction::FloatFraction};
+use crate::{trig, vec3::Vec3};
+
+/// Where irradiance saturates: finite whatever is added to it or divided by it in practice.
+const BRIGHTEST: f32 = 18_446_744_073_709_551_616.0; // 2^64
+
+/// The way back from a point to a light, and its squared length. Lambert's cosine wants it in this direction, and the
+/// difference to the axis is then a sum.
+#[derive(Clone, Copy, Debug)]
+pub struct FloatOffset {
+    back: Vec3<f32>,
+    squared: f32,
+}
+
+/// The unit direction back to the light, the square of its former length, and the reciprocal of that length.
+#[derive(Clone, Copy, Debug)]
+pub struct FloatRay {
+    back: Vec3<f32>,
+    squared: f32,
+    reciprocal: f32,
+}
+
+/// A ramp: its outer versine, the versine from which it is cut off, and the reciprocal of its span.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct FloatRamp {
+    outer: f32,
+    limit: f32,
+    reciprocal: f32,
+}
+
+impl FloatRamp {
+    /// The ramp of these bits, in the order of the fields. Those that no ramp has are brought to where every versine has a
+    /// place.
+    pub const fn from_bits([outer, limit, reciprocal]: [u32; 3]) -> Self {
+        let [outer, limit] = [f32::from_bits(outer), f32::from_bits(limit)];
+        let reciprocal = positive(f32::from_bits(reciprocal));
+        Self { outer, limit: if limit < outer { limit } else { outer }, reciprocal }
+    }
+
+    /// The bits, in the order of the fields.
+    pub const fn to_bits(self) -> [u32; 3] {
+        [self.outer.to_bits(), self.limit.to_bits(), self.reciprocal.to_bits()]
+    }
+
+    #[inline(always)]
+    fn rise(self, versine: f32) -> FloatFraction {
+        // NaN is not within the limit.
+        let rise = if versine < self.limit { (self.outer - versine) * self.reciprocal } else { 0.0 };
+        FloatFraction(if rise < 1.0 { rise } else { 1.0 })
+    }
+}
+
+/// `x` if it is more than zero; anything else, also what is not a number, becomes zero.
+#[inline(always)]
+pub(crate) const fn positive(x: f32) -> f32 {
+    if x > 0.0 { x } else { 0.0 }
+}
+
+/// `x` clamped to [0, 1]; what is not a number becomes zero.
+#[inline(always)]
+pub(crate) fn clamp(x: f32) -> f32 {
+    let x = positive(x);
+    if x < 1.0 { x } else { 1.0 }
+}
+
+impl Scalar for f32 {
+    type Length = f32;
+    type Unit = f32;
+    type Versine = f32;
+    type Fraction = FloatFraction;
+    type Fine = FloatFraction;
+    type Weight = f32;
+    type Ramp = FloatRamp;
+    type Frame = FloatFrame;
+    type Gain = f32;
+    type Irradiance = f32;
+    type Offset = FloatOffset;
+
+    const NAME: &'static str = "f32";
+    const ZERO: Self = 0.0;
+    const ONE: Self = 1.0;
+    const STEP: f32 = f32::EPSILON;
+    // Of the difference: 2^-24, where two components are just over a power of two. Of the product with the reciprocal:
+    // 1.72 times 2^-25, where all three are over a half.
+    const DIRECTION_ERROR: f32 = 1.12e-7;
+    const FARTHEST: f32 = f32::MAX;
+
+    fn from_f32(value: f32) -> Self {
+        if value.is_nan() { 0.0 } else { value }
+    }
+
+    fn to_f32(self) -> f32 {
+        self
+    }
+
+    #[inline(always)]
+    fn part(steps: u32) -> Self {
+        steps as f32 * (1.0 / 16_384.0)
+    }
+
+    fn length(value: f32) -> f32 {
+        value
+    }
+
+    fn axis(axis: Vec3<f32>) -> Vec3<f32> {
+        axis
+    }
+
+    fn versine(_: FloatRamp, value: f32) -> f32 {
+        value
+    }
+
+    fn weight(value: f32) -> f32 {
+        if value.is_nan() { 0.0 } else { value.clamp(-4.0, 4.0) }
+    }
+
+    fn gain(value: f32) -> f32 {
+        positive(value)
+    }
+
+    #[inline(always)]
+    fn times(self, other: Self) -> Self {
+        self * other
+    }
+
+    #[inline(always)]
+    fn minus(self, other: Self) -> Self {
+        self - other
+    }
+
+    #[inline(always)]
+    fn offset(light: Vec3<f32>, point: Vec3<f32>) -> FloatOffset {
+        let back = light.zip(point, |l, p| l - p);
+        FloatOffset { back, squared: back.dot(back) }
+    }
+
+    /// The reciprocal is rounded up until `span * reciprocal` reaches one, so that the ramp is exact at both ends.
+    fn ramp(inner: f32, outer: f32, limit: f32) -> FloatRamp {
+        let span = if inner < outer { outer - inner } else { 0.0 };
+        let mut reciprocal = 1.0 / span;
+        while reciprocal.is_finite() && span * reciprocal < 1.0 {
+            reciprocal = reciprocal.next_up();
+        }
+        FloatRamp {
+            outer,
+            limit: if limit < outer { limit } else { outer },
+            reciprocal: if reciprocal < f32::MAX { reciprocal } else { f32::MAX },
+        }
+    }
+
+    /// The versine is within 1.1e-6 of itself: 4e-7 by the set-up, the rest by the lengths of direction and axis, by their
+    /// difference and by its square.
+    fn rounding(edge: &Slopes) -> f32 {
+        edge.angle * 0.55e-6 + (edge.fraction * 1.5 + 1.5) * Self::STEP
+    }
+
+    #[inline(always)]
+    fn rise(ramp: FloatRamp, versine: f32) -> Rise<f32> {
+        Rise::Coarse(ramp.rise(versine))
+    }
+
+    #[inline(always)]
+    fn smooth(self) -> Self {
+        let t = clamp(self);
+        t * t * (3.0 - 2.0 * t)
+    }
+
+    fn frame(vectors: [Vec3<f32>; 3], tangent: f32) -> FloatFrame {
+        FloatFrame::new(vectors, tangent)
+    }
+
+    #[inline(always)]
+    fn place(frame: &FloatFrame, light: Vec3<f32>, point: Vec3<f32>) -> ProjectedPoint<Self> {
+        frame.place(point.zip(light, |p, l| p - l))
+    }
+
+    #[inline(always)]
+    fn weighted_byte(sum: u32) -> Self {
+        // Of 24 bits, which is an integer of this format.
+        let share = (sum >> 8).cast_signed() as f32 * (1.0 / 16_711_680.0);
+        if share < 1.0 { share } else { 1.0 }
+    }
+
+    #[inline(always)]
+    fn versine_between(a: Vec3<f32>, b: Vec3<f32>, _: FloatRamp) -> f32 {
+        let difference = a.zip(b, |a, b| a - b);
+        0.5 * difference.dot(difference)
+    }
+
+    #[inline(always)]
+    fn power(versine: f32, exponent: u32) -> f32 {
+        let (mut power, mut square, mut rest) = (1.0, positive(1.0 - versine), exponent);
+        while rest > 0 {
+            power = if rest % 2 == 1 { power * square } else { power };
+            square *= square;
+            rest /= 2;
+        }
+        power
+    }
+
+    #[inline(always)]
+    fn normal_unit(normal: Vec3<f32>) -> Vec3<f32> {
+        normal
+    }
+
+    #[inline(always)]
+    fn mirror(direction: Vec3<f32>, normal: Vec3<f32>) -> Vec3<f32> {
+        let twice = 2.0 * direction.dot(normal);
+        direction.zip(normal, |d, n| d - twice * n)
+    }
+
+    #[inline(always)]
+    fn direction_between(a: Vec3<f32>, b: Vec3<f32>) -> Vec3<f32> {
+        Self::offset(a, b).ray().direction()
+    }
+
+    #[inline(always)]
+    fn incidence(direction: Vec3<f32>, normal: Vec3<f32>) -> f32 {
+        positive(-direction.dot(normal))
+    }
+
+    #[inline(always)]
+    fn expose(self, gain: f32) -> f32 {
+        let light = positive(self * gain);
+        if light < BRIGHTEST { light } else { BRIGHTEST }
+    }
+
+    #[inline(always)]
+    fn filter(light: f32, color: f32) -> f32 {
+        light * color
+    }
+
+    #[inline(always)]
+    fn add_light(a: f32, b: f32) -> f32 {
+        a + b
+    }
+
+    #[inline(always)]
+    fn light_to_f32(light: f32) -> f32 {
+        light
+    }
+
+    #[inline(always)]
+    fn light_to_gain(light: f32) -> f32 {
+        light
+    }
+
+    #[inline(always)]
+    fn amplify(light: f32, gain: f32) -> f32 {
+        light.expose(gain)
+    }
+
+    #[inline(always)]
+    fn clip(light: f32) -> f32 {
+        clamp(light)
+    }
+
+    #[inline(always)]
+    fn word(self) -> Word {
+        Word::Single(self)
+    }
+}
+
+impl Gain<f32> for f32 {
+    #[inline(always)]
+    fn by(self, other: Self) -> Self {
+        self * other
+    }
+
+    #[inline(always)]
+    fn plus(self, other: Self) -> Self {
+        self + other
+    }
+
+    #[inline(always)]
+    fn inverse_capped(self) -> Self {
+        1.0 / if self > 1.0 { self } else { 1.0 }
+    }
+
+    #[inline(always)]
+    fn fraction(self) -> Self {
+        clamp(self)
+    }
+}
+
+impl Offset<f32> for FloatOffset {
+    type Ray = FloatRay;
+    type FineRay = FloatRay;
+    type Facing = f32;
+
+    const ROOTS_FIRST: bool = true;
+
+    #[inline(always)]
+    fn facing(&self, normal: Vec3<f32>) -> f32 {
+        self.back.dot(normal)
+    }
+
+    #[inline(always)]
+    fn faces_away(facing: f32) -> bool {
+        !matches!(facing.partial_cmp(&0.0), Some(core::cmp::Ordering::Greater))
+    }
+
+    #[inline(always)]
+    fn is_outside(&self, axis: Vec3<f32>, bound: f32) -> bool {
+        let along = self.back.dot(axis);
+        along * along.abs() > -bound * self.squared
+    }
+
+    #[inline(always)]
+    fn squared_distance(&self) -> f32 {
+        self.squared
+    }
+
+    #[inline(always)]
+    fn ray(&self) -> FloatRay {
+        self.ray_of(self.reciprocal())
+    }
+
+    #[inline(always)]
+    fn fine_ray(&self) -> FloatRay {
+        self.ray()
+    }
+
+    /// Where the square is less than any normal number the point counts as on the light, and its direction is zero.
+    /// Where it is beyond f32 the reciprocal is zero too, and no light arrives either.
+    #[inline(always)]
+    fn reciprocal(&self) -> f32 {
+        trig::inverse_sqrt(self.squared)
+    }
+
+    #[inline(always)]
+    fn ray_of(&self, reciprocal: f32) -> FloatRay {
+        FloatRay { back: self.back.map(|c| c * reciprocal), squared: self.squared, reciprocal }
+    }
+}
+
+impl FloatRay {
+    /// The squared difference of direction and axis.
+    #[inline(always)]
+    fn twice_versine(&self, axis: Vec3<f32>) -> f32 {
+        let difference = self.back.zip(axis, |b, s| b + s);
+        difference.dot(difference)
+    }
+}
+
+impl Ray<f32> for FloatRay {
+    type Fraction = FloatFraction;
+    type Share = f32;
+
+    #[inline(always)]
+    fn direction(&self) -> Vec3<f32> {
+        self.back.map(|c| -c)
+    }
+
+    #[inline(always)]
+    fn distance(&self) -> f32 {
+        trig::sqrt(self.squared)
+    }
+
+    #[inline(always)]
+    fn versine(&self, axis: Vec3<f32>, _: FloatRamp) -> f32 {
+        0.5 * self.twice_versine(axis)
+    }
+
+    /// On a ramp of twice the size, which halves nothing per point and changes no bit.
+    #[inline(always)]
+    fn rise(&self, axis: Vec3<f32>, ramp: FloatRamp) -> FloatFraction {
+        let doubled =
+            FloatRamp { outer: 2.0 * ramp.outer, limit: 2.0 * ramp.limit, reciprocal: 0.5 * ramp.reciprocal };
+        doubled.rise(self.twice_versine(axis))
+    }
+
+    #[inline(always)]
+    fn cosine(&self, facing: f32, _: Vec3<f32>) -> FloatFraction {
+        FloatFraction(clamp(facing * self.reciprocal))
+    }
+
+    #[inline(always)]
+    fn near(&self, gain: f32) -> f32 {
+        self.distance().by(gain).fraction()
+    }
+
+    #[inline(always)]
+    fn squared_near(&self, offset: &FloatOffset, gain: f32) -> f32 {
+        offset.squared.by(gain).fraction()
+    }
+
+    /// The gain saturates and not the light, because the compiler sees that a product of clamped fractions is not
+    /// negative, and leaves the other half of [`Scalar::expose`]'s clamp out.
+    #[inline(always)]
+    fn expose(&self, fraction: f32, gain: f32) -> f32 {
+        let gain = gain * (self.reciprocal * self.reciprocal);
+        let fraction = if fraction < 0.0 { 0.0 } else { fraction };
+        fraction * if gain < BRIGHTEST { gain } else { BRIGHTEST }
+    }
+}

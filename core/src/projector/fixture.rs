@@ -1,0 +1,116 @@
+//! Luminaires: lamps with what is mounted in front of them.
+
+use core::ops::RangeInclusive;
+
+use super::{CompiledGobo, Gobo, Projection};
+use crate::{
+    angle::Angle,
+    any_light::AnyLight,
+    effect::{Effect, Effects},
+    error::{Error, Expected, Parameter},
+    number::Scalar,
+};
+
+/// A lamp as a scene has it: with the gobo and the shadows that it is given, or without.
+///
+/// ```
+/// use luminaire::{Angle, Cone, SpotLight, Vec3, falloff::Soft, projector::{Fixture, Gobo}};
+/// const MULLION: Gobo<'static> = Gobo::of(&[[255, 0, 255]; 3]);
+/// let cone = Cone::from_field(Soft, Angle::degrees(15.0))?;
+/// let spot = SpotLight::new(Vec3::new(0.0, 4.0, 0.0), Vec3::new(0.0, -1.0, 0.0), cone)?;
+/// let key = Fixture::from(spot).with_gobo(MULLION, Angle::degrees(0.0))?.with_shadow(512)?;
+/// assert_eq!(key.effects().to_string(), "diffuse, spot, soft, inverse-square, gobo, shadow");
+/// # Ok::<(), luminaire::Error>(())
+/// ```
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Fixture {
+    lamp: AnyLight,
+    gobo: Option<(Gobo<'static>, Projection)>,
+    shadow: Option<(u16, Projection)>,
+}
+
+impl Fixture {
+    /// The sides that a shadow map may have, in texels.
+    pub const SHADOW_SIDES: RangeInclusive<u16> = 16..=2048;
+
+    /// The same luminaire with a gobo, turned about the axis as [`Projection::turned`] does.
+    ///
+    /// # Errors
+    /// A lamp that projects no square: a cone over 160 degrees, or none. A roll that is not from -360 to 360 degrees.
+    pub fn with_gobo(self, gobo: Gobo<'static>, roll: Angle) -> Result<Self, Error> {
+        let projection = self.project()?.turned(roll)?;
+        Ok(Self { gobo: Some((gobo, projection)), ..self })
+    }
+
+    /// The same luminaire with shadows, by a map of so many texels a side.
+    ///
+    /// # Errors
+    /// A side that is not from 16 to 2048; a lamp that projects no square: a cone over 160 degrees, or none.
+    pub fn with_shadow(self, side: u16) -> Result<Self, Error> {
+        let sides = Self::SHADOW_SIDES;
+        if !sides.contains(&side) {
+            let accepted = Expected::WholeBetween((*sides.start()).into(), (*sides.end()).into());
+            return Err(Error { parameter: Parameter::ShadowSide, value: side.into(), accepted });
+        }
+        Ok(Self { shadow: Some((side, self.project()?)), ..self })
+    }
+
+    /// The square around the light of the lamp. A point light is refused as a cone of 360 degrees, and parallel light as
+    /// one of none.
+    fn project(&self) -> Result<Projection, Error> {
+        let refused = |value| {
+            let accepted = Expected::AngleUpTo(Projection::WIDEST.to_degrees());
+            Err(Error { parameter: Parameter::OuterAngle, value, accepted })
+        };
+        match &self.lamp {
+            AnyLight::Spot(spot) => Projection::of(spot),
+            AnyLight::Point(_) => refused(360.0),
+            AnyLight::Directional(_) => refused(0.0),
+        }
+    }
+
+    /// The lamp.
+    pub fn lamp(&self) -> &AnyLight {
+        &self.lamp
+    }
+
+    /// The gobo and the square that it lies on; nothing where there is none.
+    pub fn gobo(&self) -> Option<(Gobo<'static>, Projection)> {
+        self.gobo
+    }
+
+    /// The side of the shadow map in texels and the square that it lies on; nothing where there are no shadows.
+    pub fn shadow(&self) -> Option<(u16, Projection)> {
+        self.shadow
+    }
+
+    /// What the luminaire calls for; nothing where its lamp is dark.
+    pub fn effects(&self) -> Effects {
+        let mut effects = self.lamp.effects();
+        if effects == Effects::NONE {
+            return effects;
+        }
+        if self.gobo.is_some() {
+            effects = effects.with(Effect::Gobo);
+        }
+        if self.shadow.is_some() {
+            effects = effects.with(Effect::Shadow);
+        }
+        effects
+    }
+
+    /// Compiles the gobo for the format `S`; nothing where there is none.
+    ///
+    /// # Errors
+    /// What the format can't hold: see [`Projection::compile`].
+    pub fn compile_gobo<S: Scalar>(&self) -> Result<Option<CompiledGobo<'static, S>>, Error> {
+        let on = |(gobo, projection): (Gobo<'static>, Projection)| Ok(gobo.on(projection.compile()?));
+        self.gobo.map(on).transpose()
+    }
+}
+
+impl<L: Into<AnyLight>> From<L> for Fixture {
+    fn from(lamp: L) -> Self {
+        Self { lamp: lamp.into(), gobo: None, shadow: None }
+    }
+}

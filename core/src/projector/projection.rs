@@ -1,0 +1,174 @@
+//! The square that a spotlight projects: what a pattern or a map of shadows lies on.
+
+use crate::{
+    angle::Angle,
+    attenuation::Attenuation,
+    cone::Cone,
+    error::{Error, Expected, Parameter, check_between},
+    falloff::{Falloff, Step},
+    light::{SpotLight, check_reach},
+    number::{ProjectedPoint, Scalar},
+    trig,
+    vec3::Vec3,
+};
+
+/// The square around the cone of a spotlight, across its axis.
+///
+/// It is a flat one: a square on a wall that the light meets head-on, which the edge of the cone touches in the middles of
+/// its sides. So a place on it goes with the tangent of the angle off axis, and no cone over 160 degrees has one.
+///
+/// [`right`](Self::right) and [`up`](Self::up) are those of somebody at the light who looks along its axis, in coordinates
+/// that are right-handed, with y upwards. A light that points straight down or up, within one degree, leaves no up:
+/// there the top of the square lies to `-z` in a light that points down, and to `z` in one that points up, as it
+/// does where the axis leans to `-z`.
+///
+/// ```
+/// use luminaire::{Angle, Cone, SpotLight, Vec3, falloff::Soft, projector::Projection};
+/// let cone = Cone::from_outer(Soft, Angle::degrees(90.0))?;
+/// let spot = SpotLight::new(Vec3::new(0.0, 1.0, 4.0), Vec3::new(0.0, 0.0, -1.0), cone)?;
+/// let square = Projection::of(&spot)?.compile::<f32>()?;
+/// // A point of the wall at z = 0, where the square has a side of 8: a quarter of it to the right of the middle and 1 / 8 up.
+/// let place = square.place(Vec3::new(2.0, 2.0, 0.0));
+/// assert_eq!((place.column, place.row, place.depth), (49_152, 24_576, 4.0));
+/// # Ok::<(), luminaire::Error>(())
+/// ```
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Projection {
+    position: Vec3<f32>,
+    right: Vec3<f32>,
+    up: Vec3<f32>,
+    axis: Vec3<f32>,
+    outer: Angle,
+    tangent: f32,
+}
+
+/// Nearer to the vertical than about one degree, by the squared sine, an axis is taken for vertical.
+const UPRIGHT: f32 = 3.0e-4;
+
+impl Projection {
+    /// The widest outer angle: at a right angle off axis there is no wall to be lit.
+    pub const WIDEST: Angle = Angle::degrees(160.0);
+
+    /// The square around the cone of a spotlight, upright.
+    ///
+    /// # Errors
+    /// An outer angle over 160 degrees.
+    pub fn of<P: Falloff, A: Attenuation>(spot: &SpotLight<P, A>) -> Result<Self, Error> {
+        let (cone, axis) = (spot.cone(), spot.axis());
+        let (outer, versine) = (cone.outer(), cone.outer_versine());
+        if versine > Self::WIDEST.versine() {
+            let accepted = Expected::AngleUpTo(Self::WIDEST.to_degrees());
+            return Err(Error { parameter: Parameter::OuterAngle, value: outer.to_degrees(), accepted });
+        }
+        let tangent = trig::sqrt(versine * (2.0 - versine)) / (1.0 - versine);
+        let right = right_of(axis);
+        Ok(Self { position: spot.position(), right, up: cross(right, axis), axis, outer, tangent })
+    }
+
+    /// The same square, turned about the axis: clockwise, as it is seen from the light. Quarters of a turn are exact.
+    ///
+    /// # Errors
+    /// A roll that is not from -360 to 360 degrees.
+    pub fn turned(&self, roll: Angle) -> Result<Self, Error> {
+        let degrees = roll.to_degrees();
+        check_between(Parameter::Roll, degrees, -360.0, 360.0)?;
+        let quarters = (degrees / 90.0 + 4.5) as i32 - 4;
+        let rest = (degrees - 90.0 * quarters as f32).to_radians();
+        let half_sine = trig::sin(0.5 * rest);
+        // Of unit length together, however good the sine is.
+        let cosine = 1.0 - 2.0 * half_sine * half_sine;
+        let sine = 2.0 * half_sine * trig::sqrt(1.0 - half_sine * half_sine);
+        let (right, up) = (self.right, self.up);
+        let turned = Self {
+            right: right.zip(up, |r, u| cosine * r - sine * u),
+            up: up.zip(right, |u, r| cosine * u + sine * r),
+            ..*self
+        };
+        Ok((0..quarters.rem_euclid(4)).fold(turned, |square, _| square.quarter_turned()))
+    }
+
+    fn quarter_turned(self) -> Self {
+        Self { right: self.up.map(|c| -c), up: self.right, ..self }
+    }
+
+    /// Where the light stands.
+    pub fn position(&self) -> Vec3<f32> {
+        self.position
+    }
+
+    /// To the right on the square, of unit length.
+    pub fn right(&self) -> Vec3<f32> {
+        self.right
+    }
+
+    /// Up on the square, of unit length.
+    pub fn up(&self) -> Vec3<f32> {
+        self.up
+    }
+
+    /// Where the light points, of unit length.
+    pub fn axis(&self) -> Vec3<f32> {
+        self.axis
+    }
+
+    /// The tangent of the outer half angle: half a side of the square at a depth of one.
+    pub fn tangent(&self) -> f32 {
+        self.tangent
+    }
+
+    /// Compiles the square for the format `S`.
+    ///
+    /// # Errors
+    /// A cone narrower than the format can hold whatever its profile: [`Cone::narrowest`] of [`Step`]. A position
+    /// beyond [`Scalar::FARTHEST`].
+    pub fn compile<S: Scalar>(&self) -> Result<CompiledProjection<S>, Error> {
+        check_reach::<S>(self.position)?;
+        let narrowest = Cone::narrowest::<S>(Step);
+        if self.outer < narrowest {
+            let accepted = Expected::AngleFrom(narrowest.to_degrees());
+            return Err(Error { parameter: Parameter::OuterAngle, value: self.outer.to_degrees(), accepted });
+        }
+        let down = self.up.map(|c| -c);
+        Ok(CompiledProjection {
+            position: self.position.map(S::length),
+            frame: S::frame([self.right, down, self.axis], self.tangent),
+        })
+    }
+}
+
+/// What is to the right of somebody who looks along an axis, of unit length and exactly level unless the axis is vertical.
+fn right_of(axis: Vec3<f32>) -> Vec3<f32> {
+    let Vec3 { x, y, z } = axis;
+    let level = x * x + z * z;
+    if level >= UPRIGHT {
+        let length = trig::sqrt(level);
+        Vec3::new(-z / length, 0.0, x / length)
+    } else {
+        let length = trig::sqrt(x * x + y * y);
+        Vec3::new(y.abs() / length, if y < 0.0 { x } else { -x } / length, 0.0)
+    }
+}
+
+fn cross(a: Vec3<f32>, b: Vec3<f32>) -> Vec3<f32> {
+    Vec3::new(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x)
+}
+
+/// A projection compiled for the format `S`. Made by [`Projection::compile`].
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct CompiledProjection<S: Scalar> {
+    pub(crate) position: Vec3<S::Length>,
+    pub(crate) frame: S::Frame,
+}
+
+impl<S: Scalar> CompiledProjection<S> {
+    /// The projection of these parts, as [`source`](crate::codegen) writes them.
+    pub const fn from_parts(position: Vec3<S::Length>, frame: S::Frame) -> Self {
+        Self { position, frame }
+    }
+
+    /// Where a point stands on the square, and how deep in the light; the unit of `point` is that of the light's position.
+    #[inline(always)]
+    pub fn place(&self, point: Vec3<S::Length>) -> ProjectedPoint<S> {
+        S::place(&self.frame, self.position, point)
+    }
+}
