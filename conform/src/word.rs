@@ -1,7 +1,7 @@
 //! Values as the bits that the file has of them.
 
-use fixed::types::{I2F14, I2F30, I16F16, U3F29, U3F61, U18F14, U34F30};
 use luminaire::Scalar;
+use luminaire::number::{Fx16, Fx32, Length, Light16, Light32, Versine16, Versine32};
 
 /// A value that is stored in a word.
 pub trait Word: Copy {
@@ -34,13 +34,13 @@ macro_rules! fixed_word {
 }
 
 fixed_word! {
-    "i2f14": I2F14, i16, u16;
-    "i2f30": I2F30, i32, u32;
-    "i16f16": I16F16, i32, u32;
-    "u3f29": U3F29, u32, u32;
-    "u3f61": U3F61, u64, u64;
-    "u18f14": U18F14, u32, u32;
-    "u34f30": U34F30, u64, u64;
+    "i2f14": Fx16, i16, u16;
+    "i2f30": Fx32, i32, u32;
+    "i16f16": Length, i32, u32;
+    "u3f29": Versine16, u32, u32;
+    "u3f61": Versine32, u64, u64;
+    "u18f14": Light16, u32, u32;
+    "u34f30": Light32, u64, u64;
 }
 
 macro_rules! whole_word {

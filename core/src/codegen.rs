@@ -53,7 +53,7 @@ use crate::{
 };
 
 #[cfg(feature = "fixed")]
-use crate::number::{Fx16, Fx32};
+use crate::number::{Fx16, Fx32, Length, Light16, Light32, Weight16, Weight32};
 
 pub use crate::{
     falloff::{CompiledCubic, CompiledFittedFalloff, CompiledQuadratic},
@@ -64,8 +64,6 @@ pub use crate::{
     number::fixed16::{Frame16, Gain16, Ramp16},
     number::fixed32::{Frame32, Gain32, Ramp32},
 };
-#[cfg(feature = "fixed")]
-pub use fixed::types::{I2F14, I2F30, I16F16, I18F14, I34F30, U18F14, U34F30};
 
 /// A value that can be written as a constant expression of Rust.
 pub trait Source {
@@ -174,7 +172,7 @@ macro_rules! bits {
 
 bits!(f32 FloatFrame FloatRamp Quadratic Cubic);
 #[cfg(feature = "fixed")]
-bits!(I2F14 I2F30 I16F16 I18F14 I34F30 U18F14 U34F30 Frame16 Frame32 Gain16 Gain32 Ramp16 Ramp32);
+bits!(Fx16 Fx32 Length Weight16 Weight32 Light16 Light32 Frame16 Frame32 Gain16 Gain32 Ramp16 Ramp32);
 
 /// Types without parameters.
 macro_rules! named {

@@ -125,7 +125,7 @@ pub use light::{AmbientLight, DirectionalLight, PointLight, SpotLight};
 pub use material::Material;
 pub use number::Scalar;
 #[cfg(feature = "fixed")]
-pub use number::{Fx16, Fx32};
+pub use number::{Fx16, Fx32, Length};
 pub use vec3::Vec3;
 
 /// The README's example is a test.

@@ -5,14 +5,14 @@
 //!
 //! | | [`f32`] | [`Fx32`] | [`Fx16`] |
 //! |---|---|---|---|
-//! | scalar: intensities, normals, colours | f32 | I2F30 | I2F14 |
-//! | length: world coordinates | f32 | I16F16 | I16F16 |
-//! | unit: the axis and the direction to a point | f32 | I2F30 | I2F30 |
-//! | versine of the angle off axis | f32 | 61 fraction bits in a u64 | U3F29, scaled to the cone |
+//! | scalar: intensities, normals, colours | f32 | Fx32 | Fx16 |
+//! | length: world coordinates | f32 | Length | Length |
+//! | unit: the axis and the direction to a point | f32 | Fx32 | Fx32 |
+//! | versine of the angle off axis | f32 | 61 fraction bits in a u64 | Versine16, scaled to the cone |
 //! | fraction: the argument of an edge profile | f32 | U1F31 | U1F15 |
-//! | weight: a coefficient of an edge profile | f32 | I34F30 | I18F14 |
+//! | weight: a coefficient of an edge profile | f32 | Weight32 | Weight16 |
 //! | gain: a factor with an exponent of its own | f32 | 28-bit mantissa and shift | 16-bit mantissa and shift |
-//! | irradiance: light that has arrived, with headroom | f32 | U34F30 | U18F14 |
+//! | irradiance: light that has arrived, with headroom | f32 | Light32 | Light16 |
 //! | rounding of `times` | to nearest, ties to even | to nearest, ties up | to nearest, ties up |
 //! | overflow | the light of one lamp at 2^64, else as IEEE 754 | saturates | saturates |
 //! | widest product | 32 bits | 64 bits | 32 bits |
@@ -32,15 +32,19 @@ pub(crate) mod fixed16;
 #[cfg(feature = "fixed")]
 pub(crate) mod fixed32;
 #[cfg(feature = "fixed")]
+mod fixed_point;
+#[cfg(feature = "fixed")]
 mod reciprocal;
 #[cfg(feature = "fixed")]
 mod root;
 
 use crate::vec3::Vec3;
 
-pub(crate) use self::real::RealExponent;
 #[cfg(feature = "fixed")]
-pub use self::{fixed16::Fx16, fixed32::Fx32};
+pub use self::fixed_point::{Fx16, Fx32, Length, Light16, Light32, Versine16, Versine32, Weight16, Weight32};
+#[cfg(feature = "fixed")]
+use self::fixed_point::{nearest, rounded};
+pub(crate) use self::real::RealExponent;
 pub use self::{fraction::Fraction, knot::Knot, place::ProjectedPoint};
 
 /// A number format that the kernel runs in: `f32`, and with the feature `fixed` also [`Fx32`] and [`Fx16`].
@@ -419,25 +423,6 @@ pub(crate) fn outside_bound<S: Scalar>(outer_versine: f32) -> S {
     S::ONE.minus(S::from_f32(squared_sine)).minus(S::from_f32(margin))
 }
 
-/// The integer nearest to a value, ties to even; saturates, and what is not a number becomes zero.
-///
-/// Without a branch, because renderers convert whole pictures with it. An f32 from 2^23 on is an integer; below, a sum
-/// with 2^23 of the same sign has no room for a fraction, so that the addition rounds.
-#[cfg(feature = "fixed")]
-#[inline(always)]
-fn nearest(value: f32) -> i32 {
-    rounded(value) as i32
-}
-
-/// The same as a float, for conversions to other integers.
-#[cfg(feature = "fixed")]
-#[inline(always)]
-fn rounded(value: f32) -> f32 {
-    const FIRST_INTEGER: f32 = 8_388_608.0;
-    let units = FIRST_INTEGER.copysign(value);
-    if value.abs() < FIRST_INTEGER { value + units - units } else { value }
-}
-
 /// A value as `mantissa / 2^shift` with a mantissa of 24 bits, which is exact; zero where it is not more than zero.
 #[cfg(feature = "fixed")]
 fn mantissa_and_shift(value: f32) -> (u32, i32) {
@@ -473,22 +458,19 @@ mod sealed {
 #[cfg(all(test, feature = "fixed"))]
 mod tests {
     use super::*;
-    use fixed::{
-        FixedU64,
-        types::{I2F14, I16F16, I18F14, I34F30, extra::U61},
-    };
+    use fixed::types::{I2F14, I2F30, I16F16, I18F14, I34F30};
 
     extern crate std;
 
     /// What the crate `fixed` makes of a value, which converts by branches.
-    fn expected(value: f32) -> (Fx16, Fx32, I16F16) {
+    fn expected(value: f32) -> (Fx16, Fx32, Length) {
         if value.is_nan() {
             return Default::default();
         }
         (
-            I2F14::saturating_from_num(value),
-            Fx32::saturating_from_num(value),
-            I16F16::saturating_from_num(value),
+            I2F14::saturating_from_num(value).into(),
+            I2F30::saturating_from_num(value).into(),
+            I16F16::saturating_from_num(value).into(),
         )
     }
 
@@ -502,11 +484,14 @@ mod tests {
             assert_eq!(Fx32::length(value), found.2);
             assert_eq!(Fx16::axis(Vec3::new(value, 0.0, 0.0)).x, found.1);
             let weight = if value.is_nan() { 0.0 } else { value.clamp(-4.0, 4.0) };
-            assert_eq!(Fx16::weight(value), I18F14::saturating_from_num(weight));
-            assert_eq!(Fx32::weight(value), I34F30::saturating_from_num(weight));
+            assert_eq!(Fx16::weight(value), I18F14::saturating_from_num(weight).into());
+            assert_eq!(Fx32::weight(value), I34F30::saturating_from_num(weight).into());
             if !value.is_nan() {
                 let versine = Fx32::versine(Fx32::ramp(0.0, 1.0, 1.0), value);
-                assert_eq!(versine, FixedU64::<U61>::saturating_from_num(value));
+                assert_eq!(
+                    versine,
+                    fixed::FixedU64::<fixed::types::extra::U61>::saturating_from_num(value).into()
+                );
             }
         }
     }

@@ -1,6 +1,6 @@
 //! Results, as bits and as exact numbers.
 
-use fixed::types::{U18F14, U34F30};
+use luminaire::number::{Light16, Light32};
 use luminaire::{Fx16, Fx32, Scalar};
 
 /// A result of a kernel.
@@ -61,7 +61,7 @@ macro_rules! fixed_value {
             const STEP: f64 = $step;
 
             fn exact(self) -> f64 {
-                self.to_num()
+                self.to_f64()
             }
 
             #[inline(always)]
@@ -73,9 +73,9 @@ macro_rules! fixed_value {
 }
 
 fixed_value!(Fx16, 6.103_515_625e-5, |bits| i32::from(bits).cast_unsigned());
-fixed_value!(U18F14, 6.103_515_625e-5, |bits: u32| bits);
+fixed_value!(Light16, 6.103_515_625e-5, |bits: u32| bits);
 fixed_value!(Fx32, 9.313_225_746_154_785e-10, i32::cast_unsigned);
-fixed_value!(U34F30, 9.313_225_746_154_785e-10, |bits: u64| (bits >> 32) as u32 ^ bits as u32);
+fixed_value!(Light32, 9.313_225_746_154_785e-10, |bits: u64| (bits >> 32) as u32 ^ bits as u32);
 
 /// What a loop loads that does nothing: one word, whatever the width.
 macro_rules! words {

@@ -2,10 +2,8 @@
 //! Run with overflow checks, as `cargo test` does.
 
 use fastrand::Rng;
-use luminaire::codegen::{
-    CompiledCubic, CompiledQuadratic, FloatRamp, Gain16, Gain32, I18F14, I34F30, Ramp16, Ramp32, U18F14,
-    U34F30,
-};
+use luminaire::codegen::{CompiledCubic, CompiledQuadratic, FloatRamp, Gain16, Gain32, Ramp16, Ramp32};
+use luminaire::number::{Light16, Light32, Weight16, Weight32};
 use luminaire::{
     Angle, Cone, Fx16, Fx32, Rgb,
     attenuation::{
@@ -60,8 +58,8 @@ raw!(
     |bits: u32| f32::from_bits(bits),
     |bits: u32| { f32::from_bits(bits) }
 );
-raw!(Fx32, Ramp32, Gain32::from_bits, I34F30::from_bits, U34F30::from_bits);
-raw!(Fx16, Ramp16, Gain16::from_bits, I18F14::from_bits, U18F14::from_bits);
+raw!(Fx32, Ramp32, Gain32::from_bits, Weight32::from_bits, Light32::from_bits);
+raw!(Fx16, Ramp16, Gain16::from_bits, Weight16::from_bits, Light16::from_bits);
 
 /// Any bits, and as often a small number: shifts are small, and so are some versines.
 fn number(rng: &mut Rng) -> u64 {

@@ -6,7 +6,7 @@ mod lights;
 use std::fmt::Debug;
 
 use fastrand::Rng;
-use luminaire::codegen::U18F14;
+use luminaire::number::Light16;
 use luminaire::{Fx16, Scalar, Vec3, codegen::Source, falloff::Soft, light::CompiledSpotLight};
 
 /// A constant of any type.
@@ -56,7 +56,7 @@ fn a_generated_light_lights_as_the_compiled_one() {
         let normal = Vec3::new(Fx16::ZERO, Fx16::ONE, Fx16::ZERO);
         let light = KEY.irradiance(point, normal);
         assert_eq!(light, compiled.irradiance(point, normal));
-        lit += u32::from(light > U18F14::ZERO);
+        lit += u32::from(light > Light16::ZERO);
     }
     assert!(lit > 1_000, "only {lit} points are lit");
 }

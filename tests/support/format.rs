@@ -79,20 +79,20 @@ macro_rules! fixed_format {
             }
 
             fn exact_length(length: Self::Length) -> f64 {
-                length.to_num()
+                length.to_f64()
             }
 
             fn exact_unit(unit: Self::Unit) -> f64 {
-                unit.to_num()
+                unit.to_f64()
             }
 
             fn exact_light(light: Self::Irradiance) -> f64 {
-                light.to_num()
+                light.to_f64()
             }
 
             fn exact_versine<P: Falloff>(falloff: &CompiledCone<Self, P>, versine: Self::Versine) -> f64 {
-                let unit: f64 = falloff.versine(0.5_f32.powi(28)).to_num();
-                versine.to_num::<f64>() * 0.5_f64.powi(28) / unit
+                let unit: f64 = falloff.versine(0.5_f32.powi(28)).to_f64();
+                versine.to_f64() * 0.5_f64.powi(28) / unit
             }
 
             fn scalar_from_bits(bits: u64) -> Self {

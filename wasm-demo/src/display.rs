@@ -1,6 +1,6 @@
 //! From linear light to the codes of a display: as a format does it, and exactly.
 
-use fixed::types::{U18F14, U34F30};
+use luminaire::number::{Light16, Light32};
 use luminaire::{Fx16, Fx32, Scalar, display::encode_srgb};
 use luminaire_kernels::Value;
 
@@ -37,13 +37,13 @@ impl Shown for f64 {
     }
 }
 
-impl Shown for U18F14 {
+impl Shown for Light16 {
     fn code(self) -> u8 {
         encode_srgb(Fx16::clip(self))
     }
 }
 
-impl Shown for U34F30 {
+impl Shown for Light32 {
     fn code(self) -> u8 {
         encode_srgb(Fx32::clip(self))
     }

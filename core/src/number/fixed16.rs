@@ -12,14 +12,10 @@ mod offset;
 pub use self::frame::Frame16;
 use self::{fine::Fine16, offset::Offset16};
 use super::{
-    HALF_A_CODE, Offset, ProjectedPoint, Ray, Rise, Scalar, Slopes, Word, fraction::Fraction16, nearest,
-    rounded,
+    Fx16, Fx32, HALF_A_CODE, Length, Light16, Offset, ProjectedPoint, Ray, Rise, Scalar, Slopes, Versine16,
+    Weight16, Word, fraction::Fraction16, nearest, rounded,
 };
 use crate::{trig, vec3::Vec3};
-use fixed::types::{I2F14, I2F30, I16F16, I18F14, U3F29, U18F14};
-
-/// The 16-bit format: I2F14, from -2 to 2 in steps of 1/16384.
-pub type Fx16 = I2F14;
 
 /// A ramp: from what a versine has over the inner one to `t`.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -85,20 +81,20 @@ impl Ramp16 {
 
     /// Where a versine stands on a ramp that is not always fine.
     #[inline(always)]
-    fn rise(self, versine: U3F29) -> Fraction16 {
+    fn rise(self, versine: Versine16) -> Fraction16 {
         self.within(versine).unwrap_or_else(|| self.end(versine))
     }
 
     /// Where it stands between the ends.
     #[inline(always)]
-    fn within(self, versine: U3F29) -> Option<Fraction16> {
+    fn within(self, versine: Versine16) -> Option<Fraction16> {
         let past = versine.to_bits().wrapping_sub(self.inner);
         (past < self.width).then(|| Fraction16((self.one - (past >> self.shift) * self.mantissa) >> 16))
     }
 
     /// Where it stands at or beyond one of them.
     #[inline(always)]
-    fn end(self, versine: U3F29) -> Fraction16 {
+    fn end(self, versine: Versine16) -> Fraction16 {
         Fraction16(if versine.to_bits() < self.inner { 1 << 15 } else { 0 })
     }
 }
@@ -108,19 +104,19 @@ const MOST_ZOOM: u32 = 15;
 
 /// The zoom of a ramp that ends at this versine.
 fn zoom(limit: f32) -> u32 {
-    (1..=MOST_ZOOM).take_while(|&zoom| magnified(limit, zoom) <= 2).last().unwrap_or(0)
+    (1..=MOST_ZOOM).take_while(|&zoom| magnified(limit, zoom).to_bits() <= 2 << 29).last().unwrap_or(0)
 }
 
 /// The nearest versine times `4^zoom`, saturating; NaN becomes zero.
-fn magnified(value: f32, zoom: u32) -> U3F29 {
-    U3F29::from_bits(rounded(value * (1_u64 << (29 + 2 * zoom)) as f32) as u32)
+fn magnified(value: f32, zoom: u32) -> Versine16 {
+    Versine16::from_bits(rounded(value * (1_u64 << (29 + 2 * zoom)) as f32) as u32)
 }
 
 /// `product / 2^shift`, rounded to nearest, saturating.
 #[inline(always)]
-fn shifted(product: u32, shift: i32) -> U18F14 {
+fn shifted(product: u32, shift: i32) -> Light16 {
     let but_one = shift.wrapping_sub(1).cast_unsigned();
-    U18F14::from_bits(if but_one < u32::BITS {
+    Light16::from_bits(if but_one < u32::BITS {
         let doubled = product >> but_one;
         (doubled >> 1) + (doubled & 1)
     } else if shift > 0 || product == 0 {
@@ -133,33 +129,32 @@ fn shifted(product: u32, shift: i32) -> U18F14 {
 }
 
 impl Scalar for Fx16 {
-    type Length = I16F16;
-    type Unit = I2F30;
-    type Versine = U3F29;
+    type Length = Length;
+    type Unit = Fx32;
+    type Versine = Versine16;
     type Fraction = Fraction16;
     type Fine = Fine16;
-    type Weight = I18F14;
+    type Weight = Weight16;
     type Ramp = Ramp16;
     type Frame = Frame16;
     type Gain = Gain16;
-    type Irradiance = U18F14;
+    type Irradiance = Light16;
     type Offset = Offset16;
 
     const NAME: &'static str = "fx16";
-    const ZERO: Self = I2F14::ZERO;
-    const ONE: Self = I2F14::ONE;
+    const ZERO: Self = Fx16::ZERO;
+    const ONE: Self = Fx16::ONE;
     const STEP: f32 = 1.0 / 16_384.0;
     const DIRECTION_ERROR: f32 = 1.55e-5;
     const FARTHEST: f32 = 16_383.0;
 
     #[inline(always)]
     fn from_f32(value: f32) -> Self {
-        let steps = nearest(value * 16_384.0);
-        Self::from_bits(steps.clamp(i32::from(i16::MIN), i32::from(i16::MAX)) as i16)
+        Fx16::from_f32(value)
     }
 
     fn to_f32(self) -> f32 {
-        self.to_num()
+        Fx16::to_f32(self)
     }
 
     #[inline(always)]
@@ -168,20 +163,20 @@ impl Scalar for Fx16 {
     }
 
     #[inline(always)]
-    fn length(value: f32) -> I16F16 {
-        I16F16::from_bits(nearest(value * 65_536.0))
+    fn length(value: f32) -> Length {
+        Length::from_f32(value)
     }
 
-    fn axis(axis: Vec3<f32>) -> Vec3<I2F30> {
-        axis.map(|c| I2F30::from_bits(nearest(c * 1_073_741_824.0)))
+    fn axis(axis: Vec3<f32>) -> Vec3<Fx32> {
+        axis.map(Fx32::from_f32)
     }
 
-    fn versine(ramp: Ramp16, value: f32) -> U3F29 {
-        if value.is_nan() { U3F29::MAX } else { magnified(value, ramp.zoom) }
+    fn versine(ramp: Ramp16, value: f32) -> Versine16 {
+        if value.is_nan() { Versine16::MAX } else { magnified(value, ramp.zoom) }
     }
 
-    fn weight(value: f32) -> I18F14 {
-        I18F14::from_bits(nearest(value.clamp(-4.0, 4.0) * 16_384.0))
+    fn weight(value: f32) -> Weight16 {
+        Weight16::from_bits(nearest(value.clamp(-4.0, 4.0) * 16_384.0))
     }
 
     fn gain(value: f32) -> Gain16 {
@@ -201,7 +196,7 @@ impl Scalar for Fx16 {
     }
 
     #[inline(always)]
-    fn offset(light: Vec3<I16F16>, point: Vec3<I16F16>) -> Offset16 {
+    fn offset(light: Vec3<Length>, point: Vec3<Length>) -> Offset16 {
         Offset16::between(light, point)
     }
 
@@ -262,7 +257,7 @@ impl Scalar for Fx16 {
     }
 
     #[inline(always)]
-    fn rise(ramp: Ramp16, versine: U3F29) -> Rise<Self> {
+    fn rise(ramp: Ramp16, versine: Versine16) -> Rise<Self> {
         match ramp.within(versine) {
             Some(t) => Rise::Coarse(t),
             // No versine is within a fine ramp.
@@ -291,7 +286,7 @@ impl Scalar for Fx16 {
     }
 
     #[inline(always)]
-    fn is_clipped(share: Self, light: U18F14) -> bool {
+    fn is_clipped(share: Self, light: Light16) -> bool {
         // A share of 1/32 is off by 6 % at most.
         share.to_bits() > 1 << 9 && light.to_bits() > 9 << 11
     }
@@ -306,7 +301,7 @@ impl Scalar for Fx16 {
     }
 
     #[inline(always)]
-    fn place(frame: &Frame16, light: Vec3<I16F16>, point: Vec3<I16F16>) -> ProjectedPoint<Self> {
+    fn place(frame: &Frame16, light: Vec3<Length>, point: Vec3<Length>) -> ProjectedPoint<Self> {
         frame.place(light, point)
     }
 
@@ -317,83 +312,83 @@ impl Scalar for Fx16 {
     }
 
     #[inline(always)]
-    fn versine_between(a: Vec3<I2F30>, b: Vec3<I2F30>, ramp: Ramp16) -> U3F29 {
+    fn versine_between(a: Vec3<Fx32>, b: Vec3<Fx32>, ramp: Ramp16) -> Versine16 {
         let shift = MOST_ZOOM - ramp.zoom + 1;
         // The rounding belongs to the second direction: where that is an axis, it is taken once per light. Opposite
         // directions may wrap round, from one difference that is far outside of every cone to another.
         let b = b.map(|c| c.to_bits().wrapping_sub(1 << (shift - 1)));
         let difference = a.zip(b, |a, b| a.to_bits().wrapping_sub(b) >> shift);
         if offset::size(difference) >> 15 != 0 {
-            return U3F29::MAX;
+            return Versine16::MAX;
         }
         let squares = difference.map(|c| (c * c).cast_unsigned());
-        U3F29::from_bits(squares.x + squares.y + squares.z)
+        Versine16::from_bits(squares.x + squares.y + squares.z)
     }
 
     #[inline(always)]
-    fn power(versine: U3F29, exponent: u32) -> Self {
+    fn power(versine: Versine16, exponent: u32) -> Self {
         lobe::power(versine, exponent)
     }
 
     #[inline(always)]
-    fn normal_unit(normal: Vec3<Self>) -> Vec3<I2F30> {
-        normal.map(|c| I2F30::from_bits(i32::from(c.to_bits()) << 16))
+    fn normal_unit(normal: Vec3<Self>) -> Vec3<Fx32> {
+        normal.map(|c| Fx32::from_bits(i32::from(c.to_bits()) << 16))
     }
 
     #[inline(always)]
-    fn mirror(direction: Vec3<I2F30>, normal: Vec3<Self>) -> Vec3<I2F30> {
+    fn mirror(direction: Vec3<Fx32>, normal: Vec3<Self>) -> Vec3<Fx32> {
         lobe::mirror(direction, normal)
     }
 
     #[inline(always)]
-    fn direction_between(a: Vec3<I2F30>, b: Vec3<I2F30>) -> Vec3<I2F30> {
+    fn direction_between(a: Vec3<Fx32>, b: Vec3<Fx32>) -> Vec3<Fx32> {
         // Half the difference always fits.
         let half = b.zip(a, |b, a| (b.to_bits() >> 1) - (a.to_bits() >> 1));
         Offset16::new(half).ray().direction()
     }
 
     #[inline(always)]
-    fn incidence(direction: Vec3<I2F30>, normal: Vec3<Self>) -> Self {
+    fn incidence(direction: Vec3<Fx32>, normal: Vec3<Self>) -> Self {
         lobe::incidence(direction, normal)
     }
 
     #[inline(always)]
-    fn expose(self, gain: Gain16) -> U18F14 {
+    fn expose(self, gain: Gain16) -> Light16 {
         let fraction = u32::from(self.to_bits().max(0).cast_unsigned());
         shifted(fraction * gain.top(), gain.shift - 16)
     }
 
     #[inline(always)]
-    fn filter(light: U18F14, color: Self) -> U18F14 {
+    fn filter(light: Light16, color: Self) -> Light16 {
         let color = u32::from(color.to_bits().max(0).cast_unsigned());
         let (high, low) = (light.to_bits() >> 16, light.to_bits() & 0xffff);
         let high = high * color;
         let high = if high >> 30 == 0 { high << 2 } else { u32::MAX };
-        U18F14::from_bits(high.saturating_add((low * color + (1 << 13)) >> 14))
+        Light16::from_bits(high.saturating_add((low * color + (1 << 13)) >> 14))
     }
 
     #[inline(always)]
-    fn add_light(a: U18F14, b: U18F14) -> U18F14 {
+    fn add_light(a: Light16, b: Light16) -> Light16 {
         a.saturating_add(b)
     }
 
     #[inline(always)]
-    fn light_to_f32(light: U18F14) -> f32 {
+    fn light_to_f32(light: Light16) -> f32 {
         light.to_bits() as f32 * Self::STEP
     }
 
     #[inline(always)]
-    fn light_to_gain(light: U18F14) -> Gain16 {
+    fn light_to_gain(light: Light16) -> Gain16 {
         Gain16::normalised(light.to_bits(), 14)
     }
 
     #[inline(always)]
-    fn amplify(light: U18F14, gain: Gain16) -> U18F14 {
+    fn amplify(light: Light16, gain: Gain16) -> Light16 {
         gain.amplify(light)
     }
 
     #[inline(always)]
-    fn clip(light: U18F14) -> Self {
+    fn clip(light: Light16) -> Self {
         Self::from_bits(light.to_bits().min(1 << 14) as i16)
     }
 

@@ -8,17 +8,10 @@ mod lobe;
 
 pub use self::frame::Frame32;
 use super::{
-    Gain, Offset, ProjectedPoint, Ray, Rise, Scalar, Slopes, Word, fraction::Fraction32, nearest, root,
-    rounded,
+    Fx32, Gain, Length, Light32, Offset, ProjectedPoint, Ray, Rise, Scalar, Slopes, Versine32, Weight32,
+    Word, fraction::Fraction32, root, rounded,
 };
 use crate::vec3::Vec3;
-use fixed::types::{I2F30, I16F16, I34F30, U34F30};
-
-/// The 32-bit format: I2F30, from -2 to 2 in steps of 1/1073741824.
-pub type Fx32 = I2F30;
-
-/// A versine with 61 fraction bits: the scale that half the squared difference of two directions has by itself.
-type Versine32 = fixed::FixedU64<fixed::types::extra::U61>;
 
 /// The way from a light to a point, scaled until its largest component has 31 bits.
 #[derive(Clone, Copy, Debug)]
@@ -114,7 +107,7 @@ fn wide(a: i32, b: i32) -> i64 {
 
 /// The inner product of a vector and a way. Wraps where the vector is longer than 1.15.
 #[inline(always)]
-fn inner_product(vector: Vec3<I2F30>, way: Vec3<i32>) -> i64 {
+fn inner_product(vector: Vec3<Fx32>, way: Vec3<i32>) -> i64 {
     let products = vector.zip(way, |a, b| wide(a.to_bits(), b));
     products.x.wrapping_add(products.y).wrapping_add(products.z)
 }
@@ -125,11 +118,11 @@ fn square(component: i32) -> u64 {
     wide(component, component).cast_unsigned()
 }
 
-/// `product / 2^shift`, rounded to nearest, saturating.
+/// `product / 2^shift`, rounded to saturating.
 #[inline(always)]
-fn shifted(product: u64, shift: i32) -> U34F30 {
+fn shifted(product: u64, shift: i32) -> Light32 {
     let but_one = shift.wrapping_sub(1).cast_unsigned();
-    U34F30::from_bits(if but_one < u64::BITS {
+    Light32::from_bits(if but_one < u64::BITS {
         let doubled = product >> but_one;
         (doubled >> 1) + (doubled & 1)
     } else if shift > 0 || product == 0 {
@@ -153,21 +146,21 @@ fn nearest_versine(value: f32) -> Versine32 {
 }
 
 impl Scalar for Fx32 {
-    type Length = I16F16;
-    type Unit = I2F30;
+    type Length = Length;
+    type Unit = Fx32;
     type Versine = Versine32;
     type Fraction = Fraction32;
     type Fine = Fraction32;
-    type Weight = I34F30;
+    type Weight = Weight32;
     type Ramp = Ramp32;
     type Frame = Frame32;
     type Gain = Gain32;
-    type Irradiance = U34F30;
+    type Irradiance = Light32;
     type Offset = Offset32;
 
     const NAME: &'static str = "fx32";
-    const ZERO: Self = I2F30::ZERO;
-    const ONE: Self = I2F30::ONE;
+    const ZERO: Self = Fx32::ZERO;
+    const ONE: Self = Fx32::ONE;
     const STEP: f32 = 1.0 / 1_073_741_824.0;
     // Three roundings of half a step: 0.87 steps across the direction. A way of more than 32,768 units along a component
     // is halved for 32 bits, which is 0.71 steps more.
@@ -176,11 +169,11 @@ impl Scalar for Fx32 {
 
     #[inline(always)]
     fn from_f32(value: f32) -> Self {
-        Self::from_bits(nearest(value * 1_073_741_824.0))
+        Fx32::from_f32(value)
     }
 
     fn to_f32(self) -> f32 {
-        self.to_num()
+        Fx32::to_f32(self)
     }
 
     #[inline(always)]
@@ -189,16 +182,16 @@ impl Scalar for Fx32 {
     }
 
     #[inline(always)]
-    fn length(value: f32) -> I16F16 {
-        I16F16::from_bits(nearest(value * 65_536.0))
+    fn length(value: f32) -> Length {
+        Length::from_f32(value)
     }
 
     /// From all bits that the components have, and made of unit length as a direction to a point is.
-    fn axis(axis: Vec3<f32>) -> Vec3<I2F30> {
+    fn axis(axis: Vec3<f32>) -> Vec3<Fx32> {
         Offset32::scaled(axis.map(|c| Self::from_f32(c).to_bits())).ray().direction()
     }
 
-    fn aim(toward: Vec3<f32>, _: Vec3<f32>) -> Vec3<I2F30> {
+    fn aim(toward: Vec3<f32>, _: Vec3<f32>) -> Vec3<Fx32> {
         Self::axis(toward)
     }
 
@@ -211,8 +204,8 @@ impl Scalar for Fx32 {
         if value.is_nan() { Versine32::MAX } else { nearest_versine(value) }
     }
 
-    fn weight(value: f32) -> I34F30 {
-        I34F30::from_bits(rounded(value.clamp(-4.0, 4.0) * 1_073_741_824.0) as i64)
+    fn weight(value: f32) -> Weight32 {
+        Weight32::from_bits(rounded(value.clamp(-4.0, 4.0) * 1_073_741_824.0) as i64)
     }
 
     fn gain(value: f32) -> Gain32 {
@@ -232,8 +225,8 @@ impl Scalar for Fx32 {
     }
 
     #[inline(always)]
-    fn offset(light: Vec3<I16F16>, point: Vec3<I16F16>) -> Offset32 {
-        let [p, l] = [point, light].map(|place| place.map(I16F16::to_bits));
+    fn offset(light: Vec3<Length>, point: Vec3<Length>) -> Offset32 {
+        let [p, l] = [point, light].map(|place| place.map(Length::to_bits));
         let way = (p.x.checked_sub(l.x), p.y.checked_sub(l.y), p.z.checked_sub(l.z));
         if let (Some(x), Some(y), Some(z)) = way {
             return Offset32::scaled(Vec3::new(x, y, z));
@@ -272,7 +265,7 @@ impl Scalar for Fx32 {
     }
 
     #[inline(always)]
-    fn place(frame: &Frame32, light: Vec3<I16F16>, point: Vec3<I16F16>) -> ProjectedPoint<Self> {
+    fn place(frame: &Frame32, light: Vec3<Length>, point: Vec3<Length>) -> ProjectedPoint<Self> {
         frame.place(light, point)
     }
 
@@ -284,7 +277,7 @@ impl Scalar for Fx32 {
     }
 
     #[inline(always)]
-    fn versine_between(a: Vec3<I2F30>, b: Vec3<I2F30>, _: Ramp32) -> Versine32 {
+    fn versine_between(a: Vec3<Fx32>, b: Vec3<Fx32>, _: Ramp32) -> Versine32 {
         let difference = a.zip(b, |a, b| a.to_bits().saturating_sub(b.to_bits()));
         let squares = difference.map(square);
         Versine32::from_bits(squares.x.saturating_add(squares.y).saturating_add(squares.z))
@@ -296,63 +289,63 @@ impl Scalar for Fx32 {
     }
 
     #[inline(always)]
-    fn normal_unit(normal: Vec3<Self>) -> Vec3<I2F30> {
+    fn normal_unit(normal: Vec3<Self>) -> Vec3<Fx32> {
         normal
     }
 
     #[inline(always)]
-    fn mirror(direction: Vec3<I2F30>, normal: Vec3<Self>) -> Vec3<I2F30> {
+    fn mirror(direction: Vec3<Fx32>, normal: Vec3<Self>) -> Vec3<Fx32> {
         lobe::mirror(direction, normal)
     }
 
     #[inline(always)]
-    fn direction_between(a: Vec3<I2F30>, b: Vec3<I2F30>) -> Vec3<I2F30> {
+    fn direction_between(a: Vec3<Fx32>, b: Vec3<Fx32>) -> Vec3<Fx32> {
         // Half the difference always fits.
         let half = b.zip(a, |b, a| (b.to_bits() >> 1) - (a.to_bits() >> 1));
         Offset32::scaled(half).ray().direction()
     }
 
     #[inline(always)]
-    fn incidence(direction: Vec3<I2F30>, normal: Vec3<Self>) -> Self {
+    fn incidence(direction: Vec3<Fx32>, normal: Vec3<Self>) -> Self {
         lobe::incidence(direction, normal)
     }
 
     #[inline(always)]
-    fn expose(self, gain: Gain32) -> U34F30 {
+    fn expose(self, gain: Gain32) -> Light32 {
         shifted(fraction(self) * u64::from(gain.mantissa), gain.shift)
     }
 
     #[inline(always)]
-    fn filter(light: U34F30, color: Self) -> U34F30 {
+    fn filter(light: Light32, color: Self) -> Light32 {
         let color = u64::from(color.to_bits().max(0).cast_unsigned());
         let (high, low) = (light.to_bits() >> 32, light.to_bits() & 0xffff_ffff);
         let high = high * color;
         let high = if high >> 62 == 0 { high << 2 } else { u64::MAX };
-        U34F30::from_bits(high.saturating_add((low * color + (1 << 29)) >> 30))
+        Light32::from_bits(high.saturating_add((low * color + (1 << 29)) >> 30))
     }
 
     #[inline(always)]
-    fn add_light(a: U34F30, b: U34F30) -> U34F30 {
+    fn add_light(a: Light32, b: Light32) -> Light32 {
         a.saturating_add(b)
     }
 
     #[inline(always)]
-    fn light_to_f32(light: U34F30) -> f32 {
+    fn light_to_f32(light: Light32) -> f32 {
         light.to_bits() as f32 * Self::STEP
     }
 
     #[inline(always)]
-    fn light_to_gain(light: U34F30) -> Gain32 {
+    fn light_to_gain(light: Light32) -> Gain32 {
         Gain32::normalised(light.to_bits(), 30)
     }
 
     #[inline(always)]
-    fn amplify(light: U34F30, gain: Gain32) -> U34F30 {
+    fn amplify(light: Light32, gain: Gain32) -> Light32 {
         gain.amplify(light)
     }
 
     #[inline(always)]
-    fn clip(light: U34F30) -> Self {
+    fn clip(light: Light32) -> Self {
         Self::from_bits(light.to_bits().min(1 << 30) as i32)
     }
 
@@ -395,7 +388,7 @@ impl Offset<Fx32> for Offset32 {
     }
 
     #[inline(always)]
-    fn is_outside(&self, axis: Vec3<I2F30>, bound: Fx32) -> bool {
+    fn is_outside(&self, axis: Vec3<Fx32>, bound: Fx32) -> bool {
         let along = inner_product(axis, self.way) >> 31;
         along.wrapping_mul(along.abs()) < (self.squared() >> 32).cast_signed() * i64::from(bound.to_bits())
     }
@@ -440,17 +433,17 @@ impl Ray<Fx32> for Ray32 {
     }
 
     #[inline(always)]
-    fn direction(&self) -> Vec3<I2F30> {
-        self.direction.map(I2F30::from_bits)
+    fn direction(&self) -> Vec3<Fx32> {
+        self.direction.map(Fx32::from_bits)
     }
 
     #[inline(always)]
-    fn versine(&self, axis: Vec3<I2F30>, ramp: Ramp32) -> Versine32 {
+    fn versine(&self, axis: Vec3<Fx32>, ramp: Ramp32) -> Versine32 {
         Fx32::versine_between(self.direction(), axis, ramp)
     }
 
     #[inline(always)]
-    fn rise(&self, axis: Vec3<I2F30>, ramp: Ramp32) -> Fraction32 {
+    fn rise(&self, axis: Vec3<Fx32>, ramp: Ramp32) -> Fraction32 {
         ramp.rise(self.versine(axis, ramp).to_bits())
     }
 
@@ -473,7 +466,7 @@ impl Ray<Fx32> for Ray32 {
     }
 
     #[inline(always)]
-    fn expose(&self, share: Fx32, gain: Gain32) -> U34F30 {
+    fn expose(&self, share: Fx32, gain: Gain32) -> Light32 {
         // At most 32, 28 and 34 bits: every product fits 64.
         let reciprocal = self.reciprocal >> 1;
         let squared = (reciprocal * reciprocal) >> 28;

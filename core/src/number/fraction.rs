@@ -147,7 +147,7 @@ pub(super) use fixed_point::{Fraction16, Fraction32};
 mod fixed_point {
     use super::{Fraction, Knot, RealExponent, SLOPE_BITS, neighbours};
     use crate::number::{Fx16, Fx32, Scalar};
-    use fixed::types::{I18F14, I34F30};
+    use crate::number::{Weight16, Weight32};
 
     /// A fraction with 15 fraction bits: its products have 30. In a whole register, for a half one has to be cut off
     /// again and again.
@@ -250,12 +250,12 @@ mod fixed_point {
         }
 
         #[inline(always)]
-        fn blend(self, g: I18F14) -> Fx16 {
+        fn blend(self, g: Weight16) -> Fx16 {
             self.lifted(self.complement().signed().wrapping_mul(g.to_bits()).wrapping_add(1 << 13) >> 14)
         }
 
         #[inline(always)]
-        fn cubic(self, g: I18F14, h: I18F14) -> Fx16 {
+        fn cubic(self, g: Weight16, h: Weight16) -> Fx16 {
             let bend = self.signed().wrapping_mul(h.to_bits()).wrapping_add(1 << 14) >> 15;
             let slope = g.to_bits().wrapping_add(bend);
             self.lifted(self.complement().signed().wrapping_mul(slope).wrapping_add(1 << 13) >> 14)
@@ -356,12 +356,12 @@ mod fixed_point {
         }
 
         #[inline(always)]
-        fn blend(self, g: I34F30) -> Fx32 {
+        fn blend(self, g: Weight32) -> Fx32 {
             self.lifted(self.complement().signed().wrapping_mul(g.to_bits()).wrapping_add(1 << 29) >> 30)
         }
 
         #[inline(always)]
-        fn cubic(self, g: I34F30, h: I34F30) -> Fx32 {
+        fn cubic(self, g: Weight32, h: Weight32) -> Fx32 {
             let bend = self.signed().wrapping_mul(h.to_bits()).wrapping_add(1 << 30) >> 31;
             let slope = g.to_bits().wrapping_add(bend);
             self.lifted(self.complement().signed().wrapping_mul(slope).wrapping_add(1 << 29) >> 30)
@@ -454,10 +454,10 @@ mod tests {
     /// Weights that no profile has end in [0, 1] all the same.
     #[test]
     fn every_weight_has_an_answer() {
+        use crate::number::{Weight16, Weight32};
         use crate::{Fx32, Scalar};
-        use fixed::types::{I18F14, I34F30};
-        let weights = [i32::MIN, -65_536, -1, 0, 65_536, i32::MAX].map(I18F14::from_bits);
-        let wide = [i64::MIN, -(1 << 32), -1, 0, 1 << 32, i64::MAX].map(I34F30::from_bits);
+        let weights = [i32::MIN, -65_536, -1, 0, 65_536, i32::MAX].map(Weight16::from_bits);
+        let wide = [i64::MIN, -(1 << 32), -1, 0, 1 << 32, i64::MAX].map(Weight32::from_bits);
         for (i, j) in (0..6).flat_map(|i| (0..6).map(move |j| (i, j))) {
             for t in [0, 1, 12_345, 16_384, 32_767, 32_768_u16] {
                 let (narrow, fine) = (Fraction16(t.into()), Fraction32(u32::from(t) << 16));
@@ -469,6 +469,9 @@ mod tests {
                 }
             }
         }
-        assert_eq!((Fx16::weight(f32::NAN), Fx16::weight(9.0)), (I18F14::ZERO, I18F14::from_num(4)));
+        assert_eq!(
+            (Fx16::weight(f32::NAN), Fx16::weight(9.0)),
+            (Weight16::ZERO, Weight16::from_bits(4 << 14))
+        );
     }
 }

@@ -3,7 +3,7 @@
 use core::mem::MaybeUninit;
 use core::ptr;
 
-use luminaire::codegen::{U18F14, U34F30};
+use luminaire::codegen::{Light16, Light32};
 use luminaire::{Fx16, Fx32, Rgb, haze::ViewRay};
 
 use crate::Surface;
@@ -56,4 +56,4 @@ macro_rules! inputs {
     )*};
 }
 
-inputs!(Place Surface ViewRay Rgb<f32> Rgb<Fx16> Rgb<Fx32> Rgb<U18F14> Rgb<U34F30> [u64; 64]);
+inputs!(Place Surface ViewRay Rgb<f32> Rgb<Fx16> Rgb<Fx32> Rgb<Light16> Rgb<Light32> [u64; 64]);

@@ -4,8 +4,8 @@ use core::array::from_fn;
 use core::hint::black_box;
 
 use luminaire::codegen::{
-    FloatFrame, FloatRamp, Frame16, Frame32, Gain16, Gain32, I16F16, I18F14, I34F30, Ramp16, Ramp32, U18F14,
-    U34F30,
+    FloatFrame, FloatRamp, Frame16, Frame32, Gain16, Gain32, Length, Weight16, Weight32, Ramp16, Ramp32, Light16,
+    Light32,
 };
 use luminaire::{Fx16, Fx32, Rgb, Scalar, Vec3, attenuation::{AnyAttenuation, Attenuation, CutAt, FilamentRange, GltfRange, InverseSquare, NoAttenuation, Polynomial, SmoothRange, Windowed}, falloff::{AnyFalloff, Cubic, Falloff, Hard, IntegerPower, InvertedIntegerPower, InvertedMixedPower, InvertedRealPower, Knot, Linear, MixedPower, Quadratic, RealPower, Smooth, Soft, Step, Table}, light::{CompiledCone, CompiledPointLight, CompiledSpotLight}};
 
@@ -202,8 +202,8 @@ macro_rules! raw {
                 Self::from_bits(bits as _)
             }
 
-            fn raw_length(bits: u64) -> I16F16 {
-                I16F16::from_bits(bits as _)
+            fn raw_length(bits: u64) -> Length {
+                Length::from_bits(bits as _)
             }
 
             fn unit(bits: u64) -> Fx32 {
@@ -233,8 +233,8 @@ macro_rules! raw {
     };
 }
 
-raw!(Fx16, I18F14, Gain16, U18F14, Ramp16, Frame16);
-raw!(Fx32, I34F30, Gain32, U34F30, Ramp32, Frame32);
+raw!(Fx16, Weight16, Gain16, Light16, Ramp16, Frame16);
+raw!(Fx32, Weight32, Gain32, Light32, Ramp32, Frame32);
 
 impl Raw for f32 {
     fn scalar(bits: u64) -> f32 {

@@ -1,6 +1,6 @@
 //! The ball.
 
-use luminaire::{Fx16, Vec3, codegen::I16F16};
+use luminaire::{Fx16, Vec3, number::Length};
 
 use super::camera::{Sight, Window, steps};
 use super::measures::{BALL, BALL_RADIUS, EYE};
@@ -28,7 +28,7 @@ pub(super) fn depth(sight: Sight) -> Option<i32> {
 
 /// The normal at a point of it.
 #[inline(always)]
-pub(super) fn normal(point: Vec3<I16F16>) -> Vec3<Fx16> {
+pub(super) fn normal(point: Vec3<Length>) -> Vec3<Fx16> {
     point.zip(MIDDLE, |p, middle| {
         let product = (p.to_bits() - middle) * RECIPROCAL;
         Fx16::from_bits(((product + (1 << 15)) >> 16) as i16)

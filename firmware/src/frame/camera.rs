@@ -1,6 +1,6 @@
 //! From a pixel to a line of sight.
 
-use luminaire::{Vec3, codegen::I16F16};
+use luminaire::{Vec3, number::Length};
 
 use super::measures::EYE;
 use super::{HEIGHT, WIDTH};
@@ -42,15 +42,15 @@ impl Sight {
 
     /// How far to the right it is at a depth.
     #[inline(always)]
-    pub(super) fn x(self, depth: i32) -> I16F16 {
-        I16F16::from_bits(steps(EYE[0]) + ((self.right * depth) >> DEPTH_BITS))
+    pub(super) fn x(self, depth: i32) -> Length {
+        Length::from_bits(steps(EYE[0]) + ((self.right * depth) >> DEPTH_BITS))
     }
 
     /// The point at a depth.
     #[inline(always)]
-    pub(super) fn point(self, depth: i32) -> Vec3<I16F16> {
+    pub(super) fn point(self, depth: i32) -> Vec3<Length> {
         let back = steps(EYE[2]) - (depth << (16 - DEPTH_BITS));
-        Vec3::new(self.x(depth), I16F16::from_bits(self.height(depth)), I16F16::from_bits(back))
+        Vec3::new(self.x(depth), Length::from_bits(self.height(depth)), Length::from_bits(back))
     }
 
     /// The squared length of the part to the right, of that upwards, and of one metre into the depth, in steps of

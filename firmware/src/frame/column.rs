@@ -1,6 +1,6 @@
 //! The column.
 
-use luminaire::{Fx16, Vec3, codegen::I16F16};
+use luminaire::{Fx16, Vec3, number::Length};
 
 use super::camera::{DEPTH_BITS, Sight, Window, steps};
 use super::measures::{COLUMN, COLUMN_HEIGHT, COLUMN_RADIUS, EYE};
@@ -46,13 +46,13 @@ pub(super) fn meet(sight: Sight) -> Option<Meeting> {
 
 /// From its middle to a point, to the right and to the front.
 #[inline(always)]
-fn from_middle(point: Vec3<I16F16>) -> [i32; 2] {
+fn from_middle(point: Vec3<Length>) -> [i32; 2] {
     [point.x.to_bits() - steps(COLUMN[0]), point.z.to_bits() - steps(COLUMN[1])]
 }
 
 /// Whether a point is over or under it.
 #[inline(always)]
-fn is_over(point: Vec3<I16F16>) -> bool {
+fn is_over(point: Vec3<Length>) -> bool {
     let [right, front] = from_middle(point).map(|way| way >> 4);
     let radius = steps(COLUMN_RADIUS) >> 4;
     right * right + front * front < radius * radius
@@ -60,7 +60,7 @@ fn is_over(point: Vec3<I16F16>) -> bool {
 
 /// The normal at a point of its side.
 #[inline(always)]
-pub(super) fn normal(point: Vec3<I16F16>) -> Vec3<Fx16> {
+pub(super) fn normal(point: Vec3<Length>) -> Vec3<Fx16> {
     let [right, front] =
         from_middle(point).map(|way| Fx16::from_bits(((way * RECIPROCAL + (1 << 15)) >> 16) as i16));
     Vec3::new(right, Fx16::ZERO, front)

@@ -17,7 +17,7 @@ mod tests;
 
 use core::fmt;
 
-use luminaire::codegen::U18F14;
+use luminaire::number::Light16;
 
 use crate::board::{begin, end, println};
 use paint::Color;
@@ -34,7 +34,7 @@ const STAGES: &str = "geometry ambient light shadow colour display";
 /// A row between the stages.
 struct Row {
     sites: [Site; WIDTH],
-    lights: [U18F14; WIDTH],
+    lights: [Light16; WIDTH],
     colors: [Color; WIDTH],
     pixels: [u16; WIDTH],
 }
@@ -45,7 +45,7 @@ pub fn frame() {
     println!("{WIDTH} {HEIGHT} {STAGES}");
     let mut row = Row {
         sites: [Site::default(); WIDTH],
-        lights: [U18F14::ZERO; WIDTH],
+        lights: [Light16::ZERO; WIDTH],
         colors: [Color::default(); WIDTH],
         pixels: [0; WIDTH],
     };

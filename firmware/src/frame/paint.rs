@@ -1,13 +1,13 @@
 //! From what a pixel sees to the pixel: light, colour, display.
 
-use luminaire::codegen::U18F14;
+use luminaire::number::Light16;
 use luminaire::{Fx16, Rgb, display::{Rgb565, clip}, falloff::Soft, light::CompiledSpotLight};
 
 use super::WIDTH;
 use super::scene::Site;
 
 /// Light of three channels.
-pub(super) type Color = Rgb<U18F14>;
+pub(super) type Color = Rgb<Light16>;
 
 /// The lamp, computed by the build script.
 pub(super) const KEY: CompiledSpotLight<Fx16, Soft> = include!(concat!(env!("OUT_DIR"), "/frame_key.rs"));
@@ -26,7 +26,7 @@ pub(super) fn glow(sites: &[Site; WIDTH], colors: &mut [Color; WIDTH]) {
 
 /// What arrives of the lamp, before its colour.
 #[inline(never)]
-pub(super) fn light(sites: &[Site; WIDTH], lights: &mut [U18F14; WIDTH]) {
+pub(super) fn light(sites: &[Site; WIDTH], lights: &mut [Light16; WIDTH]) {
     for (column, light) in lights.iter_mut().enumerate() {
         let Site { point, normal, .. } = sites[column];
         *light = KEY.irradiance(point, normal);
@@ -35,11 +35,11 @@ pub(super) fn light(sites: &[Site; WIDTH], lights: &mut [U18F14; WIDTH]) {
 
 /// The ambient light and the lamp's, as the materials send them back.
 #[inline(never)]
-pub(super) fn color(sites: &[Site; WIDTH], lights: &[U18F14; WIDTH], colors: &mut [Color; WIDTH]) {
+pub(super) fn color(sites: &[Site; WIDTH], lights: &[Light16; WIDTH], colors: &mut [Color; WIDTH]) {
     for (column, color) in colors.iter_mut().enumerate() {
         let (material, light) = (sites[column].material as usize, lights[column]);
         *color = GLOW[material];
-        if light != U18F14::ZERO {
+        if light != Light16::ZERO {
             *color = color.plus::<Fx16>(Rgb::lit(light, TINT[material]));
         }
     }

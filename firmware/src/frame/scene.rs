@@ -1,6 +1,6 @@
 //! What a pixel sees: the nearest of wall, floor, ball and column.
 
-use luminaire::{Fx16, Vec3, codegen::I16F16};
+use luminaire::{Fx16, Vec3, number::Length};
 
 use super::camera::{DEPTH_BITS, Sight, steps};
 use super::column::Meeting;
@@ -21,7 +21,7 @@ pub(crate) enum Material {
 /// What a pixel sees.
 #[derive(Clone, Copy, Default, Debug)]
 pub(crate) struct Site {
-    pub(crate) point: Vec3<I16F16>,
+    pub(crate) point: Vec3<Length>,
     pub(crate) normal: Vec3<Fx16>,
     pub(crate) material: Material,
 }
@@ -63,7 +63,7 @@ fn paint_backdrop(row: usize, sites: &mut [Site; WIDTH]) {
     for (column, site) in sites.iter_mut().enumerate() {
         let x = Sight::through(column, row).x(depth);
         *site = if is_floor {
-            let point = Vec3::new(x, I16F16::ZERO, z);
+            let point = Vec3::new(x, Length::ZERO, z);
             // Tiles of half a metre.
             let is_dark = (x.to_bits() ^ z.to_bits()) >> 15 & 1 == 1;
             let material = if is_dark { Material::DarkTile } else { Material::LightTile };

@@ -1,7 +1,7 @@
 //! What stands between a point and the lamp.
 
 use luminaire::Vec3;
-use luminaire::codegen::{I16F16, U18F14};
+use luminaire::codegen::{Length, Light16};
 
 use super::camera::steps;
 use super::measures::LAMP;
@@ -10,10 +10,10 @@ use super::{WIDTH, ball, column};
 
 /// Takes away the light of what is in shadow.
 #[inline(never)]
-pub(super) fn cast(sites: &[Site; WIDTH], lights: &mut [U18F14; WIDTH]) {
+pub(super) fn cast(sites: &[Site; WIDTH], lights: &mut [Light16; WIDTH]) {
     for (column, light) in lights.iter_mut().enumerate() {
-        if *light != U18F14::ZERO && is_in_shadow(&sites[column]) {
-            *light = U18F14::ZERO;
+        if *light != Light16::ZERO && is_in_shadow(&sites[column]) {
+            *light = Light16::ZERO;
         }
     }
 }
@@ -38,9 +38,9 @@ pub(super) struct Way {
 impl Way {
     /// From a point.
     #[inline(always)]
-    pub(super) fn to_lamp(point: Vec3<I16F16>) -> Self {
+    pub(super) fn to_lamp(point: Vec3<Length>) -> Self {
         const END: Vec3<i32> = Vec3::new(steps(LAMP[0]), steps(LAMP[1]), steps(LAMP[2]));
-        let start = point.map(I16F16::to_bits);
+        let start = point.map(Length::to_bits);
         Self { start, whole: END.zip(start, |end, start| (end - start) >> 4) }
     }
 

@@ -1,7 +1,7 @@
 //! What the pixels see and what is in shadow, against f64.
 
 use luminaire::Vec3;
-use luminaire::codegen::I16F16;
+use luminaire::number::Length;
 
 use super::measures::{BALL, BALL_RADIUS, COLUMN, COLUMN_HEIGHT, COLUMN_RADIUS, EYE, LAMP, WALL};
 use super::scene::{Material, Site, look};
@@ -82,8 +82,8 @@ fn seen() -> Vec<(usize, usize, Site)> {
     all
 }
 
-fn metres(point: Vec3<I16F16>) -> Vector {
-    [point.x, point.y, point.z].map(|c| c.to_num())
+fn metres(point: Vec3<Length>) -> Vector {
+    [point.x, point.y, point.z].map(|c| c.to_f64())
 }
 
 /// Exhaustive: every pixel sees what it should, and where, within the stated errors.
@@ -100,7 +100,7 @@ fn pixels_see_what_is_there() {
         let there = point(wide(EYE), sight(column, row), depth);
         let found = metres(site.point);
         off = [0, 1, 2].iter().map(|&i| (found[i] - there[i]).abs()).fold(off, f64::max);
-        let found = [site.normal.x, site.normal.y, site.normal.z].map(|c| c.to_num::<f64>());
+        let found = [site.normal.x, site.normal.y, site.normal.z].map(|c| c.to_f64());
         turned = [0, 1, 2].iter().map(|&i| (found[i] - normal[i]).abs()).fold(turned, f64::max);
     }
     println!("{outline} pixels, {:.2} mm, normals by {turned:.1e}", 1000.0 * off);

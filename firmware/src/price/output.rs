@@ -1,6 +1,6 @@
 //! What comes of an effect.
 
-use luminaire::codegen::U18F14;
+use luminaire::number::Light16;
 use luminaire::{Fx16, Rgb, display::Rgb565};
 use luminaire_kernels::Value;
 
@@ -21,7 +21,7 @@ macro_rules! values {
     )*};
 }
 
-values!(f32 Fx16 U18F14);
+values!(f32 Fx16 Light16);
 
 impl Output for u8 {
     #[inline(always)]

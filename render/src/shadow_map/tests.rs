@@ -32,13 +32,13 @@ impl Exact for f32 {
 
 impl Exact for Fx32 {
     fn exact(length: Self::Length) -> f64 {
-        length.to_num()
+        length.to_f64()
     }
 }
 
 impl Exact for Fx16 {
     fn exact(length: Self::Length) -> f64 {
-        length.to_num()
+        length.to_f64()
     }
 }
 

@@ -3,6 +3,10 @@
 use std::fmt::Write;
 
 use fixed::types::{I2F14, I2F30, I16F16, U18F14, U34F30};
+use luminaire::{
+    Fx16, Fx32,
+    number::{Length, Light16, Light32},
+};
 use luminaire_conform::{Case, Evaluate, FORMATS, Input, Inputs, Kind, MODELS, Word};
 
 use super::random::Random;
@@ -100,11 +104,11 @@ fn stored(scene: &Scene, input: &Input) -> u64 {
     match input.format {
         "f32" => (value as f32).word(),
         "u32" => u64::from(value as u32),
-        "i2f14" => I2F14::saturating_from_num(value).word(),
-        "i2f30" => I2F30::saturating_from_num(value).word(),
-        "i16f16" => I16F16::saturating_from_num(value).word(),
-        "u18f14" => U18F14::saturating_from_num(value).word(),
-        "u34f30" => U34F30::saturating_from_num(value).word(),
+        "i2f14" => Fx16::from(I2F14::saturating_from_num(value)).word(),
+        "i2f30" => Fx32::from(I2F30::saturating_from_num(value)).word(),
+        "i16f16" => Length::from(I16F16::saturating_from_num(value)).word(),
+        "u18f14" => Light16::from(U18F14::saturating_from_num(value)).word(),
+        "u34f30" => Light32::from(U34F30::saturating_from_num(value)).word(),
         // The scale of a versine is the cone's: any bits do, the same ones for the same scene.
         "u3f29" | "u3f61" => {
             let bits = Random(value.to_bits()).bits();

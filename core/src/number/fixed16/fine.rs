@@ -6,7 +6,7 @@
 
 use super::{Fx16, Gain16, Ramp16, gain, shifted};
 use crate::number::{Fraction, Knot, RealExponent, Share, fraction::neighbours};
-use fixed::types::{I18F14, U3F29, U18F14};
+use crate::number::{Light16, Versine16, Weight16};
 
 /// A number from 0 to 1 with 31 fraction bits.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Default, Debug)]
@@ -124,14 +124,14 @@ impl Fraction<Fx16> for Fine16 {
     }
 
     #[inline(always)]
-    fn blend(self, g: I18F14) -> Self {
+    fn blend(self, g: Weight16) -> Self {
         self.lifted(g.to_bits().wrapping_shl(14))
     }
 
     #[inline(always)]
-    fn cubic(self, g: I18F14, h: I18F14) -> Self {
+    fn cubic(self, g: Weight16, h: Weight16) -> Self {
         let bend = high_half(self.0, h.to_bits().unsigned_abs() << 14).cast_signed() << 1;
-        let bend = if h < 0 { bend.wrapping_neg() } else { bend };
+        let bend = if h.to_bits() < 0 { bend.wrapping_neg() } else { bend };
         self.lifted(g.to_bits().wrapping_shl(14).wrapping_add(bend))
     }
 
@@ -190,7 +190,7 @@ impl Share<Fx16> for Fine16 {
     }
 
     #[inline(always)]
-    fn give(self, gain: Gain16) -> U18F14 {
+    fn give(self, gain: Gain16) -> Light16 {
         shifted(high_half(self.0, gain.mantissa), gain.shift - 15)
     }
 }
@@ -198,7 +198,7 @@ impl Share<Fx16> for Fine16 {
 impl Ramp16 {
     /// Where a versine stands on the ramp, with all bits that it has.
     #[inline(always)]
-    pub(super) fn rise_finely(self, versine: U3F29) -> Fine16 {
+    pub(super) fn rise_finely(self, versine: Versine16) -> Fine16 {
         let versine = versine.to_bits();
         let past = versine.wrapping_sub(self.inner);
         if past >= self.width.max(self.fine) {

@@ -9,8 +9,8 @@ use super::{
     offset::{self, Offset16},
     shifted,
 };
+use crate::number::{Fx32, Light16, Versine16};
 use crate::{number::Ray, vec3::Vec3};
-use fixed::types::{I2F30, U3F29, U18F14};
 
 /// A unit direction of 30 fraction bits and the length it had.
 #[derive(Clone, Copy, Debug)]
@@ -74,22 +74,22 @@ impl Ray<Fx16> for FineRay16 {
     }
 
     #[inline(always)]
-    fn direction(&self) -> Vec3<I2F30> {
-        self.direction.map(I2F30::from_bits)
+    fn direction(&self) -> Vec3<Fx32> {
+        self.direction.map(Fx32::from_bits)
     }
 
     #[inline(always)]
-    fn versine(&self, axis: Vec3<I2F30>, ramp: Ramp16) -> U3F29 {
+    fn versine(&self, axis: Vec3<Fx32>, ramp: Ramp16) -> Versine16 {
         let difference = self.direction.zip(axis, |d, s| d.wrapping_sub(s.to_bits()));
         // As in the coarse one: inside the cone the squares of what passes have a sum of 30 bits.
         if offset::size(difference) >> (31 - ramp.zoom) != 0 {
-            return U3F29::MAX;
+            return Versine16::MAX;
         }
-        U3F29::from_bits(squared_length(difference, ramp.zoom))
+        Versine16::from_bits(squared_length(difference, ramp.zoom))
     }
 
     #[inline(always)]
-    fn rise(&self, axis: Vec3<I2F30>, ramp: Ramp16) -> Fine16 {
+    fn rise(&self, axis: Vec3<Fx32>, ramp: Ramp16) -> Fine16 {
         ramp.rise_finely(self.versine(axis, ramp))
     }
 
@@ -115,7 +115,7 @@ impl Ray<Fx16> for FineRay16 {
     }
 
     #[inline(always)]
-    fn expose(&self, share: Fine16, gain: Gain16) -> U18F14 {
+    fn expose(&self, share: Fine16, gain: Gain16) -> Light16 {
         // Of 26 bits and more, and the product of 16 and more where the light is not far below a code.
         let here = high_half(high_square(self.reciprocal), gain.mantissa);
         shifted(high_half(share.to_bits(), here), gain.shift + 2 * self.bits - 51)

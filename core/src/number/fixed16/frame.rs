@@ -1,6 +1,7 @@
 //! The way from a point to its place on the square, in 16 bits.
 
 use super::{Fx16, gain::signed_high_product, offset::Offset16};
+use crate::number::Length;
 use crate::{
     number::{
         mantissa_and_shift,
@@ -9,7 +10,6 @@ use crate::{
     },
     vec3::Vec3,
 };
-use fixed::types::I16F16;
 
 /// The fraction bits of a frame's vectors: an offset of 17 bits leaves no more.
 const BITS: u32 = 13;
@@ -107,7 +107,7 @@ impl Frame16 {
     }
 
     #[inline(always)]
-    pub(super) fn place(&self, light: Vec3<I16F16>, point: Vec3<I16F16>) -> ProjectedPoint<Fx16> {
+    pub(super) fn place(&self, light: Vec3<Length>, point: Vec3<Length>) -> ProjectedPoint<Fx16> {
         let offset = Offset16::between(light, point);
         let way = offset.fine();
         let depth = self.axis.part(way);

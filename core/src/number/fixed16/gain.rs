@@ -1,8 +1,8 @@
 //! The arithmetic of gains of 16 bits, in 32-bit products.
 
 use super::{Fx16, Gain16, shifted};
+use crate::number::Light16;
 use crate::number::{Gain, reciprocal, root, within_reach};
-use fixed::types::U18F14;
 
 /// `a b / 2^16` for a b of 16 bits, rounded down.
 #[inline(always)]
@@ -54,7 +54,7 @@ impl Gain16 {
 
     /// A light times the gain.
     #[inline(always)]
-    pub(super) fn amplify(self, light: U18F14) -> U18F14 {
+    pub(super) fn amplify(self, light: Light16) -> Light16 {
         let (top, shift) = (self.top(), self.shift - 16);
         let (high, low) = ((light.to_bits() >> 16) * top, (light.to_bits() & 0xffff) * top);
         if shift < 16 {

@@ -1,8 +1,8 @@
 //! Cubics, powers and mirrors of 16 bits, in 32-bit products.
 
 use super::Fx16;
+use crate::number::{Fx32, Versine16};
 use crate::vec3::Vec3;
-use fixed::types::{I2F30, U3F29};
 
 /// `t^2 (3 - 2t)`, exact but for one rounding at the end, so that it never falls.
 #[inline(always)]
@@ -21,7 +21,7 @@ fn lack_of_product(a: u32, b: u32) -> u32 {
 
 /// `(1 - versine)^exponent`: what the cosine lacks of one keeps its leading bits where the cosine would have lost them.
 #[inline(always)]
-pub(super) fn power(versine: U3F29, exponent: u32) -> Fx16 {
+pub(super) fn power(versine: Versine16, exponent: u32) -> Fx16 {
     let (mut lack, mut square, mut rest) = (0, versine.to_bits().saturating_mul(8), exponent);
     while rest > 0 {
         if rest % 2 == 1 {
@@ -36,19 +36,19 @@ pub(super) fn power(versine: U3F29, exponent: u32) -> Fx16 {
 
 /// `d - 2 (d.n) n`. Wraps for what is not of unit length, which leaves it defined.
 #[inline(always)]
-pub(super) fn mirror(direction: Vec3<I2F30>, normal: Vec3<Fx16>) -> Vec3<I2F30> {
+pub(super) fn mirror(direction: Vec3<Fx32>, normal: Vec3<Fx16>) -> Vec3<Fx32> {
     let products =
         direction.zip(normal, |d, n| (((d.to_bits() >> 14) + 1) >> 1).wrapping_mul(i32::from(n.to_bits())));
     let cosine = products.x.wrapping_add(products.y).wrapping_add(products.z).wrapping_add(1 << 13) >> 14;
     direction.zip(normal, |d, n| {
         let along = cosine.wrapping_mul(i32::from(n.to_bits()));
-        I2F30::from_bits(d.to_bits().wrapping_sub(along.wrapping_mul(4)))
+        Fx32::from_bits(d.to_bits().wrapping_sub(along.wrapping_mul(4)))
     })
 }
 
 /// The cosine of the angle of incidence. Wraps for what is not of unit length, which leaves it defined.
 #[inline(always)]
-pub(super) fn incidence(direction: Vec3<I2F30>, normal: Vec3<Fx16>) -> Fx16 {
+pub(super) fn incidence(direction: Vec3<Fx32>, normal: Vec3<Fx16>) -> Fx16 {
     let products =
         direction.zip(normal, |d, n| (((d.to_bits() >> 15) + 1) >> 1).wrapping_mul(i32::from(n.to_bits())));
     let along = products.x.wrapping_add(products.y).wrapping_add(products.z);

@@ -3,11 +3,11 @@
 //! In the comments `v` is the way scaled until its largest component has 15 bits, and `|v|` its length.
 
 use super::{Fx16, Gain16, Ramp16, fine_ray::FineRay16, gain, shifted};
+use crate::number::{Fx32, Length, Light16, Versine16};
 use crate::{
     number::{Gain, Offset, Ray, Scalar, fraction::Fraction16, root},
     vec3::Vec3,
 };
-use fixed::types::{I2F30, I16F16, U3F29, U18F14};
 
 /// How many bits of an offset are multiplied with the reciprocal of its length. The product has 31 in all: the offset
 /// gets more of them, because its error turns the direction while the reciprocal's only shortens it.
@@ -50,7 +50,7 @@ pub(super) fn size(way: Vec3<i32>) -> u32 {
 impl Offset16 {
     /// The way from a light to a point.
     #[inline(always)]
-    pub(super) fn between(light: Vec3<I16F16>, point: Vec3<I16F16>) -> Self {
+    pub(super) fn between(light: Vec3<Length>, point: Vec3<Length>) -> Self {
         let way = point.zip(light, |p, l| p.to_bits().wrapping_sub(l.to_bits()));
         let size = size(way);
         if size >> 24 != 0 {
@@ -82,7 +82,7 @@ impl Offset16 {
     /// A way of more than 24 bits, halved so that 32 are enough: a light's position has at most 30 and a sign, so that a way
     /// that wrapped round has not come back to fewer than 24.
     #[inline(always)]
-    fn far(light: Vec3<I16F16>, point: Vec3<I16F16>) -> Self {
+    fn far(light: Vec3<Length>, point: Vec3<Length>) -> Self {
         let way = point.zip(light, |p, l| (p.to_bits() >> 1) - (l.to_bits() >> 1));
         let Self { way, shift, bits } = Self::scaled(way, root::bit_length(size(way)) - WAY_BITS);
         Self { way, shift, bits: bits + 1 }
@@ -106,9 +106,9 @@ impl Offset16 {
 
     /// A part of the way, of 13 bits more than [`fine`](Self::fine), as a length; saturates.
     #[inline(always)]
-    pub(super) fn length_of(&self, part: i32) -> I16F16 {
+    pub(super) fn length_of(&self, part: i32) -> Length {
         const BITS: u32 = WAY_BITS + 13;
-        I16F16::from_bits(if self.bits <= BITS {
+        Length::from_bits(if self.bits <= BITS {
             part >> (BITS - self.bits)
         } else {
             part.saturating_mul(1 << (self.bits - BITS))
@@ -161,7 +161,7 @@ impl Offset<Fx16> for Offset16 {
     }
 
     #[inline(always)]
-    fn is_outside(&self, axis: Vec3<I2F30>, bound: Fx16) -> bool {
+    fn is_outside(&self, axis: Vec3<Fx32>, bound: Fx16) -> bool {
         let products = axis.zip(self.coarse(), |s, v| (s.to_bits() >> 16) * v);
         let along = products.x.wrapping_add(products.y).wrapping_add(products.z) >> 14;
         // The axis has unit length, so that 16 bits hold the part of |v| along it.
@@ -214,17 +214,17 @@ impl Ray<Fx16> for Ray16 {
     }
 
     #[inline(always)]
-    fn direction(&self) -> Vec3<I2F30> {
-        self.direction.map(|c| I2F30::from_bits(c.wrapping_add(CUT_OFF)))
+    fn direction(&self) -> Vec3<Fx32> {
+        self.direction.map(|c| Fx32::from_bits(c.wrapping_add(CUT_OFF)))
     }
 
     #[inline(always)]
-    fn versine(&self, axis: Vec3<I2F30>, ramp: Ramp16) -> U3F29 {
+    fn versine(&self, axis: Vec3<Fx32>, ramp: Ramp16) -> Versine16 {
         Fx16::versine_between(self.direction(), axis, ramp)
     }
 
     #[inline(always)]
-    fn rise(&self, axis: Vec3<I2F30>, ramp: Ramp16) -> Fraction16 {
+    fn rise(&self, axis: Vec3<Fx32>, ramp: Ramp16) -> Fraction16 {
         ramp.rise(self.versine(axis, ramp))
     }
 
@@ -246,7 +246,7 @@ impl Ray<Fx16> for Ray16 {
     }
 
     #[inline(always)]
-    fn expose(&self, fraction: Fx16, gain: Gain16) -> U18F14 {
+    fn expose(&self, fraction: Fx16, gain: Gain16) -> Light16 {
         let fraction = u32::from(fraction.to_bits().max(0).cast_unsigned());
         // At most 16, 16 and 18 bits: every product fits 32.
         let squared = (self.reciprocal * self.reciprocal) >> 16;

@@ -1,6 +1,7 @@
 //! The way from a point to its place on the square, in 32 bits.
 
-use super::{Fx32, Offset32, wide};
+use super::{Offset32, wide};
+use crate::number::{Fx32, Length};
 use crate::{
     number::{
         Scalar, mantissa_and_shift,
@@ -9,7 +10,6 @@ use crate::{
     },
     vec3::Vec3,
 };
-use fixed::types::{I2F30, I16F16};
 
 /// What is less far along the axis is more than 88 degrees off it, and the corners of the widest square are 83.
 const LEAST_BITS: u32 = 54;
@@ -66,9 +66,9 @@ impl Frame32 {
         });
         let (mantissa, shift) = mantissa_and_shift(scale);
         Self {
-            right: right.map(I2F30::to_bits),
-            down: down.map(I2F30::to_bits),
-            axis: axis.map(I2F30::to_bits),
+            right: right.map(Fx32::to_bits),
+            down: down.map(Fx32::to_bits),
+            axis: axis.map(Fx32::to_bits),
             center,
             scale: mantissa << 4,
             shift: (shift + 4 - 2).clamp(0, 63).cast_unsigned(),
@@ -76,7 +76,7 @@ impl Frame32 {
     }
 
     #[inline(always)]
-    pub(super) fn place(&self, light: Vec3<I16F16>, point: Vec3<I16F16>) -> ProjectedPoint<Fx32> {
+    pub(super) fn place(&self, light: Vec3<Length>, point: Vec3<Length>) -> ProjectedPoint<Fx32> {
         let offset = Fx32::offset(light, point);
         let depth = part(self.axis, offset.way);
         if depth >> LEAST_BITS <= 0 {
@@ -104,9 +104,9 @@ impl Frame32 {
 impl Offset32 {
     /// A part of the way, of 60 fraction bits as it is scaled, as a length; saturates.
     #[inline(always)]
-    fn length_of(&self, part: i64) -> I16F16 {
+    fn length_of(&self, part: i64) -> Length {
         let doubled = part >> (59 - self.bits);
-        I16F16::from_bits(((doubled + 1) >> 1).min(i64::from(i32::MAX)) as i32)
+        Length::from_bits(((doubled + 1) >> 1).min(i64::from(i32::MAX)) as i32)
     }
 }
 

@@ -1,8 +1,8 @@
 //! The arithmetic of gains of 28 bits, in 64-bit products.
 
 use super::{Fx32, Gain32, shifted};
+use crate::number::Light32;
 use crate::number::{Gain, reciprocal, within_reach};
-use fixed::types::U34F30;
 
 impl Gain32 {
     const ONE: Self = Self { mantissa: 1 << 27, shift: 27 };
@@ -38,7 +38,7 @@ impl Gain32 {
 
     /// A light times the gain.
     #[inline(always)]
-    pub(super) fn amplify(self, light: U34F30) -> U34F30 {
+    pub(super) fn amplify(self, light: Light32) -> Light32 {
         let mantissa = u64::from(self.mantissa);
         let (high, low) = ((light.to_bits() >> 32) * mantissa, (light.to_bits() & 0xffff_ffff) * mantissa);
         if self.shift < 32 {

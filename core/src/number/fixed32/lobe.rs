@@ -1,8 +1,8 @@
 //! Cubics, powers and mirrors of 32 bits, in 64-bit products.
 
-use super::{Fx32, Versine32, fraction, wide};
+use super::{Versine32, fraction, wide};
+use crate::number::Fx32;
 use crate::vec3::Vec3;
-use fixed::types::I2F30;
 
 /// One, with 62 fraction bits.
 const ONE: u64 = 1 << 62;
@@ -39,24 +39,24 @@ pub(super) fn power(versine: Versine32, exponent: u32) -> Fx32 {
 
 /// The inner product, with 58 fraction bits.
 #[inline(always)]
-fn inner(direction: Vec3<I2F30>, normal: Vec3<Fx32>) -> i64 {
+fn inner(direction: Vec3<Fx32>, normal: Vec3<Fx32>) -> i64 {
     let products = direction.zip(normal, |d, n| wide(d.to_bits(), n.to_bits()) >> 2);
     products.x + products.y + products.z
 }
 
 /// `d - 2 (d.n) n`. Wraps for what is not of unit length, which leaves it defined.
 #[inline(always)]
-pub(super) fn mirror(direction: Vec3<I2F30>, normal: Vec3<Fx32>) -> Vec3<I2F30> {
+pub(super) fn mirror(direction: Vec3<Fx32>, normal: Vec3<Fx32>) -> Vec3<Fx32> {
     let cosine = (inner(direction, normal) + (1 << 27)) >> 28;
     direction.zip(normal, |d, n| {
         let twice_along = cosine.wrapping_mul(n.to_bits().into()).wrapping_add(1 << 28) >> 29;
-        I2F30::from_bits(d.to_bits().wrapping_sub(twice_along as i32))
+        Fx32::from_bits(d.to_bits().wrapping_sub(twice_along as i32))
     })
 }
 
 /// The cosine of the angle of incidence.
 #[inline(always)]
-pub(super) fn incidence(direction: Vec3<I2F30>, normal: Vec3<Fx32>) -> Fx32 {
+pub(super) fn incidence(direction: Vec3<Fx32>, normal: Vec3<Fx32>) -> Fx32 {
     let cosine = ((1 << 27) - inner(direction, normal)) >> 28;
     Fx32::from_bits(cosine.clamp(0, 1 << 30) as i32)
 }

@@ -1,0 +1,170 @@
+//! The fixed-point numbers, as types of their own over those of the crate `fixed`.
+
+use core::fmt;
+
+use fixed::types::{I2F14, I2F30, I16F16, I18F14, I34F30, U3F29, U18F14, U34F30};
+
+/// The versine of the format [`Fx32`], of which `fixed` has no alias.
+type U3F61 = fixed::FixedU64<fixed::types::extra::U61>;
+
+/// Declares numbers over types of `fixed`, with the integer that stores them.
+macro_rules! numbers {
+    ($($(#[$doc:meta])* $name:ident($fixed:ident, $bits:ty);)*) => {$(
+        $(#[$doc])*
+        #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Default)]
+        pub struct $name($bits);
+
+        impl $name {
+            /// Zero.
+            pub const ZERO: Self = Self(0);
+            /// One.
+            pub const ONE: Self = Self(1 << Self::FRACTION_BITS);
+            /// The least number.
+            pub const MIN: Self = Self(<$bits>::MIN);
+            /// The largest number.
+            pub const MAX: Self = Self(<$bits>::MAX);
+            /// The number of bits after the point.
+            pub const FRACTION_BITS: u32 = $fixed::FRAC_NBITS;
+
+            /// The number that is stored as these bits: `bits / 2^FRACTION_BITS`.
+            #[inline(always)]
+            pub const fn from_bits(bits: $bits) -> Self {
+                Self(bits)
+            }
+
+            /// The bits that store the number.
+            #[inline(always)]
+            pub const fn to_bits(self) -> $bits {
+                self.0
+            }
+
+            /// The number in f64: exact, but for numbers of more than 53 bits, which are rounded.
+            pub const fn to_f64(self) -> f64 {
+                self.0 as f64 / (1_u64 << Self::FRACTION_BITS) as f64
+            }
+
+            /// The nearest number in f32.
+            pub const fn to_f32(self) -> f32 {
+                self.0 as f32 / (1_u64 << Self::FRACTION_BITS) as f32
+            }
+
+            /// The difference; saturates.
+            #[inline(always)]
+            pub const fn saturating_sub(self, other: Self) -> Self {
+                Self(self.0.saturating_sub(other.0))
+            }
+
+            /// The sum; saturates.
+            #[inline(always)]
+            pub const fn saturating_add(self, other: Self) -> Self {
+                Self(self.0.saturating_add(other.0))
+            }
+        }
+
+        impl From<$fixed> for $name {
+            fn from(number: $fixed) -> Self {
+                Self(number.to_bits())
+            }
+        }
+
+        impl From<$name> for $fixed {
+            fn from(number: $name) -> Self {
+                Self::from_bits(number.0)
+            }
+        }
+
+        impl fmt::Display for $name {
+            fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+                fmt::Display::fmt(&$fixed::from_bits(self.0), out)
+            }
+        }
+
+        impl fmt::Debug for $name {
+            fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+                fmt::Debug::fmt(&$fixed::from_bits(self.0), out)
+            }
+        }
+    )*};
+}
+
+numbers! {
+    /// A number of the 16-bit format, from -2 to 2 in steps of 2^-14: intensities, normals and colours.
+    ///
+    /// No product of the format is wider than 32 bits.
+    Fx16(I2F14, i16);
+    /// A number of the 32-bit format, from -2 to 2 in steps of 2^-30: intensities, normals, colours and, in both fixed-point
+    /// formats, the components of directions.
+    ///
+    /// No product of the format is wider than 64 bits.
+    Fx32(I2F30, i32);
+    /// A component of a position in both fixed-point formats, from -32,768 to 32,768 units in steps of
+    /// 2^-16.
+    Length(I16F16, i32);
+    /// Light in the format [`Fx16`], from 0 to 262,144 in steps of 2^-14; 1 is full scale.
+    Light16(U18F14, u32);
+    /// Light in the format [`Fx32`], from 0 to 2^34 in steps of 2^-30; 1 is full scale.
+    Light32(U34F30, u64);
+    /// A versine in the format [`Fx16`], in the scale of a cone.
+    Versine16(U3F29, u32);
+    /// A versine in the format [`Fx32`], in the scale of a cone.
+    Versine32(U3F61, u64);
+    /// A coefficient of a falloff in the format [`Fx16`].
+    Weight16(I18F14, i32);
+    /// A coefficient of a falloff in the format [`Fx32`].
+    Weight32(I34F30, i64);
+}
+
+impl Fx16 {
+    /// The nearest number, ties to even; saturates, and NaN becomes zero.
+    #[inline(always)]
+    pub const fn from_f32(value: f32) -> Self {
+        let steps = nearest(value * 16_384.0);
+        let (least, most) = (i16::MIN as i32, i16::MAX as i32);
+        Self(if steps < least {
+            i16::MIN
+        } else if steps > most {
+            i16::MAX
+        } else {
+            steps as i16
+        })
+    }
+}
+
+impl Fx32 {
+    /// The nearest number, ties to even; saturates, and NaN becomes zero.
+    #[inline(always)]
+    pub const fn from_f32(value: f32) -> Self {
+        Self(nearest(value * 1_073_741_824.0))
+    }
+}
+
+impl Length {
+    /// A whole number of units.
+    #[inline(always)]
+    pub const fn from_int(units: i16) -> Self {
+        Self((units as i32) << 16)
+    }
+
+    /// The nearest length, ties to even; saturates, and NaN becomes zero.
+    #[inline(always)]
+    pub const fn from_f32(value: f32) -> Self {
+        Self(nearest(value * 65_536.0))
+    }
+}
+
+/// The integer nearest to a value, ties to even; saturates, and NaN becomes zero.
+///
+/// Without a branch, because renderers convert whole pictures with it. An f32 from 2^23 on is an integer; below, a sum
+/// with 2^23 of the same sign has no room for a fraction, so that the addition rounds.
+#[inline(always)]
+pub(super) const fn nearest(value: f32) -> i32 {
+    rounded(value) as i32
+}
+
+/// The same as a float, for conversions to other integers.
+#[inline(always)]
+pub(super) const fn rounded(value: f32) -> f32 {
+    const FIRST_INTEGER: f32 = 8_388_608.0;
+    let units = FIRST_INTEGER.copysign(value);
+    if value.abs() < FIRST_INTEGER { value + units - units } else { value }
+}
