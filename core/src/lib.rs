@@ -82,9 +82,8 @@
 //! | `glam` | conversions between [`Vec3`]`<f32>` and `glam::Vec3` |
 //!
 //! Modules, lowest first: `error`, `models`, `search`, `trig`, `vec3`, `angle`, `effect`,
-//! `scalar`, `attenuation`, `color`, `profile`, `specular`, `cone`, `shade`, `batch`, `haze`,
-//! `light`, `material`, `import`, `lamp`, `projection`, `gobo`, `shadow`, `luminaire`, `source`,
-//! `plan`.
+//! `number`, `attenuation`, `color`, `falloff`, `specular`, `cone`, `display`, `shade`, `batch`,
+//! `haze`, `material`, `light`, `any_light`, `import`, `projector`, `codegen`, `plan`, `dynamic`.
 #![no_std]
 #![forbid(unsafe_code)]
 

@@ -1,7 +1,7 @@
 //! What a cone says of itself: its angles with a hotspot and a delimiter, its flux, and the angles of other systems.
 
 use luminaire::{
-    Angle, Cone, Error, Fx16, Fx32, HalfAngle, Scalar,
+    Angle, Cone, Error, Fx16, Fx32, HalfAngle,
     error::{Expected, Parameter},
     falloff::{Cubic, Falloff, Hard, Knot, Linear, Power, Quadratic, Smooth, Soft, Step, Table},
 };

@@ -2,8 +2,8 @@
 
 use fastrand::Rng;
 use luminaire::{
-    AmbientLight, Angle, Cone, DirectionalLight, Error, Fx16, Fx32, Material, PointLight, Rgb, Scalar,
-    SpotLight, Vec3,
+    AmbientLight, Angle, Cone, DirectionalLight, Error, Fx16, Fx32, Material, PointLight, Rgb, SpotLight,
+    Vec3,
     attenuation::{
         AnyAttenuation, CutAt, FilamentRange, GltfRange, InverseSquare, NoAttenuation, Polynomial,
         SmoothRange, Windowed,
