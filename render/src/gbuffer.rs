@@ -9,10 +9,7 @@ use crate::{
     view::View,
 };
 use alloc::{collections::TryReserveError, vec::Vec};
-use luminaire::{
-    Scalar, Vec3,
-    number::{Offset, Ray},
-};
+use luminaire::{Scalar, Vec3};
 
 /// The blocks of a picture, row by row.
 #[derive(Clone, Debug)]
@@ -89,7 +86,7 @@ fn unit(nearness: &[f32; LANES], [x, y, z]: [&[f32; LANES]; 3]) -> Vec3<[f32; LA
     let mut normals = Vec3::default().map(|()| [0.0; LANES]);
     for lane in 0..LANES {
         // The kernel's direction from the origin to a point: the one square root there is.
-        let direction = f32::offset(Vec3::default(), Vec3::new(x[lane], y[lane], z[lane])).ray().direction();
+        let direction = Vec3::new(x[lane], y[lane], z[lane]).unit();
         let is_covered = nearness[lane] > 0.0;
         normals.x[lane] = if is_covered { direction.x } else { 0.0 };
         normals.y[lane] = if is_covered { direction.y } else { 0.0 };

@@ -1,7 +1,7 @@
 //! What is left out changes no bit of a picture, and what it saves is what it is said to save.
 
 use luminaire::{
-    Fx16, Fx32, Rgb, Scalar as _, Vec3,
+    Fx16, Fx32, Rgb, Vec3,
     dynamic::AnyLight,
     light::{LightModel as _, SurfacePoint},
     projector::Fixture,
@@ -162,7 +162,9 @@ fn shining_pairs(setup: &Setup, renderer: &Renderer<f32>) -> u64 {
     let points = pixels(renderer).filter_map(|(x, y)| renderer.surface(x, y));
     let shines = |(point, normal, material): (Vec3<f32>, Vec3<f32>, Material)| {
         let surface = SurfacePoint::<f32>::seen_from(setup.camera.eye(), point, normal);
-        let surface = SurfacePoint { view: f32::mirror(surface.view, normal), ..surface };
+        let twice = 2.0 * surface.view.dot(normal);
+        let mirrored = surface.view.zip(normal, |view, n| view - twice * n);
+        let surface = SurfacePoint { view: mirrored, ..surface };
         let highlight = Highlight::constants::<f32>(material.shininess());
         lamps
             .iter()

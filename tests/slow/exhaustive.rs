@@ -4,8 +4,9 @@
 //! A plain run visits one input in a thousand; `LUMINAIRE_FULL=1 cargo test --test exhaustive -- --nocapture`
 //! visits every one, some nine minutes on two processors, and prints the rows.
 
+use luminaire::number::Arithmetic;
 use luminaire::{
-    Cone, Fx16, Fx32, Rgb, Scalar,
+    Cone, Fx16, Fx32, Rgb,
     display::{Rgb565, encode_srgb},
     falloff::{Cubic, Falloff, Hard, InvertedPower, Linear, Power, Smooth, Soft},
     light::CompiledCone,
@@ -21,7 +22,7 @@ use support::{
 };
 
 /// The first and the last of the versines that share an answer, each with what it stands for.
-type Ends<S> = [(<S as Scalar>::Versine, f64); 2];
+type Ends<S> = [(<S as Arithmetic>::Versine, f64); 2];
 
 /// A format whose versines can all be visited.
 trait Countable: Format<Versine: Sync, Ramp: Sync> {

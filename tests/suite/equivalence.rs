@@ -1,6 +1,7 @@
 //! Two ways to the same light give the same bits.
 
 use fastrand::Rng;
+use luminaire::number::Arithmetic;
 use luminaire::{
     Cone, Fx16, Fx32,
     falloff::{Falloff, FittedFalloff, Hard, Soft, SoftOrHard},
@@ -58,7 +59,7 @@ fn a_choice_at_run_time_changes_no_bit() {
         let spot = sweep::spot(&mut rng, cone);
         let chosen = spot.compile::<Fx16>().expect("held");
         let position = Fx16::exact_point(spot.position().map(<Fx16 as luminaire::Scalar>::length));
-        let axis = reference::unit(Fx16::exact_direction(<Fx16 as luminaire::Scalar>::axis(spot.axis())));
+        let axis = reference::unit(Fx16::exact_direction(Fx16::axis(spot.axis())));
         for _ in 0..10_000 {
             let distance = sweep::distance(&mut rng);
             let site = sweep::site::<Fx16>(&mut rng, position, axis, 10.0, distance);

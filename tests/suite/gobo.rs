@@ -1,6 +1,7 @@
 //! Patterns that a spotlight projects: their transmission against f64, and where it is exact.
 
 use fastrand::Rng;
+use luminaire::number::Arithmetic;
 use luminaire::{
     Angle, Cone, Error, Fx16, Fx32, Scalar, SpotLight, Vec3,
     error::{Expected, Parameter},

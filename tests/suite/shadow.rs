@@ -1,6 +1,7 @@
 //! Shadow maps: what they say of a place against f64, and where it is exact.
 
 use fastrand::Rng;
+use luminaire::number::Arithmetic;
 use luminaire::{
     Angle, Cone, Error, Fx16, Fx32, Scalar, Vec3,
     error::{Expected, Parameter},

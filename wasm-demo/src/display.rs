@@ -1,7 +1,10 @@
 //! From linear light to the codes of a display: as a format does it, and exactly.
 
 use luminaire::number::{Light16, Light32};
-use luminaire::{Fx16, Fx32, Scalar, display::encode_srgb};
+use luminaire::{
+    Fx16, Fx32, Rgb,
+    display::{clip, encode_srgb},
+};
 use luminaire_kernels::Value;
 
 /// The code of a linear value before rounding, from 0 to 255: sRGB as IEC 61966-2-1 writes it. What is not a
@@ -39,13 +42,13 @@ impl Shown for f64 {
 
 impl Shown for Light16 {
     fn code(self) -> u8 {
-        encode_srgb(Fx16::clip(self))
+        encode_srgb(clip::<Fx16>(Rgb::new(self, self, self)).red)
     }
 }
 
 impl Shown for Light32 {
     fn code(self) -> u8 {
-        encode_srgb(Fx32::clip(self))
+        encode_srgb(clip::<Fx32>(Rgb::new(self, self, self)).red)
     }
 }
 

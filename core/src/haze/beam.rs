@@ -10,7 +10,7 @@ use crate::{
     attenuation::{Attenuation, InverseSquare},
     cone::CompiledCone,
     falloff::{Falloff, SoftOrHard},
-    number::{Gain, Offset, Scalar, float::clamp},
+    number::{Arithmetic, Gain, Offset, float::clamp},
     shade::CompiledSpotLight,
     vec3::Vec3,
 };
@@ -133,7 +133,7 @@ pub(super) fn by_angle(v: f32, intensity: impl Fn(f32) -> f32) -> f32 {
 
 /// The way from a light to a point at a distance.
 #[inline(always)]
-fn at_distance(distance: f32) -> <f32 as Scalar>::Offset {
+fn at_distance(distance: f32) -> <f32 as Arithmetic>::Offset {
     f32::offset(Vec3::new(0.0, 0.0, 0.0), Vec3::new(distance, 0.0, 0.0))
 }
 

@@ -12,8 +12,8 @@ mod offset;
 pub use self::frame::Frame16;
 use self::{fine::Fine16, offset::Offset16};
 use super::{
-    Fx16, Fx32, HALF_A_CODE, Length, Light16, Offset, ProjectedPoint, Ray, Rise, Scalar, Slopes, Versine16,
-    Weight16, Word, fraction::Fraction16, nearest, rounded,
+    Arithmetic, Fx16, Fx32, HALF_A_CODE, Length, Light16, Offset, ProjectedPoint, Ray, Rise, Scalar, Slopes,
+    Versine16, Weight16, Word, fraction::Fraction16, nearest, rounded,
 };
 use crate::{trig, vec3::Vec3};
 
@@ -131,21 +131,12 @@ fn shifted(product: u32, shift: i32) -> Light16 {
 impl Scalar for Fx16 {
     type Length = Length;
     type Unit = Fx32;
-    type Versine = Versine16;
-    type Fraction = Fraction16;
-    type Fine = Fine16;
-    type Weight = Weight16;
-    type Ramp = Ramp16;
-    type Frame = Frame16;
-    type Gain = Gain16;
     type Irradiance = Light16;
-    type Offset = Offset16;
 
     const NAME: &'static str = "fx16";
     const ZERO: Self = Fx16::ZERO;
     const ONE: Self = Fx16::ONE;
     const STEP: f32 = 1.0 / 16_384.0;
-    const DIRECTION_ERROR: f32 = 1.55e-5;
     const FARTHEST: f32 = 16_383.0;
 
     #[inline(always)]
@@ -158,13 +149,33 @@ impl Scalar for Fx16 {
     }
 
     #[inline(always)]
-    fn part(steps: u32) -> Self {
-        Self::from_bits(steps as i16)
+    fn length(value: f32) -> Length {
+        Length::from_f32(value)
     }
 
     #[inline(always)]
-    fn length(value: f32) -> Length {
-        Length::from_f32(value)
+    fn light_to_f32(light: Light16) -> f32 {
+        light.to_bits() as f32 * Self::STEP
+    }
+}
+
+impl Arithmetic for Fx16 {
+    type Position = Length;
+    type Direction = Fx32;
+    type Received = Light16;
+    type Versine = Versine16;
+    type Fraction = Fraction16;
+    type Fine = Fine16;
+    type Weight = Weight16;
+    type Ramp = Ramp16;
+    type Frame = Frame16;
+    type Gain = Gain16;
+    type Offset = Offset16;
+    const DIRECTION_ERROR: f32 = 1.55e-5;
+
+    #[inline(always)]
+    fn part(steps: u32) -> Self {
+        Self::from_bits(steps as i16)
     }
 
     fn axis(axis: Vec3<f32>) -> Vec3<Fx32> {
@@ -370,11 +381,6 @@ impl Scalar for Fx16 {
     #[inline(always)]
     fn add_light(a: Light16, b: Light16) -> Light16 {
         a.saturating_add(b)
-    }
-
-    #[inline(always)]
-    fn light_to_f32(light: Light16) -> f32 {
-        light.to_bits() as f32 * Self::STEP
     }
 
     #[inline(always)]

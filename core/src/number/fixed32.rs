@@ -8,8 +8,8 @@ mod lobe;
 
 pub use self::frame::Frame32;
 use super::{
-    Fx32, Gain, Length, Light32, Offset, ProjectedPoint, Ray, Rise, Scalar, Slopes, Versine32, Weight32,
-    Word, fraction::Fraction32, root, rounded,
+    Arithmetic, Fx32, Gain, Length, Light32, Offset, ProjectedPoint, Ray, Rise, Scalar, Slopes, Versine32,
+    Weight32, Word, fraction::Fraction32, root, rounded,
 };
 use crate::vec3::Vec3;
 
@@ -148,23 +148,12 @@ fn nearest_versine(value: f32) -> Versine32 {
 impl Scalar for Fx32 {
     type Length = Length;
     type Unit = Fx32;
-    type Versine = Versine32;
-    type Fraction = Fraction32;
-    type Fine = Fraction32;
-    type Weight = Weight32;
-    type Ramp = Ramp32;
-    type Frame = Frame32;
-    type Gain = Gain32;
     type Irradiance = Light32;
-    type Offset = Offset32;
 
     const NAME: &'static str = "fx32";
     const ZERO: Self = Fx32::ZERO;
     const ONE: Self = Fx32::ONE;
     const STEP: f32 = 1.0 / 1_073_741_824.0;
-    // Three roundings of half a step: 0.87 steps across the direction. A way of more than 32,768 units along a component
-    // is halved for 32 bits, which is 0.71 steps more.
-    const DIRECTION_ERROR: f32 = 8.2e-10;
     const FARTHEST: f32 = 32_767.0;
 
     #[inline(always)]
@@ -177,13 +166,35 @@ impl Scalar for Fx32 {
     }
 
     #[inline(always)]
-    fn part(steps: u32) -> Self {
-        Self::from_bits((steps << 16).cast_signed())
+    fn length(value: f32) -> Length {
+        Length::from_f32(value)
     }
 
     #[inline(always)]
-    fn length(value: f32) -> Length {
-        Length::from_f32(value)
+    fn light_to_f32(light: Light32) -> f32 {
+        light.to_bits() as f32 * Self::STEP
+    }
+}
+
+impl Arithmetic for Fx32 {
+    type Position = Length;
+    type Direction = Fx32;
+    type Received = Light32;
+    type Versine = Versine32;
+    type Fraction = Fraction32;
+    type Fine = Fraction32;
+    type Weight = Weight32;
+    type Ramp = Ramp32;
+    type Frame = Frame32;
+    type Gain = Gain32;
+    type Offset = Offset32;
+    // Three roundings of half a step: 0.87 steps across the direction. A way of more than 32,768 units along a component
+    // is halved for 32 bits, which is 0.71 steps more.
+    const DIRECTION_ERROR: f32 = 8.2e-10;
+
+    #[inline(always)]
+    fn part(steps: u32) -> Self {
+        Self::from_bits((steps << 16).cast_signed())
     }
 
     /// From all bits that the components have, and made of unit length as a direction to a point is.
@@ -327,11 +338,6 @@ impl Scalar for Fx32 {
     #[inline(always)]
     fn add_light(a: Light32, b: Light32) -> Light32 {
         a.saturating_add(b)
-    }
-
-    #[inline(always)]
-    fn light_to_f32(light: Light32) -> f32 {
-        light.to_bits() as f32 * Self::STEP
     }
 
     #[inline(always)]

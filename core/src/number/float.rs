@@ -4,7 +4,9 @@
 mod frame;
 
 pub use self::frame::FloatFrame;
-use super::{Gain, Offset, ProjectedPoint, Ray, Rise, Scalar, Slopes, Word, fraction::FloatFraction};
+use super::{
+    Arithmetic, Gain, Offset, ProjectedPoint, Ray, Rise, Scalar, Slopes, Word, fraction::FloatFraction,
+};
 use crate::{trig, vec3::Vec3};
 
 /// Where irradiance saturates: finite whatever is added to it or divided by it in practice.
@@ -72,23 +74,12 @@ pub(crate) fn clamp(x: f32) -> f32 {
 impl Scalar for f32 {
     type Length = f32;
     type Unit = f32;
-    type Versine = f32;
-    type Fraction = FloatFraction;
-    type Fine = FloatFraction;
-    type Weight = f32;
-    type Ramp = FloatRamp;
-    type Frame = FloatFrame;
-    type Gain = f32;
     type Irradiance = f32;
-    type Offset = FloatOffset;
 
     const NAME: &'static str = "f32";
     const ZERO: Self = 0.0;
     const ONE: Self = 1.0;
     const STEP: f32 = f32::EPSILON;
-    // Of the difference: 2^-24, where two components are just over a power of two. Of the product with the reciprocal:
-    // 1.72 times 2^-25, where all three are over a half.
-    const DIRECTION_ERROR: f32 = 1.12e-7;
     const FARTHEST: f32 = f32::MAX;
 
     fn from_f32(value: f32) -> Self {
@@ -99,13 +90,35 @@ impl Scalar for f32 {
         self
     }
 
+    fn length(value: f32) -> f32 {
+        value
+    }
+
+    #[inline(always)]
+    fn light_to_f32(light: f32) -> f32 {
+        light
+    }
+}
+
+impl Arithmetic for f32 {
+    type Position = f32;
+    type Direction = f32;
+    type Received = f32;
+    type Versine = f32;
+    type Fraction = FloatFraction;
+    type Fine = FloatFraction;
+    type Weight = f32;
+    type Ramp = FloatRamp;
+    type Frame = FloatFrame;
+    type Gain = f32;
+    type Offset = FloatOffset;
+    // Of the difference: 2^-24, where two components are just over a power of two. Of the product with the reciprocal:
+    // 1.72 times 2^-25, where all three are over a half.
+    const DIRECTION_ERROR: f32 = 1.12e-7;
+
     #[inline(always)]
     fn part(steps: u32) -> Self {
         steps as f32 * (1.0 / 16_384.0)
-    }
-
-    fn length(value: f32) -> f32 {
-        value
     }
 
     fn axis(axis: Vec3<f32>) -> Vec3<f32> {
@@ -242,11 +255,6 @@ impl Scalar for f32 {
     }
 
     #[inline(always)]
-    fn light_to_f32(light: f32) -> f32 {
-        light
-    }
-
-    #[inline(always)]
     fn light_to_gain(light: f32) -> f32 {
         light
     }
@@ -337,6 +345,27 @@ impl Offset<f32> for FloatOffset {
     #[inline(always)]
     fn ray_of(&self, reciprocal: f32) -> FloatRay {
         FloatRay { back: self.back.map(|c| c * reciprocal), squared: self.squared, reciprocal }
+    }
+}
+
+/// By the kernel's root: the processor's own with `std`, else that of `libm` or `micromath`.
+impl Vec3<f32> {
+    /// The length; zero if its square is no normal number.
+    #[inline(always)]
+    pub fn length(self) -> f32 {
+        f32::offset(Vec3::default(), self).ray().distance()
+    }
+
+    /// The reciprocal of the length; zero if the square of the length is no normal number.
+    #[inline(always)]
+    pub fn reciprocal_length(self) -> f32 {
+        f32::offset(Vec3::default(), self).reciprocal()
+    }
+
+    /// The vector at unit length; zero if the square of its length is no normal number.
+    #[inline(always)]
+    pub fn unit(self) -> Self {
+        f32::offset(Vec3::default(), self).ray().direction()
     }
 }
 

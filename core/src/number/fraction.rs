@@ -4,13 +4,13 @@
 //! A profile magnifies the rounding of its argument by its slope, so a fraction has one bit more than a scalar; it
 //! costs nothing, because the products that use it are as wide as before.
 
-use super::{Knot, RealExponent, Scalar, Share, float, knot::SLOPE_BITS};
+use super::{Arithmetic, Knot, RealExponent, Scalar, Share, float, knot::SLOPE_BITS};
 
 /// A number from 0 to 1, one bit finer than the scalar: the argument of an edge profile.
 ///
 /// Made by [`Scalar::rise`] and [`Ray::cosine`](super::Ray::cosine) alone, so that it is in its range whatever the input was. In what follows it is called
 /// `t`, and `u = 1 - t`.
-pub trait Fraction<S: Scalar>: Copy + PartialOrd + core::fmt::Debug {
+pub trait Fraction<S: Arithmetic>: Copy + PartialOrd + core::fmt::Debug {
     /// What a profile makes of it: a scalar, or a number of more bits where the scalar's are too few.
     type Value: Share<S>;
 
@@ -146,7 +146,7 @@ pub(super) use fixed_point::{Fraction16, Fraction32};
 #[cfg(feature = "fixed")]
 mod fixed_point {
     use super::{Fraction, Knot, RealExponent, SLOPE_BITS, neighbours};
-    use crate::number::{Fx16, Fx32, Scalar};
+    use crate::number::{Arithmetic, Fx16, Fx32};
     use crate::number::{Weight16, Weight32};
 
     /// A fraction with 15 fraction bits: its products have 30. In a whole register, for a half one has to be cut off
@@ -454,8 +454,8 @@ mod tests {
     /// Weights that no profile has end in [0, 1] all the same.
     #[test]
     fn every_weight_has_an_answer() {
+        use crate::Fx32;
         use crate::number::{Weight16, Weight32};
-        use crate::{Fx32, Scalar};
         let weights = [i32::MIN, -65_536, -1, 0, 65_536, i32::MAX].map(Weight16::from_bits);
         let wide = [i64::MIN, -(1 << 32), -1, 0, 1 << 32, i64::MAX].map(Weight32::from_bits);
         for (i, j) in (0..6).flat_map(|i| (0..6).map(move |j| (i, j))) {

@@ -5,7 +5,7 @@
 use super::{Fx16, Gain16, Ramp16, fine_ray::FineRay16, gain, shifted};
 use crate::number::{Fx32, Length, Light16, Versine16};
 use crate::{
-    number::{Gain, Offset, Ray, Scalar, fraction::Fraction16, root},
+    number::{Arithmetic, Gain, Offset, Ray, fraction::Fraction16, root},
     vec3::Vec3,
 };
 

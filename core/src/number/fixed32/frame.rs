@@ -4,7 +4,7 @@ use super::{Offset32, wide};
 use crate::number::{Fx32, Length};
 use crate::{
     number::{
-        Scalar, mantissa_and_shift,
+        Arithmetic, mantissa_and_shift,
         place::{ProjectedPoint, STEPS},
         reciprocal,
     },
