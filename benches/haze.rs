@@ -87,9 +87,11 @@ fn bench_with(criterion: &mut Criterion, name: &str, mut fill: impl FnMut(&mut [
 fn bench<P: Falloff, A: Attenuation>(criterion: &mut Criterion, name: &str, spot: SpotLight<P, A>) {
     let beam: BeamScattering<P, A> =
         spot.compile::<f32>().expect("held").in_haze(&Haze::new(0.02).expect("a sound density"));
-    bench_with(criterion, name, |blocks| fill(blocks, |view| beam.air_light(view)));
+    bench_with(criterion, name, |blocks| fill(blocks, |view| beam.in_scattering(view)));
     bench_with(criterion, &format!("{name}, 16 samples"), |blocks| {
-        fill(blocks, |view| beam.air_light_through(view, 16, |point| if point.y > 0.0 { 1.0 } else { 0.5 }));
+        fill(blocks, |view| {
+            beam.in_scattering_through(view, 16, |point| if point.y > 0.0 { 1.0 } else { 0.5 })
+        });
     });
 }
 

@@ -28,7 +28,7 @@ fn beam<P: Falloff + 'static>(from: [f32; 3], to: [f32; 3], cone: Cone<P>, color
         .expect("a sound light");
     let beam = spot.in_haze(&Haze::new(0.03).expect("a sound density"));
     Box::new(move |view| {
-        let light = beam.air_light(view);
+        let light = beam.in_scattering(view);
         spot.color().map(|channel| channel * light)
     })
 }

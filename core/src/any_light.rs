@@ -91,9 +91,9 @@ impl AnyLight {
         let effects = Effects::NONE.with(Effect::Diffuse);
         match self {
             Self::Directional(_) => effects.with(Effect::Directional),
-            Self::Point(point) => effects.with(Effect::Point).and(point.attenuation().effects()),
+            Self::Point(point) => effects.with(Effect::Point).union(point.attenuation().effects()),
             Self::Spot(spot) => {
-                effects.with(Effect::Spot).and(cone_effects(spot)).and(spot.attenuation().effects())
+                effects.with(Effect::Spot).union(cone_effects(spot)).union(spot.attenuation().effects())
             }
         }
     }
@@ -117,7 +117,7 @@ fn cone_effects(spot: &SpotLight<AnyFalloff, AnyAttenuation>) -> Effects {
     if cone.has_hotspot() {
         effects = effects.with(Effect::Hotspot);
     }
-    if cone.is_delimited() {
+    if cone.has_cutoff() {
         effects = effects.with(Effect::Delimiter);
     }
     effects
@@ -144,7 +144,7 @@ impl<P: Falloff + Into<AnyFalloff>, A: Attenuation + Into<AnyAttenuation>> From<
     }
 }
 
-/// With a branch per point: what is slower than [`arrive_each`](CompiledLamp::arrive_each), and of the same bits.
+/// With a branch per point: what is slower than [`evaluate_each`](CompiledAnyLight::evaluate_each), and of the same bits.
 impl<S: Scalar> LightModel<S> for CompiledAnyLight<S> {
     fn color(&self) -> Rgb<S> {
         any!(self, Self, light => light.color)
@@ -154,12 +154,12 @@ impl<S: Scalar> LightModel<S> for CompiledAnyLight<S> {
         any!(self, Self, light => light.specular_color)
     }
 
-    fn arrive<H: SpecularLobe>(
+    fn evaluate<H: SpecularLobe>(
         &self,
         surface: &SurfacePoint<S>,
         highlight: &H::Constants<S>,
         skips: bool,
     ) -> Incident<S::Irradiance> {
-        any!(self, Self, light => light.arrive::<H>(surface, highlight, skips))
+        any!(self, Self, light => light.evaluate::<H>(surface, highlight, skips))
     }
 }

@@ -20,9 +20,10 @@ mod any;
 mod ranged;
 
 pub(crate) use self::any::{CompiledAnyAttenuation, with_attenuation};
+pub(crate) use self::ranged::Window;
 pub use self::{
     any::AnyAttenuation,
-    ranged::{Cut, CutAt, FilamentRange, GltfRange, GltfWindow, Ranged, SquareWindow, Window, Windowed},
+    ranged::{Cut, CutAt, FilamentRange, GltfRange, GltfWindow, Ranged, SquareWindow, Windowed},
 };
 
 use crate::{

@@ -36,7 +36,7 @@ trait Batched<S: Scalar>: LightModel<S> {
     #[inline(always)]
     fn irradiance(&self, point: Vec3<S::Length>, normal: Vec3<S>) -> S::Irradiance {
         let skips = !S::Offset::ROOTS_FIRST;
-        self.arrive::<NoSpecular>(&SurfacePoint::matte(point, normal), &(), skips).diffuse
+        self.evaluate::<NoSpecular>(&SurfacePoint::matte(point, normal), &(), skips).diffuse
     }
     /// The same, once the root is paid for.
     fn expose(

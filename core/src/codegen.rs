@@ -29,6 +29,13 @@
 //!
 //! The module also names the types that generated text is made of.
 
+mod named;
+
+#[cfg(feature = "arithmetic")]
+pub use self::named::{Named, SourceScalar};
+#[cfg(not(feature = "arithmetic"))]
+use self::named::{Named, SourceScalar};
+
 use core::{
     fmt::{self, Formatter},
     marker::PhantomData,
@@ -45,7 +52,6 @@ use crate::{
     },
     haze::BeamScattering,
     material::CompiledMaterial,
-    number::Scalar,
     projector::{CompiledGobo, CompiledProjection, Gobo, Shadow},
     shade::{CompiledDirectionalLight, CompiledPointLight, CompiledSpotLight},
     specular::{BlinnPhong, DifferenceForm, DualConeLobe, NoSpecular, Phong, SpecularLobe},
@@ -80,30 +86,6 @@ pub trait Source {
     {
         AsSource(self)
     }
-}
-
-/// A type that the source of a light has to name, because no value of it is part of the light.
-pub trait Named {
-    /// Writes the type's name.
-    ///
-    /// # Errors
-    /// Those of the formatter.
-    fn write_name(out: &mut Formatter<'_>) -> fmt::Result;
-}
-
-/// A number format whose values can be written as constant expressions: every one.
-pub trait SourceScalar:
-    Scalar<
-        Length: Source,
-        Unit: Source,
-        Weight: Source,
-        Ramp: Source,
-        Frame: Source,
-        Gain: Source,
-        Irradiance: Source,
-    > + Source
-    + Named
-{
 }
 
 impl SourceScalar for f32 {}

@@ -8,7 +8,7 @@ pub use self::compiled::CompiledCone;
 use crate::{
     angle::Angle,
     error::{Error, Expected, Parameter},
-    falloff::{Falloff, Power, SoftOrHard},
+    falloff::{Falloff, Hard, Power, Soft, SoftOrHard},
     number::{HALF_A_CODE, Scalar, Slopes, float::positive},
     search::bisect,
 };
@@ -20,7 +20,7 @@ use crate::{
 ///
 /// - a **hotspot** ([`with_inner`](Self::with_inner)): full intensity up to an inner angle, and the profile between it
 ///   and the outer one. Inner and outer angle in one make a step.
-/// - a **delimiter** ([`with_delimiter`](Self::with_delimiter)): nothing from an angle on that is tighter than the outer
+/// - a **delimiter** ([`with_cutoff`](Self::with_cutoff)): nothing from an angle on that is tighter than the outer
 ///   one, as a barn door or an iris would have it. It costs nothing per point.
 ///
 /// All are full angles.
@@ -108,7 +108,7 @@ impl<P: Falloff> Cone<P> {
     ///
     /// # Errors
     /// An angle that is not more than 0, or larger than the one at which the profile ends.
-    pub fn with_delimiter(self, delimiter: impl Into<Angle>) -> Result<Self, Error> {
+    pub fn with_cutoff(self, delimiter: impl Into<Angle>) -> Result<Self, Error> {
         let angle = delimiter.into();
         let limit = angle.versine();
         // As above: a versine of none would be a cone without any light.
@@ -117,7 +117,7 @@ impl<P: Falloff> Cone<P> {
             Ok(Self { limit, ..self })
         } else {
             let accepted = Expected::AngleUpTo(Angle::from_versine(self.outer).to_degrees());
-            Err(Error { parameter: Parameter::DelimiterAngle, value: angle.to_degrees(), accepted })
+            Err(Error { parameter: Parameter::CutoffAngle, value: angle.to_degrees(), accepted })
         }
     }
 
@@ -155,7 +155,7 @@ impl<P: Falloff> Cone<P> {
     }
 
     /// Whether a delimiter cuts the cone off before its profile ends.
-    pub fn is_delimited(&self) -> bool {
+    pub fn has_cutoff(&self) -> bool {
         self.limit < self.outer
     }
 
@@ -241,7 +241,7 @@ impl<P: Falloff> Cone<P> {
             return refused(Parameter::OuterAngle, outer, Expected::AngleFrom(least.to_degrees()));
         }
         if self.outer() < step {
-            return refused(Parameter::DelimiterAngle, self.outer(), Expected::AngleFrom(step.to_degrees()));
+            return refused(Parameter::CutoffAngle, self.outer(), Expected::AngleFrom(step.to_degrees()));
         }
         let holds = |inner| outer >= narrowest::<S>(&self.slopes(inner));
         if holds(self.inner) {
@@ -249,6 +249,28 @@ impl<P: Falloff> Cone<P> {
         }
         let widest = Angle::from_versine(bisect(0.0, self.inner, holds));
         refused(Parameter::InnerAngle, self.inner(), Expected::AngleBetween(0.0, widest.to_degrees()))
+    }
+}
+
+impl Cone<Soft> {
+    /// The cone with a soft edge that has a tenth of its intensity left at this angle: see
+    /// [`from_field`](Cone::from_field).
+    ///
+    /// # Errors
+    /// A field angle that is not more than 0, or more than 143.13 degrees.
+    pub fn soft(field: impl Into<Angle>) -> Result<Self, Error> {
+        Self::from_field(Soft, field)
+    }
+}
+
+impl Cone<Hard> {
+    /// The cone with a hard edge that has a tenth of its intensity left at this angle: see
+    /// [`from_field`](Cone::from_field).
+    ///
+    /// # Errors
+    /// A field angle that is not more than 0, or more than 174.11 degrees.
+    pub fn hard(field: impl Into<Angle>) -> Result<Self, Error> {
+        Self::from_field(Hard, field)
     }
 }
 
@@ -271,7 +293,7 @@ impl<const N: u32> Cone<Power<N>> {
     /// # Errors
     /// A cutoff that is not more than 0, or over 180 degrees as a full angle.
     pub fn opengl(cutoff: impl Into<Angle>) -> Result<Self, Error> {
-        Self::open(Power, 0.0, 1.0).with_delimiter(cutoff)
+        Self::open(Power, 0.0, 1.0).with_cutoff(cutoff)
     }
 }
 

@@ -9,7 +9,7 @@ mod srgb;
 pub use self::{
     dither::encode_srgb_dithered,
     exposure::{CompiledExposure, Exposure},
-    fit::{clip, keep_hue},
+    fit::{clip, compress_keep_hue},
     rgb565::Rgb565,
     srgb::{decode_srgb, encode_srgb},
 };

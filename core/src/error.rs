@@ -37,7 +37,7 @@ pub enum Parameter {
     /// The full angle up to which the intensity is that of the axis: the hotspot.
     InnerAngle,
     /// The full angle of a delimiter, from which on there is no light.
-    DelimiterAngle,
+    CutoffAngle,
     /// How far a projection is turned about its axis, in degrees.
     Roll,
     /// How many transmissions a side of a gobo has, or texels one of a shadow map.
@@ -151,7 +151,7 @@ impl fmt::Display for Parameter {
             Self::FieldAngle => "field angle",
             Self::OuterAngle => "outer angle",
             Self::InnerAngle => "inner angle",
-            Self::DelimiterAngle => "delimiter angle",
+            Self::CutoffAngle => "delimiter angle",
             Self::Roll => "roll",
             Self::Side => "side",
             Self::EdgeSlope => "edge slope",

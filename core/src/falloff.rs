@@ -17,12 +17,13 @@
 //! | [`IntegerPower`], [`InvertedIntegerPower`] | the same, `N` at run time | as [`Power`] | [imports](crate::import) |
 //! | [`MixedPower`], [`InvertedMixedPower`] | a mixture of two of these | 2 more | curves between the powers |
 //! | [`RealPower`], [`InvertedRealPower`] | `t^p`, `1 - u^p`, `p` any real number | 11, and two tables | imports |
-//! | [`Table`] | samples, evenly spaced or [`Knot`](crate::falloff::Knot)s | 2, or 1 and a search | goniometric data |
+//! | [`Table`] | samples, evenly spaced or [`Knot`]s | 2, or 1 and a search | goniometric data |
 //! | [`SoftOrHard`], [`FittedFalloff`], [`AnyFalloff`] | one of the above | as it, and a branch | the choice at run time |
 
 mod any;
 mod choice;
 mod cubic;
+mod curve;
 pub(crate) mod exponent;
 pub(crate) mod fit;
 mod formula;
@@ -35,9 +36,13 @@ mod real;
 mod step;
 mod table;
 
-use crate::number::{Fraction, Scalar};
+use crate::number::Scalar;
 
 pub(crate) use self::any::{CompiledAnyFalloff, with_profile};
+#[cfg(feature = "arithmetic")]
+pub use self::curve::Curve;
+#[cfg(not(feature = "arithmetic"))]
+pub(crate) use self::curve::Curve;
 pub use self::{
     any::AnyFalloff,
     choice::{CompiledFittedFalloff, FittedFalloff, SoftOrHard},
@@ -82,12 +87,6 @@ pub trait Falloff: Copy + core::fmt::Debug {
 
     /// The integral of the intensity over `u` from 0 to `u`, which is in [0, 1]: what flux is made of.
     fn integral(self, u: f32) -> f32;
-}
-
-/// A [`Falloff`] in the format `S`: what is evaluated per point.
-pub trait Curve<S: Scalar>: Copy + PartialEq + core::fmt::Debug {
-    /// The intensity at `t`, in [0, 1].
-    fn intensity<F: Fraction<S>>(self, t: F) -> F::Value;
 }
 
 /// Implements the compilation of a profile without coefficients: it is its own curve.

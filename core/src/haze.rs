@@ -63,8 +63,8 @@ use crate::{
 ///
 /// // From the side, through the beam and past it.
 /// let eye = Vec3::new(0.0, 2.0, 6.0);
-/// assert!(beam.air_light(&ViewRay::between(eye, Vec3::new(0.0, 2.0, -1.0))) > 0.0);
-/// assert_eq!(beam.air_light(&ViewRay::between(eye, Vec3::new(2.0, 2.0, -1.0))), 0.0);
+/// assert!(beam.in_scattering(&ViewRay::between(eye, Vec3::new(0.0, 2.0, -1.0))) > 0.0);
+/// assert_eq!(beam.in_scattering(&ViewRay::between(eye, Vec3::new(2.0, 2.0, -1.0))), 0.0);
 /// # Ok::<(), luminaire::Error>(())
 /// ```
 #[derive(Clone, Copy, PartialEq, Debug)]

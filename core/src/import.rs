@@ -23,7 +23,7 @@
 //! | [`Godot`] | half, degrees | `1 - u^(1/p)` | `1 / d^k` in a squared window |
 //! | [`Penumbra`] | as an [`Angle`] | `t` or smoothstep around a hotspot | `1 / d^2` |
 //!
-//! `t` and `u = 1 - t` are those of the [profiles](crate::Profile): the cosine on the way from the
+//! `t` and `u = 1 - t` are those of the [profiles](crate::falloff::Falloff): the cosine on the way from the
 //! outer to the inner angle.
 //!
 //! # What is exact, and what is not
@@ -58,7 +58,7 @@
 //!
 //! A light that is imported may have any profile and any distance model, so that both are chosen at
 //! run time ([`AnyFalloff`], [`AnyAttenuation`]) and cost a branch per point. A renderer that minds makes a
-//! [`AnyLight`](crate::Lamp) of it, which branches once per light.
+//! [`AnyLight`](crate::dynamic::AnyLight) of it, which branches once per light.
 
 mod direct3d;
 mod fall;

@@ -9,27 +9,27 @@
 //! Soft and Hard Edged Spotlights*, WSCG 2004 Short Communications, pages 95 to 100.
 //!
 //! ```
-//! use luminaire::{Angle, Cone, Fx16, Scalar, SpotLight, Vec3, falloff::Soft};
+//! use luminaire::{Angle, Cone, Fx16, SpotLight};
 //!
 //! // A Fresnel with a field angle of 15 degrees, four metres above the origin, pointing down.
-//! let cone = Cone::from_field(Soft, Angle::degrees(15.0))?;
-//! let spot = SpotLight::new(Vec3::new(0.0, 4.0, 0.0), Vec3::new(0.0, -1.0, 0.0), cone)?.with_intensity(16.0)?;
+//! let cone = Cone::soft(Angle::degrees(15.0))?;
+//! let spot = SpotLight::new([0.0, 4.0, 0.0], [0.0, -1.0, 0.0], cone)?.with_intensity(16.0)?;
 //!
-//! // Angles enter, coefficients leave: from here on there is no trigonometry, no division and, in fixed point, no float.
-//! let lit = spot.compile::<Fx16>()?;
+//! // Angles enter, coefficients leave: from here on there is no trigonometry, no division and, in
+//! // fixed point, no float. The type of the normal picks the number format.
+//! let lit = spot.compile()?;
 //!
 //! // A point on the floor where the beam angle meets it, 34 cm from the middle, facing up.
-//! let point = Vec3::new(0.343, 0.0, 0.0).map(Fx16::length);
-//! let up = Vec3::new(Fx16::ZERO, Fx16::ONE, Fx16::ZERO);
-//! let light = Fx16::light_to_f32(lit.irradiance(point, up));
-//! assert!((light - 0.5).abs() < 0.01);
+//! const POINT: luminaire::Vec3<luminaire::Length> = Fx16::point([0.343, 0.0, 0.0]);
+//! let light = lit.irradiance(POINT, Fx16::normal([0.0, 1.0, 0.0]));
+//! assert!((light.to_f32() - 0.5).abs() < 0.01);
 //! # Ok::<(), luminaire::Error>(())
 //! ```
 //!
 //! # The way of the data
 //!
 //! [`Angle`] → [`Cone`] (designed from its outer, beam or field angle, or from the last two) → [`SpotLight`] (placed,
-//! coloured, validated) → [`CompiledSpotLight`] (constants of one number format) → irradiance at a point. Construction
+//! coloured, validated) → [`CompiledSpotLight`](light::CompiledSpotLight) (constants of one number format) → irradiance at a point. Construction
 //! validates and returns an [`Error`] that names the parameter; evaluation is defined for every bit pattern and
 //! never fails.
 //!
@@ -52,7 +52,7 @@
 //! Where a component of the way from a light to a point is more than 32,768 units, `Fx32` has lost a bit of it, and its
 //! narrowest cones are twice as wide. Intensities are those of cones with half angles from 3°, at any distance (searched, with
 //! light clipped at full scale); a narrower cone has fewer of them in proportion. For brighter lights divide the intensity, and
-//! give it back by an [`Exposure`]; or stay as far away as a light of full scale does.
+//! give it back by an [`Exposure`](display::Exposure); or stay as far away as a light of full scale does.
 //!
 //! # Half or full angle
 //!
@@ -119,11 +119,15 @@ mod vec3;
 pub use angle::{Angle, HalfAngle};
 pub use color::Rgb;
 pub use cone::Cone;
+#[doc(inline)]
 pub use error::Error;
+#[doc(inline)]
 pub use light::{AmbientLight, DirectionalLight, PointLight, SpotLight};
 pub use material::Material;
+#[doc(inline)]
 pub use number::Scalar;
 #[cfg(feature = "fixed")]
+#[doc(inline)]
 pub use number::{Fx16, Fx32, Length};
 pub use vec3::Vec3;
 

@@ -59,7 +59,7 @@ impl<H: SpecularLobe> Material<H> {
     ///
     /// # Errors
     /// A channel outside [0, 1]; a shininess over 1024, or under the least of its kind, which is 1 but for
-    /// [`DifferenceForm`](crate::Lyon).
+    /// [`DifferenceForm`](crate::specular::DifferenceForm).
     pub fn with_highlight<K: SpecularLobe>(
         &self,
         highlight: K,
@@ -154,7 +154,7 @@ impl<S: Scalar, H: SpecularLobe> CompiledMaterial<S, H> {
     }
 
     /// What the surface shows without any lamp: `emissive + ambient Ia`, with `Ia` from
-    /// [`AmbientLight::compile`](crate::Ambient::compile).
+    /// [`AmbientLight::compile`](crate::AmbientLight::compile).
     #[inline(always)]
     pub fn glow(&self, ambient: Rgb<S::Irradiance>) -> Rgb<S::Irradiance> {
         self.emissive.plus::<S>(ambient.filtered::<S>(self.ambient))
@@ -185,7 +185,7 @@ impl<S: Scalar, H: SpecularLobe> CompiledMaterial<S, H> {
         light: &L,
         skips: bool,
     ) -> Rgb<S::Irradiance> {
-        let arrived = light.arrive::<H>(surface, &self.highlight, skips);
+        let arrived = light.evaluate::<H>(surface, &self.highlight, skips);
         let diffuse = Rgb::lit::<S>(arrived.diffuse, light.color()).filtered::<S>(self.diffuse);
         if !H::SHINES {
             return diffuse;

@@ -24,9 +24,9 @@ use crate::{
 /// let cone = Cone::from_field(Hard, Angle::degrees(15.0))?;
 /// let spot = Fixture::from(SpotLight::new(Vec3::new(0.0, 4.0, 0.0), Vec3::new(0.0, -1.0, 0.0), cone)?);
 /// let clay = Material::new(Rgb::new(0.8, 0.4, 0.2))?;
-/// let plan = RenderPlan::new().with_luminaire(&spot).with_material(&clay);
+/// let plan = RenderPlan::new().with_fixture(&spot).with_material(&clay);
 /// assert_eq!(plan.effects().to_string(), "diffuse, spot, hard, inverse-square");
-/// assert!(!plan.calls_for(Effect::Specular) && RenderPlan::everything().calls_for(Effect::Specular));
+/// assert!(!plan.requires(Effect::Specular) && RenderPlan::everything().requires(Effect::Specular));
 /// # Ok::<(), luminaire::Error>(())
 /// ```
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
@@ -61,8 +61,8 @@ impl RenderPlan {
 
     /// The plan with a luminaire, unless it is dark.
     #[must_use]
-    pub fn with_luminaire(self, luminaire: &Fixture) -> Self {
-        Self { effects: self.effects.and(luminaire.effects()), ..self }
+    pub fn with_fixture(self, luminaire: &Fixture) -> Self {
+        Self { effects: self.effects.union(luminaire.effects()), ..self }
     }
 
     /// The plan with a material.
@@ -78,7 +78,7 @@ impl RenderPlan {
     }
 
     /// Whether an effect is called for.
-    pub const fn calls_for(&self, effect: Effect) -> bool {
+    pub const fn requires(&self, effect: Effect) -> bool {
         self.effects.has(effect)
     }
 

@@ -56,7 +56,7 @@ pub trait LightModel<S: Scalar>: Copy + core::fmt::Debug {
     fn specular_color(&self) -> Rgb<S>;
     /// What arrives at a surface whose highlight is of the kind `H`. With `skips`, points where nothing can arrive are
     /// left before the root is paid for, with the same bits.
-    fn arrive<H: SpecularLobe>(
+    fn evaluate<H: SpecularLobe>(
         &self,
         surface: &SurfacePoint<S>,
         highlight: &H::Constants<S>,

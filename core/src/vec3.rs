@@ -32,6 +32,18 @@ impl<T> Vec3<T> {
     }
 }
 
+impl<T> From<[T; 3]> for Vec3<T> {
+    fn from([x, y, z]: [T; 3]) -> Self {
+        Self { x, y, z }
+    }
+}
+
+impl<T> From<Vec3<T>> for [T; 3] {
+    fn from(Vec3 { x, y, z }: Vec3<T>) -> Self {
+        [x, y, z]
+    }
+}
+
 impl Vec3<f32> {
     /// The inner product, summed from left to right: the order is part of the result's bits.
     #[inline(always)]

@@ -48,7 +48,7 @@ fn constants<S: SourceScalar>() -> Outcome {
     spot::<S, _, _>("rim", InvertedPower::<4>, NoAttenuation)?;
     let cone = Cone::from_field(Soft, FIELD)?;
     spot_of::<S, _, _>("hotspot", cone.with_inner(Angle::degrees(12.0))?, NoAttenuation)?;
-    spot_of::<S, _, _>("delimiter", cone.with_delimiter(FIELD)?, NoAttenuation)?;
+    spot_of::<S, _, _>("delimiter", cone.with_cutoff(FIELD)?, NoAttenuation)?;
     spot::<S, _, _>("inverse_square", Soft, InverseSquare)?;
     spot::<S, _, _>("polynomial", Soft, Polynomial::new(1.0, 0.2, 0.03)?)?;
     spot::<S, _, _>("smooth_range", Soft, SmoothRange::new(9.0)?)?;

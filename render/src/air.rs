@@ -52,11 +52,11 @@ impl Hazy {
     pub(crate) fn add<S: Scalar>(&self, rays: &ViewRays<LANES>, way: &Way<'_, S>, radiance: &mut Radiance) {
         let mut air = [0.0; LANES];
         if way.is_clear() {
-            self.beam.air_light_each(rays, &mut air);
+            self.beam.in_scattering_each(rays, &mut air);
         } else {
             let mut places = Places::default();
             let mut filter = |points: &Vec3<_>, lights: &mut _| way.leave(points, lights, &mut places);
-            self.beam.air_light_through_each(rays, &mut filter, &mut air);
+            self.beam.in_scattering_through_each(rays, &mut filter, &mut air);
         }
         let Rgb { red, green, blue } = radiance;
         for (sum, color) in [(red, self.color.red), (green, self.color.green), (blue, self.color.blue)] {

@@ -191,7 +191,7 @@ impl Setup {
         if self.display.is_dithered() {
             plan = plan.with(Effect::Dither);
         }
-        Ok(luminaires.iter().fold(plan, |plan, luminaire| plan.with_luminaire(luminaire)).effects())
+        Ok(luminaires.iter().fold(plan, |plan, luminaire| plan.with_fixture(luminaire)).effects())
     }
 
     /// The camera after so many seconds, for who wants it to move: in most scenes it stands still.

@@ -116,7 +116,7 @@ impl<S: Scalar> Setting<'_, S> {
     fn light_matte(&self, block: &Block<S>, lamps: &[&Prepared<S>], work: &mut Workspace<S>) -> usize {
         let Workspace { views, arrivals, filter, sums, .. } = work;
         for lamp in lamps {
-            self.arrive::<NoSpecular>(&lamp.lamp, &surfaces(block, views), &(), arrivals);
+            self.evaluate::<NoSpecular>(&lamp.lamp, &surfaces(block, views), &(), arrivals);
             let Incident { diffuse, specular } = arrivals;
             if lamp.is_filtered() {
                 specular.fill(S::Irradiance::default());
@@ -184,7 +184,7 @@ impl<S: Scalar> Setting<'_, S> {
                 self.look(block, views);
                 fill::<S>(&mut sums.specular, Rgb::new(dark, dark, dark));
             }
-            self.arrive::<Highlight>(&lamp.lamp, &surfaces(block, views), &finish.highlight, arrivals);
+            self.evaluate::<Highlight>(&lamp.lamp, &surfaces(block, views), &finish.highlight, arrivals);
             if !block.is_uniform {
                 if !shines {
                     lobes.fill(dark);
@@ -194,7 +194,7 @@ impl<S: Scalar> Setting<'_, S> {
             shines = true;
         }
         if !shines {
-            self.arrive::<NoSpecular>(&lamp.lamp, &surfaces(block, views), &(), arrivals);
+            self.evaluate::<NoSpecular>(&lamp.lamp, &surfaces(block, views), &(), arrivals);
         }
         shines
     }
@@ -239,7 +239,7 @@ impl<S: Scalar> Setting<'_, S> {
 
     /// What arrives of a lamp: by the loop that is made for it, or by none where nothing is left out.
     #[inline(always)]
-    fn arrive<H: SpecularLobe>(
+    fn evaluate<H: SpecularLobe>(
         &self,
         lamp: &CompiledAnyLight<S>,
         surfaces: &SurfacePoints<'_, S, LANES>,
@@ -247,10 +247,10 @@ impl<S: Scalar> Setting<'_, S> {
         arrivals: &mut Incident<Lights<S>>,
     ) {
         if self.plan.skips() {
-            return lamp.arrive_each::<H, LANES>(surfaces, highlight, arrivals);
+            return lamp.evaluate_each::<H, LANES>(surfaces, highlight, arrivals);
         }
         for lane in 0..LANES {
-            let arrival = lamp.arrive::<H>(&surfaces.at(lane), highlight, false);
+            let arrival = lamp.evaluate::<H>(&surfaces.at(lane), highlight, false);
             arrivals.diffuse[lane] = arrival.diffuse;
             arrivals.specular[lane] = arrival.specular;
         }

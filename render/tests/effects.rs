@@ -158,7 +158,7 @@ fn haze_is_added() -> Result<(), Error> {
         let Some((point, ..)) = hazy.surface(x, y) else { continue };
         let ray = ViewRay::between(eye, point);
         let air = beams.iter().zip(&spots).map(|(beam, spot)| {
-            beam.as_ref().map(|beam| beam.air_light(&ray) * spot.color().green).expect("held")
+            beam.as_ref().map(|beam| beam.in_scattering(&ray) * spot.color().green).expect("held")
         });
         let [before, after] = [&clear, &hazy].map(|picture| picture.linear(x, y).expect("inside").green);
         let expected: f32 = air.sum();

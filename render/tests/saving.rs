@@ -168,7 +168,7 @@ fn shining_pairs(setup: &Setup, renderer: &Renderer<f32>) -> u64 {
         let highlight = Highlight::constants::<f32>(material.shininess());
         lamps
             .iter()
-            .filter(|lamp| lamp.arrive::<Highlight>(&surface, &highlight, true).specular > 0.0)
+            .filter(|lamp| lamp.evaluate::<Highlight>(&surface, &highlight, true).specular > 0.0)
             .count()
     };
     points.map(|surface| shines(surface) as u64).sum()

@@ -4,7 +4,7 @@ use super::format::Format;
 use super::words::Words;
 use luminaire::{
     Rgb,
-    display::{Exposure, Rgb565, clip, encode_srgb, encode_srgb_dithered, keep_hue},
+    display::{Exposure, Rgb565, clip, compress_keep_hue, encode_srgb, encode_srgb_dithered},
 };
 
 /// Of two scalars of any bits the larger has no smaller code.
@@ -37,7 +37,7 @@ pub fn fitting_keeps_what_fits<S: Format>(words: &[u32]) {
     let light = Rgb::new(red, green, blue);
     let exposure = Exposure::factor(1.0).expect("one is accepted").compile::<S>();
     assert_eq!(exposure.expose(light), light);
-    let (clipped, kept) = (clip::<S>(light), keep_hue::<S>(light));
+    let (clipped, kept) = (clip::<S>(light), compress_keep_hue::<S>(light));
     let all = |color: Rgb<S>| [color.red, color.green, color.blue].map(S::exact);
     let lights = [red, green, blue].map(S::exact_light);
     let brightest = lights.into_iter().fold(0.0, f64::max);

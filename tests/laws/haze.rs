@@ -49,7 +49,7 @@ fn assert_not_met<P: Falloff, A: Attenuation>(words: &mut Words<'_>, spot: SpotL
     let length = words.number(0.0, 2.0 * distance);
     let view = ViewRay { eye, direction, length };
     if !beam.can_meet(&RayBundle { eye, direction, versine: 0.0, length }) {
-        let lights = [beam.air_light(&view), beam.air_light_through(&view, 4, |_| 1.0)];
+        let lights = [beam.in_scattering(&view), beam.in_scattering_through(&view, 4, |_| 1.0)];
         assert_eq!(lights, [0.0; 2], "{spot:?} {haze:?} along {view:?}");
     }
     Some(())

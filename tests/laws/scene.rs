@@ -180,7 +180,7 @@ pub fn cone<P: Falloff>(words: &mut Words<'_>, profile: P) -> Option<Cone<P>> {
         cone = cone.with_inner(Angle::degrees(words.number(0.0, outer))).ok()?;
     }
     if words.choice(4) == 0 {
-        cone = cone.with_delimiter(Angle::degrees(words.number(0.0, outer))).ok()?;
+        cone = cone.with_cutoff(Angle::degrees(words.number(0.0, outer))).ok()?;
     }
     Some(cone)
 }

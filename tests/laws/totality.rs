@@ -6,7 +6,7 @@ use super::scene::{self, with_any_distance, with_any_highlight, with_any_profile
 use super::words::Words;
 use luminaire::{
     AmbientLight, Cone, DirectionalLight, Material, PointLight, Rgb,
-    display::{Exposure, Rgb565, clip, encode_srgb, keep_hue},
+    display::{Exposure, Rgb565, clip, compress_keep_hue, encode_srgb},
     falloff::{Falloff, Soft},
     light::{LightModel, SurfacePoint},
     specular::SpecularLobe,
@@ -109,7 +109,7 @@ fn assert_shown<S: Format>(words: &mut Words<'_>, light: Rgb<S::Irradiance>) {
     let Ok(exposure) = Exposure::factor(words.number(0.0, 4.0)) else { return };
     let exposed = exposure.compile::<S>().expose(light);
     exposed.map(assert_sound::<S>);
-    for fitted in [clip::<S>(exposed), keep_hue::<S>(exposed)] {
+    for fitted in [clip::<S>(exposed), compress_keep_hue::<S>(exposed)] {
         fitted.map(|channel| assert_within_one(channel, "channel"));
         let codes = fitted.map(encode_srgb);
         let Rgb { red, green, blue } = Rgb565::from_linear(fitted).to_codes();

@@ -35,7 +35,7 @@ impl Angles {
     fn cone(self, profile: AnyFalloff) -> Option<Cone<AnyFalloff>> {
         let half = HalfAngle::degrees;
         let cone = Cone::from_outer(profile, half(self.outer)).ok()?.with_inner(half(self.inner)).ok()?;
-        if self.limit < self.outer { cone.with_delimiter(half(self.limit)).ok() } else { Some(cone) }
+        if self.limit < self.outer { cone.with_cutoff(half(self.limit)).ok() } else { Some(cone) }
     }
 
     fn is_accepted<S: Format>(self, profile: AnyFalloff) -> bool {

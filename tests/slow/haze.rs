@@ -14,10 +14,10 @@ use luminaire::{
 };
 use support::with_every_shape;
 use support::{
-    air_light::Beam,
     bounds,
     format::Format,
     haze::{self, HALF_ANGLES, Row},
+    in_scattering::Beam,
     profiles::Shape,
     reference::{self, Vector, dot, minus, unit},
     sweep,
@@ -74,7 +74,7 @@ fn error<P: Falloff, A: Attenuation>(
     if (0.9..1.1).contains(&(height / pair.oracle.lamp_radius)) {
         return 0.0;
     }
-    let truth = pair.oracle.air_light_through(&ray, transmission);
+    let truth = pair.oracle.in_scattering_through(&ray, transmission);
     let across = pair.across * nearest * (pair.oracle.attenuation)(nearest);
     // Where there is no light there is no error either.
     let error = (f64::from(found) - truth).abs() / truth.max(across);
@@ -121,7 +121,7 @@ fn cones_broken<S: Format, P: Falloff>(shape: &Shape<P>) -> Vec<String> {
             |rng| shaped(rng, shape, half),
             |rng, pair| {
                 let view = view(rng, &pair.oracle);
-                error(pair, &view, pair.kernel.air_light(&view), |_| 1.0)
+                error(pair, &view, pair.kernel.in_scattering(&view), |_| 1.0)
             },
         )
     });
@@ -153,7 +153,7 @@ fn distance_broken<A: Attenuation>(
             |rng, pair| {
                 let view = view(rng, &pair.oracle);
                 let view = ViewRay { length: view.length.min(30.0), ..view };
-                error(pair, &view, pair.kernel.air_light(&view), |_| 1.0)
+                error(pair, &view, pair.kernel.in_scattering(&view), |_| 1.0)
             },
         )
     });
@@ -200,7 +200,7 @@ fn samples_keep_their_rows() {
                     let view = view(rng, &pair.oracle);
                     let view = ViewRay { length: view.length.min(20.0), ..view };
                     let found =
-                        pair.kernel.air_light_through(&view, samples, |point| waves(exact(point)) as f32);
+                        pair.kernel.in_scattering_through(&view, samples, |point| waves(exact(point)) as f32);
                     error(pair, &view, found, waves)
                 },
             )
@@ -228,7 +228,7 @@ fn rays_at_the_lamp_keep_their_row() {
                 let view = ViewRay::endless(eye, sweep::single(unit(way)));
                 let (_, height) = distances(&pair.oracle, &exactly(&view));
                 let magnified = 1.0 + dot(way, way).sqrt() / height;
-                error(pair, &view, pair.kernel.air_light(&view), |_| 1.0) / magnified
+                error(pair, &view, pair.kernel.in_scattering(&view), |_| 1.0) / magnified
             },
         )
     });

@@ -23,11 +23,11 @@ use std::{
     time::Instant,
 };
 use support::{
-    air_light::Beam,
     bounds,
     critical::Frame,
     every::is_full,
     haze::{CRITICAL, HALF_ANGLES},
+    in_scattering::Beam,
     reference::{self, dot, minus, unit},
     sweep,
     views::{distances, exact, exactly},
@@ -39,7 +39,7 @@ const RAYS: usize = 32;
 /// Eyes that look at one beam.
 const EYES: usize = 32;
 
-/// Places of a ray at which the filter of `air_light_through` is called.
+/// Places of a ray at which the filter of `in_scattering_through` is called.
 const PLACES: usize = 4;
 
 /// Works on numbered items on all processors, with random numbers that depend on the item alone.
@@ -95,18 +95,18 @@ fn lit<P: Falloff + Into<AnyFalloff>, A: Attenuation + Into<AnyAttenuation>>(
     for _ in 0..EYES {
         let rays: ViewRays<RAYS> = frame.rays(rng);
         let [mut each, mut through_each] = [[f32::NAN; RAYS]; 2];
-        any.air_light_each(&rays, &mut each);
+        any.in_scattering_each(&rays, &mut each);
         let mut clear = |_: &Vec3<[f32; PLACES]>, _: &mut [f32; PLACES]| ();
-        any.air_light_through_each(&rays, &mut clear, &mut through_each);
+        any.in_scattering_through_each(&rays, &mut clear, &mut through_each);
         for i in 0..RAYS {
             let ray = rays.at(i);
             let forms = [
                 each[i],
                 through_each[i],
-                any.air_light(&ray),
-                typed.air_light(&ray),
-                any.air_light_through(&ray, PLACES as u32, |_| 1.0),
-                typed.air_light_through(&ray, PLACES as u32, |_| 1.0),
+                any.in_scattering(&ray),
+                typed.in_scattering(&ray),
+                any.in_scattering_through(&ray, PLACES as u32, |_| 1.0),
+                typed.in_scattering_through(&ray, PLACES as u32, |_| 1.0),
             ];
             if forms != [0.0; 6] {
                 let ViewRay { eye, direction, length } = ray;
@@ -194,8 +194,8 @@ fn largest<A: Attenuation + Sync>(
             let along = dot(ray.direction, oracle.spot.axis);
             let sine = (1.0 - along * along).max(0.0).sqrt().max(angle.sin());
             let seen = across * nearest * (oracle.attenuation)(nearest) / sine;
-            let truth = oracle.air_light(&ray);
-            let error = (f64::from(beam.air_light(&view)) - truth).abs() / truth.max(seen);
+            let truth = oracle.in_scattering(&ray);
+            let error = (f64::from(beam.in_scattering(&view)) - truth).abs() / truth.max(seen);
             // Where there is no light there is no error either.
             if error.is_nan() { 0.0 } else { error / (1.0 + distance / height.max(body)) }
         });

@@ -9,7 +9,7 @@ use luminaire::{
     attenuation::{
         Attenuation, CutAt, FilamentRange, GltfRange, InverseSquare, NoAttenuation, Polynomial, SmoothRange,
     },
-    display::{CompiledExposure, keep_hue},
+    display::{CompiledExposure, compress_keep_hue},
     falloff::{Cubic, Falloff, Hard, Power, Quadratic, Soft},
     light::{
         CompiledCone, CompiledDirectionalLight, CompiledMaterial, CompiledPointLight, CompiledSpotLight,
@@ -98,7 +98,7 @@ fn assert_shades<S: Raw, L: LightModel<S>, H: SpecularLobe>(
     let ambient = Rgb::default().map(|_: ()| S::any_light(rng));
     let sum = material.glow(ambient).plus::<S>(material.reflect(surface, light));
     let exposed = CompiledExposure::<S>::from_parts(S::any_gain(rng)).expose(sum);
-    for channel in [keep_hue::<S>(exposed).red, S::clip(exposed.green)] {
+    for channel in [compress_keep_hue::<S>(exposed).red, S::clip(exposed.green)] {
         assert!((0.0..=1.0).contains(&channel.exact()), "{material:?} {light:?} {surface:?}: {channel:?}");
     }
 }

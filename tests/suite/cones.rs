@@ -72,7 +72,7 @@ fn soft_has_a_third_of_the_flux_and_hard_two() {
 #[test]
 fn a_delimiter_changes_nothing_within() {
     let cone = Cone::from_field(Soft, Angle::degrees(30.0)).expect("sound");
-    let cut = cone.with_delimiter(Angle::degrees(12.0)).expect("tighter");
+    let cut = cone.with_cutoff(Angle::degrees(12.0)).expect("tighter");
     assert_delimited::<f32>(&cone, &cut);
     assert_delimited::<Fx32>(&cone, &cut);
     assert_delimited::<Fx16>(&cone, &cut);
@@ -123,12 +123,12 @@ fn hotspots_and_delimiters_out_of_range_are_refused() {
         assert_refused(refused, Parameter::InnerAngle, "give from 0 to ");
     }
     for delimiter in [0.0, -1.0, 30.1, 400.0, f32::NAN] {
-        let refused = cone.with_delimiter(Angle::degrees(delimiter));
-        assert_refused(refused, Parameter::DelimiterAngle, "give more than 0 and at most ");
+        let refused = cone.with_cutoff(Angle::degrees(delimiter));
+        assert_refused(refused, Parameter::CutoffAngle, "give more than 0 and at most ");
     }
     for cutoff in [0.0, 91.0, f32::NAN] {
         let refused = Cone::<Power<8>>::opengl(HalfAngle::degrees(cutoff));
-        assert_refused(refused, Parameter::DelimiterAngle, "at most 180 degrees");
+        assert_refused(refused, Parameter::CutoffAngle, "at most 180 degrees");
     }
 }
 
@@ -143,8 +143,8 @@ fn a_hotspot_too_steep_for_its_format_is_refused() {
     let with = |inner: f32| cone.with_inner(Angle::degrees(inner)).expect("sound").compile::<Fx16>();
     assert!(with(most * 0.999_99).is_ok() && with(most * 1.000_1).is_err(), "{most}");
     assert!(steep.compile::<Fx32>().is_ok());
-    let needle = cone.with_delimiter(Angle::degrees(0.1)).expect("sound");
-    assert_refused(needle.compile::<Fx16>().map(drop), Parameter::DelimiterAngle, "give at least ");
+    let needle = cone.with_cutoff(Angle::degrees(0.1)).expect("sound");
+    assert_refused(needle.compile::<Fx16>().map(drop), Parameter::CutoffAngle, "give at least ");
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 use luminaire::{
     Fx16, Fx32, Rgb,
-    display::{Exposure, Rgb565, clip, decode_srgb, encode_srgb, keep_hue},
+    display::{Exposure, Rgb565, clip, compress_keep_hue, decode_srgb, encode_srgb},
 };
 use support::{format::Format, reference};
 
@@ -156,7 +156,7 @@ fn assert_fits<S: Format>(steps: f64) {
     for _ in 0..100_000 {
         let brightness = 64.0_f32.powf(rng.f32() * 2.0 - 1.0);
         let light = Rgb::new((), (), ()).map(|()| S::from_f32(rng.f32()).expose(S::gain(brightness)));
-        let (clipped, kept) = (clip::<S>(light), keep_hue::<S>(light));
+        let (clipped, kept) = (clip::<S>(light), compress_keep_hue::<S>(light));
         let exact = light.map(S::exact_light);
         let most = exact.red.max(exact.green).max(exact.blue).max(1.0);
         for (channel, clipped, kept) in [

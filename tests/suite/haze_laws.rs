@@ -10,10 +10,10 @@ use luminaire::{
     light::CompiledCone,
 };
 use support::{
-    air_light::Beam,
     arbitrary::bits,
     bounds,
     haze::LAWS,
+    in_scattering::Beam,
     reference::{self, Vector, dot, minus, unit},
     sweep,
     views::{distances, exact, exactly, near_beam, place, view},
@@ -68,17 +68,17 @@ fn on_many(mut law: impl FnMut(&mut Rng, &SpotLight<Soft>, &ViewRay) -> bool) {
 #[test]
 fn clear_air_gives_exactly_no_light() {
     on_many(|_, spot, view| {
-        assert_eq!(in_haze(spot, 0.0).air_light(view), 0.0);
-        assert_eq!(in_haze(spot, 0.0).air_light_through(view, 8, |_| 1.0), 0.0);
-        in_haze(spot, 1.0).air_light(view) > 0.0
+        assert_eq!(in_haze(spot, 0.0).in_scattering(view), 0.0);
+        assert_eq!(in_haze(spot, 0.0).in_scattering_through(view, 8, |_| 1.0), 0.0);
+        in_haze(spot, 1.0).in_scattering(view) > 0.0
     });
 }
 
 #[test]
 fn twice_the_density_is_exactly_twice_the_light() {
     on_many(|_, spot, view| {
-        let light = in_haze(spot, 0.125).air_light(view);
-        assert_eq!(in_haze(spot, 0.25).air_light(view), 2.0 * light);
+        let light = in_haze(spot, 0.125).in_scattering(view);
+        assert_eq!(in_haze(spot, 0.25).in_scattering(view), 2.0 * light);
         light > 0.0
     });
 }
@@ -102,7 +102,7 @@ fn a_longer_ray_sees_no_less() {
     on_many(|rng, spot, view| {
         let beam = in_haze(spot, 1.0);
         let longer = ViewRay { length: view.length * (1.0 + 0.01 * rng.f32()), ..*view };
-        let [light, more] = [view, &longer].map(|view| f64::from(beam.air_light(view)));
+        let [light, more] = [view, &longer].map(|view| f64::from(beam.in_scattering(view)));
         worst = worst.max((light - more) / light.max(unit_of_light(spot, view)));
         light > 0.0
     });
@@ -118,7 +118,7 @@ fn parts_of_a_ray_add_up() {
         let first = length * rng.f32();
         let there = view.eye.zip(view.direction, |e, d| e + first * d);
         let parts = [(view.eye, length), (view.eye, first), (there, length - first)];
-        let light = |(eye, length)| f64::from(beam.air_light(&ViewRay { eye, length, ..*view }));
+        let light = |(eye, length)| f64::from(beam.in_scattering(&ViewRay { eye, length, ..*view }));
         let [whole, near, far] = parts.map(light);
         worst = worst.max((near + far - whole).abs() / whole.max(unit_of_light(spot, view)));
         whole > 0.0
@@ -144,8 +144,8 @@ fn a_turned_scene_looks_the_same() {
         let other =
             SpotLight::new(turn(spot.position()), turn(spot.axis()), spot.cone()).expect("a sound light");
         let across = ViewRay { eye: turn(view.eye), direction: turn(view.direction), length: view.length };
-        let light = f64::from(in_haze(spot, 1.0).air_light(view));
-        let same = f64::from(in_haze(&other, 1.0).air_light(&across));
+        let light = f64::from(in_haze(spot, 1.0).in_scattering(view));
+        let same = f64::from(in_haze(&other, 1.0).in_scattering(&across));
         worst = worst.max((light - same).abs() / light.max(unit_of_light(spot, view)));
         light > 0.0
     });
@@ -159,7 +159,7 @@ fn along_the_axis_there_is_light() {
     let down = Vec3::new(0.0, -1.0, 0.0);
     let beam = in_haze(&SpotLight::new(Vec3::new(1.0, 4.0, -2.0), down, cone).expect("a sound light"), 4.0);
     let light = |height: f32, direction, length| {
-        beam.air_light(&ViewRay { eye: Vec3::new(1.0, height, -2.0), direction, length })
+        beam.in_scattering(&ViewRay { eye: Vec3::new(1.0, height, -2.0), direction, length })
     };
     let up = Vec3::new(0.0, 1.0, 0.0);
     let assert_near = |light: f32, expected: f32| assert!((light / expected - 1.0).abs() < 1e-5, "{light}");
@@ -179,10 +179,10 @@ fn nothing_in_the_way_is_the_air_light() {
     let mut worst = 0.0_f64;
     on_many(|_, spot, view| {
         let beam = in_haze(spot, 1.0);
-        assert_eq!(beam.air_light_through(view, 0, |_| 1.0), 0.0);
-        assert_eq!(beam.air_light_through(view, 16, |_| 0.0), 0.0);
+        assert_eq!(beam.in_scattering_through(view, 0, |_| 1.0), 0.0);
+        assert_eq!(beam.in_scattering_through(view, 16, |_| 0.0), 0.0);
         let [light, sampled] =
-            [beam.air_light(view), beam.air_light_through(view, 256, |_| 1.0)].map(f64::from);
+            [beam.in_scattering(view), beam.in_scattering_through(view, 256, |_| 1.0)].map(f64::from);
         worst = worst.max((light - sampled).abs() / light.max(unit_of_light(spot, view)));
         light > 0.0
     });
@@ -196,7 +196,7 @@ fn samples_are_taken_on_the_ray() {
     on_many(|_, spot, view| {
         let ray = exactly(view);
         let off = std::cell::Cell::new(0.0_f64);
-        let light = in_haze(spot, 1.0).air_light_through(view, 8, |point| {
+        let light = in_haze(spot, 1.0).in_scattering_through(view, 8, |point| {
             let way = minus(exact(point), ray.eye);
             let along = dot(way, ray.direction);
             let beside = (dot(way, way) - along * along).max(0.0).sqrt();
@@ -244,7 +244,7 @@ fn assert_total<A: Attenuation>(rng: &mut Rng, constants: impl Fn(&mut Rng) -> A
     let beam = BeamScattering::<Soft, A>::from_parts(position, axis, falloff, constants, gain, cone, reach);
     let view = ViewRay { eye: place(rng), direction: place(rng), length: number(rng) };
     let through = number(rng);
-    for light in [beam.air_light(&view), beam.air_light_through(&view, 3, |_| through)] {
+    for light in [beam.in_scattering(&view), beam.in_scattering_through(&view, 3, |_| through)] {
         assert!((0.0..=f32::MAX).contains(&light), "{light} from {view:?} of {beam:?}");
     }
     let bundle =
@@ -293,7 +293,7 @@ fn assert_meets<A: Attenuation>(attenuation: A, least_rejected: f64) {
         let beam = in_haze(&spot.with_attenuation(attenuation), 1.0);
         let (bundle, rays) = bundle(&mut rng, &oracle(&spot));
         let can_meet = beam.can_meet(&bundle);
-        let is_lit = rays.iter().any(|ray| beam.air_light(ray) > 0.0);
+        let is_lit = rays.iter().any(|ray| beam.in_scattering(ray) > 0.0);
         assert!(can_meet || !is_lit, "{beam:?} lights a ray of {bundle:?}");
         dark += u32::from(!is_lit);
         rejected += u32::from(!can_meet);

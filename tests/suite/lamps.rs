@@ -129,15 +129,15 @@ fn assert_each<S: Format, H: SpecularLobe>(
     let stale = S::ONE.expose(S::gain(0.5));
     assert_eq!(columns.at(COUNT), SurfacePoint::matte(Vec3::default(), Vec3::default()), "beyond the last");
     let mut found = Incident { diffuse: [stale; COUNT], specular: [stale; COUNT] };
-    lamp.arrive_each::<H, COUNT>(&columns, &highlight, &mut found);
+    lamp.evaluate_each::<H, COUNT>(&columns, &highlight, &mut found);
     let mut lit = [0; 2];
     let bits = |light| S::exact_light(light).to_bits();
     for (i, surface) in surfaces.iter().enumerate() {
-        let expected = lamp.arrive::<H>(surface, &highlight, false);
+        let expected = lamp.evaluate::<H>(surface, &highlight, false);
         let specular = if H::SHINES { expected.specular } else { stale };
         assert_eq!(bits(found.diffuse[i]), bits(expected.diffuse), "{lamp:?} at {surface:?}");
         assert_eq!(bits(found.specular[i]), bits(specular), "{lamp:?} at {surface:?}");
-        assert_eq!(lamp.arrive::<H>(surface, &highlight, true), expected, "{lamp:?} at {surface:?}");
+        assert_eq!(lamp.evaluate::<H>(surface, &highlight, true), expected, "{lamp:?} at {surface:?}");
         lit[0] += usize::from(expected.diffuse > S::Irradiance::default());
         lit[1] += usize::from(expected.specular > S::Irradiance::default());
     }
@@ -203,13 +203,13 @@ fn beams_show_in_many_rays_as_in_each() {
         length[..8].fill(3.0);
         let rays = ViewRays { eye, direction: columns(|i| directions[i]), length };
         let (mut lights, mut striped) = ([f32::NAN; COUNT], [f32::NAN; COUNT]);
-        beam.air_light_each(&rays, &mut lights);
-        beam.air_light_through_each(&rays, &mut through_stripes, &mut striped);
+        beam.in_scattering_each(&rays, &mut lights);
+        beam.in_scattering_through_each(&rays, &mut through_stripes, &mut striped);
         for (i, light) in lights.into_iter().enumerate() {
             let ray = ViewRay { eye, direction: directions[i], length: length[i] };
             assert_eq!(rays.at(i), ray);
-            assert_eq!(light.to_bits(), beam.air_light(&ray).to_bits(), "{beam:?} along {ray:?}");
-            let through = beam.air_light_through(&ray, PLACES as u32, stripes);
+            assert_eq!(light.to_bits(), beam.in_scattering(&ray).to_bits(), "{beam:?} along {ray:?}");
+            let through = beam.in_scattering_through(&ray, PLACES as u32, stripes);
             assert_eq!(striped[i].to_bits(), through.to_bits(), "{beam:?} along {ray:?}");
             seen += usize::from(light > 0.0);
             count += 1;
@@ -327,7 +327,7 @@ fn a_lamp_calls_for_what_it_is() -> Result<(), Error> {
 
     let sun = AnyLight::from(DirectionalLight::new(down())?);
     assert_eq!(sun.effects().to_string(), "diffuse, directional");
-    let cone = spot(Linear)?.cone().with_inner(Angle::degrees(10.0))?.with_delimiter(Angle::degrees(30.0))?;
+    let cone = spot(Linear)?.cone().with_inner(Angle::degrees(10.0))?.with_cutoff(Angle::degrees(30.0))?;
     let cut = Fixture::from(spot(Linear)?.with_cone(cone)).with_shadow(64)?;
     assert_eq!(
         cut.effects().to_string(),
@@ -349,7 +349,7 @@ fn a_dark_lamp_is_dropped() -> Result<(), Error> {
             let luminaire = Fixture::from(*spot).with_shadow(16)?;
             assert_eq!(luminaire.lamp().is_dark(), is_dark);
             assert_eq!(luminaire.effects() == Effects::NONE, is_dark);
-            assert_eq!(RenderPlan::new().with_luminaire(&luminaire).effects(), luminaire.effects());
+            assert_eq!(RenderPlan::new().with_fixture(&luminaire).effects(), luminaire.effects());
             let prepare = |plan: RenderPlan| plan.prepare::<f32>(luminaire.lamp());
             assert_eq!(prepare(RenderPlan::new())?.is_none(), is_dark);
             assert!(prepare(RenderPlan::everything())?.is_some());
@@ -378,9 +378,9 @@ fn a_plan_calls_for_what_it_was_given() -> Result<(), Error> {
     assert_eq!(calls(RenderPlan::new().with_ambient(&AmbientLight::new(black)?)), "");
     assert_eq!(calls(RenderPlan::new().with_ambient(&AmbientLight::new(grey)?.with_intensity(0.0)?)), "");
     let plan = RenderPlan::new().with(Effect::Dither);
-    assert!(plan.skips() && plan.calls_for(Effect::Dither) && !plan.calls_for(Effect::Haze));
+    assert!(plan.skips() && plan.requires(Effect::Dither) && !plan.requires(Effect::Haze));
     let everything = RenderPlan::everything();
-    assert!(!everything.skips() && Effect::ALL.iter().all(|&effect| everything.calls_for(effect)));
+    assert!(!everything.skips() && Effect::ALL.iter().all(|&effect| everything.requires(effect)));
     Ok(())
 }
 
@@ -389,7 +389,7 @@ fn effects_are_a_set() {
     let mut sets = Effects::NONE;
     for &effect in Effect::ALL {
         assert!(!sets.has(effect), "{} is there already", effect.name());
-        sets = sets.and(Effects::NONE.with(effect));
+        sets = sets.union(Effects::NONE.with(effect));
         assert!(sets.has(effect));
     }
     assert_eq!(sets, Effects::ALL);
@@ -446,6 +446,6 @@ fn lamps_without_a_range_have_none() -> Result<(), Error> {
     assert_eq!(ranges[..3], [None; 3]);
     assert_eq!(ranges[3..], [Some(6.0); 8]);
     let cone = spot(Soft)?.cone();
-    assert!(!cone.has_hotspot() && !cone.is_delimited());
+    assert!(!cone.has_hotspot() && !cone.has_cutoff());
     Ok(())
 }

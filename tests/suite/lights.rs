@@ -6,7 +6,7 @@ use luminaire::{
     attenuation::{
         Attenuation, CutAt, FilamentRange, GltfRange, InverseSquare, NoAttenuation, Polynomial, SmoothRange,
     },
-    display::{clip, keep_hue},
+    display::{clip, compress_keep_hue},
     falloff::Soft,
     light::{LightModel, SurfacePoint},
     number::Gain,
@@ -40,7 +40,7 @@ fn assert_answer<S: Format, H: SpecularLobe>(
         let value = S::exact_light(channel);
         assert!(value >= 0.0 && value.is_finite(), "{material:?} {light:?} {surface:?}: {value}");
     }
-    for fitted in [clip::<S>(whole), keep_hue::<S>(whole)] {
+    for fitted in [clip::<S>(whole), compress_keep_hue::<S>(whole)] {
         for channel in [fitted.red, fitted.green, fitted.blue] {
             assert!((0.0..=1.0).contains(&channel.exact()), "{whole:?}: {channel:?}");
         }

@@ -289,7 +289,7 @@ fn angles_too_small_for_a_versine() {
     let tiny = Angle::degrees(1e-30);
     for refused in [
         Cone::from_outer(Soft, tiny).map(drop),
-        cone().with_delimiter(tiny).map(drop),
+        cone().with_cutoff(tiny).map(drop),
         Cone::from_beam_and_field(tiny, Angle::degrees(2e-30)).map(drop),
         Cone::edge_slopes(tiny, Angle::degrees(2e-30)).map(drop),
     ] {

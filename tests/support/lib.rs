@@ -1,7 +1,6 @@
 //! What the tests share: the f64 reference, the table of error bounds, the sweeps, the exact view of a format.
 #![allow(missing_docs, missing_debug_implementations, reason = "tests are read, not published")]
 
-pub mod air_light;
 pub mod arbitrary;
 pub mod beams;
 pub mod beams_picture;
@@ -14,6 +13,7 @@ pub mod format;
 pub mod gobos;
 pub mod haze;
 pub mod imports;
+pub mod in_scattering;
 pub mod limits;
 pub mod operations;
 pub mod originals;

@@ -115,7 +115,7 @@ fn hotspot<P: Falloff>(profile: P, half_degrees: f32) -> Cone<P> {
 
 fn delimited<P: Falloff>(profile: P, half_degrees: f32) -> Cone<P> {
     let cone = plain(profile, half_degrees);
-    cone.with_delimiter(sweep::half(half_degrees * DELIMITER)).expect("a sound delimiter")
+    cone.with_cutoff(sweep::half(half_degrees * DELIMITER)).expect("a sound delimiter")
 }
 
 fn exact_hotspot(profile: reference::Falloff, outer: f64) -> reference::Cone {

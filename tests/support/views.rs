@@ -1,8 +1,8 @@
 //! View rays that meet a beam, or nearly do.
 
 use super::{
-    air_light::{Beam, Ray},
     format::Format,
+    in_scattering::{Beam, Ray},
     reference::{self, Vector, dot, minus, unit},
     sweep,
 };

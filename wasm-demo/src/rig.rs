@@ -99,7 +99,7 @@ impl Rig {
 
     /// Which effects these luminaires and what stands there call for.
     pub(crate) fn plan(&self, luminaires: &[Fixture]) -> RenderPlan {
-        let plan = luminaires.iter().fold(self.scene.plan(), RenderPlan::with_luminaire);
+        let plan = luminaires.iter().fold(self.scene.plan(), RenderPlan::with_fixture);
         if self.has(Effect::Dither) { plan.with(Effect::Dither) } else { plan }
     }
 

@@ -225,7 +225,7 @@ impl Scenes {
         let plan = self.rig.plan(&self.luminaires()?);
         let state = |&effect: &Effect| EffectState {
             name: effect.name().to_owned(),
-            is_called_for: plan.calls_for(effect),
+            is_called_for: plan.requires(effect),
         };
         Ok(Effect::ALL.iter().map(state).collect())
     }

@@ -123,7 +123,7 @@ fn browser(suite: &mut Suite) {
     }
     let site = suite.require("browser: the demo is built", site::build);
     let mut visitor = suite.require("browser: the demo is served and Chromium starts", |progress| {
-        Visitor::arrive(site.as_deref().context("there is no demo to serve")?, progress)
+        Visitor::evaluate(site.as_deref().context("there is no demo to serve")?, progress)
     });
     for (name, test) in &tests {
         suite.step(name, |_| test(visitor.as_mut().context(NO_VISITOR)?));

@@ -56,7 +56,7 @@ pub(super) fn shadow<S: Format>(case: &mut Case<'_>) -> Outcome {
 }
 
 /// What haze shows of the beam between an eye and a surface, and of the whole beam in that direction.
-pub(super) fn air_light(case: &mut Case<'_>) -> Outcome {
+pub(super) fn in_scattering(case: &mut Case<'_>) -> Outcome {
     let description = Description::of(case, |_| Ok(Soft));
     let (position, axis, intensity) =
         (case.vector("position"), case.vector("axis"), case.number("intensity"));
@@ -64,7 +64,7 @@ pub(super) fn air_light(case: &mut Case<'_>) -> Outcome {
     let spot = SpotLight::new(position, axis, description.cone()?)?.with_intensity(intensity)?;
     let beam = spot.compile::<f32>()?.in_haze(&Haze::new(density)?);
     let ray = ViewRay::between(eye, surface);
-    case.give(beam.air_light(&ray));
-    case.give(beam.air_light(&ViewRay::endless(eye, ray.direction)));
+    case.give(beam.in_scattering(&ray));
+    case.give(beam.in_scattering(&ViewRay::endless(eye, ray.direction)));
     Ok(())
 }

@@ -23,9 +23,9 @@ pub(super) fn clip<S: Format>(case: &mut Case<'_>) -> Outcome {
 }
 
 /// Light within full scale, its hue kept.
-pub(super) fn keep_hue<S: Format>(case: &mut Case<'_>) -> Outcome {
+pub(super) fn compress_keep_hue<S: Format>(case: &mut Case<'_>) -> Outcome {
     let light = case.light::<S>("light");
-    case.give_color(luminaire::display::keep_hue::<S>(light));
+    case.give_color(luminaire::display::compress_keep_hue::<S>(light));
     Ok(())
 }
 

@@ -47,7 +47,7 @@ impl<P: Falloff> Description<P> {
             cone = cone.with_inner(Angle::degrees(self.inner))?;
         }
         if self.delimiter != 0.0 {
-            cone = cone.with_delimiter(Angle::degrees(self.delimiter))?;
+            cone = cone.with_cutoff(Angle::degrees(self.delimiter))?;
         }
         Ok(cone)
     }

@@ -3,7 +3,7 @@
 use luminaire::{
     AmbientLight, Angle, Cone, DirectionalLight, Material, SpotLight,
     attenuation::{FilamentRange, InverseSquare},
-    display::{Exposure, Rgb565, encode_srgb, keep_hue},
+    display::{Exposure, Rgb565, compress_keep_hue, encode_srgb},
     falloff::Soft,
     light::SurfacePoint,
     specular::{Phong, SpecularLobe},
@@ -66,7 +66,7 @@ pub(super) fn lit_point<S: Format>(case: &mut Case<'_>) -> Outcome {
     let surface = SurfacePoint::seen_from(eye, point, normal);
     let light = material.glow(sky).plus::<S>(material.reflect(&surface, &spot));
     case.give_color(light);
-    let shown = keep_hue::<S>(exposure.expose(light));
+    let shown = compress_keep_hue::<S>(exposure.expose(light));
     case.give_color(shown.map(encode_srgb));
     case.give(Rgb565::from_linear(shown).0);
     Ok(())

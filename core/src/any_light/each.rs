@@ -48,12 +48,12 @@ struct Loop<'a, S: Scalar, H: SpecularLobe, const N: usize> {
 
 impl<S: Scalar> CompiledAnyLight<S> {
     /// What arrives at each of many points whose highlights are of the kind `H`: to the bit what
-    /// [`arrive`](Light::arrive) of the lamp's own type gives for one. The arrivals of a matt surface have no specular
+    /// [`evaluate`](LightModel::evaluate) of the lamp's own type gives for one. The arrivals of a matt surface have no specular
     /// part; what was there stays.
     ///
     /// In fixed point, where points are computed one by one, those where nothing can arrive are left before their root is
     /// paid for, with the same bits. In `f32` that would be in the way of vector instructions.
-    pub fn arrive_each<H: SpecularLobe, const N: usize>(
+    pub fn evaluate_each<H: SpecularLobe, const N: usize>(
         &self,
         surfaces: &SurfacePoints<'_, S, N>,
         highlight: &H::Constants<S>,
@@ -167,7 +167,7 @@ impl<S: Scalar, H: SpecularLobe, const N: usize> Loop<'_, S, H, N> {
         for i in 0..N {
             let surface = self.surfaces.at(i);
             if S::offset(position, surface.point).is_near(fine_below) {
-                let arrival = light.arrive::<H>(&surface, self.highlight, true);
+                let arrival = light.evaluate::<H>(&surface, self.highlight, true);
                 self.arrivals.diffuse[i] = arrival.diffuse;
                 if H::SHINES {
                     self.arrivals.specular[i] = arrival.specular;
@@ -207,7 +207,7 @@ fn light_each<S: Scalar, H: SpecularLobe, L: LightModel<S>, const N: usize>(
 ) {
     let (surfaces, highlight) = (*surfaces, *highlight);
     for i in 0..N {
-        let arrival = light.arrive::<H>(&surfaces.at(i), &highlight, !S::Offset::ROOTS_FIRST);
+        let arrival = light.evaluate::<H>(&surfaces.at(i), &highlight, !S::Offset::ROOTS_FIRST);
         diffuse[i] = arrival.diffuse;
         if H::SHINES {
             specular[i] = arrival.specular;

@@ -19,9 +19,9 @@ impl CompiledAnyLight<f32> {
 }
 
 impl BeamScattering<AnyFalloff, AnyAttenuation> {
-    /// The air light of each of many rays: to the bit what [`air_light`](Self::air_light) of the beam's own profile gives for
+    /// The air light of each of many rays: to the bit what [`in_scattering`](Self::in_scattering) of the beam's own profile gives for
     /// one. There is a loop for each profile under the inverse-square law, and one with branches for all others.
-    pub fn air_light_each<const N: usize>(&self, rays: &ViewRays<N>, lights: &mut [f32; N]) {
+    pub fn in_scattering_each<const N: usize>(&self, rays: &ViewRays<N>, lights: &mut [f32; N]) {
         if AnyAttenuation::is_inverse_square::<f32>(&self.attenuation) {
             with_profile!(self.falloff, profile, curve => each(&self.by_square(profile, curve), rays, lights));
         } else {
@@ -30,9 +30,9 @@ impl BeamScattering<AnyFalloff, AnyAttenuation> {
     }
 
     /// The air light of each of many rays through something: to the bit what
-    /// [`air_light_through`](Self::air_light_through) gives for one with `PARTS` places, which the filter is told all at once,
+    /// [`in_scattering_through`](Self::in_scattering_through) gives for one with `PARTS` places, which the filter is told all at once,
     /// ray by ray. It is not asked for rays that are not in the beam.
-    pub fn air_light_through_each<const PARTS: usize, const N: usize>(
+    pub fn in_scattering_through_each<const PARTS: usize, const N: usize>(
         &self,
         rays: &ViewRays<N>,
         filter: &mut TransmittanceFn<'_, PARTS>,
@@ -62,7 +62,7 @@ fn each<P: Falloff, A: Attenuation, const N: usize>(
     lights: &mut [f32; N],
 ) {
     for (i, light) in lights.iter_mut().enumerate() {
-        *light = beam.air_light(&rays.at(i));
+        *light = beam.in_scattering(&rays.at(i));
     }
 }
 
@@ -74,6 +74,6 @@ fn each_through<P: Falloff, A: Attenuation, const PARTS: usize, const N: usize>(
     lights: &mut [f32; N],
 ) {
     for (i, light) in lights.iter_mut().enumerate() {
-        *light = beam.air_light_filtered(&rays.at(i), filter);
+        *light = beam.in_scattering_filtered(&rays.at(i), filter);
     }
 }

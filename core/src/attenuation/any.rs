@@ -14,9 +14,9 @@ use crate::{
 macro_rules! any_attenuation {
     ($($(#[$doc:meta])* $variant:ident($type:ty),)*) => {
         /// Any attenuation, chosen at run time: that of a light of [another system](crate::import), or of a
-        /// [`AnyLight`](crate::Lamp).
+        /// [`AnyLight`](crate::dynamic::AnyLight).
         ///
-        /// It branches per point; [`CompiledAnyLight::arrive_each`](crate::CompiledLamp::arrive_each) branches
+        /// It branches per point; [`CompiledAnyLight::evaluate_each`](crate::dynamic::CompiledAnyLight::evaluate_each) branches
         /// once per light.
         #[derive(Clone, Copy, PartialEq, Debug)]
         #[non_exhaustive]

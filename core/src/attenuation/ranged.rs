@@ -137,7 +137,7 @@ impl<W: Window, A: Attenuation> Attenuation for Ranged<W, A> {
 
     fn effects(&self) -> Effects {
         let effects = self.attenuation.effects();
-        if self.range.is_some() { effects.and(W::EFFECTS).with(Effect::Range) } else { effects }
+        if self.range.is_some() { effects.union(W::EFFECTS).with(Effect::Range) } else { effects }
     }
 
     fn exact(&self, distance: f64) -> f64 {

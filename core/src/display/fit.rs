@@ -3,7 +3,7 @@
 //! [`clip`] cuts each channel at full scale. It is the cheaper one and what displays do by themselves; a bright orange
 //! turns to yellow and then to white.
 //!
-//! [`keep_hue`] divides all channels by the largest where that is over full scale. Orange stays orange however bright,
+//! [`compress_keep_hue`] divides all channels by the largest where that is over full scale. Orange stays orange however bright,
 //! at the price of a reciprocal, and of surfaces that no longer grow brighter.
 
 use crate::{
@@ -26,11 +26,11 @@ pub fn clip<S: Scalar>(light: Rgb<S::Irradiance>) -> Rgb<S> {
 /// elsewhere each channel is within two steps of the format of the exact quotient, one in f32, eight in `Fx32`.
 ///
 /// ```
-/// use luminaire::{Rgb, display::keep_hue};
-/// assert_eq!(keep_hue::<f32>(Rgb::new(4.0, 2.0, 0.5)), Rgb::new(1.0, 0.5, 0.125));
+/// use luminaire::{Rgb, display::compress_keep_hue};
+/// assert_eq!(compress_keep_hue::<f32>(Rgb::new(4.0, 2.0, 0.5)), Rgb::new(1.0, 0.5, 0.125));
 /// ```
 #[inline(always)]
-pub fn keep_hue<S: Scalar>(light: Rgb<S::Irradiance>) -> Rgb<S> {
+pub fn compress_keep_hue<S: Scalar>(light: Rgb<S::Irradiance>) -> Rgb<S> {
     let brighter = |a: S::Irradiance, b: S::Irradiance| if a > b { a } else { b };
     let brightest = brighter(brighter(light.red, light.green), light.blue);
     let gain = S::light_to_gain(brightest).inverse_capped();

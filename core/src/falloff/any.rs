@@ -12,9 +12,9 @@ macro_rules! any_falloff {
     ($($(#[$doc:meta])* $variant:ident($type:ty) = $name:literal, $sample:expr;)*) => {
         choice! {
             /// Any falloff, chosen at run time: that of a light of [another system](crate::import), or of a
-            /// [`AnyLight`](crate::Lamp).
+            /// [`AnyLight`](crate::dynamic::AnyLight).
             ///
-            /// It branches per point; [`CompiledAnyLight::arrive_each`](crate::CompiledLamp::arrive_each)
+            /// It branches per point; [`CompiledAnyLight::evaluate_each`](crate::dynamic::CompiledAnyLight::evaluate_each)
             /// branches once per light.
             #[non_exhaustive]
             AnyFalloff, CompiledAnyFalloff { $($(#[$doc])* $variant($type),)* }

@@ -75,7 +75,7 @@ impl<P: Falloff, A: Attenuation> BeamScattering<P, A> {
     ///
     /// There is no branch in it that depends on the ray, so that compilers make vector instructions of a loop over rays.
     #[inline(always)]
-    pub fn air_light(&self, view: &ViewRay) -> f32 {
+    pub fn in_scattering(&self, view: &ViewRay) -> f32 {
         let arc = Arc::new(&self.extent(), view);
         let [inner, outer] = self.cone.map(|versine| arc.edge(versine));
         if A::is_inverse_square::<f32>(&self.attenuation) {

@@ -79,7 +79,7 @@ fn reversed(v: Vec3<f32>) -> Vec3<f32> {
 }
 
 impl<P: Falloff, A: Attenuation> BeamScattering<P, A> {
-    /// Whether any ray of a bundle may have [`air_light`](Self::air_light). Where this says no, each has
+    /// Whether any ray of a bundle may have [`in_scattering`](Self::in_scattering). Where this says no, each has
     /// exactly none; where it says yes, all may have none.
     ///
     /// The answer is no where a plane through the lamp has the beam on one side and the rays on the other,

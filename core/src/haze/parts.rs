@@ -23,13 +23,13 @@ struct Parts {
 }
 
 impl<P: Falloff, A: Attenuation> BeamScattering<P, A> {
-    /// As [`air_light`](Self::air_light), weighted by what gets through to each of so many places of the
+    /// As [`in_scattering`](Self::in_scattering), weighted by what gets through to each of so many places of the
     /// ray in the beam: by a pattern in front of the lamp or past what throws a shadow, as `transmission`
     /// tells of a point of the world, from 0 to 1. The places are in the middle of parts that are equal
     /// seen from the lamp, or about so where the light does not fall with the square of the distance.
     /// Without any there is no light.
     #[inline(always)]
-    pub fn air_light_through(
+    pub fn in_scattering_through(
         &self,
         view: &ViewRay,
         samples: u32,
@@ -47,7 +47,7 @@ impl<P: Falloff, A: Attenuation> BeamScattering<P, A> {
     /// The same where all places are told at once: they are found in a loop of vector instructions. The filter is not asked
     /// where the ray is not in the beam.
     #[inline(always)]
-    pub(crate) fn air_light_filtered<const PARTS: usize>(
+    pub(crate) fn in_scattering_filtered<const PARTS: usize>(
         &self,
         view: &ViewRay,
         filter: &mut TransmittanceFn<'_, PARTS>,

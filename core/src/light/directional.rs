@@ -28,7 +28,8 @@ impl DirectionalLight {
     ///
     /// # Errors
     /// A direction that is zero, not finite, or of a length that cannot be squared.
-    pub fn new(direction: Vec3<f32>) -> Result<Self, Error> {
+    pub fn new(direction: impl Into<Vec3<f32>>) -> Result<Self, Error> {
+        let direction = direction.into();
         let (Axis { unit: direction, .. }, _) = Axis::new(Parameter::Direction, direction)?;
         Ok(Self { direction, emission: Emission::WHITE })
     }

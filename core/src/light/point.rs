@@ -36,7 +36,8 @@ impl PointLight {
     ///
     /// # Errors
     /// A position that is not finite.
-    pub fn new(position: Vec3<f32>) -> Result<Self, Error> {
+    pub fn new(position: impl Into<Vec3<f32>>) -> Result<Self, Error> {
+        let position = position.into();
         let position = checked_position(Parameter::Position, position)?;
         Ok(Self { position, attenuation: InverseSquare, emission: Emission::WHITE })
     }

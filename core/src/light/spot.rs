@@ -42,7 +42,12 @@ impl<P: Falloff> SpotLight<P> {
     ///
     /// # Errors
     /// A position that is not finite; an axis that is zero, not finite, or of a length that cannot be squared.
-    pub fn new(position: Vec3<f32>, axis: Vec3<f32>, cone: Cone<P>) -> Result<Self, Error> {
+    pub fn new(
+        position: impl Into<Vec3<f32>>,
+        axis: impl Into<Vec3<f32>>,
+        cone: Cone<P>,
+    ) -> Result<Self, Error> {
+        let (position, axis) = (position.into(), axis.into());
         let position = checked_position(Parameter::Position, position)?;
         let (axis, _) = Axis::new(Parameter::Axis, axis)?;
         Ok(Self { position, axis, cone, attenuation: InverseSquare, emission: Emission::WHITE })
@@ -63,7 +68,12 @@ impl<P: Falloff> SpotLight<P, SmoothRange> {
     ///
     /// # Errors
     /// A position or an end point that is not finite, or the two less than 0.001 or more than 1e9 apart.
-    pub fn between(position: Vec3<f32>, end: Vec3<f32>, cone: Cone<P>) -> Result<Self, Error> {
+    pub fn between(
+        position: impl Into<Vec3<f32>>,
+        end: impl Into<Vec3<f32>>,
+        cone: Cone<P>,
+    ) -> Result<Self, Error> {
+        let (position, end) = (position.into(), end.into());
         let position = checked_position(Parameter::Position, position)?;
         let end = checked_position(Parameter::EndPoint, end)?;
         let (axis, range) = Axis::new(Parameter::EndPoint, end.zip(position, |e, p| e - p))?;

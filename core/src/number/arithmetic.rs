@@ -300,7 +300,7 @@ pub trait Offset<S: Arithmetic>: Copy + core::fmt::Debug {
     fn ray(&self) -> Self::Ray;
     /// Pays for the square root and for all bits that it can have.
     fn fine_ray(&self) -> Self::FineRay;
-    /// Whether the way is so short that all of the evaluation is to be fine: see [`Scalar::fine_below`].
+    /// Whether the way is so short that all of the evaluation is to be fine: see `Arithmetic::fine_below`.
     #[inline(always)]
     fn is_near(&self, _fine_below: u32) -> bool {
         false

@@ -2,6 +2,7 @@
 
 use core::fmt;
 
+use crate::vec3::Vec3;
 use fixed::types::{I2F14, I2F30, I16F16, I18F14, I34F30, U3F29, U18F14, U34F30};
 
 /// The versine of the format [`Fx32`], of which `fixed` has no alias.
@@ -151,6 +152,25 @@ impl Length {
         Self(nearest(value * 65_536.0))
     }
 }
+
+/// Points and normals of a format, for constants of a firmware and for set-up.
+macro_rules! vectors {
+    ($($format:ident)*) => {$(
+        impl $format {
+            /// The point of these coordinates, each the nearest length.
+            pub const fn point([x, y, z]: [f32; 3]) -> Vec3<Length> {
+                Vec3::new(Length::from_f32(x), Length::from_f32(y), Length::from_f32(z))
+            }
+
+            /// The normal of these components, each the nearest number.
+            pub const fn normal([x, y, z]: [f32; 3]) -> Vec3<Self> {
+                Vec3::new(Self::from_f32(x), Self::from_f32(y), Self::from_f32(z))
+            }
+        }
+    )*};
+}
+
+vectors!(Fx16 Fx32);
 
 /// The integer nearest to a value, ties to even; saturates, and NaN becomes zero.
 ///

@@ -8,7 +8,7 @@ use crate::{
     vec3::Vec3,
 };
 
-/// A directional light compiled for the format `S`. Made by [`DirectionalLight::compile`](crate::Directional::compile).
+/// A directional light compiled for the format `S`. Made by [`DirectionalLight::compile`](crate::DirectionalLight::compile).
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct CompiledDirectionalLight<S: Scalar> {
     pub(crate) direction: Vec3<S::Unit>,
@@ -31,7 +31,7 @@ impl<S: Scalar> CompiledDirectionalLight<S> {
     /// The light that arrives at a surface of this normal, before the colours: Lambert's cosine of the intensity.
     #[inline(always)]
     pub fn irradiance(&self, normal: Vec3<S>) -> S::Irradiance {
-        self.arrive::<NoSpecular>(&SurfacePoint::matte(Vec3::default(), normal), &(), false).diffuse
+        self.evaluate::<NoSpecular>(&SurfacePoint::matte(Vec3::default(), normal), &(), false).diffuse
     }
 }
 
@@ -45,7 +45,7 @@ impl<S: Scalar> LightModel<S> for CompiledDirectionalLight<S> {
     }
 
     #[inline(always)]
-    fn arrive<H: SpecularLobe>(
+    fn evaluate<H: SpecularLobe>(
         &self,
         surface: &SurfacePoint<S>,
         highlight: &H::Constants<S>,

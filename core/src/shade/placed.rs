@@ -26,9 +26,9 @@ pub(super) trait Placed<S: Scalar, A: Attenuation> {
     /// The falloff of its cone along a ray; none for a light without a cone.
     fn falloff<R: Ray<S>>(&self, ray: &R) -> Option<R::Share>;
 
-    /// The light that arrives at a surface: see [`LightModel::arrive`](super::Light::arrive).
+    /// The light that arrives at a surface: see [`LightModel::evaluate`](super::Light::evaluate).
     #[inline(always)]
-    fn arrive_at<H: SpecularLobe>(
+    fn evaluate_at<H: SpecularLobe>(
         &self,
         surface: &SurfacePoint<S>,
         highlight: &H::Constants<S>,
@@ -38,7 +38,7 @@ pub(super) trait Placed<S: Scalar, A: Attenuation> {
         let Stand { position, attenuation, fine_below, .. } = self.place();
         let offset = S::offset(position, point);
         if offset.is_near(fine_below) {
-            return self.arrive_finely::<H>(offset, (normal, view), highlight);
+            return self.evaluate_finely::<H>(offset, (normal, view), highlight);
         }
         let facing = offset.facing(normal);
         if skips
@@ -58,7 +58,7 @@ pub(super) trait Placed<S: Scalar, A: Attenuation> {
     /// would show nothing. Apart from the rest, which is to stay in registers.
     #[cold]
     #[inline(never)]
-    fn arrive_finely<H: SpecularLobe>(
+    fn evaluate_finely<H: SpecularLobe>(
         &self,
         offset: S::Offset,
         (normal, view): (Vec3<S>, Vec3<S::Unit>),

@@ -12,7 +12,7 @@ use crate::{
     vec3::Vec3,
 };
 
-/// A point light compiled for the format `S`. Made by [`PointLight::compile`](crate::Point::compile).
+/// A point light compiled for the format `S`. Made by [`PointLight::compile`](crate::PointLight::compile).
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct CompiledPointLight<S: Scalar, A: Attenuation = InverseSquare> {
     pub(crate) position: Vec3<S::Length>,
@@ -24,7 +24,7 @@ pub struct CompiledPointLight<S: Scalar, A: Attenuation = InverseSquare> {
 }
 
 impl<S: Scalar, A: Attenuation> CompiledPointLight<S, A> {
-    /// The light of these parts, as [`source`](crate::codegen) writes them: `fine_below` is that of [`Scalar::fine_below`], and
+    /// The light of these parts, as [`source`](crate::codegen) writes them: `fine_below` is that of `Arithmetic::fine_below`, and
     /// the colours are the diffuse and the specular one.
     pub const fn from_parts(
         position: Vec3<S::Length>,
@@ -37,16 +37,16 @@ impl<S: Scalar, A: Attenuation> CompiledPointLight<S, A> {
     }
 
     /// The light that arrives at a surface point, before the colours: distance and Lambert's cosine. Skips what is
-    /// exactly zero, as [`CompiledSpotLight::irradiance`](crate::CompiledSpot::irradiance) does.
+    /// exactly zero, as [`CompiledSpotLight::irradiance`](crate::light::CompiledSpotLight::irradiance) does.
     #[inline(always)]
     pub fn irradiance(&self, point: Vec3<S::Length>, normal: Vec3<S>) -> S::Irradiance {
-        self.arrive::<NoSpecular>(&SurfacePoint::matte(point, normal), &(), true).diffuse
+        self.evaluate::<NoSpecular>(&SurfacePoint::matte(point, normal), &(), true).diffuse
     }
 
     /// As [`irradiance`](Self::irradiance), with every step done for every point.
     #[inline(always)]
     pub fn irradiance_unskipped(&self, point: Vec3<S::Length>, normal: Vec3<S>) -> S::Irradiance {
-        self.arrive::<NoSpecular>(&SurfacePoint::matte(point, normal), &(), false).diffuse
+        self.evaluate::<NoSpecular>(&SurfacePoint::matte(point, normal), &(), false).diffuse
     }
 }
 
@@ -78,12 +78,12 @@ impl<S: Scalar, A: Attenuation> LightModel<S> for CompiledPointLight<S, A> {
     }
 
     #[inline(always)]
-    fn arrive<H: SpecularLobe>(
+    fn evaluate<H: SpecularLobe>(
         &self,
         surface: &SurfacePoint<S>,
         highlight: &H::Constants<S>,
         skips: bool,
     ) -> Incident<S::Irradiance> {
-        self.arrive_at::<H>(surface, highlight, skips)
+        self.evaluate_at::<H>(surface, highlight, skips)
     }
 }

@@ -14,7 +14,7 @@ use crate::{
     vec3::Vec3,
 };
 
-/// A spotlight compiled for the format `S`. Made by [`SpotLight::compile`](crate::Spot::compile).
+/// A spotlight compiled for the format `S`. Made by [`SpotLight::compile`](crate::SpotLight::compile).
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct CompiledSpotLight<S: Scalar, P: Falloff = SoftOrHard, A: Attenuation = InverseSquare> {
     pub(crate) position: Vec3<S::Length>,
@@ -30,7 +30,7 @@ pub struct CompiledSpotLight<S: Scalar, P: Falloff = SoftOrHard, A: Attenuation 
 
 impl<S: Scalar, P: Falloff, A: Attenuation> CompiledSpotLight<S, P, A> {
     /// The light of these parts, as [`source`](crate::codegen) writes them: `outside` is the bound by which points outside
-    /// the cone are rejected, `fine_below` that of [`Scalar::fine_below`], and the colours are the diffuse and the specular
+    /// the cone are rejected, `fine_below` that of `Arithmetic::fine_below`, and the colours are the diffuse and the specular
     /// one.
     #[expect(clippy::too_many_arguments, reason = "generated source names each part of a light once")]
     pub const fn from_parts(
@@ -54,14 +54,14 @@ impl<S: Scalar, P: Falloff, A: Attenuation> CompiledSpotLight<S, P, A> {
     /// [`irradiance_unskipped`](Self::irradiance_unskipped).
     #[inline(always)]
     pub fn irradiance(&self, point: Vec3<S::Length>, normal: Vec3<S>) -> S::Irradiance {
-        self.arrive::<NoSpecular>(&SurfacePoint::matte(point, normal), &(), true).diffuse
+        self.evaluate::<NoSpecular>(&SurfacePoint::matte(point, normal), &(), true).diffuse
     }
 
     /// As [`irradiance`](Self::irradiance), with every step done for every point: the form without branches, which
     /// compilers turn into vector instructions.
     #[inline(always)]
     pub fn irradiance_unskipped(&self, point: Vec3<S::Length>, normal: Vec3<S>) -> S::Irradiance {
-        self.arrive::<NoSpecular>(&SurfacePoint::matte(point, normal), &(), false).diffuse
+        self.evaluate::<NoSpecular>(&SurfacePoint::matte(point, normal), &(), false).diffuse
     }
 
     /// The falloff of the cone alone at a point: in [0, 1].
@@ -75,7 +75,7 @@ impl<S: Scalar, P: Falloff, A: Attenuation> CompiledSpotLight<S, P, A> {
     }
 
     /// The same light in another place, along another axis of unit length: see
-    /// [`SpotLight::axis_in`](crate::Spot::axis_in).
+    /// [`SpotLight::axis_in`](crate::SpotLight::axis_in).
     #[must_use]
     pub fn placed(self, position: Vec3<S::Length>, axis: Vec3<S::Unit>) -> Self {
         Self { position, axis, ..self }
@@ -141,12 +141,12 @@ impl<S: Scalar, P: Falloff, A: Attenuation> LightModel<S> for CompiledSpotLight<
     }
 
     #[inline(always)]
-    fn arrive<H: SpecularLobe>(
+    fn evaluate<H: SpecularLobe>(
         &self,
         surface: &SurfacePoint<S>,
         highlight: &H::Constants<S>,
         skips: bool,
     ) -> Incident<S::Irradiance> {
-        self.arrive_at::<H>(surface, highlight, skips)
+        self.evaluate_at::<H>(surface, highlight, skips)
     }
 }

@@ -88,14 +88,13 @@ fn excess<S: Format>() -> f32 {
         let along = 1.0 - 0.5 * chord * chord;
         let to_lamp = along * image + (1.0 - along * along).max(0.0).sqrt() * aside;
         let [eye, lamp] = [to_eye, to_lamp].map(|way| point + (2.0 + 6.0 * random.share().abs()) * way);
-        let lamp =
-            PointLight::new(lamp.into()).unwrap().with_attenuation(NoAttenuation).compile::<S>().unwrap();
+        let lamp = PointLight::new(lamp).unwrap().with_attenuation(NoAttenuation).compile::<S>().unwrap();
         let [eye, point] = [eye, point].map(|place| luminaire::Vec3::from(place).map(S::length));
         let normal = luminaire::Vec3::from(normal).map(S::from_f32);
         let surface = SurfacePoint::<S>::seen_from(eye, point, normal);
         let surface = SurfacePoint { view: S::mirror(surface.view, normal), ..surface };
-        let shines =
-            lamp.arrive::<Highlight>(&surface, &finish.highlight, false).specular > S::Irradiance::default();
+        let shines = lamp.evaluate::<Highlight>(&surface, &finish.highlight, false).specular
+            > S::Irradiance::default();
         worst = if shines { worst.max(chord - finish.lobe) } else { worst };
     }
     worst

@@ -129,7 +129,7 @@ where
 {
     let plain = Cone::from_outer(profile, Angle::degrees(40.0))?;
     let hotspot = plain.with_inner(Angle::degrees(13.0))?;
-    let delimited = plain.with_delimiter(Angle::degrees(31.0))?;
+    let delimited = plain.with_cutoff(Angle::degrees(31.0))?;
     for (index, cone) in [plain, hotspot, delimited].into_iter().enumerate() {
         let spot = SpotLight::new(PLACES[index], AXES[index], cone)?.with_intensity(INTENSITIES[index])?;
         visit.value(format!("{} {spot:?}", S::NAME), spot.compile::<S>()?);

@@ -4,7 +4,7 @@
 use core::hint::black_box;
 
 use luminaire::codegen::{CompiledBlend, CompiledCubic, CompiledFitted};
-use luminaire::{Rgb, Scalar, attenuation::{Attenuation, CutAt, FilamentRange, GltfRange, InverseSquare, NoAttenuation, Polynomial, SmoothRange}, display::{CompiledExposure, Rgb565, clip, encode_srgb, encode_srgb_dithered, keep_hue}, falloff::{Cubic, Falloff, FittedFalloff, Hard, InvertedPower, InvertedRealPower, Linear, Power, Quadratic, RealPower, Smooth, Soft, SoftOrHard, Step}, haze::{BeamScattering, Haze, RayBundle, ViewRay}, light::{CompiledCone, CompiledDirectionalLight, CompiledMaterial, CompiledPointLight, CompiledSpotLight, LightModel, SurfacePoint}, projector::{CompiledGobo, CompiledProjection, Gobo, Shadow}, specular::{BlinnPhong, DifferenceForm, DualConeLobe, NoSpecular, Phong, SpecularLobe}};
+use luminaire::{Rgb, Scalar, attenuation::{Attenuation, CutAt, FilamentRange, GltfRange, InverseSquare, NoAttenuation, Polynomial, SmoothRange}, display::{CompiledExposure, Rgb565, clip, encode_srgb, encode_srgb_dithered, compress_keep_hue}, falloff::{Cubic, Falloff, FittedFalloff, Hard, InvertedPower, InvertedRealPower, Linear, Power, Quadratic, RealPower, Smooth, Soft, SoftOrHard, Step}, haze::{BeamScattering, Haze, RayBundle, ViewRay}, light::{CompiledCone, CompiledDirectionalLight, CompiledMaterial, CompiledPointLight, CompiledSpotLight, LightModel, SurfacePoint}, projector::{CompiledGobo, CompiledProjection, Gobo, Shadow}, specular::{BlinnPhong, DifferenceForm, DualConeLobe, NoSpecular, Phong, SpecularLobe}};
 use luminaire_effects::Format;
 use luminaire_effects::raw::{Bits, Raw};
 
@@ -128,8 +128,8 @@ fn scatters<A: Attenuation>(bits: &mut Bits, attenuation: A::Constants<f32>) {
     );
     let (eye, direction) = (bits.vector(f32::raw_length), bits.vector(f32::unit));
     let view = ViewRay { eye, direction, length };
-    black_box(beam.air_light(&view));
-    black_box(beam.air_light_through(&view, 4, |point| point.x));
+    black_box(beam.in_scattering(&view));
+    black_box(beam.in_scattering_through(&view, 4, |point| point.x));
     black_box(beam.can_meet(&RayBundle { eye, direction, versine, length }));
     black_box(ViewRay::between(eye, direction));
 }
@@ -185,7 +185,7 @@ fn shows<S: Raw>(bits: &mut Bits) {
     let sum = Rgb::plus::<S>(sum, other).filtered::<S>(bits.color(S::scalar));
     let sum = CompiledExposure::expose(&exposure, sum);
     black_box(clip::<S>(sum));
-    black_box(keep_hue::<S>(sum));
+    black_box(compress_keep_hue::<S>(sum));
     let color = bits.color(S::scalar);
     black_box(color.map(encode_srgb));
     let (x, y) = (bits.word() as u32, bits.word() as u32);

@@ -57,7 +57,7 @@ fn arrives_each<S: Raw, H: SpecularLobe>(bits: &mut Bits, lamp: &CompiledAnyLigh
         (bits.columns(S::raw_length), bits.columns(S::scalar), bits.columns(S::unit));
     let surfaces = SurfacePoints::<S, LANES> { point: each(&points), normal: each(&normals), view: each(&views) };
     let mut arrivals = Default::default();
-    lamp.arrive_each::<H, LANES>(&surfaces, highlight, &mut arrivals);
+    lamp.evaluate_each::<H, LANES>(&surfaces, highlight, &mut arrivals);
     black_box(arrivals);
     black_box(SurfacePoints::at(&surfaces, bits.word() as usize));
 }
@@ -68,7 +68,7 @@ fn arrives<S: Raw, H: SpecularLobe>(bits: &mut Bits, lamp: &CompiledAnyLight<S>,
     let (point, normal) = (bits.vector(S::raw_length), bits.vector(S::scalar));
     let surface = SurfacePoint { point, normal, view: bits.vector(S::unit) };
     let skips = bits.choice(2) == 0;
-    black_box(lamp.arrive::<H>(&surface, highlight, skips));
+    black_box(lamp.evaluate::<H>(&surface, highlight, skips));
     black_box((LightModel::color(lamp), LightModel::specular_color(lamp)));
 }
 
@@ -81,14 +81,14 @@ fn scatters(bits: &mut Bits, beam: &BeamScattering<AnyFalloff, AnyAttenuation>) 
         length: bits.column(f32::raw_length),
     };
     let mut lights = [0.0; LANES];
-    beam.air_light_each(&rays, &mut lights);
+    beam.in_scattering_each(&rays, &mut lights);
     black_box(lights);
     let mut filter = |places: &Vec3<[f32; LANES]>, lights: &mut [f32; LANES]| {
         lights.iter_mut().zip(black_box(places.x)).for_each(|(light, x)| *light *= x);
     };
-    beam.air_light_through_each(&rays, &mut filter, &mut lights);
+    beam.in_scattering_through_each(&rays, &mut filter, &mut lights);
     black_box(lights);
     let ray = ViewRays::at(&rays, bits.word() as usize);
-    black_box(beam.air_light(&ray));
-    black_box(beam.air_light_through(&ray, 4, |point| point.x));
+    black_box(beam.in_scattering(&ray));
+    black_box(beam.in_scattering_through(&ray, 4, |point| point.x));
 }

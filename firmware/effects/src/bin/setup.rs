@@ -54,7 +54,7 @@ fn designs<S: Raw, P: Falloff>(bits: &mut Bits, profile: P) {
         1 => Cone::from_beam(profile, angle),
         _ => Cone::from_outer(profile, angle),
     };
-    let made = made.and_then(|cone| cone.with_inner(inner)?.with_delimiter(delimiter));
+    let made = made.and_then(|cone| cone.with_inner(inner)?.with_cutoff(delimiter));
     if let Ok(cone) = made {
         black_box([cone.inner(), cone.beam(), cone.field(), cone.outer()]);
         black_box([
@@ -62,7 +62,7 @@ fn designs<S: Raw, P: Falloff>(bits: &mut Bits, profile: P) {
             Cone::lumens(&cone, bits.float()),
             Cone::candela(&cone, bits.float()),
         ]);
-        black_box([cone.has_hotspot(), cone.is_delimited()]);
+        black_box([cone.has_hotspot(), cone.has_cutoff()]);
         black_box(Cone::compile::<S>(&cone.with_profile(cone.profile())).is_ok());
     }
 }
@@ -158,8 +158,8 @@ fn hangs<S: Raw>(bits: &mut Bits, lamp: AnyLight) {
     let luminaire = hung.unwrap_or(lamp.into());
     black_box(luminaire.compile_gobo::<S>().is_ok());
     let plan = if bits.choice(2) == 0 { RenderPlan::with(RenderPlan::new(), Effect::Haze) } else { RenderPlan::everything() };
-    let plan = plan.with_luminaire(&luminaire);
-    black_box((plan.calls_for(Effect::Gobo), plan.effects().iter().count()));
+    let plan = plan.with_fixture(&luminaire);
+    black_box((plan.requires(Effect::Gobo), plan.effects().iter().count()));
     black_box(Fixture::effects(&luminaire));
     black_box(plan.prepare::<S>(luminaire.lamp()).is_ok());
     black_box(AnyLight::compile::<S>(&lamp).is_ok());

@@ -19,8 +19,8 @@ pub fn clip(light: Light) -> Color {
 
 /// Light scaled to full scale with its hue.
 #[inline(always)]
-pub fn keep_hue(light: Light) -> Color {
-    luminaire::display::keep_hue::<Format>(light)
+pub fn compress_keep_hue(light: Light) -> Color {
+    luminaire::display::compress_keep_hue::<Format>(light)
 }
 
 /// A colour in sRGB codes of eight bits.

@@ -79,5 +79,5 @@ pub fn spot_soft_lambert_shadow(surface: Surface) -> Irradiance {
 /// The air light of a view ray through the beam of the soft spotlight in haze. It is f32 in every format.
 #[inline(always)]
 pub fn haze(view: ViewRay) -> f32 {
-    BEAM.air_light(&view)
+    BEAM.in_scattering(&view)
 }

@@ -37,7 +37,7 @@ pub(super) fn track_spot(
 pub(super) fn follow_spot(position: Vec3<f32>, target: Vec3<f32>) -> Result<MovingLight, Error> {
     let cone = Cone::from_outer(Hard, Angle::degrees(16.0))?
         .with_inner(Angle::degrees(9.0))?
-        .with_delimiter(Angle::degrees(14.5))?;
+        .with_cutoff(Angle::degrees(14.5))?;
     let spot = aimed(position, target, cone)?.with_color(Rgb::new(0.9, 0.95, 1.0))?.with_intensity(9.0)?;
     Ok(MovingLight::new("follow spot", spot))
 }

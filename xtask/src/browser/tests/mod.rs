@@ -93,7 +93,7 @@ pub(crate) const ALL: [Test; 53] = [
 
 impl Visitor {
     /// Serves the demo's folder and starts a browser.
-    pub(crate) fn arrive(site: &Path, progress: &Progress) -> Result<Self> {
+    pub(crate) fn evaluate(site: &Path, progress: &Progress) -> Result<Self> {
         let server = Server::start(server::listen(0)?, site)?;
         Ok(Self { chromium: Chromium::start(progress)?, address: server.address(), _server: server })
     }

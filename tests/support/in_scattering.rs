@@ -32,12 +32,12 @@ impl Ray {
 
 impl Beam {
     /// The air light of a ray.
-    pub fn air_light(&self, ray: &Ray) -> f64 {
-        self.air_light_through(ray, |_| 1.0)
+    pub fn in_scattering(&self, ray: &Ray) -> f64 {
+        self.in_scattering_through(ray, |_| 1.0)
     }
 
     /// The air light of a ray past something that lets only a part through.
-    pub fn air_light_through(&self, ray: &Ray, transmission: impl Fn(Vector) -> f64) -> f64 {
+    pub fn in_scattering_through(&self, ray: &Ray, transmission: impl Fn(Vector) -> f64) -> f64 {
         let scattered = |s: f64| {
             let point = ray.at(s);
             let way = minus(point, self.spot.position);
