@@ -9,7 +9,9 @@ use std::error::Error;
 use std::path::Path;
 use std::{env, fs};
 
-use luminaire::{AmbientLight, Angle, Cone, Fx16, Material, Rgb, Scalar, SpotLight, Vec3, codegen::Source, falloff::Soft};
+use luminaire::{
+    AmbientLight, Angle, Cone, Fx16, Material, Rgb, SpotLight, Vec3, codegen::Source, falloff::Soft,
+};
 
 /// The linear colours of the wall, a light tile, a dark one, the ball and the column of the program `frame`.
 const MATERIALS: [[f32; 3]; 5] =

@@ -7,7 +7,18 @@ use std::error::Error;
 use std::path::Path;
 use std::{env, fs};
 
-use luminaire::{AmbientLight, Angle, Cone, DirectionalLight, Fx16, Fx32, Material, PointLight, Rgb, Scalar, SpotLight, Vec3, attenuation::{Attenuation, CutAt, FilamentRange, GltfRange, InverseSquare, NoAttenuation, Polynomial, SmoothRange}, codegen::{Source, SourceScalar}, display::Exposure, falloff::{Cubic, Falloff, Hard, InvertedPower, Linear, Power, Quadratic, Smooth, Soft, Step, Table}, haze::Haze, projector::{Gobo, Projection, Shadow}, specular::{BlinnPhong, DifferenceForm, DualConeLobe, Phong}};
+use luminaire::{
+    AmbientLight, Angle, Cone, DirectionalLight, Fx16, Fx32, Material, PointLight, Rgb, SpotLight, Vec3,
+    attenuation::{
+        Attenuation, CutAt, FilamentRange, GltfRange, InverseSquare, NoAttenuation, Polynomial, SmoothRange,
+    },
+    codegen::{Source, SourceScalar},
+    display::Exposure,
+    falloff::{Cubic, Falloff, Hard, InvertedPower, Linear, Power, Quadratic, Smooth, Soft, Step, Table},
+    haze::Haze,
+    projector::{Gobo, Projection, Shadow},
+    specular::{BlinnPhong, DifferenceForm, DualConeLobe, Phong},
+};
 
 type Outcome = Result<(), Box<dyn Error>>;
 
@@ -113,8 +124,14 @@ where
     write(&format!("spot_{name}"), &key(cone, attenuation)?.compile::<S>()?)
 }
 
-fn key<P: Falloff, A: Attenuation>(cone: Cone<P>, attenuation: A) -> Result<SpotLight<P, A>, luminaire::Error> {
-    SpotLight::new(POSITION, AXIS, cone)?.with_intensity(16.0)?.with_attenuation(attenuation).with_color(AMBER)
+fn key<P: Falloff, A: Attenuation>(
+    cone: Cone<P>,
+    attenuation: A,
+) -> Result<SpotLight<P, A>, luminaire::Error> {
+    SpotLight::new(POSITION, AXIS, cone)?
+        .with_intensity(16.0)?
+        .with_attenuation(attenuation)
+        .with_color(AMBER)
 }
 
 fn write(name: &str, value: &impl Source) -> Outcome {

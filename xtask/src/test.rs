@@ -20,7 +20,10 @@ const FEATURES: [(&str, &[&str]); 4] = [
     ("libm alone", &["--no-default-features", "--features", "libm"]),
     ("micromath alone", &["--no-default-features", "--features", "micromath"]),
     ("its default features", &[]),
-    ("every feature without std", &["--no-default-features", "--features", "fixed,libm,glam,micromath"]),
+    (
+        "every feature without std",
+        &["--no-default-features", "--features", "arithmetic,fixed,libm,glam,micromath"],
+    ),
 ];
 
 const STD: (&str, &[&str]) = ("std alone", &["--no-default-features", "--features", "std"]);

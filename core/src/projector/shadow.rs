@@ -107,6 +107,12 @@ impl<'a, S: Scalar> Shadow<'a, S> {
         self.at(&self.projection.place(point))
     }
 
+    /// What is left of this light at a point; where all of it is, no bit has changed.
+    #[inline(always)]
+    pub fn filter(&self, light: S::Irradiance, point: Vec3<S::Length>) -> S::Irradiance {
+        S::filter(light, self.visibility(point))
+    }
+
     /// The same for a place that is known, as one that a pattern has already been asked for.
     #[inline(always)]
     pub fn at(&self, place: &ProjectedPoint<S>) -> S {

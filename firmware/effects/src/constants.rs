@@ -1,6 +1,14 @@
 //! The lights and surfaces of the programs, as the build script has written them.
 
-use luminaire::{attenuation::{CutAt, FilamentRange, GltfRange, InverseSquare, NoAttenuation, Polynomial, SmoothRange}, display::CompiledExposure, falloff::{Cubic, Hard, InvertedPower, Linear, Power, Quadratic, Smooth, Soft, Step, Table}, haze::BeamScattering, light::{CompiledDirectionalLight, CompiledMaterial, CompiledPointLight, CompiledSpotLight}, projector::{CompiledGobo, Shadow}, specular::{BlinnPhong, DifferenceForm, DualConeLobe, NoSpecular, Phong}};
+use luminaire::{
+    attenuation::{CutAt, FilamentRange, GltfRange, InverseSquare, NoAttenuation, Polynomial, SmoothRange},
+    display::CompiledExposure,
+    falloff::{Cubic, Hard, InvertedPower, Linear, Power, Quadratic, Smooth, Soft, Step, Table},
+    haze::BeamScattering,
+    light::{CompiledDirectionalLight, CompiledMaterial, CompiledPointLight, CompiledSpotLight},
+    projector::{CompiledGobo, Shadow},
+    specular::{BlinnPhong, DifferenceForm, DualConeLobe, NoSpecular, Phong},
+};
 
 use crate::{Format, Light};
 

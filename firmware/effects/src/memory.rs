@@ -3,7 +3,7 @@
 use core::mem::MaybeUninit;
 use core::ptr;
 
-use luminaire::codegen::{Light16, Light32};
+use luminaire::number::{Light16, Light32};
 use luminaire::{Fx16, Fx32, Rgb, haze::ViewRay};
 
 use crate::Surface;

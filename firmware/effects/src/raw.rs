@@ -3,11 +3,20 @@
 use core::array::from_fn;
 use core::hint::black_box;
 
-use luminaire::codegen::{
-    FloatFrame, FloatRamp, Frame16, Frame32, Gain16, Gain32, Length, Weight16, Weight32, Ramp16, Ramp32, Light16,
-    Light32,
+use luminaire::codegen::{FloatFrame, FloatRamp, Frame16, Frame32, Gain16, Gain32, Ramp16, Ramp32};
+use luminaire::number::{Length, Light16, Light32, Weight16, Weight32};
+use luminaire::{
+    Fx16, Fx32, Rgb, Scalar, Vec3,
+    attenuation::{
+        AnyAttenuation, Attenuation, CutAt, FilamentRange, GltfRange, InverseSquare, NoAttenuation,
+        Polynomial, SmoothRange, Windowed,
+    },
+    falloff::{
+        AnyFalloff, Cubic, Falloff, Hard, IntegerPower, InvertedIntegerPower, InvertedMixedPower,
+        InvertedRealPower, Knot, Linear, MixedPower, Quadratic, RealPower, Smooth, Soft, Step, Table,
+    },
+    light::{CompiledCone, CompiledPointLight, CompiledSpotLight},
 };
-use luminaire::{Fx16, Fx32, Rgb, Scalar, Vec3, attenuation::{AnyAttenuation, Attenuation, CutAt, FilamentRange, GltfRange, InverseSquare, NoAttenuation, Polynomial, SmoothRange, Windowed}, falloff::{AnyFalloff, Cubic, Falloff, Hard, IntegerPower, InvertedIntegerPower, InvertedMixedPower, InvertedRealPower, Knot, Linear, MixedPower, Quadratic, RealPower, Smooth, Soft, Step, Table}, light::{CompiledCone, CompiledPointLight, CompiledSpotLight}};
 
 const SAMPLES: [u16; 5] = [65_535, 60_000, 31_000, 400, 0];
 const KNOTS: [Knot; 2] = [Knot::from_bits(0, 65_535, -65_535), Knot::from_bits(32_768, 32_768, i32::MIN)];
@@ -140,7 +149,10 @@ impl Bits {
     }
 
     /// A point light of any bits.
-    pub fn any_point<S: Raw, A: Attenuation>(&mut self, attenuation: A::Constants<S>) -> CompiledPointLight<S, A> {
+    pub fn any_point<S: Raw, A: Attenuation>(
+        &mut self,
+        attenuation: A::Constants<S>,
+    ) -> CompiledPointLight<S, A> {
         let (position, intensity) = (self.vector(S::raw_length), S::raw_gain(self.word()));
         CompiledPointLight::from_parts(position, attenuation, intensity, self.integer(), self.colors())
     }

@@ -2,7 +2,12 @@
 //! the pixels of each row, as hexadecimal digits of RGB565.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
-use luminaire::{Fx16, Rgb, Scalar, Vec3, display::{Rgb565, clip}, falloff::Soft, light::CompiledSpotLight};
+use luminaire::{
+    Fx16, Rgb, Scalar, Vec3,
+    display::{Rgb565, clip},
+    falloff::Soft,
+    light::CompiledSpotLight,
+};
 use luminaire_firmware::board::println;
 
 luminaire_firmware::entry!(still);

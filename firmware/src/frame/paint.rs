@@ -1,7 +1,12 @@
 //! From what a pixel sees to the pixel: light, colour, display.
 
 use luminaire::number::Light16;
-use luminaire::{Fx16, Rgb, display::{Rgb565, clip}, falloff::Soft, light::CompiledSpotLight};
+use luminaire::{
+    Fx16, Rgb,
+    display::{Rgb565, clip},
+    falloff::Soft,
+    light::CompiledSpotLight,
+};
 
 use super::WIDTH;
 use super::scene::Site;

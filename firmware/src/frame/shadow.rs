@@ -1,7 +1,7 @@
 //! What stands between a point and the lamp.
 
 use luminaire::Vec3;
-use luminaire::codegen::{Length, Light16};
+use luminaire::number::{Length, Light16};
 
 use super::camera::steps;
 use super::measures::LAMP;

@@ -2,7 +2,10 @@
 
 use core::fmt;
 
-use luminaire::{Fx16, Scalar, Vec3, number::Offset};
+use luminaire::{
+    Fx16, Scalar, Vec3,
+    number::{Arithmetic, Offset},
+};
 
 use super::camera::steps;
 use super::measures::LAMP;
@@ -26,7 +29,7 @@ impl Tally {
         let lamp = PLACE.map(<Fx16 as Scalar>::Length::from_bits);
         for site in sites {
             let facing = Fx16::offset(lamp, site.point).facing(site.normal);
-            let group = if <Fx16 as Scalar>::Offset::faces_away(facing) {
+            let group = if <Fx16 as Arithmetic>::Offset::faces_away(facing) {
                 &mut self.facing_away
             } else if KEY.falloff(site.point) == Fx16::ZERO {
                 &mut self.outside

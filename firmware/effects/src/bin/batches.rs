@@ -3,7 +3,12 @@
 
 use core::hint::black_box;
 
-use luminaire::{Rgb, Scalar, Vec3, attenuation::{CutAt, InverseSquare, Polynomial}, falloff::{Falloff, Power, Soft}, light::CompiledCone};
+use luminaire::{
+    Rgb, Scalar, Vec3,
+    attenuation::{CutAt, InverseSquare, Polynomial},
+    falloff::{Falloff, Power, Soft},
+    light::CompiledCone,
+};
 use luminaire_effects::Format;
 use luminaire_effects::raw::{Bits, Raw, each};
 

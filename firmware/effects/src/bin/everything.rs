@@ -3,8 +3,25 @@
 
 use core::hint::black_box;
 
-use luminaire::codegen::{CompiledBlend, CompiledCubic, CompiledFitted};
-use luminaire::{Rgb, Scalar, attenuation::{Attenuation, CutAt, FilamentRange, GltfRange, InverseSquare, NoAttenuation, Polynomial, SmoothRange}, display::{CompiledExposure, Rgb565, clip, encode_srgb, encode_srgb_dithered, compress_keep_hue}, falloff::{Cubic, Falloff, FittedFalloff, Hard, InvertedPower, InvertedRealPower, Linear, Power, Quadratic, RealPower, Smooth, Soft, SoftOrHard, Step}, haze::{BeamScattering, Haze, RayBundle, ViewRay}, light::{CompiledCone, CompiledDirectionalLight, CompiledMaterial, CompiledPointLight, CompiledSpotLight, LightModel, SurfacePoint}, projector::{CompiledGobo, CompiledProjection, Gobo, Shadow}, specular::{BlinnPhong, DifferenceForm, DualConeLobe, NoSpecular, Phong, SpecularLobe}};
+use luminaire::codegen::{CompiledCubic, CompiledFittedFalloff, CompiledQuadratic};
+use luminaire::{
+    Rgb, Scalar,
+    attenuation::{
+        Attenuation, CutAt, FilamentRange, GltfRange, InverseSquare, NoAttenuation, Polynomial, SmoothRange,
+    },
+    display::{CompiledExposure, Rgb565, clip, compress_keep_hue, encode_srgb, encode_srgb_dithered},
+    falloff::{
+        Cubic, Falloff, FittedFalloff, Hard, InvertedPower, InvertedRealPower, Linear, Power, Quadratic,
+        RealPower, Smooth, Soft, SoftOrHard, Step,
+    },
+    haze::{BeamScattering, Haze, RayBundle, ViewRay},
+    light::{
+        CompiledCone, CompiledDirectionalLight, CompiledMaterial, CompiledPointLight, CompiledSpotLight,
+        LightModel, SurfacePoint,
+    },
+    projector::{CompiledGobo, CompiledProjection, Gobo, Shadow},
+    specular::{BlinnPhong, DifferenceForm, DualConeLobe, NoSpecular, Phong, SpecularLobe},
+};
 use luminaire_effects::Format;
 use luminaire_effects::raw::{Bits, Raw};
 
@@ -18,7 +35,7 @@ const PATTERN: [u8; 9] = [255, 0, 1, 254, 127, 128, 3, 200, 40];
 
 fn of_format<S: Raw>(bits: &mut Bits) {
     let (g, h) = (S::raw_weight(bits.word()), S::raw_weight(bits.word()));
-    let (blend, cubic) = (CompiledBlend::from_parts(g), CompiledCubic::from_parts(g, h));
+    let (blend, cubic) = (CompiledQuadratic::from_parts(g), CompiledCubic::from_parts(g, h));
     let any_blend = Quadratic::from_bits(bits.word() as u32);
     let any_cubic = Cubic::from_bits([bits.word() as u32, bits.word() as u32]);
     falls::<S, _>(bits, Soft, Soft);
@@ -44,8 +61,8 @@ fn of_format<S: Raw>(bits: &mut Bits) {
     }
     let edge = if bits.word() == 0 { SoftOrHard::Soft } else { SoftOrHard::Hard };
     falls::<S, _>(bits, edge, edge);
-    falls::<S, _>(bits, FittedFalloff::Quadratic(any_blend), CompiledFitted::Quadratic(blend));
-    falls::<S, _>(bits, FittedFalloff::Cubic(any_cubic), CompiledFitted::Cubic(cubic));
+    falls::<S, _>(bits, FittedFalloff::Quadratic(any_blend), CompiledFittedFalloff::Quadratic(blend));
+    falls::<S, _>(bits, FittedFalloff::Cubic(any_cubic), CompiledFittedFalloff::Cubic(cubic));
     let [a, b, c] = core::array::from_fn(|_| S::raw_gain(bits.word()));
     reaches::<S, NoAttenuation>(bits, ());
     reaches::<S, InverseSquare>(bits, ());
@@ -151,7 +168,11 @@ fn shines<S: Raw, H: SpecularLobe>(bits: &mut Bits, highlight: H::Constants<S>) 
     reflects(bits, &material, &parallel);
 }
 
-fn reflects<S: Raw, H: SpecularLobe, L: LightModel<S>>(bits: &mut Bits, material: &CompiledMaterial<S, H>, light: &L) {
+fn reflects<S: Raw, H: SpecularLobe, L: LightModel<S>>(
+    bits: &mut Bits,
+    material: &CompiledMaterial<S, H>,
+    light: &L,
+) {
     let surface = surface::<S>(bits);
     black_box(material.reflect(&surface, light));
     black_box(material.reflect_unskipped(&surface, light));

@@ -3,7 +3,15 @@
 
 use core::hint::black_box;
 
-use luminaire::{Scalar, Vec3, attenuation::{AnyAttenuation, Attenuation}, dynamic::{CompiledAnyLight, SurfacePoints}, falloff::{AnyFalloff, Falloff}, haze::{BeamScattering, Haze, ViewRays}, light::{CompiledDirectionalLight, LightModel, SurfacePoint}, specular::{DifferenceForm, NoSpecular, Phong, SpecularLobe}};
+use luminaire::{
+    Scalar, Vec3,
+    attenuation::{AnyAttenuation, Attenuation},
+    dynamic::{CompiledAnyLight, SurfacePoints},
+    falloff::{AnyFalloff, Falloff},
+    haze::{BeamScattering, Haze, ViewRays},
+    light::{CompiledDirectionalLight, LightModel, SurfacePoint},
+    specular::{DifferenceForm, NoSpecular, Phong, SpecularLobe},
+};
 use luminaire_effects::Format;
 use luminaire_effects::raw::{Bits, Raw, each};
 
@@ -39,7 +47,11 @@ fn lamp<S: Raw>(bits: &mut Bits) -> CompiledAnyLight<S> {
     match bits.choice(3) {
         0 => {
             let (direction, intensity) = (bits.vector(S::unit), S::raw_gain(bits.word()));
-            CompiledAnyLight::Directional(CompiledDirectionalLight::from_parts(direction, intensity, bits.colors()))
+            CompiledAnyLight::Directional(CompiledDirectionalLight::from_parts(
+                direction,
+                intensity,
+                bits.colors(),
+            ))
         }
         1 => CompiledAnyLight::Point(bits.any_point(attenuation)),
         _ => {
@@ -52,10 +64,15 @@ fn lamp<S: Raw>(bits: &mut Bits) -> CompiledAnyLight<S> {
 /// A kind of highlight at many points. One is enough: the loops have nothing of their own for another, for each profile and
 /// distance model, and without highlights they have less. What each does at a point is in the program `everything`.
 #[inline(never)]
-fn arrives_each<S: Raw, H: SpecularLobe>(bits: &mut Bits, lamp: &CompiledAnyLight<S>, highlight: &H::Constants<S>) {
+fn arrives_each<S: Raw, H: SpecularLobe>(
+    bits: &mut Bits,
+    lamp: &CompiledAnyLight<S>,
+    highlight: &H::Constants<S>,
+) {
     let (points, normals, views) =
         (bits.columns(S::raw_length), bits.columns(S::scalar), bits.columns(S::unit));
-    let surfaces = SurfacePoints::<S, LANES> { point: each(&points), normal: each(&normals), view: each(&views) };
+    let surfaces =
+        SurfacePoints::<S, LANES> { point: each(&points), normal: each(&normals), view: each(&views) };
     let mut arrivals = Default::default();
     lamp.evaluate_each::<H, LANES>(&surfaces, highlight, &mut arrivals);
     black_box(arrivals);
@@ -64,7 +81,11 @@ fn arrives_each<S: Raw, H: SpecularLobe>(bits: &mut Bits, lamp: &CompiledAnyLigh
 
 /// A kind of highlight at a point, under a lamp of any kind.
 #[inline(never)]
-fn arrives<S: Raw, H: SpecularLobe>(bits: &mut Bits, lamp: &CompiledAnyLight<S>, highlight: &H::Constants<S>) {
+fn arrives<S: Raw, H: SpecularLobe>(
+    bits: &mut Bits,
+    lamp: &CompiledAnyLight<S>,
+    highlight: &H::Constants<S>,
+) {
     let (point, normal) = (bits.vector(S::raw_length), bits.vector(S::scalar));
     let surface = SurfacePoint { point, normal, view: bits.vector(S::unit) };
     let skips = bits.choice(2) == 0;

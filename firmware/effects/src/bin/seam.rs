@@ -4,8 +4,16 @@
 use core::array::from_fn;
 use core::hint::black_box;
 
-use luminaire::codegen::{CompiledBlend, CompiledCubic};
-use luminaire::{Rgb, Scalar, Vec3, attenuation::{AnyAttenuation, Attenuation, InverseSquare}, dynamic::{Effect, Effects}, falloff::{AnyFalloff, Cubic, Curve, Falloff, Knot, Soft}, light::{CompiledCone, CompiledSpotLight, LightModel, SurfacePoint}, number::{Fraction, Gain, Offset, Ray, Rise, Share, Slopes}, specular::{BlinnPhong, DifferenceForm, DualConeLobe, Highlight, NoSpecular, Phong, SpecularLobe}};
+use luminaire::codegen::{CompiledCubic, CompiledQuadratic};
+use luminaire::{
+    Rgb, Vec3,
+    attenuation::{AnyAttenuation, Attenuation, InverseSquare},
+    dynamic::{Effect, Effects},
+    falloff::{AnyFalloff, Cubic, Curve, Falloff, Knot, Soft},
+    light::{CompiledCone, CompiledSpotLight, LightModel, SurfacePoint},
+    number::{Fraction, Gain, Offset, Ray, Rise, Share, Slopes},
+    specular::{BlinnPhong, DifferenceForm, DualConeLobe, Highlight, NoSpecular, Phong, SpecularLobe},
+};
 use luminaire_effects::Format;
 use luminaire_effects::raw::{Bits, Raw};
 
@@ -52,7 +60,7 @@ fn converts<S: Raw>(bits: &mut Bits) {
 #[inline(never)]
 fn multiplies<S: Raw>(bits: &mut Bits) {
     let [a, b] = from_fn(|_| S::scalar(bits.word()));
-    black_box((Scalar::times(a, b), Scalar::minus(a, b), Scalar::smooth(a)));
+    black_box((S::times(a, b), S::minus(a, b), S::smooth(a)));
     let [a, b] = from_fn(|_| S::raw_gain(bits.word()));
     black_box((Gain::by(a, b), Gain::plus(a, b), Gain::inverse_capped(a), Gain::fraction(b)));
     let [a, b] = from_fn(|_| bits.vector(S::unit));
@@ -131,13 +139,13 @@ fn bends<S: Raw, F: Fraction<S>>(bits: &mut Bits, t: F, other: F) {
     let knots: [Knot; 4] =
         bits.column(|bits| Knot::from_bits(bits as u16, (bits >> 16) as u16, (bits >> 32) as i32));
     black_box(Fraction::along(t, black_box(&knots[..])));
-    black_box(Curve::<S>::intensity(CompiledBlend::from_parts(g), t));
+    black_box(Curve::<S>::intensity(CompiledQuadratic::from_parts(g), t));
     black_box(Curve::<S>::intensity(CompiledCubic::from_parts(g, h), t));
     let curve = Falloff::compile::<S>(bits.any_profile());
     black_box(Curve::<S>::intensity(curve, t));
 }
 
-/// LightModel.
+/// Light.
 #[inline(never)]
 fn shows<S: Raw>(bits: &mut Bits) {
     let [a, b] = from_fn(|_| S::light(bits.word()));
@@ -145,8 +153,7 @@ fn shows<S: Raw>(bits: &mut Bits) {
     let gain = S::raw_gain(bits.word());
     black_box((S::expose(part, gain), S::filter(a, color), S::add_light(a, b), S::amplify(a, gain)));
     black_box((S::light_to_f32(a), S::light_to_gain(b), S::clip(a), S::is_clipped(part, b)));
-    black_box((Scalar::srgb::<255>(color), Scalar::srgb::<63>(color), Scalar::srgb::<31>(color)));
-    black_box(Scalar::srgb_dithered::<31>(color, bits.word() as u8));
+    black_box(S::word(color));
 }
 
 /// A distance model and a cone that are chosen at run time.
@@ -162,7 +169,10 @@ fn falls<S: Raw>(bits: &mut Bits) {
     let profile = bits.any_profile();
     let falloff = CompiledCone::<S, AnyFalloff>::from_parts(S::raw_ramp(bits), profile, profile.compile());
     black_box(CompiledCone::at(&falloff, CompiledCone::versine(&falloff, bits.float())));
-    black_box(CompiledCone::at(&CompiledCone::with_profile(&falloff, Soft), CompiledCone::versine(&falloff, bits.float())));
+    black_box(CompiledCone::at(
+        &CompiledCone::with_profile(&falloff, Soft),
+        CompiledCone::versine(&falloff, bits.float()),
+    ));
 }
 
 /// A kind of highlight by itself.
@@ -191,5 +201,5 @@ fn keeps<S: Raw>(bits: &mut Bits) {
     black_box(Vec3::map(lengths, |length| length));
     black_box(Cubic::coefficients(bits.any_cubic()));
     let effects = Effects::with(Effects::NONE, Effect::Gobo);
-    black_box(Effects::has(Effects::and(effects, Effects::ALL), black_box(Effect::Soft)));
+    black_box(Effects::has(Effects::union(effects, Effects::ALL), black_box(Effect::Soft)));
 }

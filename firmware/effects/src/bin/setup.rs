@@ -5,7 +5,18 @@ use core::array::from_fn;
 use core::hint::black_box;
 
 use luminaire::import::{Difference, Direct3d, Gltf, Godot, OpenGl, Penumbra, Ramp, Three};
-use luminaire::{AmbientLight, Angle, Cone, DirectionalLight, Error, HalfAngle, Material, PointLight, SpotLight, Vec3, display::{Exposure, decode_srgb}, dynamic::{AnyLight, Effect, RenderPlan}, falloff::{Cubic, Falloff, FittedFalloff, Hard, InvertedPower, Knot, Linear, Power, Quadratic, Smooth, Soft, SoftOrHard, Step, Table}, haze::{Haze, RayBundle, ViewRay}, projector::{Fixture, Gobo, Projection, Shadow}, specular::{BlinnPhong, DifferenceForm, DualConeLobe, Phong, SpecularLobe}};
+use luminaire::{
+    AmbientLight, Angle, Cone, DirectionalLight, Error, HalfAngle, Material, PointLight, SpotLight, Vec3,
+    display::{Exposure, decode_srgb},
+    dynamic::{AnyLight, Effect, RenderPlan},
+    falloff::{
+        Cubic, Falloff, FittedFalloff, Hard, InvertedPower, Knot, Linear, Power, Quadratic, Smooth, Soft,
+        SoftOrHard, Step, Table,
+    },
+    haze::{Haze, RayBundle, ViewRay},
+    projector::{Fixture, Gobo, Projection, Shadow},
+    specular::{BlinnPhong, DifferenceForm, DualConeLobe, Phong, SpecularLobe},
+};
 use luminaire_effects::Format;
 use luminaire_effects::raw::{Bits, Raw};
 
@@ -28,7 +39,8 @@ fn of_format<S: Raw>(bits: &mut Bits) {
     let edge = if bits.choice(2) == 0 { SoftOrHard::Soft } else { SoftOrHard::Hard };
     designs::<S, _>(bits, edge);
     let (blend, cubic) = (bits.any_blend(), bits.any_cubic());
-    let fitted = if bits.choice(2) == 0 { FittedFalloff::Quadratic(blend) } else { FittedFalloff::Cubic(cubic) };
+    let fitted =
+        if bits.choice(2) == 0 { FittedFalloff::Quadratic(blend) } else { FittedFalloff::Cubic(cubic) };
     designs::<S, _>(bits, fitted);
     let matched = bits.any_profile();
     designs::<S, _>(bits, matched);
@@ -157,7 +169,11 @@ fn hangs<S: Raw>(bits: &mut Bits, lamp: AnyLight) {
     });
     let luminaire = hung.unwrap_or(lamp.into());
     black_box(luminaire.compile_gobo::<S>().is_ok());
-    let plan = if bits.choice(2) == 0 { RenderPlan::with(RenderPlan::new(), Effect::Haze) } else { RenderPlan::everything() };
+    let plan = if bits.choice(2) == 0 {
+        RenderPlan::with(RenderPlan::new(), Effect::Haze)
+    } else {
+        RenderPlan::everything()
+    };
     let plan = plan.with_fixture(&luminaire);
     black_box((plan.requires(Effect::Gobo), plan.effects().iter().count()));
     black_box(Fixture::effects(&luminaire));
@@ -241,8 +257,8 @@ fn surfaces<S: Raw>(bits: &mut Bits) {
         glossy::<S, _>(bits, paper, DualConeLobe);
         glossy::<S, _>(bits, paper, DifferenceForm::<_, 3>(Phong));
     }
-    let ambient =
-        AmbientLight::new(bits.color(f32::scalar)).and_then(|all| AmbientLight::with_intensity(all, bits.float()));
+    let ambient = AmbientLight::new(bits.color(f32::scalar))
+        .and_then(|all| AmbientLight::with_intensity(all, bits.float()));
     if let Ok(ambient) = ambient {
         black_box(AmbientLight::compile::<S>(&ambient));
         black_box(RenderPlan::with_ambient(RenderPlan::new(), &ambient).skips());

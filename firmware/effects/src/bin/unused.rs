@@ -1,7 +1,10 @@
 //! The soft spotlight again, beside other effects that its scene might have called for and does not: they cost nothing.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
-use luminaire::{Rgb, display::{clip, encode_srgb}};
+use luminaire::{
+    Rgb,
+    display::{clip, encode_srgb},
+};
 use luminaire_effects::constants::{AMBIENT, EXPOSURE, PHONG, POINT, SPOT_SOFT, SPOT_TABLE};
 use luminaire_effects::{Format, Light, Surface};
 

@@ -1,6 +1,6 @@
 //! A spotlight: its edges, its distances, and what stands in its way.
 
-use luminaire::{Scalar, haze::ViewRay};
+use luminaire::haze::ViewRay;
 
 use crate::constants::{
     BEAM, GOBO, SHADOW, SPOT_BLEND, SPOT_CUBIC, SPOT_CUT_OFF, SPOT_DELIMITER, SPOT_HARD, SPOT_HARD_RANGE,
@@ -73,7 +73,7 @@ pub fn spot_soft_lambert_gobo(surface: Surface) -> Irradiance {
 /// The soft spotlight under a shadow map of 16 by 16.
 #[inline(always)]
 pub fn spot_soft_lambert_shadow(surface: Surface) -> Irradiance {
-    Format::filter(spot_soft_lambert(surface), SHADOW.visibility(surface.point))
+    SHADOW.filter(spot_soft_lambert(surface), surface.point)
 }
 
 /// The air light of a view ray through the beam of the soft spotlight in haze. It is f32 in every format.
