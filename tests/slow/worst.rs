@@ -1,6 +1,6 @@
 //! The worst places that a search has found, each evaluated again: the error there is the one that was found.
 //!
-//! `cargo run -p suite --example worst-places > tests/worst/places.txt` searches anew.
+//! `cargo run -p suite --example worst-places > tests/slow/worst/places.txt` searches anew.
 
 use luminaire::{Fx16, Fx32, falloff::Falloff};
 use support::with_every_shape;
@@ -12,9 +12,9 @@ use support::{
 
 const PLACES: &str = include_str!("worst/places.txt");
 
-/// The largest error at the narrowest cones of a format, which are promised half a step of eight bits, 1.96e-3. Random
-/// points meet less of it than a search that climbs.
-const AT_THE_NARROWEST: [(&str, f64); 3] = [("f32", 8.2e-4), ("fx32", 1.68e-3), ("fx16", 1.37e-3)];
+/// The largest error of a format in these places, where half a step of eight bits is promised, 1.96e-3. Random points
+/// meet less of it than a search that climbs. That of `Fx16` is at 30 degrees: it evaluates its narrowest cones finely.
+const LARGEST: [(&str, f64); 3] = [("f32", 8.2e-4), ("fx32", 1.68e-3), ("fx16", 9.4e-4)];
 
 /// Both of a shape's places, at its narrowest cone and at 30 degrees: an error that grew fails, and one that shrank.
 /// Returns the larger of the two.
@@ -34,7 +34,7 @@ fn as_found<S: Format, P: Falloff>(shape: &Shape<P>) -> f64 {
 
 fn assert_most(format: &str, errors: impl IntoIterator<Item = f64>) {
     let most = errors.into_iter().fold(0.0, f64::max);
-    let (_, bound) = AT_THE_NARROWEST.into_iter().find(|(name, _)| *name == format).expect("a format");
+    let (_, bound) = LARGEST.into_iter().find(|(name, _)| *name == format).expect("a format");
     assert!(most <= bound && most > 0.97 * bound, "{format}: {most:.3e}, not {bound:.2e}");
 }
 

@@ -534,8 +534,9 @@ fn assert_axis<S: Format>(most: f64) {
     let mut worst = 0.0_f64;
     for shape in shapes {
         let narrowest = shape.narrowest::<S>();
-        for half_degrees in
-            [narrowest, 10.0 * narrowest, 7.5, 30.0, 90.0].map(|half| half.clamp(narrowest, 90.0))
+        // Fx16 evaluates its narrowest cones finely, and those from 1.5 times as wide on coarsely.
+        for half_degrees in [narrowest, 1.5 * narrowest, 10.0 * narrowest, 7.5, 30.0, 90.0]
+            .map(|half| half.clamp(narrowest, 90.0))
         {
             let lack = lack_on_axis::<S>(&shape, half_degrees);
             assert!(lack == 0.0 || half_degrees < 7.5, "{} {} {half_degrees}: {lack}", S::NAME, shape.name);
@@ -548,7 +549,7 @@ fn assert_axis<S: Format>(most: f64) {
 
 #[test]
 fn points_on_the_axis_have_all_the_light() {
-    assert_axis::<f32>(90.0);
+    assert_axis::<f32>(128.0);
     assert_axis::<Fx32>(0.0);
-    assert_axis::<Fx16>(1.0);
+    assert_axis::<Fx16>(3.0);
 }

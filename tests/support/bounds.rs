@@ -67,8 +67,8 @@ pub const ROWS: [Row; 54] = [
     },
     Row {
         profile: "linear", format: "fx16", falloff: 1.08,
-        spot: [REFUSE, REFUSE, REFUSE, 1.5e-3, 7.6e-4, 5.1e-4, 3.5e-4, 2.7e-4, 2.6e-4, 1.9e-4, 2.2e-4],
-        lit:  [REFUSE, REFUSE, REFUSE, 1.3e-3, 7.3e-4, 4.8e-4, 3.3e-4, 3.0e-4, 3.1e-4, 3.1e-4, 3.1e-4],
+        spot: [REFUSE, REFUSE, REFUSE, 3.3e-5, 7.6e-4, 5.1e-4, 3.5e-4, 2.7e-4, 2.6e-4, 1.9e-4, 2.2e-4],
+        lit:  [REFUSE, REFUSE, REFUSE, 3.3e-5, 7.3e-4, 4.8e-4, 3.3e-4, 3.0e-4, 3.1e-4, 3.1e-4, 3.1e-4],
     },
     Row {
         profile: "cut-off", format: "f32", falloff: 0.0,
@@ -98,7 +98,7 @@ pub const ROWS: [Row; 54] = [
     Row {
         profile: "smooth", format: "fx16", falloff: 1.8,
         spot: [REFUSE, REFUSE, REFUSE, REFUSE, 9.2e-4, 5.9e-4, 4.1e-4, 3.2e-4, 3.0e-4, 2.2e-4, 2.4e-4],
-        lit:  [REFUSE, REFUSE, REFUSE, REFUSE, 8.7e-4, 5.5e-4, 3.7e-4, 3.3e-4, 3.3e-4, 3.3e-4, 3.4e-4],
+        lit:  [REFUSE, REFUSE, REFUSE, REFUSE, 8.7e-4, 5.5e-4, 3.7e-4, 3.3e-4, 3.3e-4, 3.5e-4, 3.4e-4],
     },
     Row {
         profile: "blend", format: "f32", falloff: 2.13,
@@ -143,7 +143,7 @@ pub const ROWS: [Row; 54] = [
     Row {
         profile: "power 4", format: "fx16", falloff: 2.89,
         spot: [REFUSE, REFUSE, REFUSE, 3.3e-5, 8.0e-4, 4.7e-4, 3.4e-4, 2.8e-4, 2.5e-4, 2.2e-4, 2.0e-4],
-        lit:  [REFUSE, REFUSE, REFUSE, 3.3e-5, 7.1e-4, 4.8e-4, 4.1e-4, 3.9e-4, 3.9e-4, 4.1e-4, 3.6e-4],
+        lit:  [REFUSE, REFUSE, REFUSE, 3.3e-5, 7.1e-4, 5.3e-4, 4.1e-4, 3.9e-4, 3.9e-4, 4.1e-4, 3.6e-4],
     },
     Row {
         profile: "power 15", format: "f32", falloff: 18.3,
@@ -157,8 +157,8 @@ pub const ROWS: [Row; 54] = [
     },
     Row {
         profile: "power 15", format: "fx16", falloff: 9.38,
-        spot: [REFUSE, REFUSE, REFUSE, REFUSE, 3.3e-5, 9.3e-4, 7.7e-4, 6.7e-4, 6.4e-4, 6.3e-4, 5.1e-4],
-        lit:  [REFUSE, REFUSE, REFUSE, REFUSE, 3.3e-5, 9.0e-4, 7.3e-4, 7.3e-4, 7.2e-4, 7.6e-4, 5.8e-4],
+        spot: [REFUSE, REFUSE, REFUSE, REFUSE, 3.3e-5, 3.3e-5, 7.7e-4, 6.7e-4, 6.4e-4, 6.3e-4, 5.1e-4],
+        lit:  [REFUSE, REFUSE, REFUSE, REFUSE, 3.3e-5, 3.3e-5, 7.3e-4, 7.3e-4, 7.2e-4, 7.6e-4, 5.8e-4],
     },
     Row {
         profile: "rim 4", format: "f32", falloff: 1.77,
@@ -172,8 +172,8 @@ pub const ROWS: [Row; 54] = [
     },
     Row {
         profile: "rim 4", format: "fx16", falloff: 2.90,
-        spot: [REFUSE, REFUSE, REFUSE, REFUSE, REFUSE, REFUSE, 1.3e-3, 1.1e-3, 9.6e-4, 7.6e-4, 8.0e-4],
-        lit:  [REFUSE, REFUSE, REFUSE, REFUSE, REFUSE, REFUSE, 1.2e-3, 9.4e-4, 8.0e-4, 5.6e-4, 7.3e-4],
+        spot: [REFUSE, REFUSE, REFUSE, REFUSE, REFUSE, REFUSE, 3.3e-5, 1.1e-3, 9.6e-4, 7.6e-4, 8.0e-4],
+        lit:  [REFUSE, REFUSE, REFUSE, REFUSE, REFUSE, REFUSE, 3.3e-5, 9.4e-4, 8.0e-4, 5.6e-4, 7.3e-4],
     },
     Row {
         profile: "integer power 15", format: "f32", falloff: 18.3,
@@ -187,8 +187,8 @@ pub const ROWS: [Row; 54] = [
     },
     Row {
         profile: "integer power 15", format: "fx16", falloff: 9.38,
-        spot: [REFUSE, REFUSE, REFUSE, REFUSE, 3.3e-5, 9.9e-4, 7.7e-4, 6.7e-4, 6.3e-4, 6.3e-4, 5.1e-4],
-        lit:  [REFUSE, REFUSE, REFUSE, REFUSE, 3.3e-5, 9.0e-4, 7.6e-4, 7.3e-4, 7.2e-4, 7.6e-4, 5.8e-4],
+        spot: [REFUSE, REFUSE, REFUSE, REFUSE, 3.3e-5, 3.3e-5, 7.7e-4, 6.7e-4, 6.3e-4, 6.3e-4, 5.1e-4],
+        lit:  [REFUSE, REFUSE, REFUSE, REFUSE, 3.3e-5, 3.3e-5, 7.6e-4, 7.3e-4, 7.2e-4, 7.6e-4, 5.8e-4],
     },
     Row {
         profile: "integer rim 4", format: "f32", falloff: 1.77,
@@ -202,8 +202,8 @@ pub const ROWS: [Row; 54] = [
     },
     Row {
         profile: "integer rim 4", format: "fx16", falloff: 2.89,
-        spot: [REFUSE, REFUSE, REFUSE, REFUSE, REFUSE, REFUSE, 1.4e-3, 1.1e-3, 9.9e-4, 7.6e-4, 8.0e-4],
-        lit:  [REFUSE, REFUSE, REFUSE, REFUSE, REFUSE, REFUSE, 1.2e-3, 9.4e-4, 8.3e-4, 5.6e-4, 7.3e-4],
+        spot: [REFUSE, REFUSE, REFUSE, REFUSE, REFUSE, REFUSE, 3.3e-5, 1.1e-3, 9.9e-4, 7.6e-4, 8.0e-4],
+        lit:  [REFUSE, REFUSE, REFUSE, REFUSE, REFUSE, REFUSE, 3.3e-5, 9.4e-4, 8.3e-4, 5.6e-4, 7.3e-4],
     },
     Row {
         profile: "mixed power", format: "f32", falloff: 8.25,
@@ -247,8 +247,8 @@ pub const ROWS: [Row; 54] = [
     },
     Row {
         profile: "table", format: "fx16", falloff: 1.87,
-        spot: [REFUSE, REFUSE, REFUSE, REFUSE, 1.3e-3, 8.4e-4, 6.3e-4, 4.4e-4, 4.0e-4, 3.0e-4, 3.5e-4],
-        lit:  [REFUSE, REFUSE, REFUSE, REFUSE, 1.3e-3, 7.6e-4, 5.4e-4, 4.1e-4, 3.8e-4, 3.1e-4, 3.3e-4],
+        spot: [REFUSE, REFUSE, REFUSE, REFUSE, 4.0e-5, 8.4e-4, 6.3e-4, 4.4e-4, 4.0e-4, 3.0e-4, 3.5e-4],
+        lit:  [REFUSE, REFUSE, REFUSE, REFUSE, 3.8e-5, 7.6e-4, 5.4e-4, 4.1e-4, 4.4e-4, 3.1e-4, 3.3e-4],
     },
     Row {
         profile: "soft, hotspot", format: "f32", falloff: 2.94,

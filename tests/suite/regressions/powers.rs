@@ -87,7 +87,7 @@ fn micromath_magnifies_the_error_of_its_logarithm() {
     }
     assert_ours("f32", error::<f32>(), 1.5e-6);
     assert_ours("fx32", error::<Fx32>(), 1.5e-8);
-    assert_ours("fx16", error::<Fx16>(), 1.1e-3);
+    assert_ours("fx16", error::<Fx16>(), 3.3e-5);
 }
 
 /// OpenGL's spotlight in GLSL, `pow(cosine, exponent)`, with the exponent that a light has until it is told
