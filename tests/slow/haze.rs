@@ -15,7 +15,6 @@ use luminaire::{
 use support::with_every_shape;
 use support::{
     bounds,
-    format::Format,
     haze::{self, HALF_ANGLES, Row},
     in_scattering::Beam,
     profiles::Shape,
@@ -115,7 +114,7 @@ fn broken(table: &[Row], name: &str, measured: &[f64]) -> Vec<String> {
     checked.filter_map(|(i, (&e, bound))| bounds::check(&format!("{name} {i}"), e, bound).err()).collect()
 }
 
-fn cones_broken<S: Format, P: Falloff>(shape: &Shape<P>) -> Vec<String> {
+fn cones_broken<P: Falloff>(shape: &Shape<P>) -> Vec<String> {
     let measured = HALF_ANGLES.map(|half| {
         largest(
             |rng| shaped(rng, shape, half),
@@ -130,9 +129,9 @@ fn cones_broken<S: Format, P: Falloff>(shape: &Shape<P>) -> Vec<String> {
 
 #[test]
 fn every_cone_keeps_its_row() {
-    let mut broken: Vec<_> = with_every_shape!(cones_broken::<f32>).into_iter().flatten().collect();
+    let mut broken: Vec<_> = with_every_shape!(cones_broken).into_iter().flatten().collect();
     let shape = Shape::plain("power 128", Power::<128>, |t| t.powi(128));
-    broken.extend(cones_broken::<f32, _>(&shape));
+    broken.extend(cones_broken(&shape));
     assert!(broken.is_empty(), "{}", broken.join("\n"));
 }
 

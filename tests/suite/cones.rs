@@ -17,7 +17,7 @@ fn assert_near(what: &str, found: f32, expected: f64, within: f64) {
 }
 
 /// Beam and field are the last angles with at least a half and a tenth of the intensity, whatever the cone has.
-fn assert_angles<S: Format, P: Falloff>(shape: &Shape<P>) {
+fn assert_angles<P: Falloff>(shape: &Shape<P>) {
     for degrees in [0.1, 3.0, 20.0, 70.0, 90.0] {
         let (cone, exact) = (shape.at(degrees), shape.exactly_at(degrees));
         for (angle, intensity) in [(cone.beam(), 0.5), (cone.field(), 0.1)] {
@@ -36,11 +36,11 @@ fn assert_angles<S: Format, P: Falloff>(shape: &Shape<P>) {
 
 #[test]
 fn angles_are_where_the_intensity_says() {
-    with_every_shape!(assert_angles::<f32>);
+    with_every_shape!(assert_angles);
 }
 
 /// Flux is 2 pi times the integral of the intensity over the versine: by the midpoint rule, in f64.
-fn assert_flux<S: Format, P: Falloff>(shape: &Shape<P>) {
+fn assert_flux<P: Falloff>(shape: &Shape<P>) {
     for degrees in [0.1, 20.0, 90.0] {
         let (cone, exact) = (shape.at(degrees), shape.exactly_at(degrees));
         let steps = 200_000;
@@ -54,7 +54,7 @@ fn assert_flux<S: Format, P: Falloff>(shape: &Shape<P>) {
 
 #[test]
 fn flux_is_the_integral_of_the_intensity() {
-    with_every_shape!(assert_flux::<f32>);
+    with_every_shape!(assert_flux);
 }
 
 /// The shares of the paper's profiles: a third and two thirds of a full cone.

@@ -82,7 +82,7 @@ fn integral(oracle: reference::Falloff, to: f64) -> f64 {
     (0..steps).map(|i| oracle(1.0 - (f64::from(i) + 0.5) * width)).sum::<f64>() * width
 }
 
-fn profile_errors<S: Format, P: Falloff>(shape: &Shape<P>) -> [f64; 3] {
+fn profile_errors<P: Falloff>(shape: &Shape<P>) -> [f64; 3] {
     let beam = relative(shape.profile.beam_versine(), last_u(shape.oracle, 0.5));
     let field = relative(shape.profile.field_versine(), last_u(shape.oracle, 0.1));
     let at = |u: f32| relative(shape.profile.integral(u), integral(shape.oracle, u.into()));
@@ -95,14 +95,14 @@ fn largest<const N: usize>(errors: impl IntoIterator<Item = [f64; N]>) -> [f64; 
 
 #[test]
 fn profiles_keep_their_figures() {
-    let [beam, field, integral] = largest(with_every_shape!(profile_errors::<f32>));
+    let [beam, field, integral] = largest(with_every_shape!(profile_errors));
     assert_figure("beam versine of a profile", beam);
     assert_figure("field versine of a profile", field);
     assert_figure("integral of a profile", integral);
 }
 
 /// The errors of the outer angle of cones that are designed from their outer, field and beam angle.
-fn design_errors<S: Format, P: Falloff>(shape: &Shape<P>) -> [f64; 3] {
+fn design_errors<P: Falloff>(shape: &Shape<P>) -> [f64; 3] {
     let (to_field, to_beam) = (last_u(shape.oracle, 0.1), last_u(shape.oracle, 0.5));
     let error = |cone: Result<Cone<P>, _>, degrees: f32, u: f64| {
         let cone = cone.ok()?;
@@ -120,7 +120,7 @@ fn design_errors<S: Format, P: Falloff>(shape: &Shape<P>) -> [f64; 3] {
 }
 
 /// The errors of the inner, beam, field and outer angles that a cone gives.
-fn angle_errors<S: Format, P: Falloff>(shape: &Shape<P>) -> [f64; 4] {
+fn angle_errors<P: Falloff>(shape: &Shape<P>) -> [f64; 4] {
     largest((0..=60).map(|i| {
         let half = 0.01 * 9_000.0_f32.powf(i as f32 / 60.0);
         let (cone, exact) = (shape.at(half), shape.exactly_at(half));
@@ -146,7 +146,7 @@ fn angle_errors<S: Format, P: Falloff>(shape: &Shape<P>) -> [f64; 4] {
     }))
 }
 
-fn flux_errors<S: Format, P: Falloff>(shape: &Shape<P>) -> [f64; 2] {
+fn flux_errors<P: Falloff>(shape: &Shape<P>) -> [f64; 2] {
     largest([0.1_f32, 3.0, 20.0, 90.0].map(|half| {
         let (cone, exact) = (shape.at(half), shape.exactly_at(half));
         let steps = 50_000;
@@ -159,16 +159,16 @@ fn flux_errors<S: Format, P: Falloff>(shape: &Shape<P>) -> [f64; 2] {
 
 #[test]
 fn cones_keep_their_figures() {
-    let [outer, field, beam] = largest(with_every_shape!(design_errors::<f32>));
+    let [outer, field, beam] = largest(with_every_shape!(design_errors));
     assert_figure("outer versine from the outer angle", outer);
     assert_figure("outer versine from the field angle", field);
     assert_figure("outer versine from the beam angle", beam);
-    let [inner, beam, field, outer] = largest(with_every_shape!(angle_errors::<f32>));
+    let [inner, beam, field, outer] = largest(with_every_shape!(angle_errors));
     assert_figure("inner angle of a cone", inner);
     assert_figure("beam angle of a cone", beam);
     assert_figure("field angle of a cone", field);
     assert_figure("outer angle of a cone", outer);
-    let [lumens, candela] = largest(with_every_shape!(flux_errors::<f32>));
+    let [lumens, candela] = largest(with_every_shape!(flux_errors));
     assert_figure("lumens of a cone", lumens);
     assert_figure("candela of a cone", candela);
 }

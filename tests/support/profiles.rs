@@ -132,43 +132,49 @@ fn exact_delimited(profile: reference::Falloff, outer: f64) -> reference::Cone {
 /// OpenGL's.
 #[macro_export]
 macro_rules! with_every_shape {
-    ($function:ident :: <$format:ty>) => {{
+    ($function:ident :: <$format:ty>) => {
+        $crate::with_every_shape!(@ $function::<$format, _>)
+    };
+    ($function:ident) => {
+        $crate::with_every_shape!(@ $function)
+    };
+    (@ $($function:tt)*) => {{
         use luminaire::falloff::{Hard, InvertedPower, Linear, Power, Smooth, Soft, Step};
         use $crate::{
             profiles::{self, Shape},
             reference,
         };
         [
-            $function::<$format, _>(&Shape::plain("soft", Soft, reference::soft)),
-            $function::<$format, _>(&Shape::plain("hard", Hard, reference::hard)),
-            $function::<$format, _>(&Shape::plain("linear", Linear, reference::linear)),
-            $function::<$format, _>(&Shape::plain("cut-off", Step, reference::cut_off)),
-            $function::<$format, _>(&Shape::plain("smooth", Smooth, reference::smooth)),
-            $function::<$format, _>(&Shape::plain("blend", profiles::blend(), reference::blend)),
-            $function::<$format, _>(&Shape::plain("cubic", profiles::cubic(), reference::cubic)),
-            $function::<$format, _>(&Shape::plain("power 4", Power::<4>, reference::power_4)),
-            $function::<$format, _>(&Shape::plain("power 15", Power::<15>, reference::power_15)),
-            $function::<$format, _>(&Shape::plain("rim 4", InvertedPower::<4>, reference::rim_4)),
-            $function::<$format, _>(&Shape::plain(
+            $($function)*(&Shape::plain("soft", Soft, reference::soft)),
+            $($function)*(&Shape::plain("hard", Hard, reference::hard)),
+            $($function)*(&Shape::plain("linear", Linear, reference::linear)),
+            $($function)*(&Shape::plain("cut-off", Step, reference::cut_off)),
+            $($function)*(&Shape::plain("smooth", Smooth, reference::smooth)),
+            $($function)*(&Shape::plain("blend", profiles::blend(), reference::blend)),
+            $($function)*(&Shape::plain("cubic", profiles::cubic(), reference::cubic)),
+            $($function)*(&Shape::plain("power 4", Power::<4>, reference::power_4)),
+            $($function)*(&Shape::plain("power 15", Power::<15>, reference::power_15)),
+            $($function)*(&Shape::plain("rim 4", InvertedPower::<4>, reference::rim_4)),
+            $($function)*(&Shape::plain(
                 "integer power 15",
                 profiles::integer_power(),
                 reference::power_15,
             )),
-            $function::<$format, _>(&Shape::plain(
+            $($function)*(&Shape::plain(
                 "integer rim 4",
                 profiles::integer_rim(),
                 reference::rim_4,
             )),
-            $function::<$format, _>(&Shape::plain(
+            $($function)*(&Shape::plain(
                 "mixed power",
                 profiles::mixed_power(),
                 reference::mixed_power,
             )),
-            $function::<$format, _>(&Shape::plain("mixed rim", profiles::mixed_rim(), reference::mixed_rim)),
-            $function::<$format, _>(&Shape::plain("table", profiles::table(), reference::table)),
-            $function::<$format, _>(&Shape::hotspot("soft, hotspot", Soft, reference::soft)),
-            $function::<$format, _>(&Shape::delimited("soft, delimited", Soft, reference::soft)),
-            $function::<$format, _>(&Shape::<Power<15>>::opengl("OpenGL 15", reference::power_15)),
+            $($function)*(&Shape::plain("mixed rim", profiles::mixed_rim(), reference::mixed_rim)),
+            $($function)*(&Shape::plain("table", profiles::table(), reference::table)),
+            $($function)*(&Shape::hotspot("soft, hotspot", Soft, reference::soft)),
+            $($function)*(&Shape::delimited("soft, delimited", Soft, reference::soft)),
+            $($function)*(&Shape::<Power<15>>::opengl("OpenGL 15", reference::power_15)),
         ]
     }};
 }
