@@ -44,7 +44,7 @@ pub const ROWS: [Row; 23] = [
     row("cubic",         "fx32", [2.53, 2.74, 2.88, 2.51]),
     row("soft",          "fx16", [REFUSE, 1.37, 1.40, 1.23]),
     row("hard",          "fx16", [REFUSE, REFUSE, 1.52, 1.28]),
-    row("linear",        "fx16", [REFUSE, 1.03, 1.03, 0.91]),
+    row("linear",        "fx16", [REFUSE, 0.51, 1.03, 0.91]),
     row("smooth",        "fx16", [REFUSE, REFUSE, 1.71, 1.55]),
     row("blend",         "fx16", [REFUSE, 1.41, 1.45, 1.31]),
     row("cubic",         "fx16", [REFUSE, REFUSE, 2.34, 2.04]),
