@@ -220,7 +220,7 @@ impl<P: Falloff> Cone<P> {
         Ok(CompiledCone::new(ramp(inner, outer, limit), self.profile))
     }
 
-    /// That of [`Scalar::coarse_error`].
+    /// That of `Arithmetic::coarse_error`.
     pub(crate) fn coarse_error<S: Scalar>(&self) -> f32 {
         S::coarse_error(&self.slopes(self.inner), self.outer, self.limit)
     }

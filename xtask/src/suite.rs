@@ -15,12 +15,28 @@ pub(crate) struct Suite {
     start: Instant,
     tally: Tally,
     failures: Vec<String>,
+    /// The seconds that each step took.
+    times: Vec<(String, f64)>,
+}
+
+/// How many of the slowest steps are listed.
+const SLOWEST: usize = 10;
+
+/// The processor time in seconds of all processes that have ended, where the system tells it in `/proc`.
+fn processor_seconds() -> Option<f64> {
+    /// What Linux counts in, on every processor that it runs on.
+    const TICKS_A_SECOND: f64 = 100.0;
+    let status = std::fs::read_to_string("/proc/self/stat").ok()?;
+    // The name of the program, in parentheses, may hold spaces.
+    let mut fields = status.rsplit_once(')')?.1.split_whitespace().skip(13);
+    let [user, system] = [fields.next()?, fields.next()?].map(|ticks| ticks.parse::<f64>().ok());
+    Some((user? + system?) / TICKS_A_SECOND)
 }
 
 impl Suite {
     /// A suite of all steps, or of those whose name contains `only`.
     pub(crate) fn new(only: Option<String>) -> Self {
-        Self { only, start: Instant::now(), tally: Tally::default(), failures: Vec::new() }
+        Self { only, start: Instant::now(), tally: Tally::default(), failures: Vec::new(), times: Vec::new() }
     }
 
     /// Whether a step with this name is to be run.
@@ -53,6 +69,7 @@ impl Suite {
         let progress = Progress::kept();
         let outcome = work(&progress);
         let seconds = start.elapsed().as_secs_f64();
+        self.times.push((name.to_owned(), seconds));
         let tally = outcome.as_ref().map_or(Tally::FAILED, |(_, tally)| *tally);
         let tests = if tally.passed + tally.failed == 1 { String::new() } else { format!(" ({tally})") };
         self.tally += tally;
@@ -72,15 +89,21 @@ impl Suite {
     }
 
     /// Tells what failed and, as the last line, how many.
-    pub(crate) fn finish(self) -> ExitCode {
+    pub(crate) fn finish(mut self) -> ExitCode {
+        println!("\nthe slowest steps:");
+        self.times.sort_by(|a, b| b.1.total_cmp(&a.1));
+        for (name, seconds) in self.times.iter().take(SLOWEST) {
+            println!("{seconds:7.1} s {name}");
+        }
         println!();
         for failure in &self.failures {
             println!("FAIL {failure}");
         }
         if self.tally == Tally::default() {
-            println!("no step was run: none has a name with the text of --only");
+            println!("no step matches the text of --only");
         }
-        println!("ran for {:.0} s", self.start.elapsed().as_secs_f64());
+        let processor = processor_seconds().map(|seconds| format!(", {seconds:.0} s of processor time"));
+        println!("ran for {:.0} s{}", self.start.elapsed().as_secs_f64(), processor.unwrap_or_default());
         println!("{}", self.tally);
         let well = self.tally.failed == 0 && self.tally.passed > 0;
         if well { ExitCode::SUCCESS } else { ExitCode::FAILURE }

@@ -56,7 +56,12 @@ impl Toolchain {
     /// A `cargo build` for the target. `library` names what a library built from source must hold, such as
     /// `core,alloc`; `flags` are the compiler's.
     pub(crate) fn cargo_build(&self, library: &str, flags: &[&str]) -> Command {
-        self.cargo_build_with(&[], library, flags)
+        self.cargo("build", &[], library, flags)
+    }
+
+    /// A `cargo check` for the target: what a build refuses, without code generation.
+    pub(crate) fn cargo_check(&self, library: &str) -> Command {
+        self.cargo("check", &[], library, &[])
     }
 
     /// The same for many targets: as few calls as there are ways to have their libraries, each of which builds for its
@@ -65,14 +70,14 @@ impl Toolchain {
         let groups = toolchains.chunk_by(|one, next| one.library == next.library);
         let build = |group: &[Self]| {
             let (first, rest) = group.split_first()?;
-            Some(first.cargo_build_with(rest, library, flags))
+            Some(first.cargo("build", rest, library, flags))
         };
         groups.filter_map(build).collect()
     }
 
-    /// A build for others too, whose library is had in the same way.
-    fn cargo_build_with(&self, others: &[Self], library: &str, flags: &[&str]) -> Command {
-        let mut build = command::cargo("build");
+    /// A command of cargo for the target and for others whose library is had in the same way.
+    fn cargo(&self, command: &str, others: &[Self], library: &str, flags: &[&str]) -> Command {
+        let mut build = command::cargo(command);
         for target in iter::once(self).chain(others).map(|toolchain| toolchain.target) {
             build.args(["--target", target]);
             let variable = linker_variable(target);

@@ -421,7 +421,7 @@ impl Ray<f32> for FloatRay {
     }
 
     /// The gain saturates and not the light, because the compiler sees that a product of clamped fractions is not
-    /// negative, and leaves the other half of [`Scalar::expose`]'s clamp out.
+    /// negative, and leaves the other half of `Arithmetic::expose`'s clamp out.
     #[inline(always)]
     fn expose(&self, fraction: f32, gain: f32) -> f32 {
         let gain = gain * (self.reciprocal * self.reciprocal);
