@@ -30,7 +30,7 @@ pub fn price() {
     run!(surface: spot_soft_lambert_gobo spot_soft_lambert_shadow);
     run!(view: haze);
     run!(surface: matte phong blinn_phong dual_cone lyon);
-    run!(light: ambient exposure clip compress_keep_hue);
+    run!(light: ambient exposure clip keep_hue);
     run!(color: srgb rgb565);
     run!(pixel: dither rgb565_dithered);
 }

@@ -4,7 +4,7 @@ mod display;
 mod spot;
 mod surface;
 
-pub use display::{clip, compress_keep_hue, dither, exposure, rgb565, rgb565_dithered, srgb};
+pub use display::{clip, dither, exposure, keep_hue, rgb565, rgb565_dithered, srgb};
 pub use spot::{
     haze, spot_blend_lambert, spot_cubic_lambert, spot_cut_off_lambert, spot_hard_lambert,
     spot_linear_lambert, spot_power_lambert, spot_rim_lambert, spot_smooth_lambert, spot_soft,

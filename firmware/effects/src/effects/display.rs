@@ -19,7 +19,7 @@ pub fn clip(light: Light) -> Color {
 
 /// Light scaled to full scale with its hue.
 #[inline(always)]
-pub fn compress_keep_hue(light: Light) -> Color {
+pub fn keep_hue(light: Light) -> Color {
     luminaire::display::compress_keep_hue::<Format>(light)
 }
 
