@@ -2,7 +2,7 @@
 //! form and by the versine form in each format, with the narrowest beam that each format takes.
 //!
 //! `cargo run --release --example narrow-beams > docs/narrow-beams.svg`. Everything in it is measured against
-//! the tests' f64 reference; `tests/limits.rs` holds the lines to their bounds.
+//! the tests' f64 reference; `tests/slow/limits.rs` holds the lines to their bounds.
 
 fn main() {
     print!("{}", support::beams_picture::svg());

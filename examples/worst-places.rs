@@ -1,7 +1,7 @@
 //! Looks for the places where each profile in each format is furthest from the exact intensity, and prints the file that
-//! `tests/worst.rs` holds the kernel to:
+//! `tests/slow/worst.rs` holds the kernel to:
 //!
-//! `cargo run -p suite --example worst-places > tests/worst/places.txt`
+//! `cargo run -p suite --example worst-places > tests/slow/worst/places.txt`
 
 use luminaire::{Fx16, Fx32, falloff::Falloff};
 use support::with_every_shape;

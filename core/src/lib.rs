@@ -36,7 +36,7 @@
 //! # Domain
 //!
 //! A cone that compiles errs at most half a *linear code*, 1/510 of full scale, or where it jumps 1/510 of its half angle in
-//! place, within these ranges. `tests/domain.rs` tests each end.
+//! place, within these ranges. `tests/suite/domain.rs` tests each end.
 //!
 //! | | `f32` | [`Fx32`] | [`Fx16`] | outside |
 //! |---|---|---|---|---|

@@ -4,7 +4,7 @@
 //! distance where the light falls so. The error of the direction is: by the slope of the edge. All other roundings together
 //! must add no more than half a code to that.
 //!
-//! `cargo test --test bright -- --nocapture --test-threads 1` prints the rows.
+//! `cargo test --test slow bright:: -- --nocapture --test-threads 1` prints the rows.
 
 use fastrand::Rng;
 use luminaire::{

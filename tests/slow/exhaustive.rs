@@ -1,8 +1,9 @@
 //! The falloff over every input that it can have, in all three formats, row by row of
 //! `support/every_falloff.rs`.
 //!
-//! A plain run visits one input in a thousand; `LUMINAIRE_FULL=1 cargo test --test exhaustive -- --nocapture`
-//! visits every one, some nine minutes on two processors, and prints the rows.
+//! A plain run visits one input in a thousand; `LUMINAIRE_FULL=1 cargo test --test slow
+//! exhaustive:: -- --nocapture` visits every one, some nine minutes on two processors, and prints
+//! the rows.
 
 use luminaire::number::Arithmetic;
 use luminaire::{

@@ -1,8 +1,9 @@
 //! A cone that compiles errs at most half a linear code: random cones at the limit of what each format accepts, a light and a
 //! point anywhere in its domain, and from the worst of them a climb by bits.
 //!
-//! `cargo test --test half_a_code -- --nocapture --test-threads 1` prints the worst that was found;
-//! `LUMINAIRE_FULL=1` begins in 1,000,000 places for each format, 40 in a cone, and climbs from each for longer.
+//! `cargo test --test slow half_a_code:: -- --nocapture --test-threads 1` prints the worst that was
+//! found; `LUMINAIRE_FULL=1` begins in 1,000,000 places for each format, 40 in a cone, and climbs
+//! from each for longer.
 
 use fastrand::Rng;
 use luminaire::{
@@ -231,7 +232,8 @@ impl<S: Format> Light<'_, S> {
         if way == [0.0; 3] || reference::dot(way, way) < 1e-30 {
             return 0.0;
         }
-        // A way that is longer than 32 bits has lost one: tests/domain.rs has the narrowest cones there.
+        // A way that is longer than 32 bits has lost one: tests/suite/domain.rs has the narrowest
+        // cones there.
         if S::NAME == "fx32" && way.iter().any(|c| c.abs() >= 32_768.0) {
             return 0.0;
         }

@@ -1,6 +1,6 @@
 //! Air light in haze against the oracle, row by row of `support/haze.rs`, and the laws that it keeps.
 //!
-//! `cargo test --test haze -- --nocapture --test-threads 1` prints the measured rows.
+//! `cargo test --test slow haze:: -- --nocapture --test-threads 1` prints the measured rows.
 
 use fastrand::Rng;
 use luminaire::{

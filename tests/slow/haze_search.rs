@@ -1,8 +1,8 @@
 //! Air light searched where the arc that a lamp sees of a view ray is nearly degenerate: half of
 //! all rays are within 0.01 rad of a critical direction.
 //!
-//! `LUMINAIRE_FULL=1 cargo test --test haze_search -- --nocapture --test-threads 1` tries the law
-//! on 10^8 rays and compares 10^6 with the oracle.
+//! `LUMINAIRE_FULL=1 cargo test --test slow haze_search:: -- --nocapture --test-threads 1` tries
+//! the law on 10^8 rays and compares 10^6 with the oracle.
 
 use fastrand::Rng;
 use luminaire::{

@@ -1,7 +1,8 @@
 //! What a user sees of the roundings, beside what no method can do better: the error from an ideal position
 //! and axis to the display, and what the rounding of these inputs alone makes of it.
 //!
-//! `LUMINAIRE_FULL=1 cargo test --test limits -- --nocapture --test-threads 1` prints the measured rows.
+//! `LUMINAIRE_FULL=1 cargo test --test slow limits:: -- --nocapture --test-threads 1` prints the
+//! measured rows.
 
 use fastrand::Rng;
 use luminaire::{

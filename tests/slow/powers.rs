@@ -1,6 +1,6 @@
 //! Powers as edge profiles, whole and real, up to the largest exponent: their figures of set-up and
-//! their intensities against f64. `cargo test --test powers -- --nocapture --test-threads 1` prints
-//! the errors.
+//! their intensities against f64. `cargo test --test slow powers:: -- --nocapture --test-threads 1`
+//! prints the errors.
 
 use luminaire::{
     Angle, Cone, Fx16, Fx32,

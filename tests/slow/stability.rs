@@ -4,7 +4,8 @@
 //! While the exact light of a pixel rises, the largest fall of the pixel from its highest value so far is a reversal, and so
 //! is the largest rise while it falls: in linear codes, clipped at full scale.
 //!
-//! `cargo test --test stability -- --nocapture --test-threads 1` prints the rows; `LUMINAIRE_FULL=1` looks 16 times as long.
+//! `cargo test --test slow stability:: -- --nocapture --test-threads 1` prints the rows;
+//! `LUMINAIRE_FULL=1` looks 16 times as long.
 
 use fastrand::Rng;
 use luminaire::{

@@ -1,8 +1,8 @@
 //! The domain of validity: at each end of each range that is stated the promises hold, and beyond it happens what the
 //! documentation says.
 //!
-//! `cargo test --test domain -- --nocapture --test-threads 1` prints the errors at the ends; `LUMINAIRE_FULL=1` looks 16 times
-//! as long.
+//! `cargo test --test suite domain:: -- --nocapture --test-threads 1` prints the errors at the
+//! ends; `LUMINAIRE_FULL=1` looks 16 times as long.
 
 use fastrand::Rng;
 use luminaire::{

@@ -1,7 +1,7 @@
 //! Why the formats are what they are: the candidates, modelled in f64 with every value rounded to the bits that it
 //! would have, and the largest error that each leaves. `docs/NUMERICS.md` quotes what this prints:
 //!
-//! `cargo test --test formats -- --nocapture`
+//! `cargo test --test suite formats:: -- --nocapture`
 
 use fastrand::Rng;
 use support::{

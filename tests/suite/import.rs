@@ -1,7 +1,8 @@
 //! Imported lights against the formulas of the systems that they come from, whole and in f64: what is exact,
 //! how far off the rest is, and that the number that an importer gives for it is the true one.
 //!
-//! `cargo test --test import -- --nocapture --test-threads 1` prints the differences and the errors.
+//! `cargo test --test suite import:: -- --nocapture --test-threads 1` prints the differences and
+//! the errors.
 
 use fastrand::Rng;
 use luminaire::{

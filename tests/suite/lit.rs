@@ -1,7 +1,7 @@
 //! Accuracy of distance models, highlights and the complete lit point in all three formats against the f64 reference,
 //! row by row of `support/prices.rs`.
 //!
-//! `cargo test --test lit -- --nocapture` prints the measured rows.
+//! `cargo test --test suite lit:: -- --nocapture` prints the measured rows.
 
 use fastrand::Rng;
 use luminaire::{

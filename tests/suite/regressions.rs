@@ -6,7 +6,8 @@
 //! is one. Shaders compute in f32, and so do their formulas here. A project may have mended its formula
 //! since.
 //!
-//! `cargo test --test regressions -- --nocapture --test-threads 1` prints what both measure.
+//! `cargo test --test suite regressions:: -- --nocapture --test-threads 1` prints what both
+//! measure.
 
 mod case;
 mod clamps;

@@ -1,6 +1,6 @@
 //! Goniometric data as tables: how far a table is off its data, that the number it gives for it is
-//! the true one, and what the formats add. `cargo test --test tables -- --nocapture --test-threads
-//! 1` prints the differences.
+//! the true one, and what the formats add. `cargo test --test suite tables:: -- --nocapture
+//! --test-threads 1` prints the differences.
 
 use fastrand::Rng;
 use luminaire::{

@@ -1,6 +1,6 @@
-//! The table of error bounds over every input, from a versine to the intensity: exhaustive, in steps of the
-//! format, and two-sided as all of them. `LUMINAIRE_FULL=1 cargo test --test exhaustive -- --nocapture`
-//! prints the measured ones.
+//! The table of error bounds over every input, from a versine to the intensity: exhaustive, in
+//! steps of the format, and two-sided as all of them. `LUMINAIRE_FULL=1 cargo test --test slow
+//! exhaustive:: -- --nocapture` prints the measured ones.
 
 use super::bounds::REFUSE;
 

@@ -15,9 +15,9 @@ pub fn transmission(side: usize, transmissions: &[u8], [column, row]: [f64; 2]) 
     between(along(top), along(bottom), y - top as f64)
 }
 
-/// The bounds in `f32`, `Fx32` and `Fx16`, in this order, of a gobo of random transmissions. Measured and held as in
-/// [`bounds`](super::bounds), two-sided and searched; `LUMINAIRE_FULL=1 cargo test --test gobo -- --nocapture
-/// --test-threads 1` prints the measured ones.
+/// The bounds in `f32`, `Fx32` and `Fx16`, in this order, of a gobo of random transmissions.
+/// Measured and held as in [`bounds`](super::bounds), two-sided and searched; `LUMINAIRE_FULL=1
+/// cargo test --test suite gobo:: -- --nocapture --test-threads 1` prints the measured ones.
 pub struct Row {
     pub name: &'static str,
     /// How many transmissions a side has.

@@ -76,7 +76,7 @@ pub const LAWS: [(&str, f64); 7] = [
 ];
 
 /// The soft edge along a million rays, half of them near critical directions
-/// (`tests/haze_search.rs`).
+/// (`tests/slow/haze_search.rs`).
 #[rustfmt::skip]
 pub const CRITICAL: [Row; 2] = [
     row("inverse square",    [4.7e-5, 1.1e-5, 8.6e-6, 6.7e-6, 1.0e-5, 6.3e-6]),

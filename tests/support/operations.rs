@@ -1,7 +1,7 @@
-//! The table of error bounds of single steps: the operations of the seam in each format, and the figures of
-//! set-up, which are f32 whatever the format. Measured and held as in [`bounds`](super::bounds), two-sided
-//! and searched; `LUMINAIRE_FULL=1 cargo test --test operations --test setup -- --nocapture --test-threads 1`
-//! prints the measured ones.
+//! The table of error bounds of single steps: the operations of the seam in each format, and the
+//! figures of set-up, which are f32 whatever the format. Measured and held as in
+//! [`bounds`](super::bounds), two-sided and searched; `LUMINAIRE_FULL=1 cargo test --test suite --
+//! operations:: setup:: --nocapture --test-threads 1` prints the measured ones.
 
 /// The bounds of one operation in `f32`, `Fx32` and `Fx16`, in this order. 0 holds it to be exact.
 pub struct Row {

@@ -67,9 +67,10 @@ fn cross(a: Vector, b: Vector) -> Vector {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
-/// The bounds at one half angle, in `f32`, `Fx32` and `Fx16`, in this order: of a place, from the middle of its step, in
-/// sides; and of the depth, relative. Measured and held as in [`bounds`](super::bounds), two-sided and searched;
-/// `LUMINAIRE_FULL=1 cargo test --test projection -- --nocapture --test-threads 1` prints the measured ones.
+/// The bounds at one half angle, in `f32`, `Fx32` and `Fx16`, in this order: of a place, from the
+/// middle of its step, in sides; and of the depth, relative. Measured and held as in
+/// [`bounds`](super::bounds), two-sided and searched; `LUMINAIRE_FULL=1 cargo test --test suite
+/// projection:: -- --nocapture --test-threads 1` prints the measured ones.
 pub struct Row {
     /// In degrees; [`NARROWEST`] is another one in every format.
     pub half: f32,
