@@ -7,7 +7,6 @@ mod laws;
 use libfuzzer_sys::fuzz_target;
 use luminaire_fuzz::{Law, hold};
 
-const LAWS: [Law; 3] =
-    [laws::spotlights_answer, laws::distances_answer, laws::highlights_answer];
+const LAWS: [Law; 3] = [laws::spotlights_answer, laws::distances_answer, laws::highlights_answer];
 
 fuzz_target!(|bytes: &[u8]| hold(&LAWS, bytes));
