@@ -16,18 +16,26 @@ use crate::{
     shade::{
         CompiledDirectionalLight, CompiledPointLight, CompiledSpotLight, Incident, LightModel, SurfacePoint,
     },
-    specular::SpecularLobe,
+    specular::{NoSpecular, SpecularLobe},
+    vec3::Vec3,
 };
 
 /// A light of any kind, with any profile and any distance model: what a scene is made of that is not known when the
 /// program is compiled.
 ///
 /// ```
-/// use luminaire::{Angle, Cone, PointLight, SpotLight, Vec3, dynamic::AnyLight, falloff::Soft};
+/// use luminaire::{Angle, Cone, Fx16, PointLight, SpotLight, Vec3, dynamic::AnyLight, falloff::Soft};
 /// let cone = Cone::from_field(Soft, Angle::degrees(15.0))?;
 /// let spot = SpotLight::new(Vec3::new(0.0, 4.0, 0.0), Vec3::new(0.0, -1.0, 0.0), cone)?;
 /// let lamps = [AnyLight::from(spot), PointLight::new(Vec3::new(1.0, 2.0, 0.0))?.into()];
 /// assert_eq!(lamps[0].effects().to_string(), "diffuse, spot, soft, inverse-square");
+///
+/// let (floor, up) = (Fx16::point([0.0, 0.0, 0.0]), Fx16::normal([0.0, 1.0, 0.0]));
+/// let mut sum = 0.0;
+/// for lamp in lamps {
+///     sum += lamp.compile()?.irradiance(floor, up).to_f32();
+/// }
+/// assert!((sum - (1.0 / 16.0 + 2.0 / 5_f32.powf(1.5))).abs() < 1e-3);
 /// # Ok::<(), luminaire::Error>(())
 /// ```
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -40,7 +48,7 @@ pub enum AnyLight {
     Spot(SpotLight<AnyFalloff, AnyAttenuation>),
 }
 
-/// A [`AnyLight`] compiled for the format `S`. Made by [`AnyLight::compile`].
+/// An [`AnyLight`] compiled for the format `S`. Made by [`AnyLight::compile`].
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum CompiledAnyLight<S: Scalar> {
     /// Light from infinitely far away.
@@ -144,7 +152,18 @@ impl<P: Falloff + Into<AnyFalloff>, A: Attenuation + Into<AnyAttenuation>> From<
     }
 }
 
-/// With a branch per point: what is slower than [`evaluate_each`](CompiledAnyLight::evaluate_each), and of the same bits.
+impl<S: Scalar> CompiledAnyLight<S> {
+    /// The light that arrives at a surface point, before the colours: see
+    /// [`CompiledSpotLight::irradiance`]. [`CompiledMaterial::reflect`](crate::light::CompiledMaterial::reflect)
+    /// gives what the surface sends back of it.
+    ///
+    /// It branches for each point; [`evaluate_each`](Self::evaluate_each) branches once for many.
+    pub fn irradiance(&self, point: Vec3<S::Length>, normal: Vec3<S>) -> S::Irradiance {
+        self.evaluate::<NoSpecular>(&SurfacePoint::matte(point, normal), &(), true).diffuse
+    }
+}
+
+/// Branches for each point: slower than [`evaluate_each`](CompiledAnyLight::evaluate_each), with bit-identical results.
 impl<S: Scalar> LightModel<S> for CompiledAnyLight<S> {
     fn color(&self) -> Rgb<S> {
         any!(self, Self, light => light.color)

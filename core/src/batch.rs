@@ -134,69 +134,96 @@ fn add<S: Scalar>(sum: &mut S::Irradiance, light: S::Irradiance, color: S) {
     *sum = S::add_light(*sum, S::filter(light, color));
 }
 
-/// The methods of a lamp over many points.
-macro_rules! batch_methods {
-    () => {
-        /// The light that arrives at each of many surface points: to the bit what [`irradiance`](Self::irradiance)
-        /// gives for one.
-        ///
-        /// Points, normals and lights are structures of arrays, a slice for each component. As many points are lit
-        /// as the shortest slice has; lights beyond them stay as they were.
-        pub fn irradiance_each(
-            &self,
-            points: Vec3<&[S::Length]>,
-            normals: Vec3<&[S]>,
-            lights: &mut [S::Irradiance],
-        ) {
-            let (whole, count) = extent(points, normals, lights.len());
-            let sites = blocks(points, 0..whole).zip(blocks(normals, 0..whole));
-            for ((points, normals), lights) in sites.zip(lights.as_chunks_mut().0) {
-                light_block(self, points, normals, lights);
-            }
-            let sites = rows(points, whole..count).zip(rows(normals, whole..count));
-            for ((point, normal), light) in sites.zip(lights.iter_mut().skip(whole)) {
-                *light = Batched::irradiance(self, point, normal);
-            }
-        }
+/// The light of many surface points: what `irradiance_each` of a light gives.
+fn irradiance_each<S: Scalar, L: Batched<S>>(
+    light: &L,
+    points: Vec3<&[S::Length]>,
+    normals: Vec3<&[S]>,
+    lights: &mut [S::Irradiance],
+) {
+    let (whole, count) = extent(points, normals, lights.len());
+    let sites = blocks(points, 0..whole).zip(blocks(normals, 0..whole));
+    for ((points, normals), lights) in sites.zip(lights.as_chunks_mut().0) {
+        light_block(light, points, normals, lights);
+    }
+    let sites = rows(points, whole..count).zip(rows(normals, whole..count));
+    for ((point, normal), sum) in sites.zip(lights.iter_mut().skip(whole)) {
+        *sum = light.irradiance(point, normal);
+    }
+}
 
-        /// Adds the light that arrives at each of many surface points, in the light's colour, to what is there: to the
-        /// bit what [`irradiance`](Self::irradiance), [`Rgb::lit`] and [`Rgb::plus`] give for one. Slices are those of
-        /// [`irradiance_each`](Self::irradiance_each).
-        pub fn add_each(
-            &self,
-            points: Vec3<&[S::Length]>,
-            normals: Vec3<&[S]>,
-            sums: Rgb<&mut [S::Irradiance]>,
-        ) {
-            let (color, Rgb { red, green, blue }) = (self.color, sums);
-            let (whole, count) = extent(points, normals, red.len().min(green.len()).min(blue.len()));
-            let sites = blocks(points, 0..whole).zip(blocks(normals, 0..whole));
-            let sums = blocks_mut(red).zip(blocks_mut(green)).zip(blocks_mut(blue));
-            let mut lights = Lanes([S::Irradiance::default(); BLOCK]);
-            for ((points, normals), ((red, green), blue)) in sites.zip(sums) {
-                light_block(self, points, normals, &mut lights.0);
-                for (sums, color) in [(red, color.red), (green, color.green), (blue, color.blue)] {
-                    sums.iter_mut().zip(&lights.0).for_each(|(sum, &light)| add(sum, light, color));
-                }
-            }
-            let sites = rows(points, whole..count).zip(rows(normals, whole..count));
-            let sums = red.iter_mut().zip(green.iter_mut()).zip(blue.iter_mut()).skip(whole);
-            for ((point, normal), ((red, green), blue)) in sites.zip(sums) {
-                let light = Batched::irradiance(self, point, normal);
-                add(red, light, color.red);
-                add(green, light, color.green);
-                add(blue, light, color.blue);
-            }
+/// The light of many surface points in a colour, added to what is there: what `add_each` of a light does.
+fn add_each<S: Scalar, L: Batched<S>>(
+    light: &L,
+    color: Rgb<S>,
+    points: Vec3<&[S::Length]>,
+    normals: Vec3<&[S]>,
+    Rgb { red, green, blue }: Rgb<&mut [S::Irradiance]>,
+) {
+    let (whole, count) = extent(points, normals, red.len().min(green.len()).min(blue.len()));
+    let sites = blocks(points, 0..whole).zip(blocks(normals, 0..whole));
+    let sums = blocks_mut(red).zip(blocks_mut(green)).zip(blocks_mut(blue));
+    let mut lights = Lanes([S::Irradiance::default(); BLOCK]);
+    for ((points, normals), ((red, green), blue)) in sites.zip(sums) {
+        light_block(light, points, normals, &mut lights.0);
+        for (sums, color) in [(red, color.red), (green, color.green), (blue, color.blue)] {
+            sums.iter_mut().zip(&lights.0).for_each(|(sum, &light)| add(sum, light, color));
         }
-    };
+    }
+    let sites = rows(points, whole..count).zip(rows(normals, whole..count));
+    let sums = red.iter_mut().zip(green.iter_mut()).zip(blue.iter_mut()).skip(whole);
+    for ((point, normal), ((red, green), blue)) in sites.zip(sums) {
+        let light = light.irradiance(point, normal);
+        add(red, light, color.red);
+        add(green, light, color.green);
+        add(blue, light, color.blue);
+    }
 }
 
 impl<S: Scalar, P: Falloff, A: Attenuation> CompiledSpotLight<S, P, A> {
-    batch_methods!();
+    /// The light that arrives at each of many surface points: to the bit what [`irradiance`](Self::irradiance)
+    /// gives for one.
+    ///
+    /// Points, normals and lights are structures of arrays, a slice for each component. As many points are lit
+    /// as the shortest slice has; lights beyond them stay as they were.
+    pub fn irradiance_each(
+        &self,
+        points: Vec3<&[S::Length]>,
+        normals: Vec3<&[S]>,
+        lights: &mut [S::Irradiance],
+    ) {
+        irradiance_each(self, points, normals, lights);
+    }
+
+    /// Adds the light that arrives at each of many surface points, in the light's colour, to what is there: to the
+    /// bit what [`irradiance`](Self::irradiance), [`Rgb::lit`] and [`Rgb::plus`] give for one. Slices are those of
+    /// [`irradiance_each`](Self::irradiance_each).
+    pub fn add_each(&self, points: Vec3<&[S::Length]>, normals: Vec3<&[S]>, sums: Rgb<&mut [S::Irradiance]>) {
+        add_each(self, self.color, points, normals, sums);
+    }
 }
 
 impl<S: Scalar, A: Attenuation> CompiledPointLight<S, A> {
-    batch_methods!();
+    /// The light that arrives at each of many surface points: to the bit what [`irradiance`](Self::irradiance)
+    /// gives for one.
+    ///
+    /// Points, normals and lights are structures of arrays, a slice for each component. As many points are lit
+    /// as the shortest slice has; lights beyond them stay as they were.
+    pub fn irradiance_each(
+        &self,
+        points: Vec3<&[S::Length]>,
+        normals: Vec3<&[S]>,
+        lights: &mut [S::Irradiance],
+    ) {
+        irradiance_each(self, points, normals, lights);
+    }
+
+    /// Adds the light that arrives at each of many surface points, in the light's colour, to what is there: to the
+    /// bit what [`irradiance`](Self::irradiance), [`Rgb::lit`] and [`Rgb::plus`] give for one. Slices are those of
+    /// [`irradiance_each`](Self::irradiance_each).
+    pub fn add_each(&self, points: Vec3<&[S::Length]>, normals: Vec3<&[S]>, sums: Rgb<&mut [S::Irradiance]>) {
+        add_each(self, self.color, points, normals, sums);
+    }
 }
 
 impl<S: Scalar, P: Falloff> CompiledCone<S, P> {

@@ -73,7 +73,7 @@ pub use crate::{
 
 /// A value that can be written as a constant expression of Rust.
 pub trait Source {
-    /// Writes the expression; its names are those of the crate and of the module [`source`](crate::codegen).
+    /// Writes the expression; its names are those of the crate and of the module [`codegen`](crate::codegen).
     ///
     /// # Errors
     /// Those of the formatter.

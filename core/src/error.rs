@@ -100,7 +100,7 @@ pub enum Parameter {
     Theta,
     /// `Phi` of Direct3D 9, the full outer angle in radians.
     Phi,
-    /// `CompiledCone` of Direct3D 9, an exponent.
+    /// `Falloff` of Direct3D 9, an exponent.
     Falloff,
     /// `innerConeAngle` of glTF, a half angle in radians.
     InnerConeAngle,

@@ -26,7 +26,7 @@
 //! # Ok::<(), luminaire::Error>(())
 //! ```
 //!
-//! # The way of the data
+//! # Data flow
 //!
 //! [`Angle`] → [`Cone`] (designed from its outer, beam or field angle, or from the last two) → [`SpotLight`] (placed,
 //! coloured, validated) → [`CompiledSpotLight`](light::CompiledSpotLight) (constants of one number format) → irradiance at a point. Construction
@@ -80,10 +80,11 @@
 //! | `std` | the processor's square root, of the same bits |
 //! | `micromath` | roots and sines where neither of the above is there: smaller, angles within 0.11 %, a tier of its own |
 //! | `glam` | conversions between [`Vec3`]`<f32>` and `glam::Vec3` |
-//!
-//! Modules, lowest first: `error`, `models`, `search`, `trig`, `vec3`, `angle`, `effect`,
-//! `number`, `attenuation`, `color`, `falloff`, `specular`, `cone`, `display`, `shade`, `batch`,
-//! `haze`, `material`, `light`, `any_light`, `import`, `projector`, `codegen`, `plan`, `dynamic`.
+
+// Modules, lowest first: `error`, `models`, `search`, `trig`, `vec3`, `angle`, `effect`,
+// `number`, `attenuation`, `color`, `falloff`, `specular`, `cone`, `display`, `shade`, `batch`,
+// `haze`, `material`, `light`, `any_light`, `import`, `projector`, `codegen`, `plan`, `dynamic`.
+
 #![no_std]
 #![forbid(unsafe_code)]
 

@@ -52,52 +52,6 @@ impl Emission {
     }
 }
 
-/// The methods that every kind of light with an `emission` has.
-macro_rules! emission_methods {
-    () => {
-        /// The same light in this linear colour, its highlights included.
-        ///
-        /// # Errors
-        /// A channel outside [0, 1]: brightness is the intensity's part.
-        pub fn with_color(self, color: Rgb<f32>) -> Result<Self, Error> {
-            Ok(Self { emission: self.emission.with_color(color)?, ..self })
-        }
-
-        /// The same light with highlights in this linear colour.
-        ///
-        /// # Errors
-        /// A channel outside [0, 1].
-        pub fn with_specular_color(self, color: Rgb<f32>) -> Result<Self, Error> {
-            Ok(Self { emission: self.emission.with_specular_color(color)?, ..self })
-        }
-
-        /// The same light with this intensity: 1 lights a facing surface to full scale, at distance 1 where the light
-        /// falls with the distance, and on the axis of a spotlight.
-        ///
-        /// # Errors
-        /// A negative intensity, or one over 1e9.
-        pub fn with_intensity(self, intensity: f32) -> Result<Self, Error> {
-            Ok(Self { emission: self.emission.with_intensity(intensity)?, ..self })
-        }
-
-        /// The linear colour.
-        pub fn color(&self) -> Rgb<f32> {
-            self.emission.color
-        }
-
-        /// The linear colour of the highlights.
-        pub fn specular_color(&self) -> Rgb<f32> {
-            self.emission.specular_color
-        }
-
-        /// The intensity.
-        pub fn intensity(&self) -> f32 {
-            self.emission.intensity
-        }
-    };
-}
-use emission_methods;
-
 /// A position of finite components, or the error that shows the first that is not.
 fn checked_position(parameter: Parameter, position: Vec3<f32>) -> Result<Vec3<f32>, Error> {
     for value in [position.x, position.y, position.z] {

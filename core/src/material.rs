@@ -142,7 +142,7 @@ pub struct CompiledMaterial<S: Scalar, H: SpecularLobe = NoSpecular> {
 }
 
 impl<S: Scalar, H: SpecularLobe> CompiledMaterial<S, H> {
-    /// The material of these parts, as [`source`](crate::codegen) writes them.
+    /// The material of these parts, as [`codegen`](crate::codegen) writes them.
     pub const fn from_parts(
         ambient: Rgb<S>,
         diffuse: Rgb<S>,

@@ -1,25 +1,20 @@
-//! The seam between the kernel and the number formats.
-//!
-//! A format is a type that implements [`Scalar`]. The kernel above this seam is written once, in the coarse steps
-//! below; every widening, shift, rounding and saturation lives under it.
+//! The number formats, and the numbers of the fixed-point ones.
 //!
 //! | | [`f32`] | [`Fx32`] | [`Fx16`] |
 //! |---|---|---|---|
-//! | scalar: intensities, normals, colours | f32 | Fx32 | Fx16 |
-//! | length: world coordinates | f32 | Length | Length |
-//! | unit: the axis and the direction to a point | f32 | Fx32 | Fx32 |
-//! | versine of the angle off axis | f32 | 61 fraction bits in a u64 | Versine16, scaled to the cone |
-//! | fraction: the argument of an edge profile | f32 | U1F31 | U1F15 |
-//! | weight: a coefficient of an edge profile | f32 | Weight32 | Weight16 |
-//! | gain: a factor with an exponent of its own | f32 | 28-bit mantissa and shift | 16-bit mantissa and shift |
-//! | irradiance: light that has arrived, with headroom | f32 | Light32 | Light16 |
-//! | rounding of `times` | to nearest, ties to even | to nearest, ties up | to nearest, ties up |
-//! | overflow | the light of one lamp at 2^64, else as IEEE 754 | saturates | saturates |
-//! | widest product | 32 bits | 64 bits | 32 bits |
+//! | intensity, normal, colour | `f32` | `Fx32` | `Fx16` |
+//! | coordinate of a point: [`Scalar::Length`] | `f32` | [`Length`] | [`Length`] |
+//! | component of a direction: [`Scalar::Unit`] | `f32` | [`Fx32`] | [`Fx32`] |
+//! | light that arrives: [`Scalar::Irradiance`] | `f32` | [`Light32`] | [`Light16`] |
+//! | versine of the angle off axis | `f32` | [`Versine32`] | [`Versine16`], scaled to the cone |
+//! | coefficient of a falloff | `f32` | [`Weight32`] | [`Weight16`] |
+//! | step of an intensity | 2^-23 | 2^-30 | 2^-14 |
+//! | overflow | light of one lamp clamped at 2^64, else IEEE 754 | saturates | saturates |
+//! | widest product | 24 bits of a float | 64 bits | 32 bits |
+//! | for | processors with an FPU | 32-bit multipliers, exact pictures | Cortex-M0 and the like |
 //!
-//! Laws that hold for every bit pattern, in every format: no operation panics; what is not a number is dark, whether it
-//! comes as a point, a normal, a versine or a gain; `ONE.times(x) == x` for x from 0 to 1; a falloff is in [0, 1], exactly 1 on the axis and
-//! exactly 0 from the edge outwards.
+//! In every format, for every bit pattern: no operation panics; a NaN in a point, a normal or a versine gives zero
+//! light; a falloff is in [0, 1], exactly 1 on the axis and exactly 0 from the edge outwards.
 
 pub(crate) mod arithmetic;
 pub(crate) mod float;

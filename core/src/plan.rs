@@ -59,10 +59,10 @@ impl RenderPlan {
         if is_dark { self } else { self.with(Effect::Ambient) }
     }
 
-    /// The plan with a luminaire, unless it is dark.
+    /// The plan with a fixture, unless it is dark.
     #[must_use]
-    pub fn with_fixture(self, luminaire: &Fixture) -> Self {
-        Self { effects: self.effects.union(luminaire.effects()), ..self }
+    pub fn with_fixture(self, fixture: &Fixture) -> Self {
+        Self { effects: self.effects.union(fixture.effects()), ..self }
     }
 
     /// The plan with a material.

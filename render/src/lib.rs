@@ -31,12 +31,13 @@
 //!
 //! The feature `std` takes the square root from the standard library in place of `libm`: the same bits, and
 //! on most targets several times quicker, because only then the loops become vector instructions.
-//!
-//! Modules, lowest first: `account`, `camera`, `gobos`, `lanes`, `memory`, `outline`, `places`,
-//! `reached`, `size`, `solids`, `ways`, `bounds`, `display`, `error`, `mesh`, `stage`,
-//! `directions`, `examples`, `scene`, `view`, `clip`, `part`, `raster`, `reach`, `air`, `block`,
-//! `shadow_map`, `gbuffer`, `shadows`, `tile`, `prepared`, `filter`, `rig`, `lighting`, `format`,
-//! `renderer`.
+
+// Modules, lowest first: `account`, `camera`, `gobos`, `lanes`, `memory`, `outline`, `places`,
+// `reached`, `size`, `solids`, `ways`, `bounds`, `display`, `error`, `mesh`, `stage`,
+// `directions`, `examples`, `scene`, `view`, `clip`, `part`, `raster`, `reach`, `air`, `block`,
+// `shadow_map`, `gbuffer`, `shadows`, `tile`, `prepared`, `filter`, `rig`, `lighting`, `format`,
+// `renderer`.
+
 #![no_std]
 #![forbid(unsafe_code)]
 

@@ -104,7 +104,7 @@ fn assert_reflects<S: Format, H: SpecularLobe>(
     reflected
 }
 
-/// LightModel on its way to the display stays in range at every step.
+/// Light on its way to the display stays in range at every step.
 fn assert_shown<S: Format>(words: &mut Words<'_>, light: Rgb<S::Irradiance>) {
     let Ok(exposure) = Exposure::factor(words.number(0.0, 4.0)) else { return };
     let exposed = exposure.compile::<S>().expose(light);

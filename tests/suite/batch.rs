@@ -175,7 +175,7 @@ fn spots_light_a_batch_as_they_light_a_point_in_fx16() {
     with_every_shape!(assert_spot::<Fx16>);
 }
 
-/// PointLight lights and spots of one distance model.
+/// Point lights and spots of one distance model.
 fn assert_model<S: Format, A: Attenuation>(model: A) {
     let mut rng = Rng::with_seed(17);
     let cone = luminaire::Cone::from_outer(Soft, sweep::half(40.0)).expect("a sound cone");

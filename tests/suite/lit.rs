@@ -243,7 +243,7 @@ fn a_highlight_ends_where_it_says() {
     assert_end::<NoSpecular>([0, 1, 32]);
 }
 
-/// DifferenceForm's form against the power, over the angle between the two directions.
+/// The difference form against the power, over the angle between the two directions.
 #[test]
 fn lyons_form_is_as_near_to_the_power_as_is_stated() {
     for (squarings, row) in prices::LYON {

@@ -207,7 +207,7 @@ fn grey(value: f32) -> Rgb<f32> {
     Rgb::new(value, value, value)
 }
 
-/// AmbientLight light as it is compiled and as a material gives it back with its own glow: every rounding of both.
+/// Ambient light as it is compiled and as a material gives it back with its own glow: every rounding of both.
 fn glow<S: Format>(rng: &mut Rng) -> f64 {
     let [color, ambient, emissive, intensity] = [0; 4].map(|_| rng.f32());
     let light =

@@ -24,7 +24,7 @@ macro_rules! any_attenuation {
             $($(#[$doc])* $variant($type),)*
         }
 
-        /// The constants of a [`AnyAttenuation`].
+        /// The constants of an [`AnyAttenuation`].
         #[derive(Clone, Copy, PartialEq, Debug)]
         #[non_exhaustive]
         pub enum CompiledAnyAttenuation<S: Scalar> {

@@ -19,7 +19,7 @@ impl<S: Scalar, P: Falloff> CompiledCone<S, P> {
         Self { ramp, profile, curve: profile.compile() }
     }
 
-    /// The falloff of these parts, as [`source`](crate::codegen) writes them: `curve` is the profile in the format `S`.
+    /// The falloff of these parts, as [`codegen`](crate::codegen) writes them: `curve` is the profile in the format `S`.
     pub const fn from_parts(ramp: S::Ramp, profile: P, curve: P::Compiled<S>) -> Self {
         Self { ramp, profile, curve }
     }

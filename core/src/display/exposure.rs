@@ -52,7 +52,7 @@ pub struct CompiledExposure<S: Scalar> {
 }
 
 impl<S: Scalar> CompiledExposure<S> {
-    /// The exposure of this gain, as [`source`](crate::codegen) writes it.
+    /// The exposure of this gain, as [`codegen`](crate::codegen) writes it.
     pub const fn from_parts(gain: S::Gain) -> Self {
         Self { gain }
     }

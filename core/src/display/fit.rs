@@ -22,7 +22,7 @@ pub fn clip<S: Scalar>(light: Rgb<S::Irradiance>) -> Rgb<S> {
     light.map(S::clip)
 }
 
-/// The channels in their proportion, the largest at full scale if it was over it. LightModel that fits is unchanged to the bit;
+/// The channels in their proportion, the largest at full scale if it was over it. Light that fits is unchanged to the bit;
 /// elsewhere each channel is within two steps of the format of the exact quotient, one in f32, eight in `Fx32`.
 ///
 /// ```

@@ -22,7 +22,7 @@ macro_rules! choice {
             $($(#[$doc])* $variant($type),)*
         }
 
-        #[doc = concat!("A [`", stringify!($choice), "`] in the format `S`.")]
+        #[doc = concat!("[`", stringify!($choice), "`] in the format `S`.")]
         #[derive(Clone, Copy, PartialEq, Debug)]
         pub enum $compiled<S: $crate::number::Scalar> {
             $($(#[$doc])* $variant(<$type as Falloff>::Compiled<S>),)*

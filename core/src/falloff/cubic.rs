@@ -104,7 +104,7 @@ impl Cubic {
         self.middle_slope
     }
 
-    /// The cubic of slopes of these bits, at the edge and in the middle, as [`source`](crate::codegen) writes them; each
+    /// The cubic of slopes of these bits, at the edge and in the middle, as [`codegen`](crate::codegen) writes them; each
     /// clamped to [0, 4], NaN to 0. Only those that [`with_slopes`](Self::with_slopes) accepts make a monotone cubic.
     pub const fn from_bits([edge_slope, middle_slope]: [u32; 2]) -> Self {
         Self { edge_slope: slope_of_bits(edge_slope, 4.0), middle_slope: slope_of_bits(middle_slope, 4.0) }
@@ -186,7 +186,7 @@ pub struct CompiledCubic<S: Scalar> {
 }
 
 impl<S: Scalar> CompiledCubic<S> {
-    /// The cubic `t (1 + u (g + h t))`, as [`source`](crate::codegen) writes it.
+    /// The cubic `t (1 + u (g + h t))`, as [`codegen`](crate::codegen) writes it.
     pub const fn from_parts(g: S::Weight, h: S::Weight) -> Self {
         Self { g, h }
     }

@@ -46,7 +46,7 @@ impl Quadratic {
         }
     }
 
-    /// The quadratic of an edge slope of these bits, as [`source`](crate::codegen) writes it; clamped to [0, 2], NaN to 0.
+    /// The quadratic of an edge slope of these bits, as [`codegen`](crate::codegen) writes it; clamped to [0, 2], NaN to 0.
     pub const fn from_bits(edge_slope: u32) -> Self {
         Self { edge_slope: slope_of_bits(edge_slope, 2.0) }
     }
@@ -191,7 +191,7 @@ pub struct CompiledQuadratic<S: Scalar> {
 }
 
 impl<S: Scalar> CompiledQuadratic<S> {
-    /// The quadratic `t (1 + g u)`, as [`source`](crate::codegen) writes it.
+    /// The quadratic `t (1 + g u)`, as [`codegen`](crate::codegen) writes it.
     pub const fn from_parts(g: S::Weight) -> Self {
         Self { g }
     }

@@ -55,7 +55,7 @@ impl<P: Falloff, A: Attenuation> CompiledSpotLight<f32, P, A> {
 }
 
 impl<P: Falloff, A: Attenuation> BeamScattering<P, A> {
-    /// The beam of these parts, as [`source`](crate::codegen) writes them: the two versines between which
+    /// The beam of these parts, as [`codegen`](crate::codegen) writes them: the two versines between which
     /// the intensity varies, and the squares of the distances between which there is light.
     pub const fn from_parts(
         position: Vec3<f32>,

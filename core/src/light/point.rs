@@ -1,6 +1,6 @@
 //! Light from a place into all directions.
 
-use super::{Emission, check_reach, checked_position, emission_methods};
+use super::{Emission, check_reach, checked_position};
 use crate::{
     attenuation::{Attenuation, InverseSquare},
     color::Rgb,
@@ -44,7 +44,45 @@ impl PointLight {
 }
 
 impl<A: Attenuation> PointLight<A> {
-    emission_methods!();
+    /// The same light in this linear colour, its highlights included.
+    ///
+    /// # Errors
+    /// A channel outside [0, 1]: brightness is the intensity's part.
+    pub fn with_color(self, color: Rgb<f32>) -> Result<Self, Error> {
+        Ok(Self { emission: self.emission.with_color(color)?, ..self })
+    }
+
+    /// The same light with highlights in this linear colour.
+    ///
+    /// # Errors
+    /// A channel outside [0, 1].
+    pub fn with_specular_color(self, color: Rgb<f32>) -> Result<Self, Error> {
+        Ok(Self { emission: self.emission.with_specular_color(color)?, ..self })
+    }
+
+    /// The same light with this intensity: 1 lights a facing surface to full scale, at distance 1 where the light
+    /// falls with the distance, and on the axis of a spotlight.
+    ///
+    /// # Errors
+    /// A negative intensity, or one over 1e9.
+    pub fn with_intensity(self, intensity: f32) -> Result<Self, Error> {
+        Ok(Self { emission: self.emission.with_intensity(intensity)?, ..self })
+    }
+
+    /// The linear colour.
+    pub fn color(&self) -> Rgb<f32> {
+        self.emission.color
+    }
+
+    /// The linear colour of the highlights.
+    pub fn specular_color(&self) -> Rgb<f32> {
+        self.emission.specular_color
+    }
+
+    /// The intensity.
+    pub fn intensity(&self) -> f32 {
+        self.emission.intensity
+    }
 
     /// The same light with another distance model.
     pub fn with_attenuation<B: Attenuation>(&self, attenuation: B) -> PointLight<B> {

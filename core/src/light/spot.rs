@@ -1,6 +1,6 @@
 //! Light from a place into a cone.
 
-use super::{Axis, Emission, check_reach, checked_position, emission_methods};
+use super::{Axis, Emission, check_reach, checked_position};
 use crate::{
     attenuation::{Attenuation, InverseSquare, SmoothRange},
     color::Rgb,
@@ -82,7 +82,45 @@ impl<P: Falloff> SpotLight<P, SmoothRange> {
 }
 
 impl<P: Falloff, A: Attenuation> SpotLight<P, A> {
-    emission_methods!();
+    /// The same light in this linear colour, its highlights included.
+    ///
+    /// # Errors
+    /// A channel outside [0, 1]: brightness is the intensity's part.
+    pub fn with_color(self, color: Rgb<f32>) -> Result<Self, Error> {
+        Ok(Self { emission: self.emission.with_color(color)?, ..self })
+    }
+
+    /// The same light with highlights in this linear colour.
+    ///
+    /// # Errors
+    /// A channel outside [0, 1].
+    pub fn with_specular_color(self, color: Rgb<f32>) -> Result<Self, Error> {
+        Ok(Self { emission: self.emission.with_specular_color(color)?, ..self })
+    }
+
+    /// The same light with this intensity: 1 lights a facing surface to full scale, at distance 1 where the light
+    /// falls with the distance, and on the axis of a spotlight.
+    ///
+    /// # Errors
+    /// A negative intensity, or one over 1e9.
+    pub fn with_intensity(self, intensity: f32) -> Result<Self, Error> {
+        Ok(Self { emission: self.emission.with_intensity(intensity)?, ..self })
+    }
+
+    /// The linear colour.
+    pub fn color(&self) -> Rgb<f32> {
+        self.emission.color
+    }
+
+    /// The linear colour of the highlights.
+    pub fn specular_color(&self) -> Rgb<f32> {
+        self.emission.specular_color
+    }
+
+    /// The intensity.
+    pub fn intensity(&self) -> f32 {
+        self.emission.intensity
+    }
 
     /// The same spotlight with another cone, also of another type of profile.
     pub fn with_cone<Q: Falloff>(&self, cone: Cone<Q>) -> SpotLight<Q, A> {

@@ -1,4 +1,16 @@
-//! The seam between the kernel and the number formats: private, for the formats are final in number.
+//! The private seam between the kernel and the number formats.
+//!
+//! The kernel above it is written once, in the coarse steps below; every widening, shift, rounding and saturation lives
+//! under it.
+//!
+//! | | `f32` | `Fx32` | `Fx16` |
+//! |---|---|---|---|
+//! | fraction: the argument of a falloff | f32 | U1F31 | U1F15 |
+//! | gain: a factor with an exponent of its own | f32 | 28-bit mantissa and shift | 16-bit mantissa and shift |
+//! | rounding of `times` | to nearest, ties to even | to nearest, ties up | to nearest, ties up |
+//!
+//! Laws for every bit pattern, in every format: no operation panics; NaN gives zero light, in a point, a normal, a versine or
+//! a gain; `ONE.times(x) == x` for x from 0 to 1.
 
 use super::{Fraction, ProjectedPoint, Scalar};
 #[cfg(feature = "fixed")]

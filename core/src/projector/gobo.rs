@@ -129,7 +129,7 @@ pub struct CompiledGobo<'a, S: Scalar> {
 }
 
 impl<'a, S: Scalar> CompiledGobo<'a, S> {
-    /// The gobo of these parts, as [`source`](crate::codegen) writes them.
+    /// The gobo of these parts, as [`codegen`](crate::codegen) writes them.
     pub const fn from_parts(projection: CompiledProjection<S>, gobo: Gobo<'a>) -> Self {
         Self { projection, gobo }
     }

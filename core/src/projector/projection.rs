@@ -161,7 +161,7 @@ pub struct CompiledProjection<S: Scalar> {
 }
 
 impl<S: Scalar> CompiledProjection<S> {
-    /// The projection of these parts, as [`source`](crate::codegen) writes them.
+    /// The projection of these parts, as [`codegen`](crate::codegen) writes them.
     pub const fn from_parts(position: Vec3<S::Length>, frame: S::Frame) -> Self {
         Self { position, frame }
     }

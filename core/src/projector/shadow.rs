@@ -79,7 +79,7 @@ impl<'a, S: Scalar> Shadow<'a, S> {
         Ok(Self::from_parts(projection, side as u32, depths))
     }
 
-    /// The shadow map of these parts, as [`source`](crate::codegen) writes them. A texel that is missing hides nothing.
+    /// The shadow map of these parts, as [`codegen`](crate::codegen) writes them. A texel that is missing hides nothing.
     pub const fn from_parts(projection: CompiledProjection<S>, side: u32, depths: &'a [S::Length]) -> Self {
         Self { projection, side, depths }
     }

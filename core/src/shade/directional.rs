@@ -18,7 +18,7 @@ pub struct CompiledDirectionalLight<S: Scalar> {
 }
 
 impl<S: Scalar> CompiledDirectionalLight<S> {
-    /// The light of these parts, as [`source`](crate::codegen) writes them: the colours are the diffuse and the specular
+    /// The light of these parts, as [`codegen`](crate::codegen) writes them: the colours are the diffuse and the specular
     /// one.
     pub const fn from_parts(
         direction: Vec3<S::Unit>,

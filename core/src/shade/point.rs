@@ -24,7 +24,7 @@ pub struct CompiledPointLight<S: Scalar, A: Attenuation = InverseSquare> {
 }
 
 impl<S: Scalar, A: Attenuation> CompiledPointLight<S, A> {
-    /// The light of these parts, as [`source`](crate::codegen) writes them: `fine_below` is that of `Arithmetic::fine_below`, and
+    /// The light of these parts, as [`codegen`](crate::codegen) writes them: `fine_below` is that of `Arithmetic::fine_below`, and
     /// the colours are the diffuse and the specular one.
     pub const fn from_parts(
         position: Vec3<S::Length>,

@@ -29,7 +29,7 @@ pub struct CompiledSpotLight<S: Scalar, P: Falloff = SoftOrHard, A: Attenuation 
 }
 
 impl<S: Scalar, P: Falloff, A: Attenuation> CompiledSpotLight<S, P, A> {
-    /// The light of these parts, as [`source`](crate::codegen) writes them: `outside` is the bound by which points outside
+    /// The light of these parts, as [`codegen`](crate::codegen) writes them: `outside` is the bound by which points outside
     /// the cone are rejected, `fine_below` that of `Arithmetic::fine_below`, and the colours are the diffuse and the specular
     /// one.
     #[expect(clippy::too_many_arguments, reason = "generated source names each part of a light once")]
