@@ -1,9 +1,10 @@
-//! Edge profiles: how the intensity falls from the middle of a cone to its edge.
+//! Angular falloffs: the intensity from the axis of a cone to its edge.
 //!
-//! Each is a function of `t`, which is 1 on the axis (and within a hotspot) and 0 at the edge and beyond, or of
-//! `u = 1 - t`.
+//! Each is a function of `t`, which is 1 on the axis (and within an inner angle) and 0 at the outer angle and beyond:
+//! `t = (v_outer - v) / (v_outer - v_inner)`, with the versine `v = 1 - cos` of the angle off axis, of the outer and of
+//! the inner half angle. That is the cosine, on a straight ramp from the outer to the inner angle; `u = 1 - t`.
 //!
-//! | profile | f | multiplies | source |
+//! | falloff | f | multiplies | source |
 //! |---|---|---|---|
 //! | [`Soft`] | `t^2` | 1 | Hast 2004, section 2; glTF, Filament and Bevy square the same ramp |
 //! | [`Hard`] | `1 - u^2` | 1 | Hast 2004, section 3 |
@@ -16,7 +17,7 @@
 //! | [`InvertedPower`] | `1 - u^N` | as [`Power`] | Godot, by an angle attenuation of `1/N` |
 //! | [`IntegerPower`], [`InvertedIntegerPower`] | the same, `N` at run time | as [`Power`] | [imports](crate::import) |
 //! | [`MixedPower`], [`InvertedMixedPower`] | a mixture of two of these | 2 more | curves between the powers |
-//! | [`RealPower`], [`InvertedRealPower`] | `t^p`, `1 - u^p`, `p` any real number | 11, and two tables | imports |
+//! | [`RealPower`], [`InvertedRealPower`] | `t^p`, `1 - u^p`, `p` over 0 and up to 1,024, any real number | 11, and two tables | imports |
 //! | [`Table`] | samples, evenly spaced or [`Knot`]s | 2, or 1 and a search | goniometric data |
 //! | [`SoftOrHard`], [`FittedFalloff`], [`AnyFalloff`] | one of the above | as it, and a branch | the choice at run time |
 
