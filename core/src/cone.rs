@@ -214,15 +214,16 @@ impl<P: Falloff> Cone<P> {
     /// A cone narrower than [`Cone::narrowest`] of its profile in this format, a hotspot that makes its edge too
     /// steep, or a delimiter that is too narrow.
     pub fn compile<S: Scalar>(&self) -> Result<CompiledCone<S, P>, Error> {
-        self.check::<S>()?;
-        let Self { inner, outer, limit, .. } = *self;
-        let ramp = if self.coarse_error::<S>() <= HALF_A_CODE { S::ramp } else { S::fine_ramp };
-        Ok(CompiledCone::new(ramp(inner, outer, limit), self.profile))
+        self.compile_with_error().map(|(cone, _)| cone)
     }
 
-    /// That of `Arithmetic::coarse_error`.
-    pub(crate) fn coarse_error<S: Scalar>(&self) -> f32 {
-        S::coarse_error(&self.slopes(self.inner), self.outer, self.limit)
+    /// The compiled cone, and the `Arithmetic::coarse_error` by which its ramp was chosen.
+    pub(crate) fn compile_with_error<S: Scalar>(&self) -> Result<(CompiledCone<S, P>, f32), Error> {
+        self.check::<S>()?;
+        let Self { inner, outer, limit, .. } = *self;
+        let error = S::coarse_error(&self.slopes(inner), outer, limit);
+        let ramp = if error <= HALF_A_CODE { S::ramp } else { S::fine_ramp };
+        Ok((CompiledCone::new(ramp(inner, outer, limit), self.profile), error))
     }
 
     /// The slopes of the cone, if it had this inner versine.

@@ -80,6 +80,7 @@
 //! | `std` | the processor's square root, of the same bits |
 //! | `micromath` | roots and sines where neither of the above is there: smaller, angles within 0.11 %, a tier of its own |
 //! | `glam` | conversions between [`Vec3`]`<f32>` and `glam::Vec3` |
+//! | `arithmetic` | the arithmetic of the number formats, for tests and price lists: it may change in any version |
 
 // Modules, lowest first: `error`, `models`, `search`, `trig`, `vec3`, `angle`, `effect`,
 // `number`, `attenuation`, `color`, `falloff`, `specular`, `cone`, `display`, `shade`, `batch`,

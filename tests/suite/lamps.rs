@@ -22,26 +22,6 @@ use support::{arbitrary::vector, format::Format, profiles, reference, sweep};
 
 const COUNT: usize = 32;
 
-/// Every profile, as one of any.
-fn matched() -> Vec<AnyFalloff> {
-    vec![
-        Step.into(),
-        Linear.into(),
-        Soft.into(),
-        Hard.into(),
-        Smooth.into(),
-        profiles::blend().into(),
-        profiles::cubic().into(),
-        profiles::integer_power().into(),
-        profiles::integer_rim().into(),
-        profiles::mixed_power().into(),
-        profiles::mixed_rim().into(),
-        profiles::real_power().into(),
-        profiles::real_rim().into(),
-        profiles::table().into(),
-    ]
-}
-
 /// Every distance model, as one of any.
 fn distances() -> Result<Vec<AnyAttenuation>, Error> {
     let polynomial = Polynomial::new(0.5, 0.25, 0.125)?;
@@ -64,7 +44,7 @@ fn distances() -> Result<Vec<AnyAttenuation>, Error> {
 fn lamps(rng: &mut Rng) -> Result<Vec<AnyLight>, Error> {
     let mut lamps = Vec::new();
     for distance in distances()? {
-        for profile in matched() {
+        for profile in AnyFalloff::samples() {
             let cone = Cone::from_outer(profile, sweep::half(35.0))?;
             let spot = sweep::spot(rng, cone).with_attenuation(distance).with_intensity(3.0)?;
             lamps.push(spot.into());
@@ -281,8 +261,7 @@ fn spot(profile: impl Falloff + Into<AnyFalloff>) -> Result<SpotLight<AnyFalloff
 /// What each lamp calls for, in words.
 #[test]
 fn a_lamp_calls_for_what_it_is() -> Result<(), Error> {
-    let names: Vec<_> = matched()
-        .into_iter()
+    let names: Vec<_> = AnyFalloff::samples()
         .map(|profile| Ok(AnyLight::from(spot(profile)?).effects().to_string()))
         .collect::<Result<_, Error>>()?;
     let profiles = [

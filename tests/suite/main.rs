@@ -21,6 +21,7 @@ mod lamps;
 mod layers;
 mod lights;
 mod lit;
+mod numbers;
 mod operations;
 mod paper;
 mod projection;

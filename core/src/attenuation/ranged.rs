@@ -53,6 +53,12 @@ pub struct GltfWindow;
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct SquareWindow;
 
+/// `1 - (d/r)^4` of `(d/r)^2`.
+#[inline(always)]
+fn window<S: Scalar, T: Share<S>>(squared: T) -> T {
+    squared.share_of(squared).rest()
+}
+
 impl Window for Cut {
     const NAME: &'static str = "Cut";
     const EFFECTS: Effects = Effects::NONE;
@@ -77,7 +83,7 @@ impl Window for GltfWindow {
 
     #[inline(always)]
     fn dim<S: Scalar, T: Share<S>>(share: T, squared: T) -> T {
-        dimmed::<S, T>(share, squared.share_of(squared).rest())
+        dimmed::<S, T>(share, window::<S, T>(squared))
     }
 }
 
@@ -92,7 +98,7 @@ impl Window for SquareWindow {
 
     #[inline(always)]
     fn dim<S: Scalar, T: Share<S>>(share: T, squared: T) -> T {
-        let window = squared.share_of(squared).rest();
+        let window = window::<S, T>(squared);
         dimmed::<S, T>(share, window.share_of(window))
     }
 }

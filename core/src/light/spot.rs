@@ -176,7 +176,7 @@ impl<P: Falloff, A: Attenuation> SpotLight<P, A> {
     /// A cone narrower than the format can hold: see [`Cone::narrowest`]. A position beyond [`Scalar::FARTHEST`].
     pub fn compile<S: Scalar>(&self) -> Result<CompiledSpotLight<S, P, A>, Error> {
         check_reach::<S>(self.position)?;
-        let falloff = self.cone.compile::<S>()?;
+        let (falloff, error) = self.cone.compile_with_error::<S>()?;
         let intensity = self.emission.intensity;
         Ok(CompiledSpotLight {
             position: self.position.map(S::length),
@@ -185,11 +185,7 @@ impl<P: Falloff, A: Attenuation> SpotLight<P, A> {
             outside: number::outside_bound(self.cone.outer_versine()),
             attenuation: self.attenuation.constants::<S>(),
             intensity: S::gain(intensity),
-            fine_below: S::fine_below(
-                Some(self.cone.coarse_error::<S>()),
-                intensity,
-                self.attenuation.grows(),
-            ),
+            fine_below: S::fine_below(error, intensity, self.attenuation.grows()),
             color: self.emission.color.map(S::from_f32),
             specular_color: self.emission.specular_color.map(S::from_f32),
         })

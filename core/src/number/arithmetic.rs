@@ -90,9 +90,9 @@ pub trait Arithmetic: Copy + Default + PartialOrd + core::fmt::Debug + Share<Sel
     fn rise(ramp: Self::Ramp, versine: Self::Versine) -> Rise<Self>;
     /// How short the way from a light to a point has to be for a fine evaluation, as [`Offset::is_near`] takes it: where the
     /// gain, which magnifies what a share of it is off, may take that to half a step of eight bits. `error` is the
-    /// [`coarse_error`](Self::coarse_error) of the light's cone, if it has one; `intensity` is the gain at distance 1, and
+    /// [`coarse_error`](Self::coarse_error) of the light's cone, 0 for a light without one; `intensity` is the gain at distance 1, and
     /// everywhere if the light does not grow towards the lamp.
-    fn fine_below(_error: Option<f32>, _intensity: f32, _grows: bool) -> u32 {
+    fn fine_below(_error: f32, _intensity: f32, _grows: bool) -> u32 {
         0
     }
     /// Whether this light of a share of a gain is past full scale whatever the share is off by, so that a fine evaluation would

@@ -155,7 +155,7 @@ impl Scalar for Fx16 {
 
     #[inline(always)]
     fn light_to_f32(light: Light16) -> f32 {
-        light.to_bits() as f32 * Self::STEP
+        light.to_f32()
     }
 }
 
@@ -277,13 +277,13 @@ impl Arithmetic for Fx16 {
         }
     }
 
-    fn fine_below(error: Option<f32>, intensity: f32, grows: bool) -> u32 {
+    fn fine_below(error: f32, intensity: f32, grows: bool) -> u32 {
         /// That of a cosine.
         const COSINE: f32 = 2.2e-4;
         /// Where light is not past full scale, a share of a large gain is small, and errs less: a search finds 0.43.
-        const MET: f32 = 0.5556;
-        let error = error.unwrap_or(0.0).max(COSINE) / HALF_A_CODE;
-        let squared = MET * error * intensity;
+        const BRIGHT: f32 = 0.5556;
+        let error = error.max(COSINE) / HALF_A_CODE;
+        let squared = BRIGHT * error * intensity;
         if error > 1.0 || (squared > 1.0 && !grows) {
             return u32::MAX;
         }

@@ -172,7 +172,7 @@ impl Scalar for Fx32 {
 
     #[inline(always)]
     fn light_to_f32(light: Light32) -> f32 {
-        light.to_bits() as f32 * Self::STEP
+        light.to_f32()
     }
 }
 

@@ -48,8 +48,7 @@ fn converts<S: Raw>(bits: &mut Bits) {
     black_box((S::ramp(inner, outer, limit), S::fine_ramp(inner, outer, limit)));
     let edge = Slopes { angle: bits.float(), fraction: bits.float() };
     black_box((S::rounding(&edge), S::coarse_error(&edge, outer, limit)));
-    let error = (bits.choice(2) == 0).then(|| bits.float());
-    black_box(S::fine_below(error, bits.float(), bits.choice(2) == 0));
+    black_box(S::fine_below(bits.float(), bits.float(), bits.choice(2) == 0));
     let vectors = from_fn(|_| bits.vector(f32::scalar));
     black_box(S::frame(vectors, bits.float()));
     black_box((S::part(bits.word() as u32), S::weighted_byte(bits.word() as u32)));
