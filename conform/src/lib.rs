@@ -15,6 +15,6 @@ mod word;
 
 pub use case::{Case, Input, Inputs, Kind};
 pub use check::Check;
-pub use model::{Evaluate, FORMATS, MODELS, Model};
+pub use model::{Evaluate, FORMATS, Model, models};
 pub use text::Text;
 pub use word::{Format, Word};

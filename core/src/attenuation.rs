@@ -20,7 +20,6 @@ mod any;
 mod ranged;
 
 pub(crate) use self::any::{CompiledAnyAttenuation, with_attenuation};
-pub(crate) use self::ranged::Window;
 pub use self::{
     any::AnyAttenuation,
     ranged::{Cut, CutAt, FilamentRange, GltfRange, GltfWindow, Ranged, SquareWindow, Windowed},
@@ -30,6 +29,7 @@ use crate::{
     effect::{Effect, Effects},
     error::{Error, Expected, Parameter, check_between},
     number::{Gain, Offset, Ray, Scalar, Share},
+    source::named,
 };
 
 /// A distance model. The type decides which one is compiled in: there is no branch per point, and a model that is not
@@ -102,6 +102,8 @@ pub struct Polynomial {
 pub struct SmoothRange {
     range: f32,
 }
+
+named!(NoAttenuation InverseSquare Polynomial SmoothRange);
 
 /// The shortest and the longest range. Their squares and the reciprocals of these stay clear of the ends of f32.
 const RANGES: (f32, f32) = (1e-3, 1e9);

@@ -29,41 +29,17 @@
 //!
 //! The module also names the types that generated text is made of.
 
-mod named;
+mod formats;
 
-#[cfg(feature = "arithmetic")]
-pub use self::named::{Named, SourceScalar};
-#[cfg(not(feature = "arithmetic"))]
-use self::named::{Named, SourceScalar};
-
-use core::{
-    fmt::{self, Formatter},
-    marker::PhantomData,
-};
-
-use crate::{
-    attenuation::{Attenuation, InverseSquare, NoAttenuation, Polynomial, Ranged, SmoothRange, Window},
-    color::Rgb,
-    cone::CompiledCone,
-    display::CompiledExposure,
-    falloff::{
-        Cubic, Falloff, FittedFalloff, Hard, InvertedPower, Linear, Power, Quadratic, Smooth, Soft,
-        SoftOrHard, Step, Table,
-    },
-    haze::BeamScattering,
-    material::CompiledMaterial,
-    projector::{CompiledGobo, CompiledProjection, Gobo, Shadow},
-    shade::{CompiledDirectionalLight, CompiledPointLight, CompiledSpotLight},
-    specular::{BlinnPhong, DifferenceForm, DualConeLobe, NoSpecular, Phong, SpecularLobe},
-    vec3::Vec3,
-};
-
-#[cfg(feature = "fixed")]
-use crate::number::{Fx16, Fx32, Length, Light16, Light32, Weight16, Weight32};
+use core::fmt::{self, Formatter};
 
 pub use crate::{
-    falloff::{CompiledCubic, CompiledFittedFalloff, CompiledQuadratic},
+    falloff::{
+        CompiledCubic, CompiledFittedFalloff, CompiledInvertedMixedPower, CompiledInvertedRealPower,
+        CompiledMixedPower, CompiledQuadratic, CompiledRealPower,
+    },
     number::float::{FloatFrame, FloatRamp},
+    source::{AsSource, Source},
 };
 #[cfg(feature = "fixed")]
 pub use crate::{
@@ -71,219 +47,29 @@ pub use crate::{
     number::fixed32::{Frame32, Gain32, Ramp32},
 };
 
-/// A value that can be written as a constant expression of Rust.
-pub trait Source {
-    /// Writes the expression; its names are those of the crate and of the module [`codegen`](crate::codegen).
-    ///
-    /// # Errors
-    /// Those of the formatter.
-    fn write(&self, out: &mut Formatter<'_>) -> fmt::Result;
+use crate::{
+    attenuation::Attenuation,
+    color::Rgb,
+    cone::CompiledCone,
+    display::CompiledExposure,
+    falloff::Falloff,
+    haze::BeamScattering,
+    material::CompiledMaterial,
+    projector::{CompiledGobo, CompiledProjection, Gobo, Shadow},
+    shade::{CompiledDirectionalLight, CompiledPointLight, CompiledSpotLight},
+    source::{Written, call, name},
+    specular::SpecularLobe,
+    vec3::Vec3,
+};
 
-    /// The expression as a block that brings its names with it.
-    fn as_source(&self) -> AsSource<'_, Self>
-    where
-        Self: Sized,
-    {
-        AsSource(self)
-    }
-}
-
-impl SourceScalar for f32 {}
-#[cfg(feature = "fixed")]
-impl SourceScalar for Fx16 {}
-#[cfg(feature = "fixed")]
-impl SourceScalar for Fx32 {}
-
-/// A value that is displayed as a constant expression. Made by [`Source::as_source`].
-#[derive(Clone, Copy, Debug)]
-pub struct AsSource<'a, T>(&'a T);
-
-impl<T: Source> fmt::Display for AsSource<'_, T> {
-    fn fmt(&self, out: &mut Formatter<'_>) -> fmt::Result {
-        let import = "use ::luminaire::{attenuation::*, codegen::*, display::*, falloff::*, haze::*, light::*, number::*, projector::*, specular::*, *};";
-        let reason = "an expression need not have names of both kinds";
-        write!(
-            out,
-            "{{\n#[allow(unused_imports, reason = \"{reason}\")]\n{import}\n{:#?}\n}}\n",
-            Written(self.0)
-        )
-    }
-}
-
-/// The expression alone, in the way that the formatter's lists ask for.
-struct Written<'a, T: ?Sized>(&'a T);
-
-impl<T: Source + ?Sized> fmt::Debug for Written<'_, T> {
-    fn fmt(&self, out: &mut Formatter<'_>) -> fmt::Result {
-        self.0.write(out)
-    }
-}
-
-/// The name of a type.
-struct Name<T>(PhantomData<T>);
-
-impl<T: Named> fmt::Display for Name<T> {
-    fn fmt(&self, out: &mut Formatter<'_>) -> fmt::Result {
-        T::write_name(out)
-    }
-}
-
-fn name<T: Named>() -> Name<T> {
-    Name(PhantomData)
-}
-
-/// Writes a call, with an argument a line.
-fn call(out: &mut Formatter<'_>, function: &str, arguments: &[&dyn Source]) -> fmt::Result {
-    let mut call = out.debug_tuple(function);
-    for argument in arguments {
-        call.field(&Written(*argument));
-    }
-    call.finish()
-}
-
-/// Values that are their bits.
-macro_rules! bits {
-    ($($name:ident)*) => {$(
-        impl Source for $name {
-            fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
-                write!(out, "{}::from_bits({:?})", stringify!($name), self.to_bits())
-            }
-        }
-    )*};
-}
-
-bits!(f32 FloatFrame FloatRamp Quadratic Cubic);
-#[cfg(feature = "fixed")]
-bits!(Fx16 Fx32 Length Weight16 Weight32 Light16 Light32 Frame16 Frame32 Gain16 Gain32 Ramp16 Ramp32);
-
-/// Types without parameters.
-macro_rules! named {
-    ($($name:ty),*) => {$(
-        impl Named for $name {
-            fn write_name(out: &mut Formatter<'_>) -> fmt::Result {
-                out.write_str(stringify!($name))
-            }
-        }
-    )*};
-}
-
-named!(f32, NoAttenuation, InverseSquare, Polynomial, SmoothRange);
-named!(NoSpecular, Phong, BlinnPhong, DualConeLobe);
-#[cfg(feature = "fixed")]
-named!(Fx16, Fx32);
-
-impl<W: Window, A: Named> Named for Ranged<W, A> {
-    fn write_name(out: &mut Formatter<'_>) -> fmt::Result {
-        write!(out, "Ranged<{}, {}>", W::NAME, name::<A>())
-    }
-}
-
-impl<H: Named, const N: u32> Named for DifferenceForm<H, N> {
-    fn write_name(out: &mut Formatter<'_>) -> fmt::Result {
-        write!(out, "DifferenceForm<{}, {N}>", name::<H>())
-    }
-}
-
-/// Profiles without coefficients, which are their own curves.
-macro_rules! profiles {
-    ($($name:ident)*) => {$(
-        impl Source for $name {
-            fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
-                out.write_str(stringify!($name))
-            }
-        }
-    )*};
-}
-
-profiles!(Soft Hard Linear Step Smooth);
-
-impl<const N: u32> Source for Power<N> {
-    fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
-        write!(out, "Power::<{N}>")
-    }
-}
-
-impl<const N: u32> Source for InvertedPower<N> {
-    fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
-        write!(out, "InvertedPower::<{N}>")
-    }
-}
-
-impl Source for Table<'_> {
-    fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
-        if self.knots().is_empty() {
-            return write!(out, "Table::of(&{:?})", self.samples());
-        }
-        // A call is no constant that lives on but in a block of one.
-        out.write_str("Table::of_knots(const { &[")?;
-        for (place, value, slope) in self.knots().iter().map(|knot| knot.to_bits()) {
-            write!(out, "Knot::from_bits({place}, {value}, {slope}), ")?;
-        }
-        out.write_str("] })")
-    }
-}
-
-impl Source for SoftOrHard {
-    fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
-        write!(out, "SoftOrHard::{self:?}")
-    }
-}
-
-impl Source for FittedFalloff {
-    fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Quadratic(blend) => call(out, "FittedFalloff::Quadratic", &[blend]),
-            Self::Cubic(cubic) => call(out, "FittedFalloff::Cubic", &[cubic]),
-        }
-    }
-}
-
-impl<S: SourceScalar> Source for CompiledQuadratic<S> {
-    fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
-        write!(out, "CompiledQuadratic::<{}>::", name::<S>())?;
-        call(out, "from_parts", &[&self.g])
-    }
-}
-
-impl<S: SourceScalar> Source for CompiledCubic<S> {
-    fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
-        write!(out, "CompiledCubic::<{}>::", name::<S>())?;
-        call(out, "from_parts", &[&self.g, &self.h])
-    }
-}
-
-impl<S: SourceScalar> Source for CompiledFittedFalloff<S> {
-    fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Quadratic(blend) => call(out, "CompiledFittedFalloff::Quadratic", &[blend]),
-            Self::Cubic(cubic) => call(out, "CompiledFittedFalloff::Cubic", &[cubic]),
-        }
-    }
-}
-
-impl Source for () {
-    fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
-        out.write_str("()")
-    }
-}
-
-impl Source for u32 {
-    fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
-        write!(out, "{self}")
-    }
-}
-
-impl<A: Source, B: Source> Source for (A, B) {
-    fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
-        call(out, "", &[&self.0, &self.1])
-    }
-}
-
-impl<T: Source, const N: usize> Source for [T; N] {
-    fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
-        out.debug_list().entries(self.iter().map(Written)).finish()
-    }
-}
+#[cfg(feature = "arithmetic")]
+pub use crate::codegen::formats::SourceScalar;
+#[cfg(not(feature = "arithmetic"))]
+use crate::codegen::formats::SourceScalar;
+#[cfg(feature = "arithmetic")]
+pub use crate::source::Named;
+#[cfg(not(feature = "arithmetic"))]
+use crate::source::Named;
 
 impl<T: Source> Source for Vec3<T> {
     fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {

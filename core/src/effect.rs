@@ -7,7 +7,8 @@ use crate::models::falloffs;
 /// Declares the effects with their names, which are the keys of the price list.
 macro_rules! effects {
     ([$($before:tt)*] [$($after:tt)*]
-     $($(#[$meta:meta])* $falloff:ident($type:ty) = $name:literal, $sample:expr;)*) => {
+     $($(#[$meta:meta])* $falloff:ident($type:ty) = $name:literal, $sample:expr, $truth:expr
+       $(, any $any:expr)? $(, constant $constant:ty = $its_name:literal, $value:expr, $its_truth:expr)?;)*) => {
         effects! { $($before)* $($(#[$meta])* $falloff = $name,)* $($after)* }
     };
     ($($(#[$meta:meta])* $effect:ident = $name:literal,)*) => {
@@ -32,7 +33,7 @@ macro_rules! effects {
     };
 }
 
-falloffs! { effects! [
+falloffs! { effects; [
     /// Light that is everywhere.
     Ambient = "ambient",
     /// Lambert's cosine.

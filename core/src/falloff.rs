@@ -50,10 +50,10 @@ pub use self::{
     cubic::{CompiledCubic, Cubic, Smooth},
     formula::Formula,
     integer::{IntegerPower, InvertedIntegerPower},
-    mixed::{InvertedMixedPower, MixedPower},
+    mixed::{CompiledInvertedMixedPower, CompiledMixedPower, InvertedMixedPower, MixedPower},
     power::{InvertedPower, Power},
     quadratic::{CompiledQuadratic, Hard, Linear, Quadratic, Soft},
-    real::{InvertedRealPower, RealPower},
+    real::{CompiledInvertedRealPower, CompiledRealPower, InvertedRealPower, RealPower},
     step::Step,
     table::Table,
 };
@@ -64,11 +64,13 @@ pub use crate::number::Knot;
 /// The type decides which function is compiled in: there is no branch per point, and a profile that is not
 /// named is not linked. [`SoftOrHard`], [`FittedFalloff`] and [`AnyFalloff`] leave the choice to run time, at the price of that branch.
 pub trait Falloff: Copy + core::fmt::Debug {
-    /// The profile with its coefficients in the format `S`.
-    type Compiled<S: Scalar>: Curve<S>;
+    /// The falloff with its coefficients in the format `S`: `Self` where it has none.
+    type Compiled<S: Scalar>: Curve<S> + From<Self>;
 
     /// Takes the coefficients to the format `S`, once per light.
-    fn compile<S: Scalar>(self) -> Self::Compiled<S>;
+    fn compile<S: Scalar>(self) -> Self::Compiled<S> {
+        self.into()
+    }
 
     /// The formula, as data.
     fn formula(&self) -> Formula<'_>;
@@ -89,15 +91,3 @@ pub trait Falloff: Copy + core::fmt::Debug {
     /// The integral of the intensity over `u` from 0 to `u`, which is in [0, 1]: what flux is made of.
     fn integral(self, u: f32) -> f32;
 }
-
-/// Implements the compilation of a profile without coefficients: it is its own curve.
-macro_rules! without_coefficients {
-    () => {
-        type Compiled<S: crate::number::Scalar> = Self;
-
-        fn compile<S: crate::number::Scalar>(self) -> Self {
-            self
-        }
-    };
-}
-use without_coefficients;

@@ -82,7 +82,7 @@
 //! | `glam` | conversions between [`Vec3`]`<f32>` and `glam::Vec3` |
 //! | `arithmetic` | the arithmetic of the number formats, for tests and price lists: it may change in any version |
 
-// Modules, lowest first: `error`, `models`, `search`, `trig`, `vec3`, `angle`, `effect`,
+// Modules, lowest first: `error`, `models`, `search`, `source`, `trig`, `vec3`, `angle`, `effect`,
 // `number`, `attenuation`, `color`, `falloff`, `specular`, `cone`, `display`, `shade`, `batch`,
 // `haze`, `material`, `light`, `any_light`, `import`, `projector`, `codegen`, `plan`, `dynamic`.
 
@@ -108,12 +108,16 @@ pub mod haze;
 pub mod import;
 pub mod light;
 mod material;
+#[cfg(feature = "arithmetic")]
+pub mod models;
+#[cfg(not(feature = "arithmetic"))]
 mod models;
 pub mod number;
 mod plan;
 pub mod projector;
 mod search;
 mod shade;
+mod source;
 pub mod specular;
 mod trig;
 mod vec3;

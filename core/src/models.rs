@@ -1,52 +1,97 @@
-//! The lists of the models: each is declared here once, and everything that is made for each of them
-//! comes from its row.
+//! The lists of the models. Each model is declared here once; whatever exists per model, in the library and
+//! in the crates that test, price and show it, is made of its row.
+//!
+//! With the feature `arithmetic` other crates have the lists, as macros of the root.
 
-/// The list of the falloffs that can be chosen at run time: hands its rows, each with a sample, to a
-/// macro after the macro's own arguments.
+/// The list of the falloffs that can be chosen at run time, handed to a macro after its own arguments.
+///
+/// A row is `doc variant(type) = name, sample, truth;`: what it is in a sentence, its variant in
+/// [`AnyFalloff`](crate::falloff::AnyFalloff) and [`Effect`](crate::dynamic::Effect), its type, its name in records,
+/// one of it as a `Result`, and that one in f64 with as few operations as it takes.
+///
+/// - `any |n| ...` makes one of numbers `n()` in [0, 1) where the type has parameters; a combination may be refused.
+/// - `constant type = name, value, truth` is what stands for it in programs that know it when they are built.
+#[cfg_attr(feature = "arithmetic", macro_export)]
 macro_rules! falloffs {
-    ($consumer:ident! $($arguments:tt)*) => {
-        $consumer! {
-            $($arguments)*
-            /// A step.
-            Step(Step) = "cut-off", Ok(Step);
-            /// The straight ramp.
-            Linear(Linear) = "linear", Ok(Linear);
-            /// The square.
-            Soft(Soft) = "soft", Ok(Soft);
-            /// The mirror image of the square.
-            Hard(Hard) = "hard", Ok(Hard);
-            /// Smoothstep.
-            Smooth(Smooth) = "smooth", Ok(Smooth);
-            /// A quadratic between soft and hard.
-            Quadratic(Quadratic) = "blend", Quadratic::new(0.5);
-            /// A monotone cubic.
-            Cubic(Cubic) = "cubic", Cubic::with_slopes(1.25, 3.5);
-            /// An integer power.
-            Power(IntegerPower) = "power", IntegerPower::new(15);
-            /// An inverted integer power.
-            InvertedPower(InvertedIntegerPower) = "rim", InvertedIntegerPower::new(4);
-            /// A mixture of two powers.
-            MixedPower(MixedPower) = "mixed-power", MixedPower::new([1, 16], 0.375);
-            /// A mixture of two inverted powers.
-            InvertedMixedPower(InvertedMixedPower) = "mixed-rim", InvertedMixedPower::new([2, 3], 0.5625);
+    ($($consumer:ident)::+ $(; $($arguments:tt)*)?) => {
+        $($consumer)::+! {
+            $($($arguments)*)?
+            /// The soft edge, `t^2`.
+            Soft(Soft) = "soft", Ok(Soft), |t| t * t;
+            /// The hard edge, `1 - u^2`.
+            Hard(Hard) = "hard", Ok(Hard), |t| t * (2.0 - t);
+            /// The straight ramp, `t`.
+            Linear(Linear) = "linear", Ok(Linear), |t| t;
+            /// Smoothstep, `t^2 (3 - 2t)`.
+            Smooth(Smooth) = "smooth", Ok(Smooth), |t| t * t * (3.0 - 2.0 * t);
+            /// A step: all or nothing.
+            Step(Step) = "cut-off", Ok(Step), |t| if t > 0.0 { 1.0 } else { 0.0 };
+            /// A quadratic between soft and hard: for most pairs of a beam angle and a field angle.
+            Quadratic(Quadratic) = "blend", Quadratic::new(0.5), |t| t * (0.5 + 0.5 * t),
+                any |n| Quadratic::new(2.0 * n());
+            /// A monotone cubic: for the pairs of angles that no quadratic has.
+            Cubic(Cubic) = "cubic", Cubic::with_slopes(1.25, 3.5), |t| t * (1.25 + t * (2.75 * t - 3.0)),
+                any |n| Cubic::with_slopes(4.0 * n(), 4.0 * n());
+            /// An integer power: a concentrated beam.
+            Power(IntegerPower) = "power", IntegerPower::new(15), |t| power(t, 15.0),
+                any |n| IntegerPower::new(exponent(n()) as u32),
+                constant Power<4> = "power-4", Power, |t| squared(squared(t));
+            /// An inverted integer power: a flat middle and a steep edge.
+            InvertedPower(InvertedIntegerPower) = "rim", InvertedIntegerPower::new(4), |t| 1.0 - squared(squared(1.0 - t)),
+                any |n| InvertedIntegerPower::new(exponent(n()) as u32),
+                constant InvertedPower<4> = "rim-4", InvertedPower, |t| 1.0 - squared(squared(1.0 - t));
+            /// A mixture of two integer powers: a bright middle in a wide beam.
+            MixedPower(MixedPower) = "mixed-power", MixedPower::new([1, 16], 0.375),
+                |t| 0.625 * t + 0.375 * squared(squared(squared(squared(t)))),
+                any |n| MixedPower::new([n(), n()].map(|n| (1_025.0 * n) as u32), n());
+            /// A mixture of two inverted integer powers.
+            InvertedMixedPower(InvertedMixedPower) = "mixed-rim", InvertedMixedPower::new([2, 3], 0.5625),
+                |t| 1.0 - squared(1.0 - t) * (1.0 - 0.5625 * t),
+                any |n| InvertedMixedPower::new([n(), n()].map(|n| (1_025.0 * n) as u32), n());
             /// A power of a real exponent.
-            RealPower(RealPower) = "real-power", RealPower::new(2.2);
-            /// An inverted power of a real exponent.
-            InvertedRealPower(InvertedRealPower) = "real-rim", InvertedRealPower::new(0.75);
-            /// Samples.
-            Table(Table<'static>) = "table", Ok(Table::of(&[
-                65_535, 65_000, 63_211, 60_007, 51_234, 39_876, 24_321, 11_111, 3_210, 0,
-            ]));
+            RealPower(RealPower) = "real-power", RealPower::new(2.25), |t| power(t, 2.25),
+                any |n| RealPower::new(exponent(2.0 * n() - 1.0));
+            /// An inverted power of a real exponent: the cones of Godot.
+            InvertedRealPower(InvertedRealPower) = "real-rim", InvertedRealPower::new(2.5), |t| 1.0 - power(1.0 - t, 2.5),
+                any |n| InvertedRealPower::new(exponent(2.0 * n() - 1.0));
+            /// Samples with straight lines between them: a light that was measured.
+            Table(Table<'static>) = "table", Ok(Table::of(&SAMPLES)), |t| interpolated(t);
         }
+    };
+}
+
+/// The same list as programs have the falloffs that know them when they are built: rows of
+/// `doc variant(type) = name, sample, truth;`.
+#[cfg(feature = "arithmetic")]
+#[macro_export]
+macro_rules! constant_falloffs {
+    (@rows $consumer:tt $arguments:tt [$($rows:tt)*]
+     $(#[doc = $doc:literal])* $variant:ident($type:ty) = $name:literal, $sample:expr, $truth:expr $(, any $any:expr)?;
+     $($rest:tt)*) => {
+        $crate::constant_falloffs! { @rows $consumer $arguments
+            [$($rows)* $(#[doc = $doc])* $variant($type) = $name, $sample, $truth;] $($rest)* }
+    };
+    (@rows $consumer:tt $arguments:tt [$($rows:tt)*]
+     $(#[doc = $doc:literal])* $variant:ident($type:ty) = $name:literal, $sample:expr, $truth:expr $(, any $any:expr)?,
+     constant $constant:ty = $its_name:literal, $value:expr, $its_truth:expr;
+     $($rest:tt)*) => {
+        $crate::constant_falloffs! { @rows $consumer $arguments
+            [$($rows)* $(#[doc = $doc])* $variant($constant) = $its_name, Ok($value), $its_truth;] $($rest)* }
+    };
+    (@rows [$($consumer:tt)*] [$($arguments:tt)*] [$($rows:tt)*]) => {
+        $($consumer)*! { $($arguments)* $($rows)* }
+    };
+    ($($consumer:ident)::+ $(; $($arguments:tt)*)?) => {
+        $crate::falloffs! { $crate::constant_falloffs; @rows [$($consumer)::+] [$($($arguments)*)?] [] }
     };
 }
 
 /// The list of the attenuations that can be chosen at run time: hands its rows to a macro, after the
 /// macro's own arguments.
 macro_rules! attenuations {
-    ($consumer:ident! $($arguments:tt)*) => {
-        $consumer! {
-            $($arguments)*
+    ($($consumer:ident)::+ $(; $($arguments:tt)*)?) => {
+        $($consumer)::+! {
+            $($($arguments)*)?
             /// No attenuation, cut off.
             Constant(CutAt<NoAttenuation>),
             /// The inverse-square law, cut off.
@@ -68,3 +113,37 @@ macro_rules! attenuations {
 }
 
 pub(crate) use {attenuations, falloffs};
+
+/// Samples evenly spaced over the versine; 65,535 is one.
+#[allow(unreachable_pub, reason = "public with the feature arithmetic")]
+pub const SAMPLES: [u16; 10] = [65_535, 65_000, 63_211, 60_007, 51_234, 39_876, 24_321, 11_111, 3_210, 0];
+
+/// `x^2`.
+#[cfg(feature = "arithmetic")]
+#[inline(always)]
+pub fn squared(x: f64) -> f64 {
+    x * x
+}
+
+/// `x` to any power.
+#[cfg(feature = "arithmetic")]
+pub fn power(x: f64, exponent: f64) -> f64 {
+    libm::pow(x, exponent)
+}
+
+/// Linear interpolation in [`SAMPLES`].
+#[cfg(feature = "arithmetic")]
+#[inline(always)]
+pub fn interpolated(t: f64) -> f64 {
+    let segments = SAMPLES.len() - 1;
+    let place = (1.0 - t) * segments as f64;
+    let index = (place as usize).min(segments - 1);
+    let [from, to] = [SAMPLES[index], SAMPLES[index + 1]].map(f64::from);
+    (from + (to - from) * (place - index as f64)) / 65_535.0
+}
+
+/// `1024^number`: of numbers in [0, 1) exponents that are evenly spread over their logarithms.
+#[cfg(feature = "arithmetic")]
+pub fn exponent(number: f32) -> f32 {
+    libm::powf(1_024.0, number)
+}

@@ -17,7 +17,13 @@
 //! A surface that faces away from the light has no highlight, as in OpenGL; the bare equation of the textbooks would let
 //! the light shine through.
 
-use crate::{number::Scalar, vec3::Vec3};
+use core::fmt::{self, Formatter};
+
+use crate::{
+    number::Scalar,
+    source::{Named, name, named},
+    vec3::Vec3,
+};
 
 /// A kind of highlight. The type decides which one is compiled in: there is no branch per point, and a highlight that
 /// is not named is not linked.
@@ -81,6 +87,14 @@ pub struct DualConeLobe;
 /// Defined from a shininess of `2^N` on. It ends at a finite angle, and is the narrower the fewer the squarings.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct DifferenceForm<H, const N: u32>(pub H);
+
+named!(NoSpecular Phong BlinnPhong DualConeLobe);
+
+impl<H: Named, const N: u32> Named for DifferenceForm<H, N> {
+    fn write_name(out: &mut Formatter<'_>) -> fmt::Result {
+        write!(out, "DifferenceForm<{}, {N}>", name::<H>())
+    }
+}
 
 impl SpecularLobe for NoSpecular {
     const SHINES: bool = false;

@@ -41,7 +41,7 @@ pub use fast::FastPoint;
 pub use kernel::{Kernel, Row, Stage, Visitor};
 pub use list::{Setting, falloffs, points};
 pub use ours::{Highlit, OurFalloff, OurPoint};
-pub use profile::{SAMPLES, Shape};
+pub use profile::Shape;
 #[cfg(feature = "std")]
 pub use rival::Std;
 pub use rival::{Clamp, CosineTable, Gltf, Libm, Micromath, Power, Powf, Schlick, Smoothstep};

@@ -1,9 +1,10 @@
 //! The list: every row, once.
 
+#[allow(clippy::wildcard_imports, reason = "the types of the list")]
+use luminaire::falloff::*;
 use luminaire::{
     Angle, Cone, Fx16, Fx32, SpotLight,
     attenuation::{Attenuation, NoAttenuation},
-    falloff::{Hard, InvertedPower, Linear, Power, Smooth, Soft, Step},
 };
 
 use crate::{
@@ -13,7 +14,7 @@ use crate::{
     kernel::{Row, Visitor},
     oracle::{self, Model},
     ours::{Highlit, OurFalloff, OurPoint},
-    profile::{self, Shape},
+    profile::Shape,
     rival,
     scene::{AXIS, EYE, POSITION, Population},
     value::Format,
@@ -67,24 +68,21 @@ fn cone<P>(made: Result<Cone<P>, luminaire::Error>) -> Cone<P> {
 
 /// Every kernel from the angle off axis to an intensity.
 pub fn falloffs(setting: Setting, visitor: &mut impl Visitor) {
-    shape(setting, Soft, visitor);
-    shape(setting, Hard, visitor);
-    shape(setting, Linear, visitor);
-    shape(setting, Smooth, visitor);
-    shape(setting, Step, visitor);
-    shape(setting, profile::blend(), visitor);
-    shape(setting, profile::cubic(), visitor);
-    shape(setting, Power::<4>, visitor);
-    shape(setting, Power::<16>, visitor);
-    shape(setting, InvertedPower::<4>, visitor);
-    shape(setting, profile::table(), visitor);
+    macro_rules! shapes {
+        ($($(#[$doc:meta])* $variant:ident($type:ty) = $name:literal, $sample:expr, $truth:expr;)*) => {
+            $(shape::<$type>(setting, visitor);)*
+        };
+    }
+    luminaire::constant_falloffs!(shapes);
+    shape::<Power<16>>(setting, visitor);
     rivals(setting, visitor);
 }
 
-/// A profile in every format.
-fn shape<P: Shape>(setting: Setting, profile: P, visitor: &mut impl Visitor) {
+/// A falloff in every format.
+fn shape<P: Shape>(setting: Setting, visitor: &mut impl Visitor) {
+    let profile = P::sample();
     let cone = setting.cone(profile);
-    let truth = setting.truth(Model::Profile(P::EXACT), P::JUMPS);
+    let truth = setting.truth(Model::Profile(P::truth), P::jumps());
     ours::<Fx16, P>(&cone, &truth, visitor);
     ours::<Fx32, P>(&cone, &truth, visitor);
     ours::<f32, P>(&cone, &truth, visitor);
@@ -110,8 +108,8 @@ fn rivals(setting: Setting, visitor: &mut impl Visitor) {
     let row = |kernel| Row::falloff(kernel, "rival");
     let (exponent, outer) = (setting.exponent(), cosine(setting.outer_versine()));
     let power = setting.truth(Model::CosinePower(exponent.into()), false);
-    let soft = setting.truth(Model::Profile(Soft::EXACT), false);
-    let smooth = setting.truth(Model::Profile(Smooth::EXACT), false);
+    let soft = setting.truth(Model::Profile(Soft::truth), false);
+    let smooth = setting.truth(Model::Profile(Smooth::truth), false);
     visitor.falloff(row("powf-libm"), rival::Powf::<rival::Libm>::new(exponent), &power);
     #[cfg(feature = "std")]
     visitor.falloff(row("powf-std"), rival::Powf::<rival::Std>::new(exponent), &power);
@@ -178,7 +176,7 @@ fn light(setting: Setting, population: Population, intensity: f32, falls: bool) 
     oracle::Point {
         position: oracle::widened(POSITION),
         axis: oracle::widened(AXIS),
-        falloff: setting.truth(Model::Profile(Soft::EXACT), false),
+        falloff: setting.truth(Model::Profile(Soft::truth), false),
         intensity: intensity.into(),
         falls,
         highlight: None,

@@ -7,10 +7,12 @@ mod light;
 mod material;
 mod seam;
 
+#[allow(clippy::wildcard_imports, reason = "the types of the list")]
+use luminaire::falloff::*;
 use luminaire::{
     Fx16, Fx32,
     attenuation::{CutAt, FilamentRange, GltfRange, InverseSquare, NoAttenuation, Polynomial, SmoothRange},
-    falloff::{Cubic, Hard, InvertedPower, Linear, Power, Quadratic, Smooth, Soft, SoftOrHard, Step, Table},
+    models::SAMPLES,
     specular::{BlinnPhong, DifferenceForm, DualConeLobe, NoSpecular, Phong},
 };
 
@@ -35,12 +37,12 @@ pub const FORMATS: [&str; 3] = ["f32", "fx32", "fx16"];
 pub(crate) fn find(section: &str) -> Option<Evaluate> {
     let (name, format) = section.rsplit_once(' ')?;
     let index = FORMATS.iter().position(|known| *known == format)?;
-    MODELS.iter().find(|model| model.name == name)?.runs.get(index).copied()
+    models().find(|model| model.name == name)?.runs.get(index).copied()
 }
 
 /// A model in every format, which its expression calls by a name.
 macro_rules! each {
-    ($name:literal, $format:ident, $case:ident => $outcome:expr) => {
+    ($name:expr, $format:ident, $case:ident => $outcome:expr) => {
         Model {
             name: $name,
             runs: &[
@@ -63,7 +65,7 @@ macro_rules! each {
 
 /// A model of set-up, which is f32 in every format.
 macro_rules! once {
-    ($name:literal, $case:ident => $outcome:expr) => {
+    ($name:expr, $case:ident => $outcome:expr) => {
         Model { name: $name, runs: &[|$case| $outcome] }
     };
 }
@@ -90,33 +92,36 @@ fn range(case: &mut Case<'_>) -> f32 {
     case.number("range")
 }
 
-/// All models there are.
-pub static MODELS: &[Model] = &[
-    once!("cone soft", case => falloff::cone(case, |_| Ok(Soft))),
-    once!("cone hard", case => falloff::cone(case, |_| Ok(Hard))),
-    once!("cone linear", case => falloff::cone(case, |_| Ok(Linear))),
-    once!("cone cut-off", case => falloff::cone(case, |_| Ok(Step))),
-    once!("cone smooth", case => falloff::cone(case, |_| Ok(Smooth))),
+/// The cones and the falloffs of the list.
+macro_rules! listed {
+    ($($(#[$doc:meta])* $variant:ident($type:ty) = $name:literal, $sample:expr, $truth:expr;)*) => {
+        static LISTED: &[Model] = &[
+            $(once!(concat!("cone ", $name), case => falloff::cone::<$type>(case, |_| $sample)),)*
+            $(each!(concat!("falloff ", $name), S, case => falloff::falloff::<S, $type>(case, |_| $sample)),)*
+        ];
+    };
+}
+luminaire::constant_falloffs!(listed);
+
+/// All models there are. One of [`WRITTEN`], whose parameters are inputs, stands for the one of the list with its name.
+pub fn models() -> impl Iterator<Item = &'static Model> {
+    let is_written = |model: &&Model| WRITTEN.iter().any(|written| written.name == model.name);
+    LISTED.iter().filter(move |model| !is_written(model)).chain(WRITTEN)
+}
+
+static WRITTEN: &[Model] = &[
     once!("cone blend", case => falloff::cone(case, blend)),
     once!("cone cubic", case => falloff::cone(case, cubic)),
     once!("cone power-15", case => falloff::cone(case, |_| Ok(Power::<15>))),
-    once!("cone rim-4", case => falloff::cone(case, |_| Ok(InvertedPower::<4>))),
     once!("cone table", case => falloff::cone(case, table)),
     once!("cone two-angles", case => falloff::two_angles(case)),
     once!("cone two-angles-and-slope", case => falloff::two_angles_and_slope(case)),
     once!("cone opengl-15", case => falloff::opengl(case)),
-    each!("falloff soft", S, case => falloff::falloff::<S, _>(case, |_| Ok(Soft))),
-    each!("falloff hard", S, case => falloff::falloff::<S, _>(case, |_| Ok(Hard))),
-    each!("falloff linear", S, case => falloff::falloff::<S, _>(case, |_| Ok(Linear))),
-    each!("falloff cut-off", S, case => falloff::falloff::<S, _>(case, |_| Ok(Step))),
-    each!("falloff smooth", S, case => falloff::falloff::<S, _>(case, |_| Ok(Smooth))),
     each!("falloff blend", S, case => falloff::falloff::<S, _>(case, blend)),
     each!("falloff cubic", S, case => falloff::falloff::<S, _>(case, cubic)),
     each!("falloff power-1", S, case => falloff::falloff::<S, _>(case, |_| Ok(Power::<1>))),
-    each!("falloff power-4", S, case => falloff::falloff::<S, _>(case, |_| Ok(Power::<4>))),
     each!("falloff power-15", S, case => falloff::falloff::<S, _>(case, |_| Ok(Power::<15>))),
     each!("falloff power-128", S, case => falloff::falloff::<S, _>(case, |_| Ok(Power::<128>))),
-    each!("falloff rim-4", S, case => falloff::falloff::<S, _>(case, |_| Ok(InvertedPower::<4>))),
     each!("falloff table", S, case => falloff::falloff::<S, _>(case, table)),
     each!("spot soft", S, case => light::spot::<S, _>(case, |_| Ok(Soft))),
     each!("spot hard", S, case => light::spot::<S, _>(case, |_| Ok(Hard))),

@@ -117,13 +117,13 @@ macro_rules! with_attenuation {
         }
     };
     ($compiled:expr, $constants:ident: $type:ident => $answer:expr) => {
-        $crate::models::attenuations!(with_attenuation! [$compiled, $constants, $type, $answer])
+        $crate::models::attenuations!(with_attenuation; [$compiled, $constants, $type, $answer])
     };
 }
 
 pub(crate) use with_attenuation;
 
-attenuations!(any_attenuation!);
+attenuations!(any_attenuation);
 
 /// An attenuation that has no range of its own is one without a range.
 macro_rules! from_unlimited {

@@ -1,12 +1,16 @@
 //! Attenuations that end at a range.
 
-use core::marker::PhantomData;
+use core::{
+    fmt::{self, Formatter},
+    marker::PhantomData,
+};
 
 use super::{Attenuation, InverseSquare, checked_range, dimmed, inverse_squared, squared_fraction};
 use crate::{
     effect::{Effect, Effects},
     error::Error,
     number::{Ray, Scalar, Share},
+    source::{Named, name},
 };
 
 /// An attenuation that a window ends at a range.
@@ -126,6 +130,12 @@ impl<W: Window, A: Attenuation> Ranged<W, A> {
     /// Where the light ends, if it does.
     pub fn range(&self) -> Option<f32> {
         self.range
+    }
+}
+
+impl<W: Window, A: Named> Named for Ranged<W, A> {
+    fn write_name(out: &mut Formatter<'_>) -> fmt::Result {
+        write!(out, "Ranged<{}, {}>", W::NAME, name::<A>())
     }
 }
 

@@ -5,11 +5,16 @@ use super::{
     InvertedPower, InvertedRealPower, Linear, MixedPower, Power, Quadratic, RealPower, Smooth, Soft,
     SoftOrHard, Step, Table, choice::choice, power::sound,
 };
-use crate::{effect::Effect, error::Error, models::falloffs};
+use crate::{
+    effect::Effect,
+    error::Error,
+    models::{SAMPLES, falloffs},
+};
 
 /// The enums of the list.
 macro_rules! any_falloff {
-    ($($(#[$doc:meta])* $variant:ident($type:ty) = $name:literal, $sample:expr;)*) => {
+    ($($(#[$doc:meta])* $variant:ident($type:ty) = $name:literal, $sample:expr, $truth:expr
+       $(, any $any:expr)? $(, constant $constant:ty = $its_name:literal, $value:expr, $its_truth:expr)?;)*) => {
         choice! {
             /// Any falloff, chosen at run time: that of a light of [another system](crate::import), or of a
             /// [`AnyLight`](crate::dynamic::AnyLight).
@@ -41,7 +46,8 @@ macro_rules! any_falloff {
 /// falloff and a curve of two kinds, which only `from_parts` can bring together, stay enums.
 macro_rules! with_profile {
     ([$cone:expr, $profile:ident, $curve:ident, $answer:expr]
-     $($(#[$doc:meta])* $variant:ident($type:ty) = $name:literal, $sample:expr;)*) => {
+     $($(#[$doc:meta])* $variant:ident($type:ty) = $name:literal, $sample:expr, $truth:expr
+       $(, any $any:expr)? $(, constant $constant:ty = $its_name:literal, $value:expr, $its_truth:expr)?;)*) => {
         match ($cone.profile, $cone.curve) {
             $(($crate::falloff::AnyFalloff::$variant($profile),
                $crate::falloff::CompiledAnyFalloff::$variant($curve)) => $answer,)*
@@ -49,13 +55,13 @@ macro_rules! with_profile {
         }
     };
     ($cone:expr, $profile:ident, $curve:ident => $answer:expr) => {
-        $crate::models::falloffs!(with_profile! [$cone, $profile, $curve, $answer])
+        $crate::models::falloffs!(with_profile; [$cone, $profile, $curve, $answer])
     };
 }
 
 pub(crate) use with_profile;
 
-falloffs!(any_falloff!);
+falloffs!(any_falloff);
 
 impl AnyFalloff {
     /// `t^n` by the cheapest profile that has it, for `n` from 0 to 1,024: to the power of 0 it is a step.

@@ -1,8 +1,13 @@
 //! Profiles chosen at run time, at the price of a branch per point. A renderer matches on them once per light and calls
 //! `with_profile`.
 
-use super::{Cubic, Curve, Falloff, Formula, Hard, Quadratic, Soft, without_coefficients};
-use crate::number::{Fraction, Scalar};
+use core::fmt::{self, Formatter};
+
+use super::{Cubic, Curve, Falloff, Formula, Hard, Quadratic, Soft};
+use crate::{
+    number::{Fraction, Scalar},
+    source::Source,
+};
 
 /// One of the two profiles of one multiply, chosen at run time.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -34,14 +39,16 @@ macro_rules! choice {
             }
         })*
 
-        impl Falloff for $choice {
-            type Compiled<S: $crate::number::Scalar> = $compiled<S>;
-
-            fn compile<S: $crate::number::Scalar>(self) -> $compiled<S> {
-                match self {
-                    $(Self::$variant(falloff) => $compiled::$variant(Falloff::compile::<S>(falloff)),)*
+        impl<S: $crate::number::Scalar> From<$choice> for $compiled<S> {
+            fn from(choice: $choice) -> Self {
+                match choice {
+                    $($choice::$variant(falloff) => Self::$variant(Falloff::compile::<S>(falloff)),)*
                 }
             }
+        }
+
+        impl Falloff for $choice {
+            type Compiled<S: $crate::number::Scalar> = $compiled<S>;
 
             fn formula(&self) -> $crate::falloff::Formula<'_> {
                 match self {
@@ -70,6 +77,28 @@ macro_rules! choice {
             fn integral(self, u: f32) -> f32 {
                 match self {
                     $(Self::$variant(falloff) => falloff.integral(u),)*
+                }
+            }
+        }
+
+        impl $crate::source::Source for $choice {
+            fn write(&self, out: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+                match self {
+                    $(Self::$variant(falloff) => {
+                        $crate::source::call(out, concat!(stringify!($choice), "::", stringify!($variant)), &[falloff])
+                    })*
+                }
+            }
+        }
+
+        impl<S: $crate::number::Scalar<Weight: $crate::source::Source> + $crate::source::Source + $crate::source::Named>
+            $crate::source::Source for $compiled<S>
+        {
+            fn write(&self, out: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+                match self {
+                    $(Self::$variant(curve) => {
+                        $crate::source::call(out, concat!(stringify!($compiled), "::", stringify!($variant)), &[curve])
+                    })*
                 }
             }
         }
@@ -112,8 +141,14 @@ macro_rules! edge {
     };
 }
 
+impl Source for SoftOrHard {
+    fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
+        write!(out, "SoftOrHard::{self:?}")
+    }
+}
+
 impl Falloff for SoftOrHard {
-    without_coefficients!();
+    type Compiled<S: Scalar> = Self;
 
     fn formula(&self) -> Formula<'_> {
         match self {

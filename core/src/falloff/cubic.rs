@@ -1,14 +1,16 @@
 //! Profiles of the third degree.
 
+use core::fmt::{self, Formatter};
+
 use super::{
     Curve, Falloff, Formula,
-    polynomial::{Polynomial, slope_of_bits},
-    without_coefficients,
+    polynomial::{Polynomial, clamped_bits},
 };
 use crate::{
     error::{Error, Expected, Parameter},
     number::{Fraction, Scalar},
     search::bisect,
+    source::{Named, Source, call, name, written_by_bits, written_by_debug},
     trig,
 };
 
@@ -107,7 +109,7 @@ impl Cubic {
     /// The cubic of slopes of these bits, at the edge and in the middle, as [`codegen`](crate::codegen) writes them; each
     /// clamped to [0, 4], NaN to 0. Only those that [`with_slopes`](Self::with_slopes) accepts make a monotone cubic.
     pub const fn from_bits([edge_slope, middle_slope]: [u32; 2]) -> Self {
-        Self { edge_slope: slope_of_bits(edge_slope, 4.0), middle_slope: slope_of_bits(middle_slope, 4.0) }
+        Self { edge_slope: clamped_bits(edge_slope, 4.0), middle_slope: clamped_bits(middle_slope, 4.0) }
     }
 
     /// The bits of the slopes, at the edge and in the middle.
@@ -146,7 +148,7 @@ impl Cubic {
 }
 
 impl Falloff for Smooth {
-    without_coefficients!();
+    type Compiled<S: Scalar> = Self;
 
     fn formula(&self) -> Formula<'_> {
         Formula::Polynomial([0.0, 3.0, -2.0])
@@ -192,13 +194,25 @@ impl<S: Scalar> CompiledCubic<S> {
     }
 }
 
+written_by_debug!(Smooth);
+written_by_bits!(Cubic);
+
+impl<S: Scalar<Weight: Source> + Named> Source for CompiledCubic<S> {
+    fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
+        write!(out, "CompiledCubic::<{}>::", name::<S>())?;
+        call(out, "from_parts", &[&self.g, &self.h])
+    }
+}
+
+impl<S: Scalar> From<Cubic> for CompiledCubic<S> {
+    fn from(cubic: Cubic) -> Self {
+        let (a, d) = (cubic.edge_slope, cubic.middle_slope);
+        Self { g: S::weight(a - 1.0), h: S::weight(2.0 - a - d) }
+    }
+}
+
 impl Falloff for Cubic {
     type Compiled<S: Scalar> = CompiledCubic<S>;
-
-    fn compile<S: Scalar>(self) -> CompiledCubic<S> {
-        let (a, d) = (self.edge_slope, self.middle_slope);
-        CompiledCubic { g: S::weight(a - 1.0), h: S::weight(2.0 - a - d) }
-    }
 
     fn formula(&self) -> Formula<'_> {
         Formula::Polynomial(self.coefficients())

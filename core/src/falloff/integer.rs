@@ -1,9 +1,10 @@
 //! Integer powers whose exponent is known at run time, by repeated squaring.
 
-use super::{Curve, Falloff, Formula, without_coefficients};
+use super::{Curve, Falloff, Formula};
 use crate::{
     error::{Error, Expected, Parameter},
     number::{Fraction, Scalar},
+    source::written_by_bits,
     trig,
 };
 
@@ -30,6 +31,17 @@ pub(super) fn checked(exponent: u32, least: u32, most: u32) -> Result<u32, Error
     } else {
         let accepted = Expected::WholeBetween(least, most);
         Err(Error { parameter: Parameter::Exponent, value: exponent as f32, accepted })
+    }
+}
+
+/// The exponent of a range that is nearest.
+pub(super) const fn clamped(exponent: u32, least: u32, most: u32) -> u32 {
+    if exponent < least {
+        least
+    } else if exponent > most {
+        most
+    } else {
+        exponent
     }
 }
 
@@ -95,6 +107,16 @@ impl IntegerPower {
         Self { exponent }
     }
 
+    /// The power of this exponent clamped to [1, 1024], as [`codegen`](crate::codegen) writes it.
+    pub const fn from_bits(exponent: u32) -> Self {
+        Self { exponent: clamped(exponent, 1, MOST) }
+    }
+
+    /// The exponent.
+    pub const fn to_bits(self) -> u32 {
+        self.exponent
+    }
+
     /// The exponent.
     pub fn exponent(self) -> u32 {
         self.exponent
@@ -115,14 +137,26 @@ impl InvertedIntegerPower {
         Self { exponent }
     }
 
+    /// The rim power of this exponent clamped to [1, 1024], as [`codegen`](crate::codegen) writes it.
+    pub const fn from_bits(exponent: u32) -> Self {
+        Self { exponent: clamped(exponent, 1, MOST) }
+    }
+
+    /// The exponent.
+    pub const fn to_bits(self) -> u32 {
+        self.exponent
+    }
+
     /// The exponent.
     pub fn exponent(self) -> u32 {
         self.exponent
     }
 }
 
+written_by_bits!(IntegerPower InvertedIntegerPower);
+
 impl Falloff for IntegerPower {
-    without_coefficients!();
+    type Compiled<S: Scalar> = Self;
 
     fn formula(&self) -> Formula<'_> {
         Formula::Power(self.exponent as f32)
@@ -163,7 +197,7 @@ impl<S: Scalar> Curve<S> for IntegerPower {
 }
 
 impl Falloff for InvertedIntegerPower {
-    without_coefficients!();
+    type Compiled<S: Scalar> = Self;
 
     fn formula(&self) -> Formula<'_> {
         Formula::InvertedPower(self.exponent as f32, 0.0)

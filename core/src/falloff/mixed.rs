@@ -1,13 +1,17 @@
 //! Mixtures of two integer powers.
 
+use core::fmt::{self, Formatter};
+
 use super::{
     Curve, Falloff, Formula,
-    integer::{IntegerPower, InvertedIntegerPower, MOST, checked, power, raised},
+    integer::{IntegerPower, InvertedIntegerPower, MOST, checked, clamped, power, raised},
+    polynomial::clamped_bits,
 };
 use crate::{
     error::{Error, Parameter, check_between},
     number::{Fraction, Scalar},
     search::{bisect, maximum},
+    source::{Named, Source, call, name, written_by_bits},
     trig,
 };
 
@@ -39,6 +43,13 @@ impl Mixture {
         let high = checked(exponents[1], low + 1, MOST)?;
         check_between(Parameter::Share, share, 0.0, 1.0)?;
         Ok(Self { low, high, share })
+    }
+
+    /// The mixture of these exponents, brought to where they are sound, and of a share of these bits, clamped to [0, 1],
+    /// NaN to 0.
+    const fn from_bits(least: u32, [low, high, share]: [u32; 3]) -> Self {
+        let low = clamped(low, least, MOST - 1);
+        Self { low, high: clamped(high, low + 1, MOST), share: clamped_bits(share, 1.0) }
     }
 
     /// The mixture of two numbers.
@@ -75,6 +86,17 @@ impl MixedPower {
         Mixture::checked(0, exponents, share).map(Self)
     }
 
+    /// The mixture of the powers of two exponents and a share of these bits, as [`codegen`](crate::codegen) writes them; each is
+    /// clamped to where [`new`](Self::new) accepts it, a share of NaN to 0.
+    pub const fn from_bits(bits: [u32; 3]) -> Self {
+        Self(Mixture::from_bits(0, bits))
+    }
+
+    /// The two exponents, and the bits of the share.
+    pub const fn to_bits(self) -> [u32; 3] {
+        [self.0.low, self.0.high, self.0.share.to_bits()]
+    }
+
     /// The two exponents.
     pub fn exponents(self) -> [u32; 2] {
         [self.0.low, self.0.high]
@@ -94,6 +116,17 @@ impl InvertedMixedPower {
     /// 1].
     pub fn new(exponents: [u32; 2], share: f32) -> Result<Self, Error> {
         Mixture::checked(1, exponents, share).map(Self)
+    }
+
+    /// The mixture of the rim powers of two exponents and a share of these bits, as [`codegen`](crate::codegen) writes them; each is
+    /// clamped to where [`new`](Self::new) accepts it, a share of NaN to 0.
+    pub const fn from_bits(bits: [u32; 3]) -> Self {
+        Self(Mixture::from_bits(1, bits))
+    }
+
+    /// The two exponents, and the bits of the share.
+    pub const fn to_bits(self) -> [u32; 3] {
+        [self.0.low, self.0.high, self.0.share.to_bits()]
     }
 
     /// The two exponents.
@@ -143,12 +176,44 @@ pub struct CompiledMixedPower<S>(CompiledMixture<S>);
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct CompiledInvertedMixedPower<S>(CompiledMixture<S>);
 
+written_by_bits!(MixedPower InvertedMixedPower);
+
+impl<S: Scalar> CompiledMixedPower<S> {
+    /// The mixture of an exponent, how much larger the other one is, and its share, as [`codegen`](crate::codegen) writes it.
+    pub const fn from_parts(low: u32, rise: u32, share: S) -> Self {
+        Self(CompiledMixture { low, rise, share })
+    }
+}
+
+impl<S: Scalar + Source + Named> Source for CompiledMixedPower<S> {
+    fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
+        write!(out, "CompiledMixedPower::<{}>::", name::<S>())?;
+        call(out, "from_parts", &[&self.0.low, &self.0.rise, &self.0.share])
+    }
+}
+
+impl<S: Scalar> CompiledInvertedMixedPower<S> {
+    /// The mixture of an exponent, how much larger the other one is, and its share, as [`codegen`](crate::codegen) writes it.
+    pub const fn from_parts(low: u32, rise: u32, share: S) -> Self {
+        Self(CompiledMixture { low, rise, share })
+    }
+}
+
+impl<S: Scalar + Source + Named> Source for CompiledInvertedMixedPower<S> {
+    fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
+        write!(out, "CompiledInvertedMixedPower::<{}>::", name::<S>())?;
+        call(out, "from_parts", &[&self.0.low, &self.0.rise, &self.0.share])
+    }
+}
+
+impl<S: Scalar> From<MixedPower> for CompiledMixedPower<S> {
+    fn from(falloff: MixedPower) -> Self {
+        Self(CompiledMixture::new(falloff.0))
+    }
+}
+
 impl Falloff for MixedPower {
     type Compiled<S: Scalar> = CompiledMixedPower<S>;
-
-    fn compile<S: Scalar>(self) -> CompiledMixedPower<S> {
-        CompiledMixedPower(CompiledMixture::new(self.0))
-    }
 
     fn formula(&self) -> Formula<'_> {
         Formula::MixedPower(self.exponents(), self.share())
@@ -188,12 +253,14 @@ impl<S: Scalar> Curve<S> for CompiledMixedPower<S> {
     }
 }
 
+impl<S: Scalar> From<InvertedMixedPower> for CompiledInvertedMixedPower<S> {
+    fn from(falloff: InvertedMixedPower) -> Self {
+        Self(CompiledMixture::new(falloff.0))
+    }
+}
+
 impl Falloff for InvertedMixedPower {
     type Compiled<S: Scalar> = CompiledInvertedMixedPower<S>;
-
-    fn compile<S: Scalar>(self) -> CompiledInvertedMixedPower<S> {
-        CompiledInvertedMixedPower(CompiledMixture::new(self.0))
-    }
 
     fn formula(&self) -> Formula<'_> {
         Formula::InvertedMixedPower(self.exponents(), self.share())

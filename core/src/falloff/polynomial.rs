@@ -38,8 +38,8 @@ impl Polynomial {
     }
 }
 
-/// The slope of these bits, clamped to what a profile may have: from 0, which also stands for NaN, to `most`.
-pub(super) const fn slope_of_bits(bits: u32, most: f32) -> f32 {
+/// The number of these bits, clamped to [0, most]; 0 of NaN.
+pub(super) const fn clamped_bits(bits: u32, most: f32) -> f32 {
     let slope = f32::from_bits(bits);
     // A clamp keeps NaN.
     if slope.is_nan() { 0.0 } else { slope.clamp(0.0, most) }

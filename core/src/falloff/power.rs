@@ -1,11 +1,15 @@
 //! Integer powers whose exponent is part of the type.
 
+use core::fmt::{self, Formatter};
+
 use super::{
     Curve, Falloff, Formula,
     integer::{IntegerPower, InvertedIntegerPower, MOST, rounded_power},
-    without_coefficients,
 };
-use crate::number::{Fraction, Scalar};
+use crate::{
+    number::{Fraction, Scalar},
+    source::Source,
+};
 
 /// The power `t^N`, by repeated squaring: one multiply for each of `t^2`, `t^4`, `t^8` and so on, and one more for
 /// each further binary one of `N`. `N` is from 1 to 1,024.
@@ -46,8 +50,20 @@ pub(super) const fn sound<const N: u32>() -> u32 {
     N
 }
 
+impl<const N: u32> Source for Power<N> {
+    fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
+        write!(out, "Power::<{N}>")
+    }
+}
+
+impl<const N: u32> Source for InvertedPower<N> {
+    fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
+        write!(out, "InvertedPower::<{N}>")
+    }
+}
+
 impl<const N: u32> Falloff for Power<N> {
-    without_coefficients!();
+    type Compiled<S: Scalar> = Self;
 
     fn formula(&self) -> Formula<'_> {
         Formula::Power(sound::<N>() as f32)
@@ -78,7 +94,7 @@ impl<S: Scalar, const N: u32> Curve<S> for Power<N> {
 }
 
 impl<const N: u32> Falloff for InvertedPower<N> {
-    without_coefficients!();
+    type Compiled<S: Scalar> = Self;
 
     fn formula(&self) -> Formula<'_> {
         Formula::InvertedPower(sound::<N>() as f32, 0.0)

@@ -1,13 +1,15 @@
 //! Profiles up to the second degree: the paper's two, the straight line between them, and every blend of them.
 
+use core::fmt::{self, Formatter};
+
 use super::{
     Curve, Falloff, Formula,
-    polynomial::{Polynomial, slope_of_bits},
-    without_coefficients,
+    polynomial::{Polynomial, clamped_bits},
 };
 use crate::{
     error::{Error, Expected, Parameter},
     number::{Fraction, Scalar},
+    source::{Named, Source, call, name, written_by_bits, written_by_debug},
     trig,
 };
 
@@ -48,7 +50,7 @@ impl Quadratic {
 
     /// The quadratic of an edge slope of these bits, as [`codegen`](crate::codegen) writes it; clamped to [0, 2], NaN to 0.
     pub const fn from_bits(edge_slope: u32) -> Self {
-        Self { edge_slope: slope_of_bits(edge_slope, 2.0) }
+        Self { edge_slope: clamped_bits(edge_slope, 2.0) }
     }
 
     /// The bits of the edge slope.
@@ -82,7 +84,7 @@ impl Quadratic {
 }
 
 impl Falloff for Soft {
-    without_coefficients!();
+    type Compiled<S: Scalar> = Self;
 
     fn formula(&self) -> Formula<'_> {
         Formula::Polynomial([0.0, 1.0, 0.0])
@@ -116,7 +118,7 @@ impl<S: Scalar> Curve<S> for Soft {
 }
 
 impl Falloff for Hard {
-    without_coefficients!();
+    type Compiled<S: Scalar> = Self;
 
     fn formula(&self) -> Formula<'_> {
         Formula::Polynomial([2.0, -1.0, 0.0])
@@ -151,7 +153,7 @@ impl<S: Scalar> Curve<S> for Hard {
 }
 
 impl Falloff for Linear {
-    without_coefficients!();
+    type Compiled<S: Scalar> = Self;
 
     fn formula(&self) -> Formula<'_> {
         Formula::Polynomial([1.0, 0.0, 0.0])
@@ -197,12 +199,24 @@ impl<S: Scalar> CompiledQuadratic<S> {
     }
 }
 
+written_by_debug!(Soft Hard Linear);
+written_by_bits!(Quadratic);
+
+impl<S: Scalar<Weight: Source> + Named> Source for CompiledQuadratic<S> {
+    fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
+        write!(out, "CompiledQuadratic::<{}>::", name::<S>())?;
+        call(out, "from_parts", &[&self.g])
+    }
+}
+
+impl<S: Scalar> From<Quadratic> for CompiledQuadratic<S> {
+    fn from(quadratic: Quadratic) -> Self {
+        Self { g: S::weight(quadratic.edge_slope - 1.0) }
+    }
+}
+
 impl Falloff for Quadratic {
     type Compiled<S: Scalar> = CompiledQuadratic<S>;
-
-    fn compile<S: Scalar>(self) -> CompiledQuadratic<S> {
-        CompiledQuadratic { g: S::weight(self.edge_slope - 1.0) }
-    }
 
     fn formula(&self) -> Formula<'_> {
         Formula::Polynomial([self.edge_slope, 1.0 - self.edge_slope, 0.0])

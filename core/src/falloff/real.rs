@@ -4,10 +4,12 @@ use super::{
     Curve, Falloff, Formula,
     exponent::real_power,
     integer::{MOST, lost_after},
+    polynomial::clamped_bits,
 };
 use crate::{
     error::{Error, Parameter, check_up_to},
     number::{Fraction, RealExponent, Scalar},
+    source::written_by_bits,
     trig,
 };
 
@@ -54,6 +56,16 @@ impl RealPower {
         Self { exponent }
     }
 
+    /// The power of an exponent of these bits, as [`codegen`](crate::codegen) writes it; clamped to [0, 1024], NaN to 0.
+    pub const fn from_bits(exponent: u32) -> Self {
+        Self { exponent: clamped_bits(exponent, MOST as f32) }
+    }
+
+    /// The bits of the exponent.
+    pub const fn to_bits(self) -> u32 {
+        self.exponent.to_bits()
+    }
+
     /// The exponent.
     pub fn exponent(self) -> f32 {
         self.exponent
@@ -84,6 +96,17 @@ impl InvertedRealPower {
         Self { exponent, floor }
     }
 
+    /// The rim power of an exponent and a floor of these bits, as [`codegen`](crate::codegen) writes them; clamped to
+    /// [0, 1024] and [0, 1], NaN to 0.
+    pub const fn from_bits([exponent, floor]: [u32; 2]) -> Self {
+        Self { exponent: clamped_bits(exponent, MOST as f32), floor: clamped_bits(floor, 1.0) }
+    }
+
+    /// The bits of the exponent and of the floor.
+    pub const fn to_bits(self) -> [u32; 2] {
+        [self.exponent.to_bits(), self.floor.to_bits()]
+    }
+
     /// The exponent.
     pub fn exponent(self) -> f32 {
         self.exponent
@@ -105,12 +128,40 @@ impl InvertedRealPower {
     }
 }
 
+written_by_bits!(RealPower InvertedRealPower CompiledRealPower CompiledInvertedRealPower);
+
+impl CompiledRealPower {
+    /// The power of an exponent of these bits, as [`codegen`](crate::codegen) writes it.
+    pub const fn from_bits(bits: [u32; 4]) -> Self {
+        Self(RealExponent::from_bits(bits))
+    }
+
+    /// The bits of the exponent.
+    pub const fn to_bits(self) -> [u32; 4] {
+        self.0.to_bits()
+    }
+}
+
+impl CompiledInvertedRealPower {
+    /// The power of an exponent of these bits, as [`codegen`](crate::codegen) writes it.
+    pub const fn from_bits(bits: [u32; 4]) -> Self {
+        Self(RealExponent::from_bits(bits))
+    }
+
+    /// The bits of the exponent.
+    pub const fn to_bits(self) -> [u32; 4] {
+        self.0.to_bits()
+    }
+}
+
+impl From<RealPower> for CompiledRealPower {
+    fn from(power: RealPower) -> Self {
+        Self(RealExponent::new(power.exponent, 0.0))
+    }
+}
+
 impl Falloff for RealPower {
     type Compiled<S: Scalar> = CompiledRealPower;
-
-    fn compile<S: Scalar>(self) -> CompiledRealPower {
-        CompiledRealPower(RealExponent::new(self.exponent, 0.0))
-    }
 
     fn formula(&self) -> Formula<'_> {
         Formula::Power(self.exponent())
@@ -149,12 +200,14 @@ impl Falloff for RealPower {
     }
 }
 
+impl From<InvertedRealPower> for CompiledInvertedRealPower {
+    fn from(power: InvertedRealPower) -> Self {
+        Self(RealExponent::new(power.exponent, power.floor))
+    }
+}
+
 impl Falloff for InvertedRealPower {
     type Compiled<S: Scalar> = CompiledInvertedRealPower;
-
-    fn compile<S: Scalar>(self) -> CompiledInvertedRealPower {
-        CompiledInvertedRealPower(RealExponent::new(self.exponent, self.floor))
-    }
 
     fn formula(&self) -> Formula<'_> {
         Formula::InvertedPower(self.exponent(), self.floor())

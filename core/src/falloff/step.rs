@@ -1,7 +1,10 @@
 //! The profile without a slope.
 
-use super::{Curve, Falloff, Formula, without_coefficients};
-use crate::number::{Fraction, Scalar};
+use super::{Curve, Falloff, Formula};
+use crate::{
+    number::{Fraction, Scalar},
+    source::written_by_debug,
+};
 
 /// Full intensity up to the edge and none from there on: no multiply. A single umbra, and OpenGL with exponent 0.
 ///
@@ -9,8 +12,10 @@ use crate::number::{Fraction, Scalar};
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct Step;
 
+written_by_debug!(Step);
+
 impl Falloff for Step {
-    without_coefficients!();
+    type Compiled<S: Scalar> = Self;
 
     fn formula(&self) -> Formula<'_> {
         Formula::Step

@@ -3,11 +3,14 @@
 mod measured;
 
 use self::measured::Measured;
-use super::{Curve, Falloff, Formula, without_coefficients};
+use core::fmt::{self, Formatter};
+
+use super::{Curve, Falloff, Formula};
 use crate::{
     angle::Angle,
     error::{Error, Expected, Parameter},
     number::{Fraction, Knot, Scalar},
+    source::Source,
     trig,
 };
 
@@ -170,8 +173,22 @@ fn check_count(count: usize, least: u16) -> Result<(), Error> {
     }
 }
 
+impl Source for Table<'_> {
+    fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
+        if self.knots().is_empty() {
+            return write!(out, "Table::of(&{:?})", self.samples());
+        }
+        // A call is no constant that lives on but in a block of one.
+        out.write_str("Table::of_knots(const { &[")?;
+        for (place, value, slope) in self.knots().iter().map(|knot| knot.to_bits()) {
+            write!(out, "Knot::from_bits({place}, {value}, {slope}), ")?;
+        }
+        out.write_str("] })")
+    }
+}
+
 impl Falloff for Table<'_> {
-    without_coefficients!();
+    type Compiled<S: Scalar> = Self;
 
     fn formula(&self) -> Formula<'_> {
         Formula::Table(*self)

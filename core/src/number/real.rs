@@ -125,6 +125,16 @@ impl RealExponent {
         Self { least: least as u32, gain: gain as u32, ..plain }
     }
 
+    /// The exponent of these bits. A floor whose power is over 15/16 counts as one of 15/16.
+    pub(crate) const fn from_bits([mantissa, shift, least, gain]: [u32; 4]) -> Self {
+        Self { mantissa: mantissa & ((1 << 24) - 1), shift: shift % 64, least, gain }
+    }
+
+    /// The mantissa, the shift, the power of the floor and the gain above it.
+    pub(crate) const fn to_bits(self) -> [u32; 4] {
+        [self.mantissa, self.shift, self.least, self.gain]
+    }
+
     /// The power of an f32 from 0 to 1, with 31 fraction bits.
     pub(super) fn of_f32(self, x: f32) -> u64 {
         let bits = x.to_bits();

@@ -7,7 +7,7 @@ use luminaire::{
     Fx16, Fx32,
     number::{Length, Light16, Light32},
 };
-use luminaire_conform::{Case, Evaluate, FORMATS, Input, Inputs, Kind, MODELS, Word};
+use luminaire_conform::{Case, Evaluate, FORMATS, Input, Inputs, Kind, Word, models};
 
 use super::random::Random;
 use super::scene::Scene;
@@ -24,7 +24,7 @@ const PREFACE: &str = "\
 /// The whole file.
 pub(crate) fn file() -> String {
     let mut file = PREFACE.to_owned();
-    for model in MODELS {
+    for model in models() {
         for (evaluate, format) in model.runs.iter().zip(FORMATS) {
             section(&mut file, &format!("{} {format}", model.name), *evaluate);
         }

@@ -1,0 +1,139 @@
+//! Values as constant expressions of Rust. [`codegen`](crate::codegen) says what for.
+
+use core::{
+    fmt::{self, Formatter},
+    marker::PhantomData,
+};
+
+/// A value that can be written as a constant expression of Rust.
+pub trait Source {
+    /// Writes the expression; its names are those of the crate and of the module [`codegen`](crate::codegen).
+    ///
+    /// # Errors
+    /// Those of the formatter.
+    fn write(&self, out: &mut Formatter<'_>) -> fmt::Result;
+
+    /// The expression as a block that brings its names with it.
+    fn as_source(&self) -> AsSource<'_, Self>
+    where
+        Self: Sized,
+    {
+        AsSource(self)
+    }
+}
+
+/// A type that the source of a light has to name, because no value of it is part of the light.
+pub trait Named {
+    /// Writes the type's name.
+    ///
+    /// # Errors
+    /// Those of the formatter.
+    fn write_name(out: &mut Formatter<'_>) -> fmt::Result;
+}
+
+/// A value that is displayed as a constant expression. Made by [`Source::as_source`].
+#[derive(Clone, Copy, Debug)]
+pub struct AsSource<'a, T>(&'a T);
+
+impl<T: Source> fmt::Display for AsSource<'_, T> {
+    fn fmt(&self, out: &mut Formatter<'_>) -> fmt::Result {
+        let import = "use ::luminaire::{attenuation::*, codegen::*, display::*, falloff::*, haze::*, light::*, number::*, projector::*, specular::*, *};";
+        let reason = "an expression need not have names of both kinds";
+        write!(
+            out,
+            "{{\n#[allow(unused_imports, reason = \"{reason}\")]\n{import}\n{:#?}\n}}\n",
+            Written(self.0)
+        )
+    }
+}
+
+/// The expression alone, in the way that the formatter's lists ask for.
+pub(crate) struct Written<'a, T: ?Sized>(pub(crate) &'a T);
+
+impl<T: Source + ?Sized> fmt::Debug for Written<'_, T> {
+    fn fmt(&self, out: &mut Formatter<'_>) -> fmt::Result {
+        self.0.write(out)
+    }
+}
+
+/// The name of a type.
+pub(crate) struct Name<T>(PhantomData<T>);
+
+impl<T: Named> fmt::Display for Name<T> {
+    fn fmt(&self, out: &mut Formatter<'_>) -> fmt::Result {
+        T::write_name(out)
+    }
+}
+
+/// The name of a type, to be displayed.
+pub(crate) fn name<T: Named>() -> Name<T> {
+    Name(PhantomData)
+}
+
+/// Writes a call, with an argument a line.
+pub(crate) fn call(out: &mut Formatter<'_>, function: &str, arguments: &[&dyn Source]) -> fmt::Result {
+    let mut call = out.debug_tuple(function);
+    for argument in arguments {
+        call.field(&Written(*argument));
+    }
+    call.finish()
+}
+
+/// Values that are their bits: a call of `from_bits`.
+macro_rules! written_by_bits {
+    ($($name:ident)*) => {$(
+        impl $crate::source::Source for $name {
+            fn write(&self, out: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+                write!(out, "{}::from_bits({:?})", stringify!($name), self.to_bits())
+            }
+        }
+    )*};
+}
+
+/// Unit types and variants, whose `Debug` is their expression.
+macro_rules! written_by_debug {
+    ($($name:ident)*) => {$(
+        impl $crate::source::Source for $name {
+            fn write(&self, out: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+                write!(out, "{self:?}")
+            }
+        }
+    )*};
+}
+
+/// Types without parameters, which are named as they are.
+macro_rules! named {
+    ($($name:ident)*) => {$(
+        impl $crate::source::Named for $name {
+            fn write_name(out: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+                out.write_str(stringify!($name))
+            }
+        }
+    )*};
+}
+
+pub(crate) use {named, written_by_bits, written_by_debug};
+
+impl Source for () {
+    fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
+        out.write_str("()")
+    }
+}
+
+impl Source for u32 {
+    fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
+        write!(out, "{self}")
+    }
+}
+
+impl<A: Source, B: Source> Source for (A, B) {
+    fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
+        call(out, "", &[&self.0, &self.1])
+    }
+}
+
+impl<T: Source, const N: usize> Source for [T; N] {
+    fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
+        out.debug_list().entries(self.iter().map(Written)).finish()
+    }
+}
