@@ -86,28 +86,62 @@ macro_rules! constant_falloffs {
     };
 }
 
-/// The list of the attenuations that can be chosen at run time: hands its rows to a macro, after the
-/// macro's own arguments.
+/// The list of the attenuations that can be chosen at run time, handed to a macro after its own arguments.
+///
+/// A row is `doc variant(type) = sample;`, the sample as a `Result`. After it come, each as `doc type = name, value`, the
+/// attenuations that stand for it in programs that know them when they are built.
+#[cfg_attr(feature = "arithmetic", macro_export)]
 macro_rules! attenuations {
     ($($consumer:ident)::+ $(; $($arguments:tt)*)?) => {
         $($consumer)::+! {
             $($($arguments)*)?
             /// No attenuation, cut off.
-            Constant(CutAt<NoAttenuation>),
+            Constant(CutAt<NoAttenuation>) = CutAt::new(NoAttenuation, Some(9.0));
             /// The inverse-square law, cut off.
-            InverseSquare(CutAt<InverseSquare>),
+            InverseSquare(CutAt<InverseSquare>) = CutAt::new(InverseSquare, Some(9.0)),
+                /// The law of a small source: the default of every spot and point light.
+                InverseSquare = "inverse-square", Ok(InverseSquare),
+                /// Cut off at a range: nothing from there on, and the law unchanged before.
+                CutAt<InverseSquare> = "hard-range", CutAt::new(InverseSquare, Some(9.0));
             /// One over a polynomial, cut off.
-            Polynomial(CutAt<Polynomial>),
+            Polynomial(CutAt<Polynomial>) = CutAt::new(Polynomial::new(1.0, 0.2, 0.03)?, Some(9.0)),
+                /// `1/(a0 + a1 d + a2 d^2)`, capped at 1: the lights of OpenGL and Direct3D.
+                Polynomial = "polynomial", Polynomial::new(1.0, 0.2, 0.03);
             /// The inverse-square law in glTF's window.
-            GltfRange(GltfRange),
+            GltfRange(GltfRange) = GltfRange::new(InverseSquare, Some(9.0)),
+                /// The window by which lights of glTF end at their range.
+                GltfRange = "windowed", GltfRange::new(InverseSquare, Some(9.0));
             /// No attenuation, faded out.
-            WindowedConstant(Windowed<NoAttenuation>),
+            WindowedConstant(Windowed<NoAttenuation>) = Windowed::new(NoAttenuation, Some(9.0));
             /// The inverse-square law, faded out.
-            FilamentRange(FilamentRange),
+            FilamentRange(FilamentRange) = FilamentRange::new(InverseSquare, Some(9.0)),
+                /// The window of glTF squared, as Filament and Godot have it.
+                FilamentRange = "squared-window", FilamentRange::new(InverseSquare, Some(9.0));
             /// One over a polynomial, faded out.
-            WindowedPolynomial(Windowed<Polynomial>),
+            WindowedPolynomial(Windowed<Polynomial>) = Windowed::new(Polynomial::new(1.0, 0.2, 0.03)?, Some(9.0));
             /// Smoothstep to a range.
-            SmoothRange(SmoothRange),
+            SmoothRange(SmoothRange) = SmoothRange::new(9.0),
+                /// A smoothstep that ends at a range.
+                SmoothRange = "smooth-range", SmoothRange::new(9.0);
+        }
+    };
+}
+
+/// The list of the specular lobes, handed to a macro after its own arguments: rows of `doc type = name, value;`.
+#[cfg(feature = "arithmetic")]
+#[macro_export]
+macro_rules! lobes {
+    ($($consumer:ident)::+ $(; $($arguments:tt)*)?) => {
+        $($consumer)::+! {
+            $($($arguments)*)?
+            /// The highlight of the mirrored direction: a material with a specular colour.
+            Phong = "phong", Phong;
+            /// The highlight of the half angle.
+            BlinnPhong = "blinn-phong", BlinnPhong;
+            /// A spotlight's falloff about the mirrored direction.
+            DualConeLobe = "dual-cone", DualConeLobe;
+            /// Phong's highlight by a difference of directions and three squarings.
+            DifferenceForm<Phong, 3> = "lyon", DifferenceForm(Phong);
         }
     };
 }
@@ -146,4 +180,10 @@ pub fn interpolated(t: f64) -> f64 {
 #[cfg(feature = "arithmetic")]
 pub fn exponent(number: f32) -> f32 {
     libm::powf(1_024.0, number)
+}
+
+/// A model of numbers.
+#[cfg(feature = "arithmetic")]
+pub(crate) fn draw<N: FnMut() -> f32, T>(numbers: &mut N, make: impl FnOnce(&mut N) -> T) -> T {
+    make(numbers)
 }

@@ -3,30 +3,23 @@
 #[path = "../memory.rs"]
 mod memory;
 
-use std::error::Error;
 use std::path::Path;
 use std::{env, fs};
 
 use luminaire::{
-    AmbientLight, Angle, Cone, DirectionalLight, Fx16, Fx32, Material, PointLight, Rgb, SpotLight, Vec3,
-    attenuation::{
-        Attenuation, CutAt, FilamentRange, GltfRange, InverseSquare, NoAttenuation, Polynomial, SmoothRange,
-    },
-    codegen::{Source, SourceScalar},
+    AmbientLight, Angle, Cone, DirectionalLight, Error, Fx16, Fx32, Material, PointLight, Rgb, SpotLight,
+    Vec3,
+    codegen::{Named, Source, SourceScalar},
     display::Exposure,
-    falloff::{Cubic, Falloff, Hard, InvertedPower, Linear, Power, Quadratic, Smooth, Soft, Step, Table},
     haze::Haze,
+    models::SAMPLES,
     projector::{Gobo, Projection, Shadow},
-    specular::{BlinnPhong, DifferenceForm, DualConeLobe, Phong},
 };
+#[allow(clippy::wildcard_imports, reason = "the types of the lists")]
+use luminaire::{attenuation::*, falloff::*, specular::*};
 
-type Outcome = Result<(), Box<dyn Error>>;
+type Outcome = Result<(), Box<dyn std::error::Error>>;
 
-/// Sixteen samples of a flood light's wide middle.
-const SAMPLES: [u16; 16] = [
-    65_535, 65_200, 64_300, 62_900, 60_800, 57_900, 54_000, 49_100, 43_200, 36_300, 28_700, 20_900, 13_600,
-    7_300, 2_600, 0,
-];
 const AMBER: Rgb<f32> = Rgb::new(1.0, 0.62, 0.1);
 const POSITION: Vec3<f32> = Vec3::new(1.5, 4.0, -0.75);
 const AXIS: Vec3<f32> = Vec3::new(0.36, -0.8, 0.48);
@@ -47,25 +40,10 @@ fn main() -> Outcome {
 }
 
 fn constants<S: SourceScalar>() -> Outcome {
-    spot::<S, _, _>("soft", Soft, NoAttenuation)?;
-    spot::<S, _, _>("hard", Hard, NoAttenuation)?;
-    spot::<S, _, _>("smooth", Smooth, NoAttenuation)?;
-    spot::<S, _, _>("cubic", Cubic::with_slopes(1.25, 3.5)?, NoAttenuation)?;
-    spot::<S, _, _>("power", Power::<8>, NoAttenuation)?;
-    spot::<S, _, _>("table", Table::new(&SAMPLES)?, NoAttenuation)?;
-    spot::<S, _, _>("linear", Linear, NoAttenuation)?;
-    spot::<S, _, _>("cut_off", Step, NoAttenuation)?;
-    spot::<S, _, _>("blend", Quadratic::new(0.75)?, NoAttenuation)?;
-    spot::<S, _, _>("rim", InvertedPower::<4>, NoAttenuation)?;
+    listed::<S>()?;
     let cone = Cone::from_field(Soft, FIELD)?;
     spot_of::<S, _, _>("hotspot", cone.with_inner(Angle::degrees(12.0))?, NoAttenuation)?;
     spot_of::<S, _, _>("delimiter", cone.with_cutoff(FIELD)?, NoAttenuation)?;
-    spot::<S, _, _>("inverse_square", Soft, InverseSquare)?;
-    spot::<S, _, _>("polynomial", Soft, Polynomial::new(1.0, 0.2, 0.03)?)?;
-    spot::<S, _, _>("smooth_range", Soft, SmoothRange::new(9.0)?)?;
-    spot::<S, _, _>("windowed", Soft, GltfRange::new(InverseSquare, Some(9.0))?)?;
-    spot::<S, _, _>("squared_window", Soft, FilamentRange::new(InverseSquare, Some(9.0))?)?;
-    spot::<S, _, _>("hard_range", Soft, CutAt::new(InverseSquare, Some(9.0))?)?;
     let square = Projection::of(&SpotLight::new(POSITION, AXIS, cone)?)?;
     write("gobo", &Gobo::of(&panes()).on(square.compile::<S>()?))?;
     write("beam", &key(cone, InverseSquare)?.compile::<f32>()?.in_haze(&Haze::new(0.02)?))?;
@@ -74,13 +52,35 @@ fn constants<S: SourceScalar>() -> Outcome {
     write("directional", &DirectionalLight::new(AXIS)?.with_color(AMBER)?.compile::<S>())?;
     write("ambient", &AmbientLight::new(AMBER)?.with_intensity(0.1)?.compile::<S>())?;
     write("exposure", &Exposure::stops(1)?.compile::<S>())?;
-    let paper = Material::new(Rgb::new(0.9, 0.9, 0.85))?;
-    let gloss = Rgb::new(0.5, 0.5, 0.5);
-    write("matte", &paper.compile::<S>())?;
-    write("phong", &paper.with_highlight(Phong, gloss, 32)?.compile::<S>())?;
-    write("blinn_phong", &paper.with_highlight(BlinnPhong, gloss, 32)?.compile::<S>())?;
-    write("dual_cone", &paper.with_highlight(DualConeLobe, gloss, 32)?.compile::<S>())?;
-    write("lyon", &paper.with_highlight(DifferenceForm::<_, 3>(Phong), gloss, 32)?.compile::<S>())
+    write("matte", &paper()?.compile::<S>())
+}
+
+/// What comes of the lists of models.
+fn listed<S: SourceScalar>() -> Outcome {
+    macro_rules! falloffs {
+        ($($(#[$doc:meta])* $variant:ident($type:ty) = $name:literal, $sample:expr, $truth:expr;)*) => {
+            $(spot::<S, $type, _>(concat!("spot-", $name, "-lambert"), $sample, Ok(NoAttenuation))?;)*
+        };
+    }
+    luminaire::constant_falloffs!(falloffs);
+    macro_rules! attenuations {
+        ($($(#[$doc:meta])* $variant:ident($run_time:ty) = $sample:expr
+           $(, $(#[$its_doc:meta])* $type:ty = $name:literal, $value:expr)*;)*) => {
+            $($(spot::<S, _, $type>(concat!("spot-soft-lambert-", $name), Ok(Soft), $value)?;)*)*
+        };
+    }
+    luminaire::attenuations!(attenuations);
+    macro_rules! lobes {
+        ($($(#[$doc:meta])* $type:ty = $name:literal, $value:expr;)*) => {
+            $(write($name, &paper()?.with_highlight::<$type>($value, Rgb::new(0.5, 0.5, 0.5), 32)?.compile::<S>())?;)*
+        };
+    }
+    luminaire::lobes!(lobes);
+    Ok(())
+}
+
+fn paper() -> Result<Material, Error> {
+    Material::new(Rgb::new(0.9, 0.9, 0.85))
 }
 
 /// A window of two by two panes.
@@ -100,19 +100,19 @@ fn disc() -> [f32; 256] {
     })
 }
 
-fn spot<S: SourceScalar, P: Falloff + Source, A: Attenuation + luminaire::codegen::Named>(
+fn spot<S: SourceScalar, P: Falloff + Source, A: Attenuation + Named>(
     name: &str,
-    profile: P,
-    attenuation: A,
+    profile: Result<P, Error>,
+    attenuation: Result<A, Error>,
 ) -> Outcome
 where
     P::Compiled<S>: Source,
     A::Constants<S>: Source,
 {
-    spot_of::<S, P, A>(name, Cone::from_field(profile, FIELD)?, attenuation)
+    spot_of::<S, P, A>(name, Cone::from_field(profile?, FIELD)?, attenuation?)
 }
 
-fn spot_of<S: SourceScalar, P: Falloff + Source, A: Attenuation + luminaire::codegen::Named>(
+fn spot_of<S: SourceScalar, P: Falloff + Source, A: Attenuation + Named>(
     name: &str,
     cone: Cone<P>,
     attenuation: A,
@@ -121,13 +121,10 @@ where
     P::Compiled<S>: Source,
     A::Constants<S>: Source,
 {
-    write(&format!("spot_{name}"), &key(cone, attenuation)?.compile::<S>()?)
+    write(name, &key(cone, attenuation)?.compile::<S>()?)
 }
 
-fn key<P: Falloff, A: Attenuation>(
-    cone: Cone<P>,
-    attenuation: A,
-) -> Result<SpotLight<P, A>, luminaire::Error> {
+fn key<P: Falloff, A: Attenuation>(cone: Cone<P>, attenuation: A) -> Result<SpotLight<P, A>, Error> {
     SpotLight::new(POSITION, AXIS, cone)?
         .with_intensity(16.0)?
         .with_attenuation(attenuation)

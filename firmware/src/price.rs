@@ -3,7 +3,7 @@
 mod input;
 mod output;
 
-use luminaire_effects::{FORMAT, effects};
+use luminaire_effects::{FORMAT, Irradiance, Light, Listed, Visit, effects, listed};
 
 use self::input::{Input, Inputs};
 use self::output::Output;
@@ -17,19 +17,27 @@ macro_rules! run {
     )*};
 }
 
+/// Runs what comes of the lists.
+struct Each;
+
+impl Visit for Each {
+    fn irradiance<L: Listed<Output = Irradiance>>(&mut self) {
+        run(L::NAME, L::effect, Inputs::surface);
+    }
+
+    fn light<L: Listed<Output = Light>>(&mut self) {
+        run(L::NAME, L::effect, Inputs::surface);
+    }
+}
+
 /// Runs every effect over its inputs, the empty loop over the same inputs before it, and prints lines as
 /// [`measure`](crate::measure()) does.
 pub fn price() {
     run!(surface: directional point);
-    run!(surface: spot_soft_lambert spot_hard_lambert spot_smooth_lambert spot_cubic_lambert);
-    run!(surface: spot_linear_lambert spot_cut_off_lambert spot_blend_lambert spot_power_lambert);
-    run!(surface: spot_rim_lambert spot_table_lambert);
     run!(surface: spot_soft spot_soft_lambert_hotspot spot_soft_lambert_delimiter);
-    run!(surface: spot_soft_lambert_inverse_square spot_soft_lambert_polynomial spot_soft_lambert_smooth_range);
-    run!(surface: spot_soft_lambert_windowed spot_soft_lambert_squared_window spot_soft_lambert_hard_range);
-    run!(surface: spot_soft_lambert_gobo spot_soft_lambert_shadow);
+    run!(surface: spot_soft_lambert_gobo spot_soft_lambert_shadow matte);
+    listed(&mut Each);
     run!(view: haze);
-    run!(surface: matte phong blinn_phong dual_cone lyon);
     run!(light: ambient exposure clip keep_hue);
     run!(color: srgb rgb565);
     run!(pixel: dither rgb565_dithered);

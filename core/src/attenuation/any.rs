@@ -12,7 +12,8 @@ use crate::{
 
 /// The enums of the list, and what is one arm a row.
 macro_rules! any_attenuation {
-    ($($(#[$doc:meta])* $variant:ident($type:ty),)*) => {
+    ($($(#[$doc:meta])* $variant:ident($type:ty) = $sample:expr
+       $(, $(#[$its_doc:meta])* $constant:ty = $its_name:literal, $value:expr)*;)*) => {
         /// Any attenuation, chosen at run time: that of a light of [another system](crate::import), or of a
         /// [`AnyLight`](crate::dynamic::AnyLight).
         ///
@@ -106,7 +107,8 @@ macro_rules! any_attenuation {
 /// Evaluates an expression with the constants of a [`CompiledAnyAttenuation`] and the type of the attenuation.
 macro_rules! with_attenuation {
     ([$compiled:expr, $constants:ident, $type:ident, $answer:expr]
-     $($(#[$doc:meta])* $variant:ident($attenuation:ty),)*) => {
+     $($(#[$doc:meta])* $variant:ident($attenuation:ty) = $sample:expr
+       $(, $(#[$its_doc:meta])* $constant:ty = $its_name:literal, $value:expr)*;)*) => {
         match $compiled {
             $($crate::attenuation::CompiledAnyAttenuation::$variant($constants) => {
                 #[allow(clippy::wildcard_imports, reason = "the types of the list, wherever it is used")]

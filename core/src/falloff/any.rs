@@ -32,6 +32,29 @@ macro_rules! any_falloff {
                 samples.into_iter().flatten()
             }
 
+            /// How many there are.
+            #[cfg(feature = "arithmetic")]
+            pub const COUNT: usize = [$($name),*].len();
+
+            /// The falloff with this index, modulo their count, of numbers in [0, 1); the sample where it has no
+            /// parameters.
+            ///
+            /// # Errors
+            /// Parameters that do not go together.
+            #[cfg(feature = "arithmetic")]
+            pub fn drawn(index: usize, mut number: impl FnMut() -> f32) -> Result<Self, Error> {
+                use crate::models::{draw, exponent};
+                let (index, mut rows) = (index % Self::COUNT, 0..);
+                $(
+                    if rows.next() == Some(index) {
+                        let drawn: Option<Result<$type, Error>> = None;
+                        $(let drawn = drawn.or_else(|| Some(draw(&mut number, $any)));)?
+                        return drawn.unwrap_or_else(|| $sample).map(Self::$variant);
+                    }
+                )*
+                Ok(Self::Soft(Soft))
+            }
+
             /// The effect that the falloff is.
             pub fn effect(&self) -> Effect {
                 match self {

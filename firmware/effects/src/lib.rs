@@ -4,9 +4,11 @@
 
 pub mod constants;
 pub mod effects;
+mod listed;
 mod memory;
 pub mod raw;
 
+pub use listed::{Listed, Visit, listed};
 pub use memory::{Input, Place, run};
 
 #[cfg(feature = "f32")]

@@ -11,10 +11,7 @@ use luminaire::{
         AnyAttenuation, Attenuation, CutAt, FilamentRange, GltfRange, InverseSquare, NoAttenuation,
         Polynomial, SmoothRange, Windowed,
     },
-    falloff::{
-        AnyFalloff, Cubic, Falloff, Hard, IntegerPower, InvertedIntegerPower, InvertedMixedPower,
-        InvertedRealPower, Knot, Linear, MixedPower, Quadratic, RealPower, Smooth, Soft, Step, Table,
-    },
+    falloff::{AnyFalloff, Cubic, Falloff, Knot, Linear, Quadratic, Table},
     light::{CompiledCone, CompiledPointLight, CompiledSpotLight},
 };
 
@@ -89,24 +86,10 @@ impl Bits {
     /// Any profile; the straight ramp in place of one that is refused.
     #[inline(never)]
     pub fn any_profile(&mut self) -> AnyFalloff {
-        let exponents = [self.word() as u32, self.word() as u32];
-        let share = self.float();
-        let made = match self.choice(15) {
-            0 => Ok(Step.into()),
-            1 => Ok(Soft.into()),
-            2 => Ok(Hard.into()),
-            3 => Ok(Smooth.into()),
-            4 => Ok(self.any_blend().into()),
-            5 => Ok(self.any_cubic().into()),
-            6 => Ok(Self::any_table().into()),
-            7 => IntegerPower::new(exponents[0]).map(AnyFalloff::from),
-            8 => InvertedIntegerPower::new(exponents[0]).map(AnyFalloff::from),
-            9 => MixedPower::new(exponents, share).map(AnyFalloff::from),
-            10 => InvertedMixedPower::new(exponents, share).map(AnyFalloff::from),
-            11 => RealPower::new(share).map(AnyFalloff::from),
-            12 => InvertedRealPower::new(share).map(AnyFalloff::from),
-            13 => Ok(Self::any_knots().into()),
-            _ => Ok(Linear.into()),
+        let made = match self.choice(3) {
+            0 => Ok(Self::any_table().into()),
+            1 => Ok(Self::any_knots().into()),
+            _ => AnyFalloff::drawn(self.integer() as usize, || self.float()),
         };
         made.unwrap_or(AnyFalloff::Linear(Linear))
     }

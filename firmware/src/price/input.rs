@@ -1,8 +1,8 @@
 //! What pixels ask of an effect.
 
-use luminaire::{Rgb, Scalar, haze::ViewRay};
-use luminaire_effects::constants::{MATTE, SPOT_INVERSE_SQUARE};
-use luminaire_effects::{Color, Format, Light, Place, Surface};
+use luminaire::{Rgb, Scalar, attenuation::InverseSquare, haze::ViewRay};
+use luminaire_effects::constants::MATTE;
+use luminaire_effects::{Color, Format, Light, Listed, Place, Surface};
 use luminaire_kernels::scene::{EYE, Population, Site, Sites};
 use luminaire_kernels::{Format as _, Setting};
 
@@ -45,7 +45,7 @@ impl Inputs {
 
     /// What such a point sends back: some of it is over full scale.
     pub(super) fn light(&mut self) -> Light {
-        MATTE.reflect(&self.surface(), &SPOT_INVERSE_SQUARE)
+        MATTE.reflect(&self.surface(), &InverseSquare::CONSTANT)
     }
 
     /// A colour, its channels spread evenly from black to white.

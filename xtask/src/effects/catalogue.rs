@@ -1,24 +1,33 @@
 //! The effects that have a price, and why the others have none of their own.
 
-use luminaire::dynamic::Effect::{self, *};
+use std::sync::LazyLock;
+
+#[allow(clippy::wildcard_imports, reason = "the types of the lists")]
+use luminaire::attenuation::*;
+use luminaire::{
+    Error,
+    dynamic::{Effect, Effects},
+};
 
 /// Effects of a kind.
 #[derive(Debug)]
-pub(super) struct Group {
+pub(crate) struct Group {
     pub(super) title: &'static str,
     /// What the programs of the group have in common.
     pub(super) note: &'static str,
-    pub(super) entries: &'static [Entry],
+    pub(super) entries: Vec<Entry>,
 }
 
 /// A program that shows an effect.
-#[derive(Debug)]
-pub(super) struct Entry {
+#[derive(Clone, Debug)]
+pub(crate) struct Entry {
     /// The name for people.
     pub(super) title: &'static str,
-    pub(super) program: &'static str,
+    pub(crate) program: &'static str,
+    /// The type of a list that it is of, if it is.
+    pub(crate) listed: Option<&'static str>,
     /// The effects of the library that it is of.
-    pub(super) effects: &'static [Effect],
+    pub(super) effects: Effects,
     /// The program that lacks them, and nothing else.
     pub(super) over: Option<&'static str>,
     /// What it is, and when a scene calls for it.
@@ -30,15 +39,93 @@ const SPOT: &str = "spot-soft-lambert";
 const INVERSE_SQUARE: &str = "spot-soft-lambert-inverse-square";
 const MATTE: &str = "matte";
 
-pub(super) static GROUPS: [Group; 6] = [
+/// The program of a row of the list of falloffs, of attenuations or of specular lobes.
+fn listed(
+    (title, program, of): (&'static str, &'static str, &'static str),
+    effects: Effects,
+    over: &'static str,
+    what: &'static str,
+) -> Entry {
+    Entry {
+        title,
+        program,
+        listed: Some(of),
+        effects,
+        over: (over != program).then_some(over),
+        what: what.trim(),
+    }
+}
+
+/// The soft spotlight with each falloff.
+fn falloffs() -> Vec<Entry> {
+    macro_rules! rows {
+        ($($(#[doc = $what:literal])* $variant:ident($type:ty) = $name:literal, $sample:expr, $truth:expr;)*) => {
+            vec![$(listed(
+                ($name, concat!("spot-", $name, "-lambert"), stringify!($type)),
+                Effects::NONE.with(Effect::$variant),
+                SPOT,
+                concat!($($what),*),
+            )),*]
+        };
+    }
+    luminaire::constant_falloffs!(rows)
+}
+
+/// The soft spotlight with each attenuation. One that ends the inverse square is told from it.
+fn attenuations() -> Vec<Entry> {
+    fn row<A: Attenuation>(
+        names: (&'static str, &'static str, &'static str),
+        value: Result<A, Error>,
+        what: &'static str,
+    ) -> Entry {
+        let attenuation = value.expect("the parameters of the list are sound");
+        let effects = attenuation.effects();
+        if effects.has(Effect::Range) && effects.has(Effect::InverseSquare) {
+            let window = effects.iter().filter(|effect| *effect != Effect::InverseSquare);
+            listed(names, window.fold(Effects::NONE, Effects::with), INVERSE_SQUARE, what)
+        } else {
+            listed(names, effects, SPOT, what)
+        }
+    }
+    macro_rules! rows {
+        ($($(#[$doc:meta])* $variant:ident($run_time:ty) = $sample:expr
+           $(, $(#[doc = $what:literal])* $type:ty = $name:literal, $value:expr)*;)*) => {
+            vec![$($(row::<$type>(
+                ($name, concat!("spot-soft-lambert-", $name), stringify!($type)),
+                (|| $value)(),
+                concat!($($what),*),
+            ),)*)*]
+        };
+    }
+    luminaire::attenuations!(rows)
+}
+
+/// A surface with each specular lobe.
+fn lobes() -> Vec<Entry> {
+    macro_rules! rows {
+        ($($(#[doc = $what:literal])* $type:ty = $name:literal, $value:expr;)*) => {
+            vec![$(listed(
+                ($name, $name, stringify!($type)),
+                Effects::NONE.with(Effect::Specular),
+                MATTE,
+                concat!($($what),*),
+            )),*]
+        };
+    }
+    luminaire::lobes!(rows)
+}
+
+pub(super) static GROUPS: LazyLock<[Group; 6]> = LazyLock::new(|| {
+    [
     Group {
         title: "Lights",
         note: "From a point and a normal to what arrives of one light, before its colour.",
-        entries: &[
+        entries: vec![
             Entry {
                 title: "soft spotlight",
                 program: SPOT,
-                effects: &[Spot, Soft, Unattenuated],
+                listed: Some("Soft"),
+                effects: Effects::NONE.with(Effect::Spot).with(Effect::Soft).with(Effect::Unattenuated),
                 over: None,
                 what: "A spotlight with the soft edge and Lambert's cosine, at full strength at every distance: a \
                        scene has it per soft spotlight, and the other programs are told from it.",
@@ -46,14 +133,16 @@ pub(super) static GROUPS: [Group; 6] = [
             Entry {
                 title: "its falloff alone",
                 program: "spot-soft",
-                effects: &[],
+                listed: None,
+                effects: Effects::NONE,
                 over: None,
                 what: "The same without Lambert's cosine: for what has no normal, such as air.",
             },
             Entry {
                 title: "Lambert's cosine",
                 program: SPOT,
-                effects: &[Diffuse],
+                listed: Some("Soft"),
+                effects: Effects::NONE.with(Effect::Diffuse),
                 over: Some("spot-soft"),
                 what: "The cosine between the normal and the way to the light: every lit surface calls for it. Facing \
                        away is found before the root is paid for.",
@@ -61,14 +150,16 @@ pub(super) static GROUPS: [Group; 6] = [
             Entry {
                 title: "point light",
                 program: "point",
-                effects: &[Point],
+                listed: None,
+                effects: Effects::NONE.with(Effect::Point),
                 over: None,
                 what: "Light in all directions by the inverse-square law, and Lambert's cosine.",
             },
             Entry {
                 title: "directional light",
                 program: "directional",
-                effects: &[Directional],
+                listed: None,
+                effects: Effects::NONE.with(Effect::Directional),
                 over: None,
                 what: "Parallel light, such as the sun's: Lambert's cosine of a fixed direction.",
             },
@@ -77,142 +168,39 @@ pub(super) static GROUPS: [Group; 6] = [
     Group {
         title: "Edges of the cone",
         note: "The soft spotlight with another profile. A scene pays for those that its spotlights have.",
-        entries: &[
-            Entry {
-                title: "hard",
-                program: "spot-hard-lambert",
-                effects: &[Hard],
-                over: Some(SPOT),
-                what: "The hard edge, `1 - u^2`.",
-            },
-            Entry {
-                title: "linear",
-                program: "spot-linear-lambert",
-                effects: &[Linear],
-                over: Some(SPOT),
-                what: "A straight ramp.",
-            },
-            Entry {
-                title: "cut-off",
-                program: "spot-cut-off-lambert",
-                effects: &[Step],
-                over: Some(SPOT),
-                what: "A step: all or nothing.",
-            },
-            Entry {
-                title: "smooth",
-                program: "spot-smooth-lambert",
-                effects: &[Smooth],
-                over: Some(SPOT),
-                what: "Smoothstep.",
-            },
-            Entry {
-                title: "blend",
-                program: "spot-blend-lambert",
-                effects: &[Quadratic],
-                over: Some(SPOT),
-                what: "A quadratic between soft and hard: a luminaire of given beam and field angles calls for it.",
-            },
-            Entry {
-                title: "cubic",
-                program: "spot-cubic-lambert",
-                effects: &[Cubic],
-                over: Some(SPOT),
-                what: "A monotone cubic: the angles that no quadratic has.",
-            },
-            Entry {
-                title: "power",
-                program: "spot-power-lambert",
-                effects: &[Power],
-                over: Some(SPOT),
-                what: "An integer power, here the eighth: a concentrated beam.",
-            },
-            Entry {
-                title: "rim",
-                program: "spot-rim-lambert",
-                effects: &[InvertedPower],
-                over: Some(SPOT),
-                what: "An integer power of the rim, here the fourth: a flat middle and a steep edge.",
-            },
-            Entry {
-                title: "table",
-                program: "spot-table-lambert",
-                effects: &[Table],
-                over: Some(SPOT),
-                what: "Samples, here 16, with straight lines between: a luminaire that was measured.",
-            },
+        entries: [falloffs(), vec![
             Entry {
                 title: "hotspot",
                 program: "spot-soft-lambert-hotspot",
-                effects: &[Hotspot],
+                listed: None,
+                effects: Effects::NONE.with(Effect::Hotspot),
                 over: Some(SPOT),
                 what: "Full intensity up to an inner angle: other constants of the same ramp.",
             },
             Entry {
                 title: "delimiter",
                 program: "spot-soft-lambert-delimiter",
-                effects: &[Delimiter],
+                listed: None,
+                effects: Effects::NONE.with(Effect::Delimiter),
                 over: Some(SPOT),
                 what: "A cone that is cut off before its profile ends, as by barn doors or a snoot: another constant.",
             },
-        ],
+        ]].concat(),
     },
     Group {
         title: "Distance",
         note: "The soft spotlight with a fall with distance. The window and the range are told from the inverse square.",
-        entries: &[
-            Entry {
-                title: "inverse square",
-                program: INVERSE_SQUARE,
-                effects: &[InverseSquare],
-                over: Some(SPOT),
-                what: "The law of a small source: the default of every spot and point light.",
-            },
-            Entry {
-                title: "polynomial",
-                program: "spot-soft-lambert-polynomial",
-                effects: &[Polynomial],
-                over: Some(SPOT),
-                what: "`1/(a0 + a1 d + a2 d^2)`, capped: lights of OpenGL and Direct3D call for it.",
-            },
-            Entry {
-                title: "smooth range",
-                program: "spot-soft-lambert-smooth-range",
-                effects: &[SmoothRange],
-                over: Some(SPOT),
-                what: "A smoothstep that ends at a range.",
-            },
-            Entry {
-                title: "window",
-                program: "spot-soft-lambert-windowed",
-                effects: &[Window],
-                over: Some(INVERSE_SQUARE),
-                what: "The window by which lights of glTF end at their range.",
-            },
-            Entry {
-                title: "squared window",
-                program: "spot-soft-lambert-squared-window",
-                effects: &[Window],
-                over: Some(INVERSE_SQUARE),
-                what: "The same squared, as Filament and Godot have it.",
-            },
-            Entry {
-                title: "range",
-                program: "spot-soft-lambert-hard-range",
-                effects: &[Range],
-                over: Some(INVERSE_SQUARE),
-                what: "Cut off at a range: nothing from there on, and the law unchanged before.",
-            },
-        ],
+        entries: attenuations(),
     },
     Group {
         title: "In the way of a spotlight",
         note: "The soft spotlight through something. A luminaire has it or not, and one that has it not knows nothing of it.",
-        entries: &[
+        entries: vec![
             Entry {
                 title: "gobo",
                 program: "spot-soft-lambert-gobo",
-                effects: &[Gobo],
+                listed: None,
+                effects: Effects::NONE.with(Effect::Gobo),
                 over: Some(SPOT),
                 what: "A pattern that the spotlight projects, here of 16 x 16 bytes: a luminaire with a gobo calls for \
                        it.",
@@ -220,7 +208,8 @@ pub(super) static GROUPS: [Group; 6] = [
             Entry {
                 title: "shadow",
                 program: "spot-soft-lambert-shadow",
-                effects: &[Shadow],
+                listed: None,
+                effects: Effects::NONE.with(Effect::Shadow),
                 over: Some(SPOT),
                 what: "A shadow map, here of 16 x 16 lengths, by four comparisons: a luminaire that casts shadows calls \
                        for it. Drawing the map is not counted.",
@@ -228,7 +217,8 @@ pub(super) static GROUPS: [Group; 6] = [
             Entry {
                 title: "haze",
                 program: "haze",
-                effects: &[Haze],
+                listed: None,
+                effects: Effects::NONE.with(Effect::Haze),
                 over: None,
                 what: "The light that air sends from a beam to the eye, once a pixel and beam, in `f32` on every \
                        processor: a scene with haze calls for it.",
@@ -240,119 +230,93 @@ pub(super) static GROUPS: [Group; 6] = [
         note: "From a point, its normal and the direction to the eye to what a material sends back of one directional \
                light, in colours. The direction to the eye is found once for all lights and not counted. Highlights are \
                of a shininess of 32.",
-        entries: &[
+        entries: [vec![
             Entry {
                 title: "matt",
                 program: MATTE,
-                effects: &[],
+                listed: None,
+                effects: Effects::NONE,
                 over: None,
                 what: "A diffuse colour and nothing else.",
             },
-            Entry {
-                title: "Phong",
-                program: "phong",
-                effects: &[Specular],
-                over: Some(MATTE),
-                what: "The highlight of the mirrored direction: a material with a specular colour calls for it.",
-            },
-            Entry {
-                title: "Blinn-Phong",
-                program: "blinn-phong",
-                effects: &[Specular],
-                over: Some(MATTE),
-                what: "The highlight of the half angle.",
-            },
-            Entry {
-                title: "dual cone",
-                program: "dual-cone",
-                effects: &[Specular],
-                over: Some(MATTE),
-                what: "A spotlight's falloff about the mirrored direction.",
-            },
-            Entry {
-                title: "Lyon",
-                program: "lyon",
-                effects: &[Specular],
-                over: Some(MATTE),
-                what: "Phong's by a difference of directions and three squarings.",
-            },
-        ],
+        ], lobes()].concat(),
     },
     Group {
         title: "The picture as a whole",
         note: "Once a pixel, however many lights there are: from the sum of the light, or from a colour, in three channels.",
-        entries: &[
+        entries: vec![
             Entry {
                 title: "ambient light",
                 program: "ambient",
-                effects: &[Ambient],
+                listed: None,
+                effects: Effects::NONE.with(Effect::Ambient),
                 over: None,
                 what: "Light that is everywhere, as one matt material sends it back, added to the light of lamps.",
             },
             Entry {
                 title: "exposure",
                 program: "exposure",
-                effects: &[],
+                listed: None,
+                effects: Effects::NONE,
                 over: None,
                 what: "Stops: a picture that is brighter or darker than its light.",
             },
             Entry {
                 title: "clip",
                 program: "clip",
-                effects: &[],
+                listed: None,
+                effects: Effects::NONE,
                 over: None,
                 what: "What is over full scale becomes full scale.",
             },
             Entry {
                 title: "keep hue",
                 program: "keep-hue",
-                effects: &[],
+                listed: None,
+                effects: Effects::NONE,
                 over: Some("clip"),
                 what: "What is over full scale is scaled to it, and its hue stays.",
             },
             Entry {
                 title: "sRGB",
                 program: "srgb",
-                effects: &[],
+                listed: None,
+                effects: Effects::NONE,
                 over: None,
                 what: "Codes of eight bits for a display.",
             },
             Entry {
                 title: "sRGB, dithered",
                 program: "dither",
-                effects: &[Dither],
+                listed: None,
+                effects: Effects::NONE.with(Effect::Dither),
                 over: Some("srgb"),
                 what: "Ordered dither against banding: a picture with slow gradients calls for it.",
             },
             Entry {
                 title: "RGB565",
                 program: "rgb565",
-                effects: &[],
+                listed: None,
+                effects: Effects::NONE,
                 over: None,
                 what: "Pixels of 16 bits for a small display.",
             },
             Entry {
                 title: "RGB565, dithered",
                 program: "rgb565-dithered",
-                effects: &[Dither],
+                listed: None,
+                effects: Effects::NONE.with(Effect::Dither),
                 over: Some("rgb565"),
                 what: "The same dither, which so few codes need more.",
             },
         ],
     },
-];
-
-/// The effects that no program shows, and why.
-pub(super) static UNPRICED: [(Effect, &str); 4] = [
-    (MixedPower, "is chosen while a program runs and is no constant of one"),
-    (InvertedMixedPower, "likewise"),
-    (RealPower, "likewise"),
-    (InvertedRealPower, "likewise"),
-];
+]
+});
 
 /// All entries, in the order of the page.
-pub(super) fn entries() -> impl Iterator<Item = &'static Entry> {
-    GROUPS.iter().flat_map(|group| group.entries)
+pub(crate) fn entries() -> impl Iterator<Item = &'static Entry> {
+    GROUPS.iter().flat_map(|group| &group.entries)
 }
 
 #[cfg(test)]
@@ -360,12 +324,9 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_effect_has_a_price_or_a_reason_and_not_both() {
-        for effect in Effect::ALL {
-            let is_priced = entries().any(|entry| entry.effects.contains(effect));
-            let is_unpriced = UNPRICED.iter().any(|(unpriced, _)| unpriced == effect);
-            assert!(is_priced != is_unpriced, "{}", effect.name());
-        }
+    fn every_effect_has_a_price() {
+        let priced = entries().fold(Effects::NONE, |all, entry| all.union(entry.effects));
+        assert_eq!(priced, Effects::ALL);
     }
 
     #[test]

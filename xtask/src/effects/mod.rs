@@ -1,7 +1,7 @@
 //! `cargo xtask effects`: what each effect adds to the price of a pixel, and to a firmware's flash.
 
 mod browser;
-mod catalogue;
+pub(crate) mod catalogue;
 mod documents;
 mod gate;
 mod page;

@@ -4,7 +4,7 @@ use anyhow::{Context, Result};
 use luminaire::dynamic::Effect;
 
 use super::browser::{Browser, Frame, Whole};
-use super::catalogue::{Entry, GROUPS, Group, UNPRICED};
+use super::catalogue::{Entry, GROUPS, Group};
 use super::prices::STANDS;
 use super::record::{Price, Prices, Record};
 use crate::firmware::Board;
@@ -45,15 +45,11 @@ pub(super) fn write(record: &Record) -> Result<String> {
         text += &format!("\n- {}: `{format}`, {compiler}, {runs_on}", title(stand.board)?);
     }
     text += "\n";
-    for group in &GROUPS {
+    for group in GROUPS.iter() {
         text += &section(record, group)?;
     }
     if let Some(browser) = &record.browser {
         text += &frames(browser);
-    }
-    text += "\n## Without a price of their own\n\n";
-    for (effect, reason) in &UNPRICED {
-        text += &format!("- `{}` {reason}.\n", effect.name());
     }
     Ok(text)
 }
@@ -95,7 +91,7 @@ fn section(record: &Record, group: &Group) -> Result<String> {
         head("bytes"),
         "---:|".repeat(2 * boards.len())
     );
-    for entry in group.entries {
+    for entry in &group.entries {
         text += &row(record, entry)?;
     }
     Ok(text)
@@ -137,6 +133,7 @@ fn title(board: &str) -> Result<&'static str> {
 mod tests {
     use super::super::catalogue::entries;
     use super::*;
+    use luminaire::dynamic::Effects;
 
     /// A hundred instructions and a thousand bytes for each program.
     fn record() -> Record {
@@ -156,7 +153,14 @@ mod tests {
             prices.prices.insert("plain".to_owned(), Price { instructions: 100.25, bytes: 500 });
             prices.prices.insert("better".to_owned(), Price { instructions: 120.5, bytes: 490 });
         }
-        let mut entry = Entry { title: "b", program: "better", effects: &[], over: None, what: "It." };
+        let mut entry = Entry {
+            title: "b",
+            program: "better",
+            listed: None,
+            effects: Effects::NONE,
+            over: None,
+            what: "It.",
+        };
         assert_eq!(row(&record, &entry).unwrap(), "| b | It. | 120.5 | 120.5 | 490 | 490 |\n");
         entry.over = Some("plain");
         let adds = "| b | It. | 120.5 (+20.2) | 120.5 (+20.2) | 490 (-10) | 490 (-10) |\n";

@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use std::{fs, io};
 
 use anyhow::{Context, Result};
+use luminaire::dynamic::Effect;
 use serde::{Deserialize, Serialize};
 
 use super::browser::Browser;
@@ -62,7 +63,7 @@ fn described<S: serde::Serializer>((): &(), serializer: S) -> Result<S::Ok, S::E
     serializer.collect_seq(catalogue::entries().map(|entry| Description {
         title: entry.title,
         program: entry.program,
-        effects: entry.effects.iter().map(|effect| effect.name()).collect(),
+        effects: entry.effects.iter().map(Effect::name).collect(),
         over: entry.over,
         what: entry.what,
     }))

@@ -1,11 +1,13 @@
 //! The programs of one effect each, built for a target in a number format.
 
+use std::collections::BTreeMap;
 use std::fs;
 use std::path::PathBuf;
 
 use anyhow::{Context, Result};
 
 use super::program::Program;
+use crate::effects::catalogue::{self, Entry};
 use crate::firmware::{Board, board, laboratory};
 use crate::progress::Progress;
 use crate::project;
@@ -76,10 +78,12 @@ impl Effects {
 
     /// Builds one program for all boards, so that each is there when it is asked for.
     pub(crate) fn build_one_for_all(format: Format, name: &str, progress: &Progress) -> Result<()> {
+        write_programs()?;
         laboratory::build_for_all(&board::ALL, &Self::arguments(format, &["--bin", name]), progress)
     }
 
     fn cargo(board: &Board, format: Format, programs: &[&str], progress: &Progress) -> Result<Self> {
+        write_programs()?;
         let toolchain = laboratory::build(board, &Self::arguments(format, programs), progress)?;
         Ok(Self { folder: toolchain.artifacts(PROFILE) })
     }
@@ -98,27 +102,55 @@ impl Effects {
     pub(crate) fn bytes(&self) -> Result<Vec<(String, u64)>> {
         let empty = self.program(EMPTY)?.bytes;
         let mut effects = Vec::new();
-        for name in names()? {
-            let bytes = self.program(&name)?.bytes.saturating_sub(empty);
-            effects.push((name.replace('_', "-"), bytes));
+        for program in programs().into_keys().filter(|program| *program != EMPTY) {
+            let bytes = self.program(&file_name(program))?.bytes.saturating_sub(empty);
+            effects.push((program.to_owned(), bytes));
         }
         Ok(effects)
     }
 }
 
-/// The effects: each has a source file, and a program of its name.
-fn names() -> Result<Vec<String>> {
+/// The programs of one effect each by name, with the function that each of them runs.
+fn programs() -> BTreeMap<&'static str, String> {
+    let function = |entry: &Entry| match entry.listed {
+        Some(model) => format!("<{model} as luminaire_effects::Listed>::effect"),
+        None => format!("luminaire_effects::effects::{}", file_name(entry.program)),
+    };
+    let nothing = (EMPTY, "|(): ()| ()".to_owned());
+    catalogue::entries().map(|entry| (entry.program, function(entry))).chain([nothing]).collect()
+}
+
+fn file_name(program: &str) -> String {
+    program.replace('-', "_")
+}
+
+/// Writes the source files of the programs, where they are not as they should be, and removes any other.
+pub(crate) fn write_programs() -> Result<()> {
     let folder = project::root().join("firmware/effects/src/bin");
-    let failed = || format!("cannot list {}", folder.display());
-    let mut names = Vec::new();
+    let failed = || format!("cannot write to {}", folder.display());
+    fs::create_dir_all(&folder).with_context(failed)?;
+    let programs = programs();
     for entry in fs::read_dir(&folder).with_context(failed)? {
-        let name = entry.with_context(failed)?.path().with_extension("");
-        names.extend(name.file_name().map(|name| name.to_string_lossy().into_owned()));
+        let path = entry.with_context(failed)?.path();
+        let name = path.file_stem().unwrap_or_default().to_string_lossy().replace('_', "-");
+        if !programs.contains_key(name.as_str()) {
+            fs::remove_file(path).with_context(failed)?;
+        }
     }
-    let is_no_effect = |name: &str| [EMPTY, UNUSED].contains(&name) || PROOFS.contains(&name);
-    names.retain(|name| !is_no_effect(name));
-    names.sort_unstable();
-    Ok(names)
+    for (program, function) in programs {
+        let source = format!(
+            "//! The effect `{program}` alone. Written by `cargo xtask`.\n\
+             #![cfg_attr(target_os = \"none\", no_std, no_main)]\n\n\
+             #[allow(unused_imports, clippy::wildcard_imports, reason = \"the types of the lists\")]\n\
+             use luminaire::{{attenuation::*, falloff::*, specular::*}};\n\n\
+             luminaire_effects::program!({function});\n"
+        );
+        let file = folder.join(file_name(program)).with_extension("rs");
+        if fs::read_to_string(&file).ok().as_deref() != Some(&source) {
+            fs::write(&file, source).with_context(failed)?;
+        }
+    }
+    Ok(())
 }
 
 #[cfg(test)]
@@ -126,16 +158,18 @@ mod tests {
     use super::*;
 
     #[test]
-    fn each_effect_has_a_file() {
-        let names = names().unwrap();
-        assert!(names.iter().any(|name| name == "spot_soft_lambert"), "{names:?}");
-        assert!(!names.iter().any(|name| name == EMPTY), "{names:?}");
+    fn each_effect_has_one_program_and_each_program_one_function() {
+        let programs = programs();
+        assert!(programs["spot-hard-lambert"].starts_with("<Hard as "), "{programs:?}");
+        assert!(programs["rgb565-dithered"].ends_with("::rgb565_dithered"), "{programs:?}");
+        let functions: std::collections::BTreeSet<_> = programs.values().collect();
+        assert_eq!(functions.len(), programs.len());
     }
 
     #[test]
     fn the_programs_on_any_bits_are_the_proofs() {
-        let folder = project::root().join("firmware/effects/src/bin");
-        for name in names().unwrap().iter().map(String::as_str).chain(PROOFS) {
+        let folder = project::root().join("firmware/effects/src/proofs");
+        for name in PROOFS.into_iter().chain([UNUSED]) {
             let program = fs::read_to_string(folder.join(name).with_extension("rs")).unwrap();
             assert_eq!(program.contains("luminaire_effects::raw"), PROOFS.contains(&name), "{name}");
         }

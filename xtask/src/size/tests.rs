@@ -2,7 +2,7 @@
 
 use anyhow::{Result, ensure};
 
-use super::effects::{EMPTY, EVERYTHING, Effects, Format, PROOFS, UNUSED};
+use super::effects::{EMPTY, EVERYTHING, Effects, Format, PROOFS, UNUSED, write_programs};
 use super::program::{Program, is_heap};
 use crate::command;
 use crate::firmware::laboratory::{self, Laboratory};
@@ -16,6 +16,7 @@ const BUDGET: u64 = 1920;
 /// Adds the steps.
 pub(crate) fn run(suite: &mut Suite) {
     suite.step("effects: cargo clippy", |progress| {
+        write_programs()?;
         let mut cargo = laboratory::firmware(command::cargo("clippy"));
         cargo.args(["--package", "luminaire-effects", "--all-targets", "--", "-Dwarnings"]);
         progress.run(cargo)

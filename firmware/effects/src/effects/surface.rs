@@ -1,6 +1,6 @@
 //! Other lights, and what surfaces send back.
 
-use crate::constants::{AMBIENT, BLINN_PHONG, DIRECTIONAL, DUAL_CONE, LYON, MATTE, PHONG, POINT};
+use crate::constants::{AMBIENT, DIRECTIONAL, MATTE, POINT};
 use crate::{Format, Irradiance, Light, Surface};
 
 /// Ambient light on a matt surface, beside the light of lamps.
@@ -21,25 +21,8 @@ pub fn point(surface: Surface) -> Irradiance {
     POINT.irradiance(surface.point, surface.normal)
 }
 
-macro_rules! surfaces {
-    ($($(#[$meta:meta])* $name:ident = $material:ident;)*) => {$(
-        $(#[$meta])*
-        #[inline(always)]
-        pub fn $name(surface: Surface) -> Light {
-            $material.reflect(&surface, &DIRECTIONAL)
-        }
-    )*};
-}
-
-surfaces! {
-    /// A matt surface under a directional light, in colours.
-    matte = MATTE;
-    /// The same with Phong's highlight, of a shininess of 32.
-    phong = PHONG;
-    /// The same with Blinn's form of Phong's highlight.
-    blinn_phong = BLINN_PHONG;
-    /// The same with the dual-cone highlight.
-    dual_cone = DUAL_CONE;
-    /// The same with Lyon's form of Phong's highlight by three squarings.
-    lyon = LYON;
+/// A matt surface under a directional light, in colours.
+#[inline(always)]
+pub fn matte(surface: Surface) -> Light {
+    MATTE.reflect(&surface, &DIRECTIONAL)
 }

@@ -4,16 +4,15 @@
 use core::array::from_fn;
 use core::hint::black_box;
 
+#[allow(clippy::wildcard_imports, reason = "the types of the list")]
+use luminaire::falloff::*;
 use luminaire::import::{Difference, Direct3d, Gltf, Godot, OpenGl, Penumbra, Ramp, Three};
 use luminaire::{
     AmbientLight, Angle, Cone, DirectionalLight, Error, HalfAngle, Material, PointLight, SpotLight, Vec3,
     display::{Exposure, decode_srgb},
     dynamic::{AnyLight, Effect, RenderPlan},
-    falloff::{
-        Cubic, Falloff, FittedFalloff, Hard, InvertedPower, Knot, Linear, Power, Quadratic, Smooth, Soft,
-        SoftOrHard, Step, Table,
-    },
     haze::{Haze, RayBundle, ViewRay},
+    models::SAMPLES,
     projector::{Fixture, Gobo, Projection, Shadow},
     specular::{BlinnPhong, DifferenceForm, DualConeLobe, Phong, SpecularLobe},
 };
@@ -29,13 +28,18 @@ fn setup(words: [u64; 64]) {
 }
 
 fn of_format<S: Raw>(bits: &mut Bits) {
-    designs::<S, _>(bits, Soft);
-    designs::<S, _>(bits, Hard);
-    designs::<S, _>(bits, Linear);
-    designs::<S, _>(bits, Step);
-    designs::<S, _>(bits, Smooth);
+    macro_rules! falloffs {
+        ($($(#[$doc:meta])* $variant:ident($type:ty) = $name:literal, $sample:expr, $truth:expr;)*) => {
+            $(
+                let sample: Result<$type, Error> = $sample;
+                if let Ok(falloff) = black_box(sample) {
+                    designs::<S, $type>(bits, falloff);
+                }
+            )*
+        };
+    }
+    luminaire::constant_falloffs!(falloffs);
     designs::<S, _>(bits, Power::<15>);
-    designs::<S, _>(bits, InvertedPower::<4>);
     let edge = if bits.choice(2) == 0 { SoftOrHard::Soft } else { SoftOrHard::Hard };
     designs::<S, _>(bits, edge);
     let (blend, cubic) = (bits.any_blend(), bits.any_cubic());

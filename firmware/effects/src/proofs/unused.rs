@@ -4,18 +4,20 @@
 use luminaire::{
     Rgb,
     display::{clip, encode_srgb},
+    falloff::{Soft, Table},
+    specular::Phong,
 };
-use luminaire_effects::constants::{AMBIENT, EXPOSURE, PHONG, POINT, SPOT_SOFT, SPOT_TABLE};
-use luminaire_effects::{Format, Light, Surface};
+use luminaire_effects::constants::{AMBIENT, EXPOSURE, POINT};
+use luminaire_effects::{Format, Light, Listed, Surface};
 
 luminaire_effects::program!(|surface: Surface| {
     if IS_GLOSSY {
-        show(PHONG.glow(AMBIENT).plus::<Format>(PHONG.reflect(&surface, &POINT)));
+        show(Phong::CONSTANT.glow(AMBIENT).plus::<Format>(Phong::CONSTANT.reflect(&surface, &POINT)));
     }
     if HAS_FLOOD {
-        show(Rgb::lit(SPOT_TABLE.irradiance(surface.point, surface.normal), SPOT_TABLE.color()));
+        show(Rgb::lit(Table::CONSTANT.irradiance(surface.point, surface.normal), Table::CONSTANT.color()));
     }
-    SPOT_SOFT.irradiance(surface.point, surface.normal)
+    Soft::CONSTANT.irradiance(surface.point, surface.normal)
 });
 
 /// What the scene calls for.

@@ -3,25 +3,20 @@
 
 use core::hint::black_box;
 
-use luminaire::codegen::{CompiledCubic, CompiledFittedFalloff, CompiledQuadratic};
 use luminaire::{
-    Rgb, Scalar,
-    attenuation::{
-        Attenuation, CutAt, FilamentRange, GltfRange, InverseSquare, NoAttenuation, Polynomial, SmoothRange,
-    },
+    Error, Rgb, Scalar,
+    codegen::{CompiledCubic, CompiledFittedFalloff, CompiledQuadratic},
     display::{CompiledExposure, Rgb565, clip, compress_keep_hue, encode_srgb, encode_srgb_dithered},
-    falloff::{
-        Cubic, Falloff, FittedFalloff, Hard, InvertedPower, InvertedRealPower, Linear, Power, Quadratic,
-        RealPower, Smooth, Soft, SoftOrHard, Step,
-    },
     haze::{BeamScattering, Haze, RayBundle, ViewRay},
     light::{
         CompiledCone, CompiledDirectionalLight, CompiledMaterial, CompiledPointLight, CompiledSpotLight,
         LightModel, SurfacePoint,
     },
+    models::SAMPLES,
     projector::{CompiledGobo, CompiledProjection, Gobo, Shadow},
-    specular::{BlinnPhong, DifferenceForm, DualConeLobe, NoSpecular, Phong, SpecularLobe},
 };
+#[allow(clippy::wildcard_imports, reason = "the types of the lists")]
+use luminaire::{attenuation::*, falloff::*, specular::*};
 use luminaire_effects::Format;
 use luminaire_effects::raw::{Bits, Raw};
 
@@ -38,39 +33,21 @@ fn of_format<S: Raw>(bits: &mut Bits) {
     let (blend, cubic) = (CompiledQuadratic::from_parts(g), CompiledCubic::from_parts(g, h));
     let any_blend = Quadratic::from_bits(bits.word() as u32);
     let any_cubic = Cubic::from_bits([bits.word() as u32, bits.word() as u32]);
-    falls::<S, _>(bits, Soft, Soft);
-    falls::<S, _>(bits, Hard, Hard);
-    falls::<S, _>(bits, Linear, Linear);
-    falls::<S, _>(bits, Step, Step);
-    falls::<S, _>(bits, Smooth, Smooth);
     falls::<S, _>(bits, any_blend, blend);
     falls::<S, _>(bits, any_cubic, cubic);
     falls::<S, _>(bits, Power::<1>, Power);
     falls::<S, _>(bits, Power::<15>, Power);
     falls::<S, _>(bits, Power::<128>, Power);
-    falls::<S, _>(bits, InvertedPower::<4>, InvertedPower);
     for table in [Bits::any_table(), Bits::any_knots()] {
         falls::<S, _>(bits, table, table);
     }
-    let exponent = bits.float();
-    if let Ok(power) = RealPower::new(exponent) {
-        falls::<S, _>(bits, power, power.compile::<S>());
-    }
-    if let Ok(rim) = InvertedRealPower::new(exponent) {
-        falls::<S, _>(bits, rim, rim.compile::<S>());
-    }
+    listed::<S>(bits);
     let edge = if bits.word() == 0 { SoftOrHard::Soft } else { SoftOrHard::Hard };
     falls::<S, _>(bits, edge, edge);
     falls::<S, _>(bits, FittedFalloff::Quadratic(any_blend), CompiledFittedFalloff::Quadratic(blend));
     falls::<S, _>(bits, FittedFalloff::Cubic(any_cubic), CompiledFittedFalloff::Cubic(cubic));
     let [a, b, c] = core::array::from_fn(|_| S::raw_gain(bits.word()));
     reaches::<S, NoAttenuation>(bits, ());
-    reaches::<S, InverseSquare>(bits, ());
-    reaches::<S, Polynomial>(bits, [a, b, c]);
-    reaches::<S, SmoothRange>(bits, [a, b]);
-    reaches::<S, GltfRange>(bits, (a, ()));
-    reaches::<S, FilamentRange>(bits, (a, ()));
-    reaches::<S, CutAt<InverseSquare>>(bits, (a, ()));
     reaches::<S, CutAt<SmoothRange>>(bits, (a, [b, c]));
     // Haze is f32 in every format.
     if S::NAME == f32::NAME {
@@ -81,15 +58,47 @@ fn of_format<S: Raw>(bits: &mut Bits) {
     let parallel = CompiledDirectionalLight::<S>::from_parts(bits.vector(S::unit), a, bits.colors());
     black_box(CompiledDirectionalLight::irradiance(&parallel, bits.vector(S::scalar)));
     let ramp = S::raw_ramp(bits);
-    let exponent = bits.word() as u32;
     shines::<S, NoSpecular>(bits, ());
-    shines::<S, Phong>(bits, (ramp, exponent));
-    shines::<S, BlinnPhong>(bits, (ramp, exponent));
-    shines::<S, DualConeLobe>(bits, (ramp, exponent));
     shines::<S, DifferenceForm<Phong, 0>>(bits, ramp);
     shines::<S, DifferenceForm<BlinnPhong, 4>>(bits, ramp);
     projects::<S>(bits);
     shows::<S>(bits);
+}
+
+/// The models of the lists, of constants that the compiler does not know.
+fn listed<S: Raw>(bits: &mut Bits) {
+    macro_rules! falloffs {
+        ($($(#[$doc:meta])* $variant:ident($type:ty) = $name:literal, $sample:expr, $truth:expr;)*) => {
+            $(
+                let sample: Result<$type, Error> = $sample;
+                if let Ok(falloff) = sample {
+                    falls::<S, $type>(bits, black_box(falloff), black_box(falloff.compile::<S>()));
+                }
+            )*
+        };
+    }
+    luminaire::constant_falloffs!(falloffs);
+    macro_rules! attenuations {
+        ($($(#[$doc:meta])* $variant:ident($run_time:ty) = $sample:expr
+           $(, $(#[$its_doc:meta])* $type:ty = $name:literal, $value:expr)*;)*) => {
+            $($(
+                let value: Result<$type, Error> = $value;
+                if let Ok(attenuation) = value {
+                    reaches::<S, $type>(bits, black_box(attenuation.constants::<S>()));
+                }
+            )*)*
+        };
+    }
+    luminaire::attenuations!(attenuations);
+    macro_rules! lobes {
+        ($($(#[$doc:meta])* $type:ty = $name:literal, $value:expr;)*) => {
+            $(
+                let constants = <$type as SpecularLobe>::constants::<S>(bits.integer());
+                shines::<S, $type>(bits, constants);
+            )*
+        };
+    }
+    luminaire::lobes!(lobes);
 }
 
 fn surface<S: Raw>(bits: &mut Bits) -> SurfacePoint<S> {

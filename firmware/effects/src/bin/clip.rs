@@ -1,4 +1,0 @@
-//! Light clipped to full scale, in three channels.
-#![cfg_attr(target_os = "none", no_std, no_main)]
-
-luminaire_effects::program!(luminaire_effects::effects::clip);

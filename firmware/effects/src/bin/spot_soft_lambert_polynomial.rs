@@ -1,4 +1,0 @@
-//! The irradiance of a spotlight with a soft edge, Lambert's cosine and the capped reciprocal of a polynomial in the distance.
-#![cfg_attr(target_os = "none", no_std, no_main)]
-
-luminaire_effects::program!(luminaire_effects::effects::spot_soft_lambert_polynomial);

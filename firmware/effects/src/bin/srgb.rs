@@ -1,4 +1,0 @@
-//! A colour in sRGB codes of eight bits.
-#![cfg_attr(target_os = "none", no_std, no_main)]
-
-luminaire_effects::program!(luminaire_effects::effects::srgb);

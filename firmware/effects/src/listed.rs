@@ -1,0 +1,103 @@
+//! The effects that come of the lists of models.
+
+use luminaire::light::{CompiledMaterial, CompiledSpotLight};
+#[allow(clippy::wildcard_imports, reason = "the types of the lists")]
+use luminaire::{attenuation::*, falloff::*, specular::*};
+
+use crate::constants::DIRECTIONAL;
+use crate::{Format, Irradiance, Light, Surface};
+
+/// A model of a list, and the effect that shows what it costs.
+pub trait Listed {
+    /// The name of the program.
+    const NAME: &'static str;
+    /// What has the model.
+    type Constant;
+    /// It, as the build script has written it.
+    const CONSTANT: Self::Constant;
+    /// What comes of the effect.
+    type Output;
+
+    /// The effect at a surface point.
+    fn effect(surface: Surface) -> Self::Output;
+}
+
+/// Whoever looks at each of them.
+pub trait Visit {
+    /// Takes one of a light alone.
+    fn irradiance<L: Listed<Output = Irradiance>>(&mut self);
+
+    /// Takes one of a surface under a light.
+    fn light<L: Listed<Output = Light>>(&mut self);
+}
+
+macro_rules! falloffs {
+    ($($(#[$doc:meta])* $variant:ident($type:ty) = $name:literal, $sample:expr, $truth:expr;)*) => {
+        $(impl Listed for $type {
+            const NAME: &'static str = concat!("spot-", $name, "-lambert");
+            type Constant = CompiledSpotLight<Format, $type, NoAttenuation>;
+            const CONSTANT: Self::Constant = include!(concat!(env!("OUT_DIR"), "/spot-", $name, "-lambert.rs"));
+            type Output = Irradiance;
+
+            #[inline(always)]
+            fn effect(Surface { point, normal, .. }: Surface) -> Irradiance {
+                Self::CONSTANT.irradiance(point, normal)
+            }
+        })*
+
+        fn falloffs(visit: &mut impl Visit) {
+            $(visit.irradiance::<$type>();)*
+        }
+    };
+}
+luminaire::constant_falloffs!(falloffs);
+
+macro_rules! attenuations {
+    ($($(#[$doc:meta])* $variant:ident($run_time:ty) = $sample:expr
+       $(, $(#[$its_doc:meta])* $type:ty = $name:literal, $value:expr)*;)*) => {
+        $($(impl Listed for $type {
+            const NAME: &'static str = concat!("spot-soft-lambert-", $name);
+            type Constant = CompiledSpotLight<Format, Soft, $type>;
+            const CONSTANT: Self::Constant = include!(concat!(env!("OUT_DIR"), "/spot-soft-lambert-", $name, ".rs"));
+            type Output = Irradiance;
+
+            #[inline(always)]
+            fn effect(Surface { point, normal, .. }: Surface) -> Irradiance {
+                Self::CONSTANT.irradiance(point, normal)
+            }
+        })*)*
+
+        fn attenuations(visit: &mut impl Visit) {
+            $($(visit.irradiance::<$type>();)*)*
+        }
+    };
+}
+luminaire::attenuations!(attenuations);
+
+macro_rules! lobes {
+    ($($(#[$doc:meta])* $type:ty = $name:literal, $value:expr;)*) => {
+        $(impl Listed for $type {
+            const NAME: &'static str = $name;
+            type Constant = CompiledMaterial<Format, $type>;
+            const CONSTANT: Self::Constant = include!(concat!(env!("OUT_DIR"), "/", $name, ".rs"));
+            type Output = Light;
+
+            #[inline(always)]
+            fn effect(surface: Surface) -> Light {
+                Self::CONSTANT.reflect(&surface, &DIRECTIONAL)
+            }
+        })*
+
+        fn lobes(visit: &mut impl Visit) {
+            $(visit.light::<$type>();)*
+        }
+    };
+}
+luminaire::lobes!(lobes);
+
+/// Every model of the lists.
+pub fn listed(visit: &mut impl Visit) {
+    falloffs(visit);
+    attenuations(visit);
+    lobes(visit);
+}
