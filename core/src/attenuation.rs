@@ -19,9 +19,9 @@
 mod any;
 mod ranged;
 
-pub(crate) use self::any::{CompiledAnyAttenuation, with_attenuation};
+pub(crate) use self::any::with_attenuation;
 pub use self::{
-    any::AnyAttenuation,
+    any::{AnyAttenuation, CompiledAnyAttenuation},
     ranged::{Cut, CutAt, FilamentRange, GltfRange, GltfWindow, Ranged, SquareWindow, Windowed},
 };
 

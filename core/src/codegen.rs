@@ -22,21 +22,22 @@
 //! const KEY: CompiledSpotLight<Fx16, Soft> = include!(concat!(env!("OUT_DIR"), "/key.rs"));
 //! ```
 //!
-//! So are [`Rgb`] of ambient light, [`CompiledPointLight`], [`CompiledDirectionalLight`], [`CompiledMaterial`],
-//! [`CompiledExposure`] and [`BeamScattering`]. What the text calls are `const fn`s that take any bits: those that no compiled light has are
-//! brought to where every point still has an answer. The bits belong to this version of the crate: they are generated
-//! anew with each build, and not kept.
+//! Every compiled light can be written, also one of [another system](crate::import), and so can [`Rgb`] of ambient light,
+//! [`CompiledMaterial`], [`CompiledExposure`], [`CompiledGobo`], [`Shadow`] and [`BeamScattering`]. The functions that the
+//! text calls are `const` and take any bits: bits that no compiled light has are clamped to where every point has an
+//! answer. The bits belong to this version of the crate: generate them with each build, and do not keep them.
 //!
-//! The module also names the types that generated text is made of.
+//! The module also holds the types that the text names.
 
 mod formats;
 
 use core::fmt::{self, Formatter};
 
 pub use crate::{
+    attenuation::CompiledAnyAttenuation,
     falloff::{
-        CompiledCubic, CompiledFittedFalloff, CompiledInvertedMixedPower, CompiledInvertedRealPower,
-        CompiledMixedPower, CompiledQuadratic, CompiledRealPower,
+        CompiledAnyFalloff, CompiledCubic, CompiledFittedFalloff, CompiledInvertedMixedPower,
+        CompiledInvertedRealPower, CompiledMixedPower, CompiledQuadratic, CompiledRealPower,
     },
     number::float::{FloatFrame, FloatRamp},
     source::{AsSource, Source},

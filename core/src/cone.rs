@@ -203,7 +203,8 @@ impl<P: Falloff> Cone<P> {
     /// its place within 1/510 of its half angle.
     ///
     /// In `f32` that holds wherever light and point are. On a common grid, where their difference is exact, a cone of half the
-    /// angle would hold it too.
+    /// angle would hold it too. It is more than 180 degrees where the format holds no cone of the profile, as `Fx16` none of
+    /// an inverted power of 99.
     pub fn narrowest<S: Scalar>(profile: P) -> Angle {
         narrowest::<S>(&slopes(profile, 0.0))
     }

@@ -124,7 +124,8 @@ pub enum Parameter {
 pub enum Expected {
     /// A full angle in degrees: more than 0 and at most this.
     AngleUpTo(f32),
-    /// A full angle in degrees: at least this, the narrowest that the number format can hold.
+    /// A full angle in degrees: at least this, the narrowest that the number format can hold; no angle where this is more
+    /// than 180.
     AngleFrom(f32),
     /// A full angle in degrees in this closed range.
     AngleBetween(f32, f32),
@@ -202,6 +203,9 @@ impl fmt::Display for Expected {
             Self::AngleUpTo(largest) => {
                 let shown = (largest * 1e2) as u32 as f32 / 1e2;
                 write!(f, "give more than 0 and at most {shown} degrees, the full angle")
+            }
+            Self::AngleFrom(narrowest) if *narrowest > 180.0 => {
+                f.write_str("no angle up to 180 degrees is wide enough: use a number format of more bits")
             }
             Self::AngleFrom(narrowest) => {
                 let shown = ((narrowest * 1e4) as u32 + 1) as f32 / 1e4;

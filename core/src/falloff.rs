@@ -39,13 +39,13 @@ mod table;
 
 use crate::number::Scalar;
 
-pub(crate) use self::any::{CompiledAnyFalloff, with_profile};
+pub(crate) use self::any::with_profile;
 #[cfg(feature = "arithmetic")]
 pub use self::curve::Curve;
 #[cfg(not(feature = "arithmetic"))]
 pub(crate) use self::curve::Curve;
 pub use self::{
-    any::AnyFalloff,
+    any::{AnyFalloff, CompiledAnyFalloff},
     choice::{CompiledFittedFalloff, FittedFalloff, SoftOrHard},
     cubic::{CompiledCubic, Cubic, Smooth},
     formula::Formula,

@@ -88,7 +88,7 @@ macro_rules! constant_falloffs {
 
 /// The list of the attenuations that can be chosen at run time, handed to a macro after its own arguments.
 ///
-/// A row is `doc variant(type) = sample;`, the sample as a `Result`. After it come, each as `doc type = name, value`, the
+/// A row is `doc variant(type) = any |n| ...;`, which makes one of numbers `n()` in [0, 1) or refuses. After it come, each as `doc type = name, value`, the
 /// attenuations that stand for it in programs that know them when they are built.
 #[cfg_attr(feature = "arithmetic", macro_export)]
 macro_rules! attenuations {
@@ -96,31 +96,32 @@ macro_rules! attenuations {
         $($consumer)::+! {
             $($($arguments)*)?
             /// No attenuation, cut off.
-            Constant(CutAt<NoAttenuation>) = CutAt::new(NoAttenuation, Some(9.0));
+            Constant(CutAt<NoAttenuation>) = any |n| CutAt::new(NoAttenuation, range(n));
             /// The inverse-square law, cut off.
-            InverseSquare(CutAt<InverseSquare>) = CutAt::new(InverseSquare, Some(9.0)),
+            InverseSquare(CutAt<InverseSquare>) = any |n| CutAt::new(InverseSquare, range(n)),
                 /// The law of a small source: the default of every spot and point light.
                 InverseSquare = "inverse-square", Ok(InverseSquare),
                 /// Cut off at a range: nothing from there on, and the law unchanged before.
                 CutAt<InverseSquare> = "hard-range", CutAt::new(InverseSquare, Some(9.0));
             /// One over a polynomial, cut off.
-            Polynomial(CutAt<Polynomial>) = CutAt::new(Polynomial::new(1.0, 0.2, 0.03)?, Some(9.0)),
+            Polynomial(CutAt<Polynomial>) = any |n| CutAt::new(Polynomial::new(4.0 * n(), 4.0 * n(), 4.0 * n())?, range(n)),
                 /// `1/(a0 + a1 d + a2 d^2)`, capped at 1: the lights of OpenGL and Direct3D.
                 Polynomial = "polynomial", Polynomial::new(1.0, 0.2, 0.03);
             /// The inverse-square law in glTF's window.
-            GltfRange(GltfRange) = GltfRange::new(InverseSquare, Some(9.0)),
+            GltfRange(GltfRange) = any |n| GltfRange::new(InverseSquare, range(n)),
                 /// The window by which lights of glTF end at their range.
                 GltfRange = "windowed", GltfRange::new(InverseSquare, Some(9.0));
             /// No attenuation, faded out.
-            WindowedConstant(Windowed<NoAttenuation>) = Windowed::new(NoAttenuation, Some(9.0));
+            WindowedConstant(Windowed<NoAttenuation>) = any |n| Windowed::new(NoAttenuation, range(n));
             /// The inverse-square law, faded out.
-            FilamentRange(FilamentRange) = FilamentRange::new(InverseSquare, Some(9.0)),
+            FilamentRange(FilamentRange) = any |n| FilamentRange::new(InverseSquare, range(n)),
                 /// The window of glTF squared, as Filament and Godot have it.
                 FilamentRange = "squared-window", FilamentRange::new(InverseSquare, Some(9.0));
             /// One over a polynomial, faded out.
-            WindowedPolynomial(Windowed<Polynomial>) = Windowed::new(Polynomial::new(1.0, 0.2, 0.03)?, Some(9.0));
+            WindowedPolynomial(Windowed<Polynomial>) = any |n|
+                Windowed::new(Polynomial::new(4.0 * n(), 4.0 * n(), 4.0 * n())?, range(n));
             /// Smoothstep to a range.
-            SmoothRange(SmoothRange) = SmoothRange::new(9.0),
+            SmoothRange(SmoothRange) = any |n| SmoothRange::new(40.0 * n()),
                 /// A smoothstep that ends at a range.
                 SmoothRange = "smooth-range", SmoothRange::new(9.0);
         }
@@ -180,6 +181,13 @@ pub fn interpolated(t: f64) -> f64 {
 #[cfg(feature = "arithmetic")]
 pub fn exponent(number: f32) -> f32 {
     libm::powf(1_024.0, number)
+}
+
+/// A range up to 40, or none.
+#[cfg(feature = "arithmetic")]
+pub(crate) fn range(numbers: &mut impl FnMut() -> f32) -> Option<f32> {
+    let range = 40.0 * numbers();
+    (range > 4.0).then_some(range)
 }
 
 /// A model of numbers.

@@ -64,7 +64,7 @@ fn listed<S: SourceScalar>() -> Outcome {
     }
     luminaire::constant_falloffs!(falloffs);
     macro_rules! attenuations {
-        ($($(#[$doc:meta])* $variant:ident($run_time:ty) = $sample:expr
+        ($($(#[$doc:meta])* $variant:ident($run_time:ty) = any $any:expr
            $(, $(#[$its_doc:meta])* $type:ty = $name:literal, $value:expr)*;)*) => {
             $($(spot::<S, _, $type>(concat!("spot-soft-lambert-", $name), Ok(Soft), $value)?;)*)*
         };

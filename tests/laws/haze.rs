@@ -1,6 +1,6 @@
 //! Air light: none where the beam cannot be met.
 
-use super::scene::{self, with_any_distance, with_any_profile};
+use super::scene::{self};
 use super::words::Words;
 use luminaire::{
     SpotLight, Vec3,
@@ -17,11 +17,12 @@ pub fn beams_that_are_not_met_are_dark(words: &[u32]) {
 }
 
 fn not_met(words: &mut Words<'_>) -> Option<()> {
-    with_any_profile!(words, profile => {
-        let cone = scene::cone(words, profile)?;
-        let spot = SpotLight::new(words.numbers(-8.0, 8.0), words.direction(), cone).ok()?;
-        with_any_distance!(words, model => assert_not_met(words, spot.with_attenuation(model)))
-    })
+    let profile = scene::falloff(words)?;
+
+    let cone = scene::cone(words, profile)?;
+    let spot = SpotLight::new(words.numbers(-8.0, 8.0), words.direction(), cone).ok()?;
+    let model = scene::attenuation(words)?;
+    assert_not_met(words, spot.with_attenuation(model))
 }
 
 fn assert_not_met<P: Falloff, A: Attenuation>(words: &mut Words<'_>, spot: SpotLight<P, A>) -> Option<()> {

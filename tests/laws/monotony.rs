@@ -1,13 +1,13 @@
 //! What never rises, and what never falls.
 
 use super::format::Format;
-use super::scene::{self, with_any_profile};
+use super::scene::{self};
 use super::words::Words;
 use core::cmp::Ordering;
 use luminaire::{
     PointLight, Vec3,
     attenuation::{CutAt, Polynomial, SmoothRange},
-    falloff::Soft,
+    falloff::{AnyFalloff, Soft},
 };
 
 /// Of two versines the larger has no more light: without exception for the strict profiles, by a step at most for the
@@ -17,25 +17,33 @@ pub fn falloffs_fall<S: Format>(words: &[u32]) {
 }
 
 fn falloff<S: Format>(words: &mut Words<'_>) -> Option<()> {
-    let may_rise = scene::RISING.contains(&words.clone().choice(scene::PROFILES));
-    with_any_profile!(words, profile => {
-        let cone = scene::cone(words, profile)?;
-        let falloff = cone.compile::<S>().ok()?;
-        let slack = if may_rise { f64::from(S::STEP) } else { 0.0 };
-        let (a, b) = if words.choice(3) == 0 {
-            (S::versine_from_bits(words.wide()), S::versine_from_bits(words.wide()))
-        } else {
-            let (a, b) = words.pair(1.2 * cone.outer_versine());
-            (falloff.versine(a), falloff.versine(b))
-        };
-        let (inside, outside) = match a.partial_cmp(&b)? {
-            Ordering::Greater => (b, a),
-            _ => (a, b),
-        };
-        let (near, far) = (falloff.at(inside).exact(), falloff.at(outside).exact());
-        assert!(far <= near + slack, "{profile:?} {cone:?}: {near} at {inside:?}, {far} at {outside:?}");
-        Some(())
-    })
+    let profile = scene::falloff(words)?;
+
+    let cone = scene::cone(words, profile)?;
+    let falloff = cone.compile::<S>().ok()?;
+    let is_strict = matches!(
+        profile,
+        AnyFalloff::Soft(_)
+            | AnyFalloff::Hard(_)
+            | AnyFalloff::Linear(_)
+            | AnyFalloff::Step(_)
+            | AnyFalloff::Power(_)
+            | AnyFalloff::InvertedPower(_)
+    );
+    let slack = if is_strict { 0.0 } else { f64::from(S::STEP) };
+    let (a, b) = if words.choice(3) == 0 {
+        (S::versine_from_bits(words.wide()), S::versine_from_bits(words.wide()))
+    } else {
+        let (a, b) = words.pair(1.2 * cone.outer_versine());
+        (falloff.versine(a), falloff.versine(b))
+    };
+    let (inside, outside) = match a.partial_cmp(&b)? {
+        Ordering::Greater => (b, a),
+        _ => (a, b),
+    };
+    let (near, far) = (falloff.at(inside).exact(), falloff.at(outside).exact());
+    assert!(far <= near + slack, "{profile:?} {cone:?}: {near} at {inside:?}, {far} at {outside:?}");
+    Some(())
 }
 
 /// The models that start at full scale never rise along an axis by more than their steps.

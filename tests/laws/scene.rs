@@ -2,134 +2,29 @@
 
 use super::words::Words;
 use luminaire::{
-    Angle, Cone, HalfAngle, Material, Rgb, SpotLight, Vec3, falloff::Falloff, specular::SpecularLobe,
+    Angle, Cone, HalfAngle, Material, Rgb, SpotLight, Vec3,
+    attenuation::AnyAttenuation,
+    falloff::{AnyFalloff, Falloff, Table},
+    specular::SpecularLobe,
 };
 
 /// The samples of a table that is monotone, begins in full light and ends above the dark.
 pub static SAMPLES: [u16; 6] = [65_535, 65_535, 40_000, 39_999, 1_000, 7];
 
-/// How many profiles there are to choose from.
-pub const PROFILES: u32 = 13;
-
-/// Which of them may rise by a step of the format towards the edge: smooth, blend, cubic and table.
-pub const RISING: [u32; 4] = [4, 5, 6, 12];
-
-/// Evaluates an expression with one of the profiles there are, in a type of its own each, or refuses.
-macro_rules! with_any_profile {
-    ($words:expr, $profile:ident => $answer:expr) => {{
-        use luminaire::falloff::{
-            Cubic, Hard, InvertedPower, Linear, Power, Quadratic, Smooth, Soft, SoftOrHard, Step, Table,
-        };
-        let words: &mut Words<'_> = $words;
-        match words.choice($crate::laws::scene::PROFILES) {
-            0 => {
-                let $profile = Soft;
-                $answer
-            }
-            1 => {
-                let $profile = Hard;
-                $answer
-            }
-            2 => {
-                let $profile = Linear;
-                $answer
-            }
-            3 => {
-                let $profile = Step;
-                $answer
-            }
-            4 => {
-                let $profile = Smooth;
-                $answer
-            }
-            5 => {
-                let $profile = Quadratic::new(words.number(0.0, 2.0)).ok()?;
-                $answer
-            }
-            6 => {
-                let $profile = Cubic::with_slopes(words.number(0.0, 4.0), words.number(0.0, 4.0)).ok()?;
-                $answer
-            }
-            7 => {
-                let $profile = Power::<4>;
-                $answer
-            }
-            8 => {
-                let $profile = Power::<15>;
-                $answer
-            }
-            9 => {
-                let $profile = Power::<128>;
-                $answer
-            }
-            10 => {
-                let $profile = InvertedPower::<7>;
-                $answer
-            }
-            11 => {
-                let $profile = SoftOrHard::Soft;
-                $answer
-            }
-            _ => {
-                let $profile = Table::new(&$crate::laws::scene::SAMPLES).ok()?;
-                $answer
-            }
-        }
-    }};
+/// A falloff of the list, or the table above.
+pub fn falloff(words: &mut Words<'_>) -> Option<AnyFalloff> {
+    let index = words.choice(AnyFalloff::COUNT as u32 + 1) as usize;
+    if index == AnyFalloff::COUNT {
+        return Table::new(&SAMPLES).ok().map(AnyFalloff::from);
+    }
+    AnyFalloff::drawn(index, || words.number(0.0, 1.0)).ok()
 }
-pub(crate) use with_any_profile;
 
-/// Evaluates an expression with one of the distance models there are, in a type of its own each, or refuses.
-macro_rules! with_any_distance {
-    ($words:expr, $model:ident => $answer:expr) => {{
-        use luminaire::attenuation::{
-            CutAt, FilamentRange, GltfRange, InverseSquare, NoAttenuation, Polynomial, SmoothRange,
-        };
-        let words: &mut Words<'_> = $words;
-        let range = |words: &mut Words<'_>| words.number(0.001, 40.0);
-        match words.choice(9) {
-            0 => {
-                let $model = NoAttenuation;
-                $answer
-            }
-            1 => {
-                let $model = InverseSquare;
-                $answer
-            }
-            2 => {
-                let c = words.numbers(0.0, 4.0);
-                let $model = Polynomial::new(c.x, c.y, c.z).ok()?;
-                $answer
-            }
-            3 => {
-                let $model = SmoothRange::new(range(words)).ok()?;
-                $answer
-            }
-            4 => {
-                let $model = GltfRange::new(InverseSquare, Some(range(words))).ok()?;
-                $answer
-            }
-            5 => {
-                let $model = GltfRange::new(InverseSquare, None).ok()?;
-                $answer
-            }
-            6 => {
-                let $model = FilamentRange::new(InverseSquare, Some(range(words))).ok()?;
-                $answer
-            }
-            7 => {
-                let $model = CutAt::new(InverseSquare, Some(range(words))).ok()?;
-                $answer
-            }
-            _ => {
-                let inner = SmoothRange::new(range(words)).ok()?;
-                let $model = CutAt::new(inner, Some(range(words))).ok()?;
-                $answer
-            }
-        }
-    }};
+/// An attenuation of the list.
+pub fn attenuation(words: &mut Words<'_>) -> Option<AnyAttenuation> {
+    let index = words.choice(AnyAttenuation::COUNT as u32) as usize;
+    AnyAttenuation::drawn(index, || words.number(0.0, 1.0)).ok()
 }
-pub(crate) use with_any_distance;
 
 /// Evaluates an expression with one of the highlights there are, in a type of its own each.
 macro_rules! with_any_highlight {

@@ -2,7 +2,7 @@
 //! is skipped.
 
 use super::format::Format;
-use super::scene::{self, with_any_distance, with_any_highlight, with_any_profile};
+use super::scene::{self, with_any_highlight};
 use super::words::Words;
 use luminaire::{
     AmbientLight, Cone, DirectionalLight, Material, PointLight, Rgb,
@@ -18,10 +18,10 @@ pub fn spotlights_answer<S: Format>(words: &[u32]) {
 }
 
 fn spotlight<S: Format>(words: &mut Words<'_>) -> Option<()> {
-    with_any_profile!(words, profile => {
-        let cone = scene::cone(words, profile)?;
-        spotlight_in::<S, _>(words, cone)
-    })
+    let profile = scene::falloff(words)?;
+
+    let cone = scene::cone(words, profile)?;
+    spotlight_in::<S, _>(words, cone)
 }
 
 fn spotlight_in<S: Format, P: Falloff>(words: &mut Words<'_>, cone: Cone<P>) -> Option<()> {
@@ -48,18 +48,18 @@ fn distance<S: Format>(words: &mut Words<'_>) -> Option<()> {
     let place = words.place();
     let spot = scene::cone(words, Soft).and_then(|cone| scene::spot(words, cone, place));
     let position = words.numbers(-8.0, 8.0);
-    with_any_distance!(words, model => {
-        let point = PointLight::new(position).ok()?.with_intensity(words.number(0.0, 100.0)).ok()?;
-        let matt = Material::new(Rgb::new(1.0, 0.5, 0.25)).ok()?;
-        let surface = words.surface::<S>(place);
-        if let Ok(light) = point.with_attenuation(model).compile::<S>() {
-            assert_reflects(matt, &light, &surface);
-        }
-        if let Ok(light) = spot?.with_attenuation(model).compile::<S>() {
-            assert_reflects(matt, &light, &surface);
-        }
-        Some(())
-    })
+    let model = scene::attenuation(words)?;
+
+    let point = PointLight::new(position).ok()?.with_intensity(words.number(0.0, 100.0)).ok()?;
+    let matt = Material::new(Rgb::new(1.0, 0.5, 0.25)).ok()?;
+    let surface = words.surface::<S>(place);
+    if let Ok(light) = point.with_attenuation(model).compile::<S>() {
+        assert_reflects(matt, &light, &surface);
+    }
+    if let Ok(light) = spot?.with_attenuation(model).compile::<S>() {
+        assert_reflects(matt, &light, &surface);
+    }
+    Some(())
 }
 
 /// Any highlight under a spotlight and a directional light, the glow beside them, and all the way to the display.

@@ -6,12 +6,15 @@ use fastrand::Rng;
 use luminaire::{Fx16, Fx32, SpotLight, falloff::Falloff};
 use support::with_every_shape;
 use support::{
-    bounds::{self, Column, REFUSE, ROWS, Row},
+    bounds::{self, REFUSE},
     format::Format,
     profiles::Shape,
     reference::{self, Vector},
     sweep::{self, HALF_ANGLES},
 };
+
+/// One error for each of [`HALF_ANGLES`].
+type Column = [f64; HALF_ANGLES.len()];
 
 /// The largest errors of one profile in one format.
 struct Measured {
@@ -107,21 +110,10 @@ fn broken<S: Format, P: Falloff>(shape: &Shape<P>) -> Vec<String> {
     println!("    spot: [{}]", show(measured.spot));
     println!("    lit:  [{}]", show(measured.lit));
 
-    let name = format!("{} {}", shape.name, S::NAME);
-    let Some(row): Option<&Row> = ROWS.iter().find(|row| row.profile == shape.name && row.format == S::NAME)
-    else {
-        return vec![format!("{name} has no row")];
-    };
-    let mut broken = Vec::new();
-    broken.extend(bounds::check(&format!("{name} falloff"), measured.falloff, row.falloff).err());
-    let columns = [("spot", measured.spot, row.spot), ("lit", measured.lit, row.lit)];
-    for (column, measured, bound) in columns {
-        for ((degrees, measured), bound) in HALF_ANGLES.iter().zip(measured).zip(bound) {
-            let cell = format!("{name} {column} at {degrees} degrees");
-            broken.extend(bounds::check(&cell, measured, bound).err());
-        }
-    }
-    broken
+    [("falloff", &[measured.falloff][..]), ("spot", &measured.spot), ("lit", &measured.lit)]
+        .into_iter()
+        .flat_map(|(table, measured)| bounds::broken(table, shape.name, S::NAME, measured))
+        .collect()
 }
 
 #[test]

@@ -1,5 +1,5 @@
 //! The falloff over every input that it can have, in all three formats, row by row of
-//! `support/every_falloff.rs`.
+//! `tests/bounds.csv`.
 //!
 //! A plain run visits one input in a thousand; `LUMINAIRE_FULL=1 cargo test --test slow
 //! exhaustive:: -- --nocapture` visits every one, some nine minutes on two processors, and prints
@@ -9,18 +9,21 @@ use luminaire::number::Arithmetic;
 use luminaire::{
     Cone, Fx16, Fx32, Rgb,
     display::{Rgb565, encode_srgb},
-    falloff::{Cubic, Falloff, Hard, InvertedPower, Linear, Power, Smooth, Soft},
     light::CompiledCone,
 };
+#[allow(clippy::wildcard_imports, reason = "what the rows of the list are made of")]
+use luminaire::{falloff::*, models::*};
 use support::with_every_shape;
 use support::{
     bounds::{self, REFUSE},
     every::{self, Seen},
-    every_falloff::{CONES, FRACTIONS, NEVER_RISE, ROWS},
     format::Format,
-    profiles::{self, Shape},
+    profiles::{self, STRICT, Shape, sound},
     reference, sweep,
 };
+
+/// The half angles in degrees of the cones.
+const CONES: [f32; 4] = [0.01, 1.0, 15.0, 89.0];
 
 /// The first and the last of the versines that share an answer, each with what it stands for.
 type Ends<S> = [(<S as Arithmetic>::Versine, f64); 2];
@@ -123,17 +126,12 @@ where
     let found = CONES.map(|half_degrees| seen::<S, P>(shape, half_degrees));
     let errors = found.map(|seen| seen.map_or(REFUSE, |seen| seen.error));
     println!("{name}: {}", errors.map(|error| format!("{error:.2}")).join(", "));
-    let Some(row) = ROWS.iter().find(|row| row.profile == shape.name && row.format == S::NAME) else {
-        return vec![format!("{name} has no row")];
-    };
-    let may_rise = if NEVER_RISE.contains(&shape.name) { 0.0 } else { 1.0 };
-    let mut broken = Vec::new();
-    for (i, half_degrees) in CONES.into_iter().enumerate() {
-        let cell = format!("{name} at {half_degrees} degrees");
-        broken.extend(bounds::check(&cell, errors[i], row.errors[i]).err());
-        let rise = found[i].map_or(0.0, |seen| seen.rise);
+    let mut broken = bounds::broken("exhaustive", shape.name, S::NAME, &errors);
+    let may_rise = if STRICT.contains(&shape.name) { 0.0 } else { 1.0 };
+    for (seen, half_degrees) in found.into_iter().zip(CONES) {
+        let rise = seen.map_or(0.0, |seen| seen.rise);
         if rise > may_rise {
-            broken.push(format!("{cell}: rises by {rise} steps towards the edge"));
+            broken.push(format!("{name} at {half_degrees} degrees: rises by {rise} steps towards the edge"));
         }
     }
     broken
@@ -188,7 +186,7 @@ fn every_negative_versine_of_f32_is_on_the_axis() {
 }
 
 /// Every fraction of 31 bits: the ramp from 0 to 1 gives each of them.
-fn fraction_error<P: Falloff + Sync>(shape: &Shape<P>) -> f64
+fn fraction_error<P: Falloff + Sync>(shape: &Shape<P>) -> Vec<String>
 where
     P::Compiled<Fx32>: Sync,
 {
@@ -201,31 +199,23 @@ where
         [found, oracle(fraction as f64 * 0.5_f64.powi(31))].map(|f| f * f64::from(1 << 30))
     });
     assert_eq!(falloff.at(Fx32::versine_from_bits(0)), Fx32::ONE, "{name}");
-    let may_fall = if NEVER_RISE.contains(&shape.name) { 0.0 } else { 1.0 };
+    let may_fall = if STRICT.contains(&shape.name) { 0.0 } else { 1.0 };
     assert!(seen.fall <= may_fall, "{name}: falls by {} steps towards the middle", seen.fall);
     println!("{name}: {:.3}", seen.error);
-    seen.error
+    bounds::broken("fractions", shape.name, "fx32", &[seen.error])
 }
 
 #[test]
 fn fx32_keeps_its_roundings_over_every_fraction() {
-    let measured = [
-        ("soft", fraction_error(&Shape::plain("soft", Soft, reference::soft))),
-        ("hard", fraction_error(&Shape::plain("hard", Hard, reference::hard))),
-        ("linear", fraction_error(&Shape::plain("linear", Linear, reference::linear))),
-        ("smooth", fraction_error(&Shape::plain("smooth", Smooth, reference::smooth))),
-        ("blend", fraction_error(&Shape::plain("blend", profiles::blend(), reference::blend))),
-        ("cubic", fraction_error(&Shape::plain("cubic", profiles::cubic(), reference::cubic))),
-        ("power 4", fraction_error(&Shape::plain("power 4", Power::<4>, reference::power_4))),
-        ("power 15", fraction_error(&Shape::plain("power 15", Power::<15>, reference::power_15))),
-        ("rim 4", fraction_error(&Shape::plain("rim 4", InvertedPower::<4>, reference::rim_4))),
-        ("table", fraction_error(&Shape::plain("table", profiles::table(), reference::table))),
-    ];
-    let broken = measured.iter().zip(FRACTIONS).filter_map(|((name, error), (row, bound))| {
-        assert_eq!(*name, row);
-        bounds::check(name, *error, bound).err()
-    });
-    assert_kept(broken.collect());
+    macro_rules! rows {
+        ($($(#[$doc:meta])* $variant:ident($type:ty) = $name:literal, $sample:expr, $truth:expr;)*) => {
+            [$(fraction_error(&Shape::<$type>::plain($name, sound($sample), $truth))),*]
+        };
+    }
+    let broken = luminaire::constant_falloffs!(rows).concat();
+    assert_kept(
+        [broken, fraction_error(&Shape::plain("power-15", Power::<15>, reference::power_15))].concat(),
+    );
 }
 
 /// How far a displayed code is from the exact one before it is rounded, in eight bits, in the five of RGB565

@@ -58,8 +58,8 @@ fn limit<S: Format, P: Falloff>(shape: &Shape<P>) -> [Column; 2] {
 /// its row in the table of bounds, and what the length of its directions is off: `|l| = 1 + e` stretches
 /// every versine by `e`.
 fn own<S: Format, P: Falloff>(shape: &Shape<P>, half_degrees: f32) -> [f64; 2] {
-    let row = bounds::ROWS.iter().find(|row| row.profile == shape.name && row.format == S::NAME);
-    let falloff = row.expect("every profile has a row").falloff * f64::from(S::STEP);
+    let row = bounds::of("falloff", shape.name, S::NAME).expect("every falloff has a row");
+    let falloff = row[0] * f64::from(S::STEP);
     let stretch = beams::operation::<S>("ray direction, its length");
     let [linear, codes] =
         limits::largest_change(&shape.exactly_at(half_degrees), half_degrees.into(), 0.0, stretch);

@@ -9,10 +9,7 @@ use luminaire::{
         SmoothRange, Windowed,
     },
     dynamic::{AnyLight, CompiledAnyLight, Effect, Effects, RenderPlan, SurfacePoints},
-    falloff::{
-        AnyFalloff, Falloff, FittedFalloff, Hard, InvertedPower, Linear, Power, Smooth, Soft, SoftOrHard,
-        Step,
-    },
+    falloff::{AnyFalloff, Falloff, Linear, Soft},
     haze::{Haze, ViewRay, ViewRays},
     light::{Incident, LightModel, SurfacePoint},
     projector::{Fixture, Gobo, Projection},
@@ -205,6 +202,8 @@ fn beams_show_in_many_rays_as_in_each() {
 /// whose exponent is not, which may be rounded otherwise.
 #[test]
 fn any_profile_is_what_it_was() {
+    #[allow(unused_imports, clippy::wildcard_imports, reason = "what the rows of the list are made of")]
+    use luminaire::{falloff::*, models::*};
     fn assert_within<P: Falloff + Into<AnyFalloff>>(profile: P, most: f32) {
         let typed = Cone::from_outer(profile, sweep::half(30.0)).expect("sound");
         let chosen = typed.with_profile(profile.into());
@@ -224,20 +223,13 @@ fn any_profile_is_what_it_was() {
     fn assert_same<P: Falloff + Into<AnyFalloff>>(profile: P) {
         assert_within(profile, 0.0);
     }
-    assert_same(Step);
-    assert_same(Linear);
-    assert_same(Soft);
-    assert_same(Hard);
-    assert_same(Smooth);
-    assert_same(profiles::blend());
-    assert_same(profiles::cubic());
-    assert_same(profiles::integer_power());
-    assert_same(profiles::integer_rim());
-    assert_same(profiles::mixed_power());
-    assert_same(profiles::mixed_rim());
-    assert_same(profiles::real_power());
-    assert_same(profiles::real_rim());
-    assert_same(profiles::table());
+    macro_rules! rows {
+        ($($(#[$doc:meta])* $variant:ident($type:ty) = $name:literal, $sample:expr, $truth:expr $(, any $any:expr)?
+           $(, constant $constant:ty = $its_name:literal, $value:expr, $its_truth:expr)?;)*) => {
+            $(assert_same::<$type>(profiles::sound($sample));)*
+        };
+    }
+    luminaire::falloffs!(rows);
     assert_same(SoftOrHard::Soft);
     assert_same(SoftOrHard::Hard);
     assert_within(Power::<1>, 4e-7);
@@ -264,24 +256,13 @@ fn a_lamp_calls_for_what_it_is() -> Result<(), Error> {
     let names: Vec<_> = AnyFalloff::samples()
         .map(|profile| Ok(AnyLight::from(spot(profile)?).effects().to_string()))
         .collect::<Result<_, Error>>()?;
-    let profiles = [
-        "cut-off",
-        "linear",
-        "soft",
-        "hard",
-        "smooth",
-        "blend",
-        "cubic",
-        "power",
-        "rim",
-        "mixed-power",
-        "mixed-rim",
-        "real-power",
-        "real-rim",
-        "table",
-    ];
-    let expected = profiles.map(|profile| format!("diffuse, spot, {profile}, inverse-square"));
-    assert_eq!(names, expected);
+    macro_rules! rows {
+        ($($(#[$doc:meta])* $variant:ident($type:ty) = $name:literal, $sample:expr, $truth:expr $(, any $any:expr)?
+           $(, constant $constant:ty = $its_name:literal, $value:expr, $its_truth:expr)?;)*) => {
+            [$(concat!("diffuse, spot, ", $name, ", inverse-square")),*]
+        };
+    }
+    assert_eq!(names, luminaire::falloffs!(rows));
 
     let names: Vec<_> = distances()?
         .into_iter()

@@ -6,7 +6,7 @@ use luminaire::{
     attenuation::{CutAt, FilamentRange, GltfRange, InverseSquare, Polynomial, SmoothRange},
     display::Exposure,
     error::{Expected, Parameter},
-    falloff::{Hard, Soft, SoftOrHard},
+    falloff::{Hard, InvertedPower, Soft, SoftOrHard},
     haze::Haze,
     specular::{BlinnPhong, DifferenceForm, Phong},
 };
@@ -138,6 +138,9 @@ fn a_cone_too_narrow_for_its_format() {
     assert!(Cone::from_outer(Hard, Angle::degrees(shown)).expect("sound").compile::<Fx16>().is_ok());
     assert!(narrow.compile::<f32>().is_ok());
     assert!(narrow.compile::<Fx32>().is_ok());
+    let steep = Cone::from_outer(InvertedPower::<100>, Angle::degrees(180.0)).expect("a sound angle");
+    let error = steep.compile::<Fx16>().expect_err("too steep for 16 bits").to_string();
+    assert!(error.contains("no angle up to 180 degrees is wide enough"), "{error}");
     assert!(
         Cone::from_outer(Hard, Angle::degrees(narrowest * 1.001)).expect("sound").compile::<Fx16>().is_ok()
     );

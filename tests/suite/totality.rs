@@ -15,7 +15,7 @@ use support::with_every_shape;
 use support::{
     arbitrary::{bits, vector},
     format::Format,
-    profiles::Shape,
+    profiles::{STRICT, Shape},
     sweep,
 };
 
@@ -78,8 +78,7 @@ fn every_bit_pattern_has_an_answer_in_fx16() {
 /// Exactly one on the axis, exactly zero at the edge and beyond, never rising between: without exception for soft, hard,
 /// linear and powers, by a step of the format at most for the others.
 fn assert_exact_at_both_ends<S: Format, P: Falloff>(shape: &Shape<P>) {
-    let strict = !["smooth", "blend", "cubic", "mixed power", "mixed rim", "table"].contains(&shape.name);
-    let slack = if strict { 0.0 } else { f64::from(S::STEP) };
+    let slack = if STRICT.contains(&shape.name) { 0.0 } else { f64::from(S::STEP) };
     for degrees in sweep::HALF_ANGLES.into_iter().chain([90.0]) {
         let cone = shape.at(degrees);
         let Ok(falloff) = cone.compile::<S>() else { continue };

@@ -65,8 +65,8 @@ pub fn versine_bound<S: Scalar>(half_degrees: f64) -> f64 {
     // On a common grid f32 has the difference of light and point exactly.
     let direction = if S::NAME == "f32" { 5.3e-8 } else { f64::from(S::DIRECTION_ERROR) };
     let direction = steepness * direction / half_degrees.to_radians();
-    let own = bounds::ROWS.iter().find(|row| row.profile == "soft" && row.format == S::NAME);
-    let own = own.expect("the soft edge has a row").falloff * f64::from(S::STEP);
+    let own =
+        bounds::of("falloff", "soft", S::NAME).expect("the soft edge has a row")[0] * f64::from(S::STEP);
     let lengths = ["length of an axis", "outer versine from the outer angle"].map(figure).iter().sum::<f64>();
     direction + 0.5 * (operation::<S>("ray direction, its length") + lengths) + own
 }

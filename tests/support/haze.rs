@@ -14,30 +14,6 @@ const fn row(name: &'static str, errors: [f64; HALF_ANGLES.len()]) -> Row {
     Row { name, errors }
 }
 
-/// Every cone, by the inverse-square law. Degrees: 0.1, 1, 7.5, 22, 45, 90
-#[rustfmt::skip]
-pub const CONES: [Row; 19] = [
-    row("soft",              [7.0e-4, 5.3e-5, 1.1e-5, 4.4e-6, 3.7e-6, 2.0e-5]),
-    row("hard",              [1.2e-3, 6.3e-5, 8.4e-6, 4.3e-6, 3.2e-6, 9.7e-6]),
-    row("linear",            [8.1e-4, 5.2e-5, 8.8e-6, 4.4e-6, 3.3e-6, 2.4e-6]),
-    row("cut-off",           [5.5e-3, 3.4e-4, 6.2e-6, 1.5e-5, 3.1e-6, 2.3e-4]),
-    row("smooth",            [8.8e-4, 5.8e-5, 1.1e-5, 5.2e-6, 3.1e-6, 8.0e-5]),
-    row("blend",             [7.2e-4, 4.5e-5, 9.6e-6, 4.4e-6, 3.5e-6, 9.2e-6]),
-    row("cubic",             [5.8e-4, 5.0e-5, 8.2e-6, 2.7e-6, 4.8e-6, 1.8e-4]),
-    row("power 4",           [6.1e-4, 6.8e-5, 1.1e-5, 3.0e-6, 7.4e-6, 2.1e-4]),
-    row("power 15",          [1.8e-3, 6.2e-4, 1.3e-4, 1.6e-4, 2.8e-4, 7.8e-4]),
-    row("rim 4",             [1.5e-3, 6.4e-5, 9.6e-6, 4.0e-6, 2.8e-6, 6.5e-6]),
-    row("integer power 15",  [1.8e-3, 6.2e-4, 1.3e-4, 1.6e-4, 2.8e-4, 7.8e-4]),
-    row("integer rim 4",     [1.5e-3, 6.4e-5, 9.6e-6, 4.0e-6, 2.8e-6, 6.5e-6]),
-    row("mixed power",       [7.2e-4, 3.4e-4, 3.3e-4, 3.1e-4, 2.3e-4, 2.5e-3]),
-    row("mixed rim",         [1.3e-3, 6.4e-5, 8.4e-6, 4.6e-6, 3.3e-6, 6.5e-6]),
-    row("table",             [5.5e-3, 5.6e-3, 4.6e-3, 4.4e-3, 3.4e-3, 5.2e-3]),
-    row("soft, hotspot",     [9.6e-4, 5.3e-5, 1.5e-5, 6.1e-6, 3.4e-6, 1.1e-5]),
-    row("soft, delimited",   [1.3e-3, 3.0e-4, 8.0e-6, 5.0e-6, 1.6e-6, 3.4e-6]),
-    row("OpenGL 15",         [5.5e-3, 3.4e-4, 5.9e-6, 6.4e-6, 1.3e-5, 7.8e-4]),
-    row("power 128",         [2.1e-3, 8.2e-4, 7.9e-4, 7.9e-4, 7.8e-4, 8.3e-4]),
-];
-
 /// The soft edge by another distance model, along rays of up to 30 units.
 #[rustfmt::skip]
 pub const DISTANCES: [Row; 7] = [

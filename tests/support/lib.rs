@@ -8,7 +8,6 @@ pub mod bounds;
 pub mod critical;
 pub mod cubics;
 pub mod every;
-pub mod every_falloff;
 pub mod format;
 pub mod gobos;
 pub mod haze;

@@ -3,10 +3,7 @@
 use super::{reference, sweep};
 use luminaire::{
     Cone,
-    falloff::{
-        Cubic, Falloff, IntegerPower, InvertedIntegerPower, InvertedMixedPower, InvertedRealPower,
-        MixedPower, Power, Quadratic, RealPower, Table,
-    },
+    falloff::{Cubic, Falloff, Power, Quadratic},
 };
 
 pub fn blend() -> Quadratic {
@@ -15,34 +12,6 @@ pub fn blend() -> Quadratic {
 
 pub fn cubic() -> Cubic {
     Cubic::with_slopes(1.25, 3.5).expect("sound slopes")
-}
-
-pub fn integer_power() -> IntegerPower {
-    IntegerPower::new(15).expect("a sound exponent")
-}
-
-pub fn integer_rim() -> InvertedIntegerPower {
-    InvertedIntegerPower::new(4).expect("a sound exponent")
-}
-
-pub fn mixed_power() -> MixedPower {
-    MixedPower::new([1, 16], 0.375).expect("a sound mixture")
-}
-
-pub fn mixed_rim() -> InvertedMixedPower {
-    InvertedMixedPower::new([2, 3], 0.5625).expect("a sound mixture")
-}
-
-pub fn real_power() -> RealPower {
-    RealPower::new(2.2).expect("a sound exponent")
-}
-
-pub fn real_rim() -> InvertedRealPower {
-    InvertedRealPower::new(0.75).expect("a sound exponent")
-}
-
-pub fn table() -> Table<'static> {
-    Table::new(&reference::SAMPLES).expect("sound samples")
 }
 
 /// A cone of the kernel and what it stands for, both made of the outer half angle in degrees.
@@ -128,53 +97,60 @@ fn exact_delimited(profile: reference::Falloff, outer: f64) -> reference::Cone {
     reference::Cone { limit, ..reference::Cone::new(profile, outer) }
 }
 
-/// The answers of a generic function to every shape: each profile plain, one with a hotspot, one delimited, and
-/// OpenGL's.
+/// The shapes that never rise towards the edge; the others do by a step of the format at most.
+pub const STRICT: [&str; 12] = [
+    "soft",
+    "hard",
+    "linear",
+    "cut-off",
+    "power",
+    "power-4",
+    "power-15",
+    "rim",
+    "rim-4",
+    "soft-hotspot",
+    "soft-delimited",
+    "opengl-15",
+];
+
+/// Parameters of the list are sound.
+pub fn sound<T>(sample: Result<T, luminaire::Error>) -> T {
+    sample.expect("the parameters of the list are sound")
+}
+
+/// The answers of a generic function to every shape: each falloff of the list plain, a power of an odd exponent, the soft
+/// edge around a hotspot and cut off, and OpenGL's.
 #[macro_export]
 macro_rules! with_every_shape {
     ($function:ident :: <$format:ty>) => {
-        $crate::with_every_shape!(@ $function::<$format, _>)
+        luminaire::falloffs!($crate::shapes; [$function::<$format, _>])
     };
     ($function:ident) => {
-        $crate::with_every_shape!(@ $function)
+        luminaire::falloffs!($crate::shapes; [$function])
     };
-    (@ $($function:tt)*) => {{
-        use luminaire::falloff::{Hard, InvertedPower, Linear, Power, Smooth, Soft, Step};
-        use $crate::{
-            profiles::{self, Shape},
-            reference,
-        };
+}
+
+/// [`with_every_shape!`] of the rows of the list.
+#[macro_export]
+macro_rules! shapes {
+    (@call [$($function:tt)*] $shape:expr) => {
+        $($function)*(&$shape)
+    };
+    ($function:tt
+     $($(#[$doc:meta])* $variant:ident($type:ty) = $name:literal, $sample:expr, $truth:expr $(, any $any:expr)?
+       $(, constant $constant:ty = $its_name:literal, $value:expr, $its_truth:expr)?;)*) => {{
+        #[allow(unused_imports, clippy::wildcard_imports, reason = "what the rows are made of")]
+        use luminaire::{falloff::*, models::*};
+        use $crate::{profiles::{Shape, sound}, reference};
         [
-            $($function)*(&Shape::plain("soft", Soft, reference::soft)),
-            $($function)*(&Shape::plain("hard", Hard, reference::hard)),
-            $($function)*(&Shape::plain("linear", Linear, reference::linear)),
-            $($function)*(&Shape::plain("cut-off", Step, reference::cut_off)),
-            $($function)*(&Shape::plain("smooth", Smooth, reference::smooth)),
-            $($function)*(&Shape::plain("blend", profiles::blend(), reference::blend)),
-            $($function)*(&Shape::plain("cubic", profiles::cubic(), reference::cubic)),
-            $($function)*(&Shape::plain("power 4", Power::<4>, reference::power_4)),
-            $($function)*(&Shape::plain("power 15", Power::<15>, reference::power_15)),
-            $($function)*(&Shape::plain("rim 4", InvertedPower::<4>, reference::rim_4)),
-            $($function)*(&Shape::plain(
-                "integer power 15",
-                profiles::integer_power(),
-                reference::power_15,
-            )),
-            $($function)*(&Shape::plain(
-                "integer rim 4",
-                profiles::integer_rim(),
-                reference::rim_4,
-            )),
-            $($function)*(&Shape::plain(
-                "mixed power",
-                profiles::mixed_power(),
-                reference::mixed_power,
-            )),
-            $($function)*(&Shape::plain("mixed rim", profiles::mixed_rim(), reference::mixed_rim)),
-            $($function)*(&Shape::plain("table", profiles::table(), reference::table)),
-            $($function)*(&Shape::hotspot("soft, hotspot", Soft, reference::soft)),
-            $($function)*(&Shape::delimited("soft, delimited", Soft, reference::soft)),
-            $($function)*(&Shape::<Power<15>>::opengl("OpenGL 15", reference::power_15)),
+            $(
+                $crate::shapes!(@call $function Shape::<$type>::plain($name, sound($sample), $truth)),
+                $($crate::shapes!(@call $function Shape::<$constant>::plain($its_name, $value, $its_truth)),)?
+            )*
+            $crate::shapes!(@call $function Shape::plain("power-15", Power::<15>, reference::power_15)),
+            $crate::shapes!(@call $function Shape::hotspot("soft-hotspot", Soft, reference::soft)),
+            $crate::shapes!(@call $function Shape::delimited("soft-delimited", Soft, reference::soft)),
+            $crate::shapes!(@call $function Shape::<Power<15>>::opengl("opengl-15", reference::power_15)),
         ]
     }};
 }

@@ -55,28 +55,6 @@ pub fn rim_4(t: f64) -> f64 {
     1.0 - (1.0 - t).powi(4)
 }
 
-/// A share of 3/8 of the sixteenth power in a line, which has two hills in its slope.
-pub fn mixed_power(t: f64) -> f64 {
-    0.625 * t + 0.375 * t.powi(16)
-}
-
-/// The second and the third rim power with a share of 9/16 of the latter.
-pub fn mixed_rim(t: f64) -> f64 {
-    let u = 1.0 - t;
-    1.0 - 0.4375 * u.powi(2) - 0.5625 * u.powi(3)
-}
-
-/// A measured fixture: intensities that are evenly spaced in the versine, 65,535 being one.
-pub const SAMPLES: [u16; 10] = [65_535, 65_000, 63_211, 60_007, 51_234, 39_876, 24_321, 11_111, 3_210, 0];
-
-/// Linear interpolation in [`SAMPLES`].
-pub fn table(t: f64) -> f64 {
-    let place = (1.0 - t) * 9.0;
-    let index = (place.floor() as usize).min(8);
-    let (from, to) = (f64::from(SAMPLES[index]), f64::from(SAMPLES[index + 1]));
-    (from + (to - from) * (place - index as f64)) / 65_535.0
-}
-
 /// 1 - cos of a half angle in degrees.
 pub fn versine(half_degrees: f64) -> f64 {
     let sine = (half_degrees.to_radians() / 2.0).sin();

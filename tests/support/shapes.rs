@@ -1,43 +1,24 @@
 //! Falloffs of every kind at random.
 
 use fastrand::Rng;
-use luminaire::falloff::{
-    AnyFalloff, Cubic, Hard, IntegerPower, InvertedIntegerPower, InvertedMixedPower, Linear, MixedPower,
-    Quadratic, Smooth, Soft, Table,
-};
+use luminaire::falloff::{AnyFalloff, Falloff, Formula, Table};
 
-/// The largest exponent of a power.
-const MOST: u32 = 1_024;
-
-/// A random falloff, its tables from a list.
+/// A random falloff of the list, its tables from these: one whose intensity is promised everywhere, which those that jump
+/// or have a slope without a bound are not.
 pub fn random(rng: &mut Rng, tables: &[&'static [u16]]) -> AnyFalloff {
-    let exponent = |rng: &mut Rng| (f64::from(MOST).powf(rng.f64()) as u32).max(1);
-    let falloff = match rng.u8(..12) {
-        0 => Ok(Soft.into()),
-        1 => Ok(Hard.into()),
-        2 => Ok(Linear.into()),
-        3 => Ok(Smooth.into()),
-        4 => Quadratic::new(2.0 * rng.f32()).map(AnyFalloff::from),
-        5 => loop {
-            let cubic = Cubic::with_slopes(4.0 * rng.f32(), 4.0 * rng.f32());
-            if cubic.is_ok() {
-                break cubic.map(AnyFalloff::from);
+    loop {
+        match AnyFalloff::drawn(rng.usize(..), || rng.f32()) {
+            Ok(AnyFalloff::Table(_)) => {
+                return Table::new(tables[rng.usize(..tables.len())]).expect("enough samples").into();
             }
-        },
-        6 | 7 => IntegerPower::new(exponent(rng)).map(AnyFalloff::from),
-        8 => InvertedIntegerPower::new(exponent(rng)).map(AnyFalloff::from),
-        kind @ (9 | 10) => {
-            let (low, share) = (rng.u32(1..MOST), rng.f32());
-            let exponents = [low, rng.u32(low + 1..=MOST)];
-            if kind == 9 {
-                MixedPower::new(exponents, share).map(AnyFalloff::from)
-            } else {
-                InvertedMixedPower::new(exponents, share).map(AnyFalloff::from)
-            }
+            Ok(AnyFalloff::Step(_)) | Err(_) => {}
+            Ok(falloff) => match falloff.formula() {
+                Formula::Power(exponent) | Formula::InvertedPower(exponent, _) if exponent < 1.0 => {}
+                Formula::MixedPower([0, _], _) => {}
+                _ => return falloff,
+            },
         }
-        _ => Table::new(tables[rng.usize(..tables.len())]).map(AnyFalloff::from),
-    };
-    falloff.expect("sound parameters")
+    }
 }
 
 /// Tables with steps, hills and gaps.

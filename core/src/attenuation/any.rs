@@ -1,5 +1,7 @@
 //! An attenuation chosen at run time.
 
+use core::fmt::{self, Formatter};
+
 use super::{
     Attenuation, CutAt, FilamentRange, GltfRange, InverseSquare, NoAttenuation, Polynomial, SmoothRange,
     Windowed,
@@ -8,11 +10,12 @@ use crate::{
     effect::Effects,
     models::attenuations,
     number::{Ray, Scalar},
+    source::{Source, call, named},
 };
 
 /// The enums of the list, and what is one arm a row.
 macro_rules! any_attenuation {
-    ($($(#[$doc:meta])* $variant:ident($type:ty) = $sample:expr
+    ($($(#[$doc:meta])* $variant:ident($type:ty) = any $any:expr
        $(, $(#[$its_doc:meta])* $constant:ty = $its_name:literal, $value:expr)*;)*) => {
         /// Any attenuation, chosen at run time: that of a light of [another system](crate::import), or of a
         /// [`AnyLight`](crate::dynamic::AnyLight).
@@ -39,10 +42,40 @@ macro_rules! any_attenuation {
         })*
 
         impl AnyAttenuation {
+            /// How many there are.
+            #[cfg(feature = "arithmetic")]
+            pub const COUNT: usize = [$(stringify!($variant)),*].len();
+
+            /// The attenuation with this index, modulo their count, of numbers in [0, 1).
+            ///
+            /// # Errors
+            /// Parameters that are refused.
+            #[cfg(feature = "arithmetic")]
+            pub fn drawn(index: usize, mut number: impl FnMut() -> f32) -> Result<Self, crate::error::Error> {
+                use crate::models::{draw, range};
+                let (index, mut rows) = (index % Self::COUNT, 0..);
+                $(
+                    if rows.next() == Some(index) {
+                        return draw(&mut number, $any).map(Self::$variant);
+                    }
+                )*
+                Ok(NoAttenuation.into())
+            }
+
             /// Where the light ends, if it does.
             pub fn range(&self) -> Option<f32> {
                 match self {
                     $(Self::$variant(attenuation) => Attenuation::range(attenuation),)*
+                }
+            }
+        }
+
+        impl<S: Scalar<Gain: Source>> Source for CompiledAnyAttenuation<S> {
+            fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
+                match self {
+                    $(Self::$variant(constants) => {
+                        call(out, concat!("CompiledAnyAttenuation::", stringify!($variant)), &[constants])
+                    })*
                 }
             }
         }
@@ -107,7 +140,7 @@ macro_rules! any_attenuation {
 /// Evaluates an expression with the constants of a [`CompiledAnyAttenuation`] and the type of the attenuation.
 macro_rules! with_attenuation {
     ([$compiled:expr, $constants:ident, $type:ident, $answer:expr]
-     $($(#[$doc:meta])* $variant:ident($attenuation:ty) = $sample:expr
+     $($(#[$doc:meta])* $variant:ident($attenuation:ty) = any $any:expr
        $(, $(#[$its_doc:meta])* $constant:ty = $its_name:literal, $value:expr)*;)*) => {
         match $compiled {
             $($crate::attenuation::CompiledAnyAttenuation::$variant($constants) => {
@@ -126,6 +159,7 @@ macro_rules! with_attenuation {
 pub(crate) use with_attenuation;
 
 attenuations!(any_attenuation);
+named!(AnyAttenuation);
 
 /// An attenuation that has no range of its own is one without a range.
 macro_rules! from_unlimited {

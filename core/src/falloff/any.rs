@@ -1,10 +1,8 @@
 //! A falloff chosen at run time.
 
-use super::{
-    Cubic, Curve, Falloff, FittedFalloff, Hard, IntegerPower, InvertedIntegerPower, InvertedMixedPower,
-    InvertedPower, InvertedRealPower, Linear, MixedPower, Power, Quadratic, RealPower, Smooth, Soft,
-    SoftOrHard, Step, Table, choice::choice, power::sound,
-};
+#[allow(clippy::wildcard_imports, reason = "the types of the list")]
+use super::*;
+use super::{choice::choice, power::sound};
 use crate::{
     effect::Effect,
     error::Error,

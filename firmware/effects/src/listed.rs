@@ -53,7 +53,7 @@ macro_rules! falloffs {
 luminaire::constant_falloffs!(falloffs);
 
 macro_rules! attenuations {
-    ($($(#[$doc:meta])* $variant:ident($run_time:ty) = $sample:expr
+    ($($(#[$doc:meta])* $variant:ident($run_time:ty) = any $any:expr
        $(, $(#[$its_doc:meta])* $type:ty = $name:literal, $value:expr)*;)*) => {
         $($(impl Listed for $type {
             const NAME: &'static str = concat!("spot-soft-lambert-", $name);

@@ -7,10 +7,7 @@ use luminaire::codegen::{FloatFrame, FloatRamp, Frame16, Frame32, Gain16, Gain32
 use luminaire::number::{Length, Light16, Light32, Weight16, Weight32};
 use luminaire::{
     Fx16, Fx32, Rgb, Scalar, Vec3,
-    attenuation::{
-        AnyAttenuation, Attenuation, CutAt, FilamentRange, GltfRange, InverseSquare, NoAttenuation,
-        Polynomial, SmoothRange, Windowed,
-    },
+    attenuation::{AnyAttenuation, Attenuation, NoAttenuation},
     falloff::{AnyFalloff, Cubic, Falloff, Knot, Linear, Quadratic, Table},
     light::{CompiledCone, CompiledPointLight, CompiledSpotLight},
 };
@@ -148,19 +145,7 @@ impl Bits {
     /// Any distance model; none in place of one that is refused.
     #[inline(never)]
     pub fn any_distance(&mut self) -> AnyAttenuation {
-        let [a, b, c] = from_fn(|_| self.float());
-        let range = self.any_range();
-        let polynomial = Polynomial::new(a, b, c);
-        let made = match self.choice(8) {
-            0 => CutAt::new(NoAttenuation, range).map(AnyAttenuation::from),
-            1 => CutAt::new(InverseSquare, range).map(AnyAttenuation::from),
-            2 => polynomial.and_then(|polynomial| CutAt::new(polynomial, range)).map(AnyAttenuation::from),
-            3 => GltfRange::new(InverseSquare, range).map(AnyAttenuation::from),
-            4 => Windowed::new(NoAttenuation, range).map(AnyAttenuation::from),
-            5 => FilamentRange::new(InverseSquare, range).map(AnyAttenuation::from),
-            6 => polynomial.and_then(|polynomial| Windowed::new(polynomial, range)).map(AnyAttenuation::from),
-            _ => SmoothRange::new(a).map(AnyAttenuation::from),
-        };
+        let made = AnyAttenuation::drawn(self.integer() as usize, || self.float());
         made.unwrap_or(NoAttenuation.into())
     }
 }

@@ -6,20 +6,14 @@ use luminaire::codegen::{Named, SourceScalar};
 use luminaire::{
     AmbientLight, Angle, Cone, DirectionalLight, Error, Fx16, Fx32, Material, PointLight, Rgb, SpotLight,
     Vec3,
-    attenuation::{
-        Attenuation, CutAt, FilamentRange, GltfRange, InverseSquare, NoAttenuation, Polynomial, SmoothRange,
-    },
     codegen::Source,
     display::Exposure,
-    falloff::{
-        Cubic, Falloff, Hard, InvertedPower, Knot, Linear, Power, Quadratic, Smooth, Soft, SoftOrHard, Step,
-        Table,
-    },
     haze::Haze,
     light::CompiledSpotLight,
     projector::{Gobo, Projection, Shadow},
-    specular::{BlinnPhong, DifferenceForm, DualConeLobe, Phong, SpecularLobe},
 };
+#[allow(unused_imports, clippy::wildcard_imports, reason = "what the rows of the lists are made of")]
+use luminaire::{attenuation::*, falloff::*, models::*, specular::*};
 
 /// What is done with each value.
 pub(crate) trait Visit {
@@ -66,36 +60,45 @@ fn beams(visit: &mut impl Visit) -> Result<(), Error> {
 }
 
 fn of_format<S: SourceScalar>(visit: &mut impl Visit) -> Result<(), Error> {
-    spots::<S, _>(visit, Soft)?;
-    spots::<S, _>(visit, Hard)?;
-    spots::<S, _>(visit, Linear)?;
-    spots::<S, _>(visit, Step)?;
-    spots::<S, _>(visit, Smooth)?;
-    spots::<S, _>(visit, Quadratic::new(0.3)?)?;
-    spots::<S, _>(visit, Cubic::with_slopes(1.25, 3.5)?)?;
-    spots::<S, _>(visit, Power::<4>)?;
-    spots::<S, _>(visit, Power::<15>)?;
-    spots::<S, _>(visit, InvertedPower::<4>)?;
-    spots::<S, _>(visit, Table::of(&SAMPLES))?;
-    spots::<S, _>(visit, Table::of_knots(&KNOTS))?;
-    spots::<S, _>(visit, SoftOrHard::Hard)?;
+    macro_rules! falloffs {
+        ($($(#[$doc:meta])* $variant:ident($type:ty) = $name:literal, $sample:expr, $truth:expr;)*) => {
+            $(spots::<S, $type>(visit, $sample)?;)*
+        };
+    }
+    luminaire::constant_falloffs!(falloffs);
+    for sample in AnyFalloff::samples() {
+        spots::<S, _>(visit, Ok(sample))?;
+    }
+    spots::<S, _>(visit, Quadratic::new(0.3))?;
+    spots::<S, _>(visit, Ok(Power::<15>))?;
+    spots::<S, _>(visit, Ok(Table::of_knots(&KNOTS)))?;
+    spots::<S, _>(visit, Ok(SoftOrHard::Hard))?;
     for field in [20.0, 29.0] {
         spots::<S, _>(
             visit,
-            Cone::from_beam_and_field(Angle::degrees(14.0), Angle::degrees(field))?.profile(),
+            Cone::from_beam_and_field(Angle::degrees(14.0), Angle::degrees(field)).map(|cone| cone.profile()),
         )?;
     }
-    at_distances::<S, _>(visit, NoAttenuation)?;
-    at_distances::<S, _>(visit, InverseSquare)?;
-    at_distances::<S, _>(visit, Polynomial::new(1.0, 0.2, 0.03)?)?;
-    at_distances::<S, _>(visit, SmoothRange::new(9.0)?)?;
-    at_distances::<S, _>(visit, GltfRange::new(InverseSquare, None)?)?;
-    at_distances::<S, _>(visit, FilamentRange::new(InverseSquare, Some(12.5))?)?;
-    at_distances::<S, _>(visit, CutAt::new(GltfRange::new(InverseSquare, Some(8.0))?, Some(6.0))?)?;
-    surfaces::<S, _>(visit, Phong)?;
-    surfaces::<S, _>(visit, BlinnPhong)?;
-    surfaces::<S, _>(visit, DualConeLobe)?;
-    surfaces::<S, _>(visit, DifferenceForm::<_, 3>(Phong))?;
+    macro_rules! attenuations {
+        ($($(#[$doc:meta])* $variant:ident($run_time:ty) = any $any:expr
+           $(, $(#[$its_doc:meta])* $type:ty = $name:literal, $value:expr)*;)*) => {
+            $($(at_distances::<S, $type>(visit, $value)?;)*)*
+        };
+    }
+    luminaire::attenuations!(attenuations);
+    at_distances::<S, _>(visit, Ok(NoAttenuation))?;
+    at_distances::<S, _>(visit, GltfRange::new(InverseSquare, None))?;
+    let window = GltfRange::new(InverseSquare, Some(8.0))?;
+    at_distances::<S, _>(visit, CutAt::new(window, Some(6.0)))?;
+    for index in 0..AnyAttenuation::COUNT {
+        at_distances::<S, _>(visit, AnyAttenuation::drawn(index, || 0.5))?;
+    }
+    macro_rules! lobes {
+        ($($(#[$doc:meta])* $type:ty = $name:literal, $value:expr;)*) => {
+            $(surfaces::<S, $type>(visit, $value)?;)*
+        };
+    }
+    luminaire::lobes!(lobes);
     for (index, (degrees, roll)) in [(1.5, 0.0), (40.0, 90.0), (160.0, -10.0)].into_iter().enumerate() {
         let spot =
             SpotLight::new(PLACES[index], AXES[index], Cone::from_outer(Step, Angle::degrees(degrees))?)?;
@@ -123,11 +126,14 @@ fn of_format<S: SourceScalar>(visit: &mut impl Visit) -> Result<(), Error> {
 }
 
 /// A profile over the whole cone, around a hotspot, and delimited.
-fn spots<S: SourceScalar, P: Falloff + Source>(visit: &mut impl Visit, profile: P) -> Result<(), Error>
+fn spots<S: SourceScalar, P: Falloff + Source>(
+    visit: &mut impl Visit,
+    profile: Result<P, Error>,
+) -> Result<(), Error>
 where
     P::Compiled<S>: Source,
 {
-    let plain = Cone::from_outer(profile, Angle::degrees(40.0))?;
+    let plain = Cone::from_outer(profile?, Angle::degrees(40.0))?;
     let hotspot = plain.with_inner(Angle::degrees(13.0))?;
     let delimited = plain.with_cutoff(Angle::degrees(31.0))?;
     for (index, cone) in [plain, hotspot, delimited].into_iter().enumerate() {
@@ -141,11 +147,12 @@ where
 /// A distance model, of a spotlight and of a point light.
 fn at_distances<S: SourceScalar, A: Attenuation + Named>(
     visit: &mut impl Visit,
-    attenuation: A,
+    attenuation: Result<A, Error>,
 ) -> Result<(), Error>
 where
     A::Constants<S>: Source,
 {
+    let attenuation = attenuation?;
     let cone = Cone::from_field(Soft, Angle::degrees(36.0))?;
     let spot = SpotLight::new(PLACES[0], AXES[0], cone)?.with_attenuation(attenuation).with_color(AMBER)?;
     visit.value(format!("{} {spot:?}", S::NAME), spot.compile::<S>()?);

@@ -116,5 +116,5 @@ fn godot_loses_a_lamp_whose_angles_round_to_one() {
 fn godot_raises_zero_to_the_power_of_zero() {
     assert!(godot(0.0, 0.0, 1.0, 0.9).is_nan());
     assert_fault(godot(1e-4, 0.1, 1.0, 0.9), 0.60..=0.61);
-    assert_eq!(Case::open("rim 4", InvertedPower::<4>, reference::rim_4, 30.0).held_by(), ALL);
+    assert_eq!(Case::open("rim-4", InvertedPower::<4>, reference::rim_4, 30.0).held_by(), ALL);
 }

@@ -7,7 +7,7 @@ use luminaire::{
     falloff::{Linear, Smooth, Soft},
 };
 use support::{
-    bounds::{REFUSE, ROWS},
+    bounds::{self, REFUSE},
     format::Format,
     reference::{self, Vector, dot, minus, unit},
     sweep::{self, HALF_ANGLES},
@@ -71,11 +71,11 @@ fn versine_form<S: Format>(half_degrees: f32) -> Option<f64> {
 fn held_by(half_degrees: f32) -> Vec<&'static str> {
     fn held<S: Format>(half_degrees: f32) -> Option<&'static str> {
         let column = HALF_ANGLES.iter().position(|&half| half == half_degrees).expect("a column");
-        let row = ROWS.iter().find(|row| row.profile == "soft" && row.format == S::NAME).expect("a row");
+        let bound = bounds::of("spot", "soft", S::NAME).expect("a row")[column];
         let error = versine_form::<S>(half_degrees);
-        assert_eq!(error.is_none(), row.spot[column] == REFUSE);
+        assert_eq!(error.is_none(), bound == REFUSE);
         let error = error?;
-        assert!(error <= row.spot[column], "{}: {error:.2e}", S::NAME);
+        assert!(error <= bound, "{}: {error:.2e}", S::NAME);
         Some(S::NAME)
     }
     [held::<f32>(half_degrees), held::<Fx32>(half_degrees), held::<Fx16>(half_degrees)]

@@ -88,7 +88,7 @@ fn attenuations() -> Vec<Entry> {
         }
     }
     macro_rules! rows {
-        ($($(#[$doc:meta])* $variant:ident($run_time:ty) = $sample:expr
+        ($($(#[$doc:meta])* $variant:ident($run_time:ty) = any $any:expr
            $(, $(#[doc = $what:literal])* $type:ty = $name:literal, $value:expr)*;)*) => {
             vec![$($(row::<$type>(
                 ($name, concat!("spot-soft-lambert-", $name), stringify!($type)),

@@ -79,7 +79,7 @@ fn listed<S: Raw>(bits: &mut Bits) {
     }
     luminaire::constant_falloffs!(falloffs);
     macro_rules! attenuations {
-        ($($(#[$doc:meta])* $variant:ident($run_time:ty) = $sample:expr
+        ($($(#[$doc:meta])* $variant:ident($run_time:ty) = any $any:expr
            $(, $(#[$its_doc:meta])* $type:ty = $name:literal, $value:expr)*;)*) => {
             $($(
                 let value: Result<$type, Error> = $value;
