@@ -27,7 +27,7 @@ impl<P: Shape> DoubleFalloff<P> {
 
     #[inline(always)]
     fn at(&self, versine: f64) -> f64 {
-        if versine < self.outer { P::truth((self.outer - versine) * self.reciprocal) } else { 0.0 }
+        if versine < self.outer { P::double((self.outer - versine) * self.reciprocal) } else { 0.0 }
     }
 }
 

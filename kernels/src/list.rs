@@ -82,7 +82,7 @@ pub fn falloffs(setting: Setting, visitor: &mut impl Visitor) {
 fn shape<P: Shape>(setting: Setting, visitor: &mut impl Visitor) {
     let profile = P::sample();
     let cone = setting.cone(profile);
-    let truth = setting.truth(Model::Profile(P::truth), P::jumps());
+    let truth = setting.truth(Model::Profile(P::exact), P::jumps());
     ours::<Fx16, P>(&cone, &truth, visitor);
     ours::<Fx32, P>(&cone, &truth, visitor);
     ours::<f32, P>(&cone, &truth, visitor);
@@ -108,8 +108,8 @@ fn rivals(setting: Setting, visitor: &mut impl Visitor) {
     let row = |kernel| Row::falloff(kernel, "rival");
     let (exponent, outer) = (setting.exponent(), cosine(setting.outer_versine()));
     let power = setting.truth(Model::CosinePower(exponent.into()), false);
-    let soft = setting.truth(Model::Profile(Soft::truth), false);
-    let smooth = setting.truth(Model::Profile(Smooth::truth), false);
+    let soft = setting.truth(Model::Profile(Soft::exact), false);
+    let smooth = setting.truth(Model::Profile(Smooth::exact), false);
     visitor.falloff(row("powf-libm"), rival::Powf::<rival::Libm>::new(exponent), &power);
     #[cfg(feature = "std")]
     visitor.falloff(row("powf-std"), rival::Powf::<rival::Std>::new(exponent), &power);
@@ -176,7 +176,7 @@ fn light(setting: Setting, population: Population, intensity: f32, falls: bool) 
     oracle::Point {
         position: oracle::widened(POSITION),
         axis: oracle::widened(AXIS),
-        falloff: setting.truth(Model::Profile(Soft::truth), false),
+        falloff: setting.truth(Model::Profile(Soft::exact), false),
         intensity: intensity.into(),
         falls,
         highlight: None,

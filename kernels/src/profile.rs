@@ -9,15 +9,20 @@ pub trait Shape: Falloff {
     /// The name on the price list.
     const NAME: &'static str;
 
-    /// The intensity in f64, with as few operations as it takes.
-    fn truth(t: f64) -> f64;
+    /// The intensity in f64, with as few operations as it takes: a kernel.
+    fn double(t: f64) -> f64;
 
     /// The falloff of the list.
     fn sample() -> Self;
 
+    /// The intensity in f64 by the formula: what kernels are compared with.
+    fn exact(t: f64) -> f64 {
+        Self::sample().formula().exact(t)
+    }
+
     /// Whether the intensity jumps at the edge.
     fn jumps() -> bool {
-        Self::truth(f64::MIN_POSITIVE) > 0.5
+        Self::exact(f64::MIN_POSITIVE) > 0.5
     }
 }
 
@@ -27,7 +32,7 @@ macro_rules! shapes {
             const NAME: &'static str = $name;
 
             #[inline(always)]
-            fn truth(t: f64) -> f64 {
+            fn double(t: f64) -> f64 {
                 let truth: fn(f64) -> f64 = $truth;
                 truth(t)
             }
@@ -46,7 +51,7 @@ impl Shape for Power<16> {
     const NAME: &'static str = "power-16";
 
     #[inline(always)]
-    fn truth(t: f64) -> f64 {
+    fn double(t: f64) -> f64 {
         squared(squared(squared(squared(t))))
     }
 

@@ -142,7 +142,7 @@ impl Curve {
     /// The truth about the wall in f64.
     pub(crate) fn truth(self, wall: &Wall) -> oracle::Point {
         let model = match self {
-            Self::Soft => oracle::Model::Profile(Soft::truth),
+            Self::Soft => oracle::Model::Profile(Soft::exact),
             Self::CosinePower => oracle::Model::CosinePower(exponent(wall).into()),
         };
         let outer = wall.spot().cone().outer_versine().into();

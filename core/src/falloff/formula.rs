@@ -6,7 +6,7 @@ use crate::number::Knot;
 
 /// The formula of a falloff as data, for oracles and generated code: a function of `t` in [0, 1], and 0
 /// at `t = 0`.
-#[derive(Clone, Copy, PartialEq, Debug)]
+#[derive(Clone, Copy, Debug)]
 #[non_exhaustive]
 pub enum Formula<'a> {
     /// 1 for `t > 0`.
@@ -24,6 +24,8 @@ pub enum Formula<'a> {
     InvertedMixedPower([u32; 2], f32),
     /// Samples, linear between.
     Table(Table<'a>),
+    /// Anything else, in f64.
+    Function(fn(f64) -> f64),
 }
 
 #[cfg(feature = "libm")]
@@ -53,6 +55,7 @@ impl Formula<'_> {
             Self::InvertedMixedPower(exponents, share) => 1.0 - mixed(1.0 - t, exponents, share),
             Self::Table(table) if table.knots().is_empty() => interpolated(table.samples(), 1.0 - t),
             Self::Table(table) => along(table.knots(), 1.0 - t),
+            Self::Function(exact) => exact(t),
         }
     }
 }
