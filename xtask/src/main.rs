@@ -4,6 +4,7 @@ mod arguments;
 mod browser;
 mod command;
 mod conform;
+mod contributing;
 mod demo;
 mod effects;
 mod firmware;

@@ -10,7 +10,7 @@ use crate::progress::Progress;
 use crate::suite::Suite;
 use crate::tally::Tally;
 use crate::toolchain::Toolchain;
-use crate::{command, conform, demo, effects, firmware, measure, site, size};
+use crate::{command, conform, contributing, demo, effects, firmware, measure, site, size};
 
 /// The smallest processor that is promised: no floating point unit, no division, no atomics.
 const BARE: &str = "thumbv6m-none-eabi";
@@ -37,6 +37,7 @@ pub(crate) fn run(options: &TestOptions) -> ExitCode {
     suite.count("host: cargo test", |progress| {
         cargo_test(&["--workspace", "--no-fail-fast"], options.full, progress)
     });
+    contributing::run(&mut suite, options.full);
     // The other sets differ by what clippy and bare metal check.
     for (name, features) in &FEATURES[1..3] {
         suite.count(&format!("host: luminaire with {name}"), |progress| {

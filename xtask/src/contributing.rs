@@ -1,0 +1,153 @@
+//! The worked example of `CONTRIBUTING.md`, applied to a copy of the tree.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use anyhow::{Context, Result, ensure};
+
+use crate::command;
+use crate::progress::Progress;
+use crate::project;
+use crate::suite::Suite;
+
+/// The most files that a new falloff may touch by hand.
+const MOST_FILES: usize = 3;
+
+/// What is no part of the tree, by the end of its path.
+const NOT_COPIED: [&str; 4] = [".git", "target", "node_modules", "firmware/effects/src/bin"];
+
+/// Adds the steps; the copy passes the host tests in the long run alone.
+pub(crate) fn run(suite: &mut Suite, full: bool) {
+    suite.step("contributing: the worked example compiles for all packages", |progress| {
+        let tree = Tree::with_the_example()?;
+        progress.run(tree.cargo("", &["check", "--workspace", "--all-targets"]))?;
+        progress
+            .run(tree.cargo("firmware", &["check", "--workspace", "--all-targets", "--features", "effects"]))
+    });
+    if full {
+        suite.step("contributing: the worked example passes the host tests", passes);
+    }
+}
+
+fn passes(progress: &Progress) -> Result<()> {
+    let tree = Tree::with_the_example()?;
+    let written: [(&[&str], &str); 2] = [
+        (&["run", "-p", "luminaire-conform", "--bin", "conform", "generate"], "conform/vectors.txt"),
+        (&["run", "-p", "suite", "--example", "worst-places"], "tests/slow/worst/places.txt"),
+    ];
+    for (arguments, file) in written {
+        let written = tree.cargo("", arguments).output().context("cannot start cargo")?;
+        ensure!(written.status.success(), "{}", String::from_utf8_lossy(&written.stderr));
+        fs::write(tree.folder.join(file), written.stdout)?;
+    }
+    let mut test = tree.cargo("", &["test", "--no-fail-fast"]);
+    test.env("LUMINAIRE_BLESS", "1");
+    progress.run(test)
+}
+
+/// A copy of the tree, below the folder of everything that is built.
+struct Tree {
+    folder: PathBuf,
+}
+
+impl Tree {
+    /// The tree as the example leaves it. Files that are as they should be are left alone, so that they are not compiled
+    /// again.
+    fn with_the_example() -> Result<Self> {
+        let page = fs::read_to_string(project::root().join("CONTRIBUTING.md"))?;
+        let example = patched(difference(&page)?)?;
+        ensure!(example.len() <= MOST_FILES, "the example touches {} files", example.len());
+        let tree = Self { folder: project::target().join("contributing") };
+        let mut files = BTreeMap::new();
+        list(project::root(), Path::new(""), &mut files)?;
+        files.extend(example);
+        let mut present = BTreeMap::new();
+        if tree.folder.exists() {
+            list(&tree.folder, Path::new(""), &mut present)?;
+        }
+        for (path, text) in &files {
+            if present.remove(path).as_ref() != Some(text) {
+                let path = tree.folder.join(path);
+                fs::create_dir_all(path.parent().unwrap_or(&path))?;
+                fs::write(path, text)?;
+            }
+        }
+        present.keys().try_for_each(|stale| fs::remove_file(tree.folder.join(stale)))?;
+        Ok(tree)
+    }
+
+    /// A call of cargo in a folder of the tree. What does not depend on the example has been compiled for the tests.
+    fn cargo(&self, folder: &str, arguments: &[&str]) -> Command {
+        let mut cargo = command::cargo(arguments[0]);
+        cargo.args(&arguments[1..]).current_dir(self.folder.join(folder));
+        cargo
+    }
+}
+
+/// The example of the page.
+fn difference(page: &str) -> Result<&str> {
+    let (_, rest) = page.split_once("```diff\n").context("CONTRIBUTING.md has no example")?;
+    let (difference, _) = rest.split_once("```").context("the example of CONTRIBUTING.md does not end")?;
+    Ok(difference)
+}
+
+/// The files that a difference touches, as it leaves them.
+fn patched(difference: &str) -> Result<BTreeMap<PathBuf, Vec<u8>>> {
+    let touched: Vec<_> = difference.lines().filter_map(|line| line.strip_prefix("+++ b/")).collect();
+    let folder = tempfile::tempdir()?;
+    for path in &touched {
+        let (from, to) = (project::root().join(path), folder.path().join(path));
+        fs::create_dir_all(to.parent().unwrap_or(&to))?;
+        if from.exists() {
+            fs::copy(from, to)?;
+        }
+    }
+    let patch = folder.path().join("example.diff");
+    fs::write(&patch, difference)?;
+    let mut git = Command::new("git");
+    git.arg("apply").arg(&patch).current_dir(folder.path()).env("GIT_CEILING_DIRECTORIES", folder.path());
+    let ended = command::capture(git)?;
+    ensure!(ended.success, "the example of CONTRIBUTING.md does not apply:\n{}", ended.output);
+    let read = |path: &&str| Ok((PathBuf::from(path), fs::read(folder.path().join(path))?));
+    touched.iter().map(read).collect()
+}
+
+/// All files below a folder, by their paths in it.
+fn list(root: &Path, folder: &Path, files: &mut BTreeMap<PathBuf, Vec<u8>>) -> Result<()> {
+    for entry in fs::read_dir(root.join(folder))? {
+        let (entry, path) = entry.map(|entry| (entry.file_type(), folder.join(entry.file_name())))?;
+        if NOT_COPIED.iter().any(|name| path.ends_with(name)) {
+            continue;
+        }
+        if entry?.is_dir() {
+            list(root, &path, files)?;
+        } else {
+            let text = fs::read(root.join(&path))?;
+            files.insert(path, text);
+        }
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_example_ends_where_its_block_does() {
+        assert_eq!(difference("a\n```diff\n+b\n```\nc\n").unwrap(), "+b\n");
+        assert!(difference("none").is_err());
+    }
+
+    #[test]
+    fn the_example_applies_to_at_most_three_files() {
+        let page = fs::read_to_string(project::root().join("CONTRIBUTING.md")).unwrap();
+        let files = patched(difference(&page).unwrap()).unwrap();
+        assert!(
+            files.len() <= MOST_FILES && files.contains_key(Path::new("core/src/models.rs")),
+            "{files:?}"
+        );
+    }
+}
