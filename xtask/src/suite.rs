@@ -2,6 +2,7 @@
 
 use std::io::{self, Write};
 use std::process::ExitCode;
+use std::thread;
 use std::time::Instant;
 
 use anyhow::Result;
@@ -17,6 +18,8 @@ pub(crate) struct Suite {
     failures: Vec<String>,
     /// The seconds that each step took.
     times: Vec<(String, f64)>,
+    /// Whether other steps run at the same time.
+    has_company: bool,
 }
 
 /// How many of the slowest steps are listed.
@@ -36,7 +39,14 @@ fn processor_seconds() -> Option<f64> {
 impl Suite {
     /// A suite of all steps, or of those whose name contains `only`.
     pub(crate) fn new(only: Option<String>) -> Self {
-        Self { only, start: Instant::now(), tally: Tally::default(), failures: Vec::new(), times: Vec::new() }
+        Self {
+            only,
+            start: Instant::now(),
+            tally: Tally::default(),
+            failures: Vec::new(),
+            times: Vec::new(),
+            has_company: false,
+        }
     }
 
     /// Whether a step with this name is to be run.
@@ -62,9 +72,11 @@ impl Suite {
     }
 
     fn run<T>(&mut self, name: &str, work: impl FnOnce(&Progress) -> Result<(T, Tally)>) -> Option<T> {
-        print!("{name:.<90} ");
-        // Only a matter of how soon the name is seen.
-        let _ = io::stdout().flush();
+        if !self.has_company {
+            print!("{name:.<90} ");
+            // Only a matter of how soon the name is seen.
+            let _ = io::stdout().flush();
+        }
         let start = Instant::now();
         let progress = Progress::kept();
         let outcome = work(&progress);
@@ -73,19 +85,41 @@ impl Suite {
         let tally = outcome.as_ref().map_or(Tally::FAILED, |(_, tally)| *tally);
         let tests = if tally.passed + tally.failed == 1 { String::new() } else { format!(" ({tally})") };
         self.tally += tally;
+        let name_again = if self.has_company { format!("{name:.<90} ") } else { String::new() };
         if tally.failed == 0 {
-            println!("pass {seconds:6.1} s{tests}");
+            println!("{name_again}pass {seconds:6.1} s{tests}");
         } else {
-            println!("FAIL {seconds:6.1} s{tests}");
-            print!("{}", progress.into_text());
             let reason = match &outcome {
                 Ok(_) => format!("{} of its tests failed or were ignored", tally.failed),
                 Err(error) => format!("{error:#}"),
             };
-            println!("error: {reason}\n");
+            let text = progress.into_text();
+            println!("{name_again}FAIL {seconds:6.1} s{tests}\n{text}error: {reason}\n");
             self.failures.push(format!("{name}: {reason}"));
         }
         outcome.ok().map(|(value, _)| value)
+    }
+
+    /// Runs steps beside others, which one processor alone can be busy with. Each is told of when it has ended.
+    pub(crate) fn side_by_side(
+        &mut self,
+        these: impl FnOnce(&mut Self),
+        those: impl FnOnce(&mut Self) + Send,
+    ) {
+        self.has_company = true;
+        let mut beside = Self { has_company: true, ..Self::new(self.only.clone()) };
+        let mut beside = thread::scope(|scope| {
+            let those = scope.spawn(|| {
+                those(&mut beside);
+                beside
+            });
+            these(self);
+            those.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic))
+        });
+        self.has_company = false;
+        self.tally += beside.tally;
+        self.failures.append(&mut beside.failures);
+        self.times.append(&mut beside.times);
     }
 
     /// Tells what failed and, as the last line, how many.
@@ -124,6 +158,17 @@ mod tests {
         suite.count("many", |_| Ok(Tally { passed: 5, failed: 1 }));
         assert_eq!(suite.tally, Tally { passed: 6, failed: 2 });
         assert_eq!(suite.failures, ["one: broken", "many: 1 of its tests failed or were ignored"]);
+    }
+
+    #[test]
+    fn steps_side_by_side_are_counted_together() {
+        let mut suite = Suite::new(None);
+        suite.side_by_side(
+            |suite| suite.step("one", |_| Ok(())),
+            |suite| suite.step("two", |_| bail!("broken")),
+        );
+        assert_eq!(suite.tally, Tally { passed: 1, failed: 1 });
+        assert_eq!((suite.failures, suite.times.len()), (vec!["two: broken".to_owned()], 2));
     }
 
     #[test]

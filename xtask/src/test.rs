@@ -33,11 +33,15 @@ const NO_VISITOR: &str = "not run, because the demo was not built or no browser 
 /// Runs the tests; the last line on stdout counts them.
 pub(crate) fn run(options: &TestOptions) -> ExitCode {
     let mut suite = Suite::new(options.only.clone());
-    sources(&mut suite);
-    suite.count("host: cargo test", |progress| {
-        cargo_test(&["--workspace", "--no-fail-fast"], options.full, progress)
-    });
-    contributing::run(&mut suite, options.full);
+    suite.side_by_side(|suite| host(suite, options.full), boards);
+    suite.finish()
+}
+
+/// What this machine and its browser run.
+fn host(suite: &mut Suite, full: bool) {
+    sources(suite);
+    suite
+        .count("host: cargo test", |progress| cargo_test(&["--workspace", "--no-fail-fast"], full, progress));
     // The other sets differ by what clippy and bare metal check.
     for (name, features) in &FEATURES[1..3] {
         suite.count(&format!("host: luminaire with {name}"), |progress| {
@@ -45,15 +49,19 @@ pub(crate) fn run(options: &TestOptions) -> ExitCode {
             cargo_test(&[&["--package", "luminaire", "--lib"], *features].concat(), false, progress)
         });
     }
-    bare_metal(&mut suite);
-    firmware::tests::run(&mut suite);
-    firmware::frame::tests::run(&mut suite);
-    size::tests::run(&mut suite);
-    effects::tests::run(&mut suite);
-    prices(&mut suite);
-    conform::tests::run(&mut suite);
-    browser(&mut suite);
-    suite.finish()
+    contributing::run(suite, full);
+    browser(suite);
+}
+
+/// What emulated boards run, and the conformance vectors on all targets.
+fn boards(suite: &mut Suite) {
+    bare_metal(suite);
+    firmware::tests::run(suite);
+    firmware::frame::tests::run(suite);
+    size::tests::run(suite);
+    effects::tests::run(suite);
+    prices(suite);
+    conform::tests::run(suite);
 }
 
 fn sources(suite: &mut Suite) {
