@@ -7,6 +7,7 @@
 //! |---|---|---|
 //! | [`NoSpecular`] | none, and nothing of it is compiled in | |
 //! | [`Phong`] | `max(0, R.V)^m` | Phong 1975 |
+//! | [`MirroredPhong`] | the same for a view that is mirrored in the surface | |
 //! | [`BlinnPhong`] | `max(0, N.H)^m` | Blinn 1977; OpenGL and Direct3D 9 |
 //! | [`DualConeLobe`] | `max(0, R.H)^m` | the dual-cone GLSL article |
 //! | [`DifferenceForm`] of one of these | `max(0, 1 - k \|difference\|^2 / 2)^(2^n)`, `k = m / 2^n` | Lyon 1993, *Phong Shading Reformulation for Hardware Renderer Simplification* |
@@ -17,7 +18,14 @@
 //! A surface that faces away from the light has no highlight, as in OpenGL; the bare equation of the textbooks would let
 //! the light shine through.
 
+mod highlight;
+
 use core::fmt::{self, Formatter};
+
+#[cfg(feature = "arithmetic")]
+pub use self::highlight::Highlight;
+#[cfg(not(feature = "arithmetic"))]
+use self::highlight::Highlight;
 
 use crate::{
     number::Scalar,
@@ -50,16 +58,6 @@ pub trait SpecularLobe: Copy + PartialEq + core::fmt::Debug {
     ) -> S;
 }
 
-/// The two directions whose nearness makes a highlight.
-pub trait Highlight: Copy + PartialEq + core::fmt::Debug {
-    /// The two unit directions: `incoming` goes from the light to the surface, `view` from the surface to the eye.
-    fn directions<S: Scalar>(
-        incoming: Vec3<S::Unit>,
-        normal: Vec3<S>,
-        view: Vec3<S::Unit>,
-    ) -> [Vec3<S::Unit>; 2];
-}
-
 /// No highlight.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct NoSpecular;
@@ -81,6 +79,11 @@ pub struct BlinnPhong;
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct DualConeLobe;
 
+/// [`Phong`] of a view that has been mirrored in the surface already: `|R - V|` is `|L - V'|`, and V' is found once for a
+/// point and not once for each light.
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
+pub struct MirroredPhong;
+
 /// Lyon's difference form of another highlight, by `N` squarings: the shininess goes into a factor, so that every point
 /// takes the same few steps whatever its material, which suits vector instructions.
 ///
@@ -88,7 +91,7 @@ pub struct DualConeLobe;
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct DifferenceForm<H, const N: u32>(pub H);
 
-named!(NoSpecular Phong BlinnPhong DualConeLobe);
+named!(NoSpecular Phong MirroredPhong BlinnPhong DualConeLobe);
 
 impl<H: Named, const N: u32> Named for DifferenceForm<H, N> {
     fn write_name(out: &mut Formatter<'_>) -> fmt::Result {
@@ -167,6 +170,13 @@ impl Highlight for Phong {
         view: Vec3<S::Unit>,
     ) -> [Vec3<S::Unit>; 2] {
         [S::mirror(incoming, normal), view]
+    }
+}
+
+impl Highlight for MirroredPhong {
+    #[inline(always)]
+    fn directions<S: Scalar>(incoming: Vec3<S::Unit>, _: Vec3<S>, view: Vec3<S::Unit>) -> [Vec3<S::Unit>; 2] {
+        [incoming, view]
     }
 }
 

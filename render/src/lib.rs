@@ -88,6 +88,6 @@ pub use format::{Format, stated_error};
 pub use mesh::Mesh;
 pub use outline::Outline;
 pub use renderer::Renderer;
-pub use scene::{Highlight, Material, Mirrored, Scene};
+pub use scene::{Highlight, Material, Scene};
 pub use shadow_map::ShadowMap;
 pub use size::{LARGEST, SizeError};

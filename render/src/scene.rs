@@ -8,23 +8,11 @@ use luminaire::{
     dynamic::{Effect, RenderPlan},
     error::Parameter,
     haze::Haze,
-    specular::{DifferenceForm, SpecularLobe},
+    specular::{DifferenceForm, MirroredPhong, SpecularLobe},
 };
 
 /// The kind of highlight that surfaces have: Phong's, in the form that takes the same few steps whatever the shininess.
-pub type Highlight = DifferenceForm<Mirrored, 3>;
-
-/// Phong's highlight for a view that is mirrored in the surface: `|R - V|` is `|L - V'|`, and the mirror image of the view
-/// is found once for a point and not once for each lamp.
-#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
-pub struct Mirrored;
-
-impl luminaire::specular::Highlight for Mirrored {
-    #[inline(always)]
-    fn directions<S: Scalar>(incoming: Vec3<S::Unit>, _: Vec3<S>, view: Vec3<S::Unit>) -> [Vec3<S::Unit>; 2] {
-        [incoming, view]
-    }
-}
+pub type Highlight = DifferenceForm<MirroredPhong, 3>;
 
 /// How a surface answers to light.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -65,7 +53,7 @@ impl Material {
     /// A channel outside [0, 1]; a shininess under 8 or over 1024.
     pub fn with_highlight(self, specular: Rgb<f32>, shininess: u32) -> Result<Self, Error> {
         luminaire::Material::new(Rgb::default())?.with_highlight(
-            DifferenceForm::<_, 3>(Mirrored),
+            DifferenceForm::<_, 3>(MirroredPhong),
             specular,
             shininess,
         )?;
