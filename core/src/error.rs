@@ -11,7 +11,7 @@ use core::fmt;
 /// let refused = Cone::from_field(Soft, Angle::degrees(400.0)).unwrap_err();
 /// assert_eq!(
 ///     refused.to_string(),
-///     "field angle 400 is refused: give more than 0 and at most 143.13 degrees, the full angle"
+///     "field angle = 400: expected more than 0 and at most 143.13 degrees (full angle)"
 /// );
 /// ```
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -152,7 +152,7 @@ impl fmt::Display for Parameter {
             Self::FieldAngle => "field angle",
             Self::OuterAngle => "outer angle",
             Self::InnerAngle => "inner angle",
-            Self::CutoffAngle => "delimiter angle",
+            Self::CutoffAngle => "cutoff angle",
             Self::Roll => "roll",
             Self::Side => "side",
             Self::EdgeSlope => "edge slope",
@@ -202,37 +202,37 @@ impl fmt::Display for Expected {
             // Limits are rounded inwards, so that the angle in the message is itself accepted.
             Self::AngleUpTo(largest) => {
                 let shown = (largest * 1e2) as u32 as f32 / 1e2;
-                write!(f, "give more than 0 and at most {shown} degrees, the full angle")
+                write!(f, "expected more than 0 and at most {shown} degrees (full angle)")
             }
-            Self::AngleFrom(narrowest) if *narrowest > 180.0 => {
-                f.write_str("no angle up to 180 degrees is wide enough: use a number format of more bits")
-            }
+            Self::AngleFrom(narrowest) if *narrowest > 180.0 => f.write_str(
+                "expected a number format of more bits: no angle up to 180 degrees is wide enough",
+            ),
             Self::AngleFrom(narrowest) => {
                 let shown = ((narrowest * 1e4) as u32 + 1) as f32 / 1e4;
-                write!(f, "give at least {shown} degrees, the full angle, or a number format of more bits")
+                write!(f, "expected at least {shown} degrees (full angle), or a number format of more bits")
             }
             Self::AngleBetween(least, most) => {
                 let (scaled, most) = (least * 1e4, (most * 1e4) as u32 as f32 / 1e4);
                 let down = scaled as u32;
                 let least = (down + u32::from((down as f32) < scaled)) as f32 / 1e4;
-                write!(f, "give from {least} to {most} degrees, the full angle")
+                write!(f, "expected {least} to {most} degrees (full angle)")
             }
-            Self::Exactly(value) => write!(f, "give exactly {value}"),
-            Self::Between(least, most) => write!(f, "give a finite number from {least} to {most}"),
-            Self::UpTo(most) => write!(f, "give more than 0 and at most {most}"),
-            Self::UpToOr(most, other) => write!(f, "give more than 0 and at most {most}, or {other}"),
+            Self::Exactly(value) => write!(f, "expected {value}"),
+            Self::Between(least, most) => write!(f, "expected a finite number from {least} to {most}"),
+            Self::UpTo(most) => write!(f, "expected more than 0 and at most {most}"),
+            Self::UpToOr(most, other) => write!(f, "expected more than 0 and at most {most}, or {other}"),
             Self::RangeBetween(least, most) => {
-                write!(f, "give a distance from {least} to {most}, or a distance model without a range")
+                write!(f, "expected a distance from {least} to {most}, or an attenuation without a range")
             }
-            Self::WholeBetween(least, most) => write!(f, "give a whole number from {least} to {most}"),
-            Self::Direction => f.write_str("give finite components and a length between 1e-18 and 1e18"),
+            Self::WholeBetween(least, most) => write!(f, "expected a whole number from {least} to {most}"),
+            Self::Direction => f.write_str("expected finite components and a length between 1e-18 and 1e18"),
         }
     }
 }
 
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} {} is refused: {}", self.parameter, Shown(self.value), self.accepted)
+        write!(f, "{} = {}: {}", self.parameter, Shown(self.value), self.accepted)
     }
 }
 

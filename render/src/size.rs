@@ -11,7 +11,7 @@ pub const LARGEST: usize = 8192;
 /// ```
 /// use luminaire_render::Renderer;
 /// let refused = Renderer::<f32>::new(960, 0).unwrap_err();
-/// assert_eq!(refused.to_string(), "height 0 is refused: give 1 to 8192 pixels");
+/// assert_eq!(refused.to_string(), "height = 0: expected 1 to 8192 pixels");
 /// ```
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 #[non_exhaustive]
@@ -44,14 +44,17 @@ fn accepts(pixels: usize) -> bool {
 impl fmt::Display for SizeError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Width(width) => write!(f, "width {width} is refused: give 1 to {LARGEST} pixels"),
-            Self::Height(height) => write!(f, "height {height} is refused: give 1 to {LARGEST} pixels"),
+            Self::Width(width) => write!(f, "width = {width}: expected 1 to {LARGEST} pixels"),
+            Self::Height(height) => write!(f, "height = {height}: expected 1 to {LARGEST} pixels"),
             Self::ShadowSide(side) => {
                 let (least, most) = (Fixture::SHADOW_SIDES.start(), Fixture::SHADOW_SIDES.end());
-                write!(f, "side {side} of a shadow map is refused: give {least} to {most} texels")
+                write!(f, "side of a shadow map = {side}: expected {least} to {most} texels")
             }
             Self::Memory(width, height) => {
-                write!(f, "size {width} x {height} is refused: there is no memory for it, give fewer pixels")
+                write!(
+                    f,
+                    "size = {width} x {height}: expected fewer pixels, for there is no memory for so many"
+                )
             }
         }
     }

@@ -76,7 +76,7 @@ fn a_refused_light_leaves_the_picture() {
     let needle = Cone::from_outer(SoftOrHard::Hard, Angle::degrees(0.5)).unwrap();
     let needle = SpotLight::new(Vec3::new(0.0, 3.0, 0.0), Vec3::new(0.0, -1.0, 0.0), needle).unwrap();
     let refused = renderer.draw_light(&[needle]).unwrap_err();
-    assert!(refused.to_string().starts_with("outer angle 0.5 is refused"), "{refused}");
+    assert!(refused.to_string().starts_with("outer angle = 0.5: expected"), "{refused}");
     assert_eq!((renderer.encode().to_vec(), renderer.linear(40, 30)), before);
     assert!(
         !renderer.draw_light(&stage::lights().unwrap()).unwrap(),
@@ -106,7 +106,7 @@ fn sizes_that_cannot_be_are_refused() {
     assert_eq!(refused(8193, 10), SizeError::Width(8193));
     assert_eq!(refused(10, 0), SizeError::Height(0));
     assert_eq!(refused(10, usize::MAX), SizeError::Height(usize::MAX));
-    assert!(refused(10, 8193).to_string().contains("give 1 to 8192"));
+    assert!(refused(10, 8193).to_string().contains("expected 1 to 8192"));
 }
 
 #[test]

@@ -14,7 +14,7 @@ const CALLED_FOR: [(Example, &str); 8] = [
     (Example::Show, "diffuse, spot, soft, hard, inverse-square, gobo, haze"),
     (
         Example::Gallery,
-        "ambient, diffuse, specular, directional, point, spot, cut-off, linear, soft, hard, smooth, blend, cubic, power, \
+        "ambient, diffuse, specular, directional, point, spot, soft, hard, linear, smooth, cut-off, blend, cubic, power, \
          rim, mixed-power, mixed-rim, table, hotspot, delimiter, unattenuated, inverse-square, polynomial, \
          smooth-range, window, range",
     ),

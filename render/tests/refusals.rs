@@ -16,15 +16,15 @@ fn what_no_scene_can_have_is_refused_by_name() {
     let empty = scene.clone();
     let color = |value| Rgb::new(0.5, value, 0.5);
     for (value, shown) in [(f32::NAN, "NaN"), (-0.5, "-0.5"), (1.5, "1.5"), (f32::INFINITY, "inf")] {
-        let message = format!("albedo {shown} is refused: give a finite number from 0 to 1");
+        let message = format!("albedo = {shown}: expected a finite number from 0 to 1");
         assert_refused(Material::new(color(value)), &message);
     }
     for (value, shown) in [(f32::NAN, "NaN"), (-0.5, "-0.5"), (f32::INFINITY, "inf")] {
-        let message = format!("ambient light {shown} is refused: give a finite number from 0 to 1000000000");
+        let message = format!("ambient light = {shown}: expected a finite number from 0 to 1000000000");
         assert_refused(scene.set_ambient(color(value)), &message);
     }
     for (value, shown) in [(f32::NAN, "NaN"), (f32::INFINITY, "inf"), (2e6, "2000000")] {
-        let message = format!("vertex {shown} is refused: give a finite number from -1000000 to 1000000");
+        let message = format!("vertex = {shown}: expected a finite number from -1000000 to 1000000");
         let meshes = [
             Mesh::cuboid(1.0, 1.0, 1.0).moved(Vec3::new(0.0, value, 0.0)),
             Mesh::lathe(&Outline::start(0.0, value).line_to(1.0, 1.0), 3),
@@ -42,11 +42,11 @@ fn what_no_scene_can_have_is_refused_by_name() {
 #[test]
 fn what_no_renderer_can_have_is_refused_by_name() {
     let refused = |width, height| Renderer::<f32>::new(width, height).map(drop).unwrap_err().to_string();
-    assert_eq!(refused(0, 10), "width 0 is refused: give 1 to 8192 pixels");
-    assert_eq!(refused(10, usize::MAX), format!("height {} is refused: give 1 to 8192 pixels", usize::MAX));
+    assert_eq!(refused(0, 10), "width = 0: expected 1 to 8192 pixels");
+    assert_eq!(refused(10, usize::MAX), format!("height = {}: expected 1 to 8192 pixels", usize::MAX));
     let mut renderer = Renderer::<Fx16>::new(16, 16).expect("a sound size");
     let far = PointLight::new(Vec3::new(0.0, 40_000.0, 0.0)).expect("a sound light");
-    let message = "position 40000 is refused: give a finite number from -16383 to 16383";
+    let message = "position = 40000: expected a finite number from -16383 to 16383";
     assert_refused(renderer.draw_light(&[far]), message);
 }
 
@@ -61,21 +61,21 @@ fn meshes_larger_than_memory_are_refused_by_name() {
         (usize::MAX, "1.8446744e19"),
     ];
     for (segments, shown) in numbers {
-        let message = format!("number of segments {shown} is refused: give a whole number from 0 to 524287");
+        let message = format!("number of segments = {shown}: expected a whole number from 0 to 524287");
         assert_refused(scene.add(Mesh::lathe(&line, segments), Material::default()), &message);
         assert_refused(scene.add(Mesh::extrude(&line, 1.0, segments), Material::default()), &message);
     }
     let most = Mesh::extrude(&line, 1.0, 524_287);
     assert_eq!(most.triangle_count(), 2 * 524_287);
     for (lines, shown) in [(65_537, "65537"), (usize::MAX, "1.8446744e19")] {
-        let message = format!("number of segments {shown} is refused: give a whole number from 0 to 65536");
+        let message = format!("number of segments = {shown}: expected a whole number from 0 to 65536");
         for curve in
             [line.clone().arc(0.0, 0.0, 1.0, lines), line.clone().curve_to([(0.0, 0.0); 2], 1.0, 2.0, lines)]
         {
             assert_refused(scene.add(Mesh::lathe(&curve, 3), Material::default()), &message);
         }
     }
-    let message = "number of vertices 1048580 is refused: give a whole number from 0 to 1048576";
+    let message = "number of vertices = 1048580: expected a whole number from 0 to 1048576";
     let both = most.and(Mesh::extrude(&line, 1.0, 1));
     assert_refused(scene.add(both.and(Mesh::default()), Material::default()), message);
 }
@@ -165,7 +165,7 @@ fn hostile_scenes_are_refused_or_drawn() {
             Ok(()) => accepted += 1,
             Err(error) => {
                 refused += 1;
-                assert!(error.to_string().contains("is refused: give"), "{error}");
+                assert!(error.to_string().contains(": expected "), "{error}");
             }
         };
         count(scene.set_ambient(color(rng)));

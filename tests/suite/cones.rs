@@ -120,11 +120,11 @@ fn hotspots_and_delimiters_out_of_range_are_refused() {
     let cone = Cone::from_outer(Soft, Angle::degrees(30.0)).expect("sound");
     for inner in [-1.0, 30.1, 400.0, f32::NAN] {
         let refused = cone.with_inner(Angle::degrees(inner));
-        assert_refused(refused, Parameter::InnerAngle, "give from 0 to ");
+        assert_refused(refused, Parameter::InnerAngle, "expected 0 to ");
     }
     for delimiter in [0.0, -1.0, 30.1, 400.0, f32::NAN] {
         let refused = cone.with_cutoff(Angle::degrees(delimiter));
-        assert_refused(refused, Parameter::CutoffAngle, "give more than 0 and at most ");
+        assert_refused(refused, Parameter::CutoffAngle, "expected more than 0 and at most ");
     }
     for cutoff in [0.0, 91.0, f32::NAN] {
         let refused = Cone::<Power<8>>::opengl(HalfAngle::degrees(cutoff));
@@ -144,7 +144,7 @@ fn a_hotspot_too_steep_for_its_format_is_refused() {
     assert!(with(most * 0.999_99).is_ok() && with(most * 1.000_1).is_err(), "{most}");
     assert!(steep.compile::<Fx32>().is_ok());
     let needle = cone.with_cutoff(Angle::degrees(0.1)).expect("sound");
-    assert_refused(needle.compile::<Fx16>().map(drop), Parameter::CutoffAngle, "give at least ");
+    assert_refused(needle.compile::<Fx16>().map(drop), Parameter::CutoffAngle, "expected at least ");
 }
 
 #[test]
@@ -158,14 +158,14 @@ fn coefficients_out_of_range_are_refused() {
     // The ellipse of Fritsch and Carlson, at an edge slope of 1 and of 3.5.
     assert_refused(Cubic::with_slopes(1.0, 4.01), Parameter::MiddleSlope, "from 0 to 4");
     assert_refused(Cubic::with_slopes(3.5, 0.05), Parameter::MiddleSlope, "from 0.104");
-    assert_refused(Cubic::new(1.0, 0.5, 0.5), Parameter::CoefficientSum, "give exactly 1");
+    assert_refused(Cubic::new(1.0, 0.5, 0.5), Parameter::CoefficientSum, "expected 1");
     // A sum within 2^-20 of one is taken for it, and no other.
     for step in [-2.0_f32, 2.0] {
         let beside = step / 1_048_576.0;
-        assert_refused(Cubic::new(1.0, 0.0, beside), Parameter::CoefficientSum, "give exactly 1");
+        assert_refused(Cubic::new(1.0, 0.0, beside), Parameter::CoefficientSum, "expected 1");
         assert!(Cubic::new(1.0, 0.0, beside / 2.0).is_ok());
     }
-    assert_refused(Cubic::new(f32::NAN, 0.5, 0.5), Parameter::CoefficientSum, "give exactly 1");
+    assert_refused(Cubic::new(f32::NAN, 0.5, 0.5), Parameter::CoefficientSum, "expected 1");
     assert_refused(Cubic::new(-0.5, 3.0, -1.5), Parameter::EdgeSlope, "from 0 to 4");
     assert_eq!(Cubic::new(0.7, 0.2, 0.1).expect("monotone").coefficients().iter().sum::<f32>(), 1.0);
     let smooth = Cubic::new(0.0, 3.0, -2.0).expect("monotone");

@@ -270,9 +270,9 @@ fn patterns_lie_within_the_cone() {
 #[test]
 fn what_is_no_gobo() {
     let message = |refused: Result<Gobo<'_>, Error>| refused.expect_err("no gobo").to_string();
-    assert_eq!(message(Gobo::new(0, &[])), "side 0 is refused: give a whole number from 1 to 4096");
-    assert_eq!(message(Gobo::new(4_097, &[])), "side 4097 is refused: give a whole number from 1 to 4096");
-    assert_eq!(message(Gobo::new(3, &[0; 8])), "number of samples 8 is refused: give exactly 9");
+    assert_eq!(message(Gobo::new(0, &[])), "side = 0: expected a whole number from 1 to 4096");
+    assert_eq!(message(Gobo::new(4_097, &[])), "side = 4097: expected a whole number from 1 to 4096");
+    assert_eq!(message(Gobo::new(3, &[0; 8])), "number of samples = 8: expected 9");
     let refused = Gobo::new(usize::MAX, &[]).expect_err("no gobo");
     assert_eq!((refused.parameter, refused.accepted), (Parameter::Side, Expected::WholeBetween(1, 4_096)));
     let widest = vec![9; 4_096 * 4_096];

@@ -40,69 +40,66 @@ fn opengl_is_refused_by_its_names() {
     for (spot_cutoff, shown) in
         [(0.0, "0"), (-1.0, "-1"), (90.5, "90.5"), (179.0, "179"), (f32::NAN, "NaN"), (f32::INFINITY, "inf")]
     {
-        let message = format!("spot cutoff {shown} is refused: give more than 0 and at most 90, or 180");
+        let message = format!("spot cutoff = {shown}: expected more than 0 and at most 90, or 180");
         refused(OpenGl { spot_cutoff, ..Default::default() }, &message);
     }
-    let message = "spot exponent 1024.5 is refused: give a finite number from 0 to 1024";
+    let message = "spot exponent = 1024.5: expected a finite number from 0 to 1024";
     refused(OpenGl { spot_exponent: 1024.5, ..Default::default() }, message);
-    let message = "attenuation coefficient -1 is refused: give a finite number from 0 to 1000000000";
+    let message = "attenuation coefficient = -1: expected a finite number from 0 to 1000000000";
     refused(OpenGl { linear_attenuation: -1.0, ..Default::default() }, message);
     // All three at none would divide by it.
-    let message = "attenuation coefficient 0 is refused: give a finite number from 0.000001 to 1000000000";
+    let message = "attenuation coefficient = 0: expected a finite number from 0.000001 to 1000000000";
     refused(OpenGl { constant_attenuation: 0.0, ..Default::default() }, message);
-    let message = "intensity NaN is refused: give a finite number from 0 to 1000000000";
+    let message = "intensity = NaN: expected a finite number from 0 to 1000000000";
     refused(OpenGl { intensity: f32::NAN, ..Default::default() }, message);
-    let message = "axis 0 is refused: give finite components and a length between 1e-18 and 1e18";
+    let message = "axis = 0: expected finite components and a length between 1e-18 and 1e18";
     assert_refused(OpenGl { spot_cutoff: 20.0, ..Default::default() }.import(ORIGIN, ORIGIN), message);
 }
 
 #[test]
 fn direct3d_is_refused_by_its_names() {
     let refused = |light: Direct3d, message: &str| assert_refused(light.import(ORIGIN, DOWN), message);
-    refused(Direct3d { phi: 3.2, ..DIRECT3D }, "phi 3.2 is refused: give more than 0 and at most 3.1415927");
-    refused(Direct3d { phi: 0.0, ..DIRECT3D }, "phi 0 is refused: give more than 0 and at most 3.1415927");
-    refused(Direct3d { theta: 0.7, ..DIRECT3D }, "theta 0.7 is refused: give a finite number from 0 to 0.6");
-    refused(
-        Direct3d { falloff: -1.0, ..DIRECT3D },
-        "falloff -1 is refused: give a finite number from 0 to 1024",
-    );
+    refused(Direct3d { phi: 3.2, ..DIRECT3D }, "phi = 3.2: expected more than 0 and at most 3.1415927");
+    refused(Direct3d { phi: 0.0, ..DIRECT3D }, "phi = 0: expected more than 0 and at most 3.1415927");
+    refused(Direct3d { theta: 0.7, ..DIRECT3D }, "theta = 0.7: expected a finite number from 0 to 0.6");
+    refused(Direct3d { falloff: -1.0, ..DIRECT3D }, "falloff = -1: expected a finite number from 0 to 1024");
     let message =
-        "range 0 is refused: give a distance from 0.001 to 1000000000, or a distance model without a range";
+        "range = 0: expected a distance from 0.001 to 1000000000, or an attenuation without a range";
     refused(Direct3d { range: 0.0, ..DIRECT3D }, message);
-    refused(Direct3d { range: f32::NAN, ..DIRECT3D }, &message.replace("range 0", "range NaN"));
+    refused(Direct3d { range: f32::NAN, ..DIRECT3D }, &message.replace("range = 0", "range = NaN"));
 }
 
 #[test]
 fn gltf_three_and_godot_are_refused_by_their_names() {
     let refused = |light: Gltf, message: &str| assert_refused(light.import(ORIGIN, DOWN), message);
-    let message = "outer cone angle 1.6 is refused: give more than 0 and at most 1.5707964";
+    let message = "outer cone angle = 1.6: expected more than 0 and at most 1.5707964";
     refused(Gltf { outer_cone_angle: 1.6, ..Default::default() }, message);
-    let message = "inner cone angle 0.8 is refused: give a finite number from 0 to 0.7853982";
+    let message = "inner cone angle = 0.8: expected a finite number from 0 to 0.7853982";
     refused(Gltf { inner_cone_angle: 0.8, ..Default::default() }, message);
     let message =
-        "range 0 is refused: give a distance from 0.001 to 1000000000, or a distance model without a range";
+        "range = 0: expected a distance from 0.001 to 1000000000, or an attenuation without a range";
     refused(Gltf { range: Some(0.0), ..Default::default() }, message);
     let steep = Gltf { inner_cone_angle: 0.8, ..Default::default() };
-    let message = "inner cone angle 0.8 is refused: give a finite number from 0 to 0.7853982";
+    let message = "inner cone angle = 0.8: expected a finite number from 0 to 0.7853982";
     assert_refused(steep.import_as_recommended(ORIGIN, DOWN), message);
 
     let refused = |light: Three, message: &str| assert_refused(light.import(ORIGIN, DOWN), message);
-    let message = "spot angle NaN is refused: give more than 0 and at most 1.5707964";
+    let message = "spot angle = NaN: expected more than 0 and at most 1.5707964";
     refused(Three { angle: f32::NAN, ..Default::default() }, message);
-    let message = "penumbra 1.5 is refused: give a finite number from 0 to 1";
+    let message = "penumbra = 1.5: expected a finite number from 0 to 1";
     refused(Three { penumbra: 1.5, ..Default::default() }, message);
-    let message = "decay -1 is refused: give a finite number from 0 to 16";
+    let message = "decay = -1: expected a finite number from 0 to 16";
     refused(Three { decay: -1.0, ..Default::default() }, message);
     let message =
-        "range -3 is refused: give a distance from 0.001 to 1000000000, or a distance model without a range";
+        "range = -3: expected a distance from 0.001 to 1000000000, or an attenuation without a range";
     refused(Three { distance: -3.0, ..Default::default() }, message);
 
     let refused = |light: Godot, message: &str| assert_refused(light.import(ORIGIN, DOWN), message);
-    let message = "spot angle 120 is refused: give more than 0 and at most 90";
+    let message = "spot angle = 120: expected more than 0 and at most 90";
     refused(Godot { spot_angle: 120.0, ..Default::default() }, message);
-    let message = "spot angle attenuation 0 is refused: give a finite number from 0.0078125 to 128";
+    let message = "spot angle attenuation = 0: expected a finite number from 0.0078125 to 128";
     refused(Godot { spot_angle_attenuation: 0.0, ..Default::default() }, message);
-    let message = "intensity -1 is refused: give a finite number from 0 to 1000000000";
+    let message = "intensity = -1: expected a finite number from 0 to 1000000000";
     refused(Godot { light_energy: -1.0, ..Default::default() }, message);
 }
 
@@ -112,33 +109,30 @@ fn penumbras_are_refused_by_their_names() {
         let [umbra, penumbra] = [umbra, penumbra].map(Angle::degrees);
         Penumbra { umbra, penumbra, ramp: Ramp::Linear, intensity: 1.0 }.import(ORIGIN, DOWN)
     };
-    let message = "penumbra 181 is refused: give more than 0 and at most 180 degrees, the full angle";
+    let message = "penumbra = 181: expected more than 0 and at most 180 degrees (full angle)";
     assert_refused(light(10.0, 181.0), message);
-    assert_refused(light(20.0, 10.0), "umbra 20 is refused: give from 0 to 10 degrees, the full angle");
-    assert_refused(light(f32::NAN, 10.0), "umbra NaN is refused: give from 0 to 10 degrees, the full angle");
+    assert_refused(light(20.0, 10.0), "umbra = 20: expected 0 to 10 degrees (full angle)");
+    assert_refused(light(f32::NAN, 10.0), "umbra = NaN: expected 0 to 10 degrees (full angle)");
 }
 
 #[test]
 fn exponents_and_shares_out_of_range() {
-    let message = "exponent 1025 is refused: give a whole number from 1 to 1024";
+    let message = "exponent = 1025: expected a whole number from 1 to 1024";
     assert_refused(IntegerPower::new(1_025), message);
-    assert_refused(InvertedIntegerPower::new(0), "exponent 0 is refused: give a whole number from 1 to 1024");
-    assert_refused(MixedPower::new([3, 3], 0.5), "exponent 3 is refused: give a whole number from 4 to 1024");
+    assert_refused(InvertedIntegerPower::new(0), "exponent = 0: expected a whole number from 1 to 1024");
+    assert_refused(MixedPower::new([3, 3], 0.5), "exponent = 3: expected a whole number from 4 to 1024");
     assert_refused(
         MixedPower::new([1_024, 1_025], 0.5),
-        "exponent 1024 is refused: give a whole number from 0 to 1023",
+        "exponent = 1024: expected a whole number from 0 to 1023",
     );
     assert_refused(
         InvertedMixedPower::new([0, 3], 0.5),
-        "exponent 0 is refused: give a whole number from 1 to 1023",
+        "exponent = 0: expected a whole number from 1 to 1023",
     );
-    assert_refused(
-        InvertedMixedPower::new([1, 3], 1.5),
-        "share 1.5 is refused: give a finite number from 0 to 1",
-    );
+    assert_refused(InvertedMixedPower::new([1, 3], 1.5), "share = 1.5: expected a finite number from 0 to 1");
     assert!(MixedPower::new([0, 1], 0.0).is_ok());
     for exponent in [0.0, -1.0, 1_024.1, f32::NAN] {
-        let message = format!("exponent {exponent} is refused: give more than 0 and at most 1024");
+        let message = format!("exponent = {exponent}: expected more than 0 and at most 1024");
         assert_refused(RealPower::new(exponent), &message);
         assert_refused(InvertedRealPower::new(exponent), &message);
     }

@@ -368,8 +368,7 @@ fn a_shadow_map_has_a_side_that_can_be() -> Result<(), Error> {
     }
     for side in [0, 15, 2049, u16::MAX] {
         let refused = Fixture::from(spot(Soft)?).with_shadow(side).unwrap_err().to_string();
-        let expected =
-            format!("side of the shadow map {side} is refused: give a whole number from 16 to 2048");
+        let expected = format!("side of the shadow map = {side}: expected a whole number from 16 to 2048");
         assert_eq!(refused, expected);
     }
     Ok(())
@@ -391,9 +390,8 @@ fn what_projects_no_square_is_refused() -> Result<(), Error> {
         (DirectionalLight::new(down())?.into(), 0),
     ];
     for (luminaire, angle) in odd {
-        let expected = format!(
-            "outer angle {angle} is refused: give more than 0 and at most 160 degrees, the full angle"
-        );
+        let expected =
+            format!("outer angle = {angle}: expected more than 0 and at most 160 degrees (full angle)");
         assert_eq!(luminaire.with_gobo(BARS, Angle::degrees(0.0)).unwrap_err().to_string(), expected);
         assert_eq!(luminaire.with_shadow(64).unwrap_err().to_string(), expected);
     }

@@ -306,14 +306,14 @@ fn what_no_square_can_be() {
     let message = |refused: Result<Projection, Error>| refused.expect_err("no such square").to_string();
     assert_eq!(
         message(Projection::of(&spot([0.0; 3], [0.0, 1.0, 0.0], 160.1))),
-        "outer angle 160.1 is refused: give more than 0 and at most 160 degrees, the full angle"
+        "outer angle = 160.1: expected more than 0 and at most 160 degrees (full angle)"
     );
     let widest = spot([0.0; 3], [0.0, 1.0, 0.0], 160.0);
     let square = Projection::of(&widest).expect("the limit itself is accepted");
     for (roll, shown) in [(360.5, "360.5"), (f32::NAN, "NaN"), (f32::INFINITY, "inf")] {
         assert_eq!(
             message(square.turned(Angle::degrees(roll))),
-            format!("roll {shown} is refused: give a finite number from -360 to 360")
+            format!("roll = {shown}: expected a finite number from -360 to 360")
         );
     }
     let narrow = Projection::of(&spot([0.0; 3], [0.0, 1.0, 0.0], 0.5)).expect("a sound square");

@@ -33,9 +33,8 @@ fn field_angles_out_of_range() {
     for (degrees, shown) in
         [(0.0, "0"), (-15.0, "-15"), (400.0, "400"), (f32::NAN, "NaN"), (f32::INFINITY, "inf")]
     {
-        let message = format!(
-            "field angle {shown} is refused: give more than 0 and at most 143.13 degrees, the full angle"
-        );
+        let message =
+            format!("field angle = {shown}: expected more than 0 and at most 143.13 degrees (full angle)");
         assert_refused(Cone::from_field(Soft, Angle::degrees(degrees)), Parameter::FieldAngle, &message);
     }
 }
@@ -77,11 +76,11 @@ fn limits_are_the_models() {
 
 #[test]
 fn an_axis_without_a_direction() {
-    let lengths = "give finite components and a length between 1e-18 and 1e18";
+    let lengths = "expected finite components and a length between 1e-18 and 1e18";
     let axes =
         [(ORIGIN, "0"), (Vec3::new(f32::NAN, 0.0, 1.0), "NaN"), (Vec3::new(f32::MAX, 0.0, 0.0), "inf")];
     for (axis, shown) in axes {
-        let message = format!("axis {shown} is refused: {lengths}");
+        let message = format!("axis = {shown}: {lengths}");
         assert_refused(SpotLight::new(ORIGIN, axis, cone()), Parameter::Axis, &message);
         let spot = SpotLight::new(ORIGIN, Vec3::new(0.0, -1.0, 0.0), cone()).expect("sound");
         assert_refused(spot.with_axis(axis), Parameter::Axis, &message);
@@ -106,7 +105,7 @@ fn an_intensity_out_of_range() {
         (-1e-38, "-1e-38"),
     ];
     for (intensity, shown) in values {
-        let message = format!("intensity {shown} is refused: give a finite number from 0 to 1000000000");
+        let message = format!("intensity = {shown}: expected a finite number from 0 to 1000000000");
         assert_refused(spot().with_intensity(intensity), Parameter::Intensity, &message);
     }
 }
@@ -159,7 +158,7 @@ fn a_refused_change_leaves_the_light() {
 fn ranges_out_of_range() {
     for (range, shown) in [(0.0, "0"), (-2.0, "-2"), (f32::NAN, "NaN"), (f32::INFINITY, "inf")] {
         let message = format!(
-            "range {shown} is refused: give a distance from 0.001 to 1000000000, or a distance model without a range"
+            "range = {shown}: expected a distance from 0.001 to 1000000000, or an attenuation without a range"
         );
         assert_refused(SmoothRange::new(range), Parameter::Range, &message);
         assert_refused(GltfRange::new(InverseSquare, Some(range)), Parameter::Range, &message);
@@ -171,7 +170,7 @@ fn ranges_out_of_range() {
 
 #[test]
 fn coefficients_out_of_range() {
-    let message = "attenuation coefficient -1 is refused: give a finite number from 0 to 1000000000";
+    let message = "attenuation coefficient = -1: expected a finite number from 0 to 1000000000";
     assert_refused(Polynomial::new(-1.0, 0.0, 0.0), Parameter::Attenuation, message);
     assert_refused(Polynomial::new(1.0, -1.0, 0.0), Parameter::Attenuation, message);
     assert_refused(Polynomial::new(1.0, 0.0, -1.0), Parameter::Attenuation, message);
@@ -180,13 +179,13 @@ fn coefficients_out_of_range() {
 
 #[test]
 fn a_direction_that_is_none() {
-    let message = "direction 0 is refused: give finite components and a length between 1e-18 and 1e18";
+    let message = "direction = 0: expected finite components and a length between 1e-18 and 1e18";
     assert_refused(DirectionalLight::new(ORIGIN), Parameter::Direction, message);
 }
 
 #[test]
 fn an_end_point_on_the_light() {
-    let message = "end point 0 is refused: give finite components and a length between 1e-18 and 1e18";
+    let message = "end point = 0: expected finite components and a length between 1e-18 and 1e18";
     assert_refused(SpotLight::between(DOWN, DOWN, cone()), Parameter::EndPoint, message);
     let error = SpotLight::between(ORIGIN, Vec3::new(f32::NAN, 0.0, 0.0), cone()).expect_err("not a place");
     assert_eq!(error.parameter, Parameter::EndPoint);
@@ -199,10 +198,10 @@ fn a_shininess_out_of_range() {
     let grey = Rgb::new(0.5, 0.5, 0.5);
     let matt = Material::new(grey).expect("sound");
     for (shininess, shown) in [(0, "0"), (1025, "1025")] {
-        let message = format!("shininess {shown} is refused: give a whole number from 1 to 1024");
+        let message = format!("shininess = {shown}: expected a whole number from 1 to 1024");
         assert_refused(matt.with_highlight(BlinnPhong, grey, shininess), Parameter::Shininess, &message);
     }
-    let message = "shininess 7 is refused: give a whole number from 8 to 1024";
+    let message = "shininess = 7: expected a whole number from 8 to 1024";
     assert_refused(
         matt.with_highlight(DifferenceForm::<_, 3>(Phong), grey, 7),
         Parameter::Shininess,
@@ -227,7 +226,7 @@ fn what_lights_and_materials_share() {
         matt.with_emissive(wrong).err(),
         matt.with_highlight(Phong, wrong, 8).err(),
     ];
-    let message = "color 1.5 is refused: give a finite number from 0 to 1";
+    let message = "color = 1.5: expected a finite number from 0 to 1";
     assert!(colors.iter().all(|error| error.is_some_and(|error| error.to_string() == message)), "{colors:?}");
     let intensities = [
         sun.with_intensity(-1.0).err(),
@@ -241,7 +240,7 @@ fn what_lights_and_materials_share() {
 
 #[test]
 fn an_exposure_out_of_range() {
-    let message = "exposure 25 is refused: give a finite number from -24 to 24";
+    let message = "exposure = 25: expected a finite number from -24 to 24";
     assert_refused(Exposure::stops(25), Parameter::Exposure, message);
     assert!(Exposure::factor(-1.0).is_err());
 }
@@ -249,13 +248,12 @@ fn an_exposure_out_of_range() {
 #[test]
 fn haze_out_of_range() {
     for (density, shown) in [(-0.5, "-0.5"), (f32::NAN, "NaN"), (f32::INFINITY, "inf")] {
-        let message = format!("density {shown} is refused: give a finite number from 0 to 1000000000");
+        let message = format!("density = {shown}: expected a finite number from 0 to 1000000000");
         assert_refused(Haze::new(density), Parameter::Density, &message);
     }
     let clear = Haze::new(0.0).expect("clear air");
     for (radius, shown) in [(0.0, "0"), (f32::NAN, "NaN"), (2e9, "2000000000")] {
-        let message =
-            format!("lamp radius {shown} is refused: give a finite number from 0.001 to 1000000000");
+        let message = format!("lamp radius = {shown}: expected a finite number from 0.001 to 1000000000");
         assert_refused(clear.with_lamp_radius(radius), Parameter::LampRadius, &message);
     }
 }
@@ -265,7 +263,7 @@ fn haze_out_of_range() {
 fn derived_values_are_shown_to_four_decimals() {
     let cone = Cone::from_field(Hard, Angle::degrees(1.0)).expect("a sound angle");
     let message = cone.compile::<Fx16>().expect_err("too narrow for 16 bits").to_string();
-    assert!(message.starts_with("outer angle 1.0267 is refused"), "{message}");
+    assert!(message.starts_with("outer angle = 1.0267: expected"), "{message}");
 }
 
 /// A position that a format would have to move is refused when the light is compiled for it, and only then.
@@ -273,7 +271,7 @@ fn derived_values_are_shown_to_four_decimals() {
 fn a_position_beyond_the_reach_of_its_format() {
     let far = SpotLight::new(Vec3::new(0.0, 40_000.0, 0.0), DOWN, cone()).expect("a sound light");
     assert!(far.compile::<f32>().is_ok());
-    let message = |most| format!("position 40000 is refused: give a finite number from -{most} to {most}");
+    let message = |most| format!("position = 40000: expected a finite number from -{most} to {most}");
     assert_refused(far.compile::<Fx16>(), Parameter::Position, &message(16_383));
     assert_refused(far.compile::<Fx32>(), Parameter::Position, &message(32_767));
     let lamp = luminaire::PointLight::new(Vec3::new(0.0, 0.0, -40_000.0)).expect("a sound light");

@@ -195,5 +195,5 @@ fn maps_that_are_no_square_are_refused() {
     }
     let error = refused(4, 15);
     assert_eq!(error.parameter, Parameter::SampleCount);
-    assert_eq!(error.to_string(), "number of samples 15 is refused: give exactly 16");
+    assert_eq!(error.to_string(), "number of samples = 15: expected 16");
 }

@@ -205,10 +205,7 @@ fn an_unreachable_pair_names_the_nearest() {
         assert!(Cone::from_beam_and_field(degrees(beam), degrees(most * 1.000_1)).is_err());
     }
     let refused = Cone::from_beam_and_field(degrees(7.0), degrees(18.0)).expect_err("out of reach");
-    assert_eq!(
-        refused.to_string(),
-        "field angle 18 is refused: give from 7 to 16.3334 degrees, the full angle"
-    );
+    assert_eq!(refused.to_string(), "field angle = 18: expected 7 to 16.3334 degrees (full angle)");
 }
 
 #[test]

@@ -89,7 +89,7 @@ impl Mark {
             _ => Err(Refusal::Name {
                 parameter: "reading of the published angle",
                 value: name.to_owned(),
-                remedy: "give beam or field",
+                remedy: "expected beam or field",
             }),
         }
     }
@@ -107,7 +107,7 @@ pub(crate) fn edge_named(name: &str) -> Result<SoftOrHard, Refusal> {
     match name {
         "soft" => Ok(SoftOrHard::Soft),
         "hard" => Ok(SoftOrHard::Hard),
-        _ => Err(Refusal::Name { parameter: "edge", value: name.to_owned(), remedy: "give soft or hard" }),
+        _ => Err(Refusal::Name { parameter: "edge", value: name.to_owned(), remedy: "expected soft or hard" }),
     }
 }
 
@@ -121,7 +121,7 @@ pub(crate) fn color_of(hex: &str) -> Result<Rgb<f32>, Refusal> {
     channels().ok_or_else(|| Refusal::Name {
         parameter: "color",
         value: hex.to_owned(),
-        remedy: "give #rrggbb, each channel from 00 to ff",
+        remedy: "expected #rrggbb, each channel from 00 to ff",
     })
 }
 

@@ -76,20 +76,20 @@ impl fmt::Display for Refusal {
                 write!(f, "{format} cannot hold lamp {}, {name}: {error}", lamp + 1)
             }
             Self::Name { parameter, value, remedy } => {
-                write!(f, "{parameter} \"{value}\" is refused: {remedy}")
+                write!(f, "{parameter} = \"{value}\": {remedy}")
             }
             Self::Number { value, count } => {
-                write!(f, "light {value} is refused: give a number from 0 to {}", count - 1)
+                write!(f, "light = {value}: expected a number from 0 to {}", count - 1)
             }
             Self::Zoom { value, narrow, wide } => {
                 write!(
                     f,
-                    "zoom {} is refused: this fixture goes from {narrow} to {wide} degrees",
+                    "zoom = {}: expected {narrow} to {wide} degrees, as this fixture has",
                     Short(*value)
                 )
             }
             Self::Outside { parameter, value, least, most, unit } => {
-                write!(f, "{parameter} {} is refused: give from {least} to {most} {unit}", Short(*value))
+                write!(f, "{parameter} = {}: expected {least} to {most} {unit}", Short(*value))
             }
             Self::Browser { what, reason } => write!(f, "{what}: {reason}"),
         }

@@ -40,6 +40,6 @@ export function requestedSize(search) {
 function pixels(query, name, otherwise) {
   const text = query.get(name);
   if (text === null) return otherwise;
-  if (!/^\d{1,9}$/.test(text)) throw new Error(`${name} "${text}" is refused: give a whole number of pixels`);
+  if (!/^\d{1,9}$/.test(text)) throw new Error(`${name} = "${text}": expected a whole number of pixels`);
   return Number(text);
 }

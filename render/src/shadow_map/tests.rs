@@ -347,8 +347,5 @@ fn sides_that_are_too_small_or_too_large_are_refused() {
         assert_eq!(ShadowMap::<f32>::new(side).unwrap_err(), SizeError::ShadowSide(side));
     }
     assert_eq!(ShadowMap::<f32>::new(16).unwrap().side(), 16);
-    assert_eq!(
-        SizeError::ShadowSide(8).to_string(),
-        "side 8 of a shadow map is refused: give 16 to 2048 texels"
-    );
+    assert_eq!(SizeError::ShadowSide(8).to_string(), "side of a shadow map = 8: expected 16 to 2048 texels");
 }

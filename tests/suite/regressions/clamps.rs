@@ -59,7 +59,7 @@ fn bevy_divides_by_the_tangent_of_an_angle_of_zero() {
     assert_eq!(refused.parameter, Parameter::OuterAngle);
     assert_eq!(
         refused.to_string(),
-        "outer angle 0 is refused: give more than 0 and at most 180 degrees, the full angle"
+        "outer angle = 0: expected more than 0 and at most 180 degrees (full angle)"
     );
 }
 

@@ -55,7 +55,7 @@ fn glsl_leaves_smoothstep_of_swapped_angles_undefined() {
     let cone = Cone::from_outer(Smooth, HalfAngle::degrees(10.0)).expect("a sound cone");
     let refused = cone.with_inner(HalfAngle::degrees(12.0)).expect_err("swapped");
     assert_eq!(refused.parameter, Parameter::InnerAngle);
-    assert_eq!(refused.to_string(), "inner angle 24 is refused: give from 0 to 20 degrees, the full angle");
+    assert_eq!(refused.to_string(), "inner angle = 24: expected 0 to 20 degrees (full angle)");
     let upright = Case { inner: 10.0, ..Case::open("smooth", Smooth, reference::smooth, 12.0) };
     assert_eq!(upright.held_by(), ALL);
 }
