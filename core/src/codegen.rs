@@ -19,6 +19,8 @@
 //! The firmware takes it in, and the compiler compares the types:
 //!
 //! ```text
+//! use luminaire::{Fx16, falloff::Soft, light::CompiledSpotLight};
+//!
 //! const KEY: CompiledSpotLight<Fx16, Soft> = include!(concat!(env!("OUT_DIR"), "/key.rs"));
 //! ```
 //!

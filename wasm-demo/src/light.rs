@@ -107,7 +107,9 @@ pub(crate) fn edge_named(name: &str) -> Result<SoftOrHard, Refusal> {
     match name {
         "soft" => Ok(SoftOrHard::Soft),
         "hard" => Ok(SoftOrHard::Hard),
-        _ => Err(Refusal::Name { parameter: "edge", value: name.to_owned(), remedy: "expected soft or hard" }),
+        _ => {
+            Err(Refusal::Name { parameter: "edge", value: name.to_owned(), remedy: "expected soft or hard" })
+        }
     }
 }
 

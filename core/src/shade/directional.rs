@@ -18,6 +18,12 @@ pub struct CompiledDirectionalLight<S: Scalar> {
 }
 
 impl<S: Scalar> CompiledDirectionalLight<S> {
+    /// The light that arrives at a surface of this normal, before the colours: Lambert's cosine of the intensity.
+    #[inline(always)]
+    pub fn irradiance(&self, normal: Vec3<S>) -> S::Irradiance {
+        self.evaluate::<NoSpecular>(&SurfacePoint::matte(Vec3::default(), normal), &(), false).diffuse
+    }
+
     /// The light of these parts, as [`codegen`](crate::codegen) writes them: the colours are the diffuse and the specular
     /// one.
     pub const fn from_parts(
@@ -26,12 +32,6 @@ impl<S: Scalar> CompiledDirectionalLight<S> {
         [color, specular_color]: [Rgb<S>; 2],
     ) -> Self {
         Self { direction, intensity, color, specular_color }
-    }
-
-    /// The light that arrives at a surface of this normal, before the colours: Lambert's cosine of the intensity.
-    #[inline(always)]
-    pub fn irradiance(&self, normal: Vec3<S>) -> S::Irradiance {
-        self.evaluate::<NoSpecular>(&SurfacePoint::matte(Vec3::default(), normal), &(), false).diffuse
     }
 }
 

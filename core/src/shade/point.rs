@@ -24,18 +24,6 @@ pub struct CompiledPointLight<S: Scalar, A: Attenuation = InverseSquare> {
 }
 
 impl<S: Scalar, A: Attenuation> CompiledPointLight<S, A> {
-    /// The light of these parts, as [`codegen`](crate::codegen) writes them: `fine_below` is that of `Arithmetic::fine_below`, and
-    /// the colours are the diffuse and the specular one.
-    pub const fn from_parts(
-        position: Vec3<S::Length>,
-        attenuation: A::Constants<S>,
-        intensity: S::Gain,
-        fine_below: u32,
-        [color, specular_color]: [Rgb<S>; 2],
-    ) -> Self {
-        Self { position, attenuation, intensity, fine_below, color, specular_color }
-    }
-
     /// The light that arrives at a surface point, before the colours: distance and Lambert's cosine. Skips what is
     /// exactly zero, as [`CompiledSpotLight::irradiance`](crate::light::CompiledSpotLight::irradiance) does.
     #[inline(always)]
@@ -47,6 +35,18 @@ impl<S: Scalar, A: Attenuation> CompiledPointLight<S, A> {
     #[inline(always)]
     pub fn irradiance_unskipped(&self, point: Vec3<S::Length>, normal: Vec3<S>) -> S::Irradiance {
         self.evaluate::<NoSpecular>(&SurfacePoint::matte(point, normal), &(), false).diffuse
+    }
+
+    /// The light of these parts, as [`codegen`](crate::codegen) writes them: `fine_below` is that of `Arithmetic::fine_below`, and
+    /// the colours are the diffuse and the specular one.
+    pub const fn from_parts(
+        position: Vec3<S::Length>,
+        attenuation: A::Constants<S>,
+        intensity: S::Gain,
+        fine_below: u32,
+        [color, specular_color]: [Rgb<S>; 2],
+    ) -> Self {
+        Self { position, attenuation, intensity, fine_below, color, specular_color }
     }
 }
 

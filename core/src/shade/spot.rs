@@ -29,23 +29,6 @@ pub struct CompiledSpotLight<S: Scalar, P: Falloff = SoftOrHard, A: Attenuation 
 }
 
 impl<S: Scalar, P: Falloff, A: Attenuation> CompiledSpotLight<S, P, A> {
-    /// The light of these parts, as [`codegen`](crate::codegen) writes them: `outside` is the bound by which points outside
-    /// the cone are rejected, `fine_below` that of `Arithmetic::fine_below`, and the colours are the diffuse and the specular
-    /// one.
-    #[expect(clippy::too_many_arguments, reason = "generated source names each part of a light once")]
-    pub const fn from_parts(
-        position: Vec3<S::Length>,
-        axis: Vec3<S::Unit>,
-        falloff: CompiledCone<S, P>,
-        outside: S,
-        attenuation: A::Constants<S>,
-        intensity: S::Gain,
-        fine_below: u32,
-        [color, specular_color]: [Rgb<S>; 2],
-    ) -> Self {
-        Self { position, axis, falloff, outside, attenuation, intensity, fine_below, color, specular_color }
-    }
-
     /// The light that arrives at a surface point, before the colours: falloff, distance and Lambert's cosine. 1 is
     /// full scale; the unit of `point` is that of the light's position, `normal` has unit length.
     ///
@@ -110,6 +93,23 @@ impl<S: Scalar, P: Falloff, A: Attenuation> CompiledSpotLight<S, P, A> {
             color: self.color,
             specular_color: self.specular_color,
         }
+    }
+
+    /// The light of these parts, as [`codegen`](crate::codegen) writes them: `outside` is the bound by which points outside
+    /// the cone are rejected, `fine_below` that of `Arithmetic::fine_below`, and the colours are the diffuse and the specular
+    /// one.
+    #[expect(clippy::too_many_arguments, reason = "generated source names each part of a light once")]
+    pub const fn from_parts(
+        position: Vec3<S::Length>,
+        axis: Vec3<S::Unit>,
+        falloff: CompiledCone<S, P>,
+        outside: S,
+        attenuation: A::Constants<S>,
+        intensity: S::Gain,
+        fine_below: u32,
+        [color, specular_color]: [Rgb<S>; 2],
+    ) -> Self {
+        Self { position, axis, falloff, outside, attenuation, intensity, fine_below, color, specular_color }
     }
 }
 
