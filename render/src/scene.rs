@@ -3,7 +3,7 @@
 use crate::mesh::{Mesh, check_channels};
 use alloc::vec::Vec;
 use luminaire::{
-    Error, Rgb, Scalar, Vec3,
+    Error, Rgb,
     display::decode_srgb,
     dynamic::{Effect, RenderPlan},
     error::Parameter,

@@ -28,7 +28,7 @@ fn twice<S: Format>(words: &mut Words<'_>) -> Option<()> {
         // In 16 bits one of the two may be evaluated finely and the other not, each within half a code.
         let steps = match S::NAME {
             "f32" => 0.0,
-            "fx16" if (0.3..16.0).contains(&gain) => 96.0,
+            "fx16" if (0.3..64.0).contains(&gain) => 96.0,
             _ => 1.0,
         };
         let off = (twice - 2.0 * once).abs() / f64::from(S::STEP);

@@ -83,8 +83,10 @@ fn lit<P: Falloff + Into<AnyFalloff>, A: Attenuation + Into<AnyAttenuation>>(
     let half = any_half(rng);
     let mut cone = Cone::from_outer(profile, half).expect("a sound angle");
     if rng.bool() {
-        cone =
-            cone.with_inner(HalfAngle::degrees(half.to_degrees() * 0.9 * rng.f32())).expect("a sound angle");
+        let inner = HalfAngle::degrees(half.to_degrees() * 0.9 * rng.f32());
+        let hotspot = cone.with_inner(inner).expect("a sound angle");
+        // Around a hotspot the edge may be steeper than the format holds.
+        cone = if hotspot.compile::<f32>().is_ok() { hotspot } else { cone };
     }
     let spot = sweep::spot(rng, cone).with_attenuation(attenuation);
     let haze = haze(rng);

@@ -40,7 +40,7 @@ pub const HIGHLIGHT: [Row; 12] = [
 /// linear light, and the error of the nearest display code, in codes before the exact one is rounded.
 #[rustfmt::skip]
 pub const LIT: [Row; 2] = [
-    Row { model: "lit point, linear", bounds: [4.7e-7, 5.4e-8, 2.3e-4] },
+    Row { model: "lit point, linear", bounds: [4.7e-7, 5.8e-8, 2.3e-4] },
     Row { model: "lit point, codes",  bounds: [5.4e-1, 5.3e-1, 6.2e-1] },
 ];
 
