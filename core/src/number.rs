@@ -30,14 +30,14 @@ pub(crate) mod fixed32;
 #[cfg(feature = "fixed")]
 mod fixed_point;
 #[cfg(feature = "fixed")]
+mod gain;
+#[cfg(feature = "fixed")]
 mod reciprocal;
 #[cfg(feature = "fixed")]
 mod root;
 
 #[cfg(feature = "fixed")]
 pub use self::fixed_point::{Fx16, Fx32, Length, Light16, Light32, Versine16, Versine32, Weight16, Weight32};
-#[cfg(feature = "fixed")]
-use self::fixed_point::{nearest, rounded};
 pub(crate) use self::{arithmetic::HALF_A_CODE, real::RealExponent};
 #[cfg(feature = "arithmetic")]
 pub use self::{
@@ -48,6 +48,11 @@ pub use self::{
 pub(crate) use self::{
     arithmetic::{Arithmetic, Gain, Offset, Ray, Rise, Share, Slopes, Word},
     fraction::Fraction,
+};
+#[cfg(feature = "fixed")]
+use self::{
+    fixed_point::{nearest, operations, rounded},
+    gain::{Gain16, Gain32},
 };
 pub use self::{knot::Knot, place::ProjectedPoint};
 
@@ -104,6 +109,20 @@ pub(crate) fn outside_bound<S: Scalar>(outer_versine: f32) -> S {
     let squared_sine = outer_versine * (2.0 - outer_versine);
     let margin = squared_sine * f32::EPSILON + 16.0 * S::STEP;
     S::ONE.minus(S::from_f32(squared_sine)).minus(S::from_f32(margin))
+}
+
+/// `base^exponent` by repeated squaring, in the product of a format.
+#[inline(always)]
+fn raised<T: Copy>(one: T, base: T, exponent: u32, product: impl Fn(T, T) -> T) -> T {
+    let (mut power, mut square, mut rest) = (one, base, exponent);
+    while rest > 0 {
+        if rest % 2 == 1 {
+            power = product(power, square);
+        }
+        square = product(square, square);
+        rest /= 2;
+    }
+    power
 }
 
 /// A value as `mantissa / 2^shift` with a mantissa of 24 bits, which is exact; zero where it is not more than zero.

@@ -352,9 +352,15 @@ pub trait Ray<S: Arithmetic>: Copy + core::fmt::Debug {
     /// offset.
     fn cosine(&self, facing: <S::Offset as Offset<S>>::Facing, normal: Vec3<S>) -> Self::Fraction;
     /// The distance times a gain, and exactly one from there on.
-    fn near(&self, gain: S::Gain) -> Self::Share;
+    #[inline(always)]
+    fn near(&self, gain: S::Gain) -> Self::Share {
+        Self::Share::of_scalar(self.distance().by(gain).fraction())
+    }
     /// The squared distance, which is that of the offset, times a gain, and exactly one from there on.
-    fn squared_near(&self, offset: &S::Offset, gain: S::Gain) -> Self::Share;
+    #[inline(always)]
+    fn squared_near(&self, offset: &S::Offset, gain: S::Gain) -> Self::Share {
+        Self::Share::of_scalar(offset.squared_distance().by(gain).fraction())
+    }
     /// The light of a share of a gain at this distance, by the inverse-square law; none for a negative share.
     fn expose(&self, share: Self::Share, gain: S::Gain) -> S::Received;
 }

@@ -1,7 +1,11 @@
 //! The fixed-point numbers, as types of their own over those of the crate `fixed`.
 
+mod operations;
+
 use core::fmt;
 
+pub(super) use self::operations::operations;
+use super::Scalar;
 use crate::vec3::Vec3;
 use fixed::types::{I2F14, I2F30, I16F16, I18F14, I34F30, U3F29, U18F14, U34F30};
 
@@ -171,6 +175,47 @@ macro_rules! vectors {
 }
 
 vectors!(Fx16 Fx32);
+
+/// The scalars among the numbers: with their names, their light and the farthest coordinate.
+macro_rules! scalars {
+    ($($scalar:ident($name:literal, $light:ident, $farthest:literal);)*) => {$(
+        impl Scalar for $scalar {
+            type Length = Length;
+            type Unit = Fx32;
+            type Irradiance = $light;
+
+            const NAME: &'static str = $name;
+            const ZERO: Self = Self::ZERO;
+            const ONE: Self = Self::ONE;
+            const STEP: f32 = 1.0 / (1_u32 << Self::FRACTION_BITS) as f32;
+            const FARTHEST: f32 = $farthest;
+
+            #[inline(always)]
+            fn from_f32(value: f32) -> Self {
+                Self::from_f32(value)
+            }
+
+            fn to_f32(self) -> f32 {
+                self.to_f32()
+            }
+
+            #[inline(always)]
+            fn length(value: f32) -> Length {
+                Length::from_f32(value)
+            }
+
+            #[inline(always)]
+            fn light_to_f32(light: $light) -> f32 {
+                light.to_f32()
+            }
+        }
+    )*};
+}
+
+scalars! {
+    Fx16("fx16", Light16, 16_383.0);
+    Fx32("fx32", Light32, 32_767.0);
+}
 
 /// The integer nearest to a value, ties to even; saturates, and NaN becomes zero.
 ///

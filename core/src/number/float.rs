@@ -2,31 +2,18 @@
 //! same inputs give the same bits on every machine.
 
 mod frame;
+mod offset;
 
 pub use self::frame::FloatFrame;
+use self::offset::FloatOffset;
 use super::{
     Arithmetic, Gain, Offset, ProjectedPoint, Ray, Rise, Scalar, Slopes, Word, fraction::FloatFraction,
+    raised,
 };
-use crate::{trig, vec3::Vec3};
+use crate::vec3::Vec3;
 
 /// Where irradiance saturates: finite whatever is added to it or divided by it in practice.
 const BRIGHTEST: f32 = 18_446_744_073_709_551_616.0; // 2^64
-
-/// The way back from a point to a light, and its squared length. Lambert's cosine wants it in this direction, and the
-/// difference to the axis is then a sum.
-#[derive(Clone, Copy, Debug)]
-pub struct FloatOffset {
-    back: Vec3<f32>,
-    squared: f32,
-}
-
-/// The unit direction back to the light, the square of its former length, and the reciprocal of that length.
-#[derive(Clone, Copy, Debug)]
-pub struct FloatRay {
-    back: Vec3<f32>,
-    squared: f32,
-    reciprocal: f32,
-}
 
 /// A ramp: its outer versine, the versine from which it is cut off, and the reciprocal of its span.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -149,8 +136,7 @@ impl Arithmetic for f32 {
 
     #[inline(always)]
     fn offset(light: Vec3<f32>, point: Vec3<f32>) -> FloatOffset {
-        let back = light.zip(point, |l, p| l - p);
-        FloatOffset { back, squared: back.dot(back) }
+        FloatOffset::between(light, point)
     }
 
     /// The reciprocal is rounded up until `span * reciprocal` reaches one, so that the ramp is exact at both ends.
@@ -208,13 +194,7 @@ impl Arithmetic for f32 {
 
     #[inline(always)]
     fn power(versine: f32, exponent: u32) -> f32 {
-        let (mut power, mut square, mut rest) = (1.0, positive(1.0 - versine), exponent);
-        while rest > 0 {
-            power = if rest % 2 == 1 { power * square } else { power };
-            square *= square;
-            rest /= 2;
-        }
-        power
+        raised(1.0, positive(1.0 - versine), exponent, |a, b| a * b)
     }
 
     #[inline(always)]
@@ -294,138 +274,5 @@ impl Gain<f32> for f32 {
     #[inline(always)]
     fn fraction(self) -> Self {
         clamp(self)
-    }
-}
-
-impl Offset<f32> for FloatOffset {
-    type Ray = FloatRay;
-    type FineRay = FloatRay;
-    type Facing = f32;
-
-    const ROOTS_FIRST: bool = true;
-
-    #[inline(always)]
-    fn facing(&self, normal: Vec3<f32>) -> f32 {
-        self.back.dot(normal)
-    }
-
-    #[inline(always)]
-    fn faces_away(facing: f32) -> bool {
-        !matches!(facing.partial_cmp(&0.0), Some(core::cmp::Ordering::Greater))
-    }
-
-    #[inline(always)]
-    fn is_outside(&self, axis: Vec3<f32>, bound: f32) -> bool {
-        let along = self.back.dot(axis);
-        along * along.abs() > -bound * self.squared
-    }
-
-    #[inline(always)]
-    fn squared_distance(&self) -> f32 {
-        self.squared
-    }
-
-    #[inline(always)]
-    fn ray(&self) -> FloatRay {
-        self.ray_of(self.reciprocal())
-    }
-
-    #[inline(always)]
-    fn fine_ray(&self) -> FloatRay {
-        self.ray()
-    }
-
-    /// Where the square is less than any normal number the point counts as on the light, and its direction is zero.
-    /// Where it is beyond f32 the reciprocal is zero too, and no light arrives either.
-    #[inline(always)]
-    fn reciprocal(&self) -> f32 {
-        trig::inverse_sqrt(self.squared)
-    }
-
-    #[inline(always)]
-    fn ray_of(&self, reciprocal: f32) -> FloatRay {
-        FloatRay { back: self.back.map(|c| c * reciprocal), squared: self.squared, reciprocal }
-    }
-}
-
-/// By the kernel's root: the processor's own with `std`, else that of `libm` or `micromath`.
-impl Vec3<f32> {
-    /// The length; zero if its square is no normal number.
-    #[inline(always)]
-    pub fn length(self) -> f32 {
-        f32::offset(Vec3::default(), self).ray().distance()
-    }
-
-    /// The reciprocal of the length; zero if the square of the length is no normal number.
-    #[inline(always)]
-    pub fn reciprocal_length(self) -> f32 {
-        f32::offset(Vec3::default(), self).reciprocal()
-    }
-
-    /// The vector at unit length; zero if the square of its length is no normal number.
-    #[inline(always)]
-    pub fn unit(self) -> Self {
-        f32::offset(Vec3::default(), self).ray().direction()
-    }
-}
-
-impl FloatRay {
-    /// The squared difference of direction and axis.
-    #[inline(always)]
-    fn twice_versine(&self, axis: Vec3<f32>) -> f32 {
-        let difference = self.back.zip(axis, |b, s| b + s);
-        difference.dot(difference)
-    }
-}
-
-impl Ray<f32> for FloatRay {
-    type Fraction = FloatFraction;
-    type Share = f32;
-
-    #[inline(always)]
-    fn direction(&self) -> Vec3<f32> {
-        self.back.map(|c| -c)
-    }
-
-    #[inline(always)]
-    fn distance(&self) -> f32 {
-        trig::sqrt(self.squared)
-    }
-
-    #[inline(always)]
-    fn versine(&self, axis: Vec3<f32>, _: FloatRamp) -> f32 {
-        0.5 * self.twice_versine(axis)
-    }
-
-    /// On a ramp of twice the size, which halves nothing per point and changes no bit.
-    #[inline(always)]
-    fn rise(&self, axis: Vec3<f32>, ramp: FloatRamp) -> FloatFraction {
-        let doubled =
-            FloatRamp { outer: 2.0 * ramp.outer, limit: 2.0 * ramp.limit, reciprocal: 0.5 * ramp.reciprocal };
-        doubled.rise(self.twice_versine(axis))
-    }
-
-    #[inline(always)]
-    fn cosine(&self, facing: f32, _: Vec3<f32>) -> FloatFraction {
-        FloatFraction(clamp(facing * self.reciprocal))
-    }
-
-    #[inline(always)]
-    fn near(&self, gain: f32) -> f32 {
-        self.distance().by(gain).fraction()
-    }
-
-    #[inline(always)]
-    fn squared_near(&self, offset: &FloatOffset, gain: f32) -> f32 {
-        offset.squared.by(gain).fraction()
-    }
-
-    /// The gain saturates and not the light, because the compiler sees that a product of clamped fractions is not
-    /// negative, and leaves the other half of `Arithmetic::expose`'s clamp out.
-    #[inline(always)]
-    fn expose(&self, fraction: f32, gain: f32) -> f32 {
-        let gain = gain * (self.reciprocal * self.reciprocal);
-        let fraction = if fraction < 0.0 { 0.0 } else { fraction };
-        fraction * if gain < BRIGHTEST { gain } else { BRIGHTEST }
     }
 }

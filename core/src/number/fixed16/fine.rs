@@ -4,25 +4,16 @@
 //! more: [`Cone::compile`](crate::Cone::compile) finds by a bound which cones need it, and
 //! `Arithmetic::fine_below` how near to a lamp points do.
 
-use super::{Fx16, Gain16, Ramp16, gain, shifted};
+use super::product::{high_half, high_product};
 use crate::number::{Fraction, Knot, RealExponent, Share, fraction::neighbours};
-use crate::number::{Light16, Versine16, Weight16};
+use crate::number::{Fx16, Gain16, Light16, Weight16};
 
 /// A number from 0 to 1 with 31 fraction bits.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Default, Debug)]
-pub struct Fine16(u32);
-
-/// `a b / 2^32`, rounded down: exactly, so that it never falls where a factor rises.
-#[inline(always)]
-pub(super) const fn high_half(a: u32, b: u32) -> u32 {
-    let (high, low) = (a >> 16, a & 0xffff);
-    let upper = high * (b & 0xffff) + ((low * (b & 0xffff)) >> 16);
-    let lower = low * (b >> 16) + (upper & 0xffff);
-    high * (b >> 16) + (upper >> 16) + (lower >> 16)
-}
+pub struct Fine16(pub(super) u32);
 
 impl Fine16 {
-    const ONE: Self = Self(1 << 31);
+    pub(super) const ONE: Self = Self(1 << 31);
 
     /// The product, within 2^-30 below the exact one; exact where a factor is one or zero.
     #[inline(always)]
@@ -49,12 +40,6 @@ impl Fine16 {
     #[inline(always)]
     fn of_value(value: u32) -> Self {
         Self((value + ((value + (1 << 15)) >> 16)).min(Self::ONE.0))
-    }
-
-    /// The bits.
-    #[inline(always)]
-    pub(super) fn to_bits(self) -> u32 {
-        self.0
     }
 
     /// `t (1 + u slope)` for a slope of 28 fraction bits, within [0, 1] whatever the slope.
@@ -102,11 +87,6 @@ impl Fraction<Fx16> for Fine16 {
     }
 
     #[inline(always)]
-    fn lack(value: Self) -> Self {
-        value.complement()
-    }
-
-    #[inline(always)]
     fn mixed(low: Self, high: Self, share: Fx16) -> Self {
         let share = Self::of_scalar(share);
         Self(low.0 - Self(low.0.saturating_sub(high.0)).times(share).0)
@@ -139,7 +119,7 @@ impl Fraction<Fx16> for Fine16 {
     fn sample(self, samples: &[u16]) -> Self {
         let last = (samples.len().min(1 << 16) as u32).saturating_sub(1);
         // With 15 fraction bits: 31 and 16 bits in, 16 cut off.
-        let place = gain::high_product(self.complement().0, last);
+        let place = high_product(self.complement().0, last);
         let (here, next) = neighbours(samples, (place >> 15) as usize);
         let (here, next) = (i32::from(here), i32::from(next));
         Self::of_value(((here << 15) + (next - here) * (place & 0x7fff).cast_signed()).cast_unsigned())
@@ -191,24 +171,6 @@ impl Share<Fx16> for Fine16 {
 
     #[inline(always)]
     fn give(self, gain: Gain16) -> Light16 {
-        shifted(high_half(self.0, gain.mantissa), gain.shift - 15)
-    }
-}
-
-impl Ramp16 {
-    /// Where a versine stands on the ramp, with all bits that it has.
-    #[inline(always)]
-    pub(super) fn rise_finely(self, versine: Versine16) -> Fine16 {
-        let versine = versine.to_bits();
-        let past = versine.wrapping_sub(self.inner);
-        if past >= self.width.max(self.fine) {
-            return if versine < self.inner { Fine16::ONE } else { Fine16(0) };
-        }
-        let fallen = if self.fine_shift < u32::BITS {
-            high_half(past.wrapping_shl(u32::BITS - self.fine_shift), self.fine_mantissa)
-        } else {
-            high_half(past, self.fine_mantissa) >> (self.fine_shift - u32::BITS)
-        };
-        Fine16(Fine16::ONE.0.saturating_sub(fallen))
+        Light16::shifted(high_half(self.0, gain.mantissa), gain.shift - 15)
     }
 }

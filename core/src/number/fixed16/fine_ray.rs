@@ -3,14 +3,13 @@
 //! In the comments `W` is the way scaled until its largest component has 31 bits, and `|W|` its length.
 
 use super::{
-    Fx16, Gain16, Ramp16,
-    fine::{Fine16, high_half},
-    gain::signed_high_product,
+    Ramp16,
+    fine::Fine16,
     offset::{self, Offset16},
-    shifted,
+    product::{high_half, high_square, signed_high_product},
 };
-use crate::number::{Fx32, Light16, Versine16};
-use crate::{number::Ray, vec3::Vec3};
+use crate::number::{Fx16, Fx32, Gain16, Light16, Ray, Versine16};
+use crate::vec3::Vec3;
 
 /// A unit direction of 30 fraction bits and the length it had.
 #[derive(Clone, Copy, Debug)]
@@ -22,13 +21,6 @@ pub struct FineRay16 {
     squared: u32,
     /// `2^61 / |W|`.
     reciprocal: u32,
-}
-
-/// The upper half of a square, within 2 of it: two products where [`high_half`] has four.
-#[inline(always)]
-fn high_square(a: u32) -> u32 {
-    let (high, low) = (a >> 16, a & 0xffff);
-    high * high + ((high * low) >> 15)
 }
 
 /// A sum of squares over 2^32, of components with a sign.
@@ -118,6 +110,6 @@ impl Ray<Fx16> for FineRay16 {
     fn expose(&self, share: Fine16, gain: Gain16) -> Light16 {
         // Of 26 bits and more, and the product of 16 and more where the light is not far below a code.
         let here = high_half(high_square(self.reciprocal), gain.mantissa);
-        shifted(high_half(share.to_bits(), here), gain.shift + 2 * self.bits - 51)
+        Light16::shifted(high_half(share.0, here), gain.shift + 2 * self.bits - 51)
     }
 }

@@ -1,10 +1,9 @@
 //! The way from a point to its place on the square, in 16 bits.
 
-use super::{Fx16, gain::signed_high_product, offset::Offset16};
-use crate::number::Length;
+use super::{offset::Offset16, product::signed_high_product};
 use crate::{
     number::{
-        mantissa_and_shift,
+        Fx16, Length, mantissa_and_shift, nearest,
         place::{ProjectedPoint, STEPS},
         reciprocal, root,
     },
@@ -44,7 +43,7 @@ impl Vector {
     }
 
     fn new(vector: Vec3<f32>) -> Self {
-        let parts = vector.map(|c| super::nearest(c * (1 << BITS) as f32));
+        let parts = vector.map(|c| nearest(c * (1 << BITS) as f32));
         Self { parts, half: (parts.x + parts.y + parts.z) >> 1 }
     }
 
@@ -93,7 +92,7 @@ impl Frame16 {
         let scale = (length / (2.0 * f64::from(tangent))) as f32;
         let center = [vectors[0], vectors[1]].map(|across| {
             let lean = across.along(axis) / length;
-            super::nearest(STEPS as f32 * (0.5 - lean as f32 * scale))
+            nearest(STEPS as f32 * (0.5 - lean as f32 * scale))
         });
         let (mantissa, shift) = mantissa_and_shift(scale);
         Self {

@@ -1,17 +1,7 @@
-//! Cubics, powers and mirrors of 16 bits, in 32-bit products.
+//! Powers and mirrors of 16 bits, in 32-bit products.
 
-use super::Fx16;
-use crate::number::{Fx32, Versine16};
+use crate::number::{Fx16, Fx32, Versine16, raised};
 use crate::vec3::Vec3;
-
-/// `t^2 (3 - 2t)`, exact but for one rounding at the end, so that it never falls.
-#[inline(always)]
-pub(super) fn smooth(t: Fx16) -> Fx16 {
-    let t = u32::from(t.clamp(Fx16::ZERO, Fx16::ONE).to_bits().cast_unsigned());
-    let (square, factor) = (t * t, (3 << 14) - 2 * t);
-    let product = (square >> 14) * factor + (((square & 0x3fff) * factor) >> 14);
-    Fx16::from_bits(((product + (1 << 13)) >> 14) as i16)
-}
 
 /// What the product of two fractions lacks of one, from what each of them lacks, with 32 fraction bits.
 #[inline(always)]
@@ -22,14 +12,7 @@ fn lack_of_product(a: u32, b: u32) -> u32 {
 /// `(1 - versine)^exponent`: what the cosine lacks of one keeps its leading bits where the cosine would have lost them.
 #[inline(always)]
 pub(super) fn power(versine: Versine16, exponent: u32) -> Fx16 {
-    let (mut lack, mut square, mut rest) = (0, versine.to_bits().saturating_mul(8), exponent);
-    while rest > 0 {
-        if rest % 2 == 1 {
-            lack = lack_of_product(lack, square);
-        }
-        square = lack_of_product(square, square);
-        rest /= 2;
-    }
+    let lack = raised(0, versine.to_bits().saturating_mul(8), exponent, lack_of_product);
     let lack = ((lack >> 17) + 1) >> 1;
     Fx16::from_bits(((1 << 14) - lack) as i16)
 }

@@ -2,12 +2,11 @@
 //!
 //! In the comments `v` is the way scaled until its largest component has 15 bits, and `|v|` its length.
 
-use super::{Fx16, Gain16, Ramp16, fine_ray::FineRay16, gain, shifted};
-use crate::number::{Fx32, Length, Light16, Versine16};
-use crate::{
-    number::{Arithmetic, Gain, Offset, Ray, fraction::Fraction16, root},
-    vec3::Vec3,
+use super::{Ramp16, factor, fine_ray::FineRay16, product::high_product};
+use crate::number::{
+    Arithmetic, Fx16, Fx32, Gain16, Length, Light16, Offset, Ray, Versine16, fraction::Fraction16, root,
 };
+use crate::vec3::Vec3;
 
 /// How many bits of an offset are multiplied with the reciprocal of its length. The product has 31 in all: the offset
 /// gets more of them, because its error turns the direction while the reciprocal's only shortens it.
@@ -210,7 +209,7 @@ impl Ray<Fx16> for Ray16 {
     #[inline(always)]
     fn distance(&self) -> Gain16 {
         // `|v| 2^14`, of 29 or 30 bits.
-        Gain16::normalised(gain::high_product(self.squared, self.reciprocal), 45 - self.bits.cast_signed())
+        Gain16::normalised(high_product(self.squared, self.reciprocal), 45 - self.bits.cast_signed())
     }
 
     #[inline(always)]
@@ -225,7 +224,7 @@ impl Ray<Fx16> for Ray16 {
 
     #[inline(always)]
     fn rise(&self, axis: Vec3<Fx32>, ramp: Ramp16) -> Fraction16 {
-        ramp.rise(self.versine(axis, ramp))
+        ramp.rise_coarsely(self.versine(axis, ramp))
     }
 
     #[inline(always)]
@@ -236,21 +235,13 @@ impl Ray<Fx16> for Ray16 {
     }
 
     #[inline(always)]
-    fn near(&self, gain: Gain16) -> Fx16 {
-        self.distance().by(gain).fraction()
-    }
-
-    #[inline(always)]
-    fn squared_near(&self, offset: &Offset16, gain: Gain16) -> Fx16 {
-        offset.squared_distance().by(gain).fraction()
-    }
-
-    #[inline(always)]
     fn expose(&self, fraction: Fx16, gain: Gain16) -> Light16 {
-        let fraction = u32::from(fraction.to_bits().max(0).cast_unsigned());
         // At most 16, 16 and 18 bits: every product fits 32.
         let squared = (self.reciprocal * self.reciprocal) >> 16;
-        let mantissa = (gain.top() * squared) >> 14;
-        shifted(fraction.wrapping_mul(mantissa), gain.shift + 2 * self.bits.cast_signed() - 48)
+        let mantissa = (gain.factor() * squared) >> 14;
+        Light16::shifted(
+            factor(fraction).wrapping_mul(mantissa),
+            gain.scale() + 2 * self.bits.cast_signed() - 32,
+        )
     }
 }

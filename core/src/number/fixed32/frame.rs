@@ -1,6 +1,6 @@
 //! The way from a point to its place on the square, in 32 bits.
 
-use super::{Offset32, wide};
+use super::{offset::Offset32, wide};
 use crate::number::{Fx32, Length};
 use crate::{
     number::{

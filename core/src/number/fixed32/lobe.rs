@@ -1,20 +1,11 @@
-//! Cubics, powers and mirrors of 32 bits, in 64-bit products.
+//! Powers and mirrors of 32 bits, in 64-bit products.
 
-use super::{Versine32, fraction, wide};
-use crate::number::Fx32;
+use super::wide;
+use crate::number::{Fx32, Versine32, raised};
 use crate::vec3::Vec3;
 
 /// One, with 62 fraction bits.
 const ONE: u64 = 1 << 62;
-
-/// `t^2 (3 - 2t)`, exact but for one rounding at the end, so that it never falls.
-#[inline(always)]
-pub(super) fn smooth(t: Fx32) -> Fx32 {
-    let t = fraction(t);
-    let (square, factor) = (t * t, (3 << 30) - 2 * t);
-    let product = (square >> 30) * factor + (((square & 0x3fff_ffff) * factor) >> 30);
-    Fx32::from_bits(((product + (1 << 29)) >> 30) as i32)
-}
 
 /// What the product of two fractions lacks of one, from what each of them lacks, with 62 fraction bits.
 #[inline(always)]
@@ -25,14 +16,7 @@ fn lack_of_product(a: u64, b: u64) -> u64 {
 /// `(1 - versine)^exponent`: what the cosine lacks of one keeps its leading bits where the cosine would have lost them.
 #[inline(always)]
 pub(super) fn power(versine: Versine32, exponent: u32) -> Fx32 {
-    let (mut lack, mut square, mut rest) = (0, versine.to_bits().min(ONE / 2) * 2, exponent);
-    while rest > 0 {
-        if rest % 2 == 1 {
-            lack = lack_of_product(lack, square);
-        }
-        square = lack_of_product(square, square);
-        rest /= 2;
-    }
+    let lack = raised(0, versine.to_bits().min(ONE / 2) * 2, exponent, lack_of_product);
     let lack = ((lack >> 31) + 1) >> 1;
     Fx32::from_bits(((1 << 30) - lack) as i32)
 }

@@ -1,0 +1,159 @@
+//! The way from a light to a point in 32 bits, and what is known of it once the root is paid for.
+//!
+//! In the comments `|v|` is the length of the scaled offset, whose largest component has 31 bits.
+
+use super::{Ramp32, factor, square, wide};
+use crate::number::{
+    Arithmetic, Fx32, Gain32, Length, Light32, Offset, Ray, Versine32, fraction::Fraction32, root,
+};
+use crate::vec3::Vec3;
+
+/// The way from a light to a point, scaled until its largest component has 31 bits.
+#[derive(Clone, Copy, Debug)]
+pub struct Offset32 {
+    pub(super) way: Vec3<i32>,
+    /// Bits of the largest component before scaling, at least 1.
+    pub(super) bits: u32,
+}
+
+/// A unit direction and the reciprocal of its former length.
+#[derive(Clone, Copy, Debug)]
+pub struct Ray32 {
+    direction: Vec3<i32>,
+    bits: u32,
+    squared: u64,
+    /// `2^62 / |v|`, of 31 to 33 bits.
+    reciprocal: u64,
+}
+
+/// The inner product of a vector and a way. Wraps where the vector is longer than 1.15.
+#[inline(always)]
+fn inner_product(vector: Vec3<Fx32>, way: Vec3<i32>) -> i64 {
+    let products = vector.zip(way, |a, b| wide(a.to_bits(), b));
+    products.x.wrapping_add(products.y).wrapping_add(products.z)
+}
+
+impl Offset32 {
+    /// The way from a light to a point.
+    #[inline(always)]
+    pub(super) fn between(light: Vec3<Length>, point: Vec3<Length>) -> Self {
+        let [p, l] = [point, light].map(|place| place.map(Length::to_bits));
+        let way = (p.x.checked_sub(l.x), p.y.checked_sub(l.y), p.z.checked_sub(l.z));
+        if let (Some(x), Some(y), Some(z)) = way {
+            return Self::new(Vec3::new(x, y, z));
+        }
+        core::hint::cold_path();
+        let half = |p, l| ((i64::from(p) - i64::from(l) + 1) >> 1).min(i32::MAX.into()) as i32;
+        let Self { way, bits } = Self::new(p.zip(l, half));
+        Self { way, bits: bits + 1 }
+    }
+
+    /// A way of any size.
+    #[inline(always)]
+    pub(super) fn new(way: Vec3<i32>) -> Self {
+        let magnitudes = way.map(|c| (c ^ (c >> 31)).cast_unsigned());
+        let bits = root::bit_length(magnitudes.x | magnitudes.y | magnitudes.z);
+        Self { way: way.map(|c| c << (31 - bits)), bits }
+    }
+
+    /// `|v|^2`. Computed where it is needed, for a surface that faces away has no need of it.
+    #[inline(always)]
+    fn squared(&self) -> u64 {
+        let squares = self.way.map(square);
+        squares.x + squares.y + squares.z
+    }
+}
+
+impl Offset<Fx32> for Offset32 {
+    type Ray = Ray32;
+    type FineRay = Ray32;
+    /// In steps of 2^-30 of `|v|`. Wraps for normals that are longer than 1.15, which leaves it defined.
+    type Facing = i64;
+
+    #[inline(always)]
+    fn facing(&self, normal: Vec3<Fx32>) -> i64 {
+        inner_product(normal, self.way).wrapping_neg()
+    }
+
+    #[inline(always)]
+    fn faces_away(facing: i64) -> bool {
+        facing <= 0
+    }
+
+    #[inline(always)]
+    fn is_outside(&self, axis: Vec3<Fx32>, bound: Fx32) -> bool {
+        let along = inner_product(axis, self.way) >> 31;
+        along.wrapping_mul(along.abs()) < (self.squared() >> 32).cast_signed() * i64::from(bound.to_bits())
+    }
+
+    #[inline(always)]
+    fn squared_distance(&self) -> Gain32 {
+        Gain32::normalised(self.squared(), 94 - 2 * self.bits.cast_signed())
+    }
+
+    #[inline(always)]
+    fn ray(&self) -> Ray32 {
+        let squared = self.squared();
+        let reciprocal = if squared >= 1 << 62 {
+            root::inverse_sqrt_32(squared) >> 1
+        } else if squared >= 1 << 60 {
+            root::inverse_sqrt_32(squared << 2)
+        } else {
+            0
+        };
+        let direction = self.way.map(|c| {
+            let product = i64::from(c) * reciprocal.cast_signed();
+            ((product + (1 << 31)) >> 32) as i32
+        });
+        Ray32 { direction, bits: self.bits, squared, reciprocal }
+    }
+
+    #[inline(always)]
+    fn fine_ray(&self) -> Ray32 {
+        self.ray()
+    }
+}
+
+impl Ray<Fx32> for Ray32 {
+    type Fraction = Fraction32;
+    type Share = Fx32;
+
+    #[inline(always)]
+    fn distance(&self) -> Gain32 {
+        // `|v| 2^30`, of 61 or 62 bits.
+        let distance = (self.squared >> 30) * (self.reciprocal >> 2);
+        Gain32::normalised(distance, 77 - self.bits.cast_signed())
+    }
+
+    #[inline(always)]
+    fn direction(&self) -> Vec3<Fx32> {
+        self.direction.map(Fx32::from_bits)
+    }
+
+    #[inline(always)]
+    fn versine(&self, axis: Vec3<Fx32>, ramp: Ramp32) -> Versine32 {
+        Fx32::versine_between(self.direction(), axis, ramp)
+    }
+
+    #[inline(always)]
+    fn rise(&self, axis: Vec3<Fx32>, ramp: Ramp32) -> Fraction32 {
+        ramp.rise(self.versine(axis, ramp))
+    }
+
+    #[inline(always)]
+    fn cosine(&self, facing: i64, _: Vec3<Fx32>) -> Fraction32 {
+        // The product is the length of the normal in steps of 2^-61: of at most 64 bits, also where the facing has wrapped,
+        // for then `|v|` is over `2^31`.
+        let cosine = ((facing.max(0).cast_unsigned() >> 31) * self.reciprocal) >> 30;
+        Fraction32(cosine.min(1 << 31) as u32)
+    }
+
+    #[inline(always)]
+    fn expose(&self, share: Fx32, gain: Gain32) -> Light32 {
+        // At most 32, 28 and 34 bits: every product fits 64.
+        let reciprocal = self.reciprocal >> 1;
+        let squared = (reciprocal * reciprocal) >> 28;
+        let mantissa = (gain.factor() * squared) >> 28;
+        Light32::shifted(factor(share) * mantissa, gain.scale() + 2 * self.bits.cast_signed() - 28)
+    }
+}

@@ -1,0 +1,134 @@
+//! What both fixed formats do by the same formula, for the bits that each has.
+
+/// The items of `Arithmetic` that a format has in common with the other: with the integer of its scalars, and that of its
+/// light, in which products are. `lobe` and `factor` are the format's own.
+macro_rules! operations {
+    (
+        $bits:ident, $wide:ident, $light:ident, $weight:ident, $gain:ident, $offset:ident, $frame:ident, $steps:ident
+    ) => {
+        type Position = Length;
+        type Direction = Fx32;
+        type Received = $light;
+        type Weight = $weight;
+        type Frame = $frame;
+        type Gain = $gain;
+        type Offset = $offset;
+
+        #[inline(always)]
+        fn part(steps: u32) -> Self {
+            Self::from_bits((steps << (Self::FRACTION_BITS - 14)) as $bits)
+        }
+
+        fn weight(value: f32) -> $weight {
+            const ONE: f32 = $weight::ONE.to_bits() as f32;
+            $weight::from_bits(rounded(value.clamp(-4.0, 4.0) * ONE) as _)
+        }
+
+        fn gain(value: f32) -> $gain {
+            $gain::nearest(value)
+        }
+
+        #[inline(always)]
+        fn times(self, other: Self) -> Self {
+            let [a, b] = [self, other].map(|scalar| $wide::from(scalar.to_bits().cast_unsigned()));
+            let product =
+                a.wrapping_mul(b).wrapping_add(1 << (Self::FRACTION_BITS - 1)) >> Self::FRACTION_BITS;
+            Self::from_bits(product.min(1 << Self::FRACTION_BITS) as $bits)
+        }
+
+        #[inline(always)]
+        fn minus(self, other: Self) -> Self {
+            self.saturating_sub(other)
+        }
+
+        /// Exact but for one rounding at the end, so that it never falls.
+        #[inline(always)]
+        fn smooth(self) -> Self {
+            const BITS: u32 = $light::FRACTION_BITS;
+            let t = $wide::from(self.clamp(Self::ZERO, Self::ONE).to_bits().cast_unsigned());
+            let (square, factor) = (t * t, (3 << BITS) - 2 * t);
+            let product = (square >> BITS) * factor + (((square & ((1 << BITS) - 1)) * factor) >> BITS);
+            Self::from_bits(((product + (1 << (BITS - 1))) >> BITS) as $bits)
+        }
+
+        fn frame(vectors: [Vec3<f32>; 3], tangent: f32) -> $frame {
+            $frame::new(vectors, tangent)
+        }
+
+        #[inline(always)]
+        fn place(frame: &$frame, light: Vec3<Length>, point: Vec3<Length>) -> ProjectedPoint<Self> {
+            frame.place(light, point)
+        }
+
+        #[inline(always)]
+        fn power(versine: Self::Versine, exponent: u32) -> Self {
+            lobe::power(versine, exponent)
+        }
+
+        #[inline(always)]
+        fn normal_unit(normal: Vec3<Self>) -> Vec3<Fx32> {
+            normal.map(|c| {
+                Fx32::from_bits(i32::from(c.to_bits()) << (Fx32::FRACTION_BITS - Self::FRACTION_BITS))
+            })
+        }
+
+        #[inline(always)]
+        fn mirror(direction: Vec3<Fx32>, normal: Vec3<Self>) -> Vec3<Fx32> {
+            lobe::mirror(direction, normal)
+        }
+
+        #[inline(always)]
+        fn direction_between(a: Vec3<Fx32>, b: Vec3<Fx32>) -> Vec3<Fx32> {
+            // Half the difference always fits.
+            $offset::new(b.zip(a, |b, a| (b.to_bits() >> 1) - (a.to_bits() >> 1))).ray().direction()
+        }
+
+        #[inline(always)]
+        fn incidence(direction: Vec3<Fx32>, normal: Vec3<Self>) -> Self {
+            lobe::incidence(direction, normal)
+        }
+
+        #[inline(always)]
+        fn expose(self, gain: $gain) -> $light {
+            $light::shifted(factor(self) * gain.factor(), gain.scale())
+        }
+
+        #[inline(always)]
+        fn filter(light: $light, color: Self) -> $light {
+            const HALF: u32 = $wide::BITS / 2;
+            let color = $wide::from(color.to_bits().max(0).cast_unsigned());
+            let (high, low) = (light.to_bits() >> HALF, light.to_bits() & ((1 << HALF) - 1));
+            let high = high * color;
+            let high = if high >> ($wide::BITS - 2) == 0 { high << 2 } else { $wide::MAX };
+            let low = (low * color + (1 << (Self::FRACTION_BITS - 1))) >> Self::FRACTION_BITS;
+            $light::from_bits(high.saturating_add(low))
+        }
+
+        #[inline(always)]
+        fn add_light(a: $light, b: $light) -> $light {
+            a.saturating_add(b)
+        }
+
+        #[inline(always)]
+        fn light_to_gain(light: $light) -> $gain {
+            $gain::normalised(light.to_bits(), $light::FRACTION_BITS.cast_signed())
+        }
+
+        #[inline(always)]
+        fn amplify(light: $light, gain: $gain) -> $light {
+            gain.amplify(light)
+        }
+
+        #[inline(always)]
+        fn clip(light: $light) -> Self {
+            Self::from_bits(light.to_bits().min(1 << Self::FRACTION_BITS) as $bits)
+        }
+
+        #[inline(always)]
+        fn word(self) -> Word {
+            Word::$steps(self.to_bits())
+        }
+    };
+}
+
+pub(in crate::number) use operations;

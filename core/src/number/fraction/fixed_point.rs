@@ -1,0 +1,280 @@
+//! Fractions in fixed point: one text for both widths, but for what samples and knots are computed in.
+
+use super::{Fraction, neighbours};
+use crate::number::knot::{Knot, SLOPE_BITS};
+use crate::number::{Arithmetic, Fx16, Fx32, RealExponent, Weight16, Weight32};
+
+/// Declares the fraction of a scalar, with the integers that hold its products.
+macro_rules! fraction {
+    ($(#[$doc:meta])* $name:ident($scalar:ident, $weight:ident, $wide:ident, $signed:ident)) => {
+        $(#[$doc])*
+        #[derive(Clone, Copy, PartialEq, PartialOrd, Debug)]
+        pub struct $name(pub(in crate::number) u32);
+
+        impl $name {
+            /// The fraction bits.
+            const BITS: u32 = $scalar::FRACTION_BITS + 1;
+            const ONE: $wide = 1 << Self::BITS;
+            /// Half a step of a scalar, as a product of two fractions has it.
+            const HALF: $wide = 1 << Self::BITS;
+
+            #[inline(always)]
+            fn wide(self) -> $wide {
+                self.0.into()
+            }
+
+            #[inline(always)]
+            fn signed(self) -> $signed {
+                self.wide().cast_signed()
+            }
+
+            /// `t (1 + lift)`, `lift` having the fraction bits of a fraction, within [0, 1] whatever the lift: its last
+            /// rounding may pass the ends by a step, and weights out of range wrap.
+            #[inline(always)]
+            fn lifted(self, lift: $signed) -> $scalar {
+                Self::capped(self.wide().wrapping_mul(Self::ONE.saturating_add_signed(lift)))
+            }
+
+            /// The scalar of a product of two fractions; one where that is more.
+            #[inline(always)]
+            fn capped(product: $wide) -> $scalar {
+                let rounded = product.wrapping_add(Self::HALF) >> (Self::BITS + 1);
+                $scalar::from_bits(rounded.min(1 << $scalar::FRACTION_BITS) as _)
+            }
+        }
+
+        impl Fraction<$scalar> for $name {
+            type Value = $scalar;
+
+            #[inline(always)]
+            fn mixed(low: $scalar, high: $scalar, share: $scalar) -> $scalar {
+                low.minus(low.minus(high).times(share))
+            }
+
+            #[inline(always)]
+            fn complement(self) -> Self {
+                Self((Self::ONE - self.wide()) as u32)
+            }
+
+            #[inline(always)]
+            fn fine_product(self, other: Self) -> Self {
+                Self(((self.wide() * other.wide() + Self::HALF / 2) >> Self::BITS) as u32)
+            }
+
+            #[inline(always)]
+            fn product(self, other: Self) -> $scalar {
+                $scalar::from_bits(((self.wide() * other.wide() + Self::HALF) >> (Self::BITS + 1)) as _)
+            }
+
+            #[inline(always)]
+            fn scalar(self) -> $scalar {
+                self.nearest()
+            }
+
+            fn real_power(self, exponent: RealExponent) -> Self {
+                const MORE: u32 = 31 - $name::BITS;
+                Self(((exponent.of_bits(self.0 << MORE) + (1 << MORE >> 1)) >> MORE) as u32)
+            }
+
+            #[inline(always)]
+            fn of(self, scalar: $scalar) -> $scalar {
+                let scalar = $wide::from(scalar.to_bits().cast_unsigned());
+                let product = (self.wide() * scalar + Self::HALF / 2) >> Self::BITS;
+                // Masked so that the compiler sees that it is not negative.
+                $scalar::from_bits((product & (Self::ONE - 1)) as _)
+            }
+
+            #[inline(always)]
+            fn step(self) -> $scalar {
+                if self.0 > 0 { $scalar::ONE } else { $scalar::ZERO }
+            }
+
+            #[inline(always)]
+            fn smooth(self) -> $scalar {
+                let square = self.fine_product(self).wide();
+                Self::capped(square * (3 * Self::ONE - 2 * self.wide()))
+            }
+
+            #[inline(always)]
+            fn blend(self, g: $weight) -> $scalar {
+                const HALF: $signed = 1 << ($weight::FRACTION_BITS - 1);
+                let lift = self.complement().signed().wrapping_mul(g.to_bits());
+                self.lifted(lift.wrapping_add(HALF) >> $weight::FRACTION_BITS)
+            }
+
+            #[inline(always)]
+            fn cubic(self, g: $weight, h: $weight) -> $scalar {
+                const HALF: $signed = 1 << $weight::FRACTION_BITS;
+                let bend = self.signed().wrapping_mul(h.to_bits()).wrapping_add(HALF) >> Self::BITS;
+                self.blend($weight::from_bits(g.to_bits().wrapping_add(bend)))
+            }
+
+            #[inline(always)]
+            fn sample(self, samples: &[u16]) -> $scalar {
+                let last = (samples.len() as $wide).saturating_sub(1);
+                let place = self.complement().wide().wrapping_mul(last);
+                let (here, next) = neighbours(samples, (place >> Self::BITS) as usize);
+                let (here, next) = ($signed::from(here), $signed::from(next));
+                let share = (place & (Self::ONE - 1)).cast_signed();
+                Self::of_value((here << Self::BITS) + (next - here) * share)
+            }
+
+            #[inline(always)]
+            fn along(self, knots: &[Knot]) -> $scalar {
+                self.on_line(knots)
+            }
+        }
+    };
+}
+
+fraction! {
+    /// A fraction with 15 fraction bits: its products have 30. In a whole register, for a half one has to be cut off
+    /// again and again.
+    Fraction16(Fx16, Weight16, u32, i32)
+}
+
+fraction! {
+    /// A fraction with 31 fraction bits: its products have 62.
+    Fraction32(Fx32, Weight32, u64, i64)
+}
+
+/// In 32 bits a line's product has no room beside its value: it is rounded first.
+impl Fraction16 {
+    #[inline(always)]
+    fn nearest(self) -> Fx16 {
+        Fx16::from_bits(((self.0 + 1) >> 1) as i16)
+    }
+
+    /// The scalar of a value with 15 fraction bits, of which 65,535 is one.
+    #[inline(always)]
+    fn of_value(value: i32) -> Fx16 {
+        Self::of_sixteen_bits((value + (1 << 14)) >> 15)
+    }
+
+    /// The top bit, added at the bottom, makes 65,535 65,536.
+    #[inline(always)]
+    fn of_sixteen_bits(value: i32) -> Fx16 {
+        Fx16::from_bits(((value + (value >> 15) + 2) >> 2) as i16)
+    }
+
+    #[inline(always)]
+    fn on_line(self, knots: &[Knot]) -> Fx16 {
+        let place = self.complement().wide() << 1;
+        let knot = Knot::at(knots, place);
+        let beyond = place.wrapping_sub(knot.place.into()).cast_signed();
+        let rise = knot.slope.wrapping_mul(beyond).wrapping_add(1 << (SLOPE_BITS - 1)) >> SLOPE_BITS;
+        Self::of_sixteen_bits((i32::from(knot.value) + rise).clamp(0, 65_535))
+    }
+}
+
+/// In 64 bits a value keeps all that it has until it is a scalar.
+impl Fraction32 {
+    /// What is shifted out of a register is in the carry: an instruction less than to add one first.
+    #[inline(always)]
+    fn nearest(self) -> Fx32 {
+        Fx32::from_bits(((self.0 >> 1) + (self.0 & 1)).cast_signed())
+    }
+
+    /// The scalar of a value with 31 fraction bits, of which 65,535 is one: 2^16 / (2^16 - 1) is 1 + 2^-16 + 2^-32 + ...
+    #[inline(always)]
+    fn of_value(value: i64) -> Fx32 {
+        let scaled = value + (value >> 16) + (value >> 32);
+        Fx32::from_bits(((scaled + (1 << 16)) >> 17) as i32)
+    }
+
+    #[inline(always)]
+    fn on_line(self, knots: &[Knot]) -> Fx32 {
+        let place = self.complement().0;
+        let knot = Knot::at(knots, place >> 15);
+        let beyond = i64::from(place) - (i64::from(knot.place) << 15);
+        let between = (i64::from(knot.value) << 30) + i64::from(knot.slope) * beyond;
+        Self::of_value(between.clamp(0, 65_535 << 30) << 1)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::falloff::{
+        Cubic, Curve, Falloff, Hard, InvertedPower, Linear, Power, Quadratic, Smooth, Soft,
+    };
+
+    extern crate std;
+
+    /// Every `t` of 16 bits: both ends exact, within [0, 1], the largest error in steps, and the largest fall
+    /// towards the middle in steps.
+    fn over_all_t<P: Falloff>(profile: P, exact: impl Fn(f64) -> f64) -> (f64, i32) {
+        let curve = profile.compile::<Fx16>();
+        let at = |t: u16| i32::from(curve.intensity(Fraction16(t.into())).to_bits());
+        assert_eq!((at(0), at(1 << 15)), (0, 1 << 14), "{profile:?}");
+        (0..=1 << 15).fold((0.0, 0), |(error, fall), t: u16| {
+            let (here, next) = (at(t), at((t + 1).min(1 << 15)));
+            assert!((0..=1 << 14).contains(&here), "{profile:?} {t}: {here}");
+            let difference = f64::from(here) - 16_384.0 * exact(f64::from(t) / 32_768.0);
+            (f64::max(error, difference.abs()), fall.max(here - next))
+        })
+    }
+
+    /// Exhaustive: half a step is the last rounding; what is over it is that of the products before.
+    #[test]
+    fn sixteen_bits_are_monotone_and_keep_their_errors() {
+        let within = |(error, fall): (f64, i32), bound: f64, most_fall: i32| {
+            assert!(error <= bound && error > bound / 2.0, "{error}");
+            assert!(fall <= most_fall, "falls by {fall}");
+        };
+        within(over_all_t(Linear, |t| t), 0.5, 0);
+        within(over_all_t(Soft, |t| t * t), 0.5, 0);
+        within(over_all_t(Hard, |t| 1.0 - (1.0 - t) * (1.0 - t)), 0.5, 0);
+        within(over_all_t(Power::<4>, |t| t.powi(4)), 1.0, 0);
+        within(over_all_t(Power::<15>, |t| t.powi(15)), 3.5, 0);
+        within(over_all_t(Power::<16>, |t| t.powi(16)), 4.0, 0);
+        within(over_all_t(InvertedPower::<4>, |t| 1.0 - (1.0 - t).powi(4)), 1.0, 0);
+        within(over_all_t(Smooth, |t| t * t * (3.0 - 2.0 * t)), 1.3, 1);
+    }
+
+    /// Every blend on a grid of 1/32 and every monotone cubic on one of 1/8, over every `t`.
+    #[test]
+    fn all_blends_and_cubics_fall_by_a_step_at_most() {
+        let (mut worst, mut fall) = (0.0_f64, 0);
+        for slope in 0..=64_u8 {
+            let a = f64::from(slope) / 32.0;
+            let blend = Quadratic::new(a as f32).expect("sound");
+            let (error, falls) = over_all_t(blend, |t| t * (a + (1.0 - a) * t));
+            (worst, fall) = (worst.max(error), fall.max(falls));
+        }
+        assert!((0.5..=0.8).contains(&worst) && fall <= 1, "blends: {worst}, fall by {fall}");
+        (worst, fall) = (0.0, 0);
+        let mut count = 0;
+        for (edge, middle) in (0..=32_u8).flat_map(|edge| (0..=32_u8).map(move |middle| (edge, middle))) {
+            let slopes = (f32::from(edge) / 8.0, f32::from(middle) / 8.0);
+            let Ok(cubic) = Cubic::with_slopes(slopes.0, slopes.1) else { continue };
+            let [a, b, c] = cubic.coefficients().map(f64::from);
+            let (error, falls) = over_all_t(cubic, |t| t * (a + t * (b + t * c)));
+            (worst, fall, count) = (worst.max(error), fall.max(falls), count + 1);
+        }
+        assert!(count > 500, "only {count} cubics are monotone");
+        assert!((0.5..=1.1).contains(&worst) && fall <= 1, "cubics: {worst}, fall by {fall}");
+    }
+
+    /// Weights that no profile has end in [0, 1] all the same.
+    #[test]
+    fn every_weight_has_an_answer() {
+        let weights = [i32::MIN, -65_536, -1, 0, 65_536, i32::MAX].map(Weight16::from_bits);
+        let wide = [i64::MIN, -(1 << 32), -1, 0, 1 << 32, i64::MAX].map(Weight32::from_bits);
+        for (i, j) in (0..6).flat_map(|i| (0..6).map(move |j| (i, j))) {
+            for t in [0, 1, 12_345, 16_384, 32_767, 32_768_u16] {
+                let (narrow, fine) = (Fraction16(t.into()), Fraction32(u32::from(t) << 16));
+                for value in [narrow.blend(weights[i]), narrow.cubic(weights[i], weights[j])] {
+                    assert!((Fx16::ZERO..=Fx16::ONE).contains(&value));
+                }
+                for value in [fine.blend(wide[i]), fine.cubic(wide[i], wide[j])] {
+                    assert!((Fx32::ZERO..=Fx32::ONE).contains(&value));
+                }
+            }
+        }
+        assert_eq!(
+            (Fx16::weight(f32::NAN), Fx16::weight(9.0)),
+            (Weight16::ZERO, Weight16::from_bits(4 << 14))
+        );
+    }
+}

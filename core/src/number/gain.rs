@@ -1,0 +1,170 @@
+//! Gains in fixed point: one text for both widths, but for how a number gets its mantissa.
+
+use super::{Fx16, Fx32, Gain, Light16, Light32, reciprocal, root, within_reach};
+
+/// Declares the gain of a scalar and of its light: the bits of the mantissa, those of them that are multiplied with, and the
+/// reciprocal of these.
+macro_rules! gain {
+    (
+        $(#[$doc:meta])*
+        $name:ident($scalar:ident, $light:ident, $wide:ident, $bits:literal, $factor_bits:literal, $inverse:path)
+    ) => {
+        $(#[$doc])*
+        #[derive(Clone, Copy, PartialEq, Eq, Debug)]
+        pub struct $name {
+            pub(super) mantissa: u32,
+            pub(super) shift: i32,
+        }
+
+        impl $name {
+            const ZERO: Self = Self { mantissa: 0, shift: 0 };
+            const ONE: Self = Self { mantissa: 1 << ($bits - 1), shift: $bits - 1 };
+
+            /// The gain of these bits, a mantissa and a shift. A shorter mantissa is moved up, and of a longer one the lower
+            /// bits count.
+            pub const fn from_bits([mantissa, shift]: [i32; 2]) -> Self {
+                const LONGER: u32 = u32::BITS - $bits;
+                let mantissa = mantissa.cast_unsigned() & (u32::MAX >> LONGER);
+                let up = if mantissa == 0 { 0 } else { mantissa.leading_zeros() - LONGER };
+                Self { mantissa: mantissa << up, shift: within_reach(shift) + up.cast_signed() }
+            }
+
+            /// The mantissa and the shift.
+            pub const fn to_bits(self) -> [i32; 2] {
+                [self.mantissa.cast_signed(), self.shift]
+            }
+
+            /// The nearest gain; negative or NaN becomes zero.
+            pub(super) fn nearest(value: f32) -> Self {
+                let (mantissa, shift) = super::mantissa_and_shift(value);
+                Self { mantissa: mantissa << ($bits - 24), shift: shift + $bits - 24 }
+            }
+
+            /// What is multiplied with: the gain is `factor / 2^scale`.
+            #[inline(always)]
+            pub(super) fn factor(self) -> $wide {
+                (self.mantissa >> ($bits - $factor_bits)).into()
+            }
+
+            #[inline(always)]
+            pub(super) fn scale(self) -> i32 {
+                self.shift - ($bits - $factor_bits)
+            }
+
+            /// A light times the gain.
+            #[inline(always)]
+            pub(super) fn amplify(self, light: $light) -> $light {
+                const HALF: u32 = $wide::BITS / 2;
+                let (factor, scale) = (self.factor(), self.scale());
+                let high = (light.to_bits() >> HALF) * factor;
+                let low = (light.to_bits() & ((1 << HALF) - 1)) * factor;
+                if scale < HALF.cast_signed() {
+                    $light::shifted(high, scale - HALF.cast_signed()).saturating_add($light::shifted(low, scale))
+                } else {
+                    $light::shifted(high + (low >> HALF), scale - HALF.cast_signed())
+                }
+            }
+        }
+
+        impl Gain<$scalar> for $name {
+            #[inline(always)]
+            fn by(self, other: Self) -> Self {
+                Self::normalised(self.factor() * other.factor(), self.scale() + other.scale())
+            }
+
+            #[inline(always)]
+            fn plus(self, other: Self) -> Self {
+                /// Leaves a bit for the carry.
+                const UP: u32 = $wide::BITS - $factor_bits - 1;
+                if self.mantissa == 0 || other.mantissa == 0 {
+                    return if self.mantissa == 0 { other } else { self };
+                }
+                let (large, small) = if self.shift < other.shift { (self, other) } else { (other, self) };
+                let apart = (small.shift - large.shift).cast_unsigned();
+                let aligned = (small.factor() << UP).checked_shr(apart).unwrap_or(0);
+                Self::normalised((large.factor() << UP) + aligned, large.scale() + UP.cast_signed())
+            }
+
+            #[inline(always)]
+            fn inverse_capped(self) -> Self {
+                if self.mantissa == 0 || self.scale() >= $factor_bits {
+                    return Self::ONE;
+                }
+                let inverse = $inverse(self.mantissa >> ($bits - $factor_bits));
+                Self::normalised(inverse.into(), 2 * $factor_bits - 1 - self.scale())
+            }
+
+            #[inline(always)]
+            fn fraction(self) -> $scalar {
+                if self.mantissa != 0 && self.scale() < $factor_bits {
+                    return $scalar::ONE;
+                }
+                let down = self.scale() - $scalar::FRACTION_BITS.cast_signed();
+                $scalar::from_bits($light::shifted(self.factor(), down).to_bits() as _)
+            }
+        }
+
+        impl $light {
+            /// `product / 2^shift`, rounded to nearest, saturating.
+            #[inline(always)]
+            pub(super) fn shifted(product: $wide, shift: i32) -> Self {
+                let but_one = shift.wrapping_sub(1).cast_unsigned();
+                Self::from_bits(if but_one < $wide::BITS {
+                    let doubled = product >> but_one;
+                    (doubled >> 1) + (doubled & 1)
+                } else if shift > 0 || product == 0 {
+                    0
+                } else if shift.unsigned_abs() <= product.leading_zeros() {
+                    product << shift.unsigned_abs()
+                } else {
+                    $wide::MAX
+                })
+            }
+        }
+    };
+}
+
+gain! {
+    /// A factor `mantissa / 2^shift`, the mantissa having 32 bits. The coarse evaluation needs the upper 16 alone, in products
+    /// of 32.
+    Gain16(Fx16, Light16, u32, 32, 16, reciprocal::inverse_16)
+}
+
+gain! {
+    /// A factor `mantissa / 2^shift`, the mantissa having 28 bits, in products of 64.
+    Gain32(Fx32, Light32, u64, 28, 28, reciprocal::inverse_28)
+}
+
+impl Gain16 {
+    /// `bits / 2^shift`, rounded to a mantissa of 16 bits.
+    #[inline(always)]
+    pub(super) fn normalised(bits: u32, shift: i32) -> Self {
+        if bits == 0 {
+            return Self::ZERO;
+        }
+        let up = u32::BITS.cast_signed() - root::bit_length(bits).cast_signed();
+        let mantissa = bits << up;
+        let rounded = (mantissa >> 16) + ((mantissa >> 15) & 1);
+        // Rounding up can carry into a seventeenth bit.
+        let carry = rounded >> 16;
+        Self { mantissa: rounded << (16 - carry), shift: within_reach(shift + up - carry.cast_signed()) }
+    }
+}
+
+impl Gain32 {
+    /// `bits / 2^shift`, rounded to a mantissa of 28 bits.
+    #[inline(always)]
+    pub(super) fn normalised(bits: u64, shift: i32) -> Self {
+        if bits == 0 {
+            return Self::ZERO;
+        }
+        let excess = 36 - bits.leading_zeros().cast_signed();
+        if excess <= 0 {
+            return Self { mantissa: (bits << -excess) as u32, shift: within_reach(shift - excess) };
+        }
+        let rounded = (((bits >> (excess - 1)) + 1) >> 1) as u32;
+        // Rounding up can carry into a twenty-ninth bit.
+        let carry = rounded >> 28;
+        Self { mantissa: rounded >> carry, shift: within_reach(shift - excess - carry.cast_signed()) }
+    }
+}
