@@ -33,7 +33,7 @@ trait Batched<S: Scalar>: LightModel<S> {
     /// Where it stands.
     fn position(&self) -> Vec3<S::Length>;
     /// What arrives at a single point, in the form that suits a loop.
-    #[inline(always)]
+    #[inline]
     fn irradiance(&self, point: Vec3<S::Length>, normal: Vec3<S>) -> S::Irradiance {
         let skips = !S::Offset::ROOTS_FIRST;
         self.evaluate::<NoSpecular>(&SurfacePoint::matte(point, normal), &(), skips).diffuse
@@ -48,12 +48,12 @@ trait Batched<S: Scalar>: LightModel<S> {
 }
 
 impl<S: Scalar, P: Falloff, A: Attenuation> Batched<S> for CompiledSpotLight<S, P, A> {
-    #[inline(always)]
+    #[inline]
     fn position(&self) -> Vec3<S::Length> {
         self.position
     }
 
-    #[inline(always)]
+    #[inline]
     fn expose(
         &self,
         offset: &S::Offset,
@@ -67,12 +67,12 @@ impl<S: Scalar, P: Falloff, A: Attenuation> Batched<S> for CompiledSpotLight<S, 
 }
 
 impl<S: Scalar, A: Attenuation> Batched<S> for CompiledPointLight<S, A> {
-    #[inline(always)]
+    #[inline]
     fn position(&self) -> Vec3<S::Length> {
         self.position
     }
 
-    #[inline(always)]
+    #[inline]
     fn expose(
         &self,
         offset: &S::Offset,
@@ -110,7 +110,7 @@ fn rows<T: Copy>(columns: Vec3<&[T]>, range: Range<usize>) -> impl Iterator<Item
 }
 
 /// The light at each point of a block.
-#[inline(always)]
+#[inline]
 fn light_block<S: Scalar>(
     lamp: &impl Batched<S>,
     points: Vec3<&[S::Length; BLOCK]>,
@@ -129,7 +129,7 @@ fn light_block<S: Scalar>(
 }
 
 /// Adds a light to a channel.
-#[inline(always)]
+#[inline]
 fn add<S: Scalar>(sum: &mut S::Irradiance, light: S::Irradiance, color: S) {
     *sum = S::add_light(*sum, S::filter(light, color));
 }

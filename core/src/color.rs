@@ -23,13 +23,13 @@ impl<T> Rgb<T> {
     }
 
     /// Applies `f` to each channel.
-    #[inline(always)]
+    #[inline]
     pub fn map<U>(self, mut f: impl FnMut(T) -> U) -> Rgb<U> {
         Rgb::new(f(self.red), f(self.green), f(self.blue))
     }
 
     /// Applies `f` to each pair of channels.
-    #[inline(always)]
+    #[inline]
     pub fn zip<U, V>(self, other: Rgb<U>, mut f: impl FnMut(T, U) -> V) -> Rgb<V> {
         Rgb::new(f(self.red, other.red), f(self.green, other.green), f(self.blue, other.blue))
     }
@@ -37,19 +37,19 @@ impl<T> Rgb<T> {
 
 impl<I: Copy> Rgb<I> {
     /// A light in a colour.
-    #[inline(always)]
+    #[inline]
     pub fn lit<S: Scalar<Irradiance = I>>(light: I, color: Rgb<S>) -> Self {
         color.map(|channel| S::filter(light, channel))
     }
 
     /// The light after a colour: what a surface of that colour sends back.
-    #[inline(always)]
+    #[inline]
     pub fn filtered<S: Scalar<Irradiance = I>>(self, color: Rgb<S>) -> Self {
         self.zip(color, S::filter)
     }
 
     /// The sum of two lights.
-    #[inline(always)]
+    #[inline]
     pub fn plus<S: Scalar<Irradiance = I>>(self, other: Self) -> Self {
         self.zip(other, S::add_light)
     }

@@ -126,7 +126,7 @@ pub struct ViewRay {
 
 impl ViewRay {
     /// The ray from the eye to a surface point. A point at the eye leaves no ray, and no air light.
-    #[inline(always)]
+    #[inline]
     pub fn between(eye: Vec3<f32>, surface: Vec3<f32>) -> Self {
         let way = surface.zip(eye, |s, e| s - e);
         let squared = way.dot(way);
@@ -135,7 +135,7 @@ impl ViewRay {
     }
 
     /// The ray from the eye in a direction of unit length, where nothing ends it.
-    #[inline(always)]
+    #[inline]
     pub fn endless(eye: Vec3<f32>, direction: Vec3<f32>) -> Self {
         Self { eye, direction, length: f32::INFINITY }
     }

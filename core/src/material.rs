@@ -155,7 +155,7 @@ impl<S: Scalar, H: SpecularLobe> CompiledMaterial<S, H> {
 
     /// What the surface shows without any lamp: `emissive + ambient Ia`, with `Ia` from
     /// [`AmbientLight::compile`](crate::AmbientLight::compile).
-    #[inline(always)]
+    #[inline]
     pub fn glow(&self, ambient: Rgb<S::Irradiance>) -> Rgb<S::Irradiance> {
         self.emissive.plus::<S>(ambient.filtered::<S>(self.ambient))
     }
@@ -163,13 +163,13 @@ impl<S: Scalar, H: SpecularLobe> CompiledMaterial<S, H> {
     /// What a light adds: `f(d) spot [diffuse Is max(0, N.L) + specular Is lobe]`, without a root where nothing can
     /// arrive. What is skipped is exactly zero, so the answer has the bits of
     /// [`reflect_unskipped`](Self::reflect_unskipped).
-    #[inline(always)]
+    #[inline]
     pub fn reflect<L: LightModel<S>>(&self, surface: &SurfacePoint<S>, light: &L) -> Rgb<S::Irradiance> {
         self.reflected(surface, light, true)
     }
 
     /// As [`reflect`](Self::reflect), with every step done for every point: the form without branches.
-    #[inline(always)]
+    #[inline]
     pub fn reflect_unskipped<L: LightModel<S>>(
         &self,
         surface: &SurfacePoint<S>,
@@ -178,7 +178,7 @@ impl<S: Scalar, H: SpecularLobe> CompiledMaterial<S, H> {
         self.reflected(surface, light, false)
     }
 
-    #[inline(always)]
+    #[inline]
     fn reflected<L: LightModel<S>>(
         &self,
         surface: &SurfacePoint<S>,

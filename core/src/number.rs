@@ -112,7 +112,7 @@ pub(crate) fn outside_bound<S: Scalar>(outer_versine: f32) -> S {
 }
 
 /// `base^exponent` by repeated squaring, in the product of a format.
-#[inline(always)]
+#[inline]
 fn raised<T: Copy>(one: T, base: T, exponent: u32, product: impl Fn(T, T) -> T) -> T {
     let (mut power, mut square, mut rest) = (one, base, exponent);
     while rest > 0 {

@@ -27,13 +27,13 @@ pub struct SurfacePoint<S: Scalar> {
 
 impl<S: Scalar> SurfacePoint<S> {
     /// A point of a matt surface, the same from every side.
-    #[inline(always)]
+    #[inline]
     pub fn matte(point: Vec3<S::Length>, normal: Vec3<S>) -> Self {
         Self { point, normal, view: Vec3::default() }
     }
 
     /// A point as an eye sees it: one root, which all lights share.
-    #[inline(always)]
+    #[inline]
     pub fn seen_from(eye: Vec3<S::Length>, point: Vec3<S::Length>, normal: Vec3<S>) -> Self {
         Self { point, normal, view: S::offset(point, eye).ray().direction() }
     }
@@ -65,7 +65,7 @@ pub trait LightModel<S: Scalar>: Copy + core::fmt::Debug {
 }
 
 /// The lobe of a highlight where the light falls on the front of a surface, and zero elsewhere.
-#[inline(always)]
+#[inline]
 fn lobe<S: Scalar, H: SpecularLobe>(
     highlight: &H::Constants<S>,
     (normal, view): (Vec3<S>, Vec3<S::Unit>),

@@ -38,7 +38,7 @@ mod backend {
     }
 
     /// Square root, correctly rounded: the processor's where there is one.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn sqrt(x: f32) -> f32 {
         #[cfg(feature = "std")]
         return x.sqrt();
@@ -49,7 +49,7 @@ mod backend {
     /// Reciprocal of the square root of a normal number, and zero for any other: zero or less, subnormal, infinite or not
     /// a number.
     #[cfg(not(all(target_arch = "arm", target_abi = "eabihf", not(feature = "std"))))]
-    #[inline(always)]
+    #[inline]
     pub(crate) fn inverse_sqrt(x: f32) -> f32 {
         if x >= f32::MIN_POSITIVE { 1.0 / sqrt(x) } else { 0.0 }
     }
@@ -76,7 +76,7 @@ mod backend {
     }
 
     /// Square root, within two units in the last place.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn sqrt(x: f32) -> f32 {
         x * reciprocal(x)
     }
@@ -84,13 +84,13 @@ mod backend {
     /// Reciprocal of the square root of a normal number, within two units in the last place, and zero for any other: zero
     /// or less, subnormal, infinite or not a number.
     #[cfg(not(all(target_arch = "arm", target_abi = "eabihf")))]
-    #[inline(always)]
+    #[inline]
     pub(crate) fn inverse_sqrt(x: f32) -> f32 {
         if (f32::MIN_POSITIVE..=f32::MAX).contains(&x) { reciprocal(x) } else { 0.0 }
     }
 
     /// Reciprocal of the square root, within two units in the last place.
-    #[inline(always)]
+    #[inline]
     fn reciprocal(x: f32) -> f32 {
         (0..3).fold(F32Ext::invsqrt(x), |y, _| y * (1.5 - 0.5 * x * y * y))
     }

@@ -20,13 +20,13 @@ impl<T> Vec3<T> {
     }
 
     /// Applies `f` to each component.
-    #[inline(always)]
+    #[inline]
     pub fn map<U>(self, mut f: impl FnMut(T) -> U) -> Vec3<U> {
         Vec3::new(f(self.x), f(self.y), f(self.z))
     }
 
     /// Applies `f` to each pair of components.
-    #[inline(always)]
+    #[inline]
     pub fn zip<U, V>(self, other: Vec3<U>, mut f: impl FnMut(T, U) -> V) -> Vec3<V> {
         Vec3::new(f(self.x, other.x), f(self.y, other.y), f(self.z, other.z))
     }
@@ -46,14 +46,14 @@ impl<T> From<Vec3<T>> for [T; 3] {
 
 impl Vec3<f32> {
     /// The inner product, summed from left to right: the order is part of the result's bits.
-    #[inline(always)]
+    #[inline]
     pub fn dot(self, other: Self) -> f32 {
         self.x * other.x + self.y * other.y + self.z * other.z
     }
 }
 
 /// A value of a column, or the default beyond its end: within a loop over the column the compiler leaves the question out.
-#[inline(always)]
+#[inline]
 pub(crate) fn nth<T: Copy + Default, const N: usize>(column: &[T; N], i: usize) -> T {
     column.get(i).copied().unwrap_or_default()
 }

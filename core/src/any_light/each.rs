@@ -29,7 +29,7 @@ pub struct SurfacePoints<'a, S: Scalar, const N: usize> {
 
 impl<S: Scalar, const N: usize> SurfacePoints<'_, S, N> {
     /// One of the points; beyond the last a point that faces nowhere.
-    #[inline(always)]
+    #[inline]
     pub fn at(&self, i: usize) -> SurfacePoint<S> {
         SurfacePoint {
             point: self.point.map(|column| nth(column, i)),

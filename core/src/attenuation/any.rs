@@ -111,17 +111,17 @@ macro_rules! any_attenuation {
                 }
             }
 
-            #[inline(always)]
+            #[inline]
             fn is_inverse_square<S: Scalar>(constants: &CompiledAnyAttenuation<S>) -> bool {
                 with_attenuation!(constants, inner: Inner => Inner::is_inverse_square::<S>(inner))
             }
 
-            #[inline(always)]
+            #[inline]
             fn is_beyond<S: Scalar>(constants: &CompiledAnyAttenuation<S>, offset: &S::Offset) -> bool {
                 with_attenuation!(constants, inner: Inner => Inner::is_beyond::<S>(inner, offset))
             }
 
-            #[inline(always)]
+            #[inline]
             fn expose<S: Scalar, R: Ray<S>>(
                 constants: &CompiledAnyAttenuation<S>,
                 offset: &S::Offset,

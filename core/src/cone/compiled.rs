@@ -30,7 +30,7 @@ impl<S: Scalar, P: Falloff> CompiledCone<S, P> {
     }
 
     /// The intensity in the direction of a ray from the light, which has an axis.
-    #[inline(always)]
+    #[inline(always)] // `spot-soft-lambert-hotspot` on Cortex-M0: +73 without.
     pub fn toward<R: Ray<S>>(&self, ray: &R, axis: Vec3<S::Unit>) -> R::Share {
         self.curve.intensity(ray.rise(axis, self.ramp))
     }
@@ -38,7 +38,7 @@ impl<S: Scalar, P: Falloff> CompiledCone<S, P> {
     /// The intensity at a versine, in the scale of [`versine`](Self::versine): exactly 0 from the outer versine or a
     /// delimiter on, exactly 1 at versine 0 and within the hotspot, monotone between (tables aside, and cubics within
     /// a step of the format).
-    #[inline(always)]
+    #[inline(always)] // `table.f32` on Cortex-M0: +73 without.
     pub fn at(&self, versine: S::Versine) -> S {
         match S::rise(self.ramp, versine) {
             Rise::Coarse(t) => self.curve.intensity(t),
@@ -47,7 +47,7 @@ impl<S: Scalar, P: Falloff> CompiledCone<S, P> {
     }
 
     /// The same falloff with another type of profile.
-    #[inline(always)]
+    #[inline]
     pub fn with_profile<Q: Falloff>(&self, profile: Q) -> CompiledCone<S, Q> {
         CompiledCone::new(self.ramp, profile)
     }

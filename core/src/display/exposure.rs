@@ -59,7 +59,7 @@ impl<S: Scalar> CompiledExposure<S> {
 
     /// The light as it is exposed; a factor of one changes no bit. From light of up to four times full scale a
     /// darker one is within two steps of the format.
-    #[inline(always)]
+    #[inline]
     pub fn expose(&self, light: Rgb<S::Irradiance>) -> Rgb<S::Irradiance> {
         light.map(|channel| S::amplify(channel, self.gain))
     }

@@ -17,7 +17,7 @@ use crate::{
 /// use luminaire::{Rgb, display::clip};
 /// assert_eq!(clip::<f32>(Rgb::new(4.0, 2.0, 0.5)), Rgb::new(1.0, 1.0, 0.5));
 /// ```
-#[inline(always)]
+#[inline]
 pub fn clip<S: Scalar>(light: Rgb<S::Irradiance>) -> Rgb<S> {
     light.map(S::clip)
 }
@@ -29,7 +29,7 @@ pub fn clip<S: Scalar>(light: Rgb<S::Irradiance>) -> Rgb<S> {
 /// use luminaire::{Rgb, display::compress_keep_hue};
 /// assert_eq!(compress_keep_hue::<f32>(Rgb::new(4.0, 2.0, 0.5)), Rgb::new(1.0, 0.5, 0.125));
 /// ```
-#[inline(always)]
+#[inline]
 pub fn compress_keep_hue<S: Scalar>(light: Rgb<S::Irradiance>) -> Rgb<S> {
     let brighter = |a: S::Irradiance, b: S::Irradiance| if a > b { a } else { b };
     let brightest = brighter(brighter(light.red, light.green), light.blue);

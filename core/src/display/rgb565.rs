@@ -28,14 +28,14 @@ impl Rgb565 {
     /// use luminaire::{Rgb, display::Rgb565};
     /// assert_eq!(Rgb565::from_codes(Rgb::new(255, 128, 0)), Rgb565(0b11111_100000_00000));
     /// ```
-    #[inline(always)]
+    #[inline]
     pub const fn from_codes(codes: Rgb<u8>) -> Self {
         Self::pack(nearest(codes.red, 31), nearest(codes.green, 63), nearest(codes.blue, 31))
     }
 
     /// The nearest pixel in sRGB to a linear colour, clipped to [0, 1]. Rounded once, not by way of eight bits, which
     /// would round some colours twice. In fixed point exactly the nearest, and without a float.
-    #[inline(always)]
+    #[inline]
     pub fn from_linear<S: Scalar>(color: Rgb<S>) -> Self {
         let red = nearest_code::<S, 31>(color.red);
         let green = nearest_code::<S, 63>(color.green);

@@ -35,13 +35,13 @@ const DECODE: [f32; 8] = [
 /// ```
 /// assert_eq!([0.0, 0.5, 1.0].map(luminaire::display::encode_srgb::<f32>), [0, 188, 255]);
 /// ```
-#[inline(always)]
+#[inline]
 pub fn encode_srgb<S: Scalar>(linear: S) -> u8 {
     nearest_code::<S, 255>(linear)
 }
 
 /// The nearest of the codes from 0 to `LAST`.
-#[inline(always)]
+#[inline]
 pub(super) fn nearest_code<S: Scalar, const LAST: usize>(linear: S) -> u8 {
     match linear.word() {
         Word::Single(linear) => encode_float::<LAST>(linear),
@@ -53,7 +53,7 @@ pub(super) fn nearest_code<S: Scalar, const LAST: usize>(linear: S) -> u8 {
 }
 
 /// The nearest code of f32, from 0 to `LAST`.
-#[inline(always)]
+#[inline]
 fn encode_float<const LAST: usize>(linear: f32) -> u8 {
     let linear = clamp(linear);
     let code = curve(linear, LAST as f32) as i32 as usize;
@@ -66,7 +66,7 @@ fn encode_float<const LAST: usize>(linear: f32) -> u8 {
 
 /// About the place of a value from 0 to 1 among the codes from 0 to `last`, within 0.2 of one of
 /// 255.
-#[inline(always)]
+#[inline]
 pub(super) fn curve(linear: f32, last: f32) -> f32 {
     let curve = polynomial(ENCODE, trig::sqrt(linear));
     let code = if linear < TOE { 255.0 * 12.92 * linear } else { curve };
@@ -80,7 +80,7 @@ pub fn decode_srgb(code: u8) -> f32 {
 }
 
 /// Horner's rule.
-#[inline(always)]
+#[inline]
 fn polynomial<const N: usize>(coefficients: [f32; N], x: f32) -> f32 {
     coefficients.into_iter().rev().fold(0.0, |sum, coefficient| sum * x + coefficient)
 }

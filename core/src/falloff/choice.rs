@@ -104,7 +104,7 @@ macro_rules! choice {
         }
 
         impl<S: $crate::number::Scalar> Curve<S> for $compiled<S> {
-            #[inline(always)]
+            #[inline]
             fn intensity<F: $crate::number::Fraction<S>>(self, t: F) -> F::Value {
                 match self {
                     $(Self::$variant(curve) => curve.intensity(t),)*
@@ -175,7 +175,7 @@ impl Falloff for SoftOrHard {
 }
 
 impl<S: Scalar> Curve<S> for SoftOrHard {
-    #[inline(always)]
+    #[inline]
     fn intensity<F: Fraction<S>>(self, t: F) -> F::Value {
         edge!(self, profile => profile.intensity(t))
     }

@@ -174,7 +174,7 @@ impl Falloff for Smooth {
 }
 
 impl<S: Scalar> Curve<S> for Smooth {
-    #[inline(always)]
+    #[inline]
     fn intensity<F: Fraction<S>>(self, t: F) -> F::Value {
         t.smooth()
     }
@@ -236,7 +236,7 @@ impl Falloff for Cubic {
 }
 
 impl<S: Scalar> Curve<S> for CompiledCubic<S> {
-    #[inline(always)]
+    #[inline]
     fn intensity<F: Fraction<S>>(self, t: F) -> F::Value {
         t.cubic(self.g, self.h)
     }

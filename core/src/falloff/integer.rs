@@ -65,7 +65,7 @@ pub(super) fn raised(x: f64, n: u32) -> f64 {
 }
 
 /// `t^n` for `n` from 1 up, kept fine: by the binary digits of `n`, from the second highest down. `t` for 0.
-#[inline(always)]
+#[inline]
 pub(super) fn power<S: Scalar, F: Fraction<S>>(t: F, n: u32) -> F {
     let mut power = t;
     // No exponent is 0, but only so does the compiler know: the logarithm of 0 would panic.
@@ -81,7 +81,7 @@ pub(super) fn power<S: Scalar, F: Fraction<S>>(t: F, n: u32) -> F {
 }
 
 /// `t^n`, whose last product is rounded to the scalar at once.
-#[inline(always)]
+#[inline]
 pub(super) fn rounded_power<S: Scalar, F: Fraction<S>>(t: F, n: u32) -> F::Value {
     if n == 1 {
         t.scalar()
@@ -190,7 +190,7 @@ impl Falloff for IntegerPower {
 }
 
 impl<S: Scalar> Curve<S> for IntegerPower {
-    #[inline(always)]
+    #[inline]
     fn intensity<F: Fraction<S>>(self, t: F) -> F::Value {
         rounded_power::<S, F>(t, self.exponent)
     }
@@ -226,7 +226,7 @@ impl Falloff for InvertedIntegerPower {
 }
 
 impl<S: Scalar> Curve<S> for InvertedIntegerPower {
-    #[inline(always)]
+    #[inline]
     fn intensity<F: Fraction<S>>(self, t: F) -> F::Value {
         F::lack(rounded_power::<S, F>(t.complement(), self.exponent))
     }

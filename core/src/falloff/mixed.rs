@@ -155,7 +155,7 @@ impl<S: Scalar> CompiledMixture<S> {
     }
 
     /// The mixture of the powers of a fraction: exactly 0 at 0 and exactly 1 at 1.
-    #[inline(always)]
+    #[inline]
     fn of<F: Fraction<S>>(self, x: F) -> F::Value {
         let rise = power(x, self.rise);
         let (low, high) = if self.low == 0 {
@@ -247,7 +247,7 @@ impl Falloff for MixedPower {
 }
 
 impl<S: Scalar> Curve<S> for CompiledMixedPower<S> {
-    #[inline(always)]
+    #[inline]
     fn intensity<F: Fraction<S>>(self, t: F) -> F::Value {
         self.0.of(t)
     }
@@ -287,7 +287,7 @@ impl Falloff for InvertedMixedPower {
 }
 
 impl<S: Scalar> Curve<S> for CompiledInvertedMixedPower<S> {
-    #[inline(always)]
+    #[inline]
     fn intensity<F: Fraction<S>>(self, t: F) -> F::Value {
         F::lack(self.0.of(t.complement()))
     }

@@ -87,7 +87,7 @@ impl<const N: u32> Falloff for Power<N> {
 }
 
 impl<S: Scalar, const N: u32> Curve<S> for Power<N> {
-    #[inline(always)]
+    #[inline]
     fn intensity<F: Fraction<S>>(self, t: F) -> F::Value {
         rounded_power::<S, F>(t, sound::<N>())
     }
@@ -118,7 +118,7 @@ impl<const N: u32> Falloff for InvertedPower<N> {
 }
 
 impl<S: Scalar, const N: u32> Curve<S> for InvertedPower<N> {
-    #[inline(always)]
+    #[inline]
     fn intensity<F: Fraction<S>>(self, t: F) -> F::Value {
         F::lack(rounded_power::<S, F>(t.complement(), sound::<N>()))
     }

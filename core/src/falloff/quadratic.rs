@@ -111,7 +111,7 @@ impl Falloff for Soft {
 }
 
 impl<S: Scalar> Curve<S> for Soft {
-    #[inline(always)]
+    #[inline]
     fn intensity<F: Fraction<S>>(self, t: F) -> F::Value {
         t.product(t)
     }
@@ -145,7 +145,7 @@ impl Falloff for Hard {
 }
 
 impl<S: Scalar> Curve<S> for Hard {
-    #[inline(always)]
+    #[inline]
     fn intensity<F: Fraction<S>>(self, t: F) -> F::Value {
         let u = t.complement();
         F::lack(u.product(u))
@@ -180,7 +180,7 @@ impl Falloff for Linear {
 }
 
 impl<S: Scalar> Curve<S> for Linear {
-    #[inline(always)]
+    #[inline]
     fn intensity<F: Fraction<S>>(self, t: F) -> F::Value {
         t.scalar()
     }
@@ -240,7 +240,7 @@ impl Falloff for Quadratic {
 }
 
 impl<S: Scalar> Curve<S> for CompiledQuadratic<S> {
-    #[inline(always)]
+    #[inline]
     fn intensity<F: Fraction<S>>(self, t: F) -> F::Value {
         t.blend(self.g)
     }

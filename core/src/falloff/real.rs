@@ -256,14 +256,14 @@ pub struct CompiledRealPower(RealExponent);
 pub struct CompiledInvertedRealPower(RealExponent);
 
 impl<S: Scalar> Curve<S> for CompiledRealPower {
-    #[inline(always)]
+    #[inline]
     fn intensity<F: Fraction<S>>(self, t: F) -> F::Value {
         t.real_power(self.0).scalar()
     }
 }
 
 impl<S: Scalar> Curve<S> for CompiledInvertedRealPower {
-    #[inline(always)]
+    #[inline]
     fn intensity<F: Fraction<S>>(self, t: F) -> F::Value {
         t.complement().real_power(self.0).complement().scalar()
     }

@@ -39,7 +39,7 @@ impl Falloff for Step {
 }
 
 impl<S: Scalar> Curve<S> for Step {
-    #[inline(always)]
+    #[inline]
     fn intensity<F: Fraction<S>>(self, t: F) -> F::Value {
         t.step()
     }

@@ -222,7 +222,7 @@ impl Falloff for Table<'_> {
 }
 
 impl<S: Scalar> Curve<S> for Table<'_> {
-    #[inline(always)]
+    #[inline(always)] // `table.f32` on Cortex-M0: +78 without.
     fn intensity<F: Fraction<S>>(self, t: F) -> F::Value {
         // A table may end above zero: the edge is dark all the same.
         if t.step() > F::Value::default() {

@@ -24,7 +24,7 @@ use super::{
 use crate::{trig, vec3::Vec3};
 
 /// A scalar as an unsigned factor, 0 where it is negative.
-#[inline(always)]
+#[inline]
 fn factor(scalar: Fx16) -> u32 {
     scalar.to_bits().max(0).cast_unsigned().into()
 }
@@ -46,7 +46,7 @@ impl Arithmetic for Fx16 {
         if value.is_nan() { Versine16::MAX } else { magnified(value, ramp.zoom) }
     }
 
-    #[inline(always)]
+    #[inline]
     fn offset(light: Vec3<Length>, point: Vec3<Length>) -> Offset16 {
         Offset16::between(light, point)
     }
@@ -87,7 +87,7 @@ impl Arithmetic for Fx16 {
         Ramp16::new(inner, outer, limit).into_fine()
     }
 
-    #[inline(always)]
+    #[inline]
     fn rise(ramp: Ramp16, versine: Versine16) -> Rise<Self> {
         ramp.rise(versine)
     }
@@ -111,19 +111,19 @@ impl Arithmetic for Fx16 {
         bits << 26 | ((squared << (62 - 2 * bits)) >> 36) as u32
     }
 
-    #[inline(always)]
+    #[inline]
     fn is_clipped(share: Self, light: Light16) -> bool {
         // A share of 1/32 is off by 6 % at most.
         share.to_bits() > 1 << 9 && light.to_bits() > 9 << 11
     }
 
-    #[inline(always)]
+    #[inline]
     fn weighted_byte(sum: u32) -> Self {
         // 257 / 2^16 is a 255th less 2^-16 of it: a quarter of a step at most, which the rounding makes good at one.
         Self::from_bits((((sum >> 10) * 257 + (1 << 15)) >> 16).min(1 << 14) as i16)
     }
 
-    #[inline(always)]
+    #[inline]
     fn versine_between(a: Vec3<Fx32>, b: Vec3<Fx32>, ramp: Ramp16) -> Versine16 {
         let shift = MOST_ZOOM - ramp.zoom + 1;
         // The rounding belongs to the second direction: where that is an axis, it is taken once per light. Opposite

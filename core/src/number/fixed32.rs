@@ -15,19 +15,19 @@ use super::{
 use crate::vec3::Vec3;
 
 /// The product in 64 bits.
-#[inline(always)]
+#[inline]
 fn wide(a: i32, b: i32) -> i64 {
     i64::from(a) * i64::from(b)
 }
 
 /// The square of a component.
-#[inline(always)]
+#[inline]
 fn square(component: i32) -> u64 {
     wide(component, component).cast_unsigned()
 }
 
 /// A scalar clamped to [0, 1], as an unsigned factor.
-#[inline(always)]
+#[inline]
 fn factor(scalar: Fx32) -> u64 {
     u64::from(scalar.clamp(Fx32::ZERO, Fx32::ONE).to_bits().cast_unsigned())
 }
@@ -56,7 +56,7 @@ impl Arithmetic for Fx32 {
         if value.is_nan() { Versine32::MAX } else { nearest_versine(value) }
     }
 
-    #[inline(always)]
+    #[inline]
     fn offset(light: Vec3<Length>, point: Vec3<Length>) -> Offset32 {
         Offset32::between(light, point)
     }
@@ -70,19 +70,19 @@ impl Arithmetic for Fx32 {
         Ramp32::new(inner, outer, limit)
     }
 
-    #[inline(always)]
+    #[inline]
     fn rise(ramp: Ramp32, versine: Versine32) -> Rise<Self> {
         Rise::Coarse(ramp.rise(versine))
     }
 
-    #[inline(always)]
+    #[inline]
     fn weighted_byte(sum: u32) -> Self {
         /// `2^38 / 255`: a product of at most 63 bits.
         const INVERSE: u64 = 1_077_952_576;
         Self::from_bits(((u64::from(sum) * INVERSE + (1 << 31)) >> 32).min(1 << 30) as i32)
     }
 
-    #[inline(always)]
+    #[inline]
     fn versine_between(a: Vec3<Fx32>, b: Vec3<Fx32>, _: Ramp32) -> Versine32 {
         let difference = a.zip(b, |a, b| a.to_bits().saturating_sub(b.to_bits()));
         let squares = difference.map(square);

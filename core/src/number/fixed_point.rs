@@ -32,13 +32,13 @@ macro_rules! numbers {
             pub const FRACTION_BITS: u32 = $fixed::FRAC_NBITS;
 
             /// The number that is stored as these bits: `bits / 2^FRACTION_BITS`.
-            #[inline(always)]
+            #[inline]
             pub const fn from_bits(bits: $bits) -> Self {
                 Self(bits)
             }
 
             /// The bits that store the number.
-            #[inline(always)]
+            #[inline]
             pub const fn to_bits(self) -> $bits {
                 self.0
             }
@@ -54,13 +54,13 @@ macro_rules! numbers {
             }
 
             /// The difference; saturates.
-            #[inline(always)]
+            #[inline]
             pub const fn saturating_sub(self, other: Self) -> Self {
                 Self(self.0.saturating_sub(other.0))
             }
 
             /// The sum; saturates.
-            #[inline(always)]
+            #[inline]
             pub const fn saturating_add(self, other: Self) -> Self {
                 Self(self.0.saturating_add(other.0))
             }
@@ -121,7 +121,7 @@ numbers! {
 
 impl Fx16 {
     /// The nearest number, ties to even; saturates, and NaN becomes zero.
-    #[inline(always)]
+    #[inline]
     pub const fn from_f32(value: f32) -> Self {
         let steps = nearest(value * 16_384.0);
         let (least, most) = (i16::MIN as i32, i16::MAX as i32);
@@ -137,7 +137,7 @@ impl Fx16 {
 
 impl Fx32 {
     /// The nearest number, ties to even; saturates, and NaN becomes zero.
-    #[inline(always)]
+    #[inline]
     pub const fn from_f32(value: f32) -> Self {
         Self(nearest(value * 1_073_741_824.0))
     }
@@ -145,13 +145,13 @@ impl Fx32 {
 
 impl Length {
     /// A whole number of units.
-    #[inline(always)]
+    #[inline]
     pub const fn from_int(units: i16) -> Self {
         Self((units as i32) << 16)
     }
 
     /// The nearest length, ties to even; saturates, and NaN becomes zero.
-    #[inline(always)]
+    #[inline]
     pub const fn from_f32(value: f32) -> Self {
         Self(nearest(value * 65_536.0))
     }
@@ -190,7 +190,7 @@ macro_rules! scalars {
             const STEP: f32 = 1.0 / (1_u32 << Self::FRACTION_BITS) as f32;
             const FARTHEST: f32 = $farthest;
 
-            #[inline(always)]
+            #[inline]
             fn from_f32(value: f32) -> Self {
                 Self::from_f32(value)
             }
@@ -199,12 +199,12 @@ macro_rules! scalars {
                 self.to_f32()
             }
 
-            #[inline(always)]
+            #[inline]
             fn length(value: f32) -> Length {
                 Length::from_f32(value)
             }
 
-            #[inline(always)]
+            #[inline]
             fn light_to_f32(light: $light) -> f32 {
                 light.to_f32()
             }
@@ -221,13 +221,13 @@ scalars! {
 ///
 /// Without a branch, because renderers convert whole pictures with it. An f32 from 2^23 on is an integer; below, a sum
 /// with 2^23 of the same sign has no room for a fraction, so that the addition rounds.
-#[inline(always)]
+#[inline]
 pub(super) const fn nearest(value: f32) -> i32 {
     rounded(value) as i32
 }
 
 /// The same as a float, for conversions to other integers.
-#[inline(always)]
+#[inline]
 pub(super) const fn rounded(value: f32) -> f32 {
     const FIRST_INTEGER: f32 = 8_388_608.0;
     let units = FIRST_INTEGER.copysign(value);

@@ -37,7 +37,7 @@ impl FloatRamp {
         [self.outer.to_bits(), self.limit.to_bits(), self.reciprocal.to_bits()]
     }
 
-    #[inline(always)]
+    #[inline]
     fn rise(self, versine: f32) -> FloatFraction {
         // NaN is not within the limit.
         let rise = if versine < self.limit { (self.outer - versine) * self.reciprocal } else { 0.0 };
@@ -46,13 +46,13 @@ impl FloatRamp {
 }
 
 /// `x` if it is more than zero; anything else, also what is not a number, becomes zero.
-#[inline(always)]
+#[inline]
 pub(crate) const fn positive(x: f32) -> f32 {
     if x > 0.0 { x } else { 0.0 }
 }
 
 /// `x` clamped to [0, 1]; what is not a number becomes zero.
-#[inline(always)]
+#[inline]
 pub(crate) fn clamp(x: f32) -> f32 {
     let x = positive(x);
     if x < 1.0 { x } else { 1.0 }
@@ -81,7 +81,7 @@ impl Scalar for f32 {
         value
     }
 
-    #[inline(always)]
+    #[inline]
     fn light_to_f32(light: f32) -> f32 {
         light
     }
@@ -103,7 +103,7 @@ impl Arithmetic for f32 {
     // 1.72 times 2^-25, where all three are over a half.
     const DIRECTION_ERROR: f32 = 1.12e-7;
 
-    #[inline(always)]
+    #[inline]
     fn part(steps: u32) -> Self {
         steps as f32 * (1.0 / 16_384.0)
     }
@@ -124,17 +124,17 @@ impl Arithmetic for f32 {
         positive(value)
     }
 
-    #[inline(always)]
+    #[inline]
     fn times(self, other: Self) -> Self {
         self * other
     }
 
-    #[inline(always)]
+    #[inline]
     fn minus(self, other: Self) -> Self {
         self - other
     }
 
-    #[inline(always)]
+    #[inline]
     fn offset(light: Vec3<f32>, point: Vec3<f32>) -> FloatOffset {
         FloatOffset::between(light, point)
     }
@@ -159,12 +159,12 @@ impl Arithmetic for f32 {
         edge.angle * 0.55e-6 + (edge.fraction * 1.5 + 1.5) * Self::STEP
     }
 
-    #[inline(always)]
+    #[inline]
     fn rise(ramp: FloatRamp, versine: f32) -> Rise<f32> {
         Rise::Coarse(ramp.rise(versine))
     }
 
-    #[inline(always)]
+    #[inline]
     fn smooth(self) -> Self {
         let t = clamp(self);
         t * t * (3.0 - 2.0 * t)
@@ -174,104 +174,104 @@ impl Arithmetic for f32 {
         FloatFrame::new(vectors, tangent)
     }
 
-    #[inline(always)]
+    #[inline]
     fn place(frame: &FloatFrame, light: Vec3<f32>, point: Vec3<f32>) -> ProjectedPoint<Self> {
         frame.place(point.zip(light, |p, l| p - l))
     }
 
-    #[inline(always)]
+    #[inline]
     fn weighted_byte(sum: u32) -> Self {
         // Of 24 bits, which is an integer of this format.
         let share = (sum >> 8).cast_signed() as f32 * (1.0 / 16_711_680.0);
         if share < 1.0 { share } else { 1.0 }
     }
 
-    #[inline(always)]
+    #[inline]
     fn versine_between(a: Vec3<f32>, b: Vec3<f32>, _: FloatRamp) -> f32 {
         let difference = a.zip(b, |a, b| a - b);
         0.5 * difference.dot(difference)
     }
 
-    #[inline(always)]
+    #[inline]
     fn power(versine: f32, exponent: u32) -> f32 {
         raised(1.0, positive(1.0 - versine), exponent, |a, b| a * b)
     }
 
-    #[inline(always)]
+    #[inline]
     fn normal_unit(normal: Vec3<f32>) -> Vec3<f32> {
         normal
     }
 
-    #[inline(always)]
+    #[inline]
     fn mirror(direction: Vec3<f32>, normal: Vec3<f32>) -> Vec3<f32> {
         let twice = 2.0 * direction.dot(normal);
         direction.zip(normal, |d, n| d - twice * n)
     }
 
-    #[inline(always)]
+    #[inline]
     fn direction_between(a: Vec3<f32>, b: Vec3<f32>) -> Vec3<f32> {
         Self::offset(a, b).ray().direction()
     }
 
-    #[inline(always)]
+    #[inline]
     fn incidence(direction: Vec3<f32>, normal: Vec3<f32>) -> f32 {
         positive(-direction.dot(normal))
     }
 
-    #[inline(always)]
+    #[inline]
     fn expose(self, gain: f32) -> f32 {
         let light = positive(self * gain);
         if light < BRIGHTEST { light } else { BRIGHTEST }
     }
 
-    #[inline(always)]
+    #[inline]
     fn filter(light: f32, color: f32) -> f32 {
         light * color
     }
 
-    #[inline(always)]
+    #[inline]
     fn add_light(a: f32, b: f32) -> f32 {
         a + b
     }
 
-    #[inline(always)]
+    #[inline]
     fn light_to_gain(light: f32) -> f32 {
         light
     }
 
-    #[inline(always)]
+    #[inline]
     fn amplify(light: f32, gain: f32) -> f32 {
         light.expose(gain)
     }
 
-    #[inline(always)]
+    #[inline]
     fn clip(light: f32) -> f32 {
         clamp(light)
     }
 
-    #[inline(always)]
+    #[inline]
     fn word(self) -> Word {
         Word::Single(self)
     }
 }
 
 impl Gain<f32> for f32 {
-    #[inline(always)]
+    #[inline]
     fn by(self, other: Self) -> Self {
         self * other
     }
 
-    #[inline(always)]
+    #[inline]
     fn plus(self, other: Self) -> Self {
         self + other
     }
 
-    #[inline(always)]
+    #[inline]
     fn inverse_capped(self) -> Self {
         1.0 / if self > 1.0 { self } else { 1.0 }
     }
 
-    #[inline(always)]
+    #[inline]
     fn fraction(self) -> Self {
         clamp(self)
     }

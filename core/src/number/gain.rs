@@ -41,18 +41,18 @@ macro_rules! gain {
             }
 
             /// What is multiplied with: the gain is `factor / 2^scale`.
-            #[inline(always)]
+            #[inline]
             pub(super) fn factor(self) -> $wide {
                 (self.mantissa >> ($bits - $factor_bits)).into()
             }
 
-            #[inline(always)]
+            #[inline]
             pub(super) fn scale(self) -> i32 {
                 self.shift - ($bits - $factor_bits)
             }
 
             /// A light times the gain.
-            #[inline(always)]
+            #[inline]
             pub(super) fn amplify(self, light: $light) -> $light {
                 const HALF: u32 = $wide::BITS / 2;
                 let (factor, scale) = (self.factor(), self.scale());
@@ -67,12 +67,12 @@ macro_rules! gain {
         }
 
         impl Gain<$scalar> for $name {
-            #[inline(always)]
+            #[inline]
             fn by(self, other: Self) -> Self {
                 Self::normalised(self.factor() * other.factor(), self.scale() + other.scale())
             }
 
-            #[inline(always)]
+            #[inline]
             fn plus(self, other: Self) -> Self {
                 /// Leaves a bit for the carry.
                 const UP: u32 = $wide::BITS - $factor_bits - 1;
@@ -85,7 +85,7 @@ macro_rules! gain {
                 Self::normalised((large.factor() << UP) + aligned, large.scale() + UP.cast_signed())
             }
 
-            #[inline(always)]
+            #[inline]
             fn inverse_capped(self) -> Self {
                 if self.mantissa == 0 || self.scale() >= $factor_bits {
                     return Self::ONE;
@@ -94,7 +94,7 @@ macro_rules! gain {
                 Self::normalised(inverse.into(), 2 * $factor_bits - 1 - self.scale())
             }
 
-            #[inline(always)]
+            #[inline]
             fn fraction(self) -> $scalar {
                 if self.mantissa != 0 && self.scale() < $factor_bits {
                     return $scalar::ONE;
@@ -106,7 +106,7 @@ macro_rules! gain {
 
         impl $light {
             /// `product / 2^shift`, rounded to nearest, saturating.
-            #[inline(always)]
+            #[inline]
             pub(super) fn shifted(product: $wide, shift: i32) -> Self {
                 let but_one = shift.wrapping_sub(1).cast_unsigned();
                 Self::from_bits(if but_one < $wide::BITS {
@@ -137,7 +137,7 @@ gain! {
 
 impl Gain16 {
     /// `bits / 2^shift`, rounded to a mantissa of 16 bits.
-    #[inline(always)]
+    #[inline]
     pub(super) fn normalised(bits: u32, shift: i32) -> Self {
         if bits == 0 {
             return Self::ZERO;
@@ -153,7 +153,7 @@ impl Gain16 {
 
 impl Gain32 {
     /// `bits / 2^shift`, rounded to a mantissa of 28 bits.
-    #[inline(always)]
+    #[inline]
     pub(super) fn normalised(bits: u64, shift: i32) -> Self {
         if bits == 0 {
             return Self::ZERO;

@@ -59,7 +59,7 @@ impl Knot {
 
     /// The last of the knots whose place is not over this one, in 65,536ths of `u`; a dark one if
     /// there is none.
-    #[inline(always)]
+    #[inline]
     pub(super) fn at(knots: &[Self], place: u32) -> Self {
         let after = knots.partition_point(|knot| u32::from(knot.place) <= place);
         knots.get(after.saturating_sub(1)).copied().unwrap_or_default()

@@ -23,13 +23,13 @@ pub(crate) const STEPS: i32 = 1 << 16;
 impl<S: Scalar> ProjectedPoint<S> {
     /// The place of what has none.
     #[cfg(feature = "fixed")]
-    #[inline(always)]
+    #[inline]
     pub(super) fn outside() -> Self {
         Self { column: -STEPS, row: -STEPS, depth: S::Length::default() }
     }
 
     /// Whether it is on the square.
-    #[inline(always)]
+    #[inline]
     pub const fn is_inside(&self) -> bool {
         (self.column | self.row).cast_unsigned() < STEPS.cast_unsigned()
     }

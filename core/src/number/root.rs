@@ -30,18 +30,18 @@ const ILOG2: [u8; 128] = {
 const COUNTS_ZEROS: bool = cfg!(target_has_atomic = "32");
 
 /// The binary logarithm of a number of seven bits, rounded down; that of zero as if it were one.
-#[inline(always)]
+#[inline]
 pub(super) const fn ilog2_of_seven_bits(n: u32) -> u32 {
     if COUNTS_ZEROS { 31 - (n | 1).leading_zeros() } else { ILOG2[n as usize & 0x7f] as u32 }
 }
 
 /// How many bits a number has, zero having one.
-#[inline(always)]
+#[inline]
 pub(super) const fn bit_length(n: u32) -> u32 {
     if COUNTS_ZEROS { u32::BITS - (n | 1).leading_zeros() } else { looked_up_bit_length(n) }
 }
 
-#[inline(always)]
+#[inline]
 const fn looked_up_bit_length(mut n: u32) -> u32 {
     let mut length = 1;
     while n >> 7 != 0 {
@@ -54,7 +54,7 @@ const fn looked_up_bit_length(mut n: u32) -> u32 {
 /// `2^31 / sqrt(n)` for n from 2^30 up: 65,533 at n = 2^30, 32,768 at the top. Zero for zero.
 ///
 /// A straight line between neighbours in a table. Relative error at most 6.0e-5 (exhaustive).
-#[inline(always)]
+#[inline]
 const fn guess(n: u32) -> u32 {
     let place = (n >> 25) as usize;
     let (here, next) = (NODES[place] as u32, NODES[place + 1] as u32);
@@ -64,7 +64,7 @@ const fn guess(n: u32) -> u32 {
 /// `2^30 / sqrt(n)` for n from 2^28 up: 65,533 at n = 2^28, 16,384 at the top. Zero for zero.
 ///
 /// Relative error at most 9.0e-5 (exhaustive).
-#[inline(always)]
+#[inline]
 pub(super) const fn inverse_sqrt_16(n: u32) -> u32 {
     if n >= 1 << 30 { (guess(n) + 1) >> 1 } else { guess(n << 2) }
 }

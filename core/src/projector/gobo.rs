@@ -84,7 +84,7 @@ impl<'a> Gobo<'a> {
 
     /// What is left of the light at a place: from exactly zero to exactly one, and one everywhere behind glass without a
     /// pattern.
-    #[inline(always)]
+    #[inline]
     pub fn transmission<S: Scalar>(self, place: &ProjectedPoint<S>) -> S {
         let (column, right) = self.part(place.column);
         let (row, down) = self.part(place.row);
@@ -97,7 +97,7 @@ impl<'a> Gobo<'a> {
     }
 
     /// The transmission before a place along a side, and how far it is to the next: no way from the last one.
-    #[inline(always)]
+    #[inline]
     fn part(self, steps: i32) -> (u32, u32) {
         const LOST: u32 = 16 - FRACTION_BITS;
         let steps = steps.clamp(0, (1 << 16) - 1).cast_unsigned();
@@ -109,14 +109,14 @@ impl<'a> Gobo<'a> {
     }
 
     /// A transmission; one that would be after the last has no weight.
-    #[inline(always)]
+    #[inline]
     fn nth(self, index: u32) -> u32 {
         u32::from(self.transmissions.get(index as usize).copied().unwrap_or(0))
     }
 }
 
 /// The value so far on the way from one to another, times the whole way. A difference may wrap, and the sum comes back.
-#[inline(always)]
+#[inline]
 fn between(from: u32, to: u32, way: u32) -> u32 {
     (from << FRACTION_BITS).wrapping_add(to.wrapping_sub(from).wrapping_mul(way))
 }
@@ -145,13 +145,13 @@ impl<'a, S: Scalar> CompiledGobo<'a, S> {
     }
 
     /// What is left of the light at a point: a factor from 0 to 1.
-    #[inline(always)]
+    #[inline]
     pub fn at(&self, point: Vec3<S::Length>) -> S {
         self.gobo.transmission(&self.projection.place(point))
     }
 
     /// What is left of this light at a point; where all of it is, no bit has changed.
-    #[inline(always)]
+    #[inline]
     pub fn filter(&self, light: S::Irradiance, point: Vec3<S::Length>) -> S::Irradiance {
         S::filter(light, self.at(point))
     }

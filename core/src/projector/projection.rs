@@ -167,7 +167,7 @@ impl<S: Scalar> CompiledProjection<S> {
     }
 
     /// Where a point stands on the square, and how deep in the light; the unit of `point` is that of the light's position.
-    #[inline(always)]
+    #[inline]
     pub fn place(&self, point: Vec3<S::Length>) -> ProjectedPoint<S> {
         S::place(&self.frame, self.position, point)
     }

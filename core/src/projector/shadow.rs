@@ -102,19 +102,19 @@ impl<'a, S: Scalar> Shadow<'a, S> {
     /// How much of the light arrives at a point, from 0 to 1: exactly one where nothing stands between, so that a factor of
     /// it changes no bit, and exactly zero in full shadow. What is off the square or behind the light has no shadow, as no
     /// light of the cone arrives there.
-    #[inline(always)]
+    #[inline]
     pub fn visibility(&self, point: Vec3<S::Length>) -> S {
         self.at(&self.projection.place(point))
     }
 
     /// What is left of this light at a point; where all of it is, no bit has changed.
-    #[inline(always)]
+    #[inline]
     pub fn filter(&self, light: S::Irradiance, point: Vec3<S::Length>) -> S::Irradiance {
         S::filter(light, self.visibility(point))
     }
 
     /// The same for a place that is known, as one that a pattern has already been asked for.
-    #[inline(always)]
+    #[inline]
     pub fn at(&self, place: &ProjectedPoint<S>) -> S {
         let (row, column) = (self.between(place.row), self.between(place.column));
         let hidden = |i: usize, j: usize| {
@@ -127,7 +127,7 @@ impl<'a, S: Scalar> Shadow<'a, S> {
     }
 
     /// The middles between which a place lies that is on the square.
-    #[inline(always)]
+    #[inline]
     fn between(&self, along: i32) -> Between {
         // Half a texel back, to the middles, and a whole one forth, which keeps it from being negative.
         let steps = along.cast_unsigned().wrapping_mul(self.side).wrapping_add(1 << 15);

@@ -19,7 +19,7 @@ pub struct CompiledDirectionalLight<S: Scalar> {
 
 impl<S: Scalar> CompiledDirectionalLight<S> {
     /// The light that arrives at a surface of this normal, before the colours: Lambert's cosine of the intensity.
-    #[inline(always)]
+    #[inline]
     pub fn irradiance(&self, normal: Vec3<S>) -> S::Irradiance {
         self.evaluate::<NoSpecular>(&SurfacePoint::matte(Vec3::default(), normal), &(), false).diffuse
     }
@@ -44,7 +44,7 @@ impl<S: Scalar> LightModel<S> for CompiledDirectionalLight<S> {
         self.specular_color
     }
 
-    #[inline(always)]
+    #[inline]
     fn evaluate<H: SpecularLobe>(
         &self,
         surface: &SurfacePoint<S>,

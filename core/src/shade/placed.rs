@@ -27,7 +27,7 @@ pub(super) trait Placed<S: Scalar, A: Attenuation> {
     fn falloff<R: Ray<S>>(&self, ray: &R) -> Option<R::Share>;
 
     /// The light that arrives at a surface: see [`LightModel::evaluate`](super::Light::evaluate).
-    #[inline(always)]
+    #[inline(always)] // `spot-soft-lambert-shadow` on Cortex-M0: +53 without.
     fn evaluate_at<H: SpecularLobe>(
         &self,
         surface: &SurfacePoint<S>,
@@ -89,7 +89,7 @@ pub(super) trait Placed<S: Scalar, A: Attenuation> {
     }
 
     /// What arrives along a ray: as shares of the intensity, and the light of them.
-    #[inline(always)]
+    #[inline(always)] // `spot-table-lambert` on Cortex-M0: +29 without.
     fn along<H: SpecularLobe, R: Ray<S>>(
         &self,
         offset: &S::Offset,

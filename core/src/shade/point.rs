@@ -26,13 +26,13 @@ pub struct CompiledPointLight<S: Scalar, A: Attenuation = InverseSquare> {
 impl<S: Scalar, A: Attenuation> CompiledPointLight<S, A> {
     /// The light that arrives at a surface point, before the colours: distance and Lambert's cosine. Skips what is
     /// exactly zero, as [`CompiledSpotLight::irradiance`](crate::light::CompiledSpotLight::irradiance) does.
-    #[inline(always)]
+    #[inline]
     pub fn irradiance(&self, point: Vec3<S::Length>, normal: Vec3<S>) -> S::Irradiance {
         self.evaluate::<NoSpecular>(&SurfacePoint::matte(point, normal), &(), true).diffuse
     }
 
     /// As [`irradiance`](Self::irradiance), with every step done for every point.
-    #[inline(always)]
+    #[inline]
     pub fn irradiance_unskipped(&self, point: Vec3<S::Length>, normal: Vec3<S>) -> S::Irradiance {
         self.evaluate::<NoSpecular>(&SurfacePoint::matte(point, normal), &(), false).diffuse
     }
@@ -51,18 +51,18 @@ impl<S: Scalar, A: Attenuation> CompiledPointLight<S, A> {
 }
 
 impl<S: Scalar, A: Attenuation> Placed<S, A> for CompiledPointLight<S, A> {
-    #[inline(always)]
+    #[inline]
     fn place(&self) -> Stand<'_, S, A> {
         let Self { position, ref attenuation, intensity, fine_below, .. } = *self;
         Stand { position, attenuation, intensity, fine_below }
     }
 
-    #[inline(always)]
+    #[inline]
     fn is_outside(&self, _: &S::Offset) -> bool {
         false
     }
 
-    #[inline(always)]
+    #[inline]
     fn falloff<R: Ray<S>>(&self, _: &R) -> Option<R::Share> {
         None
     }
@@ -77,7 +77,7 @@ impl<S: Scalar, A: Attenuation> LightModel<S> for CompiledPointLight<S, A> {
         self.specular_color
     }
 
-    #[inline(always)]
+    #[inline]
     fn evaluate<H: SpecularLobe>(
         &self,
         surface: &SurfacePoint<S>,

@@ -6,7 +6,7 @@
 
 /// Reciprocal of the square root of a normal number, and zero for any other: zero or less, subnormal, infinite or not a
 /// number.
-#[inline(always)]
+#[inline]
 pub(crate) fn inverse_sqrt(x: f32) -> f32 {
     // One exponent up, what is no normal number is below the least of them, or negative.
     let is_normal = x.to_bits().wrapping_add(0x0080_0000).cast_signed() >= 0x0100_0000;
@@ -14,14 +14,14 @@ pub(crate) fn inverse_sqrt(x: f32) -> f32 {
 }
 
 /// The square root of a normal number above zero, correctly rounded. For any other number it has no meaning.
-#[inline(always)]
+#[inline]
 fn sqrt(x: f32) -> f32 {
     let bits = x.to_bits();
     nearest(bits, estimate(x, bits))
 }
 
 /// A root within a unit in the last place (exhaustive).
-#[inline(always)]
+#[inline]
 fn estimate(x: f32, bits: u32) -> f32 {
     // Halving and negating the exponent by an integer leaves 3.5 % of error (Lomont 2003, "Fast Inverse Square Root").
     let seed = f32::from_bits(0x5f37_59df - (bits >> 1));
@@ -34,7 +34,7 @@ fn estimate(x: f32, bits: u32) -> f32 {
 }
 
 /// The root nearest to exact of an estimate and its two neighbours.
-#[inline(always)]
+#[inline]
 fn nearest(bits: u32, estimate: f32) -> f32 {
     let bits_of_root = estimate.to_bits();
     // With the root as an integer m from 2^23 to 2^24, the number is an integer of 47 or 48 bits. Of their difference,

@@ -54,7 +54,7 @@ impl Vector {
     }
 
     /// The inner product with an offset of 17 bits: at most 31 bits and a sign.
-    #[inline(always)]
+    #[inline]
     fn part(&self, way: Vec3<i32>) -> i32 {
         let products = self.parts.zip(way, i32::wrapping_mul);
         products.x.wrapping_add(products.y).wrapping_add(products.z).wrapping_add(self.half)
@@ -105,7 +105,7 @@ impl Frame16 {
         }
     }
 
-    #[inline(always)]
+    #[inline(always)] // `spot-soft-lambert-gobo` on Cortex-M0: +76 without.
     pub(super) fn place(&self, light: Vec3<Length>, point: Vec3<Length>) -> ProjectedPoint<Fx16> {
         let offset = Offset16::between(light, point);
         let way = offset.fine();

@@ -4,13 +4,13 @@ use crate::number::{Fx16, Fx32, Versine16, raised};
 use crate::vec3::Vec3;
 
 /// What the product of two fractions lacks of one, from what each of them lacks, with 32 fraction bits.
-#[inline(always)]
+#[inline]
 fn lack_of_product(a: u32, b: u32) -> u32 {
     a.saturating_add(b - (a >> 16) * (b >> 16))
 }
 
 /// `(1 - versine)^exponent`: what the cosine lacks of one keeps its leading bits where the cosine would have lost them.
-#[inline(always)]
+#[inline]
 pub(super) fn power(versine: Versine16, exponent: u32) -> Fx16 {
     let lack = raised(0, versine.to_bits().saturating_mul(8), exponent, lack_of_product);
     let lack = ((lack >> 17) + 1) >> 1;
@@ -18,7 +18,7 @@ pub(super) fn power(versine: Versine16, exponent: u32) -> Fx16 {
 }
 
 /// `d - 2 (d.n) n`. Wraps for what is not of unit length, which leaves it defined.
-#[inline(always)]
+#[inline]
 pub(super) fn mirror(direction: Vec3<Fx32>, normal: Vec3<Fx16>) -> Vec3<Fx32> {
     let products =
         direction.zip(normal, |d, n| (((d.to_bits() >> 14) + 1) >> 1).wrapping_mul(i32::from(n.to_bits())));
@@ -30,7 +30,7 @@ pub(super) fn mirror(direction: Vec3<Fx32>, normal: Vec3<Fx16>) -> Vec3<Fx32> {
 }
 
 /// The cosine of the angle of incidence. Wraps for what is not of unit length, which leaves it defined.
-#[inline(always)]
+#[inline]
 pub(super) fn incidence(direction: Vec3<Fx32>, normal: Vec3<Fx16>) -> Fx16 {
     let products =
         direction.zip(normal, |d, n| (((d.to_bits() >> 15) + 1) >> 1).wrapping_mul(i32::from(n.to_bits())));

@@ -1,20 +1,20 @@
 //! The upper bits of products that are wider than 32, in products of 32.
 
 /// `a b / 2^16` for a b of 16 bits, rounded down.
-#[inline(always)]
+#[inline]
 pub(super) fn high_product(a: u32, b: u32) -> u32 {
     (a >> 16) * b + (((a & 0xffff) * b) >> 16)
 }
 
 /// The same for a signed a.
-#[inline(always)]
+#[inline]
 pub(super) fn signed_high_product(a: i32, b: u32) -> i32 {
     let low = ((a.cast_unsigned() & 0xffff) * b) >> 16;
     (a >> 16).wrapping_mul(b.cast_signed()).wrapping_add(low.cast_signed())
 }
 
 /// `a b / 2^32`, rounded down: exactly, so that it never falls where a factor rises.
-#[inline(always)]
+#[inline(always)] // `spot-cut-off-lambert` on Cortex-M0: +38 without.
 pub(super) const fn high_half(a: u32, b: u32) -> u32 {
     let (high, low) = (a >> 16, a & 0xffff);
     let upper = high * (b & 0xffff) + ((low * (b & 0xffff)) >> 16);
@@ -23,7 +23,7 @@ pub(super) const fn high_half(a: u32, b: u32) -> u32 {
 }
 
 /// The upper half of a square, within 2 of it: two products where [`high_half`] has four.
-#[inline(always)]
+#[inline]
 pub(super) fn high_square(a: u32) -> u32 {
     let (high, low) = (a >> 16, a & 0xffff);
     high * high + ((high * low) >> 15)

@@ -90,7 +90,7 @@ impl Ramp16 {
     }
 
     /// Where a versine stands on the ramp.
-    #[inline(always)]
+    #[inline]
     pub(super) fn rise(self, versine: Versine16) -> Rise<Fx16> {
         match self.within(versine) {
             Some(t) => Rise::Coarse(t),
@@ -101,26 +101,26 @@ impl Ramp16 {
     }
 
     /// Where it stands on a ramp that is not always fine.
-    #[inline(always)]
+    #[inline]
     pub(super) fn rise_coarsely(self, versine: Versine16) -> Fraction16 {
         self.within(versine).unwrap_or_else(|| self.end(versine))
     }
 
     /// Where it stands between the ends.
-    #[inline(always)]
+    #[inline]
     fn within(self, versine: Versine16) -> Option<Fraction16> {
         let past = versine.to_bits().wrapping_sub(self.inner);
         (past < self.width).then(|| Fraction16((self.one - (past >> self.shift) * self.mantissa) >> 16))
     }
 
     /// Where it stands at or beyond one of them.
-    #[inline(always)]
+    #[inline]
     fn end(self, versine: Versine16) -> Fraction16 {
         Fraction16(if versine.to_bits() < self.inner { 1 << 15 } else { 0 })
     }
 
     /// Where a versine stands on the ramp, with all bits that it has.
-    #[inline(always)]
+    #[inline(always)] // `spot-soft` on Cortex-M0: +21 without.
     pub(super) fn rise_finely(self, versine: Versine16) -> Fine16 {
         let versine = versine.to_bits();
         let past = versine.wrapping_sub(self.inner);

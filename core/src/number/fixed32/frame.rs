@@ -75,7 +75,7 @@ impl Frame32 {
         }
     }
 
-    #[inline(always)]
+    #[inline]
     pub(super) fn place(&self, light: Vec3<Length>, point: Vec3<Length>) -> ProjectedPoint<Fx32> {
         let offset = Fx32::offset(light, point);
         let depth = part(self.axis, offset.way);
@@ -103,7 +103,7 @@ impl Frame32 {
 
 impl Offset32 {
     /// A part of the way, of 60 fraction bits as it is scaled, as a length; saturates.
-    #[inline(always)]
+    #[inline]
     fn length_of(&self, part: i64) -> Length {
         let doubled = part >> (59 - self.bits);
         Length::from_bits(((doubled + 1) >> 1).min(i64::from(i32::MAX)) as i32)
@@ -111,14 +111,14 @@ impl Offset32 {
 }
 
 /// Half the inner product with an offset: at most 61 bits and a sign for a vector of unit length.
-#[inline(always)]
+#[inline]
 fn part(vector: Vec3<i32>, way: Vec3<i32>) -> i64 {
     let products = vector.zip(way, |a, b| wide(a, b) >> 1);
     products.x + products.y + products.z
 }
 
 /// `a b / 2^32` for b of 28 bits, rounded down.
-#[inline(always)]
+#[inline]
 fn signed_high_product(a: i64, b: u64) -> i64 {
     let low = ((a.cast_unsigned() & 0xffff_ffff) * b) >> 32;
     (a >> 32) * b.cast_signed() + low.cast_signed()

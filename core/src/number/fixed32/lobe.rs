@@ -8,13 +8,13 @@ use crate::vec3::Vec3;
 const ONE: u64 = 1 << 62;
 
 /// What the product of two fractions lacks of one, from what each of them lacks, with 62 fraction bits.
-#[inline(always)]
+#[inline]
 fn lack_of_product(a: u64, b: u64) -> u64 {
     (a + b - (a >> 31) * (b >> 31)).min(ONE)
 }
 
 /// `(1 - versine)^exponent`: what the cosine lacks of one keeps its leading bits where the cosine would have lost them.
-#[inline(always)]
+#[inline]
 pub(super) fn power(versine: Versine32, exponent: u32) -> Fx32 {
     let lack = raised(0, versine.to_bits().min(ONE / 2) * 2, exponent, lack_of_product);
     let lack = ((lack >> 31) + 1) >> 1;
@@ -22,14 +22,14 @@ pub(super) fn power(versine: Versine32, exponent: u32) -> Fx32 {
 }
 
 /// The inner product, with 58 fraction bits.
-#[inline(always)]
+#[inline]
 fn inner(direction: Vec3<Fx32>, normal: Vec3<Fx32>) -> i64 {
     let products = direction.zip(normal, |d, n| wide(d.to_bits(), n.to_bits()) >> 2);
     products.x + products.y + products.z
 }
 
 /// `d - 2 (d.n) n`. Wraps for what is not of unit length, which leaves it defined.
-#[inline(always)]
+#[inline]
 pub(super) fn mirror(direction: Vec3<Fx32>, normal: Vec3<Fx32>) -> Vec3<Fx32> {
     let cosine = (inner(direction, normal) + (1 << 27)) >> 28;
     direction.zip(normal, |d, n| {
@@ -39,7 +39,7 @@ pub(super) fn mirror(direction: Vec3<Fx32>, normal: Vec3<Fx32>) -> Vec3<Fx32> {
 }
 
 /// The cosine of the angle of incidence.
-#[inline(always)]
+#[inline]
 pub(super) fn incidence(direction: Vec3<Fx32>, normal: Vec3<Fx32>) -> Fx32 {
     let cosine = ((1 << 27) - inner(direction, normal)) >> 28;
     Fx32::from_bits(cosine.clamp(0, 1 << 30) as i32)

@@ -65,7 +65,7 @@ impl Ramp32 {
     }
 
     /// Where a versine stands on the ramp.
-    #[inline(always)]
+    #[inline]
     pub(super) fn rise(self, versine: Versine32) -> Fraction32 {
         let versine = versine.to_bits();
         if versine >= self.limit {

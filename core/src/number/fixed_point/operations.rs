@@ -14,7 +14,7 @@ macro_rules! operations {
         type Gain = $gain;
         type Offset = $offset;
 
-        #[inline(always)]
+        #[inline]
         fn part(steps: u32) -> Self {
             Self::from_bits((steps << (Self::FRACTION_BITS - 14)) as $bits)
         }
@@ -28,7 +28,7 @@ macro_rules! operations {
             $gain::nearest(value)
         }
 
-        #[inline(always)]
+        #[inline]
         fn times(self, other: Self) -> Self {
             let [a, b] = [self, other].map(|scalar| $wide::from(scalar.to_bits().cast_unsigned()));
             let product =
@@ -36,13 +36,13 @@ macro_rules! operations {
             Self::from_bits(product.min(1 << Self::FRACTION_BITS) as $bits)
         }
 
-        #[inline(always)]
+        #[inline]
         fn minus(self, other: Self) -> Self {
             self.saturating_sub(other)
         }
 
         /// Exact but for one rounding at the end, so that it never falls.
-        #[inline(always)]
+        #[inline]
         fn smooth(self) -> Self {
             const BITS: u32 = $light::FRACTION_BITS;
             let t = $wide::from(self.clamp(Self::ZERO, Self::ONE).to_bits().cast_unsigned());
@@ -55,45 +55,45 @@ macro_rules! operations {
             $frame::new(vectors, tangent)
         }
 
-        #[inline(always)]
+        #[inline]
         fn place(frame: &$frame, light: Vec3<Length>, point: Vec3<Length>) -> ProjectedPoint<Self> {
             frame.place(light, point)
         }
 
-        #[inline(always)]
+        #[inline]
         fn power(versine: Self::Versine, exponent: u32) -> Self {
             lobe::power(versine, exponent)
         }
 
-        #[inline(always)]
+        #[inline]
         fn normal_unit(normal: Vec3<Self>) -> Vec3<Fx32> {
             normal.map(|c| {
                 Fx32::from_bits(i32::from(c.to_bits()) << (Fx32::FRACTION_BITS - Self::FRACTION_BITS))
             })
         }
 
-        #[inline(always)]
+        #[inline]
         fn mirror(direction: Vec3<Fx32>, normal: Vec3<Self>) -> Vec3<Fx32> {
             lobe::mirror(direction, normal)
         }
 
-        #[inline(always)]
+        #[inline]
         fn direction_between(a: Vec3<Fx32>, b: Vec3<Fx32>) -> Vec3<Fx32> {
             // Half the difference always fits.
             $offset::new(b.zip(a, |b, a| (b.to_bits() >> 1) - (a.to_bits() >> 1))).ray().direction()
         }
 
-        #[inline(always)]
+        #[inline]
         fn incidence(direction: Vec3<Fx32>, normal: Vec3<Self>) -> Self {
             lobe::incidence(direction, normal)
         }
 
-        #[inline(always)]
+        #[inline]
         fn expose(self, gain: $gain) -> $light {
             $light::shifted(factor(self) * gain.factor(), gain.scale())
         }
 
-        #[inline(always)]
+        #[inline]
         fn filter(light: $light, color: Self) -> $light {
             const HALF: u32 = $wide::BITS / 2;
             let color = $wide::from(color.to_bits().max(0).cast_unsigned());
@@ -104,27 +104,27 @@ macro_rules! operations {
             $light::from_bits(high.saturating_add(low))
         }
 
-        #[inline(always)]
+        #[inline]
         fn add_light(a: $light, b: $light) -> $light {
             a.saturating_add(b)
         }
 
-        #[inline(always)]
+        #[inline]
         fn light_to_gain(light: $light) -> $gain {
             $gain::normalised(light.to_bits(), $light::FRACTION_BITS.cast_signed())
         }
 
-        #[inline(always)]
+        #[inline]
         fn amplify(light: $light, gain: $gain) -> $light {
             gain.amplify(light)
         }
 
-        #[inline(always)]
+        #[inline]
         fn clip(light: $light) -> Self {
             Self::from_bits(light.to_bits().min(1 << Self::FRACTION_BITS) as $bits)
         }
 
-        #[inline(always)]
+        #[inline]
         fn word(self) -> Word {
             Word::$steps(self.to_bits())
         }

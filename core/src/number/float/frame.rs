@@ -48,7 +48,7 @@ impl FloatFrame {
         Self { right, down, axis, center }
     }
 
-    #[inline(always)]
+    #[inline]
     pub(super) fn place(&self, way: Vec3<f32>) -> ProjectedPoint<f32> {
         const LAST: f32 = (3 * STEPS - 1) as f32;
         let depth = way.dot(self.axis);

@@ -22,7 +22,7 @@ pub struct FloatRay {
 
 impl FloatOffset {
     /// The way back from a point to a light.
-    #[inline(always)]
+    #[inline]
     pub(super) fn between(light: Vec3<f32>, point: Vec3<f32>) -> Self {
         let back = light.zip(point, |l, p| l - p);
         Self { back, squared: back.dot(back) }
@@ -36,45 +36,45 @@ impl Offset<f32> for FloatOffset {
 
     const ROOTS_FIRST: bool = true;
 
-    #[inline(always)]
+    #[inline]
     fn facing(&self, normal: Vec3<f32>) -> f32 {
         self.back.dot(normal)
     }
 
-    #[inline(always)]
+    #[inline]
     fn faces_away(facing: f32) -> bool {
         !matches!(facing.partial_cmp(&0.0), Some(core::cmp::Ordering::Greater))
     }
 
-    #[inline(always)]
+    #[inline]
     fn is_outside(&self, axis: Vec3<f32>, bound: f32) -> bool {
         let along = self.back.dot(axis);
         along * along.abs() > -bound * self.squared
     }
 
-    #[inline(always)]
+    #[inline]
     fn squared_distance(&self) -> f32 {
         self.squared
     }
 
-    #[inline(always)]
+    #[inline]
     fn ray(&self) -> FloatRay {
         self.ray_of(self.reciprocal())
     }
 
-    #[inline(always)]
+    #[inline]
     fn fine_ray(&self) -> FloatRay {
         self.ray()
     }
 
     /// Where the square is less than any normal number the point counts as on the light, and its direction is zero.
     /// Where it is beyond f32 the reciprocal is zero too, and no light arrives either.
-    #[inline(always)]
+    #[inline]
     fn reciprocal(&self) -> f32 {
         trig::inverse_sqrt(self.squared)
     }
 
-    #[inline(always)]
+    #[inline]
     fn ray_of(&self, reciprocal: f32) -> FloatRay {
         FloatRay { back: self.back.map(|c| c * reciprocal), squared: self.squared, reciprocal }
     }
@@ -83,19 +83,19 @@ impl Offset<f32> for FloatOffset {
 /// By the kernel's root: the processor's own with `std`, else that of `libm` or `micromath`.
 impl Vec3<f32> {
     /// The length; zero if its square is no normal number.
-    #[inline(always)]
+    #[inline]
     pub fn length(self) -> f32 {
         f32::offset(Vec3::default(), self).ray().distance()
     }
 
     /// The reciprocal of the length; zero if the square of the length is no normal number.
-    #[inline(always)]
+    #[inline]
     pub fn reciprocal_length(self) -> f32 {
         f32::offset(Vec3::default(), self).reciprocal()
     }
 
     /// The vector at unit length; zero if the square of its length is no normal number.
-    #[inline(always)]
+    #[inline]
     pub fn unit(self) -> Self {
         f32::offset(Vec3::default(), self).ray().direction()
     }
@@ -103,7 +103,7 @@ impl Vec3<f32> {
 
 impl FloatRay {
     /// The squared difference of direction and axis.
-    #[inline(always)]
+    #[inline]
     fn twice_versine(&self, axis: Vec3<f32>) -> f32 {
         let difference = self.back.zip(axis, |b, s| b + s);
         difference.dot(difference)
@@ -114,37 +114,37 @@ impl Ray<f32> for FloatRay {
     type Fraction = FloatFraction;
     type Share = f32;
 
-    #[inline(always)]
+    #[inline]
     fn direction(&self) -> Vec3<f32> {
         self.back.map(|c| -c)
     }
 
-    #[inline(always)]
+    #[inline]
     fn distance(&self) -> f32 {
         trig::sqrt(self.squared)
     }
 
-    #[inline(always)]
+    #[inline]
     fn versine(&self, axis: Vec3<f32>, _: FloatRamp) -> f32 {
         0.5 * self.twice_versine(axis)
     }
 
     /// On a ramp of twice the size, which halves nothing per point and changes no bit.
-    #[inline(always)]
+    #[inline]
     fn rise(&self, axis: Vec3<f32>, ramp: FloatRamp) -> FloatFraction {
         let doubled =
             FloatRamp { outer: 2.0 * ramp.outer, limit: 2.0 * ramp.limit, reciprocal: 0.5 * ramp.reciprocal };
         doubled.rise(self.twice_versine(axis))
     }
 
-    #[inline(always)]
+    #[inline]
     fn cosine(&self, facing: f32, _: Vec3<f32>) -> FloatFraction {
         FloatFraction(clamp(facing * self.reciprocal))
     }
 
     /// The gain saturates and not the light, because the compiler sees that a product of clamped fractions is not
     /// negative, and leaves the other half of `Arithmetic::expose`'s clamp out.
-    #[inline(always)]
+    #[inline]
     fn expose(&self, fraction: f32, gain: f32) -> f32 {
         let gain = gain * (self.reciprocal * self.reciprocal);
         let fraction = if fraction < 0.0 { 0.0 } else { fraction };

@@ -18,25 +18,25 @@ macro_rules! fraction {
             /// Half a step of a scalar, as a product of two fractions has it.
             const HALF: $wide = 1 << Self::BITS;
 
-            #[inline(always)]
+            #[inline]
             fn wide(self) -> $wide {
                 self.0.into()
             }
 
-            #[inline(always)]
+            #[inline]
             fn signed(self) -> $signed {
                 self.wide().cast_signed()
             }
 
             /// `t (1 + lift)`, `lift` having the fraction bits of a fraction, within [0, 1] whatever the lift: its last
             /// rounding may pass the ends by a step, and weights out of range wrap.
-            #[inline(always)]
+            #[inline]
             fn lifted(self, lift: $signed) -> $scalar {
                 Self::capped(self.wide().wrapping_mul(Self::ONE.saturating_add_signed(lift)))
             }
 
             /// The scalar of a product of two fractions; one where that is more.
-            #[inline(always)]
+            #[inline]
             fn capped(product: $wide) -> $scalar {
                 let rounded = product.wrapping_add(Self::HALF) >> (Self::BITS + 1);
                 $scalar::from_bits(rounded.min(1 << $scalar::FRACTION_BITS) as _)
@@ -46,27 +46,27 @@ macro_rules! fraction {
         impl Fraction<$scalar> for $name {
             type Value = $scalar;
 
-            #[inline(always)]
+            #[inline]
             fn mixed(low: $scalar, high: $scalar, share: $scalar) -> $scalar {
                 low.minus(low.minus(high).times(share))
             }
 
-            #[inline(always)]
+            #[inline]
             fn complement(self) -> Self {
                 Self((Self::ONE - self.wide()) as u32)
             }
 
-            #[inline(always)]
+            #[inline]
             fn fine_product(self, other: Self) -> Self {
                 Self(((self.wide() * other.wide() + Self::HALF / 2) >> Self::BITS) as u32)
             }
 
-            #[inline(always)]
+            #[inline]
             fn product(self, other: Self) -> $scalar {
                 $scalar::from_bits(((self.wide() * other.wide() + Self::HALF) >> (Self::BITS + 1)) as _)
             }
 
-            #[inline(always)]
+            #[inline]
             fn scalar(self) -> $scalar {
                 self.nearest()
             }
@@ -76,7 +76,7 @@ macro_rules! fraction {
                 Self(((exponent.of_bits(self.0 << MORE) + (1 << MORE >> 1)) >> MORE) as u32)
             }
 
-            #[inline(always)]
+            #[inline]
             fn of(self, scalar: $scalar) -> $scalar {
                 let scalar = $wide::from(scalar.to_bits().cast_unsigned());
                 let product = (self.wide() * scalar + Self::HALF / 2) >> Self::BITS;
@@ -84,32 +84,32 @@ macro_rules! fraction {
                 $scalar::from_bits((product & (Self::ONE - 1)) as _)
             }
 
-            #[inline(always)]
+            #[inline]
             fn step(self) -> $scalar {
                 if self.0 > 0 { $scalar::ONE } else { $scalar::ZERO }
             }
 
-            #[inline(always)]
+            #[inline]
             fn smooth(self) -> $scalar {
                 let square = self.fine_product(self).wide();
                 Self::capped(square * (3 * Self::ONE - 2 * self.wide()))
             }
 
-            #[inline(always)]
+            #[inline]
             fn blend(self, g: $weight) -> $scalar {
                 const HALF: $signed = 1 << ($weight::FRACTION_BITS - 1);
                 let lift = self.complement().signed().wrapping_mul(g.to_bits());
                 self.lifted(lift.wrapping_add(HALF) >> $weight::FRACTION_BITS)
             }
 
-            #[inline(always)]
+            #[inline]
             fn cubic(self, g: $weight, h: $weight) -> $scalar {
                 const HALF: $signed = 1 << $weight::FRACTION_BITS;
                 let bend = self.signed().wrapping_mul(h.to_bits()).wrapping_add(HALF) >> Self::BITS;
                 self.blend($weight::from_bits(g.to_bits().wrapping_add(bend)))
             }
 
-            #[inline(always)]
+            #[inline]
             fn sample(self, samples: &[u16]) -> $scalar {
                 let last = (samples.len() as $wide).saturating_sub(1);
                 let place = self.complement().wide().wrapping_mul(last);
@@ -119,7 +119,7 @@ macro_rules! fraction {
                 Self::of_value((here << Self::BITS) + (next - here) * share)
             }
 
-            #[inline(always)]
+            #[inline]
             fn along(self, knots: &[Knot]) -> $scalar {
                 self.on_line(knots)
             }
@@ -140,24 +140,24 @@ fraction! {
 
 /// In 32 bits a line's product has no room beside its value: it is rounded first.
 impl Fraction16 {
-    #[inline(always)]
+    #[inline]
     fn nearest(self) -> Fx16 {
         Fx16::from_bits(((self.0 + 1) >> 1) as i16)
     }
 
     /// The scalar of a value with 15 fraction bits, of which 65,535 is one.
-    #[inline(always)]
+    #[inline]
     fn of_value(value: i32) -> Fx16 {
         Self::of_sixteen_bits((value + (1 << 14)) >> 15)
     }
 
     /// The top bit, added at the bottom, makes 65,535 65,536.
-    #[inline(always)]
+    #[inline]
     fn of_sixteen_bits(value: i32) -> Fx16 {
         Fx16::from_bits(((value + (value >> 15) + 2) >> 2) as i16)
     }
 
-    #[inline(always)]
+    #[inline]
     fn on_line(self, knots: &[Knot]) -> Fx16 {
         let place = self.complement().wide() << 1;
         let knot = Knot::at(knots, place);
@@ -170,19 +170,19 @@ impl Fraction16 {
 /// In 64 bits a value keeps all that it has until it is a scalar.
 impl Fraction32 {
     /// What is shifted out of a register is in the carry: an instruction less than to add one first.
-    #[inline(always)]
+    #[inline]
     fn nearest(self) -> Fx32 {
         Fx32::from_bits(((self.0 >> 1) + (self.0 & 1)).cast_signed())
     }
 
     /// The scalar of a value with 31 fraction bits, of which 65,535 is one: 2^16 / (2^16 - 1) is 1 + 2^-16 + 2^-32 + ...
-    #[inline(always)]
+    #[inline]
     fn of_value(value: i64) -> Fx32 {
         let scaled = value + (value >> 16) + (value >> 32);
         Fx32::from_bits(((scaled + (1 << 16)) >> 17) as i32)
     }
 
-    #[inline(always)]
+    #[inline]
     fn on_line(self, knots: &[Knot]) -> Fx32 {
         let place = self.complement().0;
         let knot = Knot::at(knots, place >> 15);
