@@ -52,7 +52,7 @@
 //! |---|---|---|---|
 //! | choose it for | a processor with a floating-point unit, a browser, a desktop | beams under a degree, or exact pictures, without one | everything else without one |
 //! | largest error of a soft spotlight of 36 degrees at a point, linear codes (searched) | 7.7e-5 | 3.4e-6 | 0.047 |
-//! | instructions a point on a Cortex-M0, a Cortex-M4F, an RV32IMC (counted) | 5140, 105, 2647 | 1413, 245, 355 | 199, 139, 145 |
+//! | instructions a point on a Cortex-M0, a Cortex-M4F, an RV32IMC (counted) | 5140, 105, 2647 | 1416, 244, 354 | 199, 135, 145 |
 //! | narrowest soft cone, half angle in degrees ([`Cone::narrowest`]) | 0.0050 | 0.00004 | 0.70 |
 //!
 //! The figures are those of `lit` in `docs/ACCURACY-VS-COST.md`, which has more kernels, more processors, and rivals.
