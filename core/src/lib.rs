@@ -55,7 +55,8 @@
 //! | instructions a point on a Cortex-M0, a Cortex-M4F, an RV32IMC (counted) | 5140, 105, 2647 | 1416, 244, 354 | 199, 135, 145 |
 //! | narrowest soft cone, half angle in degrees ([`Cone::narrowest`]) | 0.0050 | 0.00004 | 0.70 |
 //!
-//! The figures are those of `lit` in `docs/ACCURACY-VS-COST.md`, which has more kernels, more processors, and rivals.
+//! Errors and instructions are those of `lit`, a soft edge and Lambert's cosine, in `docs/ACCURACY-VS-COST.md`, which has
+//! more kernels, more processors, and rivals.
 //!
 //! # Data flow
 //!

@@ -1,5 +1,5 @@
-//! The lists of the models. Each model is declared here once; whatever exists per model, in the library and
-//! in the crates that test, price and show it, is made of its row.
+//! The lists of the models. Each model is declared here once. Run-time enums, prices, conformance vectors, programs and
+//! the tests over every model are made of its row.
 //!
 //! With the feature `arithmetic` other crates have the lists, as macros of the root.
 
@@ -9,8 +9,9 @@
 /// [`AnyFalloff`](crate::falloff::AnyFalloff) and [`Effect`](crate::dynamic::Effect), its type, its name in records,
 /// one of it as a `Result`, and that one in f64 with as few operations as it takes.
 ///
-/// - `any |n| ...` makes one of numbers `n()` in [0, 1) where the type has parameters; a combination may be refused.
-/// - `constant type = name, value, truth` is what stands for it in programs that know it when they are built.
+/// - `any |n| ...` draws one at random from numbers `n()` in [0, 1); a combination may be refused. Without it the sample is
+///   drawn.
+/// - `constant type = name, value, truth` replaces the run-time type in programs that know the falloff when they are built.
 #[cfg_attr(feature = "arithmetic", macro_export)]
 macro_rules! falloffs {
     ($($consumer:ident)::+ $(; $($arguments:tt)*)?) => {
@@ -88,7 +89,7 @@ macro_rules! constant_falloffs {
 
 /// The list of the attenuations that can be chosen at run time, handed to a macro after its own arguments.
 ///
-/// A row is `doc variant(type) = any |n| ...;`, which makes one of numbers `n()` in [0, 1) or refuses. After it come, each as `doc type = name, value`, the
+/// A row is `doc variant(type) = any |n| ...;`, which draws one at random from numbers `n()` in [0, 1). After it come, each as `doc type = name, value`, the
 /// attenuations that stand for it in programs that know them when they are built.
 #[cfg_attr(feature = "arithmetic", macro_export)]
 macro_rules! attenuations {
@@ -177,7 +178,7 @@ pub fn interpolated(t: f64) -> f64 {
     (from + (to - from) * (place - index as f64)) / 65_535.0
 }
 
-/// `1024^number`: of numbers in [0, 1) exponents that are evenly spread over their logarithms.
+/// `1024^number`: exponents that are evenly spread over their logarithms, of numbers that are evenly spread over [0, 1).
 #[cfg(feature = "arithmetic")]
 pub fn exponent(number: f32) -> f32 {
     libm::powf(1_024.0, number)
@@ -190,7 +191,7 @@ pub(crate) fn range(numbers: &mut impl FnMut() -> f32) -> Option<f32> {
     (range > 4.0).then_some(range)
 }
 
-/// A model of numbers.
+/// Calls the closure `any` of a row.
 #[cfg(feature = "arithmetic")]
 pub(crate) fn draw<N: FnMut() -> f32, T>(numbers: &mut N, make: impl FnOnce(&mut N) -> T) -> T {
     make(numbers)

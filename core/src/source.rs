@@ -7,7 +7,7 @@ use core::{
 
 /// A value that can be written as a constant expression of Rust.
 pub trait Source {
-    /// Writes the expression; its names are those of the crate and of the module [`codegen`](crate::codegen).
+    /// Writes the expression; its names are those of the public modules.
     ///
     /// # Errors
     /// Those of the formatter.
@@ -22,7 +22,7 @@ pub trait Source {
     }
 }
 
-/// A type that the source of a light has to name, because no value of it is part of the light.
+/// A type that generated text names because no value in the text implies it.
 pub trait Named {
     /// Writes the type's name.
     ///

@@ -52,7 +52,7 @@ fn write(rows: &Rows) {
     fs::write(file, text).expect("the table of bounds can be written");
 }
 
-/// A bound as it is written: three figures where it is a number of steps.
+/// A bound as it is written.
 fn short(bound: f64) -> String {
     if bound == 0.0 || bound >= 0.1 { format!("{bound}") } else { format!("{bound:e}") }
 }

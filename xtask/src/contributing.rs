@@ -18,7 +18,7 @@ const MOST_FILES: usize = 3;
 /// What is no part of the tree, by the end of its path.
 const NOT_COPIED: [&str; 4] = [".git", "target", "node_modules", "firmware/effects/src/bin"];
 
-/// Adds the steps; the copy passes the host tests in the long run alone.
+/// Adds the steps: all packages of the copy compile, and in the long run its host tests pass with its bounds recorded.
 pub(crate) fn run(suite: &mut Suite, full: bool) {
     suite.step("contributing: the worked example compiles for all packages", |progress| {
         let tree = Tree::with_the_example()?;

@@ -11,9 +11,9 @@ use crate::{Format, Irradiance, Light, Surface};
 pub trait Listed {
     /// The name of the program.
     const NAME: &'static str;
-    /// What has the model.
+    /// The compiled light or material that has the model.
     type Constant;
-    /// It, as the build script has written it.
+    /// Its value, as the build script has written it.
     const CONSTANT: Self::Constant;
     /// What comes of the effect.
     type Output;
@@ -95,7 +95,7 @@ macro_rules! lobes {
 }
 luminaire::lobes!(lobes);
 
-/// Every model of the lists.
+/// Every model of the lists that has a program.
 pub fn listed(visit: &mut impl Visit) {
     falloffs(visit);
     attenuations(visit);

@@ -92,7 +92,7 @@ fn attenuations() -> Vec<Entry> {
            $(, $(#[doc = $what:literal])* $type:ty = $name:literal, $value:expr)*;)*) => {
             vec![$($(row::<$type>(
                 ($name, concat!("spot-soft-lambert-", $name), stringify!($type)),
-                (|| $value)(),
+                $value,
                 concat!($($what),*),
             ),)*)*]
         };
