@@ -195,7 +195,7 @@ mod tests {
         }
         let refusal = Format::named("f16").unwrap_err().to_string();
         assert!(
-            refusal.contains("number format \"f16\"") && refusal.contains("fx16, fx32 or f32"),
+            refusal.contains("number format = \"f16\"") && refusal.contains("fx16, fx32 or f32"),
             "{refusal}"
         );
     }

@@ -193,7 +193,7 @@ impl Light {
         let fixture = fixture::find(name).ok_or_else(|| Refusal::Name {
             parameter: "fixture",
             value: name.to_owned(),
-            remedy: "choose one of the list, or set the angles by hand",
+            remedy: "expected one of the list, or set the angles by hand",
         })?;
         self.design_cone(
             Design { mark: self.reading, degrees: fixture.middle() },
@@ -220,7 +220,7 @@ impl Light {
             return Err(Refusal::Name {
                 parameter: "zoom",
                 value: degrees.to_string(),
-                remedy: "choose a fixture first",
+                remedy: "expected a fixture to be chosen first",
             });
         };
         let (narrow, wide) = (fixture.narrow(), fixture.wide());
@@ -332,7 +332,7 @@ mod tests {
         refused(light.set_angle(Mark::Field, needle, Format::Fx16), "outer angle");
         refused(light.set_intensity(-1.0, FORMAT), "intensity");
         refused(light.set_intensity(f32::NAN, FORMAT), "intensity");
-        refused(light.set_fixture("Nobody's lamp", FORMAT), "fixture \"Nobody's lamp\"");
+        refused(light.set_fixture("Nobody's lamp", FORMAT), "fixture = \"Nobody's lamp\"");
         refused(light.set_zoom(20.0, FORMAT), "fixture");
         refused(light.aim(Vec3::new(0.0, 0.0, 0.0), FORMAT), "axis");
         refused(edge_named("").map(drop), "edge");
@@ -365,7 +365,7 @@ mod tests {
         light.set_zoom(zoom.wide(), FORMAT).unwrap();
         assert!((light.state(FORMAT).beam - zoom.wide()).abs() < 1e-3);
         let message = light.set_zoom(zoom.wide() + 1.0, FORMAT).unwrap_err().to_string();
-        assert!(message.contains("from 15 to 50"), "{message}");
+        assert!(message.contains("expected 15 to 50"), "{message}");
         light.set_angle(Mark::Field, 20.0, FORMAT).unwrap();
         assert_eq!(light.state(FORMAT).fixture, "");
     }

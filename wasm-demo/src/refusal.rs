@@ -139,7 +139,7 @@ mod tests {
             }
         }
         assert!(
-            Refusal::Zoom { value: 20.5, narrow: 1.0, wide: 2.0 }.to_string().starts_with("zoom 20.5 is")
+            Refusal::Zoom { value: 20.5, narrow: 1.0, wide: 2.0 }.to_string().starts_with("zoom = 20.5:")
         );
     }
 }

@@ -263,7 +263,7 @@ mod tests {
                 rig.switch_lamp(lamp, true).unwrap();
             }
             let refusal = rig.switch_lamp(lit.len(), false).unwrap_err().to_string();
-            assert!(refusal.contains(&format!("light {}", lit.len())), "{refusal}");
+            assert!(refusal.contains(&format!("light = {}", lit.len())), "{refusal}");
         }
     }
 

@@ -224,6 +224,6 @@ mod tests {
             }
             assert_eq!(Form::named(form.name()), Ok(form));
         }
-        assert!(Form::named("f16").unwrap_err().to_string().contains("form \"f16\""));
+        assert!(Form::named("f16").unwrap_err().to_string().contains("form = \"f16\""));
     }
 }

@@ -164,7 +164,7 @@ mod tests {
         for degrees in [0.0, -1.0, 0.001, 61.0, f32::NAN, f32::INFINITY] {
             let message = wall.set_half_angle(degrees).unwrap_err().to_string();
             assert!(
-                message.contains("half angle") && message.contains("from 0.002 to 60 degrees"),
+                message.contains("half angle") && message.contains("expected 0.002 to 60 degrees"),
                 "{message}"
             );
         }

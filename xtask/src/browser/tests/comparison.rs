@@ -121,7 +121,7 @@ pub(super) fn bad_values_are_harmless(visitor: &mut Visitor) -> Result<()> {
     for value in ["0", "-1", "0.0001", "200", "1e40"] {
         page.enter("half-angle-number", value)?;
         let message = page.message("half-angle-error")?;
-        let told = message.contains("half angle") && message.contains("from 0.002 to 60 degrees");
+        let told = message.contains("half angle") && message.contains("expected 0.002 to 60 degrees");
         ensure!(told, "a half angle of {value:?} is answered with {message:?}");
         let after = page.text("JSON.stringify(luminaire.comparison.sides)")?;
         ensure!(after == before, "a half angle of {value:?} changed the pictures");
