@@ -113,7 +113,11 @@ impl Effects {
 /// The programs of one effect each by name, with the function that each of them runs.
 fn programs() -> BTreeMap<&'static str, String> {
     let function = |entry: &Entry| match entry.listed {
-        Some(model) => format!("<{model} as luminaire_effects::Listed>::effect"),
+        Some(model) => {
+            // As rustfmt has it: the compiler's own spelling of a type is `Power < 4 >`.
+            let model = model.replace(' ', "").replace(',', ", ");
+            format!("<{model} as luminaire_effects::Listed>::effect")
+        }
         None => format!("luminaire_effects::effects::{}", file_name(entry.program)),
     };
     let nothing = (EMPTY, "|(): ()| ()".to_owned());
@@ -161,6 +165,7 @@ mod tests {
     fn each_effect_has_one_program_and_each_program_one_function() {
         let programs = programs();
         assert!(programs["spot-hard-lambert"].starts_with("<Hard as "), "{programs:?}");
+        assert!(programs["lyon"].starts_with("<DifferenceForm<Phong, 3> as "), "{programs:?}");
         assert!(programs["rgb565-dithered"].ends_with("::rgb565_dithered"), "{programs:?}");
         let functions: std::collections::BTreeSet<_> = programs.values().collect();
         assert_eq!(functions.len(), programs.len());
