@@ -190,7 +190,7 @@ pub(super) fn refusals_are_told(visitor: &mut Visitor) -> Result<()> {
     ensure!(told.contains("\"heat\""), "a map that there is not is answered with {told:?}");
     let mut page = visitor.ready_at("#scenes?scene=nowhere")?;
     let told = page.message("scene-error")?;
-    ensure!(told.contains("scene \"nowhere\""), "a scene that there is not is answered with {told:?}");
+    ensure!(told.contains("scene = \"nowhere\""), "a scene that there is not is answered with {told:?}");
     ensure!(page.holds("luminaire.scenes.isLit")?, "a scene that there is not leaves no picture");
     for name in names(&mut page)? {
         page.enter("scene-format", "f32")?;
