@@ -39,7 +39,7 @@ pub trait Fraction<S: Arithmetic>: Copy + PartialOrd + core::fmt::Debug {
     fn lack(value: Self::Value) -> Self::Value {
         value.rest()
     }
-    /// `low - (low - high) share`: from `low` to a `high` that is not over it.
+    /// `low - (low - high) share`: from `low` to a `high` that is not over it; in [0, 1] whatever the share is.
     fn mixed(low: Self::Value, high: Self::Value, share: S) -> Self::Value;
     /// One wherever `t` is more than zero.
     fn step(self) -> Self::Value;
@@ -66,7 +66,7 @@ impl Fraction<f32> for FloatFraction {
 
     #[inline]
     fn mixed(low: f32, high: f32, share: f32) -> f32 {
-        low.minus(low.minus(high).times(share))
+        float::clamp(low - (low - high) * share)
     }
 
     #[inline]
