@@ -125,7 +125,7 @@ impl RealExponent {
         Self { least: least as u32, gain: gain as u32, ..plain }
     }
 
-    /// The exponent of these bits. A floor whose power is over 15/16 counts as one of 15/16.
+    /// The exponent of these bits: any have a power in [0, 1].
     pub(crate) const fn from_bits([mantissa, shift, least, gain]: [u32; 4]) -> Self {
         Self { mantissa: mantissa & ((1 << 24) - 1), shift: shift % 64, least, gain }
     }
@@ -238,6 +238,18 @@ mod tests {
             }
             for tiny in [0.0, f32::MIN_POSITIVE, 1e-20] {
                 assert!(power.of_f32(tiny) <= ONE);
+            }
+        }
+    }
+
+    #[test]
+    fn any_bits_have_a_power_from_0_to_1() {
+        let words = [0, 1, 0x80_0000, 0xff_ffff, 0x7fff_ffff, 1 << 31, u32::MAX];
+        let bits = |i: usize| std::array::from_fn(|word| words[i / 7_usize.pow(word as u32) % 7]);
+        for i in 0..7_usize.pow(4) {
+            let power = RealExponent::from_bits(bits(i));
+            for x in [0, 1, 12_345, 1 << 30, (1 << 31) - 1, 1 << 31] {
+                assert!(power.of_bits(x) <= ONE, "{power:?} of {x}");
             }
         }
     }
