@@ -59,3 +59,28 @@ impl Shape for Power<16> {
         Self
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn assert_forms<P: Shape>() {
+        for i in 0..=1000 {
+            let t = f64::from(i) / 1000.0;
+            let (exact, double) = (P::exact(t), P::double(t));
+            assert!((exact - double).abs() < 1e-15, "{} at {t}: {exact} and {double}", P::NAME);
+        }
+        assert_eq!((P::double(0.0), P::double(1.0)), (0.0, 1.0), "{}", P::NAME);
+    }
+
+    #[test]
+    fn both_forms_are_one_function_with_its_ends_in_place() {
+        macro_rules! rows {
+            ($($(#[$doc:meta])* $variant:ident($type:ty) = $name:literal, $sample:expr, $truth:expr;)*) => {
+                $(assert_forms::<$type>();)*
+            };
+        }
+        luminaire::constant_falloffs!(rows);
+        assert_forms::<Power<16>>();
+    }
+}

@@ -82,6 +82,19 @@ fn integral(oracle: reference::Falloff, to: f64) -> f64 {
     (0..steps).map(|i| oracle(1.0 - (f64::from(i) + 0.5) * width)).sum::<f64>() * width
 }
 
+/// What the list states of a falloff in f64 is its formula, written otherwise.
+#[test]
+fn the_f64_form_of_a_falloff_is_its_formula() {
+    fn assert_formula<P: Falloff>(shape: &Shape<P>) {
+        for i in 0..=1_000 {
+            let t = f64::from(i) / 1_000.0;
+            let (found, expected) = ((shape.oracle)(t), shape.profile.formula().exact(t));
+            assert!((found - expected).abs() < 1e-15, "{} at {t}: {found}, {expected}", shape.name);
+        }
+    }
+    with_every_shape!(assert_formula);
+}
+
 fn profile_errors<P: Falloff>(shape: &Shape<P>) -> [f64; 3] {
     let beam = relative(shape.profile.beam_versine(), last_u(shape.oracle, 0.5));
     let field = relative(shape.profile.field_versine(), last_u(shape.oracle, 0.1));
