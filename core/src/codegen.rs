@@ -24,10 +24,11 @@
 //! const KEY: CompiledSpotLight<Fx16, Soft> = include!(concat!(env!("OUT_DIR"), "/key.rs"));
 //! ```
 //!
-//! Every compiled light whose kind is a type can be written, also one of [another system](crate::import), and so can [`Rgb`] of ambient light,
-//! [`CompiledMaterial`], [`CompiledExposure`], [`CompiledGobo`], [`Shadow`] and [`BeamScattering`]. The functions that the
-//! text calls are `const` and take any bits: bits that no compiled light has are clamped to where every point has an
-//! answer. The bits belong to this version of the crate: generate them with each build, and do not keep them.
+//! Every compiled light whose kind is a type can be written, also one of [another system](crate::import). So can
+//! [`Rgb`] of ambient light, [`CompiledMaterial`], [`CompiledExposure`], [`CompiledGobo`], [`Shadow`] and
+//! [`BeamScattering`]. The functions that the text calls are `const` and take any bits, so that evaluation has an
+//! answer for all of them. The bits belong to this version of the crate: generate them with each build, and do not
+//! keep them.
 //!
 //! The module also holds types that only generated text names.
 

@@ -89,8 +89,8 @@ macro_rules! constant_falloffs {
 
 /// The list of the attenuations that can be chosen at run time, handed to a macro after its own arguments.
 ///
-/// A row is `doc variant(type) = any |n| ...;`, which draws one at random from numbers `n()` in [0, 1). After it come, each as `doc type = name, value`, the
-/// attenuations that stand for it in programs that know them when they are built.
+/// A row is `doc variant(type) = any |n| ...;`, which draws one at random from numbers `n()` in [0, 1). After it come, each
+/// as `doc type = name, value`, the attenuations that replace it in programs that know them when they are built.
 #[cfg_attr(feature = "arithmetic", macro_export)]
 macro_rules! attenuations {
     ($($consumer:ident)::+ $(; $($arguments:tt)*)?) => {
@@ -187,8 +187,7 @@ pub fn exponent(number: f32) -> f32 {
 /// A range up to 40, or none.
 #[cfg(feature = "arithmetic")]
 pub(crate) fn range(numbers: &mut impl FnMut() -> f32) -> Option<f32> {
-    let range = 40.0 * numbers();
-    (range > 4.0).then_some(range)
+    (numbers() >= 0.1).then(|| 40.0 * numbers())
 }
 
 /// Calls the closure `any` of a row.
