@@ -202,37 +202,37 @@ impl fmt::Display for Expected {
             // Limits are rounded inwards, so that the angle in the message is itself accepted.
             Self::AngleUpTo(largest) => {
                 let shown = (largest * 1e2) as u32 as f32 / 1e2;
-                write!(f, "expected more than 0 and at most {shown} degrees (full angle)")
+                write!(f, "more than 0 and at most {shown} degrees (full angle)")
             }
-            Self::AngleFrom(narrowest) if *narrowest > 180.0 => f.write_str(
-                "expected a number format of more bits: no angle up to 180 degrees is wide enough",
-            ),
+            Self::AngleFrom(narrowest) if *narrowest > 180.0 => {
+                f.write_str("a number format of more bits: no angle up to 180 degrees is wide enough")
+            }
             Self::AngleFrom(narrowest) => {
                 let shown = ((narrowest * 1e4) as u32 + 1) as f32 / 1e4;
-                write!(f, "expected at least {shown} degrees (full angle), or a number format of more bits")
+                write!(f, "at least {shown} degrees (full angle), or a number format of more bits")
             }
             Self::AngleBetween(least, most) => {
                 let (scaled, most) = (least * 1e4, (most * 1e4) as u32 as f32 / 1e4);
                 let down = scaled as u32;
                 let least = (down + u32::from((down as f32) < scaled)) as f32 / 1e4;
-                write!(f, "expected {least} to {most} degrees (full angle)")
+                write!(f, "{least} to {most} degrees (full angle)")
             }
-            Self::Exactly(value) => write!(f, "expected {value}"),
-            Self::Between(least, most) => write!(f, "expected a finite number from {least} to {most}"),
-            Self::UpTo(most) => write!(f, "expected more than 0 and at most {most}"),
-            Self::UpToOr(most, other) => write!(f, "expected more than 0 and at most {most}, or {other}"),
+            Self::Exactly(value) => write!(f, "{value}"),
+            Self::Between(least, most) => write!(f, "a finite number from {least} to {most}"),
+            Self::UpTo(most) => write!(f, "more than 0 and at most {most}"),
+            Self::UpToOr(most, other) => write!(f, "more than 0 and at most {most}, or {other}"),
             Self::RangeBetween(least, most) => {
-                write!(f, "expected a distance from {least} to {most}, or an attenuation without a range")
+                write!(f, "a distance from {least} to {most}, or an attenuation without a range")
             }
-            Self::WholeBetween(least, most) => write!(f, "expected a whole number from {least} to {most}"),
-            Self::Direction => f.write_str("expected finite components and a length between 1e-18 and 1e18"),
+            Self::WholeBetween(least, most) => write!(f, "a whole number from {least} to {most}"),
+            Self::Direction => f.write_str("finite components and a length between 1e-18 and 1e18"),
         }
     }
 }
 
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} = {}: {}", self.parameter, Shown(self.value), self.accepted)
+        write!(f, "{} = {}: expected {}", self.parameter, Shown(self.value), self.accepted)
     }
 }
 

@@ -159,7 +159,7 @@ impl Comparison {
             Scale::ending_at(codes).ok_or_else(|| Refusal::Name {
                 parameter: "end of the scale",
                 value: codes.to_string(),
-                remedy: "expected 1, 2 or 5 of a power of ten from 0.001 to 100 codes, or 255",
+                expected: "1, 2 or 5 of a power of ten from 0.001 to 100 codes, or 255",
             })
         });
         self.chosen = chosen.transpose()?;
@@ -228,6 +228,6 @@ fn no_side(value: usize) -> Refusal {
     Refusal::Name {
         parameter: "side",
         value: value.to_string(),
-        remedy: "expected 0 for the left one or 1 for the right",
+        expected: "0 for the left one or 1 for the right",
     }
 }

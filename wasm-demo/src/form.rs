@@ -50,7 +50,7 @@ impl Form {
         found.ok_or_else(|| Refusal::Name {
             parameter: "form",
             value: name.to_owned(),
-            remedy: "expected f32, fx32, fx16, f32-cosine, powf, gltf or f64",
+            expected: "f32, fx32, fx16, f32-cosine, powf, gltf or f64",
         })
     }
 

@@ -52,7 +52,7 @@ impl Format {
             _ => Err(Refusal::Name {
                 parameter: "number format",
                 value: name.to_owned(),
-                remedy: "expected fx16, fx32 or f32",
+                expected: "fx16, fx32 or f32",
             }),
         }
     }

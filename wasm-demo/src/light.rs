@@ -89,7 +89,7 @@ impl Mark {
             _ => Err(Refusal::Name {
                 parameter: "reading of the published angle",
                 value: name.to_owned(),
-                remedy: "expected beam or field",
+                expected: "beam or field",
             }),
         }
     }
@@ -107,9 +107,7 @@ pub(crate) fn edge_named(name: &str) -> Result<SoftOrHard, Refusal> {
     match name {
         "soft" => Ok(SoftOrHard::Soft),
         "hard" => Ok(SoftOrHard::Hard),
-        _ => {
-            Err(Refusal::Name { parameter: "edge", value: name.to_owned(), remedy: "expected soft or hard" })
-        }
+        _ => Err(Refusal::Name { parameter: "edge", value: name.to_owned(), expected: "soft or hard" }),
     }
 }
 
@@ -123,7 +121,7 @@ pub(crate) fn color_of(hex: &str) -> Result<Rgb<f32>, Refusal> {
     channels().ok_or_else(|| Refusal::Name {
         parameter: "color",
         value: hex.to_owned(),
-        remedy: "expected #rrggbb, each channel from 00 to ff",
+        expected: "#rrggbb, each channel from 00 to ff",
     })
 }
 
@@ -193,7 +191,7 @@ impl Light {
         let fixture = fixture::find(name).ok_or_else(|| Refusal::Name {
             parameter: "fixture",
             value: name.to_owned(),
-            remedy: "expected one of the list, or set the angles by hand",
+            expected: "one of the list, or set the angles by hand",
         })?;
         self.design_cone(
             Design { mark: self.reading, degrees: fixture.middle() },
@@ -220,7 +218,7 @@ impl Light {
             return Err(Refusal::Name {
                 parameter: "zoom",
                 value: degrees.to_string(),
-                remedy: "expected a fixture to be chosen first",
+                expected: "a fixture to be chosen first",
             });
         };
         let (narrow, wide) = (fixture.narrow(), fixture.wide());

@@ -46,7 +46,7 @@ impl Subject {
             _ => Err(Refusal::Name {
                 parameter: "subject of the map",
                 value: name.to_owned(),
-                remedy: "expected nothing, lamps or tiles",
+                expected: "nothing, lamps or tiles",
             }),
         }
     }

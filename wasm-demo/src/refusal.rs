@@ -31,7 +31,7 @@ pub(crate) enum Refusal {
         error: luminaire::Error,
     },
     /// A name that is not one of those to choose from.
-    Name { parameter: &'static str, value: String, remedy: &'static str },
+    Name { parameter: &'static str, value: String, expected: &'static str },
     /// A light that there is not.
     Number { value: usize, count: usize },
     /// A zoom angle that the fixture has not.
@@ -75,8 +75,8 @@ impl fmt::Display for Refusal {
             Self::Lamp { format, lamp, name, error } => {
                 write!(f, "{format} cannot hold lamp {}, {name}: {error}", lamp + 1)
             }
-            Self::Name { parameter, value, remedy } => {
-                write!(f, "{parameter} = \"{value}\": {remedy}")
+            Self::Name { parameter, value, expected } => {
+                write!(f, "{parameter} = \"{value}\": expected {expected}")
             }
             Self::Number { value, count } => {
                 write!(f, "light = {value}: expected a number from 0 to {}", count - 1)

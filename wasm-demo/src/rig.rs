@@ -162,7 +162,7 @@ impl Rig {
             return Err(Refusal::Name {
                 parameter: "effect to switch",
                 value: name.to_owned(),
-                remedy: "expected specular, gobo, shadow, haze or dither",
+                expected: "specular, gobo, shadow, haze or dither",
             });
         };
         if self.effects.has(effect) || self.takes(effect) {

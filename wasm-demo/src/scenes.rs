@@ -315,7 +315,7 @@ impl Scenes {
         let example = Example::named(name).ok_or_else(|| Refusal::Name {
             parameter: "scene",
             value: name.to_owned(),
-            remedy: "expected one of those on the list",
+            expected: "one of those on the list",
         })?;
         let (width, height) = composed(example);
         let size = (size[0].unwrap_or(width), size[1].unwrap_or(height));
