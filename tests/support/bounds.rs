@@ -8,7 +8,7 @@
 //! | `lit` | position and normal to irradiance, with Lambert's cosine and the inverse square, of a light that reaches full scale about where the point is | the larger of full scale and the light on the axis there | the same | searched |
 //! | `exhaustive` | versine to intensity, every versine | steps of the format | `slow::exhaustive::CONES` | exhaustive |
 //! | `fractions` | `t` to intensity, every fraction of 31 bits | steps of `Fx32` | one | exhaustive |
-//! | `haze` | air light of 1,800 rays, by the inverse square | the brightest of them | [`haze::HALF_ANGLES`](super::haze::HALF_ANGLES) | searched |
+//! | `haze` | air light of 1,800 rays, by the inverse square | what is seen there, or across the axis as near to the light where that is more | [`haze::HALF_ANGLES`](super::haze::HALF_ANGLES) | searched |
 //!
 //! `LUMINAIRE_BLESS=1 LUMINAIRE_FULL=1 cargo test --test slow` writes the rows that are missing or do not hold.
 
@@ -63,7 +63,7 @@ fn headroom(error: f64) -> f64 {
         return error;
     }
     let unit = 10.0_f64.powi((1.03 * error).log10().floor() as i32 - 1);
-    format!("{:.2e}", (1.03 * error / unit).ceil() * unit).parse().expect("a number")
+    format!("{:.1e}", (1.03 * error / unit).ceil() * unit).parse().expect("a number")
 }
 
 /// The bounds of a shape in a format.
@@ -78,8 +78,9 @@ pub fn broken(table: &str, shape: &str, format: &str, measured: &[f64]) -> Vec<S
     let broken = match of(table, shape, format) {
         Some(bounds) if bounds.len() == measured.len() => {
             let cells = measured.iter().zip(bounds).enumerate();
-            let check = |(i, (&error, bound))| check(&format!("{name}, column {i}"), error, bound).err();
-            cells.filter_map(check).collect()
+            cells
+                .filter_map(|(i, (&error, bound))| check(&format!("{name}, column {i}"), error, bound).err())
+                .collect()
         }
         _ => vec![format!("{name} has no row: {measured:?}")],
     };
