@@ -67,11 +67,11 @@ impl Tree {
         if tree.folder.exists() {
             list(&tree.folder, Path::new(""), &mut present)?;
         }
-        for (path, text) in &files {
-            if present.remove(path).as_ref() != Some(text) {
+        for (path, bytes) in &files {
+            if present.remove(path).as_ref() != Some(bytes) {
                 let path = tree.folder.join(path);
                 fs::create_dir_all(path.parent().unwrap_or(&path))?;
-                fs::write(path, text)?;
+                fs::write(path, bytes)?;
             }
         }
         present.keys().try_for_each(|stale| fs::remove_file(tree.folder.join(stale)))?;
@@ -117,15 +117,16 @@ fn patched(difference: &str) -> Result<BTreeMap<PathBuf, Vec<u8>>> {
 /// All files below a folder, by their paths in it.
 fn list(root: &Path, folder: &Path, files: &mut BTreeMap<PathBuf, Vec<u8>>) -> Result<()> {
     for entry in fs::read_dir(root.join(folder))? {
-        let (entry, path) = entry.map(|entry| (entry.file_type(), folder.join(entry.file_name())))?;
+        let entry = entry?;
+        let path = folder.join(entry.file_name());
         if NOT_COPIED.iter().any(|name| path.ends_with(name)) {
             continue;
         }
-        if entry?.is_dir() {
+        if entry.file_type()?.is_dir() {
             list(root, &path, files)?;
         } else {
-            let text = fs::read(root.join(&path))?;
-            files.insert(path, text);
+            let bytes = fs::read(root.join(&path))?;
+            files.insert(path, bytes);
         }
     }
     Ok(())
