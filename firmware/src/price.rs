@@ -1,46 +1,40 @@
 //! Running effects over inputs between the markers.
 
 mod input;
-mod output;
 
-use luminaire_effects::{FORMAT, Irradiance, Light, Listed, Visit, effects, listed};
+use luminaire::haze::ViewRay;
+use luminaire_effects::{Color, FORMAT, Light, Output, Place, Surface, Visit, each};
 
 use self::input::{Input, Inputs};
-use self::output::Output;
 use crate::COUNT;
 use crate::board::println;
 use crate::measure::pass;
 
-macro_rules! run {
-    ($input:ident: $($effect:ident)*) => {$(
-        run(stringify!($effect), effects::$effect, Inputs::$input);
-    )*};
-}
-
-/// Runs what comes of the lists.
-struct Each;
-
-impl Visit for Each {
-    fn irradiance<L: Listed<Output = Irradiance>>(&mut self) {
-        run(L::NAME, L::effect, Inputs::surface);
-    }
-
-    fn light<L: Listed<Output = Light>>(&mut self) {
-        run(L::NAME, L::effect, Inputs::surface);
-    }
-}
-
 /// Runs every effect over its inputs, the empty loop over the same inputs before it, and prints lines as
 /// [`measure`](crate::measure()) does.
 pub fn price() {
-    run!(surface: directional point);
-    run!(surface: spot_soft spot_soft_lambert_hotspot spot_soft_lambert_delimiter);
-    run!(surface: spot_soft_lambert_gobo spot_soft_lambert_shadow matte);
-    listed(&mut Each);
-    run!(view: haze);
-    run!(light: ambient exposure clip keep_hue);
-    run!(color: srgb rgb565);
-    run!(pixel: dither rgb565_dithered);
+    each(&mut Run);
+}
+
+/// Runs effects over inputs of their kind.
+struct Run;
+
+macro_rules! inputs {
+    ($($input:ident: $type:ty;)*) => {$(
+        fn $input<O: Output>(&mut self, name: &str, effect: impl Fn($type) -> O) {
+            run(name, effect, Inputs::$input);
+        }
+    )*};
+}
+
+impl Visit for Run {
+    inputs! {
+        surface: Surface;
+        view: ViewRay;
+        light: Light;
+        color: Color;
+        pixel: (Color, Place);
+    }
 }
 
 /// The name of the loop that does nothing.

@@ -1,12 +1,46 @@
 //! The effects, each a function of one input: what a program's bytes are counted of, and its instructions.
 
+/// The list of the effects of a file, by what they are computed from, as a function that shows them to a visitor.
+macro_rules! list {
+    ($($input:ident: $($effect:ident)*;)*) => {
+        pub(super) fn each(visit: &mut impl super::Visit) {
+            $($(visit.$input(stringify!($effect), $effect);)*)*
+        }
+    };
+}
+
 mod display;
+mod listed;
 mod spot;
 mod surface;
 
-pub use display::{clip, dither, exposure, keep_hue, rgb565, rgb565_dithered, srgb};
-pub use spot::{
-    haze, spot_soft, spot_soft_lambert_delimiter, spot_soft_lambert_gobo, spot_soft_lambert_hotspot,
-    spot_soft_lambert_shadow,
-};
-pub use surface::{ambient, directional, matte, point};
+pub use self::listed::Listed;
+pub use self::{display::*, spot::*, surface::*};
+use crate::{Color, Light, Output, Place, Surface};
+use luminaire::haze::ViewRay;
+
+/// Whoever looks at every effect, by what it is computed from.
+pub trait Visit {
+    /// A surface point, and the direction to the eye.
+    fn surface<O: Output>(&mut self, name: &str, effect: impl Fn(Surface) -> O);
+
+    /// A view ray.
+    fn view<O: Output>(&mut self, name: &str, effect: impl Fn(ViewRay) -> O);
+
+    /// Light over full scale, too.
+    fn light<O: Output>(&mut self, name: &str, effect: impl Fn(Light) -> O);
+
+    /// A colour within full scale.
+    fn color<O: Output>(&mut self, name: &str, effect: impl Fn(Color) -> O);
+
+    /// A colour and its place in the picture.
+    fn pixel<O: Output>(&mut self, name: &str, effect: impl Fn((Color, Place)) -> O);
+}
+
+/// Shows a visitor every effect.
+pub fn each(visit: &mut impl Visit) {
+    surface::each(visit);
+    spot::each(visit);
+    listed::each(visit);
+    display::each(visit);
+}

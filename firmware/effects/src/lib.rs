@@ -4,12 +4,13 @@
 
 pub mod constants;
 pub mod effects;
-mod listed;
 mod memory;
+mod output;
 pub mod raw;
 
-pub use listed::{Listed, Visit, listed};
+pub use effects::{Listed, Visit, each};
 pub use memory::{Input, Place, run};
+pub use output::Output;
 
 #[cfg(feature = "f32")]
 mod format {

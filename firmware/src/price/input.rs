@@ -2,11 +2,9 @@
 
 use luminaire::{Rgb, Scalar, attenuation::InverseSquare, haze::ViewRay};
 use luminaire_effects::constants::MATTE;
-use luminaire_effects::{Color, Format, Light, Listed, Place, Surface};
+use luminaire_effects::{Color, Format, Light, Listed, Output, Place, Surface};
 use luminaire_kernels::scene::{EYE, Population, Site, Sites};
 use luminaire_kernels::{Format as _, Setting};
-
-use super::output::Output;
 
 /// Columns of a picture.
 const WIDTH: u32 = 160;

@@ -5,6 +5,12 @@ use luminaire::{Rgb, display::Rgb565};
 use crate::constants::EXPOSURE;
 use crate::{Color, Format, Light, Place};
 
+list! {
+    light: exposure clip keep_hue;
+    color: srgb rgb565;
+    pixel: dither rgb565_dithered;
+}
+
 /// Light after an exposure.
 #[inline(always)]
 pub fn exposure(light: Light) -> Light {

@@ -5,6 +5,12 @@ use luminaire::{falloff::Soft, haze::ViewRay};
 use crate::constants::{BEAM, DELIMITER, GOBO, HOTSPOT, SHADOW};
 use crate::{Format, Irradiance, Listed, Surface};
 
+list! {
+    surface: spot_soft spot_soft_lambert_hotspot spot_soft_lambert_delimiter spot_soft_lambert_gobo
+        spot_soft_lambert_shadow;
+    view: haze;
+}
+
 /// A soft edge around a hotspot.
 #[inline(always)]
 pub fn spot_soft_lambert_hotspot(Surface { point, normal, .. }: Surface) -> Irradiance {

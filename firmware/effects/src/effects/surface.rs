@@ -3,6 +3,11 @@
 use crate::constants::{AMBIENT, DIRECTIONAL, MATTE, POINT};
 use crate::{Format, Irradiance, Light, Surface};
 
+list! {
+    surface: directional point matte;
+    light: ambient;
+}
+
 /// Ambient light on a matt surface, beside the light of lamps.
 #[inline(always)]
 pub fn ambient(lamps: Light) -> Light {

@@ -22,15 +22,6 @@ pub trait Listed {
     fn effect(surface: Surface) -> Self::Output;
 }
 
-/// Whoever looks at each of them.
-pub trait Visit {
-    /// Takes one of a light alone.
-    fn irradiance<L: Listed<Output = Irradiance>>(&mut self);
-
-    /// Takes one of a surface under a light.
-    fn light<L: Listed<Output = Light>>(&mut self);
-}
-
 macro_rules! falloffs {
     ($($(#[$doc:meta])* $variant:ident($type:ty) = $name:literal, $sample:expr, $truth:expr;)*) => {
         $(impl Listed for $type {
@@ -45,8 +36,8 @@ macro_rules! falloffs {
             }
         })*
 
-        fn falloffs(visit: &mut impl Visit) {
-            $(visit.irradiance::<$type>();)*
+        fn falloffs(visit: &mut impl super::Visit) {
+            $(visit.surface(<$type>::NAME, <$type>::effect);)*
         }
     };
 }
@@ -67,8 +58,8 @@ macro_rules! attenuations {
             }
         })*)*
 
-        fn attenuations(visit: &mut impl Visit) {
-            $($(visit.irradiance::<$type>();)*)*
+        fn attenuations(visit: &mut impl super::Visit) {
+            $($(visit.surface(<$type>::NAME, <$type>::effect);)*)*
         }
     };
 }
@@ -88,15 +79,14 @@ macro_rules! lobes {
             }
         })*
 
-        fn lobes(visit: &mut impl Visit) {
-            $(visit.light::<$type>();)*
+        fn lobes(visit: &mut impl super::Visit) {
+            $(visit.surface(<$type>::NAME, <$type>::effect);)*
         }
     };
 }
 luminaire::lobes!(lobes);
 
-/// Every model of the lists that has a program.
-pub fn listed(visit: &mut impl Visit) {
+pub(super) fn each(visit: &mut impl super::Visit) {
     falloffs(visit);
     attenuations(visit);
     lobes(visit);
