@@ -10,7 +10,9 @@ use std::path::Path;
 use std::{env, fs};
 
 use luminaire::{
-    AmbientLight, Angle, Cone, Fx16, Material, Rgb, SpotLight, Vec3, codegen::Source, falloff::Soft,
+    AmbientLight, Angle, Cone, Fx16, Material, Rgb, SpotLight, Vec3,
+    codegen::{Source, as_source},
+    falloff::Soft,
 };
 
 /// The linear colours of the wall, a light tile, a dark one, the ball and the column of the program `frame`.
@@ -58,5 +60,5 @@ fn frame() -> Outcome {
 
 fn write(name: &str, value: &impl Source) -> Outcome {
     let file = Path::new(&env::var("OUT_DIR")?).join(name);
-    Ok(fs::write(file, value.as_source().to_string())?)
+    Ok(fs::write(file, as_source(value).to_string())?)
 }

@@ -153,6 +153,16 @@ impl<P: Falloff + Into<AnyFalloff>, A: Attenuation + Into<AnyAttenuation>> From<
 }
 
 impl<S: Scalar> CompiledAnyLight<S> {
+    /// The light's linear colour.
+    pub fn color(&self) -> Rgb<S> {
+        any!(self, Self, light => light.color)
+    }
+
+    /// The linear colour of the light's highlights.
+    pub fn specular_color(&self) -> Rgb<S> {
+        any!(self, Self, light => light.specular_color)
+    }
+
     /// The light that arrives at a surface point, before the colours: see
     /// [`CompiledSpotLight::irradiance`]. [`CompiledMaterial::reflect`](crate::light::CompiledMaterial::reflect)
     /// gives what the surface sends back of it.
@@ -161,16 +171,26 @@ impl<S: Scalar> CompiledAnyLight<S> {
     pub fn irradiance(&self, point: Vec3<S::Length>, normal: Vec3<S>) -> S::Irradiance {
         self.evaluate::<NoSpecular>(&SurfacePoint::matte(point, normal), &(), true).diffuse
     }
+
+    /// What arrives at a surface point whose highlight is of the kind `H`, before the colours. With `skips`, points where
+    /// nothing can arrive are left before the root is paid for, with the same bits.
+    ///
+    /// It branches for each point, too.
+    pub fn evaluate<H: SpecularLobe>(
+        &self,
+        surface: &SurfacePoint<S>,
+        highlight: &H::Constants<S>,
+        skips: bool,
+    ) -> Incident<S::Irradiance> {
+        any!(self, Self, light => light.evaluate::<H>(surface, highlight, skips))
+    }
 }
 
 /// Branches for each point: slower than [`evaluate_each`](CompiledAnyLight::evaluate_each), with bit-identical results.
 impl<S: Scalar> LightModel<S> for CompiledAnyLight<S> {
-    fn color(&self) -> Rgb<S> {
-        any!(self, Self, light => light.color)
-    }
-
-    fn specular_color(&self) -> Rgb<S> {
-        any!(self, Self, light => light.specular_color)
+    #[inline]
+    fn colors(&self) -> [Rgb<S>; 2] {
+        any!(self, Self, light => light.colors())
     }
 
     fn evaluate<H: SpecularLobe>(
@@ -179,6 +199,6 @@ impl<S: Scalar> LightModel<S> for CompiledAnyLight<S> {
         highlight: &H::Constants<S>,
         skips: bool,
     ) -> Incident<S::Irradiance> {
-        any!(self, Self, light => light.evaluate::<H>(surface, highlight, skips))
+        Self::evaluate::<H>(self, surface, highlight, skips)
     }
 }

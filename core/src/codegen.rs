@@ -5,13 +5,13 @@
 //!
 //! ```no_run
 //! // build.rs, with luminaire among the build-dependencies
-//! use luminaire::{Angle, Cone, Fx16, SpotLight, Vec3, codegen::Source, falloff::Soft};
+//! use luminaire::{Angle, Cone, Fx16, SpotLight, Vec3, codegen::as_source, falloff::Soft};
 //!
 //! fn main() -> Result<(), Box<dyn std::error::Error>> {
 //!     let cone = Cone::from_field(Soft, Angle::degrees(36.0))?;
 //!     let key = SpotLight::new(Vec3::new(0.0, 4.0, 0.0), Vec3::new(0.0, -1.0, 0.0), cone)?;
 //!     let file = std::path::Path::new(&std::env::var("OUT_DIR")?).join("key.rs");
-//!     std::fs::write(file, key.compile::<Fx16>()?.as_source().to_string())?;
+//!     std::fs::write(file, as_source(&key.compile::<Fx16>()?).to_string())?;
 //!     Ok(())
 //! }
 //! ```
@@ -43,7 +43,7 @@ pub use crate::{
         CompiledInvertedRealPower, CompiledMixedPower, CompiledQuadratic, CompiledRealPower,
     },
     number::float::{FloatFrame, FloatRamp},
-    source::{AsSource, Source},
+    source::{AsSource, as_source},
 };
 #[cfg(feature = "fixed")]
 pub use crate::{
@@ -67,13 +67,15 @@ use crate::{
 };
 
 #[cfg(feature = "arithmetic")]
-pub use crate::codegen::formats::SourceScalar;
+pub use crate::{
+    codegen::formats::SourceScalar,
+    source::{Named, Source},
+};
 #[cfg(not(feature = "arithmetic"))]
-use crate::codegen::formats::SourceScalar;
-#[cfg(feature = "arithmetic")]
-pub use crate::source::Named;
-#[cfg(not(feature = "arithmetic"))]
-use crate::source::Named;
+use crate::{
+    codegen::formats::SourceScalar,
+    source::{Named, Source},
+};
 
 impl<T: Source> Source for Vec3<T> {
     fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {

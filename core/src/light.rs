@@ -12,10 +12,11 @@ pub use self::{ambient::AmbientLight, directional::DirectionalLight, point::Poin
 pub use crate::{
     cone::CompiledCone,
     material::CompiledMaterial,
-    shade::{
-        CompiledDirectionalLight, CompiledPointLight, CompiledSpotLight, Incident, LightModel, SurfacePoint,
-    },
+    shade::{CompiledDirectionalLight, CompiledPointLight, CompiledSpotLight, Incident, SurfacePoint},
 };
+
+#[cfg(feature = "arithmetic")]
+pub use crate::shade::LightModel;
 
 use crate::{
     color::{Rgb, checked_color},

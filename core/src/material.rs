@@ -160,7 +160,7 @@ impl<S: Scalar, H: SpecularLobe> CompiledMaterial<S, H> {
         self.emissive.plus::<S>(ambient.filtered::<S>(self.ambient))
     }
 
-    /// What a light adds: `f(d) spot [diffuse Is max(0, N.L) + specular Is lobe]`, without a root where nothing can
+    /// What a compiled light of any kind adds: `f(d) spot [diffuse Is max(0, N.L) + specular Is lobe]`, without a root where nothing can
     /// arrive. What is skipped is exactly zero, so the answer has the bits of
     /// [`reflect_unskipped`](Self::reflect_unskipped).
     #[inline]
@@ -186,11 +186,12 @@ impl<S: Scalar, H: SpecularLobe> CompiledMaterial<S, H> {
         skips: bool,
     ) -> Rgb<S::Irradiance> {
         let arrived = light.evaluate::<H>(surface, &self.highlight, skips);
-        let diffuse = Rgb::lit::<S>(arrived.diffuse, light.color()).filtered::<S>(self.diffuse);
+        let [color, specular_color] = light.colors();
+        let diffuse = Rgb::lit::<S>(arrived.diffuse, color).filtered::<S>(self.diffuse);
         if !H::SHINES {
             return diffuse;
         }
-        let specular = Rgb::lit::<S>(arrived.specular, light.specular_color()).filtered::<S>(self.specular);
+        let specular = Rgb::lit::<S>(arrived.specular, specular_color).filtered::<S>(self.specular);
         diffuse.plus::<S>(specular)
     }
 }

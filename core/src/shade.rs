@@ -50,10 +50,8 @@ pub struct Incident<I> {
 
 /// A compiled light of any kind.
 pub trait LightModel<S: Scalar>: Copy + core::fmt::Debug {
-    /// The linear colour of its diffuse light.
-    fn color(&self) -> Rgb<S>;
-    /// The linear colour of its highlights.
-    fn specular_color(&self) -> Rgb<S>;
+    /// The linear colours of its diffuse light and of its highlights.
+    fn colors(&self) -> [Rgb<S>; 2];
     /// What arrives at a surface whose highlight is of the kind `H`. With `skips`, points where nothing can arrive are
     /// left before the root is paid for, with the same bits.
     fn evaluate<H: SpecularLobe>(

@@ -12,14 +12,6 @@ pub trait Source {
     /// # Errors
     /// Those of the formatter.
     fn write(&self, out: &mut Formatter<'_>) -> fmt::Result;
-
-    /// The expression as a block that brings its names with it.
-    fn as_source(&self) -> AsSource<'_, Self>
-    where
-        Self: Sized,
-    {
-        AsSource(self)
-    }
 }
 
 /// A type that generated text names because no value in the text implies it.
@@ -31,7 +23,13 @@ pub trait Named {
     fn write_name(out: &mut Formatter<'_>) -> fmt::Result;
 }
 
-/// A value that is displayed as a constant expression. Made by [`Source::as_source`].
+/// Displays a compiled value as a constant expression: a block that brings its names with it. [`codegen`](crate::codegen)
+/// says which values have one.
+pub fn as_source<T: Source>(value: &T) -> AsSource<'_, T> {
+    AsSource(value)
+}
+
+/// A value that is displayed as a constant expression. Made by [`as_source`].
 #[derive(Clone, Copy, Debug)]
 pub struct AsSource<'a, T>(&'a T);
 

@@ -9,7 +9,7 @@ use std::{env, fs};
 use luminaire::{
     AmbientLight, Angle, Cone, DirectionalLight, Error, Fx16, Fx32, Material, PointLight, Rgb, SpotLight,
     Vec3,
-    codegen::{Named, Source, SourceScalar},
+    codegen::{Named, Source, SourceScalar, as_source},
     display::Exposure,
     haze::Haze,
     models::SAMPLES,
@@ -133,5 +133,5 @@ fn key<P: Falloff, A: Attenuation>(cone: Cone<P>, attenuation: A) -> Result<Spot
 
 fn write(name: &str, value: &impl Source) -> Outcome {
     let file = Path::new(&env::var("OUT_DIR")?).join(name).with_extension("rs");
-    Ok(fs::write(file, value.as_source().to_string())?)
+    Ok(fs::write(file, as_source(value).to_string())?)
 }

@@ -15,7 +15,7 @@ use glam::Vec2;
 use luminaire::{
     Angle, Rgb, Scalar, Vec3,
     dynamic::{CompiledAnyLight, RenderPlan, SurfacePoints},
-    light::{Incident, LightModel as _, SurfacePoint},
+    light::{Incident, SurfacePoint},
     specular::{NoSpecular, SpecularLobe},
 };
 

@@ -1,10 +1,7 @@
 //! What is left out changes no bit of a picture, and what it saves is what it is said to save.
 
 use luminaire::{
-    Fx16, Fx32, Rgb, Vec3,
-    dynamic::AnyLight,
-    light::{LightModel as _, SurfacePoint},
-    projector::Fixture,
+    Fx16, Fx32, Rgb, Vec3, dynamic::AnyLight, light::SurfacePoint, projector::Fixture,
     specular::SpecularLobe as _,
 };
 use luminaire_render::{

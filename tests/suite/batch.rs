@@ -100,7 +100,7 @@ macro_rules! lamp {
         }
 
         fn tint(&self) -> Rgb<S> {
-            luminaire::light::LightModel::color(self)
+            self.color()
         }
     };
 }

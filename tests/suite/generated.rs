@@ -7,7 +7,12 @@ use std::fmt::Debug;
 
 use fastrand::Rng;
 use luminaire::number::Light16;
-use luminaire::{Fx16, Scalar, Vec3, codegen::Source, falloff::Soft, light::CompiledSpotLight};
+use luminaire::{
+    Fx16, Scalar, Vec3,
+    codegen::{Source, as_source},
+    falloff::Soft,
+    light::CompiledSpotLight,
+};
 
 /// A constant of any type.
 trait Constant {
@@ -17,7 +22,7 @@ trait Constant {
 
 impl<T: Source + Debug> Constant for T {
     fn shown(&self) -> String {
-        format!("{self:?}\n{}", self.as_source())
+        format!("{self:?}\n{}", as_source(self))
     }
 }
 

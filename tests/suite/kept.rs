@@ -66,10 +66,7 @@ fn assert_compiled<S: Scalar>() {
     let spot = SpotLight::new(PLACE, DOWN, cone()).and_then(|spot| spot.with_color(RED)).expect("sound");
     let spot = spot.with_specular_color(BLUE).and_then(|spot| spot.compile::<S>()).expect("held");
     assert_eq!((spot.color().map(S::to_f32), spot.specular_color().map(S::to_f32)), (RED, BLUE));
-    assert_eq!(
-        (LightModel::color(&spot), LightModel::specular_color(&spot)),
-        (spot.color(), spot.specular_color())
-    );
+    assert_eq!(spot.colors(), [spot.color(), spot.specular_color()]);
     assert_eq!(spot.profile(), Soft);
     let surface = SurfacePoint::<S>::matte(PLACE.map(S::length), DOWN.map(S::from_f32));
     assert_eq!((surface.point, surface.normal), (PLACE.map(S::length), DOWN.map(S::from_f32)));

@@ -11,7 +11,7 @@ use luminaire::{
     dynamic::{AnyLight, CompiledAnyLight, Effect, Effects, RenderPlan, SurfacePoints},
     falloff::{AnyFalloff, Falloff, Linear, Soft},
     haze::{Haze, ViewRay, ViewRays},
-    light::{Incident, LightModel, SurfacePoint},
+    light::{Incident, SurfacePoint},
     projector::{Fixture, Gobo, Projection},
     specular::{NoSpecular, Phong, SpecularLobe},
 };

@@ -24,6 +24,16 @@ impl<S: Scalar> CompiledDirectionalLight<S> {
         self.evaluate::<NoSpecular>(&SurfacePoint::matte(Vec3::default(), normal), &(), false).diffuse
     }
 
+    /// The light's linear colour.
+    pub fn color(&self) -> Rgb<S> {
+        self.color
+    }
+
+    /// The linear colour of the light's highlights.
+    pub fn specular_color(&self) -> Rgb<S> {
+        self.specular_color
+    }
+
     /// The light of these parts, as [`codegen`](crate::codegen) writes them: the colours are the diffuse and the specular
     /// one.
     pub const fn from_parts(
@@ -36,12 +46,9 @@ impl<S: Scalar> CompiledDirectionalLight<S> {
 }
 
 impl<S: Scalar> LightModel<S> for CompiledDirectionalLight<S> {
-    fn color(&self) -> Rgb<S> {
-        self.color
-    }
-
-    fn specular_color(&self) -> Rgb<S> {
-        self.specular_color
+    #[inline]
+    fn colors(&self) -> [Rgb<S>; 2] {
+        [self.color, self.specular_color]
     }
 
     #[inline]

@@ -26,7 +26,7 @@ pub(super) trait Placed<S: Scalar, A: Attenuation> {
     /// The falloff of its cone along a ray; none for a light without a cone.
     fn falloff<R: Ray<S>>(&self, ray: &R) -> Option<R::Share>;
 
-    /// The light that arrives at a surface: see [`LightModel::evaluate`](super::Light::evaluate).
+    /// The light that arrives at a surface: see [`LightModel::evaluate`](super::LightModel::evaluate).
     #[inline(always)] // `spot-soft-lambert-shadow` on Cortex-M0: +53 without.
     fn evaluate_at<H: SpecularLobe>(
         &self,

@@ -37,6 +37,16 @@ impl<S: Scalar, A: Attenuation> CompiledPointLight<S, A> {
         self.evaluate::<NoSpecular>(&SurfacePoint::matte(point, normal), &(), false).diffuse
     }
 
+    /// The light's linear colour.
+    pub fn color(&self) -> Rgb<S> {
+        self.color
+    }
+
+    /// The linear colour of the light's highlights.
+    pub fn specular_color(&self) -> Rgb<S> {
+        self.specular_color
+    }
+
     /// The light of these parts, as [`codegen`](crate::codegen) writes them: `fine_below` is that of `Arithmetic::fine_below`, and
     /// the colours are the diffuse and the specular one.
     pub const fn from_parts(
@@ -69,12 +79,9 @@ impl<S: Scalar, A: Attenuation> Placed<S, A> for CompiledPointLight<S, A> {
 }
 
 impl<S: Scalar, A: Attenuation> LightModel<S> for CompiledPointLight<S, A> {
-    fn color(&self) -> Rgb<S> {
-        self.color
-    }
-
-    fn specular_color(&self) -> Rgb<S> {
-        self.specular_color
+    #[inline]
+    fn colors(&self) -> [Rgb<S>; 2] {
+        [self.color, self.specular_color]
     }
 
     #[inline]

@@ -132,12 +132,9 @@ impl<S: Scalar, P: Falloff, A: Attenuation> Placed<S, A> for CompiledSpotLight<S
 }
 
 impl<S: Scalar, P: Falloff, A: Attenuation> LightModel<S> for CompiledSpotLight<S, P, A> {
-    fn color(&self) -> Rgb<S> {
-        self.color
-    }
-
-    fn specular_color(&self) -> Rgb<S> {
-        self.specular_color
+    #[inline]
+    fn colors(&self) -> [Rgb<S>; 2] {
+        [self.color, self.specular_color]
     }
 
     #[inline]

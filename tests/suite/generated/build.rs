@@ -7,14 +7,14 @@ use std::fmt::Debug;
 use std::path::Path;
 use std::{env, fs};
 
-use luminaire::codegen::Source;
+use luminaire::codegen::{Source, as_source};
 
 /// The source of a list of names and constants.
 struct Listing(String);
 
 impl lights::Visit for Listing {
     fn value<T: Source + Debug>(&mut self, name: String, value: T) {
-        self.0 += &format!("({name:?}, &const {} as &dyn Constant),\n", value.as_source());
+        self.0 += &format!("({name:?}, &const {} as &dyn Constant),\n", as_source(&value));
     }
 }
 
@@ -24,6 +24,6 @@ fn main() -> Result<(), Box<dyn Error>> {
     lights::all(&mut listing)?;
     let out = env::var("OUT_DIR")?;
     fs::write(Path::new(&out).join("constants.rs"), format!("[\n{}]\n", listing.0))?;
-    fs::write(Path::new(&out).join("key.rs"), lights::key()?.as_source().to_string())?;
+    fs::write(Path::new(&out).join("key.rs"), as_source(&lights::key()?).to_string())?;
     Ok(())
 }

@@ -90,7 +90,7 @@ fn arrives<S: Raw, H: SpecularLobe>(
     let surface = SurfacePoint { point, normal, view: bits.vector(S::unit) };
     let skips = bits.choice(2) == 0;
     black_box(lamp.evaluate::<H>(&surface, highlight, skips));
-    black_box((LightModel::color(lamp), LightModel::specular_color(lamp)));
+    black_box(lamp.colors());
 }
 
 /// A beam in haze, for one ray and for many.

@@ -191,7 +191,7 @@ fn keeps<S: Raw>(bits: &mut Bits) {
     let spot = bits.any_spot::<S, Soft, InverseSquare>(Soft, Soft, ());
     black_box((CompiledSpotLight::profile(&spot), CompiledSpotLight::with_profile(&spot, Soft)));
     let point = bits.any_point::<S, InverseSquare>(());
-    black_box((LightModel::color(&point), LightModel::specular_color(&point)));
+    black_box(point.colors());
     let position = bits.vector(S::raw_length);
     black_box(SurfacePoint::<S>::matte(position, bits.vector(S::scalar)));
     let colors = Rgb::zip(bits.color(S::scalar), bits.color(S::scalar), |a, b| a.minus(b));
