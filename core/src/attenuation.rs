@@ -1,4 +1,4 @@
-//! Distance models: how the light of a lamp falls with the distance from it.
+//! Attenuation: how the intensity of a light falls with the distance from it.
 //!
 //! | model | f(d) | source |
 //! |---|---|---|
@@ -65,7 +65,7 @@ pub trait Attenuation: Copy + PartialEq + core::fmt::Debug {
     /// measured against.
     fn exact(&self, distance: f64) -> f64;
 
-    /// Whether more light arrives than the intensity where the lamp is nearer than 1.
+    /// Whether more than the intensity arrives where the light is nearer than 1.
     fn grows(&self) -> bool {
         true
     }
@@ -88,7 +88,7 @@ pub struct NoAttenuation;
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct InverseSquare;
 
-/// `1 / (a0 + a1 d + a2 d^2)`, capped at 1: no more light arrives than left the lamp.
+/// `1 / (a0 + a1 d + a2 d^2)`, capped at 1: no more arrives than the intensity.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Polynomial {
     coefficients: [f32; 3],

@@ -51,7 +51,7 @@ falloffs! { effects; [
     Hotspot = "hotspot",
     /// A cone that is cut off before its profile ends.
     Delimiter = "delimiter",
-    /// A lamp whose light does not fall with the distance.
+    /// A light without attenuation.
     Unattenuated = "unattenuated",
     /// The inverse-square law.
     InverseSquare = "inverse-square",

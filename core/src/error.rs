@@ -90,7 +90,7 @@ pub enum Parameter {
     Exposure,
     /// How dense haze is.
     Density,
-    /// The radius of a lamp in haze.
+    /// The radius of a light in haze.
     LampRadius,
     /// `GL_SPOT_CUTOFF` of OpenGL, a half angle in degrees.
     SpotCutoff,

@@ -6,7 +6,7 @@
 //! air light = density phase I ∫ f(w(s)) / d(s)^2 ds
 //! ```
 //!
-//! with the distance `d` of a place of the ray from the lamp and the falloff `f` at the versine `w` off the
+//! with the distance `d` of a place of the ray from the light and the falloff `f` at the versine `w` off the
 //! axis. The haze is taken as thin: it takes no light away, neither from the beam nor from what is seen
 //! through it, and light is scattered once. It scatters alike in all directions, by a phase of `1/(4 pi)`;
 //! a surface that receives 1 shows 1, which is a radiance of `1/pi`, so that a quarter of the density is
@@ -14,8 +14,8 @@
 //!
 //! # Directions in place of distances
 //!
-//! With `h` the distance of the lamp from the line of sight, `ds / d^2 = d(psi) / h`: the inverse square
-//! cancels, and what is left is an integral of `f` over the directions in which the lamp sees the ray, an
+//! With `h` the distance of the light from the line of sight, `ds / d^2 = d(psi) / h`: the inverse square
+//! cancels, and what is left is an integral of `f` over the directions in which the light sees the ray, an
 //! arc of a great circle. `psi` counts from the direction of the arc's circle that is nearest to the axis.
 //! With `v = tan(psi/2)` there is no trigonometry:
 //!
@@ -73,7 +73,7 @@ pub struct Haze {
     lamp_radius: f32,
 }
 
-/// The radius of a lamp until told otherwise: a centimetre where the unit is the metre.
+/// The radius of a light until told otherwise: a centimetre where the unit is the metre.
 const LAMP_RADIUS: f32 = 0.01;
 
 impl Haze {
@@ -91,8 +91,8 @@ impl Haze {
         Ok(Self { density, lamp_radius: LAMP_RADIUS })
     }
 
-    /// The same haze around lamps of this radius, 0.01 until told otherwise. There is no haze within it,
-    /// and no view through it: a ray that meets the lamp ends there. Without a body a lamp would be
+    /// The same haze around lights of this radius, 0.01 until told otherwise. There is no haze within it,
+    /// and no view through it: a ray that meets the light ends there. Without a body a light would be
     /// infinitely bright where the eye looks straight at it.
     ///
     /// # Errors
@@ -107,7 +107,7 @@ impl Haze {
         self.density
     }
 
-    /// The radius of a lamp.
+    /// The radius of a light.
     pub fn lamp_radius(&self) -> f32 {
         self.lamp_radius
     }

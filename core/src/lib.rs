@@ -26,7 +26,7 @@
 //! # Ok::<(), luminaire::Error>(())
 //! ```
 //!
-//! From the light of all lamps to a pixel, still without a float:
+//! From all lights to a pixel, still without a float:
 //!
 //! ```
 //! use luminaire::{Fx16, Rgb, display::{Rgb565, clip}};

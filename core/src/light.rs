@@ -26,7 +26,7 @@ use crate::{
     vec3::Vec3,
 };
 
-/// What a lamp gives: how much, and in which colours.
+/// What a light emits: how much, and in which colours.
 #[derive(Clone, Copy, PartialEq, Debug)]
 struct Emission {
     color: Rgb<f32>,

@@ -153,7 +153,7 @@ impl<S: Scalar, H: SpecularLobe> CompiledMaterial<S, H> {
         Self { ambient, diffuse, emissive, specular, highlight }
     }
 
-    /// What the surface shows without any lamp: `emissive + ambient Ia`, with `Ia` from
+    /// What the surface shows by itself and by ambient light: `emissive + ambient Ia`, with `Ia` from
     /// [`AmbientLight::compile`](crate::AmbientLight::compile).
     #[inline]
     pub fn glow(&self, ambient: Rgb<S::Irradiance>) -> Rgb<S::Irradiance> {

@@ -9,7 +9,7 @@
 //! | versine of the angle off axis | `f32` | [`Versine32`] | [`Versine16`], scaled to the cone |
 //! | coefficient of a falloff | `f32` | [`Weight32`] | [`Weight16`] |
 //! | step of an intensity | 2^-23 | 2^-30 | 2^-14 |
-//! | overflow | light of one lamp clamped at 2^64, else IEEE 754 | saturates | saturates |
+//! | overflow | irradiance of one light clamped at 2^64, else IEEE 754 | saturates | saturates |
 //! | widest product | 24 bits of a float | 64 bits | 32 bits |
 //! | for | processors with an FPU | 32-bit multipliers, exact pictures | Cortex-M0 and the like |
 //!

@@ -88,10 +88,10 @@ impl RenderPlan {
         !self.leaves_nothing_out
     }
 
-    /// Compiles a lamp for the format `S`, once for all points; nothing if it is dark, and so dropped.
+    /// Compiles a light for the format `S`, once for all points; nothing if it is dark, and so dropped.
     ///
     /// # Errors
-    /// A lamp that the format can't hold, dark or not.
+    /// A light that the format can't hold, dark or not.
     pub fn prepare<S: Scalar>(&self, lamp: &AnyLight) -> Result<Option<CompiledAnyLight<S>>, Error> {
         let compiled = lamp.compile()?;
         Ok((!(self.skips() && lamp.is_dark())).then_some(compiled))

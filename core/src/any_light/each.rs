@@ -1,4 +1,4 @@
-//! The loop for a lamp: its kind, profile and distance model are told apart once for many points, and the loop over them
+//! The loop for a light: its kind, profile and distance model are told apart once for many points, and the loop over them
 //! has no branch on what is the same for all.
 //!
 //! There is a loop for each profile under the inverse-square law, and one for each without a fall. Under another
@@ -162,7 +162,7 @@ impl<S: Scalar, H: SpecularLobe, const N: usize> Loop<'_, S, H, N> {
         }
     }
 
-    /// Gives the points so near to the lamp that they want it the fine evaluation, which two loops cannot share.
+    /// Gives the points so near to the light that they want it the fine evaluation, which two loops cannot share.
     fn refine<L: LightModel<S>>(&mut self, light: &L, position: Vec3<S::Length>, fine_below: u32) {
         for i in 0..N {
             let surface = self.surfaces.at(i);

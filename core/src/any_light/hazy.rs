@@ -1,4 +1,4 @@
-//! The beam of a lamp in haze, for many view rays.
+//! The beam of a light in haze, for many view rays.
 
 use super::CompiledAnyLight;
 use crate::{
@@ -9,7 +9,7 @@ use crate::{
 };
 
 impl CompiledAnyLight<f32> {
-    /// The beam of the lamp in haze; nothing where it is no spotlight.
+    /// The beam of the light in haze; nothing where it is no spotlight.
     pub fn in_haze(&self, haze: &Haze) -> Option<BeamScattering<AnyFalloff, AnyAttenuation>> {
         match self {
             Self::Spot(spot) => Some(spot.in_haze(haze)),

@@ -1,9 +1,9 @@
-//! A view ray as the lamp sees it: an arc of directions.
+//! A view ray as the light sees it: an arc of directions.
 
 use super::ViewRay;
 use crate::{number::float::positive, trig, vec3::Vec3};
 
-/// Where a beam has light: the lamp and its axis, the lamp's radius and the light's range, both squared.
+/// Where a beam has light: the light's place and axis, its radius and its range, both squared.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Extent {
     pub(super) position: Vec3<f32>,
@@ -12,15 +12,15 @@ pub(super) struct Extent {
     pub(super) reach_squared: f32,
 }
 
-/// The part of a view ray between the lamp's body and its range, as an arc of directions from the lamp.
+/// The part of a view ray between the light's body and its range, as an arc of directions from the light.
 ///
 /// The arc lies on a great circle. A direction on it is `v`, the tangent of half the angle to the direction
 /// of the circle that is nearest to the axis. Places on the ray itself count from the foot, where it comes
-/// nearest to the lamp.
+/// nearest to the light.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Arc {
     direction: Vec3<f32>,
-    /// The way from the lamp to the foot, its length and the reciprocal of that.
+    /// The way from the light to the foot, its length and the reciprocal of that.
     foot: Vec3<f32>,
     height: f32,
     reciprocal: f32,
@@ -43,8 +43,8 @@ pub(super) struct Span {
     pub(super) scale: f32,
 }
 
-/// How near a line passes the lamp that counts as going through it, squared, in units of the lamp's radius.
-/// What is so near is within the lamp, and from its surface on all directions are those of the ray.
+/// How near a line passes the light that counts as going through it, squared, in units of the light's radius.
+/// What is so near is within the light's body, and from its surface on all directions are those of the ray.
 const THROUGH: f32 = 1e-14;
 
 /// A shorter arc takes its worth from the way along the ray, because the difference of its ends has lost
@@ -78,7 +78,7 @@ impl Arc {
         let squared = if is_through { THROUGH * radius_squared } else { squared };
         let reciprocal = trig::inverse_sqrt(squared);
         let height = squared * reciprocal;
-        // A line through the lamp may have any foot that is across it: one across the axis too.
+        // A line through the light's place may have any foot that is across it: one across the axis too.
         let normal = cross(direction, axis);
         let sine = foot.dot(normal) * reciprocal;
         let squared_sine = if is_through { normal.dot(normal) } else { sine * sine };
@@ -92,7 +92,7 @@ impl Arc {
         Self { direction, foot, height, reciprocal, across, along, radius, least, first, last }
     }
 
-    /// Whether there is any of the ray between lamp and range.
+    /// Whether there is any of the ray between light and range.
     #[inline(always)]
     pub(super) fn is_any(&self) -> bool {
         self.first < self.last
@@ -160,7 +160,7 @@ impl Arc {
         if place < self.last { place } else { self.last }
     }
 
-    /// The distance of a place on the ray from the lamp.
+    /// The distance of a place on the ray from the light.
     #[inline(always)]
     pub(super) fn distance(&self, place: f32) -> f32 {
         trig::sqrt(self.height * self.height + place * place)
@@ -208,7 +208,7 @@ impl Arc {
     }
 }
 
-/// What is left of a ray between two places: not within the lamp, not behind it, and not beyond the range.
+/// What is left of a ray between two places: not within the light's body, not behind it, and not beyond the range.
 #[inline(always)]
 fn lit(squared: f32, radius_squared: f32, reach_squared: f32, [first, last]: [f32; 2]) -> [f32; 2] {
     let body = trig::sqrt(positive(radius_squared - squared));

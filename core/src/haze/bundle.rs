@@ -20,7 +20,7 @@ pub struct RayBundle {
     pub length: f32,
 }
 
-/// What the roundings of both sides may add up to, of the distances from the eye to lamp and surface: some
+/// What the roundings of both sides may add up to, of the distances from the eye to light and surface: some
 /// hundred of them.
 const MARGIN: f32 = 2e-5;
 
@@ -82,7 +82,7 @@ impl<P: Falloff, A: Attenuation> BeamScattering<P, A> {
     /// Whether any ray of a bundle may have [`in_scattering`](Self::in_scattering). Where this says no, each has
     /// exactly none; where it says yes, all may have none.
     ///
-    /// The answer is no where a plane through the lamp has the beam on one side and the rays on the other,
+    /// The answer is no where a plane through the light has the beam on one side and the rays on the other,
     /// or all rays are beyond a plane at the light's range. The margin is some hundred roundings of the
     /// distances, more than this test and the evaluation have together. The planes that might serve are
     /// those that touch beam or bundle: a ray beside the beam is told by one that touches the beam between where the
@@ -99,7 +99,7 @@ impl<P: Falloff, A: Attenuation> BeamScattering<P, A> {
         let reach = trig::sqrt(reach_squared);
         let separates = |normal: Vec3<f32>| {
             let normal = unit(normal);
-            // How far the eye and the ends of the rays are from the plane through the lamp.
+            // How far the eye and the ends of the rays are from the plane through the light.
             let near = normal.dot(eye);
             let far = near - length * rays.nearest_to(reversed(normal));
             let slack = MARGIN + positive(beam.nearest_to(normal));

@@ -24,9 +24,9 @@ struct Parts {
 
 impl<P: Falloff, A: Attenuation> BeamScattering<P, A> {
     /// As [`in_scattering`](Self::in_scattering), weighted by what gets through to each of so many places of the
-    /// ray in the beam: by a pattern in front of the lamp or past what throws a shadow, as `transmission`
+    /// ray in the beam: by a pattern in front of the light or past what throws a shadow, as `transmission`
     /// tells of a point of the world, from 0 to 1. The places are in the middle of parts that are equal
-    /// seen from the lamp, or about so where the light does not fall with the square of the distance.
+    /// seen from the light, or about so where the light does not fall with the square of the distance.
     /// Without any there is no light.
     // Here and below: haze of the scene turntable takes twice the time in a browser without.
     #[inline(always)]

@@ -6,7 +6,7 @@ use crate::trig;
 /// A stretch of a view ray, run through by a parameter from 0 to 1.
 ///
 /// Neither equal ways nor equal angles suit what varies with the distance in part and with the direction in
-/// part: along a beam the ones lose what is near the lamp and the others what is far. Here the parameter
+/// part: along a beam the ones lose what is near the light and the others what is far. Here the parameter
 /// gives both ends the weight of the root of the other's distance, which is halfway between the two.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Stretch {

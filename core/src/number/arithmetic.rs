@@ -91,7 +91,7 @@ pub trait Arithmetic: Copy + Default + PartialOrd + core::fmt::Debug + Share<Sel
     /// How short the way from a light to a point has to be for a fine evaluation, as [`Offset::is_near`] takes it: where the
     /// gain, which magnifies what a share of it is off, may take that to half a step of eight bits. `error` is the
     /// [`coarse_error`](Self::coarse_error) of the light's cone, 0 for a light without one; `intensity` is the gain at distance 1, and
-    /// everywhere if the light does not grow towards the lamp.
+    /// everywhere if the irradiance does not grow towards the light.
     fn fine_below(_error: f32, _intensity: f32, _grows: bool) -> u32 {
         0
     }

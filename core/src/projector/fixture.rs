@@ -1,4 +1,4 @@
-//! Luminaires: lamps with what is mounted in front of them.
+//! Fixtures: lights with what is mounted in front of them.
 
 use core::ops::RangeInclusive;
 
@@ -11,7 +11,7 @@ use crate::{
     number::Scalar,
 };
 
-/// A lamp as a scene has it: with the gobo and the shadows that it is given, or without.
+/// A light as a scene has it: with the gobo and the shadows that it is given, or without.
 ///
 /// ```
 /// use luminaire::{Angle, Cone, SpotLight, Vec3, falloff::Soft, projector::{Fixture, Gobo}};
@@ -36,7 +36,7 @@ impl Fixture {
     /// The same luminaire with a gobo, turned about the axis as [`Projection::turned`] does.
     ///
     /// # Errors
-    /// A lamp that projects no square: a cone over 160 degrees, or none. A roll that is not from -360 to 360 degrees.
+    /// A light that projects no square: a cone over 160 degrees, or none. A roll that is not from -360 to 360 degrees.
     pub fn with_gobo(self, gobo: Gobo<'static>, roll: Angle) -> Result<Self, Error> {
         let projection = self.project()?.turned(roll)?;
         Ok(Self { gobo: Some((gobo, projection)), ..self })
@@ -45,7 +45,7 @@ impl Fixture {
     /// The same luminaire with shadows, by a map of so many texels a side.
     ///
     /// # Errors
-    /// A side that is not from 16 to 2048; a lamp that projects no square: a cone over 160 degrees, or none.
+    /// A side that is not from 16 to 2048; a light that projects no square: a cone over 160 degrees, or none.
     pub fn with_shadow(self, side: u16) -> Result<Self, Error> {
         let sides = Self::SHADOW_SIDES;
         if !sides.contains(&side) {
@@ -55,7 +55,7 @@ impl Fixture {
         Ok(Self { shadow: Some((side, self.project()?)), ..self })
     }
 
-    /// The square around the light of the lamp. A point light is refused as a cone of 360 degrees, and parallel light as
+    /// The square around the cone of the light. A point light is refused as a cone of 360 degrees, and parallel light as
     /// one of none.
     fn project(&self) -> Result<Projection, Error> {
         let refused = |value| {
@@ -69,7 +69,7 @@ impl Fixture {
         }
     }
 
-    /// The lamp.
+    /// The light.
     pub fn lamp(&self) -> &AnyLight {
         &self.lamp
     }
@@ -84,7 +84,7 @@ impl Fixture {
         self.shadow
     }
 
-    /// What the luminaire calls for; nothing where its lamp is dark.
+    /// The effects that the fixture requires; none where its light is dark.
     pub fn effects(&self) -> Effects {
         let mut effects = self.lamp.effects();
         if effects == Effects::NONE {

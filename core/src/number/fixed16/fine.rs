@@ -2,7 +2,7 @@
 //!
 //! A cone that is steep over its width and a light that is bright magnify what 15 bits have rounded away. Only these pay for
 //! more: [`Cone::compile`](crate::Cone::compile) finds by a bound which cones need it, and
-//! `Arithmetic::fine_below` how near to a lamp points do.
+//! `Arithmetic::fine_below` how near to a light points do.
 
 use super::product::{high_half, high_product};
 use crate::number::{Fraction, Knot, RealExponent, Share, fraction::neighbours};
