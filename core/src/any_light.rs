@@ -126,7 +126,7 @@ fn cone_effects(spot: &SpotLight<AnyFalloff, AnyAttenuation>) -> Effects {
         effects = effects.with(Effect::Hotspot);
     }
     if cone.has_cutoff() {
-        effects = effects.with(Effect::Delimiter);
+        effects = effects.with(Effect::Cutoff);
     }
     effects
 }

@@ -20,7 +20,7 @@ use crate::{
 ///
 /// - a **hotspot** ([`with_inner`](Self::with_inner)): full intensity up to an inner angle, and the profile between it
 ///   and the outer one. Inner and outer angle in one make a step.
-/// - a **delimiter** ([`with_cutoff`](Self::with_cutoff)): nothing from an angle on that is tighter than the outer
+/// - a **cutoff** ([`with_cutoff`](Self::with_cutoff)): nothing from an angle on that is tighter than the outer
 ///   one, as a barn door or an iris would have it. It costs nothing per point.
 ///
 /// All are full angles.
@@ -39,7 +39,7 @@ pub struct Cone<P = SoftOrHard> {
     inner: f32,
     /// The versine of the half angle at which the profile ends, in (0, 1].
     outer: f32,
-    /// The versine from which on there is no light: `outer`, or that of a tighter delimiter.
+    /// The versine from which on there is no light: `outer`, or that of a tighter cutoff.
     limit: f32,
 }
 
@@ -83,7 +83,7 @@ impl<P: Falloff> Cone<P> {
         }
     }
 
-    /// A cone without a delimiter.
+    /// A cone without a cutoff.
     fn open(profile: P, inner: f32, outer: f32) -> Self {
         Self { profile, inner, outer, limit: outer }
     }
@@ -108,8 +108,8 @@ impl<P: Falloff> Cone<P> {
     ///
     /// # Errors
     /// An angle that is not more than 0, or larger than the one at which the profile ends.
-    pub fn with_cutoff(self, delimiter: impl Into<Angle>) -> Result<Self, Error> {
-        let angle = delimiter.into();
+    pub fn with_cutoff(self, cutoff: impl Into<Angle>) -> Result<Self, Error> {
+        let angle = cutoff.into();
         let limit = angle.versine();
         // As above: a versine of none would be a cone without any light.
         let range = f32::MIN_POSITIVE..=self.outer;
@@ -133,18 +133,18 @@ impl<P: Falloff> Cone<P> {
     }
 
     /// The full angle up to which at least half the intensity is left: where the profile falls to a half, or the
-    /// delimiter if that comes first.
+    /// cutoff if that comes first.
     pub fn beam(&self) -> Angle {
         self.angle_at(self.profile.beam_versine())
     }
 
     /// The full angle up to which at least a tenth of the intensity is left: where the profile falls to a tenth,
-    /// or the delimiter if that comes first.
+    /// or the cutoff if that comes first.
     pub fn field(&self) -> Angle {
         self.angle_at(self.profile.field_versine())
     }
 
-    /// The full angle from which on no light is left: where the profile ends, or the delimiter if that comes first.
+    /// The full angle from which on no light is left: where the profile ends, or the cutoff if that comes first.
     pub fn outer(&self) -> Angle {
         Angle::from_versine(self.limit)
     }
@@ -154,7 +154,7 @@ impl<P: Falloff> Cone<P> {
         self.inner > 0.0
     }
 
-    /// Whether a delimiter cuts the cone off before its profile ends.
+    /// Whether a cutoff cuts the cone off before its profile ends.
     pub fn has_cutoff(&self) -> bool {
         self.limit < self.outer
     }
@@ -164,7 +164,7 @@ impl<P: Falloff> Cone<P> {
         self.limit
     }
 
-    /// The angle of a profile's `u`, within the delimiter.
+    /// The angle of a profile's `u`, within the cutoff.
     fn angle_at(&self, u: f32) -> Angle {
         Angle::from_versine((self.inner + u * (self.outer - self.inner)).min(self.limit))
     }
@@ -175,7 +175,7 @@ impl<P: Falloff> Cone<P> {
     }
 
     /// The luminous flux in lumens of this cone with so many candela on its axis: `2 pi` times the integral of the
-    /// intensity over the versine, with hotspot and delimiter. Relative error under 2e-5 (searched).
+    /// intensity over the versine, with hotspot and cutoff. Relative error under 2e-5 (searched).
     pub fn lumens(&self, candela: f32) -> f32 {
         candela * self.solid_angle()
     }
@@ -213,7 +213,7 @@ impl<P: Falloff> Cone<P> {
     ///
     /// # Errors
     /// A cone narrower than [`Cone::narrowest`] of its profile in this format, a hotspot that makes its edge too
-    /// steep, or a delimiter that is too narrow.
+    /// steep, or a cutoff that is too narrow.
     pub fn compile<S: Scalar>(&self) -> Result<CompiledCone<S, P>, Error> {
         self.compile_with_error().map(|(cone, _)| cone)
     }
@@ -283,7 +283,7 @@ impl<const N: u32> Cone<Power<N>> {
     /// none of a cone.
     ///
     /// With an outer angle of 180 degrees `t` is `1 - versine`, which is the cosine: the power is that of
-    /// [`Power`], and the cutoff a delimiter, where the light jumps as it does in OpenGL.
+    /// [`Power`], and the light jumps at the cutoff as it does in OpenGL.
     ///
     /// ```
     /// use luminaire::{Cone, HalfAngle, falloff::Power};

@@ -50,7 +50,7 @@ falloffs! { effects; [
     /// Full intensity up to an inner angle.
     Hotspot = "hotspot",
     /// A cone that is cut off before its profile ends.
-    Delimiter = "delimiter",
+    Cutoff = "cutoff",
     /// A light without attenuation.
     Unattenuated = "unattenuated",
     /// The inverse-square law.

@@ -36,7 +36,7 @@ pub enum Parameter {
     OuterAngle,
     /// The full angle up to which the intensity is that of the axis: the hotspot.
     InnerAngle,
-    /// The full angle of a delimiter, from which on there is no light.
+    /// The full angle of a cutoff, from which on there is no light.
     CutoffAngle,
     /// How far a projection is turned about its axis, in degrees.
     Roll,

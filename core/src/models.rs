@@ -26,9 +26,9 @@ macro_rules! falloffs {
             /// Smoothstep, `t^2 (3 - 2t)`.
             Smooth(Smooth) = "smooth", Ok(Smooth), |t| t * t * (3.0 - 2.0 * t);
             /// A step: all or nothing.
-            Step(Step) = "cut-off", Ok(Step), |t| if t > 0.0 { 1.0 } else { 0.0 };
+            Step(Step) = "step", Ok(Step), |t| if t > 0.0 { 1.0 } else { 0.0 };
             /// A quadratic between soft and hard: for most pairs of a beam angle and a field angle.
-            Quadratic(Quadratic) = "blend", Quadratic::new(0.5), |t| t * (0.5 + 0.5 * t),
+            Quadratic(Quadratic) = "quadratic", Quadratic::new(0.5), |t| t * (0.5 + 0.5 * t),
                 any |n| Quadratic::new(2.0 * n());
             /// A monotone cubic: for the pairs of angles that no quadratic has.
             Cubic(Cubic) = "cubic", Cubic::with_slopes(1.25, 3.5), |t| t * (1.25 + t * (2.75 * t - 3.0)),
@@ -38,22 +38,22 @@ macro_rules! falloffs {
                 any |n| IntegerPower::new(exponent(n()) as u32),
                 constant Power<4> = "power-4", Power, |t| squared(squared(t));
             /// An inverted integer power: a flat middle and a steep edge.
-            InvertedPower(InvertedIntegerPower) = "rim", InvertedIntegerPower::new(4), |t| 1.0 - squared(squared(1.0 - t)),
+            InvertedPower(InvertedIntegerPower) = "inverted-power", InvertedIntegerPower::new(4), |t| 1.0 - squared(squared(1.0 - t)),
                 any |n| InvertedIntegerPower::new(exponent(n()) as u32),
-                constant InvertedPower<4> = "rim-4", InvertedPower, |t| 1.0 - squared(squared(1.0 - t));
+                constant InvertedPower<4> = "inverted-power-4", InvertedPower, |t| 1.0 - squared(squared(1.0 - t));
             /// A mixture of two integer powers: a bright middle in a wide beam.
             MixedPower(MixedPower) = "mixed-power", MixedPower::new([1, 16], 0.375),
                 |t| 0.625 * t + 0.375 * squared(squared(squared(squared(t)))),
                 any |n| MixedPower::new([n(), n()].map(|n| (1_025.0 * n) as u32), n());
             /// A mixture of two inverted integer powers.
-            InvertedMixedPower(InvertedMixedPower) = "mixed-rim", InvertedMixedPower::new([2, 3], 0.5625),
+            InvertedMixedPower(InvertedMixedPower) = "inverted-mixed-power", InvertedMixedPower::new([2, 3], 0.5625),
                 |t| 1.0 - squared(1.0 - t) * (1.0 - 0.5625 * t),
                 any |n| InvertedMixedPower::new([n(), n()].map(|n| (1_025.0 * n) as u32), n());
             /// A power of a real exponent.
             RealPower(RealPower) = "real-power", RealPower::new(2.25), |t| power(t, 2.25),
                 any |n| RealPower::new(exponent(2.0 * n() - 1.0));
             /// An inverted power of a real exponent: the cones of Godot.
-            InvertedRealPower(InvertedRealPower) = "real-rim", InvertedRealPower::new(2.5), |t| 1.0 - power(1.0 - t, 2.5),
+            InvertedRealPower(InvertedRealPower) = "inverted-real-power", InvertedRealPower::new(2.5), |t| 1.0 - power(1.0 - t, 2.5),
                 any |n| InvertedRealPower::new(exponent(2.0 * n() - 1.0));
             /// Samples with straight lines between them: a light that was measured.
             Table(Table<'static>) = "table", Ok(Table::of(&SAMPLES)), |t| interpolated(t);
@@ -103,7 +103,7 @@ macro_rules! attenuations {
                 /// The law of a small source: the default of every spot and point light.
                 InverseSquare = "inverse-square", Ok(InverseSquare),
                 /// Cut off at a range: nothing from there on, and the law unchanged before.
-                CutAt<InverseSquare> = "hard-range", CutAt::new(InverseSquare, Some(9.0));
+                CutAt<InverseSquare> = "cut-at", CutAt::new(InverseSquare, Some(9.0));
             /// One over a polynomial, cut off.
             Polynomial(CutAt<Polynomial>) = any |n| CutAt::new(Polynomial::new(4.0 * n(), 4.0 * n(), 4.0 * n())?, range(n)),
                 /// `1/(a0 + a1 d + a2 d^2)`, capped at 1: the lights of OpenGL and Direct3D.
@@ -111,13 +111,13 @@ macro_rules! attenuations {
             /// The inverse-square law in glTF's window.
             GltfRange(GltfRange) = any |n| GltfRange::new(InverseSquare, range(n)),
                 /// The window by which lights of glTF end at their range.
-                GltfRange = "windowed", GltfRange::new(InverseSquare, Some(9.0));
+                GltfRange = "gltf-range", GltfRange::new(InverseSquare, Some(9.0));
             /// No attenuation, faded out.
             WindowedConstant(Windowed<NoAttenuation>) = any |n| Windowed::new(NoAttenuation, range(n));
             /// The inverse-square law, faded out.
             FilamentRange(FilamentRange) = any |n| FilamentRange::new(InverseSquare, range(n)),
                 /// The window of glTF squared, as Filament and Godot have it.
-                FilamentRange = "squared-window", FilamentRange::new(InverseSquare, Some(9.0));
+                FilamentRange = "filament-range", FilamentRange::new(InverseSquare, Some(9.0));
             /// One over a polynomial, faded out.
             WindowedPolynomial(Windowed<Polynomial>) = any |n|
                 Windowed::new(Polynomial::new(4.0 * n(), 4.0 * n(), 4.0 * n())?, range(n));
@@ -143,7 +143,7 @@ macro_rules! lobes {
             /// A spotlight's falloff about the mirrored direction.
             DualConeLobe = "dual-cone", DualConeLobe;
             /// Phong's highlight by a difference of directions and three squarings.
-            DifferenceForm<Phong, 3> = "lyon", DifferenceForm(Phong);
+            DifferenceForm<Phong, 3> = "difference-form", DifferenceForm(Phong);
         }
     };
 }

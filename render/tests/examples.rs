@@ -7,15 +7,15 @@ use std::collections::BTreeSet;
 const CALLED_FOR: [(Example, &str); 8] = [
     (Example::BareSpot, "diffuse, spot, soft, inverse-square"),
     (Example::Pocket, "diffuse, spot, soft, inverse-square, dither"),
-    (Example::ThreePoint, "ambient, diffuse, spot, blend, cubic, inverse-square, shadow"),
+    (Example::ThreePoint, "ambient, diffuse, spot, quadratic, cubic, inverse-square, shadow"),
     (Example::Grid, "diffuse, spot, soft, inverse-square"),
     (Example::WideGrid, "diffuse, spot, soft, inverse-square"),
     (Example::Turntable, "ambient, diffuse, specular, spot, soft, inverse-square"),
     (Example::Show, "diffuse, spot, soft, hard, inverse-square, gobo, haze"),
     (
         Example::Gallery,
-        "ambient, diffuse, specular, directional, point, spot, soft, hard, linear, smooth, cut-off, blend, cubic, power, \
-         rim, mixed-power, mixed-rim, table, hotspot, delimiter, unattenuated, inverse-square, polynomial, \
+        "ambient, diffuse, specular, directional, point, spot, soft, hard, linear, smooth, step, quadratic, cubic, power, \
+         rim, mixed-power, inverted-mixed-power, table, hotspot, cutoff, unattenuated, inverse-square, polynomial, \
          smooth-range, window, range",
     ),
 ];

@@ -64,7 +64,7 @@ macro_rules! with_any_highlight {
 }
 pub(crate) use with_any_highlight;
 
-/// A cone by one of its angles, with or without a hotspot and a delimiter.
+/// A cone by one of its angles, with or without a hotspot and a cutoff.
 pub fn cone<P: Falloff>(words: &mut Words<'_>, profile: P) -> Option<Cone<P>> {
     let design = [Cone::from_outer, Cone::from_field, Cone::from_beam][words.choice(3) as usize];
     // Evenly spread over the logarithm: narrow cones are the hard ones.

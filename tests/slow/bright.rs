@@ -161,11 +161,11 @@ fn rows<S: Format>() -> Vec<(String, [Errors; INTENSITIES.len()])> {
         });
         row(format!("window of {range}"), &mut |rng, errors| {
             let model = GltfRange::new(InverseSquare, some).expect("sound");
-            spots::<S, _>(rng, model, |d| reference::windowed(r, d), within, None, errors);
+            spots::<S, _>(rng, model, |d| reference::gltf_range(r, d), within, None, errors);
         });
-        row(format!("squared window of {range}"), &mut |rng, errors| {
+        row(format!("Filament range of {range}"), &mut |rng, errors| {
             let model = FilamentRange::new(InverseSquare, some).expect("sound");
-            spots::<S, _>(rng, model, |d| reference::squared_window(r, d), within, None, errors);
+            spots::<S, _>(rng, model, |d| reference::filament_range(r, d), within, None, errors);
         });
         row(format!("polynomial faded to {range}"), &mut |rng, errors| {
             let model = Windowed::new(polynomial, some).expect("sound");

@@ -28,7 +28,7 @@ const HALF_A_CODE: f64 = 0.5 / 255.0;
 struct Angles {
     outer: f32,
     inner: f32,
-    /// Where a delimiter cuts it off, `outer` without one.
+    /// Where a cutoff cuts it off, `outer` without one.
     limit: f32,
 }
 
@@ -238,7 +238,7 @@ impl<S: Format> Light<'_, S> {
             return 0.0;
         }
         let versine = reference::versine_between(way, self.axis);
-        // A jump, of a delimiter or of a table that ends above zero, is in its place within 1/510 of its half angle.
+        // A jump, of a cutoff or of a table that ends above zero, is in its place within 1/510 of its half angle.
         let jumps = angles.limit < angles.outer || shape.formula().exact(f64::MIN_POSITIVE) > 1e-9;
         if jumps && (versine / limit).sqrt() > 1.0 - 1.0 / 510.0 && versine < 1.01 * limit {
             return 0.0;
@@ -387,13 +387,13 @@ fn steep_shapes() -> Vec<(String, f32, AnyFalloff)> {
     let rim = |n: u32| InvertedIntegerPower::new(n).expect("a sound exponent").into();
     let mut shapes = Vec::new();
     shapes.extend([32, 64, 128, 268, 1_024].map(|n| (format!("power {n}"), 0.0, power(n))));
-    shapes.extend([8, 16, 32, 64, 128].map(|n| (format!("rim {n}"), 0.0, rim(n))));
+    shapes.extend([8, 16, 32, 64, 128].map(|n| (format!("inverted power {n}"), 0.0, rim(n))));
     let table = Table::new(tables()[0]).expect("sound samples").into();
     shapes.push(("table of 100 with a step".into(), 0.0, table));
     shapes.push(("soft, inner angle 0.9".into(), 0.9, Soft.into()));
     shapes.push(("hard, inner angle 0.9".into(), 0.9, Hard.into()));
     shapes.push(("linear, inner angle 0.9".into(), 0.9, Linear.into()));
-    shapes.push(("rim 8, inner angle 0.9".into(), 0.9, rim(8)));
+    shapes.push(("inverted power 8, inner angle 0.9".into(), 0.9, rim(8)));
     shapes
 }
 

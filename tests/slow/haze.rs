@@ -166,18 +166,18 @@ fn every_distance_model_keeps_its_row() {
     let (sound, range, none) = ("a sound model", f64::from(RANGE), f64::INFINITY);
     let polynomial = Polynomial::new(0.5, 0.25, 0.125).expect(sound);
     let smooth = SmoothRange::new(RANGE).expect(sound);
-    let windowed = GltfRange::new(InverseSquare, Some(RANGE)).expect(sound);
-    let squared = FilamentRange::new(InverseSquare, Some(RANGE)).expect(sound);
+    let gltf = GltfRange::new(InverseSquare, Some(RANGE)).expect(sound);
+    let filament = FilamentRange::new(InverseSquare, Some(RANGE)).expect(sound);
     let cut = CutAt::new(InverseSquare, Some(RANGE)).expect(sound);
-    let faded = Windowed::new(InverseSquare, Some(RANGE)).expect(sound);
+    let windowed = Windowed::new(InverseSquare, Some(RANGE)).expect(sound);
     let broken = [
         distance_broken("unattenuated", NoAttenuation, none, |_| 1.0),
         distance_broken("polynomial", polynomial, none, |d| reference::polynomial([0.5, 0.25, 0.125], d)),
         distance_broken("smooth range", smooth, range, |d| reference::smooth_range(RANGE.into(), d)),
-        distance_broken("windowed", windowed, range, |d| reference::windowed(RANGE.into(), d)),
-        distance_broken("squared window", squared, range, |d| reference::squared_window(RANGE.into(), d)),
-        distance_broken("faded", faded, range, |d| reference::squared_window(RANGE.into(), d)),
-        distance_broken("hard range", cut, range, inverse_square),
+        distance_broken("glTF range", gltf, range, |d| reference::gltf_range(RANGE.into(), d)),
+        distance_broken("Filament range", filament, range, |d| reference::filament_range(RANGE.into(), d)),
+        distance_broken("windowed", windowed, range, |d| reference::filament_range(RANGE.into(), d)),
+        distance_broken("cut at", cut, range, inverse_square),
     ]
     .concat();
     assert!(broken.is_empty(), "{}", broken.join("\n"));

@@ -212,7 +212,7 @@ fn largest<A: Attenuation + Sync>(
 fn rays_near_critical_directions_keep_their_rows() {
     let window = FilamentRange::new(InverseSquare, Some(6.0)).expect("a sound range");
     let square = HALF_ANGLES.map(|half| largest(half, InverseSquare, |d| 1.0 / (d * d), f64::INFINITY));
-    let windowed = HALF_ANGLES.map(|half| largest(half, window, |d| reference::squared_window(6.0, d), 6.0));
+    let windowed = HALF_ANGLES.map(|half| largest(half, window, |d| reference::filament_range(6.0, d), 6.0));
     for (row, measured) in CRITICAL.iter().zip([square, windowed]) {
         println!("{} {}", row.name, measured.map(|e| format!("{e:.1e}")).join(", "));
         for (measured, bound) in measured.into_iter().zip(row.errors) {

@@ -52,11 +52,11 @@ fn every_whole_exponent_keeps_its_figures() {
     }
     const FIGURES: [(&str, f64); 6] = [
         ("beam and field of a power", 2e-7),
-        ("beam and field of a rim", 5e-8),
+        ("beam and field of an inverted power", 5e-8),
         ("integral of a power", 1.5e-7),
-        ("integral of a rim", 8e-8),
+        ("integral of an inverted power", 8e-8),
         ("steepness of a power", 2e-7),
-        ("steepness of a rim", 1e-7),
+        ("steepness of an inverted power", 1e-7),
     ];
     for ((name, bound), worst) in FIGURES.into_iter().zip(worst) {
         println!("{name:28} {worst:.2e}");
@@ -116,9 +116,9 @@ fn every_real_exponent_keeps_its_figures() {
     }
     const FIGURES: [(&str, f64); 5] = [
         ("beam and field of a real power", 1e-7),
-        ("beam and field of a real rim", 6e-8),
+        ("beam and field of an inverted real power", 6e-8),
         ("integral of a real power", 6e-8),
-        ("integral of a real rim", 6e-8),
+        ("integral of an inverted real power", 6e-8),
         ("steepness of both, searched", 8e-6),
     ];
     for ((name, bound), worst) in FIGURES.into_iter().zip(worst) {

@@ -162,13 +162,13 @@ fn assert_any_bits_make_a_light<S: Raw>() {
     let mut rng = Rng::with_seed(0xb175);
     for _ in 0..300 * sweep::effort() {
         let rng = &mut rng;
-        let blend = CompiledQuadratic::from_parts(S::any_weight(rng));
+        let quadratic = CompiledQuadratic::from_parts(S::any_weight(rng));
         let cubic = CompiledCubic::from_parts(S::any_weight(rng), S::any_weight(rng));
         assert_falls::<S, _>(rng, Soft, Soft);
         assert_falls::<S, _>(rng, Hard, Hard);
         assert_falls::<S, _>(rng, Power::<15>, Power::<15>);
         let raw = Quadratic::from_bits(bits(rng) as u32);
-        assert_falls::<S, _>(rng, raw, blend);
+        assert_falls::<S, _>(rng, raw, quadratic);
         let raw = Cubic::from_bits([bits(rng) as u32, bits(rng) as u32]);
         assert_falls::<S, _>(rng, raw, cubic);
         assert_distances::<S>(rng);
@@ -216,9 +216,9 @@ fn assert_figures<P: Falloff + PartialEq>(rng: &mut Rng, profile: P) {
 fn any_bits_make_a_profile_with_figures() {
     let mut rng = Rng::with_seed(0x0b17_5eed);
     for _ in 0..3000 * sweep::effort() {
-        let blend = Quadratic::from_bits(float_bits(&mut rng));
-        assert!((0.0..=2.0).contains(&blend.edge_slope()), "{blend:?}");
-        assert_figures(&mut rng, blend);
+        let quadratic = Quadratic::from_bits(float_bits(&mut rng));
+        assert!((0.0..=2.0).contains(&quadratic.edge_slope()), "{quadratic:?}");
+        assert_figures(&mut rng, quadratic);
         let cubic = Cubic::from_bits([float_bits(&mut rng), float_bits(&mut rng)]);
         for slope in [cubic.edge_slope(), cubic.middle_slope()] {
             assert!((0.0..=4.0).contains(&slope), "{cubic:?}");

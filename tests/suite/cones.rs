@@ -1,4 +1,4 @@
-//! What a cone says of itself: its angles with a hotspot and a delimiter, its flux, and the angles of other systems.
+//! What a cone says of itself: its angles with a hotspot and a cutoff, its flux, and the angles of other systems.
 
 use luminaire::{
     Angle, Cone, Error, Fx16, Fx32, HalfAngle,
@@ -67,21 +67,21 @@ fn soft_has_a_third_of_the_flux_and_hard_two() {
     assert_near("hard", hard / full, 2.0 / 3.0, 1e-6);
 }
 
-/// The delimiter takes what is beyond it and leaves the rest as it was, bit for bit; tighter than the beam, it is all
+/// The cutoff takes what is beyond it and leaves the rest as it was, bit for bit; tighter than the beam, it is all
 /// three angles.
 #[test]
-fn a_delimiter_changes_nothing_within() {
+fn a_cutoff_changes_nothing_within() {
     let cone = Cone::from_field(Soft, Angle::degrees(30.0)).expect("sound");
     let cut = cone.with_cutoff(Angle::degrees(12.0)).expect("tighter");
-    assert_delimited::<f32>(&cone, &cut);
-    assert_delimited::<Fx32>(&cone, &cut);
-    assert_delimited::<Fx16>(&cone, &cut);
+    assert_cut::<f32>(&cone, &cut);
+    assert_cut::<Fx32>(&cone, &cut);
+    assert_cut::<Fx16>(&cone, &cut);
     assert_eq!((cut.beam(), cut.field()), (cut.outer(), cut.outer()));
     assert_near("outer", cut.outer().to_degrees(), 12.0, 1e-6);
 }
 
-/// The same within a delimiter of 12 degrees, each versine in the scale of its own cone, and nothing beyond.
-fn assert_delimited<S: Format>(open: &Cone<Soft>, cut: &Cone<Soft>) {
+/// The same within a cutoff of 12 degrees, each versine in the scale of its own cone, and nothing beyond.
+fn assert_cut<S: Format>(open: &Cone<Soft>, cut: &Cone<Soft>) {
     let (open, cut) = (open.compile::<S>().expect("held"), cut.compile::<S>().expect("held"));
     for millidegrees in 0..20_000_u16 {
         let half = f32::from(millidegrees) / 1e3;
@@ -116,14 +116,14 @@ fn assert_refused<T: core::fmt::Debug>(result: Result<T, Error>, parameter: Para
 }
 
 #[test]
-fn hotspots_and_delimiters_out_of_range_are_refused() {
+fn hotspots_and_cutoffs_out_of_range_are_refused() {
     let cone = Cone::from_outer(Soft, Angle::degrees(30.0)).expect("sound");
     for inner in [-1.0, 30.1, 400.0, f32::NAN] {
         let refused = cone.with_inner(Angle::degrees(inner));
         assert_refused(refused, Parameter::InnerAngle, "expected 0 to ");
     }
-    for delimiter in [0.0, -1.0, 30.1, 400.0, f32::NAN] {
-        let refused = cone.with_cutoff(Angle::degrees(delimiter));
+    for cutoff in [0.0, -1.0, 30.1, 400.0, f32::NAN] {
+        let refused = cone.with_cutoff(Angle::degrees(cutoff));
         assert_refused(refused, Parameter::CutoffAngle, "expected more than 0 and at most ");
     }
     for cutoff in [0.0, 91.0, f32::NAN] {

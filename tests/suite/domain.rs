@@ -90,7 +90,7 @@ fn powers(least: u32, most: u32) -> [Shape; 4] {
         Shape::new("power, least", IntegerPower::new(least).expect("accepted"), power(least)),
         Shape::new("power, most", IntegerPower::new(most).expect("accepted"), power(most)),
         Shape::new("real power, most", RealPower::new(real(most)).expect("accepted"), power(most)),
-        Shape::new("rim, most", InvertedIntegerPower::new(most).expect("accepted"), move |t| {
+        Shape::new("inverted power, most", InvertedIntegerPower::new(most).expect("accepted"), move |t| {
             1.0 - power(most)(1.0 - t)
         }),
     ]

@@ -81,7 +81,7 @@ fn a_fitted_profile_changes_no_bit() {
         for versine in sweep::versines(cone.outer_versine().into(), 10_000) {
             let versine = chosen.versine(versine);
             let typed = match cone.profile() {
-                FittedFalloff::Quadratic(blend) => chosen.with_profile(blend).at(versine),
+                FittedFalloff::Quadratic(quadratic) => chosen.with_profile(quadratic).at(versine),
                 FittedFalloff::Cubic(cubic) => chosen.with_profile(cubic).at(versine),
             };
             assert_eq!(chosen.at(versine), typed);

@@ -238,7 +238,7 @@ fn any_profile_is_what_it_was() {
     assert_within(InvertedPower::<1>, 4e-7);
     assert_within(InvertedPower::<2>, 4e-7);
     assert_within(InvertedPower::<6>, 4e-7);
-    assert_same(FittedFalloff::Quadratic(profiles::blend()));
+    assert_same(FittedFalloff::Quadratic(profiles::quadratic()));
     assert_same(FittedFalloff::Cubic(profiles::cubic()));
 }
 
@@ -289,10 +289,7 @@ fn a_lamp_calls_for_what_it_is() -> Result<(), Error> {
     assert_eq!(sun.effects().to_string(), "diffuse, directional");
     let cone = spot(Linear)?.cone().with_inner(Angle::degrees(10.0))?.with_cutoff(Angle::degrees(30.0))?;
     let cut = Fixture::from(spot(Linear)?.with_cone(cone)).with_shadow(64)?;
-    assert_eq!(
-        cut.effects().to_string(),
-        "diffuse, spot, linear, hotspot, delimiter, inverse-square, shadow"
-    );
+    assert_eq!(cut.effects().to_string(), "diffuse, spot, linear, hotspot, cutoff, inverse-square, shadow");
     assert_eq!((cut.shadow().map(|(side, _)| side), cut.lamp().intensity()), (Some(64), 1.0));
     Ok(())
 }

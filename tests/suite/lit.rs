@@ -113,18 +113,18 @@ fn smooth_range_keeps_its_row() {
 }
 
 #[test]
-fn windowed_keeps_its_row() {
+fn gltf_range_keeps_its_row() {
     assert_distance(
-        "windowed",
+        "glTF range",
         |r| GltfRange::new(InverseSquare, Some(r)).expect("sound"),
-        reference::windowed,
+        reference::gltf_range,
     );
 }
 
 #[test]
-fn squared_window_keeps_its_row() {
+fn filament_range_keeps_its_row() {
     let model = |r| FilamentRange::new(InverseSquare, Some(r)).expect("sound");
-    assert_distance("squared window", model, reference::squared_window);
+    assert_distance("Filament range", model, reference::filament_range);
 }
 
 /// A cut changes no bit within its range and leaves none beyond. At the range itself the squared distance decides, as the
@@ -213,7 +213,7 @@ fn dual_cone_keeps_its_rows() {
 
 #[test]
 fn lyon_keeps_its_rows() {
-    assert_highlight::<DifferenceForm<Phong, 2>>("lyon", reference::lyon, [4, 32, 256]);
+    assert_highlight::<DifferenceForm<Phong, 2>>("difference-form", reference::lyon, [4, 32, 256]);
 }
 
 /// A mirror image in a level surface is seen from this versine off it.
@@ -257,7 +257,7 @@ fn lyons_form_is_as_near_to_the_power_as_is_stated() {
                 })
                 .fold(0.0, f64::max);
             println!("lyon {squarings} squarings, shininess {shininess}: {largest:.2e}");
-            bounds::check("lyon", largest, bound).expect("the stated difference");
+            bounds::check("difference-form", largest, bound).expect("the stated difference");
         }
     }
 }

@@ -292,9 +292,9 @@ fn what_has_no_place_is_off_the_square() {
     assert!(!square.place(Vec3::new(f32::INFINITY, -1.0, 0.0)).is_inside());
 }
 
-/// The square is as wide as the cone is in truth: a delimiter makes it smaller, and OpenGL's cones have one.
+/// The square is as wide as the cone is in truth: a cutoff makes it smaller, and OpenGL's cones have one.
 #[test]
-fn a_square_is_that_of_the_delimiter() {
+fn a_square_is_that_of_the_cutoff() {
     let cone = Cone::<Power<8>>::opengl(sweep::half(30.0)).expect("sound");
     let spot = SpotLight::new(Vec3::default(), Vec3::new(0.0, -1.0, 0.0), cone).expect("sound");
     let tangent = Projection::of(&spot).expect("not too wide").tangent();

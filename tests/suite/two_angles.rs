@@ -98,7 +98,7 @@ fn every_ratio_is_reached() {
 fn the_ends_of_the_ratios_are_soft_hard_and_a_step() {
     let slope = |field| match Cone::from_beam_and_field(degrees(10.0), degrees(field)).expect("ok").profile()
     {
-        FittedFalloff::Quadratic(blend) => blend.edge_slope(),
+        FittedFalloff::Quadratic(quadratic) => quadratic.edge_slope(),
         FittedFalloff::Cubic(cubic) => panic!("{cubic:?}"),
     };
     let field = |profile: &dyn Fn() -> Angle| profile().to_degrees();

@@ -20,10 +20,10 @@ pub const DISTANCES: [Row; 7] = [
     row("unattenuated",      [1.0e-3, 1.0e-3, 3.3e-3, 3.3e-3, 3.0e-2, 1.1e-2]),
     row("polynomial",        [1.0e-3, 7.2e-3, 6.0e-3, 5.2e-3, 9.9e-3, 7.3e-3]),
     row("smooth range",      [1.0e-3, 1.5e-3, 1.3e-3, 1.4e-3, 9.7e-3, 3.6e-3]),
-    row("windowed",          [7.0e-4, 2.2e-4, 3.6e-4, 2.7e-4, 8.8e-4, 2.3e-3]),
-    row("squared window",    [7.0e-4, 4.4e-4, 3.5e-4, 4.6e-4, 9.5e-4, 2.3e-3]),
-    row("faded",             [7.0e-4, 4.4e-4, 3.5e-4, 4.6e-4, 9.5e-4, 2.3e-3]),
-    row("hard range",        [7.0e-4, 2.4e-4, 3.6e-4, 2.8e-4, 9.0e-4, 2.3e-3]),
+    row("glTF range",        [7.0e-4, 2.2e-4, 3.6e-4, 2.7e-4, 8.8e-4, 2.3e-3]),
+    row("Filament range",    [7.0e-4, 4.4e-4, 3.5e-4, 4.6e-4, 9.5e-4, 2.3e-3]),
+    row("windowed",          [7.0e-4, 4.4e-4, 3.5e-4, 4.6e-4, 9.5e-4, 2.3e-3]),
+    row("cut at",            [7.0e-4, 2.4e-4, 3.6e-4, 2.8e-4, 9.0e-4, 2.3e-3]),
 ];
 
 /// The soft edge by samples of what gets through, in waves of ten units.
@@ -56,5 +56,5 @@ pub const LAWS: [(&str, f64); 7] = [
 #[rustfmt::skip]
 pub const CRITICAL: [Row; 2] = [
     row("inverse square",    [4.7e-5, 1.1e-5, 8.6e-6, 6.7e-6, 1.0e-5, 6.3e-6]),
-    row("squared window",    [1.2e-2, 1.5e-2, 1.5e-2, 1.5e-2, 1.4e-2, 3.0e-2]),
+    row("Filament range",    [1.2e-2, 1.5e-2, 1.5e-2, 1.5e-2, 1.4e-2, 3.0e-2]),
 ];

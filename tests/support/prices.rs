@@ -15,8 +15,8 @@ pub const DISTANCE: [Row; 6] = [
     Row { model: "inverse square",    bounds: [6.6e-7, 6.5e-9, 3.9e-4] },
     Row { model: "polynomial",        bounds: [4.4e-7, 1.4e-8, 1.5e-4] },
     Row { model: "smooth range",      bounds: [3.6e-7, 6.1e-8, 1.9e-4] },
-    Row { model: "windowed",          bounds: [6.6e-7, 3.0e-8, 3.5e-4] },
-    Row { model: "squared window",    bounds: [6.7e-7, 2.6e-8, 3.8e-4] },
+    Row { model: "glTF range",        bounds: [6.6e-7, 3.0e-8, 3.5e-4] },
+    Row { model: "Filament range",    bounds: [6.7e-7, 2.6e-8, 3.8e-4] },
 ];
 
 /// The error of a highlight, from positions and a normal as the format stores them, at shininess 2, 32 and 256.

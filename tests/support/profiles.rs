@@ -6,7 +6,7 @@ use luminaire::{
     falloff::{Cubic, Falloff, Power, Quadratic},
 };
 
-pub fn blend() -> Quadratic {
+pub fn quadratic() -> Quadratic {
     Quadratic::new(0.5).expect("a sound slope")
 }
 
@@ -34,9 +34,9 @@ impl<P: Falloff> Shape<P> {
         Self { name, cone: hotspot, profile, exact: exact_hotspot, oracle }
     }
 
-    /// The profile, delimited at 0.75 of its half angle.
-    pub fn delimited(name: &'static str, profile: P, oracle: reference::Falloff) -> Self {
-        Self { name, cone: delimited, profile, exact: exact_delimited, oracle }
+    /// The profile, cut off at 0.75 of its half angle.
+    pub fn with_cutoff(name: &'static str, profile: P, oracle: reference::Falloff) -> Self {
+        Self { name, cone: with_cutoff, profile, exact: exact_cut, oracle }
     }
 
     pub fn at(&self, half_degrees: f32) -> Cone<P> {
@@ -69,9 +69,9 @@ impl<const N: u32> Shape<Power<N>> {
     }
 }
 
-/// The inner half angle of a hotspot, and the delimiter, as fractions of the outer half angle.
+/// The inner half angle of a hotspot, and the cutoff, as fractions of the outer half angle.
 const HOTSPOT: f32 = 0.5;
-const DELIMITER: f32 = 0.75;
+const CUTOFF: f32 = 0.75;
 
 fn plain<P: Falloff>(profile: P, half_degrees: f32) -> Cone<P> {
     Cone::from_outer(profile, sweep::half(half_degrees)).expect("a sound cone")
@@ -82,9 +82,9 @@ fn hotspot<P: Falloff>(profile: P, half_degrees: f32) -> Cone<P> {
     cone.with_inner(sweep::half(half_degrees * HOTSPOT)).expect("a sound hotspot")
 }
 
-fn delimited<P: Falloff>(profile: P, half_degrees: f32) -> Cone<P> {
+fn with_cutoff<P: Falloff>(profile: P, half_degrees: f32) -> Cone<P> {
     let cone = plain(profile, half_degrees);
-    cone.with_cutoff(sweep::half(half_degrees * DELIMITER)).expect("a sound delimiter")
+    cone.with_cutoff(sweep::half(half_degrees * CUTOFF)).expect("a sound cutoff")
 }
 
 fn exact_hotspot(profile: reference::Falloff, outer: f64) -> reference::Cone {
@@ -92,8 +92,8 @@ fn exact_hotspot(profile: reference::Falloff, outer: f64) -> reference::Cone {
     reference::Cone { inner, ..reference::Cone::new(profile, outer) }
 }
 
-fn exact_delimited(profile: reference::Falloff, outer: f64) -> reference::Cone {
-    let limit = reference::versine(reference::half_degrees(outer) * f64::from(DELIMITER));
+fn exact_cut(profile: reference::Falloff, outer: f64) -> reference::Cone {
+    let limit = reference::versine(reference::half_degrees(outer) * f64::from(CUTOFF));
     reference::Cone { limit, ..reference::Cone::new(profile, outer) }
 }
 
@@ -102,14 +102,14 @@ pub const STRICT: [&str; 12] = [
     "soft",
     "hard",
     "linear",
-    "cut-off",
+    "step",
     "power",
     "power-4",
     "power-15",
-    "rim",
-    "rim-4",
+    "inverted-power",
+    "inverted-power-4",
     "soft-hotspot",
-    "soft-delimited",
+    "soft-cutoff",
     "opengl-15",
 ];
 
@@ -149,7 +149,7 @@ macro_rules! shapes {
             )*
             $crate::shapes!(@call $function Shape::plain("power-15", Power::<15>, reference::power_15)),
             $crate::shapes!(@call $function Shape::hotspot("soft-hotspot", Soft, reference::soft)),
-            $crate::shapes!(@call $function Shape::delimited("soft-delimited", Soft, reference::soft)),
+            $crate::shapes!(@call $function Shape::with_cutoff("soft-cutoff", Soft, reference::soft)),
             $crate::shapes!(@call $function Shape::<Power<15>>::opengl("opengl-15", reference::power_15)),
         ]
     }};

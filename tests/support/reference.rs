@@ -23,7 +23,7 @@ pub fn linear(t: f64) -> f64 {
 }
 
 /// A single umbra.
-pub fn cut_off(t: f64) -> f64 {
+pub fn step(t: f64) -> f64 {
     if t > 0.0 { 1.0 } else { 0.0 }
 }
 
@@ -33,7 +33,7 @@ pub fn smooth(t: f64) -> f64 {
 }
 
 /// The quadratic halfway from soft to linear, by its coefficients.
-pub fn blend(t: f64) -> f64 {
+pub fn quadratic(t: f64) -> f64 {
     0.5 * t + 0.5 * t * t
 }
 
@@ -51,7 +51,7 @@ pub fn power_15(t: f64) -> f64 {
 }
 
 /// Godot.
-pub fn rim_4(t: f64) -> f64 {
+pub fn inverted_power_4(t: f64) -> f64 {
     1.0 - (1.0 - t).powi(4)
 }
 
@@ -77,12 +77,12 @@ pub struct Cone {
     pub profile: Falloff,
     pub inner: f64,
     pub outer: f64,
-    /// Where a delimiter cuts the cone off; `outer` where there is none.
+    /// Where a cutoff cuts the cone off; `outer` where there is none.
     pub limit: f64,
 }
 
 impl Cone {
-    /// Without a hotspot or a delimiter.
+    /// Without a hotspot or a cutoff.
     pub fn new(profile: Falloff, outer: f64) -> Self {
         Self { profile, inner: 0.0, outer, limit: outer }
     }
@@ -149,12 +149,12 @@ pub fn smooth_range(range: f64, d: f64) -> f64 {
 }
 
 /// KHR_lights_punctual of glTF.
-pub fn windowed(range: f64, d: f64) -> f64 {
+pub fn gltf_range(range: f64, d: f64) -> f64 {
     (1.0 - (d / range).powi(4)).clamp(0.0, 1.0) / (d * d)
 }
 
 /// Filament, Bevy, three.js.
-pub fn squared_window(range: f64, d: f64) -> f64 {
+pub fn filament_range(range: f64, d: f64) -> f64 {
     (1.0 - (d / range).powi(4)).clamp(0.0, 1.0).powi(2) / (d * d)
 }
 

@@ -16,13 +16,13 @@ pub(super) fn components(v: Vec3<f32>) -> [f32; 3] {
 }
 
 /// The description of a cone: which angle is given (0 outer, 1 beam, 2 field), that angle, and the inner and the
-/// delimiter's, where they are not zero; all full angles in degrees.
+/// cutoff's, where they are not zero; all full angles in degrees.
 pub(super) struct Description<P> {
     profile: Result<P, Error>,
     design: u32,
     angle: f32,
     inner: f32,
-    delimiter: f32,
+    cutoff: f32,
 }
 
 impl<P: Falloff> Description<P> {
@@ -32,7 +32,7 @@ impl<P: Falloff> Description<P> {
             design: case.whole("design"),
             angle: case.number("angle"),
             inner: case.number("inner"),
-            delimiter: case.number("delimiter"),
+            cutoff: case.number("cutoff"),
         }
     }
 
@@ -46,8 +46,8 @@ impl<P: Falloff> Description<P> {
         if self.inner != 0.0 {
             cone = cone.with_inner(Angle::degrees(self.inner))?;
         }
-        if self.delimiter != 0.0 {
-            cone = cone.with_cutoff(Angle::degrees(self.delimiter))?;
+        if self.cutoff != 0.0 {
+            cone = cone.with_cutoff(Angle::degrees(self.cutoff))?;
         }
         Ok(cone)
     }
@@ -71,14 +71,14 @@ pub(super) fn cone<P: Falloff>(
     Ok(())
 }
 
-/// As a cone; then the slopes of a cubic, at the edge and in the middle, or the edge slope of a blend.
+/// As a cone; then the slopes of a cubic, at the edge and in the middle, or the edge slope of a quadratic.
 pub(super) fn two_angles(case: &mut Case<'_>) -> Outcome {
     let (beam, field) = (case.number("beam"), case.number("field"));
     let cone = Cone::from_beam_and_field(Angle::degrees(beam), Angle::degrees(field))?;
     give(case, &cone);
     case.give(cone.inner().to_degrees());
     match cone.profile() {
-        FittedFalloff::Quadratic(blend) => case.give(blend.edge_slope()),
+        FittedFalloff::Quadratic(quadratic) => case.give(quadratic.edge_slope()),
         FittedFalloff::Cubic(cubic) => {
             case.give(cubic.edge_slope());
             case.give(cubic.middle_slope());
@@ -98,7 +98,7 @@ pub(super) fn two_angles_and_slope(case: &mut Case<'_>) -> Outcome {
 
 /// As a cone, from OpenGL's cutoff, a half angle in degrees.
 pub(super) fn opengl(case: &mut Case<'_>) -> Outcome {
-    let cone = Cone::<Power<15>>::opengl(HalfAngle::degrees(case.number("cutoff")))?;
+    let cone = Cone::<Power<15>>::opengl(HalfAngle::degrees(case.number("spot cutoff")))?;
     give(case, &cone);
     Ok(())
 }

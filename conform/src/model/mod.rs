@@ -70,8 +70,8 @@ macro_rules! once {
     };
 }
 
-fn blend(case: &mut Case<'_>) -> Result<Quadratic, luminaire::Error> {
-    Quadratic::new(case.number("edge slope of a blend"))
+fn quadratic(case: &mut Case<'_>) -> Result<Quadratic, luminaire::Error> {
+    Quadratic::new(case.number("edge slope of a quadratic"))
 }
 
 fn cubic(case: &mut Case<'_>) -> Result<Cubic, luminaire::Error> {
@@ -110,14 +110,14 @@ pub fn models() -> impl Iterator<Item = &'static Model> {
 }
 
 static WRITTEN: &[Model] = &[
-    once!("cone blend", case => falloff::cone(case, blend)),
+    once!("cone quadratic", case => falloff::cone(case, quadratic)),
     once!("cone cubic", case => falloff::cone(case, cubic)),
     once!("cone power-15", case => falloff::cone(case, |_| Ok(Power::<15>))),
     once!("cone table", case => falloff::cone(case, table)),
     once!("cone two-angles", case => falloff::two_angles(case)),
     once!("cone two-angles-and-slope", case => falloff::two_angles_and_slope(case)),
     once!("cone opengl-15", case => falloff::opengl(case)),
-    each!("falloff blend", S, case => falloff::falloff::<S, _>(case, blend)),
+    each!("falloff quadratic", S, case => falloff::falloff::<S, _>(case, quadratic)),
     each!("falloff cubic", S, case => falloff::falloff::<S, _>(case, cubic)),
     each!("falloff power-1", S, case => falloff::falloff::<S, _>(case, |_| Ok(Power::<1>))),
     each!("falloff power-15", S, case => falloff::falloff::<S, _>(case, |_| Ok(Power::<15>))),
@@ -131,12 +131,12 @@ static WRITTEN: &[Model] = &[
     each!("point inverse-square", S, case => light::point::<S, _>(case, |_| Ok(InverseSquare))),
     each!("point polynomial", S, case => light::point::<S, _>(case, polynomial)),
     each!("point smooth-range", S, case => light::point::<S, _>(case, |case| SmoothRange::new(range(case)))),
-    each!("point windowed", S, case => light::point::<S, _>(case, |case| GltfRange::new(InverseSquare, Some(range(case))))),
-    each!("point windowed-without-range", S, case => light::point::<S, _>(case, |_| GltfRange::new(InverseSquare, None))),
-    each!("point squared-window", S, case => {
+    each!("point gltf-range", S, case => light::point::<S, _>(case, |case| GltfRange::new(InverseSquare, Some(range(case))))),
+    each!("point gltf-range-without-range", S, case => light::point::<S, _>(case, |_| GltfRange::new(InverseSquare, None))),
+    each!("point filament-range", S, case => {
         light::point::<S, _>(case, |case| FilamentRange::new(InverseSquare, Some(range(case))))
     }),
-    each!("point hard-range", S, case => {
+    each!("point cut-at", S, case => {
         light::point::<S, _>(case, |case| CutAt::new(NoAttenuation, Some(range(case))))
     }),
     each!("place", S, case => beam::place::<S>(case)),
@@ -149,8 +149,8 @@ static WRITTEN: &[Model] = &[
     each!("reflect phong", S, case => material::reflect::<S, _>(case, Phong)),
     each!("reflect blinn-phong", S, case => material::reflect::<S, _>(case, BlinnPhong)),
     each!("reflect dual-cone", S, case => material::reflect::<S, _>(case, DualConeLobe)),
-    each!("reflect lyon-2-phong", S, case => material::reflect::<S, _>(case, DifferenceForm::<_, 2>(Phong))),
-    each!("reflect lyon-3-blinn-phong", S, case => material::reflect::<S, _>(case, DifferenceForm::<_, 3>(BlinnPhong))),
+    each!("reflect difference-form-2-phong", S, case => material::reflect::<S, _>(case, DifferenceForm::<_, 2>(Phong))),
+    each!("reflect difference-form-3-blinn-phong", S, case => material::reflect::<S, _>(case, DifferenceForm::<_, 3>(BlinnPhong))),
     each!("glow", S, case => material::glow::<S>(case)),
     each!("view", S, case => material::view::<S>(case)),
     each!("lit-point", S, case => material::lit_point::<S>(case)),

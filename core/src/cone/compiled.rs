@@ -36,7 +36,7 @@ impl<S: Scalar, P: Falloff> CompiledCone<S, P> {
     }
 
     /// The intensity at a versine, in the scale of [`versine`](Self::versine): exactly 0 from the outer versine or a
-    /// delimiter on, exactly 1 at versine 0 and within the hotspot, monotone between (tables aside, and cubics within
+    /// cutoff on, exactly 1 at versine 0 and within the hotspot, monotone between (tables aside, and cubics within
     /// a step of the format).
     #[inline(always)] // `table.f32` on Cortex-M0: +73 without.
     pub fn at(&self, versine: S::Versine) -> S {

@@ -21,7 +21,7 @@ impl Cone<FittedFalloff> {
     /// | 1.3416 to 2.3345 | the [`Quadratic`] of hard and soft that has this ratio |
     /// | 2.3345 to 5.437 | the [`Cubic`] of edge slope 1.34 that has this ratio |
     ///
-    /// The two quadratics of Hast 2004 are the ends of the middle row. In wide cones a blend's outer angle may pass
+    /// The two quadratics of Hast 2004 are the ends of the middle row. In wide cones a quadratic's outer angle may pass
     /// 180 degrees where a cubic's does not; then it is the cubic.
     ///
     /// ```
@@ -117,8 +117,8 @@ fn fitted(beam: f32, field: f32) -> Option<Cone<FittedFalloff>> {
     let quadratic = if ratio <= HARD_RATIO {
         Some(hotspot(beam, field))
     } else if ratio <= SOFT_RATIO {
-        let blend = fit::quadratic(ratio);
-        Some(Cone::open(FittedFalloff::Quadratic(blend), 0.0, field / blend.field_versine()))
+        let quadratic = fit::quadratic(ratio);
+        Some(Cone::open(FittedFalloff::Quadratic(quadratic), 0.0, field / quadratic.field_versine()))
     } else {
         None
     };

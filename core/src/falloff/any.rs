@@ -102,7 +102,7 @@ impl AnyFalloff {
     }
 
     /// `1 - u^n` by the cheapest profile that has it, for `n` from 1 to 1,024.
-    pub(crate) fn rim(exponent: u32) -> Self {
+    pub(crate) fn inverted_power(exponent: u32) -> Self {
         match exponent {
             1 => Self::Linear(Linear),
             2 => Self::Hard(Hard),
@@ -119,7 +119,7 @@ impl<const N: u32> From<Power<N>> for AnyFalloff {
 
 impl<const N: u32> From<InvertedPower<N>> for AnyFalloff {
     fn from(_: InvertedPower<N>) -> Self {
-        Self::rim(sound::<N>())
+        Self::inverted_power(sound::<N>())
     }
 }
 
@@ -135,7 +135,7 @@ impl From<SoftOrHard> for AnyFalloff {
 impl From<FittedFalloff> for AnyFalloff {
     fn from(fitted: FittedFalloff) -> Self {
         match fitted {
-            FittedFalloff::Quadratic(blend) => Self::Quadratic(blend),
+            FittedFalloff::Quadratic(quadratic) => Self::Quadratic(quadratic),
             FittedFalloff::Cubic(cubic) => Self::Cubic(cubic),
         }
     }

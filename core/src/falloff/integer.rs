@@ -15,7 +15,7 @@ pub struct IntegerPower {
     exponent: u32,
 }
 
-/// The rim power `1 - u^n` of an exponent that is known at run time, with the bits of [`InvertedPower`](crate::falloff::InvertedPower).
+/// The inverted power `1 - u^n` of an exponent that is known at run time, with the bits of [`InvertedPower`](crate::falloff::InvertedPower).
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct InvertedIntegerPower {
     exponent: u32,
@@ -124,7 +124,7 @@ impl IntegerPower {
 }
 
 impl InvertedIntegerPower {
-    /// The rim power of this exponent.
+    /// The inverted power of this exponent.
     ///
     /// # Errors
     /// An exponent outside 1 to 1,024.
@@ -132,12 +132,12 @@ impl InvertedIntegerPower {
         Ok(Self { exponent: checked(exponent, 1, MOST)? })
     }
 
-    /// The rim power of an exponent that is known to be sound.
+    /// The inverted power of an exponent that is known to be sound.
     pub(crate) const fn of(exponent: u32) -> Self {
         Self { exponent }
     }
 
-    /// The rim power of this exponent clamped to [1, 1024], as [`codegen`](crate::codegen) writes it.
+    /// The inverted power of this exponent clamped to [1, 1024], as [`codegen`](crate::codegen) writes it.
     pub const fn from_bits(exponent: u32) -> Self {
         Self { exponent: clamped(exponent, 1, MOST) }
     }

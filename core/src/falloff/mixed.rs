@@ -25,7 +25,7 @@ use crate::{
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct MixedPower(Mixture);
 
-/// The mixture `1 - (1 - s) u^n - s u^m` of two rim powers, the mirror image of [`MixedPower`].
+/// The mixture `1 - (1 - s) u^n - s u^m` of two inverted powers, the mirror image of [`MixedPower`].
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct InvertedMixedPower(Mixture);
 
@@ -109,7 +109,7 @@ impl MixedPower {
 }
 
 impl InvertedMixedPower {
-    /// The mixture of the rim powers of two exponents, the smaller one first, with this share of the larger.
+    /// The mixture of the inverted powers of two exponents, the smaller one first, with this share of the larger.
     ///
     /// # Errors
     /// A first exponent outside 1 to 1,023, a second one that is not larger or over 1,024, or a share outside [0,
@@ -118,7 +118,7 @@ impl InvertedMixedPower {
         Mixture::checked(1, exponents, share).map(Self)
     }
 
-    /// The mixture of the rim powers of two exponents and a share of these bits, as [`codegen`](crate::codegen) writes them; each is
+    /// The mixture of the inverted powers of two exponents and a share of these bits, as [`codegen`](crate::codegen) writes them; each is
     /// clamped to where [`new`](Self::new) accepts it, a share of NaN to 0.
     pub const fn from_bits(bits: [u32; 3]) -> Self {
         Self(Mixture::from_bits(1, bits))

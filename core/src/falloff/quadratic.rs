@@ -1,4 +1,4 @@
-//! Profiles up to the second degree: the paper's two, the straight line between them, and every blend of them.
+//! Profiles up to the second degree: the paper's two, the straight line between them, and every quadratic between them.
 
 use core::fmt::{self, Formatter};
 
@@ -58,7 +58,7 @@ impl Quadratic {
         self.edge_slope.to_bits()
     }
 
-    /// The hard edge, as a blend.
+    /// The hard edge, as a quadratic.
     pub(crate) const HARD: Self = Self { edge_slope: 2.0 };
 
     /// The quadratic of the nearest edge slope.
@@ -242,6 +242,6 @@ impl Falloff for Quadratic {
 impl<S: Scalar> Curve<S> for CompiledQuadratic<S> {
     #[inline]
     fn intensity<F: Fraction<S>>(self, t: F) -> F::Value {
-        t.blend(self.g)
+        t.quadratic(self.g)
     }
 }

@@ -23,7 +23,7 @@ pub struct RealPower {
     exponent: f32,
 }
 
-/// The rim power `1 - u^p` of any exponent up to 1,024, the mirror image of [`RealPower`]. An
+/// The inverted power `1 - u^p` of any exponent up to 1,024, the mirror image of [`RealPower`]. An
 /// exponent under 1 has a sharp peak on the axis.
 ///
 /// [Imports](crate::import::Godot) give it a floor: `(1 - max(u, floor)^p) / (1 - floor^p)`.
@@ -82,7 +82,7 @@ impl RealPower {
 }
 
 impl InvertedRealPower {
-    /// The rim power of this exponent.
+    /// The inverted power of this exponent.
     ///
     /// # Errors
     /// An exponent that is not more than 0 and at most 1,024.
@@ -90,13 +90,13 @@ impl InvertedRealPower {
         Ok(Self { exponent: checked(exponent)?, floor: 0.0 })
     }
 
-    /// The rim power of an exponent and a floor that are known to be sound: the power of the floor
+    /// The inverted power of an exponent and a floor that are known to be sound: the power of the floor
     /// is at most 15/16.
     pub(crate) const fn of(exponent: f32, floor: f32) -> Self {
         Self { exponent, floor }
     }
 
-    /// The rim power of an exponent and a floor of these bits, as [`codegen`](crate::codegen) writes them; clamped to
+    /// The inverted power of an exponent and a floor of these bits, as [`codegen`](crate::codegen) writes them; clamped to
     /// [0, 1024] and [0, 1], NaN to 0.
     pub const fn from_bits([exponent, floor]: [u32; 2]) -> Self {
         Self { exponent: clamped_bits(exponent, MOST as f32), floor: clamped_bits(floor, 1.0) }

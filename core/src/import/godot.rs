@@ -70,7 +70,7 @@ impl Godot {
         let whole = exponent as u32;
         let (profile, difference, on_axis) = if whole as f32 == exponent {
             let angle = (1.0 - floored.height()) as f32;
-            (AnyFalloff::rim(whole), Difference { angle: angle * 1.001, ..Difference::NONE }, 1.0)
+            (AnyFalloff::inverted_power(whole), Difference { angle: angle * 1.001, ..Difference::NONE }, 1.0)
         } else {
             (AnyFalloff::InvertedRealPower(floored), Difference::NONE, floored.height() as f32)
         };

@@ -46,7 +46,7 @@ pub trait Fraction<S: Arithmetic>: Copy + PartialOrd + core::fmt::Debug {
     /// `t^2 (3 - 2 t)`: two multiplies.
     fn smooth(self) -> Self::Value;
     /// `t (1 + g u)` for `g` in [-1, 1]: two multiplies.
-    fn blend(self, g: S::Weight) -> Self::Value;
+    fn quadratic(self, g: S::Weight) -> Self::Value;
     /// `t (1 + u (g + h t))` for `g` in [-1, 3], `h` in [-4, 2] and `g + h` in [-3, 1], where it is monotone: three
     /// multiplies.
     fn cubic(self, g: S::Weight, h: S::Weight) -> Self::Value;
@@ -109,7 +109,7 @@ impl Fraction<f32> for FloatFraction {
     }
 
     #[inline]
-    fn blend(self, g: f32) -> f32 {
+    fn quadratic(self, g: f32) -> f32 {
         float::clamp(self.0 * (1.0 + (1.0 - self.0) * g))
     }
 

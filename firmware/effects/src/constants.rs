@@ -21,7 +21,7 @@ macro_rules! constants {
 
 constants! {
     "hotspot.rs" HOTSPOT: CompiledSpotLight<Format, Soft, NoAttenuation>;
-    "delimiter.rs" DELIMITER: CompiledSpotLight<Format, Soft, NoAttenuation>;
+    "cutoff.rs" CUTOFF: CompiledSpotLight<Format, Soft, NoAttenuation>;
     "gobo.rs" GOBO: CompiledGobo<'static, Format>;
     "beam.rs" BEAM: BeamScattering<Soft>;
     "shadow.rs" SHADOW: Shadow<'static, Format>;

@@ -61,7 +61,7 @@ impl Bits {
     }
 
     /// A quadratic of any bits.
-    pub fn any_blend(&mut self) -> Quadratic {
+    pub fn any_quadratic(&mut self) -> Quadratic {
         Quadratic::from_bits(self.word() as u32)
     }
 

@@ -125,7 +125,7 @@ fn of_format<S: SourceScalar>(visit: &mut impl Visit) -> Result<(), Error> {
     Ok(())
 }
 
-/// A profile over the whole cone, around a hotspot, and delimited.
+/// A profile over the whole cone, around a hotspot, and cut off.
 fn spots<S: SourceScalar, P: Falloff + Source>(
     visit: &mut impl Visit,
     profile: Result<P, Error>,
@@ -135,8 +135,8 @@ where
 {
     let plain = Cone::from_outer(profile?, Angle::degrees(40.0))?;
     let hotspot = plain.with_inner(Angle::degrees(13.0))?;
-    let delimited = plain.with_cutoff(Angle::degrees(31.0))?;
-    for (index, cone) in [plain, hotspot, delimited].into_iter().enumerate() {
+    let cut = plain.with_cutoff(Angle::degrees(31.0))?;
+    for (index, cone) in [plain, hotspot, cut].into_iter().enumerate() {
         let spot = SpotLight::new(PLACES[index], AXES[index], cone)?.with_intensity(INTENSITIES[index])?;
         visit.value(format!("{} {spot:?}", S::NAME), spot.compile::<S>()?);
         visit.value(format!("{} {cone:?}", S::NAME), cone.compile::<S>()?);

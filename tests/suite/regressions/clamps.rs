@@ -103,7 +103,7 @@ fn godot_loses_a_lamp_whose_angles_round_to_one() {
         assert_eq!(godot(1e-4, exponent, cosine, (outer as f32).cos()), 0.0);
     }
     let half = (outer as f32).to_degrees();
-    let step = Case { inner: half, ..Case::open("cut-off", Step, reference::cut_off, half) };
+    let step = Case { inner: half, ..Case::open("step", Step, reference::step, half) };
     assert_eq!(step.held_by(), ALL);
     let soft = Case { inner: half, ..Case::open("soft", Soft, reference::soft, half) };
     assert_eq!(soft.held_by(), ALL);
@@ -116,5 +116,8 @@ fn godot_loses_a_lamp_whose_angles_round_to_one() {
 fn godot_raises_zero_to_the_power_of_zero() {
     assert!(godot(0.0, 0.0, 1.0, 0.9).is_nan());
     assert_fault(godot(1e-4, 0.1, 1.0, 0.9), 0.60..=0.61);
-    assert_eq!(Case::open("rim-4", InvertedPower::<4>, reference::rim_4, 30.0).held_by(), ALL);
+    assert_eq!(
+        Case::open("inverted-power-4", InvertedPower::<4>, reference::inverted_power_4, 30.0).held_by(),
+        ALL
+    );
 }

@@ -36,7 +36,7 @@ fn three_js_has_no_number_at_an_edge_without_a_penumbra() {
     assert_eq!([cone.next_up(), cone.next_down()].map(|cosine| smoothstep(cone, inner, cosine)), [1.0, 0.0]);
     assert!(smoothstep(cone, inner, cone).is_nan());
 
-    let step = Case { inner: 20.0, ..Case::open("cut-off", Smooth, reference::cut_off, 20.0) };
+    let step = Case { inner: 20.0, ..Case::open("step", Smooth, reference::step, 20.0) };
     assert_eq!(step.held_by(), ALL);
 }
 

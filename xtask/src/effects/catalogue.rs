@@ -178,10 +178,10 @@ pub(super) static GROUPS: LazyLock<[Group; 6]> = LazyLock::new(|| {
                 what: "Full intensity up to an inner angle: other constants of the same ramp.",
             },
             Entry {
-                title: "delimiter",
-                program: "spot-soft-lambert-delimiter",
+                title: "cutoff",
+                program: "spot-soft-lambert-cutoff",
                 listed: None,
-                effects: Effects::NONE.with(Effect::Delimiter),
+                effects: Effects::NONE.with(Effect::Cutoff),
                 over: Some(SPOT),
                 what: "A cone that is cut off before its profile ends, as by barn doors or a snoot: another constant.",
             },

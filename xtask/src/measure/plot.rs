@@ -237,9 +237,9 @@ mod tests {
             )]),
             bytes: BTreeMap::new(),
         };
-        let list = PriceList { rows: vec![row("soft", 0.02), row("cut-off", 0.0)], ..PriceList::default() };
+        let list = PriceList { rows: vec![row("soft", 0.02), row("step", 0.0)], ..PriceList::default() };
         let svg = draw(&list, &Target::Host);
-        assert!(svg.contains("soft.fx16: 1.5 ns") && !svg.contains("cut-off.fx16"), "{svg}");
+        assert!(svg.contains("soft.fx16: 1.5 ns") && !svg.contains("step.fx16"), "{svg}");
         assert_eq!(ten_to(-4), "10<tspan dy=\"-5\" font-size=\"9\">\u{2212}4</tspan>");
     }
 }

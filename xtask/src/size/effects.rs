@@ -165,7 +165,7 @@ mod tests {
     fn each_effect_has_one_program_and_each_program_one_function() {
         let programs = programs();
         assert!(programs["spot-hard-lambert"].starts_with("<Hard as "), "{programs:?}");
-        assert!(programs["lyon"].starts_with("<DifferenceForm<Phong, 3> as "), "{programs:?}");
+        assert!(programs["difference-form"].starts_with("<DifferenceForm<Phong, 3> as "), "{programs:?}");
         assert!(programs["rgb565-dithered"].ends_with("::rgb565_dithered"), "{programs:?}");
         let functions: std::collections::BTreeSet<_> = programs.values().collect();
         assert_eq!(functions.len(), programs.len());

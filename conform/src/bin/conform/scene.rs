@@ -17,15 +17,15 @@ impl Scene {
         // Half angles are evenly spread over the logarithm, from 1 to 80 degrees.
         let half = libm::exp(random.between(0.0, libm::log(80.0)));
         let inner = if random.below(4) == 0 { half * random.between(0.1, 1.2) } else { 0.0 };
-        let delimiter = if random.below(4) == 0 { 2.0 * half * random.between(0.3, 1.0) } else { 0.0 };
+        let cutoff = if random.below(4) == 0 { 2.0 * half * random.between(0.3, 1.0) } else { 0.0 };
         scene.set("design", random.below(3) as f64);
         scene.set("angle", 2.0 * half);
         scene.set("inner", inner);
-        scene.set("delimiter", delimiter);
+        scene.set("cutoff", cutoff);
         scene.set("beam", half);
         scene.set("field", half * random.between(0.95, 2.4));
-        scene.set("cutoff", half);
-        scene.set("edge slope of a blend", random.between(0.0, 2.0));
+        scene.set("spot cutoff", half);
+        scene.set("edge slope of a quadratic", random.between(0.0, 2.0));
         scene.set("edge slope", random.between(0.0, 3.0));
         scene.set("middle slope", random.between(0.0, 3.0));
         scene.set("versine", versine(half) * random.between(0.0, 1.1));

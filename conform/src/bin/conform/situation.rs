@@ -27,7 +27,7 @@ pub(crate) const SITUATIONS: [Situation; 27] = [
     ("a half space", |scene, _| {
         scene.set("design", 0.0);
         scene.set("angle", 180.0);
-        scene.set("cutoff", 90.0);
+        scene.set("spot cutoff", 90.0);
     }),
     ("inner is outer", |scene, random| {
         plain(scene, 40.0);
@@ -48,9 +48,9 @@ pub(crate) const SITUATIONS: [Situation; 27] = [
         scene.look_at(10.0, 2.0, random);
         scene.set("versine", versine(10.0));
     }),
-    ("at a delimiter", |scene, random| {
+    ("at a cutoff", |scene, random| {
         plain(scene, 40.0);
-        scene.set("delimiter", 20.0);
+        scene.set("cutoff", 20.0);
         scene.look_at(10.0, 2.0, random);
         scene.set("versine", versine(10.0));
     }),
@@ -101,12 +101,12 @@ pub(crate) const SITUATIONS: [Situation; 27] = [
     }),
 ];
 
-/// A cone of this outer angle in degrees, without hotspot and delimiter.
+/// A cone of this outer angle in degrees, without hotspot and cutoff.
 fn plain(scene: &mut Scene, angle: f64) {
-    for (name, value) in [("design", 0.0), ("angle", angle), ("inner", 0.0), ("delimiter", 0.0)] {
+    for (name, value) in [("design", 0.0), ("angle", angle), ("inner", 0.0), ("cutoff", 0.0)] {
         scene.set(name, value);
     }
-    for name in ["beam", "field", "cutoff"] {
+    for name in ["beam", "field", "spot cutoff"] {
         scene.set(name, angle / 2.0);
     }
 }

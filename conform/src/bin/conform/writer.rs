@@ -32,9 +32,37 @@ pub(crate) fn file() -> String {
     file
 }
 
+/// Words of names, and those in their place when the scenes were first drawn: a new name leaves the scenes as they are.
+const FIRST_WORDS: [(&str, &str); 13] = [
+    ("step", "cut-off"),
+    ("quadratic", "blend"),
+    ("inverted-power", "rim"),
+    ("inverted-power-4", "rim-4"),
+    ("inverted-mixed-power", "mixed-rim"),
+    ("inverted-real-power", "real-rim"),
+    ("cut-at", "hard-range"),
+    ("gltf-range", "windowed"),
+    ("gltf-range-without-range", "windowed-without-range"),
+    ("filament-range", "squared-window"),
+    ("difference-form", "lyon"),
+    ("difference-form-2-phong", "lyon-2-phong"),
+    ("difference-form-3-blinn-phong", "lyon-3-blinn-phong"),
+];
+
+/// The name that a section's scenes were first drawn under.
+fn first_name(name: &str) -> String {
+    let mut words: Vec<&str> = name.split(' ').collect();
+    for word in &mut words {
+        if let Some((_, first)) = FIRST_WORDS.iter().find(|(now, _)| now == word) {
+            *word = first;
+        }
+    }
+    words.join(" ")
+}
+
 fn section(file: &mut String, name: &str, evaluate: Evaluate) {
     // Each section has scenes of its own, which stay when others come and go.
-    let seed = name.bytes().fold(0xcbf2_9ce4_8422_2325, |hash: u64, byte| {
+    let seed = first_name(name).bytes().fold(0xcbf2_9ce4_8422_2325, |hash: u64, byte| {
         (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
     });
     let mut random = Random(seed);

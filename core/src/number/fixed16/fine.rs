@@ -81,7 +81,7 @@ impl Fraction<Fx16> for Fine16 {
         self
     }
 
-    #[inline(always)] // `spot-cut-off-lambert` on Cortex-M0: +38 without.
+    #[inline(always)] // `spot-step-lambert` on Cortex-M0: +38 without.
     fn of(self, value: Self) -> Self {
         self.times(value)
     }
@@ -104,7 +104,7 @@ impl Fraction<Fx16> for Fine16 {
     }
 
     #[inline]
-    fn blend(self, g: Weight16) -> Self {
+    fn quadratic(self, g: Weight16) -> Self {
         self.lifted(g.to_bits().wrapping_shl(14))
     }
 

@@ -33,7 +33,7 @@ fn squared_length(vector: Vec3<i32>, shift: u32) -> u32 {
 impl FineRay16 {
     /// The ray of a way whose largest component has 31 bits, and had so many; `estimate` is `2^46 / |W|` within 2.4e-4. The
     /// components of the direction are within 6 units and its length within 3e-8.
-    #[inline(always)] // `spot-rim-lambert` on Cortex-M0: +5 without.
+    #[inline(always)] // `spot-inverted-power-lambert` on Cortex-M0: +5 without.
     pub(super) fn new(way: Vec3<i32>, estimate: u32, bits: u32) -> Self {
         let nearly = way.map(|c| signed_high_product(c, estimate));
         // What the squared length is over one is `x`, and `1 / sqrt(1 + x) = 1 - x / 2 + 3/8 x^2`.

@@ -142,7 +142,7 @@ impl Offset<Fx16> for Offset16 {
     /// 1.15, which leaves it defined.
     type Facing = i32;
 
-    #[inline(always)] // `spot-cut-off-lambert` on Cortex-M0: +9 without.
+    #[inline(always)] // `spot-step-lambert` on Cortex-M0: +9 without.
     fn facing(&self, normal: Vec3<Fx16>) -> i32 {
         let products = normal.zip(self.coarse(), |n, v| i32::from(n.to_bits()) * v);
         products.x.wrapping_add(products.y).wrapping_add(products.z)

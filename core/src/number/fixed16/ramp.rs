@@ -13,7 +13,7 @@ pub struct Ramp16 {
     pub(super) zoom: u32,
     /// Up to here there is all the light.
     inner: u32,
-    /// So far from the inner versine on there is none: at the outer versine, or at that of a tighter delimiter.
+    /// So far from the inner versine on there is none: at the outer versine, or at that of a tighter cutoff.
     width: u32,
     /// Takes the span from inner to outer versine to at most 16 bits.
     shift: u32,

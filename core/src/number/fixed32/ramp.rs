@@ -9,7 +9,7 @@ const ON_AXIS: u64 = 3 * 2 * 2;
 /// A ramp: from the gap between a versine and the outer one to `t`.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Ramp32 {
-    /// From here on there is no light: the outer versine, or that of a tighter delimiter.
+    /// From here on there is no light: the outer versine, or that of a tighter cutoff.
     limit: u64,
     outer: u64,
     /// From here on inwards there is all the light: the inner versine, or [`ON_AXIS`].

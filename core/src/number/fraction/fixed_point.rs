@@ -96,7 +96,7 @@ macro_rules! fraction {
             }
 
             #[inline]
-            fn blend(self, g: $weight) -> $scalar {
+            fn quadratic(self, g: $weight) -> $scalar {
                 const HALF: $signed = 1 << ($weight::FRACTION_BITS - 1);
                 let lift = self.complement().signed().wrapping_mul(g.to_bits());
                 self.lifted(lift.wrapping_add(HALF) >> $weight::FRACTION_BITS)
@@ -106,7 +106,7 @@ macro_rules! fraction {
             fn cubic(self, g: $weight, h: $weight) -> $scalar {
                 const HALF: $signed = 1 << $weight::FRACTION_BITS;
                 let bend = self.signed().wrapping_mul(h.to_bits()).wrapping_add(HALF) >> Self::BITS;
-                self.blend($weight::from_bits(g.to_bits().wrapping_add(bend)))
+                self.quadratic($weight::from_bits(g.to_bits().wrapping_add(bend)))
             }
 
             #[inline]
@@ -233,17 +233,17 @@ mod tests {
         within(over_all_t(Smooth, |t| t * t * (3.0 - 2.0 * t)), 1.3, 1);
     }
 
-    /// Every blend on a grid of 1/32 and every monotone cubic on one of 1/8, over every `t`.
+    /// Every quadratic on a grid of 1/32 and every monotone cubic on one of 1/8, over every `t`.
     #[test]
     fn all_blends_and_cubics_fall_by_a_step_at_most() {
         let (mut worst, mut fall) = (0.0_f64, 0);
         for slope in 0..=64_u8 {
             let a = f64::from(slope) / 32.0;
-            let blend = Quadratic::new(a as f32).expect("sound");
-            let (error, falls) = over_all_t(blend, |t| t * (a + (1.0 - a) * t));
+            let quadratic = Quadratic::new(a as f32).expect("sound");
+            let (error, falls) = over_all_t(quadratic, |t| t * (a + (1.0 - a) * t));
             (worst, fall) = (worst.max(error), fall.max(falls));
         }
-        assert!((0.5..=0.8).contains(&worst) && fall <= 1, "blends: {worst}, fall by {fall}");
+        assert!((0.5..=0.8).contains(&worst) && fall <= 1, "quadratics: {worst}, fall by {fall}");
         (worst, fall) = (0.0, 0);
         let mut count = 0;
         for (edge, middle) in (0..=32_u8).flat_map(|edge| (0..=32_u8).map(move |middle| (edge, middle))) {
@@ -277,10 +277,10 @@ mod tests {
         for (i, j) in (0..6).flat_map(|i| (0..6).map(move |j| (i, j))) {
             for t in [0, 1, 12_345, 16_384, 32_767, 32_768_u16] {
                 let (narrow, fine) = (Fraction16(t.into()), Fraction32(u32::from(t) << 16));
-                for value in [narrow.blend(weights[i]), narrow.cubic(weights[i], weights[j])] {
+                for value in [narrow.quadratic(weights[i]), narrow.cubic(weights[i], weights[j])] {
                     assert!((Fx16::ZERO..=Fx16::ONE).contains(&value));
                 }
-                for value in [fine.blend(wide[i]), fine.cubic(wide[i], wide[j])] {
+                for value in [fine.quadratic(wide[i]), fine.cubic(wide[i], wide[j])] {
                     assert!((Fx32::ZERO..=Fx32::ONE).contains(&value));
                 }
             }

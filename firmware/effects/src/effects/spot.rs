@@ -2,11 +2,11 @@
 
 use luminaire::{falloff::Soft, haze::ViewRay};
 
-use crate::constants::{BEAM, DELIMITER, GOBO, HOTSPOT, SHADOW};
+use crate::constants::{BEAM, CUTOFF, GOBO, HOTSPOT, SHADOW};
 use crate::{Format, Irradiance, Listed, Surface};
 
 list! {
-    surface: spot_soft spot_soft_lambert_hotspot spot_soft_lambert_delimiter spot_soft_lambert_gobo
+    surface: spot_soft spot_soft_lambert_hotspot spot_soft_lambert_cutoff spot_soft_lambert_gobo
         spot_soft_lambert_shadow;
     view: haze;
 }
@@ -19,8 +19,8 @@ pub fn spot_soft_lambert_hotspot(Surface { point, normal, .. }: Surface) -> Irra
 
 /// A soft edge that is cut off before it ends.
 #[inline(always)]
-pub fn spot_soft_lambert_delimiter(Surface { point, normal, .. }: Surface) -> Irradiance {
-    DELIMITER.irradiance(point, normal)
+pub fn spot_soft_lambert_cutoff(Surface { point, normal, .. }: Surface) -> Irradiance {
+    CUTOFF.irradiance(point, normal)
 }
 
 /// The falloff of the soft spotlight alone.

@@ -30,10 +30,10 @@ const PATTERN: [u8; 9] = [255, 0, 1, 254, 127, 128, 3, 200, 40];
 
 fn of_format<S: Raw>(bits: &mut Bits) {
     let (g, h) = (S::raw_weight(bits.word()), S::raw_weight(bits.word()));
-    let (blend, cubic) = (CompiledQuadratic::from_parts(g), CompiledCubic::from_parts(g, h));
-    let any_blend = Quadratic::from_bits(bits.word() as u32);
+    let (quadratic, cubic) = (CompiledQuadratic::from_parts(g), CompiledCubic::from_parts(g, h));
+    let any_quadratic = Quadratic::from_bits(bits.word() as u32);
     let any_cubic = Cubic::from_bits([bits.word() as u32, bits.word() as u32]);
-    falls::<S, _>(bits, any_blend, blend);
+    falls::<S, _>(bits, any_quadratic, quadratic);
     falls::<S, _>(bits, any_cubic, cubic);
     falls::<S, _>(bits, Power::<1>, Power);
     falls::<S, _>(bits, Power::<15>, Power);
@@ -44,7 +44,7 @@ fn of_format<S: Raw>(bits: &mut Bits) {
     listed::<S>(bits);
     let edge = if bits.word() == 0 { SoftOrHard::Soft } else { SoftOrHard::Hard };
     falls::<S, _>(bits, edge, edge);
-    falls::<S, _>(bits, FittedFalloff::Quadratic(any_blend), CompiledFittedFalloff::Quadratic(blend));
+    falls::<S, _>(bits, FittedFalloff::Quadratic(any_quadratic), CompiledFittedFalloff::Quadratic(quadratic));
     falls::<S, _>(bits, FittedFalloff::Cubic(any_cubic), CompiledFittedFalloff::Cubic(cubic));
     let [a, b, c] = core::array::from_fn(|_| S::raw_gain(bits.word()));
     reaches::<S, NoAttenuation>(bits, ());

@@ -132,7 +132,7 @@ fn bends<S: Raw, F: Fraction<S>>(bits: &mut Bits, t: F, other: F) {
     black_box(<F as Fraction<S>>::mixed(value, t.scalar(), S::scalar(bits.word())));
     black_box((Fraction::step(t), Fraction::smooth(t)));
     let (g, h) = (S::raw_weight(bits.word()), S::raw_weight(bits.word()));
-    black_box((Fraction::blend(t, g), Fraction::cubic(t, g, h)));
+    black_box((Fraction::quadratic(t, g), Fraction::cubic(t, g, h)));
     let samples: [u16; 4] = bits.column(|bits| bits as u16);
     black_box(Fraction::sample(t, black_box(&samples[..])));
     let knots: [Knot; 4] =

@@ -42,9 +42,9 @@ fn of_format<S: Raw>(bits: &mut Bits) {
     designs::<S, _>(bits, Power::<15>);
     let edge = if bits.choice(2) == 0 { SoftOrHard::Soft } else { SoftOrHard::Hard };
     designs::<S, _>(bits, edge);
-    let (blend, cubic) = (bits.any_blend(), bits.any_cubic());
+    let (quadratic, cubic) = (bits.any_quadratic(), bits.any_cubic());
     let fitted =
-        if bits.choice(2) == 0 { FittedFalloff::Quadratic(blend) } else { FittedFalloff::Cubic(cubic) };
+        if bits.choice(2) == 0 { FittedFalloff::Quadratic(quadratic) } else { FittedFalloff::Cubic(cubic) };
     designs::<S, _>(bits, fitted);
     let matched = bits.any_profile();
     designs::<S, _>(bits, matched);
@@ -61,7 +61,7 @@ fn of_format<S: Raw>(bits: &mut Bits) {
 /// All cones of a profile, each with what it answers.
 #[inline(never)]
 fn designs<S: Raw, P: Falloff>(bits: &mut Bits, profile: P) {
-    let [angle, inner, delimiter] = from_fn(|_| Angle::degrees(bits.float()));
+    let [angle, inner, cutoff] = from_fn(|_| Angle::degrees(bits.float()));
     black_box([profile.beam_versine(), profile.field_versine()]);
     black_box([profile.steepness(bits.float()), profile.integral(bits.float())]);
     black_box(Cone::narrowest::<S>(profile));
@@ -70,7 +70,7 @@ fn designs<S: Raw, P: Falloff>(bits: &mut Bits, profile: P) {
         1 => Cone::from_beam(profile, angle),
         _ => Cone::from_outer(profile, angle),
     };
-    let made = made.and_then(|cone| cone.with_inner(inner)?.with_cutoff(delimiter));
+    let made = made.and_then(|cone| cone.with_inner(inner)?.with_cutoff(cutoff));
     if let Ok(cone) = made {
         black_box([cone.inner(), cone.beam(), cone.field(), cone.outer()]);
         black_box([
