@@ -1,5 +1,5 @@
 //! What a picture of the stage costs at 960 x 540, pass by pass, in one run: geometry, light of three and of
-//! eight spots, encoding; the light of scenes with many lamps; and a shadow map.
+//! eight spots, encoding; the light of scenes with many lights; and a shadow map.
 //!
 //! `cargo bench --bench render`.
 
@@ -70,7 +70,7 @@ impl<S: Format> Bench<S> {
 
 /// The same spotlights, each a thousandth brighter.
 fn brighter(lights: &[Fixture]) -> Vec<Fixture> {
-    let brighter = |light: &Fixture| match light.lamp() {
+    let brighter = |light: &Fixture| match light.light() {
         AnyLight::Spot(spot) => {
             spot.with_intensity(1.001 * spot.intensity()).expect("a sound intensity").into()
         }
@@ -94,13 +94,13 @@ fn bench<S: Format>(criterion: &mut Criterion) {
     group.finish();
 }
 
-/// Scenes in which every lamp changes from one picture to the next.
+/// Scenes in which every light changes from one picture to the next.
 fn scenes(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("render");
     group.throughput(Throughput::Elements((SIZE.0 * SIZE.1) as u64));
     group.sample_size(20);
     let mut bench = |name: &str, setup: Setup, next: &dyn Fn(&[Fixture]) -> Vec<Fixture>, lit: Range<f32>| {
-        let lights = setup.luminaires_at(0.0).expect("sound lights");
+        let lights = setup.fixtures_at(0.0).expect("sound lights");
         let lights = [next(&lights), lights];
         let mut bench = Bench::<f32>::new(setup.scene, setup.camera, lights, lit);
         group.bench_function(name, |bencher| bencher.iter(|| bench.draw_light()));
@@ -110,7 +110,7 @@ fn scenes(criterion: &mut Criterion) {
     }
     for spots in [8, 32] {
         let setup = turntable(spots).expect("a sound scene");
-        let moved = setup.luminaires_at(0.02).expect("sound lights");
+        let moved = setup.fixtures_at(0.02).expect("sound lights");
         bench(&format!("turntable of {spots}"), setup, &|_| moved.clone(), 0.7..0.95);
     }
     group.finish();

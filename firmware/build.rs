@@ -38,7 +38,7 @@ fn still() -> Outcome {
     write("key.rs", &key.compile::<Fx16>()?)
 }
 
-/// The lamp, and what the materials send back of the ambient light and of the lamp's.
+/// The light, and what the materials send back of the ambient light and of the light's.
 fn frame() -> Outcome {
     let cone = Cone::from_field(Soft, Angle::degrees(44.0))?;
     let [x, y, z] = measures::LAMP;

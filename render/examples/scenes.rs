@@ -13,9 +13,9 @@ fn main() -> Result<(), Box<dyn Error>> {
         let mut renderer = Renderer::<f32>::new(width, height)?;
         renderer.draw_geometry(&setup.scene, &setup.camera_at(seconds));
         renderer.set_display(setup.display);
-        let luminaires = setup.luminaires_at(seconds)?;
-        renderer.draw_shadows(&setup.scene, &luminaires)?;
-        renderer.draw_light(&luminaires)?;
+        let fixtures = setup.fixtures_at(seconds)?;
+        renderer.draw_shadows(&setup.scene, &fixtures)?;
+        renderer.draw_light(&fixtures)?;
         let path = Path::new(&folder).join(example.name()).with_extension("png");
         let mut encoder = png::Encoder::new(BufWriter::new(File::create(path)?), width as u32, height as u32);
         encoder.set_color(png::ColorType::Rgba);

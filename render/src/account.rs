@@ -1,6 +1,6 @@
-//! What a picture has cost: how often a lamp was evaluated at a pixel, and how often that was spared.
+//! What a picture has cost: how often a light was evaluated at a pixel, and how often that was spared.
 
-/// The account of the last time that geometry was drawn, and light. A pair is a lamp and a pixel: each lamp that was
+/// The account of the last time that geometry was drawn, and light. A pair is a light and a pixel: each light that was
 /// given makes one with each pixel of the picture.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 #[non_exhaustive]
@@ -11,9 +11,9 @@ pub struct Account {
     pub tiles: u32,
     /// The tiles that were lit again.
     pub tiles_relit: u32,
-    /// The lamps that were given.
+    /// The lights that were given.
     pub lamps: u32,
-    /// The lamps that can light nothing, and were dropped.
+    /// The lights that can light nothing, and were dropped.
     pub lamps_dropped: u32,
     /// The pairs that were evaluated.
     pub evaluated: u64,
@@ -21,19 +21,19 @@ pub struct Account {
     pub evaluated_shining: u64,
     /// The pairs of a beam and a pixel through whose haze it may be seen, which were evaluated besides.
     pub evaluated_in_air: u64,
-    /// The pairs of a dropped lamp.
+    /// The pairs of a dropped light.
     pub dropped: u64,
     /// The pairs in tiles whose light could stay as it was.
     pub kept: u64,
-    /// The pairs of a lamp and a tile that it does not reach.
+    /// The pairs of a light and a tile that it does not reach.
     pub missed_by_tile: u64,
-    /// The pairs of a lamp and a row of 32 pixels that it does not reach or that faces away from it, within a tile that it may
+    /// The pairs of a light and a row of 32 pixels that it does not reach or that faces away from it, within a tile that it may
     /// reach.
     pub missed_by_row: u64,
 }
 
 impl Account {
-    /// The account of a picture of so many pixels, before anything is lit: `kept` of the lamps are not dropped.
+    /// The account of a picture of so many pixels, before anything is lit: `kept` of the lights are not dropped.
     pub(crate) fn new(tiles: usize, lamps: usize, kept: usize, pixels: usize) -> Self {
         let [tiles, lamps, kept] = [tiles, lamps, kept].map(|count| count as u32);
         let lamps_dropped = lamps - kept;
@@ -43,7 +43,7 @@ impl Account {
         Self { tiles, lamps, lamps_dropped, dropped, kept, ..Self::default() }
     }
 
-    /// Enters a row of pixels of a tile that is lit, of which so many lamps may reach the tile, and so many are
+    /// Enters a row of pixels of a tile that is lit, of which so many lights may reach the tile, and so many are
     /// evaluated, and so many of those with a highlight.
     pub(crate) fn enter(&mut self, pixels: usize, reached: usize, evaluated: usize, shining: usize) {
         let [pixels, reached, evaluated, shining] =
@@ -56,7 +56,7 @@ impl Account {
         self.kept -= (reached + missed) * pixels;
     }
 
-    /// All pairs of a lamp and a pixel.
+    /// All pairs of a light and a pixel.
     pub fn pairs(&self) -> u64 {
         self.evaluated + self.dropped + self.kept + self.missed_by_tile + self.missed_by_row
     }

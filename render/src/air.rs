@@ -34,7 +34,7 @@ pub(crate) struct Way<'a, S: Scalar> {
 }
 
 impl Hazy {
-    /// The beam of a lamp; nothing where it is no spotlight.
+    /// The beam of a light; nothing where it is no spotlight.
     ///
     /// # Errors
     /// What `f32` can't hold.

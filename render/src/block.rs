@@ -44,7 +44,7 @@ impl<S: Scalar> Block<S> {
         self.parts[usize::from(number != self.material[0])]
     }
 
-    /// Whether no light of a lamp arrives at any pixel, for certain.
+    /// Whether no light arrives at any pixel, for certain.
     pub(crate) fn is_missed(&self, reach: &Reach) -> bool {
         self.parts
             .iter()

@@ -8,8 +8,8 @@ use luminaire::Error;
 #[derive(Clone, Copy, PartialEq, Debug)]
 #[non_exhaustive]
 pub enum DrawError {
-    /// A luminaire that the format can't hold.
-    Luminaire(Error),
+    /// A fixture that the format can't hold.
+    Fixture(Error),
     /// A shadow map for which there is no memory.
     ShadowMap(SizeError),
 }
@@ -17,7 +17,7 @@ pub enum DrawError {
 impl fmt::Display for DrawError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Luminaire(error) => error.fmt(f),
+            Self::Fixture(error) => error.fmt(f),
             Self::ShadowMap(error) => error.fmt(f),
         }
     }
@@ -27,7 +27,7 @@ impl core::error::Error for DrawError {}
 
 impl From<Error> for DrawError {
     fn from(error: Error) -> Self {
-        Self::Luminaire(error)
+        Self::Fixture(error)
     }
 }
 

@@ -1,11 +1,11 @@
-//! Scenes that differ in what they call for: from one bare spotlight to a house full of lamps.
+//! Scenes that differ in what they call for: from one bare spotlight to a house full of lights.
 //!
 //! ```
 //! use luminaire_render::{Renderer, examples::Example};
 //! let setup = Example::ThreePoint.setup()?;
 //! let mut renderer = Renderer::<f32>::new(320, 180)?;
 //! renderer.draw_geometry(&setup.scene, &setup.camera);
-//! renderer.draw_light(&setup.luminaires_at(0.0)?)?;
+//! renderer.draw_light(&setup.fixtures_at(0.0)?)?;
 //! assert!(renderer.encode().chunks_exact(4).any(|pixel| pixel[0] > 200));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
@@ -43,7 +43,7 @@ pub enum Example {
     Grid,
     /// The same floor under 8 wide spotlights that light as much of it.
     WideGrid,
-    /// Pictures and sculptures in the light of many kinds of lamps.
+    /// Pictures and sculptures in the light of many kinds of lights.
     Gallery,
     /// Moving heads in a dark house.
     Show,
@@ -61,7 +61,7 @@ pub struct Setup {
     pub scene: Scene,
     /// The camera at second 0.
     pub camera: Camera,
-    /// The luminaires, with their names and movements.
+    /// The fixtures, with their names and movements.
     pub fixtures: Vec<MovingLight>,
     /// What the picture is shown on.
     pub display: Display,
@@ -150,7 +150,7 @@ impl Example {
         Self::ALL.into_iter().find(|example| example.name() == name)
     }
 
-    /// Builds the scene, and hangs its luminaires.
+    /// Builds the scene, and hangs its fixtures.
     ///
     /// # Errors
     /// None, unless a constructor comes to refuse what it accepts today.
@@ -173,25 +173,25 @@ impl Setup {
         Self { scene, camera, fixtures, display: Display::default(), swing: 0.0 }
     }
 
-    /// The luminaires after so many seconds, in the order of the fixtures. The same seconds always give the same.
+    /// The fixtures after so many seconds, in the order of the fixtures. The same seconds always give the same.
     ///
     /// # Errors
     /// Seconds that are not finite, where something moves.
-    pub fn luminaires_at(&self, seconds: f32) -> Result<Vec<Fixture>, Error> {
+    pub fn fixtures_at(&self, seconds: f32) -> Result<Vec<Fixture>, Error> {
         self.fixtures.iter().map(|fixture| fixture.at(seconds)).collect()
     }
 
     /// What a picture calls for after so many seconds.
     ///
     /// # Errors
-    /// As [`luminaires_at`](Self::luminaires_at).
+    /// As [`fixtures_at`](Self::fixtures_at).
     pub fn effects_at(&self, seconds: f32) -> Result<Effects, Error> {
-        let luminaires = self.luminaires_at(seconds)?;
+        let fixtures = self.fixtures_at(seconds)?;
         let mut plan = self.scene.plan();
         if self.display.is_dithered() {
             plan = plan.with(Effect::Dither);
         }
-        Ok(luminaires.iter().fold(plan, |plan, luminaire| plan.with_fixture(luminaire)).effects())
+        Ok(fixtures.iter().fold(plan, |plan, fixture| plan.with_fixture(fixture)).effects())
     }
 
     /// The camera after so many seconds, for who wants it to move: in most scenes it stands still.

@@ -1,4 +1,4 @@
-//! What is in the way of a lamp's light: its pattern, and what throws shadows.
+//! What is in the way of light: its pattern, and what throws shadows.
 
 use crate::{
     block::Block, lanes::LANES, lanes::Lights, places::Places, prepared::Prepared, shadows::Shadows,
@@ -8,7 +8,7 @@ use luminaire::{
     projector::{ProjectedPoint, Shadow},
 };
 
-/// Leaves of light what its way leaves of it. It keeps where the points of a block are on the square of a lamp.
+/// Leaves of light what its way leaves of it. It keeps where the points of a block are on the square of a light.
 #[derive(Clone, Debug)]
 pub(crate) struct Filter<S: Scalar> {
     places: Places<S, LANES>,
@@ -21,7 +21,7 @@ impl<S: Scalar> Default for Filter<S> {
 }
 
 impl<S: Scalar> Filter<S> {
-    /// Leaves of the light of a lamp on a block, and of its highlights, what its pattern and its shadow leave of it.
+    /// Leaves of light on a block, and of its highlights, what its pattern and its shadow leave of it.
     #[inline(never)]
     pub(crate) fn apply(
         &mut self,

@@ -16,7 +16,7 @@ pub trait Format: Scalar + Loops {
 
 /// The loops of a format. They are compiled with this crate, once, and not with each that uses it.
 pub trait Loops: Scalar {
-    /// Lights the pixels of a block. Returns how many of the lamps were evaluated with a highlight.
+    /// Lights the pixels of a block. Returns how many of the lights were evaluated with a highlight.
     fn light(
         setting: &Setting<'_, Self>,
         block: &Block<Self>,

@@ -14,14 +14,14 @@
 //!
 //! 1. [`draw_geometry`](Renderer::draw_geometry) draws the [`Scene`] from a [`Camera`] into the G-buffer:
 //!    position, normal and material of each pixel, already in the number format of the light.
-//! 2. [`draw_shadows`](Renderer::draw_shadows) draws a [`ShadowMap`] for each luminaire that asks for one.
-//! 3. [`draw_light`](Renderer::draw_light) adds up the light of the luminaires over that buffer, in blocks of
-//!    32 pixels with each quantity in an array of its own. Tiles that no luminaire reaches which is another now
-//!    are left as they are; in the others, blocks that a lamp cannot reach are left out.
+//! 2. [`draw_shadows`](Renderer::draw_shadows) draws a [`ShadowMap`] for each fixture that asks for one.
+//! 3. [`draw_light`](Renderer::draw_light) adds up the light of the fixtures over that buffer, in blocks of
+//!    32 pixels with each quantity in an array of its own. Tiles that no fixture reaches which is another now
+//!    are left as they are; in the others, blocks that a light cannot reach are left out.
 //! 4. [`encode`](Renderer::encode) makes the codes of a [`Display`] of it, in the tiles that were lit.
 //!
-//! **Only the effects that a scene calls for are computed.** The kind of a lamp, its profile and its distance model pick a
-//! loop, once for a block; highlights are computed where a material has them, patterns, shadows and haze for luminaires
+//! **Only the effects that a scene calls for are computed.** The kind of a light, its profile and its distance model pick a
+//! loop, once for a block; highlights are computed where a material has them, patterns, shadows and haze for fixtures
 //! that ask for them. What is left out changes no bit:
 //! [`draw_everything`](Renderer::draw_everything) leaves nothing out and gives the same picture. The
 //! [`Account`] says what was spared.

@@ -28,7 +28,7 @@ pub(crate) struct Finish<S: Scalar> {
     pub(crate) lobe: f32,
 }
 
-/// What the lamps light: all that is the same for every block.
+/// What the lights illuminate: all that is the same for every block.
 #[derive(Debug)]
 pub struct Setting<'a, S: Scalar> {
     pub(crate) plan: RenderPlan,
@@ -41,7 +41,7 @@ pub struct Setting<'a, S: Scalar> {
     pub(crate) shadows: &'a Shadows<S>,
 }
 
-/// What a block is lit in, kept from block to block: clearing it for each would cost as much as a lamp.
+/// What a block is lit in, kept from block to block: clearing it for each would cost as much as a light.
 #[derive(Clone, Debug)]
 pub struct Workspace<S: Scalar> {
     /// The numbers of the materials that shine.
@@ -50,12 +50,12 @@ pub struct Workspace<S: Scalar> {
     parts: [Option<(Bounds, Directions)>; LANES],
     /// The directions to the eye, mirrored in the surfaces.
     views: Vec3<[S::Unit; LANES]>,
-    /// What arrives of a lamp.
+    /// What arrives of a light.
     arrivals: Incident<Lights<S>>,
-    /// The highlights of a lamp on several materials.
+    /// The highlights of a light on several materials.
     lobes: Lights<S>,
     filter: Filter<S>,
-    /// What arrives of all lamps, and their highlights.
+    /// What arrives of all lights, and their highlights.
     sums: Incident<Rgb<Lights<S>>>,
 }
 
@@ -89,7 +89,7 @@ impl<S: Scalar> Finish<S> {
 }
 
 impl<S: Scalar> Setting<'_, S> {
-    /// Lights the pixels of a block. Returns how many of the lamps were evaluated with a highlight.
+    /// Lights the pixels of a block. Returns how many of the lights were evaluated with a highlight.
     #[inline(always)]
     pub(crate) fn light(
         &self,
@@ -111,7 +111,7 @@ impl<S: Scalar> Setting<'_, S> {
         glints
     }
 
-    /// Sums up what arrives at a block of matt surfaces. No lamp has a highlight there.
+    /// Sums up what arrives at a block of matt surfaces. No light has a highlight there.
     #[inline(always)]
     fn light_matte(&self, block: &Block<S>, lamps: &[&Prepared<S>], work: &mut Workspace<S>) -> usize {
         let Workspace { views, arrivals, filter, sums, .. } = work;
@@ -127,7 +127,7 @@ impl<S: Scalar> Setting<'_, S> {
         0
     }
 
-    /// Sums up what arrives at a block with surfaces that shine, of so many kinds. Returns how many of the lamps have a
+    /// Sums up what arrives at a block with surfaces that shine, of so many kinds. Returns how many of the lights have a
     /// highlight that the eye may see.
     #[inline(always)]
     fn light_shining(
@@ -160,8 +160,8 @@ impl<S: Scalar> Setting<'_, S> {
         glints
     }
 
-    /// Finds what arrives of a lamp, with the highlights that the eye may see: among the arrivals, or among the lobes where
-    /// the block has several materials. Returns whether there are any; for the first lamp that has, their sum is
+    /// Finds what arrives of a light, with the highlights that the eye may see: among the arrivals, or among the lobes where
+    /// the block has several materials. Returns whether there are any; for the first light that has, their sum is
     /// begun.
     #[inline(always)]
     fn arrive_shining(
@@ -199,7 +199,7 @@ impl<S: Scalar> Setting<'_, S> {
         shines
     }
 
-    /// Whether the highlight of a lamp on a surface of this finish surely misses the eye.
+    /// Whether the highlight of a light on a surface of this finish surely misses the eye.
     #[inline(always)]
     fn misses_highlight(
         &self,
@@ -237,7 +237,7 @@ impl<S: Scalar> Setting<'_, S> {
         }
     }
 
-    /// What arrives of a lamp: by the loop that is made for it, or by none where nothing is left out.
+    /// What arrives of a light: by the loop that is made for it, or by none where nothing is left out.
     #[inline(always)]
     fn evaluate<H: SpecularLobe>(
         &self,
@@ -323,7 +323,7 @@ fn fill<S: Scalar>(lights: &mut Rgb<Lights<S>>, light: Rgb<S::Irradiance>) {
     lights.blue.fill(light.blue);
 }
 
-/// Adds the light of a lamp in its colour.
+/// Adds light in its colour.
 #[inline(never)]
 fn add<S: Scalar>(sum: &mut Rgb<Lights<S>>, light: &Lights<S>, color: Rgb<S>) {
     let Rgb { red, green, blue } = sum;

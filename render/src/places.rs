@@ -1,4 +1,4 @@
-//! Where points are on the square of a lamp.
+//! Where points are on the square of a light.
 
 use luminaire::{
     Scalar, Vec3,

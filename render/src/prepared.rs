@@ -1,4 +1,4 @@
-//! A luminaire, ready to light blocks of pixels.
+//! A fixture, ready to light blocks of pixels.
 
 use crate::{
     air::{Hazy, Way},
@@ -14,7 +14,7 @@ use luminaire::{
     projector::{CompiledGobo, CompiledProjection, Fixture, Gobo},
 };
 
-/// A luminaire compiled for a format, and where its light may be.
+/// A fixture compiled for a format, and where its light may be.
 #[derive(Clone, Copy, Debug)]
 pub struct Prepared<S: Scalar> {
     pub(crate) number: usize,
@@ -33,25 +33,25 @@ pub struct Prepared<S: Scalar> {
 const CLEAR: Gobo<'static> = Gobo::of(&[[u8::MAX]]);
 
 impl<S: Scalar> Prepared<S> {
-    /// The luminaire of this number, if the plan keeps it.
+    /// The fixture of this number, if the plan keeps it.
     ///
     /// # Errors
     /// What the format can't hold.
     pub(crate) fn new(
         number: usize,
-        luminaire: &Fixture,
+        fixture: &Fixture,
         haze: Option<Haze>,
         plan: &RenderPlan,
     ) -> Result<Option<Self>, Error> {
-        let Some(lamp) = plan.prepare(luminaire.lamp())? else { return Ok(None) };
-        let (is_patterned, casts_shadow) = (luminaire.gobo().is_some(), luminaire.shadow().is_some());
-        let mut luminaire = *luminaire;
+        let Some(lamp) = plan.prepare(fixture.light())? else { return Ok(None) };
+        let (is_patterned, casts_shadow) = (fixture.gobo().is_some(), fixture.shadow().is_some());
+        let mut fixture = *fixture;
         if !plan.skips() {
-            luminaire = equipped(luminaire).unwrap_or(luminaire);
+            fixture = equipped(fixture).unwrap_or(fixture);
         }
-        let shadow = luminaire.shadow().map(|(_, square)| square.compile()).transpose()?;
-        let (gobo, reach) = (luminaire.compile_gobo()?, Reach::new(luminaire.lamp()));
-        let hazy = haze.map(|haze| Hazy::new(luminaire.lamp(), &haze)).transpose()?.flatten();
+        let shadow = fixture.shadow().map(|(_, square)| square.compile()).transpose()?;
+        let (gobo, reach) = (fixture.compile_gobo()?, Reach::new(fixture.light()));
+        let hazy = haze.map(|haze| Hazy::new(fixture.light(), &haze)).transpose()?.flatten();
         Ok(Some(Self { number, lamp, gobo, shadow, hazy, is_patterned, casts_shadow, reach }))
     }
 
@@ -80,14 +80,14 @@ impl<S: Scalar> Prepared<S> {
     }
 }
 
-/// A luminaire with everything that it may have and has not: none of it changes its light.
+/// A fixture with everything that it may have and has not: none of it changes its light.
 ///
 /// # Errors
-/// A lamp that projects no square.
-fn equipped(mut luminaire: Fixture) -> Result<Fixture, Error> {
-    if luminaire.gobo().is_none() {
-        luminaire = luminaire.with_gobo(CLEAR, Angle::degrees(0.0))?;
+/// A light that projects no square.
+fn equipped(mut fixture: Fixture) -> Result<Fixture, Error> {
+    if fixture.gobo().is_none() {
+        fixture = fixture.with_gobo(CLEAR, Angle::degrees(0.0))?;
     }
     // There is no map of it.
-    if luminaire.shadow().is_none() { luminaire.with_shadow(16) } else { Ok(luminaire) }
+    if fixture.shadow().is_none() { fixture.with_shadow(16) } else { Ok(fixture) }
 }

@@ -1,11 +1,11 @@
-//! Bounds of the light of a lamp, so that points that no light reaches are left out.
+//! Bounds of light, so that points that no light reaches are left out.
 
 use glam::{Vec2, Vec3};
 use luminaire::dynamic::AnyLight;
 
 use crate::{bounds::Bounds, directions::Directions};
 
-/// What the light of a lamp is within.
+/// Bounds of a light: what it cannot reach is outside of them.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Reach {
     source: Source,
@@ -66,7 +66,7 @@ impl Reach {
         is_beyond || self.beam.is_some_and(|beam| beam.misses(way, padded))
     }
 
-    /// Whether surfaces within the bounds and with these normals face away from the lamp for certain, in every number
+    /// Whether surfaces within the bounds and with these normals face away from the light for certain, in every number
     /// format.
     #[inline(always)]
     pub(crate) fn is_behind(&self, bounds: &Bounds, normals: &Directions) -> bool {
@@ -79,7 +79,7 @@ impl Reach {
         }
     }
 
-    /// The directions to the lamp from points within bounds; nothing where it may be among them.
+    /// The directions to the light from points within bounds; nothing where it may be among them.
     pub(crate) fn directions_from(&self, bounds: &Bounds) -> Option<Directions> {
         match self.source {
             Source::Direction(direction) => Some(Directions::new(direction)),
@@ -89,7 +89,7 @@ impl Reach {
 }
 
 impl Beam {
-    /// Whether a sphere of this radius at the end of this way from the lamp is outside the cone.
+    /// Whether a sphere of this radius at the end of this way from the light is outside the cone.
     fn misses(&self, way: Vec3, radius: f32) -> bool {
         // The distance to the cone is |way x axis| cos - (way . axis) sin: compared by squares.
         let inner = way.dot(self.axis) * self.edge.y + radius;

@@ -1,8 +1,8 @@
-//! Which lamps may reach which places of a picture.
+//! Which lights may reach which places of a picture.
 
 use alloc::vec::Vec;
 
-/// A bit for each pair of a place, a tile or a region, and a lamp.
+/// A bit for each pair of a place, a tile or a region, and a light.
 #[derive(Clone, Default, Debug)]
 pub(crate) struct Reached {
     /// Words of a place.
@@ -11,7 +11,7 @@ pub(crate) struct Reached {
 }
 
 impl Reached {
-    /// Makes room for so many places and lamps. Returns whether what was known had to be forgotten for it.
+    /// Makes room for so many places and lights. Returns whether what was known had to be forgotten for it.
     pub(crate) fn make_room(&mut self, places: usize, lamps: usize) -> bool {
         let words = lamps.div_ceil(64);
         if words == self.words {
@@ -23,13 +23,13 @@ impl Reached {
         true
     }
 
-    /// Takes every lamp for one that reaches nothing.
+    /// Takes every light for one that reaches nothing.
     pub(crate) fn forget(&mut self) {
         self.bits.fill(0);
     }
 
-    /// Enters whether a lamp reaches a place. Returns whether it does or did, so that the light there is another if the
-    /// lamp is.
+    /// Enters whether a light reaches a place. Returns whether it does or did, so that the place is to be lit again if the
+    /// light has changed.
     #[inline(always)]
     pub(crate) fn update(&mut self, place: usize, lamp: usize, reaches: bool) -> bool {
         let (word, bit) = (&mut self.bits[place * self.words + lamp / 64], 1 << (lamp % 64));
@@ -38,7 +38,7 @@ impl Reached {
         reached || reaches
     }
 
-    /// The lamps that may reach a place, in their order.
+    /// The lights that may reach a place, in their order.
     pub(crate) fn lamps(&self, place: usize) -> impl Iterator<Item = usize> + Clone {
         self.bits[place * self.words..][..self.words].iter().enumerate().flat_map(|(number, &word)| {
             let mut rest = word;

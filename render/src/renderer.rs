@@ -39,16 +39,16 @@ pub struct Renderer<S: Format> {
     haze: Option<Haze>,
     ambient: Rgb<f32>,
     radiance: Vec<Radiance>,
-    /// How many lamps were evaluated at the pixels of each block.
+    /// How many lights were evaluated at the pixels of each block.
     evaluated: Vec<u16>,
     display: Display,
     pixels: Vec<u8>,
     drawn: Option<(Fingerprint, Camera)>,
     /// How many triangles were drawn the last time that geometry was asked for.
     triangles: usize,
-    /// The lamps of the picture; nothing if all of it must be lit.
+    /// The lights of the picture; nothing if all of it must be lit.
     lit: Option<Vec<Fixture>>,
-    /// Which luminaires reach which regions, and which of their tiles: on their surfaces, and in the air before them.
+    /// Which fixtures reach which regions, and which of their tiles: on their surfaces, and in the air before them.
     near: Reached,
     reached: Reached,
     seen: Reached,
@@ -141,12 +141,12 @@ impl<S: Format> Renderer<S> {
         self.tiles.tiles.iter_mut().for_each(|tile| tile.sight = None);
     }
 
-    /// Draws the shadow maps of the luminaires that ask for them, where scene or luminaire have changed. Returns whether
-    /// any had. Without it luminaires throw no shadows; with other luminaires than [`draw_light`](Self::draw_light)
+    /// Draws the shadow maps of the fixtures that ask for them, where scene or fixture have changed. Returns whether
+    /// any had. Without it fixtures throw no shadows; with other fixtures than [`draw_light`](Self::draw_light)
     /// is given, those of others.
     ///
     /// # Errors
-    /// A luminaire that the format can't hold, or no memory for a map.
+    /// A fixture that the format can't hold, or no memory for a map.
     pub fn draw_shadows<L: Copy + Into<Fixture>>(
         &mut self,
         scene: &Scene,
@@ -155,7 +155,7 @@ impl<S: Format> Renderer<S> {
         self.shadows.draw(scene, lights)
     }
 
-    /// Lights the geometry where lamps or geometry have changed since the last time: the tiles that a lamp reaches
+    /// Lights the geometry where lights or geometry have changed since the last time: the tiles that a light reaches
     /// or has reached which is another now. Returns whether anything had changed: if not, nothing was done.
     ///
     /// # Errors
@@ -164,7 +164,7 @@ impl<S: Format> Renderer<S> {
         self.draw_light_by(RenderPlan::new(), lights)
     }
 
-    /// Lights the whole picture with every effect of every lamp at every pixel, called for or not, changed or not:
+    /// Lights the whole picture with every effect of every light at every pixel, called for or not, changed or not:
     /// the picture of [`draw_light`](Self::draw_light), to the bit, for tests and for comparisons.
     ///
     /// # Errors
@@ -217,7 +217,7 @@ impl<S: Format> Renderer<S> {
         Account { triangles: self.triangles, ..self.account }
     }
 
-    /// How many lamps were evaluated at a pixel when it was last lit; none outside the picture.
+    /// How many lights were evaluated at a pixel when it was last lit; none outside the picture.
     pub fn lamps_evaluated(&self, x: usize, y: usize) -> Option<u16> {
         self.block(x, y).map(|block| self.evaluated[block])
     }

@@ -1,4 +1,4 @@
-//! The luminaires of a picture, ready to light it.
+//! The fixtures of a picture, ready to light it.
 
 use crate::{block::Block, bounds::Bounds, prepared::Prepared, reach::Reach};
 use alloc::vec::Vec;
@@ -9,7 +9,7 @@ use luminaire::{
     projector::Fixture,
 };
 
-/// All luminaires by number, prepared but for those that the plan drops.
+/// All fixtures by number, prepared but for those that the plan drops.
 pub(crate) struct Rig<S: Scalar> {
     plan: RenderPlan,
     lamps: Vec<Option<Prepared<S>>>,
@@ -20,11 +20,11 @@ pub(crate) struct Rig<S: Scalar> {
 
 impl<S: Scalar> Rig<S> {
     /// # Errors
-    /// A luminaire that the format can't hold.
-    pub(crate) fn new(plan: RenderPlan, luminaires: &[Fixture], haze: Option<Haze>) -> Result<Self, Error> {
+    /// A fixture that the format can't hold.
+    pub(crate) fn new(plan: RenderPlan, fixtures: &[Fixture], haze: Option<Haze>) -> Result<Self, Error> {
         let haze = if plan.skips() { haze } else { Some(haze.unwrap_or(Haze::CLEAR)) };
-        let prepare = |(number, luminaire)| Prepared::new(number, luminaire, haze, &plan);
-        let lamps = luminaires.iter().enumerate().map(prepare).collect::<Result<Vec<_>, _>>()?;
+        let prepare = |(number, fixture)| Prepared::new(number, fixture, haze, &plan);
+        let lamps = fixtures.iter().enumerate().map(prepare).collect::<Result<Vec<_>, _>>()?;
         let reaches = lamps.iter().map(|lamp| lamp.as_ref().map(|lamp| lamp.reach)).collect();
         let is_hazy = !plan.skips() || lamps.iter().flatten().any(Prepared::is_hazy);
         Ok(Self { plan, lamps, reaches, is_hazy })
@@ -34,7 +34,7 @@ impl<S: Scalar> Rig<S> {
         self.plan
     }
 
-    /// How many luminaires the plan keeps.
+    /// How many fixtures the plan keeps.
     pub(crate) fn kept(&self) -> usize {
         self.lamps.iter().flatten().count()
     }
@@ -44,23 +44,23 @@ impl<S: Scalar> Rig<S> {
         self.is_hazy
     }
 
-    /// Whether the light of a luminaire may arrive within bounds.
+    /// Whether the light of a fixture may arrive within bounds.
     pub(crate) fn reaches(&self, number: usize, bounds: Option<&Bounds>) -> bool {
         self.reach(number)
             .is_some_and(|reach| !self.plan.skips() || bounds.is_some_and(|bounds| !reach.misses(bounds)))
     }
 
-    /// Whether the light of a luminaire may arrive at a pixel of a block.
+    /// Whether the light of a fixture may arrive at a pixel of a block.
     pub(crate) fn lights(&self, number: usize, block: &Block<S>) -> bool {
         self.reach(number).is_some_and(|reach| !(self.plan.skips() && block.is_missed(reach)))
     }
 
-    /// Whether the beam of a luminaire may be seen in the air of a bundle of view rays.
+    /// Whether the beam of a fixture may be seen in the air of a bundle of view rays.
     pub(crate) fn is_seen_in_air(&self, number: usize, sight: Option<&RayBundle>) -> bool {
         self.lamp(number).is_some_and(|lamp| !self.plan.skips() || lamp.is_seen_in_air(sight))
     }
 
-    /// The luminaire of a number; nothing if the plan has dropped it, or there is none.
+    /// The fixture of a number; nothing if the plan has dropped it, or there is none.
     pub(crate) fn lamp(&self, number: usize) -> Option<&Prepared<S>> {
         self.lamps.get(number)?.as_ref()
     }

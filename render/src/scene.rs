@@ -172,7 +172,7 @@ impl Scene {
         self.haze
     }
 
-    /// The plan of a picture of the scene before there is a lamp in it: ambient light, highlights and haze, where it has any.
+    /// The plan of a picture of the scene before there is a light in it: ambient light, highlights and haze, where it has any.
     pub fn plan(&self) -> RenderPlan {
         let mut plan = RenderPlan::new();
         if self.ambient != Rgb::default() {

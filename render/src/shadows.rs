@@ -1,4 +1,4 @@
-//! The shadow maps of a picture's luminaires.
+//! The shadow maps of a picture's fixtures.
 
 use crate::{error::DrawError, scene::Scene, shadow_map::ShadowMap};
 use alloc::vec::Vec;
@@ -7,11 +7,11 @@ use luminaire::{
     projector::{Fixture, Shadow},
 };
 
-/// A shadow map for each luminaire that asks for one, by its number.
+/// A shadow map for each fixture that asks for one, by its number.
 #[derive(Clone, Debug)]
 pub(crate) struct Shadows<S: Scalar> {
     maps: Vec<Option<ShadowMap<S>>>,
-    /// The luminaires whose shadows are others than when light was drawn the last time.
+    /// The fixtures whose shadows are others than when light was drawn the last time.
     redrawn: Vec<usize>,
 }
 
@@ -20,7 +20,7 @@ impl<S: Scalar> Shadows<S> {
         Self { maps: Vec::new(), redrawn: Vec::new() }
     }
 
-    /// Draws the maps whose scene or luminaire has changed. Returns whether any had.
+    /// Draws the maps whose scene or fixture has changed. Returns whether any had.
     ///
     /// # Errors
     /// What the format can't hold, or no memory; the maps that were drawn before it stay drawn.
@@ -32,13 +32,13 @@ impl<S: Scalar> Shadows<S> {
         self.maps.resize_with(lights.len(), || None);
         let mut is_any = false;
         for (number, (map, &light)) in self.maps.iter_mut().zip(lights).enumerate() {
-            let luminaire: Fixture = light.into();
-            // A dark lamp throws no shadow; its map waits for its light.
-            let Some((side, projection)) = luminaire.shadow() else {
+            let fixture: Fixture = light.into();
+            // A dark light throws no shadow; its map waits for its light.
+            let Some((side, projection)) = fixture.shadow() else {
                 *map = None;
                 continue;
             };
-            if luminaire.lamp().is_dark() {
+            if fixture.light().is_dark() {
                 continue;
             }
             let side = side.into();
@@ -57,12 +57,12 @@ impl<S: Scalar> Shadows<S> {
         Ok(is_any)
     }
 
-    /// The shadows of a luminaire, once they are drawn.
+    /// The shadows of a fixture, once they are drawn.
     pub(crate) fn of(&self, number: usize) -> Option<Shadow<'_, S>> {
         self.maps.get(number)?.as_ref()?.shadow()
     }
 
-    /// The luminaires whose shadows are others since light was drawn the last time.
+    /// The fixtures whose shadows are others since light was drawn the last time.
     pub(crate) fn redrawn(&self) -> &[usize] {
         &self.redrawn
     }

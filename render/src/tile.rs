@@ -17,7 +17,7 @@ pub(crate) struct Tiles {
     columns: usize,
     rows: usize,
     pub(crate) tiles: Vec<Tile>,
-    /// What encloses the points of each square of tiles; nothing if nothing was drawn there. A lamp that misses a region
+    /// What encloses the points of each square of tiles; nothing if nothing was drawn there. A light that misses a region
     /// misses its tiles, which need not be asked.
     pub(crate) regions: Vec<Option<Bounds>>,
 }

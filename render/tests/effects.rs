@@ -16,9 +16,9 @@ const SIZE: (usize, usize) = (160, 90);
 const STAR: [[u8; 32]; 32] = gobos::star();
 
 /// The lights of the stage: one with a pattern, one with shadows, one with both.
-fn luminaires() -> Result<Vec<Fixture>, Error> {
+fn fixtures() -> Result<Vec<Fixture>, Error> {
     let [key, fill, back] = stage::lights()?.map(Fixture::from);
-    let star = |luminaire: Fixture| luminaire.with_gobo(Gobo::of(&STAR), Angle::degrees(20.0));
+    let star = |fixture: Fixture| fixture.with_gobo(Gobo::of(&STAR), Angle::degrees(20.0));
     Ok(vec![star(key)?.with_shadow(128)?, fill.with_shadow(64)?, star(back)?])
 }
 
@@ -28,19 +28,19 @@ fn hazy() -> Result<Scene, Error> {
     Ok(scene)
 }
 
-fn renderer<S: Format>(scene: &Scene, luminaires: &[Fixture]) -> Renderer<S> {
-    renderer_of(SIZE, scene, luminaires)
+fn renderer<S: Format>(scene: &Scene, fixtures: &[Fixture]) -> Renderer<S> {
+    renderer_of(SIZE, scene, fixtures)
 }
 
 fn renderer_of<S: Format>(
     (width, height): (usize, usize),
     scene: &Scene,
-    luminaires: &[Fixture],
+    fixtures: &[Fixture],
 ) -> Renderer<S> {
     let mut renderer = Renderer::new(width, height).expect("a sound size");
     renderer.draw_geometry(scene, &stage::camera());
-    renderer.draw_shadows(scene, luminaires).expect("held");
-    renderer.draw_light(luminaires).expect("held");
+    renderer.draw_shadows(scene, fixtures).expect("held");
+    renderer.draw_light(fixtures).expect("held");
     renderer
 }
 
@@ -53,29 +53,27 @@ fn bits<S: Format>(renderer: &Renderer<S>) -> Vec<Option<[u32; 3]>> {
     pixels().map(|(x, y)| renderer.linear(x, y).map(channels)).collect()
 }
 
-/// What is called for gives the bits of everything, also after single luminaires have moved.
+/// What is called for gives the bits of everything, also after single fixtures have moved.
 #[test]
 fn what_is_called_for_is_everything() -> Result<(), Error> {
     fn assert_format<S: Format>() -> Result<(), Error> {
         for scene in [stage::scene().unwrap(), hazy()?] {
-            let mut luminaires = luminaires()?;
-            let mut planned = renderer::<S>(&scene, &luminaires);
+            let mut fixtures = fixtures()?;
+            let mut planned = renderer::<S>(&scene, &fixtures);
             for step in 0..4 {
                 let mut everything = planned.clone();
-                everything.draw_everything(&luminaires)?;
+                everything.draw_everything(&fixtures)?;
                 assert_eq!(bits(&planned), bits(&everything), "{} after {step} steps", S::NAME);
-                let fresh = renderer::<S>(&scene, &luminaires);
+                let fresh = renderer::<S>(&scene, &fixtures);
                 assert_eq!(bits(&planned), bits(&fresh), "{} after {step} steps", S::NAME);
-                let AnyLight::Spot(spot) = *luminaires[step % 3].lamp() else {
-                    panic!("they are spotlights")
-                };
+                let AnyLight::Spot(spot) = *fixtures[step % 3].light() else { panic!("they are spotlights") };
                 let axis = spot.axis().map(|c| c + 0.05);
                 let moved = SpotLight::new(spot.position(), axis, spot.cone())?
                     .with_color(spot.color())?
                     .with_intensity(spot.intensity())?;
-                luminaires[step % 3] = Fixture::from(moved).with_shadow(64)?;
-                planned.draw_shadows(&scene, &luminaires).expect("held");
-                planned.draw_light(&luminaires)?;
+                fixtures[step % 3] = Fixture::from(moved).with_shadow(64)?;
+                planned.draw_shadows(&scene, &fixtures).expect("held");
+                planned.draw_light(&fixtures)?;
             }
         }
         Ok(())
@@ -85,16 +83,16 @@ fn what_is_called_for_is_everything() -> Result<(), Error> {
     assert_format::<Fx16>()
 }
 
-/// The light of a pixel is that of the lamp, times what its pattern and its shadow leave of it, to the bit.
+/// A pixel gets what arrives of the light, times what its pattern and its shadow leave of it, to the bit.
 #[test]
 fn patterns_and_shadows_are_factors() -> Result<(), Error> {
     let mut scene = stage::scene().unwrap();
     scene.set_ambient(Rgb::default()).unwrap();
-    let luminaire = luminaires()?[0];
-    let AnyLight::Spot(spot) = *luminaire.lamp() else { panic!("it is a spotlight") };
-    let renderer = renderer::<f32>(&scene, &[luminaire]);
+    let fixture = fixtures()?[0];
+    let AnyLight::Spot(spot) = *fixture.light() else { panic!("it is a spotlight") };
+    let renderer = renderer::<f32>(&scene, &[fixture]);
     let compiled = spot.compile::<f32>()?;
-    let gobo = luminaire.compile_gobo::<f32>()?.expect("it has one");
+    let gobo = fixture.compile_gobo::<f32>()?.expect("it has one");
     let mut map = ShadowMap::<f32>::new(128).expect("a sound side");
     map.draw(&scene, &Projection::of(&spot)?)?;
     let shadow = map.shadow().expect("drawn");
@@ -146,10 +144,10 @@ fn highlights_are_phongs() -> Result<(), Error> {
 #[test]
 fn haze_is_added() -> Result<(), Error> {
     let spots = stage::lights()?;
-    let luminaires = spots.map(Fixture::from);
-    let clear = renderer::<f32>(&stage::scene().unwrap(), &luminaires);
+    let fixtures = spots.map(Fixture::from);
+    let clear = renderer::<f32>(&stage::scene().unwrap(), &fixtures);
     let scene = hazy()?;
-    let hazy = renderer::<f32>(&scene, &luminaires);
+    let hazy = renderer::<f32>(&scene, &fixtures);
     let haze = scene.haze().expect("it was set");
     let eye = stage::camera().eye();
     let beams = spots.map(|spot| spot.compile::<f32>().map(|spot| spot.in_haze(&haze)));
@@ -169,7 +167,7 @@ fn haze_is_added() -> Result<(), Error> {
     Ok(())
 }
 
-/// A luminaire that moves changes the tiles that it lights on surfaces or in the air, and no other.
+/// A fixture that moves changes the tiles that it lights on surfaces or in the air, and no other.
 #[test]
 fn what_no_beam_meets_is_not_lit_again() -> Result<(), Error> {
     let cone = Cone::from_outer(SoftOrHard::Hard, Angle::degrees(6.0))?;
@@ -179,9 +177,9 @@ fn what_no_beam_meets_is_not_lit_again() -> Result<(), Error> {
     };
     let mut relit = [0; 2];
     for (scene, relit) in [stage::scene().unwrap(), hazy()?].iter().zip(&mut relit) {
-        let luminaires = [narrow(-1.0)?, narrow(1.0)?];
-        let mut renderer = renderer_of::<f32>((640, 360), scene, &luminaires);
-        assert!(!renderer.draw_light(&luminaires)?);
+        let fixtures = [narrow(-1.0)?, narrow(1.0)?];
+        let mut renderer = renderer_of::<f32>((640, 360), scene, &fixtures);
+        assert!(!renderer.draw_light(&fixtures)?);
         assert!(renderer.draw_light(&[narrow(-1.0)?, narrow(1.01)?])?);
         *relit = renderer.account().tiles_relit;
     }
@@ -194,21 +192,21 @@ fn what_no_beam_meets_is_not_lit_again() -> Result<(), Error> {
 /// A map that is drawn anew lights its tiles anew, and one that is not lights none.
 #[test]
 fn shadows_that_change_are_seen() -> Result<(), Error> {
-    let luminaires = luminaires()?;
-    let mut renderer = renderer::<f32>(&stage::scene().unwrap(), &luminaires);
-    assert_eq!(renderer.draw_shadows(&stage::scene().unwrap(), &luminaires), Ok(false));
-    assert!(!renderer.draw_light(&luminaires)?);
+    let fixtures = fixtures()?;
+    let mut renderer = renderer::<f32>(&stage::scene().unwrap(), &fixtures);
+    assert_eq!(renderer.draw_shadows(&stage::scene().unwrap(), &fixtures), Ok(false));
+    assert!(!renderer.draw_light(&fixtures)?);
     // Without anything that throws a shadow, though the camera sees what it saw.
-    assert_eq!(renderer.draw_shadows(&Scene::new(), &luminaires), Ok(true));
+    assert_eq!(renderer.draw_shadows(&Scene::new(), &fixtures), Ok(true));
     let before = bits(&renderer);
-    assert!(renderer.draw_light(&luminaires)?);
+    assert!(renderer.draw_light(&fixtures)?);
     assert_ne!(bits(&renderer), before);
     Ok(())
 }
 
 #[test]
 fn another_display_shows_other_codes() -> Result<(), Error> {
-    let mut renderer = renderer::<f32>(&stage::scene().unwrap(), &luminaires()?);
+    let mut renderer = renderer::<f32>(&stage::scene().unwrap(), &fixtures()?);
     let plain = renderer.encode().to_vec();
     let displays = [Display::Rgb888Dithered, Display::Rgb565, Display::Rgb565Dithered];
     for (display, most) in displays.into_iter().zip([1, 5, 9]) {

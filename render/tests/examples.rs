@@ -68,11 +68,11 @@ fn the_seconds_alone_say_what_has_moved() {
         let setup = example.setup().unwrap();
         assert_eq!(setup, example.setup().unwrap());
         for seconds in [-3.0, 0.0, 0.1, 1e6, 1e30] {
-            let luminaires = setup.luminaires_at(seconds).unwrap();
-            assert_eq!(luminaires, setup.luminaires_at(seconds).unwrap());
-            assert_eq!(luminaires.len(), setup.fixtures.len());
+            let fixtures = setup.fixtures_at(seconds).unwrap();
+            assert_eq!(fixtures, setup.fixtures_at(seconds).unwrap());
+            assert_eq!(fixtures.len(), setup.fixtures.len());
         }
-        let moves = setup.luminaires_at(0.0).unwrap() != setup.luminaires_at(2.6).unwrap();
+        let moves = setup.fixtures_at(0.0).unwrap() != setup.fixtures_at(2.6).unwrap();
         let stands_still = matches!(example, Example::BareSpot | Example::Pocket | Example::ThreePoint);
         assert_eq!(moves, !stands_still, "{}", example.name());
     }
@@ -82,9 +82,9 @@ fn the_seconds_alone_say_what_has_moved() {
 #[test]
 fn the_grids_light_the_same_area() {
     let area = |example: Example| -> f64 {
-        let spots = example.setup().unwrap().luminaires_at(0.0).unwrap();
-        let circles = spots.iter().map(|luminaire| {
-            let luminaire::dynamic::AnyLight::Spot(spot) = luminaire.lamp() else { panic!("{luminaire:?}") };
+        let spots = example.setup().unwrap().fixtures_at(0.0).unwrap();
+        let circles = spots.iter().map(|fixture| {
+            let luminaire::dynamic::AnyLight::Spot(spot) = fixture.light() else { panic!("{fixture:?}") };
             let versine = f64::from(spot.cone().outer_versine());
             let radius = f64::from(spot.position().y) * (versine * (2.0 - versine)).sqrt() / (1.0 - versine);
             std::f64::consts::PI * radius * radius

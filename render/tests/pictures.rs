@@ -35,9 +35,9 @@ impl Picture {
         let mut renderer = Renderer::<S>::new(size.0, size.1)?;
         renderer.draw_geometry(&setup.scene, &setup.camera);
         renderer.set_display(setup.display);
-        let luminaires = setup.luminaires_at(0.0)?;
-        renderer.draw_shadows(&setup.scene, &luminaires)?;
-        renderer.draw_light(&luminaires)?;
+        let fixtures = setup.fixtures_at(0.0)?;
+        renderer.draw_shadows(&setup.scene, &fixtures)?;
+        renderer.draw_light(&fixtures)?;
         let codes = renderer.encode().chunks_exact(4).flat_map(|pixel| &pixel[..3]).copied().collect();
         Ok(Self { size, codes })
     }

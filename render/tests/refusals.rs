@@ -118,18 +118,18 @@ fn mesh(rng: &mut Rng) -> Mesh {
     mesh.turned(vector(rng), number(rng)).moved(vector(rng))
 }
 
-fn luminaire(rng: &mut Rng) -> Result<Fixture, luminaire::Error> {
+fn fixture(rng: &mut Rng) -> Result<Fixture, luminaire::Error> {
     let place = vector(rng);
     if rng.bool() {
         return Ok(PointLight::new(place)?.with_intensity(number(rng))?.with_color(color(rng))?.into());
     }
     let cone = Cone::from_field(Soft, Angle::degrees(180.0 * rng.f32()))?;
     let spot = SpotLight::new(place, vector(rng), cone)?.with_intensity(30.0 * number(rng))?;
-    let luminaire = Fixture::from(spot.with_color(color(rng))?);
-    if rng.bool() { luminaire.with_shadow(16) } else { Ok(luminaire) }
+    let fixture = Fixture::from(spot.with_color(color(rng))?);
+    if rng.bool() { fixture.with_shadow(16) } else { Ok(fixture) }
 }
 
-/// Draws a scene, and compares what leaving out and leaving nothing out shows. Returns whether the format holds its lamps.
+/// Draws a scene, and compares what leaving out and leaving nothing out shows. Returns whether the format holds its lights.
 fn assert_drawn<S: Format>(scene: &Scene, camera: &Camera, lamps: &[Fixture]) -> bool {
     let mut renderer = Renderer::<S>::new(24, 16).expect("a sound size");
     renderer.draw_geometry(scene, camera);
@@ -179,7 +179,7 @@ fn hostile_scenes_are_refused_or_drawn() {
         if rng.u8(..4) == 0 {
             scene.set_haze(Haze::new(number(rng)).ok());
         }
-        let lamps: Vec<_> = (0..3).filter_map(|_| luminaire(rng).ok()).collect();
+        let lamps: Vec<_> = (0..3).filter_map(|_| fixture(rng).ok()).collect();
         let [distance, yaw, pitch, field] = std::array::from_fn(|_| number(rng));
         let camera = Camera::new(vector(rng), distance, yaw, pitch, field);
         drawn += usize::from(match rng.u8(..3) {

@@ -38,19 +38,19 @@ fn bits<S: Format>(renderer: &mut Renderer<S>) -> (Vec<[u32; 3]>, Vec<u8>) {
 /// everything.
 fn assert_same<S: Format>(setup: &Setup, pictures: &[Vec<Fixture>], what: &str) {
     let (mut going_on, mut everything) = (renderer::<S>(setup), renderer::<S>(setup));
-    for (number, luminaires) in pictures.iter().enumerate() {
+    for (number, fixtures) in pictures.iter().enumerate() {
         let mut fresh = renderer::<S>(setup);
         for renderer in [&mut going_on, &mut fresh, &mut everything] {
-            renderer.draw_shadows(&setup.scene, luminaires).unwrap();
+            renderer.draw_shadows(&setup.scene, fixtures).unwrap();
         }
-        going_on.draw_light(luminaires).unwrap();
-        fresh.draw_light(luminaires).unwrap();
-        everything.draw_everything(luminaires).unwrap();
+        going_on.draw_light(fixtures).unwrap();
+        fresh.draw_light(fixtures).unwrap();
+        everything.draw_everything(fixtures).unwrap();
         let expected = bits(&mut everything);
         assert!(bits(&mut fresh) == expected, "{what} in {}: picture {number}", S::NAME);
         assert!(bits(&mut going_on) == expected, "{what} in {}: picture {number} after others", S::NAME);
         for account in [fresh.account(), going_on.account(), everything.account()] {
-            assert_eq!(account.pairs(), (luminaires.len() * SIZE.0 * SIZE.1) as u64, "{what}: {account:?}");
+            assert_eq!(account.pairs(), (fixtures.len() * SIZE.0 * SIZE.1) as u64, "{what}: {account:?}");
         }
         let account = everything.account();
         assert_eq!(account.evaluated, account.pairs(), "{what}: {account:?}");
@@ -65,9 +65,9 @@ fn assert_same_everywhere(example: Example, pictures: impl Fn(&Setup) -> Vec<Vec
     assert_same::<Fx16>(&setup, &pictures, example.name());
 }
 
-/// A lamp that is switched off.
-fn off(luminaire: &Fixture) -> Fixture {
-    match luminaire.lamp() {
+/// A light that is switched off.
+fn off(fixture: &Fixture) -> Fixture {
+    match fixture.light() {
         AnyLight::Directional(lamp) => lamp.with_intensity(0.0).unwrap().into(),
         AnyLight::Point(lamp) => lamp.with_intensity(0.0).unwrap().into(),
         AnyLight::Spot(lamp) => lamp.with_intensity(0.0).unwrap().into(),
@@ -78,7 +78,7 @@ fn off(luminaire: &Fixture) -> Fixture {
 fn planned_pictures_are_those_of_everything() {
     for example in Example::ALL {
         assert_same_everywhere(example, |setup| {
-            [0.0, 1.7, 1.75, 6.3].map(|seconds| setup.luminaires_at(seconds).unwrap()).to_vec()
+            [0.0, 1.7, 1.75, 6.3].map(|seconds| setup.fixtures_at(seconds).unwrap()).to_vec()
         });
     }
 }
@@ -87,7 +87,7 @@ fn planned_pictures_are_those_of_everything() {
 fn dark_lamps_and_lamps_that_go_off_and_on_leave_no_trace() {
     for example in [Example::ThreePoint, Example::Show, Example::Gallery] {
         assert_same_everywhere(example, |setup| {
-            let all = setup.luminaires_at(0.0).unwrap();
+            let all = setup.fixtures_at(0.0).unwrap();
             let without = |part: usize| {
                 let number =
                     |(number, lamp): (usize, &Fixture)| if number % 3 == part { off(lamp) } else { *lamp };
@@ -104,10 +104,10 @@ fn dark_lamps_and_lamps_that_go_off_and_on_leave_no_trace() {
 #[test]
 fn dark_lamps_are_dropped() {
     let setup = Example::ThreePoint.setup().unwrap();
-    let mut luminaires = setup.luminaires_at(0.0).unwrap();
-    luminaires[1] = off(&luminaires[1]);
+    let mut fixtures = setup.fixtures_at(0.0).unwrap();
+    fixtures[1] = off(&fixtures[1]);
     let mut renderer = renderer::<f32>(&setup);
-    renderer.draw_light(&luminaires).unwrap();
+    renderer.draw_light(&fixtures).unwrap();
     let account = renderer.account();
     assert_eq!((account.lamps, account.lamps_dropped), (3, 1));
     assert_eq!(account.dropped, (SIZE.0 * SIZE.1) as u64);
@@ -119,14 +119,14 @@ fn lit(example: Example) -> (Setup, Renderer<f32>) {
     let (width, height) = example.size();
     let mut renderer = Renderer::new(width, height).unwrap();
     assert!(renderer.draw_geometry(&setup.scene, &setup.camera));
-    assert!(renderer.draw_light(&setup.luminaires_at(0.0).unwrap()).unwrap());
+    assert!(renderer.draw_light(&setup.fixtures_at(0.0).unwrap()).unwrap());
     (setup, renderer)
 }
 
 /// How many pairs of a spotlight and a pixel there are in which light arrives: the least that can be evaluated.
 fn lit_pairs(setup: &Setup, renderer: &Renderer<f32>) -> u64 {
-    let luminaires = setup.luminaires_at(0.0).unwrap();
-    let spots = luminaires.iter().map(|luminaire| match luminaire.lamp() {
+    let fixtures = setup.fixtures_at(0.0).unwrap();
+    let spots = fixtures.iter().map(|fixture| match fixture.light() {
         AnyLight::Spot(spot) => spot.compile::<f32>().unwrap(),
         other => panic!("{other:?}"),
     });
@@ -152,10 +152,10 @@ fn a_spot_is_evaluated_little_beyond_its_circle() {
     assert_saving(Example::WideGrid, 17.4..17.5, 1.34..1.35);
 }
 
-/// How many pairs of a lamp and a pixel there are in which a highlight arrives: the least that can be evaluated.
+/// How many pairs of a light and a pixel there are in which a highlight arrives: the least that can be evaluated.
 fn shining_pairs(setup: &Setup, renderer: &Renderer<f32>) -> u64 {
-    let luminaires = setup.luminaires_at(0.0).unwrap();
-    let lamps: Vec<_> = luminaires.iter().map(|lit| lit.lamp().compile::<f32>().unwrap()).collect();
+    let fixtures = setup.fixtures_at(0.0).unwrap();
+    let lamps: Vec<_> = fixtures.iter().map(|lit| lit.light().compile::<f32>().unwrap()).collect();
     let points = pixels(renderer).filter_map(|(x, y)| renderer.surface(x, y));
     let shines = |(point, normal, material): (Vec3<f32>, Vec3<f32>, Material)| {
         let surface = SurfacePoint::<f32>::seen_from(setup.camera.eye(), point, normal);
@@ -188,7 +188,7 @@ fn assert_relit(example: Example, seconds: f32, relit: Range<f64>, changed: Rang
         pixels(renderer).map(|(x, y)| renderer.linear(x, y).unwrap()).collect()
     };
     let before = light(&renderer);
-    assert!(renderer.draw_light(&setup.luminaires_at(seconds).unwrap()).unwrap());
+    assert!(renderer.draw_light(&setup.fixtures_at(seconds).unwrap()).unwrap());
     let is_changed = before.iter().zip(&light(&renderer)).map(|(a, b)| a != b).collect::<Vec<_>>();
     let is_relit: Vec<_> = pixels(&renderer).map(|(x, y)| renderer.is_relit(x, y).unwrap()).collect();
     assert!(is_changed.iter().zip(&is_relit).all(|(changed, relit)| relit | !changed), "{}", example.name());
@@ -201,7 +201,7 @@ fn assert_relit(example: Example, seconds: f32, relit: Range<f64>, changed: Rang
 
 #[test]
 fn only_the_tiles_of_lamps_that_have_changed_are_relit() {
-    // The chase has gone from one of 64 lamps to the next, and from one of 8; the follow spot has moved, one of 26 lamps.
+    // The chase has gone from one of 64 lights to the next, and from one of 8; the follow spot has moved, one of 26 lights.
     assert_relit(Example::Grid, 0.25, 0.0275..0.0278, 0.0087..0.0089);
     assert_relit(Example::WideGrid, 0.25, 0.122..0.123, 0.0758..0.0762);
     assert_relit(Example::Gallery, 0.25, 0.0495..0.0505, 0.0119..0.0122);
@@ -213,10 +213,10 @@ fn where_nothing_has_changed_nothing_is_done() {
         let setup = example.setup().unwrap();
         let mut renderer = renderer::<f32>(&setup);
         assert_eq!(renderer.account().triangles, setup.scene.triangle_count());
-        renderer.draw_light(&setup.luminaires_at(0.1).unwrap()).unwrap();
+        renderer.draw_light(&setup.fixtures_at(0.1).unwrap()).unwrap();
         assert!(!renderer.draw_geometry(&setup.scene, &setup.camera));
         assert_eq!(renderer.account().triangles, 0);
-        assert!(!renderer.draw_light(&setup.luminaires_at(0.1).unwrap()).unwrap(), "{}", example.name());
+        assert!(!renderer.draw_light(&setup.fixtures_at(0.1).unwrap()).unwrap(), "{}", example.name());
     }
 }
 
@@ -231,16 +231,16 @@ fn paint_and_ambient_light_draw_no_triangle() {
     let mut dim = blue.clone();
     dim.set_ambient(Rgb::new(0.1, 0.1, 0.1)).unwrap();
     let setup = turntable(4).unwrap();
-    let luminaires = setup.luminaires_at(0.0).unwrap();
+    let fixtures = setup.fixtures_at(0.0).unwrap();
     let mut renderer = Renderer::<f32>::new(SIZE.0, SIZE.1).unwrap();
     for (scene, triangles) in [(&red, 12), (&blue, 0), (&dim, 0)] {
         assert!(renderer.draw_geometry(scene, &setup.camera));
-        assert!(renderer.draw_light(&luminaires).unwrap());
+        assert!(renderer.draw_light(&fixtures).unwrap());
         let account = renderer.account();
         assert_eq!((account.triangles, account.tiles_relit), (triangles, account.tiles));
         let mut fresh = Renderer::<f32>::new(SIZE.0, SIZE.1).unwrap();
         fresh.draw_geometry(scene, &setup.camera);
-        fresh.draw_everything(&luminaires).unwrap();
+        fresh.draw_everything(&fixtures).unwrap();
         assert!(bits(&mut renderer) == bits(&mut fresh), "{triangles} triangles");
     }
 }

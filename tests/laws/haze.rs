@@ -10,7 +10,7 @@ use luminaire::{
 };
 
 /// Where `can_meet` says no, the air light of a ray is exactly zero. The ray looks along the axis,
-/// against it, at the lamp, in a plane tangent to the cone or anywhere; so does the lamp look at
+/// against it, at the light, in a plane tangent to the cone or anywhere; so does the light look at
 /// the eye.
 pub fn beams_that_are_not_met_are_dark(words: &[u32]) {
     let _: Option<()> = not_met(&mut Words::new(words));

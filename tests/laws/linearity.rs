@@ -1,11 +1,11 @@
-//! Light is linear: twice the lamp is twice the light, and lamps add in any order.
+//! Light is linear: twice the light is twice the light, and lights add in any order.
 
 use super::format::Format;
 use super::scene;
 use super::words::Words;
 use luminaire::{Rgb, falloff::Soft};
 
-/// Below full scale a lamp of twice the intensity gives twice the light: exactly in f32, within the rounding of both in
+/// Below full scale a light of twice the intensity gives twice the light: exactly in f32, within the rounding of both in
 /// fixed point.
 pub fn twice_is_twice<S: Format>(words: &[u32]) {
     let _: Option<()> = twice::<S>(&mut Words::tame(words));

@@ -67,7 +67,7 @@ fn distance<S: Format>(words: &mut Words<'_>) -> Option<()> {
         let light = lamp.with_attenuation(model).compile::<S>().ok()?;
         [near, far].map(|distance| light.irradiance(place(distance), toward))
     };
-    // The lamp itself is dark.
+    // The light itself is dark.
     if near > 0.0 {
         let (near_light, far_light) = (S::exact_light(near_light), S::exact_light(far_light));
         let slack = rise_steps::<S>() * f64::from(S::STEP);
@@ -85,7 +85,7 @@ fn rise_steps<S: Format>() -> f64 {
     }
 }
 
-/// A lamp of more intensity never lights less.
+/// A light of more intensity never lights less.
 pub fn intensity_adds<S: Format>(words: &[u32]) {
     let _: Option<()> = intensity::<S>(&mut Words::new(words));
 }

@@ -60,7 +60,7 @@ fn pair<P: Falloff, A: Attenuation>(
 }
 
 /// The error of a ray, relative to what is seen there or to what a line across the axis sees that is as
-/// near to the lamp, whichever is more. At the rim of the lamp's body there is none: the light jumps, and
+/// near to the light, whichever is more. At the rim of the light's body there is none: the light jumps, and
 /// no format can place the jump.
 fn error<P: Falloff, A: Attenuation>(
     pair: &Pair<P, A>,
@@ -210,7 +210,7 @@ fn samples_keep_their_rows() {
     assert!(all.is_empty(), "{}", all.join("\n"));
 }
 
-/// Rays that pass close to the lamp: their own roundings, magnified by how much farther the eye is than
+/// Rays that pass close to the light: their own roundings, magnified by how much farther the eye is than
 /// their line, are what there is of an error. Measured in that.
 #[test]
 fn rays_at_the_lamp_keep_their_row() {
@@ -223,7 +223,7 @@ fn rays_at_the_lamp_keep_their_row() {
                 let aside = 0.05 * 1e-4_f64.powf(rng.f64());
                 let target = place(pair.oracle.spot.position, sweep::direction(rng), aside);
                 let way = minus(target, exact(eye));
-                // Towards the lamp, and away from it.
+                // Towards the light, and away from it.
                 let way = if rng.bool() { way } else { way.map(|c| -c) };
                 let view = ViewRay::endless(eye, sweep::single(unit(way)));
                 let (_, height) = distances(&pair.oracle, &exactly(&view));

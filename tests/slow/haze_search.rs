@@ -1,4 +1,4 @@
-//! Air light searched where the arc that a lamp sees of a view ray is nearly degenerate: half of
+//! Air light searched where the arc that a light sees of a view ray is nearly degenerate: half of
 //! all rays are within 0.01 rad of a critical direction.
 //!
 //! `LUMINAIRE_FULL=1 cargo test --test slow haze_search:: -- --nocapture --test-threads 1` tries
@@ -151,8 +151,8 @@ fn a_ray_that_cannot_meet_the_beam_is_exactly_dark() {
 }
 
 /// The largest error over many rays of the soft edge, relative to what is seen there or to what a
-/// line sees that crosses the beam at the angle of the ray and as near to the lamp, whichever is
-/// more; and over what passing close to the lamp magnifies. There is none at the rim of the lamp's
+/// line sees that crosses the beam at the angle of the ray and as near to the light, whichever is
+/// more; and over what passing close to the light magnifies. There is none at the rim of the light's
 /// body, where the light jumps.
 fn largest<A: Attenuation + Sync>(
     half: f32,

@@ -44,7 +44,7 @@ fn row<T: Copy>(columns: &Vec3<Vec<T>>, i: usize) -> Vec3<T> {
 }
 
 impl<S: Format> Sites<S> {
-    /// Points about a cone, points at and next to the lamp, and points and normals of any bits at all, mixed so that
+    /// Points about a cone, points at and next to the light, and points and normals of any bits at all, mixed so that
     /// neighbours differ in kind.
     fn about(rng: &mut Rng, lamp: Vec3<f32>, axis: Vec3<f32>, half_degrees: f32, count: usize) -> Self {
         let stored = S::exact_point(lamp.map(S::length));
@@ -77,7 +77,7 @@ fn before<S: Format>(rng: &mut Rng, count: usize) -> Vec<S::Irradiance> {
     (0..count).map(|_| S::from_f32(rng.f32()).expose(S::gain(4.0))).collect()
 }
 
-/// A lamp of either kind, one point at a time and many at once.
+/// A light of either kind, one point at a time and many at once.
 trait Lamp<S: Scalar> {
     fn one(&self, point: Vec3<S::Length>, normal: Vec3<S>) -> S::Irradiance;
     fn each(&self, points: Vec3<&[S::Length]>, normals: Vec3<&[S]>, lights: &mut [S::Irradiance]);

@@ -233,7 +233,7 @@ fn points_beyond_the_domain() {
     }
 }
 
-/// The light of the brightest lamps at a point that faces them: of a spotlight as wide as any, with and without rejects and
+/// The light of the brightest lights at a point that faces them: of a spotlight as wide as any, with and without rejects and
 /// with and without distance, and of a point light.
 fn brightest_at<S: Format>(light: Vec3<f32>, point: Vec3<f32>) -> f64 {
     let spot = SpotLight::new(light, Vec3::new(0.0, 1.0, 0.0), plain()[0].cone(90.0)).expect("sound");
@@ -407,7 +407,7 @@ fn the_least_exponent_is_a_step() {
     assert!(RealPower::new(f32::from_bits(1)).expect("accepted").steepness(0.0) >= 1.0);
 }
 
-/// The error of clipped light in codes, of a lamp of this intensity in a cone where its gain at the point is at most `gain`.
+/// The error of clipped light in codes, of a light of this intensity in a cone where its gain at the point is at most `gain`.
 fn bright<S: Format>(shape: &Shape, half_degrees: f32, intensity: f32, gain: f64) -> f64 {
     let (mut rng, mut worst) = (Rng::with_seed(9), 0.0_f64);
     let outer = reference::versine(half_degrees.into());

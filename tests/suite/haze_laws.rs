@@ -83,7 +83,7 @@ fn twice_the_density_is_exactly_twice_the_light() {
     });
 }
 
-/// Light of about a fifth of what is seen across the beam, as near to the lamp as the ray comes:
+/// Light of about a fifth of what is seen across the beam, as near to the light as the ray comes:
 /// differences are relative to it or to the light itself, whichever is more.
 fn unit_of_light(spot: &SpotLight<Soft>, view: &ViewRay) -> f64 {
     let (nearest, _) = distances(&oracle(spot), &exactly(view));
@@ -134,7 +134,7 @@ fn turned(rng: &mut Rng) -> [Vector; 3] {
     [a, b, [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]]
 }
 
-/// Turning lamp and eye changes what rounding to f32 does to them, and no more.
+/// Turning light and eye changes what rounding to f32 does to them, and no more.
 #[test]
 fn a_turned_scene_looks_the_same() {
     let mut worst = 0.0_f64;
@@ -152,7 +152,7 @@ fn a_turned_scene_looks_the_same() {
     assert_within("turned", worst);
 }
 
-/// The ray that looks along the axis meets the lamp head on and has no plane of its own.
+/// The ray that looks along the axis meets the light head on and has no plane of its own.
 #[test]
 fn along_the_axis_there_is_light() {
     let cone = Cone::from_outer(Soft, sweep::half(5.0)).expect("a sound cone");
@@ -163,14 +163,14 @@ fn along_the_axis_there_is_light() {
     };
     let up = Vec3::new(0.0, 1.0, 0.0);
     let assert_near = |light: f32, expected: f32| assert!((light / expected - 1.0).abs() < 1e-5, "{light}");
-    // From distance a to distance b of the lamp the integral is 1/a - 1/b.
+    // From distance a to distance b of the light the integral is 1/a - 1/b.
     assert_near(light(2.0, down, f32::INFINITY), 0.5);
     assert_near(light(2.0, down, 2.0), 0.25);
     assert_near(light(2.0, up, 1.0), 0.5);
-    // The lamp hides what is behind it, and there is nothing behind it either.
+    // The light hides what is behind it, and there is nothing behind it either.
     assert_near(light(2.0, up, f32::INFINITY), 99.5);
     assert_near(light(6.0, down, f32::INFINITY) + 1.0, 1.0);
-    // The eye in the lamp sees the whole beam from the lamp's surface on.
+    // The eye in the light sees the whole beam from the light's surface on.
     assert_near(light(4.0, down, f32::INFINITY), 100.0);
 }
 

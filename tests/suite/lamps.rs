@@ -37,7 +37,7 @@ fn distances() -> Result<Vec<AnyAttenuation>, Error> {
     ])
 }
 
-/// Lamps of every kind, profile and distance model: a spotlight stands and points anew for each.
+/// Lights of every kind, profile and distance model: a spotlight stands and points anew for each.
 fn lamps(rng: &mut Rng) -> Result<Vec<AnyLight>, Error> {
     let mut lamps = Vec::new();
     for distance in distances()? {
@@ -57,7 +57,7 @@ fn lamps(rng: &mut Rng) -> Result<Vec<AnyLight>, Error> {
     Ok(lamps)
 }
 
-/// Points that a lamp lights, that it does not, and of any bits.
+/// Points that a light reaches, that it does not, and of any bits.
 fn surfaces<S: Format>(rng: &mut Rng, lamp: &AnyLight) -> [SurfacePoint<S>; COUNT] {
     let (position, axis) = match lamp {
         AnyLight::Spot(spot) => (spot.position(), spot.axis()),
@@ -121,7 +121,7 @@ fn assert_each<S: Format, H: SpecularLobe>(
     lit
 }
 
-/// A loop for many points has the bits of the branches for one, whatever the lamp.
+/// A loop for many points has the bits of the branches for one, whatever the light.
 #[test]
 fn lamps_light_many_points_as_each() {
     fn assert_format<S: Format>() {
@@ -250,7 +250,7 @@ fn spot(profile: impl Falloff + Into<AnyFalloff>) -> Result<SpotLight<AnyFalloff
     SpotLight::new(Vec3::new(0.0, 4.0, 0.0), down(), Cone::from_outer(profile.into(), Angle::degrees(40.0))?)
 }
 
-/// What each lamp calls for, in words.
+/// What each light calls for, in words.
 #[test]
 fn a_lamp_calls_for_what_it_is() -> Result<(), Error> {
     let names: Vec<_> = AnyFalloff::samples()
@@ -290,7 +290,7 @@ fn a_lamp_calls_for_what_it_is() -> Result<(), Error> {
     let cone = spot(Linear)?.cone().with_inner(Angle::degrees(10.0))?.with_cutoff(Angle::degrees(30.0))?;
     let cut = Fixture::from(spot(Linear)?.with_cone(cone)).with_shadow(64)?;
     assert_eq!(cut.effects().to_string(), "diffuse, spot, linear, hotspot, cutoff, inverse-square, shadow");
-    assert_eq!((cut.shadow().map(|(side, _)| side), cut.lamp().intensity()), (Some(64), 1.0));
+    assert_eq!((cut.shadow().map(|(side, _)| side), cut.light().intensity()), (Some(64), 1.0));
     Ok(())
 }
 
@@ -303,11 +303,11 @@ fn a_dark_lamp_is_dropped() -> Result<(), Error> {
     let bright = [lit, lit.with_color(black)?.with_specular_color(red)?, lit.with_specular_color(black)?];
     for (spots, is_dark) in [(&dark[..], true), (&bright[..], false)] {
         for spot in spots {
-            let luminaire = Fixture::from(*spot).with_shadow(16)?;
-            assert_eq!(luminaire.lamp().is_dark(), is_dark);
-            assert_eq!(luminaire.effects() == Effects::NONE, is_dark);
-            assert_eq!(RenderPlan::new().with_fixture(&luminaire).effects(), luminaire.effects());
-            let prepare = |plan: RenderPlan| plan.prepare::<f32>(luminaire.lamp());
+            let fixture = Fixture::from(*spot).with_shadow(16)?;
+            assert_eq!(fixture.light().is_dark(), is_dark);
+            assert_eq!(fixture.effects() == Effects::NONE, is_dark);
+            assert_eq!(RenderPlan::new().with_fixture(&fixture).effects(), fixture.effects());
+            let prepare = |plan: RenderPlan| plan.prepare::<f32>(fixture.light());
             assert_eq!(prepare(RenderPlan::new())?.is_none(), is_dark);
             assert!(prepare(RenderPlan::everything())?.is_some());
         }
@@ -386,11 +386,11 @@ fn what_projects_no_square_is_refused() -> Result<(), Error> {
         (PointLight::new(down())?.into(), 360),
         (DirectionalLight::new(down())?.into(), 0),
     ];
-    for (luminaire, angle) in odd {
+    for (fixture, angle) in odd {
         let expected =
             format!("outer angle = {angle}: expected more than 0 and at most 160 degrees (full angle)");
-        assert_eq!(luminaire.with_gobo(BARS, Angle::degrees(0.0)).unwrap_err().to_string(), expected);
-        assert_eq!(luminaire.with_shadow(64).unwrap_err().to_string(), expected);
+        assert_eq!(fixture.with_gobo(BARS, Angle::degrees(0.0)).unwrap_err().to_string(), expected);
+        assert_eq!(fixture.with_shadow(64).unwrap_err().to_string(), expected);
     }
     Ok(())
 }

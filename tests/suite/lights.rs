@@ -223,7 +223,7 @@ fn one_vector_gives_direction_and_range() {
     }
 }
 
-/// However near the lamp, and however small the numbers get, no more light arrives than the lamp has.
+/// However near the light, and however small the numbers get, no more arrives than the intensity.
 #[test]
 fn no_light_is_made_next_to_a_lamp() {
     let lamp = PointLight::new(Vec3::default()).expect("sound").with_attenuation(NoAttenuation);
@@ -232,7 +232,7 @@ fn no_light_is_made_next_to_a_lamp() {
         let point = Vec3::new(0.0, 0.5_f32.powi(exponent), 0.0);
         let light = lamp.irradiance_unskipped(point, Vec3::new(0.0, -1.0, 0.0));
         assert!(light <= 1.0, "{light} at 2^-{exponent}");
-        // From 2^-64 on the squared distance is no normal number, and the point counts as on the lamp.
+        // From 2^-64 on the squared distance is no normal number, and the point counts as on the light.
         assert_eq!(light > 0.0, exponent < 64, "{light} at 2^-{exponent}");
         assert_eq!(light, lamp.irradiance(point, Vec3::new(0.0, -1.0, 0.0)));
     }

@@ -97,7 +97,7 @@ fn a_published_file_comes_back_in_every_format() {
     assert_format::<Fx16>(table, 0.5 / 255.0);
 }
 
-/// Curves as no luminaire has them, and numbers of knots from one on.
+/// Curves as no fixture has them, and numbers of knots from one on.
 #[test]
 fn a_stated_difference_is_what_a_dense_search_finds() {
     let mut rng = Rng::with_seed(63);

@@ -1,5 +1,5 @@
-//! View rays where the arc that a lamp sees of them is nearly degenerate: along the axis of the
-//! beam, against it, in a plane tangent to the cone, and through the lamp.
+//! View rays where the arc that a light sees of them is nearly degenerate: along the axis of the
+//! beam, against it, in a plane tangent to the cone, and through the light.
 
 use super::{
     reference::{Vector, minus, scaled, unit},
@@ -35,7 +35,7 @@ impl Frame {
         Self { position: exact(position), axis, generator, tangent }
     }
 
-    /// An eye 0.01 to 1000 from the lamp. Half of them are seen from the lamp near a critical
+    /// An eye 0.01 to 1000 from the light. Half of them are seen from the light near a critical
     /// direction.
     pub fn eye(&self, rng: &mut Rng) -> Vec3<f32> {
         let way = match rng.u8(..8) {
@@ -48,7 +48,7 @@ impl Frame {
         sweep::single(place(self.position, way, distance(rng)))
     }
 
-    /// A ray from an eye, near a critical direction or not. It ends before the lamp, beyond it,
+    /// A ray from an eye, near a critical direction or not. It ends before the light, beyond it,
     /// anywhere or nowhere.
     pub fn ray(&self, rng: &mut Rng, eye: Vec3<f32>, is_critical: bool) -> ViewRay {
         let way = minus(self.position, exact(eye));

@@ -33,7 +33,7 @@ pub const SAMPLES: [Row; 2] = [
     row("64 samples",        [6.7e-4, 2.7e-2, 3.2e-2, 1.1e-2, 4.5e-3, 4.4e-3]),
 ];
 
-/// The soft edge where the ray passes close to the lamp, over what that magnifies.
+/// The soft edge where the ray passes close to the light, over what that magnifies.
 #[rustfmt::skip]
 pub const AT_THE_LAMP: [Row; 1] = [
     row("at the lamp",       [6.2e-6, 1.1e-6, 2.0e-7, 5.0e-8, 3.4e-8, 2.5e-6]),

@@ -49,7 +49,7 @@ impl Beam {
     }
 
     /// The part of the ray within the cone, cut where it enters and leaves the hotspot, and ever more
-    /// finely towards the lamp.
+    /// finely towards the light.
     fn panels(&self, ray: &Ray) -> Vec<f64> {
         let Some((first, last)) = self.visible(ray) else { return Vec::new() };
         let way = minus(ray.eye, self.spot.position);
@@ -80,7 +80,7 @@ impl Beam {
         places
     }
 
-    /// From where to where the ray is neither in the lamp nor behind it, and within the range.
+    /// From where to where the ray is neither in the light nor behind it, and within the range.
     fn visible(&self, ray: &Ray) -> Option<(f64, f64)> {
         let way = minus(ray.eye, self.spot.position);
         let foot = -dot(way, ray.direction);

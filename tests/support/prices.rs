@@ -31,9 +31,9 @@ pub const HIGHLIGHT: [Row; 12] = [
     Row { model: "dual cone 2",     bounds: [3.1e-7, 7.4e-8, 1.8e-4] },
     Row { model: "dual cone 32",    bounds: [1.9e-6, 2.1e-7, 3.8e-4] },
     Row { model: "dual cone 256",   bounds: [1.3e-5, 2.5e-7, 6.8e-4] },
-    Row { model: "lyon 4",          bounds: [4.5e-7, 1.7e-7, 4.5e-4] },
-    Row { model: "lyon 32",         bounds: [1.0e-6, 4.0e-7, 6.7e-4] },
-    Row { model: "lyon 256",        bounds: [2.7e-6, 1.1e-6, 1.6e-3] },
+    Row { model: "difference-form 4",   bounds: [4.5e-7, 1.7e-7, 4.5e-4] },
+    Row { model: "difference-form 32",  bounds: [1.0e-6, 4.0e-7, 6.7e-4] },
+    Row { model: "difference-form 256", bounds: [2.7e-6, 1.1e-6, 1.6e-3] },
 ];
 
 /// The complete lit point of the classic equation, of an ambient, a spotlight and a shiny material: the error of the

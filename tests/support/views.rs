@@ -17,7 +17,7 @@ pub fn place(from: Vector, way: Vector, distance: f64) -> Vector {
     [0, 1, 2].map(|i| from[i] + distance * way[i])
 }
 
-/// A place in the cone of a beam or not far beside it, 0.2 to 10 from the lamp.
+/// A place in the cone of a beam or not far beside it, 0.2 to 10 from the light.
 pub fn near_beam(rng: &mut Rng, spot: &reference::SpotLight, most: f64) -> Vector {
     let outer = reference::half_degrees(spot.cone.limit).to_radians();
     let angle = rng.f64() * most * outer;
@@ -25,7 +25,7 @@ pub fn near_beam(rng: &mut Rng, spot: &reference::SpotLight, most: f64) -> Vecto
 }
 
 /// A view ray towards a place at the beam, from beside it or from within, that ends before it, behind it or
-/// nowhere. Its line does not pass the lamp so near that the ray's own roundings decide where.
+/// nowhere. Its line does not pass the light so near that the ray's own roundings decide where.
 pub fn view(rng: &mut Rng, oracle: &Beam) -> ViewRay {
     loop {
         let view = any_view(rng, &oracle.spot);
@@ -59,7 +59,7 @@ pub fn exactly(view: &ViewRay) -> Ray {
     Ray { eye: exact(view.eye), direction: unit(exact(view.direction)), length }
 }
 
-/// The distance of a ray from the lamp, and how near its line passes it.
+/// The distance of a ray from the light, and how near its line passes it.
 pub fn distances(oracle: &Beam, ray: &Ray) -> (f64, f64) {
     let distance = |s: f64| {
         let way = minus(ray.at(s), oracle.spot.position);

@@ -277,10 +277,10 @@ impl Demo {
 
     fn draw_changes(&mut self) -> Result<bool, Refusal> {
         let Self { renderer, scene, camera, canvas, clock, .. } = self;
-        let luminaires: Vec<Fixture> =
+        let fixtures: Vec<Fixture> =
             self.lights.iter().filter(|light| light.is_on()).map(|light| (*light.spot()).into()).collect();
         let (geometry, moved) = clock.time(|| renderer.draw_geometry(scene, camera));
-        let (lighting, lit) = clock.time(|| renderer.draw_light(&luminaires));
+        let (lighting, lit) = clock.time(|| renderer.draw_light(&fixtures));
         let changed = lit?;
         if !changed && self.is_shown {
             return Ok(false);

@@ -13,7 +13,7 @@ pub struct Equality {
     pub pixels: usize,
     /// The pixels whose light or displayed code is not the same in both, to the bit.
     pub differing: usize,
-    /// The pairs of a lamp and a pixel that were evaluated.
+    /// The pairs of a light and a pixel that were evaluated.
     pub evaluated: f64,
     /// All pairs, which were evaluated for the other picture.
     pub pairs: f64,
@@ -31,16 +31,16 @@ impl Equality {
         mut renderer: Box<dyn Draw>,
         width: usize,
         clock: &Clock,
-        (scene, camera, luminaires): (&Scene, &Camera, &[Fixture]),
+        (scene, camera, fixtures): (&Scene, &Camera, &[Fixture]),
     ) -> Result<Self, Refusal> {
         renderer.draw_geometry(scene, camera);
-        renderer.draw_shadows(scene, luminaires)?;
+        renderer.draw_shadows(scene, fixtures)?;
         // Whatever comes first pays for memory that was never used before: that draw is not timed.
-        renderer.draw_light(luminaires)?;
-        let (everything_ms, lit) = clock.time(|| renderer.draw_everything(luminaires));
+        renderer.draw_light(fixtures)?;
+        let (everything_ms, lit) = clock.time(|| renderer.draw_everything(fixtures));
         lit?;
         let (everything, pairs) = (bits(&mut *renderer, width), renderer.account().evaluated);
-        let (lighting_ms, lit) = clock.time(|| renderer.draw_light(luminaires));
+        let (lighting_ms, lit) = clock.time(|| renderer.draw_light(fixtures));
         lit?;
         let (called_for, account) = (bits(&mut *renderer, width), renderer.account());
         let differing = called_for.iter().zip(&everything).filter(|(one, other)| one != other).count();

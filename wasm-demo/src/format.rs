@@ -67,12 +67,12 @@ impl Format {
         with_scalar!(self, S => spot.compile::<S>().map(drop))
     }
 
-    /// Whether the format can hold a luminaire with what is mounted on it.
-    pub(crate) fn check_luminaire(self, luminaire: &Fixture) -> Result<(), Error> {
+    /// Whether the format can hold a fixture with what is mounted on it.
+    pub(crate) fn check_fixture(self, fixture: &Fixture) -> Result<(), Error> {
         with_scalar!(self, S => {
-            luminaire.lamp().compile::<S>()?;
-            luminaire.compile_gobo::<S>()?;
-            luminaire.shadow().map_or(Ok(()), |(_, projection)| projection.compile::<S>().map(drop))
+            fixture.light().compile::<S>()?;
+            fixture.compile_gobo::<S>()?;
+            fixture.shadow().map_or(Ok(()), |(_, projection)| projection.compile::<S>().map(drop))
         })
     }
 
@@ -115,12 +115,12 @@ impl fmt::Display for Format {
 pub(crate) trait Draw {
     /// Draws what the camera sees, if that is not what was drawn last; whether it was drawn.
     fn draw_geometry(&mut self, scene: &Scene, camera: &Camera) -> bool;
-    /// Draws the shadow maps of the luminaires, where scene or luminaire has changed; whether any was drawn.
-    fn draw_shadows(&mut self, scene: &Scene, luminaires: &[Fixture]) -> Result<bool, DrawError>;
+    /// Draws the shadow maps of the fixtures, where scene or fixture has changed; whether any was drawn.
+    fn draw_shadows(&mut self, scene: &Scene, fixtures: &[Fixture]) -> Result<bool, DrawError>;
     /// Lights what was drawn, if anything has changed; whether it was lit.
-    fn draw_light(&mut self, luminaires: &[Fixture]) -> Result<bool, Error>;
+    fn draw_light(&mut self, fixtures: &[Fixture]) -> Result<bool, Error>;
     /// Lights everything that was drawn with every effect, called for or not.
-    fn draw_everything(&mut self, luminaires: &[Fixture]) -> Result<(), Error>;
+    fn draw_everything(&mut self, fixtures: &[Fixture]) -> Result<(), Error>;
     /// Shows the picture on another display, with the next `encode`.
     fn set_display(&mut self, display: Display);
     /// Encodes what was lit for the display: RGBA, sRGB, eight bits.
@@ -129,7 +129,7 @@ pub(crate) trait Draw {
     fn pixels(&self) -> &[u8];
     /// What the light has cost when it was last drawn.
     fn account(&self) -> Account;
-    /// How many lamps were evaluated at a pixel when it was last lit; none outside the picture.
+    /// How many lights were evaluated at a pixel when it was last lit; none outside the picture.
     fn lamps_evaluated(&self, x: usize, y: usize) -> Option<u16>;
     /// Whether a pixel was lit again the last time that light was drawn; none outside the picture.
     fn is_relit(&self, x: usize, y: usize) -> Option<bool>;
@@ -142,16 +142,16 @@ impl<S: luminaire_render::Format> Draw for Renderer<S> {
         self.draw_geometry(scene, camera)
     }
 
-    fn draw_shadows(&mut self, scene: &Scene, luminaires: &[Fixture]) -> Result<bool, DrawError> {
-        self.draw_shadows(scene, luminaires)
+    fn draw_shadows(&mut self, scene: &Scene, fixtures: &[Fixture]) -> Result<bool, DrawError> {
+        self.draw_shadows(scene, fixtures)
     }
 
-    fn draw_light(&mut self, luminaires: &[Fixture]) -> Result<bool, Error> {
-        self.draw_light(luminaires)
+    fn draw_light(&mut self, fixtures: &[Fixture]) -> Result<bool, Error> {
+        self.draw_light(fixtures)
     }
 
-    fn draw_everything(&mut self, luminaires: &[Fixture]) -> Result<(), Error> {
-        self.draw_everything(luminaires)
+    fn draw_everything(&mut self, fixtures: &[Fixture]) -> Result<(), Error> {
+        self.draw_everything(fixtures)
     }
 
     fn set_display(&mut self, display: Display) {

@@ -27,7 +27,7 @@
 //! - `scene_state`: what the page displays of a scene, as plain values
 //! - `rig`: a scene with its switches
 //! - `viewpoint`: how far a visitor has moved away from its camera
-//! - `map`: where its lamps were evaluated, as colours
+//! - `map`: where its lights were evaluated, as colours
 //! - `equality`: its picture beside the one for which everything was evaluated
 //! - `scenes`: the class that the page holds for the scenes
 #![forbid(unsafe_code)]

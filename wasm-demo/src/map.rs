@@ -1,4 +1,4 @@
-//! A map over the picture: how many lamps were evaluated where, or which tiles were lit again.
+//! A map over the picture: how many lights were evaluated where, or which tiles were lit again.
 
 use crate::{
     false_colour::{Palette, Scale},
@@ -6,7 +6,7 @@ use crate::{
     refusal::Refusal,
 };
 
-/// How much a map of lamps covers of the picture, of 255: so much that its colours are those of the legend for the eye,
+/// How much a map of lights covers of the picture, of 255: so much that its colours are those of the legend for the eye,
 /// and the picture is still seen. Two colours are told apart through less.
 const COVER: u8 = 215;
 const TILE_COVER: u8 = 120;
@@ -19,7 +19,7 @@ const RELIT: (f32, f32) = (0.7, 0.0);
 pub(crate) enum Subject {
     /// Nothing: there is no map.
     Nothing,
-    /// How many lamps were evaluated at each pixel.
+    /// How many lights were evaluated at each pixel.
     Lamps,
     /// Which tiles were lit again.
     Tiles,
@@ -30,7 +30,7 @@ pub(crate) enum Subject {
 pub(crate) struct Map {
     subject: Subject,
     palette: Palette,
-    /// The most lamps at a pixel since the map was begun. The scale grows, and never shrinks: else its colours would change
+    /// The most lights at a pixel since the map was begun. The scale grows, and never shrinks: else its colours would change
     /// their meaning from picture to picture.
     most: u16,
     pixels: Vec<u8>,
@@ -73,7 +73,7 @@ impl Map {
         self.palette.colours()
     }
 
-    /// How many lamps have the last colour.
+    /// How many lights have the last colour.
     pub(crate) fn end(&self) -> f64 {
         self.scale().end()
     }
@@ -113,7 +113,7 @@ impl Map {
         self.pixels.extend([red, green, blue, cover]);
     }
 
-    /// At least one lamp, so that none at all has the first colour.
+    /// At least one light, so that none at all has the first colour.
     fn scale(&self) -> Scale {
         Scale::to(self.most.max(1).into())
     }
@@ -132,7 +132,7 @@ mod tests {
         let setup = Example::Grid.setup().unwrap();
         let mut renderer = Format::F32.renderer(SIZE.0 as u32, SIZE.1 as u32).unwrap();
         renderer.draw_geometry(&setup.scene, &setup.camera);
-        renderer.draw_light(&setup.luminaires_at(0.0).unwrap()).unwrap();
+        renderer.draw_light(&setup.fixtures_at(0.0).unwrap()).unwrap();
         let mut map = Map::new();
         assert!(map.draw(&*renderer, SIZE.0, SIZE.1).is_none());
         map.set_subject(Subject::Lamps);
@@ -158,7 +158,7 @@ mod tests {
         let [relit, kept] = map.tile_colours();
         renderer.draw_geometry(&setup.scene, &setup.camera);
         let mut share = |seconds| {
-            assert!(renderer.draw_light(&setup.luminaires_at(seconds).unwrap()).unwrap());
+            assert!(renderer.draw_light(&setup.fixtures_at(seconds).unwrap()).unwrap());
             let pixels = map.draw(&*renderer, SIZE.0, SIZE.1).unwrap();
             let count = |colour: [u8; 3]| pixels.chunks(4).filter(|pixel| pixel[..3] == colour).count();
             assert_eq!(count(relit) + count(kept), SIZE.0 * SIZE.1);

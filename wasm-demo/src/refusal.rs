@@ -21,10 +21,10 @@ pub(crate) enum Refusal {
         light: &'static str,
         error: luminaire::Error,
     },
-    /// A lamp of a scene does not fit into a number format.
+    /// A light of a scene does not fit into a number format.
     Lamp {
         format: Format,
-        /// Which lamp, counted from 0.
+        /// Which light, counted from 0.
         lamp: usize,
         /// What the trade calls it.
         name: &'static str,

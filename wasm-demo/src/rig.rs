@@ -1,4 +1,4 @@
-//! A scene with its switches: which lamps are on, which effects are left out, and so what the renderer is given.
+//! A scene with its switches: which lights are on, which effects are left out, and so what the renderer is given.
 
 use crate::{
     format::Format,
@@ -26,7 +26,7 @@ const SWITCHABLE: [(Effect, &str); 5] = [
     (Effect::Dither, "dither"),
 ];
 
-/// The side in texels of a shadow map that a visitor asks for, and for how many lamps there may be such maps.
+/// The side in texels of a shadow map that a visitor asks for, and for how many lights there may be such maps.
 const SHADOW_SIDE: u16 = 512;
 const SHADOWS: usize = 16;
 
@@ -36,26 +36,26 @@ const HAZE: f32 = 0.05;
 /// Seconds at which a scene is looked at to find out whether anything in it moves.
 const LOOKS: [f32; 4] = [0.3, 1.1, 2.7, 6.0];
 
-/// A scene, the luminaires above it, and what of both is switched off.
+/// A scene, the fixtures above it, and what of both is switched off.
 #[derive(Clone, Debug)]
 pub(crate) struct Rig {
     setup: Setup,
     /// What stands there, without what is left out.
     scene: Scene,
-    /// The luminaires, without what is left out.
+    /// The fixtures, without what is left out.
     fixtures: Vec<MovingLight>,
-    /// Which lamps are on.
+    /// Which lights are on.
     on: Vec<bool>,
     /// The effects that were switched, and whether they are there since.
     switched: Vec<(Effect, bool)>,
-    /// The side in texels of the shadow maps of lamps that throw no shadows by themselves.
+    /// The side in texels of the shadow maps of lights that throw no shadows by themselves.
     shadow_side: u16,
     /// What the scene calls for as it was made.
     effects: Effects,
 }
 
 impl Rig {
-    /// A scene as it was made: all lamps on, nothing left out, nothing added.
+    /// A scene as it was made: all lights on, nothing left out, nothing added.
     pub(crate) fn new(setup: Setup) -> Result<Self, Error> {
         let mut rig = Self {
             scene: setup.scene.clone(),
@@ -66,15 +66,15 @@ impl Rig {
             shadow_side: SHADOW_SIDE,
             effects: Effects::NONE,
         };
-        rig.effects = rig.plan(&rig.luminaires_at(0.0)?).effects();
+        rig.effects = rig.plan(&rig.fixtures_at(0.0)?).effects();
         Ok(rig)
     }
 
-    /// Gives every lamp shadows that can have them, by maps of so many texels a side.
+    /// Gives every light shadows that can have them, by maps of so many texels a side.
     pub(crate) fn add_shadows(&mut self, side: u16) -> Result<(), Error> {
         self.shadow_side = side;
         self.put(Effect::Shadow, true)?;
-        self.luminaires_at(0.0).map(drop)
+        self.fixtures_at(0.0).map(drop)
     }
 
     /// What stands there.
@@ -87,19 +87,19 @@ impl Rig {
         self.setup.camera_at(seconds)
     }
 
-    /// The luminaires after so many seconds. One that is switched off is there, and dark, so that the others keep
+    /// The fixtures after so many seconds. One that is switched off is there, and dark, so that the others keep
     /// their numbers.
-    pub(crate) fn luminaires_at(&self, seconds: f32) -> Result<Vec<Fixture>, Error> {
-        let luminaire = |(fixture, &on): (&MovingLight, &bool)| {
-            let luminaire = fixture.at(seconds)?;
-            Ok(if on { luminaire } else { darkened(luminaire.lamp())?.into() })
+    pub(crate) fn fixtures_at(&self, seconds: f32) -> Result<Vec<Fixture>, Error> {
+        let at = |(moving, &on): (&MovingLight, &bool)| {
+            let fixture = moving.at(seconds)?;
+            Ok(if on { fixture } else { darkened(fixture.light())?.into() })
         };
-        self.fixtures.iter().zip(&self.on).map(luminaire).collect()
+        self.fixtures.iter().zip(&self.on).map(at).collect()
     }
 
-    /// Which effects these luminaires and what stands there call for.
-    pub(crate) fn plan(&self, luminaires: &[Fixture]) -> RenderPlan {
-        let plan = luminaires.iter().fold(self.scene.plan(), RenderPlan::with_fixture);
+    /// Which effects these fixtures and what stands there call for.
+    pub(crate) fn plan(&self, fixtures: &[Fixture]) -> RenderPlan {
+        let plan = fixtures.iter().fold(self.scene.plan(), RenderPlan::with_fixture);
         if self.has(Effect::Dither) { plan.with(Effect::Dither) } else { plan }
     }
 
@@ -108,10 +108,10 @@ impl Rig {
         if self.has(Effect::Dither) { Display::Rgb888Dithered } else { Display::Rgb888 }
     }
 
-    /// Whether a lamp changes as the seconds pass.
+    /// Whether a light changes as the seconds pass.
     pub(crate) fn moves(&self) -> bool {
-        let luminaires = |seconds| self.setup.luminaires_at(seconds).ok();
-        LOOKS.iter().any(|&seconds| luminaires(seconds) != luminaires(0.0))
+        let fixtures = |seconds| self.setup.fixtures_at(seconds).ok();
+        LOOKS.iter().any(|&seconds| fixtures(seconds) != fixtures(0.0))
     }
 
     /// Whether the camera moves by itself as the seconds pass.
@@ -119,26 +119,26 @@ impl Rig {
         LOOKS.iter().any(|&seconds| self.camera_at(seconds) != self.camera_at(0.0))
     }
 
-    /// Whether a format can hold every lamp as it is after so many seconds.
+    /// Whether a format can hold every light as it is after so many seconds.
     pub(crate) fn check(&self, format: Format, seconds: f32) -> Result<(), Refusal> {
-        let luminaires = self.luminaires_at(seconds)?;
-        for (lamp, (luminaire, fixture)) in luminaires.iter().zip(&self.setup.fixtures).enumerate() {
-            let refused = |error| Refusal::Lamp { format, lamp, name: fixture.name, error };
-            format.check_luminaire(luminaire).map_err(refused)?;
+        let fixtures = self.fixtures_at(seconds)?;
+        for (lamp, (fixture, moving)) in fixtures.iter().zip(&self.setup.fixtures).enumerate() {
+            let refused = |error| Refusal::Lamp { format, lamp, name: moving.name, error };
+            format.check_fixture(fixture).map_err(refused)?;
         }
         Ok(())
     }
 
-    /// The lamps with their switches.
+    /// The lights with their switches.
     pub(crate) fn lamps(&self) -> Result<Vec<LampState>, Error> {
         let state = |(fixture, &on): (&MovingLight, &bool)| {
-            let color = hex_of(fixture.at(0.0)?.lamp().color());
+            let color = hex_of(fixture.at(0.0)?.light().color());
             Ok(LampState { name: fixture.name.to_owned(), color, on })
         };
         self.setup.fixtures.iter().zip(&self.on).map(state).collect()
     }
 
-    /// Switches a lamp on or off.
+    /// Switches a light on or off.
     pub(crate) fn switch_lamp(&mut self, lamp: usize, on: bool) -> Result<(), Refusal> {
         let count = self.on.len();
         *self.on.get_mut(lamp).ok_or(Refusal::Number { value: lamp, count })? = on;
@@ -183,7 +183,7 @@ impl Rig {
         switched.map_or(self.effects.has(effect), |&(_, on)| on)
     }
 
-    /// Whether an effect can be put into the scene. Shadows can, where a lamp throws any, and not too many do.
+    /// Whether an effect can be put into the scene. Shadows can, where a light throws any, and not too many do.
     fn takes(&self, effect: Effect) -> bool {
         let takers = || self.setup.fixtures.iter().filter(|fixture| takes_shadow(fixture)).count();
         match effect {
@@ -193,7 +193,7 @@ impl Rig {
         }
     }
 
-    /// Makes scene and luminaires of what is there.
+    /// Makes scene and fixtures of what is there.
     fn refit(&mut self) -> Result<(), Error> {
         self.scene = self.setup.scene.clone();
         if !self.has(Effect::Specular) {
@@ -222,12 +222,12 @@ impl Rig {
     }
 }
 
-/// Whether the lamp of a fixture can throw shadows: a spotlight that is not too wide.
+/// Whether the light of a fixture can throw shadows: a spotlight that is not too wide.
 fn takes_shadow(fixture: &MovingLight) -> bool {
     fixture.with_shadow(SHADOW_SIDE).at(0.0).is_ok()
 }
 
-/// The lamp without its light.
+/// The same light, dark.
 fn darkened(lamp: &AnyLight) -> Result<AnyLight, Error> {
     Ok(match *lamp {
         AnyLight::Directional(light) => light.with_intensity(0.0)?.into(),
@@ -246,18 +246,18 @@ mod tests {
     }
 
     fn effects(rig: &Rig) -> Effects {
-        rig.plan(&rig.luminaires_at(0.0).unwrap()).effects()
+        rig.plan(&rig.fixtures_at(0.0).unwrap()).effects()
     }
 
     #[test]
     fn a_lamp_that_is_switched_off_is_dark_and_keeps_its_number() {
         for example in Example::ALL {
             let mut rig = rig(example);
-            let lit = rig.luminaires_at(1.0).unwrap();
+            let lit = rig.fixtures_at(1.0).unwrap();
             for lamp in 0..lit.len() {
                 rig.switch_lamp(lamp, false).unwrap();
-                let mut dark = rig.luminaires_at(1.0).unwrap();
-                assert!(dark[lamp].lamp().is_dark() && !rig.lamps().unwrap()[lamp].on);
+                let mut dark = rig.fixtures_at(1.0).unwrap();
+                assert!(dark[lamp].light().is_dark() && !rig.lamps().unwrap()[lamp].on);
                 dark[lamp] = lit[lamp];
                 assert_eq!(dark, lit, "lamp {lamp} of {example:?}");
                 rig.switch_lamp(lamp, true).unwrap();
@@ -281,14 +281,14 @@ mod tests {
                 let switch = switches.into_iter().find(|switch| switch.effect == effect.name()).unwrap();
                 (switch.offered, switch.on)
             };
-            let before = (effects(&rig), rig.luminaires_at(2.0).unwrap(), rig.scene().clone());
+            let before = (effects(&rig), rig.fixtures_at(2.0).unwrap(), rig.scene().clone());
             assert_eq!(state(&rig), (true, true), "{example:?}");
             rig.switch_effect(effect.name(), false).unwrap();
             assert_eq!(state(&rig), (true, false), "{example:?}");
             assert!(before.0.has(effect) && !effects(&rig).has(effect), "{example:?}");
             assert_eq!(effects(&rig).with(effect), before.0);
             rig.switch_effect(effect.name(), true).unwrap();
-            assert_eq!((effects(&rig), rig.luminaires_at(2.0).unwrap(), rig.scene().clone()), before);
+            assert_eq!((effects(&rig), rig.fixtures_at(2.0).unwrap(), rig.scene().clone()), before);
         }
         let refusal = rig(Example::Show).switch_effect("spot", false).unwrap_err().to_string();
         assert!(refusal.contains("\"spot\"") && refusal.contains("specular"), "{refusal}");
@@ -335,16 +335,16 @@ mod tests {
     #[test]
     fn shadows_are_added_and_taken_away() {
         let mut rig = rig(Example::Turntable);
-        let before = (effects(&rig), rig.luminaires_at(1.0).unwrap());
+        let before = (effects(&rig), rig.fixtures_at(1.0).unwrap());
         assert!(!before.0.has(Effect::Shadow));
         rig.switch_effect("shadow", true).unwrap();
         let sides = |rig: &Rig| -> Vec<_> {
-            rig.luminaires_at(1.0).unwrap().iter().map(|lamp| lamp.shadow().map(|(side, _)| side)).collect()
+            rig.fixtures_at(1.0).unwrap().iter().map(|lamp| lamp.shadow().map(|(side, _)| side)).collect()
         };
         assert!(effects(&rig).has(Effect::Shadow));
         assert_eq!(sides(&rig), [Some(SHADOW_SIDE); 8]);
         rig.switch_effect("shadow", false).unwrap();
-        assert_eq!((effects(&rig), rig.luminaires_at(1.0).unwrap()), before);
+        assert_eq!((effects(&rig), rig.fixtures_at(1.0).unwrap()), before);
         rig.add_shadows(64).unwrap();
         assert_eq!(sides(&rig), [Some(64); 8]);
         assert!(rig.add_shadows(5).is_err());

@@ -15,7 +15,7 @@ pub struct ExampleState {
     pub summary: String,
 }
 
-/// A lamp with its switch.
+/// A light with its switch.
 #[wasm_bindgen(getter_with_clone)]
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct LampState {
@@ -58,9 +58,9 @@ pub struct SwitchState {
 pub struct AccountState {
     /// The triangles that were drawn.
     pub triangles: f64,
-    /// The lamps that were given.
+    /// The lights that were given.
     pub lamps: f64,
-    /// The lamps that can light nothing, and were dropped.
+    /// The lights that can light nothing, and were dropped.
     #[wasm_bindgen(js_name = lampsDropped)]
     pub lamps_dropped: f64,
     /// The tiles of the picture.
@@ -68,7 +68,7 @@ pub struct AccountState {
     /// The tiles that were lit again.
     #[wasm_bindgen(js_name = tilesRelit)]
     pub tiles_relit: f64,
-    /// All pairs of a lamp and a pixel.
+    /// All pairs of a light and a pixel.
     pub pairs: f64,
     /// The pairs that were evaluated.
     pub evaluated: f64,
@@ -78,14 +78,14 @@ pub struct AccountState {
     /// The pairs of a beam and a pixel that were evaluated in the haze besides.
     #[wasm_bindgen(js_name = evaluatedInAir)]
     pub evaluated_in_air: f64,
-    /// The pairs of a dropped lamp.
+    /// The pairs of a dropped light.
     pub dropped: f64,
     /// The pairs in tiles whose light could stay as it was.
     pub kept: f64,
-    /// The pairs of a lamp and a tile that it does not reach.
+    /// The pairs of a light and a tile that it does not reach.
     #[wasm_bindgen(js_name = missedByTile)]
     pub missed_by_tile: f64,
-    /// The pairs of a lamp and a row of pixels that it does not reach, or that faces away from it.
+    /// The pairs of a light and a row of pixels that it does not reach, or that faces away from it.
     #[wasm_bindgen(js_name = missedByRow)]
     pub missed_by_row: f64,
 }

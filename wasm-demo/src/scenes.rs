@@ -32,9 +32,9 @@ pub struct Scenes {
     example: Example,
     rig: Rig,
     viewpoint: Viewpoint,
-    /// How long the lamps have moved, and the camera.
+    /// How long the lights have moved, and the camera.
     seconds: [f32; 2],
-    /// Whether every effect is evaluated for every lamp at every pixel.
+    /// Whether every effect is evaluated for every light at every pixel.
     is_everything: bool,
     format: Format,
     renderer: Box<dyn Draw>,
@@ -48,7 +48,7 @@ pub struct Scenes {
     /// Whether the canvas has taken the last picture.
     is_shown: bool,
     times: Times,
-    /// All of the last picture, in milliseconds: from setting the lamps to the canvas having taken it.
+    /// All of the last picture, in milliseconds: from setting the lights to the canvas having taken it.
     frame: f64,
 }
 
@@ -104,7 +104,7 @@ impl Scenes {
         self.rig.camera_moves()
     }
 
-    /// Moves the lamps, and the camera, to where they are after so many seconds.
+    /// Moves the lights, and the camera, to where they are after so many seconds.
     pub fn seek(&mut self, lamps: f32, camera: f32) {
         self.seconds = [lamps, camera];
     }
@@ -145,13 +145,13 @@ impl Scenes {
         Ok(())
     }
 
-    /// How many lamps have the last colour of the map.
+    /// How many lights have the last colour of the map.
     #[wasm_bindgen(getter, js_name = mapEnd)]
     pub fn map_end(&self) -> f64 {
         self.map.end()
     }
 
-    /// The colours of the map from no lamp to its end: red, green, blue of each.
+    /// The colours of the map from no light to its end: red, green, blue of each.
     pub fn palette(&self) -> Clamped<Vec<u8>> {
         Clamped(self.map.colours().concat())
     }
@@ -209,7 +209,7 @@ impl Scenes {
         self.times.show
     }
 
-    /// How long the last picture took in all, in milliseconds: from setting the lamps to the canvas having taken it.
+    /// How long the last picture took in all, in milliseconds: from setting the lights to the canvas having taken it.
     #[wasm_bindgen(getter, js_name = frameMs)]
     pub fn frame_ms(&self) -> f64 {
         self.frame
@@ -222,7 +222,7 @@ impl Scenes {
 
     /// The effects of the library, and whether the picture calls for them.
     pub fn effects(&self) -> Result<Vec<EffectState>, JsValue> {
-        let plan = self.rig.plan(&self.luminaires()?);
+        let plan = self.rig.plan(&self.fixtures()?);
         let state = |&effect: &Effect| EffectState {
             name: effect.name().to_owned(),
             is_called_for: plan.requires(effect),
@@ -241,18 +241,18 @@ impl Scenes {
         Ok(self.switch_effect(name, on)?)
     }
 
-    /// The lamps with their switches.
+    /// The lights with their switches.
     pub fn lamps(&self) -> Result<Vec<LampState>, JsValue> {
         Ok(self.rig.lamps().map_err(Refusal::from)?)
     }
 
-    /// Switches a lamp on or off.
+    /// Switches a light on or off.
     #[wasm_bindgen(js_name = setOn)]
     pub fn set_on(&mut self, lamp: usize, on: bool) -> Result<(), JsValue> {
         Ok(self.rig.switch_lamp(lamp, on)?)
     }
 
-    /// Evaluates every effect for every lamp at every pixel, or only what the scene calls for.
+    /// Evaluates every effect for every light at every pixel, or only what the scene calls for.
     #[wasm_bindgen(js_name = setEverything)]
     pub fn set_everything(&mut self, everything: bool) {
         self.is_everything = everything;
@@ -332,7 +332,7 @@ impl Scenes {
 
     fn compare_pictures(&self) -> Result<Equality, Refusal> {
         let (width, height) = self.size;
-        let picture = (self.rig.scene(), &self.camera(), &*self.luminaires()?);
+        let picture = (self.rig.scene(), &self.camera(), &*self.fixtures()?);
         let mut renderer = self.format.renderer(width, height)?;
         renderer.set_display(self.rig.display());
         Equality::new(renderer, width as usize, &self.clock, picture)
@@ -358,8 +358,8 @@ impl Scenes {
         Ok(())
     }
 
-    fn luminaires(&self) -> Result<Vec<Fixture>, Refusal> {
-        Ok(self.rig.luminaires_at(self.seconds[0])?)
+    fn fixtures(&self) -> Result<Vec<Fixture>, Refusal> {
+        Ok(self.rig.fixtures_at(self.seconds[0])?)
     }
 
     fn camera(&self) -> Camera {
@@ -368,14 +368,14 @@ impl Scenes {
 
     /// How long the passes took; nothing where there was nothing to draw.
     fn draw_changes(&mut self) -> Result<Option<Times>, Refusal> {
-        let (luminaires, camera) = (self.luminaires()?, self.camera());
+        let (fixtures, camera) = (self.fixtures()?, self.camera());
         let Self { renderer, rig, canvas, clock, is_everything, .. } = self;
         let (geometry, moved) = clock.time(|| renderer.draw_geometry(rig.scene(), &camera));
-        let (shadows, cast) = clock.time(|| renderer.draw_shadows(rig.scene(), &luminaires));
+        let (shadows, cast) = clock.time(|| renderer.draw_shadows(rig.scene(), &fixtures));
         let shadows = cast?.then_some(shadows);
         let (lighting, lit) = clock.time(|| match *is_everything {
-            true => renderer.draw_everything(&luminaires).map(|()| true),
-            false => renderer.draw_light(&luminaires),
+            true => renderer.draw_everything(&fixtures).map(|()| true),
+            false => renderer.draw_light(&fixtures),
         });
         if !lit? && self.is_shown {
             return Ok(None);

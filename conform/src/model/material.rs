@@ -30,7 +30,7 @@ pub(super) fn reflect<S: Format, H: SpecularLobe>(case: &mut Case<'_>, highlight
     Ok(())
 }
 
-/// What a material shows without a lamp.
+/// What a material shows without a light.
 pub(super) fn glow<S: Format>(case: &mut Case<'_>) -> Outcome {
     let (ambient, emissive) = (case.color("diffuse"), case.color("color"));
     let light = case.light::<S>("light");

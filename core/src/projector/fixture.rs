@@ -24,7 +24,7 @@ use crate::{
 /// ```
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Fixture {
-    lamp: AnyLight,
+    light: AnyLight,
     gobo: Option<(Gobo<'static>, Projection)>,
     shadow: Option<(u16, Projection)>,
 }
@@ -33,7 +33,7 @@ impl Fixture {
     /// The sides that a shadow map may have, in texels.
     pub const SHADOW_SIDES: RangeInclusive<u16> = 16..=2048;
 
-    /// The same luminaire with a gobo, turned about the axis as [`Projection::turned`] does.
+    /// The same fixture with a gobo, turned about the axis as [`Projection::turned`] does.
     ///
     /// # Errors
     /// A light that projects no square: a cone over 160 degrees, or none. A roll that is not from -360 to 360 degrees.
@@ -42,7 +42,7 @@ impl Fixture {
         Ok(Self { gobo: Some((gobo, projection)), ..self })
     }
 
-    /// The same luminaire with shadows, by a map of so many texels a side.
+    /// The same fixture with shadows, by a map of so many texels a side.
     ///
     /// # Errors
     /// A side that is not from 16 to 2048; a light that projects no square: a cone over 160 degrees, or none.
@@ -62,7 +62,7 @@ impl Fixture {
             let accepted = Expected::AngleUpTo(Projection::WIDEST.to_degrees());
             Err(Error { parameter: Parameter::OuterAngle, value, accepted })
         };
-        match &self.lamp {
+        match &self.light {
             AnyLight::Spot(spot) => Projection::of(spot),
             AnyLight::Point(_) => refused(360.0),
             AnyLight::Directional(_) => refused(0.0),
@@ -70,8 +70,8 @@ impl Fixture {
     }
 
     /// The light.
-    pub fn lamp(&self) -> &AnyLight {
-        &self.lamp
+    pub fn light(&self) -> &AnyLight {
+        &self.light
     }
 
     /// The gobo and the square that it lies on; nothing where there is none.
@@ -86,7 +86,7 @@ impl Fixture {
 
     /// The effects that the fixture requires; none where its light is dark.
     pub fn effects(&self) -> Effects {
-        let mut effects = self.lamp.effects();
+        let mut effects = self.light.effects();
         if effects == Effects::NONE {
             return effects;
         }
@@ -110,7 +110,7 @@ impl Fixture {
 }
 
 impl<L: Into<AnyLight>> From<L> for Fixture {
-    fn from(lamp: L) -> Self {
-        Self { lamp: lamp.into(), gobo: None, shadow: None }
+    fn from(light: L) -> Self {
+        Self { light: light.into(), gobo: None, shadow: None }
     }
 }

@@ -66,7 +66,7 @@ pub(super) fn normal(point: Vec3<Length>) -> Vec3<Fx16> {
     Vec3::new(right, Fx16::ZERO, front)
 }
 
-/// Whether it is in the way from a point outside of it to the lamp, which hangs higher.
+/// Whether it is in the way from a point outside of it to the light, which hangs higher.
 #[inline(always)]
 pub(super) fn is_between(way: &Way) -> bool {
     let top = way.to(Vec3::new(steps(COLUMN[0]), steps(COLUMN_HEIGHT), steps(COLUMN[1])));

@@ -39,7 +39,7 @@ struct Row {
     pixels: [u16; WIDTH],
 }
 
-/// Draws the picture. The first line tells its size and the stages, the last one how many pixels the lamp
+/// Draws the picture. The first line tells its size and the stages, the last one how many pixels the light
 /// does not reach and why; between them are the pixels of each row, as hexadecimal digits.
 pub fn frame() {
     println!("{WIDTH} {HEIGHT} {STAGES}");
@@ -61,7 +61,7 @@ pub fn frame() {
 impl Row {
     fn draw(&mut self, number: usize) {
         count(|| scene::look(number, &mut self.sites));
-        // What the lamp comes on top of: the picture without it goes from here to the display.
+        // What the light comes on top of: the picture without it goes from here to the display.
         count(|| paint::glow(&self.sites, &mut self.colors));
         count(|| paint::light(&self.sites, &mut self.lights));
         count(|| shadow::cast(&self.sites, &mut self.lights));

@@ -14,11 +14,11 @@ use super::scene::Site;
 /// Light of three channels.
 pub(super) type Color = Rgb<Light16>;
 
-/// The lamp, computed by the build script.
+/// The light, computed by the build script.
 pub(super) const KEY: CompiledSpotLight<Fx16, Soft> = include!(concat!(env!("OUT_DIR"), "/frame_key.rs"));
 /// What each material sends back of the ambient light.
 const GLOW: [Color; 5] = include!(concat!(env!("OUT_DIR"), "/frame_glow.rs"));
-/// What each material sends back of the lamp's, the lamp's colour included.
+/// What each material sends back of the light's, the light's colour included.
 const TINT: [Rgb<Fx16>; 5] = include!(concat!(env!("OUT_DIR"), "/frame_tint.rs"));
 
 /// The ambient light of each pixel, and nothing else.
@@ -29,7 +29,7 @@ pub(super) fn glow(sites: &[Site; WIDTH], colors: &mut [Color; WIDTH]) {
     }
 }
 
-/// What arrives of the lamp, before its colour.
+/// What arrives of the light, before its colour.
 #[inline(never)]
 pub(super) fn light(sites: &[Site; WIDTH], lights: &mut [Light16; WIDTH]) {
     for (column, light) in lights.iter_mut().enumerate() {
@@ -38,7 +38,7 @@ pub(super) fn light(sites: &[Site; WIDTH], lights: &mut [Light16; WIDTH]) {
     }
 }
 
-/// The ambient light and the lamp's, as the materials send them back.
+/// The ambient light and the light's, as the materials send them back.
 #[inline(never)]
 pub(super) fn color(sites: &[Site; WIDTH], lights: &[Light16; WIDTH], colors: &mut [Color; WIDTH]) {
     for (column, color) in colors.iter_mut().enumerate() {

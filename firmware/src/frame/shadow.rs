@@ -1,4 +1,4 @@
-//! What stands between a point and the lamp.
+//! What stands between a point and the light.
 
 use luminaire::Vec3;
 use luminaire::number::{Length, Light16};
@@ -18,7 +18,7 @@ pub(super) fn cast(sites: &[Site; WIDTH], lights: &mut [Light16; WIDTH]) {
     }
 }
 
-/// Whether something stands between a site and the lamp. Nothing is asked for its own shadow: there the surface faces
+/// Whether something stands between a site and the light. Nothing is asked for its own shadow: there the surface faces
 /// away.
 #[inline(always)]
 pub(super) fn is_in_shadow(site: &Site) -> bool {
@@ -27,7 +27,7 @@ pub(super) fn is_in_shadow(site: &Site) -> bool {
         || (site.material != Material::Column && column::is_between(&way))
 }
 
-/// The way from a point to the lamp, in steps of 2^-12, so that the sum of three squares fits 32 bits.
+/// The way from a point to the light, in steps of 2^-12, so that the sum of three squares fits 32 bits.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Way {
     start: Vec3<i32>,

@@ -1,4 +1,4 @@
-//! How many pixels the lamp reaches, and what keeps it from the others.
+//! How many pixels the light reaches, and what keeps it from the others.
 
 use core::fmt;
 
@@ -13,7 +13,7 @@ use super::paint::KEY;
 use super::scene::Site;
 use super::shadow::is_in_shadow;
 
-/// Pixels by the first thing that keeps the lamp from them, in the order in which they are asked.
+/// Pixels by the first thing that keeps the light from them, in the order in which they are asked.
 #[derive(Clone, Copy, Default, Debug)]
 pub(super) struct Tally {
     facing_away: u32,

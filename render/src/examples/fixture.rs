@@ -1,4 +1,4 @@
-//! Luminaires that hang in a scene, each with a name, and with a movement if it has one.
+//! Fixtures that hang in a scene, each with a name, and with a movement if it has one.
 
 use core::f32::consts::TAU;
 use glam::{Vec2, Vec3};
@@ -10,19 +10,19 @@ use luminaire::{
     projector::{Fixture, Gobo},
 };
 
-/// A luminaire of a scene, with what it does as the seconds pass.
+/// A fixture of a scene, with what it does as the seconds pass.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct MovingLight {
     /// What the trade calls it.
     pub name: &'static str,
-    /// The lamp before it moves.
+    /// The light before it moves.
     lamp: AnyLight,
     motion: Motion,
     gobo: Option<Wheel>,
     shadow: Option<u16>,
 }
 
-/// How a lamp changes.
+/// How a light changes.
 #[derive(Clone, Copy, PartialEq, Debug)]
 enum Motion {
     Still,
@@ -61,7 +61,7 @@ struct Wheel {
 }
 
 impl MovingLight {
-    /// A luminaire that stays as it is.
+    /// A fixture that stays as it is.
     pub(super) fn new(name: &'static str, lamp: impl Into<AnyLight>) -> Self {
         Self { name, lamp: lamp.into(), motion: Motion::Still, gobo: None, shadow: None }
     }
@@ -94,19 +94,19 @@ impl MovingLight {
         Self { shadow: None, ..self }
     }
 
-    /// The luminaire after so many seconds.
+    /// The fixture after so many seconds.
     ///
     /// # Errors
-    /// Seconds that are not finite, where something moves. Shadows that the luminaire can't have.
+    /// Seconds that are not finite, where something moves. Shadows that the fixture can't have.
     pub fn at(&self, seconds: f32) -> Result<Fixture, Error> {
-        let mut luminaire = Fixture::from(self.lamp_at(seconds)?);
+        let mut fixture = Fixture::from(self.lamp_at(seconds)?);
         if let Some(Wheel { gobo, speed }) = self.gobo {
-            luminaire = luminaire.with_gobo(gobo, Angle::degrees(speed * seconds % 360.0))?;
+            fixture = fixture.with_gobo(gobo, Angle::degrees(speed * seconds % 360.0))?;
         }
         if let Some(side) = self.shadow {
-            luminaire = luminaire.with_shadow(side)?;
+            fixture = fixture.with_shadow(side)?;
         }
-        Ok(luminaire)
+        Ok(fixture)
     }
 
     fn lamp_at(&self, seconds: f32) -> Result<AnyLight, Error> {

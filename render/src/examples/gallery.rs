@@ -1,4 +1,4 @@
-//! A gallery: pictures on three walls and sculptures between them, each in the light of two lamps of its own, of every
+//! A gallery: pictures on three walls and sculptures between them, each lit by two lights of its own, of every
 //! profile and distance model; pendants, a follow spot and a skylight. Of all that stands there two things shine.
 
 mod hall;

@@ -1,4 +1,4 @@
-//! What most scenes have: a floor, walls, and lamps that are aimed at something.
+//! What most scenes have: a floor, walls, and lights that are aimed at something.
 
 use crate::{Mesh, Outline};
 use core::f32::consts::FRAC_PI_2;

@@ -1,4 +1,4 @@
-//! The light of a picture: which tiles must be lit again, and by which lamps.
+//! The light of a picture: which tiles must be lit again, and by which lights.
 
 use super::Renderer;
 use crate::{
@@ -14,15 +14,15 @@ impl<S: Format> Renderer<S> {
         plan: RenderPlan,
         lights: &[L],
     ) -> Result<bool, Error> {
-        let luminaires: Vec<Fixture> = lights.iter().map(|&light| light.into()).collect();
-        if self.lit.as_ref() == Some(&luminaires) && self.shadows.redrawn().is_empty() {
+        let fixtures: Vec<Fixture> = lights.iter().map(|&light| light.into()).collect();
+        if self.lit.as_ref() == Some(&fixtures) && self.shadows.redrawn().is_empty() {
             return Ok(false);
         }
-        let rig = Rig::new(plan, &luminaires, self.haze)?;
-        self.make_room(luminaires.len());
-        let (is_new, changed) = (self.lit.is_none(), self.changed(&luminaires));
+        let rig = Rig::new(plan, &fixtures, self.haze)?;
+        self.make_room(fixtures.len());
+        let (is_new, changed) = (self.lit.is_none(), self.changed(&fixtures));
         let (tiles, pixels) = (self.tiles.tiles.len(), self.width * self.height);
-        self.account = Account::new(tiles, luminaires.len(), rig.kept(), pixels);
+        self.account = Account::new(tiles, fixtures.len(), rig.kept(), pixels);
         let near = self.approach(&rig, &changed);
         for tile in 0..tiles {
             let near = near.lamps(self.tiles.region(tile));
@@ -32,12 +32,12 @@ impl<S: Format> Renderer<S> {
                 self.light_tile(tile, &rig);
             }
         }
-        self.lit = plan.skips().then_some(luminaires);
+        self.lit = plan.skips().then_some(fixtures);
         self.shadows.settle();
         Ok(true)
     }
 
-    /// Makes room for what so many lamps reach. Where all of the picture must be lit, nothing is known of it.
+    /// Makes room for what so many lights reach. Where all of the picture must be lit, nothing is known of it.
     fn make_room(&mut self, lamps: usize) {
         let (regions, tiles) = (self.tiles.regions.len(), self.tiles.tiles.len());
         for (reached, places) in
@@ -54,12 +54,12 @@ impl<S: Format> Renderer<S> {
         }
     }
 
-    /// The numbers of the luminaires that are others than those of the picture.
-    fn changed(&self, luminaires: &[Fixture]) -> Vec<usize> {
+    /// The numbers of the fixtures that are others than those of the picture.
+    fn changed(&self, fixtures: &[Fixture]) -> Vec<usize> {
         let before = self.lit.as_deref().unwrap_or_default();
-        let count = luminaires.len().max(before.len());
+        let count = fixtures.len().max(before.len());
         let is_another = |&i: &usize| {
-            self.lit.is_none() || before.get(i) != luminaires.get(i) || self.shadows.redrawn().contains(&i)
+            self.lit.is_none() || before.get(i) != fixtures.get(i) || self.shadows.redrawn().contains(&i)
         };
         (0..count).filter(is_another).collect()
     }
@@ -73,7 +73,7 @@ impl<S: Format> Renderer<S> {
         }
     }
 
-    /// Asks anew which regions the lamps may reach that are others now. Returns which of them reach a region or have reached
+    /// Asks anew which regions the lights may reach that are others now. Returns which of them reach a region or have reached
     /// it, so that its tiles must be asked.
     fn approach(&mut self, rig: &Rig<S>, changed: &[usize]) -> Reached {
         let mut near = self.near.clone();
@@ -87,7 +87,7 @@ impl<S: Format> Renderer<S> {
         near
     }
 
-    /// Asks anew whether a tile is reached by the lamps that are others now: on its surfaces by those near it, in the air
+    /// Asks anew whether a tile is reached by the lights that are others now: on its surfaces by those near it, in the air
     /// before them by any. Returns whether its light is another for it.
     fn ask(
         &mut self,

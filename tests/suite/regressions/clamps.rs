@@ -89,7 +89,7 @@ fn godot(least_rim: f32, exponent: f32, cosine: f32, edge: f32) -> f32 {
 
 /// Godot, modules/gltf/extensions/gltf_light.cpp, pull request 120391: the exponent comes from `0.2 / (1 -
 /// inner / outer) - 0.1`, and the renderer takes its reciprocal. Two angles that rounding made equal give an
-/// exponent of zero, and a lamp that is dark everywhere.
+/// exponent of zero, and a light that is dark everywhere.
 #[test]
 fn godot_loses_a_lamp_whose_angles_round_to_one() {
     let (inner, outer) = (0.089_f64 - 1e-9, 0.089_f64);

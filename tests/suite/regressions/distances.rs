@@ -30,7 +30,7 @@ fn assert_held_by_all<A: Attenuation>(row: &str, model: A, oracle: impl Fn(f64) 
 }
 
 /// C-Chads/tinygl, src/light.c: with `TGL_FEATURE_FISR` the offset is scaled by a fast reciprocal root, and
-/// the distance stays at the 0 it was declared with. A lamp then falls with no distance at all: at 10 units
+/// the distance stays at the 0 it was declared with. A light then falls with no distance at all: at 10 units
 /// 101 times too bright.
 #[test]
 fn tinygl_attenuates_by_a_distance_of_zero() {
@@ -44,7 +44,7 @@ fn tinygl_attenuates_by_a_distance_of_zero() {
 }
 
 /// *Quick 'n' Easy Dual-Cone Spotlight in GLSL*: `smoothstep(lightRange, 0.0, distToLight)`, whose edges
-/// fall, so that GLSL leaves it undefined. Where the edges are compared first the lamp is dark up to its
+/// fall, so that GLSL leaves it undefined. Where the edges are compared first the light is dark up to its
 /// range, and lit from there on.
 #[test]
 fn the_dual_cone_article_fades_from_its_range_to_zero() {

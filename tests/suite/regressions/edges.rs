@@ -60,7 +60,7 @@ fn glsl_leaves_smoothstep_of_swapped_angles_undefined() {
     assert_eq!(upright.held_by(), ALL);
 }
 
-/// How bright the lamps of Godot's thread were: 200 times what the display shows.
+/// How bright the lights of Godot's thread were: 200 times what the display shows.
 const ENERGY: f32 = 200.0;
 
 /// The largest step of an 8-bit display from one of many points to the next, on the way out of a soft beam
@@ -88,7 +88,7 @@ fn largest_step<S: Format>(early_exit: impl Fn(f32) -> f32) -> u8 {
 /// skipped. Two hundred times as bright as full scale, that is an edge of 124 codes where the light should
 /// end in none.
 ///
-/// Here only zero is skipped. What is left in 16 bits is the step of the format itself, 2^-14 of such a lamp.
+/// Here only zero is skipped. What is left in 16 bits is the step of the format itself, 2^-14 of such a light.
 #[test]
 fn godot_cuts_off_the_edge_of_a_bright_lamp() {
     const EPSILON: f32 = 1e-3;

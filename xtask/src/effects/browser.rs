@@ -101,7 +101,7 @@ fn whole(page: &mut Page, load: &Load) -> Result<Whole> {
     Ok(Whole { at_rest_ms, moving_ms })
 }
 
-/// A frame while the lamps move and the camera is at rest.
+/// A frame while the lights move and the camera is at rest.
 fn frame(page: &mut Page, scene: &str, options: &str) -> Result<f64> {
     let time = turntable::frame(page, scene, FRAMES, options)?.at_rest;
     time.with_context(|| format!("the page has no time of {scene} with {options}"))

@@ -194,7 +194,7 @@ pub(super) static GROUPS: LazyLock<[Group; 6]> = LazyLock::new(|| {
     },
     Group {
         title: "In the way of a spotlight",
-        note: "The soft spotlight through something. A luminaire has it or not, and one that has it not knows nothing of it.",
+        note: "The soft spotlight through something. A fixture has it or not, and one that has it not knows nothing of it.",
         entries: vec![
             Entry {
                 title: "gobo",
@@ -202,7 +202,7 @@ pub(super) static GROUPS: LazyLock<[Group; 6]> = LazyLock::new(|| {
                 listed: None,
                 effects: Effects::NONE.with(Effect::Gobo),
                 over: Some(SPOT),
-                what: "A pattern that the spotlight projects, here of 16 x 16 bytes: a luminaire with a gobo calls for \
+                what: "A pattern that the spotlight projects, here of 16 x 16 bytes: a fixture with a gobo calls for \
                        it.",
             },
             Entry {
@@ -211,7 +211,7 @@ pub(super) static GROUPS: LazyLock<[Group; 6]> = LazyLock::new(|| {
                 listed: None,
                 effects: Effects::NONE.with(Effect::Shadow),
                 over: Some(SPOT),
-                what: "A shadow map, here of 16 x 16 lengths, by four comparisons: a luminaire that casts shadows calls \
+                what: "A shadow map, here of 16 x 16 lengths, by four comparisons: a fixture that casts shadows calls \
                        for it. Drawing the map is not counted.",
             },
             Entry {
@@ -251,7 +251,7 @@ pub(super) static GROUPS: LazyLock<[Group; 6]> = LazyLock::new(|| {
                 listed: None,
                 effects: Effects::NONE.with(Effect::Ambient),
                 over: None,
-                what: "Light that is everywhere, as one matt material sends it back, added to the light of lamps.",
+                what: "Light that is everywhere, as one matt material sends it back, added to that of the other lights.",
             },
             Entry {
                 title: "exposure",

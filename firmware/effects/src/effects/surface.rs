@@ -8,7 +8,7 @@ list! {
     light: ambient;
 }
 
-/// Ambient light on a matt surface, beside the light of lamps.
+/// Ambient light on a matt surface, beside the lights.
 #[inline(always)]
 pub fn ambient(lamps: Light) -> Light {
     lamps.plus::<Format>(MATTE.glow(AMBIENT))

@@ -1,4 +1,4 @@
-//! Lamps of any kind, at a point and at many, and their beams in haze: what panics anywhere does not link.
+//! Lights of any kind, at a point and at many, and their beams in haze: what panics anywhere does not link.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 use core::hint::black_box;
@@ -40,7 +40,7 @@ fn of_format<S: Raw>(bits: &mut Bits) {
     }
 }
 
-/// A lamp of any kind, profile and distance model; its profile and its curve need not be of one kind.
+/// A light of any kind, profile and distance model; its profile and its curve need not be of one kind.
 #[inline(never)]
 fn lamp<S: Raw>(bits: &mut Bits) -> CompiledAnyLight<S> {
     let attenuation = bits.any_distance().constants::<S>();
@@ -79,7 +79,7 @@ fn arrives_each<S: Raw, H: SpecularLobe>(
     black_box(SurfacePoints::at(&surfaces, bits.word() as usize));
 }
 
-/// A kind of highlight at a point, under a lamp of any kind.
+/// A kind of highlight at a point, under a light of any kind.
 #[inline(never)]
 fn arrives<S: Raw, H: SpecularLobe>(
     bits: &mut Bits,

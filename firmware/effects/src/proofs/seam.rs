@@ -96,7 +96,7 @@ fn points<S: Raw>(bits: &mut Bits) {
     goes(bits, &offset, &Offset::fine_ray(&offset));
 }
 
-/// What is known of a way once its root is, coarse or fine; and what a lamp of any kind of profile and distance model has
+/// What is known of a way once its root is, coarse or fine; and what a light of any kind of profile and distance model has
 /// there.
 #[inline(never)]
 fn goes<S: Raw, R: Ray<S>>(bits: &mut Bits, offset: &S::Offset, ray: &R) {

@@ -122,7 +122,7 @@ fn floats(bits: &mut Bits) -> Vec3<f32> {
     bits.vector(f32::raw_length)
 }
 
-/// A lamp of any kind.
+/// A light of any kind.
 #[inline(never)]
 fn lamp<S: Raw>(bits: &mut Bits) -> Result<AnyLight, Error> {
     let (place, direction) = (floats(bits), floats(bits));
@@ -161,7 +161,7 @@ fn lamp<S: Raw>(bits: &mut Bits) -> Result<AnyLight, Error> {
     }
 }
 
-/// What hangs from a truss: a lamp with what is in front of it, and the plan of its picture.
+/// What hangs from a truss: a light with what is in front of it, and the plan of its picture.
 #[inline(never)]
 fn hangs<S: Raw>(bits: &mut Bits, lamp: AnyLight) {
     black_box((AnyLight::color(&lamp), AnyLight::specular_color(&lamp), AnyLight::intensity(&lamp)));
@@ -181,7 +181,7 @@ fn hangs<S: Raw>(bits: &mut Bits, lamp: AnyLight) {
     let plan = plan.with_fixture(&luminaire);
     black_box((plan.requires(Effect::Gobo), plan.effects().iter().count()));
     black_box(Fixture::effects(&luminaire));
-    black_box(plan.prepare::<S>(luminaire.lamp()).is_ok());
+    black_box(plan.prepare::<S>(luminaire.light()).is_ok());
     black_box(AnyLight::compile::<S>(&lamp).is_ok());
     if let AnyLight::Spot(spot) = lamp {
         let roll = Angle::degrees(bits.float());

@@ -67,7 +67,7 @@ impl Side {
         self.at(along, 0.0, EYE_LEVEL)
     }
 
-    /// Where a lamp for a picture hangs, so far to its side.
+    /// Where a light for a picture hangs, so far to its side.
     pub(super) fn before_wall(self, along: f32, offset: f32) -> Vec3<f32> {
         self.at(along + offset, 2.1, 4.3)
     }

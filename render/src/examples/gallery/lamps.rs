@@ -79,7 +79,7 @@ fn distance(number: usize) -> Result<AnyAttenuation, Error> {
     })
 }
 
-/// The white of a lamp: from that of an incandescent one to that of a cool fluorescent one.
+/// The white of a light: from that of an incandescent one to that of a cool fluorescent one.
 fn tint(number: usize) -> Rgb<f32> {
     let cool = (number * 5 % 8) as f32 / 7.0;
     Rgb::new(1.0, 0.8 + 0.16 * cool, 0.56 + 0.4 * cool)

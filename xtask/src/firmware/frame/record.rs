@@ -19,7 +19,7 @@ const LEEWAY: f64 = 0.05;
 pub(super) struct Record {
     /// How many pixels it has.
     pub(super) pixels: u64,
-    /// How many of them the lamp reaches, and what keeps it from the others.
+    /// How many of them the light reaches, and what keeps it from the others.
     pub(super) lamp: String,
     /// The stages in their order.
     pub(super) stages: Vec<String>,
