@@ -91,7 +91,7 @@ pub enum Parameter {
     /// How dense haze is.
     Density,
     /// The radius of a light in haze.
-    LampRadius,
+    SourceRadius,
     /// `GL_SPOT_CUTOFF` of OpenGL, a half angle in degrees.
     SpotCutoff,
     /// `GL_SPOT_EXPONENT` of OpenGL.
@@ -179,7 +179,7 @@ impl fmt::Display for Parameter {
             Self::Segments => "number of segments",
             Self::Exposure => "exposure",
             Self::Density => "density",
-            Self::LampRadius => "lamp radius",
+            Self::SourceRadius => "source radius",
             Self::SpotCutoff => "spot cutoff",
             Self::SpotExponent => "spot exponent",
             Self::Theta => "theta",

@@ -70,15 +70,15 @@ use crate::{
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Haze {
     density: f32,
-    lamp_radius: f32,
+    source_radius: f32,
 }
 
 /// The radius of a light until told otherwise: a centimetre where the unit is the metre.
-const LAMP_RADIUS: f32 = 0.01;
+const SOURCE_RADIUS: f32 = 0.01;
 
 impl Haze {
     /// Clear air.
-    pub const CLEAR: Self = Self { density: 0.0, lamp_radius: LAMP_RADIUS };
+    pub const CLEAR: Self = Self { density: 0.0, source_radius: SOURCE_RADIUS };
 
     /// Haze of this density: the part of the light that is scattered on a way of one unit of the world's
     /// length. 0 is clear air and gives exactly no air light; beyond some tenths over the size of the scene
@@ -88,7 +88,7 @@ impl Haze {
     /// A density outside 0 to 1e9.
     pub fn new(density: f32) -> Result<Self, Error> {
         check_between(Parameter::Density, density, 0.0, 1e9)?;
-        Ok(Self { density, lamp_radius: LAMP_RADIUS })
+        Ok(Self { density, source_radius: SOURCE_RADIUS })
     }
 
     /// The same haze around lights of this radius, 0.01 until told otherwise. There is no haze within it,
@@ -97,9 +97,9 @@ impl Haze {
     ///
     /// # Errors
     /// A radius outside 0.001 to 1e9.
-    pub fn with_lamp_radius(self, lamp_radius: f32) -> Result<Self, Error> {
-        check_between(Parameter::LampRadius, lamp_radius, 1e-3, 1e9)?;
-        Ok(Self { lamp_radius, ..self })
+    pub fn with_source_radius(self, source_radius: f32) -> Result<Self, Error> {
+        check_between(Parameter::SourceRadius, source_radius, 1e-3, 1e9)?;
+        Ok(Self { source_radius, ..self })
     }
 
     /// The part of the light that is scattered on a way of one unit.
@@ -108,8 +108,8 @@ impl Haze {
     }
 
     /// The radius of a light.
-    pub fn lamp_radius(&self) -> f32 {
-        self.lamp_radius
+    pub fn source_radius(&self) -> f32 {
+        self.source_radius
     }
 }
 

@@ -26,7 +26,7 @@ fn not_met(words: &mut Words<'_>) -> Option<()> {
 }
 
 fn assert_not_met<P: Falloff, A: Attenuation>(words: &mut Words<'_>, spot: SpotLight<P, A>) -> Option<()> {
-    let haze = Haze::new(words.number(0.0, 1.0)).ok()?.with_lamp_radius(words.number(0.001, 0.1)).ok()?;
+    let haze = Haze::new(words.number(0.0, 1.0)).ok()?.with_source_radius(words.number(0.001, 0.1)).ok()?;
     let beam = spot.compile::<f32>().ok()?.in_haze(&haze);
     let half = spot.cone().outer().to_radians() / 2.0;
     let (axis, distance) = (spot.axis(), words.between(-7.0, 10.0).exp2());

@@ -53,7 +53,7 @@ fn pair<P: Falloff, A: Attenuation>(
         attenuation,
         range,
         density: DENSITY.into(),
-        lamp_radius: haze().lamp_radius().into(),
+        source_radius: haze().source_radius().into(),
     };
     let across = oracle.across();
     Pair { kernel: spot.compile::<f32>().expect("held").in_haze(&haze()), oracle, across }
@@ -70,7 +70,7 @@ fn error<P: Falloff, A: Attenuation>(
 ) -> f64 {
     let ray = exactly(view);
     let (nearest, height) = distances(&pair.oracle, &ray);
-    if (0.9..1.1).contains(&(height / pair.oracle.lamp_radius)) {
+    if (0.9..1.1).contains(&(height / pair.oracle.source_radius)) {
         return 0.0;
     }
     let truth = pair.oracle.in_scattering_through(&ray, transmission);

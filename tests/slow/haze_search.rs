@@ -59,7 +59,7 @@ fn in_parallel(items: u64, work: impl Fn(&mut Rng, u64) + Sync) {
 
 fn haze(rng: &mut Rng) -> Haze {
     let haze = Haze::new(0.5).expect("a sound density");
-    haze.with_lamp_radius(1e-3 * 100.0_f32.powf(rng.f32())).expect("a sound radius")
+    haze.with_source_radius(1e-3 * 100.0_f32.powf(rng.f32())).expect("a sound radius")
 }
 
 /// Half angles from narrow to 90 degrees, evenly spread over the logarithm of the angle, or of what
@@ -175,7 +175,7 @@ fn largest<A: Attenuation + Sync>(
             attenuation: oracle,
             range,
             density: haze.density().into(),
-            lamp_radius: haze.lamp_radius().into(),
+            source_radius: haze.source_radius().into(),
         };
         let angle = f64::from(half).to_radians();
         let frame = Frame::new(rng, spot.position(), spot.axis(), angle);
@@ -189,7 +189,7 @@ fn largest<A: Attenuation + Sync>(
             let way = minus(ray.eye, oracle.spot.position);
             let distance = dot(way, way).sqrt();
             let (nearest, height) = distances(&oracle, &ray);
-            let body = oracle.lamp_radius;
+            let body = oracle.source_radius;
             if (height - body).abs() < 0.1 * body + 1e-6 * distance {
                 return 0.0;
             }

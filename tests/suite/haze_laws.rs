@@ -48,7 +48,7 @@ fn oracle(spot: &SpotLight<Soft>) -> Beam {
         attenuation: |d| 1.0 / (d * d),
         range: f64::INFINITY,
         density: 1.0,
-        lamp_radius: haze(1.0).lamp_radius().into(),
+        source_radius: haze(1.0).source_radius().into(),
     }
 }
 
@@ -326,7 +326,7 @@ fn clear_air_meets_nothing() {
 #[test]
 fn haze_keeps_what_it_is_given() {
     let thin = haze(0.125);
-    assert_eq!((thin.density(), thin.lamp_radius()), (0.125, 0.01));
-    let around = thin.with_lamp_radius(0.5).expect("a sound radius");
-    assert_eq!((around.density(), around.lamp_radius()), (0.125, 0.5));
+    assert_eq!((thin.density(), thin.source_radius()), (0.125, 0.01));
+    let around = thin.with_source_radius(0.5).expect("a sound radius");
+    assert_eq!((around.density(), around.source_radius()), (0.125, 0.5));
 }

@@ -253,8 +253,8 @@ fn haze_out_of_range() {
     }
     let clear = Haze::new(0.0).expect("clear air");
     for (radius, shown) in [(0.0, "0"), (f32::NAN, "NaN"), (2e9, "2000000000")] {
-        let message = format!("lamp radius = {shown}: expected a finite number from 0.001 to 1000000000");
-        assert_refused(clear.with_lamp_radius(radius), Parameter::LampRadius, &message);
+        let message = format!("source radius = {shown}: expected a finite number from 0.001 to 1000000000");
+        assert_refused(clear.with_source_radius(radius), Parameter::SourceRadius, &message);
     }
 }
 

@@ -18,7 +18,7 @@ pub struct Beam {
     pub attenuation: Attenuation,
     pub range: f64,
     pub density: f64,
-    pub lamp_radius: f64,
+    pub source_radius: f64,
 }
 
 /// Parts into which Simpson's rule divides each panel, an even number.
@@ -54,7 +54,7 @@ impl Beam {
         let Some((first, last)) = self.visible(ray) else { return Vec::new() };
         let way = minus(ray.eye, self.spot.position);
         let foot = -dot(way, ray.direction);
-        let height = (dot(way, way) - foot * foot).max(0.0).sqrt().max(1e-3 * self.lamp_radius);
+        let height = (dot(way, way) - foot * foot).max(0.0).sqrt().max(1e-3 * self.source_radius);
         let mut places = vec![first, last, foot];
         for exponent in -2..50 {
             let offset = height * 2.0_f64.powi(exponent);
@@ -84,7 +84,7 @@ impl Beam {
     fn visible(&self, ray: &Ray) -> Option<(f64, f64)> {
         let way = minus(ray.eye, self.spot.position);
         let foot = -dot(way, ray.direction);
-        let squared = self.lamp_radius * self.lamp_radius - (dot(way, way) - foot * foot);
+        let squared = self.source_radius * self.source_radius - (dot(way, way) - foot * foot);
         let half = squared.max(0.0).sqrt();
         let (first, last) = match (squared > 0.0, foot) {
             (true, foot) if foot >= half => (0.0, ray.length.min(foot - half)),

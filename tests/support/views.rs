@@ -66,5 +66,5 @@ pub fn distances(oracle: &Beam, ray: &Ray) -> (f64, f64) {
         dot(way, way).sqrt()
     };
     let foot = dot(minus(oracle.spot.position, ray.eye), ray.direction);
-    (distance(foot.clamp(0.0, ray.length)).max(oracle.lamp_radius), distance(foot))
+    (distance(foot.clamp(0.0, ray.length)).max(oracle.source_radius), distance(foot))
 }

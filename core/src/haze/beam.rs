@@ -40,7 +40,7 @@ pub(super) const FARTHEST: f32 = 1e15;
 impl<P: Falloff, A: Attenuation> CompiledSpotLight<f32, P, A> {
     /// The beam of this light in haze.
     pub fn in_haze(&self, haze: &Haze) -> BeamScattering<P, A> {
-        let radius = haze.lamp_radius();
+        let radius = haze.source_radius();
         let reach = range::<A>(&self.attenuation);
         BeamScattering {
             position: self.position,

@@ -52,7 +52,7 @@ pub(crate) fn all(visit: &mut impl Visit) -> Result<(), Error> {
 fn beams(visit: &mut impl Visit) -> Result<(), Error> {
     let cone = Cone::from_outer(Cubic::with_slopes(1.25, 3.5)?, Angle::degrees(40.0))?;
     let spot = SpotLight::new(PLACES[0], AXES[1], cone)?.with_intensity(16.0)?;
-    let haze = Haze::new(0.02)?.with_lamp_radius(0.05)?;
+    let haze = Haze::new(0.02)?.with_source_radius(0.05)?;
     visit.value("beam".into(), spot.compile::<f32>()?.in_haze(&haze));
     let windowed = spot.with_attenuation(GltfRange::new(InverseSquare, Some(8.0))?);
     visit.value("beam in a window".into(), windowed.compile::<f32>()?.in_haze(&haze));

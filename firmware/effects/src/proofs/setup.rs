@@ -289,7 +289,7 @@ fn glossy<S: Raw, H: SpecularLobe>(bits: &mut Bits, paper: Material, highlight: 
 /// Haze, and who looks at it.
 #[inline(never)]
 fn sees(bits: &mut Bits) {
-    if let Ok(haze) = Haze::new(bits.float()).and_then(|haze| haze.with_lamp_radius(bits.float())) {
+    if let Ok(haze) = Haze::new(bits.float()).and_then(|haze| haze.with_source_radius(bits.float())) {
         black_box(haze);
     }
     let (eye, direction) = (floats(bits), floats(bits));
