@@ -97,9 +97,9 @@ impl Arithmetic for Fx16 {
         const COSINE: f32 = 2.2e-4 / HALF_A_CODE;
         /// Where light is not past full scale, a share of a large gain is small, and errs less: a search finds 0.43.
         const BRIGHT: f32 = 0.5556;
-        /// A moving point passes from one error to another, and the cosine errs, too: a search finds 0.45 codes against
+        /// A moving point passes from one error to another, and the cosine errs, too: a search finds 0.48 codes against
         /// the trend, and 0.56 with 1 here.
-        const MOVING: f32 = 1.08;
+        const MOVING: f32 = 1.04;
         let error = error / HALF_A_CODE;
         let squared = BRIGHT * (MOVING * error).max(COSINE) * intensity;
         if error > 1.0 || (squared > 1.0 && !grows) {
