@@ -12,9 +12,11 @@
 //! | [`Windowed`] of a model | the model times `(1 - (d/r)^4)^2` within r | Godot, and three.js with any decay |
 //! | [`AnyAttenuation`] | one of the above | the choice at run time |
 //!
-//! A light that has no range says `None`, never 0. From its range on a light is exactly zero, and a point there is
-//! rejected by its squared distance, before a root is paid for: by the same number that the model itself compares, so
-//! that the reject changes no bit. In fixed point "from its range on" begins half a step of the format before it.
+//! A light without a range says `None`, never 0. At and beyond its range the light is exactly zero; in fixed point it ends
+//! half a step of the format earlier. Points out of range are rejected before the square root, and the reject changes no
+//! bit of any result.
+//!
+//! Here *falloff* is the intensity over the angle, and *attenuation* the one over the distance.
 
 mod any;
 mod ranged;
@@ -34,6 +36,8 @@ use crate::{
 
 /// A distance model. The type decides which one is compiled in: there is no branch per point, and a model that is not
 /// named is not linked.
+///
+/// Sealed: it has a bound that is private.
 pub trait Attenuation: Copy + PartialEq + core::fmt::Debug {
     /// What the model knows once it is compiled for a format.
     type Constants<S: Scalar>: Copy + PartialEq + core::fmt::Debug;

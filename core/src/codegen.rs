@@ -24,7 +24,8 @@
 //! const KEY: CompiledSpotLight<Fx16, Soft> = include!(concat!(env!("OUT_DIR"), "/key.rs"));
 //! ```
 //!
-//! Every compiled light whose kind is a type can be written, also one of [another system](crate::import). So can
+//! All compiled lights can be written but [`CompiledAnyLight`](crate::dynamic::CompiledAnyLight), also those of [another
+//! system](crate::import). So can
 //! [`Rgb`] of ambient light, [`CompiledMaterial`], [`CompiledExposure`], [`CompiledGobo`], [`Shadow`] and
 //! [`BeamScattering`]. The functions that the text calls are `const` and take any bits, so that evaluation has an
 //! answer for all of them. The bits belong to this version of the crate: generate them with each build, and do not

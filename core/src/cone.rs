@@ -202,9 +202,8 @@ impl<P: Falloff> Cone<P> {
     /// roundings reach it there. A hotspot makes the profile steeper; a step, which no format can hold to an intensity, is in
     /// its place within 1/510 of its half angle.
     ///
-    /// In `f32` that holds wherever light and point are. On a common grid, where their difference is exact, a cone of half the
-    /// angle would hold it too. It is more than 180 degrees where the format holds no cone of the profile, as `Fx16` none of
-    /// an inverted power of 99.
+    /// In `f32` that holds wherever light and point are. It is more than 180 degrees where the format holds no cone of the
+    /// profile, as `Fx16` none of an inverted power of 99.
     pub fn narrowest<S: Scalar>(profile: P) -> Angle {
         narrowest::<S>(&slopes(profile, 0.0))
     }

@@ -63,6 +63,8 @@ pub use crate::number::Knot;
 ///
 /// The type decides which function is compiled in: there is no branch per point, and a profile that is not
 /// named is not linked. [`SoftOrHard`], [`FittedFalloff`] and [`AnyFalloff`] leave the choice to run time, at the price of that branch.
+///
+/// Sealed: it has a bound that is private. [`Table`] takes any curve.
 pub trait Falloff: Copy + core::fmt::Debug {
     /// The falloff with its coefficients in the format `S`: `Self` where it has none.
     type Compiled<S: Scalar>: Curve<S> + From<Self>;

@@ -28,8 +28,8 @@
 //!
 //! # What is exact, and what is not
 //!
-//! Everything is held exactly but Godot's axis, where its whole exponents lack up to 0.0001, and
-//! the fall with distance by a power other than 0, 1 and 2. That becomes `1 / (a0 + a1 d)` under 1
+//! All is exact but two things. On the axis of a light of Godot with a whole exponent up to 0.0001 of
+//! the intensity is missing. And an attenuation by a power other than 0, 1 and 2 becomes `1 / (a0 + a1 d)` under 1
 //! and `1 / (a1 d + a2 d^2)` over it, with coefficients that are searched for a small largest
 //! [`Difference`]. The largest differences over the lights of each system, as `cargo test --test
 //! import -- --nocapture --test-threads 1` prints them:

@@ -1,11 +1,12 @@
 //! A lighting kernel for renderers that run where a GPU does not: a microcontroller, a software renderer, a canvas.
 //!
-//! Spotlights are described by the two angles of every stage light's data sheet, beam (half the intensity is left)
-//! and field (a tenth is left), and fall off by polynomials, from the paper's two quadratics, one soft edged and one
-//! hard, to cubics that have both angles at once: a multiply or three where others pay for a power function. The
-//! same code runs in `f32`, in 32-bit and in 16-bit fixed point.
+//! Spotlights are described by the two angles of every stage light's data sheet: the beam angle, at which half the
+//! intensity is left, and the field angle, at which a tenth is left. The falloff between them is a polynomial of one
+//! to three multiplies instead of a power function: one of the two quadratics of Hast 2004, soft edged or hard edged,
+//! or a cubic that has a given beam and field angle. [`falloff`] lists all of them. The same code runs in `f32`, in
+//! 32-bit and in 16-bit fixed point.
 //!
-//! "Hast 2004" in these pages is A. Hast, T. Barrera and E. Bengtsson, *Fast Intensity Distribution Functions for
+//! "Hast 2004" is A. Hast, T. Barrera and E. Bengtsson, *Fast Intensity Distribution Functions for
 //! Soft and Hard Edged Spotlights*, WSCG 2004 Short Communications, pages 95 to 100.
 //!
 //! ```
@@ -26,7 +27,7 @@
 //! # Ok::<(), luminaire::Error>(())
 //! ```
 //!
-//! From all lights to a pixel, still without a float:
+//! From several such lights to a pixel, still without a float:
 //!
 //! ```
 //! use luminaire::{Fx16, Rgb, display::{Rgb565, clip}};
@@ -34,12 +35,12 @@
 //! # let cone = Cone::soft(Angle::degrees(15.0))?;
 //! # let amber = Rgb::new(1.0, 0.62, 0.1);
 //! # let spot = SpotLight::new([0.0, 4.0, 0.0], [0.0, -1.0, 0.0], cone)?.with_color(amber)?.with_intensity(16.0)?;
-//! # let spots = [spot.compile::<Fx16>()?; 2];
+//! # let lights = [spot.compile::<Fx16>()?; 2];
 //! # let (point, normal) = (Fx16::point([0.343, 0.0, 0.0]), Fx16::normal([0.0, 1.0, 0.0]));
 //!
 //! let mut sum = Rgb::default();
-//! for spot in &spots {
-//!     sum = sum.plus::<Fx16>(Rgb::lit(spot.irradiance(point, normal), spot.color()));
+//! for lit in &lights {
+//!     sum = sum.plus::<Fx16>(Rgb::lit(lit.irradiance(point, normal), lit.color()));
 //! }
 //! let pixel = Rgb565::from_linear(clip::<Fx16>(sum));
 //! # assert_eq!(pixel.to_codes().red, 255);
@@ -52,11 +53,19 @@
 //! |---|---|---|---|
 //! | choose it for | a processor with a floating-point unit, a browser, a desktop | beams under a degree, or exact pictures, without one | everything else without one |
 //! | largest error of a soft spotlight of 36 degrees at a point, linear codes (searched) | 7.7e-5 | 3.4e-6 | 0.047 |
-//! | instructions a point on a Cortex-M0, a Cortex-M4F, an RV32IMC (counted) | 5140, 105, 2647 | 1416, 244, 354 | 199, 135, 145 |
-//! | narrowest soft cone, half angle in degrees ([`Cone::narrowest`]) | 0.0050 | 0.00004 | 0.70 |
+//! | instructions a point, Cortex-M0 (counted) | 5140 | 1416 | 199 |
+//! | Cortex-M4F | 105 | 244 | 135 |
+//! | RV32IMC | 2647 | 354 | 145 |
+//! | narrowest soft cone, half angle in degrees (half of [`Cone::narrowest`]) | 0.0050 | 0.00004 | 0.70 |
 //!
-//! Errors and instructions are those of `lit`, a soft edge and Lambert's cosine, in `docs/ACCURACY-VS-COST.md`, which has
+//! A *linear code* is 1/255 of full scale in linear light, clipped at 1. *Searched* means the largest of very many points,
+//! climbed to from random ones; *counted*, by an emulator. Errors and instructions are those of `lit`, a soft edge and Lambert's cosine, in `docs/ACCURACY-VS-COST.md`, which has
 //! more kernels, more processors, and rivals.
+//!
+//! # Units
+//!
+//! Light has no unit: 1 is full scale, and what arrives at a surface that faces a light of intensity 1. A matt surface of
+//! albedo 1 sends back what arrives, without the `1/pi` of a radiance. Lengths are those of the world, in any unit.
 //!
 //! # Data flow
 //!
@@ -67,19 +76,19 @@
 //!
 //! # Domain
 //!
-//! A cone that compiles errs at most half a *linear code*, 1/510 of full scale, or where it jumps 1/510 of its half angle in
-//! place, within these ranges. `tests/suite/domain.rs` tests each end.
+//! A cone that compiles errs at most half a linear code, 1/510 of full scale, within these ranges. Where its falloff jumps,
+//! the edge is misplaced by at most 1/510 of its half angle. `tests/suite/domain.rs` tests each end.
 //!
 //! | | `f32` | [`Fx32`] | [`Fx16`] | outside |
 //! |---|---|---|---|---|
 //! | coordinate of a light | any finite | ±32,767 | ±16,383 | refused |
 //! | coordinate of a point | any finite | -32,768 to 32,768 | -32,768 to 32,768 | [`Scalar::length`] saturates; infinite or NaN is dark in `f32` |
 //! | distance | 1.1e-19 to 1.8e19 | 2^-16 to 113,000, but see below | 2^-16 to 85,000 | dark: it counts as on the light, or out of reach |
-//! | outer half angle | [`Cone::narrowest`] to 90° | the same | the same | refused |
+//! | outer half angle | half of [`Cone::narrowest`] to 90° | the same | the same | refused |
 //! | hotspot | to where the rim is as steep as the format holds | the same | the same | refused, with the widest |
 //! | exponent | 1 to 1,024, real ones more than 0 | the same | the same | refused |
 //! | intensity for half a code | 10 | 300 | 300 | see the next row |
-//! | intensity for one code | 300 | 1,000 | 1,000 | to 1e9: the error is the share's times the gain; beyond: refused |
+//! | intensity for one code | 300 | 1,000 | 1,000 | to 1e9: the error grows with the intensity; beyond: refused |
 //!
 //! Where a component of the way from a light to a point is more than 32,768 units, `Fx32` has lost a bit of it, and its
 //! narrowest cones are twice as wide. Intensities are those of cones with half angles from 3°, at any distance (searched, with
@@ -101,9 +110,11 @@
 //! | three.js | `SpotLight.angle`: half, radians | [`HalfAngle::radians`] |
 //! | Godot | `spot_angle`: half, degrees | [`HalfAngle::degrees`] |
 //!
-//! Whole lights of OpenGL, Direct3D 9, glTF, three.js and Godot come in by [`import`].
+//! Spotlights of OpenGL, Direct3D 9, glTF, three.js and Godot come in by [`import`].
 //!
 //! # Features
+//!
+//! One of `libm`, `std` and `micromath` is needed, for the square root.
 //!
 //! | feature | adds |
 //! |---|---|

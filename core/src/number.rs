@@ -58,7 +58,8 @@ pub use self::{knot::Knot, place::ProjectedPoint};
 
 /// A number format that the kernel runs in: `f32`, and with the feature `fixed` also [`Fx32`] and [`Fx16`].
 ///
-/// Sealed: the formats are final in number, so that each can be measured. The module's table states the laws.
+/// Sealed: the formats are final in number, so that each can be measured. The table of [`number`](crate::number) states the
+/// laws.
 pub trait Scalar:
     Arithmetic<
         Position = <Self as Scalar>::Length,

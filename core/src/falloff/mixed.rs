@@ -172,7 +172,7 @@ impl<S: Scalar> CompiledMixture<S> {
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct CompiledMixedPower<S>(CompiledMixture<S>);
 
-/// A [`InvertedMixedPower`] in the format `S`.
+/// An [`InvertedMixedPower`] in the format `S`.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct CompiledInvertedMixedPower<S>(CompiledMixture<S>);
 

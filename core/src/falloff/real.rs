@@ -251,7 +251,7 @@ impl Falloff for InvertedRealPower {
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct CompiledRealPower(RealExponent);
 
-/// A [`InvertedRealPower`], the same in every format.
+/// An [`InvertedRealPower`], the same in every format.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct CompiledInvertedRealPower(RealExponent);
 

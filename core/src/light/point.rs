@@ -60,8 +60,8 @@ impl<A: Attenuation> PointLight<A> {
         Ok(Self { emission: self.emission.with_specular_color(color)?, ..self })
     }
 
-    /// The same light with this intensity: 1 lights a facing surface to full scale, at distance 1 where the light
-    /// falls with the distance, and on the axis of a spotlight.
+    /// The same light with this intensity: with 1, a surface that faces the light gets full scale, at distance 1 if there
+    /// is attenuation.
     ///
     /// # Errors
     /// A negative intensity, or one over 1e9.
