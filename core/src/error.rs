@@ -218,6 +218,7 @@ impl fmt::Display for Expected {
                 write!(f, "{least} to {most} degrees (full angle)")
             }
             Self::Exactly(value) => write!(f, "{value}"),
+            Self::Between(f32::MIN, f32::MAX) => f.write_str("a finite number"),
             Self::Between(least, most) => write!(f, "a finite number from {least} to {most}"),
             Self::UpTo(most) => write!(f, "more than 0 and at most {most}"),
             Self::UpToOr(most, other) => write!(f, "more than 0 and at most {most}, or {other}"),

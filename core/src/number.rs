@@ -55,11 +55,22 @@ use self::{
     gain::{Gain16, Gain32},
 };
 pub use self::{knot::Knot, place::ProjectedPoint};
+use crate::vec3::Vec3;
 
 /// A number format that the kernel runs in: `f32`, and with the feature `fixed` also [`Fx32`] and [`Fx16`].
 ///
 /// Sealed: the formats are final in number, so that each can be measured. The table of [`number`](crate::number) states the
 /// laws.
+///
+/// ```
+/// use luminaire::{Error, Scalar, SpotLight};
+///
+/// /// The light of a spotlight at a point of the floor, as a number format has it.
+/// fn on_the_floor<S: Scalar>(spot: &SpotLight, point: [f32; 3]) -> Result<f32, Error> {
+///     let lit = spot.compile::<S>()?;
+///     Ok(S::light_to_f32(lit.irradiance(S::point(point), S::normal([0.0, 1.0, 0.0]))))
+/// }
+/// ```
 pub trait Scalar:
     Arithmetic<
         Position = <Self as Scalar>::Length,
@@ -95,6 +106,14 @@ pub trait Scalar:
     fn to_f32(self) -> f32;
     /// The nearest length.
     fn length(value: f32) -> Self::Length;
+    /// The point of these coordinates, each the nearest length. That of `Fx16` and `Fx32` itself is `const`.
+    fn point(position: impl Into<Vec3<f32>>) -> Vec3<Self::Length> {
+        position.into().map(Self::length)
+    }
+    /// The normal of these components, each the nearest number. That of `Fx16` and `Fx32` itself is `const`.
+    fn normal(direction: impl Into<Vec3<f32>>) -> Vec3<Self> {
+        direction.into().map(Self::from_f32)
+    }
     /// The value of a light, for display and for tests.
     fn light_to_f32(light: Self::Irradiance) -> f32;
 }
@@ -152,7 +171,6 @@ const fn within_reach(shift: i32) -> i32 {
 #[cfg(all(test, feature = "fixed"))]
 mod tests {
     use super::*;
-    use crate::vec3::Vec3;
     use fixed::types::{I2F14, I2F30, I16F16, I18F14, I34F30};
 
     extern crate std;

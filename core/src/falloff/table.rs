@@ -168,7 +168,7 @@ fn check_count(count: usize, least: u16) -> Result<(), Error> {
     if (least.into()..=65_536).contains(&count) {
         Ok(())
     } else {
-        let accepted = Expected::Between(least.into(), 65_536.0);
+        let accepted = Expected::WholeBetween(least.into(), 65_536);
         Err(Error { parameter: Parameter::SampleCount, value: count as f32, accepted })
     }
 }
