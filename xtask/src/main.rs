@@ -40,7 +40,7 @@ cargo demo [OPTIONS]         Build the browser demo into target/demo and serve i
     --screenshot FILE        Like --check, and write a PNG of the page at 1440x900 to FILE
 
 cargo xtask test [OPTIONS]   Run every test: format, lints, documentation, host, bare metal, browser
-    --full                   Run the long sweeps too (the host tests see LUMINAIRE_FULL=1)
+    --full                   Run the long sweeps too (the host tests see LUMINAIRE_FULL=1), on all boards and feature sets
     --only TEXT              Run only the steps whose name contains TEXT
 
 cargo xtask firmware [OPTIONS]   Count what the kernels cost on microcontrollers, in QEMU

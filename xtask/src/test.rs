@@ -6,6 +6,7 @@ use anyhow::{Context, Result, bail};
 
 use crate::arguments::TestOptions;
 use crate::browser::tests::{ALL, Visitor};
+use crate::firmware::{Board, board};
 use crate::progress::Progress;
 use crate::suite::Suite;
 use crate::tally::Tally;
@@ -33,7 +34,7 @@ const NO_VISITOR: &str = "not run, because the demo was not built or no browser 
 /// Runs the tests; the last line on stdout counts them.
 pub(crate) fn run(options: &TestOptions) -> ExitCode {
     let mut suite = Suite::new(options.only.clone());
-    suite.side_by_side(|suite| host(suite, options.full), boards);
+    suite.side_by_side(|suite| host(suite, options.full), |suite| boards(suite, options.full));
     suite.finish()
 }
 
@@ -43,7 +44,7 @@ fn host(suite: &mut Suite, full: bool) {
     suite
         .count("host: cargo test", |progress| cargo_test(&["--workspace", "--no-fail-fast"], full, progress));
     // The other sets differ by what clippy and bare metal check.
-    for (name, features) in &FEATURES[1..3] {
+    for (name, features) in if full { &FEATURES[1..3] } else { &FEATURES[1..2] } {
         suite.count(&format!("host: luminaire with {name}"), |progress| {
             // The long search has been made with all features at once.
             cargo_test(&[&["--package", "luminaire", "--lib"], *features].concat(), false, progress)
@@ -53,15 +54,16 @@ fn host(suite: &mut Suite, full: bool) {
     browser(suite);
 }
 
-/// What emulated boards run, and the conformance vectors on all targets.
-fn boards(suite: &mut Suite) {
-    bare_metal(suite);
-    firmware::tests::run(suite);
-    firmware::frame::tests::run(suite);
-    size::tests::run(suite);
+/// What emulated boards run, and the conformance vectors on them, on this machine and in a browser.
+fn boards(suite: &mut Suite, full: bool) {
+    let boards = board::tested(full);
+    bare_metal(suite, full);
+    firmware::tests::run(suite, &boards);
+    firmware::frame::tests::run(suite, &boards);
+    size::tests::run(suite, &boards);
     effects::tests::run(suite);
-    prices(suite);
-    conform::tests::run(suite);
+    prices(suite, &boards);
+    conform::tests::run(suite, &boards);
 }
 
 fn sources(suite: &mut Suite) {
@@ -104,13 +106,13 @@ fn cargo_test(arguments: &[&str], full: bool, progress: &Progress) -> Result<Tal
 }
 
 /// Checked without code generation: the firmware links the kernel for every board.
-fn bare_metal(suite: &mut Suite) {
+fn bare_metal(suite: &mut Suite, full: bool) {
     let check = |progress: &Progress, package: &str, features: &[&str]| {
         let toolchain = Toolchain::find(BARE, progress)?;
         let cargo = with(toolchain.cargo_check("core,alloc"), &["--lib", "--package", package]);
         progress.run(with(cargo, features))
     };
-    for (name, features) in FEATURES {
+    for (name, features) in if full { &FEATURES[..] } else { &FEATURES[1..2] } {
         suite.step(&format!("bare metal: luminaire with {name} for {BARE}"), |progress| {
             check(progress, "luminaire", features)
         });
@@ -120,10 +122,11 @@ fn bare_metal(suite: &mut Suite) {
     });
 }
 
-fn prices(suite: &mut Suite) {
+fn prices(suite: &mut Suite, boards: &[&'static Board]) {
     let name = "prices: errors and instructions are those of the list";
     if suite.wants(name) {
-        for remark in suite.require(name, |progress| measure::check(&[], progress)).unwrap_or_default() {
+        let targets: Vec<_> = boards.iter().map(|board| measure::Target::Board(board)).collect();
+        for remark in suite.require(name, |progress| measure::check(&targets, progress)).unwrap_or_default() {
             println!("    {remark}");
         }
     }

@@ -46,7 +46,12 @@ pub(crate) struct Report {
 impl Target {
     /// All targets, those first that are checked soonest.
     pub(crate) fn all() -> Vec<Self> {
-        let boards = board::ALL.iter().map(Self::Board);
+        Self::on(&board::tested(true))
+    }
+
+    /// This machine, a browser and these boards.
+    pub(super) fn on(boards: &[&'static Board]) -> Vec<Self> {
+        let boards = boards.iter().map(|board| Self::Board(board));
         [Self::Debug, Self::Release, Self::Std, Self::Browser].into_iter().chain(boards).collect()
     }
 
@@ -122,10 +127,10 @@ fn on_a_board(board: &'static Board, progress: &Progress) -> Result<String> {
     emulator.run_in(&golden::folder(), &toolchain.artifacts(profile).join("conform"))
 }
 
-/// Builds the check for all boards, so that it is there when it is asked for.
-pub(super) fn build_for_all_boards(progress: &Progress) -> Result<()> {
-    for group in board::ALL.chunk_by(|one, next| profile(one) == profile(next)) {
-        laboratory::build_for_all(group, &arguments(profile(&group[0])), progress)?;
+/// Builds the check for each board, so that it is there when it is asked for.
+pub(super) fn build_for_boards(boards: &[&Board], progress: &Progress) -> Result<()> {
+    for group in boards.chunk_by(|one, next| profile(one) == profile(next)) {
+        laboratory::build_for_all(group, &arguments(profile(group[0])), progress)?;
     }
     Ok(())
 }

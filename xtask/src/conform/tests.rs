@@ -3,12 +3,13 @@
 use anyhow::ensure;
 
 use super::{Target, target};
+use crate::firmware::Board;
 use crate::suite::Suite;
 
 /// Adds a step for each target.
-pub(crate) fn run(suite: &mut Suite) {
-    suite.step("conformance: built for all boards", target::build_for_all_boards);
-    for target in Target::all() {
+pub(crate) fn run(suite: &mut Suite, boards: &[&'static Board]) {
+    suite.step("conformance: built for each board", |progress| target::build_for_boards(boards, progress));
+    for target in Target::on(boards) {
         suite.step(&format!("conformance: the same bits on {}", target.name()), |progress| {
             let report = target.check(progress)?;
             ensure!(report.passed, "{}\n{}", report.count, report.told);

@@ -55,6 +55,14 @@ pub(crate) static ALL: [Board; 4] = [
     },
 ];
 
+/// The processors that the quick tests build for: the smallest, and one that computes floats. The long ones build for all.
+const QUICK: [&str; 2] = ["cortex-m0", "cortex-m4f"];
+
+/// The boards that tests run on.
+pub(crate) fn tested(full: bool) -> Vec<&'static Board> {
+    ALL.iter().filter(|board| full || QUICK.contains(&board.name)).collect()
+}
+
 impl Board {
     /// The board of this name, or an error that says which names there are.
     pub(crate) fn named(name: &str) -> Result<&'static Self, String> {
@@ -68,6 +76,13 @@ impl Board {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn quick_tests_have_boards_with_floats_and_without() {
+        let names = |full| tested(full).iter().map(|board| board.name).collect::<Vec<_>>();
+        assert_eq!(names(false), QUICK);
+        assert_eq!(names(true).len(), ALL.len());
+    }
 
     #[test]
     fn a_board_is_found_by_its_name_or_the_names_are_told() {

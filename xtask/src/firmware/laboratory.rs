@@ -123,7 +123,7 @@ pub(crate) fn build(board: &Board, arguments: &[&str], progress: &Progress) -> R
 
 /// Builds firmware for many boards side by side: each program is linked by one processor, and so is each board's library, so
 /// that board after board the others would have nothing to do.
-pub(crate) fn build_for_all(boards: &[Board], arguments: &[&str], progress: &Progress) -> Result<()> {
+pub(crate) fn build_for_all(boards: &[&Board], arguments: &[&str], progress: &Progress) -> Result<()> {
     // Of what their start-up macros ask for, cargo gives all that any board of a call asks for to each of them: with one
     // of another make they would be built anew when they are built alone.
     for boards in boards.chunk_by(|one, next| one.emulator == next.emulator) {

@@ -8,7 +8,7 @@ use anyhow::{Context, Result};
 
 use super::program::Program;
 use crate::effects::catalogue::{self, Entry};
-use crate::firmware::{Board, board, laboratory};
+use crate::firmware::{Board, laboratory};
 use crate::progress::Progress;
 use crate::project;
 
@@ -76,10 +76,15 @@ impl Effects {
         Self::cargo(board, format, &programs, progress)
     }
 
-    /// Builds one program for all boards, so that each is there when it is asked for.
-    pub(crate) fn build_one_for_all(format: Format, name: &str, progress: &Progress) -> Result<()> {
+    /// Builds one program for each board, so that it is there when it is asked for.
+    pub(crate) fn build_one_for_all(
+        format: Format,
+        name: &str,
+        boards: &[&Board],
+        progress: &Progress,
+    ) -> Result<()> {
         write_programs()?;
-        laboratory::build_for_all(&board::ALL, &Self::arguments(format, &["--bin", name]), progress)
+        laboratory::build_for_all(boards, &Self::arguments(format, &["--bin", name]), progress)
     }
 
     fn cargo(board: &Board, format: Format, programs: &[&str], progress: &Progress) -> Result<Self> {

@@ -14,17 +14,19 @@ use crate::suite::Suite;
 const BUDGET: u64 = 1920;
 
 /// Adds the steps.
-pub(crate) fn run(suite: &mut Suite) {
+pub(crate) fn run(suite: &mut Suite, boards: &[&'static Board]) {
     suite.step("effects: cargo clippy", |progress| {
         write_programs()?;
         let mut cargo = laboratory::firmware(command::cargo("clippy"));
-        cargo.args(["--package", "luminaire-effects", "--all-targets", "--", "-Dwarnings"]);
+        cargo.args(["--package", "luminaire-effects", "--lib", "--bins", "--", "-Dwarnings"]);
         progress.run(cargo)
     });
-    suite.step("effects: everything at once, built for all boards", |progress| {
-        Format::ALL.iter().try_for_each(|&format| Effects::build_one_for_all(format, EVERYTHING, progress))
+    suite.step("effects: everything at once, built for each board", |progress| {
+        Format::ALL
+            .iter()
+            .try_for_each(|&format| Effects::build_one_for_all(format, EVERYTHING, boards, progress))
     });
-    for board in &board::ALL {
+    for &board in boards {
         suite.step(
             &format!("effects: nothing panics and nothing is allocated on {}", board.name),
             |progress| no_panic(&[EVERYTHING], board, progress),

@@ -1,6 +1,6 @@
 //! The picture's part of `cargo xtask test`.
 
-use super::super::board;
+use super::super::Board;
 use super::super::laboratory::Laboratory;
 use super::record::Record;
 use super::{PROGRAM, compare, draw, on_the_host};
@@ -8,8 +8,8 @@ use crate::suite::Suite;
 
 /// Adds a step for each board: the picture is the host's, there is no soft float, and what is counted is what
 /// is recorded.
-pub(crate) fn run(suite: &mut Suite) {
-    for board in &board::ALL {
+pub(crate) fn run(suite: &mut Suite, boards: &[&'static Board]) {
+    for &board in boards {
         let name = format!("frame: the picture, no soft float, and its counts on {}", board.name);
         suite.step(&name, |progress| {
             let host = on_the_host(progress)?;
