@@ -38,7 +38,7 @@ fn still() -> Outcome {
     write("key.rs", &key.compile::<Fx16>()?)
 }
 
-/// The light, and what the materials send back of the ambient light and of the light's.
+/// The spotlight, and what the materials send back of the ambient light and of the spotlight's.
 fn frame() -> Outcome {
     let cone = Cone::from_field(Soft, Angle::degrees(44.0))?;
     let [x, y, z] = measures::LAMP;

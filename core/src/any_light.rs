@@ -27,13 +27,13 @@ use crate::{
 /// use luminaire::{Angle, Cone, Fx16, PointLight, SpotLight, Vec3, dynamic::AnyLight, falloff::Soft};
 /// let cone = Cone::from_field(Soft, Angle::degrees(15.0))?;
 /// let spot = SpotLight::new(Vec3::new(0.0, 4.0, 0.0), Vec3::new(0.0, -1.0, 0.0), cone)?;
-/// let lamps = [AnyLight::from(spot), PointLight::new(Vec3::new(1.0, 2.0, 0.0))?.into()];
-/// assert_eq!(lamps[0].effects().to_string(), "diffuse, spot, soft, inverse-square");
+/// let lights = [AnyLight::from(spot), PointLight::new(Vec3::new(1.0, 2.0, 0.0))?.into()];
+/// assert_eq!(lights[0].effects().to_string(), "diffuse, spot, soft, inverse-square");
 ///
 /// let (floor, up) = (Fx16::point([0.0, 0.0, 0.0]), Fx16::normal([0.0, 1.0, 0.0]));
 /// let mut sum = 0.0;
-/// for lamp in lamps {
-///     sum += lamp.compile()?.irradiance(floor, up).to_f32();
+/// for light in lights {
+///     sum += light.compile()?.irradiance(floor, up).to_f32();
 /// }
 /// assert!((sum - (1.0 / 16.0 + 2.0 / 5_f32.powf(1.5))).abs() < 1e-3);
 /// # Ok::<(), luminaire::Error>(())

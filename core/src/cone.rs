@@ -199,8 +199,8 @@ impl<P: Falloff> Cone<P> {
 
     /// The narrowest outer angle of this profile, without a hotspot, that the format `S` evaluates within half a linear
     /// code, 1/510, on exact inputs: the format's error of direction, magnified by the profile's steepness, and all other
-    /// roundings reach it there. A hotspot makes the profile steeper; a step, which no format can hold to an intensity, is in
-    /// its place within 1/510 of its half angle.
+    /// roundings reach it there. A hotspot makes the profile steeper; a step, which no format can hold to an
+    /// intensity, is in its place within 1/510 of its half angle.
     ///
     /// In `f32` that holds wherever light and point are. It is more than 180 degrees where the format holds no cone of the
     /// profile, as `Fx16` none of an inverted power of 99.

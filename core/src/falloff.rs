@@ -62,9 +62,10 @@ pub use crate::number::Knot;
 /// An edge profile: a function of `t`, and the figures that design a cone with it.
 ///
 /// The type decides which function is compiled in: there is no branch per point, and a profile that is not
-/// named is not linked. [`SoftOrHard`], [`FittedFalloff`] and [`AnyFalloff`] leave the choice to run time, at the price of that branch.
+/// named is not linked. [`SoftOrHard`], [`FittedFalloff`] and [`AnyFalloff`] leave the choice to run time, at the price
+/// of that branch.
 ///
-/// Sealed: it has a bound that is private. [`Table`] takes any curve.
+/// A curve that is none of them is a [`Table`].
 pub trait Falloff: Copy + core::fmt::Debug {
     /// The falloff with its coefficients in the format `S`: `Self` where it has none.
     type Compiled<S: Scalar>: Curve<S> + From<Self>;

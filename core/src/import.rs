@@ -19,8 +19,8 @@
 //! | [`OpenGl`] | half, degrees | `cos^e`, cut off | `1 / (a0 + a1 d + a2 d^2)` |
 //! | [`Direct3d`] | full, radians | `t^p` around a hotspot | the same, cut off at a range |
 //! | [`Gltf`] | half, radians | `t^2` around a hotspot | `1 / d^2` in a window |
-//! | [`Three`] | half, radians | smoothstep around a hotspot | `1 / d^k` in a squared window |
-//! | [`Godot`] | half, degrees | `1 - u^(1/p)` | `1 / d^k` in a squared window |
+//! | [`Three`] | half, radians | smoothstep around a hotspot | `1 / d^k` in Filament's window |
+//! | [`Godot`] | half, degrees | `1 - u^(1/p)` | `1 / d^k` in Filament's window |
 //! | [`Penumbra`] | as an [`Angle`] | `t` or smoothstep around a hotspot | `1 / d^2` |
 //!
 //! `t` and `u = 1 - t` are those of the [profiles](crate::falloff::Falloff): the cosine on the way from the
@@ -28,8 +28,8 @@
 //!
 //! # What is exact, and what is not
 //!
-//! All is exact but two things. On the axis of a light of Godot with a whole exponent up to 0.0001 of
-//! the intensity is missing. And an attenuation by a power other than 0, 1 and 2 becomes `1 / (a0 + a1 d)` under 1
+//! All is exact but two things. A light of Godot with a whole exponent lacks up to 0.0001 of its
+//! intensity on the axis. And an attenuation by a power other than 0, 1 and 2 becomes `1 / (a0 + a1 d)` under 1
 //! and `1 / (a1 d + a2 d^2)` over it, with coefficients that are searched for a small largest
 //! [`Difference`]. The largest differences over the lights of each system, as `cargo test --test
 //! import -- --nocapture --test-threads 1` prints them:

@@ -1,10 +1,10 @@
 //! A lighting kernel for renderers that run where a GPU does not: a microcontroller, a software renderer, a canvas.
 //!
 //! Spotlights are described by the two angles of every stage light's data sheet: the beam angle, at which half the
-//! intensity is left, and the field angle, at which a tenth is left. The falloff between them is a polynomial of one
-//! to three multiplies instead of a power function: one of the two quadratics of Hast 2004, soft edged or hard edged,
-//! or a cubic that has a given beam and field angle. [`falloff`] lists all of them. The same code runs in `f32`, in
-//! 32-bit and in 16-bit fixed point.
+//! intensity is left, and the field angle, at which a tenth is left. The falloff from the axis to the edge is a
+//! polynomial of one to three multiplies instead of a power function: one of the two quadratics of Hast 2004, soft
+//! edged or hard edged, or a cubic that has a given beam and field angle. [`falloff`] lists all of them. The same code
+//! runs in `f32`, in 32-bit and in 16-bit fixed point.
 //!
 //! "Hast 2004" is A. Hast, T. Barrera and E. Bengtsson, *Fast Intensity Distribution Functions for
 //! Soft and Hard Edged Spotlights*, WSCG 2004 Short Communications, pages 95 to 100.
@@ -59,20 +59,21 @@
 //! | narrowest soft cone, half angle in degrees (half of [`Cone::narrowest`]) | 0.0050 | 0.00004 | 0.70 |
 //!
 //! A *linear code* is 1/255 of full scale in linear light, clipped at 1. *Searched* means the largest of very many points,
-//! climbed to from random ones; *counted*, by an emulator. Errors and instructions are those of `lit`, a soft edge and Lambert's cosine, in `docs/ACCURACY-VS-COST.md`, which has
-//! more kernels, more processors, and rivals.
+//! climbed to from random ones; *counted*, by an emulator. Errors and instructions are those of `lit`, a soft edge and
+//! Lambert's cosine, in `docs/ACCURACY-VS-COST.md`, which has more kernels, more processors, and rivals.
 //!
 //! # Units
 //!
-//! Light has no unit: 1 is full scale, and what arrives at a surface that faces a light of intensity 1. A matt surface of
-//! albedo 1 sends back what arrives, without the `1/pi` of a radiance. Lengths are those of the world, in any unit.
+//! Light has no unit: 1 is full scale, and what arrives of an intensity of 1 at a surface that faces the light, at
+//! distance 1 and on the axis. A matt surface of albedo 1 sends back what arrives, without the `1/pi` of a radiance.
+//! Lengths are those of the world, in any unit.
 //!
 //! # Data flow
 //!
 //! [`Angle`] → [`Cone`] (designed from its outer, beam or field angle, or from the last two) → [`SpotLight`] (placed,
-//! coloured, validated) → [`CompiledSpotLight`](light::CompiledSpotLight) (constants of one number format) → irradiance at a point. Construction
-//! validates and returns an [`Error`] that names the parameter; evaluation is defined for every bit pattern and
-//! never fails.
+//! coloured, validated) → [`CompiledSpotLight`](light::CompiledSpotLight) (constants of one number format) →
+//! irradiance at a point. Construction validates and returns an [`Error`] that names the parameter; evaluation is
+//! defined for every bit pattern and never fails.
 //!
 //! # Domain
 //!
@@ -91,9 +92,10 @@
 //! | intensity for one code | 300 | 1,000 | 1,000 | to 1e9: the error grows with the intensity; beyond: refused |
 //!
 //! Where a component of the way from a light to a point is more than 32,768 units, `Fx32` has lost a bit of it, and its
-//! narrowest cones are twice as wide. Intensities are those of cones with half angles from 3°, at any distance (searched, with
-//! light clipped at full scale); a narrower cone has fewer of them in proportion. For brighter lights divide the intensity, and
-//! give it back by an [`Exposure`](display::Exposure); or stay as far away as a light of full scale does.
+//! narrowest cones are twice as wide. Intensities are those of cones with half angles from 3°, at any distance
+//! (searched, with light clipped at full scale); a narrower cone has fewer of them in proportion. For brighter lights
+//! divide the intensity, and give it back by an [`Exposure`](display::Exposure); or stay as far away as a light of
+//! full scale does.
 //!
 //! # Half or full angle
 //!

@@ -160,8 +160,8 @@ impl<S: Scalar, H: SpecularLobe> CompiledMaterial<S, H> {
         self.emissive.plus::<S>(ambient.filtered::<S>(self.ambient))
     }
 
-    /// What a compiled light of any kind adds: `f(d) spot [diffuse Is max(0, N.L) + specular Is lobe]`, without a root where nothing can
-    /// arrive. What is skipped is exactly zero, so the answer has the bits of
+    /// What a compiled light of any kind adds: `f(d) spot [diffuse Is max(0, N.L) + specular Is lobe]`, without a root
+    /// where nothing can arrive. What is skipped is exactly zero, so the answer has the bits of
     /// [`reflect_unskipped`](Self::reflect_unskipped).
     #[inline]
     pub fn reflect<L: LightModel<S>>(&self, surface: &SurfacePoint<S>, light: &L) -> Rgb<S::Irradiance> {

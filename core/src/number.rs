@@ -106,11 +106,11 @@ pub trait Scalar:
     fn to_f32(self) -> f32;
     /// The nearest length.
     fn length(value: f32) -> Self::Length;
-    /// The point of these coordinates, each the nearest length. That of `Fx16` and `Fx32` itself is `const`.
+    /// The point of these coordinates, each the nearest length. `Fx16` and `Fx32` have a `const` function of this name.
     fn point(position: impl Into<Vec3<f32>>) -> Vec3<Self::Length> {
         position.into().map(Self::length)
     }
-    /// The normal of these components, each the nearest number. That of `Fx16` and `Fx32` itself is `const`.
+    /// The normal of these components, each the nearest number. `Fx16` and `Fx32` have a `const` function of this name.
     fn normal(direction: impl Into<Vec3<f32>>) -> Vec3<Self> {
         direction.into().map(Self::from_f32)
     }

@@ -92,8 +92,8 @@ impl RenderPlan {
     ///
     /// # Errors
     /// A light that the format can't hold, dark or not.
-    pub fn prepare<S: Scalar>(&self, lamp: &AnyLight) -> Result<Option<CompiledAnyLight<S>>, Error> {
-        let compiled = lamp.compile()?;
-        Ok((!(self.skips() && lamp.is_dark())).then_some(compiled))
+    pub fn prepare<S: Scalar>(&self, light: &AnyLight) -> Result<Option<CompiledAnyLight<S>>, Error> {
+        let compiled = light.compile()?;
+        Ok((!(self.skips() && light.is_dark())).then_some(compiled))
     }
 }

@@ -173,7 +173,7 @@ impl Setup {
         Self { scene, camera, fixtures, display: Display::default(), swing: 0.0 }
     }
 
-    /// The fixtures after so many seconds, in the order of the fixtures. The same seconds always give the same.
+    /// The fixtures after so many seconds, in the order of [`fixtures`](Self::fixtures). The same seconds always give the same.
     ///
     /// # Errors
     /// Seconds that are not finite, where something moves.

@@ -21,7 +21,7 @@ impl<S: Scalar> Default for Filter<S> {
 }
 
 impl<S: Scalar> Filter<S> {
-    /// Leaves of light on a block, and of its highlights, what its pattern and its shadow leave of it.
+    /// Leaves of a fixture's light on a block, and of its highlights, what the fixture's pattern and shadow let through.
     #[inline(never)]
     pub(crate) fn apply(
         &mut self,

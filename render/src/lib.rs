@@ -16,7 +16,7 @@
 //!    position, normal and material of each pixel, already in the number format of the light.
 //! 2. [`draw_shadows`](Renderer::draw_shadows) draws a [`ShadowMap`] for each fixture that asks for one.
 //! 3. [`draw_light`](Renderer::draw_light) adds up the light of the fixtures over that buffer, in blocks of
-//!    32 pixels with each quantity in an array of its own. Tiles that no fixture reaches which is another now
+//!    32 pixels with each quantity in an array of its own. Tiles that no changed fixture reaches or has reached
 //!    are left as they are; in the others, blocks that a light cannot reach are left out.
 //! 4. [`encode`](Renderer::encode) makes the codes of a [`Display`] of it, in the tiles that were lit.
 //!

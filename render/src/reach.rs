@@ -5,7 +5,7 @@ use luminaire::dynamic::AnyLight;
 
 use crate::{bounds::Bounds, directions::Directions};
 
-/// Bounds of a light: what it cannot reach is outside of them.
+/// Bounds of a light: it cannot reach what is outside of them.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Reach {
     source: Source,

@@ -155,8 +155,8 @@ impl<S: Format> Renderer<S> {
         self.shadows.draw(scene, lights)
     }
 
-    /// Lights the geometry where lights or geometry have changed since the last time: the tiles that a light reaches
-    /// or has reached which is another now. Returns whether anything had changed: if not, nothing was done.
+    /// Lights the geometry where lights or geometry have changed since the last time: the tiles that a changed
+    /// light reaches or has reached. Returns whether anything had changed: if not, nothing was done.
     ///
     /// # Errors
     /// A light that the format can't hold; the picture stays as it was.

@@ -23,7 +23,7 @@ use slope::{Slope, depth_error};
 ///
 /// Its depths are those of what is nearest to the light, from whichever side it is seen: a sheet without a
 /// back, as a curtain is, lets no light through. What is nearer to the light than 5 centimetres along its
-/// axis casts no shadow, as the light's own housing would.
+/// axis casts no shadow: the fixture's own housing would.
 ///
 /// **No surface shadows itself.** A depth is compared with points up to a texel away, where the surface is at
 /// another depth. So each triangle is drawn as deep as its plane comes within one texel, and then each texel

@@ -33,7 +33,7 @@ impl<S: Scalar> Shadows<S> {
         let mut is_any = false;
         for (number, (map, &light)) in self.maps.iter_mut().zip(lights).enumerate() {
             let fixture: Fixture = light.into();
-            // A dark light throws no shadow; its map waits for its light.
+            // A dark light throws no shadow; its map is drawn once it is lit.
             let Some((side, projection)) = fixture.shadow() else {
                 *map = None;
                 continue;

@@ -1,4 +1,4 @@
-//! Light is linear: twice the light is twice the light, and lights add in any order.
+//! Light is linear: twice the intensity is twice the light, and lights add in any order.
 
 use super::format::Format;
 use super::scene;

@@ -6,6 +6,7 @@ use luminaire::{
         CutAt, FilamentRange, GltfRange, InverseSquare, NoAttenuation, Polynomial, SmoothRange, Windowed,
     },
     display::Exposure,
+    dynamic::AnyLight,
     falloff::{
         Cubic, Hard, IntegerPower, InvertedIntegerPower, InvertedMixedPower, InvertedRealPower, MixedPower,
         Quadratic, RealPower, Soft, Table,
@@ -77,9 +78,22 @@ fn compiled_lights_keep_their_colors() {
     assert_compiled::<f32>();
     assert_compiled::<luminaire::Fx32>();
     assert_compiled::<Fx16>();
-    let bulb = PointLight::new(PLACE).and_then(|bulb| bulb.with_color(RED)).expect("sound");
-    let bulb = bulb.compile::<f32>().expect("held");
-    assert_eq!((bulb.color(), bulb.specular_color()), (RED, RED));
+    let both = |light: AnyLight| {
+        let light = light.compile::<f32>().expect("held");
+        assert_eq!((light.color(), light.specular_color()), (RED, BLUE));
+        assert_eq!(light.colors(), [RED, BLUE]);
+    };
+    let bulb = PointLight::new(PLACE)
+        .and_then(|bulb| bulb.with_color(RED)?.with_specular_color(BLUE))
+        .expect("sound");
+    let sun = DirectionalLight::new(DOWN)
+        .and_then(|sun| sun.with_color(RED)?.with_specular_color(BLUE))
+        .expect("sound");
+    both(bulb.into());
+    both(sun.into());
+    let (bulb, sun) = (bulb.compile::<f32>().expect("held"), sun.compile::<f32>());
+    assert_eq!([bulb.color(), bulb.specular_color()], [sun.color(), sun.specular_color()]);
+    assert_eq!([bulb.colors(), sun.colors()], [[RED, BLUE]; 2]);
 }
 
 #[test]

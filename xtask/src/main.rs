@@ -39,7 +39,7 @@ cargo demo [OPTIONS]         Build the browser demo into target/demo and serve i
     --check                  Instead of serving: run the page once in headless Chromium, print one line and exit
     --screenshot FILE        Like --check, and write a PNG of the page at 1440x900 to FILE
 
-cargo xtask test [OPTIONS]   Run every test: format, lints, documentation, host, bare metal, browser
+cargo xtask test [OPTIONS]   Run the tests: format, lints, documentation, host, two emulated boards, browser
     --full                   Run the long sweeps too (the host tests see LUMINAIRE_FULL=1), on all boards and feature sets
     --only TEXT              Run only the steps whose name contains TEXT
 

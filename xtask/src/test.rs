@@ -1,4 +1,4 @@
-//! `cargo xtask test`: every test there is.
+//! `cargo xtask test`: every test; with `--full` the long ones, too, on all boards.
 
 use std::process::{Command, ExitCode};
 
@@ -43,7 +43,7 @@ fn host(suite: &mut Suite, full: bool) {
     sources(suite);
     suite
         .count("host: cargo test", |progress| cargo_test(&["--workspace", "--no-fail-fast"], full, progress));
-    // The other sets differ by what clippy and bare metal check.
+    // The other sets are tested by `--full`; clippy checks all of them.
     for (name, features) in if full { &FEATURES[1..3] } else { &FEATURES[1..2] } {
         suite.count(&format!("host: luminaire with {name}"), |progress| {
             // The long search has been made with all features at once.
@@ -105,7 +105,7 @@ fn cargo_test(arguments: &[&str], full: bool, progress: &Progress) -> Result<Tal
     Ok(tally)
 }
 
-/// Checked without code generation: the firmware links the kernel for every board.
+/// Checked without code generation: the firmware links the kernel.
 fn bare_metal(suite: &mut Suite, full: bool) {
     let check = |progress: &Progress, package: &str, features: &[&str]| {
         let toolchain = Toolchain::find(BARE, progress)?;

@@ -48,8 +48,8 @@ struct Loop<'a, S: Scalar, H: SpecularLobe, const N: usize> {
 
 impl<S: Scalar> CompiledAnyLight<S> {
     /// What arrives at each of many points whose highlights are of the kind `H`: to the bit what
-    /// [`CompiledMaterial::reflect`](crate::light::CompiledMaterial::reflect) finds for one, before the colours. The arrivals
-    /// of a matt surface have no specular part; what was there stays.
+    /// [`evaluate`](Self::evaluate) gives for one. The arrivals of a matt surface have no specular part; what was
+    /// there stays.
     ///
     /// In fixed point, where points are computed one by one, those where nothing can arrive are left before their root is
     /// paid for, with the same bits. In `f32` that would be in the way of vector instructions.

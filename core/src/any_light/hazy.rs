@@ -19,8 +19,9 @@ impl CompiledAnyLight<f32> {
 }
 
 impl BeamScattering<AnyFalloff, AnyAttenuation> {
-    /// The air light of each of many rays: to the bit what [`in_scattering`](Self::in_scattering) of the beam's own profile gives for
-    /// one. There is a loop for each profile under the inverse-square law, and one with branches for all others.
+    /// The air light of each of many rays: to the bit what [`in_scattering`](Self::in_scattering) of the beam's own
+    /// profile gives for one. There is a loop for each profile under the inverse-square law, and one with branches for
+    /// all others.
     pub fn in_scattering_each<const N: usize>(&self, rays: &ViewRays<N>, lights: &mut [f32; N]) {
         if AnyAttenuation::is_inverse_square::<f32>(&self.attenuation) {
             with_profile!(self.falloff, profile, curve => each(&self.by_square(profile, curve), rays, lights));
@@ -30,8 +31,8 @@ impl BeamScattering<AnyFalloff, AnyAttenuation> {
     }
 
     /// The air light of each of many rays through something: to the bit what
-    /// [`in_scattering_through`](Self::in_scattering_through) gives for one with `PARTS` places, which the filter is told all at once,
-    /// ray by ray. It is not asked for rays that are not in the beam.
+    /// [`in_scattering_through`](Self::in_scattering_through) gives for one with `PARTS` places, which the filter is
+    /// told all at once, ray by ray. It is not asked for rays that are not in the beam.
     pub fn in_scattering_through_each<const PARTS: usize, const N: usize>(
         &self,
         rays: &ViewRays<N>,

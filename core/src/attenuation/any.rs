@@ -20,8 +20,8 @@ macro_rules! any_attenuation {
         /// Any attenuation, chosen at run time: that of a light of [another system](crate::import), or of a
         /// [`AnyLight`](crate::dynamic::AnyLight).
         ///
-        /// It branches per point; [`CompiledAnyLight::evaluate_each`](crate::dynamic::CompiledAnyLight::evaluate_each) branches
-        /// once per light.
+        /// It branches per point; [`CompiledAnyLight::evaluate_each`](crate::dynamic::CompiledAnyLight::evaluate_each)
+        /// branches once per light.
         #[derive(Clone, Copy, PartialEq, Debug)]
         #[non_exhaustive]
         pub enum AnyAttenuation {

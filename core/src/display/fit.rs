@@ -3,8 +3,8 @@
 //! [`clip`] cuts each channel at full scale. It is the cheaper one and what displays do by themselves; a bright orange
 //! turns to yellow and then to white.
 //!
-//! [`compress_keep_hue`] divides all channels by the largest where that is over full scale. Orange stays orange however bright,
-//! at the price of a reciprocal, and of surfaces that no longer grow brighter.
+//! [`compress_keep_hue`] divides all channels by the largest where that is over full scale. Orange stays orange
+//! however bright, at the price of a reciprocal, and of surfaces that no longer grow brighter.
 
 use crate::{
     color::Rgb,

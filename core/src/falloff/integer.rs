@@ -15,7 +15,8 @@ pub struct IntegerPower {
     exponent: u32,
 }
 
-/// The inverted power `1 - u^n` of an exponent that is known at run time, with the bits of [`InvertedPower`](crate::falloff::InvertedPower).
+/// The inverted power `1 - u^n` of an exponent that is known at run time, with the bits of
+/// [`InvertedPower`](crate::falloff::InvertedPower).
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct InvertedIntegerPower {
     exponent: u32,

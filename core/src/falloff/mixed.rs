@@ -86,8 +86,8 @@ impl MixedPower {
         Mixture::checked(0, exponents, share).map(Self)
     }
 
-    /// The mixture of the powers of two exponents and a share of these bits, as [`codegen`](crate::codegen) writes them; each is
-    /// clamped to where [`new`](Self::new) accepts it, a share of NaN to 0.
+    /// The mixture of the powers of two exponents and a share of these bits, as [`codegen`](crate::codegen) writes
+    /// them; each is clamped to where [`new`](Self::new) accepts it, a share of NaN to 0.
     pub const fn from_bits(bits: [u32; 3]) -> Self {
         Self(Mixture::from_bits(0, bits))
     }
@@ -118,8 +118,8 @@ impl InvertedMixedPower {
         Mixture::checked(1, exponents, share).map(Self)
     }
 
-    /// The mixture of the inverted powers of two exponents and a share of these bits, as [`codegen`](crate::codegen) writes them; each is
-    /// clamped to where [`new`](Self::new) accepts it, a share of NaN to 0.
+    /// The mixture of the inverted powers of two exponents and a share of these bits, as [`codegen`](crate::codegen)
+    /// writes them; each is clamped to where [`new`](Self::new) accepts it, a share of NaN to 0.
     pub const fn from_bits(bits: [u32; 3]) -> Self {
         Self(Mixture::from_bits(1, bits))
     }
@@ -179,7 +179,8 @@ pub struct CompiledInvertedMixedPower<S>(CompiledMixture<S>);
 written_by_bits!(MixedPower InvertedMixedPower);
 
 impl<S: Scalar> CompiledMixedPower<S> {
-    /// The mixture of an exponent, how much larger the other one is, and its share, as [`codegen`](crate::codegen) writes it.
+    /// The mixture of an exponent, how much larger the other one is, and its share, as [`codegen`](crate::codegen)
+    /// writes it.
     pub const fn from_parts(low: u32, rise: u32, share: S) -> Self {
         Self(CompiledMixture { low, rise, share })
     }
@@ -193,7 +194,8 @@ impl<S: Scalar + Source + Named> Source for CompiledMixedPower<S> {
 }
 
 impl<S: Scalar> CompiledInvertedMixedPower<S> {
-    /// The mixture of an exponent, how much larger the other one is, and its share, as [`codegen`](crate::codegen) writes it.
+    /// The mixture of an exponent, how much larger the other one is, and its share, as [`codegen`](crate::codegen)
+    /// writes it.
     pub const fn from_parts(low: u32, rise: u32, share: S) -> Self {
         Self(CompiledMixture { low, rise, share })
     }

@@ -28,7 +28,8 @@ use crate::{
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct Power<const N: u32>;
 
-/// The inverted power `1 - u^N`, Godot's spotlight of the angle attenuation `1/N`: as many multiplies as [`Power`]. `N` is from 1 to 1,024.
+/// The inverted power `1 - u^N`, Godot's spotlight of the angle attenuation `1/N`: as many multiplies as [`Power`].
+/// `N` is from 1 to 1,024.
 ///
 /// The larger `N`, the flatter the middle and the crisper the rim: `InvertedPower<2>` is [`Hard`](crate::falloff::Hard).
 ///

@@ -1,4 +1,4 @@
-//! Profiles up to the second degree: the paper's two, the straight line between them, and every quadratic between them.
+//! Profiles up to the second degree: the paper's two, the straight line between them, and all quadratics of their family.
 
 use core::fmt::{self, Formatter};
 

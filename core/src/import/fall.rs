@@ -51,7 +51,7 @@ pub(super) fn polynomial(coefficients: [f32; 3], range: Option<f32>, intensity: 
     Ok(Fall { distance, intensity: intensity * scale, difference: 0.0 })
 }
 
-/// `d^-decay` in the squared window of a range, by an original that stops growing nearer than `stop`.
+/// `d^-decay` in Filament's window of a range, by an original that stops growing nearer than `stop`.
 pub(super) fn decay(decay: f32, stop: f64, range: Option<f32>, intensity: f32) -> Result<Fall, Error> {
     check_between(Parameter::Decay, decay, 0.0, 16.0)?;
     check_between(Parameter::Intensity, intensity, 0.0, MOST)?;
@@ -72,7 +72,7 @@ pub(super) fn decay(decay: f32, stop: f64, range: Option<f32>, intensity: f32) -
     Ok(Fall { distance, intensity: (intensity * cap).min(MOST), difference })
 }
 
-/// A fall by a power of the distance, in the squared window of a range.
+/// A fall by a power of the distance, in Filament's window of a range.
 struct Decay {
     exponent: f64,
     /// The distances at which it is looked at.

@@ -20,7 +20,7 @@ use crate::{
 /// An attenuation of 1, 1/2, 1/3 and so on is an integer power, held to what Godot lacks of one on the axis, 0.0001 to
 /// that power. Any other is exact: the intensity of the light is then what Godot has on the axis.
 ///
-/// With the distance it falls by `max(d, 0.0001)^-spot_attenuation`, in the squared window
+/// With the distance it falls by `max(d, 0.0001)^-spot_attenuation`, in Filament's window
 /// `(1 - (d / spot_range)^4)^2`. The attenuations 0, 1 and 2 are exact, but that the last of them goes on growing
 /// nearer than 0.0001. An attenuation of 1 is also capped where the intensity, scaled by its cap, would pass 1e9.
 #[derive(Clone, Copy, PartialEq, Debug)]

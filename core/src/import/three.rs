@@ -12,7 +12,7 @@ use crate::{
 /// A `SpotLight` of three.js (its shader chunk `lights_pars_begin` and `WebGLLights`), with its defaults.
 ///
 /// Smoothstep from `cos(angle)` to `cos(angle (1 - penumbra))`, which is exact. It is divided by
-/// `max(d^decay, 0.01)`, and in the squared window `(1 - (d / distance)^4)^2` where there is a distance. The
+/// `max(d^decay, 0.01)`, and in Filament's window `(1 - (d / distance)^4)^2` where there is a distance. The
 /// decays 0, 1 and 2 are exact, but that the last of them goes on growing nearer than 0.1, where three.js
 /// stops at 100.
 #[derive(Clone, Copy, PartialEq, Debug)]

@@ -9,8 +9,8 @@
 //! | gain: a factor with an exponent of its own | f32 | 28-bit mantissa and shift | 16-bit mantissa and shift |
 //! | rounding of `times` | to nearest, ties to even | to nearest, ties up | to nearest, ties up |
 //!
-//! Laws for every bit pattern, in every format: no operation panics; NaN gives zero light, in a point, a normal, a versine or
-//! a gain; `ONE.times(x) == x` for x from 0 to 1.
+//! Laws for every bit pattern, in every format: no operation panics; NaN gives zero light, in a point, a normal, a
+//! versine or a gain; `ONE.times(x) == x` for x from 0 to 1.
 
 use super::{Fraction, ProjectedPoint, Scalar};
 #[cfg(feature = "fixed")]
@@ -71,9 +71,9 @@ pub trait Arithmetic: Copy + Default + PartialOrd + core::fmt::Debug + Share<Sel
     /// Compiles a ramp between two versines, from 0 at `outer` to 1 from `inner` inwards, that is cut off to 0 from
     /// `limit` outwards. A limit at `outer` cuts nothing off; an inner versine at `outer` makes a step.
     fn ramp(inner: f32, outer: f32, limit: f32) -> Self::Ramp;
-    /// Upper bound of what rounding adds to the error of an intensity that the direction makes, whatever the angle of the cone:
-    /// the length of the direction, the versines of the set-up, the argument of the profile and the profile itself.
-    /// Infinite where the format does not hold the profile at any angle.
+    /// Upper bound of what rounding adds to the error of an intensity that the direction makes, whatever the angle of
+    /// the cone: the length of the direction, the versines of the set-up, the argument of the profile and the profile
+    /// itself. Infinite where the format does not hold the profile at any angle.
     fn rounding(edge: &Slopes) -> f32;
     /// Upper bound of what all of the coarse evaluation, direction included, adds to the error of the intensity of a cone
     /// between versines of 0 and `outer`, evaluated up to `limit`: from half a step of eight bits on the cone wants a
@@ -90,13 +90,13 @@ pub trait Arithmetic: Copy + Default + PartialOrd + core::fmt::Debug + Share<Sel
     fn rise(ramp: Self::Ramp, versine: Self::Versine) -> Rise<Self>;
     /// How short the way from a light to a point has to be for a fine evaluation, as [`Offset::is_near`] takes it: where the
     /// gain, which magnifies what a share of it is off, may take that to half a step of eight bits. `error` is the
-    /// [`coarse_error`](Self::coarse_error) of the light's cone, 0 for a light without one; `intensity` is the gain at distance 1, and
-    /// everywhere if the irradiance does not grow towards the light.
+    /// [`coarse_error`](Self::coarse_error) of the light's cone, 0 for a light without one; `intensity` is the gain at
+    /// distance 1, and everywhere if the irradiance does not grow towards the light.
     fn fine_below(_error: f32, _intensity: f32, _grows: bool) -> u32 {
         0
     }
-    /// Whether this light of a share of a gain is past full scale whatever the share is off by, so that a fine evaluation would
-    /// show nothing else.
+    /// Whether this light of a share of a gain is past full scale whatever the share is off by, so that a fine
+    /// evaluation would show nothing else.
     #[inline]
     fn is_clipped(_share: Self, _light: Self::Received) -> bool {
         false
@@ -348,8 +348,8 @@ pub trait Ray<S: Arithmetic>: Copy + core::fmt::Debug {
     fn versine(&self, axis: Vec3<S::Direction>, ramp: S::Ramp) -> S::Versine;
     /// Where the direction stands on a ramp about an axis.
     fn rise(&self, axis: Vec3<S::Direction>, ramp: S::Ramp) -> Self::Fraction;
-    /// The cosine of the angle of incidence on a surface of this normal, and zero where it faces away; `facing` is that of the
-    /// offset.
+    /// The cosine of the angle of incidence on a surface of this normal, and zero where it faces away; `facing` is
+    /// that of the offset.
     fn cosine(&self, facing: <S::Offset as Offset<S>>::Facing, normal: Vec3<S>) -> Self::Fraction;
     /// The distance times a gain, and exactly one from there on.
     #[inline(always)] // `spot-soft-lambert-smooth-range` on Cortex-M0: +87 without.

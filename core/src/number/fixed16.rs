@@ -1,6 +1,6 @@
 //! The 16-bit format: scalars of 16 bits, lengths and directions of 32, and no product wider than 32 bits, so that
-//! a processor with nothing but a 32-bit multiply runs it. Steep cones and bright light have products of 32 by 32 bits, which
-//! are four of 16 where the processor has no wider one; real powers have 64 bits in every format.
+//! a processor with nothing but a 32-bit multiply runs it. Steep cones and bright light have products of 32 by 32
+//! bits, which are four of 16 where the processor has no wider one; real powers have 64 bits in every format.
 
 mod fine;
 mod fine_ray;
@@ -51,8 +51,8 @@ impl Arithmetic for Fx16 {
         Offset16::between(light, point)
     }
 
-    /// That of a fine ramp, whose direction is hardly off: [`DIRECTION_ERROR`](Self::DIRECTION_ERROR) is the coarse one's, and
-    /// leaves room for it.
+    /// That of a fine ramp, whose direction is hardly off: [`DIRECTION_ERROR`](Self::DIRECTION_ERROR) is the coarse
+    /// one's, and leaves room for it.
     fn rounding(edge: &Slopes) -> f32 {
         const ROOM: f32 = 0.99 * HALF_A_CODE;
         let fine = edge.angle * 0.25e-6 + edge.fraction * 1e-8 + Self::STEP;

@@ -14,8 +14,8 @@ use super::{Arithmetic, Knot, RealExponent, Share, float, knot::SLOPE_BITS};
 
 /// A number from 0 to 1, one bit finer than the scalar: the argument of an edge profile.
 ///
-/// Made by [`Arithmetic::rise`] and [`Ray::cosine`](super::Ray::cosine) alone, so that it is in its range whatever the input was. In what follows it is called
-/// `t`, and `u = 1 - t`.
+/// Made by [`Arithmetic::rise`] and [`Ray::cosine`](super::Ray::cosine) alone, so that it is in its range whatever the
+/// input was. In what follows it is called `t`, and `u = 1 - t`.
 pub trait Fraction<S: Arithmetic>: Copy + PartialOrd + core::fmt::Debug {
     /// What a profile makes of it: a scalar, or a number of more bits where the scalar's are too few.
     type Value: Share<S>;

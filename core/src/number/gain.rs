@@ -125,8 +125,8 @@ macro_rules! gain {
 }
 
 gain! {
-    /// A factor `mantissa / 2^shift`, the mantissa having 32 bits. The coarse evaluation needs the upper 16 alone, in products
-    /// of 32.
+    /// A factor `mantissa / 2^shift`, the mantissa having 32 bits. The coarse evaluation needs the upper 16 alone, in
+    /// products of 32.
     Gain16(Fx16, Light16, u32, 32, 16, reciprocal::inverse_16)
 }
 

@@ -54,8 +54,8 @@ pub(super) trait Placed<S: Scalar, A: Attenuation> {
         self.along::<H, _>(&offset, &ray, cosine, lobe).1
     }
 
-    /// What arrives at a point that is near, or of a cone that is steep: with all bits that the format can give, but where they
-    /// would show nothing. Apart from the rest, which is to stay in registers.
+    /// What arrives at a point that is near, or of a cone that is steep: with all bits that the format can give, but
+    /// where they would show nothing. Apart from the rest, which is to stay in registers.
     #[cold]
     #[inline(never)]
     fn evaluate_finely<H: SpecularLobe>(

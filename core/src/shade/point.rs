@@ -47,8 +47,8 @@ impl<S: Scalar, A: Attenuation> CompiledPointLight<S, A> {
         self.specular_color
     }
 
-    /// The light of these parts, as [`codegen`](crate::codegen) writes them: `fine_below` is that of `Arithmetic::fine_below`, and
-    /// the colours are the diffuse and the specular one.
+    /// The light of these parts, as [`codegen`](crate::codegen) writes them: `fine_below` is that of
+    /// `Arithmetic::fine_below`, and the colours are the diffuse and the specular one.
     pub const fn from_parts(
         position: Vec3<S::Length>,
         attenuation: A::Constants<S>,

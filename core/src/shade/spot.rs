@@ -96,8 +96,8 @@ impl<S: Scalar, P: Falloff, A: Attenuation> CompiledSpotLight<S, P, A> {
     }
 
     /// The light of these parts, as [`codegen`](crate::codegen) writes them: `outside` is the bound by which points outside
-    /// the cone are rejected, `fine_below` that of `Arithmetic::fine_below`, and the colours are the diffuse and the specular
-    /// one.
+    /// the cone are rejected, `fine_below` that of `Arithmetic::fine_below`, and the colours are the diffuse and the
+    /// specular one.
     #[expect(clippy::too_many_arguments, reason = "generated source names each part of a light once")]
     pub const fn from_parts(
         position: Vec3<S::Length>,

@@ -18,7 +18,7 @@ pub(super) type Color = Rgb<Light16>;
 pub(super) const KEY: CompiledSpotLight<Fx16, Soft> = include!(concat!(env!("OUT_DIR"), "/frame_key.rs"));
 /// What each material sends back of the ambient light.
 const GLOW: [Color; 5] = include!(concat!(env!("OUT_DIR"), "/frame_glow.rs"));
-/// What each material sends back of the light's, the light's colour included.
+/// What each material sends back of the spotlight's light, its colour included.
 const TINT: [Rgb<Fx16>; 5] = include!(concat!(env!("OUT_DIR"), "/frame_tint.rs"));
 
 /// The ambient light of each pixel, and nothing else.
@@ -38,7 +38,7 @@ pub(super) fn light(sites: &[Site; WIDTH], lights: &mut [Light16; WIDTH]) {
     }
 }
 
-/// The ambient light and the light's, as the materials send them back.
+/// The ambient light and the spotlight's, as the materials send them back.
 #[inline(never)]
 pub(super) fn color(sites: &[Site; WIDTH], lights: &[Light16; WIDTH], colors: &mut [Color; WIDTH]) {
     for (column, color) in colors.iter_mut().enumerate() {

@@ -33,10 +33,9 @@ pub(crate) fn file() -> String {
 }
 
 /// Words of names, and those in their place when the scenes were first drawn: a new name leaves the scenes as they are.
-const FIRST_WORDS: [(&str, &str); 13] = [
+const FIRST_WORDS: [(&str, &str); 11] = [
     ("step", "cut-off"),
     ("quadratic", "blend"),
-    ("inverted-power", "rim"),
     ("inverted-power-4", "rim-4"),
     ("inverted-mixed-power", "mixed-rim"),
     ("inverted-real-power", "real-rim"),
@@ -44,7 +43,6 @@ const FIRST_WORDS: [(&str, &str); 13] = [
     ("gltf-range", "windowed"),
     ("gltf-range-without-range", "windowed-without-range"),
     ("filament-range", "squared-window"),
-    ("difference-form", "lyon"),
     ("difference-form-2-phong", "lyon-2-phong"),
     ("difference-form-3-blinn-phong", "lyon-3-blinn-phong"),
 ];

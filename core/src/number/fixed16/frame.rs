@@ -84,8 +84,9 @@ impl Frame16 {
         [a, b, c, right.half, e, f, g, down.half, i, j, k, axis.half, column, row, scale, shift]
     }
 
-    /// The frame of three unit vectors and the tangent of half a side. What rounding makes of them would turn the square: what
-    /// it makes a vector lean along the axis is taken off the centre, and how long it makes the axis is put on the scale.
+    /// The frame of three unit vectors and the tangent of half a side. What rounding makes of them would turn the
+    /// square: what it makes a vector lean along the axis is taken off the centre, and how long it makes the axis is
+    /// put on the scale.
     pub(super) fn new([right, down, axis]: [Vec3<f32>; 3], tangent: f32) -> Self {
         let vectors = [right, down, axis].map(Vector::new);
         let length = vectors[2].along(axis);

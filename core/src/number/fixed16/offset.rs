@@ -192,8 +192,8 @@ impl Offset<Fx16> for Offset16 {
         FineRay16::new(self.whole(), root::inverse_sqrt_16(self.squared()), self.bits)
     }
 
-    /// `fine_below` is a number of bits and, in its lower 26, the squared length of a way with as many: a way with more cannot
-    /// be shorter, one of fewer by two is for certain.
+    /// `fine_below` is a number of bits and, in its lower 26, the squared length of a way with as many: a way with
+    /// more cannot be shorter, one of fewer by two is for certain.
     #[inline]
     fn is_near(&self, fine_below: u32) -> bool {
         let fewer = (fine_below >> 26).wrapping_sub(self.bits);

@@ -2,8 +2,9 @@
 
 use crate::number::{Versine32, fraction::Fraction32, rounded};
 
-/// A versine of no more than this is one on the axis: each component of a direction, of the axis as of the way to a point, is
-/// within a unit in the last place of the exact one, so that two of the same direction are at most 2 units apart in each.
+/// A versine of no more than this is one on the axis: each component of a direction, of the axis as of the way to a
+/// point, is within a unit in the last place of the exact one, so that two of the same direction are at most 2 units
+/// apart in each.
 const ON_AXIS: u64 = 3 * 2 * 2;
 
 /// A ramp: from the gap between a versine and the outer one to `t`.

@@ -14,7 +14,7 @@ const TITLES: [(&str, &str); 6] = [
     ("ambient", "ambient light alone"),
     ("light", "light: falloff, Lambert's cosine, inverse square"),
     ("shadow", "shadow: is the ball or the column in the way"),
-    ("colour", "colour: ambient light and the light's, as the material sends it back"),
+    ("colour", "colour: ambient light and the spotlight's, as the material sends it back"),
     ("display", "display: clipped, dithered, packed"),
 ];
 /// What the picture is made of, and without the light.
@@ -53,10 +53,12 @@ pub(super) fn table(record: &Record) -> String {
     for (stage, title) in TITLES {
         text += &row(title, &|counts| format!("{:.1}", each(counts, &[stage])));
     }
-    text += &row("the picture without the light", &|counts| format!("{:.1}", each(counts, &WITHOUT)));
-    text += &row("the picture with the light", &|counts| format!("{:.1}", each(counts, &WITH)));
-    text += &row("so the light", &|counts| format!("{:.1}", each(counts, &WITH) - each(counts, &WITHOUT)));
-    text += &row("million cycles, all pixels with the light, estimated", &|counts| million_cycles(counts));
+    text += &row("the picture without the spotlight", &|counts| format!("{:.1}", each(counts, &WITHOUT)));
+    text += &row("the picture with the spotlight", &|counts| format!("{:.1}", each(counts, &WITH)));
+    text +=
+        &row("so the spotlight", &|counts| format!("{:.1}", each(counts, &WITH) - each(counts, &WITHOUT)));
+    text +=
+        &row("million cycles, all pixels with the spotlight, estimated", &|counts| million_cycles(counts));
     text + &row("KiB of flash, the whole program", &|counts| counts.kibibytes.to_string())
 }
 
