@@ -6,22 +6,25 @@ use super::laboratory::{self, Laboratory};
 use super::{Board, KERNELS, cost};
 use crate::command;
 use crate::progress::Progress;
+use crate::size::effects::write_programs;
 use crate::suite::Suite;
 use crate::tally::Tally;
 
 /// Adds the steps: format, lints and the firmware's own tests on the host, and for each board that the counter counts right and that
 /// the results are the host's.
 pub(crate) fn run(suite: &mut Suite, boards: &[&'static Board]) {
-    for (name, words) in [
-        ("firmware: cargo fmt", &["fmt", "--all", "--check"][..]),
-        ("firmware: cargo clippy", &["clippy", "--all-targets", "--", "-Dwarnings"]),
-    ] {
-        suite.step(name, |progress| {
-            let mut cargo = laboratory::firmware(command::cargo(words[0]));
-            cargo.args(&words[1..]);
-            progress.run(cargo)
-        });
-    }
+    suite.step("firmware: cargo fmt", |progress| {
+        let mut cargo = laboratory::firmware(command::cargo("fmt"));
+        cargo.args(["--all", "--check"]);
+        progress.run(cargo)
+    });
+    // Before the host's tests are compiled, whose folder it has to wait for.
+    suite.step("firmware: cargo clippy", |progress| {
+        write_programs()?;
+        let mut cargo = laboratory::firmware(command::cargo("clippy"));
+        cargo.args(["--workspace", "--features", "conform,effects", "--all-targets", "--", "-Dwarnings"]);
+        progress.run(cargo)
+    });
     suite.count("firmware: its tests on the host", |progress| {
         let ended = command::capture(laboratory::firmware(command::cargo("test")))?;
         progress.quote(&ended.output);

@@ -2,9 +2,8 @@
 
 use anyhow::{Result, ensure};
 
-use super::effects::{EMPTY, EVERYTHING, Effects, Format, PROOFS, UNUSED, write_programs};
+use super::effects::{EMPTY, EVERYTHING, Effects, Format, PROOFS, UNUSED};
 use super::program::{Program, is_heap};
-use crate::command;
 use crate::firmware::laboratory::{self, Laboratory};
 use crate::firmware::{Board, board};
 use crate::progress::Progress;
@@ -15,12 +14,6 @@ const BUDGET: u64 = 1920;
 
 /// Adds the steps.
 pub(crate) fn run(suite: &mut Suite, boards: &[&'static Board]) {
-    suite.step("effects: cargo clippy", |progress| {
-        write_programs()?;
-        let mut cargo = laboratory::firmware(command::cargo("clippy"));
-        cargo.args(["--package", "luminaire-effects", "--lib", "--bins", "--", "-Dwarnings"]);
-        progress.run(cargo)
-    });
     suite.step("effects: everything at once, built for each board", |progress| {
         Format::ALL
             .iter()
