@@ -69,6 +69,8 @@ fn assert_compiled<S: Scalar>() {
     assert_eq!((spot.color().map(S::to_f32), spot.specular_color().map(S::to_f32)), (RED, BLUE));
     assert_eq!(spot.colors(), [spot.color(), spot.specular_color()]);
     assert_eq!(spot.profile(), Soft);
+    assert_eq!(<S as Scalar>::point([1.5, -2.25, 300.0]), PLACE.map(S::length));
+    assert_eq!(<S as Scalar>::normal(DOWN), DOWN.map(S::from_f32));
     let surface = SurfacePoint::<S>::matte(PLACE.map(S::length), DOWN.map(S::from_f32));
     assert_eq!((surface.point, surface.normal), (PLACE.map(S::length), DOWN.map(S::from_f32)));
 }
@@ -92,7 +94,8 @@ fn compiled_lights_keep_their_colors() {
     both(bulb.into());
     both(sun.into());
     let (bulb, sun) = (bulb.compile::<f32>().expect("held"), sun.compile::<f32>());
-    assert_eq!([bulb.color(), bulb.specular_color()], [sun.color(), sun.specular_color()]);
+    assert_eq!([bulb.color(), bulb.specular_color()], [RED, BLUE]);
+    assert_eq!([sun.color(), sun.specular_color()], [RED, BLUE]);
     assert_eq!([bulb.colors(), sun.colors()], [[RED, BLUE]; 2]);
 }
 
