@@ -22,19 +22,26 @@ pub trait Listed {
     fn effect(surface: Surface) -> Self::Output;
 }
 
-macro_rules! falloffs {
-    ($($(#[$doc:meta])* $variant:ident($type:ty) = $name:literal, $sample:expr, $truth:expr;)*) => {
-        $(impl Listed for $type {
-            const NAME: &'static str = concat!("spot-", $name, "-lambert");
-            type Constant = CompiledSpotLight<Format, $type, NoAttenuation>;
-            const CONSTANT: Self::Constant = include!(concat!(env!("OUT_DIR"), "/spot-", $name, "-lambert.rs"));
+/// What a spotlight shows that is known by one of its types.
+macro_rules! spotlight {
+    ($type:ty = $name:expr, $constant:ty) => {
+        impl Listed for $type {
+            const NAME: &'static str = $name;
+            type Constant = $constant;
+            const CONSTANT: Self::Constant = include!(concat!(env!("OUT_DIR"), "/", $name, ".rs"));
             type Output = Irradiance;
 
             #[inline(always)]
             fn effect(Surface { point, normal, .. }: Surface) -> Irradiance {
                 Self::CONSTANT.irradiance(point, normal)
             }
-        })*
+        }
+    };
+}
+
+macro_rules! falloffs {
+    ($($(#[$doc:meta])* $variant:ident($type:ty) = $name:literal, $sample:expr, $truth:expr;)*) => {
+        $(spotlight!($type = concat!("spot-", $name, "-lambert"), CompiledSpotLight<Format, $type, NoAttenuation>);)*
 
         fn falloffs(visit: &mut impl super::Visit) {
             $(visit.surface(<$type>::NAME, <$type>::effect);)*
@@ -46,17 +53,7 @@ luminaire::constant_falloffs!(falloffs);
 macro_rules! attenuations {
     ($($(#[$doc:meta])* $variant:ident($run_time:ty) = any $any:expr
        $(, $(#[$its_doc:meta])* $type:ty = $name:literal, $value:expr)*;)*) => {
-        $($(impl Listed for $type {
-            const NAME: &'static str = concat!("spot-soft-lambert-", $name);
-            type Constant = CompiledSpotLight<Format, Soft, $type>;
-            const CONSTANT: Self::Constant = include!(concat!(env!("OUT_DIR"), "/spot-soft-lambert-", $name, ".rs"));
-            type Output = Irradiance;
-
-            #[inline(always)]
-            fn effect(Surface { point, normal, .. }: Surface) -> Irradiance {
-                Self::CONSTANT.irradiance(point, normal)
-            }
-        })*)*
+        $($(spotlight!($type = concat!("spot-soft-lambert-", $name), CompiledSpotLight<Format, Soft, $type>);)*)*
 
         fn attenuations(visit: &mut impl super::Visit) {
             $($(visit.surface(<$type>::NAME, <$type>::effect);)*)*
