@@ -94,13 +94,16 @@ fn extent<S: Scalar>(points: Vec3<&[S::Length]>, normals: Vec3<&[S]>, lights: us
 
 /// A range of three columns, in blocks.
 fn blocks<T>(columns: Vec3<&[T]>, range: Range<usize>) -> impl Iterator<Item = Vec3<&[T; BLOCK]>> {
-    let blocks = columns.map(|column| column.get(range.clone()).unwrap_or_default().as_chunks().0.iter());
+    let blocks = columns.map(|column| {
+        let column = column.get(range.clone()).unwrap_or_default();
+        column.chunks_exact(BLOCK).filter_map(<[T]>::first_chunk)
+    });
     blocks.x.zip(blocks.y).zip(blocks.z).map(|((x, y), z)| Vec3::new(x, y, z))
 }
 
 /// A column in blocks.
 fn blocks_mut<T>(column: &mut [T]) -> impl Iterator<Item = &mut [T; BLOCK]> {
-    column.as_chunks_mut().0.iter_mut()
+    column.chunks_exact_mut(BLOCK).filter_map(<[T]>::first_chunk_mut)
 }
 
 /// A range of three columns, row by row.
@@ -143,7 +146,7 @@ fn irradiance_each<S: Scalar, L: Batched<S>>(
 ) {
     let (whole, count) = extent(points, normals, lights.len());
     let sites = blocks(points, 0..whole).zip(blocks(normals, 0..whole));
-    for ((points, normals), lights) in sites.zip(lights.as_chunks_mut().0) {
+    for ((points, normals), lights) in sites.zip(blocks_mut(lights)) {
         light_block(light, points, normals, lights);
     }
     let sites = rows(points, whole..count).zip(rows(normals, whole..count));

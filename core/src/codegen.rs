@@ -174,18 +174,9 @@ impl<S: SourceScalar> Source for CompiledProjection<S> {
     }
 }
 
-/// The rows of a gobo.
-struct Rows<'a>(Gobo<'a>);
-
-impl fmt::Debug for Rows<'_> {
-    fn fmt(&self, out: &mut Formatter<'_>) -> fmt::Result {
-        out.debug_list().entries(self.0.transmissions().chunks(self.0.side())).finish()
-    }
-}
-
 impl Source for Gobo<'_> {
     fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
-        write!(out, "Gobo::of(&{:?})", Rows(*self))
+        write!(out, "Gobo::of(&{:?})", self.transmissions())
     }
 }
 

@@ -57,6 +57,11 @@ use self::{
 pub use self::{knot::Knot, place::ProjectedPoint};
 use crate::vec3::Vec3;
 
+/// Marks a branch as rarely taken: what `core::hint::cold_path` does from Rust 1.95 on.
+#[cfg(feature = "fixed")]
+#[cold]
+const fn cold_path() {}
+
 /// A number format that the kernel runs in: `f32`, and with the feature `fixed` also [`Fx32`] and [`Fx16`].
 ///
 /// Sealed: the formats are final in number, so that each can be measured. The table of [`number`](crate::number) states the
@@ -152,7 +157,7 @@ fn mantissa_and_shift(value: f32) -> (u32, i32) {
         return (0, 0);
     }
     let bits = value.min(f32::MAX).to_bits();
-    let (exponent, fraction) = ((bits >> 23).cast_signed(), bits & 0x007f_ffff);
+    let (exponent, fraction) = ((bits >> 23) as i32, bits & 0x007f_ffff);
     if exponent == 0 { (0, 0) } else { (fraction | 0x0080_0000, 150 - exponent) }
 }
 

@@ -84,11 +84,9 @@ fn paper() -> Result<Material, Error> {
 }
 
 /// A window of two by two panes.
-fn panes() -> [[u8; 16]; 16] {
+fn panes() -> [u8; 256] {
     let is_pane = |i: usize| (3..7).contains(&i) || (9..13).contains(&i);
-    std::array::from_fn(|row| {
-        std::array::from_fn(|column| if is_pane(row) && is_pane(column) { 255 } else { 0 })
-    })
+    std::array::from_fn(|part| if is_pane(part / 16) && is_pane(part % 16) { 255 } else { 0 })
 }
 
 /// The depths of a shadow map of 16 by 16: a disc hangs two metres from the light, in the middle of its beam.

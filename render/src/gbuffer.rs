@@ -27,9 +27,9 @@ impl<S: Scalar> GBuffer<S> {
 
     /// Finds position and unit normal of each fragment.
     pub(crate) fn resolve(&mut self, fragments: &Fragments, view: &View) {
-        let nearness = fragments.nearness.as_chunks::<LANES>().0.iter();
-        let [nx, ny, nz] = fragments.normal.each_ref().map(|plane| plane.as_chunks::<LANES>().0.iter());
-        let material = fragments.material.as_chunks::<LANES>().0.iter();
+        let nearness = blocks(&fragments.nearness);
+        let [nx, ny, nz] = fragments.normal.each_ref().map(|plane| blocks(plane));
+        let material = blocks(&fragments.material);
         let lanes = nearness.zip(nx.zip(ny).zip(nz)).zip(material);
         for (number, (block, ((nearness, ((nx, ny), nz)), material))) in
             self.blocks.iter_mut().zip(lanes).enumerate()
@@ -93,4 +93,9 @@ fn unit(nearness: &[f32; LANES], [x, y, z]: [&[f32; LANES]; 3]) -> Vec3<[f32; LA
         normals.z[lane] = if is_covered { direction.z } else { 0.0 };
     }
     normals
+}
+
+/// A plane of fragments in whole blocks.
+fn blocks<T>(plane: &[T]) -> impl Iterator<Item = &[T; LANES]> {
+    plane.chunks_exact(LANES).filter_map(<[T]>::first_chunk)
 }

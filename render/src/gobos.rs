@@ -1,12 +1,12 @@
 //! Patterns for the gate of a spotlight, drawn when the program is compiled.
 //!
-//! Each is a square of any side, white where the light passes; [`Gobo::of`](luminaire::projector::Gobo::of) takes it. Edges are one part
-//! wide, so that a pattern of 32 already looks smooth.
+//! Each is a square of any side, row by row and white where the light passes, for
+//! [`Gobo::of`](luminaire::projector::Gobo::of). Edges are one part wide, so that a side of 32 already looks smooth.
 //!
 //! ```
 //! use luminaire::projector::Gobo;
 //! use luminaire_render::gobos;
-//! const LEAVES: [[u8; 32]; 32] = gobos::breakup();
+//! const LEAVES: [u8; 32 * 32] = gobos::breakup();
 //! assert_eq!(Gobo::of(&LEAVES).side(), 32);
 //! ```
 
@@ -14,33 +14,33 @@
 const HALF: i32 = 1 << 12;
 
 /// A window of two by three panes, taller than wide.
-pub const fn window<const SIDE: usize>() -> [[u8; SIDE]; SIDE] {
+pub const fn window<const COUNT: usize>() -> [u8; COUNT] {
     /// Half the width and the height of the window, and half a bar.
     const FRAME: [i32; 2] = [1_900, 2_700];
     const BAR: i32 = 150;
-    let mut rows = [[0; SIDE]; SIDE];
+    let mut parts = [0; COUNT];
     let mut index = 0;
-    while index < SIDE * SIDE {
-        let [x, y] = middle::<SIDE>(index);
+    while index < COUNT {
+        let [x, y] = middle::<COUNT>(index);
         let (x, y) = (x.abs(), y.abs());
         let within = least([FRAME[0] - x, FRAME[1] - y]);
         let off_bars = least([x - BAR, (y - FRAME[1] / 3).abs() - BAR]);
-        rows[index / SIDE][index % SIDE] = coverage::<SIDE>(least([within, off_bars]));
+        parts[index] = coverage::<COUNT>(least([within, off_bars]));
         index += 1;
     }
-    rows
+    parts
 }
 
 /// A star of five points.
-pub const fn star<const SIDE: usize>() -> [[u8; SIDE]; SIDE] {
+pub const fn star<const COUNT: usize>() -> [u8; COUNT] {
     /// The directions in which its five edges face, from the top clockwise, of a length of 1,024.
     const FACING: [[i32; 2]; 5] = [[0, -1_024], [974, -316], [602, 828], [-602, 828], [-974, -316]];
     /// How far from the middle the edges run.
     const EDGE: i32 = 1_150;
-    let mut rows = [[0; SIDE]; SIDE];
+    let mut parts = [0; COUNT];
     let mut index = 0;
-    while index < SIDE * SIDE {
-        let [x, y] = middle::<SIDE>(index);
+    while index < COUNT {
+        let [x, y] = middle::<COUNT>(index);
         // Within all but one of the edges: the second least of what is left to them.
         let (mut first, mut second) = (i32::MAX, i32::MAX);
         let mut edge = 0;
@@ -50,18 +50,18 @@ pub const fn star<const SIDE: usize>() -> [[u8; SIDE]; SIDE] {
             first = least([first, left]);
             edge += 1;
         }
-        rows[index / SIDE][index % SIDE] = coverage::<SIDE>(second);
+        parts[index] = coverage::<COUNT>(second);
         index += 1;
     }
-    rows
+    parts
 }
 
 /// A breakup: light through leaves, round gaps of many sizes.
-pub const fn breakup<const SIDE: usize>() -> [[u8; SIDE]; SIDE] {
-    let mut rows = [[0; SIDE]; SIDE];
+pub const fn breakup<const COUNT: usize>() -> [u8; COUNT] {
+    let mut parts = [0; COUNT];
     let mut index = 0;
-    while index < SIDE * SIDE {
-        let [x, y] = middle::<SIDE>(index);
+    while index < COUNT {
+        let [x, y] = middle::<COUNT>(index);
         let mut deepest = i32::MIN;
         let mut gap = 0;
         while gap < GAPS.len() {
@@ -72,10 +72,10 @@ pub const fn breakup<const SIDE: usize>() -> [[u8; SIDE]; SIDE] {
             deepest = if within > deepest { within } else { deepest };
             gap += 1;
         }
-        rows[index / SIDE][index % SIDE] = coverage::<SIDE>(deepest);
+        parts[index] = coverage::<COUNT>(deepest);
         index += 1;
     }
-    rows
+    parts
 }
 
 /// Where the leaves leave gaps: middle and radius.
@@ -105,16 +105,24 @@ const GAPS: [[i32; 3]; 22] = [
 ];
 
 /// The middle of a part, to the right and down from the middle of the square.
-const fn middle<const SIDE: usize>(index: usize) -> [i32; 2] {
-    let (side, column, row) = (SIDE as i32, (index % SIDE) as i32, (index / SIDE) as i32);
+const fn middle<const COUNT: usize>(index: usize) -> [i32; 2] {
+    let side = const { side(COUNT) };
+    let (column, row) = (index as i32 % side, index as i32 / side);
     [(2 * column + 1 - side) * HALF / side, (2 * row + 1 - side) * HALF / side]
 }
 
 /// How much of a part is covered whose middle is so far within an edge.
-const fn coverage<const SIDE: usize>(within: i32) -> u8 {
-    let part = 2 * HALF / SIDE as i32;
+const fn coverage<const COUNT: usize>(within: i32) -> u8 {
+    let part = 2 * HALF / const { side(COUNT) };
     let within = least([within + part / 2, part]);
     if within > 0 { (within * 255 / part) as u8 } else { 0 }
+}
+
+/// The side of a square of `count` parts.
+const fn side(count: usize) -> i32 {
+    let side = count.isqrt();
+    assert!(side * side == count, "expected the square of a side");
+    side as i32
 }
 
 const fn least([a, b]: [i32; 2]) -> i32 {

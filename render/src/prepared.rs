@@ -30,7 +30,7 @@ pub struct Prepared<S: Scalar> {
 }
 
 /// Clear glass: what there is in the gate of a spotlight where nothing is left out.
-const CLEAR: Gobo<'static> = Gobo::of(&[[u8::MAX]]);
+const CLEAR: Gobo<'static> = Gobo::of(&[u8::MAX]);
 
 impl<S: Scalar> Prepared<S> {
     /// The fixture of this number, if the plan keeps it.

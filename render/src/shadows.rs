@@ -45,9 +45,8 @@ impl<S: Scalar> Shadows<S> {
             if map.as_ref().is_none_or(|map| map.side() != side) {
                 *map = Some(ShadowMap::new(side)?);
             }
-            if let Some(map) = map
-                && map.draw(scene, &projection)?
-            {
+            let Some(map) = map else { continue };
+            if map.draw(scene, &projection)? {
                 is_any = true;
                 if !self.redrawn.contains(&number) {
                     self.redrawn.push(number);

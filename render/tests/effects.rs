@@ -13,7 +13,7 @@ use luminaire::{
 use luminaire_render::{Display, Format, Material, Renderer, Scene, ShadowMap, gobos, stage};
 
 const SIZE: (usize, usize) = (160, 90);
-const STAR: [[u8; 32]; 32] = gobos::star();
+const STAR: [u8; 32 * 32] = gobos::star();
 
 /// The lights of the stage: one with a pattern, one with shadows, one with both.
 fn fixtures() -> Result<Vec<Fixture>, Error> {

@@ -12,8 +12,7 @@ use crate::case::{Case, Outcome};
 use crate::word::Format;
 
 /// The transmissions of the gobo.
-const GOBO: Gobo<'static> =
-    Gobo::of(&[[0, 255, 128, 1], [254, 60, 90, 200], [17, 17, 255, 255], [3, 180, 0, 99]]);
+const GOBO: Gobo<'static> = Gobo::of(&[0, 255, 128, 1, 254, 60, 90, 200, 17, 17, 255, 255, 3, 180, 0, 99]);
 
 /// The depths of the shadow map, in metres: nine texels.
 const DEPTHS: [f32; 9] = [0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 3.0, 0.0, 32.0];

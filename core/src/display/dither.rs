@@ -62,12 +62,10 @@ fn dithered<S: Scalar, const LAST: usize>(linear: S, threshold: u8) -> u8 {
         Word::Single(linear) => dithered_float::<LAST>(linear, threshold),
         #[cfg(feature = "fixed")]
         Word::Steps14(linear) => {
-            dithered_fixed::<LAST>(u32::from(linear.clamp(0, 1 << 14).cast_unsigned()) << 10, threshold)
+            dithered_fixed::<LAST>(u32::from(linear.clamp(0, 1 << 14) as u16) << 10, threshold)
         }
         #[cfg(feature = "fixed")]
-        Word::Steps30(linear) => {
-            dithered_fixed::<LAST>(linear.clamp(0, 1 << 30).cast_unsigned() >> 6, threshold)
-        }
+        Word::Steps30(linear) => dithered_fixed::<LAST>(linear.clamp(0, 1 << 30) as u32 >> 6, threshold),
     }
 }
 

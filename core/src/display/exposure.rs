@@ -36,7 +36,7 @@ impl Exposure {
     pub fn stops(stops: i32) -> Result<Self, Error> {
         check_between(Parameter::Exposure, stops as f32, -24.0, 24.0)?;
         // A power of two is its exponent, moved to where f32 keeps it.
-        Ok(Self { factor: f32::from_bits((127 + stops).cast_unsigned() << 23) })
+        Ok(Self { factor: f32::from_bits(((127 + stops) as u32) << 23) })
     }
 
     /// Compiles the exposure for the format `S`.

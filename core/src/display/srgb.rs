@@ -107,7 +107,7 @@ macro_rules! of_each {
 impl<const LAST: usize> Thresholds<LAST> {
     const FLOAT: [f32; LAST] = of_each!(0.0, threshold => {
         let nearest = threshold as f32;
-        if (nearest as f64) < threshold { nearest.next_up() } else { nearest }
+        if (nearest as f64) < threshold { f32::from_bits(nearest.to_bits() + 1) } else { nearest }
     });
 
     /// In steps of 2^-14: two bytes a code.
@@ -169,12 +169,12 @@ macro_rules! code {
 #[cfg(feature = "fixed")]
 #[inline]
 fn encode_steps14<const LAST: usize>(linear: i16) -> u8 {
-    code!(&Thresholds::<LAST>::SIXTEEN, linear.max(0).cast_unsigned())
+    code!(&Thresholds::<LAST>::SIXTEEN, linear.max(0) as u16)
 }
 
 /// The nearest code of a value in steps of 2^-30.
 #[cfg(feature = "fixed")]
 #[inline]
 fn encode_steps30<const LAST: usize>(linear: i32) -> u8 {
-    code!(&Thresholds::<LAST>::THIRTY_TWO, linear.max(0).cast_unsigned())
+    code!(&Thresholds::<LAST>::THIRTY_TWO, linear.max(0) as u32)
 }

@@ -26,8 +26,8 @@ macro_rules! any_falloff {
         impl AnyFalloff {
             /// One of each falloff, for galleries and tests.
             pub fn samples() -> impl Iterator<Item = Self> {
-                let samples: [Result<Self, Error>; _] = [$($sample.map(Self::$variant),)*];
-                samples.into_iter().flatten()
+                let samples = [$($sample.map(Self::$variant),)*];
+                samples.into_iter().filter_map(|sample: Result<Self, Error>| sample.ok())
             }
 
             /// How many there are.

@@ -86,7 +86,7 @@ pub(super) fn power<S: Scalar, F: Fraction<S>>(t: F, n: u32) -> F {
 pub(super) fn rounded_power<S: Scalar, F: Fraction<S>>(t: F, n: u32) -> F::Value {
     if n == 1 {
         t.scalar()
-    } else if n.is_multiple_of(2) {
+    } else if n % 2 == 0 {
         let root = power(t, n / 2);
         root.product(root)
     } else {

@@ -26,11 +26,11 @@ use crate::{trig, vec3::Vec3};
 /// A scalar as an unsigned factor, 0 where it is negative.
 #[inline]
 fn factor(scalar: Fx16) -> u32 {
-    scalar.to_bits().max(0).cast_unsigned().into()
+    (scalar.to_bits().max(0) as u16).into()
 }
 
 impl Arithmetic for Fx16 {
-    operations!(i16, u32, Light16, Weight16, Gain16, Offset16, Frame16, Steps14);
+    operations!(i16, u16, u32, Light16, Weight16, Gain16, Offset16, Frame16, Steps14);
 
     type Versine = Versine16;
     type Fraction = Fraction16;
@@ -136,7 +136,7 @@ impl Arithmetic for Fx16 {
         if offset::size(difference) >> 15 != 0 {
             return Versine16::MAX;
         }
-        let squares = difference.map(|c| (c * c).cast_unsigned());
+        let squares = difference.map(|c| (c * c) as u32);
         Versine16::from_bits(squares.x + squares.y + squares.z)
     }
 }

@@ -23,17 +23,17 @@ fn wide(a: i32, b: i32) -> i64 {
 /// The square of a component.
 #[inline]
 fn square(component: i32) -> u64 {
-    wide(component, component).cast_unsigned()
+    wide(component, component) as u64
 }
 
 /// A scalar clamped to [0, 1], as an unsigned factor.
 #[inline]
 fn factor(scalar: Fx32) -> u64 {
-    u64::from(scalar.clamp(Fx32::ZERO, Fx32::ONE).to_bits().cast_unsigned())
+    u64::from(scalar.clamp(Fx32::ZERO, Fx32::ONE).to_bits() as u32)
 }
 
 impl Arithmetic for Fx32 {
-    operations!(i32, u64, Light32, Weight32, Gain32, Offset32, Frame32, Steps30);
+    operations!(i32, u32, u64, Light32, Weight32, Gain32, Offset32, Frame32, Steps30);
 
     type Versine = Versine32;
     type Fraction = Fraction32;

@@ -144,7 +144,7 @@ impl Arithmetic for f32 {
         let span = if inner < outer { outer - inner } else { 0.0 };
         let mut reciprocal = 1.0 / span;
         while reciprocal.is_finite() && span * reciprocal < 1.0 {
-            reciprocal = reciprocal.next_up();
+            reciprocal = f32::from_bits(reciprocal.to_bits() + 1);
         }
         FloatRamp {
             outer,
@@ -182,7 +182,7 @@ impl Arithmetic for f32 {
     #[inline]
     fn weighted_byte(sum: u32) -> Self {
         // Of 24 bits, which is an integer of this format.
-        let share = (sum >> 8).cast_signed() as f32 * (1.0 / 16_711_680.0);
+        let share = (sum >> 8) as i32 as f32 * (1.0 / 16_711_680.0);
         if share < 1.0 { share } else { 1.0 }
     }
 

@@ -24,14 +24,14 @@ macro_rules! gain {
             /// bits count.
             pub const fn from_bits([mantissa, shift]: [i32; 2]) -> Self {
                 const LONGER: u32 = u32::BITS - $bits;
-                let mantissa = mantissa.cast_unsigned() & (u32::MAX >> LONGER);
+                let mantissa = mantissa as u32 & (u32::MAX >> LONGER);
                 let up = if mantissa == 0 { 0 } else { mantissa.leading_zeros() - LONGER };
-                Self { mantissa: mantissa << up, shift: within_reach(shift) + up.cast_signed() }
+                Self { mantissa: mantissa << up, shift: within_reach(shift) + up as i32 }
             }
 
             /// The mantissa and the shift.
             pub const fn to_bits(self) -> [i32; 2] {
-                [self.mantissa.cast_signed(), self.shift]
+                [self.mantissa as i32, self.shift]
             }
 
             /// The nearest gain; negative or NaN becomes zero.
@@ -58,10 +58,10 @@ macro_rules! gain {
                 let (factor, scale) = (self.factor(), self.scale());
                 let high = (light.to_bits() >> HALF) * factor;
                 let low = (light.to_bits() & ((1 << HALF) - 1)) * factor;
-                if scale < HALF.cast_signed() {
-                    $light::shifted(high, scale - HALF.cast_signed()).saturating_add($light::shifted(low, scale))
+                if scale < HALF as i32 {
+                    $light::shifted(high, scale - HALF as i32).saturating_add($light::shifted(low, scale))
                 } else {
-                    $light::shifted(high + (low >> HALF), scale - HALF.cast_signed())
+                    $light::shifted(high + (low >> HALF), scale - HALF as i32)
                 }
             }
         }
@@ -80,9 +80,9 @@ macro_rules! gain {
                     return if self.mantissa == 0 { other } else { self };
                 }
                 let (large, small) = if self.shift < other.shift { (self, other) } else { (other, self) };
-                let apart = (small.shift - large.shift).cast_unsigned();
+                let apart = (small.shift - large.shift) as u32;
                 let aligned = (small.factor() << UP).checked_shr(apart).unwrap_or(0);
-                Self::normalised((large.factor() << UP) + aligned, large.scale() + UP.cast_signed())
+                Self::normalised((large.factor() << UP) + aligned, large.scale() + UP as i32)
             }
 
             #[inline]
@@ -99,7 +99,7 @@ macro_rules! gain {
                 if self.mantissa != 0 && self.scale() < $factor_bits {
                     return $scalar::ONE;
                 }
-                let down = self.scale() - $scalar::FRACTION_BITS.cast_signed();
+                let down = self.scale() - $scalar::FRACTION_BITS as i32;
                 $scalar::from_bits($light::shifted(self.factor(), down).to_bits() as _)
             }
         }
@@ -108,7 +108,7 @@ macro_rules! gain {
             /// `product / 2^shift`, rounded to nearest, saturating.
             #[inline]
             pub(super) fn shifted(product: $wide, shift: i32) -> Self {
-                let but_one = shift.wrapping_sub(1).cast_unsigned();
+                let but_one = shift.wrapping_sub(1) as u32;
                 Self::from_bits(if but_one < $wide::BITS {
                     let doubled = product >> but_one;
                     (doubled >> 1) + (doubled & 1)
@@ -142,12 +142,12 @@ impl Gain16 {
         if bits == 0 {
             return Self::ZERO;
         }
-        let up = u32::BITS.cast_signed() - root::bit_length(bits).cast_signed();
+        let up = u32::BITS as i32 - root::bit_length(bits) as i32;
         let mantissa = bits << up;
         let rounded = (mantissa >> 16) + ((mantissa >> 15) & 1);
         // Rounding up can carry into a seventeenth bit.
         let carry = rounded >> 16;
-        Self { mantissa: rounded << (16 - carry), shift: within_reach(shift + up - carry.cast_signed()) }
+        Self { mantissa: rounded << (16 - carry), shift: within_reach(shift + up - carry as i32) }
     }
 }
 
@@ -158,13 +158,13 @@ impl Gain32 {
         if bits == 0 {
             return Self::ZERO;
         }
-        let excess = 36 - bits.leading_zeros().cast_signed();
+        let excess = 36 - bits.leading_zeros() as i32;
         if excess <= 0 {
             return Self { mantissa: (bits << -excess) as u32, shift: within_reach(shift - excess) };
         }
         let rounded = (((bits >> (excess - 1)) + 1) >> 1) as u32;
         // Rounding up can carry into a twenty-ninth bit.
         let carry = rounded >> 28;
-        Self { mantissa: rounded >> carry, shift: within_reach(shift - excess - carry.cast_signed()) }
+        Self { mantissa: rounded >> carry, shift: within_reach(shift - excess - carry as i32) }
     }
 }

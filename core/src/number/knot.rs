@@ -23,7 +23,7 @@ impl Knot {
     /// are.
     pub(crate) fn line([place, end]: [u32; 2], [value, next]: [u16; 2]) -> Self {
         let rise = i32::from(next) - i32::from(value);
-        let width = end.saturating_sub(place).max(1).cast_signed();
+        let width = end.saturating_sub(place).max(1) as i32;
         Self { place: place as u16, value, slope: (rise << SLOPE_BITS) / width }
     }
 

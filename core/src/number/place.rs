@@ -31,6 +31,6 @@ impl<S: Scalar> ProjectedPoint<S> {
     /// Whether it is on the square.
     #[inline]
     pub const fn is_inside(&self) -> bool {
-        (self.column | self.row).cast_unsigned() < STEPS.cast_unsigned()
+        ((self.column | self.row) as u32) < STEPS as u32
     }
 }

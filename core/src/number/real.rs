@@ -84,13 +84,13 @@ fn octaves_below_one(significand: u32, octaves: u32) -> u64 {
     let (reciprocal, logarithm) = LOGARITHMS[(significand >> (31 - BITS)) as usize % SEGMENTS];
     // significand = c (1 + z)
     let product = u64::from(significand) * u64::from(reciprocal);
-    let z = product.cast_signed().wrapping_sub(1 << 62) >> 30;
+    let z = (product as i64).wrapping_sub(1 << 62) >> 30;
     let above = times(z, FIRST - times(z, SECOND - times(z, THIRD)));
     if octaves == 0 {
         return 0;
     }
     let below = (i64::from(octaves.min(32)) << 32) - i64::from(logarithm) - above;
-    below.clamp(0, (32 << 32) - 1).cast_unsigned()
+    below.clamp(0, (32 << 32) - 1) as u64
 }
 
 /// `2^-octaves`, both with 32 fraction bits but for the result, which has 31. Error under 1e-9.
@@ -100,11 +100,11 @@ fn power_of_two(octaves: u64) -> u64 {
         return if octaves == 0 { ONE } else { 0 };
     }
     const HALF_SEGMENT: i64 = 1 << (31 - BITS);
-    let beyond = (part & ((1 << (32 - BITS)) - 1)).cast_signed() - HALF_SEGMENT;
+    let beyond = (part & ((1 << (32 - BITS)) - 1)) as i64 - HALF_SEGMENT;
     let x = times(beyond, fine(core::f64::consts::LN_2));
     let lost = x - times(x, x) / 2 + times(times(x, x), x) / 6;
     let middle = i64::from(POWERS[(part >> (32 - BITS)) as usize % SEGMENTS]);
-    let power = (middle - times(middle, lost)).cast_unsigned();
+    let power = (middle - times(middle, lost)) as u64;
     ((power >> whole) + 1) >> 1
 }
 

@@ -6,16 +6,16 @@
 /// exact at 2^15 (exhaustive).
 #[inline]
 pub(super) const fn inverse_16(m: u32) -> u32 {
-    let mut inverse = (92_521 - ((61_681 * m) >> 16)).cast_signed();
+    let mut inverse = (92_521 - ((61_681 * m) >> 16)) as i32;
     let mut step = 0;
     while step < 2 {
-        let lack = (1_u32 << 31).wrapping_sub(inverse.cast_unsigned() * m).cast_signed();
+        let lack = (1_u32 << 31).wrapping_sub(inverse as u32 * m) as i32;
         inverse += (inverse * (lack >> 15)) >> 16;
         step += 1;
     }
-    let lack = (1_u32 << 31).wrapping_sub(inverse.cast_unsigned() * m).cast_signed();
+    let lack = (1_u32 << 31).wrapping_sub(inverse as u32 * m) as i32;
     inverse += (inverse * (lack >> 4) + (1 << 26)) >> 27;
-    inverse.cast_unsigned()
+    inverse as u32
 }
 
 /// `2^55 / m` for m of 28 bits: 2^28 at m = 2^27, just over 2^27 at the top.

@@ -76,9 +76,9 @@ pub(super) const fn inverse_sqrt_16(n: u32) -> u32 {
 #[inline]
 pub(super) const fn inverse_sqrt_32(n: u64) -> u64 {
     let seed = guess((n >> 32) as u32) as u64;
-    let lack = 0_u64.wrapping_sub((n >> 30).wrapping_mul(seed * seed)).cast_signed() >> 24;
+    let lack = 0_u64.wrapping_sub((n >> 30).wrapping_mul(seed * seed)) as i64 >> 24;
     let correction = lack / 2 + 3 * ((lack * lack) >> 40) / 8;
-    (seed << 16).wrapping_add_signed((seed.cast_signed() * correction) >> 24)
+    (seed << 16).wrapping_add_signed((seed as i64 * correction) >> 24)
 }
 
 #[cfg(test)]

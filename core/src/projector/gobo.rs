@@ -18,7 +18,11 @@ use crate::{
 /// ```
 /// use luminaire::{Angle, Cone, SpotLight, Vec3, falloff::Soft, projector::{Gobo, Projection}};
 /// // A mullion: a bar from top to bottom.
-/// const MULLION: Gobo<'static> = Gobo::of(&[[255, 0, 255]; 3]);
+/// const MULLION: Gobo<'static> = Gobo::of(&[
+///     255, 0, 255, //
+///     255, 0, 255, //
+///     255, 0, 255,
+/// ]);
 /// let cone = Cone::from_outer(Soft, Angle::degrees(90.0))?;
 /// let spot = SpotLight::new(Vec3::new(0.0, 1.0, 4.0), Vec3::new(0.0, 0.0, -1.0), cone)?;
 /// let gobo = MULLION.on(Projection::of(&spot)?.compile::<f32>()?);
@@ -61,10 +65,18 @@ impl<'a> Gobo<'a> {
         Ok(Self { side: side as u32, transmissions })
     }
 
-    /// The gobo of transmissions that are known when the program is compiled, a side of 1 to 4,096 of them.
-    pub const fn of<const SIDE: usize>(rows: &'a [[u8; SIDE]; SIDE]) -> Self {
-        const { assert!(SIDE >= 1 && SIDE <= MOST, "a gobo has a side of 1 to 4,096") };
-        Self { side: SIDE as u32, transmissions: rows.as_flattened() }
+    /// The gobo of transmissions that are known when the program is compiled, row by row: `COUNT` is the square of a
+    /// side from 1 to 4,096. Another count does not compile.
+    pub const fn of<const COUNT: usize>(transmissions: &'a [u8; COUNT]) -> Self {
+        let side = const {
+            let side = COUNT.isqrt();
+            assert!(
+                side * side == COUNT && side >= 1 && side <= MOST,
+                "expected N * N transmissions, N from 1 to 4,096"
+            );
+            side as u32
+        };
+        Self { side, transmissions }
     }
 
     /// How many transmissions a side has.
@@ -100,7 +112,7 @@ impl<'a> Gobo<'a> {
     #[inline]
     fn part(self, steps: i32) -> (u32, u32) {
         const LOST: u32 = 16 - FRACTION_BITS;
-        let steps = steps.clamp(0, (1 << 16) - 1).cast_unsigned();
+        let steps = steps.clamp(0, (1 << 16) - 1) as u32;
         // From the middle of the first transmission to the middle of the step, in 65,536ths of a part.
         let way = (steps * self.side).saturating_sub((1 << 15) - self.side / 2);
         let last = (self.side - 1) << 16;

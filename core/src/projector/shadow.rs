@@ -130,7 +130,7 @@ impl<'a, S: Scalar> Shadow<'a, S> {
     #[inline]
     fn between(&self, along: i32) -> Between {
         // Half a texel back, to the middles, and a whole one forth, which keeps it from being negative.
-        let steps = along.cast_unsigned().wrapping_mul(self.side).wrapping_add(1 << 15);
+        let steps = (along as u32).wrapping_mul(self.side).wrapping_add(1 << 15);
         let after = steps >> 16;
         let share = steps >> (16 - SHARE_BITS) & (WHOLE - 1);
         let last = self.side.saturating_sub(1);

@@ -9,7 +9,7 @@
 #[inline]
 pub(crate) fn inverse_sqrt(x: f32) -> f32 {
     // One exponent up, what is no normal number is below the least of them, or negative.
-    let is_normal = x.to_bits().wrapping_add(0x0080_0000).cast_signed() >= 0x0100_0000;
+    let is_normal = x.to_bits().wrapping_add(0x0080_0000) as i32 >= 0x0100_0000;
     if is_normal { 1.0 / sqrt(x) } else { 0.0 }
 }
 
@@ -39,14 +39,14 @@ fn nearest(bits: u32, estimate: f32) -> f32 {
     let bits_of_root = estimate.to_bits();
     // With the root as an integer m from 2^23 to 2^24, the number is an integer of 47 or 48 bits. Of their difference,
     // x - m^2, the lower 32 bits are enough, because it is small.
-    let m = (bits_of_root & 0x007f_ffff | 0x0080_0000).cast_signed();
-    let number = (bits << (24 - ((bits >> 23) & 1))).cast_signed();
+    let m = (bits_of_root & 0x007f_ffff | 0x0080_0000) as i32;
+    let number = (bits << (24 - ((bits >> 23) & 1))) as i32;
     let rest = number.wrapping_sub(m.wrapping_mul(m));
     // (m + 1/2)^2 is m^2 + m and a quarter: up where the rest is more than m, down where it is less than -m. It is
     // never -m: that is no number of 24 bits, but for two whose estimate is right.
     let up = m.wrapping_sub(rest) >> 31;
     let down = rest.wrapping_add(m) >> 31;
-    f32::from_bits(bits_of_root.wrapping_sub(up.cast_unsigned()).wrapping_add(down.cast_unsigned()))
+    f32::from_bits(bits_of_root.wrapping_sub(up as u32).wrapping_add(down as u32))
 }
 
 #[cfg(test)]
@@ -92,7 +92,7 @@ mod tests {
     fn the_estimate_is_a_unit_off_at_most() {
         let off = |bits: u32| {
             let x = f32::from_bits(bits);
-            estimate(x, bits).to_bits().wrapping_sub(sqrt(x).to_bits()).cast_signed()
+            estimate(x, bits).to_bits().wrapping_sub(sqrt(x).to_bits()) as i32
         };
         let (least, most) = (0x3f80_0000..0x4080_0000)
             .step_by(61)

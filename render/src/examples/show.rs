@@ -34,8 +34,8 @@ const GELS: [Rgb<f32>; 8] = [
 ];
 
 /// The patterns on the wall, of the left head and of the right one.
-const BREAKUP: [[u8; 64]; 64] = gobos::breakup();
-const STAR: [[u8; 64]; 64] = gobos::star();
+const BREAKUP: [u8; 64 * 64] = gobos::breakup();
+const STAR: [u8; 64 * 64] = gobos::star();
 
 pub(super) fn setup() -> Result<Setup, Error> {
     let camera = Camera::new(Vec3::new(0.0, 1.75, 0.0), 11.4, 0.0, 0.2, 0.5);
@@ -85,7 +85,7 @@ fn place(number: usize) -> f32 {
 
 /// A moving head with a narrow beam that sweeps over the stage: with a hard edge and a soft one in turn.
 fn beam(number: usize, gel: Rgb<f32>) -> Result<MovingLight, Error> {
-    let edge = if number.is_multiple_of(2) { SoftOrHard::Hard } else { SoftOrHard::Soft };
+    let edge = if number % 2 == 0 { SoftOrHard::Hard } else { SoftOrHard::Soft };
     let cone = Cone::from_field(edge, Angle::degrees(14.0))?;
     let x = place(number);
     let center = glam::Vec3::new(-0.4 * x, 0.0, 1.0);

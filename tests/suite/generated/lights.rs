@@ -29,7 +29,7 @@ const AXES: [Vec3<f32>; 3] =
 /// From less than a step of the smallest format to the most that a light may have.
 const INTENSITIES: [f32; 3] = [1e-6, 16.0, 1e9];
 const AMBER: Rgb<f32> = Rgb::new(1.0, 0.62, 0.0);
-const PANES: Gobo<'static> = Gobo::of(&[[0, 255, 0], [255, 1, 254], [7, 128, 0]]);
+const PANES: Gobo<'static> = Gobo::of(&[0, 255, 0, 255, 1, 254, 7, 128, 0]);
 const SAMPLES: [u16; 5] = [65_535, 60_000, 31_000, 400, 0];
 const KNOTS: [Knot; 2] = [Knot::from_bits(0, 65_535, -65_535), Knot::from_bits(32_768, 32_768, -32_768)];
 

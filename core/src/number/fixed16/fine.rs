@@ -110,7 +110,7 @@ impl Fraction<Fx16> for Fine16 {
 
     #[inline]
     fn cubic(self, g: Weight16, h: Weight16) -> Self {
-        let bend = high_half(self.0, h.to_bits().unsigned_abs() << 14).cast_signed() << 1;
+        let bend = (high_half(self.0, h.to_bits().unsigned_abs() << 14) as i32) << 1;
         let bend = if h.to_bits() < 0 { bend.wrapping_neg() } else { bend };
         self.lifted(g.to_bits().wrapping_shl(14).wrapping_add(bend))
     }
@@ -122,7 +122,7 @@ impl Fraction<Fx16> for Fine16 {
         let place = high_product(self.complement().0, last);
         let (here, next) = neighbours(samples, (place >> 15) as usize);
         let (here, next) = (i32::from(here), i32::from(next));
-        Self::of_value(((here << 15) + (next - here) * (place & 0x7fff).cast_signed()).cast_unsigned())
+        Self::of_value(((here << 15) + (next - here) * (place & 0x7fff) as i32) as u32)
     }
 
     #[inline]
@@ -141,7 +141,7 @@ impl Fraction<Fx16> for Fine16 {
 impl Share<Fx16> for Fine16 {
     #[inline]
     fn of_scalar(scalar: Fx16) -> Self {
-        Self(u32::from(scalar.to_bits().clamp(0, 1 << 14).cast_unsigned()) << 17)
+        Self(u32::from(scalar.to_bits().clamp(0, 1 << 14) as u16) << 17)
     }
 
     #[inline]

@@ -37,15 +37,14 @@ impl FineRay16 {
     pub(super) fn new(way: Vec3<i32>, estimate: u32, bits: u32) -> Self {
         let nearly = way.map(|c| signed_high_product(c, estimate));
         // What the squared length is over one is `x`, and `1 / sqrt(1 + x) = 1 - x / 2 + 3/8 x^2`.
-        let over = squared_length(nearly, 1).wrapping_sub(1 << 30).cast_signed();
+        let over = squared_length(nearly, 1).wrapping_sub(1 << 30) as i32;
         let coarse = over >> 4;
         let excess = ((over >> 1) - 3 * (coarse.wrapping_mul(coarse) >> 25)) >> 4;
         Self {
             direction: nearly.map(|c| c - ((c >> 14).wrapping_mul(excess) >> 12)),
-            bits: bits.cast_signed(),
+            bits: bits as i32,
             squared: squared_length(way, 0),
-            reciprocal: (estimate << 15)
-                .wrapping_add_signed(-(estimate.cast_signed().wrapping_mul(excess) >> 11)),
+            reciprocal: (estimate << 15).wrapping_add_signed(-((estimate as i32).wrapping_mul(excess) >> 11)),
         }
     }
 

@@ -70,8 +70,8 @@ impl Frame16 {
             down: Vector::from_bits(e, f, g, h),
             axis: Vector::from_bits(i, j, k, l),
             center: [column, row],
-            scale: scale.cast_unsigned() & ((1 << 16) - 1),
-            shift: shift.cast_unsigned() % u32::BITS,
+            scale: scale as u32 & ((1 << 16) - 1),
+            shift: shift as u32 % u32::BITS,
         }
     }
 
@@ -80,7 +80,7 @@ impl Frame16 {
         let Self { right, down, axis, center: [column, row], scale, shift } = self;
         let [Vec3 { x: a, y: b, z: c }, Vec3 { x: e, y: f, z: g }] = [right.parts, down.parts];
         let Vec3 { x: i, y: j, z: k } = axis.parts;
-        let [scale, shift] = [scale.cast_signed(), shift.cast_signed()];
+        let [scale, shift] = [scale as i32, shift as i32];
         [a, b, c, right.half, e, f, g, down.half, i, j, k, axis.half, column, row, scale, shift]
     }
 
@@ -102,7 +102,7 @@ impl Frame16 {
             axis: vectors[2],
             center,
             scale: ((mantissa + (1 << 7)) >> 8).min((1 << 16) - 1),
-            shift: (shift - 16).clamp(0, 24).cast_unsigned(),
+            shift: (shift - 16).clamp(0, 24) as u32,
         }
     }
 
@@ -114,7 +114,7 @@ impl Frame16 {
         if depth >> LEAST_BITS <= 0 {
             return ProjectedPoint::outside();
         }
-        let z = depth.cast_unsigned();
+        let z = depth as u32;
         let more = root::ilog2_of_seven_bits(z >> LEAST_BITS);
         let inverse = reciprocal::inverse_16(z >> (more + LEAST_BITS + 1 - 16));
         // At most 17 and 16 bits, and 16 of their product.

@@ -4,7 +4,8 @@
 
 use super::{Ramp16, factor, fine_ray::FineRay16, product::high_product};
 use crate::number::{
-    Arithmetic, Fx16, Fx32, Gain16, Length, Light16, Offset, Ray, Versine16, fraction::Fraction16, root,
+    Arithmetic, Fx16, Fx32, Gain16, Length, Light16, Offset, Ray, Versine16, cold_path, fraction::Fraction16,
+    root,
 };
 use crate::vec3::Vec3;
 
@@ -42,7 +43,7 @@ pub struct Ray16 {
 /// A number with as many bits as the largest component has: negative ones count up from -1.
 #[inline]
 pub(super) fn size(way: Vec3<i32>) -> u32 {
-    let magnitudes = way.map(|c| (c ^ (c >> 31)).cast_unsigned());
+    let magnitudes = way.map(|c| (c ^ (c >> 31)) as u32);
     magnitudes.x | magnitudes.y | magnitudes.z
 }
 
@@ -53,11 +54,11 @@ impl Offset16 {
         let way = point.zip(light, |p, l| p.to_bits().wrapping_sub(l.to_bits()));
         let size = size(way);
         if size >> 24 != 0 {
-            core::hint::cold_path();
+            cold_path();
             return Self::far(light, point);
         }
         if size >> WAY_BITS == 0 {
-            core::hint::cold_path();
+            cold_path();
             return Self::near(way, size);
         }
         Self::scaled(way, root::ilog2_of_seven_bits(size >> WAY_BITS) + 1)
@@ -130,7 +131,7 @@ impl Offset16 {
     /// has no need of it.
     #[inline]
     fn squared(&self) -> u32 {
-        let squares = self.coarse().map(|c| (c * c).cast_unsigned());
+        let squares = self.coarse().map(|c| (c * c) as u32);
         squares.x.wrapping_add(squares.y).wrapping_add(squares.z)
     }
 }
@@ -164,21 +165,21 @@ impl Offset<Fx16> for Offset16 {
         let products = axis.zip(self.coarse(), |s, v| (s.to_bits() >> 16) * v);
         let along = products.x.wrapping_add(products.y).wrapping_add(products.z) >> 14;
         // The axis has unit length, so that 16 bits hold the part of |v| along it.
-        let along = along.max(0).cast_unsigned();
-        let bound = u32::from(bound.to_bits().max(0).cast_unsigned());
+        let along = along.max(0) as u32;
+        let bound = u32::from(bound.to_bits().max(0) as u16);
         along.wrapping_mul(along) < (self.squared() >> 14).wrapping_mul(bound)
     }
 
     #[inline]
     fn squared_distance(&self) -> Gain16 {
-        Gain16::normalised(self.squared(), 62 - 2 * self.bits.cast_signed())
+        Gain16::normalised(self.squared(), 62 - 2 * self.bits as i32)
     }
 
     #[inline]
     fn ray(&self) -> Ray16 {
         let squared = self.squared();
         let reciprocal = root::inverse_sqrt_16(squared);
-        let fourteen_bits = ((reciprocal + 2) >> 2).cast_signed();
+        let fourteen_bits = ((reciprocal + 2) >> 2) as i32;
         Ray16 {
             direction: self.fine().map(|c| c.wrapping_mul(fourteen_bits)),
             bits: self.bits,
@@ -197,7 +198,7 @@ impl Offset<Fx16> for Offset16 {
     #[inline]
     fn is_near(&self, fine_below: u32) -> bool {
         let fewer = (fine_below >> 26).wrapping_sub(self.bits);
-        fewer.cast_signed() >= 0
+        fewer as i32 >= 0
             && self.squared().checked_shr(2 * fewer + 4).unwrap_or(0) < fine_below & ((1 << 26) - 1)
     }
 }
@@ -209,7 +210,7 @@ impl Ray<Fx16> for Ray16 {
     #[inline]
     fn distance(&self) -> Gain16 {
         // `|v| 2^14`, of 29 or 30 bits.
-        Gain16::normalised(high_product(self.squared, self.reciprocal), 45 - self.bits.cast_signed())
+        Gain16::normalised(high_product(self.squared, self.reciprocal), 45 - self.bits as i32)
     }
 
     #[inline]
@@ -239,9 +240,6 @@ impl Ray<Fx16> for Ray16 {
         // At most 16, 16 and 18 bits: every product fits 32.
         let squared = (self.reciprocal * self.reciprocal) >> 16;
         let mantissa = (gain.factor() * squared) >> 14;
-        Light16::shifted(
-            factor(fraction).wrapping_mul(mantissa),
-            gain.scale() + 2 * self.bits.cast_signed() - 32,
-        )
+        Light16::shifted(factor(fraction).wrapping_mul(mantissa), gain.scale() + 2 * self.bits as i32 - 32)
     }
 }

@@ -9,8 +9,8 @@ pub(super) fn high_product(a: u32, b: u32) -> u32 {
 /// The same for a signed a.
 #[inline]
 pub(super) fn signed_high_product(a: i32, b: u32) -> i32 {
-    let low = ((a.cast_unsigned() & 0xffff) * b) >> 16;
-    (a >> 16).wrapping_mul(b.cast_signed()).wrapping_add(low.cast_signed())
+    let low = ((a as u32 & 0xffff) * b) >> 16;
+    (a >> 16).wrapping_mul(b as i32).wrapping_add(low as i32)
 }
 
 /// `a b / 2^32`, rounded down: exactly, so that it never falls where a factor rises.

@@ -40,8 +40,8 @@ impl Frame32 {
             down: Vec3::new(within_one(d), within_one(e), within_one(f)),
             axis: Vec3::new(within_one(g), within_one(h), within_one(i)),
             center: [column, row],
-            scale: scale.cast_unsigned() & ((1 << 28) - 1),
-            shift: shift.cast_unsigned() % u64::BITS,
+            scale: scale as u32 & ((1 << 28) - 1),
+            shift: shift as u32 % u64::BITS,
         }
     }
 
@@ -50,7 +50,7 @@ impl Frame32 {
         let Self { right, down, axis, center: [column, row], scale, shift } = self;
         let [Vec3 { x: a, y: b, z: c }, Vec3 { x: d, y: e, z: f }] = [right, down];
         let Vec3 { x: g, y: h, z: i } = axis;
-        [a, b, c, d, e, f, g, h, i, column, row, scale.cast_signed(), shift.cast_signed()]
+        [a, b, c, d, e, f, g, h, i, column, row, scale as i32, shift as i32]
     }
 
     /// The frame of three unit vectors and the tangent of half a side. A vector across is not quite at a right angle to the
@@ -71,7 +71,7 @@ impl Frame32 {
             axis: axis.map(Fx32::to_bits),
             center,
             scale: mantissa << 4,
-            shift: (shift + 4 - 2).clamp(0, 63).cast_unsigned(),
+            shift: (shift + 4 - 2).clamp(0, 63) as u32,
         }
     }
 
@@ -82,7 +82,7 @@ impl Frame32 {
         if depth >> LEAST_BITS <= 0 {
             return ProjectedPoint::outside();
         }
-        let z = depth.cast_unsigned();
+        let z = depth as u64;
         let bits = u64::BITS - z.leading_zeros();
         let inverse = u64::from(reciprocal::inverse_28((z >> (bits - 28)) as u32));
         // At most 29 and 28 bits, and 28 of their product.
@@ -120,8 +120,8 @@ fn part(vector: Vec3<i32>, way: Vec3<i32>) -> i64 {
 /// `a b / 2^32` for b of 28 bits, rounded down.
 #[inline]
 fn signed_high_product(a: i64, b: u64) -> i64 {
-    let low = ((a.cast_unsigned() & 0xffff_ffff) * b) >> 32;
-    (a >> 32) * b.cast_signed() + low.cast_signed()
+    let low = ((a as u64 & 0xffff_ffff) * b) >> 32;
+    (a >> 32) * b as i64 + low as i64
 }
 
 /// A component of 30 fraction bits, clamped to [-1, 1].

@@ -4,7 +4,7 @@
 
 use super::{Ramp32, factor, square, wide};
 use crate::number::{
-    Arithmetic, Fx32, Gain32, Length, Light32, Offset, Ray, Versine32, fraction::Fraction32, root,
+    Arithmetic, Fx32, Gain32, Length, Light32, Offset, Ray, Versine32, cold_path, fraction::Fraction32, root,
 };
 use crate::vec3::Vec3;
 
@@ -42,7 +42,7 @@ impl Offset32 {
         if let (Some(x), Some(y), Some(z)) = way {
             return Self::new(Vec3::new(x, y, z));
         }
-        core::hint::cold_path();
+        cold_path();
         let half = |p, l| ((i64::from(p) - i64::from(l) + 1) >> 1).min(i32::MAX.into()) as i32;
         let Self { way, bits } = Self::new(p.zip(l, half));
         Self { way, bits: bits + 1 }
@@ -51,7 +51,7 @@ impl Offset32 {
     /// A way of any size.
     #[inline]
     pub(super) fn new(way: Vec3<i32>) -> Self {
-        let magnitudes = way.map(|c| (c ^ (c >> 31)).cast_unsigned());
+        let magnitudes = way.map(|c| (c ^ (c >> 31)) as u32);
         let bits = root::bit_length(magnitudes.x | magnitudes.y | magnitudes.z);
         Self { way: way.map(|c| c << (31 - bits)), bits }
     }
@@ -83,12 +83,12 @@ impl Offset<Fx32> for Offset32 {
     #[inline]
     fn is_outside(&self, axis: Vec3<Fx32>, bound: Fx32) -> bool {
         let along = inner_product(axis, self.way) >> 31;
-        along.wrapping_mul(along.abs()) < (self.squared() >> 32).cast_signed() * i64::from(bound.to_bits())
+        along.wrapping_mul(along.abs()) < (self.squared() >> 32) as i64 * i64::from(bound.to_bits())
     }
 
     #[inline]
     fn squared_distance(&self) -> Gain32 {
-        Gain32::normalised(self.squared(), 94 - 2 * self.bits.cast_signed())
+        Gain32::normalised(self.squared(), 94 - 2 * self.bits as i32)
     }
 
     #[inline(always)] // `lit.fx32` on Cortex-M0: +170 without.
@@ -102,7 +102,7 @@ impl Offset<Fx32> for Offset32 {
             0
         };
         let direction = self.way.map(|c| {
-            let product = i64::from(c) * reciprocal.cast_signed();
+            let product = i64::from(c) * reciprocal as i64;
             ((product + (1 << 31)) >> 32) as i32
         });
         Ray32 { direction, bits: self.bits, squared, reciprocal }
@@ -122,7 +122,7 @@ impl Ray<Fx32> for Ray32 {
     fn distance(&self) -> Gain32 {
         // `|v| 2^30`, of 61 or 62 bits.
         let distance = (self.squared >> 30) * (self.reciprocal >> 2);
-        Gain32::normalised(distance, 77 - self.bits.cast_signed())
+        Gain32::normalised(distance, 77 - self.bits as i32)
     }
 
     #[inline]
@@ -144,7 +144,7 @@ impl Ray<Fx32> for Ray32 {
     fn cosine(&self, facing: i64, _: Vec3<Fx32>) -> Fraction32 {
         // The product is the length of the normal in steps of 2^-61: of at most 64 bits, also where the facing has wrapped,
         // for then `|v|` is over `2^31`.
-        let cosine = ((facing.max(0).cast_unsigned() >> 31) * self.reciprocal) >> 30;
+        let cosine = ((facing.max(0) as u64 >> 31) * self.reciprocal) >> 30;
         Fraction32(cosine.min(1 << 31) as u32)
     }
 
@@ -154,6 +154,6 @@ impl Ray<Fx32> for Ray32 {
         let reciprocal = self.reciprocal >> 1;
         let squared = (reciprocal * reciprocal) >> 28;
         let mantissa = (gain.factor() * squared) >> 28;
-        Light32::shifted(factor(share) * mantissa, gain.scale() + 2 * self.bits.cast_signed() - 28)
+        Light32::shifted(factor(share) * mantissa, gain.scale() + 2 * self.bits as i32 - 28)
     }
 }

@@ -4,7 +4,7 @@
 /// light, in which products are. `lobe` and `factor` are the format's own.
 macro_rules! operations {
     (
-        $bits:ident, $wide:ident, $light:ident, $weight:ident, $gain:ident, $offset:ident, $frame:ident, $steps:ident
+        $bits:ident, $unsigned:ident, $wide:ident, $light:ident, $weight:ident, $gain:ident, $offset:ident, $frame:ident, $steps:ident
     ) => {
         type Position = Length;
         type Direction = Fx32;
@@ -30,7 +30,7 @@ macro_rules! operations {
 
         #[inline]
         fn times(self, other: Self) -> Self {
-            let [a, b] = [self, other].map(|scalar| $wide::from(scalar.to_bits().cast_unsigned()));
+            let [a, b] = [self, other].map(|scalar| $wide::from(scalar.to_bits() as $unsigned));
             let product =
                 a.wrapping_mul(b).wrapping_add(1 << (Self::FRACTION_BITS - 1)) >> Self::FRACTION_BITS;
             Self::from_bits(product.min(1 << Self::FRACTION_BITS) as $bits)
@@ -45,7 +45,7 @@ macro_rules! operations {
         #[inline]
         fn smooth(self) -> Self {
             const BITS: u32 = $light::FRACTION_BITS;
-            let t = $wide::from(self.clamp(Self::ZERO, Self::ONE).to_bits().cast_unsigned());
+            let t = $wide::from(self.clamp(Self::ZERO, Self::ONE).to_bits() as $unsigned);
             let (square, factor) = (t * t, (3 << BITS) - 2 * t);
             let product = (square >> BITS) * factor + (((square & ((1 << BITS) - 1)) * factor) >> BITS);
             Self::from_bits(((product + (1 << (BITS - 1))) >> BITS) as $bits)
@@ -96,7 +96,7 @@ macro_rules! operations {
         #[inline]
         fn filter(light: $light, color: Self) -> $light {
             const HALF: u32 = $wide::BITS / 2;
-            let color = $wide::from(color.to_bits().max(0).cast_unsigned());
+            let color = $wide::from(color.to_bits().max(0) as $unsigned);
             let (high, low) = (light.to_bits() >> HALF, light.to_bits() & ((1 << HALF) - 1));
             let high = high * color;
             let high = if high >> ($wide::BITS - 2) == 0 { high << 2 } else { $wide::MAX };
@@ -111,7 +111,7 @@ macro_rules! operations {
 
         #[inline]
         fn light_to_gain(light: $light) -> $gain {
-            $gain::normalised(light.to_bits(), $light::FRACTION_BITS.cast_signed())
+            $gain::normalised(light.to_bits(), $light::FRACTION_BITS as i32)
         }
 
         #[inline]

@@ -6,7 +6,7 @@ use crate::number::{Arithmetic, Fx16, Fx32, RealExponent, Weight16, Weight32};
 
 /// Declares the fraction of a scalar, with the integers that hold its products.
 macro_rules! fraction {
-    ($(#[$doc:meta])* $name:ident($scalar:ident, $weight:ident, $wide:ident, $signed:ident)) => {
+    ($(#[$doc:meta])* $name:ident($scalar:ident, $unsigned:ident, $weight:ident, $wide:ident, $signed:ident)) => {
         $(#[$doc])*
         #[derive(Clone, Copy, PartialEq, PartialOrd, Debug)]
         pub struct $name(pub(in crate::number) u32);
@@ -25,7 +25,7 @@ macro_rules! fraction {
 
             #[inline]
             fn signed(self) -> $signed {
-                self.wide().cast_signed()
+                self.wide() as $signed
             }
 
             /// `t (1 + lift)`, `lift` having the fraction bits of a fraction, within [0, 1] whatever the lift: its last
@@ -78,7 +78,7 @@ macro_rules! fraction {
 
             #[inline]
             fn of(self, scalar: $scalar) -> $scalar {
-                let scalar = $wide::from(scalar.to_bits().cast_unsigned());
+                let scalar = $wide::from(scalar.to_bits() as $unsigned);
                 let product = (self.wide() * scalar + Self::HALF / 2) >> Self::BITS;
                 // Masked so that the compiler sees that it is not negative.
                 $scalar::from_bits((product & (Self::ONE - 1)) as _)
@@ -115,7 +115,7 @@ macro_rules! fraction {
                 let place = self.complement().wide().wrapping_mul(last);
                 let (here, next) = neighbours(samples, (place >> Self::BITS) as usize);
                 let (here, next) = ($signed::from(here), $signed::from(next));
-                let share = (place & (Self::ONE - 1)).cast_signed();
+                let share = (place & (Self::ONE - 1)) as $signed;
                 Self::of_value((here << Self::BITS) + (next - here) * share)
             }
 
@@ -130,12 +130,12 @@ macro_rules! fraction {
 fraction! {
     /// A fraction with 15 fraction bits: its products have 30. In a whole register, for a half one has to be cut off
     /// again and again.
-    Fraction16(Fx16, Weight16, u32, i32)
+    Fraction16(Fx16, u16, Weight16, u32, i32)
 }
 
 fraction! {
     /// A fraction with 31 fraction bits: its products have 62.
-    Fraction32(Fx32, Weight32, u64, i64)
+    Fraction32(Fx32, u32, Weight32, u64, i64)
 }
 
 /// In 32 bits a line's product has no room beside its value: it is rounded first.
@@ -161,7 +161,7 @@ impl Fraction16 {
     fn on_line(self, knots: &[Knot]) -> Fx16 {
         let place = self.complement().wide() << 1;
         let knot = Knot::at(knots, place);
-        let beyond = place.wrapping_sub(knot.place.into()).cast_signed();
+        let beyond = place.wrapping_sub(knot.place.into()) as i32;
         let rise = knot.slope.wrapping_mul(beyond).wrapping_add(1 << (SLOPE_BITS - 1)) >> SLOPE_BITS;
         Self::of_sixteen_bits((i32::from(knot.value) + rise).clamp(0, 65_535))
     }
@@ -172,7 +172,7 @@ impl Fraction32 {
     /// What is shifted out of a register is in the carry: an instruction less than to add one first.
     #[inline]
     fn nearest(self) -> Fx32 {
-        Fx32::from_bits(((self.0 >> 1) + (self.0 & 1)).cast_signed())
+        Fx32::from_bits(((self.0 >> 1) + (self.0 & 1)) as i32)
     }
 
     /// The scalar of a value with 31 fraction bits, of which 65,535 is one: 2^16 / (2^16 - 1) is 1 + 2^-16 + 2^-32 + ...

@@ -194,7 +194,7 @@ fn projects<S: Raw>(bits: &mut Bits) {
     let square = CompiledProjection::<S>::from_parts(position, S::raw_frame(bits));
     let place = CompiledProjection::place(&square, bits.vector(S::raw_length));
     black_box(place.is_inside());
-    let pattern = Gobo::new(bits.word() as usize, black_box(PATTERN.as_slice())).unwrap_or(Gobo::of(&[[9]]));
+    let pattern = Gobo::new(bits.word() as usize, black_box(PATTERN.as_slice())).unwrap_or(Gobo::of(&[9]));
     let light = S::light(bits.word());
     let gobo = pattern.on(square);
     black_box(CompiledGobo::filter(&gobo, light, bits.vector(S::raw_length)));
