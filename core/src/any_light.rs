@@ -61,8 +61,8 @@ pub enum CompiledAnyLight<S: Scalar> {
 
 /// What every kind of light answers.
 macro_rules! any {
-    ($lamp:expr, $kind:ident, $light:ident => $answer:expr) => {
-        match $lamp {
+    ($any:expr, $kind:ident, $light:ident => $answer:expr) => {
+        match $any {
             $kind::Directional($light) => $answer,
             $kind::Point($light) => $answer,
             $kind::Spot($light) => $answer,

@@ -115,19 +115,19 @@ fn rows<T: Copy>(columns: Vec3<&[T]>, range: Range<usize>) -> impl Iterator<Item
 /// The light at each point of a block.
 #[inline]
 fn light_block<S: Scalar>(
-    lamp: &impl Batched<S>,
+    source: &impl Batched<S>,
     points: Vec3<&[S::Length; BLOCK]>,
     normals: Vec3<&[S; BLOCK]>,
     lights: &mut [S::Irradiance; BLOCK],
 ) {
     let mut reciprocals = Lanes([0.0; BLOCK]);
     for (i, reciprocal) in reciprocals.0.iter_mut().enumerate() {
-        *reciprocal = S::offset(lamp.position(), points.map(|column| column[i])).reciprocal();
+        *reciprocal = S::offset(source.position(), points.map(|column| column[i])).reciprocal();
     }
     for (i, light) in lights.iter_mut().enumerate() {
-        let offset = S::offset(lamp.position(), points.map(|column| column[i]));
+        let offset = S::offset(source.position(), points.map(|column| column[i]));
         let ray = offset.ray_of(reciprocals.0[i]);
-        *light = lamp.expose(&offset, &ray, normals.map(|column| column[i]));
+        *light = source.expose(&offset, &ray, normals.map(|column| column[i]));
     }
 }
 

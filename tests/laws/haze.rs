@@ -32,12 +32,12 @@ fn assert_not_met<P: Falloff, A: Attenuation>(words: &mut Words<'_>, spot: SpotL
     let (axis, distance) = (spot.axis(), words.between(-7.0, 10.0).exp2());
     let across = unit(cross(axis, words.direction()));
     let tangent = unit(sum(axis, half.cos(), across, half.sin()));
-    let seen = |words: &mut Words<'_>, to_lamp: Vec3<f32>| {
+    let seen = |words: &mut Words<'_>, to_light: Vec3<f32>| {
         let exact = match words.choice(6) {
             0 => axis,
             1 => axis.map(|c| -c),
-            2 => to_lamp,
-            3 => to_lamp.map(|c| -c),
+            2 => to_light,
+            3 => to_light.map(|c| -c),
             4 => unit(sum(tangent, 1.0, cross(axis, across), words.between(-4.0, 4.0))),
             _ => words.direction(),
         };

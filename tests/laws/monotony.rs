@@ -55,16 +55,16 @@ fn distance<S: Format>(words: &mut Words<'_>) -> Option<()> {
     let range = words.between(0.01, 64.0);
     let (near, step) = (words.between(0.0, 80.0), words.between(0.0, 1.0).powi(8));
     let [near, far] = [near, near + step].map(|distance| (distance * 65_536.0).round() / 65_536.0);
-    let lamp = PointLight::new(Vec3::default()).ok()?;
+    let source = PointLight::new(Vec3::default()).ok()?;
     let toward = Vec3::new(S::from_f32(-1.0), S::ZERO, S::ZERO);
     let place = |distance: f32| Vec3::new(distance, 0.0, 0.0).map(S::length);
     let [near_light, far_light] = if words.choice(2) == 0 {
-        let light = lamp.with_attenuation(SmoothRange::new(range).ok()?).compile::<S>().ok()?;
+        let light = source.with_attenuation(SmoothRange::new(range).ok()?).compile::<S>().ok()?;
         [near, far].map(|distance| light.irradiance(place(distance), toward))
     } else {
         let c = words.numbers(0.0, 4.0);
         let model = CutAt::new(Polynomial::new(c.x, c.y, c.z).ok()?, Some(range)).ok()?;
-        let light = lamp.with_attenuation(model).compile::<S>().ok()?;
+        let light = source.with_attenuation(model).compile::<S>().ok()?;
         [near, far].map(|distance| light.irradiance(place(distance), toward))
     };
     // The light itself is dark.

@@ -64,7 +64,7 @@ fn turned<S: Format>(words: &mut Words<'_>) -> Option<()> {
         let light = SpotLight::new(turn(position), turn(axis), cone).ok()?.compile::<S>().ok()?;
         Some(light.falloff(turn(point).map(S::length)).exact())
     };
-    let lamp = |turn: &dyn Fn(Vec3<f32>) -> Vec3<f32>| {
+    let point_light = |turn: &dyn Fn(Vec3<f32>) -> Vec3<f32>| {
         let light =
             PointLight::new(turn(position)).ok()?.with_attenuation(NoAttenuation).compile::<S>().ok()?;
         let light = light.irradiance(turn(point).map(S::length), turn(normal).map(S::from_f32));
@@ -77,7 +77,7 @@ fn turned<S: Format>(words: &mut Words<'_>) -> Option<()> {
     let (straight, turned) = (spot(&|v| v)?, spot(&|v| turn.turned(v))?);
     assert!((straight - turned).abs() <= within, "{turn:?} {half}: {straight} and {turned}, not {within}");
     let within = if exact { 0.0 } else { 2.0 * 3.0 * step };
-    let (straight, turned) = (lamp(&|v| v)?, lamp(&|v| turn.turned(v))?);
+    let (straight, turned) = (point_light(&|v| v)?, point_light(&|v| turn.turned(v))?);
     assert!((straight - turned).abs() <= within, "{turn:?}: {straight} and {turned}, not {within}");
     Some(())
 }

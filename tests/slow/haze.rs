@@ -213,7 +213,7 @@ fn samples_keep_their_rows() {
 /// Rays that pass close to the light: their own roundings, magnified by how much farther the eye is than
 /// their line, are what there is of an error. Measured in that.
 #[test]
-fn rays_at_the_lamp_keep_their_row() {
+fn rays_at_the_light_keep_their_row() {
     let shape = Shape::plain("soft", Soft, reference::soft);
     let measured = HALF_ANGLES.map(|half| {
         largest(
@@ -232,6 +232,6 @@ fn rays_at_the_lamp_keep_their_row() {
             },
         )
     });
-    let broken = broken(&haze::AT_THE_LAMP, "at the lamp", &measured);
+    let broken = broken(&haze::AT_THE_LIGHT, "at the light", &measured);
     assert!(broken.is_empty(), "{}", broken.join("\n"));
 }

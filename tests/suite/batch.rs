@@ -46,8 +46,8 @@ fn row<T: Copy>(columns: &Vec3<Vec<T>>, i: usize) -> Vec3<T> {
 impl<S: Format> Sites<S> {
     /// Points about a cone, points at and next to the light, and points and normals of any bits at all, mixed so that
     /// neighbours differ in kind.
-    fn about(rng: &mut Rng, lamp: Vec3<f32>, axis: Vec3<f32>, half_degrees: f32, count: usize) -> Self {
-        let stored = S::exact_point(lamp.map(S::length));
+    fn about(rng: &mut Rng, position: Vec3<f32>, axis: Vec3<f32>, half_degrees: f32, count: usize) -> Self {
+        let stored = S::exact_point(position.map(S::length));
         let axis = reference::unit(S::exact_direction(S::axis(axis)));
         let (mut points, mut normals) = (Vec::new(), Vec::new());
         for _ in 0..count {
@@ -56,8 +56,8 @@ impl<S: Format> Sites<S> {
             match rng.u8(..8) {
                 0 => site.point = vector(rng, S::length_from_bits),
                 1 => site.normal = vector(rng, S::scalar_from_bits),
-                2 => site.point = lamp.map(S::length),
-                3 => site.point = lamp.map(|c| S::length(c + 1e-19 * (rng.f32() - 0.5))),
+                2 => site.point = position.map(S::length),
+                3 => site.point = position.map(|c| S::length(c + 1e-19 * (rng.f32() - 0.5))),
                 _ => {}
             }
             points.push(site.point);
@@ -78,14 +78,14 @@ fn before<S: Format>(rng: &mut Rng, count: usize) -> Vec<S::Irradiance> {
 }
 
 /// A light of either kind, one point at a time and many at once.
-trait Lamp<S: Scalar> {
+trait Light<S: Scalar> {
     fn one(&self, point: Vec3<S::Length>, normal: Vec3<S>) -> S::Irradiance;
     fn each(&self, points: Vec3<&[S::Length]>, normals: Vec3<&[S]>, lights: &mut [S::Irradiance]);
     fn add(&self, points: Vec3<&[S::Length]>, normals: Vec3<&[S]>, sums: Rgb<&mut [S::Irradiance]>);
     fn tint(&self) -> Rgb<S>;
 }
 
-macro_rules! lamp {
+macro_rules! light {
     () => {
         fn one(&self, point: Vec3<S::Length>, normal: Vec3<S>) -> S::Irradiance {
             self.irradiance(point, normal)
@@ -105,32 +105,32 @@ macro_rules! lamp {
     };
 }
 
-impl<S: Scalar, P: Falloff, A: Attenuation> Lamp<S> for CompiledSpotLight<S, P, A> {
-    lamp!();
+impl<S: Scalar, P: Falloff, A: Attenuation> Light<S> for CompiledSpotLight<S, P, A> {
+    light!();
 }
 
-impl<S: Scalar, A: Attenuation> Lamp<S> for CompiledPointLight<S, A> {
-    lamp!();
+impl<S: Scalar, A: Attenuation> Light<S> for CompiledPointLight<S, A> {
+    light!();
 }
 
 /// Returns how many of the points were lit.
-fn assert_batch<S: Format>(lamp: &impl Lamp<S>, sites: &Sites<S>, length: usize, rng: &mut Rng) -> usize {
+fn assert_batch<S: Format>(source: &impl Light<S>, sites: &Sites<S>, length: usize, rng: &mut Rng) -> usize {
     let (points, normals) = (slices(&sites.points, length), slices(&sites.normals, length));
     let stale = before::<S>(rng, length);
     let mut lights = stale.clone();
-    lamp.each(points, normals, &mut lights);
+    source.each(points, normals, &mut lights);
     let mut sums = Rgb::new((), (), ()).map(|()| stale.clone());
-    lamp.add(points, normals, Rgb::new(&mut sums.red, &mut sums.green, &mut sums.blue));
+    source.add(points, normals, Rgb::new(&mut sums.red, &mut sums.green, &mut sums.blue));
     let mut lit = 0;
     for i in 0..length {
         let (point, normal) = (row(&sites.points, i), row(&sites.normals, i));
-        let light = lamp.one(point, normal);
+        let light = source.one(point, normal);
         assert_eq!(
             light_bits::<S>(lights[i]),
             light_bits::<S>(light),
             "{i} of {length}: {point:?} {normal:?}"
         );
-        let sum = Rgb::new(stale[i], stale[i], stale[i]).plus::<S>(Rgb::lit(light, lamp.tint()));
+        let sum = Rgb::new(stale[i], stale[i], stale[i]).plus::<S>(Rgb::lit(light, source.tint()));
         let found = Rgb::new(sums.red[i], sums.green[i], sums.blue[i]);
         assert_eq!(
             found.map(light_bits::<S>),

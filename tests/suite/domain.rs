@@ -240,15 +240,15 @@ fn brightest_at<S: Format>(light: Vec3<f32>, point: Vec3<f32>) -> f64 {
     let spot = spot.with_intensity(1e9).expect("sound");
     let falling = spot.compile::<S>().expect("held");
     let constant = spot.with_attenuation(NoAttenuation).compile::<S>().expect("held");
-    let lamp = PointLight::new(light).and_then(|lamp| lamp.with_intensity(1e9)).expect("sound");
-    let lamp = lamp.compile::<S>().expect("held");
+    let source = PointLight::new(light).and_then(|source| source.with_intensity(1e9)).expect("sound");
+    let source = source.compile::<S>().expect("held");
     let (point, normal) = (point.map(S::length), Vec3::new(S::ZERO, S::from_f32(-1.0), S::ZERO));
     let lights = [
         falling.irradiance(point, normal),
         falling.irradiance_unskipped(point, normal),
         constant.irradiance(point, normal),
         constant.irradiance_unskipped(point, normal),
-        lamp.irradiance(point, normal),
+        source.irradiance(point, normal),
     ];
     lights.into_iter().map(S::exact_light).fold(0.0, f64::max)
 }

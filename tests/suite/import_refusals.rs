@@ -160,11 +160,11 @@ fn assert_point<S: Format, A: Attenuation>(rng: &mut Rng, light: &CompiledPointL
     }
 }
 
-fn assert_lamp<S: Format>(rng: &mut Rng, lamp: &OpenGlLight) {
-    match lamp {
+fn assert_imported<S: Format>(rng: &mut Rng, light: &OpenGlLight) {
+    match light {
         // A light that the format cannot hold is refused, which is an answer too.
-        OpenGlLight::Spot(light) => drop(light.compile().map(|light| assert_spot::<S, _, _>(rng, &light))),
-        OpenGlLight::Point(light) => drop(light.compile().map(|light| assert_point::<S, _>(rng, &light))),
+        OpenGlLight::Spot(spot) => drop(spot.compile().map(|spot| assert_spot::<S, _, _>(rng, &spot))),
+        OpenGlLight::Point(point) => drop(point.compile().map(|point| assert_point::<S, _>(rng, &point))),
     }
 }
 
@@ -241,16 +241,16 @@ fn every_parameter_has_an_answer() {
             ramp: if rng.bool() { Ramp::Linear } else { Ramp::Smooth },
             intensity: c,
         };
-        let into_lamp =
+        let into_light =
             |Imported { light, difference }| Imported { light: OpenGlLight::Spot(light), difference };
         let imports: [Result<Imported<OpenGlLight>, Error>; 7] = [
             opengl.import(position, direction),
-            direct3d.import(position, direction).map(into_lamp),
-            gltf.import(position, direction).map(into_lamp),
-            gltf.import_as_recommended(position, direction).map(into_lamp),
-            three.import(position, direction).map(into_lamp),
-            godot.import(position, direction).map(into_lamp),
-            penumbra.import(position, direction).map(into_lamp),
+            direct3d.import(position, direction).map(into_light),
+            gltf.import(position, direction).map(into_light),
+            gltf.import_as_recommended(position, direction).map(into_light),
+            three.import(position, direction).map(into_light),
+            godot.import(position, direction).map(into_light),
+            penumbra.import(position, direction).map(into_light),
         ];
         for (imported, accepted) in imports.into_iter().zip(&mut accepted) {
             let Ok(Imported { light, difference }) = imported else { continue };
@@ -262,9 +262,9 @@ fn every_parameter_has_an_answer() {
             );
             assert!((angle.max(distance)..=1.0).contains(&difference.most()));
             *accepted += 1;
-            assert_lamp::<f32>(rng, &light);
-            assert_lamp::<Fx32>(rng, &light);
-            assert_lamp::<Fx16>(rng, &light);
+            assert_imported::<f32>(rng, &light);
+            assert_imported::<Fx32>(rng, &light);
+            assert_imported::<Fx16>(rng, &light);
         }
     }
     println!("accepted: {accepted:?}");
@@ -275,8 +275,8 @@ fn every_parameter_has_an_answer() {
 #[test]
 fn defaults_are_sound() {
     let down = Vec3::new(0.0, -1.0, 0.0);
-    let lamp = OpenGl::default().import(ORIGIN, down).expect("sound");
-    assert!(matches!(lamp.light, OpenGlLight::Point(_)));
+    let imported = OpenGl::default().import(ORIGIN, down).expect("sound");
+    assert!(matches!(imported.light, OpenGlLight::Point(_)));
     let cone = |light: luminaire::SpotLight<
         luminaire::falloff::AnyFalloff,
         luminaire::attenuation::AnyAttenuation,

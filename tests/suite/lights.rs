@@ -225,16 +225,16 @@ fn one_vector_gives_direction_and_range() {
 
 /// However near the light, and however small the numbers get, no more arrives than the intensity.
 #[test]
-fn no_light_is_made_next_to_a_lamp() {
-    let lamp = PointLight::new(Vec3::default()).expect("sound").with_attenuation(NoAttenuation);
-    let lamp = lamp.compile::<f32>().expect("held");
+fn no_light_is_made_next_to_its_source() {
+    let source = PointLight::new(Vec3::default()).expect("sound").with_attenuation(NoAttenuation);
+    let source = source.compile::<f32>().expect("held");
     for exponent in 0..=149 {
         let point = Vec3::new(0.0, 0.5_f32.powi(exponent), 0.0);
-        let light = lamp.irradiance_unskipped(point, Vec3::new(0.0, -1.0, 0.0));
+        let light = source.irradiance_unskipped(point, Vec3::new(0.0, -1.0, 0.0));
         assert!(light <= 1.0, "{light} at 2^-{exponent}");
         // From 2^-64 on the squared distance is no normal number, and the point counts as on the light.
         assert_eq!(light > 0.0, exponent < 64, "{light} at 2^-{exponent}");
-        assert_eq!(light, lamp.irradiance(point, Vec3::new(0.0, -1.0, 0.0)));
+        assert_eq!(light, source.irradiance(point, Vec3::new(0.0, -1.0, 0.0)));
     }
 }
 

@@ -3,6 +3,7 @@
 //! `cargo test --test suite NAME::` runs one of them.
 
 mod any_bits;
+mod any_light;
 mod batch;
 mod cones;
 mod display;
@@ -17,7 +18,6 @@ mod haze_laws;
 mod import;
 mod import_refusals;
 mod kept;
-mod lamps;
 mod layers;
 mod lights;
 mod lit;

@@ -274,8 +274,8 @@ fn a_position_beyond_the_reach_of_its_format() {
     let message = |most| format!("position = 40000: expected a finite number from -{most} to {most}");
     assert_refused(far.compile::<Fx16>(), Parameter::Position, &message(16_383));
     assert_refused(far.compile::<Fx32>(), Parameter::Position, &message(32_767));
-    let lamp = luminaire::PointLight::new(Vec3::new(0.0, 0.0, -40_000.0)).expect("a sound light");
-    assert!(lamp.compile::<Fx16>().is_err());
+    let light = luminaire::PointLight::new(Vec3::new(0.0, 0.0, -40_000.0)).expect("a sound light");
+    assert!(light.compile::<Fx16>().is_err());
 }
 
 /// A cone so narrow that its versine is none cannot be described.

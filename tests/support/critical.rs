@@ -52,22 +52,22 @@ impl Frame {
     /// anywhere or nowhere.
     pub fn ray(&self, rng: &mut Rng, eye: Vec3<f32>, is_critical: bool) -> ViewRay {
         let way = minus(self.position, exact(eye));
-        let to_lamp = unit(way);
+        let to_light = unit(way);
         let to_cone = |rng: &mut Rng| unit(plus(way, scaled(near(rng, self.generator), distance(rng))));
         let direction = match (is_critical, rng.u8(..4)) {
             (true, 0) => near(rng, self.axis),
             (true, 1) => near(rng, scaled(self.axis, -1.0)),
             (true, 2) => self.near_tangent(rng),
-            (true, _) => near(rng, to_lamp),
+            (true, _) => near(rng, to_light),
             (false, 0) => to_cone(rng),
             (false, _) => sweep::direction(rng),
         };
         let sign = if is_critical || rng.bool() { 1.0 } else { -1.0 };
-        let to_lamp = (way[0] * way[0] + way[1] * way[1] + way[2] * way[2]).sqrt();
+        let to_light = (way[0] * way[0] + way[1] * way[1] + way[2] * way[2]).sqrt();
         let length = match rng.u8(..4) {
             0 => f64::INFINITY,
-            1 => to_lamp * rng.f64(),
-            2 => to_lamp * (1.0 + 2.0 * rng.f64() * rng.f64()),
+            1 => to_light * rng.f64(),
+            2 => to_light * (1.0 + 2.0 * rng.f64() * rng.f64()),
             _ => distance(rng),
         };
         ViewRay { eye, direction: sweep::single(scaled(direction, sign)), length: length as f32 }

@@ -35,8 +35,8 @@ pub const SAMPLES: [Row; 2] = [
 
 /// The soft edge where the ray passes close to the light, over what that magnifies.
 #[rustfmt::skip]
-pub const AT_THE_LAMP: [Row; 1] = [
-    row("at the lamp",       [6.2e-6, 1.1e-6, 2.0e-7, 5.0e-8, 3.4e-8, 2.5e-6]),
+pub const AT_THE_LIGHT: [Row; 1] = [
+    row("at the light",      [6.2e-6, 1.1e-6, 2.0e-7, 5.0e-8, 3.4e-8, 2.5e-6]),
 ];
 
 /// What the laws leave to rounding.

@@ -91,7 +91,7 @@ fn godot(least_rim: f32, exponent: f32, cosine: f32, edge: f32) -> f32 {
 /// inner / outer) - 0.1`, and the renderer takes its reciprocal. Two angles that rounding made equal give an
 /// exponent of zero, and a light that is dark everywhere.
 #[test]
-fn godot_loses_a_lamp_whose_angles_round_to_one() {
+fn godot_loses_a_light_whose_angles_round_to_one() {
     let (inner, outer) = (0.089_f64 - 1e-9, 0.089_f64);
     let attenuation = |ratio: f64| 0.2 / (1.0 - ratio) - 0.1;
     assert_fault(attenuation(inner / outer), 1.7e7..=1.8e7);

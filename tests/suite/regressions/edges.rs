@@ -90,7 +90,7 @@ fn largest_step<S: Format>(early_exit: impl Fn(f32) -> f32) -> u8 {
 ///
 /// Here only zero is skipped. What is left in 16 bits is the step of the format itself, 2^-14 of such a light.
 #[test]
-fn godot_cuts_off_the_edge_of_a_bright_lamp() {
+fn godot_cuts_off_the_edge_of_a_bright_light() {
     const EPSILON: f32 = 1e-3;
     let early_exit = |light: f32| if light < EPSILON * ENERGY { 0.0 } else { light };
     assert_fault(largest_step::<f32>(early_exit), 123.0..=125.0);

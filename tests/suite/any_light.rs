@@ -38,31 +38,31 @@ fn distances() -> Result<Vec<AnyAttenuation>, Error> {
 }
 
 /// Lights of every kind, profile and distance model: a spotlight stands and points anew for each.
-fn lamps(rng: &mut Rng) -> Result<Vec<AnyLight>, Error> {
-    let mut lamps = Vec::new();
+fn any_lights(rng: &mut Rng) -> Result<Vec<AnyLight>, Error> {
+    let mut lights = Vec::new();
     for distance in distances()? {
         for profile in AnyFalloff::samples() {
             let cone = Cone::from_outer(profile, sweep::half(35.0))?;
             let spot = sweep::spot(rng, cone).with_attenuation(distance).with_intensity(3.0)?;
-            lamps.push(spot.into());
+            lights.push(spot.into());
         }
-        lamps.push(
+        lights.push(
             PointLight::new(Vec3::new(0.5, 1.0, -1.0))?
                 .with_attenuation(distance)
                 .with_intensity(2.0)?
                 .into(),
         );
     }
-    lamps.push(DirectionalLight::new(Vec3::new(0.3, -1.0, 0.2))?.into());
-    Ok(lamps)
+    lights.push(DirectionalLight::new(Vec3::new(0.3, -1.0, 0.2))?.into());
+    Ok(lights)
 }
 
 /// Points that a light reaches, that it does not, and of any bits.
-fn surfaces<S: Format>(rng: &mut Rng, lamp: &AnyLight) -> [SurfacePoint<S>; COUNT] {
-    let (position, axis) = match lamp {
+fn surfaces<S: Format>(rng: &mut Rng, light: &AnyLight) -> [SurfacePoint<S>; COUNT] {
+    let (position, axis) = match light {
         AnyLight::Spot(spot) => (spot.position(), spot.axis()),
         AnyLight::Point(point) => (point.position(), Vec3::new(0.0, 1.0, 0.0)),
-        AnyLight::Directional(light) => (Vec3::default(), light.direction()),
+        AnyLight::Directional(sun) => (Vec3::default(), sun.direction()),
     };
     let stored = S::exact_point(position.map(S::length));
     let axis = reference::unit(S::exact_direction(S::axis(axis)));
@@ -92,7 +92,7 @@ fn borrowed<T>(columns: &Vec3<T>) -> Vec3<&T> {
 
 /// Returns how many points were lit, and how many have a highlight.
 fn assert_each<S: Format, H: SpecularLobe>(
-    lamp: &CompiledAnyLight<S>,
+    light: &CompiledAnyLight<S>,
     surfaces: &[SurfacePoint<S>; COUNT],
     highlight: H::Constants<S>,
 ) -> [usize; 2] {
@@ -106,15 +106,15 @@ fn assert_each<S: Format, H: SpecularLobe>(
     let stale = S::ONE.expose(S::gain(0.5));
     assert_eq!(columns.at(COUNT), SurfacePoint::matte(Vec3::default(), Vec3::default()), "beyond the last");
     let mut found = Incident { diffuse: [stale; COUNT], specular: [stale; COUNT] };
-    lamp.evaluate_each::<H, COUNT>(&columns, &highlight, &mut found);
+    light.evaluate_each::<H, COUNT>(&columns, &highlight, &mut found);
     let mut lit = [0; 2];
-    let bits = |light| S::exact_light(light).to_bits();
+    let bits = |arrived| S::exact_light(arrived).to_bits();
     for (i, surface) in surfaces.iter().enumerate() {
-        let expected = lamp.evaluate::<H>(surface, &highlight, false);
+        let expected = light.evaluate::<H>(surface, &highlight, false);
         let specular = if H::SHINES { expected.specular } else { stale };
-        assert_eq!(bits(found.diffuse[i]), bits(expected.diffuse), "{lamp:?} at {surface:?}");
-        assert_eq!(bits(found.specular[i]), bits(specular), "{lamp:?} at {surface:?}");
-        assert_eq!(lamp.evaluate::<H>(surface, &highlight, true), expected, "{lamp:?} at {surface:?}");
+        assert_eq!(bits(found.diffuse[i]), bits(expected.diffuse), "{light:?} at {surface:?}");
+        assert_eq!(bits(found.specular[i]), bits(specular), "{light:?} at {surface:?}");
+        assert_eq!(light.evaluate::<H>(surface, &highlight, true), expected, "{light:?} at {surface:?}");
         lit[0] += usize::from(expected.diffuse > S::Irradiance::default());
         lit[1] += usize::from(expected.specular > S::Irradiance::default());
     }
@@ -123,15 +123,15 @@ fn assert_each<S: Format, H: SpecularLobe>(
 
 /// A loop for many points has the bits of the branches for one, whatever the light.
 #[test]
-fn lamps_light_many_points_as_each() {
+fn any_light_lights_many_points_as_each() {
     fn assert_format<S: Format>() {
         let mut rng = Rng::with_seed(17);
         let mut lit = [0; 2];
         let mut count = 0;
-        for lamp in lamps(&mut rng).expect("sound lamps") {
-            let compiled = lamp.compile::<S>().expect("held");
+        for light in any_lights(&mut rng).expect("sound lights") {
+            let compiled = light.compile::<S>().expect("held");
             for _ in 0..3 {
-                let surfaces = surfaces::<S>(&mut rng, &lamp);
+                let surfaces = surfaces::<S>(&mut rng, &light);
                 let matte = assert_each::<S, NoSpecular>(&compiled, &surfaces, ());
                 let phong = assert_each::<S, Phong>(&compiled, &surfaces, Phong::constants::<S>(20));
                 (lit[0], lit[1], count) = (lit[0] + matte[0], lit[1] + phong[1], count + COUNT);
@@ -166,9 +166,9 @@ fn beams_show_in_many_rays_as_in_each() {
     let mut rng = Rng::with_seed(23);
     let haze = Haze::new(0.05).expect("a sound density");
     let (mut seen, mut count) = (0, 0);
-    for lamp in lamps(&mut rng).expect("sound lamps") {
-        let beam = lamp.compile::<f32>().expect("held").in_haze(&haze);
-        let AnyLight::Spot(spot) = lamp else {
+    for source in any_lights(&mut rng).expect("sound lights") {
+        let beam = source.compile::<f32>().expect("held").in_haze(&haze);
+        let AnyLight::Spot(spot) = source else {
             assert_eq!(beam, None, "only spotlights have beams");
             continue;
         };
@@ -252,7 +252,7 @@ fn spot(profile: impl Falloff + Into<AnyFalloff>) -> Result<SpotLight<AnyFalloff
 
 /// What each light calls for, in words.
 #[test]
-fn a_lamp_calls_for_what_it_is() -> Result<(), Error> {
+fn a_light_calls_for_what_it_is() -> Result<(), Error> {
     let names: Vec<_> = AnyFalloff::samples()
         .map(|profile| Ok(AnyLight::from(spot(profile)?).effects().to_string()))
         .collect::<Result<_, Error>>()?;
@@ -296,7 +296,7 @@ fn a_lamp_calls_for_what_it_is() -> Result<(), Error> {
 
 /// A light that can light nothing calls for nothing, and is dropped: not so by the plan that leaves nothing out.
 #[test]
-fn a_dark_lamp_is_dropped() -> Result<(), Error> {
+fn a_dark_light_is_dropped() -> Result<(), Error> {
     let (black, red) = (Rgb::default(), Rgb::new(1.0, 0.0, 0.0));
     let lit = spot(Soft)?;
     let dark = [lit.with_intensity(0.0)?, lit.with_color(black)?];
@@ -396,7 +396,7 @@ fn what_projects_no_square_is_refused() -> Result<(), Error> {
 }
 
 #[test]
-fn lamps_without_a_range_have_none() -> Result<(), Error> {
+fn lights_without_a_range_have_none() -> Result<(), Error> {
     let ranges: Vec<_> = distances()?.iter().map(AnyAttenuation::range).collect();
     assert_eq!(ranges[..3], [None; 3]);
     assert_eq!(ranges[3..], [Some(6.0); 8]);
