@@ -12,9 +12,9 @@ pub struct Account {
     /// The tiles that were lit again.
     pub tiles_relit: u32,
     /// The lights that were given.
-    pub lamps: u32,
+    pub lights: u32,
     /// The lights that can light nothing, and were dropped.
-    pub lamps_dropped: u32,
+    pub lights_dropped: u32,
     /// The pairs that were evaluated.
     pub evaluated: u64,
     /// Those of them that were evaluated with a highlight.
@@ -34,13 +34,13 @@ pub struct Account {
 
 impl Account {
     /// The account of a picture of so many pixels, before anything is lit: `kept` of the lights are not dropped.
-    pub(crate) fn new(tiles: usize, lamps: usize, kept: usize, pixels: usize) -> Self {
-        let [tiles, lamps, kept] = [tiles, lamps, kept].map(|count| count as u32);
-        let lamps_dropped = lamps - kept;
-        let dropped = u64::from(lamps_dropped) * pixels as u64;
+    pub(crate) fn new(tiles: usize, lights: usize, kept: usize, pixels: usize) -> Self {
+        let [tiles, lights, kept] = [tiles, lights, kept].map(|count| count as u32);
+        let lights_dropped = lights - kept;
+        let dropped = u64::from(lights_dropped) * pixels as u64;
         // What is lit is taken from what is kept.
         let kept = u64::from(kept) * pixels as u64;
-        Self { tiles, lamps, lamps_dropped, dropped, kept, ..Self::default() }
+        Self { tiles, lights, lights_dropped, dropped, kept, ..Self::default() }
     }
 
     /// Enters a row of pixels of a tile that is lit, of which so many lights may reach the tile, and so many are
@@ -48,7 +48,7 @@ impl Account {
     pub(crate) fn enter(&mut self, pixels: usize, reached: usize, evaluated: usize, shining: usize) {
         let [pixels, reached, evaluated, shining] =
             [pixels, reached, evaluated, shining].map(|count| count as u64);
-        let missed = u64::from(self.lamps - self.lamps_dropped) - reached;
+        let missed = u64::from(self.lights - self.lights_dropped) - reached;
         self.evaluated += evaluated * pixels;
         self.evaluated_shining += shining * pixels;
         self.missed_by_row += (reached - evaluated) * pixels;

@@ -38,9 +38,9 @@ impl Hazy {
     ///
     /// # Errors
     /// What `f32` can't hold.
-    pub(crate) fn new(lamp: &AnyLight, haze: &Haze) -> Result<Option<Self>, Error> {
-        let color = lamp.color();
-        Ok(lamp.compile::<f32>()?.in_haze(haze).map(|beam| Self { beam, color }))
+    pub(crate) fn new(light: &AnyLight, haze: &Haze) -> Result<Option<Self>, Error> {
+        let color = light.color();
+        Ok(light.compile::<f32>()?.in_haze(haze).map(|beam| Self { beam, color }))
     }
 
     /// Whether any ray of a bundle may meet the beam.

@@ -25,19 +25,19 @@ impl<S: Scalar> Filter<S> {
     #[inline(never)]
     pub(crate) fn apply(
         &mut self,
-        lamp: &Prepared<S>,
+        fixture: &Prepared<S>,
         shadows: &Shadows<S>,
         block: &Block<S>,
         [diffuse, specular]: [&mut Lights<S>; 2],
     ) {
-        if let Some(gobo) = &lamp.gobo {
+        if let Some(gobo) = &fixture.gobo {
             self.places.find(gobo.projection(), &block.point);
             self.leave([&mut *diffuse, &mut *specular], |place| gobo.gobo().transmission(&place));
         }
-        if let Some(square) = &lamp.shadow {
+        if let Some(square) = &fixture.shadow {
             self.places.find(square, &block.point);
             let none = Shadow::from_parts(*square, 0, &[]);
-            let shadow = shadows.of(lamp.number).unwrap_or(none);
+            let shadow = shadows.of(fixture.number).unwrap_or(none);
             self.leave([diffuse, specular], |place| shadow.at(&place));
         }
     }

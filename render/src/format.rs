@@ -20,7 +20,7 @@ pub trait Loops: Scalar {
     fn light(
         setting: &Setting<'_, Self>,
         block: &Block<Self>,
-        lamps: &[&Prepared<Self>],
+        fixtures: &[&Prepared<Self>],
         work: &mut Workspace<Self>,
         radiance: &mut Radiance,
     ) -> usize;
@@ -44,11 +44,11 @@ macro_rules! loops {
             fn light(
                 setting: &Setting<'_, Self>,
                 block: &Block<Self>,
-                lamps: &[&Prepared<Self>],
+                fixtures: &[&Prepared<Self>],
                 work: &mut Workspace<Self>,
                 radiance: &mut Radiance,
             ) -> usize {
-                setting.light(block, lamps, work, radiance)
+                setting.light(block, fixtures, work, radiance)
             }
         }
     )*};

@@ -94,14 +94,14 @@ impl<S: Scalar> Setting<'_, S> {
     pub(crate) fn light(
         &self,
         block: &Block<S>,
-        lamps: &[&Prepared<S>],
+        fixtures: &[&Prepared<S>],
         work: &mut Workspace<S>,
         radiance: &mut Radiance,
     ) -> usize {
         fill::<S>(&mut work.sums.diffuse, self.ambient.map(|channel| S::ONE.expose(S::gain(channel))));
         let glints = match self.shining(block, &mut work.shining) {
-            0 => self.light_matte(block, lamps, work),
-            kinds => self.light_shining(block, kinds, lamps, work),
+            0 => self.light_matte(block, fixtures, work),
+            kinds => self.light_shining(block, kinds, fixtures, work),
         };
         let Incident { diffuse, specular } = &work.sums;
         self.reflect(block, diffuse, |of| of.albedo(), radiance, |sum, light| *sum = light);
@@ -113,16 +113,16 @@ impl<S: Scalar> Setting<'_, S> {
 
     /// Sums up what arrives at a block of matt surfaces. No light has a highlight there.
     #[inline(always)]
-    fn light_matte(&self, block: &Block<S>, lamps: &[&Prepared<S>], work: &mut Workspace<S>) -> usize {
+    fn light_matte(&self, block: &Block<S>, fixtures: &[&Prepared<S>], work: &mut Workspace<S>) -> usize {
         let Workspace { views, arrivals, filter, sums, .. } = work;
-        for lamp in lamps {
-            self.evaluate::<NoSpecular>(&lamp.lamp, &surfaces(block, views), &(), arrivals);
+        for fixture in fixtures {
+            self.evaluate::<NoSpecular>(&fixture.light, &surfaces(block, views), &(), arrivals);
             let Incident { diffuse, specular } = arrivals;
-            if lamp.is_filtered() {
+            if fixture.is_filtered() {
                 specular.fill(S::Irradiance::default());
-                filter.apply(lamp, self.shadows, block, [diffuse, specular]);
+                filter.apply(fixture, self.shadows, block, [diffuse, specular]);
             }
-            add::<S>(&mut sums.diffuse, diffuse, lamp.lamp.color());
+            add::<S>(&mut sums.diffuse, diffuse, fixture.light.color());
         }
         0
     }
@@ -134,27 +134,27 @@ impl<S: Scalar> Setting<'_, S> {
         &self,
         block: &Block<S>,
         kinds: usize,
-        lamps: &[&Prepared<S>],
+        fixtures: &[&Prepared<S>],
         work: &mut Workspace<S>,
     ) -> usize {
         for (&number, part) in work.shining[..kinds].iter().zip(&mut work.parts) {
             *part = self.mirrored(block, number);
         }
         let mut glints = 0;
-        for lamp in lamps {
-            let shines = self.arrive_shining(block, kinds, lamp, glints == 0, work);
+        for fixture in fixtures {
+            let shines = self.arrive_shining(block, kinds, fixture, glints == 0, work);
             let Workspace { arrivals: Incident { diffuse, specular }, lobes, filter, sums, .. } = &mut *work;
             let highlights = if block.is_uniform { specular } else { lobes };
-            if lamp.is_filtered() {
+            if fixture.is_filtered() {
                 if !shines {
                     highlights.fill(S::Irradiance::default());
                 }
-                filter.apply(lamp, self.shadows, block, [diffuse, highlights]);
+                filter.apply(fixture, self.shadows, block, [diffuse, highlights]);
             }
-            add::<S>(&mut sums.diffuse, diffuse, lamp.lamp.color());
+            add::<S>(&mut sums.diffuse, diffuse, fixture.light.color());
             if shines {
                 glints += 1;
-                add::<S>(&mut sums.specular, highlights, lamp.lamp.specular_color());
+                add::<S>(&mut sums.specular, highlights, fixture.light.specular_color());
             }
         }
         glints
@@ -168,7 +168,7 @@ impl<S: Scalar> Setting<'_, S> {
         &self,
         block: &Block<S>,
         kinds: usize,
-        lamp: &Prepared<S>,
+        fixture: &Prepared<S>,
         is_first: bool,
         work: &mut Workspace<S>,
     ) -> bool {
@@ -177,14 +177,14 @@ impl<S: Scalar> Setting<'_, S> {
         let mut shines = false;
         for (&number, part) in shining[..kinds].iter().zip(&*parts) {
             let finish = &self.finishes[number as usize];
-            if self.misses_highlight(finish, part, lamp) {
+            if self.misses_highlight(finish, part, fixture) {
                 continue;
             }
             if is_first && !shines {
                 self.look(block, views);
                 fill::<S>(&mut sums.specular, Rgb::new(dark, dark, dark));
             }
-            self.evaluate::<Highlight>(&lamp.lamp, &surfaces(block, views), &finish.highlight, arrivals);
+            self.evaluate::<Highlight>(&fixture.light, &surfaces(block, views), &finish.highlight, arrivals);
             if !block.is_uniform {
                 if !shines {
                     lobes.fill(dark);
@@ -194,7 +194,7 @@ impl<S: Scalar> Setting<'_, S> {
             shines = true;
         }
         if !shines {
-            self.evaluate::<NoSpecular>(&lamp.lamp, &surfaces(block, views), &(), arrivals);
+            self.evaluate::<NoSpecular>(&fixture.light, &surfaces(block, views), &(), arrivals);
         }
         shines
     }
@@ -205,11 +205,11 @@ impl<S: Scalar> Setting<'_, S> {
         &self,
         finish: &Finish<S>,
         mirrored: &Option<(Bounds, Directions)>,
-        lamp: &Prepared<S>,
+        fixture: &Prepared<S>,
     ) -> bool {
         let Some((bounds, mirrored)) = mirrored else { return false };
-        let Some(to_lamp) = lamp.reach.directions_from(bounds) else { return false };
-        self.plan.skips() && mirrored.are_apart(&to_lamp, finish.lobe)
+        let Some(to_light) = fixture.reach.directions_from(bounds) else { return false };
+        self.plan.skips() && mirrored.are_apart(&to_light, finish.lobe)
     }
 
     /// Puts what the surfaces of a block send back of the light, each by a colour of its material, where it is sent.
@@ -241,16 +241,16 @@ impl<S: Scalar> Setting<'_, S> {
     #[inline(always)]
     fn evaluate<H: SpecularLobe>(
         &self,
-        lamp: &CompiledAnyLight<S>,
+        light: &CompiledAnyLight<S>,
         surfaces: &SurfacePoints<'_, S, LANES>,
         highlight: &H::Constants<S>,
         arrivals: &mut Incident<Lights<S>>,
     ) {
         if self.plan.skips() {
-            return lamp.evaluate_each::<H, LANES>(surfaces, highlight, arrivals);
+            return light.evaluate_each::<H, LANES>(surfaces, highlight, arrivals);
         }
         for lane in 0..LANES {
-            let arrival = lamp.evaluate::<H>(&surfaces.at(lane), highlight, false);
+            let arrival = light.evaluate::<H>(&surfaces.at(lane), highlight, false);
             arrivals.diffuse[lane] = arrival.diffuse;
             arrivals.specular[lane] = arrival.specular;
         }

@@ -18,7 +18,7 @@ use luminaire::{
 #[derive(Clone, Copy, Debug)]
 pub struct Prepared<S: Scalar> {
     pub(crate) number: usize,
-    pub(crate) lamp: CompiledAnyLight<S>,
+    pub(crate) light: CompiledAnyLight<S>,
     pub(crate) gobo: Option<CompiledGobo<'static, S>>,
     /// The square that the shadow map lies on.
     pub(crate) shadow: Option<CompiledProjection<S>>,
@@ -43,7 +43,7 @@ impl<S: Scalar> Prepared<S> {
         haze: Option<Haze>,
         plan: &RenderPlan,
     ) -> Result<Option<Self>, Error> {
-        let Some(lamp) = plan.prepare(fixture.light())? else { return Ok(None) };
+        let Some(light) = plan.prepare(fixture.light())? else { return Ok(None) };
         let (is_patterned, casts_shadow) = (fixture.gobo().is_some(), fixture.shadow().is_some());
         let mut fixture = *fixture;
         if !plan.skips() {
@@ -52,7 +52,7 @@ impl<S: Scalar> Prepared<S> {
         let shadow = fixture.shadow().map(|(_, square)| square.compile()).transpose()?;
         let (gobo, reach) = (fixture.compile_gobo()?, Reach::new(fixture.light()));
         let hazy = haze.map(|haze| Hazy::new(fixture.light(), &haze)).transpose()?.flatten();
-        Ok(Some(Self { number, lamp, gobo, shadow, hazy, is_patterned, casts_shadow, reach }))
+        Ok(Some(Self { number, light, gobo, shadow, hazy, is_patterned, casts_shadow, reach }))
     }
 
     /// Whether there is anything in the way of the light.

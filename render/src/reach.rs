@@ -31,8 +31,8 @@ struct Beam {
 }
 
 impl Reach {
-    pub(crate) fn new(lamp: &AnyLight) -> Self {
-        match lamp {
+    pub(crate) fn new(light: &AnyLight) -> Self {
+        match light {
             AnyLight::Directional(light) => {
                 let direction = Vec3::from(light.direction());
                 Self { source: Source::Direction(-direction), range: None, beam: None }

@@ -12,8 +12,8 @@ pub(crate) struct Reached {
 
 impl Reached {
     /// Makes room for so many places and lights. Returns whether what was known had to be forgotten for it.
-    pub(crate) fn make_room(&mut self, places: usize, lamps: usize) -> bool {
-        let words = lamps.div_ceil(64);
+    pub(crate) fn make_room(&mut self, places: usize, lights: usize) -> bool {
+        let words = lights.div_ceil(64);
         if words == self.words {
             return false;
         }
@@ -31,15 +31,15 @@ impl Reached {
     /// Enters whether a light reaches a place. Returns whether it does or did, so that the place is to be lit again if the
     /// light has changed.
     #[inline(always)]
-    pub(crate) fn update(&mut self, place: usize, lamp: usize, reaches: bool) -> bool {
-        let (word, bit) = (&mut self.bits[place * self.words + lamp / 64], 1 << (lamp % 64));
+    pub(crate) fn update(&mut self, place: usize, light: usize, reaches: bool) -> bool {
+        let (word, bit) = (&mut self.bits[place * self.words + light / 64], 1 << (light % 64));
         let reached = *word & bit != 0;
         *word = if reaches { *word | bit } else { *word & !bit };
         reached || reaches
     }
 
     /// The lights that may reach a place, in their order.
-    pub(crate) fn lamps(&self, place: usize) -> impl Iterator<Item = usize> + Clone {
+    pub(crate) fn lights(&self, place: usize) -> impl Iterator<Item = usize> + Clone {
         self.bits[place * self.words..][..self.words].iter().enumerate().flat_map(|(number, &word)| {
             let mut rest = word;
             core::iter::from_fn(move || {
@@ -56,26 +56,26 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_place_knows_its_lamps() {
+    fn a_place_knows_its_lights() {
         let mut reached = Reached::default();
         assert!(reached.make_room(2, 130));
         assert!(!reached.make_room(2, 190));
-        (0..130).for_each(|lamp| assert_eq!(reached.update(1, lamp, lamp % 63 == 0), lamp % 63 == 0));
-        assert!(reached.lamps(1).eq([0, 63, 126]));
-        assert_eq!(reached.lamps(0).count(), 0);
+        (0..130).for_each(|light| assert_eq!(reached.update(1, light, light % 63 == 0), light % 63 == 0));
+        assert!(reached.lights(1).eq([0, 63, 126]));
+        assert_eq!(reached.lights(0).count(), 0);
     }
 
     #[test]
     fn what_is_forgotten_reaches_nothing() {
         let mut reached = Reached::default();
         reached.make_room(1, 3);
-        (0..3).for_each(|lamp| assert!(reached.update(0, lamp, true)));
+        (0..3).for_each(|light| assert!(reached.update(0, light, true)));
         reached.forget();
-        assert_eq!(reached.lamps(0).count(), 0);
+        assert_eq!(reached.lights(0).count(), 0);
     }
 
     #[test]
-    fn a_lamp_that_leaves_a_place_changes_its_light_once() {
+    fn a_light_that_leaves_a_place_changes_it_once() {
         let mut reached = Reached::default();
         reached.make_room(1, 1);
         let changes = [false, true, false, false].map(|reaches| reached.update(0, 0, reaches));

@@ -218,7 +218,7 @@ impl<S: Format> Renderer<S> {
     }
 
     /// How many lights were evaluated at a pixel when it was last lit; none outside the picture.
-    pub fn lamps_evaluated(&self, x: usize, y: usize) -> Option<u16> {
+    pub fn lights_evaluated(&self, x: usize, y: usize) -> Option<u16> {
         self.block(x, y).map(|block| self.evaluated[block])
     }
 

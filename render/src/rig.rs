@@ -12,7 +12,7 @@ use luminaire::{
 /// All fixtures by number, prepared but for those that the plan drops.
 pub(crate) struct Rig<S: Scalar> {
     plan: RenderPlan,
-    lamps: Vec<Option<Prepared<S>>>,
+    fixtures: Vec<Option<Prepared<S>>>,
     /// Where the light of each may be, side by side: every one is asked for in many places.
     reaches: Vec<Option<Reach>>,
     is_hazy: bool,
@@ -24,10 +24,10 @@ impl<S: Scalar> Rig<S> {
     pub(crate) fn new(plan: RenderPlan, fixtures: &[Fixture], haze: Option<Haze>) -> Result<Self, Error> {
         let haze = if plan.skips() { haze } else { Some(haze.unwrap_or(Haze::CLEAR)) };
         let prepare = |(number, fixture)| Prepared::new(number, fixture, haze, &plan);
-        let lamps = fixtures.iter().enumerate().map(prepare).collect::<Result<Vec<_>, _>>()?;
-        let reaches = lamps.iter().map(|lamp| lamp.as_ref().map(|lamp| lamp.reach)).collect();
-        let is_hazy = !plan.skips() || lamps.iter().flatten().any(Prepared::is_hazy);
-        Ok(Self { plan, lamps, reaches, is_hazy })
+        let fixtures = fixtures.iter().enumerate().map(prepare).collect::<Result<Vec<_>, _>>()?;
+        let reaches = fixtures.iter().map(|fixture| fixture.as_ref().map(|fixture| fixture.reach)).collect();
+        let is_hazy = !plan.skips() || fixtures.iter().flatten().any(Prepared::is_hazy);
+        Ok(Self { plan, fixtures, reaches, is_hazy })
     }
 
     pub(crate) fn plan(&self) -> RenderPlan {
@@ -36,7 +36,7 @@ impl<S: Scalar> Rig<S> {
 
     /// How many fixtures the plan keeps.
     pub(crate) fn kept(&self) -> usize {
-        self.lamps.iter().flatten().count()
+        self.fixtures.iter().flatten().count()
     }
 
     /// Whether there is a beam in haze, or the plan takes clear air for haze.
@@ -57,12 +57,12 @@ impl<S: Scalar> Rig<S> {
 
     /// Whether the beam of a fixture may be seen in the air of a bundle of view rays.
     pub(crate) fn is_seen_in_air(&self, number: usize, sight: Option<&RayBundle>) -> bool {
-        self.lamp(number).is_some_and(|lamp| !self.plan.skips() || lamp.is_seen_in_air(sight))
+        self.fixture(number).is_some_and(|fixture| !self.plan.skips() || fixture.is_seen_in_air(sight))
     }
 
     /// The fixture of a number; nothing if the plan has dropped it, or there is none.
-    pub(crate) fn lamp(&self, number: usize) -> Option<&Prepared<S>> {
-        self.lamps.get(number)?.as_ref()
+    pub(crate) fn fixture(&self, number: usize) -> Option<&Prepared<S>> {
+        self.fixtures.get(number)?.as_ref()
     }
 
     fn reach(&self, number: usize) -> Option<&Reach> {

@@ -56,7 +56,7 @@ fn a_change_of_any_part_is_noticed() {
 }
 
 #[test]
-fn a_lamp_may_go_while_the_camera_moves() {
+fn a_light_may_go_while_the_camera_moves() {
     let mut renderer = lit();
     let lights = stage::lights().unwrap();
     let mut camera = stage::camera();

@@ -37,7 +37,7 @@ fn each_example_calls_for_what_it_shows() {
 }
 
 #[test]
-fn as_many_lamps_hang_as_the_summaries_say() {
+fn as_many_lights_hang_as_the_summaries_say() {
     let counts = Example::ALL.map(|example| example.setup().unwrap().fixtures.len());
     assert_eq!(counts, [1, 1, 3, 64, 8, 8, 11, 26]);
 }

@@ -8,7 +8,7 @@ const SIZE: usize = 64;
 /// A black box close to the eye hides a light that points away from both, a little off the line of
 /// sight: what is seen of the air ends 4 m behind the light.
 #[test]
-fn a_lamp_that_points_away_behind_a_surface_is_dark() {
+fn a_light_that_points_away_behind_a_surface_is_dark() {
     let middle = Vec3::new(0.0, 2.0, 0.0);
     let mut scene = Scene::new();
     scene
@@ -26,13 +26,13 @@ fn a_lamp_that_points_away_behind_a_surface_is_dark() {
         let position = eye.zip(ahead, |e, a| e + 4.5 * a);
         let position = Vec3::new(position.x, position.y + off, position.z);
         let spot = SpotLight::new(position, ahead, cone).unwrap();
-        let lamps = [AnyLight::from(spot.with_intensity(16.0).unwrap())];
-        planned.draw_light(&lamps).unwrap();
-        everything.draw_everything(&lamps).unwrap();
+        let lights = [AnyLight::from(spot.with_intensity(16.0).unwrap())];
+        planned.draw_light(&lights).unwrap();
+        everything.draw_everything(&lights).unwrap();
         for (x, y) in (0..SIZE * SIZE).map(|i| (i % SIZE, i / SIZE)) {
             assert!(everything.surface(x, y).is_some(), "the box fills the picture");
-            let lights = [&planned, &everything].map(|renderer| renderer.linear(x, y).unwrap());
-            assert_eq!(lights, [Rgb::default(); 2], "{spot:?} at {x} {y}");
+            let seen = [&planned, &everything].map(|renderer| renderer.linear(x, y).unwrap());
+            assert_eq!(seen, [Rgb::default(); 2], "{spot:?} at {x} {y}");
         }
     }
 }

@@ -130,10 +130,10 @@ fn fixture(rng: &mut Rng) -> Result<Fixture, luminaire::Error> {
 }
 
 /// Draws a scene, and compares what leaving out and leaving nothing out shows. Returns whether the format holds its lights.
-fn assert_drawn<S: Format>(scene: &Scene, camera: &Camera, lamps: &[Fixture]) -> bool {
+fn assert_drawn<S: Format>(scene: &Scene, camera: &Camera, fixtures: &[Fixture]) -> bool {
     let mut renderer = Renderer::<S>::new(24, 16).expect("a sound size");
     renderer.draw_geometry(scene, camera);
-    let drawn = renderer.draw_shadows(scene, lamps).is_ok() && renderer.draw_light(lamps).is_ok();
+    let drawn = renderer.draw_shadows(scene, fixtures).is_ok() && renderer.draw_light(fixtures).is_ok();
     if !drawn {
         return false;
     }
@@ -146,7 +146,7 @@ fn assert_drawn<S: Format>(scene: &Scene, camera: &Camera, lamps: &[Fixture]) ->
     for Rgb { red, green, blue } in &light {
         assert!([red, green, blue].into_iter().all(|c| c.is_finite() && *c >= 0.0), "{light:?}");
     }
-    renderer.draw_everything(lamps).expect("what was held is held again");
+    renderer.draw_everything(fixtures).expect("what was held is held again");
     assert_eq!((linear(&renderer), renderer.encode()), (light, &picture[..]));
     // Nothing has changed: no material is another than itself.
     assert!(!renderer.draw_geometry(scene, camera));
@@ -179,13 +179,13 @@ fn hostile_scenes_are_refused_or_drawn() {
         if rng.u8(..4) == 0 {
             scene.set_haze(Haze::new(number(rng)).ok());
         }
-        let lamps: Vec<_> = (0..3).filter_map(|_| fixture(rng).ok()).collect();
+        let fixtures: Vec<_> = (0..3).filter_map(|_| fixture(rng).ok()).collect();
         let [distance, yaw, pitch, field] = std::array::from_fn(|_| number(rng));
         let camera = Camera::new(vector(rng), distance, yaw, pitch, field);
         drawn += usize::from(match rng.u8(..3) {
-            0 => assert_drawn::<f32>(&scene, &camera, &lamps),
-            1 => assert_drawn::<Fx32>(&scene, &camera, &lamps),
-            _ => assert_drawn::<Fx16>(&scene, &camera, &lamps),
+            0 => assert_drawn::<f32>(&scene, &camera, &fixtures),
+            1 => assert_drawn::<Fx32>(&scene, &camera, &fixtures),
+            _ => assert_drawn::<Fx16>(&scene, &camera, &fixtures),
         });
     }
     assert!(refused > scenes && accepted > scenes, "{refused} refused, {accepted} accepted");

@@ -68,9 +68,9 @@ fn assert_same_everywhere(example: Example, pictures: impl Fn(&Setup) -> Vec<Vec
 /// A light that is switched off.
 fn off(fixture: &Fixture) -> Fixture {
     match fixture.light() {
-        AnyLight::Directional(lamp) => lamp.with_intensity(0.0).unwrap().into(),
-        AnyLight::Point(lamp) => lamp.with_intensity(0.0).unwrap().into(),
-        AnyLight::Spot(lamp) => lamp.with_intensity(0.0).unwrap().into(),
+        AnyLight::Directional(light) => light.with_intensity(0.0).unwrap().into(),
+        AnyLight::Point(light) => light.with_intensity(0.0).unwrap().into(),
+        AnyLight::Spot(light) => light.with_intensity(0.0).unwrap().into(),
     }
 }
 
@@ -84,13 +84,14 @@ fn planned_pictures_are_those_of_everything() {
 }
 
 #[test]
-fn dark_lamps_and_lamps_that_go_off_and_on_leave_no_trace() {
+fn dark_lights_and_lights_that_go_off_and_on_leave_no_trace() {
     for example in [Example::ThreePoint, Example::Show, Example::Gallery] {
         assert_same_everywhere(example, |setup| {
             let all = setup.fixtures_at(0.0).unwrap();
             let without = |part: usize| {
-                let number =
-                    |(number, lamp): (usize, &Fixture)| if number % 3 == part { off(lamp) } else { *lamp };
+                let number = |(number, fixture): (usize, &Fixture)| {
+                    if number % 3 == part { off(fixture) } else { *fixture }
+                };
                 all.iter().enumerate().map(number).collect::<Vec<_>>()
             };
             let fewer = all[..all.len() - 1].to_vec();
@@ -102,14 +103,14 @@ fn dark_lamps_and_lamps_that_go_off_and_on_leave_no_trace() {
 }
 
 #[test]
-fn dark_lamps_are_dropped() {
+fn dark_lights_are_dropped() {
     let setup = Example::ThreePoint.setup().unwrap();
     let mut fixtures = setup.fixtures_at(0.0).unwrap();
     fixtures[1] = off(&fixtures[1]);
     let mut renderer = renderer::<f32>(&setup);
     renderer.draw_light(&fixtures).unwrap();
     let account = renderer.account();
-    assert_eq!((account.lamps, account.lamps_dropped), (3, 1));
+    assert_eq!((account.lights, account.lights_dropped), (3, 1));
     assert_eq!(account.dropped, (SIZE.0 * SIZE.1) as u64);
 }
 
@@ -155,7 +156,7 @@ fn a_spot_is_evaluated_little_beyond_its_circle() {
 /// How many pairs of a light and a pixel there are in which a highlight arrives: the least that can be evaluated.
 fn shining_pairs(setup: &Setup, renderer: &Renderer<f32>) -> u64 {
     let fixtures = setup.fixtures_at(0.0).unwrap();
-    let lamps: Vec<_> = fixtures.iter().map(|lit| lit.light().compile::<f32>().unwrap()).collect();
+    let lights: Vec<_> = fixtures.iter().map(|lit| lit.light().compile::<f32>().unwrap()).collect();
     let points = pixels(renderer).filter_map(|(x, y)| renderer.surface(x, y));
     let shines = |(point, normal, material): (Vec3<f32>, Vec3<f32>, Material)| {
         let surface = SurfacePoint::<f32>::seen_from(setup.camera.eye(), point, normal);
@@ -163,9 +164,9 @@ fn shining_pairs(setup: &Setup, renderer: &Renderer<f32>) -> u64 {
         let mirrored = surface.view.zip(normal, |view, n| view - twice * n);
         let surface = SurfacePoint { view: mirrored, ..surface };
         let highlight = Highlight::constants::<f32>(material.shininess());
-        lamps
+        lights
             .iter()
-            .filter(|lamp| lamp.evaluate::<Highlight>(&surface, &highlight, true).specular > 0.0)
+            .filter(|light| light.evaluate::<Highlight>(&surface, &highlight, true).specular > 0.0)
             .count()
     };
     points.map(|surface| shines(surface) as u64).sum()
@@ -194,13 +195,13 @@ fn assert_relit(example: Example, seconds: f32, relit: Range<f64>, changed: Rang
     assert!(is_changed.iter().zip(&is_relit).all(|(changed, relit)| relit | !changed), "{}", example.name());
     let (account, all) = (renderer.account(), is_relit.len());
     let count = |is: &[bool]| is.iter().filter(|is| **is).count();
-    assert_eq!(account.kept, u64::from(account.lamps) * (all - count(&is_relit)) as u64, "{account:?}");
+    assert_eq!(account.kept, u64::from(account.lights) * (all - count(&is_relit)) as u64, "{account:?}");
     let found = (count(&is_relit) as f64 / all as f64, count(&is_changed) as f64 / all as f64);
     assert!(relit.contains(&found.0) && changed.contains(&found.1), "{}: {found:?}", example.name());
 }
 
 #[test]
-fn only_the_tiles_of_lamps_that_have_changed_are_relit() {
+fn only_the_tiles_of_lights_that_have_changed_are_relit() {
     // The chase has gone from one of 64 lights to the next, and from one of 8; the follow spot has moved, one of 26 lights.
     assert_relit(Example::Grid, 0.25, 0.0275..0.0278, 0.0087..0.0089);
     assert_relit(Example::WideGrid, 0.25, 0.122..0.123, 0.0758..0.0762);

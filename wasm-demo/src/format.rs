@@ -171,7 +171,7 @@ impl<S: luminaire_render::Format> Draw for Renderer<S> {
     }
 
     fn lamps_evaluated(&self, x: usize, y: usize) -> Option<u16> {
-        self.lamps_evaluated(x, y)
+        self.lights_evaluated(x, y)
     }
 
     fn is_relit(&self, x: usize, y: usize) -> Option<bool> {

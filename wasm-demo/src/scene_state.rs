@@ -101,8 +101,8 @@ impl From<Account> for AccountState {
     fn from(account: Account) -> Self {
         Self {
             triangles: account.triangles as f64,
-            lamps: account.lamps.into(),
-            lamps_dropped: account.lamps_dropped.into(),
+            lamps: account.lights.into(),
+            lamps_dropped: account.lights_dropped.into(),
             tiles: account.tiles.into(),
             tiles_relit: account.tiles_relit.into(),
             pairs: account.pairs() as f64,

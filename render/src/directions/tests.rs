@@ -86,14 +86,14 @@ fn excess<S: Format>() -> f32 {
         // The chord is about as long as the lobe is wide.
         let chord = finish.lobe * (1.0 + 0.5 * random.share().powi(3));
         let along = 1.0 - 0.5 * chord * chord;
-        let to_lamp = along * image + (1.0 - along * along).max(0.0).sqrt() * aside;
-        let [eye, lamp] = [to_eye, to_lamp].map(|way| point + (2.0 + 6.0 * random.share().abs()) * way);
-        let lamp = PointLight::new(lamp).unwrap().with_attenuation(NoAttenuation).compile::<S>().unwrap();
+        let to_light = along * image + (1.0 - along * along).max(0.0).sqrt() * aside;
+        let [eye, light] = [to_eye, to_light].map(|way| point + (2.0 + 6.0 * random.share().abs()) * way);
+        let light = PointLight::new(light).unwrap().with_attenuation(NoAttenuation).compile::<S>().unwrap();
         let [eye, point] = [eye, point].map(|place| luminaire::Vec3::from(place).map(S::length));
         let normal = luminaire::Vec3::from(normal).map(S::from_f32);
         let surface = SurfacePoint::<S>::seen_from(eye, point, normal);
         let surface = SurfacePoint { view: S::mirror(surface.view, normal), ..surface };
-        let shines = lamp.evaluate::<Highlight>(&surface, &finish.highlight, false).specular
+        let shines = light.evaluate::<Highlight>(&surface, &finish.highlight, false).specular
             > S::Irradiance::default();
         worst = if shines { worst.max(chord - finish.lobe) } else { worst };
     }

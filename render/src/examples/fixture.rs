@@ -16,7 +16,7 @@ pub struct MovingLight {
     /// What the trade calls it.
     pub name: &'static str,
     /// The light before it moves.
-    lamp: AnyLight,
+    light: AnyLight,
     motion: Motion,
     gobo: Option<Wheel>,
     shadow: Option<u16>,
@@ -62,8 +62,8 @@ struct Wheel {
 
 impl MovingLight {
     /// A fixture that stays as it is.
-    pub(super) fn new(name: &'static str, lamp: impl Into<AnyLight>) -> Self {
-        Self { name, lamp: lamp.into(), motion: Motion::Still, gobo: None, shadow: None }
+    pub(super) fn new(name: &'static str, light: impl Into<AnyLight>) -> Self {
+        Self { name, light: light.into(), motion: Motion::Still, gobo: None, shadow: None }
     }
 
     pub(super) fn sweeping(self, sweep: Sweep) -> Self {
@@ -99,7 +99,7 @@ impl MovingLight {
     /// # Errors
     /// Seconds that are not finite, where something moves. Shadows that the fixture can't have.
     pub fn at(&self, seconds: f32) -> Result<Fixture, Error> {
-        let mut fixture = Fixture::from(self.lamp_at(seconds)?);
+        let mut fixture = Fixture::from(self.light_at(seconds)?);
         if let Some(Wheel { gobo, speed }) = self.gobo {
             fixture = fixture.with_gobo(gobo, Angle::degrees(speed * seconds % 360.0))?;
         }
@@ -109,11 +109,11 @@ impl MovingLight {
         Ok(fixture)
     }
 
-    fn lamp_at(&self, seconds: f32) -> Result<AnyLight, Error> {
-        match (&self.lamp, &self.motion) {
+    fn light_at(&self, seconds: f32) -> Result<AnyLight, Error> {
+        match (&self.light, &self.motion) {
             (AnyLight::Spot(spot), Motion::Sweep(sweep)) => Ok(sweep.turned(spot, seconds)?.into()),
             (AnyLight::Spot(spot), Motion::Chase(chase)) => Ok(chase.bumped(spot, seconds)?.into()),
-            _ => Ok(self.lamp),
+            _ => Ok(self.light),
         }
     }
 }

@@ -2,7 +2,7 @@
 //! profile and distance model; pendants, a follow spot and a skylight. Of all that stands there two things shine.
 
 mod hall;
-mod lamps;
+mod lights;
 
 use super::{MovingLight, Setup, fixture::Sweep};
 use crate::{Camera, Scene};
@@ -28,17 +28,17 @@ fn fixtures() -> Result<Vec<MovingLight>, Error> {
     for &(place, side) in &hall::PICTURES {
         for offset in [-0.8, 0.8] {
             let position = side.before_wall(place, offset);
-            fixtures.push(lamps::track_spot(fixtures.len(), position, side.on_wall(place), 0.42)?);
+            fixtures.push(lights::track_spot(fixtures.len(), position, side.on_wall(place), 0.42)?);
         }
     }
     for &(x, z) in &hall::SCULPTURES {
         for (dx, dz) in [(-1.5, 1.7), (1.6, 1.2)] {
             let position = Vec3::new(x + dx, 4.2, z + dz);
-            fixtures.push(lamps::track_spot(fixtures.len(), position, Vec3::new(x, 1.2, z), 0.55)?);
+            fixtures.push(lights::track_spot(fixtures.len(), position, Vec3::new(x, 1.2, z), 0.55)?);
         }
     }
     // The one that moves: it follows whoever walks through the hall.
-    let follow = lamps::follow_spot(Vec3::new(0.0, 5.0, 3.2), Vec3::new(0.0, 0.0, 0.9))?;
+    let follow = lights::follow_spot(Vec3::new(0.0, 5.0, 3.2), Vec3::new(0.0, 0.0, 0.9))?;
     let center = glam::Vec3::new(0.0, 0.0, 0.9);
     fixtures.push(follow.sweeping(Sweep { center, radii: Vec2::new(2.6, 0.5), period: 16.0, start: 0.1 }));
     for (x, z) in hall::PENDANTS {

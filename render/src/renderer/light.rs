@@ -25,7 +25,7 @@ impl<S: Format> Renderer<S> {
         self.account = Account::new(tiles, fixtures.len(), rig.kept(), pixels);
         let near = self.approach(&rig, &changed);
         for tile in 0..tiles {
-            let near = near.lamps(self.tiles.region(tile));
+            let near = near.lights(self.tiles.region(tile));
             let is_another = self.ask(tile, &rig, near, &changed) || is_new;
             self.tiles.tiles[tile].is_relit = is_another;
             if is_another {
@@ -38,12 +38,12 @@ impl<S: Format> Renderer<S> {
     }
 
     /// Makes room for what so many lights reach. Where all of the picture must be lit, nothing is known of it.
-    fn make_room(&mut self, lamps: usize) {
+    fn make_room(&mut self, lights: usize) {
         let (regions, tiles) = (self.tiles.regions.len(), self.tiles.tiles.len());
         for (reached, places) in
             [(&mut self.near, regions), (&mut self.reached, tiles), (&mut self.seen, tiles)]
         {
-            if reached.make_room(places, lamps) {
+            if reached.make_room(places, lights) {
                 self.lit = None;
             }
         }
@@ -79,9 +79,9 @@ impl<S: Format> Renderer<S> {
         let mut near = self.near.clone();
         near.forget();
         for (region, bounds) in self.tiles.regions.iter().enumerate() {
-            for &lamp in changed {
-                let is_near = self.near.update(region, lamp, rig.reaches(lamp, bounds.as_ref()));
-                near.update(region, lamp, is_near);
+            for &light in changed {
+                let is_near = self.near.update(region, light, rig.reaches(light, bounds.as_ref()));
+                near.update(region, light, is_near);
             }
         }
         near
@@ -98,15 +98,15 @@ impl<S: Format> Renderer<S> {
     ) -> bool {
         let mut is_another = false;
         let bounds = self.tiles.tiles[tile].bounds;
-        for lamp in near {
-            is_another |= self.reached.update(tile, lamp, rig.reaches(lamp, bounds.as_ref()));
+        for light in near {
+            is_another |= self.reached.update(tile, light, rig.reaches(light, bounds.as_ref()));
         }
         // In clear air, where no beam was seen before, there is nothing to ask for.
-        if rig.is_hazy() || self.seen.lamps(tile).next().is_some() {
+        if rig.is_hazy() || self.seen.lights(tile).next().is_some() {
             self.sight(tile);
             let sight = self.tiles.tiles[tile].sight.as_ref();
-            for &lamp in changed {
-                is_another |= self.seen.update(tile, lamp, rig.is_seen_in_air(lamp, sight));
+            for &light in changed {
+                is_another |= self.seen.update(tile, light, rig.is_seen_in_air(light, sight));
             }
         }
         is_another
@@ -119,23 +119,23 @@ impl<S: Format> Renderer<S> {
         let viewpoint = self.view.as_ref().map_or(glam::Vec3::ZERO, |view| view.eye());
         let (eye, ambient) = (self.eye, self.ambient);
         let setting = Setting { plan: rig.plan(), eye, viewpoint, ambient, finishes, shadows };
-        let lamps: Vec<_> = self.reached.lamps(tile).collect();
-        let seen: Vec<_> = self.seen.lamps(tile).filter_map(|lamp| rig.lamp(lamp)).collect();
-        let mut reaching = Vec::with_capacity(lamps.len());
+        let reached: Vec<_> = self.reached.lights(tile).collect();
+        let seen: Vec<_> = self.seen.lights(tile).filter_map(|light| rig.fixture(light)).collect();
+        let mut reaching = Vec::with_capacity(reached.len());
         for block in self.tiles.blocks(tile) {
             let geometry = &self.geometry.blocks[block];
             reaching.clear();
-            let lights = lamps.iter().filter(|&&lamp| rig.lights(lamp, geometry));
-            reaching.extend(lights.filter_map(|&lamp| rig.lamp(lamp)));
+            let lights = reached.iter().filter(|&&light| rig.lights(light, geometry));
+            reaching.extend(lights.filter_map(|&light| rig.fixture(light)));
             let radiance = &mut self.radiance[block];
             let shining = S::light(&setting, geometry, &reaching, &mut self.workspace, radiance);
             self.evaluated[block] = reaching.len().try_into().unwrap_or(u16::MAX);
             let (row, column) = (block / self.geometry.columns, block % self.geometry.columns);
             let pixels = LANES.min(self.width - column * LANES);
-            self.account.enter(pixels, lamps.len(), reaching.len(), shining);
+            self.account.enter(pixels, reached.len(), reaching.len(), shining);
             if let Some(view) = self.view.as_ref().filter(|_| !seen.is_empty()) {
                 let rays = air::rays(view, &self.fragments, row, column);
-                seen.iter().for_each(|lamp| lamp.scatter(&rays, &self.shadows, radiance));
+                seen.iter().for_each(|fixture| fixture.scatter(&rays, &self.shadows, radiance));
                 self.account.evaluated_in_air += (pixels * seen.len()) as u64;
             }
         }

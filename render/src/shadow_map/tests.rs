@@ -253,7 +253,7 @@ fn no_surface_shadows_itself_in_fx16() {
 }
 
 #[test]
-fn what_is_right_at_the_lamp_hides_all_but_its_own_housing() {
+fn what_is_right_at_the_light_hides_all_but_its_own_housing() {
     let light = spot(Vec3::new(0.0, 2.0, 0.0), Vec3::new(0.0, 0.0, 0.0), 60.0);
     let projection = Projection::of(&light).unwrap();
     for (distance, expected) in [(0.08, 0.0), (0.03, 1.0)] {
@@ -267,7 +267,7 @@ fn what_is_right_at_the_lamp_hides_all_but_its_own_housing() {
 }
 
 #[test]
-fn a_solid_around_the_lamp_hides_everything_outside() {
+fn a_solid_around_the_light_hides_everything_outside() {
     let light = spot(Vec3::new(0.0, 2.0, 0.0), Vec3::new(0.0, 0.0, 0.0), 60.0);
     let projection = Projection::of(&light).unwrap();
     let housing = sphere(0.3, Vec3::new(0.0, 2.0, 0.0));
