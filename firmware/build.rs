@@ -41,7 +41,7 @@ fn still() -> Outcome {
 /// The spotlight, and what the materials send back of the ambient light and of the spotlight's.
 fn frame() -> Outcome {
     let cone = Cone::from_field(Soft, Angle::degrees(44.0))?;
-    let [x, y, z] = measures::LAMP;
+    let [x, y, z] = measures::LIGHT;
     let axis = Vec3::new(0.125 - x, 0.375 - y, -0.375 - z);
     let key = SpotLight::new(Vec3::new(x, y, z), axis, cone)?.with_intensity(24.0)?;
     let color = Rgb::new(1.0, 0.8, 0.55);

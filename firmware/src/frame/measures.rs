@@ -5,7 +5,7 @@
 /// what is upright stays upright.
 pub(crate) const EYE: [f32; 3] = [0.0, 1.5, 4.5];
 /// Where the light hangs.
-pub(crate) const LAMP: [f32; 3] = [-1.75, 3.25, 2.5];
+pub(crate) const LIGHT: [f32; 3] = [-1.75, 3.25, 2.5];
 /// Where the back wall stands.
 pub(crate) const WALL: f32 = -1.5;
 /// The ball on the floor.

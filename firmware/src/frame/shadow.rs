@@ -4,7 +4,7 @@ use luminaire::Vec3;
 use luminaire::number::{Length, Light16};
 
 use super::camera::steps;
-use super::measures::LAMP;
+use super::measures::LIGHT;
 use super::scene::{Material, Site};
 use super::{WIDTH, ball, column};
 
@@ -22,7 +22,7 @@ pub(super) fn cast(sites: &[Site; WIDTH], lights: &mut [Light16; WIDTH]) {
 /// away.
 #[inline(always)]
 pub(super) fn is_in_shadow(site: &Site) -> bool {
-    let way = Way::to_lamp(site.point);
+    let way = Way::to_light(site.point);
     (site.material != Material::Ball && ball::is_between(&way))
         || (site.material != Material::Column && column::is_between(&way))
 }
@@ -38,8 +38,8 @@ pub(super) struct Way {
 impl Way {
     /// From a point.
     #[inline(always)]
-    pub(super) fn to_lamp(point: Vec3<Length>) -> Self {
-        const END: Vec3<i32> = Vec3::new(steps(LAMP[0]), steps(LAMP[1]), steps(LAMP[2]));
+    pub(super) fn to_light(point: Vec3<Length>) -> Self {
+        const END: Vec3<i32> = Vec3::new(steps(LIGHT[0]), steps(LIGHT[1]), steps(LIGHT[2]));
         let start = point.map(Length::to_bits);
         Self { start, whole: END.zip(start, |end, start| (end - start) >> 4) }
     }

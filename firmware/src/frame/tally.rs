@@ -8,7 +8,7 @@ use luminaire::{
 };
 
 use super::camera::steps;
-use super::measures::LAMP;
+use super::measures::LIGHT;
 use super::paint::KEY;
 use super::scene::Site;
 use super::shadow::is_in_shadow;
@@ -25,10 +25,10 @@ pub(super) struct Tally {
 impl Tally {
     /// Adds the pixels of a row.
     pub(super) fn add(&mut self, sites: &[Site]) {
-        const PLACE: Vec3<i32> = Vec3::new(steps(LAMP[0]), steps(LAMP[1]), steps(LAMP[2]));
-        let lamp = PLACE.map(<Fx16 as Scalar>::Length::from_bits);
+        const PLACE: Vec3<i32> = Vec3::new(steps(LIGHT[0]), steps(LIGHT[1]), steps(LIGHT[2]));
+        let light = PLACE.map(<Fx16 as Scalar>::Length::from_bits);
         for site in sites {
-            let facing = Fx16::offset(lamp, site.point).facing(site.normal);
+            let facing = Fx16::offset(light, site.point).facing(site.normal);
             let group = if <Fx16 as Arithmetic>::Offset::faces_away(facing) {
                 &mut self.facing_away
             } else if KEY.falloff(site.point) == Fx16::ZERO {

@@ -3,7 +3,7 @@
 use luminaire::Vec3;
 use luminaire::number::Length;
 
-use super::measures::{BALL, BALL_RADIUS, COLUMN, COLUMN_HEIGHT, COLUMN_RADIUS, EYE, LAMP, WALL};
+use super::measures::{BALL, BALL_RADIUS, COLUMN, COLUMN_HEIGHT, COLUMN_RADIUS, EYE, LIGHT, WALL};
 use super::scene::{Material, Site, look};
 use super::shadow::is_in_shadow;
 use super::{HEIGHT, WIDTH};
@@ -127,11 +127,11 @@ fn shadows_fall_where_they_should() {
     let (mut outline, mut count) = (0, 0);
     for (_, _, site) in seen() {
         let start = metres(site.point);
-        let way = [0, 1, 2].map(|i| f64::from(LAMP[i]) - start[i]);
-        let before_lamp = |after: f64| after < 1.0;
-        let by_ball = site.material != Material::Ball && into_ball(start, way).is_some_and(before_lamp);
+        let way = [0, 1, 2].map(|i| f64::from(LIGHT[i]) - start[i]);
+        let before_light = |after: f64| after < 1.0;
+        let by_ball = site.material != Material::Ball && into_ball(start, way).is_some_and(before_light);
         let by_column =
-            site.material != Material::Column && entry_below_top(start, way).is_some_and(before_lamp);
+            site.material != Material::Column && entry_below_top(start, way).is_some_and(before_light);
         count += usize::from(by_ball || by_column);
         outline += usize::from(is_in_shadow(&site) != (by_ball || by_column));
     }

@@ -10,8 +10,8 @@ list! {
 
 /// Ambient light on a matt surface, beside the lights.
 #[inline(always)]
-pub fn ambient(lamps: Light) -> Light {
-    lamps.plus::<Format>(MATTE.glow(AMBIENT))
+pub fn ambient(lights: Light) -> Light {
+    lights.plus::<Format>(MATTE.glow(AMBIENT))
 }
 
 /// The irradiance of a directional light: Lambert's cosine.

@@ -50,8 +50,8 @@ fn of_format<S: Raw>(bits: &mut Bits) {
     designs::<S, _>(bits, matched);
     measures::<S>(bits);
     two_angles::<S>(bits);
-    if let Ok(lamp) = lamp::<S>(bits) {
-        hangs::<S>(bits, lamp);
+    if let Ok(light) = light::<S>(bits) {
+        hangs::<S>(bits, light);
     }
     imports::<S>(bits);
     surfaces::<S>(bits);
@@ -124,7 +124,7 @@ fn floats(bits: &mut Bits) -> Vec3<f32> {
 
 /// A light of any kind.
 #[inline(never)]
-fn lamp<S: Raw>(bits: &mut Bits) -> Result<AnyLight, Error> {
+fn light<S: Raw>(bits: &mut Bits) -> Result<AnyLight, Error> {
     let (place, direction) = (floats(bits), floats(bits));
     let [color, shine] = from_fn(|_| bits.color(f32::scalar));
     let intensity = bits.float();
@@ -163,15 +163,15 @@ fn lamp<S: Raw>(bits: &mut Bits) -> Result<AnyLight, Error> {
 
 /// What hangs from a truss: a light with what is in front of it, and the plan of its picture.
 #[inline(never)]
-fn hangs<S: Raw>(bits: &mut Bits, lamp: AnyLight) {
-    black_box((AnyLight::color(&lamp), AnyLight::specular_color(&lamp), AnyLight::intensity(&lamp)));
-    black_box((AnyLight::effects(&lamp), lamp.is_dark()));
+fn hangs<S: Raw>(bits: &mut Bits, light: AnyLight) {
+    black_box((AnyLight::color(&light), AnyLight::specular_color(&light), AnyLight::intensity(&light)));
+    black_box((AnyLight::effects(&light), light.is_dark()));
     let pattern = Gobo::new(bits.word() as usize, black_box(PATTERN.as_slice()));
     let hung = pattern.and_then(|pattern| {
         let roll = Angle::degrees(bits.float());
-        Fixture::from(lamp).with_gobo(pattern, roll)?.with_shadow(bits.word() as u16)
+        Fixture::from(light).with_gobo(pattern, roll)?.with_shadow(bits.word() as u16)
     });
-    let luminaire = hung.unwrap_or(lamp.into());
+    let luminaire = hung.unwrap_or(light.into());
     black_box(luminaire.compile_gobo::<S>().is_ok());
     let plan = if bits.choice(2) == 0 {
         RenderPlan::with(RenderPlan::new(), Effect::Haze)
@@ -182,8 +182,8 @@ fn hangs<S: Raw>(bits: &mut Bits, lamp: AnyLight) {
     black_box((plan.requires(Effect::Gobo), plan.effects().iter().count()));
     black_box(Fixture::effects(&luminaire));
     black_box(plan.prepare::<S>(luminaire.light()).is_ok());
-    black_box(AnyLight::compile::<S>(&lamp).is_ok());
-    if let AnyLight::Spot(spot) = lamp {
+    black_box(AnyLight::compile::<S>(&light).is_ok());
+    if let AnyLight::Spot(spot) = light {
         let roll = Angle::degrees(bits.float());
         black_box(Projection::of(&spot).and_then(|square| square.turned(roll)).is_ok());
     }

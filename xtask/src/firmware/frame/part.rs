@@ -29,7 +29,7 @@ pub(super) fn replaced(readme: &str, record: &Record) -> Result<String> {
         "{before}{BEGIN}\n{}\nOf {} pixels: {}.\n\n{END}{after}",
         table(record),
         record.pixels,
-        record.lamp
+        record.light
     ))
 }
 

@@ -20,7 +20,7 @@ pub(super) struct Record {
     /// How many pixels it has.
     pub(super) pixels: u64,
     /// How many of them the light reaches, and what keeps it from the others.
-    pub(super) lamp: String,
+    pub(super) light: String,
     /// The stages in their order.
     pub(super) stages: Vec<String>,
     /// What they cost, by board.
@@ -61,7 +61,7 @@ impl Record {
     /// A picture that nothing is known of but what it shows.
     pub(super) fn new(output: &Output) -> Self {
         let pixels = output.picture.pixels() as u64;
-        Self { pixels, lamp: output.tally.clone(), stages: output.stages.clone(), boards: BTreeMap::new() }
+        Self { pixels, light: output.tally.clone(), stages: output.stages.clone(), boards: BTreeMap::new() }
     }
 
     /// Where the record is.
@@ -93,9 +93,9 @@ impl Record {
 /// difference.
 pub(super) fn compare(old: &Record, new: &Record) -> (Vec<String>, Vec<String>) {
     let (mut differences, mut remarks) = (Vec::new(), Vec::new());
-    if (old.pixels, &old.lamp, &old.stages) != (new.pixels, &new.lamp, &new.stages) {
+    if (old.pixels, &old.light, &old.stages) != (new.pixels, &new.light, &new.stages) {
         differences
-            .push(format!("{} pixels, {}; recorded {}, {}", new.pixels, new.lamp, old.pixels, old.lamp));
+            .push(format!("{} pixels, {}; recorded {}, {}", new.pixels, new.light, old.pixels, old.light));
     }
     for (board, now) in &new.boards {
         let Some(before) = old.boards.get(board) else {
@@ -138,7 +138,7 @@ mod tests {
         counts.add("light", instructions - 1, None);
         counts.add("light", 1, Some(Span { least: 5, most: 9 }));
         let boards = BTreeMap::from([("cortex-m0".to_owned(), counts)]);
-        Record { pixels: 4, lamp: "4 lit".to_owned(), stages: vec!["light".to_owned()], boards }
+        Record { pixels: 4, light: "4 lit".to_owned(), stages: vec!["light".to_owned()], boards }
     }
 
     #[test]
@@ -170,7 +170,7 @@ mod tests {
     fn another_picture_board_or_size_is_told() {
         let old = record("rustc 1.96.0", 100);
         let mut other = old.clone();
-        other.lamp = "3 lit".to_owned();
+        other.light = "3 lit".to_owned();
         assert!(compare(&old, &other).0[0].contains("3 lit"));
         let mut larger = old.clone();
         larger.boards.get_mut("cortex-m0").unwrap().kibibytes = 5;

@@ -15,25 +15,25 @@ use luminaire::{
 use luminaire_effects::Format;
 use luminaire_effects::raw::{Bits, Raw, each};
 
-luminaire_effects::program!(lamps);
+luminaire_effects::program!(any_light);
 
 /// As many points as a renderer may take at once.
 const LANES: usize = 4;
 
-fn lamps(words: [u64; 64]) {
+fn any_light(words: [u64; 64]) {
     of_format::<Format>(&mut Bits::new(words));
 }
 
 fn of_format<S: Raw>(bits: &mut Bits) {
-    let lamp = lamp::<S>(bits);
+    let light = light::<S>(bits);
     let lobe = (S::raw_ramp(bits), bits.word() as u32);
-    arrives_each::<S, DifferenceForm<Phong, 3>>(bits, &lamp, &lobe.0);
-    arrives::<S, NoSpecular>(bits, &lamp, &());
-    arrives::<S, Phong>(bits, &lamp, &lobe);
+    arrives_each::<S, DifferenceForm<Phong, 3>>(bits, &light, &lobe.0);
+    arrives::<S, NoSpecular>(bits, &light, &());
+    arrives::<S, Phong>(bits, &light, &lobe);
     if S::NAME == f32::NAME {
-        let (haze, lamp) = (Haze::new(bits.float()), self::lamp::<f32>(bits));
+        let (haze, light) = (Haze::new(bits.float()), self::light::<f32>(bits));
         if let Ok(haze) = haze
-            && let Some(beam) = CompiledAnyLight::in_haze(&lamp, &haze)
+            && let Some(beam) = CompiledAnyLight::in_haze(&light, &haze)
         {
             scatters(bits, &beam);
         }
@@ -42,7 +42,7 @@ fn of_format<S: Raw>(bits: &mut Bits) {
 
 /// A light of any kind, profile and distance model; its profile and its curve need not be of one kind.
 #[inline(never)]
-fn lamp<S: Raw>(bits: &mut Bits) -> CompiledAnyLight<S> {
+fn light<S: Raw>(bits: &mut Bits) -> CompiledAnyLight<S> {
     let attenuation = bits.any_distance().constants::<S>();
     match bits.choice(3) {
         0 => {
@@ -66,7 +66,7 @@ fn lamp<S: Raw>(bits: &mut Bits) -> CompiledAnyLight<S> {
 #[inline(never)]
 fn arrives_each<S: Raw, H: SpecularLobe>(
     bits: &mut Bits,
-    lamp: &CompiledAnyLight<S>,
+    light: &CompiledAnyLight<S>,
     highlight: &H::Constants<S>,
 ) {
     let (points, normals, views) =
@@ -74,7 +74,7 @@ fn arrives_each<S: Raw, H: SpecularLobe>(
     let surfaces =
         SurfacePoints::<S, LANES> { point: each(&points), normal: each(&normals), view: each(&views) };
     let mut arrivals = Default::default();
-    lamp.evaluate_each::<H, LANES>(&surfaces, highlight, &mut arrivals);
+    light.evaluate_each::<H, LANES>(&surfaces, highlight, &mut arrivals);
     black_box(arrivals);
     black_box(SurfacePoints::at(&surfaces, bits.word() as usize));
 }
@@ -83,14 +83,14 @@ fn arrives_each<S: Raw, H: SpecularLobe>(
 #[inline(never)]
 fn arrives<S: Raw, H: SpecularLobe>(
     bits: &mut Bits,
-    lamp: &CompiledAnyLight<S>,
+    light: &CompiledAnyLight<S>,
     highlight: &H::Constants<S>,
 ) {
     let (point, normal) = (bits.vector(S::raw_length), bits.vector(S::scalar));
     let surface = SurfacePoint { point, normal, view: bits.vector(S::unit) };
     let skips = bits.choice(2) == 0;
-    black_box(lamp.evaluate::<H>(&surface, highlight, skips));
-    black_box(lamp.colors());
+    black_box(light.evaluate::<H>(&surface, highlight, skips));
+    black_box(light.colors());
 }
 
 /// A beam in haze, for one ray and for many.
