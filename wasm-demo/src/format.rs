@@ -130,7 +130,7 @@ pub(crate) trait Draw {
     /// What the light has cost when it was last drawn.
     fn account(&self) -> Account;
     /// How many lights were evaluated at a pixel when it was last lit; none outside the picture.
-    fn lamps_evaluated(&self, x: usize, y: usize) -> Option<u16>;
+    fn lights_evaluated(&self, x: usize, y: usize) -> Option<u16>;
     /// Whether a pixel was lit again the last time that light was drawn; none outside the picture.
     fn is_relit(&self, x: usize, y: usize) -> Option<bool>;
     /// The linear light that a pixel sends to the eye; none outside the picture.
@@ -170,7 +170,7 @@ impl<S: luminaire_render::Format> Draw for Renderer<S> {
         self.account()
     }
 
-    fn lamps_evaluated(&self, x: usize, y: usize) -> Option<u16> {
+    fn lights_evaluated(&self, x: usize, y: usize) -> Option<u16> {
         self.lights_evaluated(x, y)
     }
 

@@ -62,6 +62,6 @@ pub use demo::Demo;
 pub use equality::Equality;
 pub use fixture::Fixture;
 pub use light::LightState;
-pub use scene_state::{AccountState, EffectState, ExampleState, LampState, SwitchState};
+pub use scene_state::{AccountState, EffectState, ExampleState, SceneLightState, SwitchState};
 pub use scenes::Scenes;
 pub use side::{FormState, SideState};

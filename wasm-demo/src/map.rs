@@ -20,7 +20,7 @@ pub(crate) enum Subject {
     /// Nothing: there is no map.
     Nothing,
     /// How many lights were evaluated at each pixel.
-    Lamps,
+    Lights,
     /// Which tiles were lit again.
     Tiles,
 }
@@ -41,12 +41,12 @@ impl Subject {
     pub(crate) fn named(name: &str) -> Result<Self, Refusal> {
         match name {
             "nothing" => Ok(Self::Nothing),
-            "lamps" => Ok(Self::Lamps),
+            "lights" => Ok(Self::Lights),
             "tiles" => Ok(Self::Tiles),
             _ => Err(Refusal::Name {
                 parameter: "subject of the map",
                 value: name.to_owned(),
-                expected: "nothing, lamps or tiles",
+                expected: "nothing, lights or tiles",
             }),
         }
     }
@@ -87,15 +87,15 @@ impl Map {
     /// Draws the map of a picture of this width and height: RGBA, sRGB; nothing for a map of nothing.
     pub(crate) fn draw(&mut self, renderer: &dyn Draw, width: usize, height: usize) -> Option<&[u8]> {
         let places = || (0..height).flat_map(|y| (0..width).map(move |x| (x, y)));
-        let lamps = |(x, y)| renderer.lamps_evaluated(x, y).unwrap_or_default();
+        let lights = |(x, y)| renderer.lights_evaluated(x, y).unwrap_or_default();
         self.pixels.clear();
         match self.subject {
             Subject::Nothing => return None,
-            Subject::Lamps => {
-                self.most = places().map(lamps).fold(self.most, u16::max);
+            Subject::Lights => {
+                self.most = places().map(lights).fold(self.most, u16::max);
                 let scale = self.scale();
                 for place in places() {
-                    self.put(self.palette.colour(scale, lamps(place).into()), COVER);
+                    self.put(self.palette.colour(scale, lights(place).into()), COVER);
                 }
             }
             Subject::Tiles => {
@@ -135,18 +135,18 @@ mod tests {
         renderer.draw_light(&setup.fixtures_at(0.0).unwrap()).unwrap();
         let mut map = Map::new();
         assert!(map.draw(&*renderer, SIZE.0, SIZE.1).is_none());
-        map.set_subject(Subject::Lamps);
+        map.set_subject(Subject::Lights);
         let pixels = map.draw(&*renderer, SIZE.0, SIZE.1).unwrap().to_vec();
         assert_eq!(pixels.len(), 4 * SIZE.0 * SIZE.1);
         let mut counts = Vec::new();
         for (place, pixel) in pixels.chunks(4).enumerate() {
-            let count = renderer.lamps_evaluated(place % SIZE.0, place / SIZE.0).unwrap();
+            let count = renderer.lights_evaluated(place % SIZE.0, place / SIZE.0).unwrap();
             let colour = map.palette.colour(map.scale(), count.into());
-            assert_eq!(*pixel, [colour[0], colour[1], colour[2], COVER], "{count} lamps");
+            assert_eq!(*pixel, [colour[0], colour[1], colour[2], COVER], "{count} lights");
             counts.push(count);
         }
         let (least, most) = (counts.iter().min().unwrap(), counts.iter().max().unwrap());
-        assert!(least < most && f64::from(*most) <= map.end(), "from {least} to {most} lamps");
+        assert!(least < most && f64::from(*most) <= map.end(), "from {least} to {most} lights");
     }
 
     #[test]
@@ -166,7 +166,7 @@ mod tests {
         };
         assert_eq!(share(0.0), 1.0);
         let some = share(0.3);
-        assert!(some > 0.0 && some < 0.5, "a share of {some} is lit again for two lamps of 64");
+        assert!(some > 0.0 && some < 0.5, "a share of {some} is lit again for two lights of 64");
     }
 
     #[test]
@@ -177,6 +177,6 @@ mod tests {
         assert_eq!(map.end(), 7.0);
         map.begin();
         assert_eq!(map.end(), 1.0);
-        assert!(Subject::named("heat").unwrap_err().to_string().contains("lamps or tiles"));
+        assert!(Subject::named("heat").unwrap_err().to_string().contains("lights or tiles"));
     }
 }

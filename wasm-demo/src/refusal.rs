@@ -22,10 +22,10 @@ pub(crate) enum Refusal {
         error: luminaire::Error,
     },
     /// A light of a scene does not fit into a number format.
-    Lamp {
+    SceneLight {
         format: Format,
         /// Which light, counted from 0.
-        lamp: usize,
+        light: usize,
         /// What the trade calls it.
         name: &'static str,
         error: luminaire::Error,
@@ -72,8 +72,8 @@ impl fmt::Display for Refusal {
             Self::Format { format, light, error } => {
                 write!(f, "{format} cannot hold the {light} light: {error}")
             }
-            Self::Lamp { format, lamp, name, error } => {
-                write!(f, "{format} cannot hold lamp {}, {name}: {error}", lamp + 1)
+            Self::SceneLight { format, light, name, error } => {
+                write!(f, "{format} cannot hold light {}, {name}: {error}", light + 1)
             }
             Self::Name { parameter, value, expected } => {
                 write!(f, "{parameter} = \"{value}\": expected {expected}")

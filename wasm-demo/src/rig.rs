@@ -4,7 +4,7 @@ use crate::{
     format::Format,
     light::hex_of,
     refusal::Refusal,
-    scene_state::{LampState, SwitchState},
+    scene_state::{SceneLightState, SwitchState},
 };
 use luminaire::{
     Error,
@@ -122,26 +122,26 @@ impl Rig {
     /// Whether a format can hold every light as it is after so many seconds.
     pub(crate) fn check(&self, format: Format, seconds: f32) -> Result<(), Refusal> {
         let fixtures = self.fixtures_at(seconds)?;
-        for (lamp, (fixture, moving)) in fixtures.iter().zip(&self.setup.fixtures).enumerate() {
-            let refused = |error| Refusal::Lamp { format, lamp, name: moving.name, error };
+        for (light, (fixture, moving)) in fixtures.iter().zip(&self.setup.fixtures).enumerate() {
+            let refused = |error| Refusal::SceneLight { format, light, name: moving.name, error };
             format.check_fixture(fixture).map_err(refused)?;
         }
         Ok(())
     }
 
     /// The lights with their switches.
-    pub(crate) fn lamps(&self) -> Result<Vec<LampState>, Error> {
+    pub(crate) fn lights(&self) -> Result<Vec<SceneLightState>, Error> {
         let state = |(fixture, &on): (&MovingLight, &bool)| {
             let color = hex_of(fixture.at(0.0)?.light().color());
-            Ok(LampState { name: fixture.name.to_owned(), color, on })
+            Ok(SceneLightState { name: fixture.name.to_owned(), color, on })
         };
         self.setup.fixtures.iter().zip(&self.on).map(state).collect()
     }
 
     /// Switches a light on or off.
-    pub(crate) fn switch_lamp(&mut self, lamp: usize, on: bool) -> Result<(), Refusal> {
+    pub(crate) fn switch_light(&mut self, light: usize, on: bool) -> Result<(), Refusal> {
         let count = self.on.len();
-        *self.on.get_mut(lamp).ok_or(Refusal::Number { value: lamp, count })? = on;
+        *self.on.get_mut(light).ok_or(Refusal::Number { value: light, count })? = on;
         Ok(())
     }
 
@@ -228,11 +228,11 @@ fn takes_shadow(fixture: &MovingLight) -> bool {
 }
 
 /// The same light, dark.
-fn darkened(lamp: &AnyLight) -> Result<AnyLight, Error> {
-    Ok(match *lamp {
-        AnyLight::Directional(light) => light.with_intensity(0.0)?.into(),
-        AnyLight::Point(light) => light.with_intensity(0.0)?.into(),
-        AnyLight::Spot(light) => light.with_intensity(0.0)?.into(),
+fn darkened(light: &AnyLight) -> Result<AnyLight, Error> {
+    Ok(match *light {
+        AnyLight::Directional(sun) => sun.with_intensity(0.0)?.into(),
+        AnyLight::Point(point) => point.with_intensity(0.0)?.into(),
+        AnyLight::Spot(spot) => spot.with_intensity(0.0)?.into(),
     })
 }
 
@@ -250,19 +250,19 @@ mod tests {
     }
 
     #[test]
-    fn a_lamp_that_is_switched_off_is_dark_and_keeps_its_number() {
+    fn a_light_that_is_switched_off_is_dark_and_keeps_its_number() {
         for example in Example::ALL {
             let mut rig = rig(example);
             let lit = rig.fixtures_at(1.0).unwrap();
-            for lamp in 0..lit.len() {
-                rig.switch_lamp(lamp, false).unwrap();
+            for light in 0..lit.len() {
+                rig.switch_light(light, false).unwrap();
                 let mut dark = rig.fixtures_at(1.0).unwrap();
-                assert!(dark[lamp].light().is_dark() && !rig.lamps().unwrap()[lamp].on);
-                dark[lamp] = lit[lamp];
-                assert_eq!(dark, lit, "lamp {lamp} of {example:?}");
-                rig.switch_lamp(lamp, true).unwrap();
+                assert!(dark[light].light().is_dark() && !rig.lights().unwrap()[light].on);
+                dark[light] = lit[light];
+                assert_eq!(dark, lit, "light {light} of {example:?}");
+                rig.switch_light(light, true).unwrap();
             }
-            let refusal = rig.switch_lamp(lit.len(), false).unwrap_err().to_string();
+            let refusal = rig.switch_light(lit.len(), false).unwrap_err().to_string();
             assert!(refusal.contains(&format!("light = {}", lit.len())), "{refusal}");
         }
     }
@@ -339,7 +339,11 @@ mod tests {
         assert!(!before.0.has(Effect::Shadow));
         rig.switch_effect("shadow", true).unwrap();
         let sides = |rig: &Rig| -> Vec<_> {
-            rig.fixtures_at(1.0).unwrap().iter().map(|lamp| lamp.shadow().map(|(side, _)| side)).collect()
+            rig.fixtures_at(1.0)
+                .unwrap()
+                .iter()
+                .map(|fixture| fixture.shadow().map(|(side, _)| side))
+                .collect()
         };
         assert!(effects(&rig).has(Effect::Shadow));
         assert_eq!(sides(&rig), [Some(SHADOW_SIDE); 8]);

@@ -18,7 +18,7 @@ pub struct ExampleState {
 /// A light with its switch.
 #[wasm_bindgen(getter_with_clone)]
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub struct LampState {
+pub struct SceneLightState {
     /// What the trade calls it.
     pub name: String,
     /// Its colour as `#rrggbb` in sRGB.
@@ -59,10 +59,10 @@ pub struct AccountState {
     /// The triangles that were drawn.
     pub triangles: f64,
     /// The lights that were given.
-    pub lamps: f64,
+    pub lights: f64,
     /// The lights that can light nothing, and were dropped.
-    #[wasm_bindgen(js_name = lampsDropped)]
-    pub lamps_dropped: f64,
+    #[wasm_bindgen(js_name = lightsDropped)]
+    pub lights_dropped: f64,
     /// The tiles of the picture.
     pub tiles: f64,
     /// The tiles that were lit again.
@@ -101,8 +101,8 @@ impl From<Account> for AccountState {
     fn from(account: Account) -> Self {
         Self {
             triangles: account.triangles as f64,
-            lamps: account.lights.into(),
-            lamps_dropped: account.lights_dropped.into(),
+            lights: account.lights.into(),
+            lights_dropped: account.lights_dropped.into(),
             tiles: account.tiles.into(),
             tiles_relit: account.tiles_relit.into(),
             pairs: account.pairs() as f64,

@@ -9,7 +9,7 @@ use crate::{
     panic,
     refusal::Refusal,
     rig::Rig,
-    scene_state::{AccountState, EffectState, ExampleState, LampState, SwitchState},
+    scene_state::{AccountState, EffectState, ExampleState, SceneLightState, SwitchState},
     times::Times,
     viewpoint::Viewpoint,
 };
@@ -105,8 +105,8 @@ impl Scenes {
     }
 
     /// Moves the lights, and the camera, to where they are after so many seconds.
-    pub fn seek(&mut self, lamps: f32, camera: f32) {
-        self.seconds = [lamps, camera];
+    pub fn seek(&mut self, lights: f32, camera: f32) {
+        self.seconds = [lights, camera];
     }
 
     /// Moves the camera around its target, by angles in radians.
@@ -138,7 +138,7 @@ impl Scenes {
         }
     }
 
-    /// Makes the map one of `nothing`, `lamps` or `tiles`.
+    /// Makes the map one of `nothing`, `lights` or `tiles`.
     #[wasm_bindgen(js_name = setMap)]
     pub fn set_map(&mut self, subject: &str) -> Result<(), JsValue> {
         self.map.set_subject(Subject::named(subject)?);
@@ -242,14 +242,14 @@ impl Scenes {
     }
 
     /// The lights with their switches.
-    pub fn lamps(&self) -> Result<Vec<LampState>, JsValue> {
-        Ok(self.rig.lamps().map_err(Refusal::from)?)
+    pub fn lights(&self) -> Result<Vec<SceneLightState>, JsValue> {
+        Ok(self.rig.lights().map_err(Refusal::from)?)
     }
 
     /// Switches a light on or off.
     #[wasm_bindgen(js_name = setOn)]
-    pub fn set_on(&mut self, lamp: usize, on: bool) -> Result<(), JsValue> {
-        Ok(self.rig.switch_lamp(lamp, on)?)
+    pub fn set_on(&mut self, light: usize, on: bool) -> Result<(), JsValue> {
+        Ok(self.rig.switch_light(light, on)?)
     }
 
     /// Evaluates every effect for every light at every pixel, or only what the scene calls for.

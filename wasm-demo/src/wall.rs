@@ -41,13 +41,13 @@ impl Wall {
                 normal,
             })
             .collect();
-        let (spot, distance) = lamp(half_angle)?;
+        let (spot, distance) = light(half_angle)?;
         Ok(Self { sites, spot, half_angle, distance })
     }
 
     /// Moves the light to where a beam of this outer half angle in degrees has the same spot.
     pub(crate) fn set_half_angle(&mut self, degrees: f32) -> Result<(), Refusal> {
-        (self.spot, self.distance) = lamp(degrees)?;
+        (self.spot, self.distance) = light(degrees)?;
         self.half_angle = degrees;
         Ok(())
     }
@@ -88,7 +88,7 @@ impl Wall {
 }
 
 /// The light of this outer half angle in degrees, and its distance from the middle of the wall.
-fn lamp(half_angle: f32) -> Result<(SpotLight<Soft, NoAttenuation>, f64), Refusal> {
+fn light(half_angle: f32) -> Result<(SpotLight<Soft, NoAttenuation>, f64), Refusal> {
     if !(NARROWEST..=WIDEST).contains(&half_angle) {
         return Err(Refusal::Outside {
             parameter: "half angle",

@@ -4,7 +4,7 @@ import { whole } from "./numbers.js";
 /** So many pictures are averaged while a scene plays, so that the figures can be read. */
 const PICTURES = 30;
 
-/** Where the pairs of a lamp and a pixel went; together they are all. */
+/** Where the pairs of a light and a pixel went; together they are all. */
 const PARTS = ["evaluated", "missedByRow", "missedByTile", "kept", "dropped"];
 
 const element = (name) => document.getElementById(`account-${name}`);
@@ -14,7 +14,7 @@ const percent = (share) => (share === 0 ? "0 %" : `${Number((100 * share).toPrec
 
 /** A small part of a whole, as people say it. */
 function oneIn(part, all) {
-  if (all === 0) return "no lamps";
+  if (all === 0) return "no lights";
   if (part === 0) return "none";
   const times = all / part;
   return `1 in ${times < 10 ? Number(times.toFixed(1)) : whole(times)}`;
@@ -41,7 +41,7 @@ export class AccountTable {
   }
 
   #show(pixels) {
-    const [pairs, lamps] = [this.#mean("pairs"), this.#mean("lamps")];
+    const [pairs, lights] = [this.#mean("pairs"), this.#mean("lights")];
     for (const part of PARTS) {
       const count = this.#mean(part);
       const share = pairs === 0 ? 0 : count / pairs;
@@ -50,8 +50,8 @@ export class AccountTable {
       element(`${part}-bar`).style.flexGrow = share;
     }
     element("ratio").textContent = oneIn(this.#mean("evaluated"), pairs);
-    element("pairs").textContent = `of ${whole(pairs)}: ${whole(lamps)} × ${whole(pixels)}`;
-    element("lamps").textContent = `${whole(this.#mean("lampsDropped"))} of ${whole(lamps)}`;
+    element("pairs").textContent = `of ${whole(pairs)}: ${whole(lights)} × ${whole(pixels)}`;
+    element("lights").textContent = `${whole(this.#mean("lightsDropped"))} of ${whole(lights)}`;
     element("triangles").textContent = whole(this.#mean("triangles"));
     element("shining").textContent = `${(this.#mean("evaluatedShining") / pixels).toFixed(2)} a pixel`;
     element("air").textContent = `${(this.#mean("evaluatedInAir") / pixels).toFixed(2)} a pixel`;

@@ -42,7 +42,7 @@ export class Curve {
     const state = this.#demo.light(light);
     const reach = points[points.length - 2];
     const across = (angle) => (BOX.left + BOX.right) / 2 + ((BOX.right - BOX.left) / 2) * (angle / reach);
-    this.#svg.style.setProperty("--lamp", state.color);
+    this.#svg.style.setProperty("--light", state.color);
     this.#svg.replaceChildren(
       ...levels(),
       ...ticks(reach, across),

@@ -76,7 +76,7 @@ export class LightDesk {
     const tab = this.#tabs[light];
     const state = this.#demo.light(light);
     tab.querySelector(".name").textContent = state.name;
-    tab.style.setProperty("--lamp", state.color);
+    tab.style.setProperty("--light", state.color);
     tab.classList.toggle("off", !state.on);
     tab.querySelector(".angles").textContent = state.on
       ? `${roughly(state.beam)} / ${roughly(state.field)}`

@@ -1,14 +1,14 @@
 // The map over the picture: what it shows, and its legend.
 import { colours } from "./numbers.js";
 
-/** A count of lamps, in words. */
-const counted = (lamps) => `${lamps} ${lamps === 1 ? "lamp" : "lamps"}`;
+/** A count of lights, in words. */
+const counted = (lights) => `${lights} ${lights === 1 ? "light" : "lights"}`;
 
 export class MapLegend {
   #scenes;
   #select = document.getElementById("scene-map-subject");
   #map = document.getElementById("scene-map");
-  #legends = { lamps: document.getElementById("map-lamps"), tiles: document.getElementById("map-tiles") };
+  #legends = { lights: document.getElementById("map-lights"), tiles: document.getElementById("map-tiles") };
   #end = document.getElementById("map-end");
   #bar = document.getElementById("map-bar");
 
@@ -27,7 +27,7 @@ export class MapLegend {
     });
   }
 
-  /** What the map shows: `nothing`, `lamps` or `tiles`. */
+  /** What the map shows: `nothing`, `lights` or `tiles`. */
   get subject() {
     return this.#select.value;
   }
@@ -44,6 +44,6 @@ export class MapLegend {
     for (const [subject, legend] of Object.entries(this.#legends)) legend.hidden = subject !== this.#select.value;
     const end = this.#scenes.mapEnd;
     this.#end.textContent = counted(end);
-    this.#bar.setAttribute("aria-label", `From no lamp, dark blue, to ${counted(end)}, pale yellow`);
+    this.#bar.setAttribute("aria-label", `From no light, dark blue, to ${counted(end)}, pale yellow`);
   }
 }

@@ -1,4 +1,4 @@
-// The switches that make the lamps of a scene move, and its camera.
+// The switches that make the lights of a scene move, and its camera.
 
 /** A switch, and how long what it moves has been moving. */
 class Track {
@@ -50,19 +50,19 @@ export class Player {
   constructor(scenes) {
     this.#scenes = scenes;
     const track = (id) => new Track(id, () => this.onchange());
-    this.#tracks = { lamps: track("scene-play"), camera: track("scene-camera") };
+    this.#tracks = { lights: track("scene-play"), camera: track("scene-camera") };
   }
 
   /** Whether anything moves by itself. */
   get isPlaying() {
-    return this.#tracks.lamps.isPlaying || this.#tracks.camera.isPlaying;
+    return this.#tracks.lights.isPlaying || this.#tracks.camera.isPlaying;
   }
 
   /** Makes ready for the scene that was opened. What played goes on playing, from the beginning. */
   open() {
-    const moves = { lamps: this.#scenes.moves(), camera: this.#scenes.cameraMoves() };
+    const moves = { lights: this.#scenes.moves(), camera: this.#scenes.cameraMoves() };
     for (const [name, track] of Object.entries(this.#tracks)) track.open(moves[name]);
-    this.#note.hidden = moves.lamps || moves.camera;
+    this.#note.hidden = moves.lights || moves.camera;
   }
 
   /** Stops everything where it is. */
@@ -71,14 +71,14 @@ export class Player {
   }
 
   /**
-   * Moves lamps and camera up to this moment.
+   * Moves lights and camera up to this moment.
    * @param {number} now in milliseconds
    * @returns {boolean} whether they are moving
    */
   step(now) {
-    const { lamps, camera } = this.#tracks;
-    for (const track of [lamps, camera]) track.step(now);
-    this.#scenes.seek(lamps.seconds, camera.seconds);
+    const { lights, camera } = this.#tracks;
+    for (const track of [lights, camera]) track.step(now);
+    this.#scenes.seek(lights.seconds, camera.seconds);
     return this.isPlaying;
   }
 }

@@ -22,9 +22,9 @@ export class SceneMeter {
   }
 
   /**
-   * Draws a scene for so many frames while its lamps move, and answers the medians of each pass in milliseconds: with
+   * Draws a scene for so many frames while its lights move, and answers the medians of each pass in milliseconds: with
    * the camera at rest, and with a camera that turns, so that the geometry is drawn anew and every pixel lit again. A
-   * frame is everything from setting the lamps to the canvas having taken the picture. At rest, where nothing moves,
+   * frame is everything from setting the lights to the canvas having taken the picture. At rest, where nothing moves,
    * nothing is drawn: then there are no times but `null`. Beside the medians, `leastFrameMs` is the shortest frame: what
    * a machine does that has nothing else to do.
    *
@@ -53,9 +53,9 @@ export class SceneMeter {
     const cameraAtRest = await this.#run(frames, () => {});
     const cameraMoving = await this.#run(frames, () => scenes.orbit(TURN, 0));
     const account = scenes.account();
-    const { lamps } = account;
+    const { lights } = account;
     account.free();
-    return { scene: name, width, height, format, lamps, cameraAtRest, cameraMoving };
+    return { scene: name, width, height, format, lights, cameraAtRest, cameraMoving };
   }
 
   async #run(frames, move) {

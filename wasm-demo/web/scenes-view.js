@@ -4,7 +4,7 @@ import { remember } from "./address.js";
 import { AccountTable } from "./account-table.js";
 import { EffectList } from "./effect-list.js";
 import { accuracy } from "./format-picker.js";
-import { LampList } from "./lamp-list.js";
+import { LightList } from "./light-list.js";
 import { MapLegend } from "./map-legend.js";
 import { whole } from "./numbers.js";
 import { plain } from "./plain.js";
@@ -22,7 +22,7 @@ export class ScenesView {
   #readout = new Readout(this.#scenes, "scene-");
   #account = new AccountTable();
   #effects = new EffectList(this.#scenes);
-  #lamps = new LampList(this.#scenes);
+  #lights = new LightList(this.#scenes);
   #legend = new MapLegend(this.#scenes);
   #examples = new Map(Scenes.examples().map((example) => [example.name, plain(example)]));
   #everything = element("everything");
@@ -44,7 +44,7 @@ export class ScenesView {
       this.#request();
       return taken;
     };
-    this.#lamps.onchange = () => this.#request();
+    this.#lights.onchange = () => this.#request();
     this.#legend.onchange = () => {
       this.#legend.draw();
       this.#remember();
@@ -85,7 +85,7 @@ export class ScenesView {
     return this.pixels().some((code, place) => place % 4 < 3 && code > 0);
   }
 
-  /** Shows what the address asks for, such as `scene=grid&map=lamps`; what is refused is told. */
+  /** Shows what the address asks for, such as `scene=grid&map=lights`; what is refused is told. */
   show(query) {
     this.#view.pause(false);
     const [name, map] = [query.get("scene"), query.get("map")];
@@ -174,7 +174,7 @@ export class ScenesView {
     element("view").setAttribute("aria-label", `The scene: ${title}`);
     this.#player.open();
     this.#effects.open();
-    this.#lamps.open();
+    this.#lights.open();
     this.#remember();
     this.#request();
   }
@@ -214,7 +214,7 @@ export class ScenesView {
     const { pixels, differing, evaluated, pairs, lightingMs, everythingMs } = found;
     const same = differing === 0 ? `All ${whole(pixels)} pixels are equal, bit for bit` : `${whole(differing)} pixels differ`;
     element("equality").textContent =
-      `${same}: ${whole(evaluated)} pairs of lamp and pixel in ${lightingMs.toFixed(1)} ms, ` +
+      `${same}: ${whole(evaluated)} pairs of light and pixel in ${lightingMs.toFixed(1)} ms, ` +
       `and all ${whole(pairs)} in ${everythingMs.toFixed(1)} ms.`;
   }
 }

@@ -371,7 +371,7 @@ mod tests {
             ("demo --view nope", "--view nope: expected one of stage, compare, scenes"),
             ("demo --view nope?half=1", "--view nope: expected one of stage"),
             ("demo --scene nope", "--scene nope: expected one of bare-spot, pocket, three-point"),
-            ("demo --view scenes?map=lamps&scene=nope", "--scene nope: expected one of bare-spot"),
+            ("demo --view scenes?map=lights&scene=nope", "--scene nope: expected one of bare-spot"),
             ("demo --port", "port"),
             ("demo --size 960", "960"),
             ("demo --size 0x540", "0x540"),

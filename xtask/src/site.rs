@@ -104,10 +104,10 @@ mod tests {
         let (from, to) = (temporary.path().join("from"), temporary.path().join("to"));
         fs::create_dir_all(from.join("data/deep")).unwrap();
         fs::write(from.join("index.html"), "page").unwrap();
-        fs::write(from.join("data/deep/lamps.csv"), "lamps").unwrap();
+        fs::write(from.join("data/deep/lights.csv"), "lights").unwrap();
         copy_folder(&from, &to).unwrap();
         assert_eq!(fs::read_to_string(to.join("index.html")).unwrap(), "page");
-        assert_eq!(fs::read_to_string(to.join("data/deep/lamps.csv")).unwrap(), "lamps");
+        assert_eq!(fs::read_to_string(to.join("data/deep/lights.csv")).unwrap(), "lights");
     }
 
     #[test]

@@ -129,15 +129,15 @@ pub(super) fn are_switched(visitor: &mut Visitor) -> Result<()> {
     let (effects, account_before) = (called(&mut page)?, account(&mut page)?);
     must_change(&mut page, "highlights left out", |page| press(page, "scene-effect-specular"))?;
     ensure!(called(&mut page)? == effects - 1.0, "highlights left out are still called for");
-    must_change(&mut page, "a lamp switched off", |page| press(page, "scene-lamp-0"))?;
+    must_change(&mut page, "a light switched off", |page| press(page, "scene-light-0"))?;
     let account_after = account(&mut page)?;
-    ensure!(account_after["lampsDropped"] == 1, "a lamp that is off is not dropped: {account_after}");
+    ensure!(account_after["lightsDropped"] == 1, "a light that is off is not dropped: {account_after}");
     ensure!(account_after["dropped"] != account_before["dropped"], "switches leave the account as it was");
-    must_change(&mut page, "all lamps off", |page| press(page, "scene-all-off"))?;
+    must_change(&mut page, "all lights off", |page| press(page, "scene-all-off"))?;
     ensure!(called(&mut page)? == 1.0, "in the dark more than ambient light is called for");
-    ensure!(page.message("account-ratio")? == "none", "in the dark lamps are evaluated");
-    must_change(&mut page, "all lamps on", |page| press(page, "scene-all-on"))?;
-    ensure!(page.message("scene-lamps-count")? == "8 of 8 on", "not all lamps are on");
+    ensure!(page.message("account-ratio")? == "none", "in the dark lights are evaluated");
+    must_change(&mut page, "all lights on", |page| press(page, "scene-all-on"))?;
+    ensure!(page.message("scene-lights-count")? == "8 of 8 on", "not all lights are on");
 
     page.enter("scene-name", "show")?;
     ensure!(!page.holds("document.getElementById('scene-effect-gobo').disabled")?, "the show has no gobos");
@@ -153,11 +153,11 @@ pub(super) fn tiles_are_lit_again(visitor: &mut Visitor) -> Result<()> {
     let mut page = visitor.ready_at("#scenes?scene=grid")?;
     ensure!(account(&mut page)?["kept"] == 0, "tiles are kept that never were lit");
     page.enter("scene-map-subject", "tiles")?;
-    redraw(&mut page, "a lamp", |page| press(page, "scene-lamp-27"))?;
+    redraw(&mut page, "a light", |page| press(page, "scene-light-27"))?;
     let account = account(&mut page)?;
     let (relit, tiles) = (account["tilesRelit"].as_f64(), account["tiles"].as_f64());
     let share = relit.context("no tiles")? / tiles.context("no tiles")?;
-    ensure!(share > 0.0 && share < 0.25, "one lamp of 64 lets a share of {share} of the tiles be lit again");
+    ensure!(share > 0.0 && share < 0.25, "one light of 64 lets a share of {share} of the tiles be lit again");
     let relit = page.text("getComputedStyle(document.getElementById('map-relit')).backgroundColor")?;
     let marked = share_of_map(&mut page, &relit)?;
     ensure!((marked - share).abs() < 0.05, "the map marks {marked} of the picture, lit again is {share}");
@@ -166,11 +166,11 @@ pub(super) fn tiles_are_lit_again(visitor: &mut Visitor) -> Result<()> {
 
 pub(super) fn map_is_shown(visitor: &mut Visitor) -> Result<()> {
     let mut page = visitor.ready_at("#scenes?scene=grid")?;
-    ensure!(!page.shows("scene-map")? && !page.shows("map-lamps")?, "there is a map before it is asked for");
-    page.enter("scene-map-subject", "lamps")?;
+    ensure!(!page.shows("scene-map")? && !page.shows("map-lights")?, "there is a map before it is asked for");
+    page.enter("scene-map-subject", "lights")?;
     ensure!(page.shows("scene-map")? && page.shows("map-bar")?, "the map or its legend is not shown");
     let end = page.message("map-end")?;
-    ensure!(end.ends_with(" lamps"), "the map ends at {end:?}");
+    ensure!(end.ends_with(" lights"), "the map ends at {end:?}");
     let colours = page.number(
         "(() => { const map = document.getElementById('scene-map'); \
          const { data } = map.getContext('2d').getImageData(0, 0, map.width, map.height); \
@@ -178,7 +178,7 @@ pub(super) fn map_is_shown(visitor: &mut Visitor) -> Result<()> {
     )?;
     ensure!(colours > 2.0, "the map has {colours} colours");
     redraw(&mut page, "the switch", |page| press(page, "scene-everything"))?;
-    ensure!(page.message("map-end")? == "64 lamps", "64 lamps at each pixel leave the map as it was");
+    ensure!(page.message("map-end")? == "64 lights", "64 lights at each pixel leave the map as it was");
     page.enter("scene-map-subject", "nothing")?;
     ensure!(!page.shows("scene-map")?, "the map does not go away");
     page.must_be_content()
@@ -198,7 +198,7 @@ pub(super) fn refusals_are_told(visitor: &mut Visitor) -> Result<()> {
         for format in ["fx32", "fx16"] {
             page.enter("scene-format", format)?;
             let (told, taken) = (page.message("scene-error")?, page.text(&value_of("scene-format"))?);
-            let answered = if told.is_empty() { taken == format } else { told.contains("cannot hold lamp") };
+            let answered = if told.is_empty() { taken == format } else { told.contains("cannot hold light") };
             ensure!(answered, "{name} in {format}: {told:?}, and the format is {taken}");
             ensure!(page.holds("luminaire.scenes.isLit")?, "{name} is black in {format}");
         }
@@ -220,7 +220,7 @@ pub(super) fn keys_are_enough(visitor: &mut Visitor) -> Result<()> {
     {
         ensure!(reached.iter().any(|other| other == id), "#{id} is not reached by keys: {reached:?}");
     }
-    for id in ["scene-compare", "scene-effect-specular", "scene-all-off", "scene-lamp-0", "scene-lamp-7"] {
+    for id in ["scene-compare", "scene-effect-specular", "scene-all-off", "scene-light-0", "scene-light-7"] {
         ensure!(reached.iter().any(|other| other == id), "#{id} is not reached by keys: {reached:?}");
     }
     let unnamed = "Array.from(document.querySelectorAll('#scenes-page :is(input, select, button, canvas[tabindex])'))\
@@ -234,7 +234,7 @@ pub(super) fn are_measured(visitor: &mut Visitor) -> Result<()> {
     let mut page = visitor.ready_at("#scenes?scene=pocket")?;
     let options = "{ width: 320, height: 180, spots: 3, without: ['specular'] }";
     let found = page.ask(&format!("luminaire.measureScene('turntable', 3, {options})"))?;
-    ensure!(found["lamps"] == 3 && found["width"] == 320, "another scene was measured: {found}");
+    ensure!(found["lights"] == 3 && found["width"] == 320, "another scene was measured: {found}");
     ensure!(
         found["cameraMoving"]["shadowsMs"].is_null(),
         "shadows were drawn that nobody asked for: {found}"

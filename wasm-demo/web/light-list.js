@@ -1,12 +1,12 @@
-// The lamps of a scene with their switches.
+// The lights of a scene with their switches.
 import { plain } from "./plain.js";
 
-export class LampList {
+export class LightList {
   #scenes;
-  #list = document.getElementById("scene-lamps");
-  #count = document.getElementById("scene-lamps-count");
+  #list = document.getElementById("scene-lights");
+  #count = document.getElementById("scene-lights-count");
 
-  /** Called when a lamp was switched. */
+  /** Called when a light was switched. */
   onchange = () => {};
 
   constructor(scenes) {
@@ -16,21 +16,21 @@ export class LampList {
     }
   }
 
-  /** Shows the lamps of the scene that was opened. */
+  /** Shows the lights of the scene that was opened. */
   open() {
-    this.#list.replaceChildren(...this.#scenes.lamps().map((state, lamp) => this.#item(plain(state), lamp)));
+    this.#list.replaceChildren(...this.#scenes.lights().map((state, light) => this.#item(plain(state), light)));
     this.#tell();
   }
 
-  #item({ name, color, on }, lamp) {
-    const holder = document.getElementById("lamp").content.firstElementChild.cloneNode(true);
+  #item({ name, color, on }, light) {
+    const holder = document.getElementById("light").content.firstElementChild.cloneNode(true);
     const input = holder.querySelector("input");
-    input.id = `scene-lamp-${lamp}`;
+    input.id = `scene-light-${light}`;
     input.checked = on;
-    holder.style.setProperty("--lamp", color);
-    holder.querySelector(".name").textContent = `${lamp + 1} ${name}`;
+    holder.style.setProperty("--light", color);
+    holder.querySelector(".name").textContent = `${light + 1} ${name}`;
     input.addEventListener("input", () => {
-      this.#scenes.setOn(lamp, input.checked);
+      this.#scenes.setOn(light, input.checked);
       this.#tell();
       this.onchange();
     });
@@ -38,9 +38,9 @@ export class LampList {
   }
 
   #switchAll(on) {
-    for (const [lamp, input] of this.#inputs.entries()) {
+    for (const [light, input] of this.#inputs.entries()) {
       input.checked = on;
-      this.#scenes.setOn(lamp, on);
+      this.#scenes.setOn(light, on);
     }
     this.#tell();
     this.onchange();
