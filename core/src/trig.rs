@@ -2,15 +2,15 @@
 //!
 //! Trigonometry is asked for at set-up only, never per point. `libm` answers first, on every target, so that the
 //! same angles compile to the same bits everywhere; then `std`; then `micromath`, whose approximations are a tier of
-//! their own. The square root is correctly rounded in `std` and `libm`, so those two agree to the bit.
+//! their own; and without any of them a series, so that a build of constants and integers needs no other crate. The
+//! square root is correctly rounded but in `micromath`, so the others agree to the bit.
 
-#[cfg(not(any(feature = "libm", feature = "std", feature = "micromath")))]
-compile_error!(
-    "luminaire needs a square root: enable the feature `libm` (same bits everywhere), `std` or `micromath`"
-);
-
-// A Cortex-M4F and its kin: they compute in f32, and only `std` may ask for their root.
-#[cfg(any(test, all(target_arch = "arm", target_abi = "eabihf", not(feature = "std"))))]
+// A Cortex-M4F and its kin: they compute in f32, and only `std` may ask for their root. And whoever has no other.
+#[cfg(any(
+    test,
+    all(target_arch = "arm", target_abi = "eabihf", not(feature = "std")),
+    not(any(feature = "libm", feature = "std", feature = "micromath"))
+))]
 mod root;
 
 #[cfg(not(all(target_arch = "arm", target_abi = "eabihf", not(feature = "std"))))]
@@ -46,8 +46,8 @@ mod backend {
         return libm::sqrtf(x);
     }
 
-    /// Reciprocal of the square root of a normal number, and zero for any other: zero or less, subnormal, infinite or not
-    /// a number.
+    /// Reciprocal of the square root of a normal number, and zero for any other: zero or less, subnormal, infinite or
+    /// NaN.
     #[cfg(not(all(target_arch = "arm", target_abi = "eabihf", not(feature = "std"))))]
     #[inline]
     pub(crate) fn inverse_sqrt(x: f32) -> f32 {
@@ -56,23 +56,16 @@ mod backend {
 }
 
 /// The small tier. Roots are micromath's guess made good by Newton's method, because a direction needs its precision.
-#[cfg(not(any(feature = "libm", feature = "std")))]
+#[cfg(all(feature = "micromath", not(any(feature = "libm", feature = "std"))))]
 mod backend {
     use micromath::F32Ext;
+
+    pub(crate) use super::inverse::asin;
 
     /// Sine of an angle in radians, within 0.11 %. The error of micromath's is absolute, and a narrow cone needs a
     /// relative one: there two terms of the series do better.
     pub(crate) fn sin(x: f32) -> f32 {
         if x.abs() < 0.5 { x - x * x * x / 6.0 } else { F32Ext::sin(x) }
-    }
-
-    /// The angle in radians that has this sine by [`sin`] itself, not in truth: an angle that was given is got back.
-    pub(crate) fn asin(x: f32) -> f32 {
-        if x > 0.75 {
-            return core::f32::consts::FRAC_PI_2 - 2.0 * asin(sqrt((1.0 - x) / 2.0));
-        }
-        let slope = reciprocal(1.0 - x * x);
-        (0..12).fold(x, |angle, _| angle + (x - sin(angle)) * slope)
     }
 
     /// Square root, within two units in the last place.
@@ -82,7 +75,7 @@ mod backend {
     }
 
     /// Reciprocal of the square root of a normal number, within two units in the last place, and zero for any other: zero
-    /// or less, subnormal, infinite or not a number.
+    /// or less, subnormal, infinite or NaN.
     #[cfg(not(all(target_arch = "arm", target_abi = "eabihf")))]
     #[inline]
     pub(crate) fn inverse_sqrt(x: f32) -> f32 {
@@ -96,13 +89,45 @@ mod backend {
     }
 }
 
+/// What needs no other crate.
+#[cfg(not(any(feature = "libm", feature = "std", feature = "micromath")))]
+mod backend {
+    #[cfg(not(all(target_arch = "arm", target_abi = "eabihf")))]
+    pub(crate) use super::root::inverse_sqrt;
+    pub(crate) use super::{inverse::asin, root::any_sqrt as sqrt};
+
+    /// Sine of an angle of at most a right angle, in radians, within 1.5e-7 of itself: the series to the eleventh power.
+    pub(crate) fn sin(x: f32) -> f32 {
+        /// The coefficients of `x^11` down to `x^3`.
+        const SERIES: [f32; 5] =
+            [-1.0 / 39_916_800.0, 1.0 / 362_880.0, -1.0 / 5_040.0, 1.0 / 120.0, -1.0 / 6.0];
+        let square = x * x;
+        x + x * SERIES.iter().fold(0.0, |sum, coefficient| (sum + coefficient) * square)
+    }
+}
+
+/// The arc sine where only a sine is given.
+#[cfg(not(any(feature = "libm", feature = "std")))]
+mod inverse {
+    use super::{sin, sqrt};
+
+    /// The angle in radians that has this sine by [`sin`] itself, not in truth: an angle that was given is got back.
+    pub(crate) fn asin(x: f32) -> f32 {
+        if x > 0.75 {
+            return core::f32::consts::FRAC_PI_2 - 2.0 * asin(sqrt((1.0 - x) / 2.0));
+        }
+        let slope = 1.0 / sqrt(1.0 - x * x);
+        (0..12).fold(x, |angle, _| angle + (x - sin(angle)) * slope)
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
     extern crate std;
 
-    const SMALL_TIER: bool = cfg!(not(any(feature = "libm", feature = "std")));
+    const SMALL_TIER: bool = cfg!(all(feature = "micromath", not(any(feature = "libm", feature = "std"))));
 
     fn largest(errors: impl Iterator<Item = f64>) -> f64 {
         errors.fold(0.0, f64::max)

@@ -4,13 +4,28 @@
 //! an integer hold exactly, says whether to take the neighbour. So it rounds correctly and has the bits of any other
 //! correctly rounded root, for about half the instructions of a root in integers.
 
-/// Reciprocal of the square root of a normal number, and zero for any other: zero or less, subnormal, infinite or not a
-/// number.
+/// Reciprocal of the square root of a normal number, and zero for any other: zero or less, subnormal, infinite or NaN.
 #[inline]
 pub(crate) fn inverse_sqrt(x: f32) -> f32 {
     // One exponent up, what is no normal number is below the least of them, or negative.
     let is_normal = x.to_bits().wrapping_add(0x0080_0000) as i32 >= 0x0100_0000;
     if is_normal { 1.0 / sqrt(x) } else { 0.0 }
+}
+
+/// The square root, correctly rounded; NaN of a negative number.
+#[cfg(any(test, not(any(feature = "libm", feature = "std", feature = "micromath"))))]
+pub(crate) fn any_sqrt(x: f32) -> f32 {
+    if x >= f32::MIN_POSITIVE && x < f32::INFINITY {
+        sqrt(x)
+    } else if x > 0.0 && x < f32::INFINITY {
+        // A subnormal number is made normal by an even power of two.
+        sqrt(x * 16_777_216.0) / 4_096.0
+    } else if x < 0.0 {
+        f32::NAN
+    } else {
+        // Zero of either sign, infinity and NaN are their own roots.
+        x
+    }
 }
 
 /// The square root of a normal number above zero, correctly rounded. For any other number it has no meaning.
@@ -72,6 +87,15 @@ mod tests {
             assert_correctly_rounded(0x3f80_0000..0x4080_0000, exact);
             assert_correctly_rounded((0x0080_0000..0x7f80_0000).step_by(1021), exact);
         }
+    }
+
+    #[test]
+    fn any_number_has_the_root_of_std() {
+        let bits = (0..0x0080_0000).step_by(1021).chain([0x007f_ffff, 0x7f80_0000, 0x8000_0000]);
+        for x in bits.map(f32::from_bits).chain([1.0, 2.0, f32::MAX]) {
+            assert_eq!(any_sqrt(x).to_bits(), x.sqrt().to_bits(), "{x:e}");
+        }
+        assert!([-1.0, -1e-40, f32::NEG_INFINITY, f32::NAN].into_iter().all(|x| any_sqrt(x).is_nan()));
     }
 
     #[test]
