@@ -74,8 +74,7 @@ impl<P: Falloff, A: Attenuation> BeamScattering<P, A> {
     /// exactly zero in clear air and where the ray does not meet the cone.
     ///
     /// There is no branch in it that depends on the ray, so that compilers make vector instructions of a loop over rays.
-    // Here and below: haze of the scene turntable takes twice the time in a browser without.
-    #[inline(always)]
+    #[inline(always)] // Turntable in haze on x86-64: 2.2 times the instructions without.
     pub fn in_scattering(&self, view: &ViewRay) -> f32 {
         let arc = Arc::new(&self.extent(), view);
         let [inner, outer] = self.cone.map(|versine| arc.edge(versine));
@@ -102,7 +101,7 @@ impl<P: Falloff, A: Attenuation> BeamScattering<P, A> {
     }
 
     /// What a way along the ray scatters.
-    #[inline(always)]
+    #[inline(always)] // Filtered haze of a spotlight with a range, on x86-64: +7 % without.
     pub(super) fn by_way(&self, arc: &Arc, (place, way): (f32, f32)) -> f32 {
         let distance = arc.distance(place);
         let intensity = self.falloff.at(arc.versine_at(place, distance));
@@ -111,13 +110,13 @@ impl<P: Falloff, A: Attenuation> BeamScattering<P, A> {
     }
 
     /// The air light of what is scattered of an intensity of one.
-    #[inline(always)]
+    #[inline]
     pub(super) fn light(&self, arc: &Arc, scattered: f32) -> f32 {
         let scattered = if arc.is_any() { scattered } else { 0.0 };
         scattered.expose(self.gain)
     }
 
-    #[inline(always)]
+    #[inline]
     pub(super) fn extent(&self) -> Extent {
         let [radius_squared, reach_squared] = self.reach;
         Extent { position: self.position, axis: self.axis, radius_squared, reach_squared }
@@ -126,14 +125,14 @@ impl<P: Falloff, A: Attenuation> BeamScattering<P, A> {
 
 /// What the angle of a unit of `v` scatters of an intensity, at distance 1. The intensity is told `1 / (1 +
 /// v^2)`.
-#[inline(always)]
+#[inline]
 pub(super) fn by_angle(v: f32, intensity: impl Fn(f32) -> f32) -> f32 {
     let share = 1.0 / (1.0 + v * v);
     2.0 * share * intensity(share)
 }
 
 /// The way from a light to a point at a distance.
-#[inline(always)]
+#[inline]
 fn at_distance(distance: f32) -> <f32 as Arithmetic>::Offset {
     f32::offset(Vec3::new(0.0, 0.0, 0.0), Vec3::new(distance, 0.0, 0.0))
 }
@@ -171,12 +170,12 @@ fn last(most: f32, holds: impl Fn(f32) -> bool) -> f32 {
     f32::from_bits(low)
 }
 
-#[inline(always)]
+#[inline]
 fn lesser(a: f32, b: f32) -> f32 {
     if a < b { a } else { b }
 }
 
-#[inline(always)]
+#[inline]
 fn greater(a: f32, b: f32) -> f32 {
     if a > b { a } else { b }
 }

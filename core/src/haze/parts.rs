@@ -28,8 +28,7 @@ impl<P: Falloff, A: Attenuation> BeamScattering<P, A> {
     /// tells of a point of the world, from 0 to 1. The places are in the middle of parts that are equal
     /// seen from the light, or about so where the light does not fall with the square of the distance.
     /// Without any there is no light.
-    // Here and below: haze of the scene turntable takes twice the time in a browser without.
-    #[inline(always)]
+    #[inline]
     pub fn in_scattering_through(
         &self,
         view: &ViewRay,
@@ -47,7 +46,7 @@ impl<P: Falloff, A: Attenuation> BeamScattering<P, A> {
 
     /// The same where all places are told at once: they are found in a loop of vector instructions. The filter is not asked
     /// where the ray is not in the beam.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn in_scattering_filtered<const PARTS: usize>(
         &self,
         view: &ViewRay,
@@ -68,7 +67,7 @@ impl<P: Falloff, A: Attenuation> BeamScattering<P, A> {
         self.sum(&parts, lights.into_iter().fold(0.0, |sum, light| sum + light))
     }
 
-    #[inline(always)]
+    #[inline(always)] // Turntable in haze with shadows on x86-64: +3.4 % without.
     fn parts(&self, view: &ViewRay, count: u32) -> Parts {
         let (arc, count) = (Arc::new(&self.extent(), view), count.max(1) as f32);
         let outer = arc.edge(self.cone[1]);
@@ -82,7 +81,7 @@ impl<P: Falloff, A: Attenuation> BeamScattering<P, A> {
     }
 
     /// The point in the middle of a part, and what is scattered there.
-    #[inline(always)]
+    #[inline]
     fn part(&self, parts: &Parts, number: u32) -> (Vec3<f32>, f32) {
         let Parts { arc, stretch, from, step, .. } = parts;
         let middle = from + (number as f32 + 0.5) * step;
@@ -99,7 +98,7 @@ impl<P: Falloff, A: Attenuation> BeamScattering<P, A> {
     }
 
     /// The light of all parts.
-    #[inline(always)]
+    #[inline]
     fn sum(&self, parts: &Parts, sum: f32) -> f32 {
         let scattered = if parts.step > 0.0 { parts.step * sum } else { 0.0 };
         self.light(&parts.arc, parts.scale * scattered)

@@ -16,8 +16,7 @@ pub struct ViewRays<const N: usize> {
 
 impl<const N: usize> ViewRays<N> {
     /// One of the rays; beyond the last a ray of no length.
-    // Here and below: haze of the scene turntable takes twice the time in a browser without.
-    #[inline(always)]
+    #[inline]
     pub fn at(&self, i: usize) -> ViewRay {
         let Vec3 { x, y, z } = &self.direction;
         let direction = Vec3::new(nth(x, i), nth(y, i), nth(z, i));

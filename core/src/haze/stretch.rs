@@ -17,8 +17,7 @@ pub(super) struct Stretch {
 
 impl Stretch {
     /// The stretch between two places.
-    // Here and below: haze of the scene turntable takes twice the time in a browser without.
-    #[inline(always)]
+    #[inline]
     pub(super) fn new(arc: &Arc, from: f32, to: f32) -> Self {
         let [near, far] = [arc.distance(from), arc.distance(to)].map(trig::sqrt);
         Self { from, to, weights: [far, near] }
@@ -26,7 +25,7 @@ impl Stretch {
 
     /// The place at a parameter, and the way that a unit of it makes there; none if the ends are not in
     /// their order.
-    #[inline(always)]
+    #[inline]
     pub(super) fn at(&self, parameter: f32) -> (f32, f32) {
         let [far, near] = self.weights;
         let (first, second) = ((1.0 - parameter) * far, parameter * near);
