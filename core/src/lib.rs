@@ -185,5 +185,5 @@ pub use vec3::Vec3;
 
 /// The README's example is a test.
 #[cfg(doctest)]
-#[doc = include_str!("../../README.md")]
+#[doc = include_str!("../README.md")]
 struct Readme;
