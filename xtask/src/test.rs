@@ -1,4 +1,4 @@
-//! `cargo xtask test`: every test; with `--full` the long ones, too, on all boards.
+//! `cargo xtask test`: every test; `cargo xtask full`: the long ones, too, on all boards.
 
 use std::process::{Command, ExitCode};
 
@@ -32,9 +32,9 @@ const STD: (&str, &[&str]) = ("std alone", &["--no-default-features", "--feature
 const NO_VISITOR: &str = "not run, because the demo was not built or no browser started";
 
 /// Runs the tests; the last line on stdout counts them.
-pub(crate) fn run(options: &TestOptions) -> ExitCode {
-    let mut suite = Suite::new(options.only.clone());
-    suite.side_by_side(|suite| host(suite, options.full), |suite| boards(suite, options.full));
+pub(crate) fn run(options: TestOptions, full: bool) -> ExitCode {
+    let mut suite = Suite::new(options.only);
+    suite.side_by_side(|suite| host(suite, full), |suite| boards(suite, full));
     suite.finish()
 }
 
@@ -43,7 +43,7 @@ fn host(suite: &mut Suite, full: bool) {
     sources(suite);
     suite
         .count("host: cargo test", |progress| cargo_test(&["--workspace", "--no-fail-fast"], full, progress));
-    // The other sets are tested by `--full`; clippy checks all of them.
+    // The other sets are tested by `full`; clippy checks all of them.
     for (name, features) in if full { &FEATURES[1..3] } else { &FEATURES[1..2] } {
         suite.count(&format!("host: luminaire with {name}"), |progress| {
             // The long search has been made with all features at once.

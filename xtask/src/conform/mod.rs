@@ -14,12 +14,24 @@ use crate::progress::Progress;
 pub(crate) use target::Target;
 
 /// The options of `conform`.
-#[derive(Debug, Default, PartialEq)]
+#[derive(Debug, Default, PartialEq, clap::Args)]
 pub(crate) struct ConformOptions {
-    /// The targets to check; none means all.
-    pub(crate) targets: Vec<Target>,
-    /// Write the file anew instead of checking it.
+    /// Check this one only: host, wasm, cortex-m0, cortex-m3, cortex-m4f or rv32imc; may be repeated
+    #[arg(long = "target", value_name = "NAME", value_parser = Targets::named)]
+    pub(crate) targets: Vec<Targets>,
+    /// Write the vectors again as the host computes them, and print what changed
+    #[arg(long)]
     pub(crate) bless: bool,
+}
+
+/// What a name on the command line stands for.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Targets(Vec<Target>);
+
+impl Targets {
+    fn named(name: &str) -> Result<Self, String> {
+        Target::named(name).map(Self)
+    }
 }
 
 /// Checks the targets and prints a line for each, or blesses.
@@ -29,7 +41,11 @@ pub(crate) fn run(options: &ConformOptions) -> Result<ExitCode> {
         print!("{}", golden::bless(&progress)?);
         return Ok(ExitCode::SUCCESS);
     }
-    let targets = if options.targets.is_empty() { Target::all() } else { options.targets.clone() };
+    let targets = if options.targets.is_empty() {
+        Target::all()
+    } else {
+        options.targets.iter().flat_map(|targets| targets.0.clone()).collect()
+    };
     let mut conforms = true;
     for target in targets {
         // A target that cannot be run does not keep the next from running.

@@ -19,11 +19,13 @@ use crate::progress::Progress;
 use crate::project;
 
 /// The options of `effects`.
-#[derive(Debug, Default, PartialEq)]
+#[derive(Debug, Default, PartialEq, clap::Args)]
 pub(crate) struct EffectsOptions {
-    /// Compare with what is recorded instead of writing it.
+    /// Compare with what is recorded instead, and write nothing
+    #[arg(long)]
     pub(crate) check: bool,
-    /// Write the prices although they differ from those recorded, and time a browser anew.
+    /// Write the prices also where they differ from those recorded, and time a browser again
+    #[arg(long, conflicts_with = "check")]
     pub(crate) bless: bool,
 }
 

@@ -21,11 +21,13 @@ pub(crate) use cost::Costs;
 use laboratory::Laboratory;
 
 /// The options of `firmware`.
-#[derive(Debug, Default, PartialEq)]
+#[derive(Debug, Default, PartialEq, clap::Args)]
 pub(crate) struct FirmwareOptions {
-    /// The boards to count on; none means all.
+    /// Count on this one only: cortex-m0, cortex-m3, cortex-m4f or rv32imc; may be repeated
+    #[arg(long = "target", value_name = "NAME", value_parser = Board::named)]
     pub(crate) boards: Vec<&'static Board>,
-    /// A kernel in its format, such as `lit.fx16`, whose instructions to split by function.
+    /// Split one kernel, such as lit.fx16, by function instead of printing the table
+    #[arg(long, value_name = "KERNEL")]
     pub(crate) by_symbol: Option<String>,
 }
 

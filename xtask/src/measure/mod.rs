@@ -26,13 +26,16 @@ use crate::project;
 pub(crate) use target::Target;
 
 /// The options of `measure`.
-#[derive(Debug, Default, PartialEq)]
+#[derive(Debug, Default, PartialEq, clap::Args)]
 pub(crate) struct MeasureOptions {
-    /// The targets whose costs are measured; none means all. Errors are measured always.
+    /// Measure the costs on this one only: host, wasm, wasm-simd or a processor; may be repeated
+    #[arg(long = "target", value_name = "NAME", value_parser = Target::named)]
     pub(crate) targets: Vec<Target>,
-    /// Compare errors and counts with the list instead of writing it.
+    /// Compare errors and instructions with the list instead, and write nothing
+    #[arg(long)]
     pub(crate) check: bool,
-    /// Write the list although errors or counts differ from it.
+    /// Write the list also where errors or instructions differ from it
+    #[arg(long, conflicts_with = "check")]
     pub(crate) bless: bool,
 }
 

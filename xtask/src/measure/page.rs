@@ -197,7 +197,7 @@ fn key(list: &PriceList) -> String {
          | `cost` | by target: `instructions`, `cycles_estimate` from `least` to `most` (none on RISC-V, which states no \
          cycles for a core in general); or `ns` with `ns_quartiles`; `ratio_to_powf` is how many calls have the price of one power |\n\
          | `bytes` | by target: bytes of code, of all functions that a call executes |\n\n\
-         `cargo xtask measure --check`, which `cargo xtask test --full` runs too, measures errors, instructions and bytes anew and fails \
+         `cargo xtask measure --check`, which `cargo xtask full` runs too, measures errors, instructions and bytes anew and fails \
          with the name of a row whose figures differ. Instructions of another compiler than the list's may differ by 5 %. \
          `cargo xtask measure --bless` accepts what is measured.\n",
         list.rows.len()

@@ -13,9 +13,10 @@ use effects::{Effects, Format};
 use report::Report;
 
 /// The options of `size`.
-#[derive(Debug, Default, PartialEq)]
+#[derive(Debug, Default, PartialEq, clap::Args)]
 pub(crate) struct SizeOptions {
-    /// Print JSON instead of the table.
+    /// Print {target: {format: {effect: bytes}}} instead of the table
+    #[arg(long)]
     pub(crate) json: bool,
 }
 

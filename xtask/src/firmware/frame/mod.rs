@@ -23,11 +23,13 @@ use crate::project;
 use crate::size::program::Program;
 
 /// The options of `frame`.
-#[derive(Debug, Default, PartialEq)]
+#[derive(Debug, Default, PartialEq, clap::Args)]
 pub(crate) struct FrameOptions {
-    /// The boards to draw on; none means all.
+    /// Draw on this one only: cortex-m0, cortex-m3, cortex-m4f or rv32imc; may be repeated
+    #[arg(long = "target", value_name = "NAME", value_parser = Board::named)]
     pub(crate) boards: Vec<&'static Board>,
-    /// Write what has changed.
+    /// Write picture and counts although they differ from those in docs and firmware/README.md
+    #[arg(long)]
     pub(crate) bless: bool,
 }
 
