@@ -91,3 +91,8 @@ pub use renderer::Renderer;
 pub use scene::{Highlight, Material, Scene};
 pub use shadow_map::ShadowMap;
 pub use size::{LARGEST, SizeError};
+
+/// The README's example is a test.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

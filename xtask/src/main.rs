@@ -11,6 +11,7 @@ mod firmware;
 mod http;
 mod install;
 mod measure;
+mod package;
 mod progress;
 mod project;
 mod server;

@@ -11,7 +11,7 @@ use crate::progress::Progress;
 use crate::suite::Suite;
 use crate::tally::Tally;
 use crate::toolchain::Toolchain;
-use crate::{command, conform, contributing, demo, effects, firmware, measure, site, size};
+use crate::{command, conform, contributing, demo, effects, firmware, measure, package, site, size};
 
 /// The smallest processor that is promised: no floating point unit, no division, no atomics.
 const BARE: &str = "thumbv6m-none-eabi";
@@ -51,6 +51,9 @@ fn host(suite: &mut Suite, full: bool) {
         });
     }
     contributing::run(suite, full);
+    if full {
+        package::run(suite);
+    }
     browser(suite);
 }
 

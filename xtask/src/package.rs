@@ -1,0 +1,196 @@
+//! The crates as they are packed, tried as someone who has nothing else would.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use anyhow::{Context, Result, ensure};
+use tempfile::TempDir;
+
+use crate::progress::Progress;
+use crate::size::program::Program;
+use crate::suite::Suite;
+use crate::tally::Tally;
+use crate::toolchain::Toolchain;
+use crate::{command, project};
+
+/// The crates, lowest first, with what must be in each beside its source.
+const CRATES: [(&str, &[&str]); 2] = [
+    (
+        "luminaire",
+        &[
+            "README.md",
+            "CHANGELOG.md",
+            "LICENSE-APACHE",
+            "LICENSE-MIT",
+            "examples/wall.rs",
+            "examples/gltf.rs",
+        ],
+    ),
+    ("luminaire-render", &["README.md", "LICENSE-APACHE", "LICENSE-MIT", "examples/still.rs"]),
+];
+
+/// The warning that stays until there is an address to name.
+const NO_ADDRESS: &str = "manifest has no documentation, homepage or repository";
+
+/// What the README's firmware is built for: the smallest processor there is.
+const TARGET: &str = "thumbv6m-none-eabi";
+
+/// A program around the README's row of pixels: linked, it shows what a row needs.
+const MAIN: &str = r#"
+#![no_std]
+#![no_main]
+
+#[unsafe(no_mangle)]
+extern "C" fn _start() -> ! {
+    let mut pixels = [0; 160];
+    for row in (0..120).cycle() {
+        scanline::scanline(row, core::hint::black_box(&mut pixels));
+    }
+    loop {}
+}
+
+#[panic_handler]
+fn panic(_: &core::panic::PanicInfo) -> ! {
+    loop {}
+}
+"#;
+
+/// Adds the steps.
+pub(crate) fn run(suite: &mut Suite) {
+    const NAMES: [&str; 3] = [
+        "package: the crates are complete",
+        "package: the README's firmware links without float or panic",
+        "package: the crates' own tests pass",
+    ];
+    if !NAMES.iter().any(|name| suite.wants(name)) {
+        return;
+    }
+    let unpacked = suite.require(NAMES[0], Unpacked::new);
+    let unpacked = || unpacked.as_ref().context("the crates were not packed");
+    suite.step(NAMES[1], |progress| {
+        let bytes = unpacked()?.firmware(progress)?;
+        progress.say("Linked", format_args!("{bytes} bytes of flash"));
+        Ok(())
+    });
+    suite.count(NAMES[2], |progress| unpacked()?.tests(progress));
+}
+
+/// The packed crates, unpacked where no workspace is.
+struct Unpacked {
+    folder: TempDir,
+}
+
+impl Unpacked {
+    fn new(progress: &Progress) -> Result<Self> {
+        let mut package = command::cargo("package");
+        package.args(["--allow-dirty", "--no-verify"]);
+        package.args(CRATES.iter().flat_map(|(name, _)| ["--package", name]));
+        let ended = command::capture(package)?;
+        progress.quote(&ended.output);
+        ensure!(ended.success, "cargo package failed");
+        let warnings = ended.output.lines().filter(|line| line.starts_with("warning"));
+        let others: Vec<_> = warnings.filter(|line| !line.contains(NO_ADDRESS)).collect();
+        ensure!(others.is_empty(), "expected no warning but of the address, found {others:?}");
+        let unpacked = Self { folder: tempfile::tempdir()? };
+        for (name, files) in CRATES {
+            let mut tar = Command::new("tar");
+            tar.arg("xzf").arg(project::target().join(format!("package/{name}-{VERSION}.crate")));
+            progress.run({
+                tar.current_dir(unpacked.folder.path());
+                tar
+            })?;
+            let missing: Vec<_> =
+                files.iter().filter(|file| !unpacked.of(name).join(file).is_file()).collect();
+            ensure!(missing.is_empty(), "the crate {name} lacks {missing:?}");
+        }
+        Ok(unpacked)
+    }
+
+    /// The folder of a crate.
+    fn of(&self, name: &str) -> PathBuf {
+        self.folder.path().join(format!("{name}-{VERSION}"))
+    }
+
+    /// Runs the crates' own tests, doc tests and examples included.
+    fn tests(&self, progress: &Progress) -> Result<Tally> {
+        // No registry has the kernel yet.
+        let kernel = format!("patch.crates-io.luminaire.path={:?}", self.of("luminaire"));
+        let mut tally = Tally::default();
+        for (name, _) in CRATES {
+            let mut test = self.cargo("test", &self.of(name));
+            test.arg("--all-features");
+            if name != "luminaire" {
+                test.arg("--config").arg(&kernel);
+            }
+            let ended = command::capture(test)?;
+            progress.quote(&ended.output);
+            let found = Tally::of_cargo_test(&ended.output);
+            tally += found;
+            if !ended.success && found.failed == 0 {
+                tally += Tally::FAILED;
+            }
+        }
+        for example in ["wall", "data_sheet", "gltf"] {
+            let mut run = self.cargo("run", &self.of("luminaire"));
+            run.args(["--example", example]);
+            progress.run(run).with_context(|| format!("the example {example}"))?;
+        }
+        Ok(tally)
+    }
+
+    fn cargo(&self, subcommand: &str, folder: &Path) -> Command {
+        let mut cargo = command::cargo(subcommand);
+        cargo.current_dir(folder).env("CARGO_TARGET_DIR", project::target().join("unpacked"));
+        cargo
+    }
+
+    /// Builds the firmware of the README on the unpacked kernel, and returns its bytes of flash.
+    fn firmware(&self, progress: &Progress) -> Result<u64> {
+        let folder = self.folder.path().join("firmware");
+        let readme = fs::read_to_string(self.of("luminaire").join("README.md"))?;
+        let manifest = file(&readme, "# Cargo.toml")?;
+        let manifest = manifest.replace("path = \"core\"", &format!("path = {:?}", self.of("luminaire")));
+        let head = "[package]\nname = \"scanline\"\nedition = \"2024\"\n";
+        write(&folder.join("Cargo.toml"), &format!("{head}\n{manifest}"))?;
+        write(&folder.join("build.rs"), file(&readme, "// build.rs")?)?;
+        write(&folder.join("src/lib.rs"), file(&readme, "// src/lib.rs")?)?;
+        write(&folder.join("src/main.rs"), MAIN)?;
+        let toolchain = Toolchain::find(TARGET, progress)?;
+        let mut build = toolchain.cargo_build("core", &[]);
+        build.arg("--release").current_dir(&folder);
+        progress.run(build)?;
+        let program = Program::read(&toolchain.artifacts("release").join("scanline"))?;
+        program.has_no_float()?;
+        let panics = program.names_of(|name| name.starts_with("core::panicking"));
+        ensure!(panics.is_empty(), "there are panics: {}", panics.join(", "));
+        ensure!(program.bytes > 500, "expected a scanline, found {} bytes", program.bytes);
+        Ok(program.bytes)
+    }
+}
+
+const VERSION: &str = env!("CARGO_PKG_VERSION");
+
+/// The file of a block of the README, whose first line names it.
+fn file<'a>(readme: &'a str, first_line: &str) -> Result<&'a str> {
+    let (_, rest) = readme.split_once(&format!("\n{first_line}\n")).context(first_line.to_owned())?;
+    let (text, _) = rest.split_once("\n```").context("the block does not end")?;
+    Ok(text)
+}
+
+fn write(file: &Path, text: &str) -> Result<()> {
+    fs::create_dir_all(file.parent().context("a file has a folder")?)?;
+    fs::write(file, format!("{text}\n")).with_context(|| format!("cannot write {}", file.display()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_block_of_the_readme_is_the_file_that_it_names() {
+        let readme = "text\n```rs\n// build.rs\nfn main() {}\n```\n```rs\n// other.rs\n```\n";
+        assert_eq!(file(readme, "// build.rs").unwrap(), "fn main() {}");
+        assert!(file(readme, "// src/lib.rs").is_err());
+    }
+}
