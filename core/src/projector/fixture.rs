@@ -15,7 +15,7 @@ use crate::{
 ///
 /// ```
 /// use luminaire::{Angle, Cone, SpotLight, Vec3, falloff::Soft, projector::{Fixture, Gobo}};
-/// const MULLION: Gobo<'static> = Gobo::of(&[[255, 0, 255]; 3]);
+/// const MULLION: Gobo<'static> = Gobo::of(&[255, 0, 255, 255, 0, 255, 255, 0, 255]);
 /// let cone = Cone::from_field(Soft, Angle::degrees(15.0))?;
 /// let spot = SpotLight::new(Vec3::new(0.0, 4.0, 0.0), Vec3::new(0.0, -1.0, 0.0), cone)?;
 /// let key = Fixture::from(spot).with_gobo(MULLION, Angle::degrees(0.0))?.with_shadow(512)?;

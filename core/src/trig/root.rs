@@ -15,7 +15,7 @@ pub(crate) fn inverse_sqrt(x: f32) -> f32 {
 /// The square root, correctly rounded; NaN of a negative number.
 #[cfg(any(test, not(any(feature = "libm", feature = "std", feature = "micromath"))))]
 pub(crate) fn any_sqrt(x: f32) -> f32 {
-    if x >= f32::MIN_POSITIVE && x < f32::INFINITY {
+    if (f32::MIN_POSITIVE..f32::INFINITY).contains(&x) {
         sqrt(x)
     } else if x > 0.0 && x < f32::INFINITY {
         // A subnormal number is made normal by an even power of two.
