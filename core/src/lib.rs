@@ -129,7 +129,7 @@
 //! | `arithmetic` | the arithmetic of the number formats, for tests and price lists: it may change in any version |
 
 // Modules, lowest first: `error`, `models`, `search`, `source`, `trig`, `vec3`, `angle`, `effect`,
-// `number`, `attenuation`, `color`, `falloff`, `specular`, `cone`, `display`, `shade`, `batch`,
+// `number`, `attenuation`, `color`, `falloff`, `specular`, `cone`, `display`, `interop`, `shade`, `batch`,
 // `haze`, `material`, `light`, `any_light`, `import`, `projector`, `codegen`, `plan`, `dynamic`.
 
 #![no_std]
@@ -152,6 +152,7 @@ pub mod error;
 pub mod falloff;
 pub mod haze;
 pub mod import;
+pub mod interop;
 pub mod light;
 mod material;
 #[cfg(feature = "arithmetic")]

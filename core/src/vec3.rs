@@ -57,17 +57,3 @@ impl Vec3<f32> {
 pub(crate) fn nth<T: Copy + Default, const N: usize>(column: &[T; N], i: usize) -> T {
     column.get(i).copied().unwrap_or_default()
 }
-
-#[cfg(feature = "glam")]
-impl From<glam::Vec3> for Vec3<f32> {
-    fn from(v: glam::Vec3) -> Self {
-        Self::new(v.x, v.y, v.z)
-    }
-}
-
-#[cfg(feature = "glam")]
-impl From<Vec3<f32>> for glam::Vec3 {
-    fn from(v: Vec3<f32>) -> Self {
-        Self::new(v.x, v.y, v.z)
-    }
-}
