@@ -35,6 +35,18 @@ impl<T> Rgb<T> {
     }
 }
 
+impl<T> From<[T; 3]> for Rgb<T> {
+    fn from([red, green, blue]: [T; 3]) -> Self {
+        Self { red, green, blue }
+    }
+}
+
+impl<T> From<Rgb<T>> for [T; 3] {
+    fn from(Rgb { red, green, blue }: Rgb<T>) -> Self {
+        [red, green, blue]
+    }
+}
+
 impl<I: Copy> Rgb<I> {
     /// A light in a colour.
     #[inline]

@@ -47,4 +47,33 @@ impl Rgb565 {
     pub const fn to_codes(self) -> Rgb<u8> {
         Rgb::new(widened(self.0 >> 11, 31), widened(self.0 >> 5 & 63, 63), widened(self.0 & 31, 31))
     }
+
+    /// The two bytes, the one with red first: the order that most displays on SPI take.
+    ///
+    /// ```
+    /// use luminaire::display::Rgb565;
+    /// assert_eq!(Rgb565(0b11111_100000_00000).to_be_bytes(), [0b11111_100, 0b000_00000]);
+    /// ```
+    #[inline]
+    pub const fn to_be_bytes(self) -> [u8; 2] {
+        self.0.to_be_bytes()
+    }
+
+    /// The two bytes, the one with blue first.
+    #[inline]
+    pub const fn to_le_bytes(self) -> [u8; 2] {
+        self.0.to_le_bytes()
+    }
+}
+
+impl From<u16> for Rgb565 {
+    fn from(bits: u16) -> Self {
+        Self(bits)
+    }
+}
+
+impl From<Rgb565> for u16 {
+    fn from(pixel: Rgb565) -> Self {
+        pixel.0
+    }
 }
