@@ -7,6 +7,7 @@ use crate::{
 
 /// Red, green and blue.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
+#[repr(C)]
 pub struct Rgb<T> {
     /// The red channel.
     pub red: T,

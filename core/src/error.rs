@@ -14,6 +14,7 @@ use core::fmt;
 ///     "field angle = 400: expected more than 0 and at most 143.13 degrees (full angle)"
 /// );
 /// ```
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Error {
     /// The parameter at fault.
@@ -25,6 +26,7 @@ pub struct Error {
 }
 
 /// The name of a parameter, in the words of the field.
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 #[non_exhaustive]
 pub enum Parameter {
@@ -119,6 +121,7 @@ pub enum Parameter {
 }
 
 /// What a parameter may be.
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[derive(Clone, Copy, PartialEq, Debug)]
 #[non_exhaustive]
 pub enum Expected {

@@ -1,7 +1,41 @@
 //! Conversions from and to the types of other crates, each by the feature of its name.
+//!
+//! | feature | [`Vec3`](crate::Vec3) | [`Rgb`](crate::Rgb) | [`Rgb565`](crate::display::Rgb565) | [`Angle`](crate::Angle), [`HalfAngle`](crate::HalfAngle) | numbers of fixed point |
+//! |---|---|---|---|---|---|
+//! | `bytemuck` | `Pod` | `Pod` | `Pod` | | `Pod` |
+//! | `defmt` | `Format` | `Format` | `Format` | `Format` | `Format` |
+//! | `embedded-graphics-core` | | `Rgb888`, `Bgr888` | `Rgb565`, `Bgr565` | | |
+//! | `glam` | `Vec3` | | | | |
+//! | `mint` | `Vector3`, `Point3` | | | | |
+//! | `serde` | array | array | 16 bits | degrees | their bits |
+//!
+//! `defmt` also formats an [`Error`](crate::Error), its [`Parameter`](crate::error::Parameter) and what was
+//! [`Expected`](crate::error::Expected). Arrays of three convert without a feature: [`Vec3`](crate::Vec3) and
+//! [`Rgb`](crate::Rgb) are `From` and `Into` them.
 
+/// Calls a macro with every fixed-point number and the integer that stores it.
+#[cfg(all(feature = "fixed", any(feature = "bytemuck", feature = "defmt", feature = "serde")))]
+macro_rules! for_numbers {
+    ($then:ident) => {
+        $then! {
+            Fx16(i16) Fx32(i32) Length(i32) Light16(u32) Light32(u64) Versine16(u32) Versine32(u64) Weight16(i32)
+            Weight32(i64)
+        }
+    };
+}
+
+#[cfg(feature = "bytemuck")]
+pub mod bytemuck;
+#[cfg(feature = "defmt")]
+pub mod defmt;
+#[cfg(feature = "embedded-graphics-core")]
+pub mod embedded_graphics;
 #[cfg(feature = "glam")]
 pub mod glam;
+#[cfg(feature = "mint")]
+pub mod mint;
+#[cfg(feature = "serde")]
+pub mod serde;
 
 #[cfg(test)]
 mod tests {

@@ -4,6 +4,7 @@
 ///
 /// The components are public and in the order x, y, z; the coordinate system is the user's.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
+#[repr(C)]
 pub struct Vec3<T> {
     /// First component.
     pub x: T,

@@ -5,6 +5,7 @@ use crate::{color::Rgb, number::Scalar};
 
 /// A pixel of 16 bits: red in the upper five, green in the middle six, blue in the lower five.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Default, Debug)]
+#[repr(transparent)]
 pub struct Rgb565(pub u16);
 
 /// The nearest of the codes from 0 to `last` for one from 0 to 255.

@@ -17,6 +17,7 @@ macro_rules! numbers {
     ($($(#[$doc:meta])* $name:ident($fixed:ident, $bits:ty);)*) => {$(
         $(#[$doc])*
         #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Default)]
+        #[repr(transparent)]
         pub struct $name($bits);
 
         impl $name {

@@ -1,0 +1,87 @@
+//! Slices of vectors, colours, pixels and numbers are seen as bytes, and bytes as them, without a copy.
+//!
+//! [`Rgb565`], the fixed-point numbers, and [`Vec3`] and [`Rgb`] of what is itself `Pod`, are `Pod`: of any bits, and
+//! without a gap. Their bytes have the processor's order; [`Rgb565::to_be_bytes`] has one of its own. An angle is no
+//! `Pod`: how it is stored is its own affair.
+//!
+//! ```
+//! use luminaire::{Vec3, display::Rgb565};
+//! let vertices = [Vec3::new(0.0_f32, 1.0, 2.0), Vec3::new(3.0, 4.0, 5.0)];
+//! assert_eq!(bytemuck::cast_slice::<_, f32>(&vertices), [0.0, 1.0, 2.0, 3.0, 4.0, 5.0]);
+//!
+//! let mut row = [Rgb565::default(); 160];
+//! bytemuck::cast_slice_mut::<_, u16>(&mut row).fill(0xffff);
+//! assert_eq!(row[159], Rgb565(0xffff));
+//! ```
+
+#![expect(unsafe_code, reason = "to be Pod is a promise that the compiler cannot check")]
+
+#[cfg(feature = "fixed")]
+use crate::number::{Fx16, Fx32, Length, Light16, Light32, Versine16, Versine32, Weight16, Weight32};
+use crate::{color::Rgb, display::Rgb565, vec3::Vec3};
+use bytemuck::{Pod, Zeroable};
+
+// SAFETY: three zeros of `T`, each of which may be zero.
+unsafe impl<T: Zeroable> Zeroable for Vec3<T> {}
+// SAFETY: `repr(C)` puts three `T` one after the other without a gap, as in an array, and each may be of any bits.
+unsafe impl<T: Pod> Pod for Vec3<T> {}
+
+// SAFETY: three zeros of `T`, each of which may be zero.
+unsafe impl<T: Zeroable> Zeroable for Rgb<T> {}
+// SAFETY: `repr(C)` puts three `T` one after the other without a gap, as in an array, and each may be of any bits.
+unsafe impl<T: Pod> Pod for Rgb<T> {}
+
+/// Marks what is stored as one integer.
+macro_rules! pod {
+    ($($number:ident($bits:ty))*) => {$(
+        // SAFETY: `repr(transparent)` over an integer, of which zero is a value.
+        unsafe impl Zeroable for $number {}
+        // SAFETY: `repr(transparent)` over an integer, of which any bits are a value.
+        unsafe impl Pod for $number {}
+    )*};
+}
+
+pod!(Rgb565(u16));
+#[cfg(feature = "fixed")]
+for_numbers!(pod);
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use bytemuck::{bytes_of, cast, cast_slice};
+
+    #[test]
+    fn vectors_and_colours_are_their_components_in_order() {
+        let vectors = [Vec3::new(1_u16, 2, 3), Vec3::new(4, 5, 6)];
+        assert_eq!(cast_slice::<_, u16>(&vectors), [1, 2, 3, 4, 5, 6]);
+        assert_eq!(cast::<_, Vec3<u16>>([1_u16, 2, 3]), vectors[0]);
+        let colors = [Rgb::new(1_u8, 2, 3), Rgb::new(4, 5, 6)];
+        assert_eq!(bytes_of(&colors), [1, 2, 3, 4, 5, 6]);
+        assert_eq!(cast::<_, Rgb<f32>>([0.25_f32, 0.5, 1.0]), Rgb::new(0.25, 0.5, 1.0));
+        assert_eq!((Vec3::<f32>::zeroed(), Rgb::<u8>::zeroed()), Default::default());
+    }
+
+    #[test]
+    fn a_pixel_is_its_bits() {
+        assert_eq!(bytes_of(&Rgb565(0x1234)), 0x1234_u16.to_ne_bytes());
+        assert_eq!(cast::<u16, Rgb565>(0x1234), Rgb565(0x1234));
+    }
+
+    #[cfg(feature = "fixed")]
+    #[test]
+    fn numbers_are_their_bits() {
+        macro_rules! check {
+            ($($number:ident($bits:ty))*) => {$(
+                for bits in [0, 1, <$bits>::MIN, <$bits>::MAX] {
+                    let number = $number::from_bits(bits);
+                    assert_eq!(bytes_of(&number), bits.to_ne_bytes());
+                    assert_eq!(cast::<$bits, $number>(bits), number);
+                }
+                assert_eq!($number::zeroed(), $number::ZERO);
+            )*};
+        }
+        for_numbers!(check);
+        let point = Fx16::point([1.0, -2.0, 0.5]);
+        assert_eq!(cast::<_, [i32; 3]>(point), [1 << 16, -2 << 16, 1 << 15]);
+    }
+}

@@ -1,0 +1,56 @@
+//! [`Vec3`] converts from and into `mint::Vector3` and `mint::Point3`, through which mathematics crates meet.
+//!
+//! ```
+//! use luminaire::{Fx16, Scalar, Vec3};
+//! let position = mint::Point3 { x: 0.0_f32, y: 4.0, z: 0.0 };
+//! assert_eq!(<Fx16 as Scalar>::point(position), Fx16::point([0.0, 4.0, 0.0]));
+//! ```
+
+use crate::vec3::Vec3;
+
+/// Both ways between a vector and a type of mint with the same components.
+macro_rules! both_ways {
+    ($($other:ident)*) => {$(
+        impl<T> From<mint::$other<T>> for Vec3<T> {
+            fn from(mint::$other { x, y, z }: mint::$other<T>) -> Self {
+                Self { x, y, z }
+            }
+        }
+
+        impl<T> From<Vec3<T>> for mint::$other<T> {
+            fn from(Vec3 { x, y, z }: Vec3<T>) -> Self {
+                Self { x, y, z }
+            }
+        }
+    )*};
+}
+
+both_ways!(Vector3 Point3);
+
+/// Without more said, a vector is a vector and no point.
+impl<T> mint::IntoMint for Vec3<T> {
+    type MintType = mint::Vector3<T>;
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn vectors_and_points_go_there_and_back() {
+        let ours = Vec3::new(1, -2, 3);
+        let (vector, point) = (mint::Vector3::from(ours), mint::Point3::from(ours));
+        assert_eq!(vector, mint::Vector3 { x: 1, y: -2, z: 3 });
+        assert_eq!(point, mint::Point3 { x: 1, y: -2, z: 3 });
+        assert_eq!((Vec3::from(vector), Vec3::from(point)), (ours, ours));
+    }
+
+    #[test]
+    fn a_generic_caller_gets_a_vector() {
+        fn sum<V: mint::IntoMint<MintType = mint::Vector3<i32>>>(v: V) -> i32 {
+            let mint::Vector3 { x, y, z } = v.into();
+            x + 10 * y + 100 * z
+        }
+        assert_eq!(sum(Vec3::new(1, 2, 3)), 321);
+    }
+}
