@@ -1,8 +1,10 @@
 //! `cargo xtask test`: every test; `cargo xtask full`: the long ones, too, on all boards.
 
+use std::iter;
 use std::process::{Command, ExitCode};
 
 use anyhow::{Context, Result, bail};
+use serde_json::Value;
 
 use crate::arguments::TestOptions;
 use crate::browser::tests::{ALL, Visitor};
@@ -23,11 +25,17 @@ const FEATURES: [(&str, &[&str]); 4] = [
     ("its default features", &[]),
     (
         "every feature without std",
-        &["--no-default-features", "--features", "arithmetic,fixed,libm,glam,micromath"],
+        &[
+            "--no-default-features",
+            "--features",
+            "arithmetic,bytemuck,defmt,embedded-graphics-core,fixed,glam,libm,micromath,mint,serde",
+        ],
     ),
 ];
 
 const STD: (&str, &[&str]) = ("std alone", &["--no-default-features", "--features", "std"]);
+
+const ALL_FEATURES: (&str, &[&str]) = ("all features", &["--all-features"]);
 
 const NO_VISITOR: &str = "not run, because the demo was not built or no browser started";
 
@@ -40,7 +48,7 @@ pub(crate) fn run(options: TestOptions, full: bool) -> ExitCode {
 
 /// What this machine and its browser run.
 fn host(suite: &mut Suite, full: bool) {
-    sources(suite);
+    sources(suite, full);
     suite
         .count("host: cargo test", |progress| cargo_test(&["--workspace", "--no-fail-fast"], full, progress));
     // The other sets are tested by `full`; clippy checks all of them.
@@ -50,6 +58,11 @@ fn host(suite: &mut Suite, full: bool) {
             cargo_test(&[&["--package", "luminaire", "--lib"], *features].concat(), false, progress)
         });
     }
+    // The conversions to other crates are tested here alone, with their examples.
+    let (name, features) = ALL_FEATURES;
+    suite.count(&format!("host: luminaire with {name}"), |progress| {
+        cargo_test(&[&["--package", "luminaire"], features].concat(), false, progress)
+    });
     contributing::run(suite, full);
     if full {
         package::run(suite);
@@ -69,7 +82,7 @@ fn boards(suite: &mut Suite, full: bool) {
     conform::tests::run(suite, &boards);
 }
 
-fn sources(suite: &mut Suite) {
+fn sources(suite: &mut Suite, full: bool) {
     suite.step("format: cargo fmt", |progress| {
         progress.run(with(command::cargo("fmt"), &["--all", "--check"]))
     });
@@ -77,17 +90,55 @@ fn sources(suite: &mut Suite) {
         let clippy = with(command::cargo("clippy"), &["--workspace", "--all-targets"]);
         progress.run(with(clippy, &["--", "-Dwarnings"]))
     });
-    for (name, features) in FEATURES.iter().chain([&STD]) {
+    for (name, features) in FEATURES.iter().chain([&STD, &ALL_FEATURES]) {
         suite.step(&format!("lint: luminaire with {name}"), |progress| {
-            let clippy = with(command::cargo("clippy"), &["--package", "luminaire", "--lib"]);
+            let clippy = with(command::cargo("clippy"), &["--package", "luminaire", "--lib", "--tests"]);
             progress.run(with(with(clippy, features), &["--", "-Dwarnings"]))
         });
     }
-    suite.step("documentation: cargo doc", |progress| {
-        let mut doc = with(command::cargo("doc"), &["--workspace", "--no-deps"]);
-        doc.env("RUSTDOCFLAGS", "-Dwarnings");
-        progress.run(doc)
-    });
+    if full {
+        suite.step("features: each, all pairs, all and none", |progress| {
+            let features = features_of_luminaire()?;
+            sets(&features).iter().try_for_each(|set| {
+                let check =
+                    with(command::cargo("check"), &["--package", "luminaire", "--no-default-features"]);
+                progress.run(with(check, &["--features", set]))
+            })
+        });
+    }
+    let documented: [(&str, &[&str]); 2] = [
+        ("cargo doc", &["--workspace", "--no-deps"]),
+        ("luminaire with all features", &["--package", "luminaire", "--all-features", "--no-deps"]),
+    ];
+    for (name, arguments) in documented {
+        suite.step(&format!("documentation: {name}"), |progress| {
+            let mut doc = with(command::cargo("doc"), arguments);
+            doc.env("RUSTDOCFLAGS", "-Dwarnings");
+            progress.run(doc)
+        });
+    }
+}
+
+/// The features of luminaire that its manifest names, without `default`, which is a set of others.
+fn features_of_luminaire() -> Result<Vec<String>> {
+    let metadata =
+        command::answer(&mut with(command::cargo("metadata"), &["--no-deps", "--format-version", "1"]))?;
+    let metadata: Value = serde_json::from_str(&metadata).context("cargo metadata is no JSON")?;
+    let mut packages = metadata["packages"].as_array().into_iter().flatten();
+    let luminaire = packages.find(|package| package["name"] == "luminaire");
+    let features = luminaire.and_then(|package| package["features"].as_object());
+    let names = features.context("cargo metadata has no features of luminaire")?.keys();
+    Ok(names.filter(|name| *name != "default").cloned().collect())
+}
+
+/// No feature, each alone, each pair, and all, as options of cargo.
+fn sets(features: &[String]) -> Vec<String> {
+    let alone = features.iter().cloned();
+    let pairs = features
+        .iter()
+        .enumerate()
+        .flat_map(|(i, first)| features[i + 1..].iter().map(move |second| format!("{first},{second}")));
+    iter::once(String::new()).chain(alone).chain(pairs).chain([features.join(",")]).collect()
 }
 
 fn cargo_test(arguments: &[&str], full: bool, progress: &Progress) -> Result<Tally> {
@@ -158,4 +209,23 @@ fn browser(suite: &mut Suite) {
 fn with(mut command: Command, arguments: &[&str]) -> Command {
     command.args(arguments);
     command
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sets_are_none_each_each_pair_and_all() {
+        let sets = sets(&["a", "b", "c"].map(str::to_owned));
+        assert_eq!(sets, ["", "a", "b", "c", "a,b", "a,c", "b,c", "a,b,c"]);
+    }
+
+    #[test]
+    fn bare_metal_is_promised_every_feature_but_std() {
+        let mut features = features_of_luminaire().unwrap();
+        features.retain(|feature| feature != "std");
+        let (_, options) = FEATURES[3];
+        assert_eq!(options[2], features.join(","));
+    }
 }
