@@ -11,6 +11,7 @@ mod firmware;
 mod http;
 mod install;
 mod measure;
+mod msrv;
 mod package;
 mod progress;
 mod project;

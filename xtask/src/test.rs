@@ -13,7 +13,7 @@ use crate::progress::Progress;
 use crate::suite::Suite;
 use crate::tally::Tally;
 use crate::toolchain::Toolchain;
-use crate::{command, conform, contributing, demo, effects, firmware, measure, package, site, size};
+use crate::{command, conform, contributing, demo, effects, firmware, measure, msrv, package, site, size};
 
 /// The smallest processor that is promised: no floating point unit, no division, no atomics.
 const BARE: &str = "thumbv6m-none-eabi";
@@ -65,6 +65,7 @@ fn host(suite: &mut Suite, full: bool) {
     });
     contributing::run(suite, full);
     if full {
+        msrv::run(suite);
         package::run(suite);
     }
     browser(suite);

@@ -1,0 +1,98 @@
+//! The oldest compiler that the published crates promise.
+
+use std::fs;
+use std::path::PathBuf;
+use std::process::Command;
+
+use anyhow::{Context, Result};
+
+use crate::progress::Progress;
+use crate::suite::Suite;
+use crate::{command, install, project};
+
+/// The compiler, as in `rust-version` of the published crates.
+const VERSION: &str = "1.85";
+
+/// The compilers that Debian has had of that version, each with the packages of its library.
+const COMPILERS: [(&str, [&str; 2]); 2] = [
+    ("rustc", ["libstd-rust-dev", "libstd-rust-1.85"]),
+    ("rustc-web", ["libstd-rust-web-dev", "libstd-rust-web-1.85"]),
+];
+
+/// What all of them are linked with.
+const LLVM: &str = "libllvm19";
+
+/// Adds the step: the published crates compile. Where Debian's packages cannot be had, clippy alone compares each item
+/// that is used with the version that is promised.
+pub(crate) fn run(suite: &mut Suite) {
+    suite.step(&format!("oldest compiler: the crates compile with rustc {VERSION}"), |progress| {
+        let Some(usr) = unpacked(progress)? else {
+            progress
+                .say("Skipping", "there is no such package of Debian; clippy's incompatible_msrv has passed");
+            return Ok(());
+        };
+        let mut check = command::cargo("check");
+        check.args(["--lib", "--all-features", "--package", "luminaire", "--package", "luminaire-render"]);
+        check.env("RUSTC", usr.join("bin/rustc")).env("LD_LIBRARY_PATH", usr.join("lib/x86_64-linux-gnu"));
+        check.env("CARGO_TARGET_DIR", project::target().join("oldest-compiler"));
+        progress.run(check)
+    });
+}
+
+/// The folder `usr` of the compiler, unpacked below `target` and installed nowhere.
+fn unpacked(progress: &Progress) -> Result<Option<PathBuf>> {
+    let folder = project::target().join("tools/oldest-compiler");
+    let usr = folder.join("usr");
+    if usr.join("bin/rustc").exists() {
+        return Ok(Some(usr));
+    }
+    let Some((packages, version)) = COMPILERS.iter().find_map(offered) else { return Ok(None) };
+    fs::create_dir_all(&folder).with_context(|| format!("cannot create {}", folder.display()))?;
+    let wanted = packages.iter().map(|package| format!("{package}={version}")).chain([LLVM.to_owned()]);
+    let wanted: Vec<_> = ["download".to_owned()].into_iter().chain(wanted).collect();
+    install::apt_get(&wanted.iter().map(String::as_str).collect::<Vec<_>>(), &folder, progress)?;
+    for entry in fs::read_dir(&folder)? {
+        let package = entry?.path();
+        if package.extension().is_some_and(|extension| extension == "deb") {
+            let mut unpack = Command::new("dpkg-deb");
+            unpack.arg("-x").arg(&package).arg(&folder);
+            progress.run(unpack)?;
+            fs::remove_file(package)?;
+        }
+    }
+    Ok(Some(usr))
+}
+
+/// A compiler's packages and its version in full, if apt knows one of the version that is promised.
+fn offered((compiler, library): &(&'static str, [&'static str; 2])) -> Option<([&'static str; 3], String)> {
+    let table = command::answer(Command::new("apt-cache").args(["madison", compiler])).ok()?;
+    let version = version(&table, VERSION)?;
+    Some(([compiler, library[0], library[1]], version.to_owned()))
+}
+
+/// The version in a table of `apt-cache madison` that begins as this one.
+fn version<'a>(table: &'a str, begin: &str) -> Option<&'a str> {
+    let mut versions = table.lines().filter_map(|line| line.split('|').nth(1)).map(str::trim);
+    versions.find(|version| version.strip_prefix(begin).is_some_and(|rest| rest.starts_with('.')))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_version_is_that_of_the_published_manifests() {
+        for name in ["core", "render"] {
+            let manifest = fs::read_to_string(project::root().join(name).join("Cargo.toml")).unwrap();
+            assert!(manifest.contains(&format!("rust-version = \"{VERSION}\"")), "{name}");
+        }
+    }
+
+    #[test]
+    fn a_version_is_found_in_the_table_of_apt() {
+        let table = " rustc-web | 1.96.0+dfsg1-1~deb12u2 | http://one\n rustc-web | 1.85.0+dfsg3-1~deb12u3 | http://two\n";
+        assert_eq!(version(table, "1.85"), Some("1.85.0+dfsg3-1~deb12u3"));
+        assert_eq!(version(table, "1.8"), None);
+        assert_eq!(version("", "1.85"), None);
+    }
+}
