@@ -1,7 +1,5 @@
 //! The processors that are counted on, and the boards that QEMU plays for them.
 
-use super::cycles::Core;
-
 /// A processor with the board that it sits on.
 #[derive(Debug, PartialEq)]
 pub(crate) struct Board {
@@ -15,8 +13,6 @@ pub(crate) struct Board {
     pub(crate) emulator: &'static str,
     /// What tells QEMU which board to play.
     pub(crate) machine: &'static [&'static str],
-    /// The table of its cycles. RISC-V states none for a core in general.
-    pub(crate) core: Option<Core>,
 }
 
 /// From the smallest Cortex-M up, and a RISC-V without a floating point unit.
@@ -27,7 +23,6 @@ pub(crate) static ALL: [Board; 4] = [
         target: "thumbv6m-none-eabi",
         emulator: "qemu-system-arm",
         machine: &["-M", "microbit"],
-        core: Some(Core::M0),
     },
     Board {
         name: "cortex-m3",
@@ -35,7 +30,6 @@ pub(crate) static ALL: [Board; 4] = [
         target: "thumbv7m-none-eabi",
         emulator: "qemu-system-arm",
         machine: &["-M", "lm3s6965evb"],
-        core: Some(Core::M3),
     },
     Board {
         name: "cortex-m4f",
@@ -43,7 +37,6 @@ pub(crate) static ALL: [Board; 4] = [
         target: "thumbv7em-none-eabihf",
         emulator: "qemu-system-arm",
         machine: &["-M", "mps2-an386"],
-        core: Some(Core::M4F),
     },
     Board {
         name: "rv32imc",
@@ -51,7 +44,6 @@ pub(crate) static ALL: [Board; 4] = [
         target: "riscv32imc-unknown-none-elf",
         emulator: "qemu-system-riscv32",
         machine: &["-M", "virt", "-bios", "none", "-cpu", "rv32,a=false,f=false,d=false"],
-        core: None,
     },
 ];
 

@@ -5,7 +5,6 @@ use std::collections::BTreeMap;
 use anyhow::{Context, Result, bail};
 
 use super::counts::Region;
-use super::cycles::{self, Core};
 use super::laboratory::{Laboratory, Run};
 use super::symbols::{Function, Symbols};
 
@@ -27,8 +26,6 @@ pub(crate) struct Cost {
     pub(crate) kernel: String,
     /// The average of a call.
     pub(crate) instructions: f64,
-    /// An estimate of the average of a call, from and to, where there is a table for the processor.
-    pub(crate) cycles: Option<[f64; 2]>,
     /// Of all functions that were called, which are there once however many kernels call them.
     pub(crate) bytes: u64,
     /// The instructions of an average call by function, those of the loop included.
@@ -58,7 +55,7 @@ pub(crate) fn measure(laboratory: &Laboratory, program: &str, host: &[String]) -
     let run = laboratory.run(program)?;
     compare(&run.lines, host)?;
     let symbols = Symbols::read(&laboratory.program(program))?;
-    let kernels = kernels(&run, &symbols, laboratory.board().core)?;
+    let kernels = kernels(&run, &symbols)?;
     Ok(Costs { kernels, compiler: symbols.compiler, emulator: laboratory.emulator() })
 }
 
@@ -73,7 +70,7 @@ fn compare(lines: &[String], host: &[String]) -> Result<()> {
     Ok(())
 }
 
-fn kernels(run: &Run, symbols: &Symbols, core: Option<Core>) -> Result<Vec<Cost>> {
+fn kernels(run: &Run, symbols: &Symbols) -> Result<Vec<Cost>> {
     let mut kernels = Vec::new();
     let mut empty = None;
     for (line, region) in run.lines.iter().zip(&run.regions) {
@@ -81,34 +78,25 @@ fn kernels(run: &Run, symbols: &Symbols, core: Option<Core>) -> Result<Vec<Cost>
         if line.kernel == EMPTY {
             empty = Some(region);
         } else {
-            kernels.push(cost(line, region, empty.take().context("no empty loop")?, symbols, core)?);
+            kernels.push(cost(line, region, empty.take().context("no empty loop")?, symbols));
         }
     }
     Ok(kernels)
 }
 
-fn cost(line: Line, region: &Region, empty: &Region, symbols: &Symbols, core: Option<Core>) -> Result<Cost> {
+fn cost(line: Line, region: &Region, empty: &Region, symbols: &Symbols) -> Cost {
     let per_call = |count: u64| count as f64 / line.calls as f64;
     let bytes = |region| symbols.split(region).keys().map(|function| function.bytes).sum::<u64>();
     let (instructions, empty_loop) = (per_call(region.instructions()), per_call(empty.instructions()));
-    let cycles = core.map(|core| -> Result<_> {
-        let of_kernel = cycles::estimate(core, symbols, region)?;
-        let of_loop = cycles::estimate(core, symbols, empty)?;
-        Ok([
-            per_call(of_kernel.least) - per_call(of_loop.least),
-            per_call(of_kernel.most) - per_call(of_loop.most),
-        ])
-    });
     let split = symbols.split(region).into_iter().map(|(function, count)| (function, per_call(count)));
-    Ok(Cost {
+    Cost {
         instructions: instructions - empty_loop,
-        cycles: cycles.transpose()?,
         bytes: bytes(region).saturating_sub(bytes(empty)),
         split: split.collect(),
         empty: empty_loop,
         format: line.format,
         kernel: line.kernel,
-    })
+    }
 }
 
 impl Line {

@@ -18,11 +18,6 @@ impl Region {
         self.executions.values().sum()
     }
 
-    /// The executions of one address.
-    pub(crate) fn count(&self, address: u64) -> u64 {
-        self.executions.get(&address).copied().unwrap_or(0)
-    }
-
     /// Each address with its executions.
     pub(crate) fn iter(&self) -> impl Iterator<Item = (u64, u64)> {
         self.executions.iter().map(|(address, count)| (*address, *count))

@@ -60,11 +60,6 @@ impl Laboratory {
         Ok(Self { board, emulator, counter, programs: toolchain.artifacts("release") })
     }
 
-    /// The board.
-    pub(crate) fn board(&self) -> &'static Board {
-        self.board
-    }
-
     /// What plays the board.
     pub(crate) fn emulator(&self) -> String {
         self.emulator.describe()

@@ -3,7 +3,6 @@
 pub(crate) mod board;
 mod cost;
 mod counts;
-mod cycles;
 pub(crate) mod emulator;
 pub(crate) mod frame;
 pub(crate) mod laboratory;

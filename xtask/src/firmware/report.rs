@@ -79,7 +79,6 @@ mod tests {
             format: format.to_owned(),
             kernel: kernel.to_owned(),
             instructions,
-            cycles: None,
             bytes: 40,
             split: BTreeMap::from([(function, instructions + 8.0)]),
             empty: 8.0,

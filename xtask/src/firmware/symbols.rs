@@ -5,7 +5,7 @@ use std::fs;
 use std::path::Path;
 
 use anyhow::{Context, Result};
-use object::{Object, ObjectSection, ObjectSymbol, SectionKind, SymbolKind};
+use object::{Object, ObjectSection, ObjectSymbol, SymbolKind};
 
 use super::counts::Region;
 
@@ -16,12 +16,10 @@ pub(crate) struct Function {
     pub(crate) bytes: u64,
 }
 
-/// The functions of a program, by their first address, its code, and what compiled them.
+/// The functions of a program, by their first address, and what compiled them.
 #[derive(Debug)]
 pub(crate) struct Symbols {
     functions: BTreeMap<u64, Function>,
-    /// Sections by their first address.
-    code: BTreeMap<u64, Vec<u8>>,
     /// As in `rustc 1.96.0`, or nothing where the program does not say.
     pub(crate) compiler: String,
 }
@@ -38,19 +36,8 @@ impl Symbols {
             // Bit 0 of a function's address says Thumb; no instruction is at an odd address.
             functions.insert(symbol.address() & !1, Function { name, bytes: symbol.size() });
         }
-        let mut code = BTreeMap::new();
-        for section in file.sections().filter(|section| section.kind() == SectionKind::Text) {
-            code.insert(section.address(), section.data().with_context(failed)?.to_vec());
-        }
         let comment = file.section_by_name(".comment").and_then(|section| section.data().ok());
-        Ok(Self { functions, code, compiler: compiler(comment.unwrap_or_default()).unwrap_or_default() })
-    }
-
-    /// The two bytes of code at an address.
-    pub(crate) fn halfword(&self, address: u64) -> Option<u16> {
-        let (start, bytes) = self.code.range(..=address).next_back()?;
-        let offset = usize::try_from(address - start).ok()?;
-        Some(u16::from_le_bytes([*bytes.get(offset)?, *bytes.get(offset + 1)?]))
+        Ok(Self { functions, compiler: compiler(comment.unwrap_or_default()).unwrap_or_default() })
     }
 
     /// The instructions of a region, by function. What belongs to no function is counted as `?`.
@@ -64,14 +51,6 @@ impl Symbols {
                 count;
         }
         split
-    }
-}
-
-#[cfg(test)]
-impl Symbols {
-    /// A program of nothing but code.
-    pub(crate) fn of_code(start: u64, code: Vec<u8>) -> Self {
-        Self { functions: BTreeMap::new(), code: BTreeMap::from([(start, code)]), compiler: String::new() }
     }
 }
 
@@ -109,7 +88,7 @@ mod tests {
         let function = |name: &str, bytes| Function { name: name.to_owned(), bytes };
         let functions = BTreeMap::from([(0x100, function("a", 8)), (0x108, function("b", 4))]);
         let region = [(0x0fe, 1), (0x100, 2), (0x106, 3), (0x108, 4), (0x10c, 5)].into_iter().collect();
-        let symbols = Symbols { functions, code: BTreeMap::new(), compiler: String::new() };
+        let symbols = Symbols { functions, compiler: String::new() };
         let split = symbols.split(&region);
         let expected = [(function("?", 0), 6), (function("a", 8), 5), (function("b", 4), 4)];
         assert_eq!(split, BTreeMap::from(expected));

@@ -48,7 +48,6 @@ pub(crate) fn host(progress: &Progress) -> Result<(Vec<Times>, TargetMeta)> {
         flags: format!("opt-level=3 {flags}").trim_end().to_owned(),
         runs_on: format!("{} on {}", processor(), env::consts::OS),
         reference: Target::Host.reference().to_owned(),
-        cycles: None,
         measured: String::new(),
     };
     Ok((best(rounds), meta))
@@ -84,7 +83,6 @@ pub(crate) fn browser(simd: bool, host: &[Times], progress: &Progress) -> Result
         flags: format!("opt-level=3 lto=fat {}", package.flags().join(" ")).trim_end().to_owned(),
         runs_on: format!("{}, {}", chromium.version()?, processor()),
         reference: Target::Browser { simd }.reference().to_owned(),
-        cycles: None,
         measured: String::new(),
     };
     step.done();

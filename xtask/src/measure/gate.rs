@@ -133,11 +133,7 @@ mod tests {
             format: "fx16".to_owned(),
             error: Some(error),
             narrower: Vec::new(),
-            cost: [(
-                TARGET.to_owned(),
-                Cost::Counted { instructions, cycles_estimate: None, ratio_to_powf: 1.0 },
-            )]
-            .into(),
+            cost: [(TARGET.to_owned(), Cost::Counted { instructions, ratio_to_powf: 1.0 })].into(),
             bytes: [(TARGET.to_owned(), 80)].into(),
         }
     }

@@ -31,9 +31,6 @@ pub(crate) struct TargetMeta {
     pub(crate) runs_on: String,
     /// The kernel that `ratio_to_powf` compares with.
     pub(crate) reference: String,
-    /// Where the cycles are from, or why there are none.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) cycles: Option<String>,
     /// The day, as in 2026-01-31.
     pub(crate) measured: String,
 }
@@ -93,8 +90,6 @@ pub(crate) struct Cone {
 pub(crate) enum Cost {
     Counted {
         instructions: f64,
-        #[serde(skip_serializing_if = "Option::is_none")]
-        cycles_estimate: Option<Cycles>,
         ratio_to_powf: f64,
     },
     Timed {
@@ -103,12 +98,6 @@ pub(crate) enum Cost {
         ns_quartiles: [f64; 2],
         ratio_to_powf: f64,
     },
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub(crate) struct Cycles {
-    pub(crate) least: f64,
-    pub(crate) most: f64,
 }
 
 impl Cost {
@@ -183,7 +172,7 @@ mod tests {
             p999_codes: 0.4,
             kind: "searched".to_owned(),
         };
-        let counted = Cost::Counted { instructions: 20.5, cycles_estimate: None, ratio_to_powf: 500.0 };
+        let counted = Cost::Counted { instructions: 20.5, ratio_to_powf: 500.0 };
         let timed = Cost::Timed { ns: 0.5, ns_quartiles: [0.4, 0.6], ratio_to_powf: 10.0 };
         let row = Row {
             kernel: "soft".to_owned(),

@@ -1,7 +1,6 @@
 //! `cargo xtask measure`: the price list of accuracy.
 
 mod clocked;
-mod date;
 mod documents;
 mod figures;
 mod frontier;
@@ -17,7 +16,7 @@ use std::fs;
 
 use anyhow::{Context, Result, bail, ensure};
 
-use self::list::{Cost, Cycles, PriceList, Row, TargetMeta};
+use self::list::{Cost, PriceList, Row, TargetMeta};
 use self::words::Times;
 use crate::firmware;
 use crate::progress::Progress;
@@ -127,7 +126,7 @@ fn measure(old: Option<&PriceList>, targets: &[Target], progress: &Progress) -> 
                 meta
             }
         };
-        meta.measured = date::today();
+        meta.measured = jiff::Timestamp::now().strftime("%F").to_string();
         list.meta.targets.insert(target.name().to_owned(), meta);
         compare_with_powf(&mut list, target)?;
     }
@@ -168,20 +167,16 @@ fn count(
     let costs = firmware::costs(board, expected, progress)?;
     for cost in costs.kernels {
         let row = list.row_mut(&cost.name())?;
-        let cycles =
-            cost.cycles.map(|[least, most]| Cycles { least: thousandths(least), most: thousandths(most) });
         let instructions = thousandths(cost.instructions);
-        let counted = Cost::Counted { instructions, cycles_estimate: cycles, ratio_to_powf: 0.0 };
+        let counted = Cost::Counted { instructions, ratio_to_powf: 0.0 };
         row.cost.insert(board.name.to_owned(), counted);
         row.bytes.insert(board.name.to_owned(), cost.bytes);
     }
-    let no_table = "none: RISC-V states no cycles for a core in general";
     Ok(TargetMeta {
         compiler: costs.compiler,
         flags: "opt-level=3 lto=fat codegen-units=1".to_owned(),
         runs_on: costs.emulator,
         reference: Target::Board(board).reference().to_owned(),
-        cycles: Some(board.core.map_or(no_table, |core| core.source()).to_owned()),
         measured: String::new(),
     })
 }

@@ -23,10 +23,9 @@ hence lower bounds. All are the same in every run. Each kernel is held against i
 the power of the cosine, what `gltf` errs of the formula without its `max(0.001, ...)`.
 
 **Costs** on microcontrollers are instructions a call, counted exactly under QEMU as
-[firmware/README.md](../firmware/README.md) describes. Cycles are an **estimate** from Arm's timing tables, at zero wait
-states: two bounds, where operands, alignment or neighbours decide. On the host and in the browser costs are nanoseconds a
-call, over a batch of 4096 inputs from memory to memory: the median of 41 samples, in the best of three rounds. They
-depend on the machine and its other work, and nothing fails because of them. \"powf\" is how many calls have the price of
+[firmware/README.md](../firmware/README.md) describes. They are not cycles. On the host
+and in the browser costs are nanoseconds a call, over a batch of 4096 inputs from memory to memory: the median of 41
+samples, in the best of three rounds. They depend on the machine and its other work, and nothing fails because of them. \"powf\" is how many calls have the price of
 one power function, that of libm on microcontrollers and of the platform elsewhere. Bytes are the code of all functions
 that a call executes; constant tables, such as those of roots, and the 1024 bytes of `table-256` are not among them.
 
@@ -59,9 +58,6 @@ fn section(list: &PriceList, target: &Target) -> String {
     let mut text = format!("\n## {title}\n\n![Error against cost: {title}]({})\n\n", picture(target));
     if let Some(meta) = list.meta.targets.get(target.name()) {
         text += &format!("{}; {}, `{}`; {}.", meta.runs_on, meta.compiler, meta.flags, meta.measured);
-        if let Some(cycles) = &meta.cycles {
-            text += &format!(" Cycles: {cycles}.");
-        }
         text += "\n\n";
     }
     text += &format!("{}, by format:\n\n", capitalised(target.unit()));
@@ -69,8 +65,8 @@ fn section(list: &PriceList, target: &Target) -> String {
     text += "\n<details><summary>Every row</summary>\n\n";
     text += match target {
         Target::Board(_) => {
-            "| kernel | format | error, codes | instructions | cycles, estimate | powf | bytes of code |\n\
-             |---|---|---|---|---|---|---|\n"
+            "| kernel | format | error, codes | instructions | powf | bytes of code |\n\
+             |---|---|---|---|---|---|\n"
         }
         _ => {
             "| kernel | format | error, codes | ns | quartiles | powf |\n\
@@ -93,13 +89,9 @@ fn capitalised(word: &str) -> String {
 fn priced(row: &Row, target: &Target) -> Option<String> {
     let error = row.error.as_ref().map_or_else(String::new, |error| figures::error(error.codes));
     let cost = match *row.cost.get(target.name())? {
-        Cost::Counted { instructions, cycles_estimate, ratio_to_powf } => {
-            let cycles = cycles_estimate.map_or_else(String::new, |cycles| {
-                let (least, most) = (figures::cost(cycles.least), figures::cost(cycles.most));
-                if least == most { least } else { format!("{least} to {most}") }
-            });
+        Cost::Counted { instructions, ratio_to_powf } => {
             let bytes = row.bytes.get(target.name()).map_or_else(String::new, u64::to_string);
-            format!("{instructions:.2} | {cycles} | {} | {bytes}", figures::cost(ratio_to_powf))
+            format!("{instructions:.2} | {} | {bytes}", figures::cost(ratio_to_powf))
         }
         Cost::Timed { ns, ns_quartiles: [lower, upper], ratio_to_powf } => {
             format!("{ns:.3} | {lower:.3} to {upper:.3} | {}", figures::cost(ratio_to_powf))
@@ -187,15 +179,14 @@ fn key(list: &PriceList) -> String {
          {} rows.\n\n\
          | key | what it is |\n|---|---|\n\
          | `meta.half_angle` | the outer half angle in degrees that `error` and `cost` are of |\n\
-         | `meta.targets` | by target: compiler, flags, what it runs on, the reference of `ratio_to_powf`, the source of cycles, the day |\n\
+         | `meta.targets` | by target: compiler, flags, what it runs on, the reference of `ratio_to_powf`, the day |\n\
          | `kernel`, `stage`, `format` | the name of a row; `stage` is `falloff` or `lit` |\n\
          | `error.codes`, `error.lsb` | the largest error, in 1/255 and in units of the last place of one |\n\
          | `error.at` | where that is: `degrees_off_axis`, and for points `distance` and `degrees_of_incidence` |\n\
          | `error.mean_codes`, `error.p999_codes` | the mean, and what 99.9 % of evenly spread inputs do not exceed |\n\
          | `error.kind` | `exhaustive` or `searched` |\n\
          | `narrower` | by `half_angle` in degrees: an `error`, or the `narrowest` half angle that the format holds |\n\
-         | `cost` | by target: `instructions`, `cycles_estimate` from `least` to `most` (none on RISC-V, which states no \
-         cycles for a core in general); or `ns` with `ns_quartiles`; `ratio_to_powf` is how many calls have the price of one power |\n\
+         | `cost` | by target: `instructions`; or `ns` with `ns_quartiles`; `ratio_to_powf` is how many calls have the price of one power |\n\
          | `bytes` | by target: bytes of code, of all functions that a call executes |\n\n\
          `cargo xtask measure --check`, which `cargo xtask full` runs too, measures errors, instructions and bytes anew and fails \
          with the name of a row whose figures differ. Instructions of another compiler than the list's may differ by 5 %. \

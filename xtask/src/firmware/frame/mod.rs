@@ -15,7 +15,6 @@ use self::output::Output;
 use self::picture::Picture;
 use self::record::{Counts, Record};
 use super::board::{self, Board};
-use super::cycles;
 use super::laboratory::{self, Laboratory};
 use super::symbols::Symbols;
 use crate::progress::Progress;
@@ -77,9 +76,7 @@ fn draw(laboratory: &Laboratory, host: &Output) -> Result<Counts> {
     let symbols = Symbols::read(&file)?;
     let mut counts = Counts::new(&symbols.compiler, program.bytes);
     for (stage, region) in output.stages.iter().cycle().zip(&run.regions) {
-        let cycles =
-            laboratory.board().core.map(|core| cycles::estimate(core, &symbols, region)).transpose()?;
-        counts.add(stage, region.instructions(), cycles);
+        counts.add(stage, region.instructions());
     }
     Ok(counts)
 }

@@ -57,16 +57,5 @@ pub(super) fn table(record: &Record) -> String {
     text += &row("the picture with the spotlight", &|counts| format!("{:.1}", each(counts, &WITH)));
     text +=
         &row("so the spotlight", &|counts| format!("{:.1}", each(counts, &WITH) - each(counts, &WITHOUT)));
-    text +=
-        &row("million cycles, all pixels with the spotlight, estimated", &|counts| million_cycles(counts));
     text + &row("KiB of flash, the whole program", &|counts| counts.kibibytes.to_string())
-}
-
-/// The estimate from and to, or nothing where there is none.
-fn million_cycles(counts: &Counts) -> String {
-    let spans: Option<Vec<_>> = WITH.iter().map(|stage| counts.cycles.get(*stage)).collect();
-    spans.map_or_else(String::new, |spans| {
-        let [least, most] = [0, 1].map(|end| spans.iter().map(|span| span[end]).sum::<u64>() as f64 / 1e6);
-        format!("{least:.1} to {most:.1}")
-    })
 }

@@ -7,7 +7,6 @@ use std::path::PathBuf;
 use anyhow::{Context, Result};
 use serde::{Deserialize, Serialize};
 
-use super::super::cycles::Span;
 use super::output::Output;
 use crate::project;
 
@@ -36,8 +35,6 @@ pub(super) struct Counts {
     pub(super) kibibytes: u64,
     /// Of all pixels, by stage.
     pub(super) instructions: BTreeMap<String, u64>,
-    /// An estimate of their cycles, from and to; nothing where there is no table for the processor.
-    pub(super) cycles: BTreeMap<String, [u64; 2]>,
 }
 
 impl Counts {
@@ -47,13 +44,8 @@ impl Counts {
     }
 
     /// Adds a row's stage.
-    pub(super) fn add(&mut self, stage: &str, instructions: u64, cycles: Option<Span>) {
+    pub(super) fn add(&mut self, stage: &str, instructions: u64) {
         *self.instructions.entry(stage.to_owned()).or_default() += instructions;
-        if let Some(span) = cycles {
-            let [least, most] = self.cycles.entry(stage.to_owned()).or_default();
-            *least += span.least;
-            *most += span.most;
-        }
     }
 }
 
@@ -119,11 +111,8 @@ pub(super) fn compare(old: &Record, new: &Record) -> (Vec<String>, Vec<String>) 
                 differences.push(format!("{board}: {word}: {stage} {now} instructions, recorded {before}"));
             }
         }
-        if is_same && (before.kibibytes, &before.cycles) != (now.kibibytes, &now.cycles) {
-            differences.push(format!(
-                "{board}: {} KiB, recorded {}, or other cycles",
-                now.kibibytes, before.kibibytes
-            ));
+        if is_same && before.kibibytes != now.kibibytes {
+            differences.push(format!("{board}: {} KiB, recorded {}", now.kibibytes, before.kibibytes));
         }
     }
     (differences, remarks)
@@ -135,8 +124,8 @@ mod tests {
 
     fn record(compiler: &str, instructions: u64) -> Record {
         let mut counts = Counts::new(compiler, 4000);
-        counts.add("light", instructions - 1, None);
-        counts.add("light", 1, Some(Span { least: 5, most: 9 }));
+        counts.add("light", instructions - 1);
+        counts.add("light", 1);
         let boards = BTreeMap::from([("cortex-m0".to_owned(), counts)]);
         Record { pixels: 4, light: "4 lit".to_owned(), stages: vec!["light".to_owned()], boards }
     }
@@ -145,7 +134,7 @@ mod tests {
     fn what_is_written_is_read() {
         let record = record("rustc 1.96.0", 100);
         assert_eq!(serde_json::from_str::<Record>(&record.text().unwrap()).unwrap(), record);
-        assert_eq!(record.boards["cortex-m0"].cycles["light"], [5, 9]);
+        assert_eq!(record.boards["cortex-m0"].instructions["light"], 100);
     }
 
     #[test]
