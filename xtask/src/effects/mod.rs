@@ -24,9 +24,12 @@ pub(crate) struct EffectsOptions {
     /// Compare with what is recorded instead, and write nothing
     #[arg(long)]
     pub(crate) check: bool,
-    /// Write the prices also where they differ from those recorded, and time a browser again
+    /// Write the prices also where they differ from those recorded
     #[arg(long, conflicts_with = "check")]
     pub(crate) bless: bool,
+    /// Time a browser again, which wants a quiet machine
+    #[arg(long, conflicts_with = "check")]
+    pub(crate) time: bool,
 }
 
 /// Counts, compares, and writes the record and the page.
@@ -53,7 +56,7 @@ pub(crate) fn run(options: &EffectsOptions) -> Result<()> {
             "{number} prices differ from those recorded: `cargo xtask effects --bless` accepts them"
         );
     }
-    if options.bless {
+    if options.time {
         new.browser = Some(browser::time(&progress)?);
     }
     for (file, text) in documents::made_of(&new)? {

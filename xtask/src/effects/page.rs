@@ -59,7 +59,7 @@ fn frames(browser: &Browser) -> String {
     let mut text = format!(
         "\n## In a browser\n\nMilliseconds a frame of 960 x 540 in `f32` while all lights move and the camera is at rest, in \
          {}: the median of 15 frames, in the quickest of three rounds. They depend on the machine and its other work, and \
-         nothing fails because of them. `cargo xtask effects --bless` times them anew.\n\n\
+         nothing fails because of them. `cargo xtask effects --time` times them again.\n\n\
          | effect | scene | with | without | adds |\n|---|---|---:|---:|---:|\n",
         browser.runs_on
     );
