@@ -1,22 +1,22 @@
-//! Attenuation: how the intensity of a light falls with the distance from it.
+//! Attenuation: the intensity of a light as a function of distance.
 //!
-//! | model | f(d) | source |
+//! | attenuation | f(d) | source |
 //! |---|---|---|
-//! | [`NoAttenuation`] | 1 | directional light brought to a place |
+//! | [`NoAttenuation`] | 1 | a directional light with a position |
 //! | [`InverseSquare`] | `1 / d^2` | physics; the default |
-//! | [`Polynomial`] | `1 / (a0 + a1 d + a2 d^2)`, at most 1 | OpenGL and Direct3D 9; capped as lectures teach it |
-//! | [`SmoothRange`] | `t^2 (3 - 2t)` of `t = 1 - d/r` | the dual-cone spotlight, smoothstep from its range to 0 |
+//! | [`Polynomial`] | `1 / (a0 + a1 d + a2 d^2)`, at most 1 | OpenGL and Direct3D 9, with the cap common in textbooks |
+//! | [`SmoothRange`] | `t^2 (3 - 2t)` with `t = 1 - d/r` | the dual-cone spotlight, smoothstep from its range to 0 |
 //! | [`GltfRange`] | `(1 - (d/r)^4) / d^2`, at least 0 | glTF's KHR_lights_punctual |
 //! | [`FilamentRange`] | `(1 - (d/r)^4)^2 / d^2` within r | Filament, Bevy, three.js with decay 2 |
-//! | [`CutAt`] of a model | the model within r, 0 from there on | Direct3D 9 |
-//! | [`Windowed`] of a model | the model times `(1 - (d/r)^4)^2` within r | Godot, and three.js with any decay |
+//! | [`CutAt`] of an attenuation | that attenuation within r, 0 from there on | Direct3D 9 |
+//! | [`Windowed`] of an attenuation | that attenuation times `(1 - (d/r)^4)^2` within r | Godot, and three.js with any decay |
 //! | [`AnyAttenuation`] | one of the above | the choice at run time |
 //!
-//! A light without a range says `None`, never 0. At and beyond its range the light is exactly zero; in fixed point it ends
-//! half a step of the format earlier. Points out of range are rejected before the square root, and the reject changes no
-//! bit of any result.
+//! The range of a light without a range is `None`, never 0. At and beyond its range the light is
+//! exactly zero; in fixed point it ends half a step of the format earlier. Points out of range are
+//! rejected before the square root. Results are bit-identical with and without this test.
 //!
-//! Here *falloff* is the intensity over the angle, and *attenuation* the one over the distance.
+//! *Falloff* is the intensity over the angle, *attenuation* the intensity over the distance.
 
 mod any;
 mod ranged;
@@ -34,47 +34,47 @@ use crate::{
     source::named,
 };
 
-/// A distance model. The type decides which one is compiled in: there is no branch per point, and a model that is not
-/// named is not linked.
+/// An attenuation over distance. The type selects it at compile time: there is no branch per point,
+/// and an unused attenuation is not linked.
 ///
-/// Sealed: it has a bound that is private.
+/// Sealed by a private bound.
 pub trait Attenuation: Copy + PartialEq + core::fmt::Debug {
-    /// What the model knows once it is compiled for a format.
+    /// The constants of the attenuation in a number format.
     type Constants<S: Scalar>: Copy + PartialEq + core::fmt::Debug;
 
-    /// Compiles the model for the format `S`.
+    /// Compiles the attenuation for the format `S`.
     fn constants<S: Scalar>(self) -> Self::Constants<S>;
 
-    /// Whether the light falls with the square of the distance and by nothing else.
+    /// Returns whether the attenuation is the inverse-square law and nothing else.
     #[inline]
     fn is_inverse_square<S: Scalar>(_: &Self::Constants<S>) -> bool {
         false
     }
 
-    /// Whether the light is exactly zero at this distance, told before the root is paid for.
+    /// Returns whether the light is exactly zero at this distance. Tested before the square root.
     #[inline]
     fn is_beyond<S: Scalar>(_: &Self::Constants<S>, _: &S::Offset) -> bool {
         false
     }
 
-    /// Where the light ends, if it does.
+    /// Returns the range of the light, if it has one.
     fn range(&self) -> Option<f32> {
         None
     }
 
-    /// The effects that the attenuation requires.
+    /// Returns the effects that the attenuation requires.
     fn effects(&self) -> Effects;
 
-    /// The factor at a distance in f64, as plainly as it can be written: the truth that errors are
-    /// measured against.
+    /// Evaluates the factor at a distance in f64, in its most direct form: the reference for error
+    /// measurements.
     fn exact(&self, distance: f64) -> f64;
 
-    /// Whether more than the intensity arrives where the light is nearer than 1.
+    /// Returns whether the factor exceeds 1 at distances below 1.
     fn grows(&self) -> bool {
         true
     }
 
-    /// The light of a share of an intensity that is left at this distance; none for a negative share.
+    /// Returns the irradiance of a share of the intensity at this distance; 0 for a negative share.
     fn expose<S: Scalar, R: Ray<S>>(
         constants: &Self::Constants<S>,
         offset: &S::Offset,
@@ -84,24 +84,25 @@ pub trait Attenuation: Copy + PartialEq + core::fmt::Debug {
     ) -> S::Irradiance;
 }
 
-/// No fall with distance.
+/// No attenuation: the same intensity at every distance.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct NoAttenuation;
 
-/// The inverse-square law, which is the default: an intensity of 1 lights a facing surface at distance 1 to full scale.
+/// The inverse-square law, the default: an intensity of 1 lights a facing surface at distance 1 to
+/// full scale.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct InverseSquare;
 
-/// `1 / (a0 + a1 d + a2 d^2)`, capped at 1: no more arrives than the intensity.
+/// `1 / (a0 + a1 d + a2 d^2)`, capped at 1: never more than the intensity.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Polynomial {
     coefficients: [f32; 3],
 }
 
-/// Smoothstep to a range: 1 at distance 0, 0 at the range, flat at both ends.
+/// Smoothstep to a range: 1 at distance 0, 0 at the range, with slope 0 at both ends.
 ///
-/// The dual-cone article writes `smoothstep(range, 0, d)`, whose edges GLSL wants in rising order or leaves undefined;
-/// this is what it means.
+/// The dual-cone article writes `smoothstep(range, 0, d)`. In GLSL that is undefined, because the
+/// edges are in descending order; this type implements the intended function.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct SmoothRange {
     range: f32,
@@ -109,7 +110,8 @@ pub struct SmoothRange {
 
 named!(NoAttenuation InverseSquare Polynomial SmoothRange);
 
-/// The shortest and the longest range. Their squares and the reciprocals of these stay clear of the ends of f32.
+/// The shortest and the longest range. Their squares, and the reciprocals of these, are well inside
+/// the range of f32.
 const RANGES: (f32, f32) = (1e-3, 1e9);
 
 fn checked_range(range: f32) -> Result<f32, Error> {
@@ -122,26 +124,26 @@ fn checked_range(range: f32) -> Result<f32, Error> {
     }
 }
 
-/// What turns a squared distance into a fraction of the squared range; zero where there is no range.
+/// Returns the factor from a squared distance to `(d/r)^2`; 0 without a range.
 fn inverse_squared<S: Scalar>(range: Option<f32>) -> S::Gain {
     S::gain(range.map_or(0.0, |range| 1.0 / (range * range)))
 }
 
-/// `(d/r)^2`, and exactly one from the range on.
+/// Returns `(d/r)^2`, and exactly 1 at and beyond the range.
 #[inline]
 fn squared_fraction<S: Scalar>(inverse_squared: S::Gain, offset: &S::Offset) -> S {
     offset.squared_distance().by(inverse_squared).fraction()
 }
 
-/// What a factor in [0, 1] leaves of a share; nothing of a negative one.
+/// Multiplies a share by a factor in [0, 1]; 0 for a negative share.
 #[inline(always)] // `spot-soft-lambert-smooth-range` on Cortex-M0: +22 without.
 fn dimmed<S: Scalar, T: Share<S>>(share: T, factor: T) -> T {
     if share > T::default() { share.share_of(factor) } else { T::default() }
 }
 
 impl Polynomial {
-    /// The constant, linear and quadratic coefficients, in units of the world's length. All zero is no fall at all,
-    /// by the cap.
+    /// Creates the polynomial of a constant, a linear and a quadratic coefficient, for distances in
+    /// scene units. If all are 0, the cap makes the factor 1 everywhere.
     ///
     /// # Errors
     /// A coefficient outside 0 to 1e9.
@@ -153,14 +155,14 @@ impl Polynomial {
         Ok(Self { coefficients })
     }
 
-    /// The constant, linear and quadratic coefficients.
+    /// Returns the constant, the linear and the quadratic coefficient.
     pub fn coefficients(&self) -> [f32; 3] {
         self.coefficients
     }
 }
 
 impl SmoothRange {
-    /// Ends at this range, in units of the world's length.
+    /// Creates the attenuation with this range, in scene units.
     ///
     /// # Errors
     /// A range outside 0.001 to 1e9.
@@ -168,7 +170,7 @@ impl SmoothRange {
         Ok(Self { range: checked_range(range)? })
     }
 
-    /// Where the light ends.
+    /// Returns the range.
     pub fn range(&self) -> f32 {
         self.range
     }

@@ -1,4 +1,5 @@
-//! Cones of light: designed from the angle that a data sheet gives, compiled to a falloff that knows no angles.
+//! Cones of light: designed from the angles of a data sheet, compiled to a falloff that needs no
+//! angles.
 
 mod compiled;
 mod two_angles;
@@ -13,17 +14,18 @@ use crate::{
     search::bisect,
 };
 
-/// A cone of light with an edge profile: full intensity on the axis, none from the outer angle outwards.
+/// A cone of light with an angular falloff: full intensity on the axis, 0 from the outer angle
+/// outwards.
 ///
-/// Any one of its beam, field and outer angles fixes the other two (Hast 2004, sections 2 and 3);
-/// [`Cone::from_beam_and_field`] takes two, and picks the profile. Two parts may be added:
+/// Any one of its beam, field and outer angles determines the other two (Hast 2004, sections 2 and
+/// 3). [`Cone::from_beam_and_field`] takes two angles and chooses the falloff. Two options exist:
 ///
-/// - a **hotspot** ([`with_inner`](Self::with_inner)): full intensity up to an inner angle, and the profile between it
-///   and the outer one. Inner and outer angle in one make a step.
-/// - a **cutoff** ([`with_cutoff`](Self::with_cutoff)): nothing from an angle on that is tighter than the outer
-///   one, as a barn door or an iris would have it. It costs nothing per point.
+/// - a **hotspot** ([`with_inner`](Self::with_inner)): full intensity up to an inner angle, and the
+///   falloff between the inner and the outer angle. If both are equal, the cone is a step.
+/// - a **cutoff** ([`with_cutoff`](Self::with_cutoff)): no light from an angle on that is smaller
+///   than the outer angle, as behind a barn door or an iris. It costs nothing per point.
 ///
-/// All are full angles.
+/// All angles are full angles.
 ///
 /// ```
 /// use luminaire::{Angle, Cone, falloff::Soft};
@@ -37,44 +39,44 @@ pub struct Cone<P = SoftOrHard> {
     profile: P,
     /// The versine of the inner half angle, in [0, outer]; 0 without a hotspot.
     inner: f32,
-    /// The versine of the half angle at which the profile ends, in (0, 1].
+    /// The versine of the half angle at which the falloff ends, in (0, 1].
     outer: f32,
-    /// The versine from which on there is no light: `outer`, or that of a tighter cutoff.
+    /// The versine from which on there is no light: `outer`, or that of a smaller cutoff.
     limit: f32,
 }
 
 impl<P: Falloff> Cone<P> {
-    /// The cone that has a tenth of its intensity left at this angle.
+    /// Creates the cone with this field angle, at which the intensity is 10 %.
     ///
     /// # Errors
-    /// An angle that is not more than 0, or whose outer angle would pass 180 degrees: the largest field angle is
-    /// 143.13 degrees for a soft edge and 174.11 for a hard one.
+    /// An angle that is not more than 0, or whose outer angle would exceed 180 degrees. The largest
+    /// field angle is 143.13 degrees for a soft falloff and 174.11 for a hard one.
     pub fn from_field(profile: P, field: impl Into<Angle>) -> Result<Self, Error> {
         Self::from_angle(profile, field.into(), profile.field_versine(), Parameter::FieldAngle)
     }
 
-    /// The cone that has half of its intensity left at this angle.
+    /// Creates the cone with this beam angle, at which the intensity is 50 %.
     ///
     /// # Errors
-    /// An angle that is not more than 0, or whose outer angle would pass 180 degrees: the largest beam angle is
-    /// 90 degrees for a soft edge and 145.93 for a hard one.
+    /// An angle that is not more than 0, or whose outer angle would exceed 180 degrees. The largest
+    /// beam angle is 90 degrees for a soft falloff and 145.93 for a hard one.
     pub fn from_beam(profile: P, beam: impl Into<Angle>) -> Result<Self, Error> {
         Self::from_angle(profile, beam.into(), profile.beam_versine(), Parameter::BeamAngle)
     }
 
-    /// The cone that ends at this angle.
+    /// Creates the cone with this outer angle, at which the light ends.
     ///
     /// # Errors
-    /// An angle that is not more than 0, or more than 180 degrees.
+    /// An angle outside (0, 180] degrees.
     pub fn from_outer(profile: P, outer: impl Into<Angle>) -> Result<Self, Error> {
         Self::from_angle(profile, outer.into(), 1.0, Parameter::OuterAngle)
     }
 
-    /// The cone whose given angle lies at `fraction` of its outer versine.
+    /// Creates the cone whose given angle has the versine `fraction * outer_versine`.
     fn from_angle(profile: P, angle: Angle, fraction: f32, parameter: Parameter) -> Result<Self, Error> {
         let largest = Angle::from_versine(fraction);
         let outer = angle.versine() / fraction;
-        // An angle above zero may be so small that its versine is none.
+        // A tiny positive angle may have a versine of 0.
         if angle > Angle::degrees(0.0) && angle <= largest && outer >= f32::MIN_POSITIVE {
             Ok(Self::open(profile, 0.0, outer.min(1.0)))
         } else {
@@ -83,16 +85,19 @@ impl<P: Falloff> Cone<P> {
         }
     }
 
-    /// A cone without a cutoff.
+    /// Creates a cone without a cutoff.
     fn open(profile: P, inner: f32, outer: f32) -> Self {
         Self { profile, inner, outer, limit: outer }
     }
 
-    /// The same cone with a hotspot: full intensity up to this angle, and the profile from there to the outer angle,
-    /// which stays. Beam and field move outwards. 0 takes the hotspot away; the outer angle makes a step.
+    /// Returns the cone with a hotspot: full intensity up to this angle, and the falloff from there
+    /// to the outer angle.
+    ///
+    /// The outer angle stays; beam and field angle move outwards. An inner angle of 0 removes the
+    /// hotspot; an inner angle equal to the outer one makes a step.
     ///
     /// # Errors
-    /// An angle that is negative or larger than the one at which the profile ends.
+    /// An angle that is negative or larger than the angle at which the falloff ends.
     pub fn with_inner(self, inner: impl Into<Angle>) -> Result<Self, Error> {
         let angle = inner.into();
         let inner = angle.versine();
@@ -104,14 +109,15 @@ impl<P: Falloff> Cone<P> {
         }
     }
 
-    /// The same cone, cut off: nothing from this angle on. Within it the light is as before.
+    /// Returns the cone with a cutoff: no light from this angle on. The intensity inside does not
+    /// change.
     ///
     /// # Errors
-    /// An angle that is not more than 0, or larger than the one at which the profile ends.
+    /// An angle that is not more than 0, or larger than the angle at which the falloff ends.
     pub fn with_cutoff(self, cutoff: impl Into<Angle>) -> Result<Self, Error> {
         let angle = cutoff.into();
         let limit = angle.versine();
-        // As above: a versine of none would be a cone without any light.
+        // A cutoff with versine 0 would leave no light.
         let range = f32::MIN_POSITIVE..=self.outer;
         if angle > Angle::degrees(0.0) && angle <= Angle::degrees(180.0) && range.contains(&limit) {
             Ok(Self { limit, ..self })
@@ -121,72 +127,75 @@ impl<P: Falloff> Cone<P> {
         }
     }
 
-    /// The edge profile.
+    /// Returns the angular falloff.
     pub fn profile(&self) -> P {
         self.profile
     }
 
-    /// The full angle up to which the intensity is that of the axis; 0 without a hotspot. Never over
-    /// [`outer`](Self::outer).
+    /// Returns the full inner angle, up to which the intensity is that of the axis; 0 without a
+    /// hotspot. At most [`outer`](Self::outer).
     pub fn inner(&self) -> Angle {
         Angle::from_versine(self.inner.min(self.limit))
     }
 
-    /// The full angle up to which at least half the intensity is left: where the profile falls to a half, or the
-    /// cutoff if that comes first.
+    /// Returns the full beam angle: where the falloff reaches 50 %, or the cutoff if that is
+    /// smaller.
     pub fn beam(&self) -> Angle {
         self.angle_at(self.profile.beam_versine())
     }
 
-    /// The full angle up to which at least a tenth of the intensity is left: where the profile falls to a tenth,
-    /// or the cutoff if that comes first.
+    /// Returns the full field angle: where the falloff reaches 10 %, or the cutoff if that is
+    /// smaller.
     pub fn field(&self) -> Angle {
         self.angle_at(self.profile.field_versine())
     }
 
-    /// The full angle from which on no light is left: where the profile ends, or the cutoff if that comes first.
+    /// Returns the full angle from which on there is no light: where the falloff ends, or the
+    /// cutoff if that is smaller.
     pub fn outer(&self) -> Angle {
         Angle::from_versine(self.limit)
     }
 
-    /// Whether there is a hotspot.
+    /// Returns whether the cone has a hotspot.
     pub fn has_hotspot(&self) -> bool {
         self.inner > 0.0
     }
 
-    /// Whether a cutoff cuts the cone off before its profile ends.
+    /// Returns whether a cutoff ends the cone before its falloff does.
     pub fn has_cutoff(&self) -> bool {
         self.limit < self.outer
     }
 
-    /// The versine of half the [`outer`](Self::outer) angle, in (0, 1].
+    /// Returns the versine of half the [`outer`](Self::outer) angle, in (0, 1].
     pub fn outer_versine(&self) -> f32 {
         self.limit
     }
 
-    /// The angle of a profile's `u`, within the cutoff.
+    /// Returns the full angle at a `u` of the falloff, at most the cutoff.
     fn angle_at(&self, u: f32) -> Angle {
         Angle::from_versine((self.inner + u * (self.outer - self.inner)).min(self.limit))
     }
 
-    /// The same cone with another type of profile: what turns a choice made at run time into a type.
+    /// Returns the cone with another falloff: converts a run-time choice into a type.
     pub fn with_profile<Q: Falloff>(&self, profile: Q) -> Cone<Q> {
         Cone { profile, inner: self.inner, outer: self.outer, limit: self.limit }
     }
 
-    /// The luminous flux in lumens of this cone with so many candela on its axis: `2 pi` times the integral of the
-    /// intensity over the versine, with hotspot and cutoff. Relative error under 2e-5 (searched).
+    /// Returns the luminous flux in lumens for an intensity on the axis in candela.
+    ///
+    /// It is `2 pi` times the integral of the intensity over the versine, including hotspot and
+    /// cutoff. Relative error under 2e-5 (searched).
     pub fn lumens(&self, candela: f32) -> f32 {
         candela * self.solid_angle()
     }
 
-    /// The intensity in candela on the axis of this cone when it gives so many lumens: the inverse of
-    /// [`lumens`](Self::lumens). Infinite for a table without any light.
+    /// Returns the intensity on the axis in candela for a luminous flux in lumens: the inverse of
+    /// [`lumens`](Self::lumens). Infinite for a table that is 0 everywhere.
     pub fn candela(&self, lumens: f32) -> f32 {
         lumens / self.solid_angle()
     }
 
-    /// The solid angle in steradians that would take the same flux at full intensity.
+    /// Returns the solid angle in steradians that has the same flux at full intensity.
     fn solid_angle(&self) -> f32 {
         let span = self.outer - self.inner;
         let versine = if self.limit <= self.inner {
@@ -197,13 +206,16 @@ impl<P: Falloff> Cone<P> {
         core::f32::consts::TAU * versine
     }
 
-    /// The narrowest outer angle of this profile, without a hotspot, that the format `S` evaluates within half a linear
-    /// code, 1/510, on exact inputs: the format's error of direction, magnified by the profile's steepness, and all other
-    /// roundings reach it there. A hotspot makes the profile steeper; a step, which no format can hold to an
-    /// intensity, is in its place within 1/510 of its half angle.
+    /// Returns the narrowest outer angle of this falloff that the format `S` evaluates within half
+    /// a linear code, 1/510.
     ///
-    /// In `f32` that holds wherever light and point are. It is more than 180 degrees where the format holds no cone of the
-    /// profile, as `Fx16` none of an inverted power of 99.
+    /// It is for exact inputs and a cone without a hotspot. At this angle the error bound reaches
+    /// 1/510: the format's error of direction, multiplied by the steepness of the falloff, plus all
+    /// other rounding errors. A hotspot makes the falloff steeper. For a step, no format bounds the
+    /// error of the intensity; the position of its edge is within 1/510 of the half angle.
+    ///
+    /// In `f32` this holds for all positions of light and point. The result exceeds 180 degrees if
+    /// the format can hold no cone with this falloff, such as `Fx16` with an inverted power of 99.
     pub fn narrowest<S: Scalar>(profile: P) -> Angle {
         narrowest::<S>(&slopes(profile, 0.0))
     }
@@ -211,13 +223,14 @@ impl<P: Falloff> Cone<P> {
     /// Compiles the cone for the format `S`.
     ///
     /// # Errors
-    /// A cone narrower than [`Cone::narrowest`] of its profile in this format, a hotspot that makes its edge too
-    /// steep, or a cutoff that is too narrow.
+    /// An outer angle below [`Cone::narrowest`] for this falloff and format, a hotspot that makes
+    /// the edge too steep, or a cutoff that is too narrow.
     pub fn compile<S: Scalar>(&self) -> Result<CompiledCone<S, P>, Error> {
         self.compile_with_error().map(|(cone, _)| cone)
     }
 
-    /// The compiled cone, and the `Arithmetic::coarse_error` by which its ramp was chosen.
+    /// Compiles the cone, and returns the `Arithmetic::coarse_error` by which the ramp was
+    /// selected.
     pub(crate) fn compile_with_error<S: Scalar>(&self) -> Result<(CompiledCone<S, P>, f32), Error> {
         self.check::<S>()?;
         let Self { inner, outer, limit, .. } = *self;
@@ -226,12 +239,12 @@ impl<P: Falloff> Cone<P> {
         Ok((CompiledCone::new(ramp(inner, outer, limit), self.profile), error))
     }
 
-    /// The slopes of the cone, if it had this inner versine.
+    /// Returns the slopes of this cone with another inner versine.
     fn slopes(&self, inner: f32) -> Slopes {
         if inner < self.outer { slopes(self.profile, inner / self.outer) } else { Slopes::STEP }
     }
 
-    /// Whether the format can hold the cone: or which of its angles it cannot.
+    /// Returns an error that names the angle that the format cannot hold, if there is one.
     fn check<S: Scalar>(&self) -> Result<(), Error> {
         let refused =
             |parameter, value: Angle, accepted| Err(Error { parameter, value: value.to_degrees(), accepted });
@@ -254,35 +267,36 @@ impl<P: Falloff> Cone<P> {
 }
 
 impl Cone<Soft> {
-    /// The cone with a soft edge that has a tenth of its intensity left at this angle: see
-    /// [`from_field`](Cone::from_field).
+    /// Creates the cone with a soft falloff and this field angle, at which the intensity is 10 %:
+    /// see [`from_field`](Cone::from_field).
     ///
     /// # Errors
-    /// A field angle that is not more than 0, or more than 143.13 degrees.
+    /// A field angle outside (0, 143.13] degrees.
     pub fn soft(field: impl Into<Angle>) -> Result<Self, Error> {
         Self::from_field(Soft, field)
     }
 }
 
 impl Cone<Hard> {
-    /// The cone with a hard edge that has a tenth of its intensity left at this angle: see
-    /// [`from_field`](Cone::from_field).
+    /// Creates the cone with a hard falloff and this field angle, at which the intensity is 10 %:
+    /// see [`from_field`](Cone::from_field).
     ///
     /// # Errors
-    /// A field angle that is not more than 0, or more than 174.11 degrees.
+    /// A field angle outside (0, 174.11] degrees.
     pub fn hard(field: impl Into<Angle>) -> Result<Self, Error> {
         Self::from_field(Hard, field)
     }
 }
 
 impl<const N: u32> Cone<Power<N>> {
-    /// OpenGL's spotlight of `GL_SPOT_EXPONENT` N and this `GL_SPOT_CUTOFF`: the cosine of the angle off axis to the
-    /// power N, and nothing from the cutoff on (OpenGL 2.1 specification, section 2.14.1). The cutoff is a
-    /// [`HalfAngle`](crate::HalfAngle) of at most 90 degrees there; the cutoff of 180 degrees, a point light, is
-    /// none of a cone.
+    /// Creates OpenGL's spotlight with `GL_SPOT_EXPONENT` N and this `GL_SPOT_CUTOFF`.
     ///
-    /// With an outer angle of 180 degrees `t` is `1 - versine`, which is the cosine: the power is that of
-    /// [`Power`], and the light jumps at the cutoff as it does in OpenGL.
+    /// Its intensity is `cos^N` of the angle off axis, and 0 from the cutoff on (OpenGL 2.1
+    /// specification, section 2.14.1). OpenGL's cutoff is a [`HalfAngle`](crate::HalfAngle) of at
+    /// most 90 degrees; its special value of 180 degrees means a point light, not a cone.
+    ///
+    /// With an outer angle of 180 degrees, `t = 1 - versine` is the cosine, so the falloff is
+    /// [`Power`]. The intensity jumps at the cutoff, as in OpenGL.
     ///
     /// ```
     /// use luminaire::{Cone, HalfAngle, falloff::Power};
@@ -298,15 +312,18 @@ impl<const N: u32> Cone<Power<N>> {
     }
 }
 
-/// The slopes of a profile around a hotspot whose versine is that share of the outer one, in [0, 1).
+/// Returns the slopes of a falloff with a hotspot of this versine relative to the outer one, in
+/// [0, 1).
 fn slopes<P: Falloff>(profile: P, hotspot: f32) -> Slopes {
-    /// So narrow a rim that all of it is at the edge, where the slope over the argument is half of that over the angle.
+    /// The relative width of a falloff so narrow that all of it is at the edge. There the slope
+    /// over the argument is half the slope over the angle.
     const RIM: f32 = 1.0 / 1024.0;
     let fraction = profile.steepness(1.0 - RIM) * RIM / 2.0;
     Slopes { angle: profile.steepness(hotspot), fraction: fraction * (1.0 + RIM) }
 }
 
-/// The narrowest outer angle of these slopes that a format holds; 360 degrees and more where it holds none.
+/// Returns the narrowest outer angle with these slopes that a format can hold; 360 degrees or more
+/// if there is none.
 fn narrowest<S: Scalar>(edge: &Slopes) -> Angle {
     let room = positive(HALF_A_CODE - S::rounding(edge));
     Angle::radians(2.0 * S::DIRECTION_ERROR * edge.angle / room)

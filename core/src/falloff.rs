@@ -1,8 +1,9 @@
 //! Angular falloffs: the intensity from the axis of a cone to its edge.
 //!
-//! Each is a function of `t`, which is 1 on the axis (and within an inner angle) and 0 at the outer angle and beyond:
-//! `t = (v_outer - v) / (v_outer - v_inner)`, with the versine `v = 1 - cos` of the angle off axis, of the outer and of
-//! the inner half angle. That is the cosine, on a straight ramp from the outer to the inner angle; `u = 1 - t`.
+//! Each is a function `f(t)`. `t` is 1 on the axis and within an inner angle, and 0 at and beyond
+//! the outer angle: `t = (v_outer - v) / (v_outer - v_inner)`, with the versines `v = 1 - cos` of
+//! the angle off axis, of the outer half angle and of the inner half angle. So `t` is linear in the
+//! cosine between the outer and the inner angle; `u = 1 - t`.
 //!
 //! | falloff | f | multiplies | source |
 //! |---|---|---|---|
@@ -16,10 +17,10 @@
 //! | [`Power`] | `t^N` | log2 N for powers of two | OpenGL's cosine power by [`Cone::opengl`](crate::Cone::opengl) |
 //! | [`InvertedPower`] | `1 - u^N` | as [`Power`] | Godot, by an angle attenuation of `1/N` |
 //! | [`IntegerPower`], [`InvertedIntegerPower`] | the same, `N` at run time | as [`Power`] | [imports](crate::import) |
-//! | [`MixedPower`], [`InvertedMixedPower`] | a mixture of two of these | 2 more | curves between the powers |
-//! | [`RealPower`], [`InvertedRealPower`] | `t^p`, `1 - u^p`, `p` over 0 and up to 1,024, any real number | 11, and two tables | imports |
-//! | [`Table`] | samples, evenly spaced or [`Knot`]s | 2, or 1 and a search | goniometric data |
-//! | [`SoftOrHard`], [`FittedFalloff`], [`AnyFalloff`] | one of the above | as it, and a branch | the choice at run time |
+//! | [`MixedPower`], [`InvertedMixedPower`] | a weighted sum of two of these | 2 more | curves between the powers |
+//! | [`RealPower`], [`InvertedRealPower`] | `t^p`, `1 - u^p`, real `p` in (0, 1024] | 11, and two tables | imports |
+//! | [`Table`] | samples, evenly spaced or [`Knot`]s | 2, or 1 and a binary search | goniometric data |
+//! | [`SoftOrHard`], [`FittedFalloff`], [`AnyFalloff`] | one of the above | the same, and a branch | the choice at run time |
 
 mod any;
 mod choice;
@@ -59,38 +60,41 @@ pub use self::{
 };
 pub use crate::number::Knot;
 
-/// An edge profile: a function of `t`, and the figures that design a cone with it.
+/// An angular falloff: a function of `t`, and the properties from which a cone is designed.
 ///
-/// The type decides which function is compiled in: there is no branch per point, and a profile that is not
-/// named is not linked. [`SoftOrHard`], [`FittedFalloff`] and [`AnyFalloff`] leave the choice to run time, at the price
-/// of that branch.
+/// The type selects the function at compile time: there is no branch per point, and an unused
+/// falloff is not linked. [`SoftOrHard`], [`FittedFalloff`] and [`AnyFalloff`] choose at run time
+/// and cost a branch per point.
 ///
-/// A curve that is none of them is a [`Table`].
+/// For any other curve use a [`Table`].
 pub trait Falloff: Copy + core::fmt::Debug {
-    /// The falloff with its coefficients in the format `S`: `Self` where it has none.
+    /// The falloff with its coefficients in the format `S`; `Self` if it has no coefficients.
     type Compiled<S: Scalar>: Curve<S> + From<Self>;
 
-    /// Takes the coefficients to the format `S`, once per light.
+    /// Converts the coefficients to the format `S`, once per light.
     fn compile<S: Scalar>(self) -> Self::Compiled<S> {
         self.into()
     }
 
-    /// The formula, as data.
+    /// Returns the formula as data.
     fn formula(&self) -> Formula<'_>;
 
-    /// Where half the intensity is left: `u` from 0 to 1.
+    /// Returns the `u` in [0, 1] at which the intensity is 1/2: the beam angle.
     fn beam_versine(self) -> f32;
 
-    /// Where a tenth of the intensity is left: `u` from 0 to 1.
+    /// Returns the `u` in [0, 1] at which the intensity is 1/10: the field angle.
     fn field_versine(self) -> f32;
 
-    /// The largest slope of the intensity over the angle off axis, in units of the outer half angle, in a narrow
-    /// cone whose inner versine is `hotspot` of its outer one: how much an error of the direction is magnified.
-    /// `hotspot` is in [0, 1).
+    /// Returns the maximum slope of the intensity over the angle off axis, per outer half angle.
     ///
-    /// A step has no slope. It counts as 1: its place is right within 1/510 of the outer half angle.
+    /// This is the factor by which the falloff magnifies an error of direction. It holds for a
+    /// narrow cone whose inner versine is `hotspot` times the outer one, with `hotspot` in [0, 1).
+    ///
+    /// A step has no finite slope and returns 1: its position is within 1/510 of the outer half
+    /// angle.
     fn steepness(self, hotspot: f32) -> f32;
 
-    /// The integral of the intensity over `u` from 0 to `u`, which is in [0, 1]: what flux is made of.
+    /// Returns the integral of the intensity over `u` from 0 to `u`, with `u` in [0, 1]. The
+    /// luminous flux follows from it.
     fn integral(self, u: f32) -> f32;
 }

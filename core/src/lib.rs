@@ -1,10 +1,12 @@
-//! A lighting kernel for renderers that run where a GPU does not: a microcontroller, a software renderer, a canvas.
+//! A lighting kernel for renderers on targets without a GPU: a microcontroller, a software renderer
+//! or a browser canvas.
 //!
-//! Spotlights are described by the two angles of every stage light's data sheet: the beam angle, at which half the
-//! intensity is left, and the field angle, at which a tenth is left. The falloff from the axis to the edge is a
-//! polynomial of one to three multiplies instead of a power function: one of the two quadratics of Hast 2004, soft
-//! edged or hard edged, or a cubic that has a given beam and field angle. [`falloff`] lists all of them. The same code
-//! runs in `f32`, in 32-bit and in 16-bit fixed point.
+//! A spotlight is described by the two angles of a stage light's data sheet. At the beam angle the
+//! intensity is 50 % of that on the axis, at the field angle 10 %. The angular falloff from the
+//! axis to the edge is a polynomial of one to three multiplies instead of a power function: one of
+//! the two quadratics of Hast 2004, with a soft or a hard edge, or a cubic with a given beam and
+//! field angle. [`falloff`] lists all falloffs. The same generic code runs in `f32`, in 32-bit
+//! fixed point and in 16-bit fixed point.
 //!
 //! "Hast 2004" is A. Hast, T. Barrera and E. Bengtsson, *Fast Intensity Distribution Functions for
 //! Soft and Hard Edged Spotlights*, WSCG 2004 Short Communications, pages 95 to 100.
@@ -51,56 +53,61 @@
 //!
 //! | | `f32` | [`Fx32`] | [`Fx16`] |
 //! |---|---|---|---|
-//! | choose it for | a processor with a floating-point unit, a browser, a desktop | beams under a degree, or exact pictures, without one | everything else without one |
+//! | choose it for | a processor with a floating-point unit, a browser, a desktop | beams under one degree or minimal error, without a floating-point unit | everything else without a floating-point unit |
 //! | largest error of a soft spotlight of 36 degrees at a point, linear codes (searched) | 7.7e-5 | 3.4e-6 | 0.047 |
-//! | instructions a point, Cortex-M0 (counted) | 5140 | 1416 | 199 |
+//! | instructions per point, Cortex-M0 (counted) | 5140 | 1416 | 199 |
 //! | Cortex-M4F | 105 | 244 | 135 |
 //! | RV32IMC | 2647 | 354 | 145 |
 //! | narrowest soft cone, half angle in degrees (half of [`Cone::narrowest`]) | 0.0050 | 0.00004 | 0.70 |
 //!
-//! A *linear code* is 1/255 of full scale in linear light, clipped at 1. *Searched* means the largest of very many points,
-//! climbed to from random ones; *counted*, by an emulator. Errors and instructions are those of `lit`, a soft edge and
-//! Lambert's cosine, in `docs/ACCURACY-VS-COST.md`, which has more kernels, more processors, and rivals.
+//! A *linear code* is 1/255 of full scale in linear light, clipped at 1. *Searched* means the
+//! maximum over very many random points, each refined by hill climbing; *counted* means by an
+//! emulator. Errors and instructions are those of the kernel `lit`, a soft falloff with Lambert's
+//! cosine, in `docs/ACCURACY-VS-COST.md`. That document has more kernels, more processors and other
+//! libraries.
 //!
 //! # Units
 //!
-//! Light has no unit: 1 is full scale, and what arrives of an intensity of 1 at a surface that faces the light, at
-//! distance 1 and on the axis. A matt surface of albedo 1 sends back what arrives, without the `1/pi` of a radiance.
-//! Lengths are those of the world, in any unit.
+//! Light has no unit: 1 is full scale. An intensity of 1 gives an irradiance of 1 at a surface that
+//! faces the light, on the axis at distance 1. A matt surface of albedo 1 reflects all of its
+//! irradiance, without the `1/pi` of a radiance. Lengths may have any unit, the same for the whole
+//! scene.
 //!
 //! # Data flow
 //!
-//! [`Angle`] → [`Cone`] (designed from its outer, beam or field angle, or from the last two) → [`SpotLight`] (placed,
-//! coloured, validated) → [`CompiledSpotLight`](light::CompiledSpotLight) (constants of one number format) →
-//! irradiance at a point. Construction validates and returns an [`Error`] that names the parameter; evaluation is
-//! defined for every bit pattern and never fails.
+//! [`Angle`] → [`Cone`] (from its outer, beam or field angle, or from beam and field angle) →
+//! [`SpotLight`] (placed, coloured, validated) → [`CompiledSpotLight`](light::CompiledSpotLight)
+//! (constants of one number format) → irradiance at a point. Construction validates and returns an
+//! [`Error`] that names the parameter. Evaluation is defined for every bit pattern and never fails.
 //!
 //! # Domain
 //!
-//! A cone that compiles errs at most half a linear code, 1/510 of full scale, within these ranges. Where its falloff jumps,
-//! the edge is misplaced by at most 1/510 of its half angle. `tests/suite/domain.rs` tests each end.
+//! The error of a compiled cone is at most half a linear code, 1/510 of full scale, within these
+//! ranges. Where the falloff jumps, the position of the edge is within 1/510 of the half angle.
+//! `tests/suite/domain.rs` tests each end.
 //!
 //! | | `f32` | [`Fx32`] | [`Fx16`] | outside |
 //! |---|---|---|---|---|
 //! | coordinate of a light | any finite | ±32,767 | ±16,383 | refused |
 //! | coordinate of a point | any finite | -32,768 to 32,768 | -32,768 to 32,768 | [`Scalar::length`] saturates; infinite or NaN is dark in `f32` |
-//! | distance | 1.1e-19 to 1.8e19 | 2^-16 to 113,000, but see below | 2^-16 to 85,000 | dark: it counts as on the light, or out of reach |
+//! | distance | 1.1e-19 to 1.8e19 | 2^-16 to 113,000, see below | 2^-16 to 85,000 | zero light: it counts as at the light, or as out of reach |
 //! | outer half angle | half of [`Cone::narrowest`] to 90° | the same | the same | refused |
-//! | hotspot | to where the rim is as steep as the format holds | the same | the same | refused, with the widest |
-//! | exponent | 1 to 1,024, real ones more than 0 | the same | the same | refused |
+//! | hotspot | up to the steepest edge that the format can hold | the same | the same | refused, with the widest inner angle |
+//! | exponent | 1 to 1,024; real exponents more than 0 | the same | the same | refused |
 //! | intensity for half a code | 10 | 300 | 300 | see the next row |
-//! | intensity for one code | 300 | 1,000 | 1,000 | to 1e9: the error grows with the intensity; beyond: refused |
+//! | intensity for one code | 300 | 1,000 | 1,000 | up to 1e9: the error grows with the intensity; beyond: refused |
 //!
-//! Where a component of the way from a light to a point is more than 32,768 units, `Fx32` has lost a bit of it, and its
-//! narrowest cones are twice as wide. Intensities are those of cones with half angles from 3°, at any distance
-//! (searched, with light clipped at full scale); a narrower cone has fewer of them in proportion. For brighter lights
-//! divide the intensity, and give it back by an [`Exposure`](display::Exposure); or stay as far away as a light of
-//! full scale does.
+//! Where a component of the vector from a light to a point exceeds 32,768 units, `Fx32` drops one
+//! bit of it, and its narrowest cones are twice as wide. The intensities in the table hold for
+//! cones with half angles from 3°, at any distance (searched, with light clipped at full scale);
+//! for a narrower cone they are smaller in proportion. For a brighter light, divide the intensity
+//! and multiply the sum by an [`Exposure`](display::Exposure), or keep the surfaces where the
+//! irradiance is at most full scale.
 //!
 //! # Half or full angle
 //!
-//! An [`Angle`] is a full angle, edge to edge through the axis; a [`HalfAngle`] goes from the axis to the edge. Each
-//! converts into the other, and constructors take either.
+//! An [`Angle`] is a full angle, from edge to edge through the axis. A [`HalfAngle`] goes from the
+//! axis to the edge. Each converts into the other, and constructors take either.
 //!
 //! | source | its angles | as |
 //! |---|---|---|
@@ -112,33 +119,33 @@
 //! | three.js | `SpotLight.angle`: half, radians | [`HalfAngle::radians`] |
 //! | Godot | `spot_angle`: half, degrees | [`HalfAngle::degrees`] |
 //!
-//! Spotlights of OpenGL, Direct3D 9, glTF, three.js and Godot come in by [`import`].
+//! [`import`] converts spotlights of OpenGL, Direct3D 9, glTF, three.js and Godot.
 //!
 //! # Features
 //!
-//! All features add; any set of them compiles. Without `libm`, `std` and `micromath` set-up computes its angles by a
-//! series of its own, within 1e-6 of the angle.
+//! All features are additive, and any set of them compiles. Without `libm`, `std` and `micromath`,
+//! set-up computes angles by its own series, within 1e-6 of the angle.
 //!
 //! | feature | adds |
 //! |---|---|
 //! | `fixed` (default) | [`Fx16`] and [`Fx32`], on the types of the crate `fixed` |
-//! | `libm` (default) | trigonometry for set-up and a square root, the same bits on every target |
-//! | `std` | the processor's square root, of the same bits |
-//! | `micromath` | roots and sines where neither of the above is there: angles within 0.11 %, a tier of its own |
-//! | `bytemuck` | [`Vec3`], [`Rgb`], pixels and fixed-point numbers seen as bytes; the only unsafe code |
-//! | `defmt` | errors, angles, vectors, colours and numbers in the logs of a microcontroller |
+//! | `libm` (default) | trigonometry for set-up and a square root, bit-identical on every target |
+//! | `std` | the processor's square root, bit-identical to that of `libm` |
+//! | `micromath` | square roots and sines without `libm` and `std`: angles within 0.11 %, so results differ from those of the other features |
+//! | `bytemuck` | [`Vec3`], [`Rgb`], pixels and fixed-point numbers cast to bytes; the only unsafe code |
+//! | `defmt` | `Format` for errors, angles, vectors, colours and numbers, for logs of a microcontroller |
 //! | `embedded-graphics-core` | conversions between [`Rgb`]`<u8>` or pixels and its RGB and BGR colours |
 //! | `glam` | conversions between [`Vec3`]`<f32>` and `glam::Vec3` |
 //! | `mint` | conversions between [`Vec3`] and `mint::Vector3` or `mint::Point3` |
-//! | `serde` | angles, vectors, colours, pixels and numbers, the latter two as their bits |
-//! | `arithmetic` | the arithmetic of the number formats, for tests and price lists: it may change in any version |
+//! | `serde` | serialisation of angles, vectors, colours, pixels and numbers; the latter two as their bits |
+//! | `arithmetic` | the arithmetic of the number formats, for tests and cost measurements: may change in any version |
 
 // Modules, lowest first: `error`, `models`, `search`, `source`, `trig`, `vec3`, `angle`, `effect`,
 // `number`, `attenuation`, `color`, `falloff`, `specular`, `cone`, `display`, `interop`, `shade`, `batch`,
 // `haze`, `material`, `light`, `any_light`, `import`, `projector`, `codegen`, `plan`, `dynamic`.
 
 #![no_std]
-// With `bytemuck` one file promises what the compiler cannot check; without it there is no unsafe code at all.
+// With `bytemuck`, one file contains unsafe code; without it the crate contains none.
 #![cfg_attr(not(feature = "bytemuck"), forbid(unsafe_code))]
 #![cfg_attr(feature = "bytemuck", deny(unsafe_code))]
 #![cfg_attr(docsrs, feature(doc_cfg))]
@@ -192,7 +199,7 @@ pub use number::Scalar;
 pub use number::{Fx16, Fx32, Length};
 pub use vec3::Vec3;
 
-/// The README's example is a test.
+/// Compiles the README's examples as tests.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;

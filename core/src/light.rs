@@ -1,7 +1,7 @@
 //! Lights, described in metres, degrees and linear colour.
 //!
-//! Every kind has an intensity and two colours, one of its diffuse light and one of its highlights: white and of
-//! intensity 1 until told otherwise.
+//! Every light has an intensity and two colours, one for its diffuse light and one for its
+//! highlights. The defaults are white and intensity 1.
 
 mod ambient;
 mod directional;
@@ -26,7 +26,7 @@ use crate::{
     vec3::Vec3,
 };
 
-/// What a light emits: how much, and in which colours.
+/// The intensity and the colours of a light.
 #[derive(Clone, Copy, PartialEq, Debug)]
 struct Emission {
     color: Rgb<f32>,
@@ -53,7 +53,7 @@ impl Emission {
     }
 }
 
-/// A position of finite components, or the error that shows the first that is not.
+/// Returns the position if all components are finite, or an error that names the first that is not.
 fn checked_position(parameter: Parameter, position: Vec3<f32>) -> Result<Vec3<f32>, Error> {
     for value in [position.x, position.y, position.z] {
         check_between(parameter, value, -f32::MAX, f32::MAX)?;
@@ -61,7 +61,8 @@ fn checked_position(parameter: Parameter, position: Vec3<f32>) -> Result<Vec3<f3
     Ok(position)
 }
 
-/// Whether a format can hold the position of a light; one that it would move is refused instead.
+/// Returns an error if a format cannot hold the position of a light. Saturating the position would
+/// move the light.
 pub(crate) fn check_reach<S: Scalar>(position: Vec3<f32>) -> Result<(), Error> {
     for value in [position.x, position.y, position.z] {
         check_between(Parameter::Position, value, -S::FARTHEST, S::FARTHEST)?;
@@ -69,17 +70,18 @@ pub(crate) fn check_reach<S: Scalar>(position: Vec3<f32>) -> Result<(), Error> {
     Ok(())
 }
 
-/// An axis of a light.
+/// The axis of a light.
 #[derive(Clone, Copy, PartialEq, Debug)]
 struct Axis {
-    /// At unit length, within the roundings of f32.
+    /// Normalised to unit length, within the rounding error of f32.
     unit: Vec3<f32>,
-    /// With all bits that were given: times a power of two, its largest component from 1/2 to 1.
+    /// Unrounded: scaled by a power of two so that the largest component is in [1/2, 1].
     toward: Vec3<f32>,
 }
 
 impl Axis {
-    /// The axis along a vector and the length of that, or the error that shows it.
+    /// Returns the axis along a vector and the length of the vector, or an error that shows the
+    /// length.
     fn new(parameter: Parameter, vector: Vec3<f32>) -> Result<(Self, f32), Error> {
         let length = trig::sqrt(vector.dot(vector));
         if !(1e-18..=1e18).contains(&length) {

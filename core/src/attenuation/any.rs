@@ -13,14 +13,16 @@ use crate::{
     source::{Source, call, named},
 };
 
-/// The enums of the list, and what is one arm a row.
+/// Declares the enums over all attenuations of the list, and all methods with one match arm per
+/// row.
 macro_rules! any_attenuation {
     ($($(#[$doc:meta])* $variant:ident($type:ty) = any $any:expr
        $(, $(#[$its_doc:meta])* $constant:ty = $its_name:literal, $value:expr)*;)*) => {
-        /// Any attenuation, chosen at run time: that of a light of [another system](crate::import), or of a
-        /// [`AnyLight`](crate::dynamic::AnyLight).
+        /// Any attenuation, chosen at run time: for a light of [another system](crate::import) or
+        /// an [`AnyLight`](crate::dynamic::AnyLight).
         ///
-        /// It branches per point; [`CompiledAnyLight::evaluate_each`](crate::dynamic::CompiledAnyLight::evaluate_each)
+        /// It branches per point.
+        /// [`CompiledAnyLight::evaluate_each`](crate::dynamic::CompiledAnyLight::evaluate_each)
         /// branches once per light.
         #[derive(Clone, Copy, PartialEq, Debug)]
         #[non_exhaustive]
@@ -42,14 +44,14 @@ macro_rules! any_attenuation {
         })*
 
         impl AnyAttenuation {
-            /// How many there are.
+            /// The number of attenuations.
             #[cfg(feature = "arithmetic")]
             pub const COUNT: usize = [$(stringify!($variant)),*].len();
 
-            /// The attenuation with this index, modulo their count, of numbers in [0, 1).
+            /// Builds the attenuation with index `index % COUNT` from random numbers in [0, 1).
             ///
             /// # Errors
-            /// Parameters that are refused.
+            /// Invalid parameters.
             #[cfg(feature = "arithmetic")]
             pub fn drawn(index: usize, mut number: impl FnMut() -> f32) -> Result<Self, crate::error::Error> {
                 use crate::models::{draw, range};
@@ -62,7 +64,7 @@ macro_rules! any_attenuation {
                 Ok(NoAttenuation.into())
             }
 
-            /// Where the light ends, if it does.
+            /// Returns the range of the light, if it has one.
             pub fn range(&self) -> Option<f32> {
                 match self {
                     $(Self::$variant(attenuation) => Attenuation::range(attenuation),)*
@@ -137,7 +139,8 @@ macro_rules! any_attenuation {
     };
 }
 
-/// Evaluates an expression with the constants of a [`CompiledAnyAttenuation`] and the type of the attenuation.
+/// Evaluates an expression with the constants of a [`CompiledAnyAttenuation`] and the concrete type
+/// of the attenuation.
 macro_rules! with_attenuation {
     ([$compiled:expr, $constants:ident, $type:ident, $answer:expr]
      $($(#[$doc:meta])* $variant:ident($attenuation:ty) = any $any:expr
@@ -161,7 +164,7 @@ pub(crate) use with_attenuation;
 attenuations!(any_attenuation);
 named!(AnyAttenuation);
 
-/// An attenuation that has no range of its own is one without a range.
+/// Converts an attenuation without a range of its own into the variant with `range: None`.
 macro_rules! from_unlimited {
     ($($type:ty => $variant:ident)*) => {$(
         impl From<$type> for AnyAttenuation {

@@ -1,4 +1,4 @@
-//! Attenuations that end at a range.
+//! Attenuations with a range.
 
 use core::{
     fmt::{self, Formatter},
@@ -13,7 +13,7 @@ use crate::{
     source::{Named, name},
 };
 
-/// An attenuation that a window ends at a range.
+/// An attenuation with a window that ends it at a range.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Ranged<W, A> {
     attenuation: A,
@@ -23,25 +23,26 @@ pub struct Ranged<W, A> {
 
 /// An attenuation, cut off at a range: unchanged within it, 0 from there on.
 pub type CutAt<A> = Ranged<Cut, A>;
-/// An attenuation times `(1 - (d/r)^4)^2`, which ends it at a range without a rim.
+/// An attenuation times `(1 - (d/r)^4)^2`, which fades to 0 at the range without a visible edge.
 pub type Windowed<A> = Ranged<SquareWindow, A>;
 /// The inverse-square law times glTF's window `1 - (d/r)^4`.
 pub type GltfRange = Ranged<GltfWindow, InverseSquare>;
 /// The inverse-square law times `(1 - (d/r)^4)^2`, the window of Filament, Bevy and three.js.
 pub type FilamentRange = Ranged<SquareWindow, InverseSquare>;
 
-/// How a range ends an attenuation.
+/// A window: how a range ends an attenuation.
 pub trait Window: Copy + PartialEq + core::fmt::Debug {
     /// The name of the type.
     const NAME: &'static str;
 
-    /// The effects that the window requires beside a range.
+    /// The effects that the window requires besides [`Effect::Range`].
     const EFFECTS: Effects;
 
-    /// The factor at a fraction `d/r` of the range, in f64.
+    /// Evaluates the factor at a fraction `d/r` of the range, in f64.
     fn exact(fraction: f64) -> f64;
 
-    /// What is left of a share of the intensity at the squared fraction `(d/r)^2` of the range.
+    /// Multiplies a share of the intensity by the window, at the squared fraction `(d/r)^2` of the
+    /// range.
     fn dim<S: Scalar, T: Share<S>>(share: T, squared: T) -> T;
 }
 
@@ -57,7 +58,7 @@ pub struct GltfWindow;
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct SquareWindow;
 
-/// `1 - (d/r)^4` of `(d/r)^2`.
+/// Returns `1 - (d/r)^4` from `(d/r)^2`.
 #[inline]
 fn window<S: Scalar, T: Share<S>>(squared: T) -> T {
     squared.share_of(squared).rest()
@@ -108,8 +109,7 @@ impl Window for SquareWindow {
 }
 
 impl<W: Window, A: Attenuation> Ranged<W, A> {
-    /// Ends an attenuation at this range, in units of the world's length; without a range it is the
-    /// attenuation alone.
+    /// Creates the attenuation with this range, in scene units; `None` leaves it unchanged.
     ///
     /// # Errors
     /// A range outside 0.001 to 1e9.
@@ -117,17 +117,17 @@ impl<W: Window, A: Attenuation> Ranged<W, A> {
         Ok(Self { range: range.map(checked_range).transpose()?, ..Self::unlimited(attenuation) })
     }
 
-    /// The attenuation without a range.
+    /// Creates the attenuation without a range.
     pub(super) fn unlimited(attenuation: A) -> Self {
         Self { attenuation, range: None, window: PhantomData }
     }
 
-    /// The attenuation without its range.
+    /// Returns the attenuation without its range.
     pub fn attenuation(&self) -> A {
         self.attenuation
     }
 
-    /// Where the light ends, if it does.
+    /// Returns the range of the light, if it has one.
     pub fn range(&self) -> Option<f32> {
         self.range
     }
@@ -140,7 +140,8 @@ impl<W: Window, A: Named> Named for Ranged<W, A> {
 }
 
 impl<W: Window, A: Attenuation> Attenuation for Ranged<W, A> {
-    /// The reciprocal of the squared range, and the constants of the attenuation.
+    /// The reciprocal of the squared range (0 without a range), and the constants of the inner
+    /// attenuation.
     type Constants<S: Scalar> = (S::Gain, A::Constants<S>);
 
     fn constants<S: Scalar>(self) -> Self::Constants<S> {

@@ -1,4 +1,4 @@
-//! A compiled cone.
+//! Compiled cones.
 
 use crate::{
     falloff::{Curve, Falloff, SoftOrHard},
@@ -6,7 +6,8 @@ use crate::{
     vec3::Vec3,
 };
 
-/// A cone compiled for the format `S`: from the versine of the angle off axis to the intensity.
+/// A cone compiled for the format `S`: a function from the versine of the angle off axis to the
+/// intensity.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct CompiledCone<S: Scalar, P: Falloff = SoftOrHard> {
     pub(crate) ramp: S::Ramp,
@@ -19,25 +20,28 @@ impl<S: Scalar, P: Falloff> CompiledCone<S, P> {
         Self { ramp, profile, curve: profile.compile() }
     }
 
-    /// The falloff of these parts, as [`codegen`](crate::codegen) writes them: `curve` is the profile in the format `S`.
+    /// Creates the cone from its parts, as [`codegen`](crate::codegen) writes them: `curve` is the
+    /// falloff in the format `S`.
     pub const fn from_parts(ramp: S::Ramp, profile: P, curve: P::Compiled<S>) -> Self {
         Self { ramp, profile, curve }
     }
 
-    /// The versine nearest to a value, in the scale of this cone.
+    /// Converts a versine to the scale of this cone, rounded to nearest.
     pub fn versine(&self, value: f32) -> S::Versine {
         S::versine(self.ramp, value)
     }
 
-    /// The intensity in the direction of a ray from the light, which has an axis.
+    /// Returns the intensity in the direction of a ray from the light, whose axis is given.
     #[inline(always)] // `spot-soft-lambert-hotspot` on Cortex-M0: +73 without.
     pub fn toward<R: Ray<S>>(&self, ray: &R, axis: Vec3<S::Unit>) -> R::Share {
         self.curve.intensity(ray.rise(axis, self.ramp))
     }
 
-    /// The intensity at a versine, in the scale of [`versine`](Self::versine): exactly 0 from the outer versine or a
-    /// cutoff on, exactly 1 at versine 0 and within the hotspot, monotone between (tables aside, and cubics within
-    /// a step of the format).
+    /// Returns the intensity at a versine in the scale of [`versine`](Self::versine).
+    ///
+    /// It is exactly 0 from the outer versine or the cutoff on, and exactly 1 at versine 0 and
+    /// within the hotspot. Between these it is monotone, except for tables, and for cubics within
+    /// one step of the format.
     #[inline(always)] // `table.f32` on Cortex-M0: +73 without.
     pub fn at(&self, versine: S::Versine) -> S {
         match S::rise(self.ramp, versine) {
@@ -46,13 +50,13 @@ impl<S: Scalar, P: Falloff> CompiledCone<S, P> {
         }
     }
 
-    /// The same falloff with another type of profile.
+    /// Returns the cone with another falloff.
     #[inline]
     pub fn with_profile<Q: Falloff>(&self, profile: Q) -> CompiledCone<S, Q> {
         CompiledCone::new(self.ramp, profile)
     }
 
-    /// The edge profile.
+    /// Returns the angular falloff.
     pub fn profile(&self) -> P {
         self.profile
     }

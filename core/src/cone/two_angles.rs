@@ -1,4 +1,4 @@
-//! Cones that have both angles of a data sheet.
+//! Cones with a given beam and field angle.
 
 use super::Cone;
 use crate::{
@@ -11,18 +11,20 @@ use crate::{
 };
 
 impl Cone<FittedFalloff> {
-    /// The cone that has half of its intensity left at the one angle and a tenth at the other.
+    /// Creates the cone with this beam angle (50 %) and this field angle (10 %).
     ///
-    /// What can be had depends on `r`, the versine of half the field angle over that of half the beam angle:
+    /// The falloff depends on `r`, the versine of half the field angle over that of half the beam
+    /// angle:
     ///
-    /// | r | profile |
+    /// | r | falloff |
     /// |---|---|
-    /// | 1 to 1.3416 | the hard edge around a hotspot; at 1, where both angles are equal, a step |
-    /// | 1.3416 to 2.3345 | the [`Quadratic`] of hard and soft that has this ratio |
-    /// | 2.3345 to 5.437 | the [`Cubic`] of edge slope 1.34 that has this ratio |
+    /// | 1 to 1.3416 | the hard falloff with a hotspot; at `r = 1` a step |
+    /// | 1.3416 to 2.3345 | the [`Quadratic`] between hard and soft with this ratio |
+    /// | 2.3345 to 5.437 | the [`Cubic`] of edge slope 1.34 with this ratio |
     ///
-    /// The two quadratics of Hast 2004 are the ends of the middle row. In wide cones a quadratic's outer angle may pass
-    /// 180 degrees where a cubic's does not; then it is the cubic.
+    /// The two quadratics of Hast 2004 are the ends of the middle row. In wide cones the outer
+    /// angle of a quadratic may exceed 180 degrees where that of a cubic does not; then the falloff
+    /// is the cubic.
     ///
     /// ```
     /// use luminaire::{Angle, Cone};
@@ -34,20 +36,23 @@ impl Cone<FittedFalloff> {
     /// ```
     ///
     /// # Errors
-    /// A beam angle that is not more than 0 or over 180 degrees. A field angle that is smaller than the beam
-    /// angle, beyond a ratio of 5.437, or so wide that the outer angle would pass 180 degrees: the message names the
-    /// range for this beam angle, so that its nearest end is the nearest pair.
+    /// A beam angle outside (0, 180] degrees. A field angle that is smaller than the beam angle,
+    /// exceeds a ratio of 5.437, or needs an outer angle over 180 degrees. The error names the
+    /// range of field angles for this beam angle; its nearest end gives the nearest valid pair.
     pub fn from_beam_and_field(beam: impl Into<Angle>, field: impl Into<Angle>) -> Result<Self, Error> {
         design(beam.into(), field.into(), fitted)
     }
 }
 
 impl Cone<Cubic> {
-    /// As [`Cone::from_beam_and_field`], always with a [`Cubic`], and with an edge slope of choice: the smaller, the
-    /// softer the edge is for the same two angles.
+    /// Creates the cone with this beam and field angle as a [`Cubic`] with a given edge slope.
+    ///
+    /// As [`Cone::from_beam_and_field`], but never with another falloff. The smaller the edge
+    /// slope, the softer the edge at the same two angles.
     ///
     /// # Errors
-    /// As there, for ratios from 1.1604 to 5.437; and an edge slope outside [`Cone::edge_slopes`].
+    /// As [`Cone::from_beam_and_field`], for ratios from 1.1604 to 5.437; and an edge slope outside
+    /// [`Cone::edge_slopes`].
     pub fn from_beam_field_and_slope(
         beam: impl Into<Angle>,
         field: impl Into<Angle>,
@@ -62,10 +67,11 @@ impl Cone<Cubic> {
         design(beam, field, |beam, field| cubic(beam, field, edge_slope))
     }
 
-    /// The smallest and the largest edge slope with which a monotone cubic has both of these angles.
+    /// Returns the smallest and the largest edge slope with which a monotone cubic has both of
+    /// these angles.
     ///
     /// # Errors
-    /// A beam angle that is not more than 0 or over 180 degrees, or a field angle for which the ratio of the versines
+    /// A beam angle outside (0, 180] degrees, or a field angle for which the ratio of the versines
     /// is not from 1.1604 to 5.437.
     pub fn edge_slopes(beam: impl Into<Angle>, field: impl Into<Angle>) -> Result<(f32, f32), Error> {
         let reachable = |beam: f32, field: f32| {
@@ -76,11 +82,11 @@ impl Cone<Cubic> {
     }
 }
 
-/// What two angles are designed to, given the versines of their halves: or the error that names the range of field
-/// angles for this beam angle.
+/// Applies `design` to the versines of half the beam and half the field angle. If it fails, the
+/// error names the range of field angles for this beam angle.
 fn design<T>(beam: Angle, field: Angle, design: impl Fn(f32, f32) -> Option<T>) -> Result<T, Error> {
     let (near, far) = (beam.versine(), field.versine());
-    // An angle above zero may be so small that its versine is none.
+    // A tiny positive angle may have a versine of 0.
     if !(beam > Angle::degrees(0.0) && beam <= Angle::degrees(180.0) && near >= f32::MIN_POSITIVE) {
         let accepted = Expected::AngleUpTo(180.0);
         return Err(Error { parameter: Parameter::BeamAngle, value: beam.to_degrees(), accepted });
@@ -96,9 +102,10 @@ fn design<T>(beam: Angle, field: Angle, design: impl Fn(f32, f32) -> Option<T>) 
     })
 }
 
-/// The smallest and the largest versine that can be designed to, from that of the beam on.
+/// Returns the smallest and the largest field versine for which `can` holds, starting at the beam
+/// versine.
 fn reach(beam: f32, can: impl Fn(f32) -> bool) -> (f32, f32) {
-    // Somewhere to start from: the beam itself, or where the cubics begin.
+    // Start at a feasible versine: the beam's, or the smallest of the cubics.
     let start = if can(beam) { beam } else { beam * (LEAST_RATIO + 1e-4) };
     let mut ends = [beam.min(start), (beam * MOST_RATIO * 1.01).min(1.0)].map(|end| (start, end));
     for (held, beyond) in &mut ends {
@@ -111,7 +118,7 @@ fn reach(beam: f32, can: impl Fn(f32) -> bool) -> (f32, f32) {
     (least, most)
 }
 
-/// The profile and the cone for the versines of a beam and a field angle.
+/// Returns the cone with its falloff for the versines of a beam and a field angle.
 fn fitted(beam: f32, field: f32) -> Option<Cone<FittedFalloff>> {
     let ratio = field / beam;
     let quadratic = if ratio <= HARD_RATIO {
@@ -129,14 +136,14 @@ fn fitted(beam: f32, field: f32) -> Option<Cone<FittedFalloff>> {
     })
 }
 
-/// The hard edge around a hotspot, which has any ratio below its own.
+/// Returns the hard falloff with a hotspot, which reaches any ratio below [`HARD_RATIO`].
 fn hotspot(beam: f32, field: f32) -> Cone<FittedFalloff> {
     let span = (field - beam) / (Hard.field_versine() - Hard.beam_versine());
     let inner = (beam - span * Hard.beam_versine()).max(0.0);
     Cone::open(FittedFalloff::Quadratic(Quadratic::HARD), inner, field + span * (1.0 - Hard.field_versine()))
 }
 
-/// The cubic cone of an edge slope, if it ends within 180 degrees.
+/// Returns the cubic cone with this edge slope, if its outer angle is at most 180 degrees.
 fn cubic(beam: f32, field: f32, edge_slope: f32) -> Option<Cone<Cubic>> {
     let cubic = fit::cubic(edge_slope, field / beam)?;
     let cone = Cone::open(cubic, 0.0, field / cubic.field_versine());

@@ -9,36 +9,37 @@ use crate::{
     models::{SAMPLES, falloffs},
 };
 
-/// The enums of the list.
+/// Declares the enums over all falloffs of the list.
 macro_rules! any_falloff {
     ($($(#[$doc:meta])* $variant:ident($type:ty) = $name:literal, $sample:expr, $truth:expr
        $(, any $any:expr)? $(, constant $constant:ty = $its_name:literal, $value:expr, $its_truth:expr)?;)*) => {
         choice! {
-            /// Any falloff, chosen at run time: that of a light of [another system](crate::import), or of a
-            /// [`AnyLight`](crate::dynamic::AnyLight).
+            /// Any falloff, chosen at run time: for a light of [another system](crate::import) or
+            /// an [`AnyLight`](crate::dynamic::AnyLight).
             ///
-            /// It branches per point; [`CompiledAnyLight::evaluate_each`](crate::dynamic::CompiledAnyLight::evaluate_each)
+            /// It branches per point.
+            /// [`CompiledAnyLight::evaluate_each`](crate::dynamic::CompiledAnyLight::evaluate_each)
             /// branches once per light.
             #[non_exhaustive]
             AnyFalloff, CompiledAnyFalloff { $($(#[$doc])* $variant($type),)* }
         }
 
         impl AnyFalloff {
-            /// One of each falloff, for galleries and tests.
+            /// Returns one sample of each falloff, for galleries and tests.
             pub fn samples() -> impl Iterator<Item = Self> {
                 let samples = [$($sample.map(Self::$variant),)*];
                 samples.into_iter().filter_map(|sample: Result<Self, Error>| sample.ok())
             }
 
-            /// How many there are.
+            /// The number of falloffs.
             #[cfg(feature = "arithmetic")]
             pub const COUNT: usize = [$($name),*].len();
 
-            /// The falloff with this index, modulo their count, of numbers in [0, 1); the sample where it has no
-            /// parameters.
+            /// Builds the falloff with index `index % COUNT` from random numbers in [0, 1). A
+            /// falloff without parameters returns its sample.
             ///
             /// # Errors
-            /// Parameters that do not go together.
+            /// An invalid combination of parameters.
             #[cfg(feature = "arithmetic")]
             pub fn drawn(index: usize, mut number: impl FnMut() -> f32) -> Result<Self, Error> {
                 use crate::models::{draw, exponent};
@@ -53,7 +54,7 @@ macro_rules! any_falloff {
                 Ok(Self::Soft(Soft))
             }
 
-            /// The effect that the falloff is.
+            /// Returns the effect of the falloff.
             pub fn effect(&self) -> Effect {
                 match self {
                     $(Self::$variant(_) => Effect::$variant,)*
@@ -63,8 +64,8 @@ macro_rules! any_falloff {
     };
 }
 
-/// Evaluates an expression with the falloff and the curve of a compiled cone by their own types. A
-/// falloff and a curve of two kinds, which only `from_parts` can bring together, stay enums.
+/// Evaluates an expression with the concrete types of a compiled cone's falloff and curve. If their
+/// variants differ, which is only possible through `from_parts`, it falls back to the enums.
 macro_rules! with_profile {
     ([$cone:expr, $profile:ident, $curve:ident, $answer:expr]
      $($(#[$doc:meta])* $variant:ident($type:ty) = $name:literal, $sample:expr, $truth:expr
@@ -85,7 +86,7 @@ pub(crate) use with_profile;
 falloffs!(any_falloff);
 
 impl AnyFalloff {
-    /// `t^n` by the cheapest profile that has it, for `n` from 0 to 1,024: to the power of 0 it is a step.
+    /// Returns `t^n` as the cheapest falloff, for `n` in [0, 1024]. `n = 0` gives a step.
     pub(crate) fn power(exponent: u32) -> Self {
         match exponent {
             0 => Self::Step(Step),
@@ -95,13 +96,13 @@ impl AnyFalloff {
         }
     }
 
-    /// `t^p` by the cheapest profile that has it, for any `p` from 0 to 1,024.
+    /// Returns `t^p` as the cheapest falloff, for real `p` in [0, 1024].
     pub(crate) fn real_power(exponent: f32) -> Self {
         let whole = exponent as u32;
         if whole as f32 == exponent { Self::power(whole) } else { Self::RealPower(RealPower::of(exponent)) }
     }
 
-    /// `1 - u^n` by the cheapest profile that has it, for `n` from 1 to 1,024.
+    /// Returns `1 - u^n` as the cheapest falloff, for `n` in [1, 1024].
     pub(crate) fn inverted_power(exponent: u32) -> Self {
         match exponent {
             1 => Self::Linear(Linear),

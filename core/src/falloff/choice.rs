@@ -1,5 +1,5 @@
-//! Profiles chosen at run time, at the price of a branch per point. A renderer matches on them once per light and calls
-//! `with_profile`.
+//! Falloffs chosen at run time, with a branch per point. A renderer matches on the variant once per
+//! light and calls `with_profile`.
 
 use core::fmt::{self, Formatter};
 
@@ -9,7 +9,7 @@ use crate::{
     source::Source,
 };
 
-/// One of the two profiles of one multiply, chosen at run time.
+/// [`Soft`] or [`Hard`], chosen at run time: the two falloffs of one multiply.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum SoftOrHard {
     /// As [`Soft`].
@@ -18,7 +18,7 @@ pub enum SoftOrHard {
     Hard,
 }
 
-/// Declares an enum of falloffs, the enum of them compiled, and both as the falloff that they hold.
+/// Declares an enum of falloffs and the enum of their compiled forms. Both delegate to the variant.
 macro_rules! choice {
     ($(#[$meta:meta])* $choice:ident, $compiled:ident { $($(#[$doc:meta])* $variant:ident($type:ty),)* }) => {
         $(#[$meta])*
@@ -116,16 +116,17 @@ macro_rules! choice {
 pub(super) use choice;
 
 choice! {
-    /// The falloff that has a pair of angles: see [`Cone::from_beam_and_field`](crate::Cone::from_beam_and_field).
+    /// The falloff fitted to a beam and a field angle: see
+    /// [`Cone::from_beam_and_field`](crate::Cone::from_beam_and_field).
     FittedFalloff, CompiledFittedFalloff {
         /// A quadratic.
         Quadratic(Quadratic),
-        /// A cubic, where no quadratic has these angles.
+        /// A cubic, for pairs of angles that no quadratic has.
         Cubic(Cubic),
     }
 }
 
-/// What the chosen edge answers.
+/// Evaluates an expression with the type of the chosen falloff.
 macro_rules! edge {
     ($choice:ident, $profile:ident => $answer:expr) => {
         match $choice {

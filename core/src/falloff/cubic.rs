@@ -1,4 +1,4 @@
-//! Profiles of the third degree.
+//! Cubic falloffs.
 
 use core::fmt::{self, Formatter};
 
@@ -14,36 +14,39 @@ use crate::{
     trig,
 };
 
-/// The smooth edge `t^2 (3 - 2t)`: two multiplies. Flat at both ends: the smoothstep of dual-cone shaders in GLSL, of
-/// three.js and of Blender.
+/// The smoothstep `t^2 (3 - 2t)`: two multiplies. Its slope is 0 at both ends. Used by dual-cone
+/// shaders in GLSL, by three.js and by Blender.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct Smooth;
 
 /// Any monotone cubic `t (a + t (b + t c))` with `a + b + c = 1`: three multiplies.
 ///
-/// It is fixed by its slopes over `t` at the edge, `a`, and in the middle, `d = a + 2b + 3c`; it is monotone where
-/// these are in the region of F. N. Fritsch and R. E. Carlson, *Monotone Piecewise Cubic Interpolation*, SIAM J.
-/// Numer. Anal. 17 (1980). Evaluated as `t (1 + u (g + h t))` with `g = a - 1` and `g + h = 1 - d`, so that it is
-/// one on the axis whatever rounding the slopes have.
+/// Two slopes over `t` determine it: `a` at the edge, and `d = a + 2b + 3c` in the middle. It is
+/// monotone for slopes in the region of F. N. Fritsch and R. E. Carlson, *Monotone Piecewise Cubic
+/// Interpolation*, SIAM J. Numer. Anal. 17 (1980). It is evaluated as `t (1 + u (g + h t))` with
+/// `g = a - 1` and `g + h = 1 - d`, so that the value on the axis is exactly 1 however the slopes
+/// are rounded.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Cubic {
-    /// Both slopes are on the grid of [`GRID`], on which the coefficients are exact.
+    /// Both slopes are multiples of 1 / [`GRID`], so that the coefficients are exact.
     edge_slope: f32,
     middle_slope: f32,
 }
 
-/// How many steps to one: coefficients are below 8, so that they and their sums are exact in the 24 bits of f32.
+/// Steps per unit. Coefficients are below 8, so they and their sums are exact in the 24 bits of
+/// f32.
 const GRID: f32 = 1_048_576.0;
 
-/// The nearest multiple of the grid's step.
+/// Rounds to the nearest multiple of 1 / [`GRID`].
 fn on_grid(value: f32) -> f32 {
     let steps = value * GRID;
     (if steps < 0.0 { steps - 0.5 } else { steps + 0.5 }) as i32 as f32 / GRID
 }
 
-/// The smallest and the largest slope in the middle with which a cubic of edge slope `a` in [0, 4] is monotone.
+/// Returns the smallest and the largest middle slope of a monotone cubic with edge slope `a` in
+/// [0, 4].
 ///
-/// Up to an edge slope of 3 the smallest is 0; from there on, and for the largest, it is the ellipse
+/// The smallest is 0 for `a <= 3`. For `a > 3`, and for the largest, it lies on the ellipse
 /// `a^2 + a d + d^2 - 6 a - 6 d + 9 = 0`.
 pub(super) fn middle_slopes(edge_slope: f32) -> (f32, f32) {
     let (a, root) = (edge_slope, trig::sqrt((3.0 * edge_slope * (4.0 - edge_slope)).max(0.0)));
@@ -52,12 +55,12 @@ pub(super) fn middle_slopes(edge_slope: f32) -> (f32, f32) {
 }
 
 impl Cubic {
-    /// The cubic with these slopes over `t`, at the edge and in the middle: each from 0 to 4, and monotone. They are
-    /// rounded to multiples of 2^-20.
+    /// Creates the cubic with these slopes over `t`, at the edge and in the middle. Each is in
+    /// [0, 4] and is rounded to a multiple of 2^-20.
     ///
     /// # Errors
-    /// An edge slope outside [0, 4], or a middle slope with which the cubic would not be monotone: the message
-    /// says which are for this edge slope.
+    /// An edge slope outside [0, 4], or a middle slope with which the cubic is not monotone. The
+    /// error names the range for this edge slope.
     pub fn with_slopes(edge_slope: f32, middle_slope: f32) -> Result<Self, Error> {
         let check = |parameter, value: f32, least: f32, most: f32| {
             if (least..=most).contains(&value) {
@@ -68,17 +71,18 @@ impl Cubic {
         };
         let edge_slope = check(Parameter::EdgeSlope, edge_slope, 0.0, 4.0)?;
         let (least, most) = middle_slopes(edge_slope);
-        // The ends of the interval are roots: as exact as the grid, they are accepted.
+        // The limits come from a square root: they are rounded to the grid, and the ends are
+        // accepted.
         let (least, most) = (on_grid(least), on_grid(most));
         let middle_slope = check(Parameter::MiddleSlope, middle_slope, least, most)?;
         Ok(Self { edge_slope, middle_slope })
     }
 
-    /// The cubic `t (a + t (b + t c))`. The coefficients are rounded to multiples of 2^-20, on which `a + b + c` is
-    /// exactly 1.
+    /// Creates the cubic `t (a + t (b + t c))`. The coefficients are rounded to multiples of 2^-20
+    /// with `a + b + c = 1` exactly.
     ///
     /// # Errors
-    /// A sum that is not 1 within 2^-20; else as [`Cubic::with_slopes`].
+    /// A sum that is not within 2^-20 of 1; else as [`Cubic::with_slopes`].
     pub fn new(a: f32, b: f32, c: f32) -> Result<Self, Error> {
         let sum = a + b + c;
         let near = (1.0 - 1.0 / GRID)..=(1.0 + 1.0 / GRID);
@@ -90,44 +94,46 @@ impl Cubic {
         Self::with_slopes(on_grid(a), on_grid(3.0 - 2.0 * on_grid(a) - on_grid(b)))
     }
 
-    /// The coefficients `[a, b, c]`: multiples of 2^-20 whose sum is exactly 1.
+    /// Returns the coefficients `[a, b, c]`: multiples of 2^-20 whose sum is exactly 1.
     pub fn coefficients(self) -> [f32; 3] {
         let (a, d) = (self.edge_slope, self.middle_slope);
         [a, 3.0 - 2.0 * a - d, a + d - 2.0]
     }
 
-    /// The slope over `t` at the edge.
+    /// Returns the slope over `t` at the edge.
     pub fn edge_slope(self) -> f32 {
         self.edge_slope
     }
 
-    /// The slope over `t` in the middle: on the axis, or at the rim of a hotspot.
+    /// Returns the slope over `t` in the middle: on the axis, or at the inner angle.
     pub fn middle_slope(self) -> f32 {
         self.middle_slope
     }
 
-    /// The cubic of slopes of these bits, at the edge and in the middle, as [`codegen`](crate::codegen) writes them; each
-    /// clamped to [0, 4], NaN to 0. Only those that [`with_slopes`](Self::with_slopes) accepts make a monotone cubic.
+    /// Creates the cubic from the bits of its edge and middle slope, as [`codegen`](crate::codegen)
+    /// writes them. Each is clamped to [0, 4], NaN to 0. The cubic is monotone only for slopes that
+    /// [`with_slopes`](Self::with_slopes) accepts.
     pub const fn from_bits([edge_slope, middle_slope]: [u32; 2]) -> Self {
         Self { edge_slope: clamped_bits(edge_slope, 4.0), middle_slope: clamped_bits(middle_slope, 4.0) }
     }
 
-    /// The bits of the slopes, at the edge and in the middle.
+    /// Returns the bits of the edge slope and of the middle slope.
     pub const fn to_bits(self) -> [u32; 2] {
         [self.edge_slope.to_bits(), self.middle_slope.to_bits()]
     }
 
-    /// The cubic with these very slopes: for searches, which end on the grid.
+    /// Creates the cubic without rounding the slopes to the grid: for searches, whose result is
+    /// rounded.
     pub(super) fn exactly(edge_slope: f32, middle_slope: f32) -> Self {
         Self { edge_slope, middle_slope }
     }
 
-    /// The versine at the field over that at the beam.
+    /// Returns the versine at the field angle over that at the beam angle.
     pub(super) fn ratio(self) -> f32 {
         self.field_versine() / self.beam_versine()
     }
 
-    /// The cubic with the nearest slopes of the grid.
+    /// Creates the cubic with both slopes rounded to the grid.
     pub(super) fn nearest(edge_slope: f32, middle_slope: f32) -> Self {
         Self { edge_slope: on_grid(edge_slope), middle_slope: on_grid(middle_slope) }
     }
@@ -137,7 +143,8 @@ impl Cubic {
         Polynomial { a, b, c }
     }
 
-    /// The `u` with this intensity, by bisection: a cubic of slope zero defeats faster methods.
+    /// Returns the `u` with this intensity, by bisection: faster methods fail where the slope is
+    /// zero.
     fn versine_of(self, intensity: f32) -> f32 {
         let (g, h) = (self.edge_slope - 1.0, 2.0 - self.edge_slope - self.middle_slope);
         bisect(0.0, 1.0, |u| {
@@ -188,7 +195,7 @@ pub struct CompiledCubic<S: Scalar> {
 }
 
 impl<S: Scalar> CompiledCubic<S> {
-    /// The cubic `t (1 + u (g + h t))`, as [`codegen`](crate::codegen) writes it.
+    /// Creates the cubic `t (1 + u (g + h t))`, as [`codegen`](crate::codegen) writes it.
     pub const fn from_parts(g: S::Weight, h: S::Weight) -> Self {
         Self { g, h }
     }

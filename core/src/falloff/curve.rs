@@ -2,8 +2,8 @@
 
 use crate::number::{Fraction, Scalar};
 
-/// A [`Falloff`](super::Falloff) in the format `S`: what is evaluated per point.
+/// A [`Falloff`](super::Falloff) in the format `S`, evaluated per point.
 pub trait Curve<S: Scalar>: Copy + PartialEq + core::fmt::Debug {
-    /// The intensity at `t`, in [0, 1].
+    /// Returns the intensity in [0, 1] at `t`.
     fn intensity<F: Fraction<S>>(self, t: F) -> F::Value;
 }

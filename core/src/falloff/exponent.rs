@@ -2,8 +2,11 @@
 
 use crate::trig;
 
-/// A number from 0 up to the power of a real exponent from 0 up, relative error under 1e-9: squarings for the integer part
-/// of the exponent, square roots for 40 binary digits of its fraction. Set-up only.
+/// Returns `base^exponent` for real `base >= 0` and `exponent >= 0`, with a relative error under
+/// 1e-9. Set-up only.
+///
+/// It uses repeated squaring for the integer part of the exponent, and square roots for 40 binary
+/// digits of its fraction.
 pub(crate) fn real_power(base: f64, exponent: f64) -> f64 {
     let whole = exponent as u32;
     let mut power = 1.0;
@@ -25,7 +28,7 @@ pub(crate) fn real_power(base: f64, exponent: f64) -> f64 {
     power
 }
 
-/// The square root in f64: that of f32, and a step of Newton's method.
+/// Returns the square root in f64: the f32 root, refined by one Newton step.
 fn square_root(x: f64) -> f64 {
     let root = f64::from(trig::sqrt(x as f32));
     if root > 0.0 { (root + x / root) / 2.0 } else { 0.0 }

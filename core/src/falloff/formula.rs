@@ -4,33 +4,34 @@ use super::Table;
 #[cfg(feature = "libm")]
 use crate::number::Knot;
 
-/// The formula of a falloff as data, for oracles and generated code: a function of `t` in [0, 1], and 0
-/// at `t = 0`.
+/// The formula of a falloff as data, for reference values and generated code: a function of `t` in
+/// [0, 1], and 0 at `t = 0`.
 #[derive(Clone, Copy, Debug)]
 #[non_exhaustive]
 pub enum Formula<'a> {
     /// 1 for `t > 0`.
     Step,
-    /// `t (a + t (b + t c))` of `[a, b, c]`.
+    /// `t (a + t (b + t c))` with `[a, b, c]`.
     Polynomial([f32; 3]),
-    /// `t^p` of `p`.
+    /// `t^p` with `p`.
     Power(f32),
-    /// `(1 - max(u, f)^p) / (1 - f^p)` with `u = 1 - t`, of `p` and `f`. The floor `f` is 0, but for
-    /// exponents less than 1, whose slope over `t` has no bound at `t = 1`.
+    /// `(1 - max(u, f)^p) / (1 - f^p)` with `u = 1 - t`, the exponent `p` and the floor `f`. `f` is
+    /// 0 except for lights imported from Godot; for `p < 1` it keeps the slope over `t` at `t = 1`
+    /// finite.
     InvertedPower(f32, f32),
-    /// `(1 - s) t^n + s t^m` of `[n, m]` and `s`.
+    /// `(1 - s) t^n + s t^m` with `[n, m]` and `s`.
     MixedPower([u32; 2], f32),
-    /// `1 - (1 - s) u^n - s u^m` with `u = 1 - t`, of `[n, m]` and `s`.
+    /// `1 - (1 - s) u^n - s u^m` with `u = 1 - t`, `[n, m]` and `s`.
     InvertedMixedPower([u32; 2], f32),
-    /// Samples, linear between.
+    /// Samples with linear interpolation.
     Table(Table<'a>),
-    /// Anything else, in f64.
+    /// Any other function, in f64.
     Function(fn(f64) -> f64),
 }
 
 #[cfg(feature = "libm")]
 impl Formula<'_> {
-    /// The formula in f64, as plainly as it can be written: the truth that errors are measured against.
+    /// Evaluates the formula in f64, in its most direct form: the reference for error measurements.
     pub fn exact(&self, t: f64) -> f64 {
         let power = |x: f64, exponent: f32| libm::pow(x, exponent.into());
         let mixed = |x: f64, [low, high]: [u32; 2], share: f32| {
@@ -69,7 +70,7 @@ fn interpolated(samples: &[u16], u: f64) -> f64 {
     (from + (to - from) * (place - index as f64)) / 65_535.0
 }
 
-/// The line of the last knot at or before `u`.
+/// Evaluates the line of the last knot at or before `u`.
 #[cfg(feature = "libm")]
 fn along(knots: &[Knot], u: f64) -> f64 {
     let place = u * 65_536.0;

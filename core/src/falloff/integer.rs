@@ -1,4 +1,4 @@
-//! Integer powers whose exponent is known at run time, by repeated squaring.
+//! Integer powers with a run-time exponent, by repeated squaring.
 
 use super::{Curve, Falloff, Formula};
 use crate::{
@@ -8,24 +8,25 @@ use crate::{
     trig,
 };
 
-/// The power `t^n` of an exponent that is known at run time: a loop over its binary digits where
-/// [`Power`](crate::falloff::Power) is unrolled by the compiler, with the same bits.
+/// The power `t^n` with an exponent chosen at run time. It loops over the binary digits of `n`,
+/// where the compiler unrolls [`Power`](crate::falloff::Power); the results are bit-identical.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct IntegerPower {
     exponent: u32,
 }
 
-/// The inverted power `1 - u^n` of an exponent that is known at run time, with the bits of
+/// The inverted power `1 - u^n` with an exponent chosen at run time. Results are bit-identical to
 /// [`InvertedPower`](crate::falloff::InvertedPower).
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct InvertedIntegerPower {
     exponent: u32,
 }
 
-/// The largest exponent: eight times that of OpenGL. A field angle of 15 degrees needs 268 (Hast 2004, figure 7).
+/// The largest exponent, 8 times that of OpenGL. A field angle of 15 degrees needs 268 (Hast 2004,
+/// figure 7).
 pub(crate) const MOST: u32 = 1_024;
 
-/// An exponent in a closed range, or the error that names it.
+/// Returns the exponent if it is in [least, most], or the error that names the range.
 pub(super) fn checked(exponent: u32, least: u32, most: u32) -> Result<u32, Error> {
     if (least..=most).contains(&exponent) {
         Ok(exponent)
@@ -35,7 +36,7 @@ pub(super) fn checked(exponent: u32, least: u32, most: u32) -> Result<u32, Error
     }
 }
 
-/// The exponent of a range that is nearest.
+/// Clamps an exponent to [least, most].
 pub(super) const fn clamped(exponent: u32, least: u32, most: u32) -> u32 {
     if exponent < least {
         least
@@ -46,13 +47,15 @@ pub(super) const fn clamped(exponent: u32, least: u32, most: u32) -> u32 {
     }
 }
 
-/// `1 - exp(-x)` for `x` in [0, 2.4], without cancellation: the series of the exponential, to the last place.
+/// Returns `1 - exp(-x)` for `x` in [0, 2.4] without cancellation, to the last place: the series of
+/// the exponential.
 pub(super) fn lost_after(x: f32) -> f32 {
     let terms = (2..=20).rev().fold(1.0, |sum, n| 1.0 - x / n as f32 * sum);
     x * terms
 }
 
-/// `x^n` by repeated squaring, set-up only. In f64: n magnifies the rounding of `x`.
+/// Returns `x^n` by repeated squaring, for set-up only. In f64, because `n` magnifies the rounding
+/// of `x`.
 pub(super) fn raised(x: f64, n: u32) -> f64 {
     let (mut power, mut square, mut rest) = (1.0, x, n);
     while rest > 0 {
@@ -65,11 +68,12 @@ pub(super) fn raised(x: f64, n: u32) -> f64 {
     power
 }
 
-/// `t^n` for `n` from 1 up, kept fine: by the binary digits of `n`, from the second highest down. `t` for 0.
+/// Returns `t^n` for `n >= 1` in the extended precision of `F`, by the binary digits of `n` from
+/// the second highest down. `n = 0` returns `t`.
 #[inline]
 pub(super) fn power<S: Scalar, F: Fraction<S>>(t: F, n: u32) -> F {
     let mut power = t;
-    // No exponent is 0, but only so does the compiler know: the logarithm of 0 would panic.
+    // `n` is never 0 here. `n | 1` makes the compiler remove the panic of `ilog2` for 0.
     let mut digit = (n | 1).ilog2();
     while digit > 0 {
         digit -= 1;
@@ -81,7 +85,7 @@ pub(super) fn power<S: Scalar, F: Fraction<S>>(t: F, n: u32) -> F {
     power
 }
 
-/// `t^n`, whose last product is rounded to the scalar at once.
+/// Returns `t^n`. The last product is rounded directly to the scalar.
 #[inline]
 pub(super) fn rounded_power<S: Scalar, F: Fraction<S>>(t: F, n: u32) -> F::Value {
     if n == 1 {
@@ -95,7 +99,7 @@ pub(super) fn rounded_power<S: Scalar, F: Fraction<S>>(t: F, n: u32) -> F::Value
 }
 
 impl IntegerPower {
-    /// The power of this exponent.
+    /// Creates the power with this exponent.
     ///
     /// # Errors
     /// An exponent outside 1 to 1,024.
@@ -103,29 +107,30 @@ impl IntegerPower {
         Ok(Self { exponent: checked(exponent, 1, MOST)? })
     }
 
-    /// The power of an exponent that is known to be sound.
+    /// Creates the power with an exponent that is already validated.
     pub(crate) const fn of(exponent: u32) -> Self {
         Self { exponent }
     }
 
-    /// The power of this exponent clamped to [1, 1024], as [`codegen`](crate::codegen) writes it.
+    /// Creates the power with this exponent clamped to [1, 1024], as [`codegen`](crate::codegen)
+    /// writes it.
     pub const fn from_bits(exponent: u32) -> Self {
         Self { exponent: clamped(exponent, 1, MOST) }
     }
 
-    /// The exponent.
+    /// Returns the exponent.
     pub const fn to_bits(self) -> u32 {
         self.exponent
     }
 
-    /// The exponent.
+    /// Returns the exponent.
     pub fn exponent(self) -> u32 {
         self.exponent
     }
 }
 
 impl InvertedIntegerPower {
-    /// The inverted power of this exponent.
+    /// Creates the inverted power with this exponent.
     ///
     /// # Errors
     /// An exponent outside 1 to 1,024.
@@ -133,22 +138,23 @@ impl InvertedIntegerPower {
         Ok(Self { exponent: checked(exponent, 1, MOST)? })
     }
 
-    /// The inverted power of an exponent that is known to be sound.
+    /// Creates the inverted power with an exponent that is already validated.
     pub(crate) const fn of(exponent: u32) -> Self {
         Self { exponent }
     }
 
-    /// The inverted power of this exponent clamped to [1, 1024], as [`codegen`](crate::codegen) writes it.
+    /// Creates the inverted power with this exponent clamped to [1, 1024], as
+    /// [`codegen`](crate::codegen) writes it.
     pub const fn from_bits(exponent: u32) -> Self {
         Self { exponent: clamped(exponent, 1, MOST) }
     }
 
-    /// The exponent.
+    /// Returns the exponent.
     pub const fn to_bits(self) -> u32 {
         self.exponent
     }
 
-    /// The exponent.
+    /// Returns the exponent.
     pub fn exponent(self) -> u32 {
         self.exponent
     }
@@ -173,7 +179,8 @@ impl Falloff for IntegerPower {
         lost_after(core::f32::consts::LN_10 / self.exponent as f32)
     }
 
-    /// The largest of `2 n (1 - v)^(n - 1) sqrt(v)`, at `v = 1 / (2 n - 1)` if that is outside the hotspot.
+    /// The maximum of `2 n (1 - v)^(n - 1) sqrt(v)`: at `v = 1 / (2 n - 1)`, or at the inner angle
+    /// if that is farther out.
     fn steepness(self, hotspot: f32) -> f32 {
         let (n, hotspot) = (self.exponent, f64::from(hotspot));
         let span = 1.0 - hotspot;
@@ -183,7 +190,7 @@ impl Falloff for IntegerPower {
     }
 
     fn integral(self, u: f32) -> f32 {
-        // (1 - t^(n + 1)) / (1 - t) is a sum of powers: nothing cancels where u is small.
+        // (1 - t^(n + 1)) / (1 - t) as a sum of powers: no cancellation for small u.
         let (n, t) = (self.exponent, 1.0 - f64::from(u));
         let (sum, _) = (0..=n).fold((0.0, 1.0), |(sum, power), _| (sum + power, power * t));
         u * (sum / f64::from(n + 1)) as f32

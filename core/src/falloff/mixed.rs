@@ -1,4 +1,4 @@
-//! Mixtures of two integer powers.
+//! Weighted sums of two integer powers.
 
 use core::fmt::{self, Formatter};
 
@@ -15,21 +15,22 @@ use crate::{
     trig,
 };
 
-/// The mixture `(1 - s) t^n + s t^m` of two integer powers, with a share s of the larger: two multiplies more
-/// than for the powers.
+/// The mixture `(1 - s) t^n + s t^m` of two integer powers, with a weight `s` of the larger
+/// exponent. It costs two multiplies more than the two powers.
 ///
-/// A line with a share of a high power has a sharp tip. `n` may be 0: that power is one wherever `t` is
-/// more than zero, so that the mixture jumps at its edge.
+/// A linear falloff mixed with a high power has a sharp peak on the axis. `n` may be 0: `t^0` is 1
+/// for `t > 0`, so the mixture jumps at its edge.
 ///
-/// Towards the middle it falls by one step of the format at most.
+/// It is monotone, except for decreases of at most one step of the format towards the axis.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct MixedPower(Mixture);
 
-/// The mixture `1 - (1 - s) u^n - s u^m` of two inverted powers, the mirror image of [`MixedPower`].
+/// The mixture `1 - (1 - s) u^n - s u^m` of two inverted powers: the mirror image of
+/// [`MixedPower`].
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct InvertedMixedPower(Mixture);
 
-/// Two exponents, the smaller one first, and the share of the larger.
+/// Two exponents in ascending order, and the weight of the larger one.
 #[derive(Clone, Copy, PartialEq, Debug)]
 struct Mixture {
     low: u32,
@@ -45,96 +46,101 @@ impl Mixture {
         Ok(Self { low, high, share })
     }
 
-    /// The mixture of these exponents, brought to where they are sound, and of a share of these bits, clamped to [0, 1],
-    /// NaN to 0.
+    /// Creates the mixture with both exponents clamped to their valid ranges. The bits of the share
+    /// are clamped to [0, 1], NaN to 0.
     const fn from_bits(least: u32, [low, high, share]: [u32; 3]) -> Self {
         let low = clamped(low, least, MOST - 1);
         Self { low, high: clamped(high, low + 1, MOST), share: clamped_bits(share, 1.0) }
     }
 
-    /// The mixture of two numbers.
+    /// Returns the weighted sum of two numbers.
     fn of(self, low: f32, high: f32) -> f32 {
         low + (high - low) * self.share
     }
 
-    /// The mixture of the powers of `x` in [0, 1].
+    /// Returns the mixture of the powers of `x` in [0, 1].
     fn value(self, x: f64) -> f64 {
         let (low, high) = (raised(x, self.low), raised(x, self.high));
         low + (high - low) * f64::from(self.share)
     }
 
-    /// The derivative of the mixture.
+    /// Returns the derivative of the mixture.
     fn slope(self, x: f64) -> f64 {
         let slope = |n: u32| if n == 0 { 0.0 } else { f64::from(n) * raised(x, n - 1) };
         let (low, high) = (slope(self.low), slope(self.high));
         low + (high - low) * f64::from(self.share)
     }
 
-    /// `1 - x` for the `x` at which the mixture has this value, and 1 where it is above it everywhere.
+    /// Returns `1 - x` for the `x` at which the mixture has this value, and 1 if the mixture is
+    /// larger everywhere.
     fn lack_at(self, value: f64) -> f32 {
         bisect(0.0, 1.0, |lack| self.value(1.0 - f64::from(lack)) > value)
     }
 }
 
 impl MixedPower {
-    /// The mixture of the powers of two exponents, the smaller one first, with this share of the larger.
+    /// Creates the mixture of the powers with these two exponents, in ascending order, and this
+    /// share of the larger one.
     ///
     /// # Errors
-    /// A first exponent outside 0 to 1,023, a second one that is not larger or over 1,024, or a share outside [0,
-    /// 1].
+    /// A first exponent outside 0 to 1,023, a second one that is not larger or exceeds 1,024, or a
+    /// share outside [0, 1].
     pub fn new(exponents: [u32; 2], share: f32) -> Result<Self, Error> {
         Mixture::checked(0, exponents, share).map(Self)
     }
 
-    /// The mixture of the powers of two exponents and a share of these bits, as [`codegen`](crate::codegen) writes
-    /// them; each is clamped to where [`new`](Self::new) accepts it, a share of NaN to 0.
+    /// Creates the mixture from two exponents and the bits of a share, as
+    /// [`codegen`](crate::codegen) writes them. Each is clamped to the range that
+    /// [`new`](Self::new) accepts, a share of NaN to 0.
     pub const fn from_bits(bits: [u32; 3]) -> Self {
         Self(Mixture::from_bits(0, bits))
     }
 
-    /// The two exponents, and the bits of the share.
+    /// Returns the two exponents and the bits of the share.
     pub const fn to_bits(self) -> [u32; 3] {
         [self.0.low, self.0.high, self.0.share.to_bits()]
     }
 
-    /// The two exponents.
+    /// Returns the two exponents.
     pub fn exponents(self) -> [u32; 2] {
         [self.0.low, self.0.high]
     }
 
-    /// The share of the larger exponent.
+    /// Returns the share of the larger exponent, in [0, 1].
     pub fn share(self) -> f32 {
         self.0.share
     }
 }
 
 impl InvertedMixedPower {
-    /// The mixture of the inverted powers of two exponents, the smaller one first, with this share of the larger.
+    /// Creates the mixture of the inverted powers with these two exponents, in ascending order, and
+    /// this share of the larger one.
     ///
     /// # Errors
-    /// A first exponent outside 1 to 1,023, a second one that is not larger or over 1,024, or a share outside [0,
-    /// 1].
+    /// A first exponent outside 1 to 1,023, a second one that is not larger or exceeds 1,024, or a
+    /// share outside [0, 1].
     pub fn new(exponents: [u32; 2], share: f32) -> Result<Self, Error> {
         Mixture::checked(1, exponents, share).map(Self)
     }
 
-    /// The mixture of the inverted powers of two exponents and a share of these bits, as [`codegen`](crate::codegen)
-    /// writes them; each is clamped to where [`new`](Self::new) accepts it, a share of NaN to 0.
+    /// Creates the mixture from two exponents and the bits of a share, as
+    /// [`codegen`](crate::codegen) writes them. Each is clamped to the range that
+    /// [`new`](Self::new) accepts, a share of NaN to 0.
     pub const fn from_bits(bits: [u32; 3]) -> Self {
         Self(Mixture::from_bits(1, bits))
     }
 
-    /// The two exponents, and the bits of the share.
+    /// Returns the two exponents and the bits of the share.
     pub const fn to_bits(self) -> [u32; 3] {
         [self.0.low, self.0.high, self.0.share.to_bits()]
     }
 
-    /// The two exponents.
+    /// Returns the two exponents.
     pub fn exponents(self) -> [u32; 2] {
         [self.0.low, self.0.high]
     }
 
-    /// The share of the larger exponent.
+    /// Returns the share of the larger exponent, in [0, 1].
     pub fn share(self) -> f32 {
         self.0.share
     }
@@ -144,7 +150,7 @@ impl InvertedMixedPower {
 #[derive(Clone, Copy, PartialEq, Debug)]
 struct CompiledMixture<S> {
     low: u32,
-    /// How much larger the other exponent is.
+    /// The difference of the two exponents.
     rise: u32,
     share: S,
 }
@@ -154,7 +160,7 @@ impl<S: Scalar> CompiledMixture<S> {
         Self { low: mixture.low, rise: mixture.high - mixture.low, share: S::from_f32(mixture.share) }
     }
 
-    /// The mixture of the powers of a fraction: exactly 0 at 0 and exactly 1 at 1.
+    /// Returns the mixture of the powers of a fraction: exactly 0 at 0 and exactly 1 at 1.
     #[inline]
     fn of<F: Fraction<S>>(self, x: F) -> F::Value {
         let rise = power(x, self.rise);
@@ -179,8 +185,8 @@ pub struct CompiledInvertedMixedPower<S>(CompiledMixture<S>);
 written_by_bits!(MixedPower InvertedMixedPower);
 
 impl<S: Scalar> CompiledMixedPower<S> {
-    /// The mixture of an exponent, how much larger the other one is, and its share, as [`codegen`](crate::codegen)
-    /// writes it.
+    /// Creates the mixture from the smaller exponent, the difference of the exponents, and the
+    /// share of the larger one, as [`codegen`](crate::codegen) writes it.
     pub const fn from_parts(low: u32, rise: u32, share: S) -> Self {
         Self(CompiledMixture { low, rise, share })
     }
@@ -194,8 +200,8 @@ impl<S: Scalar + Source + Named> Source for CompiledMixedPower<S> {
 }
 
 impl<S: Scalar> CompiledInvertedMixedPower<S> {
-    /// The mixture of an exponent, how much larger the other one is, and its share, as [`codegen`](crate::codegen)
-    /// writes it.
+    /// Creates the mixture from the smaller exponent, the difference of the exponents, and the
+    /// share of the larger one, as [`codegen`](crate::codegen) writes it.
     pub const fn from_parts(low: u32, rise: u32, share: S) -> Self {
         Self(CompiledMixture { low, rise, share })
     }
@@ -229,12 +235,12 @@ impl Falloff for MixedPower {
         self.0.lack_at(0.1)
     }
 
-    /// The largest of `2 f'(t) sqrt(v) / (1 - h)`, `t = (1 - v) / (1 - h)`: a mixture may have two hills, so
-    /// that it is searched. At least that of a step where the mixture jumps.
+    /// The maximum of `2 f'(t) sqrt(v) / (1 - h)` with `t = (1 - v) / (1 - h)`. It is searched,
+    /// because a mixture may have two local maxima. At least that of a step if the mixture jumps.
     fn steepness(self, hotspot: f32) -> f32 {
         let (hotspot, jump) = (f64::from(hotspot), if self.0.low == 0 { 1.0 } else { 0.0 });
         let span = 1.0 - hotspot;
-        // Evenly spread over the angle, for which the root of the versine stands.
+        // Samples evenly in the root of the versine, which stands for the angle.
         let steepest = maximum(0.0, 1.0, |x| {
             let versine = hotspot + span * x * x;
             2.0 * self.0.slope(1.0 - x * x) * f64::from(trig::sqrt(versine as f32)) / span
@@ -276,7 +282,7 @@ impl Falloff for InvertedMixedPower {
         1.0 - self.0.lack_at(0.9)
     }
 
-    /// The slope at the edge, where both powers are steepest.
+    /// The slope at the edge, where both powers have their maximum slope.
     fn steepness(self, hotspot: f32) -> f32 {
         let of = |n: u32| InvertedIntegerPower::of(n).steepness(hotspot);
         self.0.of(of(self.0.low), of(self.0.high))

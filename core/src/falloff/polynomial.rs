@@ -1,8 +1,8 @@
-//! What the figures of polynomial profiles have in common.
+//! Properties shared by the polynomial falloffs.
 
 use crate::trig;
 
-/// The profile `t (a + t (b + t c))`, for its figures.
+/// The falloff `t (a + t (b + t c))`, for its integral and its steepness.
 #[derive(Clone, Copy)]
 pub(super) struct Polynomial {
     pub(super) a: f32,
@@ -11,14 +11,16 @@ pub(super) struct Polynomial {
 }
 
 impl Polynomial {
-    /// The integral over `u` from 0 to `u`, by the powers of `u`: those of `t` would cancel where `u` is small.
+    /// Returns the integral over `u` from 0 to `u`, expanded in powers of `u`: powers of `t` cancel
+    /// for small `u`.
     pub(super) fn integral(self, u: f32) -> f32 {
         let slope = self.a + 2.0 * self.b + 3.0 * self.c;
         u * (1.0 - u * (slope / 2.0 - u * ((self.b + 3.0 * self.c) / 3.0 - u * self.c / 4.0)))
     }
 
-    /// The largest of `2 f'(t) sqrt(v) / (1 - h)`, with `v` the versine from the hotspot `h` to 1 and
-    /// `t = (1 - v) / (1 - h)`: at an end, or where the derivative over `v`, a quadratic, is zero.
+    /// Returns the maximum of `2 f'(t) sqrt(v) / (1 - h)`, with `v` the versine from the hotspot
+    /// `h` to 1 and `t = (1 - v) / (1 - h)`. It is at an end, or where the derivative over `v`, a
+    /// quadratic, is zero.
     pub(super) fn steepness(self, hotspot: f32) -> f32 {
         let span = 1.0 - hotspot;
         let slope = |v: f32| {
@@ -38,14 +40,15 @@ impl Polynomial {
     }
 }
 
-/// The number of these bits, clamped to [0, most]; 0 of NaN.
+/// Returns the float with these bits, clamped to [0, most]; 0 for NaN.
 pub(super) const fn clamped_bits(bits: u32, most: f32) -> f32 {
     let slope = f32::from_bits(bits);
-    // A clamp keeps NaN.
+    // `clamp` returns NaN for NaN.
     if slope.is_nan() { 0.0 } else { slope.clamp(0.0, most) }
 }
 
-/// The real roots of `a x^2 + b x + c`, without cancellation; not a number or infinite where there is none.
+/// Returns the real roots of `a x^2 + b x + c`, without cancellation; NaN or infinity for a root
+/// that does not exist.
 fn roots(a: f32, b: f32, c: f32) -> [f32; 2] {
     let root = trig::sqrt(b * b - 4.0 * a * c);
     let q = if b < 0.0 { b - root } else { b + root } / -2.0;

@@ -1,4 +1,4 @@
-//! Integer powers whose exponent is part of the type.
+//! Integer powers with a compile-time exponent.
 
 use core::fmt::{self, Formatter};
 
@@ -11,10 +11,10 @@ use crate::{
     source::Source,
 };
 
-/// The power `t^N`, by repeated squaring: one multiply for each of `t^2`, `t^4`, `t^8` and so on, and one more for
-/// each further binary one of `N`. `N` is from 1 to 1,024.
+/// The power `t^N`, by repeated squaring: one multiply for each of `t^2`, `t^4`, `t^8` and so on,
+/// and one for each further set bit of `N`. `N` is in [1, 1024].
 ///
-/// The larger `N`, the more of the cone is close to dark: `Power<2>` is [`Soft`](crate::falloff::Soft).
+/// The larger `N`, the narrower the bright centre: `Power<2>` is [`Soft`](crate::falloff::Soft).
 ///
 /// Any other `N` does not compile:
 ///
@@ -28,10 +28,11 @@ use crate::{
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct Power<const N: u32>;
 
-/// The inverted power `1 - u^N`, Godot's spotlight of the angle attenuation `1/N`: as many multiplies as [`Power`].
-/// `N` is from 1 to 1,024.
+/// The inverted power `1 - u^N`, Godot's spotlight with an angle attenuation of `1/N`. It costs as
+/// many multiplies as [`Power`]. `N` is in [1, 1024].
 ///
-/// The larger `N`, the flatter the middle and the crisper the rim: `InvertedPower<2>` is [`Hard`](crate::falloff::Hard).
+/// The larger `N`, the flatter the centre and the steeper the edge: `InvertedPower<2>` is
+/// [`Hard`](crate::falloff::Hard).
 ///
 /// Any other `N` does not compile:
 ///
@@ -45,7 +46,8 @@ pub struct Power<const N: u32>;
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct InvertedPower<const N: u32>;
 
-/// `N`, which the compiler checks. Every use of `N` comes through here, so that no conversion lets another one pass.
+/// Returns `N` after a compile-time check. Every use of `N` calls it, so no conversion accepts an
+/// invalid `N`.
 pub(super) const fn sound<const N: u32>() -> u32 {
     const { assert!(N >= 1 && N <= MOST, "a power has an exponent from 1 to 1,024") };
     N

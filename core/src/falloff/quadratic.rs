@@ -1,4 +1,5 @@
-//! Profiles up to the second degree: the paper's two, the straight line between them, and all quadratics of their family.
+//! Linear and quadratic falloffs: the two of Hast 2004, the linear ramp between them, and all
+//! quadratics of their family.
 
 use core::fmt::{self, Formatter};
 
@@ -13,32 +14,37 @@ use crate::{
     trig,
 };
 
-/// The soft edge `t^2` (Hast 2004, section 2): one multiply. It fades into the dark without a visible rim.
+/// The soft falloff `t^2` (Hast 2004, section 2): one multiply. It fades out without a visible
+/// edge.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct Soft;
 
-/// The hard edge `1 - u^2` with `u = 1 - t` (Hast 2004, section 3): one multiply. Flat in the middle, a crisp rim.
+/// The hard falloff `1 - u^2` with `u = 1 - t` (Hast 2004, section 3): one multiply. It is flat at
+/// the centre and has a sharp edge.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct Hard;
 
-/// The straight ramp `t`: no multiply. The penumbra between an umbra and a full shadow, and Direct3D 9 with a
-/// falloff of 1. A kink at the edge and, with a hotspot, another at its rim.
+/// The linear ramp `t`: no multiply. It models the penumbra between an umbra and full shadow, and
+/// Direct3D 9 with a falloff of 1. Its slope jumps at the edge and, with a hotspot, at the inner
+/// angle.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct Linear;
 
-/// The quadratic `t (a + (1 - a) t)` of edge slope `a`: two multiplies. Soft at 0, linear at 1, hard at 2.
+/// The quadratic `t (a + (1 - a) t)` with edge slope `a`: two multiplies. Soft at `a = 0`, linear
+/// at 1, hard at 2.
 ///
-/// Evaluated as `t (1 + (a - 1) u)`, so that it is one on the axis whatever rounding `a` has.
+/// It is evaluated as `t (1 + (a - 1) u)`, so that the value on the axis is exactly 1 however `a`
+/// is rounded.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Quadratic {
     edge_slope: f32,
 }
 
 impl Quadratic {
-    /// The quadratic that leaves the edge with this slope over `t`.
+    /// Creates the quadratic with this slope over `t` at the edge.
     ///
     /// # Errors
-    /// An edge slope outside [0, 2], which would not be monotone.
+    /// An edge slope outside [0, 2]: the quadratic would not be monotone.
     pub fn new(edge_slope: f32) -> Result<Self, Error> {
         if (0.0..=2.0).contains(&edge_slope) {
             Ok(Self { edge_slope })
@@ -48,25 +54,26 @@ impl Quadratic {
         }
     }
 
-    /// The quadratic of an edge slope of these bits, as [`codegen`](crate::codegen) writes it; clamped to [0, 2], NaN to 0.
+    /// Creates the quadratic from the bits of its edge slope, as [`codegen`](crate::codegen) writes
+    /// it; clamped to [0, 2], NaN to 0.
     pub const fn from_bits(edge_slope: u32) -> Self {
         Self { edge_slope: clamped_bits(edge_slope, 2.0) }
     }
 
-    /// The bits of the edge slope.
+    /// Returns the bits of the edge slope.
     pub const fn to_bits(self) -> u32 {
         self.edge_slope.to_bits()
     }
 
-    /// The hard edge, as a quadratic.
+    /// The hard falloff as a quadratic.
     pub(crate) const HARD: Self = Self { edge_slope: 2.0 };
 
-    /// The quadratic of the nearest edge slope.
+    /// Creates the quadratic with the edge slope clamped to [0, 2].
     pub(crate) fn nearest(edge_slope: f32) -> Self {
         Self { edge_slope: edge_slope.clamp(0.0, 2.0) }
     }
 
-    /// The slope over `t` at the edge.
+    /// Returns the slope over `t` at the edge, in [0, 2].
     pub fn edge_slope(self) -> f32 {
         self.edge_slope
     }
@@ -75,7 +82,8 @@ impl Quadratic {
         Polynomial { a: self.edge_slope, b: 1.0 - self.edge_slope, c: 0.0 }
     }
 
-    /// The `u` with this intensity: `g u^2 + (1 - g) u = 1 - intensity`, solved without cancellation.
+    /// Returns the `u` with this intensity: solves `g u^2 + (1 - g) u = 1 - intensity` without
+    /// cancellation.
     fn versine_of(self, intensity: f32) -> f32 {
         let (g, lost) = (self.edge_slope - 1.0, 1.0 - intensity);
         let b = 1.0 - g;
@@ -100,7 +108,7 @@ impl Falloff for Soft {
         0.683_772_2
     }
 
-    /// `8 / (3 sqrt(3))` without a hotspot: the largest slope of `(1 - x^2)^2`.
+    /// The maximum slope of `(1 - x^2)^2`: `8 / (3 sqrt(3))` without a hotspot.
     fn steepness(self, hotspot: f32) -> f32 {
         Polynomial { a: 0.0, b: 1.0, c: 0.0 }.steepness(hotspot)
     }
@@ -193,7 +201,7 @@ pub struct CompiledQuadratic<S: Scalar> {
 }
 
 impl<S: Scalar> CompiledQuadratic<S> {
-    /// The quadratic `t (1 + g u)`, as [`codegen`](crate::codegen) writes it.
+    /// Creates the quadratic `t (1 + g u)`, as [`codegen`](crate::codegen) writes it.
     pub const fn from_parts(g: S::Weight) -> Self {
         Self { g }
     }

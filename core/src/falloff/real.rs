@@ -1,4 +1,4 @@
-//! Powers of any real exponent.
+//! Powers with a real exponent.
 
 use super::{
     Curve, Falloff, Formula,
@@ -13,28 +13,28 @@ use crate::{
     trig,
 };
 
-/// The power `t^p` of any exponent up to 1,024: a logarithm and an exponential from tables, in
-/// integers. For whole exponents [`IntegerPower`](super::IntegerPower) costs less.
+/// The power `t^p` with a real exponent in (0, 1024], evaluated in integers by a logarithm and an
+/// exponential from tables. For integer exponents [`IntegerPower`](super::IntegerPower) costs less.
 ///
-/// An exponent under 1 has a slope without bound at the edge, where a format tells the place and
-/// not the intensity.
+/// For `p < 1` the slope at the edge is infinite. There a format bounds the error of the position,
+/// not of the intensity.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct RealPower {
     exponent: f32,
 }
 
-/// The inverted power `1 - u^p` of any exponent up to 1,024, the mirror image of [`RealPower`]. An
-/// exponent under 1 has a sharp peak on the axis.
+/// The inverted power `1 - u^p` with a real exponent in (0, 1024], the mirror image of
+/// [`RealPower`]. For `p < 1` it has a sharp peak on the axis.
 ///
-/// [Imports](crate::import::Godot) give it a floor: `(1 - max(u, floor)^p) / (1 - floor^p)`.
+/// [Imports](crate::import::Godot) add a floor: `(1 - max(u, floor)^p) / (1 - floor^p)`.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct InvertedRealPower {
     exponent: f32,
     floor: f32,
 }
 
-/// How near to the place of a slope without bound a steepness does not count, in outer half angles:
-/// there a format promises the place and not the intensity, as at a step.
+/// Width of the strip at an infinite slope that a steepness ignores, in outer half angles. Within
+/// it a format bounds the error of the position, not of the intensity, as at a step.
 const STRIP: f64 = 1.0 / 510.0;
 
 fn checked(exponent: f32) -> Result<f32, Error> {
@@ -43,35 +43,36 @@ fn checked(exponent: f32) -> Result<f32, Error> {
 }
 
 impl RealPower {
-    /// The power of this exponent.
+    /// Creates the power with this exponent.
     ///
     /// # Errors
-    /// An exponent that is not more than 0 and at most 1,024.
+    /// An exponent outside (0, 1024].
     pub fn new(exponent: f32) -> Result<Self, Error> {
         Ok(Self { exponent: checked(exponent)? })
     }
 
-    /// The power of an exponent that is known to be sound.
+    /// Creates the power with an exponent that is already validated.
     pub(crate) const fn of(exponent: f32) -> Self {
         Self { exponent }
     }
 
-    /// The power of an exponent of these bits, as [`codegen`](crate::codegen) writes it; clamped to [0, 1024], NaN to 0.
+    /// Creates the power from the bits of its exponent, as [`codegen`](crate::codegen) writes it;
+    /// clamped to [0, 1024], NaN to 0.
     pub const fn from_bits(exponent: u32) -> Self {
         Self { exponent: clamped_bits(exponent, MOST as f32) }
     }
 
-    /// The bits of the exponent.
+    /// Returns the bits of the exponent.
     pub const fn to_bits(self) -> u32 {
         self.exponent.to_bits()
     }
 
-    /// The exponent.
+    /// Returns the exponent.
     pub fn exponent(self) -> f32 {
         self.exponent
     }
 
-    /// `1 - x^(1/p)`, `lost` being `-ln x`.
+    /// Returns `1 - x^(1/p)`, with `lost = -ln x`.
     fn lost_at(self, x: f64, lost: f32) -> f32 {
         if self.exponent >= 1.0 {
             lost_after(lost / self.exponent)
@@ -82,47 +83,47 @@ impl RealPower {
 }
 
 impl InvertedRealPower {
-    /// The inverted power of this exponent.
+    /// Creates the inverted power with this exponent.
     ///
     /// # Errors
-    /// An exponent that is not more than 0 and at most 1,024.
+    /// An exponent outside (0, 1024].
     pub fn new(exponent: f32) -> Result<Self, Error> {
         Ok(Self { exponent: checked(exponent)?, floor: 0.0 })
     }
 
-    /// The inverted power of an exponent and a floor that are known to be sound: the power of the floor
-    /// is at most 15/16.
+    /// Creates the inverted power with an exponent and a floor that are already validated:
+    /// `floor^p <= 15/16`.
     pub(crate) const fn of(exponent: f32, floor: f32) -> Self {
         Self { exponent, floor }
     }
 
-    /// The inverted power of an exponent and a floor of these bits, as [`codegen`](crate::codegen) writes them; clamped to
-    /// [0, 1024] and [0, 1], NaN to 0.
+    /// Creates the inverted power from the bits of an exponent and a floor, as
+    /// [`codegen`](crate::codegen) writes them; clamped to [0, 1024] and [0, 1], NaN to 0.
     pub const fn from_bits([exponent, floor]: [u32; 2]) -> Self {
         Self { exponent: clamped_bits(exponent, MOST as f32), floor: clamped_bits(floor, 1.0) }
     }
 
-    /// The bits of the exponent and of the floor.
+    /// Returns the bits of the exponent and of the floor.
     pub const fn to_bits(self) -> [u32; 2] {
         [self.exponent.to_bits(), self.floor.to_bits()]
     }
 
-    /// The exponent.
+    /// Returns the exponent.
     pub fn exponent(self) -> f32 {
         self.exponent
     }
 
-    /// The `u` up to which the intensity is full: 0 but for the rims of an import.
+    /// Returns the `u` up to which the intensity is 1: 0 except for imported lights.
     pub fn floor(self) -> f32 {
         self.floor
     }
 
-    /// `1 - floor^p`: what of the power is left above its floor.
+    /// Returns `1 - floor^p`, the normalisation of the floored power.
     pub(crate) fn height(self) -> f64 {
         if self.floor > 0.0 { 1.0 - real_power(self.floor.into(), self.exponent.into()) } else { 1.0 }
     }
 
-    /// The last `u` with this intensity.
+    /// Returns the last `u` with this intensity.
     fn versine_of(self, intensity: f64) -> f32 {
         real_power(1.0 - intensity * self.height(), 1.0 / f64::from(self.exponent)) as f32
     }
@@ -131,24 +132,24 @@ impl InvertedRealPower {
 written_by_bits!(RealPower InvertedRealPower CompiledRealPower CompiledInvertedRealPower);
 
 impl CompiledRealPower {
-    /// The power of an exponent of these bits, as [`codegen`](crate::codegen) writes it.
+    /// Creates the power from the bits of its exponent, as [`codegen`](crate::codegen) writes it.
     pub const fn from_bits(bits: [u32; 4]) -> Self {
         Self(RealExponent::from_bits(bits))
     }
 
-    /// The bits of the exponent.
+    /// Returns the bits of the exponent.
     pub const fn to_bits(self) -> [u32; 4] {
         self.0.to_bits()
     }
 }
 
 impl CompiledInvertedRealPower {
-    /// The power of an exponent of these bits, as [`codegen`](crate::codegen) writes it.
+    /// Creates the power from the bits of its exponent, as [`codegen`](crate::codegen) writes it.
     pub const fn from_bits(bits: [u32; 4]) -> Self {
         Self(RealExponent::from_bits(bits))
     }
 
-    /// The bits of the exponent.
+    /// Returns the bits of the exponent.
     pub const fn to_bits(self) -> [u32; 4] {
         self.0.to_bits()
     }
@@ -175,8 +176,9 @@ impl Falloff for RealPower {
         self.lost_at(0.1, core::f32::consts::LN_10)
     }
 
-    /// The largest of `2 p t^(p - 1) sqrt(v) / (1 - h)`, `t = (1 - v) / (1 - h)`: as for a whole
-    /// exponent, and of an exponent under 1 at the inner end of the strip, at least that of a step.
+    /// The maximum of `2 p t^(p - 1) sqrt(v) / (1 - h)` with `t = (1 - v) / (1 - h)`. For `p >= 1`
+    /// it is where an integer exponent has it. For `p < 1` it is taken at the inner end of the
+    /// strip, and it is at least that of a step.
     fn steepness(self, hotspot: f32) -> f32 {
         let (p, hotspot) = (f64::from(self.exponent), f64::from(hotspot));
         let edge = (1.0 - STRIP) * (1.0 - STRIP);
@@ -188,7 +190,7 @@ impl Falloff for RealPower {
         (slope as f32 * trig::sqrt(versine as f32)).max(if p < 1.0 { 1.0 } else { 0.0 })
     }
 
-    /// `(1 - t^(p + 1)) / (p + 1)`, by its series where `u` is small.
+    /// `(1 - t^(p + 1)) / (p + 1)`, by a series for small `u`.
     fn integral(self, u: f32) -> f32 {
         let (p, u) = (f64::from(self.exponent), f64::from(u));
         let integral = if (p + 1.0) * u < 1e-3 {
@@ -221,9 +223,10 @@ impl Falloff for InvertedRealPower {
         self.versine_of(0.1)
     }
 
-    /// The larger of `2 p u^(p - 1) sqrt(v) / (1 - h)`, `v = h + (1 - h) u`, at the edge and where
-    /// the slope begins: between them it has no hill. Of an exponent under 1 it begins at the floor
-    /// or the outer end of the strip, and it is at least that of a step.
+    /// The larger value of `2 p u^(p - 1) sqrt(v) / (1 - h)` with `v = h + (1 - h) u`, at the edge
+    /// and at the start of the slope. There is no local maximum in between. For `p < 1` the slope
+    /// starts at the floor or at the outer end of the strip, and the result is at least that of a
+    /// step.
     fn steepness(self, hotspot: f32) -> f32 {
         let (p, hotspot) = (f64::from(self.exponent), f64::from(hotspot));
         let (span, per_height) = (1.0 - hotspot, 2.0 * p / (1.0 - hotspot) / self.height());

@@ -1,4 +1,4 @@
-//! The profile without a slope.
+//! The step falloff.
 
 use super::{Curve, Falloff, Formula};
 use crate::{
@@ -6,9 +6,11 @@ use crate::{
     source::written_by_debug,
 };
 
-/// Full intensity up to the edge and none from there on: no multiply. A single umbra, and OpenGL with exponent 0.
+/// Full intensity up to the edge and 0 from there on: no multiply. It is a single umbra, and OpenGL
+/// with exponent 0.
 ///
-/// Beam, field and outer angle are one. The edge itself is dark, as it is in every profile.
+/// Beam, field and outer angle coincide. At the edge itself the intensity is 0, as in every
+/// falloff.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct Step;
 

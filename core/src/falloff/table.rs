@@ -1,4 +1,4 @@
-//! Measured profiles.
+//! Measured falloffs.
 
 mod measured;
 
@@ -14,18 +14,22 @@ use crate::{
     trig,
 };
 
-/// A table of measured intensities, with linear interpolation over the **versine** of the angle off
-/// axis, from the axis (or the rim of the hotspot) to the edge, so that no trigonometry happens per
-/// point.
+/// A table of measured intensities with linear interpolation over the **versine** of the angle off
+/// axis.
 ///
-/// Its samples are evenly spaced over the versine, sample `i` of `n` at `u = i / (n - 1)`, and then
-/// a place in the table is a multiply away: two multiplies. Or they are [`Knot`]s, closer together
-/// where the curve bends: `log2 n` comparisons and a multiply. Data that are evenly spaced in the
-/// angle, as goniometers give them, become knots by [`Table::from_angles`].
+/// It spans the axis (or the inner angle) to the edge and needs no trigonometry per point. The
+/// samples are either evenly spaced over the versine or [`Knot`]s:
 ///
-/// 65,535 is full intensity, whatever the number format. A table need not begin at full intensity,
-/// end at none or be monotone; beyond its last sample it is dark. Beam and field are where it falls
-/// to half and a tenth of *full* intensity for the last time.
+/// - evenly spaced, sample `i` of `n` at `u = i / (n - 1)`: two multiplies, one of which finds the
+///   position in the table;
+/// - knots, closer together where the curve bends: `log2 n` comparisons and one multiply.
+///
+/// [`Table::from_angles`] converts goniometric data, which are evenly spaced in the angle, into
+/// knots.
+///
+/// 65,535 is full intensity in every number format. A table need not start at full intensity, end
+/// at 0 or be monotone. From the outer angle on the intensity is 0. Beam and field angle are where
+/// it last falls to 50 % and 10 % of *full* intensity.
 ///
 /// ```
 /// use luminaire::{Angle, Cone, falloff::{Knot, Table}};
@@ -48,11 +52,11 @@ enum Samples<'a> {
     Knots(&'a [Knot]),
 }
 
-/// What counts as full intensity.
+/// The sample value of full intensity.
 const FULL: f32 = 65_535.0;
 
 impl<'a> Table<'a> {
-    /// The table of these samples, evenly spaced over the versine.
+    /// Creates a table of evenly spaced samples over the versine.
     ///
     /// # Errors
     /// Fewer than 2 samples, or more than 65,536.
@@ -61,31 +65,33 @@ impl<'a> Table<'a> {
         Ok(Self { samples: Samples::Even(samples) })
     }
 
-    /// The table of samples that are known when the program is compiled, from 2 to 65,536 of them.
+    /// Creates a table of 2 to 65,536 evenly spaced samples that are known at compile time.
     pub const fn of<const N: usize>(samples: &'a [u16; N]) -> Self {
         const { assert!(N >= 2 && N <= 65_536, "a table has 2 to 65,536 samples") };
         Self { samples: Samples::Even(samples) }
     }
 
-    /// The table of knots that are known when the program is compiled, from 1 to 65,536 of them.
-    /// Knots whose places do not rise have intensities from 0 to 1 all the same.
+    /// Creates a table of 1 to 65,536 knots that are known at compile time. If the positions of the
+    /// knots are not ascending, the intensity is unspecified, but still in [0, 1].
     pub const fn of_knots<const N: usize>(knots: &'a [Knot; N]) -> Self {
         const { assert!(N >= 1 && N <= 65_536, "a table has 1 to 65,536 knots") };
         Self { samples: Samples::Knots(knots) }
     }
 
-    /// The table of intensities that are evenly spaced in the angle, from the axis to the outer
-    /// angle, and linear between; 1 is full intensity. For a cone without a hotspot of that outer
-    /// angle. Takes as many of the knots as it has a use for, and places them where the curve is
-    /// off most.
+    /// Creates a table from intensities that are evenly spaced in the angle, from the axis to the
+    /// outer angle.
     ///
-    /// Beside it the largest difference to the data, of full intensity: an upper bound, in exact
-    /// arithmetic. Places are multiples of 2^-16 of the outer versine; in a table of 180 degrees
-    /// that is a third of a degree next to the axis.
+    /// The intensities are linear in between, and 1 is full intensity. Use the table in a cone with
+    /// this outer angle and without a hotspot. It uses only as many of the given knots as reduce
+    /// the error, and places each where the error is largest.
+    ///
+    /// Also returns the largest difference to the data, in units of full intensity: an upper bound,
+    /// in exact arithmetic. Positions are multiples of 2^-16 of the outer versine; for an outer
+    /// angle of 180 degrees that is a third of a degree next to the axis.
     ///
     /// # Errors
     /// Fewer than 2 measured values, no knot, more than 65,536 of either, a measured value outside
-    /// [0, 1], or an outer angle that is not more than 0 and at most 180 degrees.
+    /// [0, 1], or an outer angle outside (0, 180] degrees.
     pub fn from_angles(
         measured: &[f32],
         outer: impl Into<Angle>,
@@ -105,7 +111,7 @@ impl<'a> Table<'a> {
         Ok((Self { samples: Samples::Knots(knots) }, difference))
     }
 
-    /// The samples, from the axis to the edge, where they are evenly spaced; else none.
+    /// Returns the evenly spaced samples, from the axis to the edge; empty for a table of knots.
     pub fn samples(self) -> &'a [u16] {
         match self.samples {
             Samples::Even(samples) => samples,
@@ -113,7 +119,7 @@ impl<'a> Table<'a> {
         }
     }
 
-    /// The knots, from the axis to the edge, where there are some.
+    /// Returns the knots, from the axis to the edge; empty for a table of evenly spaced samples.
     pub fn knots(self) -> &'a [Knot] {
         match self.samples {
             Samples::Even(_) => &[],
@@ -121,7 +127,7 @@ impl<'a> Table<'a> {
         }
     }
 
-    /// The segments from the axis to the edge.
+    /// Returns the segments from the axis to the edge.
     fn segments(self) -> impl DoubleEndedIterator<Item = Segment> {
         (0..self.samples().len().saturating_sub(1) + self.knots().len()).filter_map(move |i| self.segment(i))
     }
@@ -141,7 +147,7 @@ impl<'a> Table<'a> {
         }
     }
 
-    /// The last `u` with this intensity; 1 where the table ends above it, 0 where it is always
+    /// Returns the last `u` with this intensity: 1 if the table ends above it, 0 if it is always
     /// below.
     fn versine_of(self, intensity: f32) -> f32 {
         for Segment { start, end, from, to } in self.segments().rev() {
@@ -156,7 +162,7 @@ impl<'a> Table<'a> {
     }
 }
 
-/// A straight line between two `u`, by its intensities there.
+/// A straight line between two `u`, given by the intensities at its ends.
 struct Segment {
     start: f32,
     end: f32,
@@ -178,7 +184,7 @@ impl Source for Table<'_> {
         if self.knots().is_empty() {
             return write!(out, "Table::of(&{:?})", self.samples());
         }
-        // A call is no constant that lives on but in a block of one.
+        // The reference to a call's result is `'static` only inside a `const` block.
         out.write_str("Table::of_knots(const { &[")?;
         for (place, value, slope) in self.knots().iter().map(|knot| knot.to_bits()) {
             write!(out, "Knot::from_bits({place}, {value}, {slope}), ")?;
@@ -202,8 +208,7 @@ impl Falloff for Table<'_> {
         self.versine_of(0.1)
     }
 
-    /// The largest slope of its segments, each taken where it is widest, and at least that of a
-    /// step.
+    /// The maximum slope of the segments, each taken at its outer end; at least that of a step.
     fn steepness(self, hotspot: f32) -> f32 {
         let span = 1.0 - hotspot;
         self.segments().fold(1.0, |largest, Segment { start, end, from, to }| {
@@ -224,7 +229,7 @@ impl Falloff for Table<'_> {
 impl<S: Scalar> Curve<S> for Table<'_> {
     #[inline(always)] // `table.f32` on Cortex-M0: +78 without.
     fn intensity<F: Fraction<S>>(self, t: F) -> F::Value {
-        // A table may end above zero: the edge is dark all the same.
+        // A table may end above zero, but the intensity at the edge is 0.
         if t.step() > F::Value::default() {
             match self.samples {
                 Samples::Even(samples) => t.sample(samples),

@@ -1,4 +1,4 @@
-//! The light that is everywhere.
+//! Ambient light.
 
 use crate::{
     color::{Rgb, checked_color},
@@ -6,7 +6,8 @@ use crate::{
     number::Scalar,
 };
 
-/// Global ambient light: the same at every point and from every side, the `Ia` of the classic equation.
+/// A global ambient light: the same at every point and from every direction, `Ia` of the classic
+/// lighting equation.
 ///
 /// ```
 /// use luminaire::{AmbientLight, Rgb};
@@ -21,15 +22,15 @@ pub struct AmbientLight {
 }
 
 impl AmbientLight {
-    /// Ambient light in this linear colour, of intensity 1.
+    /// Creates ambient light with this linear colour and intensity 1.
     ///
     /// # Errors
-    /// A channel outside [0, 1]: brightness is the intensity's part.
+    /// A channel outside [0, 1]: brightness belongs in the intensity.
     pub fn new(color: Rgb<f32>) -> Result<Self, Error> {
         Ok(Self { color: checked_color(color)?, intensity: 1.0 })
     }
 
-    /// The same light with this intensity: 1 lights a white surface to full scale.
+    /// Returns the light with this intensity: 1 lights a white surface to full scale.
     ///
     /// # Errors
     /// A negative intensity, or one over 1e9.
@@ -38,17 +39,18 @@ impl AmbientLight {
         Ok(Self { intensity, ..self })
     }
 
-    /// The linear colour.
+    /// Returns the linear colour.
     pub fn color(&self) -> Rgb<f32> {
         self.color
     }
 
-    /// The intensity.
+    /// Returns the intensity.
     pub fn intensity(&self) -> f32 {
         self.intensity
     }
 
-    /// The light in the format `S`, ready for [`CompiledMaterial::glow`](crate::light::CompiledMaterial::glow).
+    /// Converts the light to the format `S`, for
+    /// [`CompiledMaterial::glow`](crate::light::CompiledMaterial::glow).
     pub fn compile<S: Scalar>(&self) -> Rgb<S::Irradiance> {
         self.color.map(|channel| S::ONE.expose(S::gain(channel * self.intensity)))
     }

@@ -1,4 +1,4 @@
-//! Light from infinitely far away.
+//! Directional lights.
 
 use super::{Axis, Emission};
 use crate::{
@@ -9,7 +9,7 @@ use crate::{
     vec3::Vec3,
 };
 
-/// A directional light: everywhere of the same direction and strength, as the sun's.
+/// A directional light: the same direction and intensity everywhere, like sunlight.
 ///
 /// ```
 /// use luminaire::{DirectionalLight, Vec3};
@@ -24,25 +24,26 @@ pub struct DirectionalLight {
 }
 
 impl DirectionalLight {
-    /// White light of intensity 1 that travels in this direction, which need not have unit length.
+    /// Creates a white light of intensity 1 that travels in this direction, which need not have
+    /// unit length.
     ///
     /// # Errors
-    /// A direction that is zero, not finite, or of a length that cannot be squared.
+    /// A direction that is zero or not finite, or whose length cannot be squared in f32.
     pub fn new(direction: impl Into<Vec3<f32>>) -> Result<Self, Error> {
         let direction = direction.into();
         let (Axis { unit: direction, .. }, _) = Axis::new(Parameter::Direction, direction)?;
         Ok(Self { direction, emission: Emission::WHITE })
     }
 
-    /// The same light in this linear colour, its highlights included.
+    /// Returns the light with this linear colour, highlights included.
     ///
     /// # Errors
-    /// A channel outside [0, 1]: brightness is the intensity's part.
+    /// A channel outside [0, 1]: brightness belongs in the intensity.
     pub fn with_color(self, color: Rgb<f32>) -> Result<Self, Error> {
         Ok(Self { emission: self.emission.with_color(color)?, ..self })
     }
 
-    /// The same light with highlights in this linear colour.
+    /// Returns the light with highlights in this linear colour.
     ///
     /// # Errors
     /// A channel outside [0, 1].
@@ -50,7 +51,8 @@ impl DirectionalLight {
         Ok(Self { emission: self.emission.with_specular_color(color)?, ..self })
     }
 
-    /// The same light with this intensity: with 1, a surface that faces the light gets full scale.
+    /// Returns the light with this intensity: 1 gives a surface that faces the light an irradiance
+    /// of full scale.
     ///
     /// # Errors
     /// A negative intensity, or one over 1e9.
@@ -58,22 +60,22 @@ impl DirectionalLight {
         Ok(Self { emission: self.emission.with_intensity(intensity)?, ..self })
     }
 
-    /// The linear colour.
+    /// Returns the linear colour.
     pub fn color(&self) -> Rgb<f32> {
         self.emission.color
     }
 
-    /// The linear colour of the highlights.
+    /// Returns the linear colour of the highlights.
     pub fn specular_color(&self) -> Rgb<f32> {
         self.emission.specular_color
     }
 
-    /// The intensity.
+    /// Returns the intensity.
     pub fn intensity(&self) -> f32 {
         self.emission.intensity
     }
 
-    /// Where the light travels, of unit length.
+    /// Returns the direction in which the light travels, of unit length.
     pub fn direction(&self) -> Vec3<f32> {
         self.direction
     }

@@ -1,4 +1,4 @@
-//! Light from a place into all directions.
+//! Point lights.
 
 use super::{Emission, check_reach, checked_position};
 use crate::{
@@ -10,10 +10,10 @@ use crate::{
     vec3::Vec3,
 };
 
-/// The solid angle of all directions, in steradians.
+/// The solid angle of a sphere, in steradians.
 const SPHERE: f32 = 2.0 * core::f32::consts::TAU;
 
-/// A point light: it shines from a position into all directions alike.
+/// A point light: it emits the same intensity in all directions from one position.
 ///
 /// ```
 /// use luminaire::{PointLight, Vec3, attenuation::{GltfRange, InverseSquare}};
@@ -32,7 +32,7 @@ pub struct PointLight<A = InverseSquare> {
 }
 
 impl PointLight {
-    /// A white point light of intensity 1 that falls with the square of the distance.
+    /// Creates a white point light of intensity 1 with the inverse-square law.
     ///
     /// # Errors
     /// A position that is not finite.
@@ -44,15 +44,15 @@ impl PointLight {
 }
 
 impl<A: Attenuation> PointLight<A> {
-    /// The same light in this linear colour, its highlights included.
+    /// Returns the light with this linear colour, highlights included.
     ///
     /// # Errors
-    /// A channel outside [0, 1]: brightness is the intensity's part.
+    /// A channel outside [0, 1]: brightness belongs in the intensity.
     pub fn with_color(self, color: Rgb<f32>) -> Result<Self, Error> {
         Ok(Self { emission: self.emission.with_color(color)?, ..self })
     }
 
-    /// The same light with highlights in this linear colour.
+    /// Returns the light with highlights in this linear colour.
     ///
     /// # Errors
     /// A channel outside [0, 1].
@@ -60,8 +60,8 @@ impl<A: Attenuation> PointLight<A> {
         Ok(Self { emission: self.emission.with_specular_color(color)?, ..self })
     }
 
-    /// The same light with this intensity: with 1, a surface that faces the light gets full scale, at distance 1 if there
-    /// is attenuation.
+    /// Returns the light with this intensity: 1 gives a surface that faces the light an irradiance
+    /// of full scale, at distance 1 if there is attenuation.
     ///
     /// # Errors
     /// A negative intensity, or one over 1e9.
@@ -69,45 +69,44 @@ impl<A: Attenuation> PointLight<A> {
         Ok(Self { emission: self.emission.with_intensity(intensity)?, ..self })
     }
 
-    /// The linear colour.
+    /// Returns the linear colour.
     pub fn color(&self) -> Rgb<f32> {
         self.emission.color
     }
 
-    /// The linear colour of the highlights.
+    /// Returns the linear colour of the highlights.
     pub fn specular_color(&self) -> Rgb<f32> {
         self.emission.specular_color
     }
 
-    /// The intensity.
+    /// Returns the intensity.
     pub fn intensity(&self) -> f32 {
         self.emission.intensity
     }
 
-    /// The same light with another distance model.
+    /// Returns the light with another attenuation.
     pub fn with_attenuation<B: Attenuation>(&self, attenuation: B) -> PointLight<B> {
         PointLight { position: self.position, attenuation, emission: self.emission }
     }
 
-    /// Where the light stands.
+    /// Returns the position of the light.
     pub fn position(&self) -> Vec3<f32> {
         self.position
     }
 
-    /// The distance model.
+    /// Returns the attenuation.
     pub fn attenuation(&self) -> A {
         self.attenuation
     }
 
-    /// The luminous flux in lumens of this light with an intensity in candela: `4 pi` times it, the
-    /// intensity of all directions alike.
+    /// Returns the luminous flux in lumens for an intensity in candela: `4 pi candela`.
     pub fn lumens(&self, candela: f32) -> f32 {
         candela * SPHERE
     }
 
-    /// The intensity in candela of this light when its flux is in lumens: the inverse of
-    /// [`lumens`](Self::lumens). Of a flux of 1 arrives `1 / (4 pi d^2)` at a facing surface at
-    /// distance d.
+    /// Returns the intensity in candela for a luminous flux in lumens: the inverse of
+    /// [`lumens`](Self::lumens). A flux of 1 gives a facing surface at distance d an illuminance of
+    /// `1 / (4 pi d^2)`.
     pub fn candela(&self, lumens: f32) -> f32 {
         lumens / SPHERE
     }

@@ -1,4 +1,4 @@
-//! Light from a place into a cone.
+//! Spotlights.
 
 use super::{Axis, Emission, check_reach, checked_position};
 use crate::{
@@ -12,11 +12,11 @@ use crate::{
     vec3::Vec3,
 };
 
-/// A spotlight: a position, an axis, a cone, two colours and an intensity that falls with the square of the distance,
-/// or by another [distance model](Attenuation).
+/// A spotlight: a position, an axis, a cone, two colours, an intensity and an
+/// [attenuation](Attenuation).
 ///
-/// White and of intensity 1 until told otherwise: a surface that faces it on its axis at a distance of 1 is lit to
-/// full scale.
+/// The default attenuation is the inverse-square law; the default colour is white and the default
+/// intensity 1. So a surface that faces the light, on its axis at distance 1, is lit to full scale.
 ///
 /// ```
 /// use luminaire::{Angle, Cone, Rgb, SpotLight, Vec3, falloff::Soft};
@@ -38,10 +38,12 @@ pub struct SpotLight<P = SoftOrHard, A = InverseSquare> {
 }
 
 impl<P: Falloff> SpotLight<P> {
-    /// A white spotlight of intensity 1. The axis points away from the light and need not have unit length.
+    /// Creates a white spotlight of intensity 1. The axis points away from the light and need not
+    /// have unit length.
     ///
     /// # Errors
-    /// A position that is not finite; an axis that is zero, not finite, or of a length that cannot be squared.
+    /// A position that is not finite; an axis that is zero or not finite, or whose length cannot be
+    /// squared in f32.
     pub fn new(
         position: impl Into<Vec3<f32>>,
         axis: impl Into<Vec3<f32>>,
@@ -55,8 +57,8 @@ impl<P: Falloff> SpotLight<P> {
 }
 
 impl<P: Falloff> SpotLight<P, SmoothRange> {
-    /// A white spotlight of intensity 1 that points at its end point and fades smoothly to nothing there: one vector
-    /// gives direction and range, as in the dual-cone article.
+    /// Creates a white spotlight of intensity 1 that points at `end` and fades smoothly to 0 there:
+    /// one vector gives direction and range, as in the dual-cone article.
     ///
     /// ```
     /// use luminaire::{Angle, Cone, SpotLight, Vec3, falloff::Soft};
@@ -67,7 +69,8 @@ impl<P: Falloff> SpotLight<P, SmoothRange> {
     /// ```
     ///
     /// # Errors
-    /// A position or an end point that is not finite, or the two less than 0.001 or more than 1e9 apart.
+    /// A position or an end point that is not finite, or a distance between them outside 0.001 to
+    /// 1e9.
     pub fn between(
         position: impl Into<Vec3<f32>>,
         end: impl Into<Vec3<f32>>,
@@ -82,15 +85,15 @@ impl<P: Falloff> SpotLight<P, SmoothRange> {
 }
 
 impl<P: Falloff, A: Attenuation> SpotLight<P, A> {
-    /// The same light in this linear colour, its highlights included.
+    /// Returns the light with this linear colour, highlights included.
     ///
     /// # Errors
-    /// A channel outside [0, 1]: brightness is the intensity's part.
+    /// A channel outside [0, 1]: brightness belongs in the intensity.
     pub fn with_color(self, color: Rgb<f32>) -> Result<Self, Error> {
         Ok(Self { emission: self.emission.with_color(color)?, ..self })
     }
 
-    /// The same light with highlights in this linear colour.
+    /// Returns the light with highlights in this linear colour.
     ///
     /// # Errors
     /// A channel outside [0, 1].
@@ -98,8 +101,8 @@ impl<P: Falloff, A: Attenuation> SpotLight<P, A> {
         Ok(Self { emission: self.emission.with_specular_color(color)?, ..self })
     }
 
-    /// The same light with this intensity: with 1, a surface that faces the light on its axis gets full scale, at distance 1
-    /// if there is attenuation.
+    /// Returns the light with this intensity: 1 gives a surface that faces the light, on its axis,
+    /// an irradiance of full scale, at distance 1 if there is attenuation.
     ///
     /// # Errors
     /// A negative intensity, or one over 1e9.
@@ -107,73 +110,74 @@ impl<P: Falloff, A: Attenuation> SpotLight<P, A> {
         Ok(Self { emission: self.emission.with_intensity(intensity)?, ..self })
     }
 
-    /// The linear colour.
+    /// Returns the linear colour.
     pub fn color(&self) -> Rgb<f32> {
         self.emission.color
     }
 
-    /// The linear colour of the highlights.
+    /// Returns the linear colour of the highlights.
     pub fn specular_color(&self) -> Rgb<f32> {
         self.emission.specular_color
     }
 
-    /// The intensity.
+    /// Returns the intensity.
     pub fn intensity(&self) -> f32 {
         self.emission.intensity
     }
 
-    /// The same spotlight with another cone, also of another type of profile.
+    /// Returns the spotlight with another cone, which may have another type of falloff.
     pub fn with_cone<Q: Falloff>(&self, cone: Cone<Q>) -> SpotLight<Q, A> {
         let Self { position, axis, attenuation, emission, .. } = *self;
         SpotLight { position, axis, cone, attenuation, emission }
     }
 
-    /// The same spotlight, turned to point along another axis, which need not have unit length.
+    /// Returns the spotlight with another axis, which need not have unit length.
     ///
     /// # Errors
-    /// An axis that is zero, not finite, or of a length that cannot be squared.
+    /// An axis that is zero or not finite, or whose length cannot be squared in f32.
     pub fn with_axis(&self, axis: Vec3<f32>) -> Result<Self, Error> {
         let (axis, _) = Axis::new(Parameter::Axis, axis)?;
         Ok(Self { axis, ..*self })
     }
 
-    /// The same spotlight with another distance model.
+    /// Returns the spotlight with another attenuation.
     pub fn with_attenuation<B: Attenuation>(&self, attenuation: B) -> SpotLight<P, B> {
         let Self { position, axis, cone, emission, .. } = *self;
         SpotLight { position, axis, cone, attenuation, emission }
     }
 
-    /// Where the light stands.
+    /// Returns the position of the light.
     pub fn position(&self) -> Vec3<f32> {
         self.position
     }
 
-    /// Where the light points, of unit length.
+    /// Returns the direction in which the light points, of unit length.
     pub fn axis(&self) -> Vec3<f32> {
         self.axis.unit
     }
 
-    /// Where the light points, as the format `S` stores it: from all bits of the axis that was given, so that in `Fx32` a
-    /// point on it is on the axis of the compiled light too.
+    /// Returns the axis in the format `S`. It is computed from the unrounded axis, so that in
+    /// `Fx32` a point on the given axis is also on the axis of the compiled light.
     pub fn axis_in<S: Scalar>(&self) -> Vec3<S::Unit> {
         S::aim(self.axis.toward, self.axis.unit)
     }
 
-    /// The cone.
+    /// Returns the cone.
     pub fn cone(&self) -> Cone<P> {
         self.cone
     }
 
-    /// The distance model.
+    /// Returns the attenuation.
     pub fn attenuation(&self) -> A {
         self.attenuation
     }
 
-    /// Compiles the light for the format `S`: from here on there are no angles and, in fixed point, no divisions and no
-    /// floats.
+    /// Compiles the light for the format `S`. The compiled light needs no angles and, in fixed
+    /// point, no divisions and no floats.
     ///
     /// # Errors
-    /// A cone narrower than the format can hold: see [`Cone::narrowest`]. A position beyond [`Scalar::FARTHEST`].
+    /// A cone that the format cannot hold: see [`Cone::narrowest`]. A position beyond
+    /// [`Scalar::FARTHEST`].
     pub fn compile<S: Scalar>(&self) -> Result<CompiledSpotLight<S, P, A>, Error> {
         check_reach::<S>(self.position)?;
         let (falloff, error) = self.cone.compile_with_error::<S>()?;

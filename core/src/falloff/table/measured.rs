@@ -1,9 +1,9 @@
-//! Goniometric data as knots: set-up only.
+//! Conversion of goniometric data to knots, for set-up only.
 
 use crate::{angle::Angle, number::Knot, trig};
 
-/// Intensities that are evenly spaced in the angle, from the axis to an outer angle, and linear
-/// between.
+/// Intensities that are evenly spaced in the angle, from the axis to an outer angle, with linear
+/// interpolation.
 pub(super) struct Measured<'m> {
     values: &'m [f32],
     /// The outer half angle in radians, and its versine.
@@ -11,21 +11,20 @@ pub(super) struct Measured<'m> {
     versine: f32,
 }
 
-/// The place of the outer angle: places are in 65,536ths of its versine.
+/// The position of the outer angle: positions are in 65,536ths of its versine.
 const EDGE: u32 = 65_536;
 
-/// A difference that values of 16 bits do not make smaller.
+/// The smallest difference that a further knot can reduce: half a step of the 16-bit values.
 const LEAST: f32 = 1.0 / 131_072.0;
 
 impl<'m> Measured<'m> {
-    /// At least two values from 0 to 1, up to an outer angle of more than 0 and at most 180
-    /// degrees.
+    /// Takes at least two values in [0, 1], up to an outer angle in (0, 180] degrees.
     pub(super) fn new(values: &'m [f32], outer: Angle) -> Self {
         Self { values, outer: outer.to_radians() / 2.0, versine: outer.versine() }
     }
 
-    /// The knots that are used, at least one, and the largest difference of their lines to the
-    /// data: the line that is off most gets a knot where it is, until there are no more (Ramer
+    /// Returns the used knots, at least one, and the largest difference of their lines to the data.
+    /// It splits the line with the largest difference at that point until no knots are left (Ramer
     /// 1972; Douglas and Peucker 1973).
     pub(super) fn resample<'k>(&self, knots: &'k mut [Knot]) -> (&'k [Knot], f32) {
         if let Some(first) = knots.first_mut() {
@@ -46,7 +45,7 @@ impl<'m> Measured<'m> {
             let Some((i, place, end)) = split else { break largest };
             let Some([before, behind @ ..]) = knots.get_mut(i..=count) else { break largest };
             *before = self.line(before.place(), place);
-            // The others move by one: the last of these was free.
+            // Moves the later knots up by one; the last slot was free.
             let mut moved = self.line(place, end);
             behind.iter_mut().for_each(|knot| core::mem::swap(knot, &mut moved));
             count += 1;
@@ -54,15 +53,15 @@ impl<'m> Measured<'m> {
         (knots.get(..count).unwrap_or_default(), (largest + self.own_error()).min(1.0))
     }
 
-    /// The line between the data at two places.
+    /// Returns the line between the data at two positions.
     fn line(&self, place: u32, end: u32) -> Knot {
         let value = |place| (self.value(self.angle(place)) * 65_535.0 + 0.5) as u16;
         Knot::line([place, end], [place, end].map(value))
     }
 
-    /// How far a line is off the data at most, and at which place strictly inside of it, if there
-    /// is one. The data bend where they were measured; between, their slope is that of the line
-    /// where `sin(angle)` makes it so.
+    /// Returns the largest difference between a line and the data, and its position strictly inside
+    /// the line, if there is one. The data bend at the measured angles; between these, their slope
+    /// over the versine equals that of the line at one value of `sin(angle)`.
     fn farthest(&self, line: Knot, end: u32) -> (f32, u32) {
         let (first, last) = (self.angle(line.place()), self.angle(end));
         let (mut largest, mut at) = (0.0, 0.0);
@@ -91,25 +90,26 @@ impl<'m> Measured<'m> {
         (largest, inside)
     }
 
-    /// What the roundings of f32 make of the data, where they are steepest.
+    /// Returns an upper bound of the rounding error in f32, which is largest where the data are
+    /// steepest.
     fn own_error(&self) -> f32 {
         let steepest = self.values.windows(2).map(|pair| (pair[1] - pair[0]).abs()).fold(0.0, f32::max);
         1e-6 + 1e-6 * steepest * (self.values.len() - 1) as f32
     }
 
-    /// The half angle of a place, in radians.
+    /// Returns the half angle of a position, in radians.
     fn angle(&self, place: u32) -> f32 {
         let u = place as f32 / EDGE as f32;
         if place == EDGE { self.outer } else { 2.0 * trig::asin(trig::sqrt(u * self.versine / 2.0)) }
     }
 
-    /// The versine of a half angle, of the outer one.
+    /// Returns the versine of a half angle, divided by the outer versine.
     fn u(&self, angle: f32) -> f32 {
         let sine = trig::sin(angle / 2.0);
         2.0 * sine * sine / self.versine
     }
 
-    /// The data at a half angle.
+    /// Returns the data at a half angle.
     fn value(&self, angle: f32) -> f32 {
         let place = angle / self.outer * (self.values.len() - 1) as f32;
         let index = place as usize;
