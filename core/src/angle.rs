@@ -1,8 +1,8 @@
-//! Angles that can't be mistaken for one another: a data sheet's full angle and a graphics library's half.
+//! Full and half cone angles as distinct types, for data sheets and graphics libraries.
 
 use crate::trig;
 
-/// A full cone angle, from edge to edge through the axis: what data sheets, GDTF and Direct3D give.
+/// A full cone angle, from edge to edge through the axis, as in data sheets, GDTF and Direct3D.
 ///
 /// ```
 /// use luminaire::{Angle, HalfAngle};
@@ -13,63 +13,64 @@ pub struct Angle {
     degrees: f32,
 }
 
-/// Half a cone angle, from the axis to the edge: what OpenGL, glTF and three.js give.
+/// A half cone angle, from the axis to the edge, as in OpenGL, glTF and three.js.
 #[derive(Clone, Copy, PartialEq, PartialOrd, Debug)]
 pub struct HalfAngle {
     degrees: f32,
 }
 
 impl Angle {
-    /// A full angle in degrees.
+    /// Creates a full angle from degrees.
     pub const fn degrees(degrees: f32) -> Self {
         Self { degrees }
     }
 
-    /// A full angle in radians.
+    /// Creates a full angle from radians.
     pub const fn radians(radians: f32) -> Self {
         Self { degrees: radians.to_degrees() }
     }
 
-    /// The full angle in degrees.
+    /// Returns the full angle in degrees.
     pub const fn to_degrees(self) -> f32 {
         self.degrees
     }
 
-    /// The full angle in radians.
+    /// Returns the full angle in radians.
     pub const fn to_radians(self) -> f32 {
         self.degrees.to_radians()
     }
 
-    /// The versine of the **half** angle, `1 - cos(angle / 2)`, without the cancellation: 0 to 2 for 0 to 360
-    /// degrees, relative error under 4e-7.
+    /// Returns the versine of the **half** angle, `1 - cos(angle / 2)`, computed without
+    /// cancellation. The result is 0 to 2 for 0 to 360 degrees, with a relative error under 4e-7.
     pub fn versine(self) -> f32 {
         let sine = trig::sin((self.degrees / 4.0).to_radians());
         2.0 * sine * sine
     }
 
-    /// The full angle whose half has this versine; the inverse of [`Angle::versine`] for versines from 0 to 2.
+    /// Returns the full angle whose half has this versine: the inverse of [`Angle::versine`] for
+    /// versines in [0, 2].
     pub fn from_versine(versine: f32) -> Self {
         Self { degrees: 4.0 * trig::asin(trig::sqrt(versine / 2.0)).to_degrees() }
     }
 }
 
 impl HalfAngle {
-    /// A half angle in degrees.
+    /// Creates a half angle from degrees.
     pub const fn degrees(degrees: f32) -> Self {
         Self { degrees }
     }
 
-    /// A half angle in radians.
+    /// Creates a half angle from radians.
     pub const fn radians(radians: f32) -> Self {
         Self { degrees: radians.to_degrees() }
     }
 
-    /// The half angle in degrees.
+    /// Returns the half angle in degrees.
     pub const fn to_degrees(self) -> f32 {
         self.degrees
     }
 
-    /// The half angle in radians.
+    /// Returns the half angle in radians.
     pub const fn to_radians(self) -> f32 {
         self.degrees.to_radians()
     }

@@ -20,8 +20,8 @@ use crate::{
     vec3::Vec3,
 };
 
-/// A light of any kind, with any profile and any distance model: what a scene is made of that is not known when the
-/// program is compiled.
+/// A light of any kind, with any falloff and any attenuation, for scenes that are not known at
+/// compile time.
 ///
 /// ```
 /// use luminaire::{Angle, Cone, Fx16, PointLight, SpotLight, Vec3, dynamic::AnyLight, falloff::Soft};
@@ -42,9 +42,9 @@ use crate::{
 pub enum AnyLight {
     /// Light from infinitely far away.
     Directional(DirectionalLight),
-    /// Light from a place into all directions.
+    /// Light from a position in all directions.
     Point(PointLight<AnyAttenuation>),
-    /// Light from a place into a cone.
+    /// Light from a position within a cone.
     Spot(SpotLight<AnyFalloff, AnyAttenuation>),
 }
 
@@ -53,13 +53,13 @@ pub enum AnyLight {
 pub enum CompiledAnyLight<S: Scalar> {
     /// Light from infinitely far away.
     Directional(CompiledDirectionalLight<S>),
-    /// Light from a place into all directions.
+    /// Light from a position in all directions.
     Point(CompiledPointLight<S, AnyAttenuation>),
-    /// Light from a place into a cone.
+    /// Light from a position within a cone.
     Spot(CompiledSpotLight<S, AnyFalloff, AnyAttenuation>),
 }
 
-/// What every kind of light answers.
+/// Delegates an expression to the variant.
 macro_rules! any {
     ($any:expr, $kind:ident, $light:ident => $answer:expr) => {
         match $any {
@@ -71,27 +71,28 @@ macro_rules! any {
 }
 
 impl AnyLight {
-    /// The linear colour.
+    /// Returns the linear colour.
     pub fn color(&self) -> Rgb<f32> {
         any!(self, Self, light => light.color())
     }
 
-    /// The linear colour of the highlights.
+    /// Returns the linear colour of the highlights.
     pub fn specular_color(&self) -> Rgb<f32> {
         any!(self, Self, light => light.specular_color())
     }
 
-    /// The intensity.
+    /// Returns the intensity.
     pub fn intensity(&self) -> f32 {
         any!(self, Self, light => light.intensity())
     }
 
-    /// Whether the light can light nothing: an intensity of zero, or no colour.
+    /// Returns whether the light emits nothing: its intensity is 0, or both of its colours are
+    /// black.
     pub fn is_dark(&self) -> bool {
         self.intensity() == 0.0 || (self.color().is_black() && self.specular_color().is_black())
     }
 
-    /// What the light calls for; nothing where it is dark.
+    /// Returns the effects that the light requires; none if it is dark.
     pub fn effects(&self) -> Effects {
         if self.is_dark() {
             return Effects::NONE;
@@ -109,7 +110,7 @@ impl AnyLight {
     /// Compiles the light for the format `S`.
     ///
     /// # Errors
-    /// What the format can't hold: a cone that is too narrow, a position too far away.
+    /// A cone that is too narrow, or a position too far away, for the format.
     pub fn compile<S: Scalar>(&self) -> Result<CompiledAnyLight<S>, Error> {
         Ok(match self {
             Self::Directional(light) => CompiledAnyLight::Directional(light.compile()),
@@ -153,29 +154,31 @@ impl<P: Falloff + Into<AnyFalloff>, A: Attenuation + Into<AnyAttenuation>> From<
 }
 
 impl<S: Scalar> CompiledAnyLight<S> {
-    /// The light's linear colour.
+    /// Returns the linear colour.
     pub fn color(&self) -> Rgb<S> {
         any!(self, Self, light => light.color)
     }
 
-    /// The linear colour of the light's highlights.
+    /// Returns the linear colour of the highlights.
     pub fn specular_color(&self) -> Rgb<S> {
         any!(self, Self, light => light.specular_color)
     }
 
-    /// The light that arrives at a surface point, before the colours: see
-    /// [`CompiledSpotLight::irradiance`]. [`CompiledMaterial::reflect`](crate::light::CompiledMaterial::reflect)
-    /// gives what the surface sends back of it.
+    /// Returns the irradiance at a surface point, before the light's colour: see
+    /// [`CompiledSpotLight::irradiance`].
+    /// [`CompiledMaterial::reflect`](crate::light::CompiledMaterial::reflect) returns the light
+    /// that a surface reflects.
     ///
-    /// It branches for each point; [`evaluate_each`](Self::evaluate_each) branches once for many.
+    /// It branches per point; [`evaluate_each`](Self::evaluate_each) branches once for many points.
     pub fn irradiance(&self, point: Vec3<S::Length>, normal: Vec3<S>) -> S::Irradiance {
         self.evaluate::<NoSpecular>(&SurfacePoint::matte(point, normal), &(), true).diffuse
     }
 
-    /// What arrives at a surface point whose highlight is of the kind `H`, before the colours. With `skips`, points where
-    /// nothing can arrive are left before the root is paid for, with the same bits.
+    /// Evaluates the light at a surface point with the specular lobe `H`, before the light's
+    /// colours.
     ///
-    /// It branches for each point, too.
+    /// With `skips`, points that the light cannot reach return 0 before the square root; the result
+    /// is bit-identical. It branches per point.
     pub fn evaluate<H: SpecularLobe>(
         &self,
         surface: &SurfacePoint<S>,
@@ -186,7 +189,8 @@ impl<S: Scalar> CompiledAnyLight<S> {
     }
 }
 
-/// Branches for each point: slower than [`evaluate_each`](CompiledAnyLight::evaluate_each), with bit-identical results.
+/// Branches per point: slower than [`evaluate_each`](CompiledAnyLight::evaluate_each), with
+/// bit-identical results.
 impl<S: Scalar> LightModel<S> for CompiledAnyLight<S> {
     #[inline]
     fn colors(&self) -> [Rgb<S>; 2] {

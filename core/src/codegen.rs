@@ -1,7 +1,8 @@
-//! Compiled values as Rust source: a light whose figures are known when the firmware is built needs no code to set it up.
+//! Compiled values as Rust source: a light with constant parameters needs no set-up code in the
+//! firmware.
 //!
-//! Compiling a light takes trigonometry, divisions and floats. A build script does it on the host, and writes what came
-//! of it as a constant expression of raw bits:
+//! Compiling a light needs trigonometry, divisions and floats. A build script does this on the host
+//! and writes the result as a constant expression of raw bits:
 //!
 //! ```no_run
 //! // build.rs, with luminaire among the build-dependencies
@@ -16,7 +17,7 @@
 //! }
 //! ```
 //!
-//! The firmware takes it in, and the compiler compares the types:
+//! The firmware includes the file, and the compiler checks the type:
 //!
 //! ```text
 //! use luminaire::{Fx16, falloff::Soft, light::CompiledSpotLight};
@@ -24,14 +25,14 @@
 //! const KEY: CompiledSpotLight<Fx16, Soft> = include!(concat!(env!("OUT_DIR"), "/key.rs"));
 //! ```
 //!
-//! All compiled lights can be written but [`CompiledAnyLight`](crate::dynamic::CompiledAnyLight), also those of [another
-//! system](crate::import). So can
-//! [`Rgb`] of ambient light, [`CompiledMaterial`], [`CompiledExposure`], [`CompiledGobo`], [`Shadow`] and
-//! [`BeamScattering`]. The functions that the text calls are `const` and take any bits, so that evaluation has an
-//! answer for all of them. The bits belong to this version of the crate: generate them with each build, and do not
-//! keep them.
+//! All compiled lights can be written, including those of [another system](crate::import), except
+//! [`CompiledAnyLight`](crate::dynamic::CompiledAnyLight). So can [`Rgb`] of ambient light,
+//! [`CompiledMaterial`], [`CompiledExposure`], [`CompiledGobo`], [`Shadow`] and [`BeamScattering`].
+//! The generated text calls `const` functions that accept any bits, so evaluation stays defined for
+//! all of them. The bits are specific to this version of the crate: generate them in each build and
+//! do not store them.
 //!
-//! The module also holds types that only generated text names.
+//! The module also exports types that only generated text names.
 
 mod formats;
 
@@ -187,7 +188,7 @@ impl<S: SourceScalar> Source for CompiledGobo<'_, S> {
     }
 }
 
-/// Values that are borrowed, as a constant of their own: whoever borrows it may keep it.
+/// A borrowed slice, written as a `const` block so that the reference is `'static`.
 struct Borrowed<'a, T>(&'a [T]);
 
 impl<T: Source> Source for Borrowed<'_, T> {

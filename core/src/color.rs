@@ -1,11 +1,11 @@
-//! Linear colour.
+//! Linear RGB colours.
 
 use crate::{
     error::{Error, Parameter, check_between},
     number::Scalar,
 };
 
-/// Red, green and blue.
+/// A colour or light of three channels: red, green and blue, linear.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 #[repr(C)]
 pub struct Rgb<T> {
@@ -18,7 +18,7 @@ pub struct Rgb<T> {
 }
 
 impl<T> Rgb<T> {
-    /// The colour of these channels.
+    /// Creates a colour from its channels.
     pub const fn new(red: T, green: T, blue: T) -> Self {
         Self { red, green, blue }
     }
@@ -49,19 +49,19 @@ impl<T> From<Rgb<T>> for [T; 3] {
 }
 
 impl<I: Copy> Rgb<I> {
-    /// A light in a colour.
+    /// Returns light of this irradiance in a linear colour.
     #[inline]
     pub fn lit<S: Scalar<Irradiance = I>>(light: I, color: Rgb<S>) -> Self {
         color.map(|channel| S::filter(light, channel))
     }
 
-    /// The light after a colour: what a surface of that colour sends back.
+    /// Multiplies the light by a colour, as a surface of that colour does.
     #[inline]
     pub fn filtered<S: Scalar<Irradiance = I>>(self, color: Rgb<S>) -> Self {
         self.zip(color, S::filter)
     }
 
-    /// The sum of two lights.
+    /// Returns the sum of two lights.
     #[inline]
     pub fn plus<S: Scalar<Irradiance = I>>(self, other: Self) -> Self {
         self.zip(other, S::add_light)
@@ -69,13 +69,13 @@ impl<I: Copy> Rgb<I> {
 }
 
 impl Rgb<f32> {
-    /// Whether no channel has any light.
+    /// Returns whether all channels are 0.
     pub(crate) fn is_black(self) -> bool {
         self == Self::default()
     }
 }
 
-/// A colour whose channels are in [0, 1], or the error that shows the first that is not.
+/// Returns the colour if all channels are in [0, 1], or an error that shows the first that is not.
 pub(crate) fn checked_color(color: Rgb<f32>) -> Result<Rgb<f32>, Error> {
     for value in [color.red, color.green, color.blue] {
         check_between(Parameter::Color, value, 0.0, 1.0)?;

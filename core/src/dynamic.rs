@@ -1,4 +1,4 @@
-//! What is chosen at run time: lights of any kind, and the effects that a scene requires.
+//! Run-time choice: lights of any kind, and the effects that a scene requires.
 
 pub use crate::{
     any_light::{AnyLight, CompiledAnyLight, SurfacePoints},

@@ -1,10 +1,10 @@
-//! What a picture may call for, and sets of it.
+//! Effects that a scene may require, and sets of effects.
 
 use core::fmt;
 
 use crate::models::falloffs;
 
-/// Declares the effects with their names, which are the keys of the price list.
+/// Declares the effects with their names, which are the keys of the cost list.
 macro_rules! effects {
     ([$($before:tt)*] [$($after:tt)*]
      $($(#[$meta:meta])* $falloff:ident($type:ty) = $name:literal, $sample:expr, $truth:expr
@@ -12,7 +12,7 @@ macro_rules! effects {
         effects! { $($before)* $($(#[$meta])* $falloff = $name,)* $($after)* }
     };
     ($($(#[$meta:meta])* $effect:ident = $name:literal,)*) => {
-        /// Something that a picture may call for, and that costs nothing where none does.
+        /// An effect that a scene may require. It costs nothing in scenes that do not require it.
         #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
         #[non_exhaustive]
         pub enum Effect {
@@ -23,7 +23,7 @@ macro_rules! effects {
             /// All effects.
             pub const ALL: &[Self] = &[$(Self::$effect,)*];
 
-            /// The name, in the words of the price list.
+            /// Returns the name, as in the cost list.
             pub const fn name(self) -> &'static str {
                 match self {
                     $(Self::$effect => $name,)*
@@ -34,11 +34,11 @@ macro_rules! effects {
 }
 
 falloffs! { effects; [
-    /// Light that is everywhere.
+    /// Ambient light.
     Ambient = "ambient",
     /// Lambert's cosine.
     Diffuse = "diffuse",
-    /// Highlights.
+    /// Specular lobes.
     Specular = "specular",
     /// A directional light.
     Directional = "directional",
@@ -49,27 +49,27 @@ falloffs! { effects; [
 ] [
     /// Full intensity up to an inner angle.
     Hotspot = "hotspot",
-    /// A cone that is cut off before its profile ends.
+    /// A cutoff: a cone that ends before its falloff does.
     Cutoff = "cutoff",
     /// A light without attenuation.
     Unattenuated = "unattenuated",
     /// The inverse-square law.
     InverseSquare = "inverse-square",
-    /// One over a polynomial of the distance.
+    /// An attenuation of one over a polynomial of the distance.
     Polynomial = "polynomial",
-    /// Smoothstep to a range.
+    /// An attenuation by smoothstep to a range.
     SmoothRange = "smooth-range",
     /// A window that ends the light at a range.
     Window = "window",
-    /// A range at which a light is cut off.
+    /// A range at which a light ends.
     Range = "range",
-    /// A pattern that a spotlight projects.
+    /// A gobo: a pattern that a spotlight projects.
     Gobo = "gobo",
-    /// The shadows of a spotlight.
+    /// A shadow map of a spotlight.
     Shadow = "shadow",
-    /// The visible beam of a spotlight in the air.
+    /// The visible beam of a spotlight in haze.
     Haze = "haze",
-    /// Dither against banding.
+    /// Dithering against banding.
     Dither = "dither",
 ]}
 
@@ -96,30 +96,30 @@ impl Effects {
         all
     };
 
-    /// The set with one effect more.
+    /// Returns the set with one more effect.
     #[must_use]
     pub const fn with(self, effect: Effect) -> Self {
         Self(self.0 | 1 << effect as u32)
     }
 
-    /// The effects of both sets.
+    /// Returns the union of both sets.
     #[must_use]
     pub const fn union(self, others: Self) -> Self {
         Self(self.0 | others.0)
     }
 
-    /// Whether the effect is in the set.
+    /// Returns whether the effect is in the set.
     pub const fn has(self, effect: Effect) -> bool {
         self.0 >> effect as u32 & 1 == 1
     }
 
-    /// The effects in the order of [`Effect::ALL`].
+    /// Returns the effects in the order of [`Effect::ALL`].
     pub fn iter(self) -> impl Iterator<Item = Effect> {
         Effect::ALL.iter().copied().filter(move |effect| self.has(*effect))
     }
 }
 
-/// The names, with commas.
+/// The names, separated by commas.
 impl fmt::Display for Effects {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         for (number, effect) in self.iter().enumerate() {

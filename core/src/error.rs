@@ -1,10 +1,11 @@
-//! What a constructor refuses, and what it would have accepted.
+//! The error of constructors: the rejected parameter and the accepted range.
 
 use core::fmt;
 
-/// A refused parameter: which one, the value it had, and what is accepted in its place.
+/// A rejected parameter: its name, its value, and the accepted values.
 ///
-/// Only construction returns it; evaluation never fails. Its message names parameter, value and remedy:
+/// Only constructors return it; evaluation never fails. The message has the form
+/// `{parameter} = {value}: expected {range}`:
 ///
 /// ```
 /// use luminaire::{Angle, Cone, falloff::Soft};
@@ -17,80 +18,80 @@ use core::fmt;
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Error {
-    /// The parameter at fault.
+    /// The rejected parameter.
     pub parameter: Parameter,
-    /// The value that was given; of a vector the component at fault, or its length.
+    /// The given value; for a vector, the invalid component or the length.
     pub value: f32,
-    /// What is accepted.
+    /// The accepted values.
     pub accepted: Expected,
 }
 
-/// The name of a parameter, in the words of the field.
+/// The name of a parameter, in the terms of the field.
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 #[non_exhaustive]
 pub enum Parameter {
-    /// The full angle at which half the intensity of the axis is left.
+    /// The full angle at which the intensity is 50 % of that on the axis.
     BeamAngle,
-    /// The full angle at which a tenth of the intensity of the axis is left.
+    /// The full angle at which the intensity is 10 % of that on the axis.
     FieldAngle,
-    /// The full angle at which no light is left.
+    /// The full angle from which on there is no light.
     OuterAngle,
-    /// The full angle up to which the intensity is that of the axis: the hotspot.
+    /// The full angle up to which the intensity is that of the axis: the edge of the hotspot.
     InnerAngle,
     /// The full angle of a cutoff, from which on there is no light.
     CutoffAngle,
-    /// How far a projection is turned about its axis, in degrees.
+    /// The rotation of a projection about its axis, in degrees.
     Roll,
-    /// How many transmissions a side of a gobo has, or texels one of a shadow map.
+    /// The side length of a gobo in transmissions, or of a shadow map in texels.
     Side,
-    /// The slope of a profile over `t` at the edge.
+    /// The slope of a falloff over `t` at the edge.
     EdgeSlope,
-    /// The slope of a profile over `t` in the middle.
+    /// The slope of a falloff over `t` in the middle.
     MiddleSlope,
-    /// The sum of the coefficients of a profile.
+    /// The sum of the coefficients of a falloff.
     CoefficientSum,
-    /// The exponent of an integer power.
+    /// The exponent of a power.
     Exponent,
     /// The share of the larger exponent in a mixture of two powers.
     Share,
     /// A measured intensity.
     Sample,
-    /// How many samples there are, or transmissions, or depths.
+    /// The number of samples, transmissions or depths.
     SampleCount,
-    /// Where a light stands.
+    /// The position of a light.
     Position,
-    /// Where a spotlight points.
+    /// The axis of a spotlight.
     Axis,
-    /// How strong a light is on its axis.
+    /// The intensity of a light, on its axis if it has one.
     Intensity,
     /// The linear colour of a light or of a material.
     Color,
-    /// Where a directional light travels.
+    /// The direction in which a directional light travels.
     Direction,
-    /// Where the beam of a spotlight ends.
+    /// The position at which the beam of a spotlight ends.
     EndPoint,
-    /// A coefficient of the polynomial by which a light falls with distance.
+    /// A coefficient of a polynomial attenuation.
     Attenuation,
-    /// The distance at which a light ends.
+    /// The distance from which on there is no light.
     Range,
-    /// The exponent of a highlight.
+    /// The exponent of a specular lobe.
     Shininess,
-    /// How many texels a side of a shadow map has.
+    /// The side length of a shadow map in texels.
     ShadowSide,
-    /// The part of the light that a surface sends back, linear.
+    /// The linear reflectance of a surface.
     Albedo,
-    /// The linear light that reaches every surface from everywhere.
+    /// The linear ambient light.
     AmbientLight,
     /// A coordinate of a vertex, or a component of its normal.
     Vertex,
-    /// How many vertices a mesh has.
+    /// The number of vertices of a mesh.
     VertexCount,
-    /// How many parts a swept surface or a curve is divided into.
+    /// The number of segments of a swept surface or a curve.
     Segments,
-    /// How much all light is amplified for the display.
+    /// The factor on all light before the display.
     Exposure,
-    /// How dense haze is.
+    /// The density of haze.
     Density,
     /// The radius of a light in haze.
     SourceRadius,
@@ -110,41 +111,44 @@ pub enum Parameter {
     OuterConeAngle,
     /// The half angle of a spotlight: in radians in three.js, in degrees in Godot.
     SpotAngle,
-    /// The full angle up to which a spotlight is full.
+    /// The full angle up to which a spotlight has full intensity.
     Umbra,
-    /// Where a spotlight ends: a full angle, or in three.js the part of the angle over which it falls.
+    /// The outer end of a spotlight: a full angle; in three.js the fraction of the angle over which
+    /// the light falls off.
     Penumbra,
     /// `spot_angle_attenuation` of Godot.
     SpotAngleAttenuation,
-    /// The exponent by which light falls with the distance: `decay` of three.js, `spot_attenuation` of Godot.
+    /// The exponent of the attenuation with distance: `decay` of three.js, `spot_attenuation` of
+    /// Godot.
     Decay,
 }
 
-/// What a parameter may be.
+/// The accepted values of a parameter.
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[derive(Clone, Copy, PartialEq, Debug)]
 #[non_exhaustive]
 pub enum Expected {
-    /// A full angle in degrees: more than 0 and at most this.
+    /// A full angle in degrees in (0, this].
     AngleUpTo(f32),
-    /// A full angle in degrees: at least this, the narrowest that the number format can hold; no angle where this is more
-    /// than 180.
+    /// A full angle in degrees of at least this, the narrowest that the number format can hold.
+    /// Above 180, the format can hold no angle.
     AngleFrom(f32),
-    /// A full angle in degrees in this closed range.
+    /// A full angle in degrees in this closed interval.
     AngleBetween(f32, f32),
-    /// This number.
+    /// Exactly this number.
     Exactly(f32),
-    /// A finite number in this closed range.
+    /// A finite number in this closed interval.
     Between(f32, f32),
-    /// A number that is more than 0 and at most this.
+    /// A number in (0, this].
     UpTo(f32),
-    /// A number that is more than 0 and at most the first of these, or the second.
+    /// A number in (0, first], or the second.
     UpToOr(f32, f32),
-    /// A distance in this closed range, or none at all.
+    /// A distance in this closed interval, or no range.
     RangeBetween(f32, f32),
-    /// A whole number in this closed range.
+    /// An integer in this closed interval.
     WholeBetween(u32, u32),
-    /// A vector of finite components whose length is neither zero nor too large or small to be squared.
+    /// A vector of finite components whose length is neither zero nor too large or small to be
+    /// squared in f32.
     Direction,
 }
 
@@ -242,7 +246,7 @@ impl fmt::Display for Error {
 
 impl core::error::Error for Error {}
 
-/// A number in a closed range, or the error that names it. Not a number is outside every range.
+/// Returns an error if the value is outside the closed interval. NaN is outside every interval.
 pub(crate) fn check_between(parameter: Parameter, value: f32, least: f32, most: f32) -> Result<(), Error> {
     if (least..=most).contains(&value) {
         Ok(())
@@ -251,7 +255,7 @@ pub(crate) fn check_between(parameter: Parameter, value: f32, least: f32, most: 
     }
 }
 
-/// A number that is more than 0 and at most `most`, or the error that names it.
+/// Returns an error if the value is not in (0, most].
 pub(crate) fn check_up_to(parameter: Parameter, value: f32, most: f32) -> Result<(), Error> {
     if value > 0.0 && value <= most {
         Ok(())
@@ -260,7 +264,8 @@ pub(crate) fn check_up_to(parameter: Parameter, value: f32, most: f32) -> Result
     }
 }
 
-/// A value of everyday size with four decimals, a very large or small one with an exponent, any other in full.
+/// Displays numbers in [0.001, 10,000) with up to four decimals, very large or small ones with an
+/// exponent, and all others in full.
 struct Shown(f32);
 
 impl fmt::Display for Shown {
@@ -272,7 +277,7 @@ impl fmt::Display for Shown {
         } else if size == 0.0 || (1e-6..1e12).contains(&size) {
             write!(f, "{value}")
         } else {
-            // In full it would have up to 39 digits.
+            // In full, the number would have up to 39 digits.
             write!(f, "{value:e}")
         }
     }

@@ -1,40 +1,43 @@
-//! Lights of other systems: what their parameters mean, as lights of this crate.
+//! Lights of other systems, converted to lights of this crate.
 //!
-//! Each system has a type whose fields have its names, units and defaults; `import` places the
-//! light and says how far it is from the original. Nothing is parsed here.
+//! Each system has a type whose fields have the system's names, units and defaults. Its method
+//! `import` positions the light and returns it with its largest difference from the original.
+//! Nothing is parsed here.
 //!
 //! ```
 //! use luminaire::{Vec3, import};
 //! let flashlight = import::Godot { spot_angle: 25.0, spot_angle_attenuation: 2.0, ..Default::default() };
 //! let imported = flashlight.import(Vec3::new(0.0, 4.0, 0.0), Vec3::new(0.0, -1.0, 0.0))?;
-//! // Godot's rim is a square root here.
+//! // Here the falloff is `1 - sqrt(u)`.
 //! assert_eq!(imported.difference, import::Difference::default());
 //! let lit = imported.light.compile::<f32>()?;
 //! assert!(lit.irradiance(Vec3::new(0.0, 3.0, 0.0), Vec3::new(0.0, 1.0, 0.0)) > 0.9);
 //! # Ok::<(), luminaire::Error>(())
 //! ```
 //!
-//! | system | its angles | over the angle | over the distance |
+//! | system | its angles | angular falloff | attenuation |
 //! |---|---|---|---|
 //! | [`OpenGl`] | half, degrees | `cos^e`, cut off | `1 / (a0 + a1 d + a2 d^2)` |
-//! | [`Direct3d`] | full, radians | `t^p` around a hotspot | the same, cut off at a range |
-//! | [`Gltf`] | half, radians | `t^2` around a hotspot | `1 / d^2` in a window |
-//! | [`Three`] | half, radians | smoothstep around a hotspot | `1 / d^k` in Filament's window |
-//! | [`Godot`] | half, degrees | `1 - u^(1/p)` | `1 / d^k` in Filament's window |
-//! | [`Penumbra`] | as an [`Angle`] | `t` or smoothstep around a hotspot | `1 / d^2` |
+//! | [`Direct3d`] | full, radians | `t^p` with a hotspot | the same, cut off at a range |
+//! | [`Gltf`] | half, radians | `t^2` with a hotspot | `1 / d^2` with glTF's window |
+//! | [`Three`] | half, radians | smoothstep with a hotspot | `1 / d^k` with Filament's window |
+//! | [`Godot`] | half, degrees | `1 - u^(1/p)` | `1 / d^k` with Filament's window |
+//! | [`Penumbra`] | as an [`Angle`] | `t` or smoothstep with a hotspot | `1 / d^2` |
 //!
-//! `t` and `u = 1 - t` are those of the [profiles](crate::falloff::Falloff): the cosine on the way from the
+//! `t` and `u = 1 - t` are those of [`falloff`](crate::falloff): linear in the cosine from the
 //! outer to the inner angle.
 //!
 //! # What is exact, and what is not
 //!
-//! All is exact but two things. A light of Godot with a whole exponent lacks up to 0.0001 of its
-//! intensity on the axis. And an attenuation by a power other than 0, 1 and 2 becomes `1 / (a0 + a1 d)` under 1
-//! and `1 / (a1 d + a2 d^2)` over it, with coefficients that are searched for a small largest
-//! [`Difference`]. The largest differences over the lights of each system, as `cargo test --test
-//! import -- --nocapture --test-threads 1` prints them:
+//! Imports are exact except for two cases, and for the very short distances and very large
+//! intensities that each type documents. A Godot light whose exponent is an integer differs by up
+//! to 0.0001 on the axis. An attenuation by a power of the distance with an exponent other than 0,
+//! 1 and 2 is approximated: by `1 / (a0 + a1 d)` for exponents below 1, and by
+//! `1 / (a1 d + a2 d^2)` above. A search finds coefficients with a small maximum [`Difference`].
+//! The table shows the maximum differences over the lights of each system, printed by
+//! `cargo test --test suite import:: -- --nocapture --test-threads 1`:
 //!
-//! | system | intensity over the angle | place of a boundless slope, half angles | distance |
+//! | system | intensity over the angle | position of an infinite slope, half angles | distance |
 //! |---|---|---|---|
 //! | OpenGL, exponents 0 to 128 and between | 0 | 3.0e-8 | 0 |
 //! | Direct3D, falloffs 0 to 127.5 | 0 | 3.0e-8 | 0 |
@@ -46,19 +49,19 @@
 //! |---|---|---|---|---|---|---|---|---|---|
 //! | Godot, to a range of 8 | 0.065 | 0.13 | 0.035 | 0.042 | 0.084 | 0.028 | 0.22 | 0.75 | 1.0 |
 //!
-//! A decay over 2 falls faster than any divisor of the kernel grows: those are the numbers to look
-//! at before a light is used. A falloff under 1 has a slope without bound at its edge, which no
-//! format follows: it holds the place there.
+//! A decay over 2 decreases faster than any divisor of the kernel increases: check the difference
+//! before you use such a light. A falloff with an exponent below 1 has an infinite slope at its
+//! edge. There a format bounds the error of the position, not of the intensity.
 //!
-//! What an original makes of numbers that divide by zero in it is not imported: an inner angle at
-//! the outer one is a step here. glTF's reference code divides by 0.001 there, which
-//! [`Gltf::import_as_recommended`] reproduces.
+//! Divisions by zero in the original are not imported: an inner angle equal to the outer one gives
+//! a step. glTF's reference code divides by 0.001 there, which [`Gltf::import_as_recommended`]
+//! reproduces.
 //!
 //! # One type
 //!
-//! A light that is imported may have any profile and any distance model, so that both are chosen at
-//! run time ([`AnyFalloff`], [`AnyAttenuation`]) and cost a branch per point. A renderer that minds makes a
-//! [`AnyLight`](crate::dynamic::AnyLight) of it, which branches once per light.
+//! The falloff and the attenuation of an imported light are chosen at run time ([`AnyFalloff`],
+//! [`AnyAttenuation`]) and cost a branch per point. To branch once per light instead, convert it
+//! into an [`AnyLight`](crate::dynamic::AnyLight).
 
 mod direct3d;
 mod fall;
@@ -88,47 +91,48 @@ use crate::{
     vec3::Vec3,
 };
 
-/// A light of another system and how far it is from the original.
+/// An imported light and its largest difference from the original.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Imported<L> {
     /// The light.
     pub light: L,
-    /// How far it is from the original.
+    /// The largest difference from the original.
     pub difference: Difference,
 }
 
-/// The largest difference between an imported light and the original, each in exact arithmetic: 0
-/// where the light is held exactly. What a number format adds is its own.
+/// The largest difference between an imported light and the original, both in exact arithmetic: 0
+/// for an exact import. Errors of a number format are not included.
 ///
-/// Intensities are relative to the light on the axis. The differences are upper bounds, at most a
-/// thousandth over the true ones.
+/// Intensities are relative to that on the axis. The differences are upper bounds, at most 0.1 %
+/// above the true values.
 #[derive(Clone, Copy, PartialEq, Default, Debug)]
 pub struct Difference {
-    /// Of the intensity over the angle, from 0 to 1: at most 1/510 for every light that is
-    /// imported.
+    /// Difference in intensity over the angle, in [0, 1]: at most 1/510 for every import.
     pub angle: f32,
-    /// Of the place, in outer half angles, where the slope over the angle has no bound: at the edge
-    /// of a
-    /// [`Direct3d::falloff`] between 0 and 1, and of such an [`OpenGl::spot_exponent`] with a cutoff of 90 degrees. There an
-    /// f32 tells no angle that is nearer to the edge than 2^-25, so that no format holds an
-    /// intensity. 0 for every other light, and at most 1/510.
+    /// Difference in position where the slope over the angle is infinite, in outer half angles, at
+    /// most 1/510.
+    ///
+    /// Non-zero only at the edge of a [`Direct3d::falloff`] in (0, 1), and of an
+    /// [`OpenGl::spot_exponent`] in (0, 1) with a cutoff of 90 degrees. There f32 cannot
+    /// distinguish angles within 2^-25 of the edge, so no format can represent the intensity.
     pub place: f32,
-    /// Of the fall with distance, from 0 to 1: relative to the light at distance 1, or to the
-    /// brighter of the two where that is more. At distances from 0.1 on, or from where the original
-    /// stops growing, to the range or 32,767.
+    /// Difference in attenuation, in [0, 1]: relative to the light at distance 1, or to the
+    /// brighter of the two lights if that is brighter. It covers distances from 0.1, or from where
+    /// the original stops growing if that is farther, up to the range, or to 32,767 without a
+    /// range.
     pub distance: f32,
 }
 
 impl Difference {
-    /// What the light differs by at most where it arrives, but for a difference of the place: the
-    /// sum of the other two.
+    /// Returns an upper bound of the difference in irradiance, without a difference in position:
+    /// the sum of `angle` and `distance`, at most 1.
     pub fn most(self) -> f32 {
         (self.angle + self.distance).min(1.0)
     }
 
     const NONE: Self = Self { angle: 0.0, place: 0.0, distance: 0.0 };
 
-    /// Of a profile whose slope has no bound at its edge.
+    /// The difference of a falloff with an infinite slope at its edge.
     const AT_THE_EDGE: Self = Self { place: 1.0 / 33_554_432.0, ..Self::NONE };
 
     fn with_distance(self, difference: f64) -> Self {
@@ -136,7 +140,7 @@ impl Difference {
     }
 }
 
-/// The ramp of a profile from an outer angle to an inner one; a step where the two are one.
+/// Returns the cone of a falloff between an inner and an outer angle; a step if they are equal.
 fn ramp(profile: AnyFalloff, inner: Angle, outer: Angle) -> Result<Cone<AnyFalloff>, Error> {
     if inner >= outer {
         Cone::from_outer(AnyFalloff::Step(Step), outer)
@@ -145,7 +149,7 @@ fn ramp(profile: AnyFalloff, inner: Angle, outer: Angle) -> Result<Cone<AnyFallo
     }
 }
 
-/// The spotlight of what was imported, with the difference of its cone.
+/// Returns the imported spotlight, with the difference of its cone and of its attenuation.
 fn spot(
     position: Vec3<f32>,
     direction: Vec3<f32>,

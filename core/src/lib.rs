@@ -18,8 +18,8 @@
 //! let cone = Cone::soft(Angle::degrees(15.0))?;
 //! let spot = SpotLight::new([0.0, 4.0, 0.0], [0.0, -1.0, 0.0], cone)?.with_intensity(16.0)?;
 //!
-//! // Angles enter, coefficients leave: from here on there is no trigonometry, no division and, in
-//! // fixed point, no float. The type of the normal picks the number format.
+//! // Converts angles to coefficients: from here on there is no trigonometry and, in fixed point, no
+//! // division and no float. The type of the normal selects the number format.
 //! let lit = spot.compile()?;
 //!
 //! // A point on the floor where the beam angle meets it, 34 cm from the middle, facing up.

@@ -1,4 +1,4 @@
-//! Materials: what a surface does with the light that arrives.
+//! Materials: how a surface reflects and emits light.
 
 use crate::{
     color::{Rgb, checked_color},
@@ -8,13 +8,13 @@ use crate::{
     specular::{NoSpecular, SpecularLobe},
 };
 
-/// A material: the parts of ambient, diffuse and specular light that it sends back, and the light that it gives itself.
+/// A material: the ambient, diffuse and specular reflectance of a surface, and its emission.
 ///
-/// It is the surface of the classic lighting equation, with the sum over all lights:
+/// It is the surface of the classic lighting equation, summed over all lights:
 ///
 /// `I = emissive + ambient Ia + sum of f(d) spot [diffuse Is max(0, N.L) + specular Is lobe]`
 ///
-/// The type decides the highlight: a [`NoSpecular`] material costs nothing for it.
+/// The type selects the specular lobe; [`NoSpecular`] costs nothing.
 ///
 /// ```
 /// use luminaire::{Angle, Cone, Material, Rgb, SpotLight, Vec3, falloff::Soft, light::SurfacePoint, specular::BlinnPhong};
@@ -38,11 +38,11 @@ pub struct Material<H = NoSpecular> {
     highlight: H,
 }
 
-/// The largest shininess: a highlight with half its light within four degrees.
+/// The largest shininess. At this value half the light of the lobe is within four degrees.
 const SHINIEST: u32 = 1024;
 
 impl Material {
-    /// A matt material that sends back this part of the diffuse and of the ambient light, and gives none itself.
+    /// Creates a matt material with this diffuse and ambient reflectance and without emission.
     ///
     /// # Errors
     /// A channel outside [0, 1].
@@ -55,11 +55,12 @@ impl Material {
 }
 
 impl<H: SpecularLobe> Material<H> {
-    /// The same material with a highlight: its kind, its linear colour and its shininess, the exponent of the lobe.
+    /// Returns the material with a specular lobe, its linear colour and its shininess (the
+    /// exponent).
     ///
     /// # Errors
-    /// A channel outside [0, 1]; a shininess over 1024, or under the least of its kind, which is 1 but for
-    /// [`DifferenceForm`](crate::specular::DifferenceForm).
+    /// A channel outside [0, 1]; a shininess over 1024 or under the minimum of the lobe. The
+    /// minimum is 1, except for [`DifferenceForm`](crate::specular::DifferenceForm).
     pub fn with_highlight<K: SpecularLobe>(
         &self,
         highlight: K,
@@ -78,7 +79,7 @@ impl<H: SpecularLobe> Material<H> {
         Ok(Material { ambient, diffuse, emissive, specular, shininess, highlight })
     }
 
-    /// The same material with another part of the ambient light.
+    /// Returns the material with another ambient reflectance.
     ///
     /// # Errors
     /// A channel outside [0, 1].
@@ -86,7 +87,7 @@ impl<H: SpecularLobe> Material<H> {
         Ok(Self { ambient: checked_color(ambient)?, ..self })
     }
 
-    /// The same material with light of its own: linear, 1 is full scale.
+    /// Returns the material with this emission: linear, 1 is full scale.
     ///
     /// # Errors
     /// A channel outside [0, 1].
@@ -94,27 +95,27 @@ impl<H: SpecularLobe> Material<H> {
         Ok(Self { emissive: checked_color(emissive)?, ..self })
     }
 
-    /// The part of the ambient light that is sent back.
+    /// Returns the ambient reflectance, linear.
     pub fn ambient(&self) -> Rgb<f32> {
         self.ambient
     }
 
-    /// The part of the diffuse light that is sent back.
+    /// Returns the diffuse reflectance, linear.
     pub fn diffuse(&self) -> Rgb<f32> {
         self.diffuse
     }
 
-    /// The light that the material gives itself.
+    /// Returns the emission, linear.
     pub fn emissive(&self) -> Rgb<f32> {
         self.emissive
     }
 
-    /// The colour of the highlight.
+    /// Returns the specular reflectance, linear.
     pub fn specular(&self) -> Rgb<f32> {
         self.specular
     }
 
-    /// The exponent of the highlight.
+    /// Returns the exponent of the specular lobe.
     pub fn shininess(&self) -> u32 {
         self.shininess
     }
@@ -142,7 +143,7 @@ pub struct CompiledMaterial<S: Scalar, H: SpecularLobe = NoSpecular> {
 }
 
 impl<S: Scalar, H: SpecularLobe> CompiledMaterial<S, H> {
-    /// The material of these parts, as [`codegen`](crate::codegen) writes them.
+    /// Creates the material from its parts, as [`codegen`](crate::codegen) writes them.
     pub const fn from_parts(
         ambient: Rgb<S>,
         diffuse: Rgb<S>,
@@ -153,22 +154,24 @@ impl<S: Scalar, H: SpecularLobe> CompiledMaterial<S, H> {
         Self { ambient, diffuse, emissive, specular, highlight }
     }
 
-    /// What the surface shows by itself and by ambient light: `emissive + ambient Ia`, with `Ia` from
-    /// [`AmbientLight::compile`](crate::AmbientLight::compile).
+    /// Returns the emitted light and the reflected ambient light: `emissive + ambient Ia`, with
+    /// `Ia` from [`AmbientLight::compile`](crate::AmbientLight::compile).
     #[inline]
     pub fn glow(&self, ambient: Rgb<S::Irradiance>) -> Rgb<S::Irradiance> {
         self.emissive.plus::<S>(ambient.filtered::<S>(self.ambient))
     }
 
-    /// What a compiled light of any kind adds: `f(d) spot [diffuse Is max(0, N.L) + specular Is lobe]`, without a root
-    /// where nothing can arrive. What is skipped is exactly zero, so the answer has the bits of
-    /// [`reflect_unskipped`](Self::reflect_unskipped).
+    /// Returns the reflected light of one compiled light:
+    /// `f(d) spot [diffuse Is max(0, N.L) + specular Is lobe]`.
+    ///
+    /// Points that the light cannot reach return 0 before the square root. The result is
+    /// bit-identical to that of [`reflect_unskipped`](Self::reflect_unskipped).
     #[inline]
     pub fn reflect<L: LightModel<S>>(&self, surface: &SurfacePoint<S>, light: &L) -> Rgb<S::Irradiance> {
         self.reflected(surface, light, true)
     }
 
-    /// As [`reflect`](Self::reflect), with every step done for every point: the form without branches.
+    /// As [`reflect`](Self::reflect), without early-out: every point takes every step.
     #[inline]
     pub fn reflect_unskipped<L: LightModel<S>>(
         &self,

@@ -1,17 +1,21 @@
-//! The lists of the models. Each model is declared here once. Run-time enums, prices, conformance vectors, programs and
-//! the tests over every model are made of its row.
+//! The lists of all models: each falloff, attenuation and specular lobe is declared here once.
+//! Run-time enums, cost measurements, conformance vectors, programs and the tests over every model
+//! are generated from its row.
 //!
-//! With the feature `arithmetic` other crates have the lists, as macros of the root.
+//! With the feature `arithmetic` the lists are exported as macros at the crate root.
 
-/// The list of the falloffs that can be chosen at run time, handed to a macro after its own arguments.
+/// Calls a macro with the list of all falloffs that can be chosen at run time, after the macro's
+/// own arguments.
 ///
-/// A row is `doc variant(type) = name, sample, truth;`: what it is in a sentence, its variant in
-/// [`AnyFalloff`](crate::falloff::AnyFalloff) and [`Effect`](crate::dynamic::Effect), its type, its name in records,
-/// one of it as a `Result`, and that one in f64 with as few operations as it takes.
+/// A row is `doc variant(type) = name, sample, truth;`. `doc` is one sentence; `variant` is the
+/// variant in [`AnyFalloff`](crate::falloff::AnyFalloff) and [`Effect`](crate::dynamic::Effect);
+/// `name` is the name in records; `sample` is one value as a `Result`; `truth` is that value's
+/// function in f64, with as few operations as possible.
 ///
-/// - `any |n| ...` draws one at random from numbers `n()` in [0, 1); a combination may be refused. Without it the sample is
-///   drawn.
-/// - `constant type = name, value, truth` replaces the run-time type in programs that know the falloff when they are built.
+/// - `any |n| ...` draws a random falloff from numbers `n()` in [0, 1); invalid combinations return
+///   an error. Without it, the sample is used.
+/// - `constant type = name, value, truth` replaces the run-time type in programs that know the
+///   falloff at compile time.
 #[cfg_attr(feature = "arithmetic", macro_export)]
 macro_rules! falloffs {
     ($($consumer:ident)::+ $(; $($arguments:tt)*)?) => {
@@ -61,7 +65,7 @@ macro_rules! falloffs {
     };
 }
 
-/// The same list as programs have the falloffs that know them when they are built: rows of
+/// Calls a macro with the list of falloffs for programs that know theirs at compile time: rows of
 /// `doc variant(type) = name, sample, truth;`.
 #[cfg(feature = "arithmetic")]
 #[macro_export]
@@ -87,38 +91,40 @@ macro_rules! constant_falloffs {
     };
 }
 
-/// The list of the attenuations that can be chosen at run time, handed to a macro after its own arguments.
+/// Calls a macro with the list of all attenuations that can be chosen at run time, after the
+/// macro's own arguments.
 ///
-/// A row is `doc variant(type) = any |n| ...;`, which draws one at random from numbers `n()` in [0, 1). After it come, each
-/// as `doc type = name, value`, the attenuations that replace it in programs that know them when they are built.
+/// A row is `doc variant(type) = any |n| ...;`, which draws a random attenuation from numbers `n()`
+/// in [0, 1). It is followed by the attenuations that replace it in programs that know theirs at
+/// compile time, each as `doc type = name, value`.
 #[cfg_attr(feature = "arithmetic", macro_export)]
 macro_rules! attenuations {
     ($($consumer:ident)::+ $(; $($arguments:tt)*)?) => {
         $($consumer)::+! {
             $($($arguments)*)?
-            /// No attenuation, cut off.
+            /// No attenuation, with an optional cut-off range.
             Constant(CutAt<NoAttenuation>) = any |n| CutAt::new(NoAttenuation, range(n));
-            /// The inverse-square law, cut off.
+            /// The inverse-square law, with an optional cut-off range.
             InverseSquare(CutAt<InverseSquare>) = any |n| CutAt::new(InverseSquare, range(n)),
                 /// The law of a small source: the default of every spot and point light.
                 InverseSquare = "inverse-square", Ok(InverseSquare),
                 /// Cut off at a range: nothing from there on, and the law unchanged before.
                 CutAt<InverseSquare> = "cut-at", CutAt::new(InverseSquare, Some(9.0));
-            /// One over a polynomial, cut off.
+            /// One over a polynomial, with an optional cut-off range.
             Polynomial(CutAt<Polynomial>) = any |n| CutAt::new(Polynomial::new(4.0 * n(), 4.0 * n(), 4.0 * n())?, range(n)),
                 /// `1/(a0 + a1 d + a2 d^2)`, capped at 1: the lights of OpenGL and Direct3D.
                 Polynomial = "polynomial", Polynomial::new(1.0, 0.2, 0.03);
-            /// The inverse-square law in glTF's window.
+            /// The inverse-square law with glTF's window.
             GltfRange(GltfRange) = any |n| GltfRange::new(InverseSquare, range(n)),
                 /// The window by which lights of glTF end at their range.
                 GltfRange = "gltf-range", GltfRange::new(InverseSquare, Some(9.0));
-            /// No attenuation, faded out.
+            /// No attenuation, with the window `(1 - (d/r)^4)^2`.
             WindowedConstant(Windowed<NoAttenuation>) = any |n| Windowed::new(NoAttenuation, range(n));
-            /// The inverse-square law, faded out.
+            /// The inverse-square law with the window `(1 - (d/r)^4)^2`.
             FilamentRange(FilamentRange) = any |n| FilamentRange::new(InverseSquare, range(n)),
                 /// The window of glTF squared, as Filament and Godot have it.
                 FilamentRange = "filament-range", FilamentRange::new(InverseSquare, Some(9.0));
-            /// One over a polynomial, faded out.
+            /// One over a polynomial, with the window `(1 - (d/r)^4)^2`.
             WindowedPolynomial(Windowed<Polynomial>) = any |n|
                 Windowed::new(Polynomial::new(4.0 * n(), 4.0 * n(), 4.0 * n())?, range(n));
             /// Smoothstep to a range.
@@ -129,7 +135,8 @@ macro_rules! attenuations {
     };
 }
 
-/// The list of the specular lobes, handed to a macro after its own arguments: rows of `doc type = name, value;`.
+/// Calls a macro with the list of all specular lobes, after the macro's own arguments: rows of
+/// `doc type = name, value;`.
 #[cfg(feature = "arithmetic")]
 #[macro_export]
 macro_rules! lobes {
@@ -150,18 +157,18 @@ macro_rules! lobes {
 
 pub(crate) use {attenuations, falloffs};
 
-/// Samples evenly spaced over the versine; 65,535 is one.
+/// Samples evenly spaced over the versine; 65,535 is full intensity.
 #[allow(unreachable_pub, reason = "public with the feature arithmetic")]
 pub const SAMPLES: [u16; 10] = [65_535, 65_000, 63_211, 60_007, 51_234, 39_876, 24_321, 11_111, 3_210, 0];
 
-/// `x^2`.
+/// Returns `x^2`.
 #[cfg(feature = "arithmetic")]
 #[inline(always)]
 pub fn squared(x: f64) -> f64 {
     x * x
 }
 
-/// `x` to any power.
+/// Returns `x^exponent`.
 #[cfg(feature = "arithmetic")]
 pub fn power(x: f64, exponent: f64) -> f64 {
     libm::pow(x, exponent)
@@ -178,13 +185,14 @@ pub fn interpolated(t: f64) -> f64 {
     (from + (to - from) * (place - index as f64)) / 65_535.0
 }
 
-/// `1024^number`: exponents that are evenly spread over their logarithms, of numbers that are evenly spread over [0, 1).
+/// Returns `1024^number`: exponents evenly distributed in their logarithm, for numbers evenly
+/// distributed in [0, 1).
 #[cfg(feature = "arithmetic")]
 pub fn exponent(number: f32) -> f32 {
     libm::powf(1_024.0, number)
 }
 
-/// A range up to 40, or none.
+/// Returns a range in [0, 40), or `None` for one number in ten.
 #[cfg(feature = "arithmetic")]
 pub(crate) fn range(numbers: &mut impl FnMut() -> f32) -> Option<f32> {
     (numbers() >= 0.1).then(|| 40.0 * numbers())

@@ -1,10 +1,11 @@
-//! The plan of a picture: which effects its lights and materials call for, and so what is left out.
+//! Render plans: the effects that a scene requires.
 //!
-//! Left out is only what changes no bit of the picture: a light that can light nothing, a highlight of no colour, a
-//! factor of one. [`RenderPlan::everything`] leaves nothing out, and gives the same picture: that is how a renderer is tested.
+//! A renderer omits the other effects. It omits only work that does not change any bit of the
+//! image: a dark light, a black highlight, a factor of 1. [`RenderPlan::everything`] omits nothing
+//! and gives the same image; the tests of a renderer compare the two.
 //!
-//! Where lights are constants of the program there is nothing to plan: their types say what is called for, and what no type
-//! names is not linked.
+//! Lights that are constants of the program need no plan: their types state the required effects,
+//! and unused code is not linked.
 
 use crate::{
     any_light::{AnyLight, CompiledAnyLight},
@@ -17,7 +18,7 @@ use crate::{
     specular::SpecularLobe,
 };
 
-/// Which effects a picture calls for.
+/// The set of effects that a scene requires.
 ///
 /// ```
 /// use luminaire::{AmbientLight, Angle, Cone, Material, Rgb, SpotLight, Vec3, dynamic::{Effect, RenderPlan}, falloff::Hard, projector::Fixture};
@@ -36,62 +37,64 @@ pub struct RenderPlan {
 }
 
 impl RenderPlan {
-    /// The plan of an empty picture, which calls for nothing.
+    /// Creates the plan of an empty scene, which requires no effect.
     pub const fn new() -> Self {
         Self { effects: Effects::NONE, leaves_nothing_out: false }
     }
 
-    /// The plan that evaluates every effect for every light at every point, called for or not.
+    /// Creates the plan that evaluates every effect for every light at every point, required or
+    /// not.
     pub const fn everything() -> Self {
         Self { effects: Effects::ALL, leaves_nothing_out: true }
     }
 
-    /// The plan with an effect of the picture as a whole, as haze or dither are.
+    /// Adds an effect of the whole image, such as haze or dither.
     #[must_use]
     pub const fn with(self, effect: Effect) -> Self {
         Self { effects: self.effects.with(effect), ..self }
     }
 
-    /// The plan with ambient light, unless it is black.
+    /// Adds ambient light, unless it is black.
     #[must_use]
     pub fn with_ambient(self, ambient: &AmbientLight) -> Self {
         let is_dark = ambient.intensity() == 0.0 || ambient.color().is_black();
         if is_dark { self } else { self.with(Effect::Ambient) }
     }
 
-    /// The plan with a fixture, unless it is dark.
+    /// Adds the effects of a fixture, unless its light is dark.
     #[must_use]
     pub fn with_fixture(self, fixture: &Fixture) -> Self {
         Self { effects: self.effects.union(fixture.effects()), ..self }
     }
 
-    /// The plan with a material.
+    /// Adds the effects of a material.
     #[must_use]
     pub fn with_material<H: SpecularLobe>(self, material: &Material<H>) -> Self {
         let shines = H::SHINES && !material.specular().is_black();
         if shines { self.with(Effect::Specular) } else { self }
     }
 
-    /// The effects that are called for.
+    /// Returns the required effects.
     pub const fn effects(&self) -> Effects {
         self.effects
     }
 
-    /// Whether an effect is called for.
+    /// Returns whether an effect is required.
     pub const fn requires(&self, effect: Effect) -> bool {
         self.effects.has(effect)
     }
 
-    /// Whether points, tiles and lights are skipped where nothing can arrive: all but [`everything`](Self::everything)
-    /// do.
+    /// Returns whether points, tiles and lights that receive or emit no light are skipped. False
+    /// only for [`everything`](Self::everything).
     pub const fn skips(&self) -> bool {
         !self.leaves_nothing_out
     }
 
-    /// Compiles a light for the format `S`, once for all points; nothing if it is dark, and so dropped.
+    /// Compiles a light for the format `S`, once for all points. Returns `None` for a dark light if
+    /// the plan skips.
     ///
     /// # Errors
-    /// A light that the format can't hold, dark or not.
+    /// A light that the format cannot hold, dark or not.
     pub fn prepare<S: Scalar>(&self, light: &AnyLight) -> Result<Option<CompiledAnyLight<S>>, Error> {
         let compiled = light.compile()?;
         Ok((!(self.skips() && light.is_dark())).then_some(compiled))

@@ -1,6 +1,7 @@
-//! The ways in which set-up searches.
+//! Search algorithms for set-up.
 
-/// Where a predicate that is true from `low` on becomes false, within [`low`, `high`], to the last place.
+/// Returns where a predicate that is true at `low` becomes false, within [`low`, `high`], to the
+/// last place.
 pub(crate) fn bisect(mut low: f32, mut high: f32, holds: impl Fn(f32) -> bool) -> f32 {
     for _ in 0..26 {
         let middle = (low + high) / 2.0;
@@ -9,7 +10,7 @@ pub(crate) fn bisect(mut low: f32, mut high: f32, holds: impl Fn(f32) -> bool) -
     (low + high) / 2.0
 }
 
-/// Where a function that falls to its least value and rises from there has it, to a 10^-4 of the interval.
+/// Returns the position of the minimum of a unimodal function, to 10^-4 of the interval.
 pub(crate) fn least_at(mut low: f64, mut high: f64, mut value: impl FnMut(f64) -> f64) -> f64 {
     for _ in 0..23 {
         let third = (high - low) / 3.0;
@@ -18,8 +19,8 @@ pub(crate) fn least_at(mut low: f64, mut high: f64, mut value: impl FnMut(f64) -
     (low + high) / 2.0
 }
 
-/// The largest value of a function that may have many hills, none of them narrower than a 256th of the interval: each is
-/// climbed.
+/// Returns the maximum of a function that may have many local maxima, none narrower than 1/256 of
+/// the interval. Each local maximum is refined.
 pub(crate) fn maximum(low: f64, high: f64, value: impl Fn(f64) -> f64) -> f64 {
     const STEPS: u32 = 512;
     let step = (high - low) / f64::from(STEPS);

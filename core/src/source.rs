@@ -1,4 +1,4 @@
-//! Values as constant expressions of Rust. [`codegen`](crate::codegen) says what for.
+//! Values as constant expressions of Rust: see [`codegen`](crate::codegen).
 
 use core::{
     fmt::{self, Formatter},
@@ -7,29 +7,29 @@ use core::{
 
 /// A value that can be written as a constant expression of Rust.
 pub trait Source {
-    /// Writes the expression; its names are those of the public modules.
+    /// Writes the expression. Its names are those of the public modules.
     ///
     /// # Errors
-    /// Those of the formatter.
+    /// The errors of the formatter.
     fn write(&self, out: &mut Formatter<'_>) -> fmt::Result;
 }
 
-/// A type that generated text names because no value in the text implies it.
+/// A type whose name the generated text must contain, because no value in the text implies it.
 pub trait Named {
     /// Writes the type's name.
     ///
     /// # Errors
-    /// Those of the formatter.
+    /// The errors of the formatter.
     fn write_name(out: &mut Formatter<'_>) -> fmt::Result;
 }
 
-/// Displays a compiled value as a constant expression: a block that brings its names with it. [`codegen`](crate::codegen)
-/// says which values have one.
+/// Wraps a compiled value for display as a constant expression: a block that imports the names it
+/// needs. [`codegen`](crate::codegen) lists the supported values.
 pub fn as_source<T: Source>(value: &T) -> AsSource<'_, T> {
     AsSource(value)
 }
 
-/// A value that is displayed as a constant expression. Made by [`as_source`].
+/// A value that displays as a constant expression. Created by [`as_source`].
 #[derive(Clone, Copy, Debug)]
 pub struct AsSource<'a, T>(&'a T);
 
@@ -45,7 +45,7 @@ impl<T: Source> fmt::Display for AsSource<'_, T> {
     }
 }
 
-/// The expression alone, in the way that the formatter's lists ask for.
+/// The expression alone, as `Debug`, which the formatter's list builders require.
 pub(crate) struct Written<'a, T: ?Sized>(pub(crate) &'a T);
 
 impl<T: Source + ?Sized> fmt::Debug for Written<'_, T> {
@@ -54,7 +54,7 @@ impl<T: Source + ?Sized> fmt::Debug for Written<'_, T> {
     }
 }
 
-/// The name of a type.
+/// A type that displays as its name.
 pub(crate) struct Name<T>(PhantomData<T>);
 
 impl<T: Named> fmt::Display for Name<T> {
@@ -63,12 +63,12 @@ impl<T: Named> fmt::Display for Name<T> {
     }
 }
 
-/// The name of a type, to be displayed.
+/// Returns the name of a type for display.
 pub(crate) fn name<T: Named>() -> Name<T> {
     Name(PhantomData)
 }
 
-/// Writes a call, with an argument a line.
+/// Writes a function call, with one argument per line.
 pub(crate) fn call(out: &mut Formatter<'_>, function: &str, arguments: &[&dyn Source]) -> fmt::Result {
     let mut call = out.debug_tuple(function);
     for argument in arguments {
@@ -77,7 +77,7 @@ pub(crate) fn call(out: &mut Formatter<'_>, function: &str, arguments: &[&dyn So
     call.finish()
 }
 
-/// Values that are their bits: a call of `from_bits`.
+/// Implements [`Source`] as a call of `from_bits`.
 macro_rules! written_by_bits {
     ($($name:ident)*) => {$(
         impl $crate::source::Source for $name {
@@ -88,7 +88,7 @@ macro_rules! written_by_bits {
     )*};
 }
 
-/// Unit types and variants, whose `Debug` is their expression.
+/// Implements [`Source`] by `Debug`, for unit types and their variants.
 macro_rules! written_by_debug {
     ($($name:ident)*) => {$(
         impl $crate::source::Source for $name {
@@ -99,7 +99,7 @@ macro_rules! written_by_debug {
     )*};
 }
 
-/// Types without parameters, which are named as they are.
+/// Implements [`Named`] for types without parameters.
 macro_rules! named {
     ($($name:ident)*) => {$(
         impl $crate::source::Named for $name {

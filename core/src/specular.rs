@@ -1,22 +1,23 @@
-//! Highlights: how brightly a surface mirrors a light into the eye.
+//! Specular lobes: the highlight of a light on a surface.
 //!
-//! With L the direction to the light, V the direction to the eye, N the normal, R the mirror image of L and H halfway
-//! between L and V, all of unit length, and m the shininess:
+//! L is the direction to the light, V the direction to the eye, N the normal, R the mirror
+//! direction of L about N, and H the half vector of L and V, all of unit length; m is the
+//! shininess:
 //!
 //! | type | lobe | source |
 //! |---|---|---|
-//! | [`NoSpecular`] | none, and nothing of it is compiled in | |
+//! | [`NoSpecular`] | none; its code is not compiled in | |
 //! | [`Phong`] | `max(0, R.V)^m` | Phong 1975 |
-//! | [`MirroredPhong`] | the same for a view that is mirrored in the surface | |
+//! | [`MirroredPhong`] | [`Phong`] with a view that is already mirrored at the surface | |
 //! | [`BlinnPhong`] | `max(0, N.H)^m` | Blinn 1977; OpenGL and Direct3D 9 |
 //! | [`DualConeLobe`] | `max(0, R.H)^m` | the dual-cone GLSL article |
-//! | [`DifferenceForm`] of one of these | `max(0, 1 - k \|difference\|^2 / 2)^(2^n)`, `k = m / 2^n` | Lyon 1993, *Phong Shading Reformulation for Hardware Renderer Simplification* |
+//! | [`DifferenceForm`] of one of these | `max(0, 1 - k \|a - b\|^2 / 2)^(2^n)`, `k = m / 2^n`, with the two directions a and b of that lobe | Lyon 1993, *Phong Shading Reformulation for Hardware Renderer Simplification* |
 //!
-//! Every cosine is had from the difference of its two directions, `1 - |a - b|^2 / 2`: a highlight is a narrow beam,
-//! and loses what a narrow beam would lose to an inner product.
+//! Every cosine is computed as `1 - |a - b|^2 / 2` from the difference of its two directions. A
+//! lobe is narrow, and a dot product near 1 would lose precision, as in a narrow beam.
 //!
-//! A surface that faces away from the light has no highlight, as in OpenGL; the bare equation of the textbooks would let
-//! the light shine through.
+//! A surface that faces away from the light has no highlight, as in OpenGL. Without that rule, the
+//! textbook equation would let light shine through the surface.
 
 mod highlight;
 
@@ -33,23 +34,24 @@ use crate::{
     vec3::Vec3,
 };
 
-/// A kind of highlight. The type decides which one is compiled in: there is no branch per point, and a highlight that
-/// is not named is not linked.
+/// A specular lobe. The type selects it at compile time: there is no branch per point, and an
+/// unused lobe is not linked.
 pub trait SpecularLobe: Copy + PartialEq + core::fmt::Debug {
-    /// Whether there is any highlight at all.
+    /// Whether the lobe can be more than 0.
     const SHINES: bool = true;
-    /// The least shininess that the kind of highlight is defined for.
+    /// The smallest shininess for which the lobe is defined.
     const LEAST_SHININESS: u32 = 1;
-    /// What the highlight knows once it is compiled for a format.
+    /// The constants of the lobe in a number format.
     type Constants<S: Scalar>: Copy + PartialEq + core::fmt::Debug;
 
-    /// Compiles a highlight of this shininess for the format `S`.
+    /// Compiles a lobe of this shininess for the format `S`.
     fn constants<S: Scalar>(shininess: u32) -> Self::Constants<S>;
 
-    /// The versine between the two directions whose nearness makes the highlight from which on there is none.
+    /// Returns the versine between the lobe's two directions from which on the lobe is 0.
     fn end(shininess: u32) -> f32;
 
-    /// The lobe, in [0, 1]: `incoming` goes from the light to the surface, `view` from the surface to the eye.
+    /// Evaluates the lobe, in [0, 1]. `incoming` points from the light to the surface, `view` from
+    /// the surface to the eye.
     fn lobe<S: Scalar>(
         constants: &Self::Constants<S>,
         incoming: Vec3<S::Unit>,
@@ -58,36 +60,37 @@ pub trait SpecularLobe: Copy + PartialEq + core::fmt::Debug {
     ) -> S;
 }
 
-/// No highlight.
+/// No specular lobe.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct NoSpecular;
 
-/// `max(0, R.V)^m`: brightest where the eye is in the mirror direction.
+/// `max(0, R.V)^m`: maximal for an eye in the mirror direction.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct Phong;
 
-/// `max(0, N.H)^m`: brightest where the eye is in the mirror direction, and about as wide as [`Phong`] of a quarter of
-/// its shininess. One more root for a point and a light.
+/// `max(0, N.H)^m`: maximal for an eye in the mirror direction. It is about as wide as a [`Phong`]
+/// lobe with a quarter of its shininess, and costs one more square root per point and light.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct BlinnPhong;
 
-/// `max(0, R.H)^m`, as the dual-cone GLSL article writes it.
+/// `max(0, R.H)^m`, as written in the dual-cone GLSL article.
 ///
-/// It is neither Phong's nor Blinn's. Where the eye is in the mirror direction H is the normal, and the lobe is only the
-/// m-th power of the cosine of the angle of incidence; it is brightest where H is the mirror direction, which is for
-/// an eye at three times that angle.
+/// It is neither Phong's nor Blinn's lobe. For an eye in the mirror direction H is the normal, so
+/// the lobe is only the m-th power of the cosine of the angle of incidence. The maximum is where H
+/// is the mirror direction: for an eye at three times the angle of incidence.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct DualConeLobe;
 
-/// [`Phong`] of a view that has been mirrored in the surface already: `|R - V|` is `|L - V'|`, and V' is found once for a
-/// point and not once for each light.
+/// [`Phong`] with a view V' that is already mirrored at the surface. As `|R - V| = |L - V'|`, V' is
+/// computed once per point instead of R once per light.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct MirroredPhong;
 
-/// Lyon's difference form of another highlight, by `N` squarings: the shininess goes into a factor, so that every point
-/// takes the same few steps whatever its material, which suits vector instructions.
+/// Lyon's difference form of another lobe, with `N` squarings. The shininess becomes a factor, so
+/// every point takes the same number of steps for every material, which suits vector instructions.
 ///
-/// Defined from a shininess of `2^N` on. It ends at a finite angle, and is the narrower the fewer the squarings.
+/// Defined for a shininess of at least `2^N`. It is 0 from a finite angle on, and fewer squarings
+/// make it narrower.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct DifferenceForm<H, const N: u32>(pub H);
 
@@ -117,7 +120,7 @@ impl SpecularLobe for NoSpecular {
 }
 
 impl<H: Highlight> SpecularLobe for H {
-    /// The ramp from 0 to 1, whose scale the versine is in, and the exponent.
+    /// The ramp from 0 to 1, which sets the scale of the versine, and the exponent.
     type Constants<S: Scalar> = (S::Ramp, u32);
 
     fn constants<S: Scalar>(shininess: u32) -> (S::Ramp, u32) {
@@ -142,7 +145,7 @@ impl<H: Highlight> SpecularLobe for H {
 
 impl<H: Highlight, const N: u32> SpecularLobe for DifferenceForm<H, N> {
     const LEAST_SHININESS: u32 = 1 << N;
-    /// `1 - k versine` is a ramp that ends at a versine of `1 / k`.
+    /// `1 - k versine`, as a ramp that is 0 at the versine `1 / k`.
     type Constants<S: Scalar> = S::Ramp;
 
     fn constants<S: Scalar>(shininess: u32) -> S::Ramp {

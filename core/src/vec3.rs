@@ -1,8 +1,8 @@
-//! Three components, and nothing that the kernel does not need of them.
+//! Vectors of three components, with only the operations that the kernel needs.
 
 /// A vector of three components: a position, an axis or a normal.
 ///
-/// The components are public and in the order x, y, z; the coordinate system is the user's.
+/// The coordinate system is the user's.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 #[repr(C)]
 pub struct Vec3<T> {
@@ -15,7 +15,7 @@ pub struct Vec3<T> {
 }
 
 impl<T> Vec3<T> {
-    /// The vector of these components.
+    /// Creates a vector from its components.
     pub const fn new(x: T, y: T, z: T) -> Self {
         Self { x, y, z }
     }
@@ -46,14 +46,15 @@ impl<T> From<Vec3<T>> for [T; 3] {
 }
 
 impl Vec3<f32> {
-    /// The inner product, summed from left to right: the order is part of the result's bits.
+    /// Returns the dot product, summed from left to right. The order determines the rounding.
     #[inline]
     pub fn dot(self, other: Self) -> f32 {
         self.x * other.x + self.y * other.y + self.z * other.z
     }
 }
 
-/// A value of a column, or the default beyond its end: within a loop over the column the compiler leaves the question out.
+/// Returns `column[i]`, or the default if `i` is out of bounds. In a loop over `0..N` the compiler
+/// removes the bounds check.
 #[inline]
 pub(crate) fn nth<T: Copy + Default, const N: usize>(column: &[T; N], i: usize) -> T {
     column.get(i).copied().unwrap_or_default()

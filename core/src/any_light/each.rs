@@ -1,9 +1,10 @@
-//! The loop for a light: its kind, profile and distance model are told apart once for many points, and the loop over them
-//! has no branch on what is the same for all.
+//! Evaluation of one light at many points. Its kind, falloff and attenuation are matched once, and
+//! the loop over the points has no branch on them.
 //!
-//! There is a loop for each profile under the inverse-square law, and one for each without a fall. Under another
-//! distance model the light is found in two loops, the cone's and then the distance's: together as many as there are
-//! profiles and models, and not one for each pair.
+//! There is one loop per falloff under the inverse-square law, and one per falloff without
+//! attenuation. Any other attenuation takes two loops, first the cone's, then the attenuation's.
+//! The number of loops is therefore the sum of the numbers of falloffs and attenuations, not the
+//! product.
 
 use super::CompiledAnyLight;
 use crate::{
@@ -16,19 +17,19 @@ use crate::{
     vec3::{Vec3, nth},
 };
 
-/// Points of surfaces, each quantity in an array of its own: see [`SurfacePoint`].
+/// Surface points as a structure of arrays: see [`SurfacePoint`].
 #[derive(Clone, Copy, Debug)]
 pub struct SurfacePoints<'a, S: Scalar, const N: usize> {
-    /// Where the points are.
+    /// The positions of the points.
     pub point: Vec3<&'a [S::Length; N]>,
     /// The normals, of unit length.
     pub normal: Vec3<&'a [S; N]>,
-    /// The directions from the points to the eye, of unit length. Matt surfaces do not ask for them.
+    /// The directions from the points to the eye, of unit length. Unused for matt surfaces.
     pub view: Vec3<&'a [S::Unit; N]>,
 }
 
 impl<S: Scalar, const N: usize> SurfacePoints<'_, S, N> {
-    /// One of the points; beyond the last a point that faces nowhere.
+    /// Returns point `i`; for `i >= N` a point with all components 0.
     #[inline]
     pub fn at(&self, i: usize) -> SurfacePoint<S> {
         SurfacePoint {
@@ -39,7 +40,7 @@ impl<S: Scalar, const N: usize> SurfacePoints<'_, S, N> {
     }
 }
 
-/// What is given and taken by a loop.
+/// The inputs and outputs of a loop.
 struct Loop<'a, S: Scalar, H: SpecularLobe, const N: usize> {
     surfaces: &'a SurfacePoints<'a, S, N>,
     highlight: &'a H::Constants<S>,
@@ -47,12 +48,13 @@ struct Loop<'a, S: Scalar, H: SpecularLobe, const N: usize> {
 }
 
 impl<S: Scalar> CompiledAnyLight<S> {
-    /// What arrives at each of many points whose highlights are of the kind `H`: to the bit what
-    /// [`evaluate`](Self::evaluate) gives for one. The arrivals of a matt surface have no specular part; what was
-    /// there stays.
+    /// Evaluates the light at `N` points with the specular lobe `H`, bit-identical to
+    /// [`evaluate`](Self::evaluate). A lobe of [`NoSpecular`](crate::specular::NoSpecular) leaves
+    /// `arrivals.specular` unchanged.
     ///
-    /// In fixed point, where points are computed one by one, those where nothing can arrive are left before their root is
-    /// paid for, with the same bits. In `f32` that would be in the way of vector instructions.
+    /// In fixed point, which computes points one by one, unreachable points return 0 before the
+    /// square root; the result is bit-identical. In `f32` such a test would prevent vector
+    /// instructions.
     pub fn evaluate_each<H: SpecularLobe, const N: usize>(
         &self,
         surfaces: &SurfacePoints<'_, S, N>,
@@ -68,7 +70,7 @@ impl<S: Scalar> CompiledAnyLight<S> {
     }
 }
 
-/// A compiled distance model without a range is the plain one.
+/// Returns the plain attenuation that a compiled attenuation without a range is equal to, if any.
 fn plain<S: Scalar>(distance: &CompiledAnyAttenuation<S>) -> Option<Plain> {
     let none = S::gain(0.0);
     match distance {
@@ -78,7 +80,7 @@ fn plain<S: Scalar>(distance: &CompiledAnyAttenuation<S>) -> Option<Plain> {
     }
 }
 
-/// The distance models that have a loop with every profile.
+/// The attenuations that have their own loop with every falloff.
 enum Plain {
     Unattenuated,
     InverseSquare,
@@ -162,7 +164,8 @@ impl<S: Scalar, H: SpecularLobe, const N: usize> Loop<'_, S, H, N> {
         }
     }
 
-    /// Gives the points so near to the light that they want it the fine evaluation, which two loops cannot share.
+    /// Re-evaluates the points close enough to the light to need the fine evaluation, which two
+    /// separate loops cannot do.
     fn refine<L: LightModel<S>>(&mut self, light: &L, position: Vec3<S::Length>, fine_below: u32) {
         for i in 0..N {
             let surface = self.surfaces.at(i);
@@ -196,7 +199,8 @@ impl<S: Scalar, H: SpecularLobe, const N: usize> Loop<'_, S, H, N> {
     }
 }
 
-/// The loop of a light. What it writes to are arguments of their own, which compilers know to be apart from what it reads.
+/// The loop over the points. Its outputs are separate arguments, so that the compiler knows that
+/// they do not alias the inputs.
 #[inline(never)]
 fn light_each<S: Scalar, H: SpecularLobe, L: LightModel<S>, const N: usize>(
     light: &L,
@@ -215,7 +219,7 @@ fn light_each<S: Scalar, H: SpecularLobe, L: LightModel<S>, const N: usize>(
     }
 }
 
-/// Takes fractions of a full intensity to what is left of the intensity at each distance.
+/// Attenuates irradiances that were computed with an intensity of 1 and without attenuation.
 #[inline(never)]
 fn attenuate_each<S: Scalar, A: Attenuation, const N: usize>(
     position: Vec3<S::Length>,

@@ -9,7 +9,7 @@ use crate::{
 };
 
 impl CompiledAnyLight<f32> {
-    /// The beam of the light in haze; nothing where it is no spotlight.
+    /// Returns the beam of the light in haze; `None` if it is not a spotlight.
     pub fn in_haze(&self, haze: &Haze) -> Option<BeamScattering<AnyFalloff, AnyAttenuation>> {
         match self {
             Self::Spot(spot) => Some(spot.in_haze(haze)),
@@ -19,9 +19,11 @@ impl CompiledAnyLight<f32> {
 }
 
 impl BeamScattering<AnyFalloff, AnyAttenuation> {
-    /// The air light of each of many rays: to the bit what [`in_scattering`](Self::in_scattering) of the beam's own
-    /// profile gives for one. There is a loop for each profile under the inverse-square law, and one with branches for
-    /// all others.
+    /// Computes the in-scattered light of `N` rays. The result is bit-identical to
+    /// [`in_scattering`](Self::in_scattering) with the beam's own falloff type.
+    ///
+    /// There is one loop per falloff under the inverse-square law, and one loop with branches for
+    /// all other attenuations.
     pub fn in_scattering_each<const N: usize>(&self, rays: &ViewRays<N>, lights: &mut [f32; N]) {
         if AnyAttenuation::is_inverse_square::<f32>(&self.attenuation) {
             with_profile!(self.falloff, profile, curve => each(&self.by_square(profile, curve), rays, lights));
@@ -30,9 +32,12 @@ impl BeamScattering<AnyFalloff, AnyAttenuation> {
         }
     }
 
-    /// The air light of each of many rays through something: to the bit what
-    /// [`in_scattering_through`](Self::in_scattering_through) gives for one with `PARTS` places, which the filter is
-    /// told all at once, ray by ray. It is not asked for rays that are not in the beam.
+    /// Computes the in-scattered light of `N` rays with a transmittance filter. The result is
+    /// bit-identical to [`in_scattering_through`](Self::in_scattering_through) with `PARTS` samples
+    /// per ray.
+    ///
+    /// The filter is called once per ray with all samples of that ray. It is not called for rays
+    /// outside the beam.
     pub fn in_scattering_through_each<const PARTS: usize, const N: usize>(
         &self,
         rays: &ViewRays<N>,
@@ -48,7 +53,7 @@ impl BeamScattering<AnyFalloff, AnyAttenuation> {
         }
     }
 
-    /// The same beam with the types of its profile and of the inverse-square law.
+    /// Returns the beam with the concrete types of its falloff and of the inverse-square law.
     fn by_square<P: Falloff>(&self, profile: P, curve: P::Compiled<f32>) -> BeamScattering<P, InverseSquare> {
         let falloff = CompiledCone::from_parts(self.falloff.ramp, profile, curve);
         let Self { position, axis, gain, cone, reach, .. } = *self;

@@ -14,7 +14,7 @@ use crate::{
     source::{Named, Source, named, written_by_bits},
 };
 
-/// A number format whose values can be written as constant expressions: every one.
+/// A number format whose values can be written as constant expressions. All formats implement it.
 pub trait SourceScalar:
     Scalar<
         Length: Source,

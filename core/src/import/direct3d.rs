@@ -1,4 +1,4 @@
-//! Lights of Direct3D's fixed functions.
+//! Lights of Direct3D's fixed-function pipeline.
 
 use super::{AnyAttenuation, Difference, Imported, fall, ramp, spot};
 use crate::{
@@ -9,24 +9,25 @@ use crate::{
     vec3::Vec3,
 };
 
-/// A spotlight of Direct3D 9 (`D3DLIGHT9`, and *Attenuation and Spotlight Factor* of its programming guide).
+/// A spotlight of Direct3D 9 (`D3DLIGHT9`, and *Attenuation and Spotlight Factor* of its
+/// programming guide).
 ///
-/// With rho the cosine of the angle off the direction, the light is full where rho is over `cos(theta / 2)`,
-/// none from `cos(phi / 2)` on, and between them
+/// With rho the cosine of the angle off the direction, the intensity is full for
+/// `rho > cos(theta / 2)`, 0 for `rho <= cos(phi / 2)`, and in between
 ///
 /// ```text
 /// ((rho - cos(phi / 2)) / (cos(theta / 2) - cos(phi / 2)))^falloff
 /// ```
 ///
-/// At a distance d it is divided by `attenuation0 + attenuation1 d + attenuation2 d^2`, and none beyond the
-/// range. Exact; falloff 0 and theta at phi are steps.
+/// At a distance d it is divided by `attenuation0 + attenuation1 d + attenuation2 d^2`; beyond the
+/// range it is 0. The import is exact. A falloff of 0, and `theta = phi`, give a step.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Direct3d {
     /// `Theta`: the full inner angle in radians, from 0 to phi.
     pub theta: f32,
-    /// `Phi`: the full outer angle in radians, more than 0 and at most pi.
+    /// `Phi`: the full outer angle in radians, in (0, pi].
     pub phi: f32,
-    /// `CompiledCone`: from 0 to 1,024, 1 in most programs.
+    /// `Falloff`: the exponent, from 0 to 1,024; 1 in most programs.
     pub falloff: f32,
     /// `Attenuation0`: from 0 to 1e9.
     pub attenuation0: f32,
@@ -34,18 +35,20 @@ pub struct Direct3d {
     pub attenuation1: f32,
     /// `Attenuation2`: from 0 to 1e9.
     pub attenuation2: f32,
-    /// `Range`: from 0.001 up. Over 1e9, as the root of the largest float that Direct3D allows, is none.
+    /// `Range`: at least 0.001. A value above 1e9, such as Direct3D's maximum `sqrt(FLT_MAX)`,
+    /// means no range.
     pub range: f32,
-    /// What the colour of the light is to be multiplied by: from 0 to 1e9.
+    /// The factor on the colour of the light: from 0 to 1e9.
     pub intensity: f32,
 }
 
 impl Direct3d {
-    /// The spotlight at a position, pointing in a direction.
+    /// Returns the spotlight at a position, pointing in a direction.
     ///
     /// # Errors
-    /// A parameter out of its range, or no attenuation coefficient of at least 1e-6; a position or direction
-    /// that [`SpotLight::new`] refuses; an intensity that over the constant coefficient is more than 1e9.
+    /// A parameter out of its range, or no attenuation coefficient of at least 1e-6; a position or
+    /// direction that [`SpotLight::new`] rejects; an intensity over 1e9 after division by the
+    /// constant coefficient.
     pub fn import(
         &self,
         position: Vec3<f32>,

@@ -1,4 +1,4 @@
-//! How an imported light falls with distance.
+//! The attenuation of an imported light.
 
 use super::AnyAttenuation;
 use crate::{
@@ -11,24 +11,25 @@ use crate::{
 /// The largest coefficient and intensity.
 const MOST: f32 = 1e9;
 
-/// How near a fall with distance is looked at, and how far: no fixed-point format knows a farther point.
+/// The interval of distances over which a decay is compared. No fixed-point format holds a greater
+/// distance.
 const NEAREST: f64 = 0.1;
 const FARTHEST: f64 = 32_767.0;
 
-/// How much an intensity is scaled by at most: 16 times it, the largest coefficient is not over 1e9.
+/// The largest factor on an intensity: 16 times it, the largest coefficient, is at most 1e9.
 const MOST_CAP: f32 = 6e7;
 
-/// A distance model in the place of another system's.
+/// An attenuation in place of that of another system.
 pub(super) struct Fall {
     pub(super) distance: AnyAttenuation,
-    /// The intensity, with whatever the model had to be scaled by.
+    /// The intensity, including the factor by which the attenuation was scaled.
     pub(super) intensity: f32,
-    /// How far it is from the original at most.
+    /// An upper bound of the difference from the original.
     pub(super) difference: f64,
 }
 
-/// `1 / (a0 + a1 d + a2 d^2)`, which is not capped: where the constant is small or none, the light of nearer
-/// points than 0.001 is that of 0.001.
+/// Returns `1 / (a0 + a1 d + a2 d^2)`, uncapped. If the constant is small or 0, points nearer than
+/// 0.001 get the light at 0.001.
 pub(super) fn polynomial(coefficients: [f32; 3], range: Option<f32>, intensity: f32) -> Result<Fall, Error> {
     for value in coefficients {
         check_between(Parameter::Attenuation, value, 0.0, MOST)?;
@@ -41,7 +42,8 @@ pub(super) fn polynomial(coefficients: [f32; 3], range: Option<f32>, intensity: 
     } else if constant == 0.0 && linear == 0.0 {
         (AnyAttenuation::InverseSquare(CutAt::new(InverseSquare, range)?), 1.0 / quadratic)
     } else {
-        // The polynomial is capped at 1: it is scaled until the cap is never met, and the intensity with it.
+        // [`Polynomial`] is capped at 1. The coefficients and the intensity are scaled so that the
+        // cap never applies.
         const NEAREST: f32 = 1e-3;
         let has_constant = linear.max(quadratic) <= MOST * constant;
         let least = if has_constant { constant } else { constant + NEAREST * (linear + NEAREST * quadratic) };
@@ -51,7 +53,8 @@ pub(super) fn polynomial(coefficients: [f32; 3], range: Option<f32>, intensity: 
     Ok(Fall { distance, intensity: intensity * scale, difference: 0.0 })
 }
 
-/// `d^-decay` in Filament's window of a range, by an original that stops growing nearer than `stop`.
+/// Returns `d^-decay` with Filament's window for a range. The original stops growing at distances
+/// below `stop`.
 pub(super) fn decay(decay: f32, stop: f64, range: Option<f32>, intensity: f32) -> Result<Fall, Error> {
     check_between(Parameter::Decay, decay, 0.0, 16.0)?;
     check_between(Parameter::Intensity, intensity, 0.0, MOST)?;
@@ -72,20 +75,20 @@ pub(super) fn decay(decay: f32, stop: f64, range: Option<f32>, intensity: f32) -
     Ok(Fall { distance, intensity: (intensity * cap).min(MOST), difference })
 }
 
-/// A fall by a power of the distance, in Filament's window of a range.
+/// An attenuation by a power of the distance, with Filament's window for a range.
 struct Decay {
     exponent: f64,
-    /// The distances at which it is looked at.
+    /// The ends of the compared interval of distances.
     nearest: f64,
     farthest: f64,
     range: Option<f64>,
 }
 
-/// The polynomial `scale ((1 - share) d^n + share d^(n + 1))` for `n` of 0 or 1, in whose place the power
-/// stands.
+/// The polynomial `scale ((1 - share) d^n + share d^(n + 1))` with `n` of 0 or 1, which
+/// approximates the power of the distance.
 #[derive(Clone, Copy)]
 struct Divisor {
-    /// Whether `n` is 1.
+    /// Whether `n` is 1; otherwise it is 0.
     is_steep: bool,
     scale: f64,
     share: f64,
@@ -103,7 +106,7 @@ impl Divisor {
     }
 }
 
-/// The original at one distance.
+/// The original attenuation at one distance.
 #[derive(Clone, Copy)]
 struct Sample {
     distance: f64,
@@ -112,7 +115,7 @@ struct Sample {
 }
 
 impl Sample {
-    /// How far one over a divisor is from the original here, up to a cap.
+    /// Returns the difference between `1 / divisor`, capped, and the original at this distance.
     fn difference(self, divisor: Divisor, cap: f64) -> f64 {
         let light = (1.0 / divisor.value(self.distance)).min(cap);
         self.window * (light - self.light).abs() / (self.window * self.light.max(light)).max(1.0)
@@ -131,13 +134,14 @@ impl Decay {
         }
     }
 
-    /// How bright the light may get: as the original does, if its intensity can be scaled by as much.
+    /// Returns the cap of the factor: that of the original, or less if the scaled intensity would
+    /// exceed 1e9.
     fn cap(&self, stop: f64, intensity: f32) -> f32 {
         let original = 1.0 / real_power(stop, self.exponent);
         (original as f32).min(MOST / intensity.max(MOST / MOST_CAP))
     }
 
-    /// Places from 0 to 1, evenly spread over the logarithm of the distance.
+    /// Returns the sample at a position in [0, 1], evenly spaced in the logarithm of the distance.
     fn at(&self, place: f64) -> Sample {
         let distance = self.nearest * real_power(self.farthest / self.nearest, place);
         let fraction = self.range.map_or(0.0, |range| distance / range);
@@ -145,8 +149,9 @@ impl Decay {
         Sample { distance, light: 1.0 / real_power(distance, self.exponent), window: window * window }
     }
 
-    /// The divisor that comes nearest, and its largest difference. That a difference stays under a bound is
-    /// linear in the coefficients, so that one search within another finds it.
+    /// Returns the best divisor and its maximum difference. For a given bound, the coefficients
+    /// within it satisfy linear inequalities, so two nested one-dimensional searches find the
+    /// optimum.
     fn nearest(&self, cap: f64) -> (Divisor, f64) {
         const SAMPLES: usize = 129;
         let samples: [Sample; SAMPLES] = core::array::from_fn(|i| self.at(i as f64 / (SAMPLES - 1) as f64));

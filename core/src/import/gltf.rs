@@ -13,22 +13,21 @@ use crate::{
 
 /// A spotlight of glTF's extension `KHR_lights_punctual`, with its defaults.
 ///
-/// The square of the ramp between the cosines of the two angles, and `(1 - (d / range)^4) / d^2`,
-/// at least 0. Exact. A node's direction is its local -z.
+/// The falloff is the square of the ramp between the cosines of the two angles; the attenuation is
+/// `(1 - (d / range)^4) / d^2`, at least 0. The import is exact. The direction of a node is its
+/// local -z.
 ///
-/// The code that the extension recommends takes at least 0.001 for the difference of the two
-/// cosines, so that a beam of half a degree is nearly dark on its axis. [`import`](Self::import)
-/// leaves that out;
-/// [`import_as_recommended`](Self::import_as_recommended) has it.
+/// The code that the extension recommends clamps the difference of the two cosines to at least
+/// 0.001, so a beam of half a degree is nearly dark on its axis. [`import`](Self::import) omits
+/// that clamp; [`import_as_recommended`](Self::import_as_recommended) includes it.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Gltf {
-    /// `innerConeAngle`: the half angle in radians where the light begins to fall, from 0 to the
-    /// outer one. At the outer one, which the extension does not allow, it is a step.
+    /// `innerConeAngle`: the half angle in radians up to which the intensity is full, from 0 to the
+    /// outer one. Equal angles, which the extension does not allow, give a step.
     pub inner_cone_angle: f32,
-    /// `outerConeAngle`: the half angle in radians where the light ends, more than 0 and at most pi
-    /// / 2.
+    /// `outerConeAngle`: the half angle in radians from which on there is no light, in (0, pi/2].
     pub outer_cone_angle: f32,
-    /// `range`: from 0.001 to 1e9, if there is one.
+    /// `range`: from 0.001 to 1e9; `None` for no range.
     pub range: Option<f32>,
     /// `intensity`: in candela, from 0 to 1e9. One candela lights a facing surface at distance 1 to
     /// full scale.
@@ -47,10 +46,10 @@ impl Default for Gltf {
 }
 
 impl Gltf {
-    /// The spotlight at a position, pointing in a direction.
+    /// Returns the spotlight at a position, pointing in a direction.
     ///
     /// # Errors
-    /// A parameter out of its range; a position or direction that [`SpotLight::new`] refuses.
+    /// A parameter out of its range; a position or direction that [`SpotLight::new`] rejects.
     pub fn import(
         &self,
         position: Vec3<f32>,
@@ -61,11 +60,12 @@ impl Gltf {
         self.spot(position, direction, cone, self.intensity)
     }
 
-    /// The spotlight by the code that the extension recommends, with its `max(0.001, ...)`: for
-    /// pictures that are to match those of other renderers. The same light as by
-    /// [`import`](Self::import) where the cosines of the angles are 0.001 apart or more. Where they
-    /// are nearer the ramp still spans 0.001, from the outer angle inwards; an axis that it ends
-    /// before has less than the intensity of the light. Exact.
+    /// Returns the spotlight by the code that the extension recommends, with its `max(0.001, ...)`:
+    /// for images that must match other renderers. The import is exact.
+    ///
+    /// If the cosines of the angles differ by 0.001 or more, it equals [`import`](Self::import).
+    /// Otherwise the ramp still spans 0.001, from the outer angle inwards. If it extends beyond the
+    /// axis, the axis gets less than the intensity of the light.
     ///
     /// # Errors
     /// As [`import`](Self::import).
@@ -83,7 +83,7 @@ impl Gltf {
         self.spot(position, direction, cone, self.intensity * on_axis * on_axis)
     }
 
-    /// The inner and the outer angle.
+    /// Returns the inner and the outer angle.
     fn angles(&self) -> Result<[Angle; 2], Error> {
         check_up_to(Parameter::OuterConeAngle, self.outer_cone_angle, core::f32::consts::FRAC_PI_2)?;
         check_between(Parameter::InnerConeAngle, self.inner_cone_angle, 0.0, self.outer_cone_angle)?;

@@ -13,31 +13,35 @@ use crate::{
     vec3::Vec3,
 };
 
-/// A `SpotLight3D` of Godot 4 (`scene_forward_lights_inc.glsl` and `light_storage.cpp`), with its defaults.
+/// A `SpotLight3D` of Godot 4 (`scene_forward_lights_inc.glsl` and `light_storage.cpp`), with its
+/// defaults.
 ///
-/// With u the versine of the angle off axis over that of the spot angle, the light is
-/// `1 - max(0.0001, u)^(1 / spot_angle_attenuation)`: the reciprocal is taken where Godot fills its light buffer.
-/// An attenuation of 1, 1/2, 1/3 and so on is an integer power, held to what Godot lacks of one on the axis, 0.0001 to
-/// that power. Any other is exact: the intensity of the light is then what Godot has on the axis.
+/// With u the versine of the angle off axis over that of the spot angle, the falloff is
+/// `1 - max(0.0001, u)^p` with `p = 1 / spot_angle_attenuation`. Godot computes this reciprocal
+/// when it fills its light buffer. An angle attenuation of 1, 1/2, 1/3 and so on gives an integer
+/// p. Then the import is `1 - u^p`, which differs from Godot by `0.0001^p` on the axis. For any
+/// other p the import is exact, and the intensity of the imported light is Godot's intensity on the
+/// axis.
 ///
-/// With the distance it falls by `max(d, 0.0001)^-spot_attenuation`, in Filament's window
-/// `(1 - (d / spot_range)^4)^2`. The attenuations 0, 1 and 2 are exact, but that the last of them goes on growing
-/// nearer than 0.0001. An attenuation of 1 is also capped where the intensity, scaled by its cap, would pass 1e9.
+/// The attenuation is `max(d, 0.0001)^-spot_attenuation` with Filament's window
+/// `(1 - (d / spot_range)^4)^2`. Exponents 0, 1 and 2 are exact, with two exceptions: exponent 2
+/// keeps growing at distances below 0.0001, and exponent 1 is capped earlier if the intensity times
+/// the cap would exceed 1e9.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Godot {
-    /// `spot_angle`: the half angle in degrees where the light ends, more than 0 and at most 90.
+    /// `spot_angle`: the half angle in degrees from which on there is no light, in (0, 90].
     pub spot_angle: f32,
     /// `spot_angle_attenuation`: from 1/128 to 128.
     pub spot_angle_attenuation: f32,
-    /// `spot_range`: where the light ends, from 0.001 to 1e9.
+    /// `spot_range`: the distance from which on there is no light, from 0.001 to 1e9.
     pub spot_range: f32,
-    /// `spot_attenuation`: the exponent of the fall with distance, from 0 to 16.
+    /// `spot_attenuation`: the exponent of the attenuation, from 0 to 16.
     pub spot_attenuation: f32,
     /// `light_energy`: from 0 to 1e9.
     pub light_energy: f32,
 }
 
-/// The least u that Godot takes.
+/// Godot's minimum of u.
 const FLOOR: f32 = 1e-4;
 
 impl Default for Godot {
@@ -53,10 +57,11 @@ impl Default for Godot {
 }
 
 impl Godot {
-    /// The spotlight at a position, pointing in a direction: in Godot the local -z of its node.
+    /// Returns the spotlight at a position, pointing in a direction. In Godot the direction is the
+    /// local -z of the node.
     ///
     /// # Errors
-    /// A parameter out of its range; a position or direction that [`SpotLight::new`] refuses.
+    /// A parameter out of its range; a position or direction that [`SpotLight::new`] rejects.
     pub fn import(
         &self,
         position: Vec3<f32>,

@@ -1,4 +1,4 @@
-//! Lights of OpenGL's fixed functions.
+//! Lights of OpenGL's fixed-function pipeline.
 
 use super::{AnyAttenuation, Difference, Imported, fall, spot};
 use crate::{
@@ -10,20 +10,21 @@ use crate::{
     vec3::Vec3,
 };
 
-/// A light of OpenGL 2.1 (specification, section 2.14.1; reference page of `glLight`), with OpenGL's
-/// defaults.
+/// A light of OpenGL 2.1 (specification, section 2.14.1; reference page of `glLight`), with
+/// OpenGL's defaults.
 ///
-/// The light of an angle a off the direction is `cos(a)^e`, and none where a is over the cutoff; at a
-/// distance d it is divided by `k0 + k1 d + k2 d^2`. That is not capped here either, but for distances under
-/// 0.001 where `k0` is 0.
+/// The intensity at an angle a off the direction is `cos(a)^e`, and 0 for an angle over the cutoff.
+/// At a distance d it is divided by `k0 + k1 d + k2 d^2`. As in OpenGL it is not capped, except at
+/// distances below 0.001 if `k0` is 0.
 ///
-/// Exact. Exponent 0 is a cone of even light, and the cutoff of 180 degrees a point light.
+/// The import is exact. Exponent 0 gives a cone of constant intensity; a cutoff of 180 degrees
+/// gives a point light.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct OpenGl {
-    /// `GL_SPOT_CUTOFF`: the half angle in degrees at which the light ends, more than 0 and at most 90, or
+    /// `GL_SPOT_CUTOFF`: the half angle in degrees from which on there is no light, in (0, 90], or
     /// 180 for a point light.
     pub spot_cutoff: f32,
-    /// `GL_SPOT_EXPONENT`: from 0 to 1,024, where OpenGL takes up to 128.
+    /// `GL_SPOT_EXPONENT`: from 0 to 1,024; OpenGL allows up to 128.
     pub spot_exponent: f32,
     /// `GL_CONSTANT_ATTENUATION`: from 0 to 1e9.
     pub constant_attenuation: f32,
@@ -31,16 +32,16 @@ pub struct OpenGl {
     pub linear_attenuation: f32,
     /// `GL_QUADRATIC_ATTENUATION`: from 0 to 1e9.
     pub quadratic_attenuation: f32,
-    /// What the colour of the light is to be multiplied by: from 0 to 1e9.
+    /// The factor on the colour of the light: from 0 to 1e9.
     pub intensity: f32,
 }
 
-/// A light that shines into a cone or into all directions.
+/// An imported light: a spotlight or a point light.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum OpenGlLight {
-    /// Into a cone.
+    /// A spotlight.
     Spot(SpotLight<AnyFalloff, AnyAttenuation>),
-    /// Into all directions.
+    /// A point light.
     Point(PointLight<AnyAttenuation>),
 }
 
@@ -58,11 +59,13 @@ impl Default for OpenGl {
 }
 
 impl OpenGl {
-    /// The light at a position. The direction, `GL_SPOT_DIRECTION`, is that of a spotlight.
+    /// Returns the light at a position. The direction, `GL_SPOT_DIRECTION`, is used only by a
+    /// spotlight.
     ///
     /// # Errors
-    /// A parameter out of its range, or no attenuation coefficient of at least 1e-6; a position or direction
-    /// that [`SpotLight::new`] refuses; an intensity that over the constant coefficient is more than 1e9.
+    /// A parameter out of its range, or no attenuation coefficient of at least 1e-6; a position or
+    /// direction that [`SpotLight::new`] rejects; an intensity over 1e9 after division by the
+    /// constant coefficient.
     pub fn import(&self, position: Vec3<f32>, direction: Vec3<f32>) -> Result<Imported<OpenGlLight>, Error> {
         check_between(Parameter::SpotExponent, self.spot_exponent, 0.0, 1_024.0)?;
         let coefficients = [self.constant_attenuation, self.linear_attenuation, self.quadratic_attenuation];
@@ -72,7 +75,8 @@ impl OpenGl {
             let light = OpenGlLight::Point(light.with_attenuation(fall.distance));
             return Ok(Imported { light, difference: Difference::NONE });
         }
-        // A cosine to a power under 1 is steepest at a right angle, where only the cutoff of 90 degrees lets it.
+        // For an exponent below 1 the slope of `cos^e` is infinite at 90 degrees, which only the
+        // cutoff of 90 degrees includes.
         let is_boundless = self.spot_cutoff == 90.0 && self.spot_exponent > 0.0 && self.spot_exponent < 1.0;
         let difference = if is_boundless { Difference::AT_THE_EDGE } else { Difference::NONE };
         let Imported { light, difference } = spot(position, direction, self.cone()?, difference, fall)?;

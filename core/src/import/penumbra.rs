@@ -1,4 +1,4 @@
-//! Spotlights of an umbra and a penumbra.
+//! Spotlights with an umbra and a penumbra.
 
 use super::{AnyAttenuation, Difference, Imported, fall::Fall, ramp, spot};
 use crate::{
@@ -10,9 +10,11 @@ use crate::{
     vec3::Vec3,
 };
 
-/// A spotlight that is full within its umbra and ends at its penumbra, as the retained mode of early Direct3D
-/// and many a small engine have it. With the inverse-square law, until it is given another [distance
-/// model](SpotLight::with_attenuation). Exact.
+/// A spotlight with full intensity within its umbra and none outside its penumbra, as in the
+/// retained mode of early Direct3D and in many small engines.
+///
+/// It has the inverse-square law; [`SpotLight::with_attenuation`] changes that. The import is
+/// exact.
 ///
 /// ```
 /// use luminaire::{Angle, Vec3, import};
@@ -24,31 +26,32 @@ use crate::{
 /// ```
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Penumbra {
-    /// Up to where the light is full: a full angle from 0 to that of the penumbra. Engines that give half
-    /// angles are served by [`HalfAngle`](crate::HalfAngle).
+    /// The full angle up to which the intensity is full, from 0 to the penumbra.
+    /// [`HalfAngle`](crate::HalfAngle) converts the half angles of other engines.
     pub umbra: Angle,
-    /// Where the light ends: a full angle of more than 0 and at most 180 degrees. At the umbra it is a step.
+    /// The full angle from which on there is no light, in (0, 180] degrees. Equal to the umbra, it
+    /// gives a step.
     pub penumbra: Angle,
-    /// How the light falls in between.
+    /// The falloff in between.
     pub ramp: Ramp,
-    /// How strong the light is at distance 1: from 0 to 1e9.
+    /// The intensity at distance 1: from 0 to 1e9.
     pub intensity: f32,
 }
 
-/// How the light falls over the cosine from an umbra to the edge of its penumbra.
+/// The falloff over the cosine, from the umbra to the edge of the penumbra.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Ramp {
-    /// On a straight line.
+    /// Linear.
     Linear,
-    /// By smoothstep.
+    /// Smoothstep.
     Smooth,
 }
 
 impl Penumbra {
-    /// The spotlight at a position, pointing in a direction.
+    /// Returns the spotlight at a position, pointing in a direction.
     ///
     /// # Errors
-    /// A parameter out of its range; a position or direction that [`SpotLight::new`] refuses.
+    /// A parameter out of its range; a position or direction that [`SpotLight::new`] rejects.
     pub fn import(
         &self,
         position: Vec3<f32>,

@@ -1,10 +1,11 @@
-//! What highlights differ by.
+//! The part in which specular lobes differ.
 
 use crate::{number::Scalar, vec3::Vec3};
 
-/// The two directions whose nearness makes a highlight.
+/// A specular lobe that is a power of the cosine between two directions.
 pub trait Highlight: Copy + PartialEq + core::fmt::Debug {
-    /// The two unit directions: `incoming` goes from the light to the surface, `view` from the surface to the eye.
+    /// Returns the two unit directions. `incoming` points from the light to the surface, `view`
+    /// from the surface to the eye.
     fn directions<S: Scalar>(
         incoming: Vec3<S::Unit>,
         normal: Vec3<S>,
