@@ -5,7 +5,7 @@ use crate::{
     number::Scalar,
 };
 
-/// A colour or light of three channels: red, green and blue, linear.
+/// Three channels, red, green and blue: a linear colour, linear light, or the codes of a display.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 #[repr(C)]
 pub struct Rgb<T> {

@@ -150,7 +150,7 @@ impl<P: Falloff> Cone<P> {
         self.angle_at(self.profile.field_versine())
     }
 
-    /// Returns the full angle from which on there is no light: where the falloff ends, or the
+    /// Returns the full angle from which on there is no light. It is where the falloff ends, or the
     /// cutoff if that is smaller.
     pub fn outer(&self) -> Angle {
         Angle::from_versine(self.limit)

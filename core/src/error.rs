@@ -113,8 +113,8 @@ pub enum Parameter {
     SpotAngle,
     /// The full angle up to which a spotlight has full intensity.
     Umbra,
-    /// The outer end of a spotlight: a full angle; in three.js the fraction of the angle over which
-    /// the light falls off.
+    /// The outer end of a spotlight as a full angle. In three.js, the fraction of the angle over
+    /// which the light falls off.
     Penumbra,
     /// `spot_angle_attenuation` of Godot.
     SpotAngleAttenuation,
@@ -264,8 +264,8 @@ pub(crate) fn check_up_to(parameter: Parameter, value: f32, most: f32) -> Result
     }
 }
 
-/// Displays numbers in [0.001, 10,000) with up to four decimals, very large or small ones with an
-/// exponent, and all others in full.
+/// Displays numbers in [0.001, 10,000) with up to four decimals. Very large or small numbers have
+/// an exponent; all others are in full.
 struct Shown(f32);
 
 impl fmt::Display for Shown {

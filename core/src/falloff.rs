@@ -79,10 +79,10 @@ pub trait Falloff: Copy + core::fmt::Debug {
     /// Returns the formula as data.
     fn formula(&self) -> Formula<'_>;
 
-    /// Returns the `u` in [0, 1] at which the intensity is 1/2: the beam angle.
+    /// Returns the `u` of the beam angle, at which the intensity is 1/2; in [0, 1].
     fn beam_versine(self) -> f32;
 
-    /// Returns the `u` in [0, 1] at which the intensity is 1/10: the field angle.
+    /// Returns the `u` of the field angle, at which the intensity is 1/10; in [0, 1].
     fn field_versine(self) -> f32;
 
     /// Returns the maximum slope of the intensity over the angle off axis, per outer half angle.

@@ -116,7 +116,7 @@ pub struct Difference {
     /// [`OpenGl::spot_exponent`] in (0, 1) with a cutoff of 90 degrees. There f32 cannot
     /// distinguish angles within 2^-25 of the edge, so no format can represent the intensity.
     pub place: f32,
-    /// Difference in attenuation, in [0, 1]: relative to the light at distance 1, or to the
+    /// Difference in attenuation, in [0, 1]. It is relative to the light at distance 1, or to the
     /// brighter of the two lights if that is brighter. It covers distances from 0.1, or from where
     /// the original stops growing if that is farther, up to the range, or to 32,767 without a
     /// range.
@@ -124,8 +124,8 @@ pub struct Difference {
 }
 
 impl Difference {
-    /// Returns an upper bound of the difference in irradiance, without a difference in position:
-    /// the sum of `angle` and `distance`, at most 1.
+    /// Returns an upper bound of the difference in irradiance, except where the position differs.
+    /// It is the sum of `angle` and `distance`, at most 1.
     pub fn most(self) -> f32 {
         (self.angle + self.distance).min(1.0)
     }

@@ -4,8 +4,8 @@ use super::Table;
 #[cfg(feature = "libm")]
 use crate::number::Knot;
 
-/// The formula of a falloff as data, for reference values and generated code: a function of `t` in
-/// [0, 1], and 0 at `t = 0`.
+/// The formula of a falloff as data, for reference values and generated code. It is a function of
+/// `t` in [0, 1], and 0 at `t = 0`.
 #[derive(Clone, Copy, Debug)]
 #[non_exhaustive]
 pub enum Formula<'a> {

@@ -185,8 +185,8 @@ pub struct CompiledInvertedMixedPower<S>(CompiledMixture<S>);
 written_by_bits!(MixedPower InvertedMixedPower);
 
 impl<S: Scalar> CompiledMixedPower<S> {
-    /// Creates the mixture from the smaller exponent, the difference of the exponents, and the
-    /// share of the larger one, as [`codegen`](crate::codegen) writes it.
+    /// Creates the mixture from its parts: the smaller exponent, the difference of the exponents,
+    /// and the share of the larger one. Written by [`codegen`](crate::codegen).
     pub const fn from_parts(low: u32, rise: u32, share: S) -> Self {
         Self(CompiledMixture { low, rise, share })
     }
@@ -200,8 +200,8 @@ impl<S: Scalar + Source + Named> Source for CompiledMixedPower<S> {
 }
 
 impl<S: Scalar> CompiledInvertedMixedPower<S> {
-    /// Creates the mixture from the smaller exponent, the difference of the exponents, and the
-    /// share of the larger one, as [`codegen`](crate::codegen) writes it.
+    /// Creates the mixture from its parts: the smaller exponent, the difference of the exponents,
+    /// and the share of the larger one. Written by [`codegen`](crate::codegen).
     pub const fn from_parts(low: u32, rise: u32, share: S) -> Self {
         Self(CompiledMixture { low, rise, share })
     }

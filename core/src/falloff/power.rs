@@ -11,10 +11,10 @@ use crate::{
     source::Source,
 };
 
-/// The power `t^N`, by repeated squaring: one multiply for each of `t^2`, `t^4`, `t^8` and so on,
-/// and one for each further set bit of `N`. `N` is in [1, 1024].
+/// The power `t^N`, by repeated squaring. It costs one multiply for each of `t^2`, `t^4`, `t^8` and
+/// so on, and one for each further set bit of `N`. `N` is in [1, 1024].
 ///
-/// The larger `N`, the narrower the bright centre: `Power<2>` is [`Soft`](crate::falloff::Soft).
+/// The larger `N`, the narrower the bright centre. `Power<2>` is [`Soft`](crate::falloff::Soft).
 ///
 /// Any other `N` does not compile:
 ///
@@ -31,7 +31,7 @@ pub struct Power<const N: u32>;
 /// The inverted power `1 - u^N`, Godot's spotlight with an angle attenuation of `1/N`. It costs as
 /// many multiplies as [`Power`]. `N` is in [1, 1024].
 ///
-/// The larger `N`, the flatter the centre and the steeper the edge: `InvertedPower<2>` is
+/// The larger `N`, the flatter the centre and the steeper the edge. `InvertedPower<2>` is
 /// [`Hard`](crate::falloff::Hard).
 ///
 /// Any other `N` does not compile:

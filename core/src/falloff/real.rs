@@ -98,7 +98,7 @@ impl InvertedRealPower {
     }
 
     /// Creates the inverted power from the bits of an exponent and a floor, as
-    /// [`codegen`](crate::codegen) writes them; clamped to [0, 1024] and [0, 1], NaN to 0.
+    /// [`codegen`](crate::codegen) writes them. They are clamped to [0, 1024] and [0, 1], NaN to 0.
     pub const fn from_bits([exponent, floor]: [u32; 2]) -> Self {
         Self { exponent: clamped_bits(exponent, MOST as f32), floor: clamped_bits(floor, 1.0) }
     }

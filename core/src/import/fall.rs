@@ -16,7 +16,8 @@ const MOST: f32 = 1e9;
 const NEAREST: f64 = 0.1;
 const FARTHEST: f64 = 32_767.0;
 
-/// The largest factor on an intensity: 16 times it, the largest coefficient, is at most 1e9.
+/// The largest factor on an intensity. The largest coefficient is 16 times the factor, and at most
+/// 1e9.
 const MOST_CAP: f32 = 6e7;
 
 /// An attenuation in place of that of another system.

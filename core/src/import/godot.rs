@@ -20,8 +20,7 @@ use crate::{
 /// `1 - max(0.0001, u)^p` with `p = 1 / spot_angle_attenuation`. Godot computes this reciprocal
 /// when it fills its light buffer. An angle attenuation of 1, 1/2, 1/3 and so on gives an integer
 /// p. Then the import is `1 - u^p`, which differs from Godot by `0.0001^p` on the axis. For any
-/// other p the import is exact, and the intensity of the imported light is Godot's intensity on the
-/// axis.
+/// other p the import is exact, and the imported intensity is scaled to Godot's value on the axis.
 ///
 /// The attenuation is `max(d, 0.0001)^-spot_attenuation` with Filament's window
 /// `(1 - (d / spot_range)^4)^2`. Exponents 0, 1 and 2 are exact, with two exceptions: exponent 2

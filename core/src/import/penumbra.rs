@@ -10,8 +10,8 @@ use crate::{
     vec3::Vec3,
 };
 
-/// A spotlight with full intensity within its umbra and none outside its penumbra, as in the
-/// retained mode of early Direct3D and in many small engines.
+/// A spotlight with full intensity within its umbra and none outside its penumbra. It is that of
+/// the retained mode of early Direct3D and of many small engines.
 ///
 /// It has the inverse-square law; [`SpotLight::with_attenuation`] changes that. The import is
 /// exact.

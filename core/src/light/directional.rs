@@ -51,8 +51,8 @@ impl DirectionalLight {
         Ok(Self { emission: self.emission.with_specular_color(color)?, ..self })
     }
 
-    /// Returns the light with this intensity: 1 gives a surface that faces the light an irradiance
-    /// of full scale.
+    /// Returns the light with this intensity. An intensity of 1 lights a surface that faces the
+    /// light to full scale.
     ///
     /// # Errors
     /// A negative intensity, or one over 1e9.

@@ -60,8 +60,8 @@ impl<A: Attenuation> PointLight<A> {
         Ok(Self { emission: self.emission.with_specular_color(color)?, ..self })
     }
 
-    /// Returns the light with this intensity: 1 gives a surface that faces the light an irradiance
-    /// of full scale, at distance 1 if there is attenuation.
+    /// Returns the light with this intensity. An intensity of 1 lights a surface that faces the
+    /// light to full scale; with attenuation, at distance 1.
     ///
     /// # Errors
     /// A negative intensity, or one over 1e9.

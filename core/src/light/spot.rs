@@ -57,8 +57,8 @@ impl<P: Falloff> SpotLight<P> {
 }
 
 impl<P: Falloff> SpotLight<P, SmoothRange> {
-    /// Creates a white spotlight of intensity 1 that points at `end` and fades smoothly to 0 there:
-    /// one vector gives direction and range, as in the dual-cone article.
+    /// Creates a white spotlight of intensity 1 that points at `end` and fades smoothly to 0 there.
+    /// One vector gives direction and range, as in the dual-cone article.
     ///
     /// ```
     /// use luminaire::{Angle, Cone, SpotLight, Vec3, falloff::Soft};
@@ -101,8 +101,8 @@ impl<P: Falloff, A: Attenuation> SpotLight<P, A> {
         Ok(Self { emission: self.emission.with_specular_color(color)?, ..self })
     }
 
-    /// Returns the light with this intensity: 1 gives a surface that faces the light, on its axis,
-    /// an irradiance of full scale, at distance 1 if there is attenuation.
+    /// Returns the light with this intensity. An intensity of 1 lights a surface that faces the
+    /// light on its axis to full scale; with attenuation, at distance 1.
     ///
     /// # Errors
     /// A negative intensity, or one over 1e9.
