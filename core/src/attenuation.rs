@@ -69,7 +69,7 @@ pub trait Attenuation: Copy + PartialEq + core::fmt::Debug {
     /// measurements.
     fn exact(&self, distance: f64) -> f64;
 
-    /// Returns whether the factor exceeds 1 at distances below 1.
+    /// Returns whether the factor may exceed 1 at distances below 1.
     fn grows(&self) -> bool {
         true
     }

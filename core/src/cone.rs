@@ -76,7 +76,7 @@ impl<P: Falloff> Cone<P> {
     fn from_angle(profile: P, angle: Angle, fraction: f32, parameter: Parameter) -> Result<Self, Error> {
         let largest = Angle::from_versine(fraction);
         let outer = angle.versine() / fraction;
-        // A tiny positive angle may have a versine of 0.
+        // The versine of a tiny positive angle may underflow.
         if angle > Angle::degrees(0.0) && angle <= largest && outer >= f32::MIN_POSITIVE {
             Ok(Self::open(profile, 0.0, outer.min(1.0)))
         } else {
@@ -209,10 +209,11 @@ impl<P: Falloff> Cone<P> {
     /// Returns the narrowest outer angle of this falloff that the format `S` evaluates within half
     /// a linear code, 1/510.
     ///
-    /// It is for exact inputs and a cone without a hotspot. At this angle the error bound reaches
-    /// 1/510: the format's error of direction, multiplied by the steepness of the falloff, plus all
-    /// other rounding errors. A hotspot makes the falloff steeper. For a step, no format bounds the
-    /// error of the intensity; the position of its edge is within 1/510 of the half angle.
+    /// This assumes exact inputs and a cone without a hotspot. At this angle the error bound
+    /// reaches 1/510: the format's error of direction, multiplied by the steepness of the falloff,
+    /// plus all other rounding errors. A hotspot makes the falloff steeper. For a step, no format
+    /// bounds the error of the intensity; the position of its edge is within 1/510 of the half
+    /// angle.
     ///
     /// In `f32` this holds for all positions of light and point. The result exceeds 180 degrees if
     /// the format can hold no cone with this falloff, such as `Fx16` with an inverted power of 99.

@@ -3,8 +3,8 @@
 //!
 //! There is one loop per falloff under the inverse-square law, and one per falloff without
 //! attenuation. Any other attenuation takes two loops, first the cone's, then the attenuation's.
-//! The number of loops is therefore the sum of the numbers of falloffs and attenuations, not the
-//! product.
+//! The number of loops therefore grows with the sum of the numbers of falloffs and attenuations,
+//! not with the product.
 
 use super::CompiledAnyLight;
 use crate::{

@@ -86,7 +86,7 @@ impl Cone<Cubic> {
 /// error names the range of field angles for this beam angle.
 fn design<T>(beam: Angle, field: Angle, design: impl Fn(f32, f32) -> Option<T>) -> Result<T, Error> {
     let (near, far) = (beam.versine(), field.versine());
-    // A tiny positive angle may have a versine of 0.
+    // The versine of a tiny positive angle may underflow.
     if !(beam > Angle::degrees(0.0) && beam <= Angle::degrees(180.0) && near >= f32::MIN_POSITIVE) {
         let accepted = Expected::AngleUpTo(180.0);
         return Err(Error { parameter: Parameter::BeamAngle, value: beam.to_degrees(), accepted });

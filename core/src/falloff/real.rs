@@ -33,8 +33,8 @@ pub struct InvertedRealPower {
     floor: f32,
 }
 
-/// Width of the strip at an infinite slope that a steepness ignores, in outer half angles. Within
-/// it a format bounds the error of the position, not of the intensity, as at a step.
+/// Width of the strip next to an infinite slope that a steepness ignores, in outer half angles.
+/// Within it a format bounds the error of the position, not of the intensity, as at a step.
 const STRIP: f64 = 1.0 / 510.0;
 
 fn checked(exponent: f32) -> Result<f32, Error> {

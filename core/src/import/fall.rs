@@ -11,8 +11,8 @@ use crate::{
 /// The largest coefficient and intensity.
 const MOST: f32 = 1e9;
 
-/// The interval of distances over which a decay is compared. No fixed-point format holds a greater
-/// distance.
+/// The interval of distances over which a decay is compared, up to the largest coordinate of the
+/// fixed-point formats.
 const NEAREST: f64 = 0.1;
 const FARTHEST: f64 = 32_767.0;
 
