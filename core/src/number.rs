@@ -1,11 +1,11 @@
-//! The number formats, and the numbers of the fixed-point ones.
+//! Number formats, and the fixed-point number types.
 //!
 //! | | [`f32`] | [`Fx32`] | [`Fx16`] |
 //! |---|---|---|---|
 //! | intensity, normal, colour | `f32` | `Fx32` | `Fx16` |
 //! | coordinate of a point: [`Scalar::Length`] | `f32` | [`Length`] | [`Length`] |
 //! | component of a direction: [`Scalar::Unit`] | `f32` | [`Fx32`] | [`Fx32`] |
-//! | light that arrives: [`Scalar::Irradiance`] | `f32` | [`Light32`] | [`Light16`] |
+//! | irradiance: [`Scalar::Irradiance`] | `f32` | [`Light32`] | [`Light16`] |
 //! | versine of the angle off axis | `f32` | [`Versine32`] | [`Versine16`], scaled to the cone |
 //! | coefficient of a falloff | `f32` | [`Weight32`] | [`Weight16`] |
 //! | step of an intensity | 2^-23 | 2^-30 | 2^-14 |
@@ -13,8 +13,11 @@
 //! | widest product | 24 bits of a float | 64 bits | 32 bits |
 //! | for | processors with an FPU | 32-bit multipliers, exact pictures | Cortex-M0 and the like |
 //!
-//! In every format, for every bit pattern: no operation panics; a NaN in a point, a normal or a versine gives zero
-//! light; a falloff is in [0, 1], exactly 1 on the axis and exactly 0 from the edge outwards.
+//! In every format and for every bit pattern:
+//!
+//! - No operation panics.
+//! - A NaN in a point, a normal or a versine gives zero light.
+//! - A falloff is in `[0, 1]`: exactly 1 on the axis, exactly 0 at and outside the edge.
 
 pub(crate) mod arithmetic;
 pub(crate) mod float;
@@ -57,20 +60,21 @@ use self::{
 pub use self::{knot::Knot, place::ProjectedPoint};
 use crate::vec3::Vec3;
 
-/// Marks a branch as rarely taken: what `core::hint::cold_path` does from Rust 1.95 on.
+/// Marks a branch as rarely taken, like `core::hint::cold_path`, which is stable from Rust 1.95.
 #[cfg(feature = "fixed")]
 #[cold]
 const fn cold_path() {}
 
-/// A number format that the kernel runs in: `f32`, and with the feature `fixed` also [`Fx32`] and [`Fx16`].
+/// A number format that the kernel computes in: `f32`, [`Fx32`] or [`Fx16`].
 ///
-/// Sealed: the formats are final in number, so that each can be measured. The table of [`number`](crate::number) states the
-/// laws.
+/// The fixed-point formats need the feature `fixed`. The trait is sealed: the set of formats is
+/// closed, so that each one can be measured. [`number`](crate::number) lists the guarantees of
+/// every format.
 ///
 /// ```
 /// use luminaire::{Error, Scalar, SpotLight};
 ///
-/// /// The light of a spotlight at a point of the floor, as a number format has it.
+/// /// The irradiance of a spotlight at a point of the floor, computed in the format `S`.
 /// fn on_the_floor<S: Scalar>(spot: &SpotLight, point: [f32; 3]) -> Result<f32, Error> {
 ///     let lit = spot.compile::<S>()?;
 ///     Ok(S::light_to_f32(lit.irradiance(S::point(point), S::normal([0.0, 1.0, 0.0]))))
@@ -87,56 +91,64 @@ pub trait Scalar:
     + core::fmt::Debug
     + 'static
 {
-    /// One component of a position in the world.
+    /// A component of a position in world coordinates.
     type Length: Copy + Default + PartialOrd + core::fmt::Debug;
-    /// One component of a unit vector, at the format's finest resolution.
+    /// A component of a unit vector, at the format's finest resolution.
     type Unit: Copy + Default + PartialEq + core::fmt::Debug;
-    /// Light that has arrived at a surface: from zero upwards, 1 is full scale.
+    /// Irradiance at a surface: at least 0, where 1 is full scale.
     type Irradiance: Copy + Default + PartialOrd + core::fmt::Debug;
 
-    /// The name of the format, as the price list writes it.
+    /// The name of the format, as written in the price list.
     const NAME: &'static str;
     /// Zero.
     const ZERO: Self;
     /// One, which is full scale.
     const ONE: Self;
-    /// The unit in the last place of one.
+    /// The unit in the last place (ULP) of 1.
     const STEP: f32;
-    /// The largest coordinate of a light, in either direction. Points may be anywhere.
+    /// The largest magnitude of a light's coordinate. The coordinates of points are not limited.
     const FARTHEST: f32;
 
-    /// The nearest value; saturates, and what is not a number becomes zero.
+    /// Returns the nearest value; saturates, and NaN becomes zero.
     fn from_f32(value: f32) -> Self;
-    /// The value, rounded to f32 where it has more bits.
+    /// Returns the value as `f32`, rounded if it has more bits.
     fn to_f32(self) -> f32;
-    /// The nearest length.
+    /// Returns the nearest length.
     fn length(value: f32) -> Self::Length;
-    /// The point of these coordinates, each the nearest length. `Fx16` and `Fx32` have a `const` function of this name.
+    /// Returns the point with these coordinates, each rounded to the nearest length.
+    ///
+    /// `Fx16` and `Fx32` also have a `const` function of this name.
     fn point(position: impl Into<Vec3<f32>>) -> Vec3<Self::Length> {
         position.into().map(Self::length)
     }
-    /// The normal of these components, each the nearest number. `Fx16` and `Fx32` have a `const` function of this name.
+    /// Returns the normal with these components, each rounded to the nearest scalar.
+    ///
+    /// `Fx16` and `Fx32` also have a `const` function of this name.
     fn normal(direction: impl Into<Vec3<f32>>) -> Vec3<Self> {
         direction.into().map(Self::from_f32)
     }
-    /// The value of a light, for display and for tests.
+    /// Returns an irradiance as `f32`, for display and for tests.
     fn light_to_f32(light: Self::Irradiance) -> f32;
 }
 
-/// The bound for [`Offset::is_outside`]: the squared cosine of the outer half angle, less a margin for the roundings
-/// of both sides. Outer versines are at most 1, so the cosine is not negative.
+/// Returns the bound for [`Offset::is_outside`]: the squared cosine of the outer half angle, less a
+/// margin for rounding.
 ///
-/// A point is outside when `z |z| < bound |v|^2`, `z` being the part of the offset along the axis. The slope of
-/// `c |c|` is at most 2, so a margin of 16 steps leaves every versine up to 8 steps beyond the edge to the
-/// evaluation: more than the error of the versine in any format. An epsilon more stands for the squared sine, which
-/// is f32 in every format and is formed first because it is what a narrow cone keeps.
+/// A point is outside if `z |z| < bound |v|^2`, where `v` is the offset and `z` its component along
+/// the axis. Both sides are rounded. Outer versines are at most 1, so the cosine is not negative.
+///
+/// The slope of `c |c|` is at most 2, so a margin of 16 steps leaves every versine up to 8 steps
+/// beyond the edge to the evaluation. In every format this is more than the error of the versine.
+/// The additional margin `squared_sine * EPSILON` covers the rounding of the squared sine, which is
+/// `f32` in every format. The sine is computed first because it keeps the leading bits of a narrow
+/// cone.
 pub(crate) fn outside_bound<S: Scalar>(outer_versine: f32) -> S {
     let squared_sine = outer_versine * (2.0 - outer_versine);
     let margin = squared_sine * f32::EPSILON + 16.0 * S::STEP;
     S::ONE.minus(S::from_f32(squared_sine)).minus(S::from_f32(margin))
 }
 
-/// `base^exponent` by repeated squaring, in the product of a format.
+/// Returns `base^exponent` by repeated squaring, with the product of a format.
 #[inline]
 fn raised<T: Copy>(one: T, base: T, exponent: u32, product: impl Fn(T, T) -> T) -> T {
     let (mut power, mut square, mut rest) = (one, base, exponent);
@@ -150,7 +162,9 @@ fn raised<T: Copy>(one: T, base: T, exponent: u32, product: impl Fn(T, T) -> T) 
     power
 }
 
-/// A value as `mantissa / 2^shift` with a mantissa of 24 bits, which is exact; zero where it is not more than zero.
+/// Splits a value exactly into `mantissa / 2^shift` with a mantissa of 24 bits.
+///
+/// Returns zero for zero, negative and subnormal values and NaN; infinity counts as `f32::MAX`.
 #[cfg(feature = "fixed")]
 fn mantissa_and_shift(value: f32) -> (u32, i32) {
     if !matches!(value.partial_cmp(&0.0), Some(core::cmp::Ordering::Greater)) {
@@ -161,7 +175,9 @@ fn mantissa_and_shift(value: f32) -> (u32, i32) {
     if exponent == 0 { (0, 0) } else { (fraction | 0x0080_0000, 150 - exponent) }
 }
 
-/// The shift of a gain, kept where sums of shifts cannot overflow: beyond it a gain is none or saturates anyway.
+/// Clamps the shift of a gain to `[-4096, 4096]`, so that sums of shifts cannot overflow.
+///
+/// Beyond this range a gain is zero or saturates anyway.
 #[cfg(feature = "fixed")]
 const fn within_reach(shift: i32) -> i32 {
     if shift < -4096 {
@@ -180,7 +196,7 @@ mod tests {
 
     extern crate std;
 
-    /// What the crate `fixed` makes of a value, which converts by branches.
+    /// The results of the crate `fixed`, which converts with branches.
     fn expected(value: f32) -> (Fx16, Fx32, Length) {
         if value.is_nan() {
             return Default::default();

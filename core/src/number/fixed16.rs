@@ -1,6 +1,9 @@
-//! The 16-bit format: scalars of 16 bits, lengths and directions of 32, and no product wider than 32 bits, so that
-//! a processor with nothing but a 32-bit multiply runs it. Steep cones and bright light have products of 32 by 32
-//! bits, which are four of 16 where the processor has no wider one; real powers have 64 bits in every format.
+//! The 16-bit format: scalars of 16 bits, lengths and directions of 32, no product wider than 32
+//! bits.
+//!
+//! It suits a processor whose only multiplication is 32-bit. Steep cones and bright light use 32 by
+//! 32 bit products, which take four products of 16 bits on a processor without a wider one. Real
+//! powers use 64 bits in every format.
 
 mod fine;
 mod fine_ray;
@@ -23,7 +26,7 @@ use super::{
 };
 use crate::{trig, vec3::Vec3};
 
-/// A scalar as an unsigned factor, 0 where it is negative.
+/// Returns a scalar as an unsigned factor; a negative one becomes 0.
 #[inline]
 fn factor(scalar: Fx16) -> u32 {
     (scalar.to_bits().max(0) as u16).into()
@@ -51,28 +54,34 @@ impl Arithmetic for Fx16 {
         Offset16::between(light, point)
     }
 
-    /// That of a fine ramp, whose direction is hardly off: [`DIRECTION_ERROR`](Self::DIRECTION_ERROR) is the coarse
-    /// one's, and leaves room for it.
+    /// The bound for a fine ramp, whose direction error is negligible. It is zero where the format
+    /// suffices: [`DIRECTION_ERROR`](Self::DIRECTION_ERROR) is that of the coarse direction, which
+    /// leaves room for the rounding of the fine one.
     fn rounding(edge: &Slopes) -> f32 {
         const ROOM: f32 = 0.99 * HALF_A_CODE;
         let fine = edge.angle * 0.25e-6 + edge.fraction * 1e-8 + Self::STEP;
         if fine <= ROOM { 0.0 } else { f32::INFINITY }
     }
 
-    /// A coarse versine is within 2.3e-4 of itself: by the rounding of the reciprocal length, by its table and by the
-    /// bits that the offset has lost, 9e-5 and less each; and within half the square of that. The components of the
-    /// difference are rounded to integers, 0.87 units in length. The direction is off by 1.36e-5 else. The argument and each
-    /// product of a power are rounded to 15 bits; the ramp has 16.
+    /// The error terms of the coarse evaluation are:
     ///
-    /// The largest of all of these do not meet in one place: a search finds 0.84 of their sum, and 0.9 of it
-    /// decide.
+    /// - The relative error of a versine is at most 2.3e-4: from the rounding of the reciprocal
+    ///   length, from its table and from the truncated bits of the offset, each at most 9e-5. Half
+    ///   the square of 2.3e-4 adds an absolute error.
+    /// - The components of the difference are rounded to integers: 0.87 units in length.
+    /// - The remaining error of the direction is 1.36e-5.
+    /// - The argument and each product of a power are rounded to 15 bits; the ramp has 16.
+    ///
+    /// The maxima of these terms do not coincide. A search finds 0.84 of their sum, and the bound
+    /// uses 0.9.
     fn coarse_error(edge: &Slopes, outer: f32, limit: f32) -> f32 {
         const LENGTH: f32 = 2.3e-4;
         const MET: f32 = 0.9;
         let limit = if limit < outer { limit } else { outer };
         let direction = 1.36e-5 + 0.87 / (1_u32 << (14 + zoom(limit))) as f32;
-        // Twice the sine of half an angle is no longer than its arc: what the slope over a narrow cone's angle is a
-        // bound of, it is over that of a wide one.
+        // The chord `2 sin(theta / 2)` is not longer than the arc `theta`. A slope that is a bound
+        // over the angle of a narrow cone is therefore, over the chord, also a bound for a wide
+        // cone.
         let chord = trig::sqrt(2.0 * outer);
         let versine =
             edge.angle * (direction / chord + LENGTH / 2.0) + edge.fraction * (LENGTH * LENGTH / 2.0 / outer);
@@ -93,12 +102,13 @@ impl Arithmetic for Fx16 {
     }
 
     fn fine_below(error: f32, intensity: f32, grows: bool) -> u32 {
-        /// That of a cosine, relative to half a step of eight bits.
+        /// Error of a cosine, relative to half a linear code.
         const COSINE: f32 = 2.2e-4 / HALF_A_CODE;
-        /// Where light is not past full scale, a share of a large gain is small, and errs less: a search finds 0.43.
+        /// If light is not past full scale, the share of a large gain is small and has a smaller
+        /// error: a search finds 0.43 linear codes.
         const BRIGHT: f32 = 0.5556;
-        /// A moving point passes from one error to another, and the cosine errs, too: a search finds 0.48 codes against
-        /// the trend, and 0.56 with 1 here.
+        /// A moving point passes from one error to another, and the cosine errs too. A search finds
+        /// 0.48 linear codes against the trend, and 0.56 with 1 in place of this factor.
         const MOVING: f32 = 1.04;
         let error = error / HALF_A_CODE;
         let squared = BRIGHT * (MOVING * error).max(COSINE) * intensity;
@@ -108,7 +118,7 @@ impl Arithmetic for Fx16 {
         if !grows {
             return 0;
         }
-        // The squared distance in quanta of a length.
+        // The squared distance in squared units of 2^-16, the step of a length.
         let squared = ((squared * (1_u64 << 32) as f32) as u64).min((1 << 62) - 1);
         let bits = (u64::BITS - squared.leading_zeros()).div_ceil(2);
         bits << 26 | ((squared << (62 - 2 * bits)) >> 36) as u32
@@ -116,21 +126,23 @@ impl Arithmetic for Fx16 {
 
     #[inline]
     fn is_clipped(share: Self, light: Light16) -> bool {
-        // A share of 1/32 is off by 6 % at most.
+        // The relative error of a share of 1/32 is at most 6 %.
         share.to_bits() > 1 << 9 && light.to_bits() > 9 << 11
     }
 
     #[inline]
     fn weighted_byte(sum: u32) -> Self {
-        // 257 / 2^16 is a 255th less 2^-16 of it: a quarter of a step at most, which the rounding makes good at one.
+        // `257 / 2^16 = (1 - 2^-16) / 255`. The difference is at most a quarter of a step, which
+        // the rounding removes at one.
         Self::from_bits((((sum >> 10) * 257 + (1 << 15)) >> 16).min(1 << 14) as i16)
     }
 
     #[inline]
     fn versine_between(a: Vec3<Fx32>, b: Vec3<Fx32>, ramp: Ramp16) -> Versine16 {
         let shift = MOST_ZOOM - ramp.zoom + 1;
-        // The rounding belongs to the second direction: where that is an axis, it is taken once per light. Opposite
-        // directions may wrap round, from one difference that is far outside of every cone to another.
+        // The rounding is part of the second direction: if that is an axis, it is computed once per
+        // light. The difference of opposite directions may wrap, but both values are far outside
+        // every cone.
         let b = b.map(|c| c.to_bits().wrapping_sub(1 << (shift - 1)));
         let difference = a.zip(b, |a, b| a.to_bits().wrapping_sub(b) >> shift);
         if offset::size(difference) >> 15 != 0 {

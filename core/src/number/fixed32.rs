@@ -14,19 +14,19 @@ use super::{
 };
 use crate::vec3::Vec3;
 
-/// The product in 64 bits.
+/// Returns the product in 64 bits.
 #[inline]
 fn wide(a: i32, b: i32) -> i64 {
     i64::from(a) * i64::from(b)
 }
 
-/// The square of a component.
+/// Returns the square of a component.
 #[inline]
 fn square(component: i32) -> u64 {
     wide(component, component) as u64
 }
 
-/// A scalar clamped to [0, 1], as an unsigned factor.
+/// Returns a scalar clamped to `[0, 1]`, as an unsigned factor.
 #[inline]
 fn factor(scalar: Fx32) -> u64 {
     u64::from(scalar.clamp(Fx32::ZERO, Fx32::ONE).to_bits() as u32)
@@ -39,11 +39,11 @@ impl Arithmetic for Fx32 {
     type Fraction = Fraction32;
     type Fine = Fraction32;
     type Ramp = Ramp32;
-    // Three roundings of half a step: 0.87 steps across the direction. A way of more than 32,768 units along a component
-    // is halved for 32 bits, which is 0.71 steps more.
+    // Three roundings of half a step: 0.87 steps across the direction. An offset of more than
+    // 32,768 units along a component is halved to fit 32 bits, which adds 0.71 steps.
     const DIRECTION_ERROR: f32 = 8.2e-10;
 
-    /// From all bits that the components have, and made of unit length as a direction to a point is.
+    /// Uses all bits of the components, and normalises the axis like the direction to a point.
     fn axis(axis: Vec3<f32>) -> Vec3<Fx32> {
         Offset32::new(axis.map(|c| Self::from_f32(c).to_bits())).ray().direction()
     }
@@ -61,7 +61,7 @@ impl Arithmetic for Fx32 {
         Offset32::between(light, point)
     }
 
-    /// The set-up has the versines in f32, within 4e-7 of themselves.
+    /// The set-up versines are `f32`, with a relative error of at most 4e-7.
     fn rounding(edge: &Slopes) -> f32 {
         edge.angle * 0.21e-6 + (edge.fraction + 1.5) * Self::STEP
     }
@@ -77,7 +77,7 @@ impl Arithmetic for Fx32 {
 
     #[inline]
     fn weighted_byte(sum: u32) -> Self {
-        /// `2^38 / 255`: a product of at most 63 bits.
+        /// `2^38 / 255`: gives a product of at most 63 bits.
         const INVERSE: u64 = 1_077_952_576;
         Self::from_bits(((u64::from(sum) * INVERSE + (1 << 31)) >> 32).min(1 << 30) as i32)
     }

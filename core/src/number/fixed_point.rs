@@ -1,4 +1,4 @@
-//! The fixed-point numbers, as types of their own over those of the crate `fixed`.
+//! Fixed-point number types, with the layouts of types of the crate `fixed`.
 
 mod operations;
 
@@ -9,10 +9,10 @@ use super::Scalar;
 use crate::vec3::Vec3;
 use fixed::types::{I2F14, I2F30, I16F16, I18F14, I34F30, U3F29, U18F14, U34F30};
 
-/// The versine of the format [`Fx32`], of which `fixed` has no alias.
+/// Versine of the format [`Fx32`]; `fixed` has no alias for it.
 type U3F61 = fixed::FixedU64<fixed::types::extra::U61>;
 
-/// Declares numbers over types of `fixed`, with the integer that stores them.
+/// Declares number types from types of `fixed`, with the integers that store them.
 macro_rules! numbers {
     ($($(#[$doc:meta])* $name:ident($fixed:ident, $bits:ty);)*) => {$(
         $(#[$doc])*
@@ -25,42 +25,42 @@ macro_rules! numbers {
             pub const ZERO: Self = Self(0);
             /// One.
             pub const ONE: Self = Self(1 << Self::FRACTION_BITS);
-            /// The least number.
+            /// The smallest number.
             pub const MIN: Self = Self(<$bits>::MIN);
             /// The largest number.
             pub const MAX: Self = Self(<$bits>::MAX);
-            /// The number of bits after the point.
+            /// The number of fraction bits.
             pub const FRACTION_BITS: u32 = $fixed::FRAC_NBITS;
 
-            /// The number that is stored as these bits: `bits / 2^FRACTION_BITS`.
+            /// Returns the number stored as these bits: `bits / 2^FRACTION_BITS`.
             #[inline]
             pub const fn from_bits(bits: $bits) -> Self {
                 Self(bits)
             }
 
-            /// The bits that store the number.
+            /// Returns the bits that store the number.
             #[inline]
             pub const fn to_bits(self) -> $bits {
                 self.0
             }
 
-            /// The number in f64: exact, but for numbers of more than 53 bits, which are rounded.
+            /// Returns the number as f64: exact up to 53 significant bits, else rounded.
             pub const fn to_f64(self) -> f64 {
                 self.0 as f64 / (1_u64 << Self::FRACTION_BITS) as f64
             }
 
-            /// The nearest number in f32.
+            /// Returns the number as f32, rounded to nearest.
             pub const fn to_f32(self) -> f32 {
                 self.0 as f32 / (1_u64 << Self::FRACTION_BITS) as f32
             }
 
-            /// The difference; saturates.
+            /// Returns the difference; saturates.
             #[inline]
             pub const fn saturating_sub(self, other: Self) -> Self {
                 Self(self.0.saturating_sub(other.0))
             }
 
-            /// The sum; saturates.
+            /// Returns the sum; saturates.
             #[inline]
             pub const fn saturating_add(self, other: Self) -> Self {
                 Self(self.0.saturating_add(other.0))
@@ -94,34 +94,35 @@ macro_rules! numbers {
 }
 
 numbers! {
-    /// A number of the 16-bit format, from -2 to 2 in steps of 2^-14: intensities, normals and colours.
+    /// A number of the 16-bit format, from -2 to 2 in steps of 2^-14: intensities, normals and
+    /// colours.
     ///
     /// No product of the format is wider than 32 bits.
     Fx16(I2F14, i16);
-    /// A number of the 32-bit format, from -2 to 2 in steps of 2^-30: intensities, normals, colours and, in both fixed-point
-    /// formats, the components of directions.
+    /// A number of the 32-bit format, from -2 to 2 in steps of 2^-30.
     ///
-    /// No product of the format is wider than 64 bits.
+    /// Used for intensities, normals and colours, and in both fixed-point formats for the
+    /// components of directions. No product of the format is wider than 64 bits.
     Fx32(I2F30, i32);
-    /// A component of a position in both fixed-point formats, from -32,768 to 32,768 units in steps of
-    /// 2^-16.
+    /// A component of a position in both fixed-point formats, from -32,768 to 32,768 units in steps
+    /// of 2^-16.
     Length(I16F16, i32);
-    /// Light in the format [`Fx16`], from 0 to 262,144 in steps of 2^-14; 1 is full scale.
+    /// Irradiance in the format [`Fx16`], from 0 to 262,144 in steps of 2^-14; 1 is full scale.
     Light16(U18F14, u32);
-    /// Light in the format [`Fx32`], from 0 to 2^34 in steps of 2^-30; 1 is full scale.
+    /// Irradiance in the format [`Fx32`], from 0 to 2^34 in steps of 2^-30; 1 is full scale.
     Light32(U34F30, u64);
-    /// A versine in the format [`Fx16`], in the scale of a cone.
+    /// A versine in the format [`Fx16`], scaled to a cone, in steps of 2^-29.
     Versine16(U3F29, u32);
-    /// A versine in the format [`Fx32`], in the scale of a cone.
+    /// A versine in the format [`Fx32`], in steps of 2^-61.
     Versine32(U3F61, u64);
-    /// A coefficient of a falloff in the format [`Fx16`].
+    /// A coefficient of a falloff in the format [`Fx16`], in steps of 2^-14.
     Weight16(I18F14, i32);
-    /// A coefficient of a falloff in the format [`Fx32`].
+    /// A coefficient of a falloff in the format [`Fx32`], in steps of 2^-30.
     Weight32(I34F30, i64);
 }
 
 impl Fx16 {
-    /// The nearest number, ties to even; saturates, and NaN becomes zero.
+    /// Returns the nearest number, ties to even; saturates, and NaN becomes zero.
     #[inline]
     pub const fn from_f32(value: f32) -> Self {
         let steps = nearest(value * 16_384.0);
@@ -137,7 +138,7 @@ impl Fx16 {
 }
 
 impl Fx32 {
-    /// The nearest number, ties to even; saturates, and NaN becomes zero.
+    /// Returns the nearest number, ties to even; saturates, and NaN becomes zero.
     #[inline]
     pub const fn from_f32(value: f32) -> Self {
         Self(nearest(value * 1_073_741_824.0))
@@ -145,29 +146,29 @@ impl Fx32 {
 }
 
 impl Length {
-    /// A whole number of units.
+    /// Returns the length of a whole number of units.
     #[inline]
     pub const fn from_int(units: i16) -> Self {
         Self((units as i32) << 16)
     }
 
-    /// The nearest length, ties to even; saturates, and NaN becomes zero.
+    /// Returns the nearest length, ties to even; saturates, and NaN becomes zero.
     #[inline]
     pub const fn from_f32(value: f32) -> Self {
         Self(nearest(value * 65_536.0))
     }
 }
 
-/// Points and normals of a format, for constants of a firmware and for set-up.
+/// Declares `const` constructors of points and normals, for firmware constants and for set-up.
 macro_rules! vectors {
     ($($format:ident)*) => {$(
         impl $format {
-            /// The point of these coordinates, each the nearest length.
+            /// Returns the point with these coordinates, each rounded to the nearest length.
             pub const fn point([x, y, z]: [f32; 3]) -> Vec3<Length> {
                 Vec3::new(Length::from_f32(x), Length::from_f32(y), Length::from_f32(z))
             }
 
-            /// The normal of these components, each the nearest number.
+            /// Returns the normal with these components, each rounded to the nearest number.
             pub const fn normal([x, y, z]: [f32; 3]) -> Vec3<Self> {
                 Vec3::new(Self::from_f32(x), Self::from_f32(y), Self::from_f32(z))
             }
@@ -177,7 +178,7 @@ macro_rules! vectors {
 
 vectors!(Fx16 Fx32);
 
-/// The scalars among the numbers: with their names, their light and the farthest coordinate.
+/// Implements `Scalar` for number types, with their names, irradiances and largest coordinates.
 macro_rules! scalars {
     ($($scalar:ident($name:literal, $light:ident, $farthest:literal);)*) => {$(
         impl Scalar for $scalar {
@@ -218,16 +219,17 @@ scalars! {
     Fx32("fx32", Light32, 32_767.0);
 }
 
-/// The integer nearest to a value, ties to even; saturates, and NaN becomes zero.
+/// Returns the integer nearest to a value, ties to even; saturates, and NaN becomes zero.
 ///
-/// Without a branch, because renderers convert whole pictures with it. An f32 from 2^23 on is an integer; below, a sum
-/// with 2^23 of the same sign has no room for a fraction, so that the addition rounds.
+/// It has no branch, because renderers convert whole pictures with it. An f32 of at least 2^23 is
+/// an integer. Below, the sum with 2^23 of the same sign has no fraction bits, so the addition
+/// rounds.
 #[inline]
 pub(super) const fn nearest(value: f32) -> i32 {
     rounded(value) as i32
 }
 
-/// The same as a float, for conversions to other integers.
+/// Rounds a value to the nearest integer, ties to even, for conversions to other integers.
 #[inline]
 pub(super) const fn rounded(value: f32) -> f32 {
     const FIRST_INTEGER: f32 = 8_388_608.0;

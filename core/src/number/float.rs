@@ -1,5 +1,6 @@
-//! The format `f32`: only `+ - * /` and a correctly rounded root, and clamps by compare and select, so that the
-//! same inputs give the same bits on every machine.
+//! The format `f32`, with identical bits on every machine.
+//!
+//! It uses only `+ - * /`, a correctly rounded square root, and clamps by compare and select.
 
 mod frame;
 mod offset;
@@ -12,10 +13,12 @@ use super::{
 };
 use crate::vec3::Vec3;
 
-/// Where irradiance saturates: finite whatever is added to it or divided by it in practice.
+/// Value at which irradiance saturates.
+///
+/// Low enough that sums and quotients of irradiances stay finite in practice.
 const BRIGHTEST: f32 = 18_446_744_073_709_551_616.0; // 2^64
 
-/// A ramp: its outer versine, the versine from which it is cut off, and the reciprocal of its span.
+/// A ramp: its outer versine, its cutoff versine, and the reciprocal of its span.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct FloatRamp {
     outer: f32,
@@ -24,34 +27,35 @@ pub struct FloatRamp {
 }
 
 impl FloatRamp {
-    /// The ramp of these bits, in the order of the fields. Those that no ramp has are brought to where every versine has a
-    /// place.
+    /// Restores a ramp from its bits, in the order of the fields.
+    ///
+    /// Invalid values are replaced, so that every versine has a position in `[0, 1]` on the ramp.
     pub const fn from_bits([outer, limit, reciprocal]: [u32; 3]) -> Self {
         let [outer, limit] = [f32::from_bits(outer), f32::from_bits(limit)];
         let reciprocal = positive(f32::from_bits(reciprocal));
         Self { outer, limit: if limit < outer { limit } else { outer }, reciprocal }
     }
 
-    /// The bits, in the order of the fields.
+    /// Returns the bits, in the order of the fields.
     pub const fn to_bits(self) -> [u32; 3] {
         [self.outer.to_bits(), self.limit.to_bits(), self.reciprocal.to_bits()]
     }
 
     #[inline]
     fn rise(self, versine: f32) -> FloatFraction {
-        // NaN is not within the limit.
+        // NaN is not below the limit.
         let rise = if versine < self.limit { (self.outer - versine) * self.reciprocal } else { 0.0 };
         FloatFraction(if rise < 1.0 { rise } else { 1.0 })
     }
 }
 
-/// `x` if it is more than zero; anything else, also what is not a number, becomes zero.
+/// Returns `x` if it is positive, else zero; NaN becomes zero.
 #[inline]
 pub(crate) const fn positive(x: f32) -> f32 {
     if x > 0.0 { x } else { 0.0 }
 }
 
-/// `x` clamped to [0, 1]; what is not a number becomes zero.
+/// Clamps `x` to `[0, 1]`; NaN becomes zero.
 #[inline]
 pub(crate) fn clamp(x: f32) -> f32 {
     let x = positive(x);
@@ -99,8 +103,8 @@ impl Arithmetic for f32 {
     type Frame = FloatFrame;
     type Gain = f32;
     type Offset = FloatOffset;
-    // Of the difference: 2^-24, where two components are just over a power of two. Of the product with the reciprocal:
-    // 1.72 times 2^-25, where all three are over a half.
+    // Rounding of the difference: 2^-24, if two components are just over a power of two. Rounding
+    // of the product with the reciprocal: 1.72 * 2^-25, if all three components are over 1/2.
     const DIRECTION_ERROR: f32 = 1.12e-7;
 
     #[inline]
@@ -139,7 +143,8 @@ impl Arithmetic for f32 {
         FloatOffset::between(light, point)
     }
 
-    /// The reciprocal is rounded up until `span * reciprocal` reaches one, so that the ramp is exact at both ends.
+    /// The reciprocal is rounded up until `span * reciprocal >= 1`, so that the ramp is exact at
+    /// both ends.
     fn ramp(inner: f32, outer: f32, limit: f32) -> FloatRamp {
         let span = if inner < outer { outer - inner } else { 0.0 };
         let mut reciprocal = 1.0 / span;
@@ -153,8 +158,8 @@ impl Arithmetic for f32 {
         }
     }
 
-    /// The versine is within 1.1e-6 of itself: 4e-7 by the set-up, the rest by the lengths of direction and axis, by their
-    /// difference and by its square.
+    /// The relative error of the versine is at most 1.1e-6: 4e-7 from the set-up, the rest from the
+    /// lengths of direction and axis, from their difference and from its square.
     fn rounding(edge: &Slopes) -> f32 {
         edge.angle * 0.55e-6 + (edge.fraction * 1.5 + 1.5) * Self::STEP
     }
@@ -181,7 +186,7 @@ impl Arithmetic for f32 {
 
     #[inline]
     fn weighted_byte(sum: u32) -> Self {
-        // Of 24 bits, which is an integer of this format.
+        // At most 24 bits, which `f32` represents exactly.
         let share = (sum >> 8) as i32 as f32 * (1.0 / 16_711_680.0);
         if share < 1.0 { share } else { 1.0 }
     }

@@ -1,8 +1,7 @@
-//! Where a point stands between the edge of a cone and its middle, and what edge profiles make of it; also the cosine of
-//! an angle of incidence.
+//! Arguments of edge profiles, the profiles' formulas, and cosines of angles of incidence.
 //!
-//! A profile magnifies the rounding of its argument by its slope, so a fraction has one bit more than a scalar; it
-//! costs nothing, because the products that use it are as wide as before.
+//! A profile magnifies the rounding of its argument by its slope, so a fraction has one bit more
+//! than a scalar. The extra bit costs nothing, because the products that use it are no wider.
 
 #[cfg(feature = "fixed")]
 mod fixed_point;
@@ -12,48 +11,58 @@ pub(super) use fixed_point::{Fraction16, Fraction32};
 
 use super::{Arithmetic, Knot, RealExponent, Share, float, knot::SLOPE_BITS};
 
-/// A number from 0 to 1, one bit finer than the scalar: the argument of an edge profile.
+/// A number in `[0, 1]`, in fixed point finer than a scalar: the argument of an edge profile.
 ///
-/// Made by [`Arithmetic::rise`] and [`Ray::cosine`](super::Ray::cosine) alone, so that it is in its range whatever the
-/// input was. In what follows it is called `t`, and `u = 1 - t`.
+/// Created only by [`Arithmetic::rise`] and [`Ray::cosine`](super::Ray::cosine), so it is in range
+/// for every input. Below, the fraction is called `t`, and `u = 1 - t`.
 pub trait Fraction<S: Arithmetic>: Copy + PartialOrd + core::fmt::Debug {
-    /// What a profile makes of it: a scalar, or a number of more bits where the scalar's are too few.
+    /// Result type of a profile: a scalar, or a number with more bits if a scalar has too few.
     type Value: Share<S>;
 
-    /// `1 - t`.
+    /// Returns `1 - t`.
     fn complement(self) -> Self;
-    /// The product, kept fine: to be multiplied again.
+    /// Returns the product as a fraction, for further multiplication.
     fn fine_product(self, other: Self) -> Self;
-    /// The product, rounded once.
+    /// Returns the product, rounded once.
     fn product(self, other: Self) -> Self::Value;
-    /// `t^p` for a real exponent, kept fine: exactly 0 at 0 and 1 at 1, within `2e-9 + 6.5e-10 p` of the power of `t` before
-    /// the format rounds it. Eleven multiplies of 64 bits in every format. Of an exponent with a floor,
-    /// `(max(t, floor)^p - floor^p) / (1 - floor^p)`.
+    /// Returns `t^p` for a real exponent as a fraction: exactly 0 at 0 and exactly 1 at 1.
+    ///
+    /// The error before the format's own rounding is at most `2e-9 + 6.5e-10 p`. Costs eleven
+    /// 64-bit multiplications in every format. For an exponent with a floor, returns `(max(t,
+    /// floor)^p - floor^p) / (1 - floor^p)`.
     fn real_power(self, exponent: RealExponent) -> Self;
-    /// The nearest value.
+    /// Returns the nearest value.
     fn scalar(self) -> Self::Value;
-    /// The product with a value from 0 to 1.
+    /// Returns the product with a value in `[0, 1]`.
     fn of(self, value: Self::Value) -> Self::Value;
-    /// `1 - value`.
+    /// Returns `1 - value`.
     #[inline]
     fn lack(value: Self::Value) -> Self::Value {
         value.rest()
     }
-    /// `low - (low - high) share`: from `low` to a `high` that is not over it; in [0, 1] whatever the share is.
+    /// Returns `low - (low - high) share`, for `high <= low`.
+    ///
+    /// The result is in `[0, 1]` for every share.
     fn mixed(low: Self::Value, high: Self::Value, share: S) -> Self::Value;
-    /// One wherever `t` is more than zero.
+    /// Returns 1 if `t > 0`, else 0.
     fn step(self) -> Self::Value;
-    /// `t^2 (3 - 2 t)`: two multiplies.
+    /// Returns `t^2 (3 - 2 t)`: two multiplications.
     fn smooth(self) -> Self::Value;
-    /// `t (1 + g u)` for `g` in [-1, 1]: two multiplies.
+    /// Returns `t (1 + g u)` for `g` in `[-1, 1]`: two multiplications.
     fn quadratic(self, g: S::Weight) -> Self::Value;
-    /// `t (1 + u (g + h t))` for `g` in [-1, 3], `h` in [-4, 2] and `g + h` in [-3, 1], where it is monotone: three
-    /// multiplies.
+    /// Returns `t (1 + u (g + h t))`: three multiplications.
+    ///
+    /// The domain is `g` in `[-1, 3]`, `h` in `[-4, 2]` and `g + h` in `[-3, 1]`, where the cubic
+    /// is monotone.
     fn cubic(self, g: S::Weight, h: S::Weight) -> Self::Value;
-    /// The linear interpolation of samples that are evenly spaced from `u = 0`, 65,535 being one: one multiply, and
-    /// one to find the place. No samples are dark; at most 65,536 are looked at.
+    /// Interpolates linearly between samples that are evenly spaced from `u = 0`; 65,535 means 1.
+    ///
+    /// Costs one multiplication for the position and one for the interpolation. Returns 0 without
+    /// samples; at most 65,536 samples are supported.
     fn sample(self, samples: &[u16]) -> Self::Value;
-    /// The value of a polyline over `u`, clamped to [0, 1]: a binary search and one multiply. No knots are dark.
+    /// Returns the value of a polyline over `u`, clamped to `[0, 1]`.
+    ///
+    /// Costs a binary search and one multiplication. Returns 0 without knots.
     fn along(self, knots: &[Knot]) -> Self::Value;
 }
 
@@ -137,7 +146,7 @@ impl Fraction<f32> for FloatFraction {
     }
 }
 
-/// Two neighbouring samples; beyond the last one it is its own neighbour.
+/// Returns a sample and its successor; the last sample is its own successor.
 #[inline]
 pub(super) fn neighbours(samples: &[u16], index: usize) -> (u16, u16) {
     let here = samples.get(index).copied().unwrap_or(0);

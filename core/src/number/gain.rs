@@ -1,9 +1,13 @@
-//! Gains in fixed point: one text for both widths, but for how a number gets its mantissa.
+//! Gains in fixed point, declared by one macro for both widths.
+//!
+//! Only the rounding to a mantissa differs between the widths.
 
 use super::{Fx16, Fx32, Gain, Light16, Light32, reciprocal, root, within_reach};
 
-/// Declares the gain of a scalar and of its light: the bits of the mantissa, those of them that are multiplied with, and the
-/// reciprocal of these.
+/// Declares the gain of a scalar and its light.
+///
+/// `bits` is the width of the mantissa, `factor_bits` the number of its upper bits used in
+/// products, `inverse` the reciprocal of these upper bits.
 macro_rules! gain {
     (
         $(#[$doc:meta])*
@@ -20,8 +24,9 @@ macro_rules! gain {
             const ZERO: Self = Self { mantissa: 0, shift: 0 };
             const ONE: Self = Self { mantissa: 1 << ($bits - 1), shift: $bits - 1 };
 
-            /// The gain of these bits, a mantissa and a shift. A shorter mantissa is moved up, and of a longer one the lower
-            /// bits count.
+            /// Restores a gain from a mantissa and a shift.
+            ///
+            /// A shorter mantissa is normalised. Of a longer one only the lower bits are used.
             pub const fn from_bits([mantissa, shift]: [i32; 2]) -> Self {
                 const LONGER: u32 = u32::BITS - $bits;
                 let mantissa = mantissa as u32 & (u32::MAX >> LONGER);
@@ -29,18 +34,18 @@ macro_rules! gain {
                 Self { mantissa: mantissa << up, shift: within_reach(shift) + up as i32 }
             }
 
-            /// The mantissa and the shift.
+            /// Returns the mantissa and the shift.
             pub const fn to_bits(self) -> [i32; 2] {
                 [self.mantissa as i32, self.shift]
             }
 
-            /// The nearest gain; negative or NaN becomes zero.
+            /// Returns the nearest gain; a negative value or NaN becomes zero.
             pub(super) fn nearest(value: f32) -> Self {
                 let (mantissa, shift) = super::mantissa_and_shift(value);
                 Self { mantissa: mantissa << ($bits - 24), shift: shift + $bits - 24 }
             }
 
-            /// What is multiplied with: the gain is `factor / 2^scale`.
+            /// Returns the integer factor used in products: the gain is `factor / 2^scale`.
             #[inline]
             pub(super) fn factor(self) -> $wide {
                 (self.mantissa >> ($bits - $factor_bits)).into()
@@ -51,7 +56,7 @@ macro_rules! gain {
                 self.shift - ($bits - $factor_bits)
             }
 
-            /// A light times the gain.
+            /// Returns a light times the gain; saturates.
             #[inline]
             pub(super) fn amplify(self, light: $light) -> $light {
                 const HALF: u32 = $wide::BITS / 2;
@@ -74,7 +79,7 @@ macro_rules! gain {
 
             #[inline]
             fn plus(self, other: Self) -> Self {
-                /// Leaves a bit for the carry.
+                /// Leaves one bit for the carry.
                 const UP: u32 = $wide::BITS - $factor_bits - 1;
                 if self.mantissa == 0 || other.mantissa == 0 {
                     return if self.mantissa == 0 { other } else { self };
@@ -105,7 +110,7 @@ macro_rules! gain {
         }
 
         impl $light {
-            /// `product / 2^shift`, rounded to nearest, saturating.
+            /// Returns `product / 2^shift`, rounded to nearest; saturates.
             #[inline]
             pub(super) fn shifted(product: $wide, shift: i32) -> Self {
                 let but_one = shift.wrapping_sub(1) as u32;
@@ -125,18 +130,19 @@ macro_rules! gain {
 }
 
 gain! {
-    /// A factor `mantissa / 2^shift`, the mantissa having 32 bits. The coarse evaluation needs the upper 16 alone, in
-    /// products of 32.
+    /// A factor `mantissa / 2^shift` with a mantissa of 32 bits.
+    ///
+    /// The coarse evaluation uses only the upper 16 bits, in 32-bit products.
     Gain16(Fx16, Light16, u32, 32, 16, reciprocal::inverse_16)
 }
 
 gain! {
-    /// A factor `mantissa / 2^shift`, the mantissa having 28 bits, in products of 64.
+    /// A factor `mantissa / 2^shift` with a mantissa of 28 bits, in 64-bit products.
     Gain32(Fx32, Light32, u64, 28, 28, reciprocal::inverse_28)
 }
 
 impl Gain16 {
-    /// `bits / 2^shift`, rounded to a mantissa of 16 bits.
+    /// Returns `bits / 2^shift`, rounded to a mantissa of 16 bits.
     #[inline]
     pub(super) fn normalised(bits: u32, shift: i32) -> Self {
         if bits == 0 {
@@ -145,14 +151,14 @@ impl Gain16 {
         let up = u32::BITS as i32 - root::bit_length(bits) as i32;
         let mantissa = bits << up;
         let rounded = (mantissa >> 16) + ((mantissa >> 15) & 1);
-        // Rounding up can carry into a seventeenth bit.
+        // Rounding up can carry into bit 16.
         let carry = rounded >> 16;
         Self { mantissa: rounded << (16 - carry), shift: within_reach(shift + up - carry as i32) }
     }
 }
 
 impl Gain32 {
-    /// `bits / 2^shift`, rounded to a mantissa of 28 bits.
+    /// Returns `bits / 2^shift`, rounded to a mantissa of 28 bits.
     #[inline]
     pub(super) fn normalised(bits: u64, shift: i32) -> Self {
         if bits == 0 {
@@ -163,7 +169,7 @@ impl Gain32 {
             return Self { mantissa: (bits << -excess) as u32, shift: within_reach(shift - excess) };
         }
         let rounded = (((bits >> (excess - 1)) + 1) >> 1) as u32;
-        // Rounding up can carry into a twenty-ninth bit.
+        // Rounding up can carry into bit 28.
         let carry = rounded >> 28;
         Self { mantissa: rounded >> carry, shift: within_reach(shift - excess - carry as i32) }
     }

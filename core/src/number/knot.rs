@@ -1,64 +1,66 @@
-//! Polylines over the versine.
+//! Knots of polylines over the versine.
 
-/// A knot of a [`Table`](crate::falloff::Table): where a straight line begins that goes on to the next knot,
-/// or to the edge.
+/// A knot of a [`Table`](crate::falloff::Table): the start of a straight line.
 ///
-/// [`Table::from_angles`](crate::falloff::Table::from_angles) makes them.
+/// The line ends at the next knot, or at the edge of the cone. Made by
+/// [`Table::from_angles`](crate::falloff::Table::from_angles).
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct Knot {
-    /// The `u` where the line begins, in 65,536ths.
+    /// The `u` at which the line starts, in units of 1/65,536.
     pub(super) place: u16,
-    /// The intensity there, 65,535 being full.
+    /// The intensity at the start; 65,535 is full intensity.
     pub(super) value: u16,
-    /// How much the intensity rises over 2^-16 of `u`, with 15 fraction bits.
+    /// Rise of the intensity per 2^-16 of `u`, with 15 fraction bits.
     pub(super) slope: i32,
 }
 
-/// The fraction bits of a slope.
+/// Number of fraction bits of a slope.
 pub(super) const SLOPE_BITS: u32 = 15;
 
 impl Knot {
-    /// The knot from a place to an end, both in 65,536ths of `u`, of a line between two values:
-    /// rounded to fall or rise a little less, so that a table of them is monotone where its values
-    /// are.
+    /// Returns the knot of a line between two values, from `place` to `end`, both in units of
+    /// 1/65,536 of `u`.
+    ///
+    /// The slope is rounded towards zero, so that a table with monotone values is monotone.
     pub(crate) fn line([place, end]: [u32; 2], [value, next]: [u16; 2]) -> Self {
         let rise = i32::from(next) - i32::from(value);
         let width = end.saturating_sub(place).max(1) as i32;
         Self { place: place as u16, value, slope: (rise << SLOPE_BITS) / width }
     }
 
-    /// The knot of a place, a value and a slope of any bits, as generated source writes it.
+    /// Builds a knot from any bits, as generated source writes it.
     pub const fn from_bits(place: u16, value: u16, slope: i32) -> Self {
         Self { place, value, slope }
     }
 
-    /// The place, the value and the slope.
+    /// Returns the place, the value and the slope.
     pub const fn to_bits(self) -> (u16, u16, i32) {
         (self.place, self.value, self.slope)
     }
 
-    /// The place where the line begins.
+    /// Returns the `u` at which the line starts, in units of 1/65,536.
     pub(crate) fn place(self) -> u32 {
         self.place.into()
     }
 
-    /// How much the line rises over all of `u`.
+    /// Returns the rise of the line over the whole range of `u`.
     pub(crate) fn rise(self) -> f32 {
         self.slope as f32 * (2.0 / 65_535.0)
     }
 
-    /// The `u` where the line begins.
+    /// Returns the `u` at which the line starts.
     pub(crate) fn versine(self) -> f32 {
         f32::from(self.place) / 65_536.0
     }
 
-    /// The intensity of the line at a `u`, from 0 to 1.
+    /// Returns the intensity of the line at `u`, in `[0, 1]`.
     pub(crate) fn intensity(self, u: f32) -> f32 {
         (f32::from(self.value) / 65_535.0 + self.rise() * (u - self.versine())).clamp(0.0, 1.0)
     }
 
-    /// The last of the knots whose place is not over this one, in 65,536ths of `u`; a dark one if
-    /// there is none.
+    /// Returns the last knot whose place is at most `place`, in units of 1/65,536 of `u`.
+    ///
+    /// If all knots lie beyond `place`, returns the first; without any knots, a dark one.
     #[inline]
     pub(super) fn at(knots: &[Self], place: u32) -> Self {
         let after = knots.partition_point(|knot| u32::from(knot.place) <= place);

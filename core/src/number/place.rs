@@ -1,34 +1,38 @@
-//! Where a point stands on the square that a spotlight projects.
+//! Position of a point on the square that a spotlight projects.
 
 use super::Scalar;
 
-/// Where a point stands on the square of a [`Projection`](crate::projector::Projection), and how deep in the light.
+/// Position of a point on the square of a [`Projection`](crate::projector::Projection), and its
+/// depth.
 ///
-/// Columns and rows are counted as those of a picture on the wall that the light shines at, seen from the light: columns
-/// from its left edge, rows from its top. They are rounded down. One that is farther than a side from the square is that
-/// far, and what is behind the light, on it or not a number is off the square.
+/// Columns and rows are those of a picture on the wall that the light shines at, as seen from the
+/// light: columns count from its left edge, rows from its top. Both are rounded down. Coordinates
+/// saturate one side length outside the square. Points at or behind the light, and NaN, map outside
+/// the square.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct ProjectedPoint<S: Scalar> {
-    /// The way from the left edge in 65,536ths of a side: 0 to 65,535 on the square, and in all -65,536 to 131,071.
+    /// Distance from the left edge in units of 1/65,536 of a side.
+    ///
+    /// In `[0, 65535]` on the square, and always in `[-65536, 131071]`.
     pub column: i32,
-    /// The way from the top edge, likewise.
+    /// Distance from the top edge, in the same units and range.
     pub row: i32,
-    /// The part of the way from the light that goes along its axis: from zero up, and zero behind the light.
+    /// Distance from the light along its axis: at least 0, and 0 behind the light.
     pub depth: S::Length,
 }
 
-/// How many steps of a place a side has.
+/// Number of coordinate steps per side.
 pub(crate) const STEPS: i32 = 1 << 16;
 
 impl<S: Scalar> ProjectedPoint<S> {
-    /// The place of what has none.
+    /// Returns a position outside the square, for points without a projection.
     #[cfg(feature = "fixed")]
     #[inline]
     pub(super) fn outside() -> Self {
         Self { column: -STEPS, row: -STEPS, depth: S::Length::default() }
     }
 
-    /// Whether it is on the square.
+    /// Returns whether the position is on the square.
     #[inline]
     pub const fn is_inside(&self) -> bool {
         ((self.column | self.row) as u32) < STEPS as u32

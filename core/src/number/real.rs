@@ -1,38 +1,40 @@
-//! Real powers of a fraction: a logarithm, a product and an exponential, in integers and with the
-//! same bits in every format. Two tables of 64 segments about whose middles three terms of a series
-//! are enough.
+//! Real powers of a fraction: a logarithm, a product and an exponential in integers.
+//!
+//! The results are bit-identical in every format. Logarithm and exponential each use a table of 64
+//! segments and a series of three terms about the middle of a segment.
 
-/// A real exponent from 0 up, for [`Fraction::real_power`](super::Fraction::real_power), and the
-/// floor below which the power does not fall any further.
+/// A real exponent of at least 0, and a floor below which the power is constant.
+///
+/// Used by [`Fraction::real_power`](super::Fraction::real_power).
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct RealExponent {
-    /// The exponent is `mantissa / 2^shift`: that of an f32, exactly.
+    /// The exponent is `mantissa / 2^shift`, exactly that of an f32.
     mantissa: u32,
     shift: u32,
-    /// The power of the floor, with 31 fraction bits.
+    /// Power of the floor, with 31 fraction bits.
     least: u32,
     /// `1 / (1 - least)`, with 27 fraction bits.
     gain: u32,
 }
 
-/// The bits of a table's place.
+/// Number of bits of a table index.
 const BITS: u32 = 6;
 const SEGMENTS: usize = 1 << BITS;
 const ONE: u64 = 1 << 31;
 const GAIN_BITS: u32 = 27;
 
-/// The middle of a segment of [0, 1).
+/// Returns the middle of a segment of [0, 1).
 const fn middle(segment: usize) -> f64 {
     (segment as f64 + 0.5) / SEGMENTS as f64
 }
 
-/// `1 / c` with 31 fraction bits and `log2 c` with 32, where `c` is the middle of a segment of [1,
-/// 2).
+/// `1 / c` with 31 fraction bits and `log2 c` with 32, where `c` is the middle of a segment of `[1,
+/// 2)`.
 const LOGARITHMS: [(u32, u32); SEGMENTS] = {
     let (mut table, mut i) = ([(0, 0); SEGMENTS], 0);
     while i < SEGMENTS {
         let c = 1.0 + middle(i);
-        // ln c = 2 (a + a^3 / 3 + a^5 / 5 + ...), a being at most 1/3.
+        // ln c = 2 (a + a^3 / 3 + a^5 / 5 + ...), with a <= 1/3.
         let a = (c - 1.0) / (c + 1.0);
         let (mut sum, mut power, mut n) = (0.0, a, 1.0);
         while n < 40.0 {
@@ -64,19 +66,21 @@ const POWERS: [u32; SEGMENTS] = {
     table
 };
 
-/// A constant with 32 fraction bits.
+/// Returns a constant with 32 fraction bits.
 const fn fine(value: f64) -> i64 {
     (value * 4_294_967_296.0 + 0.5) as i64
 }
 
-/// The product of two numbers with 32 fraction bits, for factors under 2^31 in size by 2^33.
+/// Returns the product of two numbers with 32 fraction bits.
+///
+/// The product of the two integers must fit 64 bits.
 fn times(a: i64, b: i64) -> i64 {
     (a * b) >> 32
 }
 
-/// What `x = significand / 2^31 / 2^octaves` lacks of one in octaves, `-log2 x`, with 32 fraction
-/// bits: for a significand from 2^31 up and numbers up to one. Error under 2e-9; 32 octaves at
-/// most.
+/// Returns `-log2 x` with 32 fraction bits, for `x = significand / 2^31 / 2^octaves` in `[0, 1]`.
+///
+/// The significand is at least 2^31. Error under 2e-9; the result is capped at 32 octaves.
 fn octaves_below_one(significand: u32, octaves: u32) -> u64 {
     const FIRST: i64 = fine(core::f64::consts::LOG2_E);
     const SECOND: i64 = fine(core::f64::consts::LOG2_E / 2.0);
@@ -93,7 +97,7 @@ fn octaves_below_one(significand: u32, octaves: u32) -> u64 {
     below.clamp(0, (32 << 32) - 1) as u64
 }
 
-/// `2^-octaves`, both with 32 fraction bits but for the result, which has 31. Error under 1e-9.
+/// Returns `2^-octaves` with 31 fraction bits; the argument has 32. Error under 1e-9.
 fn power_of_two(octaves: u64) -> u64 {
     let (whole, part) = (octaves >> 32, octaves & 0xffff_ffff);
     if octaves == 0 || whole > 31 {
@@ -109,8 +113,9 @@ fn power_of_two(octaves: u64) -> u64 {
 }
 
 impl RealExponent {
-    /// The exponent, which is from 0 to 1,024, and the floor: from 0, and so small that its power
-    /// is at most 15/16.
+    /// Precomputes an exponent in `[0, 1024]` and a floor of at least 0.
+    ///
+    /// The power of the floor must be at most 15/16.
     pub(crate) fn new(exponent: f32, floor: f32) -> Self {
         let bits = exponent.to_bits();
         let plain = Self {
@@ -120,32 +125,32 @@ impl RealExponent {
             gain: 1 << GAIN_BITS,
         };
         let least = plain.of_f32(floor);
-        // Rounded up, so that one is reached.
+        // Rounded up, so that the power reaches 1 at 1.
         let gain = (ONE << GAIN_BITS).div_ceil(ONE - least.min(ONE / 16 * 15));
         Self { least: least as u32, gain: gain as u32, ..plain }
     }
 
-    /// The exponent of these bits: any have a power in [0, 1].
+    /// Restores an exponent from its bits: any bits give powers in `[0, 1]`.
     pub(crate) const fn from_bits([mantissa, shift, least, gain]: [u32; 4]) -> Self {
         Self { mantissa: mantissa & ((1 << 24) - 1), shift: shift % 64, least, gain }
     }
 
-    /// The mantissa, the shift, the power of the floor and the gain above it.
+    /// Returns the mantissa, the shift, the power of the floor and `1 / (1 - that power)`.
     pub(crate) const fn to_bits(self) -> [u32; 4] {
         [self.mantissa, self.shift, self.least, self.gain]
     }
 
-    /// The power of an f32 from 0 to 1, with 31 fraction bits.
+    /// Returns the power of an f32 in `[0, 1]`, with 31 fraction bits.
     pub(super) fn of_f32(self, x: f32) -> u64 {
         let bits = x.to_bits();
-        // A subnormal number is nearer to zero than any format tells.
+        // A subnormal number is below the resolution of every format.
         if x < f32::MIN_POSITIVE {
             return 0;
         }
         self.of(bits << 8 | 1 << 31, 127_u32.saturating_sub(bits >> 23))
     }
 
-    /// The power of a number with 31 fraction bits from 0 to 1, with as many.
+    /// Returns the power of a number in `[0, 1]`; both have 31 fraction bits.
     #[cfg(feature = "fixed")]
     pub(super) fn of_bits(self, x: u32) -> u64 {
         let octaves = x.leading_zeros();
@@ -207,8 +212,8 @@ mod tests {
         }
     }
 
-    /// With a number its power rises, or falls by a step at most: about every seam of the tables,
-    /// and next to one.
+    /// The power rises with its argument, or falls by at most one step: tested about every boundary
+    /// of the tables, and next to 1.
     #[test]
     fn real_powers_rise() {
         let seams =

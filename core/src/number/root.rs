@@ -1,7 +1,9 @@
-//! Reciprocal square roots of integers, in multiplications and shifts alone.
+//! Reciprocal square roots of integers, with multiplications and shifts only.
 
-/// `2^31 / sqrt(n)` for each multiple of 2^25 from 2^30 on: between them a straight line is close enough. All lie half
-/// of what a line is above the curve too low, so that the error is the same on both sides.
+/// Nodes of `2^31 / sqrt(n)` at multiples of 2^25, from 2^30 on, for linear interpolation.
+///
+/// Each node is lowered by half the chord's maximum deviation, so the interpolation error is
+/// balanced around zero.
 const NODES: [u16; 129] = {
     let mut nodes = [0; 129];
     let mut node = 32;
@@ -14,7 +16,7 @@ const NODES: [u16; 129] = {
     nodes
 };
 
-/// The binary logarithm of each number of seven bits, rounded down; that of zero as if it were one.
+/// `floor(log2 n)` for each `n` of seven bits; 0 for zero.
 const ILOG2: [u8; 128] = {
     let mut table = [0; 128];
     let mut number = 1;
@@ -25,17 +27,19 @@ const ILOG2: [u8; 128] = {
     table
 };
 
-/// Whether the processor counts leading zeros. Where it cannot, a table is three times as fast as the compiler's way: these
-/// are the small ones, which have no compare-and-swap either.
+/// Whether the processor has an instruction that counts leading zeros.
+///
+/// Without one, the table is three times as fast as the compiler's routine. The target's atomics
+/// serve as the test: the small cores without the instruction lack compare-and-swap as well.
 const COUNTS_ZEROS: bool = cfg!(target_has_atomic = "32");
 
-/// The binary logarithm of a number of seven bits, rounded down; that of zero as if it were one.
+/// Returns `floor(log2 n)` for `n` of seven bits; 0 for zero.
 #[inline]
 pub(super) const fn ilog2_of_seven_bits(n: u32) -> u32 {
     if COUNTS_ZEROS { 31 - (n | 1).leading_zeros() } else { ILOG2[n as usize & 0x7f] as u32 }
 }
 
-/// How many bits a number has, zero having one.
+/// Returns the bit length of `n`; 1 for zero.
 #[inline]
 pub(super) const fn bit_length(n: u32) -> u32 {
     if COUNTS_ZEROS { u32::BITS - (n | 1).leading_zeros() } else { looked_up_bit_length(n) }
@@ -51,9 +55,9 @@ const fn looked_up_bit_length(mut n: u32) -> u32 {
     length + ILOG2[n as usize & 0x7f] as u32
 }
 
-/// `2^31 / sqrt(n)` for n from 2^30 up: 65,533 at n = 2^30, 32,768 at the top. Zero for zero.
+/// Returns `2^31 / sqrt(n)` for `n >= 2^30`: 65,533 at 2^30, 32,768 at the top. Zero for zero.
 ///
-/// A straight line between neighbours in a table. Relative error at most 6.0e-5 (exhaustive).
+/// Linear interpolation between the nodes of a table. Relative error <= 6.0e-5 (exhaustive).
 #[inline]
 const fn guess(n: u32) -> u32 {
     let place = (n >> 25) as usize;
@@ -61,18 +65,18 @@ const fn guess(n: u32) -> u32 {
     here.wrapping_sub((here.wrapping_sub(next).wrapping_mul((n << 7) >> 16)) >> 16)
 }
 
-/// `2^30 / sqrt(n)` for n from 2^28 up: 65,533 at n = 2^28, 16,384 at the top. Zero for zero.
+/// Returns `2^30 / sqrt(n)` for `n >= 2^28`: 65,533 at 2^28, 16,384 at the top. Zero for zero.
 ///
-/// Relative error at most 9.0e-5 (exhaustive).
+/// Relative error <= 9.0e-5 (exhaustive).
 #[inline]
 pub(super) const fn inverse_sqrt_16(n: u32) -> u32 {
     if n >= 1 << 30 { (guess(n) + 1) >> 1 } else { guess(n << 2) }
 }
 
-/// `2^63 / sqrt(n)` for n from 2^62 up: 2^32 at n = 2^62, 2^31 at the top.
+/// Returns `2^63 / sqrt(n)` for `n >= 2^62`: 2^32 at 2^62, 2^31 at the top.
 ///
-/// One step of third order (Halley's) from [`inverse_sqrt_16`], in 64-bit products. Relative error at most
-/// 4.7e-10, just over 2^-31 (exhaustive: n counts in its upper 34 bits alone).
+/// One step of third order (Halley's) from [`guess`], in 64-bit products. Relative error <=
+/// 4.7e-10, just over 2^-31 (exhaustive: only the upper 34 bits of `n` affect the result).
 #[inline]
 pub(super) const fn inverse_sqrt_32(n: u64) -> u64 {
     let seed = guess((n >> 32) as u32) as u64;
@@ -87,7 +91,7 @@ mod tests {
 
     extern crate std;
 
-    /// The largest relative error over `count` inputs from `first` on, `stride` apart.
+    /// Returns the largest relative error over inputs from 2^28 up, `stride` apart.
     fn worst_16(stride: usize) -> f64 {
         ((1_u32 << 28)..=u32::MAX)
             .step_by(stride)
@@ -114,8 +118,8 @@ mod tests {
         assert!((4.0e-5..=9.0e-5).contains(&worst), "worst relative error {worst:e}");
     }
 
-    /// The largest relative error over the classes of inputs that have one answer, `stride` apart: their
-    /// first and their last.
+    /// Returns the largest relative error over classes of inputs with the same result, `stride`
+    /// apart. Tests the first and the last input of each class.
     fn worst_32(stride: usize) -> f64 {
         ((1_u64 << 32)..1 << 34)
             .step_by(stride)
@@ -128,8 +132,7 @@ mod tests {
             .fold(0.0, f64::max)
     }
 
-    /// No feature changes an answer, so that in the long run one build looks at all of them: the one with
-    /// `std`.
+    /// No feature changes a result, so only the build with `std` runs the exhaustive test.
     #[test]
     fn thirty_two_bits_keep_their_stated_error() {
         let is_full = cfg!(feature = "std") && std::env::var_os("LUMINAIRE_FULL").is_some();
@@ -138,7 +141,8 @@ mod tests {
         assert!((4.0e-10..=4.7e-10).contains(&worst), "worst relative error {worst:e}");
     }
 
-    /// What is below a class's upper bits does not count, so that its first answers for all.
+    /// The bits below a class's upper 34 bits do not affect the result, so its first input
+    /// represents it.
     #[test]
     fn thirty_two_bits_have_one_answer_for_a_class() {
         for class in ((1_u64 << 32)..1 << 34).step_by(65_537) {

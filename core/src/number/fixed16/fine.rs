@@ -1,27 +1,27 @@
-//! Fractions of 31 bits in 32-bit products, for cones and lights that 15 bits do not hold.
+//! Fractions of 31 bits in 32-bit products, for cones and lights for which 15 bits are too few.
 //!
-//! A cone that is steep over its width and a light that is bright magnify what 15 bits have rounded away. Only these pay for
-//! more: [`Cone::compile`](crate::Cone::compile) finds by a bound which cones need it, and
-//! `Arithmetic::fine_below` how near to a light points do.
+//! A steep cone and a bright light magnify the rounding to 15 bits. Only these use the slower fine
+//! evaluation: [`Cone::compile`](crate::Cone::compile) selects the cones by an error bound, and
+//! `Arithmetic::fine_below` gives the distance from the light below which points need it.
 
 use super::product::{high_half, high_product};
 use crate::number::{Fraction, Knot, RealExponent, Share, fraction::neighbours};
 use crate::number::{Fx16, Gain16, Light16, Weight16};
 
-/// A number from 0 to 1 with 31 fraction bits.
+/// A number in `[0, 1]` with 31 fraction bits.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Default, Debug)]
 pub struct Fine16(pub(super) u32);
 
 impl Fine16 {
     pub(super) const ONE: Self = Self(1 << 31);
 
-    /// The product, within 2^-30 below the exact one; exact where a factor is one or zero.
+    /// Returns the product, at most 2^-30 below the exact one; exact if a factor is one or zero.
     #[inline]
     fn times(self, other: Self) -> Self {
         Self(high_half(self.0, other.0) << 1)
     }
 
-    /// `product / 2^shift`, and one where that is more.
+    /// Returns `product / 2^shift`, capped at 1.
     #[inline]
     pub(super) fn capped(product: u32, shift: i32) -> Self {
         let capped = if shift >= 0 {
@@ -36,16 +36,19 @@ impl Fine16 {
         Self(capped.min(Self::ONE.0))
     }
 
-    /// The share of a value of which 65,535 is one, with 15 fraction bits: `2^16 / (2^16 - 1) = 1 + 2^-16 + ..`
+    /// Converts a value with 15 fraction bits, where 65,535 means 1, to a share.
+    ///
+    /// Uses `2^16 / (2^16 - 1) = 1 + 2^-16 + ..`
     #[inline]
     fn of_value(value: u32) -> Self {
         Self((value + ((value + (1 << 15)) >> 16)).min(Self::ONE.0))
     }
 
-    /// `t (1 + u slope)` for a slope of 28 fraction bits, within [0, 1] whatever the slope.
+    /// Returns `t (1 + u slope)` for a slope of 28 fraction bits, clamped to `[0, 1]` for every
+    /// slope.
     #[inline]
     fn lifted(self, slope: i32) -> Self {
-        // At most 28 bits each: a sound slope is from -3 to 3.
+        // A valid slope is in `[-3, 3]`, so its lift fits 28 bits.
         let lift = high_half(high_half(self.0, self.complement().0) << 1, slope.unsigned_abs());
         let lift = lift.min((1 << 28) - 1) << 4;
         let lifted = if slope < 0 { self.0.saturating_sub(lift) } else { self.0.saturating_add(lift) };
@@ -118,7 +121,7 @@ impl Fraction<Fx16> for Fine16 {
     #[inline]
     fn sample(self, samples: &[u16]) -> Self {
         let last = (samples.len().min(1 << 16) as u32).saturating_sub(1);
-        // With 15 fraction bits: 31 and 16 bits in, 16 cut off.
+        // The position has 15 fraction bits: a product of 31 by 16 bits, less 16 bits.
         let place = high_product(self.complement().0, last);
         let (here, next) = neighbours(samples, (place >> 15) as usize);
         let (here, next) = (i32::from(here), i32::from(next));
@@ -130,7 +133,7 @@ impl Fraction<Fx16> for Fine16 {
         let place = self.complement().0;
         let knot = Knot::at(knots, place >> 15);
         let (beyond, slope) = (place - (u32::from(knot.place) << 15).min(place), knot.slope.unsigned_abs());
-        // The product of a sound line has 46 bits: all but 15 of them.
+        // The product of a valid line has 46 bits; the lower 15 are dropped.
         let rise = high_half(beyond, slope) << 17 | beyond.wrapping_mul(slope) >> 15;
         let value = u32::from(knot.value) << 15;
         let value = if knot.slope < 0 { value.saturating_sub(rise) } else { value.saturating_add(rise) };

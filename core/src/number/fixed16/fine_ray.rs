@@ -1,6 +1,7 @@
-//! The direction to a point with 30 bits, and what is made of it with as many.
+//! Direction to a point with 30 bits, and results of the same precision.
 //!
-//! In the comments `W` is the way scaled until its largest component has 31 bits, and `|W|` its length.
+//! In the comments `W` is the offset, scaled until its largest component has 31 bits, and `|W|` is
+//! its length.
 
 use super::{
     Ramp16,
@@ -11,11 +12,11 @@ use super::{
 use crate::number::{Fx16, Fx32, Gain16, Light16, Ray, Versine16};
 use crate::vec3::Vec3;
 
-/// A unit direction of 30 fraction bits and the length it had.
+/// Unit direction with 30 fraction bits, and its distance.
 #[derive(Clone, Copy, Debug)]
 pub struct FineRay16 {
     direction: Vec3<i32>,
-    /// How many bits the largest component of the way had.
+    /// Bit length of the offset's largest component before scaling.
     bits: i32,
     /// `|W|^2 / 2^32`.
     squared: u32,
@@ -23,7 +24,7 @@ pub struct FineRay16 {
     reciprocal: u32,
 }
 
-/// A sum of squares over 2^32, of components with a sign.
+/// Returns `|2^shift vector|^2 / 2^32` of a vector with signed components.
 #[inline]
 fn squared_length(vector: Vec3<i32>, shift: u32) -> u32 {
     let squares = vector.map(|c| high_square(c.unsigned_abs() << shift));
@@ -31,12 +32,14 @@ fn squared_length(vector: Vec3<i32>, shift: u32) -> u32 {
 }
 
 impl FineRay16 {
-    /// The ray of a way whose largest component has 31 bits, and had so many; `estimate` is `2^46 / |W|` within 2.4e-4. The
-    /// components of the direction are within 6 units and its length within 3e-8.
+    /// Normalises an offset whose largest component has 31 bits, scaled from `bits` bits.
+    ///
+    /// `estimate` is `2^46 / |W|` with a relative error of at most 2.4e-4. The components of the
+    /// direction are within 6 units, and its length is within 3e-8.
     #[inline(always)] // `spot-inverted-power-lambert` on Cortex-M0: +5 without.
     pub(super) fn new(way: Vec3<i32>, estimate: u32, bits: u32) -> Self {
         let nearly = way.map(|c| signed_high_product(c, estimate));
-        // What the squared length is over one is `x`, and `1 / sqrt(1 + x) = 1 - x / 2 + 3/8 x^2`.
+        // The squared length is `1 + x`, and `1 / sqrt(1 + x) = 1 - x / 2 + 3/8 x^2`.
         let over = squared_length(nearly, 1).wrapping_sub(1 << 30) as i32;
         let coarse = over >> 4;
         let excess = ((over >> 1) - 3 * (coarse.wrapping_mul(coarse) >> 25)) >> 4;
@@ -48,7 +51,7 @@ impl FineRay16 {
         }
     }
 
-    /// `|W|`.
+    /// Returns `|W|`.
     #[inline]
     fn length(&self) -> u32 {
         high_half(self.squared, self.reciprocal) << 3
@@ -72,7 +75,7 @@ impl Ray<Fx16> for FineRay16 {
     #[inline]
     fn versine(&self, axis: Vec3<Fx32>, ramp: Ramp16) -> Versine16 {
         let difference = self.direction.zip(axis, |d, s| d.wrapping_sub(s.to_bits()));
-        // As in the coarse one: inside the cone the squares of what passes have a sum of 30 bits.
+        // As in the coarse evaluation: inside the cone the sum of the accepted squares has 30 bits.
         if offset::size(difference) >> (31 - ramp.zoom) != 0 {
             return Versine16::MAX;
         }
@@ -84,7 +87,8 @@ impl Ray<Fx16> for FineRay16 {
         ramp.rise_finely(self.versine(axis, ramp))
     }
 
-    /// From the normal: the facing has too few bits. Wraps for normals of more than unit length, which leaves it defined.
+    /// Computed from the normal, because `facing` has too few bits. Wraps for normals longer than
+    /// 1, which is defined behaviour.
     #[inline]
     fn cosine(&self, _: i32, normal: Vec3<Fx16>) -> Fine16 {
         let products = self.direction.zip(normal, |d, n| {
@@ -107,7 +111,8 @@ impl Ray<Fx16> for FineRay16 {
 
     #[inline]
     fn expose(&self, share: Fine16, gain: Gain16) -> Light16 {
-        // Of 26 bits and more, and the product of 16 and more where the light is not far below a code.
+        // `here` has at least 26 bits. Its product with the share has at least 16 bits, unless the
+        // light is far below one linear code.
         let here = high_half(high_square(self.reciprocal), gain.mantissa);
         Light16::shifted(high_half(share.0, here), gain.shift + 2 * self.bits - 51)
     }

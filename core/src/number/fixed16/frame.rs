@@ -1,4 +1,4 @@
-//! The way from a point to its place on the square, in 16 bits.
+//! Projection of a point onto the square, in 16 bits.
 
 use super::{offset::Offset16, product::signed_high_product};
 use crate::{
@@ -10,29 +10,32 @@ use crate::{
     vec3::Vec3,
 };
 
-/// The fraction bits of a frame's vectors: an offset of 17 bits leaves no more.
+/// Number of fraction bits of a frame's vectors; an offset of 17 bits leaves no room for more.
 const BITS: u32 = 13;
 
-/// What is less far along the axis is more than 88 degrees off it, and the corners of the widest square are 83.
+/// Bit length up to which a depth counts as behind the light.
+///
+/// Such a point is more than 88 degrees off the axis; the corners of the widest square are at 83
+/// degrees.
 const LEAST_BITS: u32 = 24;
 
 /// One of a frame's vectors.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 struct Vector {
     parts: Vec3<i32>,
-    /// Half the sum of the parts: what the bits amount to on average that an offset has lost.
+    /// Half the sum of the components: the mean contribution of the bits truncated from an offset.
     half: i32,
 }
 
-/// A frame about the axis of a light.
+/// Frame of a projection about the axis of a light.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Frame16 {
     right: Vector,
     down: Vector,
     axis: Vector,
-    /// Where the axis meets the square.
+    /// Coordinates of the axis on the square.
     center: [i32; 2],
-    /// `2^(shift + 8)` over a side at a depth of one, of 16 bits.
+    /// `2^(shift + 8)` over the side of the square at a depth of one; 16 bits.
     scale: u32,
     shift: u32,
 }
@@ -47,13 +50,13 @@ impl Vector {
         Self { parts, half: (parts.x + parts.y + parts.z) >> 1 }
     }
 
-    /// The inner product with a unit vector.
+    /// Returns the inner product with a unit vector.
     fn along(self, unit: Vec3<f32>) -> f64 {
         let products = self.parts.zip(unit, |part, unit| f64::from(part) * f64::from(unit));
         (products.x + products.y + products.z) / f64::from(1 << BITS)
     }
 
-    /// The inner product with an offset of 17 bits: at most 31 bits and a sign.
+    /// Returns the inner product with an offset of 17 bits: at most 31 bits and a sign.
     #[inline]
     fn part(&self, way: Vec3<i32>) -> i32 {
         let products = self.parts.zip(way, i32::wrapping_mul);
@@ -62,7 +65,7 @@ impl Vector {
 }
 
 impl Frame16 {
-    /// The frame of these bits, in the order of the fields.
+    /// Restores a frame from its bits, in the order of the fields.
     pub const fn from_bits(bits: [i32; 16]) -> Self {
         let [a, b, c, d, e, f, g, h, i, j, k, l, column, row, scale, shift] = bits;
         Self {
@@ -75,7 +78,7 @@ impl Frame16 {
         }
     }
 
-    /// The bits, in the order of the fields.
+    /// Returns the bits, in the order of the fields.
     pub const fn to_bits(self) -> [i32; 16] {
         let Self { right, down, axis, center: [column, row], scale, shift } = self;
         let [Vec3 { x: a, y: b, z: c }, Vec3 { x: e, y: f, z: g }] = [right.parts, down.parts];
@@ -84,9 +87,11 @@ impl Frame16 {
         [a, b, c, right.half, e, f, g, down.half, i, j, k, axis.half, column, row, scale, shift]
     }
 
-    /// The frame of three unit vectors and the tangent of half a side. What rounding makes of them would turn the
-    /// square: what it makes a vector lean along the axis is taken off the centre, and how long it makes the axis is
-    /// put on the scale.
+    /// Builds the frame from three unit vectors and the tangent of half a side.
+    ///
+    /// Rounding turns and stretches the vectors, which would move the square. The centre is
+    /// corrected by the component of each rounded vector along the axis, and the scale by the
+    /// length of the rounded axis.
     pub(super) fn new([right, down, axis]: [Vec3<f32>; 3], tangent: f32) -> Self {
         let vectors = [right, down, axis].map(Vector::new);
         let length = vectors[2].along(axis);
@@ -117,7 +122,7 @@ impl Frame16 {
         let z = depth as u32;
         let more = root::ilog2_of_seven_bits(z >> LEAST_BITS);
         let inverse = reciprocal::inverse_16(z >> (more + LEAST_BITS + 1 - 16));
-        // At most 17 and 16 bits, and 16 of their product.
+        // The factors have at most 17 and 16 bits; 16 bits of their product are kept.
         let factor = (inverse * self.scale + (1 << 15)) >> 16;
         let shift = (self.shift + more) % u32::BITS;
         let step = |across: Vector, center: i32| {

@@ -1,15 +1,17 @@
-//! Powers and mirrors of 16 bits, in 32-bit products.
+//! Powers and reflections in 16 bits, with 32-bit products.
 
 use crate::number::{Fx16, Fx32, Versine16, raised};
 use crate::vec3::Vec3;
 
-/// What the product of two fractions lacks of one, from what each of them lacks, with 32 fraction bits.
+/// Returns `1 - x y` from `a = 1 - x` and `b = 1 - y`, with 32 fraction bits.
 #[inline]
 fn lack_of_product(a: u32, b: u32) -> u32 {
     a.saturating_add(b - (a >> 16) * (b >> 16))
 }
 
-/// `(1 - versine)^exponent`: what the cosine lacks of one keeps its leading bits where the cosine would have lost them.
+/// Returns `(1 - versine)^exponent`.
+///
+/// Computed with `1 - cosine`, whose leading bits near the axis the cosine would lose.
 #[inline]
 pub(super) fn power(versine: Versine16, exponent: u32) -> Fx16 {
     let lack = raised(0, versine.to_bits().saturating_mul(8), exponent, lack_of_product);
@@ -17,7 +19,8 @@ pub(super) fn power(versine: Versine16, exponent: u32) -> Fx16 {
     Fx16::from_bits(((1 << 14) - lack) as i16)
 }
 
-/// `d - 2 (d.n) n`. Wraps for what is not of unit length, which leaves it defined.
+/// Returns `d - 2 (d.n) n`. Wraps for vectors that are not of unit length, which is defined
+/// behaviour.
 #[inline]
 pub(super) fn mirror(direction: Vec3<Fx32>, normal: Vec3<Fx16>) -> Vec3<Fx32> {
     let products =
@@ -29,7 +32,9 @@ pub(super) fn mirror(direction: Vec3<Fx32>, normal: Vec3<Fx16>) -> Vec3<Fx32> {
     })
 }
 
-/// The cosine of the angle of incidence. Wraps for what is not of unit length, which leaves it defined.
+/// Returns the cosine of the angle of incidence.
+///
+/// Wraps for vectors that are not of unit length, which is defined behaviour.
 #[inline]
 pub(super) fn incidence(direction: Vec3<Fx32>, normal: Vec3<Fx16>) -> Fx16 {
     let products =

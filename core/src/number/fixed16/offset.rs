@@ -1,6 +1,7 @@
-//! The way from a light to a point in 16 bits, and what is known of it once the root is paid for.
+//! Offset from a light to a point in 16 bits, and its direction and length.
 //!
-//! In the comments `v` is the way scaled until its largest component has 15 bits, and `|v|` its length.
+//! In the comments `v` is the offset, scaled until its largest component has 15 bits, and `|v|` is
+//! its length.
 
 use super::{Ramp16, factor, fine_ray::FineRay16, product::high_product};
 use crate::number::{
@@ -9,28 +10,33 @@ use crate::number::{
 };
 use crate::vec3::Vec3;
 
-/// How many bits of an offset are multiplied with the reciprocal of its length. The product has 31 in all: the offset
-/// gets more of them, because its error turns the direction while the reciprocal's only shortens it.
+/// Number of offset bits that are multiplied by the reciprocal length.
+///
+/// The product has 31 bits in all. The offset gets the larger share, because its error turns the
+/// direction, while the reciprocal's error only shortens it.
 const WAY_BITS: u32 = 17;
 
-/// What a direction is given for the bits that were cut off, half a unit on average: half the reciprocal, which is between
-/// 2,365 and 8,192. Of what lies between, this was measured to leave the least error.
+/// Rounding bias added to a direction for the truncated bits, which average half a unit.
+///
+/// The ideal is half the reciprocal, which is between 2,365 and 8,192. Of the values between, this
+/// one had the smallest error (measured).
 const CUT_OFF: i32 = 6_144;
 
-/// How many bits are enough for everything but a direction.
+/// Number of offset bits used for everything except the direction.
 const COARSE_BITS: u32 = 15;
 
-/// The way from a light to a point. The largest component has at least 17 bits, if there is any way at all.
+/// Offset from a light to a point. The largest component has at least 17 bits unless the offset is
+/// zero.
 #[derive(Clone, Copy, Debug)]
 pub struct Offset16 {
     way: Vec3<i32>,
-    /// Takes the largest component to 17 bits.
+    /// Right shift that brings the largest component to 17 bits.
     shift: u32,
-    /// How many bits the largest component had before a short way was scaled up.
+    /// Bit length of the largest component before a short offset was scaled up.
     bits: u32,
 }
 
-/// A unit direction and the reciprocal of its former length.
+/// Unit direction and reciprocal distance.
 #[derive(Clone, Copy, Debug)]
 pub struct Ray16 {
     direction: Vec3<i32>,
@@ -40,7 +46,9 @@ pub struct Ray16 {
     reciprocal: u32,
 }
 
-/// A number with as many bits as the largest component has: negative ones count up from -1.
+/// Returns a number with the bit length of the largest component.
+///
+/// A negative component `c` counts as `-1 - c`.
 #[inline]
 pub(super) fn size(way: Vec3<i32>) -> u32 {
     let magnitudes = way.map(|c| (c ^ (c >> 31)) as u32);
@@ -48,7 +56,7 @@ pub(super) fn size(way: Vec3<i32>) -> u32 {
 }
 
 impl Offset16 {
-    /// The way from a light to a point.
+    /// Returns the offset from a light to a point.
     #[inline]
     pub(super) fn between(light: Vec3<Length>, point: Vec3<Length>) -> Self {
         let way = point.zip(light, |p, l| p.to_bits().wrapping_sub(l.to_bits()));
@@ -64,23 +72,25 @@ impl Offset16 {
         Self::scaled(way, root::ilog2_of_seven_bits(size >> WAY_BITS) + 1)
     }
 
-    /// A way that has so many bits more than 17.
+    /// Returns an offset whose bit length is `more + 17`.
     #[inline]
     fn scaled(way: Vec3<i32>, more: u32) -> Self {
-        // At most 14 more: the compiler cannot know.
+        // `more` is at most 14; the mask tells the compiler.
         let shift = more & 15;
         Self { way, shift, bits: shift + WAY_BITS }
     }
 
-    /// A way of this [`size`] of at most 17 bits. It is scaled up, so that there are bits for a direction.
+    /// Returns an offset with this [`size`] of at most 17 bits, scaled up for a precise direction.
     #[inline]
     fn near(way: Vec3<i32>, size: u32) -> Self {
         let bits = root::bit_length(size);
         Self { way: way.map(|c| c << (31 - bits)), shift: 31 - WAY_BITS, bits }
     }
 
-    /// A way of more than 24 bits, halved so that 32 are enough: a light's position has at most 30 and a sign, so that a way
-    /// that wrapped round has not come back to fewer than 24.
+    /// Returns an offset of more than 24 bits, halved to fit 32 bits.
+    ///
+    /// A light's coordinate has at most 30 bits and a sign, so a wrapped difference still has more
+    /// than 24 bits and is detected.
     #[inline(always)] // `away.fx16` on Cortex-M0: +9 without.
     fn far(light: Vec3<Length>, point: Vec3<Length>) -> Self {
         let way = point.zip(light, |p, l| (p.to_bits() >> 1) - (l.to_bits() >> 1));
@@ -88,7 +98,7 @@ impl Offset16 {
         Self { way, shift, bits: bits + 1 }
     }
 
-    /// A way of any size.
+    /// Returns the offset for a vector of any size.
     pub(super) fn new(way: Vec3<i32>) -> Self {
         let size = size(way);
         if size >> WAY_BITS == 0 {
@@ -98,13 +108,15 @@ impl Offset16 {
         }
     }
 
-    /// The way with its largest component of 17 bits, rounded down.
+    /// Returns the offset with a largest component of 17 bits, rounded down.
     #[inline]
     pub(super) fn fine(&self) -> Vec3<i32> {
         self.way.map(|c| c >> self.shift)
     }
 
-    /// A part of the way, of 13 bits more than [`fine`](Self::fine), as a length; saturates.
+    /// Converts a component of the offset to a length; saturates.
+    ///
+    /// The component has 13 bits more than [`fine`](Self::fine).
     #[inline]
     pub(super) fn length_of(&self, part: i32) -> Length {
         const BITS: u32 = WAY_BITS + 13;
@@ -115,20 +127,21 @@ impl Offset16 {
         })
     }
 
-    /// The way with its largest component of 31 bits: all that it has.
+    /// Returns the offset with a largest component of 31 bits: its full precision.
     #[inline]
     fn whole(&self) -> Vec3<i32> {
         self.way.map(|c| c << (31 - WAY_BITS - self.shift))
     }
 
-    /// `v`.
+    /// Returns `v`.
     #[inline]
     fn coarse(&self) -> Vec3<i32> {
         self.way.map(|c| c >> (self.shift + WAY_BITS - COARSE_BITS))
     }
 
-    /// `|v|^2`: three squares of 15 bits and a sign fit 32. Computed where it is needed, for a surface that faces away
-    /// has no need of it.
+    /// Returns `|v|^2`: the sum of three squares of 15 bits and a sign fits 32 bits.
+    ///
+    /// Computed on demand, because a surface that faces away does not need it.
     #[inline]
     fn squared(&self) -> u32 {
         let squares = self.coarse().map(|c| (c * c) as u32);
@@ -139,8 +152,9 @@ impl Offset16 {
 impl Offset<Fx16> for Offset16 {
     type Ray = Ray16;
     type FineRay = FineRay16;
-    /// In steps of 2^-14 of `|v|`, less than zero where the surface faces the light. Wraps for normals that are longer than
-    /// 1.15, which leaves it defined.
+    /// `n.v` in steps of 2^-14 of `|v|`: negative if the surface faces the light.
+    ///
+    /// Wraps for normals longer than 1.15, which is defined behaviour.
     type Facing = i32;
 
     #[inline(always)] // `spot-step-lambert` on Cortex-M0: +9 without.
@@ -156,7 +170,7 @@ impl Offset<Fx16> for Offset16 {
 
     #[inline]
     fn faces_far_away(facing: i32) -> bool {
-        // What was cut off of three components is less than the square root of three, for a normal of unit length.
+        // For a unit normal, the truncated bits of three components amount to less than sqrt(3).
         facing >= 7 << 12
     }
 
@@ -164,7 +178,7 @@ impl Offset<Fx16> for Offset16 {
     fn is_outside(&self, axis: Vec3<Fx32>, bound: Fx16) -> bool {
         let products = axis.zip(self.coarse(), |s, v| (s.to_bits() >> 16) * v);
         let along = products.x.wrapping_add(products.y).wrapping_add(products.z) >> 14;
-        // The axis has unit length, so that 16 bits hold the part of |v| along it.
+        // The axis has unit length, so 16 bits hold the component of `v` along it.
         let along = along.max(0) as u32;
         let bound = u32::from(bound.to_bits().max(0) as u16);
         along.wrapping_mul(along) < (self.squared() >> 14).wrapping_mul(bound)
@@ -193,8 +207,9 @@ impl Offset<Fx16> for Offset16 {
         FineRay16::new(self.whole(), root::inverse_sqrt_16(self.squared()), self.bits)
     }
 
-    /// `fine_below` is a number of bits and, in its lower 26, the squared length of a way with as many: a way with
-    /// more cannot be shorter, one of fewer by two is for certain.
+    /// `fine_below` encodes a bit length and, in its lower 26 bits, the squared length of an offset
+    /// with this bit length. An offset with more bits is longer; one with at least two bits fewer
+    /// is always shorter.
     #[inline]
     fn is_near(&self, fine_below: u32) -> bool {
         let fewer = (fine_below >> 26).wrapping_sub(self.bits);
@@ -230,7 +245,8 @@ impl Ray<Fx16> for Ray16 {
 
     #[inline]
     fn cosine(&self, facing: i32, _: Vec3<Fx16>) -> Fraction16 {
-        // The product is the length of the normal in steps of 2^-31, and wraps beyond two of it.
+        // The product is at most the length of the normal in units of 2^-31. It wraps if that
+        // length exceeds 2.
         let along = facing.min(0).unsigned_abs() >> 13;
         Fraction16((along.wrapping_mul(self.reciprocal) >> 16).min(1 << 15))
     }

@@ -3,38 +3,42 @@
 use super::{fine::Fine16, product::high_half};
 use crate::number::{Fx16, Rise, Versine16, fraction::Fraction16, rounded};
 
-/// The largest zoom of a ramp: one more would ask for bits that a direction does not have.
+/// The largest zoom of a ramp: a larger one would need more bits than a direction has.
 pub(super) const MOST_ZOOM: u32 = 15;
 
-/// A ramp: from what a versine has over the inner one to `t`.
+/// A ramp: maps the excess of a versine over the inner one to `t`.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Ramp16 {
-    /// Powers of four by which the versines of this ramp are magnified.
+    /// The versines of this ramp are scaled by `4^zoom`.
     pub(super) zoom: u32,
-    /// Up to here there is all the light.
+    /// Inner versine: up to it the intensity is full.
     inner: u32,
-    /// So far from the inner versine on there is none: at the outer versine, or at that of a tighter cutoff.
+    /// Excess over the inner versine from which on the intensity is zero: at the outer versine, or
+    /// at that of a tighter cutoff.
     width: u32,
-    /// Takes the span from inner to outer versine to at most 16 bits.
+    /// Right shift that brings the span from inner to outer versine to at most 16 bits.
     shift: u32,
     /// `2^31` over the shifted span.
     mantissa: u32,
-    /// One with 31 fraction bits, half a step of the result, less half of what a shifted versine has lost: what the
-    /// product is taken from, and all roundings, in one subtraction.
+    /// Minuend of the product, which includes all roundings in one subtraction.
+    ///
+    /// It is 1 with 31 fraction bits, plus half a step of the result, less half the truncation of a
+    /// shifted versine.
     one: u32,
-    /// The width of a ramp that is always evaluated finely, so that its `width` is 0; 0 for any other.
+    /// The width of a ramp that is always evaluated finely, whose `width` is 0; 0 for any other.
     fine: u32,
-    /// How many bits the span has.
+    /// Bit length of the span.
     fine_shift: u32,
-    /// `2^63` over the span, which is shifted to 32 bits for that.
+    /// `2^63` over the span, which is first shifted to 32 bits.
     fine_mantissa: u32,
 }
 
 impl Ramp16 {
-    /// The ramp of these bits, in the order of the fields. Those that no ramp has are brought to where every versine has a
-    /// place.
+    /// Restores a ramp from its bits, in the order of the fields.
+    ///
+    /// Invalid values are replaced, so that every versine has a position in `[0, 1]` on the ramp.
     pub const fn from_bits(bits: [u32; 9]) -> Self {
-        /// Beyond this a versine at the inner one would be more than one.
+        /// Largest value for which a versine at the inner one gives at most 1.
         const MOST: u32 = (1 << 31) + (1 << 16) - 1;
         let [zoom, inner, width, shift, mantissa, one, fine, fine_shift, fine_mantissa] = bits;
         let width = if fine == 0 { width } else { 0 };
@@ -54,72 +58,74 @@ impl Ramp16 {
         }
     }
 
-    /// The bits, in the order of the fields.
+    /// Returns the bits, in the order of the fields.
     pub const fn to_bits(self) -> [u32; 9] {
         let Self { zoom, inner, width, shift, mantissa, one, fine, fine_shift, fine_mantissa } = self;
         [zoom, inner, width, shift, mantissa, one, fine, fine_shift, fine_mantissa]
     }
 
-    /// The ramp between two versines, cut off at a limit.
+    /// Builds the ramp between two versines, cut off at a limit.
     pub(super) fn new(inner: f32, outer: f32, limit: f32) -> Self {
-        // Two is the square of the largest component that `versine_between` lets pass. Beyond the limit none has to.
+        // The scaled limit is at most 2, the square of the largest component that `versine_between`
+        // accepts. Larger components are beyond the limit anyway.
         let limit = if limit < outer { limit } else { outer };
         let zoom = zoom(limit);
         let [inner, limit] = [inner, limit].map(|versine| magnified(versine, zoom).to_bits());
         let outer = (outer * (1_u64 << (29 + 2 * zoom)) as f32 + 0.5) as u64;
         let span = outer.saturating_sub(inner.into()).max(1);
         let shift = (u64::BITS - span.leading_zeros()).saturating_sub(16).min(31);
-        // The whole span divides, not the shifted one: what the shift loses would be an error of the slope.
+        // Divides by the whole span, not the shifted one: the bits lost by the shift would change
+        // the slope.
         let mantissa = (((1 << (31 + shift)) + span / 2) / span) as u32;
         let width = limit.saturating_sub(inner);
         let one = (1 << 31) + (1 << 15) - (mantissa - (mantissa >> shift)) / 2;
-        // The last versine short of the limit must not be taken below zero.
+        // The last versine before the limit must not give a negative value.
         let one = one.max((width.saturating_sub(1) >> shift) * mantissa);
-        // Of the whole span, too: `divisor 2^(fine_shift - 32)`.
+        // Also from the whole span, which is `divisor 2^(fine_shift - 32)`.
         let fine_shift = u64::BITS - span.leading_zeros();
-        // The upper bit is set already: the compiler cannot know.
+        // The upper bit is set already; the `|` tells the compiler.
         let divisor = (span << span.leading_zeros()) >> 32 | 1 << 31;
         let fine_mantissa = ((1 << 63) / divisor).min(u32::MAX.into()) as u32;
         let inner = inner.min(limit);
         Self { zoom, inner, width, shift, mantissa, one, fine: 0, fine_shift, fine_mantissa }
     }
 
-    /// The same ramp, always evaluated finely.
+    /// Returns the same ramp, always evaluated finely.
     pub(super) fn into_fine(self) -> Self {
         Self { width: 0, fine: self.width, ..self }
     }
 
-    /// Where a versine stands on the ramp.
+    /// Returns the position of a versine on the ramp.
     #[inline]
     pub(super) fn rise(self, versine: Versine16) -> Rise<Fx16> {
         match self.within(versine) {
             Some(t) => Rise::Coarse(t),
-            // No versine is within a fine ramp.
+            // `within` returns none for a fine ramp, whose width is 0.
             None if self.fine > 0 => Rise::Fine(self.rise_finely(versine)),
             None => Rise::Coarse(self.end(versine)),
         }
     }
 
-    /// Where it stands on a ramp that is not always fine.
+    /// Returns the position on a ramp that is not always fine.
     #[inline]
     pub(super) fn rise_coarsely(self, versine: Versine16) -> Fraction16 {
         self.within(versine).unwrap_or_else(|| self.end(versine))
     }
 
-    /// Where it stands between the ends.
+    /// Returns the position between the ends, or none outside.
     #[inline]
     fn within(self, versine: Versine16) -> Option<Fraction16> {
         let past = versine.to_bits().wrapping_sub(self.inner);
         (past < self.width).then(|| Fraction16((self.one - (past >> self.shift) * self.mantissa) >> 16))
     }
 
-    /// Where it stands at or beyond one of them.
+    /// Returns the position at or beyond an end.
     #[inline]
     fn end(self, versine: Versine16) -> Fraction16 {
         Fraction16(if versine.to_bits() < self.inner { 1 << 15 } else { 0 })
     }
 
-    /// Where a versine stands on the ramp, with all bits that it has.
+    /// Returns the position of a versine on the ramp, with full precision.
     #[inline(always)] // `spot-soft` on Cortex-M0: +21 without.
     pub(super) fn rise_finely(self, versine: Versine16) -> Fine16 {
         let versine = versine.to_bits();
@@ -136,12 +142,12 @@ impl Ramp16 {
     }
 }
 
-/// The zoom of a ramp that ends at this versine.
+/// Returns the zoom of a ramp that ends at this versine.
 pub(super) fn zoom(limit: f32) -> u32 {
     (1..=MOST_ZOOM).take_while(|&zoom| magnified(limit, zoom).to_bits() <= 2 << 29).last().unwrap_or(0)
 }
 
-/// The nearest versine times `4^zoom`, saturating; NaN becomes zero.
+/// Returns the nearest versine times `4^zoom`; saturates, and NaN becomes zero.
 pub(super) fn magnified(value: f32, zoom: u32) -> Versine16 {
     Versine16::from_bits(rounded(value * (1_u64 << (29 + 2 * zoom)) as f32) as u32)
 }

@@ -1,4 +1,4 @@
-//! The way from a point to its place on the square, in 32 bits.
+//! Projection of a point onto the square, in 32 bits.
 
 use super::{offset::Offset32, wide};
 use crate::number::{Fx32, Length};
@@ -11,28 +11,32 @@ use crate::{
     vec3::Vec3,
 };
 
-/// What is less far along the axis is more than 88 degrees off it, and the corners of the widest square are 83.
+/// Bit length up to which a depth counts as behind the light.
+///
+/// Such a point is more than 88 degrees off the axis; the corners of the widest square are at 83
+/// degrees.
 const LEAST_BITS: u32 = 54;
 
-/// How many fraction bits a step has until it is rounded down.
+/// Number of fraction bits of a coordinate step before it is rounded down.
 const FINE: u32 = 8;
 
-/// A frame about the axis of a light.
+/// Frame of a projection about the axis of a light.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Frame32 {
     right: Vec3<i32>,
     down: Vec3<i32>,
     axis: Vec3<i32>,
-    /// Where the axis meets the square, in steps of a place that have [`FINE`] fraction bits.
+    /// Coordinates of the axis on the square, in steps with [`FINE`] fraction bits.
     center: [i32; 2],
-    /// `2^(shift + 2)` over a side at a depth of one, of 28 bits.
+    /// `2^(shift + 2)` over the side of the square at a depth of one; 28 bits.
     scale: u32,
     shift: u32,
 }
 
 impl Frame32 {
-    /// The frame of these bits, in the order of the fields. Components of more than one are none of a frame: they count as
-    /// one.
+    /// Restores a frame from its bits, in the order of the fields.
+    ///
+    /// Components are clamped to `[-1, 1]`, the range of a valid frame.
     pub const fn from_bits(bits: [i32; 13]) -> Self {
         let [a, b, c, d, e, f, g, h, i, column, row, scale, shift] = bits;
         Self {
@@ -45,7 +49,7 @@ impl Frame32 {
         }
     }
 
-    /// The bits, in the order of the fields.
+    /// Returns the bits, in the order of the fields.
     pub const fn to_bits(self) -> [i32; 13] {
         let Self { right, down, axis, center: [column, row], scale, shift } = self;
         let [Vec3 { x: a, y: b, z: c }, Vec3 { x: d, y: e, z: f }] = [right, down];
@@ -53,8 +57,10 @@ impl Frame32 {
         [a, b, c, d, e, f, g, h, i, column, row, scale as i32, shift as i32]
     }
 
-    /// The frame of three unit vectors and the tangent of half a side. A vector across is not quite at a right angle to the
-    /// axis once it is rounded, which a narrow cone would magnify: that much is taken off the centre.
+    /// Builds the frame from three unit vectors and the tangent of half a side.
+    ///
+    /// Rounding leaves the right and down vectors not quite orthogonal to the axis, which a narrow
+    /// cone would magnify. The centre is corrected by that deviation.
     pub(super) fn new([right, down, axis]: [Vec3<f32>; 3], tangent: f32) -> Self {
         let [right, down] = [right, down].map(|across| across.map(Fx32::from_f32));
         let axis = Fx32::axis(axis);
@@ -85,7 +91,7 @@ impl Frame32 {
         let z = depth as u64;
         let bits = u64::BITS - z.leading_zeros();
         let inverse = u64::from(reciprocal::inverse_28((z >> (bits - 28)) as u32));
-        // At most 29 and 28 bits, and 28 of their product.
+        // The factors have at most 29 and 28 bits; 28 bits of their product are kept.
         let factor = (inverse * u64::from(self.scale) + (1 << 27)) >> 28;
         let shift = (self.shift + bits - LEAST_BITS - 1) % u64::BITS;
         let step = |across, center: i32| {
@@ -102,7 +108,7 @@ impl Frame32 {
 }
 
 impl Offset32 {
-    /// A part of the way, of 60 fraction bits as it is scaled, as a length; saturates.
+    /// Converts a component of the scaled offset, with 60 fraction bits, to a length; saturates.
     #[inline]
     fn length_of(&self, part: i64) -> Length {
         let doubled = part >> (59 - self.bits);
@@ -110,21 +116,21 @@ impl Offset32 {
     }
 }
 
-/// Half the inner product with an offset: at most 61 bits and a sign for a vector of unit length.
+/// Returns half the inner product with an offset: at most 61 bits and a sign for a unit vector.
 #[inline]
 fn part(vector: Vec3<i32>, way: Vec3<i32>) -> i64 {
     let products = vector.zip(way, |a, b| wide(a, b) >> 1);
     products.x + products.y + products.z
 }
 
-/// `a b / 2^32` for b of 28 bits, rounded down.
+/// Returns `a b / 2^32` for `b` of 28 bits, rounded down.
 #[inline]
 fn signed_high_product(a: i64, b: u64) -> i64 {
     let low = ((a as u64 & 0xffff_ffff) * b) >> 32;
     (a >> 32) * b as i64 + low as i64
 }
 
-/// A component of 30 fraction bits, clamped to [-1, 1].
+/// Clamps a component with 30 fraction bits to `[-1, 1]`.
 const fn within_one(component: i32) -> i32 {
     const ONE: i32 = 1 << 30;
     if component > ONE {

@@ -1,4 +1,4 @@
-//! Powers and mirrors of 32 bits, in 64-bit products.
+//! Powers and reflections in 32 bits, with 64-bit products.
 
 use super::wide;
 use crate::number::{Fx32, Versine32, raised};
@@ -7,13 +7,15 @@ use crate::vec3::Vec3;
 /// One, with 62 fraction bits.
 const ONE: u64 = 1 << 62;
 
-/// What the product of two fractions lacks of one, from what each of them lacks, with 62 fraction bits.
+/// Returns `1 - x y` from `a = 1 - x` and `b = 1 - y`, with 62 fraction bits.
 #[inline]
 fn lack_of_product(a: u64, b: u64) -> u64 {
     (a + b - (a >> 31) * (b >> 31)).min(ONE)
 }
 
-/// `(1 - versine)^exponent`: what the cosine lacks of one keeps its leading bits where the cosine would have lost them.
+/// Returns `(1 - versine)^exponent`.
+///
+/// Computed with `1 - cosine`, whose leading bits near the axis the cosine would lose.
 #[inline]
 pub(super) fn power(versine: Versine32, exponent: u32) -> Fx32 {
     let lack = raised(0, versine.to_bits().min(ONE / 2) * 2, exponent, lack_of_product);
@@ -21,14 +23,15 @@ pub(super) fn power(versine: Versine32, exponent: u32) -> Fx32 {
     Fx32::from_bits(((1 << 30) - lack) as i32)
 }
 
-/// The inner product, with 58 fraction bits.
+/// Returns the inner product, with 58 fraction bits.
 #[inline]
 fn inner(direction: Vec3<Fx32>, normal: Vec3<Fx32>) -> i64 {
     let products = direction.zip(normal, |d, n| wide(d.to_bits(), n.to_bits()) >> 2);
     products.x + products.y + products.z
 }
 
-/// `d - 2 (d.n) n`. Wraps for what is not of unit length, which leaves it defined.
+/// Returns `d - 2 (d.n) n`. Wraps for vectors that are not of unit length, which is defined
+/// behaviour.
 #[inline]
 pub(super) fn mirror(direction: Vec3<Fx32>, normal: Vec3<Fx32>) -> Vec3<Fx32> {
     let cosine = (inner(direction, normal) + (1 << 27)) >> 28;
@@ -38,7 +41,7 @@ pub(super) fn mirror(direction: Vec3<Fx32>, normal: Vec3<Fx32>) -> Vec3<Fx32> {
     })
 }
 
-/// The cosine of the angle of incidence.
+/// Returns the cosine of the angle of incidence.
 #[inline]
 pub(super) fn incidence(direction: Vec3<Fx32>, normal: Vec3<Fx32>) -> Fx32 {
     let cosine = ((1 << 27) - inner(direction, normal)) >> 28;

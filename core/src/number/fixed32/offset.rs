@@ -1,4 +1,4 @@
-//! The way from a light to a point in 32 bits, and what is known of it once the root is paid for.
+//! Offset from a light to a point in 32 bits, and its direction and length.
 //!
 //! In the comments `|v|` is the length of the scaled offset, whose largest component has 31 bits.
 
@@ -8,15 +8,15 @@ use crate::number::{
 };
 use crate::vec3::Vec3;
 
-/// The way from a light to a point, scaled until its largest component has 31 bits.
+/// Offset from a light to a point, scaled until its largest component has 31 bits.
 #[derive(Clone, Copy, Debug)]
 pub struct Offset32 {
     pub(super) way: Vec3<i32>,
-    /// Bits of the largest component before scaling, at least 1.
+    /// Bit length of the largest component before scaling, at least 1.
     pub(super) bits: u32,
 }
 
-/// A unit direction and the reciprocal of its former length.
+/// Unit direction and reciprocal distance.
 #[derive(Clone, Copy, Debug)]
 pub struct Ray32 {
     direction: Vec3<i32>,
@@ -26,7 +26,7 @@ pub struct Ray32 {
     reciprocal: u64,
 }
 
-/// The inner product of a vector and a way. Wraps where the vector is longer than 1.15.
+/// Returns the inner product of a vector and an offset. Wraps if the vector is longer than 1.15.
 #[inline]
 fn inner_product(vector: Vec3<Fx32>, way: Vec3<i32>) -> i64 {
     let products = vector.zip(way, |a, b| wide(a.to_bits(), b));
@@ -34,7 +34,7 @@ fn inner_product(vector: Vec3<Fx32>, way: Vec3<i32>) -> i64 {
 }
 
 impl Offset32 {
-    /// The way from a light to a point.
+    /// Returns the offset from a light to a point.
     #[inline]
     pub(super) fn between(light: Vec3<Length>, point: Vec3<Length>) -> Self {
         let [p, l] = [point, light].map(|place| place.map(Length::to_bits));
@@ -48,7 +48,7 @@ impl Offset32 {
         Self { way, bits: bits + 1 }
     }
 
-    /// A way of any size.
+    /// Returns the offset for a vector of any size.
     #[inline]
     pub(super) fn new(way: Vec3<i32>) -> Self {
         let magnitudes = way.map(|c| (c ^ (c >> 31)) as u32);
@@ -56,7 +56,7 @@ impl Offset32 {
         Self { way: way.map(|c| c << (31 - bits)), bits }
     }
 
-    /// `|v|^2`. Computed where it is needed, for a surface that faces away has no need of it.
+    /// Returns `|v|^2`. Computed on demand, because a surface that faces away does not need it.
     #[inline]
     fn squared(&self) -> u64 {
         let squares = self.way.map(square);
@@ -67,7 +67,7 @@ impl Offset32 {
 impl Offset<Fx32> for Offset32 {
     type Ray = Ray32;
     type FineRay = Ray32;
-    /// In steps of 2^-30 of `|v|`. Wraps for normals that are longer than 1.15, which leaves it defined.
+    /// In steps of 2^-30 of `|v|`. Wraps for normals longer than 1.15, which is defined behaviour.
     type Facing = i64;
 
     #[inline]
@@ -142,8 +142,8 @@ impl Ray<Fx32> for Ray32 {
 
     #[inline]
     fn cosine(&self, facing: i64, _: Vec3<Fx32>) -> Fraction32 {
-        // The product is the length of the normal in steps of 2^-61: of at most 64 bits, also where the facing has wrapped,
-        // for then `|v|` is over `2^31`.
+        // The product is at most the length of the normal in units of 2^-61. It fits 64 bits, even
+        // if the facing has wrapped, because then `|v| > 2^31`.
         let cosine = ((facing.max(0) as u64 >> 31) * self.reciprocal) >> 30;
         Fraction32(cosine.min(1 << 31) as u32)
     }

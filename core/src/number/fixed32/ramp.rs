@@ -2,33 +2,38 @@
 
 use crate::number::{Versine32, fraction::Fraction32, rounded};
 
-/// A versine of no more than this is one on the axis: each component of a direction, of the axis as of the way to a
-/// point, is within a unit in the last place of the exact one, so that two of the same direction are at most 2 units
-/// apart in each.
+/// Largest versine that counts as zero, that is, as on the axis.
+///
+/// Each component of a direction, whether of the axis or to a point, is within one unit in the last
+/// place of the exact one. So two computed values of the same direction differ by at most 2 units
+/// per component.
 const ON_AXIS: u64 = 3 * 2 * 2;
 
-/// A ramp: from the gap between a versine and the outer one to `t`.
+/// A ramp: maps the gap between a versine and the outer one to `t`.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Ramp32 {
-    /// From here on there is no light: the outer versine, or that of a tighter cutoff.
+    /// The intensity is zero from here on: the outer versine, or that of a tighter cutoff.
     limit: u64,
     outer: u64,
-    /// From here on inwards there is all the light: the inner versine, or [`ON_AXIS`].
+    /// The intensity is full from here inwards: the inner versine, or [`ON_AXIS`].
     inner: u64,
     span: u64,
-    /// Takes the span to at most 32 bits.
+    /// Right shift that brings the span to at most 32 bits.
     shift: u32,
     /// `2^63` over the shifted span.
     mantissa: u64,
-    /// Half a unit of what a shifted gap has lost, and half a step of the result: both roundings in one addition.
+    /// Half the truncation of a shifted gap, plus half a step of the result: both roundings in one
+    /// addition.
     half: u64,
 }
 
 impl Ramp32 {
-    /// The ramp of these bits, in the order of the fields. Those that no ramp has are brought to where every versine has a
-    /// place.
+    /// Restores a ramp from its bits, in the order of the fields.
+    ///
+    /// Invalid values are replaced, so that every versine has a position in `[0, 1]` on the ramp.
     pub const fn from_bits([limit, outer, inner, span, shift, mantissa, half]: [u64; 7]) -> Self {
-        // What the longest product short of the span must stay within, with `half`, to be one at most.
+        // Upper bound of the largest product short of the span, plus `half`, for a result of at
+        // most 1.
         const MOST: u64 = (1 << 63) + (1 << 32) - 1;
         let shift = shift as u32 % u64::BITS;
         let steps = span.saturating_sub(1) >> shift;
@@ -37,7 +42,7 @@ impl Ramp32 {
         Self {
             limit: if limit < outer { limit } else { outer },
             outer,
-            // Beyond the span a gap would be rounded past one.
+            // A gap beyond the span would be rounded to more than 1.
             inner: if inner > outer.saturating_sub(span) { inner } else { outer.saturating_sub(span) },
             span,
             shift,
@@ -46,12 +51,12 @@ impl Ramp32 {
         }
     }
 
-    /// The bits, in the order of the fields.
+    /// Returns the bits, in the order of the fields.
     pub const fn to_bits(self) -> [u64; 7] {
         [self.limit, self.outer, self.inner, self.span, self.shift as u64, self.mantissa, self.half]
     }
 
-    /// The ramp between two versines, cut off at a limit.
+    /// Builds the ramp between two versines, cut off at a limit.
     pub(super) fn new(inner: f32, outer: f32, limit: f32) -> Self {
         let [inner, outer, limit] = [inner, outer, limit].map(|versine| nearest_versine(versine).to_bits());
         let span = outer.saturating_sub(inner);
@@ -59,13 +64,13 @@ impl Ramp32 {
         let divisor = (span >> shift).max(1);
         let mantissa = ((1 << 63) + divisor / 2) / divisor;
         let inner = inner.max(ON_AXIS);
-        // The largest gap short of the span must not be rounded past one.
+        // The largest gap short of the span must not be rounded to more than 1.
         let room = ((1 << 63) + (1 << 32) - 1) - (span.saturating_sub(1) >> shift) * mantissa;
         let half = ((mantissa - (mantissa >> shift)) / 2 + (1 << 31)).min(room);
         Self { limit: limit.min(outer), outer, inner, span, shift, mantissa, half }
     }
 
-    /// Where a versine stands on the ramp.
+    /// Returns the position of a versine on the ramp.
     #[inline]
     pub(super) fn rise(self, versine: Versine32) -> Fraction32 {
         let versine = versine.to_bits();
@@ -79,7 +84,7 @@ impl Ramp32 {
     }
 }
 
-/// The nearest versine; NaN becomes zero.
+/// Returns the nearest versine; NaN becomes zero.
 pub(super) fn nearest_versine(value: f32) -> Versine32 {
     Versine32::from_bits(rounded(value * (1_u64 << 61) as f32) as u64)
 }

@@ -1,7 +1,9 @@
-//! What both fixed formats do by the same formula, for the bits that each has.
+//! Operations with the same formula in both fixed-point formats.
 
-/// The items of `Arithmetic` that a format has in common with the other: with the integer of its scalars, and that of its
-/// light, in which products are. `lobe` and `factor` are the format's own.
+/// Defines the items of `Arithmetic` that both fixed-point formats share.
+///
+/// `wide` is the integer of the format's light, which holds the products. The modules of the
+/// formats supply `lobe` and `factor`.
 macro_rules! operations {
     (
         $bits:ident, $unsigned:ident, $wide:ident, $light:ident, $weight:ident, $gain:ident, $offset:ident, $frame:ident, $steps:ident
@@ -41,7 +43,7 @@ macro_rules! operations {
             self.saturating_sub(other)
         }
 
-        /// Exact but for one rounding at the end, so that it never falls.
+        /// Exact up to a single rounding at the end, so it is monotone.
         #[inline]
         fn smooth(self) -> Self {
             const BITS: u32 = $light::FRACTION_BITS;
@@ -79,7 +81,7 @@ macro_rules! operations {
 
         #[inline]
         fn direction_between(a: Vec3<Fx32>, b: Vec3<Fx32>) -> Vec3<Fx32> {
-            // Half the difference always fits.
+            // Half the difference always fits 32 bits.
             $offset::new(b.zip(a, |b, a| (b.to_bits() >> 1) - (a.to_bits() >> 1))).ray().direction()
         }
 

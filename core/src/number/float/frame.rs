@@ -1,22 +1,24 @@
-//! The way from a point to its place on the square, in f32.
+//! Projection of a point onto the square, in f32.
 
 use crate::{
     number::place::{ProjectedPoint, STEPS},
     vec3::Vec3,
 };
 
-/// A frame about the axis of a light: two vectors across it that are as long as a place's steps want them, and the axis.
+/// Frame of a projection: the axis, and two vectors across it, scaled to coordinate steps.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct FloatFrame {
     right: Vec3<f32>,
     down: Vec3<f32>,
     axis: Vec3<f32>,
-    /// Where the axis meets the square, one side farther: what is on either side of the square is positive, too.
+    /// Position of the axis on the square, plus one side.
+    ///
+    /// The offset keeps coordinates up to one side outside the square positive.
     center: [f32; 2],
 }
 
 impl FloatFrame {
-    /// The frame of these bits, in the order of the fields.
+    /// Restores a frame from its bits, in the order of the fields.
     pub const fn from_bits(bits: [u32; 11]) -> Self {
         let [a, b, c, d, e, f, g, h, i, column, row] = bits;
         Self {
@@ -27,7 +29,7 @@ impl FloatFrame {
         }
     }
 
-    /// The bits, in the order of the fields.
+    /// Returns the bits, in the order of the fields.
     pub const fn to_bits(self) -> [u32; 11] {
         let Self { right, down, axis, center: [column, row] } = self;
         let [a, b, c] = [right.x.to_bits(), right.y.to_bits(), right.z.to_bits()];
@@ -36,8 +38,10 @@ impl FloatFrame {
         [a, b, c, d, e, f, g, h, i, column.to_bits(), row.to_bits()]
     }
 
-    /// The frame of three unit vectors and the tangent of half a side. A vector across is not quite at a right angle to the
-    /// axis once it is rounded, which a narrow cone would magnify: that much is taken off the centre.
+    /// Builds the frame from three unit vectors and the tangent of half a side.
+    ///
+    /// Rounding leaves the right and down vectors not quite orthogonal to the axis, which a narrow
+    /// cone would magnify. The centre is corrected by that deviation.
     pub(super) fn new([right, down, axis]: [Vec3<f32>; 3], tangent: f32) -> Self {
         let scale = STEPS as f32 / (2.0 * tangent);
         let [right, down] = [right, down].map(|across| across.map(|c| c * scale));
@@ -53,7 +57,7 @@ impl FloatFrame {
         const LAST: f32 = (3 * STEPS - 1) as f32;
         let depth = way.dot(self.axis);
         let reciprocal = 1.0 / depth;
-        // Neither behind the light nor at a depth that has no reciprocal.
+        // Excludes points behind the light, and depths without a positive reciprocal.
         let is_ahead = reciprocal > 0.0;
         let step = |across: Vec3<f32>, center| {
             let step = way.dot(across) * reciprocal + center;

@@ -1,18 +1,19 @@
-//! The way from a point to a light in f32, and what is known of it once the root is paid for.
+//! Vector from a point to a light in f32, and its direction and length.
 
 use super::{BRIGHTEST, FloatRamp, clamp};
 use crate::number::{Arithmetic, Offset, Ray, fraction::FloatFraction};
 use crate::{trig, vec3::Vec3};
 
-/// The way back from a point to a light, and its squared length. Lambert's cosine wants it in this direction, and the
-/// difference to the axis is then a sum.
+/// Vector from a point back to the light, and its squared length.
+///
+/// Lambert's cosine needs this direction, and the difference to the axis becomes a sum.
 #[derive(Clone, Copy, Debug)]
 pub struct FloatOffset {
     back: Vec3<f32>,
     squared: f32,
 }
 
-/// The unit direction back to the light, the square of its former length, and the reciprocal of that length.
+/// Unit direction back to the light, the squared distance, and the reciprocal distance.
 #[derive(Clone, Copy, Debug)]
 pub struct FloatRay {
     back: Vec3<f32>,
@@ -21,7 +22,7 @@ pub struct FloatRay {
 }
 
 impl FloatOffset {
-    /// The way back from a point to a light.
+    /// Returns the vector from a point back to the light.
     #[inline]
     pub(super) fn between(light: Vec3<f32>, point: Vec3<f32>) -> Self {
         let back = light.zip(point, |l, p| l - p);
@@ -67,8 +68,9 @@ impl Offset<f32> for FloatOffset {
         self.ray()
     }
 
-    /// Where the square is less than any normal number the point counts as on the light, and its direction is zero.
-    /// Where it is beyond f32 the reciprocal is zero too, and no light arrives either.
+    /// A point whose squared distance is less than any normal number counts as on the light: its
+    /// direction is zero. If the square overflows f32, the reciprocal is zero as well, so no light
+    /// arrives.
     #[inline]
     fn reciprocal(&self) -> f32 {
         trig::inverse_sqrt(self.squared)
@@ -80,21 +82,22 @@ impl Offset<f32> for FloatOffset {
     }
 }
 
-/// By the kernel's root: the processor's own with `std`, else that of `libm` or `micromath`.
+/// Lengths use the kernel's square root: the processor's own with `std`, else that of `libm`,
+/// `micromath` or the crate itself.
 impl Vec3<f32> {
-    /// The length; zero if its square is no normal number.
+    /// Returns the length; zero if its square is not a normal number.
     #[inline]
     pub fn length(self) -> f32 {
         f32::offset(Vec3::default(), self).ray().distance()
     }
 
-    /// The reciprocal of the length; zero if the square of the length is no normal number.
+    /// Returns the reciprocal of the length; zero if the squared length is not a normal number.
     #[inline]
     pub fn reciprocal_length(self) -> f32 {
         f32::offset(Vec3::default(), self).reciprocal()
     }
 
-    /// The vector at unit length; zero if the square of its length is no normal number.
+    /// Returns the vector scaled to unit length; zero if its squared length is not a normal number.
     #[inline]
     pub fn unit(self) -> Self {
         f32::offset(Vec3::default(), self).ray().direction()
@@ -102,7 +105,7 @@ impl Vec3<f32> {
 }
 
 impl FloatRay {
-    /// The squared difference of direction and axis.
+    /// Returns the squared difference of direction and axis.
     #[inline]
     fn twice_versine(&self, axis: Vec3<f32>) -> f32 {
         let difference = self.back.zip(axis, |b, s| b + s);
@@ -129,7 +132,8 @@ impl Ray<f32> for FloatRay {
         0.5 * self.twice_versine(axis)
     }
 
-    /// On a ramp of twice the size, which halves nothing per point and changes no bit.
+    /// Doubles the ramp instead of halving every versine: one multiplication less per point, and
+    /// the result is bit-identical.
     #[inline]
     fn rise(&self, axis: Vec3<f32>, ramp: FloatRamp) -> FloatFraction {
         let doubled =
@@ -142,8 +146,9 @@ impl Ray<f32> for FloatRay {
         FloatFraction(clamp(facing * self.reciprocal))
     }
 
-    /// The gain saturates and not the light, because the compiler sees that a product of clamped fractions is not
-    /// negative, and leaves the other half of `Arithmetic::expose`'s clamp out.
+    /// Saturates the gain, not the light. A product of clamped fractions is then visibly
+    /// non-negative to the compiler, which drops the other half of the clamp in
+    /// `Arithmetic::expose`.
     #[inline]
     fn expose(&self, fraction: f32, gain: f32) -> f32 {
         let gain = gain * (self.reciprocal * self.reciprocal);

@@ -1,4 +1,6 @@
-//! Fractions in fixed point: one text for both widths, but for what samples and knots are computed in.
+//! Fractions in fixed point, declared by one macro for both widths.
+//!
+//! Only the arithmetic on samples and knots differs between the widths.
 
 use super::{Fraction, neighbours};
 use crate::number::knot::{Knot, SLOPE_BITS};
@@ -12,10 +14,10 @@ macro_rules! fraction {
         pub struct $name(pub(in crate::number) u32);
 
         impl $name {
-            /// The fraction bits.
+            /// Number of fraction bits.
             const BITS: u32 = $scalar::FRACTION_BITS + 1;
             const ONE: $wide = 1 << Self::BITS;
-            /// Half a step of a scalar, as a product of two fractions has it.
+            /// Half a step of a scalar, in units of a product of two fractions.
             const HALF: $wide = 1 << Self::BITS;
 
             #[inline]
@@ -28,14 +30,17 @@ macro_rules! fraction {
                 self.wide() as $signed
             }
 
-            /// `t (1 + lift)`, `lift` having the fraction bits of a fraction, within [0, 1] whatever the lift: its last
-            /// rounding may pass the ends by a step, and weights out of range wrap.
+            /// Returns `t (1 + lift)`, capped at 1 for every lift, which has the fraction bits of a
+            /// fraction.
+            ///
+            /// The cap is needed because the last rounding may exceed an end by one step, and
+            /// because out-of-range weights wrap.
             #[inline]
             fn lifted(self, lift: $signed) -> $scalar {
                 Self::capped(self.wide().wrapping_mul(Self::ONE.saturating_add_signed(lift)))
             }
 
-            /// The scalar of a product of two fractions; one where that is more.
+            /// Converts a product of two fractions to a scalar, capped at 1.
             #[inline]
             fn capped(product: $wide) -> $scalar {
                 let rounded = product.wrapping_add(Self::HALF) >> (Self::BITS + 1);
@@ -80,7 +85,7 @@ macro_rules! fraction {
             fn of(self, scalar: $scalar) -> $scalar {
                 let scalar = $wide::from(scalar.to_bits() as $unsigned);
                 let product = (self.wide() * scalar + Self::HALF / 2) >> Self::BITS;
-                // Masked so that the compiler sees that it is not negative.
+                // The mask shows the compiler that the value is not negative.
                 $scalar::from_bits((product & (Self::ONE - 1)) as _)
             }
 
@@ -128,30 +133,35 @@ macro_rules! fraction {
 }
 
 fraction! {
-    /// A fraction with 15 fraction bits: its products have 30. In a whole register, for a half one has to be cut off
-    /// again and again.
+    /// A fraction with 15 fraction bits, whose products have 30.
+    ///
+    /// Stored in a 32-bit register, because a 16-bit value would need a truncation after each
+    /// operation.
     Fraction16(Fx16, u16, Weight16, u32, i32)
 }
 
 fraction! {
-    /// A fraction with 31 fraction bits: its products have 62.
+    /// A fraction with 31 fraction bits, whose products have 62.
     Fraction32(Fx32, u32, Weight32, u64, i64)
 }
 
-/// In 32 bits a line's product has no room beside its value: it is rounded first.
+/// Samples and knots in 32 bits: a line's product does not fit beside its value, so it is rounded
+/// first.
 impl Fraction16 {
     #[inline]
     fn nearest(self) -> Fx16 {
         Fx16::from_bits(((self.0 + 1) >> 1) as i16)
     }
 
-    /// The scalar of a value with 15 fraction bits, of which 65,535 is one.
+    /// Converts a value with 15 fraction bits, where 65,535 means 1, to a scalar.
     #[inline]
     fn of_value(value: i32) -> Fx16 {
         Self::of_sixteen_bits((value + (1 << 14)) >> 15)
     }
 
-    /// The top bit, added at the bottom, makes 65,535 65,536.
+    /// Converts a value, where 65,535 means 1, to a scalar.
+    ///
+    /// Adding the top bit at the bottom maps 65,535 to 65,536.
     #[inline]
     fn of_sixteen_bits(value: i32) -> Fx16 {
         Fx16::from_bits(((value + (value >> 15) + 2) >> 2) as i16)
@@ -167,15 +177,20 @@ impl Fraction16 {
     }
 }
 
-/// In 64 bits a value keeps all that it has until it is a scalar.
+/// Samples and knots in 64 bits: a value keeps all its bits until it is converted to a scalar.
 impl Fraction32 {
-    /// What is shifted out of a register is in the carry: an instruction less than to add one first.
+    /// Returns the nearest scalar.
+    ///
+    /// The bit shifted out is in the carry flag, so this takes one instruction less than adding 1
+    /// first.
     #[inline]
     fn nearest(self) -> Fx32 {
         Fx32::from_bits(((self.0 >> 1) + (self.0 & 1)) as i32)
     }
 
-    /// The scalar of a value with 31 fraction bits, of which 65,535 is one: 2^16 / (2^16 - 1) is 1 + 2^-16 + 2^-32 + ...
+    /// Converts a value with 31 fraction bits, where 65,535 means 1, to a scalar.
+    ///
+    /// Uses `2^16 / (2^16 - 1) = 1 + 2^-16 + 2^-32 + ...`
     #[inline]
     fn of_value(value: i64) -> Fx32 {
         let scaled = value + (value >> 16) + (value >> 32);
@@ -202,8 +217,10 @@ mod tests {
 
     extern crate std;
 
-    /// Every `t` of 16 bits: both ends exact, within [0, 1], the largest error in steps, and the largest fall
-    /// towards the middle in steps.
+    /// Evaluates a profile at every `t`, and checks that both ends are exact and all values in `[0,
+    /// 1]`.
+    ///
+    /// Returns the largest error and the largest decrease towards the middle, both in steps.
     fn over_all_t<P: Falloff>(profile: P, exact: impl Fn(f64) -> f64) -> (f64, i32) {
         let curve = profile.compile::<Fx16>();
         let at = |t: u16| i32::from(curve.intensity(Fraction16(t.into())).to_bits());
@@ -216,7 +233,7 @@ mod tests {
         })
     }
 
-    /// Exhaustive: half a step is the last rounding; what is over it is that of the products before.
+    /// Exhaustive. Half a step is the last rounding; any excess comes from the products before it.
     #[test]
     fn sixteen_bits_are_monotone_and_keep_their_errors() {
         let within = |(error, fall): (f64, i32), bound: f64, most_fall: i32| {
@@ -233,7 +250,7 @@ mod tests {
         within(over_all_t(Smooth, |t| t * t * (3.0 - 2.0 * t)), 1.3, 1);
     }
 
-    /// Every quadratic on a grid of 1/32 and every monotone cubic on one of 1/8, over every `t`.
+    /// Every quadratic on a grid of 1/32 and every monotone cubic on a grid of 1/8, at every `t`.
     #[test]
     fn all_blends_and_cubics_fall_by_a_step_at_most() {
         let (mut worst, mut fall) = (0.0_f64, 0);
@@ -257,7 +274,7 @@ mod tests {
         assert!((0.5..=1.1).contains(&worst) && fall <= 1, "cubics: {worst}, fall by {fall}");
     }
 
-    /// Weights that no profile has end in [0, 1] all the same.
+    /// Weights that no profile has still give results in `[0, 1]`.
     #[test]
     fn every_weight_has_an_answer() {
         let weights = [i32::MIN, -65_536, -1, 0, 65_536, i32::MAX].map(Weight16::from_bits);
