@@ -1,11 +1,12 @@
-//! Many points and one compiled light: slices in, slices out, each quantity in a slice of its own.
+//! Many points and one compiled light: slices in and out, each quantity in its own slice.
 //!
-//! Every answer has the bits that the call for a single point gives; only the order of the work differs. In `f32` the
-//! points are taken in blocks: a first pass finds the roots of a block and a second one does the rest, so that neither
-//! waits for the other, and both become vector instructions of whatever width the build allows. Fixed point is taken
-//! point by point, and leaves a point where nothing can arrive at once.
+//! Every result is bit-identical to the call for a single point; only the order of the work
+//! differs. In `f32` the points are processed in blocks. A first pass computes the roots of a block
+//! and a second one does the rest, so that neither waits for the other, and both vectorise to the
+//! width of the target. Fixed point is processed point by point, with early-outs.
 //!
-//! Slices of unequal length are read and written as far as the shortest of them goes; what lies beyond stays as it was.
+//! If slices differ in length, the shortest determines the number of points. Elements beyond it are
+//! not changed.
 
 use core::ops::Range;
 
@@ -20,25 +21,28 @@ use crate::{
     vec3::Vec3,
 };
 
-/// How many points make a block: enough that starting a loop costs little, and few enough that what one pass leaves
-/// for the next stays in the nearest cache. Compilers make a straight line of a loop over 32, which is slower.
+/// Number of points per block: enough to amortise the start of a loop, few enough for the nearest
+/// cache.
+///
+/// The cache must hold the results of the first pass. Compilers fully unroll a loop over 32, which
+/// is slower.
 const BLOCK: usize = 64;
 
-/// What a pass leaves for the next one, so aligned that no vector load crosses a line of the cache.
+/// Results passed from one pass to the next, aligned so that no vector load crosses a cache line.
 #[repr(align(64))]
 struct Lanes<T>([T; BLOCK]);
 
-/// A light that stands somewhere.
+/// A light with a position.
 trait Batched<S: Scalar>: LightModel<S> {
-    /// Where it stands.
+    /// Returns the position of the light.
     fn position(&self) -> Vec3<S::Length>;
-    /// What arrives at a single point, in the form that suits a loop.
+    /// Returns the irradiance at a single point, in the form that suits a loop.
     #[inline]
     fn irradiance(&self, point: Vec3<S::Length>, normal: Vec3<S>) -> S::Irradiance {
         let skips = !S::Offset::ROOTS_FIRST;
         self.evaluate::<NoSpecular>(&SurfacePoint::matte(point, normal), &(), skips).diffuse
     }
-    /// The same, once the root is paid for.
+    /// Returns the irradiance at a single point, given the direction and distance.
     fn expose(
         &self,
         offset: &S::Offset,
@@ -84,7 +88,7 @@ impl<S: Scalar, A: Attenuation> Batched<S> for CompiledPointLight<S, A> {
     }
 }
 
-/// How many points make whole blocks, and how many there are.
+/// Returns the number of points in whole blocks, and the number of all points.
 fn extent<S: Scalar>(points: Vec3<&[S::Length]>, normals: Vec3<&[S]>, lights: usize) -> (usize, usize) {
     let points = points.x.len().min(points.y.len()).min(points.z.len());
     let normals = normals.x.len().min(normals.y.len()).min(normals.z.len());
@@ -92,7 +96,7 @@ fn extent<S: Scalar>(points: Vec3<&[S::Length]>, normals: Vec3<&[S]>, lights: us
     (if S::Offset::ROOTS_FIRST { count - count % BLOCK } else { 0 }, count)
 }
 
-/// A range of three columns, in blocks.
+/// Iterates over a range of three columns, in blocks.
 fn blocks<T>(columns: Vec3<&[T]>, range: Range<usize>) -> impl Iterator<Item = Vec3<&[T; BLOCK]>> {
     let blocks = columns.map(|column| {
         let column = column.get(range.clone()).unwrap_or_default();
@@ -101,18 +105,18 @@ fn blocks<T>(columns: Vec3<&[T]>, range: Range<usize>) -> impl Iterator<Item = V
     blocks.x.zip(blocks.y).zip(blocks.z).map(|((x, y), z)| Vec3::new(x, y, z))
 }
 
-/// A column in blocks.
+/// Iterates over a column in blocks.
 fn blocks_mut<T>(column: &mut [T]) -> impl Iterator<Item = &mut [T; BLOCK]> {
     column.chunks_exact_mut(BLOCK).filter_map(<[T]>::first_chunk_mut)
 }
 
-/// A range of three columns, row by row.
+/// Iterates over a range of three columns, row by row.
 fn rows<T: Copy>(columns: Vec3<&[T]>, range: Range<usize>) -> impl Iterator<Item = Vec3<T>> {
     let rows = columns.map(|column| column.get(range.clone()).unwrap_or_default().iter());
     rows.x.zip(rows.y).zip(rows.z).map(|((&x, &y), &z)| Vec3::new(x, y, z))
 }
 
-/// The light at each point of a block.
+/// Computes the irradiance at each point of a block.
 #[inline]
 fn light_block<S: Scalar>(
     source: &impl Batched<S>,
@@ -131,13 +135,13 @@ fn light_block<S: Scalar>(
     }
 }
 
-/// Adds a light to a channel.
+/// Adds a light times a colour to a channel.
 #[inline]
 fn add<S: Scalar>(sum: &mut S::Irradiance, light: S::Irradiance, color: S) {
     *sum = S::add_light(*sum, S::filter(light, color));
 }
 
-/// The light of many surface points: what `irradiance_each` of a light gives.
+/// Implements `irradiance_each` of the lights.
 fn irradiance_each<S: Scalar, L: Batched<S>>(
     light: &L,
     points: Vec3<&[S::Length]>,
@@ -155,7 +159,7 @@ fn irradiance_each<S: Scalar, L: Batched<S>>(
     }
 }
 
-/// The light of many surface points in a colour, added to what is there: what `add_each` of a light does.
+/// Implements `add_each` of the lights.
 fn add_each<S: Scalar, L: Batched<S>>(
     light: &L,
     color: Rgb<S>,
@@ -184,11 +188,11 @@ fn add_each<S: Scalar, L: Batched<S>>(
 }
 
 impl<S: Scalar, P: Falloff, A: Attenuation> CompiledSpotLight<S, P, A> {
-    /// The light that arrives at each of many surface points: to the bit what [`irradiance`](Self::irradiance)
-    /// gives for one.
+    /// Computes the irradiance at each of many surface points.
     ///
-    /// Points, normals and lights are structures of arrays, a slice for each component. As many points are lit
-    /// as the shortest slice has; lights beyond them stay as they were.
+    /// Each result is bit-identical to [`irradiance`](Self::irradiance). Points and normals are
+    /// structures of arrays, one slice per component. The shortest slice determines the number of
+    /// points; elements of `lights` beyond it are not changed.
     pub fn irradiance_each(
         &self,
         points: Vec3<&[S::Length]>,
@@ -198,20 +202,21 @@ impl<S: Scalar, P: Falloff, A: Attenuation> CompiledSpotLight<S, P, A> {
         irradiance_each(self, points, normals, lights);
     }
 
-    /// Adds the light that arrives at each of many surface points, in the light's colour, to what is there: to the
-    /// bit what [`irradiance`](Self::irradiance), [`Rgb::lit`] and [`Rgb::plus`] give for one. Slices are those of
-    /// [`irradiance_each`](Self::irradiance_each).
+    /// Adds the irradiance at each of many surface points, times the light's colour, to `sums`.
+    ///
+    /// Each result is bit-identical to [`irradiance`](Self::irradiance), [`Rgb::lit`] and
+    /// [`Rgb::plus`]. The slices are as in [`irradiance_each`](Self::irradiance_each).
     pub fn add_each(&self, points: Vec3<&[S::Length]>, normals: Vec3<&[S]>, sums: Rgb<&mut [S::Irradiance]>) {
         add_each(self, self.color, points, normals, sums);
     }
 }
 
 impl<S: Scalar, A: Attenuation> CompiledPointLight<S, A> {
-    /// The light that arrives at each of many surface points: to the bit what [`irradiance`](Self::irradiance)
-    /// gives for one.
+    /// Computes the irradiance at each of many surface points.
     ///
-    /// Points, normals and lights are structures of arrays, a slice for each component. As many points are lit
-    /// as the shortest slice has; lights beyond them stay as they were.
+    /// Each result is bit-identical to [`irradiance`](Self::irradiance). Points and normals are
+    /// structures of arrays, one slice per component. The shortest slice determines the number of
+    /// points; elements of `lights` beyond it are not changed.
     pub fn irradiance_each(
         &self,
         points: Vec3<&[S::Length]>,
@@ -221,17 +226,19 @@ impl<S: Scalar, A: Attenuation> CompiledPointLight<S, A> {
         irradiance_each(self, points, normals, lights);
     }
 
-    /// Adds the light that arrives at each of many surface points, in the light's colour, to what is there: to the
-    /// bit what [`irradiance`](Self::irradiance), [`Rgb::lit`] and [`Rgb::plus`] give for one. Slices are those of
-    /// [`irradiance_each`](Self::irradiance_each).
+    /// Adds the irradiance at each of many surface points, times the light's colour, to `sums`.
+    ///
+    /// Each result is bit-identical to [`irradiance`](Self::irradiance), [`Rgb::lit`] and
+    /// [`Rgb::plus`]. The slices are as in [`irradiance_each`](Self::irradiance_each).
     pub fn add_each(&self, points: Vec3<&[S::Length]>, normals: Vec3<&[S]>, sums: Rgb<&mut [S::Irradiance]>) {
         add_each(self, self.color, points, normals, sums);
     }
 }
 
 impl<S: Scalar, P: Falloff> CompiledCone<S, P> {
-    /// The intensity at each of many versines: to the bit what [`at`](Self::at) gives for one. As many as the shorter
-    /// slice has.
+    /// Computes the intensity at each of many versines, up to the length of the shorter slice.
+    ///
+    /// Each result is bit-identical to [`at`](Self::at).
     pub fn at_each(&self, versines: &[S::Versine], intensities: &mut [S]) {
         for (intensity, &versine) in intensities.iter_mut().zip(versines) {
             *intensity = self.at(versine);

@@ -1,4 +1,4 @@
-//! From linear light to the codes of a display, without a power function.
+//! Conversion of linear light to display codes, without a power function.
 
 mod dither;
 mod exposure;

@@ -1,41 +1,44 @@
-//! Haze: the visible beam of a spotlight, by single scattering along the view ray.
+//! Haze: the visible beam of a spotlight, by single in-scattering along the view ray.
 //!
-//! What the haze between the eye and a surface scatters towards the eye is called air light:
+//! The haze is a thin homogeneous medium. Between the eye and a surface it scatters this light
+//! towards the eye:
 //!
 //! ```text
-//! air light = density phase I ∫ f(w(s)) / d(s)^2 ds
+//! in-scattering = density phase I ∫ f(w(s)) / d(s)^2 ds
 //! ```
 //!
-//! with the distance `d` of a place of the ray from the light and the falloff `f` at the versine `w` off the
-//! axis. The haze is taken as thin: it takes no light away, neither from the beam nor from what is seen
-//! through it, and light is scattered once. It scatters alike in all directions, by a phase of `1/(4 pi)`;
-//! a surface that receives 1 shows 1, which is a radiance of `1/pi`, so that a quarter of the density is
-//! left as the factor.
+//! Here `I` is the intensity, `d` the distance of a point of the ray from the light, and `f` the
+//! falloff at the versine `w` off the axis. The medium is thin: its transmittance is taken as 1, so
+//! it attenuates neither the beam nor what is seen through it, and light scatters once. Scattering
+//! is isotropic, with a phase function of `1/(4 pi)`. A surface that receives 1 shows 1, which is a
+//! radiance of `1/pi`. The remaining factor is a quarter of the density.
 //!
-//! # Directions in place of distances
+//! # Integration over directions
 //!
-//! With `h` the distance of the light from the line of sight, `ds / d^2 = d(psi) / h`: the inverse square
-//! cancels, and what is left is an integral of `f` over the directions in which the light sees the ray, an
-//! arc of a great circle. `psi` counts from the direction of the arc's circle that is nearest to the axis.
-//! With `v = tan(psi/2)` there is no trigonometry:
+//! Let `h` be the distance of the light from the line of sight. Then `ds / d^2 = d(psi) / h`: the
+//! inverse square cancels, and the integral of `f` runs over the directions in which the light sees
+//! the ray. These directions form an arc of a great circle. `psi` is the angle from the direction
+//! of the circle that is nearest to the axis. The substitution `v = tan(psi/2)` avoids
+//! trigonometry:
 //!
 //! ```text
 //! w = w0 + 2 r v^2 / (1 + v^2),   d(psi) = 2 dv / (1 + v^2),   w0 = 1 - r
 //! ```
 //!
-//! where `r` is the cosine of the angle between axis and circle. It comes from the cosines of the
-//! axis with foot and ray, so that a circle nearly across the axis keeps its bits, and `w0` comes
-//! from the sine, so that narrow beams keep theirs. The arc ends where the cone does, at `v^2 =
-//! (omega - w0) / (1 - omega + r)`, and is divided where the hotspot begins and ends, or at `v =
-//! 0`. In each part `f` is smooth, and Gauss and Legendre's rule of five places is enough.
-//! NUMERICS.md has the errors.
+//! where `r` is the cosine of the angle between axis and circle. It is computed from the cosines of
+//! the axis with foot and ray, so that a circle nearly orthogonal to the axis keeps its bits. `w0`
+//! is computed from the sine, so that narrow beams keep theirs. The arc ends at the edge of the
+//! cone, at `v^2 = (omega - w0) / (1 - omega + r)`, where `omega` is the outer versine. It is split
+//! at the edges of the hotspot, or at `v = 0`. In each part `f` is smooth, and Gauss-Legendre
+//! quadrature with five nodes is accurate enough. NUMERICS.md lists the errors.
 //!
-//! Light that falls by another distance model is summed over the way along the ray, between the same ends
-//! and up to its range; without a range, and without a fall with the square, an endless ray in the beam is
-//! as bright as f32 allows.
+//! For any other distance model the integral runs over the length of the ray, between the same ends
+//! and up to the range of the light. Without a range and without an inverse-square attenuation, an
+//! endless ray in the beam is as bright as f32 allows.
 //!
-//! It is `f32` whatever the format of the light: `1/h` has no scale that a fixed format could be given once
-//! for a picture, and a renderer with haze has floats for what it does to colours anyway.
+//! The computation is in `f32` for lights of every format. `1/h` has no scale that a fixed-point
+//! format could choose once for a picture, and a renderer with haze uses floats for its colours
+//! anyway.
 
 mod arc;
 mod beam;
@@ -73,16 +76,17 @@ pub struct Haze {
     source_radius: f32,
 }
 
-/// The radius of a light until told otherwise: a centimetre where the unit is the metre.
+/// Default radius of a light: one centimetre if the unit is the metre.
 const SOURCE_RADIUS: f32 = 0.01;
 
 impl Haze {
-    /// Clear air.
+    /// Clear air: a density of 0.
     pub const CLEAR: Self = Self { density: 0.0, source_radius: SOURCE_RADIUS };
 
-    /// Haze of this density: the part of the light that is scattered on a way of one unit of the world's
-    /// length. 0 is clear air and gives exactly no air light; beyond some tenths over the size of the scene
-    /// haze is no longer thin.
+    /// Creates haze of this density: the share of the light that is scattered per unit of length.
+    ///
+    /// Density 0 is clear air and gives exactly no in-scattering. Beyond a few tenths divided by
+    /// the size of the scene, haze is no longer thin.
     ///
     /// # Errors
     /// A density outside 0 to 1e9.
@@ -91,9 +95,11 @@ impl Haze {
         Ok(Self { density, source_radius: SOURCE_RADIUS })
     }
 
-    /// The same haze around lights of this radius, 0.01 until told otherwise. There is no haze within it,
-    /// and no view through it: a ray that meets the light ends there. Without a body a light would be
-    /// infinitely bright where the eye looks straight at it.
+    /// Returns the same haze around lights of this radius; the default is 0.01.
+    ///
+    /// There is no haze inside the light, and no view through it: a ray that hits the light ends
+    /// there. Without a radius, a light would be infinitely bright to an eye that looks straight at
+    /// it.
     ///
     /// # Errors
     /// A radius outside 0.001 to 1e9.
@@ -102,30 +108,32 @@ impl Haze {
         Ok(Self { source_radius, ..self })
     }
 
-    /// The part of the light that is scattered on a way of one unit.
+    /// Returns the share of the light that is scattered per unit of length.
     pub fn density(&self) -> f32 {
         self.density
     }
 
-    /// The radius of a light.
+    /// Returns the radius of a light.
     pub fn source_radius(&self) -> f32 {
         self.source_radius
     }
 }
 
-/// What is seen in one direction: a line from the eye to a surface, or without an end.
+/// A line of sight from the eye to a surface, or without an end.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct ViewRay {
-    /// Where the eye is.
+    /// The position of the eye.
     pub eye: Vec3<f32>,
-    /// Where it looks, of unit length within the roundings of f32.
+    /// The direction of view, of unit length within the rounding of f32.
     pub direction: Vec3<f32>,
-    /// How far it sees; infinity where there is no surface.
+    /// The distance to the surface; infinity if there is none.
     pub length: f32,
 }
 
 impl ViewRay {
-    /// The ray from the eye to a surface point. A point at the eye leaves no ray, and no air light.
+    /// Returns the ray from the eye to a surface point.
+    ///
+    /// A point at the eye gives an empty ray, without in-scattering.
     #[inline]
     pub fn between(eye: Vec3<f32>, surface: Vec3<f32>) -> Self {
         let way = surface.zip(eye, |s, e| s - e);
@@ -134,7 +142,7 @@ impl ViewRay {
         Self { eye, direction: way.map(|c| c * reciprocal), length: squared * reciprocal }
     }
 
-    /// The ray from the eye in a direction of unit length, where nothing ends it.
+    /// Returns the endless ray from the eye in a direction of unit length.
     #[inline]
     pub fn endless(eye: Vec3<f32>, direction: Vec3<f32>) -> Self {
         Self { eye, direction, length: f32::INFINITY }

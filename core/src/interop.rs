@@ -1,6 +1,6 @@
-//! Conversions from and to the types of other crates, each by the feature of its name.
+//! Conversions from and to the types of other crates, each behind the feature of that crate's name.
 //!
-//! | feature | [`Vec3`](crate::Vec3) | [`Rgb`](crate::Rgb) | [`Rgb565`](crate::display::Rgb565) | [`Angle`](crate::Angle), [`HalfAngle`](crate::HalfAngle) | numbers of fixed point |
+//! | feature | [`Vec3`](crate::Vec3) | [`Rgb`](crate::Rgb) | [`Rgb565`](crate::display::Rgb565) | [`Angle`](crate::Angle), [`HalfAngle`](crate::HalfAngle) | fixed-point numbers |
 //! |---|---|---|---|---|---|
 //! | `bytemuck` | `Pod` | `Pod` | `Pod` | | `Pod` |
 //! | `defmt` | `Format` | `Format` | `Format` | `Format` | `Format` |
@@ -9,11 +9,11 @@
 //! | `mint` | `Vector3`, `Point3` | | | | |
 //! | `serde` | array | array | 16 bits | degrees | their bits |
 //!
-//! `defmt` also formats an [`Error`](crate::Error), its [`Parameter`](crate::error::Parameter) and what was
-//! [`Expected`](crate::error::Expected). Arrays of three convert without a feature: [`Vec3`](crate::Vec3) and
-//! [`Rgb`](crate::Rgb) are `From` and `Into` them.
+//! `defmt` also formats an [`Error`](crate::Error), its [`Parameter`](crate::error::Parameter) and
+//! the [`Expected`](crate::error::Expected) range. Conversions of [`Vec3`](crate::Vec3) and
+//! [`Rgb`](crate::Rgb) from and to arrays of three need no feature.
 
-/// Calls a macro with every fixed-point number and the integer that stores it.
+/// Calls a macro with every fixed-point number type and the integer that stores it.
 #[cfg(all(feature = "fixed", any(feature = "bytemuck", feature = "defmt", feature = "serde")))]
 macro_rules! for_numbers {
     ($then:ident) => {

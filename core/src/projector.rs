@@ -1,4 +1,4 @@
-//! What a light projects: patterns and shadows, and the light with both as it hangs on a truss.
+//! What a light projects: gobos, shadows, and the fixture that combines them with a light.
 
 mod fixture;
 mod gobo;

@@ -1,4 +1,4 @@
-//! One surface point and one compiled light: how much of the light arrives.
+//! Shading of one surface point by one compiled light.
 
 mod directional;
 mod placed;
@@ -14,46 +14,48 @@ use crate::{
     vec3::Vec3,
 };
 
-/// A point of a surface, as a light and an eye see it.
+/// A surface point, with its normal and the direction to the eye.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct SurfacePoint<S: Scalar> {
-    /// Where the point is, in the unit of the lights' positions.
+    /// The position, in the unit of the lights' positions.
     pub point: Vec3<S::Length>,
     /// The normal, of unit length.
     pub normal: Vec3<S>,
-    /// The direction from the point to the eye, of unit length. A matt surface does not ask for it.
+    /// The direction from the point to the eye, of unit length. Unused for a matt surface.
     pub view: Vec3<S::Unit>,
 }
 
 impl<S: Scalar> SurfacePoint<S> {
-    /// A point of a matt surface, the same from every side.
+    /// Creates a point of a matt surface, which looks the same from every side.
     #[inline]
     pub fn matte(point: Vec3<S::Length>, normal: Vec3<S>) -> Self {
         Self { point, normal, view: Vec3::default() }
     }
 
-    /// A point as an eye sees it: one root, which all lights share.
+    /// Creates a point seen by an eye; costs one square root, which all lights share.
     #[inline]
     pub fn seen_from(eye: Vec3<S::Length>, point: Vec3<S::Length>, normal: Vec3<S>) -> Self {
         Self { point, normal, view: S::offset(point, eye).ray().direction() }
     }
 }
 
-/// What arrives of a light, before its colours: 1 is full scale.
+/// Light that arrives at a surface, before the light's colours: 1 is full scale.
 #[derive(Clone, Copy, PartialEq, Default, Debug)]
 pub struct Incident<I> {
-    /// Falloff, distance and Lambert's cosine.
+    /// Falloff, attenuation and Lambert's cosine.
     pub diffuse: I,
-    /// Falloff, distance and the lobe of the highlight.
+    /// Falloff, attenuation and the specular lobe.
     pub specular: I,
 }
 
 /// A compiled light of any kind.
 pub trait LightModel<S: Scalar>: Copy + core::fmt::Debug {
-    /// The linear colours of its diffuse light and of its highlights.
+    /// Returns the linear colours of its diffuse light and of its specular light.
     fn colors(&self) -> [Rgb<S>; 2];
-    /// What arrives at a surface whose highlight is of the kind `H`. With `skips`, points where nothing can arrive are
-    /// left before the root is paid for, with the same bits.
+    /// Computes the light at a surface whose specular lobe is of the type `H`.
+    ///
+    /// With `skips`, points that receive no light are rejected before the square root. The result
+    /// is bit-identical.
     fn evaluate<H: SpecularLobe>(
         &self,
         surface: &SurfacePoint<S>,
@@ -62,7 +64,7 @@ pub trait LightModel<S: Scalar>: Copy + core::fmt::Debug {
     ) -> Incident<S::Irradiance>;
 }
 
-/// The lobe of a highlight where the light falls on the front of a surface, and zero elsewhere.
+/// Returns the specular lobe if the light hits the front of a surface, else zero.
 #[inline]
 fn lobe<S: Scalar, H: SpecularLobe>(
     highlight: &H::Constants<S>,

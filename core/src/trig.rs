@@ -1,11 +1,17 @@
-//! The one seam to square root and trigonometry.
+//! The only interface to square root and trigonometry.
 //!
-//! Trigonometry is asked for at set-up only, never per point. `libm` answers first, on every target, so that the
-//! same angles compile to the same bits everywhere; then `std`; then `micromath`, whose approximations are a tier of
-//! their own; and without any of them a series, so that a build of constants and integers needs no other crate. The
-//! square root is correctly rounded but in `micromath`, so the others agree to the bit.
+//! Trigonometry runs at set-up only, never per point. Its backend is the first available of:
+//!
+//! - `libm`, on every target, so that the same angles compile to the same bits everywhere.
+//! - `std`.
+//! - `micromath`, a tier of its own because of its approximations.
+//! - A series, so that a build of constants and integers needs no other crate.
+//!
+//! The square root uses `std` before `libm`. It is correctly rounded except in `micromath`, so the
+//! other backends are bit-identical.
 
-// A Cortex-M4F and its kin: they compute in f32, and only `std` may ask for their root. And whoever has no other.
+// For Cortex-M4F and similar targets: they compute in f32, but only `std` exposes their square
+// root. Also for builds without any backend crate.
 #[cfg(any(
     test,
     all(target_arch = "arm", target_abi = "eabihf", not(feature = "std")),
@@ -21,7 +27,7 @@ pub(crate) use root::inverse_sqrt;
 
 #[cfg(any(feature = "libm", feature = "std"))]
 mod backend {
-    /// Sine of an angle in radians.
+    /// Returns the sine of an angle in radians.
     pub(crate) fn sin(x: f32) -> f32 {
         #[cfg(feature = "libm")]
         return libm::sinf(x);
@@ -29,7 +35,7 @@ mod backend {
         return x.sin();
     }
 
-    /// Arc sine in radians.
+    /// Returns the arc sine in radians.
     pub(crate) fn asin(x: f32) -> f32 {
         #[cfg(feature = "libm")]
         return libm::asinf(x);
@@ -37,7 +43,8 @@ mod backend {
         return x.asin();
     }
 
-    /// Square root, correctly rounded: the processor's where there is one.
+    /// Returns the square root, correctly rounded: by the processor if it has an instruction for
+    /// it.
     #[inline]
     pub(crate) fn sqrt(x: f32) -> f32 {
         #[cfg(feature = "std")]
@@ -46,8 +53,9 @@ mod backend {
         return libm::sqrtf(x);
     }
 
-    /// Reciprocal of the square root of a normal number, and zero for any other: zero or less, subnormal, infinite or
-    /// NaN.
+    /// Returns `1 / sqrt(x)` for a normal number `x > 0`.
+    ///
+    /// Returns zero for any other: zero or less, subnormal, infinite or NaN.
     #[cfg(not(all(target_arch = "arm", target_abi = "eabihf", not(feature = "std"))))]
     #[inline]
     pub(crate) fn inverse_sqrt(x: f32) -> f32 {
@@ -55,48 +63,55 @@ mod backend {
     }
 }
 
-/// The small tier. Roots are micromath's guess made good by Newton's method, because a direction needs its precision.
+/// The small tier: micromath.
+///
+/// Roots refine its estimate by Newton's method, because a direction needs the precision.
 #[cfg(all(feature = "micromath", not(any(feature = "libm", feature = "std"))))]
 mod backend {
     use micromath::F32Ext;
 
     pub(crate) use super::inverse::asin;
 
-    /// Sine of an angle in radians, within 0.11 %. The error of micromath's is absolute, and a narrow cone needs a
-    /// relative one: there two terms of the series do better.
+    /// Returns the sine of an angle in radians, with a relative error of at most 0.11 %.
+    ///
+    /// micromath bounds the absolute error only, but a narrow cone needs a small relative error.
+    /// Two terms of the series provide it for small angles.
     pub(crate) fn sin(x: f32) -> f32 {
         if x.abs() < 0.5 { x - x * x * x / 6.0 } else { F32Ext::sin(x) }
     }
 
-    /// Square root, within two units in the last place.
+    /// Returns the square root, within two units in the last place.
     #[inline]
     pub(crate) fn sqrt(x: f32) -> f32 {
         x * reciprocal(x)
     }
 
-    /// Reciprocal of the square root of a normal number, within two units in the last place, and zero for any other: zero
-    /// or less, subnormal, infinite or NaN.
+    /// Returns `1 / sqrt(x)` for a normal number `x > 0`, within two units in the last place.
+    ///
+    /// Returns zero for any other: zero or less, subnormal, infinite or NaN.
     #[cfg(not(all(target_arch = "arm", target_abi = "eabihf")))]
     #[inline]
     pub(crate) fn inverse_sqrt(x: f32) -> f32 {
         if (f32::MIN_POSITIVE..=f32::MAX).contains(&x) { reciprocal(x) } else { 0.0 }
     }
 
-    /// Reciprocal of the square root, within two units in the last place.
+    /// Returns the reciprocal of the square root, within two units in the last place.
     #[inline]
     fn reciprocal(x: f32) -> f32 {
         (0..3).fold(F32Ext::invsqrt(x), |y, _| y * (1.5 - 0.5 * x * y * y))
     }
 }
 
-/// What needs no other crate.
+/// The backend that needs no other crate.
 #[cfg(not(any(feature = "libm", feature = "std", feature = "micromath")))]
 mod backend {
     #[cfg(not(all(target_arch = "arm", target_abi = "eabihf")))]
     pub(crate) use super::root::inverse_sqrt;
     pub(crate) use super::{inverse::asin, root::any_sqrt as sqrt};
 
-    /// Sine of an angle of at most a right angle, in radians, within 1.5e-7 of itself: the series to the eleventh power.
+    /// Returns the sine of an angle of at most 90 degrees, in radians.
+    ///
+    /// Series up to the eleventh power, with a relative error of at most 1.5e-7.
     pub(crate) fn sin(x: f32) -> f32 {
         /// The coefficients of `x^11` down to `x^3`.
         const SERIES: [f32; 5] =
@@ -106,12 +121,14 @@ mod backend {
     }
 }
 
-/// The arc sine where only a sine is given.
+/// Arc sine for backends that provide only a sine.
 #[cfg(not(any(feature = "libm", feature = "std")))]
 mod inverse {
     use super::{sin, sqrt};
 
-    /// The angle in radians that has this sine by [`sin`] itself, not in truth: an angle that was given is got back.
+    /// Returns the angle in radians whose [`sin`] is `x`.
+    ///
+    /// It inverts this backend's `sin`, not the exact sine, so an angle survives the round trip.
     pub(crate) fn asin(x: f32) -> f32 {
         if x > 0.75 {
             return core::f32::consts::FRAC_PI_2 - 2.0 * asin(sqrt((1.0 - x) / 2.0));
@@ -133,7 +150,7 @@ mod tests {
         errors.fold(0.0, f64::max)
     }
 
-    /// Arguments evenly spread over the logarithm, from 1e-6 to `most`.
+    /// Arguments from 1e-6 to `most`, evenly spaced in the logarithm.
     fn arguments(most: f32) -> impl Iterator<Item = f32> {
         (0..100_000).map(move |i| 1e-6 * (most / 1e-6).powf(i as f32 / 99_999.0))
     }
@@ -149,7 +166,7 @@ mod tests {
     #[test]
     fn an_angle_comes_back_from_its_sine() {
         let error = |x: f32| f64::from((asin(sin(x)) / x - 1.0).abs());
-        // Near a right angle the sine hardly tells angles apart.
+        // Near a right angle the sine hardly distinguishes angles.
         let worst = largest(arguments(0.8).map(error));
         assert!((1e-8..=1e-6).contains(&worst), "largest relative difference {worst:.2e}");
     }
@@ -164,7 +181,8 @@ mod tests {
         assert!((2e-8..=2.4e-7).contains(&worst), "largest relative error {worst:.2e}");
     }
 
-    /// Every mantissa, with an even and an odd exponent: what every other normal number repeats.
+    /// Every mantissa, with an even and an odd exponent; all other normal numbers repeat these
+    /// cases.
     #[test]
     fn roots_keep_their_stated_error_over_every_mantissa() {
         let values = || (1.0_f32.to_bits()..4.0_f32.to_bits()).map(f32::from_bits);

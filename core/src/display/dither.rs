@@ -1,16 +1,20 @@
-//! Ordered dither: each pixel shows one of the two codes about a colour, so that together they have its light.
+//! Ordered dither: each pixel shows one of the two codes around a colour, with the right mean
+//! light.
 //!
-//! Rounded to the few codes of a display, a soft gradient falls apart into bands. Between two codes a part of the
-//! pixels shows the upper one instead, in the order of Bayer's matrix, which spreads them evenly over cells of
-//! 8 x 8 (B. E. Bayer, *An optimum method for two-level rendition of continuous-tone pictures*, ICC 1973).
+//! With only the few codes of a display, rounding turns a soft gradient into bands. With dither, a
+//! share of the pixels shows the upper of two codes instead, in the order of Bayer's matrix, which
+//! spreads them evenly over cells of 8 x 8 (B. E. Bayer, *An optimum method for two-level rendition
+//! of continuous-tone pictures*, ICC 1973).
 //!
-//! How many they are goes by linear light, because that is what an eye adds up that does not see the pixels
-//! apart: a quarter of the way from one code's light to the next one's, a quarter of the pixels. Parts by the
-//! encoded value would make a cell too bright, in the dark by up to a twentieth of a step, and would need the
-//! encoded value. Linear light needs no more than the light of each code, which is a table.
+//! The share is computed in linear light, because an eye that does not resolve the pixels adds
+//! linear light. At a quarter of the distance from one code's light to the next, a quarter of the
+//! pixels shows the upper code. A share by the encoded value would make a cell too bright, for dark
+//! colours by up to a twentieth of a step, and would need the encoded value. Linear light only
+//! needs the light of each code, which is a table.
 //!
-//! There is no amplitude. All of the dither keeps the light, none of it ([`encode_srgb`](super::encode_srgb),
-//! [`Rgb565::from_linear`]) puts the nearest code everywhere, and anything between would have bands again.
+//! There is no amplitude parameter. Full dither keeps the mean light; without dither
+//! ([`encode_srgb`](super::encode_srgb), [`Rgb565::from_linear`]) each pixel shows the nearest
+//! code; any amplitude between would show bands again.
 
 use super::{
     Rgb565,
@@ -21,13 +25,15 @@ use crate::{
     number::{Scalar, Word, float::clamp},
 };
 
-/// The sRGB code that a pixel shows of a linear value: one of the two about it, the same one for the same last three
-/// bits of `x` and `y`. Below 0, and for what is not a number, it is 0; above 1 it is 255.
+/// Returns the sRGB code of a linear value for the pixel at `(x, y)`, with ordered dither.
 ///
-/// Over a cell of 8 x 8 pixels the mean light of the codes is that of the value within 0.0081 of the step from one
-/// code to the next: 1/128, and the roundings of the table. A value nearer than that to a code's own light shows
-/// the code in every pixel. For each pixel the code never falls as the value rises. Channels of one value have one
-/// code, so that grey stays grey.
+/// The code is one of the two around the value and depends only on the last three bits of `x` and
+/// `y`. It is 0 below 0 and for NaN, and 255 above 1.
+///
+/// Over a cell of 8 x 8 pixels the mean light of the codes is that of the value, within 0.0081 of
+/// the step from one code to the next: 1/128 plus the rounding of the table. A value nearer than
+/// that to a code's own light shows this code in every pixel. For each pixel the code is monotone
+/// in the value. Channels of equal value have equal codes, so grey stays grey.
 ///
 /// ```
 /// use luminaire::display::{decode_srgb, encode_srgb_dithered};
@@ -42,8 +48,9 @@ pub fn encode_srgb_dithered<S: Scalar>(linear: S, x: u32, y: u32) -> u8 {
 }
 
 impl Rgb565 {
-    /// The pixel that stands for a linear colour at a place in the picture, each channel as
-    /// [`encode_srgb_dithered`] has it, with the codes of five and six bits.
+    /// Returns the RGB565 pixel of a linear colour at `(x, y)`, with ordered dither.
+    ///
+    /// Each channel is dithered as by [`encode_srgb_dithered`], with codes of five and six bits.
     #[inline(always)] // `rgb565-dithered` on Cortex-M0: +5 without.
     pub fn from_linear_dithered<S: Scalar>(color: Rgb<S>, x: u32, y: u32) -> Self {
         let threshold = threshold(x, y);
@@ -54,8 +61,10 @@ impl Rgb565 {
     }
 }
 
-/// One of the codes from 0 to `LAST` about a linear value, clamped to [0, 1]: the upper one where the light is past
-/// `threshold` 128ths of the way from the lower one's to its own.
+/// Returns one of the two codes in `[0, LAST]` around a linear value clamped to `[0, 1]`.
+///
+/// It is the upper code if the value is more than `threshold / 128` of the way from the lower
+/// code's light to the upper's.
 #[inline]
 fn dithered<S: Scalar, const LAST: usize>(linear: S, threshold: u8) -> u8 {
     match linear.word() {
@@ -69,13 +78,13 @@ fn dithered<S: Scalar, const LAST: usize>(linear: S, threshold: u8) -> u8 {
     }
 }
 
-/// How far towards the next code a pixel stays with its code, in 128ths.
+/// Returns the threshold of a pixel between one code's light and the next, in 128ths.
 #[inline]
 fn threshold(x: u32, y: u32) -> u8 {
     MATRIX[(y % 8) as usize][(x % 8) as usize]
 }
 
-/// Bayer's matrix of 0 to 63, each as the middle of its 64th.
+/// Bayer's matrix of the ranks 0 to 63, each as `2 rank + 1` in 128ths: the middle of its 64th.
 const MATRIX: [[u8; 8]; 8] = {
     let mut matrix = [[0; 8]; 8];
     let mut place = 0;
@@ -87,7 +96,10 @@ const MATRIX: [[u8; 8]; 8] = {
     matrix
 };
 
-/// When a pixel's turn comes. The lowest bits of the place decide most, so that neighbours are far apart.
+/// Returns the rank of a pixel in Bayer's order.
+///
+/// The lowest bits of the coordinates become the highest of the rank, so that neighbours have
+/// distant ranks.
 const fn rank(x: usize, y: usize) -> u8 {
     let (mut rank, mut bit) = (0, 0);
     while bit < 3 {
@@ -98,18 +110,19 @@ const fn rank(x: usize, y: usize) -> u8 {
     rank as u8
 }
 
-/// The fraction bits of the table: as many as an f32 has below one, and few enough that 128 such steps fit 32 bits.
+/// Fraction bits of the table: as many as an f32 has below 1, and few enough that 128 steps fit 32
+/// bits.
 const BITS: u32 = 24;
-/// The light of a code from 0 to `last`, as the nearest multiple of 2^-24.
+/// Returns the light of a code in `[0, last]`, as the nearest multiple of 2^-24.
 const fn light(code: usize, last: usize) -> u32 {
     (linear(code as f64 / last as f64) * (1 << BITS) as f64 + 0.5) as u32
 }
 
-/// The light of the codes up to `LAST`.
+/// Tables of the light of the codes up to `LAST`.
 struct CodeLight<const LAST: usize>;
 
 impl<const LAST: usize> CodeLight<LAST> {
-    /// From code 1 on, in steps of 2^-24.
+    /// From code 1 on, in units of 2^-24.
     #[cfg(feature = "fixed")]
     const STEPS: [u32; LAST] = {
         let mut table = [0; LAST];
@@ -121,7 +134,7 @@ impl<const LAST: usize> CodeLight<LAST> {
         table
     };
 
-    /// From code 0 on, exactly that; the last one's is one.
+    /// From code 0 on, the same values exactly; the light of code `LAST` is 1.
     const FLOAT: [f32; LAST] = {
         let mut table = [0.0; LAST];
         let mut code = 0;
@@ -133,14 +146,15 @@ impl<const LAST: usize> CodeLight<LAST> {
     };
 }
 
-/// The code of a value in steps of 2^-24, of which there are at most 2^24: found by halving the codes that
-/// are left, and one more where the value is past the threshold.
+/// Returns the dithered code of a value in units of 2^-24, at most 2^24.
+///
+/// A bisection finds the lower code; the result is one more if the value is past the threshold.
 #[cfg(feature = "fixed")]
 #[inline]
 fn dithered_fixed<const LAST: usize>(linear: u32, threshold: u8) -> u8 {
     let mut left = CodeLight::<LAST>::STEPS.as_slice();
     let (mut code, mut here, mut next) = (0, 0, 1 << BITS);
-    // As many turns as the code has bits: a number that the compiler knows, and unrolls.
+    // One iteration per bit of the code: a constant, so the compiler unrolls the loop.
     for _ in 0..=LAST.ilog2() {
         let (below, [light, above @ ..]) = left.split_at(left.len() / 2) else { break };
         if linear >= *light {
@@ -154,9 +168,11 @@ fn dithered_fixed<const LAST: usize>(linear: u32, threshold: u8) -> u8 {
     (code + usize::from(is_past)) as u8
 }
 
-/// The same in f32, where the curve finds the nearest code, or at worst the other one about the
-/// value. The code is the fixed-point one of an equal value but where the product rounds: within
-/// 2^-24 of the way to a threshold.
+/// As `dithered_fixed`, in f32.
+///
+/// The curve gives the nearest code, or at worst the other one of the two around the value. The
+/// result equals the fixed-point code of the same value, except where the product rounds: within
+/// 2^-24 of the distance to a threshold.
 #[inline]
 fn dithered_float<const LAST: usize>(linear: f32, threshold: u8) -> u8 {
     let linear = clamp(linear);

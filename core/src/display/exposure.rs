@@ -1,4 +1,4 @@
-//! Exposure: how much light makes full scale.
+//! Exposure: the amount of light that maps to full scale.
 
 use crate::{
     color::Rgb,
@@ -6,14 +6,14 @@ use crate::{
     number::Scalar,
 };
 
-/// A factor on all light before it is fitted to the display.
+/// A factor applied to all light before it is mapped to the display.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Exposure {
     factor: f32,
 }
 
 impl Exposure {
-    /// Multiplies all light by a factor.
+    /// Creates an exposure that multiplies all light by a factor.
     ///
     /// # Errors
     /// A factor outside 0 to 1e9.
@@ -22,7 +22,7 @@ impl Exposure {
         Ok(Self { factor })
     }
 
-    /// Opens by a number of stops: each doubles the light, and each below zero halves it.
+    /// Creates an exposure from a number of stops: the factor is `2^stops`.
     ///
     /// ```
     /// use luminaire::{Rgb, display::Exposure};
@@ -32,10 +32,10 @@ impl Exposure {
     /// ```
     ///
     /// # Errors
-    /// More than 24 stops either way.
+    /// Stops outside -24 to 24.
     pub fn stops(stops: i32) -> Result<Self, Error> {
         check_between(Parameter::Exposure, stops as f32, -24.0, 24.0)?;
-        // A power of two is its exponent, moved to where f32 keeps it.
+        // Writes the exponent of the power of two into the bits of an f32.
         Ok(Self { factor: f32::from_bits(((127 + stops) as u32) << 23) })
     }
 
@@ -52,13 +52,15 @@ pub struct CompiledExposure<S: Scalar> {
 }
 
 impl<S: Scalar> CompiledExposure<S> {
-    /// The exposure of this gain, as [`codegen`](crate::codegen) writes it.
+    /// Creates an exposure from its gain, as [`codegen`](crate::codegen) writes it.
     pub const fn from_parts(gain: S::Gain) -> Self {
         Self { gain }
     }
 
-    /// The light as it is exposed; a factor of one changes no bit. From light of up to four times full scale a
-    /// darker one is within two steps of the format.
+    /// Returns the light times the factor; a factor of 1 changes no bit.
+    ///
+    /// For light of up to four times full scale and a factor below 1, the error is at most two
+    /// steps of the format.
     #[inline]
     pub fn expose(&self, light: Rgb<S::Irradiance>) -> Rgb<S::Irradiance> {
         light.map(|channel| S::amplify(channel, self.gain))

@@ -1,17 +1,18 @@
-//! Where lights add past full scale: two policies, each stated. Choose once, and choose the same for a whole picture.
+//! Mapping of light past full scale: two policies. Use the same one for a whole picture.
 //!
-//! [`clip`] cuts each channel at full scale. It is the cheaper one and what displays do by themselves; a bright orange
-//! turns to yellow and then to white.
+//! [`clip`] clips each channel at full scale. It is the cheaper policy, and what displays do by
+//! themselves. A bright orange turns yellow and then white.
 //!
-//! [`compress_keep_hue`] divides all channels by the largest where that is over full scale. Orange stays orange
-//! however bright, at the price of a reciprocal, and of surfaces that no longer grow brighter.
+//! [`compress_keep_hue`] divides all channels by the largest if that exceeds full scale. Orange
+//! stays orange at any brightness. It costs a reciprocal, and overexposed surfaces no longer grow
+//! brighter.
 
 use crate::{
     color::Rgb,
     number::{Gain, Scalar},
 };
 
-/// Each channel clipped to full scale.
+/// Clips each channel to full scale.
 ///
 /// ```
 /// use luminaire::{Rgb, display::clip};
@@ -22,8 +23,10 @@ pub fn clip<S: Scalar>(light: Rgb<S::Irradiance>) -> Rgb<S> {
     light.map(S::clip)
 }
 
-/// The channels in their proportion, the largest at full scale if it was over it. Light that fits is unchanged to the bit;
-/// elsewhere each channel is within two steps of the format of the exact quotient, one in f32, eight in `Fx32`.
+/// Scales the channels in proportion, so that the largest is at most full scale.
+///
+/// Light within full scale is unchanged to the bit. Otherwise the error against the exact quotient
+/// is at most one step of the format in f32, two in `Fx16` and eight in `Fx32`.
 ///
 /// ```
 /// use luminaire::{Rgb, display::compress_keep_hue};

@@ -1,4 +1,4 @@
-//! The pixels of small displays: 5 bits of red, 6 of green, 5 of blue.
+//! Pixels of small displays: 5 bits of red, 6 of green, 5 of blue.
 
 use super::srgb::nearest_code;
 use crate::{color::Rgb, number::Scalar};
@@ -8,12 +8,12 @@ use crate::{color::Rgb, number::Scalar};
 #[repr(transparent)]
 pub struct Rgb565(pub u16);
 
-/// The nearest of the codes from 0 to `last` for one from 0 to 255.
+/// Converts a code in `[0, 255]` to the nearest in `[0, last]`.
 const fn nearest(code: u8, last: u16) -> u16 {
     (code as u16 * last + 127) / 255
 }
 
-/// The nearest of the codes from 0 to 255 for one from 0 to `last`.
+/// Converts a code in `[0, last]` to the nearest in `[0, 255]`.
 const fn widened(code: u16, last: u16) -> u8 {
     ((code * 255 + last / 2) / last) as u8
 }
@@ -23,7 +23,7 @@ impl Rgb565 {
         Self(red << 11 | green << 5 | blue)
     }
 
-    /// The nearest pixel to codes of eight bits.
+    /// Returns the nearest pixel to codes of eight bits.
     ///
     /// ```
     /// use luminaire::{Rgb, display::Rgb565};
@@ -34,8 +34,10 @@ impl Rgb565 {
         Self::pack(nearest(codes.red, 31), nearest(codes.green, 63), nearest(codes.blue, 31))
     }
 
-    /// The nearest pixel in sRGB to a linear colour, clipped to [0, 1]. Rounded once, not by way of eight bits, which
-    /// would round some colours twice. In fixed point exactly the nearest, and without a float.
+    /// Returns the nearest sRGB pixel to a linear colour, clipped to `[0, 1]`.
+    ///
+    /// It is rounded once; a conversion through eight bits would round some colours twice. In fixed
+    /// point it is exactly the nearest, and uses no floats.
     #[inline]
     pub fn from_linear<S: Scalar>(color: Rgb<S>) -> Self {
         let red = nearest_code::<S, 31>(color.red);
@@ -44,12 +46,13 @@ impl Rgb565 {
         Self::pack(red.into(), green.into(), blue.into())
     }
 
-    /// The nearest codes of eight bits. Packing them gives the pixel back.
+    /// Returns the nearest codes of eight bits. [`from_codes`](Self::from_codes) restores the pixel
+    /// from them.
     pub const fn to_codes(self) -> Rgb<u8> {
         Rgb::new(widened(self.0 >> 11, 31), widened(self.0 >> 5 & 63, 63), widened(self.0 & 31, 31))
     }
 
-    /// The two bytes, the one with red first: the order that most displays on SPI take.
+    /// Returns the two bytes, that with red first: the order that most SPI displays expect.
     ///
     /// ```
     /// use luminaire::display::Rgb565;
@@ -60,7 +63,7 @@ impl Rgb565 {
         self.0.to_be_bytes()
     }
 
-    /// The two bytes, the one with blue first.
+    /// Returns the two bytes, that with blue first.
     #[inline]
     pub const fn to_le_bytes(self) -> [u8; 2] {
         self.0.to_le_bytes()

@@ -1,20 +1,24 @@
-//! The sRGB encoding (IEC 61966-2-1): the nearest code, by its exact thresholds. In f32 a
-//! polynomial tells which threshold to compare with, in fixed point a bisection finds it.
+//! The sRGB encoding (IEC 61966-2-1): the nearest code, by its exact thresholds.
+//!
+//! In f32 a polynomial selects the threshold to compare with; in fixed point a bisection does.
 
 use crate::{
     number::{Scalar, Word, float::clamp},
     trig,
 };
 
-/// Where the straight toe of the sRGB curve ends, in linear light.
+/// Upper end of the linear segment of the sRGB curve, in linear light.
 const TOE: f32 = 0.003_130_8;
 
-/// The curved part of sRGB in codes, as a polynomial in the square root of the linear value, from
-/// the constant upwards: the minimax fit of degree 4 to `255 (1.055 x^(1/2.4) - 0.055)`, within
-/// 0.2. Less than a half is enough: the tables decide.
+/// The curved part of sRGB in codes, as a polynomial in the square root of the linear value.
+///
+/// Coefficients start with the constant. Minimax fit of degree 4 to `255 (1.055 x^(1/2.4) -
+/// 0.055)`, with an error of at most 0.2. An error below 0.5 suffices, because the tables decide.
 const ENCODE: [f32; 5] = [-9.436_19, 369.214_33, -240.939_53, 214.911_74, -78.940_82];
 
-/// The inverse, `((v + 0.055) / 1.055)^2.4` for v in [0, 1], from the constant upwards: the minimax fit of degree 7.
+/// The inverse, `((v + 0.055) / 1.055)^2.4` for `v` in `[0, 1]`: minimax fit of degree 7.
+///
+/// Coefficients start with the constant.
 const DECODE: [f32; 8] = [
     0.000_870_130_95,
     0.034_664_018,
@@ -26,11 +30,10 @@ const DECODE: [f32; 8] = [
     0.062_172_695,
 ];
 
-/// The sRGB code of a linear value: 0 for 0 and below, 255 for 1 and above; what is not a number becomes 0.
+/// Returns the sRGB code of a linear value: 0 for 0, below and NaN, 255 for 1 and above.
 ///
-/// Exactly the nearest code, for every value of every format: by comparisons of integers alone in
-/// fixed point; by a square root, a polynomial and one comparison in f32, in place of the power
-/// 1/2.4.
+/// It is exactly the nearest code, for every value of every format. Fixed point compares integers
+/// only; f32 uses a square root, a polynomial and one comparison instead of the power 1/2.4.
 ///
 /// ```
 /// assert_eq!([0.0, 0.5, 1.0].map(luminaire::display::encode_srgb::<f32>), [0, 188, 255]);
@@ -40,7 +43,7 @@ pub fn encode_srgb<S: Scalar>(linear: S) -> u8 {
     nearest_code::<S, 255>(linear)
 }
 
-/// The nearest of the codes from 0 to `LAST`.
+/// Returns the nearest code in `[0, LAST]`.
 #[inline]
 pub(super) fn nearest_code<S: Scalar, const LAST: usize>(linear: S) -> u8 {
     match linear.word() {
@@ -52,20 +55,21 @@ pub(super) fn nearest_code<S: Scalar, const LAST: usize>(linear: S) -> u8 {
     }
 }
 
-/// The nearest code of f32, from 0 to `LAST`.
+/// Returns the nearest code in `[0, LAST]` of an f32.
 #[inline]
 fn encode_float<const LAST: usize>(linear: f32) -> u8 {
     let linear = clamp(linear);
     let code = curve(linear, LAST as f32) as i32 as usize;
-    // The threshold between the two codes about the value. Near the light of a code the curve may
-    // give the neighbouring threshold, on whose same side the value is. Beyond the last one `get`
-    // gives none, which an index would panic at.
+    // The threshold between the two codes around the value. Near the light of a code the curve may
+    // select the neighbouring threshold, which gives the same code. Beyond the last threshold `get`
+    // returns none; an index would panic.
     let reaches = Thresholds::<LAST>::FLOAT.get(code).is_some_and(|threshold| linear >= *threshold);
     (code + usize::from(reaches)) as u8
 }
 
-/// About the place of a value from 0 to 1 among the codes from 0 to `last`, within 0.2 of one of
-/// 255.
+/// Returns the approximate position of a value in `[0, 1]` among the codes in `[0, last]`.
+///
+/// The error is at most 0.2 of a code of 255.
 #[inline]
 pub(super) fn curve(linear: f32, last: f32) -> f32 {
     let curve = polynomial(ENCODE, trig::sqrt(linear));
@@ -73,24 +77,27 @@ pub(super) fn curve(linear: f32, last: f32) -> f32 {
     code * (last / 255.0)
 }
 
-/// The linear value of an sRGB code, in [0, 1], within 2e-6 (exhaustive). For set-up: encoding gives the code back.
+/// Returns the linear value of an sRGB code, in `[0, 1]`, within 2e-6 (exhaustive).
+///
+/// Meant for set-up. Encoding the result gives the code again.
 pub fn decode_srgb(code: u8) -> f32 {
     let value = f32::from(code) / 255.0;
     if value <= 12.92 * TOE { value / 12.92 } else { clamp(polynomial(DECODE, value)) }
 }
 
-/// Horner's rule.
+/// Evaluates a polynomial by Horner's rule.
 #[inline]
 fn polynomial<const N: usize>(coefficients: [f32; N], x: f32) -> f32 {
     coefficients.into_iter().rev().fold(0.0, |sum, coefficient| sum * x + coefficient)
 }
 
-/// The thresholds between the codes from 0 to `LAST`: the least linear value, of those that a
-/// format has, whose nearest code is one more than the index. Only the tables are stored that are
-/// used, of the `LAST` that are used.
+/// Thresholds between the codes in `[0, LAST]`.
+///
+/// Each is the smallest linear value, of those that a format has, whose nearest code is one more
+/// than the index. Only the tables that are used are stored, for each `LAST` in use.
 struct Thresholds<const LAST: usize>;
 
-/// A table of an expression of each threshold in f64.
+/// Builds a table from an expression of each threshold in f64.
 macro_rules! of_each {
     ($zero:expr, $threshold:ident => $entry:expr) => {{
         let mut table = [$zero; LAST];
@@ -110,16 +117,16 @@ impl<const LAST: usize> Thresholds<LAST> {
         if (nearest as f64) < threshold { f32::from_bits(nearest.to_bits() + 1) } else { nearest }
     });
 
-    /// In steps of 2^-14: two bytes a code.
+    /// In units of 2^-14: two bytes per code.
     #[cfg(feature = "fixed")]
     const SIXTEEN: [u16; LAST] = of_each!(0, threshold => steps(threshold, 14) as u16);
 
-    /// In steps of 2^-30.
+    /// In units of 2^-30.
     #[cfg(feature = "fixed")]
     const THIRTY_TWO: [u32; LAST] = of_each!(0, threshold => steps(threshold, 30));
 }
 
-/// A linear value in steps of `2^-bits`, rounded up.
+/// Converts a linear value to units of `2^-bits`, rounded up.
 #[cfg(feature = "fixed")]
 const fn steps(linear: f64, bits: u32) -> u32 {
     let exact = linear * (1_u32 << bits) as f64;
@@ -127,10 +134,10 @@ const fn steps(linear: f64, bits: u32) -> u32 {
     if (whole as f64) < exact { whole + 1 } else { whole }
 }
 
-/// The linear light of an sRGB value from 0 to 1, within 1e-15 of it.
+/// Returns the linear light of an sRGB value in `[0, 1]`, within 1e-15.
 ///
-/// The curve is `x = v^(12/5)`, so that `x >= v^(12/5)` is `x^5 >= v^12`: a comparison of products,
-/// by which the least `x` is found by bisection. For the compiler.
+/// The curve is `x = v^(12/5)`, so `x >= v^(12/5)` is equivalent to `x^5 >= v^12`: a comparison of
+/// products, by which a bisection finds the least `x`. Evaluated at compile time.
 pub(super) const fn linear(value: f64) -> f64 {
     if value <= 12.92 * 0.003_130_8 {
         return value / 12.92;
@@ -138,7 +145,7 @@ pub(super) const fn linear(value: f64) -> f64 {
     let base = (value + 0.055) / 1.055;
     let cube = base * base * base;
     let twelfth = cube * cube * cube * cube;
-    // Floats from zero up are in the order of their bits.
+    // Floats from zero up are ordered like their bits.
     let (mut below, mut above) = (0, 1.0_f64.to_bits());
     while above - below > 1 {
         let middle = u64::midpoint(below, above);
@@ -148,15 +155,16 @@ pub(super) const fn linear(value: f64) -> f64 {
     f64::from_bits(above)
 }
 
-/// How many thresholds a linear value reaches, by halving the codes that are left: as many comparisons as the code has
-/// bits, whatever the value.
+/// Counts the thresholds that a linear value reaches, by bisection.
+///
+/// The number of comparisons is that of the code's bits, for every value.
 #[cfg(feature = "fixed")]
 macro_rules! code {
     ($thresholds:expr, $linear:expr) => {{
         let (thresholds, linear) = ($thresholds, $linear);
         let (mut code, mut step) = (0, thresholds.len().div_ceil(2));
         while step > 0 {
-            // Always there, which the compiler cannot know: an index would leave it a way to panic.
+            // Always in bounds, but the compiler cannot prove it: an index would add a panic.
             let reaches = thresholds.get(code + step - 1).is_some_and(|threshold| linear >= *threshold);
             code += if reaches { step } else { 0 };
             step /= 2;
@@ -165,14 +173,14 @@ macro_rules! code {
     }};
 }
 
-/// The nearest code of a value in steps of 2^-14.
+/// Returns the nearest code of a value in units of 2^-14.
 #[cfg(feature = "fixed")]
 #[inline]
 fn encode_steps14<const LAST: usize>(linear: i16) -> u8 {
     code!(&Thresholds::<LAST>::SIXTEEN, linear.max(0) as u16)
 }
 
-/// The nearest code of a value in steps of 2^-30.
+/// Returns the nearest code of a value in units of 2^-30.
 #[cfg(feature = "fixed")]
 #[inline]
 fn encode_steps30<const LAST: usize>(linear: i32) -> u8 {

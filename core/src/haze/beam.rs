@@ -23,22 +23,25 @@ pub struct BeamScattering<P: Falloff = SoftOrHard, A: Attenuation = InverseSquar
     pub(crate) falloff: CompiledCone<f32, P>,
     pub(crate) attenuation: A::Constants<f32>,
     pub(crate) gain: f32,
-    /// The versine up to which the intensity is that of the axis, and the one from which on there is none,
-    /// within a step.
+    /// Versines between which the intensity varies, each within one [`STEP`].
+    ///
+    /// Up to the first the intensity is that of the axis, from the second on it is zero.
     pub(crate) cone: [f32; 2],
-    /// The squared distances at which the light begins and ends.
+    /// Squared distances at which the light begins and ends.
     pub(crate) reach: [f32; 2],
 }
 
-/// What counts as no difference of intensities: a step of 16 bits. A high power is so faint in most of its
-/// cone, and the places of the rule fall where it is not.
+/// Difference of intensities that counts as zero: one step of 16 bits.
+///
+/// A high power is fainter than that in most of its cone. Excluding that part puts the quadrature
+/// nodes where there is light.
 const STEP: f32 = 1.0 / 65_536.0;
 
-/// Where space ends. Squares of distances and products of two of them stay within f32.
+/// Largest distance. Squares of distances and products of two squares stay within f32.
 pub(super) const FARTHEST: f32 = 1e15;
 
 impl<P: Falloff, A: Attenuation> CompiledSpotLight<f32, P, A> {
-    /// The beam of this light in haze.
+    /// Returns the beam of this light in haze.
     pub fn in_haze(&self, haze: &Haze) -> BeamScattering<P, A> {
         let radius = haze.source_radius();
         let reach = range::<A>(&self.attenuation);
@@ -55,8 +58,10 @@ impl<P: Falloff, A: Attenuation> CompiledSpotLight<f32, P, A> {
 }
 
 impl<P: Falloff, A: Attenuation> BeamScattering<P, A> {
-    /// The beam of these parts, as [`codegen`](crate::codegen) writes them: the two versines between which
-    /// the intensity varies, and the squares of the distances between which there is light.
+    /// Creates a beam from its fields, as [`codegen`](crate::codegen) writes them.
+    ///
+    /// `cone` are the two versines between which the intensity varies, `reach` the squared
+    /// distances between which there is light.
     pub const fn from_parts(
         position: Vec3<f32>,
         axis: Vec3<f32>,
@@ -69,11 +74,14 @@ impl<P: Falloff, A: Attenuation> BeamScattering<P, A> {
         Self { position, axis, falloff, attenuation, gain, cone, reach }
     }
 
-    /// The light that the haze scatters along a view ray towards the eye, before the colour: 1 is full
-    /// scale, what a white surface shows that receives 1. From zero up and finite, whatever the bits;
-    /// exactly zero in clear air and where the ray does not meet the cone.
+    /// Returns the light that the haze scatters along a view ray towards the eye, before the
+    /// colour.
     ///
-    /// There is no branch in it that depends on the ray, so that compilers make vector instructions of a loop over rays.
+    /// 1 is full scale: what a white surface that receives 1 shows. The result is at least 0 and
+    /// finite for every input. It is exactly zero in clear air and if the ray misses the cone.
+    ///
+    /// The function has no branch that depends on the ray, so that compilers vectorise a loop over
+    /// rays.
     #[inline(always)] // Turntable in haze on x86-64: 2.2 times the instructions without.
     pub fn in_scattering(&self, view: &ViewRay) -> f32 {
         let arc = Arc::new(&self.extent(), view);
@@ -100,7 +108,9 @@ impl<P: Falloff, A: Attenuation> BeamScattering<P, A> {
         self.light(&arc, sum)
     }
 
-    /// What a way along the ray scatters.
+    /// Returns the light scattered at a coordinate `place`, times `way`.
+    ///
+    /// `way` is the length of the ray per unit of the integration variable.
     #[inline(always)] // Filtered haze of a spotlight with a range, on x86-64: +7 % without.
     pub(super) fn by_way(&self, arc: &Arc, (place, way): (f32, f32)) -> f32 {
         let distance = arc.distance(place);
@@ -109,7 +119,7 @@ impl<P: Falloff, A: Attenuation> BeamScattering<P, A> {
         way * A::expose(&self.attenuation, &offset, &offset.ray(), intensity, 1.0)
     }
 
-    /// The air light of what is scattered of an intensity of one.
+    /// Returns the in-scattering for an integral with an intensity of 1.
     #[inline]
     pub(super) fn light(&self, arc: &Arc, scattered: f32) -> f32 {
         let scattered = if arc.is_any() { scattered } else { 0.0 };
@@ -123,45 +133,47 @@ impl<P: Falloff, A: Attenuation> BeamScattering<P, A> {
     }
 }
 
-/// What the angle of a unit of `v` scatters of an intensity, at distance 1. The intensity is told `1 / (1 +
-/// v^2)`.
+/// Returns the integrand over `v`, at distance 1: `2 / (1 + v^2)` times the intensity.
+///
+/// `intensity` gets `1 / (1 + v^2)`.
 #[inline]
 pub(super) fn by_angle(v: f32, intensity: impl Fn(f32) -> f32) -> f32 {
     let share = 1.0 / (1.0 + v * v);
     2.0 * share * intensity(share)
 }
 
-/// The way from a light to a point at a distance.
+/// Returns the offset from a light to some point at a distance.
 #[inline]
 fn at_distance(distance: f32) -> <f32 as Arithmetic>::Offset {
     f32::offset(Vec3::new(0.0, 0.0, 0.0), Vec3::new(distance, 0.0, 0.0))
 }
 
-/// The distance at which a distance model ends, or the end of space.
+/// Returns the range of a distance model, or [`FARTHEST`].
 fn range<A: Attenuation>(constants: &A::Constants<f32>) -> f32 {
     last(FARTHEST, |distance| !A::is_beyond::<f32>(constants, &at_distance(distance)))
 }
 
-/// The versines between which the intensity of a cone varies.
+/// Returns the versines between which the intensity of a cone varies.
 fn rim<P: Falloff>(falloff: &CompiledCone<f32, P>) -> [f32; 2] {
     let [_, limit, _] = falloff.ramp.to_bits().map(f32::from_bits);
     let limit = clamp(limit);
     let full = falloff.at(0.0);
     let is_full = |versine: f32| (falloff.at(versine) - full).abs() < STEP;
     let is_lit = |versine: f32| falloff.at(versine) >= STEP;
-    // A table may fall and rise again: its first fall ends the middle, and its last light the rim.
+    // A table may fall and rise again: the middle ends at its first fall, the rim at its last
+    // light.
     let part = |i: u32| limit * (i as f32 / 256.0);
     let first = (1..256).find(|&i| !is_full(part(i))).unwrap_or(256);
     let end = (1..256).rev().find(|&i| is_lit(part(i))).map_or(1, |i| i + 1);
     [last(part(first), is_full), last(part(end), is_lit)]
 }
 
-/// The largest number up to `most` up to which a predicate holds.
+/// Returns the largest number up to `most` up to which a predicate holds.
 fn last(most: f32, holds: impl Fn(f32) -> bool) -> f32 {
     if holds(most) {
         return most;
     }
-    // Floats from zero up are in the order of their bits.
+    // Floats from zero up are ordered like their bits.
     let (mut low, mut high) = (0, most.to_bits());
     while high - low > 1 {
         let middle = low + (high - low) / 2;

@@ -1,4 +1,4 @@
-//! Many view rays at once, and whether a beam can meet any of them.
+//! Bundles of view rays, and a conservative test whether a beam can meet any of them.
 
 use super::{
     BeamScattering,
@@ -7,26 +7,29 @@ use super::{
 };
 use crate::{attenuation::Attenuation, falloff::Falloff, number::float::positive, trig, vec3::Vec3};
 
-/// Every view ray from an eye within an angle of a direction, up to a length: those of a tile of a picture.
+/// All view rays from an eye within an angle of a direction, up to a length, such as those of a
+/// screen tile.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct RayBundle {
-    /// Where the eye is.
+    /// The position of the eye.
     pub eye: Vec3<f32>,
     /// The direction in the middle, of unit length.
     pub direction: Vec3<f32>,
-    /// The versine of the largest angle of a ray with the direction in the middle.
+    /// The versine of the largest angle between a ray and the middle direction.
     pub versine: f32,
-    /// The length of the longest ray; infinity where one has no end.
+    /// The length of the longest ray; infinity if a ray is endless.
     pub length: f32,
 }
 
-/// What the roundings of both sides may add up to, of the distances from the eye to light and surface: some
-/// hundred of them.
+/// Bound of the rounding errors of both sides, relative to the distances from the eye to light and
+/// surface: about a hundred roundings.
 const MARGIN: f32 = 2e-5;
 
 impl RayBundle {
-    /// The least bundle around a direction that has the rays of these others, all of unit length: the
-    /// corners of a tile are enough, because a bundle has whatever lies between its rays.
+    /// Returns the smallest bundle around a direction that contains these other rays, all of unit
+    /// length.
+    ///
+    /// The corners of a tile suffice, because a bundle contains all directions between its rays.
     pub fn around(eye: Vec3<f32>, direction: Vec3<f32>, others: &[Vec3<f32>], length: f32) -> Self {
         let versine = |&other: &Vec3<f32>| {
             let difference = other.zip(direction, |o, d| o - d);
@@ -49,21 +52,20 @@ impl Cap {
         Self { axis, sine: trig::sqrt(positive(versine * (2.0 - versine))), cosine: 1.0 - versine }
     }
 
-    /// The cosine of the least angle of a unit direction with any of the cap.
+    /// Returns the cosine of the smallest angle between a unit direction and the cap.
     fn nearest_to(&self, direction: Vec3<f32>) -> f32 {
         let (along, across) = (direction.dot(self.axis), cross(direction, self.axis));
         let beside = along * self.cosine + trig::sqrt(across.dot(across)) * self.sine;
         if along > self.cosine { 1.0 } else { beside }
     }
 
-    /// The normal of the plane that touches the cap on the side of a direction; it points away from the
-    /// cap.
+    /// Returns the outward normal of the plane that touches the cap on the side of a direction.
     fn outward(&self, side: Vec3<f32>) -> Vec3<f32> {
         unit(across(side, self.axis)).zip(self.axis, |c, a| self.cosine * c - self.sine * a)
     }
 }
 
-/// The part of a vector at a right angle with a unit vector.
+/// Returns the component of a vector orthogonal to a unit vector.
 fn across(v: Vec3<f32>, axis: Vec3<f32>) -> Vec3<f32> {
     let along = v.dot(axis);
     v.zip(axis, |v, a| v - along * a)
@@ -79,15 +81,17 @@ fn reversed(v: Vec3<f32>) -> Vec3<f32> {
 }
 
 impl<P: Falloff, A: Attenuation> BeamScattering<P, A> {
-    /// Whether any ray of a bundle may have [`in_scattering`](Self::in_scattering). Where this says no, each has
-    /// exactly none; where it says yes, all may have none.
+    /// Returns whether any ray of a bundle may have [`in_scattering`](Self::in_scattering).
     ///
-    /// The answer is no where a plane through the light has the beam on one side and the rays on the other,
-    /// or all rays are beyond a plane at the light's range. The margin is some hundred roundings of the
-    /// distances, more than this test and the evaluation have together. The planes that might serve are
-    /// those that touch beam or bundle: a ray beside the beam is told by one that touches the beam between where the
-    /// ray begins and where it ends, seen along the axis. Each is tried as it has come out of its construction, whose
-    /// roundings can lose a no and cannot make one.
+    /// If the result is `false`, every ray has exactly none. If it is `true`, it is still possible
+    /// that none has any.
+    ///
+    /// The result is `false` if a plane through the light separates the beam from the rays, or if
+    /// all rays are beyond a plane at the light's range. The margin is about a hundred roundings of
+    /// the distances, more than those of this test and of the evaluation together. The candidate
+    /// planes touch the beam or the bundle. A ray beside the beam is found by a plane that touches
+    /// the beam between the ray's ends, as seen along the axis. Each plane is tested as
+    /// constructed, so rounding can miss a separating plane but cannot invent one.
     pub fn can_meet(&self, bundle: &RayBundle) -> bool {
         let Extent { position, axis, reach_squared, .. } = self.extent();
         let eye = bundle.eye.zip(position, |e, p| e - p);
@@ -99,7 +103,7 @@ impl<P: Falloff, A: Attenuation> BeamScattering<P, A> {
         let reach = trig::sqrt(reach_squared);
         let separates = |normal: Vec3<f32>| {
             let normal = unit(normal);
-            // How far the eye and the ends of the rays are from the plane through the light.
+            // Distances of the eye and of the ends of the rays from the plane through the light.
             let near = normal.dot(eye);
             let far = near - length * rays.nearest_to(reversed(normal));
             let slack = MARGIN + positive(beam.nearest_to(normal));

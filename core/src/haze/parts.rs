@@ -1,5 +1,7 @@
-//! A view ray in a beam, in equal parts: nothing smooth is known of what is in its way, and the middles of many parts suit
-//! that best.
+//! A view ray in a beam, sampled at equal steps.
+//!
+//! The transmittance along the ray is not known to be smooth; the midpoint rule with many samples
+//! suits it best.
 
 use super::{
     BeamScattering, ViewRay,
@@ -9,13 +11,17 @@ use super::{
 };
 use crate::{attenuation::Attenuation, falloff::Falloff, vec3::Vec3};
 
-/// Is told so many points in a beam and what the haze scatters at each, and leaves of that what gets through to it.
+/// Callback that attenuates the light of `PARTS` sample points in a beam.
+///
+/// It gets the points and the light scattered at each, and multiplies each light by the
+/// transmittance (shadow, gobo) there.
 pub type TransmittanceFn<'a, const PARTS: usize> = dyn FnMut(&Vec3<[f32; PARTS]>, &mut [f32; PARTS]) + 'a;
 
-/// The part of a view ray that is in a beam, divided by what its light is summed over.
+/// The part of a view ray inside a beam, and the steps of its integration.
 struct Parts {
     arc: Arc,
-    /// What is divided under another law than the inverse square; under that it is the arc.
+    /// The integration variable of every distance model but the inverse square, which integrates
+    /// over the arc.
     stretch: Option<Stretch>,
     from: f32,
     step: f32,
@@ -23,11 +29,13 @@ struct Parts {
 }
 
 impl<P: Falloff, A: Attenuation> BeamScattering<P, A> {
-    /// As [`in_scattering`](Self::in_scattering), weighted by what gets through to each of so many places of the
-    /// ray in the beam: by a pattern in front of the light or past what throws a shadow, as `transmission`
-    /// tells of a point of the world, from 0 to 1. The places are in the middle of parts that are equal
-    /// seen from the light, or about so where the light does not fall with the square of the distance.
-    /// Without any there is no light.
+    /// As [`in_scattering`](Self::in_scattering), weighted by the transmittance at `samples` points
+    /// of the ray.
+    ///
+    /// `transmission` returns the transmittance at a world position, in `[0, 1]`: of a gobo in
+    /// front of the light, or of what throws a shadow. The samples are in the middles of intervals
+    /// that are equal as seen from the light, or approximately equal without an inverse-square
+    /// attenuation. Without samples there is no light.
     #[inline]
     pub fn in_scattering_through(
         &self,
@@ -44,8 +52,10 @@ impl<P: Falloff, A: Attenuation> BeamScattering<P, A> {
         self.sum(&parts, sum)
     }
 
-    /// The same where all places are told at once: they are found in a loop of vector instructions. The filter is not asked
-    /// where the ray is not in the beam.
+    /// As `in_scattering_through`, with all samples in one call of the filter.
+    ///
+    /// The samples are computed in a loop that compilers vectorise. The filter is not called if the
+    /// ray misses the beam.
     #[inline]
     pub(crate) fn in_scattering_filtered<const PARTS: usize>(
         &self,
@@ -80,7 +90,7 @@ impl<P: Falloff, A: Attenuation> BeamScattering<P, A> {
         Parts { arc, stretch, from: 0.0, step: 1.0 / count, scale: 1.0 }
     }
 
-    /// The point in the middle of a part, and what is scattered there.
+    /// Returns the point in the middle of an interval, and the light scattered there.
     #[inline]
     fn part(&self, parts: &Parts, number: u32) -> (Vec3<f32>, f32) {
         let Parts { arc, stretch, from, step, .. } = parts;
@@ -97,7 +107,7 @@ impl<P: Falloff, A: Attenuation> BeamScattering<P, A> {
         (arc.point(self.position, place), light)
     }
 
-    /// The light of all parts.
+    /// Returns the light of all intervals.
     #[inline]
     fn sum(&self, parts: &Parts, sum: f32) -> f32 {
         let scattered = if parts.step > 0.0 { parts.step * sum } else { 0.0 };

@@ -1,21 +1,21 @@
-//! View rays, many at once.
+//! View rays as a structure of arrays.
 
 use super::ViewRay;
 use crate::vec3::{Vec3, nth};
 
-/// View rays from one eye, each quantity in an array of its own: see [`ViewRay`].
+/// View rays from one eye, each quantity in its own array: see [`ViewRay`].
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct ViewRays<const N: usize> {
-    /// Where the eye is.
+    /// The position of the eye.
     pub eye: Vec3<f32>,
-    /// Where it looks, of unit length.
+    /// The directions of view, of unit length.
     pub direction: Vec3<[f32; N]>,
-    /// How far it sees; infinity where there is no surface.
+    /// The distances to the surfaces; infinity if there is none.
     pub length: [f32; N],
 }
 
 impl<const N: usize> ViewRays<N> {
-    /// One of the rays; beyond the last a ray of no length.
+    /// Returns one of the rays; a ray of length 0 if `i` is out of bounds.
     #[inline]
     pub fn at(&self, i: usize) -> ViewRay {
         let Vec3 { x, y, z } = &self.direction;

@@ -1,13 +1,14 @@
-//! A stretch of a view ray, for light that does not fall with the square of the distance.
+//! Part of a view ray, for light that does not attenuate with the inverse square of the distance.
 
 use super::arc::Arc;
 use crate::trig;
 
-/// A stretch of a view ray, run through by a parameter from 0 to 1.
+/// Part of a view ray, with a parameter from 0 to 1 as its coordinate.
 ///
-/// Neither equal ways nor equal angles suit what varies with the distance in part and with the direction in
-/// part: along a beam the ones lose what is near the light and the others what is far. Here the parameter
-/// gives both ends the weight of the root of the other's distance, which is halfway between the two.
+/// The integrand varies partly with the distance and partly with the direction. Uniform steps in
+/// length undersample the part near the light; uniform steps in angle undersample the far part.
+/// Here each end is weighted by the square root of the other end's distance, which is halfway
+/// between the two.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Stretch {
     from: f32,
@@ -16,15 +17,16 @@ pub(super) struct Stretch {
 }
 
 impl Stretch {
-    /// The stretch between two places.
+    /// Builds the part between two coordinates of the ray.
     #[inline]
     pub(super) fn new(arc: &Arc, from: f32, to: f32) -> Self {
         let [near, far] = [arc.distance(from), arc.distance(to)].map(trig::sqrt);
         Self { from, to, weights: [far, near] }
     }
 
-    /// The place at a parameter, and the way that a unit of it makes there; none if the ends are not in
-    /// their order.
+    /// Returns the coordinate on the ray at a parameter, and its derivative by the parameter.
+    ///
+    /// The derivative is zero unless `from < to`.
     #[inline]
     pub(super) fn at(&self, parameter: f32) -> (f32, f32) {
         let [far, near] = self.weights;

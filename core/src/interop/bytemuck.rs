@@ -1,8 +1,9 @@
-//! Slices of vectors, colours, pixels and numbers are seen as bytes, and bytes as them, without a copy.
+//! Zero-copy casts between bytes and slices of vectors, colours, pixels and numbers.
 //!
-//! [`Rgb565`], the fixed-point numbers, and [`Vec3`] and [`Rgb`] of what is itself `Pod`, are `Pod`: of any bits, and
-//! without a gap. Their bytes have the processor's order; [`Rgb565::to_be_bytes`] has one of its own. An angle is no
-//! `Pod`: how it is stored is its own affair.
+//! [`Rgb565`] and the fixed-point numbers are `Pod`: any bits are valid, and there is no padding.
+//! [`Vec3`] and [`Rgb`] are `Pod` if their components are. Bytes are in the processor's order;
+//! [`Rgb565::to_be_bytes`] has a fixed order. Angles are not `Pod`, because their layout is
+//! private.
 //!
 //! ```
 //! use luminaire::{Vec3, display::Rgb565};
@@ -21,22 +22,22 @@ use crate::number::{Fx16, Fx32, Length, Light16, Light32, Versine16, Versine32, 
 use crate::{color::Rgb, display::Rgb565, vec3::Vec3};
 use bytemuck::{Pod, Zeroable};
 
-// SAFETY: three zeros of `T`, each of which may be zero.
+// SAFETY: all-zero bits are three `T` of all-zero bits, which are valid.
 unsafe impl<T: Zeroable> Zeroable for Vec3<T> {}
-// SAFETY: `repr(C)` puts three `T` one after the other without a gap, as in an array, and each may be of any bits.
+// SAFETY: `repr(C)` stores three `T` like an array, without padding, and `T` is valid for any bits.
 unsafe impl<T: Pod> Pod for Vec3<T> {}
 
-// SAFETY: three zeros of `T`, each of which may be zero.
+// SAFETY: all-zero bits are three `T` of all-zero bits, which are valid.
 unsafe impl<T: Zeroable> Zeroable for Rgb<T> {}
-// SAFETY: `repr(C)` puts three `T` one after the other without a gap, as in an array, and each may be of any bits.
+// SAFETY: `repr(C)` stores three `T` like an array, without padding, and `T` is valid for any bits.
 unsafe impl<T: Pod> Pod for Rgb<T> {}
 
-/// Marks what is stored as one integer.
+/// Implements `Pod` for types stored as one integer.
 macro_rules! pod {
     ($($number:ident($bits:ty))*) => {$(
-        // SAFETY: `repr(transparent)` over an integer, of which zero is a value.
+        // SAFETY: `repr(transparent)` over an integer, for which zero is valid.
         unsafe impl Zeroable for $number {}
-        // SAFETY: `repr(transparent)` over an integer, of which any bits are a value.
+        // SAFETY: `repr(transparent)` over an integer, for which any bits are valid.
         unsafe impl Pod for $number {}
     )*};
 }

@@ -1,7 +1,7 @@
-//! Errors, angles, vectors, colours and numbers are logged by `defmt`, which writes out text on the host.
+//! `defmt` formatting of errors, angles, vectors, colours and numbers; text is built on the host.
 //!
-//! A fixed-point number is sent as the nearest `f32`: where each of its bits counts, log `to_bits()`. What is logged has
-//! the form of `Debug`:
+//! A fixed-point number is sent as the nearest `f32`; log `to_bits()` where every bit counts. The
+//! format is that of `Debug`:
 //!
 //! ```
 //! fn refused(error: &luminaire::Error, cone: luminaire::Angle) {
@@ -50,7 +50,7 @@ impl Format for Rgb565 {
     }
 }
 
-/// Sends numbers as the nearest float.
+/// Implements `Format` for numbers, as the nearest f32.
 #[cfg(feature = "fixed")]
 macro_rules! float {
     ($($number:ident($bits:ty))*) => {$(

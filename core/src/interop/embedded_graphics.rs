@@ -1,12 +1,12 @@
-//! Colours convert from and into those of `embedded-graphics-core`, channel by channel and without a rounding.
+//! Lossless conversions of colours from and to those of `embedded-graphics-core`.
 //!
 //! | here | there |
 //! |---|---|
 //! | [`Rgb565`] | `Rgb565`, `Bgr565` |
 //! | [`Rgb<u8>`](Rgb) | `Rgb888`, `Bgr888` |
 //!
-//! The order of the bytes is that of `ToBytes` there: RGB has red in the upper bits and BGR blue, and displays on SPI
-//! mostly take big endian, the upper byte first.
+//! Byte order is chosen with that crate's `ToBytes`. `Rgb` types have red in the upper bits, `Bgr`
+//! types blue. Most SPI displays expect big endian, the upper byte first.
 //!
 //! ```
 //! use embedded_graphics_core::pixelcolor::{Bgr565, Bgr888, Rgb565, Rgb888, raw::ToBytes};
@@ -51,7 +51,7 @@ impl From<Bgr565> for Rgb565 {
     }
 }
 
-/// Both ways between codes of eight bits and a type that orders their channels in its own way.
+/// Implements conversions between codes of eight bits and types with their own channel order.
 macro_rules! both_ways {
     ($($other:ident)*) => {$(
         impl From<Rgb<u8>> for $other {

@@ -1,4 +1,4 @@
-//! [`Vec3`]`<f32>` converts from and into `glam::Vec3`.
+//! Conversions between [`Vec3`]`<f32>` and `glam::Vec3`.
 //!
 //! ```
 //! use luminaire::Vec3;

@@ -1,4 +1,5 @@
-//! [`Vec3`] converts from and into `mint::Vector3` and `mint::Point3`, through which mathematics crates meet.
+//! Conversions between [`Vec3`] and `mint::Vector3` or `mint::Point3`, the common types of
+//! mathematics crates.
 //!
 //! ```
 //! use luminaire::{Fx16, Scalar, Vec3};
@@ -8,7 +9,7 @@
 
 use crate::vec3::Vec3;
 
-/// Both ways between a vector and a type of mint with the same components.
+/// Implements conversions between a vector and a type of mint with the same components.
 macro_rules! both_ways {
     ($($other:ident)*) => {$(
         impl<T> From<mint::$other<T>> for Vec3<T> {
@@ -27,7 +28,7 @@ macro_rules! both_ways {
 
 both_ways!(Vector3 Point3);
 
-/// Without more said, a vector is a vector and no point.
+/// By default a `Vec3` converts to a mint vector, not to a point.
 impl<T> mint::IntoMint for Vec3<T> {
     type MintType = mint::Vector3<T>;
 }

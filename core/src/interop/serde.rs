@@ -1,16 +1,16 @@
-//! Vectors, colours, angles and numbers are written and read by `serde`.
+//! `serde` serialisation of vectors, colours, angles and numbers.
 //!
-//! | type | is written as |
+//! | type | serialised as |
 //! |---|---|
 //! | [`Vec3`] | an array of three: x, y, z |
 //! | [`Rgb`] | an array of three: red, green, blue |
-//! | [`Rgb565`] | its 16 bits, one whole number |
-//! | [`Angle`], [`HalfAngle`] | degrees: full ones, half ones |
-//! | the fixed-point numbers | their bits, one whole number: exact |
+//! | [`Rgb565`] | its 16 bits, as one integer |
+//! | [`Angle`], [`HalfAngle`] | degrees: the full angle, the half angle |
+//! | fixed-point numbers | their bits, as one integer: exact |
 //!
-//! Each type takes every value of these, so that only what is no such value is refused, by the format's own error.
-//! Descriptions, as a cone or a light, are not serialised, because their constructors validate: store what they are
-//! built from, and build them again.
+//! Each type accepts every value of its serialised type; anything else is an error of the data
+//! format. Descriptions such as a cone or a light are not serialisable, because their constructors
+//! validate: store the constructor's arguments, and construct again.
 //!
 //! ```
 //! use luminaire::{Angle, Vec3};
@@ -29,7 +29,7 @@ use crate::{
 };
 use serde_core::{Deserialize, Deserializer, Serialize, Serializer};
 
-/// Writes three values as an array.
+/// Implements serialisation of three components as an array.
 macro_rules! array {
     ($($name:ident($first:ident, $second:ident, $third:ident))*) => {$(
         impl<T: Serialize> Serialize for $name<T> {
@@ -48,7 +48,7 @@ macro_rules! array {
 
 array!(Vec3(x, y, z) Rgb(red, green, blue));
 
-/// Writes a value as another, and reads it from there.
+/// Implements serialisation of a type as another type.
 macro_rules! written_as {
     ($($name:ident($as:ty, $from:expr, $to:expr))*) => {$(
         impl Serialize for $name {
@@ -71,7 +71,7 @@ written_as! {
     HalfAngle(f32, Self::degrees, Self::to_degrees)
 }
 
-/// Writes numbers as the integers that store them.
+/// Implements serialisation of numbers as the integers that store them.
 #[cfg(feature = "fixed")]
 macro_rules! bits {
     ($($number:ident($bits:ty))*) => {
@@ -91,7 +91,7 @@ mod tests {
     extern crate std;
     use std::string::ToString;
 
-    /// A value is written as this, and read back from it.
+    /// Checks that a value is serialised as this text, and read back from it.
     fn there_and_back<T: Serialize + for<'de> Deserialize<'de> + PartialEq + Debug>(value: T, text: &str) {
         assert_eq!(to_string(&value).unwrap(), text);
         assert_eq!(from_str::<T>(text).unwrap(), value);
@@ -111,7 +111,7 @@ mod tests {
     fn angles_are_degrees_full_or_half() {
         there_and_back(Angle::degrees(36.5), "36.5");
         there_and_back(HalfAngle::degrees(36.5), "36.5");
-        // The constructors take any angle, and the cones refuse.
+        // The constructors accept any angle; the cones reject invalid ones.
         there_and_back(Angle::degrees(-1.0), "-1.0");
     }
 

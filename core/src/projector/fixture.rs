@@ -1,4 +1,4 @@
-//! Fixtures: lights with what is mounted in front of them.
+//! Fixtures: lights with a gobo and shadows.
 
 use core::ops::RangeInclusive;
 
@@ -11,7 +11,7 @@ use crate::{
     number::Scalar,
 };
 
-/// A light as a scene has it: with the gobo and the shadows that it is given, or without.
+/// A light as it hangs in a scene: with an optional gobo and optional shadows.
 ///
 /// ```
 /// use luminaire::{Angle, Cone, SpotLight, Vec3, falloff::Soft, projector::{Fixture, Gobo}};
@@ -30,22 +30,23 @@ pub struct Fixture {
 }
 
 impl Fixture {
-    /// The sides that a shadow map may have, in texels.
+    /// Range of the side length of a shadow map, in texels.
     pub const SHADOW_SIDES: RangeInclusive<u16> = 16..=2048;
 
-    /// The same fixture with a gobo, turned about the axis as [`Projection::turned`] does.
+    /// Returns the same fixture with a gobo, rolled about the axis as by [`Projection::turned`].
     ///
     /// # Errors
-    /// A light that projects no square: a cone over 160 degrees, or none. A roll that is not from -360 to 360 degrees.
+    /// A light without a projection: a cone over 160 degrees, or none. A roll outside -360 to 360
+    /// degrees.
     pub fn with_gobo(self, gobo: Gobo<'static>, roll: Angle) -> Result<Self, Error> {
         let projection = self.project()?.turned(roll)?;
         Ok(Self { gobo: Some((gobo, projection)), ..self })
     }
 
-    /// The same fixture with shadows, by a map of so many texels a side.
+    /// Returns the same fixture with shadows from a map of `side` by `side` texels.
     ///
     /// # Errors
-    /// A side that is not from 16 to 2048; a light that projects no square: a cone over 160 degrees, or none.
+    /// A side outside 16 to 2048; a light without a projection: a cone over 160 degrees, or none.
     pub fn with_shadow(self, side: u16) -> Result<Self, Error> {
         let sides = Self::SHADOW_SIDES;
         if !sides.contains(&side) {
@@ -55,8 +56,10 @@ impl Fixture {
         Ok(Self { shadow: Some((side, self.project()?)), ..self })
     }
 
-    /// The square around the cone of the light. A point light is refused as a cone of 360 degrees, and parallel light as
-    /// one of none.
+    /// Returns the square around the cone of the light.
+    ///
+    /// A point light is rejected as a cone of 360 degrees, a directional light as a cone of 0
+    /// degrees.
     fn project(&self) -> Result<Projection, Error> {
         let refused = |value| {
             let accepted = Expected::AngleUpTo(Projection::WIDEST.to_degrees());
@@ -69,22 +72,22 @@ impl Fixture {
         }
     }
 
-    /// The light.
+    /// Returns the light.
     pub fn light(&self) -> &AnyLight {
         &self.light
     }
 
-    /// The gobo and the square that it lies on; nothing where there is none.
+    /// Returns the gobo and its square, if any.
     pub fn gobo(&self) -> Option<(Gobo<'static>, Projection)> {
         self.gobo
     }
 
-    /// The side of the shadow map in texels and the square that it lies on; nothing where there are no shadows.
+    /// Returns the side of the shadow map in texels and its square, if any.
     pub fn shadow(&self) -> Option<(u16, Projection)> {
         self.shadow
     }
 
-    /// The effects that the fixture requires; none where its light is dark.
+    /// Returns the effects that the fixture requires; none if its light is dark.
     pub fn effects(&self) -> Effects {
         let mut effects = self.light.effects();
         if effects == Effects::NONE {
@@ -99,10 +102,10 @@ impl Fixture {
         effects
     }
 
-    /// Compiles the gobo for the format `S`; nothing where there is none.
+    /// Compiles the gobo for the format `S`; `None` without a gobo.
     ///
     /// # Errors
-    /// What the format can't hold: see [`Projection::compile`].
+    /// A projection that the format cannot represent: see [`Projection::compile`].
     pub fn compile_gobo<S: Scalar>(&self) -> Result<Option<CompiledGobo<'static, S>>, Error> {
         let on = |(gobo, projection): (Gobo<'static>, Projection)| Ok(gobo.on(projection.compile()?));
         self.gobo.map(on).transpose()

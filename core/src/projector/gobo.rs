@@ -7,13 +7,14 @@ use crate::{
     vec3::Vec3,
 };
 
-/// A gobo: a square of transmissions in the gate of a spotlight, which its light throws on what it meets.
+/// A gobo: a square grid of transmissions in the gate of a spotlight (in engines: a light cookie).
 ///
-/// 255 lets all light through and 0 none, in row-major order from the top left as they are seen from the light. Each stands
-/// in the middle of its part of the square, and between four of them the light goes over by linear interpolation in both
-/// directions, in integers: the same place has the same transmission in every format, rounded to that. Outside the
-/// outermost middles, half a part from the edge, and off the square the nearest transmission of the border goes on; the
-/// light of the cone ends within the square anyway.
+/// Transmission 255 passes all light and 0 none. The transmissions are in row-major order from the
+/// top left, as seen from the light. Each lies at the centre of its texel, and between four centres
+/// the gobo interpolates bilinearly. This is done in integers: a position has the same transmission
+/// in every format, rounded to that format. Beyond the outermost centres, half a texel from the
+/// edge, and off the square, the nearest border transmission continues. The light of the cone ends
+/// within the square anyway.
 ///
 /// ```
 /// use luminaire::{Angle, Cone, SpotLight, Vec3, falloff::Soft, projector::{Gobo, Projection}};
@@ -26,7 +27,7 @@ use crate::{
 /// let cone = Cone::from_outer(Soft, Angle::degrees(90.0))?;
 /// let spot = SpotLight::new(Vec3::new(0.0, 1.0, 4.0), Vec3::new(0.0, 0.0, -1.0), cone)?;
 /// let gobo = MULLION.on(Projection::of(&spot)?.compile::<f32>()?);
-/// // On the wall at z = 0 the square is 8 wide, and the middles of its parts 8 / 3 apart.
+/// // On the wall at z = 0 the square is 8 wide, and the centres of its texels are 8 / 3 apart.
 /// assert_eq!(gobo.at(Vec3::new(0.0, 1.0, 0.0)), 0.0);
 /// assert_eq!(gobo.at(Vec3::new(-3.0, 0.0, 0.0)), 1.0);
 /// assert!((gobo.at(Vec3::new(4.0 / 3.0, 2.0, 0.0)) - 0.5).abs() < 1e-3);
@@ -38,17 +39,17 @@ pub struct Gobo<'a> {
     transmissions: &'a [u8],
 }
 
-/// The most transmissions along a side: then 16 steps of a place are between two of them.
+/// Largest number of transmissions per side: leaves 16 coordinate steps between two of them.
 const MOST: usize = 4_096;
 
-/// How many fraction bits the way from one transmission to the next has, and the weights of the interpolation.
+/// Fraction bits of a position between two transmissions, and of the interpolation weights.
 const FRACTION_BITS: u32 = 12;
 
 impl<'a> Gobo<'a> {
-    /// The gobo of so many rows of as many transmissions.
+    /// Creates a gobo of `side` rows of `side` transmissions.
     ///
     /// # Errors
-    /// A side that is not from 1 to 4,096, or another number of transmissions than its square.
+    /// A side outside 1 to 4,096, or a number of transmissions other than its square.
     pub fn new(side: usize, transmissions: &'a [u8]) -> Result<Self, Error> {
         if !(1..=MOST).contains(&side) {
             let accepted = Expected::WholeBetween(1, MOST as u32);
@@ -65,8 +66,9 @@ impl<'a> Gobo<'a> {
         Ok(Self { side: side as u32, transmissions })
     }
 
-    /// The gobo of transmissions that are known when the program is compiled, row by row: `COUNT` is the square of a
-    /// side from 1 to 4,096. Another count does not compile.
+    /// Creates a gobo from transmissions known at compile time, row by row.
+    ///
+    /// `COUNT` is the square of a side from 1 to 4,096; any other count does not compile.
     pub const fn of<const COUNT: usize>(transmissions: &'a [u8; COUNT]) -> Self {
         let side = const {
             let side = COUNT.isqrt();
@@ -79,23 +81,24 @@ impl<'a> Gobo<'a> {
         Self { side, transmissions }
     }
 
-    /// How many transmissions a side has.
+    /// Returns the number of transmissions per side.
     pub const fn side(self) -> usize {
         self.side as usize
     }
 
-    /// The transmissions, row by row.
+    /// Returns the transmissions, row by row.
     pub const fn transmissions(self) -> &'a [u8] {
         self.transmissions
     }
 
-    /// The gobo on the square of a spotlight.
+    /// Mounts the gobo on the square of a spotlight.
     pub const fn on<S: Scalar>(self, projection: CompiledProjection<S>) -> CompiledGobo<'a, S> {
         CompiledGobo { projection, gobo: self }
     }
 
-    /// What is left of the light at a place: from exactly zero to exactly one, and one everywhere behind glass without a
-    /// pattern.
+    /// Returns the transmission at a position, in `[0, 1]`.
+    ///
+    /// It is exactly 1 between transmissions of 255, and exactly 0 between transmissions of 0.
     #[inline]
     pub fn transmission<S: Scalar>(self, place: &ProjectedPoint<S>) -> S {
         let (column, right) = self.part(place.column);
@@ -108,26 +111,31 @@ impl<'a> Gobo<'a> {
         S::weighted_byte(between(top, bottom, down))
     }
 
-    /// The transmission before a place along a side, and how far it is to the next: no way from the last one.
+    /// Returns the index of the transmission before a coordinate, and the weight of the next one.
+    ///
+    /// The weight is zero at the last transmission.
     #[inline]
     fn part(self, steps: i32) -> (u32, u32) {
         const LOST: u32 = 16 - FRACTION_BITS;
         let steps = steps.clamp(0, (1 << 16) - 1) as u32;
-        // From the middle of the first transmission to the middle of the step, in 65,536ths of a part.
+        // Distance from the centre of the first texel to the middle of the step, in 65,536ths of a
+        // texel.
         let way = (steps * self.side).saturating_sub((1 << 15) - self.side / 2);
         let last = (self.side - 1) << 16;
         let way = if way < last { way } else { last };
         (way >> 16, ((way & 0xffff) + (1 << (LOST - 1))) >> LOST)
     }
 
-    /// A transmission; one that would be after the last has no weight.
+    /// Returns a transmission; an index past the end has weight zero.
     #[inline]
     fn nth(self, index: u32) -> u32 {
         u32::from(self.transmissions.get(index as usize).copied().unwrap_or(0))
     }
 }
 
-/// The value so far on the way from one to another, times the whole way. A difference may wrap, and the sum comes back.
+/// Interpolates from one value to another; the result is scaled by `2^FRACTION_BITS`.
+///
+/// The difference may wrap; the sum wraps back.
 #[inline]
 fn between(from: u32, to: u32, way: u32) -> u32 {
     (from << FRACTION_BITS).wrapping_add(to.wrapping_sub(from).wrapping_mul(way))
@@ -141,28 +149,28 @@ pub struct CompiledGobo<'a, S: Scalar> {
 }
 
 impl<'a, S: Scalar> CompiledGobo<'a, S> {
-    /// The gobo of these parts, as [`codegen`](crate::codegen) writes them.
+    /// Creates a gobo from its parts, as [`codegen`](crate::codegen) writes them.
     pub const fn from_parts(projection: CompiledProjection<S>, gobo: Gobo<'a>) -> Self {
         Self { projection, gobo }
     }
 
-    /// The square that the gobo lies on.
+    /// Returns the square that the gobo lies on.
     pub const fn projection(&self) -> &CompiledProjection<S> {
         &self.projection
     }
 
-    /// The gobo.
+    /// Returns the gobo.
     pub const fn gobo(&self) -> Gobo<'a> {
         self.gobo
     }
 
-    /// What is left of the light at a point: a factor from 0 to 1.
+    /// Returns the transmission at a point, in `[0, 1]`.
     #[inline]
     pub fn at(&self, point: Vec3<S::Length>) -> S {
         self.gobo.transmission(&self.projection.place(point))
     }
 
-    /// What is left of this light at a point; where all of it is, no bit has changed.
+    /// Attenuates a light by the transmission at a point; a transmission of 1 changes no bit.
     #[inline]
     pub fn filter(&self, light: S::Irradiance, point: Vec3<S::Length>) -> S::Irradiance {
         S::filter(light, self.at(point))

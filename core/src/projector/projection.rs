@@ -1,4 +1,4 @@
-//! The square that a spotlight projects: what a pattern or a map of shadows lies on.
+//! The square that a spotlight projects, on which a gobo or a shadow map lies.
 
 use crate::{
     angle::Angle,
@@ -12,22 +12,24 @@ use crate::{
     vec3::Vec3,
 };
 
-/// The square around the cone of a spotlight, across its axis.
+/// The square around the cone of a spotlight, orthogonal to its axis.
 ///
-/// It is a flat one: a square on a wall that the light meets head-on, which the edge of the cone touches in the middles of
-/// its sides. So a place on it goes with the tangent of the angle off axis, and no cone over 160 degrees has one.
+/// The square is flat, like a square on a wall that faces the light: the edge of the cone touches
+/// the middles of its sides. Coordinates are therefore proportional to the tangent of the angle off
+/// axis, and a cone over 160 degrees has no square.
 ///
-/// [`right`](Self::right) and [`up`](Self::up) are those of somebody at the light who looks along its axis, in coordinates
-/// that are right-handed, with y upwards. A light that points straight down or up, within one degree, leaves no up:
-/// there the top of the square lies to `-z` in a light that points down, and to `z` in one that points up, as it
-/// does where the axis leans to `-z`.
+/// [`right`](Self::right) and [`up`](Self::up) are those of a viewer at the light who looks along
+/// its axis, in right-handed coordinates with y upwards. A light that points straight down or up,
+/// within one degree, has no natural up. The top of its square then lies to `-z` if the light
+/// points down, and to `z` if it points up, as for an axis that leans to `-z`.
 ///
 /// ```
 /// use luminaire::{Angle, Cone, SpotLight, Vec3, falloff::Soft, projector::Projection};
 /// let cone = Cone::from_outer(Soft, Angle::degrees(90.0))?;
 /// let spot = SpotLight::new(Vec3::new(0.0, 1.0, 4.0), Vec3::new(0.0, 0.0, -1.0), cone)?;
 /// let square = Projection::of(&spot)?.compile::<f32>()?;
-/// // A point of the wall at z = 0, where the square has a side of 8: a quarter of it to the right of the middle and 1 / 8 up.
+/// // On the wall at z = 0 the square has a side of 8. The point lies 1/4 of a side to the right of
+/// // its centre, and 1/8 of a side above it.
 /// let place = square.place(Vec3::new(2.0, 2.0, 0.0));
 /// assert_eq!((place.column, place.row, place.depth), (49_152, 24_576, 4.0));
 /// # Ok::<(), luminaire::Error>(())
@@ -42,14 +44,15 @@ pub struct Projection {
     tangent: f32,
 }
 
-/// Nearer to the vertical than about one degree, by the squared sine, an axis is taken for vertical.
+/// Squared sine of the angle from the vertical, about one degree, below which an axis counts as
+/// vertical.
 const UPRIGHT: f32 = 3.0e-4;
 
 impl Projection {
-    /// The widest outer angle: at a right angle off axis there is no wall to be lit.
+    /// The widest outer angle; at a right angle off axis the wall would be infinitely large.
     pub const WIDEST: Angle = Angle::degrees(160.0);
 
-    /// The square around the cone of a spotlight, upright.
+    /// Returns the upright square around the cone of a spotlight.
     ///
     /// # Errors
     /// An outer angle over 160 degrees.
@@ -65,17 +68,19 @@ impl Projection {
         Ok(Self { position: spot.position(), right, up: cross(right, axis), axis, outer, tangent })
     }
 
-    /// The same square, turned about the axis: clockwise, as it is seen from the light. Quarters of a turn are exact.
+    /// Returns the same square, rolled about the axis: clockwise, as seen from the light.
+    ///
+    /// Multiples of 90 degrees are exact.
     ///
     /// # Errors
-    /// A roll that is not from -360 to 360 degrees.
+    /// A roll outside -360 to 360 degrees.
     pub fn turned(&self, roll: Angle) -> Result<Self, Error> {
         let degrees = roll.to_degrees();
         check_between(Parameter::Roll, degrees, -360.0, 360.0)?;
         let quarters = (degrees / 90.0 + 4.5) as i32 - 4;
         let rest = (degrees - 90.0 * quarters as f32).to_radians();
         let half_sine = trig::sin(0.5 * rest);
-        // Of unit length together, however good the sine is.
+        // `cosine^2 + sine^2 = 1`, whatever the error of `half_sine`.
         let cosine = 1.0 - 2.0 * half_sine * half_sine;
         let sine = 2.0 * half_sine * trig::sqrt(1.0 - half_sine * half_sine);
         let (right, up) = (self.right, self.up);
@@ -91,27 +96,27 @@ impl Projection {
         Self { right: self.up.map(|c| -c), up: self.right, ..self }
     }
 
-    /// Where the light stands.
+    /// Returns the position of the light.
     pub fn position(&self) -> Vec3<f32> {
         self.position
     }
 
-    /// To the right on the square, of unit length.
+    /// Returns the direction to the right on the square, of unit length.
     pub fn right(&self) -> Vec3<f32> {
         self.right
     }
 
-    /// Up on the square, of unit length.
+    /// Returns the direction up on the square, of unit length.
     pub fn up(&self) -> Vec3<f32> {
         self.up
     }
 
-    /// Where the light points, of unit length.
+    /// Returns the direction of the light, of unit length.
     pub fn axis(&self) -> Vec3<f32> {
         self.axis
     }
 
-    /// The tangent of the outer half angle: half a side of the square at a depth of one.
+    /// Returns the tangent of the outer half angle: half a side of the square at a depth of 1.
     pub fn tangent(&self) -> f32 {
         self.tangent
     }
@@ -119,8 +124,8 @@ impl Projection {
     /// Compiles the square for the format `S`.
     ///
     /// # Errors
-    /// A cone narrower than the format can hold whatever its profile: [`Cone::narrowest`] of [`Step`]. A position
-    /// beyond [`Scalar::FARTHEST`].
+    /// A cone narrower than the format can represent with any profile: [`Cone::narrowest`] of
+    /// [`Step`]. A position beyond [`Scalar::FARTHEST`].
     pub fn compile<S: Scalar>(&self) -> Result<CompiledProjection<S>, Error> {
         check_reach::<S>(self.position)?;
         let narrowest = Cone::narrowest::<S>(Step);
@@ -136,7 +141,9 @@ impl Projection {
     }
 }
 
-/// What is to the right of somebody who looks along an axis, of unit length and exactly level unless the axis is vertical.
+/// Returns the direction to the right of a viewer who looks along an axis, of unit length.
+///
+/// It is exactly horizontal unless the axis is vertical.
 fn right_of(axis: Vec3<f32>) -> Vec3<f32> {
     let Vec3 { x, y, z } = axis;
     let level = x * x + z * z;
@@ -161,12 +168,14 @@ pub struct CompiledProjection<S: Scalar> {
 }
 
 impl<S: Scalar> CompiledProjection<S> {
-    /// The projection of these parts, as [`codegen`](crate::codegen) writes them.
+    /// Creates a projection from its parts, as [`codegen`](crate::codegen) writes them.
     pub const fn from_parts(position: Vec3<S::Length>, frame: S::Frame) -> Self {
         Self { position, frame }
     }
 
-    /// Where a point stands on the square, and how deep in the light; the unit of `point` is that of the light's position.
+    /// Returns the position of a point on the square, and its depth.
+    ///
+    /// `point` is in the unit of the light's position.
     #[inline]
     pub fn place(&self, point: Vec3<S::Length>) -> ProjectedPoint<S> {
         S::place(&self.frame, self.position, point)

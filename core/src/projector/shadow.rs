@@ -7,16 +7,17 @@ use crate::{
     vec3::Vec3,
 };
 
-/// A shadow map: how far a spotlight shines, on the square that it projects.
+/// A shadow map: depths up to which a spotlight shines, on the square that it projects.
 ///
-/// The square has so many texels on a side, row by row from its top, each row from its left. Each texel has the depth along
-/// the axis of the light up to which points are lit in its middle; what is deeper is in shadow. Between four middles their
-/// answers are weighted by how near they are (the 2 x 2 filter of Reeves, Salesin and Cook, *Rendering Antialiased Shadows
-/// with Depth Maps*, SIGGRAPH 1987): depths are compared and never mixed.
+/// The map has `side` by `side` texels, in row-major order from the top left. Each texel holds the
+/// depth along the axis of the light up to which points at its centre are lit; deeper points are in
+/// shadow. Between four centres the results of the comparisons are interpolated bilinearly: depths
+/// are compared and never mixed. This is the 2 x 2 filter of Reeves, Salesin and Cook, *Rendering
+/// Antialiased Shadows with Depth Maps*, SIGGRAPH 1987.
 ///
-/// The comparison has no tolerance of its own. Whoever draws the map gives its depths what keeps a surface from shadowing
-/// itself, once per texel and not once per point. So there is no normal to be asked for either, and a point of the air
-/// has a shadow as well as one of a surface.
+/// The comparison has no bias of its own. The renderer of the map adds the bias against
+/// self-shadowing to the depths, once per texel instead of once per point. No normal is needed, so
+/// a point in the air can be shadowed like one on a surface.
 ///
 /// ```
 /// use luminaire::{Angle, Cone, SpotLight, Vec3, falloff::Soft, projector::{Projection, Shadow}};
@@ -38,30 +39,32 @@ pub struct Shadow<'a, S: Scalar> {
     pub(crate) depths: &'a [S::Length],
 }
 
-/// The most texels along a side: then 16 steps of a place are in each.
+/// Largest number of texels per side: leaves 16 coordinate steps in each.
 const MOST: usize = 4_096;
 
-/// Into how many parts the way from one middle to the next is divided, as a power of two: the product of two such parts is
-/// a step of the 16-bit format, and exact in every other.
+/// Number of bits of an interpolation weight.
+///
+/// The product of two weights is in units of 2^-14: one step of the 16-bit format, and exact in
+/// every other format.
 const SHARE_BITS: u32 = 7;
 
-/// The whole way.
+/// The sum of the two weights.
 const WHOLE: u32 = 1 << SHARE_BITS;
 
-/// Where a place lies along a row or a column of middles.
+/// Position along a row or a column, between two texel centres.
 #[derive(Clone, Copy)]
 struct Between {
-    /// The texels before and after; one and the same in the outer half of the texels at the edge.
+    /// The texels before and after; equal in the outer half of a texel at the edge.
     texels: [u32; 2],
-    /// How much each counts, of [`WHOLE`].
+    /// The weights of the texels, which sum to [`WHOLE`].
     shares: [u32; 2],
 }
 
 impl<'a, S: Scalar> Shadow<'a, S> {
-    /// The shadow map of so many rows of as many depths on the square of a light.
+    /// Creates a shadow map of `side` rows of `side` depths on the square of a light.
     ///
     /// # Errors
-    /// A side that is not from 1 to 4,096, or another number of depths than its square.
+    /// A side outside 1 to 4,096, or a number of depths other than its square.
     pub fn new(
         projection: CompiledProjection<S>,
         side: usize,
@@ -79,41 +82,46 @@ impl<'a, S: Scalar> Shadow<'a, S> {
         Ok(Self::from_parts(projection, side as u32, depths))
     }
 
-    /// The shadow map of these parts, as [`codegen`](crate::codegen) writes them. A texel that is missing hides nothing.
+    /// Creates a shadow map from its parts, as [`codegen`](crate::codegen) writes them.
+    ///
+    /// A missing texel hides nothing.
     pub const fn from_parts(projection: CompiledProjection<S>, side: u32, depths: &'a [S::Length]) -> Self {
         Self { projection, side, depths }
     }
 
-    /// The square that the map lies on.
+    /// Returns the square that the map lies on.
     pub const fn projection(&self) -> &CompiledProjection<S> {
         &self.projection
     }
 
-    /// How many texels a side has.
+    /// Returns the number of texels per side.
     pub const fn side(&self) -> usize {
         self.side as usize
     }
 
-    /// The depths, row by row.
+    /// Returns the depths, row by row.
     pub const fn depths(&self) -> &'a [S::Length] {
         self.depths
     }
 
-    /// How much of the light arrives at a point, from 0 to 1: exactly one where nothing stands between, so that a factor of
-    /// it changes no bit, and exactly zero in full shadow. What is off the square or behind the light has no shadow, as no
-    /// light of the cone arrives there.
+    /// Returns the visibility of the light from a point, in `[0, 1]`.
+    ///
+    /// It is exactly 1 if nothing is between, so that multiplying by it changes no bit, and exactly
+    /// 0 in full shadow. Points off the square or behind the light have visibility 1, because no
+    /// light of the cone reaches them.
     #[inline]
     pub fn visibility(&self, point: Vec3<S::Length>) -> S {
         self.at(&self.projection.place(point))
     }
 
-    /// What is left of this light at a point; where all of it is, no bit has changed.
+    /// Attenuates a light by the visibility at a point; a visibility of 1 changes no bit.
     #[inline]
     pub fn filter(&self, light: S::Irradiance, point: Vec3<S::Length>) -> S::Irradiance {
         S::filter(light, self.visibility(point))
     }
 
-    /// The same for a place that is known, as one that a pattern has already been asked for.
+    /// As [`visibility`](Self::visibility), for a position that is known, such as one computed for
+    /// a gobo.
     #[inline]
     pub fn at(&self, place: &ProjectedPoint<S>) -> S {
         let (row, column) = (self.between(place.row), self.between(place.column));
@@ -126,10 +134,11 @@ impl<'a, S: Scalar> Shadow<'a, S> {
         S::part(if place.is_inside() { WHOLE * WHOLE - hidden } else { WHOLE * WHOLE })
     }
 
-    /// The middles between which a place lies that is on the square.
+    /// Returns the texel centres around a coordinate on the square.
     #[inline]
     fn between(&self, along: i32) -> Between {
-        // Half a texel back, to the middles, and a whole one forth, which keeps it from being negative.
+        // Subtracts half a texel, to count from the centres, and adds one, to keep the value from
+        // being negative.
         let steps = (along as u32).wrapping_mul(self.side).wrapping_add(1 << 15);
         let after = steps >> 16;
         let share = steps >> (16 - SHARE_BITS) & (WHOLE - 1);

@@ -8,7 +8,9 @@ use crate::{
     vec3::Vec3,
 };
 
-/// A directional light compiled for the format `S`. Made by [`DirectionalLight::compile`](crate::DirectionalLight::compile).
+/// A directional light compiled for the format `S`.
+///
+/// Made by [`DirectionalLight::compile`](crate::DirectionalLight::compile).
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct CompiledDirectionalLight<S: Scalar> {
     pub(crate) direction: Vec3<S::Unit>,
@@ -18,24 +20,27 @@ pub struct CompiledDirectionalLight<S: Scalar> {
 }
 
 impl<S: Scalar> CompiledDirectionalLight<S> {
-    /// The light that arrives at a surface of this normal, before the colours: Lambert's cosine of the intensity.
+    /// Returns the irradiance at a surface with this normal, before the colours.
+    ///
+    /// It is the intensity times Lambert's cosine.
     #[inline]
     pub fn irradiance(&self, normal: Vec3<S>) -> S::Irradiance {
         self.evaluate::<NoSpecular>(&SurfacePoint::matte(Vec3::default(), normal), &(), false).diffuse
     }
 
-    /// The light's linear colour.
+    /// Returns the light's linear colour.
     pub fn color(&self) -> Rgb<S> {
         self.color
     }
 
-    /// The linear colour of the light's highlights.
+    /// Returns the linear colour of the light's specular highlights.
     pub fn specular_color(&self) -> Rgb<S> {
         self.specular_color
     }
 
-    /// The light of these parts, as [`codegen`](crate::codegen) writes them: the colours are the diffuse and the specular
-    /// one.
+    /// Creates a light from its fields, as [`codegen`](crate::codegen) writes them.
+    ///
+    /// The colours are the diffuse and the specular one.
     pub const fn from_parts(
         direction: Vec3<S::Unit>,
         intensity: S::Gain,
@@ -59,7 +64,7 @@ impl<S: Scalar> LightModel<S> for CompiledDirectionalLight<S> {
         skips: bool,
     ) -> Incident<S::Irradiance> {
         let cosine = S::incidence(self.direction, surface.normal);
-        // Not more than zero, so that what is not a number is skipped too.
+        // The comparison is false for NaN, so NaN is skipped too.
         let is_lit = cosine > S::ZERO;
         if skips && H::SHINES && !is_lit {
             return Incident::default();

@@ -1,4 +1,4 @@
-//! Lights that stand in a place: what spotlights and point lights have in common.
+//! Lights with a position: the common part of spotlights and point lights.
 
 use super::{Incident, SurfacePoint, lobe};
 use crate::{
@@ -8,7 +8,7 @@ use crate::{
     vec3::Vec3,
 };
 
-/// Where a light stands, and how its light falls with the distance.
+/// The position of a light, its attenuation and its intensity.
 #[derive(Clone, Copy)]
 pub(super) struct Stand<'a, S: Scalar, A: Attenuation> {
     pub(super) position: Vec3<S::Length>,
@@ -17,16 +17,17 @@ pub(super) struct Stand<'a, S: Scalar, A: Attenuation> {
     pub(super) fine_below: u32,
 }
 
-/// A compiled light that stands in a place.
+/// A compiled light with a position.
 pub(super) trait Placed<S: Scalar, A: Attenuation> {
-    /// Where it stands.
+    /// Returns the position, the attenuation and the intensity.
     fn place(&self) -> Stand<'_, S, A>;
-    /// Whether a point is outside its cone for certain: see [`Offset::is_outside`].
+    /// Returns whether a point is certainly outside the cone: see [`Offset::is_outside`].
     fn is_outside(&self, offset: &S::Offset) -> bool;
-    /// The falloff of its cone along a ray; none for a light without a cone.
+    /// Returns the falloff of the cone along a ray; none for a light without a cone.
     fn falloff<R: Ray<S>>(&self, ray: &R) -> Option<R::Share>;
 
-    /// The light that arrives at a surface: see [`LightModel::evaluate`](super::LightModel::evaluate).
+    /// Returns the light that arrives at a surface: see
+    /// [`LightModel::evaluate`](super::LightModel::evaluate).
     #[inline(always)] // `spot-soft-lambert-shadow` on Cortex-M0: +53 without.
     fn evaluate_at<H: SpecularLobe>(
         &self,
@@ -54,8 +55,10 @@ pub(super) trait Placed<S: Scalar, A: Attenuation> {
         self.along::<H, _>(&offset, &ray, cosine, lobe).1
     }
 
-    /// What arrives at a point that is near, or of a cone that is steep: with all bits that the format can give, but
-    /// where they would show nothing. Apart from the rest, which is to stay in registers.
+    /// Evaluates a near point or a steep cone with the format's full precision.
+    ///
+    /// The coarse result is kept where it is clipped anyway. This is a separate cold function, so
+    /// that the common path stays in registers.
     #[cold]
     #[inline(never)]
     fn evaluate_finely<H: SpecularLobe>(
@@ -80,7 +83,8 @@ pub(super) trait Placed<S: Scalar, A: Attenuation> {
         }
         let ray = offset.fine_ray();
         let cosine = ray.cosine(facing, normal);
-        // The rounding of a lobe to a scalar is more than a finer direction would add to it.
+        // The lobe's rounding to a scalar is larger than the error that a finer direction would
+        // remove.
         let (_, fine) = self.along::<H, _>(&offset, &ray, cosine, || lobe);
         Incident {
             diffuse: if keeps_diffuse { light.diffuse } else { fine.diffuse },
@@ -88,7 +92,7 @@ pub(super) trait Placed<S: Scalar, A: Attenuation> {
         }
     }
 
-    /// What arrives along a ray: as shares of the intensity, and the light of them.
+    /// Returns the light along a ray: as shares of the intensity, and as irradiances.
     #[inline(always)] // `spot-table-lambert` on Cortex-M0: +29 without.
     fn along<H: SpecularLobe, R: Ray<S>>(
         &self,

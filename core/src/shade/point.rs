@@ -12,7 +12,8 @@ use crate::{
     vec3::Vec3,
 };
 
-/// A point light compiled for the format `S`. Made by [`PointLight::compile`](crate::PointLight::compile).
+/// A point light compiled for the format `S`. Made by
+/// [`PointLight::compile`](crate::PointLight::compile).
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct CompiledPointLight<S: Scalar, A: Attenuation = InverseSquare> {
     pub(crate) position: Vec3<S::Length>,
@@ -24,31 +25,36 @@ pub struct CompiledPointLight<S: Scalar, A: Attenuation = InverseSquare> {
 }
 
 impl<S: Scalar, A: Attenuation> CompiledPointLight<S, A> {
-    /// The light that arrives at a surface point, before the colours: distance and Lambert's cosine. Skips what is
-    /// exactly zero, as [`CompiledSpotLight::irradiance`](crate::light::CompiledSpotLight::irradiance) does.
+    /// Returns the irradiance at a surface point, before the colours: attenuation and Lambert's
+    /// cosine.
+    ///
+    /// Points with exactly zero light are rejected early, as by
+    /// [`CompiledSpotLight::irradiance`](crate::light::CompiledSpotLight::irradiance).
     #[inline]
     pub fn irradiance(&self, point: Vec3<S::Length>, normal: Vec3<S>) -> S::Irradiance {
         self.evaluate::<NoSpecular>(&SurfacePoint::matte(point, normal), &(), true).diffuse
     }
 
-    /// As [`irradiance`](Self::irradiance), with every step done for every point.
+    /// As [`irradiance`](Self::irradiance), but without early-outs.
     #[inline]
     pub fn irradiance_unskipped(&self, point: Vec3<S::Length>, normal: Vec3<S>) -> S::Irradiance {
         self.evaluate::<NoSpecular>(&SurfacePoint::matte(point, normal), &(), false).diffuse
     }
 
-    /// The light's linear colour.
+    /// Returns the light's linear colour.
     pub fn color(&self) -> Rgb<S> {
         self.color
     }
 
-    /// The linear colour of the light's highlights.
+    /// Returns the linear colour of the light's specular highlights.
     pub fn specular_color(&self) -> Rgb<S> {
         self.specular_color
     }
 
-    /// The light of these parts, as [`codegen`](crate::codegen) writes them: `fine_below` is that of
-    /// `Arithmetic::fine_below`, and the colours are the diffuse and the specular one.
+    /// Creates a light from its fields, as [`codegen`](crate::codegen) writes them.
+    ///
+    /// `fine_below` is the result of `Arithmetic::fine_below`; the colours are the diffuse and the
+    /// specular one.
     pub const fn from_parts(
         position: Vec3<S::Length>,
         attenuation: A::Constants<S>,

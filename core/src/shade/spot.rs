@@ -14,7 +14,8 @@ use crate::{
     vec3::Vec3,
 };
 
-/// A spotlight compiled for the format `S`. Made by [`SpotLight::compile`](crate::SpotLight::compile).
+/// A spotlight compiled for the format `S`. Made by
+/// [`SpotLight::compile`](crate::SpotLight::compile).
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct CompiledSpotLight<S: Scalar, P: Falloff = SoftOrHard, A: Attenuation = InverseSquare> {
     pub(crate) position: Vec3<S::Length>,
@@ -29,25 +30,28 @@ pub struct CompiledSpotLight<S: Scalar, P: Falloff = SoftOrHard, A: Attenuation 
 }
 
 impl<S: Scalar, P: Falloff, A: Attenuation> CompiledSpotLight<S, P, A> {
-    /// The light that arrives at a surface point, before the colours: falloff, distance and Lambert's cosine. 1 is
-    /// full scale; the unit of `point` is that of the light's position, `normal` has unit length.
+    /// Returns the irradiance at a surface point, before the colours: 1 is full scale.
     ///
-    /// No root is paid for a surface that faces away, or for a point that is clearly outside the cone or beyond the
-    /// range; what is skipped is exactly zero, so the answer has the bits of
-    /// [`irradiance_unskipped`](Self::irradiance_unskipped).
+    /// It is the product of intensity, falloff, attenuation and Lambert's cosine. `point` is in the
+    /// unit of the light's position; `normal` has unit length.
+    ///
+    /// A surface that faces away, and a point that is clearly outside the cone or beyond the range,
+    /// is rejected before the square root. Such a point receives exactly zero light, so the result
+    /// is bit-identical to [`irradiance_unskipped`](Self::irradiance_unskipped).
     #[inline(always)] // `spot-soft-lambert-shadow` on Cortex-M0: +44 without.
     pub fn irradiance(&self, point: Vec3<S::Length>, normal: Vec3<S>) -> S::Irradiance {
         self.evaluate::<NoSpecular>(&SurfacePoint::matte(point, normal), &(), true).diffuse
     }
 
-    /// As [`irradiance`](Self::irradiance), with every step done for every point: the form without branches, which
-    /// compilers turn into vector instructions.
+    /// As [`irradiance`](Self::irradiance), but without early-outs.
+    ///
+    /// This form has no branches, so compilers can vectorise it.
     #[inline]
     pub fn irradiance_unskipped(&self, point: Vec3<S::Length>, normal: Vec3<S>) -> S::Irradiance {
         self.evaluate::<NoSpecular>(&SurfacePoint::matte(point, normal), &(), false).diffuse
     }
 
-    /// The falloff of the cone alone at a point: in [0, 1].
+    /// Returns the falloff of the cone alone at a point, in `[0, 1]`.
     #[inline]
     pub fn falloff(&self, point: Vec3<S::Length>) -> S {
         let offset = S::offset(self.position, point);
@@ -57,30 +61,32 @@ impl<S: Scalar, P: Falloff, A: Attenuation> CompiledSpotLight<S, P, A> {
         self.falloff.toward(&offset.ray(), self.axis)
     }
 
-    /// The same light in another place, along another axis of unit length: see
-    /// [`SpotLight::axis_in`](crate::SpotLight::axis_in).
+    /// Returns the same light at another position, with another axis of unit length.
+    ///
+    /// [`SpotLight::axis_in`](crate::SpotLight::axis_in) converts an axis to the format.
     #[must_use]
     pub fn placed(self, position: Vec3<S::Length>, axis: Vec3<S::Unit>) -> Self {
         Self { position, axis, ..self }
     }
 
-    /// The light's linear colour.
+    /// Returns the light's linear colour.
     pub fn color(&self) -> Rgb<S> {
         self.color
     }
 
-    /// The linear colour of the light's highlights.
+    /// Returns the linear colour of the light's specular highlights.
     pub fn specular_color(&self) -> Rgb<S> {
         self.specular_color
     }
 
-    /// The edge profile of the cone.
+    /// Returns the edge profile of the cone.
     pub fn profile(&self) -> P {
         self.falloff.profile()
     }
 
-    /// The same light with another type of profile: what turns a choice made at run time into a type, once per
-    /// light and not once per point.
+    /// Returns the same light with another type of profile.
+    ///
+    /// This turns a choice made at run time into a type, once per light instead of once per point.
     pub fn with_profile<Q: Falloff>(&self, profile: Q) -> CompiledSpotLight<S, Q, A> {
         CompiledSpotLight {
             position: self.position,
@@ -95,9 +101,10 @@ impl<S: Scalar, P: Falloff, A: Attenuation> CompiledSpotLight<S, P, A> {
         }
     }
 
-    /// The light of these parts, as [`codegen`](crate::codegen) writes them: `outside` is the bound by which points outside
-    /// the cone are rejected, `fine_below` that of `Arithmetic::fine_below`, and the colours are the diffuse and the
-    /// specular one.
+    /// Creates a light from its fields, as [`codegen`](crate::codegen) writes them.
+    ///
+    /// `outside` is the bound for rejecting points outside the cone, `fine_below` the result of
+    /// `Arithmetic::fine_below`. The colours are the diffuse and the specular one.
     #[expect(clippy::too_many_arguments, reason = "generated source names each part of a light once")]
     pub const fn from_parts(
         position: Vec3<S::Length>,

@@ -1,24 +1,28 @@
-//! The square root for a processor that computes in f32 but keeps its root from `no_std` Rust: a Cortex-M4F.
+//! Square root for Cortex-M4F, which computes in f32 but does not expose its root to `no_std` Rust.
 //!
-//! An estimate in `+ - *` is at most one unit in the last place off, and what it leaves of the number, which 32 bits of
-//! an integer hold exactly, says whether to take the neighbour. So it rounds correctly and has the bits of any other
-//! correctly rounded root, for about half the instructions of a root in integers.
+//! An estimate in `+ - *` is at most one unit in the last place off. The remainder, exact in a
+//! 32-bit integer, decides whether a neighbour is nearer. So the result is correctly rounded and
+//! bit-identical to any other correctly rounded root, for about half the instructions of a root in
+//! integers.
 
-/// Reciprocal of the square root of a normal number, and zero for any other: zero or less, subnormal, infinite or NaN.
+/// Returns `1 / sqrt(x)` for a normal number `x > 0`.
+///
+/// Returns zero for any other: zero or less, subnormal, infinite or NaN.
 #[inline]
 pub(crate) fn inverse_sqrt(x: f32) -> f32 {
-    // One exponent up, what is no normal number is below the least of them, or negative.
+    // Adds 1 to the exponent. A number that is not normal is then below the smallest normal one, or
+    // negative.
     let is_normal = x.to_bits().wrapping_add(0x0080_0000) as i32 >= 0x0100_0000;
     if is_normal { 1.0 / sqrt(x) } else { 0.0 }
 }
 
-/// The square root, correctly rounded; NaN of a negative number.
+/// Returns the square root, correctly rounded; NaN for a negative number.
 #[cfg(any(test, not(any(feature = "libm", feature = "std", feature = "micromath"))))]
 pub(crate) fn any_sqrt(x: f32) -> f32 {
     if (f32::MIN_POSITIVE..f32::INFINITY).contains(&x) {
         sqrt(x)
     } else if x > 0.0 && x < f32::INFINITY {
-        // A subnormal number is made normal by an even power of two.
+        // Scales a subnormal number to a normal one by an even power of two.
         sqrt(x * 16_777_216.0) / 4_096.0
     } else if x < 0.0 {
         f32::NAN
@@ -28,37 +32,40 @@ pub(crate) fn any_sqrt(x: f32) -> f32 {
     }
 }
 
-/// The square root of a normal number above zero, correctly rounded. For any other number it has no meaning.
+/// Returns the square root of a positive normal number, correctly rounded; unspecified for any
+/// other.
 #[inline]
 fn sqrt(x: f32) -> f32 {
     let bits = x.to_bits();
     nearest(bits, estimate(x, bits))
 }
 
-/// A root within a unit in the last place (exhaustive).
+/// Returns the root within one unit in the last place (exhaustive).
 #[inline]
 fn estimate(x: f32, bits: u32) -> f32 {
-    // Halving and negating the exponent by an integer leaves 3.5 % of error (Lomont 2003, "Fast Inverse Square Root").
+    // Halving and negating the exponent in the integer representation has an error of 3.5 % (Lomont
+    // 2003, "Fast Inverse Square Root").
     let seed = f32::from_bits(0x5f37_59df - (bits >> 1));
-    // The quadratic nearest to 1/sqrt(s), in relative terms, where the seed leaves s: 2.5e-5.
+    // Quadratic with the least relative error against `1/sqrt(s)`, over the `s` that the seed
+    // gives: 2.5e-5.
     let s = x * seed * seed;
     let reciprocal = seed * (1.876_617 + s * (-1.252_138 + s * 0.375_521_3));
-    // A step of Newton for the root itself, in a form that does not leave the range of f32.
+    // A Newton step for the root itself, in a form that stays within the range of f32.
     let root = x * reciprocal;
     root + root * (0.5 - 0.5 * reciprocal * root)
 }
 
-/// The root nearest to exact of an estimate and its two neighbours.
+/// Returns the nearest to the exact root of an estimate and its two neighbours.
 #[inline]
 fn nearest(bits: u32, estimate: f32) -> f32 {
     let bits_of_root = estimate.to_bits();
-    // With the root as an integer m from 2^23 to 2^24, the number is an integer of 47 or 48 bits. Of their difference,
-    // x - m^2, the lower 32 bits are enough, because it is small.
+    // Let the root be an integer `m` from 2^23 to 2^24; the number `x` is then an integer of 47 or
+    // 48 bits. The lower 32 bits of the difference `x - m^2` are enough, because it is small.
     let m = (bits_of_root & 0x007f_ffff | 0x0080_0000) as i32;
     let number = (bits << (24 - ((bits >> 23) & 1))) as i32;
     let rest = number.wrapping_sub(m.wrapping_mul(m));
-    // (m + 1/2)^2 is m^2 + m and a quarter: up where the rest is more than m, down where it is less than -m. It is
-    // never -m: that is no number of 24 bits, but for two whose estimate is right.
+    // `(m + 1/2)^2 = m^2 + m + 1/4`: up if `rest > m`, down if `rest < -m`. `rest` is never `-m`,
+    // because `m^2 - m` is not a number of 24 bits, except for two numbers whose estimate is right.
     let up = m.wrapping_sub(rest) >> 31;
     let down = rest.wrapping_add(m) >> 31;
     f32::from_bits(bits_of_root.wrapping_sub(up as u32).wrapping_add(down as u32))
@@ -70,7 +77,7 @@ mod tests {
 
     extern crate std;
 
-    /// Two binades in full, which are all that a root tells apart, and a stride through the others; with
+    /// Tests two binades in full, which cover all cases, and the others with a stride; with
     /// `LUMINAIRE_FULL` every normal number.
     fn assert_correctly_rounded(numbers: impl Iterator<Item = u32>, exact: impl Fn(f32) -> f32) {
         for x in numbers.map(f32::from_bits) {
@@ -111,7 +118,7 @@ mod tests {
         }
     }
 
-    /// The correction is needed in either direction and never by more than one.
+    /// Corrections occur in both directions, and never by more than one unit.
     #[test]
     fn the_estimate_is_a_unit_off_at_most() {
         let off = |bits: u32| {
