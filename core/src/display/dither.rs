@@ -110,8 +110,9 @@ const fn rank(x: usize, y: usize) -> u8 {
     rank as u8
 }
 
-/// Fraction bits of the table: as many as an f32 has below 1, and few enough that 128 steps fit 32
-/// bits.
+/// Fraction bits of the table: the precision of an f32 below 1.
+///
+/// 128 steps of the table fit 32 bits.
 const BITS: u32 = 24;
 /// Returns the light of a code in `[0, last]`, as the nearest multiple of 2^-24.
 const fn light(code: usize, last: usize) -> u32 {

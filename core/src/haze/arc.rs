@@ -12,8 +12,7 @@ pub(super) struct Extent {
     pub(super) reach_squared: f32,
 }
 
-/// The part of a view ray between the light's body and its range, as an arc of directions from the
-/// light.
+/// The part of a view ray between the light's body and its range, as an arc of directions.
 ///
 /// The arc lies on a great circle. A direction on the circle is given by `v = tan(psi/2)`, where
 /// `psi` is the angle to the direction of the circle that is nearest to the axis. Points of the ray

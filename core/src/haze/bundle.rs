@@ -7,8 +7,9 @@ use super::{
 };
 use crate::{attenuation::Attenuation, falloff::Falloff, number::float::positive, trig, vec3::Vec3};
 
-/// All view rays from an eye within an angle of a direction, up to a length, such as those of a
-/// screen tile.
+/// All view rays from an eye within an angle of a direction, up to a length.
+///
+/// For example, the rays of a screen tile.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct RayBundle {
     /// The position of the eye.
@@ -21,8 +22,9 @@ pub struct RayBundle {
     pub length: f32,
 }
 
-/// Bound of the rounding errors of both sides, relative to the distances from the eye to light and
-/// surface: about a hundred roundings.
+/// Bound of the rounding errors of both sides, about a hundred roundings.
+///
+/// It is relative to the distances from the eye to light and surface.
 const MARGIN: f32 = 2e-5;
 
 impl RayBundle {
@@ -89,8 +91,8 @@ impl<P: Falloff, A: Attenuation> BeamScattering<P, A> {
     /// The result is `false` if a plane through the light separates the beam from the rays, or if
     /// all rays are beyond a plane at the light's range. The margin is about a hundred roundings of
     /// the distances, more than those of this test and of the evaluation together. The candidate
-    /// planes touch the beam or the bundle. A ray beside the beam is found by a plane that touches
-    /// the beam between the ray's ends, as seen along the axis. Each plane is tested as
+    /// planes touch the beam or the bundle. A ray beside the beam is separated by a plane that
+    /// touches the beam between the ray's ends, as seen along the axis. Each plane is tested as
     /// constructed, so rounding can miss a separating plane but cannot invent one.
     pub fn can_meet(&self, bundle: &RayBundle) -> bool {
         let Extent { position, axis, reach_squared, .. } = self.extent();

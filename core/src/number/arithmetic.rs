@@ -28,8 +28,9 @@ pub trait Arithmetic: Copy + Default + PartialOrd + core::fmt::Debug + Share<Sel
     type Direction: Copy + Default + PartialEq + core::fmt::Debug;
     /// [`Scalar::Irradiance`].
     type Received: Copy + Default + PartialOrd + core::fmt::Debug;
-    /// Versine of an angle off axis, in the scale of a ramp, so that a narrow cone keeps its
-    /// leading bits.
+    /// Versine of an angle off axis, in the scale of a ramp.
+    ///
+    /// The scale keeps the leading bits of a narrow cone.
     type Versine: Copy + PartialOrd + core::fmt::Debug;
     /// Argument of an edge profile: 0 at the edge of a cone, 1 in its middle.
     type Fraction: Fraction<Self, Value = Self>;
@@ -322,7 +323,9 @@ pub trait Gain<S: Arithmetic>: Copy + PartialEq + core::fmt::Debug {
     fn fraction(self) -> S;
 }
 
-/// Offset from a light to a point: the early-out tests before the square root, and the root itself.
+/// Offset from a light to a point.
+///
+/// Provides the early-out tests before the square root, and the root itself.
 pub trait Offset<S: Arithmetic>: Copy + core::fmt::Debug {
     /// Direction and distance, available after the square root.
     type Ray: Ray<S, Fraction = S::Fraction, Share = S>;

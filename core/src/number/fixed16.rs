@@ -104,11 +104,16 @@ impl Arithmetic for Fx16 {
     fn fine_below(error: f32, intensity: f32, grows: bool) -> u32 {
         /// Error of a cosine, relative to half a linear code.
         const COSINE: f32 = 2.2e-4 / HALF_A_CODE;
-        /// If light is not past full scale, the share of a large gain is small and has a smaller
-        /// error: a search finds 0.43 linear codes.
+        /// Factor for the smaller error of a small share.
+        ///
+        /// If light is not past full scale, the share of a large gain is small. A search finds an
+        /// error of 0.43 linear codes.
         const BRIGHT: f32 = 0.5556;
-        /// A moving point passes from one error to another, and the cosine errs too. A search finds
-        /// 0.48 linear codes against the trend, and 0.56 with 1 in place of this factor.
+        /// Factor for moving points, which pass from one error to another, and for the error of the
+        /// cosine.
+        ///
+        /// A search finds errors of 0.48 linear codes against the trend of a moving point, and of
+        /// 0.56 with 1 in place of this factor.
         const MOVING: f32 = 1.04;
         let error = error / HALF_A_CODE;
         let squared = BRIGHT * (MOVING * error).max(COSINE) * intensity;

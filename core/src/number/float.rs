@@ -158,8 +158,8 @@ impl Arithmetic for f32 {
         }
     }
 
-    /// The relative error of the versine is at most 1.1e-6: 4e-7 from the set-up, the rest from the
-    /// lengths of direction and axis, from their difference and from its square.
+    /// The relative error of the versine is at most 1.1e-6. The set-up contributes 4e-7. The rest
+    /// comes from the lengths of direction and axis, from their difference and from its square.
     fn rounding(edge: &Slopes) -> f32 {
         edge.angle * 0.55e-6 + (edge.fraction * 1.5 + 1.5) * Self::STEP
     }

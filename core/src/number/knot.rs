@@ -28,12 +28,15 @@ impl Knot {
         Self { place: place as u16, value, slope: (rise << SLOPE_BITS) / width }
     }
 
-    /// Builds a knot from any bits, as generated source writes it.
+    /// Builds a knot from the start of its line (in 1/65,536 of `u`), the intensity there and the
+    /// slope.
+    ///
+    /// Any bits are accepted. Generated source calls this function.
     pub const fn from_bits(place: u16, value: u16, slope: i32) -> Self {
         Self { place, value, slope }
     }
 
-    /// Returns the place, the value and the slope.
+    /// Returns the start of the line (in 1/65,536 of `u`), the intensity there and the slope.
     pub const fn to_bits(self) -> (u16, u16, i32) {
         (self.place, self.value, self.slope)
     }
@@ -58,9 +61,9 @@ impl Knot {
         (f32::from(self.value) / 65_535.0 + self.rise() * (u - self.versine())).clamp(0.0, 1.0)
     }
 
-    /// Returns the last knot whose place is at most `place`, in units of 1/65,536 of `u`.
+    /// Returns the last knot that starts at or before `place`, in units of 1/65,536 of `u`.
     ///
-    /// If all knots lie beyond `place`, returns the first; without any knots, a dark one.
+    /// If all knots start later, returns the first; without any knots, a dark one.
     #[inline]
     pub(super) fn at(knots: &[Self], place: u32) -> Self {
         let after = knots.partition_point(|knot| u32::from(knot.place) <= place);

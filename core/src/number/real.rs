@@ -28,8 +28,7 @@ const fn middle(segment: usize) -> f64 {
     (segment as f64 + 0.5) / SEGMENTS as f64
 }
 
-/// `1 / c` with 31 fraction bits and `log2 c` with 32, where `c` is the middle of a segment of `[1,
-/// 2)`.
+/// `1 / c` with 31 fraction bits and `log2 c` with 32, for the middles `c` of segments of `[1, 2)`.
 const LOGARITHMS: [(u32, u32); SEGMENTS] = {
     let (mut table, mut i) = ([(0, 0); SEGMENTS], 0);
     while i < SEGMENTS {
@@ -212,8 +211,9 @@ mod tests {
         }
     }
 
-    /// The power rises with its argument, or falls by at most one step: tested about every boundary
-    /// of the tables, and next to 1.
+    /// The power rises with its argument, or falls by at most one step.
+    ///
+    /// Tested about every boundary of the tables, and next to 1.
     #[test]
     fn real_powers_rise() {
         let seams =

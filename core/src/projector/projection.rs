@@ -49,7 +49,7 @@ pub struct Projection {
 const UPRIGHT: f32 = 3.0e-4;
 
 impl Projection {
-    /// The widest outer angle; at a right angle off axis the wall would be infinitely large.
+    /// The widest outer angle; towards 180 degrees the square would become infinitely large.
     pub const WIDEST: Angle = Angle::degrees(160.0);
 
     /// Returns the upright square around the cone of a spotlight.

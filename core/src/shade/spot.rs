@@ -63,7 +63,7 @@ impl<S: Scalar, P: Falloff, A: Attenuation> CompiledSpotLight<S, P, A> {
 
     /// Returns the same light at another position, with another axis of unit length.
     ///
-    /// [`SpotLight::axis_in`](crate::SpotLight::axis_in) converts an axis to the format.
+    /// [`SpotLight::axis_in`](crate::SpotLight::axis_in) returns an axis in the format.
     #[must_use]
     pub fn placed(self, position: Vec3<S::Length>, axis: Vec3<S::Unit>) -> Self {
         Self { position, axis, ..self }

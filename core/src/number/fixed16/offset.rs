@@ -207,9 +207,10 @@ impl Offset<Fx16> for Offset16 {
         FineRay16::new(self.whole(), root::inverse_sqrt_16(self.squared()), self.bits)
     }
 
-    /// `fine_below` encodes a bit length and, in its lower 26 bits, the squared length of an offset
-    /// with this bit length. An offset with more bits is longer; one with at least two bits fewer
-    /// is always shorter.
+    /// `fine_below` encodes the bit length of an offset and, in its lower 26 bits, its squared
+    /// length.
+    ///
+    /// An offset with more bits is longer; one with at least two bits fewer is always shorter.
     #[inline]
     fn is_near(&self, fine_below: u32) -> bool {
         let fewer = (fine_below >> 26).wrapping_sub(self.bits);

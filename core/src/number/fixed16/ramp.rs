@@ -13,8 +13,9 @@ pub struct Ramp16 {
     pub(super) zoom: u32,
     /// Inner versine: up to it the intensity is full.
     inner: u32,
-    /// Excess over the inner versine from which on the intensity is zero: at the outer versine, or
-    /// at that of a tighter cutoff.
+    /// Excess over the inner versine at which the intensity becomes zero.
+    ///
+    /// That is at the outer versine, or at the versine of a tighter cutoff.
     width: u32,
     /// Right shift that brings the span from inner to outer versine to at most 16 bits.
     shift: u32,

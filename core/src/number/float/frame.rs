@@ -13,7 +13,7 @@ pub struct FloatFrame {
     axis: Vec3<f32>,
     /// Position of the axis on the square, plus one side.
     ///
-    /// The offset keeps coordinates up to one side outside the square positive.
+    /// The added side keeps coordinates positive up to one side outside the square.
     center: [f32; 2],
 }
 
