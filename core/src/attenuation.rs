@@ -136,7 +136,7 @@ fn squared_fraction<S: Scalar>(inverse_squared: S::Gain, offset: &S::Offset) -> 
 }
 
 /// Multiplies a share by a factor in [0, 1]; 0 for a negative share.
-#[inline(always)] // `spot-soft-lambert-smooth-range` on Cortex-M0: +22 without.
+#[inline(always)] // `spot-soft-lambert-smooth-range` on Cortex-M0: +22 instructions without.
 fn dimmed<S: Scalar, T: Share<S>>(share: T, factor: T) -> T {
     if share > T::default() { share.share_of(factor) } else { T::default() }
 }
@@ -193,7 +193,7 @@ impl Attenuation for NoAttenuation {
         false
     }
 
-    #[inline(always)] // `spot-soft-lambert-hotspot` on Cortex-M0: +28 without.
+    #[inline(always)] // `spot-soft-lambert-hotspot` on Cortex-M0: +28 instructions without.
     fn expose<S: Scalar, R: Ray<S>>(
         (): &(),
         _: &S::Offset,
@@ -255,7 +255,7 @@ impl Attenuation for Polynomial {
         false
     }
 
-    #[inline(always)] // `spot-soft-lambert-polynomial` on Cortex-M0: +174 without.
+    #[inline(always)] // `spot-soft-lambert-polynomial` on Cortex-M0: +174 instructions without.
     fn expose<S: Scalar, R: Ray<S>>(
         &[constant, linear, quadratic]: &[S::Gain; 3],
         _: &S::Offset,
@@ -299,7 +299,7 @@ impl Attenuation for SmoothRange {
         squared_fraction::<S>(squared, offset) == S::ONE
     }
 
-    #[inline(always)] // `spot-soft-lambert-smooth-range` on Cortex-M0: +273 without.
+    #[inline(always)] // `spot-soft-lambert-smooth-range` on Cortex-M0: +273 instructions without.
     fn expose<S: Scalar, R: Ray<S>>(
         constants: &[S::Gain; 2],
         offset: &S::Offset,

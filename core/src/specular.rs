@@ -131,7 +131,7 @@ impl<H: Highlight> SpecularLobe for H {
         1.0
     }
 
-    #[inline(always)] // `lit-specular.fx16` on Cortex-M0: +41 without.
+    #[inline(always)] // `lit-specular.fx16` on Cortex-M0: +41 instructions without.
     fn lobe<S: Scalar>(
         &(ramp, shininess): &(S::Ramp, u32),
         incoming: Vec3<S::Unit>,
@@ -157,7 +157,7 @@ impl<H: Highlight, const N: u32> SpecularLobe for DifferenceForm<H, N> {
         (1_u32 << N) as f32 / shininess as f32
     }
 
-    #[inline(always)] // `difference-form` on Cortex-M0: +32 without.
+    #[inline(always)] // `difference-form` on Cortex-M0: +32 instructions without.
     fn lobe<S: Scalar>(&ramp: &S::Ramp, incoming: Vec3<S::Unit>, normal: Vec3<S>, view: Vec3<S::Unit>) -> S {
         let [a, b] = H::directions(incoming, normal, view);
         let base = S::rise(ramp, S::versine_between(a, b, ramp)).scalar();

@@ -97,6 +97,22 @@ pub(crate) fn npm(package: &str, progress: &Progress) -> Result<()> {
     Ok(())
 }
 
+/// The program of a crate: the one on the path, or built into `target/tools`, never into the user's own folder.
+pub(crate) fn cargo_program(name: &str, progress: &Progress) -> Result<PathBuf> {
+    let built = tools().join("bin").join(name);
+    if let Some(program) = command::on_path(&[name]).or_else(|| built.is_file().then(|| built.clone())) {
+        return Ok(program);
+    }
+    let step = progress.begin("Building", format_args!("{name} into target/tools"));
+    let mut install = command::cargo("install");
+    progress.run({
+        install.args(["--locked", name, "--root"]).arg(tools());
+        install
+    })?;
+    step.done();
+    Ok(built)
+}
+
 fn tools() -> PathBuf {
     project::target().join("tools")
 }

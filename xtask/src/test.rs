@@ -1,5 +1,6 @@
 //! `cargo xtask test`: every test; `cargo xtask full`: the long ones, too, on all boards.
 
+use std::fs;
 use std::iter;
 use std::process::{Command, ExitCode};
 
@@ -13,7 +14,10 @@ use crate::progress::Progress;
 use crate::suite::Suite;
 use crate::tally::Tally;
 use crate::toolchain::Toolchain;
-use crate::{command, conform, contributing, demo, effects, firmware, measure, msrv, package, site, size};
+use crate::{
+    command, conform, contributing, demo, effects, firmware, install, measure, msrv, package, project, site,
+    size,
+};
 
 /// The smallest processor that is promised: no floating point unit, no division, no atomics.
 const BARE: &str = "thumbv6m-none-eabi";
@@ -65,10 +69,48 @@ fn host(suite: &mut Suite, full: bool) {
     });
     contributing::run(suite, full);
     if full {
+        dependencies(suite);
         msrv::run(suite);
         package::run(suite);
     }
     browser(suite);
+}
+
+/// What is linked: its licences and sources, and the oldest versions that the manifest of the kernel allows.
+fn dependencies(suite: &mut Suite) {
+    suite.step("dependencies: licences, bans and sources", |progress| {
+        let mut deny = Command::new(install::cargo_program("cargo-deny", progress)?);
+        deny.args(["--workspace", "check", "licenses", "bans", "sources"]).current_dir(project::root());
+        progress.run(deny)
+    });
+    suite.step("dependencies: the kernel compiles with the oldest that it allows", |progress| {
+        // A copy, because the versions are written into the lock file.
+        let folder = tempfile::tempdir()?;
+        let manifest = fs::read_to_string(project::root().join("Cargo.toml"))?;
+        fs::write(folder.path().join("Cargo.toml"), of_the_kernel_alone(&manifest)?)?;
+        let mut copy = Command::new("cp");
+        copy.args(["-rL", "core"]).arg(folder.path()).current_dir(project::root());
+        progress.run(copy)?;
+        let mut update = command::cargo("update");
+        // What a nightly cargo calls a direct minimal version.
+        update.args(["-Zdirect-minimal-versions"]).env("RUSTC_BOOTSTRAP", "1").current_dir(folder.path());
+        progress.run(update)?;
+        let mut check = with(command::cargo("check"), &["--package", "luminaire", "--lib", "--all-features"]);
+        check.current_dir(folder.path()).env("CARGO_TARGET_DIR", project::target().join("oldest-versions"));
+        progress.run(check)
+    });
+}
+
+/// The manifest of a workspace of the kernel alone.
+fn of_the_kernel_alone(manifest: &str) -> Result<String> {
+    let (_, rest) = manifest.split_once("[workspace.package]").context("no [workspace.package]")?;
+    let (shared, _) = rest.split_once("[package]").context("no [package]")?;
+    let own = |line: &&str| !line.starts_with("luminaire") && !line.starts_with('#');
+    let shared: Vec<_> = shared.lines().filter(own).collect();
+    Ok(format!(
+        "[workspace]\nmembers = [\"core\"]\nresolver = \"3\"\n\n[workspace.package]{}\n",
+        shared.join("\n")
+    ))
 }
 
 /// What emulated boards run, and the conformance vectors on them, on this machine and in a browser.

@@ -176,7 +176,7 @@ impl<W: Window, A: Attenuation> Attenuation for Ranged<W, A> {
         squared_fraction::<S>(*squared, offset) == S::ONE || A::is_beyond::<S>(inner, offset)
     }
 
-    #[inline(always)] // `spot-soft-lambert-gltf-range` on Cortex-M0: +31 without.
+    #[inline(always)] // `spot-soft-lambert-gltf-range` on Cortex-M0: +31 instructions without.
     fn expose<S: Scalar, R: Ray<S>>(
         (squared, inner): &Self::Constants<S>,
         offset: &S::Offset,

@@ -32,7 +32,7 @@ impl<S: Scalar, P: Falloff> CompiledCone<S, P> {
     }
 
     /// Returns the intensity in the direction of a ray from the light, whose axis is given.
-    #[inline(always)] // `spot-soft-lambert-hotspot` on Cortex-M0: +73 without.
+    #[inline(always)] // `spot-soft-lambert-hotspot` on Cortex-M0: +73 instructions without.
     pub fn toward<R: Ray<S>>(&self, ray: &R, axis: Vec3<S::Unit>) -> R::Share {
         self.curve.intensity(ray.rise(axis, self.ramp))
     }
@@ -42,7 +42,7 @@ impl<S: Scalar, P: Falloff> CompiledCone<S, P> {
     /// It is exactly 0 from the outer versine or the cutoff on, and exactly 1 at versine 0 and
     /// within the hotspot. Between these it is monotone, except for tables, and for cubics within
     /// one step of the format.
-    #[inline(always)] // `table.f32` on Cortex-M0: +73 without.
+    #[inline(always)] // `table.f32` on Cortex-M0: +73 instructions without.
     pub fn at(&self, versine: S::Versine) -> S {
         match S::rise(self.ramp, versine) {
             Rise::Coarse(t) => self.curve.intensity(t),

@@ -51,7 +51,7 @@ impl Rgb565 {
     /// Returns the RGB565 pixel of a linear colour at `(x, y)`, with ordered dither.
     ///
     /// Each channel is dithered as by [`encode_srgb_dithered`], with codes of five and six bits.
-    #[inline(always)] // `rgb565-dithered` on Cortex-M0: +5 without.
+    #[inline(always)] // `rgb565-dithered` on Cortex-M0: +5 instructions without.
     pub fn from_linear_dithered<S: Scalar>(color: Rgb<S>, x: u32, y: u32) -> Self {
         let threshold = threshold(x, y);
         let red = dithered::<S, 31>(color.red, threshold);

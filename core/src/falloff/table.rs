@@ -227,7 +227,7 @@ impl Falloff for Table<'_> {
 }
 
 impl<S: Scalar> Curve<S> for Table<'_> {
-    #[inline(always)] // `table.f32` on Cortex-M0: +78 without.
+    #[inline(always)] // `table.f32` on Cortex-M0: +78 instructions without.
     fn intensity<F: Fraction<S>>(self, t: F) -> F::Value {
         // A table may end above zero, but the intensity at the edge is 0.
         if t.step() > F::Value::default() {

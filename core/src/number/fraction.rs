@@ -127,7 +127,7 @@ impl Fraction<f32> for FloatFraction {
         float::clamp(self.0 * (1.0 + (1.0 - self.0) * (g + h * self.0)))
     }
 
-    #[inline(always)] // `table.f32` on Cortex-M0: +69 without.
+    #[inline(always)] // `table.f32` on Cortex-M0: +69 instructions without.
     fn sample(self, samples: &[u16]) -> f32 {
         let place = (1.0 - self.0) * samples.len().saturating_sub(1) as f32;
         let index = place as usize;

@@ -28,7 +28,7 @@ pub(super) trait Placed<S: Scalar, A: Attenuation> {
 
     /// Returns the light that arrives at a surface: see
     /// [`LightModel::evaluate`](super::LightModel::evaluate).
-    #[inline(always)] // `spot-soft-lambert-shadow` on Cortex-M0: +53 without.
+    #[inline(always)] // `spot-soft-lambert-shadow` on Cortex-M0: +53 instructions without.
     fn evaluate_at<H: SpecularLobe>(
         &self,
         surface: &SurfacePoint<S>,
@@ -93,7 +93,7 @@ pub(super) trait Placed<S: Scalar, A: Attenuation> {
     }
 
     /// Returns the light along a ray: as shares of the intensity, and as irradiances.
-    #[inline(always)] // `spot-table-lambert` on Cortex-M0: +29 without.
+    #[inline(always)] // `spot-table-lambert` on Cortex-M0: +29 instructions without.
     fn along<H: SpecularLobe, R: Ray<S>>(
         &self,
         offset: &S::Offset,

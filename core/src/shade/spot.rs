@@ -38,7 +38,7 @@ impl<S: Scalar, P: Falloff, A: Attenuation> CompiledSpotLight<S, P, A> {
     /// A surface that faces away, and a point that is clearly outside the cone or beyond the range,
     /// is rejected before the square root. Such a point receives exactly zero light, so the result
     /// is bit-identical to [`irradiance_unskipped`](Self::irradiance_unskipped).
-    #[inline(always)] // `spot-soft-lambert-shadow` on Cortex-M0: +44 without.
+    #[inline(always)] // `spot-soft-lambert-shadow` on Cortex-M0: +44 instructions without.
     pub fn irradiance(&self, point: Vec3<S::Length>, normal: Vec3<S>) -> S::Irradiance {
         self.evaluate::<NoSpecular>(&SurfacePoint::matte(point, normal), &(), true).diffuse
     }

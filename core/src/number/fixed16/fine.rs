@@ -84,7 +84,7 @@ impl Fraction<Fx16> for Fine16 {
         self
     }
 
-    #[inline(always)] // `spot-step-lambert` on Cortex-M0: +38 without.
+    #[inline(always)] // `spot-step-lambert` on Cortex-M0: +38 instructions without.
     fn of(self, value: Self) -> Self {
         self.times(value)
     }
@@ -100,7 +100,7 @@ impl Fraction<Fx16> for Fine16 {
         if self.0 > 0 { Self::ONE } else { Self(0) }
     }
 
-    #[inline(always)] // `spot-smooth-lambert` on Cortex-M0: +5 without.
+    #[inline(always)] // `spot-smooth-lambert` on Cortex-M0: +5 instructions without.
     fn smooth(self) -> Self {
         let square = self.times(self);
         Self((square.0 + 2 * square.times(self.complement()).0).min(Self::ONE.0))
@@ -162,7 +162,7 @@ impl Share<Fx16> for Fine16 {
         self.complement()
     }
 
-    #[inline(always)] // `spot-soft-lambert-smooth-range` on Cortex-M0: +22 without.
+    #[inline(always)] // `spot-soft-lambert-smooth-range` on Cortex-M0: +22 instructions without.
     fn share_of(self, other: Self) -> Self {
         self.times(other)
     }
@@ -172,7 +172,7 @@ impl Share<Fx16> for Fine16 {
         self.smooth()
     }
 
-    #[inline(always)] // `spot-soft-lambert-hotspot` on Cortex-M0: +28 without.
+    #[inline(always)] // `spot-soft-lambert-hotspot` on Cortex-M0: +28 instructions without.
     fn give(self, gain: Gain16) -> Light16 {
         Light16::shifted(high_half(self.0, gain.mantissa), gain.shift - 15)
     }

@@ -36,7 +36,7 @@ impl FineRay16 {
     ///
     /// `estimate` is `2^46 / |W|` with a relative error of at most 2.4e-4. The components of the
     /// direction are within 6 units, and its length is within 3e-8.
-    #[inline(always)] // `spot-inverted-power-lambert` on Cortex-M0: +5 without.
+    #[inline(always)] // `spot-inverted-power-lambert` on Cortex-M0: +5 instructions without.
     pub(super) fn new(way: Vec3<i32>, estimate: u32, bits: u32) -> Self {
         let nearly = way.map(|c| signed_high_product(c, estimate));
         // The squared length is `1 + x`, and `1 / sqrt(1 + x) = 1 - x / 2 + 3/8 x^2`.
@@ -82,7 +82,7 @@ impl Ray<Fx16> for FineRay16 {
         Versine16::from_bits(squared_length(difference, ramp.zoom))
     }
 
-    #[inline(always)] // `spot-soft` on Cortex-M0: +21 without.
+    #[inline(always)] // `spot-soft` on Cortex-M0: +21 instructions without.
     fn rise(&self, axis: Vec3<Fx32>, ramp: Ramp16) -> Fine16 {
         ramp.rise_finely(self.versine(axis, ramp))
     }

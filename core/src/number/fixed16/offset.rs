@@ -91,7 +91,7 @@ impl Offset16 {
     ///
     /// A light's coordinate has at most 30 bits and a sign, so a wrapped difference still has more
     /// than 24 bits and is detected.
-    #[inline(always)] // `away.fx16` on Cortex-M0: +9 without.
+    #[inline(always)] // `away.fx16` on Cortex-M0: +9 instructions without.
     fn far(light: Vec3<Length>, point: Vec3<Length>) -> Self {
         let way = point.zip(light, |p, l| (p.to_bits() >> 1) - (l.to_bits() >> 1));
         let Self { way, shift, bits } = Self::scaled(way, root::bit_length(size(way)) - WAY_BITS);
@@ -157,7 +157,7 @@ impl Offset<Fx16> for Offset16 {
     /// Wraps for normals longer than 1.15, which is defined behaviour.
     type Facing = i32;
 
-    #[inline(always)] // `spot-step-lambert` on Cortex-M0: +9 without.
+    #[inline(always)] // `spot-step-lambert` on Cortex-M0: +9 instructions without.
     fn facing(&self, normal: Vec3<Fx16>) -> i32 {
         let products = normal.zip(self.coarse(), |n, v| i32::from(n.to_bits()) * v);
         products.x.wrapping_add(products.y).wrapping_add(products.z)
@@ -202,7 +202,7 @@ impl Offset<Fx16> for Offset16 {
         }
     }
 
-    #[inline(always)] // `spot-soft` on Cortex-M0: +80 without.
+    #[inline(always)] // `spot-soft` on Cortex-M0: +80 instructions without.
     fn fine_ray(&self) -> FineRay16 {
         FineRay16::new(self.whole(), root::inverse_sqrt_16(self.squared()), self.bits)
     }

@@ -14,7 +14,7 @@ pub(super) fn signed_high_product(a: i32, b: u32) -> i32 {
 }
 
 /// Returns `a b / 2^32`, rounded down exactly, so it is monotone in both factors.
-#[inline(always)] // `spot-step-lambert` on Cortex-M0: +38 without.
+#[inline(always)] // `spot-step-lambert` on Cortex-M0: +38 instructions without.
 pub(super) const fn high_half(a: u32, b: u32) -> u32 {
     let (high, low) = (a >> 16, a & 0xffff);
     let upper = high * (b & 0xffff) + ((low * (b & 0xffff)) >> 16);

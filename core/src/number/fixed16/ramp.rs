@@ -127,7 +127,7 @@ impl Ramp16 {
     }
 
     /// Returns the position of a versine on the ramp, with full precision.
-    #[inline(always)] // `spot-soft` on Cortex-M0: +21 without.
+    #[inline(always)] // `spot-soft` on Cortex-M0: +21 instructions without.
     pub(super) fn rise_finely(self, versine: Versine16) -> Fine16 {
         let versine = versine.to_bits();
         let past = versine.wrapping_sub(self.inner);

@@ -91,7 +91,7 @@ impl Offset<Fx32> for Offset32 {
         Gain32::normalised(self.squared(), 94 - 2 * self.bits as i32)
     }
 
-    #[inline(always)] // `lit.fx32` on Cortex-M0: +170 without.
+    #[inline(always)] // `lit.fx32` on Cortex-M0: +170 instructions without.
     fn ray(&self) -> Ray32 {
         let squared = self.squared();
         let reciprocal = if squared >= 1 << 62 {
