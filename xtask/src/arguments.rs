@@ -24,6 +24,8 @@ pub(crate) enum Request {
     Test(TestOptions),
     /// Run the tests with the long sweeps, on all boards and feature sets, and from the packed crates
     Full(TestOptions),
+    /// Take the pictures of the demo for the documents again
+    Pictures,
     /// Count what the kernels cost on microcontrollers, in QEMU
     Firmware(FirmwareOptions),
     /// Draw a picture on microcontrollers, in QEMU, and count the instructions of a pixel

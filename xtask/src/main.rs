@@ -13,6 +13,7 @@ mod install;
 mod measure;
 mod msrv;
 mod package;
+mod pictures;
 mod progress;
 mod project;
 mod server;
@@ -37,6 +38,7 @@ fn main() -> ExitCode {
         Request::Conform(options) => conform::run(&options),
         Request::Demo(options) => demo::run(&options).map(|()| ExitCode::SUCCESS),
         Request::Effects(options) => effects::run(&options).map(|()| ExitCode::SUCCESS),
+        Request::Pictures => pictures::run().map(|()| ExitCode::SUCCESS),
         Request::Firmware(options) => firmware::run(&options).map(|()| ExitCode::SUCCESS),
         Request::Frame(options) => firmware::frame::run(&options).map(|()| ExitCode::SUCCESS),
         Request::Size(options) => size::run(&options).map(|()| ExitCode::SUCCESS),
