@@ -4,7 +4,8 @@ use super::scene::{self};
 use super::words::Words;
 use luminaire::{Angle, Cone, Error, Fx16, Fx32, Scalar, error::Expected, falloff::Falloff};
 
-/// A cone of any numbers: its angles are in their order, and each format holds it or names an angle that it holds.
+/// A cone of any numbers: its angles are in their order, and each format holds it or names an angle
+/// that it holds.
 pub fn descriptions_are_taken_or_refused(words: &[u32]) {
     let _: Option<()> = description(&mut Words::new(words));
 }
@@ -23,8 +24,8 @@ fn description(words: &mut Words<'_>) -> Option<()> {
     Some(())
 }
 
-/// A cone that a format refuses without a hotspot is taken at the angle that the refusal names, and at none where that is
-/// more than 180 degrees.
+/// A cone that a format refuses without a hotspot is taken at the angle that the refusal names, and
+/// at none where that is more than 180 degrees.
 fn assert_held<S: Scalar, P: Falloff>(cone: Cone<P>) {
     let Err(error) = cone.compile::<S>() else { return };
     assert!(!error.to_string().is_empty());
@@ -42,7 +43,8 @@ fn assert_held<S: Scalar, P: Falloff>(cone: Cone<P>) {
     }
 }
 
-/// A cone designed from beam and field angle has them, or the message names a field angle that it would have.
+/// A cone designed from beam and field angle has them, or the message names a field angle that it
+/// would have.
 pub fn two_angles_come_back(words: &[u32]) {
     let words = &mut Words::new(words);
     let beam = words.number(-8.0, 7.5).exp2();

@@ -12,7 +12,7 @@ pub fn codes_never_fall<S: Format>(words: &[u32]) {
     let words = &mut Words::tame(words);
     let (a, b) = (S::scalar_from_bits(words.wide()), S::scalar_from_bits(words.wide()));
     let (less, more) = if a < b { (a, b) } else { (b, a) };
-    // Not a number is less than nothing and more than nothing.
+    // Comparisons with NaN are false.
     if less <= more {
         assert!(encode_srgb(less) <= encode_srgb(more), "{less:?} {more:?}");
         let gray = |value: S| Rgb565::from_linear(Rgb::new(value, value, value)).to_codes();
@@ -28,8 +28,8 @@ pub fn codes_never_fall<S: Format>(words: &[u32]) {
     }
 }
 
-/// Light within full scale is not changed by either policy, nor by an exposure of one; beyond it the brightest channel is
-/// at full scale, and what was brighter stays so.
+/// Light within full scale is not changed by either policy, nor by an exposure of one; beyond it
+/// the brightest channel is at full scale, and what was brighter stays so.
 pub fn fitting_keeps_what_fits<S: Format>(words: &[u32]) {
     let words = &mut Words::new(words);
     let [red, green, blue] =

@@ -5,8 +5,8 @@ use super::scene;
 use super::words::Words;
 use luminaire::{Rgb, falloff::Soft};
 
-/// Below full scale a light of twice the intensity gives twice the light: exactly in f32, within the rounding of both in
-/// fixed point.
+/// Below full scale a light of twice the intensity gives twice the light: exactly in f32, within
+/// the rounding of both in fixed point.
 pub fn twice_is_twice<S: Format>(words: &[u32]) {
     let _: Option<()> = twice::<S>(&mut Words::tame(words));
 }
@@ -25,7 +25,8 @@ fn twice<S: Format>(words: &mut Words<'_>) -> Option<()> {
         let (from, to) = (S::exact_point(spot.position().map(S::length)), S::exact_point(point));
         let squared: f64 = from.iter().zip(to).map(|(from, to)| (to - from) * (to - from)).sum();
         let gain = 2.0 * f64::from(spot.intensity()) / squared;
-        // In 16 bits one of the two may be evaluated finely and the other not, each within half a code.
+        // In 16 bits one of the two may be evaluated finely and the other not, each within half a
+        // code.
         let steps = match S::NAME {
             "f32" => 0.0,
             "fx16" if (0.3..64.0).contains(&gain) => 96.0,
@@ -37,8 +38,8 @@ fn twice<S: Format>(words: &mut Words<'_>) -> Option<()> {
     Some(())
 }
 
-/// The sum over lights has the same bits in any order in fixed point, also where it saturates; in f32 it is within a
-/// rounding for each light.
+/// The sum over lights has the same bits in any order in fixed point, also where it saturates; in
+/// f32 it is within a rounding for each light.
 pub fn order_does_not_matter<S: Format>(words: &[u32]) {
     let words = &mut Words::new(words);
     let mut lights: Vec<Rgb<S::Irradiance>> = Vec::new();

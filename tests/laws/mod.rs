@@ -1,8 +1,8 @@
-//! What holds for every scene that can be written down, each law once: a function that takes raw words, makes of them
-//! what it needs, and panics where the law is broken.
+//! What holds for every scene that can be written down, each law once: a function that takes raw
+//! words, makes of them what it needs, and panics where the law is broken.
 //!
-//! The property tests and the fuzzer call the same functions. Words that make no scene, because a constructor refuses
-//! them, prove nothing and are passed over.
+//! The property tests and the fuzzer call the same functions. Words that make no scene, because a
+//! constructor refuses them, prove nothing and are passed over.
 #![allow(dead_code, unused_imports, reason = "each program that has these laws calls its part of them")]
 #![allow(missing_docs, reason = "tests are read, not published")]
 #![allow(unreachable_pub, reason = "every program has these modules to itself")]

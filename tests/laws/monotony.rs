@@ -10,8 +10,8 @@ use luminaire::{
     falloff::{AnyFalloff, Soft},
 };
 
-/// Of two versines the larger has no more light: without exception for the strict profiles, by a step at most for the
-/// others.
+/// Of two versines the larger has no more light: without exception for the strict profiles, by a
+/// step at most for the others.
 pub fn falloffs_fall<S: Format>(words: &[u32]) {
     let _: Option<()> = falloff::<S>(&mut Words::new(words));
 }

@@ -1,4 +1,5 @@
-//! The world has no preferred direction: a scene that is turned by right angles or mirrored is lit as before.
+//! The world has no preferred direction: a scene that is turned by right angles or mirrored is lit
+//! as before.
 
 use super::format::Format;
 use super::words::Words;
@@ -40,9 +41,9 @@ impl Turn {
     }
 }
 
-/// In f32 a mirrored scene has the same bits; a turned one sums in another order. Fixed point rounds halves upwards, so
-/// there a mirror counts as a turn. Two turns are each within the error of the format, so within twice that of each
-/// other.
+/// In f32 a mirrored scene has the same bits; a turned one sums in another order. Fixed point
+/// rounds halves upwards, so there a mirror counts as a turn. Two turns are each within the error
+/// of the format, so within twice that of each other.
 pub fn turned_scenes_are_the_same<S: Format>(words: &[u32]) {
     let _: Option<()> = turned::<S>(&mut Words::tame(words));
 }
@@ -54,7 +55,8 @@ fn turned<S: Format>(words: &mut Words<'_>) -> Option<()> {
     let cone = Cone::from_outer(profile, HalfAngle::degrees(half)).ok()?;
     let (position, normal) = (words.place(), words.direction());
     let off = words.numbers(-1.0, 1.0).map(|c| c * half.to_radians());
-    // Of so few bits that its length is exact in any order of summation: the lights have the same axis.
+    // Of so few bits that its length is exact in any order of summation: the lights have the same
+    // axis.
     let axis = words.direction().map(|c| (c * 1_000.0).round());
     let distance = words.between(0.5, 16.0);
     let point = axis.map(|c| c / 1_000.0).zip(off, |axis, off| distance * (axis + off));

@@ -1,5 +1,5 @@
-//! Every bit pattern has an answer: no panic, nothing that is not a number, in range, and the same with and without what
-//! is skipped.
+//! Every bit pattern gives a defined result: no panic, no NaN, in range, and bit-identical with and
+//! without early-outs.
 
 use super::format::Format;
 use super::scene::{self, with_any_highlight};
@@ -62,7 +62,8 @@ fn distance<S: Format>(words: &mut Words<'_>) -> Option<()> {
     Some(())
 }
 
-/// Any highlight under a spotlight and a directional light, the glow beside them, and all the way to the display.
+/// Any highlight under a spotlight and a directional light, the glow beside them, and all the way
+/// to the display.
 pub fn highlights_answer<S: Format>(words: &[u32]) {
     let _: Option<()> = highlight::<S>(&mut Words::new(words));
 }
@@ -124,7 +125,7 @@ fn assert_within_one<S: Format>(value: S, what: &str) {
     assert!((0.0..=1.0).contains(&value.exact()), "{what}: {value:?}");
 }
 
-/// No light is negative, infinite or not a number.
+/// No light is negative, infinite or NaN.
 fn assert_sound<S: Format>(light: S::Irradiance) {
     let value = S::exact_light(light);
     assert!(value >= 0.0 && value.is_finite(), "{light:?}");

@@ -5,8 +5,9 @@ use luminaire::{Vec3, light::SurfacePoint};
 
 /// Words of any bits, taken one by one; after the last come zeros.
 ///
-/// The first decides, by one of its bits for each number that follows, whether that number is any bit pattern or one of
-/// everyday size: a scene of nothing but the former is nearly always refused or dark.
+/// The first decides, by one of its bits for each number that follows, whether that number is any
+/// bit pattern or one of everyday size: a scene of nothing but the former is nearly always refused
+/// or dark.
 #[derive(Clone, Debug)]
 pub struct Words<'a> {
     rest: &'a [u32],
@@ -38,7 +39,7 @@ impl<'a> Words<'a> {
         u64::from(self.next()) << 32 | u64::from(self.next())
     }
 
-    /// One of so many things.
+    /// A random index below `count`.
     pub fn choice(&mut self, count: u32) -> u32 {
         self.next() % count
     }
@@ -59,8 +60,8 @@ impl<'a> Words<'a> {
         if self.is_wild() { f32::from_bits(self.next()) } else { self.between(least, most) }
     }
 
-    /// A number above zero and another, in half of all cases no more than a few of its last places away: what is not
-    /// monotone shows between neighbours.
+    /// A number above zero and another, in half of all cases no more than a few of its last places
+    /// away: what is not monotone shows between neighbours.
     pub fn pair(&mut self, most: f32) -> (f32, f32) {
         let one = self.number(most / 1_024.0, most);
         if self.choice(2) == 0 {

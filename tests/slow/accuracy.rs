@@ -1,4 +1,5 @@
-//! Accuracy of every profile in all three formats against the f64 reference, row by row of the table of bounds.
+//! Accuracy of every profile in all three formats against the f64 reference, row by row of the
+//! table of bounds.
 //!
 //! `cargo test --test slow accuracy:: -- --nocapture` prints the measured rows.
 
@@ -50,8 +51,8 @@ fn stored<S: Format, P: Falloff>(spot: &SpotLight<P>, cone: reference::Cone) -> 
     }
 }
 
-/// How far from a jump, in radians, a point is on its right side: beyond the error of direction, that of length, which
-/// counts in wide cones, and that of an angle in f32.
+/// How far from a jump, in radians, a point is on its right side: beyond the error of direction,
+/// that of length, which counts in wide cones, and that of an angle in f32.
 fn blur<S: Format>(half_degrees: f32) -> f64 {
     let radians = f64::from(half_degrees.to_radians());
     f64::from(S::DIRECTION_ERROR) * (3.0 + 8.0 * radians) + 4e-7 * radians

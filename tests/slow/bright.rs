@@ -1,8 +1,9 @@
-//! Bright lights: what a display shows of a spotlight whose intensity is far over full scale, in linear codes, clipped at one.
+//! Bright lights: what a display shows of a spotlight whose intensity is far over full scale, in
+//! linear codes, clipped at one.
 //!
-//! An error of the share of the intensity that arrives is multiplied by the gain, which is the intensity over the squared
-//! distance where the light falls so. The error of the direction is: by the slope of the edge. All other roundings together
-//! must add no more than half a code to that.
+//! An error of the share of the intensity that arrives is multiplied by the gain, which is the
+//! intensity over the squared distance where the light falls so. The error of the direction is: by
+//! the slope of the edge. All other roundings together must add no more than half a code to that.
 //!
 //! `cargo test --test slow bright:: -- --nocapture --test-threads 1` prints the rows.
 
@@ -42,7 +43,8 @@ impl Errors {
     }
 }
 
-/// A place and a surface normal: near and far from a light of this intensity, where it is not past full scale for certain.
+/// A place and a surface normal: near and far from a light of this intensity, where it is not past
+/// full scale for certain.
 struct Site {
     point: Vector,
     normal: Vector,
@@ -61,7 +63,8 @@ fn site(rng: &mut Rng, position: Vector, axis: Vector, half: f64, reach: f64) ->
     }
 }
 
-/// The errors of spotlights under a distance model, whose gain at a distance is `gain` for an intensity of 1.
+/// The errors of spotlights under a distance model, whose gain at a distance is `gain` for an
+/// intensity of 1.
 fn spots<S: Format, A: Attenuation>(
     rng: &mut Rng,
     attenuation: A,
@@ -196,8 +199,8 @@ fn largest<S: Format>() -> [Errors; INTENSITIES.len()] {
     })
 }
 
-/// All of the error is within half a code and within one up to the intensities that the format states, and the next
-/// intensity is beyond that where there is a statement to break.
+/// All of the error is within half a code and within one up to the intensities that the format
+/// states, and the next intensity is beyond that where there is a statement to break.
 fn assert_up_to<S: Format>(half_a_code: f32, a_code: f32) -> [Errors; INTENSITIES.len()] {
     let largest = largest::<S>();
     println!("{}: {}", S::NAME, shown(&largest));
@@ -209,7 +212,8 @@ fn assert_up_to<S: Format>(half_a_code: f32, a_code: f32) -> [Errors; INTENSITIE
     largest
 }
 
-/// In 16 bits all other roundings add no more than half a code to what the direction makes, at any of these intensities.
+/// In 16 bits all other roundings add no more than half a code to what the direction makes, at any
+/// of these intensities.
 #[test]
 fn fx16_adds_half_a_code_at_most() {
     for (intensity, errors) in INTENSITIES.into_iter().zip(assert_up_to::<Fx16>(300.0, 1_000.0)) {

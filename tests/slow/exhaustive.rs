@@ -30,7 +30,8 @@ type Ends<S> = [(<S as Arithmetic>::Versine, f64); 2];
 
 /// A format whose versines can all be visited.
 trait Countable: Format<Versine: Sync, Ramp: Sync> {
-    /// The versines from the axis to beyond the edge in rising order, by their index up to a last one.
+    /// The versines from the axis to beyond the edge in rising order, by their index up to a last
+    /// one.
     fn versines<P: Falloff>(
         falloff: &CompiledCone<Self, P>,
         outer: f32,
@@ -38,7 +39,7 @@ trait Countable: Format<Versine: Sync, Ramp: Sync> {
 }
 
 impl Countable for f32 {
-    /// Every bit pattern that is not negative, infinity and what is not a number included.
+    /// Every bit pattern without the sign, infinity and NaN included.
     fn versines<P: Falloff>(_: &CompiledCone<f32, P>, _: f32) -> (u64, impl Fn(u64) -> Ends<f32> + Sync) {
         let versine = |bits: u64| {
             let versine = f32::from_bits(bits as u32);
@@ -61,9 +62,9 @@ impl Countable for Fx16 {
 }
 
 impl Countable for Fx32 {
-    /// The gap to the edge counts in its upper 32 bits alone. So there are 2^32 classes of versines with one
-    /// answer each, and the first and the last of a class are the farthest from that answer, since the exact
-    /// intensity never rises.
+    /// The gap to the edge counts in its upper 32 bits alone. So there are 2^32 classes of versines
+    /// with one answer each, and the first and the last of a class are the farthest from that
+    /// answer, since the exact intensity never rises.
     fn versines<P: Falloff>(
         falloff: &CompiledCone<Fx32, P>,
         outer: f32,
@@ -83,7 +84,8 @@ impl Countable for Fx32 {
     }
 }
 
-/// What is seen of a shape in one cone, in steps of the format; nothing where the format refuses the cone.
+/// What is seen of a shape in one cone, in steps of the format; nothing where the format refuses
+/// the cone.
 fn seen<S: Countable, P: Falloff>(shape: &Shape<P>, half_degrees: f32) -> Option<Seen>
 where
     CompiledCone<S, P>: Sync,
@@ -101,7 +103,7 @@ where
             assert_eq!(falloff.at(last.0).exact(), found, "{name}: at {last:?} and {first:?}");
         }
         let exact = |value: f64| {
-            // At the edge, beyond it, and where the versine is not a number.
+            // At the edge, beyond it, and for NaN.
             if value.is_nan() || value >= exact.outer {
                 assert!(found == 0.0, "{name}: {found} at {value}");
                 return 0.0;
@@ -118,7 +120,8 @@ fn broken<S: Countable, P: Falloff>(shape: &Shape<P>) -> Vec<String>
 where
     CompiledCone<S, P>: Sync,
 {
-    // A jump is where it is within the rounding of a versine, which no error of an intensity measures.
+    // A jump is where it is within the rounding of a versine, which no error of an intensity
+    // measures.
     if shape.exactly_at(1.0).jumps_near(shape.exactly_at(1.0).limit, 1.0) {
         return Vec::new();
     }
@@ -141,7 +144,7 @@ fn assert_kept(broken: Vec<String>) {
     assert!(broken.is_empty(), "{}", broken.join("\n"));
 }
 
-/// The four that the formats of 32 bits are held to over every versine.
+/// Checks the four profiles that the 32-bit formats are tested with over every versine.
 fn four<S: Countable>() -> Vec<String>
 where
     CompiledCone<S, Soft>: Sync,
@@ -218,8 +221,8 @@ fn fx32_keeps_its_roundings_over_every_fraction() {
     );
 }
 
-/// How far a displayed code is from the exact one before it is rounded, in eight bits, in the five of RGB565
-/// and in its six.
+/// How far a displayed code is from the exact one before it is rounded, in eight bits, in the five
+/// of RGB565 and in its six.
 fn display_errors<S: Countable>(domain: u64, linear: impl Fn(u64) -> S + Sync) -> [f64; 3] {
     const LAST: [f64; 3] = [255.0, 31.0, 63.0];
     let seen = every::inputs(&format!("{} to codes", S::NAME), 0..=domain, |bits| {

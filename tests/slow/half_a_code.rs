@@ -1,5 +1,6 @@
-//! A cone that compiles errs at most half a linear code: random cones at the limit of what each format accepts, a light and a
-//! point anywhere in its domain, and from the worst of them a climb by bits.
+//! A cone that compiles errs at most half a linear code: random cones at the limit of what each
+//! format accepts, a light and a point anywhere in its domain, and from the worst of them a climb
+//! by bits.
 //!
 //! `cargo test --test slow half_a_code:: -- --nocapture --test-threads 1` prints the worst that was
 //! found; `LUMINAIRE_FULL=1` begins in 1,000,000 places for each format, 40 in a cone, and climbs
@@ -51,8 +52,8 @@ impl Angles {
         self.cone(profile).is_some_and(|cone| cone.compile::<S>() == Ok(coarse))
     }
 
-    /// Random angles of a cone that the format accepts, most of them at the limit of that or of what
-    /// is evaluated coarsely.
+    /// Random angles of a cone that the format accepts, most of them at the limit of that or of
+    /// what is evaluated coarsely.
     fn random<S: Format>(rng: &mut Rng, profile: AnyFalloff) -> Option<Self> {
         let hotspot = match rng.u8(..4) {
             0 | 1 => 0.0,
@@ -139,7 +140,8 @@ impl Domain {
         let way = sweep::direction_off(rng, axis, off_axis);
         let mut distance = shortest * (longest / shortest).powf(rng.f64());
         if rng.bool() {
-            // The largest component just past a power of two, where a direction has the fewest bits.
+            // The largest component just past a power of two, where a direction has the fewest
+            // bits.
             let largest = way.map(f64::abs).into_iter().fold(0.0, f64::max);
             distance = distance.log2().floor().exp2() * (1.0 + 0.02 * rng.f64()) / largest;
         }
@@ -224,7 +226,8 @@ struct Light<'a, S: Format> {
 }
 
 impl<S: Format> Light<'_, S> {
-    /// The error of the intensity at a point, or of its place where it jumps: both in what is allowed.
+    /// The error of the intensity at a point, or of its place where it jumps: both in what is
+    /// allowed.
     fn error(&self, point: Vec3<f32>) -> f64 {
         let Beam { shape, angles, exact_versines: [inner, outer, limit], .. } = *self.beam;
         let point = point.map(S::length);
@@ -238,7 +241,8 @@ impl<S: Format> Light<'_, S> {
             return 0.0;
         }
         let versine = reference::versine_between(way, self.axis);
-        // A jump, of a cutoff or of a table that ends above zero, is in its place within 1/510 of its half angle.
+        // A jump, of a cutoff or of a table that ends above zero, is in its place within 1/510 of
+        // its half angle.
         let jumps = angles.limit < angles.outer || shape.formula().exact(f64::MIN_POSITIVE) > 1e-9;
         if jumps && (versine / limit).sqrt() > 1.0 - 1.0 / 510.0 && versine < 1.01 * limit {
             return 0.0;
@@ -262,7 +266,8 @@ struct Worst {
 }
 
 impl Worst {
-    /// Of random cones that the format accepts, from so many starts in each.
+    /// The worst error of `cones` random cones that the format accepts, from `starts` starts in
+    /// each.
     fn of<S: Format>(seed: u64, cones: usize, starts: usize, steps: usize) -> Self {
         let (mut rng, tables, domain) = (Rng::with_seed(seed), tables(), Domain::of::<S>());
         let mut worst = Self::default();
@@ -345,8 +350,8 @@ fn fx16_holds_every_cone_that_it_accepts() {
     assert_held::<Fx16>();
 }
 
-/// Where long searches found the largest errors: at the limit of what is evaluated coarsely, from an
-/// offset whose largest component is just past a power of two.
+/// Where long searches found the largest errors: at the limit of what is evaluated coarsely, from
+/// an offset whose largest component is just past a power of two.
 #[test]
 fn fx16_holds_the_worst_cones_that_were_found() {
     let worst = [
@@ -397,7 +402,8 @@ fn steep_shapes() -> Vec<(String, f32, AnyFalloff)> {
     shapes
 }
 
-/// The narrowest cone of each steep shape, where a format has one, and the worst that is found there and at 45 degrees.
+/// The narrowest cone of each steep shape, where a format has one, and the worst that is found
+/// there and at 45 degrees.
 fn assert_steep<S: Format>() {
     for (name, hotspot, shape) in steep_shapes() {
         let at = |outer: f32| Angles { outer, inner: hotspot * outer, limit: outer };

@@ -1,4 +1,5 @@
-//! Air light in haze against the oracle, row by row of `support/haze.rs`, and the laws that it keeps.
+//! Air light in haze against the oracle, row by row of `support/haze.rs`, and the laws that it
+//! keeps.
 //!
 //! `cargo test --test slow haze:: -- --nocapture --test-threads 1` prints the measured rows.
 
@@ -59,9 +60,9 @@ fn pair<P: Falloff, A: Attenuation>(
     Pair { kernel: spot.compile::<f32>().expect("held").in_haze(&haze()), oracle, across }
 }
 
-/// The error of a ray, relative to what is seen there or to what a line across the axis sees that is as
-/// near to the light, whichever is more. At the rim of the light's body there is none: the light jumps, and
-/// no format can place the jump.
+/// The error of a ray, relative to what is seen there or to what a line across the axis sees that
+/// is as near to the light, whichever is more. At the rim of the light's body there is none: the
+/// light jumps, and no format can place the jump.
 fn error<P: Falloff, A: Attenuation>(
     pair: &Pair<P, A>,
     view: &ViewRay,
@@ -210,8 +211,8 @@ fn samples_keep_their_rows() {
     assert!(all.is_empty(), "{}", all.join("\n"));
 }
 
-/// Rays that pass close to the light: their own roundings, magnified by how much farther the eye is than
-/// their line, are what there is of an error. Measured in that.
+/// Rays that pass close to the light: their own roundings, magnified by how much farther the eye is
+/// than their line, are what there is of an error. Measured in that.
 #[test]
 fn rays_at_the_light_keep_their_row() {
     let shape = Shape::plain("soft", Soft, reference::soft);

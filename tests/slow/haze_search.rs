@@ -152,8 +152,8 @@ fn a_ray_that_cannot_meet_the_beam_is_exactly_dark() {
 
 /// The largest error over many rays of the soft edge, relative to what is seen there or to what a
 /// line sees that crosses the beam at the angle of the ray and as near to the light, whichever is
-/// more; and over what passing close to the light magnifies. There is none at the rim of the light's
-/// body, where the light jumps.
+/// more; and over what passing close to the light magnifies. There is none at the rim of the
+/// light's body, where the light jumps.
 fn largest<A: Attenuation + Sync>(
     half: f32,
     attenuation: A,

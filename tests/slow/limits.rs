@@ -1,5 +1,5 @@
-//! What a user sees of the roundings, beside what no method can do better: the error from an ideal position
-//! and axis to the display, and what the rounding of these inputs alone makes of it.
+//! What a user sees of the roundings, beside what no method can do better: the error from an ideal
+//! position and axis to the display, and what the rounding of these inputs alone makes of it.
 //!
 //! `LUMINAIRE_FULL=1 cargo test --test slow limits:: -- --nocapture --test-threads 1` prints the
 //! measured rows.
@@ -19,7 +19,8 @@ use support::{
     reference, sweep,
 };
 
-/// The largest errors, linear and in codes, from ideal inputs: the format rounds position, axis and point.
+/// The largest errors, linear and in codes, from ideal inputs: the format rounds position, axis and
+/// point.
 fn errors<S: Format, P: Falloff>(shape: &Shape<P>, half_degrees: f32) -> [f64; 2] {
     let cone = shape.at(half_degrees);
     if cone.compile::<S>().is_err() {
@@ -54,17 +55,17 @@ fn limit<S: Format, P: Falloff>(shape: &Shape<P>) -> [Column; 2] {
     [at.map(|[linear, _]| linear), at.map(|[_, codes]| codes)]
 }
 
-/// What the kernel may add of its own, linear and in codes: the rounding from a versine to an intensity by
-/// its row in the table of bounds, and what the length of its directions is off: `|l| = 1 + e` stretches
-/// every versine by `e`.
+/// What the kernel may add of its own, linear and in codes: the rounding from a versine to an
+/// intensity by its row in the table of bounds, and what the length of its directions is off:
+/// `|l| = 1 + e` stretches every versine by `e`.
 fn own<S: Format, P: Falloff>(shape: &Shape<P>, half_degrees: f32) -> [f64; 2] {
     let row = bounds::of("falloff", shape.name, S::NAME).expect("every falloff has a row");
     let falloff = row[0] * f64::from(S::STEP);
     let stretch = beams::operation::<S>("ray direction, its length");
     let [linear, codes] =
         limits::largest_change(&shape.exactly_at(half_degrees), half_degrees.into(), 0.0, stretch);
-    // A step of the linear value is worth most codes where the sRGB curve is straight. Half a code is the
-    // display's.
+    // A step of the linear value is worth most codes where the sRGB curve is straight. Half a code
+    // is the display's.
     [linear + 255.0 * falloff, codes + 255.0 * 12.92 * falloff + 0.502]
 }
 
@@ -129,9 +130,9 @@ fn fx16_is_within_four_times_the_limit() {
     assert_kept(four::<Fx16>());
 }
 
-/// The a-priori bound of the versine form is kept, and its part that grows as the cone narrows is no more
-/// than two and a half times what random points find; the cosine form is off by `4 c / theta^2`, with the error `c` of the cosine in
-/// steps of its format.
+/// The a-priori bound of the versine form is kept, and its part that grows as the cone narrows is
+/// no more than two and a half times what random points find; the cosine form is off by
+/// `4 c / theta^2`, with the error `c` of the cosine in steps of its format.
 fn assert_forms<S: Format>(half_angles: [f64; 3], cosine_steps: std::ops::RangeInclusive<f64>) {
     for half_degrees in half_angles {
         let found = beams::errors::<S>(half_degrees, 20_000 * sweep::effort());

@@ -1,4 +1,5 @@
-//! The tests that sweep and search: a few seconds each, and far longer where `LUMINAIRE_FULL` is set.
+//! The tests that sweep and search: a few seconds each, and far longer where `LUMINAIRE_FULL` is
+//! set.
 //!
 //! `cargo test --test slow NAME::` runs one of them.
 

@@ -1,4 +1,5 @@
-//! The narrowest beam of each profile in each format: where the error of a position reaches half of one 8-bit step.
+//! The narrowest beam of each profile in each format: where the error of a position reaches half of
+//! one 8-bit step.
 
 use fastrand::Rng;
 use luminaire::{
@@ -10,7 +11,8 @@ use support::{format::Format, profiles::Shape, reference, sweep};
 
 const HALF_A_STEP: f64 = 1.0 / 510.0;
 
-/// Half the narrowest outer angle that the format accepts of a shape, in degrees: all of its angles in proportion.
+/// Half the narrowest outer angle that the format accepts of a shape, in degrees: all of its angles
+/// in proportion.
 fn narrowest<S: Format, P: Falloff>(shape: &Shape<P>) -> f32 {
     let (mut refused, mut held) = (1e-6_f32, 90.0_f32);
     for _ in 0..40 {
@@ -20,7 +22,8 @@ fn narrowest<S: Format, P: Falloff>(shape: &Shape<P>) -> f32 {
     held
 }
 
-/// Where the intensity of a shape is steepest over the angle, as a fraction of its outer half angle, and how steep.
+/// Where the intensity of a shape is steepest over the angle, as a fraction of its outer half
+/// angle, and how steep.
 fn steepest<P: Falloff>(shape: &Shape<P>) -> (f64, f64) {
     let cone = shape.exactly_at(0.5);
     let half = reference::half_degrees(cone.limit);
@@ -31,7 +34,8 @@ fn steepest<P: Falloff>(shape: &Shape<P>) -> (f64, f64) {
         .fold((0.0, 0.0), |a, b| if b.1 > a.1 { b } else { a })
 }
 
-/// The largest error of the intensity where a shape is steepest, at the narrowest cone the format accepts.
+/// The largest error of the intensity where a shape is steepest, at the narrowest cone the format
+/// accepts.
 fn error_at_the_narrowest<S: Format, P: Falloff>(shape: &Shape<P>) -> f64 {
     let half_degrees = narrowest::<S, P>(shape) * 1.000_01;
     let (cone, (steepest, _)) = (shape.at(half_degrees), steepest(shape));
@@ -57,9 +61,10 @@ fn error_at_the_narrowest<S: Format, P: Falloff>(shape: &Shape<P>) -> f64 {
     worst
 }
 
-/// The claim is kept, and it is not much too careful either: the error is at least 0.25 of what is allowed. Shapes that
-/// jump have no such error; a table is asked only not to pass it, because its steepness is a bound; and 16 bits evaluate their
-/// narrowest cones finely, so that only the last rounding is left.
+/// The error at the narrowest cone keeps its bound, and the bound is not loose: the error is at
+/// least 0.25 of it. Shapes that jump have no such error. A table is tested against the upper bound
+/// only, because its steepness is itself a bound. `Fx16` evaluates its narrowest cones finely, so
+/// that only the last rounding is left.
 fn assert_narrowest<S: Format, P: Falloff>(shape: &Shape<P>) {
     if shape.exactly_at(1.0).jumps_near(shape.exactly_at(1.0).limit, 1.0) {
         return;
@@ -90,7 +95,8 @@ fn fx16_holds_what_it_states() {
     with_every_shape!(assert_narrowest::<Fx16>);
 }
 
-/// The steepness a profile states is the largest slope of its reference over the angle, with and without a hotspot.
+/// The steepness a profile states is the largest slope of its reference over the angle, with and
+/// without a hotspot.
 fn assert_steepness<P: Falloff>(shape: &Shape<P>) {
     if shape.exactly_at(1.0).jumps_near(shape.exactly_at(1.0).limit, 1.0) {
         return;
@@ -113,7 +119,8 @@ fn steepness_is_the_largest_slope() {
     with_every_shape!(assert_steepness);
 }
 
-/// A jump is where it is asked to be, within 1/510 of its half angle, at the narrowest one that a format holds.
+/// A jump is at the specified angle, within 1/510 of its half angle, in the narrowest cone that a
+/// format holds.
 #[test]
 fn a_step_is_in_its_place() {
     fn assert_place<S: Format>() {
@@ -138,7 +145,8 @@ fn a_step_is_in_its_place() {
     assert_place::<Fx16>();
 }
 
-/// The cosine form, for contrast: with the same f32 inputs `1 - l.s` has lost a beam that the difference keeps.
+/// The cosine form, for contrast: with the same f32 inputs `1 - l.s` has lost a beam that the
+/// difference keeps.
 #[test]
 fn the_cosine_form_loses_what_the_versine_form_keeps() {
     let half_degrees = 0.1;

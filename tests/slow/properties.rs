@@ -1,4 +1,5 @@
-//! The laws that hold for every scene, on random words: fewer than the fuzzer tries, and on stable Rust.
+//! The laws that hold for every scene, on random words: fewer than the fuzzer tries, and on stable
+//! Rust.
 
 use crate::laws;
 use proptest::prelude::*;

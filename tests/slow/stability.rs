@@ -1,8 +1,9 @@
-//! Stability in time: while a light pans, moves or dims by one quantum a frame, or a point moves so, no pixel goes far against
-//! its true trend.
+//! Stability in time: while a light pans, moves or dims by one quantum a frame, or a point moves
+//! so, no pixel goes far against its true trend.
 //!
-//! While the exact light of a pixel rises, the largest fall of the pixel from its highest value so far is a reversal, and so
-//! is the largest rise while it falls: in linear codes, clipped at full scale.
+//! While the exact light of a pixel rises, the largest fall of the pixel from its highest value so
+//! far is a reversal, and so is the largest rise while it falls: in linear codes, clipped at full
+//! scale.
 //!
 //! `cargo test --test slow stability:: -- --nocapture --test-threads 1` prints the rows;
 //! `LUMINAIRE_FULL=1` looks 16 times as long.
@@ -142,7 +143,8 @@ struct Kind<A> {
     distances: [f64; 2],
 }
 
-/// A direction: anywhere, or along two coordinates at most, where a motion along one of them turns it least.
+/// A direction: anywhere, or along two coordinates at most, where a motion along one of them turns
+/// it least.
 fn direction(rng: &mut Rng) -> Vector {
     if rng.bool() {
         return sweep::direction(rng);
@@ -152,8 +154,8 @@ fn direction(rng: &mut Rng) -> Vector {
     reference::unit(direction)
 }
 
-/// Moves a point in one component to where its distance to the light is a power of two there, or so much farther: the
-/// evaluation of a format may change there.
+/// Moves a point in one component to where its distance to the light is a power of two there, or so
+/// much farther: the evaluation of a format may change there.
 fn to_a_seam(point: &mut Vector, light: Vector, way: Way, farther: f64) {
     let offset = point[way.component] - light[way.component];
     let seam = offset.abs().log2().round().exp2();
@@ -194,7 +196,8 @@ impl<A: Attenuation> Kind<A> {
             }
             point
         });
-        // A light that dims begins a little over a power of four, where the evaluation of near points changes.
+        // A light that dims begins a little over a power of four, where the evaluation of near
+        // points changes.
         let intensity = if motion == Motion::Dim {
             let power = 4.0_f32.powf((self.intensity.log2() / 2.0).round());
             power * (1.0 + (path * rng.f64()) as f32)
@@ -253,7 +256,8 @@ impl<A: Attenuation> Kind<A> {
         255.0 * worst
     }
 
-    /// The largest reversals for each motion, in cones of some half angles in degrees and of so many times the narrowest.
+    /// The largest reversals for each motion, in cones of the half angles `degrees` and of the
+    /// multiples `narrow` of the narrowest half angle.
     fn largest<S: Format>(&self, name: &str, narrow: &[f32], degrees: &[f32], starts: usize) -> Row {
         let mut largest = Row::default();
         for shape in shapes() {
@@ -287,8 +291,9 @@ fn shown(row: Row) -> String {
 const FULL_SCALE: Kind<NoAttenuation> =
     Kind { attenuation: NoAttenuation, gain: |_| 1.0, intensity: 1.0, distances: [1.0, 100.0] };
 
-/// The largest reversal is in a range of linear codes: in cones of any angle from so many times the narrowest on, and of
-/// lights up to the intensity up to which the format promises half a code.
+/// The largest reversal is within `bounds`, in linear codes: in cones from the multiples `narrow`
+/// of the narrowest half angle on, and of lights up to `brightest`, the intensity up to which the
+/// format promises half a code.
 fn assert_steady<S: Format>(narrow: &[f32], brightest: f32, bounds: Range<f64>) {
     let mut largest = FULL_SCALE.largest::<S>("full scale", narrow, &[1.0, 7.5, 30.0], 8);
     for intensity in [4.0, 10.0, 100.0, 300.0].into_iter().filter(|&intensity| intensity <= brightest) {
@@ -308,7 +313,8 @@ fn f32_follows_its_trend() {
     assert_steady::<f32>(&[1.0, 1.5, 2.0], 10.0, 0.05..0.5);
 }
 
-/// The narrowest cones of this format have the rounding of the axis beside that of the direction: a code between them.
+/// The narrowest cones of this format have the rounding of the axis beside that of the direction: a
+/// code between them.
 #[test]
 fn fx32_follows_its_trend() {
     assert_steady::<Fx32>(&[2.0], 300.0, 0.02..0.5);

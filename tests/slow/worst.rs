@@ -1,6 +1,7 @@
-//! The worst places that a search has found, each evaluated again: the error there is the one that was found.
+//! The worst inputs that a search has found, each evaluated again: the error is still the one
+//! found.
 //!
-//! `cargo run -p suite --example worst-places > tests/slow/worst/places.txt` searches anew.
+//! `cargo run -p suite --example worst-places > tests/slow/worst/places.txt` repeats the search.
 
 use luminaire::{Fx16, Fx32, falloff::Falloff};
 use support::with_every_shape;
@@ -12,12 +13,13 @@ use support::{
 
 const PLACES: &str = include_str!("worst/places.txt");
 
-/// The largest error of a format in these places, where half a step of eight bits is promised, 1.96e-3. Random points
-/// meet less of it than a search that climbs. That of `Fx16` is at 30 degrees: it evaluates its narrowest cones finely.
+/// The largest error of a format in these places, where half a step of eight bits is promised,
+/// 1.96e-3. Random points meet less of it than a search that climbs. That of `Fx16` is at 30
+/// degrees: it evaluates its narrowest cones finely.
 const LARGEST: [(&str, f64); 3] = [("f32", 8.2e-4), ("fx32", 1.68e-3), ("fx16", 9.4e-4)];
 
-/// Both of a shape's places, at its narrowest cone and at 30 degrees: an error that grew fails, and one that shrank.
-/// Returns the larger of the two.
+/// Both of a shape's places, at its narrowest cone and at 30 degrees: an error that grew fails, and
+/// one that shrank. Returns the larger of the two.
 fn as_found<S: Format, P: Falloff>(shape: &Shape<P>) -> f64 {
     let finds =
         PLACES.lines().filter(|line| !line.starts_with('#')).map(|line| Find::parse(line).expect(line));

@@ -1,5 +1,5 @@
-//! Bits that no light has, where a generated constant would have them: an answer at every point, as for all other input.
-//! Run with overflow checks, as `cargo test` does.
+//! Bits that no light has, where a generated constant would have them: an answer at every point, as
+//! for all other input. Run with overflow checks, as `cargo test` does.
 
 use fastrand::Rng;
 use luminaire::codegen::{CompiledCubic, CompiledQuadratic, FloatRamp, Gain16, Gain32, Ramp16, Ramp32};

@@ -1,4 +1,5 @@
-//! Lights that are chosen at run time: their loops have the bits of a single point, and a plan knows what they call for.
+//! Lights chosen at run time: their loops are bit-identical to the single-point call, and a plan
+//! has their required effects.
 
 use fastrand::Rng;
 use luminaire::{
@@ -37,7 +38,8 @@ fn distances() -> Result<Vec<AnyAttenuation>, Error> {
     ])
 }
 
-/// Lights of every kind, profile and distance model: a spotlight stands and points anew for each.
+/// Lights of every kind, profile and distance model: each spotlight has a new
+/// random position and axis.
 fn any_lights(rng: &mut Rng) -> Result<Vec<AnyLight>, Error> {
     let mut lights = Vec::new();
     for distance in distances()? {
@@ -146,10 +148,10 @@ fn any_light_lights_many_points_as_each() {
     assert_format::<Fx16>();
 }
 
-/// At how many places of a ray it is asked what gets through.
+/// Number of samples per ray at which the transmittance is evaluated.
 const PLACES: usize = 16;
 
-/// What gets through to a point.
+/// The transmittance at a point.
 fn stripes(point: Vec3<f32>) -> f32 {
     0.5 + 0.5 * (3.0 * point.x).sin()
 }
@@ -198,8 +200,8 @@ fn beams_show_in_many_rays_as_in_each() {
     assert!((0.1..0.5).contains(&(seen as f32 / count as f32)), "{seen} of {count} rays show a beam");
 }
 
-/// A profile that is chosen at run time is the one that was given; a power whose exponent is part of the type becomes one
-/// whose exponent is not, which may be rounded otherwise.
+/// A profile that is chosen at run time is the one that was given; a power whose exponent is part
+/// of the type becomes one whose exponent is not, which may be rounded otherwise.
 #[test]
 fn any_profile_is_what_it_was() {
     #[allow(unused_imports, clippy::wildcard_imports, reason = "what the rows of the list are made of")]
@@ -250,7 +252,7 @@ fn spot(profile: impl Falloff + Into<AnyFalloff>) -> Result<SpotLight<AnyFalloff
     SpotLight::new(Vec3::new(0.0, 4.0, 0.0), down(), Cone::from_outer(profile.into(), Angle::degrees(40.0))?)
 }
 
-/// What each light calls for, in words.
+/// The required effects of each light, by name.
 #[test]
 fn a_light_calls_for_what_it_is() -> Result<(), Error> {
     let names: Vec<_> = AnyFalloff::samples()
@@ -294,7 +296,8 @@ fn a_light_calls_for_what_it_is() -> Result<(), Error> {
     Ok(())
 }
 
-/// A light that can light nothing calls for nothing, and is dropped: not so by the plan that leaves nothing out.
+/// A light with zero intensity, or with black in both colours, requires no effect and is dropped.
+/// Only `RenderPlan::everything` keeps it.
 #[test]
 fn a_dark_light_is_dropped() -> Result<(), Error> {
     let (black, red) = (Rgb::default(), Rgb::new(1.0, 0.0, 0.0));

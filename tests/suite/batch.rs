@@ -17,7 +17,8 @@ use support::{
     reference, sweep,
 };
 
-/// Every remainder of the vectors of any machine, and of a block in the kernel, with whole blocks before it and without.
+/// Every remainder of the vectors of any machine, and of a block in the kernel, with whole blocks
+/// before it and without.
 const LENGTHS: std::ops::RangeInclusive<usize> = 0..=67;
 const LONG: usize = 3 * 64 + 5;
 
@@ -44,8 +45,8 @@ fn row<T: Copy>(columns: &Vec3<Vec<T>>, i: usize) -> Vec3<T> {
 }
 
 impl<S: Format> Sites<S> {
-    /// Points about a cone, points at and next to the light, and points and normals of any bits at all, mixed so that
-    /// neighbours differ in kind.
+    /// Points about a cone, points at and next to the light, and points and normals of any bits at
+    /// all, mixed so that neighbours differ in kind.
     fn about(rng: &mut Rng, position: Vec3<f32>, axis: Vec3<f32>, half_degrees: f32, count: usize) -> Self {
         let stored = S::exact_point(position.map(S::length));
         let axis = reference::unit(S::exact_direction(S::axis(axis)));
@@ -67,7 +68,7 @@ impl<S: Format> Sites<S> {
     }
 }
 
-/// All bits of a light: not a number, and the sign of zero, included.
+/// All bits of a light, NaN and the sign of zero included.
 fn light_bits<S: Format>(light: S::Irradiance) -> u64 {
     S::exact_light(light).to_bits()
 }

@@ -1,4 +1,5 @@
-//! What a cone says of itself: its angles with a hotspot and a cutoff, its flux, and the angles of other systems.
+//! What a cone says of itself: its angles with a hotspot and a cutoff, its flux, and the angles of
+//! other systems.
 
 use luminaire::{
     Angle, Cone, Error, Fx16, Fx32, HalfAngle,
@@ -16,7 +17,8 @@ fn assert_near(what: &str, found: f32, expected: f64, within: f64) {
     assert!((f64::from(found) / expected - 1.0).abs() < within, "{what} is {found}, not {expected}");
 }
 
-/// Beam and field are the last angles with at least a half and a tenth of the intensity, whatever the cone has.
+/// Beam and field are the last angles with at least a half and a tenth of the intensity, whatever
+/// the cone has.
 fn assert_angles<P: Falloff>(shape: &Shape<P>) {
     for degrees in [0.1, 3.0, 20.0, 70.0, 90.0] {
         let (cone, exact) = (shape.at(degrees), shape.exactly_at(degrees));
@@ -67,8 +69,8 @@ fn soft_has_a_third_of_the_flux_and_hard_two() {
     assert_near("hard", hard / full, 2.0 / 3.0, 1e-6);
 }
 
-/// The cutoff takes what is beyond it and leaves the rest as it was, bit for bit; tighter than the beam, it is all
-/// three angles.
+/// The cutoff takes what is beyond it and leaves the rest as it was, bit for bit; tighter than the
+/// beam, it is all three angles.
 #[test]
 fn a_cutoff_changes_nothing_within() {
     let cone = Cone::from_field(Soft, Angle::degrees(30.0)).expect("sound");
@@ -80,7 +82,8 @@ fn a_cutoff_changes_nothing_within() {
     assert_near("outer", cut.outer().to_degrees(), 12.0, 1e-6);
 }
 
-/// The same within a cutoff of 12 degrees, each versine in the scale of its own cone, and nothing beyond.
+/// The same within a cutoff of 12 degrees, each versine in the scale of its own cone, and nothing
+/// beyond.
 fn assert_cut<S: Format>(open: &Cone<Soft>, cut: &Cone<Soft>) {
     let (open, cut) = (open.compile::<S>().expect("held"), cut.compile::<S>().expect("held"));
     for millidegrees in 0..20_000_u16 {
@@ -132,7 +135,8 @@ fn hotspots_and_cutoffs_out_of_range_are_refused() {
     }
 }
 
-/// A hotspot that makes the edge too steep for a format is refused with the largest one that is not.
+/// A hotspot that makes the edge too steep for a format is refused with the largest one that is
+/// not.
 #[test]
 fn a_hotspot_too_steep_for_its_format_is_refused() {
     let cone = Cone::from_outer(Linear, Angle::degrees(30.0)).expect("sound");
@@ -225,7 +229,8 @@ fn a_table_is_dark_from_its_edge_on() {
     assert_eq!(cone.beam(), cone.outer());
 }
 
-/// The angles of other systems, as the crate's page lists them: each line is a fixture of 15 degrees edge to edge.
+/// The angles of other systems, as the crate's page lists them: each line is a fixture of 15
+/// degrees edge to edge.
 #[test]
 fn the_systems_angles_are_one() {
     let full = Angle::degrees(15.0);

@@ -6,7 +6,8 @@ use luminaire::{
 };
 use support::{format::Format, reference};
 
-/// Every code decodes to a linear value that encodes to it again, within the stated error of the standard.
+/// Every code decodes to a linear value that encodes to it again, within the stated error of the
+/// standard.
 #[test]
 fn every_code_comes_back() {
     let mut worst = 0.0_f64;
@@ -58,7 +59,7 @@ fn codes<S: Format>(value: S) -> [u32; 3] {
     [encode_srgb(value).into(), (pixel >> 5 & 63).into(), (pixel & 31).into()]
 }
 
-/// The code changes exactly where the standard's does, and nowhere else among so many values to
+/// The code changes exactly where the standard's does, and nowhere else among `side` values to
 /// either side. `exactly` is a value as a mantissa over a power of two.
 fn assert_nearest<S: Format>(one: u32, side: u32, value: fn(u32) -> S, exactly: fn(u32) -> [u32; 2]) {
     for (which, last) in [255, 63, 31].into_iter().enumerate() {
@@ -103,7 +104,8 @@ fn nearest(exact: f64) -> f64 {
     (exact + 0.5).floor()
 }
 
-/// Every 16-bit value has the nearest code of eight, six and five bits: exhaustive, with what is clipped.
+/// Every 16-bit value has the nearest code of eight, six and five bits: exhaustive, with what is
+/// clipped.
 #[test]
 fn sixteen_bits_are_encoded_exactly() {
     for value in (i16::MIN..=i16::MAX).map(Fx16::from_bits) {
@@ -120,7 +122,8 @@ fn sixteen_bits_are_encoded_exactly() {
 fn other_values_are_encoded_exactly() {
     fn assert_exact<S: Format>(value: S) {
         let exact = reference::srgb_code(value.exact());
-        // The standard's two halves do not quite meet: the reference may not tell which side of a half a value is on.
+        // The standard's two halves do not quite meet: the reference may not tell which side of a
+        // half a value is on.
         if (exact.fract() - 0.5).abs() > 1e-7 {
             assert_eq!(f64::from(encode_srgb(value)), nearest(exact), "{value:?}");
         }

@@ -1,4 +1,5 @@
-//! Ordered dither against its law in f64: a cell of 8 x 8 pixels has the light of the colour that it stands for.
+//! Ordered dither against its law in f64: a cell of 8 x 8 pixels has the light of the colour that
+//! it stands for.
 
 use luminaire::{
     Fx16, Fx32, Rgb, Scalar,
@@ -8,8 +9,8 @@ use support::{format::Format, reference};
 
 /// The last codes of eight, six and five bits.
 const LASTS: [u16; 3] = [255, 63, 31];
-/// How far the table's 24 bits can move a threshold, in steps from one code to the next: half of 2^-24 of the
-/// shortest step, and as much again for what a value loses.
+/// How far the table's 24 bits can move a threshold, in steps from one code to the next: half of
+/// 2^-24 of the shortest step, and as much again for what a value loses.
 const LEEWAY: f64 = 3e-4;
 
 /// Bayer's matrix by his recursion: four copies of the next smaller one, four times as far apart.
@@ -42,7 +43,8 @@ fn place(lights: &[f64], light: f64) -> (u16, f64) {
 /// What a cell shows of one value, against the law.
 #[derive(Default, Debug)]
 struct Seen {
-    /// How far the mean light of a cell is from the value, in steps from code to code, and the sum of that.
+    /// How far the mean light of a cell is from the value, in steps from code to code, and the sum
+    /// of that.
     off: f64,
     sum: f64,
     /// The largest distance of a pixel from the exact code.
@@ -52,7 +54,8 @@ struct Seen {
     open: u32,
 }
 
-/// Shows each value in a cell. Every pixel must have the code of the law, and none may fall where values rise.
+/// Shows each value in a cell. Every pixel must have the code of the law, and none may fall where
+/// values rise.
 fn show<S: Format>(values: impl Iterator<Item = S>) -> [Seen; 3] {
     let lights = LASTS.map(lights);
     let mut seen: [Seen; 3] = Default::default();
@@ -142,8 +145,9 @@ fn others<S: Scalar>(value: S, which: usize, code: u16) -> usize {
     (0..64).filter(|i| codes(value, i % 8, i / 8)[which] != code).count()
 }
 
-/// A colour that is a code stays it, in every pixel. Sixteen bits hold the light of a code to half of their
-/// step, so that it is no longer the code's where that is more than 1/128 of the way to the next.
+/// A colour that is a code stays it, in every pixel. Sixteen bits hold the light of a code to half
+/// of their step, so that it is no longer the code's where that is more than 1/128 of the way to
+/// the next.
 #[test]
 fn a_code_stays_that_code() {
     for code in 0..=255_u8 {
@@ -177,8 +181,8 @@ fn assert_never_falls<S: Scalar>(values: impl Iterator<Item = S> + Clone) {
     }
 }
 
-/// Exhaustive in sixteen bits; in the others beside the light of every code and every threshold, where they
-/// could fall.
+/// Exhaustive in sixteen bits; in the others beside the light of every code and every threshold,
+/// where they could fall.
 #[test]
 fn no_pixel_falls_where_the_light_rises() {
     assert_never_falls((i16::MIN..=i16::MAX).map(Fx16::from_bits));
@@ -229,8 +233,8 @@ fn cells_repeat() {
     }
 }
 
-/// The matrix spreads the pixels: a part of 4 x 4 is off by 7/128 at most and one of 2 x 2 by 31/128, where
-/// as few pixels could not do better than 4/128 and 16/128.
+/// The matrix spreads the pixels: a part of 4 x 4 is off by 7/128 at most and one of 2 x 2 by
+/// 31/128, where as few pixels could not do better than 4/128 and 16/128.
 #[test]
 fn parts_of_a_cell_keep_the_light_too() {
     let lights = lights(31);
@@ -250,7 +254,8 @@ fn parts_of_a_cell_keep_the_light_too() {
     }
 }
 
-/// Why the parts go by light: by the encoded value a cell is too bright, by up to a twentieth of a step.
+/// Why the parts go by light: by the encoded value a cell is too bright, by up to a twentieth of a
+/// step.
 #[test]
 fn parts_by_the_encoded_value_would_be_too_bright() {
     let lights = lights(31);

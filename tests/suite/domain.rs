@@ -1,5 +1,5 @@
-//! The domain of validity: at each end of each range that is stated the promises hold, and beyond it happens what the
-//! documentation says.
+//! The domain of validity: at each end of each range that is stated the promises hold, and beyond
+//! it happens what the documentation says.
 //!
 //! `cargo test --test suite domain:: -- --nocapture --test-threads 1` prints the errors at the
 //! ends; `LUMINAIRE_FULL=1` looks 16 times as long.
@@ -29,7 +29,8 @@ struct Domain {
     point: f64,
     /// The shortest and the longest way from a light to a point.
     distances: [f64; 2],
-    /// The brightest light that is within half a code in cones of 3 degrees and wider, from half a unit of distance on.
+    /// The brightest light that is within half a code in cones of 3 degrees and wider, from half a
+    /// unit of distance on.
     brightest: f32,
 }
 
@@ -148,7 +149,8 @@ fn worst<S: Format>(
 /// The error is within half a code, and so large that the bound is worth stating.
 fn assert_held<S: Format>(what: &str, shape: &Shape, half_degrees: f32, least: f64, codes: f64) {
     println!("{} {what}, {} at {half_degrees}: {codes:.3}", S::NAME, shape.name);
-    // A cone that is evaluated finely in 16 bits has no error but that of the last rounding, half of 2^-14.
+    // A cone that is evaluated finely in 16 bits has no error but that of the last rounding, half
+    // of 2^-14.
     let least = if S::NAME == "fx16" { least.min(0.007) } else { least };
     let held = (least..=0.5).contains(&codes);
     assert!(held, "{} {what}, {} at {half_degrees}: {codes:.4} linear codes", S::NAME, shape.name);
@@ -171,7 +173,8 @@ fn coordinate(rng: &mut Rng, end: f64) -> f64 {
 /// Lights and points at the ends of their coordinates, near to one another and far.
 fn assert_positions<S: Format>(ends: [f64; 2]) {
     for shape in plain() {
-        // Ways that are longer than 32 bits lose one: there the narrowest cone of 32 bits is twice as wide.
+        // Ways that are longer than 32 bits lose one: there the narrowest cone of 32 bits is twice
+        // as wide.
         let times = if S::NAME == "fx32" { 2.0 } else { 1.0 };
         for (half_degrees, least) in [(times * shape.narrowest::<S>(), 0.15), (60.0, 0.0)] {
             let scene = |rng: &mut Rng| {
@@ -219,7 +222,8 @@ fn lights_beyond_the_domain_are_refused() {
     assert_farther_lights_refused::<Fx16>();
 }
 
-/// A point that fixed point cannot hold is the nearest that it can; NaN is at 0 there, and dark in f32.
+/// A point that fixed point cannot hold is the nearest that it can; NaN is at 0 there, and dark in
+/// f32.
 #[test]
 fn points_beyond_the_domain() {
     for beyond in [32_768.0, 1e9, f32::INFINITY] {
@@ -233,8 +237,8 @@ fn points_beyond_the_domain() {
     }
 }
 
-/// The light of the brightest lights at a point that faces them: of a spotlight as wide as any, with and without rejects and
-/// with and without distance, and of a point light.
+/// The light of the brightest lights at a point that faces them: of a spotlight as wide as any,
+/// with and without rejects and with and without distance, and of a point light.
 fn brightest_at<S: Format>(light: Vec3<f32>, point: Vec3<f32>) -> f64 {
     let spot = SpotLight::new(light, Vec3::new(0.0, 1.0, 0.0), plain()[0].cone(90.0)).expect("sound");
     let spot = spot.with_intensity(1e9).expect("sound");
@@ -253,7 +257,8 @@ fn brightest_at<S: Format>(light: Vec3<f32>, point: Vec3<f32>) -> f64 {
     lights.into_iter().map(S::exact_light).fold(0.0, f64::max)
 }
 
-/// The shortest and the longest ways: a few quanta, and from corner to corner; in f32 those with a normal square.
+/// The shortest and the longest ways: a few quanta, and from corner to corner; in f32 those with a
+/// normal square.
 fn assert_distances<S: Format>() {
     let Domain { light: farthest, point: end, distances: [shortest, longest], .. } = Domain::of::<S>();
     let is_float = S::NAME == "f32";
@@ -347,7 +352,8 @@ fn angles_hold_at_their_ends() {
     assert_angles::<Fx16>();
 }
 
-/// The least and the largest exponent at the narrowest angle and wide open, and how many of the shapes the format holds at all.
+/// The least and the largest exponent at the narrowest angle and wide open, and how many of the
+/// shapes the format holds at all.
 fn assert_exponents<S: Format>(held: usize) {
     let shapes = powers(1, 1_024);
     let can_hold = |shape: &&Shape| shape.narrowest::<S>() < 90.0;
@@ -355,7 +361,8 @@ fn assert_exponents<S: Format>(held: usize) {
         for (half_degrees, least) in [(shape.narrowest::<S>(), 0.005), (90.0, 0.0)] {
             let codes = worst::<S>(shape, half_degrees, 8_000, |rng| {
                 let scene = near_scene::<S>(rng, half_degrees);
-                // Of the largest exponent all that there is to see is near the axis, of the largest rim near the edge.
+                // Of the largest exponent all that there is to see is near the axis, of the largest
+                // rim near the edge.
                 scene.filter(|_| true)
             });
             assert_held::<S>("exponents", shape, half_degrees, least, codes);
@@ -385,8 +392,8 @@ fn exponents_hold_at_their_ends() {
     }
 }
 
-/// The power of the least exponent there is is a step: full up to the strip at the edge in which it has a place and no
-/// intensity.
+/// The power of the least exponent there is is a step: full up to the strip at the edge in which it
+/// has a place and no intensity.
 fn assert_least_exponent<S: Format>() {
     let least = RealPower::new(f32::from_bits(1)).expect("more than 0");
     let cone = Cone::from_outer(least, sweep::half(30.0)).expect("a sound angle");
@@ -407,7 +414,8 @@ fn the_least_exponent_is_a_step() {
     assert!(RealPower::new(f32::from_bits(1)).expect("accepted").steepness(0.0) >= 1.0);
 }
 
-/// The error of clipped light in codes, of a light of this intensity in a cone where its gain at the point is at most `gain`.
+/// The error of clipped light in codes, of a light of this intensity in a cone where its gain at
+/// the point is at most `gain`.
 fn bright<S: Format>(shape: &Shape, half_degrees: f32, intensity: f32, gain: f64) -> f64 {
     let (mut rng, mut worst) = (Rng::with_seed(9), 0.0_f64);
     let outer = reference::versine(half_degrees.into());
@@ -443,7 +451,8 @@ fn bright<S: Format>(shape: &Shape, half_degrees: f32, intensity: f32, gain: f64
     worst
 }
 
-/// The brightest light that is promised half a code, and the brightest that there is where it has no larger gain.
+/// The brightest light that is promised half a code, and the brightest that there is where it has
+/// no larger gain.
 fn assert_intensities<S: Format>() {
     let brightest = Domain::of::<S>().brightest;
     for shape in plain() {
@@ -504,8 +513,8 @@ fn far_points_keep_their_direction() {
     assert_far::<Fx32>(at(32_000.0, 0.0, 0.0), along, 60.0, at(-32_000.0, 30_000.0, 0.0), 0.6576);
 }
 
-/// What points on the axis lack of full intensity at most, in steps of the format: multiples of integer axes, as far as
-/// coordinates go.
+/// What points on the axis lack of full intensity at most, in steps of the format: multiples of
+/// integer axes, as far as coordinates go.
 fn lack_on_axis<S: Format>(shape: &Shape, half_degrees: f32) -> f64 {
     let (mut rng, cone) = (Rng::with_seed(30), shape.cone(half_degrees));
     let mut worst = 0.0_f64;
@@ -527,7 +536,8 @@ fn lack_on_axis<S: Format>(shape: &Shape, half_degrees: f32) -> f64 {
     worst
 }
 
-/// At most so many steps short at the narrowest cones, and none from 7.5 degrees on.
+/// On the axis the falloff is at most `most` steps below 1 in the narrowest cones, and exactly 1
+/// from 7.5 degrees on.
 fn assert_axis<S: Format>(most: f64) {
     let mut shapes: Vec<Shape> = plain().into();
     shapes.push(Shape::new("power 128", IntegerPower::new(128).expect("accepted"), |t| t.powi(128)));

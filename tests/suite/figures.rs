@@ -1,5 +1,5 @@
-//! The figures of the documentation are the ones that the code draws. What they show is tested beside that
-//! code.
+//! The figures of the documentation are the ones that the code draws. What they show is tested
+//! beside that code.
 
 #[path = "../../examples/figures/gallery/mod.rs"]
 #[allow(dead_code, reason = "the example uses the rest")]
@@ -23,7 +23,8 @@ fn decoded(file: &[u8]) -> Result<Picture, png::DecodingError> {
     Ok(Picture { width: width as usize, height: height as usize, codes })
 }
 
-/// Pixel by pixel and word by word; a PNG may be packed otherwise by another version of its library.
+/// Pixel by pixel and word by word; a PNG may be packed otherwise by another version of its
+/// library.
 #[test]
 fn the_documented_figures_are_up_to_date() -> Result<(), Box<dyn Error>> {
     for Figure { name, content } in gallery::figures()? {

@@ -1,5 +1,6 @@
-//! Why the formats are what they are: the candidates, modelled in f64 with every value rounded to the bits that it
-//! would have, and the largest error that each leaves. `docs/NUMERICS.md` quotes what this prints:
+//! Why the formats are what they are: the candidates, modelled in f64 with every value rounded to
+//! the bits that it would have, and the largest error that each leaves. `docs/NUMERICS.md` quotes
+//! what this prints:
 //!
 //! `cargo test --test suite formats:: -- --nocapture`
 
@@ -21,8 +22,8 @@ fn rounded(value: f64, bits: i32) -> f64 {
 /// Takes an offset of any length to the unit direction that a candidate would compute.
 type Normalise<'a> = &'a dyn Fn(Vector) -> Vector;
 
-/// The largest error of a profile at a half angle, when the versine is half the squared difference of the candidate's
-/// direction and the axis, and all else is exact.
+/// The largest error of a profile at a half angle, when the versine is half the squared difference
+/// of the candidate's direction and the axis, and all else is exact.
 fn difference_error(normalise: Normalise, profile: reference::Falloff, half_degrees: f64) -> f64 {
     largest_error(profile, half_degrees, |way, axis| {
         let difference = minus(normalise(way), axis);
@@ -53,8 +54,8 @@ fn stored(bits: i32) -> impl Fn(Vector) -> Vector {
     move |way| unit(way).map(|c| rounded(c, bits))
 }
 
-/// An offset scaled to `way_bits` bits in its largest component, times a reciprocal rounded so that every product fits
-/// 32 bits: what the kernel does, for a choice of the split.
+/// An offset scaled to `way_bits` bits in its largest component, times a reciprocal rounded so that
+/// every product fits 32 bits: what the kernel does, for a choice of the split.
 fn split(way_bits: i32, reciprocal_bits: i32) -> impl Fn(Vector) -> Vector {
     move |way| {
         let largest = way.into_iter().fold(0.0_f64, |m, c| m.max(c.abs()));
@@ -67,8 +68,8 @@ fn split(way_bits: i32, reciprocal_bits: i32) -> impl Fn(Vector) -> Vector {
     }
 }
 
-/// A direction stored in the 14 fraction bits of a scalar loses a hard edge of 3 degrees and either edge of 1: it must
-/// be wider than a scalar.
+/// A direction stored in the 14 fraction bits of a scalar loses a hard edge of 3 degrees and either
+/// edge of 1: it must be wider than a scalar.
 #[test]
 fn a_direction_needs_more_bits_than_a_scalar() {
     let columns: [(&str, reference::Falloff, f64); 4] = [
@@ -89,8 +90,9 @@ fn a_direction_needs_more_bits_than_a_scalar() {
     assert!(thirty.iter().all(|&error| error < 1e-3 * HALF_A_STEP));
 }
 
-/// Within a 32-bit product the offset and the reciprocal of its length share 31 bits. An error of the offset turns the
-/// direction and is magnified by the cone; one of the reciprocal only shortens it. So the offset gets more.
+/// Within a 32-bit product the offset and the reciprocal of its length share 31 bits. An error of
+/// the offset turns the direction and is magnified by the cone; one of the reciprocal only shortens
+/// it. So the offset gets more.
 #[test]
 fn the_offset_gets_the_larger_half_of_the_product() {
     println!("largest error with offset and reciprocal of so many bits");
@@ -112,7 +114,8 @@ fn the_offset_gets_the_larger_half_of_the_product() {
     assert!(eighteen[3] > 1.7 * seventeen[3], "an eighteenth bit would have cost nothing");
 }
 
-/// A reciprocal of the outer versine in a fixed Q format saturates or loses its bits; a mantissa with a shift does not.
+/// A reciprocal of the outer versine in a fixed Q format saturates or loses its bits; a mantissa
+/// with a shift does not.
 #[test]
 fn a_reciprocal_is_a_mantissa_and_a_shift() {
     println!("largest error of the soft profile with the reciprocal of the outer versine in a format");
@@ -139,7 +142,7 @@ fn a_reciprocal_is_a_mantissa_and_a_shift() {
     }
 }
 
-/// What an angle off axis can be told apart at a distance of one: the quantum of the length is the limit of any method.
+/// The angular resolution of lengths at a distance of 1: their quantum limits any method.
 #[test]
 fn a_length_has_a_quantum() {
     println!(

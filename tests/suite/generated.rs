@@ -1,5 +1,5 @@
-//! Lights that were written as Rust source and compiled: the same bits as those that are compiled now. And bits that no
-//! light has: an answer at every point.
+//! Lights that were written as Rust source and compiled: the same bits as those that are compiled
+//! now. And bits that no light has: an answer at every point.
 
 mod lights;
 

@@ -95,8 +95,8 @@ fn transmissions_keep_their_rows() {
     assert!(broken.is_empty(), "{}", broken.join("\n"));
 }
 
-/// A sum of weighted bytes in steps of the format: exact at both ends, never falling, and one from there on. Exhaustive in
-/// the long run, else one sum in 1,009.
+/// A sum of weighted bytes in steps of the format: exact at both ends, never falling, and one from
+/// there on. Exhaustive in the long run, else one sum in 1,009.
 #[test]
 fn weighted_bytes_keep_their_roundings() {
     fn assert_within<S: Format>(bound: f64) {
@@ -138,7 +138,8 @@ fn an_even_pane_has_one_transmission() {
     assert_even::<Fx16>();
 }
 
-/// The interpolation is one of integers: formats differ by their own rounding of its sum and by nothing else.
+/// The interpolation is one of integers: formats differ by their own rounding of its sum and by
+/// nothing else.
 #[test]
 fn a_place_has_one_transmission_in_every_format() {
     let mut rng = Rng::with_seed(3);
@@ -169,8 +170,8 @@ fn the_border_goes_on() {
     }
 }
 
-/// A factor of one is exactly one: behind clear glass no light changes by a bit, and behind none of it is any left, at every
-/// point of any bits.
+/// A factor of one is exactly one: behind clear glass no light changes by a bit, and behind none of
+/// it is any left, at every point of any bits.
 #[test]
 fn clear_glass_changes_no_bit() {
     fn assert_clear<S: Format>() {
@@ -222,7 +223,8 @@ fn a_quarter_of_a_turn_turns_the_pattern() {
                 let point = sweep::single(square.point([rng.f64(), rng.f64(), 3.0])).map(S::length);
                 let (by_square, by_pattern) = (Gobo::of(&pattern).on(quarter), Gobo::of(&turned).on(upright));
                 let apart = by_square.at(point).exact() - by_pattern.at(point).exact();
-                // A step of a place in each direction, and a fraction that is rounded the other way.
+                // A step of a place in each direction, and a fraction that is rounded the other
+                // way.
                 assert!(apart.abs() < 2.0 * (8.0 / 65_536.0 + 1.0 / 4_096.0), "{apart}");
             }
         }
@@ -232,7 +234,8 @@ fn a_quarter_of_a_turn_turns_the_pattern() {
     assert_turns::<Fx16>();
 }
 
-/// A gobo on the wall, as a spectator behind the light sees it: top to the top and left to the left.
+/// A gobo on the wall, as a spectator behind the light sees it: top to the top and left to the
+/// left.
 #[test]
 fn a_pattern_stands_upright_on_a_wall() {
     let cone = Cone::from_outer(Soft, Angle::degrees(90.0)).expect("sound");

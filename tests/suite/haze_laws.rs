@@ -52,8 +52,8 @@ fn oracle(spot: &SpotLight<Soft>) -> Beam {
     }
 }
 
-/// Tries a law on many lights and rays, the same in every run, and counts those that are lit: a law of the
-/// dark would be none.
+/// Tries a law on many lights and rays, the same in every run, and counts those that are lit: a law
+/// of the dark would be none.
 fn on_many(mut law: impl FnMut(&mut Rng, &SpotLight<Soft>, &ViewRay) -> bool) {
     let mut rng = Rng::with_seed(1910);
     let mut lit = 0;
@@ -283,8 +283,8 @@ fn bundle(rng: &mut Rng, oracle: &Beam) -> (RayBundle, Vec<ViewRay>) {
     (RayBundle::around(eye, sweep::single(middle), &corners, length), rays)
 }
 
-/// Nothing is lost: where one ray of a bundle has light the answer is yes. Of the bundles that are dark
-/// most are rejected.
+/// Nothing is lost: where one ray of a bundle has light the answer is yes. Of the bundles that are
+/// dark most are rejected.
 fn assert_meets<A: Attenuation>(attenuation: A, least_rejected: f64) {
     let mut rng = Rng::with_seed(12);
     let (mut dark, mut rejected, mut lit) = (0, 0, 0);

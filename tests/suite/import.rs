@@ -1,5 +1,6 @@
-//! Imported lights against the formulas of the systems that they come from, whole and in f64: what is exact,
-//! how far off the rest is, and that the number that an importer gives for it is the true one.
+//! Imported lights against the formulas of the systems that they come from, whole and in f64: what
+//! is exact, how far off the rest is, and that the number that an importer gives for it is the true
+//! one.
 //!
 //! `cargo test --test suite import:: -- --nocapture --test-threads 1` prints the differences and
 //! the errors.
@@ -35,7 +36,8 @@ fn fall(light: &SpotLight<AnyFalloff, AnyAttenuation>, distance: f64) -> f64 {
     f64::from(light.intensity()) * light.attenuation().exact(distance)
 }
 
-/// What the importer took into the intensity: what Godot has on the axis, where a real power stands for it.
+/// What the importer took into the intensity: what Godot has on the axis, where a real power stands
+/// for it.
 fn on_axis(light: &SpotLight<AnyFalloff, AnyAttenuation>, original: &Original) -> f64 {
     if matches!(light.cone().profile(), AnyFalloff::InvertedRealPower(_)) {
         (original.angle)(1.0)
@@ -44,8 +46,9 @@ fn on_axis(light: &SpotLight<AnyFalloff, AnyAttenuation>, original: &Original) -
     }
 }
 
-/// The largest difference over the angle between an original and the profile that stands for it, relative to the axis of
-/// that: where `t` is 1 in the middle of the ramp and 2^-24 at its edge, and of OpenGL as far as its cutoff.
+/// The largest difference over the angle between an original and the profile that stands for it,
+/// relative to the axis of that: where `t` is 1 in the middle of the ramp and 2^-24 at its edge,
+/// and of OpenGL as far as its cutoff.
 fn angle_difference(light: &SpotLight<AnyFalloff, AnyAttenuation>, original: &Original) -> f64 {
     let is_opengl = original.name.starts_with("OpenGL");
     let (inner, edge) = (1.0 - original.inner, 1.0 - original.outer);
@@ -121,8 +124,8 @@ fn a_difference_is_what_a_dense_search_finds() {
     }
 }
 
-/// The largest stated differences of each system, over all lights of this file: at most half of an eight-bit step over
-/// the angle, or 1/510 of the half angle in place where the slope has no bound.
+/// The largest stated differences of each system, over all lights of this file: at most half of an
+/// eight-bit step over the angle, or 1/510 of the half angle in place where the slope has no bound.
 #[test]
 fn no_import_is_off_by_half_a_step_over_the_angle() {
     let mut systems: Vec<(String, u32, Difference)> = Vec::new();
@@ -145,8 +148,9 @@ fn no_import_is_off_by_half_a_step_over_the_angle() {
     }
 }
 
-/// The slope is boundless where it is said to be, and nowhere else: of what the original rises by over a ten-thousandth of
-/// the angle next to its edge, more than the hundredth part falls to the last hundredth.
+/// The slope is boundless where it is said to be, and nowhere else: of what the original rises by
+/// over a ten-thousandth of the angle next to its edge, more than the hundredth part falls to the
+/// last hundredth.
 #[test]
 fn a_difference_of_the_place_is_a_boundless_slope() {
     let mut boundless = 0;
@@ -201,7 +205,8 @@ fn excess<S: Format>(
     Some(worst)
 }
 
-/// Every light in every format, as far as it is held: at most the difference, and what the format adds.
+/// Every light in every format, as far as it is held: at most the difference, and what the format
+/// adds.
 #[test]
 fn compiled_lights_are_the_originals() {
     fn assert_format<S: Format>(bound: f64, least_held: usize) {
@@ -224,8 +229,8 @@ fn compiled_lights_are_the_originals() {
     assert_format::<Fx16>(8e-3, 284);
 }
 
-/// The reference code of the extension, `max(0.001, ...)` and all, beside the light that has it: the intensity on the
-/// axis included.
+/// The reference code of the extension, `max(0.001, ...)` and all, beside the light that has it:
+/// the intensity on the axis included.
 #[test]
 fn gltf_as_recommended_is_the_reference_code() {
     const BINDING: [[f32; 2]; 7] =

@@ -1,5 +1,5 @@
-//! Parameters of other systems that are refused, by the names that they have there, and any bit pattern at
-//! all in them: an importer never panics, and what it returns is a sound light.
+//! Parameters of other systems that are refused, by the names that they have there, and any bit
+//! pattern at all in them: an importer never panics, and what it returns is a sound light.
 
 use fastrand::Rng;
 use luminaire::{
@@ -168,8 +168,8 @@ fn assert_imported<S: Format>(rng: &mut Rng, light: &OpenGlLight) {
     }
 }
 
-/// Parameters as nobody would give them, with sound ones and seams among them, so that many of the lights are
-/// accepted.
+/// Parameters as nobody would give them, with sound ones and seams among them, so that many of the
+/// lights are accepted.
 fn parameter(rng: &mut Rng) -> f32 {
     const SEAMS: [f32; 14] = [
         0.0,

@@ -1,4 +1,5 @@
-//! What is given to a description is given back, to the bit; what is replaced leaves the rest alone.
+//! What is given to a description is given back, to the bit; what is replaced leaves the rest
+//! alone.
 
 use luminaire::{
     AmbientLight, Angle, Cone, DirectionalLight, Fx16, Material, PointLight, Rgb, Scalar, SpotLight, Vec3,

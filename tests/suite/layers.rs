@@ -1,5 +1,5 @@
-//! The crates have no import cycle: `lib.rs` states an order of the modules, lowest first, and each module imports
-//! only from those before it.
+//! The crates have no import cycle: `lib.rs` states an order of the modules, lowest first, and each
+//! module imports only from those before it.
 
 use std::collections::BTreeSet;
 use std::fs;

@@ -1,4 +1,5 @@
-//! Totality, exact skipping and monotone fall of what comes with distances, highlights and the other kinds of light.
+//! Totality, exact skipping and monotone fall of what comes with distances, highlights and the
+//! other kinds of light.
 
 use fastrand::Rng;
 use luminaire::{
@@ -130,7 +131,8 @@ fn every_bit_pattern_has_an_answer_in_fx16() {
     assert_total::<Fx16>();
 }
 
-/// Along an axis a model never rises by more than `steps` of its format, starts at full scale and ends at exact zero.
+/// Along an axis a model never rises by more than `steps` of its format, starts at full scale and
+/// ends at exact zero.
 fn assert_falls<S: Format, A: Attenuation>(model: A, range: f32, starts: f64, steps: f64) {
     let light = PointLight::new(Vec3::default())
         .expect("sound")
@@ -232,7 +234,8 @@ fn no_light_is_made_next_to_its_source() {
         let point = Vec3::new(0.0, 0.5_f32.powi(exponent), 0.0);
         let light = source.irradiance_unskipped(point, Vec3::new(0.0, -1.0, 0.0));
         assert!(light <= 1.0, "{light} at 2^-{exponent}");
-        // From 2^-64 on the squared distance is no normal number, and the point counts as on the light.
+        // From 2^-64 on the squared distance is no normal number, and the point counts as on the
+        // light.
         assert_eq!(light > 0.0, exponent < 64, "{light} at 2^-{exponent}");
         assert_eq!(light, source.irradiance(point, Vec3::new(0.0, -1.0, 0.0)));
     }

@@ -1,5 +1,5 @@
-//! Accuracy of distance models, highlights and the complete lit point in all three formats against the f64 reference,
-//! row by row of `support/prices.rs`.
+//! Accuracy of distance models, highlights and the complete lit point in all three formats against
+//! the f64 reference, row by row of `support/prices.rs`.
 //!
 //! `cargo test --test suite lit:: -- --nocapture` prints the measured rows.
 
@@ -58,7 +58,8 @@ fn distance_error<S: Format, A: Attenuation>(
     for _ in 0..400 * sweep::effort() {
         let (place, range) = (position(&mut rng), range(&mut rng));
         let model = model(range);
-        // Full scale at half the range for what falls with the square, at the light itself for what does not.
+        // Full scale at half the range for what falls with the square, at the light itself for what
+        // does not.
         let falls = oracle(range.into(), 0.01) > 1.0;
         let intensity = if falls { range * range / 4.0 } else { 1.0 };
         let point = PointLight::new(sweep::single(place)).and_then(|point| point.with_intensity(intensity));
@@ -127,8 +128,8 @@ fn filament_range_keeps_its_row() {
     assert_distance("Filament range", model, reference::filament_range);
 }
 
-/// A cut changes no bit within its range and leaves none beyond. At the range itself the squared distance decides, as the
-/// format rounds it.
+/// A cut changes no bit within its range and leaves none beyond. At the range itself the squared
+/// distance decides, as the format rounds it.
 fn assert_cut<S: Format>() {
     let mut rng = Rng::with_seed(44);
     for _ in 0..20_000 {
@@ -167,7 +168,8 @@ fn highlight_error<S: Format, H: SpecularLobe>(oracle: Lobe, shininess: u32) -> 
         let to_light = direction_within(&mut rng, exact_normal, 1.5);
         let mirror = reference::reflect(scaled(to_light, -1.0), exact_normal);
         let to_eye = direction_within(&mut rng, mirror, (4.0 / f64::from(shininess).sqrt()).min(3.0));
-        // An eye below the surface does not see it, and one just above it may have no direction halfway to the light.
+        // An eye below the surface does not see it, and one just above it may have no direction
+        // halfway to the light.
         if reference::dot(to_eye, exact_normal) < 0.1 {
             continue;
         }
@@ -300,7 +302,8 @@ fn lit_errors<S: Format>() -> [f64; 2] {
             let normal = sweep::single(normal).map(S::from_f32);
             let exact_normal = S::exact_normal(normal);
             let to_light = unit(minus(exact_spot.position, site));
-            // At grazing incidence the highlight jumps to zero, in the model itself: no format can place the jump.
+            // At grazing incidence the highlight jumps to zero, in the model itself: no format can
+            // place the jump.
             if reference::dot(unit(exact_normal), to_light).abs() < 1e-3 {
                 continue;
             }
@@ -335,7 +338,8 @@ fn the_lit_point_keeps_its_rows() {
     assert_row(&prices::LIT, "lit point, codes", column(1));
 }
 
-/// The dual-cone article's highlight is not brightest in the mirror direction, where Phong's and Blinn's are.
+/// The dual-cone article's highlight is not brightest in the mirror direction, where Phong's and
+/// Blinn's are.
 #[test]
 fn the_dual_cone_highlight_peaks_beside_the_mirror_direction() {
     let incidence = 20.0_f32.to_radians();

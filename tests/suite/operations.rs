@@ -1,8 +1,8 @@
 //! Accuracy of every operation of the seam in all three formats against f64, row by row of
 //! `support/operations.rs`.
 //!
-//! Operands are what the format has stored, so that an error is the operation's own. Errors of scalars and of
-//! light are in steps of the format, of gains relative, of directions in radians.
+//! Operands are what the format has stored, so that an error is the operation's own. Errors of
+//! scalars and of light are in steps of the format, of gains relative, of directions in radians.
 
 use fastrand::Rng;
 use luminaire::{
@@ -53,7 +53,8 @@ fn scalar<S: Format>(rng: &mut Rng) -> S {
     S::from_f32(2.0 * rng.f32() - 1.0)
 }
 
-/// A number of 16 bits times a power of two from `2^least` up to `2^most`: every format has a gain for it.
+/// A number of 16 bits times a power of two from `2^least` up to `2^most`: every format has a gain
+/// for it.
 fn sixteen_bits(rng: &mut Rng, least: i32, most: i32) -> f32 {
     rng.u32(1 << 15..1 << 16) as f32 * 2.0_f32.powi(rng.i32(least..most) - 15)
 }
@@ -207,7 +208,8 @@ fn grey(value: f32) -> Rgb<f32> {
     Rgb::new(value, value, value)
 }
 
-/// Ambient light as it is compiled and as a material gives it back with its own glow: every rounding of both.
+/// Ambient light as it is compiled and as a material gives it back with its own glow: every
+/// rounding of both.
 fn glow<S: Format>(rng: &mut Rng) -> f64 {
     let [color, ambient, emissive, intensity] = [0; 4].map(|_| rng.f32());
     let light =
@@ -277,7 +279,8 @@ fn incidence<S: Format>(rng: &mut Rng) -> f64 {
     steps::<S>(S::incidence(direction, normal).exact() - exact.clamp(0.0, 1.0))
 }
 
-/// The versine of two directions up to the edge of a cone of 10 degrees, relative to its outer versine.
+/// The versine of two directions up to the edge of a cone of 10 degrees, relative to its outer
+/// versine.
 fn versine_between<S: Format>(rng: &mut Rng) -> f64 {
     let cone = Cone::from_outer(Linear, sweep::half(10.0)).expect("sound");
     let (falloff, outer) = (cone.compile::<S>().expect("held"), cone.outer_versine());
@@ -364,8 +367,8 @@ fn ray_versine<S: Format>(rng: &mut Rng) -> f64 {
     (S::exact_versine(&falloff, found) - exact).abs() / f64::from(outer)
 }
 
-/// The inverse square, for light of 16 to 64 times full scale, where roundings of light itself do not count;
-/// relative.
+/// The inverse square, for light of 16 to 64 times full scale, where roundings of light itself do
+/// not count; relative.
 fn ray_expose<S: Format>(rng: &mut Rng) -> f64 {
     let (offset, way) = offset::<S>(rng);
     let squared = reference::dot(way, way);

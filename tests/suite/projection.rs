@@ -1,5 +1,5 @@
-//! The square that a spotlight projects: which way it lies, where a point stands on it, against f64, and that every point
-//! has an answer.
+//! The square that a spotlight projects: which way it lies, where a point stands on it, against
+//! f64, and that every point has an answer.
 
 use fastrand::Rng;
 use luminaire::codegen::{FloatFrame, Frame16, Frame32};
@@ -34,8 +34,8 @@ fn rolled(spot: &SpotLight<Step>, degrees: f32) -> Result<Projection, Error> {
     Projection::of(spot)?.turned(Angle::degrees(degrees))
 }
 
-/// The largest errors of place and depth at one cone, if the format holds it: points all over the square, of lights that
-/// are turned at random.
+/// The largest errors of place and depth at one cone, if the format holds it: points all over the
+/// square, of lights that are turned at random.
 fn errors<S: Format>(half_degrees: f32) -> [f64; 2] {
     let mut rng = Rng::with_seed(45);
     let narrowest = Cone::narrowest::<S>(Step).to_degrees() / 2.0;
@@ -84,7 +84,8 @@ fn places_keep_their_rows() {
     assert!(broken.is_empty(), "{}", broken.join("\n"));
 }
 
-/// To the right and up on the squares of lights that point along the axes of the world, and of some that do not.
+/// To the right and up on the squares of lights that point along the axes of the world, and of some
+/// that do not.
 #[test]
 fn a_square_stands_upright() {
     let (x, y, z) = (Vec3::new(1.0, 0.0, 0.0), Vec3::new(0.0, 1.0, 0.0), Vec3::new(0.0, 0.0, 1.0));
@@ -106,7 +107,8 @@ fn a_square_stands_upright() {
     }
 }
 
-/// A light that is aimed straight down by computation is off by roundings, which must not turn its square.
+/// A light that is aimed straight down by computation is off by roundings, which must not turn its
+/// square.
 #[test]
 fn roundings_do_not_turn_a_square_that_points_straight_down() {
     let mut rng = Rng::with_seed(180);
@@ -120,7 +122,8 @@ fn roundings_do_not_turn_a_square_that_points_straight_down() {
     }
 }
 
-/// Unit vectors at right angles to one another, right-handed, however the square is turned. Searched.
+/// Unit vectors at right angles to one another, right-handed, however the square is turned.
+/// Searched.
 #[test]
 fn a_frame_is_square() {
     let mut rng = Rng::with_seed(90);
@@ -156,7 +159,8 @@ fn tangents_keep_their_figure() {
     bounds::check("tangent", worst, 1.1e-6).unwrap_or_else(|broken| panic!("{broken}"));
 }
 
-/// Quarters of a turn only exchange and negate, so that a pattern that is turned by them is the same one.
+/// Quarters of a turn only exchange and negate, so that a pattern that is turned by them is the
+/// same one.
 #[test]
 fn quarters_of_a_turn_are_exact() {
     fn assert_turns<S: Format>() {
@@ -174,8 +178,8 @@ fn quarters_of_a_turn_are_exact() {
                 let place = [rng.f64(), rng.f64(), 3.0];
                 let point = sweep::single(exact.point(place)).map(S::length);
                 let (before, after) = (from.place(point), to.place(point));
-                // What has been a row from the top is a column from the left, and a column a row from the bottom, which
-                // is rounded the other way.
+                // What has been a row from the top is a column from the left, and a column a row
+                // from the bottom, which is rounded the other way.
                 assert!((after.column - before.row).abs() <= 1, "{before:?} {after:?}");
                 assert!((after.row - (65_535 - before.column)).abs() <= 1, "{before:?} {after:?}");
                 assert_eq!(before.depth, after.depth);
@@ -292,7 +296,8 @@ fn what_has_no_place_is_off_the_square() {
     assert!(!square.place(Vec3::new(f32::INFINITY, -1.0, 0.0)).is_inside());
 }
 
-/// The square is as wide as the cone is in truth: a cutoff makes it smaller, and OpenGL's cones have one.
+/// The square is as wide as the cone is in truth: a cutoff makes it smaller, and OpenGL's cones
+/// have one.
 #[test]
 fn a_square_is_that_of_the_cutoff() {
     let cone = Cone::<Power<8>>::opengl(sweep::half(30.0)).expect("sound");

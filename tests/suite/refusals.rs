@@ -118,7 +118,8 @@ fn a_color_out_of_range() {
     }
 }
 
-/// A format refuses a cone that it cannot hold to half a step of eight bits, and one of more bits takes it.
+/// A format refuses a cone that it cannot hold to half a step of eight bits, and one of more bits
+/// takes it.
 #[test]
 fn a_cone_too_narrow_for_its_format() {
     // As narrow as even a step could not be.
@@ -266,7 +267,8 @@ fn derived_values_are_shown_to_four_decimals() {
     assert!(message.starts_with("outer angle = 1.0267: expected"), "{message}");
 }
 
-/// A position that a format would have to move is refused when the light is compiled for it, and only then.
+/// A position that a format would have to move is refused when the light is compiled for it, and
+/// only then.
 #[test]
 fn a_position_beyond_the_reach_of_its_format() {
     let far = SpotLight::new(Vec3::new(0.0, 40_000.0, 0.0), DOWN, cone()).expect("a sound light");
@@ -284,7 +286,8 @@ fn a_cone_narrower_than_numbers() {
     assert!(Cone::from_field(Soft, Angle::degrees(1e-30)).is_err());
 }
 
-/// An angle above zero whose versine is none would be a cone without light, and beam and field would have no ratio.
+/// An angle above zero whose versine is none would be a cone without light, and beam and field
+/// would have no ratio.
 #[test]
 fn angles_too_small_for_a_versine() {
     let tiny = Angle::degrees(1e-30);

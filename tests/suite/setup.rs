@@ -1,5 +1,6 @@
-//! Accuracy of what is computed once: angles, cones, flux and the figures of profiles, each against f64,
-//! figure by figure of `support/operations.rs`. All of it is f32, whatever the format of the light.
+//! Accuracy of what is computed once: angles, cones, flux and the figures of profiles, each against
+//! f64, figure by figure of `support/operations.rs`. All of it is f32, whatever the format of the
+//! light.
 
 use fastrand::Rng;
 use luminaire::{
@@ -186,8 +187,8 @@ fn cones_keep_their_figures() {
     assert_figure("candela of a cone", candela);
 }
 
-/// All of the light of a point passes any sphere around it, as does that of a cone that leaves nothing out; and an
-/// energy of 1 is `1 / (4 pi d^2)` at a distance.
+/// All of the light of a point passes any sphere around it, as does that of a cone that leaves
+/// nothing out; and an energy of 1 is `1 / (4 pi d^2)` at a distance.
 #[test]
 fn point_lights_keep_their_flux() {
     let point = PointLight::new(Vec3::default()).expect("a sound position");
@@ -232,8 +233,8 @@ fn two_angles_keep_their_figures() {
     assert_figure("beam and field angle at once", fitted);
     let sloped = two_angle_errors(|beam, field| {
         let (least, most) = Cone::edge_slopes(beam, field).ok()?;
-        // The ends of the interval may be level where they are a half: there f32 finds the angle to fewer
-        // digits.
+        // The ends of the interval may be level where they are a half: there f32 finds the angle to
+        // fewer digits.
         Cone::from_beam_field_and_slope(beam, field, least + 0.5 * (most - least)).ok()
     });
     assert_figure("beam and field angle with a slope", sloped);

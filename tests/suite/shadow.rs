@@ -14,8 +14,8 @@ use support::{
     shadows, sweep,
 };
 
-/// How far a visibility may be off that of the same place in f64, and at least is somewhere (searched). Two ways are cut
-/// off to a 128th, so that it can't be more than 1 - (1 - 1 / 128)^2.
+/// How far a visibility may be off that of the same place in f64, and at least is somewhere
+/// (searched). Two ways are cut off to a 128th, so that it can't be more than 1 - (1 - 1 / 128)^2.
 const ERROR: std::ops::Range<f64> = 0.0138..0.015_57;
 
 fn projection<S: Scalar>(rng: &mut Rng) -> CompiledProjection<S> {
@@ -61,8 +61,8 @@ fn visibilities_keep_their_row() {
     }
 }
 
-/// Nothing that is nowhere deeper than the map is touched, not by a bit; and what is deeper everywhere is
-/// dark.
+/// Nothing that is nowhere deeper than the map is touched, not by a bit; and what is deeper
+/// everywhere is dark.
 fn assert_exact_ends<S: Format>() {
     let mut rng = Rng::with_seed(13);
     for side in [1, 2, 3, 16, 100, 2048] {
@@ -154,7 +154,7 @@ fn any_bits_have_a_visibility() {
     assert_any_bits::<Fx16>();
 }
 
-/// In floating point a depth that is not a number is not beyond anything.
+/// In floating point a NaN depth is not in shadow, and a NaN texel casts none.
 #[test]
 fn what_is_not_a_number_is_not_in_shadow() {
     let mut rng = Rng::with_seed(17);

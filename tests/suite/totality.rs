@@ -1,5 +1,6 @@
-//! Every bit pattern has a defined answer: no panic, nothing that is not a number, the falloff in [0, 1], exact on
-//! the axis and from the edge outwards, monotone between. Run with overflow checks, as `cargo test` does.
+//! Every bit pattern gives a defined result: no panic, no NaN, the falloff in [0, 1], exact on the
+//! axis and from the edge outwards, monotone between. Run with overflow checks, as `cargo test`
+//! does.
 
 use fastrand::Rng;
 use luminaire::{
@@ -75,8 +76,8 @@ fn every_bit_pattern_has_an_answer_in_fx16() {
     with_every_shape!(assert_total::<Fx16>);
 }
 
-/// Exactly one on the axis, exactly zero at the edge and beyond, never rising between: without exception for soft, hard,
-/// linear and powers, by a step of the format at most for the others.
+/// Exactly one on the axis, exactly zero at the edge and beyond, never rising between: without
+/// exception for soft, hard, linear and powers, by a step of the format at most for the others.
 fn assert_exact_at_both_ends<S: Format, P: Falloff>(shape: &Shape<P>) {
     let slack = if STRICT.contains(&shape.name) { 0.0 } else { f64::from(S::STEP) };
     for degrees in sweep::HALF_ANGLES.into_iter().chain([90.0]) {

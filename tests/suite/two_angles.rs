@@ -61,7 +61,8 @@ fn the_papers_fresnel_has_both_its_angles() {
     assert!((least - 0.89).abs() < 0.01 && (most - 2.27).abs() < 0.01, "{least} to {most}");
 }
 
-/// Every ratio from 1.01 to the largest, from narrow beams to wide ones, ends in a cone that has both angles.
+/// Every ratio from 1.01 to the largest, from narrow beams to wide ones, ends in a cone that has
+/// both angles.
 #[test]
 fn every_ratio_is_reached() {
     let mut kinds = [0; 3];
@@ -92,8 +93,9 @@ fn every_ratio_is_reached() {
     assert!(kinds.iter().all(|&count| count > 100), "{kinds:?}");
 }
 
-/// The ends of the range: soft and hard are found again, and equal angles make a step. Near soft the edge slope
-/// goes with the root of what the ratio lacks, so that f32 finds it to three digits only.
+/// The ends of the range: soft and hard are found again, and equal angles make a step. Near soft
+/// the edge slope goes with the root of what the ratio lacks, so that f32 finds it to three digits
+/// only.
 #[test]
 fn the_ends_of_the_ratios_are_soft_hard_and_a_step() {
     let slope = |field| match Cone::from_beam_and_field(degrees(10.0), degrees(field)).expect("ok").profile()
@@ -157,8 +159,8 @@ fn edge_slopes_are_what_the_search_finds() {
     }
 }
 
-/// For an edge slope of choice the cubic has both angles, is monotone, and of the two that share them it is the one
-/// whose smallest slope is larger.
+/// For an edge slope of choice the cubic has both angles, is monotone, and of the two that share
+/// them it is the one whose smallest slope is larger.
 #[test]
 fn of_two_cubics_the_one_without_a_ring_is_taken() {
     let mut shared = 0;
@@ -168,7 +170,8 @@ fn of_two_cubics_the_one_without_a_ring_is_taken() {
         for i in 0..=16 {
             let edge = (least + (most - least) * i as f32 / 16.0).clamp(least, most);
             let cone = Cone::from_beam_field_and_slope(degrees(7.0), degrees(field), edge).expect("feasible");
-            // At an end of the interval the curve may be level just where it is a half: f32 sees the angle less well.
+            // At an end of the interval the curve may be level just where it is a half: f32 sees
+            // the angle less well.
             let error = if i % 16 == 0 { 5e-5 } else { 4e-6 };
             assert_both_within::<f32, _>(&cone, 7.0, field, error);
             let [a, b, c] = cone.profile().coefficients().map(f64::from);
@@ -191,7 +194,8 @@ fn of_two_cubics_the_one_without_a_ring_is_taken() {
     assert!(shared > 5, "only {shared} cases had two cubics");
 }
 
-/// Beyond the last ratio the error names the widest field angle for the beam angle, and that one is accepted.
+/// Beyond the last ratio the error names the widest field angle for the beam angle, and that one is
+/// accepted.
 #[test]
 fn an_unreachable_pair_names_the_nearest() {
     for (beam, field) in [(7.0, 18.0), (7.0, 6.0), (40.0, 179.0), (120.0, 179.0), (0.5, 9.0)] {

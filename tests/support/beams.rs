@@ -1,5 +1,5 @@
-//! The two forms of a versine, `1 - l.s` and `|l - s|^2 / 2`, over the half angle of a soft cone: how far off
-//! each leaves the intensity.
+//! The two forms of a versine, `1 - l.s` and `|l - s|^2 / 2`, over the half angle of a soft cone:
+//! how far off each leaves the intensity.
 
 use super::format::Format;
 use super::{bounds, operations, reference, sweep};
@@ -21,8 +21,8 @@ pub struct Errors {
     pub versine_form: Option<f64>,
 }
 
-/// What the cosine form makes of a direction and an axis of the format: the versine and then the intensity
-/// without any further error.
+/// What the cosine form makes of a direction and an axis of the format: the versine and then the
+/// intensity without any further error.
 fn cosine_form<S: Format>(direction: Vec3<S::Unit>, axis: Vec3<S::Unit>, outer: f64) -> f64 {
     let cosine = reference::dot(S::exact_direction(direction), S::exact_direction(axis));
     let steps = f64::from(S::STEP) / if S::NAME == "f32" && cosine < 1.0 { 2.0 } else { 1.0 };
@@ -57,9 +57,9 @@ pub fn errors<S: Format>(half_degrees: f64, count: usize) -> Errors {
     found
 }
 
-/// The bound of the versine form: `k delta / theta` for the direction, with the steepness `k` of the soft
-/// edge; what is off of the lengths of direction and axis and of the outer versine, each relative, where `2 t
-/// u` is largest; and the rounding from a versine to an intensity.
+/// The bound of the versine form: `k delta / theta` for the direction, with the steepness `k` of
+/// the soft edge; what is off of the lengths of direction and axis and of the outer versine, each
+/// relative, where `2 t u` is largest; and the rounding from a versine to an intensity.
 pub fn versine_bound<S: Scalar>(half_degrees: f64) -> f64 {
     let steepness = 8.0 / (3.0 * 3.0_f64.sqrt());
     // On a common grid f32 has the difference of light and point exactly.

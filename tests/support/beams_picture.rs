@@ -21,8 +21,8 @@ const HALF_A_STEP: f64 = 1.0 / 510.0;
 /// How many points are looked at for each half angle.
 const COUNT: usize = 20_000;
 
-/// A format, its colour of those that Okabe and Ito chose for eyes that see fewer of them, and the half
-/// angles in degrees at which its two lines are named.
+/// A format, its colour of those that Okabe and Ito chose for eyes that see fewer of them, and the
+/// half angles in degrees at which its two lines are named.
 struct Pen {
     name: &'static str,
     color: &'static str,
@@ -94,8 +94,8 @@ fn format<S: Format>(out: &mut String, pen: &Pen) {
 
     let color = pen.color;
     let cosine: Vec<_> = found.iter().map(|errors| (errors.half_degrees, errors.cosine_form)).collect();
-    // Where all is lost the lines of the formats lie on one another: each begins where it has something to
-    // say.
+    // Where all is lost the lines of the formats lie on one another: each begins where it has
+    // something to say.
     let begin = cosine.iter().rposition(|&(_, error)| error > 0.99).unwrap_or(0);
     line(out, &cosine[begin..], &format!(r#"stroke="{color}" stroke-width="2" stroke-dasharray="7 5""#));
     let versine = found.iter().filter_map(|errors| Some((errors.half_degrees, errors.versine_form?)));

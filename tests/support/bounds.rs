@@ -1,5 +1,6 @@
-//! The tables of error bounds, `tests/bounds.csv`. Each bound is a measured largest error with a little headroom: a test
-//! fails when an error grows past its bound, and also when the bound has become loose.
+//! The tables of error bounds, `tests/bounds.csv`. Each bound is a measured largest error with a
+//! little headroom: a test fails when an error grows past its bound, and also when the bound has
+//! become loose.
 //!
 //! | table | errors | unit | columns | labelled |
 //! |---|---|---|---|---|
@@ -10,7 +11,8 @@
 //! | `fractions` | `t` to intensity, every fraction of 31 bits | steps of `Fx32` | one | exhaustive |
 //! | `haze` | air light of 1,800 rays, by the inverse square | what is seen there, or across the axis as near to the light where that is more | [`haze::HALF_ANGLES`](super::haze::HALF_ANGLES) | searched |
 //!
-//! `LUMINAIRE_BLESS=1 LUMINAIRE_FULL=1 cargo test --test slow` writes the rows that are missing or do not hold.
+//! `LUMINAIRE_BLESS=1 LUMINAIRE_FULL=1 cargo test --test slow` writes the rows that are missing or
+//! do not hold.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -20,8 +22,8 @@ use std::sync::{LazyLock, Mutex};
 /// The format refuses so narrow a cone.
 pub const REFUSE: f64 = f64::INFINITY;
 
-/// How much larger than the measured error a bound may be. Bounds come from the long search, and the quick one sees
-/// fewer points.
+/// How much larger than the measured error a bound may be. Bounds come from the long search, and
+/// the quick one sees fewer points.
 const LOOSE: f64 = 2.0;
 
 /// Bounds by table, shape and format.
@@ -94,8 +96,8 @@ pub fn broken(table: &str, shape: &str, format: &str, measured: &[f64]) -> Vec<S
     Vec::new()
 }
 
-/// Whether a measured error keeps its bound, and the bound is not loose: the message says which way it broke. A cone
-/// must be refused exactly where the table says so.
+/// Whether a measured error keeps its bound, and the bound is not loose: the message says which way
+/// it broke. A cone must be refused exactly where the table says so.
 pub fn check(name: &str, measured: f64, bound: f64) -> Result<(), String> {
     if measured > bound {
         Err(format!("{name}: the error is {measured:.2e}, over its bound of {bound:.2e}"))

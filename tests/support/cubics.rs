@@ -40,7 +40,8 @@ impl Cubic {
     }
 }
 
-/// All monotone cubics of an edge slope, `count` of them at even steps of the middle slope from 0 to 4.
+/// All monotone cubics of an edge slope, `count` of them at even steps of the middle slope from 0
+/// to 4.
 pub fn of_edge_slope(edge: f64, count: usize) -> impl Iterator<Item = Cubic> {
     let all = (0..=count).map(move |i| Cubic::with_slopes(edge, 4.0 * i as f64 / count as f64));
     all.filter(|cubic| cubic.smallest_slope() >= -1e-9)

@@ -1,5 +1,5 @@
-//! Every input of a domain, in chunks over all processors: each of them where `LUMINAIRE_FULL` is set, else
-//! one in [`STRIDE`].
+//! Every input of a domain, in chunks over all processors: each of them where `LUMINAIRE_FULL` is
+//! set, else one in [`STRIDE`].
 
 use std::ops::RangeInclusive;
 use std::sync::Mutex;
@@ -13,7 +13,7 @@ pub const STRIDE: u64 = 1_009;
 /// How many inputs a processor takes at a time.
 const CHUNK: u64 = 1 << 26;
 
-/// Whether the long run is asked for.
+/// Whether `LUMINAIRE_FULL` requests the long run.
 pub fn is_full() -> bool {
     std::env::var_os("LUMINAIRE_FULL").is_some()
 }
@@ -38,13 +38,13 @@ impl Seen {
         }
     }
 
-    /// Sees what was found, after what was found before, and what would be exact: more than one value where several inputs
-    /// share an answer.
+    /// Sees what was found, after what was found before, and what would be exact: more than one
+    /// value where several inputs share an answer.
     #[inline(always)]
     fn see(&mut self, before: f64, found: f64, exact: &[f64]) {
         for exact in exact {
             let error = (found - exact).abs();
-            // A difference that is not a number is no small one.
+            // A NaN difference counts as infinite.
             let error = if error.is_nan() { f64::INFINITY } else { error };
             if error > self.error {
                 self.error = error;
@@ -60,7 +60,8 @@ impl Seen {
     }
 }
 
-/// Goes over a domain in rising order. `at` gives what was found for an input and what would be exact.
+/// Goes over a domain in rising order. `at` gives what was found for an input and what would be
+/// exact.
 ///
 /// The long run says on stderr when it is done with a domain, and how long that took.
 pub fn input(name: &str, domain: RangeInclusive<u64>, at: impl Fn(u64) -> [f64; 2] + Sync) -> Seen {
@@ -71,7 +72,8 @@ pub fn input(name: &str, domain: RangeInclusive<u64>, at: impl Fn(u64) -> [f64; 
     seen
 }
 
-/// The same for several functions of an input, and for as many exact values of each as the inputs have that share an answer.
+/// The same for several functions of an input, and for as many exact values of each as the inputs
+/// have that share an answer.
 pub fn inputs<const FUNCTIONS: usize, const EXACT: usize>(
     name: &str,
     domain: RangeInclusive<u64>,
@@ -116,7 +118,7 @@ fn over<const FUNCTIONS: usize, const EXACT: usize>(
     at: &impl Fn(u64) -> [(f64, [f64; EXACT]); FUNCTIONS],
 ) -> [Seen; FUNCTIONS] {
     let mut seen = [Seen::default(); FUNCTIONS];
-    // Before the first input there is nothing to rise or fall from: a step from what is not a number is none.
+    // The first input has no predecessor: a difference to NaN counts as no step.
     let mut before = [f64::NAN; FUNCTIONS];
     let mut input = from;
     loop {

@@ -2,8 +2,8 @@
 
 use super::bounds::REFUSE;
 
-/// The transmission at these ways from the left and the top edge, in sides: linear interpolation between the middles of
-/// the parts, first in rows and then between two of them.
+/// The transmission at these ways from the left and the top edge, in sides: linear interpolation
+/// between the middles of the parts, first in rows and then between two of them.
 pub fn transmission(side: usize, transmissions: &[u8], [column, row]: [f64; 2]) -> f64 {
     let last = (side - 1) as f64;
     let [x, y] = [column, row].map(|way| (way * side as f64 - 0.5).clamp(0.0, last));
@@ -22,7 +22,8 @@ pub struct Row {
     pub name: &'static str,
     /// How many transmissions a side has.
     pub side: usize,
-    /// The half angle of the cone, in degrees; where there is none, from a place and not from a point.
+    /// The half angle of the cone, in degrees; where there is none, from a place and not from a
+    /// point.
     pub half: Option<f32>,
     pub bounds: [f64; 3],
 }

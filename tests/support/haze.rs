@@ -1,5 +1,5 @@
-//! The table of error bounds of air light in haze, measured and held as in [`bounds`](super::bounds),
-//! two-sided and searched: 1,800 rays each.
+//! The table of error bounds of air light in haze, measured and held as in
+//! [`bounds`](super::bounds), two-sided and searched: 1,800 rays each.
 
 /// The half angles of the cones, in degrees.
 pub const HALF_ANGLES: [f32; 6] = [0.1, 1.0, 7.5, 22.0, 45.0, 90.0];

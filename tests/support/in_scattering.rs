@@ -1,5 +1,5 @@
-//! The oracle of haze: what is scattered along a view ray, summed over the way along it, in f64 and as
-//! plainly as it can be written.
+//! The oracle of haze: what is scattered along a view ray, summed over the way along it, in f64 and
+//! as plainly as it can be written.
 
 use super::reference::{self, Attenuation, Vector, dot, minus};
 
@@ -48,8 +48,8 @@ impl Beam {
         self.density / 4.0 * self.spot.intensity * sum
     }
 
-    /// The part of the ray within the cone, cut where it enters and leaves the hotspot, and ever more
-    /// finely towards the light.
+    /// The part of the ray within the cone, cut where it enters and leaves the hotspot, and ever
+    /// more finely towards the light.
     fn panels(&self, ray: &Ray) -> Vec<f64> {
         let Some((first, last)) = self.visible(ray) else { return Vec::new() };
         let way = minus(ray.eye, self.spot.position);
@@ -66,8 +66,8 @@ impl Beam {
         };
         retain(&mut places, first, last);
         let nearest = self.nearest_to_axis(ray, &places);
-        // A cone of up to 180 degrees is convex: to either side of a place within there is one place to
-        // leave it.
+        // A cone of up to 180 degrees is convex: to either side of a place within there is one
+        // place to leave it.
         let ends = |versine: f64| {
             let is_within = |s: f64| self.spot.versine(ray.at(s)) < versine;
             let ends = [first, last].map(|end| boundary(nearest, end, is_within));
@@ -146,7 +146,8 @@ fn simpson(from: f64, to: f64, value: impl Fn(f64) -> f64) -> f64 {
 }
 
 impl Beam {
-    /// What is seen along a line without ends that crosses the axis at a right angle and at distance 1.
+    /// What is seen along a line without ends that crosses the axis at a right angle and at
+    /// distance 1.
     pub fn across(&self) -> f64 {
         const PLACES: u32 = 20_000;
         let outer = reference::half_degrees(self.spot.cone.limit).to_radians();

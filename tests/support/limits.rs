@@ -1,5 +1,5 @@
-//! The table of what a user sees: the error from an ideal position and axis to the display, in steps of eight
-//! bits, and the least that the rounding of the inputs alone makes of it.
+//! The table of what a user sees: the error from an ideal position and axis to the display, in
+//! steps of eight bits, and the least that the rounding of the inputs alone makes of it.
 
 use super::bounds::REFUSE;
 use super::reference::{self, Cone};
@@ -17,14 +17,15 @@ pub const POINT_WITHIN: f64 = 8.0;
 /// One number for each of [`CONES`].
 pub type Column = [f64; CONES.len()];
 
-/// The bounds of one profile in one format. Measured and held as in [`bounds`](super::bounds), two-sided and
-/// searched.
+/// The bounds of one profile in one format. Measured and held as in [`bounds`](super::bounds),
+/// two-sided and searched.
 pub struct Row {
     pub profile: &'static str,
     pub format: &'static str,
     /// Of the linear intensity, in 1/255.
     pub linear: Column,
-    /// Of the displayed sRGB code, from the exact code before it is rounded: half of one is that rounding.
+    /// Of the displayed sRGB code, from the exact code before it is rounded: half of one is that
+    /// rounding.
     pub codes: Column,
 }
 
@@ -99,17 +100,18 @@ fn half_quantum<S: Scalar>(size: f64) -> f64 {
     if S::NAME == "f32" { f64::from(f32::EPSILON) * size / 4.0 } else { 0.5_f64.powi(17) }
 }
 
-/// How far off the rounding of the inputs alone can turn the direction from the axis, in radians: three
-/// components of a point and a light, at a distance, and three of an axis, which is described in f32 whatever
-/// the format.
+/// How far off the rounding of the inputs alone can turn the direction from the axis, in radians:
+/// three components of a point and a light, at a distance, and three of an axis, which is described
+/// in f32 whatever the format.
 pub fn input_rounding<S: Scalar>() -> f64 {
     let position = half_quantum::<S>(POINT_WITHIN) + half_quantum::<S>(LIGHT_WITHIN);
     let axis = 0.5_f64.powi(25);
     3.0_f64.sqrt() * (position / DISTANCE + axis)
 }
 
-/// The largest change of the linear intensity, in 1/255, and of the sRGB code, anywhere in a cone, where
-/// every angle is turned outwards by `radians` and every versine stretched by a relative `stretch`.
+/// The largest change of the linear intensity, in 1/255, and of the sRGB code, anywhere in a cone,
+/// where every angle is turned outwards by `radians` and every versine stretched by a relative
+/// `stretch`.
 pub fn largest_change(cone: &Cone, half_degrees: f64, radians: f64, stretch: f64) -> [f64; 2] {
     let turn = radians.to_degrees();
     let change = |degrees: f64| {
@@ -126,8 +128,8 @@ pub fn largest_change(cone: &Cone, half_degrees: f64, radians: f64, stretch: f64
         .fold([0.0; 2], |worst, change| [worst[0].max(change[0]), worst[1].max(change[1])])
 }
 
-/// The block of the documentation: error and limit of every row. `limits` gives the limits of a profile in a
-/// format.
+/// The block of the documentation: error and limit of every row. `limits` gives the limits of a
+/// profile in a format.
 pub fn markdown(limits: impl Fn(&Row) -> [Column; 2]) -> String {
     let mut out = String::new();
     for (title, of) in [("linear, in 1/255", 0), ("sRGB codes", 1)] {

@@ -1,7 +1,8 @@
-//! The oracle of imported lights: the formulas of other systems, whole, as their sources write them, in f64.
+//! The oracle of imported lights: the formulas of other systems, whole, as their sources write
+//! them, in f64.
 //!
-//! Each gives the light at a cosine of the angle off its direction and at a distance, for a light of strength
-//! 1.
+//! Each gives the light at a cosine of the angle off its direction and at a distance, for a light
+//! of strength 1.
 
 /// A light of another system.
 pub struct Original {
@@ -72,8 +73,8 @@ pub fn direct3d(theta: f32, phi: f32, falloff: f32, [a0, a1, a2]: [f32; 3], rang
     Original { name, inner, outer, angle: Box::new(angle), distance: Box::new(distance), stop: 1e-3, range }
 }
 
-/// `KHR_lights_punctual`: innerConeAngle, outerConeAngle, range; without the `max(0.001, ...)` of its
-/// reference code.
+/// `KHR_lights_punctual`: innerConeAngle, outerConeAngle, range; without the `max(0.001, ...)` of
+/// its reference code.
 pub fn gltf(inner_cone_angle: f32, outer_cone_angle: f32, range: Option<f32>) -> Original {
     let name = format!("glTF, inner {inner_cone_angle}, outer {outer_cone_angle}");
     let range = range.map(f64::from);
@@ -134,8 +135,8 @@ pub fn godot(spot_angle: f32, angle_attenuation: f32, range: f32, attenuation: f
     Original { name, inner: 1.0, outer, angle, distance, stop: 1e-4, range: Some(range) }
 }
 
-/// Full to the umbra, none from the penumbra on, over the cosine a line or smoothstep between; full angles in
-/// degrees.
+/// Full to the umbra, none from the penumbra on, over the cosine a line or smoothstep between; full
+/// angles in degrees.
 pub fn penumbra(umbra: f32, penumbra: f32, smooth: bool) -> Original {
     let name = format!("umbra {umbra}, penumbra {penumbra}, smooth {smooth}");
     let [inner, outer] = [umbra, penumbra].map(|angle| (f64::from(angle) / 2.0).to_radians().cos());

@@ -1,5 +1,5 @@
-//! The table of error bounds of what comes after the cone: distance, highlight and the complete lit point. Measured and
-//! held as in [`bounds`](super::bounds), two-sided and searched.
+//! The table of error bounds of what comes after the cone: distance, highlight and the complete lit
+//! point. Measured and held as in [`bounds`](super::bounds), two-sided and searched.
 
 /// The bounds of one model in `f32`, `Fx32` and `Fx16`, in this order.
 pub struct Row {
@@ -7,8 +7,9 @@ pub struct Row {
     pub bounds: [f64; 3],
 }
 
-/// The light of a point light at 0.02 to 1.1 times its range, full scale at half the range for a model that falls with the
-/// square: the error, relative to the larger of full scale and the light without a window there.
+/// The light of a point light at 0.02 to 1.1 times its range, full scale at half the range for a
+/// model that falls with the square: the error, relative to the larger of full scale and the light
+/// without a window there.
 #[rustfmt::skip]
 pub const DISTANCE: [Row; 6] = [
     Row { model: "unattenuated",      bounds: [2.9e-7, 4.6e-9, 1.1e-4] },
@@ -19,7 +20,8 @@ pub const DISTANCE: [Row; 6] = [
     Row { model: "Filament range",    bounds: [6.7e-7, 2.6e-8, 3.8e-4] },
 ];
 
-/// The error of a highlight, from positions and a normal as the format stores them, at shininess 2, 32 and 256.
+/// The error of a highlight, from positions and a normal as the format stores them, at shininess 2,
+/// 32 and 256.
 #[rustfmt::skip]
 pub const HIGHLIGHT: [Row; 12] = [
     Row { model: "phong 2",         bounds: [3.5e-7, 1.5e-7, 2.2e-4] },
@@ -36,16 +38,17 @@ pub const HIGHLIGHT: [Row; 12] = [
     Row { model: "difference-form 256", bounds: [2.7e-6, 1.1e-6, 1.6e-3] },
 ];
 
-/// The complete lit point of the classic equation, of an ambient, a spotlight and a shiny material: the error of the
-/// linear light, and the error of the nearest display code, in codes before the exact one is rounded.
+/// The complete lit point of the classic equation, of an ambient, a spotlight and a shiny material:
+/// the error of the linear light, and the error of the nearest display code, in codes before the
+/// exact one is rounded.
 #[rustfmt::skip]
 pub const LIT: [Row; 2] = [
     Row { model: "lit point, linear", bounds: [4.7e-7, 5.8e-8, 2.3e-4] },
     Row { model: "lit point, codes",  bounds: [5.4e-1, 5.3e-1, 6.2e-1] },
 ];
 
-/// What Lyon's form by so many squarings lacks of the power that it stands for, at shininess 16, 64 and 256: a property of
-/// the form, in exact arithmetic.
+/// Largest difference between Lyon's form and the power that it approximates, by the number of
+/// squarings, at shininess 16, 64 and 256: a property of the form, in exact arithmetic.
 #[rustfmt::skip]
 pub const LYON: [(u32, [f64; 3]); 3] = [
     (2, [5.7e-2, 7.0e-2, 7.3e-2]),

@@ -29,7 +29,8 @@ impl<P: Falloff> Shape<P> {
         Self { name, cone: plain, profile, exact: reference::Cone::new, oracle }
     }
 
-    /// The profile around a hotspot whose versine is half the outer one, up to the roundings of f32.
+    /// The profile around a hotspot whose versine is half the outer one, up to the roundings of
+    /// f32.
     pub fn hotspot(name: &'static str, profile: P, oracle: reference::Falloff) -> Self {
         Self { name, cone: hotspot, profile, exact: exact_hotspot, oracle }
     }
@@ -118,8 +119,8 @@ pub fn sound<T>(sample: Result<T, luminaire::Error>) -> T {
     sample.expect("the parameters of the list are sound")
 }
 
-/// The answers of a generic function to every shape: each falloff of the list plain, a power of an odd exponent, the soft
-/// edge around a hotspot and cut off, and OpenGL's.
+/// The answers of a generic function to every shape: each falloff of the list plain, a power of an
+/// odd exponent, the soft edge around a hotspot and cut off, and OpenGL's.
 #[macro_export]
 macro_rules! with_every_shape {
     ($function:ident :: <$format:ty>) => {

@@ -1,7 +1,8 @@
-//! The oracle: the formulas as the literature writes them, in f64, as plainly as they can be written.
+//! The oracle: the formulas as the literature writes them, in f64, as plainly as they can be
+//! written.
 //!
-//! Nothing here is fast and nothing is shared with the code under test. Where f64 itself would cancel, the versine
-//! is `2 sin^2(angle / 2)` or half the squared difference of two unit vectors.
+//! Nothing here is fast and nothing is shared with the code under test. Where f64 itself would
+//! cancel, the versine is `2 sin^2(angle / 2)` or half the squared difference of two unit vectors.
 
 /// An edge profile as a function of t.
 pub type Falloff = fn(f64) -> f64;
@@ -103,7 +104,7 @@ impl Cone {
         }
     }
 
-    /// Whether the intensity jumps within so many radians of this versine: there an error has no meaning.
+    /// Whether the intensity jumps within `radians` of this versine: an error there has no meaning.
     pub fn jumps_near(&self, versine: f64, radians: f64) -> bool {
         let jump = self.falloff(self.limit * (1.0 - 1e-12)) > 0.01;
         jump && (half_degrees(versine) - half_degrees(self.limit)).abs().to_radians() < radians
@@ -195,8 +196,9 @@ pub fn halfway(a: Vector, b: Vector) -> Vector {
     unit([a[0] + b[0], a[1] + b[1], a[2] + b[2]])
 }
 
-/// One channel of the classic equation for one light: `ma Ia + f(d) spot [md Is max(0, N.L) + ms Is max(0, R.V)^mh]`.
-/// A surface that faces away has no highlight.
+/// One channel of the classic equation for one light:
+/// `ma Ia + f(d) spot [md Is max(0, N.L) + ms Is max(0, R.V)^mh]`. A surface that faces away has no
+/// highlight.
 pub struct Classic {
     pub ambient: [f64; 2],
     pub diffuse: [f64; 2],
@@ -235,7 +237,8 @@ impl SpotLight {
         versine_between(minus(point, self.position), self.axis)
     }
 
-    /// The light that arrives at a surface point: intensity x falloff x Lambert's cosine / squared distance.
+    /// The light that arrives at a surface point: intensity x falloff x Lambert's cosine / squared
+    /// distance.
     pub fn irradiance(&self, point: Vector, normal: Vector) -> f64 {
         let way = minus(point, self.position);
         let cosine = -dot(unit(way), normal);

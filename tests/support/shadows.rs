@@ -1,8 +1,8 @@
-//! What a shadow map says of a place, in f64 and as plainly as it can be said.
+//! The reference of a look-up in a shadow map, in f64 and as plain code.
 
-/// The part of the light that arrives at a place, in parts of a side, and at a depth: the four nearest
-/// middles of texels are asked, and each answer counts by how near the place is. Outside the outermost
-/// middles the nearest ones are asked.
+/// The visibility at a position, in sides, and a depth. The depth is compared with the four nearest
+/// texels, and the four results are interpolated bilinearly. Outside the outermost texel centres
+/// the nearest texels are used.
 pub fn visibility(side: usize, depths: &[f64], [column, row]: [f64; 2], depth: f64) -> f64 {
     let last = side as f64 - 1.0;
     let taps = |part: f64| {

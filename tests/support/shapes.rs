@@ -3,8 +3,8 @@
 use fastrand::Rng;
 use luminaire::falloff::{AnyFalloff, Falloff, Formula, Table};
 
-/// A random falloff of the list, its tables from these: one whose intensity is promised everywhere, which those that jump
-/// or have a slope without a bound are not.
+/// A random falloff of the list, its tables from these: one whose intensity is promised everywhere,
+/// which those that jump or have a slope without a bound are not.
 pub fn random(rng: &mut Rng, tables: &[&'static [u16]]) -> AnyFalloff {
     loop {
         match AnyFalloff::drawn(rng.usize(..), || rng.f32()) {

@@ -1,11 +1,13 @@
-//! The square that a spotlight projects, in f64 and as plainly as it can be written; and the table of its error bounds.
+//! The square that a spotlight projects, in f64 and as plainly as it can be written; and the table
+//! of its error bounds.
 
 use super::bounds::REFUSE;
 use super::format::Format;
 use super::reference::{Vector, dot, minus, scaled, unit};
 use luminaire::{SpotLight, attenuation::Attenuation, falloff::Falloff};
 
-/// The square around a cone: where its light stands, the vectors of its frame, and half its side at a depth of one.
+/// The square around a cone: where its light stands, the vectors of its frame, and half its side at
+/// a depth of one.
 #[derive(Clone, Copy, Debug)]
 pub struct Square {
     pub position: Vector,
@@ -16,8 +18,8 @@ pub struct Square {
 }
 
 impl Square {
-    /// The square of a cone, with y upwards; a light that points straight down has the top of its square to `-z`, one that
-    /// points straight up to `z`.
+    /// The square of a cone, with y upwards; a light that points straight down has the top of its
+    /// square to `-z`, one that points straight up to `z`.
     pub fn new(position: Vector, axis: Vector, half_degrees: f64) -> Self {
         let axis = unit(axis);
         let sine = (axis[0] * axis[0] + axis[2] * axis[2]).sqrt();
@@ -72,7 +74,7 @@ fn cross(a: Vector, b: Vector) -> Vector {
 /// [`bounds`](super::bounds), two-sided and searched; `LUMINAIRE_FULL=1 cargo test --test suite
 /// projection:: -- --nocapture --test-threads 1` prints the measured ones.
 pub struct Row {
-    /// In degrees; [`NARROWEST`] is another one in every format.
+    /// In degrees; [`NARROWEST`] stands for a different angle in each format.
     pub half: f32,
     pub place: [f64; 3],
     pub depth: [f64; 3],

@@ -46,8 +46,9 @@ pub fn single(v: Vector) -> Vec3<f32> {
     Vec3::new(v[0] as f32, v[1] as f32, v[2] as f32)
 }
 
-/// The nearest point of a grid of 2^-16, the quantum of the fixed-point lengths. Coordinates up to 128 and their
-/// differences are exact there in every format, so that what is measured is the kernel and not its input.
+/// The nearest point of a grid of 2^-16, the quantum of the fixed-point lengths. Coordinates up to
+/// 128 and their differences are exact there in every format, so that what is measured is the
+/// kernel and not its input.
 pub fn on_grid(v: Vector) -> Vector {
     v.map(|c| (c * 65_536.0).round() / 65_536.0)
 }
@@ -69,7 +70,8 @@ pub fn distance(rng: &mut Rng) -> f64 {
     0.5 * 100.0_f64.powf(rng.f64())
 }
 
-/// A site near the cone of a spotlight: at 0 to 1.3 times its outer half angle, some `distance` away.
+/// A site near the cone of a spotlight: at 0 to 1.3 times its outer half angle, some `distance`
+/// away.
 pub fn site<S: Format>(
     rng: &mut Rng,
     position: Vector,
@@ -83,7 +85,8 @@ pub fn site<S: Format>(
     Site { point: single(point).map(S::length), normal: single(direction(rng)).map(S::from_f32) }
 }
 
-/// The versines of a cone: both ends and their neighbourhoods, then `count` evenly spread ones to 1.1 of the edge.
+/// The versines of a cone: both ends and their neighbourhoods, then `count` evenly spread ones to
+/// 1.1 of the edge.
 pub fn versines(outer: f64, count: usize) -> impl Iterator<Item = f32> {
     let seams = [0.0, outer, outer * (1.0 - 1e-6), outer * (1.0 + 1e-6), outer * 1e-6];
     let even = (0..count).map(move |i| outer * 1.1 * (i as f64 + 0.5) / count as f64);

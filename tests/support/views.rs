@@ -24,8 +24,9 @@ pub fn near_beam(rng: &mut Rng, spot: &reference::SpotLight, most: f64) -> Vecto
     place(spot.position, sweep::direction_off(rng, spot.axis, angle), 0.2 * 50.0_f64.powf(rng.f64()))
 }
 
-/// A view ray towards a place at the beam, from beside it or from within, that ends before it, behind it or
-/// nowhere. Its line does not pass the light so near that the ray's own roundings decide where.
+/// A view ray towards a place at the beam, from beside it or from within, that ends before it,
+/// behind it or nowhere. Its line does not pass the light so near that the ray's own roundings
+/// decide where.
 pub fn view(rng: &mut Rng, oracle: &Beam) -> ViewRay {
     loop {
         let view = any_view(rng, &oracle.spot);

@@ -1,4 +1,5 @@
-//! The worst of all places: where a spotlight's intensity is furthest from the exact one, looked for by climbing.
+//! The worst of all places: where a spotlight's intensity is furthest from the exact one, looked
+//! for by climbing.
 
 use super::{
     format::Format,
@@ -65,7 +66,8 @@ impl Find {
     }
 }
 
-/// How far the intensity of a shape is off at a place; none where the light is refused, or where it jumps.
+/// How far the intensity of a shape is off at a place; none where the light is refused, or where it
+/// jumps.
 pub fn error<S: Format, P: Falloff>(shape: &Shape<P>, half_degrees: f32, place: Place) -> Option<f64> {
     let cone = shape.exactly_at(half_degrees);
     let spot = SpotLight::new(Vec3::default(), place.axis, shape.at(half_degrees)).ok()?;
@@ -86,14 +88,15 @@ pub fn narrowest<S: Format, P: Falloff>(shape: &Shape<P>) -> f32 {
     held * 1.000_01
 }
 
-/// Whether a shape has a slope everywhere: where it jumps there is no error of the intensity to look for.
+/// Whether a shape has a slope everywhere: where it jumps there is no error of the intensity to
+/// look for.
 pub fn is_smooth<P: Falloff>(shape: &Shape<P>) -> bool {
     let cone = shape.exactly_at(1.0);
     !cone.jumps_near(cone.limit, 1.0)
 }
 
-/// The worst place of a shape at a half angle: the best of random ones, each moved in ever other ways as long as it
-/// gets worse.
+/// The worst place of a shape at a half angle: the best of random ones, each moved in ever other
+/// ways as long as it gets worse.
 pub fn search<S: Format, P: Falloff>(shape: &Shape<P>, half_degrees: f32) -> Find {
     let mut rng = Rng::with_seed(1953);
     let at = |place: Place| error::<S, P>(shape, half_degrees, place).unwrap_or(0.0);

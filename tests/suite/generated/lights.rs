@@ -1,4 +1,5 @@
-//! One of everything that compiles to a format, in every format: what the build script writes and the test compares.
+//! One of everything that compiles to a format, in every format: what the build script writes and
+//! the test compares.
 
 use std::fmt::Debug;
 

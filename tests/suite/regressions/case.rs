@@ -1,10 +1,11 @@
-//! What the tests share: the case of a cone, asked of every format.
+//! Shared helpers: a cone that is tested in every format.
 
 use luminaire::{Angle, Cone, Fx16, Fx32, HalfAngle, falloff::Falloff};
 use std::ops::RangeInclusive;
 use support::{bounds, format::Format, reference, sweep};
 
-/// A cone between two half angles in degrees, and the row of the table of bounds that its profile has.
+/// A cone between two half angles in degrees, and the row of the table of bounds that its profile
+/// has.
 pub(crate) struct Case<P> {
     pub(crate) profile: P,
     pub(crate) oracle: reference::Falloff,
@@ -24,8 +25,8 @@ impl<P: Falloff> Case<P> {
         cone.and_then(|cone| cone.with_inner(HalfAngle::degrees(self.inner))).expect("a sound cone")
     }
 
-    /// The names of the formats that hold the cone. Each is exact on the axis and at the edge, and between
-    /// them within the bound of its row; the others refuse the cone.
+    /// The names of the formats that hold the cone. Each is exact on the axis and at the edge, and
+    /// between them within the bound of its row; the others refuse the cone.
     pub(crate) fn held_by(&self) -> Vec<&'static str> {
         [self.held::<f32>(), self.held::<Fx32>(), self.held::<Fx16>()].into_iter().flatten().collect()
     }
@@ -55,7 +56,7 @@ impl<P: Falloff> Case<P> {
 /// Every format, as [`Case::held_by`] names them.
 pub(crate) const ALL: [&str; 3] = ["f32", "fx32", "fx16"];
 
-/// A fault has the size that is told of it.
+/// The faulty formula gives a result in the stated range.
 #[track_caller]
 pub(crate) fn assert_fault(found: impl Into<f64>, expected: RangeInclusive<f64>) {
     let found = found.into();

@@ -9,8 +9,8 @@ use luminaire::{
 use std::f32::consts::FRAC_PI_2;
 use support::reference;
 
-/// The intensity at a cosine when the span of the cone is divided by as no less than `least`: scale and
-/// offset, clamp and square.
+/// The intensity at a cosine when the span of the cone is divided by as no less than `least`: scale
+/// and offset, clamp and square.
 fn clamped_span(least: f32, inner: f32, outer: f32, cosine: f32) -> f32 {
     let scale = 1.0 / least.max(inner.cos() - outer.cos());
     let offset = -outer.cos() * scale;
@@ -18,25 +18,26 @@ fn clamped_span(least: f32, inner: f32, outer: f32, cosine: f32) -> f32 {
     attenuation * attenuation
 }
 
-/// glTF, extensions/2.0/Khronos/KHR_lights_punctual/README.md, reference code: `max(0.001, cos(inner) -
-/// cos(outer))`. A cone of one degree keeps 2.3 % of its light on the axis.
+/// glTF, extensions/2.0/Khronos/KHR_lights_punctual/README.md, reference code:
+/// `max(0.001, cos(inner) - cos(outer))`. A cone of one degree keeps 2.3 % of its light on the
+/// axis.
 #[test]
 fn gltf_divides_by_no_less_than_a_thousandth() {
     assert_fault(clamped_span(0.001, 0.0, 1.0_f32.to_radians(), 1.0), 0.023_1..=0.023_3);
     assert_eq!(Case::open("soft", Soft, reference::soft, 1.0).held_by(), ALL);
 }
 
-/// Filament, filament/src/components/LightManager.cpp: `max(1.0f / 1024.0f, cosInner - cosOuter)`; the square
-/// is in shaders/src/light_punctual.fs. At half a degree, the narrowest that it lets through, 0.15 % is left
-/// on the axis.
+/// Filament, filament/src/components/LightManager.cpp: `max(1.0f / 1024.0f, cosInner - cosOuter)`;
+/// the square is in shaders/src/light_punctual.fs. At half a degree, the narrowest that it lets
+/// through, 0.15 % is left on the axis.
 #[test]
 fn filament_divides_by_no_less_than_1_in_1024() {
     assert_fault(clamped_span(1.0 / 1024.0, 0.0, 0.5_f32.to_radians(), 1.0), 0.001_50..=0.001_54);
     assert_eq!(Case::open("soft", Soft, reference::soft, 0.5).held_by(), ["f32", "fx32"]);
 }
 
-/// Bevy, crates/bevy_pbr/src/render/light.rs: `1.0 / f32::max(inner.cos() - cos_outer, 1e-4)`. Below 0.81
-/// degrees the axis is dimmed; at half a degree 15 % is left.
+/// Bevy, crates/bevy_pbr/src/render/light.rs: `1.0 / f32::max(inner.cos() - cos_outer, 1e-4)`.
+/// Below 0.81 degrees the axis is dimmed; at half a degree 15 % is left.
 #[test]
 fn bevy_divides_by_no_less_than_a_ten_thousandth() {
     assert_fault(clamped_span(1e-4, 0.0, 0.5_f32.to_radians(), 1.0), 0.144..=0.146);
@@ -45,9 +46,9 @@ fn bevy_divides_by_no_less_than_a_ten_thousandth() {
     assert_eq!(Case::open("soft", Soft, reference::soft, 0.8).held_by(), ALL);
 }
 
-/// Bevy, crates/bevy_pbr/src/render/shadows.wgsl, issue 25360: an outer angle of 0 is accepted, its tangent
-/// scales the shadow map, and a point on the axis is divided by it. What is left without a shadow is no light
-/// at all.
+/// Bevy, crates/bevy_pbr/src/render/shadows.wgsl, issue 25360: an outer angle of 0 is accepted, its
+/// tangent scales the shadow map, and a point on the axis is divided by it. What is left without a
+/// shadow is no light at all.
 #[test]
 fn bevy_divides_by_the_tangent_of_an_angle_of_zero() {
     let (off_axis, depth, outer) = (0.0_f32, 5.0_f32, 0.0_f32);
@@ -63,8 +64,8 @@ fn bevy_divides_by_the_tangent_of_an_angle_of_zero() {
     );
 }
 
-/// Bevy, pull request 25368: the f32 next to a right angle lies beyond it, so that its tangent and its cosine
-/// have changed sign.
+/// Bevy, pull request 25368: the f32 next to a right angle lies beyond it, so that its tangent and
+/// its cosine have changed sign.
 #[test]
 fn bevy_takes_the_tangent_of_more_than_a_right_angle() {
     assert_fault(FRAC_PI_2.tan(), -2.288e7..=-2.287e7);
@@ -75,21 +76,22 @@ fn bevy_takes_the_tangent_of_more_than_a_right_angle() {
     assert_eq!(Case::open("soft", Soft, reference::soft, 90.0).held_by(), ALL);
 }
 
-/// GLSL's power where its arguments leave it undefined, as processors compute it: `exp2(y log2(x))`.
+/// GLSL's power where its arguments leave it undefined, as processors compute it:
+/// `exp2(y log2(x))`.
 fn glsl_pow(x: f32, y: f32) -> f32 {
     (y * x.log2()).exp2()
 }
 
-/// Godot's spotlight, servers/rendering/renderer_rd/shaders/scene_forward_lights_inc.glsl, with the least rim
-/// that its power is given.
+/// Godot's spotlight, servers/rendering/renderer_rd/shaders/scene_forward_lights_inc.glsl, with the
+/// least rim that its power is given.
 fn godot(least_rim: f32, exponent: f32, cosine: f32, edge: f32) -> f32 {
     let rim = least_rim.max((1.0 - cosine.max(edge)) / (1.0 - edge));
     1.0 - glsl_pow(rim, exponent)
 }
 
-/// Godot, modules/gltf/extensions/gltf_light.cpp, pull request 120391: the exponent comes from `0.2 / (1 -
-/// inner / outer) - 0.1`, and the renderer takes its reciprocal. Two angles that rounding made equal give an
-/// exponent of zero, and a light that is dark everywhere.
+/// Godot, modules/gltf/extensions/gltf_light.cpp, pull request 120391: the exponent comes from
+/// `0.2 / (1 - inner / outer) - 0.1`, and the renderer takes its reciprocal. Two angles that
+/// rounding made equal give an exponent of zero, and a light that is dark everywhere.
 #[test]
 fn godot_loses_a_light_whose_angles_round_to_one() {
     let (inner, outer) = (0.089_f64 - 1e-9, 0.089_f64);
@@ -109,9 +111,9 @@ fn godot_loses_a_light_whose_angles_round_to_one() {
     assert_eq!(soft.held_by(), ALL);
 }
 
-/// Godot, pull request 69985: `pow(0, 0)` is undefined, and what stands in the way is the least rim of the
-/// formula above. Without it the axis is not a number; with it the axis of an exponent of a tenth has lost
-/// two fifths of its light.
+/// Godot, pull request 69985: `pow(0, 0)` is undefined, and only the minimum rim of the formula
+/// above prevents it. Without the minimum the axis is NaN; with it and an exponent of 0.1 the axis
+/// has lost two fifths of its light.
 #[test]
 fn godot_raises_zero_to_the_power_of_zero() {
     assert!(godot(0.0, 0.0, 1.0, 0.9).is_nan());

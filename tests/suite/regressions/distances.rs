@@ -8,8 +8,8 @@ use luminaire::{
 };
 use support::{format::Format, prices, reference};
 
-/// Holds a distance model to its row of the table of prices in one format, from 0.05 to 12 units straight
-/// above a floor.
+/// Holds a distance model to its row of the table of prices in one format, from 0.05 to 12 units
+/// straight above a floor.
 fn assert_held<S: Format, A: Attenuation>(row: &str, bound: f64, model: A, oracle: impl Fn(f64) -> f64) {
     let light = PointLight::new(Vec3::default()).expect("sound").with_attenuation(model);
     let light = light.compile::<S>().expect("held");
@@ -29,9 +29,9 @@ fn assert_held_by_all<A: Attenuation>(row: &str, model: A, oracle: impl Fn(f64) 
     assert_held::<Fx16, A>(row, bounds[2], model, &oracle);
 }
 
-/// C-Chads/tinygl, src/light.c: with `TGL_FEATURE_FISR` the offset is scaled by a fast reciprocal root, and
-/// the distance stays at the 0 it was declared with. A light then falls with no distance at all: at 10 units
-/// 101 times too bright.
+/// C-Chads/tinygl, src/light.c: with `TGL_FEATURE_FISR` the offset is scaled by a fast reciprocal
+/// root, and the distance stays at the 0 it was declared with. A light then falls with no distance
+/// at all: at 10 units 101 times too bright.
 #[test]
 fn tinygl_attenuates_by_a_distance_of_zero() {
     let attenuated = |is_fast: bool, squared: f32| {
@@ -43,9 +43,9 @@ fn tinygl_attenuates_by_a_distance_of_zero() {
     assert_held_by_all("polynomial", model, |d| reference::polynomial([1.0, 0.0, 1.0], d));
 }
 
-/// *Quick 'n' Easy Dual-Cone Spotlight in GLSL*: `smoothstep(lightRange, 0.0, distToLight)`, whose edges
-/// fall, so that GLSL leaves it undefined. Where the edges are compared first the light is dark up to its
-/// range, and lit from there on.
+/// *Quick 'n' Easy Dual-Cone Spotlight in GLSL*: `smoothstep(lightRange, 0.0, distToLight)`, whose
+/// edges fall, so that GLSL leaves it undefined. Where the edges are compared first the light is
+/// dark up to its range, and lit from there on.
 #[test]
 fn the_dual_cone_article_fades_from_its_range_to_zero() {
     let range = 8.0;

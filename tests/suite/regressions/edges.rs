@@ -15,8 +15,8 @@ fn smoothstep(edge0: f32, edge1: f32, x: f32) -> f32 {
     t * t * (3.0 - 2.0 * t)
 }
 
-/// Smoothstep by the sentence above that equation, "0 if x <= edge0 and 1 if x >= edge1", in this order: Open
-/// Shading Language, `class Smoothstep`.
+/// Smoothstep by the sentence above that equation, "0 if x <= edge0 and 1 if x >= edge1", in this
+/// order: Open Shading Language, `class Smoothstep`.
 pub(crate) fn smoothstep_by_comparison(edge0: f32, edge1: f32, x: f32) -> f32 {
     if x < edge0 {
         0.0
@@ -27,8 +27,8 @@ pub(crate) fn smoothstep_by_comparison(edge0: f32, edge1: f32, x: f32) -> f32 {
     }
 }
 
-/// three.js, src/renderers/shaders/ShaderChunk/lights_pars_begin.glsl.js: a penumbra of 0, which is the
-/// default, makes one cosine of both edges. Where a pixel meets it, it is not a number.
+/// three.js, src/renderers/shaders/ShaderChunk/lights_pars_begin.glsl.js: with a penumbra of 0,
+/// the default, both edges have the same cosine. A pixel with exactly that cosine is NaN.
 #[test]
 fn three_js_has_no_number_at_an_edge_without_a_penumbra() {
     let (angle, penumbra) = (20.0_f32.to_radians(), 0.0_f32);
@@ -40,9 +40,9 @@ fn three_js_has_no_number_at_an_edge_without_a_penumbra() {
     assert_eq!(step.held_by(), ALL);
 }
 
-/// GLSL, smoothstep: with the cone's two cosines swapped, and its edges so in falling order, two readings of
-/// the specification differ by all of the light: one is a beam inside out, the other a beam without a
-/// penumbra.
+/// GLSL, smoothstep: with the cone's two cosines swapped, and its edges so in falling order, two
+/// readings of the specification differ by all of the light: one is a beam inside out, the other a
+/// beam without a penumbra.
 #[test]
 fn glsl_leaves_smoothstep_of_swapped_angles_undefined() {
     let (narrow, wide) = (10.0_f32.to_radians().cos(), 12.0_f32.to_radians().cos());
@@ -63,8 +63,8 @@ fn glsl_leaves_smoothstep_of_swapped_angles_undefined() {
 /// How bright the lights of Godot's thread were: 200 times what the display shows.
 const ENERGY: f32 = 200.0;
 
-/// The largest step of an 8-bit display from one of many points to the next, on the way out of a soft beam
-/// that falls on a floor from a height of 4; and whether skipping changed any of them.
+/// The largest step of an 8-bit display from one of many points to the next, on the way out of a
+/// soft beam that falls on a floor from a height of 4; and whether skipping changed any of them.
 fn largest_step<S: Format>(early_exit: impl Fn(f32) -> f32) -> u8 {
     let cone = Cone::from_outer(Soft, Angle::degrees(45.0)).expect("a sound cone");
     let spot =
@@ -84,11 +84,12 @@ fn largest_step<S: Format>(early_exit: impl Fn(f32) -> f32) -> u8 {
     codes.windows(2).map(|pair| pair[0].abs_diff(pair[1])).max().expect("points")
 }
 
-/// Godot, scene_forward_lights_inc.glsl, issue 102241: lights whose attenuation is under a thousandth are
-/// skipped. Two hundred times as bright as full scale, that is an edge of 124 codes where the light should
-/// end in none.
+/// Godot, scene_forward_lights_inc.glsl, issue 102241: lights whose attenuation is under a
+/// thousandth are skipped. Two hundred times as bright as full scale, that is an edge of 124 codes
+/// where the light should end in none.
 ///
-/// Here only zero is skipped. What is left in 16 bits is the step of the format itself, 2^-14 of such a light.
+/// Here only zero is skipped. What is left in 16 bits is the step of the format itself, 2^-14 of
+/// such a light.
 #[test]
 fn godot_cuts_off_the_edge_of_a_bright_light() {
     const EPSILON: f32 = 1e-3;

@@ -9,16 +9,17 @@ use micromath::F32;
 use std::f32::consts::{FRAC_PI_2, FRAC_PI_3, FRAC_PI_4, FRAC_PI_6, PI, TAU};
 use support::{format::Format, reference};
 
-/// The sharp spotlight of the GameCube's library at the cosine of an angle off axis: `a0 + a1 c + a2 c^2`.
+/// The sharp spotlight of the GameCube's library at the cosine of an angle off axis:
+/// `a0 + a1 c + a2 c^2`.
 fn sharp(a0: impl Fn(f32, f32) -> f32, cutoff: f32, cosine: f32) -> f32 {
     let edge = cutoff.cos();
     let span = (1.0 - edge) * (1.0 - edge);
     a0(edge, span) + 2.0 / span * cosine - 1.0 / span * cosine * cosine
 }
 
-/// encounter/aurora, lib/dolphin/gx/GXLighting.cpp: `a0 = cr * (cr - 2.f)`, without the division that the other
-/// two coefficients have, by the square of `1 - cr`. On the axis of a cone of 30 degrees the factor is 54.7. With
-/// the division it is the paper's hard edge.
+/// encounter/aurora, lib/dolphin/gx/GXLighting.cpp: `a0 = cr * (cr - 2.f)`, without the division
+/// that the other two coefficients have, by the square of `1 - cr`. On the axis of a cone of 30
+/// degrees the factor is 54.7. With the division it is the paper's hard edge.
 #[test]
 fn aurora_forgets_a_division_of_the_sharp_spotlight() {
     let cutoff = 30.0_f32.to_radians();
@@ -34,8 +35,8 @@ fn aurora_forgets_a_division_of_the_sharp_spotlight() {
     assert_eq!(Case::open("hard", Hard, reference::hard, 30.0).held_by(), ALL);
 }
 
-/// vindar/tgx, src/Renderer3D.inl and .h: 32 samples of the power from the largest argument down, spaced by
-/// that argument, and looked up as if they were spaced by one. The power of one is 0.68.
+/// vindar/tgx, src/Renderer3D.inl and .h: 32 samples of the power from the largest argument down,
+/// spaced by that argument, and looked up as if they were spaced by one. The power of one is 0.68.
 #[test]
 fn tgx_looks_up_a_power_table_by_another_spacing() {
     const SIZE: usize = 32;
@@ -50,7 +51,8 @@ fn tgx_looks_up_a_power_table_by_another_spacing() {
     };
     assert_fault(power(1.0), 0.680..=0.688);
 
-    /// The error of a highlight's power over every 2^-14th versine: exhaustive for a versine of 14 bits.
+    /// The error of a highlight's power over every 2^-14th versine: exhaustive for a versine of 14
+    /// bits.
     fn error<S: Format>() -> f64 {
         let ramp = S::ramp(0.0, 1.0, 1.0);
         assert_eq!(S::power(S::versine(ramp, 0.0), 16), S::ONE);
@@ -66,8 +68,8 @@ fn tgx_looks_up_a_power_table_by_another_spacing() {
     assert_ours("fx16", error::<Fx16>(), 6.5e-5);
 }
 
-/// micromath 2.1, src/float/powf.rs: `exp(n ln(x))`. The exponent multiplies the error of the logarithm, and at 32
-/// the cosine power of a spotlight is off by a quarter of full scale.
+/// micromath 2.1, src/float/powf.rs: `exp(n ln(x))`. The exponent multiplies the error of the
+/// logarithm, and at 32 the cosine power of a spotlight is off by a quarter of full scale.
 #[test]
 fn micromath_magnifies_the_error_of_its_logarithm() {
     let cosines = (1..=10_000_u16).map(|i| f32::from(i) / 10_000.0);
@@ -90,9 +92,9 @@ fn micromath_magnifies_the_error_of_its_logarithm() {
     assert_ours("fx16", error::<Fx16>(), 3.3e-5);
 }
 
-/// OpenGL's spotlight in GLSL, `pow(cosine, exponent)`, with the exponent that a light has until it is told
-/// otherwise, 0: the manual calls that a uniform distribution, and the power of a cosine of zero undefined.
-/// three.js, issue 5222, and OpenMW, pull request 2265, met it in highlights.
+/// OpenGL's spotlight in GLSL, `pow(cosine, exponent)`, with the default exponent of a light, 0.
+/// The manual calls that a uniform distribution, and `pow(0, 0)` undefined. three.js, issue 5222,
+/// and OpenMW, pull request 2265, met it in highlights.
 #[test]
 fn opengl_has_an_exponent_of_zero() {
     let pow = |x: f32, y: f32| (y * x.log2()).exp2();
@@ -101,9 +103,10 @@ fn opengl_has_an_exponent_of_zero() {
     assert_eq!(Case::open("step", Step, reference::step, 90.0).held_by(), ALL);
 }
 
-/// leftger/embedded-gfx, src/lut.rs: a table of the sine by six terms of its series, unreduced over the whole
-/// circle. Its test looks at seven angles and allows 0.02. The series leaves the sine beyond 270 degrees, and
-/// where the test looks once more saturation hides it; the last entry is off by 0.98.
+/// leftger/embedded-gfx, src/lut.rs: a table of the sine by six terms of its series, unreduced over
+/// the whole circle. Its test looks at seven angles and allows 0.02. The series leaves the sine
+/// beyond 270 degrees, and where the test looks once more saturation hides it; the last entry is
+/// off by 0.98.
 #[test]
 fn embedded_gfx_tests_its_sine_at_seven_angles() {
     let series = |x: f32| {

@@ -13,14 +13,14 @@ use support::{
     sweep::{self, HALF_ANGLES},
 };
 
-/// The nearest number of so many fraction bits.
+/// Rounds to the nearest number with `bits` fraction bits.
 fn rounded(value: f64, bits: i32) -> f64 {
     let scale = 2.0_f64.powi(bits);
     (value * scale).round() / scale
 }
 
-/// The largest error of a soft cone, from random points, where the versine is one less an inner product. The
-/// axis as it is stored is taken to be meant.
+/// The largest error of a soft cone, from random points, where the versine is one less an inner
+/// product. The axis as it is stored is taken to be meant.
 fn cosine_form(
     half_degrees: f64,
     stored: impl Fn(f64) -> f64,
@@ -39,8 +39,8 @@ fn cosine_form(
     errors.fold(0.0, f64::max)
 }
 
-/// The largest error of the kernel's soft cone from a position, over random points; nothing where the format
-/// refuses it.
+/// The largest error of the kernel's soft cone from a position, over random points; nothing where
+/// the format refuses it.
 fn versine_form<S: Format>(half_degrees: f32) -> Option<f64> {
     let cone = Cone::from_outer(Soft, HalfAngle::degrees(half_degrees)).expect("a sound cone");
     cone.compile::<S>().ok()?;
@@ -84,8 +84,8 @@ fn held_by(half_degrees: f32) -> Vec<&'static str> {
         .collect()
 }
 
-/// Every spotlight above: `1 - dot(l, s)` cancels. In f32 a beam of 0.1 degrees is off by a fifth of full
-/// scale, and in 16 bits one of 1 degree by nine tenths.
+/// Every spotlight above: `1 - dot(l, s)` cancels. In f32 a beam of 0.1 degrees is off by a fifth
+/// of full scale, and in 16 bits one of 1 degree by nine tenths.
 #[test]
 fn the_cosine_form_loses_narrow_beams() {
     let f32_of = |value: f64| f64::from(value as f32);
@@ -104,9 +104,9 @@ fn the_cosine_form_loses_narrow_beams() {
     assert_eq!(held_by(0.1), ["f32", "fx32"]);
 }
 
-/// PlayCanvas, pull request 8108: cosines of cone angles were stored as half floats, whose step below one is
-/// 2^-11. Under
-/// 1.27 degrees both are one and the cone is nowhere; at 1.3 it is the cone of 1.79.
+/// PlayCanvas, pull request 8108: cosines of cone angles were stored as half floats, whose step
+/// below one is 2^-11. Under 1.27 degrees both are one and the cone is nowhere; at 1.3 it is the
+/// cone of 1.79.
 #[test]
 fn playcanvas_stores_cosines_in_half_floats() {
     // From a half to one a half float has 11 fraction bits.
@@ -120,9 +120,9 @@ fn playcanvas_stores_cosines_in_half_floats() {
     assert_eq!(Case::open("smooth", Smooth, reference::smooth, 1.3).held_by(), ALL);
 }
 
-/// A cone from 4 to 5 degrees in I8F24 with a plain reciprocal: 731 does not fit, and at the 128 that it
-/// saturates to, the ramp is at a sixth where it should be one. No project is at fault alone; every
-/// fixed-point port meets it.
+/// A cone from 4 to 5 degrees in I8F24 with a plain reciprocal: 731 does not fit, and at the 128
+/// that it saturates to, the ramp is at a sixth where it should be one. No project is at fault
+/// alone; every fixed-point port meets it.
 #[test]
 fn a_plain_reciprocal_saturates() {
     let (inner, outer) = (rounded(reference::versine(4.0), 24), rounded(reference::versine(5.0), 24));
