@@ -22,7 +22,8 @@ pub(crate) enum Request {
     Demo(DemoOptions),
     /// Run the tests: format, lints, documentation, host, two emulated boards, browser
     Test(TestOptions),
-    /// Run the tests with the long sweeps, on all boards and feature sets, and from the packed crates
+    /// Run the tests with the long sweeps, on all boards and feature sets, and from the packed
+    /// crates
     Full(TestOptions),
     /// Take the pictures of the demo for the documents again
     Pictures,
@@ -49,7 +50,8 @@ pub(crate) struct DemoOptions {
     /// Light a picture of this many pixels instead of 960x540
     #[arg(long, value_name = "WxH")]
     pub(crate) size: Option<Size>,
-    /// Open this view of the page: stage, scenes or compare; settings may follow, as in compare?half=0.1
+    /// Open this view of the page: stage, scenes or compare; settings may follow, as in
+    /// compare?half=0.1
     #[arg(long, value_name = "NAME", value_parser = view)]
     view: Option<String>,
     /// Open this scene of the view scenes, such as grid or show
@@ -103,8 +105,8 @@ impl fmt::Display for Size {
     }
 }
 
-/// A view of the page, with its settings. The page would show another view than one that it does not have, or refuse a
-/// scene: it is better to say so before it is built.
+/// A view of the page, with its settings. The page would show another view than one that it does
+/// not have, or refuse a scene: it is better to say so before it is built.
 fn view(view: &str) -> Result<String, String> {
     let (name, settings) = view.split_once('?').unwrap_or((view, ""));
     one_of(name, &site::views().collect::<Vec<_>>())?;

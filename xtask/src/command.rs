@@ -20,7 +20,8 @@ pub(crate) struct Ended {
 pub(crate) fn cargo(subcommand: &str) -> Command {
     let mut command = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
     command.arg(subcommand).current_dir(project::root()).env("CARGO_TARGET_DIR", project::target());
-    // `cargo run` describes our own package to us; to another cargo's build scripts that would be a lie.
+    // `cargo run` describes our own package to us; to another cargo's build scripts that would be a
+    // lie.
     for (name, _) in env::vars_os() {
         if name
             .to_str()

@@ -18,7 +18,8 @@ const MOST_FILES: usize = 3;
 /// What is no part of the tree, by the end of its path.
 const NOT_COPIED: [&str; 4] = [".git", "target", "node_modules", "firmware/effects/src/bin"];
 
-/// Adds the steps: all packages of the copy compile, and in the long run its host tests pass with its bounds recorded.
+/// Adds the steps: all packages of the copy compile, and in the long run its host tests pass with
+/// its bounds recorded.
 pub(crate) fn run(suite: &mut Suite, full: bool) {
     suite.step("contributing: the worked example compiles for all packages", |progress| {
         let tree = Tree::with_the_example()?;
@@ -53,8 +54,8 @@ struct Tree {
 }
 
 impl Tree {
-    /// The tree as the example leaves it. Files that are as they should be are left alone, so that they are not compiled
-    /// again.
+    /// The tree as the example leaves it. Files that are as they should be are left alone, so that
+    /// they are not compiled again.
     fn with_the_example() -> Result<Self> {
         let page = fs::read_to_string(project::root().join("CONTRIBUTING.md"))?;
         let example = patched(difference(&page)?)?;
@@ -78,7 +79,8 @@ impl Tree {
         Ok(tree)
     }
 
-    /// A call of cargo in a folder of the tree. What does not depend on the example has been compiled for the tests.
+    /// A call of cargo in a folder of the tree. What does not depend on the example has been
+    /// compiled for the tests.
     fn cargo(&self, folder: &str, arguments: &[&str]) -> Command {
         let mut cargo = command::cargo(arguments[0]);
         cargo.args(&arguments[1..]).current_dir(self.folder.join(folder));

@@ -14,7 +14,7 @@ use crate::turntable::{self, Frame, LOADS, Load};
 
 const PORT: u16 = 8080;
 
-/// The median of so many frames is what the check reports.
+/// Number of frames of the check, which reports their median time.
 const FRAMES: u32 = 15;
 
 /// Builds the demo, then serves or checks it.

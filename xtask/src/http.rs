@@ -1,8 +1,10 @@
-//! As much of HTTP as a browser needs to fetch files: one request and one answer for each connection.
+//! As much of HTTP as a browser needs to fetch files: one request and one answer for each
+//! connection.
 //!
-//! Connections are not kept alive. A browser opens half a dozen at once, and a server with a pool of threads that
-//! wait on idle connections leaves some of its calls unanswered. That speaks against `tiny_http` as well, which besides
-//! limits neither the connections nor the time that a request takes in all.
+//! Connections are not kept alive. A browser opens half a dozen at once, and a server with a pool
+//! of threads that wait on idle connections leaves some of its calls unanswered. That speaks
+//! against `tiny_http` as well, which besides limits neither the connections nor the time that a
+//! request takes in all.
 
 use std::io::{self, Read, Write};
 
@@ -10,12 +12,12 @@ use std::io::{self, Read, Write};
 const LONGEST_HEAD: usize = 32 * 1024;
 const MOST_HEADERS: usize = 64;
 
-/// What is asked for; a request's other headers and its body do not matter here.
+/// A request. Headers other than the host, and the body, are ignored.
 #[derive(Debug, PartialEq)]
 pub(crate) struct Request {
     pub(crate) method: String,
     pub(crate) target: String,
-    /// Who is taken to be asked, as in `127.0.0.1:8080`; empty where that is not told.
+    /// The `Host` of the request, as in `127.0.0.1:8080`; empty if it has none.
     pub(crate) host: String,
 }
 
@@ -31,7 +33,7 @@ pub(crate) struct Response {
 pub(crate) enum BadCall {
     /// It said nothing, or its connection broke off.
     Silent,
-    /// It is no HTTP, or its host is told twice.
+    /// It is not HTTP, or it has two hosts.
     Malformed,
     /// It has more headers, or longer ones, than any browser sends.
     TooLarge,

@@ -1,4 +1,5 @@
-//! Installing missing tools: Debian packages where we may, npm packages into the project's own target folder.
+//! Installing missing tools: Debian packages where we may, npm packages into the project's own
+//! target folder.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -14,10 +15,11 @@ use crate::{command, project};
 /// How long another apt is waited for, such as the one that brings a fresh Debian up to date.
 const PATIENCE: Duration = Duration::from_secs(600);
 
-/// How long until it is asked again.
+/// Time between two attempts.
 const PAUSE: Duration = Duration::from_secs(5);
 
-/// Whether Debian packages can be installed without asking anybody: this is Debian, and we are root.
+/// Whether Debian packages can be installed without asking anybody: this is Debian, and we are
+/// root.
 pub(crate) fn debian_root() -> bool {
     let debian = fs::read_to_string("/etc/os-release").is_ok_and(|release| is_debian(&release));
     debian && command::answer(Command::new("id").arg("-u")).is_ok_and(|user| user == "0")
@@ -68,7 +70,7 @@ fn apt_get_command(words: &[&str], folder: &Path) -> Command {
 fn until_unlocked(end: Instant, wait: impl Fn(), run: impl Fn() -> Result<Ended>) -> Result<Ended> {
     loop {
         let ended = run()?;
-        // Of the lists and of the archive apt has locks that it does not wait for, whatever it is told.
+        // apt has no option to wait for its locks on the package lists and on the archive.
         let is_locked = ended.output.lines().any(|line| line.starts_with("E: Could not get lock"));
         if ended.success || !is_locked || Instant::now() > end {
             return Ok(ended);
@@ -97,7 +99,8 @@ pub(crate) fn npm(package: &str, progress: &Progress) -> Result<()> {
     Ok(())
 }
 
-/// The program of a crate: the one on the path, or built into `target/tools`, never into the user's own folder.
+/// The program of a crate: the one on the path, or built into `target/tools`, never into the user's
+/// own folder.
 pub(crate) fn cargo_program(name: &str, progress: &Progress) -> Result<PathBuf> {
     let built = tools().join("bin").join(name);
     if let Some(program) = command::on_path(&[name]).or_else(|| built.is_file().then(|| built.clone())) {

@@ -22,8 +22,8 @@ const COMPILERS: [(&str, [&str; 2]); 2] = [
 /// What all of them are linked with.
 const LLVM: &str = "libllvm19";
 
-/// Adds the step: the published crates compile. Where Debian's packages cannot be had, clippy alone compares each item
-/// that is used with the version that is promised.
+/// Adds the step: the published crates compile. Where Debian's packages cannot be had, clippy alone
+/// compares each item that is used with the version that is promised.
 pub(crate) fn run(suite: &mut Suite) {
     suite.step(&format!("oldest compiler: the crates compile with rustc {VERSION}"), |progress| {
         let Some(usr) = unpacked(progress)? else {

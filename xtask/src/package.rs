@@ -142,7 +142,8 @@ impl Unpacked {
     fn cargo(&self, subcommand: &str, folder: &Path) -> Command {
         let mut cargo = command::cargo(subcommand);
         cargo.current_dir(folder).env("CARGO_TARGET_DIR", project::target().join("unpacked"));
-        // The profiles of the workspace are not packed, and without them the renderer's tests take minutes.
+        // The profiles of the workspace are not packed, and without them the renderer's tests take
+        // minutes.
         cargo.env("CARGO_PROFILE_DEV_OPT_LEVEL", "2").env("CARGO_PROFILE_TEST_OPT_LEVEL", "2");
         cargo
     }

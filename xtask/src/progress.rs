@@ -9,7 +9,8 @@ use anyhow::{Result, bail};
 
 use crate::command;
 
-/// Where progress goes: to stderr as it happens, or into a text that is shown only when something fails.
+/// Where progress goes: to stderr as it happens, or into a text that is shown only when something
+/// fails.
 pub(crate) enum Progress {
     Live,
     Kept(RefCell<String>),
@@ -22,7 +23,7 @@ pub(crate) struct Step<'a> {
 }
 
 impl Progress {
-    /// Progress that nobody sees unless it is asked for.
+    /// Progress that is kept in memory and not printed.
     pub(crate) fn kept() -> Self {
         Self::Kept(RefCell::default())
     }

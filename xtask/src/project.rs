@@ -17,7 +17,7 @@ pub(crate) fn target() -> PathBuf {
     }
 }
 
-/// A path as it is told to people: short where it is below the workspace.
+/// Displays a path, relative to the workspace if it is below it.
 pub(crate) fn shown(path: &Path) -> path::Display<'_> {
     path.strip_prefix(root()).unwrap_or(path).display()
 }

@@ -19,8 +19,8 @@ use crate::http::{BadCall, Request, Response};
 struct Limits {
     /// How many are answered at a time.
     calls: usize,
-    /// The longest that a request may take to arrive, from its first byte to its last. A browser opens connections in
-    /// advance, which may never ask for anything.
+    /// The longest that a request may take to arrive, from its first byte to its last. A browser
+    /// opens connections in advance, which may never ask for anything.
     asking: Duration,
     /// The longest that an answer may take to be read, in all.
     answering: Duration,
@@ -29,19 +29,21 @@ struct Limits {
 const LIMITS: Limits =
     Limits { calls: 64, asking: Duration::from_secs(10), answering: Duration::from_secs(60) };
 
-/// A caller who is still sending when he is answered has so long to stop: closing the connection would be told to him as
-/// an error, and his answer be lost.
+/// Time that a client has to stop sending after the response. If the connection were closed at
+/// once, the client would see an error and lose the response.
 const LINGER: Duration = Duration::from_secs(2);
 
 /// After a call that could not be accepted; the system may be short of file handles.
 const PAUSE: Duration = Duration::from_millis(50);
 
-/// The names of this machine. Any other is the name of a foreign page, which its owner has made an address of ours to read
-/// what is served. A port may follow, and be another than ours where it is forwarded.
+/// The names of this machine. Any other is the name of a foreign page, which its owner has made an
+/// address of ours to read what is served. A port may follow, and be another than ours where it is
+/// forwarded.
 const HOSTS: [&str; 3] = ["127.0.0.1", "localhost", "[::1]"];
 
-/// The demo may be rebuilt at any time, so nothing is cached; the rest makes the page `crossOriginIsolated`, which
-/// gives its clock microseconds. What is allowed has to be told to whoever asks for anything else.
+/// The demo may be rebuilt at any time, so nothing is cached; the rest makes the page
+/// `crossOriginIsolated`, which gives its clock microseconds. `Allow` must be in the response to
+/// any other method.
 const HEADERS: [(&str, &str); 6] = [
     ("Allow", "GET, HEAD"),
     ("Cache-Control", "no-store"),
@@ -85,7 +87,8 @@ impl Server {
                     Ok(stream) if Arc::strong_count(&folder) > limits.calls => refuse(&stream),
                     Ok(stream) => {
                         let folder = Arc::clone(&folder);
-                        // A system that has no thread left drops the call, and the next may find one.
+                        // A system that has no thread left drops the call, and the next may find
+                        // one.
                         let _ = thread::Builder::new().spawn(move || answer(&stream, &folder, limits));
                     }
                     Err(_) => thread::sleep(PAUSE),
@@ -172,7 +175,8 @@ fn answer(stream: &TcpStream, folder: &Path, limits: Limits) {
     }
 }
 
-/// Answers a call that there is no room for, in so few bytes that nobody has to wait until they are read.
+/// Answers a call that there is no room for, in so few bytes that nobody has to wait until they are
+/// read.
 fn refuse(stream: &TcpStream) {
     let full = Response::plain("503 Service Unavailable", "too many calls at once");
     let written = full.write(&mut Timed::new(stream, PAUSE), &HEADERS, false);
@@ -211,7 +215,8 @@ fn read(folder: &Path, path: &Path) -> io::Result<Vec<u8>> {
     }
 }
 
-/// The file that a request's address stands for, relative to the folder; none where it might lead out of it.
+/// The file that a request's address stands for, relative to the folder; none where it might lead
+/// out of it.
 fn file_of(url: &str) -> Option<PathBuf> {
     let path = url.split(['?', '#']).next()?.strip_prefix('/')?;
     let path = percent_decode_str(path).decode_utf8().ok()?;

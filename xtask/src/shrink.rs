@@ -18,7 +18,8 @@ const NPM_PACKAGES: [&str; 2] = ["binaryen@132", "binaryen"];
 /// What rustc turns on for WebAssembly, and simd, which the demo turns on: all of it must stay.
 const ARGUMENTS: [&str; 9] = [
     "-O3",
-    // Loops that are functions of their own stay so: the module is smaller, made in half the time, and no slower.
+    // Loops that are functions of their own stay so: the module is smaller, made in half the time,
+    // and no slower.
     "--one-caller-inline-max-function-size=40",
     "--enable-simd",
     "--enable-bulk-memory",
@@ -29,7 +30,8 @@ const ARGUMENTS: [&str; 9] = [
     "--enable-reference-types",
 ];
 
-/// Shrinks the module in place. A demo without `wasm-opt` is only larger, so its absence is told and borne.
+/// Shrinks the module in place. Without `wasm-opt` the demo is only larger, so its absence is
+/// reported and is no error.
 pub(crate) fn shrink(module: &Path, progress: &Progress) -> Result<()> {
     let full = sizes(module)?;
     let Some(wasm_opt) = find(progress) else {

@@ -22,7 +22,8 @@ pub(crate) fn views() -> impl Iterator<Item = &'static str> {
     links.filter_map(|link| Some(link.split_once('"')?.0))
 }
 
-/// Builds the demo into `target/demo`: the page from `wasm-demo/web`, the price list, the bindings in `pkg`.
+/// Builds the demo into `target/demo`: the page from `wasm-demo/web`, the price list, the bindings
+/// in `pkg`.
 pub(crate) fn build(progress: &Progress) -> Result<PathBuf> {
     let module = wasm::DEMO.compile(progress)?;
     let site = project::target().join("demo");
@@ -37,8 +38,8 @@ pub(crate) fn build(progress: &Progress) -> Result<PathBuf> {
     Ok(site)
 }
 
-/// Fills a new folder beside one that may be in use, and puts it in its place when it is complete. Whoever does the same
-/// at the same time waits.
+/// Fills a new folder beside one that may be in use, and puts it in its place when it is complete.
+/// Whoever does the same at the same time waits.
 fn renew(folder: &Path, fill: impl FnOnce(&Path) -> Result<()>) -> Result<()> {
     let [new, old, lock] = ["new", "old", "lock"].map(|extension| folder.with_extension(extension));
     let lock = File::create(&lock).with_context(|| format!("cannot write {}", lock.display()))?;
@@ -67,8 +68,8 @@ fn renew(folder: &Path, fill: impl FnOnce(&Path) -> Result<()>) -> Result<()> {
     Ok(())
 }
 
-/// Copies the price list, or writes `null` where none was measured: the page asks for it either way, and a file
-/// that is missing would be an error on its console.
+/// Copies the price list, or writes `null` if none was measured. The page requests the list in both
+/// cases, and a missing file would be an error on its console.
 fn copy_price_list(from: &Path, to: &Path) -> Result<()> {
     let (list, copy) = (from.join(PRICE_LIST), to.join(PRICE_LIST));
     if list.exists() {

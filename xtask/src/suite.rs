@@ -25,7 +25,8 @@ pub(crate) struct Suite {
 /// How many of the slowest steps are listed.
 const SLOWEST: usize = 10;
 
-/// The processor time in seconds of all processes that have ended, where the system tells it in `/proc`.
+/// The processor time in seconds of all processes that have ended, where the system tells it in
+/// `/proc`.
 fn processor_seconds() -> Option<f64> {
     /// What Linux counts in, on every processor that it runs on.
     const TICKS_A_SECOND: f64 = 100.0;
@@ -100,7 +101,8 @@ impl Suite {
         outcome.ok().map(|(value, _)| value)
     }
 
-    /// Runs steps beside others, which one processor alone can be busy with. Each is told of when it has ended.
+    /// Runs two groups of steps in parallel, for steps that keep only one processor busy. Each step
+    /// is reported when it has ended.
     pub(crate) fn side_by_side(
         &mut self,
         these: impl FnOnce(&mut Self),

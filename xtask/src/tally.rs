@@ -3,7 +3,7 @@
 use std::fmt;
 use std::ops::AddAssign;
 
-/// So many passed, so many failed. There is no third: what was not run has not passed.
+/// Numbers of passed and failed tests. A test that did not run counts in neither.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Tally {
     pub(crate) passed: u64,
@@ -14,7 +14,8 @@ impl Tally {
     pub(crate) const PASSED: Self = Self { passed: 1, failed: 0 };
     pub(crate) const FAILED: Self = Self { passed: 0, failed: 1 };
 
-    /// Adds up the `test result:` lines of `cargo test`. An ignored test counts as failed: it was promised, not run.
+    /// Adds up the `test result:` lines of `cargo test`. An ignored test counts as failed: it was
+    /// promised, not run.
     pub(crate) fn of_cargo_test(output: &str) -> Self {
         let mut tally = Self::default();
         for line in output.lines().filter_map(|line| line.trim_start().strip_prefix("test result: ")) {

@@ -76,7 +76,8 @@ fn host(suite: &mut Suite, full: bool) {
     browser(suite);
 }
 
-/// What is linked: its licences and sources, and the oldest versions that the manifest of the kernel allows.
+/// What is linked: its licences and sources, and the oldest versions that the manifest of the
+/// kernel allows.
 fn dependencies(suite: &mut Suite) {
     suite.step("dependencies: licences, bans and sources", |progress| {
         let mut deny = Command::new(install::cargo_program("cargo-deny", progress)?);

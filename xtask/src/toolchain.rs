@@ -1,8 +1,9 @@
 //! Finding a way to compile for a target whose standard library may not be installed.
 //!
-//! First choice is an installed standard library. Without one, the library is built from its source, which needs a
-//! compiler that has the source beside it: the active one, or the distribution's. That compiler is never asked of
-//! rustup: what a user's rustup holds is the user's business.
+//! First choice is an installed standard library. Without one, the library is built from its
+//! source, which needs a compiler that has the source beside it: the active one, or the
+//! distribution's. That compiler is never asked of rustup: what a user's rustup holds is the user's
+//! business.
 
 use std::env;
 use std::iter;
@@ -53,8 +54,8 @@ impl Toolchain {
         )
     }
 
-    /// A `cargo build` for the target. `library` names what a library built from source must hold, such as
-    /// `core,alloc`; `flags` are the compiler's.
+    /// A `cargo build` for the target. `library` names what a library built from source must hold,
+    /// such as `core,alloc`; `flags` are the compiler's.
     pub(crate) fn cargo_build(&self, library: &str, flags: &[&str]) -> Command {
         self.cargo("build", &[], library, flags)
     }
@@ -64,8 +65,8 @@ impl Toolchain {
         self.cargo("check", &[], library, &[])
     }
 
-    /// The same for many targets: as few calls as there are ways to have their libraries, each of which builds for its
-    /// targets side by side.
+    /// The same for many targets: as few calls as there are ways to have their libraries, each of
+    /// which builds for its targets side by side.
     pub(crate) fn cargo_builds(toolchains: &[Self], library: &str, flags: &[&str]) -> Vec<Command> {
         let groups = toolchains.chunk_by(|one, next| one.library == next.library);
         let build = |group: &[Self]| {
@@ -164,7 +165,8 @@ fn rustc_with_source() -> Option<PathBuf> {
     })
 }
 
-/// rustup's own linker where it is, else the system's. A compiler from a distribution may come without one.
+/// rustup's own linker where it is, else the system's. A compiler from a distribution may come
+/// without one.
 fn linker(target: &str) -> Option<PathBuf> {
     let bundled = || {
         let sysroot = print(&active_rustc(), &["sysroot"])?;

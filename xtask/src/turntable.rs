@@ -10,7 +10,7 @@ pub(crate) const SCENE: &str = "turntable";
 /// What hangs above the turntable.
 pub(crate) struct Load {
     pub(crate) name: &'static str,
-    /// What is asked of the page's meter for it.
+    /// Arguments of the page's meter for this load.
     options: &'static str,
 }
 
@@ -21,11 +21,11 @@ pub(crate) static LOADS: [Load; 3] = [
     Load { name: "32 spots", options: "{ spots: 32 }" },
 ];
 
-/// The median of so many frames, in milliseconds; nothing where nothing was drawn.
+/// Median frame times in milliseconds; `None` where nothing was drawn.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Frame {
     pub(crate) at_rest: Option<f64>,
-    /// With a camera that turns, so that the geometry is drawn anew.
+    /// With a turning camera, so that the geometry is redrawn.
     pub(crate) moving: Option<f64>,
 }
 

@@ -57,7 +57,8 @@ impl Package {
         let bound = Bindgen::new()
             .input_path(module)
             .web(true)
-            // The page calls `init()` without a path, so the bindings must know where their module is.
+            // The page calls `init()` without a path, so the bindings must know where their module
+            // is.
             .and_then(|bindgen| bindgen.omit_default_module_path(false).typescript(false).generate(folder));
         bound.with_context(|| format!("wasm-bindgen cannot make bindings for {}", module.display()))?;
         step.done();

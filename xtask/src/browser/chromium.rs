@@ -100,7 +100,8 @@ impl Chromium {
 
 impl Drop for Chromium {
     fn drop(&mut self) {
-        // Asked politely, it ends its helpers too; a refusal does not matter, for it is killed if it stays.
+        // Asked politely, it ends its helpers too; a refusal does not matter, for it is killed if
+        // it stays.
         let _ = self.devtools.call("Browser.close", json!({}));
         end(&mut self.process);
     }

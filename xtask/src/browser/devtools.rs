@@ -1,4 +1,5 @@
-//! A connection to one page or browser by the DevTools protocol: numbered calls, and events in between.
+//! A connection to one page or browser by the DevTools protocol: numbered calls, and events in
+//! between.
 
 use std::io;
 use std::net::{Ipv4Addr, TcpStream};
@@ -8,7 +9,7 @@ use anyhow::{Context, Result, anyhow, bail};
 use serde_json::{Value, json};
 use tungstenite::{Message, WebSocket};
 
-/// Nothing that is asked of a page takes longer, even on a busy machine.
+/// Upper bound of the time of any call to a page, even on a busy machine.
 const PATIENCE: Duration = Duration::from_secs(300);
 
 pub(crate) struct DevTools {

@@ -1,7 +1,8 @@
 //! A real browser, driven over the DevTools protocol, and the tests that run in it.
 //!
-//! The protocol's client is written here on a WebSocket and JSON: a handful of the protocol's methods are needed,
-//! and a crate with all of them would take longer to compile than the rest of this program.
+//! The protocol's client is written here on a WebSocket and JSON: a handful of the protocol's
+//! methods are needed, and a crate with all of them would take longer to compile than the rest of
+//! this program.
 
 mod chromium;
 mod devtools;

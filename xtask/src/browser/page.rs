@@ -180,7 +180,7 @@ impl Page {
         BASE64_STANDARD.decode(data).context("Chromium's screenshot is not base64")
     }
 
-    /// The addresses of everything that the page has asked for.
+    /// Returns the addresses of all requests that the page has made.
     pub(crate) fn requests(&mut self) -> Result<&[String]> {
         self.sort_events()?;
         Ok(&self.requests)

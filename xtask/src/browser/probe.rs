@@ -39,7 +39,8 @@ impl Page {
         Ok((point["x"].as_f64().context("no x")?, point["y"].as_f64().context("no y")?))
     }
 
-    /// Enters a value, as a visitor does who types, slides or chooses, and waits for what comes of it.
+    /// Enters a value, as a visitor does who types, slides or chooses, and waits for what comes of
+    /// it.
     pub(crate) fn enter(&mut self, id: &str, value: impl Display) -> Result<()> {
         self.ask(&format!("probe.enter('{id}', {})", json!(value.to_string())))?;
         self.settle()

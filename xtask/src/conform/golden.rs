@@ -13,7 +13,7 @@ use crate::command;
 use crate::progress::Progress;
 use crate::project;
 
-/// So many cases that changed are shown.
+/// Maximum number of changed cases that are printed.
 const SHOWN: usize = 5;
 
 /// The folder that the file is in.
@@ -43,7 +43,8 @@ pub(crate) fn bless(progress: &Progress) -> Result<String> {
     Ok(changes(&former, &file))
 }
 
-/// What is different between two files: cases of the same inputs with other outputs, new cases, and lost ones.
+/// What is different between two files: cases of the same inputs with other outputs, new cases, and
+/// lost ones.
 fn changes(former: &str, file: &str) -> String {
     let old: BTreeMap<_, _> = rows(former).collect();
     let new: BTreeMap<_, _> = rows(file).collect();

@@ -1,4 +1,4 @@
-//! `cargo xtask conform`: the conformance vectors, checked on every target or written anew.
+//! `cargo xtask conform`: the conformance vectors, checked on every target or rewritten.
 
 mod golden;
 mod page;
@@ -16,7 +16,8 @@ pub(crate) use target::Target;
 /// The options of `conform`.
 #[derive(Debug, Default, PartialEq, clap::Args)]
 pub(crate) struct ConformOptions {
-    /// Check this one only: host, wasm, cortex-m0, cortex-m3, cortex-m4f or rv32imc; may be repeated
+    /// Check this one only: host, wasm, cortex-m0, cortex-m3, cortex-m4f or rv32imc; may be
+    /// repeated
     #[arg(long = "target", value_name = "NAME", value_parser = Targets::named)]
     pub(crate) targets: Vec<Targets>,
     /// Write the vectors again as the host computes them, and print what changed

@@ -93,7 +93,7 @@ impl Target {
 }
 
 impl Report {
-    /// Reads what a check prints, of a file with so many cases.
+    /// Reads the output of a check of a file with `cases` cases.
     fn read(output: &str, cases: usize) -> Result<Self> {
         let output = output.trim_end();
         let (told, count) = output.rsplit_once('\n').unwrap_or(("", output));
@@ -127,7 +127,7 @@ fn on_a_board(board: &'static Board, progress: &Progress) -> Result<String> {
     emulator.run_in(&golden::folder(), &toolchain.artifacts(profile).join("conform"))
 }
 
-/// Builds the check for each board, so that it is there when it is asked for.
+/// Builds the check for each board in advance.
 pub(super) fn build_for_boards(boards: &[&Board], progress: &Progress) -> Result<()> {
     for group in boards.chunk_by(|one, next| profile(one) == profile(next)) {
         laboratory::build_for_all(group, &arguments(profile(group[0])), progress)?;
@@ -135,7 +135,7 @@ pub(super) fn build_for_boards(boards: &[&Board], progress: &Progress) -> Result
     Ok(())
 }
 
-/// What cargo is told to build for a board.
+/// Arguments of cargo for a profile.
 fn arguments(profile: &str) -> [&str; 6] {
     ["--profile", profile, "--bin", "conform", "--features", "conform"]
 }

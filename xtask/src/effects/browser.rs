@@ -12,7 +12,7 @@ use crate::server::{self, Server};
 use crate::site;
 use crate::turntable::{self, LOADS, Load};
 
-/// The times of a browser, which nothing is held to.
+/// Times in a browser. They are recorded only: no check compares them.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub(super) struct Browser {
     pub(super) runs_on: String,
@@ -41,7 +41,7 @@ pub(super) struct Frame {
 struct Trial {
     effect: Effect,
     scene: &'static str,
-    /// What is asked of the page's meter for the picture with the effect, and for the one without.
+    /// Arguments of the page's meter, with the effect and without it.
     options: [&'static str; 2],
 }
 
@@ -53,7 +53,8 @@ static TRIALS: [Trial; 5] = [
     Trial { effect: Effect::Dither, scene: "turntable", options: ["{ with: ['dither'] }", "{}"] },
 ];
 
-/// The median of so many frames counts, in the quickest of so many rounds: other work seldom disturbs all of them.
+/// A time is the median of `FRAMES` frames in the quickest of `ROUNDS` rounds: other work seldom
+/// disturbs all rounds.
 const FRAMES: u32 = 15;
 const ROUNDS: usize = 3;
 

@@ -30,7 +30,7 @@ pub(crate) struct Entry {
     pub(super) effects: Effects,
     /// The program that lacks them, and nothing else.
     pub(super) over: Option<&'static str>,
-    /// What it is, and when a scene calls for it.
+    /// What the effect is, and when a scene requires it.
     pub(super) what: &'static str,
 }
 
@@ -71,7 +71,8 @@ fn falloffs() -> Vec<Entry> {
     luminaire::constant_falloffs!(rows)
 }
 
-/// The soft spotlight with each attenuation. One that ends the inverse square is told from it.
+/// The soft spotlight with each attenuation. One that ends the inverse square is compared with the
+/// plain inverse square.
 fn attenuations() -> Vec<Entry> {
     fn row<A: Attenuation>(
         names: (&'static str, &'static str, &'static str),

@@ -1,5 +1,5 @@
-//! What is made of the prices: the record and the page. Nothing else decides on their text, so that they can be compared
-//! with it.
+//! What is made of the prices: the record and the page. Nothing else decides on their text, so that
+//! they can be compared with it.
 
 use std::path::PathBuf;
 

@@ -47,7 +47,8 @@ pub(crate) static ALL: [Board; 4] = [
     },
 ];
 
-/// The processors that the quick tests build for: the smallest, and one that computes floats. The long ones build for all.
+/// The processors that the quick tests build for: the smallest, and one that computes floats. The
+/// long ones build for all.
 const QUICK: [&str; 2] = ["cortex-m0", "cortex-m4f"];
 
 /// The boards that tests run on.

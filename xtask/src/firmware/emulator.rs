@@ -14,7 +14,8 @@ use super::package;
 use crate::command;
 use crate::progress::Progress;
 
-/// The longest that firmware may run, on a busy machine: a processor that has crashed loops for ever.
+/// The longest that firmware may run, on a busy machine: a processor that has crashed loops for
+/// ever.
 const PATIENCE: Duration = Duration::from_secs(600);
 
 /// An emulator that can play a board.
@@ -42,12 +43,14 @@ impl Emulator {
         format!("QEMU {major}.{minor}, {}", self.machine.join(" "))
     }
 
-    /// Whether this QEMU wants its plugins written for version 3 of the interface, as 9.1 and later do.
+    /// Whether this QEMU wants its plugins written for version 3 of the interface, as 9.1 and later
+    /// do.
     pub(crate) fn wants_api_3(&self) -> bool {
         self.version >= (9, 1)
     }
 
-    /// Runs firmware with the counter in place, which writes to the file `counts`. Returns what the firmware prints.
+    /// Runs firmware with the counter in place, which writes to the file `counts`. Returns what the
+    /// firmware prints.
     pub(crate) fn run(&self, firmware: &Path, counter: &Path, counts: &Path) -> Result<String> {
         // What an earlier run left must not pass for this one's.
         match fs::remove_file(counts) {
@@ -63,7 +66,8 @@ impl Emulator {
         output(qemu)
     }
 
-    /// Runs firmware without a counter, in a folder whose files it may read. Returns what the firmware prints.
+    /// Runs firmware without a counter, in a folder whose files it may read. Returns what the
+    /// firmware prints.
     pub(crate) fn run_in(&self, folder: &Path, firmware: &Path) -> Result<String> {
         let mut qemu = self.command(firmware);
         qemu.current_dir(folder);

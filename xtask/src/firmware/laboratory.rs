@@ -85,7 +85,8 @@ impl Laboratory {
     }
 }
 
-/// What a firmware program prints when it is compiled for the host, where its results are right by definition.
+/// What a firmware program prints when it is compiled for the host, where its results are right by
+/// definition.
 pub(crate) fn on_the_host(name: &str, progress: &Progress) -> Result<Vec<String>> {
     on_the_host_with(name, &[], progress)
 }
@@ -116,11 +117,11 @@ pub(crate) fn build(board: &Board, arguments: &[&str], progress: &Progress) -> R
     Ok(toolchain)
 }
 
-/// Builds firmware for many boards side by side: each program is linked by one processor, and so is each board's library, so
-/// that board after board the others would have nothing to do.
+/// Builds firmware for many boards side by side: each program is linked by one processor, and so is
+/// each board's library, so that board after board the others would have nothing to do.
 pub(crate) fn build_for_all(boards: &[&Board], arguments: &[&str], progress: &Progress) -> Result<()> {
-    // Of what their start-up macros ask for, cargo gives all that any board of a call asks for to each of them: with one
-    // of another make they would be built anew when they are built alone.
+    // Cargo unifies the features that the start-up macros of all boards in a call require. After a
+    // call with boards of two makes, building one board alone would compile everything again.
     for boards in boards.chunk_by(|one, next| one.emulator == next.emulator) {
         let toolchains = boards.iter().map(|board| Toolchain::find(board.target, progress));
         for mut build in Toolchain::cargo_builds(&toolchains.collect::<Result<Vec<_>>>()?, "core", &[]) {

@@ -1,4 +1,5 @@
-//! `cargo xtask firmware`: what the kernels cost on microcontrollers, in exact numbers of instructions.
+//! `cargo xtask firmware`: what the kernels cost on microcontrollers, in exact numbers of
+//! instructions.
 
 pub(crate) mod board;
 mod cost;

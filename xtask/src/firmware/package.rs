@@ -37,8 +37,9 @@ fn folder() -> PathBuf {
     project::target().join("tools/qemu")
 }
 
-/// Unpacks the packages instead of installing them. Where `qemu-utils` is of another release, the two claim the same
-/// files, and an attempt to install would leave the machine's packages in disorder.
+/// Unpacks the packages instead of installing them. Where `qemu-utils` is of another release, the
+/// two claim the same files, and an attempt to install would leave the machine's packages in
+/// disorder.
 fn unpack(folder: &Path, progress: &Progress) -> Result<()> {
     let step = progress.begin("Unpacking", "Debian packages of QEMU into target/tools/qemu");
     fs::create_dir_all(folder).with_context(|| format!("cannot create {}", folder.display()))?;
@@ -68,8 +69,8 @@ fn unpack(folder: &Path, progress: &Progress) -> Result<()> {
     Ok(())
 }
 
-/// The packages in a list such as `libc6 (>= 2.34), libfdt1 | libfdt2, qemu-system-common (= 7.2)`, the first of each
-/// choice, without those that we unpack ourselves.
+/// The packages in a list such as `libc6 (>= 2.34), libfdt1 | libfdt2, qemu-system-common (= 7.2)`,
+/// the first of each choice, without those that we unpack ourselves.
 fn names(depends: &str) -> impl Iterator<Item = String> {
     let names = depends.split(',').filter_map(|choice| choice.split_whitespace().next());
     names.filter(|name| !PACKAGES.contains(name)).map(str::to_owned)

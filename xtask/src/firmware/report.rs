@@ -14,8 +14,8 @@ pub(crate) struct Report {
 /// The kernel that the others are compared with: what a falloff costs by the textbook.
 const RIVAL: &str = "powf-libm.rival";
 
-/// One line for each kernel and format, three columns for each board: the instructions of an average call, how many
-/// such calls are the price of one `powf`, and the bytes of code.
+/// One line for each kernel and format, three columns for each board: the instructions of an
+/// average call, how many such calls are the price of one `powf`, and the bytes of code.
 impl fmt::Display for Report {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         let mut heads = [String::new(), String::new(), String::new()];

@@ -54,14 +54,16 @@ impl Symbols {
     }
 }
 
-/// The compiler in the texts of a program's comment, such as `rustc version 1.96.0 (ac68faa20 2026-05-25)`.
+/// The compiler in the texts of a program's comment, such as
+/// `rustc version 1.96.0 (ac68faa20 2026-05-25)`.
 fn compiler(comment: &[u8]) -> Option<String> {
     let mut texts = comment.split(|byte| *byte == 0).filter_map(|text| str::from_utf8(text).ok());
     let version = texts.find_map(|text| text.strip_prefix("rustc version "))?;
     Some(format!("rustc {}", version.split(' ').next()?))
 }
 
-/// A function's name without the types that it is compiled for: of a number format they fill a page.
+/// A function's name without the types that it is compiled for: of a number format they fill a
+/// page.
 fn short(name: &str) -> String {
     name.split("::<").next().unwrap_or(name).to_owned()
 }

@@ -10,8 +10,8 @@ use crate::size::effects::write_programs;
 use crate::suite::Suite;
 use crate::tally::Tally;
 
-/// Adds the steps: format, lints and the firmware's own tests on the host, and for each board that the counter counts right and that
-/// the results are the host's.
+/// Adds the steps: format, lints and the firmware's own tests on the host, and for each board that
+/// the counter counts right and that the results are the host's.
 pub(crate) fn run(suite: &mut Suite, boards: &[&'static Board]) {
     suite.step("firmware: cargo fmt", |progress| {
         let mut cargo = laboratory::firmware(command::cargo("fmt"));
@@ -44,7 +44,8 @@ pub(crate) fn run(suite: &mut Suite, boards: &[&'static Board]) {
     }
 }
 
-/// Known numbers of instructions are counted as such, and every run counts the same at every address.
+/// Known numbers of instructions are counted as such, and every run counts the same at every
+/// address.
 fn instrument(laboratory: &Laboratory) -> Result<()> {
     let run = laboratory.run("instrument")?;
     ensure!(!run.lines.is_empty(), "the firmware has printed nothing");

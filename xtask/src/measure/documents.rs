@@ -1,5 +1,5 @@
-//! What is made of the price list: the list itself, the page, the pictures and the README's part. Nothing else decides on
-//! their text, so that they can be compared with it.
+//! What is made of the price list: the list itself, the page, the pictures and the README's part.
+//! Nothing else decides on their text, so that they can be compared with it.
 
 use std::fs;
 use std::path::PathBuf;

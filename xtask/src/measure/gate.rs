@@ -15,7 +15,8 @@ pub(crate) struct Verdict {
     pub(crate) remarks: Vec<String>,
 }
 
-/// Compares a list with a new one: rows that are gone or new, errors, and the counts of the targets `counted`.
+/// Compares a list with a new one: rows that are gone or new, errors, and the counts of the targets
+/// `counted`.
 pub(crate) fn compare(old: &PriceList, new: &PriceList, counted: &[&str]) -> Verdict {
     let mut verdict = Verdict::default();
     let mut leeway = Vec::new();

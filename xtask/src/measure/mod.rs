@@ -69,8 +69,8 @@ pub(crate) fn run(options: &MeasureOptions) -> Result<()> {
     Ok(())
 }
 
-/// Compares errors and counts with the list, and the documents with what would be made of it. Times are left alone. Answers
-/// what a reader should know of a comparison that has passed.
+/// Compares errors and counts with the list, and the documents with what would be made of it. Times
+/// are left alone. Answers what a reader should know of a comparison that has passed.
 pub(crate) fn check(targets: &[Target], progress: &Progress) -> Result<Vec<String>> {
     let old = PriceList::load()?.context("there is no price list: `cargo xtask measure` makes one")?;
     let chosen = |target: &Target| targets.is_empty() || targets.contains(target);
@@ -93,7 +93,8 @@ fn counted(targets: &[Target]) -> Vec<&'static str> {
     targets.iter().filter(|target| matches!(target, Target::Board(_))).map(Target::name).collect()
 }
 
-/// A list with the errors of now, the costs of now on these targets, and the old ones on the others.
+/// A list with the errors of now, the costs of now on these targets, and the old ones on the
+/// others.
 fn measure(old: Option<&PriceList>, targets: &[Target], progress: &Progress) -> Result<PriceList> {
     let mut list = with_errors(progress)?;
     if let Some(old) = old {

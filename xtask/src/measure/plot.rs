@@ -27,7 +27,7 @@ struct Mark {
     format: String,
     /// Whether it does what the frontier is drawn of: a soft edge, without distance or highlight.
     is_subject: bool,
-    /// What stands beside it, and what a pointer over it is told.
+    /// Text beside the point, and `title`, the text of its tooltip.
     label: Option<String>,
     title: String,
 }
@@ -59,7 +59,8 @@ pub(crate) fn draw(list: &PriceList, target: &Target) -> String {
     svg + "</svg>\n"
 }
 
-/// The kernels of a stage that have an error and a cost. The loop that does nothing is none, and what is rejected errs not.
+/// The kernels of a stage that have an error and a cost. The loop that does nothing is none, and
+/// what is rejected errs not.
 fn marks(list: &PriceList, target: &Target, stage: &str) -> Vec<Mark> {
     let rows = list.rows.iter().filter(|row| row.stage == stage && row.kernel != "clamp");
     rows.filter_map(|row| {
@@ -137,8 +138,8 @@ fn panel(marks: &[Mark], sides: (f64, f64), vertical: &Axis, name: &str, target:
     svg
 }
 
-/// The corners of the frontier of soft edges and rivals, as stairs: whoever pays more gets nothing better until the next
-/// step.
+/// The corners of the frontier of soft edges and rivals, as stairs: whoever pays more gets nothing
+/// better until the next step.
 fn corners(marks: &[Mark], places: &[(f64, f64)]) -> Vec<(f64, f64)> {
     let subjects: Vec<_> = marks.iter().zip(places).filter(|(mark, _)| mark.is_subject).collect();
     let points: Vec<_> = subjects.iter().map(|(mark, _)| (mark.cost, mark.error)).collect();

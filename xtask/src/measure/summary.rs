@@ -10,7 +10,7 @@ use super::{documents, figures};
 const BEGIN: &str = "<!-- prices: written by `cargo xtask measure` -->\n";
 const END: &str = "<!-- end of prices -->\n";
 
-/// The rows, with what they are called for people.
+/// The rows, and their titles in the README.
 const ROWS: [(&str, &str); 4] = [
     ("soft.fx16", "soft edge, `Fx16`"),
     ("powf-libm.rival", "power of the cosine, libm's `powf`"),
@@ -24,7 +24,7 @@ const NARROW: f64 = 1.0;
 /// The target of the picture.
 const PICTURE: &str = "cortex-m0";
 
-/// The README with its part written anew.
+/// Returns the README with the part between the markers replaced.
 pub(super) fn replaced(readme: &str, list: &PriceList) -> Result<String> {
     let (before, rest) = readme.split_once(BEGIN).context("the line where the prices begin is missing")?;
     let (_, after) = rest.split_once(END).context("the line where the prices end is missing")?;

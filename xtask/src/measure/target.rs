@@ -53,7 +53,7 @@ impl Target {
         }
     }
 
-    /// What the costs are told in.
+    /// The unit of the costs.
     pub(crate) fn unit(&self) -> &'static str {
         match self {
             Self::Board(_) => "instructions",

@@ -27,7 +27,8 @@ pub(crate) struct Times {
     pub(crate) sum: String,
 }
 
-/// Reads a line such as `accuracy falloff fx16 soft 15 2.3e-2 1.5e0 2.741 4.7e-3 1.8e-2 exhaustive`.
+/// Reads a line such as
+/// `accuracy falloff fx16 soft 15 2.3e-2 1.5e0 2.741 4.7e-3 1.8e-2 exhaustive`.
 pub(crate) fn accuracy(line: &str) -> Result<(Kernel, Cone)> {
     let read = || -> Result<_> {
         let (kernel, rest) = kernel("accuracy", line)?;

@@ -72,7 +72,8 @@ fn answer_to(mut stream: TcpStream) -> String {
     answer
 }
 
-/// Sends anything, and answers the status of what comes back; nothing where the connection is closed.
+/// Sends anything, and answers the status of what comes back; nothing where the connection is
+/// closed.
 fn send(server: &Server, bytes: &[u8]) -> String {
     let mut stream = connect(server);
     stream.write_all(bytes).unwrap();

@@ -19,7 +19,8 @@ const PROFILE: &str = "size";
 pub(crate) const EMPTY: &str = "empty";
 /// The program that evaluates every light at a point, to show that nothing panics.
 pub(crate) const EVERYTHING: &str = "everything";
-/// The programs that call every function between them, to show that nothing panics. What they share is in the module `raw`.
+/// The programs that call every function between them, to show that nothing panics. What they share
+/// is in the module `raw`.
 pub(crate) const PROOFS: [&str; 5] = [EVERYTHING, "any_light", "batches", "seam", "setup"];
 /// The program that would have more effects if its constants said so.
 pub(crate) const UNUSED: &str = "unused";
@@ -76,7 +77,7 @@ impl Effects {
         Self::cargo(board, format, &programs, progress)
     }
 
-    /// Builds one program for each board, so that it is there when it is asked for.
+    /// Builds one program for each board in advance.
     pub(crate) fn build_one_for_all(
         format: Format,
         name: &str,
@@ -93,7 +94,7 @@ impl Effects {
         Ok(Self { folder: toolchain.artifacts(PROFILE) })
     }
 
-    /// What cargo is told to build.
+    /// Arguments of cargo that select what it builds.
     fn arguments<'a>(format: Format, programs: &[&'a str]) -> Vec<&'a str> {
         [&["--profile", PROFILE, "--package", "luminaire-effects"], programs, format.features()].concat()
     }
@@ -103,7 +104,8 @@ impl Effects {
         Program::read(&self.folder.join(name))
     }
 
-    /// The effects in the order of their names, each with the bytes that its program has over the empty one.
+    /// The effects in the order of their names, each with the bytes that its program has over the
+    /// empty one.
     pub(crate) fn bytes(&self) -> Result<Vec<(String, u64)>> {
         let empty = self.program(EMPTY)?.bytes;
         let mut effects = Vec::new();
@@ -133,7 +135,8 @@ fn file_name(program: &str) -> String {
     program.replace('-', "_")
 }
 
-/// Writes the source files of the programs, where they are not as they should be, and removes any other.
+/// Writes the source files of the programs, where they are not as they should be, and removes any
+/// other.
 pub(crate) fn write_programs() -> Result<()> {
     let folder = project::root().join("firmware/effects/src/bin");
     let failed = || format!("cannot write to {}", folder.display());

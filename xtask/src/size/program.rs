@@ -48,8 +48,9 @@ fn is_in_flash(flags: SectionFlags) -> bool {
     matches!(flags, SectionFlags::Elf { sh_type, sh_flags } if sh_flags.contains(SHF_ALLOC) && sh_type != SHT_NOBITS)
 }
 
-/// Whether this is one of the compiler's functions for floats on a processor without them: of Arm's run-time ABI
-/// (`__aeabi_fadd`, `__aeabi_i2f`, `__aeabi_cdcmple`), or of GCC's (`__addsf3`, `__floatsisf`), or what they call.
+/// Whether this is one of the compiler's functions for floats on a processor without them: of Arm's
+/// run-time ABI (`__aeabi_fadd`, `__aeabi_i2f`, `__aeabi_cdcmple`), or of GCC's (`__addsf3`,
+/// `__floatsisf`), or what they call.
 fn is_float(name: &str) -> bool {
     if let Some(arm) = name.strip_prefix("__aeabi_") {
         return arm.starts_with(['f', 'd'])

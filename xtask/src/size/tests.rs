@@ -1,4 +1,5 @@
-//! The part of `cargo xtask test` that reads linked programs: no float, no panic, no heap, and no byte for nothing.
+//! The part of `cargo xtask test` that reads linked programs: no float, no panic, no heap, and no
+//! byte for nothing.
 
 use anyhow::{Result, ensure};
 
@@ -9,7 +10,8 @@ use crate::firmware::{Board, board};
 use crate::progress::Progress;
 use crate::suite::Suite;
 
-/// The most that a soft spotlight with Lambert's cosine may take in 16 bits on the smallest processor.
+/// The most that a soft spotlight with Lambert's cosine may take in 16 bits on the smallest
+/// processor.
 const BUDGET: u64 = 1920;
 
 /// Adds the steps.

@@ -5,7 +5,8 @@ use anyhow::{Result, ensure};
 use super::Visitor;
 use crate::browser::Page;
 
-/// A browser that takes a hundred addresses in ten seconds, as Safari does, of which most have been taken.
+/// A browser that takes a hundred addresses in ten seconds, as Safari does, of which most have been
+/// taken.
 const LIMITED: &str = "{
     const write = history.replaceState.bind(history);
     let left = 5;

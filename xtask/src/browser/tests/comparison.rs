@@ -1,4 +1,4 @@
-//! The comparison: what each form errs, and how it is told.
+//! The comparison: the error of each form, and how the page reports it.
 
 use anyhow::{Context, Result, ensure};
 use serde_json::Value;
@@ -49,7 +49,8 @@ pub(super) fn narrow_beam_parts_the_forms(visitor: &mut Visitor) -> Result<()> {
     page.must_be_content()
 }
 
-/// Every form, at both ends of the slider and between: a picture or a refusal in words, and no panic.
+/// Every form, at both ends of the slider and between: a picture or a refusal in words, and no
+/// panic.
 pub(super) fn every_form_answers_every_angle(visitor: &mut Visitor) -> Result<()> {
     let mut page = visitor.ready_at("#compare")?;
     let forms = page.ask("probe.options('form-0')")?;
@@ -208,7 +209,7 @@ pub(super) fn prices_stand_beside_the_errors(visitor: &mut Visitor) -> Result<()
     page.enter("form-0", "powf")?;
     let costs = cells(&mut page, "#costs tr")?;
     ensure!(costs.contains("Cortex-M0\t9,905\t428"), "the costs are {costs:?}");
-    // And it is another curve, so that its errors compare with nothing.
+    // The curve differs, too, so that the errors cannot be compared.
     let verdict = page.message("verdict")?;
     ensure!(
         verdict.contains("not the same curve") && !verdict.contains("less than"),
@@ -269,7 +270,7 @@ fn brightness(page: &mut Page, side: usize) -> Result<(f64, f64)> {
 }
 
 impl Page {
-    /// Does something that must draw the comparison anew.
+    /// Does something that must redraw the comparison.
     fn change_comparison(&mut self, what: &str, act: impl FnOnce(&mut Self) -> Result<()>) -> Result<()> {
         let drawn = self.number("luminaire.drawn")?;
         act(self)?;

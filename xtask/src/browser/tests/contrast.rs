@@ -1,4 +1,5 @@
-//! A visitor who has chosen the colours of all pages still sees what is on, what is chosen, and where a slider stands.
+//! A visitor who has chosen the colours of all pages still sees what is on, what is chosen, and
+//! where a slider stands.
 
 use std::collections::BTreeSet;
 use std::io::Cursor;

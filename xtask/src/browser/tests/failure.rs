@@ -1,5 +1,5 @@
-//! What fails is told, and stops no more than depends on it. The page may complain on the console, too; what counts is
-//! what is visible.
+//! Failures are reported on the page and stop only what depends on them. The page may also write to
+//! the console; the tests look at what is visible.
 
 use anyhow::{Result, ensure};
 

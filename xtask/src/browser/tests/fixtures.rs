@@ -4,7 +4,7 @@ use anyhow::{Context, Result, ensure};
 
 use super::Visitor;
 
-/// So many of a long list are tried, evenly spread over it.
+/// Number of fixtures that are tested, evenly spread over the list.
 const SAMPLE: usize = 8;
 
 pub(super) fn can_be_chosen(visitor: &mut Visitor) -> Result<()> {

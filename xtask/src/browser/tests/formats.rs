@@ -5,7 +5,8 @@ use anyhow::{Result, ensure};
 use super::Visitor;
 use crate::browser::Page;
 
-/// A format that differs more than this would be no picture of the same scene, whatever the page states.
+/// A format that differs more than this would be no picture of the same scene, whatever the page
+/// states.
 const TOLERABLE: f64 = 64.0;
 
 pub(super) fn agree(visitor: &mut Visitor) -> Result<()> {

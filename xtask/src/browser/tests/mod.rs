@@ -119,7 +119,8 @@ impl Visitor {
         Ok(page)
     }
 
-    /// Opens the page in a browser that `script` has made worse, and waits until the page has given up.
+    /// Opens the page in a browser that `script` has made worse, and waits until the page has given
+    /// up.
     fn failed(&mut self, script: &str) -> Result<Page> {
         let mut page = self.chromium.open(&self.address, script)?;
         let state = page.state()?;

@@ -11,7 +11,8 @@ pub(super) fn becomes_ready(visitor: &mut Visitor) -> Result<()> {
     page.must_be_content()
 }
 
-/// The difference to the picture with every light switched off is what the lights do; the rest is ambient.
+/// The difference to the picture with every light switched off is what the lights do; the rest is
+/// ambient.
 pub(super) fn is_lit(visitor: &mut Visitor) -> Result<()> {
     let mut page = visitor.ready()?;
     let colours = page.number("probe.survey().colours")?;

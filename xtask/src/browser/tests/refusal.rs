@@ -106,7 +106,8 @@ fn leave(page: &mut Page, field: &str) -> Result<()> {
     page.settle()
 }
 
-/// What a format has against a light is told beside the format, and on the light's panel under no control of it.
+/// If a number format refuses a light, the message stands beside the format. On the light's panel
+/// it stands under no control.
 pub(super) fn of_a_format_stands_by_itself(visitor: &mut Visitor) -> Result<()> {
     let mut page = visitor.ready()?;
     page.enter("light-0-beam-number", "500")?;
@@ -133,7 +134,7 @@ pub(super) fn of_a_format_stands_by_itself(visitor: &mut Visitor) -> Result<()> 
     page.must_be_content()
 }
 
-/// No control asks for so many samples, so the module is asked itself.
+/// No control allows these numbers of samples, so the test calls the module directly.
 pub(super) fn of_curves(visitor: &mut Visitor) -> Result<()> {
     let mut page = visitor.ready()?;
     let asked = |samples: &str| {

@@ -1,4 +1,4 @@
-//! The scenes: what they call for, what is left out, and that nothing is lost by it.
+//! The scenes: which effects they require, which are left out, and that the picture stays the same.
 
 use anyhow::{Context, Result, ensure};
 use serde_json::Value;
@@ -36,7 +36,7 @@ pub(super) fn are_all_drawn(visitor: &mut Visitor) -> Result<()> {
     Ok(())
 }
 
-/// What the visitor asks for by a button, for every scene.
+/// For every scene, the comparison that a visitor starts with a button.
 pub(super) fn equal_everything(visitor: &mut Visitor) -> Result<()> {
     let mut page = visitor.ready_at("#scenes")?;
     let mut left_out = 0.0;
@@ -270,7 +270,7 @@ fn account(page: &mut Page) -> Result<Value> {
     page.ask("luminaire.scenes.account")
 }
 
-/// How many effects are marked as called for.
+/// Number of effects that are marked as required.
 fn called(page: &mut Page) -> Result<f64> {
     page.number(&elements("#scene-effects .called"))
 }
@@ -292,7 +292,7 @@ fn checksum(page: &mut Page) -> Result<f64> {
     page.number("luminaire.scenes.pixels().reduce((sum, code) => (31 * sum + code) % 4294967291, 7)")
 }
 
-/// Does something that must draw the scene anew.
+/// Does something that must redraw the scene.
 fn redraw(page: &mut Page, what: &str, act: impl FnOnce(&mut Page) -> Result<()>) -> Result<()> {
     let drawn = page.number("luminaire.drawn")?;
     act(page)?;

@@ -1,4 +1,5 @@
-//! `cargo xtask frame`: a picture that a microcontroller lights pixel by pixel, and what a pixel costs.
+//! `cargo xtask frame`: a picture that a microcontroller lights pixel by pixel, and what a pixel
+//! costs.
 
 mod output;
 mod part;
@@ -61,7 +62,8 @@ fn on_the_host(progress: &Progress) -> Result<Output> {
     Output::parse(&laboratory::on_the_host(PROGRAM, progress)?)
 }
 
-/// Draws on a board. The picture must be the host's, and no function may stand in for a floating point unit.
+/// Draws on a board. The picture must be the host's, and no function may stand in for a floating
+/// point unit.
 fn draw(laboratory: &Laboratory, host: &Output) -> Result<Counts> {
     let run =
         laboratory.run_with(PROGRAM, |lines| Output::parse(lines).map_or(0, |output| output.regions()))?;
@@ -81,8 +83,8 @@ fn draw(laboratory: &Laboratory, host: &Output) -> Result<Counts> {
     Ok(counts)
 }
 
-/// Fails where a record differs from the one that is checked in, or the picture or the table from what is
-/// made of it. Answers what a reader should know of a comparison that has passed.
+/// Fails where a record differs from the one that is checked in, or the picture or the table from
+/// what is made of it. Answers what a reader should know of a comparison that has passed.
 fn compare(new: &Record, picture: &Picture) -> Result<Vec<String>> {
     let old = Record::load()?;
     let (mut differences, remarks) = record::compare(&old, new);

@@ -4,7 +4,8 @@ use anyhow::{Context, Result, ensure};
 
 use super::picture::Picture;
 
-/// A line with the size and the stages, a line for each row, and one that tells what the light reaches.
+/// A line with the size and the stages, a line for each row, and one that tells what the light
+/// reaches.
 #[derive(Debug, PartialEq)]
 pub(super) struct Output {
     /// The stages that are counted in each row, in their order.

@@ -8,7 +8,7 @@ use super::record::{Counts, Record};
 const BEGIN: &str = "<!-- frame: written by `cargo xtask frame --bless` -->\n";
 const END: &str = "<!-- end of frame -->\n";
 
-/// What the stages are called for people.
+/// The names of the stages, and their titles in the README.
 const TITLES: [(&str, &str); 6] = [
     ("geometry", "geometry: what the pixel sees, point and normal"),
     ("ambient", "ambient light alone"),
@@ -21,7 +21,7 @@ const TITLES: [(&str, &str); 6] = [
 const WITH: [&str; 5] = ["geometry", "light", "shadow", "colour", "display"];
 const WITHOUT: [&str; 3] = ["geometry", "ambient", "display"];
 
-/// The README with its part written anew.
+/// Returns the README with the part between the markers replaced.
 pub(super) fn replaced(readme: &str, record: &Record) -> Result<String> {
     let (before, rest) = readme.split_once(BEGIN).context("the line where the frame begins is missing")?;
     let (_, after) = rest.split_once(END).context("the line where the frame ends is missing")?;

@@ -30,8 +30,8 @@ pub(super) struct Record {
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub(super) struct Counts {
     pub(super) compiler: String,
-    /// KiB of flash, rounded up: code and constants of the whole program. Where a panic would be is told by the path of
-    /// the folder, so that the bytes are others in each.
+    /// KiB of flash, rounded up: code and constants of the whole program. Panic messages embed
+    /// the path of the checkout, so the exact size differs between checkouts.
     pub(super) kibibytes: u64,
     /// Of all pixels, by stage.
     pub(super) instructions: BTreeMap<String, u64>,
@@ -81,8 +81,8 @@ impl Record {
     }
 }
 
-/// What differs between two records, on the boards of the new one; and what a reader should know that is no
-/// difference.
+/// What differs between two records, on the boards of the new one; and what a reader should know
+/// that is no difference.
 pub(super) fn compare(old: &Record, new: &Record) -> (Vec<String>, Vec<String>) {
     let (mut differences, mut remarks) = (Vec::new(), Vec::new());
     if (old.pixels, &old.light, &old.stages) != (new.pixels, &new.light, &new.stages) {

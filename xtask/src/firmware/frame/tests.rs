@@ -6,8 +6,8 @@ use super::record::Record;
 use super::{PROGRAM, compare, draw, on_the_host};
 use crate::suite::Suite;
 
-/// Adds a step for each board: the picture is the host's, there is no soft float, and what is counted is what
-/// is recorded.
+/// Adds a step for each board: the picture is the host's, there is no soft float, and what is
+/// counted is what is recorded.
 pub(crate) fn run(suite: &mut Suite, boards: &[&'static Board]) {
     for &board in boards {
         let name = format!("frame: the picture, no soft float, and its counts on {}", board.name);

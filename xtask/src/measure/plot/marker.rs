@@ -1,4 +1,5 @@
-//! The markers of the formats: told apart by shape, and by colours that the colour-blind tell apart too.
+//! The markers of the formats: told apart by shape, and by colours that the colour-blind tell apart
+//! too.
 
 use std::fmt::Write;
 
