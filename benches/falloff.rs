@@ -1,8 +1,8 @@
-//! What a falloff costs, from a versine in memory to an intensity in memory: 4,096 of each, in one run, many at once
-//! and one by one.
+//! What a falloff costs, from a versine in memory to an intensity in memory: 4,096 of each, in one
+//! run, many at once and one by one.
 //!
-//! `cargo bench --bench falloff`. A clamped copy is the floor: no method can do with less. For wider vectors than the
-//! least of the target, `RUSTFLAGS=-Ctarget-feature=+avx2` before it.
+//! `cargo bench --bench falloff`. A clamped copy is the floor: no method can do with less. For
+//! wider vectors than the least of the target, `RUSTFLAGS=-Ctarget-feature=+avx2` before it.
 
 #![allow(missing_docs, reason = "criterion's macros make public items without documentation")]
 
@@ -57,7 +57,8 @@ fn bench<S: Scalar, P: Falloff>(criterion: &mut Criterion, name: &str, profile: 
     group.finish();
 }
 
-/// Benches a formula of f32, for comparison, after checking that it is `at_field` at the field angle.
+/// Benches a formula of f32, for comparison, after checking that it is `at_field` at the field
+/// angle.
 fn rival(criterion: &mut Criterion, name: &str, at_field: f32, formula: impl Fn(f32) -> f32) {
     let found = formula(cone(Soft).field().versine());
     assert!((found - at_field).abs() < 1e-3, "{name} is {found} at the field angle");

@@ -1,7 +1,9 @@
-//! What the air light of a view ray costs: from the rows of a picture in memory to air light in memory.
+//! What the air light of a view ray costs: from the rows of a picture in memory to air light in
+//! memory.
 //!
-//! `cargo bench --bench haze`. The rays see a spotlight from the side, in blocks of 32 pixels as a renderer
-//! has them; about half of the picture is within the beam. The rival marches along the ray in equal steps.
+//! `cargo bench --bench haze`. The rays see a spotlight from the side, in blocks of 32 pixels as a
+//! renderer has them; about half of the picture is within the beam. The rival marches along the ray
+//! in equal steps.
 
 #![allow(missing_docs, reason = "criterion's macros make public items without documentation")]
 
@@ -95,7 +97,7 @@ fn bench<P: Falloff, A: Attenuation>(criterion: &mut Criterion, name: &str, spot
     });
 }
 
-/// The usual way: so many steps along the ray.
+/// The usual method: ray marching in `steps` equal steps.
 fn march(light: &CompiledSpotLight<f32, Soft>, view: &ViewRay, steps: u32) -> f32 {
     let step = view.length / steps as f32;
     let mut sum = 0.0;

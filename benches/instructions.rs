@@ -1,9 +1,10 @@
-//! What kernels cost in instructions of the host, counted by callgrind: the same in every run, whatever else the
-//! machine does. 4,096 points or versines each.
+//! What kernels cost in instructions of the host, counted by callgrind: the same in every run,
+//! whatever else the machine does. 4,096 points or versines each.
 //!
-//! `cargo bench --features callgrind --bench instructions`, with valgrind installed and gungraun-runner of the version
-//! of gungraun that Cargo.lock names (`cargo install gungraun-runner --version 0.20.0`). What is compiled for wider
-//! vectors has other counts; valgrind knows vectors up to AVX2.
+//! `cargo bench --features callgrind --bench instructions`, with valgrind installed and
+//! gungraun-runner of the version of gungraun that Cargo.lock names
+//! (`cargo install gungraun-runner --version 0.20.0`). What is compiled for wider vectors has other
+//! counts; valgrind knows vectors up to AVX2.
 
 #![allow(missing_docs, reason = "gungraun's macros make public items without documentation")]
 

@@ -1,8 +1,8 @@
-//! What a lit point costs: from a position and a normal in memory to three channels of light added in memory, 4,096 of
-//! them, in one run.
+//! What a lit point costs: from a position and a normal in memory to three channels of light added
+//! in memory, 4,096 of them, in one run.
 //!
-//! `cargo bench --bench lit`. The rivals are plain loops, with the formula of the glTF specification and with Warn's
-//! power of a cosine.
+//! `cargo bench --bench lit`. The rivals are plain loops, with the formula of the glTF
+//! specification and with Warn's power of a cosine.
 
 #![allow(missing_docs, reason = "criterion's macros make public items without documentation")]
 
@@ -90,7 +90,8 @@ fn bench<S: Scalar, P: Falloff>(
     group.finish();
 }
 
-/// Lights the floor by a plain loop, with a formula of the cosine of the angle off axis for the cone.
+/// Lights the floor by a plain loop, with a formula of the cosine of the angle off axis for the
+/// cone.
 fn light_plainly(floor: &mut Floor<f32>, spot: &SpotLight<Soft>, cone: impl Fn(f32) -> f32) {
     let (position, axis, color) = (spot.position(), spot.axis(), spot.color());
     let (x, y, z) = (&floor.point.x[..POINTS], &floor.point.y[..POINTS], &floor.point.z[..POINTS]);
@@ -124,7 +125,8 @@ fn rival(criterion: &mut Criterion, name: &str, cone: impl Fn(f32) -> f32 + Copy
     group.finish();
 }
 
-/// The spotlight of glTF's KHR_lights_punctual, as its specification writes it, with the profile squared.
+/// The spotlight of glTF's KHR_lights_punctual, as its specification writes it, with the profile
+/// squared.
 fn gltf(criterion: &mut Criterion) {
     let outer_cosine = 1.0 - spot(Soft).cone().outer_versine();
     let scale = 1.0 / f32::max(0.001, 1.0 - outer_cosine);

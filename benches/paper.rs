@@ -1,7 +1,8 @@
-//! The experiment of Hast 2004, section 4: as many calls of `pow` and of the soft edge, and the ratio of the times.
+//! The experiment of Hast 2004, section 4: as many calls of `pow` and of the soft edge, and the
+//! ratio of the times.
 //!
-//! `cargo bench --bench paper` makes 100 million calls of each, and with `LUMINAIRE_FULL` the billion of the paper. The
-//! answers are asserted; the times are of this machine.
+//! `cargo bench --bench paper` makes 100 million calls of each, and with `LUMINAIRE_FULL` the
+//! billion of the paper. The answers are asserted; the times are of this machine.
 
 #![allow(missing_docs, reason = "a program, not a library")]
 
@@ -24,7 +25,8 @@ fn at(soft: &CompiledCone<f32, Soft>, versine: f32) -> f32 {
     soft.at(versine)
 }
 
-/// The time of so many passes, and the sum of the intensities of the last one.
+/// Measures the time of `passes` passes. Returns it with the sum of the intensities of the last
+/// pass.
 fn time(passes: usize, mut pass: impl FnMut(&mut [f32])) -> (Duration, f64) {
     let mut intensities = vec![0.0; DIRECTIONS];
     let start = Instant::now();

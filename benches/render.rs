@@ -1,5 +1,5 @@
-//! What a picture of the stage costs at 960 x 540, pass by pass, in one run: geometry, light of three and of
-//! eight spots, encoding; the light of scenes with many lights; and a shadow map.
+//! What a picture of the stage costs at 960 x 540, pass by pass, in one run: geometry, light of
+//! three and of eight spots, encoding; the light of scenes with many lights; and a shadow map.
 //!
 //! `cargo bench --bench render`.
 
@@ -45,7 +45,7 @@ impl<S: Format> Bench<S> {
         bench
     }
 
-    /// The stage under so many spots.
+    /// The stage under `spots` spotlights.
     fn stage(spots: usize) -> Self {
         let lights = stage::lights().expect("sound lights").into_iter().cycle().take(spots);
         let lights: Vec<Fixture> = lights.map(Fixture::from).collect();
@@ -116,7 +116,8 @@ fn scenes(criterion: &mut Criterion) {
     group.finish();
 }
 
-/// A shadow map of the whole stage, of the light that sees the most of it, from another roll each time.
+/// A shadow map of the whole stage, of the light that sees the most of it, from another roll each
+/// time.
 fn shadow_map<S: Format>(criterion: &mut Criterion) {
     let (scene, [_, fill, _]) =
         (stage::scene().expect("a sound scene"), stage::lights().expect("sound lights"));

@@ -1,5 +1,5 @@
-//! Draws the beams of spotlights in haze across an empty view, as PNG: a soft and a hard edge and a hotspot
-//! from the side, one that points past the eye, and one away from it.
+//! Draws the beams of spotlights in haze across an empty view, as PNG: a soft and a hard edge and a
+//! hotspot from the side, one that points past the eye, and one away from it.
 //!
 //! `cargo run --release --example haze > docs/haze.png`.
 

@@ -1,5 +1,5 @@
-//! Looks for the places where each profile in each format is furthest from the exact intensity, and prints the file that
-//! `tests/slow/worst.rs` holds the kernel to:
+//! Looks for the places where each profile in each format is furthest from the exact intensity, and
+//! prints the file that `tests/slow/worst.rs` holds the kernel to:
 //!
 //! `cargo run -p suite --example worst-places > tests/slow/worst/places.txt`
 

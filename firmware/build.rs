@@ -15,7 +15,8 @@ use luminaire::{
     falloff::Soft,
 };
 
-/// The linear colours of the wall, a light tile, a dark one, the ball and the column of the program `frame`.
+/// The linear colours of the wall, a light tile, a dark one, the ball and the column of the program
+/// `frame`.
 const MATERIALS: [[f32; 3]; 5] =
     [[0.5, 0.36, 0.4], [0.62, 0.55, 0.46], [0.3, 0.26, 0.23], [0.72, 0.1, 0.06], [0.66, 0.63, 0.56]];
 

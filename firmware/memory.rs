@@ -1,4 +1,5 @@
-//! Places a program in the memory of the board that QEMU plays for the target. Shared by the build scripts.
+//! Places a program in the memory of the board that QEMU plays for the target. Shared by the build
+//! scripts.
 
 use std::error::Error;
 use std::path::PathBuf;

@@ -1,4 +1,4 @@
-//! One case: inputs that are asked for by name, and outputs.
+//! One case: inputs, which are read by name, and outputs.
 
 use core::fmt::Write;
 
@@ -26,7 +26,7 @@ pub enum Kind {
     Light,
 }
 
-/// An input that a model asks for.
+/// An input of a model.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Input {
     /// What it is of the case, such as `position`.
@@ -47,8 +47,8 @@ pub trait Inputs {
     fn word(&mut self, input: Input) -> Option<u64>;
 }
 
-/// A case that is being evaluated. A model asks for all its inputs before it may be refused, so that each line of a
-/// section has the same words.
+/// A case that is being evaluated. A model reads all its inputs before a constructor may refuse
+/// them, so that all lines of a section have the same number of words.
 pub struct Case<'a> {
     inputs: &'a mut dyn Inputs,
     pub(crate) outputs: Text,
@@ -62,8 +62,8 @@ impl core::fmt::Debug for Case<'_> {
 }
 
 impl<'a> Case<'a> {
-    /// Evaluates a model on inputs. Its outputs as words, or the name of the parameter that was refused; none where
-    /// inputs are missing.
+    /// Evaluates a model on inputs. Its outputs as words, or the name of the parameter that was
+    /// refused; none where inputs are missing.
     pub fn run(evaluate: crate::Evaluate, inputs: &'a mut dyn Inputs) -> Option<Text> {
         let mut case = Case { inputs, outputs: Text::default(), is_complete: true };
         if let Err(error) = evaluate(&mut case) {

@@ -6,10 +6,11 @@ use crate::case::{Case, Input, Inputs};
 use crate::model::{Evaluate, find};
 use crate::text::Text;
 
-/// So many cases that differ are told.
+/// Maximum number of differing cases that are reported.
 const TOLD: u32 = 5;
 
-/// A check that goes through the lines from the first to the last. Displayed, it is `123 cases, 4 differ`.
+/// A check that goes through the lines from the first to the last. Displayed, it is
+/// `123 cases, 4 differ`.
 #[derive(Clone, Copy, Default, Debug)]
 pub struct Check {
     section: Option<Evaluate>,
@@ -24,8 +25,9 @@ impl Check {
         self.cases > 0 && self.differ == 0
     }
 
-    /// Takes the next line of the file. If it is a case that has other outputs, or that is not understood because there
-    /// is no such section or inputs are too few or too many, the case is told together with what was found.
+    /// Checks the next line of the file. If the outputs of its case differ, the case is reported
+    /// with the outputs found. A case of an unknown section, or with too few or too many inputs, is
+    /// reported as not understood.
     ///
     /// # Errors
     /// Those of `report`.

@@ -74,7 +74,7 @@ impl Word for f32 {
         Self::from_bits(word as u32)
     }
 
-    /// What is not a number has one word, whatever its payload.
+    /// Returns the same word for every NaN, whatever its payload.
     fn word(self) -> u64 {
         u64::from(if self.is_nan() { 0x7fc0_0000 } else { self.to_bits() })
     }

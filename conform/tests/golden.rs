@@ -1,4 +1,5 @@
-//! The file of the conformance vectors: this machine computes what it says, and it holds what there is to hold.
+//! The file of the conformance vectors: this machine computes what it says, and it holds what there
+//! is to hold.
 
 use std::process::Command;
 
@@ -6,7 +7,7 @@ use luminaire_conform::{Check, FORMATS, models};
 
 const FILE: &str = include_str!("../vectors.txt");
 
-/// Checks a file; what is told of it, and its count.
+/// Checks a file. Returns the report and the check with its counts.
 fn check(file: &str) -> (String, Check) {
     let (mut check, mut report) = (Check::default(), String::new());
     for line in file.lines() {
@@ -42,7 +43,7 @@ fn every_model_has_a_section_in_each_of_its_formats() {
     }
 }
 
-/// What no light and no falloff may be. Arithmetic on what is not a number is not one either, nor is a place or a
+/// No light and no falloff is NaN. Arithmetic on NaN gives NaN, and so does a position or a
 /// direction made of it.
 #[test]
 fn no_light_is_not_a_number() {
@@ -60,7 +61,8 @@ fn no_light_is_not_a_number() {
     }
 }
 
-/// A case that differs, one that is cut short and one of a model that there is not are all counted, and told.
+/// A case that differs, one that is cut short and one of a model that there is not are all counted,
+/// and told.
 #[test]
 fn what_differs_is_told() {
     let section = "[clip fx16] light:u18f14\n";

@@ -1,6 +1,6 @@
 //! Many points and one compiled light: slices in and out, each quantity in its own slice.
 //!
-//! Every result is bit-identical to the call for a single point; only the order of the work
+//! Every result is bit-identical to that of a single-point call; only the order of the work
 //! differs. In `f32` the points are processed in blocks. A first pass computes the roots of a block
 //! and a second one does the rest, so that neither waits for the other, and both vectorise to the
 //! width of the target. Fixed point is processed point by point, with early-outs.

@@ -18,7 +18,8 @@ impl Counts {
         Self { regions: Vec::new(), is_open: false }
     }
 
-    /// A marker was executed. A begin within a region begins the next; an end outside of one is nothing.
+    /// A marker was executed. A begin within a region begins the next; an end outside of one is
+    /// nothing.
     pub(crate) fn mark(&mut self, marker: Marker) {
         self.is_open = marker == Marker::Begin;
         if self.is_open {
@@ -36,8 +37,8 @@ impl Counts {
     }
 }
 
-/// One line for each region and address: `region address count`, the address in hexadecimal. A region in which
-/// nothing was executed has no line.
+/// One line for each region and address: `region address count`, the address in hexadecimal. A
+/// region in which nothing was executed has no line.
 impl fmt::Display for Counts {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         for (index, region) in self.regions.iter().enumerate() {

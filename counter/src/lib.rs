@@ -1,4 +1,5 @@
-//! A QEMU plugin that counts the instructions executed between two marker instructions, by region and address.
+//! A QEMU plugin that counts the instructions executed between two marker instructions, by region
+//! and address.
 
 mod counts;
 mod marker;

@@ -30,7 +30,8 @@ impl Architecture {
 
     /// Whether the instruction that starts with this halfword has 32 bits.
     ///
-    /// QEMU's own answer cannot be used: 7.2 takes a 16-bit instruction just before the end of a page for a longer one.
+    /// QEMU's own answer cannot be used: 7.2 takes a 16-bit instruction just before the end of a
+    /// page for a longer one.
     pub(crate) fn is_wide(self, first: u16) -> bool {
         match self {
             Self::Thumb => first >= 0xe800,

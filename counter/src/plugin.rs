@@ -1,4 +1,5 @@
-//! What QEMU calls: the installation, the translation of a block, the execution of an instruction, the end.
+//! What QEMU calls: the installation, the translation of a block, the execution of an instruction,
+//! the end.
 
 use std::ffi::{CStr, c_char, c_int, c_uint, c_void};
 use std::sync::{Mutex, MutexGuard, OnceLock, PoisonError};
@@ -8,7 +9,7 @@ use crate::counts::Counts;
 use crate::marker::{Architecture, Marker};
 use crate::qemu;
 
-/// What the plugin was asked to do.
+/// Arguments of the plugin.
 #[derive(Debug)]
 struct Task {
     architecture: Architecture,
@@ -52,7 +53,8 @@ unsafe extern "C" fn qemu_plugin_install(
     if TASK.set(Task { architecture, out }).is_err() {
         return refuse("it is loaded already");
     }
-    // SAFETY: the callbacks are functions of the types that QEMU calls, and live as long as the plugin is loaded.
+    // SAFETY: the callbacks are functions of the types that QEMU calls, and live as long as the
+    // plugin is loaded.
     unsafe {
         qemu::qemu_plugin_register_vcpu_tb_trans_cb(id, translate);
         qemu::qemu_plugin_register_atexit_cb(id, finish, ptr::null_mut());
@@ -70,11 +72,11 @@ fn counts() -> MutexGuard<'static, Counts> {
     COUNTS.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// A block is being translated: asks to be told whenever one of its instructions is executed.
+/// Called when QEMU translates a block: registers callbacks for the execution of its instructions.
 extern "C" fn translate(_: qemu::Id, block: *mut qemu::Block) {
     let Some(task) = TASK.get() else { return };
-    // SAFETY: QEMU keeps the block and its instructions for the time of this call; the indices are below their
-    // number; a second halfword is read only of an instruction that has it.
+    // SAFETY: QEMU keeps the block and its instructions for the time of this call; the indices are
+    // below their number; a second halfword is read only of an instruction that has it.
     unsafe {
         for index in 0..qemu::qemu_plugin_tb_n_insns(block) {
             let instruction = qemu::qemu_plugin_tb_get_insn(block, index);
@@ -87,7 +89,8 @@ extern "C" fn translate(_: qemu::Id, block: *mut qemu::Block) {
                 match task.architecture.marker(bits) {
                     Some(Marker::Begin) => (begin, ptr::null_mut()),
                     Some(Marker::End) => (end, ptr::null_mut()),
-                    // A pointer that is never followed: it carries the address through QEMU to the callback.
+                    // A pointer that is never followed: it carries the address through QEMU to the
+                    // callback.
                     None => {
                         let address = qemu::qemu_plugin_insn_vaddr(instruction);
                         (execute, ptr::without_provenance_mut(address as usize))

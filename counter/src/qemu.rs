@@ -1,8 +1,10 @@
-//! The few functions of QEMU's plugin interface that a counter needs, as QEMU's documentation states them.
+//! The few functions of QEMU's plugin interface that a counter needs, as QEMU's documentation
+//! states them.
 
 use std::ffi::{c_char, c_int, c_uint, c_void};
 
-/// The version of the interface that the plugin is written for; QEMU refuses to load what it does not support.
+/// The version of the interface that the plugin is written for; QEMU refuses to load what it does
+/// not support.
 #[cfg(not(feature = "api-3"))]
 pub(crate) const VERSION: c_int = 1;
 #[cfg(feature = "api-3")]
@@ -66,8 +68,8 @@ pub(crate) unsafe fn halfword(instruction: *const Instruction, index: usize) -> 
     let mut bytes = [0_u8; 4];
     #[cfg(not(feature = "api-3"))]
     {
-        // SAFETY: by the caller's promise the instruction is alive and has `2 * index + 2` bytes, and QEMU's
-        // pointer is to its bytes, which it keeps until the translation ends.
+        // SAFETY: by the caller's promise the instruction is alive and has `2 * index + 2` bytes,
+        // and QEMU's pointer is to its bytes, which it keeps until the translation ends.
         unsafe {
             let data = qemu_plugin_insn_data(instruction).cast::<u8>();
             data.add(2 * index).copy_to_nonoverlapping(bytes.as_mut_ptr().add(2 * index), 2);
@@ -75,7 +77,8 @@ pub(crate) unsafe fn halfword(instruction: *const Instruction, index: usize) -> 
     }
     #[cfg(feature = "api-3")]
     {
-        // SAFETY: by the caller's promise the instruction is alive; QEMU writes at most the four bytes we have.
+        // SAFETY: by the caller's promise the instruction is alive; QEMU writes at most the four
+        // bytes we have.
         unsafe { qemu_plugin_insn_data(instruction, bytes.as_mut_ptr().cast(), bytes.len()) };
     }
     u16::from_le_bytes([bytes[2 * index], bytes[2 * index + 1]])

@@ -1,4 +1,5 @@
-//! Places the programs in memory, and writes the lights and surfaces as constants of the chosen format.
+//! Places the programs in memory, and writes the lights and surfaces as constants of the chosen
+//! format.
 
 #[path = "../memory.rs"]
 mod memory;
@@ -89,7 +90,8 @@ fn panes() -> [u8; 256] {
     std::array::from_fn(|part| if is_pane(part / 16) && is_pane(part % 16) { 255 } else { 0 })
 }
 
-/// The depths of a shadow map of 16 by 16: a disc hangs two metres from the light, in the middle of its beam.
+/// The depths of a shadow map of 16 by 16: a disc hangs two metres from the light, in the middle of
+/// its beam.
 fn disc() -> [f32; 256] {
     core::array::from_fn(|texel| {
         let (x, y) = (texel % 16, texel / 16);

@@ -1,4 +1,5 @@
-//! Programs that run the kernel on microcontrollers, and on the host to say what their results must be.
+//! Programs that run the kernel on microcontrollers, and on the host to say what their results must
+//! be.
 #![cfg_attr(target_os = "none", no_std)]
 
 pub mod board;

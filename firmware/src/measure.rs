@@ -12,8 +12,9 @@ pub const COUNT: usize = 256;
 
 /// Runs every kernel of the price list over its inputs.
 ///
-/// Each run prints a line: the stage, the format, the name of the kernel, the number of calls, and a checksum of the
-/// results. Before each kernel stands the empty loop over the same inputs: what its instructions are, is no kernel's.
+/// Each run prints a line: the stage, the format, the name of the kernel, the number of calls, and
+/// a checksum of the results. Before each kernel stands the empty loop over the same inputs: what
+/// its instructions are, is no kernel's.
 pub fn measure() {
     let setting = Setting::standard();
     let mut bench = Bench { outer: setting.outer_versine() };

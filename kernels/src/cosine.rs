@@ -1,4 +1,5 @@
-//! f32 with the versine by `1 - l.s`: what is left of a narrow beam when two numbers near one are subtracted.
+//! f32 with the versine by `1 - l.s`: what is left of a narrow beam when two numbers near one are
+//! subtracted.
 
 use luminaire::{Vec3, light::CompiledCone};
 
@@ -9,14 +10,14 @@ use crate::{
     value::Value,
 };
 
-/// A compiled cone that is asked by the cosine of the angle off axis.
+/// A compiled cone whose input is the cosine of the angle off axis.
 #[derive(Clone, Copy, Debug)]
 pub struct CosineFalloff<P: Shape> {
     falloff: CompiledCone<f32, P>,
 }
 
 impl<P: Shape> CosineFalloff<P> {
-    /// The same cone, asked by a cosine.
+    /// Wraps a compiled cone.
     pub fn new(falloff: CompiledCone<f32, P>) -> Self {
         Self { falloff }
     }
@@ -47,8 +48,8 @@ pub(crate) fn cosine(versine: f32) -> f32 {
     (1.0 - f64::from(versine)) as f32
 }
 
-/// A spotlight with a soft edge and Lambert's cosine, without distance: one inner product serves the reject and the
-/// versine.
+/// A spotlight with a soft edge and Lambert's cosine, without distance: one inner product serves
+/// the reject and the versine.
 #[derive(Clone, Copy, Debug)]
 pub struct CosinePoint {
     outer: f32,

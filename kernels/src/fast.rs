@@ -1,4 +1,5 @@
-//! f32 with a guessed root: micromath's reciprocal square root as it is, off by up to 3.5 % and without a step of Newton.
+//! f32 with a guessed root: micromath's reciprocal square root as it is, off by up to 3.5 % and
+//! without a step of Newton.
 
 use micromath::F32Ext;
 

@@ -4,9 +4,10 @@ use crate::{oracle, scene::Site, value::Value};
 
 /// A function of one input, with the constants of one light.
 pub trait Kernel: Copy {
-    /// What the question is asked at: the versine of the angle off axis for a falloff, a [`Site`] for a point.
+    /// The exact input: the versine of the angle off axis for a falloff, a [`Site`] for a lit
+    /// point.
     type Place: Copy;
-    /// The place as the kernel's format has it.
+    /// The input, rounded to the kernel's format.
     type Input: Copy;
     /// The answer in the kernel's format.
     type Output: Value;
@@ -20,8 +21,8 @@ pub trait Kernel: Copy {
     /// A word of an input: what a loop loads that does nothing.
     fn touch(input: &Self::Input) -> u32;
 
-    /// Visits every input at which an error can be largest, with the exact place, where a format has so few that none
-    /// has to be left out. Answers whether it has.
+    /// Visits every input at which an error can be largest, with the exact place, where a format
+    /// has so few that none has to be left out. Answers whether it has.
     fn bounds(&self, _visit: &mut dyn FnMut(Self::Input, f64)) -> bool {
         false
     }
@@ -75,6 +76,7 @@ pub trait Visitor {
     /// A lit point, with the truth about it, at sites of the population.
     fn point<K: Kernel<Place = Site>>(&mut self, row: Row, kernel: K, truth: &oracle::Point);
 
-    /// A row whose format cannot hold the cone. `narrowest` is the half angle in degrees that it can.
+    /// A row whose format cannot hold the cone. `narrowest` is the half angle in degrees that it
+    /// can.
     fn refused(&mut self, _row: Row, _narrowest: f32) {}
 }

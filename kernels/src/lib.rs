@@ -1,11 +1,13 @@
 //! Every kernel that has a price, and what a user would take instead, as functions of one input.
 //!
-//! Firmware, host, browser and demo run this same code, so that an error and a cost that stand in one line belong to one
-//! function. [`falloffs`] and [`points`] are the list; who walks it brings a [`Visitor`].
+//! Firmware, host, browser and demo run this same code, so that an error and a cost that stand in
+//! one line belong to one function. [`falloffs`] and [`points`] are the list; who walks it brings a
+//! [`Visitor`].
 //!
-//! A falloff goes from the angle off axis, in the form that the kernel takes, to an intensity. A point goes from a place
-//! and a normal to the light that arrives. Each kernel is given the nearest input that its format has, and is compared
-//! with the oracle's answer to the exact one: what a format loses of its input is part of its error.
+//! A falloff goes from the angle off axis, in the form that the kernel takes, to an intensity. A
+//! point goes from a place and a normal to the light that arrives. Each kernel is given the nearest
+//! input that its format has, and is compared with the oracle's answer to the exact one: what a
+//! format loses of its input is part of its error.
 //!
 //! | format | what it is |
 //! |---|---|
@@ -15,8 +17,8 @@
 //! | `f64` | the versine form in twice the width |
 //! | `rival` | what others do: f32, and a formula of its own |
 //!
-//! Files, in the order in which they build on one another: `value`, `oracle`, `profile`, `scene`, `kernel`, `ours`,
-//! `cosine`, `fast`, `double`, `rival`, `list`.
+//! Files, in the order in which they build on one another: `value`, `oracle`, `profile`, `scene`,
+//! `kernel`, `ours`, `cosine`, `fast`, `double`, `rival`, `list`.
 #![no_std]
 #![forbid(unsafe_code)]
 

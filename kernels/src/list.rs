@@ -27,7 +27,8 @@ pub struct Setting {
 }
 
 impl Setting {
-    /// A soft edge's field angle of 36 degrees: wide enough that no format comes near its limits. Costs are counted here.
+    /// A soft edge's field angle of 36 degrees: wide enough that no format comes near its limits.
+    /// Costs are counted here.
     pub fn standard() -> Self {
         Self::ending_at(cone(Cone::from_field(Soft, Angle::degrees(36.0))).outer())
     }
@@ -103,7 +104,8 @@ fn ours<S: Format, P: Shape>(cone: &Cone<P>, truth: &oracle::Falloff, visitor: &
     }
 }
 
-/// What others do, at the same angles: where the model has no outer angle, with the same field angle.
+/// What others do, at the same angles: where the model has no outer angle, with the same field
+/// angle.
 fn rivals(setting: Setting, visitor: &mut impl Visitor) {
     let row = |kernel| Row::falloff(kernel, "rival");
     let (exponent, outer) = (setting.exponent(), cosine(setting.outer_versine()));

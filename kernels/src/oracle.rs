@@ -1,7 +1,8 @@
-//! The truth, in f64: the formulas as the literature writes them, as plainly as they can be written.
+//! The truth, in f64: the formulas as the literature writes them, as plainly as they can be
+//! written.
 //!
-//! Nothing here is fast, and nothing is shared with what it judges. Where f64 itself would cancel, a versine is half the
-//! squared difference of two unit vectors.
+//! Nothing here is fast, and nothing is shared with what it judges. Where f64 itself would cancel,
+//! a versine is half the squared difference of two unit vectors.
 
 use crate::scene::{Population, Site};
 
@@ -15,7 +16,8 @@ pub struct Falloff {
     pub outer: f64,
     /// The intensity at a versine less than `outer`.
     pub model: Model,
-    /// Whether the intensity jumps at the outer versine. What is right there is the place, so no error is told from it.
+    /// Whether the intensity jumps at the outer versine. There only the position of the jump is
+    /// tested, so that no intensity error is measured next to it.
     pub jumps: bool,
 }
 
@@ -38,7 +40,8 @@ impl Falloff {
         }
     }
 
-    /// Whether a versine is so near a jump that a kernel may place it on either side: by 1/510 of the half angle.
+    /// Whether a versine is so near a jump that a kernel may place it on either side: by 1/510 of
+    /// the half angle.
     pub fn is_at_jump(&self, versine: f64) -> bool {
         self.jumps && (libm::sqrt(versine / self.outer) - 1.0).abs() < 1.0 / 510.0
     }
@@ -77,8 +80,9 @@ pub struct Highlight {
 }
 
 impl Point {
-    /// The light that arrives at a site, or that goes from there to the eye. Lambert's cosine takes the
-    /// normal as it is, of unit length within the roundings of f32; the mirror takes its direction.
+    /// The light that arrives at a site, or that goes from there to the eye. Lambert's cosine takes
+    /// the normal as it is, of unit length within the roundings of f32; the mirror takes its
+    /// direction.
     pub fn at(&self, site: &Site) -> f64 {
         let (point, normal) = (widened(site.point), widened(site.normal));
         let way = minus(point, self.position);

@@ -1,5 +1,5 @@
-//! What a user would take instead: formulas of the field as they are usually written, in f32, from the cosine of the
-//! angle off axis.
+//! What a user would take instead: formulas of the field as they are usually written, in f32, from
+//! the cosine of the angle off axis.
 
 use core::marker::PhantomData;
 
@@ -80,8 +80,8 @@ impl Power for Std {
     }
 }
 
-/// The power of the cosine: D. R. Warn, *Lighting Controls for Synthetic Images*, SIGGRAPH 1983, and OpenGL's
-/// `GL_SPOT_EXPONENT`.
+/// The power of the cosine: D. R. Warn, *Lighting Controls for Synthetic Images*, SIGGRAPH 1983,
+/// and OpenGL's `GL_SPOT_EXPONENT`.
 #[derive(Clone, Copy, Debug)]
 pub struct Powf<P> {
     exponent: f32,
@@ -143,8 +143,9 @@ impl Smoothstep {
     }
 }
 
-/// The spot of glTF's `KHR_lights_punctual` with an inner angle of 0, as the specification computes it: scale and offset
-/// ahead of time, the former with the 0.001 that keeps it from a division by zero.
+/// The spot of glTF's `KHR_lights_punctual` with an inner angle of 0, as the specification computes
+/// it: scale and offset ahead of time, the former with the 0.001 that keeps it from a division by
+/// zero.
 #[derive(Clone, Copy, Debug)]
 pub struct Gltf {
     scale: f32,
@@ -166,8 +167,8 @@ impl Gltf {
     }
 }
 
-/// The rational function that stands for a power: `x / (n - n x + x)`, of C. Schlick, *A Fast Alternative to Phong's
-/// Specular Model*, Graphics Gems IV, 1994.
+/// The rational function that stands for a power: `x / (n - n x + x)`, of C. Schlick, *A Fast
+/// Alternative to Phong's Specular Model*, Graphics Gems IV, 1994.
 #[derive(Clone, Copy, Debug)]
 pub struct Schlick {
     exponent: f32,

@@ -11,7 +11,8 @@ pub const EYE: Vec3<f32> = Vec3::new(-0.5, 3.5, 1.0);
 /// Two directions across the axis and across one another, of length 0.88.
 const ACROSS: [Vec3<f32>; 2] = [Vec3::new(0.8, 0.36, 0.0), Vec3::new(-0.1728, 0.384, 0.7696)];
 
-/// A surface point in f32, the same on every machine. Its place is on the grid of 2^-16, so that every format has it.
+/// A surface point in f32, the same on every machine. Its place is on the grid of 2^-16, so that
+/// every format has it.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Site {
     /// Where it is.
@@ -55,7 +56,8 @@ impl Iterator for Sites {
         let random = &mut self.random;
         let mut across = [self.tangent * 0.6 * random.number(), self.tangent * 0.6 * random.number()];
         if self.population == Population::Outside {
-            // Far enough out along one of the two directions that the edge is passed whatever the other is.
+            // Far enough out along one of the two directions that the edge is passed whatever the
+            // other is.
             across[0] = (self.tangent * (2.5 + random.number())).copysign(across[0]);
         }
         let way = sum(AXIS, sum(scaled(ACROSS[0], across[0]), scaled(ACROSS[1], across[1])));

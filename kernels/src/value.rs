@@ -25,8 +25,9 @@ pub trait Format: Scalar<Irradiance: Value> + Value {
     /// Whether [`bounds`](Self::bounds) visits inputs.
     const COUNTABLE: bool = false;
 
-    /// Visits both ends of every interval of versines in which a ramp to an outer versine is level, with what they
-    /// stand for. A falloff is constant there and the truth is monotone, so no error is larger than at one of them.
+    /// Visits both ends of every interval of versines in which a ramp to an outer versine is level,
+    /// with what they stand for. A falloff is constant there and the truth is monotone, so no error
+    /// is larger than at one of them.
     fn bounds(_outer: f32, _visit: &mut dyn FnMut(Self::Versine, f64)) {}
 }
 
@@ -108,7 +109,8 @@ impl Format for Fx16 {
 
     fn bounds(outer: f32, visit: &mut dyn FnMut(Self::Versine, f64)) {
         let ramp = Self::ramp(0.0, outer, outer);
-        // Versines are magnified by a power of four that depends on the cone; of this one nothing is lost.
+        // Versines are magnified by a power of four that depends on the cone; of this one nothing
+        // is lost.
         let known = 1.0 / 1_073_741_824.0;
         let unit = f64::from(known) / f64::from(Self::versine(ramp, known).to_bits());
         let versine = Self::Versine::from_bits;

@@ -20,7 +20,8 @@ pub enum Kind {
     Searched,
 }
 
-/// What a kernel errs in a cone, in 8-bit codes: 1 is 1/255 of full scale, or of the light itself where that is more.
+/// What a kernel errs in a cone, in 8-bit codes: 1 is 1/255 of full scale, or of the light itself
+/// where that is more.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Accuracy {
     /// The kernel.
@@ -38,8 +39,8 @@ pub struct Errors {
     pub largest: f64,
     /// The largest in units of the last place of one.
     pub steps: f64,
-    /// Degrees off axis where the largest is, and for a point its distance and the degrees of incidence. Nothing where there
-    /// is no error.
+    /// Degrees off axis where the largest is, and for a point its distance and the degrees of
+    /// incidence. Nothing where there is no error.
     pub at: Vec<f64>,
     /// The mean over the inputs that were looked at, which are evenly spread.
     pub mean: f64,
@@ -59,8 +60,8 @@ impl Accuracy {
     }
 }
 
-/// `accuracy stage format kernel half-angle largest steps at mean nearly-all kind`, or `refused` with the narrowest half
-/// angle in place of the last six. Numbers with all their digits.
+/// `accuracy stage format kernel half-angle largest steps at mean nearly-all kind`, or `refused`
+/// with the narrowest half angle in place of the last six. Numbers with all their digits.
 impl fmt::Display for Accuracy {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Row { kernel, stage, format } = self.row;
@@ -100,7 +101,7 @@ impl<P: Copy> Tally<P> {
     /// Looks at a place for the largest error only.
     fn glance(&mut self, place: P, result: impl Value, exact: f64) -> f64 {
         let error = 255.0 * (result.exact() - exact).abs() / exact.max(1.0);
-        // What is not a number is as wrong as can be.
+        // NaN counts as an infinite error.
         let error = if error.is_nan() { f64::INFINITY } else { error };
         if error > self.worst.0 {
             self.worst = (error, Some(place));

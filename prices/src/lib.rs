@@ -1,8 +1,9 @@
-//! What each kernel errs, and how long it takes where there is a clock: measured on the very functions that firmware
-//! counts the instructions of.
+//! Measures the error of each kernel, and its time where there is a clock, on the same functions
+//! whose instructions the firmware counts.
 //!
-//! Each measurement is told as a line of words, so that a terminal, a browser and `cargo xtask measure` read the same.
-//! Errors are the same in every run; times are not, and come with their spread.
+//! Each measurement is reported as a line of words, so that a terminal, a browser and
+//! `cargo xtask measure` read the same. Errors are the same in every run; times are not, and come
+//! with their spread.
 #![forbid(unsafe_code)]
 
 mod accuracy;

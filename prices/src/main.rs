@@ -50,8 +50,8 @@ impl Clock for Monotonic {
         self.0.elapsed().as_secs_f64() * 1e9
     }
 
-    /// Long against the clock's own cost, and short against a time slice: on a machine that others use too, most
-    /// samples are then undisturbed.
+    /// Long against the clock's own cost, and short against a time slice: on a machine that others
+    /// use too, most samples are then undisturbed.
     fn shortest(&self) -> f64 {
         200_000.0
     }

@@ -1,7 +1,7 @@
 //! Random numbers, the same in every run.
 
-/// The generator `SplitMix64` of G. L. Steele, D. Lea and C. H. Flood, *Fast Splittable Pseudorandom Number Generators*,
-/// OOPSLA 2014.
+/// The generator `SplitMix64` of G. L. Steele, D. Lea and C. H. Flood, *Fast Splittable
+/// Pseudorandom Number Generators*, OOPSLA 2014.
 #[derive(Clone, Debug)]
 pub(crate) struct Random(u64);
 

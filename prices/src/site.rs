@@ -12,11 +12,12 @@ const COUNT: usize = 1 << 16;
 const REACH: f64 = 1.02;
 /// The distances from the light.
 const DISTANCES: [f64; 2] = [1.0, 7.0];
-/// The least cosine of incidence. Below, a highlight jumps to zero in the model itself, and no format can place the jump.
+/// The least cosine of incidence. Below, a highlight jumps to zero in the model itself, and no
+/// format can place the jump.
 const LEAST_COSINE: f64 = 0.1;
 
-/// Sites about a light. Those of the lit population reach over the edge, every other one facing so that a highlight is
-/// near; those of others are the ones that costs are counted on.
+/// Sites about a light. Those of the lit population reach over the edge, every other one facing so
+/// that a highlight is near; those of others are the ones that costs are counted on.
 pub(crate) fn about(truth: &Point) -> Vec<Site> {
     if truth.population != Population::Lit {
         return Sites::new(truth.population, truth.falloff.outer as f32).take(COUNT).collect();

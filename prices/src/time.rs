@@ -87,7 +87,7 @@ impl<C: Clock> Stopwatch<'_, C> {
     fn time<K: Kernel>(&mut self, row: Row, kernel: &K, inputs: &[K::Input]) {
         let mut outputs: Vec<_> = inputs.iter().map(|input| kernel.evaluate(input)).collect();
         let sum = outputs.iter().fold(0, |sum: u32, output| sum.wrapping_mul(3) ^ output.bits());
-        // So many batches that the clock tells them well.
+        // As many batches as the resolution of the clock needs.
         let mut batches = 1;
         while self.lapse(kernel, inputs, &mut outputs, batches) < self.clock.shortest() {
             batches *= 2;
@@ -100,7 +100,7 @@ impl<C: Clock> Stopwatch<'_, C> {
         self.found = Some(Times { row, quartiles, sum });
     }
 
-    /// How long so many batches take, in nanoseconds.
+    /// Measures the time of `batches` batches, in nanoseconds.
     fn lapse<K: Kernel>(
         &self,
         kernel: &K,

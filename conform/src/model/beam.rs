@@ -39,14 +39,14 @@ pub(super) fn place<S: Format>(case: &mut Case<'_>) -> Outcome {
     Ok(())
 }
 
-/// What a gobo leaves of the light.
+/// The transmittance of a gobo.
 pub(super) fn gobo<S: Format>(case: &mut Case<'_>) -> Outcome {
     let (square, point) = square::<S>(case);
     case.give(GOBO.on(square?).at(point));
     Ok(())
 }
 
-/// What a shadow leaves of the light.
+/// The visibility through a shadow map.
 pub(super) fn shadow<S: Format>(case: &mut Case<'_>) -> Outcome {
     let (square, point) = square::<S>(case);
     let depths = DEPTHS.map(S::length);
@@ -54,7 +54,8 @@ pub(super) fn shadow<S: Format>(case: &mut Case<'_>) -> Outcome {
     Ok(())
 }
 
-/// What haze shows of the beam between an eye and a surface, and of the whole beam in that direction.
+/// What haze shows of the beam between an eye and a surface, and of the whole beam in that
+/// direction.
 pub(super) fn in_scattering(case: &mut Case<'_>) -> Outcome {
     let description = Description::of(case, |_| Ok(Soft));
     let (position, axis, intensity) =

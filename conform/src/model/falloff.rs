@@ -15,8 +15,8 @@ pub(super) fn components(v: Vec3<f32>) -> [f32; 3] {
     [v.x, v.y, v.z]
 }
 
-/// The description of a cone: which angle is given (0 outer, 1 beam, 2 field), that angle, and the inner and the
-/// cutoff's, where they are not zero; all full angles in degrees.
+/// The description of a cone: which angle is given (0 outer, 1 beam, 2 field), that angle, and the
+/// inner and the cutoff's, where they are not zero; all full angles in degrees.
 pub(super) struct Description<P> {
     profile: Result<P, Error>,
     design: u32,
@@ -53,7 +53,8 @@ impl<P: Falloff> Description<P> {
     }
 }
 
-/// The outer versine, then beam, field and outer angle in degrees and the flux of one candela in lumens.
+/// The outer versine, then beam, field and outer angle in degrees and the flux of one candela in
+/// lumens.
 fn give<P: Falloff>(case: &mut Case<'_>, cone: &Cone<P>) {
     case.give(cone.outer_versine());
     for angle in [cone.beam(), cone.field(), cone.outer()] {
@@ -71,7 +72,8 @@ pub(super) fn cone<P: Falloff>(
     Ok(())
 }
 
-/// As a cone; then the slopes of a cubic, at the edge and in the middle, or the edge slope of a quadratic.
+/// As a cone; then the slopes of a cubic, at the edge and in the middle, or the edge slope of a
+/// quadratic.
 pub(super) fn two_angles(case: &mut Case<'_>) -> Outcome {
     let (beam, field) = (case.number("beam"), case.number("field"));
     let cone = Cone::from_beam_and_field(Angle::degrees(beam), Angle::degrees(field))?;
@@ -103,8 +105,8 @@ pub(super) fn opengl(case: &mut Case<'_>) -> Outcome {
     Ok(())
 }
 
-/// The versine in the scale of the cone that is nearest to a number, the intensity there, and that at a versine of
-/// any bits.
+/// The versine in the scale of the cone that is nearest to a number, the intensity there, and that
+/// at a versine of any bits.
 pub(super) fn falloff<S: Format, P: Falloff>(
     case: &mut Case<'_>,
     profile: impl Fn(&mut Case<'_>) -> Result<P, Error>,

@@ -49,7 +49,8 @@ pub(super) fn view<S: Format>(case: &mut Case<'_>) -> Outcome {
     Ok(())
 }
 
-/// A glossy surface under a spotlight in a night sky, exposed, fitted and encoded: light, codes and pixel.
+/// A glossy surface under a spotlight in a night sky, exposed, fitted and encoded: light, codes and
+/// pixel.
 pub(super) fn lit_point<S: Format>(case: &mut Case<'_>) -> Outcome {
     let (field, range) = (case.number("angle"), case.number("range"));
     let (position, axis, intensity) =

@@ -103,7 +103,8 @@ macro_rules! listed {
 }
 luminaire::constant_falloffs!(listed);
 
-/// All models there are. One whose parameters are inputs stands for the one of the list with its name.
+/// All models there are. One whose parameters are inputs stands for the one of the list with its
+/// name.
 pub fn models() -> impl Iterator<Item = &'static Model> {
     let is_written = |model: &&Model| WRITTEN.iter().any(|written| written.name == model.name);
     LISTED.iter().filter(move |model| !is_written(model)).chain(WRITTEN)

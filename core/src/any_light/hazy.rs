@@ -36,8 +36,8 @@ impl BeamScattering<AnyFalloff, AnyAttenuation> {
     /// bit-identical to [`in_scattering_through`](Self::in_scattering_through) with `PARTS` samples
     /// per ray.
     ///
-    /// The filter is called once per ray with all samples of that ray. It is not called for rays
-    /// outside the beam.
+    /// The filter is called once per ray with all samples of that ray. Rays outside the beam
+    /// do not call it.
     pub fn in_scattering_through_each<const PARTS: usize, const N: usize>(
         &self,
         rays: &ViewRays<N>,

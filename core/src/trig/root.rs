@@ -65,7 +65,7 @@ fn nearest(bits: u32, estimate: f32) -> f32 {
     let number = (bits << (24 - ((bits >> 23) & 1))) as i32;
     let rest = number.wrapping_sub(m.wrapping_mul(m));
     // `(m + 1/2)^2 = m^2 + m + 1/4`: up if `rest > m`, down if `rest < -m`. `rest` is never `-m`,
-    // because `m^2 - m` is not a number of 24 bits, except for two numbers whose estimate is right.
+    // because `m^2 - m` needs more than 24 bits, except for two numbers whose estimate is right.
     let up = m.wrapping_sub(rest) >> 31;
     let down = rest.wrapping_add(m) >> 31;
     f32::from_bits(bits_of_root.wrapping_sub(up as u32).wrapping_add(down as u32))

@@ -14,8 +14,8 @@ use std::error::Error;
 /// Width and height of a panel, and the gap to the next, in pixels.
 const PANEL: usize = 300;
 const GAP: usize = 30;
-/// Where the cones end and how far the hotspots reach, full angles in degrees: narrow, so that distance and
-/// incidence hardly bend the curves.
+/// Where the cones end and how far the hotspots reach, full angles in degrees: narrow, so that
+/// distance and incidence hardly bend the curves.
 const OUTER: Angle = Angle::degrees(6.0);
 const INNER: Angle = Angle::degrees(3.0);
 /// The full angle that is seen of the wall.
@@ -23,7 +23,8 @@ const SEEN: Angle = Angle::degrees(7.3);
 /// The distance of light and eye from the wall, and their height, in metres.
 const DISTANCE: f32 = 8.0;
 const HEIGHT: f32 = 2.0;
-/// The part of the light that the wall sends back: under full scale, so that a bright band has room.
+/// The part of the light that the wall sends back: under full scale, so that a bright band has
+/// room.
 const ALBEDO: f32 = 0.75;
 
 const DARK: &str = "#202124";
@@ -106,7 +107,8 @@ impl Panel {
         Ok(Self { title, remark, kinks, picture, row })
     }
 
-    /// Draws the row, in line with the panel's place in the picture. Across the panel x goes from -1 to 1.
+    /// Draws the row, in line with the panel's place in the picture. Across the panel x goes from
+    /// -1 to 1.
     fn profile(&self, drawing: &mut Drawing, left: f64) {
         let x = [(left, -1.0), (left + PANEL as f64, 1.0)];
         let light = Frame { x, y: [(160.0, 0.0), (44.0, f64::from(ALBEDO))] };
@@ -160,8 +162,8 @@ fn camera() -> Camera {
 mod tests {
     use super::*;
 
-    /// Where the slope of a row jumps by more than a kink's share from one sample to the next but one, from
-    /// -1 to 1.
+    /// Where the slope of a row jumps by more than a kink's share from one sample to the next but
+    /// one, from -1 to 1.
     fn jumps(row: &[f64]) -> Vec<f64> {
         let step = 2.0 / row.len() as f64;
         let slopes: Vec<_> = row.windows(2).map(|pair| (pair[1] - pair[0]) / step).collect();
@@ -169,7 +171,8 @@ mod tests {
         jumps.map(|(place, _)| step * f64::from(place) - 1.0).collect()
     }
 
-    /// The rendered light has kinks in the linear panel, there where they are marked, and nowhere else.
+    /// The rendered light has kinks in the linear panel, there where they are marked, and nowhere
+    /// else.
     #[test]
     fn only_the_linear_edge_has_kinks() {
         let bands = MachBands::draw().expect("sound cones");

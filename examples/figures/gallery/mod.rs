@@ -1,7 +1,8 @@
 //! The figures: what is drawn, and as what it is kept.
 //!
-//! The pictures are the renderer's geometry lit by the kernel in f32, or by Warn's model over the same
-//! geometry. Nothing in them differs between machines, so that they can be compared to the last bit.
+//! The pictures are the renderer's geometry lit by the kernel in f32, or by Warn's model over the
+//! same geometry. Nothing in them differs between machines, so that they can be compared to the
+//! last bit.
 
 mod curves;
 mod mach_bands;

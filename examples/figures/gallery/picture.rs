@@ -19,8 +19,8 @@ pub(crate) fn renderer(width: usize, height: usize) -> Result<Renderer<f32>, lum
     Renderer::new(width * SAMPLES, height * SAMPLES)
 }
 
-/// The linear light of each sample when this much light, in white, arrives at its surface on top of the
-/// ambient light.
+/// The linear light of each sample when this much light, in white, arrives at its surface on top of
+/// the ambient light.
 pub(crate) fn lit(
     renderer: &Renderer<f32>,
     ambient: Rgb<f32>,
@@ -35,7 +35,8 @@ pub(crate) fn lit(
 }
 
 impl Picture {
-    /// Averages the linear light of a renderer's samples, which it is asked for by place, and encodes it.
+    /// Averages the linear light of a renderer's samples, which `linear` returns by column and row,
+    /// and encodes it.
     pub(crate) fn develop(renderer: &Renderer<f32>, linear: impl Fn(usize, usize) -> Rgb<f32>) -> Self {
         let (width, height) = renderer.size();
         let (width, height) = (width / SAMPLES, height / SAMPLES);

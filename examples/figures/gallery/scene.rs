@@ -34,8 +34,8 @@ pub(crate) fn pictures() -> Result<[Picture; 3], Box<dyn Error>> {
     Ok([warn, under(SoftOrHard::Soft)?, under(SoftOrHard::Hard)?])
 }
 
-/// The spotlight, from above on the left: one and a half times full scale at the target, because nothing
-/// there is white and faces it.
+/// The spotlight, from above on the left: one and a half times full scale at the target, because
+/// nothing there is white and faces it.
 fn spot(edge: SoftOrHard) -> Result<SpotLight, luminaire::Error> {
     let (position, target) = (Vec3::new(-3.2, 6.4, 4.6), Vec3::new(0.0, 0.2, 0.0));
     let axis = target.zip(position, |t, p| t - p);

@@ -4,7 +4,8 @@ use luminaire::{Angle, HalfAngle, Vec3};
 
 /// The cosine of the angle off axis to a real exponent (Warn 1983; Hast 2004, equation 1), in f64.
 ///
-/// The power, the logarithm and the cosine are those of `libm`, which are the same on every machine.
+/// The power, the logarithm and the cosine are those of `libm`, which are the same on every
+/// machine.
 #[derive(Clone, Copy)]
 pub(crate) struct Warn {
     pub(crate) exponent: f64,
@@ -27,8 +28,8 @@ impl Warn {
         2.0 * libm::acos(libm::pow(intensity, 1.0 / self.exponent)).to_degrees()
     }
 
-    /// The light that arrives at a surface point, as the kernel has it: falloff, Lambert's cosine and the
-    /// inverse square of the distance.
+    /// The light that arrives at a surface point, as the kernel has it: falloff, Lambert's cosine
+    /// and the inverse square of the distance.
     pub(crate) fn irradiance(self, light: &luminaire::SpotLight, point: Vec3<f32>, normal: Vec3<f32>) -> f64 {
         let way = point.zip(light.position(), |p, l| p - l).map(f64::from);
         let (axis, normal) = (light.axis().map(f64::from), normal.map(f64::from));

@@ -1,6 +1,8 @@
-//! The effects, each a function of one input: what a program's bytes are counted of, and its instructions.
+//! The effects, each a function of one input: what a program's bytes are counted of, and its
+//! instructions.
 
-/// The list of the effects of a file, by what they are computed from, as a function that shows them to a visitor.
+/// The list of the effects of a file, by what they are computed from, as a function that shows them
+/// to a visitor.
 macro_rules! list {
     ($($input:ident: $($effect:ident)*;)*) => {
         pub(super) fn each(visit: &mut impl super::Visit) {

@@ -1,5 +1,5 @@
-//! Effects, each a function of one input with constants for lights and surfaces; and what programs of one effect have in
-//! common: the input, the output, and a panic that cannot be linked.
+//! Effects, each a function of one input with constants for lights and surfaces; and what programs
+//! of one effect have in common: the input, the output, and a panic that cannot be linked.
 #![cfg_attr(target_os = "none", no_std)]
 
 pub mod constants;

@@ -49,7 +49,8 @@ macro_rules! inputs {
             #[inline(always)]
             fn read() -> Self {
                 static mut MEMORY: MaybeUninit<$input> = MaybeUninit::zeroed();
-                // SAFETY: numbers, for which every bit pattern is a value, and zero until a debugger writes others.
+                // SAFETY: numbers, for which every bit pattern is a value, and zero until a
+                // debugger writes others.
                 unsafe { ptr::read_volatile(&raw const MEMORY).assume_init() }
             }
         }

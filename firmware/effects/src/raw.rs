@@ -45,7 +45,7 @@ impl Bits {
         self.word() as u32
     }
 
-    /// One of so many choices.
+    /// A random index below `choices`.
     pub fn choice(&mut self, choices: u64) -> u64 {
         self.word() % choices
     }

@@ -1,5 +1,5 @@
-//! Checks the conformance vectors, which it reads from the machine that runs the emulator, line by line: so many of
-//! them would not fit the flash of the smallest board.
+//! Checks the conformance vectors. It reads them line by line from the machine that runs the
+//! emulator: the whole file would not fit the flash of the smallest board.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 use core::fmt;
@@ -16,7 +16,7 @@ luminaire_firmware::entry!(conform);
 /// Longer than the longest line.
 const ROOM: usize = 1024;
 
-/// Where lines that differ are told.
+/// Prints the lines that differ.
 struct Console;
 
 impl fmt::Write for Console {

@@ -1,4 +1,5 @@
-//! Known numbers of instructions, to try the counter on: prints for each region what must be counted.
+//! Known numbers of instructions, to try the counter on: prints for each region what must be
+//! counted.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 use luminaire_firmware::board::{begin, countdown, end, nops, println};

@@ -1,5 +1,5 @@
-//! A floor in the light of a constant: what a firmware needs that has no float, neither per pixel nor to set up. Prints
-//! the pixels of each row, as hexadecimal digits of RGB565.
+//! A floor in the light of a constant: what a firmware needs that has no float, neither per pixel
+//! nor to set up. Prints the pixels of each row, as hexadecimal digits of RGB565.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 use luminaire::{

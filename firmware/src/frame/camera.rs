@@ -17,7 +17,8 @@ const HALF_PIXEL: i32 = 205;
 /// The row in which the horizon is.
 const HORIZON: i32 = 38;
 
-/// A line of sight: how far it goes to the right and up for each metre into the depth, in steps of 2^-16.
+/// A line of sight: how far it goes to the right and up for each metre into the depth, in steps of
+/// 2^-16.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Sight {
     pub(super) right: i32,
@@ -53,8 +54,8 @@ impl Sight {
         Vec3::new(self.x(depth), Length::from_bits(self.height(depth)), Length::from_bits(back))
     }
 
-    /// The squared length of the part to the right, of that upwards, and of one metre into the depth, in steps of
-    /// 2^-20.
+    /// The squared length of the part to the right, of that upwards, and of one metre into the
+    /// depth, in steps of 2^-20.
     #[inline(always)]
     pub(super) fn squares(self) -> [i32; 3] {
         let square = |slope: i32| (slope * slope) >> 12;

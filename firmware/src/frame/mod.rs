@@ -1,7 +1,8 @@
-//! A picture lit pixel by pixel in 16 bits: a wall, a floor, a ball and a column under a soft spotlight, in 160 x 120
-//! pixels of RGB565. There is no float, and no more memory than for a row.
+//! A picture lit pixel by pixel in 16 bits: a wall, a floor, a ball and a column under a soft
+//! spotlight, in 160 x 120 pixels of RGB565. There is no float, and no more memory than for a row.
 //!
-//! Each row goes through the same stages, each between markers, so that the counter tells what they cost.
+//! Each row goes through the same stages, each between markers, so that the counter tells what they
+//! cost.
 
 mod ball;
 mod camera;
@@ -39,8 +40,9 @@ struct Row {
     pixels: [u16; WIDTH],
 }
 
-/// Draws the picture. The first line tells its size and the stages, the last one how many pixels the light
-/// does not reach and why; between them are the pixels of each row, as hexadecimal digits.
+/// Draws the picture. The first line tells its size and the stages, the last one how many pixels
+/// the light does not reach and why; between them are the pixels of each row, as hexadecimal
+/// digits.
 pub fn frame() {
     println!("{WIDTH} {HEIGHT} {STAGES}");
     let mut row = Row {

@@ -2,8 +2,8 @@
 
 use super::camera::DEPTH_BITS;
 
-/// `a t² - 2 b t + c`, which is the squared distance from something round, less its squared radius, after `t`
-/// of a line.
+/// `a t² - 2 b t + c`, which is the squared distance from something round, less its squared radius,
+/// after `t` of a line.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Quadratic {
     pub(super) a: i32,
@@ -12,8 +12,8 @@ pub(super) struct Quadratic {
 }
 
 impl Quadratic {
-    /// The depth of the nearer root, for coefficients in steps of 2^-20, of a line that goes through in front
-    /// of the eye.
+    /// The depth of the nearer root, for coefficients in steps of 2^-20, of a line that goes
+    /// through in front of the eye.
     #[inline(always)]
     pub(super) fn depth(self) -> Option<i32> {
         let Self { a, b, c } = self;

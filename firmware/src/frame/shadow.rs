@@ -18,8 +18,8 @@ pub(super) fn cast(sites: &[Site; WIDTH], lights: &mut [Light16; WIDTH]) {
     }
 }
 
-/// Whether something stands between a site and the light. Nothing is asked for its own shadow: there the surface faces
-/// away.
+/// Whether an object stands between a site and the light. No object is tested against its own
+/// surface: there the surface faces away.
 #[inline(always)]
 pub(super) fn is_in_shadow(site: &Site) -> bool {
     let way = Way::to_light(site.point);
@@ -27,7 +27,8 @@ pub(super) fn is_in_shadow(site: &Site) -> bool {
         || (site.material != Material::Column && column::is_between(&way))
 }
 
-/// The way from a point to the light, in steps of 2^-12, so that the sum of three squares fits 32 bits.
+/// The way from a point to the light, in steps of 2^-12, so that the sum of three squares fits 32
+/// bits.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Way {
     start: Vec3<i32>,
@@ -51,13 +52,15 @@ impl Way {
     }
 }
 
-/// How a way passes through something round: what two places have in common with the way, as inner products
-/// in steps of 2^-9, so that their products fit 32 bits. An outline is off by some millimetres for it.
+/// How a way passes through something round: what two places have in common with the way, as inner
+/// products in steps of 2^-9, so that their products fit 32 bits. An outline is off by some
+/// millimetres for it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Passage {
     /// The way with itself: its squared length.
     pub(super) squared: i32,
-    /// The way with that to the middle: `nearest / squared` of it lead to where it is nearest to the middle.
+    /// The way with that to the middle: `nearest / squared` of it lead to where it is nearest to
+    /// the middle.
     pub(super) nearest: i32,
     /// The square of what it takes, in the same measure, from where it enters to there.
     pub(super) within: u32,

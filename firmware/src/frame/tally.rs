@@ -13,7 +13,8 @@ use super::paint::KEY;
 use super::scene::Site;
 use super::shadow::is_in_shadow;
 
-/// Pixels by the first thing that keeps the light from them, in the order in which they are asked.
+/// Numbers of pixels by the first condition that keeps the light from them, in the order in which
+/// the conditions are tested.
 #[derive(Clone, Copy, Default, Debug)]
 pub(super) struct Tally {
     facing_away: u32,

@@ -22,7 +22,8 @@ fn dot(a: Vector, b: Vector) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-/// Where a line enters what is round in the axes of `mask`, if it goes on for more than nothing from there.
+/// Where a line enters what is round in the axes of `mask`, if it goes on for more than nothing
+/// from there.
 fn entry(start: Vector, way: Vector, middle: Vector, radius: f64, mask: Vector) -> Option<f64> {
     let masked = |v: Vector| [0, 1, 2].map(|i| v[i] * mask[i]);
     let (way, from) = (masked(way), masked([0, 1, 2].map(|i| start[i] - middle[i])));

@@ -58,7 +58,8 @@ impl Inputs {
         (self.color(), place)
     }
 
-    /// The fractions of the multiples of the golden ratio, which are spread evenly however many are taken.
+    /// The fractions of the multiples of the golden ratio, which are spread evenly however many are
+    /// taken.
     fn channel(&mut self) -> Format {
         self.number = self.number.wrapping_add(0x9e37_79b9);
         Format::from_f32((self.number >> 8) as f32 / 16_777_216.0)

@@ -1,7 +1,7 @@
 //! Writes the conformance vectors, or checks this machine against them.
 //!
-//! `conform generate` prints the file. `conform check` reads it from stdin, prints the first cases that differ and, as
-//! the last line, how many there are and how many differ.
+//! `conform generate` prints the file. `conform check` reads it from stdin, prints the first cases
+//! that differ and, as the last line, how many there are and how many differ.
 
 mod random;
 mod scene;

@@ -18,7 +18,7 @@ impl Random {
         least + (most - least) * ((self.bits() >> 11) as f64 / (1_u64 << 53) as f64)
     }
 
-    /// One of so many.
+    /// A whole number below `count`.
     pub(crate) fn below(&mut self, count: u64) -> u64 {
         self.bits() % count
     }

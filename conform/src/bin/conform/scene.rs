@@ -1,10 +1,12 @@
-//! A scene that belongs together, so that most of its points are lit: the values of every input by name.
+//! A scene that belongs together, so that most of its points are lit: the values of every input by
+//! name.
 
 use std::collections::BTreeMap;
 
 use super::random::{Random, dot, plus, scaled, unit};
 
-/// The values of a scene, before a format stores them. What has one component has three of the same.
+/// The values of a scene, before a format stores them. What has one component has three of the
+/// same.
 #[derive(Clone, Debug)]
 pub(crate) struct Scene {
     values: BTreeMap<&'static str, [f64; 3]>,
@@ -82,8 +84,8 @@ impl Scene {
         self.values.insert(name, value);
     }
 
-    /// Moves the surface so many degrees off the axis, facing the light more or less, with an eye about the mirror
-    /// direction.
+    /// Moves the surface to `off_axis` degrees off the axis, facing the light more or less, with an
+    /// eye near the mirror direction.
     pub(crate) fn look_at(&mut self, off_axis: f64, distance: f64, random: &mut Random) {
         let (position, axis) = (self.vector("position"), self.vector("axis"));
         let across = loop {

@@ -126,7 +126,8 @@ pub(crate) struct Seam {
     fixed: fn(u32) -> u64,
 }
 
-/// The f32 and, as there are no such things in fixed point, the least, the largest and the smallest word instead.
+/// The f32 and, as there are no such things in fixed point, the least, the largest and the smallest
+/// word instead.
 pub(crate) const SEAMS: [Seam; 8] = [
     Seam { name: "minus zero, or minus one step", float: 0x8000_0000, fixed: |bits| u64::MAX >> (64 - bits) },
     Seam { name: "the smallest", float: 1, fixed: |_| 1 },

@@ -1,4 +1,5 @@
-//! Writing the file: a section for each model and format, in it the hard cases and then random ones.
+//! Writing the file: a section for each model and format, in it the hard cases and then random
+//! ones.
 
 use std::fmt::Write;
 
@@ -32,7 +33,8 @@ pub(crate) fn file() -> String {
     file
 }
 
-/// Words of names, and those in their place when the scenes were first drawn: a new name leaves the scenes as they are.
+/// Words of names, and those in their place when the scenes were first drawn: a new name leaves the
+/// scenes as they are.
 const FIRST_WORDS: [(&str, &str); 11] = [
     ("step", "cut-off"),
     ("quadratic", "blend"),
@@ -72,7 +74,8 @@ fn section(file: &mut String, name: &str, evaluate: Evaluate) {
         header = source.names;
         format!("{} -> {}", source.words, outputs.as_str())
     };
-    // Each hard case is made of a random scene. One that leaves all inputs of the model alone is none.
+    // Each hard case is made of a random scene. One that leaves all inputs of the model alone is
+    // none.
     let mut hard = |scene: &Scene, harder: &Scene, seam, name| {
         let (plain, words) = (row(scene, None), row(harder, seam));
         if words != plain {

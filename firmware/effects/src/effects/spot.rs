@@ -41,7 +41,8 @@ pub fn spot_soft_lambert_shadow(surface: Surface) -> Irradiance {
     SHADOW.filter(Soft::effect(surface), surface.point)
 }
 
-/// The air light of a view ray through the beam of the soft spotlight in haze. It is f32 in every format.
+/// The air light of a view ray through the beam of the soft spotlight in haze. It is f32 in every
+/// format.
 #[inline(always)]
 pub fn haze(view: ViewRay) -> f32 {
     BEAM.in_scattering(&view)

@@ -1,4 +1,5 @@
-//! Lights of any kind, at a point and at many, and their beams in haze: what panics anywhere does not link.
+//! Lights of any kind, at a point and at many, and their beams in haze: what panics anywhere does
+//! not link.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 use core::hint::black_box;
@@ -40,7 +41,8 @@ fn of_format<S: Raw>(bits: &mut Bits) {
     }
 }
 
-/// A light of any kind, profile and distance model; its profile and its curve need not be of one kind.
+/// A light of any kind, profile and distance model; its profile and its curve need not be of one
+/// kind.
 #[inline(never)]
 fn light<S: Raw>(bits: &mut Bits) -> CompiledAnyLight<S> {
     let attenuation = bits.any_distance().constants::<S>();
@@ -61,8 +63,9 @@ fn light<S: Raw>(bits: &mut Bits) -> CompiledAnyLight<S> {
     }
 }
 
-/// A kind of highlight at many points. One is enough: the loops have nothing of their own for another, for each profile and
-/// distance model, and without highlights they have less. What each does at a point is in the program `everything`.
+/// A kind of highlight at many points. One is enough: the loops have nothing of their own for
+/// another, for each profile and distance model, and without highlights they have less. What each
+/// does at a point is in the program `everything`.
 #[inline(never)]
 fn arrives_each<S: Raw, H: SpecularLobe>(
     bits: &mut Bits,

@@ -14,7 +14,8 @@ use luminaire_effects::raw::{Bits, Raw, each};
 
 luminaire_effects::program!(batches);
 
-/// As much memory as there is for each quantity. How much of it a slice has, the compiler does not know.
+/// As much memory as there is for each quantity. How much of it a slice has, the compiler does not
+/// know.
 const MOST: usize = 4;
 
 fn batches(words: [u64; 64]) {

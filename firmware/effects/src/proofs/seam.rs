@@ -1,4 +1,5 @@
-//! Every operation of the seam between the kernel and a number format, on any bits: what panics anywhere does not link.
+//! Every operation of the seam between the kernel and a number format, on any bits: what panics
+//! anywhere does not link.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 use core::array::from_fn;
@@ -96,8 +97,8 @@ fn points<S: Raw>(bits: &mut Bits) {
     goes(bits, &offset, &Offset::fine_ray(&offset));
 }
 
-/// What is known of a way once its root is, coarse or fine; and what a light of any kind of profile and distance model has
-/// there.
+/// What is known of a way once its root is, coarse or fine; and what a light of any kind of profile
+/// and distance model has there.
 #[inline(never)]
 fn goes<S: Raw, R: Ray<S>>(bits: &mut Bits, offset: &S::Offset, ray: &R) {
     let (axis, normal, ramp) = (bits.vector(S::unit), bits.vector(S::scalar), S::raw_ramp(bits));

@@ -1,4 +1,5 @@
-//! Every constructor, of any numbers, and every conversion to the format: what panics anywhere does not link.
+//! Every constructor, of any numbers, and every conversion to the format: what panics anywhere does
+//! not link.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 use core::array::from_fn;

@@ -1,4 +1,5 @@
-//! The soft spotlight again, beside other effects that its scene might have called for and does not: they cost nothing.
+//! The soft spotlight again, beside effects that its scene could require but does not: they cost
+//! nothing.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 use luminaire::{
@@ -20,7 +21,7 @@ luminaire_effects::program!(|surface: Surface| {
     Soft::CONSTANT.irradiance(surface.point, surface.normal)
 });
 
-/// What the scene calls for.
+/// Whether the scene requires the effects beside the spotlight.
 const IS_GLOSSY: bool = false;
 const HAS_FLOOD: bool = false;
 
