@@ -58,8 +58,8 @@ pub fn errors<S: Format>(half_degrees: f64, count: usize) -> Errors {
 }
 
 /// The bound of the versine form: `k delta / theta` for the direction, with the steepness `k` of
-/// the soft edge; what is off of the lengths of direction and axis and of the outer versine, each
-/// relative, where `2 t u` is largest; and the rounding from a versine to an intensity.
+/// the soft edge; the relative errors of the lengths of direction and axis and of the outer
+/// versine, where `2 t u` is largest; and the rounding from a versine to an intensity.
 pub fn versine_bound<S: Scalar>(half_degrees: f64) -> f64 {
     let steepness = 8.0 / (3.0 * 3.0_f64.sqrt());
     // On a common grid f32 has the difference of light and point exactly.

@@ -38,8 +38,8 @@ impl Seen {
         }
     }
 
-    /// Sees what was found, after what was found before, and what would be exact: more than one
-    /// value where several inputs share an answer.
+    /// Enters the result `found`, the previous result and the exact values: more than one value if
+    /// several inputs share a result.
     #[inline(always)]
     fn see(&mut self, before: f64, found: f64, exact: &[f64]) {
         for exact in exact {
@@ -72,8 +72,8 @@ pub fn input(name: &str, domain: RangeInclusive<u64>, at: impl Fn(u64) -> [f64; 
     seen
 }
 
-/// The same for several functions of an input, and for as many exact values of each as the inputs
-/// have that share an answer.
+/// The same for several functions of an input, with an exact value for each of the inputs that
+/// share a result.
 pub fn inputs<const FUNCTIONS: usize, const EXACT: usize>(
     name: &str,
     domain: RangeInclusive<u64>,

@@ -8,10 +8,10 @@ pub trait Format: Scalar {
     fn exact_length(length: Self::Length) -> f64;
     fn exact_unit(unit: Self::Unit) -> f64;
     fn exact_light(light: Self::Irradiance) -> f64;
-    /// What a versine stands for in the scale of a cone: the scale is found from what the cone
-    /// makes of 2^-28.
+    /// The exact value of a versine in the scale of a cone. The scale is found from the versine
+    /// that the cone stores for 2^-28.
     fn exact_versine<P: Falloff>(falloff: &CompiledCone<Self, P>, versine: Self::Versine) -> f64;
-    /// The scalar, length, unit and versine with these bits, cut to what the format has.
+    /// The scalar, length, unit and versine with these bits, truncated to the width of the format.
     fn scalar_from_bits(bits: u64) -> Self;
     fn length_from_bits(bits: u64) -> Self::Length;
     fn versine_from_bits(bits: u64) -> Self::Versine;

@@ -20,10 +20,10 @@ pub fn transmission(side: usize, transmissions: &[u8], [column, row]: [f64; 2]) 
 /// cargo test --test suite gobo:: -- --nocapture --test-threads 1` prints the measured ones.
 pub struct Row {
     pub name: &'static str,
-    /// How many transmissions a side has.
+    /// Number of texels on a side.
     pub side: usize,
-    /// The half angle of the cone, in degrees; where there is none, from a place and not from a
-    /// point.
+    /// The half angle of the cone, in degrees. `None`: the error from a position on the square, not
+    /// from a point in space.
     pub half: Option<f32>,
     pub bounds: [f64; 3],
 }

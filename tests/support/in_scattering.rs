@@ -11,7 +11,7 @@ pub struct Ray {
     pub length: f64,
 }
 
-/// A spotlight in haze, with what is left of its light at a distance, up to a range.
+/// A spotlight in haze, with an attenuation and a range.
 #[derive(Clone, Copy)]
 pub struct Beam {
     pub spot: reference::SpotLight,
@@ -96,7 +96,7 @@ impl Beam {
         (first < last).then_some((first, last))
     }
 
-    /// The place of the ray with the least versine.
+    /// The distance along the ray of the least versine.
     fn nearest_to_axis(&self, ray: &Ray, places: &[f64]) -> f64 {
         let versine = |s: f64| self.spot.versine(ray.at(s));
         let mut best = (places[0], versine(places[0]));
@@ -119,7 +119,7 @@ impl Beam {
     }
 }
 
-/// The last place from `within` towards `beyond` where a predicate holds.
+/// The last distance from `within` towards `beyond` at which a predicate holds.
 fn boundary(within: f64, beyond: f64, holds: impl Fn(f64) -> bool) -> f64 {
     if holds(beyond) {
         return beyond;
@@ -146,7 +146,7 @@ fn simpson(from: f64, to: f64, value: impl Fn(f64) -> f64) -> f64 {
 }
 
 impl Beam {
-    /// What is seen along a line without ends that crosses the axis at a right angle and at
+    /// The in-scattering along an infinite line that crosses the axis at a right angle and at
     /// distance 1.
     pub fn across(&self) -> f64 {
         const PLACES: u32 = 20_000;

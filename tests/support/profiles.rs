@@ -14,7 +14,7 @@ pub fn cubic() -> Cubic {
     Cubic::with_slopes(1.25, 3.5).expect("sound slopes")
 }
 
-/// A cone of the kernel and what it stands for, both made of the outer half angle in degrees.
+/// A cone of the kernel and its exact model, both made of the outer half angle in degrees.
 pub struct Shape<P> {
     pub name: &'static str,
     pub cone: fn(P, f32) -> Cone<P>,
@@ -119,7 +119,7 @@ pub fn sound<T>(sample: Result<T, luminaire::Error>) -> T {
     sample.expect("the parameters of the list are sound")
 }
 
-/// The answers of a generic function to every shape: each falloff of the list plain, a power of an
+/// The results of a generic function for every shape: each falloff of the list plain, a power of an
 /// odd exponent, the soft edge around a hotspot and cut off, and OpenGL's.
 #[macro_export]
 macro_rules! with_every_shape {

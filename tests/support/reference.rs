@@ -135,7 +135,7 @@ pub fn versine_between(a: Vector, b: Vector) -> f64 {
     dot(difference, difference) / 2.0
 }
 
-/// What is left of a light at a distance.
+/// The attenuation over distance.
 pub type Attenuation = fn(f64) -> f64;
 
 /// `1 / (a0 + a1 d + a2 d^2)`, capped at 1.

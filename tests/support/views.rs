@@ -17,7 +17,7 @@ pub fn place(from: Vector, way: Vector, distance: f64) -> Vector {
     [0, 1, 2].map(|i| from[i] + distance * way[i])
 }
 
-/// A place in the cone of a beam or not far beside it, 0.2 to 10 from the light.
+/// A position in the cone of a beam or near it, 0.2 to 10 from the light.
 pub fn near_beam(rng: &mut Rng, spot: &reference::SpotLight, most: f64) -> Vector {
     let outer = reference::half_degrees(spot.cone.limit).to_radians();
     let angle = rng.f64() * most * outer;

@@ -26,7 +26,7 @@ pub struct Place {
     pub point: Vec3<f32>,
 }
 
-/// A place that was found, and how far off the intensity is there.
+/// An input that was found, and the error of the intensity there.
 #[derive(Clone, Debug)]
 pub struct Find {
     pub format: String,
@@ -66,8 +66,8 @@ impl Find {
     }
 }
 
-/// How far the intensity of a shape is off at a place; none where the light is refused, or where it
-/// jumps.
+/// The error of the intensity of a shape at an input; `None` if the light is refused, or jumps
+/// there.
 pub fn error<S: Format, P: Falloff>(shape: &Shape<P>, half_degrees: f32, place: Place) -> Option<f64> {
     let cone = shape.exactly_at(half_degrees);
     let spot = SpotLight::new(Vec3::default(), place.axis, shape.at(half_degrees)).ok()?;
@@ -95,8 +95,8 @@ pub fn is_smooth<P: Falloff>(shape: &Shape<P>) -> bool {
     !cone.jumps_near(cone.limit, 1.0)
 }
 
-/// The worst place of a shape at a half angle: the best of random ones, each moved in ever other
-/// ways as long as it gets worse.
+/// Searches for the worst input of a shape at a half angle. It climbs from the worst of many random
+/// inputs: each step is kept unless the error falls.
 pub fn search<S: Format, P: Falloff>(shape: &Shape<P>, half_degrees: f32) -> Find {
     let mut rng = Rng::with_seed(1953);
     let at = |place: Place| error::<S, P>(shape, half_degrees, place).unwrap_or(0.0);
@@ -134,7 +134,7 @@ fn somewhere(rng: &mut Rng, radians: f64) -> Place {
     }
 }
 
-/// The place with the point moved by some quanta, or the axis turned by some of its last places.
+/// The input with one component of the point or of the axis moved by a random amount.
 fn moved(rng: &mut Rng, place: Place) -> Place {
     let change = |rng: &mut Rng, v: Vec3<f32>, by: &dyn Fn(f32) -> f32| match rng.u8(..3) {
         0 => Vec3 { x: by(v.x), ..v },
