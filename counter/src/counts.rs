@@ -18,8 +18,8 @@ impl Counts {
         Self { regions: Vec::new(), is_open: false }
     }
 
-    /// A marker was executed. A begin within a region begins the next; an end outside of one is
-    /// nothing.
+    /// Enters an executed marker. A begin within a region begins the next region; an end outside a
+    /// region is ignored.
     pub(crate) fn mark(&mut self, marker: Marker) {
         self.is_open = marker == Marker::Begin;
         if self.is_open {
@@ -27,7 +27,7 @@ impl Counts {
         }
     }
 
-    /// Any other instruction was executed.
+    /// Enters any other executed instruction.
     pub(crate) fn execute(&mut self, address: u64) {
         if self.is_open
             && let Some(region) = self.regions.last_mut()

@@ -1,4 +1,4 @@
-//! Telling instructions apart by their bits.
+//! Recognises the marker instructions by their bits.
 
 /// The instruction sets that the firmware is compiled for.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -9,7 +9,7 @@ pub(crate) enum Architecture {
     RiscV,
 }
 
-/// What an instruction means to the counter.
+/// A marker instruction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Marker {
     /// A region begins behind this instruction.

@@ -1,5 +1,4 @@
-//! What QEMU calls: the installation, the translation of a block, the execution of an instruction,
-//! the end.
+//! The callbacks of QEMU: installation, translation of a block, execution of an instruction, end.
 
 use std::ffi::{CStr, c_char, c_int, c_uint, c_void};
 use std::sync::{Mutex, MutexGuard, OnceLock, PoisonError};

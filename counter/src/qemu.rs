@@ -13,7 +13,7 @@ pub(crate) const VERSION: c_int = 3;
 /// The plugin's name in calls to QEMU.
 pub(crate) type Id = u64;
 
-/// What QEMU says about itself. There is more behind, of which we have no need.
+/// The first fields of QEMU's description of itself; the rest is not needed.
 #[repr(C)]
 #[derive(Debug)]
 pub(crate) struct Info {

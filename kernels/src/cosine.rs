@@ -1,5 +1,4 @@
-//! f32 with the versine by `1 - l.s`: what is left of a narrow beam when two numbers near one are
-//! subtracted.
+//! f32 with the versine by `1 - l.s`, which cancels in narrow beams: both numbers are near 1.
 
 use luminaire::{Vec3, light::CompiledCone};
 
@@ -54,7 +53,7 @@ pub(crate) fn cosine(versine: f32) -> f32 {
 pub struct CosinePoint {
     outer: f32,
     reciprocal: f32,
-    /// The squared cosine of the outer half angle, less what roundings may take off it.
+    /// The squared cosine of the outer half angle, less a margin for rounding.
     bound: f32,
 }
 
@@ -65,12 +64,13 @@ impl CosinePoint {
     }
 }
 
-/// A bound for the reject by squares, as the kernel has it: with room for the roundings.
+/// The bound of the early-out by squares, as in the kernel: with a margin for rounding.
 pub(crate) fn reject_bound(outer: f32) -> f32 {
     1.0 - outer * (2.0 - outer) - 16.0 * f32::EPSILON
 }
 
-/// The way from the light to a point, its squared length, and how far the surface faces the light.
+/// The offset from the light to a point, its squared length, and how far the surface faces the
+/// light.
 #[inline(always)]
 pub(crate) fn way(site: &Site) -> (Vec3<f32>, f32, f32) {
     let way = site.point.zip(POSITION, |point, light| point - light);

@@ -1,4 +1,4 @@
-//! The versine form in f64, from sites of f32: what twice the width costs.
+//! The versine form in f64, from sites in f32: shows the cost of twice the width.
 
 use core::marker::PhantomData;
 
@@ -56,7 +56,7 @@ impl<P: Shape> Kernel for DoubleFalloff<P> {
 pub struct DoublePoint {
     falloff: DoubleFalloff<luminaire::falloff::Soft>,
     axis: Vector,
-    /// The squared cosine of the outer half angle, less what roundings may take off it.
+    /// The squared cosine of the outer half angle, less a margin for rounding.
     bound: f64,
 }
 

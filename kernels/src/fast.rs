@@ -1,5 +1,4 @@
-//! f32 with a guessed root: micromath's reciprocal square root as it is, off by up to 3.5 % and
-//! without a step of Newton.
+//! f32 with micromath's reciprocal square root, off by up to 3.5 %, without a Newton step.
 
 use micromath::F32Ext;
 

@@ -1,4 +1,4 @@
-//! What a kernel is, and who may come to see it.
+//! Kernels, the rows of the price list, and visitors of the list.
 
 use crate::{oracle, scene::Site, value::Value};
 
@@ -9,31 +9,31 @@ pub trait Kernel: Copy {
     type Place: Copy;
     /// The input, rounded to the kernel's format.
     type Input: Copy;
-    /// The answer in the kernel's format.
+    /// The result in the kernel's format.
     type Output: Value;
 
-    /// The nearest input for a place.
+    /// Rounds an exact input to the format.
     fn input(&self, place: &Self::Place) -> Self::Input;
 
-    /// The answer: this is what costs are counted of.
+    /// Returns the result. The costs are those of this function.
     fn evaluate(&self, input: &Self::Input) -> Self::Output;
 
-    /// A word of an input: what a loop loads that does nothing.
+    /// Returns a word of an input: the empty loop loads only this.
     fn touch(input: &Self::Input) -> u32;
 
-    /// Visits every input at which an error can be largest, with the exact place, where a format
-    /// has so few that none has to be left out. Answers whether it has.
+    /// Visits every input at which an error can be largest, with the exact input, if the format
+    /// has few enough to visit them all. Returns whether it visited them.
     fn bounds(&self, _visit: &mut dyn FnMut(Self::Input, f64)) -> bool {
         false
     }
 }
 
-/// How far a kernel goes.
+/// The part of the light that a kernel computes.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Stage {
     /// From the angle off axis to an intensity.
     Falloff,
-    /// From a place and a normal to the light that arrives.
+    /// From a position and a normal to the irradiance.
     Lit,
 }
 
@@ -52,7 +52,7 @@ impl Stage {
 pub struct Row {
     /// The model.
     pub kernel: &'static str,
-    /// How far it goes.
+    /// The stage.
     pub stage: Stage,
     /// The number format, or `rival`.
     pub format: &'static str,
@@ -68,15 +68,15 @@ impl Row {
     }
 }
 
-/// Who walks the list.
+/// A visitor of the list.
 pub trait Visitor {
-    /// A falloff, with the truth about it.
+    /// Visits a falloff with its exact model.
     fn falloff<K: Kernel<Place = f32>>(&mut self, row: Row, kernel: K, truth: &oracle::Falloff);
 
-    /// A lit point, with the truth about it, at sites of the population.
+    /// Visits a lit point with its exact model, at sites of the population.
     fn point<K: Kernel<Place = Site>>(&mut self, row: Row, kernel: K, truth: &oracle::Point);
 
-    /// A row whose format cannot hold the cone. `narrowest` is the half angle in degrees that it
-    /// can.
+    /// Visits a row whose format cannot hold the cone. `narrowest` is the narrowest half angle in
+    /// degrees that it holds.
     fn refused(&mut self, _row: Row, _narrowest: f32) {}
 }

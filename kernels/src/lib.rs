@@ -1,21 +1,20 @@
-//! Every kernel that has a price, and what a user would take instead, as functions of one input.
+//! Every kernel with a price, and its rivals, as functions of one input.
 //!
-//! Firmware, host, browser and demo run this same code, so that an error and a cost that stand in
-//! one line belong to one function. [`falloffs`] and [`points`] are the list; who walks it brings a
-//! [`Visitor`].
+//! Firmware, host, browser and demo run the same code, so that the error and the cost in a row
+//! belong to the same function. [`falloffs`] and [`points`] pass every row to a [`Visitor`].
 //!
-//! A falloff goes from the angle off axis, in the form that the kernel takes, to an intensity. A
-//! point goes from a place and a normal to the light that arrives. Each kernel is given the nearest
-//! input that its format has, and is compared with the oracle's answer to the exact one: what a
-//! format loses of its input is part of its error.
+//! A falloff maps the angle off axis, in the form that the kernel takes, to an intensity. A point
+//! maps a position and a normal to an irradiance. Each kernel gets the exact input rounded to its
+//! format, and is compared with the oracle at the exact input: the rounding of the input is part of
+//! its error.
 //!
-//! | format | what it is |
+//! | format | kernels |
 //! |---|---|
 //! | `fx16`, `fx32`, `f32` | the crate `luminaire` |
 //! | `f32-cosine` | f32, with the versine by `1 - l.s`, which cancels |
-//! | `f32-fast` | f32, with micromath's guess of the reciprocal root as it is |
+//! | `f32-fast` | f32, with micromath's estimate of the reciprocal root, unrefined |
 //! | `f64` | the versine form in twice the width |
-//! | `rival` | what others do: f32, and a formula of its own |
+//! | `rival` | the methods of others: f32, each with its own formula |
 //!
 //! Files, in the order in which they build on one another: `value`, `oracle`, `profile`, `scene`,
 //! `kernel`, `ours`, `cosine`, `fast`, `double`, `rival`, `list`.

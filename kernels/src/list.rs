@@ -104,8 +104,8 @@ fn ours<S: Format, P: Shape>(cone: &Cone<P>, truth: &oracle::Falloff, visitor: &
     }
 }
 
-/// What others do, at the same angles: where the model has no outer angle, with the same field
-/// angle.
+/// The methods of others, at the same outer angle, or the same field angle if the model has no
+/// outer angle.
 fn rivals(setting: Setting, visitor: &mut impl Visitor) {
     let row = |kernel| Row::falloff(kernel, "rival");
     let (exponent, outer) = (setting.exponent(), cosine(setting.outer_versine()));
@@ -124,7 +124,7 @@ fn rivals(setting: Setting, visitor: &mut impl Visitor) {
     visitor.falloff(row("clamp"), rival::Clamp, &cosine);
 }
 
-/// Every kernel from a place and a normal to the light that arrives, rejects included.
+/// Every kernel from a position and a normal to the irradiance, early-outs included.
 pub fn points(setting: Setting, visitor: &mut impl Visitor) {
     format::<Fx16>(setting, visitor);
     format::<Fx32>(setting, visitor);
@@ -140,7 +140,7 @@ pub fn points(setting: Setting, visitor: &mut impl Visitor) {
 
 const REJECTS: [(&str, Population); 2] = [("away", Population::Away), ("outside", Population::Outside)];
 
-/// How bright the light with an inverse square is: full scale at a distance of 4.
+/// Intensity of the light with an inverse square: full scale at a distance of 4.
 const INTENSITY: f32 = 16.0;
 
 fn format<S: Format>(setting: Setting, visitor: &mut impl Visitor) {
@@ -208,7 +208,7 @@ mod tests {
     use crate::scene::{Site, Sites};
     use crate::value::Value;
 
-    /// Collects the names, and compares every kernel with the truth about it, coarsely.
+    /// Collects the names, and compares every kernel coarsely with its exact model.
     #[derive(Default)]
     struct Census {
         rows: Vec<Row>,

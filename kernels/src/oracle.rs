@@ -1,7 +1,6 @@
-//! The truth, in f64: the formulas as the literature writes them, as plainly as they can be
-//! written.
+//! The exact models in f64: the formulas as the literature writes them, as plain code.
 //!
-//! Nothing here is fast, and nothing is shared with what it judges. Where f64 itself would cancel,
+//! Nothing here is fast, and no code is shared with the kernels. Where f64 itself would cancel,
 //! a versine is half the squared difference of two unit vectors.
 
 use crate::scene::{Population, Site};
@@ -9,7 +8,7 @@ use crate::scene::{Population, Site};
 /// A vector of f64.
 pub type Vector = [f64; 3];
 
-/// The truth about a falloff.
+/// The exact model of a falloff.
 #[derive(Clone, Copy, Debug)]
 pub struct Falloff {
     /// The versine from which on there is no light.
@@ -40,36 +39,36 @@ impl Falloff {
         }
     }
 
-    /// Whether a versine is so near a jump that a kernel may place it on either side: by 1/510 of
-    /// the half angle.
+    /// Whether a versine is so near a jump that a kernel may evaluate either side of it: within
+    /// 1/510 of the half angle.
     pub fn is_at_jump(&self, versine: f64) -> bool {
         self.jumps && (libm::sqrt(versine / self.outer) - 1.0).abs() < 1.0 / 510.0
     }
 }
 
-/// The truth about a lit point.
+/// The exact model of a lit point.
 #[derive(Clone, Copy, Debug)]
 pub struct Point {
-    /// Where the light stands.
+    /// Position of the light.
     pub position: Vector,
-    /// Where it points; of any length.
+    /// Axis of the light, of any length.
     pub axis: Vector,
     /// The cone.
     pub falloff: Falloff,
-    /// How bright it is.
+    /// Intensity on the axis.
     pub intensity: f64,
-    /// Whether the light falls with the square of the distance.
+    /// Whether the light has the inverse square.
     pub falls: bool,
-    /// The highlight, where there is one.
+    /// The specular lobe, if there is one.
     pub highlight: Option<Highlight>,
-    /// Where its sites are.
+    /// The population of its sites.
     pub population: Population,
 }
 
-/// Phong's highlight beside a diffuse reflection, in one channel.
+/// Phong's specular lobe and a diffuse reflection, in one channel.
 #[derive(Clone, Copy, Debug)]
 pub struct Highlight {
-    /// Where the eye is.
+    /// Position of the eye.
     pub eye: Vector,
     /// The diffuse reflectance.
     pub diffuse: f64,
@@ -80,9 +79,9 @@ pub struct Highlight {
 }
 
 impl Point {
-    /// The light that arrives at a site, or that goes from there to the eye. Lambert's cosine takes
-    /// the normal as it is, of unit length within the roundings of f32; the mirror takes its
-    /// direction.
+    /// Returns the irradiance at a site, or the light that it reflects to the eye. Lambert's cosine
+    /// uses the normal as it is, of unit length within the rounding of f32; the mirror direction
+    /// uses the normalised one.
     pub fn at(&self, site: &Site) -> f64 {
         let (point, normal) = (widened(site.point), widened(site.normal));
         let way = minus(point, self.position);

@@ -105,8 +105,8 @@ impl<S: Format, A: Attenuation> Kernel for OurPoint<S, A> {
     }
 }
 
-/// The same with Phong's highlight, in one channel: the direction to the eye, two lobes and their
-/// colours.
+/// The same with Phong's specular lobe, in one channel: the direction to the eye, the diffuse and
+/// the specular reflection and their colours.
 #[derive(Clone, Copy, Debug)]
 pub struct Highlit<S: Scalar> {
     light: CompiledSpotLight<S, Soft>,

@@ -1,15 +1,15 @@
-//! The falloffs of the list, each beside the truth about it.
+//! The falloffs of the list, each with its exact model.
 
 #[allow(clippy::wildcard_imports, reason = "the types of the list")]
 use luminaire::falloff::*;
 use luminaire::models::{SAMPLES, interpolated, power, squared};
 
-/// A falloff of the crate `luminaire` and what it stands for.
+/// A falloff of the crate `luminaire` and its exact model.
 pub trait Shape: Falloff {
     /// The name on the price list.
     const NAME: &'static str;
 
-    /// The intensity in f64, with as few operations as it takes: a kernel.
+    /// The intensity in f64 with the fewest operations: a kernel.
     fn double(t: f64) -> f64;
 
     /// The falloff of the list.

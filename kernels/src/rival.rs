@@ -1,5 +1,5 @@
-//! What a user would take instead: formulas of the field as they are usually written, in f32, from
-//! the cosine of the angle off axis.
+//! The alternatives of a user: the usual formulas of the field in f32, from the cosine of the angle
+//! off axis.
 
 use core::marker::PhantomData;
 
@@ -167,7 +167,7 @@ impl Gltf {
     }
 }
 
-/// The rational function that stands for a power: `x / (n - n x + x)`, of C. Schlick, *A Fast
+/// The rational function that approximates a power: `x / (n - n x + x)`, of C. Schlick, *A Fast
 /// Alternative to Phong's Specular Model*, Graphics Gems IV, 1994.
 #[derive(Clone, Copy, Debug)]
 pub struct Schlick {
@@ -175,7 +175,7 @@ pub struct Schlick {
 }
 
 impl Schlick {
-    /// What stands for the power with this exponent.
+    /// The approximation of the power with this exponent.
     pub fn new(exponent: f32) -> Self {
         Self { exponent }
     }
@@ -188,7 +188,7 @@ impl Schlick {
     }
 }
 
-/// The cosine, clamped: no falloff, but what a loop costs that does next to nothing.
+/// The clamped cosine: no falloff, but the cost of a loop with almost no work.
 #[derive(Clone, Copy, Debug)]
 pub struct Clamp;
 

@@ -2,26 +2,26 @@
 
 use luminaire::Vec3;
 
-/// Where the light stands. On the grid of 2^-16 that all formats have.
+/// Position of the light, on the grid of 2^-16, which is exact in every format.
 pub const POSITION: Vec3<f32> = Vec3::new(1.5, 4.0, -0.75);
-/// Where it points: of unit length, to the bit that f32 has.
+/// Axis of the light, of unit length within the precision of f32.
 pub const AXIS: Vec3<f32> = Vec3::new(0.36, -0.8, 0.48);
-/// Where the eye is, near enough to the light to see highlights.
+/// Position of the eye, near enough to the light to see highlights.
 pub const EYE: Vec3<f32> = Vec3::new(-0.5, 3.5, 1.0);
 /// Two directions across the axis and across one another, of length 0.88.
 const ACROSS: [Vec3<f32>; 2] = [Vec3::new(0.8, 0.36, 0.0), Vec3::new(-0.1728, 0.384, 0.7696)];
 
-/// A surface point in f32, the same on every machine. Its place is on the grid of 2^-16, so that
-/// every format has it.
+/// A surface point in f32, the same on every machine. Its position is on the grid of 2^-16, which
+/// is exact in every format.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Site {
-    /// Where it is.
+    /// Its position.
     pub point: Vec3<f32>,
     /// The normal of the surface, of unit length as f32 has it.
     pub normal: Vec3<f32>,
 }
 
-/// What a surface point gets of the light.
+/// How a surface point lies to the light.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Population {
     /// It is in the cone and faces the light.
@@ -62,7 +62,7 @@ impl Iterator for Sites {
         }
         let way = sum(AXIS, sum(scaled(ACROSS[0], across[0]), scaled(ACROSS[1], across[1])));
         let distance = 4.0 + 3.0 * random.number();
-        // Half a cube about the way back: no corner of it faces away.
+        // Half a cube about the direction back to the light: no corner of it faces away.
         let tilt = Vec3::new(random.number(), random.number(), random.number());
         let normal = sum(scaled(way, -1.0), scaled(tilt, 0.5));
         let side = if self.population == Population::Away { -1.0 } else { 1.0 };

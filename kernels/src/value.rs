@@ -8,9 +8,9 @@ use luminaire::{Fx16, Fx32, Scalar};
 pub trait Value: Copy {
     /// The unit in the last place of one.
     const STEP: f64;
-    /// What it stands for, exactly.
+    /// Its exact value.
     fn exact(self) -> f64;
-    /// 32 bits that tell it from its neighbours, of which checksums are made.
+    /// 32 bits that differ from those of its neighbours, for checksums.
     fn bits(self) -> u32;
 }
 
@@ -25,9 +25,9 @@ pub trait Format: Scalar<Irradiance: Value> + Value {
     /// Whether [`bounds`](Self::bounds) visits inputs.
     const COUNTABLE: bool = false;
 
-    /// Visits both ends of every interval of versines in which a ramp to an outer versine is level,
-    /// with what they stand for. A falloff is constant there and the truth is monotone, so no error
-    /// is larger than at one of them.
+    /// Visits both ends of every interval of versines in which a ramp to an outer versine is
+    /// constant, with their exact values. There the falloff is constant and the exact model is
+    /// monotone, so the error is largest at one of the two ends.
     fn bounds(_outer: f32, _visit: &mut dyn FnMut(Self::Versine, f64)) {}
 }
 
@@ -79,7 +79,7 @@ fixed_value!(Light16, 6.103_515_625e-5, |bits: u32| bits);
 fixed_value!(Fx32, 9.313_225_746_154_785e-10, i32::cast_unsigned);
 fixed_value!(Light32, 9.313_225_746_154_785e-10, |bits: u64| (bits >> 32) as u32 ^ bits as u32);
 
-/// What a loop loads that does nothing: one word, whatever the width.
+/// The load of the empty loop: one word, whatever the width.
 macro_rules! words {
     (|$value:ident| $versine:expr, $length:expr) => {
         #[inline(always)]

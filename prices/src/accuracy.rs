@@ -8,7 +8,7 @@ use luminaire_kernels::{Kernel, Row, Setting, Value, Visitor, falloffs, points};
 
 use crate::site::{self, half_angle};
 
-/// How many versines of a cone are looked at.
+/// Number of versines per cone.
 const VERSINES: u32 = 1 << 18;
 
 /// How the largest error was found.
@@ -20,8 +20,8 @@ pub enum Kind {
     Searched,
 }
 
-/// What a kernel errs in a cone, in 8-bit codes: 1 is 1/255 of full scale, or of the light itself
-/// where that is more.
+/// The errors of a kernel in a cone, in linear codes: 1 is 1/255 of full scale, or of the light
+/// itself where that is more.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Accuracy {
     /// The kernel.
@@ -39,12 +39,12 @@ pub struct Errors {
     pub largest: f64,
     /// The largest in units of the last place of one.
     pub steps: f64,
-    /// Degrees off axis where the largest is, and for a point its distance and the degrees of
-    /// incidence. Nothing where there is no error.
+    /// Degrees off axis of the largest error, and for a point its distance and the degrees of
+    /// incidence. Empty if there is no error.
     pub at: Vec<f64>,
-    /// The mean over the inputs that were looked at, which are evenly spread.
+    /// The mean over the evaluated inputs, which are evenly spread.
     pub mean: f64,
-    /// What 99.9 % of them do not exceed.
+    /// The 99.9th percentile of the errors of these inputs.
     pub nearly_all: f64,
     /// How the largest was found.
     pub kind: Kind,
@@ -98,7 +98,7 @@ impl<P: Copy> Tally<P> {
         Self { errors: Vec::new(), worst: (-1.0, None) }
     }
 
-    /// Looks at a place for the largest error only.
+    /// Enters an input into the largest error only, and returns its error.
     fn glance(&mut self, place: P, result: impl Value, exact: f64) -> f64 {
         let error = 255.0 * (result.exact() - exact).abs() / exact.max(1.0);
         // NaN counts as an infinite error.
@@ -109,7 +109,7 @@ impl<P: Copy> Tally<P> {
         error
     }
 
-    /// Looks at one of evenly spread places.
+    /// Enters one of the evenly spread inputs.
     fn look(&mut self, place: P, result: impl Value, exact: f64) {
         let error = self.glance(place, result, exact);
         self.errors.push(error);

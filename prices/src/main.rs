@@ -1,4 +1,4 @@
-//! Prints what the kernels err, or how long they take on this machine.
+//! Prints the errors of the kernels, or their times on this machine.
 //!
 //! `cargo run --release --package luminaire-prices -- accuracy` or `-- time`.
 #![forbid(unsafe_code)]
@@ -10,7 +10,7 @@ use luminaire::HalfAngle;
 use luminaire_kernels::Setting;
 use luminaire_prices::{Accuracy, Clock, Times};
 
-/// Outer half angles in degrees, beside that of the standard cone: where the forms part.
+/// Outer half angles in degrees, in addition to the standard cone, at which the forms differ.
 const NARROWER: [f32; 3] = [15.0, 5.0, 1.0];
 
 fn main() -> ExitCode {

@@ -1,4 +1,4 @@
-//! Where to look for errors of lit points.
+//! The sites at which the errors of lit points are measured.
 
 use luminaire::Vec3;
 use luminaire_kernels::oracle::{Point, Vector, dot, minus, scaled, unit, widened};
@@ -6,7 +6,7 @@ use luminaire_kernels::scene::{Population, Site, Sites};
 
 use crate::random::Random;
 
-/// How many sites are looked at.
+/// Number of sites.
 const COUNT: usize = 1 << 16;
 /// As far off axis as this, in outer half angles: the edge and a little beyond.
 const REACH: f64 = 1.02;

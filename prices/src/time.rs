@@ -1,4 +1,4 @@
-//! How long the kernels take, by a clock.
+//! The times of the kernels, by a clock.
 
 use std::fmt;
 use std::hint::black_box;
@@ -6,13 +6,13 @@ use std::hint::black_box;
 use luminaire_kernels::scene::{Site, Sites};
 use luminaire_kernels::{Kernel, Row, Setting, Value, Visitor, falloffs, oracle, points};
 
-/// How many inputs a kernel is run over at a time, from memory to memory.
+/// Number of inputs in a batch, which a kernel evaluates from memory to memory.
 pub const BATCH: usize = 4096;
 
-/// How many times are taken, of which the median counts.
+/// Number of times that are taken; their median counts.
 const SAMPLES: usize = 41;
 
-/// A clock, and how coarse it is.
+/// A clock and its resolution.
 pub trait Clock {
     /// Nanoseconds since some moment.
     fn now(&self) -> f64;
@@ -20,7 +20,7 @@ pub trait Clock {
     fn shortest(&self) -> f64;
 }
 
-/// How long a kernel takes.
+/// The time of a kernel.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Times {
     /// The kernel.
@@ -32,7 +32,7 @@ pub struct Times {
 }
 
 impl Times {
-    /// How many kernels there are.
+    /// Counts the kernels.
     pub fn count() -> usize {
         let mut count = Count(0);
         falloffs(Setting::standard(), &mut count);
@@ -116,7 +116,7 @@ impl<C: Clock> Stopwatch<'_, C> {
     }
 }
 
-/// For each kernel a function of its own, so that none disturbs another.
+/// Evaluates a batch. Not inlined: each kernel has its own function, so that none affects another.
 #[inline(never)]
 fn batch<K: Kernel>(kernel: &K, inputs: &[K::Input], outputs: &mut [K::Output]) {
     for (output, input) in outputs.iter_mut().zip(inputs) {

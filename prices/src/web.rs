@@ -18,7 +18,7 @@ impl Clock for PageClock {
     }
 }
 
-/// How many kernels there are.
+/// Returns the number of kernels.
 #[wasm_bindgen]
 pub fn count() -> usize {
     Times::count()

@@ -21,7 +21,7 @@ pub use self::{display::*, spot::*, surface::*};
 use crate::{Color, Light, Output, Place, Surface};
 use luminaire::haze::ViewRay;
 
-/// Whoever looks at every effect, by what it is computed from.
+/// A visitor of every effect, with a method for each type of input.
 pub trait Visit {
     /// A surface point, and the direction to the eye.
     fn surface<O: Output>(&mut self, name: &str, effect: impl Fn(Surface) -> O);
@@ -35,7 +35,7 @@ pub trait Visit {
     /// A colour within full scale.
     fn color<O: Output>(&mut self, name: &str, effect: impl Fn(Color) -> O);
 
-    /// A colour and its place in the picture.
+    /// A colour and its pixel position in the picture.
     fn pixel<O: Output>(&mut self, name: &str, effect: impl Fn((Color, Place)) -> O);
 }
 

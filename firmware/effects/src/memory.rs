@@ -27,7 +27,7 @@ impl Input for () {
     fn read() {}
 }
 
-/// A pixel's place in the picture.
+/// A pixel's position in the picture.
 #[derive(Clone, Copy, Debug)]
 pub struct Place {
     /// Its column.

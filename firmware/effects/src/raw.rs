@@ -142,7 +142,7 @@ impl Bits {
         (self.choice(2) == 0).then(|| self.float())
     }
 
-    /// Any distance model; none in place of one that is refused.
+    /// Any attenuation; none in place of one that is refused.
     #[inline(never)]
     pub fn any_distance(&mut self) -> AnyAttenuation {
         let made = AnyAttenuation::drawn(self.integer() as usize, || self.float());

@@ -35,7 +35,7 @@ pub(super) fn normal(point: Vec3<Length>) -> Vec3<Fx16> {
     })
 }
 
-/// Whether it is in the way from a point outside of it to the light.
+/// Whether the ball is between a point outside it and the light.
 #[inline(always)]
 pub(super) fn is_between(way: &Way) -> bool {
     Passage::of(way.whole, way.to(MIDDLE), steps(BALL_RADIUS) >> 4).is_some()

@@ -94,7 +94,7 @@ impl Window {
     }
 }
 
-/// The least and the largest slope towards what is so wide, between two depths.
+/// The least and the largest slope towards an object of half width `half` between two depths.
 const fn slopes(middle: f32, half: f32, [near, far]: [f32; 2]) -> [f32; 2] {
     let (low, high) = (middle - half, middle + half);
     [low / if low < 0.0 { near } else { far }, high / if high < 0.0 { far } else { near }]

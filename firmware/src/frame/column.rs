@@ -66,12 +66,12 @@ pub(super) fn normal(point: Vec3<Length>) -> Vec3<Fx16> {
     Vec3::new(right, Fx16::ZERO, front)
 }
 
-/// Whether it is in the way from a point outside of it to the light, which hangs higher.
+/// Whether the column is between a point outside it and the light, which hangs higher.
 #[inline(always)]
 pub(super) fn is_between(way: &Way) -> bool {
     let top = way.to(Vec3::new(steps(COLUMN[0]), steps(COLUMN_HEIGHT), steps(COLUMN[1])));
     let flat = |way: Vec3<i32>| Vec3 { y: 0, ..way };
-    // Where the way comes over the column it must not yet be above the top.
+    // Where the offset enters the circle of the column it must still be below the top.
     Passage::of(flat(way.whole), flat(top), steps(COLUMN_RADIUS) >> 4).is_some_and(|passage| {
         let entry = passage.nearest - passage.within.isqrt().cast_signed();
         entry * way.whole.y < passage.squared * top.y

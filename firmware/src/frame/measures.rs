@@ -1,8 +1,8 @@
 //! The scene in metres: a stage seen from the stalls. Evaluated by the compiler; the build script
-//! wants the light's place too.
+//! needs the position of the light, too.
 
 /// Where the camera stands. It looks along -z, and the picture is shifted down instead of tilted,
-/// so that what is upright stays upright.
+/// so that verticals stay vertical.
 pub(crate) const EYE: [f32; 3] = [0.0, 1.5, 4.5];
 /// Where the light hangs.
 pub(crate) const LIGHT: [f32; 3] = [-1.75, 3.25, 2.5];

@@ -8,7 +8,7 @@ use super::measures::LIGHT;
 use super::scene::{Material, Site};
 use super::{WIDTH, ball, column};
 
-/// Takes away the light of what is in shadow.
+/// Sets the light of sites in shadow to zero.
 #[inline(never)]
 pub(super) fn cast(sites: &[Site; WIDTH], lights: &mut [Light16; WIDTH]) {
     for (column, light) in lights.iter_mut().enumerate() {
@@ -27,8 +27,8 @@ pub(super) fn is_in_shadow(site: &Site) -> bool {
         || (site.material != Material::Column && column::is_between(&way))
 }
 
-/// The way from a point to the light, in steps of 2^-12, so that the sum of three squares fits 32
-/// bits.
+/// The offset from a point to the light, in steps of 2^-12, so that the sum of three squares fits
+/// 32 bits.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Way {
     start: Vec3<i32>,
@@ -45,7 +45,7 @@ impl Way {
         Self { start, whole: END.zip(start, |end, start| (end - start) >> 4) }
     }
 
-    /// From where it starts to a place.
+    /// The offset from its start to a position.
     #[inline(always)]
     pub(super) fn to(&self, place: Vec3<i32>) -> Vec3<i32> {
         place.zip(self.start, |place, start| (place - start) >> 4)
@@ -57,7 +57,7 @@ impl Way {
 /// millimetres for it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Passage {
-    /// The way with itself: its squared length.
+    /// The offset with itself: its squared length.
     pub(super) squared: i32,
     /// The way with that to the middle: `nearest / squared` of it lead to where it is nearest to
     /// the middle.
@@ -67,7 +67,8 @@ pub(super) struct Passage {
 }
 
 impl Passage {
-    /// The passage of a way that starts outside, so far from the middle, if there is one.
+    /// The passage of an offset that starts outside the object; `middle` is the offset to its
+    /// middle.
     #[inline(always)]
     pub(super) fn of(way: Vec3<i32>, middle: Vec3<i32>, radius: i32) -> Option<Self> {
         let nearest = dot(way, middle);

@@ -22,8 +22,8 @@ fn dot(a: Vector, b: Vector) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-/// Where a line enters what is round in the axes of `mask`, if it goes on for more than nothing
-/// from there.
+/// Parameter at which a line enters an object that is round in the axes of `mask`, if it starts
+/// outside and does not only touch it.
 fn entry(start: Vector, way: Vector, middle: Vector, radius: f64, mask: Vector) -> Option<f64> {
     let masked = |v: Vector| [0, 1, 2].map(|i| v[i] * mask[i]);
     let (way, from) = (masked(way), masked([0, 1, 2].map(|i| start[i] - middle[i])));
@@ -141,7 +141,7 @@ fn shadows_fall_where_they_should() {
     assert!((1..=8).contains(&outline), "{outline} pixels of {count}");
 }
 
-/// Where a way that rises enters the column.
+/// Parameter at which a rising line enters the column.
 fn entry_below_top(start: Vector, way: Vector) -> Option<f64> {
     let middle = wide([COLUMN[0], 0.0, COLUMN[1]]);
     let side = entry(start, way, middle, COLUMN_RADIUS.into(), [1.0, 0.0, 1.0])?;

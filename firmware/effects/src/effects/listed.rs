@@ -7,7 +7,7 @@ use luminaire::{attenuation::*, falloff::*, specular::*};
 use crate::constants::DIRECTIONAL;
 use crate::{Format, Irradiance, Light, Surface};
 
-/// A model of a list, and the effect that shows what it costs.
+/// A model of a list, and the effect that shows its cost.
 pub trait Listed {
     /// The name of the program.
     const NAME: &'static str;
@@ -22,7 +22,7 @@ pub trait Listed {
     fn effect(surface: Surface) -> Self::Output;
 }
 
-/// What a spotlight shows that is known by one of its types.
+/// Implements [`Listed`] for a model by the irradiance of a constant spotlight of the model.
 macro_rules! spotlight {
     ($type:ty = $name:expr, $constant:ty) => {
         impl Listed for $type {

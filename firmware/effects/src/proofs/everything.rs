@@ -1,4 +1,5 @@
-//! Every way of evaluation, over lights and points of any bits: what panics anywhere does not link.
+//! Every evaluation, over lights and points of any bits: if any can panic, the program does not
+//! link.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 use core::hint::black_box;

@@ -76,7 +76,7 @@ fn multiplies<S: Raw>(bits: &mut Bits) {
     black_box(Vec3::dot(bits.vector(f32::scalar), bits.vector(f32::scalar)));
 }
 
-/// The way from a light to a point.
+/// The offset from a light to a point.
 #[inline(never)]
 fn points<S: Raw>(bits: &mut Bits) {
     let [light, point] = from_fn(|_| bits.vector(S::raw_length));
@@ -97,8 +97,8 @@ fn points<S: Raw>(bits: &mut Bits) {
     goes(bits, &offset, &Offset::fine_ray(&offset));
 }
 
-/// What is known of a way once its root is, coarse or fine; and what a light of any kind of profile
-/// and distance model has there.
+/// The operations of a ray, coarse or fine, and those of a light with any profile and attenuation
+/// at that point.
 #[inline(never)]
 fn goes<S: Raw, R: Ray<S>>(bits: &mut Bits, offset: &S::Offset, ray: &R) {
     let (axis, normal, ramp) = (bits.vector(S::unit), bits.vector(S::scalar), S::raw_ramp(bits));

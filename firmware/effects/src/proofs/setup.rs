@@ -59,7 +59,7 @@ fn of_format<S: Raw>(bits: &mut Bits) {
     sees(bits);
 }
 
-/// All cones of a profile, each with what it answers.
+/// All constructors and getters of the cones of a profile.
 #[inline(never)]
 fn designs<S: Raw, P: Falloff>(bits: &mut Bits, profile: P) {
     let [angle, inner, cutoff] = from_fn(|_| Angle::degrees(bits.float()));
