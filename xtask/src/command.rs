@@ -51,7 +51,7 @@ pub(crate) fn capture(command: Command) -> Result<Ended> {
     capture_and_tell(command, |_| {})
 }
 
-/// The same; `tell` is given each part as it is written.
+/// The same; `tell` receives each piece of output as it is written.
 pub(crate) fn capture_and_tell(mut command: Command, mut tell: impl FnMut(&str)) -> Result<Ended> {
     let name = describe(&command);
     let (mut reader, writer) = io::pipe().context("cannot make a pipe")?;

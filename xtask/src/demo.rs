@@ -39,7 +39,7 @@ pub(crate) fn run(options: &DemoOptions) -> Result<()> {
     }
 }
 
-/// Runs the page once; answers one line with what it measured.
+/// Runs the page once. Returns its measurements as one line.
 pub(crate) fn check(chromium: &mut Chromium, address: &str, screenshot: Option<&Path>) -> Result<String> {
     let mut page = chromium.open(address, "")?;
     page.ready()?;

@@ -21,7 +21,7 @@ pub(crate) struct Request {
     pub(crate) host: String,
 }
 
-/// What is answered.
+/// A response.
 pub(crate) struct Response {
     pub(crate) status: &'static str,
     pub(crate) mime: &'static str,
@@ -80,12 +80,12 @@ impl Request {
 }
 
 impl Response {
-    /// A short answer in words.
+    /// Creates a short response of plain text.
     pub(crate) fn plain(status: &'static str, words: &str) -> Self {
         Self { status, mime: "text/plain; charset=utf-8", body: words.into() }
     }
 
-    /// Writes the answer, with the body left out for `HEAD`.
+    /// Writes the response, without the body for `HEAD`.
     pub(crate) fn write(
         &self,
         stream: &mut impl Write,

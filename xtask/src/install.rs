@@ -59,9 +59,9 @@ pub(crate) fn apt_get(words: &[&str], folder: &Path, progress: &Progress) -> Res
 
 fn apt_get_command(words: &[&str], folder: &Path) -> Command {
     let mut command = Command::new("apt-get");
-    // One of its locks it waits for by itself: the one that is held while packages are unpacked.
+    // apt waits for one lock itself: the one that is held while packages are unpacked.
     command.arg("-o").arg(format!("DPkg::Lock::Timeout={}", PATIENCE.as_secs())).args(words);
-    // What it complains of is read.
+    // Its messages are parsed.
     command.env("DEBIAN_FRONTEND", "noninteractive").env("LC_ALL", "C").current_dir(folder);
     command
 }
@@ -148,7 +148,7 @@ mod tests {
         };
         let later = Instant::now() + PATIENCE;
         assert_eq!(calls(&[LOCKED, LOCKED, ""], later), (true, 3, 2));
-        // It may also have waited by itself, and then found no network.
+        // apt may also have waited for its lock, and then found no network.
         let waited = "Waiting for cache lock: Could not get lock /var/lib/dpkg/lock\nE: Failed to fetch";
         for failure in ["E: Unable to locate package", waited] {
             assert_eq!(calls(&[failure], later), (false, 1, 0), "{failure}");

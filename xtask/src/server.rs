@@ -22,7 +22,7 @@ struct Limits {
     /// The longest that a request may take to arrive, from its first byte to its last. A browser
     /// opens connections in advance, which may never ask for anything.
     asking: Duration,
-    /// The longest that an answer may take to be read, in all.
+    /// Total time in which a client must have read a response.
     answering: Duration,
 }
 
@@ -71,7 +71,7 @@ pub(crate) fn listen(port: u16) -> Result<TcpListener> {
 }
 
 impl Server {
-    /// Serves `folder` to whoever calls the port.
+    /// Serves `folder` to every client of the port.
     pub(crate) fn start(listener: TcpListener, folder: &Path) -> Result<Self> {
         Self::start_within(LIMITS, listener, folder)
     }
@@ -157,7 +157,7 @@ impl Write for Timed<'_> {
     }
 }
 
-/// Answers a call. One that says nothing in time gets no answer and misses none.
+/// Answers a call. A client that sends nothing in time gets no response.
 fn answer(stream: &TcpStream, folder: &Path, limits: Limits) {
     let request = Request::read(&mut Timed::new(stream, limits.asking));
     let is_head = request.as_ref().is_ok_and(|request| request.method == "HEAD");

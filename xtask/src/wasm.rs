@@ -51,7 +51,8 @@ impl Package {
         Ok(toolchain.artifacts(PROFILE).join(format!("{}.wasm", self.library)))
     }
 
-    /// Writes the bindings and the bound module into `folder`; answers the latter's path.
+    /// Writes the bindings and the bound module into `folder`. Returns the path of
+    /// the bound module.
     pub(crate) fn bind(&self, module: &Path, folder: &Path, progress: &Progress) -> Result<PathBuf> {
         let step = progress.begin("Binding", format_args!("{}.wasm to JavaScript", self.library));
         let bound = Bindgen::new()

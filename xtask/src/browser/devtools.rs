@@ -18,7 +18,7 @@ pub(crate) struct DevTools {
     events: Vec<Event>,
 }
 
-/// Something that happened in the browser by itself.
+/// An event of the browser.
 pub(crate) struct Event {
     pub(crate) method: String,
     pub(crate) params: Value,

@@ -1,4 +1,4 @@
-//! One page in the browser: asking it, touching it, and noting what it complains of.
+//! One page in the browser: evaluates scripts in it, sends input, and records its errors.
 
 use std::thread;
 use std::time::{Duration, Instant};

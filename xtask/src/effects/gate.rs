@@ -1,4 +1,4 @@
-//! Comparing what was counted with what is recorded.
+//! Compares the counts with the record.
 
 use super::record::{Price, Prices, Record};
 
@@ -10,7 +10,7 @@ const LEEWAY: f64 = 0.05;
 pub(super) struct Verdict {
     /// What differs, each with its board and its program.
     pub(super) differences: Vec<String>,
-    /// What a reader should know, but nothing fails for.
+    /// Remarks for the reader. They do not fail the check.
     pub(super) remarks: Vec<String>,
 }
 

@@ -67,7 +67,7 @@ pub(crate) fn run(options: &EffectsOptions) -> Result<()> {
 }
 
 /// Compares the prices of one board with those recorded, and the documents with what would be made
-/// of the record. Answers what a reader should know of a comparison that has passed.
+/// of the record. Returns the remarks of a comparison that has passed.
 fn check(stand: &Stand, progress: &Progress) -> Result<Vec<String>> {
     let old = Record::load()?.context("nothing is recorded: `cargo xtask effects` does it")?;
     for (file, text) in documents::made_of(&old)? {

@@ -13,7 +13,7 @@ use super::browser::Browser;
 use super::catalogue;
 use crate::project;
 
-/// What is known of the effects.
+/// The recorded figures of the effects.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub(super) struct Record {
     /// What they are. This is the catalogue's part, and only written.

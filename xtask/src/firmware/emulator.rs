@@ -114,7 +114,7 @@ fn wait(child: &mut Child) -> Result<ExitStatus> {
     }
 }
 
-/// All that comes out of a pipe, as it comes.
+/// Reads a pipe to its end, as output arrives.
 fn text(pipe: Option<impl Read + Send + 'static>) -> JoinHandle<io::Result<String>> {
     thread::spawn(|| {
         let mut text = String::new();

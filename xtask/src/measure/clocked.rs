@@ -31,7 +31,7 @@ document.body.dataset.state = "ready";
 /// How often each kernel is timed, some while apart: other work seldom disturbs all of them.
 const ROUNDS: usize = 3;
 
-/// What every kernel errs, in each cone.
+/// The errors of every kernel, in each cone.
 pub(crate) fn accuracy(progress: &Progress) -> Result<Vec<(Kernel, Cone)>> {
     run("accuracy", progress)?.lines().map(words::accuracy).collect()
 }

@@ -11,7 +11,7 @@ const LEEWAY: f64 = 0.05;
 pub(crate) struct Verdict {
     /// What differs, each with the name of its row.
     pub(crate) differences: Vec<String>,
-    /// What a reader should know, but nothing fails for.
+    /// Remarks for the reader. They do not fail the check.
     pub(crate) remarks: Vec<String>,
 }
 

@@ -50,7 +50,7 @@ pub(crate) struct Row {
     pub(crate) bytes: BTreeMap<String, u64>,
 }
 
-/// What a kernel errs.
+/// The errors of a kernel.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Error {
     pub(crate) codes: f64,
@@ -63,7 +63,7 @@ pub(crate) struct Error {
     pub(crate) kind: String,
 }
 
-/// Where a kernel errs most.
+/// The input with the largest error of a kernel.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Place {
     pub(crate) degrees_off_axis: f64,
@@ -73,7 +73,7 @@ pub(crate) struct Place {
     pub(crate) degrees_of_incidence: Option<f64>,
 }
 
-/// What a kernel errs in a cone, or that its format refuses it.
+/// The errors of a kernel in a cone, or that its format refuses the cone.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Cone {
     pub(crate) half_angle: f64,

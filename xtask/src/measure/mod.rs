@@ -70,7 +70,7 @@ pub(crate) fn run(options: &MeasureOptions) -> Result<()> {
 }
 
 /// Compares errors and counts with the list, and the documents with what would be made of it. Times
-/// are left alone. Answers what a reader should know of a comparison that has passed.
+/// are left alone. Returns the remarks of a comparison that has passed.
 pub(crate) fn check(targets: &[Target], progress: &Progress) -> Result<Vec<String>> {
     let old = PriceList::load()?.context("there is no price list: `cargo xtask measure` makes one")?;
     let chosen = |target: &Target| targets.is_empty() || targets.contains(target);
@@ -134,7 +134,7 @@ fn measure(old: Option<&PriceList>, targets: &[Target], progress: &Progress) -> 
     Ok(list)
 }
 
-/// The rows, with what they err.
+/// The rows, with their errors.
 fn with_errors(progress: &Progress) -> Result<PriceList> {
     let mut list = PriceList::default();
     for (kernel, cone) in clocked::accuracy(progress)? {

@@ -239,7 +239,7 @@ pub(super) fn fits_every_screen(visitor: &mut Visitor) -> Result<()> {
     Ok(())
 }
 
-/// A script that answers the page's question for the price list.
+/// A script that answers the page's request for the price list.
 fn answering(list: &str) -> String {
     let list = Value::from(list);
     format!(

@@ -29,7 +29,7 @@ pub(crate) struct Visitor {
     _server: Server,
 }
 
-/// A test's name and what it does.
+/// The name of a test and its function.
 pub(crate) type Test = (&'static str, fn(&mut Visitor) -> Result<()>);
 
 pub(crate) const ALL: [Test; 53] = [

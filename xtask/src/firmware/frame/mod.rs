@@ -36,7 +36,7 @@ pub(crate) struct FrameOptions {
 /// The firmware program.
 const PROGRAM: &str = "frame";
 
-/// Draws, prints the table, and compares with what is recorded or records it.
+/// Draws the picture, prints the table, and compares the counts with the record or writes it.
 pub(crate) fn run(options: &FrameOptions) -> Result<()> {
     let progress = Progress::Live;
     let boards = if options.boards.is_empty() { board::ALL.iter().collect() } else { options.boards.clone() };
@@ -84,7 +84,7 @@ fn draw(laboratory: &Laboratory, host: &Output) -> Result<Counts> {
 }
 
 /// Fails where a record differs from the one that is checked in, or the picture or the table from
-/// what is made of it. Answers what a reader should know of a comparison that has passed.
+/// what is made of it. Returns the remarks of a comparison that has passed.
 fn compare(new: &Record, picture: &Picture) -> Result<Vec<String>> {
     let old = Record::load()?;
     let (mut differences, remarks) = record::compare(&old, new);

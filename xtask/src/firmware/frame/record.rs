@@ -13,7 +13,7 @@ use crate::project;
 /// How far instructions may be from those of another compiler.
 const LEEWAY: f64 = 0.05;
 
-/// What is known of the picture.
+/// The recorded counts of the picture.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub(super) struct Record {
     /// How many pixels it has.
