@@ -25,7 +25,7 @@ use support::{
 /// The half angles in degrees of the cones.
 const CONES: [f32; 4] = [0.01, 1.0, 15.0, 89.0];
 
-/// The first and the last of the versines that share an answer, each with what it stands for.
+/// The first and the last of the versines that share a result, each with its exact value.
 type Ends<S> = [(<S as Arithmetic>::Versine, f64); 2];
 
 /// A format whose versines can all be visited.
@@ -258,7 +258,7 @@ fn fx32_is_encoded_to_the_nearest_code() {
     assert_encodes(1 << 30, Fx32::scalar_from_bits);
 }
 
-/// What is no number from 0 to 1 is clipped to it: every bit pattern of f32.
+/// Every bit pattern of f32 outside [0, 1], NaN included, is clipped.
 #[test]
 fn every_other_f32_is_clipped() {
     let code = |bits: u64| encode_srgb(f32::from_bits(bits as u32)).into();

@@ -1,6 +1,6 @@
-//! A cone that compiles errs at most half a linear code: random cones at the limit of what each
-//! format accepts, a light and a point anywhere in its domain, and from the worst of them a climb
-//! by bits.
+//! A cone that compiles has an error of at most half a linear code: random cones at the limit of
+//! what each format accepts, a light and a point anywhere in its domain, and from the worst of them
+//! a climb by bits.
 //!
 //! `cargo test --test slow half_a_code:: -- --nocapture --test-threads 1` prints the worst that was
 //! found; `LUMINAIRE_FULL=1` begins in 1,000,000 places for each format, 40 in a cone, and climbs
@@ -217,7 +217,7 @@ impl<S: Format> Beam<S> {
     }
 }
 
-/// A light, and what it is in f64.
+/// A light, and its reference in f64.
 struct Light<'a, S: Format> {
     beam: &'a Beam<S>,
     compiled: CompiledSpotLight<S, AnyFalloff>,

@@ -26,7 +26,7 @@ use support::{
 
 const DENSITY: f32 = 0.5;
 
-/// A spotlight in haze, and what it stands for.
+/// A spotlight in haze, and its exact model.
 struct Pair<P: Falloff, A: Attenuation> {
     kernel: BeamScattering<P, A>,
     oracle: Beam,

@@ -115,7 +115,7 @@ impl Way {
 /// The quantum of the fixed-point lengths.
 const QUANTUM: f32 = 1.0 / 65_536.0;
 
-/// A cone and what it is in f64.
+/// A cone, and its reference in f64.
 struct Shape {
     name: &'static str,
     profile: AnyFalloff,

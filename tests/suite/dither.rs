@@ -108,7 +108,7 @@ fn spread(count: u32) -> impl Iterator<Item = f64> {
     (0..count).map(move |_| reference::srgb_linear(255.0 * rng.f64()))
 }
 
-/// Exhaustive, with what is clipped.
+/// Exhaustive, clipped values included.
 #[test]
 fn sixteen_bits_keep_the_light_of_a_cell() {
     let seen = show((-3..=(1 << 14) + 3).map(Fx16::from_bits));

@@ -9,8 +9,8 @@ use luminaire::{
 use support::with_every_shape;
 use support::{format::Format, profiles::Shape, reference, sweep};
 
-/// What is skipped is exactly zero: with and without the rejects, the same bits, inside, outside
-/// and at the edge.
+/// Skipped light is exactly zero: with and without early-outs the results are bit-identical,
+/// inside, outside and at the edge.
 fn assert_skipping_is_exact<S: Format, P: Falloff>(shape: &Shape<P>) {
     let mut rng = Rng::with_seed(64);
     let (mut lit, mut dark) = (0, 0);

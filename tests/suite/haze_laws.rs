@@ -167,7 +167,7 @@ fn along_the_axis_there_is_light() {
     assert_near(light(2.0, down, f32::INFINITY), 0.5);
     assert_near(light(2.0, down, 2.0), 0.25);
     assert_near(light(2.0, up, 1.0), 0.5);
-    // The light hides what is behind it, and there is nothing behind it either.
+    // The light hides the air behind it, and there is no light in that air either.
     assert_near(light(2.0, up, f32::INFINITY), 99.5);
     assert_near(light(6.0, down, f32::INFINITY) + 1.0, 1.0);
     // The eye in the light sees the whole beam from the light's surface on.
@@ -230,7 +230,7 @@ fn a_ray_between_two_points_has_their_direction_and_distance() {
     assert_eq!((nowhere.direction, nowhere.length), (Vec3::new(0.0, 0.0, 0.0), 0.0));
 }
 
-/// A beam of any bits, and what it makes of rays of any bits.
+/// A beam of any bits, evaluated for rays of any bits.
 fn assert_total<A: Attenuation>(rng: &mut Rng, constants: impl Fn(&mut Rng) -> A::Constants<f32>) {
     let any = |rng: &mut Rng| f32::from_bits(bits(rng) as u32);
     let tame = rng.bool();
@@ -283,8 +283,8 @@ fn bundle(rng: &mut Rng, oracle: &Beam) -> (RayBundle, Vec<ViewRay>) {
     (RayBundle::around(eye, sweep::single(middle), &corners, length), rays)
 }
 
-/// Nothing is lost: where one ray of a bundle has light the answer is yes. Of the bundles that are
-/// dark most are rejected.
+/// No light is lost: if one ray of a bundle has light, `can_meet` returns true. Of the bundles that
+/// are dark most are rejected.
 fn assert_meets<A: Attenuation>(attenuation: A, least_rejected: f64) {
     let mut rng = Rng::with_seed(12);
     let (mut dark, mut rejected, mut lit) = (0, 0, 0);

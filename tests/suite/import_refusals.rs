@@ -162,7 +162,7 @@ fn assert_point<S: Format, A: Attenuation>(rng: &mut Rng, light: &CompiledPointL
 
 fn assert_imported<S: Format>(rng: &mut Rng, light: &OpenGlLight) {
     match light {
-        // A light that the format cannot hold is refused, which is an answer too.
+        // A light that the format cannot hold is refused, which is a defined result, too.
         OpenGlLight::Spot(spot) => drop(spot.compile().map(|spot| assert_spot::<S, _, _>(rng, &spot))),
         OpenGlLight::Point(point) => drop(point.compile().map(|point| assert_point::<S, _>(rng, &point))),
     }

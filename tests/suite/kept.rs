@@ -1,5 +1,4 @@
-//! What is given to a description is given back, to the bit; what is replaced leaves the rest
-//! alone.
+//! Getters return exactly the values that were set; each `with_*` changes only its own field.
 
 use luminaire::{
     AmbientLight, Angle, Cone, DirectionalLight, Fx16, Material, PointLight, Rgb, Scalar, SpotLight, Vec3,

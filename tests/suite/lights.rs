@@ -28,7 +28,7 @@ fn any_surface<S: Format>(rng: &mut Rng) -> SurfacePoint<S> {
     }
 }
 
-/// A sound answer, the same with and without the rejects.
+/// A sound result, bit-identical with and without early-outs.
 fn assert_answer<S: Format, H: SpecularLobe>(
     material: Material<H>,
     light: &impl LightModel<S>,

@@ -1,5 +1,5 @@
 //! The square that a spotlight projects: which way it lies, where a point stands on it, against
-//! f64, and that every point has an answer.
+//! f64, and that every point has a defined result.
 
 use fastrand::Rng;
 use luminaire::codegen::{FloatFrame, Frame16, Frame32};
@@ -273,7 +273,7 @@ fn every_bit_pattern_has_a_place() {
     assert_answers::<Fx16>();
 }
 
-/// What is on the light, behind it or no number is off the square, at no depth.
+/// Points on or behind the light, and NaN, are off the square, at depth 0.
 #[test]
 fn what_has_no_place_is_off_the_square() {
     fn assert_none<S: Format>(points: &[[f32; 3]]) {

@@ -66,7 +66,7 @@ fn angles_keep_their_figures() {
     assert_figure("angle of a versine", over_angles(angle));
 }
 
-/// The last `u` at which a profile has at least so much intensity, by bisection in f64.
+/// The last `u` at which a profile has at least the given intensity, by bisection in f64.
 fn last_u(oracle: reference::Falloff, intensity: f64) -> f64 {
     let (mut light, mut dark) = (0.0, 1.0);
     for _ in 0..60 {

@@ -26,7 +26,7 @@ fn assert_total<S: Format, P: Falloff>(shape: &Shape<P>) {
         let cone = shape.at(6.0 + 84.0 * rng.f32());
         let position = vector(&mut rng, |bits| f32::from_bits(bits as u32));
         let axis = vector(&mut rng, |bits| f32::from_bits(bits as u32));
-        // A refused light is an answer too.
+        // A refused light is a defined result, too.
         let Ok(spot) =
             SpotLight::new(position, axis, cone).and_then(|spot| spot.with_intensity(1e9 * rng.f32()))
         else {
