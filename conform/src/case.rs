@@ -29,11 +29,11 @@ pub enum Kind {
 /// An input of a model.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Input {
-    /// What it is of the case, such as `position`.
+    /// The name of the input, such as `position`.
     pub name: &'static str,
     /// Which of its components: x, y, z or red, green, blue are 0, 1, 2.
     pub component: usize,
-    /// What it is.
+    /// The kind of the input.
     pub kind: Kind,
     /// The name of the word's format.
     pub format: &'static str,

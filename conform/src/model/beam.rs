@@ -1,4 +1,4 @@
-//! What is in the beam of a spotlight: patterns, shadows and haze.
+//! Gobos, shadow maps and haze in the beam of a spotlight.
 
 use luminaire::{
     Angle, Error, SpotLight, Vec3,

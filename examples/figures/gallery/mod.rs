@@ -1,4 +1,4 @@
-//! The figures: what is drawn, and as what it is kept.
+//! The figures, and the files that hold them.
 //!
 //! The pictures are the renderer's geometry lit by the kernel in f32, or by Warn's model over the
 //! same geometry. Nothing in them differs between machines, so that they can be compared to the

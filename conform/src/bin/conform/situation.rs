@@ -5,7 +5,7 @@ use luminaire_conform::{Input, Kind};
 use super::random::{Random, dot, plus, scaled, unit};
 use super::scene::{Scene, versine};
 
-/// A name and what it makes of a scene.
+/// The name of a hard case and the function that makes a scene into it.
 pub(crate) type Situation = (&'static str, fn(&mut Scene, &mut Random));
 
 pub(crate) const SITUATIONS: [Situation; 27] = [
