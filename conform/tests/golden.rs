@@ -61,8 +61,8 @@ fn no_light_is_not_a_number() {
     }
 }
 
-/// A case that differs, one that is cut short and one of a model that there is not are all counted,
-/// and told.
+/// A case that differs, one that is cut short and one of an unknown model are all counted and
+/// reported.
 #[test]
 fn what_differs_is_told() {
     let section = "[clip fx16] light:u18f14\n";

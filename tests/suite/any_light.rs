@@ -38,7 +38,7 @@ fn distances() -> Result<Vec<AnyAttenuation>, Error> {
     ])
 }
 
-/// Lights of every kind, profile and distance model: each spotlight has a new
+/// Lights of every kind, profile and attenuation: each spotlight has a new
 /// random position and axis.
 fn any_lights(rng: &mut Rng) -> Result<Vec<AnyLight>, Error> {
     let mut lights = Vec::new();

@@ -96,7 +96,7 @@ impl Beam {
         (first < last).then_some((first, last))
     }
 
-    /// The distance along the ray of the least versine.
+    /// The distance along the ray at which the versine is least.
     fn nearest_to_axis(&self, ray: &Ray, places: &[f64]) -> f64 {
         let versine = |s: f64| self.spot.versine(ray.at(s));
         let mut best = (places[0], versine(places[0]));

@@ -97,8 +97,8 @@ fn points<S: Raw>(bits: &mut Bits) {
     goes(bits, &offset, &Offset::fine_ray(&offset));
 }
 
-/// The operations of a ray, coarse or fine, and those of a light with any profile and attenuation
-/// at that point.
+/// Calls the operations of a ray, coarse or fine, and those of a light with any profile and
+/// attenuation at that point.
 #[inline(never)]
 fn goes<S: Raw, R: Ray<S>>(bits: &mut Bits, offset: &S::Offset, ray: &R) {
     let (axis, normal, ramp) = (bits.vector(S::unit), bits.vector(S::scalar), S::raw_ramp(bits));
