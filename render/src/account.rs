@@ -1,17 +1,17 @@
-//! What a picture has cost: how often a light was evaluated at a pixel, and how often that was spared.
+//! Counts of lighting work: evaluated and skipped (light, pixel) pairs.
 
-/// The account of the last time that geometry was drawn, and light. A pair is a light and a pixel: each light that was
-/// given makes one with each pixel of the picture.
+/// Counts of the last geometry pass and the last lighting pass. A pair is one light and one pixel:
+/// each light in the slice makes one pair with each pixel of the picture.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 #[non_exhaustive]
 pub struct Account {
-    /// The triangles that were drawn: none where the geometry could stay as it was.
+    /// Triangles drawn; 0 if the geometry was kept.
     pub triangles: usize,
     /// The tiles of the picture.
     pub tiles: u32,
     /// The tiles that were lit again.
     pub tiles_relit: u32,
-    /// The lights that were given.
+    /// The lights in the slice that was passed.
     pub lights: u32,
     /// The lights that can light nothing, and were dropped.
     pub lights_dropped: u32,
@@ -19,32 +19,34 @@ pub struct Account {
     pub evaluated: u64,
     /// Those of them that were evaluated with a highlight.
     pub evaluated_shining: u64,
-    /// The pairs of a beam and a pixel through whose haze it may be seen, which were evaluated besides.
+    /// The pairs of a beam and a pixel whose in-scattering was evaluated, in addition to
+    /// `evaluated`.
     pub evaluated_in_air: u64,
     /// The pairs of a dropped light.
     pub dropped: u64,
-    /// The pairs in tiles whose light could stay as it was.
+    /// The pairs in tiles that were not re-lit.
     pub kept: u64,
-    /// The pairs of a light and a tile that it does not reach.
+    /// The pairs skipped because the light does not reach the tile.
     pub missed_by_tile: u64,
-    /// The pairs of a light and a row of 32 pixels that it does not reach or that faces away from it, within a tile that it may
-    /// reach.
+    /// The pairs skipped because the light does not reach a row of 32 pixels, or the row faces away
+    /// from it, inside a tile that it may reach.
     pub missed_by_row: u64,
 }
 
 impl Account {
-    /// The account of a picture of so many pixels, before anything is lit: `kept` of the lights are not dropped.
+    /// Counts for a picture of `pixels` pixels before lighting; `kept` lights were not dropped.
     pub(crate) fn new(tiles: usize, lights: usize, kept: usize, pixels: usize) -> Self {
         let [tiles, lights, kept] = [tiles, lights, kept].map(|count| count as u32);
         let lights_dropped = lights - kept;
         let dropped = u64::from(lights_dropped) * pixels as u64;
-        // What is lit is taken from what is kept.
+        // All pairs of the kept lights start in `kept`; `enter` moves the pairs of re-lit tiles out
+        // of it.
         let kept = u64::from(kept) * pixels as u64;
         Self { tiles, lights, lights_dropped, dropped, kept, ..Self::default() }
     }
 
-    /// Enters a row of pixels of a tile that is lit, of which so many lights may reach the tile, and so many are
-    /// evaluated, and so many of those with a highlight.
+    /// Adds one row of a re-lit tile: `reached` lights may reach the tile, `evaluated` of them were
+    /// evaluated, `shining` of those with a highlight.
     pub(crate) fn enter(&mut self, pixels: usize, reached: usize, evaluated: usize, shining: usize) {
         let [pixels, reached, evaluated, shining] =
             [pixels, reached, evaluated, shining].map(|count| count as u64);

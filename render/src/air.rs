@@ -1,4 +1,4 @@
-//! The air of a picture: what the haze between eye and surface shows of the beams.
+//! In-scattering between the eye and the surfaces: the visible beams in haze.
 
 use crate::{
     lanes::{LANES, Radiance},
@@ -16,7 +16,7 @@ use luminaire::{
     projector::{CompiledGobo, Shadow},
 };
 
-/// At how many places of a ray a beam with a gobo or with shadows is looked at.
+/// Number of sample points on a view ray through a beam with a gobo or a shadow map.
 const PLACES: usize = 16;
 
 /// The beam of a spotlight in haze.
@@ -26,7 +26,7 @@ pub(crate) struct Hazy {
     color: Rgb<f32>,
 }
 
-/// What is in the way of a beam.
+/// The gobo and the shadow map of a beam.
 #[derive(Debug)]
 pub(crate) struct Way<'a, S: Scalar> {
     pub(crate) gobo: Option<&'a CompiledGobo<'static, S>>,
@@ -34,21 +34,21 @@ pub(crate) struct Way<'a, S: Scalar> {
 }
 
 impl Hazy {
-    /// The beam of a light; nothing where it is no spotlight.
+    /// Compiles the beam of a light. Returns `None` if the light is no spotlight.
     ///
     /// # Errors
-    /// What `f32` can't hold.
+    /// A light that `f32` can't hold.
     pub(crate) fn new(light: &AnyLight, haze: &Haze) -> Result<Option<Self>, Error> {
         let color = light.color();
         Ok(light.compile::<f32>()?.in_haze(haze).map(|beam| Self { beam, color }))
     }
 
-    /// Whether any ray of a bundle may meet the beam.
+    /// Returns false only if no ray of the bundle meets the beam.
     pub(crate) fn may_be_seen(&self, sight: &RayBundle) -> bool {
         self.beam.can_meet(sight)
     }
 
-    /// Adds the light of the air to that of the surfaces behind it.
+    /// Adds the in-scattered light to the light of the surfaces.
     pub(crate) fn add<S: Scalar>(&self, rays: &ViewRays<LANES>, way: &Way<'_, S>, radiance: &mut Radiance) {
         let mut air = [0.0; LANES];
         if way.is_clear() {
@@ -66,12 +66,12 @@ impl Hazy {
 }
 
 impl<S: Scalar> Way<'_, S> {
-    /// Whether there is nothing.
+    /// Returns whether the beam has neither gobo nor shadow map.
     fn is_clear(&self) -> bool {
         self.gobo.is_none() && self.shadow.is_none()
     }
 
-    /// Leaves of the light of points what gets through to them.
+    /// Multiplies the light at each point by the transmittance there.
     fn leave(
         &self,
         points: &Vec3<[f32; PLACES]>,
@@ -94,7 +94,7 @@ impl<S: Scalar> Way<'_, S> {
     }
 }
 
-/// The rays through the pixels of a block, from the eye to what was drawn there.
+/// Returns the rays through the pixels of a block, from the eye to the surface in each pixel.
 pub(crate) fn rays(view: &View, fragments: &Fragments, row: usize, column: usize) -> ViewRays<LANES> {
     let (first, step) = view.ray(row);
     let first = first + step * (column * LANES) as f32;
@@ -110,13 +110,13 @@ pub(crate) fn rays(view: &View, fragments: &Fragments, row: usize, column: usize
         rays.direction.x[lane] = way.x / unit;
         rays.direction.y[lane] = way.y / unit;
         rays.direction.z[lane] = way.z / unit;
-        // At depth 1 the way is as long as this; where nothing was drawn it has no end.
+        // The ray to depth 1 has the length `unit`. Where nothing was drawn the length is infinite.
         rays.length[lane] = unit / nearness;
     }
     rays
 }
 
-/// A bundle of all rays through a rectangle of pixels, up to its farthest surface.
+/// Returns a bundle of all rays through a rectangle of pixels, up to its farthest surface.
 pub(crate) fn bundle(
     view: &View,
     fragments: &Fragments,
@@ -133,7 +133,7 @@ pub(crate) fn bundle(
     let middle = ways::direction(corners.into_iter().sum());
     let farthest = |row: usize| fragments.block(row, column).iter().copied().fold(f32::INFINITY, f32::min);
     let least = rows.map(farthest).fold(f32::INFINITY, f32::min);
-    // The longest way to depth 1 goes to a corner.
+    // The longest of the rays to depth 1 goes to a corner.
     let longest = corners.into_iter().map(|corner| 1.0 / corner.dot(view.ahead())).fold(0.0, f32::max);
     RayBundle::around(view.eye().into(), middle.into(), &corners.map(Into::into), longest / least)
 }

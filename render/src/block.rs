@@ -1,22 +1,22 @@
-//! A block of pixels: what is lit at once.
+//! Block of pixels: the unit of lighting.
 
 use crate::{bounds::Bounds, lanes::LANES, part::Part, reach::Reach};
 use luminaire::{Scalar, Vec3};
 
-/// Some neighbouring pixels of a row, each quantity in an array of its own, as vector instructions want it.
+/// Neighbouring pixels of a row, each quantity in its own array for vector instructions.
 #[derive(Clone, Copy, Debug)]
 pub struct Block<S: Scalar> {
     pub(crate) point: Vec3<[S::Length; LANES]>,
-    /// Of unit length; zero where nothing was drawn, so that no light arrives there.
+    /// Unit normals; zero where nothing was drawn, so that no light arrives there.
     pub(crate) normal: Vec3<[S; LANES]>,
     /// The number of the material; 0 where nothing was drawn.
     pub(crate) material: [u32; LANES],
-    /// Whether it is the same everywhere.
+    /// Whether all pixels have the same material.
     pub(crate) is_uniform: bool,
-    /// What encloses the points; nothing if nothing was drawn.
+    /// Bounding sphere of the points; `None` if nothing was drawn.
     pub(crate) bounds: Option<Bounds>,
-    /// The pixels of the first one's material and those of any other, if there are any: at the outline of an object what is
-    /// near and what is far are told apart.
+    /// Bounds of the pixels with the first pixel's material, and of all other pixels. At the
+    /// outline of an object this separates the near surface from the far one.
     pub(crate) parts: [Option<Part>; 2],
 }
 
@@ -33,18 +33,18 @@ impl<S: Scalar> Block<S> {
         }
     }
 
-    /// The number of the material, if all pixels have the same.
+    /// Returns the number of the material, if all pixels have the same.
     #[inline(always)]
     pub(crate) fn only_material(&self) -> Option<u32> {
         self.is_uniform.then_some(self.material[0])
     }
 
-    /// A part with all pixels of a material, and perhaps with others.
+    /// Returns the bounds of all pixels of a material. They may include pixels of other materials.
     pub(crate) fn part(&self, number: u32) -> Option<Part> {
         self.parts[usize::from(number != self.material[0])]
     }
 
-    /// Whether no light arrives at any pixel, for certain.
+    /// Returns true only if no light arrives at any pixel, in every number format.
     pub(crate) fn is_missed(&self, reach: &Reach) -> bool {
         self.parts
             .iter()

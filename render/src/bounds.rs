@@ -12,7 +12,7 @@ pub(crate) struct Bounds {
 }
 
 impl Bounds {
-    /// A sphere around points: that of their box's middle.
+    /// Returns a bounding sphere around the centre of the points' bounding box.
     pub(crate) fn of(points: impl Iterator<Item = Vec3> + Clone) -> Self {
         let center = 0.5
             * (points.clone().fold(Vec3::INFINITY, Vec3::min)
@@ -20,7 +20,7 @@ impl Bounds {
         Self { center, radius: points.map(|point| length(point - center)).fold(0.0, f32::max) }
     }
 
-    /// A sphere around the convex hull of four points.
+    /// Returns a bounding sphere of four points, and so of their convex hull.
     #[inline(always)]
     pub(crate) fn around(points: [Vec3; 4]) -> Self {
         let center = 0.25 * points.into_iter().sum::<Vec3>();
@@ -29,19 +29,20 @@ impl Bounds {
         Self { center, radius: length(ways.into_iter().fold(Vec3::ZERO, farther)) }
     }
 
-    /// The radius of a sphere that the points are within for certain, in every number format, as it is seen from the end
-    /// of a way from its centre: by a five thousandth of the distance and a tenth of a millimetre larger. The formats' directions
-    /// are off by 1.6e-5 at most, and their positions by 8e-6 metres.
+    /// Returns the radius of a sphere that encloses the points in every number format. `way` is a
+    /// vector from the sphere's centre or to it; the radius is larger by 1/5000 of its length, and
+    /// by 0.1 mm. The directions of the formats are off by 1.6e-5 at most, their positions by 8e-6
+    /// metres.
     pub(crate) fn padded(&self, way: Vec3) -> f32 {
         self.radius + 2e-4 * (way.abs().element_sum() + self.center.abs().element_sum()) + 1e-4
     }
 
-    /// A sphere around spheres; nothing if there are none.
+    /// Returns a sphere around spheres; `None` if there are none.
     pub(crate) fn enclosing(spheres: impl Iterator<Item = Self> + Clone) -> Option<Self> {
         let (sum, count) = spheres.clone().fold((Vec3::ZERO, 0.0), |(sum, n), s| (sum + s.center, n + 1.0));
         let center = sum / count;
         let reach = |sphere: Self| length(center - sphere.center) + sphere.radius;
-        // Not a number, and so no sphere, without any.
+        // Without spheres the centre is NaN.
         (count > 0.0).then(|| Self { center, radius: spheres.map(reach).fold(0.0, f32::max) })
     }
 }

@@ -4,21 +4,21 @@ use core::f32::consts::{FRAC_PI_2, TAU};
 use glam::{Vec2, Vec3};
 use luminaire::{Angle, HalfAngle};
 
-/// How near to its target a camera may come, and how far it may go, in metres.
+/// Range of the distance between the camera and its target, in metres.
 const DISTANCE: (f32, f32) = (0.25, 100.0);
-/// The vertical fields of view that a camera may have, in radians.
+/// Range of the vertical field of view, in radians.
 const FIELD_OF_VIEW: (f32, f32) = (0.05, 2.5);
-/// The steepest look down from above, in radians: a little short of the zenith, where yaw would lose its
-/// meaning.
+/// Largest pitch, looking down from above, in radians: a little short of the zenith, where yaw is
+/// undefined.
 const STEEPEST: f32 = 1.5;
-/// How high above the floor, which is at height 0, the eye stays, in metres.
+/// Least height of the eye above the floor at y = 0, in metres.
 const EYE_HEIGHT: f32 = 0.05;
 
-/// A camera that looks at a target from a distance, in a right-handed world whose y axis points up.
+/// A camera that orbits a target, in a right-handed world whose y axis points up.
 ///
-/// At yaw 0 the eye stands on the side of positive z and x points to the right of the picture; yaw turns it
-/// to the right around the target. Whatever it is given, a camera stays one that can be drawn with:
-/// parameters are clamped to what they may be, and one that is not a number is ignored.
+/// At yaw 0 the eye is on the side of positive z, and x points to the right of the picture; yaw
+/// turns the camera to the right around the target. Parameters are clamped to their ranges, and NaN
+/// is ignored, so that every camera is valid.
 ///
 /// ```
 /// use luminaire::Vec3;
@@ -74,7 +74,7 @@ impl Camera {
         self.orbit(0.0, 0.0);
     }
 
-    /// Where the eye is, in metres.
+    /// Returns the position of the eye, in metres.
     pub fn eye(&self) -> luminaire::Vec3<f32> {
         self.pose().eye.into()
     }
@@ -84,7 +84,7 @@ impl Camera {
         self.field_of_view
     }
 
-    /// The eye, and the directions that it sees as right, up and ahead.
+    /// Returns the eye and the camera's right, up and forward directions.
     pub(crate) fn pose(&self) -> Pose {
         let (turn, rise) = (Vec2::from_angle(self.yaw), Vec2::from_angle(self.pitch));
         let right = Vec3::new(turn.x, 0.0, -turn.y);
@@ -92,8 +92,8 @@ impl Camera {
         Pose { eye: self.target - self.distance * ahead, right, up: right.cross(ahead), ahead }
     }
 
-    /// The pitch at which the eye is as low as the floor lets it; at most the steepest, for a target so far
-    /// below the floor that no pitch is enough.
+    /// Returns the pitch at which the eye is as low as the floor lets it; at most [`STEEPEST`], for
+    /// a target so far below the floor that no pitch is enough.
     fn lowest(&self) -> f32 {
         let sine = ((EYE_HEIGHT - self.target.y) / self.distance).clamp(-1.0, 1.0);
         let from_zenith = HalfAngle::from(Angle::from_versine(1.0 - sine));
@@ -101,7 +101,7 @@ impl Camera {
     }
 }
 
-/// A camera's eye and its axes, all of unit length and at right angles.
+/// A camera's eye and its orthonormal axes.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Pose {
     pub(crate) eye: Vec3,
@@ -110,7 +110,7 @@ pub(crate) struct Pose {
     pub(crate) ahead: Vec3,
 }
 
-/// The value in this range, or the default if it is not a number.
+/// Clamps a value to a range. NaN becomes the default.
 fn clamp(value: f32, (least, most): (f32, f32), default: f32) -> f32 {
     if value.is_nan() { default } else { value.clamp(least, most) }
 }

@@ -1,4 +1,4 @@
-//! Triangles cut at the borders of what a camera sees.
+//! Clipping of triangles against the view frustum.
 
 use crate::{
     mesh::{Mesh, Vertex},
@@ -6,16 +6,16 @@ use crate::{
 };
 use alloc::vec::Vec;
 
-/// The borders: near, left, right, bottom, top.
+/// The planes of the frustum: near, left, right, bottom, top.
 const PLANES: usize = 5;
 
-/// A vertex seen by a camera, and what all triangles that share it ask for.
+/// A vertex in camera space, with its projection: computed once for all triangles that share it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Sighting {
     seen: Seen,
-    /// A bit for each border that the vertex is beyond.
+    /// Outcode: one bit for each frustum plane that the vertex is outside of.
     beyond: u32,
-    /// Where it is on the screen, if it is in view.
+    /// Screen position; the default if the vertex is outside the frustum.
     corner: Corner,
 }
 
@@ -27,14 +27,14 @@ impl Sighting {
         Self { seen, beyond, corner: if beyond == 0 { view.project(&seen) } else { Corner::default() } }
     }
 
-    /// The vertex as it is seen, in view or not.
+    /// The vertex in camera space, inside the frustum or not.
     pub(crate) fn seen(&self) -> &Seen {
         &self.seen
     }
 }
 
-/// Hands the visible parts of a mesh's triangles to `draw`, each with what is seen of the triangle's corners. The memory for
-/// sightings is lent.
+/// Clips a mesh's triangles and passes each visible triangle to `draw`, with the vertices of the
+/// triangle that it was cut from. `sightings` is scratch memory.
 #[inline(always)]
 pub(crate) fn clip_mesh(
     view: &View,
@@ -50,7 +50,7 @@ pub(crate) fn clip_mesh(
     }
 }
 
-/// Hands the visible part of a triangle to `draw`, as triangles in the same sense of rotation.
+/// Clips a triangle and passes the visible triangles to `draw`, with the same winding.
 fn clip(view: &View, [a, b, c]: [&Sighting; 3], mut draw: impl FnMut([Corner; 3])) {
     if a.beyond & b.beyond & c.beyond != 0 {
         return;
@@ -69,7 +69,7 @@ fn clip(view: &View, [a, b, c]: [&Sighting; 3], mut draw: impl FnMut([Corner; 3]
     }
 }
 
-/// How far a vertex is on the visible side of a border.
+/// Returns the signed distance of a vertex from a frustum plane, unnormalised: positive inside.
 fn inside(vertex: &Seen, plane: usize) -> f32 {
     match plane {
         0 => vertex.depth - NEAR,
@@ -102,7 +102,7 @@ impl Polygon {
         }
     }
 
-    /// The part on the visible side of a border.
+    /// Returns the polygon on the visible side of a plane.
     fn cut(&self, plane: usize) -> Self {
         let mut kept = Self { vertices: self.vertices, count: 0 };
         let last = self.vertices().last();
@@ -122,8 +122,9 @@ impl Polygon {
     }
 }
 
-/// Where an edge crosses a border. It is found from the visible end whichever way the edge is walked, so that
-/// two triangles that share the edge share the crossing to the bit, and no crack opens between them.
+/// Returns the intersection of an edge with a plane. It is computed from the visible end in either
+/// direction, so that two triangles with a common edge get bit-identical intersections and no crack
+/// opens between them.
 fn crossing((visible, inside): (&Seen, f32), (hidden, outside): (&Seen, f32)) -> Seen {
     let t = inside / (inside - outside);
     let mix = |a: f32, b: f32| a + t * (b - a);

@@ -1,4 +1,4 @@
-//! From linear light to the bytes of a display.
+//! Conversion of linear light to the bytes of a display.
 
 use crate::lanes::{LANES, Radiance};
 use luminaire::{
@@ -6,21 +6,21 @@ use luminaire::{
     display::{Rgb565, encode_srgb, encode_srgb_dithered},
 };
 
-/// Bytes to a pixel: red, green, blue, alpha.
+/// Bytes per pixel: red, green, blue, alpha.
 pub(crate) const CHANNELS: usize = 4;
 
-/// What a picture is shown on.
+/// The display format of a picture.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Default, Debug)]
 #[non_exhaustive]
 pub enum Display {
-    /// Eight bits to a channel.
+    /// 8 bits per channel.
     #[default]
     Rgb888,
-    /// Eight bits to a channel, dithered against banding.
+    /// 8 bits per channel, dithered against banding.
     Rgb888Dithered,
-    /// Five, six and five bits. Pixels have the nearest codes of eight bits, for who looks at them on another display.
+    /// RGB565, expanded to 8 bits per channel for preview.
     Rgb565,
-    /// Five, six and five bits, dithered against banding.
+    /// RGB565, dithered against banding and expanded to 8 bits per channel.
     Rgb565Dithered,
 }
 
@@ -30,10 +30,11 @@ impl Display {
         matches!(self, Self::Rgb888Dithered | Self::Rgb565Dithered)
     }
 
-    /// Writes the codes of a block that begins at a place in the picture, as many as there is room for.
+    /// Writes the codes of a block whose first pixel is at `(x, y)`, as many as `pixels` has room
+    /// for.
     pub(crate) fn encode(self, radiance: &Radiance, (x, y): (u32, u32), pixels: &mut [u8]) {
         match self {
-            // Whole blocks: a channel at a time, as vector instructions want it.
+            // One channel of the whole block at a time, for vector instructions.
             Self::Rgb888 => {
                 let codes = radiance.map(|channel| channel.map(encode_srgb));
                 write(pixels, |lane| Rgb::new(codes.red[lane], codes.green[lane], codes.blue[lane]));
@@ -55,7 +56,7 @@ fn linear(radiance: &Radiance, lane: usize) -> Rgb<f32> {
     Rgb::new(radiance.red[lane], radiance.green[lane], radiance.blue[lane])
 }
 
-/// Writes the codes of each pixel, by its number.
+/// Writes the code of each pixel by its index in the block.
 #[inline(always)]
 fn write(pixels: &mut [u8], code: impl Fn(usize) -> Rgb<u8>) {
     for (lane, pixel) in pixels.chunks_exact_mut(CHANNELS).enumerate().take(LANES) {

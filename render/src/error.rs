@@ -1,10 +1,10 @@
-//! What drawing refuses.
+//! Errors of drawing.
 
 use crate::size::SizeError;
 use core::fmt;
 use luminaire::Error;
 
-/// Why something could not be drawn; its message names parameter, value and remedy.
+/// Why drawing failed. The message names parameter, value and remedy.
 #[derive(Clone, Copy, PartialEq, Debug)]
 #[non_exhaustive]
 pub enum DrawError {

@@ -1,4 +1,4 @@
-//! Scenes that differ in what they call for: from one bare spotlight to a house full of lights.
+//! Example scenes with different effects: from one bare spotlight to a stage full of lights.
 //!
 //! ```
 //! use luminaire_render::{Renderer, examples::Example};
@@ -32,7 +32,7 @@ use luminaire::{
     projector::Fixture,
 };
 
-/// A scene to learn from.
+/// An example scene.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub enum Example {
     /// One soft spotlight on a vase.
@@ -53,11 +53,11 @@ pub enum Example {
     Turntable,
 }
 
-/// What stands in a scene, who looks at it, and what hangs above it.
+/// A scene with its camera, fixtures and display.
 #[derive(Clone, PartialEq, Debug)]
 #[non_exhaustive]
 pub struct Setup {
-    /// What stands there, and the ambient light.
+    /// The meshes and the ambient light.
     pub scene: Scene,
     /// The camera at second 0.
     pub camera: Camera,
@@ -65,15 +65,15 @@ pub struct Setup {
     pub fixtures: Vec<MovingLight>,
     /// What the picture is shown on.
     pub display: Display,
-    /// How far to either side the camera swings, in radians.
+    /// Largest yaw of the camera to either side, in radians.
     swing: f32,
 }
 
-/// How long the camera takes to swing to one side, to the other and back, in seconds.
+/// Period of the camera's swing, in seconds.
 const SWING_PERIOD: f32 = 24.0;
 
 impl Example {
-    /// All examples, those that call for less first.
+    /// All examples, ordered by the effects that they need, fewest first.
     pub const ALL: [Self; 8] = [
         Self::BareSpot,
         Self::Pocket,
@@ -113,7 +113,7 @@ impl Example {
         }
     }
 
-    /// What the scene calls for, in a sentence.
+    /// Describes in one sentence what the scene needs.
     pub const fn summary(self) -> &'static str {
         match self {
             Self::BareSpot => {
@@ -137,7 +137,8 @@ impl Example {
         }
     }
 
-    /// Width and height in pixels that the picture is composed for. Larger and smaller ones of the same shape show the same.
+    /// Width and height in pixels that the picture is composed for. Other sizes of the same aspect
+    /// ratio show the same.
     pub const fn size(self) -> (usize, usize) {
         match self {
             Self::Pocket => (160, 120),
@@ -145,15 +146,15 @@ impl Example {
         }
     }
 
-    /// The example of a [`name`](Self::name).
+    /// Returns the example with this [`name`](Self::name).
     pub fn named(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|example| example.name() == name)
     }
 
-    /// Builds the scene, and hangs its fixtures.
+    /// Builds the scene and its fixtures.
     ///
     /// # Errors
-    /// None, unless a constructor comes to refuse what it accepts today.
+    /// Never: the values are constants.
     pub fn setup(self) -> Result<Setup, Error> {
         match self {
             Self::BareSpot => bare_spot::setup(),
@@ -173,7 +174,8 @@ impl Setup {
         Self { scene, camera, fixtures, display: Display::default(), swing: 0.0 }
     }
 
-    /// The fixtures after so many seconds, in the order of [`fixtures`](Self::fixtures). The same seconds always give the same.
+    /// Returns the fixtures at a time in seconds, in the order of [`fixtures`](Self::fixtures).
+    /// Equal times give equal fixtures.
     ///
     /// # Errors
     /// Seconds that are not finite, where something moves.
@@ -181,7 +183,7 @@ impl Setup {
         self.fixtures.iter().map(|fixture| fixture.at(seconds)).collect()
     }
 
-    /// What a picture calls for after so many seconds.
+    /// Returns the effects that the picture needs at a time in seconds.
     ///
     /// # Errors
     /// As [`fixtures_at`](Self::fixtures_at).
@@ -194,7 +196,8 @@ impl Setup {
         Ok(fixtures.iter().fold(plan, |plan, fixture| plan.with_fixture(fixture)).effects())
     }
 
-    /// The camera after so many seconds, for who wants it to move: in most scenes it stands still.
+    /// Returns the camera at a time in seconds, for optional camera motion. In most scenes it
+    /// stands still.
     pub fn camera_at(&self, seconds: f32) -> Camera {
         let mut camera = self.camera;
         camera.orbit(self.swing * Vec2::from_angle(TAU * seconds / SWING_PERIOD).y, 0.0);

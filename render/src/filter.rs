@@ -1,4 +1,4 @@
-//! What is in the way of light: its pattern, and what throws shadows.
+//! Attenuation of light by gobos and shadow maps.
 
 use crate::{
     block::Block, lanes::LANES, lanes::Lights, places::Places, prepared::Prepared, shadows::Shadows,
@@ -8,7 +8,8 @@ use luminaire::{
     projector::{ProjectedPoint, Shadow},
 };
 
-/// Leaves of light what its way leaves of it. It keeps where the points of a block are on the square of a light.
+/// Attenuates a block of light by a fixture's gobo and shadow map. Keeps the projected positions of
+/// the points as scratch memory.
 #[derive(Clone, Debug)]
 pub(crate) struct Filter<S: Scalar> {
     places: Places<S, LANES>,
@@ -21,7 +22,8 @@ impl<S: Scalar> Default for Filter<S> {
 }
 
 impl<S: Scalar> Filter<S> {
-    /// Leaves of a fixture's light on a block, and of its highlights, what the fixture's pattern and shadow let through.
+    /// Multiplies a fixture's light on a block, and its highlights, by the transmittance of its
+    /// gobo and of its shadow map.
     #[inline(never)]
     pub(crate) fn apply(
         &mut self,
@@ -42,7 +44,7 @@ impl<S: Scalar> Filter<S> {
         }
     }
 
-    /// Leaves a part of the light at each place: where none arrives there is nothing to leave.
+    /// Multiplies the light of each pixel by a transmittance. Pixels without light are skipped.
     #[inline(always)]
     fn leave(&self, [diffuse, specular]: [&mut Lights<S>; 2], part: impl Fn(ProjectedPoint<S>) -> S) {
         let dark = S::Irradiance::default();

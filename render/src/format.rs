@@ -1,4 +1,4 @@
-//! What the renderer knows of a number format.
+//! The number formats of the renderer.
 
 use crate::{
     block::Block,
@@ -8,15 +8,16 @@ use crate::{
 };
 use luminaire::{Fx16, Fx32, Scalar};
 
-/// A number format that a picture can be lit in: `f32`, [`Fx32`] and [`Fx16`].
+/// A number format of the renderer: `f32`, [`Fx32`] or [`Fx16`].
 pub trait Format: Scalar + Loops {
     /// See [`stated_error`].
     const STATED_ERROR: u8;
 }
 
-/// The loops of a format. They are compiled with this crate, once, and not with each that uses it.
+/// The loops of a format, compiled once with this crate and not in each crate that uses it.
 pub trait Loops: Scalar {
-    /// Lights the pixels of a block. Returns how many of the lights were evaluated with a highlight.
+    /// Lights the pixels of a block. Returns how many of the lights were evaluated with a
+    /// highlight.
     fn light(
         setting: &Setting<'_, Self>,
         block: &Block<Self>,
@@ -56,12 +57,13 @@ macro_rules! loops {
 
 loops!(f32 Fx32 Fx16);
 
-/// The largest difference of a channel between a picture lit in this format and one in `f32`, in sRGB codes
-/// of 0 to 255.
+/// Returns the largest difference of a channel between a picture lit in this format and one in
+/// `f32`, in sRGB codes of 0 to 255.
 ///
-/// Measured on the [stage](crate::stage) from several cameras: under its own lights, and under hard beams of
-/// 4 degrees four times as bright. Under its own lights it is 1 in either fixed format: in 16 bits of about
-/// one channel in 200, in 32 bits of one in 5,000.
+/// Measured on the [stage](crate::stage) from several cameras: under its own lights, and under hard
+/// beams of 4 degrees that are four times as bright. Under its own lights the difference is 1 in
+/// both fixed-point formats: in about one channel in 200 with 16 bits, in one in 5,000 with 32
+/// bits.
 pub const fn stated_error<S: Format>() -> u8 {
     S::STATED_ERROR
 }

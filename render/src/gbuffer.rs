@@ -1,4 +1,4 @@
-//! The geometry of a picture, ready to be lit: position, normal and material of each pixel.
+//! G-buffer: position, normal and material of each pixel.
 
 use crate::{
     block::Block,
@@ -15,7 +15,7 @@ use luminaire::{Scalar, Vec3};
 #[derive(Clone, Debug)]
 pub(crate) struct GBuffer<S: Scalar> {
     pub(crate) blocks: Vec<Block<S>>,
-    /// Blocks of a row.
+    /// Blocks per row.
     pub(crate) columns: usize,
 }
 
@@ -25,7 +25,7 @@ impl<S: Scalar> GBuffer<S> {
         Ok(Self { blocks: filled(columns * height, Block::empty())?, columns })
     }
 
-    /// Finds position and unit normal of each fragment.
+    /// Computes position and unit normal of each fragment.
     pub(crate) fn resolve(&mut self, fragments: &Fragments, view: &View) {
         let nearness = blocks(&fragments.nearness);
         let [nx, ny, nz] = fragments.normal.each_ref().map(|plane| blocks(plane));
@@ -42,7 +42,7 @@ impl<S: Scalar> GBuffer<S> {
             block.point = points.map(|plane| plane.map(S::length));
             block.normal = normals.map(|plane| plane.map(S::from_f32));
             block.material = *material;
-            // Without a way out of the loop, as vector instructions want it.
+            // A fold without an early exit, so that it is vectorised.
             block.is_uniform =
                 material.iter().fold(true, |is_uniform, number| is_uniform & (number == &material[0]));
             let last = first + step * (LANES - 1) as f32;
@@ -63,7 +63,7 @@ impl<S: Scalar> GBuffer<S> {
     }
 }
 
-/// Where along their rays the fragments are; at the eye where there are none.
+/// Returns the positions of the fragments; the eye's position where there are none.
 fn locate(
     nearness: &[f32; LANES],
     eye: glam::Vec3,
@@ -81,11 +81,11 @@ fn locate(
     points
 }
 
-/// The normals of the fragments at unit length; zero where there are none.
+/// Returns the unit normals of the fragments; zero where there are none.
 fn unit(nearness: &[f32; LANES], [x, y, z]: [&[f32; LANES]; 3]) -> Vec3<[f32; LANES]> {
     let mut normals = Vec3::default().map(|()| [0.0; LANES]);
     for lane in 0..LANES {
-        // The kernel's direction from the origin to a point: the one square root there is.
+        // `Vec3::unit` of the kernel: the only square root in this function.
         let direction = Vec3::new(x[lane], y[lane], z[lane]).unit();
         let is_covered = nearness[lane] > 0.0;
         normals.x[lane] = if is_covered { direction.x } else { 0.0 };
@@ -95,7 +95,7 @@ fn unit(nearness: &[f32; LANES], [x, y, z]: [&[f32; LANES]; 3]) -> Vec3<[f32; LA
     normals
 }
 
-/// A plane of fragments in whole blocks.
+/// Iterates over the whole blocks of a plane of fragments.
 fn blocks<T>(plane: &[T]) -> impl Iterator<Item = &[T; LANES]> {
     plane.chunks_exact(LANES).filter_map(<[T]>::first_chunk)
 }

@@ -1,7 +1,8 @@
-//! Patterns for the gate of a spotlight, drawn when the program is compiled.
+//! Gobos for spotlights, computed at compile time.
 //!
 //! Each is a square of any side, row by row and white where the light passes, for
-//! [`Gobo::of`](luminaire::projector::Gobo::of). Edges are one part wide, so that a side of 32 already looks smooth.
+//! [`Gobo::of`](luminaire::projector::Gobo::of). Edges are one texel wide, so that a side of 32
+//! already looks smooth.
 //!
 //! ```
 //! use luminaire::projector::Gobo;
@@ -10,7 +11,7 @@
 //! assert_eq!(Gobo::of(&LEAVES).side(), 32);
 //! ```
 
-/// How many units a side has in the coordinates that patterns are drawn in, from -[`HALF`] to [`HALF`].
+/// Half a side in the coordinates of the patterns, which range from -[`HALF`] to [`HALF`].
 const HALF: i32 = 1 << 12;
 
 /// A window of two by three panes, taller than wide.
@@ -41,7 +42,7 @@ pub const fn star<const COUNT: usize>() -> [u8; COUNT] {
     let mut index = 0;
     while index < COUNT {
         let [x, y] = middle::<COUNT>(index);
-        // Within all but one of the edges: the second least of what is left to them.
+        // The shape is inside at least four of the five edges: take the second smallest distance.
         let (mut first, mut second) = (i32::MAX, i32::MAX);
         let mut edge = 0;
         while edge < FACING.len() {
@@ -67,7 +68,7 @@ pub const fn breakup<const COUNT: usize>() -> [u8; COUNT] {
         while gap < GAPS.len() {
             let [left, top, radius] = GAPS[gap];
             let squared = (x - left) * (x - left) + (y - top) * (y - top);
-            // How far within the circle, to the first order.
+            // Distance inside the circle, to first order.
             let within = (radius * radius - squared) / (2 * radius);
             deepest = if within > deepest { within } else { deepest };
             gap += 1;
@@ -78,7 +79,7 @@ pub const fn breakup<const COUNT: usize>() -> [u8; COUNT] {
     parts
 }
 
-/// Where the leaves leave gaps: middle and radius.
+/// The gaps between the leaves: centre and radius.
 const GAPS: [[i32; 3]; 22] = [
     [-300, -250, 620],
     [820, 300, 480],
@@ -104,21 +105,21 @@ const GAPS: [[i32; 3]; 22] = [
     [2_300, 2_250, 340],
 ];
 
-/// The middle of a part, to the right and down from the middle of the square.
+/// Returns the centre of a texel, to the right of and below the centre of the square.
 const fn middle<const COUNT: usize>(index: usize) -> [i32; 2] {
     let side = const { side(COUNT) };
     let (column, row) = (index as i32 % side, index as i32 / side);
     [(2 * column + 1 - side) * HALF / side, (2 * row + 1 - side) * HALF / side]
 }
 
-/// How much of a part is covered whose middle is so far within an edge.
+/// Returns the coverage of a texel whose centre is `within` units inside an edge.
 const fn coverage<const COUNT: usize>(within: i32) -> u8 {
     let part = 2 * HALF / const { side(COUNT) };
     let within = least([within + part / 2, part]);
     if within > 0 { (within * 255 / part) as u8 } else { 0 }
 }
 
-/// The side of a square of `count` parts.
+/// Returns the side of a square of `count` texels.
 const fn side(count: usize) -> i32 {
     let side = count.isqrt();
     assert!(side * side == count, "expected the square of a side");

@@ -1,12 +1,12 @@
-//! The pixels of a row that are lit at once.
+//! Width of a block and its arrays of light.
 
 use luminaire::{Rgb, Scalar};
 
-/// How many pixels of a row make a block.
+/// Number of pixels of a row in a block.
 pub(crate) const LANES: usize = 32;
 
-/// The light that the pixels of a block send to the eye: linear, 1 is full scale.
+/// Light from the pixels of a block towards the eye: linear, 1 is full scale.
 pub(crate) type Radiance = Rgb<[f32; LANES]>;
 
-/// Light at the pixels of a block.
+/// Irradiance at the pixels of a block.
 pub(crate) type Lights<S> = [<S as Scalar>::Irradiance; LANES];

@@ -10,27 +10,29 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! A picture is made in four passes, and each is made again only where something before it has changed:
+//! A picture takes four passes, and a pass is repeated only where its input has changed:
 //!
 //! 1. [`draw_geometry`](Renderer::draw_geometry) draws the [`Scene`] from a [`Camera`] into the G-buffer:
 //!    position, normal and material of each pixel, already in the number format of the light.
-//! 2. [`draw_shadows`](Renderer::draw_shadows) draws a [`ShadowMap`] for each fixture that asks for one.
-//! 3. [`draw_light`](Renderer::draw_light) adds up the light of the fixtures over that buffer, in blocks of
-//!    32 pixels with each quantity in an array of its own. Tiles that no changed fixture reaches or has reached
-//!    are left as they are; in the others, blocks that a light cannot reach are left out.
-//! 4. [`encode`](Renderer::encode) makes the codes of a [`Display`] of it, in the tiles that were lit.
+//! 2. [`draw_shadows`](Renderer::draw_shadows) draws a [`ShadowMap`] for each fixture with shadows.
+//! 3. [`draw_light`](Renderer::draw_light) adds up the light of the fixtures over the
+//!    G-buffer, in blocks of 32 pixels with each quantity in its own array. Only tiles that a
+//!    changed fixture reaches now or reached before are re-lit, and in them blocks that a light
+//!    cannot reach are skipped.
+//! 4. [`encode`](Renderer::encode) encodes the re-lit tiles for a [`Display`].
 //!
-//! **Only the effects that a scene calls for are computed.** The kind of a light, its profile and its distance model pick a
-//! loop, once for a block; highlights are computed where a material has them, patterns, shadows and haze for fixtures
-//! that ask for them. What is left out changes no bit:
-//! [`draw_everything`](Renderer::draw_everything) leaves nothing out and gives the same picture. The
-//! [`Account`] says what was spared.
+//! **Only the effects that a scene needs are computed.** The kind of a light, its profile and its
+//! distance model select a loop, once for each block. Highlights are computed where a material has
+//! them; gobos, shadows and haze for the fixtures that have them. Skipping never changes the
+//! result: [`draw_everything`](Renderer::draw_everything) skips nothing, and its picture is
+//! bit-identical. The [`Account`] counts what was skipped.
 //!
 //! The number format is the renderer's type parameter: `f32`, [`Fx32`](luminaire::Fx32) or
 //! [`Fx16`](luminaire::Fx16); [`stated_error`] says how far the pictures differ.
 //!
-//! The feature `std` takes the square root from the standard library in place of `libm`: the same bits, and
-//! on most targets several times quicker, because only then the loops become vector instructions.
+//! The feature `std` takes the square root from the standard library instead of `libm`. The results
+//! are bit-identical; on most targets it is several times faster, because the loops are vectorised
+//! only then.
 
 // Modules, lowest first: `account`, `camera`, `gobos`, `lanes`, `memory`, `outline`, `places`,
 // `reached`, `size`, `solids`, `ways`, `bounds`, `display`, `error`, `mesh`, `stage`,

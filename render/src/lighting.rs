@@ -1,4 +1,5 @@
-//! The lighting pass: how much light arrives at each pixel, and how much of it the surface sends to the eye.
+//! The lighting pass: the irradiance of each pixel, and the light that its surface reflects to the
+//! eye.
 
 use crate::{
     block::Block,
@@ -24,38 +25,40 @@ use luminaire::{
 pub(crate) struct Finish<S: Scalar> {
     material: Material,
     pub(crate) highlight: <Highlight as SpecularLobe>::Constants<S>,
-    /// How far a direction is at most from the mirrored one in a highlight: the chord between the two.
+    /// Radius of the specular lobe: the largest chord between the mirrored direction and one that
+    /// still has light.
     pub(crate) lobe: f32,
 }
 
-/// What the lights illuminate: all that is the same for every block.
+/// The inputs of the lighting pass that all blocks share.
 #[derive(Debug)]
 pub struct Setting<'a, S: Scalar> {
     pub(crate) plan: RenderPlan,
     pub(crate) eye: Vec3<S::Length>,
-    /// The same, for what is asked about bounds.
+    /// The eye in `f32`, for tests against bounds.
     pub(crate) viewpoint: glam::Vec3,
     pub(crate) ambient: Rgb<f32>,
-    /// By number.
+    /// The materials by number.
     pub(crate) finishes: &'a [Finish<S>],
     pub(crate) shadows: &'a Shadows<S>,
 }
 
-/// What a block is lit in, kept from block to block: clearing it for each would cost as much as a light.
+/// Scratch memory for a block, reused from block to block: clearing it for each would cost as much
+/// as a light.
 #[derive(Clone, Debug)]
 pub struct Workspace<S: Scalar> {
-    /// The numbers of the materials that shine.
+    /// The numbers of the shiny materials in the block.
     shining: [u32; LANES],
-    /// Where the pixels of each are, and what encloses the directions to the eye that are mirrored there.
+    /// Bounds of the pixels of each, and of the mirrored view directions there.
     parts: [Option<(Bounds, Directions)>; LANES],
-    /// The directions to the eye, mirrored in the surfaces.
+    /// The view directions, mirrored in the surfaces.
     views: Vec3<[S::Unit; LANES]>,
-    /// What arrives of a light.
+    /// Irradiance and highlight of one light.
     arrivals: Incident<Lights<S>>,
-    /// The highlights of a light on several materials.
+    /// The highlights of one light on several materials.
     lobes: Lights<S>,
     filter: Filter<S>,
-    /// What arrives of all lights, and their highlights.
+    /// Irradiance and highlights of all lights.
     sums: Incident<Rgb<Lights<S>>>,
 }
 
@@ -89,7 +92,8 @@ impl<S: Scalar> Finish<S> {
 }
 
 impl<S: Scalar> Setting<'_, S> {
-    /// Lights the pixels of a block. Returns how many of the lights were evaluated with a highlight.
+    /// Lights the pixels of a block. Returns how many of the lights were evaluated with a
+    /// highlight.
     #[inline(always)]
     pub(crate) fn light(
         &self,
@@ -111,7 +115,7 @@ impl<S: Scalar> Setting<'_, S> {
         glints
     }
 
-    /// Sums up what arrives at a block of matt surfaces. No light has a highlight there.
+    /// Sums up the irradiance of a block of matt surfaces. No light has a highlight there.
     #[inline(always)]
     fn light_matte(&self, block: &Block<S>, fixtures: &[&Prepared<S>], work: &mut Workspace<S>) -> usize {
         let Workspace { views, arrivals, filter, sums, .. } = work;
@@ -127,8 +131,8 @@ impl<S: Scalar> Setting<'_, S> {
         0
     }
 
-    /// Sums up what arrives at a block with surfaces that shine, of so many kinds. Returns how many of the lights have a
-    /// highlight that the eye may see.
+    /// Sums up the light at a block that has `kinds` shiny materials. Returns how many lights have
+    /// a highlight that the eye may see.
     #[inline(always)]
     fn light_shining(
         &self,
@@ -160,9 +164,9 @@ impl<S: Scalar> Setting<'_, S> {
         glints
     }
 
-    /// Finds what arrives of a light, with the highlights that the eye may see: among the arrivals, or among the lobes where
-    /// the block has several materials. Returns whether there are any; for the first light that has, their sum is
-    /// begun.
+    /// Evaluates a light, with the highlights that the eye may see. The highlights go to
+    /// `arrivals`, or to `lobes` if the block has several materials. Returns whether there are any;
+    /// the first light that has them also clears their sum.
     #[inline(always)]
     fn arrive_shining(
         &self,
@@ -199,7 +203,7 @@ impl<S: Scalar> Setting<'_, S> {
         shines
     }
 
-    /// Whether the highlight of a light on a surface of this finish surely misses the eye.
+    /// Returns true only if the highlight of a light on a surface of this finish misses the eye.
     #[inline(always)]
     fn misses_highlight(
         &self,
@@ -212,7 +216,8 @@ impl<S: Scalar> Setting<'_, S> {
         self.plan.skips() && mirrored.are_apart(&to_light, finish.lobe)
     }
 
-    /// Puts what the surfaces of a block send back of the light, each by a colour of its material, where it is sent.
+    /// Computes the light that the surfaces of a block reflect and passes it to `put`. `color`
+    /// selects the colour of the material.
     #[inline(always)]
     fn reflect(
         &self,
@@ -237,7 +242,8 @@ impl<S: Scalar> Setting<'_, S> {
         }
     }
 
-    /// What arrives of a light: by the loop that is made for it, or by none where nothing is left out.
+    /// Evaluates a light: by its own loop, or point by point with the general function if the plan
+    /// skips nothing.
     #[inline(always)]
     fn evaluate<H: SpecularLobe>(
         &self,
@@ -256,8 +262,8 @@ impl<S: Scalar> Setting<'_, S> {
         }
     }
 
-    /// Finds the numbers of the materials in a block that shine, each once; of all materials where nothing is left out.
-    /// Returns how many there are.
+    /// Collects the numbers of the shiny materials in a block, each once; of all materials if the
+    /// plan skips nothing. Returns how many there are.
     #[inline(always)]
     fn shining(&self, block: &Block<S>, numbers: &mut [u32; LANES]) -> usize {
         let shines = |number: u32| !self.plan.skips() || self.finishes[number as usize].material.shines();
@@ -275,14 +281,14 @@ impl<S: Scalar> Setting<'_, S> {
         count
     }
 
-    /// What encloses the directions to the eye, mirrored in the surfaces.
+    /// Returns bounds of a material's pixels and of the mirrored view directions there.
     #[inline(always)]
     fn mirrored(&self, block: &Block<S>, number: u32) -> Option<(Bounds, Directions)> {
         let Part { bounds, normals } = block.part(number)?;
         Some((bounds, Directions::towards(self.viewpoint, &bounds)?.mirrored(&normals)))
     }
 
-    /// Finds the directions to the eye, mirrored in the surfaces.
+    /// Computes the view directions, mirrored in the surfaces.
     #[inline(always)]
     fn look(&self, block: &Block<S>, views: &mut Vec3<[S::Unit; LANES]>) {
         for lane in 0..LANES {
@@ -295,7 +301,7 @@ impl<S: Scalar> Setting<'_, S> {
     }
 }
 
-/// The surfaces of a block.
+/// Borrows the surface points of a block.
 fn surfaces<'a, S: Scalar>(
     block: &'a Block<S>,
     views: &'a Vec3<[S::Unit; LANES]>,
@@ -307,7 +313,7 @@ fn borrowed<T>(columns: &Vec3<T>) -> Vec3<&T> {
     Vec3::new(&columns.x, &columns.y, &columns.z)
 }
 
-/// Takes the lights at the pixels whose material has this number.
+/// Copies the lights of the pixels that have this material.
 #[inline(always)]
 fn take_where<S: Scalar>(number: u32, block: &Block<S>, from: &[S::Irradiance], to: &mut Lights<S>) {
     for ((to, &from), &material) in to.iter_mut().zip(from).zip(&block.material) {
@@ -315,7 +321,7 @@ fn take_where<S: Scalar>(number: u32, block: &Block<S>, from: &[S::Irradiance], 
     }
 }
 
-/// Gives every pixel the same light.
+/// Sets every pixel to the same light.
 #[inline(always)]
 fn fill<S: Scalar>(lights: &mut Rgb<Lights<S>>, light: Rgb<S::Irradiance>) {
     lights.red.fill(light.red);
@@ -323,11 +329,12 @@ fn fill<S: Scalar>(lights: &mut Rgb<Lights<S>>, light: Rgb<S::Irradiance>) {
     lights.blue.fill(light.blue);
 }
 
-/// Adds light in its colour.
+/// Adds light, multiplied by its colour.
 #[inline(never)]
 fn add<S: Scalar>(sum: &mut Rgb<Lights<S>>, light: &Lights<S>, color: Rgb<S>) {
     let Rgb { red, green, blue } = sum;
-    // All channels of a pixel at once: compilers would unroll shorter loops before they think of vector instructions.
+    // All channels of a pixel at once: compilers would unroll shorter loops instead of vectorising
+    // them.
     for lane in 0..LANES {
         red[lane] = S::add_light(red[lane], S::filter(light[lane], color.red));
         green[lane] = S::add_light(green[lane], S::filter(light[lane], color.green));

@@ -1,8 +1,8 @@
-//! Memory that may not be there.
+//! Fallible allocation.
 
 use alloc::{collections::TryReserveError, vec::Vec};
 
-/// A vector of so many equal values.
+/// Returns a vector of `count` equal values.
 pub(crate) fn filled<T: Clone>(count: usize, value: T) -> Result<Vec<T>, TryReserveError> {
     let mut values = Vec::new();
     values.try_reserve_exact(count)?;

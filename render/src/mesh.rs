@@ -1,4 +1,4 @@
-//! Triangle meshes with a normal at each vertex, and the surfaces that are swept from outlines.
+//! Triangle meshes with a normal at each vertex, and surfaces swept from outlines.
 
 use crate::outline::Outline;
 use alloc::vec::Vec;
@@ -8,22 +8,22 @@ use luminaire::{
     error::{Expected, Parameter},
 };
 
-/// A mesh of triangles, smooth between its vertices, seen from the front only: a closed one shows its
+/// A mesh of triangles with smooth shading. Back faces are not drawn: a closed mesh shows its
 /// outside.
 ///
-/// The world is right-handed, in metres, and y points up. A mesh may be made of any numbers; those that none can have are
-/// refused by [`Scene::add`](crate::Scene::add).
+/// The world is right-handed, in metres, and y points up. Construction accepts any numbers;
+/// [`Scene::add`](crate::Scene::add) rejects those that are out of range.
 #[derive(Clone, PartialEq, Default, Debug)]
 pub struct Mesh {
     vertices: Vec<Vertex>,
     triangles: Vec<[u32; 3]>,
-    /// Whether it is known to enclose what is behind its triangles.
+    /// Whether the mesh is known to enclose the volume behind its triangles.
     is_closed: bool,
-    /// Why no scene takes it: the first of what was refused when it was made.
+    /// The first error of construction, which [`Scene::add`](crate::Scene::add) returns.
     refused: Option<Error>,
 }
 
-/// A corner of triangles.
+/// A vertex of triangles.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(crate) struct Vertex {
     pub(crate) position: Vec3,
@@ -31,12 +31,12 @@ pub(crate) struct Vertex {
 }
 
 impl Mesh {
-    /// The most vertices that a mesh may have.
+    /// The largest vertex count of a mesh.
     pub const MOST_VERTICES: u32 = 1 << 20;
     /// The largest coordinate of a vertex, in metres.
     pub const FARTHEST: f32 = 1e6;
 
-    /// The surface that an outline of radius and height sweeps around the y axis, in this many segments.
+    /// Sweeps an outline of radius and height around the y axis, in this many segments.
     ///
     /// ```
     /// use luminaire_render::{Mesh, Outline};
@@ -67,7 +67,7 @@ impl Mesh {
         mesh
     }
 
-    /// The surface that an outline in x and y sweeps along the z axis, from z = 0 to z = `depth` metres.
+    /// Sweeps an outline in x and y along the z axis, from z = 0 to z = `depth` metres.
     pub fn extrude(outline: &Outline, depth: f32, segments: usize) -> Self {
         let (mut mesh, segments) = Self::swept(outline, segments);
         for strip in outline.strips(false) {
@@ -108,14 +108,14 @@ impl Mesh {
         self.mapped(|v| Vertex { position: v.position + offset, ..v })
     }
 
-    /// The same mesh, turned around an axis through the origin by an angle in radians: against the clock for
-    /// who looks at the tip of the axis.
+    /// The same mesh, rotated about an axis through the origin by an angle in radians:
+    /// counter-clockwise as seen from the tip of the axis.
     pub fn turned(self, axis: luminaire::Vec3<f32>, angle: f32) -> Self {
         let rotation = Quat::from_scaled_axis(Vec3::from(axis).normalize_or_zero() * angle);
         self.mapped(|v| Vertex { position: rotation * v.position, normal: rotation * v.normal })
     }
 
-    /// The meshes as one.
+    /// Merges two meshes into one.
     pub fn and(mut self, other: Self) -> Self {
         let first = self.vertices.len() as u32;
         self.is_closed &= other.is_closed;
@@ -131,18 +131,18 @@ impl Mesh {
         self
     }
 
-    /// How many triangles the mesh has.
+    /// Returns the number of triangles.
     pub fn triangle_count(&self) -> usize {
         self.triangles.len()
     }
 
-    /// An error names what no mesh can be made of.
+    /// Returns an error if a number of the mesh is out of range.
     pub(crate) fn check(&self) -> Result<(), Error> {
         if let Some(error) = self.refused {
             return Err(error);
         }
         for &Vertex { position, normal } in &self.vertices {
-            // Normals are of unit length, but for their roundings, or of none.
+            // Normals are of unit length, apart from rounding, or zero.
             for (vector, most) in [(position, Self::FARTHEST), (normal, 2.0)] {
                 check_channels(Parameter::Vertex, vector.to_array(), -most, most)?;
             }
@@ -150,7 +150,8 @@ impl Mesh {
         Ok(())
     }
 
-    /// A mesh to sweep an outline into, with the number of segments; none in place of one that is refused.
+    /// Returns an empty mesh to sweep an outline into and the number of segments; 0 if they or the
+    /// outline were rejected.
     fn swept(outline: &Outline, segments: usize) -> (Self, usize) {
         // A strip has a pair of vertices at each end of its segments.
         let pairs = Self::MOST_VERTICES / 2 / (outline.line_count() as u32).max(1);
@@ -167,19 +168,19 @@ impl Mesh {
         &self.vertices
     }
 
-    /// The triangles, as indices of vertices; their front sees them against the clock.
+    /// The triangles, as vertex indices; counter-clockwise as seen from the front.
     pub(crate) fn triangles(&self) -> &[[u32; 3]] {
         &self.triangles
     }
 
-    /// Whether the mesh encloses what is behind its triangles, so that whoever is outside of it sees no back of one
-    /// that the front of another does not hide.
+    /// Whether the mesh encloses the volume behind its triangles. From outside such a mesh, every
+    /// back face is hidden by a front face.
     pub(crate) fn is_closed(&self) -> bool {
         self.is_closed
     }
 
-    /// Whether what triangles without a gap enclose is behind them and not before them: by the volume of the
-    /// tetrahedra that they span with a vertex.
+    /// Returns whether the enclosed volume of a mesh without gaps is behind its triangles: the
+    /// signed volume of the tetrahedra that the triangles form with one vertex is positive.
     fn is_outwards(&self) -> bool {
         let corner = |corner: u32| self.vertices[corner as usize].position;
         let volume = |&[a, b, c]: &[u32; 3]| {
@@ -188,7 +189,8 @@ impl Mesh {
         self.triangles.iter().map(volume).sum::<f32>() > 0.0
     }
 
-    /// A parallelogram from a corner along two edges; its front is where `u` turns to `v` against the clock.
+    /// Adds a parallelogram at a corner along two edges. Its front is the side from which `u` turns
+    /// counter-clockwise to `v`.
     fn parallelogram(&mut self, corner: Vec3, u: Vec3, v: Vec3) {
         let normal = u.cross(v).normalize_or_zero();
         let vertex = |position| Vertex { position, normal };
@@ -198,8 +200,8 @@ impl Mesh {
         });
     }
 
-    /// A strip of quadrilaterals between pairs of vertices; a closed one ends in the very vertices that it
-    /// began with.
+    /// Adds a strip of quadrilaterals between pairs of vertices. A closed strip ends in the
+    /// vertices that it began with.
     fn sweep(&mut self, segments: usize, closed: bool, pair: impl Fn(usize) -> [Vertex; 2]) {
         let first = self.vertices.len() as u32;
         let pairs = if closed { segments } else { segments + 1 };
@@ -212,7 +214,7 @@ impl Mesh {
         }
     }
 
-    /// Adds a triangle, unless two of its corners are in one place, as at the poles of a sphere.
+    /// Adds a triangle, unless two of its corners coincide, as at the poles of a sphere.
     fn triangle(&mut self, corners: [u32; 3]) {
         let [a, b, c] = corners.map(|corner| self.vertices[corner as usize].position);
         if a != b && b != c && c != a {
@@ -226,7 +228,8 @@ impl Mesh {
     }
 }
 
-/// Numbers in a closed range, or the error that names the first that is not. NaN is outside every range.
+/// Checks numbers against a closed range. The error names the first that is outside; NaN is outside
+/// every range.
 pub(crate) fn check_channels(
     parameter: Parameter,
     channels: [f32; 3],

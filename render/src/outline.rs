@@ -7,11 +7,11 @@ use luminaire::{
     error::{Expected, Parameter},
 };
 
-/// The cosine of the largest turn of an outline that is drawn as smooth: 45 degrees. What turns more is a
+/// Cosine of 45 degrees: the largest turn of an outline with smooth shading. A larger turn is a
 /// crease.
 const CREASE: f32 = core::f32::consts::FRAC_1_SQRT_2;
 
-/// How near points are in one place, in metres.
+/// Distance in metres under which two points coincide.
 const JOINED: f32 = 1e-6;
 
 /// A plane curve, drawn as a pen would: from a point, along lines and curves.
@@ -34,7 +34,7 @@ pub(crate) struct Station {
 }
 
 impl Outline {
-    /// The most lines that a curve may have.
+    /// The largest number of lines in one curve.
     pub const MOST_LINES: u32 = 65_536;
 
     /// Begins at a point, in metres.
@@ -76,13 +76,14 @@ impl Outline {
         self
     }
 
-    /// Whether what it sweeps on a lathe has no border: it ends where it began, or begins and ends on the axis.
+    /// Returns whether the lathe makes a surface without border from it: the outline ends where it
+    /// began, or begins and ends on the axis.
     pub(crate) fn encloses(&self) -> bool {
         let Some((first, last)) = self.points.first().zip(self.points.last()) else { return false };
         first.distance(*last) < JOINED || (first.x.abs() < JOINED && last.x.abs() < JOINED)
     }
 
-    /// A number of lines; none in place of one that is refused.
+    /// Returns a number of lines; 0 if it was rejected.
     fn accepted(&mut self, lines: usize) -> usize {
         let is_accepted = lines <= Self::MOST_LINES as usize;
         if !is_accepted {
@@ -93,24 +94,24 @@ impl Outline {
         if is_accepted { lines } else { 0 }
     }
 
-    /// Why no surface can be swept from it.
+    /// Returns why no surface can be swept from the outline.
     pub(crate) fn refused(&self) -> Option<Error> {
         self.refused
     }
 
-    /// How many lines there are.
+    /// Returns the number of lines.
     pub(crate) fn line_count(&self) -> usize {
         self.points.len() - 1
     }
 
-    /// Where the pen is.
+    /// Returns the position of the pen.
     fn pen(&self) -> Vec2 {
         self.points.last().copied().unwrap_or_default()
     }
 
-    /// The strips of surface along the outline: each has a station at both ends. What a neighbour shares
-    /// smoothly it shares to the bit. `mirrored` outlines go on behind the axis x = 0, as that of a sphere
-    /// does at its poles.
+    /// The strips of surface along the outline, each with a station at both ends. Stations of
+    /// neighbours that join smoothly have bit-identical normals. `mirrored` outlines continue
+    /// behind the axis x = 0, as that of a sphere does at its poles.
     pub(crate) fn strips(&self, mirrored: bool) -> impl Iterator<Item = [Station; 2]> + '_ {
         let normals = self.normals();
         let count = normals.len();
@@ -137,13 +138,13 @@ impl Outline {
         })
     }
 
-    /// The normal of each line, on its right.
+    /// Computes the normal of each line, on its right.
     fn normals(&self) -> Vec<Vec2> {
         self.points.windows(2).map(|line| -(line[1] - line[0]).perp().normalize_or_zero()).collect()
     }
 }
 
-/// The normal between two lines, or that of the first where they meet in a crease.
+/// Returns the mean normal of two lines, or that of the first where they meet in a crease.
 fn smooth(normal: Vec2, neighbor: Vec2) -> Vec2 {
     if normal.dot(neighbor) > CREASE { (normal + neighbor).normalize_or_zero() } else { normal }
 }

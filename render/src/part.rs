@@ -1,9 +1,9 @@
-//! A part of a block of pixels: what encloses those of one surface.
+//! Bounds of the pixels of one surface in a block.
 
 use crate::{bounds::Bounds, directions::Directions, lanes::LANES};
 use glam::Vec3;
 
-/// What encloses some pixels of a block.
+/// Bounds of some pixels of a block: of their points and of their normals.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Part {
     pub(crate) bounds: Bounds,
@@ -14,15 +14,15 @@ pub(crate) struct Part {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Fan {
     pub(crate) eye: Vec3,
-    /// The ways to depth 1 along the first ray and along the last one.
+    /// Vectors to depth 1 along the first ray and along the last one.
     pub(crate) edges: [Vec3; 2],
 }
 
-/// Each pixel's reciprocal of the depth; 0 for one that does not count.
+/// Reciprocal of the depth of each pixel; 0 for a pixel that is not included.
 type Nearness = [f32; LANES];
 
 impl Part {
-    /// What encloses the pixels that count, if there are any: with their normals.
+    /// Computes the bounds of the included pixels; `None` if there are none.
     pub(crate) fn new(
         fan: &Fan,
         nearness: &Nearness,
@@ -31,7 +31,8 @@ impl Part {
         let (farthest, nearest) = extent(nearness, nearness)?;
         let (near, far) = (1.0 / nearest, 1.0 / farthest);
         let [first, last] = fan.edges;
-        // The rays of a row lie in a plane, so that the points are within the corners of a trapezium.
+        // The rays of a row lie in a plane, so that the points are inside a trapezium with these
+        // corners.
         let corners = [first * near, first * far, last * near, last * far];
         let bounds = Bounds::around(corners.map(|corner| fan.eye + corner));
         let [x, y, z] = [&normals.x, &normals.y, &normals.z].map(|plane| extent(plane, nearness));
@@ -40,7 +41,7 @@ impl Part {
     }
 }
 
-/// The least and the largest value of the pixels that count, if there are any.
+/// Returns the smallest and the largest value of the included pixels; `None` if there are none.
 fn extent(values: &[f32; LANES], nearness: &Nearness) -> Option<(f32, f32)> {
     let (mut least, mut most) = ([f32::INFINITY; LANES], [-f32::INFINITY; LANES]);
     for lane in 0..LANES {
@@ -48,7 +49,7 @@ fn extent(values: &[f32; LANES], nearness: &Nearness) -> Option<(f32, f32)> {
         least[lane] = if is_covered { values[lane] } else { f32::INFINITY };
         most[lane] = if is_covered { values[lane] } else { -f32::INFINITY };
     }
-    // One half of the lanes against the other, as vector instructions want it.
+    // Reduces one half of the lanes with the other, so that it is vectorised.
     let mut half = LANES / 2;
     while half > 0 {
         for lane in 0..half {

@@ -1,11 +1,11 @@
-//! Where points are on the square of a light.
+//! Positions of points on the projected square of a light.
 
 use luminaire::{
     Scalar, Vec3,
     projector::{CompiledProjection, ProjectedPoint},
 };
 
-/// Places on a square, each quantity in an array of its own.
+/// Projected points, each quantity in its own array.
 #[derive(Clone, Debug)]
 pub(crate) struct Places<S: Scalar, const N: usize> {
     column: [i32; N],
@@ -20,7 +20,7 @@ impl<S: Scalar, const N: usize> Default for Places<S, N> {
 }
 
 impl<S: Scalar, const N: usize> Places<S, N> {
-    /// Finds the places of all points, as vector instructions want it.
+    /// Projects all points, in a loop that is vectorised.
     #[inline(never)]
     pub(crate) fn find(&mut self, square: &CompiledProjection<S>, points: &Vec3<[S::Length; N]>) {
         let Self { column, row, depth } = self;
@@ -32,7 +32,7 @@ impl<S: Scalar, const N: usize> Places<S, N> {
         }
     }
 
-    /// The place of a point.
+    /// Returns the projected point at an index.
     #[inline(always)]
     pub(crate) fn at(&self, i: usize) -> ProjectedPoint<S> {
         ProjectedPoint { column: self.column[i], row: self.row[i], depth: self.depth[i] }

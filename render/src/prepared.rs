@@ -1,4 +1,4 @@
-//! A fixture, ready to light blocks of pixels.
+//! A fixture, prepared to light blocks of pixels.
 
 use crate::{
     air::{Hazy, Way},
@@ -14,29 +14,29 @@ use luminaire::{
     projector::{CompiledGobo, CompiledProjection, Fixture, Gobo},
 };
 
-/// A fixture compiled for a format, and where its light may be.
+/// A fixture compiled for a number format, with the bounds of its light.
 #[derive(Clone, Copy, Debug)]
 pub struct Prepared<S: Scalar> {
     pub(crate) number: usize,
     pub(crate) light: CompiledAnyLight<S>,
     pub(crate) gobo: Option<CompiledGobo<'static, S>>,
-    /// The square that the shadow map lies on.
+    /// The projection of the shadow map.
     pub(crate) shadow: Option<CompiledProjection<S>>,
     hazy: Option<Hazy>,
-    /// Whether the beam has anything in its way but clear glass.
+    /// Whether the fixture has a gobo of its own, other than [`CLEAR`].
     is_patterned: bool,
     casts_shadow: bool,
     pub(crate) reach: Reach,
 }
 
-/// Clear glass: what there is in the gate of a spotlight where nothing is left out.
+/// A fully transparent gobo, for spotlights without a gobo where the plan skips nothing.
 const CLEAR: Gobo<'static> = Gobo::of(&[u8::MAX]);
 
 impl<S: Scalar> Prepared<S> {
-    /// The fixture of this number, if the plan keeps it.
+    /// Compiles the fixture of this index; `None` if the plan drops it.
     ///
     /// # Errors
-    /// What the format can't hold.
+    /// A light, gobo or projection that the format can't hold.
     pub(crate) fn new(
         number: usize,
         fixture: &Fixture,
@@ -55,22 +55,22 @@ impl<S: Scalar> Prepared<S> {
         Ok(Some(Self { number, light, gobo, shadow, hazy, is_patterned, casts_shadow, reach }))
     }
 
-    /// Whether there is anything in the way of the light.
+    /// Returns whether the light has a gobo or a shadow map.
     pub(crate) fn is_filtered(&self) -> bool {
         self.gobo.is_some() || self.shadow.is_some()
     }
 
-    /// Whether there is a beam in haze.
+    /// Returns whether the fixture has a beam in haze.
     pub(crate) fn is_hazy(&self) -> bool {
         self.hazy.is_some()
     }
 
-    /// Whether the beam may be seen in the air of a bundle of view rays.
+    /// Returns whether the beam may be visible along a bundle of view rays.
     pub(crate) fn is_seen_in_air(&self, sight: Option<&RayBundle>) -> bool {
         matches!((&self.hazy, sight), (Some(hazy), Some(sight)) if hazy.may_be_seen(sight))
     }
 
-    /// Adds what the beam shows of itself along view rays.
+    /// Adds the in-scattered light of the beam along view rays.
     pub(crate) fn scatter(&self, rays: &ViewRays<LANES>, shadows: &Shadows<S>, radiance: &mut Radiance) {
         if let Some(hazy) = &self.hazy {
             let gobo = self.gobo.as_ref().filter(|_| self.is_patterned);
@@ -80,7 +80,8 @@ impl<S: Scalar> Prepared<S> {
     }
 }
 
-/// A fixture with everything that it may have and has not: none of it changes its light.
+/// Adds a fully transparent gobo and an empty shadow map to a fixture that lacks them. The result
+/// has the same light.
 ///
 /// # Errors
 /// A light that projects no square.
@@ -88,6 +89,6 @@ fn equipped(mut fixture: Fixture) -> Result<Fixture, Error> {
     if fixture.gobo().is_none() {
         fixture = fixture.with_gobo(CLEAR, Angle::degrees(0.0))?;
     }
-    // There is no map of it.
+    // No map is drawn for it.
     if fixture.shadow().is_none() { fixture.with_shadow(16) } else { Ok(fixture) }
 }

@@ -1,4 +1,4 @@
-//! Triangles to fragments: exact coverage, and the nearest fragment of each pixel.
+//! Rasterisation of triangles: exact coverage, and the nearest fragment of each pixel.
 
 use crate::{
     lanes::LANES,
@@ -7,10 +7,10 @@ use crate::{
 };
 use alloc::{collections::TryReserveError, vec::Vec};
 
-/// One pixel in steps of a screen coordinate.
+/// One pixel in units of a screen coordinate.
 const PIXEL: i64 = 1 << SUBPIXEL_BITS;
 
-/// The pixels of a picture. Rows are filled up to their stride.
+/// The size of a picture. Rows are padded to the stride.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Grid {
     pub(crate) width: usize,
@@ -20,20 +20,21 @@ pub(crate) struct Grid {
 
 /// Neighbouring pixels of a row that a triangle covers.
 pub(crate) struct Span<'a> {
-    /// Their numbers, row by row from the top.
+    /// Indices of the pixels, row by row from the top.
     pub(crate) pixels: core::ops::Range<usize>,
     corners: [&'a Corner; 3],
-    /// The shares of the second and the third corner: of the first pixel, and the change to the next.
+    /// Barycentric weights of the second and the third corner: at the first pixel, and the step to
+    /// the next.
     to_b: (f32, f32),
     to_c: (f32, f32),
 }
 
 impl Grid {
-    /// Hands over what a triangle covers, row by row, if its corners follow each other against the clock:
-    /// others are seen from behind and cover nothing.
+    /// Passes the spans that a triangle covers to `fill`, row by row. The corners must be
+    /// counter-clockwise; back faces cover nothing.
     #[inline(always)]
     pub(crate) fn cover(&self, corners: &[Corner; 3], mut fill: impl FnMut(Span<'_>)) {
-        // With y downwards the sense of rotation is reversed.
+        // With y downwards the winding is reversed.
         let [a, c, b] = corners;
         let rows = centers([a.y, b.y, c.y], self.height);
         let columns = centers([a.x, b.x, c.x], self.width);
@@ -67,7 +68,7 @@ impl Grid {
 }
 
 impl Span<'_> {
-    /// A value of the corners along the pixels.
+    /// Interpolates a value of the corners along the pixels.
     #[inline(always)]
     pub(crate) fn line(&self, of: impl Fn(&Corner) -> f32) -> Line {
         let [a, b, c] = self.corners.map(of);
@@ -78,13 +79,13 @@ impl Span<'_> {
     }
 }
 
-/// The nearest fragment of each pixel. Rows are filled up to whole blocks of [`LANES`].
+/// The nearest fragment of each pixel. Rows are padded to whole blocks of [`LANES`].
 #[derive(Clone, Debug)]
 pub(crate) struct Fragments {
     grid: Grid,
     /// The reciprocal of the depth; 0 where nothing was drawn.
     pub(crate) nearness: Vec<f32>,
-    /// Normals of any length.
+    /// Normals, not normalised.
     pub(crate) normal: [Vec<f32>; 3],
     /// The number of the material; 0 where nothing was drawn.
     pub(crate) material: Vec<u32>,
@@ -111,7 +112,7 @@ impl Fragments {
         self.material.fill(0);
     }
 
-    /// Draws a triangle where it is seen from the front and nearer than what is there.
+    /// Draws the front face of a triangle where it is nearer than the fragments there.
     pub(crate) fn draw(&mut self, corners: [Corner; 3], material: u32) {
         let grid = self.grid;
         grid.cover(&corners, |span| {
@@ -121,7 +122,7 @@ impl Fragments {
         });
     }
 
-    /// Puts a span of fragments where they are nearer than what is there.
+    /// Writes a span of fragments where they are nearer than the fragments there.
     fn fill(&mut self, span: core::ops::Range<usize>, nearness: Line, normal: [Line; 3], material: u32) {
         let [nx, ny, nz] = &mut self.normal;
         let planes = self.nearness[span.clone()]
@@ -153,32 +154,31 @@ pub(crate) struct Line {
 impl Line {
     #[inline(always)]
     pub(crate) fn at(self, i: usize) -> f32 {
-        // A signed number of 32 bits is what vector instructions convert.
+        // Vector instructions convert signed 32-bit integers.
         self.start + self.step * (i as i32) as f32
     }
 }
 
-/// The rows or columns of so many whose centres lie between three screen coordinates.
+/// Returns the rows or columns, of `count`, whose centres lie between three screen coordinates.
 fn centers(coordinates: [i32; 3], count: usize) -> core::ops::Range<i64> {
-    // The first whose centre is at or after a coordinate.
+    // The first row or column whose centre is at or after a coordinate.
     let first = |coordinate: i32| i64::from((coordinate + PIXEL as i32 / 2 - 1) >> SUBPIXEL_BITS);
     let [a, b, c] = coordinates;
     first(a.min(b).min(c))..first(a.max(b).max(c) + 1).min(count as i64)
 }
 
-/// Twice the area of a triangle on a screen whose y points down: positive if its corners follow each other
-/// with the clock.
+/// Twice the area of a triangle on a screen with y down: positive if its corners are clockwise.
 fn doubled_area(a: &Corner, b: &Corner, c: &Corner) -> i64 {
     let (x, y) = (i64::from(a.x), i64::from(a.y));
     (i64::from(b.x) - x) * (i64::from(c.y) - y) - (i64::from(b.y) - y) * (i64::from(c.x) - x)
 }
 
-/// The corners of a triangle in the order that is seen from the front.
+/// Returns the corners of a triangle in front-facing order.
 pub(crate) fn faced([a, b, c]: [Corner; 3]) -> [Corner; 3] {
     if doubled_area(&a, &b, &c) > 0 { [a, c, b] } else { [a, b, c] }
 }
 
-/// An edge of a triangle, which lies on its right on a screen whose y points down. All in exact integers.
+/// An edge in exact integers. On a screen with y down, the triangle lies on its right.
 struct Edge {
     x: i64,
     y: i64,
@@ -186,21 +186,23 @@ struct Edge {
     dy: i64,
 }
 
-/// An edge on its way down the rows, as Bresenham draws a line: one division at the start, and none per row.
+/// An edge that is stepped down the rows, as in Bresenham's algorithm: one division at the start,
+/// none per row.
 struct Walk {
-    /// Twice the area of the triangle that the edge forms with the centre of the row's first column: positive
-    /// inside. And the change to the next column, and to the next row.
+    /// Twice the area of the triangle that the edge forms with the centre of the row's first
+    /// column: positive inside. Then the steps to the next column and to the next row.
     at: i64,
     column: i64,
     row: i64,
-    /// 0 for a top or left edge, which owns the points on it; 1 for the others, which leave them to the
-    /// neighbour.
+    /// 0 for a top or left edge, which owns the points on it; 1 for the others, whose points belong
+    /// to the neighbour.
     excluded: i64,
-    /// Where the edge crosses the row: how many columns' change, without its sign, and what is left of it.
+    /// The divisor: the absolute step of one row of the edge, `|dy|` pixels. Then quotient and
+    /// remainder: the column where the edge crosses the row.
     whole: i64,
     columns: i64,
     rest: i64,
-    /// How they change to the next row.
+    /// Steps of quotient and remainder to the next row.
     more_columns: i64,
     more_rest: i64,
 }
@@ -217,13 +219,13 @@ impl Edge {
         self.dx * (y - self.y) - self.dy * (x - self.x)
     }
 
-    /// The edge at a row.
+    /// Starts the edge at a row.
     #[inline(always)]
     fn walk(&self, row: i64) -> Walk {
         let owns = self.dy < 0 || (self.dy == 0 && self.dx > 0);
         let at = self.at(PIXEL / 2, row * PIXEL + PIXEL / 2);
         let excluded = i64::from(!owns);
-        // A level edge crosses no row: its columns are not asked for.
+        // A horizontal edge crosses no row, and its columns are never used.
         let whole = self.dy.abs().max(1) * PIXEL;
         let reciprocal = 1.0 / whole as f64;
         let (columns, rest) = divided(at - excluded, whole, reciprocal);
@@ -234,7 +236,7 @@ impl Edge {
 }
 
 impl Walk {
-    /// Narrows a span of columns to those whose centres are inside.
+    /// Narrows a range of columns to those whose centres are inside.
     #[inline(always)]
     fn narrow(&self, start: &mut i64, end: &mut i64) {
         match self.column {
@@ -245,7 +247,7 @@ impl Walk {
         }
     }
 
-    /// Goes on to the next row.
+    /// Steps to the next row.
     #[inline(always)]
     fn step(&mut self) {
         self.at += self.row;
@@ -256,8 +258,8 @@ impl Walk {
     }
 }
 
-/// Quotient and remainder, rounded down, of a division whose divisor's reciprocal is known; what rounding
-/// makes of the quotient is at most one.
+/// Returns quotient, rounded down, and remainder of a division by the reciprocal of the divisor.
+/// The rounded quotient is off by at most one and is corrected.
 #[inline(always)]
 fn divided(dividend: i64, divisor: i64, reciprocal: f64) -> (i64, i64) {
     let guess = (dividend as f64 * reciprocal) as i64;
@@ -276,13 +278,14 @@ mod tests {
     fn corner(seed: &mut u64) -> Corner {
         let mut next = || {
             *seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            // A quarter of a pixel is coarse enough for centres to lie on edges, which is where ties are.
+            // A step of a quarter pixel is coarse enough for centres to lie on edges, where ties
+            // occur.
             ((*seed >> 33) % (4 * SIZE as u64 + 1)) as i32 * (PIXEL as i32 / 4)
         };
         Corner { x: next(), y: next(), nearness: 1.0, normal: Vec3::Z }
     }
 
-    /// The pixels that a triangle covers, whichever way it turns.
+    /// Returns the pixels that a triangle covers, whatever its winding.
     fn covered(a: Corner, b: Corner, c: Corner) -> Vec<bool> {
         let mut fragments = Fragments::new(SIZE, SIZE).unwrap();
         fragments.draw([a, b, c], 1);

@@ -1,28 +1,28 @@
-//! Bounds of light, so that points that no light reaches are left out.
+//! Bounds of light, used to skip points that no light reaches.
 
 use glam::{Vec2, Vec3};
 use luminaire::dynamic::AnyLight;
 
 use crate::{bounds::Bounds, directions::Directions};
 
-/// Bounds of a light: it cannot reach what is outside of them.
+/// Bounds of a light: no light arrives outside them.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Reach {
     source: Source,
-    /// Nothing where there is no range.
+    /// `None` if the light has no range.
     range: Option<f32>,
     beam: Option<Beam>,
 }
 
-/// Where light comes from.
+/// Position of a light, or direction to it.
 #[derive(Clone, Copy, Debug)]
 enum Source {
     Place(Vec3),
-    /// From infinitely far away, in this direction.
+    /// Direction to an infinitely distant light.
     Direction(Vec3),
 }
 
-/// What a spotlight's cone is within.
+/// Cone that encloses the light of a spotlight.
 #[derive(Clone, Copy, Debug)]
 struct Beam {
     axis: Vec3,
@@ -54,7 +54,7 @@ impl Reach {
         }
     }
 
-    /// Whether the bounds are out of reach for certain, in every number format.
+    /// Returns true only if no light reaches the bounds, in every number format.
     pub(crate) fn misses(&self, bounds: &Bounds) -> bool {
         let Source::Place(position) = self.source else { return false };
         let way = bounds.center - position;
@@ -66,8 +66,8 @@ impl Reach {
         is_beyond || self.beam.is_some_and(|beam| beam.misses(way, padded))
     }
 
-    /// Whether surfaces within the bounds and with these normals face away from the light for certain, in every number
-    /// format.
+    /// Returns true only if all surfaces within the bounds and with these normals face away from
+    /// the light, in every number format.
     #[inline(always)]
     pub(crate) fn is_behind(&self, bounds: &Bounds, normals: &Directions) -> bool {
         match self.source {
@@ -79,7 +79,8 @@ impl Reach {
         }
     }
 
-    /// The directions to the light from points within bounds; nothing where it may be among them.
+    /// Returns the directions to the light from points within bounds; `None` if the light may be
+    /// inside the bounds.
     pub(crate) fn directions_from(&self, bounds: &Bounds) -> Option<Directions> {
         match self.source {
             Source::Direction(direction) => Some(Directions::new(direction)),
@@ -89,9 +90,11 @@ impl Reach {
 }
 
 impl Beam {
-    /// Whether a sphere of this radius at the end of this way from the light is outside the cone.
+    /// Returns whether a sphere is outside the cone. `way` is the vector from the light to its
+    /// centre.
     fn misses(&self, way: Vec3, radius: f32) -> bool {
-        // The distance to the cone is |way x axis| cos - (way . axis) sin: compared by squares.
+        // The distance to the cone is |way x axis| cos - (way . axis) sin; the squares are
+        // compared.
         let inner = way.dot(self.axis) * self.edge.y + radius;
         let across = way.cross(self.axis);
         inner < 0.0 || across.dot(across) * self.edge.x * self.edge.x > inner * inner

@@ -1,17 +1,17 @@
-//! Which lights may reach which places of a picture.
+//! Bit sets: which lights may reach which tiles or regions of a picture.
 
 use alloc::vec::Vec;
 
-/// A bit for each pair of a place, a tile or a region, and a light.
+/// One bit for each pair of a place and a light. A place is a tile or a region.
 #[derive(Clone, Default, Debug)]
 pub(crate) struct Reached {
-    /// Words of a place.
+    /// Words per place.
     words: usize,
     bits: Vec<u64>,
 }
 
 impl Reached {
-    /// Makes room for so many places and lights. Returns whether what was known had to be forgotten for it.
+    /// Resizes to this many places and lights. Returns true if that cleared the bits.
     pub(crate) fn make_room(&mut self, places: usize, lights: usize) -> bool {
         let words = lights.div_ceil(64);
         if words == self.words {
@@ -23,13 +23,13 @@ impl Reached {
         true
     }
 
-    /// Takes every light for one that reaches nothing.
+    /// Clears all bits: no light reaches anything.
     pub(crate) fn forget(&mut self) {
         self.bits.fill(0);
     }
 
-    /// Enters whether a light reaches a place. Returns whether it does or did, so that the place is to be lit again if the
-    /// light has changed.
+    /// Records whether a light reaches a place. Returns `reaches
+    /// reached_before`: whether the place must be re-lit if this light changed.
     #[inline(always)]
     pub(crate) fn update(&mut self, place: usize, light: usize, reaches: bool) -> bool {
         let (word, bit) = (&mut self.bits[place * self.words + light / 64], 1 << (light % 64));
@@ -38,7 +38,7 @@ impl Reached {
         reached || reaches
     }
 
-    /// The lights that may reach a place, in their order.
+    /// The lights that may reach a place, in ascending order.
     pub(crate) fn lights(&self, place: usize) -> impl Iterator<Item = usize> + Clone {
         self.bits[place * self.words..][..self.words].iter().enumerate().flat_map(|(number, &word)| {
             let mut rest = word;

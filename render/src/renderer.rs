@@ -1,4 +1,4 @@
-//! The renderer: what has changed, and so what must be done again.
+//! The renderer, and which of its passes must be repeated.
 
 use crate::{
     account::Account,
@@ -23,8 +23,8 @@ use crate::{
 use alloc::{collections::TryReserveError, vec::Vec};
 use luminaire::{Error, Rgb, Vec3, dynamic::RenderPlan, haze::Haze, projector::Fixture};
 
-/// A deferred renderer: geometry once into a buffer, then light over that buffer in the number format `S`,
-/// then the codes of a display. Each step is done again only where something before it has changed.
+/// A deferred renderer: a geometry pass, a lighting pass in the number format `S`, and an encoding
+/// pass for the display. Each pass is repeated only where its input has changed.
 #[derive(Clone, Debug)]
 pub struct Renderer<S: Format> {
     width: usize,
@@ -39,16 +39,17 @@ pub struct Renderer<S: Format> {
     haze: Option<Haze>,
     ambient: Rgb<f32>,
     radiance: Vec<Radiance>,
-    /// How many lights were evaluated at the pixels of each block.
+    /// Number of lights that were evaluated at the pixels of each block.
     evaluated: Vec<u16>,
     display: Display,
     pixels: Vec<u8>,
     drawn: Option<(Fingerprint, Camera)>,
-    /// How many triangles were drawn the last time that geometry was asked for.
+    /// Number of triangles drawn by the last call of `draw_geometry`.
     triangles: usize,
-    /// The lights of the picture; nothing if all of it must be lit.
+    /// The lights of the current picture; `None` if all of it must be lit.
     lit: Option<Vec<Fixture>>,
-    /// Which fixtures reach which regions, and which of their tiles: on their surfaces, and in the air before them.
+    /// Which fixtures reach which regions, which fixtures reach which tiles on their surfaces, and
+    /// which are visible in the air before those.
     near: Reached,
     reached: Reached,
     seen: Reached,
@@ -102,8 +103,9 @@ impl<S: Format> Renderer<S> {
         Ok(renderer)
     }
 
-    /// Draws the geometry of a scene into the buffer. Returns whether anything of scene or camera had
-    /// changed: if not, nothing was done. Where only materials or ambient light had, no triangle is drawn.
+    /// Draws the geometry of a scene into the G-buffer. Returns whether scene or camera had
+    /// changed; if not, it is a no-op. If only materials, ambient light or haze had changed, no
+    /// triangle is drawn.
     pub fn draw_geometry(&mut self, scene: &Scene, camera: &Camera) -> bool {
         let materials = || scene.objects().iter().map(|object| object.material);
         let is_repainted = !self.finishes[1..].iter().map(Finish::material).copied().eq(materials());
@@ -141,9 +143,9 @@ impl<S: Format> Renderer<S> {
         self.tiles.tiles.iter_mut().for_each(|tile| tile.sight = None);
     }
 
-    /// Draws the shadow maps of the fixtures that ask for them, where scene or fixture have changed. Returns whether
-    /// any had. Without it fixtures throw no shadows; with other fixtures than [`draw_light`](Self::draw_light)
-    /// is given, those of others.
+    /// Draws the shadow maps of the fixtures that have shadows, where scene or fixture have
+    /// changed. Returns whether any had. If this is not called, nothing casts shadows. Pass the
+    /// same slice of fixtures as to [`draw_light`](Self::draw_light).
     ///
     /// # Errors
     /// A fixture that the format can't hold, or no memory for a map.
@@ -155,8 +157,8 @@ impl<S: Format> Renderer<S> {
         self.shadows.draw(scene, lights)
     }
 
-    /// Lights the geometry where lights or geometry have changed since the last time: the tiles that a changed
-    /// light reaches or has reached. Returns whether anything had changed: if not, nothing was done.
+    /// Lights the tiles affected by a geometry change, or by a changed light that reaches them now
+    /// or reached them before. Returns whether anything had changed; if not, it is a no-op.
     ///
     /// # Errors
     /// A light that the format can't hold; the picture stays as it was.
@@ -164,8 +166,9 @@ impl<S: Format> Renderer<S> {
         self.draw_light_by(RenderPlan::new(), lights)
     }
 
-    /// Lights the whole picture with every effect of every light at every pixel, called for or not, changed or not:
-    /// the picture of [`draw_light`](Self::draw_light), to the bit, for tests and for comparisons.
+    /// Lights the whole picture with every effect of every light at every pixel, needed or not,
+    /// changed or not. For tests and comparisons: the picture is bit-identical to that of
+    /// [`draw_light`](Self::draw_light).
     ///
     /// # Errors
     /// A light that the format can't hold; the picture stays as it was.
@@ -175,7 +178,8 @@ impl<S: Format> Renderer<S> {
         Ok(())
     }
 
-    /// Shows the picture on another display; it is encoded anew with the next [`encode`](Self::encode).
+    /// Changes the display format. The next [`encode`](Self::encode) encodes the whole picture
+    /// again.
     pub fn set_display(&mut self, display: Display) {
         if self.display != display {
             self.display = display;
@@ -183,8 +187,8 @@ impl<S: Format> Renderer<S> {
         }
     }
 
-    /// Encodes the light for the display, where it has changed: rows from top to bottom, each pixel red, green,
-    /// blue in sRGB and alpha 255.
+    /// Encodes the light for the display, where it has changed: rows from top to bottom, each pixel
+    /// red, green, blue in sRGB and alpha 255.
     pub fn encode(&mut self) -> &[u8] {
         let columns = self.geometry.columns;
         for tile in 0..self.tiles.tiles.len() {
@@ -202,7 +206,7 @@ impl<S: Format> Renderer<S> {
         &self.pixels
     }
 
-    /// The picture as it was last encoded: four bytes to a pixel, rows from top to bottom.
+    /// The last encoded picture: four bytes per pixel, rows from top to bottom.
     pub fn pixels(&self) -> &[u8] {
         &self.pixels
     }
@@ -212,28 +216,30 @@ impl<S: Format> Renderer<S> {
         (self.width, self.height)
     }
 
-    /// What geometry and light of the picture have cost when they were last drawn.
+    /// Returns the counts of the last geometry pass and the last lighting pass.
     pub fn account(&self) -> Account {
         Account { triangles: self.triangles, ..self.account }
     }
 
-    /// How many lights were evaluated at a pixel when it was last lit; none outside the picture.
+    /// Returns how many lights were evaluated at a pixel when it was last lit; `None` outside the
+    /// picture.
     pub fn lights_evaluated(&self, x: usize, y: usize) -> Option<u16> {
         self.block(x, y).map(|block| self.evaluated[block])
     }
 
-    /// Whether a pixel was lit again the last time that light was drawn; none outside the picture.
+    /// Returns whether the last lighting pass re-lit a pixel; `None` outside the picture.
     pub fn is_relit(&self, x: usize, y: usize) -> Option<bool> {
         self.block(x, y).map(|block| self.tiles.tiles[self.tiles.of_block(block)].is_relit)
     }
 
-    /// The linear light that a pixel sends to the eye, 1 being full scale; none outside the picture.
+    /// Returns the linear light from a pixel to the eye, 1 being full scale; `None` outside the
+    /// picture.
     pub fn linear(&self, x: usize, y: usize) -> Option<Rgb<f32>> {
         self.block(x, y).map(|block| self.radiance[block].map(|channel| channel[x % LANES]))
     }
 
-    /// The surface that a pixel shows, as the lights see it: a point of it, its unit normal there and its
-    /// material; none outside the picture, and none where nothing was drawn.
+    /// Returns the surface at a pixel as the lights see it: point, unit normal and material. `None`
+    /// outside the picture, and where nothing was drawn.
     pub fn surface(&self, x: usize, y: usize) -> Option<(Vec3<S::Length>, Vec3<S>, Material)> {
         let block = &self.geometry.blocks[self.block(x, y)?];
         let lane = x % LANES;
@@ -243,7 +249,7 @@ impl<S: Format> Renderer<S> {
         (number > 0).then(|| (point, normal, *self.finishes[number].material()))
     }
 
-    /// The number of the block that a pixel is in.
+    /// Returns the index of the block that contains a pixel.
     fn block(&self, x: usize, y: usize) -> Option<usize> {
         let is_inside = x < self.width && y < self.height;
         is_inside.then(|| y * self.geometry.columns + x / LANES)

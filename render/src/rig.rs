@@ -1,4 +1,4 @@
-//! The fixtures of a picture, ready to light it.
+//! The fixtures of a picture, prepared for lighting.
 
 use crate::{block::Block, bounds::Bounds, prepared::Prepared, reach::Reach};
 use alloc::vec::Vec;
@@ -9,11 +9,12 @@ use luminaire::{
     projector::Fixture,
 };
 
-/// All fixtures by number, prepared but for those that the plan drops.
+/// All fixtures by index, prepared; `None` for those that the plan drops.
 pub(crate) struct Rig<S: Scalar> {
     plan: RenderPlan,
     fixtures: Vec<Option<Prepared<S>>>,
-    /// Where the light of each may be, side by side: every one is asked for in many places.
+    /// The bounds of each light in one array, because the passes over tiles and blocks test all of
+    /// them.
     reaches: Vec<Option<Reach>>,
     is_hazy: bool,
 }
@@ -34,33 +35,33 @@ impl<S: Scalar> Rig<S> {
         self.plan
     }
 
-    /// How many fixtures the plan keeps.
+    /// Returns how many fixtures the plan keeps.
     pub(crate) fn kept(&self) -> usize {
         self.fixtures.iter().flatten().count()
     }
 
-    /// Whether there is a beam in haze, or the plan takes clear air for haze.
+    /// Returns whether there is a beam in haze, or the plan treats clear air as haze.
     pub(crate) fn is_hazy(&self) -> bool {
         self.is_hazy
     }
 
-    /// Whether the light of a fixture may arrive within bounds.
+    /// Returns whether the light of a fixture may arrive within bounds.
     pub(crate) fn reaches(&self, number: usize, bounds: Option<&Bounds>) -> bool {
         self.reach(number)
             .is_some_and(|reach| !self.plan.skips() || bounds.is_some_and(|bounds| !reach.misses(bounds)))
     }
 
-    /// Whether the light of a fixture may arrive at a pixel of a block.
+    /// Returns whether the light of a fixture may arrive at a pixel of a block.
     pub(crate) fn lights(&self, number: usize, block: &Block<S>) -> bool {
         self.reach(number).is_some_and(|reach| !(self.plan.skips() && block.is_missed(reach)))
     }
 
-    /// Whether the beam of a fixture may be seen in the air of a bundle of view rays.
+    /// Returns whether the beam of a fixture may be visible along a bundle of view rays.
     pub(crate) fn is_seen_in_air(&self, number: usize, sight: Option<&RayBundle>) -> bool {
         self.fixture(number).is_some_and(|fixture| !self.plan.skips() || fixture.is_seen_in_air(sight))
     }
 
-    /// The fixture of a number; nothing if the plan has dropped it, or there is none.
+    /// Returns the fixture at an index; `None` if the plan dropped it or the index is out of range.
     pub(crate) fn fixture(&self, number: usize) -> Option<&Prepared<S>> {
         self.fixtures.get(number)?.as_ref()
     }

@@ -1,4 +1,4 @@
-//! What stands on the stage: meshes, their materials, and the light that is everywhere.
+//! A scene: meshes, their materials, ambient light and haze.
 
 use crate::mesh::{Mesh, check_channels};
 use alloc::vec::Vec;
@@ -11,10 +11,10 @@ use luminaire::{
     specular::{DifferenceForm, MirroredPhong, SpecularLobe},
 };
 
-/// The kind of highlight that surfaces have: Phong's, in the form that takes the same few steps whatever the shininess.
+/// The highlight of all surfaces: Phong's, in a form whose cost does not depend on the shininess.
 pub type Highlight = DifferenceForm<MirroredPhong, 3>;
 
-/// How a surface answers to light.
+/// The reflectance of a surface.
 #[derive(Clone, Copy, PartialEq, Debug)]
 #[non_exhaustive]
 pub struct Material {
@@ -42,7 +42,7 @@ impl Material {
         Self::matt(self.albedo)
     }
 
-    /// The part of the light that the surface sends back, linear, in [0, 1].
+    /// The share of light that the surface reflects, linear, in [0, 1].
     pub fn albedo(&self) -> Rgb<f32> {
         self.albedo
     }
@@ -92,7 +92,7 @@ impl Default for Material {
     }
 }
 
-/// Meshes with their materials, and a colour of ambient light.
+/// Meshes with their materials, ambient light and haze.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Scene {
     objects: Vec<Object>,
@@ -108,8 +108,8 @@ pub(crate) struct Object {
     pub(crate) material: Material,
 }
 
-/// What tells the meshes of two scenes apart without a look at their vertices: FNV-1a, 64 bits of it, over all that
-/// was added.
+/// FNV-1a hash of 64 bits over all meshes, so that two scenes are compared without a look at their
+/// vertices.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) struct Fingerprint(u64);
 
@@ -127,7 +127,7 @@ impl Scene {
     /// or lines that would make as many. The scene stays as it was.
     pub fn add(&mut self, mesh: Mesh, material: Material) -> Result<(), Error> {
         mesh.check()?;
-        // Where an object ends is part of the picture: materials go by objects.
+        // The counts separate the objects, because each object has its own material.
         self.fingerprint.add([mesh.vertices().len() as u32, mesh.triangle_count() as u32, 0]);
         for vertex in mesh.vertices() {
             self.fingerprint.add(vertex.position.to_array().map(f32::to_bits));
@@ -140,7 +140,8 @@ impl Scene {
         Ok(())
     }
 
-    /// Sets the ambient light: the linear colour that reaches every surface from everywhere, 1 being full scale.
+    /// Sets the ambient light: the linear colour that reaches every surface from all directions, 1
+    /// being full scale.
     ///
     /// # Errors
     /// A channel outside [0, 1e9]. The scene stays as it was.
@@ -155,24 +156,25 @@ impl Scene {
         self.ambient
     }
 
-    /// Gives each object the material that `paint` makes of its own.
+    /// Replaces the material of each object by `paint` of it.
     pub fn repaint(&mut self, paint: impl Fn(&Material) -> Material) {
         for object in &mut self.objects {
             object.material = paint(&object.material);
         }
     }
 
-    /// Fills the scene with haze, or with clear air.
+    /// Sets the haze of the scene; `None` for clear air.
     pub fn set_haze(&mut self, haze: Option<Haze>) {
         self.haze = haze;
     }
 
-    /// The haze; nothing in clear air.
+    /// The haze; `None` in clear air.
     pub fn haze(&self) -> Option<Haze> {
         self.haze
     }
 
-    /// The plan of a picture of the scene before there is a light in it: ambient light, highlights and haze, where it has any.
+    /// Returns the plan of the scene without lights: ambient light, highlights and haze, if the
+    /// scene has them.
     pub fn plan(&self) -> RenderPlan {
         let mut plan = RenderPlan::new();
         if self.ambient != Rgb::default() {
@@ -187,7 +189,7 @@ impl Scene {
         plan
     }
 
-    /// How many triangles the meshes have together.
+    /// Returns the number of triangles of all meshes.
     pub fn triangle_count(&self) -> usize {
         self.objects.iter().map(|object| object.mesh.triangle_count()).sum()
     }

@@ -1,4 +1,4 @@
-//! The shadow map of a spotlight: how deep its light goes, drawn with the camera's own rasteriser.
+//! Shadow maps of spotlights, drawn with the rasteriser of the camera.
 
 mod layer;
 mod slope;
@@ -21,19 +21,20 @@ use slope::{Slope, depth_error};
 
 /// A shadow map of a [`Scene`] on the square that a spotlight projects, in the number format of the light.
 ///
-/// Its depths are those of what is nearest to the light, from whichever side it is seen: a sheet without a
-/// back, as a curtain is, lets no light through. What is nearer to the light than 5 centimetres along its
-/// axis casts no shadow: the fixture's own housing would.
+/// The depths are those of the surfaces nearest to the light, front or back: an open sheet, such as
+/// a curtain, lets no light through. Surfaces nearer to the light than 5 centimetres along its axis
+/// cast no shadow, because the fixture's own housing would.
 ///
-/// **No surface shadows itself.** A depth is compared with points up to a texel away, where the surface is at
-/// another depth. So each triangle is drawn as deep as its plane comes within one texel, and then each texel
-/// is given the largest depth of the nine around it that belong to the same surface. What is lit of a flat
-/// surface is lit exactly, at any angle; of a convex one where the light meets it at 11 degrees or more.
+/// **No surface shadows itself.** A depth is compared with points up to a texel away, where the
+/// surface has another depth. Two steps prevent false shadows. Each triangle is drawn with the
+/// largest depth of its plane within one texel, and then each texel gets the largest depth of the 3
+/// x 3 texels around it that belong to the same surface. The lit points of a flat surface are lit
+/// exactly, at any angle; those of a convex surface where the light meets it at 11 degrees or more.
 ///
-/// The price: an edge of a shadow is off by up to two texels, and a shadow begins up to one and a half
-/// texels' width behind a sheet, at right angles to it. That is `3 tan(outer half angle) / side` times the
-/// depth: 2 centimetres in a map of 512 at 6 metres from a light of 60 degrees. Behind a body it begins at
-/// once, for its front is what hides.
+/// The price: an edge of a shadow is off by up to two texels, and a shadow begins up to one and a
+/// half texels' width behind a sheet, at right angles to it. That is `3 tan(outer half angle) /
+/// side` times the depth: 2 centimetres in a map of 512 at 6 metres from a light of 60 degrees.
+/// Behind a closed solid a shadow begins at once, because its front face is what hides.
 ///
 /// ```
 /// use luminaire::{Vec3, projector::Projection};
@@ -53,12 +54,12 @@ pub struct ShadowMap<S: Scalar> {
     layer: Layer,
     depths: Vec<S::Length>,
     drawn: Option<Drawn<S>>,
-    /// What encloses each object of the scene that was drawn last.
+    /// Bounding sphere of each object of the last scene.
     bounds: Vec<Bounds>,
     sightings: Vec<Sighting>,
 }
 
-/// What the depths belong to.
+/// The scene and the projection that the depths were drawn for.
 #[derive(Clone, Copy, PartialEq, Debug)]
 struct Drawn<S: Scalar> {
     scene: Fingerprint,
@@ -67,7 +68,7 @@ struct Drawn<S: Scalar> {
 }
 
 impl<S: Scalar> ShadowMap<S> {
-    /// A map with so many texels on a side; 512 are enough for a stage.
+    /// Allocates a map of `side` x `side` texels; 512 are enough for a stage.
     ///
     /// # Errors
     /// A side that is not from 16 to 2048, or for which there is no memory.
@@ -89,8 +90,8 @@ impl<S: Scalar> ShadowMap<S> {
         })
     }
 
-    /// Draws a scene as a light sees it. Returns whether scene or light had changed: if not, nothing was
-    /// done.
+    /// Draws a scene as seen from a light. Returns whether scene or projection had changed; if not,
+    /// it is a no-op.
     ///
     /// # Errors
     /// A projection that the format can't hold; the map stays as it was.
@@ -116,7 +117,7 @@ impl<S: Scalar> ShadowMap<S> {
             if view.misses(bounds) {
                 continue;
             }
-            // What is closed has a front before every back, except for a light within it.
+            // A closed mesh has a front before every back, unless the light is inside it.
             let is_solid = object.mesh.is_closed() && view.is_before(bounds);
             clip_mesh(&view, &object.mesh, &mut self.sightings, |corners, visible| {
                 let corners = corners.map(Sighting::seen);
@@ -131,13 +132,13 @@ impl<S: Scalar> ShadowMap<S> {
         Ok(true)
     }
 
-    /// The map, ready to be asked; none before it has been drawn.
+    /// Returns the map for shadow tests; `None` before it has been drawn.
     pub fn shadow(&self) -> Option<Shadow<'_, S>> {
         let projection = self.drawn?.compiled;
         Some(Shadow::from_parts(projection, self.side as u32, &self.depths))
     }
 
-    /// How many texels a side has.
+    /// Returns the number of texels on a side.
     pub fn side(&self) -> usize {
         self.side
     }

@@ -7,11 +7,11 @@ use luminaire::{
     projector::{Fixture, Shadow},
 };
 
-/// A shadow map for each fixture that asks for one, by its number.
+/// The shadow maps by fixture index; `None` for a fixture without shadows.
 #[derive(Clone, Debug)]
 pub(crate) struct Shadows<S: Scalar> {
     maps: Vec<Option<ShadowMap<S>>>,
-    /// The fixtures whose shadows are others than when light was drawn the last time.
+    /// The fixtures whose shadow map was redrawn since the last lighting pass.
     redrawn: Vec<usize>,
 }
 
@@ -23,7 +23,8 @@ impl<S: Scalar> Shadows<S> {
     /// Draws the maps whose scene or fixture has changed. Returns whether any had.
     ///
     /// # Errors
-    /// What the format can't hold, or no memory; the maps that were drawn before it stay drawn.
+    /// A projection that the format can't hold, or no memory. Maps that were drawn before the error
+    /// stay drawn.
     pub(crate) fn draw<L: Copy + Into<Fixture>>(
         &mut self,
         scene: &Scene,
@@ -56,17 +57,17 @@ impl<S: Scalar> Shadows<S> {
         Ok(is_any)
     }
 
-    /// The shadows of a fixture, once they are drawn.
+    /// Returns the shadow map of a fixture, once it is drawn.
     pub(crate) fn of(&self, number: usize) -> Option<Shadow<'_, S>> {
         self.maps.get(number)?.as_ref()?.shadow()
     }
 
-    /// The fixtures whose shadows are others since light was drawn the last time.
+    /// The fixtures whose shadow map was redrawn since the last lighting pass.
     pub(crate) fn redrawn(&self) -> &[usize] {
         &self.redrawn
     }
 
-    /// Light has been drawn by the maps as they are.
+    /// Clears the list of redrawn maps, after a lighting pass.
     pub(crate) fn settle(&mut self) {
         self.redrawn.clear();
     }

@@ -1,12 +1,12 @@
-//! The sizes that a picture may have.
+//! Sizes of pictures.
 
 use core::fmt;
 use luminaire::projector::Fixture;
 
-/// The most pixels that a picture may have in a row, or in a column.
+/// The largest width and the largest height of a picture, in pixels.
 pub const LARGEST: usize = 8192;
 
-/// A refused size of a picture; its message names parameter, value and remedy.
+/// A rejected size of a picture. The message names parameter, value and remedy.
 ///
 /// ```
 /// use luminaire_render::Renderer;
@@ -16,18 +16,18 @@ pub const LARGEST: usize = 8192;
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 #[non_exhaustive]
 pub enum SizeError {
-    /// The width in pixels that was given: zero, or more than [`LARGEST`].
+    /// The width in pixels: zero, or more than [`LARGEST`].
     Width(usize),
-    /// The height in pixels that was given: zero, or more than [`LARGEST`].
+    /// The height in pixels: zero, or more than [`LARGEST`].
     Height(usize),
-    /// The side of a shadow map in texels that was given: not from 16 to 2048.
+    /// The side of a shadow map in texels: outside 16 to 2048.
     ShadowSide(usize),
-    /// Width and height are accepted, and there is no memory for a picture of that size.
+    /// Width and height are valid, but there is no memory for a picture of that size.
     Memory(usize, usize),
 }
 
 impl SizeError {
-    /// Checks a size before anything is reserved for it.
+    /// Checks a size before anything is allocated.
     pub(crate) fn check(width: usize, height: usize) -> Result<(), Self> {
         match (accepts(width), accepts(height)) {
             (false, _) => Err(Self::Width(width)),

@@ -1,9 +1,9 @@
-//! Solids turned on a lathe, of which still lifes are made.
+//! Solids of revolution for still lifes.
 
 use crate::{Mesh, Outline};
 use core::f32::consts::{FRAC_PI_2, PI, TAU};
 
-/// Segments of what is turned, and of a quarter of a circle in an outline.
+/// Segments around the axis, and lines of a quarter of a circle in an outline.
 const AROUND: usize = 56;
 pub(crate) const QUARTER: usize = 7;
 
@@ -12,7 +12,7 @@ pub(crate) fn sphere(radius: f32) -> Mesh {
     Mesh::lathe(&Outline::start(0.0, 0.0).arc(0.0, radius, PI, 4 * QUARTER), AROUND)
 }
 
-/// A ring that lies on y = 0: radius of its core, and of its body.
+/// A torus that lies on y = 0, with the radius of its core circle and that of its tube.
 pub(crate) fn torus(core: f32, body: f32) -> Mesh {
     Mesh::lathe(&Outline::start(core, 0.0).arc(core, body, TAU, 4 * QUARTER), AROUND)
 }
@@ -22,7 +22,8 @@ pub(crate) fn cone(radius: f32, height: f32) -> Mesh {
     Mesh::lathe(&Outline::start(0.0, 0.0).line_to(radius, 0.0).line_to(0.0, height), AROUND)
 }
 
-/// A capsule around the y axis whose middle is the origin: its radius, and the length of its straight part.
+/// A capsule around the y axis with its centre at the origin: its radius, and the length of its
+/// cylinder.
 pub(crate) fn capsule(radius: f32, length: f32) -> Mesh {
     let half = length / 2.0;
     let outline = Outline::start(0.0, -half - radius)

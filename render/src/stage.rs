@@ -20,7 +20,7 @@ const WOOD: [(u8, u8, u8); 5] =
 pub fn scene() -> Result<Scene, Error> {
     let mut scene = Scene::new();
     scene.set_ambient(Rgb::new(0.014, 0.016, 0.022))?;
-    // From front to back: what is hidden is then found so before it is drawn.
+    // From front to back, so that hidden triangles are rejected before they are drawn.
     for (mesh, material) in actors() {
         scene.add(mesh, material)?;
     }
@@ -46,7 +46,7 @@ pub fn camera() -> Camera {
 /// behind and above.
 ///
 /// # Errors
-/// None, unless a constructor comes to refuse what it accepts today.
+/// Never: the values are constants.
 pub fn lights() -> Result<[SpotLight; 3], Error> {
     let key = Cone::from_field(SoftOrHard::Hard, Angle::degrees(26.0))?;
     let fill = Cone::from_field(SoftOrHard::Soft, Angle::degrees(50.0))?;

@@ -1,11 +1,11 @@
-//! Tiles: rectangles of blocks that are lit, or left as they are, together; and regions: squares of tiles.
+//! Tiles: rectangles of blocks that are re-lit or kept as a whole. Regions: squares of tiles.
 
 use crate::{block::Block, bounds::Bounds, memory::filled};
 use alloc::{collections::TryReserveError, vec::Vec};
 use core::ops::Range;
 use luminaire::{Scalar, haze::RayBundle};
 
-/// Rows of a tile. Its width is that of a block.
+/// Rows per tile. A tile is one block wide.
 const ROWS: usize = 16;
 
 /// Tiles along a side of a region.
@@ -17,26 +17,26 @@ pub(crate) struct Tiles {
     columns: usize,
     rows: usize,
     pub(crate) tiles: Vec<Tile>,
-    /// What encloses the points of each square of tiles; nothing if nothing was drawn there. A light that misses a region
-    /// misses its tiles, which need not be asked.
+    /// Bounding sphere of the points of each region; `None` if nothing was drawn there. If a light
+    /// misses a region, its tiles are not tested.
     pub(crate) regions: Vec<Option<Bounds>>,
 }
 
 /// A rectangle of blocks.
 #[derive(Clone, Copy, Default, Debug)]
 pub(crate) struct Tile {
-    /// What encloses its points; nothing if nothing was drawn.
+    /// Bounding sphere of its points; `None` if nothing was drawn.
     pub(crate) bounds: Option<Bounds>,
-    /// The rays through its pixels; nothing in clear air.
+    /// The bundle of rays through its pixels; `None` until it is needed.
     pub(crate) sight: Option<RayBundle>,
-    /// Whether its light was drawn the last time that light was.
+    /// Whether the last lighting pass re-lit the tile.
     pub(crate) is_relit: bool,
-    /// Whether its codes are those of its light.
+    /// Whether the encoded pixels are up to date.
     pub(crate) is_encoded: bool,
 }
 
 impl Tiles {
-    /// For a picture of so many columns of blocks and rows of pixels.
+    /// Tiles of a picture of this many columns of blocks and rows of pixels.
     pub(crate) fn new(columns: usize, rows: usize) -> Result<Self, TryReserveError> {
         let lines = rows.div_ceil(ROWS);
         let regions = columns.div_ceil(SIDE) * lines.div_ceil(SIDE);
@@ -48,13 +48,13 @@ impl Tiles {
         })
     }
 
-    /// The number of the region that a tile is in.
+    /// Returns the index of the region that contains a tile.
     pub(crate) fn region(&self, tile: usize) -> usize {
         let (line, column) = (tile / self.columns, tile % self.columns);
         line / SIDE * self.columns.div_ceil(SIDE) + column / SIDE
     }
 
-    /// The numbers of a region's tiles.
+    /// The indices of a region's tiles.
     fn of_region(&self, region: usize) -> impl Iterator<Item = usize> + Clone + use<> {
         let (columns, across) = (self.columns, self.columns.div_ceil(SIDE));
         let from = |place: usize, end: usize| place * SIDE..((place + 1) * SIDE).min(end);
@@ -63,24 +63,24 @@ impl Tiles {
         lines.flat_map(move |line| row.clone().map(move |column| line * columns + column))
     }
 
-    /// The numbers of a tile's blocks, from top to bottom.
+    /// The indices of a tile's blocks, from top to bottom.
     pub(crate) fn blocks(&self, tile: usize) -> impl Iterator<Item = usize> + Clone + use<> {
         let (columns, (rows, column)) = (self.columns, self.place(tile));
         rows.map(move |row| row * columns + column)
     }
 
-    /// The rows of a tile, and its column.
+    /// Returns the rows of a tile, and its column.
     pub(crate) fn place(&self, tile: usize) -> (Range<usize>, usize) {
         let first = tile / self.columns * ROWS;
         (first..(first + ROWS).min(self.rows), tile % self.columns)
     }
 
-    /// The number of the tile that a block is in.
+    /// Returns the index of the tile that contains a block.
     pub(crate) fn of_block(&self, block: usize) -> usize {
         block / self.columns / ROWS * self.columns + block % self.columns
     }
 
-    /// Encloses the points of each tile, and of each region.
+    /// Computes the bounding spheres of all tiles and regions.
     pub(crate) fn enclose<S: Scalar>(&mut self, blocks: &[Block<S>]) {
         for number in 0..self.tiles.len() {
             let spheres = self.blocks(number).filter_map(|block| blocks[block].bounds);
@@ -97,7 +97,7 @@ impl Tiles {
 mod tests {
     use super::*;
 
-    /// Of a picture that no whole number of regions fills.
+    /// A picture whose size is no whole number of regions.
     #[test]
     fn each_tile_is_in_one_region_and_names_it() {
         let tiles = Tiles::new(9, 5 * ROWS + 1).unwrap();

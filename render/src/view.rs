@@ -1,4 +1,4 @@
-//! From the world to the screen, and from a pixel back along its ray.
+//! Projection from the world to the screen, and rays through pixels.
 
 use crate::{
     bounds::Bounds,
@@ -8,29 +8,31 @@ use crate::{
 use glam::{Vec2, Vec3};
 use luminaire::projector::Projection;
 
-/// Nothing nearer to the eye than this is drawn, in metres along the line of sight.
+/// Near plane: the least depth that is drawn, in metres along the direction of sight.
 pub(crate) const NEAR: f32 = 0.05;
 
-/// Steps of a screen coordinate to a pixel, as a power of two.
+/// Binary logarithm of the units of a screen coordinate per pixel.
 pub(crate) const SUBPIXEL_BITS: u32 = 8;
 
-/// A camera's view on a picture of a certain size.
+/// The view of a camera on a picture of one size.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct View {
     eye: Vec3,
     ahead: Vec3,
-    /// Right and up, scaled so that what is on the border of the picture is as far off axis as it is deep.
+    /// Right and up, scaled so that a point at the border of the picture has `|x|` or `|y|` equal
+    /// to its depth.
     right: Vec3,
     up: Vec3,
-    /// Steps to a pixel's right and lower neighbour at depth 1, and the way to the centre of the first pixel.
+    /// Vectors to a pixel's right and lower neighbour at depth 1, and from the eye to the centre of
+    /// the first pixel at depth 1.
     column: Vec3,
     row: Vec3,
     first: Vec3,
-    /// Half the picture in steps of a screen coordinate.
+    /// Half the picture in units of a screen coordinate.
     half: Vec2,
 }
 
-/// A vertex seen by a camera: in view where -depth <= x, y <= depth and depth >= [`NEAR`].
+/// A vertex in camera space: in view where -depth <= x, y <= depth and depth >= [`NEAR`].
 #[derive(Clone, Copy, Default, Debug)]
 pub(crate) struct Seen {
     pub(crate) x: f32,
@@ -39,7 +41,7 @@ pub(crate) struct Seen {
     pub(crate) normal: Vec3,
 }
 
-/// A corner of a triangle on the screen, and what is interpolated from it.
+/// A projected corner of a triangle, with the values to interpolate.
 #[derive(Clone, Copy, Default, Debug)]
 pub(crate) struct Corner {
     /// From the left and top border, in 256ths of a pixel.
@@ -47,7 +49,7 @@ pub(crate) struct Corner {
     pub(crate) y: i32,
     /// The reciprocal of the depth, which is linear on the screen.
     pub(crate) nearness: f32,
-    /// The normal times the nearness, which is linear on the screen too.
+    /// The normal times the nearness, which is linear on the screen as well.
     pub(crate) normal: Vec3,
 }
 
@@ -57,7 +59,7 @@ impl View {
         Self::of_pose(camera.pose(), half_angle.y / half_angle.x, width, height)
     }
 
-    /// What a light sees on the square that it projects, with so many texels on a side.
+    /// The view of a light on the square that it projects, with `side` texels on a side.
     pub(crate) fn of_light(projection: &Projection, side: usize) -> Self {
         let pose = Pose {
             eye: projection.position().into(),
@@ -68,7 +70,7 @@ impl View {
         Self::of_pose(pose, projection.tangent(), side, side)
     }
 
-    /// The view of an eye, with the tangent of half its vertical angle.
+    /// The view from a pose. `tall` is the tangent of half its vertical angle.
     fn of_pose(pose: Pose, tall: f32, width: usize, height: usize) -> Self {
         let (width, height) = (width as f32, height as f32);
         let wide = tall * width / height;
@@ -86,14 +88,14 @@ impl View {
         }
     }
 
-    /// What the camera sees of a vertex.
+    /// Transforms a vertex to camera space.
     pub(crate) fn see(&self, vertex: &Vertex) -> Seen {
         let way = vertex.position - self.eye;
         let (x, y, depth) = (way.dot(self.right), way.dot(self.up), way.dot(self.ahead));
         Seen { x, y, depth, normal: vertex.normal }
     }
 
-    /// Where on the screen a vertex in view is.
+    /// Projects a vertex in view to the screen.
     pub(crate) fn project(&self, seen: &Seen) -> Corner {
         let nearness = 1.0 / seen.depth;
         let snapped = |along: f32, half: f32| (half + half * along * nearness).clamp(0.0, 2.0 * half) as i32;
@@ -105,8 +107,8 @@ impl View {
         }
     }
 
-    /// Whether nothing within the bounds is in view, for certain: by a thousandth of the distance more than
-    /// touching.
+    /// Returns true only if nothing within the bounds is in view. The margin is a thousandth of the
+    /// distance.
     pub(crate) fn misses(&self, bounds: &Bounds) -> bool {
         let way = bounds.center - self.eye;
         let reach = bounds.radius + 1e-3 * (bounds.radius + way.length());
@@ -116,7 +118,7 @@ impl View {
             || [ahead + right, ahead - right, ahead + up, ahead - up].into_iter().any(is_beyond)
     }
 
-    /// Whether all within the bounds is before the eye, and none of it too near to be drawn.
+    /// Returns whether all of the bounds is before the near plane.
     pub(crate) fn is_before(&self, bounds: &Bounds) -> bool {
         (bounds.center - self.eye).dot(self.ahead) > NEAR + bounds.radius
     }
@@ -126,13 +128,13 @@ impl View {
         self.eye
     }
 
-    /// The direction of sight, of unit length.
+    /// The unit direction of sight.
     pub(crate) fn ahead(&self) -> Vec3 {
         self.ahead
     }
 
-    /// The way along the ray through a pixel's centre to depth 1, for the first pixel of a row, and the step
-    /// to the next.
+    /// Returns the vector from the eye to depth 1 through the centre of a row's first pixel, and
+    /// the step to the next pixel.
     pub(crate) fn ray(&self, row: usize) -> (Vec3, Vec3) {
         (self.first + self.row * row as f32, self.column)
     }

@@ -1,5 +1,5 @@
-//! Patterns, shadows and haze in a picture: each is what the kernel says of a pixel, and none is where it is not called
-//! for.
+//! Gobos, shadows and haze in a picture: each pixel has the kernel's result, and an effect that is
+//! not needed is not computed.
 
 use luminaire::{
     Angle, Cone, Error, Fx16, Fx32, Rgb, SpotLight, Vec3,
@@ -15,7 +15,7 @@ use luminaire_render::{Display, Format, Material, Renderer, Scene, ShadowMap, go
 const SIZE: (usize, usize) = (160, 90);
 const STAR: [u8; 32 * 32] = gobos::star();
 
-/// The lights of the stage: one with a pattern, one with shadows, one with both.
+/// The lights of the stage: one with a gobo, one with shadows, one with both.
 fn fixtures() -> Result<Vec<Fixture>, Error> {
     let [key, fill, back] = stage::lights()?.map(Fixture::from);
     let star = |fixture: Fixture| fixture.with_gobo(Gobo::of(&STAR), Angle::degrees(20.0));
@@ -53,7 +53,8 @@ fn bits<S: Format>(renderer: &Renderer<S>) -> Vec<Option<[u32; 3]>> {
     pixels().map(|(x, y)| renderer.linear(x, y).map(channels)).collect()
 }
 
-/// What is called for gives the bits of everything, also after single fixtures have moved.
+/// Computing only the needed effects is bit-identical to computing all, also after single fixtures
+/// have moved.
 #[test]
 fn what_is_called_for_is_everything() -> Result<(), Error> {
     fn assert_format<S: Format>() -> Result<(), Error> {
@@ -83,7 +84,8 @@ fn what_is_called_for_is_everything() -> Result<(), Error> {
     assert_format::<Fx16>()
 }
 
-/// A pixel gets what arrives of the light, times what its pattern and its shadow leave of it, to the bit.
+/// The light of a pixel is the arriving light times the transmittance of gobo and shadow, bit for
+/// bit.
 #[test]
 fn patterns_and_shadows_are_factors() -> Result<(), Error> {
     let mut scene = stage::scene().unwrap();
@@ -189,7 +191,7 @@ fn what_no_beam_meets_is_not_lit_again() -> Result<(), Error> {
     Ok(())
 }
 
-/// A map that is drawn anew lights its tiles anew, and one that is not lights none.
+/// A redrawn map re-lights its tiles; a map that is kept re-lights none.
 #[test]
 fn shadows_that_change_are_seen() -> Result<(), Error> {
     let fixtures = fixtures()?;

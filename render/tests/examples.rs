@@ -1,9 +1,9 @@
-//! What each example calls for, and no more.
+//! The effects that each example needs.
 
 use luminaire_render::examples::{Example, turntable};
 use std::collections::BTreeSet;
 
-/// The effects of each example at any time, in the words of the price list.
+/// The effects of each example at any time, with the names of the price list.
 const CALLED_FOR: [(Example, &str); 8] = [
     (Example::BareSpot, "diffuse, spot, soft, inverse-square"),
     (Example::Pocket, "diffuse, spot, soft, inverse-square, dither"),

@@ -1,4 +1,5 @@
-//! Scenes of any numbers: refused by name, or drawn finite, and the same whatever is left out.
+//! Scenes of random numbers: rejected with the parameter's name, or drawn finite, with
+//! bit-identical results whether effects are skipped or not.
 
 use fastrand::Rng;
 use luminaire::{
@@ -80,7 +81,7 @@ fn meshes_larger_than_memory_are_refused_by_name() {
     assert_refused(scene.add(both.and(Mesh::default()), Material::default()), message);
 }
 
-/// Any number: as often one of everyday size as one that asks for trouble.
+/// Returns a random number: of ordinary size in 13 of 16 cases, else one that may cause trouble.
 fn number(rng: &mut Rng) -> f32 {
     let odd = [f32::NAN, f32::INFINITY, -f32::INFINITY, f32::MAX, 1e30, 1e6, -1e5, 1e-30, -0.0, 0.0];
     match rng.u8(..16) {
@@ -148,7 +149,7 @@ fn assert_drawn<S: Format>(scene: &Scene, camera: &Camera, fixtures: &[Fixture])
     }
     renderer.draw_everything(fixtures).expect("what was held is held again");
     assert_eq!((linear(&renderer), renderer.encode()), (light, &picture[..]));
-    // Nothing has changed: no material is another than itself.
+    // Nothing has changed: no material compares unequal to itself.
     assert!(!renderer.draw_geometry(scene, camera));
     true
 }

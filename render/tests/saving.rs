@@ -1,4 +1,4 @@
-//! What is left out changes no bit of a picture, and what it saves is what it is said to save.
+//! Skipping changes no bit of a picture, and saves as much as stated.
 
 use luminaire::{
     Fx16, Fx32, Rgb, Vec3, dynamic::AnyLight, light::SurfacePoint, projector::Fixture,
@@ -10,7 +10,7 @@ use luminaire_render::{
 };
 use std::ops::Range;
 
-/// Of no whole number of tiles either way.
+/// No whole number of tiles in width or height.
 const SIZE: (usize, usize) = (250, 141);
 
 fn renderer<S: Format>(setup: &Setup) -> Renderer<S> {
@@ -19,13 +19,13 @@ fn renderer<S: Format>(setup: &Setup) -> Renderer<S> {
     renderer
 }
 
-/// The places of all pixels.
+/// Iterates over the coordinates of all pixels.
 fn pixels<S: Format>(renderer: &Renderer<S>) -> impl Iterator<Item = (usize, usize)> + use<S> {
     let (width, height) = renderer.size();
     (0..height).flat_map(move |y| (0..width).map(move |x| (x, y)))
 }
 
-/// The light of all pixels and their codes, as bits.
+/// Returns the light of all pixels and their codes, as bits.
 fn bits<S: Format>(renderer: &mut Renderer<S>) -> (Vec<[u32; 3]>, Vec<u8>) {
     let light = pixels(renderer).map(|(x, y)| {
         let Rgb { red, green, blue } = renderer.linear(x, y).unwrap();
@@ -34,8 +34,8 @@ fn bits<S: Format>(renderer: &mut Renderer<S>) -> (Vec<[u32; 3]>, Vec<u8>) {
     (light.collect(), renderer.encode().to_vec())
 }
 
-/// Draws one picture after the other with one renderer, and each with a fresh one, and compares both with the picture of
-/// everything.
+/// Draws the pictures in turn with one renderer, and each with a fresh one. Compares both with the
+/// picture that skips nothing.
 fn assert_same<S: Format>(setup: &Setup, pictures: &[Vec<Fixture>], what: &str) {
     let (mut going_on, mut everything) = (renderer::<S>(setup), renderer::<S>(setup));
     for (number, fixtures) in pictures.iter().enumerate() {

@@ -1,4 +1,5 @@
-//! Spheres around directions: that they hold them, and that no format has a highlight beyond.
+//! Bounding spheres of directions: they enclose their directions, and no format has light of a
+//! highlight outside.
 
 use super::*;
 use crate::{Format, Highlight, Material, lighting::Finish};
@@ -33,7 +34,7 @@ impl Random {
     }
 }
 
-/// How far a direction is from the middle of its sphere, as a part of the radius.
+/// Returns the distance of a direction from the centre of its sphere, relative to the radius.
 fn part(sphere: &Directions, direction: Vec3) -> f32 {
     sphere.center.distance(direction) / (sphere.radius + 1e-6)
 }

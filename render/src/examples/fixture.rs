@@ -1,4 +1,4 @@
-//! Fixtures that hang in a scene, each with a name, and with a movement if it has one.
+//! Fixtures of the examples, with names and motions.
 
 use core::f32::consts::TAU;
 use glam::{Vec2, Vec3};
@@ -10,10 +10,10 @@ use luminaire::{
     projector::{Fixture, Gobo},
 };
 
-/// A fixture of a scene, with what it does as the seconds pass.
+/// A fixture of a scene that may change over time.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct MovingLight {
-    /// What the trade calls it.
+    /// The name of this kind of fixture in the trade.
     pub name: &'static str,
     /// The light before it moves.
     light: AnyLight,
@@ -30,38 +30,38 @@ enum Motion {
     Chase(Chase),
 }
 
-/// A spotlight follows a point that goes round an ellipse on the level, once in so many seconds.
+/// Moves the target of a spotlight around a horizontal ellipse, once in `period` seconds.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct Sweep {
     pub(super) center: Vec3,
     /// Half the width and half the depth of the ellipse, in metres.
     pub(super) radii: Vec2,
     pub(super) period: f32,
-    /// Where on its way the point begins, as a part of the whole.
+    /// Where the target starts on the ellipse, as a share of a turn.
     pub(super) start: f32,
 }
 
-/// A spotlight is brighter when its turn has come, among so many that take turns.
+/// Raises the intensity of a spotlight during its turn, in a group that takes turns.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct Chase {
     pub(super) turn: usize,
     pub(super) turns: usize,
-    /// Seconds of a turn.
+    /// Seconds per turn.
     pub(super) step: f32,
-    /// The intensity in its turn over that before and after.
+    /// Ratio of the intensity during the turn to that before and after.
     pub(super) bump: f32,
 }
 
-/// A gobo that turns.
+/// A gobo that rotates.
 #[derive(Clone, Copy, PartialEq, Debug)]
 struct Wheel {
     gobo: Gobo<'static>,
-    /// Degrees in a second.
+    /// Degrees per second.
     speed: f32,
 }
 
 impl MovingLight {
-    /// A fixture that stays as it is.
+    /// A fixture that does not change.
     pub(super) fn new(name: &'static str, light: impl Into<AnyLight>) -> Self {
         Self { name, light: light.into(), motion: Motion::Still, gobo: None, shadow: None }
     }
@@ -74,12 +74,12 @@ impl MovingLight {
         Self { motion: Motion::Chase(chase), ..self }
     }
 
-    /// The same fixture with a gobo that turns by so many degrees in a second.
+    /// The same fixture with a gobo that rotates at `speed` degrees per second.
     pub(super) fn with_gobo(self, gobo: Gobo<'static>, speed: f32) -> Self {
         Self { gobo: Some(Wheel { gobo, speed }), ..self }
     }
 
-    /// The same fixture with shadows, by a map of so many texels a side: see [`Fixture::with_shadow`].
+    /// The same fixture with a shadow map of `side` texels on a side: see [`Fixture::with_shadow`].
     pub fn with_shadow(self, side: u16) -> Self {
         Self { shadow: Some(side), ..self }
     }
@@ -94,10 +94,10 @@ impl MovingLight {
         Self { shadow: None, ..self }
     }
 
-    /// The fixture after so many seconds.
+    /// Returns the fixture at a time in seconds.
     ///
     /// # Errors
-    /// Seconds that are not finite, where something moves. Shadows that the fixture can't have.
+    /// Seconds that are not finite, if something moves. Shadows that the fixture can't have.
     pub fn at(&self, seconds: f32) -> Result<Fixture, Error> {
         let mut fixture = Fixture::from(self.light_at(seconds)?);
         if let Some(Wheel { gobo, speed }) = self.gobo {

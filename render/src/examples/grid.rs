@@ -29,7 +29,8 @@ fn setup(columns: usize, rows: usize, outer: HalfAngle) -> Result<Setup, Error> 
     let mut scene = Scene::new();
     // Larger than what is lit, so that its edges stay out of the picture.
     scene.add(floor(SIDE + 6.0, SIDE + 6.0), Material::srgb(212, 208, 202))?;
-    // From far away, so that the floor is a parallelogram almost: its depth of 16 m is as high as 9 m of its width.
+    // From far away, so that the floor is almost a parallelogram: its depth of 16 m appears as high
+    // as 9 m of its width.
     let camera = Camera::new(Vec3::new(0.0, 0.0, 0.2), 90.0, 0.0, 0.61, 0.108);
     let cone = Cone::from_outer(Soft, outer)?;
     let turns = columns * rows;
@@ -46,7 +47,8 @@ fn setup(columns: usize, rows: usize, outer: HalfAngle) -> Result<Setup, Error> 
     Ok(Setup::new(scene, camera, fixtures))
 }
 
-/// The colour at a place of the floor: from amber on the left over rose to blue on the right, paler towards the front.
+/// Returns the colour of the light at a position on the floor: amber on the left, rose, blue on the
+/// right, paler towards the front.
 fn gel(across: f32, along: f32) -> Rgb<f32> {
     let (amber, rose, blue) = (Rgb::new(1.0, 0.4, 0.06), Rgb::new(1.0, 0.14, 0.4), Rgb::new(0.08, 0.28, 1.0));
     let between = |a: Rgb<f32>, b, part| a.zip(b, |a: f32, b: f32| a + part * (b - a));

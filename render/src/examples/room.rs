@@ -1,4 +1,4 @@
-//! What most scenes have: a floor, walls, and lights that are aimed at something.
+//! Meshes and lights that most scenes share: floor, wall and aimed spotlight.
 
 use crate::{Mesh, Outline};
 use core::f32::consts::FRAC_PI_2;
@@ -11,7 +11,7 @@ pub(super) fn floor(width: f32, depth: f32) -> Mesh {
     Mesh::extrude(&across, depth, 1).moved(Vec3::new(0.0, 0.0, -depth / 2.0))
 }
 
-/// A wall that stands on the floor, looks towards positive z and has its middle at x = 0.
+/// A wall that stands on the floor, faces positive z and has its centre at x = 0.
 pub(super) fn wall(width: f32, height: f32, z: f32) -> Mesh {
     floor(width, height).turned(Vec3::new(1.0, 0.0, 0.0), FRAC_PI_2).moved(Vec3::new(0.0, height / 2.0, z))
 }

@@ -14,18 +14,19 @@ use core::f32::consts::{FRAC_PI_2, TAU};
 use glam::{Vec2, Vec3};
 use luminaire::{Angle, Cone, Error, HalfAngle, Rgb, falloff::Soft};
 
-/// The angle between one spotlight and the next around the middle: the golden one, so that any number of them are
-/// spread.
+/// Angle between consecutive spotlights around the centre: the golden angle, which spreads any
+/// number of them.
 const GOLDEN_ANGLE: f32 = 2.399_963;
 
-/// The light of all spotlights together, however many there are: their intensities, summed.
+/// Sum of the intensities of all spotlights, for any number of them.
 const INTENSITY: f32 = 260.0;
 
-/// The scene of [`Example::Turntable`](super::Example::Turntable) under so many spotlights, 1 at least, of 15 degrees
-/// half angle. Their light together is the same for every number. The camera swings from side to side.
+/// The scene of [`Example::Turntable`](super::Example::Turntable) under `spots` spotlights (at
+/// least 1) with a half angle of 15 degrees. The sum of their intensities is the same for every
+/// number. The camera swings from side to side.
 ///
 /// # Errors
-/// None, unless a constructor comes to refuse what it accepts today.
+/// Never: the values are constants.
 pub fn turntable(spots: usize) -> Result<Setup, Error> {
     let count = spots.max(1);
     let camera = Camera::new(luminaire::Vec3::new(0.0, 0.62, 0.0), 6.2, 0.0, 0.24, 0.44);
@@ -57,7 +58,7 @@ fn scene() -> Result<Scene, Error> {
 fn fixture(number: usize, count: usize) -> Result<MovingLight, Error> {
     let part = (number as f32 + 0.5) / count as f32;
     let around = Vec2::from_angle(GOLDEN_ANGLE * number as f32);
-    // In front of the wall, and more of them towards the eye.
+    // In front of the wall, and more of them near the camera.
     let position = Vec3::new(3.4 * around.x, 3.5 + 0.8 * part, 1.9 + 2.3 * around.y);
     let center = (0.4 + 1.5 * part) * Vec2::from_angle(GOLDEN_ANGLE * (number + 2) as f32);
     let center = Vec3::new(center.x, 0.4, -0.3 + center.y);
@@ -69,7 +70,7 @@ fn fixture(number: usize, count: usize) -> Result<MovingLight, Error> {
     Ok(MovingLight::new("moving head", spot).sweeping(sweep))
 }
 
-/// The colour of a spotlight: pale, and no two neighbours alike.
+/// Returns the colour of a spotlight: pale, and different from its neighbours.
 fn gel(number: usize) -> Rgb<f32> {
     let hue = Vec2::from_angle(TAU * 0.38 * number as f32);
     Rgb::new(0.72 + 0.28 * hue.x, 0.7 + 0.18 * hue.y, 0.72 - 0.28 * hue.x)

@@ -1,4 +1,4 @@
-//! The light of a picture: which tiles must be lit again, and by which lights.
+//! The lighting pass: which tiles must be re-lit, and by which lights.
 
 use super::Renderer;
 use crate::{
@@ -8,7 +8,8 @@ use alloc::vec::Vec;
 use luminaire::{Error, dynamic::RenderPlan, projector::Fixture};
 
 impl<S: Format> Renderer<S> {
-    /// Lights the tiles that have changed, or all where the plan leaves nothing out. Returns whether any had.
+    /// Lights the changed tiles, or all tiles if the plan skips nothing. Returns whether there were
+    /// any.
     pub(super) fn draw_light_by<L: Copy + Into<Fixture>>(
         &mut self,
         plan: RenderPlan,
@@ -37,7 +38,8 @@ impl<S: Format> Renderer<S> {
         Ok(true)
     }
 
-    /// Makes room for what so many lights reach. Where all of the picture must be lit, nothing is known of it.
+    /// Makes room for the bits of this many lights. If all of the picture must be lit, the bits are
+    /// cleared.
     fn make_room(&mut self, lights: usize) {
         let (regions, tiles) = (self.tiles.regions.len(), self.tiles.tiles.len());
         for (reached, places) in
@@ -54,7 +56,8 @@ impl<S: Format> Renderer<S> {
         }
     }
 
-    /// The numbers of the fixtures that are others than those of the picture.
+    /// Returns the indices of the fixtures that differ from those of the current picture, or whose
+    /// shadow map was redrawn.
     fn changed(&self, fixtures: &[Fixture]) -> Vec<usize> {
         let before = self.lit.as_deref().unwrap_or_default();
         let count = fixtures.len().max(before.len());
@@ -64,7 +67,7 @@ impl<S: Format> Renderer<S> {
         (0..count).filter(is_another).collect()
     }
 
-    /// Bundles the view rays of a tile, once for a view.
+    /// Computes the bundle of view rays of a tile, once per view.
     fn sight(&mut self, tile: usize) {
         let (rows, column) = self.tiles.place(tile);
         let sight = &mut self.tiles.tiles[tile].sight;
@@ -73,8 +76,8 @@ impl<S: Format> Renderer<S> {
         }
     }
 
-    /// Asks anew which regions the lights may reach that are others now. Returns which of them reach a region or have reached
-    /// it, so that its tiles must be asked.
+    /// Re-tests every region against the lights that changed. Returns the (region, light) pairs
+    /// that overlap now or overlapped before; the tiles of these regions must be re-tested.
     fn approach(&mut self, rig: &Rig<S>, changed: &[usize]) -> Reached {
         let mut near = self.near.clone();
         near.forget();
@@ -87,8 +90,8 @@ impl<S: Format> Renderer<S> {
         near
     }
 
-    /// Asks anew whether a tile is reached by the lights that are others now: on its surfaces by those near it, in the air
-    /// before them by any. Returns whether its light is another for it.
+    /// Re-tests one tile against the changed lights (surfaces: only lights near its region; air:
+    /// all changed lights). Returns true if the tile must be re-lit.
     fn ask(
         &mut self,
         tile: usize,
@@ -101,7 +104,7 @@ impl<S: Format> Renderer<S> {
         for light in near {
             is_another |= self.reached.update(tile, light, rig.reaches(light, bounds.as_ref()));
         }
-        // In clear air, where no beam was seen before, there is nothing to ask for.
+        // In clear air, without a beam that was visible before, there is nothing to test.
         if rig.is_hazy() || self.seen.lights(tile).next().is_some() {
             self.sight(tile);
             let sight = self.tiles.tiles[tile].sight.as_ref();

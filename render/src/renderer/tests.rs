@@ -1,4 +1,4 @@
-//! The passes from the inside: what is in the G-buffer, and what is lit of it.
+//! White-box tests of the passes: the G-buffer, and the light computed from it.
 
 use super::*;
 use crate::{Mesh, Outline, stage};
@@ -173,7 +173,7 @@ fn odd_meshes_and_cameras_are_drawn_without_a_panic() {
     }
 }
 
-/// Lights each pixel by the kernel alone, and compares the light to the bit.
+/// Lights each pixel with the kernel alone, and compares the light bit for bit.
 fn blocks_left_out_are_dark<S: Format>(camera: &Camera, lights: &[SpotLight]) {
     let scene = stage::scene().unwrap();
     let mut renderer = renderer::<S>(&scene, camera);

@@ -1,4 +1,4 @@
-//! The nearest surface in each texel, as deep as it may count.
+//! The nearest surface in each texel, with a depth that prevents self-shadowing.
 
 use crate::{
     memory::filled,
@@ -8,16 +8,18 @@ use crate::{
 use alloc::{collections::TryReserveError, vec::Vec};
 use luminaire::Scalar;
 
-/// What a light sees, texel by texel, within a border of one texel in which nothing is drawn.
+/// The depths that a light sees, with a border of one empty texel.
 #[derive(Clone, Debug)]
 pub(super) struct Layer {
     grid: Grid,
-    /// The nearness of what is nearest; 0 where nothing was drawn.
+    /// Nearness of the nearest surface; 0 where nothing was drawn.
     nearness: Vec<f32>,
-    /// The nearness up to which a texel hides what is behind: the most that any of its surfaces keeps within
-    /// a texel. So one that is almost edge-on leaves it to what is behind.
+    /// Nearness below which the texel is in shadow: for each surface its least nearness within the
+    /// texel, and of these the largest. A surface that is almost edge-on therefore leaves the texel
+    /// to the surface behind it.
     hiding: Vec<f32>,
-    /// The least of it in each texel of a row and in those above and below that are of the same surface.
+    /// Vertical pass: the least `hiding` of each texel in a row and of those above and below on the
+    /// same surface.
     column: Vec<f32>,
 }
 
@@ -39,8 +41,8 @@ impl Layer {
         self.hiding.fill(0.0);
     }
 
-    /// Draws a triangle, from whichever side it is seen. How much its nearness changes within a texel is
-    /// asked for only if it covers one.
+    /// Draws a triangle, front or back. `change` returns how much its nearness changes within a
+    /// texel; it is called only if the triangle covers one.
     pub(super) fn draw(&mut self, corners: [Corner; 3], change: impl Fn() -> f32) {
         let grid = self.grid;
         let mut known = None;
@@ -50,7 +52,7 @@ impl Layer {
     #[inline(always)]
     fn fill(&mut self, span: &Span<'_>, change: f32) {
         let line = span.line(|corner| corner.nearness);
-        // Past the row of the border, and the texel of this row's.
+        // Skips the border row and the border texel at the start of this row.
         let first = self.grid.stride + 1;
         let texels = first + span.pixels.start..first + span.pixels.end;
         let planes = self.nearness[texels.clone()].iter_mut().zip(&mut self.hiding[texels]);
@@ -62,9 +64,9 @@ impl Layer {
         }
     }
 
-    /// Finds the depth of each texel: the largest that its surface has in the nine texels around it, and by
-    /// this factor more. A texel has this width at depth 1; a surface may have steps of as much, for which a
-    /// texel has no room.
+    /// Computes the depth of each texel: the largest depth of its surface in the 3 x 3 texels
+    /// around it, times `factor`. `texel` is the width of a texel at depth 1. A step of a surface
+    /// up to that width is not resolved and counts as the same surface.
     pub(super) fn resolve<S: Scalar>(&mut self, texel: f32, factor: f32, depths: &mut [S::Length]) {
         let Grid { width, stride, .. } = self.grid;
         let Self { nearness, hiding, column, .. } = self;
@@ -91,24 +93,24 @@ impl Layer {
     }
 }
 
-/// What a layer has of a texel.
+/// The values of a layer in one texel.
 #[derive(Clone, Copy)]
 struct Texel {
     nearness: f32,
     hiding: f32,
 }
 
-/// Where a surface may go on in a neighbouring texel.
+/// Continuation of a surface in a neighbouring texel.
 #[derive(Clone, Copy)]
 struct End {
-    /// The nearness that it must come up to there.
+    /// Least nearness of the neighbour's surface if it is the same surface.
     joint: f32,
-    /// How near it still is if it ends before.
+    /// Nearness of the surface if it ends before the neighbour's centre.
     edge: f32,
 }
 
 impl Texel {
-    /// What is round falls off by twice its slope where it ends, as a parabola does.
+    /// A round surface falls off by twice its slope where it ends, as a parabola does.
     #[inline(always)]
     fn end(self, texel: f32) -> End {
         End { joint: self.hiding - self.nearness * texel, edge: 2.0 * self.hiding - self.nearness }
@@ -116,7 +118,8 @@ impl Texel {
 }
 
 impl End {
-    /// The least nearness up to which is hidden, with that of a neighbour if its surface is the same.
+    /// Returns the smaller of `least` and the neighbour's `hiding`. If the neighbour's surface is
+    /// another and not nearer than `edge`, `edge` replaces its `hiding`.
     #[inline(always)]
     fn with(self, neighbor: Texel, hiding: f32, least: f32) -> f32 {
         let is_joined = 2.0 * neighbor.nearness - neighbor.hiding >= self.joint;

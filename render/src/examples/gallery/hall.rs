@@ -1,4 +1,4 @@
-//! The hall and what is shown in it.
+//! The hall and its exhibits.
 
 use crate::{
     Material, Mesh, Scene,
@@ -24,7 +24,7 @@ pub(super) enum Side {
     Right,
 }
 
-/// Where pictures hang: along which wall, and how far along it.
+/// Positions of the pictures: along which wall, and how far along it.
 pub(super) const PICTURES: [(f32, Side); 7] = [
     (-2.6, Side::Left),
     (-0.5, Side::Left),
@@ -35,10 +35,10 @@ pub(super) const PICTURES: [(f32, Side); 7] = [
     (-0.5, Side::Right),
 ];
 
-/// Where sculptures stand: x and z.
+/// Positions of the sculptures: x and z.
 pub(super) const SCULPTURES: [(f32, f32); 4] = [(-2.1, -1.0), (-0.85, 0.3), (0.95, -1.4), (2.15, 0.0)];
 
-/// Where pendants hang: x and z.
+/// Positions of the pendants: x and z.
 pub(super) const PENDANTS: [(f32, f32); 2] = [(-1.3, -3.1), (1.3, -3.1)];
 
 /// The paints of the pictures: the ground and two fields.
@@ -53,7 +53,7 @@ const PAINTS: [[(u8, u8, u8); 3]; 7] = [
 ];
 
 impl Side {
-    /// A point of the wall: how far along it, how far before it, and how high.
+    /// Returns a point relative to the wall: distance along it, distance before it, and height.
     fn at(self, along: f32, before: f32, height: f32) -> Vec3<f32> {
         match self {
             Self::Left => Vec3::new(-HALF + before, height, along),
@@ -67,12 +67,12 @@ impl Side {
         self.at(along, 0.0, EYE_LEVEL)
     }
 
-    /// Where a light for a picture hangs, so far to its side.
+    /// Returns the position of a light for a picture, with a sideways offset.
     pub(super) fn before_wall(self, along: f32, offset: f32) -> Vec3<f32> {
         self.at(along + offset, 2.1, 4.3)
     }
 
-    /// A mesh made to hang at z = 0 and look towards positive z, hung on the wall.
+    /// Hangs a mesh on the wall. The mesh must be built at z = 0, facing positive z.
     fn hang(self, mesh: Mesh, along: f32, before: f32) -> Mesh {
         let turn = match self {
             Self::Left => FRAC_PI_2,

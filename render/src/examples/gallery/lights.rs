@@ -13,15 +13,16 @@ use luminaire::{
     },
 };
 
-/// A profile as a goniometer measures it: 11 samples from the axis to the outer angle, with a bright ring.
+/// A measured profile, as from a goniometer: 11 samples from the axis to the outer angle, with a
+/// bright ring.
 const MEASURED: [u16; 11] =
     [65_535, 64_200, 61_000, 56_500, 53_900, 54_800, 47_000, 30_500, 14_200, 4_100, 0];
 
-/// How many profiles and distance models there are.
+/// Number of profiles and of distance models.
 const PROFILES: usize = 12;
 const DISTANCES: usize = 8;
 
-/// A spotlight on a track, of a kind that goes by its number, that lights its target to a level.
+/// A spotlight on a track. `number` selects its kind; the intensity lights its target to `level`.
 pub(super) fn track_spot(
     number: usize,
     position: Vec3<f32>,
@@ -42,7 +43,8 @@ pub(super) fn follow_spot(position: Vec3<f32>, target: Vec3<f32>) -> Result<Movi
     Ok(MovingLight::new("follow spot", spot))
 }
 
-/// The name and the cone of a kind of spotlight: about 40 degrees wide in the beam or in the field.
+/// Returns the name and the cone of a kind of spotlight: about 40 degrees wide in beam or field
+/// angle.
 fn kind(number: usize) -> Result<(&'static str, Cone<AnyFalloff>), Error> {
     let field = |profile: AnyFalloff| Cone::from_field(profile, Angle::degrees(42.0));
     let data_sheet = |beam: f32, field: f32| {
@@ -79,13 +81,14 @@ fn distance(number: usize) -> Result<AnyAttenuation, Error> {
     })
 }
 
-/// The white of a light: from that of an incandescent one to that of a cool fluorescent one.
+/// Returns the white of a light: from incandescent to cool fluorescent.
 fn tint(number: usize) -> Rgb<f32> {
     let cool = (number * 5 % 8) as f32 / 7.0;
     Rgb::new(1.0, 0.8 + 0.16 * cool, 0.56 + 0.4 * cool)
 }
 
-/// The spotlight at the intensity that lights what faces it at the target to this level, whatever its distance model.
+/// Sets the intensity so that a facing surface at the target is lit to `level`, whatever the
+/// distance model.
 fn lit_to(
     level: f32,
     target: Vec3<f32>,

@@ -24,7 +24,7 @@ pub(super) struct Light {
     bodies: Vec<Body>,
 }
 
-/// Where a point is on the square, in parts of its side, and at what depth.
+/// Position of a point on the square, in sides, and its depth.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Place {
     column: f64,
@@ -59,20 +59,20 @@ fn normal([a, b, c]: Triangle) -> Vector {
     cross(minus(b, a), minus(c, a))
 }
 
-/// The parameter along a way at which it meets the plane of a triangle.
+/// Returns the parameter along a ray at which it meets the plane of a triangle.
 fn plane(from: Vector, way: Vector, triangle: Triangle) -> f64 {
     let normal = normal(triangle);
     dot(normal, minus(triangle[0], from)) / dot(normal, way)
 }
 
-/// The parameter along a way at which it meets a triangle.
+/// Returns the parameter along a ray at which it meets a triangle.
 fn hit(from: Vector, way: Vector, triangle: Triangle) -> Option<f64> {
     let t = plane(from, way, triangle);
     let (normal, [a, b, c]) = (normal(triangle), triangle);
     let inside = minus([0, 1, 2].map(|i| from[i] + t * way[i]), a);
     let part = |edge: Vector| dot(edge, normal) / dot(normal, normal);
     let (to_b, to_c) = (part(cross(inside, minus(c, a))), part(cross(minus(b, a), inside)));
-    // A ray between two triangles shall hit one of them.
+    // A ray between two triangles must hit one of them.
     let least = -1e-9;
     (to_b >= least && to_c >= least && to_b + to_c <= 1.0 - least).then_some(t)
 }
@@ -109,18 +109,19 @@ impl Light {
         Place { column: part(self.right), row: part(self.down), depth }
     }
 
-    /// The cosine of the angle between the front of a triangle and the way from a point of it to the light.
+    /// Returns the cosine of the angle between the front normal of a triangle and the direction
+    /// from a point of it to the light.
     pub(super) fn cosine(&self, triangle: Triangle, point: Vector) -> f64 {
         let (normal, back) = (normal(triangle), minus(self.position, point));
         dot(normal, back) / (dot(normal, normal) * dot(back, back)).sqrt()
     }
 
-    /// Whether a place is on the square.
+    /// Returns whether a position is on the square.
     pub(super) fn has(&self, place: Place) -> bool {
         place.depth > 0.0 && [place.column, place.row].iter().all(|part| (0.0..1.0).contains(part))
     }
 
-    /// The way to depth 1.
+    /// Returns the vector from the light to depth 1.
     fn way(&self, column: f64, row: f64) -> Vector {
         let (x, y) = ((2.0 * column - 1.0) * self.tangent, (2.0 * row - 1.0) * self.tangent);
         [0, 1, 2].map(|i| self.axis[i] + x * self.right[i] + y * self.down[i])
@@ -146,8 +147,9 @@ impl Light {
         self.nearest(self.way(place.column, place.row), place.depth).is_none_or(|hit| hit.is_first)
     }
 
-    /// Whether a place is farther than so many texels from the edge of any shadow, and from where its surface
-    /// ends for the light: there begins the shadow that lies on the surface itself.
+    /// Returns whether a position is farther than `texels` from the edge of any shadow, and from
+    /// where its surface ends as seen from the light: there the shadow on the surface itself
+    /// begins.
     pub(super) fn is_clear(&self, place: Place, texels: f64, side: usize) -> bool {
         const STEPS: i32 = 8;
         let Some(own) = self.nearest(self.way(place.column, place.row), place.depth) else { return false };
