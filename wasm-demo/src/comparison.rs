@@ -1,4 +1,4 @@
-//! The class that the page holds for the comparison: one wall, lit in two forms side by side.
+//! The JavaScript class of the comparison: one wall, lit in two forms side by side.
 
 use crate::{
     canvas::Canvas,
@@ -14,21 +14,22 @@ use crate::{
 use wasm_bindgen::{Clamped, prelude::*};
 use web_sys::HtmlCanvasElement;
 
-/// The forms that the page starts with, and the outer half angle in degrees at which they part.
+/// The forms at start, and the outer half angle in degrees at which their pictures begin to differ.
 const FIRST: ([Form; 2], f32) = ([Form::Cosine, Form::F32], 0.1);
 
-/// The largest picture, in pixels a side: a few times what a screen has room for.
+/// Largest picture, in pixels on a side: a few times the size of a screen.
 const LARGEST: u32 = 2048;
 
-/// Two forms of one picture, each beside what f64 makes of it. Every method that sets something takes it, or
-/// throws a string that names the parameter, its value and the remedy, and leaves everything as it was.
+/// Two forms of one picture, each compared with the f64 reference. Every setter either takes its
+/// value or throws a string that names the parameter, its value and the remedy; then nothing is
+/// changed.
 #[wasm_bindgen]
 #[derive(Debug)]
 pub struct Comparison {
     wall: Wall,
     sides: [Side; 2],
     palette: Palette,
-    /// The scale that was chosen; nothing where it follows the errors.
+    /// The scale that the visitor chose; `None` if the scale follows the errors.
     chosen: Option<Scale>,
     /// A picture and its errors for each side.
     canvases: [[Canvas; 2]; 2],
@@ -38,8 +39,8 @@ pub struct Comparison {
 
 #[wasm_bindgen]
 impl Comparison {
-    /// The comparison as it opens, in squares of so many pixels a side: the picture and the errors of the left
-    /// form, and those of the right one. Nothing is shown yet.
+    /// Opens the comparison, in squares of `pixels` on a side: picture and errors of the left form,
+    /// picture and errors of the right form. Nothing is shown yet.
     #[wasm_bindgen(constructor)]
     pub fn new(
         left: &HtmlCanvasElement,
@@ -72,7 +73,8 @@ impl Comparison {
         self.wall.half_angle()
     }
 
-    /// Gives the beam this outer half angle in degrees; the wall moves away so that the spot stays as large.
+    /// Sets the outer half angle of the beam in degrees. The wall moves so that the spot keeps its
+    /// size.
     #[wasm_bindgen(js_name = setHalfAngle)]
     pub fn set_half_angle(&mut self, degrees: f32) -> Result<(), JsValue> {
         self.wall.set_half_angle(degrees)?;
@@ -80,12 +82,12 @@ impl Comparison {
         Ok(())
     }
 
-    /// The narrowest outer half angle in degrees that there is a wall for.
+    /// Narrowest outer half angle in degrees of the comparison.
     pub fn narrowest() -> f32 {
         NARROWEST
     }
 
-    /// The widest outer half angle in degrees that there is a wall for.
+    /// Widest outer half angle in degrees of the comparison.
     pub fn widest() -> f32 {
         WIDEST
     }
@@ -102,13 +104,13 @@ impl Comparison {
         self.wall.spot().cone().field().to_degrees()
     }
 
-    /// From the light to the wall, in metres.
+    /// Distance from the light to the wall, in metres.
     #[wasm_bindgen(getter)]
     pub fn distance(&self) -> f64 {
         self.wall.distance()
     }
 
-    /// Gives the left side, 0, or the right side, 1, another form.
+    /// Sets the form of the left side, 0, or of the right side, 1.
     #[wasm_bindgen(js_name = setForm)]
     pub fn set_form(&mut self, side: usize, name: &str) -> Result<(), JsValue> {
         let form = Form::named(name)?;
@@ -118,20 +120,20 @@ impl Comparison {
         Ok(())
     }
 
-    /// What there is to know of a side.
+    /// Returns the state of a side.
     pub fn side(&self, side: usize) -> Result<SideState, JsValue> {
         Ok(self.sides.get(side).ok_or(no_side(side))?.state())
     }
 
-    /// Whether both forms stand for one curve. Only then do their errors, each of which is a difference to the form's
-    /// own truth, say which of them is better.
+    /// Returns whether both forms compute the same curve. Each error is a difference from the
+    /// form's own reference, so errors say which form is better only for the same curve.
     #[wasm_bindgen(getter, js_name = isOneCurve)]
     pub fn is_one_curve(&self) -> bool {
         let [left, right] = self.sides.each_ref().map(Side::form);
         left.shares_truth_with(right)
     }
 
-    /// Lights the picture of a side once more; how long that took, in milliseconds, or nothing where the form
+    /// Lights the picture of a side again. Returns the time in milliseconds, or nothing if the form
     /// was refused.
     pub fn time(&mut self, side: usize) -> Result<Option<f64>, JsValue> {
         let side = self.sides.get_mut(side).ok_or(no_side(side))?;
@@ -145,14 +147,14 @@ impl Comparison {
         self.scale_in_force().end()
     }
 
-    /// How many times the scale magnifies the errors.
+    /// Returns the magnification of the errors by the scale.
     #[wasm_bindgen(getter)]
     pub fn gain(&self) -> f64 {
         self.scale_in_force().gain()
     }
 
-    /// Lets the scale end at so many displayed codes, one of `scales`; with nothing it follows the larger of the
-    /// two largest errors.
+    /// Sets the end of the scale in displayed codes, one of `scales`. Without a value the scale
+    /// follows the larger of the two largest errors.
     #[wasm_bindgen(js_name = setScale)]
     pub fn set_scale(&mut self, codes: Option<f64>) -> Result<(), JsValue> {
         let chosen = codes.map(|codes| {
@@ -166,7 +168,7 @@ impl Comparison {
         Ok(())
     }
 
-    /// Where the scale may end, in displayed codes.
+    /// The possible ends of the scale, in displayed codes.
     pub fn scales() -> Vec<f64> {
         ENDS.to_vec()
     }
@@ -208,14 +210,14 @@ impl Comparison {
         })
     }
 
-    /// One scale for both sides: else their colours could not be compared.
+    /// Returns one scale for both sides, so that their colours are comparable.
     fn scale_in_force(&self) -> Scale {
         let largest = self.sides.iter().filter_map(Side::largest).fold(0.0, f64::max);
         self.chosen.unwrap_or_else(|| Scale::holding(largest))
     }
 }
 
-/// Both sides, lit. Forms of the same curve share the truth about it.
+/// Lights both sides. Forms of the same curve share the reference.
 fn light(forms: [Form; 2], wall: &Wall) -> [Side; 2] {
     let truth = |form: Form| Truth::about(wall.sites(), &form.curve().truth(wall));
     let [left, right] = forms;

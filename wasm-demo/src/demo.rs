@@ -1,4 +1,4 @@
-//! The class that the page holds: a stage, a camera, three lights, and the renderer that shows them.
+//! The JavaScript class of the stage: a scene, a camera, three lights, and their renderer.
 
 use crate::{
     canvas::Canvas,
@@ -22,23 +22,23 @@ const NAMES: [&str; 3] = ["key", "fill", "back"];
 /// The format that the page starts with: the one that holds every fixture of the table.
 const FIRST: Format = Format::F32;
 
-/// The most samples of a curve: a few for each pixel of a wide screen.
+/// Largest number of samples of a curve: a few for each pixel of a wide screen.
 const SAMPLES: usize = 10_000;
 
-/// The demo. Every method that sets something takes it, or throws a string that names the parameter, its value
-/// and the remedy, and leaves everything as it was.
+/// The demo. Every setter either takes its value or throws a string that names the parameter, its
+/// value and the remedy; then nothing is changed.
 #[wasm_bindgen]
 pub struct Demo {
     scene: Scene,
     camera: Camera,
     lights: [Light; 3],
-    /// Where each light points while it does not move.
+    /// Axis of each light while it does not move.
     rest: [Vec3<f32>; 3],
     format: Format,
     renderer: Box<dyn Draw>,
     canvas: Canvas,
     clock: Clock,
-    /// Whether the canvas has taken the last picture.
+    /// Whether the canvas shows the last picture.
     is_shown: bool,
     times: Times,
     width: u32,
@@ -47,21 +47,22 @@ pub struct Demo {
 
 #[wasm_bindgen]
 impl Demo {
-    /// The stage as it opens, on this canvas. Nothing is drawn yet.
+    /// Opens the stage on this canvas. Nothing is drawn yet.
     #[wasm_bindgen(constructor)]
     pub fn new(canvas: &HtmlCanvasElement, width: u32, height: u32) -> Result<Self, JsValue> {
         panic::tell_the_page();
         Ok(Self::open(canvas, width, height)?)
     }
 
-    /// Draws what has changed since the last picture; whether there was anything to draw.
+    /// Draws what has changed since the last picture. Returns whether anything was drawn.
     pub fn draw(&mut self) -> Result<bool, JsValue> {
         Ok(self.draw_changes()?)
     }
 
-    /// Draws everything anew, changed or not: for measuring.
+    /// Draws everything, changed or not: for measuring.
     pub fn redraw(&mut self) -> Result<(), JsValue> {
-        // The renderer keeps what has not changed; with another camera everything has. That draw is not timed.
+        // The renderer keeps what has not changed. Another camera changes everything; its picture
+        // is not timed.
         let mut elsewhere = self.camera;
         elsewhere.orbit(0.01, 0.0);
         self.renderer.draw_geometry(&self.scene, &elsewhere);
@@ -127,7 +128,7 @@ impl Demo {
         self.camera.zoom(factor);
     }
 
-    /// Points the lights where they are after so many seconds of their sweep.
+    /// Points the lights along their axes at a time of the sweep, in seconds.
     pub fn sweep(&mut self, seconds: f32) -> Result<(), JsValue> {
         for (i, (light, rest)) in self.lights.iter_mut().zip(self.rest).enumerate() {
             light.aim(sweep::axis(i, rest, seconds), self.format)?;
@@ -147,36 +148,36 @@ impl Demo {
         self.lights.iter().filter(|light| light.is_on()).count()
     }
 
-    /// What there is to know of a light.
+    /// Returns the state of a light.
     pub fn light(&self, light: usize) -> Result<LightState, JsValue> {
         Ok(self.lit(light)?.state(self.format))
     }
 
-    /// Gives a light its full beam angle in degrees; field and outer angle follow.
+    /// Sets the full beam angle of a light in degrees; field and outer angle follow.
     #[wasm_bindgen(js_name = setBeam)]
     pub fn set_beam(&mut self, light: usize, degrees: f32) -> Result<(), JsValue> {
         Ok(self.set(light, |light, format| light.set_angle(Mark::Beam, degrees, format))?)
     }
 
-    /// Gives a light its full field angle in degrees; beam and outer angle follow.
+    /// Sets the full field angle of a light in degrees; beam and outer angle follow.
     #[wasm_bindgen(js_name = setField)]
     pub fn set_field(&mut self, light: usize, degrees: f32) -> Result<(), JsValue> {
         Ok(self.set(light, |light, format| light.set_angle(Mark::Field, degrees, format))?)
     }
 
-    /// Gives a light a `soft` or a `hard` edge.
+    /// Sets the edge of a light: `soft` or `hard`.
     #[wasm_bindgen(js_name = setEdge)]
     pub fn set_edge(&mut self, light: usize, name: &str) -> Result<(), JsValue> {
         Ok(self.set(light, |light, format| light.set_edge(light::edge_named(name)?, format))?)
     }
 
-    /// Gives a light a colour, as `#rrggbb` in sRGB.
+    /// Sets the colour of a light, as `#rrggbb` in sRGB.
     #[wasm_bindgen(js_name = setColor)]
     pub fn set_color(&mut self, light: usize, hex: &str) -> Result<(), JsValue> {
         Ok(self.set(light, |light, format| light.set_color(light::color_of(hex)?, format))?)
     }
 
-    /// Gives a light its intensity: 1 lights a facing surface at distance 1 to full scale.
+    /// Sets the intensity of a light: 1 lights a facing surface at distance 1 to full scale.
     #[wasm_bindgen(js_name = setIntensity)]
     pub fn set_intensity(&mut self, light: usize, intensity: f32) -> Result<(), JsValue> {
         Ok(self.set(light, |light, format| light.set_intensity(intensity, format))?)
@@ -191,13 +192,13 @@ impl Demo {
         })?)
     }
 
-    /// Makes a light this fixture, or with an empty name none.
+    /// Sets the fixture of a light by name; an empty name removes it.
     #[wasm_bindgen(js_name = setFixture)]
     pub fn set_fixture(&mut self, light: usize, name: &str) -> Result<(), JsValue> {
         Ok(self.set(light, |light, format| light.set_fixture(name, format))?)
     }
 
-    /// Takes the published angle of a light's fixture for its `beam` or its `field` angle.
+    /// Sets whether the published angle of a light's fixture is read as `beam` or `field` angle.
     #[wasm_bindgen(js_name = setReading)]
     pub fn set_reading(&mut self, light: usize, name: &str) -> Result<(), JsValue> {
         Ok(self.set(light, |light, format| light.set_reading(Mark::named(name)?, format))?)
@@ -215,26 +216,28 @@ impl Demo {
         self.format.name().to_owned()
     }
 
-    /// Changes the number format to `fx16`, `fx32` or `f32`. The picture is drawn anew with the next `draw`.
+    /// Changes the number format to `fx16`, `fx32` or `f32`. The next `draw` redraws the picture.
     #[wasm_bindgen(js_name = setFormat)]
     pub fn set_format(&mut self, name: &str) -> Result<(), JsValue> {
         Ok(self.change_format(Format::named(name)?)?)
     }
 
-    /// What a format has against a light as it is; nothing if it holds it.
+    /// Returns why a format can't hold a light, as it is now; nothing if it can.
     pub fn objection(&self, format: &str, light: usize) -> Result<Option<String>, JsValue> {
         let objection = Format::named(format)?.check(self.lit(light)?.spot()).err();
         Ok(objection.map(|error| error.to_string()))
     }
 
-    /// How far a picture of this format may be from the one in `f32`, in displayed codes.
+    /// Returns the largest difference between a picture in this format and one in `f32`, in
+    /// displayed codes.
     #[wasm_bindgen(js_name = statedError)]
     pub fn stated_error(format: &str) -> Result<u8, JsValue> {
         Ok(Format::named(format)?.stated_error())
     }
 
-    /// The intensity of a light across its axis, evaluated in the number format in force: pairs of the angle off
-    /// axis in degrees, from one side to the other, and the intensity there. From 2 to 10,000 samples.
+    /// Evaluates the intensity of a light across its axis, in the current number format: pairs of
+    /// the angle off axis in degrees, from one side to the other, and the intensity. From 2 to
+    /// 10,000 samples.
     pub fn curve(&self, light: usize, samples: usize) -> Result<Vec<f32>, JsValue> {
         Ok(self.trace(self.lit(light)?, samples)?)
     }
@@ -246,7 +249,7 @@ impl Demo {
 }
 
 impl fmt::Debug for Demo {
-    /// Without the renderer: all of its pixels would be told, and the module be larger for it.
+    /// Without the renderer: its output would contain every pixel and make the module larger.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { lights, format, width, height, .. } = self;
         let mut demo = f.debug_struct("Demo");
@@ -285,7 +288,8 @@ impl Demo {
         if !changed && self.is_shown {
             return Ok(false);
         }
-        // Until the canvas has taken it: a picture that it refused is handed over again with the next draw.
+        // Not before the canvas shows it: a picture that the canvas rejected is passed again by the
+        // next draw.
         self.is_shown = false;
         let (encode, pixels) = clock.time(|| renderer.encode());
         let (show, shown) = clock.time(|| canvas.show(pixels));
@@ -295,7 +299,7 @@ impl Demo {
         Ok(true)
     }
 
-    /// A change is whole: one light that does not fit keeps the format from changing.
+    /// All or nothing: if one light does not fit, the format is not changed.
     fn change_format(&mut self, format: Format) -> Result<(), Refusal> {
         if format == self.format {
             return Ok(());
@@ -323,7 +327,7 @@ impl Demo {
             });
         }
         let cone = light.spot().cone();
-        // A margin of darkness at each side, so that the end of the light is seen as one.
+        // Includes a dark margin at each side, so that the end of the light is visible.
         let reach = (cone.outer().to_degrees() / 2.0 * 1.12).min(180.0);
         let last = (samples - 1) as f32;
         let angles: Vec<f32> = (0..samples).map(|i| reach * (2.0 * i as f32 / last - 1.0)).collect();

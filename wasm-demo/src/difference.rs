@@ -1,39 +1,39 @@
-//! How far a picture is from the truth, in displayed codes.
+//! Difference between a picture and the f64 reference, in displayed codes.
 
 use crate::{display::srgb_code, picture::Picture};
 use luminaire_kernels::{oracle, scene::Site};
 
-/// The truth about a picture in f64: what a perfect kernel would light, and a perfect display be told.
+/// The f64 reference of a picture: its exact light and its exact codes before rounding.
 #[derive(Clone, Debug)]
 pub(crate) struct Truth {
     lights: Vec<f64>,
     codes: Vec<f64>,
 }
 
-/// A picture beside the truth about it.
+/// A picture compared with its reference.
 #[derive(Clone, PartialEq, Debug)]
 pub(crate) struct Difference {
     /// The displayed code of each pixel.
     pub(crate) codes: Vec<u8>,
-    /// By how many codes each pixel is off, before rounding.
+    /// Absolute error of each pixel in codes, before rounding.
     pub(crate) errors: Vec<f32>,
     /// The largest of them.
     pub(crate) largest: f64,
-    /// The pixel where it is; the first of several.
+    /// The index of its pixel; the first of several.
     pub(crate) place: usize,
-    /// The share of the pixels whose displayed code is not the nearest to the truth.
+    /// The share of the pixels whose displayed code is not the nearest to the reference.
     pub(crate) differing: f64,
 }
 
 impl Truth {
-    /// The truth about these sites.
+    /// Computes the reference at these sites.
     pub(crate) fn about(sites: &[Site], light: &oracle::Point) -> Self {
         let lights: Vec<f64> = sites.iter().map(|site| light.at(site)).collect();
         let codes = lights.iter().copied().map(srgb_code).collect();
         Self { lights, codes }
     }
 
-    /// How far a picture of the same sites is from it.
+    /// Compares a picture of the same sites with the reference.
     pub(crate) fn compare(&self, picture: &Picture) -> Difference {
         let mut difference = Difference {
             codes: Vec::with_capacity(self.codes.len()),
@@ -46,7 +46,7 @@ impl Truth {
         let mut differing = 0_u32;
         picture.visit(&mut |light, shown| {
             let Some((&true_light, &true_code)) = truths.next() else { return };
-            // The power is paid for only where there is something to see.
+            // The power function of sRGB is evaluated only where there is an error.
             let error = if light == true_light { 0.0 } else { (srgb_code(light) - true_code).abs() };
             if error > difference.largest {
                 (difference.largest, difference.place) = (error, difference.errors.len());

@@ -1,26 +1,26 @@
-//! Whether the picture of the effects that are called for is the one of all effects.
+//! Bitwise comparison of the picture with the needed effects and the picture with all effects.
 
 use crate::{clock::Clock, format::Draw, refusal::Refusal};
 use luminaire::projector::Fixture;
 use luminaire_render::{Camera, Scene};
 use wasm_bindgen::prelude::*;
 
-/// A picture that was lit by what it calls for, beside one for which everything was evaluated.
+/// Result of lighting a picture with the needed effects only, and with all.
 #[wasm_bindgen]
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Equality {
     /// The pixels of each picture.
     pub pixels: usize,
-    /// The pixels whose light or displayed code is not the same in both, to the bit.
+    /// The pixels whose light or displayed code differs in any bit.
     pub differing: usize,
-    /// The pairs of a light and a pixel that were evaluated.
+    /// The (light, pixel) pairs that were evaluated with the needed effects only.
     pub evaluated: f64,
-    /// All pairs, which were evaluated for the other picture.
+    /// All pairs, as evaluated for the other picture.
     pub pairs: f64,
-    /// How long the light took, in milliseconds.
+    /// Time of the lighting with the needed effects, in milliseconds.
     #[wasm_bindgen(js_name = lightingMs)]
     pub lighting_ms: f64,
-    /// How long everything took, in milliseconds.
+    /// Time of the lighting with all effects, in milliseconds.
     #[wasm_bindgen(js_name = everythingMs)]
     pub everything_ms: f64,
 }
@@ -35,7 +35,7 @@ impl Equality {
     ) -> Result<Self, Refusal> {
         renderer.draw_geometry(scene, camera);
         renderer.draw_shadows(scene, fixtures)?;
-        // Whatever comes first pays for memory that was never used before: that draw is not timed.
+        // The first draw also touches new memory for the first time, so it is not timed.
         renderer.draw_light(fixtures)?;
         let (everything_ms, lit) = clock.time(|| renderer.draw_everything(fixtures));
         lit?;
@@ -55,7 +55,7 @@ impl Equality {
     }
 }
 
-/// The bits of each pixel: its light, and its displayed code.
+/// Returns the bits of each pixel: its light and its displayed code.
 fn bits(renderer: &mut dyn Draw, width: usize) -> Vec<([u32; 3], [u8; 4])> {
     renderer.encode();
     let codes = renderer.pixels().as_chunks().0.iter().enumerate();

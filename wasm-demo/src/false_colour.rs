@@ -1,4 +1,4 @@
-//! Errors as colours: a palette that is ordered by lightness, and a scale for it.
+//! False colours for errors: a palette ordered by lightness, and a scale for it.
 
 use crate::display::srgb_code;
 
@@ -9,19 +9,20 @@ pub(crate) const COLOURS: usize = 256;
 pub(crate) const ENDS: [f64; 17] =
     [0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 255.0];
 
-/// The lightness of no error and of the end of the scale.
+/// Lightness of zero error and of the end of the scale.
 const LIGHTNESS: [f64; 2] = [0.16, 0.96];
-/// The hue of no error and of the end of the scale in degrees: from blue by magenta and orange to yellow.
+/// Hue of zero error and of the end of the scale in degrees: from blue by magenta and orange to
+/// yellow.
 const HUE: [f64; 2] = [255.0, 470.0];
-/// The chroma at both ends, and how much more of it there is in the middle.
+/// Chroma at both ends, and its increase in the middle.
 const CHROMA: [f64; 2] = [0.02, 0.18];
 
-/// From no error, nearly black, to the end of the scale, nearly white. Lightness rises evenly, so that the order
-/// is seen without seeing hue, and steps that are equal look equal.
+/// A palette from nearly black (no error) to nearly white (end of the scale). Lightness rises
+/// uniformly, so that the order is visible without hue and equal steps look equal.
 #[derive(Clone, Debug)]
 pub(crate) struct Palette([[u8; 3]; COLOURS]);
 
-/// A scale of errors: from none to the end of the palette.
+/// A scale of errors, from zero to the end of the palette.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(crate) struct Scale {
     end: f64,
@@ -38,7 +39,7 @@ impl Palette {
         &self.0
     }
 
-    /// The colour of an error; whatever passes the end of the scale has the last colour.
+    /// Returns the colour of an error. Errors beyond the end of the scale have the last colour.
     pub(crate) fn colour(&self, scale: Scale, error: f32) -> [u8; 3] {
         let place = f64::from(error) / scale.end * (COLOURS - 1) as f64;
         self.0[(place.round() as usize).min(COLOURS - 1)]
@@ -46,34 +47,34 @@ impl Palette {
 }
 
 impl Scale {
-    /// The narrowest scale of [`ENDS`] that an error fits in.
+    /// Returns the narrowest scale of [`ENDS`] that holds an error.
     pub(crate) fn holding(largest: f64) -> Self {
         let last = ENDS[ENDS.len() - 1];
         Self { end: ENDS.into_iter().find(|&end| end >= largest).unwrap_or(last) }
     }
 
-    /// The scale that ends at `end`, whatever it counts.
+    /// A scale that ends at `end`, in any unit.
     pub(crate) fn to(end: f64) -> Self {
         Self { end }
     }
 
-    /// The scale that ends at so many codes, if it is one of [`ENDS`].
+    /// Returns the scale that ends at `codes`, if it is one of [`ENDS`].
     pub(crate) fn ending_at(codes: f64) -> Option<Self> {
         ENDS.contains(&codes).then_some(Self { end: codes })
     }
 
-    /// The codes that have the last colour.
+    /// The end of the scale: this value and larger ones have the last colour.
     pub(crate) fn end(self) -> f64 {
         self.end
     }
 
-    /// How many times the errors are magnified: the range of the display over that of the scale.
+    /// Returns the magnification of the errors: the range of the display over that of the scale.
     pub(crate) fn gain(self) -> f64 {
         255.0 / self.end
     }
 }
 
-/// The linear red, green and blue of a place on the palette.
+/// Returns the linear red, green and blue at a position in [0, 1] on the palette.
 fn linear(place: f64) -> [f64; 3] {
     let between = |[from, to]: [f64; 2]| from + (to - from) * place;
     let lightness = between(LIGHTNESS);
@@ -100,15 +101,15 @@ mod tests {
     use super::*;
     use luminaire::display::decode_srgb;
 
-    /// How light a colour is: L* of CIE 1976, from 0 to 100.
+    /// Returns the lightness of a colour: L* of CIE 1976, from 0 to 100.
     fn lightness([red, green, blue]: [f64; 3]) -> f64 {
         let luminance = 0.2126 * red + 0.7152 * green + 0.0722 * blue;
         if luminance > 0.008_856 { 116.0 * luminance.cbrt() - 16.0 } else { 903.3 * luminance }
     }
 
-    /// What is left of a linear colour without the cones for red, for green or for blue: F. Viénot, H. Brettel
-    /// and J. Mollon, *Digital Video Colourmaps for Checking the Legibility of Displays by Dichromats*, 1999, and
-    /// for blue the same construction.
+    /// Simulates a linear colour without the cones for red, green or blue: F. Viénot, H. Brettel
+    /// and J. Mollon, *Digital Video Colourmaps for Checking the Legibility of Displays by
+    /// Dichromats*, 1999; for blue the same construction.
     const BLINDNESS: [[[f64; 3]; 3]; 3] = [
         [[0.112_38, 0.887_62, 0.0], [0.112_38, 0.887_62, 0.0], [0.004_01, -0.004_01, 1.0]],
         [[0.292_75, 0.707_25, 0.0], [0.292_75, 0.707_25, 0.0], [-0.022_34, 0.022_34, 1.0]],
@@ -136,7 +137,8 @@ mod tests {
         };
         for kind in [None].into_iter().chain(BLINDNESS.iter().map(Some)) {
             let levels: Vec<f64> = colours.iter().map(|colour| lightness(seen(kind, colour))).collect();
-            // An eighth of the scale is 12 steps of lightness. Nobody sees less than half of them, or twice.
+            // An eighth of the scale is 12 steps of lightness: with every simulated vision more
+            // than half and less than twice as many.
             let steps: Vec<f64> =
                 levels.windows(33).step_by(16).map(|window| window[32] - window[0]).collect();
             let least = steps.iter().copied().fold(f64::INFINITY, f64::min);

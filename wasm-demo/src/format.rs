@@ -1,4 +1,4 @@
-//! The number format, chosen at run time here and a type everywhere below.
+//! The number format: chosen at run time here, a type parameter everywhere below.
 
 use crate::refusal::Refusal;
 use luminaire::{
@@ -19,7 +19,7 @@ pub(crate) enum Format {
     F32,
 }
 
-/// Evaluates the body with a type `$S` that is the format.
+/// Evaluates the body with `$S` as the type of the format.
 macro_rules! with_scalar {
     ($format:expr, $S:ident => $body:expr) => {
         match $format {
@@ -57,7 +57,7 @@ impl Format {
         }
     }
 
-    /// The name that [`Format::named`] knows.
+    /// The name that [`Format::named`] accepts.
     pub(crate) fn name(self) -> &'static str {
         with_scalar!(self, S => S::NAME)
     }
@@ -90,7 +90,8 @@ impl Format {
         })
     }
 
-    /// How far a picture may be from the one in `f32`, in displayed codes.
+    /// Returns the largest difference between a picture in this format and one in `f32`, in
+    /// displayed codes.
     pub(crate) fn stated_error(self) -> u8 {
         with_scalar!(self, S => luminaire_render::stated_error::<S>())
     }
@@ -111,29 +112,31 @@ impl fmt::Display for Format {
     }
 }
 
-/// A renderer whose format has been forgotten: the choice costs one indirect call per pass, and none per pixel.
+/// A renderer with its format erased: the choice costs one indirect call per pass, and none per
+/// pixel.
 pub(crate) trait Draw {
-    /// Draws what the camera sees, if that is not what was drawn last; whether it was drawn.
+    /// Draws the geometry if scene or camera has changed. Returns whether it was drawn.
     fn draw_geometry(&mut self, scene: &Scene, camera: &Camera) -> bool;
-    /// Draws the shadow maps of the fixtures, where scene or fixture has changed; whether any was drawn.
+    /// Draws the shadow maps whose scene or fixture has changed. Returns whether any was drawn.
     fn draw_shadows(&mut self, scene: &Scene, fixtures: &[Fixture]) -> Result<bool, DrawError>;
-    /// Lights what was drawn, if anything has changed; whether it was lit.
+    /// Lights the geometry if anything has changed. Returns whether it was lit.
     fn draw_light(&mut self, fixtures: &[Fixture]) -> Result<bool, Error>;
-    /// Lights everything that was drawn with every effect, called for or not.
+    /// Lights the whole picture with every effect, needed or not.
     fn draw_everything(&mut self, fixtures: &[Fixture]) -> Result<(), Error>;
-    /// Shows the picture on another display, with the next `encode`.
+    /// Changes the display format, from the next `encode` on.
     fn set_display(&mut self, display: Display);
-    /// Encodes what was lit for the display: RGBA, sRGB, eight bits.
+    /// Encodes the light for the display: RGBA, sRGB, eight bits.
     fn encode(&mut self) -> &[u8];
-    /// What was encoded last.
+    /// The last encoded picture.
     fn pixels(&self) -> &[u8];
-    /// What the light has cost when it was last drawn.
+    /// Returns the counts of the last lighting pass.
     fn account(&self) -> Account;
-    /// How many lights were evaluated at a pixel when it was last lit; none outside the picture.
+    /// Returns how many lights were evaluated at a pixel when it was last lit; `None` outside the
+    /// picture.
     fn lights_evaluated(&self, x: usize, y: usize) -> Option<u16>;
-    /// Whether a pixel was lit again the last time that light was drawn; none outside the picture.
+    /// Returns whether the last lighting pass re-lit a pixel; `None` outside the picture.
     fn is_relit(&self, x: usize, y: usize) -> Option<bool>;
-    /// The linear light that a pixel sends to the eye; none outside the picture.
+    /// Returns the linear light from a pixel to the eye; `None` outside the picture.
     fn linear(&self, x: usize, y: usize) -> Option<Rgb<f32>>;
 }
 

@@ -1,35 +1,36 @@
-//! The browser demo: a thin shell over `luminaire-render` and `luminaire-kernels`, and a page that shows what they
-//! say.
+//! The browser demo: a thin layer over `luminaire-render` and `luminaire-kernels`, and a page that
+//! shows their results.
 //!
-//! The page holds no lighting mathematics. It hands over what the visitor set, and asks [`Demo`] for everything it
-//! displays: the angles that follow one another, the curve, the ranges of the sliders, the words of a refusal. The
-//! same goes for [`Comparison`], which lights one wall in two forms and says how far each is from f64, and for
-//! [`Scenes`], which says what a scene calls for and what was left out of it.
+//! The page contains no lighting mathematics. It passes on the visitor's settings and gets
+//! everything that it displays from three classes. [`Demo`] supplies dependent angles, the curve,
+//! the ranges of the sliders and the texts of refusals. [`Comparison`] lights one wall in two forms
+//! and measures the error of each against f64. [`Scenes`] lists the effects that a scene needs and
+//! counts the skipped work.
 //!
-//! In the order in which they depend on one another:
+//! The modules, lowest first:
 //!
-//! - `refusal`: what the shell and the kernel refuse, in words
+//! - `refusal`: the texts of refusals by this crate and the kernel
 //! - `fixture`: the table of stage fixtures
-//! - `light`: one light's settings, which are always a light that can be drawn
-//! - `format`: the number format that was chosen at run time, as types
-//! - `sweep`: how the lights move
-//! - `clock`, `canvas`, `panic`: what the browser gives
-//! - `times`: how long the passes of a picture took
-//! - `demo`: the class that the page holds for the stage
+//! - `light`: the settings of one light, which are always valid
+//! - `format`: the number format, from a run-time choice to a type
+//! - `sweep`: motion of the lights
+//! - `clock`, `canvas`, `panic`: the browser's services
+//! - `times`: times of the passes of a picture
+//! - `demo`: the JavaScript class of the stage
 //! - `wall`: the scene of the comparison
 //! - `display`: from light to displayed codes
-//! - `picture`: the wall in one form, whatever the form
-//! - `difference`: how far a picture is from f64
+//! - `picture`: the wall lit in one form, with the type of the form erased
+//! - `difference`: error of a picture against f64
 //! - `form`: the formats and formulas to compare
-//! - `false_colour`: errors as colours, and their scale
+//! - `false_colour`: false colours for errors, and their scale
 //! - `side`: one side of the comparison
-//! - `comparison`: the class that the page holds for it
-//! - `scene_state`: what the page displays of a scene, as plain values
+//! - `comparison`: the JavaScript class of the comparison
+//! - `scene_state`: state of a scene for the page, as plain values
 //! - `rig`: a scene with its switches
-//! - `viewpoint`: how far a visitor has moved away from its camera
-//! - `map`: where its lights were evaluated, as colours
-//! - `equality`: its picture beside the one for which everything was evaluated
-//! - `scenes`: the class that the page holds for the scenes
+//! - `viewpoint`: the visitor's offset from the scene's camera
+//! - `map`: false colours of the number of evaluated lights
+//! - `equality`: comparison of the scene's picture with the one of all effects
+//! - `scenes`: the JavaScript class of the scenes
 #![forbid(unsafe_code)]
 
 mod canvas;

@@ -1,4 +1,5 @@
-//! One light as the visitor sets it. A setting is taken whole or refused whole: what stands here can be drawn.
+//! One light with the visitor's settings. A setting is taken or refused as a whole, so that every
+//! light can be drawn.
 
 use crate::{
     fixture::{self, Fixture},
@@ -12,35 +13,35 @@ use luminaire::{
 };
 use wasm_bindgen::prelude::*;
 
-/// Which of its angles a cone is designed from. The kernel says what the others are.
+/// The angle that a cone is designed from. The kernel computes the others.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum Mark {
-    /// The full angle that half the intensity is left at.
+    /// Full angle at which the intensity is half of that on the axis.
     Beam,
-    /// The full angle that a tenth of the intensity is left at.
+    /// Full angle at which the intensity is a tenth of that on the axis.
     Field,
 }
 
-/// The angle that was given, kept so that another edge is designed from the same one.
+/// The angle that was set; a new edge is designed from the same angle.
 #[derive(Clone, Copy, PartialEq, Debug)]
 struct Design {
     mark: Mark,
     degrees: f32,
 }
 
-/// A light, always one that its number format can hold.
+/// A light that its number format can hold.
 #[derive(Clone, Debug)]
 pub(crate) struct Light {
     name: &'static str,
     spot: SpotLight,
     design: Design,
-    /// What a fixture's published angle is taken for.
+    /// Which angle a fixture's published angle is read as.
     reading: Mark,
     fixture: Option<&'static Fixture>,
     on: bool,
 }
 
-/// What the page displays of a light: all of it is what the kernel says, and none of it what was typed.
+/// State of a light for the page, as the kernel computes it, not as the visitor typed it.
 #[wasm_bindgen(getter_with_clone)]
 #[derive(Clone, PartialEq, Debug)]
 pub struct LightState {
@@ -48,18 +49,18 @@ pub struct LightState {
     pub name: String,
     /// The full beam angle in degrees.
     pub beam: f32,
-    /// The narrowest beam angle that this edge and this number format take.
+    /// Narrowest beam angle with this edge and this number format.
     #[wasm_bindgen(js_name = narrowestBeam)]
     pub narrowest_beam: f32,
-    /// The widest beam angle that this edge takes.
+    /// Widest beam angle with this edge.
     #[wasm_bindgen(js_name = widestBeam)]
     pub widest_beam: f32,
     /// The full field angle in degrees.
     pub field: f32,
-    /// The narrowest field angle that this edge and this number format take.
+    /// Narrowest field angle with this edge and this number format.
     #[wasm_bindgen(js_name = narrowestField)]
     pub narrowest_field: f32,
-    /// The widest field angle that this edge takes.
+    /// Widest field angle with this edge.
     #[wasm_bindgen(js_name = widestField)]
     pub widest_field: f32,
     /// The full outer angle in degrees.
@@ -74,7 +75,7 @@ pub struct LightState {
     pub on: bool,
     /// The name of the fixture whose angle this is; empty when the angle was set by hand.
     pub fixture: String,
-    /// What a published angle is taken for: `beam` or `field`.
+    /// What a published angle is read as: `beam` or `field`.
     pub reading: String,
     /// The fixture's angle as published; nothing without a fixture.
     pub zoom: Option<f32>,
@@ -137,7 +138,7 @@ impl Light {
         self.name
     }
 
-    /// The light as the kernel knows it, whether it is on or off.
+    /// The light of the kernel, independent of the switch.
     pub(crate) fn spot(&self) -> &SpotLight {
         &self.spot
     }
@@ -147,42 +148,43 @@ impl Light {
         self.on
     }
 
-    /// Switches it on or off. An off light is still one that could be drawn, so that switching never fails.
+    /// Switches the light on or off. A light that is off is still valid, so that switching never
+    /// fails.
     pub(crate) fn switch(&mut self, on: bool) {
         self.on = on;
     }
 
-    /// Gives the cone one of its angles; the other two follow. A hand-set angle is no fixture's.
+    /// Sets one angle of the cone; the other two follow. This removes the fixture.
     pub(crate) fn set_angle(&mut self, mark: Mark, degrees: f32, format: Format) -> Result<(), Refusal> {
         self.design_cone(Design { mark, degrees }, self.spot.cone().profile(), format)?;
         self.fixture = None;
         Ok(())
     }
 
-    /// Gives the cone another edge, keeping the angle that it was designed from.
+    /// Sets the edge of the cone and keeps the angle that it was designed from.
     pub(crate) fn set_edge(&mut self, edge: SoftOrHard, format: Format) -> Result<(), Refusal> {
         self.design_cone(self.design, edge, format)
     }
 
-    /// Gives the light another linear colour.
+    /// Sets the linear colour.
     pub(crate) fn set_color(&mut self, color: Rgb<f32>, format: Format) -> Result<(), Refusal> {
         self.put(self.spot.with_color(color)?, format)
     }
 
-    /// Gives the light another intensity.
+    /// Sets the intensity.
     pub(crate) fn set_intensity(&mut self, intensity: f32, format: Format) -> Result<(), Refusal> {
         self.put(self.spot.with_intensity(intensity)?, format)
     }
 
-    /// Points the light elsewhere.
+    /// Sets the axis.
     pub(crate) fn aim(&mut self, axis: Vec3<f32>, format: Format) -> Result<(), Refusal> {
         let spot = &self.spot;
         let aimed = SpotLight::new(spot.position(), axis, spot.cone())?;
         self.put(aimed.with_color(spot.color())?.with_intensity(spot.intensity())?, format)
     }
 
-    /// Takes a fixture by its name, in the middle of its zoom. The empty name lets go of the fixture, not of its
-    /// angle.
+    /// Sets the fixture by name, in the middle of its zoom range. The empty name removes the
+    /// fixture and keeps its angle.
     pub(crate) fn set_fixture(&mut self, name: &str, format: Format) -> Result<(), Refusal> {
         if name.is_empty() {
             self.fixture = None;
@@ -202,7 +204,7 @@ impl Light {
         Ok(())
     }
 
-    /// Takes the published angle for the beam or the field angle.
+    /// Sets whether the published angle is read as beam or as field angle.
     pub(crate) fn set_reading(&mut self, reading: Mark, format: Format) -> Result<(), Refusal> {
         if self.fixture.is_some() {
             let design = Design { mark: reading, ..self.design };
@@ -212,7 +214,7 @@ impl Light {
         Ok(())
     }
 
-    /// Zooms the fixture to an angle between its published two.
+    /// Zooms the fixture to an angle within its published range.
     pub(crate) fn set_zoom(&mut self, degrees: f32, format: Format) -> Result<(), Refusal> {
         let Some(fixture) = self.fixture else {
             return Err(Refusal::Name {
@@ -228,11 +230,12 @@ impl Light {
         self.design_cone(Design { mark: self.reading, degrees }, self.spot.cone().profile(), format)
     }
 
-    /// What the page displays.
+    /// Returns the state for the page.
     pub(crate) fn state(&self, format: Format) -> LightState {
         let cone = self.spot.cone();
         let edge = cone.profile();
-        // The ends of the sliders are the kernel's: its narrowest outer angle and its widest, seen as the others.
+        // The ends of the sliders are the kernel's narrowest and widest outer angle, converted to
+        // the other angles.
         let least = Cone::from_outer(edge, format.narrowest(edge)).unwrap_or(cone);
         let most = Cone::from_outer(edge, Angle::degrees(180.0)).unwrap_or(cone);
         LightState {

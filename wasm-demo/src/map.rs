@@ -1,4 +1,4 @@
-//! A map over the picture: how many lights were evaluated where, or which tiles were lit again.
+//! Map over the picture: the number of evaluated lights, or the re-lit tiles.
 
 use crate::{
     false_colour::{Palette, Scale},
@@ -6,15 +6,15 @@ use crate::{
     refusal::Refusal,
 };
 
-/// How much a map of lights covers of the picture, of 255: so much that its colours are those of the legend for the eye,
-/// and the picture is still seen. Two colours are told apart through less.
+/// Opacity of a light map, of 255. At this value its colours match the legend by eye and the
+/// picture is still visible. Less opacity is enough to distinguish two colours.
 const COVER: u8 = 215;
 const TILE_COVER: u8 = 120;
 
-/// Where on the palette tiles stand that were lit again, and that were kept.
+/// Positions of re-lit and of kept tiles on the palette.
 const RELIT: (f32, f32) = (0.7, 0.0);
 
-/// What a map shows.
+/// Subject of a map.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum Subject {
     /// Nothing: there is no map.
@@ -30,8 +30,8 @@ pub(crate) enum Subject {
 pub(crate) struct Map {
     subject: Subject,
     palette: Palette,
-    /// The most lights at a pixel since the map was begun. The scale grows, and never shrinks: else its colours would change
-    /// their meaning from picture to picture.
+    /// Largest number of lights at a pixel since the map began. The scale grows and never shrinks;
+    /// otherwise a colour would change its meaning from picture to picture.
     most: u16,
     pixels: Vec<u8>,
 }
@@ -58,12 +58,12 @@ impl Map {
         Self { subject: Subject::Nothing, palette: Palette::new(), most: 0, pixels: Vec::new() }
     }
 
-    /// Makes it a map of something.
+    /// Sets the subject.
     pub(crate) fn set_subject(&mut self, subject: Subject) {
         self.subject = subject;
     }
 
-    /// Begins the map anew, for a picture that has nothing to do with the last one.
+    /// Resets the scale, for a picture that is not related to the last one.
     pub(crate) fn begin(&mut self) {
         self.most = 0;
     }
@@ -73,18 +73,19 @@ impl Map {
         self.palette.colours()
     }
 
-    /// How many lights have the last colour.
+    /// Returns how many lights the last colour stands for.
     pub(crate) fn end(&self) -> f64 {
         self.scale().end()
     }
 
-    /// The colours of tiles that were lit again, and that were kept.
+    /// The colours of re-lit and of kept tiles.
     pub(crate) fn tile_colours(&self) -> [[u8; 3]; 2] {
         let of_all = Scale::to(1.0);
         [RELIT.0, RELIT.1].map(|place| self.palette.colour(of_all, place))
     }
 
-    /// Draws the map of a picture of this width and height: RGBA, sRGB; nothing for a map of nothing.
+    /// Draws the map of a picture of this width and height: RGBA, sRGB. Returns `None` if there is
+    /// no map.
     pub(crate) fn draw(&mut self, renderer: &dyn Draw, width: usize, height: usize) -> Option<&[u8]> {
         let places = || (0..height).flat_map(|y| (0..width).map(move |x| (x, y)));
         let lights = |(x, y)| renderer.lights_evaluated(x, y).unwrap_or_default();
@@ -113,7 +114,7 @@ impl Map {
         self.pixels.extend([red, green, blue, cover]);
     }
 
-    /// At least one light, so that none at all has the first colour.
+    /// Ends at one light at least, so that no light has the first colour.
     fn scale(&self) -> Scale {
         Scale::to(self.most.max(1).into())
     }

@@ -1,25 +1,27 @@
-//! A picture of the wall in one form: what is timed, and what comes of it.
+//! A picture of the wall in one form: the timed work and its result.
 
 use crate::display::Shown;
 use luminaire_kernels::{Kernel, Value, scene::Site};
 use std::fmt;
 
-/// A picture whose form has been forgotten: the choice costs an indirect call per picture, and none per pixel.
+/// A picture with the type of its form erased: the choice costs an indirect call per picture, and
+/// none per pixel.
 pub(crate) struct Picture(Box<dyn Lit>);
 
 impl Picture {
-    /// The picture that a kernel makes of these sites. It is dark until it is lit.
+    /// Prepares a kernel's picture of these sites. It is dark until `light` is called.
     pub(crate) fn of<K: Kernel<Place = Site, Output: Shown> + 'static>(kernel: K, sites: &[Site]) -> Self {
         let inputs = sites.iter().map(|site| kernel.input(site)).collect();
         Self(Box::new(Pixels { kernel, inputs, lights: Vec::with_capacity(sites.len()) }))
     }
 
-    /// Evaluates the kernel for every pixel: this is what is timed.
+    /// Evaluates the kernel for every pixel. This is the timed work.
     pub(crate) fn light(&mut self) {
         self.0.light();
     }
 
-    /// Gives each pixel's light, of which 1 is full scale, and the sRGB code by which its form displays it.
+    /// Passes each pixel's light, of which 1 is full scale, and its sRGB code, encoded as its form
+    /// does.
     pub(crate) fn visit(&self, visit: &mut dyn FnMut(f64, u8)) {
         self.0.visit(visit);
     }
@@ -36,7 +38,7 @@ trait Lit {
     fn visit(&self, visit: &mut dyn FnMut(f64, u8));
 }
 
-/// Inputs and results as the kernel's format has them, so that nothing is timed but the kernel.
+/// Inputs and results in the kernel's own format, so that only the kernel is timed.
 struct Pixels<K: Kernel> {
     kernel: K,
     inputs: Vec<K::Input>,

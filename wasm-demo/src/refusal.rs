@@ -1,11 +1,11 @@
-//! What is refused, in words for the page: the parameter, its value, and what to do about it.
+//! Refusals in words for the page: the parameter, its value, and the remedy.
 
 use crate::format::Format;
 use luminaire_render::{DrawError, SizeError};
 use std::fmt;
 use wasm_bindgen::JsValue;
 
-/// A value that was not taken. Nothing changes with it.
+/// A rejected value. A rejection changes nothing.
 #[derive(Clone, PartialEq, Debug)]
 pub(crate) enum Refusal {
     /// The kernel refused a parameter of a light.
@@ -26,30 +26,30 @@ pub(crate) enum Refusal {
         format: Format,
         /// Which light, counted from 0.
         light: usize,
-        /// What the trade calls it.
+        /// The name of this kind of fixture in the trade.
         name: &'static str,
         error: luminaire::Error,
     },
-    /// A name that is not one of those to choose from.
+    /// An unknown name for a choice.
     Name { parameter: &'static str, value: String, expected: &'static str },
-    /// A light that there is not.
+    /// An index of a light that does not exist.
     Number { value: usize, count: usize },
-    /// A zoom angle that the fixture has not.
+    /// A zoom angle outside the range of the fixture.
     Zoom { value: f32, narrow: f32, wide: f32 },
-    /// A number outside the range that is taken.
+    /// A number outside its range.
     Outside { parameter: &'static str, value: f32, least: f32, most: f32, unit: &'static str },
-    /// The browser would not do something.
+    /// A failed call of the browser.
     Browser { what: &'static str, reason: String },
 }
 
 impl Refusal {
-    /// A browser's refusal, with its own words.
+    /// A failure of the browser, with its own message.
     pub(crate) fn browser(what: &'static str, reason: &JsValue) -> Self {
         Self::Browser { what, reason: format!("{reason:?}") }
     }
 }
 
-/// A number as the kernel's own refusals have it: a very large or small one with an exponent.
+/// Formats a number as the kernel's errors do: a very large or small one with an exponent.
 struct Short(f32);
 
 impl fmt::Display for Short {

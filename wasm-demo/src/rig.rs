@@ -1,4 +1,4 @@
-//! A scene with its switches: which lights are on, which effects are left out, and so what the renderer is given.
+//! A scene with its switches: lights, effects, and the resulting input of the renderer.
 
 use crate::{
     format::Format,
@@ -26,36 +26,37 @@ const SWITCHABLE: [(Effect, &str); 5] = [
     (Effect::Dither, "dither"),
 ];
 
-/// The side in texels of a shadow map that a visitor asks for, and for how many lights there may be such maps.
+/// Side in texels of the shadow maps that a visitor adds, and the largest number of lights with
+/// such maps.
 const SHADOW_SIDE: u16 = 512;
 const SHADOWS: usize = 16;
 
-/// The density of the haze that a visitor asks for, in parts of the light scattered in a metre.
+/// Density of the haze that a visitor adds: share of the light scattered per metre.
 const HAZE: f32 = 0.05;
 
-/// Seconds at which a scene is looked at to find out whether anything in it moves.
+/// Times in seconds at which a scene is sampled to find out whether anything in it moves.
 const LOOKS: [f32; 4] = [0.3, 1.1, 2.7, 6.0];
 
-/// A scene, the fixtures above it, and what of both is switched off.
+/// A scene, its fixtures, and the state of its switches.
 #[derive(Clone, Debug)]
 pub(crate) struct Rig {
     setup: Setup,
-    /// What stands there, without what is left out.
+    /// The scene, without effects that are switched off.
     scene: Scene,
-    /// The fixtures, without what is left out.
+    /// The fixtures, without effects that are switched off.
     fixtures: Vec<MovingLight>,
     /// Which lights are on.
     on: Vec<bool>,
-    /// The effects that were switched, and whether they are there since.
+    /// The switched effects and their new states.
     switched: Vec<(Effect, bool)>,
-    /// The side in texels of the shadow maps of lights that throw no shadows by themselves.
+    /// Side in texels of the shadow maps of lights that have no shadows of their own.
     shadow_side: u16,
-    /// What the scene calls for as it was made.
+    /// The effects that the original scene needs.
     effects: Effects,
 }
 
 impl Rig {
-    /// A scene as it was made: all lights on, nothing left out, nothing added.
+    /// A scene in its original state: all lights on, no effect switched.
     pub(crate) fn new(setup: Setup) -> Result<Self, Error> {
         let mut rig = Self {
             scene: setup.scene.clone(),
@@ -70,25 +71,25 @@ impl Rig {
         Ok(rig)
     }
 
-    /// Gives every light shadows that can have them, by maps of so many texels a side.
+    /// Gives shadow maps with `side` texels on a side to every light that can have shadows.
     pub(crate) fn add_shadows(&mut self, side: u16) -> Result<(), Error> {
         self.shadow_side = side;
         self.put(Effect::Shadow, true)?;
         self.fixtures_at(0.0).map(drop)
     }
 
-    /// What stands there.
+    /// The scene with its switches applied.
     pub(crate) fn scene(&self) -> &Scene {
         &self.scene
     }
 
-    /// The scene's own camera after so many seconds.
+    /// Returns the scene's own camera at a time in seconds.
     pub(crate) fn camera_at(&self, seconds: f32) -> Camera {
         self.setup.camera_at(seconds)
     }
 
-    /// The fixtures after so many seconds. One that is switched off is there, and dark, so that the others keep
-    /// their numbers.
+    /// Returns the fixtures at a time in seconds. A fixture that is switched off stays in the list
+    /// and is dark, so that the others keep their indices.
     pub(crate) fn fixtures_at(&self, seconds: f32) -> Result<Vec<Fixture>, Error> {
         let at = |(moving, &on): (&MovingLight, &bool)| {
             let fixture = moving.at(seconds)?;
@@ -97,29 +98,29 @@ impl Rig {
         self.fixtures.iter().zip(&self.on).map(at).collect()
     }
 
-    /// Which effects these fixtures and what stands there call for.
+    /// Returns the plan of the effects that the scene and these fixtures need.
     pub(crate) fn plan(&self, fixtures: &[Fixture]) -> RenderPlan {
         let plan = fixtures.iter().fold(self.scene.plan(), RenderPlan::with_fixture);
         if self.has(Effect::Dither) { plan.with(Effect::Dither) } else { plan }
     }
 
-    /// What the picture is shown on.
+    /// The display of the picture.
     pub(crate) fn display(&self) -> Display {
         if self.has(Effect::Dither) { Display::Rgb888Dithered } else { Display::Rgb888 }
     }
 
-    /// Whether a light changes as the seconds pass.
+    /// Returns whether any light changes over time.
     pub(crate) fn moves(&self) -> bool {
         let fixtures = |seconds| self.setup.fixtures_at(seconds).ok();
         LOOKS.iter().any(|&seconds| fixtures(seconds) != fixtures(0.0))
     }
 
-    /// Whether the camera moves by itself as the seconds pass.
+    /// Returns whether the camera moves by itself over time.
     pub(crate) fn camera_moves(&self) -> bool {
         LOOKS.iter().any(|&seconds| self.camera_at(seconds) != self.camera_at(0.0))
     }
 
-    /// Whether a format can hold every light as it is after so many seconds.
+    /// Checks whether a format can hold every light at a time in seconds.
     pub(crate) fn check(&self, format: Format, seconds: f32) -> Result<(), Refusal> {
         let fixtures = self.fixtures_at(seconds)?;
         for (light, (fixture, moving)) in fixtures.iter().zip(&self.setup.fixtures).enumerate() {
@@ -156,7 +157,7 @@ impl Rig {
         SWITCHABLE.map(state).into()
     }
 
-    /// Leaves an effect out, or puts it in. What the scene neither has nor takes stays out of it.
+    /// Switches an effect on or off. An effect that the scene neither has nor supports stays off.
     pub(crate) fn switch_effect(&mut self, name: &str, on: bool) -> Result<(), Refusal> {
         let Some((effect, _)) = SWITCHABLE.into_iter().find(|(effect, _)| effect.name() == name) else {
             return Err(Refusal::Name {
@@ -183,7 +184,8 @@ impl Rig {
         switched.map_or(self.effects.has(effect), |&(_, on)| on)
     }
 
-    /// Whether an effect can be put into the scene. Shadows can, where a light throws any, and not too many do.
+    /// Returns whether an effect can be added to the scene: haze and dithering always, shadows if 1
+    /// to `SHADOWS` lights can have them.
     fn takes(&self, effect: Effect) -> bool {
         let takers = || self.setup.fixtures.iter().filter(|fixture| takes_shadow(fixture)).count();
         match effect {
@@ -193,7 +195,7 @@ impl Rig {
         }
     }
 
-    /// Makes scene and fixtures of what is there.
+    /// Rebuilds scene and fixtures from the switches.
     fn refit(&mut self) -> Result<(), Error> {
         self.scene = self.setup.scene.clone();
         if !self.has(Effect::Specular) {
@@ -222,7 +224,7 @@ impl Rig {
     }
 }
 
-/// Whether the light of a fixture can throw shadows: a spotlight that is not too wide.
+/// Returns whether a fixture can cast shadows: it is a spotlight that is not too wide.
 fn takes_shadow(fixture: &MovingLight) -> bool {
     fixture.with_shadow(SHADOW_SIDE).at(0.0).is_ok()
 }

@@ -1,9 +1,9 @@
-//! What the page displays of a scene: plain values.
+//! State of a scene for the page: plain values.
 
 use luminaire_render::{Account, examples::Example};
 use wasm_bindgen::prelude::*;
 
-/// A scene to choose.
+/// A scene in the list of scenes.
 #[wasm_bindgen(getter_with_clone)]
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct ExampleState {
@@ -11,7 +11,7 @@ pub struct ExampleState {
     pub name: String,
     /// What people call it.
     pub title: String,
-    /// What it calls for, in a sentence.
+    /// One sentence about the effects that it needs.
     pub summary: String,
 }
 
@@ -19,7 +19,7 @@ pub struct ExampleState {
 #[wasm_bindgen(getter_with_clone)]
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct SceneLightState {
-    /// What the trade calls it.
+    /// The name of this kind of fixture in the trade.
     pub name: String,
     /// Its colour as `#rrggbb` in sRGB.
     pub color: String,
@@ -31,9 +31,9 @@ pub struct SceneLightState {
 #[wasm_bindgen(getter_with_clone)]
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct EffectState {
-    /// The name, in the words of the price list.
+    /// The name in the price list.
     pub name: String,
-    /// Whether the picture calls for it.
+    /// Whether the picture needs it.
     #[wasm_bindgen(js_name = isCalledFor)]
     pub is_called_for: bool,
 }
@@ -46,19 +46,19 @@ pub struct SwitchState {
     pub effect: String,
     /// What people call it.
     pub label: String,
-    /// Whether there is anything to switch: the scene has it, or can be given it.
+    /// Whether the switch is enabled: the scene has the effect or supports it.
     pub offered: bool,
-    /// Whether it is there now.
+    /// Whether the effect is on.
     pub on: bool,
 }
 
-/// What the last picture has cost: see [`Account`]. Counts as JavaScript has them.
+/// Costs of the last picture: see [`Account`]. Counts are numbers of JavaScript.
 #[wasm_bindgen(getter_with_clone)]
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct AccountState {
     /// The triangles that were drawn.
     pub triangles: f64,
-    /// The lights that were given.
+    /// The lights in the scene.
     pub lights: f64,
     /// The lights that can light nothing, and were dropped.
     #[wasm_bindgen(js_name = lightsDropped)]
@@ -75,17 +75,19 @@ pub struct AccountState {
     /// Those of them that were evaluated with a highlight.
     #[wasm_bindgen(js_name = evaluatedShining)]
     pub evaluated_shining: f64,
-    /// The pairs of a beam and a pixel that were evaluated in the haze besides.
+    /// The pairs of a beam and a pixel whose in-scattering was evaluated, in addition to
+    /// `evaluated`.
     #[wasm_bindgen(js_name = evaluatedInAir)]
     pub evaluated_in_air: f64,
     /// The pairs of a dropped light.
     pub dropped: f64,
-    /// The pairs in tiles whose light could stay as it was.
+    /// The pairs in tiles that were not re-lit.
     pub kept: f64,
-    /// The pairs of a light and a tile that it does not reach.
+    /// The pairs skipped because the light does not reach the tile.
     #[wasm_bindgen(js_name = missedByTile)]
     pub missed_by_tile: f64,
-    /// The pairs of a light and a row of pixels that it does not reach, or that faces away from it.
+    /// The pairs skipped because the light does not reach a row of pixels, or the row faces away
+    /// from it.
     #[wasm_bindgen(js_name = missedByRow)]
     pub missed_by_row: f64,
 }

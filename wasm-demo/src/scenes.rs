@@ -1,4 +1,4 @@
-//! The class that the page holds for the scenes: one at a time, lit by the effects that it calls for.
+//! The JavaScript class of the scenes: one at a time, lit with the effects that it needs.
 
 use crate::{
     canvas::Canvas,
@@ -22,33 +22,33 @@ use std::fmt;
 use wasm_bindgen::{Clamped, prelude::*};
 use web_sys::HtmlCanvasElement;
 
-/// The format that the page starts with: the one that holds every scene.
+/// The number format at start: the one that holds every scene.
 const FIRST: Format = Format::F32;
 
-/// A scene that plays. Every method that sets something takes it, or throws a string that names the parameter, its
-/// value and the remedy, and leaves everything as it was.
+/// A scene that plays. Every setter either takes its value or throws a string that names the
+/// parameter, its value and the remedy; then nothing is changed.
 #[wasm_bindgen]
 pub struct Scenes {
     example: Example,
     rig: Rig,
     viewpoint: Viewpoint,
-    /// How long the lights have moved, and the camera.
+    /// Times of the lights and of the camera.
     seconds: [f32; 2],
     /// Whether every effect is evaluated for every light at every pixel.
     is_everything: bool,
     format: Format,
     renderer: Box<dyn Draw>,
     size: (u32, u32),
-    /// The elements of picture and map: their size is that of the scene.
+    /// The elements of picture and map; they have the size of the scene.
     elements: [HtmlCanvasElement; 2],
     canvas: Canvas,
     map_canvas: Canvas,
     map: Map,
     clock: Clock,
-    /// Whether the canvas has taken the last picture.
+    /// Whether the canvas shows the last picture.
     is_shown: bool,
     times: Times,
-    /// All of the last picture, in milliseconds: from setting the lights to the canvas having taken it.
+    /// Time of the last picture in milliseconds, from setting the lights until the canvas shows it.
     frame: f64,
 }
 
@@ -72,14 +72,14 @@ impl Scenes {
         self.example.name().to_owned()
     }
 
-    /// Opens a scene as it was made, in pictures of this width and height, or without them of the size that
-    /// it is composed for.
+    /// Opens a scene in its original state, with pictures of this width and height, or of the size
+    /// that it is composed for.
     pub fn open(&mut self, name: &str, width: Option<u32>, height: Option<u32>) -> Result<(), JsValue> {
         Ok(self.open_example(name, [width, height])?)
     }
 
-    /// Opens the turntable under so many spotlights, with shadows by maps of so many texels a side if that is given: for
-    /// measuring.
+    /// Opens the turntable under this many spotlights, for measuring. `shadow_side` is the side of
+    /// their shadow maps in texels; without it there are none.
     #[wasm_bindgen(js_name = openTurntable)]
     pub fn open_turntable(
         &mut self,
@@ -93,7 +93,7 @@ impl Scenes {
         Ok(self.change(Example::Turntable, rig, (width, height))?)
     }
 
-    /// Whether anything in the scene moves by itself.
+    /// Returns whether anything in the scene moves by itself.
     pub fn moves(&self) -> bool {
         self.rig.moves()
     }
@@ -104,7 +104,7 @@ impl Scenes {
         self.rig.camera_moves()
     }
 
-    /// Moves the lights, and the camera, to where they are after so many seconds.
+    /// Moves the lights and the camera to their states at these times in seconds.
     pub fn seek(&mut self, lights: f32, camera: f32) {
         self.seconds = [lights, camera];
     }
@@ -119,7 +119,7 @@ impl Scenes {
         self.viewpoint.zoom(self.rig.camera_at(self.seconds[1]), factor);
     }
 
-    /// Draws what has changed since the last picture; whether there was anything to draw.
+    /// Draws what has changed since the last picture. Returns whether anything was drawn.
     pub fn draw(&mut self) -> Result<bool, JsValue> {
         let clock = self.clock.clone();
         let (frame, drawn) = clock.time(|| self.draw_changes());
@@ -128,7 +128,7 @@ impl Scenes {
         Ok(true)
     }
 
-    /// Shows the map of the last picture; whether there is one.
+    /// Shows the map of the last picture. Returns whether there is one.
     #[wasm_bindgen(js_name = drawMap)]
     pub fn draw_map(&mut self) -> Result<bool, JsValue> {
         let (width, height) = self.size;
@@ -138,14 +138,14 @@ impl Scenes {
         }
     }
 
-    /// Makes the map one of `nothing`, `lights` or `tiles`.
+    /// Sets the subject of the map: `nothing`, `lights` or `tiles`.
     #[wasm_bindgen(js_name = setMap)]
     pub fn set_map(&mut self, subject: &str) -> Result<(), JsValue> {
         self.map.set_subject(Subject::named(subject)?);
         Ok(())
     }
 
-    /// How many lights have the last colour of the map.
+    /// Returns how many lights the last colour of the map stands for.
     #[wasm_bindgen(getter, js_name = mapEnd)]
     pub fn map_end(&self) -> f64 {
         self.map.end()
@@ -156,7 +156,7 @@ impl Scenes {
         Clamped(self.map.colours().concat())
     }
 
-    /// The colours of tiles that were lit again, and that were kept: red, green, blue of each.
+    /// The colours of re-lit and of kept tiles: red, green, blue of each.
     #[wasm_bindgen(js_name = tileColours)]
     pub fn tile_colours(&self) -> Clamped<Vec<u8>> {
         Clamped(self.map.tile_colours().concat())
@@ -179,13 +179,13 @@ impl Scenes {
         self.size.1
     }
 
-    /// How long the geometry of the last picture took, in milliseconds; nothing when it was kept.
+    /// Time of the last picture's geometry pass in milliseconds; nothing if the geometry was kept.
     #[wasm_bindgen(getter, js_name = geometryMs)]
     pub fn geometry_ms(&self) -> Option<f64> {
         self.times.geometry
     }
 
-    /// How long the shadow maps of the last picture took, in milliseconds; nothing when all were kept.
+    /// Time of the last picture's shadow maps in milliseconds; nothing if all were kept.
     #[wasm_bindgen(getter, js_name = shadowsMs)]
     pub fn shadows_ms(&self) -> Option<f64> {
         self.times.shadows
@@ -215,12 +215,12 @@ impl Scenes {
         self.frame
     }
 
-    /// What the last picture has cost.
+    /// Returns the costs of the last picture.
     pub fn account(&self) -> AccountState {
         self.renderer.account().into()
     }
 
-    /// The effects of the library, and whether the picture calls for them.
+    /// The effects of the library, and whether the picture needs them.
     pub fn effects(&self) -> Result<Vec<EffectState>, JsValue> {
         let plan = self.rig.plan(&self.fixtures()?);
         let state = |&effect: &Effect| EffectState {
@@ -235,7 +235,7 @@ impl Scenes {
         self.rig.switches()
     }
 
-    /// Leaves an effect out, or puts it in.
+    /// Switches an effect on or off.
     #[wasm_bindgen(js_name = setEffect)]
     pub fn set_effect(&mut self, name: &str, on: bool) -> Result<(), JsValue> {
         Ok(self.switch_effect(name, on)?)
@@ -252,14 +252,15 @@ impl Scenes {
         Ok(self.rig.switch_light(light, on)?)
     }
 
-    /// Evaluates every effect for every light at every pixel, or only what the scene calls for.
+    /// Switches between evaluating every effect of every light at every pixel and only the needed
+    /// ones.
     #[wasm_bindgen(js_name = setEverything)]
     pub fn set_everything(&mut self, everything: bool) {
         self.is_everything = everything;
         self.map.begin();
     }
 
-    /// Lights the picture both ways, and compares them bit for bit.
+    /// Lights the picture both ways and compares them bit for bit.
     pub fn compare(&self) -> Result<Equality, JsValue> {
         Ok(self.compare_pictures()?)
     }
@@ -270,7 +271,7 @@ impl Scenes {
         self.format.name().to_owned()
     }
 
-    /// Changes the number format to `fx16`, `fx32` or `f32`. The picture is drawn anew with the next `draw`.
+    /// Changes the number format to `fx16`, `fx32` or `f32`. The next `draw` redraws the picture.
     #[wasm_bindgen(js_name = setFormat)]
     pub fn set_format(&mut self, name: &str) -> Result<(), JsValue> {
         Ok(self.change_format(Format::named(name)?)?)
@@ -278,7 +279,7 @@ impl Scenes {
 }
 
 impl fmt::Debug for Scenes {
-    /// Without the renderer: all of its pixels would be told, and the module be larger for it.
+    /// Without the renderer: its output would contain every pixel and make the module larger.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { example, format, size, .. } = self;
         let mut scenes = f.debug_struct("Scenes");
@@ -345,7 +346,7 @@ impl Scenes {
         Ok(())
     }
 
-    /// A change is whole: what is refused leaves the scene that there is.
+    /// All or nothing: after a refusal the current scene stays.
     fn change(&mut self, example: Example, rig: Rig, size: (u32, u32)) -> Result<(), Refusal> {
         let (width, height) = size;
         rig.check(self.format, 0.0)?;
@@ -366,7 +367,7 @@ impl Scenes {
         self.viewpoint.of(self.rig.camera_at(self.seconds[1]))
     }
 
-    /// How long the passes took; nothing where there was nothing to draw.
+    /// Returns the times of the passes; `None` if there was nothing to draw.
     fn draw_changes(&mut self) -> Result<Option<Times>, Refusal> {
         let (fixtures, camera) = (self.fixtures()?, self.camera());
         let Self { renderer, rig, canvas, clock, is_everything, .. } = self;
@@ -380,7 +381,8 @@ impl Scenes {
         if !lit? && self.is_shown {
             return Ok(None);
         }
-        // Until the canvas has taken it: a picture that it refused is handed over again with the next draw.
+        // Not before the canvas shows it: a picture that the canvas rejected is passed again by the
+        // next draw.
         self.is_shown = false;
         renderer.set_display(rig.display());
         let (encode, pixels) = clock.time(|| renderer.encode());

@@ -1,4 +1,4 @@
-//! One side of the comparison: a form, and what it makes of the wall.
+//! One side of the comparison: a form and its picture of the wall.
 
 use crate::{
     difference::{Difference, Truth},
@@ -13,7 +13,7 @@ use wasm_bindgen::prelude::*;
 #[derive(Debug)]
 pub(crate) struct Side {
     form: Form,
-    /// Nothing where it was refused.
+    /// `Err` if the number format can't hold the beam.
     view: Result<View, luminaire::Error>,
 }
 
@@ -24,36 +24,37 @@ struct View {
     off_axis: f64,
 }
 
-/// What the page displays of a side.
+/// State of a side for the page.
 #[wasm_bindgen(getter_with_clone)]
 #[derive(Clone, PartialEq, Debug)]
 pub struct SideState {
     /// The name of the form.
     pub form: String,
-    /// Why the number format cannot hold the beam; nothing if it does, and the rest means something only then.
+    /// Why the number format cannot hold the beam; nothing if it can. With a refusal the fields
+    /// below have no meaning.
     pub refusal: Option<String>,
-    /// The least outer half angle in degrees that it holds, where that is what was refused.
+    /// Narrowest outer half angle in degrees that the format holds, if the angle was refused.
     pub narrowest: Option<f32>,
     /// The largest error in displayed codes, before rounding.
     pub largest: f64,
-    /// Where it is, in degrees off the axis.
+    /// Angle off axis of that pixel, in degrees.
     #[wasm_bindgen(js_name = offAxis)]
     pub off_axis: f64,
-    /// Where it is in the picture: a row by row index.
+    /// Index of that pixel, row by row.
     pub place: usize,
-    /// The share of the pixels whose displayed code differs from the one of f64.
+    /// Share of the pixels whose displayed code differs from that of f64.
     pub differing: f64,
 }
 
-/// A form to choose from, and where it stands on the price list.
+/// A form to choose from, and its rows on the price list.
 #[wasm_bindgen(getter_with_clone)]
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct FormState {
-    /// The name that setters take.
+    /// The name that the setters accept.
     pub name: String,
     /// What people call it.
     pub label: String,
-    /// What its picture is compared with.
+    /// The reference that its picture is compared with.
     pub truth: String,
     /// The kernel and the format of its row for the intensity alone.
     pub falloff: Vec<String>,
@@ -62,7 +63,7 @@ pub struct FormState {
 }
 
 impl Side {
-    /// A form's picture of the wall, beside the truth about its curve.
+    /// Lights a form's picture of the wall and compares it with the reference of its curve.
     pub(crate) fn new(form: Form, wall: &Wall, truth: &Truth) -> Self {
         let view = form.picture(wall).map(|mut picture| {
             picture.light();
@@ -78,18 +79,19 @@ impl Side {
         self.form
     }
 
-    /// The largest error in displayed codes; nothing where the form was refused.
+    /// Returns the largest error in displayed codes; `None` if the form was refused.
     pub(crate) fn largest(&self) -> Option<f64> {
         Some(self.view.as_ref().ok()?.difference.largest)
     }
 
-    /// Lights the picture once more, to the same light: for measuring. Nothing where the form was refused.
+    /// Lights the picture again with the same result, for measuring. Returns `None` if the form was
+    /// refused.
     pub(crate) fn light(&mut self) -> Option<()> {
         self.view.as_mut().ok()?.picture.light();
         Some(())
     }
 
-    /// Writes the picture as RGBA; whether there is one.
+    /// Writes the picture as RGBA. Returns whether there is one.
     pub(crate) fn show(&self, pixels: &mut [u8]) -> bool {
         let Ok(view) = &self.view else { return false };
         for (pixel, &code) in pixels.chunks_exact_mut(4).zip(&view.difference.codes) {
@@ -98,7 +100,7 @@ impl Side {
         true
     }
 
-    /// Writes the errors in false colours as RGBA; whether there are any.
+    /// Writes the errors in false colours as RGBA. Returns whether there are any.
     pub(crate) fn show_difference(&self, palette: &Palette, scale: Scale, pixels: &mut [u8]) -> bool {
         let Ok(view) = &self.view else { return false };
         for (pixel, &error) in pixels.chunks_exact_mut(4).zip(&view.difference.errors) {
@@ -108,7 +110,7 @@ impl Side {
         true
     }
 
-    /// What the page displays.
+    /// Returns the state for the page.
     pub(crate) fn state(&self) -> SideState {
         let form = self.form.name().to_owned();
         match &self.view {

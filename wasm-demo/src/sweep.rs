@@ -1,8 +1,9 @@
-//! How the lights move when they are told to: each pans about the vertical and nods a little, at a pace of its own.
+//! Motion of the lights during a sweep: each pans about the vertical and tilts a little, with its
+//! own periods.
 
 use luminaire::Vec3;
 
-/// Pan and nod in radians, and the seconds that a turn of each takes.
+/// Amplitudes of pan and tilt in radians, and their periods in seconds.
 struct Motion {
     pan: (f32, f32),
     nod: (f32, f32),
@@ -14,20 +15,21 @@ const MOTIONS: [Motion; 3] = [
     Motion { pan: (0.26, 11.0), nod: (0.05, 8.0) },
 ];
 
-/// Where a light points after so many seconds, if it rests on `axis`. Every motion starts from rest.
+/// Returns the axis of a light at a time in seconds, if it rests on `rest`. Every motion starts
+/// from rest.
 pub(crate) fn axis(light: usize, rest: Vec3<f32>, seconds: f32) -> Vec3<f32> {
     let motion = &MOTIONS[light % MOTIONS.len()];
     let swing = |(reach, period): (f32, f32)| reach * (std::f32::consts::TAU * seconds / period).sin();
     nod(pan(rest, swing(motion.pan)), swing(motion.nod))
 }
 
-/// Turns about the vertical, which is y.
+/// Rotates about the vertical axis y.
 fn pan(v: Vec3<f32>, angle: f32) -> Vec3<f32> {
     let (sin, cos) = angle.sin_cos();
     Vec3::new(v.x * cos + v.z * sin, v.y, v.z * cos - v.x * sin)
 }
 
-/// Turns within the vertical plane that the vector lies in.
+/// Rotates within the vertical plane that contains the vector.
 fn nod(v: Vec3<f32>, angle: f32) -> Vec3<f32> {
     let (sin, cos) = angle.sin_cos();
     let flat = v.x.hypot(v.z);

@@ -3,9 +3,9 @@
 /// Milliseconds, by the browser's clock.
 #[derive(Clone, Copy, Default, Debug)]
 pub(crate) struct Times {
-    /// Nothing when the picture was lit anew only.
+    /// `None` if the picture was only re-lit.
     pub(crate) geometry: Option<f64>,
-    /// Nothing when no shadow was drawn anew.
+    /// `None` if no shadow map was redrawn.
     pub(crate) shadows: Option<f64>,
     pub(crate) lighting: f64,
     pub(crate) encode: f64,

@@ -1,8 +1,9 @@
-//! How far a visitor has moved away from where a scene's camera stands.
+//! The visitor's offset from the scene's own camera.
 
 use luminaire_render::Camera;
 
-/// A turn around the target of a camera, and a factor of its distance. It holds for a camera that moves, too.
+/// A rotation about the target of a camera and a factor of its distance. It also applies to a
+/// moving camera.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(crate) struct Viewpoint {
     yaw: f32,
@@ -11,10 +12,10 @@ pub(crate) struct Viewpoint {
 }
 
 impl Viewpoint {
-    /// Where the camera stands by itself.
+    /// No offset.
     pub(crate) const ORIGINAL: Self = Self { yaw: 0.0, pitch: 0.0, factor: 1.0 };
 
-    /// The camera as the visitor has moved it.
+    /// Applies the offset to a camera.
     pub(crate) fn of(&self, camera: Camera) -> Camera {
         let mut moved = camera;
         moved.zoom(self.factor);
@@ -22,13 +23,14 @@ impl Viewpoint {
         moved
     }
 
-    /// Turns by so many radians, as far as the camera follows: what it does not follow need not be turned back.
+    /// Rotates by angles in radians. A step that does not move the camera, because of its limits,
+    /// is not stored and need not be undone.
     pub(crate) fn orbit(&mut self, camera: Camera, yaw: f32, pitch: f32) {
         self.follow(camera, Self { yaw: self.yaw + yaw, ..*self });
         self.follow(camera, Self { pitch: self.pitch + pitch, ..*self });
     }
 
-    /// Moves to `factor` times the distance, as far as the camera follows.
+    /// Multiplies the distance by `factor`. A step that does not move the camera is not stored.
     pub(crate) fn zoom(&mut self, camera: Camera, factor: f32) {
         self.follow(camera, Self { factor: self.factor * factor, ..*self });
     }

@@ -1,4 +1,4 @@
-//! The scene of the comparison: a wall that one beam meets head on.
+//! The scene of the comparison: a wall perpendicular to one beam.
 
 use crate::refusal::Refusal;
 use luminaire::{Cone, HalfAngle, SpotLight, Vec3, attenuation::NoAttenuation, falloff::Soft};
@@ -7,22 +7,24 @@ use luminaire_kernels::{
     scene::{AXIS, Site},
 };
 
-/// The narrowest outer half angle in degrees: the wall is then 29 km away, which fixed point just holds.
+/// Narrowest outer half angle in degrees: the wall is then 29 km away, just within the range of
+/// fixed point.
 pub(crate) const NARROWEST: f32 = 0.002;
 /// The widest outer half angle in degrees.
 pub(crate) const WIDEST: f32 = 60.0;
 
-/// From the middle of the picture to its edge, in radii of the spot of light.
+/// Distance from the centre of the picture to its edge, in radii of the spot of light.
 const REACH: f64 = 1.2;
 
-/// Two directions in the wall, at right angles to each other and to the axis: the picture's right and top.
+/// Two unit vectors in the wall, orthogonal to each other and to the axis: the picture's right and
+/// top.
 const ACROSS: [Vector; 2] = [[-0.8, 0.0, 0.6], [0.48, 0.6, 0.64]];
 
-/// The wall, and a soft beam. The light is as far away as makes the spot one metre in radius, whatever the
-/// angle: the narrower the beam, the farther the light, and the picture stays.
+/// The wall and a soft beam. The distance is chosen so that the spot has a radius of one metre at
+/// every angle: a narrower beam has a larger distance and the same picture.
 #[derive(Clone, Debug)]
 pub(crate) struct Wall {
-    /// What each pixel shows, row by row from the top.
+    /// The site of each pixel, row by row from the top.
     sites: Vec<Site>,
     spot: SpotLight<Soft, NoAttenuation>,
     half_angle: f32,
@@ -30,7 +32,8 @@ pub(crate) struct Wall {
 }
 
 impl Wall {
-    /// The wall as a square picture of so many pixels a side, lit by a beam of an outer half angle in degrees.
+    /// A wall as a square picture with `pixels` on a side, lit by a beam of an outer half angle in
+    /// degrees.
     pub(crate) fn new(pixels: u32, half_angle: f32) -> Result<Self, Refusal> {
         let place = |i: u32| REACH * ((2.0 * f64::from(i) + 1.0) / f64::from(pixels) - 1.0);
         let normal = AXIS.map(|c| -c);
@@ -45,14 +48,14 @@ impl Wall {
         Ok(Self { sites, spot, half_angle, distance })
     }
 
-    /// Moves the light to where a beam of this outer half angle in degrees has the same spot.
+    /// Sets the outer half angle in degrees, and the distance at which the spot has the same size.
     pub(crate) fn set_half_angle(&mut self, degrees: f32) -> Result<(), Refusal> {
         (self.spot, self.distance) = light(degrees)?;
         self.half_angle = degrees;
         Ok(())
     }
 
-    /// What each pixel shows, row by row from the top.
+    /// The site of each pixel, row by row from the top.
     pub(crate) fn sites(&self) -> &[Site] {
         &self.sites
     }
@@ -62,7 +65,7 @@ impl Wall {
         &self.spot
     }
 
-    /// The axis of the light before any format rounds it: it points at the middle of the wall.
+    /// The axis of the light before any format rounds it: it points at the centre of the wall.
     pub(crate) fn axis(&self) -> Vector {
         scaled(widened(self.spot.position()), -1.0)
     }
@@ -72,12 +75,12 @@ impl Wall {
         self.half_angle
     }
 
-    /// From the light to the wall, in metres.
+    /// Distance from the light to the wall, in metres.
     pub(crate) fn distance(&self) -> f64 {
         self.distance
     }
 
-    /// How far off the axis a pixel is, in degrees.
+    /// Returns the angle off axis of a pixel, in degrees.
     pub(crate) fn off_axis(&self, pixel: usize) -> f64 {
         let radius = self.sites.get(pixel).map_or(0.0, |site| {
             let point = widened(site.point);
@@ -87,7 +90,8 @@ impl Wall {
     }
 }
 
-/// The light of this outer half angle in degrees, and its distance from the middle of the wall.
+/// Returns the light of this outer half angle in degrees, and its distance from the centre of the
+/// wall.
 fn light(half_angle: f32) -> Result<(SpotLight<Soft, NoAttenuation>, f64), Refusal> {
     if !(NARROWEST..=WIDEST).contains(&half_angle) {
         return Err(Refusal::Outside {
@@ -105,7 +109,7 @@ fn light(half_angle: f32) -> Result<(SpotLight<Soft, NoAttenuation>, f64), Refus
     Ok((spot.with_attenuation(NoAttenuation), distance))
 }
 
-/// The nearest place that every number format has: a multiple of 2^-16 in f32.
+/// Rounds to the nearest position that every number format represents: a multiple of 2^-16 in f32.
 fn on_grid(v: Vector) -> Vec3<f32> {
     let [x, y, z] = v.map(|c| ((c * 65_536.0).round() / 65_536.0) as f32);
     Vec3::new(x, y, z)
@@ -133,8 +137,8 @@ mod tests {
                 let point = widened(site.point);
                 let (radius, outer) =
                     (dot(point, point).sqrt(), f64::from(wall.spot().cone().outer_versine()));
-                // The axis and the place of the light are rounded to f32, which moves the spot by its share of
-                // the distance.
+                // Axis and position of the light are rounded to f32, which moves the spot in
+                // proportion to the distance.
                 if (radius - 1.0).abs() > 0.005 {
                     assert_eq!(versine < outer, radius < 1.0, "{half_angle}: radius {radius}");
                 }

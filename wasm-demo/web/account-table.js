@@ -1,18 +1,18 @@
-// What was evaluated, and what was spared, by what: figures of the last pictures.
+// Table of evaluated and skipped pairs, averaged over the last pictures.
 import { whole } from "./numbers.js";
 
-/** So many pictures are averaged while a scene plays, so that the figures can be read. */
+/** Number of pictures that are averaged while a scene plays, so that the figures are readable. */
 const PICTURES = 30;
 
-/** Where the pairs of a light and a pixel went; together they are all. */
+/** Categories of the (light, pixel) pairs; together they are all pairs. */
 const PARTS = ["evaluated", "missedByRow", "missedByTile", "kept", "dropped"];
 
 const element = (name) => document.getElementById(`account-${name}`);
 
-/** A share in percent. */
+/** Formats a share in percent. */
 const percent = (share) => (share === 0 ? "0 %" : `${Number((100 * share).toPrecision(share < 0.1 ? 2 : 3))} %`);
 
-/** A small part of a whole, as people say it. */
+/** Formats a small share in words. */
 function oneIn(part, all) {
   if (all === 0) return "no lights";
   if (part === 0) return "none";
@@ -23,14 +23,14 @@ function oneIn(part, all) {
 export class AccountTable {
   #accounts = [];
 
-  /** Takes in the account of a picture of so many pixels, and shows the average. */
+  /** Adds the account of a picture, and shows the average. `pixels` is the size of the picture. */
   add(account, pixels) {
     this.#accounts.push(account);
     if (this.#accounts.length > PICTURES) this.#accounts.shift();
     this.#show(pixels);
   }
 
-  /** Forgets the pictures of before. */
+  /** Discards the earlier pictures. */
   forget() {
     this.#accounts.length = 0;
   }

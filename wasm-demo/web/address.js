@@ -1,18 +1,24 @@
-// The address follows what is shown, so that it can be passed on.
+// The address follows the view, so that it can be shared.
 
-/** It is written so long after the last change, in milliseconds: Safari refuses the 101st time within ten seconds. */
+/**
+ * Delay between the last change and the update, in milliseconds: Safari rejects more than 100
+ * updates within ten seconds.
+ */
 const REST = 250;
 
 let current;
 let waiting;
 
-/** From now on the address is that of another view; what was to be written of the one before is out of date. */
+/** Switches to the address of another view and drops a pending update of the previous one. */
 export function follow(view) {
   current = view;
   clearTimeout(waiting);
 }
 
-/** Has the address say behind its # what a view shows, once the visitor has paused; others than the current one wait. */
+/**
+ * Writes the state of a view behind the # once the visitor has paused. Only the current view may
+ * write.
+ */
 export function remember(view, query) {
   if (view !== current) return;
   clearTimeout(waiting);
@@ -23,7 +29,7 @@ function write(hash) {
   try {
     history.replaceState(null, "", hash);
   } catch (error) {
-    // The address is behind then, which harms nothing that is shown.
+    // A failed update leaves the address out of date, which harms nothing else.
     console.info(`The address was not written: ${error}`);
   }
 }

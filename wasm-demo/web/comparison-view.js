@@ -1,4 +1,4 @@
-// The comparison: two forms of one beam, each beside what f64 makes of it.
+// The comparison: two forms of one beam, each compared with f64.
 import { Comparison } from "./pkg/wasm_demo.js";
 import { remember } from "./address.js";
 import { Divider } from "./divider.js";
@@ -10,13 +10,13 @@ import { degrees } from "./numbers.js";
 import { plain } from "./plain.js";
 import { PriceList } from "./price-list.js";
 
-/** Pixels a side: enough to see the rings of a beam that has lost its bits. */
+/** Pixels on a side: enough to see the rings of a beam whose precision is exhausted. */
 const SIZE = 400;
 
 const SIDES = [0, 1];
 const on = (name, side) => document.getElementById(`${name}-${side}`);
 
-/** A distance in metres, in the unit that people would use. */
+/** Formats a distance in metres with a common unit. */
 function far(metres) {
   if (metres < 1) return `${Math.round(100 * metres)} cm`;
   return metres < 1000 ? `${Number(metres.toPrecision(3))} m` : `${Number((metres / 1000).toPrecision(3))} km`;
@@ -29,13 +29,13 @@ export class ComparisonView {
   #scale;
   #ledger;
   #frame = 0;
-  /** What the address asked for in vain, for each side. */
+  /** The rejected choices of the address, for each side. */
   #unknown = ["", ""];
 
   /** How many times the pictures have been drawn. */
   drawn = 0;
 
-  /** Opens the comparison; the list of prices is loaded with it. */
+  /** Opens the comparison and loads the price list. */
   static async open() {
     return new ComparisonView(await PriceList.load());
   }
@@ -55,7 +55,7 @@ export class ComparisonView {
     for (const side of SIDES) this.#joinSide(side);
   }
 
-  /** Shows what the address asks for, such as `left=f32&right=fx16&half=0.6`; what is refused is told. */
+  /** Applies the address, such as `left=f32&right=fx16&half=0.6`. Refusals are shown. */
   show(query) {
     for (const [side, name] of ["left", "right"].entries()) this.#ask(side, query.get(name));
     this.#halfAngle.show(exact(this.#comparison.halfAngle));
@@ -64,19 +64,19 @@ export class ComparisonView {
     this.#draw();
   }
 
-  /** The view is no longer seen. */
+  /** Called when the view is hidden. */
   hide() {
     cancelAnimationFrame(this.#frame);
     this.#frame = 0;
     this.#ledger.stop();
   }
 
-  /** What is known of both sides: plain objects. */
+  /** The state of both sides as plain objects. */
   get sides() {
     return SIDES.map((side) => plain(this.#comparison.side(side)));
   }
 
-  /** Asks for a form by the name that stands in the address, if there is one. */
+  /** Sets a form by the name in the address, if there is one. */
   #ask(side, name) {
     this.#unknown[side] = "";
     if (name === null) return;
@@ -88,7 +88,7 @@ export class ComparisonView {
     }
   }
 
-  /** Settled when the pictures shown have been timed. */
+  /** Resolves when the current pictures have been timed. */
   get measured() {
     return this.#ledger.measured;
   }
@@ -102,12 +102,12 @@ export class ComparisonView {
     });
     on("widen", side).addEventListener("click", () => {
       this.#halfAngle.take(exact(this.sides[side].narrowest));
-      // The button is gone, and with it the focus that it had.
+      // The button disappears, and the focus with it.
       document.getElementById("half-angle").focus();
     });
   }
 
-  /** Draws with the next frame of the browser, however often it is asked for. */
+  /** Draws with the next frame of the browser, once for any number of calls. */
   #request() {
     if (this.#frame === 0 && !hasFailed()) this.#frame = requestAnimationFrame(() => this.#draw());
   }
@@ -155,7 +155,7 @@ export class ComparisonView {
     ring.style.top = middle(Math.floor(place / SIZE));
   }
 
-  /** Keeps the address in step, so that it can be passed on. */
+  /** Updates the address, so that it can be shared. */
   #remember([left, right]) {
     const half = exact(this.#comparison.halfAngle);
     const query = new URLSearchParams({ left: left.form, right: right.form, half });
@@ -163,5 +163,5 @@ export class ComparisonView {
   }
 }
 
-/** An f32 as the decimal fraction that it was meant to be. */
+/** Rounds an f32 to 7 significant digits, which restores the decimal fraction that was set. */
 const exact = (value) => Number(value.toPrecision(7));

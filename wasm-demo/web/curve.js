@@ -1,4 +1,4 @@
-// The intensity of a light across its axis, with the marks that its angles are named by.
+// The intensity of a light across its axis, with marks for its angles.
 import { degrees } from "./numbers.js";
 
 const SAMPLES = 241;
@@ -6,16 +6,16 @@ const SAMPLES = 241;
 /** The drawing's box, in the units of the SVG's viewBox. */
 const BOX = { left: 52, right: 428, top: 12, bottom: 180 };
 
-/** Where intensities stand on the vertical axis. */
+/** Vertical positions of intensities. */
 const height = (intensity) => BOX.bottom + (BOX.top - BOX.bottom) * intensity;
 
-/** A step between ticks that reads well: 1, 2 or 5 of some power of ten, for two to five ticks a side. */
+/** Returns a tick distance of 1, 2 or 5 times a power of ten, for two to five ticks on a side. */
 function tickStep(reach) {
   const power = 10 ** Math.floor(Math.log10(reach / 2));
   return power * ([5, 2].find((factor) => reach / (power * factor) >= 2) ?? 1);
 }
 
-/** An element of the SVG. */
+/** Creates an element of the SVG. */
 function shape(name, attributes, text = "") {
   const element = document.createElementNS("http://www.w3.org/2000/svg", name);
   for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, value);
@@ -36,7 +36,7 @@ export class Curve {
     this.#demo = demo;
   }
 
-  /** Draws the curve of a light as the module evaluates it, in the number format in force. */
+  /** Draws the curve of a light, evaluated by the module in the current number format. */
   draw(light) {
     const points = this.#demo.curve(light, SAMPLES);
     const state = this.#demo.light(light);
@@ -89,7 +89,7 @@ function trace(points, across) {
   return [shape("path", { class: "glow", d: path + ground }), shape("path", { class: "trace", d: path })];
 }
 
-/** A full angle as it is measured: from the one half of it to the other, at its level. */
+/** Draws a full angle at its intensity level, from one side to the other. */
 function mark(name, angle, level, across) {
   const [left, right, y] = [across(-angle / 2), across(angle / 2), height(level)];
   return [

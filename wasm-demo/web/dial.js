@@ -1,10 +1,13 @@
 // A slider and a number beside it, for one value.
 import { tidy } from "./numbers.js";
 
-/** Joins a number field: `set` is called with what is typed, and `leave` when there is nothing to set. */
+/**
+ * Connects a number field: `set` gets the typed value; `leave` is called when there is nothing to
+ * set.
+ */
 export function joinNumber(field, set, leave) {
   field.addEventListener("input", () => {
-    // Whoever clears a field is about to type into it. NaN is what the browser makes of anything else.
+    // An empty field is about to be filled. The browser returns NaN for any other invalid text.
     if (field.value === "" && !field.validity.badInput) leave(field);
     else set(field.valueAsNumber, field);
   });

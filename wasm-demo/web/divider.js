@@ -1,4 +1,4 @@
-// The divider between left and right: one place, on every picture that is split.
+// The divider between left and right: one position for all split pictures.
 
 /**
  * Each is a slider over its picture, so that it can be dragged, pressed anywhere, and moved by keys. The place is

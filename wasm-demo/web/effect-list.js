@@ -1,4 +1,4 @@
-// The effects of the library: those that the scene calls for, and switches for some of them.
+// The effects of the library: those that the scene needs, and switches for some of them.
 import { plain } from "./plain.js";
 
 export class EffectList {
@@ -6,23 +6,23 @@ export class EffectList {
   #list = document.getElementById("scene-effects");
   #count = document.getElementById("scene-effects-count");
   #switches = document.getElementById("scene-switches");
-  /** What is shown, so that it is written only when it changes. */
+  /** The displayed text, so that the page is written only on a change. */
   #shown = "";
 
-  /** Called with an effect that is to be left out, or put in; answers whether that was taken. */
+  /** Called with an effect to switch off or on; returns whether the switch was accepted. */
   onswitch = () => false;
 
   constructor(scenes) {
     this.#scenes = scenes;
   }
 
-  /** Shows the switches of the scene that was opened. */
+  /** Shows the switches of the current scene. */
   open() {
     this.#switches.replaceChildren(...this.#scenes.switches().map((state) => this.#switch(plain(state))));
     this.show();
   }
 
-  /** Shows what the picture calls for. */
+  /** Shows the effects that the picture needs. */
   show() {
     const effects = this.#scenes.effects().map(plain);
     const called = effects.filter(({ isCalledFor }) => isCalledFor);

@@ -1,4 +1,4 @@
-// The scale of the errors: its colours, where it ends, and who says so.
+// The scale of the errors: its colours, its end, and whether the visitor chose it.
 import { colours, tidy } from "./numbers.js";
 
 export class ErrorScale {
@@ -7,7 +7,7 @@ export class ErrorScale {
   #legend = document.getElementById("legend");
   #note = document.getElementById("scale-note");
 
-  /** Called when another scale was chosen. */
+  /** Called when the visitor chooses another scale. */
   onchange = () => {};
 
   constructor(comparison, ends) {
@@ -34,5 +34,5 @@ export class ErrorScale {
   }
 }
 
-/** A count of codes, in words. */
+/** Formats a number of codes. */
 const counted = (codes) => `${codes} ${codes === 1 ? "code" : "codes"}`;

@@ -1,4 +1,5 @@
-// What fails is told on the page, not only on the console: the module's end stops the demo, anything else does not.
+// Shows failures on the page as well as on the console. Only a failure of the module stops the
+// demo.
 
 let failed = false;
 
@@ -17,7 +18,7 @@ export function fail(cause) {
   document.body.dataset.state = "failed";
 }
 
-/** Does something that no picture depends on. If it fails, that is told, and all else goes on. */
+/** Does something that no picture depends on. A failure is reported, and the rest continues. */
 export function aside(act) {
   try {
     act();
@@ -26,18 +27,20 @@ export function aside(act) {
   }
 }
 
-/** An error, or what else was thrown, in words. */
+/** Returns the message of an error, or of another thrown value. */
 export const words = (cause) => (cause instanceof Error ? cause.message : String(cause));
 
-/** Whether an error is a trap of the module, which no call to it works after. */
+/** Returns whether an error is a trap of the module, after which it can't be called any more. */
 export const isTrap = (cause) => cause?.name === "RuntimeError";
 
-/** From here on panics and traps of the module stop the demo, and errors that nobody catches are told. */
+/**
+ * Installs handlers: panics and traps of the module stop the demo, and uncaught errors are shown.
+ */
 export function watch() {
   const broken = (what) => fail(`The demo has stopped: ${what}. Reload the page to start again.`);
   const judge = (cause) =>
     isTrap(cause) ? broken(cause) : tell("trouble", `A part of this page has failed: ${cause}. The rest still works.`);
-  // The panic's own message comes first, and says more than the trap that follows it.
+  // The message of a panic precedes its trap and is more specific.
   window.addEventListener("luminaire-panic", (event) => broken(event.detail));
   window.addEventListener("error", (event) => judge(event.error ?? event.message));
   window.addEventListener("unhandledrejection", (event) => judge(event.reason));

@@ -1,7 +1,7 @@
-// The number format: asked for, and taken once every light fits into it.
+// The number format: requested by the visitor, in use once every light fits into it.
 import { Demo } from "./pkg/wasm_demo.js";
 
-/** How near a picture in this format comes to the one that the others are compared with. */
+/** Describes the largest difference between a picture in this format and the reference format. */
 export function accuracy(format) {
   const error = Demo.statedError(format);
   return error === 0 ? "what the other formats are compared with" : `within ${error} of 255 display codes of f32`;
@@ -13,10 +13,10 @@ export class FormatPicker {
   #select = document.getElementById("format");
   #note = document.getElementById("format-note");
   #error = document.getElementById("format-error");
-  /** What the visitor asked for; what is in force is the module's `format`. */
+  /** The requested format; the one in use is the module's `format`. */
   #wanted;
 
-  /** Called when another format is in force. */
+  /** Called when another format is in use. */
   onchange = () => {};
 
   constructor(demo, desk) {
@@ -26,9 +26,9 @@ export class FormatPicker {
     this.#select.addEventListener("input", () => this.choose(this.#select.value));
   }
 
-  /** Asks for a format. While a light does not fit, the last picture stays, in the format that it has. */
+  /** Requests a format. While a light does not fit, the last picture stays in its format. */
   choose(name) {
-    // An unknown name is a caller's mistake, which has no place on the page.
+    // An unknown name is an error of the caller and is not shown on the page.
     Demo.statedError(name);
     this.#wanted = name;
     this.#apply();
@@ -39,7 +39,7 @@ export class FormatPicker {
     if (this.#wanted !== this.#demo.format) this.#apply();
   }
 
-  /** Shows the format that was asked for, and of the one in force what there is to know. */
+  /** Shows the requested format, and the properties of the one in use. */
   show() {
     this.#select.value = this.#wanted;
     const { format } = this.#demo;

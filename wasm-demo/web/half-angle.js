@@ -1,18 +1,21 @@
-// The width of the beam: a slider that is even in its logarithm, and a number.
+// The half angle of the beam: a logarithmic slider and a number.
 import { joinNumber } from "./dial.js";
 import { degrees, tidy } from "./numbers.js";
 
-/** Three digits, whatever the size: the slider would give a dozen. */
+/** Rounds to three significant digits; the slider would give a dozen. */
 const round = (value) => Number(value.toPrecision(3));
 
-/** The slider offers what is taken. Anything can be typed into the number, and is refused in words. */
+/**
+ * The slider covers the valid range. The number field accepts any text; invalid values are refused
+ * with a message.
+ */
 export class HalfAngle {
   #slider = document.getElementById("half-angle");
   #number = document.getElementById("half-angle-number");
   #error = document.getElementById("half-angle-error");
   #set;
   #ends;
-  /** The value in force. */
+  /** The current value. */
   #value;
 
   /**
@@ -44,7 +47,7 @@ export class HalfAngle {
     this.#slider.setAttribute("aria-valuetext", degrees(value));
   }
 
-  /** Asks for a half angle in degrees; a refusal is told, and changes nothing else. */
+  /** Sets a half angle in degrees. A refusal is shown and changes nothing else. */
   take(value, source) {
     let refusal = "";
     try {

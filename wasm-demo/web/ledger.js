@@ -2,29 +2,29 @@
 import { degrees, median, tidy } from "./numbers.js";
 import { amount, price, stageName, targetName } from "./price-list.js";
 
-/** So many times are taken of each picture, in turns. */
+/** Number of timings of each picture; the two pictures alternate. */
 const RUNS = 9;
 
-/** Long enough after a change that the visitor has stopped sliding, in milliseconds. */
+/** Delay after a change until the visitor has probably stopped sliding, in milliseconds. */
 const REST = 250;
 
 const pause = (milliseconds) => new Promise((resolve) => setTimeout(resolve, milliseconds));
 
-/** The least error that is told, in codes. */
+/** Smallest error that is shown, in codes. */
 const LEAST = 0.001;
 
-/** An error in codes, in two digits. */
+/** Formats an error in codes, with two digits. */
 function codes(value) {
   if (value === 0) return "none";
   if (value < LEAST) return `under ${LEAST}`;
   return String(value < 10 ? Number(value.toPrecision(2)) : Math.round(value));
 }
 
-/** A share in percent. */
+/** Formats a share in percent. */
 const percent = (share) =>
   share === 0 ? "none" : `${Number((100 * share).toPrecision(share < 0.1 ? 2 : 3))} %`;
 
-/** How much better the better of two forms is here, and for how much: in one sentence. */
+/** States in one sentence which form is better here, by how much, and at what cost. */
 function verdict(states, isOneCurve, costs) {
   const refused = ["A", "B"].filter((_, side) => states[side].refusal !== undefined);
   if (refused.length === 2) return "Neither holds this beam.";
@@ -41,7 +41,7 @@ function verdict(states, isOneCurve, costs) {
   return `${errs}${priceOf(costs.map((pair) => pair[better]?.instructions / pair[1 - better]?.instructions))}.`;
 }
 
-/** From the smallest of some ratios of instructions to the largest; nothing without any. */
+/** Formats the range of some ratios of instructions; empty without any. */
 function priceOf(ratios) {
   const known = ratios.filter(Number.isFinite).map((ratio) => Number(ratio.toPrecision(2)));
   if (known.length === 0) return "";
@@ -57,7 +57,9 @@ export class Ledger {
   #note = document.getElementById("costs-note");
   #measurement = 0;
 
-  /** Settled when the times of what is shown have been told, or a newer picture's are awaited. */
+  /**
+   * Resolves when the times of the current pictures are shown, or when newer pictures replace them.
+   */
   measured;
 
   constructor(comparison, forms, prices) {
@@ -66,7 +68,7 @@ export class Ledger {
     this.#prices = prices;
   }
 
-  /** Shows what is known of both sides, and measures the rest. */
+  /** Shows the state of both sides, and measures the rest. */
   show(states) {
     for (const [side, state] of states.entries()) this.#tell(side, state);
     const forms = states.map((state) => this.#forms.get(state.form));
@@ -93,7 +95,9 @@ export class Ledger {
     put("time", held ? "…" : "–");
   }
 
-  /** Both in one stage, so that they can be compared: the lit point if both have one. Answers the costs by target. */
+  /**
+   * Compares both in the same stage: the lit point if both have one. Returns the costs by target.
+   */
   #showCosts(forms) {
     const list = this.#prices;
     if (list.isEmpty) {
@@ -116,7 +120,7 @@ export class Ledger {
     return costs;
   }
 
-  /** Times both pictures in turns, so that whatever else the machine does meets both. A newer change ends it. */
+  /** Times both pictures alternately, so that other load affects both. A newer change ends it. */
   async #measure() {
     const measurement = (this.#measurement += 1);
     const isOver = () => measurement !== this.#measurement;
@@ -126,7 +130,7 @@ export class Ledger {
       for (const side of [0, 1]) {
         if (isOver()) return;
         times[side].push(this.#comparison.time(side));
-        // The browser gets its turn.
+        // Yields to the browser.
         await pause(0);
       }
     }
@@ -137,7 +141,7 @@ export class Ledger {
     }
   }
 
-  /** Stops measuring: the view is no longer seen. */
+  /** Stops measuring when the view is hidden. */
   stop() {
     this.#measurement += 1;
   }
@@ -153,7 +157,7 @@ function heading(text) {
   return row;
 }
 
-/** The costs on a target, each with a bar; the longer one is full. */
+/** Shows the costs on a target as bars; the longer bar is full. */
 function bars(target, costs) {
   const row = document.createElement("tr");
   row.className = "bars";

@@ -7,11 +7,11 @@ export class LightDesk {
   #tabs;
   #panels;
 
-  /** Which light is shown. */
+  /** The index of the visible light. */
   selected = 0;
-  /** Called with the light that has changed. */
+  /** Called with a changed light. */
   onchange = () => {};
-  /** Called with the light that is shown from now on. */
+  /** Called with the light that becomes visible. */
   onselect = () => {};
 
   constructor(demo) {
@@ -36,7 +36,7 @@ export class LightDesk {
     this.onselect(light);
   }
 
-  /** Shows the lights as they are. */
+  /** Shows the current state of the lights. */
   refresh() {
     for (const [light, panel] of this.#panels.entries()) {
       panel.refresh();
@@ -44,7 +44,7 @@ export class LightDesk {
     }
   }
 
-  /** Shows what a number format has against a light; empty for nothing. */
+  /** Shows why a number format can't hold a light; empty if it can. */
   object(light, objection) {
     this.#panels[light].object(objection);
   }
@@ -58,7 +58,7 @@ export class LightDesk {
       this.onchange(light);
     };
     panel.ontell = () => this.#label(light);
-    // Whoever touches a control of a light means to see it, by whatever way he came there.
+    // A visitor who uses a control of a light wants to see that light.
     panel.element.addEventListener("input", () => this.selected === light || this.select(light));
     return panel;
   }
@@ -71,7 +71,7 @@ export class LightDesk {
     return tab;
   }
 
-  /** Shows on the tab what the light is like. */
+  /** Shows the light's state on its tab. */
   #label(light) {
     const tab = this.#tabs[light];
     const state = this.#demo.light(light);

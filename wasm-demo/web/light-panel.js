@@ -1,9 +1,10 @@
-// The controls of one light. They show what the module says of the light, and pass on what the visitor sets.
+// The controls of one light. They show the state from the module and pass on the visitor's
+// settings.
 import { Dial } from "./dial.js";
 import { findFixture, listFixtures } from "./fixture-list.js";
 import { ceiling, degrees, floor } from "./numbers.js";
 
-/** The slider of the intensity goes up to so many times what the light had at first. */
+/** The slider of the intensity ends at this multiple of the light's initial intensity. */
 const HEADROOM = 2.5;
 
 export class LightPanel {
@@ -11,7 +12,7 @@ export class LightPanel {
   #light;
   #controls = new Map();
   #dials;
-  /** What was refused, and what the wanted number format has against the light. */
+  /** The last refusal, and why the requested number format can't hold the light. */
   #refusal = "";
   #objection = "";
 
@@ -19,7 +20,7 @@ export class LightPanel {
   element;
   /** Called when the light has changed. */
   onchange = () => {};
-  /** Called when there is something new to say: a change, a refusal, or the end of one. */
+  /** Called when there is a new message: a change, a refusal, or the end of one. */
   ontell = () => {};
 
   constructor(demo, light) {
@@ -32,24 +33,24 @@ export class LightPanel {
     this.#show();
   }
 
-  /** What is wrong with this light, if anything. */
+  /** The current message, if any. */
   get error() {
     return this.#refusal || this.#objection;
   }
 
-  /** Shows what a number format that was asked for has against this light; empty for nothing. */
+  /** Shows why a requested number format can't hold this light; empty if it can. */
   object(objection) {
     this.#objection = objection;
     this.#tell();
   }
 
-  /** Shows the light as it is, and forgets what was typed in vain. */
+  /** Shows the state of the light and discards rejected input. */
   refresh() {
     this.#refuse(undefined, "");
     this.#show();
   }
 
-  /** Shows the light as it is, except on the control that the change comes from. */
+  /** Shows the state of the light, except on the control that the change comes from. */
   #show(source) {
     const state = this.#demo.light(this.#light);
     const { beam, field, zoom, intensity } = this.#dials;
@@ -68,7 +69,7 @@ export class LightPanel {
     state.free();
   }
 
-  /** Gives the elements of the template their ids, and the labels their elements. */
+  /** Sets the ids of the template's elements and connects the labels. */
   #name() {
     for (const element of this.element.querySelectorAll("[data-id]")) {
       this.#controls.set(element.dataset.id, element);
@@ -83,7 +84,7 @@ export class LightPanel {
     return this.#controls.get(name);
   }
 
-  /** Joins the controls to the setters of the module; answers the dials. */
+  /** Connects the controls to the setters of the module; returns the dials. */
   #join() {
     const demo = this.#demo;
     const light = this.#light;
@@ -115,12 +116,12 @@ export class LightPanel {
     };
   }
 
-  /** Sets something. A refusal changes nothing but the message; a value that is taken ends it. */
+  /** Sets a value. A refusal changes only the message; an accepted value clears it. */
   #set(control, set) {
     try {
       set();
     } catch (refusal) {
-      // The module refuses with a string; anything else is a fault of ours.
+      // The module refuses with a string; anything else is a bug in the page.
       if (typeof refusal !== "string") throw refusal;
       this.#refuse(control, refusal);
       return;
@@ -130,7 +131,10 @@ export class LightPanel {
     this.onchange();
   }
 
-  /** A number field is empty or left: it is not in error any more, and shows the value in force unless it is edited. */
+  /**
+   * Called when a number field is empty or loses focus: clears its error and shows the current
+   * value, unless it is edited.
+   */
   #leave(control, source) {
     if (control.hasAttribute("aria-invalid")) this.#refuse(control, "");
     this.#show(source);
@@ -141,10 +145,10 @@ export class LightPanel {
     if (refusal) {
       control.setAttribute("aria-invalid", "true");
       control.setAttribute("aria-errormessage", this.#control("error").id);
-      // The message stands under the control that it is about.
+      // The message is shown under its control.
       control.closest(".row").after(this.#control("error"));
     } else {
-      // What a number format has against the light is about no control of it.
+      // The objection of a number format belongs to no control.
       this.element.append(this.#control("error"));
     }
     this.#refusal = refusal;

@@ -1,4 +1,5 @@
-// Opens the demo, or tells why not. Everything else is imported from within, so that a file that is missing is told, too.
+// Opens the demo, or shows why it can't. Everything else is imported dynamically, so that a missing
+// file is reported, too.
 import { fail, watch } from "./failure.js";
 import { load, requireSimd } from "./support.js";
 

@@ -1,7 +1,7 @@
-// The map over the picture: what it shows, and its legend.
+// The legend of the map over the picture.
 import { colours } from "./numbers.js";
 
-/** A count of lights, in words. */
+/** Formats a number of lights. */
 const counted = (lights) => `${lights} ${lights === 1 ? "light" : "lights"}`;
 
 export class MapLegend {
@@ -12,7 +12,7 @@ export class MapLegend {
   #end = document.getElementById("map-end");
   #bar = document.getElementById("map-bar");
 
-  /** Called when the map is of something else. */
+  /** Called when the subject of the map changes. */
   onchange = () => {};
 
   constructor(scenes) {
@@ -27,18 +27,20 @@ export class MapLegend {
     });
   }
 
-  /** What the map shows: `nothing`, `lights` or `tiles`. */
+  /** The subject of the map: `nothing`, `lights` or `tiles`. */
   get subject() {
     return this.#select.value;
   }
 
-  /** Makes it show something else, with the next draw; throws the module's words where there is no such map. */
+  /**
+   * Sets the subject, from the next draw on; throws the module's message for an unknown subject.
+   */
   choose(subject) {
     this.#scenes.setMap(subject);
     this.#select.value = subject;
   }
 
-  /** Draws the map of the last picture, if there is to be one. */
+  /** Draws the map of the last picture, if it has a subject. */
   draw() {
     this.#map.hidden = !this.#scenes.drawMap();
     for (const [subject, legend] of Object.entries(this.#legends)) legend.hidden = subject !== this.#select.value;

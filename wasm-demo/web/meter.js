@@ -1,4 +1,4 @@
-// What tests and measurements ask of the page: `window.luminaire`.
+// Interface for tests and measurements: `window.luminaire`.
 import { Demo } from "./pkg/wasm_demo.js";
 import { median } from "./numbers.js";
 
@@ -9,13 +9,13 @@ export class Meter {
   #view;
   #formats;
 
-  /** The view of the comparison; nothing until it is opened. */
+  /** The comparison view; undefined until it is opened. */
   comparison;
 
-  /** The view of the scenes; nothing until it is opened. */
+  /** The scenes view; undefined until it is opened. */
   scenes;
 
-  /** Opens the view of the scenes, and answers it. */
+  /** Opens the scenes view and returns it. */
   openScenes;
 
   constructor(demo, view, formats) {
@@ -24,7 +24,7 @@ export class Meter {
     this.#formats = formats;
   }
 
-  /** How many pictures have been drawn, in whichever view. */
+  /** Number of pictures that were drawn, in all views. */
   get drawn() {
     return this.#view.drawn + (this.comparison?.drawn ?? 0) + (this.scenes?.drawn ?? 0);
   }
@@ -34,20 +34,23 @@ export class Meter {
     return this.#demo.pixels();
   }
 
-  /** Asks for a number format, as the select does: `fx16`, `fx32` or `f32`. */
+  /** Requests a number format, as the select does: `fx16`, `fx32` or `f32`. */
   setFormat(name) {
     this.#formats.choose(name);
   }
 
-  /** How far a picture of a format may be from the one in f32, in displayed codes. */
+  /**
+   * Returns the largest difference between a picture in a format and one in f32, in displayed
+   * codes.
+   */
   statedError(format) {
     return Demo.statedError(format);
   }
 
   /**
-   * Draws so many pictures, every pass of each whether anything changed or not, and answers the medians in
-   * milliseconds. A frame is lighting, encoding and handing over to the canvas, without the geometry: what a
-   * picture costs when lights move and the camera stands still.
+   * Draws a number of pictures, with every pass whether anything changed or not, and returns the
+   * medians in milliseconds. A frame is lighting, encoding and the transfer to the canvas, without
+   * the geometry: the cost of a picture when lights move and the camera stands still.
    */
   async measure(frames) {
     const passes = { geometryMs: [], lightingMs: [], encodeMs: [], frameMs: [] };
@@ -58,14 +61,14 @@ export class Meter {
       passes.lightingMs.push(demo.lightingMs);
       passes.encodeMs.push(demo.encodeMs);
       passes.frameMs.push(demo.lightingMs + demo.encodeMs + demo.showMs);
-      // The browser gets its turn, as it does between frames.
+      // Yields to the browser, as between frames.
       await pause();
     }
     const medians = Object.fromEntries(Object.entries(passes).map(([name, times]) => [name, median(times)]));
     return { width: demo.width, height: demo.height, lights: demo.lightsOn, format: demo.format, ...medians };
   }
 
-  /** What a scene costs: see `SceneMeter.measure`. Opens the view of the scenes for it. */
+  /** Measures a scene: see `SceneMeter.measure`. Opens the scenes view for it. */
   async measureScene(name, frames, options) {
     return (await this.openScenes()).measure(name, frames, options);
   }

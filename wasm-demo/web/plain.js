@@ -1,6 +1,6 @@
-// Objects of the module as objects of JavaScript.
+// Conversion of the module's objects to plain objects.
 
-/** An object of the module as one of JavaScript, so that it need not be freed. */
+/** Copies an object of the module to a plain object that need not be freed. */
 export function plain(object) {
   const names = Object.getOwnPropertyNames(Object.getPrototypeOf(object));
   const fields = names.filter((name) => name !== "constructor" && typeof object[name] !== "function");

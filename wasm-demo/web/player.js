@@ -1,11 +1,11 @@
-// The switches that make the lights of a scene move, and its camera.
+// The switches that animate the lights and the camera of a scene.
 
-/** A switch, and how long what it moves has been moving. */
+/** A switch and the elapsed time of its animation. */
 class Track {
   #switch;
   #last;
 
-  /** For how long it has been moving. */
+  /** Elapsed time of the animation. */
   seconds = 0;
 
   constructor(id, onchange) {
@@ -20,7 +20,7 @@ class Track {
     return this.#switch.checked;
   }
 
-  /** Begins at rest; without anything to move the switch can't be switched. */
+  /** Resets to rest; without anything to animate the switch is disabled. */
   open(moves) {
     this.seconds = 0;
     this.#last = undefined;
@@ -44,7 +44,7 @@ export class Player {
   #tracks;
   #note = document.getElementById("scene-still");
 
-  /** Called when something starts to move, or stops. */
+  /** Called when an animation starts or stops. */
   onchange = () => {};
 
   constructor(scenes) {
@@ -53,19 +53,19 @@ export class Player {
     this.#tracks = { lights: track("scene-play"), camera: track("scene-camera") };
   }
 
-  /** Whether anything moves by itself. */
+  /** Whether anything is animated. */
   get isPlaying() {
     return this.#tracks.lights.isPlaying || this.#tracks.camera.isPlaying;
   }
 
-  /** Makes ready for the scene that was opened. What played goes on playing, from the beginning. */
+  /** Prepares for the current scene. A running animation continues from the beginning. */
   open() {
     const moves = { lights: this.#scenes.moves(), camera: this.#scenes.cameraMoves() };
     for (const [name, track] of Object.entries(this.#tracks)) track.open(moves[name]);
     this.#note.hidden = moves.lights || moves.camera;
   }
 
-  /** Stops everything where it is. */
+  /** Stops all animations where they are. */
   stop() {
     for (const track of Object.values(this.#tracks)) track.stop();
   }

@@ -1,8 +1,8 @@
-// The price list that `cargo xtask measure` makes: what each kernel errs, and what it costs on each target.
+// The price list made by `cargo xtask measure`: error of each kernel and its cost on each target.
 import { words } from "./failure.js";
 import { tidy } from "./numbers.js";
 
-/** What the targets are called, in the order in which they are shown. */
+/** Names of the targets, in display order. */
 const TARGETS = {
   "cortex-m0": "Cortex-M0",
   "cortex-m3": "Cortex-M3",
@@ -15,22 +15,22 @@ const TARGETS = {
 
 const STAGES = { lit: "a lit point", falloff: "the intensity alone" };
 
-/** What a stage is called in a sentence. */
+/** Returns the name of a stage within a sentence. */
 export const stageName = (stage) => STAGES[stage];
 
-/** What a target is called. */
+/** Returns the name of a target. */
 export const targetName = (target) => TARGETS[target] ?? target;
 
-/** A cost with its unit: exact instructions, or nanoseconds by a clock. */
+/** Formats a cost with its unit: exact instructions, or measured nanoseconds. */
 export function price(cost) {
   if (Number.isFinite(cost?.instructions)) return tidy(cost.instructions).toLocaleString("en");
   return Number.isFinite(cost?.ns) ? `${tidy(cost.ns)} ns` : "–";
 }
 
-/** The number alone, for comparing costs on one target; NaN where there is none. */
+/** Returns the bare number, to compare costs on one target; NaN if there is none. */
 export const amount = (cost) => [cost?.instructions, cost?.ns].find(Number.isFinite) ?? NaN;
 
-/** A number that spans many powers of ten, in two digits. */
+/** Formats a number that spans many powers of ten, with two digits. */
 const small = (value) =>
   value > 0 && value < 0.001 ? value.toExponential(1) : String(Number(value.toPrecision(2)));
 
@@ -42,7 +42,7 @@ export class PriceList {
   #table = document.getElementById("prices");
   #marks = [];
 
-  /** Loads the list; one that was not made, or can't be loaded, is empty. */
+  /** Loads the list. A list that is missing or can't be loaded is empty. */
   static async load() {
     try {
       const answer = await fetch("accuracy-vs-cost.json");
@@ -62,12 +62,12 @@ export class PriceList {
     this.#stage.addEventListener("input", () => this.#show());
   }
 
-  /** Whether no list was made. */
+  /** Whether the list is missing. */
   get isEmpty() {
     return this.#rows.length === 0;
   }
 
-  /** Why the list is empty, and what to do about it. */
+  /** Why the list is empty, and the remedy. */
   lack() {
     if (this.#problem) return [`The price list could not be loaded: ${this.#problem}. Reload the page to try again.`];
     const command = document.createElement("code");
@@ -75,12 +75,12 @@ export class PriceList {
     return ["This page was built without a price list. Run ", command, ", and build the page again."];
   }
 
-  /** The row of a kernel, or undefined. */
+  /** Returns the row of a kernel, or undefined. */
   find(stage, kernel, format) {
     return this.#rows.find((row) => row.stage === stage && row.kernel === kernel && row.format === format);
   }
 
-  /** Every target that a row has a cost on; those without a name come last. */
+  /** Returns every target with a cost in a row; those without a name come last. */
   get targets() {
     const listed = new Set(this.#rows.flatMap((row) => Object.keys(row.cost ?? {})));
     return [...new Set([...Object.keys(TARGETS), ...listed])].filter((target) => listed.has(target));

@@ -1,4 +1,4 @@
-// How long the passes take: the median of the last pictures, since one picture's time is mostly chance.
+// Times of the passes: medians over the last pictures, because a single time is mostly noise.
 import { median } from "./numbers.js";
 
 const PICTURES = 30;
@@ -20,14 +20,14 @@ export class Readout {
     this.#frame = place("frame");
   }
 
-  /** Takes in the times of the picture just drawn. The frame is the sum of the passes that were done for it. */
+  /** Adds the times of the current picture. The frame is the sum of the passes that ran for it. */
   add() {
     let frame = 0;
     for (const { name, times, place } of this.#passes) {
       const time = this.#demo[`${name}Ms`];
       if (time !== undefined) times.push(time);
       if (times.length > PICTURES) times.shift();
-      // In hundredths, as it is shown: what is read can be added up.
+      // Rounded to hundredths as displayed, so that the shown times add up.
       const shown = times.length === 0 ? undefined : Number(median(times).toFixed(2));
       tell(place, shown, time === undefined);
       if (time !== undefined) frame += shown;
@@ -35,13 +35,16 @@ export class Readout {
     tell(this.#frame, frame, false);
   }
 
-  /** Forgets the times, as those of another number format say nothing. */
+  /** Discards the times, because those of another number format do not apply. */
   forget() {
     for (const { times } of this.#passes) times.length = 0;
   }
 }
 
-/** Shows a time, or that there is none; a pass that the last picture was drawn without keeps its time, and says so. */
+/**
+ * Shows a time, or that there is none. A pass that did not run for the last picture keeps its time
+ * and is marked.
+ */
 function tell(place, time, isKept) {
   place.textContent = time === undefined ? "–" : `${time.toFixed(2)} ms`;
   place.classList.toggle("kept", isKept);

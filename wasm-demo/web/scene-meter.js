@@ -1,15 +1,18 @@
-// What a scene costs in this browser, frame by frame.
+// Measures the cost of a scene in this browser, frame by frame.
 import { median } from "./numbers.js";
 
 const pause = () => new Promise((resolve) => setTimeout(resolve));
 
-/** Frames drawn before those that count: the first ones run code that the browser has not optimised yet. */
+/**
+ * Frames drawn before the measured ones: the browser has not optimised the code of the first frames
+ * yet.
+ */
 const WARM_UP = 8;
 
-/** Seconds of the scene from one frame to the next. */
+/** Scene time between frames, in seconds. */
 const STEP = 1 / 30;
 
-/** How far the camera turns from one frame to the next where it is to move, in radians. */
+/** Yaw of the camera between frames, where it moves, in radians. */
 const TURN = 0.004;
 
 const PASSES = ["geometryMs", "shadowsMs", "lightingMs", "encodeMs", "showMs", "frameMs"];
@@ -22,11 +25,11 @@ export class SceneMeter {
   }
 
   /**
-   * Draws a scene for so many frames while its lights move, and answers the medians of each pass in milliseconds: with
-   * the camera at rest, and with a camera that turns, so that the geometry is drawn anew and every pixel lit again. A
-   * frame is everything from setting the lights to the canvas having taken the picture. At rest, where nothing moves,
-   * nothing is drawn: then there are no times but `null`. Beside the medians, `leastFrameMs` is the shortest frame: what
-   * a machine does that has nothing else to do.
+   * Draws `frames` frames of a scene while its lights move. Returns the medians of each pass in
+   * milliseconds: with the camera at rest, and with a turning camera, so that the geometry is
+   * redrawn and every pixel re-lit. A frame is everything from setting the lights until the canvas
+   * shows it. At rest, if nothing moves, nothing is drawn, and the times are `null`. `leastFrameMs`
+   * is the shortest frame: the time on a machine without other load.
    *
    * @param {string} name
    * @param {number} frames
@@ -38,7 +41,7 @@ export class SceneMeter {
    * @param {number} [options.shadows] the side of their shadow maps in texels, above the turntable
    * @param {string[]} [options.with] effects to put in, such as `haze`
    * @param {string[]} [options.without] effects to leave out, such as `specular`
-   * @param {boolean} [options.everything] whether all effects are evaluated, called for or not
+   * @param {boolean} [options.everything] whether all effects are evaluated, needed or not
    */
   async measure(name, frames, options = {}) {
     const { width = 960, height = 540, format = "f32", everything = false } = options;
@@ -66,7 +69,7 @@ export class SceneMeter {
       if (this.#scenes.draw() && frame >= 0) {
         for (const pass of PASSES) times[pass].push(this.#scenes[pass]);
       }
-      // The browser gets its turn, as it does between frames.
+      // Yields to the browser, as between frames.
       await pause();
     }
     if (times.frameMs.length === 0) return null;

@@ -1,4 +1,4 @@
-// The scenes: one at a time, with what it calls for, what was left out, and what that saves.
+// The scenes: one at a time, with the effects that it needs, the skipped work, and the saving.
 import { Scenes } from "./pkg/wasm_demo.js";
 import { remember } from "./address.js";
 import { AccountTable } from "./account-table.js";
@@ -70,7 +70,7 @@ export class ScenesView {
     return this.#scenes.example;
   }
 
-  /** What the light of the last picture has cost: a plain object. */
+  /** The costs of the last picture's light: a plain object. */
   get account() {
     return plain(this.#scenes.account());
   }
@@ -80,12 +80,12 @@ export class ScenesView {
     return this.#scenes.pixels();
   }
 
-  /** Whether a pixel of the last picture is brighter than black. */
+  /** Returns whether a pixel of the last picture is brighter than black. */
   get isLit() {
     return this.pixels().some((code, place) => place % 4 < 3 && code > 0);
   }
 
-  /** Shows what the address asks for, such as `scene=grid&map=lights`; what is refused is told. */
+  /** Applies the address, such as `scene=grid&map=lights`. Refusals are shown. */
   show(query) {
     this.#view.pause(false);
     const [name, map] = [query.get("scene"), query.get("map")];
@@ -95,30 +95,33 @@ export class ScenesView {
     this.#request();
   }
 
-  /** The view is no longer seen. */
+  /** Called when the view is hidden. */
   hide() {
     this.#view.pause(true);
   }
 
-  /** Opens a scene, as it was made. */
+  /** Opens a scene in its original state. */
   open(name) {
     if (this.#ask(() => this.#scenes.open(name))) this.#opened();
     else element("name").value = this.example;
   }
 
-  /** Asks for a number format: `fx16`, `fx32` or `f32`. */
+  /** Requests a number format: `fx16`, `fx32` or `f32`. */
   setFormat(name) {
     this.#ask(() => this.#scenes.setFormat(name));
     this.#tellFormat();
     this.#request();
   }
 
-  /** Lights the picture by what it calls for, and once more evaluating everything: both compared bit for bit. */
+  /**
+   * Lights the picture with the needed effects, and again with all effects; compares both bit for
+   * bit.
+   */
   compare() {
     return plain(this.#scenes.compare());
   }
 
-  /** See `SceneMeter.measure`. The scene that was shown is opened again afterwards. */
+  /** See `SceneMeter.measure`. Afterwards the previous scene is opened again. */
   async measure(name, frames, options) {
     const { example, format } = this.#scenes;
     this.#player.stop();
@@ -135,7 +138,10 @@ export class ScenesView {
     }
   }
 
-  /** Asks for something; whether it was taken. The words of a refusal stay until something else is asked for. */
+  /**
+   * Tries a change and returns whether it was accepted. The message of a refusal stays until the
+   * next change.
+   */
   #ask(act) {
     element("error").textContent = "";
     return this.#try(() => {
@@ -144,12 +150,12 @@ export class ScenesView {
     });
   }
 
-  /** Does something that may be refused, and tells the words of the refusal; nothing then. */
+  /** Does something that may be refused, and shows the message of the refusal; undefined then. */
   #try(act) {
     try {
       return act();
     } catch (refusal) {
-      // The module refuses with a string; anything else is a fault of ours.
+      // The module refuses with a string; anything else is a bug in the page.
       if (typeof refusal !== "string") throw refusal;
       this.#player.stop();
       element("error").textContent = refusal;
@@ -163,7 +169,7 @@ export class ScenesView {
     element("format-note").textContent = accuracy(format);
   }
 
-  /** Shows the scene that is open. */
+  /** Shows the current scene. */
   #opened() {
     const { title, summary } = this.#examples.get(this.example);
     const { width, height } = this.#scenes;
@@ -179,20 +185,20 @@ export class ScenesView {
     this.#request();
   }
 
-  /** Keeps the address in step, so that it can be passed on. */
+  /** Updates the address, so that it can be shared. */
   #remember() {
     const { subject: map } = this.#legend;
     const query = new URLSearchParams({ scene: this.example, ...(map !== "nothing" && { map }) });
     remember("scenes", query);
   }
 
-  /** Something other than the seconds has changed: figures of before say nothing of it. */
+  /** Called when something other than the time has changed: earlier figures no longer apply. */
   #request() {
     this.#readout.forget();
     this.#move();
   }
 
-  /** The seconds have begun to run, or to stand still: a picture takes as long as before. */
+  /** Called when an animation starts or stops: the time per picture is unchanged. */
   #move() {
     this.#account.forget();
     element("equality").textContent = "";

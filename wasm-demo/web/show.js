@@ -1,4 +1,4 @@
-// The whole of the demo: loads the module, and joins the parts of the page to one another.
+// Starts the demo: loads the module and connects the parts of the page.
 import init, { Demo } from "./pkg/wasm_demo.js";
 import { Curve } from "./curve.js";
 import { aside } from "./failure.js";
@@ -11,7 +11,7 @@ import { load, requestedSize } from "./support.js";
 import { Sweep } from "./sweep.js";
 import { Views } from "./views.js";
 
-/** Loads the module; what the browser says when it can't is of little help by itself. */
+/** Loads the module. The browser's own message for a failure is of little help by itself. */
 async function start() {
   try {
     await init();
@@ -23,19 +23,19 @@ async function start() {
   }
 }
 
-/** How long the demo warms up, in milliseconds. */
+/** Duration of the warm-up, in milliseconds. */
 const WARM_UP = 400;
 
 /**
- * Draws a few pictures more than the visitor needs: the first ones run code that the browser has not optimised yet,
- * in a format that is new to it, and the readout shall not stay with their times.
+ * Draws a few pictures more than the visitor needs. The browser has not optimised the code of the
+ * first pictures in a new format, and the readout must not keep their times.
  */
 async function warmUp(meter) {
   const end = Date.now() + WARM_UP;
   while (Date.now() < end) await meter.measure(1);
 }
 
-/** Opens the show. The order of joining: what is drawn, what sets it, what tells of it. */
+/** Starts the demo. Order of connection: the views, the controls, the displays. */
 export async function open() {
   await start();
   const { width, height } = requestedSize(location.search);
@@ -68,14 +68,14 @@ export async function open() {
 
   desk.select(0);
   formats.show();
-  // Nothing moves yet, so that it does not matter when this is.
+  // Nothing moves yet, so that the order does not matter here.
   view.draw(0);
   await warmUp(meter);
   window.luminaire = meter;
   await views(view, meter).show();
 }
 
-/** The stage, and the comparison and the scenes, which are opened when they are first asked for. */
+/** The stage; and the comparison and the scenes, which are opened when they are first requested. */
 function views(view, meter) {
   const stage = {
     element: document.getElementById("stage-page"),

@@ -1,13 +1,13 @@
-// The canvas: draws when something has changed, and lets the visitor walk around.
+// The canvas: redraws after a change, and lets the visitor move the camera.
 import { aside, hasFailed } from "./failure.js";
 
-/** How far a key turns the camera, in radians. */
+/** Rotation of the camera per key, in radians. */
 const STEP = 0.08;
 
-/** How much nearer a key or a notch of the wheel takes the camera. */
+/** Zoom factor of a key or a notch of the wheel. */
 const NEARER = 0.9;
 
-/** Across the whole width of the canvas a drag goes once around, as far as the camera follows. */
+/** A drag across the whole width of the canvas is one full turn, within the camera's limits. */
 const TURN = 2 * Math.PI;
 
 export class StageView {
@@ -36,7 +36,7 @@ export class StageView {
     canvas.addEventListener("keydown", (event) => this.#key(event));
   }
 
-  /** Calls `step(now)` before each picture; as long as it answers true, another picture follows. */
+  /** Calls `step(now)` before each picture; while it returns true, another picture follows. */
   before(step) {
     this.#before.push(step);
   }
@@ -46,12 +46,12 @@ export class StageView {
     this.#after.push(tell);
   }
 
-  /** Draws with the next frame of the browser. Without a request no frame is asked for. */
+  /** Draws with the next frame of the browser. Without a request no frame is scheduled. */
   request() {
     if (this.#frame === 0 && !this.#paused && !hasFailed()) this.#frame = requestAnimationFrame((now) => this.draw(now));
   }
 
-  /** While it can't be seen, nothing is drawn; afterwards what has changed is. */
+  /** While the canvas is hidden, nothing is drawn; changes are drawn afterwards. */
   pause(paused) {
     this.#paused = paused;
     if (!paused) this.request();
@@ -107,7 +107,7 @@ export class StageView {
     this.#pointers.set(event.pointerId, here);
   }
 
-  /** How far the first two pointers are apart. */
+  /** Distance between the first two pointers. */
   #spread() {
     const [a, b] = this.#pointers.values();
     return Math.hypot(a.x - b.x, a.y - b.y);
@@ -117,7 +117,7 @@ export class StageView {
     // With a modifier the wheel is the browser's own zoom.
     if (event.ctrlKey || event.metaKey) return;
     event.preventDefault();
-    // A notch is some 100 pixels, 3 lines or a part of a page, as the browser likes it.
+    // A notch is about 100 pixels, 3 lines or a fraction of a page, depending on the browser.
     const notches = event.deltaY / [100, 3, 1][event.deltaMode];
     this.#zoom(NEARER ** -notches);
   }

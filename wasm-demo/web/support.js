@@ -1,11 +1,11 @@
-// What the page needs of the browser, and what it is asked for by its address.
+// Requirements on the browser, and parameters of the page's address.
 
 /** The smallest module that uses a SIMD instruction: a function that splats a byte and counts its bits. */
 const SIMD = Uint8Array.of(
   0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 10, 1, 8, 0, 65, 0, 253, 15, 253, 98, 11,
 );
 
-/** Throws where the module could not be compiled: it uses WebAssembly's 128-bit SIMD. */
+/** Throws if the module can't be compiled: it uses WebAssembly's 128-bit SIMD. */
 export function requireSimd() {
   if (typeof WebAssembly !== "object" || !WebAssembly.validate(SIMD)) {
     throw new Error(
@@ -16,8 +16,8 @@ export function requireSimd() {
 }
 
 /**
- * Imports a file of the page. Under an address that has failed the browser remembers the failure, so that every further
- * attempt has an address of its own.
+ * Imports a file of the page. The browser caches a failed import by its address, so that every
+ * retry uses a new address.
  */
 export async function load(file, attempt = 0) {
   try {
@@ -36,7 +36,7 @@ export function requestedSize(search) {
   return { width: pixels(query, "width", 960), height: pixels(query, "height", 540) };
 }
 
-/** The renderer says which sizes it takes; here it is only seen to that it is told a whole number. */
+/** Checks only that the value is a whole number; the renderer checks the range. */
 function pixels(query, name, otherwise) {
   const text = query.get(name);
   if (text === null) return otherwise;

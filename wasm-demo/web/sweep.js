@@ -18,7 +18,7 @@ export class Sweep {
   }
 
   /**
-   * Moves the lights up to this moment. They stop where they are, and go on from there.
+   * Moves the lights up to this moment. Stopped lights keep their position and continue from there.
    * @param {number} now in milliseconds
    * @returns {boolean} whether they are moving
    */

@@ -1,4 +1,5 @@
-// Tells that a script of the page was not loaded. Itself it is no module, for from a file no module is loaded.
+// Reports that a script of the page was not loaded. Not a module, because browsers load no module
+// from a file.
 addEventListener(
   "error",
   ({ target }) => {

@@ -1,14 +1,17 @@
-// The views of the page, one at a time: which of them, the address says after its #.
+// The views of the page, one at a time. The address selects the view after its #.
 import { follow } from "./address.js";
 import { isTrap, words } from "./failure.js";
 
-/** What stands after the #: the name of a view and, behind a question mark, what it is asked for. */
+/**
+ * Parses the part of the address after the #: the name of a view and, after a question mark, its
+ * parameters.
+ */
 function requestedView(hash) {
   const [name, query = ""] = hash.slice(1).split("?");
   return { name, query: new URLSearchParams(query) };
 }
 
-/** A view that is opened when it is first asked for; if that fails, it can be tried again. */
+/** A view that is opened when it is first requested. A failed opening can be retried. */
 class View {
   #open;
   #attempts = 0;
@@ -29,7 +32,7 @@ class View {
       this.#attempts += 1;
       throw error;
     }
-    // Meanwhile the visitor may have gone back.
+    // The visitor may have left the view in the meantime.
     if (isWanted()) this.#opened.show(query);
   }
 
@@ -56,7 +59,10 @@ export class Views {
     document.getElementById("absent-retry").addEventListener("click", () => this.show());
   }
 
-  /** Shows a view, or else the one that the address asks for. One that can't be shown says so in its place. */
+  /**
+   * Shows a view, or else the one in the address. A view that can't be shown is replaced by a
+   * message.
+   */
   async show({ name, query } = requestedView(location.hash)) {
     const [first] = this.#views.keys();
     const chosen = this.#views.has(name) ? name : first;

@@ -15,8 +15,9 @@ const CORNER_ERROR: f32 = 1.0 / 256.0;
 /// Largest rounding error of an interpolated nearness, relative to the largest of its triangle.
 const ROUNDING: f32 = 1e-6;
 
-/// The cosine under which a back is drawn, because it may be needed around an outline. With it the examples' pictures differ
-/// from those of all backs in two pixels, by 8 codes at most; with none of them the outlines of shadows are ragged.
+/// Cosine under which a back face is drawn, because it may be needed around an outline. With it the
+/// examples' pictures differ from those with all back faces in two pixels, by 8 codes at most;
+/// without any back faces the outlines of shadows are ragged.
 const EDGE_ON: f32 = 0.4;
 
 /// Largest position error of a projected point, in sides of the square; `tests/support/squares.rs`
