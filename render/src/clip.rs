@@ -80,7 +80,7 @@ fn inside(vertex: &Seen, plane: usize) -> f32 {
     }
 }
 
-/// A convex polygon: a triangle gains at most one vertex at each border.
+/// A convex polygon. A triangle gains at most one vertex at each plane.
 struct Polygon {
     vertices: [Seen; 3 + PLANES],
     count: usize,

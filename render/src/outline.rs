@@ -48,8 +48,9 @@ impl Outline {
         self
     }
 
-    /// A cubic Bézier curve by two control points to a point, in metres, of this many lines: at most
-    /// [`MOST_LINES`](Self::MOST_LINES), or no scene takes what is swept.
+    /// Adds a cubic Bézier curve by two control points to a point, in metres, of this many lines.
+    /// Beyond [`MOST_LINES`](Self::MOST_LINES), [`Scene::add`](crate::Scene::add) rejects the
+    /// surface.
     pub fn curve_to(mut self, controls: [(f32, f32); 2], x: f32, y: f32, lines: usize) -> Self {
         let lines = self.accepted(lines);
         let [a, b] = controls.map(Vec2::from);
@@ -62,9 +63,9 @@ impl Outline {
         self
     }
 
-    /// An arc around a centre, in metres, from the present point by an angle in radians, of this many lines: at most
-    /// [`MOST_LINES`](Self::MOST_LINES), or no scene takes what is swept. A positive angle turns left: from the x axis
-    /// towards the y axis.
+    /// Adds an arc around a centre, in metres, from the current point by an angle in radians, of
+    /// this many lines. Beyond [`MOST_LINES`](Self::MOST_LINES), [`Scene::add`](crate::Scene::add)
+    /// rejects the surface. A positive angle turns left: from the x axis towards the y axis.
     pub fn arc(mut self, x: f32, y: f32, angle: f32, lines: usize) -> Self {
         let lines = self.accepted(lines);
         let center = Vec2::new(x, y);

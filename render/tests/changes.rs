@@ -1,5 +1,4 @@
-//! Each pass is done again only if something before it has changed, and a refusal leaves the picture as it
-//! was.
+//! Each pass is repeated only if its input has changed, and a refusal leaves the picture as it was.
 
 use luminaire::{Angle, Cone, Fx16, Rgb, SpotLight, Vec3, falloff::SoftOrHard};
 use luminaire_render::{Material, Mesh, Renderer, SizeError, stage};

@@ -142,7 +142,7 @@ fn highlights_are_phongs() -> Result<(), Error> {
     Ok(())
 }
 
-/// Haze adds to each pixel what the kernel says of its view ray.
+/// Haze adds the kernel's in-scattering along the view ray to each pixel.
 #[test]
 fn haze_is_added() -> Result<(), Error> {
     let spots = stage::lights()?;
@@ -169,7 +169,7 @@ fn haze_is_added() -> Result<(), Error> {
     Ok(())
 }
 
-/// A fixture that moves changes the tiles that it lights on surfaces or in the air, and no other.
+/// A fixture that moves changes only the tiles that it lights on surfaces or in the air.
 #[test]
 fn what_no_beam_meets_is_not_lit_again() -> Result<(), Error> {
     let cone = Cone::from_outer(SoftOrHard::Hard, Angle::degrees(6.0))?;
@@ -185,7 +185,8 @@ fn what_no_beam_meets_is_not_lit_again() -> Result<(), Error> {
         assert!(renderer.draw_light(&[narrow(-1.0)?, narrow(1.01)?])?);
         *relit = renderer.account().tiles_relit;
     }
-    // Of 460 tiles. In haze a tile is left out where a plane divides it from the beam, which not every dark tile has.
+    // Of 460 tiles. In haze a tile is skipped if a plane separates it from the beam, which is not
+    // so for every dark tile.
     let [in_clear_air, in_haze] = relit;
     assert!((2..40).contains(&in_clear_air) && (in_clear_air..400).contains(&in_haze), "{relit:?}");
     Ok(())
@@ -198,7 +199,7 @@ fn shadows_that_change_are_seen() -> Result<(), Error> {
     let mut renderer = renderer::<f32>(&stage::scene().unwrap(), &fixtures);
     assert_eq!(renderer.draw_shadows(&stage::scene().unwrap(), &fixtures), Ok(false));
     assert!(!renderer.draw_light(&fixtures)?);
-    // Without anything that throws a shadow, though the camera sees what it saw.
+    // A scene without shadow casters, while the camera's geometry is unchanged.
     assert_eq!(renderer.draw_shadows(&Scene::new(), &fixtures), Ok(true));
     let before = bits(&renderer);
     assert!(renderer.draw_light(&fixtures)?);

@@ -78,7 +78,7 @@ fn the_seconds_alone_say_what_has_moved() {
     }
 }
 
-/// 64 circles of 10 degrees cover as much as 8 of 26.5.
+/// 64 circles of 10 degrees cover the same area as 8 of 26.5.
 #[test]
 fn the_grids_light_the_same_area() {
     let area = |example: Example| -> f64 {

@@ -21,8 +21,8 @@ fn cameras() -> impl Iterator<Item = Camera> {
     })
 }
 
-/// The lights of the stage as beams of 4 degrees with a hard edge, four times as bright: the narrower a beam,
-/// the more it magnifies the error of a direction.
+/// The lights of the stage as beams of 4 degrees with a hard edge, four times as bright: a narrower
+/// beam magnifies the error of a direction more.
 fn narrow_beams() -> [SpotLight; 3] {
     let cone = Cone::from_field(SoftOrHard::Hard, Angle::degrees(4.0)).unwrap();
     stage::lights().unwrap().map(|spot| spot.with_cone(cone).with_intensity(4.0 * spot.intensity()).unwrap())

@@ -5,8 +5,8 @@ use luminaire_render::{Camera, Material, Mesh, Renderer, Scene};
 
 const SIZE: usize = 64;
 
-/// A black box close to the eye hides a light that points away from both, a little off the line of
-/// sight: what is seen of the air ends 4 m behind the light.
+/// A black box close to the eye hides a light that points away from both, slightly off the line of
+/// sight. The visible air ends 4 m behind the light.
 #[test]
 fn a_light_that_points_away_behind_a_surface_is_dark() {
     let middle = Vec3::new(0.0, 2.0, 0.0);

@@ -1,6 +1,7 @@
-//! The examples look as they did: every pixel of their pictures has the codes that are kept in `tests/pictures/`.
+//! The examples are unchanged: every pixel of their pictures has the codes stored in
+//! `tests/pictures/`.
 //!
-//! `LUMINAIRE_BLESS=1 cargo test -p luminaire-render --test pictures` keeps the pictures as they are drawn now.
+//! `LUMINAIRE_BLESS=1 cargo test -p luminaire-render --test pictures` stores the current pictures.
 
 use luminaire::Fx16;
 use luminaire_render::{Format, Renderer, examples::Example};
@@ -20,8 +21,8 @@ struct Picture {
 }
 
 impl Picture {
-    /// The picture of an example at second 0, half as wide and high as it is composed for. That for a microcontroller is
-    /// drawn in its size, and in 16 bits.
+    /// The picture of an example at second 0, at half the size that it is composed for. That for a
+    /// microcontroller is drawn at its full size, with 16 bits.
     fn of(example: Example) -> Result<Self, Box<dyn Error>> {
         let (width, height) = example.size();
         match example {
@@ -62,7 +63,7 @@ impl Picture {
         Ok(())
     }
 
-    /// How many codes are others, and by how much at most.
+    /// Describes how many codes differ, and the largest difference.
     fn difference(&self, other: &Self) -> String {
         if self.size != other.size {
             return format!("a size of {:?} instead of {:?}", self.size, other.size);
@@ -107,7 +108,7 @@ fn the_examples_look_as_they_did() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// What stands in the folder is what is drawn: nothing is left over from an earlier name.
+/// The folder contains no picture of an example that was removed or renamed.
 #[test]
 fn no_picture_is_left_over() -> Result<(), Box<dyn Error>> {
     let mut drawn = Example::ALL.map(file).to_vec();

@@ -130,7 +130,8 @@ fn fixture(rng: &mut Rng) -> Result<Fixture, luminaire::Error> {
     if rng.bool() { fixture.with_shadow(16) } else { Ok(fixture) }
 }
 
-/// Draws a scene, and compares what leaving out and leaving nothing out shows. Returns whether the format holds its lights.
+/// Draws a scene and compares the picture with the one that skips nothing. Returns whether the
+/// format holds its lights.
 fn assert_drawn<S: Format>(scene: &Scene, camera: &Camera, fixtures: &[Fixture]) -> bool {
     let mut renderer = Renderer::<S>::new(24, 16).expect("a sound size");
     renderer.draw_geometry(scene, camera);

@@ -114,7 +114,7 @@ fn dark_lights_are_dropped() {
     assert_eq!(account.dropped, (SIZE.0 * SIZE.1) as u64);
 }
 
-/// A renderer of the size that the grids are composed for, lit.
+/// Returns a renderer of the size that the grids are composed for, with its light drawn.
 fn lit(example: Example) -> (Setup, Renderer<f32>) {
     let setup = example.setup().unwrap();
     let (width, height) = example.size();
@@ -124,7 +124,8 @@ fn lit(example: Example) -> (Setup, Renderer<f32>) {
     (setup, renderer)
 }
 
-/// How many pairs of a spotlight and a pixel there are in which light arrives: the least that can be evaluated.
+/// Returns the number of (spotlight, pixel) pairs in which light arrives: a lower bound of the
+/// evaluated pairs.
 fn lit_pairs(setup: &Setup, renderer: &Renderer<f32>) -> u64 {
     let fixtures = setup.fixtures_at(0.0).unwrap();
     let spots = fixtures.iter().map(|fixture| match fixture.light() {
@@ -137,7 +138,8 @@ fn lit_pairs(setup: &Setup, renderer: &Renderer<f32>) -> u64 {
     points.map(|surface| lights(surface).count() as u64).sum()
 }
 
-/// How many times fewer pairs are evaluated than there are, and how many times more than light arrives in.
+/// Checks the ratio of all pairs to the evaluated ones, and of the evaluated ones to those in which
+/// light arrives.
 fn assert_saving(example: Example, saving: Range<f64>, surplus: Range<f64>) {
     let (setup, renderer) = lit(example);
     let (account, least) = (renderer.account(), lit_pairs(&setup, &renderer));
@@ -153,7 +155,8 @@ fn a_spot_is_evaluated_little_beyond_its_circle() {
     assert_saving(Example::WideGrid, 17.4..17.5, 1.34..1.35);
 }
 
-/// How many pairs of a light and a pixel there are in which a highlight arrives: the least that can be evaluated.
+/// Returns the number of (light, pixel) pairs in which a highlight arrives: a lower bound of the
+/// evaluated pairs.
 fn shining_pairs(setup: &Setup, renderer: &Renderer<f32>) -> u64 {
     let fixtures = setup.fixtures_at(0.0).unwrap();
     let lights: Vec<_> = fixtures.iter().map(|lit| lit.light().compile::<f32>().unwrap()).collect();
@@ -181,8 +184,8 @@ fn a_highlight_is_evaluated_little_beyond_its_lobe() {
     assert!((0.31..0.32).contains(&share) && (1.95..1.97).contains(&surplus), "{share}, {surplus}");
 }
 
-/// Draws one picture after another, and compares what was lit again with what has changed. Gives both as parts of the
-/// picture.
+/// Draws a picture after another, and compares the re-lit pixels with the changed ones. Both ranges
+/// are shares of the picture.
 fn assert_relit(example: Example, seconds: f32, relit: Range<f64>, changed: Range<f64>) {
     let (setup, mut renderer) = lit(example);
     let light = |renderer: &Renderer<f32>| -> Vec<_> {
@@ -202,7 +205,8 @@ fn assert_relit(example: Example, seconds: f32, relit: Range<f64>, changed: Rang
 
 #[test]
 fn only_the_tiles_of_lights_that_have_changed_are_relit() {
-    // The chase has gone from one of 64 lights to the next, and from one of 8; the follow spot has moved, one of 26 lights.
+    // The chase has moved from one of 64 lights to the next, and from one of 8; of the 26 lights
+    // the follow spot has moved.
     assert_relit(Example::Grid, 0.25, 0.0275..0.0278, 0.0087..0.0089);
     assert_relit(Example::WideGrid, 0.25, 0.122..0.123, 0.0758..0.0762);
     assert_relit(Example::Gallery, 0.25, 0.0495..0.0505, 0.0119..0.0122);

@@ -13,7 +13,7 @@ pub(crate) struct Canvas {
 }
 
 impl Canvas {
-    /// Makes the canvas as large as the picture: one pixel for one.
+    /// Sets the canvas to the size of the picture: one pixel of the picture is one of the canvas.
     pub(crate) fn new(element: &HtmlCanvasElement, width: u32, height: u32) -> Result<Self, Refusal> {
         element.set_width(width);
         element.set_height(height);
@@ -28,8 +28,8 @@ impl Canvas {
         }
     }
 
-    /// Shows a picture of RGBA bytes. They stay where they are: the `ImageData` is a view of the module's memory,
-    /// used up before this returns, so that the one copy is the canvas's own.
+    /// Shows a picture of RGBA bytes. The `ImageData` is a view of the module's memory that is
+    /// dropped before this returns, so that the only copy is the canvas's own.
     pub(crate) fn show(&self, pixels: &[u8]) -> Result<(), Refusal> {
         ImageData::new_with_u8_clamped_array_and_sh(Clamped(pixels), self.width, self.height)
             .and_then(|image| self.context.put_image_data(&image, 0.0, 0.0))

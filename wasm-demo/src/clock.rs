@@ -1,8 +1,9 @@
-//! Milliseconds, by the browser's clock.
+//! Time in milliseconds, by the browser's clock.
 
 use web_sys::{Performance, js_sys::Date};
 
-/// `performance.now()`, looked up once; the date where a browser does not have it, for times only decorate a picture.
+/// `performance.now()`, looked up once. Without it the date is precise enough, because times are
+/// only displayed.
 #[derive(Clone, Debug)]
 pub(crate) struct Clock {
     performance: Option<Performance>,
@@ -14,7 +15,7 @@ impl Clock {
         Self { performance: web_sys::window().and_then(|window| window.performance()) }
     }
 
-    /// How long something takes, in milliseconds, and what came of it.
+    /// Measures the time of `work` in milliseconds. Returns it and the result.
     pub(crate) fn time<T>(&self, work: impl FnOnce() -> T) -> (f64, T) {
         let start = self.now();
         let done = work();

@@ -1,4 +1,4 @@
-//! From linear light to the codes of a display: as a format does it, and exactly.
+//! Conversion of linear light to displayed codes: by the encoder of a format, and exactly.
 
 use luminaire::number::{Light16, Light32};
 use luminaire::{
@@ -7,8 +7,8 @@ use luminaire::{
 };
 use luminaire_kernels::Value;
 
-/// The code of a linear value before rounding, from 0 to 255: sRGB as IEC 61966-2-1 writes it. What is not a
-/// number is dark.
+/// Returns the sRGB code of a linear value in [0, 255], before rounding, by IEC 61966-2-1. NaN is
+/// dark.
 pub(crate) fn srgb_code(linear: f64) -> f64 {
     let value = if linear >= 1.0 {
         1.0
@@ -22,7 +22,7 @@ pub(crate) fn srgb_code(linear: f64) -> f64 {
     255.0 * value
 }
 
-/// Light that a display shows by the encoder of its own format.
+/// Light with the display encoder of its own format.
 pub(crate) trait Shown: Value {
     /// The sRGB code, clipped at full scale.
     fn code(self) -> u8;

@@ -1,4 +1,4 @@
-//! Stage fixtures as their makers publish them.
+//! Stage fixtures with their published data.
 
 use std::{fmt, sync::LazyLock};
 use wasm_bindgen::prelude::*;
@@ -10,14 +10,13 @@ const HEADER: &str =
     "kind,manufacturer,fixture,mode,lens,categories,lens_full_angle_min_deg,lens_full_angle_max_deg,lumens";
 
 static FIXTURES: LazyLock<Vec<Fixture>> = LazyLock::new(|| {
-    // A table that does not parse is a table without rows; the test below keeps it from being shipped.
+    // A table that does not parse counts as empty; a test below prevents that it is shipped.
     parse(TABLE).unwrap_or_default()
 });
 
 /// A stage fixture with one of its lenses.
 ///
-/// Its angle is the lens opening as published: a full angle, of which nobody says whether it is the beam or the
-/// field angle.
+/// Its angle is the published lens opening: a full angle, of unknown kind (beam or field angle).
 #[wasm_bindgen]
 #[derive(Clone, PartialEq, Debug)]
 pub struct Fixture {
@@ -37,7 +36,7 @@ impl Fixture {
         self.name.clone()
     }
 
-    /// What sort of fixture it is, in one word: a grouping of ours.
+    /// The kind of fixture in one word: our own grouping.
     #[wasm_bindgen(getter)]
     pub fn kind(&self) -> String {
         self.kind.clone()
@@ -61,7 +60,7 @@ impl Fixture {
         self.wide
     }
 
-    /// The luminous flux in lumens, where it is known.
+    /// Luminous flux in lumens, if known.
     #[wasm_bindgen(getter)]
     pub fn lumens(&self) -> Option<f32> {
         self.lumens
@@ -69,7 +68,7 @@ impl Fixture {
 }
 
 impl Fixture {
-    /// The angle that a fixture has when it is chosen: the middle of its zoom.
+    /// Returns the initial angle of a fixture: the middle of its zoom range.
     pub(crate) fn middle(&self) -> f32 {
         self.narrow.midpoint(self.wide)
     }
@@ -85,7 +84,7 @@ pub(crate) fn find(name: &str) -> Option<&'static Fixture> {
     FIXTURES.iter().find(|fixture| fixture.name == name)
 }
 
-/// A line of the table that cannot be read.
+/// A line of the table that can't be parsed.
 #[derive(Clone, PartialEq, Eq, Debug)]
 struct BadLine {
     line: usize,
@@ -98,7 +97,7 @@ impl fmt::Display for BadLine {
     }
 }
 
-/// Reads the table. No name in it has a comma, so nothing is quoted: a quote is an error, not a dialect.
+/// Parses the table. No name contains a comma, so nothing is quoted, and a quote is an error.
 fn parse(table: &str) -> Result<Vec<Fixture>, BadLine> {
     let mut lines = table.lines();
     if lines.next() != Some(HEADER) {

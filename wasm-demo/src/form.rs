@@ -30,7 +30,7 @@ pub(crate) enum Form {
     F64,
 }
 
-/// The curve that a form stands for.
+/// The curve that a form computes.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum Curve {
     /// `t^2`.
@@ -44,7 +44,7 @@ impl Form {
     pub(crate) const ALL: [Self; 7] =
         [Self::F32, Self::Fx32, Self::Fx16, Self::Cosine, Self::Powf, Self::Gltf, Self::F64];
 
-    /// The form of this name.
+    /// Returns the form of this name.
     pub(crate) fn named(name: &str) -> Result<Self, Refusal> {
         let found = Self::ALL.into_iter().find(|form| form.name() == name);
         found.ok_or_else(|| Refusal::Name {
@@ -54,7 +54,7 @@ impl Form {
         })
     }
 
-    /// The name that [`Form::named`] knows.
+    /// The name that [`Form::named`] accepts.
     pub(crate) fn name(self) -> &'static str {
         match self {
             Self::F32 => "f32",
@@ -80,7 +80,7 @@ impl Form {
         }
     }
 
-    /// What its picture is compared with.
+    /// The curve of the reference that its picture is compared with.
     pub(crate) fn curve(self) -> Curve {
         match self {
             Self::Powf => Curve::CosinePower,
@@ -88,13 +88,13 @@ impl Form {
         }
     }
 
-    /// Whether its picture is compared with the same truth as that of another form: errors of different curves do not
+    /// Returns whether both forms compute the same curve. Errors against different curves do not
     /// say which form is better.
     pub(crate) fn shares_truth_with(self, other: Self) -> bool {
         self.curve() == other.curve()
     }
 
-    /// Its rows on the price list: from the angle to the intensity, and where it has one, the lit point.
+    /// Its rows on the price list: the intensity from the angle, and the lit point if there is one.
     pub(crate) fn rows(self) -> (Row, Option<Row>) {
         let row = |kernel, stage, format| Row { kernel, stage, format };
         let format = match self {
@@ -130,7 +130,8 @@ impl Form {
     }
 }
 
-/// The light, or why the format cannot hold it: first its cone, for a narrower one is farther away as well.
+/// Compiles the light. The cone is checked first, because a narrower cone also has a larger
+/// distance.
 fn compiled<S: Scalar>(
     spot: &SpotLight<Soft, NoAttenuation>,
 ) -> Result<CompiledSpotLight<S, Soft, NoAttenuation>, Error> {
@@ -139,7 +140,7 @@ fn compiled<S: Scalar>(
 }
 
 impl Curve {
-    /// The truth about the wall in f64.
+    /// Returns the f64 reference of the wall.
     pub(crate) fn truth(self, wall: &Wall) -> oracle::Point {
         let model = match self {
             Self::Soft => oracle::Model::Profile(Soft::exact),
@@ -158,7 +159,8 @@ impl Curve {
     }
 }
 
-/// The least half angle in degrees that would be accepted, if it is the angle that was refused; rounded up.
+/// Returns the narrowest half angle in degrees that the format accepts, rounded up, if the angle
+/// was refused.
 pub(crate) fn accepted_half_angle(error: &Error) -> Option<f32> {
     match error.accepted {
         Expected::AngleFrom(full) => Some(((full * 5e3).floor() + 1.0) / 1e4),
@@ -166,12 +168,12 @@ pub(crate) fn accepted_half_angle(error: &Error) -> Option<f32> {
     }
 }
 
-/// The exponent with which the power of a cosine has the field angle of the wall's cone.
+/// Returns the exponent of the cosine power with the field angle of the wall's cone.
 fn exponent(wall: &Wall) -> f32 {
     -std::f32::consts::LN_10 / (-wall.spot().cone().field().versine()).ln_1p()
 }
 
-/// A falloff that takes a cosine, at a point: with one inner product, in f32, as it is usually written.
+/// A cosine falloff at a point, with one inner product in f32, as it is usually written.
 #[derive(Clone, Copy, Debug)]
 struct FromCosine<F> {
     position: Vec3<f32>,
@@ -211,7 +213,7 @@ impl<F: Kernel<Input = f32, Output = f32>> Kernel for FromCosine<F> {
     }
 }
 
-/// A falloff that takes a versine, at a point, in f64.
+/// A versine falloff at a point, in f64.
 #[derive(Clone, Copy, Debug)]
 struct FromVersine<F> {
     position: Vec3<f64>,

@@ -67,7 +67,7 @@ impl Format {
         with_scalar!(self, S => spot.compile::<S>().map(drop))
     }
 
-    /// Whether the format can hold a fixture with what is mounted on it.
+    /// Returns whether the format can hold a fixture with its gobo and shadow map.
     pub(crate) fn check_fixture(self, fixture: &Fixture) -> Result<(), Error> {
         with_scalar!(self, S => {
             fixture.light().compile::<S>()?;

@@ -10,11 +10,11 @@ use luminaire::{
     light::{LightModel, SurfacePoint},
 };
 
-/// Random numbers: Knuth's linear congruences.
+/// Random numbers by Knuth's linear congruential generator.
 struct Random(u64);
 
 impl Random {
-    /// From -1 to 1.
+    /// Returns a number in [-1, 1].
     fn share(&mut self) -> f32 {
         self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (self.0 >> 40) as f32 / (1 << 23) as f32 - 1.0
@@ -61,14 +61,14 @@ fn spheres_hold_what_they_enclose() {
         let way = random.vector();
         along = along.min((normals.most_along(way) - normal.dot(way)) / way.length());
     }
-    // A narrow sphere is seen within its sine, the radius is for the widest.
+    // A narrow sphere is seen under its sine; the radius is for the widest one.
     assert!((0.7..1.0).contains(&towards), "{towards}");
     assert!((0.7..1.0).contains(&mirrored), "{mirrored}");
     assert!((-1e-6..1e-3).contains(&along), "{along}");
 }
 
-/// By how much the directions of a highlight are farther apart than its lobe is wide where a format has light of it, negative if
-/// they are nearer: the most of many places near the end of a lobe.
+/// Returns by how much the light of a highlight extends beyond its lobe, as a chord; negative if it
+/// ends inside. Searched over random positions near the end of a lobe.
 fn excess<S: Format>() -> f32 {
     let mut random = Random(2);
     let mut worst = -f32::INFINITY;
@@ -84,7 +84,7 @@ fn excess<S: Format>() -> f32 {
         let to_eye = (normal + random.vector()).normalize();
         let image = 2.0 * to_eye.dot(normal) * normal - to_eye;
         let aside = image.cross(random.direction()).normalize();
-        // The chord is about as long as the lobe is wide.
+        // The chord is approximately the width of the lobe.
         let chord = finish.lobe * (1.0 + 0.5 * random.share().powi(3));
         let along = 1.0 - 0.5 * chord * chord;
         let to_light = along * image + (1.0 - along * along).max(0.0).sqrt() * aside;
@@ -105,7 +105,7 @@ fn excess<S: Format>() -> f32 {
 fn no_highlight_is_beyond_the_margin_in_any_format() {
     let [float, fx32, fx16] = [excess::<f32>(), excess::<Fx32>(), excess::<Fx16>()];
     assert!((0.0..1e-6).contains(&float), "{float}");
-    // What is left of the eighth power near the end of a lobe is less than their steps.
+    // Near the end of a lobe the remaining eighth power is less than a step of these formats.
     assert!((-6e-3..0.0).contains(&fx32) && (-0.025..0.0).contains(&fx16), "{fx32}, {fx16}");
     assert!(float < 1e-3 * MARGIN);
 }

@@ -27,7 +27,7 @@ pub(super) fn wide() -> Result<Setup, Error> {
 
 fn setup(columns: usize, rows: usize, outer: HalfAngle) -> Result<Setup, Error> {
     let mut scene = Scene::new();
-    // Larger than what is lit, so that its edges stay out of the picture.
+    // Larger than the lit area, so that its edges stay out of the picture.
     scene.add(floor(SIDE + 6.0, SIDE + 6.0), Material::srgb(212, 208, 202))?;
     // From far away, so that the floor is almost a parallelogram: its depth of 16 m appears as high
     // as 9 m of its width.

@@ -235,7 +235,7 @@ fn most_blocks_outside_a_narrow_beam_are_left_out() {
     assert!((0.8..0.97).contains(&share), "{share} of the blocks are left out");
 }
 
-/// A renderer of one's own over the surfaces finds the light that this one does, bit for bit.
+/// Another renderer over the same surfaces computes bit-identical light.
 #[test]
 fn surfaces_are_what_is_lit() {
     let (scene, lights) = (stage::scene().unwrap(), stage::lights().unwrap());

@@ -13,13 +13,13 @@ use ray::Light;
 extern crate std;
 use std::string::ToString;
 
-/// How many texels off an edge a shadow may be.
+/// Largest error of a shadow edge, in texels.
 const TEXELS: f64 = 2.0;
 
 /// The largest cosine of an angle of incidence at which a point of a convex body is not lit exactly.
 const GRAZING: core::ops::Range<f64> = 0.17..0.19;
 
-/// A format, and its lengths as they are.
+/// A format whose lengths convert exactly to f64.
 trait Exact: Format {
     fn exact(length: Self::Length) -> f64;
 }
@@ -69,9 +69,9 @@ fn drawn<S: Scalar>(scene: &Scene, projection: &Projection, side: usize) -> Shad
     map
 }
 
-/// Everything that a camera sees in the cone of a light, and that faces it, is lit or not as a ray says,
-/// exactly; but for what is within [`TEXELS`] of an edge. Returns how much is lit, how much is in shadow and
-/// how much is between.
+/// Compares every surface that a camera sees, and that faces the light within its cone, with a ray:
+/// lit or in shadow, exactly, except within [`TEXELS`] of an edge. Returns the shares that are lit,
+/// in shadow and near an edge.
 fn assert_is_that_of_rays<S: Exact>(
     scene: &Scene,
     camera: &Camera,
@@ -176,8 +176,9 @@ fn wide_and_narrow_cones_have_the_shadows_of_rays() {
     }
 }
 
-/// Points of every triangle that faces the light are lit exactly: of flat surfaces at any angle, of round
-/// ones and at corners up to a grazing one. Returns the steepest angle, as a cosine, at which a point is not.
+/// Checks that points of every triangle that faces the light are lit exactly: of flat surfaces at
+/// any angle, of round ones and at corners up to a grazing angle. Returns the largest cosine at
+/// which a point is not.
 fn steepest_shadowed<S: Exact>(mesh: Mesh, spot: &SpotLight, side: usize) -> f64 {
     let scene = scene([mesh]);
     let projection = Projection::of(spot).unwrap();
@@ -303,7 +304,7 @@ fn objects_outside_of_the_cone_change_no_bit() {
         let meshes = || apart.objects().iter().map(|object| object.mesh.clone());
         let is_missed = |mesh: &Mesh| view.misses(&Bounds::of(mesh.vertices().iter().map(|v| v.position)));
         assert!(meshes().filter(is_missed).count() > 1, "objects are left out");
-        // As one with the floor they are drawn.
+        // Merged with the floor, the other meshes are drawn without being skipped.
         let is_drawn_alone = |mesh: &Mesh| mesh.is_closed() && !is_missed(mesh);
         let rest = meshes().filter(|mesh| !is_drawn_alone(mesh)).fold(Mesh::default(), Mesh::and);
         assert!(!is_missed(&rest));

@@ -1,4 +1,4 @@
-//! What a ray from a light hits, in f64: every triangle of a scene, one after the other.
+//! Ray casting from a light in f64, over every triangle of a scene.
 
 use crate::{bounds::Bounds, scene::Scene};
 use alloc::vec::Vec;
@@ -7,7 +7,7 @@ use luminaire::{Vec3, projector::Projection};
 pub(super) type Vector = [f64; 3];
 pub(super) type Triangle = [Vector; 3];
 
-/// The triangles of a mesh, whichever way they face, in a sphere.
+/// The triangles of a mesh, front and back, in a bounding sphere.
 struct Body {
     center: Vector,
     radius: f64,
@@ -32,7 +32,7 @@ pub(super) struct Place {
     depth: f64,
 }
 
-/// What a ray hits: the depth, the triangle, and whether nothing is before it.
+/// Hit of a ray: the depth, the triangle, and whether nothing is in front of it.
 struct Hit {
     depth: f64,
     triangle: Triangle,
@@ -127,7 +127,8 @@ impl Light {
         [0, 1, 2].map(|i| self.axis[i] + x * self.right[i] + y * self.down[i])
     }
 
-    /// What is nearest to a depth in a direction, of all that is farther than a map begins to see.
+    /// Returns the hit with the depth nearest to `depth` along a ray, of those beyond the near
+    /// plane of a map.
     fn nearest(&self, way: Vector, depth: f64) -> Option<Hit> {
         let is_met = |body: &&Body| {
             let across = cross(minus(body.center, self.position), way);
@@ -138,11 +139,11 @@ impl Light {
         let hits: Vec<_> = hits.filter(|(hit, _)| *hit > 0.05).collect();
         let off = |hit: &(f64, Triangle)| (hit.0 - depth).abs();
         let &(own, triangle) = hits.iter().min_by(|a, b| off(a).total_cmp(&off(b)))?;
-        // What is a millimetre before is the same.
+        // Hits within a millimetre count as the same.
         Some(Hit { depth: own, triangle, is_first: hits.iter().all(|&(depth, _)| depth >= own - 1e-3) })
     }
 
-    /// Whether light arrives at a place.
+    /// Returns whether light arrives at a position.
     pub(super) fn sees(&self, place: Place) -> bool {
         self.nearest(self.way(place.column, place.row), place.depth).is_none_or(|hit| hit.is_first)
     }
