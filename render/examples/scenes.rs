@@ -1,4 +1,5 @@
-//! Draws the example scenes as PNGs into a folder: `cargo run --release --example scenes -- folder [seconds]`.
+//! Draws the example scenes as PNGs into a folder:
+//! `cargo run --release --example scenes -- folder [seconds]`.
 
 use luminaire_render::{Renderer, examples::Example};
 use std::{error::Error, fs::File, io::BufWriter, path::Path};

@@ -38,8 +38,8 @@ pub struct Camera {
 }
 
 impl Camera {
-    /// A camera at a distance from its target in metres (0.25 to 100); yaw, pitch and the vertical field of
-    /// view (0.05 to 2.5) are in radians, and a positive pitch looks down from above.
+    /// A camera at a distance from its target in metres (0.25 to 100); yaw, pitch and the vertical
+    /// field of view (0.05 to 2.5) are in radians, and a positive pitch looks down from above.
     pub fn new(
         target: luminaire::Vec3<f32>,
         distance: f32,
@@ -58,8 +58,8 @@ impl Camera {
         camera
     }
 
-    /// Turns the camera around its target by these angles in radians. The eye stays above the floor and short
-    /// of the zenith.
+    /// Turns the camera around its target by these angles in radians. The eye stays above the floor
+    /// and short of the zenith.
     pub fn orbit(&mut self, yaw: f32, pitch: f32) {
         let turned = (self.yaw + yaw) % TAU;
         self.yaw = if turned.is_finite() { turned } else { self.yaw };
@@ -67,8 +67,8 @@ impl Camera {
         self.pitch = raised.min(STEEPEST).max(self.lowest());
     }
 
-    /// Multiplies the distance by a factor: under 1 comes nearer. The distance stays between 0.25 and 100
-    /// metres.
+    /// Multiplies the distance by a factor: under 1 comes nearer. The distance stays between 0.25
+    /// and 100 metres.
     pub fn zoom(&mut self, factor: f32) {
         self.distance = clamp(self.distance * factor, DISTANCE, self.distance);
         self.orbit(0.0, 0.0);

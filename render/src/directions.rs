@@ -14,8 +14,8 @@ pub(crate) struct Directions {
     radius: f32,
 }
 
-/// Distance added in [`Directions::are_apart`]. In every number format the light of a highlight ends
-/// at most 1e-7 beyond its lobe (searched).
+/// Distance added in [`Directions::are_apart`]. In every number format the light of a highlight
+/// ends at most 1e-7 beyond its lobe (searched).
 const MARGIN: f32 = 1.0 / 256.0;
 
 impl Directions {

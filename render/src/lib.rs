@@ -1,4 +1,5 @@
-//! A small deferred software renderer for the lights of [`luminaire`]: `no_std` + `alloc`, without a GPU.
+//! A small deferred software renderer for the lights of [`luminaire`]: `no_std` + `alloc`, without
+//! a GPU.
 //!
 //! ```
 //! use luminaire_render::{Renderer, stage};
@@ -12,8 +13,8 @@
 //!
 //! A picture takes four passes, and a pass is repeated only where its input has changed:
 //!
-//! 1. [`draw_geometry`](Renderer::draw_geometry) draws the [`Scene`] from a [`Camera`] into the G-buffer:
-//!    position, normal and material of each pixel, already in the number format of the light.
+//! 1. [`draw_geometry`](Renderer::draw_geometry) draws the [`Scene`] from a [`Camera`] into the
+//!    G-buffer: position, normal and material of each pixel, in the number format of the light.
 //! 2. [`draw_shadows`](Renderer::draw_shadows) draws a [`ShadowMap`] for each fixture with shadows.
 //! 3. [`draw_light`](Renderer::draw_light) adds up the light of the fixtures over the
 //!    G-buffer, in blocks of 32 pixels with each quantity in its own array. Only tiles that a

@@ -16,9 +16,9 @@ const JOINED: f32 = 1e-6;
 
 /// A plane curve, drawn as a pen would: from a point, along lines and curves.
 ///
-/// For a [lathe](crate::Mesh::lathe) the coordinates are radius and height. The surface is on the right of
-/// the pen: an outline drawn upwards, from the foot to the top, faces outwards. It is smooth where it turns
-/// by less than 45 degrees, and creased where it turns by more.
+/// For a [lathe](crate::Mesh::lathe) the coordinates are radius and height. The surface is on the
+/// right of the pen: an outline drawn upwards, from the foot to the top, faces outwards. It is
+/// smooth where it turns by less than 45 degrees, and creased where it turns by more.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Outline {
     points: Vec<Vec2>,

@@ -197,8 +197,8 @@ struct Walk {
     /// 0 for a top or left edge, which owns the points on it; 1 for the others, whose points belong
     /// to the neighbour.
     excluded: i64,
-    /// The divisor: the absolute step of one row of the edge, `|dy|` pixels. Then quotient and
-    /// remainder: the column where the edge crosses the row.
+    /// The absolute change of `at` per column, and the quotient and remainder of its division into
+    /// `at - excluded`. The quotient gives the column where the edge crosses the row.
     whole: i64,
     columns: i64,
     rest: i64,

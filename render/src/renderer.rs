@@ -60,11 +60,12 @@ pub struct Renderer<S: Format> {
 }
 
 impl<S: Format> Renderer<S> {
-    /// A renderer of pictures of this width and height in pixels. The picture is black until something is
-    /// drawn.
+    /// A renderer of pictures of this width and height in pixels. The picture is black until
+    /// something is drawn.
     ///
     /// # Errors
-    /// A width or height that is not from 1 to [`LARGEST`](crate::LARGEST), or for which there is no memory.
+    /// A width or height that is not from 1 to [`LARGEST`](crate::LARGEST), or for which there is
+    /// no memory.
     pub fn new(width: usize, height: usize) -> Result<Self, SizeError> {
         SizeError::check(width, height)?;
         Self::with_memory(width, height).map_err(|_| SizeError::Memory(width, height))

@@ -123,8 +123,9 @@ impl Scene {
     /// Adds a mesh of one material.
     ///
     /// # Errors
-    /// A coordinate of a vertex beyond [`Mesh::FARTHEST`], or NaN; more vertices than [`Mesh::MOST_VERTICES`], or segments
-    /// or lines that would make as many. The scene stays as it was.
+    /// A coordinate of a vertex beyond [`Mesh::FARTHEST`], or NaN; more vertices than
+    /// [`Mesh::MOST_VERTICES`], or segments or lines that would make as many. The scene stays as it
+    /// was.
     pub fn add(&mut self, mesh: Mesh, material: Material) -> Result<(), Error> {
         mesh.check()?;
         // The counts separate the objects, because each object has its own material.

@@ -19,7 +19,8 @@ use luminaire::{
 };
 use slope::{Slope, depth_error};
 
-/// A shadow map of a [`Scene`] on the square that a spotlight projects, in the number format of the light.
+/// A shadow map of a [`Scene`] on the square that a spotlight projects, in the number format of the
+/// light.
 ///
 /// The depths are those of the surfaces nearest to the light, front or back: an open sheet, such as
 /// a curtain, lets no light through. Surfaces nearer to the light than 5 centimetres along its axis

@@ -1,5 +1,5 @@
-//! A stage to light: boards, a cyclorama, curtains, and a still life of turned solids in the light of three
-//! spots.
+//! A stage to light: boards, a cyclorama, curtains, and a still life of turned solids in the light
+//! of three spots.
 
 use crate::{
     Camera, Material, Mesh, Outline, Scene,
@@ -41,9 +41,9 @@ pub fn camera() -> Camera {
 
 /// Key, fill and back light, in this order.
 ///
-/// The key is a profile spot of 26 degrees with a hard edge, warm, from the front left; the fill a Fresnel
-/// with a soft edge, cooler and weaker, from the front right; the back light a PAR with a soft edge, from
-/// behind and above.
+/// The key is a profile spot of 26 degrees with a hard edge, warm, from the front left; the fill a
+/// Fresnel with a soft edge, cooler and weaker, from the front right; the back light a PAR with a
+/// soft edge, from behind and above.
 ///
 /// # Errors
 /// Never: the values are constants.

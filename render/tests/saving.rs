@@ -150,7 +150,8 @@ fn assert_saving(example: Example, saving: Range<f64>, surplus: Range<f64>) {
 
 #[test]
 fn a_spot_is_evaluated_little_beyond_its_circle() {
-    // A circle is about as wide as a row of 32 pixels there, and more than twice as wide under a wide spot.
+    // A circle is about as wide as a row of 32 pixels there, and more than twice as wide under a
+    // wide spot.
     assert_saving(Example::Grid, 95.1..95.3, 1.96..1.97);
     assert_saving(Example::WideGrid, 17.4..17.5, 1.34..1.35);
 }

@@ -98,8 +98,9 @@ mod tests {
         }
     }
 
-    /// The largest errors in displayed codes at outer half angles of 10, 1, 0.1 and 0.01 degrees, with a tenth
-    /// of headroom; nothing where the format refuses. Searched: over the pixels of these pictures.
+    /// The largest errors in displayed codes at outer half angles of 10, 1, 0.1 and 0.01 degrees,
+    /// with a tenth of headroom; nothing where the format refuses. Searched: over the pixels of
+    /// these pictures.
     const BOUNDS: [(Form, [Option<f64>; 4]); 6] = [
         (Form::F32, [Some(2.1e-4), Some(1.7e-3), Some(0.028), Some(0.25)]),
         (Form::Fx32, [Some(5.8e-6), Some(3.6e-5), Some(5.0e-4), Some(4.4e-3)]),

@@ -5,7 +5,8 @@ use crate::display::srgb_code;
 /// The colours of the palette.
 pub(crate) const COLOURS: usize = 256;
 
-/// Where a scale may end, in displayed codes: 1, 2 and 5 of every power of ten, up to the range of a display.
+/// Where a scale may end, in displayed codes: 1, 2 and 5 of every power of ten, up to the range of
+/// a display.
 pub(crate) const ENDS: [f64; 17] =
     [0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 255.0];
 
@@ -29,7 +30,8 @@ pub(crate) struct Scale {
 }
 
 impl Palette {
-    /// The palette, computed in Oklch (B. Ottosson, *A perceptual color space for image processing*, 2020).
+    /// The palette, computed in Oklch (B. Ottosson, *A perceptual color space for image
+    /// processing*, 2020).
     pub(crate) fn new() -> Self {
         Self(std::array::from_fn(|i| linear(i as f64 / (COLOURS - 1) as f64).map(code)))
     }

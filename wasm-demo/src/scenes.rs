@@ -32,7 +32,7 @@ pub struct Scenes {
     example: Example,
     rig: Rig,
     viewpoint: Viewpoint,
-    /// Times of the lights and of the camera.
+    /// Elapsed time of the lights and of the camera, in seconds.
     seconds: [f32; 2],
     /// Whether every effect is evaluated for every light at every pixel.
     is_everything: bool,
@@ -209,7 +209,8 @@ impl Scenes {
         self.times.show
     }
 
-    /// How long the last picture took in all, in milliseconds: from setting the lights to the canvas having taken it.
+    /// How long the last picture took in all, in milliseconds: from setting the lights to the
+    /// canvas having taken it.
     #[wasm_bindgen(getter, js_name = frameMs)]
     pub fn frame_ms(&self) -> f64 {
         self.frame

@@ -15,8 +15,8 @@ export function joinNumber(field, set, leave) {
 }
 
 /**
- * The slider offers what is taken. Anything can be typed into the number, so that the kernel can say what is wrong
- * with it.
+ * The slider covers the valid range. The number field accepts any text, so that the kernel can
+ * explain what is wrong with a value.
  */
 export class Dial {
   #slider;
@@ -25,9 +25,10 @@ export class Dial {
   /**
    * @param {HTMLInputElement} slider
    * @param {HTMLInputElement} number
-   * @param {(value: number, control: HTMLInputElement) => void} set called as the value changes; NaN for no number
-   * @param {(number: HTMLInputElement, source?: HTMLInputElement) => void} leave called when the number is empty, then
-   *   with itself as the source, and when it is left: its refusal is over, and it shows the value in force
+   * @param {(value: number, control: HTMLInputElement) => void} set called on a change, NaN for no number
+   * @param {(number: HTMLInputElement, source?: HTMLInputElement) => void} leave called when
+   *   the number is empty, with itself as the source, and when it loses focus: its refusal ends, and
+   *   it shows the current value
    */
   constructor(slider, number, set, leave) {
     this.#slider = slider;
@@ -43,7 +44,8 @@ export class Dial {
   }
 
   /**
-   * Shows a value, except on the control that it comes from: nobody wants his text rewritten while he types.
+   * Shows a value, except on the control that it comes from: nobody wants his text rewritten while
+   * he types.
    * @param {number} value
    * @param {Element} [source]
    */

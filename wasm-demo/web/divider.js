@@ -1,8 +1,8 @@
 // The divider between left and right: one position for all split pictures.
 
 /**
- * Each is a slider over its picture, so that it can be dragged, pressed anywhere, and moved by keys. The place is
- * the style property --split of the element that holds them all.
+ * Each is a slider over its picture, so that it can be dragged, pressed anywhere, and moved by
+ * keys. The place is the style property --split of the element that holds them all.
  */
 export class Divider {
   #sliders;

@@ -20,7 +20,7 @@ export class HalfAngle {
 
   /**
    * @param {[number, number]} ends the narrowest and the widest, in degrees
-   * @param {(degrees: number) => void} set called as the value changes, NaN for no number; may throw a refusal
+   * @param {(degrees: number) => void} set called on a change, NaN for no number; may throw
    */
   constructor(ends, set) {
     this.#set = set;

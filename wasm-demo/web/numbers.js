@@ -9,16 +9,16 @@ export function tidy(value) {
 /** An angle in degrees, with its sign. */
 export const degrees = (value) => `${tidy(value)}°`.replace("-", "−");
 
-/** An angle for a glance: three digits. */
+/** Formats an angle in degrees with three significant digits. */
 export const roughly = (value) => `${Number(value.toPrecision(3))}°`;
 
-/** A whole number with its thousands apart. */
+/** Formats a rounded number with thousands separators. */
 export const whole = (value) => Math.round(value).toLocaleString("en");
 
-/** The largest decimal fraction that is not over a value: an end of a slider that the kernel takes. */
+/** Rounds down to two decimals, for the end of a slider that the kernel must accept. */
 export const floor = (value) => Math.floor(value * 100) / 100;
 
-/** The smallest value of three digits that is not under a value. */
+/** Rounds up to three significant digits. */
 export function ceiling(value) {
   const unit = 10 ** (Math.floor(Math.log10(value)) - 2);
   return Number((Math.ceil(value / unit) * unit).toPrecision(3));

@@ -1,6 +1,6 @@
 // Requirements on the browser, and parameters of the page's address.
 
-/** The smallest module that uses a SIMD instruction: a function that splats a byte and counts its bits. */
+/** The smallest module with a SIMD instruction: a function that splats a byte and counts its bits. */
 const SIMD = Uint8Array.of(
   0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 10, 1, 8, 0, 65, 0, 253, 15, 253, 98, 11,
 );

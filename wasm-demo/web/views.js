@@ -50,8 +50,8 @@ export class Views {
 
   /**
    * @param {Map<string, {element: HTMLElement, open: (attempt: number) => Promise<{show: Function, hide: Function}>}>}
-   *   views by name; the first is shown where the address names none of them. `show` is given what else the address
-   *   says, and `open` how many times it has failed
+   *   views by name; the first is shown if the address names none of them. `show` gets the
+   *   parameters of the address, and `open` the number of its failures
    */
   constructor(views) {
     this.#views = new Map([...views].map(([name, view]) => [name, new View(view)]));

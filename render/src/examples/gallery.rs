@@ -1,5 +1,6 @@
-//! A gallery: pictures on three walls and sculptures between them, each lit by two lights of its own, of every
-//! profile and distance model; pendants, a follow spot and a skylight. Of all that stands there two things shine.
+//! A gallery: pictures on three walls and sculptures between them, each lit by two lights of its
+//! own, of every profile and distance model; pendants, a follow spot and a skylight. Two of the
+//! sculptures have highlights.
 
 mod hall;
 mod lights;
@@ -37,7 +38,7 @@ fn fixtures() -> Result<Vec<MovingLight>, Error> {
             fixtures.push(lights::track_spot(fixtures.len(), position, Vec3::new(x, 1.2, z), 0.55)?);
         }
     }
-    // The one that moves: it follows whoever walks through the hall.
+    // The only moving light: it follows a visitor through the hall.
     let follow = lights::follow_spot(Vec3::new(0.0, 5.0, 3.2), Vec3::new(0.0, 0.0, 0.9))?;
     let center = glam::Vec3::new(0.0, 0.0, 0.9);
     fixtures.push(follow.sweeping(Sweep { center, radii: Vec2::new(2.6, 0.5), period: 16.0, start: 0.1 }));

@@ -1,7 +1,9 @@
-//! A floor of 16 x 16 metres under 64 narrow spotlights, and under 8 wide ones that light as many square metres of it.
+//! A floor of 16 x 16 metres under 64 narrow spotlights, and under 8 wide ones that light as many
+//! square metres of it.
 //!
-//! A spotlight that looks straight down from a height h lights a circle of radius `h tan a`, where a is its outer half
-//! angle: 64 circles of 10 degrees have the area of 8 circles of 26.5 degrees, within a thousandth.
+//! A spotlight that looks straight down from a height h lights a circle of radius `h tan a`, where
+//! a is its outer half angle: 64 circles of 10 degrees have the area of 8 circles of 26.5 degrees,
+//! within a thousandth.
 
 use super::{
     MovingLight, Setup,

@@ -1,4 +1,5 @@
-//! The still life of the stage in key, fill and back light, whose edges have both angles of a data sheet.
+//! The still life of the stage in key, fill and back light, whose edges have both angles of a data
+//! sheet.
 
 use super::{MovingLight, Setup, room::aimed};
 use crate::stage;

@@ -16,7 +16,8 @@ use std::string::ToString;
 /// Largest error of a shadow edge, in texels.
 const TEXELS: f64 = 2.0;
 
-/// The largest cosine of an angle of incidence at which a point of a convex body is not lit exactly.
+/// The largest cosine of an angle of incidence at which a point of a convex body is not lit
+/// exactly.
 const GRAZING: core::ops::Range<f64> = 0.17..0.19;
 
 /// A format whose lengths convert exactly to f64.
@@ -70,8 +71,8 @@ fn drawn<S: Scalar>(scene: &Scene, projection: &Projection, side: usize) -> Shad
 }
 
 /// Compares every surface that a camera sees, and that faces the light within its cone, with a ray:
-/// lit or in shadow, exactly, except within [`TEXELS`] of an edge. Returns the shares that are lit,
-/// in shadow and near an edge.
+/// lit or in shadow, exactly, except within [`TEXELS`] of an edge. Returns the number of points
+/// that are lit in both, dark in both, and different.
 fn assert_is_that_of_rays<S: Exact>(
     scene: &Scene,
     camera: &Camera,

@@ -8,7 +8,8 @@ use crate::{
 use core::f32::consts::FRAC_PI_2;
 use luminaire::{Error, Rgb, Vec3};
 
-/// Half the width of the hall, how far away its back wall is, and how high the walls are, in metres.
+/// Half the width of the hall, how far away its back wall is, and how high the walls are, in
+/// metres.
 const HALF: f32 = 4.2;
 const BACK: f32 = -4.0;
 const HEIGHT: f32 = 6.0;
