@@ -13,6 +13,8 @@ mod install;
 mod measure;
 mod msrv;
 mod package;
+#[cfg(test)]
+mod phrases;
 mod pictures;
 mod progress;
 mod project;

@@ -129,7 +129,7 @@ pub(super) static GROUPS: LazyLock<[Group; 6]> = LazyLock::new(|| {
                 effects: Effects::NONE.with(Effect::Spot).with(Effect::Soft).with(Effect::Unattenuated),
                 over: None,
                 what: "A spotlight with the soft edge and Lambert's cosine, at full strength at every distance: a \
-                       scene has it per soft spotlight, and the other programs are told from it.",
+                       scene has it per soft spotlight, and the other programs are compared with it.",
             },
             Entry {
                 title: "its falloff alone",
@@ -145,8 +145,8 @@ pub(super) static GROUPS: LazyLock<[Group; 6]> = LazyLock::new(|| {
                 listed: Some("Soft"),
                 effects: Effects::NONE.with(Effect::Diffuse),
                 over: Some("spot-soft"),
-                what: "The cosine between the normal and the way to the light: every lit surface calls for it. Facing \
-                       away is found before the root is paid for.",
+                what: "The cosine between the normal and the way to the light: every lit surface needs it. A point \
+                       facing away is an early-out before the root.",
             },
             Entry {
                 title: "point light",
@@ -190,7 +190,7 @@ pub(super) static GROUPS: LazyLock<[Group; 6]> = LazyLock::new(|| {
     },
     Group {
         title: "Distance",
-        note: "The soft spotlight with a fall with distance. The window and the range are told from the inverse square.",
+        note: "The soft spotlight with a fall with distance. The window and the range are compared with the inverse square.",
         entries: attenuations(),
     },
     Group {
@@ -203,7 +203,7 @@ pub(super) static GROUPS: LazyLock<[Group; 6]> = LazyLock::new(|| {
                 listed: None,
                 effects: Effects::NONE.with(Effect::Gobo),
                 over: Some(SPOT),
-                what: "A pattern that the spotlight projects, here of 16 x 16 bytes: a fixture with a gobo calls for \
+                what: "A pattern that the spotlight projects, here of 16 x 16 bytes: a fixture with a gobo needs \
                        it.",
             },
             Entry {
@@ -212,8 +212,8 @@ pub(super) static GROUPS: LazyLock<[Group; 6]> = LazyLock::new(|| {
                 listed: None,
                 effects: Effects::NONE.with(Effect::Shadow),
                 over: Some(SPOT),
-                what: "A shadow map, here of 16 x 16 lengths, by four comparisons: a fixture that casts shadows calls \
-                       for it. Drawing the map is not counted.",
+                what: "A shadow map, here of 16 x 16 lengths, by four comparisons: a fixture that casts shadows needs \
+                       it. Drawing the map is not counted.",
             },
             Entry {
                 title: "haze",
@@ -222,7 +222,7 @@ pub(super) static GROUPS: LazyLock<[Group; 6]> = LazyLock::new(|| {
                 effects: Effects::NONE.with(Effect::Haze),
                 over: None,
                 what: "The light that air sends from a beam to the eye, once a pixel and beam, in `f32` on every \
-                       processor: a scene with haze calls for it.",
+                       processor: a scene with haze needs it.",
             },
         ],
     },
@@ -292,7 +292,7 @@ pub(super) static GROUPS: LazyLock<[Group; 6]> = LazyLock::new(|| {
                 listed: None,
                 effects: Effects::NONE.with(Effect::Dither),
                 over: Some("srgb"),
-                what: "Ordered dither against banding: a picture with slow gradients calls for it.",
+                what: "Ordered dither against banding: a picture with slow gradients needs it.",
             },
             Entry {
                 title: "RGB565",

@@ -13,27 +13,29 @@ use crate::turntable::LOADS;
 const INTRODUCTION: &str = "\
 # What effects cost
 
-`cargo xtask effects` writes this page, and [effects.json](effects.json) with the same figures by program;
-`cargo xtask effects --check` counts anew and compares. A scene pays for the effects that it calls for and for no
-others: the renderer skips a light only where its contribution is exactly zero, and what a firmware does not name is
-not linked. The effects are those of [`luminaire::dynamic::Effect`](../core/src/effect.rs), and what every picture has besides.
+`cargo xtask effects` writes this page, and [effects.json](effects.json) with the same figures by
+program; `cargo xtask effects --check` counts again and compares. A scene pays only for the effects
+that it needs: the renderer skips a light only where its contribution is exactly zero, and an effect
+that a firmware does not name is not linked. The effects are those of
+[`luminaire::dynamic::Effect`](../core/src/effect.rs), and what every picture has besides.
 
-**Instructions** are those of an average pixel: counted under QEMU over 256 inputs, compiled for speed, less an empty
-loop that loads a word of the same inputs and folds it into the same checksum, as
-[firmware/README.md](../firmware/README.md#what-is-counted) describes. All surface points are in the cone and face the
-light, so that nothing is skipped: they are the dearest. Colours are spread evenly; the light that is exposed and
-fitted is that of such points, some of it over full scale. Lights and materials are constants of the program; one that
-is made while the program runs is loaded from memory besides. To fold three channels takes two instructions, which
-count. Results must be the host's, bit for bit.
+**Instructions** are those of an average pixel, counted under QEMU over 256 inputs as
+[firmware/README.md](../firmware/README.md#what-is-counted) describes. Programs are compiled for
+speed; the instructions of an empty loop, which loads a word of the same inputs and folds it into the
+same checksum, are subtracted. All surface points face the light and lie inside the cone, so no
+early-out is taken: these are worst-case figures. Colours are spread evenly; the light that is exposed
+and fitted is that of such points, some of it over full scale. Lights and materials are constants of
+the program; one that is made at run time is loaded from memory as well. Folding three channels takes
+two instructions, which count. Results must be bit-identical to the host's.
 
-**Bytes** are of flash, over an empty program, compiled for size, constant tables included. Effects share the root and
-its tables, so that the bytes of two do not add up.
+**Bytes** are bytes of flash more than those of an empty program, compiled for size, constant tables
+included. Effects share the root and its tables, so the bytes of two effects do not add up.
 
-What an effect **adds** is in brackets: the difference from the program that lacks it and nothing else, which is what a
-scene pays for it. Each program is compiled by itself, so that a difference may be a little less than nothing.
+What an effect **adds** is in brackets: the difference to the program that lacks only this effect. Each
+program is compiled by itself, so a difference can be slightly negative.
 
-Instructions are exact, and the same in every run of the same compiler. They are not cycles: nothing here says how long
-a pixel takes on a microcontroller.
+Instructions are exact, and the same in every run of the same compiler. They are not cycles: they do
+not say how long a pixel takes on a microcontroller.
 ";
 
 /// Writes the page.

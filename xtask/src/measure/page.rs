@@ -15,19 +15,21 @@ const INTRODUCTION: &str = "\
 [accuracy-vs-cost.json](accuracy-vs-cost.json). Errors and costs are of the same functions, which are the crate
 [`luminaire-kernels`](../kernels/src/lib.rs): firmware, host and browser run them, and the same bits come out everywhere.
 
-**Errors** are the largest difference from f64, in codes of 8 bits: 1 is 1/255 of full scale, and half a code is what a
-display shows. A kernel gets the nearest input that its format has, so what the format loses of the input is part of the
-error. *Exhaustive* errors are bounds: the 16-bit ramp is level over intervals of versines, the truth is monotone, and both
-ends of every interval of the cone are tried. The others are *searched*: the largest of 262,144 angles or 65,536 points,
-hence lower bounds. All are the same in every run. Each kernel is held against its own model: what `powf` errs is told of
-the power of the cosine, what `gltf` errs of the formula without its `max(0.001, ...)`.
+**Errors** are the largest difference from f64 in linear codes, 1/255 of full scale; half a code is
+visible on a display. A kernel gets the nearest input of its format, so the rounding of the input is
+part of the error. *Exhaustive* errors are bounds: the 16-bit ramp is constant over intervals of
+versines, the exact value is monotone, and both ends of every interval of the cone are tried. The
+others are *searched*: the largest of 262,144 angles or 65,536 points, hence lower bounds. All are the
+same in every run. Each kernel is compared with its own model: `powf` with the power of the cosine,
+`gltf` with the formula without its `max(0.001, ...)`.
 
 **Costs** on microcontrollers are instructions a call, counted exactly under QEMU as
-[firmware/README.md](../firmware/README.md) describes. They are not cycles. On the host
-and in the browser costs are nanoseconds a call, over a batch of 4096 inputs from memory to memory: the median of 41
-samples, in the best of three rounds. They depend on the machine and its other work, and nothing fails because of them. \"powf\" is how many calls have the price of
-one power function, that of libm on microcontrollers and of the platform elsewhere. Bytes are the code of all functions
-that a call executes; constant tables, such as those of roots, and the 1024 bytes of `table-256` are not among them.
+[firmware/README.md](../firmware/README.md) describes. They are not cycles. On the host and in the
+browser costs are nanoseconds a call, over a batch of 4096 inputs from memory to memory: the median of
+41 samples, in the best of three rounds. They depend on the machine and its other work, and nothing
+fails because of them. \"powf\" is how many calls cost as much as one power function, that of libm on
+microcontrollers and of the platform elsewhere. Bytes are the code of all functions that a call
+executes, without constant tables such as those of roots and the 1024 bytes of `table-256`.
 
 | stage | from | to |
 |---|---|---|
@@ -35,7 +37,7 @@ that a call executes; constant tables, such as those of roots, and the 1024 byte
 | lit | a point and a normal, in the cone and facing the light | the light that arrives: a soft edge and Lambert's cosine |
 | lit-inverse-square | the same | and the inverse square of the distance |
 | lit-specular | the same | and Phong's highlight of shininess 32, the direction to the eye included |
-| away, outside | the same, facing away, or outside the cone | zero, before the root is paid for |
+| away, outside | the same, facing away, or outside the cone | zero, by an early-out before the root |
 
 `f32-cosine` is the same ramp from `1 - l.s`; `f32-fast` takes micromath's reciprocal root as it is. `f64` reads points of
 f32. `powf-libm`, `powf-micromath` and `powf-std` are the power of the cosine by three libraries, `table-256` by
@@ -188,7 +190,7 @@ fn key(list: &PriceList) -> String {
          | `narrower` | by `half_angle` in degrees: an `error`, or the `narrowest` half angle that the format holds |\n\
          | `cost` | by target: `instructions`; or `ns` with `ns_quartiles`; `ratio_to_powf` is how many calls have the price of one power |\n\
          | `bytes` | by target: bytes of code, of all functions that a call executes |\n\n\
-         `cargo xtask measure --check`, which `cargo xtask full` runs too, measures errors, instructions and bytes anew and fails \
+         `cargo xtask measure --check`, which `cargo xtask full` runs too, measures errors, instructions and bytes again and fails \
          with the name of a row whose figures differ. Instructions of another compiler than the list's may differ by 5 %. \
          `cargo xtask measure --bless` accepts what is measured.\n",
         list.rows.len()

@@ -1,0 +1,85 @@
+//! Phrases that comments and documents do without: each has a plainer word in the field.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use crate::project;
+
+/// A phrase, and what to write instead.
+const PHRASES: [(&str, &str); 18] = [
+    (" is told ", "returns, states"),
+    (" are told ", "return, state"),
+    (" is asked ", "is tested, is required"),
+    (" are asked ", "are tested, are required"),
+    (" asks for ", "requires"),
+    (" asked for ", "required"),
+    (" paid for", "computed, costs"),
+    (" held to ", "bounded by"),
+    (" leaves of ", "transmits"),
+    (" so many ", "N"),
+    (" is another ", "has changed"),
+    (" not a number", "NaN"),
+    (" the dearest", "the most expensive"),
+    (" anew", "again"),
+    (" a house", "a layout"),
+    (" calls for ", "needs"),
+    (" call for ", "need"),
+    (" called for ", "needed"),
+];
+
+/// The title that the project was asked by, and what quotes it.
+const QUOTED: [&str; 2] = ["only what a scene calls for", "effects called for"];
+
+/// Folders of what is built, and files that keep the words of their day.
+const EXEMPT: [&str; 6] = [".git", "target", "node_modules", "CHANGELOG.md", "phrases.rs", "web"];
+
+/// Lines of prose below a folder that have one of the phrases, with their place and the remedy.
+fn found(folder: &Path, lines: &mut Vec<String>) {
+    let entries = fs::read_dir(folder).into_iter().flatten().flatten();
+    for path in entries.map(|entry| entry.path()) {
+        if EXEMPT.iter().any(|name| path.ends_with(name)) || path.is_symlink() {
+            continue;
+        }
+        if path.is_dir() {
+            found(&path, lines);
+        } else if let Ok(text) = fs::read_to_string(&path) {
+            lines.extend(of_text(&path, &text));
+        }
+    }
+}
+
+fn of_text(path: &Path, text: &str) -> Vec<String> {
+    let is_document = path.extension().is_some_and(|extension| extension == "md");
+    let is_source = path.extension().is_some_and(|extension| extension == "rs");
+    let prose = |line: &str| match line.split_once("//") {
+        Some((_, comment)) if is_source => format!(" {} ", comment.to_lowercase()),
+        None if is_source => String::new(),
+        _ if is_document => format!(" {} ", line.to_lowercase()),
+        _ => String::new(),
+    };
+    let mut found = Vec::new();
+    for (number, line) in (1..).zip(text.lines()) {
+        let prose = QUOTED.iter().fold(prose(line), |prose, quoted| prose.replace(quoted, ""));
+        for (phrase, instead) in PHRASES.iter().filter(|(phrase, _)| prose.contains(phrase)) {
+            let path = project::shown(path).to_string();
+            found.push(format!("{path}:{number}: `{}`: expected {instead}", phrase.trim()));
+        }
+    }
+    found
+}
+
+#[test]
+fn comments_and_documents_have_none_of_the_phrases() {
+    let mut lines = Vec::new();
+    found(project::root(), &mut lines);
+    assert!(lines.is_empty(), "{}", lines.join("\n"));
+}
+
+#[test]
+fn a_phrase_is_found_in_a_comment_and_not_in_code() {
+    let (source, page) = (PathBuf::from("a.rs"), PathBuf::from("a.md"));
+    assert_eq!(of_text(&source, "// It is told anew.").len(), 2);
+    assert!(of_text(&source, "let text = \" is told \";").is_empty());
+    assert_eq!(of_text(&page, "It calls for more.").len(), 1);
+    assert!(of_text(&page, "## Only what a scene calls for").is_empty());
+}
