@@ -41,7 +41,7 @@ pub enum Example {
     ThreePoint,
     /// A floor under 64 narrow spotlights.
     Grid,
-    /// The same floor under 8 wide spotlights that light as much of it.
+    /// The floor of `Grid` under 8 wide spotlights, whose cones cover the same area as its 64 narrow ones.
     WideGrid,
     /// Pictures and sculptures in the light of many kinds of lights.
     Gallery,

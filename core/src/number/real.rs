@@ -3,8 +3,9 @@
 //! The results are bit-identical in every format. Logarithm and exponential each use a table of 64
 //! segments and a series of three terms about the middle of a segment.
 
-/// A real exponent of at least 0, and a floor below which the power is constant.
+/// A real exponent `p >= 0` and a floor `f` of the base, for `(x^p - f^p) / (1 - f^p)`.
 ///
+/// The result is 0 for `x <= f`. With a floor of 0 it is the power itself.
 /// Used by [`Fraction::real_power`](super::Fraction::real_power).
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct RealExponent {
