@@ -97,17 +97,21 @@ fn extent<S: Scalar>(points: Vec3<&[S::Length]>, normals: Vec3<&[S]>, lights: us
 }
 
 /// Iterates over a range of three columns, in blocks.
-fn blocks<T>(columns: Vec3<&[T]>, range: Range<usize>) -> impl Iterator<Item = Vec3<&[T; BLOCK]>> {
+///
+/// Every item is `Some`, and the loops that use it skip `None`. A `filter_map` here instead costs
+/// 14 % more instructions, because the compiler then no longer turns the zipped columns into a loop
+/// over one index (callgrind, `irradiance_each` and `add_each` of a soft spotlight in f32, x86-64).
+fn blocks<T>(columns: Vec3<&[T]>, range: Range<usize>) -> impl Iterator<Item = Option<Vec3<&[T; BLOCK]>>> {
     let blocks = columns.map(|column| {
         let column = column.get(range.clone()).unwrap_or_default();
-        column.chunks_exact(BLOCK).filter_map(<[T]>::first_chunk)
+        column.chunks_exact(BLOCK).map(<[T]>::first_chunk)
     });
-    blocks.x.zip(blocks.y).zip(blocks.z).map(|((x, y), z)| Vec3::new(x, y, z))
+    blocks.x.zip(blocks.y).zip(blocks.z).map(|((x, y), z)| Some(Vec3::new(x?, y?, z?)))
 }
 
-/// Iterates over a column in blocks.
-fn blocks_mut<T>(column: &mut [T]) -> impl Iterator<Item = &mut [T; BLOCK]> {
-    column.chunks_exact_mut(BLOCK).filter_map(<[T]>::first_chunk_mut)
+/// Iterates over a column in blocks, as [`blocks`] does.
+fn blocks_mut<T>(column: &mut [T]) -> impl Iterator<Item = Option<&mut [T; BLOCK]>> {
+    column.chunks_exact_mut(BLOCK).map(<[T]>::first_chunk_mut)
 }
 
 /// Iterates over a range of three columns, row by row.
@@ -151,6 +155,7 @@ fn irradiance_each<S: Scalar, L: Batched<S>>(
     let (whole, count) = extent(points, normals, lights.len());
     let sites = blocks(points, 0..whole).zip(blocks(normals, 0..whole));
     for ((points, normals), lights) in sites.zip(blocks_mut(lights)) {
+        let (Some(points), Some(normals), Some(lights)) = (points, normals, lights) else { continue };
         light_block(light, points, normals, lights);
     }
     let sites = rows(points, whole..count).zip(rows(normals, whole..count));
@@ -172,8 +177,10 @@ fn add_each<S: Scalar, L: Batched<S>>(
     let sums = blocks_mut(red).zip(blocks_mut(green)).zip(blocks_mut(blue));
     let mut lights = Lanes([S::Irradiance::default(); BLOCK]);
     for ((points, normals), ((red, green), blue)) in sites.zip(sums) {
+        let (Some(points), Some(normals)) = (points, normals) else { continue };
         light_block(light, points, normals, &mut lights.0);
         for (sums, color) in [(red, color.red), (green, color.green), (blue, color.blue)] {
+            let Some(sums) = sums else { continue };
             sums.iter_mut().zip(&lights.0).for_each(|(sum, &light)| add(sum, light, color));
         }
     }
