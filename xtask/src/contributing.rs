@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::Command;
 
 use anyhow::{Context, Result, ensure};
@@ -61,13 +61,10 @@ impl Tree {
         let example = patched(difference(&page)?)?;
         ensure!(example.len() <= MOST_FILES, "the example touches {} files", example.len());
         let tree = Self { folder: project::target().join("contributing") };
-        let mut files = BTreeMap::new();
-        list(project::root(), Path::new(""), &mut files)?;
+        let mut files = project::files(project::root(), &NOT_COPIED)?;
         files.extend(example);
-        let mut present = BTreeMap::new();
-        if tree.folder.exists() {
-            list(&tree.folder, Path::new(""), &mut present)?;
-        }
+        fs::create_dir_all(&tree.folder)?;
+        let mut present = project::files(&tree.folder, &NOT_COPIED)?;
         for (path, bytes) in &files {
             if present.remove(path).as_ref() != Some(bytes) {
                 let path = tree.folder.join(path);
@@ -116,26 +113,10 @@ fn patched(difference: &str) -> Result<BTreeMap<PathBuf, Vec<u8>>> {
     touched.iter().map(read).collect()
 }
 
-/// All files below a folder, by their paths in it.
-fn list(root: &Path, folder: &Path, files: &mut BTreeMap<PathBuf, Vec<u8>>) -> Result<()> {
-    for entry in fs::read_dir(root.join(folder))? {
-        let entry = entry?;
-        let path = folder.join(entry.file_name());
-        if NOT_COPIED.iter().any(|name| path.ends_with(name)) {
-            continue;
-        }
-        if entry.file_type()?.is_dir() {
-            list(root, &path, files)?;
-        } else {
-            let bytes = fs::read(root.join(&path))?;
-            files.insert(path, bytes);
-        }
-    }
-    Ok(())
-}
-
 #[cfg(test)]
 mod tests {
+    use std::path::Path;
+
     use super::*;
 
     #[test]

@@ -108,10 +108,8 @@ pub(crate) fn cargo_program(name: &str, progress: &Progress) -> Result<PathBuf> 
     }
     let step = progress.begin("Building", format_args!("{name} into target/tools"));
     let mut install = command::cargo("install");
-    progress.run({
-        install.args(["--locked", name, "--root"]).arg(tools());
-        install
-    })?;
+    install.args(["--locked", name, "--root"]).arg(tools());
+    progress.run(install)?;
     step.done();
     Ok(built)
 }

@@ -25,17 +25,15 @@ const LLVM: &str = "libllvm19";
 /// Adds the step: the published crates compile. Where Debian's packages cannot be had, clippy alone
 /// compares each item that is used with the version that is promised.
 pub(crate) fn run(suite: &mut Suite) {
-    suite.step(&format!("oldest compiler: the crates compile with rustc {VERSION}"), |progress| {
+    suite.remarked(&format!("oldest compiler: the crates compile with rustc {VERSION}"), |progress| {
         let Some(usr) = unpacked(progress)? else {
-            progress
-                .say("Skipping", "there is no such package of Debian; clippy's incompatible_msrv has passed");
-            return Ok(());
+            return Ok(vec!["not compiled: there is no such package of Debian; clippy checks it".to_owned()]);
         };
         let mut check = command::cargo("check");
         check.args(["--lib", "--all-features", "--package", "luminaire", "--package", "luminaire-render"]);
         check.env("RUSTC", usr.join("bin/rustc")).env("LD_LIBRARY_PATH", usr.join("lib/x86_64-linux-gnu"));
         check.env("CARGO_TARGET_DIR", project::target().join("oldest-compiler"));
-        progress.run(check)
+        progress.run(check).map(|()| Vec::new())
     });
 }
 

@@ -10,7 +10,7 @@ use tempfile::TempDir;
 use crate::progress::Progress;
 use crate::size::program::Program;
 use crate::suite::Suite;
-use crate::tally::Tally;
+use crate::tally::{self, Tally};
 use crate::toolchain::Toolchain;
 use crate::{command, project};
 
@@ -58,22 +58,23 @@ fn panic(_: &core::panic::PanicInfo) -> ! {
 
 /// Adds the steps.
 pub(crate) fn run(suite: &mut Suite) {
-    const NAMES: [&str; 3] = [
+    const NAMES: [&str; 4] = [
         "package: the crates are complete",
         "package: the README's firmware links without float or panic",
         "package: the crates' own tests pass",
+        "package: the kernel compiles with the oldest dependencies that it allows",
     ];
     if !NAMES.iter().any(|name| suite.wants(name)) {
         return;
     }
     let unpacked = suite.require(NAMES[0], Unpacked::new);
     let unpacked = || unpacked.as_ref().context("the crates were not packed");
-    suite.step(NAMES[1], |progress| {
-        let bytes = unpacked()?.firmware(progress)?;
-        progress.say("Linked", format_args!("{bytes} bytes of flash"));
-        Ok(())
+    suite.remarked(NAMES[1], |progress| {
+        Ok(vec![format!("{} bytes of flash", unpacked()?.firmware(progress)?)])
     });
     suite.count(NAMES[2], |progress| unpacked()?.tests(progress));
+    // Last, because it writes into the lock file.
+    suite.step(NAMES[3], |progress| unpacked()?.oldest_dependencies(progress));
 }
 
 /// The packed crates, unpacked where no workspace is.
@@ -96,10 +97,8 @@ impl Unpacked {
         for (name, files) in CRATES {
             let mut tar = Command::new("tar");
             tar.arg("xzf").arg(project::target().join(format!("package/{name}-{VERSION}.crate")));
-            progress.run({
-                tar.current_dir(unpacked.folder.path());
-                tar
-            })?;
+            tar.current_dir(unpacked.folder.path());
+            progress.run(tar)?;
             let missing: Vec<_> =
                 files.iter().filter(|file| !unpacked.of(name).join(file).is_file()).collect();
             ensure!(missing.is_empty(), "the crate {name} lacks {missing:?}");
@@ -123,13 +122,7 @@ impl Unpacked {
             if name != "luminaire" {
                 test.arg("--config").arg(&kernel);
             }
-            let ended = command::capture(test)?;
-            progress.quote(&ended.output);
-            let found = Tally::of_cargo_test(&ended.output);
-            tally += found;
-            if !ended.success && found.failed == 0 {
-                tally += Tally::FAILED;
-            }
+            tally += tally::cargo_test(test, progress)?;
         }
         for example in ["wall", "data_sheet", "gltf"] {
             let mut run = self.cargo("run", &self.of("luminaire"));
@@ -137,6 +130,17 @@ impl Unpacked {
             progress.run(run).with_context(|| format!("the example {example}"))?;
         }
         Ok(tally)
+    }
+
+    /// Checks the kernel with the oldest version of each dependency that its manifest allows.
+    fn oldest_dependencies(&self, progress: &Progress) -> Result<()> {
+        let mut update = self.cargo("update", &self.of("luminaire"));
+        // The option is one of nightly cargo.
+        update.arg("-Zdirect-minimal-versions").env("RUSTC_BOOTSTRAP", "1");
+        progress.run(update)?;
+        let mut check = self.cargo("check", &self.of("luminaire"));
+        check.args(["--lib", "--all-features"]);
+        progress.run(check)
     }
 
     fn cargo(&self, subcommand: &str, folder: &Path) -> Command {

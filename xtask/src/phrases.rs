@@ -1,6 +1,5 @@
 //! Phrases that comments and documents do without: each has a plainer word in the field.
 
-use std::fs;
 use std::path::{Path, PathBuf};
 
 use crate::project;
@@ -31,23 +30,9 @@ const PHRASES: [(&str, &str); 18] = [
 const QUOTED: [&str; 2] = ["only what a scene calls for", "effects called for"];
 
 /// Folders of what is built, and files that keep the words of their day.
-const EXEMPT: [&str; 6] = [".git", "target", "node_modules", "CHANGELOG.md", "phrases.rs", "web"];
+const EXEMPT: [&str; 5] = [".git", "target", "node_modules", "CHANGELOG.md", "phrases.rs"];
 
-/// Lines of prose below a folder that have one of the phrases, with their place and the remedy.
-fn found(folder: &Path, lines: &mut Vec<String>) {
-    let entries = fs::read_dir(folder).into_iter().flatten().flatten();
-    for path in entries.map(|entry| entry.path()) {
-        if EXEMPT.iter().any(|name| path.ends_with(name)) || path.is_symlink() {
-            continue;
-        }
-        if path.is_dir() {
-            found(&path, lines);
-        } else if let Ok(text) = fs::read_to_string(&path) {
-            lines.extend(of_text(&path, &text));
-        }
-    }
-}
-
+/// Lines of a file's prose that have one of the phrases, each with its place and the remedy.
 fn of_text(path: &Path, text: &str) -> Vec<String> {
     let is_document = path.extension().is_some_and(|extension| extension == "md");
     let is_source = path.extension().is_some_and(|extension| extension == "rs");
@@ -61,8 +46,7 @@ fn of_text(path: &Path, text: &str) -> Vec<String> {
     for (number, line) in (1..).zip(text.lines()) {
         let prose = QUOTED.iter().fold(prose(line), |prose, quoted| prose.replace(quoted, ""));
         for (phrase, instead) in PHRASES.iter().filter(|(phrase, _)| prose.contains(phrase)) {
-            let path = project::shown(path).to_string();
-            found.push(format!("{path}:{number}: `{}`: expected {instead}", phrase.trim()));
+            found.push(format!("{}:{number}: `{}`: expected {instead}", path.display(), phrase.trim()));
         }
     }
     found
@@ -70,8 +54,9 @@ fn of_text(path: &Path, text: &str) -> Vec<String> {
 
 #[test]
 fn comments_and_documents_have_none_of_the_phrases() {
-    let mut lines = Vec::new();
-    found(project::root(), &mut lines);
+    let files = project::files(project::root(), &EXEMPT).unwrap();
+    let texts = files.iter().filter_map(|(path, content)| Some((path, str::from_utf8(content).ok()?)));
+    let lines: Vec<_> = texts.flat_map(|(path, text)| of_text(path, text)).collect();
     assert!(lines.is_empty(), "{}", lines.join("\n"));
 }
 

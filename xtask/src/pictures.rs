@@ -1,9 +1,8 @@
 //! `cargo xtask pictures`: the documents' pictures of the demo, and what page they are of.
 
 use std::fs;
-use std::path::{Path, PathBuf};
 
-use anyhow::{Context, Result};
+use anyhow::Result;
 use flate2::Crc;
 
 use crate::browser::Chromium;
@@ -35,28 +34,12 @@ pub(crate) fn run() -> Result<()> {
 
 /// The text that tells one page from another: a checksum of its files with their names.
 fn fingerprint() -> Result<String> {
-    let web = project::root().join("wasm-demo/web");
-    let mut files = Vec::new();
-    list(&web, &mut files)?;
-    files.sort();
     let mut crc = Crc::new();
-    for file in files {
-        crc.update(file.strip_prefix(&web)?.to_string_lossy().as_bytes());
-        crc.update(&fs::read(&file)?);
+    for (file, content) in project::files(&project::root().join("wasm-demo/web"), &[])? {
+        crc.update(file.to_string_lossy().as_bytes());
+        crc.update(&content);
     }
     Ok(format!("{:08x}: the CRC-32 of wasm-demo/web, by `cargo xtask pictures`\n", crc.sum()))
-}
-
-fn list(folder: &Path, files: &mut Vec<PathBuf>) -> Result<()> {
-    for entry in fs::read_dir(folder).with_context(|| format!("cannot read {}", folder.display()))? {
-        let entry = entry?;
-        if entry.file_type()?.is_dir() {
-            list(&entry.path(), files)?;
-        } else {
-            files.push(entry.path());
-        }
-    }
-    Ok(())
 }
 
 #[cfg(test)]

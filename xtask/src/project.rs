@@ -1,7 +1,10 @@
-//! Where things are.
+//! Where the project's files are.
 
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
-use std::{env, path};
+use std::{env, fs, io, path};
+
+use anyhow::{Context, Result};
 
 /// The workspace's folder.
 pub(crate) fn root() -> &'static Path {
@@ -15,6 +18,36 @@ pub(crate) fn target() -> PathBuf {
         Some(folder) if !folder.is_empty() => path::absolute(&folder).unwrap_or_else(|_| folder.into()),
         _ => root().join("target"),
     }
+}
+
+/// All files below a folder with their content, by their paths in it, without files and folders
+/// whose path ends with one of `left_out`.
+pub(crate) fn files(folder: &Path, left_out: &[&str]) -> Result<BTreeMap<PathBuf, Vec<u8>>> {
+    fn list(
+        root: &Path,
+        folder: &Path,
+        left_out: &[&str],
+        files: &mut BTreeMap<PathBuf, Vec<u8>>,
+    ) -> io::Result<()> {
+        for entry in fs::read_dir(root.join(folder))? {
+            let entry = entry?;
+            let path = folder.join(entry.file_name());
+            if left_out.iter().any(|name| path.ends_with(name)) {
+                continue;
+            }
+            if entry.file_type()?.is_dir() {
+                list(root, &path, left_out, files)?;
+            } else {
+                let content = fs::read(root.join(&path))?;
+                files.insert(path, content);
+            }
+        }
+        Ok(())
+    }
+    let mut files = BTreeMap::new();
+    list(folder, Path::new(""), left_out, &mut files)
+        .with_context(|| format!("cannot read {}", shown(folder)))?;
+    Ok(files)
 }
 
 /// Displays a path, relative to the workspace if it is below it.

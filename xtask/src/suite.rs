@@ -67,6 +67,15 @@ impl Suite {
         }
     }
 
+    /// Runs a step that counts as one test, if it is wanted, and prints its remarks below it.
+    pub(crate) fn remarked(&mut self, name: &str, work: impl FnOnce(&Progress) -> Result<Vec<String>>) {
+        if self.wants(name) {
+            for remark in self.require(name, work).unwrap_or_default() {
+                println!("    {remark}");
+            }
+        }
+    }
+
     /// Runs a step that others need, wanted or not.
     pub(crate) fn require<T>(&mut self, name: &str, work: impl FnOnce(&Progress) -> Result<T>) -> Option<T> {
         self.run(name, |progress| work(progress).map(|value| (value, Tally::PASSED)))

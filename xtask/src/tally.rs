@@ -2,6 +2,12 @@
 
 use std::fmt;
 use std::ops::AddAssign;
+use std::process::Command;
+
+use anyhow::{Result, ensure};
+
+use crate::command;
+use crate::progress::Progress;
 
 /// Numbers of passed and failed tests. A test that did not run counts in neither.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -24,6 +30,19 @@ impl Tally {
         }
         tally
     }
+}
+
+/// Runs `cargo test` and adds up its results. An error if no test was run.
+pub(crate) fn cargo_test(test: Command, progress: &Progress) -> Result<Tally> {
+    let ended = command::capture(test)?;
+    progress.quote(&ended.output);
+    let mut tally = Tally::of_cargo_test(&ended.output);
+    ensure!(tally != Tally::default(), "no test was run");
+    // A test program that does not compile, or that crashes, has no line of its own.
+    if !ended.success && tally.failed == 0 {
+        tally += Tally::FAILED;
+    }
+    Ok(tally)
 }
 
 /// The number before a word, as in `ok. 12 passed; 0 failed; …`.

@@ -1,10 +1,9 @@
 //! `cargo xtask test`: every test; `cargo xtask full`: the long ones, too, on all boards.
 
-use std::fs;
 use std::iter;
 use std::process::{Command, ExitCode};
 
-use anyhow::{Context, Result, bail};
+use anyhow::{Context, Result};
 use serde_json::Value;
 
 use crate::arguments::TestOptions;
@@ -12,7 +11,7 @@ use crate::browser::tests::{ALL, Visitor};
 use crate::firmware::{Board, board};
 use crate::progress::Progress;
 use crate::suite::Suite;
-use crate::tally::Tally;
+use crate::tally::{self, Tally};
 use crate::toolchain::Toolchain;
 use crate::{
     command, conform, contributing, demo, effects, firmware, install, measure, msrv, package, project, site,
@@ -76,42 +75,13 @@ fn host(suite: &mut Suite, full: bool) {
     browser(suite);
 }
 
-/// What is linked: its licences and sources, and the oldest versions that the manifest of the
-/// kernel allows.
+/// The licences and sources of what is linked.
 fn dependencies(suite: &mut Suite) {
     suite.step("dependencies: licences, bans and sources", |progress| {
         let mut deny = Command::new(install::cargo_program("cargo-deny", progress)?);
         deny.args(["--workspace", "check", "licenses", "bans", "sources"]).current_dir(project::root());
         progress.run(deny)
     });
-    suite.step("dependencies: the kernel compiles with the oldest that it allows", |progress| {
-        // A copy, because the versions are written into the lock file.
-        let folder = tempfile::tempdir()?;
-        let manifest = fs::read_to_string(project::root().join("Cargo.toml"))?;
-        fs::write(folder.path().join("Cargo.toml"), of_the_kernel_alone(&manifest)?)?;
-        let mut copy = Command::new("cp");
-        copy.args(["-rL", "core"]).arg(folder.path()).current_dir(project::root());
-        progress.run(copy)?;
-        let mut update = command::cargo("update");
-        // What a nightly cargo calls a direct minimal version.
-        update.args(["-Zdirect-minimal-versions"]).env("RUSTC_BOOTSTRAP", "1").current_dir(folder.path());
-        progress.run(update)?;
-        let mut check = with(command::cargo("check"), &["--package", "luminaire", "--lib", "--all-features"]);
-        check.current_dir(folder.path()).env("CARGO_TARGET_DIR", project::target().join("oldest-versions"));
-        progress.run(check)
-    });
-}
-
-/// The manifest of a workspace of the kernel alone.
-fn of_the_kernel_alone(manifest: &str) -> Result<String> {
-    let (_, rest) = manifest.split_once("[workspace.package]").context("no [workspace.package]")?;
-    let (shared, _) = rest.split_once("[package]").context("no [package]")?;
-    let own = |line: &&str| !line.starts_with("luminaire") && !line.starts_with('#');
-    let shared: Vec<_> = shared.lines().filter(own).collect();
-    Ok(format!(
-        "[workspace]\nmembers = [\"core\"]\nresolver = \"3\"\n\n[workspace.package]{}\n",
-        shared.join("\n")
-    ))
 }
 
 /// What emulated boards run, and the conformance vectors on them, on this machine and in a browser.
@@ -190,17 +160,7 @@ fn cargo_test(arguments: &[&str], full: bool, progress: &Progress) -> Result<Tal
     if full {
         test.env("LUMINAIRE_FULL", "1");
     }
-    let ended = command::capture(test)?;
-    progress.quote(&ended.output);
-    let mut tally = Tally::of_cargo_test(&ended.output);
-    if tally == Tally::default() {
-        bail!("no test was run");
-    }
-    // A test program that does not compile, or that crashes, has no line of its own.
-    if !ended.success && tally.failed == 0 {
-        tally += Tally::FAILED;
-    }
-    Ok(tally)
+    tally::cargo_test(test, progress)
 }
 
 /// Checked without code generation: the firmware links the kernel.
@@ -221,13 +181,10 @@ fn bare_metal(suite: &mut Suite, full: bool) {
 }
 
 fn prices(suite: &mut Suite, boards: &[&'static Board]) {
-    let name = "prices: errors and instructions are those of the list";
-    if suite.wants(name) {
+    suite.remarked("prices: errors and instructions are those of the list", |progress| {
         let targets: Vec<_> = boards.iter().map(|board| measure::Target::Board(board)).collect();
-        for remark in suite.require(name, |progress| measure::check(&targets, progress)).unwrap_or_default() {
-            println!("    {remark}");
-        }
-    }
+        measure::check(&targets, progress)
+    });
 }
 
 fn browser(suite: &mut Suite) {

@@ -8,9 +8,6 @@ use crate::suite::Suite;
 pub(crate) fn run(suite: &mut Suite) {
     for stand in &STANDS {
         let name = format!("effects: instructions and bytes are those recorded on {}", stand.board);
-        suite.step(&name, |progress| {
-            check(stand, progress)?.iter().for_each(|remark| progress.say("Compared", remark));
-            Ok(())
-        });
+        suite.remarked(&name, |progress| check(stand, progress));
     }
 }

@@ -11,17 +11,14 @@ use crate::suite::Suite;
 pub(crate) fn run(suite: &mut Suite, boards: &[&'static Board]) {
     for &board in boards {
         let name = format!("frame: the picture, no soft float, and its counts on {}", board.name);
-        suite.step(&name, |progress| {
+        suite.remarked(&name, |progress| {
             let host = on_the_host(progress)?;
             let mut record = Record::new(&host);
             record.boards.insert(
                 board.name.to_owned(),
                 draw(&Laboratory::with_program(PROGRAM, board, progress)?, &host)?,
             );
-            for remark in compare(&record, &host.picture)? {
-                progress.say("Compared", remark);
-            }
-            Ok(())
+            compare(&record, &host.picture)
         });
     }
 }
