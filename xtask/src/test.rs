@@ -22,9 +22,10 @@ use crate::{
 const BARE: &str = "thumbv6m-none-eabi";
 
 /// The sets of luminaire's features that bare metal is promised, as options of cargo.
-const FEATURES: [(&str, &[&str]); 4] = [
+const FEATURES: [(&str, &[&str]); 5] = [
     ("libm alone", &["--no-default-features", "--features", "libm"]),
     ("micromath alone", &["--no-default-features", "--features", "micromath"]),
+    ("fixed alone", &["--no-default-features", "--features", "fixed"]),
     ("its default features", &[]),
     (
         "every feature without std",
@@ -54,8 +55,8 @@ fn host(suite: &mut Suite, full: bool) {
     sources(suite, full);
     suite
         .count("host: cargo test", |progress| cargo_test(&["--workspace", "--no-fail-fast"], full, progress));
-    // The other sets are tested by `full`; clippy checks all of them.
-    for (name, features) in if full { &FEATURES[1..3] } else { &FEATURES[1..2] } {
+    // The sets whose roots and angles are not libm's, and with `full` the default; clippy checks all.
+    for (name, features) in if full { &FEATURES[1..4] } else { &FEATURES[1..3] } {
         suite.count(&format!("host: luminaire with {name}"), |progress| {
             // The long search has been made with all features at once.
             cargo_test(&[&["--package", "luminaire", "--lib"], *features].concat(), false, progress)
@@ -226,7 +227,6 @@ mod tests {
     fn bare_metal_is_promised_every_feature_but_std() {
         let mut features = features_of_luminaire().unwrap();
         features.retain(|feature| feature != "std");
-        let (_, options) = FEATURES[3];
-        assert_eq!(options[2], features.join(","));
+        assert_eq!(FEATURES.last().unwrap().1[2], features.join(","));
     }
 }
