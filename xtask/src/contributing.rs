@@ -16,7 +16,7 @@ use crate::suite::Suite;
 const MOST_FILES: usize = 3;
 
 /// What is no part of the tree, by the end of its path.
-const NOT_COPIED: [&str; 4] = [".git", "target", "node_modules", "firmware/effects/src/bin"];
+const NOT_COPIED: [&str; 4] = [".git", "target", "node_modules", "lab/firmware/effects/src/bin"];
 
 /// Adds the steps: all packages of the copy compile, and in the long run its host tests pass with
 /// its bounds recorded.
@@ -24,8 +24,9 @@ pub(crate) fn run(suite: &mut Suite, full: bool) {
     suite.step("contributing: the worked example compiles for all packages", |progress| {
         let tree = Tree::with_the_example()?;
         progress.run(tree.cargo("", &["check", "--workspace", "--all-targets"]))?;
-        progress
-            .run(tree.cargo("firmware", &["check", "--workspace", "--all-targets", "--features", "effects"]))
+        progress.run(
+            tree.cargo("lab/firmware", &["check", "--workspace", "--all-targets", "--features", "effects"]),
+        )
     });
     if full {
         suite.step("contributing: the worked example passes the host tests", passes);
@@ -35,7 +36,7 @@ pub(crate) fn run(suite: &mut Suite, full: bool) {
 fn passes(progress: &Progress) -> Result<()> {
     let tree = Tree::with_the_example()?;
     let written: [(&[&str], &str); 2] = [
-        (&["run", "-p", "luminaire-conform", "--bin", "conform", "generate"], "conform/vectors.txt"),
+        (&["run", "-p", "luminaire-conform", "--bin", "conform", "generate"], "lab/conform/vectors.txt"),
         (&["run", "-p", "suite", "--example", "worst-places"], "tests/slow/worst/places.txt"),
     ];
     for (arguments, file) in written {

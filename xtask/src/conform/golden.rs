@@ -18,7 +18,7 @@ const SHOWN: usize = 5;
 
 /// The folder that the file is in.
 pub(crate) fn folder() -> PathBuf {
-    project::root().join("conform")
+    project::root().join("lab/conform")
 }
 
 pub(crate) fn path() -> PathBuf {

@@ -20,7 +20,7 @@ that a firmware does not name is not linked. The effects are those of
 [`luminaire::dynamic::Effect`](../core/src/effect.rs), and what every picture has besides.
 
 **Instructions** are those of an average pixel, counted under QEMU over 256 inputs as
-[firmware/README.md](../firmware/README.md#what-is-counted) describes. Programs are compiled for
+[lab/firmware/README.md](../lab/firmware/README.md#what-is-counted) describes. Programs are compiled for
 speed; the instructions of an empty loop, which loads a word of the same inputs and folds it into the
 same checksum, are subtracted. All surface points face the light and lie inside the cone, so no
 early-out is taken: these are worst-case figures. Colours are spread evenly; the light that is exposed

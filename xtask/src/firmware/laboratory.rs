@@ -134,7 +134,7 @@ pub(crate) fn build_for_all(boards: &[&Board], arguments: &[&str], progress: &Pr
 
 /// A call of cargo, in the firmware's workspace.
 pub(crate) fn firmware(mut cargo: Command) -> Command {
-    cargo.current_dir(project::root().join("firmware"));
+    cargo.current_dir(project::root().join("lab/firmware"));
     cargo
 }
 

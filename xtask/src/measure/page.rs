@@ -13,7 +13,7 @@ const INTRODUCTION: &str = "\
 
 `cargo xtask measure` writes this page, its pictures and the price list behind them,
 [accuracy-vs-cost.json](accuracy-vs-cost.json). Errors and costs are of the same functions, which are the crate
-[`luminaire-kernels`](../kernels/src/lib.rs): firmware, host and browser run them, and the same bits come out everywhere.
+[`luminaire-kernels`](../lab/kernels/src/lib.rs): firmware, host and browser run them, and the same bits come out everywhere.
 
 **Errors** are the largest difference from f64 in linear codes, 1/255 of full scale; half a code is
 visible on a display. A kernel gets the nearest input of its format, so the rounding of the input is
@@ -24,7 +24,7 @@ same in every run. Each kernel is compared with its own model: `powf` with the p
 `gltf` with the formula without its `max(0.001, ...)`.
 
 **Costs** on microcontrollers are instructions a call, counted exactly under QEMU as
-[firmware/README.md](../firmware/README.md) describes. They are not cycles. On the host and in the
+[lab/firmware/README.md](../lab/firmware/README.md) describes. They are not cycles. On the host and in the
 browser costs are nanoseconds a call, over a batch of 4096 inputs from memory to memory: the median of
 41 samples, in the best of three rounds. They depend on the machine and its other work, and nothing
 fails because of them. \"powf\" is how many calls cost as much as one power function, that of libm on

@@ -138,7 +138,7 @@ fn file_name(program: &str) -> String {
 /// Writes the source files of the programs, where they are not as they should be, and removes any
 /// other.
 pub(crate) fn write_programs() -> Result<()> {
-    let folder = project::root().join("firmware/effects/src/bin");
+    let folder = project::root().join("lab/firmware/effects/src/bin");
     let failed = || format!("cannot write to {}", folder.display());
     fs::create_dir_all(&folder).with_context(failed)?;
     let programs = programs();
@@ -181,7 +181,7 @@ mod tests {
 
     #[test]
     fn the_programs_on_any_bits_are_the_proofs() {
-        let folder = project::root().join("firmware/effects/src/proofs");
+        let folder = project::root().join("lab/firmware/effects/src/proofs");
         for name in PROOFS.into_iter().chain([UNUSED]) {
             let program = fs::read_to_string(folder.join(name).with_extension("rs")).unwrap();
             assert_eq!(program.contains("luminaire_effects::raw"), PROOFS.contains(&name), "{name}");

@@ -28,7 +28,7 @@ pub(crate) struct FrameOptions {
     /// Draw on this one only: cortex-m0, cortex-m3, cortex-m4f or rv32imc; may be repeated
     #[arg(long = "target", value_name = "NAME", value_parser = Board::named)]
     pub(crate) boards: Vec<&'static Board>,
-    /// Write picture and counts although they differ from those in docs and firmware/README.md
+    /// Write picture and counts although they differ from those in docs and lab/firmware/README.md
     #[arg(long)]
     pub(crate) bless: bool,
 }
@@ -91,9 +91,9 @@ fn compare(new: &Record, picture: &Picture) -> Result<Vec<String>> {
     if Picture::read(&picture_file()).ok().as_ref() != Some(picture) {
         differences.push(format!("{} is another picture", project::shown(&picture_file())));
     }
-    let readme = fs::read_to_string(readme_file()).context("cannot read firmware/README.md")?;
+    let readme = fs::read_to_string(readme_file()).context("cannot read lab/firmware/README.md")?;
     if part::replaced(&readme, &old)? != readme {
-        differences.push("firmware/README.md has another table".to_owned());
+        differences.push("lab/firmware/README.md has another table".to_owned());
     }
     if !differences.is_empty() {
         bail!("`cargo xtask frame --bless` accepts what differs:\n    {}", differences.join("\n    "));
@@ -102,7 +102,7 @@ fn compare(new: &Record, picture: &Picture) -> Result<Vec<String>> {
 }
 
 fn write(record: &Record, picture: &Picture, progress: &Progress) -> Result<()> {
-    let readme = fs::read_to_string(readme_file()).context("cannot read firmware/README.md")?;
+    let readme = fs::read_to_string(readme_file()).context("cannot read lab/firmware/README.md")?;
     let files = [
         (Record::file(), record.text()?.into_bytes()),
         (picture_file(), picture.png()?),
@@ -120,5 +120,5 @@ fn picture_file() -> PathBuf {
 }
 
 fn readme_file() -> PathBuf {
-    project::root().join("firmware/README.md")
+    project::root().join("lab/firmware/README.md")
 }

@@ -1,4 +1,4 @@
-//! The table of the picture, as the command prints it and as `firmware/README.md` has it.
+//! The table of the picture, as the command prints it and as `lab/firmware/README.md` has it.
 
 use anyhow::{Context, Result};
 
