@@ -6,13 +6,13 @@ use std::str::FromStr;
 
 use luminaire_render::examples::Example;
 
-use crate::conform::ConformOptions;
-use crate::effects::EffectsOptions;
-use crate::firmware::FirmwareOptions;
-use crate::firmware::frame::FrameOptions;
-use crate::measure::MeasureOptions;
-use crate::site;
-use crate::size::SizeOptions;
+use measure::boards::FirmwareOptions;
+use measure::conform::ConformOptions;
+use measure::effects::EffectsOptions;
+use measure::frame::FrameOptions;
+use measure::prices::MeasureOptions;
+use measure::size::SizeOptions;
+use tools::demo::site;
 
 /// The project's commands.
 #[derive(Debug, PartialEq, clap::Parser)]

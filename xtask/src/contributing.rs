@@ -7,10 +7,10 @@ use std::process::Command;
 
 use anyhow::{Context, Result, ensure};
 
-use crate::command;
-use crate::progress::Progress;
-use crate::project;
-use crate::suite::Suite;
+use tools::command;
+use tools::progress::Progress;
+use tools::project;
+use tools::suite::Suite;
 
 /// The most files that a new falloff may touch by hand.
 const MOST_FILES: usize = 3;

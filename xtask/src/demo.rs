@@ -6,11 +6,11 @@ use std::path::Path;
 use anyhow::{Context, Result, ensure};
 
 use crate::arguments::{DemoOptions, Size};
-use crate::browser::{Chromium, Page};
-use crate::progress::Progress;
-use crate::server::{self, Server};
-use crate::site;
-use crate::turntable::{self, Frame, LOADS, Load};
+use tools::browser::{Chromium, Page};
+use tools::demo::site;
+use tools::demo::turntable::{self, Frame, LOADS, Load};
+use tools::progress::Progress;
+use tools::server::{self, Server};
 
 const PORT: u16 = 8080;
 

@@ -6,9 +6,9 @@ use std::process::Command;
 
 use anyhow::{Context, Result};
 
-use crate::progress::Progress;
-use crate::suite::Suite;
-use crate::{command, install, project};
+use tools::progress::Progress;
+use tools::suite::Suite;
+use tools::{command, install, project};
 
 /// The compiler, as in `rust-version` of the published crates.
 const VERSION: &str = "1.85";

@@ -7,12 +7,12 @@ use std::process::Command;
 use anyhow::{Context, Result, ensure};
 use tempfile::TempDir;
 
-use crate::progress::Progress;
-use crate::size::program::Program;
-use crate::suite::Suite;
-use crate::tally::{self, Tally};
-use crate::toolchain::Toolchain;
-use crate::{command, project};
+use measure::size::program::Program;
+use tools::progress::Progress;
+use tools::suite::Suite;
+use tools::tally::{self, Tally};
+use tools::toolchain::Toolchain;
+use tools::{command, project};
 
 /// The crates, lowest first, with what must be in each beside its source.
 const CRATES: [(&str, &[&str]); 2] = [

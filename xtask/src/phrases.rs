@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use crate::project;
+use tools::project;
 
 /// A phrase, and what to write instead.
 const PHRASES: [(&str, &str); 18] = [

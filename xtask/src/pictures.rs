@@ -5,10 +5,12 @@ use std::fs;
 use anyhow::Result;
 use flate2::Crc;
 
-use crate::browser::Chromium;
-use crate::progress::Progress;
-use crate::server::{self, Server};
-use crate::{demo, project, site};
+use crate::demo;
+use tools::browser::Chromium;
+use tools::demo::site;
+use tools::progress::Progress;
+use tools::project;
+use tools::server::{self, Server};
 
 /// The pictures, with the view that each is of.
 const PICTURES: [(&str, &str); 3] =

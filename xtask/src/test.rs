@@ -7,16 +7,17 @@ use anyhow::{Context, Result};
 use serde_json::Value;
 
 use crate::arguments::TestOptions;
-use crate::browser::tests::{ALL, Visitor};
-use crate::firmware::{Board, board};
-use crate::progress::Progress;
-use crate::suite::Suite;
-use crate::tally::{self, Tally};
-use crate::toolchain::Toolchain;
-use crate::{
-    command, conform, contributing, demo, effects, firmware, install, measure, msrv, package, project, site,
-    size,
-};
+use browser_tests::{ALL, Visitor};
+use measure::boards::{self, Board};
+use measure::{conform, effects, frame, prices, size};
+use tools::demo::site;
+use tools::progress::Progress;
+use tools::suite::Suite;
+use tools::tally::{self, Tally};
+use tools::toolchain::Toolchain;
+use tools::{command, install, project};
+
+use crate::{contributing, demo, msrv, package};
 
 /// The smallest processor that is promised: no floating point unit, no division, no atomics.
 const BARE: &str = "thumbv6m-none-eabi";
@@ -87,14 +88,14 @@ fn dependencies(suite: &mut Suite) {
 
 /// What emulated boards run, and the conformance vectors on them, on this machine and in a browser.
 fn boards(suite: &mut Suite, full: bool) {
-    let boards = board::tested(full);
+    let boards = boards::tested(full);
     bare_metal(suite, full);
-    firmware::tests::run(suite, &boards);
-    firmware::frame::tests::run(suite, &boards);
-    size::tests::run(suite, &boards);
-    effects::tests::run(suite);
+    boards::steps::run(suite, &boards);
+    frame::steps::run(suite, &boards);
+    size::steps::run(suite, &boards);
+    effects::steps::run(suite);
     prices(suite, &boards);
-    conform::tests::run(suite, &boards);
+    conform::steps::run(suite, &boards);
 }
 
 fn sources(suite: &mut Suite, full: bool) {
@@ -183,8 +184,8 @@ fn bare_metal(suite: &mut Suite, full: bool) {
 
 fn prices(suite: &mut Suite, boards: &[&'static Board]) {
     suite.remarked("prices: errors and instructions are those of the list", |progress| {
-        let targets: Vec<_> = boards.iter().map(|board| measure::Target::Board(board)).collect();
-        measure::check(&targets, progress)
+        let targets: Vec<_> = boards.iter().map(|board| prices::Target::Board(board)).collect();
+        prices::check(&targets, progress)
     });
 }
 

@@ -1,0 +1,87 @@
+//! The processors that are counted on, and the boards that QEMU plays for them.
+
+/// A processor with the board that it sits on.
+#[derive(Debug, PartialEq)]
+pub struct Board {
+    /// The processor, as the command line and the tables name it.
+    pub name: &'static str,
+    /// The same for people.
+    pub title: &'static str,
+    /// The target that firmware for it is compiled for.
+    pub target: &'static str,
+    /// The QEMU that plays it.
+    pub emulator: &'static str,
+    /// What tells QEMU which board to play.
+    pub machine: &'static [&'static str],
+}
+
+/// From the smallest Cortex-M up, and a RISC-V without a floating point unit.
+pub static ALL: [Board; 4] = [
+    Board {
+        name: "cortex-m0",
+        title: "Cortex-M0",
+        target: "thumbv6m-none-eabi",
+        emulator: "qemu-system-arm",
+        machine: &["-M", "microbit"],
+    },
+    Board {
+        name: "cortex-m3",
+        title: "Cortex-M3",
+        target: "thumbv7m-none-eabi",
+        emulator: "qemu-system-arm",
+        machine: &["-M", "lm3s6965evb"],
+    },
+    Board {
+        name: "cortex-m4f",
+        title: "Cortex-M4F",
+        target: "thumbv7em-none-eabihf",
+        emulator: "qemu-system-arm",
+        machine: &["-M", "mps2-an386"],
+    },
+    Board {
+        name: "rv32imc",
+        title: "RV32IMC",
+        target: "riscv32imc-unknown-none-elf",
+        emulator: "qemu-system-riscv32",
+        machine: &["-M", "virt", "-bios", "none", "-cpu", "rv32,a=false,f=false,d=false"],
+    },
+];
+
+/// The processors that the quick tests build for: the smallest, and one that computes floats. The
+/// long ones build for all.
+const QUICK: [&str; 2] = ["cortex-m0", "cortex-m4f"];
+
+/// The boards that tests run on.
+pub fn tested(full: bool) -> Vec<&'static Board> {
+    ALL.iter().filter(|board| full || QUICK.contains(&board.name)).collect()
+}
+
+impl Board {
+    /// The board of this name, or an error that says which names there are.
+    pub fn named(name: &str) -> Result<&'static Self, String> {
+        ALL.iter().find(|board| board.name == name).ok_or_else(|| {
+            let names: Vec<_> = ALL.iter().map(|board| board.name).collect();
+            format!("there is no target {name}; there are {}", names.join(", "))
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn quick_tests_have_boards_with_floats_and_without() {
+        let quick = tested(false);
+        let with_floats = quick.iter().filter(|board| board.target.ends_with("hf")).count();
+        assert!(with_floats > 0 && with_floats < quick.len(), "{quick:?}");
+        assert_eq!(tested(true).len(), ALL.len());
+    }
+
+    #[test]
+    fn a_board_is_found_by_its_name_or_the_names_are_told() {
+        assert_eq!(Board::named("rv32imc").unwrap().emulator, "qemu-system-riscv32");
+        let refused = Board::named("cortex-m1").unwrap_err();
+        assert!(refused.contains("cortex-m1") && refused.contains("cortex-m4f"), "{refused}");
+    }
+}

@@ -1,0 +1,153 @@
+//! A board with everything that counting on it takes.
+
+use std::env::consts::{DLL_PREFIX, DLL_SUFFIX, EXE_SUFFIX};
+use std::path::PathBuf;
+use std::process::Command;
+
+use anyhow::{Result, bail};
+
+use super::board::Board;
+use super::counts::{self, Region};
+use super::emulator::Emulator;
+use tools::progress::Progress;
+use tools::toolchain::Toolchain;
+use tools::{command, project};
+
+/// A board, its emulator, the counter that is loaded into it, and the folder of the firmware.
+#[derive(Debug)]
+pub(crate) struct Laboratory {
+    board: &'static Board,
+    emulator: Emulator,
+    counter: PathBuf,
+    programs: PathBuf,
+}
+
+/// What came of a program: the lines that it printed, and the region counted for each.
+#[derive(Debug, PartialEq)]
+pub(crate) struct Run {
+    pub(crate) lines: Vec<String>,
+    pub(crate) regions: Vec<Region>,
+}
+
+impl Laboratory {
+    /// Finds or installs the emulator, and builds the counter and the board's firmware.
+    pub(crate) fn new(board: &'static Board, progress: &Progress) -> Result<Self> {
+        Self::with(&["--bins"], board, progress)
+    }
+
+    /// The same with one program alone, which is built sooner.
+    pub(crate) fn with_program(name: &str, board: &'static Board, progress: &Progress) -> Result<Self> {
+        Self::with(&["--bin", name], board, progress)
+    }
+
+    /// The same with a feature of the firmware.
+    pub(crate) fn with_feature(
+        name: &str,
+        feature: &str,
+        board: &'static Board,
+        progress: &Progress,
+    ) -> Result<Self> {
+        Self::with(&["--bin", name, "--features", feature], board, progress)
+    }
+
+    fn with(programs: &[&str], board: &'static Board, progress: &Progress) -> Result<Self> {
+        let emulator = Emulator::find(board, progress)?;
+        let step =
+            progress.begin("Building", format_args!("the counter and the firmware for {}", board.name));
+        let counter = build_counter(&emulator, progress)?;
+        let toolchain = build(board, &[&["--release"], programs].concat(), progress)?;
+        step.done();
+        Ok(Self { board, emulator, counter, programs: toolchain.artifacts("release") })
+    }
+
+    /// What plays the board.
+    pub(crate) fn emulator(&self) -> String {
+        self.emulator.describe()
+    }
+
+    /// The file of a firmware program.
+    pub(crate) fn program(&self, name: &str) -> PathBuf {
+        self.programs.join(name)
+    }
+
+    /// Runs a firmware program, which prints one line for each region.
+    pub(crate) fn run(&self, name: &str) -> Result<Run> {
+        self.run_with(name, <[String]>::len)
+    }
+
+    /// Runs a firmware program, whose lines tell how many regions it has.
+    pub(crate) fn run_with(&self, name: &str, regions: impl FnOnce(&[String]) -> usize) -> Result<Run> {
+        let file = project::target().join(format!("{name}-{}.counts", self.board.name));
+        let output = self.emulator.run(&self.program(name), &self.counter, &file)?;
+        let lines: Vec<_> = output.lines().map(str::to_owned).collect();
+        let regions = counts::read(&file, regions(&lines))?;
+        Ok(Run { lines, regions })
+    }
+}
+
+/// What a firmware program prints when it is compiled for the host, where its results are right by
+/// definition.
+pub(crate) fn on_the_host(name: &str, progress: &Progress) -> Result<Vec<String>> {
+    on_the_host_with(name, &[], progress)
+}
+
+/// The same with a feature of the firmware.
+pub(crate) fn on_the_host_with_feature(
+    name: &str,
+    feature: &str,
+    progress: &Progress,
+) -> Result<Vec<String>> {
+    on_the_host_with(name, &["--features", feature], progress)
+}
+
+fn on_the_host_with(name: &str, features: &[&str], progress: &Progress) -> Result<Vec<String>> {
+    let mut build = firmware(command::cargo("build"));
+    build.args(["--release", "--bin", name]).args(features);
+    progress.run(build)?;
+    let program = project::target().join("release").join(format!("{name}{EXE_SUFFIX}"));
+    Ok(command::answer(&mut Command::new(program))?.lines().map(str::to_owned).collect())
+}
+
+/// Builds firmware for a board: its programs are among the artifacts of what compiled them.
+pub(crate) fn build(board: &Board, arguments: &[&str], progress: &Progress) -> Result<Toolchain> {
+    let toolchain = Toolchain::find(board.target, progress)?;
+    let mut build = firmware(toolchain.cargo_build("core", &[]));
+    build.args(arguments);
+    progress.run(build)?;
+    Ok(toolchain)
+}
+
+/// Builds firmware for many boards side by side: each program is linked by one processor, and so is
+/// each board's library, so that board after board the others would have nothing to do.
+pub(crate) fn build_for_all(boards: &[&Board], arguments: &[&str], progress: &Progress) -> Result<()> {
+    // Cargo unifies the features that the start-up macros of all boards in a call require. After a
+    // call with boards of two makes, building one board alone would compile everything again.
+    for boards in boards.chunk_by(|one, next| one.emulator == next.emulator) {
+        let toolchains = boards.iter().map(|board| Toolchain::find(board.target, progress));
+        for mut build in Toolchain::cargo_builds(&toolchains.collect::<Result<Vec<_>>>()?, "core", &[]) {
+            build.args(arguments);
+            progress.run(firmware(build))?;
+        }
+    }
+    Ok(())
+}
+
+/// A call of cargo, in the firmware's workspace.
+pub(crate) fn firmware(mut cargo: Command) -> Command {
+    cargo.current_dir(project::root().join("lab/firmware"));
+    cargo
+}
+
+fn build_counter(emulator: &Emulator, progress: &Progress) -> Result<PathBuf> {
+    let mut build = command::cargo("build");
+    build.args(["--release", "--package", "luminaire-counter"]);
+    if emulator.wants_api_3() {
+        build.args(["--features", "api-3"]);
+    }
+    progress.run(build)?;
+    let file = project::target().join("release").join(format!("{DLL_PREFIX}luminaire_counter{DLL_SUFFIX}"));
+    if !file.is_file() {
+        bail!("cargo has not built {}", file.display());
+    }
+    Ok(file)
+}

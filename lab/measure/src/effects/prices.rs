@@ -1,0 +1,107 @@
+//! Counting the instructions and the bytes of every program.
+
+use std::collections::BTreeMap;
+
+use anyhow::{Context, Result, ensure};
+
+use super::catalogue;
+use super::record::{Price, Prices};
+use crate::boards::{self, Board};
+use crate::size::effects::{Effects, Format};
+use tools::progress::Progress;
+
+/// A processor with the number format that suits it.
+#[derive(Debug)]
+pub(super) struct Stand {
+    /// The name of the board.
+    pub(super) board: &'static str,
+    format: Format,
+    /// The feature of the firmware that selects the format.
+    feature: &'static str,
+}
+
+/// The smallest processor, and one with a floating point unit.
+pub(super) static STANDS: [Stand; 2] = [
+    Stand { board: "cortex-m0", format: Format::Fx16, feature: "effects" },
+    Stand { board: "cortex-m4f", format: Format::F32, feature: "effects-f32" },
+];
+
+/// Counts on a board, where the results must be the host's.
+pub(super) fn count(stand: &Stand, progress: &Progress) -> Result<Prices> {
+    let board = Board::named(stand.board).map_err(anyhow::Error::msg)?;
+    let costs = boards::effects(board, stand.feature, progress)?;
+    let mut instructions = BTreeMap::new();
+    for cost in costs.kernels {
+        ensure!(cost.format == stand.format.name(), "{} on {} is another format", cost.name(), board.name);
+        instructions.insert(cost.kernel.replace('_', "-"), cost.instructions);
+    }
+    let bytes = Effects::build(board, stand.format, progress)?.bytes()?;
+    Ok(Prices {
+        format: stand.format.name().to_owned(),
+        compiler: costs.compiler,
+        runs_on: costs.emulator,
+        prices: joined(instructions, bytes)?,
+    })
+}
+
+/// Every program must have been counted both ways, and be in the catalogue.
+fn joined(
+    mut instructions: BTreeMap<String, f64>,
+    bytes: Vec<(String, u64)>,
+) -> Result<BTreeMap<String, Price>> {
+    let mut prices = BTreeMap::new();
+    for (program, bytes) in bytes {
+        let instructions = instructions.remove(&program);
+        let instructions =
+            instructions.with_context(|| format!("the instructions of {program} are missing"))?;
+        prices.insert(program, Price { instructions, bytes });
+    }
+    ensure!(instructions.is_empty(), "these have no program: {instructions:?}");
+    for entry in catalogue::entries() {
+        ensure!(prices.contains_key(entry.program), "there is no program {}", entry.program);
+    }
+    for program in prices.keys() {
+        ensure!(catalogue::entries().any(|entry| entry.program == program), "the catalogue lacks {program}");
+    }
+    Ok(prices)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// As if each program had 10 instructions and 20 bytes.
+    fn counted() -> (BTreeMap<String, f64>, Vec<(String, u64)>) {
+        let instructions: BTreeMap<_, _> =
+            catalogue::entries().map(|entry| (entry.program.to_owned(), 10.0)).collect();
+        let bytes = instructions.keys().map(|program| (program.clone(), 20)).collect();
+        (instructions, bytes)
+    }
+
+    #[test]
+    fn a_price_is_instructions_and_bytes() {
+        let (instructions, bytes) = counted();
+        let prices = joined(instructions, bytes).unwrap();
+        assert_eq!(prices["phong"], Price { instructions: 10.0, bytes: 20 });
+    }
+
+    #[test]
+    fn a_program_that_was_counted_one_way_only_is_named() {
+        let (mut instructions, bytes) = counted();
+        instructions.remove("phong");
+        assert!(joined(instructions, bytes).unwrap_err().to_string().contains("phong"));
+        let (mut instructions, mut bytes) = counted();
+        bytes.retain(|(name, _)| name != "phong");
+        assert!(joined(instructions.clone(), bytes.clone()).unwrap_err().to_string().contains("phong"));
+        instructions.remove("phong");
+        assert!(joined(instructions, bytes).unwrap_err().to_string().contains("phong"));
+    }
+
+    #[test]
+    fn a_program_that_the_catalogue_lacks_is_named() {
+        let (mut instructions, mut bytes) = counted();
+        instructions.insert("halo".to_owned(), 1.0);
+        bytes.push(("halo".to_owned(), 2));
+        assert!(joined(instructions, bytes).unwrap_err().to_string().contains("halo"));
+    }
+}

@@ -1,0 +1,61 @@
+//! The table of the picture, as the command prints it and as `lab/firmware/README.md` has it.
+
+use anyhow::{Context, Result};
+
+use super::record::{Counts, Record};
+use crate::boards::board;
+
+const BEGIN: &str = "<!-- frame: written by `cargo xtask frame --bless` -->\n";
+const END: &str = "<!-- end of frame -->\n";
+
+/// The names of the stages, and their titles in the README.
+const TITLES: [(&str, &str); 6] = [
+    ("geometry", "geometry: what the pixel sees, point and normal"),
+    ("ambient", "ambient light alone"),
+    ("light", "light: falloff, Lambert's cosine, inverse square"),
+    ("shadow", "shadow: is the ball or the column in the way"),
+    ("colour", "colour: ambient light and the spotlight's, as the material sends it back"),
+    ("display", "display: clipped, dithered, packed"),
+];
+/// What the picture is made of, and without the light.
+const WITH: [&str; 5] = ["geometry", "light", "shadow", "colour", "display"];
+const WITHOUT: [&str; 3] = ["geometry", "ambient", "display"];
+
+/// Returns the README with the part between the markers replaced.
+pub(super) fn replaced(readme: &str, record: &Record) -> Result<String> {
+    let (before, rest) = readme.split_once(BEGIN).context("the line where the frame begins is missing")?;
+    let (_, after) = rest.split_once(END).context("the line where the frame ends is missing")?;
+    Ok(format!(
+        "{before}{BEGIN}\n{}\nOf {} pixels: {}.\n\n{END}{after}",
+        table(record),
+        record.pixels,
+        record.light
+    ))
+}
+
+/// A row for each stage, a column for each board.
+pub(super) fn table(record: &Record) -> String {
+    let boards: Vec<_> = board::ALL
+        .iter()
+        .filter_map(|board| record.boards.get(board.name).map(|counts| (board.title, counts)))
+        .collect();
+    let row = |title: &str, cell: &dyn Fn(&Counts) -> String| {
+        let cells: String = boards.iter().map(|(_, counts)| format!(" {} |", cell(counts))).collect();
+        format!("| {title} |{cells}\n")
+    };
+    let each = |counts: &Counts, stages: &[&str]| {
+        let sum: u64 = stages.iter().filter_map(|stage| counts.instructions.get(*stage)).sum();
+        sum as f64 / record.pixels as f64
+    };
+    let heads: String = boards.iter().map(|(title, _)| format!(" {title} |")).collect();
+    let mut text =
+        format!("| instructions a pixel, on average |{heads}\n|---|{}\n", "---|".repeat(boards.len()));
+    for (stage, title) in TITLES {
+        text += &row(title, &|counts| format!("{:.1}", each(counts, &[stage])));
+    }
+    text += &row("the picture without the spotlight", &|counts| format!("{:.1}", each(counts, &WITHOUT)));
+    text += &row("the picture with the spotlight", &|counts| format!("{:.1}", each(counts, &WITH)));
+    text +=
+        &row("so the spotlight", &|counts| format!("{:.1}", each(counts, &WITH) - each(counts, &WITHOUT)));
+    text + &row("KiB of flash, the whole program", &|counts| counts.kibibytes.to_string())
+}

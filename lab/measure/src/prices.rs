@@ -1,0 +1,206 @@
+//! `cargo xtask measure`: the price list of accuracy.
+
+mod clocked;
+mod documents;
+mod figures;
+mod frontier;
+mod gate;
+mod list;
+mod page;
+mod plot;
+mod summary;
+mod target;
+mod words;
+
+use std::fs;
+
+use anyhow::{Context, Result, bail, ensure};
+
+use self::list::{Cost, PriceList, Row, TargetMeta};
+use self::words::Times;
+use crate::boards;
+use tools::progress::Progress;
+use tools::project;
+
+pub use target::Target;
+
+/// The options of `measure`.
+#[derive(Debug, Default, PartialEq, clap::Args)]
+pub struct MeasureOptions {
+    /// Measure the costs on this one only: host, wasm, wasm-simd or a processor; may be repeated
+    #[arg(long = "target", value_name = "NAME", value_parser = Target::named)]
+    pub targets: Vec<Target>,
+    /// Compare errors and instructions with the list instead, and write nothing
+    #[arg(long)]
+    pub check: bool,
+    /// Write the list also where errors or instructions differ from it
+    #[arg(long, conflicts_with = "check")]
+    pub bless: bool,
+}
+
+/// Measures, compares, and writes the list and what is made of it.
+pub fn run(options: &MeasureOptions) -> Result<()> {
+    let progress = Progress::Live;
+    if options.check {
+        for remark in check(&options.targets, &progress)? {
+            println!("{remark}");
+        }
+        println!("errors and counts are those of the list");
+        return Ok(());
+    }
+    let old = PriceList::load()?;
+    let targets = if options.targets.is_empty() { Target::all() } else { options.targets.clone() };
+    let new = measure(old.as_ref(), &targets, &progress)?;
+    if let Some(old) = &old {
+        let verdict = gate::compare(old, &new, &counted(&targets));
+        for line in verdict.remarks.iter().chain(&verdict.differences) {
+            println!("{line}");
+        }
+        let number = verdict.differences.len();
+        ensure!(
+            verdict.differences.is_empty() || options.bless,
+            "{number} errors or counts differ from the list: `cargo xtask measure --bless` accepts them"
+        );
+    }
+    for (file, text) in documents::made_of(&new)? {
+        fs::write(&file, text).with_context(|| format!("cannot write {}", project::shown(&file)))?;
+        progress.say("Written", project::shown(&file));
+    }
+    Ok(())
+}
+
+/// Compares errors and counts with the list, and the documents with what would be made of it. Times
+/// are left alone. Returns the remarks of a comparison that has passed.
+pub fn check(targets: &[Target], progress: &Progress) -> Result<Vec<String>> {
+    let old = PriceList::load()?.context("there is no price list: `cargo xtask measure` makes one")?;
+    let chosen = |target: &Target| targets.is_empty() || targets.contains(target);
+    let targets: Vec<_> = Target::counted().into_iter().filter(chosen).collect();
+    let new = measure(Some(&old), &targets, progress)?;
+    let verdict = gate::compare(&old, &new, &counted(&targets));
+    if !verdict.differences.is_empty() {
+        let told = verdict.differences.join("\n    ");
+        bail!("the price list is not what is measured; `cargo xtask measure --bless` accepts it\n    {told}");
+    }
+    for (file, text) in documents::made_of(&old)? {
+        let shown = project::shown(&file);
+        let found = fs::read_to_string(&file).with_context(|| format!("cannot read {shown}"))?;
+        ensure!(found == text, "{shown} is not what the price list says: `cargo xtask measure` writes it");
+    }
+    Ok(verdict.remarks)
+}
+
+fn counted(targets: &[Target]) -> Vec<&'static str> {
+    targets.iter().filter(|target| matches!(target, Target::Board(_))).map(Target::name).collect()
+}
+
+/// A list with the errors of now, the costs of now on these targets, and the old ones on the
+/// others.
+fn measure(old: Option<&PriceList>, targets: &[Target], progress: &Progress) -> Result<PriceList> {
+    let mut list = with_errors(progress)?;
+    if let Some(old) = old {
+        list.meta.targets = old.meta.targets.clone();
+        for row in &mut list.rows {
+            if let Some(old) = old.row(&row.name()) {
+                (row.cost, row.bytes) = (old.cost.clone(), old.bytes.clone());
+            }
+        }
+    }
+    let clocked = targets.iter().any(|target| !matches!(target, Target::Board(_)));
+    let host = if clocked { Some(clocked::host(progress)?) } else { None };
+    let expected = if counted(targets).is_empty() { Vec::new() } else { boards::expected(progress)? };
+    for target in targets {
+        for row in &mut list.rows {
+            row.cost.remove(target.name());
+            row.bytes.remove(target.name());
+        }
+        let mut meta = match target {
+            Target::Board(board) => count(&mut list, board, &expected, progress)?,
+            Target::Browser { simd } => {
+                let (host, _) = host.as_ref().context("the host is timed first")?;
+                let (times, meta) = clocked::browser(*simd, host, progress)?;
+                note(&mut list, target.name(), times)?;
+                meta
+            }
+            Target::Host => {
+                let (times, meta) = host.clone().context("the host is timed first")?;
+                note(&mut list, target.name(), times)?;
+                meta
+            }
+        };
+        meta.measured = jiff::Timestamp::now().strftime("%F").to_string();
+        list.meta.targets.insert(target.name().to_owned(), meta);
+        compare_with_powf(&mut list, target)?;
+    }
+    Ok(list)
+}
+
+/// The rows, with their errors.
+fn with_errors(progress: &Progress) -> Result<PriceList> {
+    let mut list = PriceList::default();
+    for (kernel, cone) in clocked::accuracy(progress)? {
+        if let Ok(row) = list.row_mut(&kernel.name()) {
+            row.narrower.push(cone);
+            continue;
+        }
+        if list.rows.is_empty() {
+            list.meta.half_angle = cone.half_angle;
+        }
+        list.rows.push(Row {
+            kernel: kernel.kernel,
+            stage: kernel.stage,
+            format: kernel.format,
+            error: cone.error,
+            narrower: Vec::new(),
+            cost: Default::default(),
+            bytes: Default::default(),
+        });
+    }
+    Ok(list)
+}
+
+/// Counts on a board.
+fn count(
+    list: &mut PriceList,
+    board: &'static boards::Board,
+    expected: &[String],
+    progress: &Progress,
+) -> Result<TargetMeta> {
+    let costs = boards::costs(board, expected, progress)?;
+    for cost in costs.kernels {
+        let row = list.row_mut(&cost.name())?;
+        let instructions = thousandths(cost.instructions);
+        let counted = Cost::Counted { instructions, ratio_to_powf: 0.0 };
+        row.cost.insert(board.name.to_owned(), counted);
+        row.bytes.insert(board.name.to_owned(), cost.bytes);
+    }
+    Ok(TargetMeta {
+        compiler: costs.compiler,
+        flags: "opt-level=3 lto=fat codegen-units=1".to_owned(),
+        runs_on: costs.emulator,
+        reference: Target::Board(board).reference().to_owned(),
+        measured: String::new(),
+    })
+}
+
+fn note(list: &mut PriceList, target: &str, times: Vec<Times>) -> Result<()> {
+    for times in times {
+        let [lower, ns, upper] = times.quartiles;
+        let timed = Cost::Timed { ns, ns_quartiles: [lower, upper], ratio_to_powf: 0.0 };
+        list.row_mut(&times.kernel.name())?.cost.insert(target.to_owned(), timed);
+    }
+    Ok(())
+}
+
+/// How many calls have the price of one power.
+fn compare_with_powf(list: &mut PriceList, target: &Target) -> Result<()> {
+    let reference = list.row(target.reference()).and_then(|row| row.cost.get(target.name()));
+    let reference = reference.context("the power function has not been measured")?.amount();
+    for cost in list.rows.iter_mut().filter_map(|row| row.cost.get_mut(target.name())) {
+        *cost.ratio() = thousandths(reference / cost.amount());
+    }
+    Ok(())
+}
+
+fn thousandths(value: f64) -> f64 {
+    (value * 1000.0).round() / 1000.0
+}

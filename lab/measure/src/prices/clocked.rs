@@ -1,0 +1,166 @@
+//! Errors, and the times of this machine and of a browser.
+
+use std::env::consts::EXE_SUFFIX;
+use std::process::Command;
+use std::{env, fs};
+
+use anyhow::{Context, Result, ensure};
+
+use super::list::{Cone, TargetMeta};
+use super::target::Target;
+use super::words::{self, Kernel, Times};
+use tools::browser::Chromium;
+use tools::progress::Progress;
+use tools::server::{self, Server};
+use tools::{command, project, toolchain, wasm};
+
+/// The page that loads the module; it is there for the module alone.
+const PAGE: &str = r#"<!doctype html>
+<meta charset="utf-8">
+<title>Prices</title>
+<link rel="icon" href="data:,">
+<body data-state="loading">
+<script type="module">
+import init, { count, time } from "./pkg/luminaire_prices.js";
+await init();
+window.prices = { count, time };
+document.body.dataset.state = "ready";
+</script>
+"#;
+
+/// How often each kernel is timed, some while apart: other work seldom disturbs all of them.
+const ROUNDS: usize = 3;
+
+/// The errors of every kernel, in each cone.
+pub(crate) fn accuracy(progress: &Progress) -> Result<Vec<(Kernel, Cone)>> {
+    run("accuracy", progress)?.lines().map(words::accuracy).collect()
+}
+
+/// How long every kernel takes on this machine.
+pub(crate) fn host(progress: &Progress) -> Result<(Vec<Times>, TargetMeta)> {
+    let mut rounds = Vec::new();
+    for _ in 0..ROUNDS {
+        rounds.push(run("time", progress)?.lines().map(words::time).collect::<Result<_>>()?);
+    }
+    let flags = env::var("RUSTFLAGS").unwrap_or_default();
+    let meta = TargetMeta {
+        compiler: toolchain::active_compiler()?,
+        flags: format!("opt-level=3 {flags}").trim_end().to_owned(),
+        runs_on: format!("{} on {}", processor(), env::consts::OS),
+        reference: Target::Host.reference().to_owned(),
+        measured: String::new(),
+    };
+    Ok((best(rounds), meta))
+}
+
+/// How long every kernel takes in a browser. Its results must be the host's.
+pub(crate) fn browser(simd: bool, host: &[Times], progress: &Progress) -> Result<(Vec<Times>, TargetMeta)> {
+    let package = if simd { wasm::SIMD_PRICES } else { wasm::PRICES };
+    let module = package.compile(progress)?;
+    let site = tempfile::Builder::new()
+        .prefix("prices-")
+        .tempdir_in(project::target())
+        .context("cannot make a folder for the page")?;
+    fs::write(site.path().join("index.html"), PAGE)?;
+    package.bind(&module, &site.path().join("pkg"), progress)?;
+    let server = Server::start(server::listen(0)?, site.path())?;
+    let mut chromium = Chromium::start(progress)?;
+    let step = progress.begin("Timing", format_args!("the kernels in {}", chromium.version()?));
+    let mut page = chromium.open(&server.address(), "")?;
+    page.ready()?;
+    let count = page.number("prices.count()")? as usize;
+    let mut rounds = Vec::new();
+    for _ in 0..ROUNDS {
+        // One at a time, so that no answer is waited for longer than any other.
+        let round = (0..count).map(|number| words::time(&page.text(&format!("prices.time({number})"))?));
+        rounds.push(round.collect::<Result<_>>()?);
+    }
+    let times = best(rounds);
+    page.must_be_content()?;
+    drop(page);
+    let meta = TargetMeta {
+        compiler: wasm::compiler(progress)?,
+        flags: format!("opt-level=3 lto=fat {}", package.flags().join(" ")).trim_end().to_owned(),
+        runs_on: format!("{}, {}", chromium.version()?, processor()),
+        reference: Target::Browser { simd }.reference().to_owned(),
+        measured: String::new(),
+    };
+    step.done();
+    compare(&times, host)?;
+    Ok((times, meta))
+}
+
+/// Of each kernel the round with the least median.
+fn best(rounds: Vec<Vec<Times>>) -> Vec<Times> {
+    let mut rounds = rounds.into_iter();
+    let mut best = rounds.next().unwrap_or_default();
+    for round in rounds {
+        for (best, times) in best.iter_mut().zip(round) {
+            if times.quartiles[1] < best.quartiles[1] {
+                *best = times;
+            }
+        }
+    }
+    best
+}
+
+/// The rows whose bits are the platform's own affair.
+pub(crate) fn is_platforms_own(name: &str) -> bool {
+    name == "powf-std.rival"
+}
+
+fn compare(times: &[Times], host: &[Times]) -> Result<()> {
+    ensure!(times.len() == host.len(), "{} kernels in the browser, {} on the host", times.len(), host.len());
+    for (here, there) in times.iter().zip(host) {
+        let name = here.kernel.name();
+        ensure!(here.kernel == there.kernel, "{name} in place of {}", there.kernel.name());
+        ensure!(here.sum == there.sum || is_platforms_own(&name), "{name} has not the bits of the host");
+    }
+    Ok(())
+}
+
+/// Builds and runs the program that measures.
+fn run(what: &str, progress: &Progress) -> Result<String> {
+    let mut build = command::cargo("build");
+    build.args(["--release", "--package", "luminaire-prices"]);
+    progress.run(build)?;
+    let program = project::target().join("release").join(format!("luminaire-prices{EXE_SUFFIX}"));
+    let step = progress.begin("Measuring", format_args!("the {what} of every kernel"));
+    let answer = command::answer(Command::new(program).arg(what))?;
+    step.done();
+    Ok(answer)
+}
+
+/// The processor's name, where the system tells it.
+fn processor() -> String {
+    let told = fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
+    let name = told.lines().find_map(|line| line.strip_prefix("model name")?.split_once(':'));
+    name.map_or_else(|| env::consts::ARCH.to_owned(), |(_, name)| name.trim().to_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn times(name: &str, sum: &str) -> Times {
+        words::time(&format!("time falloff rival {name} 1 1 1 {sum}")).unwrap()
+    }
+
+    #[test]
+    fn the_best_round_of_each_kernel_counts() {
+        let round = |medians: [f64; 2]| {
+            medians.map(|median| Times { quartiles: [0.0, median, 9.0], ..times("gltf", "1") }).to_vec()
+        };
+        let best = best(vec![round([2.0, 1.0]), round([1.0, 3.0]), round([3.0, 2.0])]);
+        assert_eq!([best[0].quartiles[1], best[1].quartiles[1]], [1.0, 1.0]);
+    }
+
+    #[test]
+    fn other_bits_in_the_browser_are_named_but_for_the_platforms_own() {
+        let host = [times("gltf", "1"), times("powf-std", "2")];
+        assert!(compare(&[times("gltf", "1"), times("powf-std", "3")], &host).is_ok());
+        let error = compare(&[times("gltf", "4"), times("powf-std", "2")], &host).unwrap_err().to_string();
+        assert!(error.contains("gltf.rival"), "{error}");
+        assert!(compare(&host[..1], &host).is_err());
+    }
+}

@@ -1,0 +1,189 @@
+//! The price list, as `docs/accuracy-vs-cost.json` has it. The page made of it documents the keys.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::PathBuf;
+
+use anyhow::{Context, Result};
+use serde::{Deserialize, Serialize};
+
+use tools::project;
+
+/// Everything that is known about accuracy and cost.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub(crate) struct PriceList {
+    pub(crate) meta: Meta,
+    pub(crate) rows: Vec<Row>,
+}
+
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Meta {
+    /// The outer half angle in degrees that `error` and `cost` are of.
+    pub(crate) half_angle: f64,
+    pub(crate) targets: BTreeMap<String, TargetMeta>,
+}
+
+/// What the costs of a target depend on.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub(crate) struct TargetMeta {
+    pub(crate) compiler: String,
+    pub(crate) flags: String,
+    pub(crate) runs_on: String,
+    /// The kernel that `ratio_to_powf` compares with.
+    pub(crate) reference: String,
+    /// The day, as in 2026-01-31.
+    pub(crate) measured: String,
+}
+
+/// A kernel in a format.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Row {
+    pub(crate) kernel: String,
+    pub(crate) stage: String,
+    pub(crate) format: String,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) error: Option<Error>,
+    /// The same for narrower cones, the widest first.
+    pub(crate) narrower: Vec<Cone>,
+    pub(crate) cost: BTreeMap<String, Cost>,
+    /// Of code.
+    pub(crate) bytes: BTreeMap<String, u64>,
+}
+
+/// The errors of a kernel.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Error {
+    pub(crate) codes: f64,
+    pub(crate) lsb: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) at: Option<Place>,
+    pub(crate) mean_codes: f64,
+    pub(crate) p999_codes: f64,
+    /// `exhaustive` or `searched`.
+    pub(crate) kind: String,
+}
+
+/// The input with the largest error of a kernel.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Place {
+    pub(crate) degrees_off_axis: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) distance: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) degrees_of_incidence: Option<f64>,
+}
+
+/// The errors of a kernel in a cone, or that its format refuses the cone.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Cone {
+    pub(crate) half_angle: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) error: Option<Error>,
+    /// The narrowest half angle that the format holds, where it does not hold this one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) narrowest: Option<f64>,
+}
+
+/// What a call costs on a target.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(untagged)]
+pub(crate) enum Cost {
+    Counted {
+        instructions: f64,
+        ratio_to_powf: f64,
+    },
+    Timed {
+        ns: f64,
+        /// The lower and the upper quartile.
+        ns_quartiles: [f64; 2],
+        ratio_to_powf: f64,
+    },
+}
+
+impl Cost {
+    /// Instructions or nanoseconds.
+    pub(crate) fn amount(&self) -> f64 {
+        match *self {
+            Self::Counted { instructions, .. } => instructions,
+            Self::Timed { ns, .. } => ns,
+        }
+    }
+
+    pub(crate) fn ratio(&mut self) -> &mut f64 {
+        match self {
+            Self::Counted { ratio_to_powf, .. } | Self::Timed { ratio_to_powf, .. } => ratio_to_powf,
+        }
+    }
+}
+
+impl Row {
+    /// The name of the kernel in its format, such as `soft.fx16`.
+    pub(crate) fn name(&self) -> String {
+        format!("{}.{}", self.kernel, self.format)
+    }
+}
+
+impl PriceList {
+    /// Where the list is.
+    pub(crate) fn file() -> PathBuf {
+        project::root().join("docs/accuracy-vs-cost.json")
+    }
+
+    /// The list that is checked in; none if there is no file.
+    pub(crate) fn load() -> Result<Option<Self>> {
+        let file = Self::file();
+        if !file.is_file() {
+            return Ok(None);
+        }
+        let failed = || format!("cannot read {}", project::shown(&file));
+        Ok(Some(serde_json::from_str(&fs::read_to_string(&file).with_context(failed)?).with_context(failed)?))
+    }
+
+    /// The row of this name.
+    pub(crate) fn row(&self, name: &str) -> Option<&Row> {
+        self.rows.iter().find(|row| row.name() == name)
+    }
+
+    /// The row of this name, to be changed.
+    pub(crate) fn row_mut(&mut self, name: &str) -> Result<&mut Row> {
+        let found = self.rows.iter_mut().find(|row| row.name() == name);
+        found.with_context(|| format!("{name} has a cost but no error"))
+    }
+
+    /// The list as a text: a line for each row, so that differences are read row by row.
+    pub(crate) fn text(&self) -> Result<String> {
+        let rows: Result<Vec<_>, _> = self.rows.iter().map(serde_json::to_string).collect();
+        let meta = serde_json::to_string_pretty(&self.meta)?;
+        Ok(format!("{{\"meta\": {meta},\n\"rows\": [\n{}\n]}}\n", rows?.join(",\n")))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_written_is_read() {
+        let error = Error {
+            codes: 0.5,
+            lsb: 1.5,
+            at: Some(Place { degrees_off_axis: 3.25, distance: None, degrees_of_incidence: None }),
+            mean_codes: 0.1,
+            p999_codes: 0.4,
+            kind: "searched".to_owned(),
+        };
+        let counted = Cost::Counted { instructions: 20.5, ratio_to_powf: 500.0 };
+        let timed = Cost::Timed { ns: 0.5, ns_quartiles: [0.4, 0.6], ratio_to_powf: 10.0 };
+        let row = Row {
+            kernel: "soft".to_owned(),
+            stage: "falloff".to_owned(),
+            format: "fx16".to_owned(),
+            error: Some(error),
+            narrower: vec![Cone { half_angle: 1.0, error: None, narrowest: Some(1.4) }],
+            cost: [("cortex-m0".to_owned(), counted), ("host".to_owned(), timed)].into(),
+            bytes: [("cortex-m0".to_owned(), 84)].into(),
+        };
+        let list = PriceList { meta: Meta::default(), rows: vec![row.clone(), row] };
+        assert_eq!(serde_json::from_str::<PriceList>(&list.text().unwrap()).unwrap(), list);
+    }
+}

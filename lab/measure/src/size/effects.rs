@@ -1,0 +1,190 @@
+//! The programs of one effect each, built for a target in a number format.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::PathBuf;
+
+use anyhow::{Context, Result};
+
+use super::program::Program;
+use crate::boards::{Board, laboratory};
+use crate::effects::catalogue::{self, Entry};
+use tools::progress::Progress;
+use tools::project;
+
+/// The profile that the programs are compiled with: `opt-level = "s"`, everything seen at once.
+const PROFILE: &str = "size";
+
+/// The program that does nothing, whose bytes are no effect's.
+pub(crate) const EMPTY: &str = "empty";
+/// The program that evaluates every light at a point, to show that nothing panics.
+pub(crate) const EVERYTHING: &str = "everything";
+/// The programs that call every function between them, to show that nothing panics. What they share
+/// is in the module `raw`.
+pub(crate) const PROOFS: [&str; 5] = [EVERYTHING, "any_light", "batches", "seam", "setup"];
+/// The program that would have more effects if its constants said so.
+pub(crate) const UNUSED: &str = "unused";
+
+/// A number format, which a feature of the programs selects.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Format {
+    Fx16,
+    Fx32,
+    F32,
+}
+
+impl Format {
+    pub(crate) const ALL: [Self; 3] = [Self::Fx16, Self::Fx32, Self::F32];
+
+    /// The name that the library gives it.
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::Fx16 => "fx16",
+            Self::Fx32 => "fx32",
+            Self::F32 => "f32",
+        }
+    }
+
+    fn features(self) -> &'static [&'static str] {
+        match self {
+            Self::Fx16 => &[],
+            Self::Fx32 => &["--features", "fx32"],
+            Self::F32 => &["--features", "f32"],
+        }
+    }
+}
+
+/// The programs that were built, by name. Another format for the same target replaces them.
+#[derive(Debug)]
+pub(crate) struct Effects {
+    folder: PathBuf,
+}
+
+impl Effects {
+    /// Builds all programs. Those that can panic do not link.
+    pub(crate) fn build(board: &Board, format: Format, progress: &Progress) -> Result<Self> {
+        Self::cargo(board, format, &["--bins"], progress)
+    }
+
+    /// Builds some of the programs.
+    pub(crate) fn build_some(
+        board: &Board,
+        format: Format,
+        names: &[&str],
+        progress: &Progress,
+    ) -> Result<Self> {
+        let programs: Vec<_> = names.iter().flat_map(|name| ["--bin", name]).collect();
+        Self::cargo(board, format, &programs, progress)
+    }
+
+    /// Builds one program for each board in advance.
+    pub(crate) fn build_one_for_all(
+        format: Format,
+        name: &str,
+        boards: &[&Board],
+        progress: &Progress,
+    ) -> Result<()> {
+        write_programs()?;
+        laboratory::build_for_all(boards, &Self::arguments(format, &["--bin", name]), progress)
+    }
+
+    fn cargo(board: &Board, format: Format, programs: &[&str], progress: &Progress) -> Result<Self> {
+        write_programs()?;
+        let toolchain = laboratory::build(board, &Self::arguments(format, programs), progress)?;
+        Ok(Self { folder: toolchain.artifacts(PROFILE) })
+    }
+
+    /// Arguments of cargo that select what it builds.
+    fn arguments<'a>(format: Format, programs: &[&'a str]) -> Vec<&'a str> {
+        [&["--profile", PROFILE, "--package", "luminaire-effects"], programs, format.features()].concat()
+    }
+
+    /// A program.
+    pub(crate) fn program(&self, name: &str) -> Result<Program> {
+        Program::read(&self.folder.join(name))
+    }
+
+    /// The effects in the order of their names, each with the bytes that its program has over the
+    /// empty one.
+    pub(crate) fn bytes(&self) -> Result<Vec<(String, u64)>> {
+        let empty = self.program(EMPTY)?.bytes;
+        let mut effects = Vec::new();
+        for program in programs().into_keys().filter(|program| *program != EMPTY) {
+            let bytes = self.program(&file_name(program))?.bytes.saturating_sub(empty);
+            effects.push((program.to_owned(), bytes));
+        }
+        Ok(effects)
+    }
+}
+
+/// The programs of one effect each by name, with the function that each of them runs.
+fn programs() -> BTreeMap<&'static str, String> {
+    let function = |entry: &Entry| match entry.listed {
+        Some(model) => {
+            // As rustfmt has it: the compiler's own spelling of a type is `Power < 4 >`.
+            let model = model.replace(' ', "").replace(',', ", ");
+            format!("<{model} as luminaire_effects::Listed>::effect")
+        }
+        None => format!("luminaire_effects::effects::{}", file_name(entry.program)),
+    };
+    let nothing = (EMPTY, "|(): ()| ()".to_owned());
+    catalogue::entries().map(|entry| (entry.program, function(entry))).chain([nothing]).collect()
+}
+
+fn file_name(program: &str) -> String {
+    program.replace('-', "_")
+}
+
+/// Writes the source files of the programs, where they are not as they should be, and removes any
+/// other.
+pub(crate) fn write_programs() -> Result<()> {
+    let folder = project::root().join("lab/firmware/effects/src/bin");
+    let failed = || format!("cannot write to {}", folder.display());
+    fs::create_dir_all(&folder).with_context(failed)?;
+    let programs = programs();
+    for entry in fs::read_dir(&folder).with_context(failed)? {
+        let path = entry.with_context(failed)?.path();
+        let name = path.file_stem().unwrap_or_default().to_string_lossy().replace('_', "-");
+        if !programs.contains_key(name.as_str()) {
+            fs::remove_file(path).with_context(failed)?;
+        }
+    }
+    for (program, function) in programs {
+        let source = format!(
+            "//! The effect `{program}` alone. Written by `cargo xtask`.\n\
+             #![cfg_attr(target_os = \"none\", no_std, no_main)]\n\n\
+             #[allow(unused_imports, clippy::wildcard_imports, reason = \"the types of the lists\")]\n\
+             use luminaire::{{attenuation::*, falloff::*, specular::*}};\n\n\
+             luminaire_effects::program!({function});\n"
+        );
+        let file = folder.join(file_name(program)).with_extension("rs");
+        if fs::read_to_string(&file).ok().as_deref() != Some(&source) {
+            fs::write(&file, source).with_context(failed)?;
+        }
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_effect_has_one_program_and_each_program_one_function() {
+        let programs = programs();
+        assert!(programs["spot-hard-lambert"].starts_with("<Hard as "), "{programs:?}");
+        assert!(programs["difference-form"].starts_with("<DifferenceForm<Phong, 3> as "), "{programs:?}");
+        assert!(programs["rgb565-dithered"].ends_with("::rgb565_dithered"), "{programs:?}");
+        let functions: std::collections::BTreeSet<_> = programs.values().collect();
+        assert_eq!(functions.len(), programs.len());
+    }
+
+    #[test]
+    fn the_programs_on_any_bits_are_the_proofs() {
+        let folder = project::root().join("lab/firmware/effects/src/proofs");
+        for name in PROOFS.into_iter().chain([UNUSED]) {
+            let program = fs::read_to_string(folder.join(name).with_extension("rs")).unwrap();
+            assert_eq!(program.contains("luminaire_effects::raw"), PROOFS.contains(&name), "{name}");
+        }
+    }
+}

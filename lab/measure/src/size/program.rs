@@ -1,0 +1,108 @@
+//! A linked program: how much of it goes to flash, and what it is made of.
+
+use std::fs;
+use std::path::Path;
+
+use anyhow::{Context, Result, ensure};
+use object::elf::{SHF_ALLOC, SHT_NOBITS};
+use object::{Object, ObjectSection, ObjectSymbol, SectionFlags};
+
+/// A program as the linker has left it.
+#[derive(Debug)]
+pub struct Program {
+    /// The bytes of code, constants and initial values of variables.
+    pub bytes: u64,
+    /// The names of its functions and variables, demangled.
+    pub names: Vec<String>,
+}
+
+impl Program {
+    /// Reads a program's file.
+    pub fn read(file: &Path) -> Result<Self> {
+        let failed = || format!("cannot read the program {}", file.display());
+        let content = fs::read(file).with_context(failed)?;
+        let object = object::File::parse(&*content).with_context(failed)?;
+        let in_flash = object.sections().filter(|section| is_in_flash(section.flags()));
+        let names = object.symbols().filter_map(|symbol| symbol.name().ok()).filter(|name| !name.is_empty());
+        Ok(Self {
+            bytes: in_flash.map(|section| section.size()).sum(),
+            names: names.map(|name| format!("{:#}", rustc_demangle::demangle(name))).collect(),
+        })
+    }
+
+    /// An error names the functions that stand in for a floating point unit.
+    pub fn has_no_float(&self) -> Result<()> {
+        let floats = self.names_of(is_float);
+        ensure!(floats.is_empty(), "there are floats: {}", floats.join(", "));
+        Ok(())
+    }
+
+    /// The names of a kind.
+    pub fn names_of(&self, kind: impl Fn(&str) -> bool) -> Vec<&str> {
+        self.names.iter().map(String::as_str).filter(|name| kind(name)).collect()
+    }
+}
+
+/// Sections with a place in memory and with content: what is only zeroed has none.
+fn is_in_flash(flags: SectionFlags) -> bool {
+    matches!(flags, SectionFlags::Elf { sh_type, sh_flags } if sh_flags.contains(SHF_ALLOC) && sh_type != SHT_NOBITS)
+}
+
+/// Whether this is one of the compiler's functions for floats on a processor without them: of Arm's
+/// run-time ABI (`__aeabi_fadd`, `__aeabi_i2f`, `__aeabi_cdcmple`), or of GCC's (`__addsf3`,
+/// `__floatsisf`), or what they call.
+fn is_float(name: &str) -> bool {
+    if let Some(arm) = name.strip_prefix("__aeabi_") {
+        return arm.starts_with(['f', 'd'])
+            || ["cf", "cd"].iter().any(|compare| arm.starts_with(compare))
+            || ["2f", "2d", "2h"].iter().any(|conversion| arm.ends_with(conversion));
+    }
+    let gcc = name.strip_prefix("__").filter(|gcc| !gcc.contains("::"));
+    gcc.is_some_and(|gcc| ["sf", "df", "hf", "tf"].iter().any(|mode| gcc.contains(mode)))
+        || name.contains("compiler_builtins::float")
+        || name.starts_with("libm::")
+}
+
+/// Whether this is a function of a heap.
+pub fn is_heap(name: &str) -> bool {
+    ["__rust_alloc", "__rust_dealloc", "__rust_realloc", "__rg_alloc", "alloc::"]
+        .iter()
+        .any(|heap| name.contains(heap))
+}
+
+#[cfg(test)]
+mod tests {
+    use object::elf::{SHF_EXECINSTR, SHF_WRITE, SHT_PROGBITS};
+
+    use super::*;
+
+    #[test]
+    fn functions_for_floats_are_told_from_those_for_integers() {
+        let floats = [
+            "__aeabi_fadd",
+            "__aeabi_dmul",
+            "__aeabi_i2f",
+            "__aeabi_ul2d",
+            "__aeabi_f2iz",
+            "__aeabi_cfcmple",
+        ];
+        let gcc = ["__addsf3", "__floatsisf", "__fixsfsi", "__ltsf2", "__muldf3", "__extendsfdf2"];
+        let callees = ["compiler_builtins::float::add::add", "libm::math::sqrtf"];
+        for name in floats.iter().chain(&gcc).chain(&callees) {
+            assert!(is_float(name), "{name}");
+        }
+        for name in
+            ["__aeabi_lmul", "__aeabi_uidiv", "__aeabi_memcpy", "__muldi3", "__clzsi2", "__sheap", "main"]
+        {
+            assert!(!is_float(name), "{name}");
+        }
+    }
+
+    #[test]
+    fn only_what_has_content_is_in_flash() {
+        let section = |sh_type, sh_flags| SectionFlags::Elf { sh_type, sh_flags };
+        assert!(is_in_flash(section(SHT_PROGBITS, SHF_ALLOC | SHF_EXECINSTR)));
+        assert!(!is_in_flash(section(SHT_NOBITS, SHF_ALLOC | SHF_WRITE)));
+        assert!(!is_in_flash(section(SHT_PROGBITS, SHF_WRITE)));
+    }
+}

@@ -1,0 +1,83 @@
+//! A connection to one page or browser by the DevTools protocol: numbered calls, and events in
+//! between.
+
+use std::io;
+use std::net::{Ipv4Addr, TcpStream};
+use std::time::{Duration, Instant};
+
+use anyhow::{Context, Result, anyhow, bail};
+use serde_json::{Value, json};
+use tungstenite::{Message, WebSocket};
+
+/// Upper bound of the time of any call to a page, even on a busy machine.
+const PATIENCE: Duration = Duration::from_secs(300);
+
+#[derive(Debug)]
+pub struct DevTools {
+    socket: WebSocket<TcpStream>,
+    calls: u64,
+    events: Vec<Event>,
+}
+
+/// An event of the browser.
+#[derive(Debug)]
+pub struct Event {
+    pub method: String,
+    pub params: Value,
+}
+
+impl DevTools {
+    /// Connects to a path such as `/devtools/page/…` of a browser on this machine.
+    pub fn connect(port: u16, path: &str) -> Result<Self> {
+        let stream = TcpStream::connect((Ipv4Addr::LOCALHOST, port))
+            .with_context(|| format!("cannot reach Chromium on port {port}"))?;
+        stream.set_read_timeout(Some(PATIENCE))?;
+        stream.set_nodelay(true)?;
+        let (socket, _) = tungstenite::client(format!("ws://127.0.0.1:{port}{path}"), stream)
+            .map_err(|error| anyhow!("cannot talk to Chromium: {error}"))?;
+        Ok(Self { socket, calls: 0, events: Vec::new() })
+    }
+
+    /// Calls a method of the protocol and waits for its result.
+    pub fn call(&mut self, method: &str, params: Value) -> Result<Value> {
+        self.calls += 1;
+        let call = json!({ "id": self.calls, "method": method, "params": params });
+        self.socket.send(Message::text(call.to_string())).with_context(|| format!("cannot send {method}"))?;
+        let deadline = Instant::now() + PATIENCE;
+        while Instant::now() < deadline {
+            let text = match self.socket.read() {
+                Ok(Message::Text(text)) => text,
+                // Whatever is not text is the WebSocket's own business.
+                Ok(_) => continue,
+                Err(tungstenite::Error::Io(error)) if is_timeout(&error) => break,
+                Err(error) => bail!("Chromium broke off at {method}: {error}"),
+            };
+            let mut answer: Value = serde_json::from_str(&text).context("Chromium does not speak JSON")?;
+            if answer["id"] != self.calls {
+                self.events.extend(Event::from(answer));
+            } else if let Some(error) = answer.get("error") {
+                bail!("Chromium refuses {method}: {error}");
+            } else {
+                return Ok(answer["result"].take());
+            }
+        }
+        bail!("Chromium has not answered {method} within {PATIENCE:?}");
+    }
+
+    /// The events since the last time they were taken.
+    pub fn take_events(&mut self) -> Vec<Event> {
+        std::mem::take(&mut self.events)
+    }
+}
+
+/// The two names that systems have for the same thing.
+fn is_timeout(error: &io::Error) -> bool {
+    matches!(error.kind(), io::ErrorKind::WouldBlock | io::ErrorKind::TimedOut)
+}
+
+impl Event {
+    fn from(mut message: Value) -> Option<Self> {
+        let method = message["method"].as_str()?.to_owned();
+        Some(Self { method, params: message["params"].take() })
+    }
+}

@@ -1,0 +1,123 @@
+//! Running other programs, with their output live or captured.
+
+use std::ffi::OsStr;
+use std::io::{self, Read};
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use std::{env, iter};
+
+use anyhow::{Context, Result, bail};
+
+use crate::project;
+
+/// A program that has ended, and everything that it wrote.
+#[derive(Debug)]
+pub struct Ended {
+    /// Whether it succeeded.
+    pub success: bool,
+    /// Its stdout and stderr, in the order of writing.
+    pub output: String,
+}
+
+/// A call of the cargo that runs us, in the workspace.
+pub fn cargo(subcommand: &str) -> Command {
+    let mut command = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
+    command.arg(subcommand).current_dir(project::root()).env("CARGO_TARGET_DIR", project::target());
+    // `cargo run` describes our own package to us; to another cargo's build scripts that would be a
+    // lie.
+    for (name, _) in env::vars_os() {
+        if name
+            .to_str()
+            .is_some_and(|name| name.starts_with("CARGO_PKG_") || name.starts_with("CARGO_MANIFEST_"))
+        {
+            command.env_remove(name);
+        }
+    }
+    command
+}
+
+/// Runs a program whose output goes to the terminal's stderr: stdout is kept for results.
+pub fn run_live(command: &mut Command) -> Result<()> {
+    let status = command
+        .stdin(Stdio::null())
+        .stdout(io::stderr())
+        .status()
+        .with_context(|| format!("cannot start {}", describe(command)))?;
+    if !status.success() {
+        bail!("{} failed ({status})", describe(command));
+    }
+    Ok(())
+}
+
+/// Runs a program and keeps what it writes to stdout and stderr, in the order of writing.
+pub fn capture(command: Command) -> Result<Ended> {
+    capture_and_tell(command, |_| {})
+}
+
+/// The same; `tell` receives each piece of output as it is written.
+pub fn capture_and_tell(mut command: Command, mut tell: impl FnMut(&str)) -> Result<Ended> {
+    let name = describe(&command);
+    let (mut reader, writer) = io::pipe().context("cannot make a pipe")?;
+    command.stdin(Stdio::null()).stdout(writer.try_clone()?).stderr(writer);
+    let mut child = command.spawn().with_context(|| format!("cannot start {name}"))?;
+    // The command holds the writing ends; while they are open, the reading end waits for more.
+    drop(command);
+    let (mut output, mut part) = (Vec::new(), [0; 4096]);
+    loop {
+        match reader.read(&mut part).with_context(|| format!("cannot read what {name} writes"))? {
+            0 => break,
+            length => {
+                tell(&String::from_utf8_lossy(&part[..length]));
+                output.extend_from_slice(&part[..length]);
+            }
+        }
+    }
+    let status = child.wait().with_context(|| format!("cannot wait for {name}"))?;
+    Ok(Ended { success: status.success(), output: String::from_utf8_lossy(&output).into_owned() })
+}
+
+/// The stdout of a program that must succeed, without the final newline.
+pub fn answer(command: &mut Command) -> Result<String> {
+    let output = command.output().with_context(|| format!("cannot start {}", describe(command)))?;
+    if !output.status.success() {
+        let complaint = String::from_utf8_lossy(&output.stderr);
+        bail!("{} failed ({}): {}", describe(command), output.status, complaint.trim());
+    }
+    Ok(String::from_utf8_lossy(&output.stdout).trim_end().to_owned())
+}
+
+/// The first of these programs that PATH has.
+pub fn on_path(names: &[&str]) -> Option<PathBuf> {
+    let path = env::var_os("PATH")?;
+    let mut candidates = names.iter().flat_map(|name| {
+        env::split_paths(&path).map(move |folder| folder.join(format!("{name}{}", env::consts::EXE_SUFFIX)))
+    });
+    candidates.find(|file| file.is_file())
+}
+
+/// The command as one would type it, without the folder of its program.
+pub fn describe(command: &Command) -> String {
+    let program = Path::new(command.get_program());
+    let words = iter::once(program.file_name().unwrap_or(program.as_os_str())).chain(command.get_args());
+    format!("`{}`", words.map(OsStr::to_string_lossy).collect::<Vec<_>>().join(" "))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_command_is_described_as_it_is_typed() {
+        assert_eq!(
+            describe(Command::new("/usr/bin/cargo").args(["build", "--release"])),
+            "`cargo build --release`"
+        );
+    }
+
+    #[test]
+    fn a_program_that_is_not_there_is_named() {
+        let error = capture(Command::new("no-such-program")).err().unwrap();
+        assert!(error.to_string().contains("no-such-program"), "{error}");
+        assert_eq!(on_path(&["no-such-program"]), None);
+    }
+}

@@ -1,0 +1,186 @@
+//! The demo as one folder, which works wherever it is served from.
+
+use std::fs::{self, File};
+use std::io;
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context, Result};
+
+use super::shrink;
+use crate::progress::Progress;
+use crate::{project, wasm};
+
+/// The price list that the page shows beside its pictures.
+const PRICE_LIST: &str = "accuracy-vs-cost.json";
+
+/// The page, which names its views.
+const PAGE: &str = include_str!("../../../../wasm-demo/web/index.html");
+
+/// The views of the page, as its address names them: what its navigation links to.
+pub fn views() -> impl Iterator<Item = &'static str> {
+    let navigation = PAGE.split_once("<nav class=\"views\"").and_then(|(_, rest)| rest.split_once("</nav>"));
+    let links = navigation.map_or("", |(links, _)| links).split("href=\"#").skip(1);
+    links.filter_map(|link| Some(link.split_once('"')?.0))
+}
+
+/// Builds the demo into `target/demo`: the page from `wasm-demo/web`, the price list, the bindings
+/// in `pkg`.
+pub fn build(progress: &Progress) -> Result<PathBuf> {
+    let module = wasm::DEMO.compile(progress)?;
+    let site = project::target().join("demo");
+    renew(&site, |new| {
+        let step = progress.begin("Gathering", project::shown(&site));
+        copy_folder(&project::root().join("wasm-demo/web"), new)?;
+        copy_price_list(&project::root().join("docs"), new)?;
+        step.done();
+        let bound = wasm::DEMO.bind(&module, &new.join("pkg"), progress)?;
+        shrink::shrink(&bound, progress)
+    })?;
+    Ok(site)
+}
+
+/// Fills a new folder beside one that may be in use, and puts it in its place when it is complete.
+/// Whoever does the same at the same time waits.
+fn renew(folder: &Path, fill: impl FnOnce(&Path) -> Result<()>) -> Result<()> {
+    let [new, old, lock] = ["new", "old", "lock"].map(|extension| folder.with_extension(extension));
+    let lock = File::create(&lock).with_context(|| format!("cannot write {}", lock.display()))?;
+    lock.lock().with_context(|| format!("cannot wait for another build of {}", folder.display()))?;
+    // What a build has left that was cut off, perhaps while it replaced the one by the other.
+    if !folder.exists() {
+        let _ = fs::rename(&old, folder);
+    }
+    for left in [&new, &old] {
+        if left.exists() {
+            fs::remove_dir_all(left).with_context(|| format!("cannot remove {}", left.display()))?;
+        }
+    }
+    fill(&new)?;
+    // A folder takes the place of another only if that is empty.
+    let replaced = match fs::rename(folder, &old) {
+        Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),
+        _ => fs::rename(&new, folder).inspect_err(|_| {
+            let _ = fs::rename(&old, folder);
+        }),
+    };
+    replaced.with_context(|| format!("cannot replace {}", folder.display()))?;
+    if old.exists() {
+        fs::remove_dir_all(&old).with_context(|| format!("cannot remove {}", old.display()))?;
+    }
+    Ok(())
+}
+
+/// Copies the price list, or writes `null` if none was measured. The page requests the list in both
+/// cases, and a missing file would be an error on its console.
+fn copy_price_list(from: &Path, to: &Path) -> Result<()> {
+    let (list, copy) = (from.join(PRICE_LIST), to.join(PRICE_LIST));
+    if list.exists() {
+        fs::copy(&list, &copy).with_context(|| format!("cannot copy {}", list.display())).map(drop)
+    } else {
+        fs::write(&copy, "null").with_context(|| format!("cannot write {}", copy.display()))
+    }
+}
+
+fn copy_folder(from: &Path, to: &Path) -> Result<()> {
+    fs::create_dir_all(to).with_context(|| format!("cannot create {}", to.display()))?;
+    let entries = from.read_dir().with_context(|| format!("cannot read {}", from.display()))?;
+    for entry in entries {
+        let source = entry.with_context(|| format!("cannot read {}", from.display()))?.path();
+        let Some(name) = source.file_name() else { continue };
+        let copy = to.join(name);
+        if source.is_dir() {
+            copy_folder(&source, &copy)?;
+        } else {
+            fs::copy(&source, &copy).with_context(|| format!("cannot copy {}", source.display()))?;
+        }
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_folder_is_copied_with_its_folders() {
+        let temporary = tempfile::tempdir().unwrap();
+        let (from, to) = (temporary.path().join("from"), temporary.path().join("to"));
+        fs::create_dir_all(from.join("data/deep")).unwrap();
+        fs::write(from.join("index.html"), "page").unwrap();
+        fs::write(from.join("data/deep/lights.csv"), "lights").unwrap();
+        copy_folder(&from, &to).unwrap();
+        assert_eq!(fs::read_to_string(to.join("index.html")).unwrap(), "page");
+        assert_eq!(fs::read_to_string(to.join("data/deep/lights.csv")).unwrap(), "lights");
+    }
+
+    #[test]
+    fn the_price_list_is_there_whether_it_was_measured_or_not() {
+        let temporary = tempfile::tempdir().unwrap();
+        let (from, to) = (temporary.path().join("from"), temporary.path().join("to"));
+        for folder in [&from, &to] {
+            fs::create_dir(folder).unwrap();
+        }
+        let copied = || {
+            copy_price_list(&from, &to).unwrap();
+            fs::read_to_string(to.join(PRICE_LIST)).unwrap()
+        };
+        assert_eq!(copied(), "null");
+        fs::write(from.join(PRICE_LIST), r#"{"rows":[]}"#).unwrap();
+        assert_eq!(copied(), r#"{"rows":[]}"#);
+    }
+
+    #[test]
+    fn the_views_are_those_of_the_navigation() {
+        assert_eq!(views().collect::<Vec<_>>(), ["stage", "compare", "scenes"]);
+    }
+
+    #[test]
+    fn a_folder_is_renewed_whole_or_not_at_all() {
+        let temporary = tempfile::tempdir().unwrap();
+        let folder = temporary.path().join("demo");
+        let page = || fs::read_to_string(folder.join("index.html")).unwrap();
+        let write = |new: &Path, text: &str| {
+            fs::create_dir(new)?;
+            Ok(fs::write(new.join("index.html"), text)?)
+        };
+        renew(&folder, |new| write(new, "first")).unwrap();
+        assert_eq!(page(), "first");
+        let failed = renew(&folder, |new| {
+            write(new, "half")?;
+            assert_eq!(page(), "first");
+            anyhow::bail!("no module")
+        });
+        assert_eq!((failed.unwrap_err().to_string().as_str(), page().as_str()), ("no module", "first"));
+        renew(&folder, |new| write(new, "second")).unwrap();
+        assert_eq!(page(), "second");
+        let names = temporary.path().read_dir().unwrap().map(|entry| entry.unwrap().file_name());
+        assert_eq!(names.count(), 2, "a folder is left beside the new one and its lock");
+    }
+
+    #[test]
+    fn builds_at_the_same_time_take_nothing_from_one_another() {
+        let temporary = tempfile::tempdir().unwrap();
+        let folder = temporary.path().join("demo");
+        std::thread::scope(|scope| {
+            for _ in 0..8 {
+                scope.spawn(|| {
+                    renew(&folder, |new| {
+                        fs::create_dir(new)?;
+                        for part in 0..20 {
+                            fs::write(new.join(part.to_string()), "")?;
+                        }
+                        Ok(())
+                    })
+                    .unwrap();
+                });
+            }
+        });
+        assert_eq!(folder.read_dir().unwrap().count(), 20);
+    }
+
+    #[test]
+    fn a_folder_that_is_not_there_is_named() {
+        let temporary = tempfile::tempdir().unwrap();
+        let error = copy_folder(&temporary.path().join("web"), &temporary.path().join("to")).unwrap_err();
+        assert!(error.to_string().contains("web"), "{error}");
+    }
+}

@@ -1,0 +1,47 @@
+//! Timing whole frames in a browser: the scene that is made for it, under each of its loads.
+
+use anyhow::Result;
+
+use crate::browser::Page;
+
+/// The name of the scene.
+pub const SCENE: &str = "turntable";
+
+/// What hangs above the turntable.
+#[derive(Debug)]
+pub struct Load {
+    /// Its name in tables.
+    pub name: &'static str,
+    /// Arguments of the page's meter for this load.
+    options: &'static str,
+}
+
+/// The loads, from the least to the largest.
+pub static LOADS: [Load; 3] = [
+    Load { name: "8 spots", options: "{}" },
+    Load { name: "4 spots, shadow maps of 512", options: "{ spots: 4, shadows: 512 }" },
+    Load { name: "32 spots", options: "{ spots: 32 }" },
+];
+
+/// Median frame times in milliseconds; `None` where nothing was drawn.
+#[derive(Clone, Copy, Debug)]
+pub struct Frame {
+    /// With a camera at rest.
+    pub at_rest: Option<f64>,
+    /// With a turning camera, so that the geometry is redrawn.
+    pub moving: Option<f64>,
+}
+
+impl Load {
+    /// Draws the turntable under the load.
+    pub fn time(&self, page: &mut Page, frames: u32) -> Result<Frame> {
+        frame(page, SCENE, frames, self.options)
+    }
+}
+
+/// Draws any scene, with options of the page's meter.
+pub fn frame(page: &mut Page, scene: &str, frames: u32, options: &str) -> Result<Frame> {
+    let found = page.ask(&format!("luminaire.measureScene('{scene}', {frames}, {options})"))?;
+    let time = |camera: &str| found[camera]["frameMs"].as_f64();
+    Ok(Frame { at_rest: time("cameraAtRest"), moving: time("cameraMoving") })
+}

@@ -1,0 +1,164 @@
+//! Installing missing tools: Debian packages where we may, npm packages into the project's own
+//! target folder.
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::time::{Duration, Instant};
+use std::{fs, thread};
+
+use anyhow::{Context, Result, bail};
+
+use crate::command::Ended;
+use crate::progress::Progress;
+use crate::{command, project};
+
+/// How long another apt is waited for, such as the one that brings a fresh Debian up to date.
+const PATIENCE: Duration = Duration::from_secs(600);
+
+/// Time between two attempts.
+const PAUSE: Duration = Duration::from_secs(5);
+
+/// Whether Debian packages can be installed without asking anybody: this is Debian, and we are
+/// root.
+pub fn debian_root() -> bool {
+    let debian = fs::read_to_string("/etc/os-release").is_ok_and(|release| is_debian(&release));
+    debian && command::answer(Command::new("id").arg("-u")).is_ok_and(|user| user == "0")
+}
+
+fn is_debian(os_release: &str) -> bool {
+    os_release.lines().any(|line| line == "ID=debian" || line == "ID=\"debian\"")
+}
+
+/// Installs Debian packages. Ask [`debian_root`] first.
+pub fn apt(packages: &[&str], progress: &Progress) -> Result<()> {
+    let step = progress.begin("Installing", format_args!("Debian packages: {}", packages.join(" ")));
+    let remedy = || {
+        format!("cannot install them: try `apt-get update && apt-get install {}` by hand", packages.join(" "))
+    };
+    let install = [&["install", "-y", "--no-install-recommends"], packages].concat();
+    for words in [&["update"][..], &install] {
+        apt_get(words, project::root(), progress).with_context(remedy)?;
+    }
+    step.done();
+    Ok(())
+}
+
+/// Runs `apt-get` in a folder, when no other apt is running.
+pub fn apt_get(words: &[&str], folder: &Path, progress: &Progress) -> Result<()> {
+    let call = || apt_get_command(words, folder);
+    let run = || command::capture_and_tell(call(), |text| progress.quote(text));
+    let wait = || {
+        progress.say("Waiting", "for another program that installs packages");
+        thread::sleep(PAUSE);
+    };
+    if !until_unlocked(Instant::now() + PATIENCE, wait, run)?.success {
+        bail!("{} failed", command::describe(&call()));
+    }
+    Ok(())
+}
+
+fn apt_get_command(words: &[&str], folder: &Path) -> Command {
+    let mut command = Command::new("apt-get");
+    // apt waits for one lock itself: the one that is held while packages are unpacked.
+    command.arg("-o").arg(format!("DPkg::Lock::Timeout={}", PATIENCE.as_secs())).args(words);
+    // Its messages are parsed.
+    command.env("DEBIAN_FRONTEND", "noninteractive").env("LC_ALL", "C").current_dir(folder);
+    command
+}
+
+/// Runs a program again until it finds nothing locked, or until it is too late.
+fn until_unlocked(end: Instant, wait: impl Fn(), run: impl Fn() -> Result<Ended>) -> Result<Ended> {
+    loop {
+        let ended = run()?;
+        // apt has no option to wait for its locks on the package lists and on the archive.
+        let is_locked = ended.output.lines().any(|line| line.starts_with("E: Could not get lock"));
+        if ended.success || !is_locked || Instant::now() > end {
+            return Ok(ended);
+        }
+        wait();
+    }
+}
+
+/// The program that an npm package brought into `target/tools`, if it was installed there.
+pub fn npm_program(name: &str) -> Option<PathBuf> {
+    let program = tools().join("node_modules/.bin").join(name);
+    program.is_file().then_some(program)
+}
+
+/// Installs an npm package into `target/tools`, never globally.
+pub fn npm(package: &str, progress: &Progress) -> Result<()> {
+    let npm = command::on_path(&["npm"]).context("npm is not installed")?;
+    let step = progress.begin("Installing", format_args!("npm package {package} into target/tools"));
+    fs::create_dir_all(tools()).with_context(|| format!("cannot create {}", tools().display()))?;
+    let mut install = Command::new(npm);
+    // Without a network the default retries would hold up the build for minutes.
+    install.args(["install", "--no-audit", "--no-fund", "--fetch-retries=1", "--fetch-timeout=60000"]);
+    install.arg("--prefix").arg(tools()).arg(package).current_dir(tools());
+    progress.run(install)?;
+    step.done();
+    Ok(())
+}
+
+/// The program of a crate: the one on the path, or built into `target/tools`, never into the user's
+/// own folder.
+pub fn cargo_program(name: &str, progress: &Progress) -> Result<PathBuf> {
+    let built = tools().join("bin").join(name);
+    if let Some(program) = command::on_path(&[name]).or_else(|| built.is_file().then(|| built.clone())) {
+        return Ok(program);
+    }
+    let step = progress.begin("Building", format_args!("{name} into target/tools"));
+    let mut install = command::cargo("install");
+    install.args(["--locked", name, "--root"]).arg(tools());
+    progress.run(install)?;
+    step.done();
+    Ok(built)
+}
+
+fn tools() -> PathBuf {
+    project::target().join("tools")
+}
+
+#[cfg(test)]
+mod tests {
+    use std::cell::Cell;
+
+    use super::*;
+
+    #[test]
+    fn apt_waits_for_the_lock_of_dpkg() {
+        let command = apt_get_command(&["install", "-y", "lld"], Path::new("/"));
+        let described = command::describe(&command);
+        assert_eq!(described, "`apt-get -o DPkg::Lock::Timeout=600 install -y lld`");
+    }
+
+    #[test]
+    fn a_busy_apt_is_waited_for_and_a_failure_is_not() {
+        const LOCKED: &str =
+            "Reading package lists...\nE: Could not get lock /var/lib/apt/lists/lock. It is held";
+        let calls = |outputs: &[&str], end: Instant| {
+            let (calls, waits) = (Cell::new(0), Cell::new(0));
+            let run = || {
+                let output = outputs[calls.replace(calls.get() + 1).min(outputs.len() - 1)].to_owned();
+                Ok(Ended { success: output.is_empty(), output })
+            };
+            let ended = until_unlocked(end, || waits.set(waits.get() + 1), run).unwrap();
+            (ended.success, calls.get(), waits.get())
+        };
+        let later = Instant::now() + PATIENCE;
+        assert_eq!(calls(&[LOCKED, LOCKED, ""], later), (true, 3, 2));
+        // apt may also have waited for its lock, and then found no network.
+        let waited = "Waiting for cache lock: Could not get lock /var/lib/dpkg/lock\nE: Failed to fetch";
+        for failure in ["E: Unable to locate package", waited] {
+            assert_eq!(calls(&[failure], later), (false, 1, 0), "{failure}");
+        }
+        assert_eq!(calls(&[LOCKED, "E: none"], later), (false, 2, 1));
+        assert_eq!(calls(&[LOCKED], Instant::now() - PAUSE), (false, 1, 0));
+    }
+
+    #[test]
+    fn only_debian_itself_is_debian() {
+        assert!(is_debian("PRETTY_NAME=\"Debian GNU/Linux 12\"\nID=debian\n"));
+        assert!(!is_debian("ID=ubuntu\nID_LIKE=debian\n"));
+        assert!(!is_debian(""));
+    }
+}

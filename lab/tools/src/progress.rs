@@ -1,0 +1,103 @@
+//! Telling how far a long piece of work has come.
+
+use std::cell::RefCell;
+use std::fmt::Display;
+use std::process::Command;
+use std::time::Instant;
+
+use anyhow::{Result, bail};
+
+use crate::command;
+
+/// Where progress goes: to stderr as it happens, or into a text that is shown only when something
+/// fails.
+#[derive(Debug)]
+pub enum Progress {
+    /// To stderr.
+    Live,
+    /// Into a text.
+    Kept(RefCell<String>),
+}
+
+/// A step that has begun.
+#[derive(Debug)]
+pub struct Step<'a> {
+    progress: &'a Progress,
+    start: Instant,
+}
+
+impl Progress {
+    /// Progress that is kept in memory and not printed.
+    pub fn kept() -> Self {
+        Self::Kept(RefCell::default())
+    }
+
+    /// What was kept.
+    pub fn into_text(self) -> String {
+        match self {
+            Self::Live => String::new(),
+            Self::Kept(text) => text.into_inner(),
+        }
+    }
+
+    /// Says a line in the layout of cargo's own messages, among which it will stand.
+    pub fn say(&self, verb: &str, what: impl Display) {
+        self.quote(&format!("{verb:>12} {what}\n"));
+    }
+
+    /// Says what somebody else has written.
+    pub fn quote(&self, text: &str) {
+        match self {
+            Self::Live => eprint!("{text}"),
+            Self::Kept(kept) => kept.borrow_mut().push_str(text),
+        }
+    }
+
+    /// Begins a step; [`Step::done`] ends it.
+    pub fn begin(&self, verb: &str, what: impl Display) -> Step<'_> {
+        self.say(verb, what);
+        Step { progress: self, start: Instant::now() }
+    }
+
+    /// Runs a program that must succeed, its output being part of the progress.
+    pub fn run(&self, mut command: Command) -> Result<()> {
+        match self {
+            Self::Live => command::run_live(&mut command),
+            Self::Kept(_) => {
+                let name = command::describe(&command);
+                let ended = command::capture(command)?;
+                self.quote(&ended.output);
+                if !ended.success {
+                    bail!("{name} failed");
+                }
+                Ok(())
+            }
+        }
+    }
+}
+
+impl Step<'_> {
+    /// Says how long the step took.
+    pub fn done(self) {
+        self.progress.say("Done", format_args!("in {:.1} s", self.start.elapsed().as_secs_f64()));
+    }
+
+    /// Says how long the step took and what came of it.
+    pub fn done_with(self, result: impl Display) {
+        self.progress.say("Done", format_args!("in {:.1} s: {result}", self.start.elapsed().as_secs_f64()));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn kept_progress_tells_the_steps_in_order() {
+        let progress = Progress::kept();
+        progress.begin("Building", "a house").done_with("four walls");
+        let text = progress.into_text();
+        assert!(text.starts_with("    Building a house\n        Done in "), "{text}");
+        assert!(text.ends_with(" s: four walls\n"), "{text}");
+    }
+}

@@ -1,0 +1,104 @@
+//! Counting what passed and what failed.
+
+use std::fmt;
+use std::ops::AddAssign;
+use std::process::Command;
+
+use anyhow::{Result, ensure};
+
+use crate::command;
+use crate::progress::Progress;
+
+/// Numbers of passed and failed tests. A test that did not run counts in neither.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Tally {
+    /// Tests that passed.
+    pub passed: u64,
+    /// Tests that failed or were ignored.
+    pub failed: u64,
+}
+
+impl Tally {
+    /// One test that passed.
+    pub const PASSED: Self = Self { passed: 1, failed: 0 };
+    /// One test that failed.
+    pub const FAILED: Self = Self { passed: 0, failed: 1 };
+
+    /// Adds up the `test result:` lines of `cargo test`. An ignored test counts as failed: it was
+    /// promised, not run.
+    pub fn of_cargo_test(output: &str) -> Self {
+        let mut tally = Self::default();
+        for line in output.lines().filter_map(|line| line.trim_start().strip_prefix("test result: ")) {
+            tally.passed += count(line, "passed");
+            tally.failed += count(line, "failed") + count(line, "ignored");
+        }
+        tally
+    }
+}
+
+/// Runs `cargo test` and adds up its results. An error if no test was run.
+pub fn cargo_test(test: Command, progress: &Progress) -> Result<Tally> {
+    let ended = command::capture(test)?;
+    progress.quote(&ended.output);
+    let mut tally = Tally::of_cargo_test(&ended.output);
+    ensure!(tally != Tally::default(), "no test was run");
+    // A test program that does not compile, or that crashes, has no line of its own.
+    if !ended.success && tally.failed == 0 {
+        tally += Tally::FAILED;
+    }
+    Ok(tally)
+}
+
+/// The number before a word, as in `ok. 12 passed; 0 failed; …`.
+fn count(line: &str, word: &str) -> u64 {
+    let parts = line.split([';', '.']).map(str::trim);
+    parts.filter_map(|part| part.strip_suffix(word)?.trim().parse::<u64>().ok()).sum()
+}
+
+impl AddAssign for Tally {
+    fn add_assign(&mut self, other: Self) {
+        self.passed += other.passed;
+        self.failed += other.failed;
+    }
+}
+
+impl fmt::Display for Tally {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(out, "{} passed, {} failed", self.passed, self.failed)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_results_of_all_test_programs_are_added() {
+        let output = "
+running 3 tests
+test result: ok. 3 passed; 0 failed; 0 ignored; 0 measured; 0 filtered out; finished in 0.00s
+error: test failed, to rerun pass `-p luminaire --lib`
+test result: FAILED. 10 passed; 2 failed; 0 ignored; 0 measured; 4 filtered out; finished in 1.20s
+   Doc-tests luminaire
+test result: ok. 7 passed; 0 failed; 0 ignored; 0 measured; 0 filtered out; finished in 0.31s
+
+all doctests ran in 0.52s; merged doctests compilation took 0.20s
+";
+        assert_eq!(Tally::of_cargo_test(output), Tally { passed: 20, failed: 2 });
+    }
+
+    #[test]
+    fn an_ignored_test_has_not_passed() {
+        let output = "test result: ok. 1 passed; 0 failed; 1 ignored; 0 measured; 0 filtered out";
+        assert_eq!(Tally::of_cargo_test(output), Tally { passed: 1, failed: 1 });
+    }
+
+    #[test]
+    fn other_lines_count_for_nothing() {
+        assert_eq!(
+            Tally::of_cargo_test("7 passed; 1 failed\ntest result of mine ... ok\n"),
+            Tally::default()
+        );
+        assert_eq!((Tally { passed: 7, failed: 1 }).to_string(), "7 passed, 1 failed");
+    }
+}

@@ -1,0 +1,67 @@
+//! Compiling a package to WebAssembly, and its bindings to JavaScript.
+
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context, Result};
+use wasm_bindgen_cli_support::Bindgen;
+
+use crate::progress::Progress;
+use crate::toolchain::Toolchain;
+
+const TARGET: &str = "wasm32-unknown-unknown";
+const PROFILE: &str = "wasm";
+
+/// A package that a browser runs.
+#[derive(Debug)]
+pub struct Package {
+    name: &'static str,
+    /// The name of its library, as files have it.
+    library: &'static str,
+    /// Whether it may use the vector instructions.
+    simd: bool,
+}
+
+/// The demo, which wants the vector instructions.
+pub const DEMO: Package = Package { name: "wasm-demo", library: "wasm_demo", simd: true };
+/// What times the kernels.
+pub const PRICES: Package = Package { name: "luminaire-prices", library: "luminaire_prices", simd: false };
+/// The same with vector instructions.
+pub const SIMD_PRICES: Package = Package { simd: true, ..PRICES };
+
+/// The compiler that packages are compiled with, as in `rustc 1.96.0`.
+pub fn compiler(progress: &Progress) -> Result<String> {
+    Toolchain::find(TARGET, progress)?.compiler()
+}
+
+impl Package {
+    /// The compiler's flags.
+    pub fn flags(&self) -> &'static [&'static str] {
+        if self.simd { &["-Ctarget-feature=+simd128"] } else { &[] }
+    }
+
+    /// Compiles it; the module that comes out still needs its bindings.
+    pub fn compile(&self, progress: &Progress) -> Result<PathBuf> {
+        let toolchain = Toolchain::find(TARGET, progress)?;
+        let step = progress.begin("Building", format_args!("{} for {}", self.name, toolchain.describe()));
+        let mut build = toolchain.cargo_build("std,panic_abort", self.flags());
+        build.args(["--package", self.name, "--lib", "--profile", PROFILE]);
+        progress.run(build)?;
+        step.done();
+        Ok(toolchain.artifacts(PROFILE).join(format!("{}.wasm", self.library)))
+    }
+
+    /// Writes the bindings and the bound module into `folder`. Returns the path of
+    /// the bound module.
+    pub fn bind(&self, module: &Path, folder: &Path, progress: &Progress) -> Result<PathBuf> {
+        let step = progress.begin("Binding", format_args!("{}.wasm to JavaScript", self.library));
+        let bound = Bindgen::new()
+            .input_path(module)
+            .web(true)
+            // The page calls `init()` without a path, so the bindings must know where their module
+            // is.
+            .and_then(|bindgen| bindgen.omit_default_module_path(false).typescript(false).generate(folder));
+        bound.with_context(|| format!("wasm-bindgen cannot make bindings for {}", module.display()))?;
+        step.done();
+        Ok(folder.join(format!("{}_bg.wasm", self.library)))
+    }
+}

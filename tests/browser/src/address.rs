@@ -1,0 +1,74 @@
+//! The address follows what is shown, and the page does not depend on it.
+
+use anyhow::{Result, ensure};
+
+use crate::Visitor;
+use tools::browser::Page;
+
+/// A browser that takes a hundred addresses in ten seconds, as Safari does, of which most have been
+/// taken.
+const LIMITED: &str = "{
+    const write = history.replaceState.bind(history);
+    let left = 5;
+    history.replaceState = (...what) => {
+        if (left === 0) throw new DOMException('more than 100 times per 10 seconds', 'SecurityError');
+        left -= 1;
+        setTimeout(() => { left += 1; }, 10000);
+        write(...what);
+    };
+}";
+
+const REFUSING: &str = "history.replaceState = () => { throw new DOMException('no', 'SecurityError'); }";
+
+pub(crate) fn is_written_seldom(visitor: &mut Visitor) -> Result<()> {
+    let mut page = visitor.ready_with("#compare?left=f32-cosine&right=f32&half=10", LIMITED)?;
+    for half in 1..=20 {
+        enter(&mut page, "half-angle-number", &(f64::from(half) / 4.0).to_string())?;
+    }
+    alive(&mut page)?;
+    says(&mut page, "#compare?left=f32-cosine&right=f32&half=5")?;
+
+    // An address that is still to be written is not written over that of another view.
+    enter(&mut page, "half-angle-number", "7")?;
+    page.ask("document.querySelector('.views a[href=\"#scenes\"]').click()")?;
+    page.settle()?;
+    says(&mut page, "#scenes?scene=bare-spot")?;
+    let scenes = page.ask("probe.options('scene-name')")?;
+    let names = scenes.as_array().into_iter().flatten().filter_map(|name| name.as_str());
+    let names: Vec<_> = names.collect();
+    for name in names.iter().chain(&names) {
+        enter(&mut page, "scene-name", name)?;
+    }
+    alive(&mut page)?;
+    says(&mut page, "#scenes?scene=gallery")
+}
+
+pub(crate) fn may_be_refused(visitor: &mut Visitor) -> Result<()> {
+    for view in ["#compare?half=10", "#scenes?scene=pocket"] {
+        let mut page = visitor.ready_with(view, REFUSING)?;
+        for (control, value) in [("half-angle-number", "3"), ("scene-name", "grid")] {
+            page.enter(control, value)?;
+        }
+        // Longer than the page waits for the last change.
+        page.ask("new Promise((resolve) => setTimeout(resolve, 600))")?;
+        alive(&mut page)?;
+    }
+    Ok(())
+}
+
+/// Enters a value and waits for the next picture alone.
+fn enter(page: &mut Page, id: &str, value: &str) -> Result<()> {
+    page.ask(&format!("probe.enter('{id}', '{value}')"))?;
+    page.ask("new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve)))")
+        .map(drop)
+}
+
+fn says(page: &mut Page, hash: &str) -> Result<()> {
+    page.ask(&format!("probe.until(() => location.hash === '{hash}')")).map(drop)
+}
+
+fn alive(page: &mut Page) -> Result<()> {
+    ensure!(page.state()? == "ready", "the page is dead: {}", page.message("failure")?);
+    ensure!(!page.shows("trouble")?, "the visitor is told of {}", page.message("trouble")?);
+    page.must_be_content()
+}

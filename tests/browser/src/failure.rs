@@ -1,0 +1,140 @@
+//! Failures are reported on the page and stop only what depends on them. The page may also write to
+//! the console; the tests look at what is visible.
+
+use anyhow::{Result, ensure};
+
+use crate::Visitor;
+use tools::browser::Page;
+use tools::demo::site;
+use tools::project;
+
+pub(crate) fn without_simd(visitor: &mut Visitor) -> Result<()> {
+    is_told(visitor, "WebAssembly.validate = () => false", "simd")
+}
+
+pub(crate) fn without_canvas(visitor: &mut Visitor) -> Result<()> {
+    is_told(visitor, "HTMLCanvasElement.prototype.getContext = () => null", "canvas")
+}
+
+fn is_told(visitor: &mut Visitor, script: &str, cause: &str) -> Result<()> {
+    let mut page = visitor.failed(script)?;
+    let message = page.message("failure")?;
+    ensure!(message.to_lowercase().contains(cause), "the message does not name {cause}: {message:?}");
+    ensure!(page.shows("failure")?, "the message cannot be seen: {message:?}");
+    Ok(())
+}
+
+/// Opened as a file, with no server at all.
+pub(crate) fn from_a_file(visitor: &mut Visitor) -> Result<()> {
+    let file = project::target().join("demo/index.html");
+    let mut page = visitor.chromium.open(&format!("file://{}", file.display()), "")?;
+    ensure!(page.state()? == "failed", "the page is as if nothing were wrong");
+    let message = page.message("failure")?;
+    ensure!(message.contains("cargo demo") && page.shows("failure")?, "the message is {message:?}");
+    Ok(())
+}
+
+/// Each view of the navigation is there, and none else is shown with it.
+pub(crate) fn of_no_view(visitor: &mut Visitor) -> Result<()> {
+    for view in site::views() {
+        let mut page = visitor.ready_at(&format!("#{view}"))?;
+        let shown = page.number("document.querySelectorAll('main > :not([hidden])').length")?;
+        let current = page.text("document.querySelector('.views [aria-current]').hash")?;
+        ensure!(shown == 1.0 && current == format!("#{view}"), "{view} shows {shown} views, and {current}");
+        page.must_be_content()?;
+    }
+    Ok(())
+}
+
+/// The connection goes after the page has come, and later returns.
+pub(crate) fn of_the_connection(visitor: &mut Visitor) -> Result<()> {
+    for (view, id) in [("compare", "comparison"), ("scenes", "scenes-page")] {
+        let mut page = visitor.ready()?;
+        page.set_offline(true)?;
+        page.ask(&format!("document.querySelector('.views a[href=\"#{view}\"]').click()"))?;
+        page.ask("probe.until(() => probe.visible('absent'))")?;
+        let message = page.message("absent-reason")?;
+        ensure!(message.contains("could not be loaded") && message.contains("connection"), "{message:?}");
+        ensure!(!page.shows(id)?, "{view} is shown although it was not loaded");
+        // Again in vain.
+        retry(&mut page)?;
+        page.ask("probe.until(() => probe.visible('absent'))")?;
+
+        page.ask("document.querySelector('.views a[href=\"#stage\"]').click()")?;
+        page.settle()?;
+        ensure!(page.shows("view")? && !page.shows("absent")?, "the stage is gone, too");
+        page.change("a beam, offline", |page| page.enter("light-0-beam-number", 15))?;
+        works(&mut page)?;
+
+        page.ask(&format!("document.querySelector('.views a[href=\"#{view}\"]').click()"))?;
+        page.ask("probe.until(() => probe.visible('absent'))")?;
+        page.set_offline(false)?;
+        let drawn = page.number("luminaire.drawn")?;
+        retry(&mut page)?;
+        page.ask(&format!("probe.redrawn({drawn})"))?;
+        ensure!(page.shows(id)? && !page.shows("absent")?, "{view} does not come back");
+    }
+    Ok(())
+}
+
+fn retry(page: &mut Page) -> Result<()> {
+    page.ask("document.getElementById('absent-retry').click()").map(drop)
+}
+
+/// Parts that no picture depends on.
+pub(crate) fn of_decorations(visitor: &mut Visitor) -> Result<()> {
+    const NO_CURVE: &str = "document.createElementNS = () => { throw new Error('no curve') }";
+    const NO_LIST: &str = "window.fetch = ((fetch) => (what, ...more) => String(what).endsWith('.json')
+        ? Promise.reject(new TypeError('no list')) : fetch(what, ...more))(window.fetch.bind(window))";
+    const NO_CLOCK: &str = "Object.defineProperty(window, 'performance', { get: () => undefined })";
+    const NO_READOUT: &str = "Float64Array.from = () => { throw new Error('no median') }";
+    for (view, script, place, words) in [
+        ("#stage", NO_CURVE, "trouble", "no curve"),
+        ("#compare?half=10", NO_LIST, "prices-note", "no list"),
+        ("#stage", NO_CLOCK, "failure", ""),
+    ] {
+        let mut page = visitor.ready_with(view, script)?;
+        works(&mut page)?;
+        let told = page.message(place)?;
+        ensure!(told.contains(words), "{script} is told as {told:?}");
+    }
+    let mut page = visitor.ready()?;
+    page.ask(NO_READOUT)?;
+    page.change("a beam, without a readout", |page| page.enter("light-0-beam-number", 15))?;
+    works(&mut page)?;
+    ensure!(page.message("trouble")?.contains("no median"), "a readout that fails is not told");
+    Ok(())
+}
+
+/// The module's own end is everything's end; an error of anything else is not.
+pub(crate) fn of_the_module(visitor: &mut Visitor) -> Result<()> {
+    let mut page = visitor.ready()?;
+    for harmless in ["new Error('a fault')", "'a refusal'", "new RangeError('too far')"] {
+        page.ask(&format!("reportError({harmless})"))?;
+        page.ask(&format!("void Promise.reject({harmless})"))?;
+        page.settle()?;
+        works(&mut page)?;
+        ensure!(page.shows("trouble")?, "{harmless} is not told");
+    }
+    page.change("a beam, after faults", |page| page.enter("light-0-beam-number", 15))?;
+    for deadly in [
+        "reportError(new WebAssembly.RuntimeError('unreachable'))",
+        "void Promise.reject(new WebAssembly.RuntimeError('unreachable'))",
+        "dispatchEvent(new CustomEvent('luminaire-panic', { detail: 'unreachable' }))",
+    ] {
+        let mut page = visitor.ready()?;
+        page.ask(deadly)?;
+        page.ask("probe.until(() => document.body.dataset.state === 'failed')")?;
+        let message = page.message("failure")?;
+        ensure!(message.contains("unreachable") && message.contains("Reload"), "the message is {message:?}");
+        ensure!(page.holds("document.querySelector('main').inert")?, "{deadly} leaves dead controls");
+    }
+    Ok(())
+}
+
+fn works(page: &mut Page) -> Result<()> {
+    ensure!(page.state()? == "ready", "the demo has stopped: {}", page.message("failure")?);
+    ensure!(!page.holds("document.querySelector('main').inert")?, "the demo takes no input");
+    ensure!(page.lit_share()? > 0.0, "the picture is black");
+    Ok(())
+}

@@ -1,0 +1,134 @@
+//! What the page promises its visitors, each promise a test in a real browser.
+
+mod address;
+mod angles;
+mod camera;
+mod comparison;
+mod contrast;
+mod failure;
+mod fixtures;
+mod formats;
+mod network;
+mod picture;
+mod readout;
+mod refusal;
+mod scenes;
+
+use std::path::Path;
+
+use anyhow::{Result, ensure};
+
+use tools::browser::{Chromium, Page};
+use tools::progress::Progress;
+use tools::server::{self, Server};
+
+/// Somebody with a browser, and the demo served for the time of the visit.
+#[derive(Debug)]
+pub struct Visitor {
+    /// Their browser.
+    pub chromium: Chromium,
+    /// Where the demo is served.
+    pub address: String,
+    _server: Server,
+}
+
+/// The name of a test and its function.
+pub type Test = (&'static str, fn(&mut Visitor) -> Result<()>);
+
+/// Every test.
+pub const ALL: [Test; 53] = [
+    ("the page becomes ready without a complaint", picture::becomes_ready),
+    ("the picture is lit by its lights, in several colours", picture::is_lit),
+    ("a picture that the canvas refused is shown with the next draw", picture::is_shown_again),
+    ("the picture has the size that the address asks for", picture::has_the_asked_size),
+    ("the field slider changes the picture and leads the beam angle", angles::field_leads_beam),
+    ("the beam slider changes the picture and leads the field angle", angles::beam_leads_field),
+    ("a hard edge looks different from a soft one", angles::edge_changes_picture),
+    ("a refused field angle is told and leaves the picture alone", refusal::is_told_and_harmless),
+    ("bad intensities, zooms and colours are told and leave the picture alone", refusal::are_all_told),
+    (
+        "an empty field is no error, and a field that is left shows what is in force",
+        refusal::ends_with_the_field,
+    ),
+    ("what a format refuses is told under no other control", refusal::of_a_format_stands_by_itself),
+    ("a curve of too few or too many samples is refused", refusal::of_curves),
+    ("every fixture can be chosen", fixtures::can_be_chosen),
+    ("the intensity of a light is seen", fixtures::intensity_is_seen),
+    ("the colour of a light is seen", fixtures::colour_is_seen),
+    ("the number formats agree as closely as stated", formats::agree),
+    ("each number format can be chosen", formats::can_be_chosen),
+    ("dragging moves the camera", camera::is_dragged),
+    ("the wheel moves the camera", camera::is_wheeled),
+    ("the arrow keys move the camera", camera::is_moved_by_keys),
+    ("a narrow beam parts the cosine form from the versine form", comparison::narrow_beam_parts_the_forms),
+    ("every form answers every angle", comparison::every_form_answers_every_angle),
+    ("the divider follows the mouse and the keys", comparison::divider_moves),
+    ("a refused cone is told in words, with a remedy", comparison::refusal_is_told_with_a_remedy),
+    ("bad values leave the comparison alone", comparison::bad_values_are_harmless),
+    ("the scale of the errors is chosen", comparison::scale_is_chosen),
+    ("the comparison is reached by its link", comparison::is_reached_by_its_link),
+    ("the pictures of the comparison are timed", comparison::times_are_measured),
+    ("prices stand beside the errors", comparison::prices_stand_beside_the_errors),
+    ("every scene is drawn, and called for what it shows", scenes::are_all_drawn),
+    ("a picture of what a scene calls for is that of everything, bit for bit", scenes::equal_everything),
+    ("a scene is opened by its address", scenes::are_opened_by_address),
+    ("a scene plays, and stops", scenes::play),
+    ("the camera of a scene is dragged, and moved by keys", scenes::camera_is_moved),
+    ("lights and effects of a scene are switched", scenes::are_switched),
+    (
+        "a light that moves lets tiles be lit again that it touches, and no others",
+        scenes::tiles_are_lit_again,
+    ),
+    ("the map shows how many lights were evaluated, with a legend", scenes::map_is_shown),
+    ("what a format cannot hold of a scene is refused in words", scenes::refusals_are_told),
+    ("the scenes are used by the keyboard alone", scenes::keys_are_enough),
+    ("scenes are measured, pass by pass", scenes::are_measured),
+    ("all views fit screens from 390 to 1440 pixels", comparison::fits_every_screen),
+    ("a browser without simd is told so", failure::without_simd),
+    ("a browser that refuses the canvas is told so", failure::without_canvas),
+    ("a page that is opened as a file says so", failure::from_a_file),
+    ("every view of the navigation can be opened", failure::of_no_view),
+    ("a lost connection keeps one view from opening, until it is back", failure::of_the_connection),
+    ("what decorates a picture may fail", failure::of_decorations),
+    ("only the module's own end stops the demo", failure::of_the_module),
+    ("the address is written when the visitor pauses", address::is_written_seldom),
+    ("a browser that refuses an address is none the worse for it", address::may_be_refused),
+    ("a time that is not of the last picture says so, and the others add up", readout::adds_up),
+    ("forced colours hide nothing", contrast::forced_colours_hide_nothing),
+    ("the page asks nobody but its own server", network::stays_at_home),
+];
+
+impl Visitor {
+    /// Serves the demo's folder and starts a browser.
+    pub fn evaluate(site: &Path, progress: &Progress) -> Result<Self> {
+        let server = Server::start(server::listen(0)?, site)?;
+        Ok(Self { chromium: Chromium::start(progress)?, address: server.address(), _server: server })
+    }
+
+    /// Opens the page and waits until it is ready.
+    fn ready(&mut self) -> Result<Page> {
+        self.ready_at("")
+    }
+
+    /// Opens the page with an address's query, such as `?width=320`, and waits until it is ready.
+    fn ready_at(&mut self, query: &str) -> Result<Page> {
+        self.ready_with(query, "")
+    }
+
+    /// The same in a browser that `script` has changed.
+    fn ready_with(&mut self, query: &str, script: &str) -> Result<Page> {
+        let mut page = self.chromium.open(&format!("{}{query}", self.address), script)?;
+        page.ready()?;
+        page.settle()?;
+        Ok(page)
+    }
+
+    /// Opens the page in a browser that `script` has made worse, and waits until the page has given
+    /// up.
+    fn failed(&mut self, script: &str) -> Result<Page> {
+        let mut page = self.chromium.open(&self.address, script)?;
+        let state = page.state()?;
+        ensure!(state == "failed", "the page is {state}, as if nothing were wrong");
+        Ok(page)
+    }
+}

@@ -1,0 +1,72 @@
+//! The first picture.
+
+use anyhow::{Context, Result, ensure};
+
+use crate::Visitor;
+
+pub(crate) fn becomes_ready(visitor: &mut Visitor) -> Result<()> {
+    let mut page = visitor.ready()?;
+    ensure!(page.holds("window.crossOriginIsolated")?, "the page is not crossOriginIsolated");
+    ensure!(!page.shows("failure")?, "#failure is visible though nothing failed");
+    page.must_be_content()
+}
+
+/// The difference to the picture with every light switched off is what the lights do; the rest is
+/// ambient.
+pub(crate) fn is_lit(visitor: &mut Visitor) -> Result<()> {
+    let mut page = visitor.ready()?;
+    let colours = page.number("probe.survey().colours")?;
+    ensure!(colours > 16.0, "the picture has only {colours} colours");
+    page.keep("lit")?;
+    for light in 0..3 {
+        page.ask(&format!("document.getElementById('light-{light}-on').click()"))?;
+    }
+    page.settle()?;
+    page.keep("unlit")?;
+    let (brightest, share) = (page.difference("lit", "unlit")?, page.number("probe.share('lit', 'unlit')")?);
+    ensure!(brightest > 128.0, "the lights add at most {brightest} codes");
+    ensure!(share > 0.2, "the lights reach a share of only {share} of the pixels");
+    page.must_be_content()
+}
+
+/// The canvas refuses once. The next draw must not find that nothing has changed since.
+pub(crate) fn is_shown_again(visitor: &mut Visitor) -> Result<()> {
+    let mut page = visitor.ready()?;
+    let refused = page.holds(
+        "(async () => {
+            const canvas = CanvasRenderingContext2D.prototype, put = canvas.putImageData;
+            canvas.putImageData = () => { throw new Error('out of memory'); };
+            try {
+                await luminaire.measure(1);
+                return false;
+            } catch (error) {
+                return String(error).includes('out of memory');
+            } finally {
+                canvas.putImageData = put;
+            }
+        })()",
+    )?;
+    ensure!(refused, "a canvas that refuses is not told");
+    // On and off again before the next frame: a reason to draw, and nothing new to see.
+    let drawn = page.number("luminaire.drawn")?;
+    page.ask("{ const s = document.getElementById('sweep'); s.click(); s.click(); }")?;
+    page.ask(&format!("probe.redrawn({drawn})")).context("the refused picture is not shown again")?;
+    let drawn = page.number("luminaire.drawn")?;
+    page.ask("{ const s = document.getElementById('sweep'); s.click(); s.click(); }")?;
+    page.settle()?;
+    ensure!(page.number("luminaire.drawn")? == drawn, "a picture that was shown is shown again");
+    page.must_be_content()
+}
+
+pub(crate) fn has_the_asked_size(visitor: &mut Visitor) -> Result<()> {
+    for (query, width, height) in [("", 960, 540), ("?width=320&height=180", 320, 180)] {
+        let mut page = visitor.ready_at(query)?;
+        let measured = page.ask("luminaire.measure(1)")?;
+        let right = measured["width"] == width && measured["height"] == height;
+        ensure!(right, "{width}x{height} was asked for: {measured}");
+        let pixels = page.number("probe.survey().pixels")?;
+        ensure!(pixels == f64::from(width * height), "{width}x{height} was asked for: {pixels} pixels");
+        page.must_be_content()?;
+    }
+    Ok(())
+}

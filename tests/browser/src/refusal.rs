@@ -1,0 +1,155 @@
+//! Values that a light cannot take.
+
+use anyhow::{Result, ensure};
+
+use crate::Visitor;
+use tools::browser::Page;
+
+const FIELD: &str = "light-0-field-number";
+const ERROR: &str = "light-0-error";
+
+pub(crate) fn is_told_and_harmless(visitor: &mut Visitor) -> Result<()> {
+    let mut page = visitor.ready()?;
+    let good = page.value(FIELD)?;
+    ensure!(page.message(ERROR)?.is_empty(), "a light that is fine has an error");
+    must_refuse(&mut page, FIELD, "field angle", &["400", "0", "-10"])?;
+    page.enter(FIELD, good)?;
+    let message = page.message(ERROR)?;
+    ensure!(message.is_empty(), "a field angle of {good} is answered with {message:?}");
+    page.must_be_content()
+}
+
+pub(crate) fn are_all_told(visitor: &mut Visitor) -> Result<()> {
+    let mut page = visitor.ready()?;
+    must_refuse(&mut page, "light-0-intensity", "intensity", &["-1", "1e40"])?;
+    page.enter("light-0-fixture", "ARRI L7-C")?;
+    must_refuse(&mut page, "light-0-zoom-number", "zoom", &["5", "5000", "-15"])?;
+    // A picker of colours holds nothing else; what it was before it was one can.
+    page.ask("document.getElementById('light-0-color').type = 'text'")?;
+    must_refuse(&mut page, "light-0-color", "color", &["red", "#fff", "#gggggg", ""])?;
+    page.change("a good colour", |page| page.enter("light-0-color", "#ff0000"))?;
+    ensure!(page.message(ERROR)?.is_empty(), "a good colour does not end the message");
+    page.must_be_content()
+}
+
+/// Enters bad values, each of which must be named and change nothing.
+fn must_refuse(page: &mut Page, control: &str, name: &str, values: &[&str]) -> Result<()> {
+    page.keep("before")?;
+    for value in values {
+        page.enter(control, value)?;
+        let message = page.message(ERROR)?;
+        let named = message.to_lowercase().contains(name);
+        ensure!(named, "{value:?} as the {name} is answered with {message:?}");
+        ensure!(page.shows(ERROR)?, "the message about {value:?} as the {name} cannot be seen");
+        page.keep("after")?;
+        let difference = page.difference("before", "after")?;
+        ensure!(difference == 0.0, "{value:?} as the {name} changed the picture by {difference}");
+    }
+    Ok(())
+}
+
+/// A field that is cleared is about to be typed into; one that is left shows what is in force.
+pub(crate) fn ends_with_the_field(visitor: &mut Visitor) -> Result<()> {
+    let mut page = visitor.ready()?;
+    page.enter("light-0-fixture", "ARRI L7-C")?;
+    for (field, error) in [
+        ("light-0-beam-number", ERROR),
+        (FIELD, ERROR),
+        ("light-0-zoom-number", ERROR),
+        ("light-0-intensity", ERROR),
+    ] {
+        must_forgive(&mut page, field, error)?;
+    }
+    page.must_be_content()?;
+    let mut page = visitor.ready_at("#compare?half=10")?;
+    must_forgive(&mut page, "half-angle-number", "half-angle-error")?;
+    page.must_be_content()
+}
+
+fn must_forgive(page: &mut Page, field: &str, error: &str) -> Result<()> {
+    let valid = format!("document.getElementById('{field}').getAttribute('aria-invalid') !== 'true'");
+    let good = page.value(field)?;
+    page.enter(field, "")?;
+    let told = page.message(error)?;
+    ensure!(told.is_empty() && page.holds(&valid)?, "{field}, cleared, is answered with {told:?}");
+    leave(page, field)?;
+    ensure!(page.value(field)? == good, "{field}, left empty, shows {}", page.value(field)?);
+
+    page.enter(field, "-3")?;
+    ensure!(!page.message(error)?.is_empty() && !page.holds(&valid)?, "-3 is taken for {field}");
+    page.enter(field, "")?;
+    let told = page.message(error)?;
+    ensure!(told.is_empty() && page.holds(&valid)?, "{field}, cleared of -3, is answered with {told:?}");
+
+    page.enter(field, "-3e38")?;
+    let told = page.message(error)?;
+    ensure!(told.contains("= -3e38: "), "-3e38 as {field} is answered with {told:?}");
+    leave(page, field)?;
+    let told = page.message(error)?;
+    ensure!(told.is_empty() && page.holds(&valid)?, "{field} is left, and the message stays: {told:?}");
+    ensure!(page.value(field)? == good, "{field}, left with -3e38, shows {}", page.value(field)?);
+
+    // What is no number is refused while it stands there: the browser tells it from an empty field.
+    page.ask(&format!(
+        "{{ const field = document.getElementById('{field}'); field.focus(); field.select(); }}"
+    ))?;
+    page.type_text("1e")?;
+    let told = page.message(error)?;
+    ensure!(told.contains("= NaN: "), "1e as {field} is answered with {told:?}");
+    leave(page, field)?;
+    ensure!(page.message(error)?.is_empty() && page.value(field)? == good, "1e stays in {field}");
+    Ok(())
+}
+
+fn leave(page: &mut Page, field: &str) -> Result<()> {
+    page.ask(&format!("document.getElementById('{field}').blur()"))?;
+    page.settle()
+}
+
+/// If a number format refuses a light, the message stands beside the format. On the light's panel
+/// it stands under no control.
+pub(crate) fn of_a_format_stands_by_itself(visitor: &mut Visitor) -> Result<()> {
+    let mut page = visitor.ready()?;
+    page.enter("light-0-beam-number", "500")?;
+    let previous = format!("document.getElementById('{ERROR}').previousElementSibling");
+    let is_under = |page: &mut Page, id: &str| {
+        page.holds(&format!("{previous}.contains(document.getElementById('{id}'))"))
+    };
+    ensure!(is_under(&mut page, "light-0-beam-number")?, "the refusal does not stand under the beam angle");
+    page.enter("light-0-beam-number", "1")?;
+    page.enter("format", "fx16")?;
+    for place in ["format-error", ERROR] {
+        let told = page.message(place)?;
+        ensure!(told.contains("outer angle") && page.shows(place)?, "the format's refusal is {told:?}");
+    }
+    ensure!(!is_under(&mut page, "light-0-beam-number")?, "the format's refusal stands under the beam angle");
+    ensure!(
+        page.holds(&format!("document.getElementById('{ERROR}').nextElementSibling === null"))?,
+        "it is not last"
+    );
+    page.enter("light-0-beam-number", "30")?;
+    for place in ["format-error", ERROR] {
+        ensure!(page.message(place)?.is_empty(), "the format's refusal stays in {place}");
+    }
+    page.must_be_content()
+}
+
+/// No control allows these numbers of samples, so the test calls the module directly.
+pub(crate) fn of_curves(visitor: &mut Visitor) -> Result<()> {
+    let mut page = visitor.ready()?;
+    let asked = |samples: &str| {
+        format!(
+            "import('./pkg/wasm_demo.js').then(({{ Demo }}) => {{
+                const demo = new Demo(document.createElement('canvas'), 8, 8);
+                try {{ return String(demo.curve(0, {samples}).length); }} catch (refusal) {{ return refusal; }}
+            }})"
+        )
+    };
+    for samples in ["0", "1", "10001", "4294967295"] {
+        let answer = page.text(&asked(samples))?;
+        ensure!(answer.contains("number of samples"), "{samples} samples are answered with {answer:?}");
+    }
+    let answer = page.text(&asked("10000"))?;
+    ensure!(answer == "20000", "10000 samples are answered with {answer:?}");
+    page.must_be_content()
+}
