@@ -1,9 +1,9 @@
 //! `cargo xtask conform`: the conformance vectors, checked on every target or rewritten.
 
-mod golden;
 mod page;
 pub mod steps;
 mod target;
+mod vectors;
 
 use std::process::ExitCode;
 
@@ -12,6 +12,9 @@ use anyhow::Result;
 use tools::progress::Progress;
 
 pub(crate) use target::Target;
+
+use self::vectors::Vectors;
+use crate::record;
 
 /// The options of `conform`.
 #[derive(Debug, Default, PartialEq, clap::Args)]
@@ -39,7 +42,7 @@ impl Targets {
 pub fn run(options: &ConformOptions) -> Result<ExitCode> {
     let progress = Progress::Live;
     if options.bless {
-        print!("{}", golden::bless(&progress)?);
+        record::write(&Vectors::generate(&progress)?, true, &progress)?;
         return Ok(ExitCode::SUCCESS);
     }
     let targets = if options.targets.is_empty() {

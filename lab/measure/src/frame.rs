@@ -1,26 +1,22 @@
 //! `cargo xtask frame`: a picture that a microcontroller lights pixel by pixel, and what a pixel
 //! costs.
 
+mod list;
 mod output;
 mod part;
 mod picture;
-mod record;
 pub mod steps;
 
-use std::fs;
-use std::path::PathBuf;
+use anyhow::{Result, bail, ensure};
 
-use anyhow::{Context, Result, bail, ensure};
-
+use self::list::{Counts, StageList};
 use self::output::Output;
-use self::picture::Picture;
-use self::record::{Counts, Record};
 use crate::boards::board::{self, Board};
 use crate::boards::laboratory::{self, Laboratory};
 use crate::boards::symbols::Symbols;
+use crate::record;
 use crate::size::program::Program;
 use tools::progress::Progress;
-use tools::project;
 
 /// The options of `frame`.
 #[derive(Debug, Default, PartialEq, clap::Args)]
@@ -36,30 +32,30 @@ pub struct FrameOptions {
 /// The firmware program.
 const PROGRAM: &str = "frame";
 
-/// Draws the picture, prints the table, and compares the counts with the record or writes it.
+/// Draws the picture, prints the table, and compares the counts with those on record or writes them.
 pub fn run(options: &FrameOptions) -> Result<()> {
     let progress = Progress::Live;
     let boards = if options.boards.is_empty() { board::ALL.iter().collect() } else { options.boards.clone() };
-    let host = on_the_host(&progress)?;
-    let mut record = Record::new(&host);
-    for board in boards {
-        let counts = draw(&Laboratory::with_program(PROGRAM, board, &progress)?, &host)?;
-        record.boards.insert(board.name.to_owned(), counts);
-    }
-    print!("{}", part::table(&record));
+    let mut list = drawn(&boards, &progress)?;
+    print!("{}", part::table(&list));
     if options.bless {
-        record.take_missing(Record::load().ok());
-        return write(&record, &host.picture, &progress);
+        list.take_missing(record::load()?);
+        return record::write(&list, true, &progress);
     }
-    let remarks = compare(&record, &host.picture)?;
-    remarks.iter().for_each(|remark| println!("{remark}"));
-    println!("picture and counts are those recorded");
+    record::check(&list)?.iter().for_each(|remark| println!("{remark}"));
+    println!("picture and counts are those on record");
     Ok(())
 }
 
-/// What the program prints where its results are right by definition.
-fn on_the_host(progress: &Progress) -> Result<Output> {
-    Output::parse(&laboratory::on_the_host(PROGRAM, progress)?)
+/// Draws on the host, where results are right by definition, and on boards.
+fn drawn(boards: &[&'static Board], progress: &Progress) -> Result<StageList> {
+    let host = Output::parse(&laboratory::on_the_host(PROGRAM, progress)?)?;
+    let counts = boards.iter().map(|board| {
+        let laboratory = Laboratory::with_program(PROGRAM, board, progress)?;
+        Ok((board.name.to_owned(), draw(&laboratory, &host)?))
+    });
+    let boards = counts.collect::<Result<_>>()?;
+    Ok(StageList { boards, ..StageList::new(host) })
 }
 
 /// Draws on a board. The picture must be the host's, and no function may stand in for a floating
@@ -81,44 +77,4 @@ fn draw(laboratory: &Laboratory, host: &Output) -> Result<Counts> {
         counts.add(stage, region.instructions());
     }
     Ok(counts)
-}
-
-/// Fails where a record differs from the one that is checked in, or the picture or the table from
-/// what is made of it. Returns the remarks of a comparison that has passed.
-fn compare(new: &Record, picture: &Picture) -> Result<Vec<String>> {
-    let old = Record::load()?;
-    let (mut differences, remarks) = record::compare(&old, new);
-    if Picture::read(&picture_file()).ok().as_ref() != Some(picture) {
-        differences.push(format!("{} is another picture", project::shown(&picture_file())));
-    }
-    let readme = fs::read_to_string(readme_file()).context("cannot read lab/firmware/README.md")?;
-    if part::replaced(&readme, &old)? != readme {
-        differences.push("lab/firmware/README.md has another table".to_owned());
-    }
-    if !differences.is_empty() {
-        bail!("`cargo xtask frame --bless` accepts what differs:\n    {}", differences.join("\n    "));
-    }
-    Ok(remarks)
-}
-
-fn write(record: &Record, picture: &Picture, progress: &Progress) -> Result<()> {
-    let readme = fs::read_to_string(readme_file()).context("cannot read lab/firmware/README.md")?;
-    let files = [
-        (Record::file(), record.text()?.into_bytes()),
-        (picture_file(), picture.png()?),
-        (readme_file(), part::replaced(&readme, record)?.into_bytes()),
-    ];
-    for (file, content) in files {
-        fs::write(&file, content).with_context(|| format!("cannot write {}", project::shown(&file)))?;
-        progress.say("Written", project::shown(&file));
-    }
-    Ok(())
-}
-
-fn picture_file() -> PathBuf {
-    project::root().join("docs/frame.png")
-}
-
-fn readme_file() -> PathBuf {
-    project::root().join("lab/firmware/README.md")
 }

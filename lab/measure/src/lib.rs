@@ -6,4 +6,5 @@ pub mod conform;
 pub mod effects;
 pub mod frame;
 pub mod prices;
+mod record;
 pub mod size;

@@ -1,10 +1,8 @@
 //! `cargo xtask measure`: the price list of accuracy.
 
 mod clocked;
-mod documents;
 mod figures;
 mod frontier;
-mod gate;
 mod list;
 mod page;
 mod plot;
@@ -12,15 +10,12 @@ mod summary;
 mod target;
 mod words;
 
-use std::fs;
-
-use anyhow::{Context, Result, bail, ensure};
+use anyhow::{Context, Result};
 
 use self::list::{Cost, PriceList, Row, TargetMeta};
 use self::words::Times;
-use crate::boards;
+use crate::{boards, record};
 use tools::progress::Progress;
-use tools::project;
 
 pub use target::Target;
 
@@ -48,57 +43,24 @@ pub fn run(options: &MeasureOptions) -> Result<()> {
         println!("errors and counts are those of the list");
         return Ok(());
     }
-    let old = PriceList::load()?;
     let targets = if options.targets.is_empty() { Target::all() } else { options.targets.clone() };
-    let new = measure(old.as_ref(), &targets, &progress)?;
-    if let Some(old) = &old {
-        let verdict = gate::compare(old, &new, &counted(&targets));
-        for line in verdict.remarks.iter().chain(&verdict.differences) {
-            println!("{line}");
-        }
-        let number = verdict.differences.len();
-        ensure!(
-            verdict.differences.is_empty() || options.bless,
-            "{number} errors or counts differ from the list: `cargo xtask measure --bless` accepts them"
-        );
-    }
-    for (file, text) in documents::made_of(&new)? {
-        fs::write(&file, text).with_context(|| format!("cannot write {}", project::shown(&file)))?;
-        progress.say("Written", project::shown(&file));
-    }
-    Ok(())
+    record::write(&measure(&targets, &progress)?, options.bless, &progress)
 }
 
 /// Compares errors and counts with the list, and the documents with what would be made of it. Times
 /// are left alone. Returns the remarks of a comparison that has passed.
 pub fn check(targets: &[Target], progress: &Progress) -> Result<Vec<String>> {
-    let old = PriceList::load()?.context("there is no price list: `cargo xtask measure` makes one")?;
     let chosen = |target: &Target| targets.is_empty() || targets.contains(target);
     let targets: Vec<_> = Target::counted().into_iter().filter(chosen).collect();
-    let new = measure(Some(&old), &targets, progress)?;
-    let verdict = gate::compare(&old, &new, &counted(&targets));
-    if !verdict.differences.is_empty() {
-        let told = verdict.differences.join("\n    ");
-        bail!("the price list is not what is measured; `cargo xtask measure --bless` accepts it\n    {told}");
-    }
-    for (file, text) in documents::made_of(&old)? {
-        let shown = project::shown(&file);
-        let found = fs::read_to_string(&file).with_context(|| format!("cannot read {shown}"))?;
-        ensure!(found == text, "{shown} is not what the price list says: `cargo xtask measure` writes it");
-    }
-    Ok(verdict.remarks)
-}
-
-fn counted(targets: &[Target]) -> Vec<&'static str> {
-    targets.iter().filter(|target| matches!(target, Target::Board(_))).map(Target::name).collect()
+    record::check(&measure(&targets, progress)?)
 }
 
 /// A list with the errors of now, the costs of now on these targets, and the old ones on the
 /// others.
-fn measure(old: Option<&PriceList>, targets: &[Target], progress: &Progress) -> Result<PriceList> {
+fn measure(targets: &[Target], progress: &Progress) -> Result<PriceList> {
     let mut list = with_errors(progress)?;
-    if let Some(old) = old {
-        list.meta.targets = old.meta.targets.clone();
+    if let Some(old) = record::load::<PriceList>()? {
+        list.meta.targets.clone_from(&old.meta.targets);
         for row in &mut list.rows {
             if let Some(old) = old.row(&row.name()) {
                 (row.cost, row.bytes) = (old.cost.clone(), old.bytes.clone());
@@ -107,7 +69,11 @@ fn measure(old: Option<&PriceList>, targets: &[Target], progress: &Progress) -> 
     }
     let clocked = targets.iter().any(|target| !matches!(target, Target::Board(_)));
     let host = if clocked { Some(clocked::host(progress)?) } else { None };
-    let expected = if counted(targets).is_empty() { Vec::new() } else { boards::expected(progress)? };
+    let expected = if !targets.iter().any(|target| matches!(target, Target::Board(_))) {
+        Vec::new()
+    } else {
+        boards::expected(progress)?
+    };
     for target in targets {
         for row in &mut list.rows {
             row.cost.remove(target.name());

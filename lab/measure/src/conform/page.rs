@@ -5,7 +5,7 @@ use std::fs;
 use anyhow::{Context, Result};
 use wasm_bindgen_cli_support::Bindgen;
 
-use super::golden;
+use super::vectors;
 use tools::browser::Chromium;
 use tools::progress::Progress;
 use tools::project;
@@ -29,7 +29,7 @@ pub(crate) fn check(progress: &Progress) -> Result<String> {
         bindgen.omit_default_module_path(false).typescript(false).generate(site.join("pkg"))
     });
     bound.with_context(|| format!("wasm-bindgen cannot make bindings for {}", module.display()))?;
-    for (from, name) in [(golden::folder().join("wasm"), "index.html"), (golden::folder(), "vectors.txt")] {
+    for (from, name) in [(vectors::folder().join("wasm"), "index.html"), (vectors::folder(), "vectors.txt")] {
         fs::copy(from.join(name), site.join(name)).with_context(|| format!("cannot copy {name}"))?;
     }
 

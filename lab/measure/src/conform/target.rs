@@ -7,7 +7,8 @@ use std::process::Command;
 
 use anyhow::{Context, Result, ensure};
 
-use super::{golden, page};
+use super::page;
+use super::vectors::{self, Vectors};
 use crate::boards::emulator::Emulator;
 use crate::boards::{Board, board, laboratory};
 use tools::command;
@@ -80,7 +81,7 @@ impl Target {
 
     /// Builds the check for the target and runs it there.
     pub(crate) fn check(self, progress: &Progress) -> Result<Report> {
-        let cases = golden::cases()?;
+        let cases = Vectors::load()?.cases();
         let output = match self {
             Self::Debug => on_the_host(&[], "debug", progress),
             Self::Release => on_the_host(&["--release"], "release", progress),
@@ -114,7 +115,7 @@ pub(super) fn host(options: &[&str], profile: &str, progress: &Progress) -> Resu
 
 fn on_the_host(options: &[&str], profile: &str, progress: &Progress) -> Result<String> {
     let program = host(options, profile, progress)?;
-    let file = File::open(golden::path()).context("cannot open the conformance vectors")?;
+    let file = File::open(vectors::path()).context("cannot open the conformance vectors")?;
     let output = Command::new(program).arg("check").stdin(file).output().context("cannot run the check")?;
     // It ends with failure where cases differ, of which the report tells.
     Ok(String::from_utf8_lossy(&output.stdout).into_owned())
@@ -124,7 +125,7 @@ fn on_a_board(board: &'static Board, progress: &Progress) -> Result<String> {
     let emulator = Emulator::find(board, progress)?;
     let profile = profile(board);
     let toolchain = laboratory::build(board, &arguments(profile), progress)?;
-    emulator.run_in(&golden::folder(), &toolchain.artifacts(profile).join("conform"))
+    emulator.run_in(&vectors::folder(), &toolchain.artifacts(profile).join("conform"))
 }
 
 /// Builds the check for each board in advance.

@@ -5,8 +5,8 @@ use luminaire::dynamic::Effect;
 
 use super::browser::{Browser, Frame, Whole};
 use super::catalogue::{Entry, GROUPS, Group};
+use super::list::{EffectList, Price, Prices};
 use super::prices::STANDS;
-use super::record::{Price, Prices, Record};
 use crate::boards::Board;
 use tools::demo::turntable::LOADS;
 
@@ -39,18 +39,18 @@ not say how long a pixel takes on a microcontroller.
 ";
 
 /// Writes the page.
-pub(super) fn write(record: &Record) -> Result<String> {
+pub(super) fn write(list: &EffectList) -> Result<String> {
     let mut text = INTRODUCTION.to_owned();
     for stand in &STANDS {
-        let prices = board(record, stand.board)?;
+        let prices = board(list, stand.board)?;
         let Prices { format, compiler, runs_on, .. } = prices;
         text += &format!("\n- {}: `{format}`, {compiler}, {runs_on}", title(stand.board)?);
     }
     text += "\n";
     for group in GROUPS.iter() {
-        text += &section(record, group)?;
+        text += &section(list, group)?;
     }
-    if let Some(browser) = &record.browser {
+    if let Some(browser) = &list.browser {
         text += &frames(browser);
     }
     Ok(text)
@@ -82,7 +82,7 @@ fn frames(browser: &Browser) -> String {
     text
 }
 
-fn section(record: &Record, group: &Group) -> Result<String> {
+fn section(list: &EffectList, group: &Group) -> Result<String> {
     let boards = STANDS.iter().map(|stand| title(stand.board)).collect::<Result<Vec<_>>>()?;
     let head = |unit: &str| boards.iter().map(|board| format!(" {board}, {unit} |")).collect::<String>();
     let mut text = format!(
@@ -94,16 +94,16 @@ fn section(record: &Record, group: &Group) -> Result<String> {
         "---:|".repeat(2 * boards.len())
     );
     for entry in &group.entries {
-        text += &row(record, entry)?;
+        text += &row(list, entry)?;
     }
     Ok(text)
 }
 
-fn row(record: &Record, entry: &Entry) -> Result<String> {
+fn row(list: &EffectList, entry: &Entry) -> Result<String> {
     let mut instructions = String::new();
     let mut bytes = String::new();
     for stand in &STANDS {
-        let prices = board(record, stand.board)?;
+        let prices = board(list, stand.board)?;
         let price = price(prices, entry.program)?;
         let over = entry.over.map(|over| self::price(prices, over)).transpose()?;
         let more = |figure: fn(&Price) -> f64| over.map(|over| figure(price) - figure(over));
@@ -119,12 +119,12 @@ fn cell(figure: &str, adds: Option<String>) -> String {
     adds.map_or_else(|| format!(" {figure} |"), |adds| format!(" {figure} ({adds}) |"))
 }
 
-fn board<'a>(record: &'a Record, name: &str) -> Result<&'a Prices> {
-    record.boards.get(name).with_context(|| format!("{name} is not recorded"))
+fn board<'a>(list: &'a EffectList, name: &str) -> Result<&'a Prices> {
+    list.boards.get(name).with_context(|| format!("{name} is not on record"))
 }
 
 fn price<'a>(prices: &'a Prices, program: &str) -> Result<&'a Price> {
-    prices.prices.get(program).with_context(|| format!("{program} is not recorded"))
+    prices.prices.get(program).with_context(|| format!("{program} is not on record"))
 }
 
 fn title(board: &str) -> Result<&'static str> {
@@ -138,20 +138,20 @@ mod tests {
     use luminaire::dynamic::Effects;
 
     /// A hundred instructions and a thousand bytes for each program.
-    fn record() -> Record {
-        let mut record = Record::default();
+    fn list() -> EffectList {
+        let mut list = EffectList::default();
         for stand in &STANDS {
-            let prices = record.boards.entry(stand.board.to_owned()).or_default();
+            let prices = list.boards.entry(stand.board.to_owned()).or_default();
             let price = Price { instructions: 100.0, bytes: 1000 };
             prices.prices = entries().map(|entry| (entry.program.to_owned(), price)).collect();
         }
-        record
+        list
     }
 
     #[test]
     fn a_row_has_the_figures_and_what_is_added() {
-        let mut record = record();
-        for prices in record.boards.values_mut() {
+        let mut list = list();
+        for prices in list.boards.values_mut() {
             prices.prices.insert("plain".to_owned(), Price { instructions: 100.25, bytes: 500 });
             prices.prices.insert("better".to_owned(), Price { instructions: 120.5, bytes: 490 });
         }
@@ -163,31 +163,31 @@ mod tests {
             over: None,
             what: "It.",
         };
-        assert_eq!(row(&record, &entry).unwrap(), "| b | It. | 120.5 | 120.5 | 490 | 490 |\n");
+        assert_eq!(row(&list, &entry).unwrap(), "| b | It. | 120.5 | 120.5 | 490 | 490 |\n");
         entry.over = Some("plain");
         let adds = "| b | It. | 120.5 (+20.2) | 120.5 (+20.2) | 490 (-10) | 490 (-10) |\n";
-        assert_eq!(row(&record, &entry).unwrap(), adds);
+        assert_eq!(row(&list, &entry).unwrap(), adds);
     }
 
     #[test]
     fn a_browser_that_was_timed_has_a_section() {
-        let mut record = record();
-        assert!(!write(&record).unwrap().contains("browser"));
+        let mut list = list();
+        assert!(!write(&list).unwrap().contains("browser"));
         let frame = Frame { scene: "show".to_owned(), with_ms: 12.25, without_ms: 10.0 };
         let frames = [("haze".to_owned(), frame)].into();
         let loads = [("8 spots".to_owned(), Whole { at_rest_ms: 10.0, moving_ms: 20.06 })].into();
-        record.browser = Some(Browser { runs_on: "Chromium 1".to_owned(), frames, loads });
-        let text = write(&record).unwrap();
+        list.browser = Some(Browser { runs_on: "Chromium 1".to_owned(), frames, loads });
+        let text = write(&list).unwrap();
         assert!(text.contains("| haze | `show` | 12.2 | 10.0 | +2.2 |"));
         assert!(text.contains("| 8 spots | 10.0 | 20.1 |"));
     }
 
     #[test]
     fn a_figure_that_is_missing_is_named() {
-        let mut record = record();
-        record.boards.get_mut("cortex-m4f").unwrap().prices.remove("phong");
-        assert!(write(&record).unwrap_err().to_string().contains("phong"));
-        record.boards.remove("cortex-m4f");
-        assert!(write(&record).unwrap_err().to_string().contains("cortex-m4f"));
+        let mut list = list();
+        list.boards.get_mut("cortex-m4f").unwrap().prices.remove("phong");
+        assert!(write(&list).unwrap_err().to_string().contains("phong"));
+        list.boards.remove("cortex-m4f");
+        assert!(write(&list).unwrap_err().to_string().contains("cortex-m4f"));
     }
 }

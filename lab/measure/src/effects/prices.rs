@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use anyhow::{Context, Result, ensure};
 
 use super::catalogue;
-use super::record::{Price, Prices};
+use super::list::{Price, Prices};
 use crate::boards::{self, Board};
 use crate::size::effects::{Effects, Format};
 use tools::progress::Progress;

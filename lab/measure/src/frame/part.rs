@@ -1,12 +1,11 @@
 //! The table of the picture, as the command prints it and as `lab/firmware/README.md` has it.
 
-use anyhow::{Context, Result};
-
-use super::record::{Counts, Record};
+use super::list::{Counts, StageList};
 use crate::boards::board;
 
-const BEGIN: &str = "<!-- frame: written by `cargo xtask frame --bless` -->\n";
-const END: &str = "<!-- end of frame -->\n";
+/// The lines of the README that it is between.
+pub(super) const LINES: [&str; 2] =
+    ["<!-- frame: written by `cargo xtask frame --bless` -->\n", "<!-- end of frame -->\n"];
 
 /// The names of the stages, and their titles in the README.
 const TITLES: [(&str, &str); 6] = [
@@ -21,23 +20,16 @@ const TITLES: [(&str, &str); 6] = [
 const WITH: [&str; 5] = ["geometry", "light", "shadow", "colour", "display"];
 const WITHOUT: [&str; 3] = ["geometry", "ambient", "display"];
 
-/// Returns the README with the part between the markers replaced.
-pub(super) fn replaced(readme: &str, record: &Record) -> Result<String> {
-    let (before, rest) = readme.split_once(BEGIN).context("the line where the frame begins is missing")?;
-    let (_, after) = rest.split_once(END).context("the line where the frame ends is missing")?;
-    Ok(format!(
-        "{before}{BEGIN}\n{}\nOf {} pixels: {}.\n\n{END}{after}",
-        table(record),
-        record.pixels,
-        record.light
-    ))
+/// The part of the README.
+pub(super) fn write(list: &StageList) -> String {
+    format!("\n{}\nOf {} pixels: {}.\n\n", table(list), list.pixels, list.light)
 }
 
 /// A row for each stage, a column for each board.
-pub(super) fn table(record: &Record) -> String {
+pub(super) fn table(list: &StageList) -> String {
     let boards: Vec<_> = board::ALL
         .iter()
-        .filter_map(|board| record.boards.get(board.name).map(|counts| (board.title, counts)))
+        .filter_map(|board| list.boards.get(board.name).map(|counts| (board.title, counts)))
         .collect();
     let row = |title: &str, cell: &dyn Fn(&Counts) -> String| {
         let cells: String = boards.iter().map(|(_, counts)| format!(" {} |", cell(counts))).collect();
@@ -45,7 +37,7 @@ pub(super) fn table(record: &Record) -> String {
     };
     let each = |counts: &Counts, stages: &[&str]| {
         let sum: u64 = stages.iter().filter_map(|stage| counts.instructions.get(*stage)).sum();
-        sum as f64 / record.pixels as f64
+        sum as f64 / list.pixels as f64
     };
     let heads: String = boards.iter().map(|(title, _)| format!(" {title} |")).collect();
     let mut text =

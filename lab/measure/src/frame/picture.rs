@@ -10,7 +10,7 @@ use anyhow::{Context, Result, ensure};
 const SCALE: u32 = 4;
 
 /// A picture in RGB565.
-#[derive(Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Picture {
     width: u32,
     pixels: Vec<u16>,
@@ -29,6 +29,12 @@ impl Picture {
             }
         }
         Ok(Self { width, pixels })
+    }
+
+    /// Its rows in hexadecimal digits.
+    pub(super) fn rows(&self) -> impl Iterator<Item = String> {
+        let rows = self.pixels.chunks(self.width.max(1) as usize);
+        rows.map(|row| row.iter().map(|pixel| format!("{pixel:04x}")).collect())
     }
 
     /// The number of rows.

@@ -6,8 +6,12 @@ use std::path::PathBuf;
 
 use anyhow::{Context, Result};
 use serde::{Deserialize, Serialize};
-
 use tools::project;
+
+use super::clocked::is_platforms_own;
+use super::target::Target;
+use super::{page, plot, summary};
+use crate::record::{Figure, Group, Record, replaced};
 
 /// Everything that is known about accuracy and cost.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -124,21 +128,6 @@ impl Row {
 }
 
 impl PriceList {
-    /// Where the list is.
-    pub(crate) fn file() -> PathBuf {
-        project::root().join("docs/accuracy-vs-cost.json")
-    }
-
-    /// The list that is checked in; none if there is no file.
-    pub(crate) fn load() -> Result<Option<Self>> {
-        let file = Self::file();
-        if !file.is_file() {
-            return Ok(None);
-        }
-        let failed = || format!("cannot read {}", project::shown(&file));
-        Ok(Some(serde_json::from_str(&fs::read_to_string(&file).with_context(failed)?).with_context(failed)?))
-    }
-
     /// The row of this name.
     pub(crate) fn row(&self, name: &str) -> Option<&Row> {
         self.rows.iter().find(|row| row.name() == name)
@@ -150,11 +139,83 @@ impl PriceList {
         found.with_context(|| format!("{name} has a cost but no error"))
     }
 
-    /// The list as a text: a line for each row, so that differences are read row by row.
-    pub(crate) fn text(&self) -> Result<String> {
+    /// The targets that it has costs of, in the order of the page.
+    pub(super) fn targets(&self) -> impl Iterator<Item = Target> {
+        Target::all().into_iter().filter(|target| self.meta.targets.contains_key(target.name()))
+    }
+}
+
+impl Row {
+    /// The errors in every cone, whatever the compiler.
+    fn errors(&self, half_angle: f64, group: &mut Group) {
+        let widest = Cone { half_angle, error: self.error.clone(), narrowest: None };
+        for cone in [&widest].into_iter().chain(&self.narrower) {
+            let name = |what: &str| format!("{}, {what} at {} degrees", self.name(), cone.half_angle);
+            if let Some(error) = &cone.error {
+                for (what, codes) in [
+                    ("largest error", error.codes),
+                    ("mean error", error.mean_codes),
+                    ("99.9th percentile", error.p999_codes),
+                    ("units in the last place", error.lsb),
+                ] {
+                    group.add(name(what), Figure::Exact(codes));
+                }
+                group.add(name("place"), Figure::Text(format!("{:?} {}", error.at, error.kind)));
+            } else if let Some(narrowest) = cone.narrowest {
+                group.add(name("narrowest half angle"), Figure::Exact(narrowest));
+            }
+        }
+    }
+}
+
+impl Record for PriceList {
+    const FILE: &'static str = "docs/accuracy-vs-cost.json";
+    const COMMAND: &'static str = "cargo xtask measure";
+
+    fn read(text: &str) -> Result<Self> {
+        Ok(serde_json::from_str(text)?)
+    }
+
+    /// A line for each row, so that differences are read row by row.
+    fn text(&self) -> Result<String> {
         let rows: Result<Vec<_>, _> = self.rows.iter().map(serde_json::to_string).collect();
         let meta = serde_json::to_string_pretty(&self.meta)?;
         Ok(format!("{{\"meta\": {meta},\n\"rows\": [\n{}\n]}}\n", rows?.join(",\n")))
+    }
+
+    /// Errors and counts; times are not compared.
+    fn figures(&self) -> BTreeMap<String, Group> {
+        let mut errors = Group::exact();
+        for row in self.rows.iter().filter(|row| !is_platforms_own(&row.name())) {
+            row.errors(self.meta.half_angle, &mut errors);
+        }
+        let mut figures = BTreeMap::from([("errors".to_owned(), errors)]);
+        for (target, meta) in &self.meta.targets {
+            let mut group = Group::of(&meta.compiler);
+            for row in &self.rows {
+                let Some(Cost::Counted { instructions, .. }) = row.cost.get(target) else { continue };
+                let bytes = row.bytes.get(target).copied().unwrap_or_default();
+                group.add(format!("{}, instructions", row.name()), Figure::Instructions(*instructions));
+                group.add(format!("{}, bytes", row.name()), Figure::Bytes(bytes));
+            }
+            figures.insert(target.clone(), group);
+        }
+        figures
+    }
+
+    fn documents(&self) -> Result<Vec<(PathBuf, Vec<u8>)>> {
+        let docs = project::root().join("docs");
+        let readme = project::root().join("README.md");
+        let text = fs::read_to_string(&readme).context("cannot read README.md")?;
+        let text = replaced(&text, summary::LINES, &summary::write(self)).context("README.md")?;
+        let mut files = vec![
+            (docs.join("ACCURACY-VS-COST.md"), page::write(self).into_bytes()),
+            (readme, text.into_bytes()),
+        ];
+        for target in self.targets() {
+            files.push((docs.join(target.picture()), plot::draw(self, &target).into_bytes()));
+        }
+        Ok(files)
     }
 }
 
@@ -163,7 +224,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_is_written_is_read() {
+    fn what_is_written_is_read_and_all_but_times_compared() {
         let error = Error {
             codes: 0.5,
             lsb: 1.5,
@@ -183,7 +244,20 @@ mod tests {
             cost: [("cortex-m0".to_owned(), counted), ("host".to_owned(), timed)].into(),
             bytes: [("cortex-m0".to_owned(), 84)].into(),
         };
-        let list = PriceList { meta: Meta::default(), rows: vec![row.clone(), row] };
-        assert_eq!(serde_json::from_str::<PriceList>(&list.text().unwrap()).unwrap(), list);
+        let mut list = PriceList { meta: Meta { half_angle: 15.0, ..Meta::default() }, rows: vec![row] };
+        for target in ["cortex-m0", "host"] {
+            list.meta.targets.insert(target.to_owned(), TargetMeta::default());
+        }
+        assert_eq!(PriceList::read(&list.text().unwrap()).unwrap(), list);
+        let figures = list.figures();
+        let names: Vec<_> = figures.keys().map(String::as_str).collect();
+        assert_eq!(names, ["cortex-m0", "errors", "host"]);
+        let mut counted = Group::of("");
+        counted.add("soft.fx16, instructions", Figure::Instructions(20.5));
+        counted.add("soft.fx16, bytes", Figure::Bytes(84));
+        assert_eq!((&figures["cortex-m0"], &figures["host"]), (&counted, &Group::of("")));
+        let mut errors = Group::exact();
+        list.rows[0].errors(15.0, &mut errors);
+        assert_eq!(figures["errors"], errors);
     }
 }

@@ -1,6 +1,5 @@
 //! The page `docs/ACCURACY-VS-COST.md`.
 
-use super::documents::{measured, picture};
 use super::figures;
 use super::list::{Cost, Error, Place, PriceList, Row};
 use super::target::Target;
@@ -48,7 +47,7 @@ code. `clamp` is a loop that does next to nothing.
 /// Writes the page.
 pub(super) fn write(list: &PriceList) -> String {
     let mut text = INTRODUCTION.to_owned();
-    for target in measured(list) {
+    for target in list.targets() {
         text += &section(list, &target);
     }
     text += &errors(list);
@@ -57,7 +56,7 @@ pub(super) fn write(list: &PriceList) -> String {
 
 fn section(list: &PriceList, target: &Target) -> String {
     let title = target.title();
-    let mut text = format!("\n## {title}\n\n![Error against cost: {title}]({})\n\n", picture(target));
+    let mut text = format!("\n## {title}\n\n![Error against cost: {title}]({})\n\n", target.picture());
     if let Some(meta) = list.meta.targets.get(target.name()) {
         text += &format!("{}; {}, `{}`; {}.", meta.runs_on, meta.compiler, meta.flags, meta.measured);
         text += "\n\n";

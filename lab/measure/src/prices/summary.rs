@@ -1,14 +1,12 @@
 //! The README's part: a short table and a picture.
 
-use anyhow::{Context, Result};
-
-use super::documents::picture;
+use super::figures;
 use super::list::PriceList;
 use super::target::Target;
-use super::{documents, figures};
 
-const BEGIN: &str = "<!-- prices: written by `cargo xtask measure` -->\n";
-const END: &str = "<!-- end of prices -->\n";
+/// The lines of the README that it is between.
+pub(super) const LINES: [&str; 2] =
+    ["<!-- prices: written by `cargo xtask measure` -->\n", "<!-- end of prices -->\n"];
 
 /// The rows, and their titles in the README.
 const ROWS: [(&str, &str); 4] = [
@@ -24,15 +22,9 @@ const NARROW: f64 = 1.0;
 /// The target of the picture.
 const PICTURE: &str = "cortex-m0";
 
-/// Returns the README with the part between the markers replaced.
-pub(super) fn replaced(readme: &str, list: &PriceList) -> Result<String> {
-    let (before, rest) = readme.split_once(BEGIN).context("the line where the prices begin is missing")?;
-    let (_, after) = rest.split_once(END).context("the line where the prices end is missing")?;
-    Ok(format!("{before}{BEGIN}{}{END}{after}", part(list)))
-}
-
-fn part(list: &PriceList) -> String {
-    let measured = documents::measured(list);
+/// The part of the README.
+pub(super) fn write(list: &PriceList) -> String {
+    let measured: Vec<_> = list.targets().collect();
     let named = |name: &&str| measured.iter().find(|target| target.name() == *name);
     let targets: Vec<_> = TARGETS.iter().filter_map(named).collect();
     let heads = targets.iter().map(|target| format!(" {} |", head(target)));
@@ -60,15 +52,11 @@ fn part(list: &PriceList) -> String {
     if let Some(&target) = targets.iter().find(|target| target.name() == PICTURE) {
         let title = target.title();
         text += &format!(
-            "\n![Error against instructions on a {title}, both logarithmic]({})\n",
-            of_readme(target)
+            "\n![Error against instructions on a {title}, both logarithmic](docs/{})\n",
+            target.picture()
         );
     }
     text + "\n"
-}
-
-fn of_readme(target: &Target) -> String {
-    format!("docs/{}", picture(target))
 }
 
 fn head(target: &Target) -> String {
@@ -77,22 +65,5 @@ fn head(target: &Target) -> String {
         Target::Browser { simd: false } => "browser, ns".to_owned(),
         Target::Browser { simd: true } => "with simd, ns".to_owned(),
         Target::Board(board) => format!("{}, instr.", board.title),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn only_what_is_between_the_markers_changes() {
-        let readme = format!("# Before\n{BEGIN}old\n{END}after\n");
-        let text = replaced(&readme, &PriceList::default()).unwrap();
-        assert!(
-            text.starts_with("# Before\n") && text.ends_with("after\n") && !text.contains("old"),
-            "{text}"
-        );
-        assert_eq!(replaced(&text, &PriceList::default()).unwrap(), text);
-        assert!(replaced("# Before\n", &PriceList::default()).is_err());
     }
 }

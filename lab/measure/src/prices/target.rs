@@ -56,6 +56,11 @@ impl Target {
         }
     }
 
+    /// The file name of its picture.
+    pub(super) fn picture(&self) -> String {
+        format!("accuracy-vs-cost-{}.svg", self.name())
+    }
+
     /// The unit of the costs.
     pub fn unit(&self) -> &'static str {
         match self {

@@ -1,21 +1,20 @@
 //! The prices, as `docs/effects.json` has them.
 
 use std::collections::BTreeMap;
-use std::io::ErrorKind;
 use std::path::PathBuf;
-use std::{fs, io};
 
-use anyhow::{Context, Result};
+use anyhow::Result;
 use luminaire::dynamic::Effect;
 use serde::{Deserialize, Serialize};
 
 use super::browser::Browser;
-use super::catalogue;
+use super::{catalogue, page};
+use crate::record::{Figure, Group, Record};
 use tools::project;
 
 /// The recorded figures of the effects.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub(super) struct Record {
+pub(super) struct EffectList {
     /// What they are. This is the catalogue's part, and only written.
     #[serde(skip_deserializing, serialize_with = "described")]
     effects: (),
@@ -69,51 +68,56 @@ fn described<S: serde::Serializer>((): &(), serializer: S) -> Result<S::Ok, S::E
     }))
 }
 
-impl Record {
-    /// Where the record is.
-    pub(super) fn file() -> PathBuf {
-        project::root().join("docs/effects.json")
+impl Record for EffectList {
+    const FILE: &'static str = "docs/effects.json";
+    const COMMAND: &'static str = "cargo xtask effects";
+
+    fn read(text: &str) -> Result<Self> {
+        Ok(serde_json::from_str(text)?)
     }
 
-    /// The record that is checked in, if there is one.
-    pub(super) fn load() -> Result<Option<Self>> {
-        let file = Self::file();
-        let failed = || format!("cannot read {}", project::shown(&file));
-        let text = match fs::read_to_string(&file) {
-            Err(error) if is_missing(&error) => return Ok(None),
-            text => text.with_context(failed)?,
-        };
-        serde_json::from_str(&text).with_context(failed)
-    }
-
-    /// The record as a text.
-    pub(super) fn text(&self) -> Result<String> {
+    fn text(&self) -> Result<String> {
         Ok(serde_json::to_string_pretty(self)? + "\n")
     }
-}
 
-fn is_missing(error: &io::Error) -> bool {
-    error.kind() == ErrorKind::NotFound
+    /// The browser's times are not compared.
+    fn figures(&self) -> BTreeMap<String, Group> {
+        let group = |(board, prices): (&String, &Prices)| {
+            let mut group = Group::of(&prices.compiler);
+            group.add("the number format", Figure::Text(prices.format.clone()));
+            for (program, price) in &prices.prices {
+                group.add(format!("{program}, instructions"), Figure::Instructions(price.instructions));
+                group.add(format!("{program}, bytes"), Figure::Bytes(price.bytes));
+            }
+            (board.clone(), group)
+        };
+        self.boards.iter().map(group).collect()
+    }
+
+    fn documents(&self) -> Result<Vec<(PathBuf, Vec<u8>)>> {
+        Ok(vec![(project::root().join("docs/EFFECTS.md"), page::write(self)?.into_bytes())])
+    }
 }
 
 #[cfg(test)]
-pub(super) mod tests {
+mod tests {
     use super::*;
-
-    /// One program on one board.
-    pub(crate) fn record(compiler: &str, program: &str, instructions: f64, bytes: u64) -> Record {
-        let mut prices = Prices { compiler: compiler.to_owned(), ..Prices::default() };
-        prices.prices.insert(program.to_owned(), Price { instructions, bytes });
-        let mut record = Record::default();
-        record.boards.insert("cortex-m0".to_owned(), prices);
-        record
-    }
 
     #[test]
     fn what_is_written_is_read() {
-        let record = record("rustc 1.96.0", "spot-soft-lambert", 100.25, 400);
-        let text = record.text().unwrap();
-        assert_eq!(serde_json::from_str::<Record>(&text).unwrap(), record);
+        let mut prices = Prices { compiler: "rustc 1.96.0".to_owned(), ..Prices::default() };
+        prices.prices.insert("spot-soft-lambert".to_owned(), Price { instructions: 100.25, bytes: 400 });
+        let boards = BTreeMap::from([("cortex-m0".to_owned(), prices)]);
+        let list = EffectList { boards, ..EffectList::default() };
+        let text = list.text().unwrap();
+        assert_eq!(EffectList::read(&text).unwrap(), list);
         assert!(text.contains(r#""over": "spot-soft-lambert""#), "{text}");
+        assert_eq!(list.figures()["cortex-m0"], {
+            let mut group = Group::of("rustc 1.96.0");
+            group.add("the number format", Figure::Text(String::new()));
+            group.add("spot-soft-lambert, instructions", Figure::Instructions(100.25));
+            group.add("spot-soft-lambert, bytes", Figure::Bytes(400));
+            group
+        });
     }
 }
