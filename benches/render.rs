@@ -15,8 +15,8 @@ use luminaire::{
 };
 use luminaire_render::{
     Camera, Format, Renderer, Scene, ShadowMap,
-    examples::{Example, Setup, turntable},
-    stage,
+    scenes::stage,
+    scenes::{Example, Setup, turntable},
 };
 
 const SIZE: (usize, usize) = (960, 540);

@@ -1,7 +1,7 @@
 //! Draws the example scenes as PNGs into a folder:
 //! `cargo run --release --example scenes -- folder [seconds]`.
 
-use luminaire_render::{Renderer, examples::Example};
+use luminaire_render::{Renderer, scenes::Example};
 use std::{error::Error, fs::File, io::BufWriter, path::Path};
 
 fn main() -> Result<(), Box<dyn Error>> {

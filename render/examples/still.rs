@@ -1,6 +1,6 @@
 //! Draws the stage as a PNG: `cargo run --release --example still -- still.png`.
 
-use luminaire_render::{Renderer, stage};
+use luminaire_render::{Renderer, scenes::stage};
 use std::{error::Error, fs::File, io::BufWriter};
 
 fn main() -> Result<(), Box<dyn Error>> {

@@ -2,7 +2,7 @@
 //! a GPU.
 //!
 //! ```
-//! use luminaire_render::{Renderer, stage};
+//! use luminaire_render::{Renderer, scenes::stage};
 //! let mut renderer = Renderer::<f32>::new(320, 180)?;
 //! renderer.draw_geometry(&stage::scene()?, &stage::camera());
 //! renderer.draw_light(&stage::lights()?)?;
@@ -35,64 +35,34 @@
 //! are bit-identical; on most targets it is several times faster, because the loops are vectorised
 //! only then.
 
-// Modules, lowest first: `account`, `camera`, `gobos`, `lanes`, `memory`, `outline`, `places`,
-// `reached`, `size`, `solids`, `ways`, `bounds`, `display`, `error`, `mesh`, `stage`,
-// `directions`, `examples`, `scene`, `view`, `clip`, `part`, `raster`, `reach`, `air`, `block`,
-// `shadow_map`, `gbuffer`, `shadows`, `tile`, `prepared`, `filter`, `rig`, `lighting`, `format`,
-// `renderer`.
+// Modules, lowest first: `size`, `error`, `buffer`, `space`, `scene`, `raster`, `shadow`, `light`,
+// `renderer`, `scenes`.
 
 #![no_std]
 #![forbid(unsafe_code)]
 
 extern crate alloc;
 
-mod account;
-mod air;
-mod block;
-mod bounds;
-mod camera;
-mod clip;
-mod directions;
-mod display;
+mod buffer;
 mod error;
-pub mod examples;
-mod filter;
-mod format;
-mod gbuffer;
-pub mod gobos;
-mod lanes;
-mod lighting;
-mod memory;
-mod mesh;
-mod outline;
-mod part;
-mod places;
-mod prepared;
+mod light;
 mod raster;
-mod reach;
-mod reached;
 mod renderer;
-mod rig;
 mod scene;
-mod shadow_map;
-mod shadows;
+pub mod scenes;
+mod shadow;
 mod size;
-mod solids;
-pub mod stage;
-mod tile;
-mod view;
-mod ways;
+mod space;
 
-pub use account::Account;
-pub use camera::Camera;
-pub use display::Display;
 pub use error::DrawError;
-pub use format::{Format, stated_error};
-pub use mesh::Mesh;
-pub use outline::Outline;
-pub use renderer::Renderer;
-pub use scene::{Highlight, Material, Scene};
-pub use shadow_map::ShadowMap;
+pub use renderer::{
+    Renderer,
+    account::Account,
+    display::Display,
+    format::{Format, stated_error},
+};
+pub use scene::{Highlight, Material, Scene, camera::Camera, mesh::Mesh, outline::Outline};
+pub use shadow::map::ShadowMap;
 pub use size::{LARGEST, SizeError};
 
 /// The README's example is a test.

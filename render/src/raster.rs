@@ -1,9 +1,11 @@
 //! Rasterisation of triangles: exact coverage, and the nearest fragment of each pixel.
 
+pub(crate) mod clip;
+pub(crate) mod view;
+
 use crate::{
-    lanes::LANES,
-    memory::filled,
-    view::{Corner, SUBPIXEL_BITS},
+    buffer::{LANES, filled},
+    raster::view::{Corner, SUBPIXEL_BITS},
 };
 use alloc::{collections::TryReserveError, vec::Vec};
 

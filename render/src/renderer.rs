@@ -1,24 +1,33 @@
 //! The renderer, and which of its passes must be repeated.
 
+pub(crate) mod account;
+pub(crate) mod display;
+pub(crate) mod format;
+mod gbuffer;
+mod light;
+mod reached;
+mod tile;
+
 use crate::{
-    account::Account,
-    camera::Camera,
-    clip::{Sighting, clip_mesh},
-    display::{CHANNELS, Display},
+    buffer::{LANES, Radiance, filled},
     error::DrawError,
-    format::Format,
-    gbuffer::GBuffer,
-    lanes::LANES,
-    lanes::Radiance,
-    lighting::{Finish, Workspace},
-    memory::filled,
-    raster::Fragments,
-    reached::Reached,
-    scene::{Fingerprint, Material, Scene},
-    shadows::Shadows,
+    light::{Finish, Workspace},
+    raster::{
+        Fragments,
+        clip::{Sighting, clip_mesh},
+        view::View,
+    },
+    renderer::{
+        account::Account,
+        display::{CHANNELS, Display},
+        format::Format,
+        gbuffer::GBuffer,
+        reached::Reached,
+        tile::Tiles,
+    },
+    scene::{Fingerprint, Material, Scene, camera::Camera},
+    shadow::Shadows,
     size::SizeError,
-    tile::Tiles,
-    view::View,
 };
 use alloc::{collections::TryReserveError, vec::Vec};
 use luminaire::{Error, Rgb, Vec3, dynamic::RenderPlan, haze::Haze, projector::Fixture};
@@ -257,6 +266,5 @@ impl<S: Format> Renderer<S> {
     }
 }
 
-mod light;
 #[cfg(test)]
 mod tests;

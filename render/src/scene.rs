@@ -1,6 +1,10 @@
 //! A scene: meshes, their materials, ambient light and haze.
 
-use crate::mesh::{Mesh, check_channels};
+pub(crate) mod camera;
+pub(crate) mod mesh;
+pub(crate) mod outline;
+
+use crate::scene::mesh::{Mesh, check_channels};
 use alloc::vec::Vec;
 use luminaire::{
     Error, Rgb,

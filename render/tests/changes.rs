@@ -1,7 +1,7 @@
 //! Each pass is repeated only if its input has changed, and a refusal leaves the picture as it was.
 
 use luminaire::{Angle, Cone, Fx16, Rgb, SpotLight, Vec3, falloff::SoftOrHard};
-use luminaire_render::{Material, Mesh, Renderer, SizeError, stage};
+use luminaire_render::{Material, Mesh, Renderer, SizeError, scenes::stage};
 
 fn lit() -> Renderer<Fx16> {
     let mut renderer = Renderer::new(96, 54).unwrap();

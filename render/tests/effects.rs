@@ -10,7 +10,7 @@ use luminaire::{
     projector::{Fixture, Gobo, Projection},
     specular::{DifferenceForm, Phong},
 };
-use luminaire_render::{Display, Format, Material, Renderer, Scene, ShadowMap, gobos, stage};
+use luminaire_render::{Display, Format, Material, Renderer, Scene, ShadowMap, scenes::gobos, scenes::stage};
 
 const SIZE: (usize, usize) = (160, 90);
 const STAR: [u8; 32 * 32] = gobos::star();

@@ -1,6 +1,6 @@
 //! The effects that each example needs.
 
-use luminaire_render::examples::{Example, turntable};
+use luminaire_render::scenes::{Example, turntable};
 use std::collections::BTreeSet;
 
 /// The effects of each example at any time, with the names of the price list.

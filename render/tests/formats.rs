@@ -1,7 +1,7 @@
 //! The picture of the stage in every number format against the one in `f32`.
 
 use luminaire::{Angle, Cone, Fx16, Fx32, SpotLight, falloff::SoftOrHard};
-use luminaire_render::{Camera, Format, Renderer, stage, stated_error};
+use luminaire_render::{Camera, Format, Renderer, scenes::stage, stated_error};
 
 /// From the stalls, from both sides, from above, close to the boards, among the actors.
 fn cameras() -> impl Iterator<Item = Camera> {

@@ -4,7 +4,7 @@
 //! `LUMINAIRE_BLESS=1 cargo test -p luminaire-render --test pictures` stores the current pictures.
 
 use luminaire::Fx16;
-use luminaire_render::{Format, Renderer, examples::Example};
+use luminaire_render::{Format, Renderer, scenes::Example};
 use std::{
     env,
     error::Error,

@@ -6,7 +6,7 @@ use luminaire::{
 };
 use luminaire_render::{
     Format, Highlight, Material, Mesh, Renderer, Scene,
-    examples::{Example, Setup, turntable},
+    scenes::{Example, Setup, turntable},
 };
 use std::ops::Range;
 

@@ -8,7 +8,7 @@ use luminaire::{
     falloff::{Soft, Step},
     projector::{CompiledGobo, Gobo, ProjectedPoint, Projection},
 };
-use luminaire_render::gobos;
+use luminaire_render::scenes::gobos;
 use support::{
     arbitrary::{bits, vector},
     bounds::{self, REFUSE},

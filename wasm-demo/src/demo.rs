@@ -12,7 +12,7 @@ use crate::{
     times::Times,
 };
 use luminaire::{Vec3, projector::Fixture};
-use luminaire_render::{Camera, Scene, stage};
+use luminaire_render::{Camera, Scene, scenes::stage};
 use std::fmt;
 use wasm_bindgen::{Clamped, prelude::*};
 use web_sys::HtmlCanvasElement;

@@ -124,7 +124,7 @@ impl Map {
 mod tests {
     use super::*;
     use crate::format::Format;
-    use luminaire_render::examples::Example;
+    use luminaire_render::scenes::Example;
 
     const SIZE: (usize, usize) = (96, 54);
 

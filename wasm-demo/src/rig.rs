@@ -14,7 +14,7 @@ use luminaire::{
 };
 use luminaire_render::{
     Camera, Display, Scene,
-    examples::{MovingLight, Setup},
+    scenes::{MovingLight, Setup},
 };
 
 /// The effects that have a switch, with the words for it.
@@ -241,7 +241,7 @@ fn darkened(light: &AnyLight) -> Result<AnyLight, Error> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use luminaire_render::examples::Example;
+    use luminaire_render::scenes::Example;
 
     fn rig(example: Example) -> Rig {
         Rig::new(example.setup().unwrap()).unwrap()

@@ -1,6 +1,6 @@
 //! State of a scene for the page: plain values.
 
-use luminaire_render::{Account, examples::Example};
+use luminaire_render::{Account, scenes::Example};
 use wasm_bindgen::prelude::*;
 
 /// A scene in the list of scenes.

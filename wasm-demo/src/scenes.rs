@@ -16,7 +16,7 @@ use crate::{
 use luminaire::{dynamic::Effect, projector::Fixture};
 use luminaire_render::{
     Camera,
-    examples::{Example, turntable},
+    scenes::{Example, turntable},
 };
 use std::fmt;
 use wasm_bindgen::{Clamped, prelude::*};

@@ -4,7 +4,7 @@ use std::fmt;
 use std::path::PathBuf;
 use std::str::FromStr;
 
-use luminaire_render::examples::Example;
+use luminaire_render::scenes::Example;
 
 use measure::boards::FirmwareOptions;
 use measure::conform::ConformOptions;

@@ -2,7 +2,9 @@
 
 use super::Renderer;
 use crate::{
-    account::Account, air, format::Format, lanes::LANES, lighting::Setting, reached::Reached, rig::Rig,
+    buffer::LANES,
+    light::{Setting, air, rig::Rig},
+    renderer::{account::Account, format::Format, reached::Reached},
 };
 use alloc::vec::Vec;
 use luminaire::{Error, dynamic::RenderPlan, projector::Fixture};

@@ -1,7 +1,7 @@
 //! White-box tests of the passes: the G-buffer, and the light computed from it.
 
 use super::*;
-use crate::{Mesh, Outline, stage};
+use crate::{Mesh, Outline, scenes::stage};
 use core::f32::consts::PI;
 use luminaire::{Angle, Cone, Fx16, Fx32, SpotLight, Vec3, falloff::SoftOrHard};
 
@@ -228,7 +228,7 @@ fn most_blocks_outside_a_narrow_beam_are_left_out() {
     renderer.draw_geometry(&stage::scene().unwrap(), &stage::camera());
     let spot = stage::lights().unwrap()[0];
     let cone = Cone::from_outer(SoftOrHard::Hard, Angle::degrees(8.0)).unwrap();
-    let reach = crate::reach::Reach::new(&spot.with_cone(cone).into());
+    let reach = crate::light::reach::Reach::new(&spot.with_cone(cone).into());
     let drawn: Vec<_> = renderer.geometry.blocks.iter().filter(|block| block.bounds.is_some()).collect();
     let missed = drawn.iter().filter(|block| block.is_missed(&reach)).count();
     let share = missed as f32 / drawn.len() as f32;

@@ -1,0 +1,21 @@
+//! Blocks of pixels and their buffers.
+
+use alloc::{collections::TryReserveError, vec::Vec};
+use luminaire::{Rgb, Scalar};
+
+/// Number of pixels of a row in a block.
+pub(crate) const LANES: usize = 32;
+
+/// Light from the pixels of a block towards the eye: linear, 1 is full scale.
+pub(crate) type Radiance = Rgb<[f32; LANES]>;
+
+/// Irradiance at the pixels of a block.
+pub(crate) type Lights<S> = [<S as Scalar>::Irradiance; LANES];
+
+/// Returns a vector of `count` equal values, or an error if there is no memory for them.
+pub(crate) fn filled<T: Clone>(count: usize, value: T) -> Result<Vec<T>, TryReserveError> {
+    let mut values = Vec::new();
+    values.try_reserve_exact(count)?;
+    values.resize(count, value);
+    Ok(values)
+}

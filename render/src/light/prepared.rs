@@ -1,0 +1,95 @@
+//! A fixture, prepared to light blocks of pixels.
+
+use crate::{
+    buffer::{LANES, Radiance},
+    light::{
+        air::{Hazy, Way},
+        reach::Reach,
+    },
+    shadow::Shadows,
+};
+use luminaire::{
+    Angle, Error, Scalar,
+    dynamic::{CompiledAnyLight, RenderPlan},
+    haze::{Haze, RayBundle, ViewRays},
+    projector::{CompiledGobo, CompiledProjection, Fixture, Gobo},
+};
+
+/// A fixture compiled for a number format, with the bounds of its light.
+#[derive(Clone, Copy, Debug)]
+pub struct Prepared<S: Scalar> {
+    pub(crate) number: usize,
+    pub(crate) light: CompiledAnyLight<S>,
+    pub(crate) gobo: Option<CompiledGobo<'static, S>>,
+    /// The projection of the shadow map.
+    pub(crate) shadow: Option<CompiledProjection<S>>,
+    hazy: Option<Hazy>,
+    /// Whether the fixture has a gobo of its own, other than [`CLEAR`].
+    is_patterned: bool,
+    casts_shadow: bool,
+    pub(crate) reach: Reach,
+}
+
+/// A fully transparent gobo, for spotlights without a gobo where the plan skips nothing.
+const CLEAR: Gobo<'static> = Gobo::of(&[u8::MAX]);
+
+impl<S: Scalar> Prepared<S> {
+    /// Compiles the fixture of this index; `None` if the plan drops it.
+    ///
+    /// # Errors
+    /// A light, gobo or projection that the format can't hold.
+    pub(crate) fn new(
+        number: usize,
+        fixture: &Fixture,
+        haze: Option<Haze>,
+        plan: &RenderPlan,
+    ) -> Result<Option<Self>, Error> {
+        let Some(light) = plan.prepare(fixture.light())? else { return Ok(None) };
+        let (is_patterned, casts_shadow) = (fixture.gobo().is_some(), fixture.shadow().is_some());
+        let mut fixture = *fixture;
+        if !plan.skips() {
+            fixture = equipped(fixture).unwrap_or(fixture);
+        }
+        let shadow = fixture.shadow().map(|(_, square)| square.compile()).transpose()?;
+        let (gobo, reach) = (fixture.compile_gobo()?, Reach::new(fixture.light()));
+        let hazy = haze.map(|haze| Hazy::new(fixture.light(), &haze)).transpose()?.flatten();
+        Ok(Some(Self { number, light, gobo, shadow, hazy, is_patterned, casts_shadow, reach }))
+    }
+
+    /// Returns whether the light has a gobo or a shadow map.
+    pub(crate) fn is_filtered(&self) -> bool {
+        self.gobo.is_some() || self.shadow.is_some()
+    }
+
+    /// Returns whether the fixture has a beam in haze.
+    pub(crate) fn is_hazy(&self) -> bool {
+        self.hazy.is_some()
+    }
+
+    /// Returns whether the beam may be visible along a bundle of view rays.
+    pub(crate) fn is_seen_in_air(&self, sight: Option<&RayBundle>) -> bool {
+        matches!((&self.hazy, sight), (Some(hazy), Some(sight)) if hazy.may_be_seen(sight))
+    }
+
+    /// Adds the in-scattered light of the beam along view rays.
+    pub(crate) fn scatter(&self, rays: &ViewRays<LANES>, shadows: &Shadows<S>, radiance: &mut Radiance) {
+        if let Some(hazy) = &self.hazy {
+            let gobo = self.gobo.as_ref().filter(|_| self.is_patterned);
+            let shadow = shadows.of(self.number).filter(|_| self.casts_shadow);
+            hazy.add(rays, &Way { gobo, shadow }, radiance);
+        }
+    }
+}
+
+/// Adds a fully transparent gobo and an empty shadow map to a fixture that lacks them. The result
+/// has the same light.
+///
+/// # Errors
+/// A light that projects no square.
+fn equipped(mut fixture: Fixture) -> Result<Fixture, Error> {
+    if fixture.gobo().is_none() {
+        fixture = fixture.with_gobo(CLEAR, Angle::degrees(0.0))?;
+    }
+    // No map is drawn for it.
+    if fixture.shadow().is_none() { fixture.with_shadow(16) } else { Ok(fixture) }
+}

@@ -1,0 +1,143 @@
+//! Projection from the world to the screen, and rays through pixels.
+
+use crate::{
+    scene::{
+        camera::{Camera, Pose},
+        mesh::Vertex,
+    },
+    space::bounds::Bounds,
+};
+use glam::{Vec2, Vec3};
+use luminaire::projector::Projection;
+
+/// Near plane: the least depth that is drawn, in metres along the direction of sight.
+pub(crate) const NEAR: f32 = 0.05;
+
+/// Binary logarithm of the units of a screen coordinate per pixel.
+pub(crate) const SUBPIXEL_BITS: u32 = 8;
+
+/// The view of a camera on a picture of one size.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct View {
+    eye: Vec3,
+    ahead: Vec3,
+    /// Right and up, scaled so that a point at the border of the picture has `|x|` or `|y|` equal
+    /// to its depth.
+    right: Vec3,
+    up: Vec3,
+    /// Vectors to a pixel's right and lower neighbour at depth 1, and from the eye to the centre of
+    /// the first pixel at depth 1.
+    column: Vec3,
+    row: Vec3,
+    first: Vec3,
+    /// Half the picture in units of a screen coordinate.
+    half: Vec2,
+}
+
+/// A vertex in camera space: in view where -depth <= x, y <= depth and depth >= [`NEAR`].
+#[derive(Clone, Copy, Default, Debug)]
+pub(crate) struct Seen {
+    pub(crate) x: f32,
+    pub(crate) y: f32,
+    pub(crate) depth: f32,
+    pub(crate) normal: Vec3,
+}
+
+/// A projected corner of a triangle, with the values to interpolate.
+#[derive(Clone, Copy, Default, Debug)]
+pub(crate) struct Corner {
+    /// From the left and top border, in 256ths of a pixel.
+    pub(crate) x: i32,
+    pub(crate) y: i32,
+    /// The reciprocal of the depth, which is linear on the screen.
+    pub(crate) nearness: f32,
+    /// The normal times the nearness, which is linear on the screen as well.
+    pub(crate) normal: Vec3,
+}
+
+impl View {
+    pub(crate) fn new(camera: &Camera, width: usize, height: usize) -> Self {
+        let half_angle = Vec2::from_angle(camera.field_of_view() / 2.0);
+        Self::of_pose(camera.pose(), half_angle.y / half_angle.x, width, height)
+    }
+
+    /// The view of a light on the square that it projects, with `side` texels on a side.
+    pub(crate) fn of_light(projection: &Projection, side: usize) -> Self {
+        let pose = Pose {
+            eye: projection.position().into(),
+            right: projection.right().into(),
+            up: projection.up().into(),
+            ahead: projection.axis().into(),
+        };
+        Self::of_pose(pose, projection.tangent(), side, side)
+    }
+
+    /// The view from a pose. `tall` is the tangent of half its vertical angle.
+    fn of_pose(pose: Pose, tall: f32, width: usize, height: usize) -> Self {
+        let (width, height) = (width as f32, height as f32);
+        let wide = tall * width / height;
+        let column = pose.right * (2.0 * wide / width);
+        let row = pose.up * (-2.0 * tall / height);
+        Self {
+            eye: pose.eye,
+            ahead: pose.ahead,
+            right: pose.right / wide,
+            up: pose.up / tall,
+            column,
+            row,
+            first: pose.ahead + column * (0.5 - 0.5 * width) + row * (0.5 - 0.5 * height),
+            half: Vec2::new(width, height) * (0.5 * (1 << SUBPIXEL_BITS) as f32),
+        }
+    }
+
+    /// Transforms a vertex to camera space.
+    pub(crate) fn see(&self, vertex: &Vertex) -> Seen {
+        let way = vertex.position - self.eye;
+        let (x, y, depth) = (way.dot(self.right), way.dot(self.up), way.dot(self.ahead));
+        Seen { x, y, depth, normal: vertex.normal }
+    }
+
+    /// Projects a vertex in view to the screen.
+    pub(crate) fn project(&self, seen: &Seen) -> Corner {
+        let nearness = 1.0 / seen.depth;
+        let snapped = |along: f32, half: f32| (half + half * along * nearness).clamp(0.0, 2.0 * half) as i32;
+        Corner {
+            x: snapped(seen.x, self.half.x),
+            y: snapped(-seen.y, self.half.y),
+            nearness,
+            normal: seen.normal * nearness,
+        }
+    }
+
+    /// Returns true only if nothing within the bounds is in view. The margin is a thousandth of the
+    /// distance.
+    pub(crate) fn misses(&self, bounds: &Bounds) -> bool {
+        let way = bounds.center - self.eye;
+        let reach = bounds.radius + 1e-3 * (bounds.radius + way.length());
+        let is_beyond = |inwards: Vec3| way.dot(inwards) < -reach * inwards.length();
+        let (ahead, right, up) = (self.ahead, self.right, self.up);
+        way.dot(ahead) + reach < NEAR
+            || [ahead + right, ahead - right, ahead + up, ahead - up].into_iter().any(is_beyond)
+    }
+
+    /// Returns whether all of the bounds is before the near plane.
+    pub(crate) fn is_before(&self, bounds: &Bounds) -> bool {
+        (bounds.center - self.eye).dot(self.ahead) > NEAR + bounds.radius
+    }
+
+    /// The eye.
+    pub(crate) fn eye(&self) -> Vec3 {
+        self.eye
+    }
+
+    /// The unit direction of sight.
+    pub(crate) fn ahead(&self) -> Vec3 {
+        self.ahead
+    }
+
+    /// Returns the vector from the eye to depth 1 through the centre of a row's first pixel, and
+    /// the step to the next pixel.
+    pub(crate) fn ray(&self, row: usize) -> (Vec3, Vec3) {
+        (self.first + self.row * row as f32, self.column)
+    }
+}

@@ -1,0 +1,66 @@
+//! Conversion of linear light to the bytes of a display.
+
+use crate::buffer::{LANES, Radiance};
+use luminaire::{
+    Rgb,
+    display::{Rgb565, encode_srgb, encode_srgb_dithered},
+};
+
+/// Bytes per pixel: red, green, blue, alpha.
+pub(crate) const CHANNELS: usize = 4;
+
+/// The display format of a picture.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Default, Debug)]
+#[non_exhaustive]
+pub enum Display {
+    /// 8 bits per channel.
+    #[default]
+    Rgb888,
+    /// 8 bits per channel, dithered against banding.
+    Rgb888Dithered,
+    /// RGB565, expanded to 8 bits per channel for preview.
+    Rgb565,
+    /// RGB565, dithered against banding and expanded to 8 bits per channel.
+    Rgb565Dithered,
+}
+
+impl Display {
+    /// Whether the picture is dithered.
+    pub fn is_dithered(self) -> bool {
+        matches!(self, Self::Rgb888Dithered | Self::Rgb565Dithered)
+    }
+
+    /// Writes the codes of a block whose first pixel is at `(x, y)`, as many as `pixels` has room
+    /// for.
+    pub(crate) fn encode(self, radiance: &Radiance, (x, y): (u32, u32), pixels: &mut [u8]) {
+        match self {
+            // One channel of the whole block at a time, for vector instructions.
+            Self::Rgb888 => {
+                let codes = radiance.map(|channel| channel.map(encode_srgb));
+                write(pixels, |lane| Rgb::new(codes.red[lane], codes.green[lane], codes.blue[lane]));
+            }
+            Self::Rgb888Dithered => write(pixels, |lane| {
+                linear(radiance, lane).map(|channel| encode_srgb_dithered(channel, x + lane as u32, y))
+            }),
+            Self::Rgb565 => {
+                write(pixels, |lane| Rgb565::from_linear(linear(radiance, lane)).to_codes());
+            }
+            Self::Rgb565Dithered => write(pixels, |lane| {
+                Rgb565::from_linear_dithered(linear(radiance, lane), x + lane as u32, y).to_codes()
+            }),
+        }
+    }
+}
+
+fn linear(radiance: &Radiance, lane: usize) -> Rgb<f32> {
+    Rgb::new(radiance.red[lane], radiance.green[lane], radiance.blue[lane])
+}
+
+/// Writes the code of each pixel by its index in the block.
+#[inline(always)]
+fn write(pixels: &mut [u8], code: impl Fn(usize) -> Rgb<u8>) {
+    for (lane, pixel) in pixels.chunks_exact_mut(CHANNELS).enumerate().take(LANES) {
+        let Rgb { red, green, blue } = code(lane);
+        pixel.copy_from_slice(&[red, green, blue, u8::MAX]);
+    }
+}

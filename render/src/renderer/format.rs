@@ -1,0 +1,67 @@
+//! The number formats of the renderer.
+
+use crate::{
+    buffer::Radiance,
+    light::{Setting, Workspace, block::Block, prepared::Prepared},
+};
+use luminaire::{Fx16, Fx32, Scalar};
+
+/// A number format of the renderer: `f32`, [`Fx32`] or [`Fx16`].
+pub trait Format: Scalar + Loops {
+    /// See [`stated_error`].
+    const STATED_ERROR: u8;
+}
+
+/// The loops of a format, compiled once with this crate and not in each crate that uses it.
+pub trait Loops: Scalar {
+    /// Lights the pixels of a block. Returns how many of the lights were evaluated with a
+    /// highlight.
+    fn light(
+        setting: &Setting<'_, Self>,
+        block: &Block<Self>,
+        fixtures: &[&Prepared<Self>],
+        work: &mut Workspace<Self>,
+        radiance: &mut Radiance,
+    ) -> usize;
+}
+
+impl Format for f32 {
+    const STATED_ERROR: u8 = 0;
+}
+
+impl Format for Fx32 {
+    const STATED_ERROR: u8 = 2;
+}
+
+impl Format for Fx16 {
+    const STATED_ERROR: u8 = 2;
+}
+
+macro_rules! loops {
+    ($($format:ty)*) => {$(
+        impl Loops for $format {
+            fn light(
+                setting: &Setting<'_, Self>,
+                block: &Block<Self>,
+                fixtures: &[&Prepared<Self>],
+                work: &mut Workspace<Self>,
+                radiance: &mut Radiance,
+            ) -> usize {
+                setting.light(block, fixtures, work, radiance)
+            }
+        }
+    )*};
+}
+
+loops!(f32 Fx32 Fx16);
+
+/// Returns the largest difference of a channel between a picture lit in this format and one in
+/// `f32`, in sRGB codes of 0 to 255.
+///
+/// Measured on the [stage](crate::scenes::stage) from several cameras: under its own lights, and under hard
+/// beams of 4 degrees that are four times as bright. Under its own lights the difference is 1 in
+/// both fixed-point formats: in about one channel in 200 with 16 bits, in one in 5,000 with 32
+/// bits.
+pub const fn stated_error<S: Format>() -> u8 {
+    S::STATED_ERROR
+}

@@ -1,0 +1,209 @@
+//! Example scenes with different effects: from one bare spotlight to a stage full of lights.
+//!
+//! ```
+//! use luminaire_render::{Renderer, scenes::Example};
+//! let setup = Example::ThreePoint.setup()?;
+//! let mut renderer = Renderer::<f32>::new(320, 180)?;
+//! renderer.draw_geometry(&setup.scene, &setup.camera);
+//! renderer.draw_light(&setup.fixtures_at(0.0)?)?;
+//! assert!(renderer.encode().chunks_exact(4).any(|pixel| pixel[0] > 200));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod bare_spot;
+mod fixture;
+mod gallery;
+pub mod gobos;
+mod grid;
+mod pocket;
+mod room;
+mod show;
+pub(crate) mod solids;
+pub mod stage;
+mod three_point;
+mod turntable;
+
+pub use self::{fixture::MovingLight, turntable::turntable};
+
+use crate::{Camera, Display, Scene};
+use alloc::vec::Vec;
+use core::f32::consts::TAU;
+use glam::Vec2;
+use luminaire::{
+    Error,
+    dynamic::{Effect, Effects},
+    projector::Fixture,
+};
+
+/// An example scene.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub enum Example {
+    /// One soft spotlight on a vase.
+    BareSpot,
+    /// Key, fill and back light on a still life.
+    ThreePoint,
+    /// A floor under 64 narrow spotlights.
+    Grid,
+    /// The floor of `Grid` under 8 wide spotlights, whose cones cover the same area as its 64 narrow ones.
+    WideGrid,
+    /// Pictures and sculptures in the light of many kinds of lights.
+    Gallery,
+    /// Moving heads in a dark house.
+    Show,
+    /// A still life for the display of a microcontroller.
+    Pocket,
+    /// Four solids that shine under eight spotlights, all of which move.
+    Turntable,
+}
+
+/// A scene with its camera, fixtures and display.
+#[derive(Clone, PartialEq, Debug)]
+#[non_exhaustive]
+pub struct Setup {
+    /// The meshes and the ambient light.
+    pub scene: Scene,
+    /// The camera at second 0.
+    pub camera: Camera,
+    /// The fixtures, with their names and movements.
+    pub fixtures: Vec<MovingLight>,
+    /// What the picture is shown on.
+    pub display: Display,
+    /// Largest yaw of the camera to either side, in radians.
+    swing: f32,
+}
+
+/// Period of the camera's swing, in seconds.
+const SWING_PERIOD: f32 = 24.0;
+
+impl Example {
+    /// All examples, ordered by the effects that they need, fewest first.
+    pub const ALL: [Self; 8] = [
+        Self::BareSpot,
+        Self::Pocket,
+        Self::ThreePoint,
+        Self::Grid,
+        Self::WideGrid,
+        Self::Turntable,
+        Self::Show,
+        Self::Gallery,
+    ];
+
+    /// The name: one word, or words joined by hyphens, for files and addresses.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::BareSpot => "bare-spot",
+            Self::ThreePoint => "three-point",
+            Self::Grid => "grid",
+            Self::WideGrid => "wide-grid",
+            Self::Gallery => "gallery",
+            Self::Show => "show",
+            Self::Pocket => "pocket",
+            Self::Turntable => "turntable",
+        }
+    }
+
+    /// The title.
+    pub const fn title(self) -> &'static str {
+        match self {
+            Self::BareSpot => "One bare spot",
+            Self::ThreePoint => "Three-point lighting",
+            Self::Grid => "A grid of 64 spots",
+            Self::WideGrid => "A grid of 8 wide spots",
+            Self::Gallery => "A gallery",
+            Self::Show => "A show",
+            Self::Pocket => "A pocket display",
+            Self::Turntable => "A turntable",
+        }
+    }
+
+    /// Describes in one sentence what the scene needs.
+    pub const fn summary(self) -> &'static str {
+        match self {
+            Self::BareSpot => {
+                "One spot with a soft edge on matt surfaces, and nothing else: no ambient light."
+            }
+            Self::ThreePoint => {
+                "Key, fill and back light with the edges that two angles of a data sheet ask for, ambient light, and two shadows."
+            }
+            Self::Grid => "64 narrow spots with a soft edge: each lights a sixty-fourth of the floor.",
+            Self::WideGrid => "8 wide spots with a soft edge, which light as many square metres as the 64.",
+            Self::Gallery => {
+                "26 lights of every kind, profile and distance model, and highlights on the few things that shine."
+            }
+            Self::Show => {
+                "Moving heads with coloured beams in haze, soft and hard, and two turning gobos, in a house without ambient light."
+            }
+            Self::Pocket => {
+                "One spot with a soft edge on a few triangles, for 160 x 120 pixels in 16 bits, dithered for RGB565."
+            }
+            Self::Turntable => "Eight moving spots with a soft edge, and highlights on everything.",
+        }
+    }
+
+    /// Width and height in pixels that the picture is composed for. Other sizes of the same aspect
+    /// ratio show the same.
+    pub const fn size(self) -> (usize, usize) {
+        match self {
+            Self::Pocket => (160, 120),
+            _ => (960, 540),
+        }
+    }
+
+    /// Returns the example with this [`name`](Self::name).
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|example| example.name() == name)
+    }
+
+    /// Builds the scene and its fixtures.
+    ///
+    /// # Errors
+    /// Never: the values are constants.
+    pub fn setup(self) -> Result<Setup, Error> {
+        match self {
+            Self::BareSpot => bare_spot::setup(),
+            Self::ThreePoint => three_point::setup(),
+            Self::Grid => grid::narrow(),
+            Self::WideGrid => grid::wide(),
+            Self::Gallery => gallery::setup(),
+            Self::Show => show::setup(),
+            Self::Pocket => pocket::setup(),
+            Self::Turntable => turntable(8),
+        }
+    }
+}
+
+impl Setup {
+    fn new(scene: Scene, camera: Camera, fixtures: Vec<MovingLight>) -> Self {
+        Self { scene, camera, fixtures, display: Display::default(), swing: 0.0 }
+    }
+
+    /// Returns the fixtures at a time in seconds, in the order of [`fixtures`](Self::fixtures).
+    /// Equal times give equal fixtures.
+    ///
+    /// # Errors
+    /// Seconds that are not finite, where something moves.
+    pub fn fixtures_at(&self, seconds: f32) -> Result<Vec<Fixture>, Error> {
+        self.fixtures.iter().map(|fixture| fixture.at(seconds)).collect()
+    }
+
+    /// Returns the effects that the picture needs at a time in seconds.
+    ///
+    /// # Errors
+    /// As [`fixtures_at`](Self::fixtures_at).
+    pub fn effects_at(&self, seconds: f32) -> Result<Effects, Error> {
+        let fixtures = self.fixtures_at(seconds)?;
+        let mut plan = self.scene.plan();
+        if self.display.is_dithered() {
+            plan = plan.with(Effect::Dither);
+        }
+        Ok(fixtures.iter().fold(plan, |plan, fixture| plan.with_fixture(fixture)).effects())
+    }
+
+    /// Returns the camera at a time in seconds, for optional camera motion. In most scenes it
+    /// stands still.
+    pub fn camera_at(&self, seconds: f32) -> Camera {
+        let mut camera = self.camera;
+        camera.orbit(self.swing * Vec2::from_angle(TAU * seconds / SWING_PERIOD).y, 0.0);
+        camera
+    }
+}

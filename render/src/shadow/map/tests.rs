@@ -1,0 +1,353 @@
+//! Shadow maps against rays in f64.
+
+mod ray;
+
+use super::*;
+use crate::{Camera, Format, Material, Mesh, Outline, Renderer, scenes::stage};
+use core::f32::consts::PI;
+use luminaire::{
+    Angle, Cone, Fx16, Fx32, Rgb, SpotLight, Vec3, falloff::SoftOrHard, light::CompiledSpotLight,
+};
+use ray::Light;
+
+extern crate std;
+use std::string::ToString;
+
+/// Largest error of a shadow edge, in texels.
+const TEXELS: f64 = 2.0;
+
+/// The largest cosine of an angle of incidence at which a point of a convex body is not lit
+/// exactly.
+const GRAZING: core::ops::Range<f64> = 0.17..0.19;
+
+/// A format whose lengths convert exactly to f64.
+trait Exact: Format {
+    fn exact(length: Self::Length) -> f64;
+}
+
+impl Exact for f32 {
+    fn exact(length: f32) -> f64 {
+        length.into()
+    }
+}
+
+impl Exact for Fx32 {
+    fn exact(length: Self::Length) -> f64 {
+        length.to_f64()
+    }
+}
+
+impl Exact for Fx16 {
+    fn exact(length: Self::Length) -> f64 {
+        length.to_f64()
+    }
+}
+
+fn spot(position: Vec3<f32>, target: Vec3<f32>, outer: f32) -> SpotLight {
+    let cone = Cone::from_outer(SoftOrHard::Soft, Angle::degrees(outer)).unwrap();
+    SpotLight::new(position, target.zip(position, |t, p| t - p), cone).unwrap().with_intensity(50.0).unwrap()
+}
+
+fn scene(meshes: impl IntoIterator<Item = Mesh>) -> Scene {
+    let mut scene = Scene::new();
+    let white = Material::srgb(255, 255, 255);
+    meshes.into_iter().for_each(|mesh| scene.add(mesh, white).unwrap());
+    scene
+}
+
+fn sphere(radius: f32, center: Vec3<f32>) -> Mesh {
+    Mesh::lathe(&Outline::start(0.0, -radius).arc(0.0, 0.0, PI, 28), 56).moved(center)
+}
+
+fn floor(half: f32) -> Mesh {
+    let floor = Outline::start(half, 0.0).line_to(-half, 0.0);
+    Mesh::extrude(&floor, 2.0 * half, 1).moved(Vec3::new(0.0, 0.0, -half))
+}
+
+fn drawn<S: Scalar>(scene: &Scene, projection: &Projection, side: usize) -> ShadowMap<S> {
+    let mut map = ShadowMap::new(side).unwrap();
+    assert!(map.draw(scene, projection).unwrap());
+    map
+}
+
+/// Compares every surface that a camera sees, and that faces the light within its cone, with a ray:
+/// lit or in shadow, exactly, except within [`TEXELS`] of an edge. Returns the number of points
+/// that are lit in both, dark in both, and different.
+fn assert_is_that_of_rays<S: Exact>(
+    scene: &Scene,
+    camera: &Camera,
+    spot: &SpotLight,
+    roll: f32,
+    side: usize,
+) -> [usize; 3] {
+    const SIZE: (usize, usize) = (160, 90);
+    let projection = Projection::of(spot).unwrap().turned(Angle::degrees(roll)).unwrap();
+    let map = drawn::<S>(scene, &projection, side);
+    let (shadow, light) = (map.shadow().unwrap(), Light::new(scene, &projection));
+    let compiled: CompiledSpotLight<S> = spot.compile().unwrap();
+    let mut renderer = Renderer::<S>::new(SIZE.0, SIZE.1).unwrap();
+    renderer.draw_geometry(scene, camera);
+    let pixels = (0..SIZE.1).flat_map(|y| (0..SIZE.0).map(move |x| (x, y)));
+    let surfaces = pixels.filter_map(|(x, y)| renderer.surface(x, y));
+    let dark = S::Irradiance::default();
+    let mut counts = [0; 3];
+    for (point, _, _) in surfaces.filter(|(point, normal, _)| compiled.irradiance(*point, *normal) > dark) {
+        let visibility = shadow.visibility(point);
+        let Vec3 { x, y, z } = point.map(S::exact);
+        let place = light.place([x, y, z]);
+        let sees = light.sees(place);
+        assert!((0.0..=1.0).contains(&visibility.to_f32()));
+        if visibility == if sees { S::ONE } else { S::ZERO } {
+            counts[usize::from(!sees)] += 1;
+        } else {
+            counts[2] += 1;
+            let is_clear = light.is_clear(place, TEXELS, side);
+            assert!(!is_clear, "{} at {point:?}, {place:?}: {visibility:?}, seen: {sees}", S::NAME);
+        }
+    }
+    counts
+}
+
+fn cameras() -> impl Iterator<Item = Camera> {
+    [(0.0, 0.0), (0.9, 0.5), (-2.4, 0.3)].into_iter().map(|(yaw, pitch)| {
+        let mut camera = stage::camera();
+        camera.orbit(yaw, pitch);
+        camera
+    })
+}
+
+fn assert_stage_is_that_of_rays<S: Exact>() {
+    let mut counts = [0; 3];
+    for (camera, roll) in cameras().zip([0.0, 30.0, -90.0]) {
+        for spot in stage::lights().unwrap() {
+            let found = assert_is_that_of_rays::<S>(&stage::scene().unwrap(), &camera, &spot, roll, 512);
+            counts = [0, 1, 2].map(|i| counts[i] + found[i]);
+        }
+    }
+    let [lit, hidden, between] = counts;
+    assert!(lit > 25_000 && hidden > 5_000, "{lit} lit, {hidden} in shadow");
+    assert!((200..1_500).contains(&between), "{between} at an edge");
+}
+
+#[test]
+fn shadows_on_the_stage_are_those_of_rays_in_f32() {
+    assert_stage_is_that_of_rays::<f32>();
+}
+
+#[test]
+fn shadows_on_the_stage_are_those_of_rays_in_fx32() {
+    assert_stage_is_that_of_rays::<Fx32>();
+}
+
+#[test]
+fn shadows_on_the_stage_are_those_of_rays_in_fx16() {
+    assert_stage_is_that_of_rays::<Fx16>();
+}
+
+#[test]
+fn a_finer_map_has_finer_edges() {
+    let spot = stage::lights().unwrap()[1];
+    let of =
+        |side| assert_is_that_of_rays::<f32>(&stage::scene().unwrap(), &stage::camera(), &spot, 0.0, side)[2];
+    let (coarse, fine) = (of(512), of(2048));
+    assert!(2 * fine < coarse, "{fine} of {coarse}");
+}
+
+#[test]
+fn wide_and_narrow_cones_have_the_shadows_of_rays() {
+    let things = || {
+        [
+            floor(6.0),
+            sphere(0.3, Vec3::new(0.7, 0.3, 0.4)),
+            Mesh::cuboid(0.4, 0.5, 0.4).moved(Vec3::new(-0.9, 0.0, -0.6)),
+        ]
+    };
+    let camera = Camera::new(Vec3::new(0.0, 0.0, 0.0), 7.0, 0.3, 0.6, 0.6);
+    let wide = spot(Vec3::new(0.1, 1.6, 0.0), Vec3::new(0.0, 0.0, 0.0), 150.0);
+    let near = Camera::new(Vec3::new(1.2, 0.15, 0.3), 1.0, 0.6, 0.7, 0.6);
+    let narrow = spot(Vec3::new(-3.0, 4.0, 2.0), Vec3::new(0.912, 0.512, 0.4), 2.0);
+    for (camera, spot) in [(camera, wide), (near, narrow)] {
+        for [lit, hidden, _] in [
+            assert_is_that_of_rays::<f32>(&scene(things()), &camera, &spot, 10.0, 1024),
+            assert_is_that_of_rays::<Fx32>(&scene(things()), &camera, &spot, 10.0, 1024),
+            assert_is_that_of_rays::<Fx16>(&scene(things()), &camera, &spot, 10.0, 1024),
+        ] {
+            assert!(lit > 100 && hidden > 100, "{lit} lit, {hidden} in shadow");
+        }
+    }
+}
+
+/// Checks that points of every triangle that faces the light are lit exactly: of flat surfaces at
+/// any angle, of round ones and at corners up to a grazing angle. Returns the largest cosine at
+/// which a point is not.
+fn steepest_shadowed<S: Exact>(mesh: Mesh, spot: &SpotLight, side: usize) -> f64 {
+    let scene = scene([mesh]);
+    let projection = Projection::of(spot).unwrap();
+    let map = drawn::<S>(&scene, &projection, side);
+    let (shadow, light) = (map.shadow().unwrap(), Light::new(&scene, &projection));
+    let (mut worst, mut lit) = (0.0_f64, 0);
+    for triangle in ray::triangles(&scene).flatten() {
+        for parts in [
+            [0.98, 0.01, 0.01],
+            [0.01, 0.98, 0.01],
+            [0.01, 0.01, 0.98],
+            [0.4, 0.3, 0.3],
+            [0.5, 0.01, 0.49],
+            [0.49, 0.5, 0.01],
+        ] {
+            let point =
+                [0, 1, 2].map(|i| (0..3).map(|corner| parts[corner] * triangle[corner][i]).sum::<f64>());
+            let cosine = light.cosine(triangle, point);
+            if cosine > 0.0 && light.has(light.place(point)) {
+                lit += 1;
+                let [x, y, z] = point.map(|c| S::length(c as f32));
+                if shadow.visibility(Vec3::new(x, y, z)) != S::ONE {
+                    worst = worst.max(cosine);
+                }
+            }
+        }
+    }
+    assert!(lit > 10, "{lit} points face the light");
+    worst
+}
+
+fn assert_no_surface_shadows_itself<S: Exact>() {
+    let axis = Vec3::new(0.3, 1.0, 0.2);
+    let mut steepest = 0.0_f64;
+    for side in [64, 512] {
+        for elevation in [0.02_f32, 0.3, 1.0, 1.5] {
+            let (sine, cosine) = elevation.sin_cos();
+            let light = spot(Vec3::new(4.0 * cosine, 4.0 * sine, 1.0), Vec3::new(0.0, 0.1, 0.0), 40.0);
+            let flat = Mesh::extrude(&Outline::start(2.5, 0.0).line_to(-2.5, 0.0), 5.0, 40);
+            let flat = steepest_shadowed::<S>(flat.moved(Vec3::new(0.0, 0.0, -2.5)), &light, side);
+            assert_eq!(flat, 0.0, "{} {side}: a floor under a light at {elevation}", S::NAME);
+            let column = Outline::start(0.0, 0.0).line_to(0.3, 0.0).line_to(0.3, 0.9).line_to(0.0, 0.9);
+            for mesh in [
+                sphere(0.5, Vec3::new(0.0, 0.1, 0.0)),
+                Mesh::cuboid(0.7, 0.5, 0.6).turned(axis, 0.7),
+                Mesh::lathe(&column, 40).turned(axis, 1.1),
+                Mesh::lathe(&Outline::start(0.0, 0.0).line_to(0.4, 0.0).line_to(0.0, 1.0), 48),
+            ] {
+                steepest = steepest.max(steepest_shadowed::<S>(mesh, &light, side));
+            }
+        }
+    }
+    assert!(
+        GRAZING.contains(&steepest),
+        "{}: a point met with a cosine of {steepest:.3} is in shadow",
+        S::NAME
+    );
+}
+
+#[test]
+fn no_surface_shadows_itself_in_f32() {
+    assert_no_surface_shadows_itself::<f32>();
+}
+
+#[test]
+fn no_surface_shadows_itself_in_fx32() {
+    assert_no_surface_shadows_itself::<Fx32>();
+}
+
+#[test]
+fn no_surface_shadows_itself_in_fx16() {
+    assert_no_surface_shadows_itself::<Fx16>();
+}
+
+#[test]
+fn what_is_right_at_the_light_hides_all_but_its_own_housing() {
+    let light = spot(Vec3::new(0.0, 2.0, 0.0), Vec3::new(0.0, 0.0, 0.0), 60.0);
+    let projection = Projection::of(&light).unwrap();
+    for (distance, expected) in [(0.08, 0.0), (0.03, 1.0)] {
+        let lid = Mesh::cuboid(0.5, 0.01, 0.5).moved(Vec3::new(0.0, 2.0 - distance - 0.01, 0.0));
+        let map = drawn::<f32>(&scene([floor(4.0), lid]), &projection, 64);
+        let shadow = map.shadow().unwrap();
+        for point in [Vec3::new(0.0, 0.0, 0.0), Vec3::new(0.9, 0.0, -0.9), Vec3::new(-0.4, 0.0, 1.0)] {
+            assert_eq!(shadow.visibility(point), expected, "at {point:?} under a lid at {distance}");
+        }
+    }
+}
+
+#[test]
+fn a_solid_around_the_light_hides_everything_outside() {
+    let light = spot(Vec3::new(0.0, 2.0, 0.0), Vec3::new(0.0, 0.0, 0.0), 60.0);
+    let projection = Projection::of(&light).unwrap();
+    let housing = sphere(0.3, Vec3::new(0.0, 2.0, 0.0));
+    assert!(housing.is_closed());
+    let map = drawn::<f32>(&scene([floor(4.0), housing]), &projection, 64);
+    for point in [Vec3::new(0.0, 0.0, 0.0), Vec3::new(0.9, 0.0, -0.9)] {
+        assert_eq!(map.shadow().unwrap().visibility(point), 0.0, "at {point:?}");
+    }
+}
+
+#[test]
+fn a_sheet_hides_whichever_side_it_shows() {
+    let light = spot(Vec3::new(0.0, 4.0, 0.0), Vec3::new(0.0, 0.0, 0.0), 40.0);
+    let projection = Projection::of(&light).unwrap();
+    for turn in [0.0, PI] {
+        let sheet = floor(0.5).turned(Vec3::new(1.0, 0.0, 0.0), turn).moved(Vec3::new(0.0, 2.0, 0.0));
+        let map = drawn::<Fx16>(&scene([sheet]), &projection, 128);
+        let at = |x, y| map.shadow().unwrap().visibility(Vec3::new(x, y, 0.0).map(Fx16::length));
+        assert_eq!(
+            [at(0.0, 0.0), at(0.9, 0.0), at(1.1, 0.0), at(0.0, 2.2)].map(Scalar::to_f32),
+            [0.0, 0.0, 1.0, 1.0]
+        );
+    }
+}
+
+#[test]
+fn objects_outside_of_the_cone_change_no_bit() {
+    for spot in stage::lights().unwrap() {
+        let spot = spot.with_cone(Cone::from_outer(SoftOrHard::Soft, Angle::degrees(14.0)).unwrap());
+        let projection = Projection::of(&spot).unwrap();
+        let apart = stage::scene().unwrap();
+        let view = View::of_light(&projection, 256);
+        let meshes = || apart.objects().iter().map(|object| object.mesh.clone());
+        let is_missed = |mesh: &Mesh| view.misses(&Bounds::of(mesh.vertices().iter().map(|v| v.position)));
+        assert!(meshes().filter(is_missed).count() > 1, "objects are left out");
+        // Merged with the floor, the other meshes are drawn without being skipped.
+        let is_drawn_alone = |mesh: &Mesh| mesh.is_closed() && !is_missed(mesh);
+        let rest = meshes().filter(|mesh| !is_drawn_alone(mesh)).fold(Mesh::default(), Mesh::and);
+        assert!(!is_missed(&rest));
+        let together = scene(meshes().filter(is_drawn_alone).chain([rest]));
+        let [apart, together] = [&apart, &together].map(|scene| drawn::<f32>(scene, &projection, 256).depths);
+        assert!(apart == together);
+    }
+}
+
+#[test]
+fn a_map_is_drawn_again_only_if_scene_or_light_have_changed() {
+    let [key, fill, _] = stage::lights().unwrap().map(|spot| Projection::of(&spot).unwrap());
+    let mut map = ShadowMap::<Fx32>::new(64).unwrap();
+    assert!(map.shadow().is_none());
+    let mut scene = stage::scene().unwrap();
+    assert_eq!(map.draw(&scene, &key), Ok(true));
+    assert_eq!(map.draw(&scene, &key), Ok(false));
+    assert_eq!(map.draw(&scene, &fill), Ok(true));
+    scene.add(sphere(0.5, Vec3::new(0.0, 2.0, 2.0)), Material::default()).unwrap();
+    assert_eq!(map.draw(&scene, &fill), Ok(true));
+    assert_eq!(
+        map.depths,
+        drawn::<Fx32>(&scene, &fill, 64).depths,
+        "nothing is left of what was drawn before"
+    );
+    scene.set_ambient(Rgb::new(1.0, 1.0, 1.0)).unwrap();
+    assert_eq!(map.draw(&scene, &fill), Ok(false));
+}
+
+#[test]
+fn nothing_at_all_casts_no_shadow() {
+    let projection = Projection::of(&stage::lights().unwrap()[0]).unwrap();
+    let map = drawn::<Fx16>(&scene([]), &projection, 16);
+    let target = Vec3::new(-0.2, 0.65, -0.2).map(Fx16::length);
+    assert_eq!(map.shadow().unwrap().visibility(target), Fx16::ONE);
+}
+
+#[test]
+fn sides_that_are_too_small_or_too_large_are_refused() {
+    for side in [0, 15, 2049] {
+        assert_eq!(ShadowMap::<f32>::new(side).unwrap_err(), SizeError::ShadowSide(side));
+    }
+    assert_eq!(ShadowMap::<f32>::new(16).unwrap().side(), 16);
+    assert_eq!(SizeError::ShadowSide(8).to_string(), "side of a shadow map = 8: expected 16 to 2048 texels");
+}

@@ -1,0 +1,170 @@
+//! Ray casting from a light in f64, over every triangle of a scene.
+
+use crate::{scene::Scene, space::bounds::Bounds};
+use alloc::vec::Vec;
+use luminaire::{Vec3, projector::Projection};
+
+pub(super) type Vector = [f64; 3];
+pub(super) type Triangle = [Vector; 3];
+
+/// The triangles of a mesh, front and back, in a bounding sphere.
+struct Body {
+    center: Vector,
+    radius: f64,
+    triangles: Vec<Triangle>,
+}
+
+/// A light in a scene, and the square that it projects.
+pub(super) struct Light {
+    position: Vector,
+    right: Vector,
+    down: Vector,
+    axis: Vector,
+    tangent: f64,
+    bodies: Vec<Body>,
+}
+
+/// Position of a point on the square, in sides, and its depth.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Place {
+    column: f64,
+    row: f64,
+    depth: f64,
+}
+
+/// Hit of a ray: the depth, the triangle, and whether nothing is in front of it.
+struct Hit {
+    depth: f64,
+    triangle: Triangle,
+    is_first: bool,
+}
+
+fn double(v: Vec3<f32>) -> Vector {
+    [v.x, v.y, v.z].map(f64::from)
+}
+
+fn minus(a: Vector, b: Vector) -> Vector {
+    [0, 1, 2].map(|i| a[i] - b[i])
+}
+
+fn dot(a: Vector, b: Vector) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+fn cross(a: Vector, b: Vector) -> Vector {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+fn normal([a, b, c]: Triangle) -> Vector {
+    cross(minus(b, a), minus(c, a))
+}
+
+/// Returns the parameter along a ray at which it meets the plane of a triangle.
+fn plane(from: Vector, way: Vector, triangle: Triangle) -> f64 {
+    let normal = normal(triangle);
+    dot(normal, minus(triangle[0], from)) / dot(normal, way)
+}
+
+/// Returns the parameter along a ray at which it meets a triangle.
+fn hit(from: Vector, way: Vector, triangle: Triangle) -> Option<f64> {
+    let t = plane(from, way, triangle);
+    let (normal, [a, b, c]) = (normal(triangle), triangle);
+    let inside = minus([0, 1, 2].map(|i| from[i] + t * way[i]), a);
+    let part = |edge: Vector| dot(edge, normal) / dot(normal, normal);
+    let (to_b, to_c) = (part(cross(inside, minus(c, a))), part(cross(minus(b, a), inside)));
+    // A ray between two triangles must hit one of them.
+    let least = -1e-9;
+    (to_b >= least && to_c >= least && to_b + to_c <= 1.0 - least).then_some(t)
+}
+
+/// The triangles of all objects of a scene.
+pub(super) fn triangles(scene: &Scene) -> impl Iterator<Item = Vec<Triangle>> {
+    scene.objects().iter().map(|object| {
+        let place = |corner: u32| double(object.mesh.vertices()[corner as usize].position.into());
+        object.mesh.triangles().iter().map(|triangle| triangle.map(place)).collect()
+    })
+}
+
+impl Light {
+    pub(super) fn new(scene: &Scene, projection: &Projection) -> Self {
+        let bodies = scene.objects().iter().zip(triangles(scene)).map(|(object, triangles)| {
+            let bounds = Bounds::of(object.mesh.vertices().iter().map(|vertex| vertex.position));
+            let (center, radius) = (double(bounds.center.into()), 1.001 * f64::from(bounds.radius));
+            Body { center, radius, triangles }
+        });
+        Self {
+            position: double(projection.position()),
+            right: double(projection.right()),
+            down: double(projection.up().map(|c| -c)),
+            axis: double(projection.axis()),
+            tangent: projection.tangent().into(),
+            bodies: bodies.collect(),
+        }
+    }
+
+    pub(super) fn place(&self, point: Vector) -> Place {
+        let way = minus(point, self.position);
+        let depth = dot(way, self.axis);
+        let part = |across| 0.5 + 0.5 * dot(way, across) / (depth * self.tangent);
+        Place { column: part(self.right), row: part(self.down), depth }
+    }
+
+    /// Returns the cosine of the angle between the front normal of a triangle and the direction
+    /// from a point of it to the light.
+    pub(super) fn cosine(&self, triangle: Triangle, point: Vector) -> f64 {
+        let (normal, back) = (normal(triangle), minus(self.position, point));
+        dot(normal, back) / (dot(normal, normal) * dot(back, back)).sqrt()
+    }
+
+    /// Returns whether a position is on the square.
+    pub(super) fn has(&self, place: Place) -> bool {
+        place.depth > 0.0 && [place.column, place.row].iter().all(|part| (0.0..1.0).contains(part))
+    }
+
+    /// Returns the vector from the light to depth 1.
+    fn way(&self, column: f64, row: f64) -> Vector {
+        let (x, y) = ((2.0 * column - 1.0) * self.tangent, (2.0 * row - 1.0) * self.tangent);
+        [0, 1, 2].map(|i| self.axis[i] + x * self.right[i] + y * self.down[i])
+    }
+
+    /// Returns the hit with the depth nearest to `depth` along a ray, of those beyond the near
+    /// plane of a map.
+    fn nearest(&self, way: Vector, depth: f64) -> Option<Hit> {
+        let is_met = |body: &&Body| {
+            let across = cross(minus(body.center, self.position), way);
+            dot(across, across) <= body.radius * body.radius * dot(way, way)
+        };
+        let triangles = self.bodies.iter().filter(is_met).flat_map(|body| &body.triangles);
+        let hits = triangles.filter_map(|&triangle| Some((hit(self.position, way, triangle)?, triangle)));
+        let hits: Vec<_> = hits.filter(|(hit, _)| *hit > 0.05).collect();
+        let off = |hit: &(f64, Triangle)| (hit.0 - depth).abs();
+        let &(own, triangle) = hits.iter().min_by(|a, b| off(a).total_cmp(&off(b)))?;
+        // Hits within a millimetre count as the same.
+        Some(Hit { depth: own, triangle, is_first: hits.iter().all(|&(depth, _)| depth >= own - 1e-3) })
+    }
+
+    /// Returns whether light arrives at a position.
+    pub(super) fn sees(&self, place: Place) -> bool {
+        self.nearest(self.way(place.column, place.row), place.depth).is_none_or(|hit| hit.is_first)
+    }
+
+    /// Returns whether a position is farther than `texels` from the edge of any shadow, and from
+    /// where its surface ends as seen from the light: there the shadow on the surface itself
+    /// begins.
+    pub(super) fn is_clear(&self, place: Place, texels: f64, side: usize) -> bool {
+        const STEPS: i32 = 8;
+        let Some(own) = self.nearest(self.way(place.column, place.row), place.depth) else { return false };
+        let step = texels / side as f64 / f64::from(STEPS);
+        let width = 2.0 * self.tangent / side as f64 * own.depth;
+        let is_same = |row: i32, column: i32| {
+            let way = self.way(place.column + f64::from(column) * step, place.row + f64::from(row) * step);
+            let depth = plane(self.position, way, own.triangle);
+            let next = self.nearest(way, depth);
+            next.is_some_and(|next| {
+                next.is_first == own.is_first && (next.depth - depth).abs() < 8.0 * texels * width
+            })
+        };
+        (own.depth - place.depth).abs() < 1e-3 * own.depth
+            && (-STEPS..=STEPS).all(|row| (-STEPS..=STEPS).all(|column| is_same(row, column)))
+    }
+}
