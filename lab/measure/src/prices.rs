@@ -8,12 +8,11 @@ mod page;
 mod plot;
 mod summary;
 mod target;
-mod words;
 
 use anyhow::{Context, Result};
 
+use self::clocked::{Measured, Times};
 use self::list::{Cost, PriceList, Row, TargetMeta};
-use self::words::Times;
 use crate::{boards, record};
 use tools::progress::Progress;
 
@@ -103,7 +102,7 @@ fn measure(targets: &[Target], progress: &Progress) -> Result<PriceList> {
 /// The rows, with their errors.
 fn with_errors(progress: &Progress) -> Result<PriceList> {
     let mut list = PriceList::default();
-    for (kernel, cone) in clocked::accuracy(progress)? {
+    for Measured { kernel, cone } in clocked::accuracy(progress)? {
         if let Ok(row) = list.row_mut(&kernel.name()) {
             row.narrower.push(cone);
             continue;

@@ -1,18 +1,20 @@
 //! The errors of the kernels against f64.
 
-use std::fmt;
-
 use luminaire_kernels::oracle::{self, dot, minus, unit, widened};
 use luminaire_kernels::scene::Site;
 use luminaire_kernels::{Kernel, Row, Setting, Value, Visitor, falloffs, points};
 
+use serde::{Serialize, Serializer};
+
+use crate::Named;
 use crate::site::{self, half_angle};
 
 /// Number of versines per cone.
 const VERSINES: u32 = 1 << 18;
 
 /// How the largest error was found.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Kind {
     /// No input was left out: the error is a bound.
     Exhaustive,
@@ -22,32 +24,49 @@ pub enum Kind {
 
 /// The errors of a kernel in a cone, in linear codes: 1 is 1/255 of full scale, or of the light
 /// itself where that is more.
-#[derive(Clone, PartialEq, Debug)]
+#[derive(Clone, PartialEq, Debug, Serialize)]
 pub struct Accuracy {
     /// The kernel.
-    pub row: Row,
+    #[serde(flatten)]
+    pub kernel: Named,
     /// The outer half angle in degrees.
     pub half_angle: f32,
-    /// The errors, or the narrowest half angle in degrees that the kernel's format holds.
-    pub errors: Result<Errors, f32>,
+    /// The errors, unless the kernel's format does not hold the cone.
+    pub error: Option<Errors>,
+    /// The narrowest half angle in degrees that it holds instead.
+    pub narrowest: Option<f32>,
 }
 
 /// The errors of a kernel in a cone.
-#[derive(Clone, PartialEq, Debug)]
+#[derive(Clone, PartialEq, Debug, Serialize)]
 pub struct Errors {
     /// The largest.
-    pub largest: f64,
+    #[serde(serialize_with = "four_digits")]
+    pub codes: f64,
     /// The largest in units of the last place of one.
-    pub steps: f64,
-    /// Degrees off axis of the largest error, and for a point its distance and the degrees of
-    /// incidence. Empty if there is no error.
-    pub at: Vec<f64>,
+    #[serde(serialize_with = "four_digits")]
+    pub lsb: f64,
+    /// Where it is. None if there is no error.
+    pub at: Option<Place>,
     /// The mean over the evaluated inputs, which are evenly spread.
-    pub mean: f64,
+    #[serde(serialize_with = "four_digits")]
+    pub mean_codes: f64,
     /// The 99.9th percentile of the errors of these inputs.
-    pub nearly_all: f64,
+    #[serde(serialize_with = "four_digits")]
+    pub p999_codes: f64,
     /// How the largest was found.
     pub kind: Kind,
+}
+
+/// The input with the largest error of a kernel.
+#[derive(Clone, Copy, PartialEq, Debug, Serialize)]
+pub struct Place {
+    /// The angle off axis.
+    pub degrees_off_axis: f64,
+    /// The distance of a point.
+    pub distance: Option<f64>,
+    /// The angle of incidence at a point.
+    pub degrees_of_incidence: Option<f64>,
 }
 
 impl Accuracy {
@@ -60,26 +79,14 @@ impl Accuracy {
     }
 }
 
-/// `accuracy stage format kernel half-angle largest steps at mean nearly-all kind`, or `refused`
-/// with the narrowest half angle in place of the last six. Numbers with all their digits.
-impl fmt::Display for Accuracy {
-    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Row { kernel, stage, format } = self.row;
-        write!(out, "accuracy {} {format} {kernel} {}", stage.name(), self.half_angle)?;
-        match &self.errors {
-            Err(narrowest) => write!(out, " refused {narrowest}"),
-            Ok(errors) => {
-                let at: Vec<_> = errors.at.iter().map(|number| format!("{number:.3}")).collect();
-                let at = if at.is_empty() { "nowhere".to_owned() } else { at.join(",") };
-                let kind = match errors.kind {
-                    Kind::Exhaustive => "exhaustive",
-                    Kind::Searched => "searched",
-                };
-                let Errors { largest, steps, mean, nearly_all, .. } = errors;
-                write!(out, " {largest:.3e} {steps:.3e} {at} {mean:.3e} {nearly_all:.3e} {kind}")
-            }
-        }
-    }
+/// Four digits, which is more than anybody compares.
+fn four_digits<S: Serializer>(value: &f64, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.serialize_f64(format!("{value:.3e}").parse().unwrap_or(*value))
+}
+
+/// Three decimals.
+fn thousandths(value: f64) -> f64 {
+    (value * 1000.0).round() / 1000.0
 }
 
 struct Search {
@@ -115,26 +122,26 @@ impl<P: Copy> Tally<P> {
         self.errors.push(error);
     }
 
-    fn errors<V: Value>(mut self, describe: impl Fn(P) -> Vec<f64>, kind: Kind) -> Errors {
+    fn errors<V: Value>(mut self, describe: impl Fn(P) -> Place, kind: Kind) -> Errors {
         let count = self.errors.len();
         let mean = self.errors.iter().sum::<f64>() / count as f64;
         let (_, nearly_all, _) = self.errors.select_nth_unstable_by(count - 1 - count / 1000, f64::total_cmp);
         let (largest, place) = self.worst;
         Errors {
-            largest,
-            steps: largest / 255.0 / V::STEP,
-            at: place.filter(|_| largest > 0.0).map(describe).unwrap_or_default(),
-            mean,
-            nearly_all: *nearly_all,
+            codes: largest,
+            lsb: largest / 255.0 / V::STEP,
+            at: place.filter(|_| largest > 0.0).map(describe),
+            mean_codes: mean,
+            p999_codes: *nearly_all,
             kind,
         }
     }
 }
 
 impl Search {
-    fn note(&mut self, row: Row, errors: Result<Errors, f32>) {
+    fn note(&mut self, row: Row, error: Option<Errors>, narrowest: Option<f32>) {
         let half_angle = self.setting.outer().to_degrees() / 2.0;
-        self.found.push(Accuracy { row, half_angle, errors });
+        self.found.push(Accuracy { kernel: row.into(), half_angle, error, narrowest });
     }
 }
 
@@ -161,8 +168,12 @@ impl Visitor for Search {
             }
         });
         let kind = if is_whole { Kind::Exhaustive } else { Kind::Searched };
-        let errors = tally.errors::<K::Output>(|versine| vec![half_angle(versine).to_degrees()], kind);
-        self.note(row, Ok(errors));
+        let describe = |versine| Place {
+            degrees_off_axis: thousandths(half_angle(versine).to_degrees()),
+            distance: None,
+            degrees_of_incidence: None,
+        };
+        self.note(row, Some(tally.errors::<K::Output>(describe, kind)), None);
     }
 
     fn point<K: Kernel<Place = Site>>(&mut self, row: Row, kernel: K, truth: &oracle::Point) {
@@ -175,14 +186,17 @@ impl Visitor for Search {
             let difference = minus(unit(way), unit(truth.axis));
             let incidence = -dot(unit(way), unit(widened(site.normal)));
             let off_axis = half_angle(dot(difference, difference) / 2.0);
-            vec![off_axis.to_degrees(), dot(way, way).sqrt(), incidence.clamp(-1.0, 1.0).acos().to_degrees()]
+            Place {
+                degrees_off_axis: thousandths(off_axis.to_degrees()),
+                distance: Some(thousandths(dot(way, way).sqrt())),
+                degrees_of_incidence: Some(thousandths(incidence.clamp(-1.0, 1.0).acos().to_degrees())),
+            }
         };
-        let errors = tally.errors::<K::Output>(describe, Kind::Searched);
-        self.note(row, Ok(errors));
+        self.note(row, Some(tally.errors::<K::Output>(describe, Kind::Searched)), None);
     }
 
     fn refused(&mut self, row: Row, narrowest: f32) {
-        self.note(row, Err(narrowest));
+        self.note(row, None, Some(narrowest));
     }
 }
 
@@ -197,9 +211,10 @@ mod tests {
         for i in 0..1000 {
             tally.look(i, if i == 7 { 1.5_f32 } else { 1.0 }, 1.0);
         }
-        let errors = tally.errors::<f32>(|i| vec![f64::from(i)], Kind::Searched);
-        assert_eq!((errors.largest, errors.at, errors.nearly_all), (127.5, vec![7.0], 0.0));
-        assert_eq!(errors.mean, 0.1275);
+        let place = |i| Place { degrees_off_axis: f64::from(i), distance: None, degrees_of_incidence: None };
+        let errors = tally.errors::<f32>(place, Kind::Searched);
+        assert_eq!((errors.codes, errors.at, errors.p999_codes), (127.5, Some(place(7)), 0.0));
+        assert_eq!(errors.mean_codes, 0.1275);
         let mut tally = Tally::new();
         tally.look((), f32::NAN, 0.0);
         assert_eq!(tally.worst.0, f64::INFINITY);
@@ -208,13 +223,13 @@ mod tests {
     #[test]
     fn every_number_of_a_small_format_is_looked_at() {
         let all = Accuracy::of_all(Setting::standard());
-        let whole = |row: &Accuracy| matches!(&row.errors, Ok(errors) if errors.kind == Kind::Exhaustive);
         for row in &all {
-            let is_small = row.row.stage == Stage::Falloff && row.row.format == "fx16";
-            assert_eq!(whole(row), is_small, "{row}");
+            let is_small = row.kernel.stage == Stage::Falloff.name() && row.kernel.format == "fx16";
+            let is_whole = row.error.as_ref().is_some_and(|error| error.kind == Kind::Exhaustive);
+            assert_eq!(is_whole, is_small, "{row:?}");
         }
-        let soft = all.iter().find(|row| (row.row.kernel, row.row.format) == ("soft", "fx16")).unwrap();
-        let errors = soft.errors.as_ref().unwrap();
-        assert!(errors.nearly_all <= errors.largest && errors.mean < errors.nearly_all, "{soft}");
+        let soft = all.iter().find(|row| (row.kernel.kernel, row.kernel.format) == ("soft", "fx16")).unwrap();
+        let error = soft.error.as_ref().unwrap();
+        assert!(error.p999_codes <= error.codes && error.mean_codes < error.p999_codes, "{soft:?}");
     }
 }

@@ -9,6 +9,7 @@ use std::time::Instant;
 use luminaire::HalfAngle;
 use luminaire_kernels::Setting;
 use luminaire_prices::{Accuracy, Clock, Times};
+use serde::Serialize;
 
 /// Outer half angles in degrees, in addition to the standard cone, at which the forms differ.
 const NARROWER: [f32; 3] = [15.0, 5.0, 1.0];
@@ -30,7 +31,7 @@ fn accuracy() {
     let narrower = NARROWER.map(|degrees| Setting::ending_at(HalfAngle::degrees(degrees)));
     for setting in [Setting::standard()].into_iter().chain(narrower) {
         for row in Accuracy::of_all(setting) {
-            println!("{row}");
+            print(&row);
         }
     }
 }
@@ -38,8 +39,12 @@ fn accuracy() {
 fn time() {
     let clock = Monotonic(Instant::now());
     for row in (0..Times::count()).filter_map(|number| Times::of(number, &clock)) {
-        println!("{row}");
+        print(&row);
     }
+}
+
+fn print(row: &impl Serialize) {
+    println!("{}", serde_json::to_string(row).expect("figures are JSON"));
 }
 
 /// The operating system's clock.

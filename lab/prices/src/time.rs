@@ -1,10 +1,13 @@
 //! The times of the kernels, by a clock.
 
-use std::fmt;
 use std::hint::black_box;
 
 use luminaire_kernels::scene::{Site, Sites};
 use luminaire_kernels::{Kernel, Row, Setting, Value, Visitor, falloffs, oracle, points};
+
+use serde::Serialize;
+
+use crate::Named;
 
 /// Number of inputs in a batch, which a kernel evaluates from memory to memory.
 pub const BATCH: usize = 4096;
@@ -21,10 +24,11 @@ pub trait Clock {
 }
 
 /// The time of a kernel.
-#[derive(Clone, PartialEq, Debug)]
+#[derive(Clone, PartialEq, Debug, Serialize)]
 pub struct Times {
     /// The kernel.
-    pub row: Row,
+    #[serde(flatten)]
+    pub kernel: Named,
     /// Nanoseconds a call: the lower quartile, the median and the upper quartile.
     pub quartiles: [f64; 3],
     /// A checksum of the results.
@@ -46,16 +50,6 @@ impl Times {
         falloffs(Setting::standard(), &mut stopwatch);
         points(Setting::standard(), &mut stopwatch);
         stopwatch.found
-    }
-}
-
-/// `time stage format kernel lower median upper checksum`.
-impl fmt::Display for Times {
-    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Row { kernel, stage, format } = self.row;
-        let [lower, median, upper] = self.quartiles;
-        let stage = stage.name();
-        write!(out, "time {stage} {format} {kernel} {lower:.4} {median:.4} {upper:.4} {:08x}", self.sum)
     }
 }
 
@@ -96,8 +90,9 @@ impl<C: Clock> Stopwatch<'_, C> {
         let mut samples: Vec<_> =
             (0..SAMPLES).map(|_| self.lapse(kernel, inputs, &mut outputs, batches) / calls).collect();
         samples.sort_by(f64::total_cmp);
-        let quartiles = [SAMPLES / 4, SAMPLES / 2, 3 * SAMPLES / 4].map(|index| samples[index]);
-        self.found = Some(Times { row, quartiles, sum });
+        let quartiles =
+            [SAMPLES / 4, SAMPLES / 2, 3 * SAMPLES / 4].map(|index| (samples[index] * 1e4).round() / 1e4);
+        self.found = Some(Times { kernel: row.into(), quartiles, sum });
     }
 
     /// Measures the time of `batches` batches, in nanoseconds.
@@ -166,7 +161,7 @@ mod tests {
     fn a_kernel_is_timed_by_its_number_and_the_last_is_the_last() {
         let clock = Ticking(Cell::new(0.0));
         let first = Times::of(0, &clock).unwrap();
-        assert_eq!((first.row.kernel, first.quartiles), ("soft", [1.0; 3]));
+        assert_eq!((first.kernel.kernel, first.quartiles), ("soft", [1.0; 3]));
         assert!(Times::of(Times::count() - 1, &clock).is_some());
         assert!(Times::of(Times::count(), &clock).is_none());
     }

@@ -5,10 +5,11 @@ use std::process::Command;
 use std::{env, fs};
 
 use anyhow::{Context, Result, ensure};
+use serde::Deserialize;
+use serde::de::DeserializeOwned;
 
 use super::list::{Cone, TargetMeta};
 use super::target::Target;
-use super::words::{self, Kernel, Times};
 use tools::browser::Chromium;
 use tools::progress::Progress;
 use tools::server::{self, Server};
@@ -31,16 +32,54 @@ document.body.dataset.state = "ready";
 /// How often each kernel is timed, some while apart: other work seldom disturbs all of them.
 const ROUNDS: usize = 3;
 
+/// A kernel by its name on the price list.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+pub(super) struct Kernel {
+    pub(super) kernel: String,
+    pub(super) stage: String,
+    pub(super) format: String,
+}
+
+/// The errors of a kernel in a cone.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+pub(super) struct Measured {
+    #[serde(flatten)]
+    pub(super) kernel: Kernel,
+    #[serde(flatten)]
+    pub(super) cone: Cone,
+}
+
+/// A kernel's times: nanoseconds a call, by quartiles, and a checksum of its results.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+pub(super) struct Times {
+    #[serde(flatten)]
+    pub(super) kernel: Kernel,
+    pub(super) quartiles: [f64; 3],
+    sum: u32,
+}
+
+impl Kernel {
+    /// The name on the price list.
+    pub(super) fn name(&self) -> String {
+        format!("{}.{}", self.kernel, self.format)
+    }
+}
+
+/// A line that `luminaire-prices` has printed.
+fn read<T: DeserializeOwned>(line: &str) -> Result<T> {
+    serde_json::from_str(line).with_context(|| format!("not a measurement: {line}"))
+}
+
 /// The errors of every kernel, in each cone.
-pub(crate) fn accuracy(progress: &Progress) -> Result<Vec<(Kernel, Cone)>> {
-    run("accuracy", progress)?.lines().map(words::accuracy).collect()
+pub(crate) fn accuracy(progress: &Progress) -> Result<Vec<Measured>> {
+    run("accuracy", progress)?.lines().map(read).collect()
 }
 
 /// How long every kernel takes on this machine.
 pub(crate) fn host(progress: &Progress) -> Result<(Vec<Times>, TargetMeta)> {
     let mut rounds = Vec::new();
     for _ in 0..ROUNDS {
-        rounds.push(run("time", progress)?.lines().map(words::time).collect::<Result<_>>()?);
+        rounds.push(run("time", progress)?.lines().map(read).collect::<Result<_>>()?);
     }
     let flags = env::var("RUSTFLAGS").unwrap_or_default();
     let meta = TargetMeta {
@@ -72,7 +111,7 @@ pub(crate) fn browser(simd: bool, host: &[Times], progress: &Progress) -> Result
     let mut rounds = Vec::new();
     for _ in 0..ROUNDS {
         // One at a time, so that no answer is waited for longer than any other.
-        let round = (0..count).map(|number| words::time(&page.text(&format!("prices.time({number})"))?));
+        let round = (0..count).map(|number| read(&page.text(&format!("prices.time({number})"))?));
         rounds.push(round.collect::<Result<_>>()?);
     }
     let times = best(rounds);
@@ -143,7 +182,20 @@ mod tests {
     use super::*;
 
     fn times(name: &str, sum: &str) -> Times {
-        words::time(&format!("time falloff rival {name} 1 1 1 {sum}")).unwrap()
+        let kernel = format!(r#""kernel": "{name}", "stage": "falloff", "format": "rival""#);
+        read(&format!(r#"{{ {kernel}, "quartiles": [1, 1, 1], "sum": {sum} }}"#)).unwrap()
+    }
+
+    #[test]
+    fn an_error_is_read_or_a_refusal() {
+        let kernel = r#""kernel": "hard", "stage": "falloff", "format": "fx16", "half_angle": 1.0"#;
+        let refused: Measured = read(&format!(r#"{{ {kernel}, "error": null, "narrowest": 1.4 }}"#)).unwrap();
+        assert_eq!((refused.kernel.name().as_str(), refused.cone.narrowest), ("hard.fx16", Some(1.4)));
+        let error = r#""lsb": 1.0, "at": null, "mean_codes": 0.1, "p999_codes": 0.2, "kind": "searched""#;
+        let line = |codes| format!(r#"{{ {kernel}, "error": {{ "codes": {codes}, {error} }} }}"#);
+        assert_eq!(read::<Measured>(&line("0.5")).unwrap().cone.error.unwrap().codes, 0.5);
+        assert!(read::<Measured>(&line("null")).is_err(), "an infinite error must not pass");
+        assert!(read::<Times>(&line("0.5")).is_err());
     }
 
     #[test]
