@@ -11,5 +11,5 @@ pub use self::{
     exposure::{CompiledExposure, Exposure},
     fit::{clip, compress_keep_hue},
     rgb565::Rgb565,
-    srgb::{decode_srgb, encode_srgb},
+    srgb::{decode_srgb, encode_srgb, encode_srgb_each},
 };

@@ -2,7 +2,7 @@
 
 use luminaire::{
     Fx16, Fx32, Rgb,
-    display::{Exposure, Rgb565, clip, compress_keep_hue, decode_srgb, encode_srgb},
+    display::{Exposure, Rgb565, clip, compress_keep_hue, decode_srgb, encode_srgb, encode_srgb_each},
 };
 use support::{format::Format, reference};
 
@@ -17,6 +17,26 @@ fn every_code_comes_back() {
         worst = worst.max((f64::from(linear) - reference::srgb_linear(code.into())).abs());
     }
     assert!((1e-6..=2e-6).contains(&worst), "largest error {worst:.2e}");
+}
+
+/// Many values at once have the codes of each, on both sides of every threshold and beyond the range.
+#[test]
+fn encoding_many_is_encoding_each() {
+    fn assert_each<S: Format>(values: impl IntoIterator<Item = S>) {
+        let values: Vec<_> = values.into_iter().collect();
+        for block in values.as_chunks::<16>().0 {
+            assert_eq!(encode_srgb_each(block), block.map(encode_srgb), "{block:?}");
+        }
+    }
+    let thresholds = (0..255).map(|code| (reference::srgb_linear(f64::from(code) + 0.5)) as f32);
+    let around = thresholds
+        .flat_map(|t| (-8..8).map(move |ulps| f32::from_bits(t.to_bits().wrapping_add_signed(ulps))));
+    assert_each(around);
+    assert_each((0..1 << 20).map(|i| i as f32 / (1 << 20) as f32));
+    let special = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, f32::MAX, -0.0, 0.0, 1.0, 1e-30];
+    assert_each(special.into_iter().chain(special.map(|value| -value)));
+    assert_each((i16::MIN..=i16::MAX).map(Fx16::from_bits));
+    assert_each((0..1 << 16).map(|i| Fx32::from_bits(i << 15)));
 }
 
 /// The product of numbers, to the last digit: the least digits first, without leading zeros.

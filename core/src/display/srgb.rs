@@ -43,6 +43,33 @@ pub fn encode_srgb<S: Scalar>(linear: S) -> u8 {
     nearest_code::<S, 255>(linear)
 }
 
+/// Returns the sRGB codes of linear values, those that [`encode_srgb`] returns.
+///
+/// In f32 the curve of all values is computed before the first look-up in the table of thresholds,
+/// so that compilers use vector instructions for it.
+#[inline]
+pub fn encode_srgb_each<S: Scalar, const N: usize>(linear: &[S; N]) -> [u8; N] {
+    /// From here to twice as much the last bits of an f32 are an integer: adding it converts, in
+    /// every set of vector instructions and without a test for overflow.
+    const INTEGERS: f32 = 8_388_608.0;
+    let mut near = [0; N];
+    for (near, linear) in near.iter_mut().zip(linear) {
+        if let Word::Single(linear) = linear.word() {
+            let code = curve(clamp(linear), 255.0) - 0.5;
+            *near = ((if code > 0.0 { code } else { 0.0 }) + INTEGERS).to_bits() & 0xff;
+        }
+    }
+    let mut codes = [0; N];
+    for i in 0..N {
+        codes[i] = match linear[i].word() {
+            Word::Single(linear) => settled::<255>(clamp(linear), near[i] as usize),
+            #[cfg(feature = "fixed")]
+            _ => encode_srgb(linear[i]),
+        };
+    }
+    codes
+}
+
 /// Returns the nearest code in `[0, LAST]`.
 #[inline]
 pub(super) fn nearest_code<S: Scalar, const LAST: usize>(linear: S) -> u8 {
@@ -59,7 +86,12 @@ pub(super) fn nearest_code<S: Scalar, const LAST: usize>(linear: S) -> u8 {
 #[inline]
 fn encode_float<const LAST: usize>(linear: f32) -> u8 {
     let linear = clamp(linear);
-    let code = curve(linear, LAST as f32) as i32 as usize;
+    settled::<LAST>(linear, curve(linear, LAST as f32) as i32 as usize)
+}
+
+/// Returns the nearest code of a clamped value that is on the curve near another code.
+#[inline]
+fn settled<const LAST: usize>(linear: f32, code: usize) -> u8 {
     // The threshold between the two codes around the value. Near the light of a code the curve may
     // select the neighbouring threshold, which gives the same code. Beyond the last threshold `get`
     // returns none; an index would panic.

@@ -3,7 +3,7 @@
 use crate::buffer::{LANES, Radiance};
 use luminaire::{
     Rgb,
-    display::{Rgb565, encode_srgb, encode_srgb_dithered},
+    display::{Rgb565, encode_srgb_dithered, encode_srgb_each},
 };
 
 /// Bytes per pixel: red, green, blue, alpha.
@@ -36,7 +36,7 @@ impl Display {
         match self {
             // One channel of the whole block at a time, for vector instructions.
             Self::Rgb888 => {
-                let codes = radiance.map(|channel| channel.map(encode_srgb));
+                let codes = radiance.map(|channel| encode_srgb_each(&channel));
                 write(pixels, |lane| Rgb::new(codes.red[lane], codes.green[lane], codes.blue[lane]));
             }
             Self::Rgb888Dithered => write(pixels, |lane| {
