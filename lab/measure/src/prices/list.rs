@@ -213,7 +213,7 @@ impl Record for PriceList {
             (readme, text.into_bytes()),
         ];
         for target in self.targets() {
-            files.push((docs.join(target.picture()), plot::draw(self, &target).into_bytes()));
+            files.push((docs.join(target.picture()), plot::draw(self, &target)?.into_bytes()));
         }
         Ok(files)
     }

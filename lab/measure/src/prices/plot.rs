@@ -1,23 +1,33 @@
 //! The picture of a target: error against cost, falloffs on the left and lit points on the right.
 
-mod axis;
 mod labels;
 mod marker;
 
-use self::axis::{Axis, power_of_ten};
-use self::labels::{Labels, Rectangle};
+use std::error::Error;
+use std::ops::Range;
+
+use anyhow::{Result, anyhow};
+use plotters::coord::Shift;
+use plotters::prelude::*;
+
+use self::labels::Labels;
 use super::frontier::frontier;
 use super::list::{PriceList, Row};
 use super::target::Target;
 
-const WIDTH: f64 = 1000.0;
-const HEIGHT: f64 = 560.0;
-/// The panels' tops and bottoms, and the left and right of each.
-const TOP: f64 = 96.0;
-const BOTTOM: f64 = 500.0;
-const SIDES: [(f64, f64); 2] = [(72.0, 520.0), (580.0, 984.0)];
+type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
+/// A place in pixels.
+type Pixel = (i32, i32);
+
+const SIZE: (u32, u32) = (1000, 560);
+const FONT: &str = "system-ui, sans-serif";
+const STAIRS: RGBColor = RGBColor(184, 184, 184);
+const GRID: RGBColor = RGBColor(228, 228, 228);
 /// What a display tells from the truth: half a code.
 const VISIBLE: f64 = 0.5;
+/// The stages, with the titles of their panels.
+const PANELS: [(&str, &str); 2] =
+    [("falloff", "From the angle off axis to an intensity"), ("lit", "The lit point, no early-out taken")];
 
 /// A kernel in the picture.
 #[derive(Clone, Debug)]
@@ -27,48 +37,43 @@ struct Mark {
     format: String,
     /// Whether it does what the frontier is drawn of: a soft edge, without distance or highlight.
     is_subject: bool,
-    /// Text beside the point, and `title`, the text of its tooltip.
+    /// Text beside the point.
     label: Option<String>,
-    title: String,
 }
 
-/// Draws the picture of a target.
-pub(crate) fn draw(list: &PriceList, target: &Target) -> String {
-    let panels = ["falloff", "lit"].map(|stage| marks(list, target, stage));
-    let errors = panels.iter().flatten().map(|mark| mark.error);
-    let vertical = Axis::decades(errors.chain([VISIBLE]), (BOTTOM, TOP));
-    let mut svg = format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {WIDTH} {HEIGHT}\" font-family=\"system-ui, \
-         -apple-system, Segoe UI, Helvetica, Arial, sans-serif\" font-size=\"13\" fill=\"#222\">\n\
-         <title>What accuracy costs: {}</title>\n<rect width=\"{WIDTH}\" height=\"{HEIGHT}\" fill=\"#fff\"/>\n",
-        target.title()
-    );
-    svg += &text(24.0, 28.0, "start", 18, "bold", &format!("What accuracy costs: {}", target.title()));
-    svg += &legend();
-    svg += &format!(
-        "<text transform=\"translate(20 {}) rotate(-90)\" text-anchor=\"middle\">largest error, in codes of 8 bits</text>\n",
-        (TOP + BOTTOM) / 2.0
-    );
-    for ((marks, sides), name) in panels
-        .iter()
-        .zip(SIDES)
-        .zip(["From the angle off axis to an intensity", "The lit point, rejects not taken"])
-    {
-        svg += &panel(marks, sides, &vertical, name, target);
+/// Draws the picture of a target, as SVG.
+pub(super) fn draw(list: &PriceList, target: &Target) -> Result<String> {
+    let mut svg = String::new();
+    picture(&mut svg, list, target).map_err(|error| anyhow!("cannot draw {}: {error}", target.picture()))?;
+    Ok(svg)
+}
+
+fn picture(svg: &mut String, list: &PriceList, target: &Target) -> Result<(), Box<dyn Error>> {
+    let root = SVGBackend::with_string(svg, SIZE).into_drawing_area();
+    root.fill(&WHITE)?;
+    let title = (FONT, 18).into_font().style(FontStyle::Bold);
+    root.draw_text(&format!("What accuracy costs: {}", target.title()), &title.into(), (24, 12))?;
+    legend(&root)?;
+    let panels = PANELS.map(|(stage, title)| (marks(list, target, stage), title));
+    let errors = panels.iter().flat_map(|(marks, _)| marks).map(|mark| mark.error).chain([VISIBLE]);
+    let (least, most) = ends(errors);
+    let errors = 10_f64.powf(least.log10().floor())..10_f64.powf(most.log10().ceil());
+    let areas = root.margin(66, 6, 24, 12).split_evenly((1, 2));
+    for ((marks, title), area) in panels.iter().zip(&areas) {
+        panel(&root, area, marks, title, errors.clone(), target)?;
     }
-    svg + "</svg>\n"
+    root.present()?;
+    Ok(())
 }
 
-/// The kernels of a stage that have an error and a cost. The loop that does nothing is none, and
-/// what is rejected errs not.
+/// The kernels of a stage that have an error and a cost, but for the loop that does nothing.
 fn marks(list: &PriceList, target: &Target, stage: &str) -> Vec<Mark> {
     let rows = list.rows.iter().filter(|row| row.stage == stage && row.kernel != "clamp");
     rows.filter_map(|row| {
         let error = row.error.as_ref().map(|error| error.codes).filter(|codes| *codes > 0.0)?;
         let cost = row.cost.get(target.name())?.amount();
-        let title = format!("{}: {cost} {}, off by {error:.1e} codes", row.name(), target.unit());
         let is_subject = row.format == "rival" || matches!(row.kernel.as_str(), "soft" | "lit");
-        Some(Mark { cost, error, format: row.format.clone(), is_subject, label: label(row), title })
+        Some(Mark { cost, error, format: row.format.clone(), is_subject, label: label(row) })
     })
     .collect()
 }
@@ -86,127 +91,103 @@ fn label(row: &Row) -> Option<String> {
     Some(label)
 }
 
-fn panel(marks: &[Mark], sides: (f64, f64), vertical: &Axis, name: &str, target: &Target) -> String {
-    let (left, right) = sides;
-    let horizontal = Axis::steps(marks.iter().map(|mark| mark.cost), sides);
-    let mut svg = text(left, TOP - 14.0, "start", 14, "bold", name);
-    for (tick, value) in vertical.ticks() {
-        svg += &line((left, tick), (right, tick), "#e4e4e4", "");
-        if power_of_ten(value) % 2 == 0 {
-            svg += &text(left - 8.0, tick + 4.0, "end", 12, "normal", &ten_to(power_of_ten(value)));
-        }
-    }
-    for (tick, value) in horizontal.ticks() {
-        svg += &line((tick, TOP), (tick, BOTTOM), "#e4e4e4", "");
-        svg += &text(tick, BOTTOM + 18.0, "middle", 12, "normal", &value.to_string());
-    }
-    let visible = vertical.place(VISIBLE);
-    svg += &line((left, visible), (right, visible), "#888", " stroke-dasharray=\"6 4\"");
-    svg += &format!(
-        "<rect x=\"{left}\" y=\"{TOP}\" width=\"{}\" height=\"{}\" fill=\"none\" stroke=\"#666\"/>\n",
-        right - left,
-        BOTTOM - TOP
-    );
-    let unit = match target {
-        Target::Board(_) => "instructions a call",
-        _ => "nanoseconds a call",
-    };
-    svg += &text((left + right) / 2.0, BOTTOM + 40.0, "middle", 13, "normal", unit);
-    let places: Vec<_> =
-        marks.iter().map(|mark| (horizontal.place(mark.cost), vertical.place(mark.error))).collect();
-    let corners = corners(marks, &places);
-    svg += &stairs(&corners);
-    let frame = Rectangle { left, top: TOP, right, bottom: BOTTOM };
-    let mut labels = Labels::new(frame, &places);
+fn panel(
+    root: &Area<'_>,
+    area: &Area<'_>,
+    marks: &[Mark],
+    title: &str,
+    errors: Range<f64>,
+    target: &Target,
+) -> Result<(), Box<dyn Error>> {
+    let (least, most) = ends(marks.iter().map(|mark| mark.cost));
+    let mut chart = ChartBuilder::on(area)
+        .caption(title, (FONT, 14).into_font().style(FontStyle::Bold))
+        .x_label_area_size(44)
+        .y_label_area_size(62)
+        .build_cartesian_2d((least / 1.25..most * 1.5).log_scale(), errors.clone().log_scale())?;
+    chart
+        .configure_mesh()
+        .bold_line_style(GRID)
+        .light_line_style(TRANSPARENT)
+        .label_style((FONT, 12))
+        .axis_desc_style((FONT, 13))
+        .x_desc(format!("{} a call", target.unit()))
+        .y_desc("largest error, in codes of 8 bits")
+        .x_label_formatter(&|value| format!("{value}"))
+        .y_label_formatter(&|value| power_of_ten(*value))
+        .draw()?;
+    let visible = [(least / 1.25, VISIBLE), (most * 1.5, VISIBLE)];
+    chart.draw_series(DashedLineSeries::new(visible, 6, 4, RGBColor(136, 136, 136).into()))?;
+    let corners = corners(marks);
+    chart.draw_series(LineSeries::new(corners.iter().copied(), STAIRS.stroke_width(6)))?;
+    let at = |cost: f64, error: f64| chart.backend_coord(&(cost, error));
+    let places: Vec<_> = marks.iter().map(|mark| at(mark.cost, mark.error)).collect();
+    let (left, top) = at(least / 1.25, errors.end);
+    let (right, bottom) = at(most * 1.5, errors.start);
+    let mut labels = Labels::new([left, top, right, bottom], &places);
     for pair in corners.windows(2) {
-        labels.avoid(pair[0], pair[1]);
+        labels.avoid(at(pair[0].0, pair[0].1), at(pair[1].0, pair[1].1));
     }
-    svg += &labels.place("half a code", (right - 34.0, visible), 11);
+    labels.place(root, "half a code", (right - 34, at(most, VISIBLE).1), 11)?;
     // What is compared stands in front, and larger.
     for is_subject in [false, true] {
-        let (radius, opacity) = if is_subject { (6.0, 1.0) } else { (4.0, 0.5) };
         for (mark, place) in marks.iter().zip(&places).filter(|(mark, _)| mark.is_subject == is_subject) {
-            let marker = marker::draw(&mark.format, *place, radius);
-            svg += &format!("<g opacity=\"{opacity}\"><title>{}</title>{marker}</g>\n", mark.title);
+            marker::draw(root, &mark.format, *place, is_subject)?;
         }
     }
     for (mark, place) in marks.iter().zip(&places) {
         if let Some(label) = &mark.label {
-            svg += &labels.place(label, *place, 12);
+            labels.place(root, label, *place, 12)?;
         }
     }
-    svg
+    Ok(())
 }
 
 /// The corners of the frontier of soft edges and rivals, as stairs: whoever pays more gets nothing
 /// better until the next step.
-fn corners(marks: &[Mark], places: &[(f64, f64)]) -> Vec<(f64, f64)> {
-    let subjects: Vec<_> = marks.iter().zip(places).filter(|(mark, _)| mark.is_subject).collect();
-    let points: Vec<_> = subjects.iter().map(|(mark, _)| (mark.cost, mark.error)).collect();
+fn corners(marks: &[Mark]) -> Vec<(f64, f64)> {
+    let subjects = marks.iter().filter(|mark| mark.is_subject);
+    let points: Vec<_> = subjects.map(|mark| (mark.cost, mark.error)).collect();
     let mut corners: Vec<(f64, f64)> = Vec::new();
     for index in frontier(&points) {
-        let (x, y) = *subjects[index].1;
+        let (cost, error) = points[index];
         if let Some(&(_, above)) = corners.last() {
-            corners.push((x, above));
+            corners.push((cost, above));
         }
-        corners.push((x, y));
+        corners.push((cost, error));
     }
     corners
 }
 
-fn stairs(corners: &[(f64, f64)]) -> String {
-    let points: Vec<_> = corners.iter().map(|(x, y)| format!("{x:.1},{y:.1}")).collect();
-    format!(
-        "<polyline points=\"{}\" fill=\"none\" stroke=\"#b8b8b8\" stroke-width=\"6\" stroke-linejoin=\"round\" \
-         stroke-linecap=\"round\"/>\n",
-        points.join(" ")
-    )
-}
-
-fn legend() -> String {
-    let mut svg = String::new();
-    let mut left = 24.0;
+fn legend(root: &Area<'_>) -> Result<(), Box<dyn Error>> {
+    let style = (FONT, 13).into_text_style(root);
+    let mut left = 24;
     for (format, _) in marker::ALL {
-        svg += &marker::draw(format, (left + 6.0, 50.0), 5.5);
-        svg += &text(left + 18.0, 54.0, "start", 13, "normal", format);
-        left += 42.0 + 7.6 * format.len() as f64;
+        marker::draw(root, format, (left + 6, 50), true)?;
+        root.draw_text(format, &style, (left + 18, 42))?;
+        left += 42 + 8 * format.len() as i32;
     }
-    svg += &format!(
-        "<path d=\"M{left} 50h30\" stroke=\"#b8b8b8\" stroke-width=\"6\" stroke-linecap=\"round\"/>\n"
-    );
-    svg + &text(
-        left + 40.0,
-        54.0,
-        "start",
-        13,
-        "normal",
-        "the best soft edge for its price (left, down: better)",
-    )
+    root.draw(&PathElement::new([(left, 50), (left + 30, 50)], STAIRS.stroke_width(6)))?;
+    root.draw_text("the best soft edge for its price (left, down: better)", &style, (left + 40, 42))?;
+    Ok(())
 }
 
-fn text(x: f64, y: f64, anchor: &str, size: u32, weight: &str, words: &str) -> String {
-    format!(
-        "<text x=\"{x:.1}\" y=\"{y:.1}\" text-anchor=\"{anchor}\" font-size=\"{size}\" font-weight=\"{weight}\">{words}</text>\n"
-    )
-}
-
-fn line(from: (f64, f64), to: (f64, f64), colour: &str, more: &str) -> String {
-    format!(
-        "<line x1=\"{:.1}\" y1=\"{:.1}\" x2=\"{:.1}\" y2=\"{:.1}\" stroke=\"{colour}\"{more}/>\n",
-        from.0, from.1, to.0, to.1
-    )
+/// The least and the most of some values.
+fn ends(values: impl Iterator<Item = f64>) -> (f64, f64) {
+    let ends =
+        values.fold((f64::INFINITY, 0.0_f64), |(least, most), value| (least.min(value), most.max(value)));
+    if ends.0 <= ends.1 { ends } else { (1.0, 10.0) }
 }
 
 /// A power of ten as it is printed.
-fn ten_to(power: i32) -> String {
-    match power {
-        0 => "1".to_owned(),
-        1 => "10".to_owned(),
-        2 => "100".to_owned(),
-        _ => {
-            let exponent = power.to_string().replace('-', "\u{2212}");
-            format!("10<tspan dy=\"-5\" font-size=\"9\">{exponent}</tspan>")
-        }
+fn power_of_ten(value: f64) -> String {
+    let digit = |digit: char| match digit {
+        '-' => '⁻',
+        digit => "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().nth(digit.to_digit(10).unwrap_or_default() as usize).unwrap_or(digit),
+    };
+    match value.log10().round() as i32 {
+        power @ 0..=2 => 10_u32.pow(power as u32).to_string(),
+        power => format!("10{}", power.to_string().chars().map(digit).collect::<String>()),
     }
 }
 
@@ -222,7 +203,7 @@ mod tests {
         let row = |kernel: &str, codes: f64| Row {
             kernel: kernel.to_owned(),
             stage: "falloff".to_owned(),
-            format: "fx16".to_owned(),
+            format: "rival".to_owned(),
             error: Some(Error {
                 codes,
                 lsb: 1.0,
@@ -238,9 +219,10 @@ mod tests {
             )]),
             bytes: BTreeMap::new(),
         };
-        let list = PriceList { rows: vec![row("soft", 0.02), row("step", 0.0)], ..PriceList::default() };
-        let svg = draw(&list, &Target::Host);
-        assert!(svg.contains("soft.fx16: 1.5 ns") && !svg.contains("step.fx16"), "{svg}");
-        assert_eq!(ten_to(-4), "10<tspan dy=\"-5\" font-size=\"9\">\u{2212}4</tspan>");
+        let list =
+            PriceList { rows: vec![row("schlick", 0.02), row("smoothstep", 0.0)], ..PriceList::default() };
+        let svg = draw(&list, &Target::Host).unwrap();
+        assert!(svg.contains("schlick") && !svg.contains("smoothstep"), "{svg}");
+        assert_eq!([1e-4, 1.0, 100.0, 1e12].map(power_of_ten), ["10⁻⁴", "1", "100", "10¹²"]);
     }
 }

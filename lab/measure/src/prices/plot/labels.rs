@@ -1,26 +1,13 @@
 //! Placing labels beside markers, over nothing else.
 
-/// A part of the picture.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Rectangle {
-    pub(super) left: f64,
-    pub(super) top: f64,
-    pub(super) right: f64,
-    pub(super) bottom: f64,
-}
+use std::error::Error;
 
-impl Rectangle {
-    /// The area that two have in common.
-    fn overlap(&self, other: &Self) -> f64 {
-        let width = self.right.min(other.right) - self.left.max(other.left);
-        let height = self.bottom.min(other.bottom) - self.top.max(other.top);
-        width.max(0.0) * height.max(0.0)
-    }
+use plotters::prelude::*;
 
-    fn area(&self) -> f64 {
-        (self.right - self.left) * (self.bottom - self.top)
-    }
-}
+use super::{Area, FONT, Pixel};
+
+/// A part of the picture: left, top, right and bottom.
+type Rectangle = [i32; 4];
 
 /// What is taken of a panel.
 #[derive(Debug)]
@@ -35,66 +22,69 @@ const DISTANCES: [f64; 5] = [9.0, 22.0, 38.0, 56.0, 76.0];
 const DIRECTIONS: [(f64, f64); 8] =
     [(1.0, 0.0), (-1.0, 0.0), (0.7, -0.7), (0.7, 0.7), (-0.7, -0.7), (-0.7, 0.7), (0.0, -1.0), (0.0, 1.0)];
 /// Half a marker.
-const MARKER: f64 = 5.0;
+const MARKER: i32 = 5;
 /// Half a line's width.
-const LINE: f64 = 3.0;
+const LINE: i32 = 3;
+
+/// The area that two have in common.
+fn overlap(one: Rectangle, other: Rectangle) -> i32 {
+    let width = one[2].min(other[2]) - one[0].max(other[0]);
+    let height = one[3].min(other[3]) - one[1].max(other[1]);
+    width.max(0) * height.max(0)
+}
 
 impl Labels {
     /// A panel with markers at these places.
-    pub(super) fn new(frame: Rectangle, markers: &[(f64, f64)]) -> Self {
-        let taken = markers.iter().map(|&(x, y)| Rectangle {
-            left: x - MARKER,
-            top: y - MARKER,
-            right: x + MARKER,
-            bottom: y + MARKER,
-        });
-        Self { frame, taken: taken.collect() }
+    pub(super) fn new(frame: Rectangle, markers: &[Pixel]) -> Self {
+        let around = |&(x, y): &Pixel| [x - MARKER, y - MARKER, x + MARKER, y + MARKER];
+        Self { frame, taken: markers.iter().map(around).collect() }
     }
 
     /// Keeps labels off a line between two places, along an axis.
-    pub(super) fn avoid(&mut self, (x1, y1): (f64, f64), (x2, y2): (f64, f64)) {
-        let (left, top) = (x1.min(x2) - LINE, y1.min(y2) - LINE);
-        self.taken.push(Rectangle { left, top, right: x1.max(x2) + LINE, bottom: y1.max(y2) + LINE });
+    pub(super) fn avoid(&mut self, (x1, y1): Pixel, (x2, y2): Pixel) {
+        self.taken.push([x1.min(x2) - LINE, y1.min(y2) - LINE, x1.max(x2) + LINE, y1.max(y2) + LINE]);
     }
 
     /// Writes a label for the marker at a place, where it covers least.
-    pub(super) fn place(&mut self, words: &str, (x, y): (f64, f64), size: u32) -> String {
-        let (width, height) = (0.62 * f64::from(size) * words.chars().count() as f64, 1.2 * f64::from(size));
-        let mut best: Option<(f64, Rectangle, f64)> = None;
-        for distance in DISTANCES {
-            for (right, down) in DIRECTIONS {
-                let (anchor_x, anchor_y) = (x + right * distance, y + down * distance);
-                let left = anchor_x + (right.signum() * f64::from(right != 0.0) - 1.0) / 2.0 * width;
-                let top = anchor_y + (down - 1.0) / 2.0 * height;
-                let label = Rectangle { left, top, right: left + width, bottom: top + height };
-                let covered = self.covered(&label);
-                if best.as_ref().is_none_or(|(least, ..)| covered < *least) {
-                    best = Some((covered, label, distance));
-                }
-            }
+    pub(super) fn place(
+        &mut self,
+        root: &Area<'_>,
+        words: &str,
+        (x, y): Pixel,
+        size: i32,
+    ) -> Result<(), Box<dyn Error>> {
+        let (label, is_near) = self.find(words, (x, y), size);
+        let [left, top, right, bottom] = label;
+        if !is_near {
+            let near = (x.clamp(left, right), y.clamp(top, bottom));
+            root.draw(&PathElement::new([(x, y), near], RGBColor(153, 153, 153)))?;
         }
-        let Some((_, label, distance)) = best else { return String::new() };
+        root.draw(&plotters::element::Rectangle::new(
+            [(left, top), (right, bottom)],
+            WHITE.mix(0.7).filled(),
+        ))?;
+        root.draw_text(words, &(FONT, size).into_text_style(root), (left, top))?;
         self.taken.push(label);
-        let mut svg = String::new();
-        if distance > DISTANCES[0] {
-            let (near_x, near_y) = (x.clamp(label.left, label.right), y.clamp(label.top, label.bottom));
-            svg += &format!(
-                "<line x1=\"{x:.1}\" y1=\"{y:.1}\" x2=\"{near_x:.1}\" y2=\"{near_y:.1}\" stroke=\"#999\" \
-                 stroke-width=\"0.8\"/>\n"
-            );
-        }
-        svg + &format!(
-            "<text x=\"{:.1}\" y=\"{:.1}\" font-size=\"{size}\" stroke=\"#fff\" stroke-width=\"3\" \
-             paint-order=\"stroke\">{words}</text>\n",
-            label.left,
-            label.bottom - 0.25 * height
-        )
+        Ok(())
+    }
+
+    /// Where a label covers least, and whether that is beside its marker.
+    fn find(&self, words: &str, (x, y): Pixel, size: i32) -> (Rectangle, bool) {
+        let (width, height) = (0.58 * f64::from(size) * words.chars().count() as f64, 1.2 * f64::from(size));
+        let places = DISTANCES.iter().flat_map(|distance| DIRECTIONS.map(|direction| (distance, direction)));
+        let labels = places.map(|(distance, (right, down))| {
+            let across = right.signum() * f64::from(right != 0.0) - 1.0;
+            let left = x + (right * distance + across / 2.0 * width) as i32;
+            let top = y + (down * distance + (down - 1.0) / 2.0 * height) as i32;
+            ([left, top, left + width as i32, top + height as i32], *distance == DISTANCES[0])
+        });
+        labels.min_by_key(|(label, _)| self.covered(*label)).unwrap_or_default()
     }
 
     /// How much of others a label covers, what is outside of the frame included.
-    fn covered(&self, label: &Rectangle) -> f64 {
-        let outside = label.area() - label.overlap(&self.frame);
-        10.0 * outside + self.taken.iter().map(|taken| taken.overlap(label)).sum::<f64>()
+    fn covered(&self, label: Rectangle) -> i32 {
+        let outside = overlap(label, label) - overlap(label, self.frame);
+        10 * outside + self.taken.iter().map(|taken| overlap(*taken, label)).sum::<i32>()
     }
 }
 
@@ -104,17 +94,12 @@ mod tests {
 
     #[test]
     fn labels_of_a_crowd_cover_neither_markers_nor_one_another() {
-        let frame = Rectangle { left: 0.0, top: 0.0, right: 400.0, bottom: 400.0 };
-        let markers = [(200.0, 200.0), (206.0, 203.0), (198.0, 190.0), (395.0, 5.0)];
-        let mut labels = Labels::new(frame, &markers);
+        let markers = [(200, 200), (206, 203), (198, 190), (395, 5)];
+        let mut labels = Labels::new([0, 0, 400, 400], &markers);
         for marker in markers {
-            labels.place("soft fx16", marker, 12);
-        }
-        for (index, label) in labels.taken.iter().enumerate().skip(markers.len()) {
-            assert!((label.overlap(&frame) - label.area()).abs() < 1e-9, "{label:?} is outside");
-            for other in &labels.taken[..index] {
-                assert_eq!(label.overlap(other), 0.0, "{label:?} covers {other:?}");
-            }
+            let (label, _) = labels.find("soft fx16", marker, 12);
+            assert_eq!(labels.covered(label), 0);
+            labels.taken.push(label);
         }
     }
 }
