@@ -8,6 +8,7 @@ mod package;
 #[cfg(test)]
 mod phrases;
 mod pictures;
+mod semver;
 mod test;
 
 use std::process::ExitCode;

@@ -17,7 +17,7 @@ use tools::tally::{self, Tally};
 use tools::toolchain::Toolchain;
 use tools::{command, install, project};
 
-use crate::{contributing, demo, msrv, package};
+use crate::{contributing, demo, msrv, package, semver};
 
 /// The smallest processor that is promised: no floating point unit, no division, no atomics.
 const BARE: &str = "thumbv6m-none-eabi";
@@ -71,10 +71,21 @@ fn host(suite: &mut Suite, full: bool) {
     contributing::run(suite, full);
     if full {
         dependencies(suite);
+        fuzz(suite);
         msrv::run(suite);
         package::run(suite);
+        semver::run(suite);
     }
     browser(suite);
+}
+
+/// The targets of the fuzzer are of another workspace, and only it runs them.
+fn fuzz(suite: &mut Suite) {
+    suite.step("fuzz: the targets compile", |progress| {
+        let mut check = with(command::cargo("check"), &["--bins"]);
+        check.current_dir(project::root().join("fuzz"));
+        progress.run(check)
+    });
 }
 
 /// The licences and sources of what is linked.
