@@ -147,7 +147,7 @@ fn sources(suite: &mut Suite, full: bool) {
 }
 
 /// The features of luminaire that its manifest names, without `default`, which is a set of others.
-fn features_of_luminaire() -> Result<Vec<String>> {
+pub(crate) fn features_of_luminaire() -> Result<Vec<String>> {
     let metadata =
         command::answer(&mut with(command::cargo("metadata"), &["--no-deps", "--format-version", "1"]))?;
     let metadata: Value = serde_json::from_str(&metadata).context("cargo metadata is no JSON")?;
