@@ -14,6 +14,8 @@ use measure::prices::MeasureOptions;
 use measure::size::SizeOptions;
 use tools::demo::site;
 
+use crate::mutants::MutantsOptions;
+
 /// The project's commands.
 #[derive(Debug, PartialEq, clap::Parser)]
 #[command(name = "cargo xtask", disable_help_subcommand = true, arg_required_else_help = true)]
@@ -39,6 +41,8 @@ pub(crate) enum Request {
     Measure(MeasureOptions),
     /// Compare the bits of every model with the conformance vectors, on every target
     Conform(ConformOptions),
+    /// Test the tests: change the kernel in small ways and list the changes that no test notices
+    Mutants(MutantsOptions),
 }
 
 /// The options of `demo`.

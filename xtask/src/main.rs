@@ -4,6 +4,7 @@ mod arguments;
 mod contributing;
 mod demo;
 mod msrv;
+mod mutants;
 mod package;
 #[cfg(test)]
 mod phrases;
@@ -28,6 +29,7 @@ fn main() -> ExitCode {
         Request::Frame(options) => frame::run(&options).map(|()| ExitCode::SUCCESS),
         Request::Size(options) => size::run(&options).map(|()| ExitCode::SUCCESS),
         Request::Measure(options) => prices::run(&options).map(|()| ExitCode::SUCCESS),
+        Request::Mutants(options) => mutants::run(options),
         Request::Test(options) => Ok(test::run(options, false)),
         Request::Full(options) => Ok(test::run(options, true)),
     };

@@ -1,0 +1,48 @@
+//! `cargo xtask mutants`: how much of the kernel's code the tests hold.
+
+use std::process::ExitCode;
+
+use anyhow::Result;
+use luminaire_mutants::{Options, last_release, run as test};
+
+use tools::progress::Progress;
+use tools::project;
+
+/// The options of `mutants`. Without any, the mutants are those of the lines that changed since the
+/// last release.
+#[derive(Debug, Default, PartialEq, clap::Args)]
+pub(crate) struct MutantsOptions {
+    /// Test the mutants of all lines; so does a history without a tag v*
+    #[arg(long, conflicts_with = "since")]
+    all: bool,
+    /// Test those of the lines that changed since this revision, instead of since the last tag v*
+    #[arg(long, value_name = "REV")]
+    since: Option<String>,
+    /// Test those of this file, changed or not
+    #[arg(long, value_name = "PATH", conflicts_with_all = ["all", "since"])]
+    file: Option<String>,
+    /// Test only this many, drawn at random
+    #[arg(long, value_name = "N")]
+    sample: Option<usize>,
+    /// Seed of the draw
+    #[arg(long, value_name = "S", default_value_t = 0)]
+    seed: u64,
+    /// Test this many at once
+    #[arg(long, value_name = "N", default_value_t = 2)]
+    jobs: usize,
+}
+
+/// Prints the survivors and, as the last line, how many mutants were killed. Fails if there is a
+/// survivor.
+pub(crate) fn run(options: MutantsOptions) -> Result<ExitCode> {
+    let MutantsOptions { all, since, file, sample, seed, jobs } = options;
+    let release = || if all || file.is_some() { None } else { last_release(project::root()) };
+    let since = since.or_else(release);
+    let chosen = Options { since, file, sample, seed, jobs };
+    let folder = project::target().join("mutants");
+    let tell = |text: &str| Progress::Live.say("Mutants", text);
+    let summary = test(project::root(), &folder, &chosen, &tell)?;
+    summary.survivors.iter().for_each(|survivor| println!("{survivor}"));
+    println!("{summary}");
+    Ok(if summary.survivors.is_empty() { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+}
