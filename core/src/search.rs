@@ -37,3 +37,47 @@ pub(crate) fn maximum(low: f64, high: f64, value: impl Fn(f64) -> f64) -> f64 {
     }
     largest.max(here)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_bisection_ends_at_the_place() {
+        for place in [0.25, 0.7, 1.0, 1.9] {
+            let found = bisect(0.25, 1.9, |x| x < place);
+            assert!((found - place).abs() <= 1.2e-7, "{found} for {place}");
+        }
+    }
+
+    #[test]
+    fn a_minimum_is_found_to_its_stated_share_of_the_interval() {
+        for place in [-3.0, -2.999, 0.1, 4.5, 7.0] {
+            let found = least_at(-3.0, 7.0, |x| (x - place) * (x - place));
+            assert!((found - place).abs() <= 1e-4 * 10.0, "{found} for {place}");
+        }
+    }
+
+    /// Narrow maxima at any place: on both ends, and the largest of several.
+    #[test]
+    fn a_maximum_is_found_wherever_it_is() {
+        for place in [2.0, 2.0001, 2.47, 2.999, 3.0] {
+            let hat = |x: f64, place: f64| 1.0 - 100.0 * (x - place) * (x - place);
+            let found = maximum(2.0, 3.0, |x| hat(x, place).max(hat(x, 2.2) - 0.5));
+            assert!((1.0 - 1e-6..=1.0).contains(&found), "{found} at {place}");
+        }
+    }
+
+    /// Outside of the interval a function may be larger, or none.
+    #[test]
+    fn a_search_stays_in_its_interval() {
+        for slope in [-1.0, 0.0, 1.0] {
+            let within = |x: f64| {
+                assert!((2.0..=3.0).contains(&x), "{x}");
+                slope * x
+            };
+            assert_eq!(maximum(2.0, 3.0, within), (2.0 * slope).max(3.0 * slope));
+            least_at(2.0, 3.0, within);
+        }
+    }
+}

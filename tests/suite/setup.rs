@@ -6,7 +6,7 @@ use fastrand::Rng;
 use luminaire::{
     Angle, Cone, HalfAngle, PointLight, SpotLight, Vec3,
     attenuation::SmoothRange,
-    falloff::{Falloff, Step},
+    falloff::{Falloff, Formula, Step},
 };
 use support::with_every_shape;
 use support::{
@@ -113,6 +113,33 @@ fn profiles_keep_their_figures() {
     assert_figure("beam versine of a profile", beam);
     assert_figure("field versine of a profile", field);
     assert_figure("integral of a profile", integral);
+}
+
+/// The largest slope of a falloff over the angle, per outer half angle, by differences: of the
+/// versine in a narrow cone, the angle is the square root.
+fn largest_slope(formula: Formula<'_>, hotspot: f64) -> f64 {
+    const STEPS: u32 = 40_000;
+    let at = |i: u32| hotspot.sqrt() + (1.0 - hotspot.sqrt()) * f64::from(i) / f64::from(STEPS);
+    let intensity = |angle: f64| formula.exact(((1.0 - angle * angle) / (1.0 - hotspot)).clamp(0.0, 1.0));
+    let slope = |i| (intensity(at(i)) - intensity(at(i + 1))) / (at(i + 1) - at(i));
+    (0..STEPS).map(slope).fold(0.0, f64::max)
+}
+
+/// The narrowest cone of a format follows from the steepness: too small a figure would accept a
+/// cone that the format cannot hold, too large a one would refuse more than it must.
+#[test]
+fn the_steepness_is_the_largest_slope() {
+    fn assert_steepness<P: Falloff>(shape: &Shape<P>) {
+        for hotspot in [0.0, 0.25, 0.9] {
+            let stated = f64::from(shape.profile.steepness(hotspot));
+            let found = largest_slope(shape.profile.formula(), hotspot.into());
+            // The differences of a kink at an end are off by their width.
+            let holds = (0.999_999..=1.000_2).contains(&(stated / found));
+            let is_step = shape.profile.formula().exact(1e-9) == 1.0;
+            assert!(holds || is_step, "{} {hotspot}: {stated} for {found}", shape.name);
+        }
+    }
+    with_every_shape!(assert_steepness);
 }
 
 /// The errors of the outer angle of cones that are designed from their outer, field and beam angle.
