@@ -64,9 +64,9 @@ impl Formula<'_> {
 /// Linear interpolation of evenly spaced samples.
 #[cfg(feature = "libm")]
 fn interpolated(samples: &[u16], u: f64) -> f64 {
-    let place = u * (samples.len() - 1) as f64;
-    let index = (place as usize).min(samples.len() - 2);
-    let [from, to] = [samples[index], samples[index + 1]].map(f64::from);
+    let place = u * samples.len().saturating_sub(1) as f64;
+    let index = (place as usize).min(samples.len().saturating_sub(2));
+    let [from, to] = [index, index + 1].map(|i| samples.get(i).copied().map_or(0.0, f64::from));
     (from + (to - from) * (place - index as f64)) / 65_535.0
 }
 

@@ -240,3 +240,16 @@ impl<S: Scalar> Curve<S> for Table<'_> {
         }
     }
 }
+
+#[cfg(all(test, feature = "libm"))]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn formula_of_too_few_samples_is_finite() {
+        for samples in [&[][..], &[65_535]] {
+            let table = Table { samples: Samples::Even(samples) };
+            assert!(table.formula().exact(0.5).is_finite(), "{samples:?}");
+        }
+    }
+}
