@@ -26,7 +26,7 @@ fn main() -> Outcome {
     println!("cargo::rerun-if-changed=build.rs");
     println!("cargo::rerun-if-changed=memory.rs");
     println!("cargo::rerun-if-changed=src/frame/measures.rs");
-    memory::place()?;
+    memory::place(None)?;
     still()?;
     frame()
 }

@@ -13,21 +13,22 @@ fn cortex_m(flash: &str, ram: &str) -> String {
 }
 
 /// One memory for everything, where QEMU's `virt` has it.
-fn virt() -> String {
-    let mut script = "MEMORY {\n  RAM : ORIGIN = 0x80000000, LENGTH = 1M\n}\n".to_owned();
+fn virt(ram: &str) -> String {
+    let mut script = format!("MEMORY {{\n  RAM : ORIGIN = 0x80000000, LENGTH = {ram}\n}}\n");
     for region in ["TEXT", "RODATA", "DATA", "BSS", "HEAP", "STACK"] {
         script += &format!("REGION_ALIAS(\"REGION_{region}\", RAM);\n");
     }
     script
 }
 
-/// Tells the linker about the target's memory; the host has no need of it.
-pub(crate) fn place() -> Result<(), Box<dyn Error>> {
+/// Tells the linker about the target's memory, with other flash than the board's for programs that
+/// are only linked; the host has no need of it.
+pub(crate) fn place(flash: Option<&str>) -> Result<(), Box<dyn Error>> {
     let (memory, scripts): (String, &[&str]) = match env::var("TARGET")?.as_str() {
-        "thumbv6m-none-eabi" => (cortex_m("256K", "16K"), &["link.x"]), // microbit
-        "thumbv7m-none-eabi" => (cortex_m("256K", "64K"), &["link.x"]), // lm3s6965evb
-        "thumbv7em-none-eabihf" => (cortex_m("4M", "4M"), &["link.x"]), // mps2-an386
-        "riscv32imc-unknown-none-elf" => (virt(), &["memory.x", "link.x"]),
+        "thumbv6m-none-eabi" => (cortex_m(flash.unwrap_or("256K"), "16K"), &["link.x"]), // microbit
+        "thumbv7m-none-eabi" => (cortex_m(flash.unwrap_or("256K"), "64K"), &["link.x"]), // lm3s6965evb
+        "thumbv7em-none-eabihf" => (cortex_m("4M", "4M"), &["link.x"]),                  // mps2-an386
+        "riscv32imc-unknown-none-elf" => (virt(flash.unwrap_or("1M")), &["memory.x", "link.x"]),
         // The host runs the same program to say what its results must be.
         _ => return Ok(()),
     };

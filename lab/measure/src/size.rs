@@ -2,6 +2,8 @@
 
 pub(crate) mod effects;
 pub mod program;
+mod proof;
+mod public;
 mod report;
 pub mod steps;
 

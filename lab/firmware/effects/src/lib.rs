@@ -6,7 +6,7 @@ pub mod constants;
 pub mod effects;
 mod memory;
 mod output;
-pub mod raw;
+pub mod unknown;
 
 pub use effects::{Listed, Visit, each};
 pub use memory::{Input, Place, run};

@@ -17,11 +17,6 @@ const PROFILE: &str = "size";
 
 /// The program that does nothing, whose bytes are no effect's.
 pub(crate) const EMPTY: &str = "empty";
-/// The program that evaluates every light at a point, to show that nothing panics.
-pub(crate) const EVERYTHING: &str = "everything";
-/// The programs that call every function between them, to show that nothing panics. What they share
-/// is in the module `raw`.
-pub(crate) const PROOFS: [&str; 5] = [EVERYTHING, "any_light", "batches", "seam", "setup"];
 /// The program that would have more effects if its constants said so.
 pub(crate) const UNUSED: &str = "unused";
 
@@ -66,26 +61,29 @@ impl Effects {
         Self::cargo(board, format, &["--bins"], progress)
     }
 
-    /// Builds some of the programs.
-    pub(crate) fn build_some(
+    /// Builds some of the programs, with a feature.
+    pub(crate) fn build_with(
         board: &Board,
         format: Format,
         names: &[&str],
+        feature: &str,
         progress: &Progress,
     ) -> Result<Self> {
-        let programs: Vec<_> = names.iter().flat_map(|name| ["--bin", name]).collect();
-        Self::cargo(board, format, &programs, progress)
+        let programs = names.iter().flat_map(|name| ["--bin", name]).chain(["--features", feature]);
+        Self::cargo(board, format, &programs.collect::<Vec<_>>(), progress)
     }
 
-    /// Builds one program for each board in advance.
+    /// Builds one program with a feature for each board in advance.
     pub(crate) fn build_one_for_all(
         format: Format,
         name: &str,
+        feature: &str,
         boards: &[&Board],
         progress: &Progress,
     ) -> Result<()> {
         write_programs()?;
-        laboratory::build_for_all(boards, &Self::arguments(format, &["--bin", name]), progress)
+        let arguments = Self::arguments(format, &["--bin", name, "--features", feature]);
+        laboratory::build_for_all(boards, &arguments, progress)
     }
 
     fn cargo(board: &Board, format: Format, programs: &[&str], progress: &Progress) -> Result<Self> {
@@ -99,9 +97,14 @@ impl Effects {
         [&["--profile", PROFILE, "--package", "luminaire-effects"], programs, format.features()].concat()
     }
 
+    /// The file of a program.
+    pub(crate) fn file(&self, name: &str) -> PathBuf {
+        self.folder.join(name)
+    }
+
     /// A program.
     pub(crate) fn program(&self, name: &str) -> Result<Program> {
-        Program::read(&self.folder.join(name))
+        Program::read(&self.file(name))
     }
 
     /// The effects in the order of their names, each with the bytes that its program has over the
@@ -135,21 +138,26 @@ fn file_name(program: &str) -> String {
     program.replace('-', "_")
 }
 
-/// Writes the source files of the programs, where they are not as they should be, and removes any
-/// other.
-pub(crate) fn write_programs() -> Result<()> {
-    let folder = project::root().join("lab/firmware/effects/src/bin");
-    let failed = || format!("cannot write to {}", folder.display());
-    fs::create_dir_all(&folder).with_context(failed)?;
-    let programs = programs();
-    for entry in fs::read_dir(&folder).with_context(failed)? {
-        let path = entry.with_context(failed)?.path();
-        let name = path.file_stem().unwrap_or_default().to_string_lossy().replace('_', "-");
-        if !programs.contains_key(name.as_str()) {
-            fs::remove_file(path).with_context(failed)?;
-        }
+/// The folder of what is written for the compiler.
+fn folder() -> PathBuf {
+    project::root().join("lab/firmware/effects/src/bin")
+}
+
+/// Writes a source file, unless it is as it should be: cargo compiles again what was written again.
+pub(crate) fn write_source(name: &str, source: &str) -> Result<()> {
+    let file = folder().join(name);
+    let failed = || format!("cannot write {}", file.display());
+    fs::create_dir_all(folder()).with_context(failed)?;
+    if fs::read_to_string(&file).ok().as_deref() != Some(source) {
+        fs::write(&file, source).with_context(failed)?;
     }
-    for (program, function) in programs {
+    Ok(())
+}
+
+/// Writes the source files of the programs, and removes those of any other.
+pub(crate) fn write_programs() -> Result<()> {
+    let programs = programs();
+    for (program, function) in &programs {
         let source = format!(
             "//! The effect `{program}` alone. Written by `cargo xtask`.\n\
              #![cfg_attr(target_os = \"none\", no_std, no_main)]\n\n\
@@ -157,9 +165,14 @@ pub(crate) fn write_programs() -> Result<()> {
              use luminaire::{{attenuation::*, falloff::*, specular::*}};\n\n\
              luminaire_effects::program!({function});\n"
         );
-        let file = folder.join(file_name(program)).with_extension("rs");
-        if fs::read_to_string(&file).ok().as_deref() != Some(&source) {
-            fs::write(&file, source).with_context(failed)?;
+        write_source(&format!("{}.rs", file_name(program)), &source)?;
+    }
+    let failed = || format!("cannot clear {}", folder().display());
+    for entry in fs::read_dir(folder()).with_context(failed)? {
+        let path = entry.with_context(failed)?.path();
+        let name = path.file_stem().unwrap_or_default().to_string_lossy().replace('_', "-");
+        if path.extension().is_some_and(|it| it == "rs") && !programs.contains_key(name.as_str()) {
+            fs::remove_file(path).with_context(failed)?;
         }
     }
     Ok(())
@@ -177,14 +190,5 @@ mod tests {
         assert!(programs["rgb565-dithered"].ends_with("::rgb565_dithered"), "{programs:?}");
         let functions: std::collections::BTreeSet<_> = programs.values().collect();
         assert_eq!(functions.len(), programs.len());
-    }
-
-    #[test]
-    fn the_programs_on_any_bits_are_the_proofs() {
-        let folder = project::root().join("lab/firmware/effects/src/proofs");
-        for name in PROOFS.into_iter().chain([UNUSED]) {
-            let program = fs::read_to_string(folder.join(name).with_extension("rs")).unwrap();
-            assert_eq!(program.contains("luminaire_effects::raw"), PROOFS.contains(&name), "{name}");
-        }
     }
 }

@@ -1,11 +1,12 @@
 //! A linked program: how much of it goes to flash, and what it is made of.
 
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
 
 use anyhow::{Context, Result, ensure};
 use object::elf::{SHF_ALLOC, SHT_NOBITS};
-use object::{Object, ObjectSection, ObjectSymbol, SectionFlags};
+use object::{Object, ObjectSection, ObjectSymbol, RelocationTarget, SectionFlags, SectionKind, SymbolKind};
 
 /// A program as the linker has left it.
 #[derive(Debug)]
@@ -28,6 +29,40 @@ impl Program {
             bytes: in_flash.map(|section| section.size()).sum(),
             names: names.map(|name| format!("{:#}", rustc_demangle::demangle(name))).collect(),
         })
+    }
+
+    /// The names of the functions that call a function, by others too, as the relocations say that
+    /// the linker has left in the file.
+    pub(crate) fn callers(file: &Path, callee: &str) -> Result<BTreeSet<String>> {
+        let failed = || format!("cannot read the relocations of {}", file.display());
+        let content = fs::read(file).with_context(failed)?;
+        let object = object::File::parse(&*content).with_context(failed)?;
+        // The address of a function in Thumb code is odd, that of its first byte is even.
+        let even = |address: u64| address & !1;
+        let functions = object.symbols().filter(|of| of.kind() == SymbolKind::Text && of.size() > 0);
+        let functions = functions.map(|of| (even(of.address()), of)).collect::<BTreeMap<_, _>>();
+        let mut callers: BTreeMap<u64, Vec<u64>> = BTreeMap::new();
+        let mut found = Vec::new();
+        for section in object.sections().filter(|section| section.kind() == SectionKind::Text) {
+            for (place, relocation) in section.relocations() {
+                let RelocationTarget::Symbol(target) = relocation.target() else { continue };
+                let Some((&caller, function)) = functions.range(..=place).next_back() else { continue };
+                let target = object.symbol_by_index(target).with_context(failed)?;
+                // Jump tables refer to the start of their section, where some other function begins.
+                if place < caller + function.size() && target.kind() != SymbolKind::Section {
+                    callers.entry(even(target.address())).or_default().push(caller);
+                    found.extend((target.name() == Ok(callee)).then_some(caller));
+                }
+            }
+        }
+        let mut names = BTreeSet::new();
+        while let Some(caller) = found.pop() {
+            let name = format!("{:#}", rustc_demangle::demangle(functions[&caller].name()?));
+            if names.insert(name) {
+                found.extend(callers.get(&caller).into_iter().flatten());
+            }
+        }
+        Ok(names)
     }
 
     /// An error names the functions that stand in for a floating point unit.

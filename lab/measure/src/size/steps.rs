@@ -3,8 +3,9 @@
 
 use anyhow::{Result, ensure};
 
-use super::effects::{EMPTY, EVERYTHING, Effects, Format, PROOFS, UNUSED};
+use super::effects::{EMPTY, Effects, Format, UNUSED};
 use super::program::{Program, is_heap};
+use super::proof::{COMMON, NO_PANIC, Proof};
 use crate::boards::laboratory::{self, Laboratory};
 use crate::boards::{Board, board};
 use tools::progress::Progress;
@@ -17,38 +18,51 @@ const BUDGET: u64 = 1920;
 /// Adds the steps.
 pub fn run(suite: &mut Suite, boards: &[&'static Board]) {
     suite.step("effects: everything at once, built for each board", |progress| {
+        Proof::write(progress)?;
         Format::ALL
             .iter()
-            .try_for_each(|&format| Effects::build_one_for_all(format, EVERYTHING, boards, progress))
+            .try_for_each(|&format| Effects::build_one_for_all(format, NO_PANIC, "proof", boards, progress))
     });
     for &board in boards {
         suite.step(
             &format!("effects: nothing panics and nothing is allocated on {}", board.name),
-            |progress| no_panic(&[EVERYTHING], board, progress),
+            |progress| {
+                let proof = Proof::write(progress)?;
+                Format::ALL
+                    .iter()
+                    .try_for_each(|&format| no_panic(&proof, &[NO_PANIC], board, format, progress))
+            },
         );
         suite.step(
             &format!("still: the picture of a constant light, and no soft float, on {}", board.name),
             |progress| still(board, progress),
         );
     }
-    suite.step("effects: no function panics and none allocates", |progress| {
-        no_panic(&PROOFS, smallest(), progress)
+    suite.remarked("effects: no function panics and none allocates", |progress| {
+        let proof = Proof::write(progress)?;
+        for format in Format::ALL {
+            let programs: &[_] = if format == Format::Fx16 { &[NO_PANIC, COMMON] } else { &[NO_PANIC] };
+            no_panic(&proof, programs, smallest(), format, progress)?;
+        }
+        Ok(vec![proof.to_string()])
     });
     suite.step("effects: what is not used takes no bytes", unused);
     suite.step("effects: the soft spotlight keeps to its budget", budget);
 }
 
 /// A panic that can be reached fails to link.
-fn no_panic(names: &[&str], board: &Board, progress: &Progress) -> Result<()> {
-    for format in Format::ALL {
-        let effects = Effects::build_some(board, format, names, progress)?;
-        for name in names {
-            let program = effects.program(name)?;
-            let (heap, format) = (program.names_of(is_heap), format.name());
-            ensure!(heap.is_empty(), "in {name} in {format} there is a heap: {}", heap.join(", "));
-            // Nothing would be shown by a program from which the linker has thrown everything out.
-            ensure!(program.bytes > 20_000, "in {name} in {format} there is nothing left to panic");
-        }
+fn no_panic(proof: &Proof, names: &[&str], board: &Board, format: Format, progress: &Progress) -> Result<()> {
+    let effects = Effects::build_with(board, format, names, "proof", progress).or_else(|error| {
+        let culprits = proof.culprits(board, format, names, progress).unwrap_or_default();
+        ensure!(culprits.is_empty(), "in {} these can panic:\n{}", format.name(), culprits.join("\n"));
+        Err(error)
+    })?;
+    for name in names {
+        let program = effects.program(name)?;
+        let (heap, format) = (program.names_of(is_heap), format.name());
+        ensure!(heap.is_empty(), "in {name} in {format} there is a heap: {}", heap.join(", "));
+        // Nothing would be shown by a program from which the linker has thrown everything out.
+        ensure!(program.bytes > 100_000, "in {name} in {format} there is nothing left to panic");
     }
     Ok(())
 }

@@ -1,0 +1,471 @@
+//! Calls of the public functions of a crate, written from the list that rustdoc makes as JSON.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use anyhow::{Context, Result, bail};
+use serde_json::{Value, json};
+
+type Rows = &'static [(&'static str, &'static [&'static str])];
+
+/// The types for a generic parameter, by its bound: of the parameter's rows the first. Where a row
+/// has many types, the function is called with each.
+///
+/// One type stands for all falloffs and one for all attenuations: its functions match on them.
+const TYPES: Rows = &[
+    ("Scalar", &["Format"]),
+    ("SourceScalar", &["Format"]),
+    ("Arithmetic", &["Format"]),
+    ("Gain", &["Gain"]),
+    ("Offset", &["Offset"]),
+    ("Ray", &["Ray", "FineRay"]),
+    ("Share", &["Format", "FineShare"]),
+    ("Fraction", &["Fraction", "FineFraction"]),
+    ("Falloff", &["AnyFalloff"]),
+    ("Attenuation", &["AnyAttenuation"]),
+    ("Window", &["Cut", "GltfWindow", "SquareWindow"]),
+    ("SpecularLobe", &["Phong", "BlinnPhong", "DualConeLobe", "DifferenceForm<Phong, 4>", "NoSpecular"]),
+    ("Highlight", &["Phong", "BlinnPhong", "DualConeLobe"]),
+    ("LightModel", &["CompiledAnyLight<Format>"]),
+    ("Into<AnyLight>", &["AnyLight"]),
+    ("Hasher", &["Words"]),
+    ("Copy", &["Irradiance"]),
+];
+/// The type for a parameter that has none but these bounds, which every number has.
+const PLAIN: &[&str] = &["Format"];
+const OF_NUMBERS: [&str; 10] =
+    ["Clone", "Debug", "Default", "Eq", "Hash", "Named", "Ord", "PartialEq", "PartialOrd", "Source"];
+
+/// The constant for a generic parameter, by its type: a square, as patterns require.
+const CONSTANTS: Rows = &[("u32", &["4"]), ("usize", &["4"])];
+
+/// Traits that each format implements, mostly by private types: each build calls their functions on
+/// the types of its format, which are those of their rows.
+const OF_FORMATS: [&str; 7] = ["Scalar", "Arithmetic", "Gain", "Offset", "Ray", "Share", "Fraction"];
+
+/// A public function.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Function {
+    /// Its path, such as `luminaire::Cone::soft` or `<luminaire::Rgb<Format> as Clone>::clone`.
+    pub(crate) name: String,
+    /// The same without the type, such as `Clone::clone`, for a function of a trait.
+    pub(crate) of_trait: Option<String>,
+    /// The calls, one per choice of types, or why there is none.
+    pub(crate) calls: Result<Vec<String>, String>,
+}
+
+/// The types for the generic parameters in scope.
+type Scope = BTreeMap<String, &'static [&'static str]>;
+
+/// What rustdoc lists, with the public paths of its items.
+struct Listing<'a> {
+    json: &'a Value,
+    public: BTreeMap<String, String>,
+}
+
+/// What a function belongs to: nothing, a type, or a trait for a type.
+#[derive(Clone, Default)]
+struct Owner {
+    this: Value,
+    of: Option<String>,
+    scope: Scope,
+}
+
+/// Writes types for one choice of each generic parameter.
+struct Spelling<'a> {
+    listing: &'a Listing<'a>,
+    this: &'a Value,
+    scope: &'a Scope,
+    choice: usize,
+}
+
+/// All public functions of a crate, in the order of their names.
+pub(crate) fn functions(json: &Value) -> Result<Vec<Function>> {
+    let mut listing = Listing { json, public: BTreeMap::new() };
+    let name = listing.item(&json["root"])["name"].as_str().context("rustdoc lists no crate")?;
+    listing.visit(&json["root"], name);
+    let mut functions = Vec::new();
+    listing.free_and_of_formats(&mut functions)?;
+    listing.implemented(&mut functions)?;
+    functions.sort_by(|a, b| a.name.cmp(&b.name));
+    Ok(functions)
+}
+
+fn list(of: &Value) -> &[Value] {
+    of.as_array().map_or(&[], Vec::as_slice)
+}
+
+fn text(of: &Value) -> &str {
+    of.as_str().unwrap_or_default()
+}
+
+fn last(path: &str) -> &str {
+    path.rsplit("::").next().unwrap_or(path)
+}
+
+fn row(rows: Rows, names: &[String]) -> Option<&'static [&'static str]> {
+    rows.iter().find(|(name, _)| names.iter().any(|of| of == name)).map(|(_, types)| *types)
+}
+
+/// `head<a, b>`, or the head alone.
+fn with_arguments(head: String, arguments: &[String]) -> String {
+    if arguments.is_empty() { head } else { format!("{head}<{}>", arguments.join(", ")) }
+}
+
+impl<'a> Listing<'a> {
+    fn item(&self, id: &Value) -> &'a Value {
+        &self.json["index"][id.to_string()]
+    }
+
+    /// Notes the public path of an item, or those of all items in a module.
+    fn visit(&mut self, id: &Value, path: &str) {
+        let module = &self.item(id)["inner"]["module"];
+        if !module.is_object() {
+            self.public.entry(id.to_string()).or_insert_with(|| path.to_owned());
+        }
+        for child in list(&module["items"]) {
+            let item = self.item(child);
+            let import = &item["inner"]["use"];
+            if import["is_glob"] == true {
+                for child in list(&self.item(&import["id"])["inner"]["module"]["items"]) {
+                    self.visit(child, &format!("{path}::{}", text(&self.item(child)["name"])));
+                }
+            } else {
+                let (id, named) = if import.is_object() { (&import["id"], import) } else { (child, item) };
+                self.visit(id, &format!("{path}::{}", text(&named["name"])));
+            }
+        }
+    }
+
+    /// Adds the functions without a type, and those of the traits of the formats.
+    fn free_and_of_formats(&self, functions: &mut Vec<Function>) -> Result<()> {
+        for (id, path) in &self.public {
+            let item = &self.json["index"][id];
+            if item["inner"]["function"].is_object() {
+                functions.push(self.function(item, path, &Owner::default())?);
+            }
+            if OF_FORMATS.contains(&last(path)) && item["inner"]["trait"].is_object() {
+                for this in row(TYPES, &[last(path).to_owned()]).unwrap_or_default() {
+                    let owner = Owner { this: json!({ "primitive": this }), ..Owner::default() };
+                    self.of_our_trait(id, owner, functions)?;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Adds the functions of implementations.
+    fn implemented(&self, functions: &mut Vec<Function>) -> Result<()> {
+        let inner = |id: &String| &self.json["index"][id]["inner"];
+        let listed = self.public.keys().flat_map(|id| {
+            let types = ["struct", "enum", "union"].map(|kind| &inner(id)[kind]["impls"]);
+            types.into_iter().chain([&inner(id)["trait"]["implementations"]]).flat_map(list)
+        });
+        for id in listed.map(Value::to_string).collect::<BTreeSet<_>>() {
+            let of = &inner(&id)["impl"];
+            let trait_ = &of["trait"];
+            let ours = self.public.get(&trait_["id"].to_string());
+            let of_formats = ours.is_some_and(|path| OF_FORMATS.contains(&last(path)));
+            if of["is_synthetic"] == true || of["blanket_impl"].is_object() || of_formats {
+                continue;
+            }
+            let scope = self.scope(&of["generics"], &Scope::new());
+            let scope = scope.with_context(|| format!("in an implementation for {}", of["for"]))?;
+            let mut owner = Owner { this: of["for"].clone(), of: None, scope };
+            if ours.is_some() {
+                self.of_our_trait(&trait_["id"].to_string(), owner, functions)?;
+                continue;
+            }
+            if trait_.is_object() {
+                // The parameters of others' traits follow from the arguments.
+                let blank = if trait_["args"].is_object() { "<_>" } else { "" };
+                owner.of = Some(self.name(trait_)? + blank);
+            }
+            for item in list(&of["items"]).iter().map(|id| self.item(id)) {
+                let is_public = trait_.is_object() || item["visibility"] == "public";
+                if is_public && item["inner"]["function"].is_object() {
+                    functions.push(self.function(item, "", &owner)?);
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Adds all functions of a public trait for a type, also those that it has by default.
+    fn of_our_trait(&self, id: &str, mut owner: Owner, functions: &mut Vec<Function>) -> Result<()> {
+        let of = &self.json["index"][id]["inner"]["trait"];
+        let scope = self.scope(&of["generics"], &Scope::new())?;
+        let arguments: Vec<_> = scope.values().map(|types| types[0].to_owned()).collect();
+        owner.of = Some(with_arguments(self.public[id].clone(), &arguments));
+        owner.scope.extend(scope);
+        for item in list(&of["items"]).iter().map(|id| self.item(id)) {
+            if item["inner"]["function"].is_object() {
+                functions.push(self.function(item, "", &owner)?);
+            }
+        }
+        Ok(())
+    }
+
+    fn function(&self, item: &Value, path: &str, owner: &Owner) -> Result<Function> {
+        let (name, function) = (text(&item["name"]), &item["inner"]["function"]);
+        let path = |spelling: &Spelling| -> Result<String> {
+            match &owner.of {
+                _ if owner.this.is_null() => Ok(path.to_owned()),
+                None => Ok(format!("<{}>::{name}", spelling.spell(&owner.this)?)),
+                Some(of) => Ok(format!("<{} as {of}>::{name}", spelling.spell(&owner.this)?)),
+            }
+        };
+        let call = |scope: &Scope, choice| -> Result<String> {
+            let spelling = Spelling { listing: self, this: &owner.this, scope, choice };
+            let inputs = list(&function["sig"]["inputs"]).iter().map(|input| spelling.argument(&input[1]));
+            let inputs = inputs.collect::<Result<Vec<_>>>()?.join(", ");
+            let generics = list(&function["generics"]["params"]).iter();
+            let generics: Vec<_> = generics.filter_map(|of| spelling.chosen(text(&of["name"]))).collect();
+            let generics = with_arguments("::".into(), &generics);
+            let call = format!("{}{}({inputs})", path(&spelling)?, generics.trim_end_matches("::"));
+            let is_iterator = function["sig"]["output"]["impl_trait"].is_array();
+            Ok(if is_iterator { format!("{call}.for_each(sink)") } else { format!("sink({call})") })
+        };
+        let calls = || {
+            let scope = self.scope(&function["generics"], &owner.scope)?;
+            let choices = scope.values().map(|types| types.len()).max().unwrap_or(1);
+            (0..choices).map(|choice| call(&scope, choice)).collect::<Result<_>>()
+        };
+        let first = Spelling { listing: self, this: &owner.this, scope: &owner.scope, choice: 0 };
+        // Of the same trait, implementations differ by the argument.
+        let argument = first.spell(&function["sig"]["inputs"][0][1]).unwrap_or_else(|_| "_".into());
+        let of_trait = owner.of.as_ref().map(|of| last(of.split('<').next().unwrap_or(of)));
+        Ok(Function {
+            name: path(&first)?.replace("<_>", &format!("<{argument}>")),
+            of_trait: of_trait.map(|of| format!("{of}::{name}")),
+            calls: calls().map_err(|error| format!("{error:#}")),
+        })
+    }
+
+    /// The types for generic parameters, and for those around them.
+    fn scope(&self, generics: &Value, outer: &Scope) -> Result<Scope> {
+        let mut scope = outer.clone();
+        for parameter in list(&generics["params"]) {
+            let (name, kind) = (text(&parameter["name"]), &parameter["kind"]);
+            if kind["type"]["is_synthetic"] == true || kind["lifetime"].is_object() {
+                continue;
+            }
+            let more = list(&generics["where_predicates"]).iter().map(|of| &of["bound_predicate"]);
+            let more = more.filter(|of| of["type"]["generic"] == name).flat_map(|of| list(&of["bounds"]));
+            let bounds = list(&kind["type"]["bounds"]).iter().chain(more);
+            let bounds: Vec<_> = bounds.map(|of| bound(&of["trait_bound"]["trait"])).collect();
+            let types = if kind["const"].is_object() {
+                row(CONSTANTS, &[text(&kind["const"]["type"]["primitive"]).to_owned()])
+            } else {
+                let is_plain = bounds.iter().all(|bound| OF_NUMBERS.contains(&bound.as_str()));
+                row(TYPES, &bounds).or(is_plain.then_some(PLAIN))
+            };
+            let Some(types) = types else {
+                bail!("no row of TYPES is for the parameter `{name}: {}`", bounds.join(" + "));
+            };
+            scope.insert(name.to_owned(), types);
+        }
+        Ok(scope)
+    }
+
+    /// The public name of a type or trait, without arguments.
+    fn name(&self, of: &Value) -> Result<String> {
+        let (id, written) = (of["id"].to_string(), text(&of["path"]));
+        if let Some(path) = self.public.get(&id) {
+            return Ok(path.clone());
+        }
+        // What is written in full is public; where it is defined need not be.
+        let crates = self.json["external_crates"].as_object().into_iter().flatten();
+        let start = written.split_once("::").map_or("", |(start, _)| start);
+        if crates.into_iter().any(|(_, of)| of["name"] == start) {
+            return Ok(written.to_owned());
+        }
+        let path = &self.json["paths"][id];
+        if path.is_null() || path["crate_id"] == 0 {
+            bail!("`{written}` has no public name");
+        }
+        Ok(list(&path["path"]).iter().map(text).collect::<Vec<_>>().join("::"))
+    }
+}
+
+/// The name of a bound, of a conversion with what it gives.
+fn bound(of: &Value) -> String {
+    let into = text(&of["args"]["angle_bracketed"]["args"][0]["type"]["resolved_path"]["path"]);
+    match last(text(&of["path"])) {
+        "Into" => format!("Into<{}>", last(into)),
+        name => name.to_owned(),
+    }
+}
+
+impl Spelling<'_> {
+    fn chosen(&self, parameter: &str) -> Option<String> {
+        self.scope.get(parameter).map(|types| types[self.choice.min(types.len() - 1)].to_owned())
+    }
+
+    /// An expression for an argument of a type.
+    fn argument(&self, of: &Value) -> Result<String> {
+        let bound = &of["impl_trait"][0]["trait_bound"]["trait"];
+        match last(text(&bound["path"])) {
+            "Fn" | "FnMut" | "FnOnce" => {
+                let inputs = list(&bound["args"]["parenthesized"]["inputs"]).len();
+                Ok(format!("|{}| source()", vec!["_"; inputs].join(", ")))
+            }
+            "Into" => self.argument(&bound["args"]["angle_bracketed"]["args"][0]["type"]),
+            // A type without a public name is inferred.
+            "" => Ok(self.spell(of).map_or("source()".into(), |of| format!("source::<{of}>()"))),
+            name => bail!("no argument is known for `impl {name}`"),
+        }
+    }
+
+    /// A type as a program writes it.
+    fn spell(&self, of: &Value) -> Result<String> {
+        let (kind, of) = of.as_object().and_then(|of| of.iter().next()).context("no type")?;
+        let number = |name: &Value| self.chosen(text(name)).unwrap_or_else(|| text(name).to_owned());
+        let arguments = |of: &Value| -> Result<Vec<String>> {
+            let arguments = list(&of["args"]["angle_bracketed"]["args"]).iter();
+            let arguments = arguments.filter(|argument| argument["lifetime"].is_null());
+            let spell = |of: &Value| match &of["const"] {
+                Value::Null => self.spell(&of["type"]),
+                constant => Ok(number(&constant["expr"])),
+            };
+            arguments.map(spell).collect()
+        };
+        match kind.as_str() {
+            "primitive" => Ok(text(of).to_owned()),
+            "generic" if of == "Self" => self.spell(self.this),
+            "generic" => self.chosen(text(of)).with_context(|| format!("no parameter {of}")),
+            "resolved_path" => Ok(with_arguments(self.listing.name(of)?, &arguments(of)?)),
+            "tuple" => list(of)
+                .iter()
+                .map(|of| Ok(self.spell(of)? + ","))
+                .collect::<Result<String>>()
+                .map(|of| format!("({of})")),
+            "slice" => Ok(format!("[{}]", self.spell(of)?)),
+            "array" => Ok(format!("[{}; {}]", self.spell(&of["type"])?, number(&of["len"]))),
+            "borrowed_ref" if of["is_mutable"] == true => Ok(format!("&mut {}", self.spell(&of["type"])?)),
+            "borrowed_ref" => Ok(format!("&{}", self.spell(&of["type"])?)),
+            "qualified_path" => {
+                let generics = &self.listing.item(&of["trait"]["id"])["inner"]["trait"]["generics"]["params"];
+                let blank = if list(generics).is_empty() { "" } else { "<_>" };
+                let (this, by) = (self.spell(&of["self_type"])?, self.listing.name(&of["trait"])?);
+                Ok(with_arguments(format!("<{this} as {by}{blank}>::{}", text(&of["name"])), &arguments(of)?))
+            }
+            _ => bail!("a type of the kind {kind}"),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn path(name: &str, id: u32, arguments: &[Value]) -> Value {
+        json!({"path": name, "id": id, "args": {"angle_bracketed": {"args": arguments}}})
+    }
+
+    fn parameter(name: &str, bounds: &[Value]) -> Value {
+        let bounds: Vec<_> = bounds.iter().map(|of| json!({"trait_bound": {"trait": of}})).collect();
+        json!({"name": name, "kind": {"type": {"bounds": bounds, "is_synthetic": false}}})
+    }
+
+    fn function(name: &str, parameters: &[Value], inputs: &[Value], output: &Value) -> Value {
+        let inputs: Vec<_> = inputs.iter().map(|of| json!(["it", of])).collect();
+        json!({"name": name, "visibility": "public", "inner": {"function": {
+            "sig": {"inputs": inputs, "output": output}, "generics": {"params": parameters},
+        }}})
+    }
+
+    /// A crate `lib` with a trait `Ray`, and with a type `Cell<T>` in a private module that it
+    /// re-exports.
+    fn crate_of(functions: &[Value]) -> Value {
+        let this = json!({"resolved_path": path("Cell", 2, &[json!({"type": {"generic": "T"}})])});
+        let myself = json!({"borrowed_ref": {"is_mutable": false, "type": {"generic": "Self"}}});
+        let of_any = json!({"params": [parameter("T", &[])]});
+        let of_scalar = json!({"params": [parameter("S", &[path("Scalar", 91, &[])])]});
+        let array = json!({"array": {"type": {"generic": "T"}, "len": "3"}});
+        let mut index = json!({
+            "0": {"name": "lib", "inner": {"module": {"items": [1, 5]}}},
+            "1": {"inner": {"use": {"is_glob": false, "name": "Cell", "id": 2}}},
+            "2": {"name": "Cell", "inner": {"struct": {"impls": [3, 4]}}},
+            "3": {"inner": {"impl": {"generics": of_any, "trait": null, "for": this, "items": []}}},
+            "4": {"inner": {"impl": {"generics": of_any, "trait": path("From", 90, &[]), "for": this, "items": [6]}}},
+            "5": {"name": "Ray", "inner": {"trait": {"generics": of_scalar, "items": [7]}}},
+            "6": function("from", &[], &[array], &Value::Null),
+            "7": function("cosine", &[], &[myself], &Value::Null),
+        });
+        for (id, function) in (10..).zip(functions) {
+            index[id.to_string()] = function.clone();
+            index["3"]["inner"]["impl"]["items"].as_array_mut().unwrap().push(json!(id));
+        }
+        let paths = json!({"90": {"crate_id": 1, "path": ["core", "convert", "From"]}});
+        json!({"root": 0, "index": index, "paths": paths, "external_crates": {"1": {"name": "core"}}})
+    }
+
+    fn calls(function: Value) -> Result<Vec<String>, String> {
+        let name = format!("<lib::Cell<Format>>::{}", text(&function["name"]));
+        let functions = functions(&crate_of(&[function])).unwrap();
+        functions.into_iter().find(|function| function.name == name).unwrap().calls
+    }
+
+    #[test]
+    fn functions_of_types_and_traits_are_called_by_public_names() {
+        let functions = functions(&crate_of(&[])).unwrap();
+        let call =
+            |at: usize| (functions[at].name.as_str(), functions[at].calls.as_ref().unwrap()[0].as_str());
+        assert_eq!(functions.len(), 3);
+        assert_eq!(
+            call(0),
+            (
+                "<FineRay as lib::Ray<Format>>::cosine",
+                "sink(<FineRay as lib::Ray<Format>>::cosine(source::<&FineRay>()))"
+            )
+        );
+        assert_eq!(call(1).0, "<Ray as lib::Ray<Format>>::cosine");
+        assert_eq!(
+            call(2),
+            (
+                "<lib::Cell<Format> as core::convert::From<[Format; 3]>>::from",
+                "sink(<lib::Cell<Format> as core::convert::From<_>>::from(source::<[Format; 3]>()))"
+            )
+        );
+        assert_eq!(functions[2].of_trait.as_deref(), Some("From::from"));
+    }
+
+    #[test]
+    fn a_parameter_has_each_type_of_its_row() {
+        let ray = parameter("R", &[path("Ray", 5, &[])]);
+        let reference = json!({"borrowed_ref": {"is_mutable": true, "type": {"generic": "R"}}});
+        let all = calls(function("goes", &[ray], &[reference], &Value::Null)).unwrap();
+        assert_eq!(
+            all,
+            [
+                "sink(<lib::Cell<Format>>::goes::<Ray>(source::<&mut Ray>()))",
+                "sink(<lib::Cell<Format>>::goes::<FineRay>(source::<&mut FineRay>()))"
+            ]
+        );
+    }
+
+    #[test]
+    fn closures_conversions_and_iterators_are_called() {
+        let of = |bound: Value| json!({"impl_trait": [{"trait_bound": {"trait": bound}}]});
+        let closure = of(
+            json!({"path": "FnMut", "args": {"parenthesized": {"inputs": [{"generic": "T"}, {"generic": "T"}]}}}),
+        );
+        let conversion = of(path("Into", 92, &[json!({"type": {"primitive": "f32"}})]));
+        let iterator = of(path("Iterator", 93, &[]));
+        let all = calls(function("zip", &[], &[closure, conversion], &iterator)).unwrap();
+        assert_eq!(all, ["<lib::Cell<Format>>::zip(|_, _| source(), source::<f32>()).for_each(sink)"]);
+    }
+
+    #[test]
+    fn what_no_row_is_for_is_refused() {
+        let unknown = parameter("T", &[path("Copy", 94, &[]), path("Unheard", 95, &[])]);
+        let known = calls(function("f", std::slice::from_ref(&unknown), &[], &Value::Null));
+        assert!(known.is_ok(), "a row for one of the bounds is enough: {known:?}");
+        let unknown = parameter("T", &[path("Unheard", 95, &[])]);
+        let refused = calls(function("f", &[unknown], &[], &Value::Null)).unwrap_err();
+        assert!(refused.contains("`T: Unheard`"), "{refused}");
+        let reader = json!({"impl_trait": [{"trait_bound": {"trait": path("Read", 96, &[])}}]});
+        let refused = calls(function("f", &[], &[reader], &Value::Null)).unwrap_err();
+        assert!(refused.contains("`impl Read`"), "{refused}");
+    }
+}
