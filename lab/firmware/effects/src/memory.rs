@@ -57,4 +57,4 @@ macro_rules! inputs {
     )*};
 }
 
-inputs!(Place Surface ViewRay Rgb<f32> Rgb<Fx16> Rgb<Fx32> Rgb<Light16> Rgb<Light32> [u64; 64]);
+inputs!(Place Surface ViewRay Rgb<f32> Rgb<Fx16> Rgb<Fx32> Rgb<Light16> Rgb<Light32>);
