@@ -330,7 +330,7 @@ impl Results {
         let outcomes = outcomes.map(|(key, outcome)| (key.to_owned(), outcome.to_owned())).collect();
         let file = OpenOptions::new().append(true).create(true).open(&path).context("results.txt")?;
         let mut files = BTreeMap::new();
-        for tests in ["tests", "conform"] {
+        for tests in ["tests", "lab/conform"] {
             tree::list(root, Path::new(tests), &mut files)?;
         }
         let tests = hash(&files);

@@ -75,7 +75,7 @@ impl Proof {
         let failures: Vec<_> = failures.collect();
         ensure!(
             failures.is_empty(),
-            "no call is known of these functions; add a row to a table in xtask/src/size/public.rs:\n{}",
+            "no call is known of these functions; add a row to a table in lab/measure/src/size/public.rs:\n{}",
             failures.join("\n")
         );
         let exempt = all - called.len();
