@@ -9,7 +9,7 @@ use luminaire::{
     AmbientLight, Cone, DirectionalLight, Fx16, Fx32, Material, Rgb, Vec3,
     display::Exposure,
     falloff::{Linear, Soft},
-    number::{Fraction, Gain, Offset, Ray},
+    number::{Arithmetic, Fraction, Gain, Light16, Light32, Offset, Ray},
 };
 use support::{
     bounds,
@@ -401,4 +401,46 @@ fn rays_keep_their_rows() {
     assert_in_every_format!("ray cosine", ray_cosine);
     assert_in_every_format!("ray versine, of the outer", ray_versine);
     assert_in_every_format!("ray expose, relative", ray_expose);
+}
+
+/// In fixed point a light in a colour is the product, rounded once and at most the largest light:
+/// over the whole range of both.
+#[test]
+fn a_filter_is_the_nearest_product_or_the_largest_light() {
+    macro_rules! assert_nearest {
+        ($rng:ident, $scalar:ident, $light:ident, $bits:ident) => {
+            for _ in 0..20_000 * sweep::effort() {
+                // Of any length, from one bit to all.
+                let light = $light::from_bits($rng.u64(..) as $bits >> $rng.u32(0..$bits::BITS));
+                let color = $scalar::from_bits($rng.i32(..) as _);
+                let positive = color.to_bits().max(0) as u128;
+                let product = u128::from(light.to_bits()) * positive;
+                let half = 1 << ($scalar::FRACTION_BITS - 1);
+                let nearest = ((product + half) >> $scalar::FRACTION_BITS).min($bits::MAX.into());
+                let found = u128::from($scalar::filter(light, color).to_bits());
+                assert_eq!(found, nearest, "{light:?} {color:?}");
+            }
+        };
+    }
+    let mut rng = Rng::with_seed(1_001);
+    assert_nearest!(rng, Fx16, Light16, u32);
+    assert_nearest!(rng, Fx32, Light32, u64);
+}
+
+/// Nothing is added to a gain without a rounding, from either side.
+#[test]
+fn a_gain_and_nothing_is_the_gain() {
+    fn assert_neutral<S: Format>() {
+        let mut rng = Rng::with_seed(1_002);
+        let nothing = S::gain(0.0);
+        for _ in 0..1_000 {
+            let gain = S::gain(rng.f32() * 2.0_f32.powi(rng.i32(-40..10)));
+            for sum in [gain.plus(nothing), nothing.plus(gain)] {
+                assert_eq!(sum, gain, "{}", S::NAME);
+            }
+        }
+    }
+    assert_neutral::<f32>();
+    assert_neutral::<Fx32>();
+    assert_neutral::<Fx16>();
 }

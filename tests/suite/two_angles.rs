@@ -159,6 +159,22 @@ fn edge_slopes_are_what_the_search_finds() {
     }
 }
 
+/// For each edge slope the kernel reaches the ratios that the search finds, up to both ends.
+#[test]
+fn the_ratios_of_an_edge_slope_are_what_the_search_finds() {
+    let reaches = |edge: f32, ratio: f64| {
+        let field = degrees(field_of(7.0, ratio));
+        Cone::from_beam_field_and_slope(degrees(7.0), field, edge).is_ok()
+    };
+    for edge in [0.0_f32, 0.5, 1.0, 1.34, 2.0, 2.5, 2.75] {
+        let (least, most) = cubics::ratios(edge.into(), 8_000).expect("there are cubics");
+        for (end, beyond) in [(least, least - 0.003), (most, most + 0.003)] {
+            let within = end + (end - beyond);
+            assert!(reaches(edge, within) && !reaches(edge, beyond), "{edge}: {within} and {beyond}");
+        }
+    }
+}
+
 /// For an edge slope of choice the cubic has both angles, is monotone, and of the two that share
 /// them it is the one whose smallest slope is larger.
 #[test]

@@ -5,13 +5,17 @@ extern crate std;
 use std::fs::{File, OpenOptions};
 use std::io::Write;
 use std::sync::OnceLock;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 
-static STATE: OnceLock<(u32, Option<File>)> = OnceLock::new();
+/// In place of a mutant: the slow path is needed, to read the environment or to record.
+const UNKNOWN: u32 = u32::MAX;
+const NONE: u32 = u32::MAX - 1;
+
+static CHOSEN: AtomicU32 = AtomicU32::new(UNKNOWN);
 static SEEN: [AtomicBool; COUNT] = [const { AtomicBool::new(false) }; COUNT];
 
 /// Whether one of `count` mutants from `first` on is chosen. At compile time none is.
-#[inline]
+#[inline(always)]
 pub const fn any(first: u32, count: u32) -> bool {
     core::intrinsics::const_eval_select((first, count), none, reach)
 }
@@ -20,28 +24,31 @@ const fn none(_: u32, _: u32) -> bool {
     false
 }
 
-fn state() -> &'static (u32, Option<File>) {
-    STATE.get_or_init(|| {
-        let chosen = std::env::var("LUMINAIRE_MUTANT").ok().and_then(|id| id.parse().ok());
-        let seen = std::env::var_os("LUMINAIRE_MUTANTS_SEEN");
-        let open = |path| OpenOptions::new().append(true).create(true).open(path).unwrap();
-        (chosen.unwrap_or(u32::MAX), seen.map(open))
-    })
-}
-
-/// With `LUMINAIRE_MUTANTS_SEEN`, appends the first of the mutants to that file, once.
-#[inline]
+/// The kernel passes here between any two operations: there is only a load and a comparison.
+#[inline(always)]
 fn reach(first: u32, count: u32) -> bool {
-    let (chosen, seen) = state();
-    if let Some(seen) = seen {
-        record(first, seen);
-    }
-    chosen.wrapping_sub(first) < count
+    let chosen = CHOSEN.load(Ordering::Relaxed);
+    if chosen == UNKNOWN { first_reach(first, count) } else { chosen.wrapping_sub(first) < count }
 }
 
+/// With `LUMINAIRE_MUTANTS_SEEN`, appends the first of the mutants to that file, once. Without, the
+/// choice is read and kept.
 #[cold]
-fn record(first: u32, mut seen: &File) {
-    if !SEEN[first as usize].swap(true, Ordering::Relaxed) {
-        seen.write_all(std::format!("{first}\n").as_bytes()).unwrap();
+#[inline(never)]
+fn first_reach(first: u32, count: u32) -> bool {
+    static FILE: OnceLock<Option<File>> = OnceLock::new();
+    let file = FILE.get_or_init(|| {
+        let open = |path| OpenOptions::new().append(true).create(true).open(path).unwrap();
+        std::env::var_os("LUMINAIRE_MUTANTS_SEEN").map(open)
+    });
+    if let Some(mut file) = file.as_ref() {
+        let seen = &SEEN[first as usize];
+        if !seen.load(Ordering::Relaxed) && !seen.swap(true, Ordering::Relaxed) {
+            file.write_all(std::format!("{first}\n").as_bytes()).unwrap();
+        }
+        return false;
     }
+    let chosen = std::env::var("LUMINAIRE_MUTANT").ok().and_then(|id| id.parse().ok()).unwrap_or(NONE);
+    CHOSEN.store(chosen, Ordering::Relaxed);
+    chosen.wrapping_sub(first) < count
 }

@@ -163,8 +163,7 @@ impl Tree {
         cargo.current_dir(&self.folder).env("CARGO_TARGET_DIR", &self.target);
         // The choice at run time in functions that are `const` is not stable.
         cargo.env("RUSTC_BOOTSTRAP", "luminaire").env("RUSTFLAGS", "--cap-lints=allow");
-        // The copy is compiled for longer than its tests run.
-        cargo.env("CARGO_PROFILE_TEST_OPT_LEVEL", "1").env("CARGO_PROFILE_TEST_DEBUG", "0");
+        cargo.env("CARGO_PROFILE_TEST_DEBUG", "0");
         for (name, _) in env::vars()
             .filter(|(name, _)| name.starts_with("CARGO_PKG_") || name.starts_with("CARGO_MANIFEST_"))
         {
