@@ -5,6 +5,7 @@ use std::fmt;
 use std::fs::{self, File, OpenOptions};
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::io::Write;
+use std::iter;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::sync::Mutex;
@@ -69,6 +70,10 @@ struct Test {
 /// A test with a mutant may take this much longer than without, and then some.
 const SLOWER: u32 = 20;
 const AND_THEN: Duration = Duration::from_secs(5);
+
+/// What a test reaches is recorded for this long: a sweep reaches nearly all of it at once, and
+/// recording slows it down several times.
+const RECORDED: Duration = Duration::from_secs(8);
 
 /// A test that takes longer than this is left out.
 const LONGEST: Duration = Duration::from_secs(30);
@@ -173,9 +178,46 @@ fn hunks(difference: &str) -> BTreeMap<String, Vec<usize>> {
     lines
 }
 
+/// The tests with what they reach, recorded again only if a program has changed.
+fn tests(
+    programs: &[Program],
+    folder: &Path,
+    jobs: usize,
+    tell: &(dyn Fn(&str) + Sync),
+) -> Result<Vec<Test>> {
+    let contents = programs.iter().map(|program| fs::read(&program.file)).collect::<Result<Vec<_>, _>>()?;
+    let (path, key) = (folder.join("reached.txt"), format!("{:016x}", hash(&contents)));
+    let text = fs::read_to_string(&path).unwrap_or_default();
+    let mut lines = text.lines();
+    if lines.next() == Some(&key) {
+        return lines.map(|line| Test::parse(line, programs).context("reached.txt")).collect();
+    }
+    let tests = recorded(programs, folder, jobs, tell)?;
+    let lines: Vec<_> = iter::once(key).chain(tests.iter().map(Test::line)).collect();
+    fs::write(&path, lines.join("\n")).context("reached.txt")?;
+    Ok(tests)
+}
+
+impl Test {
+    fn line(&self) -> String {
+        let reached: Vec<_> = self.reached.iter().map(usize::to_string).collect();
+        let (program, name, time) = (&self.program.name, &self.name, self.time.as_secs_f64());
+        format!("{program}\t{name}\t{time}\t{}", reached.join(" "))
+    }
+
+    fn parse(line: &str, programs: &[Program]) -> Option<Self> {
+        let mut words = line.split('\t');
+        let program = words.next()?;
+        let program = programs.iter().find(|known| known.name == program)?.clone();
+        let (name, time) = (words.next()?.to_owned(), words.next()?.parse().ok()?);
+        let reached = words.next()?.split(' ').filter_map(|id| id.parse().ok()).collect();
+        Some(Self { program, name, time: Duration::from_secs_f64(time), reached, kills: AtomicUsize::new(0) })
+    }
+}
+
 /// Lists the tests, runs each once and records what it reaches. A test that fails in the copy, such
 /// as one that reads the source, is left out.
-fn tests(
+fn recorded(
     programs: &[Program],
     folder: &Path,
     jobs: usize,
@@ -194,11 +236,18 @@ fn tests(
         while let Some((program, name)) = names.get(next.fetch_add(1, Ordering::Relaxed)) {
             let seen = folder.join(format!("seen-{}-{}", program.name, name.replace("::", "-")));
             let _ = fs::remove_file(&seen);
-            let mut test = command(program, &["--exact", name]);
-            test.env("LUMINAIRE_MUTANTS_SEEN", &seen);
-            let start = Instant::now();
-            let ended = ended(test, LONGEST)?;
-            let time = start.elapsed();
+            let timed = |recorded: bool| -> Result<_> {
+                let mut test = command(program, &["--exact", name]);
+                if recorded {
+                    test.env("LUMINAIRE_MUTANTS_SEEN", &seen);
+                }
+                let start = Instant::now();
+                Ok((ended(test, if recorded { RECORDED } else { LONGEST })?, start.elapsed()))
+            };
+            let (mut ended, mut time) = timed(true)?;
+            if time > RECORDED / 4 {
+                (ended, time) = timed(false)?;
+            }
             let reached = fs::read_to_string(&seen).unwrap_or_default();
             let _ = fs::remove_file(&seen);
             let reached: BTreeSet<_> = reached.lines().filter_map(|id| id.parse().ok()).collect();
