@@ -293,6 +293,10 @@ impl Finder<'_> {
 
     /// Visits the value of a constant, whose text the copy has again as a function.
     fn constant(&mut self, whole: &impl Spanned, name: &syn::Ident, ty: &syn::Type, value: &Expr) {
+        // A table that code fills would be filled again at each use.
+        if matches!(value, Expr::Block(_)) {
+            return;
+        }
         let before = self.found.sites.len();
         self.named(name, |finder| finder.visit_expr(value));
         if self.found.sites.len() > before {

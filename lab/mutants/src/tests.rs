@@ -62,6 +62,7 @@ fn what_is_no_code_has_no_mutants() {
         "#[cfg(not(feature = \"fixed\"))]\nfn f() -> u32 { 1 + 1 }",
         "fn f(x: [u8; 4]) -> A<{ 1 + 1 }> { match x { [1, ..] => g::<3>(), _ => [x; 5] } }",
         "const TABLE: [u8; 9] = [1, 2, 3, 4, 5, 6, 7, 8, 9];",
+        "const TABLE: [u8; 9] = { let mut table = [1; 9]; table[0] += 1; table };",
         "enum A { B = 1 }",
         "trait A { const B: u32 = 1; }",
         "fn f() { assert!(1 + 1 == 2); }",
