@@ -1,0 +1,57 @@
+//! Intensity over the distance.
+
+/// An attenuation over the distance, without a light's intensity.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum Attenuation {
+    /// The same at every distance.
+    None,
+    /// The law of a small source.
+    InverseSquare,
+    /// `1 / (a0 + a1 d + a2 d^2)`, capped at 1: OpenGL, Direct3D.
+    Polynomial([f64; 3]),
+    /// GLSL's smoothstep with its edges in rising order, from the range back to 0.
+    SmoothRange(f64),
+    /// The inverse square to a range: KHR_lights_punctual of glTF.
+    GltfRange(f64),
+    /// The inverse square to a range: Filament, Bevy, three.js.
+    FilamentRange(f64),
+}
+
+impl Attenuation {
+    /// The factor at a distance.
+    pub fn at(self, d: f64) -> f64 {
+        match self {
+            Self::None => 1.0,
+            Self::InverseSquare => 1.0 / (d * d),
+            Self::Polynomial([a0, a1, a2]) => (1.0 / (a0 + a1 * d + a2 * d * d)).min(1.0),
+            Self::SmoothRange(range) => crate::smooth((1.0 - d / range).clamp(0.0, 1.0)),
+            Self::GltfRange(range) => window(d / range) / (d * d),
+            Self::FilamentRange(range) => window(d / range) * window(d / range) / (d * d),
+        }
+    }
+}
+
+/// `1 - x^4`, and nothing beyond 1.
+fn window(x: f64) -> f64 {
+    (1.0 - crate::power_4(x)).clamp(0.0, 1.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Attenuation::*;
+
+    #[test]
+    fn attenuations_have_their_values() {
+        for (attenuation, at_half, at_two) in [
+            (None, 1.0, 1.0),
+            (InverseSquare, 4.0, 0.25),
+            (Polynomial([0.5, 0.25, 0.125]), 1.0, 0.666_666_666_666_666_6),
+            (SmoothRange(2.0), 0.843_75, 0.0),
+            (GltfRange(2.0), 3.984_375, 0.0),
+            (FilamentRange(4.0), 3.998_047_113_418_579, 0.219_726_562_5),
+        ] {
+            assert_eq!([0.5, 2.0].map(|d| attenuation.at(d)), [at_half, at_two], "{attenuation:?}");
+        }
+        assert!([SmoothRange(2.0), GltfRange(2.0), FilamentRange(2.0)].iter().all(|a| a.at(3.0) == 0.0));
+    }
+}

@@ -1,0 +1,43 @@
+//! sRGB, and errors in linear codes.
+
+/// The sRGB code of a linear value in [0, 1], before it is rounded (IEC 61966-2-1).
+pub fn srgb_code(linear: f64) -> f64 {
+    let value =
+        if linear <= 0.003_130_8 { 12.92 * linear } else { 1.055 * libm::pow(linear, 1.0 / 2.4) - 0.055 };
+    255.0 * value
+}
+
+/// The linear value of an sRGB code.
+pub fn srgb_linear(code: f64) -> f64 {
+    let value = code / 255.0;
+    if value <= 0.040_45 { value / 12.92 } else { libm::pow((value + 0.055) / 1.055, 2.4) }
+}
+
+/// The error of a light in linear codes: 1 is 1/255 of full scale, or of the light itself where that
+/// is more. NaN counts as an infinite error.
+pub fn linear_codes(found: f64, exact: f64) -> f64 {
+    let error = 255.0 * (found - exact).abs() / exact.max(1.0);
+    if error.is_nan() { f64::INFINITY } else { error }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn srgb_has_the_values_of_the_standard() {
+        // Middle grey, 18 % grey, and the joint of the two pieces.
+        for (linear, code) in
+            [(0.214_041_14, 127.5), (0.18, 117.645_8), (0.003_130_8, 10.314_7), (1.0, 255.0)]
+        {
+            assert!((srgb_code(linear) - code).abs() < 1e-3, "{linear}: {}", srgb_code(linear));
+            assert!((srgb_linear(code) - linear).abs() < 1e-5, "{code}: {}", srgb_linear(code));
+        }
+    }
+
+    #[test]
+    fn errors_are_relative_above_full_scale() {
+        assert_eq!((linear_codes(0.5, 0.25), linear_codes(5.0, 4.0)), (63.75, 63.75));
+        assert_eq!(linear_codes(f64::NAN, 0.0), f64::INFINITY);
+    }
+}
