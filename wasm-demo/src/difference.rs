@@ -1,7 +1,7 @@
 //! Difference between a picture and the f64 reference, in displayed codes.
 
 use crate::{display::srgb_code, picture::Picture};
-use luminaire_kernels::{oracle, scene::Site};
+use luminaire_kernels::{scene::Site, truth::Point};
 
 /// The f64 reference of a picture: its exact light and its exact codes before rounding.
 #[derive(Clone, Debug)]
@@ -27,7 +27,7 @@ pub(crate) struct Difference {
 
 impl Truth {
     /// Computes the reference at these sites.
-    pub(crate) fn about(sites: &[Site], light: &oracle::Point) -> Self {
+    pub(crate) fn about(sites: &[Site], light: &Point) -> Self {
         let lights: Vec<f64> = sites.iter().map(|site| light.at(site)).collect();
         let codes = lights.iter().copied().map(srgb_code).collect();
         Self { lights, codes }

@@ -7,9 +7,10 @@ use luminaire::{
 };
 use luminaire_kernels::{
     CosineFalloff, DoubleFalloff, Gltf, Kernel, Libm, OurPoint, Powf, Row, Shape, Stage,
-    oracle::{self, unit, widened},
     scene::{Population, Site},
+    truth::{Point, widened},
 };
+use luminaire_oracle::{self as oracle, DVec3};
 
 /// A number format, or a formula that a user might take instead.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -141,21 +142,14 @@ fn compiled<S: Scalar>(
 
 impl Curve {
     /// Returns the f64 reference of the wall.
-    pub(crate) fn truth(self, wall: &Wall) -> oracle::Point {
-        let model = match self {
-            Self::Soft => oracle::Model::Profile(Soft::exact),
-            Self::CosinePower => oracle::Model::CosinePower(exponent(wall).into()),
+    pub(crate) fn truth(self, wall: &Wall) -> Point {
+        let cone = match self {
+            Self::Soft => oracle::Cone::new(Soft::exact, wall.spot().cone().outer_versine().into()),
+            Self::CosinePower => oracle::Cone::opengl(exponent(wall).into(), 1.0),
         };
-        let outer = wall.spot().cone().outer_versine().into();
-        oracle::Point {
-            position: widened(wall.spot().position()),
-            axis: wall.axis(),
-            falloff: oracle::Falloff { outer, model, jumps: false },
-            intensity: 1.0,
-            falls: false,
-            highlight: None,
-            population: Population::Lit,
-        }
+        let light = oracle::SpotLight::new(widened(wall.spot().position()), wall.axis(), cone);
+        let light = oracle::SpotLight { attenuation: oracle::Attenuation::None, ..light };
+        Point { light, highlight: None, population: Population::Lit }
     }
 }
 
@@ -216,15 +210,14 @@ impl<F: Kernel<Input = f32, Output = f32>> Kernel for FromCosine<F> {
 /// A versine falloff at a point, in f64.
 #[derive(Clone, Copy, Debug)]
 struct FromVersine<F> {
-    position: Vec3<f64>,
-    axis: Vec3<f64>,
+    position: DVec3,
+    axis: DVec3,
     falloff: F,
 }
 
 impl<F> FromVersine<F> {
     fn new(wall: &Wall, falloff: F) -> Self {
-        let [x, y, z] = unit(wall.axis());
-        Self { position: wall.spot().position().map(f64::from), axis: Vec3::new(x, y, z), falloff }
+        Self { position: widened(wall.spot().position()), axis: wall.axis().normalize(), falloff }
     }
 }
 
@@ -239,25 +232,20 @@ impl<F: Kernel<Input = f64, Output = f64>> Kernel for FromVersine<F> {
 
     #[inline(always)]
     fn evaluate(&self, site: &Site) -> f64 {
-        let way = site.point.zip(self.position, |point, light| f64::from(point) - light);
-        let facing = -dot(way, site.normal.map(f64::from));
+        let way = widened(site.point) - self.position;
+        let facing = -way.dot(widened(site.normal));
         if facing <= 0.0 {
             return 0.0;
         }
-        let reciprocal = 1.0 / dot(way, way).sqrt();
-        let difference = way.zip(self.axis, |way, axis| way * reciprocal - axis);
-        self.falloff.evaluate(&(0.5 * dot(difference, difference))) * (facing * reciprocal)
+        let reciprocal = 1.0 / way.length();
+        let difference = way * reciprocal - self.axis;
+        self.falloff.evaluate(&(0.5 * difference.length_squared())) * (facing * reciprocal)
     }
 
     #[inline(always)]
     fn touch(site: &Site) -> u32 {
         site.point.x.to_bits()
     }
-}
-
-#[inline(always)]
-fn dot(a: Vec3<f64>, b: Vec3<f64>) -> f64 {
-    a.x * b.x + a.y * b.y + a.z * b.z
 }
 
 #[cfg(test)]

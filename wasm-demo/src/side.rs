@@ -206,13 +206,15 @@ mod tests {
     /// A row of the price list must exist, or the page shows no price.
     #[test]
     fn every_form_stands_on_the_price_list() {
-        use luminaire_kernels::{Kernel, Row, Setting, Visitor, falloffs, oracle, points, scene::Site};
+        use luminaire_kernels::{
+            Kernel, Row, Setting, Visitor, falloffs, oracle, points, scene::Site, truth::Point,
+        };
         struct Rows(Vec<Row>);
         impl Visitor for Rows {
-            fn falloff<K: Kernel<Place = f32>>(&mut self, row: Row, _: K, _: &oracle::Falloff) {
+            fn falloff<K: Kernel<Place = f32>>(&mut self, row: Row, _: K, _: &oracle::Cone) {
                 self.0.push(row);
             }
-            fn point<K: Kernel<Place = Site>>(&mut self, row: Row, _: K, _: &oracle::Point) {
+            fn point<K: Kernel<Place = Site>>(&mut self, row: Row, _: K, _: &Point) {
                 self.0.push(row);
             }
         }

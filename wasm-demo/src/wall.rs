@@ -3,9 +3,10 @@
 use crate::refusal::Refusal;
 use luminaire::{Cone, HalfAngle, SpotLight, Vec3, attenuation::NoAttenuation, falloff::Soft};
 use luminaire_kernels::{
-    oracle::{Vector, dot, scaled, unit, widened},
     scene::{AXIS, Site},
+    truth::widened,
 };
+use luminaire_oracle::DVec3;
 
 /// Narrowest outer half angle in degrees: the wall is then 29 km away, just within the range of
 /// fixed point.
@@ -18,7 +19,7 @@ const REACH: f64 = 1.2;
 
 /// Two unit vectors in the wall, orthogonal to each other and to the axis: the picture's right and
 /// top.
-const ACROSS: [Vector; 2] = [[-0.8, 0.0, 0.6], [0.48, 0.6, 0.64]];
+const ACROSS: [DVec3; 2] = [DVec3::new(-0.8, 0.0, 0.6), DVec3::new(0.48, 0.6, 0.64)];
 
 /// The wall and a soft beam. The distance is chosen so that the spot has a radius of one metre at
 /// every angle: a narrower beam has a larger distance and the same picture.
@@ -39,10 +40,7 @@ impl Wall {
         let normal = AXIS.map(|c| -c);
         let sites = (0..pixels)
             .flat_map(|row| (0..pixels).map(move |column| [place(column), -place(row)]))
-            .map(|[right, up]| Site {
-                point: on_grid(sum(scaled(ACROSS[0], right), scaled(ACROSS[1], up))),
-                normal,
-            })
+            .map(|[right, up]| Site { point: on_grid(right * ACROSS[0] + up * ACROSS[1]), normal })
             .collect();
         let (spot, distance) = light(half_angle)?;
         Ok(Self { sites, spot, half_angle, distance })
@@ -66,8 +64,8 @@ impl Wall {
     }
 
     /// The axis of the light before any format rounds it: it points at the centre of the wall.
-    pub(crate) fn axis(&self) -> Vector {
-        scaled(widened(self.spot.position()), -1.0)
+    pub(crate) fn axis(&self) -> DVec3 {
+        -widened(self.spot.position())
     }
 
     /// The outer half angle in degrees.
@@ -82,10 +80,7 @@ impl Wall {
 
     /// Returns the angle off axis of a pixel, in degrees.
     pub(crate) fn off_axis(&self, pixel: usize) -> f64 {
-        let radius = self.sites.get(pixel).map_or(0.0, |site| {
-            let point = widened(site.point);
-            dot(point, point).sqrt()
-        });
+        let radius = self.sites.get(pixel).map_or(0.0, |site| widened(site.point).length());
         (radius / self.distance).atan().to_degrees()
     }
 }
@@ -103,46 +98,38 @@ fn light(half_angle: f32) -> Result<(SpotLight<Soft, NoAttenuation>, f64), Refus
         });
     }
     let distance = 1.0 / f64::from(half_angle).to_radians().tan();
-    let position = on_grid(scaled(unit(widened(AXIS)), -distance));
+    let position = on_grid(-distance * widened(AXIS).normalize());
     let cone = Cone::from_outer(Soft, HalfAngle::degrees(half_angle))?;
     let spot = SpotLight::new(position, position.map(|c| -c), cone)?;
     Ok((spot.with_attenuation(NoAttenuation), distance))
 }
 
 /// Rounds to the nearest position that every number format represents: a multiple of 2^-16 in f32.
-fn on_grid(v: Vector) -> Vec3<f32> {
-    let [x, y, z] = v.map(|c| ((c * 65_536.0).round() / 65_536.0) as f32);
+fn on_grid(v: DVec3) -> Vec3<f32> {
+    let [x, y, z] = luminaire_oracle::on_grid(v).as_vec3().to_array();
     Vec3::new(x, y, z)
-}
-
-fn sum(a: Vector, b: Vector) -> Vector {
-    [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use luminaire_kernels::oracle::minus;
+    use luminaire_oracle::{half_degrees, versine_between};
 
     #[test]
     fn the_spot_is_one_metre_in_radius_whatever_the_angle() {
         for half_angle in [NARROWEST, 0.01, 0.5, 7.5, 30.0, WIDEST] {
             let wall = Wall::new(64, half_angle).unwrap();
             let light = widened(wall.spot().position());
-            let axis = unit(wall.axis());
             for (pixel, site) in wall.sites().iter().enumerate() {
-                let way = minus(widened(site.point), light);
-                let difference = minus(unit(way), axis);
-                let versine = dot(difference, difference) / 2.0;
                 let point = widened(site.point);
-                let (radius, outer) =
-                    (dot(point, point).sqrt(), f64::from(wall.spot().cone().outer_versine()));
+                let versine = versine_between(point - light, wall.axis());
+                let (radius, outer) = (point.length(), f64::from(wall.spot().cone().outer_versine()));
                 // Axis and position of the light are rounded to f32, which moves the spot in
                 // proportion to the distance.
                 if (radius - 1.0).abs() > 0.005 {
                     assert_eq!(versine < outer, radius < 1.0, "{half_angle}: radius {radius}");
                 }
-                let off_axis = 2.0 * (versine / 2.0).sqrt().asin().to_degrees();
+                let off_axis = half_degrees(versine);
                 let tolerance = 0.005 * f64::from(half_angle);
                 assert!((wall.off_axis(pixel) - off_axis).abs() < tolerance, "{half_angle}: {off_axis}");
             }
@@ -153,11 +140,11 @@ mod tests {
     fn the_picture_is_upright_and_square_to_the_beam() {
         let wall = Wall::new(8, 10.0).unwrap();
         let [first, .., last] = wall.sites() else { panic!("no pixels") };
-        let along = |site: &Site, direction| dot(widened(site.point), direction);
+        let along = |site: &Site, direction| widened(site.point).dot(direction);
         assert!(along(first, ACROSS[0]) < 0.0 && along(first, ACROSS[1]) > 0.0);
         assert!(along(last, ACROSS[0]) > 0.0 && along(last, ACROSS[1]) < 0.0);
         for [a, b] in [[ACROSS[0], ACROSS[1]], [ACROSS[0], widened(AXIS)], [ACROSS[1], widened(AXIS)]] {
-            assert!(dot(a, b).abs() < 1e-7 && (dot(a, a) - 1.0).abs() < 1e-12);
+            assert!(a.dot(b).abs() < 1e-7 && (a.length_squared() - 1.0).abs() < 1e-12);
         }
     }
 

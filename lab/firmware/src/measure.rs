@@ -3,7 +3,7 @@
 use core::array;
 
 use luminaire_kernels::scene::{Site, Sites};
-use luminaire_kernels::{Kernel, Row, Setting, Value, Visitor, falloffs, oracle, points};
+use luminaire_kernels::{Kernel, Row, Setting, Value, Visitor, falloffs, oracle, points, truth::Point};
 
 use crate::board::{begin, end, opaque, println};
 
@@ -31,13 +31,13 @@ struct Bench {
 impl Visitor for Bench {
     /// Versines of angles from the axis to the edge, none of them on either.
     #[inline(never)]
-    fn falloff<K: Kernel<Place = f32>>(&mut self, row: Row, kernel: K, _: &oracle::Falloff) {
+    fn falloff<K: Kernel<Place = f32>>(&mut self, row: Row, kernel: K, _: &oracle::Cone) {
         let versine = |index| self.outer * ((index as f32 + 0.5) / COUNT as f32);
         run(row, &kernel, &array::from_fn(|index| kernel.input(&versine(index))));
     }
 
     #[inline(never)]
-    fn point<K: Kernel<Place = Site>>(&mut self, row: Row, kernel: K, truth: &oracle::Point) {
+    fn point<K: Kernel<Place = Site>>(&mut self, row: Row, kernel: K, truth: &Point) {
         let mut site = Sites::new(truth.population, self.outer);
         run(row, &kernel, &array::from_fn(|_| kernel.input(&site.next().expect("an endless sequence"))));
     }

@@ -2,11 +2,13 @@
 
 use core::marker::PhantomData;
 
+use luminaire_oracle::DVec3;
+
 use crate::{
     kernel::Kernel,
-    oracle::{Vector, dot, minus, scaled, widened},
     profile::Shape,
     scene::{AXIS, POSITION, Site},
+    truth::widened,
     value::Value,
 };
 
@@ -55,7 +57,7 @@ impl<P: Shape> Kernel for DoubleFalloff<P> {
 #[derive(Clone, Copy, Debug)]
 pub struct DoublePoint {
     falloff: DoubleFalloff<luminaire::falloff::Soft>,
-    axis: Vector,
+    axis: DVec3,
     /// The squared cosine of the outer half angle, less a margin for rounding.
     bound: f64,
 }
@@ -65,7 +67,7 @@ impl DoublePoint {
     pub fn new(outer: f32) -> Self {
         let squared_sine = f64::from(outer) * (2.0 - f64::from(outer));
         let bound = 1.0 - squared_sine - 16.0 * f64::EPSILON;
-        Self { falloff: DoubleFalloff::new(outer), axis: crate::oracle::unit(widened(AXIS)), bound }
+        Self { falloff: DoubleFalloff::new(outer), axis: widened(AXIS).normalize(), bound }
     }
 }
 
@@ -80,18 +82,18 @@ impl Kernel for DoublePoint {
 
     #[inline(always)]
     fn evaluate(&self, site: &Site) -> f64 {
-        let way = minus(widened(site.point), widened(POSITION));
-        let (squared, facing) = (dot(way, way), -dot(way, widened(site.normal)));
+        let way = widened(site.point) - widened(POSITION);
+        let (squared, facing) = (way.length_squared(), -way.dot(widened(site.normal)));
         if facing <= 0.0 {
             return 0.0;
         }
-        let along = dot(way, self.axis);
+        let along = way.dot(self.axis);
         if along * along.abs() < self.bound * squared {
             return 0.0;
         }
         let reciprocal = 1.0 / sqrt(squared);
-        let difference = minus(scaled(way, reciprocal), self.axis);
-        self.falloff.at(0.5 * dot(difference, difference)) * (facing * reciprocal)
+        let difference = way * reciprocal - self.axis;
+        self.falloff.at(0.5 * difference.length_squared()) * (facing * reciprocal)
     }
 
     #[inline(always)]

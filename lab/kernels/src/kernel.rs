@@ -1,6 +1,8 @@
 //! Kernels, the rows of the price list, and visitors of the list.
 
-use crate::{oracle, scene::Site, value::Value};
+use luminaire_oracle::Cone;
+
+use crate::{scene::Site, truth::Point, value::Value};
 
 /// A function of one input, with the constants of one light.
 pub trait Kernel: Copy {
@@ -71,10 +73,10 @@ impl Row {
 /// A visitor of the list.
 pub trait Visitor {
     /// Visits a falloff with its exact model.
-    fn falloff<K: Kernel<Place = f32>>(&mut self, row: Row, kernel: K, truth: &oracle::Falloff);
+    fn falloff<K: Kernel<Place = f32>>(&mut self, row: Row, kernel: K, truth: &Cone);
 
     /// Visits a lit point with its exact model, at sites of the population.
-    fn point<K: Kernel<Place = Site>>(&mut self, row: Row, kernel: K, truth: &oracle::Point);
+    fn point<K: Kernel<Place = Site>>(&mut self, row: Row, kernel: K, truth: &Point);
 
     /// Visits a row whose format cannot hold the cone. `narrowest` is the narrowest half angle in
     /// degrees that it holds.

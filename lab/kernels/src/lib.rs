@@ -16,7 +16,7 @@
 //! | `f64` | the versine form in twice the width |
 //! | `rival` | the methods of others: f32, each with its own formula |
 //!
-//! Files, in the order in which they build on one another: `value`, `oracle`, `profile`, `scene`,
+//! Files, in the order in which they build on one another: `value`, `profile`, `scene`, `truth`,
 //! `kernel`, `ours`, `cosine`, `fast`, `double`, `rival`, `list`.
 #![no_std]
 #![forbid(unsafe_code)]
@@ -29,11 +29,11 @@ mod double;
 mod fast;
 mod kernel;
 mod list;
-pub mod oracle;
 mod ours;
 mod profile;
 mod rival;
 pub mod scene;
+pub mod truth;
 mod value;
 
 pub use cosine::{CosineFalloff, CosinePoint};
@@ -47,3 +47,5 @@ pub use profile::Shape;
 pub use rival::Std;
 pub use rival::{Clamp, CosineTable, Gltf, Libm, Micromath, Power, Powf, Schlick, Smoothstep};
 pub use value::{Format, Value};
+
+pub use luminaire_oracle as oracle;

@@ -6,17 +6,18 @@ use luminaire::{
     Angle, Cone, Fx16, Fx32, SpotLight,
     attenuation::{Attenuation, NoAttenuation},
 };
+use luminaire_oracle as oracle;
 
 use crate::{
     cosine::{CosineFalloff, CosinePoint, cosine},
     double::{DoubleFalloff, DoublePoint},
     fast::FastPoint,
     kernel::{Row, Visitor},
-    oracle::{self, Model},
     ours::{Highlit, OurFalloff, OurPoint},
     profile::Shape,
     rival,
     scene::{AXIS, EYE, POSITION, Population},
+    truth::{Highlight, Point, widened},
     value::Format,
 };
 
@@ -58,8 +59,8 @@ impl Setting {
         -core::f32::consts::LN_10 / libm::log1pf(-field)
     }
 
-    fn truth(self, model: Model, jumps: bool) -> oracle::Falloff {
-        oracle::Falloff { outer: self.outer_versine().into(), model, jumps }
+    fn truth<P: Shape>(self) -> oracle::Cone {
+        oracle::Cone::new(P::exact, self.outer_versine().into())
     }
 }
 
@@ -83,7 +84,7 @@ pub fn falloffs(setting: Setting, visitor: &mut impl Visitor) {
 fn shape<P: Shape>(setting: Setting, visitor: &mut impl Visitor) {
     let profile = P::sample();
     let cone = setting.cone(profile);
-    let truth = setting.truth(Model::Profile(P::exact), P::jumps());
+    let truth = setting.truth::<P>();
     ours::<Fx16, P>(&cone, &truth, visitor);
     ours::<Fx32, P>(&cone, &truth, visitor);
     ours::<f32, P>(&cone, &truth, visitor);
@@ -96,7 +97,7 @@ fn shape<P: Shape>(setting: Setting, visitor: &mut impl Visitor) {
     visitor.falloff(Row::falloff(P::NAME, "f64"), double, &truth);
 }
 
-fn ours<S: Format, P: Shape>(cone: &Cone<P>, truth: &oracle::Falloff, visitor: &mut impl Visitor) {
+fn ours<S: Format, P: Shape>(cone: &Cone<P>, truth: &oracle::Cone, visitor: &mut impl Visitor) {
     let row = Row::falloff(P::NAME, S::NAME);
     match cone.compile::<S>() {
         Ok(falloff) => visitor.falloff(row, OurFalloff::new(falloff, cone.outer_versine()), truth),
@@ -109,9 +110,9 @@ fn ours<S: Format, P: Shape>(cone: &Cone<P>, truth: &oracle::Falloff, visitor: &
 fn rivals(setting: Setting, visitor: &mut impl Visitor) {
     let row = |kernel| Row::falloff(kernel, "rival");
     let (exponent, outer) = (setting.exponent(), cosine(setting.outer_versine()));
-    let power = setting.truth(Model::CosinePower(exponent.into()), false);
-    let soft = setting.truth(Model::Profile(Soft::exact), false);
-    let smooth = setting.truth(Model::Profile(Smooth::exact), false);
+    let power = oracle::Cone::opengl(exponent.into(), 1.0);
+    let soft = setting.truth::<Soft>();
+    let smooth = setting.truth::<Smooth>();
     visitor.falloff(row("powf-libm"), rival::Powf::<rival::Libm>::new(exponent), &power);
     #[cfg(feature = "std")]
     visitor.falloff(row("powf-std"), rival::Powf::<rival::Std>::new(exponent), &power);
@@ -120,7 +121,7 @@ fn rivals(setting: Setting, visitor: &mut impl Visitor) {
     visitor.falloff(row("schlick"), rival::Schlick::new(exponent), &power);
     visitor.falloff(row("smoothstep"), rival::Smoothstep::new(outer), &smooth);
     visitor.falloff(row("gltf"), rival::Gltf::new(outer), &soft);
-    let cosine = setting.truth(Model::CosinePower(1.0), false);
+    let cosine = oracle::Cone::opengl(1.0, 1.0);
     visitor.falloff(row("clamp"), rival::Clamp, &cosine);
 }
 
@@ -146,13 +147,13 @@ const INTENSITY: f32 = 16.0;
 fn format<S: Format>(setting: Setting, visitor: &mut impl Visitor) {
     let near = light(setting, Population::Lit, 1.0, false);
     let far = light(setting, Population::Lit, INTENSITY, true);
-    let highlight = oracle::Highlight {
-        eye: oracle::widened(EYE),
-        diffuse: Highlit::<S>::DIFFUSE.into(),
-        specular: Highlit::<S>::SPECULAR.into(),
+    let surface = oracle::Classic {
+        ambient: [0.0; 2],
+        diffuse: [Highlit::<S>::DIFFUSE.into(), 1.0],
+        specular: [Highlit::<S>::SPECULAR.into(), 1.0],
         shininess: Highlit::<S>::SHININESS.into(),
     };
-    let bright = oracle::Point { highlight: Some(highlight), ..far };
+    let bright = Point { highlight: Some(Highlight { eye: widened(EYE), surface }), ..far };
     let refused = Cone::narrowest::<S>(Soft).to_degrees() / 2.0;
     let spot = spot(setting).with_attenuation(NoAttenuation);
     let falling = self::spot(setting).with_intensity(INTENSITY).expect("a sound intensity");
@@ -174,22 +175,17 @@ fn spot(setting: Setting) -> SpotLight<Soft> {
     SpotLight::new(POSITION, AXIS, setting.cone(Soft)).expect("a sound place and axis")
 }
 
-fn light(setting: Setting, population: Population, intensity: f32, falls: bool) -> oracle::Point {
-    oracle::Point {
-        position: oracle::widened(POSITION),
-        axis: oracle::widened(AXIS),
-        falloff: setting.truth(Model::Profile(Soft::exact), false),
-        intensity: intensity.into(),
-        falls,
-        highlight: None,
-        population,
-    }
+fn light(setting: Setting, population: Population, intensity: f32, falls: bool) -> Point {
+    let light = oracle::SpotLight::new(widened(POSITION), widened(AXIS), setting.truth::<Soft>());
+    let attenuation = if falls { light.attenuation } else { oracle::Attenuation::None };
+    let light = oracle::SpotLight { intensity: intensity.into(), attenuation, ..light };
+    Point { light, highlight: None, population }
 }
 
 fn point<S: Format, A: Attenuation>(
     kernel: &'static str,
     spot: &SpotLight<Soft, A>,
-    truth: &oracle::Point,
+    truth: &Point,
     visitor: &mut impl Visitor,
 ) {
     if let Ok(light) = spot.compile::<S>() {
@@ -218,16 +214,16 @@ mod tests {
     }
 
     impl Visitor for Census {
-        fn falloff<K: Kernel<Place = f32>>(&mut self, row: Row, kernel: K, truth: &oracle::Falloff) {
+        fn falloff<K: Kernel<Place = f32>>(&mut self, row: Row, kernel: K, truth: &oracle::Cone) {
             self.rows.push(row);
             for i in 0..100 {
                 let versine = self.outer * (i as f32 + 0.5) / 100.0;
-                let error = kernel.evaluate(&kernel.input(&versine)).exact() - truth.at(versine.into());
+                let error = kernel.evaluate(&kernel.input(&versine)).exact() - truth.falloff(versine.into());
                 self.worst = self.worst.max(if row.format == "rival" { 0.0 } else { error.abs() });
             }
         }
 
-        fn point<K: Kernel<Place = Site>>(&mut self, row: Row, kernel: K, truth: &oracle::Point) {
+        fn point<K: Kernel<Place = Site>>(&mut self, row: Row, kernel: K, truth: &Point) {
             self.rows.push(row);
             for site in Sites::new(truth.population, self.outer).take(256) {
                 let (light, exact) = (kernel.evaluate(&kernel.input(&site)).exact(), truth.at(&site));

@@ -19,11 +19,6 @@ pub trait Shape: Falloff {
     fn exact(t: f64) -> f64 {
         Self::sample().formula().exact(t)
     }
-
-    /// Whether the intensity jumps at the edge.
-    fn jumps() -> bool {
-        Self::exact(f64::MIN_POSITIVE) > 0.5
-    }
 }
 
 macro_rules! shapes {

@@ -35,6 +35,7 @@
 //! | [`specular`] | specular lobes and the classic equation |
 //! | [`light`] | the spotlight |
 //! | [`display`] | sRGB, and errors in linear codes |
+//! | [`vector`] | what `glam` does not have |
 //! | [`random`] | random numbers for inputs that are on record |
 //! | `sweep`, `climb`, `kernel` | with the feature `search`: where to look, the search, the errors |
 #![no_std]
@@ -55,6 +56,7 @@ pub mod random;
 pub mod specular;
 #[cfg(feature = "search")]
 pub mod sweep;
+pub mod vector;
 
 pub use attenuation::Attenuation;
 pub use display::{linear_codes, srgb_code, srgb_linear};
@@ -63,3 +65,4 @@ pub use glam::DVec3;
 pub use light::SpotLight;
 pub use random::SplitMix64;
 pub use specular::{Classic, Lobe, blinn_phong, dual_cone, lyon, phong};
+pub use vector::{on_grid, turned};

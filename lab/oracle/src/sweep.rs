@@ -5,7 +5,7 @@ use core::f64::consts::{FRAC_PI_2, PI};
 use fastrand::Rng;
 use glam::DVec3;
 
-use crate::{SpotLight, half_degrees};
+use crate::{SpotLight, half_degrees, turned};
 
 /// A surface point as a kernel gets it.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -36,20 +36,12 @@ pub fn direction_off(rng: &mut Rng, axis: DVec3, radians: f64) -> DVec3 {
             break (v - along * axis).normalize();
         }
     };
-    let (sine, cosine) = libm::sincos(radians);
-    cosine * axis + sine * across
+    turned(axis, across, radians)
 }
 
 /// A distance from 0.5 to 50 units, evenly spread over its logarithm.
 pub fn distance(rng: &mut Rng) -> f64 {
     0.5 * libm::pow(100.0, rng.f64())
-}
-
-/// The nearest point of a grid of 2^-16, the quantum of many fixed-point lengths. Coordinates up to
-/// 128 and their differences are exact there in f32 too, so that what is measured is the kernel and
-/// not its input.
-pub fn on_grid(v: DVec3) -> DVec3 {
-    (v * 65_536.0).round() / 65_536.0
 }
 
 /// The vector with its components rounded to f32.

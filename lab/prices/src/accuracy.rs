@@ -1,13 +1,13 @@
 //! The errors of the kernels against f64.
 
-use luminaire_kernels::oracle::{self, dot, minus, unit, widened};
 use luminaire_kernels::scene::Site;
+use luminaire_kernels::truth::{Point, widened};
 use luminaire_kernels::{Kernel, Row, Setting, Value, Visitor, falloffs, points};
+use luminaire_oracle::{Cone, half_degrees, linear_codes};
 
 use serde::{Serialize, Serializer};
 
-use crate::Named;
-use crate::site::{self, half_angle};
+use crate::{Named, site};
 
 /// Number of versines per cone.
 const VERSINES: u32 = 1 << 18;
@@ -107,9 +107,7 @@ impl<P: Copy> Tally<P> {
 
     /// Enters an input into the largest error only, and returns its error.
     fn glance(&mut self, place: P, result: impl Value, exact: f64) -> f64 {
-        let error = 255.0 * (result.exact() - exact).abs() / exact.max(1.0);
-        // NaN counts as an infinite error.
-        let error = if error.is_nan() { f64::INFINITY } else { error };
+        let error = linear_codes(result.exact(), exact);
         if error > self.worst.0 {
             self.worst = (error, Some(place));
         }
@@ -146,50 +144,51 @@ impl Search {
 }
 
 impl Visitor for Search {
-    fn falloff<K: Kernel<Place = f32>>(&mut self, row: Row, kernel: K, truth: &oracle::Falloff) {
+    fn falloff<K: Kernel<Place = f32>>(&mut self, row: Row, kernel: K, truth: &Cone) {
         let mut tally = Tally::new();
         let outer = self.setting.outer_versine();
-        let looked_at = |versine: f64| !truth.is_at_jump(versine);
+        // Next to a jump a kernel may evaluate either side of it: only its position is tested.
+        let jump = half_degrees(truth.limit).to_radians() / 510.0;
+        let looked_at = |versine: f64| !truth.jumps_near(versine, jump);
         for i in 0..VERSINES {
             let versine = (f64::from(outer) * (f64::from(i) + 0.5) / f64::from(VERSINES)) as f32;
             if looked_at(versine.into()) {
                 let result = kernel.evaluate(&kernel.input(&versine));
-                tally.look(f64::from(versine), result, truth.at(versine.into()));
+                tally.look(f64::from(versine), result, truth.falloff(versine.into()));
             }
         }
         for seam in [0.0, f32::MIN_POSITIVE, outer.next_down(), outer, outer.next_up()] {
             if looked_at(seam.into()) {
-                tally.glance(seam.into(), kernel.evaluate(&kernel.input(&seam)), truth.at(seam.into()));
+                tally.glance(seam.into(), kernel.evaluate(&kernel.input(&seam)), truth.falloff(seam.into()));
             }
         }
         let is_whole = kernel.bounds(&mut |input, versine| {
             if looked_at(versine) {
-                tally.glance(versine, kernel.evaluate(&input), truth.at(versine));
+                tally.glance(versine, kernel.evaluate(&input), truth.falloff(versine));
             }
         });
         let kind = if is_whole { Kind::Exhaustive } else { Kind::Searched };
         let describe = |versine| Place {
-            degrees_off_axis: thousandths(half_angle(versine).to_degrees()),
+            degrees_off_axis: thousandths(half_degrees(versine)),
             distance: None,
             degrees_of_incidence: None,
         };
         self.note(row, Some(tally.errors::<K::Output>(describe, kind)), None);
     }
 
-    fn point<K: Kernel<Place = Site>>(&mut self, row: Row, kernel: K, truth: &oracle::Point) {
+    fn point<K: Kernel<Place = Site>>(&mut self, row: Row, kernel: K, truth: &Point) {
         let mut tally = Tally::new();
         for site in site::about(truth) {
             tally.look(site, kernel.evaluate(&kernel.input(&site)), truth.at(&site));
         }
         let describe = |site: Site| {
-            let way = minus(widened(site.point), truth.position);
-            let difference = minus(unit(way), unit(truth.axis));
-            let incidence = -dot(unit(way), unit(widened(site.normal)));
-            let off_axis = half_angle(dot(difference, difference) / 2.0);
+            let point = widened(site.point);
+            let to_light = truth.light.position - point;
+            let incidence = to_light.angle_between(widened(site.normal)).to_degrees();
             Place {
-                degrees_off_axis: thousandths(off_axis.to_degrees()),
-                distance: Some(thousandths(dot(way, way).sqrt())),
-                degrees_of_incidence: Some(thousandths(incidence.clamp(-1.0, 1.0).acos().to_degrees())),
+                degrees_off_axis: thousandths(half_degrees(truth.light.versine(point))),
+                distance: Some(thousandths(to_light.length())),
+                degrees_of_incidence: Some(thousandths(incidence)),
             }
         };
         self.note(row, Some(tally.errors::<K::Output>(describe, Kind::Searched)), None);

@@ -6,7 +6,6 @@
 #![forbid(unsafe_code)]
 
 mod accuracy;
-mod random;
 mod site;
 mod time;
 #[cfg(target_arch = "wasm32")]

@@ -1,10 +1,9 @@
 //! The sites at which the errors of lit points are measured.
 
 use luminaire::Vec3;
-use luminaire_kernels::oracle::{Point, Vector, dot, minus, scaled, unit, widened};
 use luminaire_kernels::scene::{Population, Site, Sites};
-
-use crate::random::Random;
+use luminaire_kernels::truth::{Highlight, Point};
+use luminaire_oracle::{DVec3, SplitMix64, half_degrees, on_grid, turned};
 
 /// Number of sites.
 const COUNT: usize = 1 << 16;
@@ -20,62 +19,46 @@ const LEAST_COSINE: f64 = 0.1;
 /// that a highlight is near; those of others are the ones that costs are counted on.
 pub(crate) fn about(truth: &Point) -> Vec<Site> {
     if truth.population != Population::Lit {
-        return Sites::new(truth.population, truth.falloff.outer as f32).take(COUNT).collect();
+        return Sites::new(truth.population, truth.light.cone.outer as f32).take(COUNT).collect();
     }
-    let mut random = Random::new(1983);
-    let axis = unit(truth.axis);
-    let half_angle = half_angle(truth.falloff.outer);
+    let mut random = SplitMix64(1983);
+    let axis = truth.light.axis.normalize();
+    let half_angle = half_degrees(truth.light.cone.outer).to_radians();
     let mut sites = Vec::new();
     while sites.len() < COUNT {
         let angle = half_angle * random.between(0.0, REACH);
         let way = turned(axis, perpendicular(&mut random, axis), angle);
         let [least, most] = DISTANCES;
-        let way_back = scaled(way, -1.0);
         let distance = random.between(least, most);
-        let point = [0, 1, 2].map(|i| on_grid(truth.position[i] + distance * way[i]));
+        let point = on_grid(truth.light.position + distance * way);
         let (middle, spread) = match truth.highlight {
-            Some(highlight) if sites.len() % 2 == 0 => {
-                let to_eye = unit(minus(highlight.eye, widened(point_of(point))));
-                (unit(minus(way_back, scaled(to_eye, -1.0))), 0.3)
+            Some(Highlight { eye, .. }) if sites.len() % 2 == 0 => {
+                let to_eye = (eye - point.as_vec3().as_dvec3()).normalize();
+                ((to_eye - way).normalize(), 0.3)
             }
-            _ => (way_back, 1.4),
+            _ => (-way, 1.4),
         };
         let across = perpendicular(&mut random, middle);
         let normal = turned(middle, across, random.between(0.0, spread));
-        if dot(normal, way_back) >= LEAST_COSINE {
+        if normal.dot(-way) >= LEAST_COSINE {
             sites.push(Site { point: point_of(point), normal: point_of(normal) });
         }
     }
     sites
 }
 
-/// The half angle in radians that has a versine.
-pub(crate) fn half_angle(versine: f64) -> f64 {
-    2.0 * (versine / 2.0).sqrt().asin()
-}
-
-fn point_of(v: Vector) -> Vec3<f32> {
-    Vec3::new(v[0] as f32, v[1] as f32, v[2] as f32)
-}
-
-/// The nearest multiple of 2^-16, which every format has.
-fn on_grid(value: f64) -> f64 {
-    (value * 65_536.0).round() / 65_536.0
+fn point_of(v: DVec3) -> Vec3<f32> {
+    let [x, y, z] = v.as_vec3().to_array();
+    Vec3::new(x, y, z)
 }
 
 /// A random direction at right angles to another.
-fn perpendicular(random: &mut Random, axis: Vector) -> Vector {
+fn perpendicular(random: &mut SplitMix64, axis: DVec3) -> DVec3 {
     loop {
-        let any = [0; 3].map(|_| random.between(-1.0, 1.0));
-        let across = minus(any, scaled(axis, dot(any, axis)));
-        if dot(across, across) > 0.01 {
-            return unit(across);
+        let any = random.vector(-1.0, 1.0);
+        let across = any - any.dot(axis) * axis;
+        if across.length_squared() > 0.01 {
+            return across.normalize();
         }
     }
-}
-
-/// A direction, turned towards another at right angles to it.
-fn turned(from: Vector, towards: Vector, angle: f64) -> Vector {
-    let (sine, cosine) = angle.sin_cos();
-    [0, 1, 2].map(|i| from[i] * cosine + towards[i] * sine)
 }

@@ -3,7 +3,7 @@
 use std::hint::black_box;
 
 use luminaire_kernels::scene::{Site, Sites};
-use luminaire_kernels::{Kernel, Row, Setting, Value, Visitor, falloffs, oracle, points};
+use luminaire_kernels::{Kernel, Row, Setting, Value, Visitor, falloffs, oracle, points, truth::Point};
 
 use serde::Serialize;
 
@@ -46,9 +46,11 @@ impl Times {
 
     /// Times the kernel of this number.
     pub fn of(number: usize, clock: &impl Clock) -> Option<Self> {
-        let mut stopwatch = Stopwatch { clock, wanted: number, seen: 0, found: None };
-        falloffs(Setting::standard(), &mut stopwatch);
-        points(Setting::standard(), &mut stopwatch);
+        let setting = Setting::standard();
+        let outer = setting.outer_versine();
+        let mut stopwatch = Stopwatch { clock, outer, wanted: number, seen: 0, found: None };
+        falloffs(setting, &mut stopwatch);
+        points(setting, &mut stopwatch);
         stopwatch.found
     }
 }
@@ -56,17 +58,19 @@ impl Times {
 struct Count(usize);
 
 impl Visitor for Count {
-    fn falloff<K: Kernel<Place = f32>>(&mut self, _: Row, _: K, _: &oracle::Falloff) {
+    fn falloff<K: Kernel<Place = f32>>(&mut self, _: Row, _: K, _: &oracle::Cone) {
         self.0 += 1;
     }
 
-    fn point<K: Kernel<Place = Site>>(&mut self, _: Row, _: K, _: &oracle::Point) {
+    fn point<K: Kernel<Place = Site>>(&mut self, _: Row, _: K, _: &Point) {
         self.0 += 1;
     }
 }
 
 struct Stopwatch<'a, C> {
     clock: &'a C,
+    /// The versine where the cone ends.
+    outer: f32,
     wanted: usize,
     seen: usize,
     found: Option<Times>,
@@ -120,17 +124,17 @@ fn batch<K: Kernel>(kernel: &K, inputs: &[K::Input], outputs: &mut [K::Output]) 
 }
 
 impl<C: Clock> Visitor for Stopwatch<'_, C> {
-    fn falloff<K: Kernel<Place = f32>>(&mut self, row: Row, kernel: K, truth: &oracle::Falloff) {
+    fn falloff<K: Kernel<Place = f32>>(&mut self, row: Row, kernel: K, _: &oracle::Cone) {
         if self.is_wanted() {
-            let versine = |i| truth.outer as f32 * ((i as f32 + 0.5) / BATCH as f32);
+            let versine = |i| self.outer * ((i as f32 + 0.5) / BATCH as f32);
             let inputs: Vec<_> = (0..BATCH).map(|i| kernel.input(&versine(i))).collect();
             self.time(row, &kernel, &inputs);
         }
     }
 
-    fn point<K: Kernel<Place = Site>>(&mut self, row: Row, kernel: K, truth: &oracle::Point) {
+    fn point<K: Kernel<Place = Site>>(&mut self, row: Row, kernel: K, truth: &Point) {
         if self.is_wanted() {
-            let sites = Sites::new(truth.population, truth.falloff.outer as f32);
+            let sites = Sites::new(truth.population, self.outer);
             let inputs: Vec<_> = sites.take(BATCH).map(|site| kernel.input(&site)).collect();
             self.time(row, &kernel, &inputs);
         }
