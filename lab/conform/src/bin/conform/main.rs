@@ -3,7 +3,6 @@
 //! `conform generate` prints the file. `conform check` reads it from stdin, prints the first cases
 //! that differ and, as the last line, how many there are and how many differ.
 
-mod random;
 mod scene;
 mod situation;
 mod writer;

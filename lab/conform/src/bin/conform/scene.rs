@@ -3,18 +3,18 @@
 
 use std::collections::BTreeMap;
 
-use super::random::{Random, dot, plus, scaled, unit};
+use luminaire_oracle::{DVec3, SplitMix64, turned, versine};
 
 /// The values of a scene, before a format stores them. What has one component has three of the
 /// same.
 #[derive(Clone, Debug)]
 pub(crate) struct Scene {
-    values: BTreeMap<&'static str, [f64; 3]>,
+    values: BTreeMap<&'static str, DVec3>,
 }
 
 impl Scene {
     /// A surface point in or about the cone of a light, and all else that models ask for.
-    pub(crate) fn new(random: &mut Random) -> Self {
+    pub(crate) fn new(random: &mut SplitMix64) -> Self {
         let mut scene = Self { values: BTreeMap::new() };
         // Half angles are evenly spread over the logarithm, from 1 to 80 degrees.
         let half = libm::exp(random.between(0.0, libm::log(80.0)));
@@ -32,33 +32,34 @@ impl Scene {
         scene.set("middle slope", random.between(0.0, 3.0));
         scene.set("versine", versine(half) * random.between(0.0, 1.1));
 
-        let position = [(); 3].map(|()| on_grid(random.between(-8.0, 8.0)));
-        let axis = random.direction();
+        let position = on_grid(random.vector(-8.0, 8.0));
+        let axis = direction(random);
         let distance = libm::exp(random.between(libm::log(0.5), libm::log(16.0)));
         scene.set_vector("position", position);
         scene.set_vector("axis", axis);
         let off = random.between(0.0, 1.1) * half;
         scene.look_at(off, distance, random);
         scene.set("range", distance * random.between(0.8, 3.0));
-        scene.set_vector("end", plus(position, scaled(axis, distance * random.between(0.8, 3.0))));
+        scene.set_vector("end", position + distance * random.between(0.8, 3.0) * axis);
         scene.set("intensity", distance * distance * random.between(0.1, 1.2));
-        scene.set_vector("coefficients", [(); 3].map(|()| random.between(0.0, 2.0)));
+        scene.set_vector("coefficients", random.vector(0.0, 2.0));
 
         for name in ["color", "specular color", "diffuse", "specular", "linear"] {
-            scene.set_vector(name, [(); 3].map(|()| random.between(0.0, 1.0)));
+            scene.set_vector(name, random.vector(0.0, 1.0));
         }
-        scene.set_vector("light", [(); 3].map(|()| random.between(0.0, 1.0) * random.between(0.0, 3.0)));
+        let light = [(); 3].map(|()| random.between(0.0, 1.0) * random.between(0.0, 3.0));
+        scene.set_vector("light", light.into());
         scene.set("factor", random.between(-1.0, 1.0));
         scene.set("exposure", libm::exp(random.between(-3.0, 3.0)));
         scene.set("shininess", libm::floor(libm::exp(random.between(0.0, libm::log(1024.0)))));
         scene.set("code", random.below(256) as f64);
         scene.set("number", random.between(-3.0, 3.0));
-        scene.set_beam(&mut Random(random.0 ^ 0x6265_616d));
+        scene.set_beam(&mut SplitMix64(random.0 ^ 0x6265_616d));
         scene
     }
 
     /// What is in the beam, and the pixel that it is seen in.
-    fn set_beam(&mut self, random: &mut Random) {
+    fn set_beam(&mut self, random: &mut SplitMix64) {
         // Every third one is a quarter of a turn, which is exact.
         let roll = random.between(-180.0, 180.0);
         self.set("roll", if random.below(3) == 0 { 90.0 * libm::floor(roll / 90.0) } else { roll });
@@ -69,52 +70,55 @@ impl Scene {
 
     /// A value by its name.
     pub(crate) fn value(&self, name: &str, component: usize) -> f64 {
-        self.values.get(name).unwrap_or_else(|| panic!("a scene has no {name}"))[component]
+        self.vector(name)[component]
     }
 
-    pub(crate) fn vector(&self, name: &str) -> [f64; 3] {
-        [0, 1, 2].map(|component| self.value(name, component))
+    pub(crate) fn vector(&self, name: &str) -> DVec3 {
+        *self.values.get(name).unwrap_or_else(|| panic!("a scene has no {name}"))
     }
 
     pub(crate) fn set(&mut self, name: &'static str, value: f64) {
-        self.set_vector(name, [value; 3]);
+        self.set_vector(name, DVec3::splat(value));
     }
 
-    pub(crate) fn set_vector(&mut self, name: &'static str, value: [f64; 3]) {
+    pub(crate) fn set_vector(&mut self, name: &'static str, value: DVec3) {
         self.values.insert(name, value);
     }
 
     /// Moves the surface to `off_axis` degrees off the axis, facing the light more or less, with an
     /// eye near the mirror direction.
-    pub(crate) fn look_at(&mut self, off_axis: f64, distance: f64, random: &mut Random) {
+    pub(crate) fn look_at(&mut self, off_axis: f64, distance: f64, random: &mut SplitMix64) {
         let (position, axis) = (self.vector("position"), self.vector("axis"));
         let across = loop {
-            let v = random.direction();
-            let v = plus(v, scaled(axis, -dot(v, axis)));
-            if dot(v, v) > 0.01 {
-                break unit(v);
+            let v = direction(random);
+            let v = v - v.dot(axis) * axis;
+            if v.length_squared() > 0.01 {
+                break v.normalize();
             }
         };
-        let (sine, cosine) = (libm::sin(off_axis.to_radians()), libm::cos(off_axis.to_radians()));
-        let way = plus(scaled(axis, cosine), scaled(across, sine));
-        let normal = unit(plus(scaled(way, -1.0), scaled(random.direction(), 0.7)));
-        let mirror = plus(way, scaled(normal, -2.0 * dot(way, normal)));
-        let view = unit(plus(mirror, scaled(random.direction(), 0.3)));
-        let point = plus(position, scaled(way, distance)).map(on_grid);
+        let way = turned(axis, across, off_axis.to_radians());
+        let normal = (0.7 * direction(random) - way).normalize();
+        let view = (way.reflect(normal) + 0.3 * direction(random)).normalize();
+        let point = on_grid(position + distance * way);
         self.set_vector("point", point);
         self.set_vector("normal", normal);
         self.set_vector("view", view);
-        self.set_vector("eye", plus(point, scaled(view, 3.0)).map(on_grid));
+        self.set_vector("eye", on_grid(point + 3.0 * view));
     }
 }
 
-/// The versine of an angle in degrees.
-pub(crate) fn versine(degrees: f64) -> f64 {
-    let sine = libm::sin(degrees.to_radians() / 2.0);
-    2.0 * sine * sine
+/// A direction.
+fn direction(random: &mut SplitMix64) -> DVec3 {
+    loop {
+        let v = random.vector(-1.0, 1.0);
+        let squared = v.length_squared();
+        if squared > 0.01 && squared < 1.0 {
+            return v.normalize();
+        }
+    }
 }
 
-/// The nearest multiple of 2^-16, which every format has as a length.
-pub(crate) fn on_grid(value: f64) -> f64 {
-    libm::floor(value * 65_536.0 + 0.5) / 65_536.0
+/// The nearest point of the grid of 2^-16, which every format has.
+fn on_grid(v: DVec3) -> DVec3 {
+    (v * 65_536.0 + 0.5).floor() / 65_536.0
 }

@@ -2,11 +2,11 @@
 
 use luminaire_conform::{Input, Kind};
 
-use super::random::{Random, dot, plus, scaled, unit};
-use super::scene::{Scene, versine};
+use super::scene::Scene;
+use luminaire_oracle::{DVec3, SplitMix64, versine};
 
 /// The name of a hard case and the function that makes a scene into it.
-pub(crate) type Situation = (&'static str, fn(&mut Scene, &mut Random));
+pub(crate) type Situation = (&'static str, fn(&mut Scene, &mut SplitMix64));
 
 pub(crate) const SITUATIONS: [Situation; 27] = [
     ("on the axis", |scene, random| {
@@ -59,25 +59,27 @@ pub(crate) const SITUATIONS: [Situation; 27] = [
     ("more than all angles", |scene, _| plain(scene, 400.0)),
     ("on the light", |scene, _| scene.set_vector("point", scene.vector("position"))),
     ("next to the light", |scene, _| {
-        let next = plus(scene.vector("position"), [1.0 / 65_536.0, 0.0, 0.0]);
+        let next = scene.vector("position") + DVec3::X / 65_536.0;
         scene.set_vector("point", next);
     }),
     ("at the range", |scene, random| {
-        scene.set_vector("position", [0.0; 3]);
-        scene.set_vector("axis", [0.0, 0.0, -1.0]);
+        scene.set_vector("position", DVec3::ZERO);
+        scene.set_vector("axis", DVec3::NEG_Z);
         scene.look_at(0.0, 4.0, random);
         scene.set("range", 4.0);
     }),
-    ("a light at the end of the world", |scene, _| scene.set_vector("position", [32_767.0, -32_767.0, 0.0])),
-    ("a light beyond fixed point", |scene, _| scene.set_vector("position", [1e6, 0.0, 0.0])),
-    ("no axis", |scene, _| scene.set_vector("axis", [0.0; 3])),
-    ("facing away", |scene, _| scene.set_vector("normal", scaled(scene.vector("normal"), -1.0))),
-    ("edge-on", |scene, _| {
-        let way = plus(scene.vector("point"), scaled(scene.vector("position"), -1.0));
-        let normal = scene.vector("normal");
-        scene.set_vector("normal", unit(plus(normal, scaled(way, -dot(normal, way) / dot(way, way)))));
+    ("a light at the end of the world", |scene, _| {
+        scene.set_vector("position", DVec3::new(32_767.0, -32_767.0, 0.0))
     }),
-    ("no normal", |scene, _| scene.set_vector("normal", [0.0; 3])),
+    ("a light beyond fixed point", |scene, _| scene.set_vector("position", 1e6 * DVec3::X)),
+    ("no axis", |scene, _| scene.set_vector("axis", DVec3::ZERO)),
+    ("facing away", |scene, _| scene.set_vector("normal", -scene.vector("normal"))),
+    ("edge-on", |scene, _| {
+        let way = scene.vector("point") - scene.vector("position");
+        let normal = scene.vector("normal");
+        scene.set_vector("normal", (normal - normal.dot(way) / way.length_squared() * way).normalize());
+    }),
+    ("no normal", |scene, _| scene.set_vector("normal", DVec3::ZERO)),
     ("the eye at the point", |scene, _| scene.set_vector("eye", scene.vector("point"))),
     ("full scale", |scene, _| {
         for name in ["color", "specular color", "diffuse", "specular", "linear", "light", "factor", "number"]
@@ -112,7 +114,7 @@ fn plain(scene: &mut Scene, angle: f64) {
 }
 
 /// A cone of 40 degrees and a point at this fraction of its half angle.
-fn at_edge(scene: &mut Scene, random: &mut Random, fraction: f64) {
+fn at_edge(scene: &mut Scene, random: &mut SplitMix64, fraction: f64) {
     plain(scene, 40.0);
     scene.look_at(20.0 * fraction, 2.0, random);
     scene.set("versine", versine(20.0 * fraction));

@@ -9,8 +9,8 @@ use luminaire::{
     number::{Length, Light16, Light32},
 };
 use luminaire_conform::{Case, Evaluate, FORMATS, Input, Inputs, Kind, Word, models};
+use luminaire_oracle::SplitMix64;
 
-use super::random::Random;
 use super::scene::Scene;
 use super::situation::{PARTS, Part, SEAMS, SITUATIONS, Seam};
 
@@ -65,7 +65,7 @@ fn section(file: &mut String, name: &str, evaluate: Evaluate) {
     let seed = first_name(name).bytes().fold(0xcbf2_9ce4_8422_2325, |hash: u64, byte| {
         (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
     });
-    let mut random = Random(seed);
+    let mut random = SplitMix64(seed);
     let mut rows: Vec<(String, String)> = Vec::new();
     let mut header = String::new();
     let mut row = |scene: &Scene, seam: Option<(Seam, Part)>| {
@@ -140,7 +140,7 @@ fn stored(scene: &Scene, input: &Input) -> u64 {
         "u34f30" => Light32::from(U34F30::saturating_from_num(value)).word(),
         // The scale of a versine is the cone's: any bits do, the same ones for the same scene.
         "u3f29" | "u3f61" => {
-            let bits = Random(value.to_bits()).bits();
+            let bits = SplitMix64(value.to_bits()).bits();
             bits >> (64 - 4 * input.digits as u64 + bits % 24)
         }
         other => panic!("no word is made in {other}"),
