@@ -23,8 +23,7 @@ fn twice<S: Format>(words: &mut Words<'_>) -> Option<()> {
     let (once, twice) = (light(1.0)?, light(2.0)?);
     if twice <= 1.0 {
         let (from, to) = (S::exact_point(spot.position().map(S::length)), S::exact_point(point));
-        let squared: f64 = from.iter().zip(to).map(|(from, to)| (to - from) * (to - from)).sum();
-        let gain = 2.0 * f64::from(spot.intensity()) / squared;
+        let gain = 2.0 * f64::from(spot.intensity()) / from.distance_squared(to);
         // In 16 bits one of the two may be evaluated finely and the other not, each within half a
         // code.
         let steps = match S::NAME {

@@ -9,8 +9,8 @@ use support::with_every_shape;
 use support::{
     bounds::{self, REFUSE},
     format::Format,
+    oracle,
     profiles::Shape,
-    reference::{self, Vector},
     sweep::{self, HALF_ANGLES},
 };
 
@@ -42,13 +42,11 @@ fn falloff_error<S: Format, P: Falloff>(shape: &Shape<P>) -> f64 {
 }
 
 /// What the format has stored of a spotlight, for the reference.
-fn stored<S: Format, P: Falloff>(spot: &SpotLight<P>, cone: reference::Cone) -> reference::SpotLight {
-    reference::SpotLight {
-        position: S::exact_point(spot.position().map(S::length)),
-        axis: reference::unit(S::exact_direction(spot.axis_in::<S>())),
-        cone,
-        intensity: spot.intensity().into(),
-    }
+fn stored<S: Format, P: Falloff>(spot: &SpotLight<P>, cone: oracle::Cone) -> oracle::SpotLight {
+    let position = S::exact_point(spot.position().map(S::length));
+    let axis = S::exact_direction(spot.axis_in::<S>()).normalize();
+    let intensity = spot.intensity().into();
+    oracle::SpotLight { intensity, ..oracle::SpotLight::new(position, axis, cone) }
 }
 
 /// How far from a jump, in radians, a point is on its right side: beyond the error of direction,
@@ -74,13 +72,11 @@ fn spot_errors<S: Format, P: Falloff>(shape: &Shape<P>, half_degrees: f32) -> [f
         for _ in 0..2_000 {
             let distance = f64::from(reach) * (0.7 + 0.7 * rng.f64());
             let site = sweep::site::<S>(&mut rng, exact.position, exact.axis, half_degrees.into(), distance);
-            let (point, normal): (Vector, Vector) =
-                (S::exact_point(site.point), S::exact_normal(site.normal));
+            let (point, normal) = (S::exact_point(site.point), S::exact_normal(site.normal));
             if exact.cone.jumps_near(exact.versine(point), blur::<S>(half_degrees)) {
                 continue;
             }
-            let way = reference::minus(point, exact.position);
-            let full_scale = (exact.intensity / reference::dot(way, way)).max(1.0);
+            let full_scale = (exact.intensity / point.distance_squared(exact.position)).max(1.0);
             let spot = (compiled.falloff(site.point).exact() - exact.falloff(point)).abs();
             let lit = S::exact_light(compiled.irradiance(site.point, site.normal))
                 - exact.irradiance(point, normal);

@@ -18,7 +18,7 @@ use luminaire::{
 };
 use support::{
     format::Format,
-    reference::{self, Vector},
+    oracle::{self, DVec3},
     sweep,
 };
 
@@ -46,21 +46,18 @@ impl Errors {
 /// A place and a surface normal: near and far from a light of this intensity, where it is not past
 /// full scale for certain.
 struct Site {
-    point: Vector,
-    normal: Vector,
+    point: DVec3,
+    normal: DVec3,
 }
 
-fn site(rng: &mut Rng, position: Vector, axis: Vector, half: f64, reach: f64) -> Site {
+fn site(rng: &mut Rng, position: DVec3, axis: DVec3, half: f64, reach: f64) -> Site {
     // More often at the edge, where little of a bright light is left.
     let off_axis = half * (1.0 - rng.f64().powi(rng.i32(1..6)));
     let way = sweep::direction_off(rng, axis, off_axis);
     let distance = (reach * 10.0_f64.powf(1.2 * rng.f64() - 1.0)).max(0.02);
     // From facing to grazing.
     let incidence = std::f64::consts::FRAC_PI_2 * (1.0 - rng.f64().powi(rng.i32(1..6)));
-    Site {
-        point: [0, 1, 2].map(|i| position[i] + distance * way[i]),
-        normal: sweep::direction_off(rng, reference::scaled(way, -1.0), incidence),
-    }
+    Site { point: position + distance * way, normal: sweep::direction_off(rng, -way, incidence) }
 }
 
 /// The errors of spotlights under a distance model, whose gain at a distance is `gain` for an
@@ -73,16 +70,16 @@ fn spots<S: Format, A: Attenuation>(
     jump: Option<f64>,
     errors: &mut [Errors; INTENSITIES.len()],
 ) {
-    let profiles: [(AnyFalloff, reference::Falloff); 4] = [
-        (Soft.into(), reference::soft),
-        (Hard.into(), reference::hard),
-        (Linear.into(), reference::linear),
-        (Smooth.into(), reference::smooth),
+    let profiles: [(AnyFalloff, oracle::Falloff); 4] = [
+        (Soft.into(), oracle::soft),
+        (Hard.into(), oracle::hard),
+        (Linear.into(), oracle::linear),
+        (Smooth.into(), oracle::smooth),
     ];
     for (profile, exact) in profiles {
         for half_degrees in HALF_ANGLES {
             let cone = Cone::from_outer(profile, sweep::half(half_degrees)).expect("a sound cone");
-            let exact = reference::Cone::new(exact, reference::versine(half_degrees.into()));
+            let exact = oracle::Cone::new(exact, oracle::versine(half_degrees.into()));
             let chord = (2.0 * exact.outer).sqrt();
             let steepness = f64::from(luminaire::falloff::Falloff::steepness(profile, 0.0));
             let slope = f64::from(S::DIRECTION_ERROR) * (steepness / chord + 1.0);
@@ -91,21 +88,21 @@ fn spots<S: Format, A: Attenuation>(
                 let spot = spot.with_intensity(intensity).expect("a sound intensity");
                 let compiled = spot.compile::<S>().expect("held");
                 let position = S::exact_point(spot.position().map(S::length));
-                let axis = reference::unit(S::exact_direction(spot.axis_in::<S>()));
+                let axis = S::exact_direction(spot.axis_in::<S>()).normalize();
                 for _ in 0..400 * sweep::effort() {
                     let half = f64::from(half_degrees).to_radians();
                     let site = site(rng, position, axis, half, reach(intensity.into()));
                     let point = sweep::single(sweep::on_grid(site.point)).map(S::length);
                     let normal = sweep::single(site.normal).map(S::from_f32);
-                    let way = reference::minus(S::exact_point(point), position);
-                    let cosine = -reference::dot(reference::unit(way), S::exact_normal(normal));
-                    let distance = reference::dot(way, way).sqrt();
+                    let way = S::exact_point(point) - position;
+                    let cosine = -way.normalize().dot(S::exact_normal(normal));
+                    let distance = way.length();
                     // A cut is a jump, which is in its place within 1e-4 of the range.
                     if jump.is_some_and(|range| (distance / range - 1.0).abs() < 1e-4) {
                         continue;
                     }
                     let gain = f64::from(intensity) * gain(distance);
-                    let share = exact.falloff(reference::versine_between(way, axis)) * cosine.max(0.0);
+                    let share = exact.falloff(oracle::versine_between(way, axis)) * cosine.max(0.0);
                     let found = S::exact_light(compiled.irradiance(point, normal));
                     errors.add(found, gain * share, gain * slope);
                 }
@@ -117,7 +114,7 @@ fn spots<S: Format, A: Attenuation>(
 /// The same of a point light: the cosine alone.
 fn points<S: Format>(rng: &mut Rng, errors: &mut [Errors; INTENSITIES.len()]) {
     for (intensity, errors) in INTENSITIES.into_iter().zip(errors) {
-        let position = [1.5, -0.25, 2.0];
+        let position = DVec3::new(1.5, -0.25, 2.0);
         let point =
             PointLight::new(sweep::single(position)).and_then(|point| point.with_intensity(intensity));
         let compiled = point.and_then(|point| point.compile::<S>()).expect("sound");
@@ -126,9 +123,9 @@ fn points<S: Format>(rng: &mut Rng, errors: &mut [Errors; INTENSITIES.len()]) {
             let site = site(rng, position, axis, 3.0, f64::from(intensity).sqrt());
             let point = sweep::single(sweep::on_grid(site.point)).map(S::length);
             let normal = sweep::single(site.normal).map(S::from_f32);
-            let way = reference::minus(S::exact_point(point), position);
-            let gain = f64::from(intensity) / reference::dot(way, way);
-            let cosine = -reference::dot(reference::unit(way), S::exact_normal(normal));
+            let way = S::exact_point(point) - position;
+            let gain = f64::from(intensity) / way.length_squared();
+            let cosine = -way.normalize().dot(S::exact_normal(normal));
             let found = S::exact_light(compiled.irradiance(point, normal));
             errors.add(found, gain * cosine.max(0.0), gain * f64::from(S::DIRECTION_ERROR));
         }
@@ -151,8 +148,9 @@ fn rows<S: Format>() -> Vec<(String, [Errors; INTENSITIES.len()])> {
     });
     row("point light".into(), &mut |rng, errors| points::<S>(rng, errors));
     let polynomial = Polynomial::new(1.0, 0.25, 0.5).expect("sound");
+    let exact_polynomial = oracle::Attenuation::Polynomial([1.0, 0.25, 0.5]);
     row("polynomial".into(), &mut |rng, errors| {
-        spots::<S, _>(rng, polynomial, |d| reference::polynomial([1.0, 0.25, 0.5], d), far, None, errors);
+        spots::<S, _>(rng, polynomial, |d| exact_polynomial.at(d), far, None, errors);
     });
     for range in RANGES {
         let (some, r) = (Some(range), f64::from(range));
@@ -160,19 +158,19 @@ fn rows<S: Format>() -> Vec<(String, [Errors; INTENSITIES.len()])> {
         let squared = |d: f64| (1.0 - (d / r).powi(4)).clamp(0.0, 1.0).powi(2);
         row(format!("smooth to {range}"), &mut |rng, errors| {
             let model = SmoothRange::new(range).expect("sound");
-            spots::<S, _>(rng, model, |d| reference::smooth_range(r, d), |_| r, None, errors);
+            spots::<S, _>(rng, model, |d| oracle::Attenuation::SmoothRange(r).at(d), |_| r, None, errors);
         });
         row(format!("window of {range}"), &mut |rng, errors| {
             let model = GltfRange::new(InverseSquare, some).expect("sound");
-            spots::<S, _>(rng, model, |d| reference::gltf_range(r, d), within, None, errors);
+            spots::<S, _>(rng, model, |d| oracle::Attenuation::GltfRange(r).at(d), within, None, errors);
         });
         row(format!("Filament range of {range}"), &mut |rng, errors| {
             let model = FilamentRange::new(InverseSquare, some).expect("sound");
-            spots::<S, _>(rng, model, |d| reference::filament_range(r, d), within, None, errors);
+            spots::<S, _>(rng, model, |d| oracle::Attenuation::FilamentRange(r).at(d), within, None, errors);
         });
         row(format!("polynomial faded to {range}"), &mut |rng, errors| {
             let model = Windowed::new(polynomial, some).expect("sound");
-            let exact = |d| reference::polynomial([1.0, 0.25, 0.5], d) * squared(d);
+            let exact = |d| exact_polynomial.at(d) * squared(d);
             spots::<S, _>(rng, model, exact, |_| r, None, errors);
         });
         row(format!("inverse square cut at {range}"), &mut |rng, errors| {

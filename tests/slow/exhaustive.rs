@@ -18,8 +18,9 @@ use support::{
     bounds::{self, REFUSE},
     every::{self, Seen},
     format::Format,
+    oracle,
     profiles::{self, STRICT, Shape, sound},
-    reference, sweep,
+    sweep,
 };
 
 /// The half angles in degrees of the cones.
@@ -153,10 +154,10 @@ where
     CompiledCone<S, Cubic>: Sync,
 {
     [
-        broken::<S, _>(&Shape::plain("soft", Soft, reference::soft)),
-        broken::<S, _>(&Shape::plain("hard", Hard, reference::hard)),
-        broken::<S, _>(&Shape::plain("smooth", Smooth, reference::smooth)),
-        broken::<S, _>(&Shape::plain("cubic", profiles::cubic(), reference::cubic)),
+        broken::<S, _>(&Shape::plain("soft", Soft, oracle::soft)),
+        broken::<S, _>(&Shape::plain("hard", Hard, oracle::hard)),
+        broken::<S, _>(&Shape::plain("smooth", Smooth, oracle::smooth)),
+        broken::<S, _>(&Shape::plain("cubic", profiles::cubic(), oracle::cubic)),
     ]
     .concat()
 }
@@ -216,9 +217,7 @@ fn fx32_keeps_its_roundings_over_every_fraction() {
         };
     }
     let broken = luminaire::constant_falloffs!(rows).concat();
-    assert_kept(
-        [broken, fraction_error(&Shape::plain("power-15", Power::<15>, reference::power_15))].concat(),
-    );
+    assert_kept([broken, fraction_error(&Shape::plain("power-15", Power::<15>, oracle::power_15))].concat());
 }
 
 /// How far a displayed code is from the exact one before it is rounded, in eight bits, in the five
@@ -230,7 +229,7 @@ fn display_errors<S: Countable>(domain: u64, linear: impl Fn(u64) -> S + Sync) -
         let Rgb565(pixel) = Rgb565::from_linear(Rgb::new(value, value, value));
         assert_eq!(pixel >> 11, pixel & 31, "red and blue of {value:?}");
         let codes = [encode_srgb(value).into(), pixel & 31, pixel >> 5 & 63];
-        let exact = reference::srgb_code(value.exact()) / 255.0;
+        let exact = oracle::srgb_code(value.exact()) / 255.0;
         std::array::from_fn(|i| (f64::from(codes[i]), [exact * LAST[i]]))
     });
     for (seen, last) in seen.iter().zip(LAST) {

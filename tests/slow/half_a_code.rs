@@ -16,7 +16,7 @@ use luminaire::{
 };
 use support::{
     format::Format,
-    reference::{self, Vector},
+    oracle::{self, DVec3},
     shapes::{self, tables},
     sweep,
 };
@@ -83,7 +83,7 @@ impl Angles {
     }
 
     fn exact_versines(self) -> [f64; 3] {
-        [self.inner, self.outer, self.limit].map(|half| reference::versine(half.into()))
+        [self.inner, self.outer, self.limit].map(|half| oracle::versine(half.into()))
     }
 }
 
@@ -128,12 +128,12 @@ impl Domain {
     /// A light, and a point within an angle of its axis.
     fn scene(&self, rng: &mut Rng, half_degrees: f32) -> Scene {
         let reach = self.farthest[0] * 1e-7_f64.powf(rng.f64());
-        let light = [0; 3].map(|_| reach * (2.0 * rng.f64() - 1.0));
+        let light = DVec3::from_array([0; 3].map(|_| reach * (2.0 * rng.f64() - 1.0)));
         let axis = if rng.bool() {
             sweep::direction(rng)
         } else {
             // Along two axes at most, where the roundings of components do not cancel.
-            reference::unit([1.0, f64::from(rng.i8(-1..=1)), 1e-3 * rng.f64()])
+            DVec3::new(1.0, rng.i8(-1..=1).into(), 1e-3 * rng.f64()).normalize()
         };
         let [shortest, longest] = self.distances;
         let off_axis = f64::from(half_degrees).to_radians() * rng.f64();
@@ -142,11 +142,10 @@ impl Domain {
         if rng.bool() {
             // The largest component just past a power of two, where a direction has the fewest
             // bits.
-            let largest = way.map(f64::abs).into_iter().fold(0.0, f64::max);
-            distance = distance.log2().floor().exp2() * (1.0 + 0.02 * rng.f64()) / largest;
+            distance = distance.log2().floor().exp2() * (1.0 + 0.02 * rng.f64()) / way.abs().max_element();
         }
-        let farthest = self.farthest[1];
-        let point = [0, 1, 2].map(|i| (light[i] + distance * way[i]).clamp(-farthest, farthest));
+        let farthest = DVec3::splat(self.farthest[1]);
+        let point = (light + distance * way).clamp(-farthest, farthest);
         Scene { light: sweep::single(light), axis: sweep::single(axis), point: sweep::single(point) }
     }
 
@@ -212,7 +211,7 @@ impl<S: Format> Beam<S> {
             beam: self,
             compiled: self.compiled.placed(position, axis),
             position: S::exact_point(position),
-            axis: reference::unit(S::exact_direction(axis)),
+            axis: S::exact_direction(axis).normalize(),
         })
     }
 }
@@ -221,8 +220,8 @@ impl<S: Format> Beam<S> {
 struct Light<'a, S: Format> {
     beam: &'a Beam<S>,
     compiled: CompiledSpotLight<S, AnyFalloff>,
-    position: Vector,
-    axis: Vector,
+    position: DVec3,
+    axis: DVec3,
 }
 
 impl<S: Format> Light<'_, S> {
@@ -231,16 +230,16 @@ impl<S: Format> Light<'_, S> {
     fn error(&self, point: Vec3<f32>) -> f64 {
         let Beam { shape, angles, exact_versines: [inner, outer, limit], .. } = *self.beam;
         let point = point.map(S::length);
-        let way = reference::minus(S::exact_point(point), self.position);
-        if way == [0.0; 3] || reference::dot(way, way) < 1e-30 {
+        let way = S::exact_point(point) - self.position;
+        if way.length_squared() < 1e-30 {
             return 0.0;
         }
         // A way that is longer than 32 bits has lost one: tests/suite/domain.rs has the narrowest
         // cones there.
-        if S::NAME == "fx32" && way.iter().any(|c| c.abs() >= 32_768.0) {
+        if S::NAME == "fx32" && way.abs().max_element() >= 32_768.0 {
             return 0.0;
         }
-        let versine = reference::versine_between(way, self.axis);
+        let versine = oracle::versine_between(way, self.axis);
         // A jump, of a cutoff or of a table that ends above zero, is in its place within 1/510 of
         // its half angle.
         let jumps = angles.limit < angles.outer || shape.formula().exact(f64::MIN_POSITIVE) > 1e-9;

@@ -18,8 +18,8 @@ use support::{
     bounds,
     haze::{self, HALF_ANGLES, Row},
     in_scattering::Beam,
+    oracle::{self, DVec3},
     profiles::Shape,
-    reference::{self, Vector, dot, minus, unit},
     sweep,
     views::{distances, exact, exactly, near_beam, place, view},
 };
@@ -39,19 +39,17 @@ fn haze() -> Haze {
 
 fn pair<P: Falloff, A: Attenuation>(
     spot: SpotLight<P, A>,
-    cone: reference::Cone,
-    attenuation: reference::Attenuation,
+    cone: oracle::Cone,
+    attenuation: oracle::Attenuation,
     range: f64,
 ) -> Pair<P, A> {
-    let spot_in_f64 = reference::SpotLight {
-        position: exact(spot.position()),
-        axis: unit(exact(spot.axis())),
-        cone,
+    let spot_in_f64 = oracle::SpotLight {
         intensity: spot.intensity().into(),
+        attenuation,
+        ..oracle::SpotLight::new(exact(spot.position()), exact(spot.axis()).normalize(), cone)
     };
     let oracle = Beam {
         spot: spot_in_f64,
-        attenuation,
         range,
         density: DENSITY.into(),
         source_radius: haze().source_radius().into(),
@@ -67,7 +65,7 @@ fn error<P: Falloff, A: Attenuation>(
     pair: &Pair<P, A>,
     view: &ViewRay,
     found: f32,
-    transmission: impl Fn(Vector) -> f64,
+    transmission: impl Fn(DVec3) -> f64,
 ) -> f64 {
     let ray = exactly(view);
     let (nearest, height) = distances(&pair.oracle, &ray);
@@ -75,7 +73,7 @@ fn error<P: Falloff, A: Attenuation>(
         return 0.0;
     }
     let truth = pair.oracle.in_scattering_through(&ray, transmission);
-    let across = pair.across * nearest * (pair.oracle.attenuation)(nearest);
+    let across = pair.across * nearest * pair.oracle.spot.attenuation.at(nearest);
     // Where there is no light there is no error either.
     let error = (f64::from(found) - truth).abs() / truth.max(across);
     if error.is_nan() { 0.0 } else { error }
@@ -97,12 +95,13 @@ fn largest<P: Falloff, A: Attenuation>(
     worst
 }
 
-fn inverse_square(d: f64) -> f64 {
-    1.0 / (d * d)
-}
-
 fn shaped<P: Falloff>(rng: &mut Rng, shape: &Shape<P>, half: f32) -> Pair<P, InverseSquare> {
-    pair(sweep::spot(rng, shape.at(half)), shape.stored_at(half), inverse_square, f64::INFINITY)
+    pair(
+        sweep::spot(rng, shape.at(half)),
+        shape.stored_at(half),
+        oracle::Attenuation::InverseSquare,
+        f64::INFINITY,
+    )
 }
 
 /// Prints a measured row and compares it with the table.
@@ -142,9 +141,9 @@ fn distance_broken<A: Attenuation>(
     name: &str,
     attenuation: A,
     range: f64,
-    oracle: reference::Attenuation,
+    oracle: oracle::Attenuation,
 ) -> Vec<String> {
-    let shape = Shape::plain("soft", Soft, reference::soft);
+    let shape = Shape::plain("soft", Soft, oracle::soft);
     let measured = HALF_ANGLES.map(|half| {
         largest(
             |rng| {
@@ -172,26 +171,26 @@ fn every_distance_model_keeps_its_row() {
     let cut = CutAt::new(InverseSquare, Some(RANGE)).expect(sound);
     let windowed = Windowed::new(InverseSquare, Some(RANGE)).expect(sound);
     let broken = [
-        distance_broken("unattenuated", NoAttenuation, none, |_| 1.0),
-        distance_broken("polynomial", polynomial, none, |d| reference::polynomial([0.5, 0.25, 0.125], d)),
-        distance_broken("smooth range", smooth, range, |d| reference::smooth_range(RANGE.into(), d)),
-        distance_broken("glTF range", gltf, range, |d| reference::gltf_range(RANGE.into(), d)),
-        distance_broken("Filament range", filament, range, |d| reference::filament_range(RANGE.into(), d)),
-        distance_broken("windowed", windowed, range, |d| reference::filament_range(RANGE.into(), d)),
-        distance_broken("cut at", cut, range, inverse_square),
+        distance_broken("unattenuated", NoAttenuation, none, oracle::Attenuation::None),
+        distance_broken("polynomial", polynomial, none, oracle::Attenuation::Polynomial([0.5, 0.25, 0.125])),
+        distance_broken("smooth range", smooth, range, oracle::Attenuation::SmoothRange(range)),
+        distance_broken("glTF range", gltf, range, oracle::Attenuation::GltfRange(range)),
+        distance_broken("Filament range", filament, range, oracle::Attenuation::FilamentRange(range)),
+        distance_broken("windowed", windowed, range, oracle::Attenuation::FilamentRange(range)),
+        distance_broken("cut at", cut, range, oracle::Attenuation::InverseSquare),
     ]
     .concat();
     assert!(broken.is_empty(), "{}", broken.join("\n"));
 }
 
 /// Something that lets more and less through, in waves of ten units.
-fn waves([x, y, z]: Vector) -> f64 {
-    0.5 + 0.5 * (0.3 * x + 0.5 * y - 0.2 * z).sin()
+fn waves(point: DVec3) -> f64 {
+    0.5 + 0.5 * point.dot(DVec3::new(0.3, 0.5, -0.2)).sin()
 }
 
 #[test]
 fn samples_keep_their_rows() {
-    let shape = Shape::plain("soft", Soft, reference::soft);
+    let shape = Shape::plain("soft", Soft, oracle::soft);
     let mut all = Vec::new();
     for (name, samples) in [("16 samples", 16), ("64 samples", 64)] {
         let measured = HALF_ANGLES.map(|half| {
@@ -215,7 +214,7 @@ fn samples_keep_their_rows() {
 /// than their line, are what there is of an error. Measured in that.
 #[test]
 fn rays_at_the_light_keep_their_row() {
-    let shape = Shape::plain("soft", Soft, reference::soft);
+    let shape = Shape::plain("soft", Soft, oracle::soft);
     let measured = HALF_ANGLES.map(|half| {
         largest(
             |rng| shaped(rng, &shape, half),
@@ -223,12 +222,12 @@ fn rays_at_the_light_keep_their_row() {
                 let eye = sweep::single(near_beam(rng, &pair.oracle.spot, 0.9));
                 let aside = 0.05 * 1e-4_f64.powf(rng.f64());
                 let target = place(pair.oracle.spot.position, sweep::direction(rng), aside);
-                let way = minus(target, exact(eye));
+                let way = target - exact(eye);
                 // Towards the light, and away from it.
-                let way = if rng.bool() { way } else { way.map(|c| -c) };
-                let view = ViewRay::endless(eye, sweep::single(unit(way)));
+                let way = if rng.bool() { way } else { -way };
+                let view = ViewRay::endless(eye, sweep::single(way.normalize()));
                 let (_, height) = distances(&pair.oracle, &exactly(&view));
-                let magnified = 1.0 + dot(way, way).sqrt() / height;
+                let magnified = 1.0 + way.length() / height;
                 error(pair, &view, pair.kernel.in_scattering(&view), |_| 1.0) / magnified
             },
         )

@@ -28,7 +28,7 @@ use support::{
     every::is_full,
     haze::{CRITICAL, HALF_ANGLES},
     in_scattering::Beam,
-    reference::{self, dot, minus, unit},
+    oracle::{self},
     sweep,
     views::{distances, exact, exactly},
 };
@@ -154,25 +154,18 @@ fn a_ray_that_cannot_meet_the_beam_is_exactly_dark() {
 /// line sees that crosses the beam at the angle of the ray and as near to the light, whichever is
 /// more; and over what passing close to the light magnifies. There is none at the rim of the
 /// light's body, where the light jumps.
-fn largest<A: Attenuation + Sync>(
-    half: f32,
-    attenuation: A,
-    oracle: reference::Attenuation,
-    range: f64,
-) -> f64 {
+fn largest<A: Attenuation + Sync>(half: f32, model: A, attenuation: oracle::Attenuation, range: f64) -> f64 {
     let largest = Mutex::new(0.0_f64);
     in_parallel(if is_full() { 5_250 } else { 53 }, |rng, _| {
         let spot = sweep::spot(rng, Cone::from_outer(Soft, HalfAngle::degrees(half)).expect("a sound angle"));
         let haze = haze(rng);
-        let beam = spot.with_attenuation(attenuation).compile::<f32>().expect("held").in_haze(&haze);
+        let beam = spot.with_attenuation(model).compile::<f32>().expect("held").in_haze(&haze);
+        let cone = oracle::Cone::new(oracle::soft, spot.cone().outer_versine().into());
         let oracle = Beam {
-            spot: reference::SpotLight {
-                position: exact(spot.position()),
-                axis: unit(exact(spot.axis())),
-                cone: reference::Cone::new(reference::soft, spot.cone().outer_versine().into()),
-                intensity: 1.0,
+            spot: oracle::SpotLight {
+                attenuation,
+                ..oracle::SpotLight::new(exact(spot.position()), exact(spot.axis()).normalize(), cone)
             },
-            attenuation: oracle,
             range,
             density: haze.density().into(),
             source_radius: haze.source_radius().into(),
@@ -186,16 +179,16 @@ fn largest<A: Attenuation + Sync>(
             // The oracle divides a ray in panels, which have an end.
             let view = ViewRay { length: view.length.min(1e4), ..view };
             let ray = exactly(&view);
-            let way = minus(ray.eye, oracle.spot.position);
-            let distance = dot(way, way).sqrt();
+            let way = ray.eye - oracle.spot.position;
+            let distance = way.length();
             let (nearest, height) = distances(&oracle, &ray);
             let body = oracle.source_radius;
             if (height - body).abs() < 0.1 * body + 1e-6 * distance {
                 return 0.0;
             }
-            let along = dot(ray.direction, oracle.spot.axis);
+            let along = ray.direction.dot(oracle.spot.axis);
             let sine = (1.0 - along * along).max(0.0).sqrt().max(angle.sin());
-            let seen = across * nearest * (oracle.attenuation)(nearest) / sine;
+            let seen = across * nearest * oracle.spot.attenuation.at(nearest) / sine;
             let truth = oracle.in_scattering(&ray);
             let error = (f64::from(beam.in_scattering(&view)) - truth).abs() / truth.max(seen);
             // Where there is no light there is no error either.
@@ -211,8 +204,10 @@ fn largest<A: Attenuation + Sync>(
 #[test]
 fn rays_near_critical_directions_keep_their_rows() {
     let window = FilamentRange::new(InverseSquare, Some(6.0)).expect("a sound range");
-    let square = HALF_ANGLES.map(|half| largest(half, InverseSquare, |d| 1.0 / (d * d), f64::INFINITY));
-    let windowed = HALF_ANGLES.map(|half| largest(half, window, |d| reference::filament_range(6.0, d), 6.0));
+    let square = HALF_ANGLES
+        .map(|half| largest(half, InverseSquare, oracle::Attenuation::InverseSquare, f64::INFINITY));
+    let windowed =
+        HALF_ANGLES.map(|half| largest(half, window, oracle::Attenuation::FilamentRange(6.0), 6.0));
     for (row, measured) in CRITICAL.iter().zip([square, windowed]) {
         println!("{} {}", row.name, measured.map(|e| format!("{e:.1e}")).join(", "));
         for (measured, bound) in measured.into_iter().zip(row.errors) {

@@ -15,8 +15,9 @@ use support::{
     bounds::{self, REFUSE},
     format::Format,
     limits::{self, CONES, Column, DISTANCE, LIGHT_WITHIN, ROWS},
+    oracle::{self, DVec3},
     profiles::{self, Shape},
-    reference, sweep,
+    sweep,
 };
 
 /// The largest errors, linear and in codes, from ideal inputs: the format rounds position, axis and
@@ -30,17 +31,17 @@ fn errors<S: Format, P: Falloff>(shape: &Shape<P>, half_degrees: f32) -> [f64; 2
     let mut rng = Rng::with_seed(8);
     let mut worst = [0.0_f64; 2];
     for _ in 0..200 * sweep::effort() {
-        let position = [0; 3].map(|_| LIGHT_WITHIN * (2.0 * rng.f64() - 1.0));
+        let position = DVec3::from_array([0; 3].map(|_| LIGHT_WITHIN * (2.0 * rng.f64() - 1.0)));
         let axis = sweep::direction(&mut rng);
         let spot = SpotLight::new(sweep::single(position), sweep::single(axis), cone).expect("a sound light");
         let compiled = spot.compile::<S>().expect("the cone compiled");
         for _ in 0..500 {
             let off_axis = f64::from(half_degrees).to_radians() * rng.f64();
             let way = sweep::direction_off(&mut rng, axis, off_axis);
-            let point = [0, 1, 2].map(|i| position[i] + DISTANCE * way[i]);
+            let point = position + DISTANCE * way;
             let ideal = exact.falloff(2.0 * (off_axis / 2.0).sin().powi(2));
             let found = compiled.falloff(sweep::single(point).map(S::length));
-            let code = f64::from(encode_srgb(found)) - reference::srgb_code(ideal);
+            let code = f64::from(encode_srgb(found)) - oracle::srgb_code(ideal);
             worst = [worst[0].max(255.0 * (found.exact() - ideal).abs()), worst[1].max(code.abs())];
         }
     }
@@ -103,10 +104,10 @@ fn broken<S: Format, P: Falloff>(shape: &Shape<P>) -> Vec<String> {
 
 fn four<S: Format>() -> Vec<String> {
     [
-        broken::<S, _>(&Shape::plain("soft", Soft, reference::soft)),
-        broken::<S, _>(&Shape::plain("hard", Hard, reference::hard)),
-        broken::<S, _>(&Shape::plain("smooth", Smooth, reference::smooth)),
-        broken::<S, _>(&Shape::plain("cubic", profiles::cubic(), reference::cubic)),
+        broken::<S, _>(&Shape::plain("soft", Soft, oracle::soft)),
+        broken::<S, _>(&Shape::plain("hard", Hard, oracle::hard)),
+        broken::<S, _>(&Shape::plain("smooth", Smooth, oracle::smooth)),
+        broken::<S, _>(&Shape::plain("cubic", profiles::cubic(), oracle::cubic)),
     ]
     .concat()
 }
@@ -157,10 +158,10 @@ fn the_two_forms_keep_their_a_priori_bounds() {
 #[test]
 fn the_documented_tables_are_up_to_date() {
     let block = limits::markdown(|row| match (row.profile, row.format) {
-        ("soft", format) => limit_of(&Shape::plain("soft", Soft, reference::soft), format),
-        ("hard", format) => limit_of(&Shape::plain("hard", Hard, reference::hard), format),
-        ("smooth", format) => limit_of(&Shape::plain("smooth", Smooth, reference::smooth), format),
-        (_, format) => limit_of(&Shape::plain("cubic", profiles::cubic(), reference::cubic), format),
+        ("soft", format) => limit_of(&Shape::plain("soft", Soft, oracle::soft), format),
+        ("hard", format) => limit_of(&Shape::plain("hard", Hard, oracle::hard), format),
+        ("smooth", format) => limit_of(&Shape::plain("smooth", Smooth, oracle::smooth), format),
+        (_, format) => limit_of(&Shape::plain("cubic", profiles::cubic(), oracle::cubic), format),
     });
     let page = include_str!("../../docs/NUMERICS.md");
     assert!(page.contains(&block), "replace the tables under \"What a user sees\" by these:\n\n{block}");

@@ -7,7 +7,7 @@ use luminaire::{
     falloff::{Falloff, Soft, Step},
 };
 use support::with_every_shape;
-use support::{format::Format, profiles::Shape, reference, sweep};
+use support::{format::Format, oracle, profiles::Shape, sweep};
 
 const HALF_A_STEP: f64 = 1.0 / 510.0;
 
@@ -26,8 +26,8 @@ fn narrowest<S: Format, P: Falloff>(shape: &Shape<P>) -> f32 {
 /// angle, and how steep.
 fn steepest<P: Falloff>(shape: &Shape<P>) -> (f64, f64) {
     let cone = shape.exactly_at(0.5);
-    let half = reference::half_degrees(cone.limit);
-    let at = |x: f64| cone.falloff(reference::versine(x * half));
+    let half = oracle::half_degrees(cone.limit);
+    let at = |x: f64| cone.falloff(oracle::versine(x * half));
     let slope = |x: f64| (x, (at(x - 1e-6) - at(x + 1e-6)) / 2e-6);
     (1..99_999)
         .map(|i| slope(f64::from(i) / 100_000.0))
@@ -46,13 +46,12 @@ fn error_at_the_narrowest<S: Format, P: Falloff>(shape: &Shape<P>) -> f64 {
         let spot = sweep::spot(&mut rng, cone);
         let compiled = spot.compile::<S>().expect("the narrowest cone is accepted");
         let position = S::exact_point(spot.position().map(S::length));
-        let axis = reference::unit(S::exact_direction(spot.axis_in::<S>()));
-        let exact =
-            reference::SpotLight { position, axis, intensity: 1.0, cone: shape.exactly_at(half_degrees) };
+        let axis = S::exact_direction(spot.axis_in::<S>()).normalize();
+        let exact = oracle::SpotLight::new(position, axis, shape.exactly_at(half_degrees));
         for _ in 0..2_000 {
             let off_axis = radians * (steepest + 0.1 * (rng.f64() - 0.5)).min(1.0);
             let way = sweep::direction_off(&mut rng, axis, off_axis);
-            let point = sweep::on_grid([0, 1, 2].map(|i| position[i] + 50.0 * rng.f64().max(0.1) * way[i]));
+            let point = sweep::on_grid(position + 50.0 * rng.f64().max(0.1) * way);
             let stored = sweep::single(point).map(S::length);
             let error = (compiled.falloff(stored).exact() - exact.falloff(point)).abs();
             worst = worst.max(error);
@@ -103,7 +102,7 @@ fn assert_steepness<P: Falloff>(shape: &Shape<P>) {
     }
     for hotspot in [0.0, 0.1, 0.25, 0.5, 0.9] {
         // An outer half angle of one radian in the small-angle sense: versines are squares.
-        let cone = reference::Cone { inner: hotspot, ..reference::Cone::new(shape.oracle, 1.0) };
+        let cone = oracle::Cone { inner: hotspot, ..oracle::Cone::new(shape.oracle, 1.0) };
         let at = |x: f64| cone.falloff(x * x);
         let slope = |x: f64| (at(x - 1e-7) - at(x + 1e-7)) / 2e-7;
         let largest = (1..199_999).map(|i| slope(f64::from(i) / 200_000.0)).fold(0.0, f64::max);
@@ -131,12 +130,12 @@ fn a_step_is_in_its_place() {
             let spot = sweep::spot(&mut rng, cone);
             let compiled = spot.compile::<S>().expect("the narrowest cone is accepted");
             let position = S::exact_point(spot.position().map(S::length));
-            let axis = reference::unit(S::exact_direction(spot.axis_in::<S>()));
+            let axis = S::exact_direction(spot.axis_in::<S>()).normalize();
             for _ in 0..500 {
                 let inside = rng.bool();
                 let fraction = if inside { 1.0 - 1.1 / 510.0 } else { 1.0 + 1.1 / 510.0 };
                 let way = sweep::direction_off(&mut rng, axis, fraction * f64::from(half).to_radians());
-                let point = sweep::on_grid([0, 1, 2].map(|i| position[i] + 1_000.0 * way[i]));
+                let point = sweep::on_grid(position + 1_000.0 * way);
                 let intensity = compiled.falloff(sweep::single(point).map(S::length)).exact();
                 assert_eq!(intensity, f64::from(u8::from(inside)), "{} {half}", S::NAME);
             }
@@ -151,25 +150,19 @@ fn a_step_is_in_its_place() {
 fn the_cosine_form_loses_what_the_versine_form_keeps() {
     let half_degrees = 0.1;
     let cone = Cone::from_outer(Soft, HalfAngle::degrees(half_degrees)).expect("a sound cone");
-    let outer = reference::versine(half_degrees.into());
+    let outer = oracle::versine(half_degrees.into());
     let mut rng = Rng::with_seed(7);
     let (mut cosine_form, mut versine_form) = (0.0_f64, 0.0_f64);
     for _ in 0..2_000 {
         let spot = sweep::spot(&mut rng, cone);
         let (position, axis) = (f32::exact_point(spot.position()), f32::exact_direction(spot.axis()));
         let distance = sweep::distance(&mut rng);
-        let site =
-            sweep::site::<f32>(&mut rng, position, reference::unit(axis), half_degrees.into(), distance);
-        let exact = reference::SpotLight {
-            position,
-            axis,
-            cone: reference::Cone::new(reference::soft, outer),
-            intensity: 1.0,
-        }
-        .falloff(f32::exact_point(site.point));
+        let site = sweep::site::<f32>(&mut rng, position, axis.normalize(), half_degrees.into(), distance);
+        let exact = oracle::SpotLight::new(position, axis, oracle::Cone::new(oracle::soft, outer))
+            .falloff(f32::exact_point(site.point));
         let way = site.point.zip(spot.position(), |p, l| p - l);
         let cosine = way.dot(spot.axis()) / way.dot(way).sqrt();
-        let faulty = reference::falloff(reference::soft, f64::from(1.0 - cosine), outer);
+        let faulty = oracle::falloff(oracle::soft, f64::from(1.0 - cosine), outer);
         cosine_form = cosine_form.max((faulty - exact).abs());
         let kept = spot.compile::<f32>().expect("held").falloff(site.point);
         versine_form = versine_form.max((f64::from(kept) - exact).abs());

@@ -18,9 +18,8 @@ use luminaire::{
 };
 use support::{
     format::Format,
-    profiles,
-    reference::{self, Vector},
-    sweep,
+    oracle::{self, DVec3},
+    profiles, sweep,
 };
 
 /// Frames of one motion, and pixels that are watched.
@@ -84,7 +83,7 @@ struct Way {
 
 impl Way {
     /// Along any component, half the time the largest of a direction.
-    fn random(rng: &mut Rng, toward: Vector) -> Self {
+    fn random(rng: &mut Rng, toward: DVec3) -> Self {
         let larger = |a: usize, b: usize| if toward[a].abs() > toward[b].abs() { a } else { b };
         let component = if rng.bool() { larger(larger(0, 1), 2) } else { rng.usize(..3) };
         Self { component, is_up: rng.bool() }
@@ -119,16 +118,16 @@ const QUANTUM: f32 = 1.0 / 65_536.0;
 struct Shape {
     name: &'static str,
     profile: AnyFalloff,
-    exact: reference::Falloff,
+    exact: oracle::Falloff,
 }
 
 fn shapes() -> [Shape; 4] {
     let cubic: Cubic = profiles::cubic();
     [
-        Shape { name: "soft", profile: Soft.into(), exact: reference::soft },
-        Shape { name: "hard", profile: Hard.into(), exact: reference::hard },
-        Shape { name: "linear", profile: Linear.into(), exact: reference::linear },
-        Shape { name: "cubic", profile: cubic.into(), exact: reference::cubic },
+        Shape { name: "soft", profile: Soft.into(), exact: oracle::soft },
+        Shape { name: "hard", profile: Hard.into(), exact: oracle::hard },
+        Shape { name: "linear", profile: Linear.into(), exact: oracle::linear },
+        Shape { name: "cubic", profile: cubic.into(), exact: oracle::cubic },
     ]
 }
 
@@ -145,27 +144,27 @@ struct Kind<A> {
 
 /// A direction: anywhere, or along two coordinates at most, where a motion along one of them turns
 /// it least.
-fn direction(rng: &mut Rng) -> Vector {
+fn direction(rng: &mut Rng) -> DVec3 {
     if rng.bool() {
         return sweep::direction(rng);
     }
     let mut direction = [1.0, f64::from(rng.i8(-1..=1)), 0.01 * rng.f64()];
     direction.rotate_left(rng.usize(..3));
-    reference::unit(direction)
+    DVec3::from_array(direction).normalize()
 }
 
 /// Moves a point in one component to where its distance to the light is a power of two there, or so
 /// much farther: the evaluation of a format may change there.
-fn to_a_seam(point: &mut Vector, light: Vector, way: Way, farther: f64) {
+fn to_a_seam(point: &mut DVec3, light: DVec3, way: Way, farther: f64) {
     let offset = point[way.component] - light[way.component];
     let seam = offset.abs().log2().round().exp2();
     point[way.component] = light[way.component] + (seam + farther).copysign(offset);
 }
 
 impl<A: Attenuation> Kind<A> {
-    fn scene(&self, rng: &mut Rng, half_degrees: f64, motion: Motion, way: Way, first: Vector) -> Scene {
+    fn scene(&self, rng: &mut Rng, half_degrees: f64, motion: Motion, way: Way, first: DVec3) -> Scene {
         let off_axis = |rng: &mut Rng| half_degrees.to_radians() * (1.0 - rng.f64().powi(3));
-        let light = sweep::on_grid([0; 3].map(|_| rng.f64() * 16.0 - 8.0));
+        let light = sweep::position(rng);
         let at_a_seam = rng.bool();
         let path = FRAMES as f64 * f64::from(QUANTUM);
         let mut axis = None;
@@ -179,7 +178,7 @@ impl<A: Attenuation> Kind<A> {
             };
             let [least, ratio] = self.distances;
             let distance = least * ratio.powf(rng.f64());
-            let mut point = [0, 1, 2].map(|i| light[i] + distance * toward[i]);
+            let mut point = light + distance * toward;
             if at_a_seam {
                 to_a_seam(
                     &mut point,
@@ -191,7 +190,7 @@ impl<A: Attenuation> Kind<A> {
             let point = sweep::on_grid(point);
             // The cone is aimed at the first point: others may miss the narrowest.
             if axis.is_none() {
-                let (toward, radians) = (reference::unit(reference::minus(point, light)), off_axis(rng));
+                let (toward, radians) = ((point - light).normalize(), off_axis(rng));
                 axis = Some(sweep::direction_off(rng, toward, radians));
             }
             point
@@ -205,7 +204,7 @@ impl<A: Attenuation> Kind<A> {
             self.intensity
         };
         let normals = points.map(|point| {
-            let back = reference::unit(reference::minus(light, point));
+            let back = (light - point).normalize();
             let radians = 1.5 * rng.f64().powi(2);
             sweep::single(sweep::direction_off(rng, back, radians))
         });
@@ -219,7 +218,7 @@ impl<A: Attenuation> Kind<A> {
         let way = Way::random(rng, toward);
         let mut scene = self.scene(rng, half_degrees.into(), motion, way, toward);
         let cone = Cone::from_outer(shape.profile, sweep::half(half_degrees)).expect("a sound angle");
-        let exact = reference::Cone::new(shape.exact, reference::versine(half_degrees.into()));
+        let exact = oracle::Cone::new(shape.exact, oracle::versine(half_degrees.into()));
         let normals = scene.normals.map(|normal| normal.map(S::from_f32));
         let compile = |scene: &Scene| {
             let spot = SpotLight::new(scene.light, scene.axis, cone)
@@ -231,13 +230,13 @@ impl<A: Attenuation> Kind<A> {
         let mut worst = 0.0_f64;
         for _ in 0..FRAMES {
             let light = S::exact_point(scene.light.map(S::length));
-            let axis = reference::unit([scene.axis.x, scene.axis.y, scene.axis.z].map(f64::from));
+            let axis = f32::exact_direction(scene.axis);
             for (i, trend) in trends.iter_mut().enumerate() {
                 let point = scene.points[i].map(S::length);
-                let to = reference::minus(S::exact_point(point), light);
-                let distance = reference::dot(to, to).sqrt();
-                let cosine = -reference::dot(to, S::exact_normal(normals[i])) / distance;
-                let share = exact.falloff(reference::versine_between(to, axis)) * cosine.max(0.0);
+                let to = S::exact_point(point) - light;
+                let distance = to.length();
+                let cosine = -to.dot(S::exact_normal(normals[i])) / distance;
+                let share = exact.falloff(oracle::versine_between(to, axis)) * cosine.max(0.0);
                 let truth = (f64::from(scene.intensity) * (self.gain)(distance) * share).min(1.0);
                 let found = S::exact_light(spot.irradiance(point, normals[i])).min(1.0);
                 let trend = trend.get_or_insert(Trend::new(found, truth));

@@ -16,7 +16,7 @@ use luminaire::{
     projector::{Fixture, Gobo, Projection},
     specular::{NoSpecular, Phong, SpecularLobe},
 };
-use support::{arbitrary::vector, format::Format, profiles, reference, sweep};
+use support::{arbitrary::vector, format::Format, profiles, sweep};
 
 const COUNT: usize = 32;
 
@@ -67,7 +67,7 @@ fn surfaces<S: Format>(rng: &mut Rng, light: &AnyLight) -> [SurfacePoint<S>; COU
         AnyLight::Directional(sun) => (Vec3::default(), sun.direction()),
     };
     let stored = S::exact_point(position.map(S::length));
-    let axis = reference::unit(S::exact_direction(S::axis(axis)));
+    let axis = S::exact_direction(S::axis(axis)).normalize();
     std::array::from_fn(|_| {
         let distance = sweep::distance(rng);
         let site = sweep::site::<S>(rng, stored, axis, 35.0, distance);

@@ -14,7 +14,7 @@ use support::{
     arbitrary::{bits, vector},
     format::Format,
     profiles::Shape,
-    reference, sweep,
+    sweep,
 };
 
 /// Every remainder of the vectors of any machine, and of a block in the kernel, with whole blocks
@@ -49,7 +49,7 @@ impl<S: Format> Sites<S> {
     /// all, mixed so that neighbours differ in kind.
     fn about(rng: &mut Rng, position: Vec3<f32>, axis: Vec3<f32>, half_degrees: f32, count: usize) -> Self {
         let stored = S::exact_point(position.map(S::length));
-        let axis = reference::unit(S::exact_direction(S::axis(axis)));
+        let axis = S::exact_direction(S::axis(axis)).normalize();
         let (mut points, mut normals) = (Vec::new(), Vec::new());
         for _ in 0..count {
             let distance = sweep::distance(rng);

@@ -9,8 +9,8 @@ use luminaire::{
 use support::with_every_shape;
 use support::{
     format::Format,
+    oracle::{self, half_degrees},
     profiles::Shape,
-    reference::{self, half_degrees},
 };
 
 fn assert_near(what: &str, found: f32, expected: f64, within: f64) {
@@ -244,6 +244,6 @@ fn the_systems_angles_are_one() {
     // glTF: outerConeAngle; three.js: angle.
     same(HalfAngle::radians(0.130_899_7).into());
     let outer = |angle: Angle| Cone::from_outer(Soft, angle).expect("sound").outer_versine();
-    assert_near("outer versine", outer(HalfAngle::degrees(7.5).into()), reference::versine(7.5), 1e-6);
+    assert_near("outer versine", outer(HalfAngle::degrees(7.5).into()), oracle::versine(7.5), 1e-6);
     assert_eq!(outer(full), outer(HalfAngle::from(full).into()));
 }

@@ -5,7 +5,7 @@ use luminaire::{
     Fx16, Fx32, Rgb, Scalar,
     display::{Rgb565, decode_srgb, encode_srgb_dithered},
 };
-use support::{format::Format, reference};
+use support::{format::Format, oracle};
 
 /// The last codes of eight, six and five bits.
 const LASTS: [u16; 3] = [255, 63, 31];
@@ -31,7 +31,7 @@ fn codes<S: Scalar>(value: S, x: u32, y: u32) -> [u16; 3] {
 
 /// The light of each code.
 fn lights(last: u16) -> Vec<f64> {
-    (0..=last).map(|code| reference::srgb_linear(f64::from(code) / f64::from(last) * 255.0)).collect()
+    (0..=last).map(|code| oracle::srgb_linear(f64::from(code) / f64::from(last) * 255.0)).collect()
 }
 
 /// The code under a light, and how far the light is from there to the next one.
@@ -72,7 +72,7 @@ fn show<S: Format>(values: impl Iterator<Item = S>) -> [Seen; 3] {
                 assert!(code == law || is_open, "{value:?} at {x} {y} of {}: {code}", LASTS[which]);
                 let seen = &mut seen[which];
                 seen.open += u32::from(is_open);
-                let exact = reference::srgb_code(light) / 255.0 * f64::from(LASTS[which]);
+                let exact = oracle::srgb_code(light) / 255.0 * f64::from(LASTS[which]);
                 seen.pixel = seen.pixel.max((f64::from(code) - exact).abs());
                 mean[which] += f64::from(code - below) / 64.0;
             }
@@ -105,7 +105,7 @@ fn assert_keeps_the_light(name: &str, seen: &[Seen; 3], bias: f64) {
 /// Values evenly spread over the codes, so that the dark ones have their share.
 fn spread(count: u32) -> impl Iterator<Item = f64> {
     let mut rng = fastrand::Rng::with_seed(64);
-    (0..count).map(move |_| reference::srgb_linear(255.0 * rng.f64()))
+    (0..count).map(move |_| oracle::srgb_linear(255.0 * rng.f64()))
 }
 
 /// Exhaustive, clipped values included.
@@ -261,7 +261,7 @@ fn parts_by_the_encoded_value_would_be_too_bright() {
     let lights = lights(31);
     let mut worst = 0.0_f64;
     for light in spread(100_000) {
-        let exact = reference::srgb_code(light) / 255.0 * 31.0;
+        let exact = oracle::srgb_code(light) / 255.0 * 31.0;
         let (_, part) = place(&lights, light);
         worst = worst.max(exact.fract() - part);
     }

@@ -16,9 +16,8 @@ use luminaire::{
 };
 use support::{
     format::Format,
-    profiles,
-    reference::{self, Vector},
-    sweep,
+    oracle::{self, DVec3},
+    profiles, sweep,
 };
 
 /// The ranges of a format, as its documentation states them.
@@ -77,10 +76,10 @@ impl Shape {
 fn plain() -> [Shape; 4] {
     let cubic: Cubic = profiles::cubic();
     [
-        Shape::new("soft", Soft, reference::soft),
-        Shape::new("hard", Hard, reference::hard),
-        Shape::new("linear", Linear, reference::linear),
-        Shape::new("cubic", cubic, reference::cubic),
+        Shape::new("soft", Soft, oracle::soft),
+        Shape::new("hard", Hard, oracle::hard),
+        Shape::new("linear", Linear, oracle::linear),
+        Shape::new("cubic", cubic, oracle::cubic),
     ]
 }
 
@@ -113,10 +112,10 @@ impl Scene {
         point: Vec3<f32>,
     ) -> Option<Self> {
         let [from, to] = [light, point].map(|place| S::exact_point(place.map(S::length)));
-        let way = reference::minus(to, from);
-        let most = way.iter().fold(0.0_f64, |most, c| most.max(c.abs()));
+        let way = to - from;
+        let most = way.abs().max_element();
         let off_axis = f64::from(half_degrees).to_radians() * rng.f64();
-        let way = (most > 0.0).then(|| reference::unit(reference::scaled(way, 1.0 / most)))?;
+        let way = (most > 0.0).then(|| (way * (1.0 / most)).normalize())?;
         Some(Self { light, axis: sweep::single(sweep::direction_off(rng, way, off_axis)), point })
     }
 }
@@ -129,16 +128,16 @@ fn worst<S: Format>(
     mut scene: impl FnMut(&mut Rng) -> Option<Scene>,
 ) -> f64 {
     let (mut rng, cone) = (Rng::with_seed(7), shape.cone(half_degrees));
-    let outer = reference::versine(half_degrees.into());
+    let outer = oracle::versine(half_degrees.into());
     let mut worst = 0.0_f64;
     for _ in 0..count * sweep::effort() {
         let Some(Scene { light, axis, point }) = scene(&mut rng) else { continue };
         let spot = SpotLight::new(light, axis, cone).expect("in the domain");
         let [from, to] = [light, point].map(|place| S::exact_point(place.map(S::length)));
-        let way = reference::minus(to, from);
+        let way = to - from;
         // Squares of the shortest and the longest ways are within f64.
-        let axis = reference::unit(S::exact_direction(spot.axis_in::<S>()));
-        let versine = reference::versine_between(way, axis);
+        let axis = S::exact_direction(spot.axis_in::<S>()).normalize();
+        let versine = oracle::versine_between(way, axis);
         let exact = if versine < outer { (shape.exact)((outer - versine) / outer) } else { 0.0 };
         let found = spot.compile::<S>().expect("in the domain").falloff(point.map(S::length)).exact();
         worst = worst.max(255.0 * (found - exact).abs());
@@ -268,26 +267,25 @@ fn assert_distances<S: Format>() {
             let way = if is_float {
                 sweep::direction(rng).map(|c| c * shortest * (1.0 + rng.f64()))
             } else {
-                [0; 3].map(|_| shortest * f64::from(rng.i8(-3..=3)))
+                DVec3::from_array([0; 3].map(|_| shortest * f64::from(rng.i8(-3..=3))))
             };
-            let light = if is_float { [0.0; 3] } else { sweep::on_grid([0; 3].map(|_| 8.0 * rng.f64())) };
-            let point = [0, 1, 2].map(|i| light[i] + way[i]);
+            let light = if is_float { DVec3::ZERO } else { sweep::on_grid([0; 3].map(|_| 8.0 * rng.f64())) };
+            let point = light + way;
             Scene::aimed::<S>(rng, half_degrees, sweep::single(light), sweep::single(point))
         };
         let codes = worst::<S>(&shape, half_degrees, 4_000, near);
         assert_held::<S>("shortest ways", &shape, half_degrees, 0.1, codes);
         let mut seen = 0.0_f64;
         let far = |rng: &mut Rng| {
-            let (light, point): (Vector, Vector) = if is_float {
+            let (light, point): (DVec3, DVec3) = if is_float {
                 let way = sweep::direction(rng).map(|c| c * longest * (1.0 - 0.1 * rng.f64()));
                 (sweep::direction(rng), way)
             } else {
-                let corner = [0; 3].map(|_| if rng.bool() { 1.0 } else { -1.0 });
+                let corner = DVec3::from_array([0; 3].map(|_| if rng.bool() { 1.0 } else { -1.0 }));
                 let inset = 1.0 - 0.001 * rng.f64();
-                (corner.map(|c| c * f64::from(farthest)), corner.map(|c| -c * end * inset))
+                (corner * f64::from(farthest), -corner * end * inset)
             };
-            let way = reference::minus(point, light);
-            seen = seen.max(reference::dot(way, way).sqrt());
+            seen = seen.max(point.distance(light));
             Scene::aimed::<S>(rng, half_degrees, sweep::single(light), sweep::single(point))
         };
         let codes = worst::<S>(&shape, half_degrees, 4_000, far);
@@ -324,9 +322,9 @@ fn distances_beyond_the_domain_are_dark() {
 
 /// A light within a few units of the origin and a point anywhere near.
 fn near_scene<S: Format>(rng: &mut Rng, half_degrees: f32) -> Option<Scene> {
-    let light = sweep::on_grid([0; 3].map(|_| 16.0 * rng.f64() - 8.0));
+    let light = sweep::position(rng);
     let (distance, toward) = (sweep::distance(rng), sweep::direction(rng));
-    let point = [0, 1, 2].map(|i| light[i] + distance * toward[i]);
+    let point = light + distance * toward;
     Scene::aimed::<S>(rng, half_degrees, sweep::single(light), sweep::single(point))
 }
 
@@ -418,13 +416,13 @@ fn the_least_exponent_is_a_step() {
 /// the point is at most `gain`.
 fn bright<S: Format>(shape: &Shape, half_degrees: f32, intensity: f32, gain: f64) -> f64 {
     let (mut rng, mut worst) = (Rng::with_seed(9), 0.0_f64);
-    let outer = reference::versine(half_degrees.into());
-    let farthest = f64::from(S::FARTHEST.min(16_383.0));
+    let outer = oracle::versine(half_degrees.into());
+    let farthest = DVec3::splat(S::FARTHEST.min(16_383.0).into());
     for _ in 0..10_000 * sweep::effort() {
         let distance = (f64::from(intensity) / gain).sqrt() * 30.0_f64.powf(rng.f64());
         let way = sweep::direction(&mut rng);
-        let light = [0; 3].map(|_| 8.0 * rng.f64());
-        let point = [0, 1, 2].map(|i| (light[i] + distance * way[i]).clamp(-farthest, farthest));
+        let light = DVec3::from_array([0; 3].map(|_| 8.0 * rng.f64()));
+        let point = (light + distance * way).clamp(-farthest, farthest);
         let point = sweep::single(sweep::on_grid(point));
         let light = sweep::single(sweep::on_grid(light));
         let off_axis = f64::from(half_degrees).to_radians() * (1.0 - rng.f64().powi(2));
@@ -434,15 +432,15 @@ fn bright<S: Format>(shape: &Shape, half_degrees: f32, intensity: f32, gain: f64
             .and_then(|spot| spot.with_intensity(intensity));
         let spot = spot.expect("in the domain");
         let [from, to] = [light, point].map(|place| S::exact_point(place.map(S::length)));
-        let way = reference::minus(to, from);
-        let squared = reference::dot(way, way);
+        let way = to - from;
+        let squared = way.length_squared();
         if f64::from(intensity) / squared > gain {
             continue;
         }
-        let axis = reference::unit(S::exact_direction(spot.axis_in::<S>()));
-        let versine = reference::versine_between(way, axis);
+        let axis = S::exact_direction(spot.axis_in::<S>()).normalize();
+        let versine = oracle::versine_between(way, axis);
         let share = if versine < outer { (shape.exact)((outer - versine) / outer) } else { 0.0 };
-        let cosine = -reference::dot(reference::unit(way), S::exact_normal(normal));
+        let cosine = -way.normalize().dot(S::exact_normal(normal));
         let exact = f64::from(intensity) / squared * share * cosine;
         let found =
             S::exact_light(spot.compile::<S>().expect("held").irradiance(point.map(S::length), normal));
@@ -485,14 +483,13 @@ fn intensities_hold_at_their_ends() {
 
 /// Where the way is longer than the format has room for.
 fn assert_far<S: Format>(light: Vec3<f32>, axis: Vec3<f32>, half_degrees: f32, point: Vec3<f32>, truth: f64) {
-    let shape = Shape::new("soft", Soft, reference::soft);
+    let shape = Shape::new("soft", Soft, oracle::soft);
     let spot =
         SpotLight::new(light, axis, shape.cone(half_degrees)).expect("sound").with_attenuation(InverseSquare);
     let found = spot.compile::<S>().expect("in the domain").falloff(point.map(S::length)).exact();
-    let components = |v: Vec3<f32>| [v.x, v.y, v.z].map(f64::from);
-    let way = reference::minus(components(point), components(light));
-    let versine = reference::versine_between(way, reference::unit(components(axis)));
-    let exact = reference::falloff(reference::soft, versine, reference::versine(half_degrees.into()));
+    let way = f32::exact_point(point) - f32::exact_point(light);
+    let versine = oracle::versine_between(way, f32::exact_direction(axis));
+    let exact = oracle::falloff(oracle::soft, versine, oracle::versine(half_degrees.into()));
     assert!((exact - truth).abs() < 1e-4, "{exact}");
     assert!(255.0 * (found - exact).abs() < 0.5, "{}: {found} against {exact}", S::NAME);
 }

@@ -7,7 +7,7 @@ use luminaire::{
     falloff::{Falloff, FittedFalloff, Hard, Soft, SoftOrHard},
 };
 use support::with_every_shape;
-use support::{format::Format, profiles::Shape, reference, sweep};
+use support::{format::Format, profiles::Shape, sweep};
 
 /// Skipped light is exactly zero: with and without early-outs the results are bit-identical,
 /// inside, outside and at the edge.
@@ -23,7 +23,7 @@ fn assert_skipping_is_exact<S: Format, P: Falloff>(shape: &Shape<P>) {
             let spot = sweep::spot(&mut rng, cone).with_intensity(100.0).expect("sound");
             let compiled = spot.compile::<S>().expect("held");
             let position = S::exact_point(spot.position().map(S::length));
-            let axis = reference::unit(S::exact_direction(spot.axis_in::<S>()));
+            let axis = S::exact_direction(spot.axis_in::<S>()).normalize();
             for _ in 0..1_000 {
                 let distance = sweep::distance(&mut rng);
                 let site = sweep::site::<S>(&mut rng, position, axis, degrees.into(), distance);
@@ -60,7 +60,7 @@ fn a_choice_at_run_time_changes_no_bit() {
         let spot = sweep::spot(&mut rng, cone);
         let chosen = spot.compile::<Fx16>().expect("held");
         let position = Fx16::exact_point(spot.position().map(<Fx16 as luminaire::Scalar>::length));
-        let axis = reference::unit(Fx16::exact_direction(Fx16::axis(spot.axis())));
+        let axis = Fx16::exact_direction(Fx16::axis(spot.axis())).normalize();
         for _ in 0..10_000 {
             let distance = sweep::distance(&mut rng);
             let site = sweep::site::<Fx16>(&mut rng, position, axis, 10.0, distance);

@@ -6,7 +6,7 @@
 
 use fastrand::Rng;
 use support::{
-    reference::{self, Vector, dot, minus, scaled, unit},
+    oracle::{self, DVec3},
     sweep,
 };
 
@@ -20,51 +20,43 @@ fn rounded(value: f64, bits: i32) -> f64 {
 }
 
 /// Takes an offset of any length to the unit direction that a candidate would compute.
-type Normalise<'a> = &'a dyn Fn(Vector) -> Vector;
+type Normalise<'a> = &'a dyn Fn(DVec3) -> DVec3;
 
 /// The largest error of a profile at a half angle, when the versine is half the squared difference
 /// of the candidate's direction and the axis, and all else is exact.
-fn difference_error(normalise: Normalise, profile: reference::Falloff, half_degrees: f64) -> f64 {
-    largest_error(profile, half_degrees, |way, axis| {
-        let difference = minus(normalise(way), axis);
-        dot(difference, difference) / 2.0
-    })
+fn difference_error(normalise: Normalise, profile: oracle::Falloff, half_degrees: f64) -> f64 {
+    largest_error(profile, half_degrees, |way, axis| normalise(way).distance_squared(axis) / 2.0)
 }
 
-fn largest_error(
-    profile: reference::Falloff,
-    half_degrees: f64,
-    versine: impl Fn(Vector, Vector) -> f64,
-) -> f64 {
-    let outer = reference::versine(half_degrees);
+fn largest_error(profile: oracle::Falloff, half_degrees: f64, versine: impl Fn(DVec3, DVec3) -> f64) -> f64 {
+    let outer = oracle::versine(half_degrees);
     let mut rng = Rng::with_seed(11);
     (0..POINTS)
         .map(|_| {
             let axis = sweep::direction(&mut rng);
             let off_axis = rng.f64() * half_degrees.to_radians();
-            let way = scaled(sweep::direction_off(&mut rng, axis, off_axis), 1.0 + 9.0 * rng.f64());
-            let exact = reference::falloff(profile, reference::versine_between(way, axis), outer);
-            (reference::falloff(profile, versine(way, axis), outer) - exact).abs()
+            let way = sweep::direction_off(&mut rng, axis, off_axis) * (1.0 + 9.0 * rng.f64());
+            let exact = oracle::falloff(profile, oracle::versine_between(way, axis), outer);
+            (oracle::falloff(profile, versine(way, axis), outer) - exact).abs()
         })
         .fold(0.0, f64::max)
 }
 
 /// A direction stored with `bits` fraction bits a component.
-fn stored(bits: i32) -> impl Fn(Vector) -> Vector {
-    move |way| unit(way).map(|c| rounded(c, bits))
+fn stored(bits: i32) -> impl Fn(DVec3) -> DVec3 {
+    move |way| way.normalize().map(|c| rounded(c, bits))
 }
 
 /// An offset scaled to `way_bits` bits in its largest component, times a reciprocal rounded so that
 /// every product fits 32 bits: what the kernel does, for a choice of the split.
-fn split(way_bits: i32, reciprocal_bits: i32) -> impl Fn(Vector) -> Vector {
+fn split(way_bits: i32, reciprocal_bits: i32) -> impl Fn(DVec3) -> DVec3 {
     move |way| {
-        let largest = way.into_iter().fold(0.0_f64, |m, c| m.max(c.abs()));
-        let scale = 2.0_f64.powi(way_bits - 1 - largest.log2().floor() as i32);
-        let way = way.map(|c| (c * scale).round());
+        let scale = 2.0_f64.powi(way_bits - 1 - way.abs().max_element().log2().floor() as i32);
+        let way = (way * scale).round();
         // At most 2^reciprocal_bits, for the shortest scaled offset.
         let one = 2.0_f64.powi(way_bits - 1 + reciprocal_bits);
-        let reciprocal = (one / dot(way, way).sqrt()).round() / one;
-        scaled(way, reciprocal)
+        let reciprocal = (one / way.length()).round() / one;
+        reciprocal * way
     }
 }
 
@@ -72,11 +64,11 @@ fn split(way_bits: i32, reciprocal_bits: i32) -> impl Fn(Vector) -> Vector {
 /// edge of 1: it must be wider than a scalar.
 #[test]
 fn a_direction_needs_more_bits_than_a_scalar() {
-    let columns: [(&str, reference::Falloff, f64); 4] = [
-        ("soft 3 deg", reference::soft, 3.0),
-        ("hard 3 deg", reference::hard, 3.0),
-        ("soft 1 deg", reference::soft, 1.0),
-        ("hard 1 deg", reference::hard, 1.0),
+    let columns: [(&str, oracle::Falloff, f64); 4] = [
+        ("soft 3 deg", oracle::soft, 3.0),
+        ("hard 3 deg", oracle::hard, 3.0),
+        ("soft 1 deg", oracle::soft, 1.0),
+        ("hard 1 deg", oracle::hard, 1.0),
     ];
     println!("largest error with a direction of so many fraction bits (half a step is {HALF_A_STEP:.2e})");
     println!("bits  {}", columns.map(|(name, ..)| name).join("  "));
@@ -100,10 +92,10 @@ fn the_offset_gets_the_larger_half_of_the_product() {
     let errors = [(14, 17), (15, 16), (16, 15), (17, 14), (18, 13)].map(|(way, reciprocal)| {
         let normalise = split(way, reciprocal);
         let errors = [
-            difference_error(&normalise, reference::soft, 1.0),
-            difference_error(&normalise, reference::hard, 3.0),
-            difference_error(&normalise, reference::soft, 30.0),
-            difference_error(&normalise, reference::hard, 30.0),
+            difference_error(&normalise, oracle::soft, 1.0),
+            difference_error(&normalise, oracle::hard, 3.0),
+            difference_error(&normalise, oracle::soft, 30.0),
+            difference_error(&normalise, oracle::hard, 30.0),
         ];
         println!("{way} + {reciprocal}  {}", errors.map(|error| format!("{error:10.1e}")).join("  "));
         errors
@@ -121,13 +113,13 @@ fn a_reciprocal_is_a_mantissa_and_a_shift() {
     println!("largest error of the soft profile with the reciprocal of the outer versine in a format");
     println!("half angle  I16F16   I8F24    16-bit mantissa and shift");
     for degrees in [30.0, 5.0, 1.0, 0.1] {
-        let outer = reference::versine(degrees);
+        let outer = oracle::versine(degrees);
         let with = |reciprocal: f64| {
             (0..=1000)
                 .map(|i| {
                     let versine = outer * f64::from(i) / 1000.0;
                     let t = ((outer - versine) * reciprocal).clamp(0.0, 1.0);
-                    (t * t - reference::falloff(reference::soft, versine, outer)).abs()
+                    (t * t - oracle::falloff(oracle::soft, versine, outer)).abs()
                 })
                 .fold(0.0, f64::max)
         };

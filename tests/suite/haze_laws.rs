@@ -14,7 +14,7 @@ use support::{
     bounds,
     haze::LAWS,
     in_scattering::Beam,
-    reference::{self, Vector, dot, minus, unit},
+    oracle::{self, DVec3},
     sweep,
     views::{distances, exact, exactly, near_beam, place, view},
 };
@@ -36,16 +36,9 @@ fn in_haze<A: Attenuation>(spot: &SpotLight<Soft, A>, density: f32) -> BeamScatt
 
 /// What a spotlight stands for.
 fn oracle(spot: &SpotLight<Soft>) -> Beam {
-    let cone = reference::Cone::new(reference::soft, spot.cone().outer_versine().into());
-    let spot = reference::SpotLight {
-        position: exact(spot.position()),
-        axis: exact(spot.axis()),
-        cone,
-        intensity: 1.0,
-    };
+    let cone = oracle::Cone::new(oracle::soft, spot.cone().outer_versine().into());
     Beam {
-        spot,
-        attenuation: |d| 1.0 / (d * d),
+        spot: oracle::SpotLight::new(exact(spot.position()), exact(spot.axis()), cone),
         range: f64::INFINITY,
         density: 1.0,
         source_radius: haze(1.0).source_radius().into(),
@@ -127,11 +120,10 @@ fn parts_of_a_ray_add_up() {
 }
 
 /// The axes of a turned world.
-fn turned(rng: &mut Rng) -> [Vector; 3] {
+fn turned(rng: &mut Rng) -> [DVec3; 3] {
     let first = sweep::direction(rng);
     let second = sweep::direction_off(rng, first, std::f64::consts::FRAC_PI_2);
-    let [a, b] = [first, second];
-    [a, b, [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]]
+    [first, second, first.cross(second)]
 }
 
 /// Turning light and eye changes what rounding to f32 does to them, and no more.
@@ -140,7 +132,7 @@ fn a_turned_scene_looks_the_same() {
     let mut worst = 0.0_f64;
     on_many(|rng, spot, view| {
         let axes = turned(rng);
-        let turn = |v: Vec3<f32>| sweep::single(axes.map(|axis| dot(axis, exact(v))));
+        let turn = |v: Vec3<f32>| sweep::single(axes.map(|axis| axis.dot(exact(v))));
         let other =
             SpotLight::new(turn(spot.position()), turn(spot.axis()), spot.cone()).expect("a sound light");
         let across = ViewRay { eye: turn(view.eye), direction: turn(view.direction), length: view.length };
@@ -197,11 +189,11 @@ fn samples_are_taken_on_the_ray() {
         let ray = exactly(view);
         let off = std::cell::Cell::new(0.0_f64);
         let light = in_haze(spot, 1.0).in_scattering_through(view, 8, |point| {
-            let way = minus(exact(point), ray.eye);
-            let along = dot(way, ray.direction);
-            let beside = (dot(way, way) - along * along).max(0.0).sqrt();
+            let way = exact(point) - ray.eye;
+            let along = way.dot(ray.direction);
+            let beside = (way.length_squared() - along * along).max(0.0).sqrt();
             let beyond = (-along).max(along - ray.length).max(0.0);
-            off.set(off.get().max((beside + beyond) / (1.0 + dot(way, way).sqrt())));
+            off.set(off.get().max((beside + beyond) / (1.0 + way.length())));
             1.0
         });
         worst = worst.max(if light > 0.0 { off.get() } else { 0.0 });
@@ -217,10 +209,10 @@ fn a_ray_between_two_points_has_their_direction_and_distance() {
     for _ in 0..100_000 {
         let [eye, surface] = [(); 2].map(|()| Vec3::new((), (), ()).map(|()| 16.0 * rng.f32() - 8.0));
         let found = ViewRay::between(eye, surface);
-        let way = minus(exact(surface), exact(eye));
-        let distance = dot(way, way).sqrt();
-        let off = minus(exact(found.direction), unit(way));
-        worst[0] = worst[0].max(dot(off, off).sqrt());
+        let way = exact(surface) - exact(eye);
+        let distance = way.length();
+        let off = exact(found.direction) - way.normalize();
+        worst[0] = worst[0].max(off.length());
         worst[1] = worst[1].max((f64::from(found.length) / distance - 1.0).abs());
         assert_eq!(ViewRay::endless(eye, found.direction).length, f32::INFINITY);
     }
@@ -269,7 +261,7 @@ fn any_bits_have_an_air_light() {
 fn bundle(rng: &mut Rng, oracle: &Beam) -> (RayBundle, Vec<ViewRay>) {
     let target = near_beam(rng, &oracle.spot, 3.0);
     let eye = sweep::single(place(target, sweep::direction(rng), 0.3 * 30.0_f64.powf(rng.f64())));
-    let middle = unit(minus(target, exact(eye)));
+    let middle = (target - exact(eye)).normalize();
     let spread = 0.5 * 0.002_f64.powf(rng.f64());
     let length = if rng.bool() { f32::INFINITY } else { 0.2 * 100.0_f32.powf(rng.f32()) };
     let rays: Vec<_> = (0..24)

@@ -17,8 +17,8 @@ use support::{
     bounds,
     format::Format,
     imports::{self, ORIGIN},
+    oracle::DVec3,
     originals::Original,
-    reference::{dot, minus, unit},
     sweep,
 };
 
@@ -185,18 +185,18 @@ fn excess<S: Format>(
         let off_axis = outer * 1.2 * rng.f64();
         let nearest = original.stop.max(0.1);
         let distance = nearest * (1.1 * farthest / nearest).powf(rng.f64());
-        let way = sweep::direction_off(rng, [0.0, -1.0, 0.0], off_axis);
-        let place = sweep::on_grid(way.map(|c| c * distance));
-        let (way, distance) = (unit(place), dot(place, place).sqrt());
+        let way = sweep::direction_off(rng, DVec3::NEG_Y, off_axis);
+        let place = sweep::on_grid(distance * way);
+        let (way, distance) = (place.normalize(), place.length());
         let strip = if difference.place > 0.0 { outer / 510.0 } else { 0.0 };
-        let at_the_edge = (dot(way, [0.0, -1.0, 0.0]).acos() - outer).abs() < blur::<S>(outer) + strip;
+        let at_the_edge = ((-way.y).acos() - outer).abs() < blur::<S>(outer) + strip;
         let at_the_end = original.range.is_some_and(|range| (distance / range - 1.0).abs() < 1e-3);
         if at_the_edge || at_the_end || distance < nearest {
             continue;
         }
-        let normal = sweep::single(minus([0.0; 3], way)).map(S::from_f32);
-        let incidence = (-dot(way, S::exact_normal(normal))).clamp(0.0, 1.0);
-        let exact = original.light(-way[1], distance) * incidence;
+        let normal = sweep::single(-way).map(S::from_f32);
+        let incidence = (-way.dot(S::exact_normal(normal))).clamp(0.0, 1.0);
+        let exact = original.light(-way.y, distance) * incidence;
         let found = S::exact_light(compiled.irradiance(sweep::single(place).map(S::length), normal));
         let on_axis = (original.distance)(distance).max(fall(&light, distance));
         let error = (found - exact).abs() / on_axis.max(1.0);

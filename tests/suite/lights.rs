@@ -13,12 +13,7 @@ use luminaire::{
     number::Gain,
     specular::{BlinnPhong, DifferenceForm, DualConeLobe, NoSpecular, Phong, SpecularLobe},
 };
-use support::{
-    arbitrary::vector,
-    format::Format,
-    reference::{self, scaled},
-    sweep,
-};
+use support::{arbitrary::vector, format::Format, sweep};
 
 fn any_surface<S: Format>(rng: &mut Rng) -> SurfacePoint<S> {
     SurfacePoint {
@@ -86,7 +81,7 @@ fn assert_model<S: Format, A: Attenuation>(rng: &mut Rng, model: impl Fn(f32) ->
         for _ in 0..50 {
             let way = sweep::direction(rng);
             let stretch = [0.5, 0.999, 1.0, 1.000_01, 1.2][rng.usize(..5)];
-            let site = sweep::on_grid([0, 1, 2].map(|i| position[i] + f64::from(range) * stretch * way[i]));
+            let site = sweep::on_grid(position + f64::from(range) * stretch * way);
             let surface = SurfacePoint::<S>::seen_from(
                 sweep::single(sweep::direction(rng)).map(S::length),
                 sweep::single(site).map(S::length),
@@ -217,10 +212,10 @@ fn one_vector_gives_direction_and_range() {
     let cone = Cone::from_field(Soft, sweep::half(20.0)).expect("a sound cone");
     for _ in 0..1_000 {
         let (position, way) = (Vec3::new(1.0, 2.0, 3.0), sweep::direction(&mut rng));
-        let end = sweep::single(scaled(way, 5.0)).zip(position, |w, p| w + p);
+        let end = sweep::single(5.0 * way).zip(position, |w, p| w + p);
         let spot = SpotLight::between(position, end, cone).expect("sound");
-        let off = reference::minus(f32::exact_direction(spot.axis()), way);
-        assert!(reference::dot(off, off).sqrt() < 1e-6);
+        let off = f32::exact_direction(spot.axis()) - way;
+        assert!(off.length() < 1e-6);
         assert!((spot.attenuation().range() - 5.0).abs() < 1e-5);
     }
 }

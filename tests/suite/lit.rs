@@ -17,8 +17,8 @@ use luminaire::{
 use support::{
     bounds,
     format::Format,
+    oracle::{self, Classic, DVec3, Lobe},
     prices::{self, Row},
-    reference::{self, Classic, Lobe, Vector, minus, scaled, unit},
     sweep,
 };
 
@@ -33,13 +33,8 @@ fn assert_row(table: &[Row], model: &str, measured: [f64; 3]) {
     assert!(broken.is_empty(), "{}", broken.join("\n"));
 }
 
-/// A random position on the grid of the formats.
-fn position(rng: &mut Rng) -> Vector {
-    sweep::on_grid([0; 3].map(|_| rng.f64() * 16.0 - 8.0))
-}
-
 /// A random direction less than an angle off an axis.
-fn direction_within(rng: &mut Rng, axis: Vector, radians: f64) -> Vector {
+fn direction_within(rng: &mut Rng, axis: DVec3, radians: f64) -> DVec3 {
     let angle = radians * rng.f64();
     sweep::direction_off(rng, axis, angle)
 }
@@ -51,28 +46,28 @@ fn range(rng: &mut Rng) -> f32 {
 
 fn distance_error<S: Format, A: Attenuation>(
     model: impl Fn(f32) -> A,
-    oracle: impl Fn(f64, f64) -> f64,
+    oracle: fn(f64) -> oracle::Attenuation,
 ) -> f64 {
     let mut rng = Rng::with_seed(20);
     let mut worst = 0.0_f64;
     for _ in 0..400 * sweep::effort() {
-        let (place, range) = (position(&mut rng), range(&mut rng));
+        let (place, range) = (sweep::position(&mut rng), range(&mut rng));
         let model = model(range);
         // Full scale at half the range for what falls with the square, at the light itself for what
         // does not.
-        let falls = oracle(range.into(), 0.01) > 1.0;
+        let falls = oracle(range.into()).at(0.01) > 1.0;
         let intensity = if falls { range * range / 4.0 } else { 1.0 };
         let point = PointLight::new(sweep::single(place)).and_then(|point| point.with_intensity(intensity));
         let lit = point.expect("a sound light").with_attenuation(model).compile::<S>().expect("held");
         for _ in 0..1_000 {
             let way = sweep::direction(&mut rng);
             let distance = f64::from(range) * (0.02 + 1.08 * rng.f64());
-            let site = sweep::on_grid([0, 1, 2].map(|i| place[i] + distance * way[i]));
-            let normal = sweep::single(scaled(way, -1.0)).map(S::from_f32);
-            let offset = minus(site, place);
-            let distance = reference::dot(offset, offset).sqrt();
-            let cosine = (-reference::dot(unit(offset), S::exact_normal(normal))).clamp(0.0, 1.0);
-            let exact = f64::from(intensity) * oracle(range.into(), distance) * cosine;
+            let site = sweep::on_grid(place + distance * way);
+            let normal = sweep::single(-way).map(S::from_f32);
+            let offset = site - place;
+            let distance = offset.length();
+            let cosine = (-offset.normalize().dot(S::exact_normal(normal))).clamp(0.0, 1.0);
+            let exact = f64::from(intensity) * oracle(range.into()).at(distance) * cosine;
             let light = S::exact_light(lit.irradiance(sweep::single(site).map(S::length), normal));
             let unwindowed = if falls { f64::from(intensity) / (distance * distance) } else { 1.0 };
             worst = worst.max((light - exact).abs() / unwindowed.max(1.0));
@@ -81,7 +76,11 @@ fn distance_error<S: Format, A: Attenuation>(
     worst
 }
 
-fn assert_distance<A: Attenuation>(name: &str, model: impl Fn(f32) -> A + Copy, oracle: fn(f64, f64) -> f64) {
+fn assert_distance<A: Attenuation>(
+    name: &str,
+    model: impl Fn(f32) -> A + Copy,
+    oracle: fn(f64) -> oracle::Attenuation,
+) {
     let measured = [
         distance_error::<f32, A>(model, oracle),
         distance_error::<Fx32, A>(model, oracle),
@@ -92,25 +91,29 @@ fn assert_distance<A: Attenuation>(name: &str, model: impl Fn(f32) -> A + Copy, 
 
 #[test]
 fn no_fall_keeps_its_row() {
-    assert_distance("unattenuated", |_| NoAttenuation, |_, _| 1.0);
+    assert_distance("unattenuated", |_| NoAttenuation, |_| oracle::Attenuation::None);
 }
 
 #[test]
 fn inverse_square_keeps_its_row() {
-    assert_distance("inverse square", |_| InverseSquare, |_, d| 1.0 / (d * d));
+    assert_distance("inverse square", |_| InverseSquare, |_| oracle::Attenuation::InverseSquare);
 }
 
 #[test]
 fn polynomial_keeps_its_row() {
     let model = |range: f32| Polynomial::new(0.5, 0.25, 4.0 / (range * range)).expect("sound");
-    assert_distance("polynomial", model, |r, d| {
-        reference::polynomial([0.5, 0.25, f64::from(4.0_f32 / (r * r) as f32)], d)
+    assert_distance("polynomial", model, |r| {
+        oracle::Attenuation::Polynomial([0.5, 0.25, f64::from(4.0_f32 / (r * r) as f32)])
     });
 }
 
 #[test]
 fn smooth_range_keeps_its_row() {
-    assert_distance("smooth range", |r| SmoothRange::new(r).expect("sound"), reference::smooth_range);
+    assert_distance(
+        "smooth range",
+        |r| SmoothRange::new(r).expect("sound"),
+        oracle::Attenuation::SmoothRange,
+    );
 }
 
 #[test]
@@ -118,14 +121,14 @@ fn gltf_range_keeps_its_row() {
     assert_distance(
         "glTF range",
         |r| GltfRange::new(InverseSquare, Some(r)).expect("sound"),
-        reference::gltf_range,
+        oracle::Attenuation::GltfRange,
     );
 }
 
 #[test]
 fn filament_range_keeps_its_row() {
     let model = |r| FilamentRange::new(InverseSquare, Some(r)).expect("sound");
-    assert_distance("Filament range", model, reference::filament_range);
+    assert_distance("Filament range", model, oracle::Attenuation::FilamentRange);
 }
 
 /// A cut changes no bit within its range and leaves none beyond. At the range itself the squared
@@ -133,14 +136,14 @@ fn filament_range_keeps_its_row() {
 fn assert_cut<S: Format>() {
     let mut rng = Rng::with_seed(44);
     for _ in 0..20_000 {
-        let (place, range) = (position(&mut rng), range(&mut rng));
+        let (place, range) = (sweep::position(&mut rng), range(&mut rng));
         let whole = PointLight::new(sweep::single(place)).expect("a sound light");
         let cut = whole.with_attenuation(CutAt::new(InverseSquare, Some(range)).expect("sound"));
         let way = sweep::direction(&mut rng);
         let fraction = rng.f64() * 2.0;
-        let site = [0, 1, 2].map(|i| place[i] + f64::from(range) * fraction * way[i]);
+        let site = place + f64::from(range) * fraction * way;
         let site = sweep::single(sweep::on_grid(site)).map(S::length);
-        let normal = sweep::single(scaled(way, -1.0)).map(S::from_f32);
+        let normal = sweep::single(-way).map(S::from_f32);
         let cut = cut.compile::<S>().expect("held").irradiance(site, normal);
         if fraction > 1.000_2 {
             assert_eq!(cut, S::Irradiance::default());
@@ -164,20 +167,20 @@ fn highlight_error<S: Format, H: SpecularLobe>(oracle: Lobe, shininess: u32) -> 
     let mut worst = 0.0_f64;
     for _ in 0..200_000 * sweep::effort() {
         let normal = sweep::single(sweep::direction(&mut rng)).map(S::from_f32);
-        let exact_normal = unit(S::exact_normal(normal));
+        let exact_normal = S::exact_normal(normal).normalize();
         let to_light = direction_within(&mut rng, exact_normal, 1.5);
-        let mirror = reference::reflect(scaled(to_light, -1.0), exact_normal);
+        let mirror = (-to_light).reflect(exact_normal);
         let to_eye = direction_within(&mut rng, mirror, (4.0 / f64::from(shininess).sqrt()).min(3.0));
         // An eye below the surface does not see it, and one just above it may have no direction
         // halfway to the light.
-        if reference::dot(to_eye, exact_normal) < 0.1 {
+        if to_eye.dot(exact_normal) < 0.1 {
             continue;
         }
-        let incoming = S::axis(sweep::single(scaled(to_light, -1.0)));
+        let incoming = S::axis(sweep::single(-to_light));
         let view = S::axis(sweep::single(to_eye));
         let exact = oracle(
-            scaled(unit(S::exact_direction(incoming)), -1.0),
-            unit(S::exact_direction(view)),
+            -S::exact_direction(incoming).normalize(),
+            S::exact_direction(view).normalize(),
             exact_normal,
             shininess.into(),
         );
@@ -200,22 +203,22 @@ fn assert_highlight<H: SpecularLobe>(name: &str, oracle: Lobe, shininesses: [u32
 
 #[test]
 fn phong_keeps_its_rows() {
-    assert_highlight::<Phong>("phong", reference::phong, [2, 32, 256]);
+    assert_highlight::<Phong>("phong", oracle::phong, [2, 32, 256]);
 }
 
 #[test]
 fn blinn_phong_keeps_its_rows() {
-    assert_highlight::<BlinnPhong>("blinn-phong", reference::blinn_phong, [2, 32, 256]);
+    assert_highlight::<BlinnPhong>("blinn-phong", oracle::blinn_phong, [2, 32, 256]);
 }
 
 #[test]
 fn dual_cone_keeps_its_rows() {
-    assert_highlight::<DualConeLobe>("dual cone", reference::dual_cone, [2, 32, 256]);
+    assert_highlight::<DualConeLobe>("dual cone", oracle::dual_cone, [2, 32, 256]);
 }
 
 #[test]
 fn lyon_keeps_its_rows() {
-    assert_highlight::<DifferenceForm<Phong, 2>>("difference-form", reference::lyon, [4, 32, 256]);
+    assert_highlight::<DifferenceForm<Phong, 2>>("difference-form", oracle::lyon, [4, 32, 256]);
 }
 
 /// A mirror image in a level surface is seen from this versine off it.
@@ -288,29 +291,31 @@ fn lit_errors<S: Format>() -> [f64; 2] {
             .and_then(|spot| spot.with_intensity((reach * reach).round()))
             .expect("a sound light");
         let lit = spot.compile::<S>().expect("held");
-        let exact_spot = reference::SpotLight {
-            position: S::exact_point(spot.position().map(S::length)),
-            axis: unit(S::exact_direction(spot.axis_in::<S>())),
-            cone: reference::Cone::new(reference::soft, reference::versine(outer_degrees.into())),
+        let exact_spot = oracle::SpotLight {
             intensity: spot.intensity().into(),
+            ..oracle::SpotLight::new(
+                S::exact_point(spot.position().map(S::length)),
+                S::exact_direction(spot.axis_in::<S>()).normalize(),
+                oracle::Cone::new(oracle::soft, oracle::versine(outer_degrees.into())),
+            )
         };
         for _ in 0..1_000 {
             let distance = f64::from(reach) * (1.0 + rng.f64());
             let way = direction_within(&mut rng, exact_spot.axis, 0.4);
-            let site = sweep::on_grid([0, 1, 2].map(|i| exact_spot.position[i] + distance * way[i]));
-            let normal = direction_within(&mut rng, scaled(way, -1.0), 1.7);
+            let site = sweep::on_grid(exact_spot.position + distance * way);
+            let normal = direction_within(&mut rng, -way, 1.7);
             let normal = sweep::single(normal).map(S::from_f32);
             let exact_normal = S::exact_normal(normal);
-            let to_light = unit(minus(exact_spot.position, site));
+            let to_light = (exact_spot.position - site).normalize();
             // At grazing incidence the highlight jumps to zero, in the model itself: no format can
             // place the jump.
-            if reference::dot(unit(exact_normal), to_light).abs() < 1e-3 {
+            if exact_normal.normalize().dot(to_light).abs() < 1e-3 {
                 continue;
             }
-            let mirror = reference::reflect(scaled(to_light, -1.0), unit(exact_normal));
+            let mirror = (-to_light).reflect(exact_normal.normalize());
             let eye_way = direction_within(&mut rng, mirror, 0.8);
-            let eye = sweep::on_grid([0, 1, 2].map(|i| site[i] + 5.0 * eye_way[i]));
-            let to_length = |v: Vector| sweep::single(v).map(S::length);
+            let eye = sweep::on_grid(site + 5.0 * eye_way);
+            let to_length = |v: DVec3| sweep::single(v).map(S::length);
             let surface = SurfacePoint::seen_from(to_length(eye), to_length(site), normal);
             let light = compiled.glow(ambient).plus::<S>(compiled.reflect(&surface, &lit));
             let classic = Classic {
@@ -319,12 +324,11 @@ fn lit_errors<S: Format>() -> [f64; 2] {
                 specular: [ms.into(), specular.into()],
                 shininess: 32.0,
             };
-            let offset = minus(site, exact_spot.position);
-            let arriving = exact_spot.intensity * exact_spot.falloff(site) / reference::dot(offset, offset);
-            let exact = classic.light(arriving, to_light, unit(minus(eye, site)), unit(exact_normal));
+            let to_eye = (eye - site).normalize();
+            let exact = classic.light(exact_spot.arriving(site), to_light, to_eye, exact_normal.normalize());
             linear = linear.max((S::exact_light(light.red) - exact).abs());
             let code = f64::from(encode_srgb(clip::<S>(light).red));
-            codes = codes.max((code - reference::srgb_code(exact.min(1.0))).abs());
+            codes = codes.max((code - oracle::srgb_code(exact.min(1.0))).abs());
         }
     }
     [linear, codes]

@@ -15,7 +15,7 @@ use support::{
     bounds,
     format::Format,
     operations::ROWS,
-    reference::{self, Vector, minus, unit},
+    oracle::{self, DVec3},
     sweep,
 };
 
@@ -78,17 +78,17 @@ fn normal<S: Format>(rng: &mut Rng) -> Vec3<S> {
 }
 
 /// The angle between two directions, in radians.
-fn angle(a: Vector, b: Vector) -> f64 {
-    (2.0 * reference::versine_between(a, b)).sqrt()
+fn angle(a: DVec3, b: DVec3) -> f64 {
+    (2.0 * oracle::versine_between(a, b)).sqrt()
 }
 
 /// The way from a light to a point, and the exact one.
-fn offset<S: Format>(rng: &mut Rng) -> (S::Offset, Vector) {
-    let light = sweep::on_grid([0; 3].map(|_| rng.f64() * 16.0 - 8.0));
+fn offset<S: Format>(rng: &mut Rng) -> (S::Offset, DVec3) {
+    let light = sweep::position(rng);
     let (way, distance) = (sweep::direction(rng), sweep::distance(rng));
-    let point = sweep::on_grid([0, 1, 2].map(|i| light[i] + distance * way[i]));
+    let point = sweep::on_grid(light + distance * way);
     let [from, to] = [light, point].map(|v| sweep::single(v).map(S::length));
-    (S::offset(from, to), minus(S::exact_point(to), S::exact_point(from)))
+    (S::offset(from, to), S::exact_point(to) - S::exact_point(from))
 }
 
 fn times<S: Format>(rng: &mut Rng) -> f64 {
@@ -103,7 +103,7 @@ fn difference<S: Format>(rng: &mut Rng) -> f64 {
 
 fn smooth<S: Format>(rng: &mut Rng) -> f64 {
     let t = S::from_f32(rng.f32());
-    steps::<S>(t.smooth().exact() - reference::smooth(t.exact()))
+    steps::<S>(t.smooth().exact() - oracle::smooth(t.exact()))
 }
 
 /// The value in f32, relative.
@@ -259,15 +259,15 @@ fn normal_unit<S: Format>(rng: &mut Rng) -> f64 {
 
 fn mirror<S: Format>(rng: &mut Rng) -> f64 {
     let (direction, normal) = (direction::<S>(rng), normal::<S>(rng));
-    let exact = reference::reflect(S::exact_direction(direction), S::exact_normal(normal));
+    let exact = S::exact_direction(direction).reflect(S::exact_normal(normal));
     angle(S::exact_direction(S::mirror(direction, normal)), exact)
 }
 
 /// Of two directions that are at least a tenth apart.
 fn direction_between<S: Format>(rng: &mut Rng) -> f64 {
     let (a, b) = (direction::<S>(rng), direction::<S>(rng));
-    let exact = minus(S::exact_direction(b), S::exact_direction(a));
-    if reference::dot(exact, exact) < 0.01 {
+    let exact = S::exact_direction(b) - S::exact_direction(a);
+    if exact.length_squared() < 0.01 {
         return 0.0;
     }
     angle(S::exact_direction(S::direction_between(a, b)), exact)
@@ -275,7 +275,7 @@ fn direction_between<S: Format>(rng: &mut Rng) -> f64 {
 
 fn incidence<S: Format>(rng: &mut Rng) -> f64 {
     let (direction, normal) = (direction::<S>(rng), normal::<S>(rng));
-    let exact = -reference::dot(S::exact_direction(direction), S::exact_normal(normal));
+    let exact = -S::exact_direction(direction).dot(S::exact_normal(normal));
     steps::<S>(S::incidence(direction, normal).exact() - exact.clamp(0.0, 1.0))
 }
 
@@ -288,9 +288,9 @@ fn versine_between<S: Format>(rng: &mut Rng) -> f64 {
     let off = 9.9_f64.to_radians() * rng.f64();
     let b = sweep::direction_off(rng, a, off);
     let [a, b] = [a, b].map(|v| S::axis(sweep::single(v)));
-    let apart = minus(S::exact_direction(a), S::exact_direction(b));
+    let apart = S::exact_direction(a) - S::exact_direction(b);
     let found = S::versine_between(a, b, S::ramp(0.0, outer, outer));
-    (S::exact_versine(&falloff, found) - reference::dot(apart, apart) / 2.0).abs() / f64::from(outer)
+    (S::exact_versine(&falloff, found) - apart.length_squared() / 2.0).abs() / f64::from(outer)
 }
 
 /// The nearest versine in the scale of a cone of 10 degrees, relative to its outer versine.
@@ -329,23 +329,23 @@ fn ray_direction<S: Format>(rng: &mut Rng) -> f64 {
 fn ray_length<S: Format>(rng: &mut Rng) -> f64 {
     let (offset, _) = offset::<S>(rng);
     let direction = S::exact_direction(offset.ray().direction());
-    relative(reference::dot(direction, direction).sqrt(), 1.0)
+    relative(direction.length(), 1.0)
 }
 
 fn ray_distance<S: Format>(rng: &mut Rng) -> f64 {
     let (offset, way) = offset::<S>(rng);
-    relative(value::<S>(offset.ray().distance(), 11), reference::dot(way, way).sqrt())
+    relative(value::<S>(offset.ray().distance(), 11), way.length())
 }
 
 fn squared_distance<S: Format>(rng: &mut Rng) -> f64 {
     let (offset, way) = offset::<S>(rng);
-    relative(value::<S>(offset.squared_distance(), 6), reference::dot(way, way))
+    relative(value::<S>(offset.squared_distance(), 6), way.length_squared())
 }
 
 /// Lambert's cosine, in steps; a surface that faces away by more than a step is known to.
 fn ray_cosine<S: Format>(rng: &mut Rng) -> f64 {
     let ((offset, way), normal) = (offset::<S>(rng), normal::<S>(rng));
-    let exact = -reference::dot(unit(way), S::exact_normal(normal));
+    let exact = -way.normalize().dot(S::exact_normal(normal));
     let facing = offset.facing(normal);
     if exact.abs() > 4.0 * f64::from(S::STEP) {
         assert_eq!(S::Offset::faces_away(facing), exact < 0.0, "{} {exact}", S::NAME);
@@ -361,9 +361,9 @@ fn ray_versine<S: Format>(rng: &mut Rng) -> f64 {
     let (falloff, outer) = (cone.compile::<S>().expect("held"), cone.outer_versine());
     let (offset, way) = offset::<S>(rng);
     let off = 9.9_f64.to_radians() * rng.f64();
-    let axis = S::axis(sweep::single(sweep::direction_off(rng, unit(way), off)));
+    let axis = S::axis(sweep::single(sweep::direction_off(rng, way.normalize(), off)));
     let found = offset.ray().versine(axis, S::ramp(0.0, outer, outer));
-    let exact = reference::versine_between(way, S::exact_direction(axis));
+    let exact = oracle::versine_between(way, S::exact_direction(axis));
     (S::exact_versine(&falloff, found) - exact).abs() / f64::from(outer)
 }
 
@@ -371,7 +371,7 @@ fn ray_versine<S: Format>(rng: &mut Rng) -> f64 {
 /// not count; relative.
 fn ray_expose<S: Format>(rng: &mut Rng) -> f64 {
     let (offset, way) = offset::<S>(rng);
-    let squared = reference::dot(way, way);
+    let squared = way.length_squared();
     let gain = (squared * (16.0 + 48.0 * rng.f64())) as f32;
     let exact = f64::from(gain) / squared;
     relative(S::exact_light(offset.ray().expose(S::ONE, S::gain(gain))), exact)
@@ -382,7 +382,7 @@ fn directional<S: Format>(rng: &mut Rng) -> f64 {
     let (direction, normal, intensity) = (sweep::direction(rng), normal::<S>(rng), 0.5 + 0.5 * rng.f32());
     let sun = DirectionalLight::new(sweep::single(direction)).and_then(|sun| sun.with_intensity(intensity));
     let sun = sun.expect("sound");
-    let exact = -reference::dot(unit(f32::exact_direction(sun.direction())), S::exact_normal(normal));
+    let exact = -f32::exact_direction(sun.direction()).normalize().dot(S::exact_normal(normal));
     let found = S::exact_light(sun.compile::<S>().irradiance(normal));
     steps::<S>(found - f64::from(intensity) * exact.clamp(0.0, 1.0))
 }

@@ -4,7 +4,7 @@ use luminaire::{
     Angle, Cone, HalfAngle,
     falloff::{Falloff, Hard, IntegerPower, Power, Soft, SoftOrHard},
 };
-use support::reference;
+use support::oracle;
 
 fn assert_degrees(what: &str, angle: Angle, expected: f32, within: f32) {
     let degrees = angle.to_degrees();
@@ -36,7 +36,7 @@ fn a_cosine_power_of_the_papers_field_angle_has_exponent_268() {
     assert_eq!(run_time.expect("a sound angle").field(), cone.field());
     let compiled = cone.compile::<f32>().expect("f32 holds it");
     for degrees in [4.9_f64, 6.475, 7.5, 9.0] {
-        let versine = compiled.versine(reference::versine(degrees) as f32);
+        let versine = compiled.versine(oracle::versine(degrees) as f32);
         let exact = degrees.to_radians().cos().powi(268);
         assert!((f64::from(compiled.at(versine)) - exact).abs() < 1e-5, "{degrees}");
     }
@@ -75,14 +75,14 @@ fn hard_angles_follow_one_another() {
 #[test]
 fn beam_and_field_are_where_the_intensity_says() {
     for (edge, oracle) in
-        [(SoftOrHard::Soft, reference::soft as reference::Falloff), (SoftOrHard::Hard, reference::hard)]
+        [(SoftOrHard::Soft, oracle::soft as oracle::Falloff), (SoftOrHard::Hard, oracle::hard)]
     {
         for degrees in [0.02, 0.2, 1.0, 7.0, 15.0, 30.0, 60.0, 120.0, 178.0_f32] {
             let cone = Cone::from_outer(edge, Angle::degrees(degrees)).expect("a sound angle");
-            let outer = reference::versine(f64::from(degrees) / 2.0);
+            let outer = oracle::versine(f64::from(degrees) / 2.0);
             let intensity = |angle: Angle| {
                 let half = HalfAngle::from(angle).to_degrees();
-                reference::falloff(oracle, reference::versine(half.into()), outer)
+                oracle::falloff(oracle, oracle::versine(half.into()), outer)
             };
             assert!((intensity(cone.beam()) - 0.5).abs() < 1e-6, "{edge:?} {degrees}");
             assert!((intensity(cone.field()) - 0.1).abs() < 1e-6, "{edge:?} {degrees}");
@@ -107,7 +107,7 @@ fn versines_keep_their_relative_error() {
     let worst = (1..=180_000)
         .map(|millidegrees| {
             let degrees = millidegrees as f32 / 1000.0;
-            let exact = reference::versine(f64::from(degrees) / 2.0);
+            let exact = oracle::versine(f64::from(degrees) / 2.0);
             (f64::from(Angle::degrees(degrees).versine()) / exact - 1.0).abs()
         })
         .fold(0.0, f64::max);

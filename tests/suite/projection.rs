@@ -13,7 +13,6 @@ use support::{
     arbitrary::{bits, vector},
     bounds::{self, REFUSE},
     format::Format,
-    reference::dot,
     squares::{NARROWEST, ROWS, Square},
     sweep,
 };
@@ -133,10 +132,9 @@ fn a_frame_is_square() {
         let spot = spot([0.0; 3], [axis.x, axis.y, axis.z], 40.0);
         let square = rolled(&spot, 720.0 * rng.f32() - 360.0).expect("sound");
         let [r, u, s] = [square.right(), square.up(), square.axis()].map(f32::exact_direction);
-        let volume =
-            dot(r, [u[2] * s[1] - u[1] * s[2], u[0] * s[2] - u[2] * s[0], u[1] * s[0] - u[0] * s[1]]);
-        let angles = [dot(r, u), dot(u, s), dot(s, r)];
-        let lengths = [dot(r, r) - 1.0, dot(u, u) - 1.0, volume - 1.0];
+        let volume = r.dot(s.cross(u));
+        let angles = [r.dot(u), u.dot(s), s.dot(r)];
+        let lengths = [r.length_squared() - 1.0, u.length_squared() - 1.0, volume - 1.0];
         worst = angles.into_iter().chain(lengths).map(f64::abs).fold(worst, f64::max);
     }
     println!("frame: {worst:.2e}");
@@ -202,7 +200,7 @@ fn places_off_the_square_are_off_it() {
             let exact = Square::stored::<S, _, _>(&light, half_degrees.into(), 0.0);
             for _ in 0..20_000 {
                 let direction = sweep::direction(&mut rng);
-                let point = [0, 1, 2].map(|i| exact.position[i] + 4.0 * direction[i]);
+                let point = exact.position + 4.0 * direction;
                 let point = sweep::single(point).map(S::length);
                 let [column, row, depth] = exact.place(S::exact_point(point));
                 let place = compiled.place(point);

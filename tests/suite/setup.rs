@@ -13,8 +13,8 @@ use support::{
     bounds,
     format::Format,
     operations::FIGURES,
+    oracle::{self, half_degrees},
     profiles::Shape,
-    reference::{self, half_degrees, minus, unit},
     sweep,
 };
 
@@ -57,17 +57,17 @@ fn angles_keep_their_figures() {
             relative(HalfAngle::radians(d / 57.0).to_degrees(), f64::from(d / 57.0).to_degrees())
         }),
     );
-    let versine = |d: f32| relative(Angle::degrees(d).versine(), reference::versine(f64::from(d) / 2.0));
+    let versine = |d: f32| relative(Angle::degrees(d).versine(), oracle::versine(f64::from(d) / 2.0));
     assert_figure("versine of an angle", over_angles(versine));
     let angle = |d: f32| {
-        let versine = reference::versine(f64::from(d) / 2.0) as f32;
+        let versine = oracle::versine(f64::from(d) / 2.0) as f32;
         relative(Angle::from_versine(versine).to_degrees(), 2.0 * half_degrees(versine.into()))
     };
     assert_figure("angle of a versine", over_angles(angle));
 }
 
 /// The last `u` at which a profile has at least the given intensity, by bisection in f64.
-fn last_u(oracle: reference::Falloff, intensity: f64) -> f64 {
+fn last_u(oracle: oracle::Falloff, intensity: f64) -> f64 {
     let (mut light, mut dark) = (0.0, 1.0);
     for _ in 0..60 {
         let middle = (light + dark) / 2.0;
@@ -77,7 +77,7 @@ fn last_u(oracle: reference::Falloff, intensity: f64) -> f64 {
 }
 
 /// The integral of a profile over `u` from 0, by the midpoint rule.
-fn integral(oracle: reference::Falloff, to: f64) -> f64 {
+fn integral(oracle: oracle::Falloff, to: f64) -> f64 {
     let steps = 20_000;
     let width = to / f64::from(steps);
     (0..steps).map(|i| oracle(1.0 - (f64::from(i) + 0.5) * width)).sum::<f64>() * width
@@ -147,7 +147,7 @@ fn design_errors<P: Falloff>(shape: &Shape<P>) -> [f64; 3] {
     let (to_field, to_beam) = (last_u(shape.oracle, 0.1), last_u(shape.oracle, 0.5));
     let error = |cone: Result<Cone<P>, _>, degrees: f32, u: f64| {
         let cone = cone.ok()?;
-        Some(relative(cone.outer_versine(), reference::versine(f64::from(degrees) / 2.0) / u))
+        Some(relative(cone.outer_versine(), oracle::versine(f64::from(degrees) / 2.0) / u))
     };
     largest((1..=300).map(|i| {
         let degrees = 0.01 * 17_000.0_f32.powf(i as f32 / 300.0);
@@ -241,7 +241,7 @@ fn two_angle_errors<P: Falloff>(design: impl Fn(Angle, Angle) -> Option<Cone<P>>
     for beam in [0.5_f32, 7.0, 20.0, 60.0] {
         for step in 0..=440_u16 {
             let ratio = 1.01 + 0.01 * f64::from(step);
-            let versine = ratio * reference::versine(f64::from(beam) / 2.0);
+            let versine = ratio * oracle::versine(f64::from(beam) / 2.0);
             if versine > 0.6 {
                 break;
             }
@@ -273,17 +273,17 @@ fn axes_and_ranges_keep_their_figures() {
     let mut rng = Rng::with_seed(3);
     let mut worst = [0.0_f64; 3];
     for _ in 0..20_000 * sweep::effort() {
-        let from = sweep::on_grid([0; 3].map(|_| rng.f64() * 16.0 - 8.0));
+        let from = sweep::position(&mut rng);
         let (way, distance) = (sweep::direction(&mut rng), sweep::distance(&mut rng));
-        let to = sweep::on_grid([0, 1, 2].map(|i| from[i] + distance * way[i]));
+        let to = sweep::on_grid(from + distance * way);
         let spot: SpotLight<_, SmoothRange> =
             SpotLight::between(sweep::single(from), sweep::single(to), cone).expect("sound");
-        let (axis, exact) = (f32::exact_direction(spot.axis()), minus(to, from));
-        let length = reference::dot(axis, axis).sqrt();
+        let (axis, exact) = (f32::exact_direction(spot.axis()), to - from);
+        let length = axis.length();
         let errors = [
-            (2.0 * reference::versine_between(unit(axis), exact)).sqrt(),
+            (2.0 * oracle::versine_between(axis.normalize(), exact)).sqrt(),
             (length - 1.0).abs(),
-            relative(spot.attenuation().range(), reference::dot(exact, exact).sqrt()),
+            relative(spot.attenuation().range(), exact.length()),
         ];
         worst = std::array::from_fn(|i| worst[i].max(errors[i]));
     }
@@ -298,7 +298,7 @@ fn inner_products_keep_their_figure() {
     let mut worst = 0.0_f64;
     for _ in 0..20_000 * sweep::effort() {
         let [a, b] = [0; 2].map(|_| sweep::single(sweep::direction(&mut rng)));
-        let exact = reference::dot(f32::exact_direction(a), f32::exact_direction(b));
+        let exact = f32::exact_direction(a).dot(f32::exact_direction(b));
         worst = worst.max((f64::from(a.dot(b)) - exact).abs());
     }
     assert_figure("inner product of unit vectors", worst);

@@ -8,7 +8,7 @@ use luminaire::{
     codegen::as_source,
     falloff::{Falloff, Knot, Table},
 };
-use support::{format::Format, reference, sweep};
+use support::{format::Format, oracle, sweep};
 
 /// A file of LM-63 as it is published, in candela every 2.5 degrees from the axis to 90:
 /// `tests/data` of dlippok/photometric-viewer (MIT licence).
@@ -43,7 +43,7 @@ fn line(knots: &[Knot], u: f64) -> f64 {
 
 /// The largest difference between a table and its data, by a dense search in the angle.
 fn searched(table: Table<'_>, measured: &[f32], outer: f64) -> f64 {
-    let versine = reference::versine(outer / 2.0);
+    let versine = oracle::versine(outer / 2.0);
     let count = 20_000 * sweep::effort() as u32;
     let places = (0..=count).map(|i| f64::from(i) / f64::from(count));
     let bends = (0..measured.len()).map(|i| i as f64 / (measured.len() - 1) as f64);
@@ -53,7 +53,7 @@ fn searched(table: Table<'_>, measured: &[f32], outer: f64) -> f64 {
         .chain(both_sides)
         .map(|place| {
             let half = outer / 2.0 * place;
-            let u = (reference::versine(half) / versine).min(1.0);
+            let u = (oracle::versine(half) / versine).min(1.0);
             (line(table.knots(), u) - exact(measured, outer, half)).abs()
         })
         .fold(0.0, f64::max)
@@ -81,7 +81,7 @@ fn a_published_file_comes_back_in_every_format() {
         let falloff = cone.compile::<S>().expect("held");
         let worst = (0..36_u8)
             .map(|i| {
-                let versine = reference::versine(2.5 * f64::from(i)) as f32;
+                let versine = oracle::versine(2.5 * f64::from(i)) as f32;
                 (falloff.at(falloff.versine(versine)).exact() - f64::from(published()[usize::from(i)])).abs()
             })
             .fold(0.0, f64::max);

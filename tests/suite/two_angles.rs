@@ -8,7 +8,7 @@ use luminaire::{
 use support::{
     cubics,
     format::Format,
-    reference::{self, half_degrees},
+    oracle::{self, half_degrees},
 };
 
 /// The full angle in degrees whose half has this versine.
@@ -18,7 +18,7 @@ fn full(versine: f64) -> f64 {
 
 /// The field angle that has this ratio to a beam angle, both in degrees.
 fn field_of(beam: f32, ratio: f64) -> f32 {
-    full(ratio * reference::versine(f64::from(beam) / 2.0)) as f32
+    full(ratio * oracle::versine(f64::from(beam) / 2.0)) as f32
 }
 
 fn degrees(degrees: f32) -> Angle {
@@ -39,7 +39,7 @@ fn assert_both_within<S: Format, P: Falloff>(cone: &Cone<P>, beam: f32, field: f
     // A steep edge around a wide hotspot magnifies what f32 has rounded off an angle.
     let within = 4.0 * f64::from(S::STEP) + 2e-6 * f64::from(steepness(cone));
     for (asked, intensity) in [(beam, 0.5), (field, 0.1)] {
-        let versine = reference::versine(f64::from(asked) / 2.0) as f32;
+        let versine = oracle::versine(f64::from(asked) / 2.0) as f32;
         let found = falloff.at(falloff.versine(versine)).exact();
         assert!((found - intensity).abs() < within, "{} {cone:?}: {found} at {asked}", S::NAME);
     }
@@ -73,7 +73,7 @@ fn every_ratio_is_reached() {
             if beam < 1.0 && ratio < 1.02 {
                 continue;
             }
-            if ratio > 5.437 || ratio * reference::versine(f64::from(beam) / 2.0) > 0.6 {
+            if ratio > 5.437 || ratio * oracle::versine(f64::from(beam) / 2.0) > 0.6 {
                 break;
             }
             let field = field_of(beam, ratio);
@@ -111,7 +111,7 @@ fn the_ends_of_the_ratios_are_soft_hard_and_a_step() {
     assert_eq!(step.inner(), step.outer());
     for half in [4.999, 5.001_f32] {
         let falloff = step.compile::<Fx16>().expect("held");
-        let intensity = falloff.at(falloff.versine(reference::versine(half.into()) as f32));
+        let intensity = falloff.at(falloff.versine(oracle::versine(half.into()) as f32));
         assert_eq!(intensity.exact(), f64::from(u8::from(half < 5.0)));
     }
 }

@@ -2,7 +2,7 @@
 //! how far off each leaves the intensity.
 
 use super::format::Format;
-use super::{bounds, operations, reference, sweep};
+use super::{bounds, operations, oracle, sweep};
 use fastrand::Rng;
 use luminaire::{
     Cone, Scalar, Vec3,
@@ -24,28 +24,28 @@ pub struct Errors {
 /// What the cosine form makes of a direction and an axis of the format: the versine and then the
 /// intensity without any further error.
 fn cosine_form<S: Format>(direction: Vec3<S::Unit>, axis: Vec3<S::Unit>, outer: f64) -> f64 {
-    let cosine = reference::dot(S::exact_direction(direction), S::exact_direction(axis));
+    let cosine = S::exact_direction(direction).dot(S::exact_direction(axis));
     let steps = f64::from(S::STEP) / if S::NAME == "f32" && cosine < 1.0 { 2.0 } else { 1.0 };
     let stored = (cosine / steps).round() * steps;
-    reference::falloff(reference::soft, (1.0 - stored).max(0.0), outer)
+    oracle::falloff(oracle::soft, (1.0 - stored).max(0.0), outer)
 }
 
 /// Looks at as many points as that, within the cone and on the grid that is exact in every format.
 pub fn errors<S: Format>(half_degrees: f64, count: usize) -> Errors {
     let cone = Cone::from_outer(Soft, sweep::half(half_degrees as f32)).expect("a sound angle");
     let falloff: Option<CompiledCone<S, Soft>> = cone.compile().ok();
-    let outer = reference::versine((half_degrees as f32).into());
+    let outer = oracle::versine((half_degrees as f32).into());
     let mut rng = Rng::with_seed(1_993);
     let mut found = Errors { half_degrees, cosine_form: 0.0, versine_form: falloff.map(|_| 0.0) };
     for _ in 0..count {
-        let light = sweep::on_grid([0; 3].map(|_| rng.f64() * 16.0 - 8.0));
+        let light = sweep::position(&mut rng);
         let axis = S::axis(sweep::single(sweep::direction(&mut rng)));
-        let exact_axis = reference::unit(S::exact_direction(axis));
+        let exact_axis = S::exact_direction(axis).normalize();
         let off_axis = half_degrees.to_radians() * rng.f64();
         let (way, distance) = (sweep::direction_off(&mut rng, exact_axis, off_axis), 10.0 + 40.0 * rng.f64());
-        let point = sweep::on_grid([0, 1, 2].map(|i| light[i] + distance * way[i]));
-        let exact = reference::versine_between(reference::minus(point, light), exact_axis);
-        let exact = reference::falloff(reference::soft, exact, outer);
+        let point = sweep::on_grid(light + distance * way);
+        let exact = oracle::versine_between(point - light, exact_axis);
+        let exact = oracle::falloff(oracle::soft, exact, outer);
         let [from, to] = [light, point].map(|v| sweep::single(v).map(S::length));
         let ray = S::offset(from, to).ray();
         let cosine_form = (cosine_form::<S>(ray.direction(), axis, outer) - exact).abs();

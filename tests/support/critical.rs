@@ -2,7 +2,7 @@
 //! beam, against it, in a plane tangent to the cone, and through the light.
 
 use super::{
-    reference::{Vector, minus, scaled, unit},
+    oracle::{DVec3, turned},
     sweep,
     views::{exact, place},
 };
@@ -19,19 +19,18 @@ pub const NEAR: f64 = 0.01;
 /// A cone, with one of the planes tangent to it: by the generator that both share, and the
 /// direction across that.
 pub struct Frame {
-    position: Vector,
-    axis: Vector,
-    generator: Vector,
-    tangent: Vector,
+    position: DVec3,
+    axis: DVec3,
+    generator: DVec3,
+    tangent: DVec3,
 }
 
 impl Frame {
     pub fn new(rng: &mut Rng, position: Vec3<f32>, axis: Vec3<f32>, half: f64) -> Self {
-        let axis = unit(exact(axis));
+        let axis = exact(axis).normalize();
         let across = sweep::direction_off(rng, axis, FRAC_PI_2);
-        let generator = plus(scaled(axis, half.cos()), scaled(across, half.sin()));
-        let [a, b] = [axis, across];
-        let tangent = [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+        let generator = turned(axis, across, half);
+        let tangent = axis.cross(across);
         Self { position: exact(position), axis, generator, tangent }
     }
 
@@ -40,7 +39,7 @@ impl Frame {
     pub fn eye(&self, rng: &mut Rng) -> Vec3<f32> {
         let way = match rng.u8(..8) {
             0 => near(rng, self.axis),
-            1 => near(rng, scaled(self.axis, -1.0)),
+            1 => near(rng, -self.axis),
             2 => near(rng, self.generator),
             3 => self.near_tangent(rng),
             _ => sweep::direction(rng),
@@ -51,26 +50,26 @@ impl Frame {
     /// A ray from an eye, near a critical direction or not. It ends before the light, beyond it,
     /// anywhere or nowhere.
     pub fn ray(&self, rng: &mut Rng, eye: Vec3<f32>, is_critical: bool) -> ViewRay {
-        let way = minus(self.position, exact(eye));
-        let to_light = unit(way);
-        let to_cone = |rng: &mut Rng| unit(plus(way, scaled(near(rng, self.generator), distance(rng))));
+        let way = self.position - exact(eye);
+        let to_light = way.normalize();
+        let to_cone = |rng: &mut Rng| (way + near(rng, self.generator) * distance(rng)).normalize();
         let direction = match (is_critical, rng.u8(..4)) {
             (true, 0) => near(rng, self.axis),
-            (true, 1) => near(rng, scaled(self.axis, -1.0)),
+            (true, 1) => near(rng, -self.axis),
             (true, 2) => self.near_tangent(rng),
             (true, _) => near(rng, to_light),
             (false, 0) => to_cone(rng),
             (false, _) => sweep::direction(rng),
         };
         let sign = if is_critical || rng.bool() { 1.0 } else { -1.0 };
-        let to_light = (way[0] * way[0] + way[1] * way[1] + way[2] * way[2]).sqrt();
+        let to_light = way.length();
         let length = match rng.u8(..4) {
             0 => f64::INFINITY,
             1 => to_light * rng.f64(),
             2 => to_light * (1.0 + 2.0 * rng.f64() * rng.f64()),
             _ => distance(rng),
         };
-        ViewRay { eye, direction: sweep::single(scaled(direction, sign)), length: length as f32 }
+        ViewRay { eye, direction: sweep::single(sign * direction), length: length as f32 }
     }
 
     /// Rays from one eye, every other near a critical direction.
@@ -85,9 +84,9 @@ impl Frame {
         ViewRays { eye, direction, length: rays.map(|ray| ray.length) }
     }
 
-    fn near_tangent(&self, rng: &mut Rng) -> Vector {
+    fn near_tangent(&self, rng: &mut Rng) -> DVec3 {
         let (sine, cosine) = (TAU * rng.f64()).sin_cos();
-        near(rng, plus(scaled(self.generator, cosine), scaled(self.tangent, sine)))
+        near(rng, cosine * self.generator + sine * self.tangent)
     }
 }
 
@@ -98,11 +97,7 @@ fn distance(rng: &mut Rng) -> f64 {
 
 /// A direction up to [`NEAR`] off another, evenly spread over the logarithm of the angle from a
 /// rounding of f32 on.
-fn near(rng: &mut Rng, direction: Vector) -> Vector {
+fn near(rng: &mut Rng, direction: DVec3) -> DVec3 {
     let off = sweep::direction(rng);
-    unit(plus(direction, scaled(off, NEAR * 1e-6_f64.powf(rng.f64()))))
-}
-
-fn plus(a: Vector, b: Vector) -> Vector {
-    [0, 1, 2].map(|i| a[i] + b[i])
+    (direction + NEAR * 1e-6_f64.powf(rng.f64()) * off).normalize()
 }

@@ -1,6 +1,7 @@
 //! The exact view of a number format: what its stored values stand for, in f64.
 
 use luminaire::{Fx16, Fx32, Scalar, Vec3, falloff::Falloff, light::CompiledCone};
+use luminaire_oracle::DVec3;
 
 /// A format whose values can be read exactly, and whose versines can be made from f64.
 pub trait Format: Scalar {
@@ -17,20 +18,21 @@ pub trait Format: Scalar {
     fn versine_from_bits(bits: u64) -> Self::Versine;
     fn unit_from_bits(bits: u64) -> Self::Unit;
 
-    fn exact_point(point: Vec3<Self::Length>) -> [f64; 3] {
-        let p = point.map(Self::exact_length);
-        [p.x, p.y, p.z]
+    fn exact_point(point: Vec3<Self::Length>) -> DVec3 {
+        double(point.map(Self::exact_length))
     }
 
-    fn exact_direction(direction: Vec3<Self::Unit>) -> [f64; 3] {
-        let d = direction.map(Self::exact_unit);
-        [d.x, d.y, d.z]
+    fn exact_direction(direction: Vec3<Self::Unit>) -> DVec3 {
+        double(direction.map(Self::exact_unit))
     }
 
-    fn exact_normal(normal: Vec3<Self>) -> [f64; 3] {
-        let n = normal.map(Self::exact);
-        [n.x, n.y, n.z]
+    fn exact_normal(normal: Vec3<Self>) -> DVec3 {
+        double(normal.map(Self::exact))
     }
+}
+
+fn double(v: Vec3<f64>) -> DVec3 {
+    DVec3::new(v.x, v.y, v.z)
 }
 
 impl Format for f32 {

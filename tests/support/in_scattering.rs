@@ -1,21 +1,20 @@
 //! The oracle of haze: what is scattered along a view ray, summed over the way along it, in f64 and
 //! as plainly as it can be written.
 
-use super::reference::{self, Attenuation, Vector, dot, minus};
+use super::oracle::{self, DVec3};
 
 /// A view ray of unit direction.
 #[derive(Clone, Copy, Debug)]
 pub struct Ray {
-    pub eye: Vector,
-    pub direction: Vector,
+    pub eye: DVec3,
+    pub direction: DVec3,
     pub length: f64,
 }
 
-/// A spotlight in haze, with an attenuation and a range.
+/// A spotlight in haze, with a range.
 #[derive(Clone, Copy)]
 pub struct Beam {
-    pub spot: reference::SpotLight,
-    pub attenuation: Attenuation,
+    pub spot: oracle::SpotLight,
     pub range: f64,
     pub density: f64,
     pub source_radius: f64,
@@ -25,8 +24,8 @@ pub struct Beam {
 const PARTS: u32 = 64;
 
 impl Ray {
-    pub fn at(&self, s: f64) -> Vector {
-        [0, 1, 2].map(|i| self.eye[i] + s * self.direction[i])
+    pub fn at(&self, s: f64) -> DVec3 {
+        self.eye + s * self.direction
     }
 }
 
@@ -37,24 +36,22 @@ impl Beam {
     }
 
     /// The air light of a ray past something that lets only a part through.
-    pub fn in_scattering_through(&self, ray: &Ray, transmission: impl Fn(Vector) -> f64) -> f64 {
+    pub fn in_scattering_through(&self, ray: &Ray, transmission: impl Fn(DVec3) -> f64) -> f64 {
         let scattered = |s: f64| {
             let point = ray.at(s);
-            let way = minus(point, self.spot.position);
-            let distance = dot(way, way).sqrt();
-            self.spot.falloff(point) * (self.attenuation)(distance) * transmission(point)
+            self.spot.arriving(point) * transmission(point)
         };
         let sum: f64 = self.panels(ray).windows(2).map(|ends| simpson(ends[0], ends[1], scattered)).sum();
-        self.density / 4.0 * self.spot.intensity * sum
+        self.density / 4.0 * sum
     }
 
     /// The part of the ray within the cone, cut where it enters and leaves the hotspot, and ever
     /// more finely towards the light.
     fn panels(&self, ray: &Ray) -> Vec<f64> {
         let Some((first, last)) = self.visible(ray) else { return Vec::new() };
-        let way = minus(ray.eye, self.spot.position);
-        let foot = -dot(way, ray.direction);
-        let height = (dot(way, way) - foot * foot).max(0.0).sqrt().max(1e-3 * self.source_radius);
+        let way = ray.eye - self.spot.position;
+        let foot = -way.dot(ray.direction);
+        let height = (way.length_squared() - foot * foot).max(0.0).sqrt().max(1e-3 * self.source_radius);
         let mut places = vec![first, last, foot];
         for exponent in -2..50 {
             let offset = height * 2.0_f64.powi(exponent);
@@ -82,16 +79,16 @@ impl Beam {
 
     /// From where to where the ray is neither in the light nor behind it, and within the range.
     fn visible(&self, ray: &Ray) -> Option<(f64, f64)> {
-        let way = minus(ray.eye, self.spot.position);
-        let foot = -dot(way, ray.direction);
-        let squared = self.source_radius * self.source_radius - (dot(way, way) - foot * foot);
+        let way = ray.eye - self.spot.position;
+        let foot = -way.dot(ray.direction);
+        let squared = self.source_radius * self.source_radius - (way.length_squared() - foot * foot);
         let half = squared.max(0.0).sqrt();
         let (first, last) = match (squared > 0.0, foot) {
             (true, foot) if foot >= half => (0.0, ray.length.min(foot - half)),
             (true, foot) if foot > -half => (foot + half, ray.length),
             _ => (0.0, ray.length),
         };
-        let reach = (self.range * self.range - (dot(way, way) - foot * foot)).max(0.0).sqrt();
+        let reach = (self.range * self.range - (way.length_squared() - foot * foot)).max(0.0).sqrt();
         let (first, last) = (first.max(foot - reach), last.min(foot + reach));
         (first < last).then_some((first, last))
     }
@@ -150,7 +147,7 @@ impl Beam {
     /// distance 1.
     pub fn across(&self) -> f64 {
         const PLACES: u32 = 20_000;
-        let outer = reference::half_degrees(self.spot.cone.limit).to_radians();
+        let outer = oracle::half_degrees(self.spot.cone.limit).to_radians();
         let falloff = |i: u32| {
             let angle = outer * (f64::from(i) + 0.5) / f64::from(PLACES);
             self.spot.cone.falloff(2.0 * (angle / 2.0).sin().powi(2))

@@ -19,7 +19,6 @@ pub mod operations;
 pub mod originals;
 pub mod prices;
 pub mod profiles;
-pub mod reference;
 pub mod region;
 pub mod shadows;
 pub mod shapes;
@@ -27,3 +26,5 @@ pub mod squares;
 pub mod sweep;
 pub mod views;
 pub mod worst;
+
+pub use luminaire_oracle as oracle;

@@ -2,7 +2,7 @@
 //! steps of eight bits, and the least that the rounding of the inputs alone makes of it.
 
 use super::bounds::REFUSE;
-use super::reference::{self, Cone};
+use super::oracle::{self, Cone};
 use luminaire::Scalar;
 use std::fmt::Write;
 
@@ -115,9 +115,9 @@ pub fn input_rounding<S: Scalar>() -> f64 {
 pub fn largest_change(cone: &Cone, half_degrees: f64, radians: f64, stretch: f64) -> [f64; 2] {
     let turn = radians.to_degrees();
     let change = |degrees: f64| {
-        let near = cone.falloff(reference::versine(degrees));
-        let far = cone.falloff(reference::versine(degrees + turn) * (1.0 + stretch));
-        [255.0 * (near - far), reference::srgb_code(near) - reference::srgb_code(far)]
+        let near = cone.falloff(oracle::versine(degrees));
+        let far = cone.falloff(oracle::versine(degrees + turn) * (1.0 + stretch));
+        [255.0 * (near - far), oracle::srgb_code(near) - oracle::srgb_code(far)]
     };
     // Over the cone, and more closely over the last turns before the edge, where codes change most.
     let over = |from: f64| (0..=10_000).map(move |i| from + (half_degrees - from) * f64::from(i) / 10_000.0);

@@ -1,6 +1,6 @@
 //! Every profile of the kernel beside its reference: the list that the sweeps run over.
 
-use super::{reference, sweep};
+use super::{oracle, sweep};
 use luminaire::{
     Cone,
     falloff::{Cubic, Falloff, Power, Quadratic},
@@ -19,24 +19,24 @@ pub struct Shape<P> {
     pub name: &'static str,
     pub cone: fn(P, f32) -> Cone<P>,
     pub profile: P,
-    pub exact: fn(reference::Falloff, f64) -> reference::Cone,
-    pub oracle: reference::Falloff,
+    pub exact: fn(oracle::Falloff, f64) -> oracle::Cone,
+    pub oracle: oracle::Falloff,
 }
 
 impl<P: Falloff> Shape<P> {
     /// The profile from the axis to the edge.
-    pub fn plain(name: &'static str, profile: P, oracle: reference::Falloff) -> Self {
-        Self { name, cone: plain, profile, exact: reference::Cone::new, oracle }
+    pub fn plain(name: &'static str, profile: P, oracle: oracle::Falloff) -> Self {
+        Self { name, cone: plain, profile, exact: oracle::Cone::new, oracle }
     }
 
     /// The profile around a hotspot whose versine is half the outer one, up to the roundings of
     /// f32.
-    pub fn hotspot(name: &'static str, profile: P, oracle: reference::Falloff) -> Self {
+    pub fn hotspot(name: &'static str, profile: P, oracle: oracle::Falloff) -> Self {
         Self { name, cone: hotspot, profile, exact: exact_hotspot, oracle }
     }
 
     /// The profile, cut off at 0.75 of its half angle.
-    pub fn with_cutoff(name: &'static str, profile: P, oracle: reference::Falloff) -> Self {
+    pub fn with_cutoff(name: &'static str, profile: P, oracle: oracle::Falloff) -> Self {
         Self { name, cone: with_cutoff, profile, exact: exact_cut, oracle }
     }
 
@@ -44,12 +44,12 @@ impl<P: Falloff> Shape<P> {
         (self.cone)(self.profile, half_degrees)
     }
 
-    pub fn exactly_at(&self, half_degrees: f32) -> reference::Cone {
-        (self.exact)(self.oracle, reference::versine(half_degrees.into()))
+    pub fn exactly_at(&self, half_degrees: f32) -> oracle::Cone {
+        (self.exact)(self.oracle, oracle::versine(half_degrees.into()))
     }
 
     /// The versines that the cone has compiled, which are those of f32.
-    pub fn stored_at(&self, half_degrees: f32) -> reference::Cone {
+    pub fn stored_at(&self, half_degrees: f32) -> oracle::Cone {
         let f32_of = |half: f32| f64::from(luminaire::Angle::from(sweep::half(half)).versine());
         let mut exact = (self.exact)(self.oracle, f32_of(half_degrees));
         if exact.inner > 0.0 {
@@ -64,9 +64,9 @@ impl<P: Falloff> Shape<P> {
 
 impl<const N: u32> Shape<Power<N>> {
     /// OpenGL's spotlight with its cutoff at the half angle.
-    pub fn opengl(name: &'static str, oracle: reference::Falloff) -> Self {
+    pub fn opengl(name: &'static str, oracle: oracle::Falloff) -> Self {
         let cone = |_: Power<N>, half| Cone::opengl(sweep::half(half)).expect("a sound cutoff");
-        Self { name, cone, profile: Power, exact: reference::Cone::opengl, oracle }
+        Self { name, cone, profile: Power, exact: |_, cutoff| oracle::Cone::opengl(N.into(), cutoff), oracle }
     }
 }
 
@@ -88,14 +88,14 @@ fn with_cutoff<P: Falloff>(profile: P, half_degrees: f32) -> Cone<P> {
     cone.with_cutoff(sweep::half(half_degrees * CUTOFF)).expect("a sound cutoff")
 }
 
-fn exact_hotspot(profile: reference::Falloff, outer: f64) -> reference::Cone {
-    let inner = reference::versine(reference::half_degrees(outer) * f64::from(HOTSPOT));
-    reference::Cone { inner, ..reference::Cone::new(profile, outer) }
+fn exact_hotspot(profile: oracle::Falloff, outer: f64) -> oracle::Cone {
+    let inner = oracle::versine(oracle::half_degrees(outer) * f64::from(HOTSPOT));
+    oracle::Cone { inner, ..oracle::Cone::new(profile, outer) }
 }
 
-fn exact_cut(profile: reference::Falloff, outer: f64) -> reference::Cone {
-    let limit = reference::versine(reference::half_degrees(outer) * f64::from(CUTOFF));
-    reference::Cone { limit, ..reference::Cone::new(profile, outer) }
+fn exact_cut(profile: oracle::Falloff, outer: f64) -> oracle::Cone {
+    let limit = oracle::versine(oracle::half_degrees(outer) * f64::from(CUTOFF));
+    oracle::Cone { limit, ..oracle::Cone::new(profile, outer) }
 }
 
 /// The shapes that never rise towards the edge; the others do by a step of the format at most.
@@ -142,16 +142,16 @@ macro_rules! shapes {
        $(, constant $constant:ty = $its_name:literal, $value:expr, $its_truth:expr)?;)*) => {{
         #[allow(unused_imports, clippy::wildcard_imports, reason = "what the rows are made of")]
         use luminaire::{falloff::*, models::*};
-        use $crate::{profiles::{Shape, sound}, reference};
+        use $crate::{profiles::{Shape, sound}, oracle};
         [
             $(
                 $crate::shapes!(@call $function Shape::<$type>::plain($name, sound($sample), $truth)),
                 $($crate::shapes!(@call $function Shape::<$constant>::plain($its_name, $value, $its_truth)),)?
             )*
-            $crate::shapes!(@call $function Shape::plain("power-15", Power::<15>, reference::power_15)),
-            $crate::shapes!(@call $function Shape::hotspot("soft-hotspot", Soft, reference::soft)),
-            $crate::shapes!(@call $function Shape::with_cutoff("soft-cutoff", Soft, reference::soft)),
-            $crate::shapes!(@call $function Shape::<Power<15>>::opengl("opengl-15", reference::power_15)),
+            $crate::shapes!(@call $function Shape::plain("power-15", Power::<15>, oracle::power_15)),
+            $crate::shapes!(@call $function Shape::hotspot("soft-hotspot", Soft, oracle::soft)),
+            $crate::shapes!(@call $function Shape::with_cutoff("soft-cutoff", Soft, oracle::soft)),
+            $crate::shapes!(@call $function Shape::<Power<15>>::opengl("opengl-15", oracle::power_15)),
         ]
     }};
 }

@@ -3,31 +3,31 @@
 
 use super::bounds::REFUSE;
 use super::format::Format;
-use super::reference::{Vector, dot, minus, scaled, unit};
+use super::oracle::DVec3;
 use luminaire::{SpotLight, attenuation::Attenuation, falloff::Falloff};
 
 /// The square around a cone: where its light stands, the vectors of its frame, and half its side at
 /// a depth of one.
 #[derive(Clone, Copy, Debug)]
 pub struct Square {
-    pub position: Vector,
-    pub right: Vector,
-    pub up: Vector,
-    pub axis: Vector,
+    pub position: DVec3,
+    pub right: DVec3,
+    pub up: DVec3,
+    pub axis: DVec3,
     pub tangent: f64,
 }
 
 impl Square {
     /// The square of a cone, with y upwards; a light that points straight down has the top of its
     /// square to `-z`, one that points straight up to `z`.
-    pub fn new(position: Vector, axis: Vector, half_degrees: f64) -> Self {
-        let axis = unit(axis);
-        let sine = (axis[0] * axis[0] + axis[2] * axis[2]).sqrt();
+    pub fn new(position: DVec3, axis: DVec3, half_degrees: f64) -> Self {
+        let axis = axis.normalize();
+        let sine = axis.x.hypot(axis.z);
         let is_vertical = sine < 1.0_f64.to_radians().sin();
-        let up = if is_vertical { [0.0, 0.0, axis[1].signum()] } else { [0.0, 1.0, 0.0] };
-        let right = unit(cross(axis, up));
+        let up = if is_vertical { axis.y.signum() * DVec3::Z } else { DVec3::Y };
+        let right = axis.cross(up).normalize();
         let tangent = half_degrees.to_radians().tan();
-        Self { position, right, up: cross(right, axis), axis, tangent }
+        Self { position, right, up: right.cross(axis), axis, tangent }
     }
 
     /// The square of a spotlight as a format stores it, turned clockwise.
@@ -44,29 +44,25 @@ impl Square {
     /// Turned clockwise, as it is seen from the light.
     pub fn turned(self, degrees: f64) -> Self {
         let (sine, cosine) = degrees.to_radians().sin_cos();
-        let right = minus(scaled(self.right, cosine), scaled(self.up, sine));
-        let up = minus(scaled(self.up, cosine), scaled(self.right, -sine));
+        let right = cosine * self.right - sine * self.up;
+        let up = cosine * self.up + sine * self.right;
         Self { right, up, ..self }
     }
 
     /// The ways from the left and the top edge to a point, in sides, and its depth.
-    pub fn place(&self, point: Vector) -> [f64; 3] {
-        let way = minus(point, self.position);
-        let depth = dot(way, self.axis);
+    pub fn place(&self, point: DVec3) -> [f64; 3] {
+        let way = point - self.position;
+        let depth = way.dot(self.axis);
         let side = 2.0 * self.tangent * depth;
-        [0.5 + dot(way, self.right) / side, 0.5 - dot(way, self.up) / side, depth]
+        [0.5 + way.dot(self.right) / side, 0.5 - way.dot(self.up) / side, depth]
     }
 
     /// A point at these ways from the left and the top edge, in sides, and this depth.
-    pub fn point(&self, [column, row, depth]: [f64; 3]) -> Vector {
+    pub fn point(&self, [column, row, depth]: [f64; 3]) -> DVec3 {
         let side = 2.0 * self.tangent * depth;
         let (right, up) = ((column - 0.5) * side, (0.5 - row) * side);
-        [0, 1, 2].map(|i| self.position[i] + depth * self.axis[i] + right * self.right[i] + up * self.up[i])
+        self.position + depth * self.axis + right * self.right + up * self.up
     }
-}
-
-fn cross(a: Vector, b: Vector) -> Vector {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
 /// The bounds at one half angle, in `f32`, `Fx32` and `Fx16`, in this order: of a place, from the

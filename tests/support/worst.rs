@@ -3,18 +3,16 @@
 
 use super::{
     format::Format,
+    oracle::{
+        self, DVec3,
+        climb::{self, Search, Worst},
+    },
     profiles::Shape,
-    reference::{self, Vector},
     sweep,
 };
 use fastrand::Rng;
 use luminaire::{SpotLight, Vec3, falloff::Falloff};
 use std::fmt;
-
-/// Random places to begin with, how many of them are climbed from, and for how many steps each.
-const STARTS: usize = 2_000;
-const CLIMBS: usize = 8;
-const STEPS: usize = 6_000;
 
 /// The coordinates that every format has exactly, with their differences.
 const FARTHEST: f32 = 128.0;
@@ -71,8 +69,7 @@ impl Find {
 pub fn error<S: Format, P: Falloff>(shape: &Shape<P>, half_degrees: f32, place: Place) -> Option<f64> {
     let cone = shape.exactly_at(half_degrees);
     let spot = SpotLight::new(Vec3::default(), place.axis, shape.at(half_degrees)).ok()?;
-    let axis = reference::unit(S::exact_direction(spot.axis_in::<S>()));
-    let exact = reference::SpotLight { position: [0.0; 3], axis, cone, intensity: 1.0 };
+    let exact = oracle::SpotLight::new(DVec3::ZERO, S::exact_direction(spot.axis_in::<S>()), cone);
     let point = place.point.map(S::length);
     let found = spot.compile::<S>().ok()?.falloff(point).exact();
     Some((found - exact.falloff(S::exact_point(point))).abs())
@@ -95,59 +92,34 @@ pub fn is_smooth<P: Falloff>(shape: &Shape<P>) -> bool {
     !cone.jumps_near(cone.limit, 1.0)
 }
 
-/// Searches for the worst input of a shape at a half angle. It climbs from the worst of many random
-/// inputs: each step is kept unless the error falls.
+/// Searches for the worst input of a shape at a half angle.
 pub fn search<S: Format, P: Falloff>(shape: &Shape<P>, half_degrees: f32) -> Find {
-    let mut rng = Rng::with_seed(1953);
-    let at = |place: Place| error::<S, P>(shape, half_degrees, place).unwrap_or(0.0);
-    let mut starts: Vec<_> = (0..STARTS)
-        .map(|_| {
-            let place = somewhere(&mut rng, f64::from(half_degrees).to_radians());
-            (at(place), place)
-        })
-        .collect();
-    starts.sort_by(|a, b| b.0.total_cmp(&a.0));
-    let (error, place) = starts.into_iter().take(CLIMBS).fold((0.0, None), |(most, worst), start| {
-        let (mut error, mut place) = start;
-        for _ in 0..STEPS {
-            let other = moved(&mut rng, place);
-            let other_error = at(other);
-            if other_error >= error {
-                (error, place) = (other_error, other);
-            }
-        }
-        if error > most { (error, Some(place)) } else { (most, worst) }
-    });
-    let place = place.expect("no format is exact");
+    let radians = f64::from(half_degrees).to_radians();
+    let error = |place| error::<S, P>(shape, half_degrees, place).unwrap_or(0.0);
+    let worst = Search::default().worst(|rng| somewhere(rng, radians), moved, error);
+    let Worst { input: place, error } = worst.expect("no format is exact");
     Find { format: S::NAME.to_owned(), shape: shape.name.to_owned(), half_degrees, place, error }
 }
 
 /// A point in a cone.
 fn somewhere(rng: &mut Rng, radians: f64) -> Place {
-    let axis: Vector = sweep::direction(rng);
+    let axis = sweep::direction(rng);
     let off_axis = rng.f64() * radians;
     let way = sweep::direction_off(rng, axis, off_axis);
     let distance = 2.0 + 60.0 * rng.f64();
-    Place {
-        axis: sweep::single(axis),
-        point: sweep::single(sweep::on_grid(reference::scaled(way, distance))),
-    }
+    Place { axis: sweep::single(axis), point: sweep::single(sweep::on_grid(distance * way)) }
 }
 
 /// The input with one component of the point or of the axis moved by a random amount.
 fn moved(rng: &mut Rng, place: Place) -> Place {
-    let change = |rng: &mut Rng, v: Vec3<f32>, by: &dyn Fn(f32) -> f32| match rng.u8(..3) {
-        0 => Vec3 { x: by(v.x), ..v },
-        1 => Vec3 { y: by(v.y), ..v },
-        _ => Vec3 { z: by(v.z), ..v },
+    let size = climb::size(rng);
+    let one_of = |rng: &mut Rng, Vec3 { x, y, z }, change: &dyn Fn(f32) -> f32| {
+        let [x, y, z] = climb::one_of(rng, [x, y, z], change);
+        Vec3 { x, y, z }
     };
-    let size = 0.5_f32.powi(rng.i32(1..24)) * if rng.bool() { 1.0 } else { -1.0 };
     if rng.bool() {
-        return Place { axis: change(rng, place.axis, &|c| c + size), ..place };
+        return Place { axis: one_of(rng, place.axis, &|c| c + size), ..place };
     }
-    let on_grid = |c: f32| ((c * (1.0 + size)) * 65_536.0).round() / 65_536.0;
-    let quantum = size.signum() * rng.u8(1..16) as f32 / 65_536.0;
-    let coarse = rng.bool();
-    let by = move |c: f32| (if coarse { on_grid(c) } else { c + quantum }).clamp(-FARTHEST, FARTHEST);
-    Place { point: change(rng, place.point, &by), ..place }
+    let step = climb::grid_step(rng, size);
+    Place { point: one_of(rng, place.point, &|c| step(c).clamp(-FARTHEST, FARTHEST)), ..place }
 }

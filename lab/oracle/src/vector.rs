@@ -5,8 +5,8 @@ use glam::DVec3;
 /// The nearest point of a grid of 2^-16, the quantum of many fixed-point lengths. Coordinates up to
 /// 128 and their differences are exact there in f32 too, so that what is measured is the kernel and
 /// not its input.
-pub fn on_grid(v: DVec3) -> DVec3 {
-    (v * 65_536.0).round() / 65_536.0
+pub fn on_grid(v: impl Into<DVec3>) -> DVec3 {
+    (v.into() * 65_536.0).round() / 65_536.0
 }
 
 /// A unit direction, turned towards another at right angles to it.

@@ -2,13 +2,13 @@
 
 use luminaire::{Angle, Cone, Fx16, Fx32, HalfAngle, falloff::Falloff};
 use std::ops::RangeInclusive;
-use support::{bounds, format::Format, reference, sweep};
+use support::{bounds, format::Format, oracle, sweep};
 
 /// A cone between two half angles in degrees, and the row of the table of bounds that its profile
 /// has.
 pub(crate) struct Case<P> {
     pub(crate) profile: P,
-    pub(crate) oracle: reference::Falloff,
+    pub(crate) oracle: oracle::Falloff,
     pub(crate) row: &'static str,
     pub(crate) inner: f32,
     pub(crate) outer: f32,
@@ -16,7 +16,7 @@ pub(crate) struct Case<P> {
 
 impl<P: Falloff> Case<P> {
     /// The profile from the axis to the edge.
-    pub(crate) fn open(row: &'static str, profile: P, oracle: reference::Falloff, outer: f32) -> Self {
+    pub(crate) fn open(row: &'static str, profile: P, oracle: oracle::Falloff, outer: f32) -> Self {
         Self { profile, oracle, row, inner: 0.0, outer }
     }
 
@@ -35,8 +35,7 @@ impl<P: Falloff> Case<P> {
         let falloff = self.cone().compile::<S>().ok()?;
         let versine = |half| f64::from(Angle::from(HalfAngle::degrees(half)).versine());
         let outer = versine(self.outer);
-        let exact =
-            reference::Cone { inner: versine(self.inner), ..reference::Cone::new(self.oracle, outer) };
+        let exact = oracle::Cone { inner: versine(self.inner), ..oracle::Cone::new(self.oracle, outer) };
         let bound = bounds::of("falloff", self.row, S::NAME).expect("a row")[0] * f64::from(S::STEP);
         assert_eq!(falloff.at(falloff.versine(0.0)), S::ONE, "{}", S::NAME);
         assert_eq!(falloff.at(falloff.versine(outer as f32)), S::ZERO, "{}", S::NAME);

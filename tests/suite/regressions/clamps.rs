@@ -7,7 +7,7 @@ use luminaire::{
     falloff::{InvertedPower, Soft, Step},
 };
 use std::f32::consts::FRAC_PI_2;
-use support::reference;
+use support::oracle;
 
 /// The intensity at a cosine when the span of the cone is divided by as no less than `least`: scale
 /// and offset, clamp and square.
@@ -24,7 +24,7 @@ fn clamped_span(least: f32, inner: f32, outer: f32, cosine: f32) -> f32 {
 #[test]
 fn gltf_divides_by_no_less_than_a_thousandth() {
     assert_fault(clamped_span(0.001, 0.0, 1.0_f32.to_radians(), 1.0), 0.023_1..=0.023_3);
-    assert_eq!(Case::open("soft", Soft, reference::soft, 1.0).held_by(), ALL);
+    assert_eq!(Case::open("soft", Soft, oracle::soft, 1.0).held_by(), ALL);
 }
 
 /// Filament, filament/src/components/LightManager.cpp: `max(1.0f / 1024.0f, cosInner - cosOuter)`;
@@ -33,7 +33,7 @@ fn gltf_divides_by_no_less_than_a_thousandth() {
 #[test]
 fn filament_divides_by_no_less_than_1_in_1024() {
     assert_fault(clamped_span(1.0 / 1024.0, 0.0, 0.5_f32.to_radians(), 1.0), 0.001_50..=0.001_54);
-    assert_eq!(Case::open("soft", Soft, reference::soft, 0.5).held_by(), ["f32", "fx32"]);
+    assert_eq!(Case::open("soft", Soft, oracle::soft, 0.5).held_by(), ["f32", "fx32"]);
 }
 
 /// Bevy, crates/bevy_pbr/src/render/light.rs: `1.0 / f32::max(inner.cos() - cos_outer, 1e-4)`.
@@ -43,7 +43,7 @@ fn bevy_divides_by_no_less_than_a_ten_thousandth() {
     assert_fault(clamped_span(1e-4, 0.0, 0.5_f32.to_radians(), 1.0), 0.144..=0.146);
     assert_fault(clamped_span(1e-4, 0.0, 0.80_f32.to_radians(), 1.0), 0.93..=0.97);
     assert_fault(clamped_span(1e-4, 0.0, 0.82_f32.to_radians(), 1.0), 1.0..=1.0);
-    assert_eq!(Case::open("soft", Soft, reference::soft, 0.8).held_by(), ALL);
+    assert_eq!(Case::open("soft", Soft, oracle::soft, 0.8).held_by(), ALL);
 }
 
 /// Bevy, crates/bevy_pbr/src/render/shadows.wgsl, issue 25360: an outer angle of 0 is accepted, its
@@ -73,7 +73,7 @@ fn bevy_takes_the_tangent_of_more_than_a_right_angle() {
 
     let cone = Cone::from_outer(Soft, HalfAngle::radians(FRAC_PI_2)).expect("a half space");
     assert_eq!((cone.outer_versine(), cone.outer()), (1.0_f32.next_down(), Angle::degrees(180.0)));
-    assert_eq!(Case::open("soft", Soft, reference::soft, 90.0).held_by(), ALL);
+    assert_eq!(Case::open("soft", Soft, oracle::soft, 90.0).held_by(), ALL);
 }
 
 /// GLSL's power where its arguments leave it undefined, as processors compute it:
@@ -105,9 +105,9 @@ fn godot_loses_a_light_whose_angles_round_to_one() {
         assert_eq!(godot(1e-4, exponent, cosine, (outer as f32).cos()), 0.0);
     }
     let half = (outer as f32).to_degrees();
-    let step = Case { inner: half, ..Case::open("step", Step, reference::step, half) };
+    let step = Case { inner: half, ..Case::open("step", Step, oracle::step, half) };
     assert_eq!(step.held_by(), ALL);
-    let soft = Case { inner: half, ..Case::open("soft", Soft, reference::soft, half) };
+    let soft = Case { inner: half, ..Case::open("soft", Soft, oracle::soft, half) };
     assert_eq!(soft.held_by(), ALL);
 }
 
@@ -119,7 +119,7 @@ fn godot_raises_zero_to_the_power_of_zero() {
     assert!(godot(0.0, 0.0, 1.0, 0.9).is_nan());
     assert_fault(godot(1e-4, 0.1, 1.0, 0.9), 0.60..=0.61);
     assert_eq!(
-        Case::open("inverted-power-4", InvertedPower::<4>, reference::inverted_power_4, 30.0).held_by(),
+        Case::open("inverted-power-4", InvertedPower::<4>, oracle::inverted_power_4, 30.0).held_by(),
         ALL
     );
 }

@@ -7,7 +7,7 @@ use luminaire::{
     error::Parameter,
     falloff::{Smooth, Soft},
 };
-use support::{format::Format, reference};
+use support::{format::Format, oracle};
 
 /// GLSL's smoothstep by the equation of its specification, which leaves `edge0 >= edge1` undefined.
 fn smoothstep(edge0: f32, edge1: f32, x: f32) -> f32 {
@@ -36,7 +36,7 @@ fn three_js_has_no_number_at_an_edge_without_a_penumbra() {
     assert_eq!([cone.next_up(), cone.next_down()].map(|cosine| smoothstep(cone, inner, cosine)), [1.0, 0.0]);
     assert!(smoothstep(cone, inner, cone).is_nan());
 
-    let step = Case { inner: 20.0, ..Case::open("step", Smooth, reference::step, 20.0) };
+    let step = Case { inner: 20.0, ..Case::open("step", Smooth, oracle::step, 20.0) };
     assert_eq!(step.held_by(), ALL);
 }
 
@@ -56,7 +56,7 @@ fn glsl_leaves_smoothstep_of_swapped_angles_undefined() {
     let refused = cone.with_inner(HalfAngle::degrees(12.0)).expect_err("swapped");
     assert_eq!(refused.parameter, Parameter::InnerAngle);
     assert_eq!(refused.to_string(), "inner angle = 24: expected 0 to 20 degrees (full angle)");
-    let upright = Case { inner: 10.0, ..Case::open("smooth", Smooth, reference::smooth, 12.0) };
+    let upright = Case { inner: 10.0, ..Case::open("smooth", Smooth, oracle::smooth, 12.0) };
     assert_eq!(upright.held_by(), ALL);
 }
 

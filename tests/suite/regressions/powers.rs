@@ -7,7 +7,7 @@ use luminaire::{
 };
 use micromath::F32;
 use std::f32::consts::{FRAC_PI_2, FRAC_PI_3, FRAC_PI_4, FRAC_PI_6, PI, TAU};
-use support::{format::Format, reference};
+use support::{format::Format, oracle};
 
 /// The sharp spotlight of the GameCube's library at the cosine of an angle off axis:
 /// `a0 + a1 c + a2 c^2`.
@@ -28,11 +28,10 @@ fn aurora_forgets_a_division_of_the_sharp_spotlight() {
     for (degrees, cosine) in
         [0.0_f32, 10.0, 20.0, 29.0, 30.0].map(|degrees| (degrees, degrees.to_radians().cos()))
     {
-        let hard =
-            reference::falloff(reference::hard, reference::versine(degrees.into()), reference::versine(30.0));
+        let hard = oracle::falloff(oracle::hard, oracle::versine(degrees.into()), oracle::versine(30.0));
         assert!((f64::from(sharp(divided, cutoff, cosine)) - hard).abs() < 2e-5, "{degrees}");
     }
-    assert_eq!(Case::open("hard", Hard, reference::hard, 30.0).held_by(), ALL);
+    assert_eq!(Case::open("hard", Hard, oracle::hard, 30.0).held_by(), ALL);
 }
 
 /// vindar/tgx, src/Renderer3D.inl and .h: 32 samples of the power from the largest argument down,
@@ -100,7 +99,7 @@ fn opengl_has_an_exponent_of_zero() {
     let pow = |x: f32, y: f32| (y * x.log2()).exp2();
     assert_eq!(pow(0.5, 0.0), 1.0);
     assert!(pow(0.0, 0.0).is_nan());
-    assert_eq!(Case::open("step", Step, reference::step, 90.0).held_by(), ALL);
+    assert_eq!(Case::open("step", Step, oracle::step, 90.0).held_by(), ALL);
 }
 
 /// leftger/embedded-gfx, src/lut.rs: a table of the sine by six terms of its series, unreduced over
@@ -130,7 +129,7 @@ fn embedded_gfx_tests_its_sine_at_seven_angles() {
     // A versine is where this kernel has its sine: at every hundredth of a degree.
     let versines = (1..=36_000_u16).map(|i| {
         let degrees = f32::from(i) / 100.0;
-        let exact = reference::versine(f64::from(degrees) / 2.0);
+        let exact = oracle::versine(f64::from(degrees) / 2.0);
         (f64::from(Angle::degrees(degrees).versine()) / exact - 1.0).abs()
     });
     assert_ours("versine", versines.fold(0.0, f64::max), 3e-7);
