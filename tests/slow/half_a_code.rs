@@ -16,7 +16,7 @@ use luminaire::{
 };
 use support::{
     format::Format,
-    oracle::{self, DVec3},
+    oracle::{self, DVec3, climb},
     shapes::{self, tables},
     sweep,
 };
@@ -151,7 +151,7 @@ impl Domain {
 
     /// The scene with some bits of it changed.
     fn moved(&self, rng: &mut Rng, scene: Scene) -> Scene {
-        let size = 0.5_f32.powi(rng.i32(1..24)) * if rng.bool() { 1.0 } else { -1.0 };
+        let size = climb::size(rng);
         let quantum = f32::from(rng.i8(-4..=4)) / 65_536.0;
         let relative = rng.bool();
         let farthest = self.farthest.map(|farthest| farthest as f32);
@@ -159,18 +159,10 @@ impl Domain {
             (if relative { c * (1.0 + size) } else { c + quantum }).clamp(-farthest, farthest)
         };
         match rng.u8(..8) {
-            0 => Scene { axis: changed(rng, scene.axis, |c| c + size), ..scene },
-            1 => Scene { light: changed(rng, scene.light, |c| place(c, farthest[0])), ..scene },
-            _ => Scene { point: changed(rng, scene.point, |c| place(c, farthest[1])), ..scene },
+            0 => Scene { axis: climb::one_of(rng, scene.axis, |c| c + size), ..scene },
+            1 => Scene { light: climb::one_of(rng, scene.light, |c| place(c, farthest[0])), ..scene },
+            _ => Scene { point: climb::one_of(rng, scene.point, |c| place(c, farthest[1])), ..scene },
         }
-    }
-}
-
-fn changed(rng: &mut Rng, v: Vec3<f32>, by: impl Fn(f32) -> f32) -> Vec3<f32> {
-    match rng.u8(..3) {
-        0 => Vec3 { x: by(v.x), ..v },
-        1 => Vec3 { y: by(v.y), ..v },
-        _ => Vec3 { z: by(v.z), ..v },
     }
 }
 
@@ -217,6 +209,7 @@ impl<S: Format> Beam<S> {
 }
 
 /// A light, and its reference in f64.
+#[derive(Clone, Copy)]
 struct Light<'a, S: Format> {
     beam: &'a Beam<S>,
     compiled: CompiledSpotLight<S, AnyFalloff>,
@@ -283,33 +276,28 @@ impl Worst {
     }
 
     /// Climbs in a cone from the worst of 16 random places.
-    fn climb<S: Format>(&mut self, rng: &mut Rng, beam: &Beam<S>, steps: usize) {
+    fn climb<'a, S: Format>(&mut self, rng: &mut Rng, beam: &'a Beam<S>, steps: usize) {
         let (domain, angles) = (Domain::of::<S>(), beam.angles);
-        let mut best: Option<(f64, Scene, Light<S>)> = None;
+        let mut best: Option<climb::Worst<(Scene, Light<S>)>> = None;
         for _ in 0..16 {
             let scene = domain.scene(rng, angles.limit);
             let Some(light) = beam.light(&scene) else { continue };
             let error = light.error(scene.point);
-            if best.as_ref().is_none_or(|(most, ..)| error > *most) {
-                best = Some((error, scene, light));
+            if best.is_none_or(|best| error > best.error) {
+                best = Some(climb::Worst { input: (scene, light), error });
             }
         }
-        let Some((mut error, mut scene, mut light)) = best else { return };
+        let Some(best) = best else { return };
         // The most promising are climbed from for longer.
-        let steps = if error > 0.4 * HALF_A_CODE { 4 * steps } else { steps };
-        for _ in 0..steps {
+        let steps = if best.error > 0.4 * HALF_A_CODE { 4 * steps } else { steps };
+        let moved = |rng: &mut Rng, (scene, light): (Scene, Light<'a, S>)| {
             let other = domain.moved(rng, scene);
             let is_same = other.light == scene.light && other.axis == scene.axis;
-            let moved = if is_same { None } else { beam.light(&other) };
-            if !is_same && moved.is_none() {
-                continue;
-            }
-            let there = moved.as_ref().unwrap_or(&light).error(other.point);
-            if there >= error {
-                (error, scene) = (there, other);
-                light = moved.unwrap_or(light);
-            }
-        }
+            let moved = if is_same { Some(light) } else { beam.light(&other) };
+            moved.map_or((scene, light), |light| (other, light))
+        };
+        let best = climb::climb(rng, best, steps, moved, |(scene, light)| light.error(scene.point));
+        let climb::Worst { input: (scene, _), error } = best;
         if error > self.error {
             let place = format!("{:?} {angles:?} {scene:?}", beam.shape);
             *self = Self { error, place };

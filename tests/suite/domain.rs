@@ -177,11 +177,11 @@ fn assert_positions<S: Format>(ends: [f64; 2]) {
         let times = if S::NAME == "fx32" { 2.0 } else { 1.0 };
         for (half_degrees, least) in [(times * shape.narrowest::<S>(), 0.15), (60.0, 0.0)] {
             let scene = |rng: &mut Rng| {
-                let light = [0; 3].map(|_| coordinate(rng, ends[0]));
+                let light = DVec3::from_array([0; 3].map(|_| coordinate(rng, ends[0])));
                 let near = sweep::direction(rng).map(|c| ends[1] * 1e-3_f64.powf(rng.f64()) * c);
                 let is_near = rng.bool();
-                let point =
-                    [0, 1, 2].map(|i| if is_near { light[i] + near[i] } else { coordinate(rng, ends[1]) });
+                let far = |rng: &mut Rng| [0; 3].map(|_| coordinate(rng, ends[1])).into();
+                let point = if is_near { light + near } else { far(rng) };
                 let point = point.map(|c| c.clamp(-ends[1], ends[1]));
                 Scene::aimed::<S>(rng, half_degrees, sweep::single(light), sweep::single(point))
             };

@@ -5,7 +5,7 @@ use super::{
     format::Format,
     oracle::{
         self, DVec3,
-        climb::{self, Search, Worst},
+        climb::{self, Search, Worst, one_of},
     },
     profiles::Shape,
     sweep,
@@ -113,13 +113,9 @@ fn somewhere(rng: &mut Rng, radians: f64) -> Place {
 /// The input with one component of the point or of the axis moved by a random amount.
 fn moved(rng: &mut Rng, place: Place) -> Place {
     let size = climb::size(rng);
-    let one_of = |rng: &mut Rng, Vec3 { x, y, z }, change: &dyn Fn(f32) -> f32| {
-        let [x, y, z] = climb::one_of(rng, [x, y, z], change);
-        Vec3 { x, y, z }
-    };
     if rng.bool() {
-        return Place { axis: one_of(rng, place.axis, &|c| c + size), ..place };
+        return Place { axis: one_of(rng, place.axis, |c| c + size), ..place };
     }
     let step = climb::grid_step(rng, size);
-    Place { point: one_of(rng, place.point, &|c| step(c).clamp(-FARTHEST, FARTHEST)), ..place }
+    Place { point: one_of(rng, place.point, |c| step(c).clamp(-FARTHEST, FARTHEST)), ..place }
 }

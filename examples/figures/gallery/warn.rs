@@ -1,6 +1,7 @@
 //! Warn's spotlight: the rival that the paper draws first.
 
 use luminaire::{Angle, HalfAngle, Vec3};
+use support::format::Format;
 
 /// The cosine of the angle off axis to a real exponent (Warn 1983; Hast 2004, equation 1), in f64.
 ///
@@ -31,17 +32,12 @@ impl Warn {
     /// The light that arrives at a surface point, as the kernel has it: falloff, Lambert's cosine
     /// and the inverse square of the distance.
     pub(crate) fn irradiance(self, light: &luminaire::SpotLight, point: Vec3<f32>, normal: Vec3<f32>) -> f64 {
-        let way = point.zip(light.position(), |p, l| p - l).map(f64::from);
-        let (axis, normal) = (light.axis().map(f64::from), normal.map(f64::from));
-        let squared = dot(way, way);
-        let distance = squared.sqrt();
-        let incidence = (-dot(way, normal) / distance).max(0.0);
-        f64::from(light.intensity()) * self.falloff(dot(way, axis) / distance) * incidence / squared
+        let way = f32::exact_point(point.zip(light.position(), |p, l| p - l));
+        let (axis, normal) = (f32::exact_direction(light.axis()), f32::exact_normal(normal));
+        let (squared, distance) = (way.length_squared(), way.length());
+        let incidence = (-way.dot(normal) / distance).max(0.0);
+        f64::from(light.intensity()) * self.falloff(way.dot(axis) / distance) * incidence / squared
     }
-}
-
-fn dot(a: Vec3<f64>, b: Vec3<f64>) -> f64 {
-    a.x * b.x + a.y * b.y + a.z * b.z
 }
 
 #[cfg(test)]

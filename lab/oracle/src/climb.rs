@@ -33,8 +33,7 @@ pub struct Worst<T> {
 }
 
 impl Search {
-    /// Returns the worst input found, or `None` if no error is more than 0. A step to another input
-    /// is kept unless the error falls, so that a climb crosses plateaus.
+    /// Returns the worst input found, or `None` if no error is more than 0.
     pub fn worst<T: Copy>(
         &self,
         somewhere: impl Fn(&mut Rng) -> T,
@@ -42,28 +41,41 @@ impl Search {
         error: impl Fn(T) -> f64,
     ) -> Option<Worst<T>> {
         let mut rng = Rng::with_seed(self.seed);
-        let at = |input| Worst { input, error: error(input) };
-        let mut starts: Vec<_> = (0..self.starts).map(|_| at(somewhere(&mut rng))).collect();
+        let start = |input| Worst { input, error: error(input) };
+        let mut starts: Vec<_> = (0..self.starts).map(|_| start(somewhere(&mut rng))).collect();
         starts.sort_by(|a, b| b.error.total_cmp(&a.error));
-        let climbed = starts.into_iter().take(self.climbs).map(|mut worst| {
-            for _ in 0..self.steps {
-                let other = at(moved(&mut rng, worst.input));
-                if other.error >= worst.error {
-                    worst = other;
-                }
-            }
-            worst
-        });
-        let none = |worst: &Worst<T>| worst.error > 0.0;
-        climbed.filter(none).reduce(|most, worst| if worst.error > most.error { worst } else { most })
+        let worst = starts.into_iter().take(self.climbs);
+        let climbed = worst.map(|worst| climb(&mut rng, worst, self.steps, &moved, &error));
+        let wrong = climbed.filter(|worst| worst.error > 0.0);
+        wrong.reduce(|most, worst| if worst.error > most.error { worst } else { most })
     }
 }
 
+/// Climbs from an input. A step to another input is kept unless the error falls, so that a climb
+/// crosses plateaus.
+pub fn climb<T: Copy>(
+    rng: &mut Rng,
+    mut worst: Worst<T>,
+    steps: usize,
+    moved: impl Fn(&mut Rng, T) -> T,
+    error: impl Fn(T) -> f64,
+) -> Worst<T> {
+    for _ in 0..steps {
+        let input = moved(rng, worst.input);
+        let error = error(input);
+        if error >= worst.error {
+            worst = Worst { input, error };
+        }
+    }
+    worst
+}
+
 /// The vector with one of its components changed.
-pub fn one_of(rng: &mut Rng, mut v: [f32; 3], change: impl Fn(f32) -> f32) -> [f32; 3] {
+pub fn one_of<V: Into<[f32; 3]> + From<[f32; 3]>>(rng: &mut Rng, v: V, change: impl Fn(f32) -> f32) -> V {
+    let mut v: [f32; 3] = v.into();
     let component = &mut v[usize::from(rng.u8(..3))];
     *component = change(*component);
-    v
+    v.into()
 }
 
 /// A random power of two from 2^-1 to 2^-23, of either sign: by how much to change a direction, or
