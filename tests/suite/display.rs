@@ -28,7 +28,7 @@ fn encoding_many_is_encoding_each() {
             assert_eq!(encode_srgb_each(block), block.map(encode_srgb), "{block:?}");
         }
     }
-    let thresholds = (0..255).map(|code| (reference::srgb_linear(f64::from(code) + 0.5)) as f32);
+    let thresholds = (0..255).map(|code| oracle::srgb_linear(f64::from(code) + 0.5) as f32);
     let around = thresholds
         .flat_map(|t| (-8..8).map(move |ulps| f32::from_bits(t.to_bits().wrapping_add_signed(ulps))));
     assert_each(around);
