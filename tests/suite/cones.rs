@@ -198,7 +198,7 @@ fn tables_out_of_range_are_refused() {
         "from 0 to 1",
     );
     let wide = Table::from_angles(&[1.0, 0.0], Angle::degrees(181.0), &mut samples);
-    assert_refused(wide, Parameter::OuterAngle, "at most 180");
+    assert_refused(wide, Parameter::OuterAngle, "at most 180 degrees");
 }
 
 /// Data given every ten degrees come back at every ten degrees, and what is between lies between.

@@ -319,3 +319,17 @@ fn a_matched_profile_changes_no_bit() {
     }
     assert_eq!(seen.len(), 9, "every kind of profile is imported by one of the lights");
 }
+
+/// The defaults are those of `glLight`: a point light without attenuation.
+#[test]
+fn the_default_of_opengl_is_its_own() {
+    let default = import::OpenGl {
+        spot_cutoff: 180.0,
+        spot_exponent: 0.0,
+        constant_attenuation: 1.0,
+        linear_attenuation: 0.0,
+        quadratic_attenuation: 0.0,
+        intensity: 1.0,
+    };
+    assert_eq!(import::OpenGl::default(), default);
+}

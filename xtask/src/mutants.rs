@@ -43,6 +43,9 @@ pub(crate) fn run(options: MutantsOptions) -> Result<ExitCode> {
     let tell = |text: &str| Progress::Live.say("Mutants", text);
     let summary = test(project::root(), &folder, &chosen, &tell)?;
     summary.survivors.iter().for_each(|survivor| println!("{survivor}"));
+    if summary.compiled > 0 {
+        println!("not tested: {} mutants in functions that run at compile time only", summary.compiled);
+    }
     println!("{summary}");
     Ok(if summary.survivors.is_empty() { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }

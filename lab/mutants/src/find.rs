@@ -22,6 +22,8 @@ pub struct Mutant {
     pub change: String,
     /// The first and the last line of what is replaced.
     pub lines: (usize, usize),
+    /// Whether it is in a function that may run at compile time.
+    pub is_const: bool,
     /// The text that replaces it.
     pub(crate) text: String,
 }
@@ -86,6 +88,8 @@ struct Finder<'a> {
     parent: Option<Range<usize>>,
     /// Inside a value that is computed at compile time.
     frozen: bool,
+    /// Inside a function that may be.
+    is_const: bool,
     found: Found,
 }
 
@@ -98,6 +102,7 @@ impl Finder<'_> {
             path: vec![],
             parent: None,
             frozen: false,
+            is_const: false,
             found: Found::default(),
         }
     }
@@ -120,7 +125,8 @@ impl Finder<'_> {
         let line = |place: usize| 1 + self.source[..place].matches('\n').count();
         let lines = (line(range.start), line(range.end));
         let function = self.path.join("::");
-        let mutant = Mutant { file: self.file.to_owned(), function, change, lines, text };
+        let (file, is_const) = (self.file.to_owned(), self.is_const);
+        let mutant = Mutant { file, function, change, lines, is_const, text };
         match self.found.sites.iter_mut().find(|site| site.range == range) {
             Some(site) if site.mutants.iter().any(|other| other.text == mutant.text) => {}
             Some(site) => site.mutants.push(mutant),
@@ -306,6 +312,12 @@ impl Finder<'_> {
         }
     }
 
+    fn function(&mut self, signature: &syn::Signature, block: &syn::Block) {
+        let before = std::mem::replace(&mut self.is_const, signature.constness.is_some());
+        self.named(&signature.ident, |finder| finder.visit_block(block));
+        self.is_const = before;
+    }
+
     fn named(&mut self, name: impl ToString, work: impl FnOnce(&mut Self)) {
         let depth = self.path.len();
         // What a macro's body is wrapped in has no name.
@@ -340,7 +352,7 @@ impl<'ast> Visit<'ast> for Finder<'_> {
         match item {
             Item::Const(item) => self.constant(item, &item.ident, &item.ty, &item.expr),
             Item::Static(item) => self.frozen(|finder| finder.visit_expr(&item.expr)),
-            Item::Fn(item) => self.named(&item.sig.ident, |finder| finder.visit_block(&item.block)),
+            Item::Fn(item) => self.function(&item.sig, &item.block),
             Item::Macro(item) => {
                 let Some(name) = &item.ident else { return };
                 self.named(format!("{name}!"), |finder| {
@@ -364,7 +376,7 @@ impl<'ast> Visit<'ast> for Finder<'_> {
     fn visit_impl_item(&mut self, item: &'ast syn::ImplItem) {
         match item {
             syn::ImplItem::Fn(item) if is_enabled(&item.attrs) => {
-                self.named(&item.sig.ident, |finder| finder.visit_block(&item.block));
+                self.function(&item.sig, &item.block);
             }
             syn::ImplItem::Const(item) if is_enabled(&item.attrs) => {
                 self.frozen(|finder| finder.named(&item.ident, |finder| finder.visit_expr(&item.expr)));

@@ -43,13 +43,16 @@ pub struct Summary {
     pub killed: usize,
     /// Mutants in the list of those that no test can notice.
     pub equivalent: usize,
+    /// Mutants that are not among these: functions that run at compile time only, where no mutant
+    /// can be chosen.
+    pub compiled: usize,
     /// All others, as the lines that they would have in the list.
     pub survivors: Vec<String>,
 }
 
 impl fmt::Display for Summary {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { mutants, killed, equivalent, survivors } = self;
+        let Self { mutants, killed, equivalent, survivors, .. } = self;
         write!(
             out,
             "{mutants} mutants, {killed} killed, {equivalent} equivalent, {} survive",
@@ -112,6 +115,8 @@ fn summary(tree: &Tree, chosen: &[usize], list: &Equivalents, done: &Results) ->
             summary.equivalent += 1;
         } else if outcome.starts_with(KILLED) {
             summary.killed += 1;
+        } else if outcome == UNREACHED && mutant.is_const {
+            (summary.mutants, summary.compiled) = (summary.mutants - 1, summary.compiled + 1);
         } else {
             let remark = if outcome == UNREACHED { " (no test reaches it)" } else { "" };
             summary.survivors.push(mutant.key() + remark);
@@ -441,7 +446,8 @@ mod tests {
 
     #[test]
     fn a_summary_is_one_line() {
-        let summary = Summary { mutants: 9, killed: 7, equivalent: 1, survivors: vec!["a".into()] };
+        let summary =
+            Summary { mutants: 9, killed: 7, equivalent: 1, compiled: 0, survivors: vec!["a".into()] };
         assert_eq!(summary.to_string(), "9 mutants, 7 killed, 1 equivalent, 1 survive");
     }
 }
