@@ -3,7 +3,7 @@
 use fastrand::Rng;
 use luminaire::codegen::FloatRamp;
 use luminaire::{
-    Cone, SpotLight, Vec3,
+    Angle, Cone, SpotLight, Vec3,
     attenuation::{Attenuation, FilamentRange, InverseSquare, NoAttenuation, Polynomial, SmoothRange},
     falloff::Soft,
     haze::{BeamScattering, Haze, RayBundle, ViewRay},
@@ -303,6 +303,23 @@ fn assert_meets<A: Attenuation>(attenuation: A, least_rejected: f64) {
 fn no_bundle_with_a_lit_ray_is_rejected() {
     assert_meets(InverseSquare, 0.72);
     assert_meets(FilamentRange::new(InverseSquare, Some(3.0)).expect("a sound range"), 0.65);
+}
+
+/// How tight the test is: rays that lead away from the light a degree outside of the beam are
+/// rejected, however wide it is, and a degree inside of it they are not.
+#[test]
+fn rays_just_outside_the_beam_are_rejected() {
+    for half in [5.0_f32, 20.0, 45.0, 60.0, 75.0] {
+        let cone = Cone::from_outer(Soft, Angle::degrees(2.0 * half)).expect("sound");
+        let beam = in_haze(&SpotLight::new([0.0; 3], [0.0, -1.0, 0.0], cone).expect("sound"), 0.1);
+        for (beside, meets) in [(1.0, false), (-1.0, true)] {
+            let (sine, cosine) = (half + beside).to_radians().sin_cos();
+            let direction = Vec3::new(sine, -cosine, 0.0);
+            let eye = direction.map(|c| 2.0 * c);
+            let bundle = RayBundle { eye, direction, versine: 0.0, length: 10.0 };
+            assert_eq!(beam.can_meet(&bundle), meets, "{half} {beside}");
+        }
+    }
 }
 
 #[test]

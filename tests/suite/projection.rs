@@ -117,6 +117,8 @@ fn roundings_do_not_turn_a_square_that_points_straight_down() {
             let (off, straight) = (square([x, y, z]), square([0.0, y, 0.0]));
             let apart = f64::from(off.right().dot(straight.right()));
             assert!(apart > 1.0_f64.to_radians().cos(), "{x} {y} {z}: {off:?}");
+            let lean = f64::from(off.right().dot(off.axis()));
+            assert!(lean.abs() < 1e-6, "{x} {y} {z}: {off:?}");
         }
     }
 }

@@ -228,6 +228,22 @@ fn an_unreachable_pair_names_the_nearest() {
     assert_eq!(refused.to_string(), "field angle = 18: expected 7 to 16.3334 degrees (full angle)");
 }
 
+/// With an edge slope of choice a field angle near the beam angle is out of reach, too: the error
+/// names the nearest on both sides.
+#[test]
+fn an_unreachable_ratio_of_a_cubic_names_the_nearest() {
+    for (beam, field) in [(7.0, 7.1), (40.0, 40.0), (7.0, 18.0)] {
+        let refused = Cone::edge_slopes(degrees(beam), degrees(field)).expect_err("out of reach");
+        let Expected::AngleBetween(least, most) = refused.accepted else { panic!("{refused}") };
+        assert!(beam < least && least < most, "{refused}");
+        for (end, beyond) in [(least, 0.999_8), (most, 1.000_2)] {
+            let within = Cone::edge_slopes(degrees(beam), degrees(end * (2.0 - beyond)));
+            assert!(within.is_ok(), "{beam} {end}: {within:?}");
+            assert!(Cone::edge_slopes(degrees(beam), degrees(end * beyond)).is_err(), "{beam} {end}");
+        }
+    }
+}
+
 #[test]
 fn what_is_no_angle_is_refused_by_name() {
     for beam in [0.0, -7.0, f32::NAN, 181.0, f32::INFINITY] {
