@@ -55,8 +55,7 @@ struct Tree {
 }
 
 impl Tree {
-    /// The tree as the example leaves it. Files that are as they should be are left alone, so that
-    /// they are not compiled again.
+    /// The tree as the example leaves it.
     fn with_the_example() -> Result<Self> {
         let page = fs::read_to_string(project::root().join("CONTRIBUTING.md"))?;
         let example = patched(difference(&page)?)?;
@@ -64,16 +63,7 @@ impl Tree {
         let tree = Self { folder: project::target().join("contributing") };
         let mut files = project::files(project::root(), &NOT_COPIED)?;
         files.extend(example);
-        fs::create_dir_all(&tree.folder)?;
-        let mut present = project::files(&tree.folder, &NOT_COPIED)?;
-        for (path, bytes) in &files {
-            if present.remove(path).as_ref() != Some(bytes) {
-                let path = tree.folder.join(path);
-                fs::create_dir_all(path.parent().unwrap_or(&path))?;
-                fs::write(path, bytes)?;
-            }
-        }
-        present.keys().try_for_each(|stale| fs::remove_file(tree.folder.join(stale)))?;
+        project::mirror(&files, &tree.folder, &NOT_COPIED)?;
         Ok(tree)
     }
 

@@ -3,7 +3,7 @@
 use std::process::ExitCode;
 
 use anyhow::Result;
-use luminaire_mutants::{Options, last_release, run as test};
+use luminaire_mutants::{Options, run as test};
 
 use tools::progress::Progress;
 use tools::project;
@@ -36,7 +36,7 @@ pub(crate) struct MutantsOptions {
 /// survivor.
 pub(crate) fn run(options: MutantsOptions) -> Result<ExitCode> {
     let MutantsOptions { all, since, file, sample, seed, jobs } = options;
-    let release = || if all || file.is_some() { None } else { last_release(project::root()) };
+    let release = || if all || file.is_some() { None } else { project::last_release() };
     let since = since.or_else(release);
     let chosen = Options { since, file, sample, seed, jobs };
     let folder = project::target().join("mutants");

@@ -14,7 +14,7 @@ use crate::test::features_of_luminaire;
 /// Adds the step.
 pub(crate) fn run(suite: &mut Suite) {
     suite.remarked("semver: the version says what has changed since the last release", |progress| {
-        let Some(tag) = last_release() else {
+        let Some(tag) = project::last_release() else {
             return Ok(vec!["there is no tag v* to compare with".to_owned()]);
         };
         let folder = tempfile::tempdir()?;
@@ -42,13 +42,6 @@ pub(crate) fn run(suite: &mut Suite) {
         }
         Ok(vec![format!("compared with {tag}")])
     });
-}
-
-/// The tag of the last release, if there is one.
-fn last_release() -> Option<String> {
-    let mut describe = Command::new("git");
-    describe.args(["describe", "--tags", "--abbrev=0", "--match", "v*"]).current_dir(project::root());
-    command::answer(&mut describe).ok()
 }
 
 /// Writes the files of a release into a folder.

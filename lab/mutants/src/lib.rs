@@ -13,4 +13,4 @@ mod tests;
 mod tree;
 
 pub use find::Mutant;
-pub use run::{Options, Summary, last_release, run};
+pub use run::{Options, Summary, run};

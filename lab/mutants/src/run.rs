@@ -14,10 +14,11 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use anyhow::{Context, Result, bail, ensure};
+use tools::project;
 
 use crate::find::Mutant;
 use crate::list::{Equivalents, LIST, parse};
-use crate::tree::{self, Program, Tree};
+use crate::tree::{Program, Tree};
 
 /// Which mutants are tested, and how.
 #[derive(Clone, Debug)]
@@ -144,14 +145,6 @@ fn chosen(root: &Path, mutants: &[Mutant], options: &Options) -> Result<Vec<usiz
         chosen.sort_unstable();
     }
     Ok(chosen)
-}
-
-/// The last release, if there is one.
-pub fn last_release(root: &Path) -> Option<String> {
-    let mut git = Command::new("git");
-    git.args(["describe", "--tags", "--abbrev=0", "--match", "v*"]).current_dir(root);
-    let output = git.output().ok().filter(|output| output.status.success())?;
-    Some(String::from_utf8_lossy(&output.stdout).trim().to_owned())
 }
 
 fn changed_lines(root: &Path, since: &str) -> Result<BTreeMap<String, Vec<usize>>> {
@@ -384,13 +377,10 @@ impl Results {
         let outcomes = text.lines().filter_map(|line| line.rsplit_once('\t'));
         let outcomes = outcomes.map(|(key, outcome)| (key.to_owned(), outcome.to_owned())).collect();
         let file = OpenOptions::new().append(true).create(true).open(&path).context("results.txt")?;
-        let mut files = BTreeMap::new();
-        for tests in ["tests", "lab/conform"] {
-            tree::list(root, Path::new(tests), &mut files)?;
-        }
-        let tests = hash(&files);
-        let mut sources = BTreeMap::new();
-        tree::list(&root.join("core/src"), Path::new(""), &mut sources)?;
+        let [tests, conform, sources] =
+            ["tests", "lab/conform", "core/src"].map(|folder| project::files(&root.join(folder), &[]));
+        let tests = hash(&[tests?, conform?]);
+        let sources = sources?;
         let sources = sources.into_iter().map(|(path, bytes)| (path, hash(&bytes))).collect();
         Ok(Self { tests, sources, outcomes, file })
     }

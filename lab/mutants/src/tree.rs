@@ -1,13 +1,12 @@
 //! The copy of the workspace with all mutants in it, and its tests.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::env;
-use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 use anyhow::{Context, Result, bail, ensure};
 use serde_json::Value;
+use tools::{command, project};
 
 use crate::find::Mutant;
 use crate::rewrite::{Part, Rewritten, Source};
@@ -23,14 +22,16 @@ const PACKAGES: [&str; 6] =
 /// The targets with tests: the vectors, the kernel's own tests and the quick suite.
 const TARGETS: [&str; 6] = ["--lib", "--bins", "--test", "golden", "--test", "suite"];
 
+/// What is not copied.
+const NOT_COPIED: [&str; 3] = [".git", "target", "node_modules"];
+
 /// Source that has no mutants: the lists of models with their samples are what tests are made of,
 /// and `interop/defmt.rs` is not built.
 const LEFT_OUT: [&str; 2] = ["models.rs", "interop/defmt.rs"];
 
 /// The sources of the kernel, with their mutants.
 pub(crate) fn sources(root: &Path) -> Result<Vec<Source>> {
-    let mut files = BTreeMap::new();
-    list(&root.join("core/src"), Path::new(""), &mut files)?;
+    let files = project::files(&root.join("core/src"), &[])?;
     let is_source = |path: &Path| {
         path.extension().is_some_and(|extension| extension == "rs")
             && !LEFT_OUT.iter().any(|name| path == *name)
@@ -42,24 +43,6 @@ pub(crate) fn sources(root: &Path) -> Result<Vec<Source>> {
             Source::new(name, String::from_utf8(bytes)?).with_context(|| format!("cannot parse {name}"))
         })
         .collect()
-}
-
-/// All files below a folder, by their paths in it, without what is built.
-pub(crate) fn list(root: &Path, folder: &Path, files: &mut BTreeMap<PathBuf, Vec<u8>>) -> Result<()> {
-    for entry in fs::read_dir(root.join(folder))? {
-        let entry = entry?;
-        let path = folder.join(entry.file_name());
-        let is_built = [".git", "target", "node_modules"].iter().any(|name| path.ends_with(name));
-        if is_built {
-            continue;
-        }
-        if entry.file_type()?.is_dir() {
-            list(root, &path, files)?;
-        } else {
-            files.insert(path.clone(), fs::read(root.join(&path))?);
-        }
-    }
-    Ok(())
 }
 
 /// A test program of the copy.
@@ -101,8 +84,7 @@ impl Tree {
             refused: 0,
             unparsed: sources.iter().flat_map(|source| source.found.unparsed.clone()).collect(),
         };
-        let mut files = BTreeMap::new();
-        list(root, Path::new(""), &mut files)?;
+        let mut files = project::files(root, &NOT_COPIED)?;
         let lib = PathBuf::from("core/src/lib.rs");
         loop {
             let mut rewritten = BTreeMap::new();
@@ -123,7 +105,7 @@ impl Tree {
             let count = format!("const COUNT: usize = {first};\n");
             let runtime = include_str!("runtime.rs").to_owned() + &count;
             files.insert("core/src/mutant.rs".into(), runtime.into_bytes());
-            tree.write(&files)?;
+            project::mirror(&files, &tree.folder, &NOT_COPIED)?;
             tell(&format!("checking {first} mutants"));
             let errors = tree.errors()?;
             if errors.is_empty() {
@@ -142,33 +124,13 @@ impl Tree {
         Ok(tree)
     }
 
-    /// Writes the files that differ and removes those that are gone, so that little is built again.
-    fn write(&self, files: &BTreeMap<PathBuf, Vec<u8>>) -> Result<()> {
-        fs::create_dir_all(&self.folder)?;
-        let mut present = BTreeMap::new();
-        list(&self.folder, Path::new(""), &mut present)?;
-        for (path, bytes) in files {
-            if present.remove(path).as_ref() != Some(bytes) {
-                let path = self.folder.join(path);
-                fs::create_dir_all(path.parent().unwrap_or(&path))?;
-                fs::write(&path, bytes)?;
-            }
-        }
-        present.keys().try_for_each(|stale| fs::remove_file(self.folder.join(stale)).map_err(Into::into))
-    }
-
     fn cargo(&self, subcommand: &str, words: &[&str]) -> Command {
-        let mut cargo = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
-        cargo.arg(subcommand).args(words).args(["--features", FEATURES, "--message-format", "json"]);
+        let mut cargo = command::cargo(subcommand);
+        cargo.args(words).args(["--features", FEATURES, "--message-format", "json"]);
         cargo.current_dir(&self.folder).env("CARGO_TARGET_DIR", &self.target);
         // The choice at run time in functions that are `const` is not stable.
         cargo.env("RUSTC_BOOTSTRAP", "luminaire").env("RUSTFLAGS", "--cap-lints=allow");
         cargo.env("CARGO_PROFILE_TEST_DEBUG", "0");
-        for (name, _) in env::vars()
-            .filter(|(name, _)| name.starts_with("CARGO_PKG_") || name.starts_with("CARGO_MANIFEST_"))
-        {
-            cargo.env_remove(name);
-        }
         cargo.stdin(Stdio::null()).stderr(Stdio::inherit());
         cargo
     }

@@ -2,9 +2,12 @@
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
+use std::process::Command;
 use std::{env, fs, io, path};
 
 use anyhow::{Context, Result};
+
+use crate::command;
 
 /// The workspace's folder.
 pub fn root() -> &'static Path {
@@ -48,6 +51,29 @@ pub fn files(folder: &Path, left_out: &[&str]) -> Result<BTreeMap<PathBuf, Vec<u
     list(folder, Path::new(""), left_out, &mut files)
         .with_context(|| format!("cannot read {}", shown(folder)))?;
     Ok(files)
+}
+
+/// Makes a folder hold these files and no others. Files that are as they should be are left alone,
+/// so that they are not compiled again; so is what `left_out` names.
+pub fn mirror(files: &BTreeMap<PathBuf, Vec<u8>>, folder: &Path, left_out: &[&str]) -> Result<()> {
+    fs::create_dir_all(folder)?;
+    let mut present = self::files(folder, left_out)?;
+    for (path, bytes) in files {
+        if present.remove(path).as_ref() != Some(bytes) {
+            let path = folder.join(path);
+            fs::create_dir_all(path.parent().unwrap_or(&path))?;
+            fs::write(path, bytes)?;
+        }
+    }
+    present.keys().try_for_each(|stale| fs::remove_file(folder.join(stale)))?;
+    Ok(())
+}
+
+/// The tag of the last release, if there is one.
+pub fn last_release() -> Option<String> {
+    let mut describe = Command::new("git");
+    describe.args(["describe", "--tags", "--abbrev=0", "--match", "v*"]).current_dir(root());
+    command::answer(&mut describe).ok()
 }
 
 /// Displays a path, relative to the workspace if it is below it.
