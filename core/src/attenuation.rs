@@ -12,9 +12,10 @@
 //! | [`Windowed`] of an attenuation | that attenuation times `(1 - (d/r)^4)^2` within r | Godot, and three.js with any decay |
 //! | [`AnyAttenuation`] | one of the above | the choice at run time |
 //!
-//! The range of a light without a range is `None`, never 0. At and beyond its range the light is
-//! exactly zero; in fixed point it ends half a step of the format earlier. Points out of range are
-//! rejected before the square root. Results are bit-identical with and without this test.
+//! A light without a range has the range `None`, never 0. At and beyond its range the light is
+//! exactly zero; in fixed point it becomes zero up to half a step of the format before the range.
+//! Points out of range are rejected before the square root. Results are bit-identical with and
+//! without this test.
 //!
 //! *Falloff* is the intensity over the angle, *attenuation* the intensity over the distance.
 
@@ -37,7 +38,7 @@ use crate::{
 /// An attenuation over distance. The type selects it at compile time: there is no branch per point,
 /// and an unused attenuation is not linked.
 ///
-/// Sealed by a private bound.
+/// The trait is sealed by a private bound.
 pub trait Attenuation: Copy + PartialEq + core::fmt::Debug {
     /// The constants of the attenuation in a number format.
     type Constants<S: Scalar>: Copy + PartialEq + core::fmt::Debug;
@@ -45,7 +46,8 @@ pub trait Attenuation: Copy + PartialEq + core::fmt::Debug {
     /// Compiles the attenuation for the format `S`.
     fn constants<S: Scalar>(self) -> Self::Constants<S>;
 
-    /// Returns whether the attenuation is the inverse-square law and nothing else.
+    /// Returns whether the attenuation is exactly the inverse-square law, without a range or a
+    /// window.
     #[inline]
     fn is_inverse_square<S: Scalar>(_: &Self::Constants<S>) -> bool {
         false
@@ -65,8 +67,8 @@ pub trait Attenuation: Copy + PartialEq + core::fmt::Debug {
     /// Returns the effects that the attenuation requires.
     fn effects(&self) -> Effects;
 
-    /// Evaluates the factor at a distance in f64, in its most direct form: the reference for error
-    /// measurements.
+    /// Evaluates the attenuation factor at a distance in f64, by its defining formula: the
+    /// reference for error measurements.
     fn exact(&self, distance: f64) -> f64;
 
     /// Returns whether the factor may exceed 1 at distances below 1.
@@ -74,7 +76,8 @@ pub trait Attenuation: Copy + PartialEq + core::fmt::Debug {
         true
     }
 
-    /// Returns the irradiance of a share of the intensity at this distance; 0 for a negative share.
+    /// Returns the irradiance at this distance from a share of the intensity; 0 for a negative
+    /// share.
     fn expose<S: Scalar, R: Ray<S>>(
         constants: &Self::Constants<S>,
         offset: &S::Offset,
@@ -124,7 +127,7 @@ fn checked_range(range: f32) -> Result<f32, Error> {
     }
 }
 
-/// Returns the factor from a squared distance to `(d/r)^2`; 0 without a range.
+/// Returns `1 / r^2`, which converts a squared distance to `(d/r)^2`; 0 without a range.
 fn inverse_squared<S: Scalar>(range: Option<f32>) -> S::Gain {
     S::gain(range.map_or(0.0, |range| 1.0 / (range * range)))
 }
@@ -142,8 +145,8 @@ fn dimmed<S: Scalar, T: Share<S>>(share: T, factor: T) -> T {
 }
 
 impl Polynomial {
-    /// Creates the polynomial of a constant, a linear and a quadratic coefficient, for distances in
-    /// scene units. If all are 0, the cap makes the factor 1 everywhere.
+    /// Creates the polynomial with a constant, a linear and a quadratic coefficient, for distances
+    /// in scene units. If all three are 0, the cap makes the factor 1 everywhere.
     ///
     /// # Errors
     /// A coefficient outside 0 to 1e9.

@@ -1,9 +1,10 @@
 //! Many points and one compiled light: slices in and out, each quantity in its own slice.
 //!
 //! Every result is bit-identical to that of a single-point call; only the order of the work
-//! differs. In `f32` the points are processed in blocks. A first pass computes the roots of a block
-//! and a second one does the rest, so that neither waits for the other, and both vectorise to the
-//! width of the target. Fixed point is processed point by point, with early-outs.
+//! differs. In `f32` the points are processed in blocks. A first pass computes the square roots of
+//! a block and a second pass does the rest. So no computation waits for a root, and compilers
+//! vectorise both passes to the width of the target. Fixed point is processed point by point, with
+//! early-outs.
 //!
 //! If slices differ in length, the shortest determines the number of points. Elements beyond it are
 //! not changed.
@@ -21,11 +22,10 @@ use crate::{
     vec3::Vec3,
 };
 
-/// Number of points per block: enough to amortise the start of a loop, few enough for the nearest
-/// cache.
+/// Number of points per block. It is large enough to amortise the start of a loop, and small enough
+/// for the first-level cache, which must hold the results of the first pass.
 ///
-/// The cache must hold the results of the first pass. Compilers fully unroll a loop over 32, which
-/// is slower.
+/// Compilers fully unroll a loop over 32 points, which is slower.
 const BLOCK: usize = 64;
 
 /// Results passed from one pass to the next, aligned so that no vector load crosses a cache line.
@@ -36,7 +36,8 @@ struct Lanes<T>([T; BLOCK]);
 trait Batched<S: Scalar>: LightModel<S> {
     /// Returns the position of the light.
     fn position(&self) -> Vec3<S::Length>;
-    /// Returns the irradiance at a single point, in the form that suits a loop.
+    /// Returns the irradiance at a single point, in the form that suits a loop of the format: with
+    /// early-outs in fixed point and without branches in `f32`.
     #[inline]
     fn irradiance(&self, point: Vec3<S::Length>, normal: Vec3<S>) -> S::Irradiance {
         let skips = !S::Offset::ROOTS_FIRST;
@@ -98,9 +99,10 @@ fn extent<S: Scalar>(points: Vec3<&[S::Length]>, normals: Vec3<&[S]>, lights: us
 
 /// Iterates over a range of three columns, in blocks.
 ///
-/// Every item is `Some`, and the loops that use it skip `None`. A `filter_map` here instead costs
-/// 14 % more instructions, because the compiler then no longer turns the zipped columns into a loop
-/// over one index (callgrind, `irradiance_each` and `add_each` of a soft spotlight in f32, x86-64).
+/// Every item is `Some`; the loops that use this iterator skip `None`. With a `filter_map` here the
+/// loops take 14 % more instructions, because the compiler then no longer turns the zipped columns
+/// into a loop over one index (callgrind, `irradiance_each` and `add_each` of a soft spotlight in
+/// f32, x86-64).
 fn blocks<T>(columns: Vec3<&[T]>, range: Range<usize>) -> impl Iterator<Item = Option<Vec3<&[T; BLOCK]>>> {
     let blocks = columns.map(|column| {
         let column = column.get(range.clone()).unwrap_or_default();
@@ -139,7 +141,7 @@ fn light_block<S: Scalar>(
     }
 }
 
-/// Adds a light times a colour to a channel.
+/// Adds light, multiplied by a colour, to a channel.
 #[inline]
 fn add<S: Scalar>(sum: &mut S::Irradiance, light: S::Irradiance, color: S) {
     *sum = S::add_light(*sum, S::filter(light, color));

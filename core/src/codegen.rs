@@ -32,7 +32,7 @@
 //! all of them. The bits are specific to this version of the crate: generate them in each build and
 //! do not store them.
 //!
-//! The module also exports types that only generated text names.
+//! The module also exports types that only the generated text needs to name.
 
 mod formats;
 

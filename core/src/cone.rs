@@ -1,5 +1,5 @@
-//! Cones of light: designed from the angles of a data sheet, compiled to a falloff that needs no
-//! angles.
+//! Cones of light: designed from the angles of a data sheet, and compiled to a function of the
+//! versine that needs no angles.
 
 mod compiled;
 mod two_angles;
@@ -17,12 +17,13 @@ use crate::{
 /// A cone of light with an angular falloff: full intensity on the axis, 0 from the outer angle
 /// outwards.
 ///
-/// Any one of its beam, field and outer angles determines the other two (Hast 2004, sections 2 and
-/// 3). [`Cone::from_beam_and_field`] takes two angles and chooses the falloff. Two options exist:
+/// For a given falloff, any one of the beam, field and outer angles determines the other two (Hast
+/// 2004, sections 2 and 3). [`Cone::from_beam_and_field`] takes two angles and chooses the falloff.
+/// A cone has two options:
 ///
 /// - a **hotspot** ([`with_inner`](Self::with_inner)): full intensity up to an inner angle, and the
 ///   falloff between the inner and the outer angle. If both are equal, the cone is a step.
-/// - a **cutoff** ([`with_cutoff`](Self::with_cutoff)): no light from an angle on that is smaller
+/// - a **cutoff** ([`with_cutoff`](Self::with_cutoff)): no light outside an angle that is smaller
 ///   than the outer angle, as behind a barn door or an iris. It costs nothing per point.
 ///
 /// All angles are full angles.
@@ -93,8 +94,8 @@ impl<P: Falloff> Cone<P> {
     /// Returns the cone with a hotspot: full intensity up to this angle, and the falloff from there
     /// to the outer angle.
     ///
-    /// The outer angle stays; beam and field angle move outwards. An inner angle of 0 removes the
-    /// hotspot; an inner angle equal to the outer one makes a step.
+    /// The outer angle stays the same; beam and field angle become larger. An inner angle of 0
+    /// removes the hotspot; an inner angle equal to the outer one makes a step.
     ///
     /// # Errors
     /// An angle that is negative or larger than the angle at which the falloff ends.
@@ -138,20 +139,20 @@ impl<P: Falloff> Cone<P> {
         Angle::from_versine(self.inner.min(self.limit))
     }
 
-    /// Returns the full beam angle: where the falloff reaches 50 %, or the cutoff if that is
-    /// smaller.
+    /// Returns the full beam angle: the angle at which the falloff reaches 50 %, or the cutoff if
+    /// that is smaller.
     pub fn beam(&self) -> Angle {
         self.angle_at(self.profile.beam_versine())
     }
 
-    /// Returns the full field angle: where the falloff reaches 10 %, or the cutoff if that is
-    /// smaller.
+    /// Returns the full field angle: the angle at which the falloff reaches 10 %, or the cutoff if
+    /// that is smaller.
     pub fn field(&self) -> Angle {
         self.angle_at(self.profile.field_versine())
     }
 
-    /// Returns the full angle from which on there is no light. It is where the falloff ends, or the
-    /// cutoff if that is smaller.
+    /// Returns the full angle from which on there is no light: the angle at which the falloff ends,
+    /// or the cutoff if that is smaller.
     pub fn outer(&self) -> Angle {
         Angle::from_versine(self.limit)
     }
@@ -171,12 +172,14 @@ impl<P: Falloff> Cone<P> {
         self.limit
     }
 
-    /// Returns the full angle at a `u` of the falloff, at most the cutoff.
+    /// Returns the full angle at which the falloff's argument is `u`, or the cutoff if that is
+    /// smaller.
     fn angle_at(&self, u: f32) -> Angle {
         Angle::from_versine((self.inner + u * (self.outer - self.inner)).min(self.limit))
     }
 
-    /// Returns the cone with another falloff: converts a run-time choice into a type.
+    /// Returns the same cone with its falloff converted to another type: from a run-time choice to
+    /// a concrete type.
     pub fn with_profile<Q: Falloff>(&self, profile: Q) -> Cone<Q> {
         Cone { profile, inner: self.inner, outer: self.outer, limit: self.limit }
     }
@@ -195,7 +198,8 @@ impl<P: Falloff> Cone<P> {
         lumens / self.solid_angle()
     }
 
-    /// Returns the solid angle in steradians that has the same flux at full intensity.
+    /// Returns the solid angle in steradians that would have the same flux at constant full
+    /// intensity.
     fn solid_angle(&self) -> f32 {
         let span = self.outer - self.inner;
         let versine = if self.limit <= self.inner {
@@ -209,11 +213,11 @@ impl<P: Falloff> Cone<P> {
     /// Returns the narrowest outer angle of this falloff that the format `S` evaluates within half
     /// a linear code, 1/510.
     ///
-    /// This assumes exact inputs and a cone without a hotspot. At this angle the error bound
-    /// reaches 1/510: the format's error of direction, multiplied by the steepness of the falloff,
-    /// plus all other rounding errors. A hotspot makes the falloff steeper. For a step, no format
-    /// bounds the error of the intensity; the position of its edge is within 1/510 of the half
-    /// angle.
+    /// This assumes exact inputs and a cone without a hotspot. At this angle the error bound is
+    /// just 1/510. The bound is the format's error of direction multiplied by the steepness of the
+    /// falloff, plus all other rounding errors. A hotspot makes the falloff steeper. For a step, no
+    /// format bounds the error of the intensity; the position of its edge is within 1/510 of the
+    /// half angle.
     ///
     /// In `f32` this holds for all positions of light and point. The result exceeds 180 degrees if
     /// the format can hold no cone with this falloff, such as `Fx16` with an inverted power of 99.
@@ -230,8 +234,8 @@ impl<P: Falloff> Cone<P> {
         self.compile_with_error().map(|(cone, _)| cone)
     }
 
-    /// Compiles the cone, and returns the `Arithmetic::coarse_error` by which the ramp was
-    /// selected.
+    /// Compiles the cone. Also returns its `Arithmetic::coarse_error`, which selects between the
+    /// coarse and the fine ramp.
     pub(crate) fn compile_with_error<S: Scalar>(&self) -> Result<(CompiledCone<S, P>, f32), Error> {
         self.check::<S>()?;
         let Self { inner, outer, limit, .. } = *self;
@@ -240,12 +244,12 @@ impl<P: Falloff> Cone<P> {
         Ok((CompiledCone::new(ramp(inner, outer, limit), self.profile), error))
     }
 
-    /// Returns the slopes of this cone with another inner versine.
+    /// Returns the slopes that this cone would have with another inner versine.
     fn slopes(&self, inner: f32) -> Slopes {
         if inner < self.outer { slopes(self.profile, inner / self.outer) } else { Slopes::STEP }
     }
 
-    /// Returns an error that names the angle that the format cannot hold, if there is one.
+    /// Returns an error if the format cannot hold one of the angles, and names that angle.
     fn check<S: Scalar>(&self) -> Result<(), Error> {
         let refused =
             |parameter, value: Angle, accepted| Err(Error { parameter, value: value.to_degrees(), accepted });
@@ -313,18 +317,18 @@ impl<const N: u32> Cone<Power<N>> {
     }
 }
 
-/// Returns the slopes of a falloff with a hotspot of this versine relative to the outer one, in
-/// [0, 1).
+/// Returns the slopes of a falloff with a hotspot. `hotspot` is the inner versine divided by the
+/// outer one, in [0, 1).
 fn slopes<P: Falloff>(profile: P, hotspot: f32) -> Slopes {
-    /// The relative width of a falloff so narrow that all of it is at the edge. There the slope
-    /// over the argument is half the slope over the angle.
+    /// Relative width of a rim so narrow that its versine is nearly constant. In such a rim the
+    /// slope over the argument is half the slope over the angle, in widths of the rim.
     const RIM: f32 = 1.0 / 1024.0;
     let fraction = profile.steepness(1.0 - RIM) * RIM / 2.0;
     Slopes { angle: profile.steepness(hotspot), fraction: fraction * (1.0 + RIM) }
 }
 
-/// Returns the narrowest outer angle with these slopes that a format can hold; 360 degrees or more
-/// if there is none.
+/// Returns the narrowest outer angle that a format can hold with these slopes; 360 degrees or more
+/// if it can hold none.
 fn narrowest<S: Scalar>(edge: &Slopes) -> Angle {
     let room = positive(HALF_A_CODE - S::rounding(edge));
     Angle::radians(2.0 * S::DIRECTION_ERROR * edge.angle / room)

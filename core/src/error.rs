@@ -20,7 +20,7 @@ use core::fmt;
 pub struct Error {
     /// The rejected parameter.
     pub parameter: Parameter,
-    /// The given value; for a vector, the invalid component or the length.
+    /// The rejected value; for a vector, its invalid component or its length.
     pub value: f32,
     /// The accepted values.
     pub accepted: Expected,
@@ -141,7 +141,7 @@ pub enum Expected {
     Between(f32, f32),
     /// A number in (0, this].
     UpTo(f32),
-    /// A number in (0, first], or the second.
+    /// A number in (0, first value], or exactly the second value.
     UpToOr(f32, f32),
     /// A distance in this closed interval, or no range.
     RangeBetween(f32, f32),

@@ -79,22 +79,23 @@ pub trait Falloff: Copy + core::fmt::Debug {
     /// Returns the formula as data.
     fn formula(&self) -> Formula<'_>;
 
-    /// Returns the `u` of the beam angle, at which the intensity is 1/2; in [0, 1].
+    /// Returns the `u` at the beam angle, where the intensity is 1/2; in [0, 1].
     fn beam_versine(self) -> f32;
 
-    /// Returns the `u` of the field angle, at which the intensity is 1/10; in [0, 1].
+    /// Returns the `u` at the field angle, where the intensity is 1/10; in [0, 1].
     fn field_versine(self) -> f32;
 
-    /// Returns the maximum slope of the intensity over the angle off axis, per outer half angle.
+    /// Returns the steepness: the maximum slope of the intensity over the angle off axis, where the
+    /// angle is in units of the outer half angle.
     ///
-    /// This is the factor by which the falloff magnifies an error of direction. It holds for a
-    /// narrow cone whose inner versine is `hotspot` times the outer one, with `hotspot` in [0, 1).
+    /// The falloff magnifies an error of direction by this factor. The value is that of a narrow
+    /// cone whose inner versine is `hotspot` times the outer one, with `hotspot` in [0, 1).
     ///
-    /// A step has no finite slope and returns 1: its position is within 1/510 of the outer half
-    /// angle.
+    /// A step has no finite slope and returns 1: with it, the bound for the intensity keeps the
+    /// position of the edge within 1/510 of the outer half angle.
     fn steepness(self, hotspot: f32) -> f32;
 
-    /// Returns the integral of the intensity over `u` from 0 to `u`, with `u` in [0, 1]. The
-    /// luminous flux follows from it.
+    /// Returns the integral of the intensity from 0 to `u`, with `u` in [0, 1]. The luminous flux
+    /// follows from this integral.
     fn integral(self, u: f32) -> f32;
 }

@@ -7,38 +7,39 @@
 //! in-scattering = density phase I ∫ f(w(s)) / d(s)^2 ds
 //! ```
 //!
-//! Here `I` is the intensity, `d` the distance of a point of the ray from the light, and `f` the
-//! falloff at the versine `w` off the axis. The medium is thin: its transmittance is taken as 1, so
-//! it attenuates neither the beam nor what is seen through it, and light scatters once. Scattering
-//! is isotropic, with a phase function of `1/(4 pi)`. A surface that receives 1 shows 1, which is a
-//! radiance of `1/pi`. The remaining factor is a quarter of the density.
+//! Here `I` is the intensity, `d` the distance of a point on the ray from the light, and `f` the
+//! falloff at the versine `w` of the point's angle off axis. The medium is thin: its transmittance
+//! is taken as 1, so it attenuates neither the beam nor the surfaces behind it, and light scatters
+//! only once. Scattering is isotropic, with a phase function of `1/(4 pi)`. A white surface with an
+//! irradiance of 1 shows 1, which is a radiance of `1/pi`. So the constant factor is `pi / (4 pi)`
+//! times the density: a quarter of it.
 //!
 //! # Integration over directions
 //!
 //! Let `h` be the distance of the light from the line of sight. Then `ds / d^2 = d(psi) / h`: the
-//! inverse square cancels, and the integral of `f` runs over the directions in which the light sees
-//! the ray. These directions form an arc of a great circle. `psi` is the angle from the direction
-//! of the circle that is nearest to the axis. The substitution `v = tan(psi/2)` avoids
-//! trigonometry:
+//! inverse square cancels, and `f` is integrated over the directions from the light to the ray.
+//! These directions form an arc of a great circle. The angle `psi` is measured on this circle, from
+//! its direction nearest to the axis. The substitution `v = tan(psi/2)` avoids trigonometry:
 //!
 //! ```text
 //! w = w0 + 2 r v^2 / (1 + v^2),   d(psi) = 2 dv / (1 + v^2),   w0 = 1 - r
 //! ```
 //!
-//! where `r` is the cosine of the angle between axis and circle. It is computed from the cosines of
-//! the axis with foot and ray, so that a circle nearly orthogonal to the axis keeps its bits. `w0`
-//! is computed from the sine, so that narrow beams keep theirs. The arc ends at the edge of the
-//! cone, at `v^2 = (omega - w0) / (1 - omega + r)`, where `omega` is the outer versine. It is split
-//! at the edges of the hotspot, or at `v = 0`. In each part `f` is smooth, and Gauss-Legendre
-//! quadrature with five nodes is accurate enough. NUMERICS.md lists the errors.
+//! where `r` is the cosine of the angle between the axis and the circle. `r` is computed from the
+//! cosines of two angles: between the axis and the ray, and between the axis and the foot, the
+//! direction to the point of the ray's line that is nearest to the light. So `r` keeps its leading
+//! bits if the circle is nearly orthogonal to the axis. `w0` is computed from the sine, so it keeps
+//! its leading bits in narrow beams. The arc ends at the edge of the cone, at
+//! `v^2 = (omega - w0) / (1 - omega + r)`, where `omega` is the outer versine. It is split at the
+//! edges of the hotspot, or at `v = 0`. In each part `f` is smooth, so Gauss-Legendre quadrature
+//! with five nodes suffices. NUMERICS.md lists the errors.
 //!
-//! For any other distance model the integral runs over the length of the ray, between the same ends
-//! and up to the range of the light. Without a range and without an inverse-square attenuation, an
-//! endless ray in the beam is as bright as f32 allows.
+//! For any other attenuation the integral runs over the length of the ray, between the same ends
+//! and up to the range of the light. If the light neither has a range nor attenuates, an endless
+//! ray in the beam is as bright as f32 allows.
 //!
-//! The computation is in `f32` for lights of every format. `1/h` has no scale that a fixed-point
-//! format could choose once for a picture, and a renderer with haze uses floats for its colours
-//! anyway.
+//! The computation is in `f32` for lights of every format. The range of `1/h` is too large for one
+//! fixed-point scale per picture, and a renderer with haze uses floats for its colours anyway.
 
 mod arc;
 mod beam;
@@ -85,8 +86,8 @@ impl Haze {
 
     /// Creates haze of this density: the share of the light that is scattered per unit of length.
     ///
-    /// Density 0 is clear air and gives exactly no in-scattering. Beyond a few tenths divided by
-    /// the size of the scene, haze is no longer thin.
+    /// Density 0 is clear air and gives exactly no in-scattering. At a density above a few tenths,
+    /// divided by the size of the scene, real haze would no longer be thin.
     ///
     /// # Errors
     /// A density outside 0 to 1e9.
@@ -95,7 +96,7 @@ impl Haze {
         Ok(Self { density, source_radius: SOURCE_RADIUS })
     }
 
-    /// Returns the same haze around lights of this radius; the default is 0.01.
+    /// Returns the same haze for lights that are spheres of this radius; the default is 0.01.
     ///
     /// There is no haze inside the light, and no view through it: a ray that hits the light ends
     /// there. Without a radius, a light would be infinitely bright to an eye that looks straight at

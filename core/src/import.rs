@@ -1,8 +1,8 @@
 //! Lights of other systems, converted to lights of this crate.
 //!
 //! Each system has a type whose fields have the system's names, units and defaults. Its method
-//! `import` positions the light and returns it with its largest difference from the original.
-//! Nothing is parsed here.
+//! `import` takes the light's position and direction, and returns a light of this crate with its
+//! largest difference from the original. Nothing is parsed here.
 //!
 //! ```
 //! use luminaire::{Vec3, import};
@@ -49,9 +49,10 @@
 //! |---|---|---|---|---|---|---|---|---|---|
 //! | Godot, to a range of 8 | 0.065 | 0.13 | 0.035 | 0.042 | 0.084 | 0.028 | 0.22 | 0.75 | 1.0 |
 //!
-//! A decay over 2 decreases faster than any divisor of the kernel increases: check the difference
-//! before you use such a light. A falloff with an exponent below 1 has an infinite slope at its
-//! edge. There a format bounds the error of the position, not of the intensity.
+//! With a decay over 2 the original decreases faster than `1 / d^2`, the steepest attenuation of
+//! the kernel: check the difference before you use such a light. A falloff with an exponent below 1
+//! has an infinite slope at its edge. There a format bounds the error of the position, not of the
+//! intensity.
 //!
 //! Divisions by zero in the original are not imported: an inner angle equal to the outer one gives
 //! a step. glTF's reference code divides by 0.001 there, which [`Gltf::import_as_recommended`]
@@ -112,14 +113,14 @@ pub struct Difference {
     /// Difference in position where the slope over the angle is infinite, in outer half angles, at
     /// most 1/510.
     ///
-    /// Non-zero only at the edge of a [`Direct3d::falloff`] in (0, 1), and of an
-    /// [`OpenGl::spot_exponent`] in (0, 1) with a cutoff of 90 degrees. There f32 cannot
+    /// It is more than 0 only at the edge of a light with a [`Direct3d::falloff`] in (0, 1), or
+    /// with an [`OpenGl::spot_exponent`] in (0, 1) and a cutoff of 90 degrees. There f32 cannot
     /// distinguish angles within 2^-25 of the edge, so no format can represent the intensity.
     pub place: f32,
-    /// Difference in attenuation, in [0, 1]. It is relative to the light at distance 1, or to the
-    /// brighter of the two lights if that is brighter. It covers distances from 0.1, or from where
-    /// the original stops growing if that is farther, up to the range, or to 32,767 without a
-    /// range.
+    /// Difference in attenuation, in [0, 1]. It is relative to the light at distance 1 or, where
+    /// one of the two lights is brighter than that, to the brighter of the two. It covers distances
+    /// from 0.1, or from the distance below which the original stops growing if that is farther.
+    /// The last distance is the range, or 32,767 without a range.
     pub distance: f32,
 }
 

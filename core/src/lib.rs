@@ -29,7 +29,7 @@
 //! # Ok::<(), luminaire::Error>(())
 //! ```
 //!
-//! From several such lights to a pixel, still without a float:
+//! The sum of several such lights, converted to a pixel, still without a float:
 //!
 //! ```
 //! use luminaire::{Fx16, Rgb, display::{Rgb565, clip}};
@@ -124,7 +124,7 @@
 //! # Features
 //!
 //! All features are additive, and any set of them compiles. Without `libm`, `std` and `micromath`,
-//! set-up computes angles by its own series, within 1e-6 of the angle.
+//! set-up uses its own series for sine and arc sine, and its angles are within a relative 1e-6.
 //!
 //! | feature | adds |
 //! |---|---|

@@ -61,8 +61,8 @@ fn checked_position(parameter: Parameter, position: Vec3<f32>) -> Result<Vec3<f3
     Ok(position)
 }
 
-/// Returns an error if a format cannot hold the position of a light. Saturating the position would
-/// move the light.
+/// Returns an error if a format cannot hold the position of a light. The position is not saturated,
+/// because that would move the light.
 pub(crate) fn check_reach<S: Scalar>(position: Vec3<f32>) -> Result<(), Error> {
     for value in [position.x, position.y, position.z] {
         check_between(Parameter::Position, value, -S::FARTHEST, S::FARTHEST)?;
@@ -73,9 +73,10 @@ pub(crate) fn check_reach<S: Scalar>(position: Vec3<f32>) -> Result<(), Error> {
 /// The axis of a light.
 #[derive(Clone, Copy, PartialEq, Debug)]
 struct Axis {
-    /// Normalised to unit length, within the rounding error of f32.
+    /// The axis normalised to unit length, within the rounding error of f32.
     unit: Vec3<f32>,
-    /// Unrounded: scaled by a power of two so that the largest component is in [1/2, 1].
+    /// The given axis without rounding, scaled by a power of two so that the largest component is
+    /// in [1/2, 1].
     toward: Vec3<f32>,
 }
 

@@ -10,7 +10,7 @@ use crate::{
 
 /// A material: the ambient, diffuse and specular reflectance of a surface, and its emission.
 ///
-/// It is the surface of the classic lighting equation, summed over all lights:
+/// It describes the surface in the classic lighting equation, whose sum is over all lights:
 ///
 /// `I = emissive + ambient Ia + sum of f(d) spot [diffuse Is max(0, N.L) + specular Is lobe]`
 ///
@@ -59,7 +59,7 @@ impl<H: SpecularLobe> Material<H> {
     /// exponent).
     ///
     /// # Errors
-    /// A channel outside [0, 1]; a shininess over 1024 or under the minimum of the lobe. The
+    /// A channel outside [0, 1]; a shininess over 1024 or under the minimum of the lobe. This
     /// minimum is 1, except for [`DifferenceForm`](crate::specular::DifferenceForm).
     pub fn with_highlight<K: SpecularLobe>(
         &self,
@@ -171,7 +171,8 @@ impl<S: Scalar, H: SpecularLobe> CompiledMaterial<S, H> {
         self.reflected(surface, light, true)
     }
 
-    /// As [`reflect`](Self::reflect), without early-out: every point takes every step.
+    /// As [`reflect`](Self::reflect), but without early-outs: every point takes every step of the
+    /// computation.
     #[inline]
     pub fn reflect_unskipped<L: LightModel<S>>(
         &self,

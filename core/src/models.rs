@@ -1,6 +1,6 @@
-//! The lists of all models: each falloff, attenuation and specular lobe is declared here once.
-//! Run-time enums, cost measurements, conformance vectors, programs and the tests over every model
-//! are generated from its row.
+//! The lists of all models: each falloff, attenuation and specular lobe is declared here once. Its
+//! row generates the run-time enums, cost measurements, conformance vectors, programs and the tests
+//! over every model.
 //!
 //! With the feature `arithmetic` the lists are exported as macros at the crate root.
 
@@ -65,8 +65,8 @@ macro_rules! falloffs {
     };
 }
 
-/// Calls a macro with the list of falloffs for programs that know theirs at compile time: rows of
-/// `doc variant(type) = name, sample, truth;`.
+/// Calls a macro with the list of falloffs for programs that know the falloff at compile time: rows
+/// of `doc variant(type) = name, sample, truth;`.
 #[cfg(feature = "arithmetic")]
 #[macro_export]
 macro_rules! constant_falloffs {
@@ -95,8 +95,8 @@ macro_rules! constant_falloffs {
 /// macro's own arguments.
 ///
 /// A row is `doc variant(type) = any |n| ...;`, which draws a random attenuation from numbers `n()`
-/// in [0, 1). It is followed by the attenuations that replace it in programs that know theirs at
-/// compile time, each as `doc type = name, value`.
+/// in [0, 1). The row also lists the types that replace the run-time type in programs that know the
+/// attenuation at compile time, each as `doc type = name, value`.
 #[cfg_attr(feature = "arithmetic", macro_export)]
 macro_rules! attenuations {
     ($($consumer:ident)::+ $(; $($arguments:tt)*)?) => {
@@ -185,8 +185,8 @@ pub fn interpolated(t: f64) -> f64 {
     (from + (to - from) * (place - index as f64)) / 65_535.0
 }
 
-/// Returns `1024^number`: exponents evenly distributed in their logarithm, for numbers evenly
-/// distributed in [0, 1).
+/// Returns the exponent `1024^number`. For numbers evenly distributed in [0, 1), the logarithms of
+/// the exponents are evenly distributed.
 #[cfg(feature = "arithmetic")]
 pub fn exponent(number: f32) -> f32 {
     libm::powf(1_024.0, number)

@@ -95,7 +95,7 @@ pub trait Scalar:
     type Length: Copy + Default + PartialOrd + core::fmt::Debug;
     /// A component of a unit vector, at the format's finest resolution.
     type Unit: Copy + Default + PartialEq + core::fmt::Debug;
-    /// Irradiance at a surface: at least 0, where 1 is full scale.
+    /// Irradiance at a surface, at least 0; 1 is full scale.
     type Irradiance: Copy + Default + PartialOrd + core::fmt::Debug;
 
     /// The name of the format, as written in the price list.
@@ -106,12 +106,13 @@ pub trait Scalar:
     const ONE: Self;
     /// The unit in the last place (ULP) of 1.
     const STEP: f32;
-    /// The largest magnitude of a light's coordinate. The coordinates of points are not limited.
+    /// The largest magnitude of a coordinate of a light. This does not limit the coordinates of
+    /// points.
     const FARTHEST: f32;
 
     /// Returns the nearest value; saturates, and NaN becomes zero.
     fn from_f32(value: f32) -> Self;
-    /// Returns the value as `f32`, rounded if it has more bits.
+    /// Returns the value as `f32`, rounded if it has more bits than an `f32`.
     fn to_f32(self) -> f32;
     /// Returns the nearest length.
     fn length(value: f32) -> Self::Length;
@@ -137,18 +138,18 @@ pub trait Scalar:
 /// A point is outside if `z |z| < bound |v|^2`, where `v` is the offset and `z` its component along
 /// the axis. Both sides are rounded. Outer versines are at most 1, so the cosine is not negative.
 ///
-/// The slope of `c |c|` is at most 2, so a margin of 16 steps leaves every versine up to 8 steps
-/// beyond the edge to the evaluation. In every format this is more than the error of the versine.
-/// The additional margin `squared_sine * EPSILON` covers the rounding of the squared sine, which is
-/// `f32` in every format. The sine is computed first because it keeps the leading bits of a narrow
-/// cone.
+/// The slope of `c |c|` is at most 2, so with a margin of 16 steps the test rejects no point whose
+/// versine is up to 8 steps beyond the edge. In every format 8 steps are more than the error of the
+/// versine. The additional margin `squared_sine * EPSILON` covers the rounding of the squared sine,
+/// which is `f32` in every format. The sine is computed first because it keeps the leading bits of
+/// a narrow cone.
 pub(crate) fn outside_bound<S: Scalar>(outer_versine: f32) -> S {
     let squared_sine = outer_versine * (2.0 - outer_versine);
     let margin = squared_sine * f32::EPSILON + 16.0 * S::STEP;
     S::ONE.minus(S::from_f32(squared_sine)).minus(S::from_f32(margin))
 }
 
-/// Returns `base^exponent` by repeated squaring, with the product of a format.
+/// Returns `base^exponent` by repeated squaring; `product` is the multiplication of a format.
 #[inline]
 fn raised<T: Copy>(one: T, base: T, exponent: u32, product: impl Fn(T, T) -> T) -> T {
     let (mut power, mut square, mut rest) = (one, base, exponent);
@@ -162,7 +163,7 @@ fn raised<T: Copy>(one: T, base: T, exponent: u32, product: impl Fn(T, T) -> T) 
     power
 }
 
-/// Splits a value exactly into `mantissa / 2^shift` with a mantissa of 24 bits.
+/// Converts a value to the exactly equal `mantissa / 2^shift` with a mantissa of 24 bits.
 ///
 /// Returns zero for zero, negative and subnormal values and NaN; infinity counts as `f32::MAX`.
 #[cfg(feature = "fixed")]
@@ -196,7 +197,7 @@ mod tests {
 
     extern crate std;
 
-    /// The results of the crate `fixed`, which converts with branches.
+    /// The expected results: those of the crate `fixed`, which converts with branches.
     fn expected(value: f32) -> (Fx16, Fx32, Length) {
         if value.is_nan() {
             return Default::default();

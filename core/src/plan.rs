@@ -1,8 +1,9 @@
 //! Render plans: the effects that a scene requires.
 //!
-//! A renderer omits the other effects. It omits only work that does not change any bit of the
-//! image: a dark light, a black highlight, a factor of 1. [`RenderPlan::everything`] omits nothing
-//! and gives the same image; the tests of a renderer compare the two.
+//! A renderer with a plan omits all effects that the scene does not require. It omits only work
+//! that does not change any bit of the image: a dark light, a black highlight, a factor of 1. The
+//! plan [`RenderPlan::everything`] omits nothing and gives the same image, so that a renderer's
+//! tests can compare the two.
 //!
 //! Lights that are constants of the program need no plan: their types state the required effects,
 //! and unused code is not linked.
@@ -48,7 +49,7 @@ impl RenderPlan {
         Self { effects: Effects::ALL, leaves_nothing_out: true }
     }
 
-    /// Adds an effect of the whole image, such as haze or dither.
+    /// Adds an effect that concerns the whole image, such as haze or dither.
     #[must_use]
     pub const fn with(self, effect: Effect) -> Self {
         Self { effects: self.effects.with(effect), ..self }
@@ -84,8 +85,8 @@ impl RenderPlan {
         self.effects.has(effect)
     }
 
-    /// Returns whether points, tiles and lights that receive or emit no light are skipped. False
-    /// only for [`everything`](Self::everything).
+    /// Returns whether a renderer skips points and tiles without light, and dark lights. False only
+    /// for [`everything`](Self::everything).
     pub const fn skips(&self) -> bool {
         !self.leaves_nothing_out
     }
@@ -94,7 +95,7 @@ impl RenderPlan {
     /// the plan skips.
     ///
     /// # Errors
-    /// A light that the format cannot hold, dark or not.
+    /// A light that the format cannot hold, even if it is dark.
     pub fn prepare<S: Scalar>(&self, light: &AnyLight) -> Result<Option<CompiledAnyLight<S>>, Error> {
         let compiled = light.compile()?;
         Ok((!(self.skips() && light.is_dark())).then_some(compiled))

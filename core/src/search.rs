@@ -1,7 +1,7 @@
 //! Search algorithms for set-up.
 
-/// Returns where a predicate that is true at `low` becomes false, within [`low`, `high`], to the
-/// last place.
+/// Returns the number in [`low`, `high`] at which a predicate changes from true, its value at
+/// `low`, to false. Accurate to the last place.
 pub(crate) fn bisect(mut low: f32, mut high: f32, holds: impl Fn(f32) -> bool) -> f32 {
     for _ in 0..26 {
         let middle = (low + high) / 2.0;
@@ -10,7 +10,8 @@ pub(crate) fn bisect(mut low: f32, mut high: f32, holds: impl Fn(f32) -> bool) -
     (low + high) / 2.0
 }
 
-/// Returns the position of the minimum of a unimodal function, to 10^-4 of the interval.
+/// Returns the position of the minimum of a unimodal function, within 10^-4 of the interval's
+/// length.
 pub(crate) fn least_at(mut low: f64, mut high: f64, mut value: impl FnMut(f64) -> f64) -> f64 {
     for _ in 0..23 {
         let third = (high - low) / 3.0;

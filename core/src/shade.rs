@@ -32,7 +32,8 @@ impl<S: Scalar> SurfacePoint<S> {
         Self { point, normal, view: Vec3::default() }
     }
 
-    /// Creates a point seen by an eye; costs one square root, which all lights share.
+    /// Creates a point that is seen by an eye. This takes one square root per point, whatever the
+    /// number of lights.
     #[inline]
     pub fn seen_from(eye: Vec3<S::Length>, point: Vec3<S::Length>, normal: Vec3<S>) -> Self {
         Self { point, normal, view: S::offset(point, eye).ray().direction() }
@@ -50,7 +51,7 @@ pub struct Incident<I> {
 
 /// A compiled light of any kind.
 pub trait LightModel<S: Scalar>: Copy + core::fmt::Debug {
-    /// Returns the linear colours of its diffuse light and of its specular light.
+    /// Returns the linear colours of the light: the diffuse and the specular one.
     fn colors(&self) -> [Rgb<S>; 2];
     /// Computes the light at a surface whose specular lobe is of the type `H`.
     ///

@@ -14,7 +14,8 @@ pub trait Source {
     fn write(&self, out: &mut Formatter<'_>) -> fmt::Result;
 }
 
-/// A type whose name the generated text must contain, because no value in the text implies it.
+/// A type whose name must be part of the generated text, because nothing else in the text
+/// determines the type.
 pub trait Named {
     /// Writes the type's name.
     ///
@@ -45,7 +46,7 @@ impl<T: Source> fmt::Display for AsSource<'_, T> {
     }
 }
 
-/// The expression alone, as `Debug`, which the formatter's list builders require.
+/// Formats the expression alone, by `Debug`: the formatter's list builders require that trait.
 pub(crate) struct Written<'a, T: ?Sized>(pub(crate) &'a T);
 
 impl<T: Source + ?Sized> fmt::Debug for Written<'_, T> {

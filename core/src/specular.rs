@@ -8,13 +8,13 @@
 //! |---|---|---|
 //! | [`NoSpecular`] | none; its code is not compiled in | |
 //! | [`Phong`] | `max(0, R.V)^m` | Phong 1975 |
-//! | [`MirroredPhong`] | [`Phong`] with a view that is already mirrored at the surface | |
+//! | [`MirroredPhong`] | [`Phong`] with a view direction that is already mirrored at the surface | |
 //! | [`BlinnPhong`] | `max(0, N.H)^m` | Blinn 1977; OpenGL and Direct3D 9 |
 //! | [`DualConeLobe`] | `max(0, R.H)^m` | the dual-cone GLSL article |
 //! | [`DifferenceForm`] of one of these | `max(0, 1 - k \|a - b\|^2 / 2)^(2^n)`, `k = m / 2^n`, with the two directions a and b of that lobe | Lyon 1993, *Phong Shading Reformulation for Hardware Renderer Simplification* |
 //!
-//! Every cosine is computed as `1 - |a - b|^2 / 2` from the difference of its two directions. A
-//! lobe is narrow, and a dot product near 1 would lose precision, as in a narrow beam.
+//! Every cosine is computed as `1 - |a - b|^2 / 2` from the difference of its two directions,
+//! because a lobe is narrow: as in a narrow beam, a dot product near 1 would lose precision.
 //!
 //! A surface that faces away from the light has no highlight, as in OpenGL. Without that rule, the
 //! textbook equation would let light shine through the surface.
@@ -37,7 +37,7 @@ use crate::{
 /// A specular lobe. The type selects it at compile time: there is no branch per point, and an
 /// unused lobe is not linked.
 pub trait SpecularLobe: Copy + PartialEq + core::fmt::Debug {
-    /// Whether the lobe can be more than 0.
+    /// Whether there is a highlight; `false` only for [`NoSpecular`].
     const SHINES: bool = true;
     /// The smallest shininess for which the lobe is defined.
     const LEAST_SHININESS: u32 = 1;
@@ -47,7 +47,8 @@ pub trait SpecularLobe: Copy + PartialEq + core::fmt::Debug {
     /// Compiles a lobe of this shininess for the format `S`.
     fn constants<S: Scalar>(shininess: u32) -> Self::Constants<S>;
 
-    /// Returns the versine between the lobe's two directions from which on the lobe is 0.
+    /// Returns the versine of the angle between the lobe's two directions from which on the lobe is
+    /// zero.
     fn end(shininess: u32) -> f32;
 
     /// Evaluates the lobe, in [0, 1]. `incoming` points from the light to the surface, `view` from
@@ -76,21 +77,21 @@ pub struct BlinnPhong;
 /// `max(0, R.H)^m`, as written in the dual-cone GLSL article.
 ///
 /// It is neither Phong's nor Blinn's lobe. For an eye in the mirror direction H is the normal, so
-/// the lobe is only the m-th power of the cosine of the angle of incidence. The maximum is where H
-/// is the mirror direction: for an eye at three times the angle of incidence.
+/// there the lobe is only the m-th power of the cosine of the angle of incidence. Its maximum is
+/// where H is the mirror direction: for an eye at three times the angle of incidence.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct DualConeLobe;
 
-/// [`Phong`] with a view V' that is already mirrored at the surface. As `|R - V| = |L - V'|`, V' is
-/// computed once per point instead of R once per light.
+/// [`Phong`] with a view direction V' that is already mirrored at the surface.
+/// `|R - V| = |L - V'|`, so it is enough to compute V' once per point instead of R for every light.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct MirroredPhong;
 
 /// Lyon's difference form of another lobe, with `N` squarings. The shininess becomes a factor, so
 /// every point takes the same number of steps for every material, which suits vector instructions.
 ///
-/// Defined for a shininess of at least `2^N`. It is 0 from a finite angle on, and fewer squarings
-/// make it narrower.
+/// Defined for a shininess of at least `2^N`. It is 0 from a certain angle on; with fewer squarings
+/// this angle is smaller.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct DifferenceForm<H, const N: u32>(pub H);
 
@@ -120,7 +121,7 @@ impl SpecularLobe for NoSpecular {
 }
 
 impl<H: Highlight> SpecularLobe for H {
-    /// The ramp from 0 to 1, which sets the scale of the versine, and the exponent.
+    /// A ramp over the versines 0 to 1, which determines the scale of a versine, and the exponent.
     type Constants<S: Scalar> = (S::Ramp, u32);
 
     fn constants<S: Scalar>(shininess: u32) -> (S::Ramp, u32) {
@@ -145,7 +146,7 @@ impl<H: Highlight> SpecularLobe for H {
 
 impl<H: Highlight, const N: u32> SpecularLobe for DifferenceForm<H, N> {
     const LEAST_SHININESS: u32 = 1 << N;
-    /// `1 - k versine`, as a ramp that is 0 at the versine `1 / k`.
+    /// `1 - k versine`, as a ramp that ends in 0 at the versine `1 / k`.
     type Constants<S: Scalar> = S::Ramp;
 
     fn constants<S: Scalar>(shininess: u32) -> S::Ramp {

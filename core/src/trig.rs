@@ -4,14 +4,14 @@
 //!
 //! - `libm`, on every target, so that the same angles compile to the same bits everywhere.
 //! - `std`.
-//! - `micromath`, a tier of its own because of its approximations.
+//! - `micromath`, a separate tier because its results are approximations.
 //! - A series, so that a build of constants and integers needs no other crate.
 //!
-//! The square root uses `std` before `libm`. It is correctly rounded except in `micromath`, so the
-//! other backends are bit-identical.
+//! The square root uses `std` before `libm`. It is correctly rounded by every backend except
+//! `micromath`, so these backends are bit-identical.
 
-// For Cortex-M4F and similar targets: they compute in f32, but only `std` exposes their square
-// root. Also for builds without any backend crate.
+// This module is for Cortex-M4F and similar targets, which compute in f32 but whose square root
+// only `std` exposes, and for builds without any backend crate.
 #[cfg(any(
     test,
     all(target_arch = "arm", target_abi = "eabihf", not(feature = "std")),
@@ -65,7 +65,7 @@ mod backend {
 
 /// The small tier: micromath.
 ///
-/// Roots refine its estimate by Newton's method, because a direction needs the precision.
+/// Newton's method refines its estimate of the root, because directions need the precision.
 #[cfg(all(feature = "micromath", not(any(feature = "libm", feature = "std"))))]
 mod backend {
     use micromath::F32Ext;
@@ -166,7 +166,7 @@ mod tests {
     #[test]
     fn an_angle_comes_back_from_its_sine() {
         let error = |x: f32| f64::from((asin(sin(x)) / x - 1.0).abs());
-        // Near a right angle the sine hardly distinguishes angles.
+        // Near a right angle the sine hardly changes with the angle.
         let worst = largest(arguments(0.8).map(error));
         assert!((1e-8..=1e-6).contains(&worst), "largest relative difference {worst:.2e}");
     }
@@ -181,7 +181,7 @@ mod tests {
         assert!((2e-8..=2.4e-7).contains(&worst), "largest relative error {worst:.2e}");
     }
 
-    /// Every mantissa, with an even and an odd exponent; all other normal numbers repeat these
+    /// Every mantissa with an even and with an odd exponent; all other normal numbers repeat these
     /// cases.
     #[test]
     fn roots_keep_their_stated_error_over_every_mantissa() {

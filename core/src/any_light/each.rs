@@ -1,8 +1,8 @@
 //! Evaluation of one light at many points. Its kind, falloff and attenuation are matched once, and
 //! the loop over the points has no branch on them.
 //!
-//! There is one loop per falloff under the inverse-square law, and one per falloff without
-//! attenuation. Any other attenuation takes two loops, first the cone's, then the attenuation's.
+//! With the inverse-square law there is one loop per falloff, and without attenuation another one.
+//! Any other attenuation takes two loops: the first evaluates the cone, the second the attenuation.
 //! The number of loops therefore grows with the sum of the numbers of falloffs and attenuations,
 //! not with the product.
 
@@ -52,9 +52,9 @@ impl<S: Scalar> CompiledAnyLight<S> {
     /// [`evaluate`](Self::evaluate). A lobe of [`NoSpecular`](crate::specular::NoSpecular) leaves
     /// `arrivals.specular` unchanged.
     ///
-    /// In fixed point, which computes points one by one, unreachable points return 0 before the
-    /// square root; the result is bit-identical. In `f32` such a test would prevent vector
-    /// instructions.
+    /// Fixed point computes the points one by one and returns 0 for unreachable points before the
+    /// square root; the result is bit-identical. `f32` has no such test, because it would prevent
+    /// vector instructions.
     pub fn evaluate_each<H: SpecularLobe, const N: usize>(
         &self,
         surfaces: &SurfacePoints<'_, S, N>,
@@ -70,7 +70,7 @@ impl<S: Scalar> CompiledAnyLight<S> {
     }
 }
 
-/// Returns the plain attenuation that a compiled attenuation without a range is equal to, if any.
+/// Returns the plain attenuation that is equal to a compiled attenuation, if that has no range.
 fn plain<S: Scalar>(distance: &CompiledAnyAttenuation<S>) -> Option<Plain> {
     let none = S::gain(0.0);
     match distance {
@@ -80,7 +80,7 @@ fn plain<S: Scalar>(distance: &CompiledAnyAttenuation<S>) -> Option<Plain> {
     }
 }
 
-/// The attenuations that have their own loop with every falloff.
+/// The attenuations that share one loop with the falloff, for every falloff.
 enum Plain {
     Unattenuated,
     InverseSquare,
@@ -164,8 +164,8 @@ impl<S: Scalar, H: SpecularLobe, const N: usize> Loop<'_, S, H, N> {
         }
     }
 
-    /// Re-evaluates the points close enough to the light to need the fine evaluation, which two
-    /// separate loops cannot do.
+    /// Re-evaluates the points that are so close to the light that they need the fine evaluation.
+    /// Two separate loops cannot do the fine evaluation.
     fn refine<L: LightModel<S>>(&mut self, light: &L, position: Vec3<S::Length>, fine_below: u32) {
         for i in 0..N {
             let surface = self.surfaces.at(i);

@@ -31,7 +31,7 @@ impl<S: Scalar, P: Falloff> CompiledCone<S, P> {
         S::versine(self.ramp, value)
     }
 
-    /// Returns the intensity in the direction of a ray from the light, whose axis is given.
+    /// Returns the intensity in the direction of a ray from the light, for a light with this axis.
     #[inline(always)] // `spot-soft-lambert-hotspot` on Cortex-M0: +73 instructions without.
     pub fn toward<R: Ray<S>>(&self, ray: &R, axis: Vec3<S::Unit>) -> R::Share {
         self.curve.intensity(ray.rise(axis, self.ramp))

@@ -23,8 +23,8 @@ impl Cone<FittedFalloff> {
     /// | 2.3345 to 5.437 | the [`Cubic`] of edge slope 1.34 with this ratio |
     ///
     /// The two quadratics of Hast 2004 are the ends of the middle row. In wide cones the outer
-    /// angle of a quadratic may exceed 180 degrees where that of a cubic does not; then the falloff
-    /// is the cubic.
+    /// angle of the quadratic may exceed 180 degrees although that of the cubic does not; then the
+    /// falloff is the cubic.
     ///
     /// ```
     /// use luminaire::{Angle, Cone};
@@ -38,7 +38,7 @@ impl Cone<FittedFalloff> {
     /// # Errors
     /// A beam angle outside (0, 180] degrees. A field angle that is smaller than the beam angle,
     /// exceeds a ratio of 5.437, or needs an outer angle over 180 degrees. The error names the
-    /// range of field angles for this beam angle; its nearest end gives the nearest valid pair.
+    /// range of field angles for this beam angle.
     pub fn from_beam_and_field(beam: impl Into<Angle>, field: impl Into<Angle>) -> Result<Self, Error> {
         design(beam.into(), field.into(), fitted)
     }
@@ -47,8 +47,8 @@ impl Cone<FittedFalloff> {
 impl Cone<Cubic> {
     /// Creates the cone with this beam and field angle as a [`Cubic`] with a given edge slope.
     ///
-    /// As [`Cone::from_beam_and_field`], but never with another falloff. The smaller the edge
-    /// slope, the softer the edge at the same two angles.
+    /// As [`Cone::from_beam_and_field`], but the falloff is always a cubic. At the same two angles,
+    /// a smaller edge slope gives a softer edge.
     ///
     /// # Errors
     /// As [`Cone::from_beam_and_field`], for ratios from 1.1604 to 5.437; and an edge slope outside
@@ -67,7 +67,7 @@ impl Cone<Cubic> {
         design(beam, field, |beam, field| cubic(beam, field, edge_slope))
     }
 
-    /// Returns the smallest and the largest edge slope with which a monotone cubic has both of
+    /// Returns the smallest and the largest edge slope of the monotone cubics that have both of
     /// these angles.
     ///
     /// # Errors
@@ -82,8 +82,8 @@ impl Cone<Cubic> {
     }
 }
 
-/// Applies `design` to the versines of half the beam and half the field angle. If it fails, the
-/// error names the range of field angles for this beam angle.
+/// Applies `design` to the versines of half the beam angle and half the field angle. If `design`
+/// fails, the error names the range of field angles for this beam angle.
 fn design<T>(beam: Angle, field: Angle, design: impl Fn(f32, f32) -> Option<T>) -> Result<T, Error> {
     let (near, far) = (beam.versine(), field.versine());
     // The versine of a tiny positive angle may underflow.
@@ -102,7 +102,7 @@ fn design<T>(beam: Angle, field: Angle, design: impl Fn(f32, f32) -> Option<T>) 
     })
 }
 
-/// Returns the smallest and the largest field versine for which `can` holds, starting at the beam
+/// Returns the smallest and the largest field versine for which `can` holds, given the beam
 /// versine.
 fn reach(beam: f32, can: impl Fn(f32) -> bool) -> (f32, f32) {
     // Start at a feasible versine: the beam's, or the smallest of the cubics.
@@ -118,7 +118,8 @@ fn reach(beam: f32, can: impl Fn(f32) -> bool) -> (f32, f32) {
     (least, most)
 }
 
-/// Returns the cone with its falloff for the versines of a beam and a field angle.
+/// Returns the cone whose falloff has a given beam and field angle, from the versines of the two
+/// angles.
 fn fitted(beam: f32, field: f32) -> Option<Cone<FittedFalloff>> {
     let ratio = field / beam;
     let quadratic = if ratio <= HARD_RATIO {

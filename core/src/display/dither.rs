@@ -1,20 +1,21 @@
 //! Ordered dither: each pixel shows one of the two codes around a colour, with the right mean
 //! light.
 //!
-//! With only the few codes of a display, rounding turns a soft gradient into bands. With dither, a
-//! share of the pixels shows the upper of two codes instead, in the order of Bayer's matrix, which
-//! spreads them evenly over cells of 8 x 8 (B. E. Bayer, *An optimum method for two-level rendition
-//! of continuous-tone pictures*, ICC 1973).
+//! A display has few codes, so rounding to the nearest one turns a soft gradient into bands. With
+//! dither, a share of the pixels shows the upper of the two codes around a value, the others the
+//! lower. Bayer's matrix determines which pixels come first and spreads them evenly over cells of 8
+//! x 8 (B. E. Bayer, *An optimum method for two-level rendition of continuous-tone pictures*, ICC
+//! 1973).
 //!
 //! The share is computed in linear light, because an eye that does not resolve the pixels adds
 //! linear light. At a quarter of the distance from one code's light to the next, a quarter of the
-//! pixels shows the upper code. A share by the encoded value would make a cell too bright, for dark
-//! colours by up to a twentieth of a step, and would need the encoded value. Linear light only
-//! needs the light of each code, which is a table.
+//! pixels shows the upper code. The alternative, a share computed from the encoded value, would
+//! make a cell too bright, for dark colours by up to a twentieth of a step, and would need the
+//! encoding. The share in linear light only needs a table of the light of each code.
 //!
-//! There is no amplitude parameter. Full dither keeps the mean light; without dither
+//! There is no amplitude parameter. Full dither keeps the mean light. Without dither
 //! ([`encode_srgb`](super::encode_srgb), [`Rgb565::from_linear`]) each pixel shows the nearest
-//! code; any amplitude between would show bands again.
+//! code. Any amplitude in between would show bands again.
 
 use super::{
     Rgb565,
@@ -31,9 +32,9 @@ use crate::{
 /// `y`. It is 0 below 0 and for NaN, and 255 above 1.
 ///
 /// Over a cell of 8 x 8 pixels the mean light of the codes is that of the value, within 0.0081 of
-/// the step from one code to the next: 1/128 plus the rounding of the table. A value nearer than
-/// that to a code's own light shows this code in every pixel. For each pixel the code is monotone
-/// in the value. Channels of equal value have equal codes, so grey stays grey.
+/// the step from one code to the next: 1/128 plus the rounding of the table. A value within 1/128
+/// of a step of a code's own light shows this code in every pixel. For each pixel the code is
+/// monotone in the value. Channels of equal value have equal codes, so grey stays grey.
 ///
 /// ```
 /// use luminaire::display::{decode_srgb, encode_srgb_dithered};
@@ -78,13 +79,14 @@ fn dithered<S: Scalar, const LAST: usize>(linear: S, threshold: u8) -> u8 {
     }
 }
 
-/// Returns the threshold of a pixel between one code's light and the next, in 128ths.
+/// Returns the threshold of a pixel: its position between one code's light and the next, in 128ths.
 #[inline]
 fn threshold(x: u32, y: u32) -> u8 {
     MATRIX[(y % 8) as usize][(x % 8) as usize]
 }
 
-/// Bayer's matrix of the ranks 0 to 63, each as `2 rank + 1` in 128ths: the middle of its 64th.
+/// Bayer's matrix of the ranks 0 to 63. Each rank is stored as a threshold of `2 rank + 1` in
+/// 128ths, the middle of its 64th.
 const MATRIX: [[u8; 8]; 8] = {
     let mut matrix = [[0; 8]; 8];
     let mut place = 0;
@@ -112,7 +114,7 @@ const fn rank(x: usize, y: usize) -> u8 {
 
 /// Fraction bits of the table: the precision of an f32 below 1.
 ///
-/// 128 steps of the table fit 32 bits.
+/// With 24 bits, 128 times a difference of two table values fits 32 bits.
 const BITS: u32 = 24;
 /// Returns the light of a code in `[0, last]`, as the nearest multiple of 2^-24.
 const fn light(code: usize, last: usize) -> u32 {
@@ -171,9 +173,9 @@ fn dithered_fixed<const LAST: usize>(linear: u32, threshold: u8) -> u8 {
 
 /// As `dithered_fixed`, in f32.
 ///
-/// The curve gives the nearest code, or at worst the other one of the two around the value. The
-/// result equals the fixed-point code of the same value, except where the product rounds: within
-/// 2^-24 of the distance to a threshold.
+/// The polynomial gives the nearest code or, at worst, the other of the two codes around the value.
+/// The result equals the fixed-point code of the same value, unless the value is so near a
+/// threshold, within a relative 2^-24, that the products in the comparison round.
 #[inline]
 fn dithered_float<const LAST: usize>(linear: f32, threshold: u8) -> u8 {
     let linear = clamp(linear);

@@ -1,4 +1,4 @@
-//! Exposure: the amount of light that maps to full scale.
+//! Exposure: a factor on all light, which determines how much light maps to full scale.
 
 use crate::{
     color::Rgb,

@@ -1,11 +1,11 @@
 //! Mapping of light past full scale: two policies. Use the same one for a whole picture.
 //!
-//! [`clip`] clips each channel at full scale. It is the cheaper policy, and what displays do by
-//! themselves. A bright orange turns yellow and then white.
+//! [`clip`] clips each channel at full scale. It is the cheaper policy, and displays do the same by
+//! themselves. With it a bright orange turns yellow and then white.
 //!
-//! [`compress_keep_hue`] divides all channels by the largest if that exceeds full scale. Orange
-//! stays orange at any brightness. It costs a reciprocal, and overexposed surfaces no longer grow
-//! brighter.
+//! [`compress_keep_hue`] divides all channels by the largest if that exceeds full scale. With it
+//! orange stays orange at any brightness. It costs a reciprocal, and overexposed surfaces do not
+//! become brighter with more light.
 
 use crate::{
     color::Rgb,

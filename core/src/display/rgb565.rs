@@ -52,7 +52,8 @@ impl Rgb565 {
         Rgb::new(widened(self.0 >> 11, 31), widened(self.0 >> 5 & 63, 63), widened(self.0 & 31, 31))
     }
 
-    /// Returns the two bytes, that with red first: the order that most SPI displays expect.
+    /// Returns the two bytes, the upper one with red first: the order that most SPI displays
+    /// expect.
     ///
     /// ```
     /// use luminaire::display::Rgb565;
@@ -63,7 +64,7 @@ impl Rgb565 {
         self.0.to_be_bytes()
     }
 
-    /// Returns the two bytes, that with blue first.
+    /// Returns the two bytes, the lower one with blue first.
     #[inline]
     pub const fn to_le_bytes(self) -> [u8; 2] {
         self.0.to_le_bytes()

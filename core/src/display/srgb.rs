@@ -12,8 +12,9 @@ const TOE: f32 = 0.003_130_8;
 
 /// The curved part of sRGB in codes, as a polynomial in the square root of the linear value.
 ///
-/// Coefficients start with the constant. Minimax fit of degree 4 to `255 (1.055 x^(1/2.4) -
-/// 0.055)`, with an error of at most 0.2. An error below 0.5 suffices, because the tables decide.
+/// Coefficients start with the constant. Minimax fit of degree 4 to
+/// `255 (1.055 x^(1/2.4) - 0.055)`, with an error of at most 0.2. An error below 0.5 suffices,
+/// because the polynomial only selects a threshold, and the comparison with it decides.
 const ENCODE: [f32; 5] = [-9.436_19, 369.214_33, -240.939_53, 214.911_74, -78.940_82];
 
 /// The inverse, `((v + 0.055) / 1.055)^2.4` for `v` in `[0, 1]`: minimax fit of degree 7.
@@ -43,14 +44,15 @@ pub fn encode_srgb<S: Scalar>(linear: S) -> u8 {
     nearest_code::<S, 255>(linear)
 }
 
-/// Returns the sRGB codes of linear values, those that [`encode_srgb`] returns.
+/// Returns the sRGB codes of linear values, the same that [`encode_srgb`] returns for each.
 ///
 /// In f32 the curve of all values is computed before the first look-up in the table of thresholds,
 /// so that compilers use vector instructions for it.
 #[inline]
 pub fn encode_srgb_each<S: Scalar, const N: usize>(linear: &[S; N]) -> [u8; N] {
-    /// From here to twice as much the last bits of an f32 are an integer: adding it converts, in
-    /// every set of vector instructions and without a test for overflow.
+    /// From this number to its double, an f32 has steps of 1. So adding it leaves an integer in the
+    /// low bits: a conversion that every set of vector instructions has, without a test for
+    /// overflow.
     const INTEGERS: f32 = 8_388_608.0;
     let mut near = [0; N];
     for (near, linear) in near.iter_mut().zip(linear) {
@@ -89,7 +91,7 @@ fn encode_float<const LAST: usize>(linear: f32) -> u8 {
     settled::<LAST>(linear, curve(linear, LAST as f32) as i32 as usize)
 }
 
-/// Returns the nearest code of a clamped value that is on the curve near another code.
+/// Returns the nearest code of a clamped value, given the approximate code from the polynomial.
 #[inline]
 fn settled<const LAST: usize>(linear: f32, code: usize) -> u8 {
     // The threshold between the two codes around the value. Near the light of a code the curve may
@@ -125,8 +127,8 @@ fn polynomial<const N: usize>(coefficients: [f32; N], x: f32) -> f32 {
 
 /// Thresholds between the codes in `[0, LAST]`.
 ///
-/// Each is the smallest linear value, of those that a format has, whose nearest code is one more
-/// than the index. Only the tables that are used are stored, for each `LAST` in use.
+/// The threshold at an index is the smallest linear value of the format whose nearest code is one
+/// more than the index. A table is only linked for a `LAST` that is used.
 struct Thresholds<const LAST: usize>;
 
 /// Builds a table from an expression of each threshold in f64.
@@ -189,7 +191,7 @@ pub(super) const fn linear(value: f64) -> f64 {
 
 /// Counts the thresholds that a linear value reaches, by bisection.
 ///
-/// The number of comparisons is that of the code's bits, for every value.
+/// Every value takes as many comparisons as the code has bits.
 #[cfg(feature = "fixed")]
 macro_rules! code {
     ($thresholds:expr, $linear:expr) => {{

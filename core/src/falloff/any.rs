@@ -25,7 +25,7 @@ macro_rules! any_falloff {
         }
 
         impl AnyFalloff {
-            /// Returns one sample of each falloff, for galleries and tests.
+            /// Returns one sample value of each falloff, for galleries and tests.
             pub fn samples() -> impl Iterator<Item = Self> {
                 let samples = [$($sample.map(Self::$variant),)*];
                 samples.into_iter().filter_map(|sample: Result<Self, Error>| sample.ok())

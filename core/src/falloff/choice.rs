@@ -9,7 +9,7 @@ use crate::{
     source::Source,
 };
 
-/// [`Soft`] or [`Hard`], chosen at run time: the two falloffs of one multiply.
+/// [`Soft`] or [`Hard`], chosen at run time: the two falloffs that cost one multiply.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum SoftOrHard {
     /// As [`Soft`].

@@ -24,7 +24,7 @@ pub struct Smooth;
 /// Two slopes over `t` determine it: `a` at the edge, and `d = a + 2b + 3c` in the middle. It is
 /// monotone for slopes in the region of F. N. Fritsch and R. E. Carlson, *Monotone Piecewise Cubic
 /// Interpolation*, SIAM J. Numer. Anal. 17 (1980). It is evaluated as `t (1 + u (g + h t))` with
-/// `g = a - 1` and `g + h = 1 - d`, so that the value on the axis is exactly 1 however the slopes
+/// `g = a - 1` and `g + h = 1 - d`, so that the value on the axis is exactly 1, however the slopes
 /// are rounded.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Cubic {
@@ -46,8 +46,8 @@ fn on_grid(value: f32) -> f32 {
 /// Returns the smallest and the largest middle slope of a monotone cubic with edge slope `a` in
 /// [0, 4].
 ///
-/// The smallest is 0 for `a <= 3`. For `a > 3`, and for the largest, it lies on the ellipse
-/// `a^2 + a d + d^2 - 6 a - 6 d + 9 = 0`.
+/// The smallest slope is 0 for `a <= 3`. For `a > 3` it lies on the ellipse
+/// `a^2 + a d + d^2 - 6 a - 6 d + 9 = 0`, and so does the largest slope for every `a`.
 pub(super) fn middle_slopes(edge_slope: f32) -> (f32, f32) {
     let (a, root) = (edge_slope, trig::sqrt((3.0 * edge_slope * (4.0 - edge_slope)).max(0.0)));
     let least = if a <= 3.0 { 0.0 } else { (6.0 - a - root) / 2.0 };
@@ -71,8 +71,8 @@ impl Cubic {
         };
         let edge_slope = check(Parameter::EdgeSlope, edge_slope, 0.0, 4.0)?;
         let (least, most) = middle_slopes(edge_slope);
-        // The limits come from a square root: they are rounded to the grid, and the ends are
-        // accepted.
+        // The limits come from a square root. They are rounded to the grid, so that the named ends
+        // are themselves accepted.
         let (least, most) = (on_grid(least), on_grid(most));
         let middle_slope = check(Parameter::MiddleSlope, middle_slope, least, most)?;
         Ok(Self { edge_slope, middle_slope })
@@ -82,7 +82,7 @@ impl Cubic {
     /// with `a + b + c = 1` exactly.
     ///
     /// # Errors
-    /// A sum that is not within 2^-20 of 1; else as [`Cubic::with_slopes`].
+    /// A sum that is not within 2^-20 of 1; otherwise the same as for [`Cubic::with_slopes`].
     pub fn new(a: f32, b: f32, c: f32) -> Result<Self, Error> {
         let sum = a + b + c;
         let near = (1.0 - 1.0 / GRID)..=(1.0 + 1.0 / GRID);
@@ -122,8 +122,8 @@ impl Cubic {
         [self.edge_slope.to_bits(), self.middle_slope.to_bits()]
     }
 
-    /// Creates the cubic without rounding the slopes to the grid: for searches, whose result is
-    /// rounded.
+    /// Creates the cubic without rounding the slopes to the grid. For searches only, which round
+    /// their result.
     pub(super) fn exactly(edge_slope: f32, middle_slope: f32) -> Self {
         Self { edge_slope, middle_slope }
     }

@@ -31,7 +31,7 @@ pub enum Formula<'a> {
 
 #[cfg(feature = "libm")]
 impl Formula<'_> {
-    /// Evaluates the formula in f64, in its most direct form: the reference for error measurements.
+    /// Evaluates the formula in f64 as it is written above: the reference for error measurements.
     pub fn exact(&self, t: f64) -> f64 {
         let power = |x: f64, exponent: f32| libm::pow(x, exponent.into());
         let mixed = |x: f64, [low, high]: [u32; 2], share: f32| {
@@ -70,7 +70,7 @@ fn interpolated(samples: &[u16], u: f64) -> f64 {
     (from + (to - from) * (place - index as f64)) / 65_535.0
 }
 
-/// Evaluates the line of the last knot at or before `u`.
+/// Evaluates the line that starts at the last knot at or before `u`.
 #[cfg(feature = "libm")]
 fn along(knots: &[Knot], u: f64) -> f64 {
     let place = u * 65_536.0;

@@ -8,8 +8,8 @@ use crate::{
     trig,
 };
 
-/// The power `t^n` with an exponent chosen at run time. It loops over the binary digits of `n`,
-/// where the compiler unrolls [`Power`](crate::falloff::Power); the results are bit-identical.
+/// The power `t^n` with an exponent chosen at run time. It loops over the binary digits of `n`; for
+/// [`Power`](crate::falloff::Power) the compiler unrolls that loop. The results are bit-identical.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct IntegerPower {
     exponent: u32,
@@ -47,15 +47,15 @@ pub(super) const fn clamped(exponent: u32, least: u32, most: u32) -> u32 {
     }
 }
 
-/// Returns `1 - exp(-x)` for `x` in [0, 2.4] without cancellation, to the last place: the series of
-/// the exponential.
+/// Returns `1 - exp(-x)` for `x` in [0, 2.4], accurate to the last place: it sums the series of the
+/// exponential without the 1, which avoids cancellation.
 pub(super) fn lost_after(x: f32) -> f32 {
     let terms = (2..=20).rev().fold(1.0, |sum, n| 1.0 - x / n as f32 * sum);
     x * terms
 }
 
-/// Returns `x^n` by repeated squaring, for set-up only. In f64, because `n` magnifies the rounding
-/// of `x`.
+/// Returns `x^n` by repeated squaring, for set-up only. It computes in f64, because the power
+/// magnifies the rounding of `x` by `n`.
 pub(super) fn raised(x: f64, n: u32) -> f64 {
     let (mut power, mut square, mut rest) = (1.0, x, n);
     while rest > 0 {

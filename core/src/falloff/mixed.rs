@@ -19,9 +19,9 @@ use crate::{
 /// exponent. It costs two multiplies more than the two powers.
 ///
 /// A linear falloff mixed with a high power has a sharp peak on the axis. `n` may be 0: `t^0` is 1
-/// for `t > 0`, so the mixture jumps at its edge.
+/// for `t > 0`, so such a mixture jumps at its edge.
 ///
-/// It is monotone, except for decreases of at most one step of the format towards the axis.
+/// It rises monotonically towards the axis, except for decreases of at most one step of the format.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct MixedPower(Mixture);
 
@@ -71,8 +71,8 @@ impl Mixture {
         low + (high - low) * f64::from(self.share)
     }
 
-    /// Returns `1 - x` for the `x` at which the mixture has this value, and 1 if the mixture is
-    /// larger everywhere.
+    /// Returns `1 - x` for the `x` at which the mixture has this value; 1 if the mixture exceeds
+    /// the value everywhere.
     fn lack_at(self, value: f64) -> f32 {
         bisect(0.0, 1.0, |lack| self.value(1.0 - f64::from(lack)) > value)
     }
@@ -236,11 +236,12 @@ impl Falloff for MixedPower {
     }
 
     /// The maximum of `2 f'(t) sqrt(v) / (1 - h)` with `t = (1 - v) / (1 - h)`. It is searched,
-    /// because a mixture may have two local maxima. At least that of a step if the mixture jumps.
+    /// because a mixture may have two local maxima. If the mixture jumps, the result is at least
+    /// the steepness of a step.
     fn steepness(self, hotspot: f32) -> f32 {
         let (hotspot, jump) = (f64::from(hotspot), if self.0.low == 0 { 1.0 } else { 0.0 });
         let span = 1.0 - hotspot;
-        // Samples evenly in the root of the versine, which stands for the angle.
+        // Samples evenly in the root of the versine, which is nearly proportional to the angle.
         let steepest = maximum(0.0, 1.0, |x| {
             let versine = hotspot + span * x * x;
             2.0 * self.0.slope(1.0 - x * x) * f64::from(trig::sqrt(versine as f32)) / span

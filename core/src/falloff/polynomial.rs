@@ -2,7 +2,7 @@
 
 use crate::trig;
 
-/// The falloff `t (a + t (b + t c))`, for its integral and its steepness.
+/// The falloff `t (a + t (b + t c))`, as the common form for integral and steepness.
 #[derive(Clone, Copy)]
 pub(super) struct Polynomial {
     pub(super) a: f32,
@@ -11,16 +11,16 @@ pub(super) struct Polynomial {
 }
 
 impl Polynomial {
-    /// Returns the integral over `u` from 0 to `u`, expanded in powers of `u`: powers of `t` cancel
-    /// for small `u`.
+    /// Returns the integral from 0 to `u`, expanded in powers of `u`, because powers of `t` would
+    /// cancel for small `u`.
     pub(super) fn integral(self, u: f32) -> f32 {
         let slope = self.a + 2.0 * self.b + 3.0 * self.c;
         u * (1.0 - u * (slope / 2.0 - u * ((self.b + 3.0 * self.c) / 3.0 - u * self.c / 4.0)))
     }
 
     /// Returns the maximum of `2 f'(t) sqrt(v) / (1 - h)`, with `v` the versine from the hotspot
-    /// `h` to 1 and `t = (1 - v) / (1 - h)`. It is at an end, or where the derivative over `v`, a
-    /// quadratic, is zero.
+    /// `h` to 1 and `t = (1 - v) / (1 - h)`. The maximum is at an end, or where the derivative by
+    /// `v` is zero; its zeros are those of a quadratic in `v`.
     pub(super) fn steepness(self, hotspot: f32) -> f32 {
         let span = 1.0 - hotspot;
         let slope = |v: f32| {

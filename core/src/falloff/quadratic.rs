@@ -33,7 +33,7 @@ pub struct Linear;
 /// The quadratic `t (a + (1 - a) t)` with edge slope `a`: two multiplies. Soft at `a = 0`, linear
 /// at 1, hard at 2.
 ///
-/// It is evaluated as `t (1 + (a - 1) u)`, so that the value on the axis is exactly 1 however `a`
+/// It is evaluated as `t (1 + (a - 1) u)`, so that the value on the axis is exactly 1, however `a`
 /// is rounded.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Quadratic {

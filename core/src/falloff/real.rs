@@ -33,8 +33,9 @@ pub struct InvertedRealPower {
     floor: f32,
 }
 
-/// Width of the strip next to an infinite slope that a steepness ignores, in outer half angles.
-/// Within it a format bounds the error of the position, not of the intensity, as at a step.
+/// Width of the strip next to an infinite slope that [`Falloff::steepness`] ignores, in outer half
+/// angles. Within this strip a format bounds the error of the position, not of the intensity, as at
+/// a step.
 const STRIP: f64 = 1.0 / 510.0;
 
 fn checked(exponent: f32) -> Result<f32, Error> {
@@ -113,7 +114,8 @@ impl InvertedRealPower {
         self.exponent
     }
 
-    /// Returns the `u` up to which the intensity is 1: 0 except for imported lights.
+    /// Returns the floor: the `u` up to which the intensity is 1. It is 0 except for imported
+    /// lights.
     pub fn floor(self) -> f32 {
         self.floor
     }
@@ -177,8 +179,8 @@ impl Falloff for RealPower {
     }
 
     /// The maximum of `2 p t^(p - 1) sqrt(v) / (1 - h)` with `t = (1 - v) / (1 - h)`. For `p >= 1`
-    /// it is where an integer exponent has it. For `p < 1` it is taken at the inner end of the
-    /// strip, and it is at least that of a step.
+    /// it is at the same `v` as for an integer exponent. For `p < 1` it is the value at the inner
+    /// end of the strip, and at least the steepness of a step.
     fn steepness(self, hotspot: f32) -> f32 {
         let (p, hotspot) = (f64::from(self.exponent), f64::from(hotspot));
         let edge = (1.0 - STRIP) * (1.0 - STRIP);
@@ -225,8 +227,8 @@ impl Falloff for InvertedRealPower {
 
     /// The larger value of `2 p u^(p - 1) sqrt(v) / (1 - h)` with `v = h + (1 - h) u`, at the edge
     /// and at the start of the slope. There is no local maximum in between. For `p < 1` the slope
-    /// starts at the floor or at the outer end of the strip, and the result is at least that of a
-    /// step.
+    /// starts at the floor or at the outer end of the strip, and the result is at least the
+    /// steepness of a step.
     fn steepness(self, hotspot: f32) -> f32 {
         let (p, hotspot) = (f64::from(self.exponent), f64::from(hotspot));
         let (span, per_height) = (1.0 - hotspot, 2.0 * p / (1.0 - hotspot) / self.height());

@@ -6,8 +6,8 @@ use crate::{
     source::written_by_debug,
 };
 
-/// Full intensity up to the edge and 0 from there on: no multiply. It is a single umbra, and OpenGL
-/// with exponent 0.
+/// Full intensity up to the edge and 0 from there on: no multiply. It models an umbra without a
+/// penumbra, and OpenGL's spotlight with exponent 0.
 ///
 /// Beam, field and outer angle coincide. At the edge itself the intensity is 0, as in every
 /// falloff.

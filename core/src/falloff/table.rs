@@ -17,8 +17,8 @@ use crate::{
 /// A table of measured intensities with linear interpolation over the **versine** of the angle off
 /// axis.
 ///
-/// It spans the axis (or the inner angle) to the edge and needs no trigonometry per point. The
-/// samples are either evenly spaced over the versine or [`Knot`]s:
+/// It spans the falloff from the axis (or the inner angle) to the edge and needs no trigonometry
+/// per point. The samples are either evenly spaced over the versine or [`Knot`]s:
 ///
 /// - evenly spaced, sample `i` of `n` at `u = i / (n - 1)`: two multiplies, one of which finds the
 ///   position in the table;
@@ -82,12 +82,13 @@ impl<'a> Table<'a> {
     /// outer angle.
     ///
     /// The intensities are linear in between, and 1 is full intensity. Use the table in a cone with
-    /// this outer angle and without a hotspot. It uses only as many of the given knots as reduce
+    /// this outer angle and without a hotspot. The table uses further knots only while they reduce
     /// the error, and places each where the error is largest.
     ///
-    /// Also returns the largest difference to the data, in units of full intensity: an upper bound,
-    /// in exact arithmetic. Positions are multiples of 2^-16 of the outer versine; for an outer
-    /// angle of 180 degrees that is a third of a degree next to the axis.
+    /// Also returns an upper bound of the difference between table and data, in units of full
+    /// intensity. It does not include the rounding of a number format. Positions are multiples of
+    /// 2^-16 of the outer versine; for an outer angle of 180 degrees that is a third of a degree
+    /// next to the axis.
     ///
     /// # Errors
     /// Fewer than 2 measured values, no knot, more than 65,536 of either, a measured value outside
@@ -147,8 +148,8 @@ impl<'a> Table<'a> {
         }
     }
 
-    /// Returns the last `u` with this intensity: 1 if the table ends above it, 0 if it is always
-    /// below.
+    /// Returns the last `u` with this intensity: 1 if the table ends above this intensity, 0 if the
+    /// whole table is below it.
     fn versine_of(self, intensity: f32) -> f32 {
         for Segment { start, end, from, to } in self.segments().rev() {
             if to >= intensity {
@@ -208,7 +209,8 @@ impl Falloff for Table<'_> {
         self.versine_of(0.1)
     }
 
-    /// The maximum slope of the segments, each taken at its outer end; at least that of a step.
+    /// The maximum slope of the segments, each evaluated at its outer end; at least the steepness
+    /// of a step.
     fn steepness(self, hotspot: f32) -> f32 {
         let span = 1.0 - hotspot;
         self.segments().fold(1.0, |largest, Segment { start, end, from, to }| {

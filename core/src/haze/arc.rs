@@ -47,19 +47,19 @@ pub(super) struct Span {
 /// Squared distance, in squared light radii, below which a line counts as passing through the
 /// light.
 ///
-/// So close to the light the line is inside its body, and from the body's surface on all directions
-/// equal that of the ray.
+/// A line so near is inside the light's body there, and outside the body its points lie in the
+/// direction of the ray as seen from the light, to f32 precision.
 const THROUGH: f32 = 1e-14;
 
 /// Arc length in `v` below which the scale is computed from the length along the ray.
 ///
-/// The difference of the ends of a shorter arc has lost bits.
+/// In a shorter arc the difference of the ends would have too few correct bits.
 const SHORT: f32 = 1.0 / 16.0;
 
 /// Shortest arc, relative to the cone's edge.
 ///
-/// A shorter arc is lengthened and its scale reduced in proportion. So it does no harm if both ends
-/// round to the same value.
+/// A shorter arc is lengthened to this, and its scale reduced in proportion. So the integral stays
+/// right if both ends round to the same value.
 const SHORTEST: f32 = 1.0 / 262_144.0;
 
 /// Finite stand-in for the tangent of a right angle.
@@ -72,8 +72,8 @@ impl Arc {
         let Extent { position, axis, radius_squared, reach_squared } = *extent;
         let direction = view.direction;
         let eye = view.eye.zip(position, |e, p| e - p);
-        // Orthogonalises twice: the first step leaves a component along the ray, which may be
-        // longer than a short foot.
+        // Orthogonalises twice: the first step leaves a rounding error along the ray, which may be
+        // longer than the foot if that is short.
         let back = eye.dot(direction);
         let nearly = eye.zip(direction, |e, d| e - back * d);
         let rest = nearly.dot(direction);
@@ -85,15 +85,15 @@ impl Arc {
         let squared = if is_through { THROUGH * radius_squared } else { squared };
         let reciprocal = trig::inverse_sqrt(squared);
         let height = squared * reciprocal;
-        // The foot of a line through the light is zero or nearly so, and its direction may be any
-        // across the line. This one is orthogonal to the axis too.
+        // The foot of a line through the light is zero or nearly zero. Any direction orthogonal to
+        // the line may then replace that of the foot; this one is also orthogonal to the axis.
         let normal = cross(direction, axis);
         let sine = foot.dot(normal) * reciprocal;
         let squared_sine = if is_through { normal.dot(normal) } else { sine * sine };
         let across = if is_through { 0.0 } else { foot.dot(axis) * reciprocal };
         let along = direction.dot(axis);
-        // From the sine, `radius` would lose all bits if the circle is nearly orthogonal to the
-        // axis.
+        // Computed from the sine, `radius` would lose all bits if the circle is nearly orthogonal
+        // to the axis.
         let radius = trig::sqrt(across * across + along * along);
 
         let [first, last] = lit(squared, radius_squared, reach_squared, [start, start + view.length]);
@@ -122,10 +122,10 @@ impl Arc {
         let (from, to) = (self.toward(self.first, near), self.toward(self.last, far));
         let length = to - from;
         // `v` increases along a ray, except where the arc passes the far side of its circle. The
-        // signs of the ends detect that case: the sign of `v` is that of a sine which is monotone
-        // in the coordinate, even after rounding. Near the far side the difference of the ends is
-        // rounding error only. Such an arc enters the cone at one edge at most, because it is less
-        // than a half circle.
+        // signs of the ends detect that case: the sign of `v` is the sign of a sine that is
+        // monotone in the coordinate, even after rounding. Near the far side the difference of the
+        // ends is rounding error only. Such an arc contains at most one edge of the cone, because
+        // it is shorter than a half circle.
         let is_around = from > 0.0 && to < 0.0;
         let is_short = length < SHORT && !is_around;
         // `(to - from) / height`, computed without the difference of the ends.
@@ -134,7 +134,7 @@ impl Arc {
         let shortest = SHORTEST * edge;
         let kept = if length > shortest { length } else { shortest };
         let begin = if is_short { to - kept } else { from };
-        // Divides by the length that is left after the rounding of `begin`.
+        // Divides by the length after `begin` is rounded.
         let scale = if is_short { worth / (to - begin) } else { self.reciprocal };
         let comes_in_last = is_around && from >= edge;
         let begin = if comes_in_last || begin < -edge { -edge } else { begin };
@@ -151,12 +151,13 @@ impl Arc {
     /// Returns the coordinates at which the ray enters and leaves a cone of this
     /// [`edge`](Self::edge).
     ///
-    /// If the ray misses the cone, both are the last coordinate, or that nearest to the axis.
+    /// If the ray misses the cone, both results are the same coordinate: the last one, or the one
+    /// nearest to the axis.
     #[inline]
     pub(super) fn between(&self, edge: f32) -> [f32; 2] {
         let (cosine, sine) = (1.0 - edge * edge, 2.0 * edge);
-        // The cosines of the foot with both edges, up to a factor. An edge whose cosine is not
-        // positive is beyond an end of the line.
+        // The cosines of the angles between the foot and the two edges, up to a factor. If the
+        // cosine is not positive, the line does not reach that edge.
         let lower = cosine * self.across + sine * self.along;
         let upper = cosine * self.across - sine * self.along;
         let from = self.inside(self.height * (cosine * self.along - sine * self.across) / lower);
@@ -224,7 +225,8 @@ impl Arc {
     }
 }
 
-/// Clips a ray to the part outside the light's body, not behind it, and within the range.
+/// Clips a ray to the part that is outside the light's body, not hidden by the body, and within the
+/// range.
 #[inline]
 fn lit(squared: f32, radius_squared: f32, reach_squared: f32, [first, last]: [f32; 2]) -> [f32; 2] {
     let body = trig::sqrt(positive(radius_squared - squared));

@@ -23,21 +23,22 @@ pub struct BeamScattering<P: Falloff = SoftOrHard, A: Attenuation = InverseSquar
     pub(crate) falloff: CompiledCone<f32, P>,
     pub(crate) attenuation: A::Constants<f32>,
     pub(crate) gain: f32,
-    /// Versines between which the intensity varies, each within one [`STEP`].
+    /// Versines between which the intensity varies by more than one [`STEP`].
     ///
     /// Up to the first the intensity is that of the axis, from the second on it is zero.
     pub(crate) cone: [f32; 2],
-    /// Squared distances at which the light begins and ends.
+    /// Squared distances at which the light begins and ends: the squares of its radius and its
+    /// range.
     pub(crate) reach: [f32; 2],
 }
 
 /// Difference of intensities that counts as zero: one step of 16 bits.
 ///
-/// A high power is fainter than that in most of its cone. Excluding that part puts the quadrature
-/// nodes where there is light.
+/// A high power is fainter than one step in most of its cone. Excluding that part of the cone puts
+/// the quadrature nodes where there is light.
 const STEP: f32 = 1.0 / 65_536.0;
 
-/// Largest distance. Squares of distances and products of two squares stay within f32.
+/// Largest distance: squares of distances, and products of two squares, stay within f32.
 pub(super) const FARTHEST: f32 = 1e15;
 
 impl<P: Falloff, A: Attenuation> CompiledSpotLight<f32, P, A> {
@@ -77,8 +78,9 @@ impl<P: Falloff, A: Attenuation> BeamScattering<P, A> {
     /// Returns the light that the haze scatters along a view ray towards the eye, before the
     /// colour.
     ///
-    /// 1 is full scale: what a white surface that receives 1 shows. The result is at least 0 and
-    /// finite for every input. It is exactly zero in clear air and if the ray misses the cone.
+    /// 1 is full scale, the light of a white surface with an irradiance of 1. The result is at
+    /// least 0 and finite for every input. It is exactly zero in clear air and if the ray misses
+    /// the cone.
     ///
     /// The function has no branch that depends on the ray, so that compilers vectorise a loop over
     /// rays.
@@ -119,7 +121,7 @@ impl<P: Falloff, A: Attenuation> BeamScattering<P, A> {
         way * A::expose(&self.attenuation, &offset, &offset.ray(), intensity, 1.0)
     }
 
-    /// Returns the in-scattering for an integral with an intensity of 1.
+    /// Converts the integral for an intensity of 1 to in-scattered light.
     #[inline]
     pub(super) fn light(&self, arc: &Arc, scattered: f32) -> f32 {
         let scattered = if arc.is_any() { scattered } else { 0.0 };
@@ -160,8 +162,8 @@ fn rim<P: Falloff>(falloff: &CompiledCone<f32, P>) -> [f32; 2] {
     let full = falloff.at(0.0);
     let is_full = |versine: f32| (falloff.at(versine) - full).abs() < STEP;
     let is_lit = |versine: f32| falloff.at(versine) >= STEP;
-    // A table may fall and rise again: the middle ends at its first fall, the rim at its last
-    // light.
+    // A table may fall and rise again: the middle ends where it first falls, the rim where its last
+    // light ends.
     let part = |i: u32| limit * (i as f32 / 256.0);
     let first = (1..256).find(|&i| !is_full(part(i))).unwrap_or(256);
     let end = (1..256).rev().find(|&i| is_lit(part(i))).map_or(1, |i| i + 1);

@@ -1,4 +1,4 @@
-//! Bundles of view rays, and a conservative test whether a beam can meet any of them.
+//! Bundles of view rays, and a conservative test of whether a beam can meet any ray of a bundle.
 
 use super::{
     BeamScattering,
@@ -22,16 +22,17 @@ pub struct RayBundle {
     pub length: f32,
 }
 
-/// Bound of the rounding errors of both sides, about a hundred roundings.
+/// Bound of the rounding errors of the test and of the evaluation: about a hundred roundings.
 ///
-/// It is relative to the distances from the eye to light and surface.
+/// It is relative to the distances from the eye to the light and to the surface.
 const MARGIN: f32 = 2e-5;
 
 impl RayBundle {
-    /// Returns the smallest bundle around a direction that contains these other rays, all of unit
-    /// length.
+    /// Returns the smallest bundle around a direction that contains these other directions. All
+    /// directions have unit length.
     ///
-    /// The corners of a tile suffice, because a bundle contains all directions between its rays.
+    /// For a tile, the rays through its corners suffice, because a bundle contains all directions
+    /// between its rays.
     pub fn around(eye: Vec3<f32>, direction: Vec3<f32>, others: &[Vec3<f32>], length: f32) -> Self {
         let versine = |&other: &Vec3<f32>| {
             let difference = other.zip(direction, |o, d| o - d);
@@ -83,17 +84,18 @@ fn reversed(v: Vec3<f32>) -> Vec3<f32> {
 }
 
 impl<P: Falloff, A: Attenuation> BeamScattering<P, A> {
-    /// Returns whether any ray of a bundle may have [`in_scattering`](Self::in_scattering).
+    /// Returns whether [`in_scattering`](Self::in_scattering) may be more than 0 for any ray of a
+    /// bundle.
     ///
-    /// If the result is `false`, every ray has exactly none. If it is `true`, it is still possible
-    /// that none has any.
+    /// If the result is `false`, the in-scattering of every ray is exactly 0. If it is `true`, the
+    /// in-scattering may be 0 nevertheless.
     ///
     /// The result is `false` if a plane through the light separates the beam from the rays, or if
     /// all rays are beyond a plane at the light's range. The margin is about a hundred roundings of
-    /// the distances, more than those of this test and of the evaluation together. The candidate
-    /// planes touch the beam or the bundle. A ray beside the beam is separated by a plane that
-    /// touches the beam between the ray's ends, as seen along the axis. Each plane is tested as
-    /// constructed, so rounding can miss a separating plane but cannot invent one.
+    /// the distances, more than the roundings of this test and of the evaluation together. The
+    /// candidate planes touch the beam or the bundle; for a ray beside the beam, one of them
+    /// touches the beam between the ray's ends, as seen along the axis. The test uses each plane as
+    /// computed, with its rounding: rounding can miss a separating plane but cannot invent one.
     pub fn can_meet(&self, bundle: &RayBundle) -> bool {
         let Extent { position, axis, reach_squared, .. } = self.extent();
         let eye = bundle.eye.zip(position, |e, p| e - p);

@@ -1,7 +1,7 @@
 //! A view ray in a beam, sampled at equal steps.
 //!
-//! The transmittance along the ray is not known to be smooth; the midpoint rule with many samples
-//! suits it best.
+//! The transmittance along the ray may jump, so the integral uses the midpoint rule with many
+//! samples.
 
 use super::{
     BeamScattering, ViewRay,
@@ -20,8 +20,8 @@ pub type TransmittanceFn<'a, const PARTS: usize> = dyn FnMut(&Vec3<[f32; PARTS]>
 /// The part of a view ray inside a beam, and the steps of its integration.
 struct Parts {
     arc: Arc,
-    /// The integration variable of every distance model but the inverse square, which integrates
-    /// over the arc.
+    /// The integration variable for every attenuation except the inverse square, which is
+    /// integrated over the arc: `None`.
     stretch: Option<Stretch>,
     from: f32,
     step: f32,
@@ -32,10 +32,11 @@ impl<P: Falloff, A: Attenuation> BeamScattering<P, A> {
     /// As [`in_scattering`](Self::in_scattering), weighted by the transmittance at `samples` points
     /// of the ray.
     ///
-    /// `transmission` returns the transmittance at a world position, in `[0, 1]`: of a gobo in
-    /// front of the light, or of what throws a shadow. The samples are in the middles of intervals
-    /// that are equal as seen from the light, or approximately equal without an inverse-square
-    /// attenuation. Without samples there is no light.
+    /// `transmission` returns the transmittance between the light and a world position, in
+    /// `[0, 1]`: that of a gobo or of a shadow map. The samples are in the middles of intervals
+    /// that span about equal angles as seen from the light. With an attenuation other than the
+    /// inverse square, the intervals are halfway between equal angles and equal lengths. Without
+    /// samples the result is zero.
     #[inline]
     pub fn in_scattering_through(
         &self,

@@ -2,7 +2,7 @@
 
 /// The nodes in the interval `[-1, 1]`: one in the middle, and one pair for each other entry.
 ///
-/// With fewer nodes the error shows in a cone of 180 degrees.
+/// With fewer nodes the error would be visible in a cone of 180 degrees.
 const PLACES: [f32; 3] = [0.0, 0.538_469_3, 0.906_179_85];
 
 /// The weights of the nodes; all five sum to 2.

@@ -7,8 +7,8 @@ use crate::trig;
 ///
 /// The integrand varies partly with the distance and partly with the direction. Uniform steps in
 /// length undersample the part near the light; uniform steps in angle undersample the far part.
-/// Here each end is weighted by the square root of the other end's distance, which is halfway
-/// between the two.
+/// Here the coordinate at a parameter is a mean of both ends. Each end is weighted by the square
+/// root of the other end's distance, which gives steps halfway between the two.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Stretch {
     from: f32,
@@ -24,7 +24,8 @@ impl Stretch {
         Self { from, to, weights: [far, near] }
     }
 
-    /// Returns the coordinate on the ray at a parameter, and its derivative by the parameter.
+    /// Returns the coordinate on the ray at a parameter, and the derivative of the coordinate by
+    /// the parameter.
     ///
     /// The derivative is zero unless `from < to`.
     #[inline]

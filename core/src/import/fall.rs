@@ -11,16 +11,16 @@ use crate::{
 /// The largest coefficient and intensity.
 const MOST: f32 = 1e9;
 
-/// The interval of distances over which a decay is compared, up to the largest coordinate of the
-/// fixed-point formats.
+/// The interval of distances over which an imported decay is compared with the original. It ends at
+/// the largest coordinate of the fixed-point formats.
 const NEAREST: f64 = 0.1;
 const FARTHEST: f64 = 32_767.0;
 
-/// The largest factor on an intensity. The largest coefficient is 16 times the factor, and at most
-/// 1e9.
+/// The largest factor on an intensity. The largest coefficient is 16 times this factor, and must be
+/// at most 1e9.
 const MOST_CAP: f32 = 6e7;
 
-/// An attenuation in place of that of another system.
+/// An attenuation of this crate that replaces one of another system.
 pub(super) struct Fall {
     pub(super) distance: AnyAttenuation,
     /// The intensity, including the factor by which the attenuation was scaled.
@@ -30,7 +30,7 @@ pub(super) struct Fall {
 }
 
 /// Returns `1 / (a0 + a1 d + a2 d^2)`, uncapped. If the constant is small or 0, points nearer than
-/// 0.001 get the light at 0.001.
+/// 0.001 get the light of a point at 0.001.
 pub(super) fn polynomial(coefficients: [f32; 3], range: Option<f32>, intensity: f32) -> Result<Fall, Error> {
     for value in coefficients {
         check_between(Parameter::Attenuation, value, 0.0, MOST)?;
@@ -54,8 +54,8 @@ pub(super) fn polynomial(coefficients: [f32; 3], range: Option<f32>, intensity: 
     Ok(Fall { distance, intensity: intensity * scale, difference: 0.0 })
 }
 
-/// Returns `d^-decay` with Filament's window for a range. The original stops growing at distances
-/// below `stop`.
+/// Returns `d^-decay` with Filament's window for a range. `stop` is the distance below which the
+/// original stops growing.
 pub(super) fn decay(decay: f32, stop: f64, range: Option<f32>, intensity: f32) -> Result<Fall, Error> {
     check_between(Parameter::Decay, decay, 0.0, 16.0)?;
     check_between(Parameter::Intensity, intensity, 0.0, MOST)?;
@@ -79,7 +79,7 @@ pub(super) fn decay(decay: f32, stop: f64, range: Option<f32>, intensity: f32) -
 /// An attenuation by a power of the distance, with Filament's window for a range.
 struct Decay {
     exponent: f64,
-    /// The ends of the compared interval of distances.
+    /// The ends of the interval of distances in which both attenuations are compared.
     nearest: f64,
     farthest: f64,
     range: Option<f64>,
@@ -135,14 +135,15 @@ impl Decay {
         }
     }
 
-    /// Returns the cap of the factor: that of the original, or less if the scaled intensity would
-    /// exceed 1e9.
+    /// Returns the cap of the attenuation factor: the cap of the original, or less if the scaled
+    /// intensity would exceed 1e9.
     fn cap(&self, stop: f64, intensity: f32) -> f32 {
         let original = 1.0 / real_power(stop, self.exponent);
         (original as f32).min(MOST / intensity.max(MOST / MOST_CAP))
     }
 
-    /// Returns the sample at a position in [0, 1], evenly spaced in the logarithm of the distance.
+    /// Returns the sample at a position in [0, 1] of the interval, on a logarithmic scale of the
+    /// distance.
     fn at(&self, place: f64) -> Sample {
         let distance = self.nearest * real_power(self.farthest / self.nearest, place);
         let fraction = self.range.map_or(0.0, |range| distance / range);

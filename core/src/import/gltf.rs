@@ -64,8 +64,8 @@ impl Gltf {
     /// for images that must match other renderers. The import is exact.
     ///
     /// If the cosines of the angles differ by 0.001 or more, it equals [`import`](Self::import).
-    /// Otherwise the ramp still spans 0.001, from the outer angle inwards. If it extends beyond the
-    /// axis, the axis gets less than the intensity of the light.
+    /// Otherwise the ramp spans 0.001 in the cosine, from the outer angle inwards. If the axis is
+    /// inside that span, the light on the axis is less than the intensity.
     ///
     /// # Errors
     /// As [`import`](Self::import).

@@ -10,8 +10,8 @@ use crate::{
     vec3::Vec3,
 };
 
-/// A spotlight with full intensity within its umbra and none outside its penumbra. It is that of
-/// the retained mode of early Direct3D and of many small engines.
+/// A spotlight with full intensity within its umbra and none outside its penumbra. The retained
+/// mode of early Direct3D and many small engines have this spotlight.
 ///
 /// It has the inverse-square law; [`SpotLight::with_attenuation`] changes that. The import is
 /// exact.

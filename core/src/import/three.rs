@@ -14,8 +14,9 @@ use crate::{
 ///
 /// The falloff is smoothstep from `cos(angle)` to `cos(angle (1 - penumbra))`, which is imported
 /// exactly. The intensity is divided by `max(d^decay, 0.01)`, with Filament's window
-/// `(1 - (d / distance)^4)^2` if there is a distance. Decays 0, 1 and 2 are exact, except that
-/// decay 2 keeps growing at distances below 0.1, where three.js stops at a factor of 100.
+/// `(1 - (d / distance)^4)^2` if there is a distance. Decays 0, 1 and 2 are exact, except that with
+/// decay 2 the imported light keeps growing at distances below 0.1, where three.js stops at a
+/// factor of 100.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Three {
     /// `angle`: the half angle in radians from which on there is no light, in (0, pi/2].

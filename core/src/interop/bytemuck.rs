@@ -1,9 +1,9 @@
 //! Zero-copy casts between bytes and slices of vectors, colours, pixels and numbers.
 //!
 //! [`Rgb565`] and the fixed-point numbers are `Pod`: any bits are valid, and there is no padding.
-//! [`Vec3`] and [`Rgb`] are `Pod` if their components are. Bytes are in the processor's order;
-//! [`Rgb565::to_be_bytes`] has a fixed order. Angles are not `Pod`, because their layout is
-//! private.
+//! [`Vec3`] and [`Rgb`] are `Pod` if their components are. The casts give bytes in the processor's
+//! order; [`Rgb565::to_be_bytes`] gives a fixed order. Angles are not `Pod`, because their layout
+//! is private.
 //!
 //! ```
 //! use luminaire::{Vec3, display::Rgb565};

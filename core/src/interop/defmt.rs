@@ -1,4 +1,4 @@
-//! `defmt` formatting of errors, angles, vectors, colours and numbers; text is built on the host.
+//! `defmt` formatting of errors, angles, vectors, colours and numbers; the host builds the text.
 //!
 //! A fixed-point number is sent as the nearest `f32`; log `to_bits()` where every bit counts. The
 //! format is that of `Debug`:

@@ -5,8 +5,8 @@
 //! | [`Rgb565`] | `Rgb565`, `Bgr565` |
 //! | [`Rgb<u8>`](Rgb) | `Rgb888`, `Bgr888` |
 //!
-//! Byte order is chosen with that crate's `ToBytes`. `Rgb` types have red in the upper bits, `Bgr`
-//! types blue. Most SPI displays expect big endian, the upper byte first.
+//! The trait `ToBytes` of `embedded-graphics-core` chooses the byte order. `Rgb` types have red in
+//! the upper bits, `Bgr` types blue. Most SPI displays expect big endian, the upper byte first.
 //!
 //! ```
 //! use embedded_graphics_core::pixelcolor::{Bgr565, Bgr888, Rgb565, Rgb888, raw::ToBytes};

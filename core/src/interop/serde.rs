@@ -8,9 +8,9 @@
 //! | [`Angle`], [`HalfAngle`] | degrees: the full angle, the half angle |
 //! | fixed-point numbers | their bits, as one integer: exact |
 //!
-//! Each type accepts every value of its serialised type; anything else is an error of the data
-//! format. Descriptions such as a cone or a light are not serialisable, because their constructors
-//! validate: store the constructor's arguments, and construct again.
+//! Each type accepts every value of its serialised form; for anything else the data format returns
+//! an error. Descriptions such as a cone or a light are not serialisable, because their
+//! constructors validate: store the constructor's arguments, and construct again.
 //!
 //! ```
 //! use luminaire::{Angle, Vec3};

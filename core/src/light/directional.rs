@@ -35,7 +35,7 @@ impl DirectionalLight {
         Ok(Self { direction, emission: Emission::WHITE })
     }
 
-    /// Returns the light with this linear colour, highlights included.
+    /// Returns the light with this linear colour, also for highlights.
     ///
     /// # Errors
     /// A channel outside [0, 1]: brightness belongs in the intensity.

@@ -44,7 +44,7 @@ impl PointLight {
 }
 
 impl<A: Attenuation> PointLight<A> {
-    /// Returns the light with this linear colour, highlights included.
+    /// Returns the light with this linear colour, also for highlights.
     ///
     /// # Errors
     /// A channel outside [0, 1]: brightness belongs in the intensity.

@@ -58,7 +58,7 @@ impl<P: Falloff> SpotLight<P> {
 
 impl<P: Falloff> SpotLight<P, SmoothRange> {
     /// Creates a white spotlight of intensity 1 that points at `end` and fades smoothly to 0 there.
-    /// One vector gives direction and range, as in the dual-cone article.
+    /// The vector between the two points gives direction and range, as in the dual-cone article.
     ///
     /// ```
     /// use luminaire::{Angle, Cone, SpotLight, Vec3, falloff::Soft};
@@ -85,7 +85,7 @@ impl<P: Falloff> SpotLight<P, SmoothRange> {
 }
 
 impl<P: Falloff, A: Attenuation> SpotLight<P, A> {
-    /// Returns the light with this linear colour, highlights included.
+    /// Returns the light with this linear colour, also for highlights.
     ///
     /// # Errors
     /// A channel outside [0, 1]: brightness belongs in the intensity.

@@ -1,7 +1,7 @@
 //! The private interface between the kernel and the number formats.
 //!
-//! The kernel is written once, in terms of the coarse operations below. All widening, shifting,
-//! rounding and saturation is in their implementations.
+//! The kernel is written once, in terms of the high-level operations below. All widening, shifting,
+//! rounding and saturation is in the implementations of these operations.
 //!
 //! | | `f32` | `Fx32` | `Fx16` |
 //! |---|---|---|---|
@@ -20,7 +20,7 @@ use super::{Fraction, ProjectedPoint, Scalar};
 use super::{Fx16, Fx32};
 use crate::vec3::Vec3;
 
-/// Arithmetic of a number format, in the coarse operations that the kernel is written in.
+/// Arithmetic of a number format: the high-level operations that the kernel is written in.
 pub trait Arithmetic: Copy + Default + PartialOrd + core::fmt::Debug + Share<Self> {
     /// [`Scalar::Length`].
     type Position: Copy + Default + PartialOrd + core::fmt::Debug;
@@ -32,7 +32,7 @@ pub trait Arithmetic: Copy + Default + PartialOrd + core::fmt::Debug + Share<Sel
     ///
     /// The scale keeps the leading bits of a narrow cone.
     type Versine: Copy + PartialOrd + core::fmt::Debug;
-    /// Argument of an edge profile: 0 at the edge of a cone, 1 in its middle.
+    /// Argument of a profile: 0 at the edge of a cone, 1 in its middle.
     type Fraction: Fraction<Self, Value = Self>;
     /// The same argument with more bits, for a steep cone or a bright light.
     ///
@@ -50,8 +50,9 @@ pub trait Arithmetic: Copy + Default + PartialOrd + core::fmt::Debug + Share<Sel
     type Offset: Offset<Self>;
     /// Upper bound of the error of the direction to a point, in radians.
     ///
-    /// A narrow cone magnifies this error. In `f32` about half of it is the rounding of `point -
-    /// light`, which is exact if both are on a common grid.
+    /// A narrow cone magnifies this error. In `f32` about half of this bound is the rounding of
+    /// `point - light`. That difference is exact if both positions are multiples of the same power
+    /// of two.
     const DIRECTION_ERROR: f32;
     /// Returns `steps / 16384` for `steps` in `[0, 16384]`: exact in every format.
     fn part(steps: u32) -> Self;
@@ -83,52 +84,54 @@ pub trait Arithmetic: Copy + Default + PartialOrd + core::fmt::Debug + Share<Sel
     fn offset(light: Vec3<Self::Position>, point: Vec3<Self::Position>) -> Self::Offset;
     /// Compiles a ramp between two versines: 0 at `outer`, 1 at and inside `inner`.
     ///
-    /// From `limit` outwards the ramp is cut off to 0. A limit at `outer` cuts nothing off. An
-    /// inner versine at `outer` makes a step.
+    /// From the versine `limit` outwards the ramp is cut off to 0. With `limit == outer` nothing is
+    /// cut off. With `inner == outer` the ramp is a step.
     fn ramp(inner: f32, outer: f32, limit: f32) -> Self::Ramp;
     /// Upper bound of the rounding error of an intensity, in addition to the error from the
     /// direction.
     ///
-    /// The bound holds at any angle of the cone. It covers the length of the direction, the set-up
-    /// versines, the argument of the profile and the profile itself. Infinite if the format cannot
-    /// meet half a linear code at any angle.
+    /// The bound holds for a cone of any angle. It covers the errors of the direction's length, of
+    /// the set-up versines, of the argument of the profile and of the profile itself. It is
+    /// infinite if the format cannot keep the error within half a linear code at any angle.
     fn rounding(edge: &Slopes) -> f32;
-    /// Upper bound of the intensity error of the whole coarse evaluation, including the direction.
+    /// Upper bound of the intensity error of the whole coarse evaluation, including the error of
+    /// the direction.
     ///
     /// The cone spans versines from 0 to `outer` and is evaluated up to `limit`. If the bound
-    /// exceeds half a linear code, the cone needs a [`fine_ramp`](Self::fine_ramp). Zero in a
-    /// format that has no finer evaluation.
+    /// exceeds half a linear code, the cone needs a [`fine_ramp`](Self::fine_ramp). The bound is
+    /// zero in a format that has only one evaluation.
     fn coarse_error(_edge: &Slopes, _outer: f32, _limit: f32) -> f32 {
         0.0
     }
-    /// As [`ramp`](Self::ramp), but evaluated with [`Fine`](Self::Fine) fractions.
+    /// As [`ramp`](Self::ramp), but the ramp is always evaluated with [`Fine`](Self::Fine)
+    /// fractions.
     fn fine_ramp(inner: f32, outer: f32, limit: f32) -> Self::Ramp {
         Self::ramp(inner, outer, limit)
     }
     /// Maps a versine to its position on a ramp, in `[0, 1]`.
     ///
-    /// Exactly 0 at and beyond the limit, else exactly 1 at and inside the inner versine, monotone
-    /// between.
+    /// It is exactly 0 at and beyond the limit, otherwise exactly 1 at and inside the inner
+    /// versine, and monotone between.
     fn rise(ramp: Self::Ramp, versine: Self::Versine) -> Rise<Self>;
     /// Returns the length of an offset below which the evaluation must be fine.
     ///
-    /// The result is encoded for [`Offset::is_near`]. The gain magnifies the error of the share
-    /// that it multiplies; below this length the product may be off by half a linear code. `error`
-    /// is the [`coarse_error`](Self::coarse_error) of the light's cone, 0 for a light without a
-    /// cone. `intensity` is the gain at distance 1; if the irradiance does not grow towards the
-    /// light (`!grows`), it is the gain at every distance.
+    /// The result is encoded for [`Offset::is_near`]. The gain multiplies a share and so magnifies
+    /// the error of the share; below the returned length the product may be off by half a linear
+    /// code. `error` is the [`coarse_error`](Self::coarse_error) of the light's cone, 0 for a light
+    /// without a cone. `intensity` is the gain at distance 1; if the irradiance does not grow
+    /// towards the light (`!grows`), it is the gain at every distance.
     fn fine_below(_error: f32, _intensity: f32, _grows: bool) -> u32 {
         0
     }
-    /// Returns whether the light of this share of a gain exceeds full scale, whatever the error of
-    /// the share.
+    /// Returns whether `light`, the product of this share and a gain, exceeds full scale whatever
+    /// the error of the share.
     ///
     /// A fine evaluation would then give the same clipped result.
     #[inline]
     fn is_clipped(_share: Self, _light: Self::Received) -> bool {
         false
     }
-    /// Returns `t^2 (3 - 2t)` of a fraction clamped to `[0, 1]`: exact at both ends.
+    /// Returns `t^2 (3 - 2t)` for a `t` clamped to `[0, 1]`: exact at both ends.
     fn smooth(self) -> Self;
 
     /// Compiles the frame of a square from three unit vectors and the tangent of half its side.
@@ -148,8 +151,8 @@ pub trait Arithmetic: Copy + Default + PartialOrd + core::fmt::Debug + Share<Sel
     /// Converts a weighted sum of bytes to a value, where the weights sum to 2^24 and byte 255
     /// means 1.
     ///
-    /// Exactly zero for all bytes 0, exactly one for all bytes 255 and for larger sums, else within
-    /// one step.
+    /// The result is exactly zero if all bytes are 0, exactly one if all bytes are 255 and for
+    /// larger sums, and otherwise within one step.
     fn weighted_byte(sum: u32) -> Self;
 
     /// Returns the versine of the angle between two unit directions, in the scale of a ramp.
@@ -175,8 +178,7 @@ pub trait Arithmetic: Copy + Default + PartialOrd + core::fmt::Debug + Share<Sel
     /// away.
     fn incidence(direction: Vec3<Self::Direction>, normal: Vec3<Self>) -> Self;
 
-    /// Returns the light of a fraction of a gain, without attenuation; zero for a negative
-    /// fraction.
+    /// Returns a fraction of a gain as light, without attenuation; zero for a negative fraction.
     fn expose(self, gain: Self::Gain) -> Self::Received;
     /// Multiplies a channel of light by a colour.
     fn filter(light: Self::Received, color: Self) -> Self::Received;
@@ -192,7 +194,7 @@ pub trait Arithmetic: Copy + Default + PartialOrd + core::fmt::Debug + Share<Sel
     fn word(self) -> Word;
 }
 
-/// A scalar as the word that its format stores; display tables are compared with it.
+/// A scalar as the word that its format stores, for comparisons with the display tables.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum Word {
     /// An `f32`.
@@ -205,7 +207,7 @@ pub enum Word {
     Steps30(i32),
 }
 
-/// Half a linear code (1/510): the largest permitted error of an intensity.
+/// Half a linear code, 1/510: the largest permitted error of an intensity.
 pub(crate) const HALF_A_CODE: f32 = 1.0 / 510.0;
 
 /// Upper bounds of the slopes of a cone's intensity, which magnify the errors of its arguments.
@@ -224,7 +226,7 @@ impl Slopes {
     pub const STEP: Self = Self { angle: 1.0, fraction: 0.0 };
 }
 
-/// Argument of an edge profile, with as many bits as the cone needs.
+/// Argument of a profile, with as many bits as the cone needs.
 #[derive(Clone, Copy, PartialEq, PartialOrd, Debug)]
 pub enum Rise<S: Arithmetic> {
     /// One bit more than a scalar.
@@ -258,11 +260,11 @@ pub trait Share<S: Arithmetic>: Copy + Default + PartialOrd + core::fmt::Debug {
     fn share_of(self, other: Self) -> Self;
     /// Returns `t^2 (3 - 2t)`.
     fn smoothed(self) -> Self;
-    /// Returns the light of this share of a gain, without attenuation.
+    /// Returns this share of a gain as light, without attenuation.
     fn give(self, gain: S::Gain) -> S::Received;
 }
 
-/// Implements `Share` for a scalar with its own operations.
+/// Implements `Share` for a scalar by the scalar's own operations.
 macro_rules! share_of_its_own {
     ($($scalar:ty)*) => {$(
         impl Share<$scalar> for $scalar {
@@ -329,10 +331,10 @@ pub trait Gain<S: Arithmetic>: Copy + PartialEq + core::fmt::Debug {
 pub trait Offset<S: Arithmetic>: Copy + core::fmt::Debug {
     /// Direction and distance, available after the square root.
     type Ray: Ray<S, Fraction = S::Fraction, Share = S>;
-    /// The same with more bits; the same type in a format that has no finer one.
+    /// [`Ray`](Self::Ray) with more bits; the same type in a format that has only one.
     type FineRay: Ray<S, Fraction = S::Fine>;
-    /// Inner product of a surface normal and the vector back to the light, in a format-specific
-    /// scale.
+    /// Type of the inner product of a surface normal and the vector back to the light, in a scale
+    /// that depends on the format.
     type Facing: Copy + core::fmt::Debug;
 
     /// Whether a batch loop first computes all roots with [`reciprocal`](Self::reciprocal), without
@@ -343,15 +345,15 @@ pub trait Offset<S: Arithmetic>: Copy + core::fmt::Debug {
     fn facing(&self, normal: Vec3<S>) -> Self::Facing;
     /// Returns whether the surface faces away, so that no light arrives. NaN counts as facing away.
     fn faces_away(facing: Self::Facing) -> bool;
-    /// Returns whether the surface faces away so far that a fine evaluation gives zero too.
+    /// Returns whether the surface faces away so far that the fine evaluation also gives zero.
     #[inline]
     fn faces_far_away(facing: Self::Facing) -> bool {
         Self::faces_away(facing)
     }
     /// Returns whether the point is certainly outside a cone, by comparing squares.
     ///
-    /// May return `false` for a point outside, never `true` for a point inside. `bound` is the
-    /// squared cosine of the outer half angle, less a margin for rounding.
+    /// It may return `false` for a point outside, but never `true` for a point inside. `bound` is
+    /// the squared cosine of the outer half angle, less a margin for rounding.
     fn is_outside(&self, axis: Vec3<S::Direction>, bound: S) -> bool;
     /// Returns the squared distance.
     fn squared_distance(&self) -> S::Gain;
@@ -365,7 +367,8 @@ pub trait Offset<S: Arithmetic>: Copy + core::fmt::Debug {
     fn is_near(&self, _fine_below: u32) -> bool {
         false
     }
-    /// Returns the reciprocal length: zero if there is no direction, or if `ROOTS_FIRST` is false.
+    /// Returns the reciprocal of the length; zero if the offset has no direction, or if
+    /// `ROOTS_FIRST` is false.
     #[inline]
     fn reciprocal(&self) -> f32 {
         0.0
@@ -383,7 +386,7 @@ pub trait Offset<S: Arithmetic>: Copy + core::fmt::Debug {
 /// direction. It gets zero light, because its [`cosine`](Ray::cosine) is zero or its versine is
 /// outside every cone.
 pub trait Ray<S: Arithmetic>: Copy + core::fmt::Debug {
-    /// Position of a direction on a ramp, or the cosine of an angle of incidence.
+    /// Type of the position of a direction on a ramp, and of the cosine of an angle of incidence.
     type Fraction: Fraction<S, Value = Self::Share>;
     /// Result type of profiles and distance models.
     type Share: Share<S>;
@@ -394,10 +397,10 @@ pub trait Ray<S: Arithmetic>: Copy + core::fmt::Debug {
     fn direction(&self) -> Vec3<S::Direction>;
     /// Returns the versine of the angle between direction and axis, in the scale of a ramp.
     ///
-    /// Computed as `|l - s|^2 / 2` for the direction `l` and the axis `s`, which keeps the bits of
-    /// narrow beams. `1 - l.s` loses them.
+    /// It is computed as `|l - s|^2 / 2` for the direction `l` and the axis `s`, which keeps the
+    /// leading bits in narrow beams; `1 - l.s` would lose them.
     fn versine(&self, axis: Vec3<S::Direction>, ramp: S::Ramp) -> S::Versine;
-    /// Returns the position of the direction on a ramp about an axis.
+    /// Returns the position of the direction on a ramp, for a cone about this axis.
     fn rise(&self, axis: Vec3<S::Direction>, ramp: S::Ramp) -> Self::Fraction;
     /// Returns the cosine of the angle of incidence on a surface with this normal; zero if it faces
     /// away.

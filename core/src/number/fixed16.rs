@@ -1,9 +1,9 @@
 //! The 16-bit format: scalars of 16 bits, lengths and directions of 32, no product wider than 32
 //! bits.
 //!
-//! It suits a processor whose only multiplication is 32-bit. Steep cones and bright light use 32 by
-//! 32 bit products, which take four products of 16 bits on a processor without a wider one. Real
-//! powers use 64 bits in every format.
+//! It suits a processor whose only multiplication has a 32-bit result. The fine evaluation, for
+//! steep cones and bright lights, needs the upper half of products of 32 by 32 bits; such a
+//! processor computes one from four products of 16 bits. Real powers use 64 bits in every format.
 
 mod fine;
 mod fine_ray;
@@ -54,9 +54,10 @@ impl Arithmetic for Fx16 {
         Offset16::between(light, point)
     }
 
-    /// The bound for a fine ramp, whose direction error is negligible. It is zero where the format
-    /// suffices: [`DIRECTION_ERROR`](Self::DIRECTION_ERROR) is that of the coarse direction, which
-    /// leaves room for the rounding of the fine one.
+    /// The bound for a fine ramp, either zero or infinite. It is zero if the fine evaluation stays
+    /// within half a code. Its rounding need not be added to the direction's error:
+    /// [`DIRECTION_ERROR`](Self::DIRECTION_ERROR) is that of the coarse direction, and the much
+    /// smaller error of the fine direction leaves enough room.
     fn rounding(edge: &Slopes) -> f32 {
         const ROOM: f32 = 0.99 * HALF_A_CODE;
         let fine = edge.angle * 0.25e-6 + edge.fraction * 1e-8 + Self::STEP;
@@ -72,8 +73,8 @@ impl Arithmetic for Fx16 {
     /// - The remaining error of the direction is 1.36e-5.
     /// - The argument and each product of a power are rounded to 15 bits; the ramp has 16.
     ///
-    /// The maxima of these terms do not coincide. A search finds 0.84 of their sum, and the bound
-    /// uses 0.9.
+    /// The terms do not have their maxima at the same point: the largest error that a search finds
+    /// is 0.84 of their sum. The bound is 0.9 of the sum.
     fn coarse_error(edge: &Slopes, outer: f32, limit: f32) -> f32 {
         const LENGTH: f32 = 2.3e-4;
         const MET: f32 = 0.9;
@@ -102,18 +103,18 @@ impl Arithmetic for Fx16 {
     }
 
     fn fine_below(error: f32, intensity: f32, grows: bool) -> u32 {
-        /// Error of a cosine, relative to half a linear code.
+        /// Coarse error of a cosine, relative to half a linear code.
         const COSINE: f32 = 2.2e-4 / HALF_A_CODE;
-        /// Factor for the smaller error of a small share.
+        /// Factor below 1, because a small share has a smaller error than the bound.
         ///
-        /// If light is not past full scale, the share of a large gain is small. A search finds an
-        /// error of 0.43 linear codes.
+        /// In light within full scale, the share that a large gain multiplies is small. With this
+        /// factor a search finds errors of up to 0.43 linear codes.
         const BRIGHT: f32 = 0.5556;
-        /// Factor for moving points, which pass from one error to another, and for the error of the
-        /// cosine.
+        /// Factor above 1, for moving points, which change from the coarse to the fine error, and
+        /// for the error of the cosine.
         ///
-        /// A search finds errors of 0.48 linear codes against the trend of a moving point, and of
-        /// 0.56 with 1 in place of this factor.
+        /// With this factor a search finds errors of up to 0.48 linear codes against the trend of a
+        /// moving point; with a factor of 1, up to 0.56.
         const MOVING: f32 = 1.04;
         let error = error / HALF_A_CODE;
         let squared = BRIGHT * (MOVING * error).max(COSINE) * intensity;
@@ -137,17 +138,17 @@ impl Arithmetic for Fx16 {
 
     #[inline]
     fn weighted_byte(sum: u32) -> Self {
-        // `257 / 2^16 = (1 - 2^-16) / 255`. The difference is at most a quarter of a step, which
-        // the rounding removes at one.
+        // `257 / 2^16 = (1 - 2^-16) / 255`. The difference is at most a quarter of a step, so at
+        // one the rounding removes it.
         Self::from_bits((((sum >> 10) * 257 + (1 << 15)) >> 16).min(1 << 14) as i16)
     }
 
     #[inline]
     fn versine_between(a: Vec3<Fx32>, b: Vec3<Fx32>, ramp: Ramp16) -> Versine16 {
         let shift = MOST_ZOOM - ramp.zoom + 1;
-        // The rounding is part of the second direction: if that is an axis, it is computed once per
-        // light. The difference of opposite directions may wrap, but both values are far outside
-        // every cone.
+        // The rounding constant is added to the second direction: if that is an axis, the addition
+        // happens once per light. The difference of opposite directions may wrap, but the wrapped
+        // value is also far outside every cone.
         let b = b.map(|c| c.to_bits().wrapping_sub(1 << (shift - 1)));
         let difference = a.zip(b, |a, b| a.to_bits().wrapping_sub(b) >> shift);
         if offset::size(difference) >> 15 != 0 {

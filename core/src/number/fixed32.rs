@@ -39,8 +39,8 @@ impl Arithmetic for Fx32 {
     type Fraction = Fraction32;
     type Fine = Fraction32;
     type Ramp = Ramp32;
-    // Three roundings of half a step: 0.87 steps across the direction. An offset of more than
-    // 32,768 units along a component is halved to fit 32 bits, which adds 0.71 steps.
+    // Three components, each rounded by half a step, turn the direction by 0.87 steps. An offset
+    // with a component of more than 32,768 units is halved to fit 32 bits, which adds 0.71 steps.
     const DIRECTION_ERROR: f32 = 8.2e-10;
 
     /// Uses all bits of the components, and normalises the axis like the direction to a point.
@@ -77,7 +77,7 @@ impl Arithmetic for Fx32 {
 
     #[inline]
     fn weighted_byte(sum: u32) -> Self {
-        /// `2^38 / 255`: gives a product of at most 63 bits.
+        /// `2^38 / 255`: the product with the sum has at most 63 bits.
         const INVERSE: u64 = 1_077_952_576;
         Self::from_bits(((u64::from(sum) * INVERSE + (1 << 31)) >> 32).min(1 << 30) as i32)
     }

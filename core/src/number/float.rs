@@ -15,7 +15,8 @@ use crate::vec3::Vec3;
 
 /// Value at which irradiance saturates.
 ///
-/// Low enough that sums and quotients of irradiances stay finite in practice.
+/// It is so far below the largest f32 that sums and quotients of irradiances stay finite in
+/// practice.
 const BRIGHTEST: f32 = 18_446_744_073_709_551_616.0; // 2^64
 
 /// A ramp: its outer versine, its cutoff versine, and the reciprocal of its span.
@@ -103,8 +104,9 @@ impl Arithmetic for f32 {
     type Frame = FloatFrame;
     type Gain = f32;
     type Offset = FloatOffset;
-    // Rounding of the difference: 2^-24, if two components are just over a power of two. Rounding
-    // of the product with the reciprocal: 1.72 * 2^-25, if all three components are over 1/2.
+    // Two roundings turn the direction. The worst case of the difference is 2^-24, if two of its
+    // components are just over a power of two. The worst case of the product with the reciprocal is
+    // 1.72 * 2^-25, if all three components are over 1/2.
     const DIRECTION_ERROR: f32 = 1.12e-7;
 
     #[inline]
@@ -143,7 +145,7 @@ impl Arithmetic for f32 {
         FloatOffset::between(light, point)
     }
 
-    /// The reciprocal is rounded up until `span * reciprocal >= 1`, so that the ramp is exact at
+    /// The reciprocal is increased until `span * reciprocal >= 1`, so that the ramp is exact at
     /// both ends.
     fn ramp(inner: f32, outer: f32, limit: f32) -> FloatRamp {
         let span = if inner < outer { outer - inner } else { 0.0 };

@@ -1,4 +1,4 @@
-//! Arguments of edge profiles, the profiles' formulas, and cosines of angles of incidence.
+//! Arguments of profiles, the formulas of the profiles, and cosines of angles of incidence.
 //!
 //! A profile magnifies the rounding of its argument by its slope, so a fraction has one bit more
 //! than a scalar. The extra bit costs nothing, because the products that use it are no wider.
@@ -11,10 +11,10 @@ pub(super) use fixed_point::{Fraction16, Fraction32};
 
 use super::{Arithmetic, Knot, RealExponent, Share, float, knot::SLOPE_BITS};
 
-/// A number in `[0, 1]`, in fixed point finer than a scalar: the argument of an edge profile.
+/// A number in `[0, 1]`, the argument of a profile. In fixed point it has more bits than a scalar.
 ///
-/// Created only by [`Arithmetic::rise`] and [`Ray::cosine`](super::Ray::cosine), so it is in range
-/// for every input. Below, the fraction is called `t`, and `u = 1 - t`.
+/// Only [`Arithmetic::rise`] and [`Ray::cosine`](super::Ray::cosine) create fractions, so they are
+/// in range for every input. Below, the fraction is called `t`, and `u = 1 - t`.
 pub trait Fraction<S: Arithmetic>: Copy + PartialOrd + core::fmt::Debug {
     /// Result type of a profile: a scalar, or a number with more bits if a scalar has too few.
     type Value: Share<S>;
@@ -27,9 +27,9 @@ pub trait Fraction<S: Arithmetic>: Copy + PartialOrd + core::fmt::Debug {
     fn product(self, other: Self) -> Self::Value;
     /// Returns `t^p` for a real exponent as a fraction: exactly 0 at 0 and exactly 1 at 1.
     ///
-    /// The error before the format's own rounding is at most `2e-9 + 6.5e-10 p`. Costs eleven
-    /// 64-bit multiplications in every format. For an exponent with a floor, returns `(max(t,
-    /// floor)^p - floor^p) / (1 - floor^p)`.
+    /// The error before the format's own rounding is at most `2e-9 + 6.5e-10 p`. The function takes
+    /// eleven 64-bit multiplications in every format. For an exponent with a floor it returns
+    /// `(max(t, floor)^p - floor^p) / (1 - floor^p)`.
     fn real_power(self, exponent: RealExponent) -> Self;
     /// Returns the nearest value.
     fn scalar(self) -> Self::Value;

@@ -26,7 +26,8 @@ macro_rules! gain {
 
             /// Restores a gain from a mantissa and a shift.
             ///
-            /// A shorter mantissa is normalised. Of a longer one only the lower bits are used.
+            /// A mantissa with too few bits is normalised. If it has too many, only the lower bits
+            /// are used.
             pub const fn from_bits([mantissa, shift]: [i32; 2]) -> Self {
                 const LONGER: u32 = u32::BITS - $bits;
                 let mantissa = mantissa as u32 & (u32::MAX >> LONGER);
@@ -79,7 +80,7 @@ macro_rules! gain {
 
             #[inline]
             fn plus(self, other: Self) -> Self {
-                /// Leaves one bit for the carry.
+                /// The sum of two mantissas may carry, so this leaves one bit free.
                 const UP: u32 = $wide::BITS - $factor_bits - 1;
                 if self.mantissa == 0 || other.mantissa == 0 {
                     return if self.mantissa == 0 { other } else { self };

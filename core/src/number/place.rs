@@ -5,8 +5,8 @@ use super::Scalar;
 /// Position of a point on the square of a [`Projection`](crate::projector::Projection), and its
 /// depth.
 ///
-/// Columns and rows are those of a picture on the wall that the light shines at, as seen from the
-/// light: columns count from its left edge, rows from its top. Both are rounded down. Coordinates
+/// Imagine the square as a picture on a wall that the light shines at, as seen from the light:
+/// columns count from its left edge, rows from its top edge. Both are rounded down. Coordinates
 /// saturate one side length outside the square. Points at or behind the light, and NaN, map outside
 /// the square.
 #[derive(Clone, Copy, PartialEq, Debug)]

@@ -150,7 +150,7 @@ impl RealExponent {
         self.of(bits << 8 | 1 << 31, 127_u32.saturating_sub(bits >> 23))
     }
 
-    /// Returns the power of a number in `[0, 1]`; both have 31 fraction bits.
+    /// Returns the power of a number in `[0, 1]`; the number and its power have 31 fraction bits.
     #[cfg(feature = "fixed")]
     pub(super) fn of_bits(self, x: u32) -> u64 {
         let octaves = x.leading_zeros();
@@ -214,7 +214,7 @@ mod tests {
 
     /// The power rises with its argument, or falls by at most one step.
     ///
-    /// Tested about every boundary of the tables, and next to 1.
+    /// Tests the values around every boundary of the tables, and next to 1.
     #[test]
     fn real_powers_rise() {
         let seams =

@@ -29,8 +29,9 @@ const ILOG2: [u8; 128] = {
 
 /// Whether the processor has an instruction that counts leading zeros.
 ///
-/// Without one, the table is three times as fast as the compiler's routine. The target's atomics
-/// serve as the test: the small cores without the instruction lack compare-and-swap as well.
+/// Without that instruction, the table is three times as fast as the compiler's routine. There is
+/// no `cfg` for the instruction, so the target's atomics stand for it: the small cores without the
+/// instruction lack compare-and-swap, too.
 const COUNTS_ZEROS: bool = cfg!(target_has_atomic = "32");
 
 /// Returns `floor(log2 n)` for `n` of seven bits; 0 for zero.

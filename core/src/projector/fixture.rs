@@ -11,7 +11,7 @@ use crate::{
     number::Scalar,
 };
 
-/// A light as it hangs in a scene: with an optional gobo and optional shadows.
+/// A light with its accessories: an optional gobo and an optional shadow map.
 ///
 /// ```
 /// use luminaire::{Angle, Cone, SpotLight, Vec3, falloff::Soft, projector::{Fixture, Gobo}};
@@ -36,8 +36,8 @@ impl Fixture {
     /// Returns the same fixture with a gobo, rolled about the axis as by [`Projection::turned`].
     ///
     /// # Errors
-    /// A light without a projection: a cone over 160 degrees, or none. A roll outside -360 to 360
-    /// degrees.
+    /// A light without a projection: one without a cone, or with a cone over 160 degrees. A roll
+    /// outside -360 to 360 degrees.
     pub fn with_gobo(self, gobo: Gobo<'static>, roll: Angle) -> Result<Self, Error> {
         let projection = self.project()?.turned(roll)?;
         Ok(Self { gobo: Some((gobo, projection)), ..self })
@@ -46,7 +46,8 @@ impl Fixture {
     /// Returns the same fixture with shadows from a map of `side` by `side` texels.
     ///
     /// # Errors
-    /// A side outside 16 to 2048; a light without a projection: a cone over 160 degrees, or none.
+    /// A side outside 16 to 2048; a light without a projection: one without a cone, or with a cone
+    /// over 160 degrees.
     pub fn with_shadow(self, side: u16) -> Result<Self, Error> {
         let sides = Self::SHADOW_SIDES;
         if !sides.contains(&side) {
@@ -58,8 +59,8 @@ impl Fixture {
 
     /// Returns the square around the cone of the light.
     ///
-    /// A point light is rejected as a cone of 360 degrees, a directional light as a cone of 0
-    /// degrees.
+    /// In the error, a point light counts as a cone of 360 degrees and a directional light as a
+    /// cone of 0 degrees.
     fn project(&self) -> Result<Projection, Error> {
         let refused = |value| {
             let accepted = Expected::AngleUpTo(Projection::WIDEST.to_degrees());

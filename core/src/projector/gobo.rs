@@ -11,10 +11,10 @@ use crate::{
 ///
 /// Transmission 255 passes all light and 0 none. The transmissions are in row-major order from the
 /// top left, as seen from the light. Each lies at the centre of its texel, and between four centres
-/// the gobo interpolates bilinearly. This is done in integers: a position has the same transmission
-/// in every format, rounded to that format. Beyond the outermost centres, half a texel from the
-/// edge, and off the square, the nearest border transmission continues. The light of the cone ends
-/// within the square anyway.
+/// the gobo interpolates bilinearly. The interpolation uses integers, so a position has the same
+/// transmission in every format, except for the rounding to that format. The outermost centres are
+/// half a texel from the edge; beyond them, and off the square, the transmission is the nearest one
+/// of the border. No light of the cone is off the square.
 ///
 /// ```
 /// use luminaire::{Angle, Cone, SpotLight, Vec3, falloff::Soft, projector::{Gobo, Projection}};
@@ -39,7 +39,8 @@ pub struct Gobo<'a> {
     transmissions: &'a [u8],
 }
 
-/// Largest number of transmissions per side: leaves 16 coordinate steps between two of them.
+/// Largest number of transmissions per side. With it there are 16 coordinate steps from one
+/// transmission to the next.
 const MOST: usize = 4_096;
 
 /// Fraction bits of a position between two transmissions, and of the interpolation weights.
@@ -118,15 +119,15 @@ impl<'a> Gobo<'a> {
     fn part(self, steps: i32) -> (u32, u32) {
         const LOST: u32 = 16 - FRACTION_BITS;
         let steps = steps.clamp(0, (1 << 16) - 1) as u32;
-        // Distance from the centre of the first texel to the middle of the step, in 65,536ths of a
-        // texel.
+        // Distance from the centre of the first texel to the middle of the coordinate step, in
+        // 65,536ths of a texel.
         let way = (steps * self.side).saturating_sub((1 << 15) - self.side / 2);
         let last = (self.side - 1) << 16;
         let way = if way < last { way } else { last };
         (way >> 16, ((way & 0xffff) + (1 << (LOST - 1))) >> LOST)
     }
 
-    /// Returns a transmission; an index past the end has weight zero.
+    /// Returns a transmission; 0 for an index past the end, whose weight is zero.
     #[inline]
     fn nth(self, index: u32) -> u32 {
         u32::from(self.transmissions.get(index as usize).copied().unwrap_or(0))
@@ -135,7 +136,7 @@ impl<'a> Gobo<'a> {
 
 /// Interpolates from one value to another; the result is scaled by `2^FRACTION_BITS`.
 ///
-/// The difference may wrap; the sum wraps back.
+/// The difference may wrap, but then the sum wraps back.
 #[inline]
 fn between(from: u32, to: u32, way: u32) -> u32 {
     (from << FRACTION_BITS).wrapping_add(to.wrapping_sub(from).wrapping_mul(way))

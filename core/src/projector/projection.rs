@@ -14,14 +14,15 @@ use crate::{
 
 /// The square around the cone of a spotlight, orthogonal to its axis.
 ///
-/// The square is flat, like a square on a wall that faces the light: the edge of the cone touches
-/// the middles of its sides. Coordinates are therefore proportional to the tangent of the angle off
-/// axis, and a cone over 160 degrees has no square.
+/// The square is flat, like a square on a wall that faces the light, and the edge of the cone
+/// touches the middles of its four sides. Coordinates are therefore proportional to the tangent of
+/// the angle off axis, and a cone over 160 degrees has no square.
 ///
-/// [`right`](Self::right) and [`up`](Self::up) are those of a viewer at the light who looks along
-/// its axis, in right-handed coordinates with y upwards. A light that points straight down or up,
-/// within one degree, has no natural up. The top of its square then lies to `-z` if the light
-/// points down, and to `z` if it points up, as for an axis that leans to `-z`.
+/// [`right`](Self::right) and [`up`](Self::up) are the directions that a viewer at the light sees
+/// as right and up when looking along its axis, in right-handed coordinates with y upwards. A light
+/// that points straight down or up, within one degree, has no natural up. The top of its square
+/// then lies towards `-z` if the light points down, and towards `z` if it points up, as if the axis
+/// leaned slightly towards `-z`.
 ///
 /// ```
 /// use luminaire::{Angle, Cone, SpotLight, Vec3, falloff::Soft, projector::Projection};
@@ -44,8 +45,8 @@ pub struct Projection {
     tangent: f32,
 }
 
-/// Squared sine of the angle from the vertical, about one degree, below which an axis counts as
-/// vertical.
+/// An axis counts as vertical if the squared sine of its angle from the vertical is below this:
+/// about one degree.
 const UPRIGHT: f32 = 3.0e-4;
 
 impl Projection {
@@ -124,8 +125,8 @@ impl Projection {
     /// Compiles the square for the format `S`.
     ///
     /// # Errors
-    /// A cone narrower than the format can represent with any profile: [`Cone::narrowest`] of
-    /// [`Step`]. A position beyond [`Scalar::FARTHEST`].
+    /// A cone narrower than [`Cone::narrowest`] of [`Step`], the limit of the format for every
+    /// falloff. A position beyond [`Scalar::FARTHEST`].
     pub fn compile<S: Scalar>(&self) -> Result<CompiledProjection<S>, Error> {
         check_reach::<S>(self.position)?;
         let narrowest = Cone::narrowest::<S>(Step);

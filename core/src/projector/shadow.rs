@@ -1,4 +1,4 @@
-//! Shadows: whether anything stands between a spotlight and a point.
+//! Shadow maps: whether a surface hides a spotlight from a point.
 
 use super::CompiledProjection;
 use crate::{
@@ -7,17 +7,17 @@ use crate::{
     vec3::Vec3,
 };
 
-/// A shadow map: depths up to which a spotlight shines, on the square that it projects.
+/// A shadow map: the depths up to which a spotlight shines, on the square that it projects.
 ///
-/// The map has `side` by `side` texels, in row-major order from the top left. Each texel holds the
-/// depth along the axis of the light up to which points at its centre are lit; deeper points are in
-/// shadow. Between four centres the results of the comparisons are interpolated bilinearly: depths
-/// are compared and never mixed. This is the 2 x 2 filter of Reeves, Salesin and Cook, *Rendering
-/// Antialiased Shadows with Depth Maps*, SIGGRAPH 1987.
+/// The map has `side` by `side` texels, in row-major order from the top left. Each texel holds a
+/// depth along the axis of the light: points that project to its centre are lit up to this depth,
+/// and deeper points are in shadow. Between four centres the results of the four comparisons are
+/// interpolated bilinearly; depths are never interpolated. This is the 2 x 2 filter of Reeves,
+/// Salesin and Cook, *Rendering Antialiased Shadows with Depth Maps*, SIGGRAPH 1987.
 ///
 /// The comparison has no bias of its own. The renderer of the map adds the bias against
-/// self-shadowing to the depths, once per texel instead of once per point. No normal is needed, so
-/// a point in the air can be shadowed like one on a surface.
+/// self-shadowing to the depths, once per texel instead of once per point. A look-up needs no
+/// normal, so it also works for points in the air.
 ///
 /// ```
 /// use luminaire::{Angle, Cone, SpotLight, Vec3, falloff::Soft, projector::{Projection, Shadow}};
@@ -39,16 +39,16 @@ pub struct Shadow<'a, S: Scalar> {
     pub(crate) depths: &'a [S::Length],
 }
 
-/// Largest number of texels per side: leaves 16 coordinate steps in each.
+/// Largest number of texels per side. With it each texel has 16 coordinate steps.
 const MOST: usize = 4_096;
 
 /// Number of bits of an interpolation weight.
 ///
-/// The product of two weights is in units of 2^-14: one step of the 16-bit format, and exact in
-/// every other format.
+/// The product of two weights is in units of 2^-14, the step of the 16-bit format, so every format
+/// represents it exactly.
 const SHARE_BITS: u32 = 7;
 
-/// The sum of the two weights.
+/// The sum of the two weights of a row or column.
 const WHOLE: u32 = 1 << SHARE_BITS;
 
 /// Position along a row or a column, between two texel centres.
@@ -84,7 +84,7 @@ impl<'a, S: Scalar> Shadow<'a, S> {
 
     /// Creates a shadow map from its parts, as [`codegen`](crate::codegen) writes them.
     ///
-    /// A missing texel hides nothing.
+    /// A texel without a depth, past the end of `depths`, hides nothing.
     pub const fn from_parts(projection: CompiledProjection<S>, side: u32, depths: &'a [S::Length]) -> Self {
         Self { projection, side, depths }
     }
@@ -106,9 +106,9 @@ impl<'a, S: Scalar> Shadow<'a, S> {
 
     /// Returns the visibility of the light from a point, in `[0, 1]`.
     ///
-    /// It is exactly 1 if nothing is between, so that multiplying by it changes no bit, and exactly
-    /// 0 in full shadow. Points off the square or behind the light have visibility 1, because no
-    /// light of the cone reaches them.
+    /// It is exactly 1 if nothing is between the light and the point, so that multiplying by it
+    /// changes no bit, and exactly 0 in full shadow. Points off the square or behind the light have
+    /// visibility 1, because no light of the cone reaches them.
     #[inline]
     pub fn visibility(&self, point: Vec3<S::Length>) -> S {
         self.at(&self.projection.place(point))
@@ -120,8 +120,8 @@ impl<'a, S: Scalar> Shadow<'a, S> {
         S::filter(light, self.visibility(point))
     }
 
-    /// As [`visibility`](Self::visibility), for a position that is known, such as one computed for
-    /// a gobo.
+    /// As [`visibility`](Self::visibility), for a position that is already known, such as one
+    /// computed for a gobo.
     #[inline]
     pub fn at(&self, place: &ProjectedPoint<S>) -> S {
         let (row, column) = (self.between(place.row), self.between(place.column));

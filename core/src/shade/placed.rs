@@ -23,7 +23,7 @@ pub(super) trait Placed<S: Scalar, A: Attenuation> {
     fn place(&self) -> Stand<'_, S, A>;
     /// Returns whether a point is certainly outside the cone: see [`Offset::is_outside`].
     fn is_outside(&self, offset: &S::Offset) -> bool;
-    /// Returns the falloff of the cone along a ray; none for a light without a cone.
+    /// Returns the falloff of the cone along a ray; `None` for a light without a cone.
     fn falloff<R: Ray<S>>(&self, ray: &R) -> Option<R::Share>;
 
     /// Returns the light that arrives at a surface: see
@@ -55,7 +55,7 @@ pub(super) trait Placed<S: Scalar, A: Attenuation> {
         self.along::<H, _>(&offset, &ray, cosine, lobe).1
     }
 
-    /// Evaluates a near point or a steep cone with the format's full precision.
+    /// Evaluates a point near a bright light, or in a steep cone, with the fine evaluation.
     ///
     /// The coarse result is kept where it is clipped anyway. This is a separate cold function, so
     /// that the common path stays in registers.
@@ -83,8 +83,8 @@ pub(super) trait Placed<S: Scalar, A: Attenuation> {
         }
         let ray = offset.fine_ray();
         let cosine = ray.cosine(facing, normal);
-        // The lobe's rounding to a scalar is larger than the error that a finer direction would
-        // remove.
+        // The lobe stays that of the coarse direction: its rounding to a scalar is larger than the
+        // error that a finer direction would remove.
         let (_, fine) = self.along::<H, _>(&offset, &ray, cosine, || lobe);
         Incident {
             diffuse: if keeps_diffuse { light.diffuse } else { fine.diffuse },

@@ -79,14 +79,15 @@ impl<S: Scalar, P: Falloff, A: Attenuation> CompiledSpotLight<S, P, A> {
         self.specular_color
     }
 
-    /// Returns the edge profile of the cone.
+    /// Returns the falloff of the cone.
     pub fn profile(&self) -> P {
         self.falloff.profile()
     }
 
-    /// Returns the same light with another type of profile.
+    /// Returns the same light with its falloff converted to another type.
     ///
-    /// This turns a choice made at run time into a type, once per light instead of once per point.
+    /// This converts a run-time choice to a concrete type, so that the branch is per light and not
+    /// per point.
     pub fn with_profile<Q: Falloff>(&self, profile: Q) -> CompiledSpotLight<S, Q, A> {
         CompiledSpotLight {
             position: self.position,

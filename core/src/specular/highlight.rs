@@ -1,4 +1,4 @@
-//! The part in which specular lobes differ.
+//! The part of a specular lobe that differs from type to type.
 
 use crate::{number::Scalar, vec3::Vec3};
 

@@ -10,8 +10,8 @@
 /// Returns zero for any other: zero or less, subnormal, infinite or NaN.
 #[inline]
 pub(crate) fn inverse_sqrt(x: f32) -> f32 {
-    // Adds 1 to the exponent. A number that is not normal is then below the smallest normal one, or
-    // negative.
+    // Adds 1 to the exponent. As a signed integer the sum is then too small, or negative, for every
+    // number that is not positive and normal.
     let is_normal = x.to_bits().wrapping_add(0x0080_0000) as i32 >= 0x0100_0000;
     if is_normal { 1.0 / sqrt(x) } else { 0.0 }
 }
@@ -43,19 +43,19 @@ fn sqrt(x: f32) -> f32 {
 /// Returns the root within one unit in the last place (exhaustive).
 #[inline]
 fn estimate(x: f32, bits: u32) -> f32 {
-    // Halving and negating the exponent in the integer representation has an error of 3.5 % (Lomont
-    // 2003, "Fast Inverse Square Root").
+    // Halving and negating the exponent in the integer representation gives `1 / sqrt(x)` with an
+    // error of 3.5 % (Lomont 2003, "Fast Inverse Square Root").
     let seed = f32::from_bits(0x5f37_59df - (bits >> 1));
-    // Quadratic with the least relative error against `1/sqrt(s)`, over the `s` that the seed
-    // gives: 2.5e-5.
+    // Quadratic with the least relative error against `1/sqrt(s)` over all `s` that the seed leads
+    // to: 2.5e-5.
     let s = x * seed * seed;
     let reciprocal = seed * (1.876_617 + s * (-1.252_138 + s * 0.375_521_3));
-    // A Newton step for the root itself, in a form that stays within the range of f32.
+    // One Newton step for the root, in a form that stays within the range of f32.
     let root = x * reciprocal;
     root + root * (0.5 - 0.5 * reciprocal * root)
 }
 
-/// Returns the nearest to the exact root of an estimate and its two neighbours.
+/// Returns the float nearest to the exact root: the estimate or one of its two neighbours.
 #[inline]
 fn nearest(bits: u32, estimate: f32) -> f32 {
     let bits_of_root = estimate.to_bits();
@@ -64,8 +64,9 @@ fn nearest(bits: u32, estimate: f32) -> f32 {
     let m = (bits_of_root & 0x007f_ffff | 0x0080_0000) as i32;
     let number = (bits << (24 - ((bits >> 23) & 1))) as i32;
     let rest = number.wrapping_sub(m.wrapping_mul(m));
-    // `(m + 1/2)^2 = m^2 + m + 1/4`: up if `rest > m`, down if `rest < -m`. `rest` is never `-m`,
-    // because `m^2 - m` needs more than 24 bits, except for two numbers whose estimate is right.
+    // `(m + 1/2)^2 = m^2 + m + 1/4`, so the root is rounded up if `rest > m`, and down if
+    // `rest < -m`. `rest` is never `-m`, because `m^2 - m` needs more than 24 bits, except for two
+    // numbers whose estimate is right.
     let up = m.wrapping_sub(rest) >> 31;
     let down = rest.wrapping_add(m) >> 31;
     f32::from_bits(bits_of_root.wrapping_sub(up as u32).wrapping_add(down as u32))

@@ -11,21 +11,22 @@ pub(super) struct Measured<'m> {
     versine: f32,
 }
 
-/// The position of the outer angle: positions are in 65,536ths of its versine.
+/// The position of the outer angle. Positions are in 65,536ths of the outer versine.
 const EDGE: u32 = 65_536;
 
-/// The smallest difference that a further knot can reduce: half a step of the 16-bit values.
+/// The smallest difference for which another knot is useful: half a step of the 16-bit values.
 const LEAST: f32 = 1.0 / 131_072.0;
 
 impl<'m> Measured<'m> {
-    /// Takes at least two values in [0, 1], up to an outer angle in (0, 180] degrees.
+    /// Wraps at least two values in [0, 1], evenly spaced up to an outer angle in (0, 180] degrees.
     pub(super) fn new(values: &'m [f32], outer: Angle) -> Self {
         Self { values, outer: outer.to_radians() / 2.0, versine: outer.versine() }
     }
 
-    /// Returns the used knots, at least one, and the largest difference of their lines to the data.
-    /// It splits the line with the largest difference at that point until no knots are left (Ramer
-    /// 1972; Douglas and Peucker 1973).
+    /// Returns the used knots, at least one, and the largest difference between their lines and the
+    /// data. It repeatedly splits the line with the largest difference, at the point of that
+    /// difference, until no knots are left or no split helps (Ramer 1972; Douglas and Peucker
+    /// 1973).
     pub(super) fn resample<'k>(&self, knots: &'k mut [Knot]) -> (&'k [Knot], f32) {
         if let Some(first) = knots.first_mut() {
             *first = self.line(0, EDGE);
@@ -59,9 +60,10 @@ impl<'m> Measured<'m> {
         Knot::line([place, end], [place, end].map(value))
     }
 
-    /// Returns the largest difference between a line and the data, and its position strictly inside
-    /// the line, if there is one. The data bend at the measured angles; between these, their slope
-    /// over the versine equals that of the line at one value of `sin(angle)`.
+    /// Returns the largest difference between a line and the data, and the position of that
+    /// difference, moved inside the line if it is at an end. Candidates are the measured angles,
+    /// where the data bend, and, between two of these, the angle at which the data's slope over the
+    /// versine equals that of the line: it has one value of `sin(angle)`.
     fn farthest(&self, line: Knot, end: u32) -> (f32, u32) {
         let (first, last) = (self.angle(line.place()), self.angle(end));
         let (mut largest, mut at) = (0.0, 0.0);

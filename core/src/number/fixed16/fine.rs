@@ -1,8 +1,9 @@
-//! Fractions of 31 bits in 32-bit products, for cones and lights for which 15 bits are too few.
+//! Fractions of 31 bits, computed with 32-bit products, for cones and lights that need more than 15
+//! bits.
 //!
-//! A steep cone and a bright light magnify the rounding to 15 bits. Only these use the slower fine
-//! evaluation: [`Cone::compile`](crate::Cone::compile) selects the cones by an error bound, and
-//! `Arithmetic::fine_below` gives the distance from the light below which points need it.
+//! A steep cone and a bright light magnify the rounding to 15 bits. Only they use the slower fine
+//! evaluation. [`Cone::compile`](crate::Cone::compile) selects such cones by an error bound;
+//! `Arithmetic::fine_below` gives the distance from a bright light below which points need it.
 
 use super::product::{high_half, high_product};
 use crate::number::{Fraction, Knot, RealExponent, Share, fraction::neighbours};
@@ -44,11 +45,11 @@ impl Fine16 {
         Self((value + ((value + (1 << 15)) >> 16)).min(Self::ONE.0))
     }
 
-    /// Returns `t (1 + u slope)` for a slope of 28 fraction bits, clamped to `[0, 1]` for every
-    /// slope.
+    /// Returns `t (1 + u slope)` for a slope of 28 fraction bits. The result is clamped to
+    /// `[0, 1]`, also for an invalid slope.
     #[inline]
     fn lifted(self, slope: i32) -> Self {
-        // A valid slope is in `[-3, 3]`, so its lift fits 28 bits.
+        // A valid slope is in `[-3, 3]`, so `u slope` fits 28 bits.
         let lift = high_half(high_half(self.0, self.complement().0) << 1, slope.unsigned_abs());
         let lift = lift.min((1 << 28) - 1) << 4;
         let lifted = if slope < 0 { self.0.saturating_sub(lift) } else { self.0.saturating_add(lift) };

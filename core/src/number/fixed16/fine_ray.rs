@@ -1,4 +1,4 @@
-//! Direction to a point with 30 bits, and results of the same precision.
+//! Direction to a point with 30 bits, and what is computed from it with the same precision.
 //!
 //! In the comments `W` is the offset, scaled until its largest component has 31 bits, and `|W|` is
 //! its length.
@@ -111,8 +111,8 @@ impl Ray<Fx16> for FineRay16 {
 
     #[inline]
     fn expose(&self, share: Fine16, gain: Gain16) -> Light16 {
-        // `here` has at least 26 bits. Its product with the share has at least 16 bits, unless the
-        // light is far below one linear code.
+        // `here`, the gain at this distance, has at least 26 bits. The product of `here` and the
+        // share has at least 16 bits, unless the light is far below one linear code.
         let here = high_half(high_square(self.reciprocal), gain.mantissa);
         Light16::shifted(high_half(share.0, here), gain.shift + 2 * self.bits - 51)
     }

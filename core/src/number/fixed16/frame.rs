@@ -10,7 +10,8 @@ use crate::{
     vec3::Vec3,
 };
 
-/// Number of fraction bits of a frame's vectors; an offset of 17 bits leaves no room for more.
+/// Number of fraction bits of a frame's vectors. In a product with an offset of 17 bits there is no
+/// room for more.
 const BITS: u32 = 13;
 
 /// Bit length up to which a depth counts as behind the light.
@@ -23,7 +24,8 @@ const LEAST_BITS: u32 = 24;
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 struct Vector {
     parts: Vec3<i32>,
-    /// Half the sum of the components: the mean contribution of the bits truncated from an offset.
+    /// Half the sum of the components: the mean error of the inner product due to the bits that are
+    /// truncated from an offset.
     half: i32,
 }
 
@@ -89,9 +91,9 @@ impl Frame16 {
 
     /// Builds the frame from three unit vectors and the tangent of half a side.
     ///
-    /// Rounding turns and stretches the vectors, which would move the square. The centre is
-    /// corrected by the component of each rounded vector along the axis, and the scale by the
-    /// length of the rounded axis.
+    /// Rounding turns and stretches the vectors, which would move the square. The component of each
+    /// rounded vector along the axis corrects the centre, and the length of the rounded axis
+    /// corrects the scale.
     pub(super) fn new([right, down, axis]: [Vec3<f32>; 3], tangent: f32) -> Self {
         let vectors = [right, down, axis].map(Vector::new);
         let length = vectors[2].along(axis);

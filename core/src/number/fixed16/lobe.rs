@@ -11,7 +11,8 @@ fn lack_of_product(a: u32, b: u32) -> u32 {
 
 /// Returns `(1 - versine)^exponent`.
 ///
-/// Computed with `1 - cosine`, whose leading bits near the axis the cosine would lose.
+/// It is computed with `1 - cosine`, which keeps its leading bits near the axis; the cosine would
+/// lose them.
 #[inline]
 pub(super) fn power(versine: Versine16, exponent: u32) -> Fx16 {
     let lack = raised(0, versine.to_bits().saturating_mul(8), exponent, lack_of_product);

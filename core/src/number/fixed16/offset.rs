@@ -18,8 +18,8 @@ const WAY_BITS: u32 = 17;
 
 /// Rounding bias added to a direction for the truncated bits, which average half a unit.
 ///
-/// The ideal is half the reciprocal, which is between 2,365 and 8,192. Of the values between, this
-/// one had the smallest error (measured).
+/// The ideal bias is half the reciprocal length, which varies between 2,365 and 8,192. Of the
+/// constants in this range, 6,144 had the smallest error (measured).
 const CUT_OFF: i32 = 6_144;
 
 /// Number of offset bits used for everything except the direction.
@@ -75,7 +75,7 @@ impl Offset16 {
     /// Returns an offset whose bit length is `more + 17`.
     #[inline]
     fn scaled(way: Vec3<i32>, more: u32) -> Self {
-        // `more` is at most 14; the mask tells the compiler.
+        // `more` is at most 14; the mask shows this to the compiler.
         let shift = more & 15;
         Self { way, shift, bits: shift + WAY_BITS }
     }
@@ -89,8 +89,8 @@ impl Offset16 {
 
     /// Returns an offset of more than 24 bits, halved to fit 32 bits.
     ///
-    /// A light's coordinate has at most 30 bits and a sign, so a wrapped difference still has more
-    /// than 24 bits and is detected.
+    /// A light's coordinate has at most 30 bits and a sign. So a wrapped difference still has more
+    /// than 24 bits, and the size test detects it.
     #[inline(always)] // `away.fx16` on Cortex-M0: +9 instructions without.
     fn far(light: Vec3<Length>, point: Vec3<Length>) -> Self {
         let way = point.zip(light, |p, l| (p.to_bits() >> 1) - (l.to_bits() >> 1));
@@ -116,7 +116,7 @@ impl Offset16 {
 
     /// Converts a component of the offset to a length; saturates.
     ///
-    /// The component has 13 bits more than [`fine`](Self::fine).
+    /// `part` has 13 fraction bits more than a component of [`fine`](Self::fine).
     #[inline]
     pub(super) fn length_of(&self, part: i32) -> Length {
         const BITS: u32 = WAY_BITS + 13;
@@ -152,7 +152,7 @@ impl Offset16 {
 impl Offset<Fx16> for Offset16 {
     type Ray = Ray16;
     type FineRay = FineRay16;
-    /// `n.v` in steps of 2^-14 of `|v|`: negative if the surface faces the light.
+    /// Returns `n.v` in steps of 2^-14 of `|v|`: negative if the surface faces the light.
     ///
     /// Wraps for normals longer than 1.15, which is defined behaviour.
     type Facing = i32;
@@ -210,7 +210,8 @@ impl Offset<Fx16> for Offset16 {
     /// `fine_below` encodes the bit length of an offset and, in its lower 26 bits, its squared
     /// length.
     ///
-    /// An offset with more bits is longer; one with at least two bits fewer is always shorter.
+    /// An offset with more bits than encoded is too long. Otherwise its squared length is shifted
+    /// to the encoded scale and compared.
     #[inline]
     fn is_near(&self, fine_below: u32) -> bool {
         let fewer = (fine_below >> 26).wrapping_sub(self.bits);

@@ -3,7 +3,7 @@
 use super::{fine::Fine16, product::high_half};
 use crate::number::{Fx16, Rise, Versine16, fraction::Fraction16, rounded};
 
-/// The largest zoom of a ramp: a larger one would need more bits than a direction has.
+/// The largest zoom of a ramp: a larger zoom would need more bits than a direction has.
 pub(super) const MOST_ZOOM: u32 = 15;
 
 /// A ramp: maps the excess of a versine over the inner one to `t`.
@@ -21,12 +21,13 @@ pub struct Ramp16 {
     shift: u32,
     /// `2^31` over the shifted span.
     mantissa: u32,
-    /// Minuend of the product, which includes all roundings in one subtraction.
+    /// Minuend from which the product is subtracted. It includes all rounding constants.
     ///
     /// It is 1 with 31 fraction bits, plus half a step of the result, less half the truncation of a
     /// shifted versine.
     one: u32,
-    /// The width of a ramp that is always evaluated finely, whose `width` is 0; 0 for any other.
+    /// The width of a fine ramp, one that always has the fine evaluation; 0 for any other ramp. The
+    /// `width` of a fine ramp is 0.
     fine: u32,
     /// Bit length of the span.
     fine_shift: u32,
@@ -82,16 +83,17 @@ impl Ramp16 {
         let one = (1 << 31) + (1 << 15) - (mantissa - (mantissa >> shift)) / 2;
         // The last versine before the limit must not give a negative value.
         let one = one.max((width.saturating_sub(1) >> shift) * mantissa);
-        // Also from the whole span, which is `divisor 2^(fine_shift - 32)`.
+        // The fine reciprocal is also that of the whole span, which is
+        // `divisor 2^(fine_shift - 32)`.
         let fine_shift = u64::BITS - span.leading_zeros();
-        // The upper bit is set already; the `|` tells the compiler.
+        // The upper bit is always set; the `|` shows this to the compiler.
         let divisor = (span << span.leading_zeros()) >> 32 | 1 << 31;
         let fine_mantissa = ((1 << 63) / divisor).min(u32::MAX.into()) as u32;
         let inner = inner.min(limit);
         Self { zoom, inner, width, shift, mantissa, one, fine: 0, fine_shift, fine_mantissa }
     }
 
-    /// Returns the same ramp, always evaluated finely.
+    /// Returns the same ramp as a fine ramp, which always has the fine evaluation.
     pub(super) fn into_fine(self) -> Self {
         Self { width: 0, fine: self.width, ..self }
     }
@@ -101,26 +103,26 @@ impl Ramp16 {
     pub(super) fn rise(self, versine: Versine16) -> Rise<Fx16> {
         match self.within(versine) {
             Some(t) => Rise::Coarse(t),
-            // `within` returns none for a fine ramp, whose width is 0.
+            // `within` returns `None` for a fine ramp, because its `width` is 0.
             None if self.fine > 0 => Rise::Fine(self.rise_finely(versine)),
             None => Rise::Coarse(self.end(versine)),
         }
     }
 
-    /// Returns the position on a ramp that is not always fine.
+    /// Returns the position on a ramp that is no fine ramp.
     #[inline]
     pub(super) fn rise_coarsely(self, versine: Versine16) -> Fraction16 {
         self.within(versine).unwrap_or_else(|| self.end(versine))
     }
 
-    /// Returns the position between the ends, or none outside.
+    /// Returns the position of a versine between the ends of the ramp; `None` outside them.
     #[inline]
     fn within(self, versine: Versine16) -> Option<Fraction16> {
         let past = versine.to_bits().wrapping_sub(self.inner);
         (past < self.width).then(|| Fraction16((self.one - (past >> self.shift) * self.mantissa) >> 16))
     }
 
-    /// Returns the position at or beyond an end.
+    /// Returns the position of a versine at or beyond an end of the ramp: 1 or 0.
     #[inline]
     fn end(self, versine: Versine16) -> Fraction16 {
         Fraction16(if versine.to_bits() < self.inner { 1 << 15 } else { 0 })

@@ -59,8 +59,8 @@ impl Frame32 {
 
     /// Builds the frame from three unit vectors and the tangent of half a side.
     ///
-    /// Rounding leaves the right and down vectors not quite orthogonal to the axis, which a narrow
-    /// cone would magnify. The centre is corrected by that deviation.
+    /// After rounding, the right and down vectors are not quite orthogonal to the axis, and a
+    /// narrow cone would magnify this error. The centre is corrected for it.
     pub(super) fn new([right, down, axis]: [Vec3<f32>; 3], tangent: f32) -> Self {
         let [right, down] = [right, down].map(|across| across.map(Fx32::from_f32));
         let axis = Fx32::axis(axis);

@@ -15,7 +15,8 @@ fn lack_of_product(a: u64, b: u64) -> u64 {
 
 /// Returns `(1 - versine)^exponent`.
 ///
-/// Computed with `1 - cosine`, whose leading bits near the axis the cosine would lose.
+/// It is computed with `1 - cosine`, which keeps its leading bits near the axis; the cosine would
+/// lose them.
 #[inline]
 pub(super) fn power(versine: Versine32, exponent: u32) -> Fx32 {
     let lack = raised(0, versine.to_bits().min(ONE / 2) * 2, exponent, lack_of_product);

@@ -142,8 +142,9 @@ impl Ray<Fx32> for Ray32 {
 
     #[inline]
     fn cosine(&self, facing: i64, _: Vec3<Fx32>) -> Fraction32 {
-        // The product is at most the length of the normal in units of 2^-61. It fits 64 bits, even
-        // if the facing has wrapped, because then `|v| > 2^31`.
+        // The product is at most the length of the normal in units of 2^-61. It fits 64 bits even
+        // if `facing` has wrapped: `facing` only wraps if `|v| > 2^31`, and then the reciprocal is
+        // small.
         let cosine = ((facing.max(0) as u64 >> 31) * self.reciprocal) >> 30;
         Fraction32(cosine.min(1 << 31) as u32)
     }

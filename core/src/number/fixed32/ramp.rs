@@ -12,18 +12,20 @@ const ON_AXIS: u64 = 3 * 2 * 2;
 /// A ramp: maps the gap between a versine and the outer one to `t`.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Ramp32 {
-    /// The intensity is zero from here on: the outer versine, or that of a tighter cutoff.
+    /// Versine from which on the intensity is zero: the outer versine, or that of a narrower
+    /// cutoff.
     limit: u64,
     outer: u64,
-    /// The intensity is full from here inwards: the inner versine, or [`ON_AXIS`].
+    /// Versine up to which the intensity is full: the inner versine, or [`ON_AXIS`] if that is
+    /// larger.
     inner: u64,
     span: u64,
     /// Right shift that brings the span to at most 32 bits.
     shift: u32,
     /// `2^63` over the shifted span.
     mantissa: u64,
-    /// Half the truncation of a shifted gap, plus half a step of the result: both roundings in one
-    /// addition.
+    /// Half the truncation of a shifted gap, plus half a step of the result: both rounding
+    /// constants in one addition.
     half: u64,
 }
 
@@ -32,8 +34,8 @@ impl Ramp32 {
     ///
     /// Invalid values are replaced, so that every versine has a position in `[0, 1]` on the ramp.
     pub const fn from_bits([limit, outer, inner, span, shift, mantissa, half]: [u64; 7]) -> Self {
-        // Upper bound of the largest product short of the span, plus `half`, for a result of at
-        // most 1.
+        // Largest sum of `half` and the product of a gap short of the span for which the result is
+        // at most 1.
         const MOST: u64 = (1 << 63) + (1 << 32) - 1;
         let shift = shift as u32 % u64::BITS;
         let steps = span.saturating_sub(1) >> shift;
@@ -64,7 +66,7 @@ impl Ramp32 {
         let divisor = (span >> shift).max(1);
         let mantissa = ((1 << 63) + divisor / 2) / divisor;
         let inner = inner.max(ON_AXIS);
-        // The largest gap short of the span must not be rounded to more than 1.
+        // The largest gap short of the span must not give a result over 1.
         let room = ((1 << 63) + (1 << 32) - 1) - (span.saturating_sub(1) >> shift) * mantissa;
         let half = ((mantissa - (mantissa >> shift)) / 2 + (1 << 31)).min(room);
         Self { limit: limit.min(outer), outer, inner, span, shift, mantissa, half }

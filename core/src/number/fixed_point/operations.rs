@@ -2,8 +2,8 @@
 
 /// Defines the items of `Arithmetic` that both fixed-point formats share.
 ///
-/// `wide` is the integer of the format's light, which holds the products. The modules of the
-/// formats supply `lobe` and `factor`.
+/// `wide` is the integer type of the format's light, which also holds the products. Each format's
+/// module supplies `lobe` and `factor`.
 macro_rules! operations {
     (
         $bits:ident, $unsigned:ident, $wide:ident, $light:ident, $weight:ident, $gain:ident, $offset:ident, $frame:ident, $steps:ident
@@ -43,7 +43,7 @@ macro_rules! operations {
             self.saturating_sub(other)
         }
 
-        /// Exact up to a single rounding at the end, so it is monotone.
+        /// It is exact up to a single rounding at the end, so it is monotone.
         #[inline]
         fn smooth(self) -> Self {
             const BITS: u32 = $light::FRACTION_BITS;

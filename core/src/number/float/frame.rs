@@ -5,7 +5,7 @@ use crate::{
     vec3::Vec3,
 };
 
-/// Frame of a projection: the axis, and two vectors across it, scaled to coordinate steps.
+/// Frame of a projection: the axis, and two vectors orthogonal to it, scaled to coordinate steps.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct FloatFrame {
     right: Vec3<f32>,
@@ -40,8 +40,8 @@ impl FloatFrame {
 
     /// Builds the frame from three unit vectors and the tangent of half a side.
     ///
-    /// Rounding leaves the right and down vectors not quite orthogonal to the axis, which a narrow
-    /// cone would magnify. The centre is corrected by that deviation.
+    /// After rounding, the right and down vectors are not quite orthogonal to the axis, and a
+    /// narrow cone would magnify this error. The centre is corrected for it.
     pub(super) fn new([right, down, axis]: [Vec3<f32>; 3], tangent: f32) -> Self {
         let scale = STEPS as f32 / (2.0 * tangent);
         let [right, down] = [right, down].map(|across| across.map(|c| c * scale));

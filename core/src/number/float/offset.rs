@@ -6,7 +6,8 @@ use crate::{trig, vec3::Vec3};
 
 /// Vector from a point back to the light, and its squared length.
 ///
-/// Lambert's cosine needs this direction, and the difference to the axis becomes a sum.
+/// The vector points back because Lambert's cosine needs that direction. Its difference to the axis
+/// is therefore a sum.
 #[derive(Clone, Copy, Debug)]
 pub struct FloatOffset {
     back: Vec3<f32>,
@@ -146,9 +147,8 @@ impl Ray<f32> for FloatRay {
         FloatFraction(clamp(facing * self.reciprocal))
     }
 
-    /// Saturates the gain, not the light. A product of clamped fractions is then visibly
-    /// non-negative to the compiler, which drops the other half of the clamp in
-    /// `Arithmetic::expose`.
+    /// Saturates the gain, not the light. The compiler then sees that a product of clamped
+    /// fractions is not negative, and removes the lower half of the clamp in `Arithmetic::expose`.
     #[inline]
     fn expose(&self, fraction: f32, gain: f32) -> f32 {
         let gain = gain * (self.reciprocal * self.reciprocal);

@@ -30,11 +30,11 @@ macro_rules! fraction {
                 self.wide() as $signed
             }
 
-            /// Returns `t (1 + lift)`, capped at 1 for every lift, which has the fraction bits of a
-            /// fraction.
+            /// Returns `t (1 + lift)`, capped at 1 for every lift. The lift has as many fraction
+            /// bits as a fraction.
             ///
-            /// The cap is needed because the last rounding may exceed an end by one step, and
-            /// because out-of-range weights wrap.
+            /// The cap is needed because the last rounding may exceed 1 by one step, and because
+            /// weights that are out of range wrap.
             #[inline]
             fn lifted(self, lift: $signed) -> $scalar {
                 Self::capped(self.wide().wrapping_mul(Self::ONE.saturating_add_signed(lift)))
@@ -145,8 +145,8 @@ fraction! {
     Fraction32(Fx32, u32, Weight32, u64, i64)
 }
 
-/// Samples and knots in 32 bits: a line's product does not fit beside its value, so it is rounded
-/// first.
+/// Samples and knots in 32 bits. The product of a line's slope has too many bits to be added to its
+/// start value, so it is rounded first.
 impl Fraction16 {
     #[inline]
     fn nearest(self) -> Fx16 {
@@ -161,7 +161,7 @@ impl Fraction16 {
 
     /// Converts a value, where 65,535 means 1, to a scalar.
     ///
-    /// Adding the top bit at the bottom maps 65,535 to 65,536.
+    /// Adding the top bit of the value to its lowest bit maps 65,535 to 65,536.
     #[inline]
     fn of_sixteen_bits(value: i32) -> Fx16 {
         Fx16::from_bits(((value + (value >> 15) + 2) >> 2) as i16)
@@ -181,8 +181,8 @@ impl Fraction16 {
 impl Fraction32 {
     /// Returns the nearest scalar.
     ///
-    /// The bit shifted out is in the carry flag, so this takes one instruction less than adding 1
-    /// first.
+    /// The bit that the shift removes is in the carry flag, so this form takes one instruction less
+    /// than adding 1 before the shift.
     #[inline]
     fn nearest(self) -> Fx32 {
         Fx32::from_bits(((self.0 >> 1) + (self.0 & 1)) as i32)
@@ -233,7 +233,8 @@ mod tests {
         })
     }
 
-    /// Exhaustive. Half a step is the last rounding; any excess comes from the products before it.
+    /// Exhaustive. The last rounding contributes half a step; any excess comes from the products
+    /// before it.
     #[test]
     fn sixteen_bits_are_monotone_and_keep_their_errors() {
         let within = |(error, fall): (f64, i32), bound: f64, most_fall: i32| {
@@ -274,7 +275,7 @@ mod tests {
         assert!((0.5..=1.1).contains(&worst) && fall <= 1, "cubics: {worst}, fall by {fall}");
     }
 
-    /// Weights that no profile has still give results in `[0, 1]`.
+    /// Even weights that no profile has give results in `[0, 1]`.
     #[test]
     fn every_weight_has_an_answer() {
         let weights = [i32::MIN, -65_536, -1, 0, 65_536, i32::MAX].map(Weight16::from_bits);
