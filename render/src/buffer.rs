@@ -6,10 +6,10 @@ use luminaire::{Rgb, Scalar};
 /// Number of pixels of a row in a block.
 pub(crate) const LANES: usize = 32;
 
-/// Light from the pixels of a block towards the eye: linear, 1 is full scale.
+/// Light from the surfaces of a block's pixels towards the eye: linear, 1 is full scale.
 pub(crate) type Radiance = Rgb<[f32; LANES]>;
 
-/// Irradiance at the pixels of a block.
+/// Irradiance at the surfaces of a block's pixels.
 pub(crate) type Lights<S> = [<S as Scalar>::Irradiance; LANES];
 
 /// Returns a vector of `count` equal values, or an error if there is no memory for them.

@@ -10,7 +10,7 @@ use luminaire::Error;
 pub enum DrawError {
     /// A fixture that the format can't hold.
     Fixture(Error),
-    /// A shadow map for which there is no memory.
+    /// A shadow map that does not fit into memory.
     ShadowMap(SizeError),
 }
 

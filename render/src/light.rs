@@ -30,8 +30,8 @@ use luminaire::{
 pub(crate) struct Finish<S: Scalar> {
     material: Material,
     pub(crate) highlight: <Highlight as SpecularLobe>::Constants<S>,
-    /// Radius of the specular lobe: the largest chord between the mirrored direction and one that
-    /// still has light.
+    /// Radius of the specular lobe: the largest chord between the mirrored view direction and a
+    /// direction to a light that still causes a highlight.
     pub(crate) lobe: f32,
 }
 
@@ -40,7 +40,7 @@ pub(crate) struct Finish<S: Scalar> {
 pub struct Setting<'a, S: Scalar> {
     pub(crate) plan: RenderPlan,
     pub(crate) eye: Vec3<S::Length>,
-    /// The eye in `f32`, for tests against bounds.
+    /// The position of the eye in `f32`, to test it against bounding volumes.
     pub(crate) viewpoint: glam::Vec3,
     pub(crate) ambient: Rgb<f32>,
     /// The materials by number.
@@ -48,13 +48,14 @@ pub struct Setting<'a, S: Scalar> {
     pub(crate) shadows: &'a Shadows<S>,
 }
 
-/// Scratch memory for a block, reused from block to block: clearing it for each would cost as much
-/// as a light.
+/// Scratch memory for lighting a block. It is reused without clearing, because clearing it for each
+/// block would cost as much as a light.
 #[derive(Clone, Debug)]
 pub struct Workspace<S: Scalar> {
     /// The numbers of the shiny materials in the block.
     shining: [u32; LANES],
-    /// Bounds of the pixels of each, and of the mirrored view directions there.
+    /// For each of these materials, the bounds of its surface points and of the mirrored view
+    /// directions at these points.
     parts: [Option<(Bounds, Directions)>; LANES],
     /// The view directions, mirrored in the surfaces.
     views: Vec3<[S::Unit; LANES]>,
@@ -136,8 +137,8 @@ impl<S: Scalar> Setting<'_, S> {
         0
     }
 
-    /// Sums up the light at a block that has `kinds` shiny materials. Returns how many lights have
-    /// a highlight that the eye may see.
+    /// Sums up the light of a block with `kinds` shiny materials. Returns how many lights have a
+    /// highlight that the eye may see.
     #[inline(always)]
     fn light_shining(
         &self,
@@ -170,8 +171,8 @@ impl<S: Scalar> Setting<'_, S> {
     }
 
     /// Evaluates a light, with the highlights that the eye may see. The highlights go to
-    /// `arrivals`, or to `lobes` if the block has several materials. Returns whether there are any;
-    /// the first light that has them also clears their sum.
+    /// `arrivals`, or to `lobes` if the block has several materials. Returns whether there are any
+    /// highlights. The first light with highlights also clears their sum.
     #[inline(always)]
     fn arrive_shining(
         &self,
@@ -208,7 +209,7 @@ impl<S: Scalar> Setting<'_, S> {
         shines
     }
 
-    /// Returns true only if the highlight of a light on a surface of this finish misses the eye.
+    /// Returns true only if the eye sees no highlight of this light on surfaces with this finish.
     #[inline(always)]
     fn misses_highlight(
         &self,
@@ -247,8 +248,8 @@ impl<S: Scalar> Setting<'_, S> {
         }
     }
 
-    /// Evaluates a light: by its own loop, or point by point with the general function if the plan
-    /// skips nothing.
+    /// Evaluates a light by the loop for its kind, or, if the plan skips nothing, point by point
+    /// with the general function.
     #[inline(always)]
     fn evaluate<H: SpecularLobe>(
         &self,
@@ -267,8 +268,8 @@ impl<S: Scalar> Setting<'_, S> {
         }
     }
 
-    /// Collects the numbers of the shiny materials in a block, each once; of all materials if the
-    /// plan skips nothing. Returns how many there are.
+    /// Collects the numbers of the shiny materials in a block, each once. If the plan skips
+    /// nothing, it collects those of all materials. Returns the count.
     #[inline(always)]
     fn shining(&self, block: &Block<S>, numbers: &mut [u32; LANES]) -> usize {
         let shines = |number: u32| !self.plan.skips() || self.finishes[number as usize].material.shines();
@@ -286,7 +287,8 @@ impl<S: Scalar> Setting<'_, S> {
         count
     }
 
-    /// Returns bounds of a material's pixels and of the mirrored view directions there.
+    /// Returns the bounds of a material's surface points and of the mirrored view directions at
+    /// these points.
     #[inline(always)]
     fn mirrored(&self, block: &Block<S>, number: u32) -> Option<(Bounds, Directions)> {
         let Part { bounds, normals } = block.part(number)?;
@@ -318,7 +320,7 @@ fn borrowed<T>(columns: &Vec3<T>) -> Vec3<&T> {
     Vec3::new(&columns.x, &columns.y, &columns.z)
 }
 
-/// Copies the lights of the pixels that have this material.
+/// Copies the light of the pixels that have this material.
 #[inline(always)]
 fn take_where<S: Scalar>(number: u32, block: &Block<S>, from: &[S::Irradiance], to: &mut Lights<S>) {
     for ((to, &from), &material) in to.iter_mut().zip(from).zip(&block.material) {

@@ -32,7 +32,7 @@ pub(crate) struct Span<'a> {
 }
 
 impl Grid {
-    /// Passes the spans that a triangle covers to `fill`, row by row. The corners must be
+    /// Calls `fill` with each span that a triangle covers, row by row. The corners must be
     /// counter-clockwise; back faces cover nothing.
     #[inline(always)]
     pub(crate) fn cover(&self, corners: &[Corner; 3], mut fill: impl FnMut(Span<'_>)) {
@@ -103,7 +103,7 @@ impl Fragments {
         Ok(Self { grid, nearness: plane()?, normal, material: filled(count, 0)? })
     }
 
-    /// The nearness of a block of pixels.
+    /// The nearness, the reciprocal of the depth, of each pixel of a block.
     pub(crate) fn block(&self, row: usize, column: usize) -> &[f32] {
         &self.nearness[row * self.grid.stride + column * LANES..][..LANES]
     }
@@ -114,7 +114,8 @@ impl Fragments {
         self.material.fill(0);
     }
 
-    /// Draws the front face of a triangle where it is nearer than the fragments there.
+    /// Draws the front face of a triangle at each pixel where it is nearer than the previous
+    /// fragment.
     pub(crate) fn draw(&mut self, corners: [Corner; 3], material: u32) {
         let grid = self.grid;
         grid.cover(&corners, |span| {
@@ -124,7 +125,7 @@ impl Fragments {
         });
     }
 
-    /// Writes a span of fragments where they are nearer than the fragments there.
+    /// Writes a span of fragments at each pixel where they are nearer than the previous fragment.
     fn fill(&mut self, span: core::ops::Range<usize>, nearness: Line, normal: [Line; 3], material: u32) {
         let [nx, ny, nz] = &mut self.normal;
         let planes = self.nearness[span.clone()]
@@ -161,7 +162,8 @@ impl Line {
     }
 }
 
-/// Returns the rows or columns, of `count`, whose centres lie between three screen coordinates.
+/// Returns the rows or columns whose centres lie within the range of three screen coordinates.
+/// There are `count` rows or columns.
 fn centers(coordinates: [i32; 3], count: usize) -> core::ops::Range<i64> {
     // The first row or column whose centre is at or after a coordinate.
     let first = |coordinate: i32| i64::from((coordinate + PIXEL as i32 / 2 - 1) >> SUBPIXEL_BITS);
@@ -188,7 +190,7 @@ struct Edge {
     dy: i64,
 }
 
-/// An edge that is stepped down the rows, as in Bresenham's algorithm: one division at the start,
+/// An edge that steps down row by row, as in Bresenham's algorithm: two divisions at the start,
 /// none per row.
 struct Walk {
     /// Twice the area of the triangle that the edge forms with the centre of the row's first
@@ -196,11 +198,12 @@ struct Walk {
     at: i64,
     column: i64,
     row: i64,
-    /// 0 for a top or left edge, which owns the points on it; 1 for the others, whose points belong
-    /// to the neighbour.
+    /// 0 for a top or left edge, whose points belong to this triangle; 1 for any other edge, whose
+    /// points belong to the neighbouring triangle.
     excluded: i64,
-    /// The absolute change of `at` per column, and the quotient and remainder of its division into
-    /// `at - excluded`. The quotient gives the column where the edge crosses the row.
+    /// `whole` is the absolute change of `at` per column. `columns` and `rest` are the quotient and
+    /// the remainder of `(at - excluded) / whole`; the quotient gives the column where the edge
+    /// crosses the row.
     whole: i64,
     columns: i64,
     rest: i64,
@@ -260,8 +263,8 @@ impl Walk {
     }
 }
 
-/// Returns quotient, rounded down, and remainder of a division by the reciprocal of the divisor.
-/// The rounded quotient is off by at most one and is corrected.
+/// Returns the quotient, rounded down, and the remainder of a division, given the reciprocal of the
+/// divisor. The product with the reciprocal is off by at most one, which is corrected.
 #[inline(always)]
 fn divided(dividend: i64, divisor: i64, reciprocal: f64) -> (i64, i64) {
     let guess = (dividend as f64 * reciprocal) as i64;
@@ -280,8 +283,8 @@ mod tests {
     fn corner(seed: &mut u64) -> Corner {
         let mut next = || {
             *seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            // A step of a quarter pixel is coarse enough for centres to lie on edges, where ties
-            // occur.
+            // Coordinates in quarters of a pixel often put pixel centres exactly on edges, which
+            // tests the ties.
             ((*seed >> 33) % (4 * SIZE as u64 + 1)) as i32 * (PIXEL as i32 / 4)
         };
         Corner { x: next(), y: next(), nearness: 1.0, normal: Vec3::Z }

@@ -57,8 +57,8 @@ pub struct Renderer<S: Format> {
     triangles: usize,
     /// The lights of the current picture; `None` if all of it must be lit.
     lit: Option<Vec<Fixture>>,
-    /// Which fixtures reach which regions, which fixtures reach which tiles on their surfaces, and
-    /// which are visible in the air before those.
+    /// Which fixtures reach which regions; which fixtures reach which tiles on the surfaces; and
+    /// which beams are visible in the air in front of which tiles.
     near: Reached,
     reached: Reached,
     seen: Reached,
@@ -73,8 +73,8 @@ impl<S: Format> Renderer<S> {
     /// something is drawn.
     ///
     /// # Errors
-    /// A width or height that is not from 1 to [`LARGEST`](crate::LARGEST), or for which there is
-    /// no memory.
+    /// A width or height outside 1 to [`LARGEST`](crate::LARGEST), or a picture that does not fit
+    /// into memory.
     pub fn new(width: usize, height: usize) -> Result<Self, SizeError> {
         SizeError::check(width, height)?;
         Self::with_memory(width, height).map_err(|_| SizeError::Memory(width, height))
@@ -153,9 +153,9 @@ impl<S: Format> Renderer<S> {
         self.tiles.tiles.iter_mut().for_each(|tile| tile.sight = None);
     }
 
-    /// Draws the shadow maps of the fixtures that have shadows, where scene or fixture have
-    /// changed. Returns whether any had. If this is not called, nothing casts shadows. Pass the
-    /// same slice of fixtures as to [`draw_light`](Self::draw_light).
+    /// Draws the shadow maps of the fixtures with shadows, but only those whose scene or fixture
+    /// has changed. Returns whether any had changed. If this function is not called, nothing casts
+    /// shadows. Pass the same slice of fixtures as to [`draw_light`](Self::draw_light).
     ///
     /// # Errors
     /// A fixture that the format can't hold, or no memory for a map.
@@ -176,7 +176,7 @@ impl<S: Format> Renderer<S> {
         self.draw_light_by(RenderPlan::new(), lights)
     }
 
-    /// Lights the whole picture with every effect of every light at every pixel, needed or not,
+    /// Lights the whole picture with every effect of every light at every pixel, whether needed or
     /// changed or not. For tests and comparisons: the picture is bit-identical to that of
     /// [`draw_light`](Self::draw_light).
     ///
@@ -197,8 +197,8 @@ impl<S: Format> Renderer<S> {
         }
     }
 
-    /// Encodes the light for the display, where it has changed: rows from top to bottom, each pixel
-    /// red, green, blue in sRGB and alpha 255.
+    /// Encodes the light for the display, but only where it has changed. Returns the rows from top
+    /// to bottom; each pixel is red, green and blue in sRGB, and alpha 255.
     pub fn encode(&mut self) -> &[u8] {
         let columns = self.geometry.columns;
         for tile in 0..self.tiles.tiles.len() {

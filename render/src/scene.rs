@@ -15,7 +15,8 @@ use luminaire::{
     specular::{DifferenceForm, MirroredPhong, SpecularLobe},
 };
 
-/// The highlight of all surfaces: Phong's, in a form whose cost does not depend on the shininess.
+/// The specular lobe of all surfaces: Phong's lobe in Lyon's difference form, whose cost does not
+/// depend on the shininess.
 pub type Highlight = DifferenceForm<MirroredPhong, 3>;
 
 /// The reflectance of a surface.
@@ -79,7 +80,7 @@ impl Material {
         self.specular != Rgb::default()
     }
 
-    /// A matt surface that shows these sRGB codes under white light of full scale.
+    /// A matt surface that shows this sRGB colour under white light of full scale.
     pub fn srgb(red: u8, green: u8, blue: u8) -> Self {
         Self::matt(Rgb::new(red, green, blue).map(decode_srgb))
     }
@@ -112,7 +113,7 @@ pub(crate) struct Object {
     pub(crate) material: Material,
 }
 
-/// FNV-1a hash of 64 bits over all meshes, so that two scenes are compared without a look at their
+/// FNV-1a hash of 64 bits over all meshes, so that scenes can be compared without reading their
 /// vertices.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) struct Fingerprint(u64);
@@ -127,9 +128,9 @@ impl Scene {
     /// Adds a mesh of one material.
     ///
     /// # Errors
-    /// A coordinate of a vertex beyond [`Mesh::FARTHEST`], or NaN; more vertices than
-    /// [`Mesh::MOST_VERTICES`], or segments or lines that would make as many. The scene stays as it
-    /// was.
+    /// A coordinate of a vertex that is NaN or beyond [`Mesh::FARTHEST`]; more vertices than
+    /// [`Mesh::MOST_VERTICES`], or a number of segments or lines that would give more. The scene
+    /// stays as it was.
     pub fn add(&mut self, mesh: Mesh, material: Material) -> Result<(), Error> {
         mesh.check()?;
         // The counts separate the objects, because each object has its own material.
@@ -161,7 +162,7 @@ impl Scene {
         self.ambient
     }
 
-    /// Replaces the material of each object by `paint` of it.
+    /// Replaces the material of each object by the result of `paint` for that material.
     pub fn repaint(&mut self, paint: impl Fn(&Material) -> Material) {
         for object in &mut self.objects {
             object.material = paint(&object.material);
@@ -178,8 +179,8 @@ impl Scene {
         self.haze
     }
 
-    /// Returns the plan of the scene without lights: ambient light, highlights and haze, if the
-    /// scene has them.
+    /// Returns the plan of the scene without its lights: it requires ambient light, highlights and
+    /// haze, if the scene has them.
     pub fn plan(&self) -> RenderPlan {
         let mut plan = RenderPlan::new();
         if self.ambient != Rgb::default() {

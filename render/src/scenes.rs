@@ -66,7 +66,7 @@ pub struct Setup {
     pub camera: Camera,
     /// The fixtures, with their names and movements.
     pub fixtures: Vec<MovingLight>,
-    /// What the picture is shown on.
+    /// The display that the picture is for.
     pub display: Display,
     /// Largest yaw of the camera to either side, in radians.
     swing: f32,
@@ -140,8 +140,8 @@ impl Example {
         }
     }
 
-    /// Width and height in pixels that the picture is composed for. Other sizes of the same aspect
-    /// ratio show the same.
+    /// Width and height in pixels that the picture is composed for. Another size with the same
+    /// aspect ratio shows the same view.
     pub const fn size(self) -> (usize, usize) {
         match self {
             Self::Pocket => (160, 120),
@@ -181,7 +181,7 @@ impl Setup {
     /// Equal times give equal fixtures.
     ///
     /// # Errors
-    /// Seconds that are not finite, where something moves.
+    /// A time that is not finite, if something in the scene moves.
     pub fn fixtures_at(&self, seconds: f32) -> Result<Vec<Fixture>, Error> {
         self.fixtures.iter().map(|fixture| fixture.at(seconds)).collect()
     }
@@ -199,8 +199,8 @@ impl Setup {
         Ok(fixtures.iter().fold(plan, |plan, fixture| plan.with_fixture(fixture)).effects())
     }
 
-    /// Returns the camera at a time in seconds, for optional camera motion. In most scenes it
-    /// stands still.
+    /// Returns the camera at a time in seconds, for optional camera motion. In most scenes the
+    /// camera stands still.
     pub fn camera_at(&self, seconds: f32) -> Camera {
         let mut camera = self.camera;
         camera.orbit(self.swing * Vec2::from_angle(TAU * seconds / SWING_PERIOD).y, 0.0);

@@ -25,8 +25,8 @@ impl<S: Scalar> Shadows<S> {
     /// Draws the maps whose scene or fixture has changed. Returns whether any had.
     ///
     /// # Errors
-    /// A projection that the format can't hold, or no memory. Maps that were drawn before the error
-    /// stay drawn.
+    /// A projection that the format can't hold, or no memory. The maps that were drawn before the
+    /// error are kept.
     pub(crate) fn draw<L: Copy + Into<Fixture>>(
         &mut self,
         scene: &Scene,
@@ -36,7 +36,7 @@ impl<S: Scalar> Shadows<S> {
         let mut is_any = false;
         for (number, (map, &light)) in self.maps.iter_mut().zip(lights).enumerate() {
             let fixture: Fixture = light.into();
-            // A dark light throws no shadow; its map is drawn once it is lit.
+            // A dark light casts no shadow. Its map is drawn once the light is on.
             let Some((side, projection)) = fixture.shadow() else {
                 *map = None;
                 continue;

@@ -16,18 +16,18 @@ pub const LARGEST: usize = 8192;
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 #[non_exhaustive]
 pub enum SizeError {
-    /// The width in pixels: zero, or more than [`LARGEST`].
+    /// A rejected width: zero, or more than [`LARGEST`] pixels.
     Width(usize),
-    /// The height in pixels: zero, or more than [`LARGEST`].
+    /// A rejected height: zero, or more than [`LARGEST`] pixels.
     Height(usize),
-    /// The side of a shadow map in texels: outside 16 to 2048.
+    /// A rejected side of a shadow map: outside 16 to 2048 texels.
     ShadowSide(usize),
-    /// Width and height are valid, but there is no memory for a picture of that size.
+    /// A valid width and height whose picture does not fit into memory.
     Memory(usize, usize),
 }
 
 impl SizeError {
-    /// Checks a size before anything is allocated.
+    /// Returns an error for an invalid size; called before anything is allocated.
     pub(crate) fn check(width: usize, height: usize) -> Result<(), Self> {
         match (accepts(width), accepts(height)) {
             (false, _) => Err(Self::Width(width)),

@@ -115,7 +115,8 @@ pub(crate) fn rays(view: &View, fragments: &Fragments, row: usize, column: usize
     rays
 }
 
-/// Returns a bundle of all rays through a rectangle of pixels, up to its farthest surface.
+/// Returns the bundle of all rays through a rectangle of pixels. Its length is that to the farthest
+/// surface in the rectangle.
 pub(crate) fn bundle(
     view: &View,
     fragments: &Fragments,

@@ -13,14 +13,14 @@ pub struct Block<S: Scalar> {
     pub(crate) point: Vec3<[S::Length; LANES]>,
     /// Unit normals; zero where nothing was drawn, so that no light arrives there.
     pub(crate) normal: Vec3<[S; LANES]>,
-    /// The number of the material; 0 where nothing was drawn.
+    /// The numbers of the materials; 0 where nothing was drawn.
     pub(crate) material: [u32; LANES],
     /// Whether all pixels have the same material.
     pub(crate) is_uniform: bool,
     /// Bounding sphere of the points; `None` if nothing was drawn.
     pub(crate) bounds: Option<Bounds>,
-    /// Bounds of the pixels with the first pixel's material, and of all other pixels. At the
-    /// outline of an object this separates the near surface from the far one.
+    /// Bounds of the surface at the pixels that have the first pixel's material, and at all other
+    /// pixels. At the outline of an object this separates the near surface from the far one.
     pub(crate) parts: [Option<Part>; 2],
 }
 
@@ -37,13 +37,14 @@ impl<S: Scalar> Block<S> {
         }
     }
 
-    /// Returns the number of the material, if all pixels have the same.
+    /// Returns the number of the material if all pixels have the same one.
     #[inline(always)]
     pub(crate) fn only_material(&self) -> Option<u32> {
         self.is_uniform.then_some(self.material[0])
     }
 
-    /// Returns the bounds of all pixels of a material. They may include pixels of other materials.
+    /// Returns bounds of the surface at all pixels of a material. They may enclose other materials,
+    /// too.
     pub(crate) fn part(&self, number: u32) -> Option<Part> {
         self.parts[usize::from(number != self.material[0])]
     }
@@ -56,13 +57,13 @@ impl<S: Scalar> Block<S> {
             .all(|part| reach.is_behind(&part.bounds, &part.normals) || reach.misses(&part.bounds))
     }
 
-    /// The point of a pixel.
+    /// The surface point at a pixel.
     #[inline(always)]
     pub(crate) fn point_at(&self, lane: usize) -> Vec3<S::Length> {
         Vec3::new(self.point.x[lane], self.point.y[lane], self.point.z[lane])
     }
 
-    /// The normal of a pixel.
+    /// The surface normal at a pixel.
     #[inline(always)]
     pub(crate) fn normal_at(&self, lane: usize) -> Vec3<S> {
         Vec3::new(self.normal.x[lane], self.normal.y[lane], self.normal.z[lane])

@@ -1,4 +1,4 @@
-//! Bounds of the pixels of one surface in a block.
+//! Bounds of the surface points and normals at some pixels of a block.
 
 use crate::{
     buffer::LANES,
@@ -6,7 +6,8 @@ use crate::{
 };
 use glam::Vec3;
 
-/// Bounds of some pixels of a block: of their points and of their normals.
+/// Bounds of the surface at some pixels of a block: a sphere around its points, and one around its
+/// normals.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Part {
     pub(crate) bounds: Bounds,
@@ -21,7 +22,7 @@ pub(crate) struct Fan {
     pub(crate) edges: [Vec3; 2],
 }
 
-/// Reciprocal of the depth of each pixel; 0 for a pixel that is not included.
+/// Reciprocal of the depth at each pixel; 0 for a pixel that is not included.
 type Nearness = [f32; LANES];
 
 impl Part {
@@ -52,7 +53,7 @@ fn extent(values: &[f32; LANES], nearness: &Nearness) -> Option<(f32, f32)> {
         least[lane] = if is_covered { values[lane] } else { f32::INFINITY };
         most[lane] = if is_covered { values[lane] } else { -f32::INFINITY };
     }
-    // Reduces one half of the lanes with the other, so that it is vectorised.
+    // Combines the two halves of the lanes repeatedly: compilers vectorise this loop.
     let mut half = LANES / 2;
     while half > 0 {
         for lane in 0..half {

@@ -9,7 +9,7 @@ use crate::space::{bounds::Bounds, directions::Directions};
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Reach {
     source: Source,
-    /// `None` if the light has no range.
+    /// The range of the light; `None` if it has none.
     range: Option<f32>,
     beam: Option<Beam>,
 }
@@ -66,8 +66,8 @@ impl Reach {
         is_beyond || self.beam.is_some_and(|beam| beam.misses(way, padded))
     }
 
-    /// Returns true only if all surfaces within the bounds and with these normals face away from
-    /// the light, in every number format.
+    /// Returns true only if every surface with a point in the bounds and one of these normals faces
+    /// away from the light, in every number format.
     #[inline(always)]
     pub(crate) fn is_behind(&self, bounds: &Bounds, normals: &Directions) -> bool {
         match self.source {
@@ -79,8 +79,8 @@ impl Reach {
         }
     }
 
-    /// Returns the directions to the light from points within bounds; `None` if the light may be
-    /// inside the bounds.
+    /// Returns the directions from the points within the bounds to the light; `None` if the light
+    /// may be inside the bounds.
     pub(crate) fn directions_from(&self, bounds: &Bounds) -> Option<Directions> {
         match self.source {
             Source::Direction(direction) => Some(Directions::new(direction)),

@@ -43,7 +43,8 @@ impl<S: Scalar> Rig<S> {
         self.fixtures.iter().flatten().count()
     }
 
-    /// Returns whether there is a beam in haze, or the plan treats clear air as haze.
+    /// Returns whether there is a beam in haze. If the plan skips nothing, clear air counts as
+    /// haze.
     pub(crate) fn is_hazy(&self) -> bool {
         self.is_hazy
     }

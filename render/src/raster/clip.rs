@@ -33,8 +33,8 @@ impl Sighting {
     }
 }
 
-/// Clips a mesh's triangles and passes each visible triangle to `draw`, with the vertices of the
-/// triangle that it was cut from. `sightings` is scratch memory.
+/// Clips a mesh's triangles and calls `draw` with each visible triangle and with the vertices of
+/// the triangle that it was cut from. `sightings` is scratch memory.
 #[inline(always)]
 pub(crate) fn clip_mesh(
     view: &View,
@@ -50,7 +50,7 @@ pub(crate) fn clip_mesh(
     }
 }
 
-/// Clips a triangle and passes the visible triangles to `draw`, with the same winding.
+/// Clips a triangle and calls `draw` with each visible triangle, which has the same winding.
 fn clip(view: &View, [a, b, c]: [&Sighting; 3], mut draw: impl FnMut([Corner; 3])) {
     if a.beyond & b.beyond & c.beyond != 0 {
         return;
@@ -122,8 +122,8 @@ impl Polygon {
     }
 }
 
-/// Returns the intersection of an edge with a plane. It is computed from the visible end in either
-/// direction, so that two triangles with a common edge get bit-identical intersections and no crack
+/// Returns the intersection of an edge with a plane. It is always computed from the visible end of
+/// the edge. So two triangles with a common edge get bit-identical intersections, and no crack
 /// opens between them.
 fn crossing((visible, inside): (&Seen, f32), (hidden, outside): (&Seen, f32)) -> Seen {
     let t = inside / (inside - outside);

@@ -13,7 +13,7 @@ use luminaire::projector::Projection;
 /// Near plane: the least depth that is drawn, in metres along the direction of sight.
 pub(crate) const NEAR: f32 = 0.05;
 
-/// Binary logarithm of the units of a screen coordinate per pixel.
+/// Binary logarithm of the number of screen coordinate units per pixel.
 pub(crate) const SUBPIXEL_BITS: u32 = 8;
 
 /// The view of a camera on a picture of one size.
@@ -21,8 +21,8 @@ pub(crate) const SUBPIXEL_BITS: u32 = 8;
 pub(crate) struct View {
     eye: Vec3,
     ahead: Vec3,
-    /// Right and up, scaled so that a point at the border of the picture has `|x|` or `|y|` equal
-    /// to its depth.
+    /// The right and up vectors, scaled so that a point at the border of the picture has `|x|` or
+    /// `|y|` equal to its depth.
     right: Vec3,
     up: Vec3,
     /// Vectors to a pixel's right and lower neighbour at depth 1, and from the eye to the centre of
@@ -30,11 +30,11 @@ pub(crate) struct View {
     column: Vec3,
     row: Vec3,
     first: Vec3,
-    /// Half the picture in units of a screen coordinate.
+    /// Half the width and half the height of the picture, in screen coordinate units.
     half: Vec2,
 }
 
-/// A vertex in camera space: in view where -depth <= x, y <= depth and depth >= [`NEAR`].
+/// A vertex in camera space. It is in view if x and y are in [-depth, depth] and depth >= [`NEAR`].
 #[derive(Clone, Copy, Default, Debug)]
 pub(crate) struct Seen {
     pub(crate) x: f32,
@@ -46,7 +46,7 @@ pub(crate) struct Seen {
 /// A projected corner of a triangle, with the values to interpolate.
 #[derive(Clone, Copy, Default, Debug)]
 pub(crate) struct Corner {
-    /// From the left and top border, in 256ths of a pixel.
+    /// Distance from the left and from the top border, in 256ths of a pixel.
     pub(crate) x: i32,
     pub(crate) y: i32,
     /// The reciprocal of the depth, which is linear on the screen.
@@ -109,8 +109,8 @@ impl View {
         }
     }
 
-    /// Returns true only if nothing within the bounds is in view. The margin is a thousandth of the
-    /// distance.
+    /// Returns true only if nothing within the bounds is in view. The test has a margin of a
+    /// thousandth of the distance.
     pub(crate) fn misses(&self, bounds: &Bounds) -> bool {
         let way = bounds.center - self.eye;
         let reach = bounds.radius + 1e-3 * (bounds.radius + way.length());
@@ -120,7 +120,7 @@ impl View {
             || [ahead + right, ahead - right, ahead + up, ahead - up].into_iter().any(is_beyond)
     }
 
-    /// Returns whether all of the bounds is before the near plane.
+    /// Returns whether the bounding sphere is entirely beyond the near plane, where it can be seen.
     pub(crate) fn is_before(&self, bounds: &Bounds) -> bool {
         (bounds.center - self.eye).dot(self.ahead) > NEAR + bounds.radius
     }

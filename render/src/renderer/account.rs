@@ -13,11 +13,11 @@ pub struct Account {
     pub tiles_relit: u32,
     /// The lights in the slice that was passed.
     pub lights: u32,
-    /// The lights that can light nothing, and were dropped.
+    /// The dark lights, which were dropped.
     pub lights_dropped: u32,
     /// The pairs that were evaluated.
     pub evaluated: u64,
-    /// Those of them that were evaluated with a highlight.
+    /// The pairs of `evaluated` that were evaluated with a highlight.
     pub evaluated_shining: u64,
     /// The pairs of a beam and a pixel whose in-scattering was evaluated, in addition to
     /// `evaluated`.
@@ -28,13 +28,14 @@ pub struct Account {
     pub kept: u64,
     /// The pairs skipped because the light does not reach the tile.
     pub missed_by_tile: u64,
-    /// The pairs skipped because the light does not reach a row of 32 pixels, or the row faces away
-    /// from it, inside a tile that it may reach.
+    /// The pairs skipped in a tile that the light may reach, because the light does not reach a row
+    /// of 32 pixels or the row faces away from the light.
     pub missed_by_row: u64,
 }
 
 impl Account {
-    /// Counts for a picture of `pixels` pixels before lighting; `kept` lights were not dropped.
+    /// The counts before lighting a picture of `pixels` pixels, if `kept` of the lights were not
+    /// dropped.
     pub(crate) fn new(tiles: usize, lights: usize, kept: usize, pixels: usize) -> Self {
         let [tiles, lights, kept] = [tiles, lights, kept].map(|count| count as u32);
         let lights_dropped = lights - kept;
@@ -58,7 +59,7 @@ impl Account {
         self.kept -= (reached + missed) * pixels;
     }
 
-    /// All pairs of a light and a pixel.
+    /// The number of all pairs of a light and a pixel.
     pub fn pairs(&self) -> u64 {
         self.evaluated + self.dropped + self.kept + self.missed_by_tile + self.missed_by_row
     }

@@ -30,8 +30,8 @@ impl Display {
         matches!(self, Self::Rgb888Dithered | Self::Rgb565Dithered)
     }
 
-    /// Writes the codes of a block whose first pixel is at `(x, y)`, as many as `pixels` has room
-    /// for.
+    /// Writes the codes of a block whose first pixel is at `(x, y)`, for as many pixels as `pixels`
+    /// has room for.
     pub(crate) fn encode(self, radiance: &Radiance, (x, y): (u32, u32), pixels: &mut [u8]) {
         match self {
             // One channel of the whole block at a time, for vector instructions.

@@ -12,7 +12,7 @@ pub trait Format: Scalar + Loops {
     const STATED_ERROR: u8;
 }
 
-/// The loops of a format, compiled once with this crate and not in each crate that uses it.
+/// The loops of a format, compiled once in this crate and not again in each crate that uses it.
 pub trait Loops: Scalar {
     /// Lights the pixels of a block. Returns how many of the lights were evaluated with a
     /// highlight.

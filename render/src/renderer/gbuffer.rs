@@ -25,7 +25,7 @@ impl<S: Scalar> GBuffer<S> {
         Ok(Self { blocks: filled(columns * height, Block::empty())?, columns })
     }
 
-    /// Computes position and unit normal of each fragment.
+    /// Computes the position and the unit normal of each fragment.
     pub(crate) fn resolve(&mut self, fragments: &Fragments, view: &View) {
         let nearness = blocks(&fragments.nearness);
         let [nx, ny, nz] = fragments.normal.each_ref().map(|plane| blocks(plane));

@@ -40,8 +40,8 @@ impl<S: Format> Renderer<S> {
         Ok(true)
     }
 
-    /// Makes room for the bits of this many lights. If all of the picture must be lit, the bits are
-    /// cleared.
+    /// Makes room for the bits of this many lights. Clears the bits if the whole picture must be
+    /// lit.
     fn make_room(&mut self, lights: usize) {
         let (regions, tiles) = (self.tiles.regions.len(), self.tiles.tiles.len());
         for (reached, places) in
@@ -79,7 +79,7 @@ impl<S: Format> Renderer<S> {
     }
 
     /// Re-tests every region against the lights that changed. Returns the (region, light) pairs
-    /// that overlap now or overlapped before; the tiles of these regions must be re-tested.
+    /// that overlap now or overlapped before; the caller must re-test the tiles of these regions.
     fn approach(&mut self, rig: &Rig<S>, changed: &[usize]) -> Reached {
         let mut near = self.near.clone();
         near.forget();
@@ -106,7 +106,7 @@ impl<S: Format> Renderer<S> {
         for light in near {
             is_another |= self.reached.update(tile, light, rig.reaches(light, bounds.as_ref()));
         }
-        // In clear air, without a beam that was visible before, there is nothing to test.
+        // Without haze now and without a beam that was visible before, there is nothing to test.
         if rig.is_hazy() || self.seen.lights(tile).next().is_some() {
             self.sight(tile);
             let sight = self.tiles.tiles[tile].sight.as_ref();

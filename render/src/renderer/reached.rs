@@ -28,8 +28,8 @@ impl Reached {
         self.bits.fill(0);
     }
 
-    /// Records whether a light reaches a place. Returns `reaches
-    /// reached_before`: whether the place must be re-lit if this light changed.
+    /// Records whether a light reaches a place. Returns whether it reaches the place now or reached
+    /// it before: then the place must be re-lit if this light has changed.
     #[inline(always)]
     pub(crate) fn update(&mut self, place: usize, light: usize, reaches: bool) -> bool {
         let (word, bit) = (&mut self.bits[place * self.words + light / 64], 1 << (light % 64));

@@ -75,7 +75,8 @@ fn a_sphere_has_its_position_and_normal_in_the_buffer() {
         count += 1;
     }
     assert!(count > 1000);
-    // A chord of 1/192 of a turn is 1.4e-4 inside the circle, and there are two of them in a facet.
+    // The chord of 1/192 of a turn is at most 1.4e-4 inside the circle, and a facet has two such
+    // chords.
     assert!((2.5e-4..4e-4).contains(&off_surface), "off the surface by {off_surface}");
     assert!((1e-5..3e-3).contains(&off_normal), "normal off by {off_normal}");
 }
@@ -106,7 +107,7 @@ fn what_is_nearer_hides_what_is_farther_in_either_order() {
 
 #[test]
 fn from_inside_a_closed_mesh_there_is_no_crack() {
-    // Drawn downwards the outline faces inwards.
+    // An outline drawn downwards faces inwards.
     let outline = Outline::start(0.0, 2.0).arc(0.0, 0.0, -PI, 29);
     let room = Mesh::lathe(&outline, 61).moved(Vec3::new(0.0, 1.0, 0.0));
     let scene = scene([room]);

@@ -25,9 +25,9 @@ pub(crate) struct Tiles {
 /// A rectangle of blocks.
 #[derive(Clone, Copy, Default, Debug)]
 pub(crate) struct Tile {
-    /// Bounding sphere of its points; `None` if nothing was drawn.
+    /// Bounding sphere of its surface points; `None` if nothing was drawn.
     pub(crate) bounds: Option<Bounds>,
-    /// The bundle of rays through its pixels; `None` until it is needed.
+    /// The bundle of view rays through its pixels; `None` until it is needed.
     pub(crate) sight: Option<RayBundle>,
     /// Whether the last lighting pass re-lit the tile.
     pub(crate) is_relit: bool,
@@ -97,7 +97,7 @@ impl Tiles {
 mod tests {
     use super::*;
 
-    /// A picture whose size is no whole number of regions.
+    /// A picture whose width and height are not multiples of a region's.
     #[test]
     fn each_tile_is_in_one_region_and_names_it() {
         let tiles = Tiles::new(9, 5 * ROWS + 1).unwrap();

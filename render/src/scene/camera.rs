@@ -38,8 +38,9 @@ pub struct Camera {
 }
 
 impl Camera {
-    /// A camera at a distance from its target in metres (0.25 to 100); yaw, pitch and the vertical
-    /// field of view (0.05 to 2.5) are in radians, and a positive pitch looks down from above.
+    /// A camera at a distance of 0.25 to 100 metres from its target. Yaw, pitch and the vertical
+    /// field of view (0.05 to 2.5) are in radians; with a positive pitch the camera looks down from
+    /// above.
     pub fn new(
         target: luminaire::Vec3<f32>,
         distance: f32,
@@ -67,8 +68,8 @@ impl Camera {
         self.pitch = raised.min(STEEPEST).max(self.lowest());
     }
 
-    /// Multiplies the distance by a factor: under 1 comes nearer. The distance stays between 0.25
-    /// and 100 metres.
+    /// Multiplies the distance by a factor; a factor under 1 moves the camera nearer. The distance
+    /// stays between 0.25 and 100 metres.
     pub fn zoom(&mut self, factor: f32) {
         self.distance = clamp(self.distance * factor, DISTANCE, self.distance);
         self.orbit(0.0, 0.0);
@@ -92,8 +93,8 @@ impl Camera {
         Pose { eye: self.target - self.distance * ahead, right, up: right.cross(ahead), ahead }
     }
 
-    /// Returns the pitch at which the eye is as low as the floor lets it; at most [`STEEPEST`], for
-    /// a target so far below the floor that no pitch is enough.
+    /// Returns the lowest pitch that keeps the eye above the floor. It is [`STEEPEST`] if the
+    /// target is so far below the floor that no pitch suffices.
     fn lowest(&self) -> f32 {
         let sine = ((EYE_HEIGHT - self.target.y) / self.distance).clamp(-1.0, 1.0);
         let from_zenith = HalfAngle::from(Angle::from_versine(1.0 - sine));

@@ -12,7 +12,7 @@ use luminaire::{
 /// outside.
 ///
 /// The world is right-handed, in metres, and y points up. Construction accepts any numbers;
-/// [`Scene::add`](crate::Scene::add) rejects those that are out of range.
+/// [`Scene::add`](crate::Scene::add) rejects a mesh with a number out of range.
 #[derive(Clone, PartialEq, Default, Debug)]
 pub struct Mesh {
     vertices: Vec<Vertex>,
@@ -23,7 +23,7 @@ pub struct Mesh {
     refused: Option<Error>,
 }
 
-/// A vertex of triangles.
+/// A vertex, which several triangles may share.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(crate) struct Vertex {
     pub(crate) position: Vec3,
@@ -142,7 +142,7 @@ impl Mesh {
             return Err(error);
         }
         for &Vertex { position, normal } in &self.vertices {
-            // Normals are of unit length, apart from rounding, or zero.
+            // Normals have unit length within rounding, or are zero.
             for (vector, most) in [(position, Self::FARTHEST), (normal, 2.0)] {
                 check_channels(Parameter::Vertex, vector.to_array(), -most, most)?;
             }
@@ -150,10 +150,10 @@ impl Mesh {
         Ok(())
     }
 
-    /// Returns an empty mesh to sweep an outline into and the number of segments; 0 if they or the
-    /// outline were rejected.
+    /// Returns an empty mesh for the surface swept from an outline, and the number of segments,
+    /// which is 0 if that number or the outline was rejected.
     fn swept(outline: &Outline, segments: usize) -> (Self, usize) {
-        // A strip has a pair of vertices at each end of its segments.
+        // A strip has a pair of vertices at both ends of each segment.
         let pairs = Self::MOST_VERTICES / 2 / (outline.line_count() as u32).max(1);
         let most = pairs.saturating_sub(1);
         let is_accepted = segments <= most as usize;
@@ -179,8 +179,9 @@ impl Mesh {
         self.is_closed
     }
 
-    /// Returns whether the enclosed volume of a mesh without gaps is behind its triangles: the
-    /// signed volume of the tetrahedra that the triangles form with one vertex is positive.
+    /// Returns whether a mesh without gaps encloses the volume behind its triangles. This is so if
+    /// the tetrahedra that the triangles form with one vertex have a positive signed volume in
+    /// total.
     fn is_outwards(&self) -> bool {
         let corner = |corner: u32| self.vertices[corner as usize].position;
         let volume = |&[a, b, c]: &[u32; 3]| {

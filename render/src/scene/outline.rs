@@ -16,13 +16,14 @@ const JOINED: f32 = 1e-6;
 
 /// A plane curve, drawn as a pen would: from a point, along lines and curves.
 ///
-/// For a [lathe](crate::Mesh::lathe) the coordinates are radius and height. The surface is on the
-/// right of the pen: an outline drawn upwards, from the foot to the top, faces outwards. It is
-/// smooth where it turns by less than 45 degrees, and creased where it turns by more.
+/// For a [lathe](crate::Mesh::lathe) the coordinates are radius and height. The front of the
+/// surface is on the right of the pen: an outline drawn upwards, from the foot to the top, faces
+/// outwards. The surface is smooth where the outline turns by less than 45 degrees, and creased
+/// where it turns by more.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Outline {
     points: Vec<Vec2>,
-    /// The first number of lines that was refused.
+    /// The first number of lines that was out of range.
     refused: Option<Error>,
 }
 
@@ -48,9 +49,9 @@ impl Outline {
         self
     }
 
-    /// Adds a cubic Bézier curve by two control points to a point, in metres, of this many lines.
-    /// Beyond [`MOST_LINES`](Self::MOST_LINES), [`Scene::add`](crate::Scene::add) rejects the
-    /// surface.
+    /// Adds a cubic Bézier curve with two control points, to an end point, in metres. `lines` lines
+    /// approximate it; with more than [`MOST_LINES`](Self::MOST_LINES),
+    /// [`Scene::add`](crate::Scene::add) rejects the surface.
     pub fn curve_to(mut self, controls: [(f32, f32); 2], x: f32, y: f32, lines: usize) -> Self {
         let lines = self.accepted(lines);
         let [a, b] = controls.map(Vec2::from);
@@ -63,9 +64,10 @@ impl Outline {
         self
     }
 
-    /// Adds an arc around a centre, in metres, from the current point by an angle in radians, of
-    /// this many lines. Beyond [`MOST_LINES`](Self::MOST_LINES), [`Scene::add`](crate::Scene::add)
-    /// rejects the surface. A positive angle turns left: from the x axis towards the y axis.
+    /// Adds an arc around a centre, in metres, from the current point by an angle in radians. A
+    /// positive angle turns left: from the x axis towards the y axis. `lines` lines approximate the
+    /// arc; with more than [`MOST_LINES`](Self::MOST_LINES), [`Scene::add`](crate::Scene::add)
+    /// rejects the surface.
     pub fn arc(mut self, x: f32, y: f32, angle: f32, lines: usize) -> Self {
         let lines = self.accepted(lines);
         let center = Vec2::new(x, y);
@@ -77,8 +79,8 @@ impl Outline {
         self
     }
 
-    /// Returns whether the lathe makes a surface without border from it: the outline ends where it
-    /// began, or begins and ends on the axis.
+    /// Returns whether the surface that a lathe makes from the outline has no border: the outline
+    /// ends where it began, or begins and ends on the axis.
     pub(crate) fn encloses(&self) -> bool {
         let Some((first, last)) = self.points.first().zip(self.points.last()) else { return false };
         first.distance(*last) < JOINED || (first.x.abs() < JOINED && last.x.abs() < JOINED)
@@ -110,9 +112,10 @@ impl Outline {
         self.points.last().copied().unwrap_or_default()
     }
 
-    /// The strips of surface along the outline, each with a station at both ends. Stations of
-    /// neighbours that join smoothly have bit-identical normals. `mirrored` outlines continue
-    /// behind the axis x = 0, as that of a sphere does at its poles.
+    /// The strips of surface along the outline, each with a station at both ends. If two
+    /// neighbouring strips join smoothly, their stations there have bit-identical normals. A
+    /// `mirrored` outline continues mirrored behind the axis x = 0, so that a sphere is smooth at
+    /// its poles.
     pub(crate) fn strips(&self, mirrored: bool) -> impl Iterator<Item = [Station; 2]> + '_ {
         let normals = self.normals();
         let count = normals.len();
@@ -139,13 +142,13 @@ impl Outline {
         })
     }
 
-    /// Computes the normal of each line, on its right.
+    /// Computes the normal of each line, which points to the right of the line.
     fn normals(&self) -> Vec<Vec2> {
         self.points.windows(2).map(|line| -(line[1] - line[0]).perp().normalize_or_zero()).collect()
     }
 }
 
-/// Returns the mean normal of two lines, or that of the first where they meet in a crease.
+/// Returns the mean normal of two lines, or the normal of the first if the lines meet in a crease.
 fn smooth(normal: Vec2, neighbor: Vec2) -> Vec2 {
     if normal.dot(neighbor) > CREASE { (normal + neighbor).normalize_or_zero() } else { normal }
 }

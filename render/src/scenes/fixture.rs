@@ -13,7 +13,7 @@ use luminaire::{
 /// A fixture of a scene that may change over time.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct MovingLight {
-    /// The name of this kind of fixture in the trade.
+    /// The stage-lighting name of this kind of fixture.
     pub name: &'static str,
     /// The light before it moves.
     light: AnyLight,
@@ -41,14 +41,14 @@ pub(super) struct Sweep {
     pub(super) start: f32,
 }
 
-/// Raises the intensity of a spotlight during its turn, in a group that takes turns.
+/// Raises the intensity of a spotlight during its turn, in a group of spotlights that take turns.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct Chase {
     pub(super) turn: usize,
     pub(super) turns: usize,
     /// Seconds per turn.
     pub(super) step: f32,
-    /// Ratio of the intensity during the turn to that before and after.
+    /// Ratio of the intensity during the turn to the intensity at other times.
     pub(super) bump: f32,
 }
 
@@ -97,7 +97,7 @@ impl MovingLight {
     /// Returns the fixture at a time in seconds.
     ///
     /// # Errors
-    /// Seconds that are not finite, if something moves. Shadows that the fixture can't have.
+    /// A time that is not finite, if the fixture moves. Shadows that the fixture can't have.
     pub fn at(&self, seconds: f32) -> Result<Fixture, Error> {
         let mut fixture = Fixture::from(self.light_at(seconds)?);
         if let Some(Wheel { gobo, speed }) = self.gobo {

@@ -1,6 +1,6 @@
-//! A gallery: pictures on three walls and sculptures between them, each lit by two lights of its
-//! own, of every profile and distance model; pendants, a follow spot and a skylight. Two of the
-//! sculptures have highlights.
+//! A gallery: pictures on three walls and sculptures between them. Two lights of their own light
+//! each of them, and together these lights have every falloff and attenuation. Also pendants, a
+//! follow spot and a skylight. Two of the sculptures have highlights.
 
 mod hall;
 mod lights;

@@ -1,8 +1,8 @@
 //! Gobos for spotlights, computed at compile time.
 //!
-//! Each is a square of any side, row by row and white where the light passes, for
-//! [`Gobo::of`](luminaire::projector::Gobo::of). Edges are one texel wide, so that a side of 32
-//! already looks smooth.
+//! Each is a square with any number of texels per side, row by row and white where the light
+//! passes, for [`Gobo::of`](luminaire::projector::Gobo::of). The transition at an edge is one texel
+//! wide, so that a side of 32 already looks smooth.
 //!
 //! ```
 //! use luminaire::projector::Gobo;
@@ -16,7 +16,7 @@ const HALF: i32 = 1 << 12;
 
 /// A window of two by three panes, taller than wide.
 pub const fn window<const COUNT: usize>() -> [u8; COUNT] {
-    /// Half the width and the height of the window, and half a bar.
+    /// Half the width and half the height of the window; `BAR` is half the width of a bar.
     const FRAME: [i32; 2] = [1_900, 2_700];
     const BAR: i32 = 150;
     let mut parts = [0; COUNT];
@@ -34,15 +34,17 @@ pub const fn window<const COUNT: usize>() -> [u8; COUNT] {
 
 /// A star of five points.
 pub const fn star<const COUNT: usize>() -> [u8; COUNT] {
-    /// The directions in which its five edges face, from the top clockwise, of a length of 1,024.
+    /// The directions in which the five edges of the star face, clockwise from the top, as vectors
+    /// of length 1,024.
     const FACING: [[i32; 2]; 5] = [[0, -1_024], [974, -316], [602, 828], [-602, 828], [-974, -316]];
-    /// How far from the middle the edges run.
+    /// Distance of the edges from the middle.
     const EDGE: i32 = 1_150;
     let mut parts = [0; COUNT];
     let mut index = 0;
     while index < COUNT {
         let [x, y] = middle::<COUNT>(index);
-        // The shape is inside at least four of the five edges: take the second smallest distance.
+        // A point is in the star if it is inside at least four of the five edges, so the second
+        // smallest distance decides.
         let (mut first, mut second) = (i32::MAX, i32::MAX);
         let mut edge = 0;
         while edge < FACING.len() {
@@ -57,7 +59,7 @@ pub const fn star<const COUNT: usize>() -> [u8; COUNT] {
     parts
 }
 
-/// A breakup: light through leaves, round gaps of many sizes.
+/// A breakup: light through leaves, with round gaps of many sizes.
 pub const fn breakup<const COUNT: usize>() -> [u8; COUNT] {
     let mut parts = [0; COUNT];
     let mut index = 0;

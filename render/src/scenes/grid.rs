@@ -1,5 +1,5 @@
-//! A floor of 16 x 16 metres under 64 narrow spotlights, and under 8 wide ones that light as many
-//! square metres of it.
+//! A floor of 16 x 16 metres under 64 narrow spotlights, and the same floor under 8 wide ones,
+//! whose cones cover the same area.
 //!
 //! A spotlight that looks straight down from a height h lights a circle of radius `h tan a`, where
 //! a is its outer half angle: 64 circles of 10 degrees have the area of 8 circles of 26.5 degrees,
@@ -16,7 +16,7 @@ use luminaire::{Cone, Error, HalfAngle, Rgb, Vec3, falloff::Soft};
 
 /// The side of the floor in metres.
 const SIDE: f32 = 16.0;
-/// How high the spotlights hang, in metres.
+/// The height of the spotlights above the floor, in metres.
 const HEIGHT: f32 = 4.0;
 
 pub(super) fn narrow() -> Result<Setup, Error> {
@@ -31,8 +31,8 @@ fn setup(columns: usize, rows: usize, outer: HalfAngle) -> Result<Setup, Error> 
     let mut scene = Scene::new();
     // Larger than the lit area, so that its edges stay out of the picture.
     scene.add(floor(SIDE + 6.0, SIDE + 6.0), Material::srgb(212, 208, 202))?;
-    // From far away, so that the floor is almost a parallelogram: its depth of 16 m appears as high
-    // as 9 m of its width.
+    // The camera is far away, so that the floor is almost a parallelogram in the picture: its depth
+    // of 16 m appears as long as 9 m of its width.
     let camera = Camera::new(Vec3::new(0.0, 0.0, 0.2), 90.0, 0.0, 0.61, 0.108);
     let cone = Cone::from_outer(Soft, outer)?;
     let turns = columns * rows;

@@ -1,4 +1,5 @@
-//! Meshes and lights that most scenes share: floor, wall and aimed spotlight.
+//! Meshes and lights that most scenes share: a floor, a wall and a spotlight that points at a
+//! target.
 
 use crate::{Mesh, Outline};
 use core::f32::consts::FRAC_PI_2;

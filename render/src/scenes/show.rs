@@ -1,5 +1,5 @@
-//! A dark house: moving heads send coloured beams from a truss across a stage, and two patterns on
-//! the wall behind it.
+//! A dark house: moving heads on a truss send coloured beams across a stage, and two others throw
+//! patterns on the wall behind it.
 
 use super::{
     MovingLight, Setup,
@@ -87,8 +87,8 @@ fn place(number: usize) -> f32 {
     1.2 * (number as f32 - 3.5)
 }
 
-/// A moving head with a narrow beam that sweeps over the stage: with a hard edge and a soft one in
-/// turn.
+/// A moving head with a narrow beam that sweeps over the stage. Hard and soft edges alternate along
+/// the truss.
 fn beam(number: usize, gel: Rgb<f32>) -> Result<MovingLight, Error> {
     let edge = if number % 2 == 0 { SoftOrHard::Hard } else { SoftOrHard::Soft };
     let cone = Cone::from_field(edge, Angle::degrees(14.0))?;

@@ -3,7 +3,7 @@
 use crate::{Mesh, Outline};
 use core::f32::consts::{FRAC_PI_2, PI, TAU};
 
-/// Segments around the axis, and lines of a quarter of a circle in an outline.
+/// Number of segments around the axis, and number of lines in a quarter circle of an outline.
 const AROUND: usize = 56;
 pub(crate) const QUARTER: usize = 7;
 

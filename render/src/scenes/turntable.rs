@@ -58,7 +58,7 @@ fn scene() -> Result<Scene, Error> {
 fn fixture(number: usize, count: usize) -> Result<MovingLight, Error> {
     let part = (number as f32 + 0.5) / count as f32;
     let around = Vec2::from_angle(GOLDEN_ANGLE * number as f32);
-    // In front of the wall, and more of them near the camera.
+    // The ellipses lie in front of the wall, more of them near the camera.
     let position = Vec3::new(3.4 * around.x, 3.5 + 0.8 * part, 1.9 + 2.3 * around.y);
     let center = (0.4 + 1.5 * part) * Vec2::from_angle(GOLDEN_ANGLE * (number + 2) as f32);
     let center = Vec3::new(center.x, 0.4, -0.3 + center.y);

@@ -25,19 +25,21 @@ use slope::{Slope, depth_error};
 /// light.
 ///
 /// The depths are those of the surfaces nearest to the light, front or back: an open sheet, such as
-/// a curtain, lets no light through. Surfaces nearer to the light than 5 centimetres along its axis
-/// cast no shadow, because the fixture's own housing would.
+/// a curtain, lets no light through. Surfaces within 5 centimetres of the light, along its axis,
+/// cast no shadow; otherwise the fixture's own housing would.
 ///
-/// **No surface shadows itself.** A depth is compared with points up to a texel away, where the
-/// surface has another depth. Two steps prevent false shadows. Each triangle is drawn with the
-/// largest depth of its plane within one texel, and then each texel gets the largest depth of the 3
-/// x 3 texels around it that belong to the same surface. The lit points of a flat surface are lit
-/// exactly, at any angle; those of a convex surface where the light meets it at 11 degrees or more.
+/// **No surface shadows itself.** A depth is compared with that of points up to a texel away, where
+/// the same surface has another depth. Two steps prevent false shadows. Each triangle is drawn with
+/// the largest depth of its plane within one texel, and then each texel gets the largest depth of
+/// the 3 x 3 texels around it that belong to the same surface. Points without an occluder are fully
+/// lit: on a flat surface at any angle of the light, on a convex surface if the light meets it at
+/// 11 degrees or more.
 ///
-/// The price: an edge of a shadow is off by up to two texels, and a shadow begins up to one and a
-/// half texels' width behind a sheet, at right angles to it. That is `3 tan(outer half angle) /
-/// side` times the depth: 2 centimetres in a map of 512 at 6 metres from a light of 60 degrees.
-/// Behind a closed solid a shadow begins at once, because its front face is what hides.
+/// The price is twofold. The edge of a shadow is off by up to two texels. And the shadow of a sheet
+/// begins up to one and a half texel widths behind it, measured at right angles to the sheet. That
+/// distance is `3 tan(outer half angle) / side` times the depth: 2 centimetres in a map of 512
+/// texels per side, at 6 metres from a light with a cone of 60 degrees. Behind a closed solid a
+/// shadow begins at once, because the solid's front face casts it.
 ///
 /// ```
 /// use luminaire::{Vec3, projector::Projection};
@@ -74,7 +76,7 @@ impl<S: Scalar> ShadowMap<S> {
     /// Allocates a map of `side` x `side` texels; 512 are enough for a stage.
     ///
     /// # Errors
-    /// A side that is not from 16 to 2048, or for which there is no memory.
+    /// A side outside 16 to 2048, or a map that does not fit into memory.
     pub fn new(side: usize) -> Result<Self, SizeError> {
         if !u16::try_from(side).is_ok_and(|side| Fixture::SHADOW_SIDES.contains(&side)) {
             return Err(SizeError::ShadowSide(side));
@@ -120,7 +122,8 @@ impl<S: Scalar> ShadowMap<S> {
             if view.misses(bounds) {
                 continue;
             }
-            // A closed mesh has a front before every back, unless the light is inside it.
+            // A closed mesh has a front face in front of every back face, unless the light is
+            // inside the mesh.
             let is_solid = object.mesh.is_closed() && view.is_before(bounds);
             clip_mesh(&view, &object.mesh, &mut self.sightings, |corners, visible| {
                 let corners = corners.map(Sighting::seen);

@@ -30,14 +30,14 @@ impl Bounds {
     }
 
     /// Returns the radius of a sphere that encloses the points in every number format. `way` is a
-    /// vector from the sphere's centre or to it; the radius is larger by 1/5000 of its length, and
-    /// by 0.1 mm. The directions of the formats are off by 1.6e-5 at most, their positions by 8e-6
-    /// metres.
+    /// vector from or to the sphere's centre. The radius is increased by at least 1/5000 of the
+    /// length of `way`, and by 0.1 mm, which is more than the errors of the formats: at most 1.6e-5
+    /// for a direction and 8e-6 metres for a position.
     pub(crate) fn padded(&self, way: Vec3) -> f32 {
         self.radius + 2e-4 * (way.abs().element_sum() + self.center.abs().element_sum()) + 1e-4
     }
 
-    /// Returns a sphere around spheres; `None` if there are none.
+    /// Returns a sphere that encloses all the given spheres; `None` if there are none.
     pub(crate) fn enclosing(spheres: impl Iterator<Item = Self> + Clone) -> Option<Self> {
         let (sum, count) = spheres.clone().fold((Vec3::ZERO, 0.0), |(sum, n), s| (sum + s.center, n + 1.0));
         let center = sum / count;

@@ -24,24 +24,24 @@ impl Directions {
         Self { center: direction, radius: 0.0 }
     }
 
-    /// Encloses the directions in a box.
+    /// Encloses all directions whose components are between those of two corners of a box.
     pub(crate) fn between(least: Vec3, most: Vec3) -> Self {
         Self { center: 0.5 * (least + most), radius: 0.5 * length(most - least) }
     }
 
-    /// Encloses the directions to a position from points; `None` if the position may be among the
-    /// points.
+    /// Encloses the directions from the points within bounds to a position; `None` if the position
+    /// may be among the points.
     #[inline(always)]
     pub(crate) fn towards(place: Vec3, points: &Bounds) -> Option<Self> {
         let way = place - points.center;
         let (direction, reciprocal) = direction_and_reciprocal(way);
-        // A sphere is seen within a half angle of this sine. The chord of an angle under 90 degrees
-        // is at most the square root of two times its sine.
+        // This is the sine of the half angle under which the sphere is seen. The chord of an angle
+        // under 90 degrees is at most `sqrt(2)` times its sine.
         let sine = points.padded(way) * reciprocal;
         (reciprocal > 0.0 && sine < 1.0).then_some(Self { center: direction, radius: SQRT_2 * sine })
     }
 
-    /// Encloses the directions mirrored in surfaces of these normals.
+    /// Encloses the directions after mirroring in surfaces with these normals.
     #[inline(always)]
     pub(crate) fn mirrored(&self, normals: &Self) -> Self {
         let normal = direction(normals.center);
@@ -58,7 +58,8 @@ impl Directions {
         self.center.dot(vector) + self.radius * vector.abs().element_sum()
     }
 
-    /// Returns true only if every direction is farther than `chord` from every one of the others.
+    /// Returns true only if every direction of this sphere is farther than `chord` from every
+    /// direction of the other.
     #[inline(always)]
     pub(crate) fn are_apart(&self, others: &Self, chord: f32) -> bool {
         let reach = chord + self.radius + others.radius + MARGIN;

@@ -10,7 +10,7 @@ use crate::{
 use core::f32::consts::FRAC_PI_2;
 use luminaire::{Error, Rgb, Vec3};
 
-/// Half the width of the hall, how far away its back wall is, and how high the walls are, in
+/// Half the width of the hall, the distance to its back wall, and the height of its walls, in
 /// metres.
 const HALF: f32 = 4.2;
 const BACK: f32 = -4.0;
@@ -27,7 +27,7 @@ pub(super) enum Side {
     Right,
 }
 
-/// Positions of the pictures: along which wall, and how far along it.
+/// Positions of the pictures: the wall, and the distance along it.
 pub(super) const PICTURES: [(f32, Side); 7] = [
     (-2.6, Side::Left),
     (-0.5, Side::Left),
@@ -86,7 +86,8 @@ impl Side {
     }
 }
 
-/// Sculptures on plinths: a glazed vase and a bronze ball, which shine, and two of plaster.
+/// Sculptures on plinths: a glazed vase and a bronze ball, which have highlights, and two plaster
+/// sculptures.
 pub(super) fn sculptures(scene: &mut Scene) -> Result<(), Error> {
     let plaster = Material::srgb(214, 208, 198);
     let glaze = Material::srgb(34, 104, 122).with_highlight(Rgb::new(0.55, 0.55, 0.55), 160)?;

@@ -18,11 +18,12 @@ use luminaire::{
 const MEASURED: [u16; 11] =
     [65_535, 64_200, 61_000, 56_500, 53_900, 54_800, 47_000, 30_500, 14_200, 4_100, 0];
 
-/// Number of profiles and of distance models.
+/// Number of falloffs and of attenuations.
 const PROFILES: usize = 12;
 const DISTANCES: usize = 8;
 
-/// A spotlight on a track. `number` selects its kind; the intensity lights its target to `level`.
+/// A spotlight on a track. `number` selects its falloff and attenuation. The intensity is chosen so
+/// that its target is lit to `level`.
 pub(super) fn track_spot(
     number: usize,
     position: Vec3<f32>,
@@ -43,8 +44,8 @@ pub(super) fn follow_spot(position: Vec3<f32>, target: Vec3<f32>) -> Result<Movi
     Ok(MovingLight::new("follow spot", spot))
 }
 
-/// Returns the name and the cone of a kind of spotlight: about 40 degrees wide in beam or field
-/// angle.
+/// Returns the name and the cone of a kind of spotlight. Its beam or field angle is about 40
+/// degrees.
 fn kind(number: usize) -> Result<(&'static str, Cone<AnyFalloff>), Error> {
     let field = |profile: AnyFalloff| Cone::from_field(profile, Angle::degrees(42.0));
     let data_sheet = |beam: f32, field: f32| {

@@ -13,12 +13,12 @@ pub(super) struct Layer {
     grid: Grid,
     /// Nearness of the nearest surface; 0 where nothing was drawn.
     nearness: Vec<f32>,
-    /// Nearness below which the texel is in shadow: for each surface its least nearness within the
-    /// texel, and of these the largest. A surface that is almost edge-on therefore leaves the texel
-    /// to the surface behind it.
+    /// Nearness below which a point in the texel is in shadow. It is the largest, over all
+    /// surfaces, of a surface's least nearness within the texel. If a surface is almost edge-on,
+    /// its least nearness is so small that the surface behind it determines this value.
     hiding: Vec<f32>,
-    /// Vertical pass: the least `hiding` of each texel in a row and of those above and below on the
-    /// same surface.
+    /// Result of the vertical pass: for each texel of a row, the least `hiding` of this texel and
+    /// of the texels above and below on the same surface.
     column: Vec<f32>,
 }
 
@@ -40,8 +40,8 @@ impl Layer {
         self.hiding.fill(0.0);
     }
 
-    /// Draws a triangle, front or back. `change` returns how much its nearness changes within a
-    /// texel; it is called only if the triangle covers one.
+    /// Draws a triangle, front or back. `change` returns how much the triangle's nearness changes
+    /// within a texel; it is called only if the triangle covers a texel.
     pub(super) fn draw(&mut self, corners: [Corner; 3], change: impl Fn() -> f32) {
         let grid = self.grid;
         let mut known = None;
@@ -64,8 +64,8 @@ impl Layer {
     }
 
     /// Computes the depth of each texel: the largest depth of its surface in the 3 x 3 texels
-    /// around it, times `factor`. `texel` is the width of a texel at depth 1. A step of a surface
-    /// up to that width is not resolved and counts as the same surface.
+    /// around it, times `factor`. `texel` is the width of a texel at depth 1. A step in depth of up
+    /// to that width cannot be resolved, and both sides of it count as the same surface.
     pub(super) fn resolve<S: Scalar>(&mut self, texel: f32, factor: f32, depths: &mut [S::Length]) {
         let Grid { width, stride, .. } = self.grid;
         let Self { nearness, hiding, column, .. } = self;
@@ -99,12 +99,12 @@ struct Texel {
     hiding: f32,
 }
 
-/// Continuation of a surface in a neighbouring texel.
+/// A surface's continuation into a neighbouring texel.
 #[derive(Clone, Copy)]
 struct End {
-    /// Least nearness of the neighbour's surface if it is the same surface.
+    /// Least nearness that the neighbour's surface can have if it is the same surface.
     joint: f32,
-    /// Nearness of the surface if it ends before the neighbour's centre.
+    /// Nearness to assume for the surface if it ends before the neighbour's centre.
     edge: f32,
 }
 
@@ -117,8 +117,8 @@ impl Texel {
 }
 
 impl End {
-    /// Returns the smaller of `least` and the neighbour's `hiding`. If the neighbour's surface is
-    /// another and not nearer than `edge`, `edge` replaces its `hiding`.
+    /// Returns the smaller of `least` and the neighbour's `hiding`. If the neighbour has another
+    /// surface whose `hiding` is not below `edge`, `edge` replaces that `hiding`.
     #[inline(always)]
     fn with(self, neighbor: Texel, hiding: f32, least: f32) -> f32 {
         let is_joined = 2.0 * neighbor.nearness - neighbor.hiding >= self.joint;

@@ -4,20 +4,22 @@ use crate::raster::view::{NEAR, Seen};
 use glam::Vec3;
 use luminaire::Scalar;
 
-/// Largest distance in metres between a tested point and its surface. The points of a G-buffer are
-/// off by the effect of 1/256 of a pixel on a steep surface, those of fixed point by half a
-/// quantum.
+/// Largest distance in metres between a tested point and its surface. Points of a G-buffer are off
+/// because corners are rounded to 1/256 of a pixel, which matters on a steep surface. Points in
+/// fixed point are also off by half a quantum.
 const POINT_ERROR: f32 = 2e-4;
 
 /// Largest position error of a projected corner, in texels.
 const CORNER_ERROR: f32 = 1.0 / 256.0;
 
-/// Largest rounding error of an interpolated nearness, relative to the largest of its triangle.
+/// Largest rounding error of an interpolated nearness, relative to the largest nearness of its
+/// triangle.
 const ROUNDING: f32 = 1e-6;
 
-/// Cosine under which a back face is drawn, because it may be needed around an outline. With it the
-/// examples' pictures differ from those with all back faces in two pixels, by 8 codes at most;
-/// without any back faces the outlines of shadows are ragged.
+/// Cosine of the angle of incidence under which the back faces of a solid are drawn, because they
+/// may be needed around its outline. With this limit, the pictures of the example scenes differ
+/// from those with all back faces in two pixels, by 8 codes at most; without any back faces the
+/// outlines of shadows are ragged.
 const EDGE_ON: f32 = 0.4;
 
 /// Largest position error of a projected point, in sides of the square; `tests/support/squares.rs`
@@ -47,8 +49,9 @@ impl Slope {
         Self { tangent, reach: 2.0 * (texels + place_error::<S>(tangent)) }
     }
 
-    /// Returns whether the light sees the back of a triangle, and not nearly edge-on. Around the
-    /// outline of a solid, back faces fill the texels where the front faces are too steep.
+    /// Returns whether the light sees the back of a triangle that is not nearly edge-on. Back faces
+    /// that are nearly edge-on are needed: around the outline of a solid they fill the texels where
+    /// the front faces are too steep.
     pub(super) fn is_turned_away(&self, corners: [&Seen; 3]) -> bool {
         let [a, b, c] =
             corners.map(|seen| Vec3::new(seen.x * self.tangent, seen.y * self.tangent, seen.depth));
@@ -58,20 +61,20 @@ impl Slope {
         height < 0.0 && height * height > EDGE_ON * EDGE_ON * normal.length_squared() * a.length_squared()
     }
 
-    /// Returns how much the nearness along a triangle's plane may fall below its value at a texel's
-    /// centre, for the points that are compared with this texel. Infinite for a plane through the
+    /// Returns an upper bound of how much the nearness of a triangle's plane, at a point that is
+    /// compared with a texel, is less than at the texel's centre. Infinite for a plane through the
     /// light.
     ///
     /// The nearness of a plane is linear on the map: `n.r / n.a` along the vector `r` to depth 1,
-    /// for a normal `n` of any length and a point `a` of the plane. The square is 2 x 2 in these
-    /// coordinates, whatever its size in the world.
+    /// for a normal `n` of any length and a point `a` of the plane. In these coordinates the square
+    /// has a side of 2, whatever its size in the world.
     pub(super) fn within_texel(&self, corners: [&Seen; 3]) -> f32 {
         let [a, b, c] = corners.map(|seen| Vec3::new(seen.x, seen.y, seen.depth));
         let normal = (b - a).cross(c - a);
         let height = normal.dot(a).abs();
         let nearest = 1.0 / a.z.min(b.z).min(c.z).max(NEAR);
         let across = normal.x.abs() + normal.y.abs();
-        // Upper bound of the normal's length in the world.
+        // Upper bound of the length of the normal in world coordinates.
         let length = across / self.tangent + normal.z.abs();
         (across * self.reach + length * nearest * POINT_ERROR) / height + nearest * ROUNDING
     }

@@ -16,8 +16,8 @@ use std::string::ToString;
 /// Largest error of a shadow edge, in texels.
 const TEXELS: f64 = 2.0;
 
-/// The largest cosine of an angle of incidence at which a point of a convex body is not lit
-/// exactly.
+/// Expected range of the largest cosine of the angle of incidence at which a point of a convex body
+/// is not fully lit.
 const GRAZING: core::ops::Range<f64> = 0.17..0.19;
 
 /// A format whose lengths convert exactly to f64.
@@ -177,9 +177,8 @@ fn wide_and_narrow_cones_have_the_shadows_of_rays() {
     }
 }
 
-/// Checks that points of every triangle that faces the light are lit exactly: of flat surfaces at
-/// any angle, of round ones and at corners up to a grazing angle. Returns the largest cosine at
-/// which a point is not.
+/// Tests six points of every triangle that faces the light. Returns the largest cosine of the angle
+/// of incidence at which such a point is not fully lit; 0 if all are.
 fn steepest_shadowed<S: Exact>(mesh: Mesh, spot: &SpotLight, side: usize) -> f64 {
     let scene = scene([mesh]);
     let projection = Projection::of(spot).unwrap();
@@ -305,7 +304,7 @@ fn objects_outside_of_the_cone_change_no_bit() {
         let meshes = || apart.objects().iter().map(|object| object.mesh.clone());
         let is_missed = |mesh: &Mesh| view.misses(&Bounds::of(mesh.vertices().iter().map(|v| v.position)));
         assert!(meshes().filter(is_missed).count() > 1, "objects are left out");
-        // Merged with the floor, the other meshes are drawn without being skipped.
+        // The other meshes are merged with the floor, so that none of them is skipped.
         let is_drawn_alone = |mesh: &Mesh| mesh.is_closed() && !is_missed(mesh);
         let rest = meshes().filter(|mesh| !is_drawn_alone(mesh)).fold(Mesh::default(), Mesh::and);
         assert!(!is_missed(&rest));

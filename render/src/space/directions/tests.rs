@@ -1,5 +1,5 @@
-//! Bounding spheres of directions: they enclose their directions, and no format has light of a
-//! highlight outside.
+//! Bounding spheres of directions enclose their directions, and in no format does a highlight
+//! extend beyond its lobe by more than the added distance.
 
 use super::*;
 use crate::{Format, Highlight, Material, light::Finish};
@@ -61,7 +61,7 @@ fn spheres_hold_what_they_enclose() {
         let way = random.vector();
         along = along.min((normals.most_along(way) - normal.dot(way)) / way.length());
     }
-    // A narrow sphere is seen under its sine; the radius is for the widest one.
+    // For a narrow sphere the chord is about the sine; the radius covers the widest sphere.
     assert!((0.7..1.0).contains(&towards), "{towards}");
     assert!((0.7..1.0).contains(&mirrored), "{mirrored}");
     assert!((-1e-6..1e-3).contains(&along), "{along}");

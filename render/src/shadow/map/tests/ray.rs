@@ -32,7 +32,7 @@ pub(super) struct Place {
     depth: f64,
 }
 
-/// Hit of a ray: the depth, the triangle, and whether nothing is in front of it.
+/// Hit of a ray: its depth, the triangle, and whether nothing is in front of the hit.
 struct Hit {
     depth: f64,
     triangle: Triangle,
@@ -110,7 +110,7 @@ impl Light {
     }
 
     /// Returns the cosine of the angle between the front normal of a triangle and the direction
-    /// from a point of it to the light.
+    /// from one of its points to the light.
     pub(super) fn cosine(&self, triangle: Triangle, point: Vector) -> f64 {
         let (normal, back) = (normal(triangle), minus(self.position, point));
         dot(normal, back) / (dot(normal, normal) * dot(back, back)).sqrt()
@@ -121,13 +121,13 @@ impl Light {
         place.depth > 0.0 && [place.column, place.row].iter().all(|part| (0.0..1.0).contains(part))
     }
 
-    /// Returns the vector from the light to depth 1.
+    /// Returns the vector from the light to the point at depth 1 that has a position on the square.
     fn way(&self, column: f64, row: f64) -> Vector {
         let (x, y) = ((2.0 * column - 1.0) * self.tangent, (2.0 * row - 1.0) * self.tangent);
         [0, 1, 2].map(|i| self.axis[i] + x * self.right[i] + y * self.down[i])
     }
 
-    /// Returns the hit with the depth nearest to `depth` along a ray, of those beyond the near
+    /// Returns the hit whose depth is nearest to `depth`, of all hits of a ray beyond the near
     /// plane of a map.
     fn nearest(&self, way: Vector, depth: f64) -> Option<Hit> {
         let is_met = |body: &&Body| {
@@ -148,9 +148,8 @@ impl Light {
         self.nearest(self.way(place.column, place.row), place.depth).is_none_or(|hit| hit.is_first)
     }
 
-    /// Returns whether a position is farther than `texels` from the edge of any shadow, and from
-    /// where its surface ends as seen from the light: there the shadow on the surface itself
-    /// begins.
+    /// Returns whether a position is farther than `texels` from the edge of any shadow and from the
+    /// end of its surface as seen from the light. Beyond that end the surface is in its own shadow.
     pub(super) fn is_clear(&self, place: Place, texels: f64, side: usize) -> bool {
         const STEPS: i32 = 8;
         let Some(own) = self.nearest(self.way(place.column, place.row), place.depth) else { return false };
