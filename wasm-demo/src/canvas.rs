@@ -13,7 +13,8 @@ pub(crate) struct Canvas {
 }
 
 impl Canvas {
-    /// Sets the canvas to the size of the picture: one pixel of the picture is one of the canvas.
+    /// Sets the canvas to the size of the picture, so that each pixel of the picture is one pixel
+    /// of the canvas.
     pub(crate) fn new(element: &HtmlCanvasElement, width: u32, height: u32) -> Result<Self, Refusal> {
         element.set_width(width);
         element.set_height(height);
@@ -28,8 +29,9 @@ impl Canvas {
         }
     }
 
-    /// Shows a picture of RGBA bytes. The `ImageData` is a view of the module's memory that is
-    /// dropped before this returns, so that the only copy is the canvas's own.
+    /// Shows a picture of RGBA bytes. The `ImageData` is a view of the module's memory and is
+    /// dropped before this function returns, so that the pixels are copied only once, into the
+    /// canvas.
     pub(crate) fn show(&self, pixels: &[u8]) -> Result<(), Refusal> {
         ImageData::new_with_u8_clamped_array_and_sh(Clamped(pixels), self.width, self.height)
             .and_then(|image| self.context.put_image_data(&image, 0.0, 0.0))

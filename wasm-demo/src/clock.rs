@@ -1,9 +1,9 @@
-//! Time in milliseconds, by the browser's clock.
+//! Times in milliseconds, measured by the browser's clock.
 
 use web_sys::{Performance, js_sys::Date};
 
-/// `performance.now()`, looked up once. Without it the date is precise enough, because times are
-/// only displayed.
+/// The browser's `performance`, looked up once. Without it the date is precise enough, because
+/// times are only displayed.
 #[derive(Clone, Debug)]
 pub(crate) struct Clock {
     performance: Option<Performance>,
@@ -15,7 +15,7 @@ impl Clock {
         Self { performance: web_sys::window().and_then(|window| window.performance()) }
     }
 
-    /// Measures the time of `work` in milliseconds. Returns it and the result.
+    /// Runs `work`. Returns its time in milliseconds and its result.
     pub(crate) fn time<T>(&self, work: impl FnOnce() -> T) -> (f64, T) {
         let start = self.now();
         let done = work();

@@ -1,4 +1,5 @@
-//! The JavaScript class of the comparison: one wall, lit in two forms side by side.
+//! The JavaScript class of the comparison: one wall, lit side by side in two forms. A form is a
+//! number format or a formula.
 
 use crate::{
     canvas::Canvas,
@@ -14,15 +15,16 @@ use crate::{
 use wasm_bindgen::{Clamped, prelude::*};
 use web_sys::HtmlCanvasElement;
 
-/// The forms at start, and the outer half angle in degrees at which their pictures begin to differ.
+/// The two forms at start, and the outer half angle in degrees at start, at which their pictures
+/// begin to differ.
 const FIRST: ([Form; 2], f32) = ([Form::Cosine, Form::F32], 0.1);
 
-/// Largest picture, in pixels on a side: a few times the size of a screen.
+/// Largest side of a picture, in pixels: a few times the size of a screen.
 const LARGEST: u32 = 2048;
 
-/// Two forms of one picture, each compared with the f64 reference. Every setter either takes its
-/// value or throws a string that names the parameter, its value and the remedy; then nothing is
-/// changed.
+/// Two forms of one picture, each compared with its f64 reference. Every setter either takes its
+/// value, or changes nothing and throws a string that names the parameter, its value and the
+/// remedy.
 #[wasm_bindgen]
 #[derive(Debug)]
 pub struct Comparison {
@@ -39,8 +41,9 @@ pub struct Comparison {
 
 #[wasm_bindgen]
 impl Comparison {
-    /// Opens the comparison, in squares of `pixels` on a side: picture and errors of the left form,
-    /// picture and errors of the right form. Nothing is shown yet.
+    /// Opens the comparison on four canvases: the picture and the errors of the left form, then
+    /// those of the right form. Each is a square with a side of `pixels` pixels. Nothing is shown
+    /// yet.
     #[wasm_bindgen(constructor)]
     pub fn new(
         left: &HtmlCanvasElement,
@@ -125,8 +128,9 @@ impl Comparison {
         Ok(self.sides.get(side).ok_or(no_side(side))?.state())
     }
 
-    /// Returns whether both forms compute the same curve. Each error is a difference from the
-    /// form's own reference, so errors say which form is better only for the same curve.
+    /// Returns whether both forms compute the same curve. An error is the difference between a form
+    /// and the reference of its own curve. So the errors say which form is better only if both
+    /// compute the same curve.
     #[wasm_bindgen(getter, js_name = isOneCurve)]
     pub fn is_one_curve(&self) -> bool {
         let [left, right] = self.sides.each_ref().map(Side::form);
@@ -141,20 +145,20 @@ impl Comparison {
         Ok(lit.map(|()| milliseconds))
     }
 
-    /// Where the scale of the errors ends, in displayed codes.
+    /// The end of the scale of the errors, in displayed codes.
     #[wasm_bindgen(getter)]
     pub fn scale(&self) -> f64 {
         self.scale_in_force().end()
     }
 
-    /// Returns the magnification of the errors by the scale.
+    /// Returns by what factor the scale magnifies the errors.
     #[wasm_bindgen(getter)]
     pub fn gain(&self) -> f64 {
         self.scale_in_force().gain()
     }
 
-    /// Sets the end of the scale in displayed codes, one of `scales`. Without a value the scale
-    /// follows the larger of the two largest errors.
+    /// Sets the end of the scale, in displayed codes, to one of `scales`. Without a value the scale
+    /// follows the largest error of both pictures.
     #[wasm_bindgen(js_name = setScale)]
     pub fn set_scale(&mut self, codes: Option<f64>) -> Result<(), JsValue> {
         let chosen = codes.map(|codes| {

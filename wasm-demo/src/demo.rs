@@ -19,20 +19,20 @@ use web_sys::HtmlCanvasElement;
 
 const NAMES: [&str; 3] = ["key", "fill", "back"];
 
-/// The format that the page starts with: the one that holds every fixture of the table.
+/// The number format that the page starts with: the one that can hold every fixture of the table.
 const FIRST: Format = Format::F32;
 
-/// Largest number of samples of a curve: a few for each pixel of a wide screen.
+/// Largest number of samples of a curve: a few samples for each pixel of a wide screen.
 const SAMPLES: usize = 10_000;
 
-/// The demo. Every setter either takes its value or throws a string that names the parameter, its
-/// value and the remedy; then nothing is changed.
+/// The demo. Every setter either takes its value, or changes nothing and throws a string that names
+/// the parameter, its value and the remedy.
 #[wasm_bindgen]
 pub struct Demo {
     scene: Scene,
     camera: Camera,
     lights: [Light; 3],
-    /// Axis of each light while it does not move.
+    /// The axis of each light when it is at rest.
     rest: [Vec3<f32>; 3],
     format: Format,
     renderer: Box<dyn Draw>,
@@ -59,10 +59,10 @@ impl Demo {
         Ok(self.draw_changes()?)
     }
 
-    /// Draws everything, changed or not: for measuring.
+    /// Draws everything again, whether it has changed or not, to measure the time.
     pub fn redraw(&mut self) -> Result<(), JsValue> {
-        // The renderer keeps what has not changed. Another camera changes everything; its picture
-        // is not timed.
+        // The renderer repeats only work whose input has changed. Drawing the geometry from another
+        // camera first, without timing it, makes everything change.
         let mut elsewhere = self.camera;
         elsewhere.orbit(0.01, 0.0);
         self.renderer.draw_geometry(&self.scene, &elsewhere);
@@ -87,31 +87,32 @@ impl Demo {
         self.height
     }
 
-    /// How long the geometry of the last picture took, in milliseconds; nothing when it was kept.
+    /// The time of the last picture's geometry pass, in milliseconds; nothing if the geometry was
+    /// kept.
     #[wasm_bindgen(getter, js_name = geometryMs)]
     pub fn geometry_ms(&self) -> Option<f64> {
         self.times.geometry
     }
 
-    /// How long the lighting of the last picture took, in milliseconds.
+    /// The time of the last picture's lighting pass, in milliseconds.
     #[wasm_bindgen(getter, js_name = lightingMs)]
     pub fn lighting_ms(&self) -> f64 {
         self.times.lighting
     }
 
-    /// How long the display encoding of the last picture took, in milliseconds.
+    /// The time of the last picture's display encoding, in milliseconds.
     #[wasm_bindgen(getter, js_name = encodeMs)]
     pub fn encode_ms(&self) -> f64 {
         self.times.encode
     }
 
-    /// How long handing the last picture to the canvas took, in milliseconds.
+    /// The time to pass the last picture to the canvas, in milliseconds.
     #[wasm_bindgen(getter, js_name = showMs)]
     pub fn show_ms(&self) -> f64 {
         self.times.show
     }
 
-    /// How long the last picture took in all, in milliseconds: the passes that were done for it.
+    /// The total time of the passes of the last picture, in milliseconds.
     #[wasm_bindgen(getter, js_name = frameMs)]
     pub fn frame_ms(&self) -> f64 {
         let Times { geometry, lighting, encode, show, .. } = self.times;
@@ -128,7 +129,7 @@ impl Demo {
         self.camera.zoom(factor);
     }
 
-    /// Points the lights along their axes at a time of the sweep, in seconds.
+    /// Points the lights in their directions at a time of the sweep, in seconds.
     pub fn sweep(&mut self, seconds: f32) -> Result<(), JsValue> {
         for (i, (light, rest)) in self.lights.iter_mut().zip(self.rest).enumerate() {
             light.aim(sweep::axis(i, rest, seconds), self.format)?;
@@ -153,13 +154,13 @@ impl Demo {
         Ok(self.lit(light)?.state(self.format))
     }
 
-    /// Sets the full beam angle of a light in degrees; field and outer angle follow.
+    /// Sets the full beam angle of a light in degrees, which determines its field and outer angle.
     #[wasm_bindgen(js_name = setBeam)]
     pub fn set_beam(&mut self, light: usize, degrees: f32) -> Result<(), JsValue> {
         Ok(self.set(light, |light, format| light.set_angle(Mark::Beam, degrees, format))?)
     }
 
-    /// Sets the full field angle of a light in degrees; beam and outer angle follow.
+    /// Sets the full field angle of a light in degrees, which determines its beam and outer angle.
     #[wasm_bindgen(js_name = setField)]
     pub fn set_field(&mut self, light: usize, degrees: f32) -> Result<(), JsValue> {
         Ok(self.set(light, |light, format| light.set_angle(Mark::Field, degrees, format))?)
@@ -198,7 +199,8 @@ impl Demo {
         Ok(self.set(light, |light, format| light.set_fixture(name, format))?)
     }
 
-    /// Sets whether the published angle of a light's fixture is read as `beam` or `field` angle.
+    /// Sets whether the published angle of a light's fixture is interpreted as the `beam` or the
+    /// `field` angle.
     #[wasm_bindgen(js_name = setReading)]
     pub fn set_reading(&mut self, light: usize, name: &str) -> Result<(), JsValue> {
         Ok(self.set(light, |light, format| light.set_reading(Mark::named(name)?, format))?)
@@ -210,7 +212,7 @@ impl Demo {
         Ok(self.set(light, |light, format| light.set_zoom(degrees, format))?)
     }
 
-    /// The name of the number format in force.
+    /// The name of the current number format.
     #[wasm_bindgen(getter)]
     pub fn format(&self) -> String {
         self.format.name().to_owned()
@@ -222,7 +224,7 @@ impl Demo {
         Ok(self.change_format(Format::named(name)?)?)
     }
 
-    /// Returns why a format can't hold a light, as it is now; nothing if it can.
+    /// Returns why a format can't hold a light in its current state; nothing if it can.
     pub fn objection(&self, format: &str, light: usize) -> Result<Option<String>, JsValue> {
         let objection = Format::named(format)?.check(self.lit(light)?.spot()).err();
         Ok(objection.map(|error| error.to_string()))
@@ -235,9 +237,9 @@ impl Demo {
         Ok(Format::named(format)?.stated_error())
     }
 
-    /// Evaluates the intensity of a light across its axis, in the current number format: pairs of
-    /// the angle off axis in degrees, from one side to the other, and the intensity. From 2 to
-    /// 10,000 samples.
+    /// Evaluates the intensity of a light across its beam, from one side to the other, in the
+    /// current number format. Returns pairs of the angle off axis in degrees and the intensity, for
+    /// 2 to 10,000 samples.
     pub fn curve(&self, light: usize, samples: usize) -> Result<Vec<f32>, JsValue> {
         Ok(self.trace(self.lit(light)?, samples)?)
     }
@@ -249,7 +251,7 @@ impl Demo {
 }
 
 impl fmt::Debug for Demo {
-    /// Without the renderer: its output would contain every pixel and make the module larger.
+    /// The output omits the renderer, which would print every pixel and make the module larger.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { lights, format, width, height, .. } = self;
         let mut demo = f.debug_struct("Demo");
@@ -288,8 +290,8 @@ impl Demo {
         if !changed && self.is_shown {
             return Ok(false);
         }
-        // Not before the canvas shows it: a picture that the canvas rejected is passed again by the
-        // next draw.
+        // Set only once the canvas shows the picture: if the canvas rejected it, the next draw
+        // passes it again.
         self.is_shown = false;
         let (encode, pixels) = clock.time(|| renderer.encode());
         let (show, shown) = clock.time(|| canvas.show(pixels));
@@ -299,7 +301,7 @@ impl Demo {
         Ok(true)
     }
 
-    /// All or nothing: if one light does not fit, the format is not changed.
+    /// If the new format cannot hold every light, the format is not changed.
     fn change_format(&mut self, format: Format) -> Result<(), Refusal> {
         if format == self.format {
             return Ok(());
@@ -327,7 +329,7 @@ impl Demo {
             });
         }
         let cone = light.spot().cone();
-        // Includes a dark margin at each side, so that the end of the light is visible.
+        // The curve has a dark margin at each side, so that the end of the light is visible.
         let reach = (cone.outer().to_degrees() / 2.0 * 1.12).min(180.0);
         let last = (samples - 1) as f32;
         let angles: Vec<f32> = (0..samples).map(|i| reach * (2.0 * i as f32 / last - 1.0)).collect();

@@ -17,9 +17,9 @@ pub(crate) struct Difference {
     pub(crate) codes: Vec<u8>,
     /// Absolute error of each pixel in codes, before rounding.
     pub(crate) errors: Vec<f32>,
-    /// The largest of them.
+    /// The largest of the errors.
     pub(crate) largest: f64,
-    /// The index of its pixel; the first of several.
+    /// The index of the pixel with the largest error; the first if there are several.
     pub(crate) place: usize,
     /// The share of the pixels whose displayed code is not the nearest to the reference.
     pub(crate) differing: f64,
@@ -46,7 +46,8 @@ impl Truth {
         let mut differing = 0_u32;
         picture.visit(&mut |light, shown| {
             let Some((&true_light, &true_code)) = truths.next() else { return };
-            // The power function of sRGB is evaluated only where there is an error.
+            // The power function of sRGB is expensive, so it is evaluated only where there is an
+            // error.
             let error = if light == true_light { 0.0 } else { (srgb_code(light) - true_code).abs() };
             if error > difference.largest {
                 (difference.largest, difference.place) = (error, difference.errors.len());
@@ -99,8 +100,8 @@ mod tests {
     }
 
     /// The largest errors in displayed codes at outer half angles of 10, 1, 0.1 and 0.01 degrees,
-    /// with a tenth of headroom; nothing where the format refuses. Searched: over the pixels of
-    /// these pictures.
+    /// plus a tenth as headroom; nothing where the format refuses the cone. They are the maxima
+    /// over the pixels of these pictures.
     const BOUNDS: [(Form, [Option<f64>; 4]); 6] = [
         (Form::F32, [Some(2.1e-4), Some(1.7e-3), Some(0.028), Some(0.25)]),
         (Form::Fx32, [Some(5.8e-6), Some(3.6e-5), Some(5.0e-4), Some(4.4e-3)]),

@@ -1,4 +1,4 @@
-//! Conversion of linear light to displayed codes: by the encoder of a format, and exactly.
+//! Conversion of linear light to displayed codes: by the encoder of a format, and exactly in f64.
 
 use luminaire::number::{Light16, Light32};
 use luminaire::{
@@ -18,7 +18,7 @@ pub(crate) fn srgb_code(linear: f64) -> f64 {
     }
 }
 
-/// Light with the display encoder of its own format.
+/// Light of a number format, with the display encoder of that format.
 pub(crate) trait Shown: Value {
     /// The sRGB code, clipped at full scale.
     fn code(self) -> u8;

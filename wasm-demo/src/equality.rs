@@ -1,11 +1,12 @@
-//! Bitwise comparison of the picture with the needed effects and the picture with all effects.
+//! Bitwise comparison of two pictures: one lit with only the needed effects, the other with all
+//! effects.
 
 use crate::{clock::Clock, format::Draw, refusal::Refusal};
 use luminaire::projector::Fixture;
 use luminaire_render::{Camera, Scene};
 use wasm_bindgen::prelude::*;
 
-/// Result of lighting a picture with the needed effects only, and with all.
+/// Result of lighting a picture twice: with only the needed effects, and with all effects.
 #[wasm_bindgen]
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Equality {
@@ -15,7 +16,7 @@ pub struct Equality {
     pub differing: usize,
     /// The (light, pixel) pairs that were evaluated with the needed effects only.
     pub evaluated: f64,
-    /// All pairs, as evaluated for the other picture.
+    /// The number of all pairs, each of which was evaluated for the other picture.
     pub pairs: f64,
     /// Time of the lighting with the needed effects, in milliseconds.
     #[wasm_bindgen(js_name = lightingMs)]
@@ -35,7 +36,8 @@ impl Equality {
     ) -> Result<Self, Refusal> {
         renderer.draw_geometry(scene, camera);
         renderer.draw_shadows(scene, fixtures)?;
-        // The first draw also touches new memory for the first time, so it is not timed.
+        // The first draw touches its memory for the first time, which costs extra, so it is not
+        // timed.
         renderer.draw_light(fixtures)?;
         let (everything_ms, lit) = clock.time(|| renderer.draw_everything(fixtures));
         lit?;

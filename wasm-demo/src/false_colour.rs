@@ -5,15 +5,15 @@ use crate::display::srgb_code;
 /// The colours of the palette.
 pub(crate) const COLOURS: usize = 256;
 
-/// Where a scale may end, in displayed codes: 1, 2 and 5 of every power of ten, up to the range of
-/// a display.
+/// The possible ends of a scale, in displayed codes: 1, 2 and 5 times every power of ten, up to the
+/// range of a display.
 pub(crate) const ENDS: [f64; 17] =
     [0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 255.0];
 
-/// Lightness of zero error and of the end of the scale.
+/// Lightness of the colours for zero error and for the end of the scale.
 const LIGHTNESS: [f64; 2] = [0.16, 0.96];
-/// Hue of zero error and of the end of the scale in degrees: from blue by magenta and orange to
-/// yellow.
+/// Hue of the colours for zero error and for the end of the scale, in degrees: from blue through
+/// magenta and orange to yellow.
 const HUE: [f64; 2] = [255.0, 470.0];
 /// Chroma at both ends, and its increase in the middle.
 const CHROMA: [f64; 2] = [0.02, 0.18];
@@ -65,12 +65,13 @@ impl Scale {
         ENDS.contains(&codes).then_some(Self { end: codes })
     }
 
-    /// The end of the scale: this value and larger ones have the last colour.
+    /// Returns the end of the scale. This value and all larger ones have the last colour.
     pub(crate) fn end(self) -> f64 {
         self.end
     }
 
-    /// Returns the magnification of the errors: the range of the display over that of the scale.
+    /// Returns the magnification of the errors: the range of the display divided by the range of
+    /// the scale.
     pub(crate) fn gain(self) -> f64 {
         255.0 / self.end
     }
@@ -109,9 +110,9 @@ mod tests {
         if luminance > 0.008_856 { 116.0 * luminance.cbrt() - 16.0 } else { 903.3 * luminance }
     }
 
-    /// Simulates a linear colour without the cones for red, green or blue: F. Viénot, H. Brettel
-    /// and J. Mollon, *Digital Video Colourmaps for Checking the Legibility of Displays by
-    /// Dichromats*, 1999; for blue the same construction.
+    /// Matrices that simulate how an eye without the cones for red, green or blue sees a linear
+    /// colour: F. Viénot, H. Brettel and J. Mollon, *Digital Video Colourmaps for Checking the
+    /// Legibility of Displays by Dichromats*, 1999; for blue the same construction.
     const BLINDNESS: [[[f64; 3]; 3]; 3] = [
         [[0.112_38, 0.887_62, 0.0], [0.112_38, 0.887_62, 0.0], [0.004_01, -0.004_01, 1.0]],
         [[0.292_75, 0.707_25, 0.0], [0.292_75, 0.707_25, 0.0], [-0.022_34, 0.022_34, 1.0]],
@@ -139,8 +140,8 @@ mod tests {
         };
         for kind in [None].into_iter().chain(BLINDNESS.iter().map(Some)) {
             let levels: Vec<f64> = colours.iter().map(|colour| lightness(seen(kind, colour))).collect();
-            // An eighth of the scale is 12 steps of lightness: with every simulated vision more
-            // than half and less than twice as many.
+            // An eighth of the scale is 12 units of lightness to normal sight. To every simulated
+            // eye it is more than half and less than twice as many.
             let steps: Vec<f64> =
                 levels.windows(33).step_by(16).map(|window| window[32] - window[0]).collect();
             let least = steps.iter().copied().fold(f64::INFINITY, f64::min);

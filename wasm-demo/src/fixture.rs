@@ -10,13 +10,15 @@ const HEADER: &str =
     "kind,manufacturer,fixture,mode,lens,categories,lens_full_angle_min_deg,lens_full_angle_max_deg,lumens";
 
 static FIXTURES: LazyLock<Vec<Fixture>> = LazyLock::new(|| {
-    // A table that does not parse counts as empty; a test below prevents that it is shipped.
+    // A table that does not parse counts as empty; a test below ensures that the shipped table
+    // parses.
     parse(TABLE).unwrap_or_default()
 });
 
 /// A stage fixture with one of its lenses.
 ///
-/// Its angle is the published lens opening: a full angle, of unknown kind (beam or field angle).
+/// Its angle is the published lens angle. It is a full angle, but whether beam or field angle is
+/// not published.
 #[wasm_bindgen]
 #[derive(Clone, PartialEq, Debug)]
 pub struct Fixture {
@@ -30,13 +32,14 @@ pub struct Fixture {
 
 #[wasm_bindgen]
 impl Fixture {
-    /// Maker, fixture, and where there are several the lens or mode: unique in the table.
+    /// Maker and fixture, and the lens or mode if the fixture has several. The name is unique in
+    /// the table.
     #[wasm_bindgen(getter)]
     pub fn name(&self) -> String {
         self.name.clone()
     }
 
-    /// The kind of fixture in one word: our own grouping.
+    /// The kind of fixture in one word, by this project's own grouping.
     #[wasm_bindgen(getter)]
     pub fn kind(&self) -> String {
         self.kind.clone()
@@ -97,7 +100,7 @@ impl fmt::Display for BadLine {
     }
 }
 
-/// Parses the table. No name contains a comma, so nothing is quoted, and a quote is an error.
+/// Parses the table. No name contains a comma, so no cell needs quotes, and a quote is an error.
 fn parse(table: &str) -> Result<Vec<Fixture>, BadLine> {
     let mut lines = table.lines();
     if lines.next() != Some(HEADER) {

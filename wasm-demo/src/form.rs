@@ -1,4 +1,4 @@
-//! The formats and formulas to compare: each a kernel of the price list, set up for a wall.
+//! The formats and formulas to compare. Each is a kernel of the price list, set up for a wall.
 
 use crate::{picture::Picture, refusal::Refusal, wall::Wall};
 use luminaire::{
@@ -12,18 +12,18 @@ use luminaire_kernels::{
 };
 use luminaire_oracle::{self as oracle, DVec3};
 
-/// A number format, or a formula that a user might take instead.
+/// A number format of `luminaire`, or a formula that a user might choose instead of it.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum Form {
-    /// The crate `luminaire` in f32: the versine by a difference.
+    /// The crate `luminaire` in f32: it computes the versine from a difference of directions.
     F32,
     /// The same in 32-bit fixed point.
     Fx32,
     /// The same in 16-bit fixed point.
     Fx16,
-    /// f32, with the versine by `1 - l.s`.
+    /// The formula in f32 that computes the versine as `1 - l.s`.
     Cosine,
-    /// The power of the cosine that has the same field angle: Warn 1983, OpenGL.
+    /// The power of the cosine with the same field angle: Warn 1983, OpenGL.
     Powf,
     /// glTF's `KHR_lights_punctual` with an inner angle of 0.
     Gltf,
@@ -31,7 +31,7 @@ pub(crate) enum Form {
     F64,
 }
 
-/// The curve that a form computes.
+/// The curve of intensity over angle that a form computes.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum Curve {
     /// `t^2`.
@@ -68,7 +68,7 @@ impl Form {
         }
     }
 
-    /// What people call it.
+    /// The name for people.
     pub(crate) fn label(self) -> &'static str {
         match self {
             Self::F32 => "f32, versine form",
@@ -81,7 +81,7 @@ impl Form {
         }
     }
 
-    /// The curve of the reference that its picture is compared with.
+    /// The curve of the f64 reference that the form's picture is compared with.
     pub(crate) fn curve(self) -> Curve {
         match self {
             Self::Powf => Curve::CosinePower,
@@ -95,7 +95,8 @@ impl Form {
         self.curve() == other.curve()
     }
 
-    /// Its rows on the price list: the intensity from the angle, and the lit point if there is one.
+    /// The form's rows on the price list: the row for the intensity from the angle, and the row for
+    /// a lit point if there is one.
     pub(crate) fn rows(self) -> (Row, Option<Row>) {
         let row = |kernel, stage, format| Row { kernel, stage, format };
         let format = match self {
@@ -106,7 +107,7 @@ impl Form {
         (row("soft", Stage::Falloff, format), Some(row("lit", Stage::Lit, format)))
     }
 
-    /// An unlit picture of the wall.
+    /// Prepares an unlit picture of the wall.
     ///
     /// # Errors
     /// A beam that is too narrow for the number format.
@@ -131,8 +132,8 @@ impl Form {
     }
 }
 
-/// Compiles the light. The cone is checked first, because a narrower cone also has a larger
-/// distance.
+/// Compiles the light. The cone is checked first, so that a cone that is too narrow is refused for
+/// its angle and not for its large distance.
 fn compiled<S: Scalar>(
     spot: &SpotLight<Soft, NoAttenuation>,
 ) -> Result<CompiledSpotLight<S, Soft, NoAttenuation>, Error> {
@@ -153,8 +154,8 @@ impl Curve {
     }
 }
 
-/// Returns the narrowest half angle in degrees that the format accepts, rounded up, if the angle
-/// was refused.
+/// If the angle was refused, returns the narrowest half angle in degrees that the format accepts,
+/// rounded up.
 pub(crate) fn accepted_half_angle(error: &Error) -> Option<f32> {
     match error.accepted {
         Expected::AngleFrom(full) => Some(((full * 5e3).floor() + 1.0) / 1e4),
@@ -167,7 +168,7 @@ fn exponent(wall: &Wall) -> f32 {
     -std::f32::consts::LN_10 / (-wall.spot().cone().field().versine()).ln_1p()
 }
 
-/// A cosine falloff at a point, with one inner product in f32, as it is usually written.
+/// Evaluates a cosine falloff at a point as it is usually written, with one inner product in f32.
 #[derive(Clone, Copy, Debug)]
 struct FromCosine<F> {
     position: Vec3<f32>,
@@ -207,7 +208,7 @@ impl<F: Kernel<Input = f32, Output = f32>> Kernel for FromCosine<F> {
     }
 }
 
-/// A versine falloff at a point, in f64.
+/// Evaluates a versine falloff at a point in f64.
 #[derive(Clone, Copy, Debug)]
 struct FromVersine<F> {
     position: DVec3,

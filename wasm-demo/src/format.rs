@@ -1,4 +1,4 @@
-//! The number format: chosen at run time here, a type parameter everywhere below.
+//! The number format: a run-time choice in this module, a type parameter in the code that it calls.
 
 use crate::refusal::Refusal;
 use luminaire::{
@@ -76,12 +76,12 @@ impl Format {
         })
     }
 
-    /// The narrowest cone of this edge that the format holds.
+    /// The narrowest cone with this edge that the format holds.
     pub(crate) fn narrowest(self, edge: SoftOrHard) -> Angle {
         with_scalar!(self, S => Cone::narrowest::<S>(edge))
     }
 
-    /// The intensity of a cone at angles off its axis in degrees, as this format evaluates it.
+    /// The intensities of a cone at angles off its axis, in degrees, as this format evaluates them.
     pub(crate) fn intensities(self, cone: &Cone, angles: &[f32]) -> Result<Vec<f32>, Error> {
         with_scalar!(self, S => {
             let falloff: CompiledCone<S> = cone.compile()?;
@@ -112,8 +112,8 @@ impl fmt::Display for Format {
     }
 }
 
-/// A renderer with its format erased: the choice costs one indirect call per pass, and none per
-/// pixel.
+/// A renderer behind a trait object that hides its format: the choice costs one indirect call per
+/// pass, and none per pixel.
 pub(crate) trait Draw {
     /// Draws the geometry if scene or camera has changed. Returns whether it was drawn.
     fn draw_geometry(&mut self, scene: &Scene, camera: &Camera) -> bool;

@@ -1,10 +1,10 @@
 //! The browser demo: a thin layer over `luminaire-render` and `luminaire-kernels`, and a page that
 //! shows their results.
 //!
-//! The page contains no lighting mathematics. It passes on the visitor's settings and gets
-//! everything that it displays from three classes. [`Demo`] supplies dependent angles, the curve,
-//! the ranges of the sliders and the texts of refusals. [`Comparison`] lights one wall in two forms
-//! and measures the error of each against f64. [`Scenes`] lists the effects that a scene needs and
+//! The page contains no lighting mathematics. It passes the visitor's settings to three classes and
+//! gets everything that it displays from them. [`Demo`] supplies dependent angles, the curve, the
+//! ranges of the sliders and the texts of refusals. [`Comparison`] lights one wall in two forms and
+//! measures the error of each against f64. [`Scenes`] lists the effects that a scene needs and
 //! counts the skipped work.
 //!
 //! The modules, lowest first:
@@ -18,15 +18,15 @@
 //! - `times`: times of the passes of a picture
 //! - `demo`: the JavaScript class of the stage
 //! - `wall`: the scene of the comparison
-//! - `display`: from light to displayed codes
-//! - `picture`: the wall lit in one form, with the type of the form erased
+//! - `display`: conversion of light to displayed codes
+//! - `picture`: the wall lit in one form, behind a trait object
 //! - `difference`: error of a picture against f64
 //! - `form`: the formats and formulas to compare
 //! - `false_colour`: false colours for errors, and their scale
 //! - `side`: one side of the comparison
 //! - `comparison`: the JavaScript class of the comparison
 //! - `scene_state`: state of a scene for the page, as plain values
-//! - `rig`: a scene with its switches
+//! - `rig`: a scene with switches for its lights and effects
 //! - `viewpoint`: the visitor's offset from the scene's camera
 //! - `map`: false colours of the number of evaluated lights
 //! - `equality`: comparison of the scene's picture with the one of all effects

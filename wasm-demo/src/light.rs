@@ -1,5 +1,5 @@
-//! One light with the visitor's settings. A setting is taken or refused as a whole, so that every
-//! light can be drawn.
+//! One light with the visitor's settings. A setting is either taken or refused as a whole, so the
+//! light can always be drawn.
 
 use crate::{
     fixture::{self, Fixture},
@@ -22,7 +22,7 @@ pub(crate) enum Mark {
     Field,
 }
 
-/// The angle that was set; a new edge is designed from the same angle.
+/// The angle that was set last. If the edge is changed, the new cone has the same angle.
 #[derive(Clone, Copy, PartialEq, Debug)]
 struct Design {
     mark: Mark,
@@ -35,13 +35,14 @@ pub(crate) struct Light {
     name: &'static str,
     spot: SpotLight,
     design: Design,
-    /// Which angle a fixture's published angle is read as.
+    /// Whether a fixture's published angle is interpreted as beam or field angle.
     reading: Mark,
     fixture: Option<&'static Fixture>,
     on: bool,
 }
 
-/// State of a light for the page, as the kernel computes it, not as the visitor typed it.
+/// State of a light for the page, with the values that the kernel computed and not those that the
+/// visitor typed.
 #[wasm_bindgen(getter_with_clone)]
 #[derive(Clone, PartialEq, Debug)]
 pub struct LightState {
@@ -73,16 +74,16 @@ pub struct LightState {
     pub intensity: f32,
     /// Whether the light is switched on.
     pub on: bool,
-    /// The name of the fixture whose angle this is; empty when the angle was set by hand.
+    /// The name of the fixture whose angle the light has; empty if the angle was set by hand.
     pub fixture: String,
-    /// What a published angle is read as: `beam` or `field`.
+    /// How a published angle is interpreted: as `beam` or `field` angle.
     pub reading: String,
-    /// The fixture's angle as published; nothing without a fixture.
+    /// The fixture's published angle; nothing without a fixture.
     pub zoom: Option<f32>,
 }
 
 impl Mark {
-    /// The mark of this name.
+    /// The kind of angle with this name.
     pub(crate) fn named(name: &str) -> Result<Self, Refusal> {
         match name {
             "beam" => Ok(Self::Beam),
@@ -103,7 +104,7 @@ impl Mark {
     }
 }
 
-/// The edge of this name.
+/// The edge with this name.
 pub(crate) fn edge_named(name: &str) -> Result<SoftOrHard, Refusal> {
     match name {
         "soft" => Ok(SoftOrHard::Soft),
@@ -133,12 +134,12 @@ impl Light {
         Self { name, spot, design, reading: Mark::Field, fixture: None, on: true }
     }
 
-    /// What the page calls the light.
+    /// The name of the light on the page.
     pub(crate) fn name(&self) -> &'static str {
         self.name
     }
 
-    /// The light of the kernel, independent of the switch.
+    /// The light of the kernel, whether the light is switched on or not.
     pub(crate) fn spot(&self) -> &SpotLight {
         &self.spot
     }
@@ -154,7 +155,7 @@ impl Light {
         self.on = on;
     }
 
-    /// Sets one angle of the cone; the other two follow. This removes the fixture.
+    /// Sets one angle of the cone, which determines the other two. This removes the fixture.
     pub(crate) fn set_angle(&mut self, mark: Mark, degrees: f32, format: Format) -> Result<(), Refusal> {
         self.design_cone(Design { mark, degrees }, self.spot.cone().profile(), format)?;
         self.fixture = None;
@@ -183,8 +184,8 @@ impl Light {
         self.put(aimed.with_color(spot.color())?.with_intensity(spot.intensity())?, format)
     }
 
-    /// Sets the fixture by name, in the middle of its zoom range. The empty name removes the
-    /// fixture and keeps its angle.
+    /// Sets the fixture by name, zoomed to the middle of its range. The empty name removes the
+    /// fixture and keeps the angle.
     pub(crate) fn set_fixture(&mut self, name: &str, format: Format) -> Result<(), Refusal> {
         if name.is_empty() {
             self.fixture = None;
@@ -204,7 +205,7 @@ impl Light {
         Ok(())
     }
 
-    /// Sets whether the published angle is read as beam or as field angle.
+    /// Sets whether the published angle is interpreted as beam or as field angle.
     pub(crate) fn set_reading(&mut self, reading: Mark, format: Format) -> Result<(), Refusal> {
         if self.fixture.is_some() {
             let design = Design { mark: reading, ..self.design };
@@ -272,7 +273,7 @@ impl Light {
         Ok(())
     }
 
-    /// The one place where a light changes.
+    /// Every change of the light is made here.
     fn put(&mut self, spot: SpotLight, format: Format) -> Result<(), Refusal> {
         format.check(&spot)?;
         self.spot = spot;
@@ -378,7 +379,8 @@ mod tests {
                 let mut light = light();
                 light.set_edge(edge, FORMAT).unwrap();
                 let ends = light.state(format);
-                // The page stays this far within them, as slider positions are decimal fractions.
+                // The test stays as far within the ends as the page does, whose slider positions
+                // are decimal fractions.
                 for (mark, narrow, wide) in [
                     (Mark::Beam, ends.narrowest_beam, ends.widest_beam),
                     (Mark::Field, ends.narrowest_field, ends.widest_field),

@@ -1,4 +1,4 @@
-//! Map over the picture: the number of evaluated lights, or the re-lit tiles.
+//! A map that is drawn over the picture: of the number of evaluated lights, or of the re-lit tiles.
 
 use crate::{
     false_colour::{Palette, Scale},
@@ -6,18 +6,19 @@ use crate::{
     refusal::Refusal,
 };
 
-/// Opacity of a light map, of 255. At this value its colours match the legend by eye and the
-/// picture is still visible. Less opacity is enough to distinguish two colours.
+/// Opacity of a map of lights, out of 255. At this value the eye can match its colours to the
+/// legend, and the picture is still visible. A map of tiles needs less, because it has only two
+/// colours.
 const COVER: u8 = 215;
 const TILE_COVER: u8 = 120;
 
-/// Positions of re-lit and of kept tiles on the palette.
+/// Positions on the palette of the colours for re-lit and for kept tiles.
 const RELIT: (f32, f32) = (0.7, 0.0);
 
 /// Subject of a map.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum Subject {
-    /// Nothing: there is no map.
+    /// No map.
     Nothing,
     /// How many lights were evaluated at each pixel.
     Lights,
@@ -30,8 +31,8 @@ pub(crate) enum Subject {
 pub(crate) struct Map {
     subject: Subject,
     palette: Palette,
-    /// Largest number of lights at a pixel since the map began. The scale grows and never shrinks;
-    /// otherwise a colour would change its meaning from picture to picture.
+    /// Largest number of lights at a pixel since the scale was reset. The scale never shrinks;
+    /// otherwise the meaning of a colour would change from picture to picture.
     most: u16,
     pixels: Vec<u8>,
 }
@@ -53,7 +54,7 @@ impl Subject {
 }
 
 impl Map {
-    /// A map of nothing.
+    /// Returns no map.
     pub(crate) fn new() -> Self {
         Self { subject: Subject::Nothing, palette: Palette::new(), most: 0, pixels: Vec::new() }
     }
@@ -63,12 +64,12 @@ impl Map {
         self.subject = subject;
     }
 
-    /// Resets the scale, for a picture that is not related to the last one.
+    /// Resets the scale, for a picture of another scene.
     pub(crate) fn begin(&mut self) {
         self.most = 0;
     }
 
-    /// The colours of its scale: red, green, blue in sRGB.
+    /// The colours of the map's scale: red, green, blue in sRGB.
     pub(crate) fn colours(&self) -> &[[u8; 3]] {
         self.palette.colours()
     }
@@ -114,7 +115,7 @@ impl Map {
         self.pixels.extend([red, green, blue, cover]);
     }
 
-    /// Ends at one light at least, so that no light has the first colour.
+    /// The scale ends at one light or more, so that pixels without a light have the first colour.
     fn scale(&self) -> Scale {
         Scale::to(self.most.max(1).into())
     }

@@ -16,7 +16,8 @@ pub(crate) fn tell_the_page() {
         if let (Some(window), Ok(event)) =
             (web_sys::window(), CustomEvent::new_with_event_init_dict(EVENT, &detail))
         {
-            // Ignored: whether a listener prevents the event makes no difference after a panic.
+            // The result is ignored: after a panic it makes no difference whether a listener
+            // prevents the event.
             let _ = window.dispatch_event(&event);
         }
     }));

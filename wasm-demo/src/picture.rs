@@ -4,8 +4,8 @@ use crate::display::Shown;
 use luminaire_kernels::{Kernel, Value, scene::Site};
 use std::fmt;
 
-/// A picture with the type of its form erased: the choice costs an indirect call per picture, and
-/// none per pixel.
+/// A picture behind a trait object that hides its form: the choice costs one indirect call per
+/// picture, and none per pixel.
 pub(crate) struct Picture(Box<dyn Lit>);
 
 impl Picture {
@@ -20,8 +20,8 @@ impl Picture {
         self.0.light();
     }
 
-    /// Passes each pixel's light, of which 1 is full scale, and its sRGB code, encoded as its form
-    /// does.
+    /// Calls the closure with each pixel's light, where 1 is full scale, and with its sRGB code by
+    /// the encoder of the form.
     pub(crate) fn visit(&self, visit: &mut dyn FnMut(f64, u8)) {
         self.0.visit(visit);
     }

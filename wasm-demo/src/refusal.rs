@@ -26,7 +26,7 @@ pub(crate) enum Refusal {
         format: Format,
         /// Which light, counted from 0.
         light: usize,
-        /// The name of this kind of fixture in the trade.
+        /// The stage-lighting name of this kind of fixture.
         name: &'static str,
         error: luminaire::Error,
     },
@@ -49,7 +49,7 @@ impl Refusal {
     }
 }
 
-/// Formats a number as the kernel's errors do: a very large or small one with an exponent.
+/// Formats a number as the kernel's errors do: very large and very small numbers with an exponent.
 struct Short(f32);
 
 impl fmt::Display for Short {
@@ -115,7 +115,7 @@ impl From<DrawError> for Refusal {
 }
 
 impl From<Refusal> for JsValue {
-    /// A plain string: the page shows it as it is.
+    /// Converts to a plain string, which the page shows unchanged.
     fn from(refusal: Refusal) -> Self {
         Self::from_str(&refusal.to_string())
     }

@@ -17,7 +17,7 @@ use luminaire_render::{
     scenes::{MovingLight, Setup},
 };
 
-/// The effects that have a switch, with the words for it.
+/// The effects that have a switch, with the label of each switch.
 const SWITCHABLE: [(Effect, &str); 5] = [
     (Effect::Specular, "highlights"),
     (Effect::Gobo, "gobos"),
@@ -49,7 +49,7 @@ pub(crate) struct Rig {
     on: Vec<bool>,
     /// The switched effects and their new states.
     switched: Vec<(Effect, bool)>,
-    /// Side in texels of the shadow maps of lights that have no shadows of their own.
+    /// Side in texels of the shadow maps that are added to lights without shadows of their own.
     shadow_side: u16,
     /// The effects that the original scene needs.
     effects: Effects,
@@ -71,7 +71,7 @@ impl Rig {
         Ok(rig)
     }
 
-    /// Gives shadow maps with `side` texels on a side to every light that can have shadows.
+    /// Gives every light that can cast shadows a shadow map of `side` x `side` texels.
     pub(crate) fn add_shadows(&mut self, side: u16) -> Result<(), Error> {
         self.shadow_side = side;
         self.put(Effect::Shadow, true)?;
@@ -89,7 +89,7 @@ impl Rig {
     }
 
     /// Returns the fixtures at a time in seconds. A fixture that is switched off stays in the list
-    /// and is dark, so that the others keep their indices.
+    /// as a dark one, so that the others keep their indices.
     pub(crate) fn fixtures_at(&self, seconds: f32) -> Result<Vec<Fixture>, Error> {
         let at = |(moving, &on): (&MovingLight, &bool)| {
             let fixture = moving.at(seconds)?;
@@ -109,7 +109,7 @@ impl Rig {
         if self.has(Effect::Dither) { Display::Rgb888Dithered } else { Display::Rgb888 }
     }
 
-    /// Returns whether any light changes over time.
+    /// Returns whether any light of the scene changes over time.
     pub(crate) fn moves(&self) -> bool {
         let fixtures = |seconds| self.setup.fixtures_at(seconds).ok();
         LOOKS.iter().any(|&seconds| fixtures(seconds) != fixtures(0.0))
@@ -157,7 +157,8 @@ impl Rig {
         SWITCHABLE.map(state).into()
     }
 
-    /// Switches an effect on or off. An effect that the scene neither has nor supports stays off.
+    /// Switches an effect on or off. An effect that the scene neither has nor can be given stays
+    /// off.
     pub(crate) fn switch_effect(&mut self, name: &str, on: bool) -> Result<(), Refusal> {
         let Some((effect, _)) = SWITCHABLE.into_iter().find(|(effect, _)| effect.name() == name) else {
             return Err(Refusal::Name {
@@ -184,8 +185,8 @@ impl Rig {
         switched.map_or(self.effects.has(effect), |&(_, on)| on)
     }
 
-    /// Returns whether an effect can be added to the scene: haze and dithering always, shadows if 1
-    /// to `SHADOWS` lights can have them.
+    /// Returns whether an effect can be added to the scene: haze and dithering to every scene,
+    /// shadows to a scene in which 1 to `SHADOWS` lights can cast them.
     fn takes(&self, effect: Effect) -> bool {
         let takers = || self.setup.fixtures.iter().filter(|fixture| takes_shadow(fixture)).count();
         match effect {
@@ -229,7 +230,7 @@ fn takes_shadow(fixture: &MovingLight) -> bool {
     fixture.with_shadow(SHADOW_SIDE).at(0.0).is_ok()
 }
 
-/// The same light, dark.
+/// Returns the same light with intensity 0.
 fn darkened(light: &AnyLight) -> Result<AnyLight, Error> {
     Ok(match *light {
         AnyLight::Directional(sun) => sun.with_intensity(0.0)?.into(),

@@ -9,7 +9,7 @@ use wasm_bindgen::prelude::*;
 pub struct ExampleState {
     /// The name that `open` takes.
     pub name: String,
-    /// What people call it.
+    /// The title for people.
     pub title: String,
     /// One sentence about the effects that it needs.
     pub summary: String,
@@ -19,7 +19,7 @@ pub struct ExampleState {
 #[wasm_bindgen(getter_with_clone)]
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct SceneLightState {
-    /// The name of this kind of fixture in the trade.
+    /// The stage-lighting name of this kind of fixture.
     pub name: String,
     /// Its colour as `#rrggbb` in sRGB.
     pub color: String,
@@ -31,7 +31,7 @@ pub struct SceneLightState {
 #[wasm_bindgen(getter_with_clone)]
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct EffectState {
-    /// The name in the price list.
+    /// The name of the effect in the price list.
     pub name: String,
     /// Whether the picture needs it.
     #[wasm_bindgen(js_name = isCalledFor)]
@@ -44,23 +44,23 @@ pub struct EffectState {
 pub struct SwitchState {
     /// The name of the effect.
     pub effect: String,
-    /// What people call it.
+    /// The title for people.
     pub label: String,
-    /// Whether the switch is enabled: the scene has the effect or supports it.
+    /// Whether the switch is enabled: the scene has the effect, or it can be added.
     pub offered: bool,
     /// Whether the effect is on.
     pub on: bool,
 }
 
-/// Costs of the last picture: see [`Account`]. Counts are numbers of JavaScript.
+/// Counts of the work for the last picture: see [`Account`]. They are JavaScript numbers.
 #[wasm_bindgen(getter_with_clone)]
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct AccountState {
-    /// The triangles that were drawn.
+    /// The number of triangles that were drawn.
     pub triangles: f64,
     /// The lights in the scene.
     pub lights: f64,
-    /// The lights that can light nothing, and were dropped.
+    /// The dark lights, which were dropped.
     #[wasm_bindgen(js_name = lightsDropped)]
     pub lights_dropped: f64,
     /// The tiles of the picture.
@@ -68,11 +68,11 @@ pub struct AccountState {
     /// The tiles that were lit again.
     #[wasm_bindgen(js_name = tilesRelit)]
     pub tiles_relit: f64,
-    /// All pairs of a light and a pixel.
+    /// The number of all pairs of a light and a pixel.
     pub pairs: f64,
     /// The pairs that were evaluated.
     pub evaluated: f64,
-    /// Those of them that were evaluated with a highlight.
+    /// The pairs of `evaluated` that were evaluated with a highlight.
     #[wasm_bindgen(js_name = evaluatedShining)]
     pub evaluated_shining: f64,
     /// The pairs of a beam and a pixel whose in-scattering was evaluated, in addition to
@@ -86,8 +86,8 @@ pub struct AccountState {
     /// The pairs skipped because the light does not reach the tile.
     #[wasm_bindgen(js_name = missedByTile)]
     pub missed_by_tile: f64,
-    /// The pairs skipped because the light does not reach a row of pixels, or the row faces away
-    /// from it.
+    /// The pairs skipped in a tile that the light may reach, because the light does not reach a row
+    /// of pixels or the row faces away from the light.
     #[wasm_bindgen(js_name = missedByRow)]
     pub missed_by_row: f64,
 }

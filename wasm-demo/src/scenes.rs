@@ -1,4 +1,5 @@
-//! The JavaScript class of the scenes: one at a time, lit with the effects that it needs.
+//! The JavaScript class of the scenes. It shows one scene at a time, lit with only the effects that
+//! the scene needs.
 
 use crate::{
     canvas::Canvas,
@@ -22,24 +23,25 @@ use std::fmt;
 use wasm_bindgen::{Clamped, prelude::*};
 use web_sys::HtmlCanvasElement;
 
-/// The number format at start: the one that holds every scene.
+/// The number format at start: the one that can hold the lights of every scene.
 const FIRST: Format = Format::F32;
 
-/// A scene that plays. Every setter either takes its value or throws a string that names the
-/// parameter, its value and the remedy; then nothing is changed.
+/// A scene that plays over time. Every setter either takes its value, or changes nothing and throws
+/// a string that names the parameter, its value and the remedy.
 #[wasm_bindgen]
 pub struct Scenes {
     example: Example,
     rig: Rig,
     viewpoint: Viewpoint,
-    /// Elapsed time of the lights and of the camera, in seconds.
+    /// The time to which the lights have moved, and the time to which the camera has moved, in
+    /// seconds.
     seconds: [f32; 2],
     /// Whether every effect is evaluated for every light at every pixel.
     is_everything: bool,
     format: Format,
     renderer: Box<dyn Draw>,
     size: (u32, u32),
-    /// The elements of picture and map; they have the size of the scene.
+    /// The canvas elements of the picture and of the map; both have the size of the scene.
     elements: [HtmlCanvasElement; 2],
     canvas: Canvas,
     map_canvas: Canvas,
@@ -48,13 +50,15 @@ pub struct Scenes {
     /// Whether the canvas shows the last picture.
     is_shown: bool,
     times: Times,
-    /// Time of the last picture in milliseconds, from setting the lights until the canvas shows it.
+    /// Total time of the last picture in milliseconds, from setting the lights until the canvas has
+    /// taken the picture.
     frame: f64,
 }
 
 #[wasm_bindgen]
 impl Scenes {
-    /// The first scene, on a canvas for the picture and one for the map. Nothing is drawn yet.
+    /// Opens the first scene on two canvases, one for the picture and one for the map. Nothing is
+    /// drawn yet.
     #[wasm_bindgen(constructor)]
     pub fn new(canvas: HtmlCanvasElement, map: HtmlCanvasElement) -> Result<Self, JsValue> {
         panic::tell_the_page();
@@ -72,14 +76,14 @@ impl Scenes {
         self.example.name().to_owned()
     }
 
-    /// Opens a scene in its original state, with pictures of this width and height, or of the size
-    /// that it is composed for.
+    /// Opens a scene in its original state. Its pictures have this width and height or, without
+    /// these, the size that the scene is composed for.
     pub fn open(&mut self, name: &str, width: Option<u32>, height: Option<u32>) -> Result<(), JsValue> {
         Ok(self.open_example(name, [width, height])?)
     }
 
     /// Opens the turntable under this many spotlights, for measuring. `shadow_side` is the side of
-    /// their shadow maps in texels; without it there are none.
+    /// the lights' shadow maps in texels; without it there are no shadow maps.
     #[wasm_bindgen(js_name = openTurntable)]
     pub fn open_turntable(
         &mut self,
@@ -98,13 +102,14 @@ impl Scenes {
         self.rig.moves()
     }
 
-    /// Whether its camera moves by itself.
+    /// Whether the scene's camera moves by itself.
     #[wasm_bindgen(js_name = cameraMoves)]
     pub fn camera_moves(&self) -> bool {
         self.rig.camera_moves()
     }
 
-    /// Moves the lights and the camera to their states at these times in seconds.
+    /// Moves the lights to their state at one time and the camera to its state at another, both in
+    /// seconds.
     pub fn seek(&mut self, lights: f32, camera: f32) {
         self.seconds = [lights, camera];
     }
@@ -151,7 +156,7 @@ impl Scenes {
         self.map.end()
     }
 
-    /// The colours of the map from no light to its end: red, green, blue of each.
+    /// The colours of the map, from no light to the end of its scale: red, green and blue of each.
     pub fn palette(&self) -> Clamped<Vec<u8>> {
         Clamped(self.map.colours().concat())
     }
@@ -191,32 +196,32 @@ impl Scenes {
         self.times.shadows
     }
 
-    /// How long the lighting of the last picture took, in milliseconds.
+    /// The time of the last picture's lighting pass, in milliseconds.
     #[wasm_bindgen(getter, js_name = lightingMs)]
     pub fn lighting_ms(&self) -> f64 {
         self.times.lighting
     }
 
-    /// How long the display encoding of the last picture took, in milliseconds.
+    /// The time of the last picture's display encoding, in milliseconds.
     #[wasm_bindgen(getter, js_name = encodeMs)]
     pub fn encode_ms(&self) -> f64 {
         self.times.encode
     }
 
-    /// How long handing the last picture to the canvas took, in milliseconds.
+    /// The time to pass the last picture to the canvas, in milliseconds.
     #[wasm_bindgen(getter, js_name = showMs)]
     pub fn show_ms(&self) -> f64 {
         self.times.show
     }
 
-    /// How long the last picture took in all, in milliseconds: from setting the lights to the
-    /// canvas having taken it.
+    /// The total time of the last picture in milliseconds, from setting the lights until the canvas
+    /// has taken the picture.
     #[wasm_bindgen(getter, js_name = frameMs)]
     pub fn frame_ms(&self) -> f64 {
         self.frame
     }
 
-    /// Returns the costs of the last picture.
+    /// Returns the counts of the work for the last picture.
     pub fn account(&self) -> AccountState {
         self.renderer.account().into()
     }
@@ -253,20 +258,20 @@ impl Scenes {
         Ok(self.rig.switch_light(light, on)?)
     }
 
-    /// Switches between evaluating every effect of every light at every pixel and only the needed
-    /// ones.
+    /// Switches between two modes: every effect of every light is evaluated at every pixel, or only
+    /// the needed ones are.
     #[wasm_bindgen(js_name = setEverything)]
     pub fn set_everything(&mut self, everything: bool) {
         self.is_everything = everything;
         self.map.begin();
     }
 
-    /// Lights the picture both ways and compares them bit for bit.
+    /// Lights the picture in both modes and compares the two results bit for bit.
     pub fn compare(&self) -> Result<Equality, JsValue> {
         Ok(self.compare_pictures()?)
     }
 
-    /// The name of the number format in force.
+    /// The name of the current number format.
     #[wasm_bindgen(getter)]
     pub fn format(&self) -> String {
         self.format.name().to_owned()
@@ -280,7 +285,7 @@ impl Scenes {
 }
 
 impl fmt::Debug for Scenes {
-    /// Without the renderer: its output would contain every pixel and make the module larger.
+    /// The output omits the renderer, which would print every pixel and make the module larger.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { example, format, size, .. } = self;
         let mut scenes = f.debug_struct("Scenes");
@@ -347,7 +352,7 @@ impl Scenes {
         Ok(())
     }
 
-    /// All or nothing: after a refusal the current scene stays.
+    /// If the new scene is refused, the current one stays unchanged.
     fn change(&mut self, example: Example, rig: Rig, size: (u32, u32)) -> Result<(), Refusal> {
         let (width, height) = size;
         rig.check(self.format, 0.0)?;
@@ -382,8 +387,8 @@ impl Scenes {
         if !lit? && self.is_shown {
             return Ok(None);
         }
-        // Not before the canvas shows it: a picture that the canvas rejected is passed again by the
-        // next draw.
+        // Set only once the canvas shows the picture: if the canvas rejected it, the next draw
+        // passes it again.
         self.is_shown = false;
         renderer.set_display(rig.display());
         let (encode, pixels) = clock.time(|| renderer.encode());

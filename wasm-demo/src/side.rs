@@ -30,17 +30,17 @@ struct View {
 pub struct SideState {
     /// The name of the form.
     pub form: String,
-    /// Why the number format cannot hold the beam; nothing if it can. With a refusal the fields
-    /// below have no meaning.
+    /// Why the number format cannot hold the beam; nothing if it can. If there is a reason, the
+    /// fields below have no meaning.
     pub refusal: Option<String>,
-    /// Narrowest outer half angle in degrees that the format holds, if the angle was refused.
+    /// If the angle was refused, the narrowest outer half angle in degrees that the format holds.
     pub narrowest: Option<f32>,
     /// The largest error in displayed codes, before rounding.
     pub largest: f64,
-    /// Angle off axis of that pixel, in degrees.
+    /// Angle off axis of the pixel with the largest error, in degrees.
     #[wasm_bindgen(js_name = offAxis)]
     pub off_axis: f64,
-    /// Index of that pixel, row by row.
+    /// Index of the pixel with the largest error, counted row by row.
     pub place: usize,
     /// Share of the pixels whose displayed code differs from that of f64.
     pub differing: f64,
@@ -52,13 +52,13 @@ pub struct SideState {
 pub struct FormState {
     /// The name that the setters accept.
     pub name: String,
-    /// What people call it.
+    /// The name for people.
     pub label: String,
-    /// The reference that its picture is compared with.
+    /// The curve of the reference that the form's picture is compared with.
     pub truth: String,
-    /// The kernel and the format of its row for the intensity alone.
+    /// The kernel and the format of the form's row for the intensity alone.
     pub falloff: Vec<String>,
-    /// The kernel and the format of its row for a lit point; empty where there is none.
+    /// The kernel and the format of the form's row for a lit point; empty if it has none.
     pub lit: Vec<String>,
 }
 
@@ -203,7 +203,7 @@ mod tests {
         assert_eq!(errors[..3], first, "the dark corner has an error");
     }
 
-    /// A row of the price list must exist, or the page shows no price.
+    /// Every named row of the price list must exist; otherwise the page would show no price.
     #[test]
     fn every_form_stands_on_the_price_list() {
         use luminaire_kernels::{

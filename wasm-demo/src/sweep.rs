@@ -1,5 +1,5 @@
-//! Motion of the lights during a sweep: each pans about the vertical and tilts a little, with its
-//! own periods.
+//! Motion of the lights during a sweep: each light pans about the vertical and tilts a little, with
+//! periods of its own.
 
 use luminaire::Vec3;
 
@@ -15,8 +15,8 @@ const MOTIONS: [Motion; 3] = [
     Motion { pan: (0.26, 11.0), nod: (0.05, 8.0) },
 ];
 
-/// Returns the axis of a light at a time in seconds, if it rests on `rest`. Every motion starts
-/// from rest.
+/// Returns the axis of a light at a time in seconds. `rest` is its axis at rest, from which every
+/// motion starts.
 pub(crate) fn axis(light: usize, rest: Vec3<f32>, seconds: f32) -> Vec3<f32> {
     let motion = &MOTIONS[light % MOTIONS.len()];
     let swing = |(reach, period): (f32, f32)| reach * (std::f32::consts::TAU * seconds / period).sin();

@@ -1,6 +1,6 @@
-//! How long the passes of a picture took.
+//! The times of the passes of a picture.
 
-/// Milliseconds, by the browser's clock.
+/// The time of each pass in milliseconds, by the browser's clock.
 #[derive(Clone, Copy, Default, Debug)]
 pub(crate) struct Times {
     /// `None` if the picture was only re-lit.

@@ -2,8 +2,8 @@
 
 use luminaire_render::Camera;
 
-/// A rotation about the target of a camera and a factor of its distance. It also applies to a
-/// moving camera.
+/// A rotation about the target of a camera and a factor on its distance. The same offset also
+/// applies to a moving camera.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(crate) struct Viewpoint {
     yaw: f32,
@@ -23,8 +23,8 @@ impl Viewpoint {
         moved
     }
 
-    /// Rotates by angles in radians. A step that does not move the camera, because of its limits,
-    /// is not stored and need not be undone.
+    /// Rotates by angles in radians. A step that does not move the camera, because the camera is at
+    /// its limit, is not stored, so that it need not be undone.
     pub(crate) fn orbit(&mut self, camera: Camera, yaw: f32, pitch: f32) {
         self.follow(camera, Self { yaw: self.yaw + yaw, ..*self });
         self.follow(camera, Self { pitch: self.pitch + pitch, ..*self });

@@ -21,8 +21,9 @@ const REACH: f64 = 1.2;
 /// top.
 const ACROSS: [DVec3; 2] = [DVec3::new(-0.8, 0.0, 0.6), DVec3::new(0.48, 0.6, 0.64)];
 
-/// The wall and a soft beam. The distance is chosen so that the spot has a radius of one metre at
-/// every angle: a narrower beam has a larger distance and the same picture.
+/// The wall and a soft beam. The distance is chosen so that the spot of light has a radius of one
+/// metre for every angle of the beam: a narrower beam comes from farther away and gives the same
+/// picture.
 #[derive(Clone, Debug)]
 pub(crate) struct Wall {
     /// The site of each pixel, row by row from the top.
@@ -33,8 +34,8 @@ pub(crate) struct Wall {
 }
 
 impl Wall {
-    /// A wall as a square picture with `pixels` on a side, lit by a beam of an outer half angle in
-    /// degrees.
+    /// A wall as a square picture of `pixels` x `pixels` pixels, lit by a beam with this outer half
+    /// angle in degrees.
     pub(crate) fn new(pixels: u32, half_angle: f32) -> Result<Self, Refusal> {
         let place = |i: u32| REACH * ((2.0 * f64::from(i) + 1.0) / f64::from(pixels) - 1.0);
         let normal = AXIS.map(|c| -c);
@@ -46,7 +47,8 @@ impl Wall {
         Ok(Self { sites, spot, half_angle, distance })
     }
 
-    /// Sets the outer half angle in degrees, and the distance at which the spot has the same size.
+    /// Sets the outer half angle in degrees, and the distance at which the spot of light keeps its
+    /// size.
     pub(crate) fn set_half_angle(&mut self, degrees: f32) -> Result<(), Refusal> {
         (self.spot, self.distance) = light(degrees)?;
         self.half_angle = degrees;
@@ -85,8 +87,8 @@ impl Wall {
     }
 }
 
-/// Returns the light of this outer half angle in degrees, and its distance from the centre of the
-/// wall.
+/// Returns the light with this outer half angle in degrees, and the distance of the light from the
+/// centre of the wall.
 fn light(half_angle: f32) -> Result<(SpotLight<Soft, NoAttenuation>, f64), Refusal> {
     if !(NARROWEST..=WIDEST).contains(&half_angle) {
         return Err(Refusal::Outside {
@@ -124,8 +126,8 @@ mod tests {
                 let point = widened(site.point);
                 let versine = versine_between(point - light, wall.axis());
                 let (radius, outer) = (point.length(), f64::from(wall.spot().cone().outer_versine()));
-                // Axis and position of the light are rounded to f32, which moves the spot in
-                // proportion to the distance.
+                // The axis and the position of the light are rounded to f32, which moves the spot
+                // by an amount proportional to the distance.
                 if (radius - 1.0).abs() > 0.005 {
                     assert_eq!(versine < outer, radius < 1.0, "{half_angle}: radius {radius}");
                 }

@@ -51,8 +51,8 @@ impl Directions {
         Self { center, radius: self.radius + turned }
     }
 
-    /// Upper bound of `dot(d, vector)` over all directions `d` in the sphere: `dot(center, vector)
-    /// + radius * |vector|_1`. Loose, because it uses the 1-norm.
+    /// Upper bound of `dot(d, vector)` over all directions `d` in the sphere. It is
+    /// `dot(center, vector) + radius * |vector|_1`; the 1-norm makes it loose.
     #[inline(always)]
     pub(crate) fn most_along(&self, vector: Vec3) -> f32 {
         self.center.dot(vector) + self.radius * vector.abs().element_sum()
