@@ -41,7 +41,7 @@ pub(crate) fn expected(progress: &Progress) -> Result<Vec<String>> {
     laboratory::on_the_host(KERNELS, progress)
 }
 
-/// What every kernel costs on a board, where it must have the results that are expected.
+/// What every kernel costs on a board. An error if a result differs from the expected one.
 pub(crate) fn costs(board: &'static Board, expected: &[String], progress: &Progress) -> Result<Costs> {
     cost::measure(&Laboratory::new(board, progress)?, KERNELS, expected)
 }
@@ -53,7 +53,7 @@ pub(crate) fn effects(board: &'static Board, feature: &str, progress: &Progress)
     cost::measure(&laboratory, EFFECTS, &expected)
 }
 
-/// Counts, and prints the table.
+/// Counts the instructions on each board and prints the table.
 pub fn run(options: &FirmwareOptions) -> Result<()> {
     let progress = Progress::Live;
     let boards = if options.boards.is_empty() { board::ALL.iter().collect() } else { options.boards.clone() };

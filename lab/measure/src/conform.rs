@@ -38,7 +38,7 @@ impl Targets {
     }
 }
 
-/// Checks the targets and prints a line for each, or blesses.
+/// Checks the targets and prints a line for each, or with `bless` writes the vectors.
 pub fn run(options: &ConformOptions) -> Result<ExitCode> {
     let progress = Progress::Live;
     if options.bless {
@@ -52,7 +52,7 @@ pub fn run(options: &ConformOptions) -> Result<ExitCode> {
     };
     let mut conforms = true;
     for target in targets {
-        // A target that cannot be run does not keep the next from running.
+        // If one target cannot be run, the next is still run.
         match target.check(&progress) {
             Ok(report) => {
                 print!("{}", report.told);

@@ -23,12 +23,12 @@ pub struct EffectsOptions {
     /// Write the prices also where they differ from those recorded
     #[arg(long, conflicts_with = "check")]
     pub bless: bool,
-    /// Time a browser again, which wants a quiet machine
+    /// Time the effects in a browser again, which requires an otherwise idle machine
     #[arg(long, conflicts_with = "check")]
     pub time: bool,
 }
 
-/// Counts, compares, and writes the record and the page.
+/// Counts, compares with the record, and writes the record and the page.
 pub fn run(options: &EffectsOptions) -> Result<()> {
     let progress = Progress::Live;
     if options.check {
@@ -50,8 +50,7 @@ pub fn run(options: &EffectsOptions) -> Result<()> {
     record::write(&new, options.bless, &progress)
 }
 
-/// Compares the prices of one board with those on record. Returns the remarks of a comparison that
-/// has passed.
+/// Compares the prices of one board with the record. Returns remarks if the comparison has passed.
 fn check(stand: &Stand, progress: &Progress) -> Result<Vec<String>> {
     let mut new = EffectList::default();
     new.boards.insert(stand.board.to_owned(), prices::count(stand, progress)?);

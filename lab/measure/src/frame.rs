@@ -32,7 +32,7 @@ pub struct FrameOptions {
 /// The firmware program.
 const PROGRAM: &str = "frame";
 
-/// Draws the picture, prints the table, and compares the counts with those on record or writes them.
+/// Draws the picture, prints the table, and compares the counts with the record or writes them.
 pub fn run(options: &FrameOptions) -> Result<()> {
     let progress = Progress::Live;
     let boards = if options.boards.is_empty() { board::ALL.iter().collect() } else { options.boards.clone() };
@@ -47,7 +47,7 @@ pub fn run(options: &FrameOptions) -> Result<()> {
     Ok(())
 }
 
-/// Draws on the host, where results are right by definition, and on boards.
+/// Draws on the host, whose results are right by definition, and on boards.
 fn drawn(boards: &[&'static Board], progress: &Progress) -> Result<StageList> {
     let host = Output::parse(&laboratory::on_the_host(PROGRAM, progress)?)?;
     let counts = boards.iter().map(|board| {
@@ -58,8 +58,8 @@ fn drawn(boards: &[&'static Board], progress: &Progress) -> Result<StageList> {
     Ok(StageList { boards, ..StageList::new(host) })
 }
 
-/// Draws on a board. The picture must be the host's, and no function may stand in for a floating
-/// point unit.
+/// Draws on a board. The picture must be the host's, and the program may not contain soft-float
+/// functions.
 fn draw(laboratory: &Laboratory, host: &Output) -> Result<Counts> {
     let run =
         laboratory.run_with(PROGRAM, |lines| Output::parse(lines).map_or(0, |output| output.regions()))?;

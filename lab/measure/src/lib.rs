@@ -1,5 +1,5 @@
-//! The laboratory: what the kernel errs, costs and takes on every target, compared with the figures
-//! on record.
+//! The laboratory: measures the kernel's errors, costs and bytes on every target, and compares them
+//! with the figures on record.
 
 pub mod boards;
 pub mod conform;

@@ -32,7 +32,7 @@ pub struct MeasureOptions {
     pub bless: bool,
 }
 
-/// Measures, compares, and writes the list and what is made of it.
+/// Measures, compares with the list, and writes the list and the documents made from it.
 pub fn run(options: &MeasureOptions) -> Result<()> {
     let progress = Progress::Live;
     if options.check {
@@ -46,16 +46,16 @@ pub fn run(options: &MeasureOptions) -> Result<()> {
     record::write(&measure(&targets, &progress)?, options.bless, &progress)
 }
 
-/// Compares errors and counts with the list, and the documents with what would be made of it. Times
-/// are left alone. Returns the remarks of a comparison that has passed.
+/// Compares errors and counts with the list, and the documents with those that the list would give.
+/// Times are not compared. Returns remarks if the comparison has passed.
 pub fn check(targets: &[Target], progress: &Progress) -> Result<Vec<String>> {
     let chosen = |target: &Target| targets.is_empty() || targets.contains(target);
     let targets: Vec<_> = Target::counted().into_iter().filter(chosen).collect();
     record::check(&measure(&targets, progress)?)
 }
 
-/// A list with the errors of now, the costs of now on these targets, and the old ones on the
-/// others.
+/// Measures the errors, and the costs on these targets. The costs on other targets are those on
+/// record.
 fn measure(targets: &[Target], progress: &Progress) -> Result<PriceList> {
     let mut list = with_errors(progress)?;
     if let Some(old) = record::load::<PriceList>()? {
@@ -123,7 +123,7 @@ fn with_errors(progress: &Progress) -> Result<PriceList> {
     Ok(list)
 }
 
-/// Counts on a board.
+/// Counts on a board and enters the costs into the list. Returns what the costs depend on.
 fn count(
     list: &mut PriceList,
     board: &'static boards::Board,
@@ -156,7 +156,7 @@ fn note(list: &mut PriceList, target: &str, times: Vec<Times>) -> Result<()> {
     Ok(())
 }
 
-/// How many calls have the price of one power.
+/// Enters for each kernel how many of its calls cost as much as one call of the power function.
 fn compare_with_powf(list: &mut PriceList, target: &Target) -> Result<()> {
     let reference = list.row(target.reference()).and_then(|row| row.cost.get(target.name()));
     let reference = reference.context("the power function has not been measured")?.amount();

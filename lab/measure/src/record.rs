@@ -9,7 +9,7 @@ use anyhow::{Context, Result, bail, ensure};
 use tools::progress::Progress;
 use tools::project;
 
-/// How far instructions may be from those of another compiler.
+/// Relative difference that instructions may have if another compiler is used.
 const LEEWAY: f64 = 0.05;
 
 /// How many differences of a group are listed.
@@ -31,27 +31,28 @@ pub(crate) trait Record: Sized {
     /// What is compared, by group.
     fn figures(&self) -> BTreeMap<String, Group>;
 
-    /// The other files that are made of it, each with its content.
+    /// The documents that show the figures, each with its content.
     fn documents(&self) -> Result<Vec<(PathBuf, Vec<u8>)>>;
 }
 
-/// Figures that are measured together: those of a target, or of no target in particular.
+/// Figures that are measured together: the figures of one target, or those that depend on no
+/// target.
 #[derive(Debug, Default, PartialEq)]
 pub(crate) struct Group {
     compiler: Option<String>,
     figures: BTreeMap<String, Figure>,
 }
 
-/// A figure, and when another is a difference.
+/// A figure. Its variant says when a measured figure counts as different from the recorded one.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Figure {
-    /// The same of every compiler.
+    /// A number that no compiler changes.
     Exact(f64),
-    /// The same of every compiler.
+    /// A text that no compiler changes.
     Text(String),
-    /// Another compiler may have 5 % more or fewer.
+    /// Another compiler may give 5 % more or fewer.
     Instructions(f64),
-    /// Compared for the same compiler alone.
+    /// Compared only if the compiler is the same.
     Bytes(u64),
 }
 
@@ -61,7 +62,7 @@ impl Group {
         Self::default()
     }
 
-    /// Figures of what a compiler has made.
+    /// Figures that depend on the compiler.
     pub(crate) fn of(compiler: &str) -> Self {
         Self { compiler: Some(compiler.to_owned()), ..Self::default() }
     }
@@ -108,11 +109,11 @@ impl Figure {
     }
 }
 
-/// What came of a comparison.
+/// The result of a comparison.
 #[derive(Debug, Default, PartialEq)]
 struct Verdict {
     differences: Vec<String>,
-    /// Remarks for the reader, which fail nothing.
+    /// Remarks for the reader, which do not make the comparison fail.
     remarks: Vec<String>,
 }
 
@@ -151,8 +152,8 @@ pub(crate) fn load<R: Record>() -> Result<Option<R>> {
     }
 }
 
-/// Fails where what is measured now differs from the record, or a document from what the record
-/// says. Returns the remarks of a comparison that has passed.
+/// Fails if a measured figure differs from the record, or if a document is not the one that the
+/// record gives. Otherwise returns the remarks of the comparison.
 pub(crate) fn check<R: Record>(new: &R) -> Result<Vec<String>> {
     let (file, command) = (R::FILE, R::COMMAND);
     let old: R = load()?.with_context(|| format!("there is no {file}: `{command}` writes it"))?;
@@ -169,8 +170,8 @@ pub(crate) fn check<R: Record>(new: &R) -> Result<Vec<String>> {
     Ok(verdict.remarks)
 }
 
-/// Writes what is measured now, with its documents. What differs from the record is printed, and
-/// refused unless it is blessed.
+/// Writes the measured figures and their documents. Differences from the record are printed, and
+/// without `bless` they are an error and nothing is written.
 pub(crate) fn write<R: Record>(new: &R, bless: bool, progress: &Progress) -> Result<()> {
     if let Some(old) = load::<R>()? {
         let Verdict { differences, remarks } = compare(&old, new);

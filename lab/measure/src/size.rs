@@ -22,7 +22,7 @@ pub struct SizeOptions {
     pub json: bool,
 }
 
-/// The smallest processor, one with a floating point unit, and one of another make.
+/// The smallest processor, one with a floating point unit, and a RISC-V.
 const BOARDS: [&str; 3] = ["cortex-m0", "cortex-m4f", "rv32imc"];
 
 /// Builds every effect in every format for each target, and prints the bytes.

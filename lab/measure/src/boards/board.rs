@@ -1,21 +1,21 @@
-//! The processors that are counted on, and the boards that QEMU plays for them.
+//! The processors whose instructions are counted, each on a board that QEMU emulates.
 
 /// A processor with the board that it sits on.
 #[derive(Debug, PartialEq)]
 pub struct Board {
     /// The processor, as the command line and the tables name it.
     pub name: &'static str,
-    /// The same for people.
+    /// The processor's name in texts for people.
     pub title: &'static str,
     /// The target that firmware for it is compiled for.
     pub target: &'static str,
-    /// The QEMU that plays it.
+    /// The program of QEMU that emulates the board.
     pub emulator: &'static str,
-    /// What tells QEMU which board to play.
+    /// QEMU's arguments that select the board.
     pub machine: &'static [&'static str],
 }
 
-/// From the smallest Cortex-M up, and a RISC-V without a floating point unit.
+/// All boards: the Cortex-M from the smallest up, then a RISC-V without a floating point unit.
 pub static ALL: [Board; 4] = [
     Board {
         name: "cortex-m0",
@@ -47,17 +47,17 @@ pub static ALL: [Board; 4] = [
     },
 ];
 
-/// The processors that the quick tests build for: the smallest, and one that computes floats. The
-/// long ones build for all.
+/// The processors that the quick tests build for: the smallest, and one with a floating point unit.
+/// The long tests build for all processors.
 const QUICK: [&str; 2] = ["cortex-m0", "cortex-m4f"];
 
-/// The boards that tests run on.
+/// The boards that the tests run on: all of them if `full`.
 pub fn tested(full: bool) -> Vec<&'static Board> {
     ALL.iter().filter(|board| full || QUICK.contains(&board.name)).collect()
 }
 
 impl Board {
-    /// The board of this name, or an error that says which names there are.
+    /// Returns the board of this name, or an error that lists the names.
     pub fn named(name: &str) -> Result<&'static Self, String> {
         ALL.iter().find(|board| board.name == name).ok_or_else(|| {
             let names: Vec<_> = ALL.iter().map(|board| board.name).collect();

@@ -8,7 +8,7 @@ use super::counts::Region;
 use super::laboratory::{Laboratory, Run};
 use super::symbols::{Function, Symbols};
 
-/// A line of such a program: a kernel that was run in a number format over inputs.
+/// A line that the program prints: a kernel that was run in a number format over inputs.
 #[derive(Clone, Debug, PartialEq)]
 struct Line {
     format: String,
@@ -19,18 +19,20 @@ struct Line {
 /// The name of the loop that does nothing, which runs before each kernel over the same inputs.
 const EMPTY: &str = "empty";
 
-/// What a kernel costs. All is less the empty loop over the same inputs.
+/// What a kernel costs. The empty loop over the same inputs is subtracted from `instructions` and
+/// `bytes`.
 #[derive(Clone, Debug)]
 pub(crate) struct Cost {
     pub(crate) format: String,
     pub(crate) kernel: String,
-    /// The average of a call.
+    /// Instructions of an average call.
     pub(crate) instructions: f64,
-    /// Of all functions that were called, which are there once however many kernels call them.
+    /// Bytes of code of all functions that the kernel calls. A function that several kernels call
+    /// counts for each of them, although the program holds it once.
     pub(crate) bytes: u64,
-    /// The instructions of an average call by function, those of the loop included.
+    /// Instructions of an average call by function, including the loop around the call.
     pub(crate) split: BTreeMap<Function, f64>,
-    /// The instructions of a turn of the empty loop.
+    /// Instructions of one iteration of the empty loop.
     pub(crate) empty: f64,
 }
 
@@ -46,7 +48,7 @@ impl Cost {
 pub(crate) struct Costs {
     pub(crate) kernels: Vec<Cost>,
     pub(crate) compiler: String,
-    /// What has played the board.
+    /// The emulator and the board that it emulated.
     pub(crate) emulator: String,
 }
 
@@ -59,7 +61,7 @@ pub(crate) fn measure(laboratory: &Laboratory, program: &str, host: &[String]) -
     Ok(Costs { kernels, compiler: symbols.compiler, emulator: laboratory.emulator() })
 }
 
-/// An error names the first result that differs.
+/// Compares the results with the host's. An error names the first that differs.
 fn compare(lines: &[String], host: &[String]) -> Result<()> {
     if let Some((line, host)) = lines.iter().zip(host).find(|(line, host)| line != host) {
         bail!("not the bits of the host: `{line}`, on the host `{host}`");

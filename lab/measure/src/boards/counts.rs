@@ -30,13 +30,14 @@ impl FromIterator<(u64, u64)> for Region {
     }
 }
 
-/// Reads the regions from the counter's file, of which there must be `number`.
+/// Reads the regions from the counter's file. An error if the file has a region beyond the first
+/// `number`.
 pub(crate) fn read(file: &Path, number: usize) -> Result<Vec<Region>> {
     let text = fs::read_to_string(file).context("the counter has written nothing")?;
     parse(&text, number).with_context(|| format!("{} is not what the counter writes", file.display()))
 }
 
-/// Regions in which nothing was executed have no line.
+/// Parses the counter's file, in which a region without executed instructions has no line.
 fn parse(text: &str, number: usize) -> Result<Vec<Region>> {
     let mut regions = vec![Region::default(); number];
     for line in text.lines() {

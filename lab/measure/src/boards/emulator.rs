@@ -14,11 +14,11 @@ use super::package;
 use tools::command;
 use tools::progress::Progress;
 
-/// The longest that firmware may run, on a busy machine: a processor that has crashed loops for
-/// ever.
+/// Upper bound of the run time of firmware on a busy machine. Without it a crashed processor would
+/// loop for ever.
 const PATIENCE: Duration = Duration::from_secs(600);
 
-/// An emulator that can play a board.
+/// A QEMU program with the arguments that select a board.
 #[derive(Debug)]
 pub(crate) struct Emulator {
     program: PathBuf,
@@ -28,7 +28,7 @@ pub(crate) struct Emulator {
 }
 
 impl Emulator {
-    /// Finds, or as Debian's root installs, what plays a board.
+    /// Finds the emulator of a board. As root on Debian, installs it if it is missing.
     pub(crate) fn find(board: &Board, progress: &Progress) -> Result<Self> {
         let program = package::program(board.emulator, progress)?;
         let answer = command::answer(Command::new(&program).arg("--version"))?;
@@ -37,22 +37,21 @@ impl Emulator {
         Ok(Self { program, machine: board.machine, version })
     }
 
-    /// Its version and the board, as in `QEMU 7.2, -M microbit`.
+    /// QEMU's version and the board, as in `QEMU 7.2, -M microbit`.
     pub(crate) fn describe(&self) -> String {
         let (major, minor) = self.version;
         format!("QEMU {major}.{minor}, {}", self.machine.join(" "))
     }
 
-    /// Whether this QEMU wants its plugins written for version 3 of the interface, as 9.1 and later
-    /// do.
+    /// Whether this QEMU requires version 3 of the plugin interface, as 9.1 and later do.
     pub(crate) fn wants_api_3(&self) -> bool {
         self.version >= (9, 1)
     }
 
-    /// Runs firmware with the counter in place, which writes to the file `counts`. Returns what the
-    /// firmware prints.
+    /// Runs firmware with the counter loaded. The counter writes to the file `counts`. Returns what
+    /// the firmware prints.
     pub(crate) fn run(&self, firmware: &Path, counter: &Path, counts: &Path) -> Result<String> {
-        // What an earlier run left must not pass for this one's.
+        // The file of an earlier run must not pass for that of this run.
         match fs::remove_file(counts) {
             Err(error) if error.kind() != io::ErrorKind::NotFound => {
                 return Err(error).with_context(|| format!("cannot remove {}", counts.display()));
@@ -60,7 +59,7 @@ impl Emulator {
             _ => {}
         }
         let mut qemu = self.command(firmware);
-        // In a list of options QEMU wants the commas of a path twice.
+        // In a list of options QEMU expects each comma of a path doubled.
         let path = |path: &Path| path.display().to_string().replace(',', ",,");
         qemu.arg("-plugin").arg(format!("{},out={}", path(counter), path(counts)));
         output(qemu)
@@ -83,12 +82,12 @@ impl Emulator {
     }
 }
 
-/// What firmware prints, once QEMU has ended well.
+/// Returns what firmware prints, once QEMU has exited with success.
 fn output(mut qemu: Command) -> Result<String> {
     qemu.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
     let name = command::describe(&qemu);
     let mut child = qemu.spawn().with_context(|| format!("cannot start {name}"))?;
-    // A picture is more than a pipe holds, so that somebody has to read meanwhile.
+    // A printed picture is larger than a pipe's buffer, so threads read the pipes while QEMU runs.
     let (output, complaint) = (text(child.stdout.take()), text(child.stderr.take()));
     let status = wait(&mut child).with_context(|| format!("{name} does not end"))?;
     let (output, complaint) = (join(output), join(complaint));
@@ -98,7 +97,7 @@ fn output(mut qemu: Command) -> Result<String> {
     output
 }
 
-/// Waits for the end, but not for ever.
+/// Waits until the process ends, at most for [`PATIENCE`].
 fn wait(child: &mut Child) -> Result<ExitStatus> {
     let start = Instant::now();
     loop {
@@ -114,7 +113,7 @@ fn wait(child: &mut Child) -> Result<ExitStatus> {
     }
 }
 
-/// Reads a pipe to its end, as output arrives.
+/// Starts a thread that reads a pipe to its end.
 fn text(pipe: Option<impl Read + Send + 'static>) -> JoinHandle<io::Result<String>> {
     thread::spawn(|| {
         let mut text = String::new();

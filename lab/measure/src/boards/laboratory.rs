@@ -1,4 +1,4 @@
-//! A board with everything that counting on it takes.
+//! A board with everything that is needed to count instructions on it.
 
 use std::env::consts::{DLL_PREFIX, DLL_SUFFIX, EXE_SUFFIX};
 use std::path::PathBuf;
@@ -22,7 +22,7 @@ pub(crate) struct Laboratory {
     programs: PathBuf,
 }
 
-/// What came of a program: the lines that it printed, and the region counted for each.
+/// The result of a program: the lines that it printed, and the counted regions.
 #[derive(Debug, PartialEq)]
 pub(crate) struct Run {
     pub(crate) lines: Vec<String>,
@@ -35,7 +35,7 @@ impl Laboratory {
         Self::with(&["--bins"], board, progress)
     }
 
-    /// The same with one program alone, which is built sooner.
+    /// Like [`new`](Self::new), but builds only one program, which is faster.
     pub(crate) fn with_program(name: &str, board: &'static Board, progress: &Progress) -> Result<Self> {
         Self::with(&["--bin", name], board, progress)
     }
@@ -60,7 +60,7 @@ impl Laboratory {
         Ok(Self { board, emulator, counter, programs: toolchain.artifacts("release") })
     }
 
-    /// What plays the board.
+    /// The emulator and the board, as in `QEMU 7.2, -M microbit`.
     pub(crate) fn emulator(&self) -> String {
         self.emulator.describe()
     }
@@ -75,7 +75,8 @@ impl Laboratory {
         self.run_with(name, <[String]>::len)
     }
 
-    /// Runs a firmware program, whose lines tell how many regions it has.
+    /// Runs a firmware program. `regions` computes the number of its regions from the lines that it
+    /// prints.
     pub(crate) fn run_with(&self, name: &str, regions: impl FnOnce(&[String]) -> usize) -> Result<Run> {
         let file = project::target().join(format!("{name}-{}.counts", self.board.name));
         let output = self.emulator.run(&self.program(name), &self.counter, &file)?;
@@ -85,7 +86,7 @@ impl Laboratory {
     }
 }
 
-/// What a firmware program prints when it is compiled for the host, where its results are right by
+/// Returns what a firmware program prints on the host. The results of the host are right by
 /// definition.
 pub(crate) fn on_the_host(name: &str, progress: &Progress) -> Result<Vec<String>> {
     on_the_host_with(name, &[], progress)
@@ -108,7 +109,7 @@ fn on_the_host_with(name: &str, features: &[&str], progress: &Progress) -> Resul
     Ok(command::answer(&mut Command::new(program))?.lines().map(str::to_owned).collect())
 }
 
-/// Builds firmware for a board: its programs are among the artifacts of what compiled them.
+/// Builds firmware for a board. The programs are among the artifacts of the returned toolchain.
 pub(crate) fn build(board: &Board, arguments: &[&str], progress: &Progress) -> Result<Toolchain> {
     let toolchain = Toolchain::find(board.target, progress)?;
     let mut build = firmware(toolchain.cargo_build("core", &[]));
@@ -117,11 +118,13 @@ pub(crate) fn build(board: &Board, arguments: &[&str], progress: &Progress) -> R
     Ok(toolchain)
 }
 
-/// Builds firmware for many boards side by side: each program is linked by one processor, and so is
-/// each board's library, so that board after board the others would have nothing to do.
+/// Builds firmware for many boards side by side. Linking a program, or compiling a board's library,
+/// keeps only one of the machine's processors busy, so building board after board would leave the
+/// others idle.
 pub(crate) fn build_for_all(boards: &[&Board], arguments: &[&str], progress: &Progress) -> Result<()> {
-    // Cargo unifies the features that the start-up macros of all boards in a call require. After a
-    // call with boards of two makes, building one board alone would compile everything again.
+    // In one call, Cargo unifies the features that the start-up macros of all its boards require.
+    // After a call with both Arm and RISC-V boards, building one board alone would compile
+    // everything again.
     for boards in boards.chunk_by(|one, next| one.emulator == next.emulator) {
         let toolchains = boards.iter().map(|board| Toolchain::find(board.target, progress));
         for mut build in Toolchain::cargo_builds(&toolchains.collect::<Result<Vec<_>>>()?, "core", &[]) {
@@ -132,7 +135,7 @@ pub(crate) fn build_for_all(boards: &[&Board], arguments: &[&str], progress: &Pr
     Ok(())
 }
 
-/// A call of cargo, in the firmware's workspace.
+/// Makes a call of cargo run in the firmware's workspace.
 pub(crate) fn firmware(mut cargo: Command) -> Command {
     cargo.current_dir(project::root().join("lab/firmware"));
     cargo

@@ -9,12 +9,13 @@ use anyhow::{Context, Result, bail};
 use tools::progress::Progress;
 use tools::{command, install, project};
 
-/// The emulators, and the files that they share.
+/// Debian's packages of the emulators, and of the files that the emulators share.
 const PACKAGES: [&str; 4] = ["qemu-system-arm", "qemu-system-misc", "qemu-system-common", "qemu-system-data"];
-/// Those of them that hold programs, whose libraries are needed.
+/// The packages that hold programs. The libraries that they depend on are installed.
 const PROGRAMS: [&str; 2] = ["qemu-system-arm", "qemu-system-misc"];
 
-/// One of QEMU's programs: from PATH, or unpacked; as Debian's root we unpack it if need be.
+/// Finds one of QEMU's programs, on PATH or among the unpacked packages. As root on Debian, unpacks
+/// the packages if they are missing.
 pub(crate) fn program(name: &str, progress: &Progress) -> Result<PathBuf> {
     if let Some(program) = command::on_path(&[name]) {
         return Ok(program);
@@ -37,9 +38,9 @@ fn folder() -> PathBuf {
     project::target().join("tools/qemu")
 }
 
-/// Unpacks the packages instead of installing them. Where `qemu-utils` is of another release, the
-/// two claim the same files, and an attempt to install would leave the machine's packages in
-/// disorder.
+/// Unpacks the packages instead of installing them. They contain some of the same files as a
+/// `qemu-utils` of another release; installing them beside one would leave the machine's packages
+/// in disorder.
 fn unpack(folder: &Path, progress: &Progress) -> Result<()> {
     let step = progress.begin("Unpacking", "Debian packages of QEMU into target/tools/qemu");
     fs::create_dir_all(folder).with_context(|| format!("cannot create {}", folder.display()))?;
@@ -69,8 +70,8 @@ fn unpack(folder: &Path, progress: &Progress) -> Result<()> {
     Ok(())
 }
 
-/// The packages in a list such as `libc6 (>= 2.34), libfdt1 | libfdt2, qemu-system-common (= 7.2)`,
-/// the first of each choice, without those that we unpack ourselves.
+/// The package names in a list such as `libc6 (>= 2.34), libfdt1 | libfdt2, qemu-system-common (=
+/// 7.2)`: the first of each choice, without the packages that `unpack` unpacks itself.
 fn names(depends: &str) -> impl Iterator<Item = String> {
     let names = depends.split(',').filter_map(|choice| choice.split_whitespace().next());
     names.filter(|name| !PACKAGES.contains(name)).map(str::to_owned)

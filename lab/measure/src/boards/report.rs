@@ -5,17 +5,17 @@ use std::fmt;
 use super::board::Board;
 use super::cost::{Cost, Costs};
 
-/// The costs on some boards, of the same kernels in the same order.
+/// The costs on several boards. Each board has the same kernels in the same order.
 #[derive(Debug)]
 pub(crate) struct Report {
     pub(crate) boards: Vec<(&'static Board, Costs)>,
 }
 
-/// The kernel that the others are compared with: what a falloff costs by the textbook.
+/// The kernel that the others are compared with: the power function that a textbook falloff calls.
 const RIVAL: &str = "powf-libm.rival";
 
 /// One line for each kernel and format, three columns for each board: the instructions of an
-/// average call, how many such calls are the price of one `powf`, and the bytes of code.
+/// average call, the number of such calls that cost as much as one `powf`, and the bytes of code.
 impl fmt::Display for Report {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         let mut heads = [String::new(), String::new(), String::new()];
@@ -53,7 +53,7 @@ fn decimals(ratio: f64) -> usize {
     if ratio < 10.0 { 1 } else { 0 }
 }
 
-/// The instructions of an average call of one kernel, by function, the most first.
+/// The instructions of an average call of one kernel, by function, in descending order.
 pub(crate) fn by_symbol(board: &Board, cost: &Cost) -> String {
     let mut functions: Vec<_> = cost.split.iter().collect();
     functions.sort_by(|a, b| b.1.total_cmp(a.1));

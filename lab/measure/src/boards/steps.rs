@@ -10,15 +10,16 @@ use tools::progress::Progress;
 use tools::suite::Suite;
 use tools::tally::Tally;
 
-/// Adds the steps: format, lints and the firmware's own tests on the host, and for each board that
-/// the counter counts right and that the results are the host's.
+/// Adds the steps. On the host: format, lints and the firmware's own tests. For each board: the
+/// counter is exact, and the results are the host's.
 pub fn run(suite: &mut Suite, boards: &[&'static Board]) {
     suite.step("firmware: cargo fmt", |progress| {
         let mut cargo = laboratory::firmware(command::cargo("fmt"));
         cargo.args(["--all", "--check"]);
         progress.run(cargo)
     });
-    // Before the host's tests are compiled, whose folder it has to wait for.
+    // Clippy comes before the host's tests, because it would wait for the folder that they are
+    // compiled in.
     suite.step("firmware: cargo clippy", |progress| {
         write_programs()?;
         let mut cargo = laboratory::firmware(command::cargo("clippy"));
@@ -44,8 +45,8 @@ pub fn run(suite: &mut Suite, boards: &[&'static Board]) {
     }
 }
 
-/// Known numbers of instructions are counted as such, and every run counts the same at every
-/// address.
+/// Checks that the counter counts the known numbers of instructions, and that two runs give the
+/// same count at every address.
 fn instrument(laboratory: &Laboratory) -> Result<()> {
     let run = laboratory.run("instrument")?;
     ensure!(!run.lines.is_empty(), "the firmware has printed nothing");

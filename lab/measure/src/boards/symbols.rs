@@ -16,11 +16,11 @@ pub(crate) struct Function {
     pub(crate) bytes: u64,
 }
 
-/// The functions of a program, by their first address, and what compiled them.
+/// The functions of a program by their first address, and the compiler that compiled them.
 #[derive(Debug)]
 pub(crate) struct Symbols {
     functions: BTreeMap<u64, Function>,
-    /// As in `rustc 1.96.0`, or nothing where the program does not say.
+    /// The compiler, as in `rustc 1.96.0`. Empty if the program does not name it.
     pub(crate) compiler: String,
 }
 
@@ -33,14 +33,16 @@ impl Symbols {
         let mut functions = BTreeMap::new();
         for symbol in file.symbols().filter(|symbol| symbol.kind() == SymbolKind::Text && symbol.size() > 0) {
             let name = short(&format!("{:#}", rustc_demangle::demangle(symbol.name().with_context(failed)?)));
-            // Bit 0 of a function's address says Thumb; no instruction is at an odd address.
+            // Bit 0 of a function's address marks Thumb code; its first instruction is at the even
+            // address.
             functions.insert(symbol.address() & !1, Function { name, bytes: symbol.size() });
         }
         let comment = file.section_by_name(".comment").and_then(|section| section.data().ok());
         Ok(Self { functions, compiler: compiler(comment.unwrap_or_default()).unwrap_or_default() })
     }
 
-    /// The instructions of a region, by function. What belongs to no function is counted as `?`.
+    /// The instructions of a region, by function. Instructions outside every function are counted
+    /// as `?`.
     pub(crate) fn split(&self, region: &Region) -> BTreeMap<Function, u64> {
         let mut split = BTreeMap::new();
         for (address, count) in region.iter() {
@@ -54,16 +56,15 @@ impl Symbols {
     }
 }
 
-/// The compiler in the texts of a program's comment, such as
-/// `rustc version 1.96.0 (ac68faa20 2026-05-25)`.
+/// The compiler that a program's `.comment` section names, as in `rustc version 1.96.0 (ac68faa20
+/// 2026-05-25)`.
 fn compiler(comment: &[u8]) -> Option<String> {
     let mut texts = comment.split(|byte| *byte == 0).filter_map(|text| str::from_utf8(text).ok());
     let version = texts.find_map(|text| text.strip_prefix("rustc version "))?;
     Some(format!("rustc {}", version.split(' ').next()?))
 }
 
-/// A function's name without the types that it is compiled for: of a number format they fill a
-/// page.
+/// A function's name without its generic arguments: the types of a number format fill a page.
 fn short(name: &str) -> String {
     name.split("::<").next().unwrap_or(name).to_owned()
 }

@@ -18,7 +18,7 @@ const PROFILE: &str = "wasm";
 /// Builds the page, opens it, and returns what it reports.
 pub(crate) fn check(progress: &Progress) -> Result<String> {
     let toolchain = Toolchain::find(TARGET, progress)?;
-    // The flags are those of the demo: its pixels are what conforms.
+    // The same flags as for the demo, so that the check holds for the demo's pixels.
     let mut build = toolchain.cargo_build("std,panic_abort", &["-Ctarget-feature=+simd128"]);
     build.args(["--package", "luminaire-conform-wasm", "--lib", "--profile", PROFILE]);
     progress.run(build)?;

@@ -15,7 +15,8 @@ use tools::command;
 use tools::progress::Progress;
 use tools::project;
 
-/// The boards whose flash of 256 kB holds all models at once only if they are compiled for size.
+/// The boards whose 256 kB of flash hold all models at once only if the models are compiled for
+/// size.
 const SMALL: [&str; 2] = ["cortex-m0", "cortex-m3"];
 
 /// A way to build and run the check.
@@ -23,9 +24,9 @@ const SMALL: [&str; 2] = ["cortex-m0", "cortex-m3"];
 pub(crate) enum Target {
     /// This machine, without optimisation and with overflow checks.
     Debug,
-    /// This machine, optimised, where overflow would wrap unnoticed.
+    /// This machine, optimised and without overflow checks: an overflow would wrap unnoticed.
     Release,
-    /// This machine, optimised, with its own square root.
+    /// This machine, optimised, with the square root of `std`.
     Std,
     /// WebAssembly in a browser.
     Browser,
@@ -33,19 +34,19 @@ pub(crate) enum Target {
     Board(&'static Board),
 }
 
-/// What came of a check.
+/// The result of a check.
 #[derive(Debug, PartialEq)]
 pub(crate) struct Report {
     /// The first cases that differ, each on a line.
     pub(crate) told: String,
-    /// `123 cases, 0 differ`.
+    /// The counts, as in `123 cases, 0 differ`.
     pub(crate) count: String,
-    /// Whether all cases of the file were there and none differs.
+    /// Whether all cases of the file were checked and none differs.
     pub(crate) passed: bool,
 }
 
 impl Target {
-    /// All targets, those first that are checked soonest.
+    /// All targets, the quickest to check first.
     pub(crate) fn all() -> Vec<Self> {
         Self::on(&board::tested(true))
     }
@@ -67,7 +68,7 @@ impl Target {
         }
     }
 
-    /// The targets of a name on the command line: `host`, `wasm` or a board's.
+    /// The targets of a name on the command line: `host`, `wasm` or the name of a board.
     pub(crate) fn named(name: &str) -> Result<Vec<Self>, String> {
         match name {
             "host" => Ok(vec![Self::Debug, Self::Release, Self::Std]),
@@ -94,7 +95,7 @@ impl Target {
 }
 
 impl Report {
-    /// Reads the output of a check of a file with `cases` cases.
+    /// Reads the output of a check. The file that was checked has `cases` cases.
     fn read(output: &str, cases: usize) -> Result<Self> {
         let output = output.trim_end();
         let (told, count) = output.rsplit_once('\n').unwrap_or(("", output));
@@ -117,7 +118,7 @@ fn on_the_host(options: &[&str], profile: &str, progress: &Progress) -> Result<S
     let program = host(options, profile, progress)?;
     let file = File::open(vectors::path()).context("cannot open the conformance vectors")?;
     let output = Command::new(program).arg("check").stdin(file).output().context("cannot run the check")?;
-    // It ends with failure where cases differ, of which the report tells.
+    // The exit code is ignored: it is a failure if cases differ, and the report says so.
     Ok(String::from_utf8_lossy(&output.stdout).into_owned())
 }
 

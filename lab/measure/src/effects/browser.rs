@@ -16,9 +16,9 @@ use tools::server::{self, Server};
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub(super) struct Browser {
     pub(super) runs_on: String,
-    /// By the name of the effect.
+    /// Times of a frame with and without an effect, by the name of the effect.
     pub(super) frames: BTreeMap<String, Frame>,
-    /// Of the turntable, by the name of its load.
+    /// Times of the turntable, by the name of its load.
     pub(super) loads: BTreeMap<String, Whole>,
 }
 
@@ -29,7 +29,7 @@ pub(super) struct Whole {
     pub(super) moving_ms: f64,
 }
 
-/// What a frame takes, in milliseconds.
+/// What a frame of a scene takes with an effect and without it, in milliseconds.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub(super) struct Frame {
     pub(super) scene: String,
@@ -37,7 +37,7 @@ pub(super) struct Frame {
     pub(super) without_ms: f64,
 }
 
-/// A scene that has an effect or can be given it.
+/// A scene that is timed with an effect and without it.
 struct Trial {
     effect: Effect,
     scene: &'static str,
@@ -53,12 +53,13 @@ static TRIALS: [Trial; 5] = [
     Trial { effect: Effect::Dither, scene: "turntable", options: ["{ with: ['dither'] }", "{}"] },
 ];
 
-/// A time is the median of `FRAMES` frames in the quickest of `ROUNDS` rounds: other work seldom
-/// disturbs all rounds.
+/// Each time is the median of `FRAMES` frames in the quickest of `ROUNDS` rounds, because other
+/// work of the machine seldom disturbs all rounds.
 const FRAMES: u32 = 15;
 const ROUNDS: usize = 3;
 
-/// Times every effect that has a switch.
+/// Times a frame with and without every effect that has a switch, and the turntable under each
+/// load.
 pub(super) fn time(progress: &Progress) -> Result<Browser> {
     let server = Server::start(server::listen(0)?, &site::build(progress)?)?;
     let mut chromium = Chromium::start(progress)?;
@@ -72,7 +73,7 @@ pub(super) fn time(progress: &Progress) -> Result<Browser> {
         for _ in 0..ROUNDS {
             let [with, without] = trial.options.map(|options| frame(&mut page, trial.scene, options));
             let round = [with?, without?];
-            // Both of the same round: what slows one of them down slows down the other.
+            // Both times come from the same round, so that a slow machine affects both alike.
             if round.iter().sum::<f64>() < best.iter().sum::<f64>() {
                 best = round;
             }
@@ -88,7 +89,7 @@ pub(super) fn time(progress: &Progress) -> Result<Browser> {
     Ok(Browser { runs_on, frames, loads })
 }
 
-/// The turntable under a load, in the quickest round.
+/// Times the turntable under a load, each camera in its quickest round.
 fn whole(page: &mut Page, load: &Load) -> Result<Whole> {
     let mut best = [f64::INFINITY; 2];
     for _ in 0..ROUNDS {

@@ -1,4 +1,4 @@
-//! The effects that have a price, and why the others have none of their own.
+//! The effects that have a price, and why other effects have no price of their own.
 
 use std::sync::LazyLock;
 
@@ -24,22 +24,22 @@ pub(crate) struct Entry {
     /// The name for people.
     pub(super) title: &'static str,
     pub(crate) program: &'static str,
-    /// The type of a list that it is of, if it is.
+    /// The type of the model, if the entry comes from the library's lists of models.
     pub(crate) listed: Option<&'static str>,
-    /// The effects of the library that it is of.
+    /// The effects of the library that the program shows.
     pub(super) effects: Effects,
-    /// The program that lacks them, and nothing else.
+    /// The program that differs only in lacking this effect; its cost is subtracted.
     pub(super) over: Option<&'static str>,
     /// What the effect is, and when a scene requires it.
     pub(super) what: &'static str,
 }
 
-/// The plain soft spotlight, with which the others are compared.
+/// The plain soft spotlight, with which other programs are compared.
 const SPOT: &str = "spot-soft-lambert";
 const INVERSE_SQUARE: &str = "spot-soft-lambert-inverse-square";
 const MATTE: &str = "matte";
 
-/// The program of a row of the list of falloffs, of attenuations or of specular lobes.
+/// The entry of one row in a list of models: falloffs, attenuations or specular lobes.
 fn listed(
     (title, program, of): (&'static str, &'static str, &'static str),
     effects: Effects,
@@ -71,8 +71,8 @@ fn falloffs() -> Vec<Entry> {
     luminaire::constant_falloffs!(rows)
 }
 
-/// The soft spotlight with each attenuation. One that ends the inverse square is compared with the
-/// plain inverse square.
+/// The soft spotlight with each attenuation. An attenuation that limits the inverse square to a
+/// range is compared with the plain inverse square.
 fn attenuations() -> Vec<Entry> {
     fn row<A: Attenuation>(
         names: (&'static str, &'static str, &'static str),

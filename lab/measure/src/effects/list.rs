@@ -15,12 +15,13 @@ use tools::project;
 /// The recorded figures of the effects.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub(super) struct EffectList {
-    /// What they are. This is the catalogue's part, and only written.
+    /// Descriptions of the effects. They come from the catalogue, so they are written and never
+    /// read.
     #[serde(skip_deserializing, serialize_with = "described")]
     effects: (),
-    /// What they cost, by board.
+    /// The prices, by board.
     pub(super) boards: BTreeMap<String, Prices>,
-    /// What they take in a browser, once that was timed.
+    /// The times in a browser, once they were measured.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) browser: Option<Browser>,
 }
@@ -39,9 +40,9 @@ pub(super) struct Prices {
 /// What a program costs.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub(super) struct Price {
-    /// An average pixel's.
+    /// Instructions of an average pixel.
     pub(super) instructions: f64,
-    /// Of flash, over the empty program.
+    /// Bytes of flash more than those of the empty program.
     pub(super) bytes: u64,
 }
 
@@ -50,9 +51,9 @@ pub(super) struct Price {
 struct Description<'a> {
     title: &'a str,
     program: &'a str,
-    /// The names of the library.
+    /// The names of the effects in the library.
     effects: Vec<&'a str>,
-    /// The program that lacks them, and nothing else.
+    /// The program that differs only in lacking this effect.
     #[serde(skip_serializing_if = "Option::is_none")]
     over: Option<&'a str>,
     what: &'a str,

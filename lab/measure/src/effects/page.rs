@@ -56,7 +56,7 @@ pub(super) fn write(list: &EffectList) -> Result<String> {
     Ok(text)
 }
 
-/// What effects take of a frame, in the order of the library.
+/// The table of what each effect adds to a frame, in the order of the library.
 fn frames(browser: &Browser) -> String {
     let mut text = format!(
         "\n## In a browser\n\nMilliseconds a frame of 960 x 540 in `f32` while all lights move and the camera is at rest, in \
@@ -137,7 +137,7 @@ mod tests {
     use super::*;
     use luminaire::dynamic::Effects;
 
-    /// A hundred instructions and a thousand bytes for each program.
+    /// A list in which each program costs 100 instructions and 1000 bytes.
     fn list() -> EffectList {
         let mut list = EffectList::default();
         for stand in &STANDS {

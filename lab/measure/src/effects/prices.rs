@@ -26,7 +26,7 @@ pub(super) static STANDS: [Stand; 2] = [
     Stand { board: "cortex-m4f", format: Format::F32, feature: "effects-f32" },
 ];
 
-/// Counts on a board, where the results must be the host's.
+/// Counts on a board. An error if its results are not the host's.
 pub(super) fn count(stand: &Stand, progress: &Progress) -> Result<Prices> {
     let board = Board::named(stand.board).map_err(anyhow::Error::msg)?;
     let costs = boards::effects(board, stand.feature, progress)?;
@@ -44,7 +44,8 @@ pub(super) fn count(stand: &Stand, progress: &Progress) -> Result<Prices> {
     })
 }
 
-/// Every program must have been counted both ways, and be in the catalogue.
+/// Joins instructions and bytes by program. Every program of the catalogue must have both, and no
+/// other program may have either.
 fn joined(
     mut instructions: BTreeMap<String, f64>,
     bytes: Vec<(String, u64)>,
@@ -70,7 +71,7 @@ fn joined(
 mod tests {
     use super::*;
 
-    /// As if each program had 10 instructions and 20 bytes.
+    /// Counts in which each program has 10 instructions and 20 bytes.
     fn counted() -> (BTreeMap<String, f64>, Vec<(String, u64)>) {
         let instructions: BTreeMap<_, _> =
             catalogue::entries().map(|entry| (entry.program.to_owned(), 10.0)).collect();

@@ -13,16 +13,16 @@ use super::part;
 use super::picture::Picture;
 use crate::record::{Figure, Group, Record, replaced};
 
-/// What the picture costs, and the picture itself, which is in a file of its own.
+/// What the picture costs, and the picture itself, which is stored in a separate file.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub(super) struct StageList {
     /// How many pixels it has.
     pub(super) pixels: u64,
-    /// How many of them the light reaches, and what keeps it from the others.
+    /// How many pixels the light reaches, and why it does not reach the others.
     pub(super) light: String,
     /// The stages in their order.
     pub(super) stages: Vec<String>,
-    /// What they cost, by board.
+    /// What the stages cost, by board.
     pub(super) boards: BTreeMap<String, Counts>,
     #[serde(skip)]
     pub(super) picture: Picture,
@@ -35,17 +35,17 @@ pub(super) struct Counts {
     /// KiB of flash, rounded up: code and constants of the whole program. Panic messages embed
     /// the path of the checkout, so the exact size differs between checkouts.
     pub(super) kibibytes: u64,
-    /// Of all pixels, by stage.
+    /// Instructions for all pixels, by stage.
     pub(super) instructions: BTreeMap<String, u64>,
 }
 
 impl Counts {
-    /// A program of which nothing has run.
+    /// The counts of a program before any instruction was counted.
     pub(super) fn new(compiler: &str, bytes: u64) -> Self {
         Self { compiler: compiler.to_owned(), kibibytes: bytes.div_ceil(1024), ..Self::default() }
     }
 
-    /// Adds a row's stage.
+    /// Adds the instructions of one stage of a row.
     pub(super) fn add(&mut self, stage: &str, instructions: u64) {
         *self.instructions.entry(stage.to_owned()).or_default() += instructions;
     }
@@ -58,7 +58,7 @@ impl StageList {
         Self { pixels: picture.pixels() as u64, light, stages, boards: BTreeMap::new(), picture }
     }
 
-    /// Takes the boards that it lacks from another list.
+    /// Takes the boards that this list lacks from another.
     pub(super) fn take_missing(&mut self, other: Option<Self>) {
         for (board, counts) in other.unwrap_or_default().boards {
             self.boards.entry(board).or_insert(counts);

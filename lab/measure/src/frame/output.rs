@@ -1,11 +1,11 @@
-//! What the program prints.
+//! The output of the program.
 
 use anyhow::{Context, Result, ensure};
 
 use super::picture::Picture;
 
-/// A line with the size and the stages, a line for each row, and one that tells what the light
-/// reaches.
+/// The output: a line with the size and the stages, a line for each row, and a line that states how
+/// many pixels the light reaches.
 #[derive(Debug, PartialEq)]
 pub(super) struct Output {
     /// The stages that are counted in each row, in their order.
@@ -15,7 +15,7 @@ pub(super) struct Output {
 }
 
 impl Output {
-    /// Reads the lines.
+    /// Parses the lines that the program prints.
     pub(super) fn parse(lines: &[String]) -> Result<Self> {
         let [head, rows @ .., tally] = lines else { anyhow::bail!("the firmware has printed nothing") };
         let mut words = head.split(' ');

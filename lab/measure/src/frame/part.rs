@@ -3,7 +3,7 @@
 use super::list::{Counts, StageList};
 use crate::boards::board;
 
-/// The lines of the README that it is between.
+/// The lines of the README between which the table stands.
 pub(super) const LINES: [&str; 2] =
     ["<!-- frame: written by `cargo xtask frame --bless` -->\n", "<!-- end of frame -->\n"];
 
@@ -16,7 +16,7 @@ const TITLES: [(&str, &str); 6] = [
     ("colour", "colour: ambient light and the spotlight's, as the material sends it back"),
     ("display", "display: clipped, dithered, packed"),
 ];
-/// What the picture is made of, and without the light.
+/// The stages of the whole picture, and of the picture without the light.
 const WITH: [&str; 5] = ["geometry", "light", "shadow", "colour", "display"];
 const WITHOUT: [&str; 3] = ["geometry", "ambient", "display"];
 

@@ -6,7 +6,8 @@ use std::path::Path;
 
 use anyhow::{Context, Result, ensure};
 
-/// How many pixels of the PNG a pixel is wide and high: a small display is looked at from near.
+/// Width and height of a pixel, in pixels of the PNG. The PNG is magnified because a small display
+/// is looked at from near.
 const SCALE: u32 = 4;
 
 /// A picture in RGB565.
@@ -71,7 +72,7 @@ impl Picture {
         Ok(bytes)
     }
 
-    /// Reads a PNG of [`png`](Self::png).
+    /// Reads a PNG that [`png`](Self::png) has written.
     pub(super) fn read(file: &Path) -> Result<Self> {
         let file = File::open(file).with_context(|| format!("cannot open {}", file.display()))?;
         Self::decode(BufReader::new(file))
@@ -91,13 +92,13 @@ impl Picture {
     }
 }
 
-/// The nearest codes of eight bits.
+/// Expands RGB565 to the nearest codes of 8 bits per channel.
 fn codes(pixel: u16) -> [u8; 3] {
     let widened = |code: u16, last: u16| ((code * 255 + last / 2) / last) as u8;
     [widened(pixel >> 11, 31), widened(pixel >> 5 & 63, 63), widened(pixel & 31, 31)]
 }
 
-/// The pixel of such codes.
+/// Returns the RGB565 pixel nearest to codes of 8 bits.
 fn packed([red, green, blue]: [u8; 3]) -> u16 {
     let nearest = |code: u8, last: u16| (u16::from(code) * last + 127) / 255;
     nearest(red, 31) << 11 | nearest(green, 63) << 5 | nearest(blue, 31)

@@ -6,8 +6,8 @@ use super::drawn;
 use crate::boards::Board;
 use crate::record;
 
-/// Adds a step for each board: the picture is the host's, there is no soft float, and what is
-/// counted is on record.
+/// Adds a step for each board: the picture is the host's, there is no soft float, and the counts
+/// are those on record.
 pub fn run(suite: &mut Suite, boards: &[&'static Board]) {
     for &board in boards {
         let name = format!("frame: the picture, no soft float, and its counts on {}", board.name);

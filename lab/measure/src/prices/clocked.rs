@@ -1,4 +1,4 @@
-//! Errors, and the times of this machine and of a browser.
+//! Runs the measurements of `luminaire-prices`: errors, and times on this machine and in a browser.
 
 use std::env::consts::EXE_SUFFIX;
 use std::process::Command;
@@ -15,7 +15,7 @@ use tools::progress::Progress;
 use tools::server::{self, Server};
 use tools::{command, project, toolchain, wasm};
 
-/// The page that loads the module; it is there for the module alone.
+/// The page that loads the module, and shows nothing.
 const PAGE: &str = r#"<!doctype html>
 <meta charset="utf-8">
 <title>Prices</title>
@@ -29,7 +29,8 @@ document.body.dataset.state = "ready";
 </script>
 "#;
 
-/// How often each kernel is timed, some while apart: other work seldom disturbs all of them.
+/// How often each kernel is timed. The rounds are some time apart, so that other work of the
+/// machine seldom disturbs all of them.
 const ROUNDS: usize = 3;
 
 /// A kernel by its name on the price list.
@@ -92,7 +93,7 @@ pub(crate) fn host(progress: &Progress) -> Result<(Vec<Times>, TargetMeta)> {
     Ok((best(rounds), meta))
 }
 
-/// How long every kernel takes in a browser. Its results must be the host's.
+/// How long every kernel takes in a browser. An error if the results are not the host's.
 pub(crate) fn browser(simd: bool, host: &[Times], progress: &Progress) -> Result<(Vec<Times>, TargetMeta)> {
     let package = if simd { wasm::SIMD_PRICES } else { wasm::PRICES };
     let module = package.compile(progress)?;
@@ -110,7 +111,8 @@ pub(crate) fn browser(simd: bool, host: &[Times], progress: &Progress) -> Result
     let count = page.number("prices.count()")? as usize;
     let mut rounds = Vec::new();
     for _ in 0..ROUNDS {
-        // One at a time, so that no answer is waited for longer than any other.
+        // One call per kernel: a single call that timed all kernels could exceed the time limit of
+        // a call.
         let round = (0..count).map(|number| read(&page.text(&format!("prices.time({number})"))?));
         rounds.push(round.collect::<Result<_>>()?);
     }
@@ -129,7 +131,7 @@ pub(crate) fn browser(simd: bool, host: &[Times], progress: &Progress) -> Result
     Ok((times, meta))
 }
 
-/// Of each kernel the round with the least median.
+/// The times of each kernel in the round where its median is smallest.
 fn best(rounds: Vec<Vec<Times>>) -> Vec<Times> {
     let mut rounds = rounds.into_iter();
     let mut best = rounds.next().unwrap_or_default();
@@ -143,7 +145,7 @@ fn best(rounds: Vec<Vec<Times>>) -> Vec<Times> {
     best
 }
 
-/// The rows whose bits are the platform's own affair.
+/// Whether the bits of this row depend on the platform.
 pub(crate) fn is_platforms_own(name: &str) -> bool {
     name == "powf-std.rival"
 }
@@ -170,7 +172,7 @@ fn run(what: &str, progress: &Progress) -> Result<String> {
     Ok(answer)
 }
 
-/// The processor's name, where the system tells it.
+/// The processor's name, or its architecture where the system does not state the name.
 fn processor() -> String {
     let told = fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
     let name = told.lines().find_map(|line| line.strip_prefix("model name")?.split_once(':'));

@@ -1,6 +1,6 @@
 //! Numbers for people.
 
-/// An error: two digits that count.
+/// Formats an error with two significant digits, or as an integer from 10 on.
 pub(super) fn error(value: f64) -> String {
     match value {
         0.0 => "0".to_owned(),
@@ -12,7 +12,7 @@ pub(super) fn error(value: f64) -> String {
     }
 }
 
-/// A cost: three digits that count, and all of a large one's whole part.
+/// Formats a cost with three significant digits, or as an integer from 100 on.
 pub(super) fn cost(value: f64) -> String {
     match value {
         value if value >= 99.95 => format!("{value:.0}"),

@@ -1,7 +1,7 @@
-//! What nothing else beats in both accuracy and cost.
+//! The Pareto frontier of accuracy and cost.
 
-/// The indices of the points `(cost, error)` that no other point matches in one and beats in the
-/// other, the cheapest first.
+/// The indices of the points `(cost, error)` on the frontier, the cheapest first: no other point
+/// has at most the same cost and error with one of them smaller.
 pub(crate) fn frontier(points: &[(f64, f64)]) -> Vec<usize> {
     let mut order: Vec<_> = (0..points.len()).collect();
     order.sort_by(|&a, &b| points[a].0.total_cmp(&points[b].0).then(points[a].1.total_cmp(&points[b].1)));

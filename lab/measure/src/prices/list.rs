@@ -22,7 +22,7 @@ pub(crate) struct PriceList {
 
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Meta {
-    /// The outer half angle in degrees that `error` and `cost` are of.
+    /// The outer half angle, in degrees, of the cone that `error` and `cost` are measured in.
     pub(crate) half_angle: f64,
     pub(crate) targets: BTreeMap<String, TargetMeta>,
 }
@@ -33,7 +33,7 @@ pub(crate) struct TargetMeta {
     pub(crate) compiler: String,
     pub(crate) flags: String,
     pub(crate) runs_on: String,
-    /// The kernel that `ratio_to_powf` compares with.
+    /// The power function that `ratio_to_powf` compares with.
     pub(crate) reference: String,
     /// The day, as in 2026-01-31.
     pub(crate) measured: String,
@@ -47,10 +47,10 @@ pub(crate) struct Row {
     pub(crate) format: String,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) error: Option<Error>,
-    /// The same for narrower cones, the widest first.
+    /// The errors in narrower cones, the widest first.
     pub(crate) narrower: Vec<Cone>,
     pub(crate) cost: BTreeMap<String, Cost>,
-    /// Of code.
+    /// Bytes of code, by target.
     pub(crate) bytes: BTreeMap<String, u64>,
 }
 
@@ -83,7 +83,7 @@ pub(crate) struct Cone {
     pub(crate) half_angle: f64,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) error: Option<Error>,
-    /// The narrowest half angle that the format holds, where it does not hold this one.
+    /// The narrowest half angle that the format supports, if it does not support this one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) narrowest: Option<f64>,
 }
@@ -139,14 +139,14 @@ impl PriceList {
         found.with_context(|| format!("{name} has a cost but no error"))
     }
 
-    /// The targets that it has costs of, in the order of the page.
+    /// The targets whose costs are on the list, in the order of the page.
     pub(super) fn targets(&self) -> impl Iterator<Item = Target> {
         Target::all().into_iter().filter(|target| self.meta.targets.contains_key(target.name()))
     }
 }
 
 impl Row {
-    /// The errors in every cone, whatever the compiler.
+    /// Adds the errors in every cone to a group of figures.
     fn errors(&self, half_angle: f64, group: &mut Group) {
         let widest = Cone { half_angle, error: self.error.clone(), narrowest: None };
         for cone in [&widest].into_iter().chain(&self.narrower) {
@@ -176,7 +176,7 @@ impl Record for PriceList {
         Ok(serde_json::from_str(text)?)
     }
 
-    /// A line for each row, so that differences are read row by row.
+    /// The text has one line for each row, so that a `diff` shows which rows changed.
     fn text(&self) -> Result<String> {
         let rows: Result<Vec<_>, _> = self.rows.iter().map(serde_json::to_string).collect();
         let meta = serde_json::to_string_pretty(&self.meta)?;

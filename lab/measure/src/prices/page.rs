@@ -101,7 +101,7 @@ fn priced(row: &Row, target: &Target) -> Option<String> {
     Some(format!("| {} | {} | {error} | {cost} |\n", row.kernel, row.format))
 }
 
-/// A table of our kernels by format, and one line of rivals.
+/// A table of the project's kernels by format, then one line with the rivals.
 fn by_format(list: &PriceList, cell: impl Fn(&Row) -> Option<String>) -> String {
     let mut text =
         format!("| | {} |\n|---|{}\n", FORMATS.map(|f| format!("`{f}`")).join(" | "), "---|".repeat(6));

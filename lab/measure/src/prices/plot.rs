@@ -16,14 +16,14 @@ use super::list::{PriceList, Row};
 use super::target::Target;
 
 type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
-/// A place in pixels.
+/// A position in pixels.
 type Pixel = (i32, i32);
 
 const SIZE: (u32, u32) = (1000, 560);
 const FONT: &str = "system-ui, sans-serif";
 const STAIRS: RGBColor = RGBColor(184, 184, 184);
 const GRID: RGBColor = RGBColor(228, 228, 228);
-/// What a display tells from the truth: half a code.
+/// The error, in codes, from which on a display shows a difference.
 const VISIBLE: f64 = 0.5;
 /// The stages, with the titles of their panels.
 const PANELS: [(&str, &str); 2] =
@@ -35,7 +35,8 @@ struct Mark {
     cost: f64,
     error: f64,
     format: String,
-    /// Whether it does what the frontier is drawn of: a soft edge, without distance or highlight.
+    /// Whether the kernel counts for the frontier: a soft edge without distance and highlight, or a
+    /// rival.
     is_subject: bool,
     /// Text beside the point.
     label: Option<String>,
@@ -66,7 +67,8 @@ fn picture(svg: &mut String, list: &PriceList, target: &Target) -> Result<(), Bo
     Ok(())
 }
 
-/// The kernels of a stage that have an error and a cost, but for the loop that does nothing.
+/// The kernels of a stage that have an error above 0 and a cost, except `clamp`, which does almost
+/// no work.
 fn marks(list: &PriceList, target: &Target, stage: &str) -> Vec<Mark> {
     let rows = list.rows.iter().filter(|row| row.stage == stage && row.kernel != "clamp");
     rows.filter_map(|row| {
@@ -78,7 +80,8 @@ fn marks(list: &PriceList, target: &Target, stage: &str) -> Vec<Mark> {
     .collect()
 }
 
-/// Of the profiles one stands for all of its format: they lie close together.
+/// The label of a row, if it has one. The profiles of a format lie close together, so that only the
+/// soft one is labelled.
 fn label(row: &Row) -> Option<String> {
     let label = match (row.stage.as_str(), row.kernel.as_str()) {
         (_, kernel) if row.format == "rival" => kernel.replace('-', " "),
@@ -129,7 +132,7 @@ fn panel(
         labels.avoid(at(pair[0].0, pair[0].1), at(pair[1].0, pair[1].1));
     }
     labels.place(root, "half a code", (right - 34, at(most, VISIBLE).1), 11)?;
-    // What is compared stands in front, and larger.
+    // The compared kernels are drawn last and larger, in front of the others.
     for is_subject in [false, true] {
         for (mark, place) in marks.iter().zip(&places).filter(|(mark, _)| mark.is_subject == is_subject) {
             marker::draw(root, &mark.format, *place, is_subject)?;
@@ -143,8 +146,8 @@ fn panel(
     Ok(())
 }
 
-/// The corners of the frontier of soft edges and rivals, as stairs: whoever pays more gets nothing
-/// better until the next step.
+/// The corners of the frontier of soft edges and rivals, drawn as stairs: between two steps a
+/// higher cost buys no accuracy.
 fn corners(marks: &[Mark]) -> Vec<(f64, f64)> {
     let subjects = marks.iter().filter(|mark| mark.is_subject);
     let points: Vec<_> = subjects.map(|mark| (mark.cost, mark.error)).collect();
@@ -172,14 +175,14 @@ fn legend(root: &Area<'_>) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// The least and the most of some values.
+/// Minimum and maximum of some values; `(1, 10)` if there are none.
 fn ends(values: impl Iterator<Item = f64>) -> (f64, f64) {
     let ends =
         values.fold((f64::INFINITY, 0.0_f64), |(least, most), value| (least.min(value), most.max(value)));
     if ends.0 <= ends.1 { ends } else { (1.0, 10.0) }
 }
 
-/// A power of ten as it is printed.
+/// Formats a power of ten, as in 10⁻².
 fn power_of_ten(value: f64) -> String {
     let digit = |digit: char| match digit {
         '-' => '⁻',

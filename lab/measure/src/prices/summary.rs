@@ -1,10 +1,10 @@
-//! The README's part: a short table and a picture.
+//! The part of the README with prices: a short table and a picture.
 
 use super::figures;
 use super::list::PriceList;
 use super::target::Target;
 
-/// The lines of the README that it is between.
+/// The lines of the README between which the part stands.
 pub(super) const LINES: [&str; 2] =
     ["<!-- prices: written by `cargo xtask measure` -->\n", "<!-- end of prices -->\n"];
 
@@ -15,7 +15,7 @@ const ROWS: [(&str, &str); 4] = [
     ("lit-inverse-square.fx16", "lit point, `Fx16`"),
     ("lit-inverse-square.f32", "lit point, `f32`"),
 ];
-/// The columns after the errors, where they were measured.
+/// The targets of the columns after the errors. A target without measurements has no column.
 const TARGETS: [&str; 4] = ["cortex-m0", "cortex-m4f", "rv32imc", "host"];
 /// The half angle of the second column of errors.
 const NARROW: f64 = 1.0;

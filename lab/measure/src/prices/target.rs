@@ -5,14 +5,14 @@ use crate::boards::{BOARDS, Board};
 /// A target.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Target {
-    /// This machine: by the clock.
+    /// This machine; costs are times.
     Host,
-    /// A browser: by its clock, with or without vector instructions.
+    /// A browser, with or without vector instructions; costs are times.
     Browser {
         /// Whether it may use vector instructions.
         simd: bool,
     },
-    /// A microcontroller: by counting.
+    /// A microcontroller; costs are instructions.
     Board(&'static Board),
 }
 
@@ -23,12 +23,12 @@ impl Target {
         clocked.into_iter().chain(BOARDS.iter().map(Self::Board)).collect()
     }
 
-    /// The targets whose costs are counted: the same in every run.
+    /// The targets whose costs are counted instructions, which are the same in every run.
     pub fn counted() -> Vec<Self> {
         BOARDS.iter().map(Self::Board).collect()
     }
 
-    /// The target of this name, or an error that says which names there are.
+    /// Returns the target of this name, or an error that lists the names.
     pub fn named(name: &str) -> Result<Self, String> {
         Self::all().into_iter().find(|target| target.name() == name).ok_or_else(|| {
             let names: Vec<_> = Self::all().iter().map(Self::name).collect();

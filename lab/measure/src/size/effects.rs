@@ -12,12 +12,12 @@ use crate::effects::catalogue::{self, Entry};
 use tools::progress::Progress;
 use tools::project;
 
-/// The profile that the programs are compiled with: `opt-level = "s"`, everything seen at once.
+/// The profile that the programs are compiled with: `opt-level = "s"` and link-time optimisation.
 const PROFILE: &str = "size";
 
-/// The program that does nothing, whose bytes are no effect's.
+/// The program that does nothing. Its bytes are subtracted from those of every effect.
 pub(crate) const EMPTY: &str = "empty";
-/// The program that would have more effects if its constants said so.
+/// The program with effects that its constants switch off.
 pub(crate) const UNUSED: &str = "unused";
 
 /// A number format, which a feature of the programs selects.
@@ -56,7 +56,7 @@ pub(crate) struct Effects {
 }
 
 impl Effects {
-    /// Builds all programs. Those that can panic do not link.
+    /// Builds all programs. A program that can panic does not link.
     pub(crate) fn build(board: &Board, format: Format, progress: &Progress) -> Result<Self> {
         Self::cargo(board, format, &["--bins"], progress)
     }
@@ -107,8 +107,8 @@ impl Effects {
         Program::read(&self.file(name))
     }
 
-    /// The effects in the order of their names, each with the bytes that its program has over the
-    /// empty one.
+    /// The effects in the order of their names, each with the bytes that its program has more than
+    /// the empty one.
     pub(crate) fn bytes(&self) -> Result<Vec<(String, u64)>> {
         let empty = self.program(EMPTY)?.bytes;
         let mut effects = Vec::new();
@@ -120,11 +120,11 @@ impl Effects {
     }
 }
 
-/// The programs of one effect each by name, with the function that each of them runs.
+/// The programs by name, each with the function of the one effect that it runs.
 fn programs() -> BTreeMap<&'static str, String> {
     let function = |entry: &Entry| match entry.listed {
         Some(model) => {
-            // As rustfmt has it: the compiler's own spelling of a type is `Power < 4 >`.
+            // Spaced as rustfmt does it: `stringify!` writes a type as `Power < 4 >`.
             let model = model.replace(' ', "").replace(',', ", ");
             format!("<{model} as luminaire_effects::Listed>::effect")
         }
@@ -138,12 +138,12 @@ fn file_name(program: &str) -> String {
     program.replace('-', "_")
 }
 
-/// The folder of what is written for the compiler.
+/// The folder of the generated source files.
 fn folder() -> PathBuf {
     project::root().join("lab/firmware/effects/src/bin")
 }
 
-/// Writes a source file, unless it is as it should be: cargo compiles again what was written again.
+/// Writes a source file if its content changes: cargo would recompile a file that is written again.
 pub(crate) fn write_source(name: &str, source: &str) -> Result<()> {
     let file = folder().join(name);
     let failed = || format!("cannot write {}", file.display());
@@ -154,7 +154,7 @@ pub(crate) fn write_source(name: &str, source: &str) -> Result<()> {
     Ok(())
 }
 
-/// Writes the source files of the programs, and removes those of any other.
+/// Writes the source files of the programs, and removes the files of programs that no longer exist.
 pub(crate) fn write_programs() -> Result<()> {
     let programs = programs();
     for (program, function) in &programs {

@@ -1,4 +1,4 @@
-//! A linked program: how much of it goes to flash, and what it is made of.
+//! A linked program: its bytes of flash, and its functions and variables.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -31,13 +31,14 @@ impl Program {
         })
     }
 
-    /// The names of the functions that call a function, by others too, as the relocations say that
-    /// the linker has left in the file.
+    /// The names of the functions that call a function, directly or indirectly, read from the
+    /// relocations that the linker has left in the file.
     pub(crate) fn callers(file: &Path, callee: &str) -> Result<BTreeSet<String>> {
         let failed = || format!("cannot read the relocations of {}", file.display());
         let content = fs::read(file).with_context(failed)?;
         let object = object::File::parse(&*content).with_context(failed)?;
-        // The address of a function in Thumb code is odd, that of its first byte is even.
+        // The address of a function in Thumb code has bit 0 set; its first byte is at the even
+        // address below.
         let even = |address: u64| address & !1;
         let functions = object.symbols().filter(|of| of.kind() == SymbolKind::Text && of.size() > 0);
         let functions = functions.map(|of| (even(of.address()), of)).collect::<BTreeMap<_, _>>();
@@ -65,27 +66,27 @@ impl Program {
         Ok(names)
     }
 
-    /// An error names the functions that stand in for a floating point unit.
+    /// Fails if the program contains soft-float functions, and names them.
     pub fn has_no_float(&self) -> Result<()> {
         let floats = self.names_of(is_float);
         ensure!(floats.is_empty(), "there are floats: {}", floats.join(", "));
         Ok(())
     }
 
-    /// The names of a kind.
+    /// The names for which `kind` returns true.
     pub fn names_of(&self, kind: impl Fn(&str) -> bool) -> Vec<&str> {
         self.names.iter().map(String::as_str).filter(|name| kind(name)).collect()
     }
 }
 
-/// Sections with a place in memory and with content: what is only zeroed has none.
+/// Whether a section takes flash: it is loaded and has content, unlike memory that is only zeroed.
 fn is_in_flash(flags: SectionFlags) -> bool {
     matches!(flags, SectionFlags::Elf { sh_type, sh_flags } if sh_flags.contains(SHF_ALLOC) && sh_type != SHT_NOBITS)
 }
 
-/// Whether this is one of the compiler's functions for floats on a processor without them: of Arm's
-/// run-time ABI (`__aeabi_fadd`, `__aeabi_i2f`, `__aeabi_cdcmple`), or of GCC's (`__addsf3`,
-/// `__floatsisf`), or what they call.
+/// Whether this is one of the compiler's soft-float functions: in Arm's run-time ABI
+/// (`__aeabi_fadd`, `__aeabi_i2f`, `__aeabi_cdcmple`) or in GCC's (`__addsf3`, `__floatsisf`), or a
+/// function that these call.
 fn is_float(name: &str) -> bool {
     if let Some(arm) = name.strip_prefix("__aeabi_") {
         return arm.starts_with(['f', 'd'])
@@ -98,7 +99,7 @@ fn is_float(name: &str) -> bool {
         || name.starts_with("libm::")
 }
 
-/// Whether this is a function of a heap.
+/// Whether this is a function of a heap allocator.
 pub fn is_heap(name: &str) -> bool {
     ["__rust_alloc", "__rust_dealloc", "__rust_realloc", "__rg_alloc", "alloc::"]
         .iter()

@@ -26,11 +26,13 @@ const EXEMPT: [(&str, &str); 4] = [
     ("Source::write", "source text, which build scripts write on the host"),
 ];
 
-/// What the calls name of the format: all types in `unknown.rs` that depend on it.
+/// The types in `unknown.rs` that depend on the format. A call that names one of them is made in
+/// each format.
 const OF_FORMAT: [&str; 9] =
     ["Format", "Irradiance", "Gain", "Offset", "Ray", "FineRay", "FineShare", "Fraction", "FineFraction"];
 
-/// All public functions of the core, sorted by what is to be done with them.
+/// All public functions of the core: those called in each format, those called once, and the number
+/// of exempt ones.
 #[derive(Debug)]
 pub(crate) struct Proof {
     each_format: Vec<Function>,
@@ -44,7 +46,7 @@ impl Proof {
         let folder = project::target().join("public");
         let mut rustdoc = command::cargo("rustdoc");
         rustdoc.args(["--package", "luminaire", "--features", "arithmetic", "--target-dir"]).arg(&folder);
-        // The list is there in the nightly compiler alone, or with this.
+        // Only a nightly compiler writes the list, or a stable one with `RUSTC_BOOTSTRAP`.
         rustdoc.args(["--", "-Zunstable-options", "--output-format=json"]).env("RUSTC_BOOTSTRAP", "1");
         progress.run(rustdoc)?;
         let json = fs::read(folder.join("doc/luminaire.json")).context("rustdoc has written no list")?;
@@ -83,7 +85,8 @@ impl Proof {
         Ok(Self { each_format, common, exempt })
     }
 
-    /// The names of the functions that can panic, read from programs that are linked all the same.
+    /// The names of the functions that can panic, read from programs that are linked although they
+    /// can panic.
     pub(crate) fn culprits(
         &self,
         board: &Board,
@@ -156,7 +159,7 @@ mod tests {
         Function { name: name.to_owned(), of_trait: of_trait.map(str::to_owned), calls }
     }
 
-    /// Functions of which each exemption names one, and these.
+    /// One function for each exemption, followed by `more`.
     fn functions(more: &[Function]) -> Vec<Function> {
         let exempt = EXEMPT.iter().map(|(name, _)| function("<T as Trait>::f", Some(name), Err("unknown")));
         exempt.chain(more.iter().cloned()).collect()

@@ -1,4 +1,4 @@
-//! Calls of the public functions of a crate, written from the list that rustdoc makes as JSON.
+//! Writes calls of all public functions of a crate, from rustdoc's list of them in JSON.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -7,10 +7,11 @@ use serde_json::{Value, json};
 
 type Rows = &'static [(&'static str, &'static [&'static str])];
 
-/// The types for a generic parameter, by its bound: of the parameter's rows the first. Where a row
-/// has many types, the function is called with each.
+/// The types for a generic parameter, by its bound. If several rows match the parameter's bounds,
+/// the first counts. If a row has several types, the function is called with each.
 ///
-/// One type stands for all falloffs and one for all attenuations: its functions match on them.
+/// One type stands for all falloffs, and one for all attenuations: the functions of these enums
+/// match on every model.
 const TYPES: Rows = &[
     ("Scalar", &["Format"]),
     ("SourceScalar", &["Format"]),
@@ -30,16 +31,17 @@ const TYPES: Rows = &[
     ("Hasher", &["Words"]),
     ("Copy", &["Irradiance"]),
 ];
-/// The type for a parameter that has none but these bounds, which every number has.
+/// The type for a parameter that has only bounds in `OF_NUMBERS`, which every number satisfies.
 const PLAIN: &[&str] = &["Format"];
 const OF_NUMBERS: [&str; 10] =
     ["Clone", "Debug", "Default", "Eq", "Hash", "Named", "Ord", "PartialEq", "PartialOrd", "Source"];
 
-/// The constant for a generic parameter, by its type: a square, as patterns require.
+/// The value for a const generic parameter, by its type. It is a square number, as patterns
+/// require.
 const CONSTANTS: Rows = &[("u32", &["4"]), ("usize", &["4"])];
 
-/// Traits that each format implements, mostly by private types: each build calls their functions on
-/// the types of its format, which are those of their rows.
+/// Traits that each format implements, mostly by private types. Each build calls their functions on
+/// the types that the traits' rows in `TYPES` name for its format.
 const OF_FORMATS: [&str; 7] = ["Scalar", "Arithmetic", "Gain", "Offset", "Ray", "Share", "Fraction"];
 
 /// A public function.
@@ -47,9 +49,9 @@ const OF_FORMATS: [&str; 7] = ["Scalar", "Arithmetic", "Gain", "Offset", "Ray", 
 pub(crate) struct Function {
     /// Its path, such as `luminaire::Cone::soft` or `<luminaire::Rgb<Format> as Clone>::clone`.
     pub(crate) name: String,
-    /// The same without the type, such as `Clone::clone`, for a function of a trait.
+    /// The path without the type, such as `Clone::clone`, if it is a function of a trait.
     pub(crate) of_trait: Option<String>,
-    /// The calls, one per choice of types, or why there is none.
+    /// The calls, one per choice of types, or the reason why no call can be written.
     pub(crate) calls: Result<Vec<String>, String>,
 }
 
@@ -62,7 +64,7 @@ struct Listing<'a> {
     public: BTreeMap<String, String>,
 }
 
-/// What a function belongs to: nothing, a type, or a trait for a type.
+/// What a function belongs to: nothing, a type, or a trait implemented for a type.
 #[derive(Clone, Default)]
 struct Owner {
     this: Value,
@@ -70,7 +72,7 @@ struct Owner {
     scope: Scope,
 }
 
-/// Writes types for one choice of each generic parameter.
+/// Spells types as source text, for one choice of each generic parameter.
 struct Spelling<'a> {
     listing: &'a Listing<'a>,
     this: &'a Value,
@@ -116,7 +118,7 @@ impl<'a> Listing<'a> {
         &self.json["index"][id.to_string()]
     }
 
-    /// Notes the public path of an item, or those of all items in a module.
+    /// Records the public path of an item, or the paths of all items in a module.
     fn visit(&mut self, id: &Value, path: &str) {
         let module = &self.item(id)["inner"]["module"];
         if !module.is_object() {
@@ -136,7 +138,7 @@ impl<'a> Listing<'a> {
         }
     }
 
-    /// Adds the functions without a type, and those of the traits of the formats.
+    /// Adds the free functions, and the functions of the traits of the formats.
     fn free_and_of_formats(&self, functions: &mut Vec<Function>) -> Result<()> {
         for (id, path) in &self.public {
             let item = &self.json["index"][id];
@@ -176,7 +178,7 @@ impl<'a> Listing<'a> {
                 continue;
             }
             if trait_.is_object() {
-                // The parameters of others' traits follow from the arguments.
+                // The compiler infers the parameters of a foreign trait from the arguments.
                 let blank = if trait_["args"].is_object() { "<_>" } else { "" };
                 owner.of = Some(self.name(trait_)? + blank);
             }
@@ -190,7 +192,7 @@ impl<'a> Listing<'a> {
         Ok(())
     }
 
-    /// Adds all functions of a public trait for a type, also those that it has by default.
+    /// Adds all functions of a public trait for a type, including provided methods.
     fn of_our_trait(&self, id: &str, mut owner: Owner, functions: &mut Vec<Function>) -> Result<()> {
         let of = &self.json["index"][id]["inner"]["trait"];
         let scope = self.scope(&of["generics"], &Scope::new())?;
@@ -231,7 +233,7 @@ impl<'a> Listing<'a> {
             (0..choices).map(|choice| call(&scope, choice)).collect::<Result<_>>()
         };
         let first = Spelling { listing: self, this: &owner.this, scope: &owner.scope, choice: 0 };
-        // Of the same trait, implementations differ by the argument.
+        // Implementations of the same trait for the same type are named by their argument.
         let argument = first.spell(&function["sig"]["inputs"][0][1]).unwrap_or_else(|_| "_".into());
         let of_trait = owner.of.as_ref().map(|of| last(of.split('<').next().unwrap_or(of)));
         Ok(Function {
@@ -241,7 +243,7 @@ impl<'a> Listing<'a> {
         })
     }
 
-    /// The types for generic parameters, and for those around them.
+    /// The types for generic parameters, including those of the enclosing scope.
     fn scope(&self, generics: &Value, outer: &Scope) -> Result<Scope> {
         let mut scope = outer.clone();
         for parameter in list(&generics["params"]) {
@@ -273,7 +275,8 @@ impl<'a> Listing<'a> {
         if let Some(path) = self.public.get(&id) {
             return Ok(path.clone());
         }
-        // What is written in full is public; where it is defined need not be.
+        // A path that starts with a crate's name is public as written; the path of its definition
+        // need not be.
         let crates = self.json["external_crates"].as_object().into_iter().flatten();
         let start = written.split_once("::").map_or("", |(start, _)| start);
         if crates.into_iter().any(|(_, of)| of["name"] == start) {
@@ -287,7 +290,7 @@ impl<'a> Listing<'a> {
     }
 }
 
-/// The name of a bound, of a conversion with what it gives.
+/// The name of a bound; for `Into`, with the type that it converts to.
 fn bound(of: &Value) -> String {
     let into = text(&of["args"]["angle_bracketed"]["args"][0]["type"]["resolved_path"]["path"]);
     match last(text(&of["path"])) {
@@ -374,8 +377,8 @@ mod tests {
         }}})
     }
 
-    /// A crate `lib` with a trait `Ray`, and with a type `Cell<T>` in a private module that it
-    /// re-exports.
+    /// A crate `lib` with a trait `Ray`, and with a type `Cell<T>` that it re-exports from a
+    /// private module.
     fn crate_of(functions: &[Value]) -> Value {
         let this = json!({"resolved_path": path("Cell", 2, &[json!({"type": {"generic": "T"}})])});
         let myself = json!({"borrowed_ref": {"is_mutable": false, "type": {"generic": "Self"}}});

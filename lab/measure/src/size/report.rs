@@ -4,7 +4,7 @@ use std::fmt;
 
 use serde_json::{Map, Value};
 
-/// The bytes of the same effects in some formats on some targets.
+/// The bytes of the same effects in several formats on several targets.
 #[derive(Debug, Default)]
 pub(crate) struct Report {
     columns: Vec<Column>,

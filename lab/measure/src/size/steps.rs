@@ -1,5 +1,5 @@
 //! The part of `cargo xtask test` that reads linked programs: no float, no panic, no heap, and no
-//! byte for nothing.
+//! bytes for unused effects.
 
 use anyhow::{Result, ensure};
 
@@ -11,8 +11,8 @@ use crate::boards::{Board, board};
 use tools::progress::Progress;
 use tools::suite::Suite;
 
-/// The most that a soft spotlight with Lambert's cosine may take in 16 bits on the smallest
-/// processor.
+/// Upper bound, in bytes of flash, of a soft spotlight with Lambert's cosine in `Fx16` on the
+/// smallest processor.
 const BUDGET: u64 = 1920;
 
 /// Adds the steps.
@@ -50,7 +50,7 @@ pub fn run(suite: &mut Suite, boards: &[&'static Board]) {
     suite.step("effects: the soft spotlight keeps to its budget", budget);
 }
 
-/// A panic that can be reached fails to link.
+/// Links the programs, which fails if a panic can be reached, and checks that they have no heap.
 fn no_panic(proof: &Proof, names: &[&str], board: &Board, format: Format, progress: &Progress) -> Result<()> {
     let effects = Effects::build_with(board, format, names, "proof", progress).or_else(|error| {
         let culprits = proof.culprits(board, format, names, progress).unwrap_or_default();
@@ -61,13 +61,13 @@ fn no_panic(proof: &Proof, names: &[&str], board: &Board, format: Format, progre
         let program = effects.program(name)?;
         let (heap, format) = (program.names_of(is_heap), format.name());
         ensure!(heap.is_empty(), "in {name} in {format} there is a heap: {}", heap.join(", "));
-        // Nothing would be shown by a program from which the linker has thrown everything out.
+        // A program from which the linker has removed everything would prove nothing.
         ensure!(program.bytes > 100_000, "in {name} in {format} there is nothing left to panic");
     }
     Ok(())
 }
 
-/// The picture is the host's, and no function stands in for a floating point unit.
+/// Checks that the picture is the host's and that the program contains no soft-float functions.
 fn still(board: &'static Board, progress: &Progress) -> Result<()> {
     let laboratory = Laboratory::new(board, progress)?;
     let host = laboratory::on_the_host("still", progress)?;
@@ -93,7 +93,7 @@ fn budget(progress: &Progress) -> Result<()> {
     Ok(())
 }
 
-/// The processor with the least of everything.
+/// The smallest board.
 fn smallest() -> &'static Board {
     &board::ALL[0]
 }

@@ -1,4 +1,4 @@
-//! Placing labels beside markers, over nothing else.
+//! Places labels beside markers, where they cover as little as possible.
 
 use std::error::Error;
 
@@ -9,24 +9,25 @@ use super::{Area, FONT, Pixel};
 /// A part of the picture: left, top, right and bottom.
 type Rectangle = [i32; 4];
 
-/// What is taken of a panel.
+/// The frame of a panel, and the parts of it that are taken.
 #[derive(Debug)]
 pub(super) struct Labels {
     frame: Rectangle,
     taken: Vec<Rectangle>,
 }
 
-/// How far from its marker a label may stand; from the second on a line leads to it.
+/// Distances from its marker at which a label may stand, in pixels. From the second on, a line
+/// connects label and marker.
 const DISTANCES: [f64; 5] = [9.0, 22.0, 38.0, 56.0, 76.0];
-/// The directions in which it may, the best first.
+/// Directions from its marker in which a label may stand, the best first.
 const DIRECTIONS: [(f64, f64); 8] =
     [(1.0, 0.0), (-1.0, 0.0), (0.7, -0.7), (0.7, 0.7), (-0.7, -0.7), (-0.7, 0.7), (0.0, -1.0), (0.0, 1.0)];
-/// Half a marker.
+/// Half the width of a marker, in pixels.
 const MARKER: i32 = 5;
-/// Half a line's width.
+/// Half the width of a line, in pixels.
 const LINE: i32 = 3;
 
-/// The area that two have in common.
+/// The area that two rectangles have in common.
 fn overlap(one: Rectangle, other: Rectangle) -> i32 {
     let width = one[2].min(other[2]) - one[0].max(other[0]);
     let height = one[3].min(other[3]) - one[1].max(other[1]);
@@ -34,18 +35,18 @@ fn overlap(one: Rectangle, other: Rectangle) -> i32 {
 }
 
 impl Labels {
-    /// A panel with markers at these places.
+    /// A panel with markers at these positions.
     pub(super) fn new(frame: Rectangle, markers: &[Pixel]) -> Self {
         let around = |&(x, y): &Pixel| [x - MARKER, y - MARKER, x + MARKER, y + MARKER];
         Self { frame, taken: markers.iter().map(around).collect() }
     }
 
-    /// Keeps labels off a line between two places, along an axis.
+    /// Keeps labels off a horizontal or vertical line between two positions.
     pub(super) fn avoid(&mut self, (x1, y1): Pixel, (x2, y2): Pixel) {
         self.taken.push([x1.min(x2) - LINE, y1.min(y2) - LINE, x1.max(x2) + LINE, y1.max(y2) + LINE]);
     }
 
-    /// Writes a label for the marker at a place, where it covers least.
+    /// Draws the label of a marker at the position where the label covers least.
     pub(super) fn place(
         &mut self,
         root: &Area<'_>,
@@ -68,7 +69,7 @@ impl Labels {
         Ok(())
     }
 
-    /// Where a label covers least, and whether that is beside its marker.
+    /// The rectangle where a label covers least, and whether it is directly beside its marker.
     fn find(&self, words: &str, (x, y): Pixel, size: i32) -> (Rectangle, bool) {
         let (width, height) = (0.58 * f64::from(size) * words.chars().count() as f64, 1.2 * f64::from(size));
         let places = DISTANCES.iter().flat_map(|distance| DIRECTIONS.map(|direction| (distance, direction)));
@@ -81,7 +82,7 @@ impl Labels {
         labels.min_by_key(|(label, _)| self.covered(*label)).unwrap_or_default()
     }
 
-    /// How much of others a label covers, what is outside of the frame included.
+    /// The area that a label covers of taken parts, plus 10 times its area outside the frame.
     fn covered(&self, label: Rectangle) -> i32 {
         let outside = overlap(label, label) - overlap(label, self.frame);
         10 * outside + self.taken.iter().map(|taken| overlap(*taken, label)).sum::<i32>()

@@ -1,5 +1,5 @@
-//! The markers of the formats: told apart by shape, and by colours that the colour-blind tell apart
-//! too.
+//! The markers of the formats, which differ in shape and in colours that colour-blind readers can
+//! distinguish.
 
 use std::error::Error;
 
@@ -18,7 +18,7 @@ pub(super) const ALL: [(&str, RGBColor); 7] = [
     ("rival", BLACK),
 ];
 
-/// Draws the marker of a format; one in front is larger.
+/// Draws the marker of a format, larger if it is in front.
 pub(super) fn draw(
     root: &Area<'_>,
     format: &str,
@@ -39,7 +39,7 @@ pub(super) fn draw(
     Ok(())
 }
 
-/// A regular polygon with a corner in a direction in degrees, clockwise from the right.
+/// A regular polygon. `direction` is that of its first corner, in degrees clockwise from the right.
 fn polygon((x, y): Pixel, radius: f64, corners: u32, direction: f64, color: RGBAColor) -> Polygon<Pixel> {
     let corner = |corner: u32| {
         let angle = (direction + 360.0 * f64::from(corner) / f64::from(corners)).to_radians();
