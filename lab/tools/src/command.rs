@@ -10,21 +10,21 @@ use anyhow::{Context, Result, bail};
 
 use crate::project;
 
-/// A program that has ended, and everything that it wrote.
+/// The result of a program that has ended: its success and its output.
 #[derive(Debug)]
 pub struct Ended {
     /// Whether it succeeded.
     pub success: bool,
-    /// Its stdout and stderr, in the order of writing.
+    /// The program's stdout and stderr, in the order of writing.
     pub output: String,
 }
 
-/// A call of the cargo that runs us, in the workspace.
+/// A call, in the workspace, of the same cargo that runs this program.
 pub fn cargo(subcommand: &str) -> Command {
     let mut command = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
     command.arg(subcommand).current_dir(project::root()).env("CARGO_TARGET_DIR", project::target());
-    // `cargo run` describes our own package to us; to another cargo's build scripts that would be a
-    // lie.
+    // `cargo run` sets variables that describe this program's package. Build scripts of another
+    // cargo must not see them.
     for (name, _) in env::vars_os() {
         if name
             .to_str()
@@ -36,7 +36,7 @@ pub fn cargo(subcommand: &str) -> Command {
     command
 }
 
-/// Runs a program whose output goes to the terminal's stderr: stdout is kept for results.
+/// Runs a program and writes all its output to stderr, because stdout is reserved for results.
 pub fn run_live(command: &mut Command) -> Result<()> {
     let status = command
         .stdin(Stdio::null())
@@ -54,13 +54,14 @@ pub fn capture(command: Command) -> Result<Ended> {
     capture_and_tell(command, |_| {})
 }
 
-/// The same; `tell` receives each piece of output as it is written.
+/// Like [`capture`]; `tell` also receives each piece of output as it is written.
 pub fn capture_and_tell(mut command: Command, mut tell: impl FnMut(&str)) -> Result<Ended> {
     let name = describe(&command);
     let (mut reader, writer) = io::pipe().context("cannot make a pipe")?;
     command.stdin(Stdio::null()).stdout(writer.try_clone()?).stderr(writer);
     let mut child = command.spawn().with_context(|| format!("cannot start {name}"))?;
-    // The command holds the writing ends; while they are open, the reading end waits for more.
+    // The command holds the writing ends of the pipe. While they are open, the reading end would
+    // wait for more.
     drop(command);
     let (mut output, mut part) = (Vec::new(), [0; 4096]);
     loop {
@@ -86,7 +87,7 @@ pub fn answer(command: &mut Command) -> Result<String> {
     Ok(String::from_utf8_lossy(&output.stdout).trim_end().to_owned())
 }
 
-/// The first of these programs that PATH has.
+/// The first of these programs that is found on PATH.
 pub fn on_path(names: &[&str]) -> Option<PathBuf> {
     let path = env::var_os("PATH")?;
     let mut candidates = names.iter().flat_map(|name| {
@@ -95,7 +96,7 @@ pub fn on_path(names: &[&str]) -> Option<PathBuf> {
     candidates.find(|file| file.is_file())
 }
 
-/// The command as one would type it, without the folder of its program.
+/// The command line as one would type it, without the folder of its program.
 pub fn describe(command: &Command) -> String {
     let program = Path::new(command.get_program());
     let words = iter::once(program.file_name().unwrap_or(program.as_os_str())).chain(command.get_args());

@@ -1,4 +1,4 @@
-//! The browser demo: as a folder that can be served, and how long its frames take.
+//! The browser demo: building its folder, and timing its frames.
 
 mod shrink;
 pub mod site;

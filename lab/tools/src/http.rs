@@ -1,14 +1,13 @@
-//! As much of HTTP as a browser needs to fetch files: one request and one answer for each
+//! The part of HTTP that a browser needs to fetch files: one request and one response per
 //! connection.
 //!
-//! Connections are not kept alive. A browser opens half a dozen at once, and a server with a pool
-//! of threads that wait on idle connections leaves some of its calls unanswered. That speaks
-//! against `tiny_http` as well, which besides limits neither the connections nor the time that a
-//! request takes in all.
+//! Connections are not kept alive. A browser opens half a dozen at once, and a server whose pool of
+//! threads waits on idle connections leaves some requests unanswered. `tiny_http` has this fault;
+//! it also limits neither the number of connections nor the total time of a request.
 
 use std::io::{self, Read, Write};
 
-/// Longer heads than this are sent by no browser.
+/// No browser sends a longer head, or more headers.
 const LONGEST_HEAD: usize = 32 * 1024;
 const MOST_HEADERS: usize = 64;
 
@@ -28,10 +27,10 @@ pub(crate) struct Response {
     pub(crate) body: Vec<u8>,
 }
 
-/// Why a call is no request.
+/// The reason why a call is not a valid request.
 #[derive(Debug, PartialEq)]
 pub(crate) enum BadCall {
-    /// It said nothing, or its connection broke off.
+    /// It sent nothing, or reading from its connection failed.
     Silent,
     /// It is not HTTP, or it has two hosts.
     Malformed,
@@ -57,7 +56,7 @@ impl Request {
         Err(BadCall::TooLarge)
     }
 
-    /// The request in a head; none as long as more of it is to come.
+    /// Parses the request in a head. Returns `None` while the head is incomplete.
     fn parse(head: &[u8]) -> Result<Option<Self>, BadCall> {
         let mut headers = [httparse::EMPTY_HEADER; MOST_HEADERS];
         let mut request = httparse::Request::new(&mut headers);

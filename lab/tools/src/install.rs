@@ -1,5 +1,5 @@
-//! Installing missing tools: Debian packages where we may, npm packages into the project's own
-//! target folder.
+//! Installing missing tools: Debian packages if the program runs as root, npm packages into the
+//! project's target folder.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -12,14 +12,14 @@ use crate::command::Ended;
 use crate::progress::Progress;
 use crate::{command, project};
 
-/// How long another apt is waited for, such as the one that brings a fresh Debian up to date.
+/// How long to wait for another apt, such as the one that updates a fresh Debian.
 const PATIENCE: Duration = Duration::from_secs(600);
 
 /// Time between two attempts.
 const PAUSE: Duration = Duration::from_secs(5);
 
-/// Whether Debian packages can be installed without asking anybody: this is Debian, and we are
-/// root.
+/// Whether Debian packages can be installed without a password: the system is Debian, and the user
+/// is root.
 pub fn debian_root() -> bool {
     let debian = fs::read_to_string("/etc/os-release").is_ok_and(|release| is_debian(&release));
     debian && command::answer(Command::new("id").arg("-u")).is_ok_and(|user| user == "0")
@@ -29,7 +29,7 @@ fn is_debian(os_release: &str) -> bool {
     os_release.lines().any(|line| line == "ID=debian" || line == "ID=\"debian\"")
 }
 
-/// Installs Debian packages. Ask [`debian_root`] first.
+/// Installs Debian packages. Call it only if [`debian_root`] returns true.
 pub fn apt(packages: &[&str], progress: &Progress) -> Result<()> {
     let step = progress.begin("Installing", format_args!("Debian packages: {}", packages.join(" ")));
     let remedy = || {
@@ -59,14 +59,15 @@ pub fn apt_get(words: &[&str], folder: &Path, progress: &Progress) -> Result<()>
 
 fn apt_get_command(words: &[&str], folder: &Path) -> Command {
     let mut command = Command::new("apt-get");
-    // apt waits for one lock itself: the one that is held while packages are unpacked.
+    // This option makes apt wait for one of its locks: the one that is held while packages are
+    // unpacked.
     command.arg("-o").arg(format!("DPkg::Lock::Timeout={}", PATIENCE.as_secs())).args(words);
-    // Its messages are parsed.
+    // apt's messages are parsed, so they must be English.
     command.env("DEBIAN_FRONTEND", "noninteractive").env("LC_ALL", "C").current_dir(folder);
     command
 }
 
-/// Runs a program again until it finds nothing locked, or until it is too late.
+/// Runs a program again until it finds no lock held by another, or until `end`.
 fn until_unlocked(end: Instant, wait: impl Fn(), run: impl Fn() -> Result<Ended>) -> Result<Ended> {
     loop {
         let ended = run()?;
@@ -79,7 +80,7 @@ fn until_unlocked(end: Instant, wait: impl Fn(), run: impl Fn() -> Result<Ended>
     }
 }
 
-/// The program that an npm package brought into `target/tools`, if it was installed there.
+/// The program of an npm package in `target/tools`, if it is installed there.
 pub fn npm_program(name: &str) -> Option<PathBuf> {
     let program = tools().join("node_modules/.bin").join(name);
     program.is_file().then_some(program)
@@ -99,7 +100,7 @@ pub fn npm(package: &str, progress: &Progress) -> Result<()> {
     Ok(())
 }
 
-/// The program of a crate: the one on the path, or built into `target/tools`, never into the user's
+/// The program of a crate, found on PATH or else built into `target/tools`, never into the user's
 /// own folder.
 pub fn cargo_program(name: &str, progress: &Progress) -> Result<PathBuf> {
     let built = tools().join("bin").join(name);
@@ -146,7 +147,8 @@ mod tests {
         };
         let later = Instant::now() + PATIENCE;
         assert_eq!(calls(&[LOCKED, LOCKED, ""], later), (true, 3, 2));
-        // apt may also have waited for its lock, and then found no network.
+        // A message about waiting for a lock does not count: apt may have waited, and then found no
+        // network.
         let waited = "Waiting for cache lock: Could not get lock /var/lib/dpkg/lock\nE: Failed to fetch";
         for failure in ["E: Unable to locate package", waited] {
             assert_eq!(calls(&[failure], later), (false, 1, 0), "{failure}");

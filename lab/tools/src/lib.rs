@@ -1,5 +1,5 @@
-//! What the project's commands run: other programs, compilers for every target, servers and a
-//! browser; and how they report.
+//! The tools of the project's commands: running programs, compilers for every target, a web server
+//! and a browser; and reporting progress.
 
 pub mod browser;
 pub mod command;

@@ -1,4 +1,4 @@
-//! Telling how far a long piece of work has come.
+//! Reporting the progress of long work.
 
 use std::cell::RefCell;
 use std::fmt::Display;
@@ -9,8 +9,8 @@ use anyhow::{Result, bail};
 
 use crate::command;
 
-/// Where progress goes: to stderr as it happens, or into a text that is shown only when something
-/// fails.
+/// Where progress is written: to stderr as it happens, or into a text that is shown only if
+/// something fails.
 #[derive(Debug)]
 pub enum Progress {
     /// To stderr.
@@ -40,12 +40,12 @@ impl Progress {
         }
     }
 
-    /// Says a line in the layout of cargo's own messages, among which it will stand.
+    /// Writes a line in the layout of cargo's own messages, so that it lines up with them.
     pub fn say(&self, verb: &str, what: impl Display) {
         self.quote(&format!("{verb:>12} {what}\n"));
     }
 
-    /// Says what somebody else has written.
+    /// Writes the output of another program.
     pub fn quote(&self, text: &str) {
         match self {
             Self::Live => eprint!("{text}"),
@@ -77,12 +77,12 @@ impl Progress {
 }
 
 impl Step<'_> {
-    /// Says how long the step took.
+    /// Reports how long the step took.
     pub fn done(self) {
         self.progress.say("Done", format_args!("in {:.1} s", self.start.elapsed().as_secs_f64()));
     }
 
-    /// Says how long the step took and what came of it.
+    /// Reports how long the step took, and its result.
     pub fn done_with(self, result: impl Display) {
         self.progress.say("Done", format_args!("in {:.1} s: {result}", self.start.elapsed().as_secs_f64()));
     }

@@ -15,7 +15,7 @@ pub fn root() -> &'static Path {
     tools.ancestors().nth(2).unwrap_or(tools)
 }
 
-/// The folder of everything that is built: `target`, or wherever `CARGO_TARGET_DIR` puts it.
+/// The folder of everything that is built: `target`, or the folder that `CARGO_TARGET_DIR` names.
 pub fn target() -> PathBuf {
     match env::var_os("CARGO_TARGET_DIR") {
         Some(folder) if !folder.is_empty() => path::absolute(&folder).unwrap_or_else(|_| folder.into()),
@@ -23,8 +23,8 @@ pub fn target() -> PathBuf {
     }
 }
 
-/// All files below a folder with their content, by their paths in it, without files and folders
-/// whose path ends with one of `left_out`.
+/// All files below a folder, by their path relative to it, with their content. Files and folders
+/// whose path ends with one of `left_out` are left out.
 pub fn files(folder: &Path, left_out: &[&str]) -> Result<BTreeMap<PathBuf, Vec<u8>>> {
     fn list(
         root: &Path,

@@ -1,4 +1,4 @@
-//! A small web server for one folder, on this machine only.
+//! A small web server for one folder, reachable only from this machine.
 
 use std::fs;
 use std::io::{self, Read, Write};
@@ -14,15 +14,15 @@ use percent_encoding::percent_decode_str;
 
 use crate::http::{BadCall, Request, Response};
 
-/// How much of this machine callers may take.
+/// Limits on the resources that clients may use.
 #[derive(Clone, Copy)]
 struct Limits {
-    /// How many are answered at a time.
+    /// Number of requests that are answered at the same time.
     calls: usize,
-    /// The longest that a request may take to arrive, from its first byte to its last. A browser
-    /// opens connections in advance, which may never ask for anything.
+    /// Upper bound of the time from the connection to the last byte of the request. A browser opens
+    /// connections in advance and may never send a request on them.
     asking: Duration,
-    /// Total time in which a client must have read a response.
+    /// Upper bound of the time that a client takes to read a response.
     answering: Duration,
 }
 
@@ -33,17 +33,18 @@ const LIMITS: Limits =
 /// once, the client would see an error and lose the response.
 const LINGER: Duration = Duration::from_secs(2);
 
-/// After a call that could not be accepted; the system may be short of file handles.
+/// Pause after a connection that could not be accepted, because the system may have run out of file
+/// handles. Also the time limit for writing a refusal.
 const PAUSE: Duration = Duration::from_millis(50);
 
-/// The names of this machine. Any other is the name of a foreign page, which its owner has made an
-/// address of ours to read what is served. A port may follow, and be another than ours where it is
-/// forwarded.
+/// Accepted names in the `Host` header. Any other name may be that of a foreign page whose owner
+/// points it at this machine to read what is served (DNS rebinding). A port may follow the name,
+/// and differs from the server's port if that is forwarded.
 const HOSTS: [&str; 3] = ["127.0.0.1", "localhost", "[::1]"];
 
-/// The demo may be rebuilt at any time, so nothing is cached; the rest makes the page
-/// `crossOriginIsolated`, which gives its clock microseconds. `Allow` must be in the response to
-/// any other method.
+/// Headers of every response. The demo may be rebuilt at any time, so nothing is cached. `Allow` is
+/// required in the response to a method other than these. The `Cross-Origin` headers make the page
+/// `crossOriginIsolated`, so that its clock has a resolution of microseconds.
 const HEADERS: [(&str, &str); 6] = [
     ("Allow", "GET, HEAD"),
     ("Cache-Control", "no-store"),
@@ -53,7 +54,7 @@ const HEADERS: [(&str, &str); 6] = [
     ("X-Content-Type-Options", "nosniff"),
 ];
 
-/// A running server; dropping it stops it.
+/// A running server. Dropping it stops the server.
 #[derive(Debug)]
 pub struct Server {
     port: u16,
@@ -61,7 +62,7 @@ pub struct Server {
     accepting: Option<JoinHandle<()>>,
 }
 
-/// Takes a port of 127.0.0.1; port 0 stands for any that is free.
+/// Listens on a port of 127.0.0.1. Port 0 stands for any free port.
 pub fn listen(port: u16) -> Result<TcpListener> {
     TcpListener::bind((Ipv4Addr::LOCALHOST, port)).map_err(|error| match error.kind() {
         io::ErrorKind::AddrInUse => {
@@ -84,12 +85,13 @@ impl Server {
         let accepting = thread::spawn(move || {
             for call in listener.incoming().take_while(|_| !stop.load(Ordering::Relaxed)) {
                 match call {
-                    // Every call that is being answered holds the folder once more.
+                    // The folder's reference count is one more than the number of requests being
+                    // answered.
                     Ok(stream) if Arc::strong_count(&folder) > limits.calls => refuse(&stream),
                     Ok(stream) => {
                         let folder = Arc::clone(&folder);
-                        // A system that has no thread left drops the call, and the next may find
-                        // one.
+                        // If no thread can be started, the request is dropped; a later one may
+                        // succeed.
                         let _ = thread::Builder::new().spawn(move || answer(&stream, &folder, limits));
                     }
                     Err(_) => thread::sleep(PAUSE),
@@ -99,7 +101,7 @@ impl Server {
         Ok(Self { port, stopped, accepting: Some(accepting) })
     }
 
-    /// What to type into a browser.
+    /// The address to type into a browser.
     pub fn address(&self) -> String {
         format!("http://127.0.0.1:{}/", self.port)
     }
@@ -114,7 +116,7 @@ impl Server {
 impl Drop for Server {
     fn drop(&mut self) {
         self.stopped.store(true, Ordering::Relaxed);
-        // It learns of that with the next call.
+        // The accepting thread sees the flag at the next connection, which is made here.
         let called = TcpStream::connect((Ipv4Addr::LOCALHOST, self.port));
         if let (Ok(_), Some(accepting)) = (called, self.accepting.take()) {
             // If it panicked, it has said so already.
@@ -123,7 +125,7 @@ impl Drop for Server {
     }
 }
 
-/// A connection until a moment, after which it neither reads nor writes.
+/// A connection with a deadline, after which reads and writes fail.
 struct Timed<'a> {
     stream: &'a TcpStream,
     end: Instant,
@@ -158,7 +160,7 @@ impl Write for Timed<'_> {
     }
 }
 
-/// Answers a call. A client that sends nothing in time gets no response.
+/// Answers one request. A client that does not send it in time gets no response.
 fn answer(stream: &TcpStream, folder: &Path, limits: Limits) {
     let request = Request::read(&mut Timed::new(stream, limits.asking));
     let is_head = request.as_ref().is_ok_and(|request| request.method == "HEAD");
@@ -176,8 +178,8 @@ fn answer(stream: &TcpStream, folder: &Path, limits: Limits) {
     }
 }
 
-/// Answers a call that there is no room for, in so few bytes that nobody has to wait until they are
-/// read.
+/// Refuses a request over the limit. The response is so short that writing it does not have to wait
+/// for the client to read.
 fn refuse(stream: &TcpStream) {
     let full = Response::plain("503 Service Unavailable", "too many calls at once");
     let written = full.write(&mut Timed::new(stream, PAUSE), &HEADERS, false);
@@ -206,7 +208,8 @@ fn respond(request: &Request, folder: &Path) -> Response {
     }
 }
 
-/// A file below a folder. There is none behind a link, which might lead anywhere.
+/// Reads a file below a folder. Symbolic links are not followed, because they may lead out of the
+/// folder.
 fn read(folder: &Path, path: &Path) -> io::Result<Vec<u8>> {
     let file = folder.canonicalize()?.join(path);
     if file.canonicalize()? == file && file.is_file() {
@@ -216,8 +219,8 @@ fn read(folder: &Path, path: &Path) -> io::Result<Vec<u8>> {
     }
 }
 
-/// The file that a request's address stands for, relative to the folder; none where it might lead
-/// out of it.
+/// The path that a request's address stands for, relative to the folder, or `None` if the path
+/// might lead out of the folder.
 fn file_of(url: &str) -> Option<PathBuf> {
     let path = url.split(['?', '#']).next()?.strip_prefix('/')?;
     let path = percent_decode_str(path).decode_utf8().ok()?;
@@ -227,7 +230,7 @@ fn file_of(url: &str) -> Option<PathBuf> {
     parts.map(|part| is_plain(part).then_some(part)).collect()
 }
 
-/// Whether a part of a path is a name and nothing more, on every system.
+/// Whether a part of a path is only a file name, on every operating system.
 fn is_plain(part: &str) -> bool {
     !part.is_empty() && !part.starts_with('.') && !part.contains(['/', '\\', ':', '\0'])
 }

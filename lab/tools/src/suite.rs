@@ -1,4 +1,4 @@
-//! Running named steps one after the other, telling how each went, and summing up.
+//! Runs named steps one after the other, reports each, and sums up.
 
 use std::io::{self, Write};
 use std::process::ExitCode;
@@ -10,7 +10,7 @@ use anyhow::Result;
 use crate::progress::Progress;
 use crate::tally::Tally;
 
-/// Steps that have been run so far. A step that fails does not keep the next from running.
+/// The steps that have been run so far. After a step that fails, the next is still run.
 #[derive(Debug)]
 pub struct Suite {
     only: Option<String>,
@@ -26,20 +26,21 @@ pub struct Suite {
 /// How many of the slowest steps are listed.
 const SLOWEST: usize = 10;
 
-/// The processor time in seconds of all processes that have ended, where the system tells it in
-/// `/proc`.
+/// The processor time, in seconds, of all child processes that have ended, if the system states it
+/// in `/proc`.
 fn processor_seconds() -> Option<f64> {
-    /// What Linux counts in, on every processor that it runs on.
+    /// Ticks of Linux's time counters per second, the same on every processor.
     const TICKS_A_SECOND: f64 = 100.0;
     let status = std::fs::read_to_string("/proc/self/stat").ok()?;
-    // The name of the program, in parentheses, may hold spaces.
+    // The program's name is in parentheses and may contain spaces, so the fields are counted from
+    // the last parenthesis.
     let mut fields = status.rsplit_once(')')?.1.split_whitespace().skip(13);
     let [user, system] = [fields.next()?, fields.next()?].map(|ticks| ticks.parse::<f64>().ok());
     Some((user? + system?) / TICKS_A_SECOND)
 }
 
 impl Suite {
-    /// A suite of all steps, or of those whose name contains `only`.
+    /// A suite of all steps, or of the steps whose name contains `only`.
     pub fn new(only: Option<String>) -> Self {
         Self {
             only,
@@ -77,7 +78,7 @@ impl Suite {
         }
     }
 
-    /// Runs a step that others need, wanted or not.
+    /// Runs a step that other steps need, whether it is wanted or not.
     pub fn require<T>(&mut self, name: &str, work: impl FnOnce(&Progress) -> Result<T>) -> Option<T> {
         self.run(name, |progress| work(progress).map(|value| (value, Tally::PASSED)))
     }
@@ -85,7 +86,7 @@ impl Suite {
     fn run<T>(&mut self, name: &str, work: impl FnOnce(&Progress) -> Result<(T, Tally)>) -> Option<T> {
         if !self.has_company {
             print!("{name:.<90} ");
-            // Only a matter of how soon the name is seen.
+            // An error does not matter: the name would only appear later.
             let _ = io::stdout().flush();
         }
         let start = Instant::now();
@@ -130,7 +131,7 @@ impl Suite {
         self.times.append(&mut beside.times);
     }
 
-    /// Tells what failed and, as the last line, how many.
+    /// Prints the slowest steps, the failures and, as the last line, the counts.
     pub fn finish(mut self) -> ExitCode {
         println!("\nthe slowest steps:");
         self.times.sort_by(|a, b| b.1.total_cmp(&a.1));

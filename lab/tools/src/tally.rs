@@ -24,8 +24,8 @@ impl Tally {
     /// One test that failed.
     pub const FAILED: Self = Self { passed: 0, failed: 1 };
 
-    /// Adds up the `test result:` lines of `cargo test`. An ignored test counts as failed: it was
-    /// promised, not run.
+    /// Adds up the `test result:` lines of `cargo test`. An ignored test counts as failed, because
+    /// it was not run.
     pub fn of_cargo_test(output: &str) -> Self {
         let mut tally = Self::default();
         for line in output.lines().filter_map(|line| line.trim_start().strip_prefix("test result: ")) {
@@ -36,13 +36,13 @@ impl Tally {
     }
 }
 
-/// Runs `cargo test` and adds up its results. An error if no test was run.
+/// Runs `cargo test` and adds up its results. It is an error if no test was run.
 pub fn cargo_test(test: Command, progress: &Progress) -> Result<Tally> {
     let ended = command::capture(test)?;
     progress.quote(&ended.output);
     let mut tally = Tally::of_cargo_test(&ended.output);
     ensure!(tally != Tally::default(), "no test was run");
-    // A test program that does not compile, or that crashes, has no line of its own.
+    // A test program that does not compile, or that crashes, prints no `test result:` line.
     if !ended.success && tally.failed == 0 {
         tally += Tally::FAILED;
     }

@@ -1,9 +1,8 @@
-//! Finding a way to compile for a target whose standard library may not be installed.
+//! Finding a compiler for a target whose standard library may not be installed.
 //!
-//! First choice is an installed standard library. Without one, the library is built from its
-//! source, which needs a compiler that has the source beside it: the active one, or the
-//! distribution's. That compiler is never asked of rustup: what a user's rustup holds is the user's
-//! business.
+//! The first choice is an installed standard library. Otherwise the library is built from its
+//! source, by a compiler that has the source beside it: the active one, or the distribution's.
+//! Nothing is installed with rustup, whose toolchains are the user's choice.
 
 use std::env;
 use std::iter;
@@ -19,7 +18,7 @@ use crate::{command, install, project};
 const DEBIAN_PACKAGES: [&str; 4] = ["rustc-web", "rust-web-src", "cargo-web", "lld"];
 const DEBIAN_RUSTC: &str = "/usr/bin/rustc";
 
-/// A target, and the way its standard library is had.
+/// A target, and where its standard library comes from.
 #[derive(Debug)]
 pub struct Toolchain {
     target: &'static str,
@@ -33,7 +32,7 @@ enum Library {
 }
 
 impl Toolchain {
-    /// Finds, or as Debian's root installs, what compiles for `target`.
+    /// Finds a compiler for `target`. As root on Debian, installs one if there is none.
     pub fn find(target: &'static str, progress: &Progress) -> Result<Self> {
         if has_library(target) {
             return Ok(Self { target, library: Library::Installed });
@@ -54,19 +53,19 @@ impl Toolchain {
         )
     }
 
-    /// A `cargo build` for the target. `library` names what a library built from source must hold,
-    /// such as `core,alloc`; `flags` are the compiler's.
+    /// A `cargo build` for the target. If the standard library is built from source, `library`
+    /// names the crates to build, such as `core,alloc`. `flags` are flags of the compiler.
     pub fn cargo_build(&self, library: &str, flags: &[&str]) -> Command {
         self.cargo("build", &[], library, flags)
     }
 
-    /// A `cargo check` for the target: what a build refuses, without code generation.
+    /// A `cargo check` for the target: finds the errors of a build, without code generation.
     pub fn cargo_check(&self, library: &str) -> Command {
         self.cargo("check", &[], library, &[])
     }
 
-    /// The same for many targets: as few calls as there are ways to have their libraries, each of
-    /// which builds for its targets side by side.
+    /// `cargo build` for many targets: one call per group of targets whose libraries come from the
+    /// same place. A call builds for its targets side by side.
     pub fn cargo_builds(toolchains: &[Self], library: &str, flags: &[&str]) -> Vec<Command> {
         let groups = toolchains.chunk_by(|one, next| one.library == next.library);
         let build = |group: &[Self]| {
@@ -76,7 +75,7 @@ impl Toolchain {
         groups.filter_map(build).collect()
     }
 
-    /// A command of cargo for the target and for others whose library is had in the same way.
+    /// A command of cargo for the target, and for others whose library comes from the same place.
     fn cargo(&self, command: &str, others: &[Self], library: &str, flags: &[&str]) -> Command {
         let mut build = command::cargo(command);
         for target in iter::once(self).chain(others).map(|toolchain| toolchain.target) {
@@ -86,12 +85,12 @@ impl Toolchain {
                 build.env(variable, linker);
             }
         }
-        // Flags from the environment are meant for the host, and would silently replace ours.
+        // Flags in the environment are meant for the host, and would silently replace `flags`.
         build.env_remove("RUSTFLAGS").env("CARGO_ENCODED_RUSTFLAGS", flags.join("\u{1f}"));
         if let Library::FromSource { rustc } = &self.library {
             build.arg(format!("-Zbuild-std={library}")).arg("--target-dir").arg(self.target_dir());
             build.env("RUSTC", rustc).env("RUSTC_BOOTSTRAP", "1");
-            // These belong to the active compiler, which this may not be.
+            // These variables belong to the active compiler, and `rustc` may be another.
             build.env("RUSTC_WRAPPER", "").env("RUSTC_WORKSPACE_WRAPPER", "").env_remove("LD_LIBRARY_PATH");
         }
         build
@@ -110,7 +109,7 @@ impl Toolchain {
         }
     }
 
-    /// How the standard library is had, for people.
+    /// Where the standard library comes from, for people.
     pub fn describe(&self) -> String {
         match &self.library {
             Library::Installed => format!("{}, standard library installed", self.target),
@@ -120,7 +119,8 @@ impl Toolchain {
         }
     }
 
-    /// One folder per compiler: two in one folder would undo each other's work on every call.
+    /// Each compiler has its own folder: two compilers in one folder would rebuild everything on
+    /// every call.
     fn target_dir(&self) -> PathBuf {
         match self.library {
             Library::Installed => project::target(),
@@ -147,7 +147,8 @@ fn print(rustc: &Path, what: &[&str]) -> Option<String> {
     command::answer(Command::new(rustc).current_dir(project::root()).arg("--print").args(what)).ok()
 }
 
-/// The folder's path is printed even where it is missing, so look for the library itself.
+/// Whether the library is installed. rustc prints the folder's path even if the folder is missing,
+/// so this looks for the library itself.
 fn has_library(target: &str) -> bool {
     let Some(folder) = print(&active_rustc(), &["target-libdir", "--target", target]) else { return false };
     let Ok(entries) = Path::new(&folder).read_dir() else { return false };
@@ -165,7 +166,7 @@ fn rustc_with_source() -> Option<PathBuf> {
     })
 }
 
-/// rustup's own linker where it is, else the system's. A compiler from a distribution may come
+/// The linker that rustup has installed, else the system's. A distribution's compiler may come
 /// without one.
 fn linker(target: &str) -> Option<PathBuf> {
     let bundled = || {

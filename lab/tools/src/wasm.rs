@@ -15,17 +15,17 @@ const PROFILE: &str = "wasm";
 #[derive(Debug)]
 pub struct Package {
     name: &'static str,
-    /// The name of its library, as files have it.
+    /// The name of its library, as in file names.
     library: &'static str,
     /// Whether it may use the vector instructions.
     simd: bool,
 }
 
-/// The demo, which wants the vector instructions.
+/// The demo, which uses the vector instructions.
 pub const DEMO: Package = Package { name: "wasm-demo", library: "wasm_demo", simd: true };
-/// What times the kernels.
+/// The program that times the kernels.
 pub const PRICES: Package = Package { name: "luminaire-prices", library: "luminaire_prices", simd: false };
-/// The same with vector instructions.
+/// The program that times the kernels, with vector instructions.
 pub const SIMD_PRICES: Package = Package { simd: true, ..PRICES };
 
 /// The compiler that packages are compiled with, as in `rustc 1.96.0`.
@@ -39,7 +39,7 @@ impl Package {
         if self.simd { &["-Ctarget-feature=+simd128"] } else { &[] }
     }
 
-    /// Compiles it; the module that comes out still needs its bindings.
+    /// Compiles the package. The resulting module still needs its bindings.
     pub fn compile(&self, progress: &Progress) -> Result<PathBuf> {
         let toolchain = Toolchain::find(TARGET, progress)?;
         let step = progress.begin("Building", format_args!("{} for {}", self.name, toolchain.describe()));

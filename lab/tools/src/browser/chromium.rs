@@ -28,35 +28,37 @@ const FLAGS: [&str; 14] = [
     "--no-default-browser-check",
     "--no-first-run",
     "--no-proxy-server",
-    // Only this machine has an address: a page that needs the network fails where it stands.
+    // Only this machine's address is resolved, so that a page that needs the network fails at once.
     "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1",
     // The browser chooses a free port and writes it into its folder.
     "--remote-debugging-port=0",
     "about:blank",
 ];
 
-/// Where in its folder the browser's complaints are kept, which matter only when it does not start.
+/// File in the browser's folder for its stderr, which is read only if the browser does not start.
 const STDERR: &str = "stderr.txt";
 
-/// Far longer than it takes, for the machine may be busy with other work.
+/// Time limits for starting and ending the browser. Starting takes far less, unless the machine is
+/// busy with other work.
 const START: Duration = Duration::from_secs(300);
 const END: Duration = Duration::from_secs(5);
 
-/// A running browser with a folder of its own; dropping it ends the one and removes the other.
+/// A running browser with a folder of its own. Dropping it ends the browser and removes the folder.
 #[derive(Debug)]
 pub struct Chromium {
     process: Child,
     devtools: DevTools,
     port: u16,
-    // The last field, because it is removed when the browser has let go of it.
+    // The last field: fields are dropped in order, and the browser must have ended before its
+    // folder is removed.
     _profile: TempDir,
 }
 
 impl Chromium {
-    /// Starts the browser that is installed, or that as Debian's root can be.
+    /// Starts the installed browser. As root on Debian, installs one if there is none.
     pub fn start(progress: &Progress) -> Result<Self> {
         let program = find(progress)?;
-        // Below target, where even a browser that may not see /tmp can write.
+        // Below target, because a sandboxed browser may have no access to /tmp.
         fs::create_dir_all(project::target())?;
         let profile = tempfile::Builder::new()
             .prefix("chromium-")
@@ -87,7 +89,8 @@ impl Chromium {
         Ok(product.replace('/', " "))
     }
 
-    /// Opens a page with a profile of its own. `script` runs in it before any of its own.
+    /// Opens a page with a profile of its own. `script` runs in the page before the page's own
+    /// scripts.
     pub fn open(&mut self, address: &str, script: &str) -> Result<Page> {
         let context =
             self.devtools.call("Target.createBrowserContext", json!({ "disposeOnDetach": true }))?;
@@ -101,8 +104,8 @@ impl Chromium {
 
 impl Drop for Chromium {
     fn drop(&mut self) {
-        // Asked politely, it ends its helpers too; a refusal does not matter, for it is killed if
-        // it stays.
+        // `Browser.close` also ends the browser's helper processes. An error does not matter: a
+        // browser that does not end is killed.
         let _ = self.devtools.call("Browser.close", json!({}));
         end(&mut self.process);
     }
@@ -145,20 +148,21 @@ fn connect(process: &mut Child, profile: &Path) -> Result<(u16, DevTools)> {
     bail!("it has not opened its port for DevTools within {START:?}");
 }
 
-/// The port and the path of the browser's own connection; none while the file is being written.
+/// The port and the path of the browser's DevTools connection, or `None` while the file is still
+/// being written.
 fn parse_port(written: &str) -> Option<(u16, &str)> {
     let (port, path) = written.split_once('\n')?;
     let path = path.trim_end();
     path.starts_with("/devtools/browser/").then_some((port.parse().ok()?, path))
 }
 
-/// Gives the browser a little time to end, and then none.
+/// Waits a short time for the browser to end, then kills it.
 fn end(process: &mut Child) {
     let deadline = Instant::now() + END;
     while Instant::now() < deadline && matches!(process.try_wait(), Ok(None)) {
         thread::sleep(Duration::from_millis(20));
     }
-    // Killing what has ended is refused, and that is fine.
+    // Killing a process that has ended is an error, which does not matter.
     let _ = process.kill();
     let _ = process.wait();
 }

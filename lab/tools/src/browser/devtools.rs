@@ -1,5 +1,5 @@
-//! A connection to one page or browser by the DevTools protocol: numbered calls, and events in
-//! between.
+//! A connection to one page or browser over the DevTools protocol: numbered calls with their
+//! results, and events between them.
 
 use std::io;
 use std::net::{Ipv4Addr, TcpStream};
@@ -47,7 +47,7 @@ impl DevTools {
         while Instant::now() < deadline {
             let text = match self.socket.read() {
                 Ok(Message::Text(text)) => text,
-                // Whatever is not text is the WebSocket's own business.
+                // Messages other than text belong to the WebSocket protocol itself.
                 Ok(_) => continue,
                 Err(tungstenite::Error::Io(error)) if is_timeout(&error) => break,
                 Err(error) => bail!("Chromium broke off at {method}: {error}"),
@@ -64,13 +64,13 @@ impl DevTools {
         bail!("Chromium has not answered {method} within {PATIENCE:?}");
     }
 
-    /// The events since the last time they were taken.
+    /// Returns the events since the last call.
     pub fn take_events(&mut self) -> Vec<Event> {
         std::mem::take(&mut self.events)
     }
 }
 
-/// The two names that systems have for the same thing.
+/// Whether a read has timed out, which systems report by two different kinds of error.
 fn is_timeout(error: &io::Error) -> bool {
     matches!(error.kind(), io::ErrorKind::WouldBlock | io::ErrorKind::TimedOut)
 }

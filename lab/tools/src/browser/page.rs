@@ -18,7 +18,7 @@ const WINDOW: (u32, u32) = (1440, 900);
 /// How long the page may take to load and draw its first picture, on a busy machine.
 const LOADING: Duration = Duration::from_secs(300);
 
-/// An open page; dropping it closes it.
+/// An open page. Dropping it closes the page.
 #[derive(Debug)]
 pub struct Page {
     devtools: DevTools,
@@ -27,7 +27,7 @@ pub struct Page {
 }
 
 impl Page {
-    /// Goes to an address. `script` runs before any of the page's own.
+    /// Opens an address. `script` runs before the page's own scripts.
     pub fn visit(devtools: DevTools, address: &str, script: &str) -> Result<Self> {
         let mut page = Self { devtools, complaints: Vec::new(), requests: Vec::new() };
         for domain in ["Page", "Runtime", "Network", "Log"] {
@@ -50,7 +50,7 @@ impl Page {
         self.devtools.call("Emulation.setDeviceMetricsOverride", window).map(drop)
     }
 
-    /// Waits until the page has loaded, well or not: `ready` or `failed`.
+    /// Waits until the page has loaded. Returns `ready` or `failed`.
     pub fn state(&mut self) -> Result<String> {
         let deadline = Instant::now() + LOADING;
         loop {
@@ -145,7 +145,7 @@ impl Page {
         Ok(())
     }
 
-    /// Cuts the page off from the network, or lets it have it again.
+    /// Disconnects the page from the network, or connects it again.
     pub fn set_offline(&mut self, offline: bool) -> Result<()> {
         let unlimited = json!({
             "offline": offline, "latency": 0, "downloadThroughput": -1, "uploadThroughput": -1,
@@ -153,7 +153,7 @@ impl Page {
         self.devtools.call("Network.emulateNetworkConditions", unlimited).map(drop)
     }
 
-    /// Shows the page as to a visitor who has chosen the colours of all pages.
+    /// Shows the page as to a visitor whose system forces its colours on every page.
     pub fn force_colours(&mut self) -> Result<()> {
         let features = json!({ "features": [{ "name": "forced-colors", "value": "active" }] });
         self.devtools.call("Emulation.setEmulatedMedia", features).map(drop)
@@ -201,7 +201,7 @@ impl Page {
     }
 
     fn sort_events(&mut self) -> Result<()> {
-        // Whatever happened before this answer has been received with it.
+        // Events that happened before this call have been received once it returns.
         self.ask("0")?;
         for event in self.devtools.take_events() {
             if event.method == "Network.requestWillBeSent" {
@@ -216,7 +216,7 @@ impl Page {
 
 impl Drop for Page {
     fn drop(&mut self) {
-        // A browser that is gone has closed its pages.
+        // An error does not matter: a browser that has ended has closed its pages.
         let _ = self.devtools.call("Page.close", json!({}));
     }
 }
@@ -246,7 +246,7 @@ fn thrown(exception: &Value) -> String {
     description.or(exception["text"].as_str()).unwrap_or("an exception without a text").to_owned()
 }
 
-/// Complaints as the end of a message, each on a line of its own.
+/// Formats complaints as the end of a message, each on a line of its own.
 pub(super) fn list(complaints: &[String]) -> String {
     complaints.iter().map(|complaint| format!("\n    {complaint}")).collect()
 }

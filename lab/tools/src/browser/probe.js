@@ -1,8 +1,8 @@
-// What the tests ask of the page: acting as a visitor would, and comparing pictures without carrying them over.
+// The functions that the tests call in the page: they act as a visitor would, and compare pictures inside the page.
 window.probe = (() => {
   "use strict";
 
-  // Waits end after some minutes: what is waited for takes a fraction of a second, but for other work of the machine.
+  // Upper bound of the polls of a wait: some minutes. On an idle machine a wait takes a fraction of a second.
   const TRIES = 6000;
 
   const pictures = new Map();
@@ -21,7 +21,7 @@ window.probe = (() => {
     raise("the page never stops drawing");
   }
 
-  // Waits for a picture after the `drawn`th, and for the last of several.
+  // Waits until the page has drawn more than `drawn` pictures, and then until it has settled.
   async function redrawn(drawn) {
     for (let tries = 0; luminaire.drawn === drawn; tries += 1) {
       if (tries > TRIES) raise("the page draws no new picture");
@@ -30,7 +30,7 @@ window.probe = (() => {
     await settle();
   }
 
-  // Waits until something holds.
+  // Waits until `holds()` returns true.
   async function until(holds) {
     for (let tries = 0; !holds(); tries += 1) {
       if (tries > TRIES) raise(`it does not come to be that ${holds}`);
@@ -77,7 +77,7 @@ window.probe = (() => {
       pictures.set(name, luminaire.pixels().slice());
     },
 
-    // The largest difference of two kept pictures, in displayed 8-bit codes.
+    // The largest difference between two kept pictures, in displayed 8-bit codes.
     difference(one, other) {
       const [a, b] = [picture(one), picture(other)];
       if (a.length !== b.length) raise(`${one} and ${other} differ in size`);

@@ -1,4 +1,4 @@
-//! What the tests ask of the demo's page in particular; `probe.js` answers.
+//! The methods that are specific to the demo's page. They call `probe.js`, which runs in the page.
 
 use std::fmt::Display;
 
@@ -18,12 +18,12 @@ impl Page {
         self.number(&format!("probe.value('{id}')"))
     }
 
-    /// The least and the greatest number that a slider can hold.
+    /// The minimum and the maximum of a slider.
     pub fn range(&mut self, id: &str) -> Result<(f64, f64)> {
         Ok((self.number(&format!("probe.least('{id}')"))?, self.number(&format!("probe.greatest('{id}')"))?))
     }
 
-    /// What an element says.
+    /// The text of an element.
     pub fn message(&mut self, id: &str) -> Result<String> {
         self.text(&format!("probe.text('{id}')"))
     }
@@ -39,14 +39,14 @@ impl Page {
         Ok((point["x"].as_f64().context("no x")?, point["y"].as_f64().context("no y")?))
     }
 
-    /// Enters a value, as a visitor does who types, slides or chooses, and waits for what comes of
-    /// it.
+    /// Enters a value as a visitor would by typing, sliding or choosing, and waits until the page
+    /// has settled.
     pub fn enter(&mut self, id: &str, value: impl Display) -> Result<()> {
         self.ask(&format!("probe.enter('{id}', {})", json!(value.to_string())))?;
         self.settle()
     }
 
-    /// Does something that must change the picture; `what` names it.
+    /// Runs `act`, which must change the picture. `what` names the act in error messages.
     pub fn change(&mut self, what: &str, act: impl FnOnce(&mut Self) -> Result<()>) -> Result<()> {
         self.keep("before")?;
         let drawn = self.number("luminaire.drawn")?;
@@ -60,12 +60,12 @@ impl Page {
         Ok(())
     }
 
-    /// Keeps the picture as it is now, under a name.
+    /// Stores the current picture under a name.
     pub fn keep(&mut self, name: &str) -> Result<()> {
         self.ask(&format!("probe.keep('{name}')")).map(drop)
     }
 
-    /// The largest difference of two kept pictures, in displayed 8-bit codes.
+    /// The largest difference between two stored pictures, in displayed 8-bit codes.
     pub fn difference(&mut self, one: &str, other: &str) -> Result<f64> {
         self.number(&format!("probe.difference('{one}', '{other}')"))
     }

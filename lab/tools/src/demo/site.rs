@@ -1,4 +1,4 @@
-//! The demo as one folder, which works wherever it is served from.
+//! The demo as one folder that any web server can serve at any path.
 
 use std::fs::{self, File};
 use std::io;
@@ -13,10 +13,10 @@ use crate::{project, wasm};
 /// The price list that the page shows beside its pictures.
 const PRICE_LIST: &str = "accuracy-vs-cost.json";
 
-/// The page, which names its views.
+/// The page, whose navigation lists its views.
 const PAGE: &str = include_str!("../../../../wasm-demo/web/index.html");
 
-/// The views of the page, as its address names them: what its navigation links to.
+/// The names of the page's views, as its navigation links to them and its address shows them.
 pub fn views() -> impl Iterator<Item = &'static str> {
     let navigation = PAGE.split_once("<nav class=\"views\"").and_then(|(_, rest)| rest.split_once("</nav>"));
     let links = navigation.map_or("", |(links, _)| links).split("href=\"#").skip(1);
@@ -39,13 +39,14 @@ pub fn build(progress: &Progress) -> Result<PathBuf> {
     Ok(site)
 }
 
-/// Fills a new folder beside one that may be in use, and puts it in its place when it is complete.
-/// Whoever does the same at the same time waits.
+/// Fills a new folder, and replaces `folder` by it once it is complete, because `folder` may be in
+/// use. Concurrent calls wait for each other.
 fn renew(folder: &Path, fill: impl FnOnce(&Path) -> Result<()>) -> Result<()> {
     let [new, old, lock] = ["new", "old", "lock"].map(|extension| folder.with_extension(extension));
     let lock = File::create(&lock).with_context(|| format!("cannot write {}", lock.display()))?;
     lock.lock().with_context(|| format!("cannot wait for another build of {}", folder.display()))?;
-    // What a build has left that was cut off, perhaps while it replaced the one by the other.
+    // An interrupted build may have left its folders, and may have moved `folder` away without
+    // replacing it.
     if !folder.exists() {
         let _ = fs::rename(&old, folder);
     }
@@ -55,7 +56,7 @@ fn renew(folder: &Path, fill: impl FnOnce(&Path) -> Result<()>) -> Result<()> {
         }
     }
     fill(&new)?;
-    // A folder takes the place of another only if that is empty.
+    // Renaming onto an existing folder works only if that folder is empty.
     let replaced = match fs::rename(folder, &old) {
         Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),
         _ => fs::rename(&new, folder).inspect_err(|_| {
@@ -69,8 +70,8 @@ fn renew(folder: &Path, fill: impl FnOnce(&Path) -> Result<()>) -> Result<()> {
     Ok(())
 }
 
-/// Copies the price list, or writes `null` if none was measured. The page requests the list in both
-/// cases, and a missing file would be an error on its console.
+/// Copies the price list, or writes `null` if there is none. The page always requests the list, and
+/// a missing file would be an error on its console.
 fn copy_price_list(from: &Path, to: &Path) -> Result<()> {
     let (list, copy) = (from.join(PRICE_LIST), to.join(PRICE_LIST));
     if list.exists() {

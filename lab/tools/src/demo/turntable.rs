@@ -1,4 +1,4 @@
-//! Timing whole frames in a browser: the scene that is made for it, under each of its loads.
+//! Timing whole frames in a browser, on the scene turntable under each of its loads.
 
 use anyhow::Result;
 
@@ -7,7 +7,7 @@ use crate::browser::Page;
 /// The name of the scene.
 pub const SCENE: &str = "turntable";
 
-/// What hangs above the turntable.
+/// The lights above the turntable.
 #[derive(Debug)]
 pub struct Load {
     /// Its name in tables.
@@ -33,13 +33,13 @@ pub struct Frame {
 }
 
 impl Load {
-    /// Draws the turntable under the load.
+    /// Times frames of the turntable under the load.
     pub fn time(&self, page: &mut Page, frames: u32) -> Result<Frame> {
         frame(page, SCENE, frames, self.options)
     }
 }
 
-/// Draws any scene, with options of the page's meter.
+/// Times frames of any scene. `options` are arguments of the page's meter.
 pub fn frame(page: &mut Page, scene: &str, frames: u32, options: &str) -> Result<Frame> {
     let found = page.ask(&format!("luminaire.measureScene('{scene}', {frames}, {options})"))?;
     let time = |camera: &str| found[camera]["frameMs"].as_f64();

@@ -51,7 +51,7 @@ fn each_kind_of_file_has_its_type() {
     assert_eq!(mime(Path::new("a")), "application/octet-stream");
 }
 
-/// A folder with a page, and what serves it.
+/// A folder with a page, and a server of it.
 fn served(limits: Limits) -> (tempfile::TempDir, Server) {
     let folder = tempfile::tempdir().unwrap();
     fs::write(folder.path().join("index.html"), "the page").unwrap();
@@ -61,7 +61,7 @@ fn served(limits: Limits) -> (tempfile::TempDir, Server) {
 
 fn connect(server: &Server) -> TcpStream {
     let stream = TcpStream::connect(("127.0.0.1", server.port)).unwrap();
-    // No test waits longer for an answer, however busy the machine is.
+    // Upper bound of the wait for a response, for a busy machine.
     stream.set_read_timeout(Some(LIMITS.answering)).unwrap();
     stream
 }
@@ -72,7 +72,7 @@ fn answer_to(mut stream: TcpStream) -> String {
     answer
 }
 
-/// Sends anything, and answers the status of what comes back; nothing where the connection is
+/// Sends any bytes and returns the status of the response, which is empty if the connection was
 /// closed.
 fn send(server: &Server, bytes: &[u8]) -> String {
     let mut stream = connect(server);
@@ -82,7 +82,7 @@ fn send(server: &Server, bytes: &[u8]) -> String {
 
 fn ask(server: &Server, request: &str) -> String {
     let mut stream = connect(server);
-    // It may be refused before it has been sent.
+    // An error does not matter: the server may refuse the request before all of it is sent.
     let _ = write!(stream, "{request} HTTP/1.1\r\nHost: 127.0.0.1:{}\r\n\r\n", server.port);
     answer_to(stream)
 }
@@ -154,7 +154,7 @@ fn calls_over_the_limit_are_refused_until_others_end() {
     let refused = answer_to(connect(&server));
     assert!(refused.starts_with("HTTP/1.1 503"), "{refused}");
     drop(held);
-    // Until it has seen that they are gone.
+    // The server needs some time to see that the connections are closed.
     let end = Instant::now() + LIMITS.answering;
     while !ask(&server, "GET /").ends_with("the page") {
         assert!(Instant::now() < end, "nobody is answered any more");
@@ -169,7 +169,7 @@ fn a_call_has_one_time_for_all_its_bytes() {
     let mut stream = connect(&server);
     stream.set_nodelay(true).unwrap();
     let start = Instant::now();
-    // One byte after the other, each soon after the one before.
+    // Sends single bytes, each well within the limit after the one before.
     let cut_off = b"GET / HTTP/1.1\r\nA: ".iter().chain(&[b'b'; 200]).any(|byte| {
         thread::sleep(asking / 10);
         stream.write_all(&[*byte]).is_err()
@@ -184,7 +184,7 @@ fn an_answer_that_nobody_reads_ends() {
     fs::write(folder.path().join("large.bin"), vec![0; 64 << 20]).unwrap();
     let mut unread = connect(&server);
     unread.write_all(b"GET /large.bin HTTP/1.1\r\nHost: localhost\r\n\r\n").unwrap();
-    // It holds the one place that there is.
+    // The unread response takes the only slot until its time is up.
     let end = Instant::now() + LIMITS.answering;
     while !ask(&server, "GET /").ends_with("the page") {
         assert!(Instant::now() < end, "the answer is still being written");
@@ -201,7 +201,7 @@ fn links_are_not_followed() {
     for (name, target) in [
         ("link", outside.path().join("secret")),
         ("folder", outside.path().to_owned()),
-        // Not even where it leads to a file that is served.
+        // A link is not followed even if it leads to a file that is served.
         ("inside", folder.path().join("index.html")),
     ] {
         std::os::unix::fs::symlink(target, folder.path().join(name)).unwrap();
