@@ -31,7 +31,8 @@ fn main() -> Outcome {
     frame()
 }
 
-/// Three metres above a floor, and at a slant.
+/// The spotlight of the program `still`, which hangs three metres above a floor and shines at a
+/// slant.
 fn still() -> Outcome {
     let cone = Cone::from_field(Soft, Angle::degrees(50.0))?;
     let key =
@@ -39,7 +40,8 @@ fn still() -> Outcome {
     write("key.rs", &key.compile::<Fx16>()?)
 }
 
-/// The spotlight, and what the materials send back of the ambient light and of the spotlight's.
+/// The spotlight of the program `frame`, the ambient light that each material reflects, and the
+/// product of each material's colour and the spotlight's.
 fn frame() -> Outcome {
     let cone = Cone::from_field(Soft, Angle::degrees(44.0))?;
     let [x, y, z] = measures::LIGHT;

@@ -1,18 +1,18 @@
-//! Places a program in the memory of the board that QEMU plays for the target. Shared by the build
-//! scripts.
+//! Places a program in the memory of the board that QEMU emulates for the target. The build scripts
+//! share this file.
 
 use std::error::Error;
 use std::path::PathBuf;
 use std::{env, fs};
 
-/// Flash from address 0 and memory from 2^29, as on every Cortex-M.
+/// Flash at address 0 and RAM at 2^29, as on every Cortex-M.
 fn cortex_m(flash: &str, ram: &str) -> String {
     format!(
         "MEMORY {{\n  FLASH : ORIGIN = 0x00000000, LENGTH = {flash}\n  RAM : ORIGIN = 0x20000000, LENGTH = {ram}\n}}\n"
     )
 }
 
-/// One memory for everything, where QEMU's `virt` has it.
+/// One RAM for everything, at the address where QEMU's board `virt` has it.
 fn virt(ram: &str) -> String {
     let mut script = format!("MEMORY {{\n  RAM : ORIGIN = 0x80000000, LENGTH = {ram}\n}}\n");
     for region in ["TEXT", "RODATA", "DATA", "BSS", "HEAP", "STACK"] {
@@ -21,8 +21,8 @@ fn virt(ram: &str) -> String {
     script
 }
 
-/// Tells the linker about the target's memory, with other flash than the board's for programs that
-/// are only linked; the host has no need of it.
+/// Passes the target's memory layout to the linker. `flash` replaces the board's size of flash, for
+/// programs that are only linked. Does nothing for the host.
 pub(crate) fn place(flash: Option<&str>) -> Result<(), Box<dyn Error>> {
     let (memory, scripts): (String, &[&str]) = match env::var("TARGET")?.as_str() {
         "thumbv6m-none-eabi" => (cortex_m(flash.unwrap_or("256K"), "16K"), &["link.x"]), // microbit

@@ -1,4 +1,4 @@
-//! One case: inputs, which are read by name, and outputs.
+//! One case: its inputs, which a model reads by name, and its outputs.
 
 use core::fmt::Write;
 
@@ -7,10 +7,10 @@ use luminaire::{Error, Rgb, Vec3};
 use crate::text::Text;
 use crate::word::{Format, Word};
 
-/// What an input is.
+/// The kind of an input.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Kind {
-    /// A number of a description, in f32.
+    /// A number of a light's or material's description, in f32.
     Number,
     /// A whole number.
     Whole,
@@ -31,24 +31,24 @@ pub enum Kind {
 pub struct Input {
     /// The name of the input, such as `position`.
     pub name: &'static str,
-    /// Which of its components: x, y, z or red, green, blue are 0, 1, 2.
+    /// The index of the component, 0 to 2: x, y, z or red, green, blue.
     pub component: usize,
     /// The kind of the input.
     pub kind: Kind,
-    /// The name of the word's format.
+    /// The name of the format that the word is stored in.
     pub format: &'static str,
-    /// The hexadecimal digits of the word.
+    /// The number of hexadecimal digits of the word.
     pub digits: usize,
 }
 
-/// Where inputs come from: the words of a line, or a generator.
+/// The source of the inputs: the words of a line, or a generator.
 pub trait Inputs {
-    /// The next input as a word; none where there is no further one.
+    /// Returns the next input as a word, or `None` if there is no further one.
     fn word(&mut self, input: Input) -> Option<u64>;
 }
 
-/// A case that is being evaluated. A model reads all its inputs before a constructor may refuse
-/// them, so that all lines of a section have the same number of words.
+/// A case that is being evaluated. A model reads all its inputs before it calls a constructor that
+/// may refuse them, so that all lines of a section have the same number of words.
 pub struct Case<'a> {
     inputs: &'a mut dyn Inputs,
     pub(crate) outputs: Text,
@@ -62,8 +62,8 @@ impl core::fmt::Debug for Case<'_> {
 }
 
 impl<'a> Case<'a> {
-    /// Evaluates a model on inputs. Its outputs as words, or the name of the parameter that was
-    /// refused; none where inputs are missing.
+    /// Evaluates a model on inputs. Returns its outputs as words, or the name of the parameter that
+    /// was refused, or `None` if inputs are missing.
     pub fn run(evaluate: crate::Evaluate, inputs: &'a mut dyn Inputs) -> Option<Text> {
         let mut case = Case { inputs, outputs: Text::default(), is_complete: true };
         if let Err(error) = evaluate(&mut case) {
@@ -153,5 +153,6 @@ impl<'a> Case<'a> {
     }
 }
 
-/// What came of a model: its outputs are in the case, or a constructor refused an input.
+/// The result of a model: `Ok` if its outputs are in the case, or the error of a constructor that
+/// refused an input.
 pub(crate) type Outcome = Result<(), Error>;

@@ -9,8 +9,7 @@ use crate::text::Text;
 /// Maximum number of differing cases that are reported.
 const TOLD: u32 = 5;
 
-/// A check that goes through the lines from the first to the last. Displayed, it is
-/// `123 cases, 4 differ`.
+/// A check that is given the lines of the file in order. Its `Display` is `123 cases, 4 differ`.
 #[derive(Clone, Copy, Default, Debug)]
 pub struct Check {
     section: Option<Evaluate>,
@@ -20,7 +19,7 @@ pub struct Check {
 }
 
 impl Check {
-    /// Whether there were cases, and none has other outputs than the file.
+    /// Whether there were cases, and all had the outputs that the file states.
     pub fn is_passed(&self) -> bool {
         self.cases > 0 && self.differ == 0
     }
@@ -29,8 +28,7 @@ impl Check {
     /// with the outputs found. A case of an unknown section, or with too few or too many inputs, is
     /// reported as not understood.
     ///
-    /// # Errors
-    /// Those of `report`.
+    /// # Errors Returns the errors of writing to `report`.
     pub fn take(&mut self, line: &str, report: &mut impl Write) -> fmt::Result {
         self.line += 1;
         let case = line.split('#').next().unwrap_or_default().trim_end();
@@ -55,7 +53,7 @@ impl Check {
         writeln!(report, "line {}: {case}, found {found}", self.line)
     }
 
-    /// What the implementation makes of a case.
+    /// Returns the outputs that this implementation computes for a case.
     fn found(&self, case: &str) -> Option<Text> {
         let (inputs, _) = case.split_once(" -> ")?;
         let mut words = Words { words: inputs.split(' ') };

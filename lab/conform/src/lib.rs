@@ -2,8 +2,9 @@
 //! bits, in one file of text that is the same for every machine. The file alone is enough to test
 //! another implementation of the kernel, in any language; the folder's README says how to read it.
 //!
-//! This library evaluates the file's lines one by one, in a memory of a few hundred bytes, so that
-//! a microcontroller can. The program `conform` beside it writes the file and checks the host.
+//! This library evaluates the file's lines one by one in a few hundred bytes of memory, so that it
+//! also runs on a microcontroller. The program `conform` beside it writes the file and checks the
+//! host.
 #![no_std]
 #![forbid(unsafe_code)]
 

@@ -2,10 +2,10 @@
 
 use core::fmt;
 
-/// The longest list of outputs.
+/// Room for the longest list of outputs, in bytes.
 const LONGEST: usize = 128;
 
-/// A short text; what does not fit is left out.
+/// A short text. Bytes that do not fit are dropped.
 #[derive(Clone, Debug)]
 pub struct Text {
     bytes: [u8; LONGEST],
@@ -25,7 +25,7 @@ impl Text {
         core::str::from_utf8(bytes).unwrap_or_default()
     }
 
-    /// Adds a word in hexadecimal digits, after a space if it is not the first.
+    /// Appends a word in hexadecimal digits, separated from an earlier word by a space.
     pub(crate) fn push_word(&mut self, word: u64, digits: usize) {
         if self.length > 0 {
             self.push(b' ');

@@ -1,18 +1,18 @@
-//! Values as the bits that the file has of them.
+//! Values as words: the bits that the file stores.
 
 use luminaire::Scalar;
 use luminaire::number::{Fx16, Fx32, Length, Light16, Light32, Versine16, Versine32};
 
 /// A value that is stored in a word.
 pub trait Word: Copy {
-    /// The name of its format, by integer and fraction bits.
+    /// The name of the format, with its integer and fraction bits.
     const NAME: &'static str;
-    /// The hexadecimal digits of a word.
+    /// The number of hexadecimal digits of a word.
     const DIGITS: usize;
 
     /// The value with these bits.
     fn from_word(word: u64) -> Self;
-    /// Its bits.
+    /// The bits of the value.
     fn word(self) -> u64;
 }
 

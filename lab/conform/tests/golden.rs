@@ -1,5 +1,5 @@
-//! The file of the conformance vectors: this machine computes what it says, and it holds what there
-//! is to hold.
+//! The file of the conformance vectors: this machine computes its outputs, and it has every case of
+//! every model.
 
 use std::process::Command;
 
@@ -22,7 +22,8 @@ fn this_machine_computes_the_same_bits() {
     assert!(check.is_passed(), "{report}{check}");
 }
 
-/// `cargo xtask conform --bless` would write the same inputs. Outputs are the other test's.
+/// `cargo xtask conform --bless` would write the same inputs. The outputs are tested by
+/// `this_machine_computes_the_same_bits`.
 #[test]
 fn the_file_holds_the_cases_that_are_generated() {
     let generated = Command::new(env!("CARGO_BIN_EXE_conform")).arg("generate").output().expect("it runs");
@@ -43,8 +44,8 @@ fn every_model_has_a_section_in_each_of_its_formats() {
     }
 }
 
-/// No light and no falloff is NaN. Arithmetic on NaN gives NaN, and so does a position or a
-/// direction made of it.
+/// No light and no falloff is NaN. Left out are models that pass on a NaN: arithmetic, and
+/// positions or directions made of NaN.
 #[test]
 fn no_light_is_not_a_number() {
     let passes_it_on = ["[convert f32]", "[arithmetic f32]", "[glow f32]", "[view f32]", "[light f32]"];
@@ -61,8 +62,8 @@ fn no_light_is_not_a_number() {
     }
 }
 
-/// A case that differs, one that is cut short and one of an unknown model are all counted and
-/// reported.
+/// Three faults are counted and reported: a case with other outputs, a case with too few or too
+/// many words, and a case of an unknown model.
 #[test]
 fn what_differs_is_told() {
     let section = "[clip fx16] light:u18f14\n";

@@ -8,7 +8,7 @@ use crate::marker::Marker;
 /// The counts of a run so far.
 #[derive(Debug)]
 pub(crate) struct Counts {
-    /// By address, one map for each region begun.
+    /// Executions by address, one map for each region that has begun.
     regions: Vec<BTreeMap<u64, u64>>,
     is_open: bool,
 }
@@ -18,8 +18,8 @@ impl Counts {
         Self { regions: Vec::new(), is_open: false }
     }
 
-    /// Enters an executed marker. A begin within a region begins the next region; an end outside a
-    /// region is ignored.
+    /// Records an executed marker. A begin marker within a region begins the next region. An end
+    /// marker outside a region is ignored.
     pub(crate) fn mark(&mut self, marker: Marker) {
         self.is_open = marker == Marker::Begin;
         if self.is_open {
@@ -27,7 +27,7 @@ impl Counts {
         }
     }
 
-    /// Enters any other executed instruction.
+    /// Records any other executed instruction.
     pub(crate) fn execute(&mut self, address: u64) {
         if self.is_open
             && let Some(region) = self.regions.last_mut()

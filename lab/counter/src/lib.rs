@@ -3,7 +3,8 @@
 
 mod counts;
 mod marker;
-// The tests are a program of their own, and only inside QEMU are there functions to link against.
+// Left out of the tests: QEMU defines the functions that these modules call, and a test program is
+// linked without QEMU.
 #[cfg(not(test))]
 mod plugin;
 #[cfg(not(test))]

@@ -3,7 +3,7 @@
 /// The instruction sets that the firmware is compiled for.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Architecture {
-    /// Arm in Thumb state, which is all that a Cortex-M has.
+    /// Arm in Thumb state, the only state of a Cortex-M.
     Thumb,
     /// RISC-V of 32 bits, with or without compressed instructions.
     RiscV,
@@ -12,14 +12,14 @@ pub(crate) enum Architecture {
 /// A marker instruction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Marker {
-    /// A region begins behind this instruction.
+    /// The region begins after this instruction.
     Begin,
-    /// The region has ended before this instruction.
+    /// The region ends before this instruction.
     End,
 }
 
 impl Architecture {
-    /// The architecture of QEMU's name for it.
+    /// The architecture that QEMU calls `name`.
     pub(crate) fn of_target(name: &str) -> Option<Self> {
         match name {
             "arm" => Some(Self::Thumb),
@@ -30,8 +30,8 @@ impl Architecture {
 
     /// Whether the instruction that starts with this halfword has 32 bits.
     ///
-    /// QEMU's own answer cannot be used: 7.2 takes a 16-bit instruction just before the end of a
-    /// page for a longer one.
+    /// The size that QEMU states cannot be used: for a 16-bit instruction just before the end of a
+    /// page, QEMU 7.2 states a larger one.
     pub(crate) fn is_wide(self, first: u16) -> bool {
         match self {
             Self::Thumb => first >= 0xe800,
@@ -39,7 +39,8 @@ impl Architecture {
         }
     }
 
-    /// The marker that these bits are. A 16-bit instruction stands in the lower half.
+    /// Returns the marker with these bits, if they are one. A 16-bit instruction is in the lower
+    /// half.
     pub(crate) fn marker(self, instruction: u32) -> Option<Marker> {
         match (self, instruction) {
             // mov r10, r10 and mov r11, r11
@@ -72,13 +73,13 @@ mod tests {
 
     #[test]
     fn the_length_is_in_the_first_halfword() {
-        // adds; b (short); then the first halves of bl, of a wide load and of vadd.f32.
+        // adds, b (short), and the first halfwords of bl, a wide load and vadd.f32.
         for (first, wide) in
             [(0x1840, false), (0xe7fe, false), (0xf000, true), (0xe850, true), (0xee30, true)]
         {
             assert_eq!(Architecture::Thumb.is_wide(first), wide, "{first:#x}");
         }
-        // c.addi; c.lw; c.mv; then addi.
+        // c.addi, c.lw, c.mv and addi.
         for (first, wide) in [(0x0001, false), (0x4108, false), (0x852e, false), (0x0013, true)] {
             assert_eq!(Architecture::RiscV.is_wide(first), wide, "{first:#x}");
         }

@@ -1,4 +1,5 @@
-//! The callbacks of QEMU: installation, translation of a block, execution of an instruction, end.
+//! The functions that QEMU calls: at installation, for each translated block and executed
+//! instruction, and at the end.
 
 use std::ffi::{CStr, c_char, c_int, c_uint, c_void};
 use std::sync::{Mutex, MutexGuard, OnceLock, PoisonError};
@@ -23,10 +24,10 @@ static COUNTS: Mutex<Counts> = Mutex::new(Counts::new());
 #[unsafe(no_mangle)]
 static qemu_plugin_version: c_int = qemu::VERSION;
 
-/// Installs the plugin: `-plugin FILE,out=COUNTS`. Anything but 0 makes QEMU stop.
+/// Installs the plugin: `-plugin FILE,out=COUNTS`. A result other than 0 makes QEMU stop.
 ///
-/// # Safety
-/// For QEMU to call: `info` must point to its description of itself, and `argv` to `argc` strings.
+/// # Safety Only QEMU may call this: `info` must point to QEMU's description of itself, and `argv`
+/// to `argc` strings.
 #[unsafe(no_mangle)]
 unsafe extern "C" fn qemu_plugin_install(
     id: qemu::Id,
@@ -38,7 +39,7 @@ unsafe extern "C" fn qemu_plugin_install(
     let target = unsafe { CStr::from_ptr((*info).target_name) }.to_string_lossy();
     let mut out = None;
     for index in 0..usize::try_from(argc).unwrap_or(0) {
-        // SAFETY: QEMU gives `argc` arguments, which live as long as this call.
+        // SAFETY: QEMU passes `argc` arguments, which live as long as this call.
         let argument = unsafe { CStr::from_ptr(*argv.add(index)) }.to_string_lossy();
         match argument.strip_prefix("out=") {
             Some(file) => out = Some(file.to_owned()),
@@ -67,15 +68,16 @@ fn refuse(reason: &str) -> c_int {
 }
 
 fn counts() -> MutexGuard<'static, Counts> {
-    // Counts are whole after each single step, so a panic elsewhere leaves nothing half done.
+    // Poisoning is ignored: the counts are consistent after each single step, so a panic leaves
+    // nothing half done.
     COUNTS.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// Called when QEMU translates a block: registers callbacks for the execution of its instructions.
 extern "C" fn translate(_: qemu::Id, block: *mut qemu::Block) {
     let Some(task) = TASK.get() else { return };
-    // SAFETY: QEMU keeps the block and its instructions for the time of this call; the indices are
-    // below their number; a second halfword is read only of an instruction that has it.
+    // SAFETY: QEMU keeps the block and its instructions alive for this call; the indices are below
+    // the number of instructions; a second halfword is read only of an instruction that has one.
     unsafe {
         for index in 0..qemu::qemu_plugin_tb_n_insns(block) {
             let instruction = qemu::qemu_plugin_tb_get_insn(block, index);
@@ -88,8 +90,8 @@ extern "C" fn translate(_: qemu::Id, block: *mut qemu::Block) {
                 match task.architecture.marker(bits) {
                     Some(Marker::Begin) => (begin, ptr::null_mut()),
                     Some(Marker::End) => (end, ptr::null_mut()),
-                    // A pointer that is never followed: it carries the address through QEMU to the
-                    // callback.
+                    // This pointer is never dereferenced: it carries the address through QEMU to
+                    // the callback.
                     None => {
                         let address = qemu::qemu_plugin_insn_vaddr(instruction);
                         (execute, ptr::without_provenance_mut(address as usize))

@@ -1,16 +1,16 @@
-//! The few functions of QEMU's plugin interface that a counter needs, as QEMU's documentation
-//! states them.
+//! The few functions of QEMU's plugin interface that the counter needs, declared as in QEMU's
+//! documentation.
 
 use std::ffi::{c_char, c_int, c_uint, c_void};
 
-/// The version of the interface that the plugin is written for; QEMU refuses to load what it does
-/// not support.
+/// The version of the interface that the plugin is written for. QEMU refuses to load a plugin of a
+/// version that it does not support.
 #[cfg(not(feature = "api-3"))]
 pub(crate) const VERSION: c_int = 1;
 #[cfg(feature = "api-3")]
 pub(crate) const VERSION: c_int = 3;
 
-/// The plugin's name in calls to QEMU.
+/// The number by which QEMU identifies the plugin.
 pub(crate) type Id = u64;
 
 /// The first fields of QEMU's description of itself; the rest is not needed.
@@ -28,7 +28,7 @@ pub(crate) struct Block {
     _opaque: [u8; 0],
 }
 
-/// An instruction of such a block. Only QEMU looks inside.
+/// An instruction of a block that is being translated. Only QEMU looks inside.
 #[repr(C)]
 #[derive(Debug)]
 pub(crate) struct Instruction {
@@ -60,10 +60,10 @@ unsafe extern "C" {
     fn qemu_plugin_insn_data(instruction: *const Instruction, copy: *mut c_void, length: usize) -> usize;
 }
 
-/// A halfword of an instruction, counted from its beginning; both architectures are little-endian.
+/// Reads the halfword of this index from an instruction. Both architectures are little-endian.
 ///
-/// # Safety
-/// The instruction must be one that QEMU is translating now, and so long that it has this halfword.
+/// # Safety QEMU must be translating the instruction now, and the instruction must be long enough
+/// to have this halfword.
 pub(crate) unsafe fn halfword(instruction: *const Instruction, index: usize) -> u16 {
     let mut bytes = [0_u8; 4];
     #[cfg(not(feature = "api-3"))]

@@ -30,7 +30,7 @@ const FIELD: Angle = Angle::degrees(36.0);
 fn main() -> Outcome {
     println!("cargo::rerun-if-changed=build.rs");
     println!("cargo::rerun-if-changed=../memory.rs");
-    // All functions at once are more than a board holds.
+    // The program that calls all functions is larger than a board's flash, and is only linked.
     memory::place(Some("4M"))?;
     if env::var_os("CARGO_FEATURE_CULPRITS").is_some() {
         println!("cargo::rustc-link-arg-bins=--defsym=a_panic_is_reachable=main");
@@ -61,7 +61,7 @@ fn constants<S: SourceScalar>() -> Outcome {
     write("matte", &paper()?.compile::<S>())
 }
 
-/// What comes of the lists of models.
+/// Writes a light or a material for each model of the library's lists.
 fn listed<S: SourceScalar>() -> Outcome {
     macro_rules! falloffs {
         ($($(#[$doc:meta])* $variant:ident($type:ty) = $name:literal, $sample:expr, $truth:expr;)*) => {
@@ -89,7 +89,7 @@ fn paper() -> Result<Material, Error> {
     Material::new(Rgb::new(0.9, 0.9, 0.85))
 }
 
-/// A window of two by two panes.
+/// The gobo: a window of two by two panes, in 16 by 16 texels.
 fn panes() -> [u8; 256] {
     let is_pane = |i: usize| (3..7).contains(&i) || (9..13).contains(&i);
     std::array::from_fn(|part| if is_pane(part / 16) && is_pane(part % 16) { 255 } else { 0 })

@@ -1,4 +1,4 @@
-//! Programs that run the kernel on microcontrollers, and on the host to say what their results must
+//! Programs that run the kernel on microcontrollers. On the host they compute what the results must
 //! be.
 #![cfg_attr(target_os = "none", no_std)]
 

@@ -7,14 +7,14 @@ use luminaire_kernels::{Kernel, Row, Setting, Value, Visitor, falloffs, oracle, 
 
 use crate::board::{begin, end, opaque, println};
 
-/// How many inputs each kernel is run over.
+/// Number of inputs that each kernel is run over.
 pub const COUNT: usize = 256;
 
 /// Runs every kernel of the price list over its inputs.
 ///
 /// Each run prints a line: the stage, the format, the name of the kernel, the number of calls, and
-/// a checksum of the results. Before each kernel stands the empty loop over the same inputs: what
-/// its instructions are, is no kernel's.
+/// a checksum of the results. Before each kernel runs the empty loop over the same inputs, whose
+/// instructions are subtracted from the kernel's.
 pub fn measure() {
     let setting = Setting::standard();
     let mut bench = Bench { outer: setting.outer_versine() };
@@ -23,13 +23,13 @@ pub fn measure() {
 }
 
 struct Bench {
-    /// The versine where the cone ends.
+    /// The versine of the outer angle.
     outer: f32,
 }
 
 // Never inlined: the smallest board's memory holds a single table of inputs.
 impl Visitor for Bench {
-    /// Versines of angles from the axis to the edge, none of them on either.
+    /// The inputs are versines between the axis and the edge, both excluded.
     #[inline(never)]
     fn falloff<K: Kernel<Place = f32>>(&mut self, row: Row, kernel: K, _: &oracle::Cone) {
         let versine = |index| self.outer * ((index as f32 + 0.5) / COUNT as f32);
@@ -58,7 +58,8 @@ fn report(row: Row, kernel: &str, sum: u32) {
     println!("{} {} {kernel} {COUNT} {sum:08x}", row.stage.name(), row.format);
 }
 
-/// The loop: for each kernel a function of its own, so that none disturbs another.
+/// The loop over the inputs. Not inlined: each kernel has its own copy, so that no kernel affects
+/// the code of another.
 #[inline(never)]
 pub(crate) fn pass<I>(inputs: &[I], function: impl Fn(&I) -> u32) -> u32 {
     begin();

@@ -10,8 +10,8 @@ use crate::COUNT;
 use crate::board::println;
 use crate::measure::pass;
 
-/// Runs every effect over its inputs, the empty loop over the same inputs before it, and prints
-/// lines as [`measure`](crate::measure()) does.
+/// Runs every effect over its inputs, after the empty loop over the same inputs, and prints lines
+/// as [`measure`](crate::measure()) does.
 pub fn price() {
     each(&mut Run);
 }

@@ -12,18 +12,18 @@ use crate::{Named, site};
 /// Number of versines per cone.
 const VERSINES: u32 = 1 << 18;
 
-/// How the largest error was found.
+/// How the largest error was found: by trying every input, or some.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Kind {
-    /// No input was left out: the error is a bound.
+    /// Every input was tried: the error is a bound.
     Exhaustive,
     /// The error is the largest of many inputs.
     Searched,
 }
 
-/// The errors of a kernel in a cone, in linear codes: 1 is 1/255 of full scale, or of the light
-/// itself where that is more.
+/// The errors of a kernel in a cone, in linear codes: 1/255 of full scale, or of the exact light
+/// where that is over full scale.
 #[derive(Clone, PartialEq, Debug, Serialize)]
 pub struct Accuracy {
     /// The kernel.
@@ -31,30 +31,31 @@ pub struct Accuracy {
     pub kernel: Named,
     /// The outer half angle in degrees.
     pub half_angle: f32,
-    /// The errors, unless the kernel's format does not hold the cone.
+    /// The errors, or `None` if the kernel's format does not support the cone.
     pub error: Option<Errors>,
-    /// The narrowest half angle in degrees that it holds instead.
+    /// The narrowest half angle in degrees that the format supports, if it does not support the
+    /// cone.
     pub narrowest: Option<f32>,
 }
 
 /// The errors of a kernel in a cone.
 #[derive(Clone, PartialEq, Debug, Serialize)]
 pub struct Errors {
-    /// The largest.
+    /// The largest error in linear codes.
     #[serde(serialize_with = "four_digits")]
     pub codes: f64,
-    /// The largest in units of the last place of one.
+    /// The largest error in steps of the format at 1.
     #[serde(serialize_with = "four_digits")]
     pub lsb: f64,
-    /// Where it is. None if there is no error.
+    /// The input with the largest error. `None` if no input has an error.
     pub at: Option<Place>,
-    /// The mean over the evaluated inputs, which are evenly spread.
+    /// The mean error over the evenly spread inputs, in linear codes.
     #[serde(serialize_with = "four_digits")]
     pub mean_codes: f64,
-    /// The 99.9th percentile of the errors of these inputs.
+    /// The 99.9th percentile of the errors of the evenly spread inputs, in linear codes.
     #[serde(serialize_with = "four_digits")]
     pub p999_codes: f64,
-    /// How the largest was found.
+    /// How the largest error was found.
     pub kind: Kind,
 }
 
@@ -79,12 +80,12 @@ impl Accuracy {
     }
 }
 
-/// Four digits, which is more than anybody compares.
+/// Serialises four digits, which are more than any comparison needs.
 fn four_digits<S: Serializer>(value: &f64, serializer: S) -> Result<S::Ok, S::Error> {
     serializer.serialize_f64(format!("{value:.3e}").parse().unwrap_or(*value))
 }
 
-/// Three decimals.
+/// Rounds to three decimals.
 fn thousandths(value: f64) -> f64 {
     (value * 1000.0).round() / 1000.0
 }
@@ -105,7 +106,7 @@ impl<P: Copy> Tally<P> {
         Self { errors: Vec::new(), worst: (-1.0, None) }
     }
 
-    /// Enters an input into the largest error only, and returns its error.
+    /// Updates only the largest error with an input. Returns the input's error.
     fn glance(&mut self, place: P, result: impl Value, exact: f64) -> f64 {
         let error = linear_codes(result.exact(), exact);
         if error > self.worst.0 {
@@ -114,7 +115,7 @@ impl<P: Copy> Tally<P> {
         error
     }
 
-    /// Enters one of the evenly spread inputs.
+    /// Records one of the evenly spread inputs, which also count for mean and percentile.
     fn look(&mut self, place: P, result: impl Value, exact: f64) {
         let error = self.glance(place, result, exact);
         self.errors.push(error);

@@ -1,8 +1,8 @@
-//! Measures the error of each kernel, and its time where there is a clock, on the same functions
-//! whose instructions the firmware counts.
+//! Measures the error and the time of each kernel: the same functions whose instructions the
+//! firmware counts.
 //!
-//! Each measurement is reported as a line of JSON, by a terminal as by a browser. Errors are the same in every run; times are not, and come
-//! with their spread.
+//! Each measurement is a line of JSON, on the host as in a browser. Errors are the same in every
+//! run. Times vary, and are given with their quartiles.
 #![forbid(unsafe_code)]
 
 mod accuracy;

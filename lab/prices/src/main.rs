@@ -11,7 +11,8 @@ use luminaire_kernels::Setting;
 use luminaire_prices::{Accuracy, Clock, Times};
 use serde::Serialize;
 
-/// Outer half angles in degrees, in addition to the standard cone, at which the forms differ.
+/// Outer half angles in degrees at which errors are measured in addition to the standard cone,
+/// because there the cosine form and the versine form differ.
 const NARROWER: [f32; 3] = [15.0, 5.0, 1.0];
 
 fn main() -> ExitCode {
@@ -55,8 +56,8 @@ impl Clock for Monotonic {
         self.0.elapsed().as_secs_f64() * 1e9
     }
 
-    /// Long against the clock's own cost, and short against a time slice: on a machine that others
-    /// use too, most samples are then undisturbed.
+    /// Long compared with the cost of reading the clock, and short compared with a time slice, so
+    /// that most samples are undisturbed on a shared machine.
     fn shortest(&self) -> f64 {
         200_000.0
     }

@@ -12,14 +12,14 @@ use crate::Named;
 /// Number of inputs in a batch, which a kernel evaluates from memory to memory.
 pub const BATCH: usize = 4096;
 
-/// Number of times that are taken; their median counts.
+/// Number of times that are measured. Their median counts.
 const SAMPLES: usize = 41;
 
 /// A clock and its resolution.
 pub trait Clock {
-    /// Nanoseconds since some moment.
+    /// Nanoseconds since a fixed but arbitrary moment.
     fn now(&self) -> f64;
-    /// The shortest time in nanoseconds that it measures well.
+    /// The shortest time in nanoseconds that the clock measures well.
     fn shortest(&self) -> f64;
 }
 
@@ -85,7 +85,7 @@ impl<C: Clock> Stopwatch<'_, C> {
     fn time<K: Kernel>(&mut self, row: Row, kernel: &K, inputs: &[K::Input]) {
         let mut outputs: Vec<_> = inputs.iter().map(|input| kernel.evaluate(input)).collect();
         let sum = outputs.iter().fold(0, |sum: u32, output| sum.wrapping_mul(3) ^ output.bits());
-        // As many batches as the resolution of the clock needs.
+        // Doubles the number of batches until the clock resolves their time.
         let mut batches = 1;
         while self.lapse(kernel, inputs, &mut outputs, batches) < self.clock.shortest() {
             batches *= 2;
@@ -147,7 +147,8 @@ mod tests {
 
     use super::*;
 
-    /// A clock on which every batch takes a microsecond more.
+    /// A clock that advances by 4096 ns at each reading, so that a call of a kernel seems to take 1
+    /// ns.
     struct Ticking(Cell<f64>);
 
     impl Clock for Ticking {

@@ -1,11 +1,11 @@
-//! The same in a browser.
+//! The measurements in a browser.
 
 use wasm_bindgen::prelude::wasm_bindgen;
 use web_sys::Performance;
 
 use crate::time::{Clock, Times};
 
-/// `performance.now()`, which goes in steps of 5 microseconds where a page is isolated.
+/// `performance.now()`, whose resolution is 5 microseconds if the page is cross-origin isolated.
 struct PageClock(Performance);
 
 impl Clock for PageClock {
@@ -24,7 +24,7 @@ pub fn count() -> usize {
     Times::count()
 }
 
-/// Times the kernel of this number: a line of JSON, as the host prints it.
+/// Times the kernel of this number. Returns a line of JSON, as the host prints it.
 #[wasm_bindgen]
 pub fn time(number: usize) -> Option<String> {
     let clock = PageClock(web_sys::window()?.performance()?);

@@ -17,7 +17,7 @@ const GOBO: Gobo<'static> = Gobo::of(&[0, 255, 128, 1, 254, 60, 90, 200, 17, 17,
 /// The depths of the shadow map, in metres: nine texels.
 const DEPTHS: [f32; 9] = [0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 3.0, 0.0, 32.0];
 
-/// The square of a soft spotlight and a point, which all of them ask for.
+/// The inputs that all these models share: the projection of a soft spotlight, and a point.
 fn square<S: Format>(case: &mut Case<'_>) -> (Result<CompiledProjection<S>, Error>, Vec3<S::Length>) {
     let description = Description::of(case, |_| Ok(Soft));
     let (position, axis, roll) = (case.vector("position"), case.vector("axis"), case.number("roll"));
@@ -29,7 +29,7 @@ fn square<S: Format>(case: &mut Case<'_>) -> (Result<CompiledProjection<S>, Erro
     (square(), point)
 }
 
-/// Column, row and depth of a point.
+/// Column, row and depth of a point in the projection.
 pub(super) fn place<S: Format>(case: &mut Case<'_>) -> Outcome {
     let (square, point) = square::<S>(case);
     let place = square?.place(point);
@@ -54,8 +54,8 @@ pub(super) fn shadow<S: Format>(case: &mut Case<'_>) -> Outcome {
     Ok(())
 }
 
-/// What haze shows of the beam between an eye and a surface, and of the whole beam in that
-/// direction.
+/// In-scattering from a beam along the view ray from an eye to a surface, and along the whole ray
+/// in that direction.
 pub(super) fn in_scattering(case: &mut Case<'_>) -> Outcome {
     let description = Description::of(case, |_| Ok(Soft));
     let (position, axis, intensity) =

@@ -1,4 +1,4 @@
-//! The way from light to the codes of a display.
+//! From light to the codes of a display.
 
 use luminaire::{
     Rgb,
@@ -22,7 +22,7 @@ pub(super) fn clip<S: Format>(case: &mut Case<'_>) -> Outcome {
     Ok(())
 }
 
-/// Light within full scale, its hue kept.
+/// Light scaled to full scale, with its hue kept.
 pub(super) fn compress_keep_hue<S: Format>(case: &mut Case<'_>) -> Outcome {
     let light = case.light::<S>("light");
     case.give_color(luminaire::display::compress_keep_hue::<S>(light));
@@ -43,7 +43,7 @@ pub(super) fn rgb565<S: Format>(case: &mut Case<'_>) -> Outcome {
     Ok(())
 }
 
-/// The dithered code of a linear value in a pixel.
+/// The dithered code of a linear value, for a pixel at a column and row.
 pub(super) fn srgb_dithered<S: Format>(case: &mut Case<'_>) -> Outcome {
     let linear = case.scalar::<S>("linear");
     let (column, row) = (case.whole("column"), case.whole("row"));
@@ -59,7 +59,7 @@ pub(super) fn rgb565_dithered<S: Format>(case: &mut Case<'_>) -> Outcome {
     Ok(())
 }
 
-/// The linear value of a code, of which the last eight bits count.
+/// The linear value of a code, which is the input's low eight bits.
 pub(super) fn decode(case: &mut Case<'_>) -> Outcome {
     let code = case.whole("code");
     case.give(decode_srgb(code as u8));

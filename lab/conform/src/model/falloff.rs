@@ -15,8 +15,8 @@ pub(super) fn components(v: Vec3<f32>) -> [f32; 3] {
     [v.x, v.y, v.z]
 }
 
-/// The description of a cone: which angle is given (0 outer, 1 beam, 2 field), that angle, and the
-/// inner and the cutoff's, where they are not zero; all full angles in degrees.
+/// The description of a cone, in full angles and degrees. `design` says which angle `angle` is: 0
+/// outer, 1 beam, 2 field. An inner angle or cutoff of zero is not set.
 pub(super) struct Description<P> {
     profile: Result<P, Error>,
     design: u32,
@@ -53,8 +53,8 @@ impl<P: Falloff> Description<P> {
     }
 }
 
-/// The outer versine, then beam, field and outer angle in degrees and the flux of one candela in
-/// lumens.
+/// Outputs the outer versine, then beam, field and outer angle in degrees, then the luminous flux
+/// in lumens at an intensity of one candela.
 fn give<P: Falloff>(case: &mut Case<'_>, cone: &Cone<P>) {
     case.give(cone.outer_versine());
     for angle in [cone.beam(), cone.field(), cone.outer()] {
@@ -72,8 +72,8 @@ pub(super) fn cone<P: Falloff>(
     Ok(())
 }
 
-/// As a cone; then the slopes of a cubic, at the edge and in the middle, or the edge slope of a
-/// quadratic.
+/// The outputs of a cone and the inner angle; then the slopes of a cubic at the edge and in the
+/// middle, or the edge slope of a quadratic.
 pub(super) fn two_angles(case: &mut Case<'_>) -> Outcome {
     let (beam, field) = (case.number("beam"), case.number("field"));
     let cone = Cone::from_beam_and_field(Angle::degrees(beam), Angle::degrees(field))?;
@@ -89,7 +89,7 @@ pub(super) fn two_angles(case: &mut Case<'_>) -> Outcome {
     Ok(())
 }
 
-/// As a cone; then the slope in the middle.
+/// The outputs of a cone; then the slope in the middle.
 pub(super) fn two_angles_and_slope(case: &mut Case<'_>) -> Outcome {
     let (beam, field, slope) = (case.number("beam"), case.number("field"), case.number("edge slope"));
     let cone = Cone::from_beam_field_and_slope(Angle::degrees(beam), Angle::degrees(field), slope)?;
@@ -98,15 +98,15 @@ pub(super) fn two_angles_and_slope(case: &mut Case<'_>) -> Outcome {
     Ok(())
 }
 
-/// As a cone, from OpenGL's cutoff, a half angle in degrees.
+/// The outputs of a cone that is given by OpenGL's cutoff, a half angle in degrees.
 pub(super) fn opengl(case: &mut Case<'_>) -> Outcome {
     let cone = Cone::<Power<15>>::opengl(HalfAngle::degrees(case.number("spot cutoff")))?;
     give(case, &cone);
     Ok(())
 }
 
-/// The versine in the scale of the cone that is nearest to a number, the intensity there, and that
-/// at a versine of any bits.
+/// Three outputs: the representable versine nearest to a number, in the scale of the cone; the
+/// intensity at that versine; and the intensity at a versine of any bits.
 pub(super) fn falloff<S: Format, P: Falloff>(
     case: &mut Case<'_>,
     profile: impl Fn(&mut Case<'_>) -> Result<P, Error>,

@@ -1,4 +1,4 @@
-//! What a surface sends back, and the whole way from lights to a display.
+//! Light that a surface reflects, and the whole path from lights to a display.
 
 use luminaire::{
     AmbientLight, Angle, Cone, DirectionalLight, Material, SpotLight,
@@ -12,7 +12,7 @@ use luminaire::{
 use crate::case::{Case, Outcome};
 use crate::word::Format;
 
-/// What a material sends back of a directional light.
+/// The light of a directional light that a material reflects.
 pub(super) fn reflect<S: Format, H: SpecularLobe>(case: &mut Case<'_>, highlight: H) -> Outcome {
     let (diffuse, specular, shininess) =
         (case.color("diffuse"), case.color("specular"), case.whole("shininess"));
@@ -30,7 +30,7 @@ pub(super) fn reflect<S: Format, H: SpecularLobe>(case: &mut Case<'_>, highlight
     Ok(())
 }
 
-/// What a material shows without a light.
+/// Ambient and emitted light of a material.
 pub(super) fn glow<S: Format>(case: &mut Case<'_>) -> Outcome {
     let (ambient, emissive) = (case.color("diffuse"), case.color("color"));
     let light = case.light::<S>("light");
@@ -49,8 +49,8 @@ pub(super) fn view<S: Format>(case: &mut Case<'_>) -> Outcome {
     Ok(())
 }
 
-/// A glossy surface under a spotlight in a night sky, exposed, fitted and encoded: light, codes and
-/// pixel.
+/// A glossy surface under a spotlight in a night sky. The outputs are the light and, once it is
+/// exposed, compressed and encoded, its codes and pixel.
 pub(super) fn lit_point<S: Format>(case: &mut Case<'_>) -> Outcome {
     let (field, range) = (case.number("angle"), case.number("range"));
     let (position, axis, intensity) =

@@ -18,7 +18,7 @@ use luminaire::{
 
 use crate::case::{Case, Outcome};
 
-/// Takes the inputs from a case and gives its outputs.
+/// Evaluates a model: reads the inputs of a case and adds its outputs.
 pub type Evaluate = fn(&mut Case<'_>) -> Outcome;
 
 /// A model in the formats that it has.
@@ -26,21 +26,22 @@ pub type Evaluate = fn(&mut Case<'_>) -> Outcome;
 pub struct Model {
     /// Its name in the file.
     pub name: &'static str,
-    /// In the order of [`FORMATS`], or in `f32` alone where it belongs to set-up.
+    /// The model in each format, in the order of [`FORMATS`]; only in `f32` if the model belongs to
+    /// set-up.
     pub runs: &'static [Evaluate],
 }
 
 /// The formats, as the file names them.
 pub const FORMATS: [&str; 3] = ["f32", "fx32", "fx16"];
 
-/// The model of a section such as `spot soft fx16`.
+/// Finds the model of a section such as `spot soft fx16`.
 pub(crate) fn find(section: &str) -> Option<Evaluate> {
     let (name, format) = section.rsplit_once(' ')?;
     let index = FORMATS.iter().position(|known| *known == format)?;
     models().find(|model| model.name == name)?.runs.get(index).copied()
 }
 
-/// A model in every format, which its expression calls by a name.
+/// A model in every format. Its expression refers to the format by the name `$format`.
 macro_rules! each {
     ($name:expr, $format:ident, $case:ident => $outcome:expr) => {
         Model {
@@ -63,7 +64,7 @@ macro_rules! each {
     };
 }
 
-/// A model of set-up, which is f32 in every format.
+/// A model of set-up, which is computed in f32 whatever the format.
 macro_rules! once {
     ($name:expr, $case:ident => $outcome:expr) => {
         Model { name: $name, runs: &[|$case| $outcome] }
@@ -92,7 +93,7 @@ fn range(case: &mut Case<'_>) -> f32 {
     case.number("range")
 }
 
-/// The cones and the falloffs of the list.
+/// The cone and the falloff of each model in the library's list.
 macro_rules! listed {
     ($($(#[$doc:meta])* $variant:ident($type:ty) = $name:literal, $sample:expr, $truth:expr;)*) => {
         static LISTED: &[Model] = &[
@@ -103,8 +104,8 @@ macro_rules! listed {
 }
 luminaire::constant_falloffs!(listed);
 
-/// All models there are. One whose parameters are inputs stands for the one of the list with its
-/// name.
+/// All models. A model in `WRITTEN` replaces the model of the list with the same name: its
+/// parameters are inputs.
 pub fn models() -> impl Iterator<Item = &'static Model> {
     let is_written = |model: &&Model| WRITTEN.iter().any(|written| written.name == model.name);
     LISTED.iter().filter(move |model| !is_written(model)).chain(WRITTEN)

@@ -3,7 +3,7 @@
 use crate::case::{Case, Outcome};
 use crate::word::Format;
 
-/// A number as scalar and as length, and the scalar as a number.
+/// A number converted to a scalar and to a length, and the scalar converted back.
 pub(super) fn convert<S: Format>(case: &mut Case<'_>) -> Outcome {
     let number = case.number("number");
     case.give(S::from_f32(number));
@@ -21,7 +21,7 @@ pub(super) fn arithmetic<S: Format>(case: &mut Case<'_>) -> Outcome {
     Ok(())
 }
 
-/// The first channel of a light after a filter, and the sum of the other two.
+/// The first channel of a light after a filter, and the sum of the other two channels.
 pub(super) fn light<S: Format>(case: &mut Case<'_>) -> Outcome {
     let (light, filter) = (case.light::<S>("light"), case.scalar::<S>("factor"));
     case.give(S::filter(light.red, filter));

@@ -3,8 +3,8 @@
 use luminaire_conform::Check;
 use wasm_bindgen::prelude::wasm_bindgen;
 
-/// Checks the file: the first cases that differ, each on a line of its own, and how many there are
-/// and differ.
+/// Checks the file. Returns the first cases that differ, each on a line of its own, then the number
+/// of cases and how many of them differ.
 #[wasm_bindgen]
 pub fn check(file: &str) -> String {
     let (mut check, mut report) = (Check::default(), String::new());

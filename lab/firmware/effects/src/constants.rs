@@ -1,4 +1,4 @@
-//! The lights and surfaces of the programs, as the build script has written them.
+//! The lights and surfaces of the programs. The build script writes their values.
 
 use luminaire::{
     attenuation::NoAttenuation,

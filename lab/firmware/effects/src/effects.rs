@@ -1,8 +1,8 @@
-//! The effects, each a function of one input: what a program's bytes are counted of, and its
-//! instructions.
+//! The effects, each a function of one input. Bytes and instructions are counted for these
+//! functions.
 
-/// The list of the effects of a file, by what they are computed from, as a function that shows them
-/// to a visitor.
+/// Writes the function `each`, which shows a visitor the effects of a file, grouped by type of
+/// input.
 macro_rules! list {
     ($($input:ident: $($effect:ident)*;)*) => {
         pub(super) fn each(visit: &mut impl super::Visit) {
@@ -29,7 +29,7 @@ pub trait Visit {
     /// A view ray.
     fn view<O: Output>(&mut self, name: &str, effect: impl Fn(ViewRay) -> O);
 
-    /// Light over full scale, too.
+    /// Light, some of it over full scale.
     fn light<O: Output>(&mut self, name: &str, effect: impl Fn(Light) -> O);
 
     /// A colour within full scale.

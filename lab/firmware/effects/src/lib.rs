@@ -1,5 +1,6 @@
-//! Effects, each a function of one input with constants for lights and surfaces; and what programs
-//! of one effect have in common: the input, the output, and a panic that cannot be linked.
+//! Effects: functions of one input, with constants for lights and surfaces. The programs that
+//! contain one effect each share their input, their output, and a panic handler that cannot be
+//! linked.
 #![cfg_attr(target_os = "none", no_std)]
 
 pub mod constants;
@@ -35,7 +36,7 @@ mod format {
 }
 pub use format::{FORMAT, Format};
 
-/// What arrives of a light in the format.
+/// Irradiance in the format.
 pub type Irradiance = <Format as luminaire::Scalar>::Irradiance;
 /// Light in the format, before it is fitted to a display.
 pub type Light = luminaire::Rgb<Irradiance>;
@@ -46,7 +47,8 @@ pub type Surface = luminaire::light::SurfacePoint<Format>;
 
 /// Makes a program of an effect, a function of one [`Input`].
 ///
-/// If it can panic, it needs a function that is nowhere: then it does not link.
+/// A program that can panic does not link: its panic handler calls a function that is defined
+/// nowhere.
 #[macro_export]
 macro_rules! program {
     ($effect:expr) => {

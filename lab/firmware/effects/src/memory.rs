@@ -1,4 +1,4 @@
-//! Inputs that the compiler does not know, and an output that it cannot leave out.
+//! Inputs whose values the compiler does not know, and outputs that it cannot optimise away.
 
 use core::mem::MaybeUninit;
 use core::ptr;
@@ -8,18 +8,18 @@ use luminaire::{Fx16, Fx32, Rgb, haze::ViewRay};
 
 use crate::Surface;
 
-/// What an effect is computed from.
+/// An input of an effect.
 pub trait Input {
-    /// Reads it from memory that anything may have been written to.
+    /// Reads the input from memory whose content the compiler does not know.
     fn read() -> Self;
 }
 
-/// Runs an effect once, from memory to memory.
+/// Runs an effect once: reads its input from memory and writes its output to memory.
 #[inline(always)]
 pub fn run<I: Input, O>(effect: impl FnOnce(I) -> O) {
     let output = effect(I::read());
     let mut memory = MaybeUninit::uninit();
-    // SAFETY: the memory is our own, and of the output's type.
+    // SAFETY: the memory is a local variable of the output's type.
     unsafe { ptr::write_volatile(memory.as_mut_ptr(), output) };
 }
 
@@ -49,8 +49,8 @@ macro_rules! inputs {
             #[inline(always)]
             fn read() -> Self {
                 static mut MEMORY: MaybeUninit<$input> = MaybeUninit::zeroed();
-                // SAFETY: numbers, for which every bit pattern is a value, and zero until a
-                // debugger writes others.
+                // SAFETY: the input consists of numbers, for which every bit pattern is valid, and
+                // the memory is initialised to zero.
                 unsafe { ptr::read_volatile(&raw const MEMORY).assume_init() }
             }
         }

@@ -1,11 +1,11 @@
-//! What comes of an effect.
+//! Results of effects.
 
 use luminaire::number::{Light16, Light32};
 use luminaire::{Fx16, Fx32, Rgb, display::Rgb565};
 
 /// A result of an effect.
 pub trait Output {
-    /// 32 bits of which a checksum is made.
+    /// Reduces the result to 32 bits, which go into a checksum.
     fn fold(self) -> u32;
 }
 
@@ -31,7 +31,7 @@ outputs! {
     Rgb565: |pixel| pixel.0.into();
 }
 
-/// Two instructions on every processor, whatever the channels are.
+/// Folding three channels into one takes two instructions on every processor, whatever their type.
 impl<T: Output> Output for Rgb<T> {
     #[inline(always)]
     fn fold(self) -> u32 {

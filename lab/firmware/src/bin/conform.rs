@@ -1,5 +1,6 @@
-//! Checks the conformance vectors. It reads them line by line from the machine that runs the
-//! emulator: the whole file would not fit the flash of the smallest board.
+//! Checks the conformance vectors. The program reads them line by line from a file of the machine
+//! that runs the emulator, because the whole file would not fit into the flash of the smallest
+//! board.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 use core::fmt;
@@ -13,7 +14,7 @@ use std::{fs::File, io::Read, print};
 
 luminaire_firmware::entry!(conform);
 
-/// Longer than the longest line.
+/// Size of the line buffer in bytes: more than the longest line.
 const ROOM: usize = 1024;
 
 /// Prints the lines that differ.
@@ -46,7 +47,7 @@ fn conform() {
     println!("{check}");
 }
 
-/// The file, in the folder that the emulator was started in.
+/// Opens the file, which is in the folder that the emulator was started in.
 #[cfg(target_os = "none")]
 fn open() -> File {
     File::open(c"vectors.txt").expect("the file is there")

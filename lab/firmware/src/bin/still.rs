@@ -1,5 +1,5 @@
-//! A floor in the light of a constant: what a firmware needs that has no float, neither per pixel
-//! nor to set up. Prints the pixels of each row, as hexadecimal digits of RGB565.
+//! A floor lit by a light that is a constant. Neither set-up nor pixels use floats. Prints the
+//! pixels of each row, as hexadecimal digits of RGB565.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 use luminaire::{
@@ -12,12 +12,13 @@ use luminaire_firmware::board::println;
 
 luminaire_firmware::entry!(still);
 
-/// Computed by the build script.
+/// The light, compiled by the build script.
 const KEY: CompiledSpotLight<Fx16, Soft> = include!(concat!(env!("OUT_DIR"), "/key.rs"));
 
 const WIDTH: usize = 16;
 const HEIGHT: i32 = 12;
-/// An eighth and a quarter of a metre between pixels, in steps of a length.
+/// Distance between pixels across and down, an eighth and a quarter of a metre, in steps of 2^-16
+/// m.
 const STEP: [i32; 2] = [1 << 13, 1 << 14];
 const UP: Vec3<Fx16> = Vec3::new(Fx16::ZERO, Fx16::ONE, Fx16::ZERO);
 

@@ -1,14 +1,14 @@
-//! The host, where nothing is counted: it says what the results must be.
+//! The host, where nothing is counted: its results are what the boards' results must be.
 
 use core::hint::black_box;
 
-/// Begins nothing.
+/// Does nothing: there are no regions on the host.
 pub fn begin() {}
 
-/// Ends nothing.
+/// Does nothing: there are no regions on the host.
 pub fn end() {}
 
-/// The same reference, but the compiler no longer knows what it refers to.
+/// Returns the same reference, but the compiler no longer knows what it refers to.
 #[inline(always)]
 pub fn opaque<T>(reference: &T) -> &T {
     black_box(reference)

@@ -1,4 +1,4 @@
-//! All that differs between the targets: the entry, the output and a few instructions.
+//! Everything that differs between the targets: the entry, the output and a few instructions.
 
 #[cfg(all(target_os = "none", target_arch = "arm"))]
 #[path = "thumb.rs"]
@@ -12,7 +12,7 @@ mod processor;
 
 pub use processor::{begin, countdown, end, nops, opaque};
 
-/// Prints a line where the tools read it: by semihosting, or to stdout.
+/// Prints a line for the tools to read: by semihosting on a board, to stdout on the host.
 #[cfg(target_os = "none")]
 pub use semihosting::println;
 #[cfg(not(target_os = "none"))]

@@ -16,24 +16,25 @@ pub fn end() {
     unsafe { asm!("slti x0, x0, 0x7b2", options(nostack, preserves_flags)) };
 }
 
-/// The same reference, at no cost, but the compiler no longer knows what it refers to.
+/// Returns the same reference at no cost, but the compiler no longer knows what it refers to.
 #[inline(always)]
 pub fn opaque<T>(reference: &T) -> &T {
     let mut pointer: *const T = reference;
     // SAFETY: there are no instructions, so the register keeps the pointer that it has.
     unsafe { asm!("/* {0} */", inout(reg) pointer, options(pure, nomem, nostack, preserves_flags)) };
-    // SAFETY: it is the pointer of a reference of the same lifetime.
+    // SAFETY: the pointer comes from a reference of the same lifetime.
     unsafe { &*pointer }
 }
 
 /// `COUNT` instructions that do nothing.
 #[inline(always)]
 pub fn nops<const COUNT: usize>() {
-    // SAFETY: they do nothing.
+    // SAFETY: these instructions do nothing.
     unsafe { asm!(".rept {0}", "nop", ".endr", const COUNT, options(nomem, nostack, preserves_flags)) };
 }
 
-/// A loop of two instructions a turn, behind one that loads the number of turns, of at most 255.
+/// An instruction that loads the number of turns, at most 255, then a loop of two instructions per
+/// turn.
 #[inline(always)]
 pub fn countdown<const TURNS: u8>() {
     // SAFETY: only a register that the compiler chooses changes.

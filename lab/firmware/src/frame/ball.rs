@@ -7,18 +7,18 @@ use super::measures::{BALL, BALL_RADIUS, EYE};
 use super::quadratic::Quadratic;
 use super::shadow::{Passage, Way};
 
-/// The pixels that can see it.
+/// The pixels in which the ball can be visible.
 pub(super) const WINDOW: Window = Window::about(BALL, [BALL_RADIUS; 3]);
 const MIDDLE: Vec3<i32> = Vec3::new(steps(BALL[0]), steps(BALL[1]), steps(BALL[2]));
-/// From the eye to its middle, as lines of sight go.
+/// The offset from the eye to the ball's centre: right, up and ahead.
 const WAY: [f32; 3] = [BALL[0] - EYE[0], BALL[1] - EYE[1], EYE[2] - BALL[2]];
-/// The squared length of that, less the squared radius, in steps of 2^-20.
+/// The squared length of `WAY` minus the squared radius, in steps of 2^-20.
 const GAP: i32 =
     steps(16.0 * (WAY[0] * WAY[0] + WAY[1] * WAY[1] + WAY[2] * WAY[2] - BALL_RADIUS * BALL_RADIUS));
-/// One over the radius: from steps of a length to steps of 2^-30.
+/// One over the radius, as a factor from steps of 2^-16 to steps of 2^-30.
 const RECIPROCAL: i32 = (16_384.0 / BALL_RADIUS) as i32;
 
-/// The depth at which a line of sight meets it.
+/// The depth at which a line of sight meets the ball.
 #[inline(always)]
 pub(super) fn depth(sight: Sight) -> Option<i32> {
     let [right, up, ahead] = sight.squares();
@@ -26,7 +26,7 @@ pub(super) fn depth(sight: Sight) -> Option<i32> {
     Quadratic { a: right + up + ahead, b: along + steps(16.0 * WAY[2]), c: GAP }.depth()
 }
 
-/// The normal at a point of it.
+/// The normal at a point of the ball.
 #[inline(always)]
 pub(super) fn normal(point: Vec3<Length>) -> Vec3<Fx16> {
     point.zip(MIDDLE, |p, middle| {

@@ -14,7 +14,7 @@ pub(super) const fn steps(metres: f32) -> i32 {
 pub(super) const DEPTH_BITS: u32 = 13;
 /// Half a pixel, as a slope in steps of 2^-16: the picture is one metre wide at a depth of one.
 const HALF_PIXEL: i32 = 205;
-/// The row in which the horizon is.
+/// The row of the horizon.
 const HORIZON: i32 = 38;
 
 /// A line of sight: how far it goes to the right and up for each metre into the depth, in steps of
@@ -26,7 +26,7 @@ pub(super) struct Sight {
 }
 
 impl Sight {
-    /// Through the middle of a pixel.
+    /// The line of sight through the centre of a pixel.
     #[inline(always)]
     pub(super) fn through(column: usize, row: usize) -> Self {
         debug_assert!(column < WIDTH && row < HEIGHT);
@@ -35,13 +35,13 @@ impl Sight {
         Self { right, up: -middle(row, HORIZON) * HALF_PIXEL }
     }
 
-    /// How high it is at a depth.
+    /// The height of the line at a depth.
     #[inline(always)]
     pub(super) fn height(self, depth: i32) -> i32 {
         steps(EYE[1]) + ((self.up * depth) >> DEPTH_BITS)
     }
 
-    /// How far to the right it is at a depth.
+    /// The x coordinate of the line at a depth.
     #[inline(always)]
     pub(super) fn x(self, depth: i32) -> Length {
         Length::from_bits(steps(EYE[0]) + ((self.right * depth) >> DEPTH_BITS))
@@ -54,8 +54,8 @@ impl Sight {
         Vec3::new(self.x(depth), Length::from_bits(self.height(depth)), Length::from_bits(back))
     }
 
-    /// The squared length of the part to the right, of that upwards, and of one metre into the
-    /// depth, in steps of 2^-20.
+    /// The squares of the line's three components for each metre of depth: right, up and the metre
+    /// itself, in steps of 2^-20.
     #[inline(always)]
     pub(super) fn squares(self) -> [i32; 3] {
         let square = |slope: i32| (slope * slope) >> 12;
@@ -63,7 +63,7 @@ impl Sight {
     }
 }
 
-/// The pixels that can see something: those of a box about it.
+/// The pixels in which an object can be visible: those of a rectangle around the object.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Window {
     columns: [usize; 2],
@@ -71,7 +71,7 @@ pub(super) struct Window {
 }
 
 impl Window {
-    /// About a box of this middle and half size.
+    /// The window of a box with this centre and half size.
     pub(super) const fn about(middle: [f32; 3], half: [f32; 3]) -> Self {
         let depth = EYE[2] - middle[2];
         let depths = [depth - half[2], depth + half[2]];
@@ -83,7 +83,7 @@ impl Window {
         }
     }
 
-    /// Its pixels in a row, with the numbers of their columns.
+    /// The pixels of a row that lie in the window, with the numbers of their columns.
     pub(super) fn of<'a, T>(
         &self,
         row: usize,
@@ -94,13 +94,14 @@ impl Window {
     }
 }
 
-/// The least and the largest slope towards an object of half width `half` between two depths.
+/// The smallest and the largest slope towards an object between two depths. The object's centre is
+/// at `middle`, and its half width is `half`.
 const fn slopes(middle: f32, half: f32, [near, far]: [f32; 2]) -> [f32; 2] {
     let (low, high) = (middle - half, middle + half);
     [low / if low < 0.0 { near } else { far }, high / if high < 0.0 { far } else { near }]
 }
 
-/// The first pixel between two slopes, and the one behind the last.
+/// The first pixel between two slopes, and the pixel after the last.
 const fn pixels([low, high]: [f32; 2], zero: i32, count: usize) -> [usize; 2] {
     let first = zero + steps(low) / (2 * HALF_PIXEL) - 1;
     let end = zero + steps(high) / (2 * HALF_PIXEL) + 2;

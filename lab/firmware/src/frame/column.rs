@@ -7,19 +7,19 @@ use super::measures::{COLUMN, COLUMN_HEIGHT, COLUMN_RADIUS, EYE};
 use super::quadratic::Quadratic;
 use super::shadow::{Passage, Way};
 
-/// The pixels that can see it.
+/// The pixels in which the column can be visible.
 pub(super) const WINDOW: Window = Window::about(
     [COLUMN[0], COLUMN_HEIGHT / 2.0, COLUMN[1]],
     [COLUMN_RADIUS, COLUMN_HEIGHT / 2.0, COLUMN_RADIUS],
 );
-/// From the eye to its middle, to the right and ahead.
+/// The offset from the eye to the column's axis: right and ahead.
 const WAY: [f32; 2] = [COLUMN[0] - EYE[0], EYE[2] - COLUMN[1]];
-/// The squared length of that, less the squared radius, in steps of 2^-20.
+/// The squared length of `WAY` minus the squared radius, in steps of 2^-20.
 const GAP: i32 = steps(16.0 * (WAY[0] * WAY[0] + WAY[1] * WAY[1] - COLUMN_RADIUS * COLUMN_RADIUS));
-/// One over the radius: from steps of a length to steps of 2^-30.
+/// One over the radius, as a factor from steps of 2^-16 to steps of 2^-30.
 const RECIPROCAL: i32 = (16_384.0 / COLUMN_RADIUS) as i32;
 
-/// Where a line of sight meets it.
+/// Where a line of sight meets the column.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Meeting {
     /// At the side, at this depth.
@@ -28,7 +28,8 @@ pub(super) enum Meeting {
     Top(i32),
 }
 
-/// Where a line of sight meets it. The eye is above it, so that every line goes down to its top.
+/// Where a line of sight meets the column. The eye is higher than the column, so every line reaches
+/// the top from above.
 #[inline(always)]
 pub(super) fn meet(sight: Sight) -> Option<Meeting> {
     let [right, _, ahead] = sight.squares();
@@ -44,13 +45,13 @@ pub(super) fn meet(sight: Sight) -> Option<Meeting> {
     is_over(sight.point(depth)).then_some(Meeting::Top(depth))
 }
 
-/// From its middle to a point, to the right and to the front.
+/// The offset from the column's axis to a point: right and to the front.
 #[inline(always)]
 fn from_middle(point: Vec3<Length>) -> [i32; 2] {
     [point.x.to_bits() - steps(COLUMN[0]), point.z.to_bits() - steps(COLUMN[1])]
 }
 
-/// Whether a point is over or under it.
+/// Whether a point is within the column's circle, seen from above.
 #[inline(always)]
 fn is_over(point: Vec3<Length>) -> bool {
     let [right, front] = from_middle(point).map(|way| way >> 4);
@@ -58,7 +59,7 @@ fn is_over(point: Vec3<Length>) -> bool {
     right * right + front * front < radius * radius
 }
 
-/// The normal at a point of its side.
+/// The normal at a point of the column's side.
 #[inline(always)]
 pub(super) fn normal(point: Vec3<Length>) -> Vec3<Fx16> {
     let [right, front] =
@@ -71,7 +72,7 @@ pub(super) fn normal(point: Vec3<Length>) -> Vec3<Fx16> {
 pub(super) fn is_between(way: &Way) -> bool {
     let top = way.to(Vec3::new(steps(COLUMN[0]), steps(COLUMN_HEIGHT), steps(COLUMN[1])));
     let flat = |way: Vec3<i32>| Vec3 { y: 0, ..way };
-    // Where the offset enters the circle of the column it must still be below the top.
+    // The line to the light must be below the top where it enters the column's circle.
     Passage::of(flat(way.whole), flat(top), steps(COLUMN_RADIUS) >> 4).is_some_and(|passage| {
         let entry = passage.nearest - passage.within.isqrt().cast_signed();
         entry * way.whole.y < passage.squared * top.y

@@ -1,5 +1,5 @@
-//! The scene in metres: a stage seen from the stalls. Evaluated by the compiler; the build script
-//! needs the position of the light, too.
+//! The scene in metres: a stage seen from the stalls. The program uses these numbers only in
+//! constants. The build script also needs the position of the light.
 
 /// Where the camera stands. It looks along -z, and the picture is shifted down instead of tilted,
 /// so that verticals stay vertical.

@@ -1,8 +1,9 @@
 //! A picture lit pixel by pixel in 16 bits: a wall, a floor, a ball and a column under a soft
-//! spotlight, in 160 x 120 pixels of RGB565. There is no float, and no more memory than for a row.
+//! spotlight, in 160 x 120 pixels of RGB565. The program uses no floats, and memory for one row
+//! only.
 //!
-//! Each row goes through the same stages, each between markers, so that the counter tells what they
-//! cost.
+//! Each row goes through the same stages. Each stage runs between markers, so that its instructions
+//! are counted separately.
 
 mod ball;
 mod camera;
@@ -32,7 +33,7 @@ const HEIGHT: usize = 120;
 /// The stages of a row, in the order in which they are counted.
 const STAGES: &str = "geometry ambient light shadow colour display";
 
-/// A row between the stages.
+/// The buffers of a row, which the stages fill one after the other.
 struct Row {
     sites: [Site; WIDTH],
     lights: [Light16; WIDTH],
@@ -40,9 +41,9 @@ struct Row {
     pixels: [u16; WIDTH],
 }
 
-/// Draws the picture. The first line tells its size and the stages, the last one how many pixels
-/// the light does not reach and why; between them are the pixels of each row, as hexadecimal
-/// digits.
+/// Draws the picture and prints it. The first line states its size and the stages. Then come the
+/// pixels of each row, as hexadecimal digits. The last line states how many pixels the light
+/// reaches, and why it does not reach the others.
 pub fn frame() {
     println!("{WIDTH} {HEIGHT} {STAGES}");
     let mut row = Row {
@@ -63,7 +64,8 @@ pub fn frame() {
 impl Row {
     fn draw(&mut self, number: usize) {
         count(|| scene::look(number, &mut self.sites));
-        // What the light comes on top of: the picture without it goes from here to the display.
+        // The ambient light, to which the spotlight's is added. A picture without the spotlight
+        // goes from here directly to the display stage.
         count(|| paint::glow(&self.sites, &mut self.colors));
         count(|| paint::light(&self.sites, &mut self.lights));
         count(|| shadow::cast(&self.sites, &mut self.lights));
@@ -72,7 +74,7 @@ impl Row {
     }
 }
 
-/// Gives a stage to be counted.
+/// Runs a stage between the markers.
 #[inline(always)]
 fn count(stage: impl FnOnce()) {
     begin();
@@ -80,7 +82,7 @@ fn count(stage: impl FnOnce()) {
     end();
 }
 
-/// Pixels, four digits each.
+/// Displays pixels as four hexadecimal digits each.
 struct Digits<'a>(&'a [u16; WIDTH]);
 
 impl fmt::Display for Digits<'_> {

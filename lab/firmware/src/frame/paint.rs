@@ -1,4 +1,4 @@
-//! From what a pixel sees to the pixel: light, colour, display.
+//! The stages from a visible point to its pixel: light, colour, display.
 
 use luminaire::number::Light16;
 use luminaire::{
@@ -16,9 +16,9 @@ pub(super) type Color = Rgb<Light16>;
 
 /// The light, computed by the build script.
 pub(super) const KEY: CompiledSpotLight<Fx16, Soft> = include!(concat!(env!("OUT_DIR"), "/frame_key.rs"));
-/// What each material sends back of the ambient light.
+/// The ambient light that each material reflects.
 const GLOW: [Color; 5] = include!(concat!(env!("OUT_DIR"), "/frame_glow.rs"));
-/// What each material sends back of the spotlight's light, its colour included.
+/// The product of each material's colour and the spotlight's.
 const TINT: [Rgb<Fx16>; 5] = include!(concat!(env!("OUT_DIR"), "/frame_tint.rs"));
 
 /// The ambient light of each pixel, and nothing else.
@@ -29,7 +29,7 @@ pub(super) fn glow(sites: &[Site; WIDTH], colors: &mut [Color; WIDTH]) {
     }
 }
 
-/// What arrives of the light, before its colour.
+/// The irradiance from the spotlight, before its colour.
 #[inline(never)]
 pub(super) fn light(sites: &[Site; WIDTH], lights: &mut [Light16; WIDTH]) {
     for (column, light) in lights.iter_mut().enumerate() {
@@ -38,7 +38,7 @@ pub(super) fn light(sites: &[Site; WIDTH], lights: &mut [Light16; WIDTH]) {
     }
 }
 
-/// The ambient light and the spotlight's, as the materials send them back.
+/// The reflected light: the ambient light's and the spotlight's.
 #[inline(never)]
 pub(super) fn color(sites: &[Site; WIDTH], lights: &[Light16; WIDTH], colors: &mut [Color; WIDTH]) {
     for (column, color) in colors.iter_mut().enumerate() {

@@ -7,7 +7,7 @@ use super::column::Meeting;
 use super::measures::{EYE, WALL};
 use super::{WIDTH, ball, column};
 
-/// What something is made of, which is also where its colours stand in the tables.
+/// The material of a surface. Its number is the index of its colours in the tables.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub(crate) enum Material {
     #[default]
@@ -42,7 +42,7 @@ pub(crate) fn look(row: usize, sites: &mut [Site; WIDTH]) {
         };
         *site = Site { point: sight.point(depth), normal, material: Material::Column };
     }
-    // The ball stands before everything.
+    // Nothing is in front of the ball, so it is drawn last.
     for (column, site) in ball::WINDOW.of(row, sites) {
         let sight = Sight::through(column, row);
         if let Some(depth) = ball::depth(sight) {
@@ -52,7 +52,7 @@ pub(crate) fn look(row: usize, sites: &mut [Site; WIDTH]) {
     }
 }
 
-/// Wall or floor, which are at one depth all along a row.
+/// Draws wall or floor. All points of a row have the same depth.
 fn paint_backdrop(row: usize, sites: &mut [Site; WIDTH]) {
     const TO_THE_WALL: i32 = steps(EYE[2] - WALL) >> (16 - DEPTH_BITS);
     let first = Sight::through(0, row);

@@ -1,4 +1,4 @@
-//! What stands between a point and the light.
+//! Tests whether an object stands between a point and the light.
 
 use luminaire::Vec3;
 use luminaire::number::{Length, Light16};
@@ -18,8 +18,8 @@ pub(super) fn cast(sites: &[Site; WIDTH], lights: &mut [Light16; WIDTH]) {
     }
 }
 
-/// Whether an object stands between a site and the light. No object is tested against its own
-/// surface: there the surface faces away.
+/// Whether an object stands between a site and the light. An object is not tested for sites on its
+/// own surface: where it would shadow itself, its surface faces away from the light.
 #[inline(always)]
 pub(super) fn is_in_shadow(site: &Site) -> bool {
     let way = Way::to_light(site.point);
@@ -32,12 +32,12 @@ pub(super) fn is_in_shadow(site: &Site) -> bool {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Way {
     start: Vec3<i32>,
-    /// All of it.
+    /// The offset from the start to the light.
     pub(super) whole: Vec3<i32>,
 }
 
 impl Way {
-    /// From a point.
+    /// The offset from a point to the light.
     #[inline(always)]
     pub(super) fn to_light(point: Vec3<Length>) -> Self {
         const END: Vec3<i32> = Vec3::new(steps(LIGHT[0]), steps(LIGHT[1]), steps(LIGHT[2]));
@@ -52,23 +52,24 @@ impl Way {
     }
 }
 
-/// How a way passes through something round: what two places have in common with the way, as inner
-/// products in steps of 2^-9, so that their products fit 32 bits. An outline is off by some
-/// millimetres for it.
+/// How a line to the light passes through a round object, as inner products in steps of 2^-9, so
+/// that their products fit 32 bits. This precision moves the outline of a shadow by some
+/// millimetres.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Passage {
-    /// The offset with itself: its squared length.
+    /// The inner product of the whole offset with itself: its squared length.
     pub(super) squared: i32,
-    /// The way with that to the middle: `nearest / squared` of it lead to where it is nearest to
-    /// the middle.
+    /// The inner product of the whole offset with the offset to the object's centre. The line is
+    /// nearest to the centre at the fraction `nearest / squared` of its length.
     pub(super) nearest: i32,
-    /// The square of what it takes, in the same measure, from where it enters to there.
+    /// The line enters the object at the fraction `(nearest - sqrt(within)) / squared` of its
+    /// length.
     pub(super) within: u32,
 }
 
 impl Passage {
-    /// The passage of an offset that starts outside the object; `middle` is the offset to its
-    /// middle.
+    /// The passage of a line that starts outside the object, or `None` if it misses the object.
+    /// `middle` is the offset from the line's start to the object's centre.
     #[inline(always)]
     pub(super) fn of(way: Vec3<i32>, middle: Vec3<i32>, radius: i32) -> Option<Self> {
         let nearest = dot(way, middle);
@@ -82,7 +83,7 @@ impl Passage {
     }
 }
 
-/// The inner product, in steps of 2^-24.
+/// The inner product of two offsets, in steps of 2^-24.
 #[inline(always)]
 fn dot(a: Vec3<i32>, b: Vec3<i32>) -> i32 {
     a.x * b.x + a.y * b.y + a.z * b.z

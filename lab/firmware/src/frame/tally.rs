@@ -1,4 +1,4 @@
-//! How many pixels the light reaches, and what keeps it from the others.
+//! Counts the pixels that the light reaches, and the others by the reason.
 
 use core::fmt;
 
@@ -14,7 +14,7 @@ use super::scene::Site;
 use super::shadow::is_in_shadow;
 
 /// Numbers of pixels by the first condition that keeps the light from them, in the order in which
-/// the conditions are tested.
+/// the conditions are tested. `lit` counts the pixels that the light reaches.
 #[derive(Clone, Copy, Default, Debug)]
 pub(super) struct Tally {
     facing_away: u32,

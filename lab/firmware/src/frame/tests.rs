@@ -1,4 +1,4 @@
-//! What the pixels see and what is in shadow, against f64.
+//! Visible points and shadows, compared with f64.
 
 use luminaire::Vec3;
 use luminaire::number::Length;
@@ -22,8 +22,8 @@ fn dot(a: Vector, b: Vector) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-/// Parameter at which a line enters an object that is round in the axes of `mask`, if it starts
-/// outside and does not only touch it.
+/// Parameter at which a line enters an object that is round in the axes of `mask`. `None` if the
+/// line starts inside the object, misses it or only touches it.
 fn entry(start: Vector, way: Vector, middle: Vector, radius: f64, mask: Vector) -> Option<f64> {
     let masked = |v: Vector| [0, 1, 2].map(|i| v[i] * mask[i]);
     let (way, from) = (masked(way), masked([0, 1, 2].map(|i| start[i] - middle[i])));
@@ -52,13 +52,13 @@ fn into_column(start: Vector, way: Vector) -> Option<(f64, Vector)> {
     (top > 0.0 && is_over).then_some((top, [0.0, 1.0, 0.0]))
 }
 
-/// The line of sight through the middle of a pixel: the picture is 160 pixels of 410/65,536 wide.
+/// The line of sight through the centre of a pixel. At a depth of 1, a pixel is 410/65,536 wide.
 fn sight(column: usize, row: usize) -> Vector {
     let slope = |pixels: f64| pixels * 410.0 / 65_536.0;
     [slope(column as f64 + 0.5 - 80.0), -slope(row as f64 + 0.5 - 38.0), -1.0]
 }
 
-/// What a pixel sees: how far into the depth, and with which normal.
+/// The material, the depth and the normal that a pixel shows.
 fn exact(column: usize, row: usize) -> (Material, f64, Vector) {
     let (eye, way) = (wide(EYE), sight(column, row));
     let wall = (Material::Wall, eye[2] - f64::from(WALL), [0.0, 0.0, 1.0]);
@@ -87,7 +87,8 @@ fn metres(point: Vec3<Length>) -> Vector {
     [point.x, point.y, point.z].map(|c| c.to_f64())
 }
 
-/// Exhaustive: every pixel sees what it should, and where, within the stated errors.
+/// Exhaustive over the picture: every pixel shows the right material, with depth and normal within
+/// the stated errors.
 #[test]
 fn pixels_see_what_is_there() {
     let (mut outline, mut off, mut turned) = (0, 0.0_f64, 0.0_f64);
@@ -122,7 +123,7 @@ fn tiles_are_half_a_metre_wide() {
     }
 }
 
-/// Shadows are where they should be, but for a few pixels at their outline.
+/// Shadows are exact except for a few pixels at their outline.
 #[test]
 fn shadows_fall_where_they_should() {
     let (mut outline, mut count) = (0, 0);

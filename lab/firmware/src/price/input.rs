@@ -1,4 +1,4 @@
-//! What pixels ask of an effect.
+//! The inputs of the effects.
 
 use luminaire::{Rgb, Scalar, attenuation::InverseSquare, haze::ViewRay};
 use luminaire_effects::constants::MATTE;
@@ -6,7 +6,7 @@ use luminaire_effects::{Color, Format, Light, Listed, Output, Place, Surface};
 use luminaire_kernels::scene::{EYE, Population, Site, Sites};
 use luminaire_kernels::{Format as _, Setting};
 
-/// Columns of a picture.
+/// Number of columns of the picture.
 const WIDTH: u32 = 160;
 
 /// Sequences of inputs, the same on every machine.
@@ -14,7 +14,7 @@ pub(super) struct Inputs {
     sites: Sites,
     /// The bits of a number in [0, 1).
     number: u32,
-    /// How many pixels there have been.
+    /// Number of pixels so far.
     pixels: u32,
 }
 
@@ -29,19 +29,19 @@ impl Inputs {
         self.sites.next().expect("an endless sequence")
     }
 
-    /// A point in the cone that faces the light, and the direction to the eye.
+    /// A surface point in the cone whose normal faces the light, and the direction to the eye.
     pub(super) fn surface(&mut self) -> Surface {
         let site = self.site();
         let [eye, point] = [EYE, site.point].map(|place| place.map(Format::length));
         Surface::seen_from(eye, point, site.normal.map(Format::from_f32))
     }
 
-    /// The way from the eye to such a point: it ends in the beam.
+    /// The view ray from the eye to a point in the cone.
     pub(super) fn view(&mut self) -> ViewRay {
         ViewRay::between(EYE, self.site().point)
     }
 
-    /// What such a point sends back: some of it is over full scale.
+    /// The light that a lit point reflects, some of it over full scale.
     pub(super) fn light(&mut self) -> Light {
         MATTE.reflect(&self.surface(), &InverseSquare::CONSTANT)
     }
@@ -51,15 +51,15 @@ impl Inputs {
         Rgb::new(self.channel(), self.channel(), self.channel())
     }
 
-    /// A colour and its place, from left to right and from top to bottom.
+    /// A colour and its pixel position. Positions run from left to right and from top to bottom.
     pub(super) fn pixel(&mut self) -> (Color, Place) {
         let place = Place { x: self.pixels % WIDTH, y: self.pixels / WIDTH };
         self.pixels += 1;
         (self.color(), place)
     }
 
-    /// The fractions of the multiples of the golden ratio, which are spread evenly however many are
-    /// taken.
+    /// The next number in [0, 1): the fractional parts of multiples of the golden ratio, which are
+    /// evenly spread however many are taken.
     fn channel(&mut self) -> Format {
         self.number = self.number.wrapping_add(0x9e37_79b9);
         Format::from_f32((self.number >> 8) as f32 / 16_777_216.0)
@@ -68,7 +68,7 @@ impl Inputs {
 
 /// An input of an effect.
 pub(super) trait Input: Copy {
-    /// What a loop loads that does nothing.
+    /// The word that the empty loop loads.
     fn word(&self) -> u32;
 }
 

@@ -1,7 +1,7 @@
 //! Writes the conformance vectors, or checks this machine against them.
 //!
-//! `conform generate` prints the file. `conform check` reads it from stdin, prints the first cases
-//! that differ and, as the last line, how many there are and how many differ.
+//! `conform generate` prints the file. `conform check` reads the file from stdin and prints the
+//! first cases that differ. Its last line states the number of cases and how many of them differ.
 
 mod scene;
 mod situation;

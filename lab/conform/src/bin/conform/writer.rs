@@ -1,4 +1,4 @@
-//! Writing the file: a section for each model and format, in it the hard cases and then random
+//! Writes the file: a section for each model and format, with the hard cases first and then random
 //! ones.
 
 use std::fmt::Write;
@@ -14,7 +14,7 @@ use luminaire_oracle::SplitMix64;
 use super::scene::Scene;
 use super::situation::{PARTS, Part, SEAMS, SITUATIONS, Seam};
 
-/// Random scenes in each section.
+/// Number of random scenes in each section.
 const SCENES: usize = 12;
 
 const PREFACE: &str = "\
@@ -33,8 +33,8 @@ pub(crate) fn file() -> String {
     file
 }
 
-/// Words of names, and those in their place when the scenes were first drawn: a new name leaves the
-/// scenes as they are.
+/// Words in the names of models, each with the word that it has replaced. A section's seed is made
+/// from the old words, so that renaming a model keeps its scenes.
 const FIRST_WORDS: [(&str, &str); 11] = [
     ("step", "cut-off"),
     ("quadratic", "blend"),
@@ -49,7 +49,7 @@ const FIRST_WORDS: [(&str, &str); 11] = [
     ("difference-form-3-blinn-phong", "lyon-3-blinn-phong"),
 ];
 
-/// The name that a section's scenes were first drawn under.
+/// The name that the seed of a section is made from: the one that the section had first.
 fn first_name(name: &str) -> String {
     let mut words: Vec<&str> = name.split(' ').collect();
     for word in &mut words {
@@ -61,7 +61,8 @@ fn first_name(name: &str) -> String {
 }
 
 fn section(file: &mut String, name: &str, evaluate: Evaluate) {
-    // Each section has scenes of its own, which stay when others come and go.
+    // The seed depends only on the section's name, so that adding or removing other sections keeps
+    // its scenes.
     let seed = first_name(name).bytes().fold(0xcbf2_9ce4_8422_2325, |hash: u64, byte| {
         (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
     });
@@ -74,8 +75,8 @@ fn section(file: &mut String, name: &str, evaluate: Evaluate) {
         header = source.names;
         format!("{} -> {}", source.words, outputs.as_str())
     };
-    // Each hard case is made of a random scene. One that leaves all inputs of the model alone is
-    // none.
+    // Each hard case changes a random scene. If the change affects no input of the model, the case
+    // is left out.
     let mut hard = |scene: &Scene, harder: &Scene, seam, name| {
         let (plain, words) = (row(scene, None), row(harder, seam));
         if words != plain {
@@ -104,7 +105,7 @@ fn section(file: &mut String, name: &str, evaluate: Evaluate) {
     }
 }
 
-/// Gives the values of a scene as words, and writes them down.
+/// Supplies the values of a scene as words, and records the words and the inputs' names.
 struct Source<'a> {
     scene: &'a Scene,
     seam: Option<(Seam, Part)>,
@@ -138,7 +139,8 @@ fn stored(scene: &Scene, input: &Input) -> u64 {
         "i16f16" => Length::from(I16F16::saturating_from_num(value)).word(),
         "u18f14" => Light16::from(U18F14::saturating_from_num(value)).word(),
         "u34f30" => Light32::from(U34F30::saturating_from_num(value)).word(),
-        // The scale of a versine is the cone's: any bits do, the same ones for the same scene.
+        // The scale of a versine depends on the cone, so any bits will do. The same scene gives the
+        // same bits.
         "u3f29" | "u3f61" => {
             let bits = SplitMix64(value.to_bits()).bits();
             bits >> (64 - 4 * input.digits as u64 + bits % 24)

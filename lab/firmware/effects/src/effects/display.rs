@@ -23,7 +23,7 @@ pub fn clip(light: Light) -> Color {
     luminaire::display::clip::<Format>(light)
 }
 
-/// Light scaled to full scale with its hue.
+/// Light scaled to full scale, with its hue kept.
 #[inline(always)]
 pub fn keep_hue(light: Light) -> Color {
     luminaire::display::compress_keep_hue::<Format>(light)

@@ -1,4 +1,4 @@
-//! The effects that come of the lists of models.
+//! The effects of the models in the library's lists.
 
 use luminaire::light::{CompiledMaterial, CompiledSpotLight};
 #[allow(clippy::wildcard_imports, reason = "the types of the lists")]
@@ -13,16 +13,17 @@ pub trait Listed {
     const NAME: &'static str;
     /// The compiled light or material that has the model.
     type Constant;
-    /// Its value, as the build script has written it.
+    /// The value of the constant, which the build script has written.
     const CONSTANT: Self::Constant;
-    /// What comes of the effect.
+    /// The result of the effect.
     type Output;
 
     /// The effect at a surface point.
     fn effect(surface: Surface) -> Self::Output;
 }
 
-/// Implements [`Listed`] for a model by the irradiance of a constant spotlight of the model.
+/// Implements [`Listed`] for a model. Its effect is the irradiance of a constant spotlight that has
+/// the model.
 macro_rules! spotlight {
     ($type:ty = $name:expr, $constant:ty) => {
         impl Listed for $type {

@@ -1,4 +1,4 @@
-//! A soft spotlight: where it ends, and what stands in its way.
+//! A soft spotlight: its edge, and what filters its light.
 
 use luminaire::{falloff::Soft, haze::ViewRay};
 
@@ -17,7 +17,7 @@ pub fn spot_soft_lambert_hotspot(Surface { point, normal, .. }: Surface) -> Irra
     HOTSPOT.irradiance(point, normal)
 }
 
-/// A soft edge that is cut off before it ends.
+/// A soft edge with a cutoff.
 #[inline(always)]
 pub fn spot_soft_lambert_cutoff(Surface { point, normal, .. }: Surface) -> Irradiance {
     CUTOFF.irradiance(point, normal)
@@ -29,20 +29,20 @@ pub fn spot_soft(Surface { point, .. }: Surface) -> Format {
     Soft::CONSTANT.falloff(point)
 }
 
-/// The soft spotlight behind a gobo of 16 by 16.
+/// The soft spotlight behind a gobo of 16 by 16 texels.
 #[inline(always)]
 pub fn spot_soft_lambert_gobo(surface: Surface) -> Irradiance {
     GOBO.filter(Soft::effect(surface), surface.point)
 }
 
-/// The soft spotlight under a shadow map of 16 by 16.
+/// The soft spotlight with a shadow map of 16 by 16 texels.
 #[inline(always)]
 pub fn spot_soft_lambert_shadow(surface: Surface) -> Irradiance {
     SHADOW.filter(Soft::effect(surface), surface.point)
 }
 
-/// The air light of a view ray through the beam of the soft spotlight in haze. It is f32 in every
-/// format.
+/// The light that haze scatters from the beam of the soft spotlight into a view ray. It is computed
+/// in f32 in every format.
 #[inline(always)]
 pub fn haze(view: ViewRay) -> f32 {
     BEAM.in_scattering(&view)

@@ -1,4 +1,4 @@
-//! Other lights, and what surfaces send back.
+//! Lights other than spotlights, and light that surfaces reflect.
 
 use crate::constants::{AMBIENT, DIRECTIONAL, MATTE, POINT};
 use crate::{Format, Irradiance, Light, Surface};
@@ -8,7 +8,7 @@ list! {
     light: ambient;
 }
 
-/// Ambient light on a matt surface, beside the lights.
+/// Light of other lights, plus the ambient light that a matt surface reflects.
 #[inline(always)]
 pub fn ambient(lights: Light) -> Light {
     lights.plus::<Format>(MATTE.glow(AMBIENT))

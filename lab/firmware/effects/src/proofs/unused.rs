@@ -1,5 +1,4 @@
-//! The soft spotlight again, beside effects that its scene could require but does not: they cost
-//! nothing.
+//! The soft spotlight with further effects that constants switch off: they must add no bytes.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 use luminaire::{
@@ -21,7 +20,7 @@ luminaire_effects::program!(|surface: Surface| {
     Soft::CONSTANT.irradiance(surface.point, surface.normal)
 });
 
-/// Whether the scene requires the effects beside the spotlight.
+/// Whether the scene requires a glossy surface, and a second light.
 const IS_GLOSSY: bool = false;
 const HAS_FLOOD: bool = false;
 
