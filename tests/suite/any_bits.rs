@@ -1,5 +1,5 @@
-//! Bits that no light has, where a generated constant would have them: an answer at every point, as
-//! for all other input. Run with overflow checks, as `cargo test` does.
+//! Compiled constants of any bits, including bits that no compiled light has: every point still has
+//! a defined result. Run with overflow checks, as `cargo test` does.
 
 use fastrand::Rng;
 use luminaire::codegen::{CompiledCubic, CompiledQuadratic, FloatRamp, Gain16, Gain32, Ramp16, Ramp32};
@@ -21,7 +21,7 @@ use support::arbitrary::{bits, vector};
 use support::format::Format;
 use support::sweep;
 
-/// A format whose constants are made of any bits.
+/// A format whose constants can be made of any bits.
 trait Raw: Format {
     fn any_ramp(rng: &mut Rng) -> Self::Ramp;
     fn any_gain(rng: &mut Rng) -> Self::Gain;
@@ -61,7 +61,7 @@ raw!(
 raw!(Fx32, Ramp32, Gain32::from_bits, Weight32::from_bits, Light32::from_bits);
 raw!(Fx16, Ramp16, Gain16::from_bits, Weight16::from_bits, Light16::from_bits);
 
-/// Any bits, and as often a small number: shifts are small, and so are some versines.
+/// Any bits or, equally often, a small number, because valid shifts and some versines are small.
 fn number(rng: &mut Rng) -> u64 {
     if rng.bool() { bits(rng) } else { rng.u64(..80) }
 }
@@ -85,7 +85,7 @@ fn assert_lights<S: Raw, L: LightModel<S>>(rng: &mut Rng, light: L) {
     }
 }
 
-/// The end of every way is a code of the display, whatever came before.
+/// Asserts that exposed light of any bits is in [0, 1] after clipping and after compressing.
 fn assert_shades<S: Raw, L: LightModel<S>, H: SpecularLobe>(
     rng: &mut Rng,
     surface: &SurfacePoint<S>,
@@ -190,13 +190,13 @@ fn any_bits_make_a_light_in_fx16() {
     assert_any_bits_make_a_light::<Fx16>();
 }
 
-/// Any bits, and as often NaN of any payload.
+/// Any bits or, equally often, a NaN of any payload.
 fn float_bits(rng: &mut Rng) -> u32 {
     let bits = rng.u32(..);
     if rng.bool() { bits | 0x7f80_0001 } else { bits }
 }
 
-/// The figures of a profile, and of cones that are made with it.
+/// Asserts that the figures of a profile, and of cones made with it, are in range.
 fn assert_figures<P: Falloff + PartialEq>(rng: &mut Rng, profile: P) {
     for figure in [profile.beam_versine(), profile.field_versine(), profile.integral(rng.f32())] {
         assert!((0.0..=1.0).contains(&figure), "{profile:?}: {figure}");

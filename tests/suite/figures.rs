@@ -1,5 +1,5 @@
-//! The figures of the documentation are the ones that the code draws. What they show is tested
-//! beside that code.
+//! The figures of the documentation are those that the code draws. The code's own tests check what
+//! the figures show.
 
 #[path = "../../examples/figures/gallery/mod.rs"]
 #[allow(dead_code, reason = "the example uses the rest")]
@@ -23,8 +23,8 @@ fn decoded(file: &[u8]) -> Result<Picture, png::DecodingError> {
     Ok(Picture { width: width as usize, height: height as usize, codes })
 }
 
-/// Pixel by pixel and word by word; a PNG may be packed otherwise by another version of its
-/// library.
+/// Pictures are compared pixel by pixel, because another version of the PNG library may compress
+/// differently. Drawings are compared as text.
 #[test]
 fn the_documented_figures_are_up_to_date() -> Result<(), Box<dyn Error>> {
     for Figure { name, content } in gallery::figures()? {
@@ -38,7 +38,7 @@ fn the_documented_figures_are_up_to_date() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// What stands in the folder is what is drawn: nothing is left over from an earlier name.
+/// The folder has exactly the figures that are drawn, and none of an earlier name.
 #[test]
 fn no_figure_is_left_over() -> Result<(), Box<dyn Error>> {
     let mut drawn: Vec<_> = gallery::figures()?.iter().map(|figure| figure.name.to_owned()).collect();

@@ -1,5 +1,5 @@
-//! Lights that were written as Rust source and compiled: the same bits as those that are compiled
-//! now. And bits that no light has: an answer at every point.
+//! Constants that the build script wrote as Rust source are bit-identical to those that are
+//! compiled now.
 
 mod lights;
 
@@ -14,9 +14,9 @@ use luminaire::{
     light::CompiledSpotLight,
 };
 
-/// A constant of any type.
+/// A generated constant of any type.
 trait Constant {
-    /// Its fields, and the bits that it is made of.
+    /// The constant's fields, and the source text of its bits.
     fn shown(&self) -> String;
 }
 
@@ -26,7 +26,7 @@ impl<T: Source + Debug> Constant for T {
     }
 }
 
-/// The values as they are compiled now.
+/// The names of the values that are compiled now, each with its text.
 struct Compiled(Vec<(String, String)>);
 
 impl lights::Visit for Compiled {

@@ -1,4 +1,4 @@
-//! Patterns that a spotlight projects: their transmission against f64, and where it is exact.
+//! Gobos: their transmittance compared with f64, and the points where it is exact.
 
 use fastrand::Rng;
 use luminaire::number::Arithmetic;
@@ -22,7 +22,7 @@ use support::{
 const WINDOW: [u8; 16 * 16] = gobos::window();
 const STAR: [u8; 32 * 32] = gobos::star();
 const BREAKUP: [u8; 64 * 64] = gobos::breakup();
-/// All transmissions as one sum of weights.
+/// The largest sum of weighted bytes: all weights, times 255.
 const ALL: u32 = 255 << 24;
 
 fn random(rng: &mut Rng, side: usize) -> Vec<u8> {
@@ -33,7 +33,7 @@ fn at<S: Scalar>(column: i32, row: i32) -> ProjectedPoint<S> {
     ProjectedPoint { column, row, depth: S::Length::default() }
 }
 
-/// A spotlight of this half angle somewhere, the square around it, and the same one in f64.
+/// A random spotlight of this half angle, its projection, and the same projection in f64.
 fn projection<S: Format>(rng: &mut Rng, half_degrees: f32) -> (SpotLight<Step>, Projection, Square) {
     let cone = Cone::from_outer(Step, sweep::half(half_degrees)).expect("sound");
     let spot = sweep::spot(rng, cone);
@@ -41,7 +41,8 @@ fn projection<S: Format>(rng: &mut Rng, half_degrees: f32) -> (SpotLight<Step>, 
     (spot, Projection::of(&spot).expect("not too wide"), square)
 }
 
-/// The largest error at places of the middles of their steps.
+/// The largest error at random positions of the projection. The exact value is that at the middle
+/// of the position's step.
 fn error_of_places<S: Format>(side: usize) -> f64 {
     let mut rng = Rng::with_seed(7);
     let mut worst = 0.0_f64;
@@ -58,7 +59,7 @@ fn error_of_places<S: Format>(side: usize) -> f64 {
     worst
 }
 
-/// The largest error at points all over the square.
+/// The largest error at random points all over the projection.
 fn error_of_points<S: Format>(side: usize, half_degrees: f32) -> f64 {
     let mut rng = Rng::with_seed(8);
     let mut worst = 0.0_f64;
@@ -95,8 +96,8 @@ fn transmissions_keep_their_rows() {
     assert!(broken.is_empty(), "{}", broken.join("\n"));
 }
 
-/// A sum of weighted bytes in steps of the format: exact at both ends, never falling, and one from
-/// there on. Exhaustive in the long run, else one sum in 1,009.
+/// The conversion of a sum of weighted bytes to the format is exact at both ends, never falls, and
+/// gives 1 for larger sums. Exhaustive with `LUMINAIRE_FULL`, else one sum in 1,009.
 #[test]
 fn weighted_bytes_keep_their_roundings() {
     fn assert_within<S: Format>(bound: f64) {
@@ -117,7 +118,8 @@ fn weighted_bytes_keep_their_roundings() {
     assert_within::<Fx16>(0.76);
 }
 
-/// A pane that is even has one transmission, to the bit, whatever its size is.
+/// A gobo whose texels are all equal has the same transmittance everywhere, bit-identical for every
+/// size.
 #[test]
 fn an_even_pane_has_one_transmission() {
     fn assert_even<S: Format>() {
@@ -138,8 +140,7 @@ fn an_even_pane_has_one_transmission() {
     assert_even::<Fx16>();
 }
 
-/// The interpolation is one of integers: formats differ by their own rounding of its sum and by
-/// nothing else.
+/// The interpolation is computed in integers, so formats differ only by their rounding of the sum.
 #[test]
 fn a_place_has_one_transmission_in_every_format() {
     let mut rng = Rng::with_seed(3);
@@ -154,7 +155,8 @@ fn a_place_has_one_transmission_in_every_format() {
     }
 }
 
-/// Off the square and in the outermost half of a part the border goes on.
+/// Outside the projection, and in the outer half of a border texel, the value of the border texel
+/// continues.
 #[test]
 fn the_border_goes_on() {
     let mut rng = Rng::with_seed(31);
@@ -162,7 +164,7 @@ fn the_border_goes_on() {
     let gobo = Gobo::new(8, &transmissions).expect("a square of them");
     for _ in 0..10_000 {
         let [column, row] = [0; 2].map(|_| bits(&mut rng) as i32);
-        // From the middle of the first part to the middle of the last.
+        // From the centre of the first texel to the centre of the last.
         let [nearest_column, nearest_row] = [column, row].map(|steps| steps.clamp(4_096, 61_440));
         let found: Fx32 = gobo.transmission(&at(column, row));
         let nearest = gobo.transmission(&at::<Fx32>(nearest_column, nearest_row));
@@ -170,8 +172,8 @@ fn the_border_goes_on() {
     }
 }
 
-/// A factor of one is exactly one: behind clear glass no light changes by a bit, and behind none of
-/// it is any left, at every point of any bits.
+/// At every point of any bits, a gobo of transmittance 1 changes no bit of the light, and a gobo of
+/// transmittance 0 passes none.
 #[test]
 fn clear_glass_changes_no_bit() {
     fn assert_clear<S: Format>() {
@@ -206,13 +208,13 @@ fn clear_glass_changes_no_bit() {
     assert_clear::<Fx16>();
 }
 
-/// A projection that is turned by a quarter shows the pattern turned by a quarter.
+/// A projection that is turned by 90 degrees shows the pattern turned by 90 degrees.
 #[test]
 fn a_quarter_of_a_turn_turns_the_pattern() {
     fn assert_turns<S: Format>() {
         let mut rng = Rng::with_seed(90);
         let pattern: [u8; 64] = std::array::from_fn(|_| rng.u8(..));
-        // Clockwise: the first column of what was, from the bottom up, is the first row of what is.
+        // Clockwise: the old first column, from the bottom up, is the new first row.
         let turned: [u8; 64] = std::array::from_fn(|part| pattern[8 * (7 - part % 8) + part / 8]);
         for _ in 0..50 {
             let (_, projection, square) = projection::<S>(&mut rng, 20.0);
@@ -223,8 +225,8 @@ fn a_quarter_of_a_turn_turns_the_pattern() {
                 let point = sweep::single(square.point([rng.f64(), rng.f64(), 3.0])).map(S::length);
                 let (by_square, by_pattern) = (Gobo::of(&pattern).on(quarter), Gobo::of(&turned).on(upright));
                 let apart = by_square.at(point).exact() - by_pattern.at(point).exact();
-                // A step of a place in each direction, and a fraction that is rounded the other
-                // way.
+                // A position may differ by a step in each direction, and a fraction may be rounded
+                // the other way.
                 assert!(apart.abs() < 2.0 * (8.0 / 65_536.0 + 1.0 / 4_096.0), "{apart}");
             }
         }
@@ -234,8 +236,8 @@ fn a_quarter_of_a_turn_turns_the_pattern() {
     assert_turns::<Fx16>();
 }
 
-/// A gobo on the wall, as a spectator behind the light sees it: top to the top and left to the
-/// left.
+/// A gobo appears on a wall as stored, seen from behind the light: the first row is at the top, and
+/// the first column at the left.
 #[test]
 fn a_pattern_stands_upright_on_a_wall() {
     let cone = Cone::from_outer(Soft, Angle::degrees(90.0)).expect("sound");
@@ -246,7 +248,7 @@ fn a_pattern_stands_upright_on_a_wall() {
     assert_eq!(corners.map(|(x, y)| gobo.at(Vec3::new(x, y, -1.0))), [1.0, 0.0, 0.0, 0.0]);
 }
 
-/// The patterns of the renderer pass some of the light and not all of it, and lie within the cone.
+/// The renderer's patterns pass a part of the light, and are opaque outside the cone.
 #[test]
 fn patterns_lie_within_the_cone() {
     for (name, gobo, share) in [
@@ -263,7 +265,7 @@ fn patterns_lie_within_the_cone() {
             let [x, y] = [index % side, index / side].map(|i| (i as f64 + 0.5) / side as f64 * 2.0 - 1.0);
             assert!(transmission == 0 || x * x + y * y < 1.0, "{name}: {index} is outside of the cone");
         }
-        // Left and right are alike in what people make.
+        // Window and star are symmetric; the breakup is not.
         let mirrored = transmissions.chunks(side).all(|row| row.iter().eq(row.iter().rev()));
         assert_eq!(mirrored, name != "breakup", "{name}");
     }
@@ -283,7 +285,7 @@ fn what_is_no_gobo() {
     assert_eq!(found, Fx32::weighted_byte(9 << 24));
 }
 
-/// Both ways to a gobo, and what is given back.
+/// Both constructors give the same gobo, whose getters return what was set.
 #[test]
 fn a_gobo_keeps_what_it_is_given() {
     let gobo = Gobo::of(&STAR);

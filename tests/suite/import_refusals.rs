@@ -1,5 +1,5 @@
-//! Parameters of other systems that are refused, by the names that they have there, and any bit
-//! pattern at all in them: an importer never panics, and what it returns is a sound light.
+//! Importers refuse bad parameters of other systems by the names that these systems use. For
+//! parameters of any bits, an importer never panics, and returns a sound light or an error.
 
 use fastrand::Rng;
 use luminaire::{
@@ -47,7 +47,7 @@ fn opengl_is_refused_by_its_names() {
     refused(OpenGl { spot_exponent: 1024.5, ..Default::default() }, message);
     let message = "attenuation coefficient = -1: expected a finite number from 0 to 1000000000";
     refused(OpenGl { linear_attenuation: -1.0, ..Default::default() }, message);
-    // All three at none would divide by it.
+    // If all three coefficients were zero, the attenuation would divide by zero.
     let message = "attenuation coefficient = 0: expected a finite number from 0.000001 to 1000000000";
     refused(OpenGl { constant_attenuation: 0.0, ..Default::default() }, message);
     let message = "intensity = NaN: expected a finite number from 0 to 1000000000";
@@ -162,14 +162,14 @@ fn assert_point<S: Format, A: Attenuation>(rng: &mut Rng, light: &CompiledPointL
 
 fn assert_imported<S: Format>(rng: &mut Rng, light: &OpenGlLight) {
     match light {
-        // A light that the format cannot hold is refused, which is a defined result, too.
+        // A format may refuse a light, which is also a defined result.
         OpenGlLight::Spot(spot) => drop(spot.compile().map(|spot| assert_spot::<S, _, _>(rng, &spot))),
         OpenGlLight::Point(point) => drop(point.compile().map(|point| assert_point::<S, _>(rng, &point))),
     }
 }
 
-/// Parameters as nobody would give them, with sound ones and seams among them, so that many of the
-/// lights are accepted.
+/// A random parameter: any bits, a special value, or a sound value, so that many of the lights are
+/// accepted.
 fn parameter(rng: &mut Rng) -> f32 {
     const SEAMS: [f32; 14] = [
         0.0,
@@ -271,7 +271,7 @@ fn every_parameter_has_an_answer() {
     assert!(accepted.iter().all(|&accepted| accepted > 10), "{accepted:?}");
 }
 
-/// The defaults are lights, and those of the systems.
+/// The default parameters of every importer are those of its system, and give sound lights.
 #[test]
 fn defaults_are_sound() {
     let down = Vec3::new(0.0, -1.0, 0.0);

@@ -24,7 +24,7 @@ fn cone() -> Cone<Soft> {
     Cone::from_outer(Soft, Angle::degrees(30.0)).expect("sound")
 }
 
-/// Every kind of light that has an emission.
+/// Asserts that a light keeps its colours and its intensity.
 macro_rules! assert_emission {
     ($light:expr) => {{
         let white = $light.expect("sound");
@@ -62,7 +62,7 @@ fn lights_keep_what_they_are_given() {
     assert_eq!((ambient.color(), ambient.intensity()), (BLUE, 0.5));
 }
 
-/// Colours of eighths are the same number in every format.
+/// Asserts that compiled lights keep their colours. Multiples of 1/8 are exact in every format.
 fn assert_compiled<S: Scalar>() {
     let spot = SpotLight::new(PLACE, DOWN, cone()).and_then(|spot| spot.with_color(RED)).expect("sound");
     let spot = spot.with_specular_color(BLUE).and_then(|spot| spot.compile::<S>()).expect("held");

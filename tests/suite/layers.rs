@@ -1,11 +1,11 @@
-//! The crates have no import cycle: `lib.rs` states an order of the modules, lowest first, and each
-//! module imports only from those before it.
+//! The crates have no import cycle. `lib.rs` states an order of the modules, lowest first, and each
+//! module imports only from modules before it in that order.
 
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
-/// The code of a file: no comments, and no tests.
+/// The code of a file, without comments and tests.
 fn code(path: &Path) -> String {
     let text = fs::read_to_string(path).expect("a listed file can be read");
     let code = text.lines().map(|line| line.split("//").next().unwrap_or_default());
@@ -14,7 +14,7 @@ fn code(path: &Path) -> String {
         .join("\n")
 }
 
-/// The modules of the root that code imports from: the first names of all paths from `crate`.
+/// The top-level modules that code imports from: the first names of all paths from `crate`.
 fn imports(code: &str) -> BTreeSet<String> {
     let name = |text: &str| {
         text.trim_start().chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect::<String>()
@@ -45,7 +45,7 @@ fn imports(code: &str) -> BTreeSet<String> {
     found
 }
 
-/// Every file of a module: `name.rs` and what is in the folder `name`.
+/// Every file of a module: `name.rs`, and the files in the folder `name` except `tests.rs`.
 fn files(src: &Path, module: &str) -> Vec<std::path::PathBuf> {
     let mut files = vec![src.join(format!("{module}.rs"))];
     let mut folders = vec![src.join(module)];

@@ -1,6 +1,6 @@
-//! The quick tests of the kernel: a module a subject.
+//! The quick tests of the kernel, one module for each subject.
 //!
-//! `cargo test --test suite NAME::` runs one of them.
+//! `cargo test --test suite NAME::` runs the tests of one module.
 
 mod any_bits;
 mod any_light;

@@ -1,4 +1,4 @@
-//! The types of the fixed-point numbers: those of the crate `fixed` by another name.
+//! The types of the fixed-point numbers, which wrap those of the crate `fixed`.
 
 use fixed::types::{I2F14, I2F30, I16F16, U18F14};
 use luminaire::{
@@ -52,7 +52,7 @@ fn points_and_normals_are_constants_of_nearest_numbers() {
     assert_eq!(Fx32::normal([1.0, 0.0, -1.0]).z.to_bits(), -1 << 30);
 }
 
-/// Names in error messages are those of the crate.
+/// The compiler's error messages show the crate's own type names.
 #[test]
 fn names_of_numbers_have_no_typenum_in_them() {
     for name in [std::any::type_name::<Fx16>(), std::any::type_name::<Vec3<Length>>()] {

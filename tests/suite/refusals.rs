@@ -1,4 +1,4 @@
-//! Bad input is refused at construction, by name, and the message says what would be accepted.
+//! Constructors refuse bad input. The message names the parameter and says what would be accepted.
 
 use luminaire::{
     AmbientLight, Angle, Cone, DirectionalLight, Error, Fx16, Fx32, Material, PointLight, Rgb, SpotLight,
@@ -39,7 +39,7 @@ fn field_angles_out_of_range() {
     }
 }
 
-/// The outer angle passes 180 degrees just beyond the angle that the message names.
+/// Just beyond the angle that the message names, the outer angle exceeds 180 degrees.
 #[test]
 fn the_limit_that_a_message_names_is_the_limit() {
     type From = fn(SoftOrHard, Angle) -> Result<Cone, Error>;
@@ -100,7 +100,7 @@ fn an_intensity_out_of_range() {
         (-1.0, "-1"),
         (f32::NAN, "NaN"),
         (f32::INFINITY, "inf"),
-        // Neither of them in full, with 39 digits and with 38 zeros.
+        // Shown with an exponent: in full, the first has 39 digits and the second 38 zeros.
         (3.4e38, "3.4e38"),
         (-1e-38, "-1e-38"),
     ];
@@ -118,11 +118,11 @@ fn a_color_out_of_range() {
     }
 }
 
-/// A format refuses a cone that it cannot hold to half a step of eight bits, and one of more bits
-/// takes it.
+/// A format refuses a cone that it cannot evaluate within half a step of eight bits. A format of
+/// more bits accepts the cone.
 #[test]
 fn a_cone_too_narrow_for_its_format() {
-    // As narrow as even a step could not be.
+    // Too narrow even for the profile `Step`.
     let needle = Cone::from_outer(Hard, Angle::degrees(0.1)).expect("a sound angle");
     let error = needle.compile::<Fx16>().expect_err("too narrow for 16 bits");
     assert_eq!(error.accepted, Expected::AngleFrom(Cone::narrowest::<Fx16>(Hard).to_degrees()));
@@ -146,7 +146,7 @@ fn a_cone_too_narrow_for_its_format() {
     );
 }
 
-/// A description with a refused change is still there: nothing is lost.
+/// After a refused change the original description is unchanged.
 #[test]
 fn a_refused_change_leaves_the_light() {
     let light = spot().with_intensity(3.0).expect("sound");
@@ -154,7 +154,7 @@ fn a_refused_change_leaves_the_light() {
     assert_eq!(light.intensity(), 3.0);
 }
 
-/// A range is never zero: a light without one says so by the model, or by `None`.
+/// A range of zero is refused. A light without a range uses an attenuation without one, or `None`.
 #[test]
 fn ranges_out_of_range() {
     for (range, shown) in [(0.0, "0"), (-2.0, "-2"), (f32::NAN, "NaN"), (f32::INFINITY, "inf")] {
@@ -210,7 +210,7 @@ fn a_shininess_out_of_range() {
     );
 }
 
-/// Every kind of light and every material has the same limits.
+/// Every kind of light and every material has the same limits of colour and intensity.
 #[test]
 fn what_lights_and_materials_share() {
     let wrong = Rgb::new(0.5, 0.5, 1.5);
@@ -259,7 +259,7 @@ fn haze_out_of_range() {
     }
 }
 
-/// An angle that was derived from another one is not shown to the last of its digits.
+/// An angle that was derived from another is shown rounded to four decimals.
 #[test]
 fn derived_values_are_shown_to_four_decimals() {
     let cone = Cone::from_field(Hard, Angle::degrees(1.0)).expect("a sound angle");
@@ -267,8 +267,8 @@ fn derived_values_are_shown_to_four_decimals() {
     assert!(message.starts_with("outer angle = 1.0267: expected"), "{message}");
 }
 
-/// A position that a format would have to move is refused when the light is compiled for it, and
-/// only then.
+/// A position outside the range of a format is refused when the light is compiled for that format,
+/// not before.
 #[test]
 fn a_position_beyond_the_reach_of_its_format() {
     let far = SpotLight::new(Vec3::new(0.0, 40_000.0, 0.0), DOWN, cone()).expect("a sound light");
@@ -280,14 +280,14 @@ fn a_position_beyond_the_reach_of_its_format() {
     assert!(light.compile::<Fx16>().is_err());
 }
 
-/// A cone so narrow that its versine is none cannot be described.
+/// A cone so narrow that its versine rounds to zero is refused.
 #[test]
 fn a_cone_narrower_than_numbers() {
     assert!(Cone::from_field(Soft, Angle::degrees(1e-30)).is_err());
 }
 
-/// An angle above zero whose versine is none would be a cone without light, and beam and field
-/// would have no ratio.
+/// An angle above zero whose versine rounds to zero is refused: the cone would have no light, or
+/// the ratio of field and beam would be undefined.
 #[test]
 fn angles_too_small_for_a_versine() {
     let tiny = Angle::degrees(1e-30);

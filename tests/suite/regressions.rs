@@ -1,13 +1,13 @@
-//! The bugs of the field, held: what spotlights in other projects got wrong, one test each.
+//! Known faults of spotlights in other projects, with one test for each.
 //!
-//! A test writes the faulty formula out as its project has it, shows what it makes of the case that
-//! breaks it, in figures with a bound on either side, and asks the same of the kernel in every
-//! format that holds the case. A formula's source stands above it: project, file, and the thread
-//! that found the fault where there is one. Shaders compute in f32, and so do their formulas here.
-//! A project may have mended its formula since.
+//! A test contains the faulty formula as its project has it. It bounds the formula's error from
+//! both sides in the case that breaks it, and then tests the same case on the kernel, in every
+//! format that supports the case. The comment above a formula names its source: project, file and,
+//! if there is one, the thread that reported the fault. Shaders compute in f32, and so do their
+//! formulas here. A project may have corrected its formula since.
 //!
-//! `cargo test --test suite regressions:: -- --nocapture --test-threads 1` prints what both
-//! measure.
+//! `cargo test --test suite regressions:: -- --nocapture --test-threads 1` prints the errors of
+//! both.
 
 mod case;
 mod clamps;

@@ -1,4 +1,4 @@
-//! Shadow maps: what they say of a place against f64, and where it is exact.
+//! Shadow maps: their visibility compared with f64, and the points where it is exact.
 
 use fastrand::Rng;
 use luminaire::number::Arithmetic;
@@ -14,8 +14,9 @@ use support::{
     shadows, sweep,
 };
 
-/// How far a visibility may be off that of the same place in f64, and at least is somewhere
-/// (searched). Two ways are cut off to a 128th, so that it can't be more than 1 - (1 - 1 / 128)^2.
+/// Range of the largest error of a visibility, compared with f64 at the same position (searched).
+/// Two interpolation weights are truncated to multiples of 1/128, so that the error is at most 1 -
+/// (1 - 1 / 128)^2.
 const ERROR: std::ops::Range<f64> = 0.0138..0.015_57;
 
 fn projection<S: Scalar>(rng: &mut Rng) -> CompiledProjection<S> {
@@ -27,7 +28,7 @@ fn random<S: Scalar>(rng: &mut Rng, side: usize) -> Vec<S::Length> {
     (0..side * side).map(|_| S::length(1.0 + (rng.f32() * 8.0).round())).collect()
 }
 
-/// The largest error of a visibility, at random places on maps of all sides up to 40.
+/// The largest error of a visibility, at random positions on maps with sides from 1 to 40.
 fn error<S: Format>() -> f64 {
     let mut rng = Rng::with_seed(12);
     let mut worst = 0.0_f64;
@@ -61,8 +62,8 @@ fn visibilities_keep_their_row() {
     }
 }
 
-/// Nothing that is nowhere deeper than the map is touched, not by a bit; and what is deeper
-/// everywhere is dark.
+/// Asserts that the visibility is exactly 1 where no texel is nearer than the point or the point is
+/// outside the projection, and exactly 0 where every texel is nearer.
 fn assert_exact_ends<S: Format>() {
     let mut rng = Rng::with_seed(13);
     for side in [1, 2, 3, 16, 100, 2048] {
@@ -89,7 +90,8 @@ fn light_that_nothing_hides_and_full_shadow_are_exact() {
     assert_exact_ends::<Fx16>();
 }
 
-/// A part of the light changes no bit where it is all of it.
+/// Asserts that filtering light by a visibility of 1 changes no bit, and that a visibility of 0
+/// gives no light.
 fn assert_changes_no_bit<S: Format>() {
     let mut rng = Rng::with_seed(14);
     for _ in 0..10_000 {
@@ -154,7 +156,7 @@ fn any_bits_have_a_visibility() {
     assert_any_bits::<Fx16>();
 }
 
-/// In floating point a NaN depth is not in shadow, and a NaN texel casts none.
+/// In floating point a point of NaN depth is not in shadow, and a NaN texel casts no shadow.
 #[test]
 fn what_is_not_a_number_is_not_in_shadow() {
     let mut rng = Rng::with_seed(17);

@@ -1,6 +1,6 @@
-//! Every bit pattern gives a defined result: no panic, no NaN, the falloff in [0, 1], exact on the
-//! axis and from the edge outwards, monotone between. Run with overflow checks, as `cargo test`
-//! does.
+//! Every bit pattern gives a defined result: no panic and no NaN. The falloff is in [0, 1], exact
+//! on the axis and from the edge outwards, and monotone between. Run with overflow checks, as
+//! `cargo test` does.
 
 use fastrand::Rng;
 use luminaire::{
@@ -26,13 +26,13 @@ fn assert_total<S: Format, P: Falloff>(shape: &Shape<P>) {
         let cone = shape.at(6.0 + 84.0 * rng.f32());
         let position = vector(&mut rng, |bits| f32::from_bits(bits as u32));
         let axis = vector(&mut rng, |bits| f32::from_bits(bits as u32));
-        // A refused light is a defined result, too.
+        // Refusing a light is also a defined result.
         let Ok(spot) =
             SpotLight::new(position, axis, cone).and_then(|spot| spot.with_intensity(1e9 * rng.f32()))
         else {
             continue;
         };
-        // Nor does a fixed-point format take a position that it would have to move.
+        // A fixed-point format also refuses a position outside its range.
         let Ok(compiled) = spot.compile::<S>() else {
             let p = spot.position();
             assert!([p.x, p.y, p.z].into_iter().any(|c| c.abs() > S::FARTHEST), "{spot:?}");
@@ -76,8 +76,9 @@ fn every_bit_pattern_has_an_answer_in_fx16() {
     with_every_shape!(assert_total::<Fx16>);
 }
 
-/// Exactly one on the axis, exactly zero at the edge and beyond, never rising between: without
-/// exception for soft, hard, linear and powers, by a step of the format at most for the others.
+/// Asserts that the falloff is exactly 1 on the axis and exactly 0 at the edge and beyond. Between
+/// them it never rises: the profiles in `STRICT` without exception, the others by at most one step
+/// of the format.
 fn assert_exact_at_both_ends<S: Format, P: Falloff>(shape: &Shape<P>) {
     let slack = if STRICT.contains(&shape.name) { 0.0 } else { f64::from(S::STEP) };
     for degrees in sweep::HALF_ANGLES.into_iter().chain([90.0]) {
@@ -109,7 +110,8 @@ fn both_ends_are_exact() {
     with_every_shape!(assert_exact_at_both_ends::<Fx16>);
 }
 
-/// The laws of the table in the core's `scalar` module, on every seam and on random bits.
+/// Asserts the laws of the table in the core's `scalar` module, on random bits and on special
+/// values.
 fn assert_laws<S: Format>() {
     let mut rng = Rng::with_seed(5);
     for _ in 0..100_000 {
@@ -141,7 +143,7 @@ fn the_laws_of_the_seam_hold() {
     assert_laws::<Fx16>();
 }
 
-/// A fraction below zero sends no light, by whatever way it is exposed.
+/// Asserts that a negative fraction gives no light, directly or with any attenuation.
 fn assert_negative_fractions_are_dark<S: Format>() {
     let mut rng = Rng::with_seed(0xda2c);
     let range = Some(9.0);
@@ -158,7 +160,7 @@ fn assert_negative_fractions_are_dark<S: Format>() {
         let dark = S::Irradiance::default();
         assert_eq!(fraction.expose(gain), dark, "{fraction:?} {gain:?}");
         let [light, point] = [vector(&mut rng, S::length_from_bits), vector(&mut rng, S::length_from_bits)];
-        // As often near as far.
+        // Half of the points are near the origin, and so are half of the lights.
         let point = if rng.bool() { light.map(|_| S::length(rng.f32())) } else { point };
         let light = if rng.bool() { light } else { light.map(|_| S::length(rng.f32())) };
         let offset = S::offset(light, point);

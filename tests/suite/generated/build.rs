@@ -1,4 +1,4 @@
-//! Writes every compiled value of the list as Rust source, for the test `generated` to compile.
+//! Writes every compiled value of `lights` as Rust source, which the test `generated` includes.
 
 mod lights;
 
@@ -9,7 +9,7 @@ use std::{env, fs};
 
 use luminaire::codegen::{Source, as_source};
 
-/// The source of a list of names and constants.
+/// Rust source: a list of names and constants.
 struct Listing(String);
 
 impl lights::Visit for Listing {

@@ -1,5 +1,5 @@
-//! One of everything that compiles to a format, in every format: what the build script writes and
-//! the test compares.
+//! Samples of everything that compiles to a format, in every format. The build script writes them,
+//! and the test compares them.
 
 use std::fmt::Debug;
 
@@ -16,25 +16,25 @@ use luminaire::{
 #[allow(unused_imports, clippy::wildcard_imports, reason = "what the rows of the lists are made of")]
 use luminaire::{attenuation::*, falloff::*, models::*, specular::*};
 
-/// What is done with each value.
+/// A visitor of the values.
 pub(crate) trait Visit {
-    /// Takes a compiled value, and a name that says where to look.
+    /// Takes a compiled value, and a name by which to find it.
     fn value<T: Source + Debug>(&mut self, name: String, value: T);
 }
 
-/// Places and directions, of either sign and of sizes that fill the formats.
+/// Positions and directions, with components of both signs and of very different sizes.
 const PLACES: [Vec3<f32>; 3] =
     [Vec3::new(0.0, 4.0, 0.0), Vec3::new(-1.5, 0.1, 12_000.25), Vec3::new(1e-5, -7.0, 3.3)];
 const AXES: [Vec3<f32>; 3] =
     [Vec3::new(0.0, -1.0, 0.0), Vec3::new(0.36, -0.8, 0.48), Vec3::new(-3.0, 2.0, 1.0)];
-/// From less than a step of the smallest format to the most that a light may have.
+/// Intensities from less than a step of the coarsest format to the largest that a light may have.
 const INTENSITIES: [f32; 3] = [1e-6, 16.0, 1e9];
 const AMBER: Rgb<f32> = Rgb::new(1.0, 0.62, 0.0);
 const PANES: Gobo<'static> = Gobo::of(&[0, 255, 0, 255, 1, 254, 7, 128, 0]);
 const SAMPLES: [u16; 5] = [65_535, 60_000, 31_000, 400, 0];
 const KNOTS: [Knot; 2] = [Knot::from_bits(0, 65_535, -65_535), Knot::from_bits(32_768, 32_768, -32_768)];
 
-/// The light that the test looks at more closely.
+/// The light that a test also checks by itself.
 pub(crate) fn key() -> Result<CompiledSpotLight<Fx16, Soft>, Error> {
     SpotLight::new(PLACES[0], AXES[1], Cone::from_field(Soft, Angle::degrees(36.0))?)?
         .with_intensity(16.0)?
@@ -49,7 +49,7 @@ pub(crate) fn all(visit: &mut impl Visit) -> Result<(), Error> {
     of_format::<Fx16>(visit)
 }
 
-/// Beams in haze, which are of one format.
+/// Beams in haze, which exist only in f32.
 fn beams(visit: &mut impl Visit) -> Result<(), Error> {
     let cone = Cone::from_outer(Cubic::with_slopes(1.25, 3.5)?, Angle::degrees(40.0))?;
     let spot = SpotLight::new(PLACES[0], AXES[1], cone)?.with_intensity(16.0)?;
@@ -126,7 +126,7 @@ fn of_format<S: SourceScalar>(visit: &mut impl Visit) -> Result<(), Error> {
     Ok(())
 }
 
-/// A profile over the whole cone, around a hotspot, and cut off.
+/// Spotlights with a profile: over the whole cone, around a hotspot, and with a cutoff.
 fn spots<S: SourceScalar, P: Falloff + Source>(
     visit: &mut impl Visit,
     profile: Result<P, Error>,
@@ -145,7 +145,7 @@ where
     Ok(())
 }
 
-/// A distance model, of a spotlight and of a point light.
+/// A spotlight and a point light with an attenuation.
 fn at_distances<S: SourceScalar, A: Attenuation + Named>(
     visit: &mut impl Visit,
     attenuation: Result<A, Error>,
@@ -162,7 +162,7 @@ where
     Ok(())
 }
 
-/// A highlight, wide and narrow.
+/// Materials with a specular lobe, wide and narrow.
 fn surfaces<S: SourceScalar, H: SpecularLobe + Named>(
     visit: &mut impl Visit,
     highlight: H,
