@@ -1,12 +1,12 @@
-//! The address follows what is shown, and the page does not depend on it.
+//! The address follows what the page shows. The page also works if it cannot write the address.
 
 use anyhow::{Result, ensure};
 
 use crate::Visitor;
 use tools::browser::Page;
 
-/// A browser that takes a hundred addresses in ten seconds, as Safari does, of which most have been
-/// taken.
+/// A browser that accepts a hundred addresses in ten seconds, as Safari does, of which five are
+/// left.
 const LIMITED: &str = "{
     const write = history.replaceState.bind(history);
     let left = 5;
@@ -28,7 +28,7 @@ pub(crate) fn is_written_seldom(visitor: &mut Visitor) -> Result<()> {
     alive(&mut page)?;
     says(&mut page, "#compare?left=f32-cosine&right=f32&half=5")?;
 
-    // An address that is still to be written is not written over that of another view.
+    // A pending address of one view must not overwrite the address of the next view.
     enter(&mut page, "half-angle-number", "7")?;
     page.ask("document.querySelector('.views a[href=\"#scenes\"]').click()")?;
     page.settle()?;
@@ -49,14 +49,14 @@ pub(crate) fn may_be_refused(visitor: &mut Visitor) -> Result<()> {
         for (control, value) in [("half-angle-number", "3"), ("scene-name", "grid")] {
             page.enter(control, value)?;
         }
-        // Longer than the page waits for the last change.
+        // Longer than the page waits before it writes the last change.
         page.ask("new Promise((resolve) => setTimeout(resolve, 600))")?;
         alive(&mut page)?;
     }
     Ok(())
 }
 
-/// Enters a value and waits for the next picture alone.
+/// Enters a value and waits only for the next picture, not until the page has settled.
 fn enter(page: &mut Page, id: &str, value: &str) -> Result<()> {
     page.ask(&format!("probe.enter('{id}', '{value}')"))?;
     page.ask("new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve)))")

@@ -4,7 +4,8 @@ use anyhow::{Result, ensure};
 
 use crate::Visitor;
 
-/// In whatever way the angles are coupled, a field narrower than the beam must take the beam along.
+/// However the angles are coupled, a field angle that becomes narrower than the beam angle must
+/// move the beam angle.
 pub(crate) fn field_leads_beam(visitor: &mut Visitor) -> Result<()> {
     let mut page = visitor.ready()?;
     let (least, _) = page.range("light-0-field")?;
@@ -18,7 +19,7 @@ pub(crate) fn field_leads_beam(visitor: &mut Visitor) -> Result<()> {
     page.must_be_content()
 }
 
-/// And a beam wider than the field must take the field along.
+/// A beam angle that becomes wider than the field angle must move the field angle.
 pub(crate) fn beam_leads_field(visitor: &mut Visitor) -> Result<()> {
     let mut page = visitor.ready()?;
     let (_, greatest) = page.range("light-0-beam")?;

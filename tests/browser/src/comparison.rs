@@ -49,8 +49,8 @@ pub(crate) fn narrow_beam_parts_the_forms(visitor: &mut Visitor) -> Result<()> {
     page.must_be_content()
 }
 
-/// Every form, at both ends of the slider and between: a picture or a refusal in words, and no
-/// panic.
+/// Every form shows a picture or a refusal in words at both ends of the slider and between, without
+/// a panic.
 pub(crate) fn every_form_answers_every_angle(visitor: &mut Visitor) -> Result<()> {
     let mut page = visitor.ready_at("#compare")?;
     let forms = page.ask("probe.options('form-0')")?;
@@ -203,7 +203,7 @@ pub(crate) fn prices_stand_beside_the_errors(visitor: &mut Visitor) -> Result<()
     page.enter("half-angle-number", 0.1)?;
     let verdict = page.message("verdict")?;
     ensure!(verdict.ends_with("for 2 times the instructions."), "the verdict is {verdict:?}");
-    // The power has no lit point on the list: both are then compared by the intensity alone.
+    // The list has no lit point for the power, so both forms are compared by their falloff alone.
     page.enter("form-0", "powf")?;
     let costs = cells(&mut page, "#costs tr")?;
     ensure!(costs.contains("Cortex-M0\t9,905\t428"), "the costs are {costs:?}");
@@ -256,7 +256,7 @@ fn largest(page: &mut Page, number: usize) -> Result<f64> {
     state["largest"].as_f64().with_context(|| format!("side {number} has no error: {state}"))
 }
 
-/// The codes of the middle and of a corner of a picture, as its canvas has them.
+/// The codes of a picture's centre and of one corner, read from its canvas.
 fn brightness(page: &mut Page, side: usize) -> Result<(f64, f64)> {
     let mut code = |place: &str| {
         page.number(&format!(
@@ -267,7 +267,7 @@ fn brightness(page: &mut Page, side: usize) -> Result<(f64, f64)> {
     Ok((code("c.width / 2")?, code("0")?))
 }
 
-/// Does something that must redraw the comparison.
+/// Runs `act`, which must redraw the comparison.
 fn change(page: &mut Page, what: &str, act: impl FnOnce(&mut Page) -> Result<()>) -> Result<()> {
     let drawn = page.number("luminaire.drawn")?;
     act(page)?;

@@ -1,5 +1,5 @@
-//! A visitor who has chosen the colours of all pages still sees what is on, what is chosen, and
-//! where a slider stands.
+//! With forced colours, a visitor still sees which switches are on, what is chosen, and where a
+//! slider stands.
 
 use std::collections::BTreeSet;
 use std::io::Cursor;
@@ -11,7 +11,7 @@ use tools::browser::Page;
 
 type Colour = [u8; 3];
 
-/// A part of the page as it is seen.
+/// The pixels of a part of the page.
 #[derive(PartialEq)]
 struct Seen {
     pixels: Vec<Colour>,
@@ -29,20 +29,20 @@ impl Seen {
         Ok(Self { pixels, width: info.width as usize })
     }
 
-    /// The row in the middle.
+    /// The middle row.
     fn row(&self) -> &[Colour] {
         let height = self.pixels.len() / self.width;
         &self.pixels[height / 2 * self.width..][..self.width]
     }
 
-    /// What most of it looks like.
+    /// The most frequent colour.
     fn ground(&self) -> Colour {
         let colours: BTreeSet<_> = self.pixels.iter().collect();
         let count = |colour: &Colour| self.pixels.iter().filter(|pixel| *pixel == colour).count();
         colours.into_iter().copied().max_by_key(count).unwrap_or_default()
     }
 
-    /// The share of a row that is not like most of the rest.
+    /// The share of the middle row that does not have the most frequent colour.
     fn share_of_row(&self) -> f64 {
         let ground = self.ground();
         self.row().iter().filter(|pixel| **pixel != ground).count() as f64 / self.width as f64
@@ -59,7 +59,7 @@ pub(crate) fn forced_colours_hide_nothing(visitor: &mut Visitor) -> Result<()> {
     let off = Seen::of(&mut page, "#sweep")?;
     ensure!(off.share_of_row() > 0.2, "a switch that is off cannot be seen");
     page.ask("document.getElementById('sweep').checked = true")?;
-    // Until the thumb has moved.
+    // Waits until the thumb has moved.
     page.settle()?;
     let on = Seen::of(&mut page, "#sweep")?;
     ensure!(on.share_of_row() > 0.2 && on.ground() == off.ground(), "a switch that is on cannot be seen");
@@ -78,7 +78,7 @@ pub(crate) fn forced_colours_hide_nothing(visitor: &mut Visitor) -> Result<()> {
     let mut page = visitor.ready_at("#scenes?scene=show")?;
     page.force_colours()?;
     let parts: BTreeSet<_> = Seen::of(&mut page, ".bar")?.row().iter().copied().collect();
-    // The frame, what was evaluated, and what was spared in two ways.
+    // At least four colours: the frame, what was evaluated, and two kinds of what was left out.
     ensure!(parts.len() > 3, "the bar of what was evaluated has the colours {parts:?}");
     page.must_be_content()
 }

@@ -24,7 +24,7 @@ fn is_told(visitor: &mut Visitor, script: &str, cause: &str) -> Result<()> {
     Ok(())
 }
 
-/// Opened as a file, with no server at all.
+/// The page is opened as a file, without a server.
 pub(crate) fn from_a_file(visitor: &mut Visitor) -> Result<()> {
     let file = project::target().join("demo/index.html");
     let mut page = visitor.chromium.open(&format!("file://{}", file.display()), "")?;
@@ -34,7 +34,7 @@ pub(crate) fn from_a_file(visitor: &mut Visitor) -> Result<()> {
     Ok(())
 }
 
-/// Each view of the navigation is there, and none else is shown with it.
+/// Each view of the navigation opens, and is the only view that is shown.
 pub(crate) fn of_no_view(visitor: &mut Visitor) -> Result<()> {
     for view in site::views() {
         let mut page = visitor.ready_at(&format!("#{view}"))?;
@@ -46,7 +46,7 @@ pub(crate) fn of_no_view(visitor: &mut Visitor) -> Result<()> {
     Ok(())
 }
 
-/// The connection goes after the page has come, and later returns.
+/// The connection is lost after the page has loaded, and later returns.
 pub(crate) fn of_the_connection(visitor: &mut Visitor) -> Result<()> {
     for (view, id) in [("compare", "comparison"), ("scenes", "scenes-page")] {
         let mut page = visitor.ready()?;
@@ -56,7 +56,7 @@ pub(crate) fn of_the_connection(visitor: &mut Visitor) -> Result<()> {
         let message = page.message("absent-reason")?;
         ensure!(message.contains("could not be loaded") && message.contains("connection"), "{message:?}");
         ensure!(!page.shows(id)?, "{view} is shown although it was not loaded");
-        // Again in vain.
+        // A retry without a connection fails again.
         retry(&mut page)?;
         page.ask("probe.until(() => probe.visible('absent'))")?;
 
@@ -81,7 +81,7 @@ fn retry(page: &mut Page) -> Result<()> {
     page.ask("document.getElementById('absent-retry').click()").map(drop)
 }
 
-/// Parts that no picture depends on.
+/// Failures of parts that no picture depends on.
 pub(crate) fn of_decorations(visitor: &mut Visitor) -> Result<()> {
     const NO_CURVE: &str = "document.createElementNS = () => { throw new Error('no curve') }";
     const NO_LIST: &str = "window.fetch = ((fetch) => (what, ...more) => String(what).endsWith('.json')
@@ -106,7 +106,7 @@ pub(crate) fn of_decorations(visitor: &mut Visitor) -> Result<()> {
     Ok(())
 }
 
-/// The module's own end is everything's end; an error of anything else is not.
+/// A crash of the module stops the page. Errors of anything else do not.
 pub(crate) fn of_the_module(visitor: &mut Visitor) -> Result<()> {
     let mut page = visitor.ready()?;
     for harmless in ["new Error('a fault')", "'a refusal'", "new RangeError('too far')"] {

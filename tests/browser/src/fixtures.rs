@@ -1,4 +1,4 @@
-//! What a light is, and how it is set.
+//! The fixtures that a light can be, and the settings of a light.
 
 use anyhow::{Context, Result, ensure};
 

@@ -1,12 +1,12 @@
-//! The number formats, of which f32 is the one to be compared with.
+//! The number formats, which are compared with f32.
 
 use anyhow::{Result, ensure};
 
 use crate::Visitor;
 use tools::browser::Page;
 
-/// A format that differs more than this would be no picture of the same scene, whatever the page
-/// states.
+/// Upper bound, in displayed codes, of a format's difference from f32, whatever the page states.
+/// Beyond it, the picture would not show the same scene.
 const TOLERABLE: f64 = 64.0;
 
 pub(crate) fn agree(visitor: &mut Visitor) -> Result<()> {

@@ -1,4 +1,4 @@
-//! What the page promises its visitors, each promise a test in a real browser.
+//! The promises of the page to its visitors, each tested in a real browser.
 
 mod address;
 mod angles;
@@ -22,12 +22,12 @@ use tools::browser::{Chromium, Page};
 use tools::progress::Progress;
 use tools::server::{self, Server};
 
-/// Somebody with a browser, and the demo served for the time of the visit.
+/// A visitor: a browser, and a server of the demo for the time of the visit.
 #[derive(Debug)]
 pub struct Visitor {
     /// Their browser.
     pub chromium: Chromium,
-    /// Where the demo is served.
+    /// The address of the demo.
     pub address: String,
     _server: Server,
 }
@@ -115,7 +115,7 @@ impl Visitor {
         self.ready_with(query, "")
     }
 
-    /// The same in a browser that `script` has changed.
+    /// Like [`ready_at`](Self::ready_at), in a browser that `script` has changed.
     fn ready_with(&mut self, query: &str, script: &str) -> Result<Page> {
         let mut page = self.chromium.open(&format!("{}{query}", self.address), script)?;
         page.ready()?;
@@ -123,8 +123,8 @@ impl Visitor {
         Ok(page)
     }
 
-    /// Opens the page in a browser that `script` has made worse, and waits until the page has given
-    /// up.
+    /// Opens the page in a browser in which `script` has broken something, and waits until the page
+    /// reports that it has failed.
     fn failed(&mut self, script: &str) -> Result<Page> {
         let mut page = self.chromium.open(&self.address, script)?;
         let state = page.state()?;

@@ -11,8 +11,8 @@ pub(crate) fn becomes_ready(visitor: &mut Visitor) -> Result<()> {
     page.must_be_content()
 }
 
-/// The difference to the picture with every light switched off is what the lights do; the rest is
-/// ambient.
+/// The picture differs visibly from the picture with every light switched off, which shows ambient
+/// light only.
 pub(crate) fn is_lit(visitor: &mut Visitor) -> Result<()> {
     let mut page = visitor.ready()?;
     let colours = page.number("probe.survey().colours")?;
@@ -29,7 +29,8 @@ pub(crate) fn is_lit(visitor: &mut Visitor) -> Result<()> {
     page.must_be_content()
 }
 
-/// The canvas refuses once. The next draw must not find that nothing has changed since.
+/// The canvas refuses a picture once. The next draw must show it, although nothing has changed
+/// since.
 pub(crate) fn is_shown_again(visitor: &mut Visitor) -> Result<()> {
     let mut page = visitor.ready()?;
     let refused = page.holds(
@@ -47,7 +48,8 @@ pub(crate) fn is_shown_again(visitor: &mut Visitor) -> Result<()> {
         })()",
     )?;
     ensure!(refused, "a canvas that refuses is not told");
-    // On and off again before the next frame: a reason to draw, and nothing new to see.
+    // A switch is set and reset before the next frame: the page has a reason to draw, but the
+    // picture is the same.
     let drawn = page.number("luminaire.drawn")?;
     page.ask("{ const s = document.getElementById('sweep'); s.click(); s.click(); }")?;
     page.ask(&format!("probe.redrawn({drawn})")).context("the refused picture is not shown again")?;

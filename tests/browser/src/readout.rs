@@ -1,4 +1,5 @@
-//! The times of the passes: of the last picture, or else marked as of one before.
+//! The times of the passes belong to the last picture. A time of an earlier picture is marked as
+//! kept.
 
 use anyhow::{Context, Result, ensure};
 
@@ -28,9 +29,10 @@ pub(crate) fn adds_up(visitor: &mut Visitor) -> Result<()> {
     page.must_be_content()
 }
 
-/// The passes that are not marked as kept add up to the frame, and the kept ones are these.
+/// The times of the passes that are not marked as kept add up to the time of the frame. `kept`
+/// names the passes that must be marked.
 fn must_add_up(page: &mut Page, prefix: &str, kept: &[&str]) -> Result<()> {
-    // At once, for the next picture has other times.
+    // All times are read in one call, because the next picture has other times.
     let told = page.ask(&format!(
         "Object.fromEntries(['geometry', 'shadows', 'lighting', 'encode', 'show', 'frame'].map((pass) => {{
             const place = document.getElementById(`{prefix}${{pass}}-ms`);

@@ -24,7 +24,7 @@ pub(crate) fn are_all_told(visitor: &mut Visitor) -> Result<()> {
     must_refuse(&mut page, "light-0-intensity", "intensity", &["-1", "1e40"])?;
     page.enter("light-0-fixture", "ARRI L7-C")?;
     must_refuse(&mut page, "light-0-zoom-number", "zoom", &["5", "5000", "-15"])?;
-    // A picker of colours holds nothing else; what it was before it was one can.
+    // A colour picker cannot hold anything but a colour, so the input is changed to a text field.
     page.ask("document.getElementById('light-0-color').type = 'text'")?;
     must_refuse(&mut page, "light-0-color", "color", &["red", "#fff", "#gggggg", ""])?;
     page.change("a good colour", |page| page.enter("light-0-color", "#ff0000"))?;
@@ -32,7 +32,7 @@ pub(crate) fn are_all_told(visitor: &mut Visitor) -> Result<()> {
     page.must_be_content()
 }
 
-/// Enters bad values, each of which must be named and change nothing.
+/// Enters bad values. The message must name each of them, and the picture must not change.
 fn must_refuse(page: &mut Page, control: &str, name: &str, values: &[&str]) -> Result<()> {
     page.keep("before")?;
     for value in values {
@@ -48,7 +48,8 @@ fn must_refuse(page: &mut Page, control: &str, name: &str, values: &[&str]) -> R
     Ok(())
 }
 
-/// A field that is cleared is about to be typed into; one that is left shows what is in force.
+/// A cleared field is not refused, because the visitor is about to type. A field that is left shows
+/// the value in force.
 pub(crate) fn ends_with_the_field(visitor: &mut Visitor) -> Result<()> {
     let mut page = visitor.ready()?;
     page.enter("light-0-fixture", "ARRI L7-C")?;
@@ -89,7 +90,8 @@ fn must_forgive(page: &mut Page, field: &str, error: &str) -> Result<()> {
     ensure!(told.is_empty() && page.holds(&valid)?, "{field} is left, and the message stays: {told:?}");
     ensure!(page.value(field)? == good, "{field}, left with -3e38, shows {}", page.value(field)?);
 
-    // What is no number is refused while it stands there: the browser tells it from an empty field.
+    // A text that is no number is refused while it is in the field: the browser distinguishes it
+    // from an empty field.
     page.ask(&format!(
         "{{ const field = document.getElementById('{field}'); field.focus(); field.select(); }}"
     ))?;
@@ -106,8 +108,8 @@ fn leave(page: &mut Page, field: &str) -> Result<()> {
     page.settle()
 }
 
-/// If a number format refuses a light, the message stands beside the format. On the light's panel
-/// it stands under no control.
+/// If a number format refuses a light, the message is shown beside the format, and under no control
+/// of the light's panel.
 pub(crate) fn of_a_format_stands_by_itself(visitor: &mut Visitor) -> Result<()> {
     let mut page = visitor.ready()?;
     page.enter("light-0-beam-number", "500")?;

@@ -36,7 +36,8 @@ pub(crate) fn are_all_drawn(visitor: &mut Visitor) -> Result<()> {
     Ok(())
 }
 
-/// For every scene, the comparison that a visitor starts with a button.
+/// For every scene, the comparison with evaluating everything, which a visitor starts with a
+/// button, finds equal pictures.
 pub(crate) fn equal_everything(visitor: &mut Visitor) -> Result<()> {
     let mut page = visitor.ready_at("#scenes")?;
     let mut left_out = 0.0;
@@ -46,13 +47,14 @@ pub(crate) fn equal_everything(visitor: &mut Visitor) -> Result<()> {
         ensure!(found["differing"] == 0 && found["pixels"].as_f64() > Some(0.0), "{name}: {found}");
         left_out += found["pairs"].as_f64().unwrap_or(0.0) - found["evaluated"].as_f64().unwrap_or(0.0);
     }
-    // More than nine tenths of the 40 million pairs of the grids alone.
+    // The grids alone have 40 million pairs, of which more than nine tenths are left out.
     ensure!(left_out > 3e7, "hardly anything is left out: {left_out} pairs");
     press(&mut page, "scene-compare")?;
     let told = page.message("scene-equality")?;
     ensure!(told.contains("are equal, bit for bit"), "the comparison is told as {told:?}");
 
-    // The switch shows the same picture, too, and the account tells what it took.
+    // With the switch the page evaluates everything and shows the same picture. The account states
+    // what was evaluated.
     let before = checksum(&mut page)?;
     redraw(&mut page, "the switch", |page| press(page, "scene-everything"))?;
     ensure!(checksum(&mut page)? == before, "evaluating everything changes the picture");
@@ -206,7 +208,7 @@ pub(crate) fn refusals_are_told(visitor: &mut Visitor) -> Result<()> {
     page.must_be_content()
 }
 
-/// From one control to the next by tabulator keys, and every one can be reached.
+/// The Tab key moves from one control to the next, and reaches every control.
 pub(crate) fn keys_are_enough(visitor: &mut Visitor) -> Result<()> {
     let mut page = visitor.ready_at("#scenes?scene=turntable")?;
     page.ask("document.getElementById('scene-name').focus()")?;
@@ -287,19 +289,19 @@ fn press(page: &mut Page, id: &str) -> Result<()> {
     page.ask(&format!("document.getElementById('{id}').click()")).map(drop)
 }
 
-/// Something that two pictures share only if they are equal, as good as.
+/// A checksum of the picture: two different pictures hardly ever have the same.
 fn checksum(page: &mut Page) -> Result<f64> {
     page.number("luminaire.scenes.pixels().reduce((sum, code) => (31 * sum + code) % 4294967291, 7)")
 }
 
-/// Does something that must redraw the scene.
+/// Runs `act`, which must redraw the scene.
 fn redraw(page: &mut Page, what: &str, act: impl FnOnce(&mut Page) -> Result<()>) -> Result<()> {
     let drawn = page.number("luminaire.drawn")?;
     act(page)?;
     page.ask(&format!("probe.redrawn({drawn})")).map(drop).with_context(|| format!("{what} has no effect"))
 }
 
-/// Does something that must change the picture.
+/// Runs `act`, which must change the picture.
 fn must_change(page: &mut Page, what: &str, act: impl FnOnce(&mut Page) -> Result<()>) -> Result<()> {
     let before = checksum(page)?;
     redraw(page, what, act)?;
