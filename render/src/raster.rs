@@ -276,17 +276,14 @@ fn divided(dividend: i64, divisor: i64, reciprocal: f64) -> (i64, i64) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use fastrand::Rng;
     use glam::Vec3;
 
     const SIZE: usize = 16;
 
-    fn corner(seed: &mut u64) -> Corner {
-        let mut next = || {
-            *seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            // Coordinates in quarters of a pixel often put pixel centres exactly on edges, which
-            // tests the ties.
-            ((*seed >> 33) % (4 * SIZE as u64 + 1)) as i32 * (PIXEL as i32 / 4)
-        };
+    fn corner(rng: &mut Rng) -> Corner {
+        // A step of a quarter pixel is coarse enough for centres to lie on edges, where ties occur.
+        let mut next = || rng.i32(0..=4 * SIZE as i32) * (PIXEL as i32 / 4);
         Corner { x: next(), y: next(), nearness: 1.0, normal: Vec3::Z }
     }
 
@@ -300,10 +297,10 @@ mod tests {
 
     #[test]
     fn triangles_that_share_an_edge_share_no_pixel_and_leave_none_out() {
-        let mut seed = 7;
+        let mut rng = Rng::with_seed(7);
         let mut shared_edges_hit = 0;
         for _ in 0..20_000 {
-            let [a, b, c, inner] = [0; 4].map(|_| corner(&mut seed));
+            let [a, b, c, inner] = [0; 4].map(|_| corner(&mut rng));
             let whole = covered(a, b, c);
             let parts = [covered(a, b, inner), covered(b, c, inner), covered(c, a, inner)];
             let sum = |i: usize| parts.iter().filter(|part| part[i]).count();

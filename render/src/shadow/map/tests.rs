@@ -5,6 +5,7 @@ mod ray;
 use super::*;
 use crate::{Camera, Format, Material, Mesh, Outline, Renderer, scenes::stage};
 use core::f32::consts::PI;
+use glam::DVec3;
 use luminaire::{
     Angle, Cone, Fx16, Fx32, Rgb, SpotLight, Vec3, falloff::SoftOrHard, light::CompiledSpotLight,
 };
@@ -94,7 +95,7 @@ fn assert_is_that_of_rays<S: Exact>(
     for (point, _, _) in surfaces.filter(|(point, normal, _)| compiled.irradiance(*point, *normal) > dark) {
         let visibility = shadow.visibility(point);
         let Vec3 { x, y, z } = point.map(S::exact);
-        let place = light.place([x, y, z]);
+        let place = light.place(DVec3::new(x, y, z));
         let sees = light.sees(place);
         assert!((0.0..=1.0).contains(&visibility.to_f32()));
         if visibility == if sees { S::ONE } else { S::ZERO } {
@@ -194,13 +195,12 @@ fn steepest_shadowed<S: Exact>(mesh: Mesh, spot: &SpotLight, side: usize) -> f64
             [0.5, 0.01, 0.49],
             [0.49, 0.5, 0.01],
         ] {
-            let point =
-                [0, 1, 2].map(|i| (0..3).map(|corner| parts[corner] * triangle[corner][i]).sum::<f64>());
+            let point: DVec3 = triangle.iter().zip(parts).map(|(&corner, part)| part * corner).sum();
             let cosine = light.cosine(triangle, point);
             if cosine > 0.0 && light.has(light.place(point)) {
                 lit += 1;
-                let [x, y, z] = point.map(|c| S::length(c as f32));
-                if shadow.visibility(Vec3::new(x, y, z)) != S::ONE {
+                let point = Vec3::from(point.as_vec3()).map(S::length);
+                if shadow.visibility(point) != S::ONE {
                     worst = worst.max(cosine);
                 }
             }

@@ -2,24 +2,24 @@
 
 use crate::{scene::Scene, space::bounds::Bounds};
 use alloc::vec::Vec;
+use glam::DVec3;
 use luminaire::{Vec3, projector::Projection};
 
-pub(super) type Vector = [f64; 3];
-pub(super) type Triangle = [Vector; 3];
+pub(super) type Triangle = [DVec3; 3];
 
 /// The triangles of a mesh, front and back, in a bounding sphere.
 struct Body {
-    center: Vector,
+    center: DVec3,
     radius: f64,
     triangles: Vec<Triangle>,
 }
 
 /// A light in a scene, and the square that it projects.
 pub(super) struct Light {
-    position: Vector,
-    right: Vector,
-    down: Vector,
-    axis: Vector,
+    position: DVec3,
+    right: DVec3,
+    down: DVec3,
+    axis: DVec3,
     tangent: f64,
     bodies: Vec<Body>,
 }
@@ -39,39 +39,27 @@ struct Hit {
     is_first: bool,
 }
 
-fn double(v: Vec3<f32>) -> Vector {
-    [v.x, v.y, v.z].map(f64::from)
+fn double(v: Vec3<f32>) -> DVec3 {
+    glam::Vec3::from(v).as_dvec3()
 }
 
-fn minus(a: Vector, b: Vector) -> Vector {
-    [0, 1, 2].map(|i| a[i] - b[i])
-}
-
-fn dot(a: Vector, b: Vector) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn cross(a: Vector, b: Vector) -> Vector {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
-
-fn normal([a, b, c]: Triangle) -> Vector {
-    cross(minus(b, a), minus(c, a))
+fn normal([a, b, c]: Triangle) -> DVec3 {
+    (b - a).cross(c - a)
 }
 
 /// Returns the parameter along a ray at which it meets the plane of a triangle.
-fn plane(from: Vector, way: Vector, triangle: Triangle) -> f64 {
+fn plane(from: DVec3, way: DVec3, triangle: Triangle) -> f64 {
     let normal = normal(triangle);
-    dot(normal, minus(triangle[0], from)) / dot(normal, way)
+    normal.dot(triangle[0] - from) / normal.dot(way)
 }
 
 /// Returns the parameter along a ray at which it meets a triangle.
-fn hit(from: Vector, way: Vector, triangle: Triangle) -> Option<f64> {
+fn hit(from: DVec3, way: DVec3, triangle: Triangle) -> Option<f64> {
     let t = plane(from, way, triangle);
     let (normal, [a, b, c]) = (normal(triangle), triangle);
-    let inside = minus([0, 1, 2].map(|i| from[i] + t * way[i]), a);
-    let part = |edge: Vector| dot(edge, normal) / dot(normal, normal);
-    let (to_b, to_c) = (part(cross(inside, minus(c, a))), part(cross(minus(b, a), inside)));
+    let inside = from + t * way - a;
+    let part = |edge: DVec3| edge.dot(normal) / normal.length_squared();
+    let (to_b, to_c) = (part(inside.cross(c - a)), part((b - a).cross(inside)));
     // A ray between two triangles must hit one of them.
     let least = -1e-9;
     (to_b >= least && to_c >= least && to_b + to_c <= 1.0 - least).then_some(t)
@@ -102,18 +90,18 @@ impl Light {
         }
     }
 
-    pub(super) fn place(&self, point: Vector) -> Place {
-        let way = minus(point, self.position);
-        let depth = dot(way, self.axis);
-        let part = |across| 0.5 + 0.5 * dot(way, across) / (depth * self.tangent);
+    pub(super) fn place(&self, point: DVec3) -> Place {
+        let way = point - self.position;
+        let depth = way.dot(self.axis);
+        let part = |across| 0.5 + 0.5 * way.dot(across) / (depth * self.tangent);
         Place { column: part(self.right), row: part(self.down), depth }
     }
 
     /// Returns the cosine of the angle between the front normal of a triangle and the direction
     /// from one of its points to the light.
-    pub(super) fn cosine(&self, triangle: Triangle, point: Vector) -> f64 {
-        let (normal, back) = (normal(triangle), minus(self.position, point));
-        dot(normal, back) / (dot(normal, normal) * dot(back, back)).sqrt()
+    pub(super) fn cosine(&self, triangle: Triangle, point: DVec3) -> f64 {
+        let (normal, back) = (normal(triangle), self.position - point);
+        normal.dot(back) / (normal.length() * back.length())
     }
 
     /// Returns whether a position is on the square.
@@ -121,18 +109,18 @@ impl Light {
         place.depth > 0.0 && [place.column, place.row].iter().all(|part| (0.0..1.0).contains(part))
     }
 
-    /// Returns the vector from the light to the point at depth 1 that has a position on the square.
-    fn way(&self, column: f64, row: f64) -> Vector {
+    /// Returns the vector from the light to depth 1.
+    fn way(&self, column: f64, row: f64) -> DVec3 {
         let (x, y) = ((2.0 * column - 1.0) * self.tangent, (2.0 * row - 1.0) * self.tangent);
-        [0, 1, 2].map(|i| self.axis[i] + x * self.right[i] + y * self.down[i])
+        self.axis + x * self.right + y * self.down
     }
 
     /// Returns the hit whose depth is nearest to `depth`, of all hits of a ray beyond the near
     /// plane of a map.
-    fn nearest(&self, way: Vector, depth: f64) -> Option<Hit> {
+    fn nearest(&self, way: DVec3, depth: f64) -> Option<Hit> {
         let is_met = |body: &&Body| {
-            let across = cross(minus(body.center, self.position), way);
-            dot(across, across) <= body.radius * body.radius * dot(way, way)
+            let across = (body.center - self.position).cross(way);
+            across.length_squared() <= body.radius * body.radius * way.length_squared()
         };
         let triangles = self.bodies.iter().filter(is_met).flat_map(|body| &body.triangles);
         let hits = triangles.filter_map(|&triangle| Some((hit(self.position, way, triangle)?, triangle)));
