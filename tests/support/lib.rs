@@ -1,5 +1,5 @@
-//! What the tests share: the f64 reference, the table of error bounds, the sweeps, the exact view
-//! of a format.
+//! What the tests share: the table of error bounds, the sweeps, the exact view of a format. The
+//! truth is the crate `luminaire-oracle`.
 #![allow(missing_docs, missing_debug_implementations, reason = "tests are read, not published")]
 
 pub mod arbitrary;
