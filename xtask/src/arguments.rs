@@ -35,11 +35,11 @@ pub(crate) enum Request {
     Frame(FrameOptions),
     /// Write what each effect costs: instructions a pixel and bytes of flash, on two processors
     Effects(EffectsOptions),
-    /// Count what each effect takes of a microcontroller's flash
+    /// Count the bytes of flash that each effect takes on microcontrollers
     Size(SizeOptions),
     /// Write the price list of accuracy: errors, and costs on every target
     Measure(MeasureOptions),
-    /// Compare the bits of every model with the conformance vectors, on every target
+    /// Compare the results of every model, bit by bit, with the conformance vectors on every target
     Conform(ConformOptions),
     /// Test the tests: change the kernel in small ways and list the changes that no test notices
     Mutants(MutantsOptions),
@@ -51,14 +51,14 @@ pub(crate) struct DemoOptions {
     /// Serve on this port instead of 8080
     #[arg(long)]
     pub(crate) port: Option<u16>,
-    /// Light a picture of this many pixels instead of 960x540
+    /// Draw a picture of this size in pixels instead of 960x540
     #[arg(long, value_name = "WxH")]
     pub(crate) size: Option<Size>,
     /// Open this view of the page: stage, scenes or compare; settings may follow, as in
     /// compare?half=0.1
     #[arg(long, value_name = "NAME", value_parser = view)]
     view: Option<String>,
-    /// Open this scene of the view scenes, such as grid or show
+    /// Open the view scenes with this scene, such as grid or show
     #[arg(long, value_name = "NAME", value_parser = scene, conflicts_with = "view")]
     scene: Option<String>,
     /// Instead of serving: run the page once in headless Chromium, print one line and exit
@@ -70,7 +70,8 @@ pub(crate) struct DemoOptions {
 }
 
 impl DemoOptions {
-    /// What stands after the # of the address: `compare`, or with settings `scenes?scene=grid`.
+    /// The part of the address after the `#`: a view, as in `compare`, or a view with settings, as
+    /// in `scenes?scene=grid`.
     pub(crate) fn view(&self) -> Option<String> {
         self.scene.as_ref().map(|scene| format!("scenes?scene={scene}")).or_else(|| self.view.clone())
     }
@@ -109,8 +110,8 @@ impl fmt::Display for Size {
     }
 }
 
-/// A view of the page, with its settings. The page would show another view than one that it does
-/// not have, or refuse a scene: it is better to say so before it is built.
+/// Parses a view of the page with its settings. An unknown view or scene is an error here, before
+/// the demo is built: the page itself would show another view, or refuse the scene.
 fn view(view: &str) -> Result<String, String> {
     let (name, settings) = view.split_once('?').unwrap_or((view, ""));
     one_of(name, &site::views().collect::<Vec<_>>())?;

@@ -12,14 +12,14 @@ use tools::progress::Progress;
 use tools::project;
 use tools::suite::Suite;
 
-/// The most files that a new falloff may touch by hand.
+/// Upper bound of the number of files that one edits by hand to add a falloff.
 const MOST_FILES: usize = 3;
 
-/// What is no part of the tree, by the end of its path.
+/// Files and folders that are not copied, by the end of their path.
 const NOT_COPIED: [&str; 4] = [".git", "target", "node_modules", "lab/firmware/effects/src/bin"];
 
-/// Adds the steps: all packages of the copy compile, and in the long run its host tests pass with
-/// its bounds recorded.
+/// Adds the steps: all packages of the copy compile. With `full`, its host tests also pass, once
+/// its bounds are recorded.
 pub(crate) fn run(suite: &mut Suite, full: bool) {
     suite.step("contributing: the worked example compiles for all packages", |progress| {
         let tree = Tree::with_the_example()?;
@@ -67,8 +67,8 @@ impl Tree {
         Ok(tree)
     }
 
-    /// A call of cargo in a folder of the tree. What does not depend on the example has been
-    /// compiled for the tests.
+    /// A call of cargo in a folder of the tree. It shares the target folder with the tests, so that
+    /// only what depends on the example is compiled.
     fn cargo(&self, folder: &str, arguments: &[&str]) -> Command {
         let mut cargo = command::cargo(arguments[0]);
         cargo.args(&arguments[1..]).current_dir(self.folder.join(folder));
@@ -76,14 +76,14 @@ impl Tree {
     }
 }
 
-/// The example of the page.
+/// The diff of the worked example on the page.
 fn difference(page: &str) -> Result<&str> {
     let (_, rest) = page.split_once("```diff\n").context("CONTRIBUTING.md has no example")?;
     let (difference, _) = rest.split_once("```").context("the example of CONTRIBUTING.md does not end")?;
     Ok(difference)
 }
 
-/// The files that a difference touches, as it leaves them.
+/// The files that a diff touches, with their content after it is applied.
 fn patched(difference: &str) -> Result<BTreeMap<PathBuf, Vec<u8>>> {
     let touched: Vec<_> = difference.lines().filter_map(|line| line.strip_prefix("+++ b/")).collect();
     let folder = tempfile::tempdir()?;

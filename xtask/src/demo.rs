@@ -1,4 +1,4 @@
-//! `cargo demo`: the demo for a visitor, or for a check.
+//! `cargo demo`: builds the demo, then serves or checks it.
 
 use std::fs;
 use std::path::Path;
@@ -14,14 +14,14 @@ use tools::server::{self, Server};
 
 const PORT: u16 = 8080;
 
-/// Number of frames of the check, which reports their median time.
+/// Number of frames that the check draws. It reports their median time.
 const FRAMES: u32 = 15;
 
 /// Builds the demo, then serves or checks it.
 pub(crate) fn run(options: &DemoOptions) -> Result<()> {
     let progress = Progress::Live;
     let checking = options.check || options.screenshot.is_some();
-    // Before the build, for who comes to a taken port should not wait to hear of it.
+    // Before the build, so that a taken port is reported at once.
     let listener = server::listen(options.port.unwrap_or(if checking { 0 } else { PORT }))?;
     let server = Server::start(listener, &site::build(&progress)?)?;
     let address = address(&server, options);
@@ -70,7 +70,7 @@ pub(crate) fn check(chromium: &mut Chromium, address: &str, screenshot: Option<&
     Ok(scene.map_or(stage.clone(), |scene| format!("{stage}; {scene}")))
 }
 
-/// What frames of a scene take, in words: of the turntable under each of its loads.
+/// The frame times of a scene, in words. The turntable is timed under each of its loads.
 fn frames(page: &mut Page, scene: &str) -> Result<String> {
     if scene != turntable::SCENE {
         return Ok(format!("{scene}: {}", in_words(turntable::frame(page, scene, FRAMES, "{}")?)));

@@ -1,4 +1,4 @@
-//! The oldest compiler that the published crates promise.
+//! The oldest compiler that the published crates promise to support.
 
 use std::fs;
 use std::path::PathBuf;
@@ -13,17 +13,18 @@ use tools::{command, install, project};
 /// The compiler, as in `rust-version` of the published crates.
 const VERSION: &str = "1.85";
 
-/// The compilers that Debian has had of that version, each with the packages of its library.
+/// Debian's packages of compilers of that version, each with the packages of its standard library.
 const COMPILERS: [(&str, [&str; 2]); 2] = [
     ("rustc", ["libstd-rust-dev", "libstd-rust-1.85"]),
     ("rustc-web", ["libstd-rust-web-dev", "libstd-rust-web-1.85"]),
 ];
 
-/// What all of them are linked with.
+/// The package of the library that all these compilers are linked with.
 const LLVM: &str = "libllvm19";
 
-/// Adds the step: the published crates compile. Where Debian's packages cannot be had, clippy alone
-/// compares each item that is used with the version that is promised.
+/// Adds the step: the published crates compile with the oldest compiler. If Debian's packages
+/// cannot be downloaded, nothing is compiled, and only clippy checks that the promised version has
+/// every item that is used.
 pub(crate) fn run(suite: &mut Suite) {
     suite.remarked(&format!("oldest compiler: the crates compile with rustc {VERSION}"), |progress| {
         let Some(usr) = unpacked(progress)? else {
@@ -37,7 +38,8 @@ pub(crate) fn run(suite: &mut Suite) {
     });
 }
 
-/// The folder `usr` of the compiler, unpacked below `target` and installed nowhere.
+/// The folder `usr` of the compiler, which is unpacked below `target` and not installed. `None` if
+/// apt does not know the compiler.
 fn unpacked(progress: &Progress) -> Result<Option<PathBuf>> {
     let folder = project::target().join("tools/oldest-compiler");
     let usr = folder.join("usr");
@@ -61,14 +63,14 @@ fn unpacked(progress: &Progress) -> Result<Option<PathBuf>> {
     Ok(Some(usr))
 }
 
-/// A compiler's packages and its version in full, if apt knows one of the version that is promised.
+/// A compiler's packages and full version, if apt offers it in the promised version.
 fn offered((compiler, library): &(&'static str, [&'static str; 2])) -> Option<([&'static str; 3], String)> {
     let table = command::answer(Command::new("apt-cache").args(["madison", compiler])).ok()?;
     let version = version(&table, VERSION)?;
     Some(([compiler, library[0], library[1]], version.to_owned()))
 }
 
-/// The version in a table of `apt-cache madison` that begins as this one.
+/// The first version in a table of `apt-cache madison` that begins with `begin`.
 fn version<'a>(table: &'a str, begin: &str) -> Option<&'a str> {
     let mut versions = table.lines().filter_map(|line| line.split('|').nth(1)).map(str::trim);
     versions.find(|version| version.strip_prefix(begin).is_some_and(|rest| rest.starts_with('.')))

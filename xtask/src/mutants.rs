@@ -1,4 +1,5 @@
-//! `cargo xtask mutants`: how much of the kernel's code the tests hold.
+//! `cargo xtask mutants`: changes the kernel in small ways, and counts the changes that the tests
+//! notice.
 
 use std::process::ExitCode;
 
@@ -12,22 +13,22 @@ use tools::project;
 /// last release.
 #[derive(Debug, Default, PartialEq, clap::Args)]
 pub(crate) struct MutantsOptions {
-    /// Test the mutants of all lines; so does a history without a tag v*
+    /// Test the mutants of all lines, as is also done if the history has no tag v*
     #[arg(long, conflicts_with = "since")]
     all: bool,
-    /// Test those of the lines that changed since this revision, instead of since the last tag v*
+    /// Test the mutants of lines that changed since this revision, instead of since the last tag v*
     #[arg(long, value_name = "REV")]
     since: Option<String>,
-    /// Test those of this file, changed or not
+    /// Test the mutants of all lines of this file, changed or not
     #[arg(long, value_name = "PATH", conflicts_with_all = ["all", "since"])]
     file: Option<String>,
-    /// Test only this many, drawn at random
+    /// Test only this many mutants, drawn at random
     #[arg(long, value_name = "N")]
     sample: Option<usize>,
     /// Seed of the draw
     #[arg(long, value_name = "S", default_value_t = 0)]
     seed: u64,
-    /// Test this many at once
+    /// Test this many mutants at the same time
     #[arg(long, value_name = "N", default_value_t = 2)]
     jobs: usize,
 }

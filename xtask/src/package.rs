@@ -1,4 +1,4 @@
-//! The crates as they are packed, tried as someone who has nothing else would.
+//! The crates as they are packed, tested without the rest of the repository.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -14,7 +14,8 @@ use tools::tally::{self, Tally};
 use tools::toolchain::Toolchain;
 use tools::{command, project};
 
-/// The crates, lowest first, with what must be in each beside its source.
+/// The crates, each after its dependencies, with the files that each must contain beside its
+/// source.
 const CRATES: [(&str, &[&str]); 2] = [
     (
         "luminaire",
@@ -30,13 +31,13 @@ const CRATES: [(&str, &[&str]); 2] = [
     ("luminaire-render", &["README.md", "LICENSE-APACHE", "LICENSE-MIT", "examples/still.rs"]),
 ];
 
-/// The warning that stays until there is an address to name.
+/// The warning that is accepted until the project has an address to name.
 const NO_ADDRESS: &str = "manifest has no documentation, homepage or repository";
 
-/// What the README's firmware is built for: the smallest processor there is.
+/// The target of the README's firmware: the smallest supported processor.
 const TARGET: &str = "thumbv6m-none-eabi";
 
-/// A program around the README's row of pixels: linked, it shows what a row needs.
+/// A program around the README's row of pixels. The linked program shows what a row needs.
 const MAIN: &str = r#"
 #![no_std]
 #![no_main]
@@ -77,7 +78,7 @@ pub(crate) fn run(suite: &mut Suite) {
     suite.step(NAMES[3], |progress| unpacked()?.oldest_dependencies(progress));
 }
 
-/// The packed crates, unpacked where no workspace is.
+/// The packed crates, unpacked in a folder outside every workspace.
 struct Unpacked {
     folder: TempDir,
 }
@@ -113,7 +114,7 @@ impl Unpacked {
 
     /// Runs the crates' own tests, doc tests and examples included.
     fn tests(&self, progress: &Progress) -> Result<Tally> {
-        // No registry has the kernel yet.
+        // The kernel is not yet on any registry.
         let kernel = format!("patch.crates-io.luminaire.path={:?}", self.of("luminaire"));
         let mut tally = Tally::default();
         for (name, _) in CRATES {
@@ -135,7 +136,7 @@ impl Unpacked {
     /// Checks the kernel with the oldest version of each dependency that its manifest allows.
     fn oldest_dependencies(&self, progress: &Progress) -> Result<()> {
         let mut update = self.cargo("update", &self.of("luminaire"));
-        // The option is one of nightly cargo.
+        // Only nightly cargo has the option, or stable cargo with `RUSTC_BOOTSTRAP`.
         update.arg("-Zdirect-minimal-versions").env("RUSTC_BOOTSTRAP", "1");
         progress.run(update)?;
         let mut check = self.cargo("check", &self.of("luminaire"));
@@ -146,13 +147,13 @@ impl Unpacked {
     fn cargo(&self, subcommand: &str, folder: &Path) -> Command {
         let mut cargo = command::cargo(subcommand);
         cargo.current_dir(folder).env("CARGO_TARGET_DIR", project::target().join("unpacked"));
-        // The profiles of the workspace are not packed, and without them the renderer's tests take
-        // minutes.
+        // The workspace's profiles are not packed, and without optimisation the renderer's tests
+        // take minutes.
         cargo.env("CARGO_PROFILE_DEV_OPT_LEVEL", "2").env("CARGO_PROFILE_TEST_OPT_LEVEL", "2");
         cargo
     }
 
-    /// Builds the firmware of the README on the unpacked kernel, and returns its bytes of flash.
+    /// Builds the README's firmware with the unpacked kernel. Returns its bytes of flash.
     fn firmware(&self, progress: &Progress) -> Result<u64> {
         let folder = self.folder.path().join("firmware");
         let readme = fs::read_to_string(self.of("luminaire").join("README.md"))?;
@@ -178,7 +179,7 @@ impl Unpacked {
 
 const VERSION: &str = env!("CARGO_PKG_VERSION");
 
-/// The file of a block of the README, whose first line names it.
+/// The text of the README's block whose first line names the file.
 fn file<'a>(readme: &'a str, first_line: &str) -> Result<&'a str> {
     let (_, rest) = readme.split_once(&format!("\n{first_line}\n")).context(first_line.to_owned())?;
     let (text, _) = rest.split_once("\n```").context("the block does not end")?;

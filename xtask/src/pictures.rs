@@ -1,4 +1,5 @@
-//! `cargo xtask pictures`: the documents' pictures of the demo, and what page they are of.
+//! `cargo xtask pictures`: the documents' pictures of the demo, and the fingerprint of the page
+//! that they show.
 
 use std::fs;
 
@@ -12,11 +13,11 @@ use tools::progress::Progress;
 use tools::project;
 use tools::server::{self, Server};
 
-/// The pictures, with the view that each is of.
+/// The pictures, each with the view that it shows.
 const PICTURES: [(&str, &str); 3] =
     [("demo.png", "stage"), ("comparison.png", "compare"), ("scenes.png", "scenes?scene=show")];
 
-/// Where the page's fingerprint is, as it was when the pictures were taken.
+/// The file with the page's fingerprint at the time when the pictures were taken.
 const FINGERPRINT: &str = "docs/pictures.txt";
 
 /// Builds the demo, takes the pictures and writes the fingerprint.
@@ -34,7 +35,7 @@ pub(crate) fn run() -> Result<()> {
     Ok(())
 }
 
-/// The text that tells one page from another: a checksum of its files with their names.
+/// The fingerprint of the page: a checksum of its files and their names.
 fn fingerprint() -> Result<String> {
     let mut crc = Crc::new();
     for (file, content) in project::files(&project::root().join("wasm-demo/web"), &[])? {

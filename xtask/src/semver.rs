@@ -1,4 +1,4 @@
-//! The public API against that of the last release.
+//! Compares the public API with that of the last release.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -21,8 +21,7 @@ pub(crate) fn run(suite: &mut Suite) {
         let [release, crates] = ["release", "crates"].map(|name| folder.path().join(name));
         export(&tag, &release, progress)?;
         let checks = install::cargo_program("cargo-semver-checks", progress)?;
-        // The renderer is compared as it stands in the tree: packed, it would need the kernel of a
-        // registry.
+        // The renderer is compared unpacked: a packed renderer would need a kernel from a registry.
         let baselines = [
             ("core", packed("luminaire", &tag, &release, &crates, progress)?),
             ("render", release.join("render")),
@@ -32,7 +31,7 @@ pub(crate) fn run(suite: &mut Suite) {
             check.args(["semver-checks", "--manifest-path"]);
             check.arg(project::root().join(current).join("Cargo.toml")).arg("--baseline-root").arg(baseline);
             if current == "core" {
-                // The seam has no promise.
+                // The feature `arithmetic` is not covered by the promise of stability.
                 let promised = features_of_luminaire()?.into_iter().filter(|name| name != "arithmetic");
                 let promised: Vec<_> = promised.collect();
                 check.args(["--only-explicit-features", "--features", &promised.join(",")]);
@@ -54,7 +53,8 @@ fn export(tag: &str, folder: &Path, progress: &Progress) -> Result<()> {
     unpack(&archive, folder, progress)
 }
 
-/// Packs a crate of an exported release. Returns the folder of what its users have.
+/// Packs a crate of an exported release. Returns the folder with the packed files, which are what
+/// users get.
 fn packed(name: &str, tag: &str, release: &Path, folder: &Path, progress: &Progress) -> Result<PathBuf> {
     let mut package = command::cargo("package");
     package.args(["--no-verify", "--package", name]).current_dir(release).env("CARGO_TARGET_DIR", folder);

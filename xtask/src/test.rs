@@ -1,4 +1,4 @@
-//! `cargo xtask test`: every test; `cargo xtask full`: the long ones, too, on all boards.
+//! `cargo xtask test` and `cargo xtask full`, which adds the long tests and all boards.
 
 use std::iter;
 use std::process::{Command, ExitCode};
@@ -19,10 +19,11 @@ use tools::{command, install, project};
 
 use crate::{contributing, demo, msrv, package, semver};
 
-/// The smallest processor that is promised: no floating point unit, no division, no atomics.
+/// The smallest processor that is supported: it has no floating point unit, no division and no
+/// atomics.
 const BARE: &str = "thumbv6m-none-eabi";
 
-/// The sets of luminaire's features that bare metal is promised, as options of cargo.
+/// The sets of luminaire's features that are supported on bare metal, as options of cargo.
 const FEATURES: [(&str, &[&str]); 5] = [
     ("libm alone", &["--no-default-features", "--features", "libm"]),
     ("micromath alone", &["--no-default-features", "--features", "micromath"]),
@@ -51,19 +52,20 @@ pub(crate) fn run(options: TestOptions, full: bool) -> ExitCode {
     suite.finish()
 }
 
-/// What this machine and its browser run.
+/// Adds the steps that run on this machine and in its browser.
 fn host(suite: &mut Suite, full: bool) {
     sources(suite, full);
     suite
         .count("host: cargo test", |progress| cargo_test(&["--workspace", "--no-fail-fast"], full, progress));
-    // The sets whose roots and angles are not libm's, and with `full` the default; clippy checks all.
+    // The feature sets whose square root and angles do not come from libm, and with `full` the
+    // default set. Clippy checks all sets.
     for (name, features) in if full { &FEATURES[1..4] } else { &FEATURES[1..3] } {
         suite.count(&format!("host: luminaire with {name}"), |progress| {
-            // The long search has been made with all features at once.
+            // Without the long searches, which have run with all features at once.
             cargo_test(&[&["--package", "luminaire", "--lib"], *features].concat(), false, progress)
         });
     }
-    // The conversions to other crates are tested here alone, with their examples.
+    // Only this step tests the conversions to other crates, and their examples.
     let (name, features) = ALL_FEATURES;
     suite.count(&format!("host: luminaire with {name}"), |progress| {
         cargo_test(&[&["--package", "luminaire"], features].concat(), false, progress)
@@ -79,7 +81,8 @@ fn host(suite: &mut Suite, full: bool) {
     browser(suite);
 }
 
-/// The targets of the fuzzer are of another workspace, and only it runs them.
+/// Checks that the fuzzer's targets compile. They belong to another workspace, and only the fuzzer
+/// runs them.
 fn fuzz(suite: &mut Suite) {
     suite.step("fuzz: the targets compile", |progress| {
         let mut check = with(command::cargo("check"), &["--bins"]);
@@ -88,7 +91,7 @@ fn fuzz(suite: &mut Suite) {
     });
 }
 
-/// The licences and sources of what is linked.
+/// Checks licences, bans and sources of the dependencies.
 fn dependencies(suite: &mut Suite) {
     suite.step("dependencies: licences, bans and sources", |progress| {
         let mut deny = Command::new(install::cargo_program("cargo-deny", progress)?);
@@ -97,7 +100,8 @@ fn dependencies(suite: &mut Suite) {
     });
 }
 
-/// What emulated boards run, and the conformance vectors on them, on this machine and in a browser.
+/// Adds the steps that run on emulated boards, and the conformance vectors on boards, this machine
+/// and a browser.
 fn boards(suite: &mut Suite, full: bool) {
     let boards = boards::tested(full);
     bare_metal(suite, full);
@@ -146,7 +150,7 @@ fn sources(suite: &mut Suite, full: bool) {
     }
 }
 
-/// The features of luminaire that its manifest names, without `default`, which is a set of others.
+/// The features that luminaire's manifest names, without `default`, which only selects others.
 pub(crate) fn features_of_luminaire() -> Result<Vec<String>> {
     let metadata =
         command::answer(&mut with(command::cargo("metadata"), &["--no-deps", "--format-version", "1"]))?;
@@ -158,7 +162,7 @@ pub(crate) fn features_of_luminaire() -> Result<Vec<String>> {
     Ok(names.filter(|name| *name != "default").cloned().collect())
 }
 
-/// No feature, each alone, each pair, and all, as options of cargo.
+/// Sets of features as options of cargo: none, each alone, each pair, and all.
 fn sets(features: &[String]) -> Vec<String> {
     let alone = features.iter().cloned();
     let pairs = features
@@ -176,7 +180,8 @@ fn cargo_test(arguments: &[&str], full: bool, progress: &Progress) -> Result<Tal
     tally::cargo_test(test, progress)
 }
 
-/// Checked without code generation: the firmware links the kernel.
+/// Checks the crates for bare metal. No code is generated, because the firmware's steps link the
+/// kernel.
 fn bare_metal(suite: &mut Suite, full: bool) {
     let check = |progress: &Progress, package: &str, features: &[&str]| {
         let toolchain = Toolchain::find(BARE, progress)?;
