@@ -1,8 +1,9 @@
-//! What a falloff costs, from a versine in memory to an intensity in memory: 4,096 of each, in one
-//! run, many at once and one by one.
+//! What a falloff costs, from a versine in memory to an intensity in memory: 4,096 evaluations, in
+//! batches and one by one.
 //!
-//! `cargo bench --bench falloff`. A clamped copy is the floor: no method can do with less. For
-//! wider vectors than the least of the target, `RUSTFLAGS=-Ctarget-feature=+avx2` before it.
+//! `cargo bench --bench falloff`. A clamped copy is the lower bound of any method.
+//! `RUSTFLAGS=-Ctarget-feature=+avx2` before the command allows wider vectors than the target's
+//! default.
 
 #![allow(missing_docs, reason = "criterion's macros make public items without documentation")]
 
@@ -26,7 +27,7 @@ fn cone<P: Falloff>(profile: P) -> Cone<P> {
     Cone::from_field(profile, Angle::degrees(15.0)).expect("a sound angle")
 }
 
-/// One by one, each by a call that is not inlined, as `powf` is called.
+/// Evaluates one versine after the other, each by a call that is not inlined, as `powf` is called.
 fn evaluate<S: Scalar, P: Falloff>(falloff: &CompiledCone<S, P>, versines: &[S::Versine], out: &mut [S]) {
     for (out, versine) in out.iter_mut().zip(versines) {
         *out = at(falloff, *versine);
@@ -38,7 +39,7 @@ fn at<S: Scalar, P: Falloff>(falloff: &CompiledCone<S, P>, versine: S::Versine) 
     falloff.at(versine)
 }
 
-/// Benches a falloff after checking that it is what the reference says: half at the beam angle.
+/// Benches a falloff, after checking that it is one half at the beam angle.
 fn bench<S: Scalar, P: Falloff>(criterion: &mut Criterion, name: &str, profile: P) {
     let cone = cone(profile);
     let falloff = cone.compile::<S>().expect("held");
@@ -57,8 +58,8 @@ fn bench<S: Scalar, P: Falloff>(criterion: &mut Criterion, name: &str, profile: 
     group.finish();
 }
 
-/// Benches a formula of f32, for comparison, after checking that it is `at_field` at the field
-/// angle.
+/// Benches a formula in f32 for comparison, after checking that its value at the field angle is
+/// `at_field`.
 fn rival(criterion: &mut Criterion, name: &str, at_field: f32, formula: impl Fn(f32) -> f32) {
     let found = formula(cone(Soft).field().versine());
     assert!((found - at_field).abs() < 1e-3, "{name} is {found} at the field angle");
@@ -79,7 +80,8 @@ fn rival(criterion: &mut Criterion, name: &str, at_field: f32, formula: impl Fn(
 
 fn falloffs(criterion: &mut Criterion) {
     let outer = cone(Soft).outer_versine();
-    // The exponent with which Warn's model has the same field angle: cos^C = 1/10.
+    // The exponent `C` with which Warn's model has the same field angle: cos^C = 1/10 at the half
+    // angle.
     let exponent = black_box(0.1_f32.ln() / (1.0 - cone(Soft).field().versine()).ln());
     let cubic = Cubic::with_slopes(1.25, 3.5).expect("sound slopes");
     let field = cone(Soft).field().versine();

@@ -1,9 +1,9 @@
-//! What the air light of a view ray costs: from the rows of a picture in memory to air light in
+//! What in-scattering costs for a view ray: from a picture's rays in memory to scattered light in
 //! memory.
 //!
-//! `cargo bench --bench haze`. The rays see a spotlight from the side, in blocks of 32 pixels as a
-//! renderer has them; about half of the picture is within the beam. The rival marches along the ray
-//! in equal steps.
+//! `cargo bench --bench haze`. The rays see a spotlight from the side, in blocks of 32 pixels as in
+//! a renderer. About half of the picture is within the beam. The rival marches along the ray in
+//! equal steps.
 
 #![allow(missing_docs, reason = "criterion's macros make public items without documentation")]
 
@@ -23,7 +23,7 @@ const HEIGHT: usize = 64;
 const BLOCK: usize = 32;
 const EYE: Vec3<f32> = Vec3::new(0.0, 2.0, 6.0);
 
-/// A block of pixels: the ways that they look, and how far.
+/// A block of pixels: directions and lengths of their view rays, and room for the light.
 #[derive(Clone, Copy)]
 struct Block {
     direction: Vec3<[f32; BLOCK]>,
@@ -31,7 +31,7 @@ struct Block {
     light: [f32; BLOCK],
 }
 
-/// A picture of a back wall.
+/// The view rays of a picture of a back wall.
 fn picture() -> Vec<Block> {
     let mut blocks = Vec::new();
     for start in (0..WIDTH * HEIGHT).step_by(BLOCK) {
@@ -62,7 +62,7 @@ fn spot<P: Falloff>(profile: P) -> SpotLight<P> {
         .expect("a sound light")
 }
 
-/// Fills a picture with a light of each ray.
+/// Stores `light` of each ray in the picture.
 #[inline(always)]
 fn fill(blocks: &mut [Block], light: impl Fn(&ViewRay) -> f32) {
     for block in blocks {

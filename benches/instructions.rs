@@ -1,10 +1,10 @@
-//! What kernels cost in instructions of the host, counted by callgrind: the same in every run,
-//! whatever else the machine does. 4,096 points or versines each.
+//! What kernels cost in instructions of the host, counted by callgrind. The counts are the same in
+//! every run, whatever else the machine does. Each kernel evaluates 4,096 points or versines.
 //!
-//! `cargo bench --features callgrind --bench instructions`, with valgrind installed and
-//! gungraun-runner of the version of gungraun that Cargo.lock names
-//! (`cargo install gungraun-runner --version 0.20.0`). What is compiled for wider vectors has other
-//! counts; valgrind knows vectors up to AVX2.
+//! `cargo bench --features callgrind --bench instructions`, with valgrind installed, and
+//! gungraun-runner in the version of gungraun that Cargo.lock names (`cargo install gungraun-runner
+//! --version 0.20.0`). Programs compiled for wider vectors have other counts. Valgrind supports
+//! vectors up to AVX2.
 
 #![allow(missing_docs, reason = "gungraun's macros make public items without documentation")]
 
@@ -33,7 +33,7 @@ fn ramp<S: Scalar, P: Falloff>(profile: P) -> Ramp<S, P> {
     Ramp { falloff, versines: (0..POINTS).map(at).collect(), intensities: vec![S::ZERO; POINTS] }
 }
 
-/// The profile is one on the axis and falls from there to the edge.
+/// Checks that the intensity is 1 on the axis and falls to less than 0.01 at the edge.
 fn check_ramp<S: Scalar, P: Falloff>(ramp: Ramp<S, P>) {
     assert_eq!(ramp.intensities[0], S::ONE);
     assert!(ramp.intensities.is_sorted_by(|a, b| a >= b) && ramp.intensities[POINTS - 1].to_f32() < 0.01);
@@ -50,7 +50,7 @@ fn falloff<S: Scalar, P: Falloff>(mut ramp: Ramp<S, P>) -> Ramp<S, P> {
     ramp
 }
 
-/// A spotlight and a floor under it, structure of arrays.
+/// A spotlight, and a floor under it as a structure of arrays.
 struct Floor<S: Scalar> {
     spot: CompiledSpotLight<S, Soft>,
     point: Vec3<Vec<S::Length>>,
@@ -77,7 +77,7 @@ fn floor<S: Scalar>() -> Floor<S> {
     }
 }
 
-/// The middle of the spot is at full scale.
+/// Checks that the brightest point, in the middle of the spot, is at full scale.
 fn check_floor<S: Scalar>(floor: Floor<S>) {
     let brightest = floor.light.red.iter().map(|&red| S::light_to_f32(red)).fold(0.0, f32::max);
     assert!((0.95..=1.05).contains(&brightest), "the middle of the spot is {brightest}");

@@ -1,8 +1,8 @@
 //! What a lit point costs: from a position and a normal in memory to three channels of light added
-//! in memory, 4,096 of them, in one run.
+//! in memory, for 4,096 points.
 //!
-//! `cargo bench --bench lit`. The rivals are plain loops, with the formula of the glTF
-//! specification and with Warn's power of a cosine.
+//! `cargo bench --bench lit`. The rivals are plain loops: one with the formula of the glTF
+//! specification, one with Warn's power of a cosine.
 
 #![allow(missing_docs, reason = "criterion's macros make public items without documentation")]
 
@@ -17,14 +17,14 @@ use luminaire::{
 
 const POINTS: usize = 4096;
 
-/// A floor under the light, structure of arrays.
+/// A floor under the light, as a structure of arrays.
 struct Floor<S: Scalar> {
     point: Vec3<Vec<S::Length>>,
     normal: Vec3<Vec<S>>,
     light: Rgb<Vec<S::Irradiance>>,
 }
 
-/// A square of 64 x 64 points on the floor, two metres wide: a good part of it inside the cone.
+/// A square of 64 x 64 points on the floor, two metres wide. A large part of it is inside the cone.
 fn floor<S: Scalar>() -> Floor<S> {
     let at = |i: usize| 2.0 * (i as f32 / 63.0) - 1.0;
     let column = |f: &dyn Fn(usize) -> f32| (0..POINTS).map(f).collect::<Vec<_>>();
@@ -90,8 +90,8 @@ fn bench<S: Scalar, P: Falloff>(
     group.finish();
 }
 
-/// Lights the floor by a plain loop, with a formula of the cosine of the angle off axis for the
-/// cone.
+/// Lights the floor by a plain loop. `cone` computes the falloff from the cosine of the angle off
+/// axis.
 fn light_plainly(floor: &mut Floor<f32>, spot: &SpotLight<Soft>, cone: impl Fn(f32) -> f32) {
     let (position, axis, color) = (spot.position(), spot.axis(), spot.color());
     let (x, y, z) = (&floor.point.x[..POINTS], &floor.point.y[..POINTS], &floor.point.z[..POINTS]);
@@ -125,7 +125,7 @@ fn rival(criterion: &mut Criterion, name: &str, cone: impl Fn(f32) -> f32 + Copy
     group.finish();
 }
 
-/// The spotlight of glTF's KHR_lights_punctual, as its specification writes it, with the profile
+/// The spotlight of glTF's KHR_lights_punctual, with the specification's formula and its ramp
 /// squared.
 fn gltf(criterion: &mut Criterion) {
     let outer_cosine = 1.0 - spot(Soft).cone().outer_versine();

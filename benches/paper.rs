@@ -1,8 +1,8 @@
-//! The experiment of Hast 2004, section 4: as many calls of `pow` and of the soft edge, and the
-//! ratio of the times.
+//! The experiment of Hast 2004, section 4: equal numbers of calls of `pow` and of the soft edge,
+//! and the ratio of their times.
 //!
-//! `cargo bench --bench paper` makes 100 million calls of each, and with `LUMINAIRE_FULL` the
-//! billion of the paper. The answers are asserted; the times are of this machine.
+//! `cargo bench --bench paper` makes 100 million calls of each; with `LUMINAIRE_FULL` set it makes
+//! the paper's billion. Results are asserted, times are only printed.
 
 #![allow(missing_docs, reason = "a program, not a library")]
 
@@ -13,20 +13,20 @@ use std::{
 
 use luminaire::{Angle, Cone, falloff::Soft, light::CompiledCone};
 
-/// What the paper states.
+/// The ratio of the times that the paper states.
 const PAPER: f64 = 47.7;
 
-/// Directions between axis and edge, of which each pass takes all.
+/// Number of directions between axis and edge. Each pass evaluates all of them.
 const DIRECTIONS: usize = 4096;
 
-/// A call that is not inlined, as `pow` is called.
+/// The soft edge by a call that is not inlined, as `pow` is called.
 #[inline(never)]
 fn at(soft: &CompiledCone<f32, Soft>, versine: f32) -> f32 {
     soft.at(versine)
 }
 
-/// Measures the time of `passes` passes. Returns it with the sum of the intensities of the last
-/// pass.
+/// Measures the time of `passes` passes. Returns the time, and the sum of the intensities of the
+/// last pass.
 fn time(passes: usize, mut pass: impl FnMut(&mut [f32])) -> (Duration, f64) {
     let mut intensities = vec![0.0; DIRECTIONS];
     let start = Instant::now();
@@ -45,7 +45,7 @@ fn main() {
     let outer = cone.outer_versine();
     let versines: Vec<f32> = (0..DIRECTIONS).map(|i| outer * i as f32 / DIRECTIONS as f32).collect();
     let cosines: Vec<f32> = versines.iter().map(|versine| 1.0 - versine).collect();
-    // Warn's exponent for the same field angle: a tenth is left at its half.
+    // Warn's exponent for the same field angle: the intensity is 1/10 at half that angle off axis.
     let exponent = black_box(0.1_f32.ln() / (1.0 - cone.field().versine()).ln());
 
     let (soft_batch, sum) = time(passes, |out| soft.at_each(black_box(&versines), out));
@@ -64,7 +64,7 @@ fn main() {
             *out = f64::from(cosine).powf(exponent.into()) as f32;
         }
     });
-    // The mean of t^2 is a third; that of a power of the cosine follows from its integral.
+    // The mean of t^2 is 1/3. The mean of a power of the cosine follows from its integral.
     let mean = |sum: f64| sum / DIRECTIONS as f64;
     let (edge, power) = (1.0 - f64::from(outer), f64::from(exponent) + 1.0);
     let mean_power = (1.0 - edge.powf(power)) / (power * f64::from(outer));

@@ -1,5 +1,5 @@
-//! What a picture of the stage costs at 960 x 540, pass by pass, in one run: geometry, light of
-//! three and of eight spots, encoding; the light of scenes with many lights; and a shadow map.
+//! What a picture of the stage costs at 960 x 540, pass by pass: geometry, light of three and of
+//! eight spotlights, and encoding. Also the light of scenes with many lights, and a shadow map.
 //!
 //! `cargo bench --bench render`.
 
@@ -21,7 +21,8 @@ use luminaire_render::{
 
 const SIZE: (usize, usize) = (960, 540);
 
-/// The renderer keeps what has not changed: each pass alternates between two inputs.
+/// A renderer with two inputs for each pass. The passes alternate between them, because the
+/// renderer does not repeat a pass whose input has not changed.
 struct Bench<S: Format> {
     renderer: Renderer<S>,
     scene: Scene,
@@ -30,7 +31,7 @@ struct Bench<S: Format> {
 }
 
 impl<S: Format> Bench<S> {
-    /// Draws a picture once, and asserts which part of it is lit.
+    /// Draws a picture once, and asserts that the share of lit pixels is in `lit`.
     fn new(scene: Scene, camera: Camera, lights: [Vec<Fixture>; 2], lit: Range<f32>) -> Self {
         let mut beside = camera;
         beside.orbit(0.01, 0.0);
@@ -116,8 +117,8 @@ fn scenes(criterion: &mut Criterion) {
     group.finish();
 }
 
-/// A shadow map of the whole stage, of the light that sees the most of it, from another roll each
-/// time.
+/// A shadow map of the whole stage, drawn for the light that sees the most of the stage. It
+/// alternates between two rolls.
 fn shadow_map<S: Format>(criterion: &mut Criterion) {
     let (scene, [_, fill, _]) =
         (stage::scene().expect("a sound scene"), stage::lights().expect("sound lights"));
@@ -133,7 +134,7 @@ fn shadow_map<S: Format>(criterion: &mut Criterion) {
             });
         },
     );
-    // Behind the sphere, and on its top.
+    // A point in the sphere's shadow, and one on top of the sphere.
     let visibility = |x, y, z| {
         let point = Vec3::new(x, y, z).map(S::length);
         map.shadow().map(|shadow| shadow.visibility(point))
@@ -141,7 +142,8 @@ fn shadow_map<S: Format>(criterion: &mut Criterion) {
     assert_eq!([visibility(-0.9, 0.001, -0.1), visibility(-0.52, 1.12, 0.3)], [Some(S::ZERO), Some(S::ONE)]);
 }
 
-/// Only the encoding is timed; the light before it is what makes it due.
+/// Only the encoding is timed. Light is drawn before, because the renderer encodes only a picture
+/// that has changed.
 fn encode(criterion: &mut Criterion) {
     let mut stage = Bench::<f32>::stage(3);
     let mut group = criterion.benchmark_group("render");

@@ -1,5 +1,5 @@
-//! Draws the beams of spotlights in haze across an empty view, as PNG: a soft and a hard edge and a
-//! hotspot from the side, one that points past the eye, and one away from it.
+//! Draws the beams of spotlights in haze across an empty view, as PNG. Seen from the side are a
+//! soft edge, a hard edge and a hotspot. One more beam points past the eye, and one away from it.
 //!
 //! `cargo run --release --example haze > docs/haze.png`.
 
@@ -19,7 +19,7 @@ const EYE: Vec3<f32> = Vec3::new(0.0, 1.7, 8.0);
 /// A beam in haze, as a function of a view ray.
 type Beam = Box<dyn Fn(&ViewRay) -> Rgb<f32>>;
 
-/// A spotlight from one point to another.
+/// The beam of a spotlight at `from` that is aimed at `to`.
 fn beam<P: Falloff + 'static>(from: [f32; 3], to: [f32; 3], cone: Cone<P>, color: Rgb<f32>) -> Beam {
     let [from, to] = [from, to].map(|[x, y, z]| Vec3::new(x, y, z));
     let spot = SpotLight::new(from, to.zip(from, |t, f| t - f), cone)

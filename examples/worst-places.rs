@@ -1,5 +1,5 @@
-//! Looks for the places where each profile in each format is furthest from the exact intensity, and
-//! prints the file that `tests/slow/worst.rs` holds the kernel to:
+//! Searches the inputs with the largest error of each profile in each format, and prints the file
+//! that `tests/slow/worst.rs` checks the kernel against:
 //!
 //! `cargo run -p suite --example worst-places > tests/slow/worst/places.txt`
 

@@ -1,7 +1,7 @@
 //! Draws the figures of `docs/FIGURES.md` into `docs/figures/`.
 //!
-//! `cargo run --release -p suite --example figures`. `tests/suite/figures.rs` draws them again and
-//! compares.
+//! `cargo run --release -p suite --example figures`. `tests/suite/figures.rs` draws the figures
+//! again and compares them with the files.
 
 mod gallery;
 

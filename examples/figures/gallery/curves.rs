@@ -1,4 +1,4 @@
-//! The Cartesian diagram of the three models: the paper's figure 7.
+//! The diagram of intensity over angle for the three models, as in the paper's figure 7.
 
 use super::{
     scene::FIELD,
@@ -11,7 +11,7 @@ use luminaire::{
 };
 
 const SIZE: (f64, f64) = (760.0, 500.0);
-/// The angles off axis shown, in degrees to either side.
+/// The largest angle off axis that is shown on either side, in degrees.
 const WIDEST: f64 = 11.0;
 const GREY: &str = "#5f6368";
 const LINE: &str = r##"stroke="#dadce0""##;
@@ -54,7 +54,7 @@ impl Model {
         })
     }
 
-    /// The curve, closely enough for its steepest part.
+    /// Points of the curve, dense enough for its steepest part.
     fn curve(&self, frame: &Frame) -> Vec<(f64, f64)> {
         let angles = (-440..=440).map(|step| f64::from(step) * WIDEST / 440.0);
         angles.map(|degrees| frame.place(degrees, (self.intensity)(degrees))).collect()
@@ -85,7 +85,7 @@ pub(crate) fn svg() -> Result<String, Error> {
     Ok(drawing.finish())
 }
 
-/// The grid, what it counts, and the two levels that give beam and field angle their names.
+/// The grid with its units, and the levels of 50 % and 10 % that define beam and field angle.
 fn axes(drawing: &mut Drawing, frame: &Frame) {
     for percent in [0, 20, 40, 60, 80, 100] {
         let (from, to) = frame.level(f64::from(percent) / 100.0);
@@ -110,7 +110,7 @@ fn axes(drawing: &mut Drawing, frame: &Frame) {
     drawing.text((frame.x[0].0 - 8.0, 22.0), "start", GREY, "intensity");
 }
 
-/// The models by colour, and their angles.
+/// The legend: each model's colour, and its angles.
 fn key(drawing: &mut Drawing, models: &[Model]) {
     const COLUMNS: [f64; 3] = [440.0, 530.0, 640.0];
     for (column, words) in COLUMNS.into_iter().zip(["beam", "field", "ends at"]) {

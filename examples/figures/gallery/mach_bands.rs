@@ -1,4 +1,4 @@
-//! Mach bands: a wall lit face on by a clamped linear ramp, and by two profiles that have no kink.
+//! Mach bands: a wall lit head-on by a clamped linear ramp, and by two profiles without a kink.
 
 use super::{
     picture::{self, Picture},
@@ -14,17 +14,16 @@ use std::error::Error;
 /// Width and height of a panel, and the gap to the next, in pixels.
 const PANEL: usize = 300;
 const GAP: usize = 30;
-/// Where the cones end and how far the hotspots reach, full angles in degrees: narrow, so that
-/// distance and incidence hardly bend the curves.
+/// Outer and inner angle of the cones, as full angles. They are narrow, so that distance and
+/// incidence hardly change the curves.
 const OUTER: Angle = Angle::degrees(6.0);
 const INNER: Angle = Angle::degrees(3.0);
-/// The full angle that is seen of the wall.
+/// The camera's full angle of view.
 const SEEN: Angle = Angle::degrees(7.3);
-/// The distance of light and eye from the wall, and their height, in metres.
+/// Distance of light and eye from the wall, and height of both, in metres.
 const DISTANCE: f32 = 8.0;
 const HEIGHT: f32 = 2.0;
-/// The part of the light that the wall sends back: under full scale, so that a bright band has
-/// room.
+/// The wall's reflectance. It is below 1, so that the display has room for a bright band.
 const ALBEDO: f32 = 0.75;
 
 const DARK: &str = "#202124";
@@ -36,14 +35,14 @@ const RED: &str = "#b3261e";
 struct Panel {
     title: &'static str,
     remark: &'static str,
-    /// Where the intensity has a kink: full angles.
+    /// The full angles at which the intensity has a kink.
     kinks: &'static [Angle],
     picture: Picture,
-    /// The linear light of the samples of the middle row.
+    /// The linear light along the middle row, one value per sample.
     row: Vec<f64>,
 }
 
-/// The panels in a row.
+/// The panels side by side.
 pub(crate) struct MachBands {
     pub(crate) picture: Picture,
     panels: [Panel; 3],
@@ -107,8 +106,8 @@ impl Panel {
         Ok(Self { title, remark, kinks, picture, row })
     }
 
-    /// Draws the row, in line with the panel's place in the picture. Across the panel x goes from
-    /// -1 to 1.
+    /// Draws the light of the middle row and its slope, aligned with the panel in the picture.
+    /// Across the panel x goes from -1 to 1.
     fn profile(&self, drawing: &mut Drawing, left: f64) {
         let x = [(left, -1.0), (left + PANEL as f64, 1.0)];
         let light = Frame { x, y: [(160.0, 0.0), (44.0, f64::from(ALBEDO))] };
@@ -140,7 +139,8 @@ impl Panel {
     }
 }
 
-/// The tangent of half an angle: how far off the axis it meets the wall, in distances of the wall.
+/// The tangent of half an angle: the distance from the axis at which the ray meets the wall, in
+/// units of the wall's distance.
 fn tangent(angle: Angle) -> f64 {
     libm::tan(f64::from(HalfAngle::from(angle).to_degrees()).to_radians())
 }
@@ -153,7 +153,7 @@ fn wall() -> Result<Scene, luminaire::Error> {
     Ok(scene)
 }
 
-/// The eye where the light is.
+/// A camera at the position of the light.
 fn camera() -> Camera {
     Camera::new(Vec3::new(0.0, HEIGHT, 0.0), DISTANCE, 0.0, 0.0, SEEN.to_radians())
 }
@@ -162,8 +162,8 @@ fn camera() -> Camera {
 mod tests {
     use super::*;
 
-    /// Where the slope of a row jumps by more than a kink's share from one sample to the next but
-    /// one, from -1 to 1.
+    /// Positions, from -1 to 1, at which the slope of a row changes by more than 0.7 within two
+    /// samples, as it does only at a kink.
     fn jumps(row: &[f64]) -> Vec<f64> {
         let step = 2.0 / row.len() as f64;
         let slopes: Vec<_> = row.windows(2).map(|pair| (pair[1] - pair[0]) / step).collect();
@@ -171,8 +171,7 @@ mod tests {
         jumps.map(|(place, _)| step * f64::from(place) - 1.0).collect()
     }
 
-    /// The rendered light has kinks in the linear panel, there where they are marked, and nowhere
-    /// else.
+    /// The rendered light has kinks at the marked positions of the linear panel, and nowhere else.
     #[test]
     fn only_the_linear_edge_has_kinks() {
         let bands = MachBands::draw().expect("sound cones");

@@ -1,8 +1,8 @@
-//! The figures, and the files that hold them.
+//! The figures, and the files that they are kept in.
 //!
 //! The pictures are the renderer's geometry lit by the kernel in f32, or by Warn's model over the
-//! same geometry. Nothing in them differs between machines, so that they can be compared to the
-//! last bit.
+//! same geometry. The pictures are bit-identical on every machine, so that tests can compare them
+//! exactly.
 
 mod curves;
 mod mach_bands;
@@ -21,7 +21,7 @@ pub(crate) struct Figure {
     pub(crate) content: Content,
 }
 
-/// What a figure is made of.
+/// The content of a figure.
 pub(crate) enum Content {
     /// Pixels, kept as a PNG.
     Picture(Picture),
@@ -30,7 +30,7 @@ pub(crate) enum Content {
 }
 
 impl Figure {
-    /// The figure as it is kept.
+    /// The figure's file content.
     pub(crate) fn file(self) -> Result<Vec<u8>, png::EncodingError> {
         match self.content {
             Content::Picture(picture) => picture.png(),

@@ -3,10 +3,11 @@
 use luminaire::{Rgb, Vec3, display::encode_srgb};
 use luminaire_render::Renderer;
 
-/// Samples to the side of a pixel. Edges of solids are smooth for it; edges of light need none.
+/// Samples per pixel in each direction. They smooth the edges of solids; edges of light would not
+/// need them.
 const SAMPLES: usize = 3;
 
-/// A picture in sRGB: three bytes to a pixel, rows from top to bottom.
+/// A picture in sRGB: three bytes per pixel, rows from top to bottom.
 #[derive(Debug, PartialEq)]
 pub(crate) struct Picture {
     pub(crate) width: usize,
@@ -14,13 +15,13 @@ pub(crate) struct Picture {
     pub(crate) codes: Vec<u8>,
 }
 
-/// A renderer for pictures of this size.
+/// Creates a renderer for pictures of this size in pixels.
 pub(crate) fn renderer(width: usize, height: usize) -> Result<Renderer<f32>, luminaire_render::SizeError> {
     Renderer::new(width * SAMPLES, height * SAMPLES)
 }
 
-/// The linear light of each sample when this much light, in white, arrives at its surface on top of
-/// the ambient light.
+/// Returns a function that computes the linear light of a sample: ambient light plus white light,
+/// whose irradiance `arriving` computes from point and normal.
 pub(crate) fn lit(
     renderer: &Renderer<f32>,
     ambient: Rgb<f32>,
@@ -35,8 +36,8 @@ pub(crate) fn lit(
 }
 
 impl Picture {
-    /// Averages the linear light of a renderer's samples, which `linear` returns by column and row,
-    /// and encodes it.
+    /// Averages the linear light of the samples of each pixel, and encodes it. `linear` returns the
+    /// light of a sample by column and row.
     pub(crate) fn develop(renderer: &Renderer<f32>, linear: impl Fn(usize, usize) -> Rgb<f32>) -> Self {
         let (width, height) = renderer.size();
         let (width, height) = (width / SAMPLES, height / SAMPLES);
@@ -52,7 +53,7 @@ impl Picture {
         Self { width, height, codes: codes.collect() }
     }
 
-    /// The picture beside others of its height, with a gap of white between.
+    /// Pictures of the same height side by side, with a white gap between them.
     pub(crate) fn beside(pictures: &[&Self], gap: usize) -> Self {
         let height = pictures[0].height;
         let width = pictures.iter().map(|picture| picture.width + gap).sum::<usize>() - gap;

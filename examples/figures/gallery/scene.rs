@@ -1,4 +1,4 @@
-//! One scene under three models of one field angle: the paper's figures 4, 5 and 6.
+//! One scene under three models with the same field angle, as in the paper's figures 4, 5 and 6.
 
 use super::{
     picture::{self, Picture},
@@ -11,13 +11,13 @@ use std::{
     f32::consts::{PI, TAU},
 };
 
-/// The field angle of all three, in degrees, which is that of the paper's figure 7.
+/// The field angle of all three models, in degrees, which is that of the paper's figure 7.
 pub(crate) const FIELD: f32 = 15.0;
 
 const SIZE: (usize, usize) = (720, 450);
 const AMBIENT: Rgb<f32> = Rgb::new(0.010, 0.012, 0.016);
 
-/// The scene under Warn's model, the soft and the hard edge, in this order.
+/// The scene under Warn's model, the soft edge and the hard edge, in this order.
 pub(crate) fn pictures() -> Result<[Picture; 3], Box<dyn Error>> {
     let mut renderer = picture::renderer(SIZE.0, SIZE.1)?;
     renderer.draw_geometry(&scene()?, &camera());
@@ -34,8 +34,8 @@ pub(crate) fn pictures() -> Result<[Picture; 3], Box<dyn Error>> {
     Ok([warn, under(SoftOrHard::Soft)?, under(SoftOrHard::Hard)?])
 }
 
-/// The spotlight, from above on the left: one and a half times full scale at the target, because
-/// nothing there is white and faces it.
+/// The spotlight, above on the left. Its irradiance at the target is 1.5 times full scale, because
+/// no surface there is white and faces the light.
 fn spot(edge: SoftOrHard) -> Result<SpotLight, luminaire::Error> {
     let (position, target) = (Vec3::new(-3.2, 6.4, 4.6), Vec3::new(0.0, 0.2, 0.0));
     let axis = target.zip(position, |t, p| t - p);

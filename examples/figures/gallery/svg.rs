@@ -1,11 +1,11 @@
-//! Drawings: lines, curves and words as SVG, and the frame of a diagram.
+//! Drawings as SVG: lines, curves, text, and the frame of a diagram.
 
 use std::fmt::Write;
 
-/// A place in pixels, from the left and the top.
+/// A position in pixels, from the left and the top.
 pub(crate) type Place = (f64, f64);
 
-/// An SVG in the making.
+/// An SVG that is being written.
 pub(crate) struct Drawing {
     svg: String,
 }
@@ -23,12 +23,12 @@ viewBox="0 0 {width} {height}" font-family="sans-serif" font-size="13">
         Self { svg }
     }
 
-    /// A straight line; the style is made of attributes of SVG.
+    /// Draws a straight line. `style` consists of SVG attributes.
     pub(crate) fn line(&mut self, (x1, y1): Place, (x2, y2): Place, style: &str) {
         let _ = writeln!(self.svg, r#"<line x1="{x1:.1}" y1="{y1:.1}" x2="{x2:.1}" y2="{y2:.1}" {style}/>"#);
     }
 
-    /// A path through points.
+    /// Draws a path through points.
     pub(crate) fn path(&mut self, points: impl IntoIterator<Item = Place>, style: &str) {
         let mut path = String::new();
         for (x, y) in points {
@@ -37,12 +37,12 @@ viewBox="0 0 {width} {height}" font-family="sans-serif" font-size="13">
         let _ = writeln!(self.svg, r#"<path d="{path}" {style}/>"#);
     }
 
-    /// A dot of this colour.
+    /// Draws a dot of this colour.
     pub(crate) fn dot(&mut self, (x, y): Place, color: &str) {
         let _ = writeln!(self.svg, r#"<circle cx="{x:.1}" cy="{y:.1}" r="4" fill="{color}"/>"#);
     }
 
-    /// Words at a place: their start, middle or end, by the anchor.
+    /// Draws text whose start, middle or end, as `anchor` says, is at a position.
     pub(crate) fn text(&mut self, (x, y): Place, anchor: &str, color: &str, words: &str) {
         let _ = writeln!(
             self.svg,
@@ -57,7 +57,7 @@ viewBox="0 0 {width} {height}" font-family="sans-serif" font-size="13">
     }
 }
 
-/// The frame of a diagram: which values its borders stand for.
+/// The frame of a diagram, which maps values to pixels.
 pub(crate) struct Frame {
     /// Left and right border, in pixels and as values.
     pub(crate) x: [(f64, f64); 2],
@@ -66,7 +66,7 @@ pub(crate) struct Frame {
 }
 
 impl Frame {
-    /// The place of a pair of values.
+    /// The position of a pair of values.
     pub(crate) fn place(&self, x: f64, y: f64) -> Place {
         let on = |[(from, low), (to, high)]: [(f64, f64); 2], value: f64| {
             from + (to - from) * (value - low) / (high - low)
@@ -74,7 +74,7 @@ impl Frame {
         (on(self.x, x), on(self.y, y))
     }
 
-    /// A level line from border to border.
+    /// The end points of a horizontal line from border to border.
     pub(crate) fn level(&self, y: f64) -> (Place, Place) {
         (self.place(self.x[0].1, y), self.place(self.x[1].1, y))
     }

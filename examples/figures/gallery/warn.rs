@@ -1,36 +1,36 @@
-//! Warn's spotlight: the rival that the paper draws first.
+//! Warn's spotlight, the model that the paper compares with.
 
 use luminaire::{Angle, HalfAngle, Vec3};
 use support::format::Format;
 
-/// The cosine of the angle off axis to a real exponent (Warn 1983; Hast 2004, equation 1), in f64.
+/// The cosine of the angle off axis, raised to a real exponent (Warn 1983; Hast 2004, equation 1),
+/// in f64.
 ///
-/// The power, the logarithm and the cosine are those of `libm`, which are the same on every
-/// machine.
+/// Power, logarithm and cosine come from `libm`, whose results are the same on every machine.
 #[derive(Clone, Copy)]
 pub(crate) struct Warn {
     pub(crate) exponent: f64,
 }
 
 impl Warn {
-    /// The exponent that leaves a tenth of the intensity at this angle.
+    /// The model with this field angle: the intensity at its edge is 1/10.
     pub(crate) fn from_field(field: Angle) -> Self {
         let half = f64::from(HalfAngle::from(field).to_degrees()).to_radians();
         Self { exponent: libm::log(0.1) / libm::log(libm::cos(half)) }
     }
 
-    /// The intensity at the cosine of an angle off axis: none from a right angle on.
+    /// The intensity at the cosine of an angle off axis, which is 0 from 90 degrees on.
     pub(crate) fn falloff(self, cosine: f64) -> f64 {
         if cosine > 0.0 { libm::pow(cosine, self.exponent) } else { 0.0 }
     }
 
-    /// The full angle in degrees within which this much of the intensity is left.
+    /// The full angle in degrees at whose edge the intensity has this value.
     pub(crate) fn angle_at(self, intensity: f64) -> f64 {
         2.0 * libm::acos(libm::pow(intensity, 1.0 / self.exponent)).to_degrees()
     }
 
-    /// The light that arrives at a surface point, as the kernel has it: falloff, Lambert's cosine
-    /// and the inverse square of the distance.
+    /// The irradiance at a surface point as in the kernel: falloff, Lambert's cosine and the
+    /// inverse square of the distance.
     pub(crate) fn irradiance(self, light: &luminaire::SpotLight, point: Vec3<f32>, normal: Vec3<f32>) -> f64 {
         let way = f32::exact_point(point.zip(light.position(), |p, l| p - l));
         let (axis, normal) = (f32::exact_direction(light.axis()), f32::exact_normal(normal));
