@@ -1,11 +1,12 @@
-//! Constructors take a description or say by name what they would take.
+//! Constructors accept a description, or return an error that names the parameter and what they
+//! would accept.
 
 use super::scene::{self};
 use super::words::Words;
 use luminaire::{Angle, Cone, Error, Fx16, Fx32, Scalar, error::Expected, falloff::Falloff};
 
-/// A cone of any numbers: its angles are in their order, and each format holds it or names an angle
-/// that it holds.
+/// A cone made from any numbers has its angles in order: inner, beam, field, outer. Each format
+/// supports the cone, or its error names an angle that the format supports.
 pub fn descriptions_are_taken_or_refused(words: &[u32]) {
     let _: Option<()> = description(&mut Words::new(words));
 }
@@ -24,8 +25,8 @@ fn description(words: &mut Words<'_>) -> Option<()> {
     Some(())
 }
 
-/// A cone that a format refuses without a hotspot is taken at the angle that the refusal names, and
-/// at none where that is more than 180 degrees.
+/// If a format refuses a cone, it accepts the cone without a hotspot at the angle that the error
+/// names. If that angle is more than 180 degrees, it accepts none.
 fn assert_held<S: Scalar, P: Falloff>(cone: Cone<P>) {
     let Err(error) = cone.compile::<S>() else { return };
     assert!(!error.to_string().is_empty());
@@ -43,8 +44,8 @@ fn assert_held<S: Scalar, P: Falloff>(cone: Cone<P>) {
     }
 }
 
-/// A cone designed from beam and field angle has them, or the message names a field angle that it
-/// would have.
+/// A cone designed from beam and field angle has these angles, or the error names a range of field
+/// angles, of which both ends are accepted.
 pub fn two_angles_come_back(words: &[u32]) {
     let words = &mut Words::new(words);
     let beam = words.number(-8.0, 7.5).exp2();
@@ -57,7 +58,7 @@ pub fn two_angles_come_back(words: &[u32]) {
         Err(error) => {
             assert!(!error.to_string().is_empty());
             if let Expected::AngleBetween(least, most) = error.accepted {
-                // Between a versine and degrees lie a few roundings.
+                // The conversion between versine and degrees rounds a few times.
                 for nearest in [least * 1.000_001, most * 0.999_999] {
                     let cone = Cone::from_beam_and_field(Angle::degrees(beam), Angle::degrees(nearest));
                     assert!(cone.is_ok(), "{beam} {field}: {error}, but {nearest} is refused");

@@ -1,4 +1,5 @@
-//! The way to the display: codes follow the light, and fitting touches nothing that fits.
+//! From light to the display: codes rise with the light, and fitting to full scale changes no light
+//! that fits.
 
 use super::format::Format;
 use super::words::Words;
@@ -7,7 +8,7 @@ use luminaire::{
     display::{Exposure, Rgb565, clip, compress_keep_hue, encode_srgb, encode_srgb_dithered},
 };
 
-/// Of two scalars of any bits the larger has no smaller code.
+/// For scalars of any bits, the larger of two never has the smaller code.
 pub fn codes_never_fall<S: Format>(words: &[u32]) {
     let words = &mut Words::tame(words);
     let (a, b) = (S::scalar_from_bits(words.wide()), S::scalar_from_bits(words.wide()));
@@ -28,8 +29,9 @@ pub fn codes_never_fall<S: Format>(words: &[u32]) {
     }
 }
 
-/// Light within full scale is not changed by either policy, nor by an exposure of one; beyond it
-/// the brightest channel is at full scale, and what was brighter stays so.
+/// Light within full scale is changed neither by clipping, nor by compressing, nor by an exposure
+/// of 1. Beyond full scale, clipping limits each channel to 1, and compressing divides all channels
+/// by the brightest.
 pub fn fitting_keeps_what_fits<S: Format>(words: &[u32]) {
     let words = &mut Words::new(words);
     let [red, green, blue] =

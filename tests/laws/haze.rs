@@ -1,4 +1,4 @@
-//! Air light: none where the beam cannot be met.
+//! A view ray that cannot meet the beam has no in-scattered light.
 
 use super::scene::{self};
 use super::words::Words;
@@ -9,9 +9,9 @@ use luminaire::{
     haze::{Haze, RayBundle, ViewRay},
 };
 
-/// Where `can_meet` says no, the air light of a ray is exactly zero. The ray looks along the axis,
-/// against it, at the light, in a plane tangent to the cone or anywhere; so does the light look at
-/// the eye.
+/// If `can_meet` returns false, the in-scattered light of the ray is exactly zero. The tested rays
+/// run nearly along the axis, against it, towards the light or away from it, in a plane tangent to
+/// the cone, or anywhere. The directions from the light to the eye are chosen in the same ways.
 pub fn beams_that_are_not_met_are_dark(words: &[u32]) {
     let _: Option<()> = not_met(&mut Words::new(words));
 }
@@ -56,7 +56,7 @@ fn assert_not_met<P: Falloff, A: Attenuation>(words: &mut Words<'_>, spot: SpotL
     Some(())
 }
 
-/// The sum of two vectors with weights.
+/// The weighted sum of two vectors.
 fn sum(a: Vec3<f32>, by: f32, b: Vec3<f32>, with: f32) -> Vec3<f32> {
     a.zip(b, |a, b| by * a + with * b)
 }

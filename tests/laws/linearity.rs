@@ -5,8 +5,8 @@ use super::scene;
 use super::words::Words;
 use luminaire::{Rgb, falloff::Soft};
 
-/// Below full scale a light of twice the intensity gives twice the light: exactly in f32, within
-/// the rounding of both in fixed point.
+/// Up to full scale, a light of twice the intensity gives twice the light: exactly in f32, and
+/// within the roundings of both values in fixed point.
 pub fn twice_is_twice<S: Format>(words: &[u32]) {
     let _: Option<()> = twice::<S>(&mut Words::tame(words));
 }
@@ -37,8 +37,8 @@ fn twice<S: Format>(words: &mut Words<'_>) -> Option<()> {
     Some(())
 }
 
-/// The sum over lights has the same bits in any order in fixed point, also where it saturates; in
-/// f32 it is within a rounding for each light.
+/// In fixed point the sum over lights is bit-identical in any order, even if it saturates. In f32
+/// two orders differ by at most one rounding for each light.
 pub fn order_does_not_matter<S: Format>(words: &[u32]) {
     let words = &mut Words::new(words);
     let mut lights: Vec<Rgb<S::Irradiance>> = Vec::new();

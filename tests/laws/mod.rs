@@ -1,8 +1,8 @@
-//! What holds for every scene that can be written down, each law once: a function that takes raw
-//! words, makes of them what it needs, and panics where the law is broken.
+//! Laws that hold for every scene. Each law is a function that takes raw words, builds a scene from
+//! them, and panics if the law is broken.
 //!
-//! The property tests and the fuzzer call the same functions. Words that make no scene, because a
-//! constructor refuses them, prove nothing and are passed over.
+//! The property tests and the fuzzer call the same functions. Words from which no scene can be
+//! built, because a constructor refuses them, are skipped.
 #![allow(dead_code, unused_imports, reason = "each program that has these laws calls its part of them")]
 #![allow(missing_docs, reason = "tests are read, not published")]
 #![allow(unreachable_pub, reason = "every program has these modules to itself")]
@@ -24,7 +24,7 @@ pub use design::{descriptions_are_taken_or_refused, two_angles_come_back};
 pub use haze::beams_that_are_not_met_are_dark;
 use luminaire::{Fx16, Fx32};
 
-/// Laws that are written for one format, in all three.
+/// Runs laws that are generic over the format in all three formats.
 macro_rules! in_every_format {
     ($($module:ident::$law:ident,)*) => {
         $(pub fn $law(words: &[u32]) {

@@ -1,4 +1,5 @@
-//! What never rises, and what never falls.
+//! Monotone functions: falloff and attenuation never rise, and light never falls with the
+//! intensity.
 
 use super::format::Format;
 use super::scene::{self};
@@ -10,8 +11,8 @@ use luminaire::{
     falloff::{AnyFalloff, Soft},
 };
 
-/// Of two versines the larger has no more light: without exception for the strict profiles, by a
-/// step at most for the others.
+/// Falloffs never rise with the versine: the strict profiles without exception, the others by at
+/// most one step.
 pub fn falloffs_fall<S: Format>(words: &[u32]) {
     let _: Option<()> = falloff::<S>(&mut Words::new(words));
 }
@@ -46,7 +47,7 @@ fn falloff<S: Format>(words: &mut Words<'_>) -> Option<()> {
     Some(())
 }
 
-/// The models that start at full scale never rise along an axis by more than their steps.
+/// Along an axis the tested attenuations never rise with the distance by more than [`rise_steps`].
 pub fn distances_fall<S: Format>(words: &[u32]) {
     let _: Option<()> = distance::<S>(&mut Words::tame(words));
 }
@@ -67,7 +68,7 @@ fn distance<S: Format>(words: &mut Words<'_>) -> Option<()> {
         let light = source.with_attenuation(model).compile::<S>().ok()?;
         [near, far].map(|distance| light.irradiance(place(distance), toward))
     };
-    // The light itself is dark.
+    // At the position of the light, a point receives no light.
     if near > 0.0 {
         let (near_light, far_light) = (S::exact_light(near_light), S::exact_light(far_light));
         let slack = rise_steps::<S>() * f64::from(S::STEP);
@@ -76,7 +77,7 @@ fn distance<S: Format>(words: &mut Words<'_>) -> Option<()> {
     Some(())
 }
 
-/// By how many of its steps a distance model may rise in a format.
+/// The number of steps of a format by which an attenuation may rise.
 fn rise_steps<S: Format>() -> f64 {
     match S::NAME {
         "f32" => 2.0,

@@ -1,4 +1,4 @@
-//! Lights and surfaces made of words, or nothing where a constructor refuses.
+//! Lights and surfaces made of words, or `None` if a constructor refuses them.
 
 use super::words::Words;
 use luminaire::{
@@ -8,7 +8,7 @@ use luminaire::{
     specular::SpecularLobe,
 };
 
-/// The samples of a table that is monotone, begins in full light and ends above the dark.
+/// The samples of a table that is monotone, begins at full intensity and ends above zero.
 pub static SAMPLES: [u16; 6] = [65_535, 65_535, 40_000, 39_999, 1_000, 7];
 
 /// A falloff of the list, or the table above.
@@ -26,7 +26,7 @@ pub fn attenuation(words: &mut Words<'_>) -> Option<AnyAttenuation> {
     AnyAttenuation::drawn(index, || words.number(0.0, 1.0)).ok()
 }
 
-/// Evaluates an expression with one of the highlights there are, in a type of its own each.
+/// Evaluates an expression with one of all specular lobes. Each lobe has its own type.
 macro_rules! with_any_highlight {
     ($words:expr, $highlight:ident => $answer:expr) => {{
         use luminaire::specular::{BlinnPhong, DifferenceForm, DualConeLobe, NoSpecular, Phong};
@@ -64,10 +64,10 @@ macro_rules! with_any_highlight {
 }
 pub(crate) use with_any_highlight;
 
-/// A cone by one of its angles, with or without a hotspot and a cutoff.
+/// A cone that is given by its outer, field or beam angle, with or without a hotspot and a cutoff.
 pub fn cone<P: Falloff>(words: &mut Words<'_>, profile: P) -> Option<Cone<P>> {
     let design = [Cone::from_outer, Cone::from_field, Cone::from_beam][words.choice(3) as usize];
-    // Evenly spread over the logarithm: narrow cones are the hard ones.
+    // The logarithm of the angle is uniform, because narrow cones are the hard cases.
     let angle = words.number(-16.0, 7.5);
     let mut cone = design(profile, Angle::degrees(angle.exp2())).ok()?;
     let outer = cone.outer().to_degrees();
@@ -80,7 +80,7 @@ pub fn cone<P: Falloff>(words: &mut Words<'_>, profile: P) -> Option<Cone<P>> {
     Some(cone)
 }
 
-/// A spotlight that is aimed about at a place.
+/// A spotlight that is aimed roughly at `target`.
 pub fn spot<P: Falloff>(words: &mut Words<'_>, cone: Cone<P>, target: Vec3<f32>) -> Option<SpotLight<P>> {
     let position = words.numbers(-8.0, 8.0);
     let off = words.numbers(-1.0, 1.0).map(|c| c * HalfAngle::from(cone.outer()).to_radians());

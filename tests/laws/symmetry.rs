@@ -1,5 +1,5 @@
-//! The world has no preferred direction: a scene that is turned by right angles or mirrored is lit
-//! as before.
+//! Light has no preferred direction: a scene that is turned by right angles or mirrored is lit as
+//! before.
 
 use super::format::Format;
 use super::words::Words;
@@ -26,7 +26,7 @@ impl Turn {
         }
     }
 
-    /// Every input is on a grid that is symmetric about zero, so a turned one is exact.
+    /// Every input is on a grid that is symmetric about zero, so a turned input is exact.
     fn turned(self, v: Vec3<f32>) -> Vec3<f32> {
         let all = [v.x, v.y, v.z];
         let [x, y, z] = [0, 1, 2].map(|axis| {
@@ -41,9 +41,9 @@ impl Turn {
     }
 }
 
-/// In f32 a mirrored scene has the same bits; a turned one sums in another order. Fixed point
-/// rounds halves upwards, so there a mirror counts as a turn. Two turns are each within the error
-/// of the format, so within twice that of each other.
+/// In f32 a mirrored scene is bit-identical, whereas a turned scene sums in a different order.
+/// Fixed point rounds halves upwards, so there a mirrored scene may differ as much as a turned one.
+/// Each scene is within the error of the format, so two differ by at most twice that error.
 pub fn turned_scenes_are_the_same<S: Format>(words: &[u32]) {
     let _: Option<()> = turned::<S>(&mut Words::tame(words));
 }
@@ -55,8 +55,8 @@ fn turned<S: Format>(words: &mut Words<'_>) -> Option<()> {
     let cone = Cone::from_outer(profile, HalfAngle::degrees(half)).ok()?;
     let (position, normal) = (words.place(), words.direction());
     let off = words.numbers(-1.0, 1.0).map(|c| c * half.to_radians());
-    // Of so few bits that its length is exact in any order of summation: the lights have the same
-    // axis.
+    // The components have so few bits that the squared length is exact in any order of summation.
+    // Both lights then have the same axis.
     let axis = words.direction().map(|c| (c * 1_000.0).round());
     let distance = words.between(0.5, 16.0);
     let point = axis.map(|c| c / 1_000.0).zip(off, |axis, off| distance * (axis + off));

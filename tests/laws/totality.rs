@@ -12,7 +12,7 @@ use luminaire::{
     specular::SpecularLobe,
 };
 
-/// The falloff and the light of a spotlight with any profile.
+/// Falloff and light of a spotlight with any profile are sound.
 pub fn spotlights_answer<S: Format>(words: &[u32]) {
     let _: Option<()> = spotlight::<S>(&mut Words::new(words));
 }
@@ -39,7 +39,7 @@ fn spotlight_in<S: Format, P: Falloff>(words: &mut Words<'_>, cone: Cone<P>) -> 
     Some(())
 }
 
-/// A point light and a spotlight with any distance model.
+/// The light of a point light and of a spotlight, with any attenuation, is sound.
 pub fn distances_answer<S: Format>(words: &[u32]) {
     let _: Option<()> = distance::<S>(&mut Words::new(words));
 }
@@ -62,8 +62,8 @@ fn distance<S: Format>(words: &mut Words<'_>) -> Option<()> {
     Some(())
 }
 
-/// Any highlight under a spotlight and a directional light, the glow beside them, and all the way
-/// to the display.
+/// Any specular lobe gives sound light under a spotlight and a directional light. The sum with
+/// ambient and emitted light stays sound up to the display.
 pub fn highlights_answer<S: Format>(words: &[u32]) {
     let _: Option<()> = highlight::<S>(&mut Words::new(words));
 }
@@ -92,7 +92,7 @@ fn highlight<S: Format>(words: &mut Words<'_>) -> Option<()> {
     })
 }
 
-/// What a material sends back of a light: sound, and the same without the rejects.
+/// Reflects a light. Asserts that the result is sound and bit-identical without early-outs.
 fn assert_reflects<S: Format, H: SpecularLobe>(
     material: Material<H>,
     light: &impl LightModel<S>,
@@ -105,7 +105,7 @@ fn assert_reflects<S: Format, H: SpecularLobe>(
     reflected
 }
 
-/// Light on its way to the display stays in range at every step.
+/// Asserts that light stays in range at every step to the display.
 fn assert_shown<S: Format>(words: &mut Words<'_>, light: Rgb<S::Irradiance>) {
     let Ok(exposure) = Exposure::factor(words.number(0.0, 4.0)) else { return };
     let exposed = exposure.compile::<S>().expose(light);
@@ -114,7 +114,7 @@ fn assert_shown<S: Format>(words: &mut Words<'_>, light: Rgb<S::Irradiance>) {
         fitted.map(|channel| assert_within_one(channel, "channel"));
         let codes = fitted.map(encode_srgb);
         let Rgb { red, green, blue } = Rgb565::from_linear(fitted).to_codes();
-        // A pixel of five bits is at most half of its step from the code of eight.
+        // A channel of five bits differs from the 8-bit code by at most half of its step.
         for (wide, narrow) in [(codes.red, red), (codes.green, green), (codes.blue, blue)] {
             assert!(wide.abs_diff(narrow) <= 5, "{fitted:?}: {wide} {narrow}");
         }
@@ -125,7 +125,7 @@ fn assert_within_one<S: Format>(value: S, what: &str) {
     assert!((0.0..=1.0).contains(&value.exact()), "{what}: {value:?}");
 }
 
-/// No light is negative, infinite or NaN.
+/// Asserts that light is not negative, infinite or NaN.
 fn assert_sound<S: Format>(light: S::Irradiance) {
     let value = S::exact_light(light);
     assert!(value >= 0.0 && value.is_finite(), "{light:?}");

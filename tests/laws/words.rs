@@ -1,13 +1,13 @@
-//! Raw words, and what can be made of them.
+//! Raw words, and the numbers and vectors that are made of them.
 
 use super::format::Format;
 use luminaire::{Vec3, light::SurfacePoint};
 
-/// Words of any bits, taken one by one; after the last come zeros.
+/// Words of any bits, taken one by one. After the last word come zeros.
 ///
-/// The first decides, by one of its bits for each number that follows, whether that number is any
-/// bit pattern or one of everyday size: a scene of nothing but the former is nearly always refused
-/// or dark.
+/// Each bit of the first word decides whether one of the following numbers is any bit pattern or a
+/// number of everyday size. A scene made only of arbitrary bit patterns is nearly always refused or
+/// dark.
 #[derive(Clone, Debug)]
 pub struct Words<'a> {
     rest: &'a [u32],
@@ -15,14 +15,14 @@ pub struct Words<'a> {
 }
 
 impl<'a> Words<'a> {
-    /// Numbers of both kinds.
+    /// Starts with numbers of both kinds.
     pub fn new(words: &'a [u32]) -> Self {
         let mut words = Self::tame(words);
         words.wild = words.next();
         words
     }
 
-    /// Numbers of everyday size alone.
+    /// Starts with numbers of everyday size only.
     pub fn tame(words: &'a [u32]) -> Self {
         Self { rest: words, wild: 0 }
     }
@@ -55,13 +55,13 @@ impl<'a> Words<'a> {
         least + (most - least) * (self.next() as f32 / u32::MAX as f32)
     }
 
-    /// A number from `least` to `most`, or any.
+    /// A number from `least` to `most`, or any bit pattern.
     pub fn number(&mut self, least: f32, most: f32) -> f32 {
         if self.is_wild() { f32::from_bits(self.next()) } else { self.between(least, most) }
     }
 
-    /// A number above zero and another, in half of all cases no more than a few of its last places
-    /// away: what is not monotone shows between neighbours.
+    /// Two numbers above zero. In half of all cases the second is larger by a power of two of ULPs,
+    /// up to 2^15, because a fault in monotony shows between neighbours.
     pub fn pair(&mut self, most: f32) -> (f32, f32) {
         let one = self.number(most / 1_024.0, most);
         if self.choice(2) == 0 {
@@ -88,18 +88,18 @@ impl<'a> Words<'a> {
         if length > 0.01 { v.map(|c| c / length) } else { Vec3::new(0.0, -1.0, 0.0) }
     }
 
-    /// A place as a format stores it, or any bits.
+    /// A position as a format stores it, with some components of any bits.
     pub fn point<S: Format>(&mut self, place: Vec3<f32>) -> Vec3<S::Length> {
         place.map(|c| if self.is_wild() { S::length_from_bits(self.wide()) } else { S::length(c) })
     }
 
-    /// A normal, its components those of a unit vector or any bits.
+    /// A normal whose components are those of a unit vector or any bits.
     pub fn normal<S: Format>(&mut self) -> Vec3<S> {
         self.direction()
             .map(|c| if self.is_wild() { S::scalar_from_bits(self.wide()) } else { S::from_f32(c) })
     }
 
-    /// A point of a surface that an eye sees.
+    /// A surface point at `place`, with a normal and a direction to an eye.
     pub fn surface<S: Format>(&mut self, place: Vec3<f32>) -> SurfacePoint<S> {
         let (point, normal) = (self.point::<S>(place), self.normal());
         let view = S::axis(self.direction());

@@ -1,7 +1,7 @@
-//! The tests that sweep and search: a few seconds each, and far longer where `LUMINAIRE_FULL` is
+//! The tests that sweep and search. Each takes a few seconds, and far longer if `LUMINAIRE_FULL` is
 //! set.
 //!
-//! `cargo test --test slow NAME::` runs one of them.
+//! `cargo test --test slow NAME::` runs the tests of one module.
 
 #[path = "../laws/mod.rs"]
 mod laws;

@@ -1,6 +1,6 @@
-//! Powers as edge profiles, whole and real, up to the largest exponent: their figures of set-up and
-//! their intensities against f64. `cargo test --test slow powers:: -- --nocapture --test-threads 1`
-//! prints the errors.
+//! Powers as edge profiles, with integer and real exponents up to the largest: the figures that
+//! set-up computes and the intensities, compared with f64. `cargo test --test slow powers:: --
+//! --nocapture --test-threads 1` prints the errors.
 
 use luminaire::{
     Angle, Cone, Fx16, Fx32,
@@ -21,8 +21,8 @@ fn lost(value: f64, n: f64) -> f64 {
     -(value.ln() / n).exp_m1()
 }
 
-/// The largest relative errors of the figures that a cone is designed and checked by: beam, field,
-/// integral and steepness, over every whole exponent.
+/// The largest relative errors, over every integer exponent, of the figures that cones are designed
+/// and checked with: beam, field, integral and steepness.
 #[test]
 fn every_whole_exponent_keeps_its_figures() {
     const HOTSPOTS: [f32; 5] = [0.0, 1e-4, 0.01, 0.5, 0.999];
@@ -64,11 +64,12 @@ fn every_whole_exponent_keeps_its_figures() {
     }
 }
 
-/// The real exponents, and the integral of their powers from `t` to 1.
+/// The real exponents that are tested.
 const EXPONENTS: [f32; 12] = [1e-3, 0.1, 0.25, 0.5, 0.75, 0.999, 1.5, 2.2, 7.5, 33.3, 268.5, 1_023.9];
 
-/// `u` over which a real power of an exponent under 1 is compared in place: 1/510 of the half
-/// angle, at the edge of a power and on the axis of a rim.
+/// Width of the strip in which a real power with an exponent under 1 is not compared, because its
+/// slope has no bound there: 1/510 of the half angle, at the edge of a power and on the axis of an
+/// inverted power.
 const STRIP: f64 = 1.0 / 510.0;
 
 #[test]
@@ -83,7 +84,7 @@ fn every_real_exponent_keeps_its_figures() {
         note(0, relative(power.field_versine(), lost(0.1, p)));
         for (found, value) in [(rim.beam_versine(), 0.5_f64), (rim.field_versine(), 0.9)] {
             let exact = (value.ln() / p).exp();
-            // What f32 cannot hold is none.
+            // A value that f32 cannot represent is compared with 0.
             note(1, if exact > 1e-30 { relative(found, exact) } else { found.into() });
         }
         for u in [1e-7_f32, 1e-4, 0.003, 0.1, 0.7, 1.0] {
@@ -127,8 +128,8 @@ fn every_real_exponent_keeps_its_figures() {
     }
 }
 
-/// The largest error of a profile's intensity over a cone of 180 degrees, between two versines; the
-/// format may refuse it.
+/// The largest error of a profile's intensity in a cone of 180 degrees, between two versines given
+/// as fractions of the outer one. `REFUSE` if the format refuses the cone.
 fn error<S: Format, P: Falloff>(profile: P, exact: impl Fn(f64) -> f64, [from, to]: [f64; 2]) -> f64 {
     let cone = Cone::from_outer(profile, Angle::degrees(180.0)).expect("a sound angle");
     let Ok(falloff) = cone.compile::<S>() else { return REFUSE };
@@ -148,12 +149,12 @@ fn error<S: Format, P: Falloff>(profile: P, exact: impl Fn(f64) -> f64, [from, t
         .fold(0.0, f64::max)
 }
 
-/// The errors of an exponent in a power and in its rim.
+/// The errors of the power with this exponent, and of the inverted power.
 fn errors<S: Format>(exponent: f32) -> [f64; 2] {
     let p = f64::from(exponent);
     let is_boundless = exponent < 1.0;
     let of_power = [0.0, if is_boundless { (1.0 - STRIP).powi(2) } else { 1.0 }];
-    // 16 bits tell the axis by 2^-16 of u alone, which is more than the strip.
+    // In 16 bits `u` has steps of 2^-16 near the axis, which are wider than the strip.
     let begin = if S::NAME == "fx16" { 0.01 } else { STRIP * STRIP };
     let of_rim = [if is_boundless { begin } else { 0.0 }, 1.0];
     if exponent.fract() == 0.0 {
@@ -167,7 +168,7 @@ fn errors<S: Format>(exponent: f32) -> [f64; 2] {
     [error::<S, _>(power, |u| (1.0 - u).powf(p), of_power), error::<S, _>(rim, |u| 1.0 - u.powf(p), of_rim)]
 }
 
-/// The largest errors of the power and the rim in `f32`, `Fx32` and `Fx16`.
+/// The largest errors of the power and the inverted power in `f32`, `Fx32` and `Fx16`.
 #[rustfmt::skip]
 const ROWS: [(f32, [[f64; 2]; 3]); 12] = [
     (0.1,     [[4.6e-8, 7.2e-4], [4.8e-9, 1.9e-6], [3.3e-5, 3.3e-5]]),

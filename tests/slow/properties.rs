@@ -1,16 +1,16 @@
-//! The laws that hold for every scene, on random words: fewer than the fuzzer tries, and on stable
-//! Rust.
+//! The laws that hold for every scene, on random words. They run on stable Rust, on fewer scenes
+//! than the fuzzer tries.
 
 use crate::laws;
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 
-/// How many scenes each law is tried on: 1,500, or 50,000 where `LUMINAIRE_FULL` is set.
+/// Number of scenes that each law is tested on: 1,500, or 50,000 if `LUMINAIRE_FULL` is set.
 fn cases() -> u32 {
     if std::env::var_os("LUMINAIRE_FULL").is_some() { 50_000 } else { 1_500 }
 }
 
-/// A word of any bits, some of which have broken arithmetic before.
+/// A word of any bits, or one of the bit patterns that have broken arithmetic before.
 fn word() -> impl Strategy<Value = u32> {
     const SEAMS: [u32; 12] = [
         0,
@@ -33,7 +33,8 @@ fn hold(law: fn(&[u32])) {
     let config =
         Config { cases: cases(), failure_persistence: None, max_shrink_iters: 500, ..Config::default() };
     let mut runner = TestRunner::new_with_rng(config, TestRng::deterministic_rng(RngAlgorithm::ChaCha));
-    // Every other scene is of everyday size throughout, or hardly any would be lit.
+    // Half of the scenes consist only of numbers of everyday size. Otherwise hardly any scene would
+    // be lit.
     let words = (any::<bool>(), proptest::collection::vec(word(), 64));
     let outcome = runner.run(&words, |(tame, mut words)| {
         words[0] = if tame { 0 } else { words[0] };

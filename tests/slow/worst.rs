@@ -1,5 +1,5 @@
-//! The worst inputs that a search has found, each evaluated again: the error is still the one
-//! found.
+//! Evaluates the worst inputs that a search has found, and checks that each error is still the one
+//! that was found.
 //!
 //! `cargo run -p suite --example worst-places > tests/slow/worst/places.txt` repeats the search.
 
@@ -13,13 +13,13 @@ use support::{
 
 const PLACES: &str = include_str!("worst/places.txt");
 
-/// The largest error of a format in these places, where half a step of eight bits is promised,
-/// 1.96e-3. Random points meet less of it than a search that climbs. That of `Fx16` is at 30
-/// degrees: it evaluates its narrowest cones finely.
+/// The largest error of each format at these inputs. The promise is half a step of eight bits,
+/// 1.96e-3. Random points have smaller errors than those that hill climbing finds. The largest
+/// error of `Fx16` is at 30 degrees, because it evaluates its narrowest cones with more bits.
 const LARGEST: [(&str, f64); 3] = [("f32", 8.2e-4), ("fx32", 1.68e-3), ("fx16", 9.4e-4)];
 
-/// Both of a shape's places, at its narrowest cone and at 30 degrees: an error that grew fails, and
-/// one that shrank. Returns the larger of the two.
+/// Evaluates a shape's two inputs, in its narrowest cone and in one of 30 degrees. An error that
+/// has grown or shrunk by 2 % or more fails. Returns the larger error.
 fn as_found<S: Format, P: Falloff>(shape: &Shape<P>) -> f64 {
     let finds =
         PLACES.lines().filter(|line| !line.starts_with('#')).map(|line| Find::parse(line).expect(line));
