@@ -2,9 +2,9 @@
 //! every run, whatever else the machine does. Each kernel evaluates 4,096 points or versines.
 //!
 //! `cargo bench --features callgrind --bench instructions`, with valgrind installed, and
-//! gungraun-runner in the version of gungraun that Cargo.lock names (`cargo install gungraun-runner
-//! --version 0.20.0`). Programs compiled for wider vectors have other counts. Valgrind supports
-//! vectors up to AVX2.
+//! gungraun-runner in the version of gungraun that Cargo.lock names
+//! (`cargo install gungraun-runner --version 0.20.0`). Programs compiled for wider vectors have
+//! other counts. Valgrind supports vectors up to AVX2.
 
 #![allow(missing_docs, reason = "gungraun's macros make public items without documentation")]
 

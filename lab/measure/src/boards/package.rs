@@ -70,8 +70,9 @@ fn unpack(folder: &Path, progress: &Progress) -> Result<()> {
     Ok(())
 }
 
-/// The package names in a list such as `libc6 (>= 2.34), libfdt1 | libfdt2, qemu-system-common (=
-/// 7.2)`: the first of each choice, without the packages that `unpack` unpacks itself.
+/// The package names in a list such as
+/// `libc6 (>= 2.34), libfdt1 | libfdt2, qemu-system-common (= 7.2)`: the first of each choice,
+/// without the packages that `unpack` unpacks itself.
 fn names(depends: &str) -> impl Iterator<Item = String> {
     let names = depends.split(',').filter_map(|choice| choice.split_whitespace().next());
     names.filter(|name| !PACKAGES.contains(name)).map(str::to_owned)

@@ -56,8 +56,8 @@ impl Symbols {
     }
 }
 
-/// The compiler that a program's `.comment` section names, as in `rustc version 1.96.0 (ac68faa20
-/// 2026-05-25)`.
+/// The compiler that a program's `.comment` section names, as in
+/// `rustc version 1.96.0 (ac68faa20 2026-05-25)`.
 fn compiler(comment: &[u8]) -> Option<String> {
     let mut texts = comment.split(|byte| *byte == 0).filter_map(|text| str::from_utf8(text).ok());
     let version = texts.find_map(|text| text.strip_prefix("rustc version "))?;
