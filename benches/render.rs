@@ -69,7 +69,7 @@ impl<S: Format> Bench<S> {
     }
 }
 
-/// The same spotlights, each a thousandth brighter.
+/// The same spotlights, each brighter by a thousandth.
 fn brighter(lights: &[Fixture]) -> Vec<Fixture> {
     let brighter = |light: &Fixture| match light.light() {
         AnyLight::Spot(spot) => {

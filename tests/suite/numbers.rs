@@ -1,4 +1,4 @@
-//! The types of the fixed-point numbers, which wrap those of the crate `fixed`.
+//! The types of the fixed-point numbers, which wrap types of the crate `fixed`.
 
 use fixed::types::{I2F14, I2F30, I16F16, U18F14};
 use luminaire::{

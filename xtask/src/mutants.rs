@@ -9,8 +9,8 @@ use luminaire_mutants::{Options, run as test};
 use tools::progress::Progress;
 use tools::project;
 
-/// The options of `mutants`. Without any, the mutants are those of the lines that changed since the
-/// last release.
+/// The options of `mutants`. By default, the mutants are those of lines that changed since the last
+/// release.
 #[derive(Debug, Default, PartialEq, clap::Args)]
 pub(crate) struct MutantsOptions {
     /// Test the mutants of all lines, as is also done if the history has no tag v*

@@ -1,4 +1,4 @@
-//! Phrases that comments and documents do without: each has a plainer word in the field.
+//! Phrases that comments and documents must not contain, because the field has a plainer word.
 
 use std::path::{Path, PathBuf};
 
@@ -26,13 +26,15 @@ const PHRASES: [(&str, &str); 18] = [
     (" called for ", "needed"),
 ];
 
-/// The title that the project was asked by, and what quotes it.
+/// The title of the request that started the project, and a quotation of it. Both may contain a
+/// listed phrase.
 const QUOTED: [&str; 2] = ["only what a scene calls for", "effects called for"];
 
-/// Folders of what is built, and files that keep the words of their day.
+/// Build folders, and files whose wording is historical or is this list itself.
 const EXEMPT: [&str; 5] = [".git", "target", "node_modules", "CHANGELOG.md", "phrases.rs"];
 
-/// Lines of a file's prose that have one of the phrases, each with its place and the remedy.
+/// The lines of a file's comments or text that contain a listed phrase, each with file, line number
+/// and replacement.
 fn of_text(path: &Path, text: &str) -> Vec<String> {
     let is_document = path.extension().is_some_and(|extension| extension == "md");
     let is_source = path.extension().is_some_and(|extension| extension == "rs");

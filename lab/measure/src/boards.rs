@@ -36,7 +36,7 @@ const KERNELS: &str = "cost";
 /// The program that runs the effects.
 const EFFECTS: &str = "effects";
 
-/// What the program of the kernels must print.
+/// Returns the lines that the program of the kernels must print: those that it prints on the host.
 pub(crate) fn expected(progress: &Progress) -> Result<Vec<String>> {
     laboratory::on_the_host(KERNELS, progress)
 }

@@ -1,5 +1,5 @@
-//! Figures on record: files that are checked in, compared with what is measured now, and written
-//! again together with the documents that show them.
+//! Figures on record: files under version control. New measurements are compared with them, or
+//! replace them together with the documents that show them.
 
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -12,10 +12,10 @@ use tools::project;
 /// Relative difference that instructions may have if another compiler is used.
 const LEEWAY: f64 = 0.05;
 
-/// How many differences of a group are listed.
+/// Largest number of differences that are listed for a group.
 const SHOWN: usize = 20;
 
-/// What a file has on record.
+/// The content of a file with figures on record.
 pub(crate) trait Record: Sized {
     /// The file, below the project's folder.
     const FILE: &'static str;
@@ -28,7 +28,7 @@ pub(crate) trait Record: Sized {
     /// The text of the file.
     fn text(&self) -> Result<String>;
 
-    /// What is compared, by group.
+    /// The figures that are compared, by group.
     fn figures(&self) -> BTreeMap<String, Group>;
 
     /// The documents that show the figures, each with its content.
@@ -143,7 +143,7 @@ fn compare(old: &impl Record, new: &impl Record) -> Verdict {
     verdict
 }
 
-/// What is on record, if there is a file.
+/// Reads the record, or returns `None` if there is no file.
 pub(crate) fn load<R: Record>() -> Result<Option<R>> {
     let failed = || format!("cannot read {}", R::FILE);
     match fs::read_to_string(project::root().join(R::FILE)) {

@@ -32,7 +32,7 @@ impl Progress {
         Self::Kept(RefCell::default())
     }
 
-    /// What was kept.
+    /// The text that was kept; empty for `Live`.
     pub fn into_text(self) -> String {
         match self {
             Self::Live => String::new(),

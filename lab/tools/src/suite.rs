@@ -23,7 +23,7 @@ pub struct Suite {
     has_company: bool,
 }
 
-/// How many of the slowest steps are listed.
+/// Number of the slowest steps that are listed.
 const SLOWEST: usize = 10;
 
 /// The processor time, in seconds, of all child processes that have ended, if the system states it

@@ -1,5 +1,6 @@
-//! Failures are reported on the page and stop only what depends on them. The page may also write to
-//! the console; the tests look at what is visible.
+//! A failure is reported on the page, and stops only the parts that depend on what has failed. A
+//! failure may also be written to the console, so that the tests of failures look at what is
+//! visible.
 
 use anyhow::{Result, ensure};
 

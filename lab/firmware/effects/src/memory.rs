@@ -30,9 +30,9 @@ impl Input for () {
 /// A pixel's position in the picture.
 #[derive(Clone, Copy, Debug)]
 pub struct Place {
-    /// Its column.
+    /// The pixel's column.
     pub x: u32,
-    /// Its row.
+    /// The pixel's row.
     pub y: u32,
 }
 

@@ -1,4 +1,4 @@
-//! What a pixel sees: the nearest of wall, floor, ball and column.
+//! Finds the visible point of each pixel: the nearest of wall, floor, ball and column.
 
 use luminaire::{Fx16, Vec3, number::Length};
 
@@ -18,7 +18,7 @@ pub(crate) enum Material {
     Column,
 }
 
-/// What a pixel sees.
+/// The surface point that a pixel shows.
 #[derive(Clone, Copy, Default, Debug)]
 pub(crate) struct Site {
     pub(crate) point: Vec3<Length>,
@@ -29,7 +29,7 @@ pub(crate) struct Site {
 const UP: Vec3<Fx16> = Vec3::new(Fx16::ZERO, Fx16::ONE, Fx16::ZERO);
 const TO_THE_FRONT: Vec3<Fx16> = Vec3::new(Fx16::ZERO, Fx16::ZERO, Fx16::ONE);
 
-/// What the pixels of a row see.
+/// Finds the surface points that the pixels of a row show.
 #[inline(never)]
 pub(crate) fn look(row: usize, sites: &mut [Site; WIDTH]) {
     paint_backdrop(row, sites);

@@ -36,7 +36,7 @@ fn into_ball(start: Vector, way: Vector) -> Option<f64> {
     entry(start, way, wide(BALL), BALL_RADIUS.into(), [1.0; 3])
 }
 
-/// Where a line enters the column by its side or by its top, and the normal there.
+/// Parameter at which a line enters the column through its side or its top, and the normal there.
 fn into_column(start: Vector, way: Vector) -> Option<(f64, Vector)> {
     let middle = wide([COLUMN[0], 0.0, COLUMN[1]]);
     let (height, radius) = (f64::from(COLUMN_HEIGHT), f64::from(COLUMN_RADIUS));
@@ -142,7 +142,7 @@ fn shadows_fall_where_they_should() {
     assert!((1..=8).contains(&outline), "{outline} pixels of {count}");
 }
 
-/// Parameter at which a rising line enters the column.
+/// Parameter at which a rising line enters the column. It cannot enter through the top.
 fn entry_below_top(start: Vector, way: Vector) -> Option<f64> {
     let middle = wide([COLUMN[0], 0.0, COLUMN[1]]);
     let side = entry(start, way, middle, COLUMN_RADIUS.into(), [1.0, 0.0, 1.0])?;

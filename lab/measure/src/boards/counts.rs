@@ -1,4 +1,4 @@
-//! What the counter has written: how often each address was executed, by region.
+//! Reads the counter's file: how often each address was executed, by region.
 
 use std::collections::BTreeMap;
 use std::fs;

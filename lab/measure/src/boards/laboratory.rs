@@ -40,7 +40,7 @@ impl Laboratory {
         Self::with(&["--bin", name], board, progress)
     }
 
-    /// The same with a feature of the firmware.
+    /// Like [`with_program`](Self::with_program), with a feature of the firmware.
     pub(crate) fn with_feature(
         name: &str,
         feature: &str,
@@ -92,7 +92,7 @@ pub(crate) fn on_the_host(name: &str, progress: &Progress) -> Result<Vec<String>
     on_the_host_with(name, &[], progress)
 }
 
-/// The same with a feature of the firmware.
+/// Like [`on_the_host`], with a feature of the firmware.
 pub(crate) fn on_the_host_with_feature(
     name: &str,
     feature: &str,

@@ -1,4 +1,4 @@
-//! Where the conformance vectors are checked.
+//! The targets on which the conformance vectors are checked.
 
 use std::env::consts::EXE_SUFFIX;
 use std::fs::File;

@@ -25,12 +25,12 @@ pub(super) fn path() -> PathBuf {
 }
 
 impl Vectors {
-    /// The file that is checked in.
+    /// Loads the file that is under version control.
     pub(super) fn load() -> Result<Self> {
         record::load()?.context("there are no conformance vectors: write them with --bless")
     }
 
-    /// What this machine computes.
+    /// Generates the vectors with the results of this machine.
     pub(super) fn generate(progress: &Progress) -> Result<Self> {
         let program = target::host(&[], "debug", progress)?;
         let vectors = Self(command::answer(Command::new(program).arg("generate"))? + "\n");
@@ -38,7 +38,7 @@ impl Vectors {
         Ok(vectors)
     }
 
-    /// How many cases the file has.
+    /// The number of cases of the file.
     pub(super) fn cases(&self) -> usize {
         self.rows().count()
     }

@@ -42,7 +42,7 @@ pub(super) struct Prices {
 pub(super) struct Price {
     /// Instructions of an average pixel.
     pub(super) instructions: f64,
-    /// Bytes of flash more than those of the empty program.
+    /// Bytes of flash, minus those of the empty program.
     pub(super) bytes: u64,
 }
 

@@ -16,7 +16,7 @@ use crate::record::{Figure, Group, Record, replaced};
 /// What the picture costs, and the picture itself, which is stored in a separate file.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub(super) struct StageList {
-    /// How many pixels it has.
+    /// Number of pixels of the picture.
     pub(super) pixels: u64,
     /// How many pixels the light reaches, and why it does not reach the others.
     pub(super) light: String,

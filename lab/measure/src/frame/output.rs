@@ -28,7 +28,7 @@ impl Output {
         Ok(Self { stages, picture, tally: tally.clone() })
     }
 
-    /// How many regions are counted.
+    /// The number of counted regions: one for each stage of each row.
     pub(super) fn regions(&self) -> usize {
         self.stages.len() * self.picture.height() as usize
     }

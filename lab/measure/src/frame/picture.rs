@@ -32,7 +32,7 @@ impl Picture {
         Ok(Self { width, pixels })
     }
 
-    /// Its rows in hexadecimal digits.
+    /// The rows of the picture in hexadecimal digits.
     pub(super) fn rows(&self) -> impl Iterator<Item = String> {
         let rows = self.pixels.chunks(self.width.max(1) as usize);
         rows.map(|row| row.iter().map(|pixel| format!("{pixel:04x}")).collect())
@@ -43,12 +43,12 @@ impl Picture {
         self.pixels.len() as u32 / self.width
     }
 
-    /// How many pixels there are.
+    /// The number of pixels.
     pub(super) fn pixels(&self) -> usize {
         self.pixels.len()
     }
 
-    /// Column and row of the first pixel that differs.
+    /// Column and row of the first pixel that differs from another picture's.
     pub(super) fn first_difference(&self, other: &Self) -> Option<(usize, usize)> {
         let index = self.pixels.iter().zip(&other.pixels).position(|(pixel, other)| pixel != other)?;
         Some((index % self.width as usize, index / self.width as usize))

@@ -76,7 +76,7 @@ pub(crate) fn accuracy(progress: &Progress) -> Result<Vec<Measured>> {
     run("accuracy", progress)?.lines().map(read).collect()
 }
 
-/// How long every kernel takes on this machine.
+/// Times every kernel on this machine.
 pub(crate) fn host(progress: &Progress) -> Result<(Vec<Times>, TargetMeta)> {
     let mut rounds = Vec::new();
     for _ in 0..ROUNDS {
@@ -93,7 +93,7 @@ pub(crate) fn host(progress: &Progress) -> Result<(Vec<Times>, TargetMeta)> {
     Ok((best(rounds), meta))
 }
 
-/// How long every kernel takes in a browser. An error if the results are not the host's.
+/// Times every kernel in a browser. It is an error if the results are not the host's.
 pub(crate) fn browser(simd: bool, host: &[Times], progress: &Progress) -> Result<(Vec<Times>, TargetMeta)> {
     let package = if simd { wasm::SIMD_PRICES } else { wasm::PRICES };
     let module = package.compile(progress)?;

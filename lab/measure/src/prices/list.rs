@@ -13,7 +13,7 @@ use super::target::Target;
 use super::{page, plot, summary};
 use crate::record::{Figure, Group, Record, replaced};
 
-/// Everything that is known about accuracy and cost.
+/// The price list: errors and costs of every kernel, and what the costs depend on.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub(crate) struct PriceList {
     pub(crate) meta: Meta,

@@ -107,8 +107,8 @@ impl Effects {
         Program::read(&self.file(name))
     }
 
-    /// The effects in the order of their names, each with the bytes that its program has more than
-    /// the empty one.
+    /// The effects in the order of their names, each with the bytes of its program minus those of
+    /// the empty program.
     pub(crate) fn bytes(&self) -> Result<Vec<(String, u64)>> {
         let empty = self.program(EMPTY)?.bytes;
         let mut effects = Vec::new();
