@@ -1,7 +1,7 @@
 //! Search algorithms for set-up.
 
 /// Returns the number in [`low`, `high`] at which a predicate changes from true, its value at
-/// `low`, to false. Accurate to the last place.
+/// `low`, to false. It is accurate to the last place.
 pub(crate) fn bisect(mut low: f32, mut high: f32, holds: impl Fn(f32) -> bool) -> f32 {
     for _ in 0..26 {
         let middle = (low + high) / 2.0;

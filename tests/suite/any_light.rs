@@ -20,7 +20,7 @@ use support::{arbitrary::vector, format::Format, profiles, sweep};
 
 const COUNT: usize = 32;
 
-/// Every distance model, as one of any.
+/// Every attenuation, as a variant of `AnyAttenuation`.
 fn distances() -> Result<Vec<AnyAttenuation>, Error> {
     let polynomial = Polynomial::new(0.5, 0.25, 0.125)?;
     Ok(vec![
@@ -59,7 +59,7 @@ fn any_lights(rng: &mut Rng) -> Result<Vec<AnyLight>, Error> {
     Ok(lights)
 }
 
-/// Points that a light reaches, that it does not, and of any bits.
+/// Points that a light reaches, points that it does not reach, and points of any bits.
 fn surfaces<S: Format>(rng: &mut Rng, light: &AnyLight) -> [SurfacePoint<S>; COUNT] {
     let (position, axis) = match light {
         AnyLight::Spot(spot) => (spot.position(), spot.axis()),
@@ -123,7 +123,8 @@ fn assert_each<S: Format, H: SpecularLobe>(
     lit
 }
 
-/// A loop for many points has the bits of the branches for one, whatever the light.
+/// For every light, the loop for many points is bit-identical to the evaluation with branches for
+/// one.
 #[test]
 fn any_light_lights_many_points_as_each() {
     fn assert_format<S: Format>() {
@@ -162,7 +163,7 @@ fn through_stripes(points: &Vec3<[f32; PLACES]>, lights: &mut [f32; PLACES]) {
     }
 }
 
-/// A loop for many view rays has the bits of the branches for one.
+/// The loop for many view rays is bit-identical to the evaluation with branches for one.
 #[test]
 fn beams_show_in_many_rays_as_in_each() {
     let mut rng = Rng::with_seed(23);
@@ -200,8 +201,8 @@ fn beams_show_in_many_rays_as_in_each() {
     assert!((0.1..0.5).contains(&(seen as f32 / count as f32)), "{seen} of {count} rays show a beam");
 }
 
-/// A profile that is chosen at run time is the one that was given; a power whose exponent is part
-/// of the type becomes one whose exponent is not, which may be rounded otherwise.
+/// A profile chosen at run time is the given one. A power with its exponent in the type becomes a
+/// power with an exponent as a value, which may round differently.
 #[test]
 fn any_profile_is_what_it_was() {
     #[allow(unused_imports, clippy::wildcard_imports, reason = "what the rows of the list are made of")]
@@ -319,7 +320,7 @@ fn a_dark_light_is_dropped() -> Result<(), Error> {
         RenderPlan::new().prepare::<Fx16>(&lit.with_specular_color(red)?.into())?.expect("not dark");
     assert_eq!(compiled.color(), lit.color().map(Fx16::from_f32));
     assert_eq!(compiled.specular_color(), red.map(Fx16::from_f32));
-    // Dark or not: what the format can't hold is refused.
+    // A light that the format can't hold is refused, even if it is dark.
     let far = SpotLight::new(Vec3::new(4e4, 0.0, 0.0), down(), lit.cone())?.with_intensity(0.0)?;
     assert!(RenderPlan::new().prepare::<Fx16>(&far.into()).is_err());
     Ok(())
@@ -374,7 +375,8 @@ fn a_shadow_map_has_a_side_that_can_be() -> Result<(), Error> {
     Ok(())
 }
 
-/// Patterns and shadows lie on the square that a cone projects.
+/// Gobos and shadow maps lie on the square that a cone projects, so a light without such a square
+/// has none.
 #[test]
 fn what_projects_no_square_is_refused() -> Result<(), Error> {
     const BARS: Gobo<'static> = Gobo::of(&[255, 0, 255, 0]);

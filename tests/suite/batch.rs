@@ -1,4 +1,4 @@
-//! Many points in one call have the bits that they have one by one.
+//! Results of one call for many points are bit-identical to those of one call per point.
 
 use fastrand::Rng;
 use luminaire::{
@@ -17,8 +17,8 @@ use support::{
     sweep,
 };
 
-/// Every remainder of the vectors of any machine, and of a block in the kernel, with whole blocks
-/// before it and without.
+/// Lengths with every remainder of any machine's vectors and of the kernel's blocks, with and
+/// without whole blocks before.
 const LENGTHS: std::ops::RangeInclusive<usize> = 0..=67;
 const LONG: usize = 3 * 64 + 5;
 
@@ -45,8 +45,8 @@ fn row<T: Copy>(columns: &Vec3<Vec<T>>, i: usize) -> Vec3<T> {
 }
 
 impl<S: Format> Sites<S> {
-    /// Points about a cone, points at and next to the light, and points and normals of any bits at
-    /// all, mixed so that neighbours differ in kind.
+    /// Points in and around a cone, points at and next to the light, and points and normals of any
+    /// bits, mixed so that neighbours differ in kind.
     fn about(rng: &mut Rng, position: Vec3<f32>, axis: Vec3<f32>, half_degrees: f32, count: usize) -> Self {
         let stored = S::exact_point(position.map(S::length));
         let axis = S::exact_direction(S::axis(axis)).normalize();
@@ -73,12 +73,12 @@ fn light_bits<S: Format>(light: S::Irradiance) -> u64 {
     S::exact_light(light).to_bits()
 }
 
-/// Lights that are there before, different for each point.
+/// Initial sums of light, different for each point.
 fn before<S: Format>(rng: &mut Rng, count: usize) -> Vec<S::Irradiance> {
     (0..count).map(|_| S::from_f32(rng.f32()).expose(S::gain(4.0))).collect()
 }
 
-/// A light of either kind, one point at a time and many at once.
+/// A spotlight or a point light, evaluated one point at a time and for many points at once.
 trait Light<S: Scalar> {
     fn one(&self, point: Vec3<S::Length>, normal: Vec3<S>) -> S::Irradiance;
     fn each(&self, points: Vec3<&[S::Length]>, normals: Vec3<&[S]>, lights: &mut [S::Irradiance]);
@@ -176,7 +176,7 @@ fn spots_light_a_batch_as_they_light_a_point_in_fx16() {
     with_every_shape!(assert_spot::<Fx16>);
 }
 
-/// Point lights and spots of one distance model.
+/// Point lights and spotlights with one attenuation.
 fn assert_model<S: Format, A: Attenuation>(model: A) {
     let mut rng = Rng::with_seed(17);
     let cone = luminaire::Cone::from_outer(Soft, sweep::half(40.0)).expect("a sound cone");
@@ -207,7 +207,8 @@ fn every_distance_model_lights_a_batch_as_it_lights_a_point() {
     assert_models::<Fx16>();
 }
 
-/// Slices as long as the test says: the shortest of them counts, wherever it stands.
+/// Slices of different lengths: the shortest one determines the number of points, whichever
+/// argument it is.
 #[test]
 fn the_shortest_slice_counts() {
     fn assert_shortest<S: Format>() {
@@ -238,7 +239,7 @@ fn the_shortest_slice_counts() {
                 compiled.add_each(points, normals, channels);
                 for i in 0..LONG {
                     let light = compiled.irradiance(row(&sites.points, i), row(&sites.normals, i));
-                    // Of a single channel only the first may be the short one.
+                    // With a single channel, only the first slice may be the short one.
                     let expected = if i < short || which > 6 { light } else { stale[i] };
                     assert_eq!(lights[i], expected, "{i} of {short}, slice {which}");
                     let sum = S::add_light(stale[i], S::filter(light, compiled.color().green));

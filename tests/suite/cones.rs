@@ -1,4 +1,4 @@
-//! What a cone says of itself: its angles with a hotspot and a cutoff, its flux, and the angles of
+//! The properties of a cone: its angles with a hotspot and a cutoff, its flux, and the angles of
 //! other systems.
 
 use luminaire::{
@@ -17,8 +17,8 @@ fn assert_near(what: &str, found: f32, expected: f64, within: f64) {
     assert!((f64::from(found) / expected - 1.0).abs() < within, "{what} is {found}, not {expected}");
 }
 
-/// Beam and field are the last angles with at least a half and a tenth of the intensity, whatever
-/// the cone has.
+/// Beam and field angle are the last angles with at least a half and a tenth of the intensity, with
+/// and without hotspot and cutoff.
 fn assert_angles<P: Falloff>(shape: &Shape<P>) {
     for degrees in [0.1, 3.0, 20.0, 70.0, 90.0] {
         let (cone, exact) = (shape.at(degrees), shape.exactly_at(degrees));
@@ -69,8 +69,8 @@ fn soft_has_a_third_of_the_flux_and_hard_two() {
     assert_near("hard", hard / full, 2.0 / 3.0, 1e-6);
 }
 
-/// The cutoff takes what is beyond it and leaves the rest as it was, bit for bit; tighter than the
-/// beam, it is all three angles.
+/// A cutoff removes the light outside it and leaves the rest bit-identical. If it is narrower than
+/// the beam angle, all three angles equal the cutoff.
 #[test]
 fn a_cutoff_changes_nothing_within() {
     let cone = Cone::from_field(Soft, Angle::degrees(30.0)).expect("sound");
@@ -82,8 +82,8 @@ fn a_cutoff_changes_nothing_within() {
     assert_near("outer", cut.outer().to_degrees(), 12.0, 1e-6);
 }
 
-/// The same within a cutoff of 12 degrees, each versine in the scale of its own cone, and nothing
-/// beyond.
+/// Within a cutoff of 12 degrees the intensity is the same, with each versine in the scale of its
+/// own cone; outside it is zero.
 fn assert_cut<S: Format>(open: &Cone<Soft>, cut: &Cone<Soft>) {
     let (open, cut) = (open.compile::<S>().expect("held"), cut.compile::<S>().expect("held"));
     for millidegrees in 0..20_000_u16 {
@@ -94,7 +94,7 @@ fn assert_cut<S: Format>(open: &Cone<Soft>, cut: &Cone<Soft>) {
     }
 }
 
-/// Inner and outer angle in one make a step in every profile and format.
+/// An inner angle equal to the outer one makes a step, with every profile and format.
 #[test]
 fn inner_at_outer_is_a_step() {
     fn assert_step<S: Format, P: Falloff>(profile: P) {
@@ -135,8 +135,8 @@ fn hotspots_and_cutoffs_out_of_range_are_refused() {
     }
 }
 
-/// A hotspot that makes the edge too steep for a format is refused with the largest one that is
-/// not.
+/// A hotspot that makes the edge too steep for a format is refused, and the error names the largest
+/// accepted one.
 #[test]
 fn a_hotspot_too_steep_for_its_format_is_refused() {
     let cone = Cone::from_outer(Linear, Angle::degrees(30.0)).expect("sound");
@@ -163,7 +163,7 @@ fn coefficients_out_of_range_are_refused() {
     assert_refused(Cubic::with_slopes(1.0, 4.01), Parameter::MiddleSlope, "from 0 to 4");
     assert_refused(Cubic::with_slopes(3.5, 0.05), Parameter::MiddleSlope, "from 0.104");
     assert_refused(Cubic::new(1.0, 0.5, 0.5), Parameter::CoefficientSum, "expected 1");
-    // A sum within 2^-20 of one is taken for it, and no other.
+    // A sum within 2^-20 of 1 counts as 1, and no other sum is accepted.
     for step in [-2.0_f32, 2.0] {
         let beside = step / 1_048_576.0;
         assert_refused(Cubic::new(1.0, 0.0, beside), Parameter::CoefficientSum, "expected 1");
@@ -201,7 +201,8 @@ fn tables_out_of_range_are_refused() {
     assert_refused(wide, Parameter::OuterAngle, "at most 180 degrees");
 }
 
-/// Data given every ten degrees come back at every ten degrees, and what is between lies between.
+/// A table from data every ten degrees has these values at these angles, and values between them in
+/// between.
 #[test]
 fn a_table_of_angles_gives_its_values_back() {
     let measured = [1.0, 0.97, 0.88, 0.71, 0.46, 0.22, 0.08, 0.02, 0.0, 0.0];
@@ -216,7 +217,7 @@ fn a_table_of_angles_gives_its_values_back() {
     }
 }
 
-/// A table may end above zero; the edge is dark all the same.
+/// A table may end above zero, but the edge is dark.
 #[test]
 fn a_table_is_dark_from_its_edge_on() {
     let samples = [65_535, 50_000, 40_000];
@@ -229,8 +230,8 @@ fn a_table_is_dark_from_its_edge_on() {
     assert_eq!(cone.beam(), cone.outer());
 }
 
-/// The angles of other systems, as the crate's page lists them: each line is a fixture of 15
-/// degrees edge to edge.
+/// The angles of other systems, as the documentation of the crate lists them. Each line is a
+/// fixture of 15 degrees from edge to edge.
 #[test]
 fn the_systems_angles_are_one() {
     let full = Angle::degrees(15.0);

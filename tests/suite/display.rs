@@ -19,7 +19,8 @@ fn every_code_comes_back() {
     assert!((1e-6..=2e-6).contains(&worst), "largest error {worst:.2e}");
 }
 
-/// Many values at once have the codes of each, on both sides of every threshold and beyond the range.
+/// Encoding many values at once gives the code of each, on both sides of every threshold and
+/// outside the range.
 #[test]
 fn encoding_many_is_encoding_each() {
     fn assert_each<S: Format>(values: impl IntoIterator<Item = S>) {
@@ -39,7 +40,7 @@ fn encoding_many_is_encoding_each() {
     assert_each((0..1 << 16).map(|i| Fx32::from_bits(i << 15)));
 }
 
-/// The product of numbers, to the last digit: the least digits first, without leading zeros.
+/// The exact product of numbers: the lowest digits first, without leading zeros.
 fn product(factors: impl IntoIterator<Item = u32>) -> Vec<u32> {
     let mut digits = vec![1];
     for factor in factors {
@@ -72,15 +73,15 @@ fn reaches([mantissa, exponent]: [u32; 2], code: u32, last: u32) -> bool {
     order(product(value)) >= order(product(threshold))
 }
 
-/// The codes of a grey value: of eight, six and five bits.
+/// The codes of a grey value, of eight, six and five bits.
 fn codes<S: Format>(value: S) -> [u32; 3] {
     let Rgb565(pixel) = Rgb565::from_linear(Rgb::new(value, value, value));
     assert_eq!(pixel >> 11, pixel & 31, "red and blue of {value:?}");
     [encode_srgb(value).into(), (pixel >> 5 & 63).into(), (pixel & 31).into()]
 }
 
-/// The code changes exactly where the standard's does, and nowhere else among `side` values to
-/// either side. `exactly` is a value as a mantissa over a power of two.
+/// The code changes exactly where the standard's code does, and nowhere else within `side` values
+/// on either side. `exactly` returns a value as a mantissa over a power of two.
 fn assert_nearest<S: Format>(one: u32, side: u32, value: fn(u32) -> S, exactly: fn(u32) -> [u32; 2]) {
     for (which, last) in [255, 63, 31].into_iter().enumerate() {
         for code in 0..last {
@@ -97,8 +98,8 @@ fn assert_nearest<S: Format>(one: u32, side: u32, value: fn(u32) -> S, exactly: 
     }
 }
 
-/// In f32 and 32 bits with 3,000 values to either side: with codes that never fall, which
-/// `exhaustive` sweeps, all values.
+/// In f32 and `Fx32` it tests 3,000 values on either side of each threshold. Because codes never
+/// fall, which `exhaustive` tests, all other values are right, too.
 #[test]
 fn every_threshold_is_exact() {
     let float = |bits: u32| [bits & 0x007f_ffff | 0x0080_0000, 150 - (bits >> 23)];
@@ -124,8 +125,8 @@ fn nearest(exact: f64) -> f64 {
     (exact + 0.5).floor()
 }
 
-/// Every 16-bit value has the nearest code of eight, six and five bits: exhaustive, with what is
-/// clipped.
+/// Every 16-bit value has the nearest code of eight, six and five bits. Exhaustive, including
+/// clipped values.
 #[test]
 fn sixteen_bits_are_encoded_exactly() {
     for value in (i16::MIN..=i16::MAX).map(Fx16::from_bits) {
@@ -137,7 +138,7 @@ fn sixteen_bits_are_encoded_exactly() {
     }
 }
 
-/// The nearest code of 32 bits and of f32, at random.
+/// Random values of `Fx32` and f32 have the nearest code.
 #[test]
 fn other_values_are_encoded_exactly() {
     fn assert_exact<S: Format>(value: S) {
@@ -157,7 +158,7 @@ fn other_values_are_encoded_exactly() {
     assert_eq!(encode_srgb(Fx32::MIN), 0);
 }
 
-/// Every pixel comes back from its codes, and every code goes to the nearest pixel.
+/// Every pixel is restored from its codes, and every code converts to the nearest pixel.
 #[test]
 fn pixels_are_the_nearest() {
     for pixel in (0..=u16::MAX).map(Rgb565) {
@@ -172,7 +173,8 @@ fn pixels_are_the_nearest() {
     }
 }
 
-/// Both policies leave alone what fits; beyond, one cuts and the other keeps the proportion.
+/// Both policies leave light within full scale unchanged. Of brighter light, one clips the channels
+/// and the other keeps their proportions.
 fn assert_fits<S: Format>(steps: f64) {
     let mut rng = fastrand::Rng::with_seed(8);
     let mut worst = 0.0_f64;

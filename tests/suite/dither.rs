@@ -1,5 +1,5 @@
-//! Ordered dither against its law in f64: a cell of 8 x 8 pixels has the light of the colour that
-//! it stands for.
+//! Ordered dither against its definition in f64: a cell of 8 x 8 pixels has the mean light of the
+//! colour that it shows.
 
 use luminaire::{
     Fx16, Fx32, Rgb, Scalar,
@@ -9,8 +9,9 @@ use support::{format::Format, oracle};
 
 /// The last codes of eight, six and five bits.
 const LASTS: [u16; 3] = [255, 63, 31];
-/// How far the table's 24 bits can move a threshold, in steps from one code to the next: half of
-/// 2^-24 of the shortest step, and as much again for what a value loses.
+/// The largest error of a threshold due to the 24 bits of the table, in steps from one code to the
+/// next: half of 2^-24, relative to the shortest step, and the same again for the rounding of a
+/// value.
 const LEEWAY: f64 = 3e-4;
 
 /// Bayer's matrix by his recursion: four copies of the next smaller one, four times as far apart.
@@ -34,28 +35,28 @@ fn lights(last: u16) -> Vec<f64> {
     (0..=last).map(|code| oracle::srgb_linear(f64::from(code) / f64::from(last) * 255.0)).collect()
 }
 
-/// The code under a light, and how far the light is from there to the next one.
+/// The code below a light, and the position of the light between that code and the next.
 fn place(lights: &[f64], light: f64) -> (u16, f64) {
     let code = lights.partition_point(|&of_code| of_code <= light).clamp(1, lights.len() - 1) - 1;
     (code as u16, (light - lights[code]) / (lights[code + 1] - lights[code]))
 }
 
-/// What a cell shows of one value, against the law.
+/// Comparison of a cell with the definition, for one value.
 #[derive(Default, Debug)]
 struct Seen {
-    /// How far the mean light of a cell is from the value, in steps from code to code, and the sum
-    /// of that.
+    /// The largest difference between the mean light of a cell and the value, in steps from code to
+    /// code, and the sum of all differences.
     off: f64,
     sum: f64,
     /// The largest distance of a pixel from the exact code.
     pixel: f64,
     values: u32,
-    /// Pixels so near to a threshold that the law does not say which code they show.
+    /// The number of pixels so near a threshold that either code is right.
     open: u32,
 }
 
-/// Shows each value in a cell. Every pixel must have the code of the law, and none may fall where
-/// values rise.
+/// Shows each value in a cell. Every pixel must have the code of the definition, and no pixel's
+/// code may fall when values rise.
 fn show<S: Format>(values: impl Iterator<Item = S>) -> [Seen; 3] {
     let lights = LASTS.map(lights);
     let mut seen: [Seen; 3] = Default::default();
@@ -87,7 +88,8 @@ fn show<S: Format>(values: impl Iterator<Item = S>) -> [Seen; 3] {
     seen
 }
 
-/// A cell is off by 1/128 of a step, no pixel by a whole code, and all values together by nothing.
+/// The light of a cell is off by at most 1/128 of a step, no pixel is off by a whole code, and the
+/// mean error over all values is zero.
 fn assert_keeps_the_light(name: &str, seen: &[Seen; 3], bias: f64) {
     for (last, seen) in LASTS.into_iter().zip(seen) {
         let mean = seen.sum / f64::from(seen.values);
@@ -102,7 +104,7 @@ fn assert_keeps_the_light(name: &str, seen: &[Seen; 3], bias: f64) {
     }
 }
 
-/// Values evenly spread over the codes, so that the dark ones have their share.
+/// Values evenly spread over the codes, so that dark values are tested as often as bright ones.
 fn spread(count: u32) -> impl Iterator<Item = f64> {
     let mut rng = fastrand::Rng::with_seed(64);
     (0..count).map(move |_| oracle::srgb_linear(255.0 * rng.f64()))
@@ -128,8 +130,8 @@ fn f32_keeps_the_light_of_a_cell() {
     assert_keeps_the_light("f32", &show(spread(40_000).map(|light| light as f32)), 2e-4);
 }
 
-/// In f32 a pixel shows the code that it shows in fixed point, but within a rounding of a
-/// threshold: none of these.
+/// In f32 a pixel shows the same code as in fixed point, unless it is within a rounding of a
+/// threshold. None of these values is.
 #[test]
 fn f32_shows_the_codes_of_fixed_point() {
     for steps in (0..=1 << 24).step_by(1_009) {
@@ -140,14 +142,14 @@ fn f32_shows_the_codes_of_fixed_point() {
     }
 }
 
-/// How many pixels of a cell do not show a code.
+/// The number of pixels of a cell that do not show a given code.
 fn others<S: Scalar>(value: S, which: usize, code: u16) -> usize {
     (0..64).filter(|i| codes(value, i % 8, i / 8)[which] != code).count()
 }
 
-/// A colour that is a code stays it, in every pixel. Sixteen bits hold the light of a code to half
-/// of their step, so that it is no longer the code's where that is more than 1/128 of the way to
-/// the next.
+/// The exact light of a code shows this code in every pixel. In `Fx16` the light of a code is
+/// rounded by up to half a step of the format. Where that is more than 1/128 of the distance to the
+/// next code, some pixels show another code.
 #[test]
 fn a_code_stays_that_code() {
     for code in 0..=255_u8 {
@@ -181,8 +183,8 @@ fn assert_never_falls<S: Scalar>(values: impl Iterator<Item = S> + Clone) {
     }
 }
 
-/// Exhaustive in sixteen bits; in the others beside the light of every code and every threshold,
-/// where they could fall.
+/// Exhaustive in `Fx16`. In the other formats it tests values next to the light of every code and
+/// every threshold, where codes could fall.
 #[test]
 fn no_pixel_falls_where_the_light_rises() {
     assert_never_falls((i16::MIN..=i16::MAX).map(Fx16::from_bits));
@@ -222,7 +224,7 @@ fn values_beyond_the_display_are_clipped() {
     }
 }
 
-/// Only the place within a cell counts, up to the last pixel that can be named.
+/// Only the position within a cell counts, up to the largest coordinates.
 #[test]
 fn cells_repeat() {
     for (x, y) in (0..64).map(|i| (i % 8, i / 8)) {
@@ -233,8 +235,8 @@ fn cells_repeat() {
     }
 }
 
-/// The matrix spreads the pixels: a part of 4 x 4 is off by 7/128 at most and one of 2 x 2 by
-/// 31/128, where as few pixels could not do better than 4/128 and 16/128.
+/// The matrix spreads the pixels evenly: a block of 4 x 4 pixels is off by at most 7/128 and one of
+/// 2 x 2 by 31/128. With so few pixels the best possible is 4/128 and 16/128.
 #[test]
 fn parts_of_a_cell_keep_the_light_too() {
     let lights = lights(31);
@@ -254,8 +256,8 @@ fn parts_of_a_cell_keep_the_light_too() {
     }
 }
 
-/// Why the parts go by light: by the encoded value a cell is too bright, by up to a twentieth of a
-/// step.
+/// Why the share is computed in linear light: computed from the encoded value, it would make a cell
+/// too bright, by up to a twentieth of a step.
 #[test]
 fn parts_by_the_encoded_value_would_be_too_bright() {
     let lights = lights(31);

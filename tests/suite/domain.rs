@@ -1,5 +1,5 @@
-//! The domain of validity: at each end of each range that is stated the promises hold, and beyond
-//! it happens what the documentation says.
+//! The domain of validity: at each end of each documented range the promises hold, and outside the
+//! range the documented result occurs.
 //!
 //! `cargo test --test suite domain:: -- --nocapture --test-threads 1` prints the errors at the
 //! ends; `LUMINAIRE_FULL=1` looks 16 times as long.
@@ -24,12 +24,12 @@ use support::{
 struct Domain {
     /// The largest coordinate of a light.
     light: f32,
-    /// Points are from minus this up to a quantum under it.
+    /// Coordinates of points are from minus this up to one quantum below this.
     point: f64,
-    /// The shortest and the longest way from a light to a point.
+    /// The shortest and the longest distance from a light to a point.
     distances: [f64; 2],
-    /// The brightest light that is within half a code in cones of 3 degrees and wider, from half a
-    /// unit of distance on.
+    /// The largest intensity whose light is within half a code, for half angles from 3 degrees and
+    /// distances from half a unit.
     brightest: f32,
 }
 
@@ -63,7 +63,7 @@ impl Shape {
         Self { name: name.into(), profile: profile.into(), exact: Box::new(exact) }
     }
 
-    /// The narrowest half angle in degrees, and a little more, for what an angle is rounded by.
+    /// The narrowest half angle in degrees, plus a margin for the rounding of an angle.
     fn narrowest<S: Format>(&self) -> f32 {
         Cone::narrowest::<S>(self.profile).to_degrees() / 2.0 * 1.000_01
     }
@@ -96,7 +96,7 @@ fn powers(least: u32, most: u32) -> [Shape; 4] {
     ]
 }
 
-/// A light and a point within its cone, more or less: both where the format has them.
+/// A light, and a point in or near its cone, both at positions that the format represents.
 struct Scene {
     light: Vec3<f32>,
     axis: Vec3<f32>,
@@ -104,7 +104,8 @@ struct Scene {
 }
 
 impl Scene {
-    /// A light here, a point there, and an axis at some angle to the way between them.
+    /// A light and a point at given positions, and an axis at some angle to the direction between
+    /// them.
     fn aimed<S: Format>(
         rng: &mut Rng,
         half_degrees: f32,
@@ -145,11 +146,11 @@ fn worst<S: Format>(
     worst
 }
 
-/// The error is within half a code, and so large that the bound is worth stating.
+/// The error is within half a code, and large enough that the bound is not loose.
 fn assert_held<S: Format>(what: &str, shape: &Shape, half_degrees: f32, least: f64, codes: f64) {
     println!("{} {what}, {} at {half_degrees}: {codes:.3}", S::NAME, shape.name);
-    // A cone that is evaluated finely in 16 bits has no error but that of the last rounding, half
-    // of 2^-14.
+    // A cone with the fine evaluation in `Fx16` has only the error of the last rounding, half of
+    // 2^-14.
     let least = if S::NAME == "fx16" { least.min(0.007) } else { least };
     let held = (least..=0.5).contains(&codes);
     assert!(held, "{} {what}, {} at {half_degrees}: {codes:.4} linear codes", S::NAME, shape.name);
@@ -160,7 +161,7 @@ fn assert_refused<T: core::fmt::Debug>(refused: Result<T, Error>, parameter: Par
     assert_eq!((error.parameter, error.accepted), (parameter, accepted), "{error}");
 }
 
-/// A coordinate at an end, or anywhere.
+/// A coordinate at an end of the range, or anywhere in it.
 fn coordinate(rng: &mut Rng, end: f64) -> f64 {
     match rng.u8(..3) {
         0 => end,
@@ -169,10 +170,10 @@ fn coordinate(rng: &mut Rng, end: f64) -> f64 {
     }
 }
 
-/// Lights and points at the ends of their coordinates, near to one another and far.
+/// Lights and points at the ends of their coordinate ranges, near one another and far apart.
 fn assert_positions<S: Format>(ends: [f64; 2]) {
     for shape in plain() {
-        // Ways that are longer than 32 bits lose one: there the narrowest cone of 32 bits is twice
+        // An offset of more than 32 bits loses one bit. There the narrowest cone of `Fx32` is twice
         // as wide.
         let times = if S::NAME == "fx32" { 2.0 } else { 1.0 };
         for (half_degrees, least) in [(times * shape.narrowest::<S>(), 0.15), (60.0, 0.0)] {
@@ -195,7 +196,7 @@ fn assert_positions<S: Format>(ends: [f64; 2]) {
 fn positions_hold_at_their_ends() {
     assert_positions::<Fx16>([Domain::of::<Fx16>().light.into(), Domain::of::<Fx16>().point]);
     assert_positions::<Fx32>([Domain::of::<Fx32>().light.into(), Domain::of::<Fx32>().point]);
-    // Of f32 the distance has an end, and positions as far as that have room for one.
+    // In f32 the distance has a limit; the coordinates are large enough to reach it.
     assert_positions::<f32>([1e18; 2]);
 }
 
@@ -221,8 +222,8 @@ fn lights_beyond_the_domain_are_refused() {
     assert_farther_lights_refused::<Fx16>();
 }
 
-/// A point that fixed point cannot hold is the nearest that it can; NaN is at 0 there, and dark in
-/// f32.
+/// A point that fixed point cannot represent becomes the nearest representable one. A NaN
+/// coordinate becomes 0 in fixed point, and the point is dark in f32.
 #[test]
 fn points_beyond_the_domain() {
     for beyond in [32_768.0, 1e9, f32::INFINITY] {
@@ -236,8 +237,8 @@ fn points_beyond_the_domain() {
     }
 }
 
-/// The light of the brightest lights at a point that faces them: of a spotlight as wide as any,
-/// with and without rejects and with and without distance, and of a point light.
+/// The light of the brightest lights at a point that faces them: of the widest spotlight, with and
+/// without early-outs and with and without attenuation, and of a point light.
 fn brightest_at<S: Format>(light: Vec3<f32>, point: Vec3<f32>) -> f64 {
     let spot = SpotLight::new(light, Vec3::new(0.0, 1.0, 0.0), plain()[0].cone(90.0)).expect("sound");
     let spot = spot.with_intensity(1e9).expect("sound");
@@ -256,8 +257,8 @@ fn brightest_at<S: Format>(light: Vec3<f32>, point: Vec3<f32>) -> f64 {
     lights.into_iter().map(S::exact_light).fold(0.0, f64::max)
 }
 
-/// The shortest and the longest ways: a few quanta, and from corner to corner; in f32 those with a
-/// normal square.
+/// The shortest and the longest distances: a few quanta, and from corner to corner of the domain;
+/// in f32 those whose square is a normal number.
 fn assert_distances<S: Format>() {
     let Domain { light: farthest, point: end, distances: [shortest, longest], .. } = Domain::of::<S>();
     let is_float = S::NAME == "f32";
@@ -289,7 +290,7 @@ fn assert_distances<S: Format>() {
             Scene::aimed::<S>(rng, half_degrees, sweep::single(light), sweep::single(point))
         };
         let codes = worst::<S>(&shape, half_degrees, 4_000, far);
-        // Fixed point has hardly any: a way so long has all its bits.
+        // In fixed point there is hardly any error, because an offset of that length uses all bits.
         assert_held::<S>("longest ways", &shape, half_degrees, if is_float { 0.1 } else { 1e-5 }, codes);
         assert!((0.99 * longest..1.01 * longest).contains(&seen), "{} {seen}", S::NAME);
     }
@@ -302,7 +303,7 @@ fn distances_hold_at_their_ends() {
     assert_distances::<Fx16>();
 }
 
-/// A point on the light is dark; in f32 so is one whose squared distance is no normal number.
+/// A point at the light is dark; in f32 so is a point whose squared distance is no normal number.
 #[test]
 fn distances_beyond_the_domain_are_dark() {
     let at = |y: f32| Vec3::new(0.0, y, 0.0);
@@ -320,7 +321,7 @@ fn distances_beyond_the_domain_are_dark() {
     }
 }
 
-/// A light within a few units of the origin and a point anywhere near.
+/// A light within a few units of the origin, and a point near it.
 fn near_scene<S: Format>(rng: &mut Rng, half_degrees: f32) -> Option<Scene> {
     let light = sweep::position(rng);
     let (distance, toward) = (sweep::distance(rng), sweep::direction(rng));
@@ -350,8 +351,8 @@ fn angles_hold_at_their_ends() {
     assert_angles::<Fx16>();
 }
 
-/// The least and the largest exponent at the narrowest angle and wide open, and how many of the
-/// shapes the format holds at all.
+/// The smallest and the largest exponent, at the narrowest and at the widest angle, and the number
+/// of these shapes that the format holds.
 fn assert_exponents<S: Format>(held: usize) {
     let shapes = powers(1, 1_024);
     let can_hold = |shape: &&Shape| shape.narrowest::<S>() < 90.0;
@@ -359,8 +360,8 @@ fn assert_exponents<S: Format>(held: usize) {
         for (half_degrees, least) in [(shape.narrowest::<S>(), 0.005), (90.0, 0.0)] {
             let codes = worst::<S>(shape, half_degrees, 8_000, |rng| {
                 let scene = near_scene::<S>(rng, half_degrees);
-                // Of the largest exponent all that there is to see is near the axis, of the largest
-                // rim near the edge.
+                // With the largest exponent, the intensity of a power changes only near the axis,
+                // that of an inverted power only near the edge.
                 scene.filter(|_| true)
             });
             assert_held::<S>("exponents", shape, half_degrees, least, codes);
@@ -390,8 +391,8 @@ fn exponents_hold_at_their_ends() {
     }
 }
 
-/// The power of the least exponent there is is a step: full up to the strip at the edge in which it
-/// has a place and no intensity.
+/// The power with the smallest possible exponent is a step: full intensity up to the strip at the
+/// edge in which a format bounds only the error of position.
 fn assert_least_exponent<S: Format>() {
     let least = RealPower::new(f32::from_bits(1)).expect("more than 0");
     let cone = Cone::from_outer(least, sweep::half(30.0)).expect("a sound angle");
@@ -412,8 +413,8 @@ fn the_least_exponent_is_a_step() {
     assert!(RealPower::new(f32::from_bits(1)).expect("accepted").steepness(0.0) >= 1.0);
 }
 
-/// The error of clipped light in codes, of a light of this intensity in a cone where its gain at
-/// the point is at most `gain`.
+/// The error of clipped light in codes, for a light of this intensity, at points in its cone where
+/// the gain is at most `gain`.
 fn bright<S: Format>(shape: &Shape, half_degrees: f32, intensity: f32, gain: f64) -> f64 {
     let (mut rng, mut worst) = (Rng::with_seed(9), 0.0_f64);
     let outer = oracle::versine(half_degrees.into());
@@ -449,8 +450,8 @@ fn bright<S: Format>(shape: &Shape, half_degrees: f32, intensity: f32, gain: f64
     worst
 }
 
-/// The brightest light that is promised half a code, and the brightest that there is where it has
-/// no larger gain.
+/// The brightest light that is promised half a code; and the brightest possible light, at points
+/// where its gain is no larger.
 fn assert_intensities<S: Format>() {
     let brightest = Domain::of::<S>().brightest;
     for shape in plain() {
@@ -481,7 +482,7 @@ fn intensities_hold_at_their_ends() {
     assert_intensities::<Fx16>();
 }
 
-/// Where the way is longer than the format has room for.
+/// Points at which the offset is longer than the format can represent.
 fn assert_far<S: Format>(light: Vec3<f32>, axis: Vec3<f32>, half_degrees: f32, point: Vec3<f32>, truth: f64) {
     let shape = Shape::new("soft", Soft, oracle::soft);
     let spot =
@@ -510,8 +511,8 @@ fn far_points_keep_their_direction() {
     assert_far::<Fx32>(at(32_000.0, 0.0, 0.0), along, 60.0, at(-32_000.0, 30_000.0, 0.0), 0.6576);
 }
 
-/// What points on the axis lack of full intensity at most, in steps of the format: multiples of
-/// integer axes, as far as coordinates go.
+/// The largest difference from full intensity, in steps of the format, at points on the axis:
+/// multiples of integer axes over the whole range of coordinates.
 fn lack_on_axis<S: Format>(shape: &Shape, half_degrees: f32) -> f64 {
     let (mut rng, cone) = (Rng::with_seed(30), shape.cone(half_degrees));
     let mut worst = 0.0_f64;
@@ -541,7 +542,8 @@ fn assert_axis<S: Format>(most: f64) {
     let mut worst = 0.0_f64;
     for shape in shapes {
         let narrowest = shape.narrowest::<S>();
-        // Fx16 evaluates its narrowest cones finely, and those from 1.5 times as wide on coarsely.
+        // `Fx16` uses the fine evaluation for its narrowest cones, and the coarse one from 1.5
+        // times that angle on.
         for half_degrees in [narrowest, 1.5 * narrowest, 10.0 * narrowest, 7.5, 30.0, 90.0]
             .map(|half| half.clamp(narrowest, 90.0))
         {

@@ -1,4 +1,4 @@
-//! Two ways to the same light give the same bits.
+//! Different ways to compute the same light are bit-identical.
 
 use fastrand::Rng;
 use luminaire::number::Arithmetic;

@@ -1,6 +1,6 @@
-//! Why the formats are what they are: the candidates, modelled in f64 with every value rounded to
-//! the bits that it would have, and the largest error that each leaves. `docs/NUMERICS.md` quotes
-//! what this prints:
+//! The reasons for the number formats: models of the candidates in f64, with every value rounded to
+//! the bits that it would have, and the largest error of each candidate. `docs/NUMERICS.md` quotes
+//! the tables that this prints:
 //!
 //! `cargo test --test suite formats:: -- --nocapture`
 
@@ -83,8 +83,8 @@ fn a_direction_needs_more_bits_than_a_scalar() {
 }
 
 /// Within a 32-bit product the offset and the reciprocal of its length share 31 bits. An error of
-/// the offset turns the direction and is magnified by the cone; one of the reciprocal only shortens
-/// it. So the offset gets more.
+/// the offset turns the direction, and a narrow cone magnifies it; an error of the reciprocal only
+/// changes the length. So the offset gets more bits.
 #[test]
 fn the_offset_gets_the_larger_half_of_the_product() {
     println!("largest error with offset and reciprocal of so many bits");

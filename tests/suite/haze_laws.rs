@@ -45,8 +45,8 @@ fn oracle(spot: &SpotLight<Soft>) -> Beam {
     }
 }
 
-/// Tries a law on many lights and rays, the same in every run, and counts those that are lit: a law
-/// of the dark would be none.
+/// Tests a law on many lights and rays, the same in every run, and counts the lit ones, because a
+/// law tested only in the dark would prove nothing.
 fn on_many(mut law: impl FnMut(&mut Rng, &SpotLight<Soft>, &ViewRay) -> bool) {
     let mut rng = Rng::with_seed(1910);
     let mut lit = 0;
@@ -76,8 +76,8 @@ fn twice_the_density_is_exactly_twice_the_light() {
     });
 }
 
-/// Light of about a fifth of what is seen across the beam, as near to the light as the ray comes:
-/// differences are relative to it or to the light itself, whichever is more.
+/// About a fifth of the in-scattering along a line across the beam that is as near to the light as
+/// the ray. Differences are relative to this, or to the ray's own in-scattering if that is more.
 fn unit_of_light(spot: &SpotLight<Soft>, view: &ViewRay) -> f64 {
     let (nearest, _) = distances(&oracle(spot), &exactly(view));
     0.05 * f64::from(spot.cone().outer().to_radians()) / nearest
@@ -126,7 +126,7 @@ fn turned(rng: &mut Rng) -> [DVec3; 3] {
     [first, second, first.cross(second)]
 }
 
-/// Turning light and eye changes what rounding to f32 does to them, and no more.
+/// Turning light and eye changes the result only by their rounding to f32.
 #[test]
 fn a_turned_scene_looks_the_same() {
     let mut worst = 0.0_f64;
@@ -159,7 +159,7 @@ fn along_the_axis_there_is_light() {
     assert_near(light(2.0, down, f32::INFINITY), 0.5);
     assert_near(light(2.0, down, 2.0), 0.25);
     assert_near(light(2.0, up, 1.0), 0.5);
-    // The light hides the air behind it, and there is no light in that air either.
+    // The light's body hides the air behind it, and that air is not lit either.
     assert_near(light(2.0, up, f32::INFINITY), 99.5);
     assert_near(light(6.0, down, f32::INFINITY) + 1.0, 1.0);
     // The eye in the light sees the whole beam from the light's surface on.
@@ -181,7 +181,7 @@ fn nothing_in_the_way_is_the_air_light() {
     assert_within("by 256 samples", worst);
 }
 
-/// The sampled places are on the ray.
+/// The sample points are on the ray.
 #[test]
 fn samples_are_taken_on_the_ray() {
     let mut worst = 0.0_f64;

@@ -1,6 +1,6 @@
-//! Imported lights against the formulas of the systems that they come from, whole and in f64: what
-//! is exact, how far off the rest is, and that the number that an importer gives for it is the true
-//! one.
+//! Imported lights against the complete formulas of their systems in f64: which imports are exact,
+//! how large the differences of the others are, and that an importer states these differences
+//! correctly.
 //!
 //! `cargo test --test suite import:: -- --nocapture --test-threads 1` prints the differences and
 //! the errors.
@@ -22,7 +22,7 @@ use support::{
     sweep,
 };
 
-/// Places from 0 to 1, crowded at both ends.
+/// Numbers from 0 to 1, denser at both ends.
 fn places(count: u32) -> impl Iterator<Item = f64> {
     (0..=count).map(move |i| {
         let place = f64::from(i) / f64::from(count);
@@ -36,8 +36,8 @@ fn fall(light: &SpotLight<AnyFalloff, AnyAttenuation>, distance: f64) -> f64 {
     f64::from(light.intensity()) * light.attenuation().exact(distance)
 }
 
-/// What the importer took into the intensity: what Godot has on the axis, where a real power stands
-/// for it.
+/// The factor by which the importer scaled the intensity: Godot's value on the axis, if the import
+/// is a real power.
 fn on_axis(light: &SpotLight<AnyFalloff, AnyAttenuation>, original: &Original) -> f64 {
     if matches!(light.cone().profile(), AnyFalloff::InvertedRealPower(_)) {
         (original.angle)(1.0)
@@ -46,9 +46,9 @@ fn on_axis(light: &SpotLight<AnyFalloff, AnyAttenuation>, original: &Original) -
     }
 }
 
-/// The largest difference over the angle between an original and the profile that stands for it,
-/// relative to the axis of that: where `t` is 1 in the middle of the ramp and 2^-24 at its edge,
-/// and of OpenGL as far as its cutoff.
+/// The largest difference over the angle between an original and the profile that replaces it,
+/// relative to the original on the axis. `t` goes from 1 in the middle of the ramp to 2^-24 at its
+/// edge, and with OpenGL only as far as the cutoff.
 fn angle_difference(light: &SpotLight<AnyFalloff, AnyAttenuation>, original: &Original) -> f64 {
     let is_opengl = original.name.starts_with("OpenGL");
     let (inner, edge) = (1.0 - original.inner, 1.0 - original.outer);
@@ -58,7 +58,8 @@ fn angle_difference(light: &SpotLight<AnyFalloff, AnyAttenuation>, original: &Or
     places(20_000 * sweep::effort() as u32)
         .map(|place| {
             let t = least + (1.0 - least) * place;
-            // Inside of the seams, where f64 cannot tell on which side of them it is.
+            // Slightly inside the jumps, because f64 cannot decide on which side of a jump an angle
+            // is.
             let cosine = 1.0 - (outer - t * (outer - inner)) + if place == 0.0 { 1e-15 } else { 0.0 };
             (light.cone().profile().formula().exact(t) - (original.angle)(cosine) / on_axis).abs()
         })
@@ -91,7 +92,7 @@ fn what_the_kernel_has_is_exact() {
             original.inner == original.outer || matches!(light.cone().profile(), AnyFalloff::Step(_));
         if !is_step {
             let angle = angle_difference(&light, &original);
-            // Where a root is steep the original itself cancels to fewer digits.
+            // Where a root is steep, the original formula itself loses digits by cancellation.
             let is_real =
                 matches!(light.cone().profile(), AnyFalloff::RealPower(_) | AnyFalloff::InvertedRealPower(_));
             let most = if is_real { 1e-8 } else { 1e-12 };
@@ -103,7 +104,7 @@ fn what_the_kernel_has_is_exact() {
     }
 }
 
-/// The number is the largest difference: not smaller, and not more than 2 % larger.
+/// The stated difference is not smaller than the largest difference, and at most 2 % larger.
 #[test]
 fn a_difference_is_what_a_dense_search_finds() {
     for (Imported { light, difference }, original) in imports::near() {
@@ -117,15 +118,15 @@ fn a_difference_is_what_a_dense_search_finds() {
         );
         for (found, stated) in found.into_iter().zip([difference.angle, difference.distance]) {
             let stated = f64::from(stated);
-            // Under 1e-7 there is only the rounding of coefficients.
+            // Differences under 1e-7 are only the rounding of coefficients.
             let holds = stated >= found - 1e-7 && stated <= 1.02 * found + 1e-7;
             assert!(holds, "{}: {found:.5e} is stated as {stated:.5e}", original.name);
         }
     }
 }
 
-/// The largest stated differences of each system, over all lights of this file: at most half of an
-/// eight-bit step over the angle, or 1/510 of the half angle in place where the slope has no bound.
+/// The largest stated differences of each system, over all lights of this file: at most 1/510 over
+/// the angle, or 1/510 of the half angle in position where the slope is infinite.
 #[test]
 fn no_import_is_off_by_half_a_step_over_the_angle() {
     let mut systems: Vec<(String, u32, Difference)> = Vec::new();
@@ -148,9 +149,9 @@ fn no_import_is_off_by_half_a_step_over_the_angle() {
     }
 }
 
-/// The slope is boundless where it is said to be, and nowhere else: of what the original rises by
-/// over a ten-thousandth of the angle next to its edge, more than the hundredth part falls to the
-/// last hundredth.
+/// The slope is infinite exactly where the import states it. The slope counts as infinite if more
+/// than 1.1 % of the original's rise over the last ten-thousandth of the angle is in the last
+/// hundredth of that strip.
 #[test]
 fn a_difference_of_the_place_is_a_boundless_slope() {
     let mut boundless = 0;
@@ -166,12 +167,14 @@ fn a_difference_of_the_place_is_a_boundless_slope() {
     assert!(boundless >= 16, "only {boundless} lights have a boundless slope");
 }
 
-/// How far off the edge of a cone, in radians, a point is on its right side, as in the other tests.
+/// Distance from the edge of a cone, in radians, from which on a point is certainly on the right
+/// side of the edge, as in the other tests.
 fn blur<S: Format>(radians: f64) -> f64 {
     f64::from(S::DIRECTION_ERROR) * (3.0 + 8.0 * radians) + 4e-7 * radians
 }
 
-/// The largest error of a compiled light beyond its difference, if the format holds it.
+/// The largest error of a compiled light in excess of the stated difference, if the format holds
+/// the light.
 fn excess<S: Format>(
     Imported { light, difference }: imports::Import,
     original: &Original,
@@ -205,8 +208,8 @@ fn excess<S: Format>(
     Some(worst)
 }
 
-/// Every light in every format, as far as it is held: at most the difference, and what the format
-/// adds.
+/// Every light, in every format that holds it, has at most the stated difference plus the error of
+/// the format.
 #[test]
 fn compiled_lights_are_the_originals() {
     fn assert_format<S: Format>(bound: f64, least_held: usize) {
@@ -229,8 +232,8 @@ fn compiled_lights_are_the_originals() {
     assert_format::<Fx16>(8e-3, 284);
 }
 
-/// The reference code of the extension, `max(0.001, ...)` and all, beside the light that has it:
-/// the intensity on the axis included.
+/// Compares the reference code of the extension, including its `max(0.001, ...)`, with the light
+/// imported by that code, also on the axis.
 #[test]
 fn gltf_as_recommended_is_the_reference_code() {
     const BINDING: [[f32; 2]; 7] =
@@ -261,12 +264,12 @@ fn gltf_as_recommended_is_the_reference_code() {
                 (found - exact).abs()
             })
             .fold(0.0, f64::max);
-        // Versines of f32, magnified by the ramp.
+        // The error of f32 versines, magnified by the ramp.
         assert!(worst <= 3.0 * 2.0 * 8e-7 * versine(outer) * scale, "{inner} {outer}: {worst:.1e}");
     }
 }
 
-/// The cutoff of 180 degrees shines into all directions, whatever the exponent.
+/// A light with a cutoff of 180 degrees shines in all directions, whatever its exponent.
 #[test]
 fn a_cutoff_of_half_a_turn_is_a_point_light() {
     let light = import::OpenGl { spot_exponent: 7.0, linear_attenuation: 0.5, ..Default::default() };
@@ -281,7 +284,7 @@ fn a_cutoff_of_half_a_turn_is_a_point_light() {
     }
 }
 
-/// A profile that was chosen by an importer and one that is a type are the same light.
+/// A light with a profile chosen by an importer equals the light with that profile as a type.
 #[test]
 fn a_matched_profile_changes_no_bit() {
     fn assert_same<S: Scalar, P: Falloff>(

@@ -25,7 +25,7 @@ fn imports(code: &str) -> BTreeSet<String> {
             found.insert(name(rest));
             continue;
         };
-        // The names at the first level of the braces.
+        // The names at the outermost level of the braces.
         let (mut depth, mut start) = (0, 0);
         for (i, c) in list.char_indices() {
             match c {

@@ -1,5 +1,5 @@
-//! Totality, exact skipping and monotone fall of what comes with distances, highlights and the
-//! other kinds of light.
+//! Attenuations, highlights and all kinds of light: defined results for all inputs, exact
+//! early-outs and monotonicity.
 
 use fastrand::Rng;
 use luminaire::{
@@ -77,7 +77,7 @@ fn assert_model<S: Format, A: Attenuation>(rng: &mut Rng, model: impl Fn(f32) ->
             assert_all_highlights(&spot, &surface);
             assert_all_highlights(&point, &surface);
         }
-        // Near the light, where it is lit, at the seams of the cone and of the range.
+        // Points near the light, in its light, and at the edges of the cone and of the range.
         for _ in 0..50 {
             let way = sweep::direction(rng);
             let stretch = [0.5, 0.999, 1.0, 1.000_01, 1.2][rng.usize(..5)];
@@ -126,8 +126,8 @@ fn every_bit_pattern_has_an_answer_in_fx16() {
     assert_total::<Fx16>();
 }
 
-/// Along an axis a model never rises by more than `steps` of its format, starts at full scale and
-/// ends at exact zero.
+/// Along a coordinate axis an attenuation starts at `starts`, never rises by more than `steps`
+/// steps of the format, and ends at exactly zero.
 fn assert_falls<S: Format, A: Attenuation>(model: A, range: f32, starts: f64, steps: f64) {
     let light = PointLight::new(Vec3::default())
         .expect("sound")
@@ -167,11 +167,13 @@ fn assert_monotone<S: Format>(steps: f64) {
 fn distance_models_never_rise() {
     assert_monotone::<f32>(2.0);
     assert_monotone::<Fx32>(8.0);
-    // A distance of 15 bits has as many more digits below a power of two as it has fewer above.
+    // The distance has 15 bits, so its relative rounding changes by a factor of two at a power of
+    // two.
     assert_monotone::<Fx16>(2.0);
 }
 
-/// The arithmetic of gains: one is neutral, a reciprocal is capped, what is small is not lost.
+/// The arithmetic of gains: a factor of one changes nothing, a reciprocal is capped, and small
+/// gains are not lost.
 fn assert_gains<S: Format>() {
     let mut rng = Rng::with_seed(9);
     let one = S::gain(1.0);
@@ -205,7 +207,7 @@ fn gains_keep_their_leading_bits() {
     assert_gains::<Fx16>();
 }
 
-/// A spotlight from two points is the one from position, axis and range.
+/// A spotlight from two points equals the one from position, axis and range.
 #[test]
 fn one_vector_gives_direction_and_range() {
     let mut rng = Rng::with_seed(12);
@@ -220,7 +222,8 @@ fn one_vector_gives_direction_and_range() {
     }
 }
 
-/// However near the light, and however small the numbers get, no more arrives than the intensity.
+/// However near the point is to the light, and however small the numbers become, the light is at
+/// most the intensity.
 #[test]
 fn no_light_is_made_next_to_its_source() {
     let source = PointLight::new(Vec3::default()).expect("sound").with_attenuation(NoAttenuation);
@@ -236,7 +239,7 @@ fn no_light_is_made_next_to_its_source() {
     }
 }
 
-/// Gains may be multiplied until nothing of them is left, or all there can be.
+/// Products of gains may underflow to zero or saturate.
 #[test]
 fn gains_never_overflow() {
     fn powers<S: Format>() {

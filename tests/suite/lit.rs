@@ -131,8 +131,8 @@ fn filament_range_keeps_its_row() {
     assert_distance("Filament range", model, oracle::Attenuation::FilamentRange);
 }
 
-/// A cut changes no bit within its range and leaves none beyond. At the range itself the squared
-/// distance decides, as the format rounds it.
+/// A cut-off changes no bit within its range, and the light is zero beyond. At the range itself,
+/// the squared distance as rounded by the format decides.
 fn assert_cut<S: Format>() {
     let mut rng = Rng::with_seed(44);
     for _ in 0..20_000 {
@@ -160,7 +160,7 @@ fn a_cut_is_a_cut() {
     assert_cut::<Fx16>();
 }
 
-/// The lobe of a highlight against its oracle, near the mirror direction and far from it.
+/// A specular lobe against its reference, near the mirror direction and far from it.
 fn highlight_error<S: Format, H: SpecularLobe>(oracle: Lobe, shininess: u32) -> f64 {
     let mut rng = Rng::with_seed(75);
     let constants = H::constants::<S>(shininess);
@@ -221,7 +221,8 @@ fn lyon_keeps_its_rows() {
     assert_highlight::<DifferenceForm<Phong, 2>>("difference-form", oracle::lyon, [4, 32, 256]);
 }
 
-/// A mirror image in a level surface is seen from this versine off it.
+/// The lobe for light that falls vertically on a horizontal surface, seen from this versine off the
+/// mirror direction.
 fn lobe_at<H: SpecularLobe, S: Format>(shininess: u32, versine: f32) -> f64 {
     let cosine = 1.0 - versine;
     let [up, down, view] = [[0.0, 1.0], [0.0, -1.0], [(1.0 - cosine * cosine).sqrt(), cosine]]

@@ -1,8 +1,9 @@
 //! Accuracy of every operation of the seam in all three formats against f64, row by row of
 //! `support/operations.rs`.
 //!
-//! Operands are what the format has stored, so that an error is the operation's own. Errors of
-//! scalars and of light are in steps of the format, of gains relative, of directions in radians.
+//! Operands are values that the format has stored, so that an error is that of the operation alone.
+//! Errors of scalars and of light are in steps of the format, errors of gains are relative, and
+//! errors of directions are in radians.
 
 use fastrand::Rng;
 use luminaire::{
@@ -53,13 +54,13 @@ fn scalar<S: Format>(rng: &mut Rng) -> S {
     S::from_f32(2.0 * rng.f32() - 1.0)
 }
 
-/// A number of 16 bits times a power of two from `2^least` up to `2^most`: every format has a gain
-/// for it.
+/// A 16-bit number times a power of two from `2^least` to `2^most`, which every format represents
+/// exactly as a gain.
 fn sixteen_bits(rng: &mut Rng, least: i32, most: i32) -> f32 {
     rng.u32(1 << 15..1 << 16) as f32 * 2.0_f32.powi(rng.i32(least..most) - 15)
 }
 
-/// The value of a gain, read as the light of a gain 2^`up` times as large.
+/// The value of a gain, read as light after scaling it by `2^up`.
 fn value<S: Format>(gain: S::Gain, up: i32) -> f64 {
     let factor = 2.0_f32.powi(up);
     S::exact_light(S::ONE.expose(gain.by(S::gain(factor)))) / f64::from(factor)
@@ -185,7 +186,7 @@ fn light_to_gain<S: Format>(rng: &mut Rng) -> f64 {
     relative(value::<S>(S::light_to_gain(light), 12), S::exact_light(light))
 }
 
-/// By a gain of the light's own size, as an exposure or the keeping of a hue would have it.
+/// Multiplies light by a gain of a size that occurs in an exposure or in keeping the hue.
 fn amplify<S: Format>(rng: &mut Rng) -> f64 {
     let (light, gain) = (light::<S>(rng), sixteen_bits(rng, -3, 0));
     steps::<S>(S::exact_light(S::amplify(light, S::gain(gain))) - S::exact_light(light) * f64::from(gain))
@@ -208,8 +209,8 @@ fn grey(value: f32) -> Rgb<f32> {
     Rgb::new(value, value, value)
 }
 
-/// Ambient light as it is compiled and as a material gives it back with its own glow: every
-/// rounding of both.
+/// Compiled ambient light, reflected by a material that also emits light, with the roundings of
+/// both.
 fn glow<S: Format>(rng: &mut Rng) -> f64 {
     let [color, ambient, emissive, intensity] = [0; 4].map(|_| rng.f32());
     let light =
@@ -263,7 +264,7 @@ fn mirror<S: Format>(rng: &mut Rng) -> f64 {
     angle(S::exact_direction(S::mirror(direction, normal)), exact)
 }
 
-/// Of two directions that are at least a tenth apart.
+/// The half vector of two directions that differ by at least a tenth.
 fn direction_between<S: Format>(rng: &mut Rng) -> f64 {
     let (a, b) = (direction::<S>(rng), direction::<S>(rng));
     let exact = S::exact_direction(b) - S::exact_direction(a);
@@ -342,7 +343,7 @@ fn squared_distance<S: Format>(rng: &mut Rng) -> f64 {
     relative(value::<S>(offset.squared_distance(), 6), way.length_squared())
 }
 
-/// Lambert's cosine, in steps; a surface that faces away by more than a step is known to.
+/// Lambert's cosine, in steps. A surface that faces away by more than a step is detected.
 fn ray_cosine<S: Format>(rng: &mut Rng) -> f64 {
     let ((offset, way), normal) = (offset::<S>(rng), normal::<S>(rng));
     let exact = -way.normalize().dot(S::exact_normal(normal));
@@ -367,8 +368,8 @@ fn ray_versine<S: Format>(rng: &mut Rng) -> f64 {
     (S::exact_versine(&falloff, found) - exact).abs() / f64::from(outer)
 }
 
-/// The inverse square, for light of 16 to 64 times full scale, where roundings of light itself do
-/// not count; relative.
+/// The relative error of the inverse square, for light of 16 to 64 times full scale, where the
+/// rounding of the light itself is negligible.
 fn ray_expose<S: Format>(rng: &mut Rng) -> f64 {
     let (offset, way) = offset::<S>(rng);
     let squared = way.length_squared();
@@ -377,7 +378,7 @@ fn ray_expose<S: Format>(rng: &mut Rng) -> f64 {
     relative(S::exact_light(offset.ray().expose(S::ONE, S::gain(gain))), exact)
 }
 
-/// Lambert's cosine of parallel light, of intensities up to full scale.
+/// Lambert's cosine of directional light with intensities up to full scale.
 fn directional<S: Format>(rng: &mut Rng) -> f64 {
     let (direction, normal, intensity) = (sweep::direction(rng), normal::<S>(rng), 0.5 + 0.5 * rng.f32());
     let sun = DirectionalLight::new(sweep::single(direction)).and_then(|sun| sun.with_intensity(intensity));

@@ -1,4 +1,4 @@
-//! The paper's own figures, and the three angles of a cone as functions of one another.
+//! The figures of the paper, and the three angles of a cone as functions of one another.
 
 use luminaire::{
     Angle, Cone, HalfAngle,
@@ -25,8 +25,8 @@ fn a_hard_field_angle_of_15_degrees_has_the_papers_beam_and_outer_angle() {
     assert_degrees("outer", cone.outer(), 15.40, 0.005);
 }
 
-/// Figure 7: the cosine power that has the paper's field angle, and what is left of it where the
-/// soft and the hard edge have half their light.
+/// Figure 7: the cosine power with the paper's field angle, and its intensity where the soft and
+/// the hard edge have half their intensity.
 #[test]
 fn a_cosine_power_of_the_papers_field_angle_has_exponent_268() {
     let cone = Cone::<Power<268>>::opengl(HalfAngle::degrees(90.0)).expect("a sound cutoff");
@@ -42,8 +42,8 @@ fn a_cosine_power_of_the_papers_field_angle_has_exponent_268() {
     }
 }
 
-/// Any angle of a cone gives the other two, and they give it back, to a few units in the last
-/// place.
+/// Each angle of a cone determines the other two, and from these it is restored to a few units in
+/// the last place.
 fn assert_angles_follow<P: Falloff>(profile: P) {
     for tenths in 1..1790_u16 {
         let outer = Angle::degrees(f32::from(tenths) / 10.0);
@@ -70,8 +70,8 @@ fn hard_angles_follow_one_another() {
     assert_angles_follow(Hard);
 }
 
-/// Half the intensity is left at the beam angle and a tenth at the field angle: by the reference,
-/// from the getters.
+/// At the beam angle that the getter returns, the reference has half the intensity, and at the
+/// field angle a tenth.
 #[test]
 fn beam_and_field_are_where_the_intensity_says() {
     for (edge, oracle) in

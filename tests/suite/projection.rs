@@ -1,5 +1,5 @@
-//! The square that a spotlight projects: which way it lies, where a point stands on it, against
-//! f64, and that every point has a defined result.
+//! The square that a spotlight projects: its orientation, the position of a point on it against
+//! f64, and a defined result for every point.
 
 use fastrand::Rng;
 use luminaire::codegen::{FloatFrame, Frame16, Frame32};
@@ -33,8 +33,8 @@ fn rolled(spot: &SpotLight<Step>, degrees: f32) -> Result<Projection, Error> {
     Projection::of(spot)?.turned(Angle::degrees(degrees))
 }
 
-/// The largest errors of place and depth at one cone, if the format holds it: points all over the
-/// square, of lights that are turned at random.
+/// The largest errors of position and depth with one cone, if the format holds it, over points on
+/// the whole square of randomly turned lights.
 fn errors<S: Format>(half_degrees: f32) -> [f64; 2] {
     let mut rng = Rng::with_seed(45);
     let narrowest = Cone::narrowest::<S>(Step).to_degrees() / 2.0;
@@ -52,7 +52,7 @@ fn errors<S: Format>(half_degrees: f32) -> [f64; 2] {
             let place = [rng.f64(), rng.f64(), sweep::distance(&mut rng)];
             let point = sweep::single(sweep::on_grid(square.point(place))).map(S::length);
             let [column, row, depth] = square.place(S::exact_point(point));
-            // The quantum of a length may be wider than the narrowest square.
+            // The quantum of a length may be larger than the side of the narrowest square.
             if ![column, row].iter().all(|place| (-0.9..1.9).contains(place)) {
                 continue;
             }
@@ -83,8 +83,8 @@ fn places_keep_their_rows() {
     assert!(broken.is_empty(), "{}", broken.join("\n"));
 }
 
-/// To the right and up on the squares of lights that point along the axes of the world, and of some
-/// that do not.
+/// The directions right and up on the squares of lights that point along the axes of the world, and
+/// of some that do not.
 #[test]
 fn a_square_stands_upright() {
     let (x, y, z) = (Vec3::new(1.0, 0.0, 0.0), Vec3::new(0.0, 1.0, 0.0), Vec3::new(0.0, 0.0, 1.0));
@@ -106,8 +106,8 @@ fn a_square_stands_upright() {
     }
 }
 
-/// A light that is aimed straight down by computation is off by roundings, which must not turn its
-/// square.
+/// The axis of a light that is computed to point straight down has rounding errors, which must not
+/// turn its square.
 #[test]
 fn roundings_do_not_turn_a_square_that_points_straight_down() {
     let mut rng = Rng::with_seed(180);
@@ -123,8 +123,7 @@ fn roundings_do_not_turn_a_square_that_points_straight_down() {
     }
 }
 
-/// Unit vectors at right angles to one another, right-handed, however the square is turned.
-/// Searched.
+/// The vectors are orthonormal and right-handed, however the square is rolled. Searched.
 #[test]
 fn a_frame_is_square() {
     let mut rng = Rng::with_seed(90);
@@ -159,8 +158,7 @@ fn tangents_keep_their_figure() {
     bounds::check("tangent", worst, 1.1e-6).unwrap_or_else(|broken| panic!("{broken}"));
 }
 
-/// Quarters of a turn only exchange and negate, so that a pattern that is turned by them is the
-/// same one.
+/// Rolls by quarter turns only exchange and negate components, so they turn a pattern exactly.
 #[test]
 fn quarters_of_a_turn_are_exact() {
     fn assert_turns<S: Format>() {
@@ -178,8 +176,8 @@ fn quarters_of_a_turn_are_exact() {
                 let place = [rng.f64(), rng.f64(), 3.0];
                 let point = sweep::single(exact.point(place)).map(S::length);
                 let (before, after) = (from.place(point), to.place(point));
-                // What has been a row from the top is a column from the left, and a column a row
-                // from the bottom, which is rounded the other way.
+                // A row counted from the top becomes a column counted from the left, and a column
+                // becomes a row counted from the bottom, which is rounded in the other direction.
                 assert!((after.column - before.row).abs() <= 1, "{before:?} {after:?}");
                 assert!((after.row - (65_535 - before.column)).abs() <= 1, "{before:?} {after:?}");
                 assert_eq!(before.depth, after.depth);
@@ -191,7 +189,7 @@ fn quarters_of_a_turn_are_exact() {
     assert_turns::<Fx16>();
 }
 
-/// Beyond the square a place is as far as it should be up to one side, and there it ends.
+/// Off the square a position is exact up to a distance of one side, and saturates there.
 #[test]
 fn places_off_the_square_are_off_it() {
     fn assert_off<S: Format>() {
@@ -220,7 +218,7 @@ fn places_off_the_square_are_off_it() {
     assert_off::<Fx16>();
 }
 
-/// A format whose frames are made of any bits.
+/// A format whose frames can be built from any bits.
 trait Raw: Format {
     fn any_frame(rng: &mut Rng) -> Self::Frame;
 }
@@ -247,7 +245,7 @@ fn assert_sound<S: Format>(place: ProjectedPoint<S>) {
     );
 }
 
-/// Any point has a place, and with any bits for a frame, too.
+/// Every point has a position, also with a frame of any bits.
 #[test]
 fn every_bit_pattern_has_a_place() {
     fn assert_answers<S: Raw>() {
@@ -290,14 +288,13 @@ fn what_has_no_place_is_off_the_square() {
     assert_none::<Fx32>(&points);
     assert_none::<Fx16>(&points);
     assert_none::<f32>(&[[f32::NAN, 0.0, 0.0], [0.0, 0.0, f32::NEG_INFINITY], [f32::NAN; 3]]);
-    // Right in the middle of the light that points down, and as far as there are numbers.
+    // On the axis of a light that points down, and as far away as numbers allow.
     let square = square([0.0, -1.0, 0.0]).compile::<f32>().expect("held");
     assert!(square.place(Vec3::new(0.0, -1e30, 0.0)).is_inside());
     assert!(!square.place(Vec3::new(f32::INFINITY, -1.0, 0.0)).is_inside());
 }
 
-/// The square is as wide as the cone is in truth: a cutoff makes it smaller, and OpenGL's cones
-/// have one.
+/// The square encloses the lit part of the cone: a cutoff, as in OpenGL's cones, makes it smaller.
 #[test]
 fn a_square_is_that_of_the_cutoff() {
     let cone = Cone::<Power<8>>::opengl(sweep::half(30.0)).expect("sound");

@@ -1,6 +1,5 @@
-//! Accuracy of what is computed once: angles, cones, flux and the figures of profiles, each against
-//! f64, figure by figure of `support/operations.rs`. All of it is f32, whatever the format of the
-//! light.
+//! Accuracy of set-up against f64: angles, cones, flux and the properties of profiles, row by row
+//! of `support/operations.rs`. Set-up computes in f32, whatever the format of the light.
 
 use fastrand::Rng;
 use luminaire::{
@@ -83,7 +82,7 @@ fn integral(oracle: oracle::Falloff, to: f64) -> f64 {
     (0..steps).map(|i| oracle(1.0 - (f64::from(i) + 0.5) * width)).sum::<f64>() * width
 }
 
-/// What the list states of a falloff in f64 is its formula, written otherwise.
+/// The function of a falloff in the list of models agrees with its formula.
 #[test]
 fn the_f64_form_of_a_falloff_is_its_formula() {
     fn assert_formula<P: Falloff>(shape: &Shape<P>) {
@@ -155,12 +154,12 @@ fn design_errors<P: Falloff>(shape: &Shape<P>) -> [f64; 3] {
         let outer = error(Cone::from_outer(profile, angle), degrees, 1.0);
         let field = error(Cone::from_field(profile, angle), degrees, to_field);
         let beam = error(Cone::from_beam(profile, angle), degrees, to_beam);
-        // Where the outer angle would pass 180 degrees there is no cone.
+        // If the outer angle would exceed 180 degrees, there is no cone.
         [outer, field, beam].map(|error| error.unwrap_or(0.0))
     }))
 }
 
-/// The errors of the inner, beam, field and outer angles that a cone gives.
+/// The errors of the inner, beam, field and outer angles that a cone's getters return.
 fn angle_errors<P: Falloff>(shape: &Shape<P>) -> [f64; 4] {
     largest((0..=60).map(|i| {
         let half = 0.01 * 9_000.0_f32.powf(i as f32 / 60.0);
@@ -214,8 +213,8 @@ fn cones_keep_their_figures() {
     assert_figure("candela of a cone", candela);
 }
 
-/// All of the light of a point passes any sphere around it, as does that of a cone that leaves
-/// nothing out; and an energy of 1 is `1 / (4 pi d^2)` at a distance.
+/// The flux of a point light is `4 pi` times its intensity, and twice the flux of a step cone of
+/// 180 degrees. A flux of 1 gives an irradiance of `1 / (4 pi d^2)` at distance d.
 #[test]
 fn point_lights_keep_their_flux() {
     let point = PointLight::new(Vec3::default()).expect("a sound position");
@@ -235,7 +234,7 @@ fn point_lights_keep_their_flux() {
     }
 }
 
-/// Both angles at once, and how far off they come back.
+/// Cones designed from beam and field angle, and the errors of these angles in the resulting cone.
 fn two_angle_errors<P: Falloff>(design: impl Fn(Angle, Angle) -> Option<Cone<P>>) -> f64 {
     let mut worst = 0.0_f64;
     for beam in [0.5_f32, 7.0, 20.0, 60.0] {

@@ -1,6 +1,6 @@
-//! Goniometric data as tables: how far a table is off its data, that the number it gives for it is
-//! the true one, and what the formats add. `cargo test --test suite tables:: -- --nocapture
-//! --test-threads 1` prints the differences.
+//! Goniometric data as tables: the difference between a table and its data, the correctness of the
+//! stated difference, and the error that the formats add. `cargo test --test suite tables:: --
+//! --nocapture --test-threads 1` prints the differences.
 
 use fastrand::Rng;
 use luminaire::{
@@ -73,7 +73,7 @@ fn sixty_four_knots_hold_a_published_file_within_a_linear_code() {
     }
 }
 
-/// What was measured comes back in every format where it was measured, and the axis exactly.
+/// At the measured angles a table returns the measured values in every format, on the axis exactly.
 #[test]
 fn a_published_file_comes_back_in_every_format() {
     fn assert_format<S: Format>(table: Table<'_>, most: f64) {
@@ -97,7 +97,7 @@ fn a_published_file_comes_back_in_every_format() {
     assert_format::<Fx16>(table, 0.5 / 255.0);
 }
 
-/// Curves as no fixture has them, and numbers of knots from one on.
+/// Curves that no fixture has, with one knot and more.
 #[test]
 fn a_stated_difference_is_what_a_dense_search_finds() {
     let mut rng = Rng::with_seed(63);
@@ -126,7 +126,7 @@ fn a_stated_difference_is_what_a_dense_search_finds() {
         assert!(stated >= found - 1e-9, "{outer} {measured:?}: {found:.3e} is stated as {stated:.3e}");
         assert!(stated <= 1.01 * found + 1e-4, "{outer} {measured:?}: {found:.3e} is stated as {stated:.3e}");
         ratio = if found > 1e-3 { ratio.max(stated / found) } else { ratio };
-        // A table falls where its data do.
+        // A table falls where its data fall.
         let places: Vec<_> = table.knots().iter().map(|knot| knot.to_bits().0).collect();
         assert!(places.is_sorted_by(|a, b| a < b) && places[0] == 0);
         if kind == 1 {
@@ -137,8 +137,8 @@ fn a_stated_difference_is_what_a_dense_search_finds() {
     println!("stated over found: {ratio:.4} at most");
 }
 
-/// Every versine of 16 bits, and many of the others: within two steps of the line, and never rising
-/// where that falls.
+/// At every versine of `Fx16`, and at many of the other formats, the intensity is within two steps
+/// of the line, and never rises where the line falls.
 #[test]
 fn formats_keep_to_the_line_between_knots() {
     fn assert_format<S: Format>(table: Table<'_>, steps: f64) {
@@ -166,7 +166,7 @@ fn formats_keep_to_the_line_between_knots() {
     assert_format::<Fx16>(table, 2.5);
 }
 
-/// Knots of any bits have intensities from 0 to 1, and no knots at all would be dark.
+/// Knots of any bits give intensities from 0 to 1, and a table without knots would be dark.
 #[test]
 fn every_bit_pattern_of_a_knot_has_an_answer() {
     fn assert_format<S: Format>(table: Table<'_>) {
@@ -203,8 +203,8 @@ fn a_table_of_knots_is_written_as_source() {
     assert_eq!((table.knots(), table.samples()), (&knots[..], &[][..]));
 }
 
-/// Knots that are evenly spaced are the table of their samples: to its figures, and within a step
-/// of each format.
+/// A table of evenly spaced knots equals the table of the same samples: in its properties, and
+/// within a step of each format.
 #[test]
 fn even_knots_are_the_table_of_their_samples() {
     fn assert_format<S: Format>(even: Table<'_>, knots: Table<'_>) {

@@ -54,7 +54,7 @@ fn assert_total<S: Format, P: Falloff>(shape: &Shape<P>) {
             let intensity = falloff.at(S::versine_from_bits(bits(&mut rng))).exact();
             assert!((0.0..=1.0).contains(&intensity), "{cone:?}: {intensity}");
         }
-        // The light itself has no direction and stays dark.
+        // A point at the light has no direction and stays dark.
         let here = spot.position().map(S::length);
         let up = vector(&mut rng, S::scalar_from_bits);
         assert_eq!(compiled.irradiance(here, up), S::Irradiance::default());

@@ -1,4 +1,4 @@
-//! Cones that have both angles of a data sheet, against a search over all monotone cubics in f64.
+//! Cones with both angles of a data sheet, against a search over all monotone cubics in f64.
 
 use luminaire::{
     Angle, Cone, Error, Fx16, Fx32,
@@ -16,7 +16,8 @@ fn full(versine: f64) -> f64 {
     2.0 * half_degrees(versine)
 }
 
-/// The field angle that has this ratio to a beam angle, both in degrees.
+/// The field angle for which the versines have this ratio to those of a beam angle, both in
+/// degrees.
 fn field_of(beam: f32, ratio: f64) -> f32 {
     full(ratio * oracle::versine(f64::from(beam) / 2.0)) as f32
 }
@@ -25,18 +26,18 @@ fn degrees(degrees: f32) -> Angle {
     Angle::degrees(degrees)
 }
 
-/// The two angles are where they were asked to be, by the getters and by the falloff itself.
+/// The cone has the two given angles, by its getters and by the falloff itself.
 fn assert_both<S: Format, P: Falloff>(cone: &Cone<P>, beam: f32, field: f32) {
     assert_both_within::<S, P>(cone, beam, field, 4e-6);
 }
 
-/// The same, the angles within a relative error.
+/// As above, with the angles within a relative error.
 fn assert_both_within<S: Format, P: Falloff>(cone: &Cone<P>, beam: f32, field: f32, error: f32) {
     let near = |angle: Angle, asked: f32| (angle.to_degrees() / asked - 1.0).abs() < error;
     assert!(near(cone.beam(), beam), "{cone:?}: beam {} for {beam}", cone.beam().to_degrees());
     assert!(near(cone.field(), field), "{cone:?}: field {} for {field}", cone.field().to_degrees());
     let falloff = cone.compile::<S>().expect("held");
-    // A steep edge around a wide hotspot magnifies what f32 has rounded off an angle.
+    // A steep edge around a wide hotspot magnifies the f32 rounding of an angle.
     let within = 4.0 * f64::from(S::STEP) + 2e-6 * f64::from(steepness(cone));
     for (asked, intensity) in [(beam, 0.5), (field, 0.1)] {
         let versine = oracle::versine(f64::from(asked) / 2.0) as f32;
@@ -61,15 +62,15 @@ fn the_papers_fresnel_has_both_its_angles() {
     assert!((least - 0.89).abs() < 0.01 && (most - 2.27).abs() < 0.01, "{least} to {most}");
 }
 
-/// Every ratio from 1.01 to the largest, from narrow beams to wide ones, ends in a cone that has
-/// both angles.
+/// Every ratio from 1.01 to the largest, with narrow and with wide beams, gives a cone with both
+/// angles.
 #[test]
 fn every_ratio_is_reached() {
     let mut kinds = [0; 3];
     for beam in [0.5, 7.0, 20.0, 60.0] {
         for step in 0..=880 {
             let ratio = 1.01 + 0.005 * f64::from(step);
-            // So crisp a rim in so narrow a cone is refused, because f32 does not hold it.
+            // An edge so steep in a cone so narrow is refused, because f32 does not hold it.
             if beam < 1.0 && ratio < 1.02 {
                 continue;
             }
@@ -93,9 +94,9 @@ fn every_ratio_is_reached() {
     assert!(kinds.iter().all(|&count| count > 100), "{kinds:?}");
 }
 
-/// The ends of the range: soft and hard are found again, and equal angles make a step. Near soft
-/// the edge slope goes with the root of what the ratio lacks, so that f32 finds it to three digits
-/// only.
+/// Special ratios: those of soft and hard give soft and hard, and equal angles give a step. Near
+/// soft, the edge slope is proportional to the root of the ratio's difference from that of soft, so
+/// f32 finds the slope to three digits only.
 #[test]
 fn the_ends_of_the_ratios_are_soft_hard_and_a_step() {
     let slope = |field| match Cone::from_beam_and_field(degrees(10.0), degrees(field)).expect("ok").profile()
@@ -116,7 +117,8 @@ fn the_ends_of_the_ratios_are_soft_hard_and_a_step() {
     }
 }
 
-/// The feasible region, as the documentation has it: smallest and largest ratio of each edge slope.
+/// The feasible region as in the documentation: the smallest and the largest ratio for each edge
+/// slope.
 #[test]
 fn the_feasible_region_is_the_documented_one() {
     let documented = [
@@ -186,8 +188,8 @@ fn of_two_cubics_the_one_without_a_ring_is_taken() {
         for i in 0..=16 {
             let edge = (least + (most - least) * i as f32 / 16.0).clamp(least, most);
             let cone = Cone::from_beam_field_and_slope(degrees(7.0), degrees(field), edge).expect("feasible");
-            // At an end of the interval the curve may be level just where it is a half: f32 sees
-            // the angle less well.
+            // At an end of the interval the curve may have slope zero just where the intensity is a
+            // half, so that f32 finds the angle less precisely.
             let error = if i % 16 == 0 { 5e-5 } else { 4e-6 };
             assert_both_within::<f32, _>(&cone, 7.0, field, error);
             let [a, b, c] = cone.profile().coefficients().map(f64::from);
@@ -262,7 +264,7 @@ fn what_is_no_angle_is_refused_by_name() {
     }
 }
 
-/// The picture in the documentation is the one that the search draws.
+/// The picture in the documentation equals the one that the search draws.
 #[test]
 fn the_documented_picture_is_up_to_date() {
     let picture = include_str!("../../docs/feasible-region.svg");

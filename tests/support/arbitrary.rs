@@ -1,4 +1,4 @@
-//! Inputs that nobody would give: any bit pattern at all.
+//! Inputs of any bit pattern, also those that no user would pass.
 
 use fastrand::Rng;
 use luminaire::Vec3;

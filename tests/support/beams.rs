@@ -1,5 +1,5 @@
-//! The two forms of a versine, `1 - l.s` and `|l - s|^2 / 2`, over the half angle of a soft cone:
-//! how far off each leaves the intensity.
+//! The error of the intensity with each of the two forms of a versine, `1 - l.s` and
+//! `|l - s|^2 / 2`, over the half angle of a soft cone.
 
 use super::format::Format;
 use super::{bounds, operations, oracle, sweep};
@@ -15,14 +15,14 @@ use luminaire::{
 #[derive(Clone, Copy)]
 pub struct Errors {
     pub half_degrees: f64,
-    /// Of `1 - l.s`, with the cosine rounded to a scalar of the format.
+    /// Error of the form `1 - l.s`, with the cosine rounded to a scalar of the format.
     pub cosine_form: f64,
-    /// Of the kernel; none where the format refuses the cone.
+    /// Error of the kernel; `None` if the format refuses the cone.
     pub versine_form: Option<f64>,
 }
 
-/// What the cosine form makes of a direction and an axis of the format: the versine and then the
-/// intensity without any further error.
+/// Returns the intensity that the cosine form gives for a direction and an axis of the format; only
+/// the cosine is rounded.
 fn cosine_form<S: Format>(direction: Vec3<S::Unit>, axis: Vec3<S::Unit>, outer: f64) -> f64 {
     let cosine = S::exact_direction(direction).dot(S::exact_direction(axis));
     let steps = f64::from(S::STEP) / if S::NAME == "f32" && cosine < 1.0 { 2.0 } else { 1.0 };
@@ -30,7 +30,8 @@ fn cosine_form<S: Format>(direction: Vec3<S::Unit>, axis: Vec3<S::Unit>, outer: 
     oracle::falloff(oracle::soft, (1.0 - stored).max(0.0), outer)
 }
 
-/// Looks at as many points as that, within the cone and on the grid that is exact in every format.
+/// Returns the largest errors over this many points within the cone, on the grid that every format
+/// represents exactly.
 pub fn errors<S: Format>(half_degrees: f64, count: usize) -> Errors {
     let cone = Cone::from_outer(Soft, sweep::half(half_degrees as f32)).expect("a sound angle");
     let falloff: Option<CompiledCone<S, Soft>> = cone.compile().ok();
@@ -62,7 +63,7 @@ pub fn errors<S: Format>(half_degrees: f64, count: usize) -> Errors {
 /// versine, where `2 t u` is largest; and the rounding from a versine to an intensity.
 pub fn versine_bound<S: Scalar>(half_degrees: f64) -> f64 {
     let steepness = 8.0 / (3.0 * 3.0_f64.sqrt());
-    // On a common grid f32 has the difference of light and point exactly.
+    // On a common grid the difference of light and point is exact in f32.
     let direction = if S::NAME == "f32" { 5.3e-8 } else { f64::from(S::DIRECTION_ERROR) };
     let direction = steepness * direction / half_degrees.to_radians();
     let own =
@@ -82,7 +83,7 @@ pub fn operation<S: Scalar>(name: &str) -> f64 {
     row.bounds[format.expect("a format of the table")]
 }
 
-/// The narrowest half angle in degrees that a format holds of a soft edge.
+/// The narrowest half angle in degrees of a soft cone that a format holds.
 pub fn narrowest<S: Scalar>() -> f64 {
     f64::from(Cone::narrowest::<S>(Soft).to_degrees()) / 2.0
 }

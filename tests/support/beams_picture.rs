@@ -18,11 +18,11 @@ const ERRORS: (i32, i32) = (-9, 0);
 
 const HALF_A_STEP: f64 = 1.0 / 510.0;
 
-/// How many points are looked at for each half angle.
+/// Number of points that are evaluated for each half angle.
 const COUNT: usize = 20_000;
 
-/// A format, its colour of those that Okabe and Ito chose for eyes that see fewer of them, and the
-/// half angles in degrees at which its two lines are named.
+/// A format, its colour from Okabe and Ito's palette for colour-blind readers, and the half angles
+/// in degrees at which its two lines are labelled.
 struct Pen {
     name: &'static str,
     color: &'static str,
@@ -94,8 +94,8 @@ fn format<S: Format>(out: &mut String, pen: &Pen) {
 
     let color = pen.color;
     let cosine: Vec<_> = found.iter().map(|errors| (errors.half_degrees, errors.cosine_form)).collect();
-    // Where all is lost the lines of the formats lie on one another: each begins where it has
-    // something to say.
+    // Where the error is the whole intensity, the lines of the formats coincide. So each line
+    // begins where its error becomes smaller.
     let begin = cosine.iter().rposition(|&(_, error)| error > 0.99).unwrap_or(0);
     line(out, &cosine[begin..], &format!(r#"stroke="{color}" stroke-width="2" stroke-dasharray="7 5""#));
     let versine = found.iter().filter_map(|errors| Some((errors.half_degrees, errors.versine_form?)));
@@ -123,7 +123,7 @@ fn format<S: Format>(out: &mut String, pen: &Pen) {
         at.0, at.1
     );
     let centred = format!(r#"fill="{color}" text-anchor="middle""#);
-    // Two digits of it.
+    // Two digits of the number.
     let decimals = (1 - narrowest.log10().floor() as i32).cast_unsigned() as usize;
     let degrees = format!("{narrowest:.decimals$}");
     text(out, (at.0, at.1 - 12.0), &centred, &format!("{} from {degrees}°", pen.name));

@@ -1,6 +1,6 @@
 //! The tables of error bounds, `tests/bounds.csv`. Each bound is a measured largest error with a
-//! little headroom: a test fails when an error grows past its bound, and also when the bound has
-//! become loose.
+//! little headroom: a test fails if an error exceeds its bound, and also if the bound is more than
+//! twice the error.
 //!
 //! | table | errors | unit | columns | labelled |
 //! |---|---|---|---|---|
@@ -19,11 +19,11 @@ use std::fs;
 use std::path::Path;
 use std::sync::{LazyLock, Mutex};
 
-/// The format refuses so narrow a cone.
+/// In place of a bound: the format refuses such a narrow cone.
 pub const REFUSE: f64 = f64::INFINITY;
 
-/// How much larger than the measured error a bound may be. Bounds come from the long search, and
-/// the quick one sees fewer points.
+/// Largest ratio of a bound to the measured error. Bounds come from the long search, and the quick
+/// search evaluates fewer points.
 const LOOSE: f64 = 2.0;
 
 /// Bounds by table, shape and format.
@@ -74,7 +74,7 @@ pub fn of(table: &str, shape: &str, format: &str) -> Option<Vec<f64>> {
     ROWS.lock().expect("no test panics with the table").get(&key).cloned()
 }
 
-/// What the errors of a shape break of its row.
+/// Returns a message for each measured error of a shape that does not agree with its row.
 pub fn broken(table: &str, shape: &str, format: &str, measured: &[f64]) -> Vec<String> {
     let name = format!("{table} {shape} {format}");
     let broken = match of(table, shape, format) {
@@ -96,8 +96,8 @@ pub fn broken(table: &str, shape: &str, format: &str, measured: &[f64]) -> Vec<S
     Vec::new()
 }
 
-/// Whether a measured error keeps its bound, and the bound is not loose: the message says which way
-/// it broke. A cone must be refused exactly where the table says so.
+/// Returns an error if a measured error exceeds its bound, or if the bound is loose; the message
+/// says which of the two. A cone must be refused exactly where the table says so.
 pub fn check(name: &str, measured: f64, bound: f64) -> Result<(), String> {
     if measured > bound {
         Err(format!("{name}: the error is {measured:.2e}, over its bound of {bound:.2e}"))

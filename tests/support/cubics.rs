@@ -1,4 +1,5 @@
-//! What monotone cubics can do, found by search in f64: no formula of the kernel is used.
+//! The angles that monotone cubics can have, found by search in f64 without any formula of the
+//! kernel.
 
 /// A cubic `t (a + t (b + t c))` by its slopes at `t = 0` and `t = 1`.
 #[derive(Clone, Copy, Debug)]
@@ -24,7 +25,7 @@ impl Cubic {
         slope(0.0).min(slope(1.0)).min(if turn.is_finite() { slope(turn) } else { f64::INFINITY })
     }
 
-    /// `1 - t` where the intensity is left.
+    /// Returns `1 - t` at the `t` where the cubic has this intensity.
     pub fn versine_of(&self, intensity: f64) -> f64 {
         let (mut dark, mut light) = (0.0, 1.0);
         for _ in 0..50 {
@@ -34,20 +35,20 @@ impl Cubic {
         1.0 - light
     }
 
-    /// The versine at the field over that at the beam.
+    /// The versine at the field angle divided by the versine at the beam angle.
     pub fn ratio(&self) -> f64 {
         self.versine_of(0.1) / self.versine_of(0.5)
     }
 }
 
-/// All monotone cubics of an edge slope, `count` of them at even steps of the middle slope from 0
-/// to 4.
+/// The monotone cubics with an edge slope, out of `count` cubics with evenly spaced middle slopes
+/// from 0 to 4.
 pub fn of_edge_slope(edge: f64, count: usize) -> impl Iterator<Item = Cubic> {
     let all = (0..=count).map(move |i| Cubic::with_slopes(edge, 4.0 * i as f64 / count as f64));
     all.filter(|cubic| cubic.smallest_slope() >= -1e-9)
 }
 
-/// The smallest and the largest ratio of an edge slope.
+/// The smallest and the largest ratio of the monotone cubics with an edge slope.
 pub fn ratios(edge: f64, count: usize) -> Option<(f64, f64)> {
     of_edge_slope(edge, count).map(|cubic| cubic.ratio()).fold(None, |range, ratio| {
         Some(range.map_or((ratio, ratio), |(least, most): (f64, f64)| (least.min(ratio), most.max(ratio))))

@@ -1,4 +1,4 @@
-//! Every input of a domain, in chunks over all processors: each of them where `LUMINAIRE_FULL` is
+//! Visits the inputs of a domain, in chunks on all processors: every input if `LUMINAIRE_FULL` is
 //! set, else one in [`STRIDE`].
 
 use std::ops::RangeInclusive;
@@ -7,10 +7,10 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::thread;
 use std::time::Instant;
 
-/// How far apart the inputs of the quick run are: a prime, so that they visit all bits.
+/// Distance between the inputs of the quick run. It is a prime, so that all bits change.
 pub const STRIDE: u64 = 1_009;
 
-/// How many inputs a processor takes at a time.
+/// Number of inputs that a processor takes at a time.
 const CHUNK: u64 = 1 << 26;
 
 /// Whether `LUMINAIRE_FULL` requests the long run.
@@ -18,7 +18,7 @@ pub fn is_full() -> bool {
     std::env::var_os("LUMINAIRE_FULL").is_some()
 }
 
-/// What was seen of a function over a domain.
+/// What the visit of a domain found about a function.
 #[derive(Clone, Copy, Default, Debug)]
 pub struct Seen {
     /// The largest distance from the exact value.
@@ -60,10 +60,9 @@ impl Seen {
     }
 }
 
-/// Goes over a domain in rising order. `at` gives what was found for an input and what would be
-/// exact.
+/// Visits a domain in ascending order. `at` returns the computed and the exact result for an input.
 ///
-/// The long run says on stderr when it is done with a domain, and how long that took.
+/// The long run reports on stderr when it has finished a domain, and how long that took.
 pub fn input(name: &str, domain: RangeInclusive<u64>, at: impl Fn(u64) -> [f64; 2] + Sync) -> Seen {
     let [seen] = inputs(name, domain, |input| {
         let [found, exact] = at(input);
@@ -72,8 +71,8 @@ pub fn input(name: &str, domain: RangeInclusive<u64>, at: impl Fn(u64) -> [f64; 
     seen
 }
 
-/// The same for several functions of an input, with an exact value for each of the inputs that
-/// share a result.
+/// As [`input`], for several functions of an input. Each result comes with an exact value for each
+/// of the inputs that share it.
 pub fn inputs<const FUNCTIONS: usize, const EXACT: usize>(
     name: &str,
     domain: RangeInclusive<u64>,
@@ -91,7 +90,7 @@ pub fn inputs<const FUNCTIONS: usize, const EXACT: usize>(
                 return;
             }
             let from = first + chunk * CHUNK;
-            // One more than the chunk, so that its last step is looked at as well.
+            // One input more than the chunk, so that the step to the next chunk is tested as well.
             let to = from.saturating_add(CHUNK).min(last);
             let found = over(from, to, stride, &at);
             let mut seen = seen.lock().expect("no other processor has failed");

@@ -1,16 +1,16 @@
-//! The exact view of a number format: what its stored values stand for, in f64.
+//! Exact conversions of a number format: the values in f64 that its stored values represent.
 
 use luminaire::{Fx16, Fx32, Scalar, Vec3, falloff::Falloff, light::CompiledCone};
 use luminaire_oracle::DVec3;
 
-/// A format whose values can be read exactly, and whose versines can be made from f64.
+/// A format whose values convert exactly to f64, and whose versines can be built from f64.
 pub trait Format: Scalar {
     fn exact(self) -> f64;
     fn exact_length(length: Self::Length) -> f64;
     fn exact_unit(unit: Self::Unit) -> f64;
     fn exact_light(light: Self::Irradiance) -> f64;
-    /// The exact value of a versine in the scale of a cone. The scale is found from the versine
-    /// that the cone stores for 2^-28.
+    /// The exact value of a versine in the scale of a cone. The scale follows from the versine that
+    /// the cone stores for 2^-28.
     fn exact_versine<P: Falloff>(falloff: &CompiledCone<Self, P>, versine: Self::Versine) -> f64;
     /// The scalar, length, unit and versine with these bits, truncated to the width of the format.
     fn scalar_from_bits(bits: u64) -> Self;
@@ -76,7 +76,7 @@ impl Format for f32 {
 macro_rules! fixed_format {
     ($format:ty, $scalar:ty, $length:ty, $versine:ty) => {
         impl Format for $format {
-            // Asked of every input there is, and sooner answered than by `to_num`.
+            // The exhaustive tests call this for every input, and it is faster than `to_num`.
             fn exact(self) -> f64 {
                 f64::from(self.to_bits()) * f64::from(Self::STEP)
             }

@@ -1,9 +1,9 @@
-//! A gobo in f64, as plainly as it can be written, and the table of its error bounds.
+//! The reference of a gobo in f64, as plain code, and the table of its error bounds.
 
 use super::bounds::REFUSE;
 
-/// The transmission at these ways from the left and the top edge, in sides: linear interpolation
-/// between the middles of the parts, first in rows and then between two of them.
+/// The transmission at these distances from the left and the top edge, in sides: linear
+/// interpolation between the centres of the texels, first along two rows and then between them.
 pub fn transmission(side: usize, transmissions: &[u8], [column, row]: [f64; 2]) -> f64 {
     let last = (side - 1) as f64;
     let [x, y] = [column, row].map(|way| (way * side as f64 - 0.5).clamp(0.0, last));
@@ -15,9 +15,9 @@ pub fn transmission(side: usize, transmissions: &[u8], [column, row]: [f64; 2]) 
     between(along(top), along(bottom), y - top as f64)
 }
 
-/// The bounds in `f32`, `Fx32` and `Fx16`, in this order, of a gobo of random transmissions.
-/// Measured and held as in [`bounds`](super::bounds), two-sided and searched; `LUMINAIRE_FULL=1
-/// cargo test --test suite gobo:: -- --nocapture --test-threads 1` prints the measured ones.
+/// The bounds in `f32`, `Fx32` and `Fx16`, in this order, of a gobo of random transmissions. Errors
+/// are searched and compared as in [`bounds`](super::bounds), two-sided; `LUMINAIRE_FULL=1 cargo
+/// test --test suite gobo:: -- --nocapture --test-threads 1` prints the measured ones.
 pub struct Row {
     pub name: &'static str,
     /// Number of texels on a side.

@@ -1,5 +1,5 @@
-//! The table of error bounds of air light in haze, measured and held as in
-//! [`bounds`](super::bounds), two-sided and searched: 1,800 rays each.
+//! The table of error bounds of in-scattering in haze. Errors are searched over 1,800 rays each,
+//! and compared as in [`bounds`](super::bounds), two-sided.
 
 /// The half angles of the cones, in degrees.
 pub const HALF_ANGLES: [f32; 6] = [0.1, 1.0, 7.5, 22.0, 45.0, 90.0];
@@ -14,7 +14,7 @@ const fn row(name: &'static str, errors: [f64; HALF_ANGLES.len()]) -> Row {
     Row { name, errors }
 }
 
-/// The soft edge by another distance model, along rays of up to 30 units.
+/// The soft edge with another attenuation, along rays of up to 30 units.
 #[rustfmt::skip]
 pub const DISTANCES: [Row; 7] = [
     row("unattenuated",      [1.0e-3, 1.0e-3, 3.3e-3, 3.3e-3, 3.0e-2, 1.1e-2]),
@@ -26,20 +26,21 @@ pub const DISTANCES: [Row; 7] = [
     row("cut at",            [7.0e-4, 2.4e-4, 3.6e-4, 2.8e-4, 9.0e-4, 2.3e-3]),
 ];
 
-/// The soft edge by samples of what gets through, in waves of ten units.
+/// The soft edge with a sampled transmittance, in waves of ten units.
 #[rustfmt::skip]
 pub const SAMPLES: [Row; 2] = [
     row("16 samples",        [1.0e-3, 1.4e-1, 6.1e-2, 3.7e-2, 2.0e-2, 1.8e-2]),
     row("64 samples",        [6.7e-4, 2.7e-2, 3.2e-2, 1.1e-2, 4.5e-3, 4.4e-3]),
 ];
 
-/// The soft edge where the ray passes close to the light, over what that magnifies.
+/// The soft edge for rays that pass close to the light. Errors are divided by the factor of their
+/// magnification.
 #[rustfmt::skip]
 pub const AT_THE_LIGHT: [Row; 1] = [
     row("at the light",      [6.2e-6, 1.1e-6, 2.0e-7, 5.0e-8, 3.4e-8, 2.5e-6]),
 ];
 
-/// What the laws leave to rounding.
+/// The tolerances of the laws for rounding.
 #[rustfmt::skip]
 pub const LAWS: [(&str, f64); 7] = [
     ("largest fall",   1.5e-6),

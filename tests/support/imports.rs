@@ -1,4 +1,4 @@
-//! Imported lights beside the originals that they stand for: the lists that the tests run over.
+//! Imported lights beside the originals: the lists that the tests iterate over.
 
 use super::originals::{self, Original};
 use luminaire::{
@@ -79,7 +79,7 @@ pub fn penumbra(umbra: f32, penumbra: f32, ramp: import::Ramp) -> (Import, Origi
 
 pub const PLAIN: [f32; 3] = [1.0, 0.0, 0.0];
 
-/// Lights whose every part the kernel has.
+/// Lights that the kernel imports exactly.
 pub fn exact() -> Vec<(Import, Original)> {
     let mut lights: Vec<_> = (0..=128_u8).map(|e| opengl(35.0, e.into(), PLAIN)).collect();
     lights.extend([
@@ -118,7 +118,7 @@ pub fn exact() -> Vec<(Import, Original)> {
     for attenuation in [0.125, 1.5, 2.0, 3.0, 4.0, 20.0, 128.0] {
         lights.push(godot(45.0, attenuation, 5.0, 2.0));
     }
-    // Every way in which some of the coefficients are none.
+    // Every combination of coefficients that are zero.
     for some in 1..8_u8 {
         let coefficients = [0, 1, 2].map(|i| if some >> i & 1 == 1 { [1.0, 0.25, 0.5][i] } else { 0.0 });
         lights.push(opengl(90.0, 1.0, coefficients));
@@ -127,7 +127,7 @@ pub fn exact() -> Vec<(Import, Original)> {
     lights
 }
 
-/// Lights that the kernel comes near to.
+/// Lights that the kernel approximates.
 pub fn near() -> Vec<(Import, Original)> {
     let mut lights = Vec::new();
     for attenuation in [0.25, 0.5, 1.0] {

@@ -1,5 +1,5 @@
-//! The oracle of haze: what is scattered along a view ray, summed over the way along it, in f64 and
-//! as plainly as it can be written.
+//! The reference for haze: the light that is scattered along a view ray, integrated over the
+//! distance along the ray, in f64 and as plain code.
 
 use super::oracle::{self, DVec3};
 
@@ -30,7 +30,7 @@ impl Ray {
 }
 
 impl Beam {
-    /// The air light of a ray.
+    /// The in-scattering along a ray.
     pub fn in_scattering(&self, ray: &Ray) -> f64 {
         self.in_scattering_through(ray, |_| 1.0)
     }
@@ -45,8 +45,8 @@ impl Beam {
         self.density / 4.0 * sum
     }
 
-    /// The part of the ray within the cone, cut where it enters and leaves the hotspot, and ever
-    /// more finely towards the light.
+    /// The part of the ray within the cone, divided where the ray enters and leaves the hotspot,
+    /// and more finely the nearer it is to the light.
     fn panels(&self, ray: &Ray) -> Vec<f64> {
         let Some((first, last)) = self.visible(ray) else { return Vec::new() };
         let way = ray.eye - self.spot.position;
@@ -63,8 +63,8 @@ impl Beam {
         };
         retain(&mut places, first, last);
         let nearest = self.nearest_to_axis(ray, &places);
-        // A cone of up to 180 degrees is convex: to either side of a place within there is one
-        // place to leave it.
+        // A cone of up to 180 degrees is convex: from a position inside, the ray leaves the cone
+        // once in either direction.
         let ends = |versine: f64| {
             let is_within = |s: f64| self.spot.versine(ray.at(s)) < versine;
             let ends = [first, last].map(|end| boundary(nearest, end, is_within));
@@ -77,7 +77,7 @@ impl Beam {
         places
     }
 
-    /// From where to where the ray is neither in the light nor behind it, and within the range.
+    /// The interval in which the ray is neither in the light nor behind it, and within the range.
     fn visible(&self, ray: &Ray) -> Option<(f64, f64)> {
         let way = ray.eye - self.spot.position;
         let foot = -way.dot(ray.direction);
@@ -129,7 +129,7 @@ fn boundary(within: f64, beyond: f64, holds: impl Fn(f64) -> bool) -> f64 {
     within
 }
 
-/// Simpson's rule, just within the ends, where a function may jump.
+/// Simpson's rule, evaluated just within the ends, because the function may jump at an end.
 fn simpson(from: f64, to: f64, value: impl Fn(f64) -> f64) -> f64 {
     let step = (to - from) / f64::from(PARTS);
     let inset = 1e-12 * (to - from);

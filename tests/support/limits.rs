@@ -1,5 +1,5 @@
-//! The table of what a user sees: the error from an ideal position and axis to the display, in
-//! steps of eight bits, and the least that the rounding of the inputs alone makes of it.
+//! The table of the errors that a user sees, from an exact position and axis to the display, in
+//! 8-bit codes; and the errors that the rounding of the inputs alone causes.
 
 use super::bounds::REFUSE;
 use super::oracle::{self, Cone};
@@ -9,7 +9,8 @@ use std::fmt::Write;
 /// The half angles in degrees of the cones.
 pub const CONES: [f32; 7] = [0.01, 0.1, 1.0, 3.5, 7.5, 30.0, 89.0];
 
-/// How far the point is from the light, and how far the coordinates of both are from 0 at most.
+/// The distance of the point from the light, and the largest coordinates of the light and of the
+/// point.
 pub const DISTANCE: f64 = 3.0;
 pub const LIGHT_WITHIN: f64 = 4.0;
 pub const POINT_WITHIN: f64 = 8.0;
@@ -17,15 +18,15 @@ pub const POINT_WITHIN: f64 = 8.0;
 /// One number for each of [`CONES`].
 pub type Column = [f64; CONES.len()];
 
-/// The bounds of one profile in one format. Measured and held as in [`bounds`](super::bounds),
-/// two-sided and searched.
+/// The bounds of one profile in one format. Errors are searched and compared as in
+/// [`bounds`](super::bounds), two-sided.
 pub struct Row {
     pub profile: &'static str,
     pub format: &'static str,
-    /// Of the linear intensity, in 1/255.
+    /// Bounds of the linear intensity, in 1/255.
     pub linear: Column,
-    /// Of the displayed sRGB code, from the exact code before it is rounded: half of one is that
-    /// rounding.
+    /// Bounds of the displayed sRGB code, against the exact code before rounding: half a code of it
+    /// is that rounding.
     pub codes: Column,
 }
 
@@ -94,15 +95,15 @@ pub const ROWS: [Row; 12] = [
     },
 ];
 
-/// Half the quantum of a coordinate of a size.
+/// Half the quantum of a coordinate of a given size.
 fn half_quantum<S: Scalar>(size: f64) -> f64 {
     // The lengths of the fixed-point formats are I16F16.
     if S::NAME == "f32" { f64::from(f32::EPSILON) * size / 4.0 } else { 0.5_f64.powi(17) }
 }
 
-/// How far off the rounding of the inputs alone can turn the direction from the axis, in radians:
-/// three components of a point and a light, at a distance, and three of an axis, which is described
-/// in f32 whatever the format.
+/// The largest angle in radians by which the rounding of the inputs alone turns the direction
+/// relative to the axis. The inputs are three components each of a point, of a light, and of an
+/// axis, which is f32 whatever the format.
 pub fn input_rounding<S: Scalar>() -> f64 {
     let position = half_quantum::<S>(POINT_WITHIN) + half_quantum::<S>(LIGHT_WITHIN);
     let axis = 0.5_f64.powi(25);
@@ -110,8 +111,8 @@ pub fn input_rounding<S: Scalar>() -> f64 {
 }
 
 /// The largest change of the linear intensity, in 1/255, and of the sRGB code, anywhere in a cone,
-/// where every angle is turned outwards by `radians` and every versine stretched by a relative
-/// `stretch`.
+/// if every direction is turned outwards by `radians` and every versine is multiplied by
+/// `1 + stretch`.
 pub fn largest_change(cone: &Cone, half_degrees: f64, radians: f64, stretch: f64) -> [f64; 2] {
     let turn = radians.to_degrees();
     let change = |degrees: f64| {
@@ -119,7 +120,8 @@ pub fn largest_change(cone: &Cone, half_degrees: f64, radians: f64, stretch: f64
         let far = cone.falloff(oracle::versine(degrees + turn) * (1.0 + stretch));
         [255.0 * (near - far), oracle::srgb_code(near) - oracle::srgb_code(far)]
     };
-    // Over the cone, and more closely over the last turns before the edge, where codes change most.
+    // Samples the whole cone, and more densely the part just before the edge, where codes change
+    // most.
     let over = |from: f64| (0..=10_000).map(move |i| from + (half_degrees - from) * f64::from(i) / 10_000.0);
     let edge = (half_degrees - 10.0 * turn - half_degrees * stretch).max(0.0);
     over(0.0)
@@ -156,7 +158,7 @@ pub fn markdown(limits: impl Fn(&Row) -> [Column; 2]) -> String {
     out
 }
 
-/// Two digits, of small values one.
+/// Formats a value with two digits, a small value with one.
 fn short(value: f64) -> String {
     match value {
         0.0..0.001 => format!("{value:.0e}"),

@@ -1,9 +1,11 @@
-//! The table of error bounds of single steps: the operations of the seam in each format, and the
-//! figures of set-up, which are f32 whatever the format. Measured and held as in
-//! [`bounds`](super::bounds), two-sided and searched; `LUMINAIRE_FULL=1 cargo test --test suite --
-//! operations:: setup:: --nocapture --test-threads 1` prints the measured ones.
+//! The table of error bounds of single operations: those of the seam (the interface between kernel
+//! and number format) in each format, and those of set-up, which are f32 whatever the format.
+//! Errors are searched and compared as in [`bounds`](super::bounds), two-sided; `LUMINAIRE_FULL=1
+//! cargo test --test suite -- operations:: setup:: --nocapture --test-threads 1` prints the
+//! measured ones.
 
-/// The bounds of one operation in `f32`, `Fx32` and `Fx16`, in this order. 0 holds it to be exact.
+/// The bounds of one operation in `f32`, `Fx32` and `Fx16`, in this order. With a bound of 0 the
+/// operation must be exact.
 pub struct Row {
     pub operation: &'static str,
     pub bounds: [f64; 3],
@@ -52,7 +54,7 @@ pub const ROWS: [Row; 35] = [
     row("to f32, relative",              [0.0, 6.4e-8, 0.0]),
 ];
 
-/// The bound of one figure of set-up: a relative error unless it says otherwise.
+/// The bound of one result of set-up: a relative error, unless the name says otherwise.
 pub struct Figure {
     pub name: &'static str,
     pub bound: f64,

@@ -1,20 +1,20 @@
-//! The oracle of imported lights: the formulas of other systems, whole, as their sources write
-//! them, in f64.
+//! The reference for imported lights: the complete formulas of other systems in f64, as their
+//! sources write them.
 //!
-//! Each gives the light at a cosine of the angle off its direction and at a distance, for a light
-//! of strength 1.
+//! Each formula gives the light at a distance and at a cosine of the angle off axis, for a light of
+//! intensity 1.
 
 /// A light of another system.
 pub struct Original {
     pub name: String,
-    /// The cosines of the half angles where the light begins to fall and where it ends.
+    /// The cosines of the half angles at which the falloff begins and ends.
     pub inner: f64,
     pub outer: f64,
-    /// Of the cosine of the angle off the direction.
+    /// The falloff, a function of the cosine of the angle off axis.
     pub angle: Box<dyn Fn(f64) -> f64>,
-    /// Of the distance.
+    /// The attenuation, a function of the distance.
     pub distance: Box<dyn Fn(f64) -> f64>,
-    /// The distance nearer than which the original does not grow, and where it ends.
+    /// The distance below which the original stops growing, and its range.
     pub stop: f64,
     pub range: Option<f64>,
 }
@@ -118,7 +118,7 @@ pub fn three(angle: f32, penumbra: f32, distance: f32, decay: f32) -> Original {
 pub fn godot(spot_angle: f32, angle_attenuation: f32, range: f32, attenuation: f32) -> Original {
     let name =
         format!("Godot, angle {spot_angle}, attenuation {angle_attenuation}, with distance {attenuation}");
-    // In single precision, as Godot fills its light buffer.
+    // Computed in single precision, like Godot's light buffer.
     let cone_attenuation = f64::from(1.0 / angle_attenuation);
     let (range, decay) = (f64::from(range), f64::from(attenuation));
     let outer = f64::from(spot_angle).to_radians().cos();
@@ -135,8 +135,8 @@ pub fn godot(spot_angle: f32, angle_attenuation: f32, range: f32, attenuation: f
     Original { name, inner: 1.0, outer, angle, distance, stop: 1e-4, range: Some(range) }
 }
 
-/// Full to the umbra, none from the penumbra on, over the cosine a line or smoothstep between; full
-/// angles in degrees.
+/// Full intensity up to the umbra, none from the penumbra on, and in between a line or smoothstep
+/// over the cosine. Full angles in degrees.
 pub fn penumbra(umbra: f32, penumbra: f32, smooth: bool) -> Original {
     let name = format!("umbra {umbra}, penumbra {penumbra}, smooth {smooth}");
     let [inner, outer] = [umbra, penumbra].map(|angle| (f64::from(angle) / 2.0).to_radians().cos());

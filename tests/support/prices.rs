@@ -1,5 +1,5 @@
-//! The table of error bounds of what comes after the cone: distance, highlight and the complete lit
-//! point. Measured and held as in [`bounds`](super::bounds), two-sided and searched.
+//! The table of error bounds of attenuation, highlight and the complete lit point. Errors are
+//! searched and compared as in [`bounds`](super::bounds), two-sided.
 
 /// The bounds of one model in `f32`, `Fx32` and `Fx16`, in this order.
 pub struct Row {
@@ -7,9 +7,9 @@ pub struct Row {
     pub bounds: [f64; 3],
 }
 
-/// The light of a point light at 0.02 to 1.1 times its range, full scale at half the range for a
-/// model that falls with the square: the error, relative to the larger of full scale and the light
-/// without a window there.
+/// The error of a point light at 0.02 to 1.1 times its range; with an inverse square it has full
+/// scale at half the range. The error is relative to full scale, or to the light that would arrive
+/// without a window if that is more.
 #[rustfmt::skip]
 pub const DISTANCE: [Row; 6] = [
     Row { model: "unattenuated",      bounds: [2.9e-7, 4.6e-9, 1.1e-4] },
@@ -38,9 +38,9 @@ pub const HIGHLIGHT: [Row; 12] = [
     Row { model: "difference-form 256", bounds: [2.7e-6, 1.1e-6, 1.6e-3] },
 ];
 
-/// The complete lit point of the classic equation, of an ambient, a spotlight and a shiny material:
-/// the error of the linear light, and the error of the nearest display code, in codes before the
-/// exact one is rounded.
+/// The complete lit point of the classic equation, with an ambient light, a spotlight and a shiny
+/// material. The errors are that of the linear light, and that of the display code against the
+/// exact code before rounding.
 #[rustfmt::skip]
 pub const LIT: [Row; 2] = [
     Row { model: "lit point, linear", bounds: [4.7e-7, 5.8e-8, 2.3e-4] },

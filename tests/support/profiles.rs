@@ -1,4 +1,4 @@
-//! Every profile of the kernel beside its reference: the list that the sweeps run over.
+//! Every profile of the kernel beside its reference: the list that the sweeps iterate over.
 
 use super::{oracle, sweep};
 use luminaire::{
@@ -14,7 +14,7 @@ pub fn cubic() -> Cubic {
     Cubic::with_slopes(1.25, 3.5).expect("sound slopes")
 }
 
-/// A cone of the kernel and its exact model, both made of the outer half angle in degrees.
+/// A cone of the kernel and its exact model, both functions of the outer half angle in degrees.
 pub struct Shape<P> {
     pub name: &'static str,
     pub cone: fn(P, f32) -> Cone<P>,
@@ -98,7 +98,8 @@ fn exact_cut(profile: oracle::Falloff, outer: f64) -> oracle::Cone {
     oracle::Cone { limit, ..oracle::Cone::new(profile, outer) }
 }
 
-/// The shapes that never rise towards the edge; the others do by a step of the format at most.
+/// The shapes whose intensity never rises towards the edge. The others rise by at most a step of
+/// the format.
 pub const STRICT: [&str; 12] = [
     "soft",
     "hard",
@@ -114,13 +115,13 @@ pub const STRICT: [&str; 12] = [
     "opengl-15",
 ];
 
-/// Parameters of the list are sound.
+/// The parameters of the list are valid.
 pub fn sound<T>(sample: Result<T, luminaire::Error>) -> T {
     sample.expect("the parameters of the list are sound")
 }
 
-/// The results of a generic function for every shape: each falloff of the list plain, a power of an
-/// odd exponent, the soft edge around a hotspot and cut off, and OpenGL's.
+/// The results of a generic function for every shape: each falloff of the list, a power with an odd
+/// exponent, the soft edge with a hotspot and with a cutoff, and OpenGL's spotlight.
 #[macro_export]
 macro_rules! with_every_shape {
     ($function:ident :: <$format:ty>) => {

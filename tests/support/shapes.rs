@@ -1,10 +1,10 @@
-//! Falloffs of every kind at random.
+//! Random falloffs of every kind.
 
 use fastrand::Rng;
 use luminaire::falloff::{AnyFalloff, Falloff, Formula, Table};
 
-/// A random falloff of the list, its tables from these: one whose intensity is promised everywhere,
-/// which those that jump or have a slope without a bound are not.
+/// A random falloff of the list, with a table from `tables`. Falloffs that jump or have an infinite
+/// slope are left out, because a format does not bound their error of intensity.
 pub fn random(rng: &mut Rng, tables: &[&'static [u16]]) -> AnyFalloff {
     loop {
         match AnyFalloff::drawn(rng.usize(..), || rng.f32()) {
