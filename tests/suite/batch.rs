@@ -1,4 +1,4 @@
-//! Results of one call for many points are bit-identical to those of one call per point.
+//! Results of one call with many points are bit-identical to those of one call per point.
 
 use fastrand::Rng;
 use luminaire::{
