@@ -1,73 +1,59 @@
-//! Visible points and shadows, compared with f64.
+//! What the pixels see and what is in shadow, against f64.
 
 use luminaire::Vec3;
 use luminaire::number::Length;
+use luminaire_kernels::oracle::DVec3;
 
 use super::measures::{BALL, BALL_RADIUS, COLUMN, COLUMN_HEIGHT, COLUMN_RADIUS, EYE, LIGHT, WALL};
 use super::scene::{Material, Site, look};
 use super::shadow::is_in_shadow;
 use super::{HEIGHT, WIDTH};
 
-type Vector = [f64; 3];
-
-fn wide(metres: [f32; 3]) -> Vector {
-    metres.map(f64::from)
+fn wide(metres: [f32; 3]) -> DVec3 {
+    metres.map(f64::from).into()
 }
 
-fn point(start: Vector, way: Vector, after: f64) -> Vector {
-    [0, 1, 2].map(|i| start[i] + after * way[i])
-}
-
-fn dot(a: Vector, b: Vector) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-/// Parameter at which a line enters an object that is round in the axes of `mask`. `None` if the
-/// line starts inside the object, misses it or only touches it.
-fn entry(start: Vector, way: Vector, middle: Vector, radius: f64, mask: Vector) -> Option<f64> {
-    let masked = |v: Vector| [0, 1, 2].map(|i| v[i] * mask[i]);
-    let (way, from) = (masked(way), masked([0, 1, 2].map(|i| start[i] - middle[i])));
-    let (a, b, c) = (dot(way, way), dot(from, way), dot(from, from) - radius * radius);
+/// Parameter at which a line enters an object that is round in the axes of `mask`, if it starts
+/// outside and does not only touch it.
+fn entry(start: DVec3, way: DVec3, middle: DVec3, radius: f64, mask: DVec3) -> Option<f64> {
+    let (way, from) = (way * mask, (start - middle) * mask);
+    let (a, b, c) = (way.length_squared(), from.dot(way), from.length_squared() - radius * radius);
     let discriminant = b * b - a * c;
     (discriminant > 0.0 && b < 0.0 && c > 0.0).then(|| (-b - discriminant.sqrt()) / a)
 }
 
-fn into_ball(start: Vector, way: Vector) -> Option<f64> {
-    entry(start, way, wide(BALL), BALL_RADIUS.into(), [1.0; 3])
+fn into_ball(start: DVec3, way: DVec3) -> Option<f64> {
+    entry(start, way, wide(BALL), BALL_RADIUS.into(), DVec3::ONE)
 }
 
-/// Parameter at which a line enters the column through its side or its top, and the normal there.
-fn into_column(start: Vector, way: Vector) -> Option<(f64, Vector)> {
+/// Where a line enters the column by its side or by its top, and the normal there.
+fn into_column(start: DVec3, way: DVec3) -> Option<(f64, DVec3)> {
     let middle = wide([COLUMN[0], 0.0, COLUMN[1]]);
     let (height, radius) = (f64::from(COLUMN_HEIGHT), f64::from(COLUMN_RADIUS));
-    let side = entry(start, way, middle, radius, [1.0, 0.0, 1.0])?;
-    let there = point(start, way, side);
-    if there[1] <= height {
-        let normal = [(there[0] - middle[0]) / radius, 0.0, (there[2] - middle[2]) / radius];
-        return (there[1] >= 0.0).then_some((side, normal));
+    let side = entry(start, way, middle, radius, DVec3::new(1.0, 0.0, 1.0))?;
+    let there = start + side * way;
+    if there.y <= height {
+        let normal = ((there - middle) / radius).with_y(0.0);
+        return (there.y >= 0.0).then_some((side, normal));
     }
-    let top = (height - start[1]) / way[1];
-    let [x, _, z] = point(start, way, top);
-    let is_over = (x - middle[0]).hypot(z - middle[2]) < radius;
-    (top > 0.0 && is_over).then_some((top, [0.0, 1.0, 0.0]))
+    let top = (height - start.y) / way.y;
+    let is_over = (start + top * way - middle).with_y(0.0).length() < radius;
+    (top > 0.0 && is_over).then_some((top, DVec3::Y))
 }
 
-/// The line of sight through the centre of a pixel. At a depth of 1, a pixel is 410/65,536 wide.
-fn sight(column: usize, row: usize) -> Vector {
+/// The line of sight through the middle of a pixel: the picture is 160 pixels of 410/65,536 wide.
+fn sight(column: usize, row: usize) -> DVec3 {
     let slope = |pixels: f64| pixels * 410.0 / 65_536.0;
-    [slope(column as f64 + 0.5 - 80.0), -slope(row as f64 + 0.5 - 38.0), -1.0]
+    DVec3::new(slope(column as f64 + 0.5 - 80.0), -slope(row as f64 + 0.5 - 38.0), -1.0)
 }
 
-/// The material, the depth and the normal that a pixel shows.
-fn exact(column: usize, row: usize) -> (Material, f64, Vector) {
+/// What a pixel sees: how far into the depth, and with which normal.
+fn exact(column: usize, row: usize) -> (Material, f64, DVec3) {
     let (eye, way) = (wide(EYE), sight(column, row));
-    let wall = (Material::Wall, eye[2] - f64::from(WALL), [0.0, 0.0, 1.0]);
-    let floor = (Material::LightTile, -eye[1] / way[1], [0.0, 1.0, 0.0]);
-    let ball = into_ball(eye, way).map(|depth| {
-        let there = point(eye, way, depth);
-        let normal = [0, 1, 2].map(|i| (there[i] - f64::from(BALL[i])) / f64::from(BALL_RADIUS));
-        (Material::Ball, depth, normal)
-    });
+    let wall = (Material::Wall, eye.z - f64::from(WALL), DVec3::Z);
+    let floor = (Material::LightTile, -eye.y / way.y, DVec3::Y);
+    let ball = into_ball(eye, way)
+        .map(|depth| (Material::Ball, depth, (eye + depth * way - wide(BALL)) / f64::from(BALL_RADIUS)));
     let column = into_column(eye, way).map(|(depth, normal)| (Material::Column, depth, normal));
     let all = [Some(wall), Some(floor), ball, column].into_iter().flatten().filter(|seen| seen.1 > 0.0);
     all.min_by(|a, b| a.1.total_cmp(&b.1)).expect("the wall is everywhere")
@@ -83,12 +69,11 @@ fn seen() -> Vec<(usize, usize, Site)> {
     all
 }
 
-fn metres(point: Vec3<Length>) -> Vector {
-    [point.x, point.y, point.z].map(|c| c.to_f64())
+fn metres(point: Vec3<Length>) -> DVec3 {
+    DVec3::new(point.x.to_f64(), point.y.to_f64(), point.z.to_f64())
 }
 
-/// Exhaustive over the picture: every pixel shows the right material, with depth and normal within
-/// the stated errors.
+/// Exhaustive: every pixel sees what it should, and where, within the stated errors.
 #[test]
 fn pixels_see_what_is_there() {
     let (mut outline, mut off, mut turned) = (0, 0.0_f64, 0.0_f64);
@@ -99,11 +84,10 @@ fn pixels_see_what_is_there() {
             outline += 1;
             continue;
         }
-        let there = point(wide(EYE), sight(column, row), depth);
-        let found = metres(site.point);
-        off = [0, 1, 2].iter().map(|&i| (found[i] - there[i]).abs()).fold(off, f64::max);
-        let found = [site.normal.x, site.normal.y, site.normal.z].map(|c| c.to_f64());
-        turned = [0, 1, 2].iter().map(|&i| (found[i] - normal[i]).abs()).fold(turned, f64::max);
+        let there = wide(EYE) + depth * sight(column, row);
+        off = off.max((metres(site.point) - there).abs().max_element());
+        let found = DVec3::new(site.normal.x.to_f64(), site.normal.y.to_f64(), site.normal.z.to_f64());
+        turned = turned.max((found - normal).abs().max_element());
     }
     println!("{outline} pixels, {:.2} mm, normals by {turned:.1e}", 1000.0 * off);
     assert_eq!(outline, 0, "so many pixels see something else");
@@ -114,7 +98,8 @@ fn pixels_see_what_is_there() {
 #[test]
 fn tiles_are_half_a_metre_wide() {
     for (_, _, site) in seen() {
-        let [x, _, z] = metres(site.point).map(|metres| (2.0 * metres).floor() as i32);
+        let tile = (2.0 * metres(site.point)).floor();
+        let [x, z] = [tile.x, tile.z].map(|tile| tile as i32);
         match site.material {
             Material::LightTile => assert_eq!((x + z) % 2, 0),
             Material::DarkTile => assert_ne!((x + z) % 2, 0),
@@ -123,13 +108,13 @@ fn tiles_are_half_a_metre_wide() {
     }
 }
 
-/// Shadows are exact except for a few pixels at their outline.
+/// Shadows are where they should be, but for a few pixels at their outline.
 #[test]
 fn shadows_fall_where_they_should() {
     let (mut outline, mut count) = (0, 0);
     for (_, _, site) in seen() {
         let start = metres(site.point);
-        let way = [0, 1, 2].map(|i| f64::from(LIGHT[i]) - start[i]);
+        let way = wide(LIGHT) - start;
         let before_light = |after: f64| after < 1.0;
         let by_ball = site.material != Material::Ball && into_ball(start, way).is_some_and(before_light);
         let by_column =
@@ -142,9 +127,9 @@ fn shadows_fall_where_they_should() {
     assert!((1..=8).contains(&outline), "{outline} pixels of {count}");
 }
 
-/// Parameter at which a rising line enters the column. It cannot enter through the top.
-fn entry_below_top(start: Vector, way: Vector) -> Option<f64> {
+/// Parameter at which a rising line enters the column.
+fn entry_below_top(start: DVec3, way: DVec3) -> Option<f64> {
     let middle = wide([COLUMN[0], 0.0, COLUMN[1]]);
-    let side = entry(start, way, middle, COLUMN_RADIUS.into(), [1.0, 0.0, 1.0])?;
-    (point(start, way, side)[1] < f64::from(COLUMN_HEIGHT)).then_some(side)
+    let side = entry(start, way, middle, COLUMN_RADIUS.into(), DVec3::new(1.0, 0.0, 1.0))?;
+    ((start + side * way).y < f64::from(COLUMN_HEIGHT)).then_some(side)
 }
