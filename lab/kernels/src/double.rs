@@ -2,15 +2,16 @@
 
 use core::marker::PhantomData;
 
-use luminaire_oracle::DVec3;
-
 use crate::{
     kernel::Kernel,
     profile::Shape,
     scene::{AXIS, POSITION, Site},
-    truth::widened,
+    truth,
     value::Value,
 };
+
+/// A vector. Not one of a library: the instructions of this kernel are on record, to the last one.
+type Vector = [f64; 3];
 
 /// A compiled cone.
 #[derive(Clone, Copy, Debug)]
@@ -57,7 +58,7 @@ impl<P: Shape> Kernel for DoubleFalloff<P> {
 #[derive(Clone, Copy, Debug)]
 pub struct DoublePoint {
     falloff: DoubleFalloff<luminaire::falloff::Soft>,
-    axis: DVec3,
+    axis: Vector,
     /// The squared cosine of the outer half angle, less a margin for rounding.
     bound: f64,
 }
@@ -67,7 +68,7 @@ impl DoublePoint {
     pub fn new(outer: f32) -> Self {
         let squared_sine = f64::from(outer) * (2.0 - f64::from(outer));
         let bound = 1.0 - squared_sine - 16.0 * f64::EPSILON;
-        Self { falloff: DoubleFalloff::new(outer), axis: widened(AXIS).normalize(), bound }
+        Self { falloff: DoubleFalloff::new(outer), axis: truth::widened(AXIS).normalize().to_array(), bound }
     }
 }
 
@@ -82,18 +83,18 @@ impl Kernel for DoublePoint {
 
     #[inline(always)]
     fn evaluate(&self, site: &Site) -> f64 {
-        let way = widened(site.point) - widened(POSITION);
-        let (squared, facing) = (way.length_squared(), -way.dot(widened(site.normal)));
+        let way = minus(widened(site.point), widened(POSITION));
+        let (squared, facing) = (dot(way, way), -dot(way, widened(site.normal)));
         if facing <= 0.0 {
             return 0.0;
         }
-        let along = way.dot(self.axis);
+        let along = dot(way, self.axis);
         if along * along.abs() < self.bound * squared {
             return 0.0;
         }
         let reciprocal = 1.0 / sqrt(squared);
-        let difference = way * reciprocal - self.axis;
-        self.falloff.at(0.5 * difference.length_squared()) * (facing * reciprocal)
+        let difference = minus(scaled(way, reciprocal), self.axis);
+        self.falloff.at(0.5 * dot(difference, difference)) * (facing * reciprocal)
     }
 
     #[inline(always)]
@@ -108,4 +109,20 @@ fn sqrt(x: f64) -> f64 {
     return x.sqrt();
     #[cfg(not(feature = "std"))]
     return libm::sqrt(x);
+}
+
+fn widened(v: luminaire::Vec3<f32>) -> Vector {
+    [v.x.into(), v.y.into(), v.z.into()]
+}
+
+fn dot(a: Vector, b: Vector) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+fn minus(a: Vector, b: Vector) -> Vector {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+}
+
+fn scaled(a: Vector, by: f64) -> Vector {
+    a.map(|c| c * by)
 }
