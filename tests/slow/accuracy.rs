@@ -4,12 +4,11 @@
 //! `cargo test --test slow accuracy:: -- --nocapture` prints the measured rows.
 
 use fastrand::Rng;
-use luminaire::{Fx16, Fx32, SpotLight, falloff::Falloff};
+use luminaire::{Fx16, Fx32, falloff::Falloff};
 use support::with_every_shape;
 use support::{
     bounds::{self, REFUSE},
     format::Format,
-    oracle,
     profiles::Shape,
     sweep::{self, HALF_ANGLES},
 };
@@ -41,14 +40,6 @@ fn falloff_error<S: Format, P: Falloff>(shape: &Shape<P>) -> f64 {
     .fold(0.0, f64::max)
 }
 
-/// What the format has stored of a spotlight, for the reference.
-fn stored<S: Format, P: Falloff>(spot: &SpotLight<P>, cone: oracle::Cone) -> oracle::SpotLight {
-    let position = S::exact_point(spot.position().map(S::length));
-    let axis = S::exact_direction(spot.axis_in::<S>()).normalize();
-    let intensity = spot.intensity().into();
-    oracle::SpotLight { intensity, ..oracle::SpotLight::new(position, axis, cone) }
-}
-
 /// How far from a jump, in radians, a point is on its right side: beyond the error of direction,
 /// that of length, which counts in wide cones, and that of an angle in f32.
 fn blur<S: Format>(half_degrees: f32) -> f64 {
@@ -67,7 +58,7 @@ fn spot_errors<S: Format, P: Falloff>(shape: &Shape<P>, half_degrees: f32) -> [f
     for _ in 0..100 * sweep::effort() {
         let reach = sweep::distance(&mut rng) as f32;
         let spot = sweep::spot(&mut rng, cone).with_intensity(reach * reach).expect("a sound intensity");
-        let exact = stored::<S, P>(&spot, shape.exactly_at(half_degrees));
+        let exact = sweep::stored::<S, _, _>(&spot, shape.exactly_at(half_degrees));
         let compiled = spot.compile::<S>().expect("the cone compiled");
         for _ in 0..2_000 {
             let distance = f64::from(reach) * (0.7 + 0.7 * rng.f64());

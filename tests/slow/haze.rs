@@ -43,13 +43,8 @@ fn pair<P: Falloff, A: Attenuation>(
     attenuation: oracle::Attenuation,
     range: f64,
 ) -> Pair<P, A> {
-    let spot_in_f64 = oracle::SpotLight {
-        intensity: spot.intensity().into(),
-        attenuation,
-        ..oracle::SpotLight::new(exact(spot.position()), exact(spot.axis()).normalize(), cone)
-    };
     let oracle = Beam {
-        spot: spot_in_f64,
+        spot: oracle::SpotLight { attenuation, ..sweep::stored::<f32, _, _>(&spot, cone) },
         range,
         density: DENSITY.into(),
         source_radius: haze().source_radius().into(),

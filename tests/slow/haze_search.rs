@@ -30,7 +30,7 @@ use support::{
     in_scattering::Beam,
     oracle::{self},
     sweep,
-    views::{distances, exact, exactly},
+    views::{distances, exactly},
 };
 
 /// Rays from one eye.
@@ -162,10 +162,7 @@ fn largest<A: Attenuation + Sync>(half: f32, model: A, attenuation: oracle::Atte
         let beam = spot.with_attenuation(model).compile::<f32>().expect("held").in_haze(&haze);
         let cone = oracle::Cone::new(oracle::soft, spot.cone().outer_versine().into());
         let oracle = Beam {
-            spot: oracle::SpotLight {
-                attenuation,
-                ..oracle::SpotLight::new(exact(spot.position()), exact(spot.axis()).normalize(), cone)
-            },
+            spot: oracle::SpotLight { attenuation, ..sweep::stored::<f32, _, _>(&spot, cone) },
             range,
             density: haze.density().into(),
             source_radius: haze.source_radius().into(),

@@ -45,13 +45,11 @@ fn error_at_the_narrowest<S: Format, P: Falloff>(shape: &Shape<P>) -> f64 {
     for _ in 0..200 * sweep::effort() {
         let spot = sweep::spot(&mut rng, cone);
         let compiled = spot.compile::<S>().expect("the narrowest cone is accepted");
-        let position = S::exact_point(spot.position().map(S::length));
-        let axis = S::exact_direction(spot.axis_in::<S>()).normalize();
-        let exact = oracle::SpotLight::new(position, axis, shape.exactly_at(half_degrees));
+        let exact = sweep::stored::<S, _, _>(&spot, shape.exactly_at(half_degrees));
         for _ in 0..2_000 {
             let off_axis = radians * (steepest + 0.1 * (rng.f64() - 0.5)).min(1.0);
-            let way = sweep::direction_off(&mut rng, axis, off_axis);
-            let point = sweep::on_grid(position + 50.0 * rng.f64().max(0.1) * way);
+            let way = sweep::direction_off(&mut rng, exact.axis, off_axis);
+            let point = sweep::on_grid(exact.position + 50.0 * rng.f64().max(0.1) * way);
             let stored = sweep::single(point).map(S::length);
             let error = (compiled.falloff(stored).exact() - exact.falloff(point)).abs();
             worst = worst.max(error);

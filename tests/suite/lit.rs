@@ -292,14 +292,8 @@ fn lit_errors<S: Format>() -> [f64; 2] {
             .and_then(|spot| spot.with_intensity((reach * reach).round()))
             .expect("a sound light");
         let lit = spot.compile::<S>().expect("held");
-        let exact_spot = oracle::SpotLight {
-            intensity: spot.intensity().into(),
-            ..oracle::SpotLight::new(
-                S::exact_point(spot.position().map(S::length)),
-                S::exact_direction(spot.axis_in::<S>()).normalize(),
-                oracle::Cone::new(oracle::soft, oracle::versine(outer_degrees.into())),
-            )
-        };
+        let exact_cone = oracle::Cone::new(oracle::soft, oracle::versine(outer_degrees.into()));
+        let exact_spot = sweep::stored::<S, _, _>(&spot, exact_cone);
         for _ in 0..1_000 {
             let distance = f64::from(reach) * (1.0 + rng.f64());
             let way = direction_within(&mut rng, exact_spot.axis, 0.4);

@@ -2,8 +2,8 @@
 
 use super::format::Format;
 use fastrand::Rng;
-use luminaire::{Cone, HalfAngle, SpotLight, Vec3, falloff::Falloff};
-use luminaire_oracle::DVec3;
+use luminaire::{Cone, HalfAngle, SpotLight, Vec3, attenuation::Attenuation, falloff::Falloff};
+use luminaire_oracle::{self as oracle, DVec3};
 pub use luminaire_oracle::{
     on_grid,
     sweep::{direction, direction_off, distance, versines},
@@ -34,6 +34,16 @@ pub fn position(rng: &mut Rng) -> DVec3 {
 /// A spotlight somewhere within 8 units of the origin, aimed at random.
 pub fn spot<P: Falloff>(rng: &mut Rng, cone: Cone<P>) -> SpotLight<P> {
     SpotLight::new(single(position(rng)), single(direction(rng)), cone).expect("a sweep makes sound lights")
+}
+
+/// What a format has stored of a spotlight, with the inverse square.
+pub fn stored<S: Format, P: Falloff, A: Attenuation>(
+    spot: &SpotLight<P, A>,
+    cone: oracle::Cone,
+) -> oracle::SpotLight {
+    let position = S::exact_point(spot.position().map(S::length));
+    let axis = S::exact_direction(spot.axis_in::<S>()).normalize();
+    oracle::SpotLight { intensity: spot.intensity().into(), ..oracle::SpotLight::new(position, axis, cone) }
 }
 
 /// A point of the world and the normal of the surface there, as a format stores them.

@@ -3,10 +3,7 @@
 
 use super::{
     format::Format,
-    oracle::{
-        self, DVec3,
-        climb::{self, Search, Worst, one_of},
-    },
+    oracle::climb::{self, Search, Worst, one_of},
     profiles::Shape,
     sweep,
 };
@@ -69,7 +66,7 @@ impl Find {
 pub fn error<S: Format, P: Falloff>(shape: &Shape<P>, half_degrees: f32, place: Place) -> Option<f64> {
     let cone = shape.exactly_at(half_degrees);
     let spot = SpotLight::new(Vec3::default(), place.axis, shape.at(half_degrees)).ok()?;
-    let exact = oracle::SpotLight::new(DVec3::ZERO, S::exact_direction(spot.axis_in::<S>()), cone);
+    let exact = sweep::stored::<S, _, _>(&spot, cone);
     let point = place.point.map(S::length);
     let found = spot.compile::<S>().ok()?.falloff(point).exact();
     Some((found - exact.falloff(S::exact_point(point))).abs())

@@ -31,11 +31,6 @@ pub fn smooth(t: f64) -> f64 {
     t * t * (3.0 - 2.0 * t)
 }
 
-/// The quadratic halfway from soft to linear, by its coefficients.
-pub fn quadratic(t: f64) -> f64 {
-    0.5 * t + 0.5 * t * t
-}
-
 /// A steep monotone cubic, of slopes 1.25 at the edge and 3.5 in the middle, by its coefficients.
 pub fn cubic(t: f64) -> f64 {
     1.25 * t - 3.0 * t * t + 2.75 * t * t * t
@@ -167,7 +162,6 @@ mod tests {
             (linear, 0.25),
             (step, 1.0),
             (smooth, 0.156_25),
-            (quadratic, 0.156_25),
             (cubic, 0.167_968_75),
             (power_4, 0.003_906_25),
             (power_15, 9.313_225_746_154_785e-10),

@@ -44,11 +44,8 @@ fn versine_form<S: Format>(half_degrees: f32) -> Option<f64> {
     let mut worst = 0.0_f64;
     for _ in 0..100 {
         let spot = sweep::spot(&mut rng, cone);
-        let exact = oracle::SpotLight::new(
-            S::exact_point(spot.position().map(S::length)),
-            S::exact_direction(spot.axis_in::<S>()).normalize(),
-            oracle::Cone::new(oracle::soft, oracle::versine(half_degrees.into())),
-        );
+        let exact = oracle::Cone::new(oracle::soft, oracle::versine(half_degrees.into()));
+        let exact = sweep::stored::<S, _, _>(&spot, exact);
         let compiled = spot.compile::<S>().expect("held");
         for _ in 0..1_000 {
             let distance = sweep::distance(&mut rng);
