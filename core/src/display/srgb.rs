@@ -56,10 +56,14 @@ pub fn encode_srgb_each<S: Scalar, const N: usize>(linear: &[S; N]) -> [u8; N] {
     const INTEGERS: f32 = 8_388_608.0;
     let mut near = [0; N];
     for (near, linear) in near.iter_mut().zip(linear) {
-        if let Word::Single(linear) = linear.word() {
-            let code = curve(clamp(linear), 255.0) - 0.5;
-            *near = ((if code > 0.0 { code } else { 0.0 }) + INTEGERS).to_bits() & 0xff;
-        }
+        *near = match linear.word() {
+            Word::Single(linear) => {
+                let code = curve(clamp(linear), 255.0) - 0.5;
+                ((if code > 0.0 { code } else { 0.0 }) + INTEGERS).to_bits() & 0xff
+            }
+            #[cfg(feature = "fixed")]
+            _ => 0,
+        };
     }
     let mut codes = [0; N];
     for i in 0..N {

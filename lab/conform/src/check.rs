@@ -28,7 +28,8 @@ impl Check {
     /// with the outputs found. A case of an unknown section, or with too few or too many inputs, is
     /// reported as not understood.
     ///
-    /// # Errors Returns the errors of writing to `report`.
+    /// # Errors
+    /// Returns the errors of writing to `report`.
     pub fn take(&mut self, line: &str, report: &mut impl Write) -> fmt::Result {
         self.line += 1;
         let case = line.split('#').next().unwrap_or_default().trim_end();

@@ -26,7 +26,8 @@ static qemu_plugin_version: c_int = qemu::VERSION;
 
 /// Installs the plugin: `-plugin FILE,out=COUNTS`. A result other than 0 makes QEMU stop.
 ///
-/// # Safety Only QEMU may call this: `info` must point to QEMU's description of itself, and `argv`
+/// # Safety
+/// Only QEMU may call this: `info` must point to QEMU's description of itself, and `argv`
 /// to `argc` strings.
 #[unsafe(no_mangle)]
 unsafe extern "C" fn qemu_plugin_install(

@@ -62,7 +62,8 @@ unsafe extern "C" {
 
 /// Reads the halfword of this index from an instruction. Both architectures are little-endian.
 ///
-/// # Safety QEMU must be translating the instruction now, and the instruction must be long enough
+/// # Safety
+/// QEMU must be translating the instruction now, and the instruction must be long enough
 /// to have this halfword.
 pub(crate) unsafe fn halfword(instruction: *const Instruction, index: usize) -> u16 {
     let mut bytes = [0_u8; 4];

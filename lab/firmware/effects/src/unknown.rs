@@ -27,7 +27,8 @@ pub type FineFraction = <Format as number::Arithmetic>::Fine;
 
 /// Reads a value from memory whose content the compiler does not know.
 ///
-/// # Safety The memory must hold a valid value of the type. Nothing ensures that, so only programs
+/// # Safety
+/// The memory must hold a valid value of the type. Nothing ensures that, so only programs
 /// that are never run may call this.
 #[inline(always)]
 pub unsafe fn source<T>() -> T {
