@@ -107,7 +107,7 @@ fn boards(suite: &mut Suite, full: bool) {
     bare_metal(suite, full);
     boards::steps::run(suite, &boards);
     frame::steps::run(suite, &boards);
-    size::steps::run(suite, &boards);
+    size::steps::run(suite, &boards, full);
     effects::steps::run(suite);
     prices(suite, &boards);
     conform::steps::run(suite, &boards);

@@ -73,19 +73,6 @@ impl Effects {
         Self::cargo(board, format, &programs.collect::<Vec<_>>(), progress)
     }
 
-    /// Builds one program with a feature for each board in advance.
-    pub(crate) fn build_one_for_all(
-        format: Format,
-        name: &str,
-        feature: &str,
-        boards: &[&Board],
-        progress: &Progress,
-    ) -> Result<()> {
-        write_programs()?;
-        let arguments = Self::arguments(format, &["--bin", name, "--features", feature]);
-        laboratory::build_for_all(boards, &arguments, progress)
-    }
-
     fn cargo(board: &Board, format: Format, programs: &[&str], progress: &Progress) -> Result<Self> {
         write_programs()?;
         let toolchain = laboratory::build(board, &Self::arguments(format, programs), progress)?;

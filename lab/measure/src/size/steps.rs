@@ -15,37 +15,26 @@ use tools::suite::Suite;
 /// smallest processor.
 const BUDGET: u64 = 1920;
 
-/// Adds the steps.
-pub fn run(suite: &mut Suite, boards: &[&'static Board]) {
-    suite.step("effects: everything at once, built for each board", |progress| {
-        Proof::write(progress)?;
-        Format::ALL
-            .iter()
-            .try_for_each(|&format| Effects::build_one_for_all(format, NO_PANIC, "proof", boards, progress))
-    });
+/// Adds the steps. What panics does so on every processor, so that one is enough unless `full`.
+pub fn run(suite: &mut Suite, boards: &[&'static Board], full: bool) {
+    let smallest = [smallest()];
+    for &board in if full { boards } else { &smallest } {
+        let name = format!("effects: no function panics and none allocates on {}", board.name);
+        suite.remarked(&name, |progress| {
+            let proof = Proof::write(progress)?;
+            for format in Format::ALL {
+                let programs: &[_] = if format == Format::Fx16 { &[NO_PANIC, COMMON] } else { &[NO_PANIC] };
+                no_panic(&proof, programs, board, format, progress)?;
+            }
+            Ok(vec![proof.to_string()])
+        });
+    }
     for &board in boards {
-        suite.step(
-            &format!("effects: nothing panics and nothing is allocated on {}", board.name),
-            |progress| {
-                let proof = Proof::write(progress)?;
-                Format::ALL
-                    .iter()
-                    .try_for_each(|&format| no_panic(&proof, &[NO_PANIC], board, format, progress))
-            },
-        );
         suite.step(
             &format!("still: the picture of a constant light, and no soft float, on {}", board.name),
             |progress| still(board, progress),
         );
     }
-    suite.remarked("effects: no function panics and none allocates", |progress| {
-        let proof = Proof::write(progress)?;
-        for format in Format::ALL {
-            let programs: &[_] = if format == Format::Fx16 { &[NO_PANIC, COMMON] } else { &[NO_PANIC] };
-            no_panic(&proof, programs, smallest(), format, progress)?;
-        }
-        Ok(vec![proof.to_string()])
-    });
     suite.step("effects: what is not used takes no bytes", unused);
     suite.step("effects: the soft spotlight keeps to its budget", budget);
 }
