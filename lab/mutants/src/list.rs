@@ -6,14 +6,17 @@ use anyhow::{Context, Result, ensure};
 
 use crate::find::Mutant;
 
-/// Reasons by what [`Mutant::key`] returns.
+/// Reasons by entry: what [`Mutant::key`] returns, or a rule.
 pub(crate) type Equivalents = BTreeMap<String, String>;
+
+/// What a rule has in place of the parts that vary. `*` would be a product.
+const ANY: &str = "<any>";
 
 /// The list in the repository.
 pub(crate) const LIST: &str = "lab/mutants/equivalent.txt";
 
 /// Reads the list: lines `file, function: change`, each followed by indented lines with its reason.
-/// Lines that begin with `#` are remarks.
+/// `<any>` in an entry stands for any text. Lines that begin with `#` are remarks.
 pub(crate) fn parse(text: &str) -> Result<Equivalents> {
     let mut list = Equivalents::new();
     let mut last = None;
@@ -31,6 +34,22 @@ pub(crate) fn parse(text: &str) -> Result<Equivalents> {
     let without = list.iter().find(|(_, reason)| reason.is_empty());
     ensure!(without.is_none(), "{without:?}: expected a reason below it");
     Ok(list)
+}
+
+/// Whether an entry of the list holds this mutant.
+pub(crate) fn lists(list: &Equivalents, key: &str) -> bool {
+    list.contains_key(key) || list.keys().any(|entry| matches(entry, key))
+}
+
+/// Whether an entry is a mutant's key, or a rule that matches it.
+pub(crate) fn matches(entry: &str, key: &str) -> bool {
+    let Some((head, last)) = entry.rsplit_once(ANY) else { return entry == key };
+    let mut rest = key;
+    for (number, part) in head.split(ANY).enumerate() {
+        let Some(at) = rest.find(part).filter(|at| number > 0 || *at == 0) else { return false };
+        rest = &rest[at + part.len()..];
+    }
+    rest.ends_with(last)
 }
 
 impl Mutant {

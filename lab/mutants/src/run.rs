@@ -17,7 +17,7 @@ use anyhow::{Context, Result, bail, ensure};
 use tools::project;
 
 use crate::find::Mutant;
-use crate::list::{Equivalents, LIST, parse};
+use crate::list::{Equivalents, LIST, lists, parse};
 use crate::tree::{Program, Tree};
 
 /// Which mutants are tested, and how.
@@ -91,7 +91,7 @@ pub fn run(root: &Path, folder: &Path, options: &Options, tell: &(dyn Fn(&str) +
         tell(&format!("macros with a body that is left out: {}", tree.unparsed.join(" ")));
     }
     let chosen = chosen(root, &tree.mutants, options)?;
-    let is_listed = |id: &&usize| list.contains_key(&tree.mutants[**id].key());
+    let is_listed = |id: &&usize| lists(&list, &tree.mutants[**id].key());
     let mut done = Results::open(root, folder)?;
     let mut todo: Vec<_> = chosen
         .iter()
@@ -112,7 +112,7 @@ fn summary(tree: &Tree, chosen: &[usize], list: &Equivalents, done: &Results) ->
     let mut summary = Summary { mutants: chosen.len(), ..Summary::default() };
     for mutant in chosen.iter().map(|id| &tree.mutants[*id]) {
         let outcome = done.of(mutant).unwrap_or_default();
-        if list.contains_key(&mutant.key()) {
+        if lists(list, &mutant.key()) {
             summary.equivalent += 1;
         } else if outcome.starts_with(KILLED) {
             summary.killed += 1;
