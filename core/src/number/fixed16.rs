@@ -158,3 +158,36 @@ impl Arithmetic for Fx16 {
         Versine16::from_bits(squares.x + squares.y + squares.z)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Light is kept as clipped only if it is past full scale with the error of its share.
+    #[test]
+    fn clipped_light_is_past_full_scale() {
+        let (share, light) = (Fx16::from_bits((1 << 9) + 1), Light16::from_bits);
+        let least = (0..1 << 16).find(|&bits| Fx16::is_clipped(share, light(bits)));
+        let least = Fx16::light_to_f32(light(least.expect("some light is clipped")));
+        assert!((1.07..1.2).contains(&least), "{least}");
+        assert!(!Fx16::is_clipped(Fx16::from_bits(1 << 9), light(u32::MAX)));
+    }
+
+    /// The distance below which points are near is that of the encoded square, whatever its bits:
+    /// for an error of half a code, `BRIGHT * MOVING * intensity`.
+    #[test]
+    fn points_are_near_below_the_encoded_distance() {
+        for intensity in [1e-4_f32, 0.01, 0.5, 3.0, 77.0, 4_000.0, 1e6, 1e9] {
+            let below = Fx16::fine_below(HALF_A_CODE, intensity, true);
+            let distance = trig::sqrt(0.5556 * 1.04 * intensity);
+            for i in 0..1_000_u32 {
+                let size = distance * (0.9 + 0.2 * i as f32 / 1_000.0);
+                let unit = [[1.0, 0.0, 0.0], [0.6, -0.8, 0.0], [-0.48, 0.6, 0.64]][i as usize % 3];
+                let point = unit.map(|c| Length::from_f32(c * size));
+                let offset = Fx16::offset(Vec3::default(), Vec3::new(point[0], point[1], point[2]));
+                let is_open = (size / distance - 1.0).abs() < 0.01;
+                assert!(is_open || offset.is_near(below) == (size < distance), "{size} of {distance}");
+            }
+        }
+    }
+}

@@ -175,3 +175,17 @@ impl Gain32 {
         Self { mantissa: rounded >> carry, shift: within_reach(shift - excess - carry as i32) }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A gain is `mantissa / 2^shift`, however many bits the mantissa has.
+    #[test]
+    fn a_short_mantissa_is_the_same_gain() {
+        for bits in 0..28 {
+            assert_eq!(Gain16::from_bits([1 << bits, bits]), Gain16::ONE);
+            assert_eq!(Gain32::from_bits([1 << bits, bits]), Gain32::ONE);
+        }
+    }
+}

@@ -275,4 +275,22 @@ mod tests {
             assert!(worst < 1e-7, "{exponent}: {worst:.1e}");
         }
     }
+
+    /// The ends of the octaves: the last power that is not none, and a float below all fractions.
+    #[test]
+    fn the_smallest_numbers_have_their_powers() {
+        assert_eq!(RealExponent::new(1.0, 0.0).of_bits(1), 1);
+        for exponent in [0.1, 0.5, 0.9] {
+            for octaves in [30, 31, 32] {
+                let exact = 0.5_f64.powf(f64::from(octaves) * f64::from(exponent));
+                let found = RealExponent::new(exponent, 0.0).of_f32(0.5_f32.powi(octaves)) as f64;
+                assert!((found / 2_147_483_648.0 - exact).abs() < 3e-9, "2^-{octaves} to {exponent}");
+            }
+        }
+    }
+
+    #[test]
+    fn bits_keep_a_mantissa_of_24_bits() {
+        assert_eq!(RealExponent::from_bits([u32::MAX; 4]).to_bits(), [0xff_ffff, 63, u32::MAX, u32::MAX]);
+    }
 }

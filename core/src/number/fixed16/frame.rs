@@ -138,3 +138,20 @@ impl Frame16 {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A scale just below a power of two rounds to no more than 16 bits.
+    #[test]
+    fn a_frame_keeps_its_bits() {
+        let vectors = [Vec3::new(1.0, 0.0, 0.0), Vec3::new(0.0, -1.0, 0.0), Vec3::new(0.0, 0.0, -1.0)];
+        for steps in -2_000..2_000_i16 {
+            let tangent = 0.5 + f32::from(steps) / 16_777_216.0;
+            let frame = Frame16::new(vectors, tangent);
+            assert_eq!(Frame16::from_bits(frame.to_bits()), frame, "{tangent}");
+            assert!(frame.scale >> 15 == 1, "{tangent}: {}", frame.scale);
+        }
+    }
+}

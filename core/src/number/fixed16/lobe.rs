@@ -44,3 +44,28 @@ pub(super) fn incidence(direction: Vec3<Fx32>, normal: Vec3<Fx16>) -> Fx16 {
     let cosine = (1_i32 << 13).wrapping_sub(along) >> 14;
     Fx16::from_bits(cosine.clamp(0, 1 << 14) as i16)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::number::Offset;
+    use crate::number::fixed16::offset::Offset16;
+
+    /// The same products in 64 bits, cut to 32.
+    #[test]
+    fn vectors_that_are_not_of_unit_length_wrap() {
+        let components = [i32::MIN, -(1 << 30), -12_345, 0, 1 << 30, i32::MAX];
+        let vectors =
+            || (0..216).map(|i| Vec3::new(i / 36, i / 6 % 6, i % 6).map(|at: usize| components[at]));
+        for (d, n) in vectors().flat_map(|d| vectors().map(move |n| (d, n.map(|c| c >> 16)))) {
+            let normal = n.map(|c| Fx16::from_bits(c as i16));
+            let products = d.zip(n, |d, n| i64::from(((d >> 14) + 1) >> 1) * i64::from(n));
+            let cosine = (products.x + products.y + products.z + (1 << 13)) as i32 >> 14;
+            let exact = d.zip(n, |d, n| (i64::from(d) - 4 * i64::from(cosine) * i64::from(n)) as i32);
+            assert_eq!(mirror(d.map(Fx32::from_bits), normal).map(Fx32::to_bits), exact, "{d:?} {n:?}");
+            let offset = Offset16::new(d.map(|c| c >> 2));
+            let products = normal.zip(offset.fine(), |n, v| i64::from(n.to_bits()) * i64::from(v >> 2));
+            assert_eq!(offset.facing(normal), (products.x + products.y + products.z) as i32, "{d:?} {n:?}");
+        }
+    }
+}

@@ -28,3 +28,23 @@ pub(super) fn high_square(a: u32) -> u32 {
     let (high, low) = (a >> 16, a & 0xffff);
     high * high + ((high * low) >> 15)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The numbers next to all powers of two and their complements, as factors of each other.
+    #[test]
+    fn a_high_half_is_exact_and_a_high_square_within_two() {
+        let numbers =
+            || (0..32).flat_map(|shift| [-1, 0, 1].map(|i| (1_u32 << shift).wrapping_add_signed(i)));
+        let numbers = || numbers().flat_map(|n| [n, !n, n.wrapping_mul(0x9e37_79b9)]);
+        let exact = |a: u32, b: u32| (u64::from(a) * u64::from(b)) >> 32;
+        for a in numbers() {
+            for b in numbers() {
+                assert_eq!(u64::from(high_half(a, b)), exact(a, b), "{a} {b}");
+            }
+            assert!(exact(a, a) - u64::from(high_square(a)) <= 2, "{a}");
+        }
+    }
+}

@@ -154,3 +154,49 @@ pub(super) fn zoom(limit: f32) -> u32 {
 pub(super) fn magnified(value: f32, zoom: u32) -> Versine16 {
     Versine16::from_bits(rounded(value * (1_u64 << (29 + 2 * zoom)) as f32) as u32)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Ramps of every width, with hotspots and cutoffs, coarse and fine.
+    fn ramps() -> impl Iterator<Item = Ramp16> {
+        (0..20_000_u32).flat_map(|i| {
+            let outer = (1.0 - i as f32 / 40_000.0) / (1_u32 << (i % 14)) as f32;
+            let inner = outer * [0.0, 0.3, 0.97][i as usize % 3];
+            [outer, outer - 0.4 * (outer - inner)].map(|limit| Ramp16::new(inner, outer, limit))
+        })
+    }
+
+    #[test]
+    fn a_ramp_keeps_its_bits() {
+        for ramp in ramps().flat_map(|ramp| [ramp, ramp.into_fine()]) {
+            assert_eq!(Ramp16::from_bits(ramp.to_bits()), ramp);
+        }
+    }
+
+    #[test]
+    fn bits_beyond_their_limits_are_replaced() {
+        const MOST: u32 = (1 << 31) + (1 << 16) - 1;
+        let most = Ramp16::from_bits([u32::MAX; 9]).to_bits();
+        assert_eq!(most, [15, u32::MAX, 0, 31, u32::MAX, MOST, u32::MAX, 63, u32::MAX]);
+        let mantissa =
+            |width, mantissa| Ramp16::from_bits([0, 0, width, 0, mantissa, 1 << 31, 0, 0, 0]).mantissa;
+        assert_eq!([mantissa(2, 1 << 31), mantissa(2, (1 << 31) + 1)], [1 << 31, 0]);
+        assert_eq!([mantissa(3, 1 << 30), mantissa(3, (1 << 30) + 1)], [1 << 30, 0]);
+    }
+
+    /// The span of the widest cone with a narrow cutoff has many more bits than the versines within.
+    #[test]
+    fn a_cutoff_may_be_narrow_within_a_wide_ramp() {
+        for shift in 8..29 {
+            let limit = 1.0 / (1_u32 << shift) as f32;
+            let ramp = Ramp16::new(0.0, 1.0, limit);
+            for share in [0.0, 0.5, 0.99] {
+                let t = ramp.rise_coarsely(magnified(limit * share, ramp.zoom));
+                let error = f64::from(t.0) / 32_768.0 - f64::from(1.0 - limit * share);
+                assert!(error.abs() < 1e-4, "off by {error} within {limit}");
+            }
+        }
+    }
+}

@@ -141,3 +141,22 @@ const fn within_one(component: i32) -> i32 {
         component
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_frame_keeps_its_bits_and_no_others() {
+        let vectors = [Vec3::new(1.0, 0.0, 0.0), Vec3::new(0.0, -0.8, 0.6), Vec3::new(0.0, -0.6, -0.8)];
+        for tangent in [1e-3, 0.1, 0.499_999_97, 0.5, 1.0, 5.0] {
+            let frame = Frame32::new(vectors, tangent);
+            assert_eq!(Frame32::from_bits(frame.to_bits()), frame, "{tangent}");
+        }
+        const ONE: i32 = 1 << 30;
+        let (most, least) = (Frame32::from_bits([i32::MAX; 13]), Frame32::from_bits([i32::MIN; 13]));
+        assert_eq!(most.to_bits()[..9], [ONE; 9]);
+        assert_eq!(most.to_bits()[9..], [i32::MAX, i32::MAX, (1 << 28) - 1, 63]);
+        assert_eq!(least.to_bits()[..9], [-ONE; 9]);
+    }
+}

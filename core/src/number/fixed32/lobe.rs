@@ -48,3 +48,25 @@ pub(super) fn incidence(direction: Vec3<Fx32>, normal: Vec3<Fx32>) -> Fx32 {
     let cosine = ((1 << 27) - inner(direction, normal)) >> 28;
     Fx32::from_bits(cosine.clamp(0, 1 << 30) as i32)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The same products in 128 bits, cut to 64 and to 32.
+    #[test]
+    fn vectors_that_are_not_of_unit_length_wrap() {
+        let components = [i32::MIN, -(1 << 30), -12_345, 0, 1 << 30, i32::MAX];
+        let vectors =
+            || (0..216).map(|i| Vec3::new(i / 36, i / 6 % 6, i % 6).map(|at: usize| components[at]));
+        for (d, n) in vectors().flat_map(|d| vectors().map(move |n| (d, n))) {
+            let [direction, normal] = [d, n].map(|vector| vector.map(Fx32::from_bits));
+            let cosine = i128::from((inner(direction, normal) + (1 << 27)) >> 28);
+            let exact = d.zip(n, |d, n| {
+                let twice_along = (cosine * i128::from(n) + (1 << 28)) as i64 >> 29;
+                (i128::from(d) - i128::from(twice_along)) as i32
+            });
+            assert_eq!(mirror(direction, normal).map(Fx32::to_bits), exact, "{d:?} {n:?}");
+        }
+    }
+}

@@ -90,3 +90,46 @@ impl Ramp32 {
 pub(super) fn nearest_versine(value: f32) -> Versine32 {
     Versine32::from_bits(rounded(value * (1_u64 << 61) as f32) as u64)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Ramps of every width, with hotspots and cutoffs.
+    fn ramps() -> impl Iterator<Item = Ramp32> {
+        (0..40_000_u32).flat_map(|i| {
+            let outer = (1.0 - i as f32 / 80_000.0) / (1_u32 << (i % 30)) as f32;
+            let inner = outer * [0.0, 0.3, 0.97][i as usize % 3];
+            [outer, outer - 0.4 * (outer - inner)].map(|limit| Ramp32::new(inner, outer, limit))
+        })
+    }
+
+    #[test]
+    fn a_ramp_keeps_its_bits() {
+        for ramp in ramps() {
+            assert_eq!(Ramp32::from_bits(ramp.to_bits()), ramp);
+        }
+    }
+
+    /// Next to the hotspot the rounding must not pass 1.
+    #[test]
+    fn a_ramp_ends_at_one() {
+        let mut reached = 0;
+        for ramp in ramps() {
+            let rise = |beyond| ramp.rise(Versine32::from_bits(ramp.inner + beyond)).0;
+            let rises = [1, 2, 1 << ramp.shift].map(rise);
+            assert!(rises.iter().all(|rise| *rise <= 1 << 31), "{ramp:?}: {rises:?}");
+            reached += u32::from(rises[0] == 1 << 31);
+        }
+        assert!(reached > 1_000, "only {reached} ramps are rounded to 1");
+    }
+
+    /// A mantissa too many, or half a step too many, would pass 1 next to the hotspot.
+    #[test]
+    fn bits_beyond_their_limits_are_replaced() {
+        const MOST: u64 = (1 << 63) + (1 << 32) - 1;
+        let ramp = Ramp32::from_bits([u64::MAX, 9, 0, 3, 64, MOST / 2, u64::MAX]);
+        assert_eq!(ramp.to_bits(), [9, 9, 6, 3, 0, MOST / 2, 1]);
+        assert_eq!(Ramp32::from_bits([0, 9, 0, 3, 0, MOST / 2 + 1, 7]).to_bits(), [0, 9, 6, 3, 0, 0, 7]);
+    }
+}

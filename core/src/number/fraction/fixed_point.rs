@@ -308,4 +308,28 @@ mod tests {
             (Weight16::ZERO, Weight16::from_bits(4 << 14))
         );
     }
+
+    /// Lines between any two values, at every `t`: their slope is rounded, and the rise to nearest.
+    #[test]
+    fn a_line_is_the_nearest_value() {
+        for slope in [-32_768, -12_345, -1, 0, 1, 7_777, 32_767] {
+            let knot = Knot::from_bits(0, if slope < 0 { 65_535 } else { 0 }, slope);
+            for t in 0..=1 << 15_u32 {
+                let beyond = f64::from((1 << 15) - t) * 2.0;
+                let exact = f64::from(knot.value) + (f64::from(slope) * beyond / 32_768.0 + 0.5).floor();
+                let found = Fraction16(t).along(&[knot]);
+                assert_eq!(
+                    found,
+                    Fraction16::of_sixteen_bits(exact.clamp(0.0, 65_535.0) as i32),
+                    "{slope} {t}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn a_step_is_full_just_inside_its_edge() {
+        assert_eq!((Fraction16(0).step(), Fraction16(1).step()), (Fx16::ZERO, Fx16::ONE));
+        assert_eq!((Fraction32(0).step(), Fraction32(1).step()), (Fx32::ZERO, Fx32::ONE));
+    }
 }
