@@ -375,7 +375,7 @@ fn a_shadow_map_has_a_side_that_can_be() -> Result<(), Error> {
     Ok(())
 }
 
-/// Gobos and shadow maps lie on the square that a cone projects, so a light without such a square
+/// Gobos and shadow maps cover the square around the cone of a spotlight, so a light without such a square
 /// has none.
 #[test]
 fn what_projects_no_square_is_refused() -> Result<(), Error> {

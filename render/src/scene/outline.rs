@@ -23,7 +23,7 @@ const JOINED: f32 = 1e-6;
 #[derive(Clone, PartialEq, Debug)]
 pub struct Outline {
     points: Vec<Vec2>,
-    /// The first number of lines that was out of range.
+    /// The error of the first call whose number of lines was out of range.
     refused: Option<Error>,
 }
 

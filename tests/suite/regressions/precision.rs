@@ -76,8 +76,8 @@ fn held_by(half_degrees: f32) -> Vec<&'static str> {
         .collect()
 }
 
-/// Every spotlight above: `1 - l.dot(s)` cancels. In f32 a beam of 0.1 degrees is off by a fifth
-/// of full scale, and in 16 bits one of 1 degree by nine tenths.
+/// Every spotlight above: `1 - l.dot(s)` cancels. So computed, a beam of 0.1 degrees is off by
+/// a fifth of full scale in f32, and a beam of 1 degree by nine tenths of it in 16 bits.
 #[test]
 fn the_cosine_form_loses_narrow_beams() {
     let f32_of = |value: f64| f64::from(value as f32);
