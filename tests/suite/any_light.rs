@@ -3,8 +3,8 @@
 
 use fastrand::Rng;
 use luminaire::{
-    AmbientLight, Angle, Cone, DirectionalLight, Error, Fx16, Fx32, Material, PointLight, Rgb, SpotLight,
-    Vec3,
+    AmbientLight, Angle, Cone, DirectionalLight, Error, Fx16, Fx32, Length, Material, PointLight, Rgb,
+    SpotLight, Vec3,
     attenuation::{
         AnyAttenuation, CutAt, FilamentRange, GltfRange, InverseSquare, NoAttenuation, Polynomial,
         SmoothRange, Windowed,
@@ -147,6 +147,38 @@ fn any_light_lights_many_points_as_each() {
     assert_format::<f32>();
     assert_format::<Fx32>();
     assert_format::<Fx16>();
+}
+
+/// Next to a bright light points are evaluated finely, whatever it attenuates by.
+#[test]
+fn points_near_a_bright_light_are_as_each() -> Result<(), Error> {
+    let mut rng = Rng::with_seed(46);
+    for distance in distances()? {
+        let light = PointLight::new(Vec3::default())?.with_attenuation(distance).with_intensity(900.0)?;
+        let light = AnyLight::from(light).compile::<Fx16>()?;
+        for _ in 0..8 {
+            let surfaces = std::array::from_fn(|_| {
+                let point =
+                    Vec3::new(rng.f32(), rng.f32(), rng.f32()).map(|c| Length::from_f32(8.0 * c - 4.0));
+                let normal = Vec3::new(0.6, 0.0, 0.8).map(|c| if rng.bool() { c } else { -c });
+                SurfacePoint::matte(point, normal.map(Fx16::from_f32))
+            });
+            assert_each::<Fx16, NoSpecular>(&light, &surfaces, ());
+        }
+    }
+    Ok(())
+}
+
+#[test]
+fn a_fixture_calls_for_what_it_carries() -> Result<(), Error> {
+    const BARS: Gobo<'static> = Gobo::of(&[255, 0, 255, 0]);
+    let fixture = Fixture::from(spot(Soft)?);
+    let carries = |fixture: &Fixture, effect| fixture.effects().has(effect);
+    assert!(!carries(&fixture, Effect::Gobo) && !carries(&fixture, Effect::Shadow));
+    let barred = fixture.with_gobo(BARS, Angle::degrees(30.0))?;
+    assert!(carries(&barred, Effect::Gobo) && !carries(&barred, Effect::Shadow));
+    assert!(carries(&barred.with_shadow(16)?, Effect::Shadow));
+    Ok(())
 }
 
 /// Number of samples per ray at which the transmittance is evaluated.

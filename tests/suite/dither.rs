@@ -41,6 +41,19 @@ fn place(lights: &[f64], light: f64) -> (u16, f64) {
     (code as u16, (light - lights[code]) / (lights[code + 1] - lights[code]))
 }
 
+/// Exactly on a threshold a pixel shows the lower code, and just above it the upper one. Among the
+/// first ten codes, where sRGB is linear, every threshold is a number of f32.
+#[test]
+fn a_value_on_a_threshold_shows_the_lower_code() {
+    let light = |code: u32| (f64::from(code) / 255.0 / 12.92 * 16_777_216.0).round();
+    for (code, x, y) in (0..9).flat_map(|code| (0..64).map(move |i| (code, i % 8, i / 8))) {
+        let threshold = f64::from(2 * bayer(x, y, 8) + 1) / 128.0;
+        let value = ((light(code) + (light(code + 1) - light(code)) * threshold) / 16_777_216.0) as f32;
+        assert_eq!(u32::from(encode_srgb_dithered(value, x, y)), code, "{x} {y}");
+        assert_eq!(u32::from(encode_srgb_dithered(value.next_up(), x, y)), code + 1, "{x} {y}");
+    }
+}
+
 /// Comparison of a cell with the definition, for one value.
 #[derive(Default, Debug)]
 struct Seen {

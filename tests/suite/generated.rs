@@ -8,9 +8,9 @@ use std::fmt::Debug;
 use fastrand::Rng;
 use luminaire::number::Light16;
 use luminaire::{
-    Fx16, Scalar, Vec3,
+    Error, Fx16, Scalar, Vec3,
     codegen::{Source, as_source},
-    falloff::Soft,
+    falloff::{Cubic, Falloff, InvertedMixedPower, MixedPower, Soft},
     light::CompiledSpotLight,
 };
 
@@ -31,6 +31,11 @@ struct Compiled(Vec<(String, String)>);
 
 impl lights::Visit for Compiled {
     fn value<T: Source + Debug>(&mut self, name: String, value: T) {
+        // A path to a type whose name is left out may still compile by inference.
+        let path = std::any::type_name::<T>();
+        let whole = path.split('<').next().and_then(|path| path.rsplit("::").next()).unwrap_or(path);
+        let written = as_source(&value).to_string();
+        assert!(written.contains(whole), "{name}: {whole} is not in {written}");
         self.0.push((name, value.shown()));
     }
 }
@@ -64,4 +69,16 @@ fn a_generated_light_lights_as_the_compiled_one() {
         lit += u32::from(light > Light16::ZERO);
     }
     assert!(lit > 1_000, "only {lit} points are lit");
+}
+
+#[test]
+fn a_generated_falloff_names_its_type() -> Result<(), Error> {
+    fn assert_named<P: Falloff<Compiled<Fx16>: Source>>(profile: P, name: &str) {
+        let written = as_source(&profile.compile::<Fx16>()).to_string();
+        assert!(written.contains(name) && written.contains("Fx16"), "{written}");
+    }
+    assert_named(Cubic::with_slopes(1.0, 1.0)?, "CompiledCubic::<");
+    assert_named(MixedPower::new([1, 2], 0.5)?, "CompiledMixedPower::<");
+    assert_named(InvertedMixedPower::new([1, 2], 0.5)?, "CompiledInvertedMixedPower::<");
+    Ok(())
 }

@@ -104,6 +104,77 @@ fn what_the_kernel_has_is_exact() {
     }
 }
 
+/// The smallest difference of `1 / (scale ((1 - share) d^n + share d^(n + 1)))` from an original, over
+/// a grid of scales and shares.
+fn least_difference(original: &Original, decay: f64) -> f64 {
+    let (start, end) = (original.stop.max(0.1), original.range.unwrap_or(32_767.0));
+    let samples: Vec<_> = (0..200)
+        .map(|i| {
+            let distance: f64 = start * (end / start).powf(f64::from(i) / 200.0);
+            let exact = (original.distance)(distance);
+            (distance, exact, exact * distance.powf(decay))
+        })
+        .collect();
+    let difference = |scale: f64, share: f64| {
+        let of = |&(distance, exact, window): &(f64, f64, f64)| {
+            let steep = if decay >= 1.0 { distance } else { 1.0 };
+            let found = window / (scale * steep * (1.0 - share + share * distance));
+            (found - exact).abs() / exact.max(found).max(1.0)
+        };
+        samples.iter().map(of).fold(0.0, f64::max)
+    };
+    let scales = || (-96..=96).map(|i| 2_f64.powf(f64::from(i) / 24.0));
+    let shares = || (0..=100).map(|i| f64::from(i) / 100.0);
+    scales()
+        .flat_map(|scale| shares().map(move |share| (scale, share)))
+        .map(|(a, b)| difference(a, b))
+        .fold(1.0, f64::min)
+}
+
+/// A worse fit would be as well stated, but a grid of all fits has none that is better by much.
+#[test]
+fn a_decay_is_the_nearest_of_its_kind() {
+    for decay in [0.3, 0.5, 0.8, 1.0, 1.2, 1.5, 1.8, 3.0] {
+        for range in [0.0, 8.0, 200.0] {
+            let (Imported { difference, .. }, original) = imports::three(0.6, 0.3, range, decay);
+            let (stated, least) = (f64::from(difference.distance), least_difference(&original, decay.into()));
+            println!("{decay} up to {range}: {stated:.5}, {least:.5} on the grid");
+            assert!(stated < 1.01 * least + 1e-4, "{decay} up to {range}: {stated}, {least} on the grid");
+        }
+    }
+}
+
+/// The scale of a decay is taken into the intensity as far as that may be.
+#[test]
+fn a_bright_light_decays_as_a_dim_one() {
+    let at = |intensity: f32| {
+        let light = import::Three { angle: 0.6, penumbra: 0.3, distance: 0.0, decay: 8.0, intensity };
+        fall(&light.import(ORIGIN, imports::DOWN).expect("sound").light, 1.0) / f64::from(intensity)
+    };
+    assert!((at(1_000.0) / at(1.0) - 1.0).abs() < 1e-5, "{} for {}", at(1_000.0), at(1.0));
+}
+
+/// A coefficient counts as none only if it is 0.
+#[test]
+fn a_small_coefficient_is_one() {
+    let light = import::OpenGl { quadratic_attenuation: 0.001, spot_cutoff: 30.0, ..Default::default() };
+    let OpenGlLight::Spot(light) = light.import(ORIGIN, imports::DOWN).expect("sound").light else {
+        panic!("a spotlight")
+    };
+    assert!((fall(&light, 100.0) - 1.0 / 11.0).abs() < 1e-7);
+}
+
+#[test]
+fn defaults_are_those_of_the_specifications() {
+    let import::OpenGl { spot_exponent, constant_attenuation, intensity, .. } = Default::default();
+    let import::OpenGl { linear_attenuation, quadratic_attenuation, spot_cutoff, .. } = Default::default();
+    assert_eq!([spot_exponent, constant_attenuation, intensity, spot_cutoff], [0.0, 1.0, 1.0, 180.0]);
+    assert_eq!([linear_attenuation, quadratic_attenuation], [0.0; 2]);
+    let import::Gltf { inner_cone_angle, outer_cone_angle, range, intensity } = Default::default();
+    assert_eq!([inner_cone_angle, outer_cone_angle, intensity], [0.0, std::f32::consts::FRAC_PI_4, 1.0]);
+    assert_eq!(range, None);
+}
+
 /// The stated difference is not smaller than the largest difference, and at most 2 % larger.
 #[test]
 fn a_difference_is_what_a_dense_search_finds() {

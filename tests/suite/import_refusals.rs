@@ -5,6 +5,7 @@ use fastrand::Rng;
 use luminaire::{
     Angle, Error, Fx16, Fx32, Vec3,
     attenuation::Attenuation,
+    error::{Expected, Parameter},
     falloff::{
         Falloff, IntegerPower, InvertedIntegerPower, InvertedMixedPower, InvertedRealPower, MixedPower,
         RealPower,
@@ -54,6 +55,14 @@ fn opengl_is_refused_by_its_names() {
     refused(OpenGl { intensity: f32::NAN, ..Default::default() }, message);
     let message = "axis = 0: expected finite components and a length between 1e-18 and 1e18";
     assert_refused(OpenGl { spot_cutoff: 20.0, ..Default::default() }.import(ORIGIN, ORIGIN), message);
+}
+
+#[test]
+fn a_penumbra_of_no_angle_is_refused_by_its_name() {
+    let none = Angle::degrees(0.0);
+    let light = Penumbra { umbra: none, penumbra: none, ramp: Ramp::Linear, intensity: 1.0 };
+    let error = light.import(ORIGIN, DOWN).expect_err("no angle");
+    assert_eq!((error.parameter, error.accepted), (Parameter::Penumbra, Expected::AngleUpTo(180.0)));
 }
 
 #[test]

@@ -6,7 +6,7 @@ use luminaire::{
     attenuation::{CutAt, FilamentRange, GltfRange, InverseSquare, Polynomial, SmoothRange},
     display::Exposure,
     error::{Expected, Parameter},
-    falloff::{Hard, InvertedPower, Soft, SoftOrHard},
+    falloff::{Hard, InvertedPower, Linear, RealPower, Soft, SoftOrHard},
     haze::Haze,
     specular::{BlinnPhong, DifferenceForm, Phong},
 };
@@ -265,6 +265,39 @@ fn derived_values_are_shown_to_four_decimals() {
     let cone = Cone::from_field(Hard, Angle::degrees(1.0)).expect("a sound angle");
     let message = cone.compile::<Fx16>().expect_err("too narrow for 16 bits").to_string();
     assert!(message.starts_with("outer angle = 1.0267: expected"), "{message}");
+}
+
+#[test]
+fn numbers_are_shown_in_full_between_their_limits() {
+    let shown = |intensity: f32| {
+        let refused = spot().with_color(Rgb::new(intensity, 0.0, 0.0)).expect_err("out of range");
+        refused.to_string().split(':').next().map(str::to_owned).expect("a parameter and its value")
+    };
+    assert_eq!(shown(1.000_5e12), "color = 1.0005e12");
+    assert_eq!(shown(9.995e11), "color = 999500000000");
+    assert_eq!(shown(12_345.678), "color = 12345.678");
+    let exponent = RealPower::new(1_024.123_46).expect_err("over the limit");
+    assert_eq!(exponent.to_string(), "exponent = 1024.1234: expected more than 0 and at most 1024");
+    let narrowest = |degrees| Expected::AngleFrom(degrees).to_string();
+    assert!(narrowest(180.0).starts_with("at least 180"));
+    assert!(narrowest(180.01).starts_with("a number format of more bits"));
+}
+
+/// The steepest edge of a format: the inner angles up to it are accepted, from 0 on, and its slope
+/// is the one at which the errors of the direction and of the versine reach half a code.
+#[test]
+fn an_inner_angle_too_near_to_the_outer_one() {
+    let cone = Cone::from_outer(Linear, Angle::degrees(10.0)).expect("a sound angle");
+    let steep = cone.with_inner(Angle::degrees(9.999_9)).expect("sound but for its format");
+    let error = steep.compile::<f32>().expect_err("too steep");
+    assert_eq!(error.parameter, Parameter::InnerAngle);
+    let Expected::AngleBetween(least, most) = error.accepted else { panic!("{error} names no limits") };
+    assert_eq!(least, 0.0);
+    let versine = |degrees: f32| f64::from(Angle::degrees(degrees).versine());
+    let slope = 2.0 / (1.0 - versine(most) / versine(10.0));
+    let outer = 10_f64.to_radians();
+    let exact = outer / 510.0 / (2.0 * 1.12e-7 + 0.55e-6 * outer);
+    assert!((slope / exact - 1.0).abs() < 0.05, "{slope} for {exact}");
 }
 
 /// A position outside the range of a format is refused when the light is compiled for that format,

@@ -6,6 +6,7 @@ use fastrand::Rng;
 use luminaire::{
     Angle, Cone, Fx16, Fx32,
     codegen::as_source,
+    error::{Expected, Parameter},
     falloff::{Falloff, Knot, Table},
 };
 use support::{format::Format, oracle, sweep};
@@ -234,4 +235,31 @@ fn even_knots_are_the_table_of_their_samples() {
     assert_format::<f32>(even, of_knots);
     assert_format::<Fx32>(even, of_knots);
     assert_format::<Fx16>(even, of_knots);
+}
+
+/// The reference value of a table of knots is the line, clamped to full intensity.
+#[test]
+fn the_f64_form_of_knots_is_their_line() {
+    let knots = [Knot::from_bits(0, 65_535, 1_000), Knot::from_bits(16_384, 60_000, -32_768)];
+    let table = Table::of_knots(&knots);
+    let formula = table.formula();
+    for (u, value) in [(0.0, 65_535.0), (0.125, 65_535.0), (0.25, 60_000.0), (0.5, 43_616.0), (0.9, 17_402.0)]
+    {
+        let exact: f64 = formula.exact(1.0 - u) * 65_535.0;
+        assert!((exact - value).abs() < 1.0, "{exact} at {u}, expected {value}");
+    }
+    assert_eq!(formula.exact(0.875), 1.0);
+}
+
+#[test]
+fn measured_values_and_angles_out_of_range_are_refused() {
+    let mut knots = [Knot::default(); 4];
+    for value in [-0.000_5, 1.000_5, f32::NAN] {
+        let error = Table::from_angles(&[1.0, value], Angle::degrees(30.0), &mut knots).unwrap_err();
+        assert_eq!((error.parameter, error.accepted), (Parameter::Sample, Expected::Between(0.0, 1.0)));
+    }
+    for degrees in [0.0, 180.1, f32::NAN] {
+        let error = Table::from_angles(&[1.0, 0.0], Angle::degrees(degrees), &mut knots).unwrap_err();
+        assert_eq!((error.parameter, error.accepted), (Parameter::OuterAngle, Expected::AngleUpTo(180.0)));
+    }
 }

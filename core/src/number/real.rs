@@ -279,7 +279,10 @@ mod tests {
     /// The ends of the octaves: the last power that is not none, and a float below all fractions.
     #[test]
     fn the_smallest_numbers_have_their_powers() {
-        assert_eq!(RealExponent::new(1.0, 0.0).of_bits(1), 1);
+        // 2^-31, 2^-31.62 and 2^-32.55 of 31 bits.
+        assert_eq!([1.0, 1.02, 1.05].map(|exponent| RealExponent::new(exponent, 0.0).of_bits(1)), [1, 1, 0]);
+        // The largest number below 1 has a logarithm: 2.9 in units of 2^-32, and not 0.
+        assert!((1..12).contains(&octaves_below_one(u32::MAX - 1, 1)));
         for exponent in [0.1, 0.5, 0.9] {
             for octaves in [30, 31, 32] {
                 let exact = 0.5_f64.powf(f64::from(octaves) * f64::from(exponent));

@@ -54,9 +54,9 @@ mod tests {
     /// The same products in 64 bits, cut to 32.
     #[test]
     fn vectors_that_are_not_of_unit_length_wrap() {
-        let components = [i32::MIN, -(1 << 30), -12_345, 0, 1 << 30, i32::MAX];
+        let components = [i32::MIN, -(1 << 30), -12_345, 0, 65_536, 1 << 30, i32::MAX];
         let vectors =
-            || (0..216).map(|i| Vec3::new(i / 36, i / 6 % 6, i % 6).map(|at: usize| components[at]));
+            || (0..343).map(|i| Vec3::new(i / 49, i / 7 % 7, i % 7).map(|at: usize| components[at]));
         for (d, n) in vectors().flat_map(|d| vectors().map(move |n| (d, n.map(|c| c >> 16)))) {
             let normal = n.map(|c| Fx16::from_bits(c as i16));
             let products = d.zip(n, |d, n| i64::from(((d >> 14) + 1) >> 1) * i64::from(n));
