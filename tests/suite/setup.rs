@@ -199,15 +199,15 @@ fn figures_hold_at_the_ends_of_the_parameters() -> Result<(), Error> {
         assert_figures(floored, [strip, 0.0], 6e-4);
     }
     for (exponents, share) in [([1, 2], 0.0), ([1, 2], 1.0), ([1, 900], 0.5), ([1_000, 1_024], 0.5)] {
-        assert_figures(MixedPower::new(exponents, share)?, [0.0; 2], 2e-3);
-        assert_figures(InvertedMixedPower::new(exponents, share)?, [0.0; 2], 2e-3);
+        assert_figures(MixedPower::new(exponents, share)?, [0.0; 2], 4e-3);
+        assert_figures(InvertedMixedPower::new(exponents, share)?, [0.0; 2], 4e-3);
     }
     // One that jumps is full to its edge where more than the intensity is left there.
     let jump = MixedPower::new([0, 1], 0.25)?;
     assert_eq!((jump.beam_versine(), jump.field_versine()), (1.0, 1.0));
     assert_eq!(MixedPower::new([0, 1], 0.0)?.steepness(0.0), 1.0);
     for slope in [0.0, 0.000_5, 1.999, 2.0] {
-        assert_figures(Quadratic::new(slope)?, [0.0; 2], 2e-3);
+        assert_figures(Quadratic::new(slope)?, [0.0; 2], 4e-3);
         assert_eq!(Quadratic::from_bits(slope.to_bits()).edge_slope(), slope);
     }
     for t in [0.25, 0.5, 0.75] {
