@@ -160,7 +160,11 @@ fn assert_figures<P: Falloff>(profile: P, strips: [f64; 2], slope_error: f64) {
     let formula = profile.formula();
     for (found, intensity) in [(profile.beam_versine(), 0.5), (profile.field_versine(), 0.1)] {
         let exact = last_u(|t| formula.exact(t.max(1e-30)), intensity);
-        assert!(relative(found, exact) < 2e-6, "{formula:?}: {found} for {intensity}, expected {exact}");
+        // Some are found by halving the whole ramp 26 times.
+        assert!(
+            (f64::from(found) - exact).abs() < 1e-6 * exact + 8e-9,
+            "{formula:?}: {found} for {intensity}, expected {exact}"
+        );
     }
     for to in [2e-7_f32, 1e-6, 1e-5, 1.5e-4, 3e-4, 0.02, 0.3, 0.999] {
         // Steps that are short at both ends, where a root is steep.
