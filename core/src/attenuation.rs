@@ -55,7 +55,7 @@ pub trait Attenuation: Copy + PartialEq + core::fmt::Debug {
 
     /// Returns whether the light is exactly zero at this distance. Tested before the square root.
     #[inline]
-    fn is_beyond<S: Scalar>(_: &Self::Constants<S>, _: &S::Offset) -> bool {
+    fn is_beyond<S: Scalar, O: Offset<S>>(_: &Self::Constants<S>, _: &O) -> bool {
         false
     }
 
@@ -78,9 +78,9 @@ pub trait Attenuation: Copy + PartialEq + core::fmt::Debug {
 
     /// Returns the irradiance at this distance from a share of the intensity; 0 for a negative
     /// share.
-    fn expose<S: Scalar, R: Ray<S>>(
+    fn expose<S: Scalar, O: Offset<S>, R: Ray<S>>(
         constants: &Self::Constants<S>,
-        offset: &S::Offset,
+        offset: &O,
         ray: &R,
         share: R::Share,
         intensity: S::Gain,
@@ -134,7 +134,7 @@ fn inverse_squared<S: Scalar>(range: Option<f32>) -> S::Gain {
 
 /// Returns `(d/r)^2`, and exactly 1 at and beyond the range.
 #[inline]
-fn squared_fraction<S: Scalar>(inverse_squared: S::Gain, offset: &S::Offset) -> S {
+fn squared_fraction<S: Scalar, O: Offset<S>>(inverse_squared: S::Gain, offset: &O) -> S {
     offset.squared_distance().by(inverse_squared).fraction()
 }
 
@@ -197,9 +197,9 @@ impl Attenuation for NoAttenuation {
     }
 
     #[inline(always)] // `spot-soft-lambert-hotspot` on Cortex-M0: +28 instructions without.
-    fn expose<S: Scalar, R: Ray<S>>(
+    fn expose<S: Scalar, O: Offset<S>, R: Ray<S>>(
         (): &(),
-        _: &S::Offset,
+        _: &O,
         _: &R,
         share: R::Share,
         intensity: S::Gain,
@@ -227,9 +227,9 @@ impl Attenuation for InverseSquare {
     }
 
     #[inline]
-    fn expose<S: Scalar, R: Ray<S>>(
+    fn expose<S: Scalar, O: Offset<S>, R: Ray<S>>(
         (): &(),
-        _: &S::Offset,
+        _: &O,
         ray: &R,
         share: R::Share,
         intensity: S::Gain,
@@ -259,9 +259,9 @@ impl Attenuation for Polynomial {
     }
 
     #[inline(always)] // `spot-soft-lambert-polynomial` on Cortex-M0: +174 instructions without.
-    fn expose<S: Scalar, R: Ray<S>>(
+    fn expose<S: Scalar, O: Offset<S>, R: Ray<S>>(
         &[constant, linear, quadratic]: &[S::Gain; 3],
-        _: &S::Offset,
+        _: &O,
         ray: &R,
         share: R::Share,
         intensity: S::Gain,
@@ -298,14 +298,14 @@ impl Attenuation for SmoothRange {
     }
 
     #[inline]
-    fn is_beyond<S: Scalar>(&[_, squared]: &[S::Gain; 2], offset: &S::Offset) -> bool {
-        squared_fraction::<S>(squared, offset) == S::ONE
+    fn is_beyond<S: Scalar, O: Offset<S>>(&[_, squared]: &[S::Gain; 2], offset: &O) -> bool {
+        squared_fraction::<S, O>(squared, offset) == S::ONE
     }
 
     #[inline(always)] // `spot-soft-lambert-smooth-range` on Cortex-M0: +273 instructions without.
-    fn expose<S: Scalar, R: Ray<S>>(
+    fn expose<S: Scalar, O: Offset<S>, R: Ray<S>>(
         constants: &[S::Gain; 2],
-        offset: &S::Offset,
+        offset: &O,
         ray: &R,
         share: R::Share,
         intensity: S::Gain,

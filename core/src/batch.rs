@@ -16,7 +16,7 @@ use crate::{
     color::Rgb,
     cone::CompiledCone,
     falloff::Falloff,
-    number::{Fraction, Offset, Ray, Scalar},
+    number::{Fraction, FullOffset, Offset, Ray, Scalar},
     shade::{CompiledPointLight, CompiledSpotLight, LightModel, SurfacePoint},
     specular::NoSpecular,
     vec3::Vec3,

@@ -61,8 +61,9 @@ use crate::{
     falloff::Falloff,
     haze::BeamScattering,
     material::CompiledMaterial,
+    number::Quick,
     projector::{CompiledGobo, CompiledProjection, Gobo, Shadow},
-    shade::{CompiledDirectionalLight, CompiledPointLight, CompiledSpotLight},
+    shade::{CompiledDirectionalLight, CompiledPointLight, CompiledSpotLight, QuickSpotLight},
     source::{Written, call, name},
     specular::SpecularLobe,
     vec3::Vec3,
@@ -115,6 +116,19 @@ where
         let parts: [&dyn Source; 8] =
             [&position, &axis, &falloff, &outside, &attenuation, &intensity, &fine_below, &colors];
         call(out, "from_parts", &parts)
+    }
+}
+
+impl<S: SourceScalar + Quick, P: Falloff + Source, A: Attenuation + Named> Source for QuickSpotLight<S, P, A>
+where
+    P::Compiled<S>: Source,
+    A::Constants<S>: Source,
+{
+    fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
+        write!(out, "QuickSpotLight::<{}, _, {}>::", name::<S>(), name::<A>())?;
+        let Self { position, axis, falloff, attenuation, intensity, color, specular_color } = *self;
+        let colors = [color, specular_color];
+        call(out, "from_parts", &[&position, &axis, &falloff, &attenuation, &intensity, &colors])
     }
 }
 

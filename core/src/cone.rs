@@ -10,7 +10,7 @@ use crate::{
     angle::Angle,
     error::{Error, Expected, Parameter},
     falloff::{Falloff, Hard, Power, Soft, SoftOrHard},
-    number::{HALF_A_CODE, Scalar, Slopes, float::positive},
+    number::{HALF_A_CODE, Quick, Scalar, Slopes, float::positive},
     search::bisect,
 };
 
@@ -242,6 +242,21 @@ impl<P: Falloff> Cone<P> {
         let error = S::coarse_error(&self.slopes(inner), outer, limit);
         let ramp = if error <= HALF_A_CODE { S::ramp } else { S::fine_ramp };
         Ok((CompiledCone::new(ramp(inner, outer, limit), self.profile), error))
+    }
+
+    /// Compiles the cone for quick rays.
+    pub(crate) fn compile_quick<S: Quick>(&self) -> Result<CompiledCone<S, P>, Error> {
+        self.check::<S>()?;
+        Ok(CompiledCone::new(S::quick_ramp(self.inner, self.outer, self.limit), self.profile))
+    }
+
+    /// Returns the bound of [`SpotLight::quick_error`](crate::SpotLight::quick_error).
+    pub(crate) fn quick_error<S: Quick>(&self) -> f32 {
+        if self.inner < self.outer {
+            S::quick_error(&self.slopes(self.inner), self.outer)
+        } else {
+            f32::INFINITY
+        }
     }
 
     /// Returns the slopes that this cone would have with another inner versine.

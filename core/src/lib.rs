@@ -60,6 +60,9 @@
 //! | RV32IMC | 2647 | 354 | 145 |
 //! | narrowest soft cone, half angle in degrees (half of [`Cone::narrowest`]) | 0.0050 | 0.00004 | 0.70 |
 //!
+//! [`SpotLight::compile_quick`] compiles one light for a quick evaluation, in `f32` and [`Fx16`]: 77
+//! instructions on a Cortex-M4F and 135 on a Cortex-M0, with errors of 0.0064 and 0.079 linear codes.
+//!
 //! A *linear code* is 1/255 of full scale in linear light, clipped at 1. *Searched* means the
 //! maximum over very many random points, each refined by hill climbing; *counted* means by an
 //! emulator. Errors and instructions are those of the kernel `lit`, a soft falloff with Lambert's

@@ -12,7 +12,10 @@ pub use self::{ambient::AmbientLight, directional::DirectionalLight, point::Poin
 pub use crate::{
     cone::CompiledCone,
     material::CompiledMaterial,
-    shade::{CompiledDirectionalLight, CompiledPointLight, CompiledSpotLight, Incident, SurfacePoint},
+    shade::{
+        CompiledDirectionalLight, CompiledPointLight, CompiledSpotLight, Incident, QuickSpotLight,
+        SurfacePoint,
+    },
 };
 
 #[cfg(feature = "arithmetic")]

@@ -24,6 +24,7 @@ pub(crate) mod float;
 pub(crate) mod fraction;
 mod knot;
 mod place;
+mod quick;
 mod real;
 
 #[cfg(feature = "fixed")]
@@ -44,12 +45,12 @@ pub use self::fixed_point::{Fx16, Fx32, Length, Light16, Light32, Versine16, Ver
 pub(crate) use self::{arithmetic::HALF_A_CODE, real::RealExponent};
 #[cfg(feature = "arithmetic")]
 pub use self::{
-    arithmetic::{Arithmetic, Gain, Offset, Ray, Rise, Share, Slopes, Word},
+    arithmetic::{Arithmetic, FullOffset, Gain, Offset, Ray, Rise, Share, Slopes, Word},
     fraction::Fraction,
 };
 #[cfg(not(feature = "arithmetic"))]
 pub(crate) use self::{
-    arithmetic::{Arithmetic, Gain, Offset, Ray, Rise, Share, Slopes, Word},
+    arithmetic::{Arithmetic, FullOffset, Gain, Offset, Ray, Rise, Share, Slopes, Word},
     fraction::Fraction,
 };
 #[cfg(feature = "fixed")]
@@ -57,7 +58,7 @@ use self::{
     fixed_point::{nearest, operations, rounded},
     gain::{Gain16, Gain32},
 };
-pub use self::{knot::Knot, place::ProjectedPoint};
+pub use self::{knot::Knot, place::ProjectedPoint, quick::Quick};
 use crate::vec3::Vec3;
 
 /// Marks a branch as rarely taken, like `core::hint::cold_path`, which is stable from Rust 1.95.
@@ -132,7 +133,7 @@ pub trait Scalar:
     fn light_to_f32(light: Self::Irradiance) -> f32;
 }
 
-/// Returns the bound for [`Offset::is_outside`]: the squared cosine of the outer half angle, less a
+/// Returns the bound for [`FullOffset::is_outside`]: the squared cosine of the outer half angle, less a
 /// margin for rounding.
 ///
 /// A point is outside if `z |z| < bound |v|^2`, where `v` is the offset and `z` its component along

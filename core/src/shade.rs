@@ -3,9 +3,13 @@
 mod directional;
 mod placed;
 mod point;
+mod quick;
 mod spot;
 
-pub use self::{directional::CompiledDirectionalLight, point::CompiledPointLight, spot::CompiledSpotLight};
+pub use self::{
+    directional::CompiledDirectionalLight, point::CompiledPointLight, quick::QuickSpotLight,
+    spot::CompiledSpotLight,
+};
 
 use crate::{
     color::Rgb,

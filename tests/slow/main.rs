@@ -16,5 +16,6 @@ mod limits;
 mod narrow;
 mod powers;
 mod properties;
+mod quick;
 mod stability;
 mod worst;

@@ -3,7 +3,7 @@
 
 use fastrand::Rng;
 use luminaire::codegen::{CompiledCubic, CompiledQuadratic, FloatRamp, Gain16, Gain32, Ramp16, Ramp32};
-use luminaire::number::{Light16, Light32, Weight16, Weight32};
+use luminaire::number::{Light16, Light32, Quick, Weight16, Weight32};
 use luminaire::{
     Angle, Cone, Fx16, Fx32, Rgb,
     attenuation::{
@@ -13,7 +13,7 @@ use luminaire::{
     falloff::{Cubic, Falloff, Hard, Power, Quadratic, Soft},
     light::{
         CompiledCone, CompiledDirectionalLight, CompiledMaterial, CompiledPointLight, CompiledSpotLight,
-        LightModel, SurfacePoint,
+        LightModel, QuickSpotLight, SurfacePoint,
     },
     specular::{BlinnPhong, DifferenceForm, NoSpecular, Phong, SpecularLobe},
 };
@@ -156,6 +156,31 @@ fn assert_distance<S: Raw, A: Attenuation>(
     assert_lights(rng, point);
     let direction = vector(rng, S::unit_from_bits);
     assert_lights(rng, CompiledDirectionalLight::<S>::from_parts(direction, intensity, colors));
+}
+
+#[test]
+fn any_bits_make_a_quick_light() {
+    fn assert_quick<S: Raw + Quick>() {
+        let mut rng = Rng::with_seed(0x0b17);
+        for _ in 0..300 * sweep::effort() {
+            let rng = &mut rng;
+            let falloff = CompiledCone::<S, _>::from_parts(S::any_ramp(rng), Hard, Hard);
+            let (position, axis) = (vector(rng, S::length_from_bits), vector(rng, S::unit_from_bits));
+            let colors = [color(rng), color(rng)];
+            let (gain, range) = (S::any_gain(rng), S::any_gain(rng));
+            let light = QuickSpotLight::<S, _, GltfRange>::from_parts(
+                position,
+                axis,
+                falloff,
+                (range, ()),
+                gain,
+                colors,
+            );
+            assert_lights(rng, light);
+        }
+    }
+    assert_quick::<f32>();
+    assert_quick::<Fx16>();
 }
 
 fn assert_any_bits_make_a_light<S: Raw>() {

@@ -276,7 +276,7 @@ fn numbers_are_shown_in_full_between_their_limits() {
     assert_eq!(shown(1.000_5e12), "color = 1.0005e12");
     assert_eq!(shown(9.995e11), "color = 999500000000");
     assert_eq!(shown(12_345.678), "color = 12345.678");
-    let exponent = RealPower::new(1_024.123_46).expect_err("over the limit");
+    let exponent = RealPower::new(1_024.123_4).expect_err("over the limit");
     assert_eq!(exponent.to_string(), "exponent = 1024.1234: expected more than 0 and at most 1024");
     let narrowest = |degrees| Expected::AngleFrom(degrees).to_string();
     assert!(narrowest(180.0).starts_with("at least 180"));

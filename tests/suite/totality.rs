@@ -4,13 +4,13 @@
 
 use fastrand::Rng;
 use luminaire::{
-    Fx16, Fx32, SpotLight,
+    Cone, Fx16, Fx32, HalfAngle, SpotLight, Vec3,
     attenuation::{
         AnyAttenuation, Attenuation, CutAt, FilamentRange, GltfRange, InverseSquare, NoAttenuation,
         Polynomial, SmoothRange, Windowed,
     },
-    falloff::Falloff,
-    number::{Offset, Ray},
+    falloff::{Falloff, Soft},
+    number::{Offset, Quick, Ray},
 };
 use support::with_every_shape;
 use support::{
@@ -59,6 +59,57 @@ fn assert_total<S: Format, P: Falloff>(shape: &Shape<P>) {
         let up = vector(&mut rng, S::scalar_from_bits);
         assert_eq!(compiled.irradiance(here, up), S::Irradiance::default());
     }
+}
+
+/// Every bit pattern has an answer in the quick evaluation, and a point at the light is dark.
+fn assert_quick_is_total<S: Format + Quick, P: Falloff>(shape: &Shape<P>) {
+    let mut rng = Rng::with_seed(0x0dd_b176);
+    for _ in 0..200 * sweep::effort() {
+        let position = vector(&mut rng, |bits| f32::from_bits(bits as u32));
+        let axis = vector(&mut rng, |bits| f32::from_bits(bits as u32));
+        let spot = SpotLight::new(position, axis, shape.at(6.0 + 84.0 * rng.f32()));
+        let spot = spot.and_then(|spot| spot.with_intensity(1e9 * rng.f32()));
+        let Ok(compiled) = spot.and_then(|spot| spot.compile_quick::<S>()) else { continue };
+        for _ in 0..100 {
+            let (point, normal) =
+                (vector(&mut rng, S::length_from_bits), vector(&mut rng, S::scalar_from_bits));
+            let light = S::exact_light(compiled.irradiance(point, normal));
+            assert!(light >= 0.0 && light.is_finite(), "{compiled:?} {point:?} {normal:?}: {light}");
+        }
+        let up = vector(&mut rng, S::scalar_from_bits);
+        assert_eq!(compiled.irradiance(position.map(S::length), up), S::Irradiance::default());
+    }
+}
+
+#[test]
+fn every_bit_pattern_has_a_quick_answer() {
+    with_every_shape!(assert_quick_is_total::<f32>);
+    with_every_shape!(assert_quick_is_total::<Fx16>);
+}
+
+/// Behind a light there is no light, up to the opposite direction, where the difference of the
+/// directions is largest.
+#[test]
+fn a_quick_light_does_not_shine_backwards() {
+    fn assert_dark<S: Format + Quick>() {
+        for axis in [[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.6, 0.0, 0.8], [-0.577, 0.577, -0.577]] {
+            for degrees in [0.8, 20.0, 60.0, 90.0] {
+                let cone = Cone::from_outer(Soft, HalfAngle::degrees(degrees)).expect("sound");
+                let spot = SpotLight::new(Vec3::default(), Vec3::from(axis), cone).expect("sound");
+                let light = spot.with_attenuation(NoAttenuation).compile_quick::<S>().expect("held");
+                for distance in [0.001, 0.4999, 0.5, 1.0, 1.99, 63.99, 64.0, 9_000.0] {
+                    let point = spot.axis().map(|c| S::length(-c * distance));
+                    let normal = spot.axis().map(S::from_f32);
+                    assert_eq!(light.irradiance(point, normal), S::Irradiance::default(), "{axis:?}");
+                    let lit = spot.axis().map(|c| S::length(c * distance));
+                    let normal = spot.axis().map(|c| S::from_f32(-c));
+                    assert!(S::exact_light(light.irradiance(lit, normal)) > 0.99, "{distance}");
+                }
+            }
+        }
+    }
+    assert_dark::<f32>();
+    assert_dark::<Fx16>();
 }
 
 #[test]

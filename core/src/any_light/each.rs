@@ -11,7 +11,7 @@ use crate::{
     attenuation::{AnyAttenuation, Attenuation, CompiledAnyAttenuation, NoAttenuation, with_attenuation},
     cone::CompiledCone,
     falloff::{AnyFalloff, Falloff, with_profile},
-    number::{Offset, Scalar},
+    number::{FullOffset, Offset, Scalar},
     shade::{CompiledPointLight, CompiledSpotLight, Incident, LightModel, SurfacePoint},
     specular::SpecularLobe,
     vec3::{Vec3, nth},

@@ -9,7 +9,7 @@ use super::{
 use crate::{
     effect::Effects,
     models::attenuations,
-    number::{Ray, Scalar},
+    number::{Offset, Ray, Scalar},
     source::{Source, call, named},
 };
 
@@ -119,20 +119,20 @@ macro_rules! any_attenuation {
             }
 
             #[inline]
-            fn is_beyond<S: Scalar>(constants: &CompiledAnyAttenuation<S>, offset: &S::Offset) -> bool {
-                with_attenuation!(constants, inner: Inner => Inner::is_beyond::<S>(inner, offset))
+            fn is_beyond<S: Scalar, O: Offset<S>>(constants: &CompiledAnyAttenuation<S>, offset: &O) -> bool {
+                with_attenuation!(constants, inner: Inner => Inner::is_beyond::<S, O>(inner, offset))
             }
 
             #[inline]
-            fn expose<S: Scalar, R: Ray<S>>(
+            fn expose<S: Scalar, O: Offset<S>, R: Ray<S>>(
                 constants: &CompiledAnyAttenuation<S>,
-                offset: &S::Offset,
+                offset: &O,
                 ray: &R,
                 share: R::Share,
                 intensity: S::Gain,
             ) -> S::Irradiance {
                 with_attenuation!(constants, inner: Inner => {
-                    Inner::expose::<S, R>(inner, offset, ray, share, intensity)
+                    Inner::expose::<S, O, R>(inner, offset, ray, share, intensity)
                 })
             }
         }

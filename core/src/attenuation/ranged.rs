@@ -9,7 +9,7 @@ use super::{Attenuation, InverseSquare, checked_range, dimmed, inverse_squared, 
 use crate::{
     effect::{Effect, Effects},
     error::Error,
-    number::{Ray, Scalar, Share},
+    number::{Offset, Ray, Scalar, Share},
     source::{Named, name},
 };
 
@@ -172,19 +172,19 @@ impl<W: Window, A: Attenuation> Attenuation for Ranged<W, A> {
     }
 
     #[inline]
-    fn is_beyond<S: Scalar>((squared, inner): &Self::Constants<S>, offset: &S::Offset) -> bool {
-        squared_fraction::<S>(*squared, offset) == S::ONE || A::is_beyond::<S>(inner, offset)
+    fn is_beyond<S: Scalar, O: Offset<S>>((squared, inner): &Self::Constants<S>, offset: &O) -> bool {
+        squared_fraction::<S, O>(*squared, offset) == S::ONE || A::is_beyond::<S, O>(inner, offset)
     }
 
     #[inline(always)] // `spot-soft-lambert-gltf-range` on Cortex-M0: +31 instructions without.
-    fn expose<S: Scalar, R: Ray<S>>(
+    fn expose<S: Scalar, O: Offset<S>, R: Ray<S>>(
         (squared, inner): &Self::Constants<S>,
-        offset: &S::Offset,
+        offset: &O,
         ray: &R,
         share: R::Share,
         intensity: S::Gain,
     ) -> S::Irradiance {
         let share = W::dim::<S, _>(share, ray.squared_near(offset, *squared));
-        A::expose::<S, R>(inner, offset, ray, share, intensity)
+        A::expose::<S, O, R>(inner, offset, ray, share, intensity)
     }
 }

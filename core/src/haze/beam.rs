@@ -152,7 +152,7 @@ fn at_distance(distance: f32) -> <f32 as Arithmetic>::Offset {
 
 /// Returns the range of a distance model, or [`FARTHEST`].
 fn range<A: Attenuation>(constants: &A::Constants<f32>) -> f32 {
-    last(FARTHEST, |distance| !A::is_beyond::<f32>(constants, &at_distance(distance)))
+    last(FARTHEST, |distance| !A::is_beyond::<f32, _>(constants, &at_distance(distance)))
 }
 
 /// Returns the versines between which the intensity of a cone varies.

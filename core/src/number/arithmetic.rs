@@ -47,7 +47,7 @@ pub trait Arithmetic: Copy + Default + PartialOrd + core::fmt::Debug + Share<Sel
     /// Factor of at least 0 that keeps its leading bits at every magnitude.
     type Gain: Gain<Self>;
     /// Vector from a light to a point, before its length is computed.
-    type Offset: Offset<Self>;
+    type Offset: FullOffset<Self>;
     /// Upper bound of the error of the direction to a point, in radians.
     ///
     /// A narrow cone magnifies this error. In `f32` about half of this bound is the rounding of
@@ -115,7 +115,7 @@ pub trait Arithmetic: Copy + Default + PartialOrd + core::fmt::Debug + Share<Sel
     fn rise(ramp: Self::Ramp, versine: Self::Versine) -> Rise<Self>;
     /// Returns the length of an offset below which the evaluation must be fine.
     ///
-    /// The result is encoded for [`Offset::is_near`]. The gain multiplies a share and so magnifies
+    /// The result is encoded for [`FullOffset::is_near`]. The gain multiplies a share and so magnifies
     /// the error of the share; below the returned length the product may be off by half a linear
     /// code. `error` is the [`coarse_error`](Self::coarse_error) of the light's cone, 0 for a light
     /// without a cone. `intensity` is the gain at distance 1; if the irradiance does not grow
@@ -325,26 +325,34 @@ pub trait Gain<S: Arithmetic>: Copy + PartialEq + core::fmt::Debug {
     fn fraction(self) -> S;
 }
 
-/// Offset from a light to a point.
-///
-/// Provides the early-out tests before the square root, and the root itself.
+/// Offset from a light to a point, before the square root, and the root itself.
 pub trait Offset<S: Arithmetic>: Copy + core::fmt::Debug {
     /// Direction and distance, available after the square root.
     type Ray: Ray<S, Fraction = S::Fraction, Share = S>;
-    /// [`Ray`](Self::Ray) with more bits; the same type in a format that has only one.
-    type FineRay: Ray<S, Fraction = S::Fine>;
     /// Type of the inner product of a surface normal and the vector back to the light, in a scale
     /// that depends on the format.
     type Facing: Copy + core::fmt::Debug;
-
-    /// Whether a batch loop first computes all roots with [`reciprocal`](Self::reciprocal), without
-    /// early-outs.
-    const ROOTS_FIRST: bool = false;
 
     /// Returns the inner product of the normal and the vector back to the light.
     fn facing(&self, normal: Vec3<S>) -> Self::Facing;
     /// Returns whether the surface faces away, so that no light arrives. NaN counts as facing away.
     fn faces_away(facing: Self::Facing) -> bool;
+    /// Returns the squared distance.
+    fn squared_distance(&self) -> S::Gain;
+    /// Computes the square root.
+    fn ray(&self) -> Self::Ray;
+}
+
+/// An offset of the format's standard evaluation: with the early-out test for the cone, and with
+/// the format's full precision.
+pub trait FullOffset<S: Arithmetic>: Offset<S> {
+    /// [`Ray`](Offset::Ray) with more bits; the same type in a format that has only one.
+    type FineRay: Ray<S, Fraction = S::Fine>;
+
+    /// Whether a batch loop first computes all roots with [`reciprocal`](Self::reciprocal), without
+    /// early-outs.
+    const ROOTS_FIRST: bool = false;
+
     /// Returns whether the surface faces away so far that the fine evaluation also gives zero.
     #[inline]
     fn faces_far_away(facing: Self::Facing) -> bool {
@@ -355,10 +363,6 @@ pub trait Offset<S: Arithmetic>: Copy + core::fmt::Debug {
     /// It may return `false` for a point outside, but never `true` for a point inside. `bound` is
     /// the squared cosine of the outer half angle, less a margin for rounding.
     fn is_outside(&self, axis: Vec3<S::Direction>, bound: S) -> bool;
-    /// Returns the squared distance.
-    fn squared_distance(&self) -> S::Gain;
-    /// Computes the square root.
-    fn ray(&self) -> Self::Ray;
     /// Computes the square root with the format's full precision.
     fn fine_ray(&self) -> Self::FineRay;
     /// Returns whether the offset is so short that the whole evaluation must be fine: see
@@ -373,7 +377,7 @@ pub trait Offset<S: Arithmetic>: Copy + core::fmt::Debug {
     fn reciprocal(&self) -> f32 {
         0.0
     }
-    /// As [`ray`](Self::ray), but reuses the root returned by [`reciprocal`](Self::reciprocal).
+    /// As [`ray`](Offset::ray), but reuses the root returned by [`reciprocal`](Self::reciprocal).
     #[inline]
     fn ray_of(&self, _reciprocal: f32) -> Self::Ray {
         self.ray()
@@ -416,7 +420,7 @@ pub trait Ray<S: Arithmetic>: Copy + core::fmt::Debug {
     ///
     /// The squared distance is that of `offset`.
     #[inline(always)] // `spot-soft-lambert-smooth-range` on Cortex-M0: +74 instructions without.
-    fn squared_near(&self, offset: &S::Offset, gain: S::Gain) -> Self::Share {
+    fn squared_near<O: Offset<S>>(&self, offset: &O, gain: S::Gain) -> Self::Share {
         Self::Share::of_scalar(offset.squared_distance().by(gain).fraction())
     }
     /// Returns the light of a share of a gain, attenuated by the inverse square of the distance.

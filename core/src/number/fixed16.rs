@@ -11,6 +11,7 @@ mod frame;
 mod lobe;
 mod offset;
 mod product;
+mod quick;
 mod ramp;
 
 use self::{
@@ -162,6 +163,7 @@ impl Arithmetic for Fx16 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::number::FullOffset;
 
     /// Light is kept as clipped only if it is past full scale with the error of its share.
     #[test]

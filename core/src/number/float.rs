@@ -4,6 +4,7 @@
 
 mod frame;
 mod offset;
+mod quick;
 
 pub use self::frame::FloatFrame;
 use self::offset::FloatOffset;

@@ -3,7 +3,7 @@
 use super::{Incident, SurfacePoint, lobe};
 use crate::{
     attenuation::Attenuation,
-    number::{Fraction, Offset, Ray, Scalar, Share},
+    number::{Fraction, FullOffset, Offset, Ray, Scalar, Share},
     specular::SpecularLobe,
     vec3::Vec3,
 };
@@ -45,7 +45,7 @@ pub(super) trait Placed<S: Scalar, A: Attenuation> {
         if skips
             && (S::Offset::faces_away(facing)
                 || self.is_outside(&offset)
-                || A::is_beyond::<S>(attenuation, &offset))
+                || A::is_beyond::<S, _>(attenuation, &offset))
         {
             return Incident::default();
         }

@@ -9,7 +9,7 @@ use crate::{
     color::Rgb,
     cone::CompiledCone,
     falloff::{Falloff, SoftOrHard},
-    number::{Offset, Ray, Scalar, Share},
+    number::{FullOffset, Offset, Ray, Scalar, Share},
     specular::{NoSpecular, SpecularLobe},
     vec3::Vec3,
 };

@@ -11,6 +11,7 @@
 //! | format | kernels |
 //! |---|---|
 //! | `fx16`, `fx32`, `f32` | the crate `luminaire` |
+//! | `fx16-quick`, `f32-quick` | the quick evaluations of the crate `luminaire` |
 //! | `f32-cosine` | f32, with the versine by `1 - l.s`, which cancels |
 //! | `f32-fast` | f32, with micromath's estimate of the reciprocal root, unrefined |
 //! | `f64` | the versine form in twice the width |
@@ -41,7 +42,7 @@ pub use double::{DoubleFalloff, DoublePoint};
 pub use fast::FastPoint;
 pub use kernel::{Kernel, Row, Stage, Visitor};
 pub use list::{Setting, falloffs, points};
-pub use ours::{Highlit, OurFalloff, OurPoint};
+pub use ours::{Highlit, OurFalloff, OurPoint, QuickPoint};
 pub use profile::Shape;
 #[cfg(feature = "std")]
 pub use rival::Std;

@@ -5,6 +5,7 @@ use luminaire::falloff::*;
 use luminaire::{
     Angle, Cone, Fx16, Fx32, SpotLight,
     attenuation::{Attenuation, NoAttenuation},
+    number::Quick,
 };
 use luminaire_oracle as oracle;
 
@@ -13,7 +14,7 @@ use crate::{
     double::{DoubleFalloff, DoublePoint},
     fast::FastPoint,
     kernel::{Row, Visitor},
-    ours::{Highlit, OurFalloff, OurPoint},
+    ours::{Highlit, OurFalloff, OurPoint, QuickPoint},
     profile::Shape,
     rival,
     scene::{AXIS, EYE, POSITION, Population},
@@ -130,6 +131,8 @@ pub fn points(setting: Setting, visitor: &mut impl Visitor) {
     format::<Fx16>(setting, visitor);
     format::<Fx32>(setting, visitor);
     format::<f32>(setting, visitor);
+    quick::<Fx16>("fx16-quick", setting, visitor);
+    quick::<f32>("f32-quick", setting, visitor);
     let outer = setting.outer_versine();
     for (kernel, population) in REJECTS.into_iter().chain([("lit", Population::Lit)]) {
         let truth = light(setting, population, 1.0, false);
@@ -169,6 +172,25 @@ fn format<S: Format>(setting: Setting, visitor: &mut impl Visitor) {
     point::<S, _>("lit", &spot, &near, visitor);
     point::<S, _>("lit-inverse-square", &falling, &far, visitor);
     visitor.point(Row::lit("lit-specular", S::NAME), highlit, &bright);
+}
+
+/// The points by the quick evaluation of a format.
+fn quick<S: Format + Quick>(name: &'static str, setting: Setting, visitor: &mut impl Visitor) {
+    let spot = spot(setting).with_attenuation(NoAttenuation);
+    let falling = self::spot(setting).with_intensity(INTENSITY).expect("a sound intensity");
+    let (Ok(level), Ok(falling)) = (spot.compile_quick::<S>(), falling.compile_quick::<S>()) else {
+        let refused = Cone::narrowest::<S>(Soft).to_degrees() / 2.0;
+        for kernel in ["away", "outside", "lit", "lit-inverse-square"] {
+            visitor.refused(Row::lit(kernel, name), refused);
+        }
+        return;
+    };
+    for (kernel, population) in REJECTS.into_iter().chain([("lit", Population::Lit)]) {
+        let truth = light(setting, population, 1.0, false);
+        visitor.point(Row::lit(kernel, name), QuickPoint::new(level), &truth);
+    }
+    let far = light(setting, Population::Lit, INTENSITY, true);
+    visitor.point(Row::lit("lit-inverse-square", name), QuickPoint::new(falling), &far);
 }
 
 fn spot(setting: Setting) -> SpotLight<Soft> {

@@ -4,7 +4,8 @@ use luminaire::{
     Scalar, SpotLight, Vec3,
     attenuation::Attenuation,
     falloff::Soft,
-    light::{CompiledCone, CompiledSpotLight, LightModel, SurfacePoint},
+    light::{CompiledCone, CompiledSpotLight, LightModel, QuickSpotLight, SurfacePoint},
+    number::Quick,
     specular::{Phong, SpecularLobe},
 };
 
@@ -86,6 +87,39 @@ impl<S: Scalar, A: Attenuation> OurPoint<S, A> {
 }
 
 impl<S: Format, A: Attenuation> Kernel for OurPoint<S, A> {
+    type Place = Site;
+    type Input = Stored<S>;
+    type Output = S::Irradiance;
+
+    fn input(&self, site: &Site) -> Stored<S> {
+        Stored::new(site)
+    }
+
+    #[inline(always)]
+    fn evaluate(&self, site: &Stored<S>) -> S::Irradiance {
+        self.light.irradiance(site.point, site.normal)
+    }
+
+    #[inline(always)]
+    fn touch(site: &Stored<S>) -> u32 {
+        site.touch()
+    }
+}
+
+/// The same by the quick evaluation.
+#[derive(Clone, Copy, Debug)]
+pub struct QuickPoint<S: Quick, A: Attenuation> {
+    light: QuickSpotLight<S, Soft, A>,
+}
+
+impl<S: Quick, A: Attenuation> QuickPoint<S, A> {
+    /// The points that this light lights.
+    pub fn new(light: QuickSpotLight<S, Soft, A>) -> Self {
+        Self { light }
+    }
+}
+
+impl<S: Format + Quick, A: Attenuation> Kernel for QuickPoint<S, A> {
     type Place = Site;
     type Input = Stored<S>;
     type Output = S::Irradiance;

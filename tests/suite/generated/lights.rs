@@ -11,6 +11,7 @@ use luminaire::{
     display::Exposure,
     haze::Haze,
     light::CompiledSpotLight,
+    number::Quick,
     projector::{Gobo, Projection, Shadow},
 };
 #[allow(unused_imports, clippy::wildcard_imports, reason = "what the rows of the lists are made of")]
@@ -46,7 +47,21 @@ pub(crate) fn all(visit: &mut impl Visit) -> Result<(), Error> {
     beams(visit)?;
     of_format::<f32>(visit)?;
     of_format::<Fx32>(visit)?;
-    of_format::<Fx16>(visit)
+    of_format::<Fx16>(visit)?;
+    quick::<f32>(visit)?;
+    quick::<Fx16>(visit)
+}
+
+/// Spotlights of the quick evaluation.
+fn quick<S: SourceScalar + Quick>(visit: &mut impl Visit) -> Result<(), Error> {
+    let cone = Cone::from_outer(Cubic::with_slopes(1.25, 3.5)?, Angle::degrees(40.0))?;
+    for (index, intensity) in INTENSITIES.into_iter().enumerate() {
+        let spot = SpotLight::new(PLACES[index], AXES[index], cone)?.with_intensity(intensity)?;
+        visit.value(format!("quick {} {spot:?}", S::NAME), spot.compile_quick::<S>()?);
+        let level = spot.with_color(AMBER)?.with_attenuation(SmoothRange::new(8.0)?);
+        visit.value(format!("quick {} {level:?}", S::NAME), level.compile_quick::<S>()?);
+    }
+    Ok(())
 }
 
 /// Beams in haze, which exist only in f32.

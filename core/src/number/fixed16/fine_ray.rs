@@ -6,10 +6,10 @@
 use super::{
     Ramp16,
     fine::Fine16,
-    offset::{self, Offset16},
+    offset,
     product::{high_half, high_square, signed_high_product},
 };
-use crate::number::{Fx16, Fx32, Gain16, Light16, Ray, Versine16};
+use crate::number::{Fx16, Fx32, Gain16, Light16, Offset, Ray, Versine16};
 use crate::vec3::Vec3;
 
 /// Unit direction with 30 fraction bits, and its distance.
@@ -105,7 +105,7 @@ impl Ray<Fx16> for FineRay16 {
     }
 
     #[inline]
-    fn squared_near(&self, _: &Offset16, gain: Gain16) -> Fine16 {
+    fn squared_near<O: Offset<Fx16>>(&self, _: &O, gain: Gain16) -> Fine16 {
         Fine16::capped(high_half(self.squared, gain.mantissa), gain.shift - 2 * self.bits - 1)
     }
 
@@ -121,7 +121,8 @@ impl Ray<Fx16> for FineRay16 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::number::Offset;
+    use crate::number::FullOffset;
+    use crate::number::fixed16::offset::Offset16;
 
     extern crate std;
 

@@ -5,8 +5,8 @@
 
 use super::{Ramp16, factor, fine_ray::FineRay16, product::high_product};
 use crate::number::{
-    Arithmetic, Fx16, Fx32, Gain16, Length, Light16, Offset, Ray, Versine16, cold_path, fraction::Fraction16,
-    root,
+    Arithmetic, FullOffset, Fx16, Fx32, Gain16, Length, Light16, Offset, Ray, Versine16, cold_path,
+    fraction::Fraction16, root,
 };
 use crate::vec3::Vec3;
 
@@ -139,6 +139,11 @@ impl Offset16 {
         self.way.map(|c| c >> (self.shift + WAY_BITS - COARSE_BITS))
     }
 
+    /// Returns `v`, and the bit length of its largest component before scaling.
+    pub(super) fn scaled_to_15_bits(&self) -> (Vec3<i32>, u32) {
+        (self.coarse(), self.bits)
+    }
+
     /// Returns `|v|^2`: the sum of three squares of 15 bits and a sign fits 32 bits.
     ///
     /// Computed on demand, because a surface that faces away does not need it.
@@ -151,7 +156,6 @@ impl Offset16 {
 
 impl Offset<Fx16> for Offset16 {
     type Ray = Ray16;
-    type FineRay = FineRay16;
     /// Returns `n.v` in steps of 2^-14 of `|v|`: negative if the surface faces the light.
     ///
     /// Wraps for normals longer than 1.15, which is defined behaviour.
@@ -166,22 +170,6 @@ impl Offset<Fx16> for Offset16 {
     #[inline]
     fn faces_away(facing: i32) -> bool {
         facing >= 0
-    }
-
-    #[inline]
-    fn faces_far_away(facing: i32) -> bool {
-        // For a unit normal, the truncated bits of three components amount to less than sqrt(3).
-        facing >= 7 << 12
-    }
-
-    #[inline]
-    fn is_outside(&self, axis: Vec3<Fx32>, bound: Fx16) -> bool {
-        let products = axis.zip(self.coarse(), |s, v| (s.to_bits() >> 16) * v);
-        let along = products.x.wrapping_add(products.y).wrapping_add(products.z) >> 14;
-        // The axis has unit length, so 16 bits hold the component of `v` along it.
-        let along = along.max(0) as u32;
-        let bound = u32::from(bound.to_bits().max(0) as u16);
-        along.wrapping_mul(along) < (self.squared() >> 14).wrapping_mul(bound)
     }
 
     #[inline]
@@ -200,6 +188,26 @@ impl Offset<Fx16> for Offset16 {
             squared,
             reciprocal,
         }
+    }
+}
+
+impl FullOffset<Fx16> for Offset16 {
+    type FineRay = FineRay16;
+
+    #[inline]
+    fn faces_far_away(facing: i32) -> bool {
+        // For a unit normal, the truncated bits of three components amount to less than sqrt(3).
+        facing >= 7 << 12
+    }
+
+    #[inline]
+    fn is_outside(&self, axis: Vec3<Fx32>, bound: Fx16) -> bool {
+        let products = axis.zip(self.coarse(), |s, v| (s.to_bits() >> 16) * v);
+        let along = products.x.wrapping_add(products.y).wrapping_add(products.z) >> 14;
+        // The axis has unit length, so 16 bits hold the component of `v` along it.
+        let along = along.max(0) as u32;
+        let bound = u32::from(bound.to_bits().max(0) as u16);
+        along.wrapping_mul(along) < (self.squared() >> 14).wrapping_mul(bound)
     }
 
     #[inline(always)] // `spot-soft` on Cortex-M0: +80 instructions without.

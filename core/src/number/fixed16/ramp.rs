@@ -70,8 +70,12 @@ impl Ramp16 {
     pub(super) fn new(inner: f32, outer: f32, limit: f32) -> Self {
         // The scaled limit is at most 2, the square of the largest component that `versine_between`
         // accepts. Larger components are beyond the limit anyway.
+        Self::with_zoom(inner, outer, limit, zoom(if limit < outer { limit } else { outer }))
+    }
+
+    /// As [`new`](Self::new), for versines that are scaled by `4^zoom`.
+    pub(super) fn with_zoom(inner: f32, outer: f32, limit: f32, zoom: u32) -> Self {
         let limit = if limit < outer { limit } else { outer };
-        let zoom = zoom(limit);
         let [inner, limit] = [inner, limit].map(|versine| magnified(versine, zoom).to_bits());
         let outer = (outer * (1_u64 << (29 + 2 * zoom)) as f32 + 0.5) as u64;
         let span = outer.saturating_sub(inner.into()).max(1);

@@ -4,7 +4,8 @@
 
 use super::{Ramp32, factor, square, wide};
 use crate::number::{
-    Arithmetic, Fx32, Gain32, Length, Light32, Offset, Ray, Versine32, cold_path, fraction::Fraction32, root,
+    Arithmetic, FullOffset, Fx32, Gain32, Length, Light32, Offset, Ray, Versine32, cold_path,
+    fraction::Fraction32, root,
 };
 use crate::vec3::Vec3;
 
@@ -66,7 +67,6 @@ impl Offset32 {
 
 impl Offset<Fx32> for Offset32 {
     type Ray = Ray32;
-    type FineRay = Ray32;
     /// In steps of 2^-30 of `|v|`. Wraps for normals longer than 1.15, which is defined behaviour.
     type Facing = i64;
 
@@ -78,12 +78,6 @@ impl Offset<Fx32> for Offset32 {
     #[inline]
     fn faces_away(facing: i64) -> bool {
         facing <= 0
-    }
-
-    #[inline]
-    fn is_outside(&self, axis: Vec3<Fx32>, bound: Fx32) -> bool {
-        let along = inner_product(axis, self.way) >> 31;
-        along.wrapping_mul(along.abs()) < (self.squared() >> 32) as i64 * i64::from(bound.to_bits())
     }
 
     #[inline]
@@ -106,6 +100,16 @@ impl Offset<Fx32> for Offset32 {
             ((product + (1 << 31)) >> 32) as i32
         });
         Ray32 { direction, bits: self.bits, squared, reciprocal }
+    }
+}
+
+impl FullOffset<Fx32> for Offset32 {
+    type FineRay = Ray32;
+
+    #[inline]
+    fn is_outside(&self, axis: Vec3<Fx32>, bound: Fx32) -> bool {
+        let along = inner_product(axis, self.way) >> 31;
+        along.wrapping_mul(along.abs()) < (self.squared() >> 32) as i64 * i64::from(bound.to_bits())
     }
 
     #[inline]

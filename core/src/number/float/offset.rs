@@ -1,7 +1,7 @@
 //! Vector from a point to a light in f32, and its direction and length.
 
 use super::{BRIGHTEST, FloatRamp, clamp};
-use crate::number::{Arithmetic, Offset, Ray, fraction::FloatFraction};
+use crate::number::{Arithmetic, FullOffset, Offset, Ray, fraction::FloatFraction};
 use crate::{trig, vec3::Vec3};
 
 /// Vector from a point back to the light, and its squared length.
@@ -33,10 +33,7 @@ impl FloatOffset {
 
 impl Offset<f32> for FloatOffset {
     type Ray = FloatRay;
-    type FineRay = FloatRay;
     type Facing = f32;
-
-    const ROOTS_FIRST: bool = true;
 
     #[inline]
     fn facing(&self, normal: Vec3<f32>) -> f32 {
@@ -49,12 +46,6 @@ impl Offset<f32> for FloatOffset {
     }
 
     #[inline]
-    fn is_outside(&self, axis: Vec3<f32>, bound: f32) -> bool {
-        let along = self.back.dot(axis);
-        along * along.abs() > -bound * self.squared
-    }
-
-    #[inline]
     fn squared_distance(&self) -> f32 {
         self.squared
     }
@@ -62,6 +53,17 @@ impl Offset<f32> for FloatOffset {
     #[inline]
     fn ray(&self) -> FloatRay {
         self.ray_of(self.reciprocal())
+    }
+}
+
+impl FullOffset<f32> for FloatOffset {
+    type FineRay = FloatRay;
+    const ROOTS_FIRST: bool = true;
+
+    #[inline]
+    fn is_outside(&self, axis: Vec3<f32>, bound: f32) -> bool {
+        let along = self.back.dot(axis);
+        along * along.abs() > -bound * self.squared
     }
 
     #[inline]

@@ -10,6 +10,12 @@ pub use luminaire::{attenuation::*, dynamic::*, falloff::*, specular::*};
 
 pub use crate::{Format, Irradiance};
 
+/// A format that has a quick evaluation: the format itself, or the nearest that has one.
+#[cfg(not(feature = "fx32"))]
+pub type QuickFormat = Format;
+/// A format that has a quick evaluation: the format itself, or the nearest that has one.
+#[cfg(feature = "fx32")]
+pub type QuickFormat = luminaire::Fx16;
 /// A gain of the format.
 pub type Gain = <Format as number::Arithmetic>::Gain;
 /// The offset from a light to a point.
@@ -17,7 +23,7 @@ pub type Offset = <Format as number::Arithmetic>::Offset;
 /// An offset after the square root.
 pub type Ray = <Offset as number::Offset<Format>>::Ray;
 /// A ray with more bits.
-pub type FineRay = <Offset as number::Offset<Format>>::FineRay;
+pub type FineRay = <Offset as number::FullOffset<Format>>::FineRay;
 /// A share of a light with more bits than a scalar.
 pub type FineShare = <FineRay as number::Ray<Format>>::Share;
 /// The argument of a profile.

@@ -13,11 +13,13 @@ type Rows = &'static [(&'static str, &'static [&'static str])];
 /// One type stands for all falloffs, and one for all attenuations: the functions of these enums
 /// match on every model.
 const TYPES: Rows = &[
+    ("Quick", &["QuickFormat"]),
     ("Scalar", &["Format"]),
     ("SourceScalar", &["Format"]),
     ("Arithmetic", &["Format"]),
     ("Gain", &["Gain"]),
     ("Offset", &["Offset"]),
+    ("FullOffset", &["Offset"]),
     ("Ray", &["Ray", "FineRay"]),
     ("Share", &["Format", "FineShare"]),
     ("Fraction", &["Fraction", "FineFraction"]),
@@ -42,7 +44,8 @@ const CONSTANTS: Rows = &[("u32", &["4"]), ("usize", &["4"])];
 
 /// Traits that each format implements, mostly by private types. Each build calls their functions on
 /// the types that the traits' rows in `TYPES` name for its format.
-const OF_FORMATS: [&str; 7] = ["Scalar", "Arithmetic", "Gain", "Offset", "Ray", "Share", "Fraction"];
+const OF_FORMATS: [&str; 9] =
+    ["Scalar", "Arithmetic", "Quick", "Gain", "Offset", "FullOffset", "Ray", "Share", "Fraction"];
 
 /// A public function.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,0 +1,180 @@
+//! The quick evaluation in 16 bits: an offset of 15 bits instead of 17, a direction of 14 fraction
+//! bits in every cone, and no test for points that need more.
+//!
+//! In the comments `v` is the offset, scaled until its largest component has 15 bits, and `|v|` is
+//! its length.
+
+use super::{Ramp16, factor, offset::Offset16, offset::size, product::high_product};
+use crate::number::{
+    Fx16, Fx32, Gain16, Length, Light16, Offset, Quick, Ray, Scalar, Slopes, Versine16, cold_path,
+    fraction::Fraction16, root,
+};
+use crate::trig;
+use crate::vec3::Vec3;
+
+/// Bit length of the largest component of `v`.
+const BITS: u32 = 15;
+
+/// Number of bits of a direction below its last kept bit.
+const DROPPED: u32 = 16;
+
+/// Rounding bias of a direction for the truncated bits of `v`: three eighths of the largest
+/// reciprocal, as in the standard evaluation.
+const CUT_OFF: i32 = 24_576;
+
+/// Offset from a light to a point: `v`, and the bit length of its largest component before scaling.
+#[derive(Clone, Copy, Debug)]
+pub struct QuickOffset16 {
+    way: Vec3<i32>,
+    bits: u32,
+}
+
+/// Unit direction and reciprocal distance.
+#[derive(Clone, Copy, Debug)]
+pub struct QuickRay16 {
+    offset: QuickOffset16,
+    squared: u32,
+    /// `2^30 / |v|`, of 15 or 16 bits.
+    reciprocal: u32,
+}
+
+impl QuickOffset16 {
+    #[inline]
+    fn between(light: Vec3<Length>, point: Vec3<Length>) -> Self {
+        let way = point.zip(light, |p, l| p.to_bits().wrapping_sub(l.to_bits()));
+        // As in the standard evaluation, a wrapped difference has more than 24 bits.
+        let above = size(way) >> BITS;
+        if above == 0 || above >= 128 {
+            cold_path();
+            return Self::near_or_far(light, point);
+        }
+        // At most 7; the mask shows this to the compiler.
+        let shift = (root::ilog2_of_seven_bits(above) + 1) & 7;
+        Self { way: way.map(|c| c >> shift), bits: shift + BITS }
+    }
+
+    /// Returns an offset of less than half a unit, or of 64 units and more.
+    #[cold]
+    #[inline(never)]
+    fn near_or_far(light: Vec3<Length>, point: Vec3<Length>) -> Self {
+        let (way, bits) = Offset16::between(light, point).scaled_to_15_bits();
+        Self { way, bits }
+    }
+
+    /// Returns `|v|^2`: the sum of three squares of 15 bits and a sign fits 32 bits.
+    #[inline]
+    fn squared(&self) -> u32 {
+        let squares = self.way.map(|c| (c * c) as u32);
+        squares.x.wrapping_add(squares.y).wrapping_add(squares.z)
+    }
+}
+
+impl Quick for Fx16 {
+    type QuickOffset = QuickOffset16;
+
+    #[inline]
+    fn quick_offset(light: Vec3<Length>, point: Vec3<Length>) -> QuickOffset16 {
+        QuickOffset16::between(light, point)
+    }
+
+    /// Adds all rounding constants of the difference, once per light.
+    fn quick_axis(axis: Vec3<Fx32>) -> Vec3<Fx32> {
+        axis.map(|c| Fx32::from_bits(c.to_bits().wrapping_sub(CUT_OFF + (1 << (DROPPED - 1)))))
+    }
+
+    fn quick_ramp(inner: f32, outer: f32, limit: f32) -> Ramp16 {
+        Ramp16::with_zoom(inner, outer, limit, 0)
+    }
+
+    fn quick_error(edge: &Slopes, outer: f32) -> f32 {
+        const LENGTH: f32 = 2.0e-4;
+        const DIRECTION: f32 = 0.9e-4;
+        let chord = trig::sqrt(2.0 * outer);
+        edge.angle * (DIRECTION / chord + LENGTH / 2.0)
+            + edge.fraction * (LENGTH * LENGTH / 2.0 / outer + 3.0 / 65_536.0)
+            + 3.0 * LENGTH
+            + 2.5 * Self::STEP
+    }
+}
+
+impl Offset<Fx16> for QuickOffset16 {
+    type Ray = QuickRay16;
+    type Facing = i32;
+
+    #[inline]
+    fn facing(&self, normal: Vec3<Fx16>) -> i32 {
+        let products = normal.zip(self.way, |n, v| i32::from(n.to_bits()) * v);
+        products.x.wrapping_add(products.y).wrapping_add(products.z)
+    }
+
+    #[inline]
+    fn faces_away(facing: i32) -> bool {
+        facing >= 0
+    }
+
+    #[inline]
+    fn squared_distance(&self) -> Gain16 {
+        Gain16::normalised(self.squared(), 62 - 2 * self.bits as i32)
+    }
+
+    #[inline]
+    fn ray(&self) -> QuickRay16 {
+        let squared = self.squared();
+        QuickRay16 { offset: *self, squared, reciprocal: root::quick_inverse_sqrt_16(squared) }
+    }
+}
+
+impl QuickRay16 {
+    /// Returns the direction with 30 fraction bits, before any rounding.
+    #[inline]
+    fn product(&self) -> Vec3<i32> {
+        self.offset.way.map(|c| c.wrapping_mul(self.reciprocal as i32))
+    }
+}
+
+impl Ray<Fx16> for QuickRay16 {
+    type Fraction = Fraction16;
+    type Share = Fx16;
+
+    #[inline]
+    fn distance(&self) -> Gain16 {
+        Gain16::normalised(high_product(self.squared, self.reciprocal), 45 - self.offset.bits as i32)
+    }
+
+    #[inline]
+    fn direction(&self) -> Vec3<Fx32> {
+        self.product().map(|c| Fx32::from_bits(c.wrapping_add(CUT_OFF)))
+    }
+
+    /// The axis is that of [`Quick::quick_axis`]. Each component of the difference has at most 15
+    /// bits and a sign, so the sum of the squares fits 32 bits for opposite directions, too.
+    #[inline]
+    fn versine(&self, axis: Vec3<Fx32>, _: Ramp16) -> Versine16 {
+        let squares = self.product().zip(axis, |d, s| {
+            let difference = d.wrapping_sub(s.to_bits()) >> DROPPED;
+            difference.wrapping_mul(difference) as u32
+        });
+        Versine16::from_bits(squares.x.wrapping_add(squares.y).wrapping_add(squares.z))
+    }
+
+    #[inline]
+    fn rise(&self, axis: Vec3<Fx32>, ramp: Ramp16) -> Fraction16 {
+        ramp.rise_coarsely(self.versine(axis, ramp))
+    }
+
+    /// Over 1 for a normal that is longer than 1, and at most 2.
+    #[inline]
+    fn cosine(&self, facing: i32, _: Vec3<Fx16>) -> Fraction16 {
+        let along = facing.min(0).unsigned_abs() >> 13;
+        Fraction16(along.wrapping_mul(self.reciprocal) >> 16)
+    }
+
+    #[inline]
+    fn expose(&self, fraction: Fx16, gain: Gain16) -> Light16 {
+        // At most 16, 16 and 18 bits: every product fits 32.
+        let squared = (self.reciprocal * self.reciprocal) >> 16;
+        let mantissa = (gain.factor() * squared) >> 14;
+        let shift = gain.scale() + 2 * self.offset.bits as i32 - 32;
+        Light16::shifted(factor(fraction).wrapping_mul(mantissa), shift)
+    }
+}

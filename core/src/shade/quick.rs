@@ -1,0 +1,113 @@
+//! Spotlights, compiled for the quick evaluation.
+
+use super::{Incident, LightModel, SurfacePoint, lobe};
+use crate::{
+    attenuation::{Attenuation, InverseSquare},
+    color::Rgb,
+    cone::CompiledCone,
+    falloff::{Falloff, SoftOrHard},
+    number::{Fraction, Offset, Quick, Ray},
+    specular::{NoSpecular, SpecularLobe},
+    vec3::Vec3,
+};
+
+/// A spotlight compiled for the quick evaluation of the format `S`: fewer instructions per point
+/// than a [`CompiledSpotLight`](super::CompiledSpotLight), and a larger error.
+///
+/// Made by [`SpotLight::compile_quick`](crate::SpotLight::compile_quick), which states the error.
+/// Points, normals and irradiances are those of the format.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct QuickSpotLight<S: Quick, P: Falloff = SoftOrHard, A: Attenuation = InverseSquare> {
+    pub(crate) position: Vec3<S::Length>,
+    /// As [`Quick::quick_axis`] returns it.
+    pub(crate) axis: Vec3<S::Unit>,
+    pub(crate) falloff: CompiledCone<S, P>,
+    pub(crate) attenuation: A::Constants<S>,
+    pub(crate) intensity: S::Gain,
+    pub(crate) color: Rgb<S>,
+    pub(crate) specular_color: Rgb<S>,
+}
+
+impl<S: Quick, P: Falloff, A: Attenuation> QuickSpotLight<S, P, A> {
+    /// Returns the irradiance at a surface point, before the colours: 1 is full scale.
+    ///
+    /// It is the product of intensity, falloff, attenuation and Lambert's cosine. `point` is in the
+    /// unit of the light's position; `normal` has unit length. A surface that faces away is
+    /// rejected before the square root.
+    #[inline]
+    pub fn irradiance(&self, point: Vec3<S::Length>, normal: Vec3<S>) -> S::Irradiance {
+        self.evaluate::<NoSpecular>(&SurfacePoint::matte(point, normal), &(), true).diffuse
+    }
+
+    /// Returns the same light at another position, with another axis of unit length.
+    ///
+    /// [`SpotLight::axis_in`](crate::SpotLight::axis_in) returns an axis in the format.
+    #[must_use]
+    pub fn placed(self, position: Vec3<S::Length>, axis: Vec3<S::Unit>) -> Self {
+        Self { position, axis: S::quick_axis(axis), ..self }
+    }
+
+    /// Returns the light's linear colour.
+    pub fn color(&self) -> Rgb<S> {
+        self.color
+    }
+
+    /// Returns the linear colour of the light's specular highlights.
+    pub fn specular_color(&self) -> Rgb<S> {
+        self.specular_color
+    }
+
+    /// Returns the falloff of the cone.
+    pub fn profile(&self) -> P {
+        self.falloff.profile()
+    }
+
+    /// Creates a light from its fields, as [`codegen`](crate::codegen) writes them.
+    ///
+    /// The colours are the diffuse and the specular one.
+    pub const fn from_parts(
+        position: Vec3<S::Length>,
+        axis: Vec3<S::Unit>,
+        falloff: CompiledCone<S, P>,
+        attenuation: A::Constants<S>,
+        intensity: S::Gain,
+        [color, specular_color]: [Rgb<S>; 2],
+    ) -> Self {
+        Self { position, axis, falloff, attenuation, intensity, color, specular_color }
+    }
+}
+
+impl<S: Quick, P: Falloff, A: Attenuation> LightModel<S> for QuickSpotLight<S, P, A> {
+    #[inline]
+    fn colors(&self) -> [Rgb<S>; 2] {
+        [self.color, self.specular_color]
+    }
+
+    #[inline]
+    fn evaluate<H: SpecularLobe>(
+        &self,
+        surface: &SurfacePoint<S>,
+        highlight: &H::Constants<S>,
+        skips: bool,
+    ) -> Incident<S::Irradiance> {
+        let SurfacePoint { point, normal, view } = *surface;
+        let offset = S::quick_offset(self.position, point);
+        let facing = offset.facing(normal);
+        if skips && (S::QuickOffset::faces_away(facing) || A::is_beyond::<S, _>(&self.attenuation, &offset)) {
+            return Incident::default();
+        }
+        let ray = offset.ray();
+        let falloff = self.falloff.toward(&ray, self.axis);
+        if skips && falloff == S::ZERO {
+            return Incident::default();
+        }
+        let cosine = ray.cosine(facing, normal);
+        let expose = |share| A::expose::<S, _, _>(&self.attenuation, &offset, &ray, share, self.intensity);
+        let diffuse = expose(cosine.of(falloff));
+        if !H::SHINES {
+            return Incident { diffuse, ..Incident::default() };
+        }
+        let lobe = lobe::<S, H>(highlight, (normal, view), ray.direction(), cosine.scalar());
+        Incident { diffuse, specular: expose(falloff.share_of(lobe)) }
+    }
+}
