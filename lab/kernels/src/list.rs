@@ -135,7 +135,7 @@ pub fn points(setting: Setting, visitor: &mut impl Visitor) {
     quick::<f32>("f32-quick", setting, visitor);
     let outer = setting.outer_versine();
     for (kernel, population) in REJECTS.into_iter().chain([("lit", Population::Lit)]) {
-        let truth = light(setting, population, 1.0, false);
+        let truth = light_of::<Soft>(setting, population, 1.0, false);
         visitor.point(Row::lit(kernel, "f32-cosine"), CosinePoint::new(outer), &truth);
         visitor.point(Row::lit(kernel, "f32-fast"), FastPoint::new(outer), &truth);
         visitor.point(Row::lit(kernel, "f64"), DoublePoint::new(outer), &truth);
@@ -148,18 +148,18 @@ const REJECTS: [(&str, Population); 2] = [("away", Population::Away), ("outside"
 const INTENSITY: f32 = 16.0;
 
 fn format<S: Format>(setting: Setting, visitor: &mut impl Visitor) {
-    let near = light(setting, Population::Lit, 1.0, false);
-    let far = light(setting, Population::Lit, INTENSITY, true);
+    let near = light_of::<Soft>(setting, Population::Lit, 1.0, false);
+    let far = light_of::<Soft>(setting, Population::Lit, INTENSITY, true);
     let surface = oracle::Classic {
         ambient: [0.0; 2],
         diffuse: [Highlit::<S>::DIFFUSE.into(), 1.0],
         specular: [Highlit::<S>::SPECULAR.into(), 1.0],
         shininess: Highlit::<S>::SHININESS.into(),
     };
-    let bright = Point { highlight: Some(Highlight { eye: widened(EYE), surface }), ..far };
+    let shiny = Point { highlight: Some(Highlight { eye: widened(EYE), surface }), ..far };
     let refused = Cone::narrowest::<S>(Soft).to_degrees() / 2.0;
-    let spot = spot(setting).with_attenuation(NoAttenuation);
-    let falling = self::spot(setting).with_intensity(INTENSITY).expect("a sound intensity");
+    let spot = spot::<Soft>(setting).with_attenuation(NoAttenuation);
+    let falling = bright::<Soft>(setting);
     let Ok(highlit) = Highlit::<S>::new(&falling) else {
         for kernel in ["away", "outside", "lit", "lit-inverse-square", "lit-specular"] {
             visitor.refused(Row::lit(kernel, S::NAME), refused);
@@ -167,38 +167,85 @@ fn format<S: Format>(setting: Setting, visitor: &mut impl Visitor) {
         return;
     };
     for (kernel, population) in REJECTS {
-        point::<S, _>(kernel, &spot, &light(setting, population, 1.0, false), visitor);
+        point::<S, _>(kernel, &spot, &light_of::<Soft>(setting, population, 1.0, false), visitor);
     }
     point::<S, _>("lit", &spot, &near, visitor);
     point::<S, _>("lit-inverse-square", &falling, &far, visitor);
-    visitor.point(Row::lit("lit-specular", S::NAME), highlit, &bright);
+    visitor.point(Row::lit("lit-specular", S::NAME), highlit, &shiny);
 }
 
 /// The points by the quick evaluation of a format.
 fn quick<S: Format + Quick>(name: &'static str, setting: Setting, visitor: &mut impl Visitor) {
-    let spot = spot(setting).with_attenuation(NoAttenuation);
-    let falling = self::spot(setting).with_intensity(INTENSITY).expect("a sound intensity");
-    let (Ok(level), Ok(falling)) = (spot.compile_quick::<S>(), falling.compile_quick::<S>()) else {
-        let refused = Cone::narrowest::<S>(Soft).to_degrees() / 2.0;
-        for kernel in ["away", "outside", "lit", "lit-inverse-square"] {
-            visitor.refused(Row::lit(kernel, name), refused);
+    for (kernel, population) in REJECTS {
+        if let Ok(light) = spot::<Soft>(setting).with_attenuation(NoAttenuation).compile_quick::<S>() {
+            let truth = light_of::<Soft>(setting, population, 1.0, false);
+            visitor.point(Row::lit(kernel, name), QuickPoint::new(light), &truth);
+        } else {
+            visitor.refused(Row::lit(kernel, name), narrowest::<S, Soft>());
         }
-        return;
-    };
-    for (kernel, population) in REJECTS.into_iter().chain([("lit", Population::Lit)]) {
-        let truth = light(setting, population, 1.0, false);
-        visitor.point(Row::lit(kernel, name), QuickPoint::new(level), &truth);
     }
-    let far = light(setting, Population::Lit, INTENSITY, true);
-    visitor.point(Row::lit("lit-inverse-square", name), QuickPoint::new(falling), &far);
+    quickly_lit::<S, Soft>(name, setting, visitor);
 }
 
-fn spot(setting: Setting) -> SpotLight<Soft> {
-    SpotLight::new(POSITION, AXIS, setting.cone(Soft)).expect("a sound place and axis")
+/// The lit points of a cone with the edge `P`, without and with an inverse square, in every format
+/// and by every evaluation.
+pub fn rungs<P: Shape>(setting: Setting, visitor: &mut impl Visitor) {
+    quickly_lit::<Fx16, P>("fx16-quick", setting, visitor);
+    lit::<Fx16, P>(setting, visitor);
+    lit::<Fx32, P>(setting, visitor);
+    quickly_lit::<f32, P>("f32-quick", setting, visitor);
+    lit::<f32, P>(setting, visitor);
 }
 
-fn light(setting: Setting, population: Population, intensity: f32, falls: bool) -> Point {
-    let light = oracle::SpotLight::new(widened(POSITION), widened(AXIS), setting.truth::<Soft>());
+fn lit<S: Format, P: Shape>(setting: Setting, visitor: &mut impl Visitor) {
+    let [level, far] = lit_truths::<P>(setting);
+    let spot = spot::<P>(setting).with_attenuation(NoAttenuation);
+    let falling = bright::<P>(setting);
+    let (Ok(spot), Ok(falling)) = (spot.compile::<S>(), falling.compile::<S>()) else {
+        return LIT.iter().for_each(|kernel| visitor.refused(Row::lit(kernel, S::NAME), narrowest::<S, P>()));
+    };
+    visitor.point(Row::lit(LIT[0], S::NAME), OurPoint::new(spot), &level);
+    visitor.point(Row::lit(LIT[1], S::NAME), OurPoint::new(falling), &far);
+}
+
+fn quickly_lit<S: Format + Quick, P: Shape>(
+    name: &'static str,
+    setting: Setting,
+    visitor: &mut impl Visitor,
+) {
+    let [level, far] = lit_truths::<P>(setting);
+    let spot = spot::<P>(setting).with_attenuation(NoAttenuation);
+    let falling = bright::<P>(setting);
+    let (Ok(spot), Ok(falling)) = (spot.compile_quick::<S>(), falling.compile_quick::<S>()) else {
+        return LIT.iter().for_each(|kernel| visitor.refused(Row::lit(kernel, name), narrowest::<S, P>()));
+    };
+    visitor.point(Row::lit(LIT[0], name), QuickPoint::new(spot), &level);
+    visitor.point(Row::lit(LIT[1], name), QuickPoint::new(falling), &far);
+}
+
+/// The kernels of a lit point, without and with an inverse square.
+const LIT: [&str; 2] = ["lit", "lit-inverse-square"];
+
+fn lit_truths<P: Shape>(setting: Setting) -> [Point; 2] {
+    [(1.0, false), (INTENSITY, true)]
+        .map(|(intensity, falls)| light_of::<P>(setting, Population::Lit, intensity, falls))
+}
+
+/// The narrowest half angle in degrees that a format holds.
+fn narrowest<S: Format, P: Shape>() -> f32 {
+    Cone::narrowest::<S>(P::sample()).to_degrees() / 2.0
+}
+
+fn bright<P: Shape>(setting: Setting) -> SpotLight<P> {
+    spot::<P>(setting).with_intensity(INTENSITY).expect("a sound intensity")
+}
+
+fn spot<P: Shape>(setting: Setting) -> SpotLight<P> {
+    SpotLight::new(POSITION, AXIS, setting.cone(P::sample())).expect("a sound place and axis")
+}
+
+fn light_of<P: Shape>(setting: Setting, population: Population, intensity: f32, falls: bool) -> Point {
+    let light = oracle::SpotLight::new(widened(POSITION), widened(AXIS), setting.truth::<P>());
     let attenuation = if falls { light.attenuation } else { oracle::Attenuation::None };
     let light = oracle::SpotLight { intensity: intensity.into(), attenuation, ..light };
     Point { light, highlight: None, population }

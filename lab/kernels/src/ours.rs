@@ -73,20 +73,20 @@ impl<S: Format> Stored<S> {
     }
 }
 
-/// A spotlight with a soft edge, and Lambert's cosine.
+/// A spotlight, and Lambert's cosine.
 #[derive(Clone, Copy, Debug)]
-pub struct OurPoint<S: Scalar, A: Attenuation> {
-    light: CompiledSpotLight<S, Soft, A>,
+pub struct OurPoint<S: Scalar, P: Shape, A: Attenuation> {
+    light: CompiledSpotLight<S, P, A>,
 }
 
-impl<S: Scalar, A: Attenuation> OurPoint<S, A> {
+impl<S: Scalar, P: Shape, A: Attenuation> OurPoint<S, P, A> {
     /// The points that this light lights.
-    pub fn new(light: CompiledSpotLight<S, Soft, A>) -> Self {
+    pub fn new(light: CompiledSpotLight<S, P, A>) -> Self {
         Self { light }
     }
 }
 
-impl<S: Format, A: Attenuation> Kernel for OurPoint<S, A> {
+impl<S: Format, P: Shape, A: Attenuation> Kernel for OurPoint<S, P, A> {
     type Place = Site;
     type Input = Stored<S>;
     type Output = S::Irradiance;
@@ -108,18 +108,18 @@ impl<S: Format, A: Attenuation> Kernel for OurPoint<S, A> {
 
 /// The same by the quick evaluation.
 #[derive(Clone, Copy, Debug)]
-pub struct QuickPoint<S: Quick, A: Attenuation> {
-    light: QuickSpotLight<S, Soft, A>,
+pub struct QuickPoint<S: Quick, P: Shape, A: Attenuation> {
+    light: QuickSpotLight<S, P, A>,
 }
 
-impl<S: Quick, A: Attenuation> QuickPoint<S, A> {
+impl<S: Quick, P: Shape, A: Attenuation> QuickPoint<S, P, A> {
     /// The points that this light lights.
-    pub fn new(light: QuickSpotLight<S, Soft, A>) -> Self {
+    pub fn new(light: QuickSpotLight<S, P, A>) -> Self {
         Self { light }
     }
 }
 
-impl<S: Format + Quick, A: Attenuation> Kernel for QuickPoint<S, A> {
+impl<S: Format + Quick, P: Shape, A: Attenuation> Kernel for QuickPoint<S, P, A> {
     type Place = Site;
     type Input = Stored<S>;
     type Output = S::Irradiance;

@@ -3,6 +3,7 @@
 mod clocked;
 mod figures;
 mod frontier;
+mod ladder;
 mod list;
 mod page;
 mod plot;
@@ -101,7 +102,7 @@ fn measure(targets: &[Target], progress: &Progress) -> Result<PriceList> {
 
 /// The rows, with their errors.
 fn with_errors(progress: &Progress) -> Result<PriceList> {
-    let mut list = PriceList::default();
+    let mut list = PriceList { ladder: clocked::ladder(progress)?, ..PriceList::default() };
     for Measured { kernel, cone } in clocked::accuracy(progress)? {
         if let Ok(row) = list.row_mut(&kernel.name()) {
             row.narrower.push(cone);

@@ -81,7 +81,7 @@ impl Accuracy {
 }
 
 /// Serialises four digits, which are more than any comparison needs.
-fn four_digits<S: Serializer>(value: &f64, serializer: S) -> Result<S::Ok, S::Error> {
+pub(crate) fn four_digits<S: Serializer>(value: &f64, serializer: S) -> Result<S::Ok, S::Error> {
     serializer.serialize_f64(format!("{value:.3e}").parse().unwrap_or(*value))
 }
 

@@ -6,12 +6,14 @@
 #![forbid(unsafe_code)]
 
 mod accuracy;
+mod ladder;
 mod site;
 mod time;
 #[cfg(target_arch = "wasm32")]
 mod web;
 
 pub use accuracy::{Accuracy, Errors, Kind, Place};
+pub use ladder::{Rung, Steps};
 pub use time::{BATCH, Clock, Times};
 
 use luminaire_kernels::Row;

@@ -8,6 +8,7 @@ use anyhow::{Context, Result, ensure};
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
 
+use super::ladder::Rung;
 use super::list::{Cone, TargetMeta};
 use super::target::Target;
 use tools::browser::Chromium;
@@ -74,6 +75,11 @@ fn read<T: DeserializeOwned>(line: &str) -> Result<T> {
 /// The errors of every kernel, in each cone.
 pub(crate) fn accuracy(progress: &Progress) -> Result<Vec<Measured>> {
     run("accuracy", progress)?.lines().map(read).collect()
+}
+
+/// The errors of lit points by each evaluation.
+pub(crate) fn ladder(progress: &Progress) -> Result<Vec<Rung>> {
+    run("ladder", progress)?.lines().map(read).collect()
 }
 
 /// Times every kernel on this machine.

@@ -9,6 +9,7 @@ use serde::{Deserialize, Serialize};
 use tools::project;
 
 use super::clocked::is_platforms_own;
+use super::ladder::{self, Rung};
 use super::target::Target;
 use super::{page, plot, summary};
 use crate::record::{Figure, Group, Record, replaced};
@@ -18,6 +19,9 @@ use crate::record::{Figure, Group, Record, replaced};
 pub(crate) struct PriceList {
     pub(crate) meta: Meta,
     pub(crate) rows: Vec<Row>,
+    /// The errors of lit points by each evaluation.
+    #[serde(default)]
+    pub(crate) ladder: Vec<Rung>,
 }
 
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -180,7 +184,9 @@ impl Record for PriceList {
     fn text(&self) -> Result<String> {
         let rows: Result<Vec<_>, _> = self.rows.iter().map(serde_json::to_string).collect();
         let meta = serde_json::to_string_pretty(&self.meta)?;
-        Ok(format!("{{\"meta\": {meta},\n\"rows\": [\n{}\n]}}\n", rows?.join(",\n")))
+        let ladder: Result<Vec<_>, _> = self.ladder.iter().map(serde_json::to_string).collect();
+        let [rows, ladder] = [rows?, ladder?].map(|lines| lines.join(",\n"));
+        Ok(format!("{{\"meta\": {meta},\n\"rows\": [\n{rows}\n],\n\"ladder\": [\n{ladder}\n]}}\n"))
     }
 
     /// Errors and counts; times are not compared.
@@ -189,6 +195,7 @@ impl Record for PriceList {
         for row in self.rows.iter().filter(|row| !is_platforms_own(&row.name())) {
             row.errors(self.meta.half_angle, &mut errors);
         }
+        ladder::errors(&self.ladder, &mut errors);
         let mut figures = BTreeMap::from([("errors".to_owned(), errors)]);
         for (target, meta) in &self.meta.targets {
             let mut group = Group::of(&meta.compiler);
@@ -244,7 +251,11 @@ mod tests {
             cost: [("cortex-m0".to_owned(), counted), ("host".to_owned(), timed)].into(),
             bytes: [("cortex-m0".to_owned(), 84)].into(),
         };
-        let mut list = PriceList { meta: Meta { half_angle: 15.0, ..Meta::default() }, rows: vec![row] };
+        let mut list = PriceList {
+            meta: Meta { half_angle: 15.0, ..Meta::default() },
+            rows: vec![row],
+            ..PriceList::default()
+        };
         for target in ["cortex-m0", "host"] {
             list.meta.targets.insert(target.to_owned(), TargetMeta::default());
         }

@@ -1,11 +1,13 @@
 //! The page `docs/ACCURACY-VS-COST.md`.
 
 use super::figures;
+use super::ladder;
 use super::list::{Cost, Error, Place, PriceList, Row};
 use super::target::Target;
 
 /// The columns of the tables by format.
-const FORMATS: [&str; 6] = ["fx16", "fx32", "f32", "f32-cosine", "f32-fast", "f64"];
+const FORMATS: [&str; 8] =
+    ["fx16-quick", "fx16", "fx32", "f32-quick", "f32", "f32-cosine", "f32-fast", "f64"];
 
 const INTRODUCTION: &str = "\
 # What accuracy costs
@@ -38,6 +40,7 @@ executes, without constant tables such as those of roots and the 1024 bytes of `
 | lit-specular | the same | and Phong's highlight of shininess 32, the direction to the eye included |
 | away, outside | the same, facing away, or outside the cone | zero, by an early-out before the root |
 
+`fx16-quick` and `f32-quick` are the [quick evaluations](NUMERICS.md#the-quick-evaluation).
 `f32-cosine` is the same ramp from `1 - l.s`; `f32-fast` takes micromath's reciprocal root as it is. `f64` reads points of
 f32. `powf-libm`, `powf-micromath` and `powf-std` are the power of the cosine by three libraries, `table-256` by
 interpolation in 256 entries, `schlick` by Schlick's rational function; `smoothstep` is GLSL's, `gltf` the specification's
@@ -46,7 +49,7 @@ code. `clamp` is a loop that does next to nothing.
 
 /// Writes the page.
 pub(super) fn write(list: &PriceList) -> String {
-    let mut text = INTRODUCTION.to_owned();
+    let mut text = INTRODUCTION.to_owned() + &ladder::write(list);
     for target in list.targets() {
         text += &section(list, &target);
     }
@@ -103,8 +106,11 @@ fn priced(row: &Row, target: &Target) -> Option<String> {
 
 /// A table of the project's kernels by format, then one line with the rivals.
 fn by_format(list: &PriceList, cell: impl Fn(&Row) -> Option<String>) -> String {
-    let mut text =
-        format!("| | {} |\n|---|{}\n", FORMATS.map(|f| format!("`{f}`")).join(" | "), "---|".repeat(6));
+    let mut text = format!(
+        "| | {} |\n|---|{}\n",
+        FORMATS.map(|f| format!("`{f}`")).join(" | "),
+        "---|".repeat(FORMATS.len())
+    );
     let mut kernels: Vec<&str> = Vec::new();
     for row in list.rows.iter().filter(|row| row.format != "rival") {
         if !kernels.contains(&row.kernel.as_str()) {
@@ -188,7 +194,8 @@ fn key(list: &PriceList) -> String {
          | `error.kind` | `exhaustive` or `searched` |\n\
          | `narrower` | by `half_angle` in degrees: an `error`, or the `narrowest` half angle that the format holds |\n\
          | `cost` | by target: `instructions`; or `ns` with `ns_quartiles`; `ratio_to_powf` is how many calls have the price of one power |\n\
-         | `bytes` | by target: bytes of code, of all functions that a call executes |\n\n\
+         | `bytes` | by target: bytes of code, of all functions that a call executes |\n\
+         | `ladder` | by evaluation, `edge` and `half_angle`: the largest `errors` of a lit point in linear `codes` and in display steps, `rgb565` and `rgb888`; none if refused |\n\n\
          `cargo xtask measure --check`, which `cargo xtask full` runs too, measures errors, instructions and bytes again and fails \
          with the name of a row whose figures differ. Instructions of another compiler than the list's may differ by 5 %. \
          `cargo xtask measure --bless` accepts what is measured.\n",
