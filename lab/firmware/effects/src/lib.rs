@@ -17,6 +17,8 @@ pub use output::Output;
 mod format {
     /// The number format of this build.
     pub type Format = f32;
+    /// This format, or the nearest that has a quick evaluation.
+    pub type QuickFormat = f32;
     /// Its name.
     pub const FORMAT: &str = "f32";
 }
@@ -24,6 +26,8 @@ mod format {
 mod format {
     /// The number format of this build.
     pub type Format = luminaire::Fx32;
+    /// This format, or the nearest that has a quick evaluation.
+    pub type QuickFormat = luminaire::Fx16;
     /// Its name.
     pub const FORMAT: &str = "fx32";
 }
@@ -31,10 +35,12 @@ mod format {
 mod format {
     /// The number format of this build.
     pub type Format = luminaire::Fx16;
+    /// This format, or the nearest that has a quick evaluation.
+    pub type QuickFormat = luminaire::Fx16;
     /// Its name.
     pub const FORMAT: &str = "fx16";
 }
-pub use format::{FORMAT, Format};
+pub use format::{FORMAT, Format, QuickFormat};
 
 /// Irradiance in the format.
 pub type Irradiance = <Format as luminaire::Scalar>::Irradiance;

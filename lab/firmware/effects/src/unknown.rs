@@ -8,14 +8,8 @@ use core::{hint, ptr};
 use luminaire::number;
 pub use luminaire::{attenuation::*, dynamic::*, falloff::*, specular::*};
 
-pub use crate::{Format, Irradiance};
+pub use crate::{Format, Irradiance, QuickFormat};
 
-/// A format that has a quick evaluation: the format itself, or the nearest that has one.
-#[cfg(not(feature = "fx32"))]
-pub type QuickFormat = Format;
-/// A format that has a quick evaluation: the format itself, or the nearest that has one.
-#[cfg(feature = "fx32")]
-pub type QuickFormat = luminaire::Fx16;
 /// A gain of the format.
 pub type Gain = <Format as number::Arithmetic>::Gain;
 /// The offset from a light to a point.

@@ -171,7 +171,7 @@ fn legend(root: &Area<'_>) -> Result<(), Box<dyn Error>> {
         left += 42 + 8 * format.len() as i32;
     }
     root.draw(&PathElement::new([(left, 50), (left + 30, 50)], STAIRS.stroke_width(6)))?;
-    root.draw_text("the best soft edge for its price (left, down: better)", &style, (left + 40, 42))?;
+    root.draw_text("the best soft edge for its price; hollow: quick", &style, (left + 40, 42))?;
     Ok(())
 }
 

@@ -198,7 +198,9 @@ impl<'a> Listing<'a> {
     /// Adds all functions of a public trait for a type, including provided methods.
     fn of_our_trait(&self, id: &str, mut owner: Owner, functions: &mut Vec<Function>) -> Result<()> {
         let of = &self.json["index"][id]["inner"]["trait"];
-        let scope = self.scope(&of["generics"], &Scope::new())?;
+        let mut scope = self.scope(&of["generics"], &Scope::new())?;
+        // A parameter of the implementation is narrower than that of the trait.
+        scope.iter_mut().for_each(|(name, types)| *types = owner.scope.get(name).unwrap_or(types));
         let arguments: Vec<_> = scope.values().map(|types| types[0].to_owned()).collect();
         owner.of = Some(with_arguments(self.public[id].clone(), &arguments));
         owner.scope.extend(scope);

@@ -18,6 +18,9 @@ pub(super) const ALL: [(&str, RGBColor); 7] = [
     ("rival", BLACK),
 ];
 
+/// The end of the name of a format's quick evaluation, whose marker is hollow.
+const QUICK: &str = "-quick";
+
 /// Draws the marker of a format, larger if it is in front.
 pub(super) fn draw(
     root: &Area<'_>,
@@ -25,9 +28,15 @@ pub(super) fn draw(
     place: Pixel,
     in_front: bool,
 ) -> Result<(), Box<dyn Error>> {
+    let (format, is_hollow) = format.strip_suffix(QUICK).map_or((format, false), |standard| (standard, true));
     let color = ALL.iter().find(|(name, _)| *name == format).map_or(BLACK, |(_, color)| *color);
     let (radius, style) = if in_front { (6.0, color.mix(1.0)) } else { (4.0, color.mix(0.5)) };
     match format {
+        "fx16" if is_hollow => root.draw(&Circle::new(place, radius as i32, style.stroke_width(2)))?,
+        "f32" if is_hollow => {
+            let triangle = corners(place, 1.25 * radius, 3, -90.0);
+            root.draw(&PathElement::new([&triangle[..], &triangle[..1]].concat(), style.stroke_width(2)))?;
+        }
         "fx16" => root.draw(&Circle::new(place, radius as i32, style.filled()))?,
         "fx32" => root.draw(&polygon(place, 1.2 * radius, 4, 45.0, style))?,
         "f32" => root.draw(&polygon(place, 1.25 * radius, 3, -90.0, style))?,
@@ -39,12 +48,18 @@ pub(super) fn draw(
     Ok(())
 }
 
-/// A regular polygon. `direction` is that of its first corner, in degrees clockwise from the right.
-fn polygon((x, y): Pixel, radius: f64, corners: u32, direction: f64, color: RGBAColor) -> Polygon<Pixel> {
+/// A regular polygon, filled.
+fn polygon(place: Pixel, radius: f64, count: u32, direction: f64, color: RGBAColor) -> Polygon<Pixel> {
+    Polygon::new(corners(place, radius, count, direction), color.filled())
+}
+
+/// The corners of a regular polygon. `direction` is that of the first, in degrees clockwise from the
+/// right.
+fn corners((x, y): Pixel, radius: f64, count: u32, direction: f64) -> Vec<Pixel> {
     let corner = |corner: u32| {
-        let angle = (direction + 360.0 * f64::from(corner) / f64::from(corners)).to_radians();
+        let angle = (direction + 360.0 * f64::from(corner) / f64::from(count)).to_radians();
         let (sine, cosine) = angle.sin_cos();
         (x + (radius * cosine).round() as i32, y + (radius * sine).round() as i32)
     };
-    Polygon::new((0..corners).map(corner).collect::<Vec<_>>(), color.filled())
+    (0..count).map(corner).collect()
 }
