@@ -211,6 +211,14 @@ mod tests {
     }
 
     #[test]
+    fn shifts_are_clamped_to_their_reach() {
+        assert_eq!(
+            [-5_000, -4_097, -4_095, 0, 4_095, 4_097].map(within_reach),
+            [-4_096, -4_096, -4_095, 0, 4_095, 4_096]
+        );
+    }
+
+    #[test]
     fn conversion_rounds_and_saturates_as_the_crate_fixed_does() {
         let stride = if std::env::var_os("LUMINAIRE_FULL").is_some() { 1 } else { 509 };
         for bits in (0..=u32::MAX).step_by(stride) {

@@ -186,6 +186,8 @@ mod tests {
         for bits in 0..28 {
             assert_eq!(Gain16::from_bits([1 << bits, bits]), Gain16::ONE);
             assert_eq!(Gain32::from_bits([1 << bits, bits]), Gain32::ONE);
+            assert_eq!(Gain16::normalised(1 << bits, bits), Gain16::ONE);
+            assert_eq!(Gain32::normalised(1 << bits, bits), Gain32::ONE);
         }
     }
 }

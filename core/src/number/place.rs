@@ -38,3 +38,15 @@ impl<S: Scalar> ProjectedPoint<S> {
         ((self.column | self.row) as u32) < STEPS as u32
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_square_ends_at_its_last_step() {
+        let is_inside = |column, row| ProjectedPoint::<f32> { column, row, depth: 1.0 }.is_inside();
+        assert!(is_inside(0, 0) && is_inside(65_535, 0) && is_inside(0, 65_535));
+        assert!(![(65_536, 0), (0, 65_536), (-1, 0), (0, -1)].into_iter().any(|(c, r)| is_inside(c, r)));
+    }
+}

@@ -108,9 +108,19 @@ mod tests {
 
     #[test]
     fn what_is_not_normal_has_no_reciprocal() {
-        for x in
-            [0.0, -0.0, 1e-40, -1e-40, -1.0, f32::MIN, f32::INFINITY, f32::NEG_INFINITY, f32::NAN, -f32::NAN]
-        {
+        for x in [
+            0.0,
+            -0.0,
+            1e-40,
+            -1e-40,
+            f32::from_bits(0x007f_ffff),
+            -1.0,
+            f32::MIN,
+            f32::INFINITY,
+            f32::NEG_INFINITY,
+            f32::NAN,
+            -f32::NAN,
+        ] {
             assert_eq!(inverse_sqrt(x), 0.0, "{x}");
             assert_eq!(crate::trig::inverse_sqrt(x), 0.0, "{x}");
         }

@@ -178,3 +178,45 @@ impl Share<Fx16> for Fine16 {
         Light16::shifted(high_half(self.0, gain.mantissa), gain.shift - 15)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Every sample's share is the nearest, and that of 65,535 is exactly 1.
+    #[test]
+    fn the_share_of_a_sample_is_the_nearest() {
+        for value in 0..=65_535_u32 {
+            let exact = f64::from(value) / 65_535.0 * 2_147_483_648.0;
+            let found = Fine16::of_value(value << 15);
+            assert!((f64::from(found.0) - exact).abs() <= 0.5, "{value}");
+        }
+        assert_eq!(Fine16::of_value(65_535 << 15), Fine16::ONE);
+    }
+
+    /// As many samples as a table may have, falling evenly.
+    #[test]
+    fn the_longest_table_is_sampled_to_its_end() {
+        static SAMPLES: [u16; 65_536] = {
+            let mut samples = [0; 65_536];
+            let mut i = 0;
+            while i < 65_536 {
+                samples[i] = 65_535 - i as u16;
+                i += 1;
+            }
+            samples
+        };
+        for t in [0, 1 << 15, 1 << 29, 1 << 30, 3 << 29, (1 << 31) - 1, 1 << 31] {
+            let found = Fine16(t).sample(&SAMPLES);
+            assert!(found.0.abs_diff(t) <= 1 << 16, "{found:?} at {t}");
+        }
+    }
+
+    #[test]
+    fn a_scalar_outside_of_0_to_1_is_the_nearest_share() {
+        let share = |bits| Fine16::of_scalar(Fx16::from_bits(bits));
+        assert_eq!([i16::MIN, -1, 0].map(share), [Fine16(0); 3]);
+        assert_eq!([1 << 14, (1 << 14) + 1, i16::MAX].map(share), [Fine16::ONE; 3]);
+        assert_eq!(share(1), Fine16(1 << 17));
+    }
+}

@@ -130,9 +130,17 @@ mod tests {
     #[test]
     fn a_fine_direction_keeps_its_stated_error() {
         let (mut off, mut stretched) = (0.0_f64, 0.0_f64);
-        for i in 0..200_000_u32 {
+        // Components of any length, and such that the estimate drops as much of them as it can.
+        let ways = (0..200_000_u32).map(|i| {
             let part = |factor: u32| i.wrapping_add(1).wrapping_mul(factor) as i32 >> (1 + i % 12);
-            let way = Vec3::new(part(0x9e37_79b9), part(0x85eb_ca6b), part(0xc2b2_ae35));
+            Vec3::new(part(0x9e37_79b9), part(0x85eb_ca6b), part(0xc2b2_ae35))
+        });
+        let dropped = (0..200_000_u32).map(|i| {
+            let part = |factor: u32| (((1 << 14) + (i.wrapping_mul(factor) >> 18)) << 16) as i32 - 1;
+            Vec3::new(part(0x9e37_79b9), part(0x85eb_ca6b), part(0xc2b2_ae35))
+                .map(|c| if i % 2 == 0 { c } else { 1 - c })
+        });
+        for way in ways.chain(dropped) {
             let exact = way.map(f64::from);
             let length = (exact.x * exact.x + exact.y * exact.y + exact.z * exact.z).sqrt();
             let found = Offset16::new(way).fine_ray().direction.map(|c| f64::from(c) / f64::from(1 << 30));
@@ -148,8 +156,12 @@ mod tests {
     /// A normal longer than 1 wraps, as the same product in 64 bits does when it is cut to 32.
     #[test]
     fn the_cosine_of_a_long_normal_wraps() {
-        let ray = Offset16::new(Vec3::new(1 << 20, 1 << 20, 1 << 20)).fine_ray();
-        for n in [i16::MIN, -20_000, 1 << 14, 30_000, i16::MAX] {
+        let ways =
+            [Vec3::new(1 << 20, 1 << 20, 1 << 20), Vec3::new(-(1 << 20), 0, 0), Vec3::new(1 << 20, 0, 0)];
+        let rays = ways.map(|way| Offset16::new(way).fine_ray());
+        for (ray, n) in
+            rays.into_iter().flat_map(|ray| [i16::MIN, -20_000, 1 << 14, 30_000, i16::MAX].map(|n| (ray, n)))
+        {
             let product =
                 |d: i32| (i64::from(d >> 14) * i64::from(n)) + ((i64::from(d & 0x3fff) * i64::from(n)) >> 14);
             let along =

@@ -63,6 +63,13 @@ mod tests {
             let cosine = (products.x + products.y + products.z + (1 << 13)) as i32 >> 14;
             let exact = d.zip(n, |d, n| (i64::from(d) - 4 * i64::from(cosine) * i64::from(n)) as i32);
             assert_eq!(mirror(d.map(Fx32::from_bits), normal).map(Fx32::to_bits), exact, "{d:?} {n:?}");
+            let products = d.zip(n, |d, n| i64::from(((d >> 15) + 1) >> 1) * i64::from(n));
+            let along = (products.x + products.y + products.z) as i32;
+            let expected = (1_i32 << 13).wrapping_sub(along) >> 14;
+            assert_eq!(
+                incidence(d.map(Fx32::from_bits), normal),
+                Fx16::from_bits(expected.clamp(0, 1 << 14) as i16)
+            );
             let offset = Offset16::new(d.map(|c| c >> 2));
             let products = normal.zip(offset.fine(), |n, v| i64::from(n.to_bits()) * i64::from(v >> 2));
             assert_eq!(offset.facing(normal), (products.x + products.y + products.z) as i32, "{d:?} {n:?}");

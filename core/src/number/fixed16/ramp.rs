@@ -190,6 +190,19 @@ mod tests {
         assert_eq!([mantissa(3, 1 << 30), mantissa(3, (1 << 30) + 1)], [1 << 30, 0]);
     }
 
+    /// A step is full inside its edge, and dark from its edge on.
+    #[test]
+    fn a_step_is_dark_from_its_edge_on() {
+        for versine in [1.0, 0.3, 1e-3] {
+            let ramp = Ramp16::new(versine, versine, versine);
+            let edge = magnified(versine, ramp.zoom).to_bits();
+            let [inside, on] = [edge - 1, edge].map(Versine16::from_bits);
+            assert_eq!([inside, on].map(|v| ramp.rise_coarsely(v)), [Fraction16(1 << 15), Fraction16(0)]);
+            let ramp = ramp.into_fine();
+            assert_eq!([inside, on].map(|v| ramp.rise_finely(v)), [Fine16::ONE, Fine16(0)]);
+        }
+    }
+
     /// The span of the widest cone with a narrow cutoff has many more bits than the versines within.
     #[test]
     fn a_cutoff_may_be_narrow_within_a_wide_ramp() {

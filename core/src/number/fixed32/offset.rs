@@ -162,3 +162,18 @@ impl Ray<Fx32> for Ray32 {
         Light32::shifted(factor(share) * mantissa, gain.scale() + 2 * self.bits as i32 - 28)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// From one corner of space to the other, the half of the difference does not fit 32 bits.
+    #[test]
+    fn the_longest_offset_keeps_its_direction() {
+        let corner = |bits| Vec3::new(bits, bits, bits).map(Length::from_bits);
+        let offset = Offset32::between(corner(i32::MIN), corner(i32::MAX));
+        assert_eq!((offset.way, offset.bits), (Vec3::new(i32::MAX, i32::MAX, i32::MAX), 32));
+        let offset = Offset32::between(corner(i32::MAX), corner(i32::MIN));
+        assert!(offset.way.x < -(1 << 30) && offset.bits == 32, "{offset:?}");
+    }
+}

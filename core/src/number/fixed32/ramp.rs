@@ -106,7 +106,8 @@ mod tests {
 
     #[test]
     fn a_ramp_keeps_its_bits() {
-        for ramp in ramps() {
+        let steps = [1.0, 0.3, 1e-3, 1e-9].map(|versine| Ramp32::new(versine, versine, versine));
+        for ramp in ramps().chain(steps) {
             assert_eq!(Ramp32::from_bits(ramp.to_bits()), ramp);
         }
     }
@@ -132,6 +133,8 @@ mod tests {
         const MOST: u64 = (1 << 63) + (1 << 32) - 1;
         let ramp = Ramp32::from_bits([u64::MAX, 9, 0, 3, 64, MOST / 2, u64::MAX]);
         assert_eq!(ramp.to_bits(), [9, 9, 6, 3, 0, MOST / 2, 1]);
+        let largest = Ramp32::from_bits([0, 9, 0, 2, 0, MOST, 0]);
+        assert_eq!(largest.to_bits(), [0, 9, 7, 2, 0, MOST, 0]);
         assert_eq!(Ramp32::from_bits([0, 9, 0, 3, 0, MOST / 2 + 1, 7]).to_bits(), [0, 9, 6, 3, 0, 0, 7]);
     }
 }
