@@ -5,6 +5,7 @@
 mod any_bits;
 mod any_light;
 mod batch;
+mod bright;
 mod cones;
 mod display;
 mod dither;
@@ -15,6 +16,7 @@ mod formats;
 mod generated;
 mod gobo;
 mod haze_laws;
+mod haze_rays;
 mod import;
 mod import_refusals;
 mod kept;
