@@ -153,16 +153,27 @@ fn a_hotspot_too_steep_for_its_format_is_refused() {
 
 #[test]
 fn coefficients_out_of_range_are_refused() {
-    for slope in [-0.1, 2.1, f32::NAN] {
+    for slope in [-f32::MIN_POSITIVE, -0.1, 2.0_f32.next_up(), 2.1, f32::NAN] {
         assert_refused(Quadratic::new(slope), Parameter::EdgeSlope, "from 0 to 2");
     }
-    for slope in [-0.1, 4.1, f32::NAN] {
+    for slope in [-f32::MIN_POSITIVE, -0.1, 4.0_f32.next_up(), 4.1, f32::NAN] {
         assert_refused(Cubic::with_slopes(slope, 1.0), Parameter::EdgeSlope, "from 0 to 4");
     }
     // The ellipse of Fritsch and Carlson, at an edge slope of 1 and of 3.5.
     assert_refused(Cubic::with_slopes(1.0, 4.01), Parameter::MiddleSlope, "from 0 to 4");
     assert_refused(Cubic::with_slopes(3.5, 0.05), Parameter::MiddleSlope, "from 0.104");
-    assert_refused(Cubic::new(1.0, 0.5, 0.5), Parameter::CoefficientSum, "expected 1");
+    for slope in [3.1_f32, 3.5, 3.9] {
+        let refused = Cubic::with_slopes(slope, 0.0).expect_err("no such middle slope");
+        let Expected::Between(least, most) = refused.accepted else { panic!("{refused}") };
+        // a^2 + a d + d^2 - 6 a - 6 d + 9 = 0
+        let (a, root) = (f64::from(slope), |a: f64| (3.0 * a * (4.0 - a)).sqrt());
+        let ends = [(6.0 - a - root(a)) / 2.0, (6.0 - a + root(a)) / 2.0];
+        for (found, exact) in [least, most].into_iter().zip(ends) {
+            assert!((f64::from(found) - exact).abs() < 2e-6, "{slope}: {found}, expected {exact}");
+        }
+    }
+    let two = Cubic::new(1.0, 0.5, 0.5).expect_err("a sum of 2");
+    assert_eq!((two.parameter, two.accepted), (Parameter::CoefficientSum, Expected::Exactly(1.0)));
     // A sum within 2^-20 of 1 counts as 1, and no other sum is accepted.
     for step in [-2.0_f32, 2.0] {
         let beside = step / 1_048_576.0;
@@ -247,4 +258,16 @@ fn the_systems_angles_are_one() {
     let outer = |angle: Angle| Cone::from_outer(Soft, angle).expect("sound").outer_versine();
     assert_near("outer versine", outer(HalfAngle::degrees(7.5).into()), oracle::versine(7.5), 1e-6);
     assert_eq!(outer(full), outer(HalfAngle::from(full).into()));
+}
+
+/// A cutoff within the hotspot leaves a step, of which both angles are the cutoff.
+#[test]
+fn a_cutoff_within_the_hotspot_is_the_inner_angle() {
+    let cone = Cone::from_outer(Soft, Angle::degrees(30.0)).expect("sound");
+    let cut = cone.with_inner(Angle::degrees(20.0)).and_then(|cone| cone.with_cutoff(Angle::degrees(10.0)));
+    let cut = cut.expect("sound");
+    assert_eq!(cut.inner(), cut.outer());
+    assert!((cut.outer().to_degrees() - 10.0).abs() < 1e-5);
+    assert!(cone.with_cutoff(Angle::degrees(1e-4)).is_ok());
+    assert!(cone.with_cutoff(Angle::degrees(0.0)).is_err());
 }

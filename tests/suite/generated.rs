@@ -8,10 +8,11 @@ use std::fmt::Debug;
 use fastrand::Rng;
 use luminaire::number::Light16;
 use luminaire::{
-    Error, Fx16, Scalar, Vec3,
+    Angle, Cone, Error, Fx16, Scalar, SpotLight, Vec3,
     codegen::{Source, as_source},
-    falloff::{Cubic, Falloff, InvertedMixedPower, MixedPower, Soft},
+    falloff::{Cubic, Falloff, InvertedMixedPower, MixedPower, Quadratic, Soft},
     light::CompiledSpotLight,
+    projector::{Projection, Shadow},
 };
 
 /// A generated constant of any type.
@@ -77,8 +78,22 @@ fn a_generated_falloff_names_its_type() -> Result<(), Error> {
         let written = as_source(&profile.compile::<Fx16>()).to_string();
         assert!(written.contains(name) && written.contains("Fx16"), "{written}");
     }
+    assert_named(Quadratic::new(0.5)?, "CompiledQuadratic::<");
     assert_named(Cubic::with_slopes(1.0, 1.0)?, "CompiledCubic::<");
     assert_named(MixedPower::new([1, 2], 0.5)?, "CompiledMixedPower::<");
     assert_named(InvertedMixedPower::new([1, 2], 0.5)?, "CompiledInvertedMixedPower::<");
+    Ok(())
+}
+
+/// The depths of a shadow map are written as a slice that lives as long as the program.
+#[test]
+fn a_generated_shadow_has_its_depths() -> Result<(), Error> {
+    let spot = SpotLight::new([0.0; 3], [0.0, -1.0, 0.0], Cone::soft(Angle::degrees(20.0))?)?;
+    let depths = [3.5, 0.25, 1.0, 7.0].map(Fx16::length);
+    let shadow = Shadow::new(Projection::of(&spot)?.compile::<Fx16>()?, 2, &depths)?;
+    let written: String = as_source(&shadow).to_string().split_whitespace().collect();
+    let depths = depths.map(|depth| format!("Length::from_bits({})", depth.to_bits()));
+    let expected = format!("const{{&[{}]}}", depths.join(","));
+    assert!(written.replace(",]", "]").contains(&expected), "{expected} is not in {written}");
     Ok(())
 }

@@ -88,6 +88,16 @@ fn an_axis_without_a_direction() {
 }
 
 #[test]
+fn an_axis_is_as_long_as_its_square_may_be() {
+    for (length, is_sound) in
+        [(0.999_5e-18, false), (1.000_5e-18, true), (0.999_5e18, true), (1.000_5e18, false)]
+    {
+        let axis = Vec3::new(0.0, length, 0.0);
+        assert_eq!(SpotLight::new(ORIGIN, axis, cone()).is_ok(), is_sound, "{length:e}");
+    }
+}
+
+#[test]
 fn a_position_that_is_not_finite() {
     let position = Vec3::new(0.0, f32::INFINITY, 0.0);
     let error = SpotLight::new(position, DOWN, cone()).expect_err("not a place");
@@ -278,6 +288,14 @@ fn numbers_are_shown_in_full_between_their_limits() {
     assert_eq!(shown(12_345.678), "color = 12345.678");
     let exponent = RealPower::new(1_024.123_4).expect_err("over the limit");
     assert_eq!(exponent.to_string(), "exponent = 1024.1234: expected more than 0 and at most 1024");
+    let refused =
+        |value| Error { parameter: Parameter::Range, value, accepted: Expected::Exactly(1.0) }.to_string();
+    assert_eq!(refused(0.001_000_4), "range = 0.001: expected 1");
+    assert_eq!(refused(0.000_999_94), "range = 0.00099994: expected 1");
+    assert_eq!(refused(1e-6), "range = 0.000001: expected 1");
+    assert_eq!(refused(1e-6_f32.next_down()), "range = 9.999999e-7: expected 1");
+    // Limits are rounded inwards.
+    assert_eq!(Expected::AngleBetween(1.000_01, 2.000_09).to_string(), "1.0001 to 2 degrees (full angle)");
     let narrowest = |degrees| Expected::AngleFrom(degrees).to_string();
     assert!(narrowest(180.0).starts_with("at least 180"));
     assert!(narrowest(180.01).starts_with("a number format of more bits"));

@@ -4,12 +4,8 @@
 use fastrand::Rng;
 use luminaire::{
     Angle, Cone, Error, HalfAngle, PointLight, SpotLight, Vec3,
-    attenuation::{Attenuation, SmoothRange},
-    falloff::{
-        AnyFalloff, Falloff, Formula, InvertedMixedPower, InvertedRealPower, MixedPower, Quadratic,
-        RealPower, SoftOrHard, Step,
-    },
-    import::Godot,
+    attenuation::{Attenuation, CutAt, FilamentRange, GltfRange, InverseSquare, SmoothRange},
+    falloff::{Falloff, Formula, Step},
 };
 use support::with_every_shape;
 use support::{
@@ -31,7 +27,7 @@ fn assert_figure(name: &str, measured: f64) {
     assert!(kept.is_ok(), "{}", kept.unwrap_err());
 }
 
-fn relative(found: f32, exact: f64) -> f64 {
+pub(crate) fn relative(found: f32, exact: f64) -> f64 {
     (f64::from(found) / exact - 1.0).abs()
 }
 
@@ -70,7 +66,7 @@ fn angles_keep_their_figures() {
 }
 
 /// The last `u` at which a profile has at least the given intensity, by bisection in f64.
-fn last_u(oracle: impl Fn(f64) -> f64, intensity: f64) -> f64 {
+pub(crate) fn last_u(oracle: impl Fn(f64) -> f64, intensity: f64) -> f64 {
     let (mut light, mut dark) = (0.0, 1.0);
     for _ in 0..60 {
         let middle = (light + dark) / 2.0;
@@ -145,97 +141,17 @@ fn the_steepness_is_the_largest_slope() {
     with_every_shape!(assert_steepness);
 }
 
-/// The largest slope between two shares of the outer half angle, as [`largest_slope`].
-fn slope_within(formula: Formula<'_>, hotspot: f64, [from, to]: [f64; 2]) -> f64 {
-    let intensity = |angle: f64| formula.exact(((1.0 - angle * angle) / (1.0 - hotspot)).clamp(0.0, 1.0));
-    let width = (to - from) / 400_000.0;
-    let slope =
-        |i| (intensity(from + width * f64::from(i)) - intensity(from + width * f64::from(i + 1))) / width;
-    (0..400_000).map(slope).fold(0.0, f64::max)
-}
-
-/// The figures of a falloff whose slope may have no bound within strips at both ends. Differences
-/// miss a part of a slope that changes quickly.
-fn assert_figures<P: Falloff>(profile: P, strips: [f64; 2], slope_error: f64) {
-    let formula = profile.formula();
-    for (found, intensity) in [(profile.beam_versine(), 0.5), (profile.field_versine(), 0.1)] {
-        let exact = last_u(|t| formula.exact(t.max(1e-30)), intensity);
-        // Some are found by halving the whole ramp 26 times.
-        assert!(
-            (f64::from(found) - exact).abs() < 1e-6 * exact + 8e-9,
-            "{formula:?}: {found} for {intensity}, expected {exact}"
-        );
-    }
-    for to in [2e-7_f32, 1e-6, 1e-5, 1.5e-4, 3e-4, 0.02, 0.3, 0.999] {
-        // Steps that are short at both ends, where a root is steep.
-        let steps = 40_000;
-        let at = |i: f64| f64::from(to) * (i / f64::from(steps)).powi(3);
-        let height = |i: f64| formula.exact(1.0 - at(i + 0.5)) * (at(i + 1.0) - at(i));
-        let exact: f64 = (0..steps).map(|i| height(f64::from(i))).sum();
-        let found = profile.integral(to);
-        assert!(relative(found, exact) < 1e-6, "{formula:?}: {found} up to {to}, expected {exact}");
-    }
-    for hotspot in [0.0, 0.25, 0.9] {
-        let start = f64::from(hotspot).sqrt();
-        let found = slope_within(formula, hotspot.into(), [start + strips[0], 1.0 - strips[1]]);
-        let stated = profile.steepness(hotspot);
-        assert!(
-            relative(stated, found.max(1.0)) < slope_error,
-            "{formula:?}: {stated} at {hotspot}, expected {found}"
-        );
-    }
-}
-
-/// Falloffs at the ends of their parameters, which the list does not sample: roots, mixtures that
-/// jump or that are one of their powers, the floor of a light from Godot, and slopes of nearly 0.
-#[test]
-fn figures_hold_at_the_ends_of_the_parameters() -> Result<(), Error> {
-    const STRIP: f64 = 1.0 / 510.0;
-    for exponent in [0.05, 0.3, 0.7, 1.5, 33.3] {
-        let strip = if exponent < 1.0 { STRIP } else { 0.0 };
-        if exponent > 0.1 {
-            assert_figures(RealPower::new(exponent)?, [0.0, strip], 6e-4);
-            assert_figures(InvertedRealPower::new(exponent)?, [strip, 0.0], 6e-4);
-        }
-        let godot = Godot { spot_angle_attenuation: 1.0 / exponent, ..Godot::default() };
-        let light = godot.import(Vec3::default(), Vec3::new(0.0, -1.0, 0.0))?.light;
-        let AnyFalloff::InvertedRealPower(floored) = light.cone().profile() else { panic!("a real power") };
-        assert_figures(floored, [strip, 0.0], 6e-4);
-    }
-    for (exponents, share) in [([1, 2], 0.0), ([1, 2], 1.0), ([1, 900], 0.5), ([1_000, 1_024], 0.5)] {
-        assert_figures(MixedPower::new(exponents, share)?, [0.0; 2], 4e-3);
-        assert_figures(InvertedMixedPower::new(exponents, share)?, [0.0; 2], 4e-3);
-    }
-    // One that jumps is full to its edge where more than the intensity is left there.
-    let jump = MixedPower::new([0, 1], 0.25)?;
-    assert_eq!((jump.beam_versine(), jump.field_versine()), (1.0, 1.0));
-    assert_eq!(MixedPower::new([0, 1], 0.0)?.steepness(0.0), 1.0);
-    for slope in [0.0, 0.000_5, 1.999, 2.0] {
-        assert_figures(Quadratic::new(slope)?, [0.0; 2], 4e-3);
-        assert_eq!(Quadratic::from_bits(slope.to_bits()).edge_slope(), slope);
-    }
-    for t in [0.25, 0.5, 0.75] {
-        assert_eq!(SoftOrHard::Soft.formula().exact(t), t * t);
-        assert_eq!(SoftOrHard::Hard.formula().exact(t), t * (2.0 - t));
-    }
-    Ok(())
-}
-
-#[test]
-fn bits_beyond_the_parameters_become_the_nearest() {
-    let [above, below] = [1.000_5_f32, -1.0].map(f32::to_bits);
-    assert_eq!(InvertedMixedPower::from_bits([0, 0, above]).to_bits(), [1, 2, 1.0_f32.to_bits()]);
-    assert_eq!(MixedPower::from_bits([0, 0, below]).to_bits(), [0, 1, 0]);
-    assert_eq!(MixedPower::from_bits([9_999, 9_999, f32::NAN.to_bits()]).to_bits(), [1_023, 1_024, 0]);
-    assert_eq!(RealPower::from_bits(below).exponent(), 0.0);
-    assert_eq!(RealPower::from_bits(9_999_f32.to_bits()).exponent(), 1_024.0);
-}
-
 /// The factors of attenuations in f64, from which all errors are measured, at places of round value.
 #[test]
 fn the_f64_form_of_an_attenuation_is_its_formula() -> Result<(), Error> {
     let smooth = SmoothRange::new(8.0)?;
     assert_eq!([0.0, 4.0, 6.0, 8.0, 9.0].map(|d| smooth.exact(d)), [1.0, 0.5, 0.15625, 0.0, 0.0]);
+    let gltf = GltfRange::new(InverseSquare, Some(8.0))?;
+    assert_eq!([4.0, 8.0, 9.0].map(|d| gltf.exact(d)), [0.9375 / 16.0, 0.0, 0.0]);
+    let cut = CutAt::new(InverseSquare, Some(8.0))?;
+    assert_eq!([4.0, 8.0, 9.0].map(|d| cut.exact(d)), [1.0 / 16.0, 0.0, 0.0]);
+    let filament = FilamentRange::new(InverseSquare, Some(8.0))?;
+    assert_eq!([4.0, 8.0, 9.0].map(|d| filament.exact(d)), [0.9375 * 0.9375 / 16.0, 0.0, 0.0]);
     Ok(())
 }
 

@@ -138,6 +138,25 @@ fn a_stated_difference_is_what_a_dense_search_finds() {
     println!("stated over found: {ratio:.4} at most");
 }
 
+/// The rounding of f32 in the last interval alone, where its slope is large.
+#[test]
+fn the_difference_at_a_steep_edge_is_not_understated() {
+    let mut rng = Rng::with_seed(65);
+    for count in (0..60).map(|i| 2 + 20 * i) {
+        let mut measured = vec![1.0; count];
+        measured[count - 1] = 0.1 * rng.f32();
+        let outer = 1.0 + 170.0 * rng.f32();
+        let mut knots = [Knot::default(); 30];
+        let (table, stated) =
+            Table::from_angles(&measured, Angle::degrees(outer), &mut knots).expect("sound data");
+        let (stated, found) = (f64::from(stated), searched(table, &measured, outer.into()));
+        assert!(stated >= found - 1e-9, "{count} to {outer}: {found:.3e} is stated as {stated:.3e}");
+    }
+    let mut knots = [Knot::default()];
+    let (_, stated) = Table::from_angles(&[1.0, 0.0, 1.0], Angle::degrees(90.0), &mut knots).expect("sound");
+    assert_eq!(stated, 1.0);
+}
+
 /// At every versine of `Fx16`, and at many of the other formats, the intensity is within two steps
 /// of the line, and never rises where the line falls.
 #[test]
@@ -165,6 +184,41 @@ fn formats_keep_to_the_line_between_knots() {
     assert_format::<f32>(table, 3.0);
     assert_format::<Fx32>(table, 2.0);
     assert_format::<Fx16>(table, 2.5);
+}
+
+/// As many samples as a table may have, in a cone so narrow that `Fx16` evaluates it finely.
+#[test]
+fn the_largest_table_keeps_to_its_line() {
+    fn assert_format<S: Format>(table: Table<'_>) {
+        let outer = Angle::degrees(1.5 * Cone::narrowest::<Fx16>(table).to_degrees());
+        let cone = Cone::from_outer(table, outer).expect("a sound angle");
+        let (falloff, outer) = (cone.compile::<S>().expect("held"), f64::from(cone.outer_versine()));
+        for i in 0..1_000_u32 {
+            let versine = falloff.versine((outer * f64::from(i) / 1_000.0) as f32);
+            let (found, u) = (falloff.at(versine).exact(), S::exact_versine(&falloff, versine) / outer);
+            assert!((found - (1.0 - u)).abs() <= 6.0 * f64::from(S::STEP), "{}: {found} at {u}", S::NAME);
+        }
+    }
+    let samples: Vec<_> = (0..=u16::MAX).rev().collect();
+    let table = Table::new(&samples).expect("65,536 samples");
+    assert_format::<f32>(table);
+    assert_format::<Fx32>(table);
+    assert_format::<Fx16>(table);
+}
+
+/// Next to the axis, before the first knot, the line of the first knot goes on.
+#[test]
+fn the_first_line_goes_on_to_the_axis() {
+    fn assert_format<S: Format>(table: Table<'_>) {
+        let cone = Cone::from_outer(table, Angle::degrees(90.0)).expect("a sound angle");
+        let falloff = cone.compile::<S>().expect("held");
+        assert_eq!(falloff.at(falloff.versine(0.0)), S::ONE, "{}", S::NAME);
+    }
+    let knots = [Knot::from_bits(6_553, 65_535, 0), Knot::from_bits(32_768, 65_535, -65_534)];
+    let table = Table::of_knots(&knots);
+    assert_format::<f32>(table);
+    assert_format::<Fx32>(table);
+    assert_format::<Fx16>(table);
 }
 
 /// Knots of any bits give intensities from 0 to 1, and a table without knots would be dark.
@@ -249,6 +303,9 @@ fn the_f64_form_of_knots_is_their_line() {
         assert!((exact - value).abs() < 1.0, "{exact} at {u}, expected {value}");
     }
     assert_eq!(formula.exact(0.875), 1.0);
+    assert!((table.integral(0.25) - 0.25).abs() < 1e-7);
+    let dark = Table::of_knots(&[Knot::from_bits(0, 65_535, -131_072)]).formula().exact(0.25);
+    assert_eq!(dark, 0.0);
 }
 
 #[test]

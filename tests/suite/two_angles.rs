@@ -108,6 +108,14 @@ fn the_ends_of_the_ratios_are_soft_hard_and_a_step() {
     let soft = field(&|| Cone::from_beam(luminaire::falloff::Soft, degrees(10.0)).expect("sound").field());
     let hard = field(&|| Cone::from_beam(luminaire::falloff::Hard, degrees(10.0)).expect("sound").field());
     assert!(slope(soft * 0.999_999) < 1e-2 && slope(hard * 1.000_001) > 1.999);
+    for ulps in 0..400 {
+        let near_hard =
+            Cone::from_beam_and_field(degrees(10.0), degrees(f32::from_bits(hard.to_bits() + 200 - ulps)));
+        let near_hard = near_hard.expect("sound");
+        assert!(near_hard.inner().to_degrees() >= 0.0, "{near_hard:?}");
+        let FittedFalloff::Quadratic(quadratic) = near_hard.profile() else { panic!("{near_hard:?}") };
+        assert!((1.99..=2.0).contains(&quadratic.edge_slope()), "{quadratic:?}");
+    }
     let step = Cone::from_beam_and_field(degrees(10.0), degrees(10.0)).expect("a step");
     assert_eq!(step.inner(), step.outer());
     for half in [4.999, 5.001_f32] {
@@ -222,10 +230,13 @@ fn an_unreachable_pair_names_the_nearest() {
         let Expected::AngleBetween(least, most) = refused.accepted else { panic!("{refused}") };
         assert_eq!(least, beam);
         for shown in [least, most * 0.999_99] {
-            assert!(Cone::from_beam_and_field(degrees(beam), degrees(shown)).is_ok(), "{beam} {shown}");
+            let cone = Cone::from_beam_and_field(degrees(beam), degrees(shown)).expect("a named angle");
+            assert!(cone.outer().to_degrees() <= 180.0, "{beam} {shown}: {cone:?}");
         }
         assert!(Cone::from_beam_and_field(degrees(beam), degrees(most * 1.000_1)).is_err());
     }
+    let widest = |i: u16| Cone::from_beam_and_field(degrees(120.0), degrees(120.0 + f32::from(i) / 100.0));
+    assert!((0..=6_000).filter_map(|i| widest(i).ok()).all(|cone| cone.outer_versine() <= 1.0));
     let refused = Cone::from_beam_and_field(degrees(7.0), degrees(18.0)).expect_err("out of reach");
     assert_eq!(refused.to_string(), "field angle = 18: expected 7 to 16.3334 degrees (full angle)");
 }
@@ -238,7 +249,7 @@ fn an_unreachable_ratio_of_a_cubic_names_the_nearest() {
         let refused = Cone::edge_slopes(degrees(beam), degrees(field)).expect_err("out of reach");
         let Expected::AngleBetween(least, most) = refused.accepted else { panic!("{refused}") };
         assert!(beam < least && least < most, "{refused}");
-        for (end, beyond) in [(least, 0.999_8), (most, 1.000_2)] {
+        for (end, beyond) in [(least, 0.999_99), (most, 1.000_01)] {
             let within = Cone::edge_slopes(degrees(beam), degrees(end * (2.0 - beyond)));
             assert!(within.is_ok(), "{beam} {end}: {within:?}");
             assert!(Cone::edge_slopes(degrees(beam), degrees(end * beyond)).is_err(), "{beam} {end}");
@@ -248,7 +259,7 @@ fn an_unreachable_ratio_of_a_cubic_names_the_nearest() {
 
 #[test]
 fn what_is_no_angle_is_refused_by_name() {
-    for beam in [0.0, -7.0, f32::NAN, 181.0, f32::INFINITY] {
+    for beam in [0.0, -7.0, f32::NAN, 180.0_f32.next_up(), 181.0, f32::INFINITY] {
         let refused = Cone::from_beam_and_field(degrees(beam), degrees(15.0)).expect_err("no beam");
         assert_eq!(refused.parameter, Parameter::BeamAngle, "{refused}");
     }
@@ -284,4 +295,39 @@ fn half_a_turn_is_an_angle() {
     let wider = Angle::degrees(180.0_f32.next_up());
     assert!(Cone::from_beam_and_field(wider, wider).is_err());
     assert!(Cone::edge_slopes(Angle::degrees(140.0), wider).is_err());
+}
+
+/// The edge slope of 0 is accepted just as far as the largest ratio that it reaches.
+#[test]
+fn an_edge_slope_of_0_is_accepted_up_to_its_last_ratio() {
+    let least = |field: f32| Cone::edge_slopes(degrees(7.0), degrees(field)).expect("reachable").0;
+    let (mut with, mut without) = (field_of(7.0, 2.5), field_of(7.0, 5.4));
+    assert!(least(with) == 0.0 && least(without) > 0.0);
+    for _ in 0..30 {
+        let middle = (with + without) / 2.0;
+        if least(middle) == 0.0 { with = middle } else { without = middle }
+    }
+    let cone = Cone::from_beam_field_and_slope(degrees(7.0), degrees(with * 0.999_999), 0.0);
+    assert!(cone.is_ok(), "{cone:?}");
+    let cone = Cone::from_beam_field_and_slope(degrees(7.0), degrees(without), least(without));
+    assert!(cone.is_ok(), "{cone:?}");
+}
+
+/// For the largest ratios the smallest edge slope is that of the cubic with the largest middle slope
+/// of all monotone ones, `(6 - a + sqrt(3 a (4 - a))) / 2`.
+#[test]
+fn the_smallest_edge_slope_is_where_the_middle_is_steepest() {
+    let steepest = |a: f64| {
+        let middle = (6.0 - a + (3.0 * a * (4.0 - a)).sqrt()) / 2.0;
+        cubics::Cubic { a, b: 3.0 - 2.0 * a - middle, c: a + middle - 2.0 }.ratio()
+    };
+    for ratio in [4.96, 4.98, 4.985, 4.987, 5.1, 5.3] {
+        let (mut below, mut above) = (0.8, 1.3);
+        for _ in 0..40 {
+            let middle = (below + above) / 2.0;
+            if steepest(middle) < ratio { below = middle } else { above = middle }
+        }
+        let (least, _) = Cone::edge_slopes(degrees(7.0), degrees(field_of(7.0, ratio))).expect("reachable");
+        assert!((f64::from(least) - above).abs() < 1e-4, "{ratio}: from {least}, expected {above}");
+    }
 }

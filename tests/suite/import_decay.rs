@@ -1,0 +1,122 @@
+//! The attenuation of imported lights: the fit of a decay, and its limits next to the light.
+
+use luminaire::{
+    attenuation::AnyAttenuation,
+    import::{self, Imported, OpenGlLight},
+};
+use support::{
+    imports::{self, ORIGIN},
+    originals::Original,
+};
+
+use crate::import::{distance_difference, fall, on_axis};
+
+/// The smallest difference of `1 / (scale ((1 - share) d^n + share d^(n + 1)))` from an original, over
+/// a grid of scales and shares.
+fn least_difference(original: &Original, decay: f64) -> f64 {
+    let (start, end) = (original.stop.max(0.1), original.range.unwrap_or(32_767.0));
+    let samples: Vec<_> = (0..200)
+        .map(|i| {
+            let distance: f64 = start * (end / start).powf(f64::from(i) / 200.0);
+            let exact = (original.distance)(distance);
+            (distance, exact, exact * distance.powf(decay))
+        })
+        .collect();
+    let difference = |scale: f64, share: f64| {
+        let of = |&(distance, exact, window): &(f64, f64, f64)| {
+            let steep = if decay >= 1.0 { distance } else { 1.0 };
+            let found = window / (scale * steep * (1.0 - share + share * distance));
+            (found - exact).abs() / exact.max(found).max(1.0)
+        };
+        samples.iter().map(of).fold(0.0, f64::max)
+    };
+    let scales = || (-96..=96).map(|i| 2_f64.powf(f64::from(i) / 24.0));
+    let shares = || (0..=100).map(|i| f64::from(i) / 100.0);
+    scales()
+        .flat_map(|scale| shares().map(move |share| (scale, share)))
+        .map(|(a, b)| difference(a, b))
+        .fold(1.0, f64::min)
+}
+
+/// A worse fit would be as well stated, but a grid of all fits has none that is better by much.
+#[test]
+fn a_decay_is_the_nearest_of_its_kind() {
+    for decay in [0.3, 0.5, 0.8, 1.0, 1.001, 1.2, 1.5, 1.8, 3.0] {
+        for range in [0.0, 8.0, 200.0] {
+            let (Imported { difference, .. }, original) = imports::three(0.6, 0.3, range, decay);
+            let (stated, least) = (f64::from(difference.distance), least_difference(&original, decay.into()));
+            println!("{decay} up to {range}: {stated:.5}, {least:.5} on the grid");
+            assert!(stated < 1.01 * least + 1e-4, "{decay} up to {range}: {stated}, {least} on the grid");
+        }
+    }
+}
+
+/// The scale of a decay is taken into the intensity as far as that may be.
+#[test]
+fn a_bright_light_decays_as_a_dim_one() {
+    let at = |intensity: f32| {
+        let light = import::Three { angle: 0.6, penumbra: 0.3, distance: 0.0, decay: 8.0, intensity };
+        fall(&light.import(ORIGIN, imports::DOWN).expect("sound").light, 1.0) / f64::from(intensity)
+    };
+    assert!((at(1_000.0) / at(1.0) - 1.0).abs() < 1e-5, "{} for {}", at(1_000.0), at(1.0));
+}
+
+/// A coefficient counts as none only if it is 0.
+#[test]
+fn a_small_coefficient_is_one() {
+    let light = import::OpenGl { quadratic_attenuation: 0.001, spot_cutoff: 30.0, ..Default::default() };
+    let OpenGlLight::Spot(light) = light.import(ORIGIN, imports::DOWN).expect("sound").light else {
+        panic!("a spotlight")
+    };
+    assert!((fall(&light, 100.0) - 1.0 / 11.0).abs() < 1e-7);
+}
+
+/// Without a constant coefficient the light grows without a bound towards the light: nearer than
+/// 0.001 it is that of 0.001.
+#[test]
+fn a_polynomial_without_a_constant_stops_growing() {
+    for [linear, quadratic] in [[1.0, 1_000.0], [2.0, 0.0], [0.5, 4.0e5]] {
+        let (light, _) = imports::opengl(30.0, 1.0, [0.0, linear, quadratic]);
+        assert!(matches!(light.light.attenuation(), AnyAttenuation::Polynomial(_)));
+        let stopped = 1.0 / f64::from(1e-3 * (linear + 1e-3 * quadratic));
+        for distance in [0.0, 0.000_9, 0.001_1, 2.0] {
+            let exact = 1.0 / (distance * (f64::from(linear) + distance * f64::from(quadratic)));
+            let found = fall(&light.light, distance);
+            assert!((found / exact.min(stopped) - 1.0).abs() < 1e-6, "{found} at {distance}");
+        }
+    }
+    let (inverse_square, _) = imports::opengl(30.0, 1.0, [0.0, 0.0, 2.0]);
+    assert!(matches!(inverse_square.light.attenuation(), AnyAttenuation::InverseSquare(_)));
+    // A constant so small that the others would exceed 1e9 in units of it.
+    let (light, _) = imports::opengl(30.0, 1.0, [1e-6, 0.0, 1e4]);
+    assert!((fall(&light.light, 1.0) * 1e4 - 1.0).abs() < 1e-6);
+}
+
+/// Near to the light an imported decay stops growing where the original does.
+#[test]
+fn a_decay_stops_growing_where_its_original_does() {
+    for decay in [1.1, 1.5, 1.9, 3.0] {
+        let three = imports::three(0.6, 0.3, 8.0, decay);
+        let godot = imports::godot(45.0, 2.0, 8.0, decay.min(1.9));
+        for (Imported { light, .. }, original) in [three, godot] {
+            let (found, exact) = (fall(&light, 0.0) / on_axis(&light, &original), (original.distance)(0.0));
+            assert!((found / exact - 1.0).abs() < 1e-5, "{}: {found} at the light, {exact}", original.name);
+        }
+    }
+}
+
+/// The intensity takes up to 1e9 of a steep decay: nearer to the light than that, it is capped, and
+/// the difference is stated for the capped light.
+#[test]
+fn the_difference_of_a_very_bright_light_is_that_of_its_cap() {
+    for (decay, intensity) in [(1.5, 1e8), (1.5, 1e9), (3.0, 1e8), (0.5, 1e9), (8.0, 1e7)] {
+        let light = import::Three { angle: 0.6, penumbra: 0.3, distance: 8.0, decay, intensity };
+        let Imported { light, difference } = light.import(ORIGIN, imports::DOWN).expect("sound");
+        assert!(light.intensity() <= 1e9, "{}", light.intensity());
+        let (_, original) = imports::three(0.6, 0.3, 8.0, decay);
+        let dimmed = light.with_intensity(light.intensity() / intensity).expect("sound");
+        let (found, stated) = (distance_difference(&dimmed, &original, 0.1), f64::from(difference.distance));
+        let holds = stated >= found - 1e-6 && stated <= 1.02 * found + 1e-6;
+        assert!(holds, "{decay} {intensity}: {found:.5e} is stated as {stated:.5e}");
+    }
+}
