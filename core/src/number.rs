@@ -211,6 +211,12 @@ mod tests {
     }
 
     #[test]
+    fn infinity_is_the_largest_number() {
+        assert_eq!(mantissa_and_shift(f32::INFINITY), mantissa_and_shift(f32::MAX));
+        assert_eq!([-1.0, f32::NAN, 1e-40].map(mantissa_and_shift), [(0, 0); 3]);
+    }
+
+    #[test]
     fn shifts_are_clamped_to_their_reach() {
         assert_eq!(
             [-5_000, -4_097, -4_095, 0, 4_095, 4_097].map(within_reach),

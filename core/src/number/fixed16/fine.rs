@@ -212,6 +212,21 @@ mod tests {
         }
     }
 
+    /// The products of a line have up to 46 bits, of which the lower 15 are dropped.
+    #[test]
+    fn a_line_keeps_all_its_bits() {
+        for slope in [-32_768, -12_345, -1, 1, 7_777, 32_767] {
+            let knot = Knot::from_bits(0, if slope < 0 { 65_535 } else { 0 }, slope);
+            for t in (0..1 << 31).step_by(10_000_019) {
+                let beyond = f64::from((1_u32 << 31) - t) / 32_768.0;
+                let line = f64::from(knot.value) + f64::from(slope) * beyond / 32_768.0;
+                let exact = line.clamp(0.0, 65_535.0) / 65_535.0 * 2_147_483_648.0;
+                let found = Fine16(t).along(&[knot]);
+                assert!((f64::from(found.0) - exact).abs() <= 2.0, "{slope} {t}: {found:?} for {exact}");
+            }
+        }
+    }
+
     #[test]
     fn a_scalar_outside_of_0_to_1_is_the_nearest_share() {
         let share = |bits| Fine16::of_scalar(Fx16::from_bits(bits));
