@@ -87,6 +87,9 @@ fn a_polynomial_without_a_constant_stops_growing() {
     }
     let (inverse_square, _) = imports::opengl(30.0, 1.0, [0.0, 0.0, 2.0]);
     assert!(matches!(inverse_square.light.attenuation(), AnyAttenuation::InverseSquare(_)));
+    // A constant is the light at the light itself.
+    let (light, _) = imports::opengl(30.0, 1.0, [0.25, 3.0, 4.0]);
+    assert_eq!(fall(&light.light, 0.0), 4.0);
     // A constant so small that the others would exceed 1e9 in units of it.
     let (light, _) = imports::opengl(30.0, 1.0, [1e-6, 0.0, 1e4]);
     assert!((fall(&light.light, 1.0) * 1e4 - 1.0).abs() < 1e-6);

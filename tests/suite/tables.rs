@@ -304,6 +304,7 @@ fn the_f64_form_of_knots_is_their_line() {
     }
     assert_eq!(formula.exact(0.875), 1.0);
     assert!((table.integral(0.25) - 0.25).abs() < 1e-7);
+    assert_eq!(Table::of(&[65_535, 65_535]).steepness(0.0), 1.0);
     let dark = Table::of_knots(&[Knot::from_bits(0, 65_535, -131_072)]).formula().exact(0.25);
     assert_eq!(dark, 0.0);
 }
