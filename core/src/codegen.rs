@@ -56,12 +56,11 @@ pub use crate::{
 use crate::{
     attenuation::Attenuation,
     color::Rgb,
-    cone::CompiledCone,
+    cone::{CompiledCone, QuickCone},
     display::CompiledExposure,
     falloff::Falloff,
     haze::BeamScattering,
     material::CompiledMaterial,
-    number::Quick,
     projector::{CompiledGobo, CompiledProjection, Gobo, Shadow},
     shade::{CompiledDirectionalLight, CompiledPointLight, CompiledSpotLight, QuickSpotLight},
     source::{Written, call, name},
@@ -104,6 +103,16 @@ where
     }
 }
 
+impl<S: SourceScalar, P: Falloff + Source> Source for QuickCone<S, P>
+where
+    P::Compiled<S>: Source,
+{
+    fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
+        write!(out, "QuickCone::<{}, _>::", name::<S>())?;
+        call(out, "from_parts", &[&self.ramp, &self.profile, &self.curve])
+    }
+}
+
 impl<S: SourceScalar, P: Falloff + Source, A: Attenuation + Named> Source for CompiledSpotLight<S, P, A>
 where
     P::Compiled<S>: Source,
@@ -119,7 +128,7 @@ where
     }
 }
 
-impl<S: SourceScalar + Quick, P: Falloff + Source, A: Attenuation + Named> Source for QuickSpotLight<S, P, A>
+impl<S: SourceScalar, P: Falloff + Source, A: Attenuation + Named> Source for QuickSpotLight<S, P, A>
 where
     P::Compiled<S>: Source,
     A::Constants<S>: Source,

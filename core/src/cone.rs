@@ -4,13 +4,13 @@
 mod compiled;
 mod two_angles;
 
-pub use self::compiled::CompiledCone;
+pub use self::compiled::{CompiledCone, QuickCone};
 
 use crate::{
     angle::Angle,
     error::{Error, Expected, Parameter},
     falloff::{Falloff, Hard, Power, Soft, SoftOrHard},
-    number::{HALF_A_CODE, Quick, Scalar, Slopes, float::positive},
+    number::{HALF_A_CODE, Scalar, Slopes, float::positive},
     search::bisect,
 };
 
@@ -245,13 +245,14 @@ impl<P: Falloff> Cone<P> {
     }
 
     /// Compiles the cone for quick rays.
-    pub(crate) fn compile_quick<S: Quick>(&self) -> Result<CompiledCone<S, P>, Error> {
+    pub(crate) fn compile_quick<S: Scalar>(&self) -> Result<QuickCone<S, P>, Error> {
         self.check::<S>()?;
-        Ok(CompiledCone::new(S::quick_ramp(self.inner, self.outer, self.limit), self.profile))
+        let ramp = S::quick_ramp(self.inner, self.outer, self.limit);
+        Ok(QuickCone::from_parts(ramp, self.profile, self.profile.compile()))
     }
 
     /// Returns the bound of [`SpotLight::quick_error`](crate::SpotLight::quick_error).
-    pub(crate) fn quick_error<S: Quick>(&self) -> f32 {
+    pub(crate) fn quick_error<S: Scalar>(&self) -> f32 {
         if self.inner < self.outer {
             S::quick_error(&self.slopes(self.inner), self.outer)
         } else {

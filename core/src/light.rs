@@ -10,7 +10,7 @@ mod spot;
 
 pub use self::{ambient::AmbientLight, directional::DirectionalLight, point::PointLight, spot::SpotLight};
 pub use crate::{
-    cone::CompiledCone,
+    cone::{CompiledCone, QuickCone},
     material::CompiledMaterial,
     shade::{
         CompiledDirectionalLight, CompiledPointLight, CompiledSpotLight, Incident, QuickSpotLight,

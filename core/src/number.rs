@@ -20,6 +20,10 @@
 //! - A falloff is in `[0, 1]`: exactly 1 on the axis, exactly 0 at and outside the edge.
 
 pub(crate) mod arithmetic;
+#[cfg(feature = "fixed")]
+mod fine;
+#[cfg(feature = "fixed")]
+mod fine_ray;
 pub(crate) mod float;
 pub(crate) mod fraction;
 mod knot;
@@ -36,6 +40,8 @@ mod fixed_point;
 #[cfg(feature = "fixed")]
 mod gain;
 #[cfg(feature = "fixed")]
+mod product;
+#[cfg(feature = "fixed")]
 mod reciprocal;
 #[cfg(feature = "fixed")]
 mod root;
@@ -47,18 +53,20 @@ pub(crate) use self::{arithmetic::HALF_A_CODE, real::RealExponent};
 pub use self::{
     arithmetic::{Arithmetic, FullOffset, Gain, Offset, Ray, Rise, Share, Slopes, Word},
     fraction::Fraction,
+    quick::Quick,
 };
 #[cfg(not(feature = "arithmetic"))]
 pub(crate) use self::{
     arithmetic::{Arithmetic, FullOffset, Gain, Offset, Ray, Rise, Share, Slopes, Word},
     fraction::Fraction,
+    quick::Quick,
 };
 #[cfg(feature = "fixed")]
 use self::{
     fixed_point::{nearest, operations, rounded},
     gain::{Gain16, Gain32},
 };
-pub use self::{knot::Knot, place::ProjectedPoint, quick::Quick};
+pub use self::{knot::Knot, place::ProjectedPoint};
 use crate::vec3::Vec3;
 
 /// Marks a branch as rarely taken, like `core::hint::cold_path`, which is stable from Rust 1.95.
@@ -86,7 +94,8 @@ pub trait Scalar:
         Position = <Self as Scalar>::Length,
         Direction = <Self as Scalar>::Unit,
         Received = <Self as Scalar>::Irradiance,
-    > + Copy
+    > + Quick
+    + Copy
     + Default
     + PartialOrd
     + core::fmt::Debug

@@ -3,7 +3,7 @@
 
 use fastrand::Rng;
 use luminaire::codegen::{CompiledCubic, CompiledQuadratic, FloatRamp, Gain16, Gain32, Ramp16, Ramp32};
-use luminaire::number::{Light16, Light32, Quick, Weight16, Weight32};
+use luminaire::number::{Light16, Light32, Weight16, Weight32};
 use luminaire::{
     Angle, Cone, Fx16, Fx32, Rgb,
     attenuation::{
@@ -13,7 +13,7 @@ use luminaire::{
     falloff::{Cubic, Falloff, Hard, Power, Quadratic, Soft},
     light::{
         CompiledCone, CompiledDirectionalLight, CompiledMaterial, CompiledPointLight, CompiledSpotLight,
-        LightModel, QuickSpotLight, SurfacePoint,
+        LightModel, QuickCone, QuickSpotLight, SurfacePoint,
     },
     specular::{BlinnPhong, DifferenceForm, NoSpecular, Phong, SpecularLobe},
 };
@@ -24,16 +24,21 @@ use support::sweep;
 /// A format whose constants can be made of any bits.
 trait Raw: Format {
     fn any_ramp(rng: &mut Rng) -> Self::Ramp;
+    fn any_quick_ramp(rng: &mut Rng) -> Self::QuickRamp;
     fn any_gain(rng: &mut Rng) -> Self::Gain;
     fn any_weight(rng: &mut Rng) -> Self::Weight;
     fn any_light(rng: &mut Rng) -> Self::Irradiance;
 }
 
 macro_rules! raw {
-    ($format:ty, $ramp:ident, $gain:expr, $weight:expr, $light:expr) => {
+    ($format:ty, $ramp:ident, $quick_ramp:ident, $gain:expr, $weight:expr, $light:expr) => {
         impl Raw for $format {
             fn any_ramp(rng: &mut Rng) -> Self::Ramp {
                 $ramp::from_bits(std::array::from_fn(|_| number(rng) as _))
+            }
+
+            fn any_quick_ramp(rng: &mut Rng) -> Self::QuickRamp {
+                $quick_ramp::from_bits(std::array::from_fn(|_| number(rng) as _))
             }
 
             fn any_gain(rng: &mut Rng) -> Self::Gain {
@@ -54,12 +59,13 @@ macro_rules! raw {
 raw!(
     f32,
     FloatRamp,
+    FloatRamp,
     |[bits, _]: [u32; 2]| f32::from_bits(bits),
     |bits: u32| f32::from_bits(bits),
     |bits: u32| { f32::from_bits(bits) }
 );
-raw!(Fx32, Ramp32, Gain32::from_bits, Weight32::from_bits, Light32::from_bits);
-raw!(Fx16, Ramp16, Gain16::from_bits, Weight16::from_bits, Light16::from_bits);
+raw!(Fx32, Ramp32, Ramp16, Gain32::from_bits, Weight32::from_bits, Light32::from_bits);
+raw!(Fx16, Ramp16, Ramp16, Gain16::from_bits, Weight16::from_bits, Light16::from_bits);
 
 /// Any bits or, equally often, a small number, because valid shifts and some versines are small.
 fn number(rng: &mut Rng) -> u64 {
@@ -160,11 +166,11 @@ fn assert_distance<S: Raw, A: Attenuation>(
 
 #[test]
 fn any_bits_make_a_quick_light() {
-    fn assert_quick<S: Raw + Quick>() {
+    fn assert_quick<S: Raw>() {
         let mut rng = Rng::with_seed(0x0b17);
         for _ in 0..300 * sweep::effort() {
             let rng = &mut rng;
-            let falloff = CompiledCone::<S, _>::from_parts(S::any_ramp(rng), Hard, Hard);
+            let falloff = QuickCone::<S, _>::from_parts(S::any_quick_ramp(rng), Hard, Hard);
             let (position, axis) = (vector(rng, S::length_from_bits), vector(rng, S::unit_from_bits));
             let colors = [color(rng), color(rng)];
             let (gain, range) = (S::any_gain(rng), S::any_gain(rng));
@@ -180,6 +186,7 @@ fn any_bits_make_a_quick_light() {
         }
     }
     assert_quick::<f32>();
+    assert_quick::<Fx32>();
     assert_quick::<Fx16>();
 }
 

@@ -363,7 +363,7 @@ fn ray_versine<S: Format>(rng: &mut Rng) -> f64 {
     let (offset, way) = offset::<S>(rng);
     let off = 9.9_f64.to_radians() * rng.f64();
     let axis = S::axis(sweep::single(sweep::direction_off(rng, way.normalize(), off)));
-    let found = offset.ray().versine(axis, S::ramp(0.0, outer, outer));
+    let found = S::versine_between(offset.ray().direction(), axis, S::ramp(0.0, outer, outer));
     let exact = oracle::versine_between(way, S::exact_direction(axis));
     (S::exact_versine(&falloff, found) - exact).abs() / f64::from(outer)
 }

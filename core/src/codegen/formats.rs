@@ -21,6 +21,7 @@ pub trait SourceScalar:
         Unit: Source,
         Weight: Source,
         Ramp: Source,
+        QuickRamp: Source,
         Frame: Source,
         Gain: Source,
         Irradiance: Source,

@@ -33,7 +33,7 @@ impl<S: Scalar, P: Falloff> CompiledCone<S, P> {
 
     /// Returns the intensity in the direction of a ray from the light, for a light with this axis.
     #[inline(always)] // `spot-soft-lambert-hotspot` on Cortex-M0: +73 instructions without.
-    pub fn toward<R: Ray<S>>(&self, ray: &R, axis: Vec3<S::Unit>) -> R::Share {
+    pub fn toward<R: Ray<S, Ramp = S::Ramp>>(&self, ray: &R, axis: Vec3<S::Unit>) -> R::Share {
         self.curve.intensity(ray.rise(axis, self.ramp))
     }
 
@@ -59,5 +59,27 @@ impl<S: Scalar, P: Falloff> CompiledCone<S, P> {
     /// Returns the angular falloff.
     pub fn profile(&self) -> P {
         self.profile
+    }
+}
+
+/// A [`CompiledCone`] for the quick evaluation of the format `S`.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct QuickCone<S: Scalar, P: Falloff = SoftOrHard> {
+    pub(crate) ramp: S::QuickRamp,
+    pub(crate) profile: P,
+    pub(crate) curve: P::Compiled<S>,
+}
+
+impl<S: Scalar, P: Falloff> QuickCone<S, P> {
+    /// Creates the cone from its parts, as [`codegen`](crate::codegen) writes them: `curve` is the
+    /// falloff in the format `S`.
+    pub const fn from_parts(ramp: S::QuickRamp, profile: P, curve: P::Compiled<S>) -> Self {
+        Self { ramp, profile, curve }
+    }
+
+    /// Returns the intensity in the direction of a ray from the light, for a light with this axis.
+    #[inline(always)]
+    pub(crate) fn toward<R: Ray<S, Ramp = S::QuickRamp>>(&self, ray: &R, axis: Vec3<S::Unit>) -> R::Share {
+        self.curve.intensity(ray.rise(axis, self.ramp))
     }
 }

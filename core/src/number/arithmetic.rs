@@ -328,7 +328,7 @@ pub trait Gain<S: Arithmetic>: Copy + PartialEq + core::fmt::Debug {
 /// Offset from a light to a point, before the square root, and the root itself.
 pub trait Offset<S: Arithmetic>: Copy + core::fmt::Debug {
     /// Direction and distance, available after the square root.
-    type Ray: Ray<S, Fraction = S::Fraction, Share = S>;
+    type Ray: Ray<S>;
     /// Type of the inner product of a surface normal and the vector back to the light, in a scale
     /// that depends on the format.
     type Facing: Copy + core::fmt::Debug;
@@ -345,9 +345,11 @@ pub trait Offset<S: Arithmetic>: Copy + core::fmt::Debug {
 
 /// An offset of the format's standard evaluation: with the early-out test for the cone, and with
 /// the format's full precision.
-pub trait FullOffset<S: Arithmetic>: Offset<S> {
+pub trait FullOffset<S: Arithmetic>:
+    Offset<S, Ray: Ray<S, Fraction = S::Fraction, Share = S, Ramp = S::Ramp>>
+{
     /// [`Ray`](Offset::Ray) with more bits; the same type in a format that has only one.
-    type FineRay: Ray<S, Fraction = S::Fine>;
+    type FineRay: Ray<S, Fraction = S::Fine, Ramp = S::Ramp>;
 
     /// Whether a batch loop first computes all roots with [`reciprocal`](Self::reciprocal), without
     /// early-outs.
@@ -394,18 +396,18 @@ pub trait Ray<S: Arithmetic>: Copy + core::fmt::Debug {
     type Fraction: Fraction<S, Value = Self::Share>;
     /// Result type of profiles and distance models.
     type Share: Share<S>;
+    /// Compiled ramp from the edge of a cone to its middle.
+    type Ramp: Copy + PartialEq + core::fmt::Debug;
 
     /// Returns the distance.
     fn distance(&self) -> S::Gain;
     /// Returns the unit direction.
     fn direction(&self) -> Vec3<S::Direction>;
-    /// Returns the versine of the angle between direction and axis, in the scale of a ramp.
-    ///
-    /// It is computed as `|l - s|^2 / 2` for the direction `l` and the axis `s`, which keeps the
-    /// leading bits in narrow beams; `1 - l.s` would lose them.
-    fn versine(&self, axis: Vec3<S::Direction>, ramp: S::Ramp) -> S::Versine;
     /// Returns the position of the direction on a ramp, for a cone about this axis.
-    fn rise(&self, axis: Vec3<S::Direction>, ramp: S::Ramp) -> Self::Fraction;
+    ///
+    /// The versine of the angle between them is computed as `|l - s|^2 / 2` for the direction `l`
+    /// and the axis `s`, which keeps the leading bits in narrow beams; `1 - l.s` would lose them.
+    fn rise(&self, axis: Vec3<S::Direction>, ramp: Self::Ramp) -> Self::Fraction;
     /// Returns the cosine of the angle of incidence on a surface with this normal; zero if it faces
     /// away.
     ///

@@ -5,25 +5,20 @@
 //! steep cones and bright lights, needs the upper half of products of 32 by 32 bits; such a
 //! processor computes one from four products of 16 bits. Real powers use 64 bits in every format.
 
-mod fine;
 mod fine_ray;
 mod frame;
 mod lobe;
 mod offset;
-mod product;
 mod quick;
 mod ramp;
 
-use self::{
-    fine::Fine16,
-    offset::Offset16,
-    ramp::{MOST_ZOOM, magnified, zoom},
-};
+pub(super) use self::offset::Offset16;
+use self::ramp::{MOST_ZOOM, magnified, zoom};
 pub use self::{frame::Frame16, ramp::Ramp16};
 pub use super::gain::Gain16;
 use super::{
     Arithmetic, Fx16, Fx32, HALF_A_CODE, Length, Light16, Offset, ProjectedPoint, Ray, Rise, Scalar, Slopes,
-    Versine16, Weight16, Word, fraction::Fraction16, operations, rounded,
+    Versine16, Weight16, Word, fine::Fine, fine_ray::size, fraction::Fraction16, operations, rounded,
 };
 use crate::{trig, vec3::Vec3};
 
@@ -38,7 +33,7 @@ impl Arithmetic for Fx16 {
 
     type Versine = Versine16;
     type Fraction = Fraction16;
-    type Fine = Fine16;
+    type Fine = Fine;
     type Ramp = Ramp16;
     const DIRECTION_ERROR: f32 = 1.55e-5;
 
@@ -152,7 +147,7 @@ impl Arithmetic for Fx16 {
         // value is also far outside every cone.
         let b = b.map(|c| c.to_bits().wrapping_sub(1 << (shift - 1)));
         let difference = a.zip(b, |a, b| a.to_bits().wrapping_sub(b) >> shift);
-        if offset::size(difference) >> 15 != 0 {
+        if size(difference) >> 15 != 0 {
             return Versine16::MAX;
         }
         let squares = difference.map(|c| (c * c) as u32);

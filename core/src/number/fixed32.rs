@@ -3,6 +3,7 @@
 mod frame;
 mod lobe;
 mod offset;
+mod quick;
 mod ramp;
 
 pub use self::{frame::Frame32, ramp::Ramp32};

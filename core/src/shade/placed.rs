@@ -24,7 +24,7 @@ pub(super) trait Placed<S: Scalar, A: Attenuation> {
     /// Returns whether a point is certainly outside the cone: see [`Offset::is_outside`].
     fn is_outside(&self, offset: &S::Offset) -> bool;
     /// Returns the falloff of the cone along a ray; `None` for a light without a cone.
-    fn falloff<R: Ray<S>>(&self, ray: &R) -> Option<R::Share>;
+    fn falloff<R: Ray<S, Ramp = S::Ramp>>(&self, ray: &R) -> Option<R::Share>;
 
     /// Returns the light that arrives at a surface: see
     /// [`LightModel::evaluate`](super::LightModel::evaluate).
@@ -94,7 +94,7 @@ pub(super) trait Placed<S: Scalar, A: Attenuation> {
 
     /// Returns the light along a ray: as shares of the intensity, and as irradiances.
     #[inline(always)] // `spot-table-lambert` on Cortex-M0: +29 instructions without.
-    fn along<H: SpecularLobe, R: Ray<S>>(
+    fn along<H: SpecularLobe, R: Ray<S, Ramp = S::Ramp>>(
         &self,
         offset: &S::Offset,
         ray: &R,

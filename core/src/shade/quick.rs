@@ -4,9 +4,9 @@ use super::{Incident, LightModel, SurfacePoint, lobe};
 use crate::{
     attenuation::{Attenuation, InverseSquare},
     color::Rgb,
-    cone::CompiledCone,
+    cone::QuickCone,
     falloff::{Falloff, SoftOrHard},
-    number::{Fraction, Offset, Quick, Ray},
+    number::{Fraction, Offset, Ray, Scalar, Share},
     specular::{NoSpecular, SpecularLobe},
     vec3::Vec3,
 };
@@ -17,18 +17,18 @@ use crate::{
 /// Made by [`SpotLight::compile_quick`](crate::SpotLight::compile_quick), which states the error.
 /// Points, normals and irradiances are those of the format.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct QuickSpotLight<S: Quick, P: Falloff = SoftOrHard, A: Attenuation = InverseSquare> {
+pub struct QuickSpotLight<S: Scalar, P: Falloff = SoftOrHard, A: Attenuation = InverseSquare> {
     pub(crate) position: Vec3<S::Length>,
-    /// As [`Quick::quick_axis`] returns it.
+    /// As `Quick::quick_axis` returns it.
     pub(crate) axis: Vec3<S::Unit>,
-    pub(crate) falloff: CompiledCone<S, P>,
+    pub(crate) falloff: QuickCone<S, P>,
     pub(crate) attenuation: A::Constants<S>,
     pub(crate) intensity: S::Gain,
     pub(crate) color: Rgb<S>,
     pub(crate) specular_color: Rgb<S>,
 }
 
-impl<S: Quick, P: Falloff, A: Attenuation> QuickSpotLight<S, P, A> {
+impl<S: Scalar, P: Falloff, A: Attenuation> QuickSpotLight<S, P, A> {
     /// Returns the irradiance at a surface point, before the colours: 1 is full scale.
     ///
     /// It is the product of intensity, falloff, attenuation and Lambert's cosine. `point` is in the
@@ -59,7 +59,7 @@ impl<S: Quick, P: Falloff, A: Attenuation> QuickSpotLight<S, P, A> {
 
     /// Returns the falloff of the cone.
     pub fn profile(&self) -> P {
-        self.falloff.profile()
+        self.falloff.profile
     }
 
     /// Creates a light from its fields, as [`codegen`](crate::codegen) writes them.
@@ -68,7 +68,7 @@ impl<S: Quick, P: Falloff, A: Attenuation> QuickSpotLight<S, P, A> {
     pub const fn from_parts(
         position: Vec3<S::Length>,
         axis: Vec3<S::Unit>,
-        falloff: CompiledCone<S, P>,
+        falloff: QuickCone<S, P>,
         attenuation: A::Constants<S>,
         intensity: S::Gain,
         [color, specular_color]: [Rgb<S>; 2],
@@ -77,7 +77,7 @@ impl<S: Quick, P: Falloff, A: Attenuation> QuickSpotLight<S, P, A> {
     }
 }
 
-impl<S: Quick, P: Falloff, A: Attenuation> LightModel<S> for QuickSpotLight<S, P, A> {
+impl<S: Scalar, P: Falloff, A: Attenuation> LightModel<S> for QuickSpotLight<S, P, A> {
     #[inline]
     fn colors(&self) -> [Rgb<S>; 2] {
         [self.color, self.specular_color]
@@ -98,7 +98,7 @@ impl<S: Quick, P: Falloff, A: Attenuation> LightModel<S> for QuickSpotLight<S, P
         }
         let ray = offset.ray();
         let falloff = self.falloff.toward(&ray, self.axis);
-        if skips && falloff == S::ZERO {
+        if skips && falloff == Share::of_scalar(S::ZERO) {
             return Incident::default();
         }
         let cosine = ray.cosine(facing, normal);
@@ -107,7 +107,7 @@ impl<S: Quick, P: Falloff, A: Attenuation> LightModel<S> for QuickSpotLight<S, P
         if !H::SHINES {
             return Incident { diffuse, ..Incident::default() };
         }
-        let lobe = lobe::<S, H>(highlight, (normal, view), ray.direction(), cosine.scalar());
-        Incident { diffuse, specular: expose(falloff.share_of(lobe)) }
+        let lobe = lobe::<S, H>(highlight, (normal, view), ray.direction(), cosine.scalar().rounded());
+        Incident { diffuse, specular: expose(falloff.share_of(Share::of_scalar(lobe))) }
     }
 }

@@ -134,7 +134,7 @@ impl<S: Scalar, P: Falloff, A: Attenuation> Placed<S, A> for CompiledSpotLight<S
     }
 
     #[inline]
-    fn falloff<R: Ray<S>>(&self, ray: &R) -> Option<R::Share> {
+    fn falloff<R: Ray<S, Ramp = S::Ramp>>(&self, ray: &R) -> Option<R::Share> {
         Some(self.falloff.toward(ray, self.axis))
     }
 }

@@ -12,7 +12,7 @@
 //! | format | kernels |
 //! |---|---|
 //! | `fx16`, `fx32`, `f32` | the crate `luminaire` |
-//! | `fx16-quick`, `f32-quick` | the quick evaluations of the crate `luminaire` |
+//! | `fx16-quick`, `fx32-quick`, `f32-quick` | the quick evaluations of the crate `luminaire` |
 //! | `f32-cosine` | f32, with the versine by `1 - l.s`, which cancels |
 //! | `f32-fast` | f32, with micromath's estimate of the reciprocal root, unrefined |
 //! | `f64` | the versine form in twice the width |

@@ -5,7 +5,6 @@ use luminaire::falloff::*;
 use luminaire::{
     Angle, Cone, Fx16, Fx32, SpotLight,
     attenuation::{Attenuation, NoAttenuation},
-    number::Quick,
 };
 use luminaire_oracle as oracle;
 
@@ -132,6 +131,7 @@ pub fn points(setting: Setting, visitor: &mut impl Visitor) {
     format::<Fx32>(setting, visitor);
     format::<f32>(setting, visitor);
     quick::<Fx16>("fx16-quick", setting, visitor);
+    quick::<Fx32>("fx32-quick", setting, visitor);
     quick::<f32>("f32-quick", setting, visitor);
     let outer = setting.outer_versine();
     for (kernel, population) in REJECTS.into_iter().chain([("lit", Population::Lit)]) {
@@ -175,7 +175,7 @@ fn format<S: Format>(setting: Setting, visitor: &mut impl Visitor) {
 }
 
 /// The points by the quick evaluation of a format.
-fn quick<S: Format + Quick>(name: &'static str, setting: Setting, visitor: &mut impl Visitor) {
+fn quick<S: Format>(name: &'static str, setting: Setting, visitor: &mut impl Visitor) {
     for (kernel, population) in REJECTS {
         if let Ok(light) = spot::<Soft>(setting).with_attenuation(NoAttenuation).compile_quick::<S>() {
             let truth = light_of::<Soft>(setting, population, 1.0, false);
@@ -192,6 +192,7 @@ fn quick<S: Format + Quick>(name: &'static str, setting: Setting, visitor: &mut 
 pub fn rungs<P: Shape>(setting: Setting, visitor: &mut impl Visitor) {
     quickly_lit::<Fx16, P>("fx16-quick", setting, visitor);
     lit::<Fx16, P>(setting, visitor);
+    quickly_lit::<Fx32, P>("fx32-quick", setting, visitor);
     lit::<Fx32, P>(setting, visitor);
     quickly_lit::<f32, P>("f32-quick", setting, visitor);
     lit::<f32, P>(setting, visitor);
@@ -208,11 +209,7 @@ fn lit<S: Format, P: Shape>(setting: Setting, visitor: &mut impl Visitor) {
     visitor.point(Row::lit(LIT[1], S::NAME), OurPoint::new(falling), &far);
 }
 
-fn quickly_lit<S: Format + Quick, P: Shape>(
-    name: &'static str,
-    setting: Setting,
-    visitor: &mut impl Visitor,
-) {
+fn quickly_lit<S: Format, P: Shape>(name: &'static str, setting: Setting, visitor: &mut impl Visitor) {
     let [level, far] = lit_truths::<P>(setting);
     let spot = spot::<P>(setting).with_attenuation(NoAttenuation);
     let falling = bright::<P>(setting);

@@ -1,10 +1,11 @@
 //! Projection of a point onto the square, in 16 bits.
 
-use super::{offset::Offset16, product::signed_high_product};
+use super::offset::Offset16;
 use crate::{
     number::{
         Fx16, Length, mantissa_and_shift, nearest,
         place::{ProjectedPoint, STEPS},
+        product::signed_high_product,
         reciprocal, root,
     },
     vec3::Vec3,

@@ -3,10 +3,13 @@
 //! In the comments `v` is the offset, scaled until its largest component has 15 bits, and `|v|` is
 //! its length.
 
-use super::{Ramp16, factor, fine_ray::FineRay16, product::high_product};
+use super::{Ramp16, factor};
 use crate::number::{
-    Arithmetic, FullOffset, Fx16, Fx32, Gain16, Length, Light16, Offset, Ray, Versine16, cold_path,
-    fraction::Fraction16, root,
+    Arithmetic, FullOffset, Fx16, Fx32, Gain16, Length, Light16, Offset, Ray, cold_path,
+    fine_ray::{FineRay, size},
+    fraction::Fraction16,
+    product::high_product,
+    root,
 };
 use crate::vec3::Vec3;
 
@@ -44,15 +47,6 @@ pub struct Ray16 {
     squared: u32,
     /// `2^30 / |v|`, of 15 or 16 bits.
     reciprocal: u32,
-}
-
-/// Returns a number with the bit length of the largest component.
-///
-/// A negative component `c` counts as `-1 - c`.
-#[inline]
-pub(super) fn size(way: Vec3<i32>) -> u32 {
-    let magnitudes = way.map(|c| (c ^ (c >> 31)) as u32);
-    magnitudes.x | magnitudes.y | magnitudes.z
 }
 
 impl Offset16 {
@@ -99,7 +93,7 @@ impl Offset16 {
     }
 
     /// Returns the offset for a vector of any size.
-    pub(super) fn new(way: Vec3<i32>) -> Self {
+    pub(in crate::number) fn new(way: Vec3<i32>) -> Self {
         let size = size(way);
         if size >> WAY_BITS == 0 {
             Self::near(way, size)
@@ -192,7 +186,7 @@ impl Offset<Fx16> for Offset16 {
 }
 
 impl FullOffset<Fx16> for Offset16 {
-    type FineRay = FineRay16;
+    type FineRay = FineRay;
 
     #[inline]
     fn faces_far_away(facing: i32) -> bool {
@@ -211,8 +205,8 @@ impl FullOffset<Fx16> for Offset16 {
     }
 
     #[inline(always)] // `spot-soft` on Cortex-M0: +80 instructions without.
-    fn fine_ray(&self) -> FineRay16 {
-        FineRay16::new(self.whole(), root::inverse_sqrt_16(self.squared()), self.bits)
+    fn fine_ray(&self) -> FineRay {
+        FineRay::new(self.whole(), root::inverse_sqrt_16(self.squared()), self.bits)
     }
 
     /// `fine_below` encodes the bit length of an offset and, in its lower 26 bits, its squared
@@ -231,6 +225,7 @@ impl FullOffset<Fx16> for Offset16 {
 impl Ray<Fx16> for Ray16 {
     type Fraction = Fraction16;
     type Share = Fx16;
+    type Ramp = Ramp16;
 
     #[inline]
     fn distance(&self) -> Gain16 {
@@ -244,13 +239,8 @@ impl Ray<Fx16> for Ray16 {
     }
 
     #[inline]
-    fn versine(&self, axis: Vec3<Fx32>, ramp: Ramp16) -> Versine16 {
-        Fx16::versine_between(self.direction(), axis, ramp)
-    }
-
-    #[inline]
     fn rise(&self, axis: Vec3<Fx32>, ramp: Ramp16) -> Fraction16 {
-        ramp.rise_coarsely(self.versine(axis, ramp))
+        ramp.rise_coarsely(Fx16::versine_between(self.direction(), axis, ramp))
     }
 
     #[inline]

@@ -4,10 +4,10 @@
 //! In the comments `v` is the offset, scaled until its largest component has 15 bits, and `|v|` is
 //! its length.
 
-use super::{Ramp16, factor, offset::Offset16, offset::size, product::high_product};
+use super::{Ramp16, factor, offset::Offset16};
 use crate::number::{
     Fx16, Fx32, Gain16, Length, Light16, Offset, Quick, Ray, Scalar, Slopes, Versine16, cold_path,
-    fraction::Fraction16, root,
+    fine_ray::size, fraction::Fraction16, product::high_product, root,
 };
 use crate::trig;
 use crate::vec3::Vec3;
@@ -71,6 +71,7 @@ impl QuickOffset16 {
 
 impl Quick for Fx16 {
     type QuickOffset = QuickOffset16;
+    type QuickRamp = Ramp16;
 
     #[inline]
     fn quick_offset(light: Vec3<Length>, point: Vec3<Length>) -> QuickOffset16 {
@@ -135,6 +136,7 @@ impl QuickRay16 {
 impl Ray<Fx16> for QuickRay16 {
     type Fraction = Fraction16;
     type Share = Fx16;
+    type Ramp = Ramp16;
 
     #[inline]
     fn distance(&self) -> Gain16 {
@@ -149,17 +151,13 @@ impl Ray<Fx16> for QuickRay16 {
     /// The axis is that of [`Quick::quick_axis`]. Each component of the difference has at most 15
     /// bits and a sign, so the sum of the squares fits 32 bits for opposite directions, too.
     #[inline]
-    fn versine(&self, axis: Vec3<Fx32>, _: Ramp16) -> Versine16 {
+    fn rise(&self, axis: Vec3<Fx32>, ramp: Ramp16) -> Fraction16 {
         let squares = self.product().zip(axis, |d, s| {
             let difference = d.wrapping_sub(s.to_bits()) >> DROPPED;
             difference.wrapping_mul(difference) as u32
         });
-        Versine16::from_bits(squares.x.wrapping_add(squares.y).wrapping_add(squares.z))
-    }
-
-    #[inline]
-    fn rise(&self, axis: Vec3<Fx32>, ramp: Ramp16) -> Fraction16 {
-        ramp.rise_coarsely(self.versine(axis, ramp))
+        let squared = squares.x.wrapping_add(squares.y).wrapping_add(squares.z);
+        ramp.rise_coarsely(Versine16::from_bits(squared))
     }
 
     /// Over 1 for a normal that is longer than 1, and at most 2.

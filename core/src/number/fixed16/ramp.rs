@@ -1,16 +1,15 @@
 //! The ramp from the edge of a cone to its middle, in 16 bits.
 
-use super::{fine::Fine16, product::high_half};
-use crate::number::{Fx16, Rise, Versine16, fraction::Fraction16, rounded};
+use crate::number::{Fx16, Rise, Versine16, fine::Fine, fraction::Fraction16, product::high_half, rounded};
 
 /// The largest zoom of a ramp: a larger zoom would need more bits than a direction has.
-pub(super) const MOST_ZOOM: u32 = 15;
+pub(in crate::number) const MOST_ZOOM: u32 = 15;
 
 /// A ramp: maps the excess of a versine over the inner one to `t`.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Ramp16 {
     /// The versines of this ramp are scaled by `4^zoom`.
-    pub(super) zoom: u32,
+    pub(in crate::number) zoom: u32,
     /// Inner versine: up to it the intensity is full.
     inner: u32,
     /// Excess over the inner versine at which the intensity becomes zero.
@@ -67,14 +66,14 @@ impl Ramp16 {
     }
 
     /// Builds the ramp between two versines, cut off at a limit.
-    pub(super) fn new(inner: f32, outer: f32, limit: f32) -> Self {
+    pub(in crate::number) fn new(inner: f32, outer: f32, limit: f32) -> Self {
         // The scaled limit is at most 2, the square of the largest component that `versine_between`
         // accepts. Larger components are beyond the limit anyway.
         Self::with_zoom(inner, outer, limit, zoom(if limit < outer { limit } else { outer }))
     }
 
     /// As [`new`](Self::new), for versines that are scaled by `4^zoom`.
-    pub(super) fn with_zoom(inner: f32, outer: f32, limit: f32, zoom: u32) -> Self {
+    pub(in crate::number) fn with_zoom(inner: f32, outer: f32, limit: f32, zoom: u32) -> Self {
         let limit = if limit < outer { limit } else { outer };
         let [inner, limit] = [inner, limit].map(|versine| magnified(versine, zoom).to_bits());
         let outer = (outer * (1_u64 << (29 + 2 * zoom)) as f32 + 0.5) as u64;
@@ -98,13 +97,13 @@ impl Ramp16 {
     }
 
     /// Returns the same ramp as a fine ramp, which always has the fine evaluation.
-    pub(super) fn into_fine(self) -> Self {
+    pub(in crate::number) fn into_fine(self) -> Self {
         Self { width: 0, fine: self.width, ..self }
     }
 
     /// Returns the position of a versine on the ramp.
     #[inline]
-    pub(super) fn rise(self, versine: Versine16) -> Rise<Fx16> {
+    pub(in crate::number) fn rise(self, versine: Versine16) -> Rise<Fx16> {
         match self.within(versine) {
             Some(t) => Rise::Coarse(t),
             // `within` returns `None` for a fine ramp, because its `width` is 0.
@@ -115,7 +114,7 @@ impl Ramp16 {
 
     /// Returns the position on a ramp that is no fine ramp.
     #[inline]
-    pub(super) fn rise_coarsely(self, versine: Versine16) -> Fraction16 {
+    pub(in crate::number) fn rise_coarsely(self, versine: Versine16) -> Fraction16 {
         self.within(versine).unwrap_or_else(|| self.end(versine))
     }
 
@@ -134,28 +133,28 @@ impl Ramp16 {
 
     /// Returns the position of a versine on the ramp, with full precision.
     #[inline(always)] // `spot-soft` on Cortex-M0: +21 instructions without.
-    pub(super) fn rise_finely(self, versine: Versine16) -> Fine16 {
+    pub(in crate::number) fn rise_finely(self, versine: Versine16) -> Fine {
         let versine = versine.to_bits();
         let past = versine.wrapping_sub(self.inner);
         if past >= self.width.max(self.fine) {
-            return if versine < self.inner { Fine16::ONE } else { Fine16(0) };
+            return if versine < self.inner { Fine::ONE } else { Fine(0) };
         }
         let fallen = if self.fine_shift < u32::BITS {
             high_half(past.wrapping_shl(u32::BITS - self.fine_shift), self.fine_mantissa)
         } else {
             high_half(past, self.fine_mantissa) >> (self.fine_shift - u32::BITS)
         };
-        Fine16(Fine16::ONE.0.saturating_sub(fallen))
+        Fine(Fine::ONE.0.saturating_sub(fallen))
     }
 }
 
 /// Returns the zoom of a ramp that ends at this versine.
-pub(super) fn zoom(limit: f32) -> u32 {
+pub(in crate::number) fn zoom(limit: f32) -> u32 {
     (1..=MOST_ZOOM).take_while(|&zoom| magnified(limit, zoom).to_bits() <= 2 << 29).last().unwrap_or(0)
 }
 
 /// Returns the nearest versine times `4^zoom`; saturates, and NaN becomes zero.
-pub(super) fn magnified(value: f32, zoom: u32) -> Versine16 {
+pub(in crate::number) fn magnified(value: f32, zoom: u32) -> Versine16 {
     Versine16::from_bits(rounded(value * (1_u64 << (29 + 2 * zoom)) as f32) as u32)
 }
 
@@ -199,7 +198,7 @@ mod tests {
             let [inside, on] = [edge - 1, edge].map(Versine16::from_bits);
             assert_eq!([inside, on].map(|v| ramp.rise_coarsely(v)), [Fraction16(1 << 15), Fraction16(0)]);
             let ramp = ramp.into_fine();
-            assert_eq!([inside, on].map(|v| ramp.rise_finely(v)), [Fine16::ONE, Fine16(0)]);
+            assert_eq!([inside, on].map(|v| ramp.rise_finely(v)), [Fine::ONE, Fine(0)]);
         }
     }
 

@@ -4,8 +4,7 @@
 
 use super::{Ramp32, factor, square, wide};
 use crate::number::{
-    Arithmetic, FullOffset, Fx32, Gain32, Length, Light32, Offset, Ray, Versine32, cold_path,
-    fraction::Fraction32, root,
+    Arithmetic, FullOffset, Fx32, Gain32, Length, Light32, Offset, Ray, cold_path, fraction::Fraction32, root,
 };
 use crate::vec3::Vec3;
 
@@ -121,6 +120,7 @@ impl FullOffset<Fx32> for Offset32 {
 impl Ray<Fx32> for Ray32 {
     type Fraction = Fraction32;
     type Share = Fx32;
+    type Ramp = Ramp32;
 
     #[inline]
     fn distance(&self) -> Gain32 {
@@ -135,13 +135,8 @@ impl Ray<Fx32> for Ray32 {
     }
 
     #[inline]
-    fn versine(&self, axis: Vec3<Fx32>, ramp: Ramp32) -> Versine32 {
-        Fx32::versine_between(self.direction(), axis, ramp)
-    }
-
-    #[inline]
     fn rise(&self, axis: Vec3<Fx32>, ramp: Ramp32) -> Fraction32 {
-        ramp.rise(self.versine(axis, ramp))
+        ramp.rise(Fx32::versine_between(self.direction(), axis, ramp))
     }
 
     #[inline]

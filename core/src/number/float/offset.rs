@@ -119,6 +119,7 @@ impl FloatRay {
 impl Ray<f32> for FloatRay {
     type Fraction = FloatFraction;
     type Share = f32;
+    type Ramp = FloatRamp;
 
     #[inline]
     fn direction(&self) -> Vec3<f32> {
@@ -128,11 +129,6 @@ impl Ray<f32> for FloatRay {
     #[inline]
     fn distance(&self) -> f32 {
         trig::sqrt(self.squared)
-    }
-
-    #[inline]
-    fn versine(&self, axis: Vec3<f32>, _: FloatRamp) -> f32 {
-        0.5 * self.twice_versine(axis)
     }
 
     /// Doubles the ramp instead of halving every versine: one multiplication less per point, and

@@ -2,7 +2,7 @@
 
 use luminaire::{
     AmbientLight, Cone, DirectionalLight, Error, PointLight, SpotLight,
-    attenuation::Attenuation,
+    attenuation::{Attenuation, NoAttenuation},
     falloff::{Falloff, Soft},
 };
 
@@ -23,6 +23,18 @@ pub(super) fn spot<S: Format, P: Falloff>(
     let light = spot.compile::<S>()?;
     case.give(light.falloff(point));
     case.give(light.irradiance(point, normal));
+    Ok(())
+}
+
+/// The light at a point by the quick evaluation, level and attenuated.
+pub(super) fn quick<S: Format, P: Falloff>(case: &mut Case<'_>, profile: P) -> Outcome {
+    let description = Description::of(case, |_| Ok(profile));
+    let (position, axis, intensity) =
+        (case.vector("position"), case.vector("axis"), case.number("intensity"));
+    let (point, normal) = (case.point::<S>("point"), case.normal::<S>("normal"));
+    let spot = SpotLight::new(position, axis, description.cone()?)?.with_intensity(intensity)?;
+    case.give(spot.with_attenuation(NoAttenuation).compile_quick::<S>()?.irradiance(point, normal));
+    case.give(spot.compile_quick::<S>()?.irradiance(point, normal));
     Ok(())
 }
 

@@ -17,8 +17,6 @@ pub use output::Output;
 mod format {
     /// The number format of this build.
     pub type Format = f32;
-    /// This format, or the nearest that has a quick evaluation.
-    pub type QuickFormat = f32;
     /// Its name.
     pub const FORMAT: &str = "f32";
 }
@@ -26,8 +24,6 @@ mod format {
 mod format {
     /// The number format of this build.
     pub type Format = luminaire::Fx32;
-    /// This format, or the nearest that has a quick evaluation.
-    pub type QuickFormat = luminaire::Fx16;
     /// Its name.
     pub const FORMAT: &str = "fx32";
 }
@@ -35,12 +31,10 @@ mod format {
 mod format {
     /// The number format of this build.
     pub type Format = luminaire::Fx16;
-    /// This format, or the nearest that has a quick evaluation.
-    pub type QuickFormat = luminaire::Fx16;
     /// Its name.
     pub const FORMAT: &str = "fx16";
 }
-pub use format::{FORMAT, Format, QuickFormat};
+pub use format::{FORMAT, Format};
 
 /// Irradiance in the format.
 pub type Irradiance = <Format as luminaire::Scalar>::Irradiance;

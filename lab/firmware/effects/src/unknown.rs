@@ -8,7 +8,7 @@ use core::{hint, ptr};
 use luminaire::number;
 pub use luminaire::{attenuation::*, dynamic::*, falloff::*, specular::*};
 
-pub use crate::{Format, Irradiance, QuickFormat};
+pub use crate::{Format, Irradiance};
 
 /// A gain of the format.
 pub type Gain = <Format as number::Arithmetic>::Gain;

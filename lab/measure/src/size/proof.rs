@@ -28,18 +28,8 @@ const EXEMPT: [(&str, &str); 4] = [
 
 /// The types in `unknown.rs` that depend on the format. A call that names one of them is made in
 /// each format.
-const OF_FORMAT: [&str; 10] = [
-    "Format",
-    "QuickFormat",
-    "Irradiance",
-    "Gain",
-    "Offset",
-    "Ray",
-    "FineRay",
-    "FineShare",
-    "Fraction",
-    "FineFraction",
-];
+const OF_FORMAT: [&str; 9] =
+    ["Format", "Irradiance", "Gain", "Offset", "Ray", "FineRay", "FineShare", "Fraction", "FineFraction"];
 
 /// All public functions of the core: those called in each format, those called once, and the number
 /// of exempt ones.
@@ -204,8 +194,7 @@ mod tests {
         let file = project::root().join("lab/firmware/effects/src/unknown.rs");
         let text = fs::read_to_string(file).unwrap();
         let types = text.lines().filter_map(|line| line.strip_prefix("pub type ")?.split_once(' '));
-        let mut names: Vec<_> =
-            types.map(|(name, _)| name).chain(["Format", "Irradiance", "QuickFormat"]).collect();
+        let mut names: Vec<_> = types.map(|(name, _)| name).chain(["Format", "Irradiance"]).collect();
         let mut known = OF_FORMAT.to_vec();
         names.sort_unstable();
         known.sort_unstable();

@@ -13,7 +13,7 @@ type Rows = &'static [(&'static str, &'static [&'static str])];
 /// One type stands for all falloffs, and one for all attenuations: the functions of these enums
 /// match on every model.
 const TYPES: Rows = &[
-    ("Quick", &["QuickFormat"]),
+    ("Quick", &["Format"]),
     ("Scalar", &["Format"]),
     ("SourceScalar", &["Format"]),
     ("Arithmetic", &["Format"]),

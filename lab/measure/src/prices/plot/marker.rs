@@ -33,10 +33,8 @@ pub(super) fn draw(
     let (radius, style) = if in_front { (6.0, color.mix(1.0)) } else { (4.0, color.mix(0.5)) };
     match format {
         "fx16" if is_hollow => root.draw(&Circle::new(place, radius as i32, style.stroke_width(2)))?,
-        "f32" if is_hollow => {
-            let triangle = corners(place, 1.25 * radius, 3, -90.0);
-            root.draw(&PathElement::new([&triangle[..], &triangle[..1]].concat(), style.stroke_width(2)))?;
-        }
+        "fx32" if is_hollow => root.draw(&outline(place, 1.2 * radius, 4, 45.0, style))?,
+        "f32" if is_hollow => root.draw(&outline(place, 1.25 * radius, 3, -90.0, style))?,
         "fx16" => root.draw(&Circle::new(place, radius as i32, style.filled()))?,
         "fx32" => root.draw(&polygon(place, 1.2 * radius, 4, 45.0, style))?,
         "f32" => root.draw(&polygon(place, 1.25 * radius, 3, -90.0, style))?,
@@ -51,6 +49,12 @@ pub(super) fn draw(
 /// A regular polygon, filled.
 fn polygon(place: Pixel, radius: f64, count: u32, direction: f64, color: RGBAColor) -> Polygon<Pixel> {
     Polygon::new(corners(place, radius, count, direction), color.filled())
+}
+
+/// The outline of a regular polygon.
+fn outline(place: Pixel, radius: f64, count: u32, direction: f64, color: RGBAColor) -> PathElement<Pixel> {
+    let corners = corners(place, radius, count, direction);
+    PathElement::new([&corners[..], &corners[..1]].concat(), color.stroke_width(2))
 }
 
 /// The corners of a regular polygon. `direction` is that of the first, in degrees clockwise from the

@@ -1,20 +1,28 @@
-//! Fractions of 31 bits, computed with 32-bit products, for cones and lights that need more than 15
-//! bits.
+//! Fractions of 31 bits, computed with 32-bit products.
 //!
-//! A steep cone and a bright light magnify the rounding to 15 bits. Only they use the slower fine
-//! evaluation. [`Cone::compile`](crate::Cone::compile) selects such cones by an error bound;
-//! `Arithmetic::fine_below` gives the distance from a bright light below which points need it.
+//! They are those of the fine evaluation of [`Fx16`], for cones and lights that need more than 15
+//! bits, and of the quick evaluation of [`Fx32`], which needs fewer instructions than 64-bit
+//! products.
 
-use super::product::{high_half, high_product};
-use crate::number::{Fraction, Knot, RealExponent, Share, fraction::neighbours};
-use crate::number::{Fx16, Gain16, Light16, Weight16};
+use super::{
+    Arithmetic, Fraction, Fx16, Fx32, Gain16, Gain32, Knot, Light16, Light32, RealExponent, Share, Weight16,
+    Weight32, cold_path,
+    fraction::neighbours,
+    product::{high_half, high_product},
+};
 
 /// A number in `[0, 1]` with 31 fraction bits.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Default, Debug)]
-pub struct Fine16(pub(super) u32);
+pub struct Fine(pub(in crate::number) u32);
 
-impl Fine16 {
-    pub(super) const ONE: Self = Self(1 << 31);
+impl Fine {
+    pub(in crate::number) const ONE: Self = Self(1 << 31);
+
+    /// Returns `1 - self`.
+    #[inline]
+    fn lacking(self) -> Self {
+        Self(Self::ONE.0 - self.0)
+    }
 
     /// Returns the product, at most 2^-30 below the exact one; exact if a factor is one or zero.
     #[inline]
@@ -24,7 +32,7 @@ impl Fine16 {
 
     /// Returns `product / 2^shift`, capped at 1.
     #[inline]
-    pub(super) fn capped(product: u32, shift: i32) -> Self {
+    pub(in crate::number) fn capped(product: u32, shift: i32) -> Self {
         let capped = if shift >= 0 {
             product.checked_shr(shift.unsigned_abs()).unwrap_or(0)
         } else if shift.unsigned_abs() < product.leading_zeros() {
@@ -45,24 +53,54 @@ impl Fine16 {
         Self((value + ((value + (1 << 15)) >> 16)).min(Self::ONE.0))
     }
 
+    /// Returns `t^2 (3 - 2t)`.
+    #[inline(always)] // `spot-smooth-lambert` on Cortex-M0: +5 instructions without.
+    fn eased(self) -> Self {
+        let square = self.times(self);
+        Self((square.0 + 2 * square.times(self.lacking()).0).min(Self::ONE.0))
+    }
+
     /// Returns `t (1 + u slope)` for a slope of 28 fraction bits. The result is clamped to
     /// `[0, 1]`, also for an invalid slope.
     #[inline]
     fn lifted(self, slope: i32) -> Self {
         // A valid slope is in `[-3, 3]`, so `u slope` fits 28 bits.
-        let lift = high_half(high_half(self.0, self.complement().0) << 1, slope.unsigned_abs());
+        let lift = high_half(self.times(self.lacking()).0, slope.unsigned_abs());
         let lift = lift.min((1 << 28) - 1) << 4;
         let lifted = if slope < 0 { self.0.saturating_sub(lift) } else { self.0.saturating_add(lift) };
         Self(lifted.min(Self::ONE.0))
     }
 }
 
-impl Fraction<Fx16> for Fine16 {
+/// A coefficient of a falloff, as a slope with 28 fraction bits.
+pub trait Slope: Copy {
+    /// Returns the slope; wraps for a weight that is out of range.
+    fn slope(self) -> i32;
+}
+
+impl Slope for Weight16 {
+    #[inline]
+    fn slope(self) -> i32 {
+        self.to_bits().wrapping_shl(28 - Self::FRACTION_BITS)
+    }
+}
+
+impl Slope for Weight32 {
+    #[inline]
+    fn slope(self) -> i32 {
+        (self.to_bits() >> (Self::FRACTION_BITS - 28)) as i32
+    }
+}
+
+impl<S: Arithmetic<Weight: Slope>> Fraction<S> for Fine
+where
+    Self: Share<S>,
+{
     type Value = Self;
 
     #[inline]
     fn complement(self) -> Self {
-        Self(Self::ONE.0 - self.0)
+        self.lacking()
     }
 
     #[inline]
@@ -91,7 +129,7 @@ impl Fraction<Fx16> for Fine16 {
     }
 
     #[inline]
-    fn mixed(low: Self, high: Self, share: Fx16) -> Self {
+    fn mixed(low: Self, high: Self, share: S) -> Self {
         let share = Self::of_scalar(share);
         Self(low.0 - Self(low.0.saturating_sub(high.0)).times(share).0)
     }
@@ -103,35 +141,35 @@ impl Fraction<Fx16> for Fine16 {
 
     #[inline(always)] // `spot-smooth-lambert` on Cortex-M0: +5 instructions without.
     fn smooth(self) -> Self {
-        let square = self.times(self);
-        Self((square.0 + 2 * square.times(self.complement()).0).min(Self::ONE.0))
+        self.eased()
     }
 
     #[inline]
-    fn quadratic(self, g: Weight16) -> Self {
-        self.lifted(g.to_bits().wrapping_shl(14))
+    fn quadratic(self, g: S::Weight) -> Self {
+        self.lifted(g.slope())
     }
 
     #[inline]
-    fn cubic(self, g: Weight16, h: Weight16) -> Self {
-        let bend = (high_half(self.0, h.to_bits().unsigned_abs() << 14) as i32) << 1;
-        let bend = if h.to_bits() < 0 { bend.wrapping_neg() } else { bend };
-        self.lifted(g.to_bits().wrapping_shl(14).wrapping_add(bend))
+    fn cubic(self, g: S::Weight, h: S::Weight) -> Self {
+        let bend = (high_half(self.0, h.slope().unsigned_abs()) as i32) << 1;
+        let bend = if h.slope() < 0 { bend.wrapping_neg() } else { bend };
+        self.lifted(g.slope().wrapping_add(bend))
     }
 
     #[inline]
     fn sample(self, samples: &[u16]) -> Self {
         let last = (samples.len().min(1 << 16) as u32).saturating_sub(1);
-        // The position has 15 fraction bits: a product of 31 by 16 bits, less 16 bits.
-        let place = high_product(self.complement().0, last);
-        let (here, next) = neighbours(samples, (place >> 15) as usize);
-        let (here, next) = (i32::from(here), i32::from(next));
-        Self::of_value(((here << 15) + (next - here) * (place & 0x7fff) as i32) as u32)
+        let place = self.lacking().0;
+        // The position is `place last`, with 31 fraction bits.
+        let (here, next) = neighbours(samples, (high_product(place, last) >> 15) as usize);
+        let share = place.wrapping_mul(last) & (Self::ONE.0 - 1);
+        let (value, step) = (u32::from(here) << 15, high_product(share, here.abs_diff(next).into()));
+        Self::of_value(if next < here { value - step } else { value + step })
     }
 
     #[inline]
     fn along(self, knots: &[Knot]) -> Self {
-        let place = self.complement().0;
+        let place = self.lacking().0;
         let knot = Knot::at(knots, place >> 15);
         let (beyond, slope) = (place - (u32::from(knot.place) << 15).min(place), knot.slope.unsigned_abs());
         // The product of a valid line has 46 bits; the lower 15 are dropped.
@@ -142,7 +180,32 @@ impl Fraction<Fx16> for Fine16 {
     }
 }
 
-impl Share<Fx16> for Fine16 {
+/// The operations of `Share` that are the same for each scalar.
+macro_rules! share_operations {
+    () => {
+        #[inline]
+        fn is_all(self) -> bool {
+            self == Self::ONE
+        }
+
+        #[inline]
+        fn rest(self) -> Self {
+            self.lacking()
+        }
+
+        #[inline(always)] // `spot-soft-lambert-smooth-range` on Cortex-M0: +22 instructions without.
+        fn share_of(self, other: Self) -> Self {
+            self.times(other)
+        }
+
+        #[inline]
+        fn smoothed(self) -> Self {
+            self.eased()
+        }
+    };
+}
+
+impl Share<Fx16> for Fine {
     #[inline]
     fn of_scalar(scalar: Fx16) -> Self {
         Self(u32::from(scalar.to_bits().clamp(0, 1 << 14) as u16) << 17)
@@ -153,29 +216,45 @@ impl Share<Fx16> for Fine16 {
         Fx16::from_bits(((self.0 + (1 << 16)) >> 17) as i16)
     }
 
-    #[inline]
-    fn is_all(self) -> bool {
-        self == Self::ONE
-    }
-
-    #[inline]
-    fn rest(self) -> Self {
-        self.complement()
-    }
-
-    #[inline(always)] // `spot-soft-lambert-smooth-range` on Cortex-M0: +22 instructions without.
-    fn share_of(self, other: Self) -> Self {
-        self.times(other)
-    }
-
-    #[inline]
-    fn smoothed(self) -> Self {
-        self.smooth()
-    }
+    share_operations!();
 
     #[inline(always)] // `spot-soft-lambert-hotspot` on Cortex-M0: +28 instructions without.
     fn give(self, gain: Gain16) -> Light16 {
         Light16::shifted(high_half(self.0, gain.mantissa), gain.shift - 15)
+    }
+}
+
+impl Share<Fx32> for Fine {
+    #[inline]
+    fn of_scalar(scalar: Fx32) -> Self {
+        Self((scalar.to_bits().clamp(0, 1 << 30) as u32) << 1)
+    }
+
+    #[inline]
+    fn rounded(self) -> Fx32 {
+        Fx32::from_bits(self.0.div_ceil(2) as i32)
+    }
+
+    share_operations!();
+
+    #[inline]
+    fn give(self, gain: Gain32) -> Light32 {
+        light(high_half(self.0, gain.mantissa << 4), gain.shift - 27)
+    }
+}
+
+/// Returns `product / 2^shift` with 30 fraction bits, rounded to nearest; saturates.
+///
+/// As [`Light32::shifted`], but only a light over full scale needs 64 bits.
+#[inline]
+pub(in crate::number) fn light(product: u32, shift: i32) -> Light32 {
+    let but_one = shift.wrapping_sub(1) as u32;
+    if but_one < u32::BITS {
+        let doubled = product >> but_one;
+        Light32::from_bits(((doubled >> 1) + (doubled & 1)).into())
+    } else {
+        cold_path();
+        Light32::shifted(product.into(), shift)
     }
 }
 
@@ -188,10 +267,10 @@ mod tests {
     fn the_share_of_a_sample_is_the_nearest() {
         for value in 0..=65_535_u32 {
             let exact = f64::from(value) / 65_535.0 * 2_147_483_648.0;
-            let found = Fine16::of_value(value << 15);
+            let found = Fine::of_value(value << 15);
             assert!((f64::from(found.0) - exact).abs() <= 0.5, "{value}");
         }
-        assert_eq!(Fine16::of_value(65_535 << 15), Fine16::ONE);
+        assert_eq!(Fine::of_value(65_535 << 15), Fine::ONE);
     }
 
     /// As many samples as a table may have, falling evenly.
@@ -207,7 +286,7 @@ mod tests {
             samples
         };
         for t in [0, 1 << 15, 1 << 29, 1 << 30, 3 << 29, (1 << 31) - 1, 1 << 31] {
-            let found = Fine16(t).sample(&SAMPLES);
+            let found = Fraction::<Fx16>::sample(Fine(t), &SAMPLES);
             assert!(found.0.abs_diff(t) <= 1 << 16, "{found:?} at {t}");
         }
     }
@@ -221,7 +300,7 @@ mod tests {
                 let beyond = f64::from((1_u32 << 31) - t) / 32_768.0;
                 let line = f64::from(knot.value) + f64::from(slope) * beyond / 32_768.0;
                 let exact = line.clamp(0.0, 65_535.0) / 65_535.0 * 2_147_483_648.0;
-                let found = Fine16(t).along(&[knot]);
+                let found = Fraction::<Fx16>::along(Fine(t), &[knot]);
                 assert!((f64::from(found.0) - exact).abs() <= 2.0, "{slope} {t}: {found:?} for {exact}");
             }
         }
@@ -229,9 +308,9 @@ mod tests {
 
     #[test]
     fn a_scalar_outside_of_0_to_1_is_the_nearest_share() {
-        let share = |bits| Fine16::of_scalar(Fx16::from_bits(bits));
-        assert_eq!([i16::MIN, -1, 0].map(share), [Fine16(0); 3]);
-        assert_eq!([1 << 14, (1 << 14) + 1, i16::MAX].map(share), [Fine16::ONE; 3]);
-        assert_eq!(share(1), Fine16(1 << 17));
+        let share = |bits| <Fine as Share<Fx16>>::of_scalar(Fx16::from_bits(bits));
+        assert_eq!([i16::MIN, -1, 0].map(share), [Fine(0); 3]);
+        assert_eq!([1 << 14, (1 << 14) + 1, i16::MAX].map(share), [Fine::ONE; 3]);
+        assert_eq!(share(1), Fine(1 << 17));
     }
 }

@@ -1,0 +1,143 @@
+//! Direction to a point with 30 bits, computed with 32-bit products: the fine ray of
+//! [`Fx16`](super::Fx16) and the quick one of [`Fx32`].
+//!
+//! In the comments `W` is the offset, scaled until its largest component has 31 bits, and `|W|` is
+//! its length.
+
+use super::{
+    Fx32, Versine16,
+    fixed16::Ramp16,
+    product::{high_half, high_product, high_square, signed_high_half, signed_high_product},
+};
+use crate::vec3::Vec3;
+
+/// Unit direction with 30 fraction bits, and its distance.
+#[derive(Clone, Copy, Debug)]
+pub struct FineRay {
+    pub(super) direction: Vec3<i32>,
+    /// Bit length of the offset's largest component before scaling.
+    pub(super) bits: i32,
+    /// `|W|^2 / 2^32`.
+    pub(super) squared: u32,
+    /// `2^46 / |W|`, before the correction.
+    estimate: u32,
+    /// The relative excess of the estimate, with 26 fraction bits.
+    excess: i32,
+}
+
+/// Returns a number with the bit length of the largest component.
+///
+/// A negative component `c` counts as `-1 - c`.
+#[inline]
+pub(super) fn size(way: Vec3<i32>) -> u32 {
+    let magnitudes = way.map(|c| (c ^ (c >> 31)) as u32);
+    magnitudes.x | magnitudes.y | magnitudes.z
+}
+
+/// Returns `|2^shift vector|^2 / 2^32` of a vector with signed components.
+#[inline]
+fn squared_length(vector: Vec3<i32>, shift: u32) -> u32 {
+    let squares = vector.map(|c| high_square(c << shift));
+    squares.x + squares.y + squares.z
+}
+
+impl FineRay {
+    /// Normalises an offset whose largest component has 31 bits, scaled from `bits` bits.
+    ///
+    /// `estimate` is `2^46 / |W|` with a relative error of at most 3.5e-4. The components of the
+    /// direction are within 2 units, and its length is within 3e-8.
+    #[inline(always)] // `spot-inverted-power-lambert` on Cortex-M0: +5 instructions without.
+    pub(super) fn new(way: Vec3<i32>, estimate: u32, bits: u32) -> Self {
+        let nearly = way.map(|c| signed_high_product(c, estimate));
+        // The squared length is `1 + x`, and `1 / sqrt(1 + x) = 1 - x / 2 + 3/8 x^2`.
+        let over = squared_length(nearly, 0).wrapping_sub(1 << 28) as i32;
+        let coarse = over >> 4;
+        let excess = (over >> 3) - (3 * coarse.wrapping_mul(coarse) >> 25);
+        Self {
+            direction: nearly.map(|c| c - (signed_high_half(c, excess << 16) >> 10)),
+            bits: bits as i32,
+            squared: squared_length(way, 0),
+            estimate,
+            excess,
+        }
+    }
+
+    /// Returns `2^61 / |W|`.
+    #[inline]
+    pub(super) fn reciprocal(&self) -> u32 {
+        let less = (self.estimate as i32).wrapping_mul(self.excess) >> 11;
+        (self.estimate << 15).wrapping_sub(less as u32)
+    }
+
+    /// Returns `gain 2^60 / |W|^2`.
+    #[inline]
+    pub(super) fn attenuated(&self, gain: u32) -> u32 {
+        let nearly = high_product(high_product(gain, self.estimate), self.estimate);
+        // `1 - (1 - e)^2` of the excess `e`.
+        let excess = 2 * self.excess - (self.excess.wrapping_mul(self.excess) >> 26);
+        let less = ((nearly >> 17) as i32).wrapping_mul(excess) >> 9;
+        nearly.wrapping_sub(less as u32)
+    }
+
+    /// Returns `|W|`.
+    #[inline]
+    pub(super) fn length(&self) -> u32 {
+        high_half(self.squared, self.reciprocal()) << 3
+    }
+
+    /// Returns the direction as numbers.
+    #[inline]
+    pub(super) fn unit(&self) -> Vec3<Fx32> {
+        self.direction.map(Fx32::from_bits)
+    }
+
+    /// Returns the versine of the angle between direction and axis, in the scale of a ramp.
+    #[inline]
+    pub(super) fn versine(&self, axis: Vec3<Fx32>, ramp: Ramp16) -> Versine16 {
+        let difference = self.direction.zip(axis, |d, s| d.wrapping_sub(s.to_bits()));
+        // As in the coarse evaluation: inside the cone the sum of the accepted squares has 30 bits.
+        if size(difference) >> (31 - ramp.zoom) != 0 {
+            return Versine16::MAX;
+        }
+        Versine16::from_bits(squared_length(difference, ramp.zoom))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::number::fixed16::Offset16;
+    use crate::number::{FullOffset, Length, Offset, Quick};
+
+    extern crate std;
+
+    /// The stated errors of the direction and of its length, over offsets of every size and direction.
+    #[test]
+    fn a_fine_direction_keeps_its_stated_error() {
+        let (mut off, mut stretched) = (0.0_f64, 0.0_f64);
+        // Components of any length, and such that the estimate drops as much of them as it can.
+        let ways = (0..200_000_u32).map(|i| {
+            let part = |factor: u32| i.wrapping_add(1).wrapping_mul(factor) as i32 >> (1 + i % 12);
+            Vec3::new(part(0x9e37_79b9), part(0x85eb_ca6b), part(0xc2b2_ae35))
+        });
+        let dropped = (0..200_000_u32).map(|i| {
+            let part = |factor: u32| (((1 << 14) + (i.wrapping_mul(factor) >> 18)) << 16) as i32 - 1;
+            Vec3::new(part(0x9e37_79b9), part(0x85eb_ca6b), part(0xc2b2_ae35))
+                .map(|c| if i % 2 == 0 { c } else { 1 - c })
+        });
+        for way in ways.chain(dropped) {
+            let exact = way.map(f64::from);
+            let length = (exact.x * exact.x + exact.y * exact.y + exact.z * exact.z).sqrt();
+            let quick = Fx32::quick_offset(Vec3::default(), way.map(Length::from_bits)).ray();
+            for ray in [Offset16::new(way).fine_ray(), quick] {
+                let found = ray.direction.map(|c| f64::from(c) / f64::from(1 << 30));
+                let squared = found.x * found.x + found.y * found.y + found.z * found.z;
+                let error = found.zip(exact, |f, e| (f / squared.sqrt() - e / length).abs());
+                off = off.max(error.x).max(error.y).max(error.z);
+                stretched = stretched.max((squared.sqrt() - 1.0).abs());
+            }
+        }
+        assert!(off * f64::from(1 << 30) <= 2.0, "a component is off by {off:.1e}");
+        assert!(stretched <= 3e-8, "the length is off by {stretched:.1e}");
+    }
+}
