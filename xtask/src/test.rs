@@ -108,8 +108,8 @@ fn boards(suite: &mut Suite, full: bool) {
     boards::steps::run(suite, &boards);
     frame::steps::run(suite, &boards);
     size::steps::run(suite, &boards, full);
-    effects::steps::run(suite);
-    prices(suite, &boards);
+    effects::steps::run(suite, full);
+    prices(suite, &boards, full);
     conform::steps::run(suite, &boards);
 }
 
@@ -198,10 +198,10 @@ fn bare_metal(suite: &mut Suite, full: bool) {
     });
 }
 
-fn prices(suite: &mut Suite, boards: &[&'static Board]) {
+fn prices(suite: &mut Suite, boards: &[&'static Board], full: bool) {
     suite.remarked("prices: errors and instructions are those of the list", |progress| {
         let targets: Vec<_> = boards.iter().map(|board| prices::Target::Board(board)).collect();
-        prices::check(&targets, progress)
+        prices::check(&targets, full, progress)
     });
 }
 

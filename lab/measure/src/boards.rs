@@ -9,6 +9,7 @@ pub(crate) mod emulator;
 pub(crate) mod laboratory;
 mod package;
 mod report;
+mod rp2040;
 pub mod steps;
 pub(crate) mod symbols;
 
@@ -18,6 +19,7 @@ use tools::progress::Progress;
 
 pub use board::{ALL as BOARDS, Board, tested};
 pub(crate) use cost::Costs;
+pub(crate) use rp2040::Rp2040;
 use laboratory::Laboratory;
 
 /// The options of `firmware`.
@@ -41,16 +43,27 @@ pub(crate) fn expected(progress: &Progress) -> Result<Vec<String>> {
     laboratory::on_the_host(KERNELS, progress)
 }
 
-/// What every kernel costs on a board. An error if a result differs from the expected one.
-pub(crate) fn costs(board: &'static Board, expected: &[String], progress: &Progress) -> Result<Costs> {
-    cost::measure(&Laboratory::new(board, progress)?, KERNELS, expected)
+/// What every kernel costs on a board. An error if a result differs from the expected one. Counts
+/// cycles with an emulator that does.
+pub(crate) fn costs(
+    board: &'static Board,
+    expected: &[String],
+    clock: Option<&Rp2040>,
+    progress: &Progress,
+) -> Result<Costs> {
+    cost::measure(&Laboratory::new(board, progress)?, KERNELS, expected, clock)
 }
 
 /// What every effect costs on a board, in the number format that a feature selects.
-pub(crate) fn effects(board: &'static Board, feature: &str, progress: &Progress) -> Result<Costs> {
+pub(crate) fn effects(
+    board: &'static Board,
+    feature: &str,
+    clock: Option<&Rp2040>,
+    progress: &Progress,
+) -> Result<Costs> {
     let expected = laboratory::on_the_host_with_feature(EFFECTS, feature, progress)?;
     let laboratory = Laboratory::with_feature(EFFECTS, feature, board, progress)?;
-    cost::measure(&laboratory, EFFECTS, &expected)
+    cost::measure(&laboratory, EFFECTS, &expected, clock)
 }
 
 /// Counts the instructions on each board and prints the table.
@@ -60,7 +73,7 @@ pub fn run(options: &FirmwareOptions) -> Result<()> {
     let expected = expected(&progress)?;
     let mut report = report::Report { boards: Vec::new() };
     for board in boards {
-        report.boards.push((board, costs(board, &expected, &progress)?));
+        report.boards.push((board, costs(board, &expected, None, &progress)?));
     }
     let Some(wanted) = &options.by_symbol else {
         print!("{report}");

@@ -14,7 +14,8 @@ use anyhow::{Context, Result};
 
 use self::clocked::{Measured, Times};
 use self::list::{Cost, PriceList, Row, TargetMeta};
-use crate::{boards, record};
+use crate::boards::{self, Rp2040};
+use crate::record;
 use tools::progress::Progress;
 
 pub use target::Target;
@@ -37,27 +38,27 @@ pub struct MeasureOptions {
 pub fn run(options: &MeasureOptions) -> Result<()> {
     let progress = Progress::Live;
     if options.check {
-        for remark in check(&options.targets, &progress)? {
+        for remark in check(&options.targets, true, &progress)? {
             println!("{remark}");
         }
         println!("errors and counts are those of the list");
         return Ok(());
     }
     let targets = if options.targets.is_empty() { Target::all() } else { options.targets.clone() };
-    record::write(&measure(&targets, &progress)?, options.bless, &progress)
+    record::write(&measure(&targets, true, &progress)?, options.bless, &progress)
 }
 
 /// Compares errors and counts with the list, and the documents with those that the list would give.
-/// Times are not compared. Returns remarks if the comparison has passed.
-pub fn check(targets: &[Target], progress: &Progress) -> Result<Vec<String>> {
+/// Cycles are compared if `clocked`, times never. Returns remarks if the comparison has passed.
+pub fn check(targets: &[Target], clocked: bool, progress: &Progress) -> Result<Vec<String>> {
     let chosen = |target: &Target| targets.is_empty() || targets.contains(target);
     let targets: Vec<_> = Target::counted().into_iter().filter(chosen).collect();
-    record::check(&measure(&targets, progress)?)
+    record::check(&measure(&targets, clocked, progress)?)
 }
 
-/// Measures the errors, and the costs on these targets. The costs on other targets are those on
-/// record.
-fn measure(targets: &[Target], progress: &Progress) -> Result<PriceList> {
+/// Measures the errors, and the costs on these targets, with cycles if `clocked`. The costs on other
+/// targets are those on record.
+fn measure(targets: &[Target], clocked: bool, progress: &Progress) -> Result<PriceList> {
     let mut list = with_errors(progress)?;
     if let Some(old) = record::load::<PriceList>()? {
         list.meta.targets.clone_from(&old.meta.targets);
@@ -67,8 +68,8 @@ fn measure(targets: &[Target], progress: &Progress) -> Result<PriceList> {
             }
         }
     }
-    let clocked = targets.iter().any(|target| !matches!(target, Target::Board(_)));
-    let host = if clocked { Some(clocked::host(progress)?) } else { None };
+    let timed = targets.iter().any(|target| !matches!(target, Target::Board(_)));
+    let host = if timed { Some(clocked::host(progress)?) } else { None };
     let expected = if !targets.iter().any(|target| matches!(target, Target::Board(_))) {
         Vec::new()
     } else {
@@ -80,7 +81,10 @@ fn measure(targets: &[Target], progress: &Progress) -> Result<PriceList> {
             row.bytes.remove(target.name());
         }
         let mut meta = match target {
-            Target::Board(board) => count(&mut list, board, &expected, progress)?,
+            Target::Board(board) => {
+                let clock = if clocked { Rp2040::for_board(board, progress)? } else { None };
+                count(&mut list, board, &expected, clock.as_ref(), progress)?
+            }
             Target::Browser { simd } => {
                 let (host, _) = host.as_ref().context("the host is timed first")?;
                 let (times, meta) = clocked::browser(*simd, host, progress)?;
@@ -129,13 +133,14 @@ fn count(
     list: &mut PriceList,
     board: &'static boards::Board,
     expected: &[String],
+    clock: Option<&Rp2040>,
     progress: &Progress,
 ) -> Result<TargetMeta> {
-    let costs = boards::costs(board, expected, progress)?;
+    let costs = boards::costs(board, expected, clock, progress)?;
     for cost in costs.kernels {
         let row = list.row_mut(&cost.name())?;
         let instructions = thousandths(cost.instructions);
-        let counted = Cost::Counted { instructions, ratio_to_powf: 0.0 };
+        let counted = Cost::Counted { instructions, cycles: cost.cycles.map(thousandths), ratio_to_powf: 0.0 };
         row.cost.insert(board.name.to_owned(), counted);
         row.bytes.insert(board.name.to_owned(), cost.bytes);
     }

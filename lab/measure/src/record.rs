@@ -72,6 +72,11 @@ impl Group {
         self.figures.insert(name.into(), figure);
     }
 
+    /// Returns whether the group has no figure. A group that was not measured is not compared.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.figures.is_empty()
+    }
+
     fn differences(&self, now: &Self) -> Vec<String> {
         let is_same = self.compiler == now.compiler;
         let mut found = Vec::new();

@@ -86,6 +86,12 @@ pub fn npm_program(name: &str) -> Option<PathBuf> {
     program.is_file().then_some(program)
 }
 
+/// The folder of an npm package in `target/tools`, if it is installed there.
+pub fn npm_folder(name: &str) -> Option<PathBuf> {
+    let folder = tools().join("node_modules").join(name);
+    folder.is_dir().then_some(folder)
+}
+
 /// Installs an npm package into `target/tools`, never globally.
 pub fn npm(package: &str, progress: &Progress) -> Result<()> {
     let npm = command::on_path(&["npm"]).context("npm is not installed")?;

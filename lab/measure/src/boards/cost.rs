@@ -6,6 +6,7 @@ use anyhow::{Context, Result, bail};
 
 use super::counts::Region;
 use super::laboratory::{Laboratory, Run};
+use super::rp2040::Rp2040;
 use super::symbols::{Function, Symbols};
 
 /// A line that the program prints: a kernel that was run in a number format over inputs.
@@ -27,6 +28,8 @@ pub(crate) struct Cost {
     pub(crate) kernel: String,
     /// Instructions of an average call.
     pub(crate) instructions: f64,
+    /// Cycles of an average call, if they were counted.
+    pub(crate) cycles: Option<f64>,
     /// Bytes of code of all functions that the kernel calls. A function that several kernels call
     /// counts for each of them, although the program holds it once.
     pub(crate) bytes: u64,
@@ -53,11 +56,17 @@ pub(crate) struct Costs {
 }
 
 /// Runs a program that prints a line for each kernel. Its results must be the host's.
-pub(crate) fn measure(laboratory: &Laboratory, program: &str, host: &[String]) -> Result<Costs> {
+pub(crate) fn measure(
+    laboratory: &Laboratory,
+    program: &str,
+    host: &[String],
+    clock: Option<&Rp2040>,
+) -> Result<Costs> {
     let run = laboratory.run(program)?;
     compare(&run.lines, host)?;
+    let cycles = clock.map(|clock| clock.cycles(&laboratory.program(program), &run)).transpose()?;
     let symbols = Symbols::read(&laboratory.program(program))?;
-    let kernels = kernels(&run, &symbols)?;
+    let kernels = kernels(&run, cycles.as_deref(), &symbols)?;
     Ok(Costs { kernels, compiler: symbols.compiler, emulator: laboratory.emulator() })
 }
 
@@ -72,15 +81,19 @@ fn compare(lines: &[String], host: &[String]) -> Result<()> {
     Ok(())
 }
 
-fn kernels(run: &Run, symbols: &Symbols) -> Result<Vec<Cost>> {
+fn kernels(run: &Run, cycles: Option<&[u64]>, symbols: &Symbols) -> Result<Vec<Cost>> {
     let mut kernels = Vec::new();
     let mut empty = None;
-    for (line, region) in run.lines.iter().zip(&run.regions) {
+    for (index, (line, region)) in run.lines.iter().zip(&run.regions).enumerate() {
         let line = Line::parse(line).with_context(|| format!("not a result: {line}"))?;
+        let cycles = cycles.map(|cycles| cycles[index]);
         if line.kernel == EMPTY {
-            empty = Some(region);
+            empty = Some((region, cycles));
         } else {
-            kernels.push(cost(line, region, empty.take().context("no empty loop")?, symbols));
+            let (empty, idle) = empty.take().context("no empty loop")?;
+            let calls = line.calls as f64;
+            let cycles = cycles.zip(idle).map(|(busy, idle)| (busy as f64 - idle as f64) / calls);
+            kernels.push(Cost { cycles, ..cost(line, region, empty, symbols) });
         }
     }
     Ok(kernels)
@@ -93,6 +106,7 @@ fn cost(line: Line, region: &Region, empty: &Region, symbols: &Symbols) -> Cost 
     let split = symbols.split(region).into_iter().map(|(function, count)| (function, per_call(count)));
     Cost {
         instructions: instructions - empty_loop,
+        cycles: None,
         bytes: bytes(region).saturating_sub(bytes(empty)),
         split: split.collect(),
         empty: empty_loop,

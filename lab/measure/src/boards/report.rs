@@ -76,6 +76,7 @@ mod tests {
     fn cost(kernel: &str, format: &str, instructions: f64) -> Cost {
         let function = Function { name: "pass".to_owned(), bytes: 64 };
         Cost {
+            cycles: None,
             format: format.to_owned(),
             kernel: kernel.to_owned(),
             instructions,

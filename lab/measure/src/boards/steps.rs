@@ -63,5 +63,5 @@ fn instrument(laboratory: &Laboratory) -> Result<()> {
 fn results(laboratory: &Laboratory, progress: &Progress) -> Result<()> {
     let host = laboratory::on_the_host(KERNELS, progress)?;
     ensure!(!host.is_empty(), "the firmware has printed nothing on the host");
-    cost::measure(laboratory, KERNELS, &host).map(|_| ())
+    cost::measure(laboratory, KERNELS, &host, None).map(|_| ())
 }

@@ -42,6 +42,9 @@ pub(super) struct Prices {
 pub(super) struct Price {
     /// Instructions of an average pixel.
     pub(super) instructions: f64,
+    /// Cycles of an average pixel on the core of an RP2040, without wait states.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(super) cycles: Option<f64>,
     /// Bytes of flash, minus those of the empty program.
     pub(super) bytes: u64,
 }
@@ -83,16 +86,23 @@ impl Record for EffectList {
 
     /// The browser's times are not compared.
     fn figures(&self) -> BTreeMap<String, Group> {
-        let group = |(board, prices): (&String, &Prices)| {
-            let mut group = Group::of(&prices.compiler);
+        let mut figures = BTreeMap::new();
+        for (board, prices) in &self.boards {
+            let [mut group, mut cycles] = [(); 2].map(|()| Group::of(&prices.compiler));
             group.add("the number format", Figure::Text(prices.format.clone()));
             for (program, price) in &prices.prices {
                 group.add(format!("{program}, instructions"), Figure::Instructions(price.instructions));
                 group.add(format!("{program}, bytes"), Figure::Bytes(price.bytes));
+                if let Some(counted) = price.cycles {
+                    cycles.add(format!("{program}, cycles"), Figure::Instructions(counted));
+                }
             }
-            (board.clone(), group)
-        };
-        self.boards.iter().map(group).collect()
+            if !cycles.is_empty() {
+                figures.insert(format!("{board} by rp2040js"), cycles);
+            }
+            figures.insert(board.clone(), group);
+        }
+        figures
     }
 
     fn documents(&self) -> Result<Vec<(PathBuf, Vec<u8>)>> {
@@ -107,7 +117,7 @@ mod tests {
     #[test]
     fn what_is_written_is_read() {
         let mut prices = Prices { compiler: "rustc 1.96.0".to_owned(), ..Prices::default() };
-        prices.prices.insert("spot-soft-lambert".to_owned(), Price { instructions: 100.25, bytes: 400 });
+        prices.prices.insert("spot-soft-lambert".to_owned(), Price { instructions: 100.25, cycles: None, bytes: 400 });
         let boards = BTreeMap::from([("cortex-m0".to_owned(), prices)]);
         let list = EffectList { boards, ..EffectList::default() };
         let text = list.text().unwrap();

@@ -34,8 +34,9 @@ included. Effects share the root and its tables, so the bytes of two effects do 
 What an effect **adds** is in brackets: the difference to the program that lacks only this effect. Each
 program is compiled by itself, so a difference can be slightly negative.
 
-Instructions are exact, and the same in every run of the same compiler. They are not cycles: they do
-not say how long a pixel takes on a microcontroller.
+Instructions are exact, and the same in every run of the same compiler. They are not cycles.
+**Cycles** are those of the same program on the core of an RP2040, a Cortex-M0+, run by rp2040js without
+wait states; the instructions are then those that QEMU counts, in every program.
 ";
 
 /// Writes the page.
@@ -89,9 +90,9 @@ fn section(list: &EffectList, group: &Group) -> Result<String> {
         "\n## {}\n\n{}\n\n| effect | what it is |{}{}\n|---|---|{}\n",
         group.title,
         group.note,
-        head("instr."),
+        head("instr.") + " RP2040, cycles |",
         head("bytes"),
-        "---:|".repeat(2 * boards.len())
+        "---:|".repeat(2 * boards.len() + 1)
     );
     for entry in &group.entries {
         text += &row(list, entry)?;
@@ -100,8 +101,7 @@ fn section(list: &EffectList, group: &Group) -> Result<String> {
 }
 
 fn row(list: &EffectList, entry: &Entry) -> Result<String> {
-    let mut instructions = String::new();
-    let mut bytes = String::new();
+    let [mut instructions, mut cycles, mut bytes] = [(); 3].map(|()| String::new());
     for stand in &STANDS {
         let prices = board(list, stand.board)?;
         let price = price(prices, entry.program)?;
@@ -109,10 +109,13 @@ fn row(list: &EffectList, entry: &Entry) -> Result<String> {
         let more = |figure: fn(&Price) -> f64| over.map(|over| figure(price) - figure(over));
         let adds = more(|price| price.instructions);
         instructions += &cell(&format!("{:.1}", price.instructions), adds.map(|adds| format!("{adds:+.1}")));
+        if let Some(counted) = price.cycles {
+            cycles += &cell(&format!("{counted:.1}"), None);
+        }
         let adds = more(|price| price.bytes as f64);
         bytes += &cell(&price.bytes.to_string(), adds.map(|adds| format!("{adds:+}")));
     }
-    Ok(format!("| {} | {} |{instructions}{bytes}\n", entry.title, entry.what))
+    Ok(format!("| {} | {} |{instructions}{cycles}{bytes}\n", entry.title, entry.what))
 }
 
 fn cell(figure: &str, adds: Option<String>) -> String {
@@ -142,7 +145,7 @@ mod tests {
         let mut list = EffectList::default();
         for stand in &STANDS {
             let prices = list.boards.entry(stand.board.to_owned()).or_default();
-            let price = Price { instructions: 100.0, bytes: 1000 };
+            let price = Price { instructions: 100.0, cycles: None, bytes: 1000 };
             prices.prices = entries().map(|entry| (entry.program.to_owned(), price)).collect();
         }
         list
@@ -152,8 +155,8 @@ mod tests {
     fn a_row_has_the_figures_and_what_is_added() {
         let mut list = list();
         for prices in list.boards.values_mut() {
-            prices.prices.insert("plain".to_owned(), Price { instructions: 100.25, bytes: 500 });
-            prices.prices.insert("better".to_owned(), Price { instructions: 120.5, bytes: 490 });
+            prices.prices.insert("plain".to_owned(), Price { instructions: 100.25, cycles: None, bytes: 500 });
+            prices.prices.insert("better".to_owned(), Price { instructions: 120.5, cycles: None, bytes: 490 });
         }
         let mut entry = Entry {
             title: "b",

@@ -6,7 +6,7 @@ use anyhow::{Context, Result, ensure};
 
 use super::catalogue;
 use super::list::{Price, Prices};
-use crate::boards::{self, Board};
+use crate::boards::{self, Board, Rp2040};
 use crate::size::effects::{Effects, Format};
 use tools::progress::Progress;
 
@@ -27,37 +27,38 @@ pub(super) static STANDS: [Stand; 2] = [
 ];
 
 /// Counts on a board. An error if its results are not the host's.
-pub(super) fn count(stand: &Stand, progress: &Progress) -> Result<Prices> {
+pub(super) fn count(stand: &Stand, clocked: bool, progress: &Progress) -> Result<Prices> {
     let board = Board::named(stand.board).map_err(anyhow::Error::msg)?;
-    let costs = boards::effects(board, stand.feature, progress)?;
-    let mut instructions = BTreeMap::new();
+    let clock = if clocked { Rp2040::for_board(board, progress)? } else { None };
+    let costs = boards::effects(board, stand.feature, clock.as_ref(), progress)?;
+    let mut counted = BTreeMap::new();
     for cost in costs.kernels {
         ensure!(cost.format == stand.format.name(), "{} on {} is another format", cost.name(), board.name);
-        instructions.insert(cost.kernel.replace('_', "-"), cost.instructions);
+        counted.insert(cost.kernel.replace('_', "-"), (cost.instructions, cost.cycles));
     }
     let bytes = Effects::build(board, stand.format, progress)?.bytes()?;
     Ok(Prices {
         format: stand.format.name().to_owned(),
         compiler: costs.compiler,
         runs_on: costs.emulator,
-        prices: joined(instructions, bytes)?,
+        prices: joined(counted, bytes)?,
     })
 }
 
-/// Joins instructions and bytes by program. Every program of the catalogue must have both, and no
+/// Joins counts and bytes by program. Every program of the catalogue must have both, and no
 /// other program may have either.
 fn joined(
-    mut instructions: BTreeMap<String, f64>,
+    mut counted: BTreeMap<String, (f64, Option<f64>)>,
     bytes: Vec<(String, u64)>,
 ) -> Result<BTreeMap<String, Price>> {
     let mut prices = BTreeMap::new();
     for (program, bytes) in bytes {
-        let instructions = instructions.remove(&program);
-        let instructions =
-            instructions.with_context(|| format!("the instructions of {program} are missing"))?;
-        prices.insert(program, Price { instructions, bytes });
+        let counts = counted.remove(&program);
+        let (instructions, cycles) =
+            counts.with_context(|| format!("the instructions of {program} are missing"))?;
+        prices.insert(program, Price { instructions, cycles, bytes });
     }
-    ensure!(instructions.is_empty(), "these have no program: {instructions:?}");
+    ensure!(counted.is_empty(), "these have no program: {counted:?}");
     for entry in catalogue::entries() {
         ensure!(prices.contains_key(entry.program), "there is no program {}", entry.program);
     }
@@ -71,10 +72,10 @@ fn joined(
 mod tests {
     use super::*;
 
-    /// Counts in which each program has 10 instructions and 20 bytes.
-    fn counted() -> (BTreeMap<String, f64>, Vec<(String, u64)>) {
+    /// Counts in which each program has 10 instructions, 14 cycles and 20 bytes.
+    fn counted() -> (BTreeMap<String, (f64, Option<f64>)>, Vec<(String, u64)>) {
         let instructions: BTreeMap<_, _> =
-            catalogue::entries().map(|entry| (entry.program.to_owned(), 10.0)).collect();
+            catalogue::entries().map(|entry| (entry.program.to_owned(), (10.0, Some(14.0)))).collect();
         let bytes = instructions.keys().map(|program| (program.clone(), 20)).collect();
         (instructions, bytes)
     }
@@ -83,7 +84,7 @@ mod tests {
     fn a_price_is_instructions_and_bytes() {
         let (instructions, bytes) = counted();
         let prices = joined(instructions, bytes).unwrap();
-        assert_eq!(prices["phong"], Price { instructions: 10.0, bytes: 20 });
+        assert_eq!(prices["phong"], Price { instructions: 10.0, cycles: Some(14.0), bytes: 20 });
     }
 
     #[test]
@@ -101,7 +102,7 @@ mod tests {
     #[test]
     fn a_program_that_the_catalogue_lacks_is_named() {
         let (mut instructions, mut bytes) = counted();
-        instructions.insert("halo".to_owned(), 1.0);
+        instructions.insert("halo".to_owned(), (1.0, None));
         bytes.push(("halo".to_owned(), 2));
         assert!(joined(instructions, bytes).unwrap_err().to_string().contains("halo"));
     }

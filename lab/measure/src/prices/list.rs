@@ -98,6 +98,9 @@ pub(crate) struct Cone {
 pub(crate) enum Cost {
     Counted {
         instructions: f64,
+        /// On the core of an RP2040, without wait states.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        cycles: Option<f64>,
         ratio_to_powf: f64,
     },
     Timed {
@@ -198,12 +201,20 @@ impl Record for PriceList {
         ladder::errors(&self.ladder, &mut errors);
         let mut figures = BTreeMap::from([("errors".to_owned(), errors)]);
         for (target, meta) in &self.meta.targets {
-            let mut group = Group::of(&meta.compiler);
+            let [mut group, mut cycles] = [(); 2].map(|()| Group::of(&meta.compiler));
             for row in &self.rows {
-                let Some(Cost::Counted { instructions, .. }) = row.cost.get(target) else { continue };
+                let Some(Cost::Counted { instructions, cycles: counted, .. }) = row.cost.get(target) else {
+                    continue;
+                };
                 let bytes = row.bytes.get(target).copied().unwrap_or_default();
                 group.add(format!("{}, instructions", row.name()), Figure::Instructions(*instructions));
                 group.add(format!("{}, bytes", row.name()), Figure::Bytes(bytes));
+                if let Some(counted) = counted {
+                    cycles.add(format!("{}, cycles", row.name()), Figure::Instructions(*counted));
+                }
+            }
+            if !cycles.is_empty() {
+                figures.insert(format!("{target} by rp2040js"), cycles);
             }
             figures.insert(target.clone(), group);
         }
@@ -240,7 +251,7 @@ mod tests {
             p999_codes: 0.4,
             kind: "searched".to_owned(),
         };
-        let counted = Cost::Counted { instructions: 20.5, ratio_to_powf: 500.0 };
+        let counted = Cost::Counted { instructions: 20.5, cycles: Some(28.0), ratio_to_powf: 500.0 };
         let timed = Cost::Timed { ns: 0.5, ns_quartiles: [0.4, 0.6], ratio_to_powf: 10.0 };
         let row = Row {
             kernel: "soft".to_owned(),
@@ -262,10 +273,13 @@ mod tests {
         assert_eq!(PriceList::read(&list.text().unwrap()).unwrap(), list);
         let figures = list.figures();
         let names: Vec<_> = figures.keys().map(String::as_str).collect();
-        assert_eq!(names, ["cortex-m0", "errors", "host"]);
+        assert_eq!(names, ["cortex-m0", "cortex-m0 by rp2040js", "errors", "host"]);
         let mut counted = Group::of("");
         counted.add("soft.fx16, instructions", Figure::Instructions(20.5));
         counted.add("soft.fx16, bytes", Figure::Bytes(84));
+        let mut cycles = Group::of("");
+        cycles.add("soft.fx16, cycles", Figure::Instructions(28.0));
+        assert_eq!(figures["cortex-m0 by rp2040js"], cycles);
         assert_eq!((&figures["cortex-m0"], &figures["host"]), (&counted, &Group::of("")));
         let mut errors = Group::exact();
         list.rows[0].errors(15.0, &mut errors);

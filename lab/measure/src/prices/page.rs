@@ -25,7 +25,9 @@ same in every run. Each kernel is compared with its own model: `powf` with the p
 `gltf` with the formula without its `max(0.001, ...)`.
 
 **Costs** on microcontrollers are instructions a call, counted exactly under QEMU as
-[lab/firmware/README.md](../lab/firmware/README.md) describes. They are not cycles. On the host and in the
+[lab/firmware/README.md](../lab/firmware/README.md) describes. They are not cycles. Cycles are those of
+the core of an RP2040, a Cortex-M0+, which rp2040js runs without wait states; it executes as many
+instructions as QEMU counts, in every kernel. On the host and in the
 browser costs are nanoseconds a call, over a batch of 4096 inputs from memory to memory: the median of
 41 samples, in the best of three rounds. They depend on the machine and its other work, and nothing
 fails because of them. \"powf\" is how many calls cost as much as one power function, that of libm on
@@ -68,6 +70,10 @@ fn section(list: &PriceList, target: &Target) -> String {
     text += &by_format(list, |row| Some(figures::cost(row.cost.get(target.name())?.amount())));
     text += "\n<details><summary>Every row</summary>\n\n";
     text += match target {
+        Target::Board(_) if has_cycles(list, target) => {
+            "| kernel | format | error, codes | instructions | RP2040, cycles | powf | bytes of code |\n\
+             |---|---|---|---|---|---|---|\n"
+        }
         Target::Board(_) => {
             "| kernel | format | error, codes | instructions | powf | bytes of code |\n\
              |---|---|---|---|---|---|\n"
@@ -83,6 +89,12 @@ fn section(list: &PriceList, target: &Target) -> String {
     text + "\n</details>\n"
 }
 
+/// Whether cycles are on record for a target.
+fn has_cycles(list: &PriceList, target: &Target) -> bool {
+    let mut costs = list.rows.iter().filter_map(|row| row.cost.get(target.name()));
+    costs.any(|cost| matches!(cost, Cost::Counted { cycles: Some(_), .. }))
+}
+
 fn capitalised(word: &str) -> String {
     match word {
         "ns" => "Nanoseconds a call".to_owned(),
@@ -93,9 +105,10 @@ fn capitalised(word: &str) -> String {
 fn priced(row: &Row, target: &Target) -> Option<String> {
     let error = row.error.as_ref().map_or_else(String::new, |error| figures::error(error.codes));
     let cost = match *row.cost.get(target.name())? {
-        Cost::Counted { instructions, ratio_to_powf } => {
+        Cost::Counted { instructions, cycles, ratio_to_powf } => {
             let bytes = row.bytes.get(target.name()).map_or_else(String::new, u64::to_string);
-            format!("{instructions:.2} | {} | {bytes}", figures::cost(ratio_to_powf))
+            let cycles = cycles.map_or_else(String::new, |cycles| format!("{cycles:.2} | "));
+            format!("{instructions:.2} | {cycles}{} | {bytes}", figures::cost(ratio_to_powf))
         }
         Cost::Timed { ns, ns_quartiles: [lower, upper], ratio_to_powf } => {
             format!("{ns:.3} | {lower:.3} to {upper:.3} | {}", figures::cost(ratio_to_powf))

@@ -1,0 +1,92 @@
+//! Cycles on the core of an RP2040, a Cortex-M0+, emulated by rp2040js without wait states.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use anyhow::{Context, Result, ensure};
+use tools::progress::Progress;
+use tools::{command, install, project};
+
+use super::board::Board;
+use super::laboratory::Run;
+
+/// The emulator's package, of the version that the recorded cycles are from.
+const PACKAGE: &str = "rp2040js@1.4.1";
+
+/// Runs firmware in the emulator.
+const SCRIPT: &str = "lab/measure/src/boards/rp2040.mjs";
+
+/// The emulator.
+#[derive(Debug)]
+pub(crate) struct Rp2040 {
+    node: PathBuf,
+    library: PathBuf,
+}
+
+impl Rp2040 {
+    /// Finds the emulator for the firmware of a board, or installs it below `target`. `None` if the
+    /// core does not run this firmware.
+    pub(crate) fn for_board(board: &Board, progress: &Progress) -> Result<Option<Self>> {
+        if board.name != "cortex-m0" {
+            return Ok(None);
+        }
+        const PROGRAMS: [&str; 2] = ["nodejs", "npm"];
+        let node = || command::on_path(&["node", "nodejs"]);
+        if install::debian_root() && (node().is_none() || command::on_path(&["npm"]).is_none()) {
+            install::apt(&PROGRAMS, progress)?;
+        }
+        let node = node().context("node is not installed, which counts cycles: install nodejs and npm")?;
+        let (name, _) = PACKAGE.split_once('@').context("a package with its version")?;
+        if install::npm_folder(name).is_none() {
+            install::npm(PACKAGE, progress)?;
+        }
+        let library = install::npm_folder(name).context("npm has not installed the emulator")?;
+        Ok(Some(Self { node, library }))
+    }
+
+    /// The name and the version, as in `rp2040js 1.4.1`.
+    pub(crate) fn describe() -> String {
+        PACKAGE.replace('@', " ")
+    }
+
+    /// Returns the cycles of each region of a program that QEMU has run. An error if it prints other
+    /// lines here, or executes other numbers of instructions.
+    pub(crate) fn cycles(&self, firmware: &Path, qemu: &Run) -> Result<Vec<u64>> {
+        let counts = project::target().join("rp2040.counts");
+        let mut node = Command::new(&self.node);
+        node.arg(project::root().join(SCRIPT)).arg(&self.library).arg(firmware).arg(&counts);
+        let printed = command::answer(&mut node)?;
+        ensure!(printed.lines().eq(&qemu.lines), "rp2040js does not print the lines that QEMU prints");
+        let text = fs::read_to_string(&counts).context("rp2040js has counted nothing")?;
+        let regions = parse(&text)?;
+        ensure!(regions.len() == qemu.regions.len(), "{} regions in rp2040js", regions.len());
+        for ((line, region), [instructions, _]) in qemu.lines.iter().zip(&qemu.regions).zip(&regions) {
+            let counted = region.instructions();
+            ensure!(counted == *instructions, "{line}: {instructions} instructions in rp2040js, {counted} in QEMU");
+        }
+        Ok(regions.into_iter().map(|[_, cycles]| cycles).collect())
+    }
+}
+
+/// Parses the instructions and the cycles of each region.
+fn parse(text: &str) -> Result<Vec<[u64; 2]>> {
+    let line = |line: &str| {
+        let (instructions, cycles) = line.split_once(' ')?;
+        Some([instructions.parse().ok()?, cycles.parse().ok()?])
+    };
+    text.lines().map(|text| line(text).with_context(|| format!("not two numbers: {text}"))).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_line_has_instructions_and_cycles() {
+        assert_eq!(parse("201 300\n0 0\n").unwrap(), [[201, 300], [0, 0]]);
+        for broken in ["201", "201 x", "201 300 4"] {
+            assert!(parse(broken).is_err(), "{broken}");
+        }
+    }
+}
