@@ -71,24 +71,32 @@ pub(super) trait Placed<S: Scalar, A: Attenuation> {
         if S::Offset::faces_far_away(facing) || self.is_outside(&offset) {
             return Incident::default();
         }
-        let ray = offset.ray();
-        let cosine = ray.cosine(facing, normal);
-        let lobe = lobe::<S, H>(highlight, (normal, view), ray.direction(), cosine.scalar().rounded());
-        let (shares, light) = self.along::<H, _>(&offset, &ray, cosine, || lobe);
-        let is_enough = |share, light| self.place().fine_below < u32::MAX && S::is_clipped(share, light);
-        let keeps_diffuse = is_enough(shares.diffuse, light.diffuse);
-        let keeps_specular = lobe == S::ZERO || is_enough(shares.specular, light.specular);
-        if keeps_diffuse && keeps_specular {
-            return light;
+        let is_always_fine = self.place().fine_below == u32::MAX;
+        let (mut lobe, mut coarse, mut keeps) = (S::ZERO, Incident::default(), [false; 2]);
+        if H::SHINES || !is_always_fine {
+            let ray = offset.ray();
+            let cosine = ray.cosine(facing, normal);
+            lobe = super::lobe::<S, H>(highlight, (normal, view), ray.direction(), cosine.scalar().rounded());
+            let (shares, light) = self.along::<H, _>(&offset, &ray, cosine, || lobe);
+            let is_enough = |share, light| !is_always_fine && S::is_clipped(share, light);
+            keeps = [
+                is_enough(shares.diffuse, light.diffuse),
+                lobe == S::ZERO || is_enough(shares.specular, light.specular),
+            ];
+            coarse = light;
+            if keeps == [true; 2] {
+                return light;
+            }
         }
         let ray = offset.fine_ray();
         let cosine = ray.cosine(facing, normal);
         // The lobe stays that of the coarse direction: its rounding to a scalar is larger than the
         // error that a finer direction would remove.
         let (_, fine) = self.along::<H, _>(&offset, &ray, cosine, || lobe);
+        let [keeps_diffuse, keeps_specular] = keeps;
         Incident {
-            diffuse: if keeps_diffuse { light.diffuse } else { fine.diffuse },
-            specular: if keeps_specular { light.specular } else { fine.specular },
+            diffuse: if keeps_diffuse { coarse.diffuse } else { fine.diffuse },
+            specular: if keeps_specular { coarse.specular } else { fine.specular },
         }
     }
 

@@ -19,8 +19,8 @@ use tools::progress::Progress;
 
 pub use board::{ALL as BOARDS, Board, tested};
 pub(crate) use cost::Costs;
-pub(crate) use rp2040::Rp2040;
 use laboratory::Laboratory;
+pub(crate) use rp2040::Rp2040;
 
 /// The options of `firmware`.
 #[derive(Debug, Default, PartialEq, clap::Args)]

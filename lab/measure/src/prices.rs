@@ -140,7 +140,8 @@ fn count(
     for cost in costs.kernels {
         let row = list.row_mut(&cost.name())?;
         let instructions = thousandths(cost.instructions);
-        let counted = Cost::Counted { instructions, cycles: cost.cycles.map(thousandths), ratio_to_powf: 0.0 };
+        let counted =
+            Cost::Counted { instructions, cycles: cost.cycles.map(thousandths), ratio_to_powf: 0.0 };
         row.cost.insert(board.name.to_owned(), counted);
         row.bytes.insert(board.name.to_owned(), cost.bytes);
     }

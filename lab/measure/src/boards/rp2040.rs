@@ -63,7 +63,10 @@ impl Rp2040 {
         ensure!(regions.len() == qemu.regions.len(), "{} regions in rp2040js", regions.len());
         for ((line, region), [instructions, _]) in qemu.lines.iter().zip(&qemu.regions).zip(&regions) {
             let counted = region.instructions();
-            ensure!(counted == *instructions, "{line}: {instructions} instructions in rp2040js, {counted} in QEMU");
+            ensure!(
+                counted == *instructions,
+                "{line}: {instructions} instructions in rp2040js, {counted} in QEMU"
+            );
         }
         Ok(regions.into_iter().map(|[_, cycles]| cycles).collect())
     }

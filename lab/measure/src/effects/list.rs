@@ -117,7 +117,9 @@ mod tests {
     #[test]
     fn what_is_written_is_read() {
         let mut prices = Prices { compiler: "rustc 1.96.0".to_owned(), ..Prices::default() };
-        prices.prices.insert("spot-soft-lambert".to_owned(), Price { instructions: 100.25, cycles: None, bytes: 400 });
+        prices
+            .prices
+            .insert("spot-soft-lambert".to_owned(), Price { instructions: 100.25, cycles: None, bytes: 400 });
         let boards = BTreeMap::from([("cortex-m0".to_owned(), prices)]);
         let list = EffectList { boards, ..EffectList::default() };
         let text = list.text().unwrap();

@@ -155,8 +155,12 @@ mod tests {
     fn a_row_has_the_figures_and_what_is_added() {
         let mut list = list();
         for prices in list.boards.values_mut() {
-            prices.prices.insert("plain".to_owned(), Price { instructions: 100.25, cycles: None, bytes: 500 });
-            prices.prices.insert("better".to_owned(), Price { instructions: 120.5, cycles: None, bytes: 490 });
+            prices
+                .prices
+                .insert("plain".to_owned(), Price { instructions: 100.25, cycles: None, bytes: 500 });
+            prices
+                .prices
+                .insert("better".to_owned(), Price { instructions: 120.5, cycles: None, bytes: 490 });
         }
         let mut entry = Entry {
             title: "b",

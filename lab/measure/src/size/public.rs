@@ -352,10 +352,14 @@ impl Spelling<'_> {
             "borrowed_ref" if of["is_mutable"] == true => Ok(format!("&mut {}", self.spell(&of["type"])?)),
             "borrowed_ref" => Ok(format!("&{}", self.spell(&of["type"])?)),
             "qualified_path" => {
+                // `Self::Name` is listed without the arguments of its trait: they are those in scope.
                 let generics = &self.listing.item(&of["trait"]["id"])["inner"]["trait"]["generics"]["params"];
-                let blank = if list(generics).is_empty() { "" } else { "<_>" };
-                let (this, by) = (self.spell(&of["self_type"])?, self.listing.name(&of["trait"])?);
-                Ok(with_arguments(format!("<{this} as {by}{blank}>::{}", text(&of["name"])), &arguments(of)?))
+                let of_trait = list(generics).iter().map(|of| self.chosen(text(&of["name"])));
+                let of_trait: Vec<_> =
+                    of_trait.map(|chosen| chosen.unwrap_or_else(|| "_".to_owned())).collect();
+                let by = with_arguments(self.listing.name(&of["trait"])?, &of_trait);
+                let this = self.spell(&of["self_type"])?;
+                Ok(with_arguments(format!("<{this} as {by}>::{}", text(&of["name"])), &arguments(of)?))
             }
             _ => bail!("a type of the kind {kind}"),
         }
