@@ -337,7 +337,8 @@ impl<const N: u32> Cone<Power<N>> {
 /// outer one, in [0, 1).
 fn slopes<P: Falloff>(profile: P, hotspot: f32) -> Slopes {
     /// Relative width of a rim so narrow that its versine is nearly constant. In such a rim the
-    /// slope over the argument is half the slope over the angle, in widths of the rim.
+    /// slope with respect to the argument is half the slope with respect to the angle, in widths of
+    /// the rim.
     const RIM: f32 = 1.0 / 1024.0;
     let fraction = profile.steepness(1.0 - RIM) * RIM / 2.0;
     Slopes { angle: profile.steepness(hotspot), fraction: fraction * (1.0 + RIM) }

@@ -110,17 +110,17 @@ pub struct Imported<L> {
 pub struct Difference {
     /// Difference in intensity over the angle, in [0, 1]: at most 1/510 for every import.
     pub angle: f32,
-    /// Difference in position where the slope over the angle is infinite, in outer half angles, at
-    /// most 1/510.
+    /// Difference in position where the slope with respect to the angle is infinite, in outer half
+    /// angles, at most 1/510.
     ///
     /// It is more than 0 only at the edge of a light with a [`Direct3d::falloff`] in (0, 1), or
     /// with an [`OpenGl::spot_exponent`] in (0, 1) and a cutoff of 90 degrees. There f32 cannot
     /// distinguish angles within 2^-25 of the edge, so no format can represent the intensity.
     pub place: f32,
-    /// Difference in attenuation, in [0, 1]. It is relative to the light at distance 1 or, where
-    /// one of the two lights is brighter than that, to the brighter of the two. It covers distances
-    /// from 0.1, or from the distance below which the original stops growing if that is farther.
-    /// The last distance is the range, or 32,767 without a range.
+    /// Difference in attenuation, in [0, 1]. It is divided by the original's attenuation at
+    /// distance 1 or, at distances where either attenuation is larger than that, by the larger of
+    /// the two. It covers distances from 0.1, or from the distance below which the original stops
+    /// growing if that is farther. The last distance is the range, or 32,767 without a range.
     pub distance: f32,
 }
 

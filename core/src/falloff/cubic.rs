@@ -21,11 +21,11 @@ pub struct Smooth;
 
 /// Any monotone cubic `t (a + t (b + t c))` with `a + b + c = 1`: three multiplies.
 ///
-/// Two slopes over `t` determine it: `a` at the edge, and `d = a + 2b + 3c` in the middle. It is
-/// monotone for slopes in the region of F. N. Fritsch and R. E. Carlson, *Monotone Piecewise Cubic
-/// Interpolation*, SIAM J. Numer. Anal. 17 (1980). It is evaluated as `t (1 + u (g + h t))` with
-/// `g = a - 1` and `g + h = 1 - d`, so that the value on the axis is exactly 1, however the slopes
-/// are rounded.
+/// Two derivatives with respect to `t` determine it: `a` at the edge, and `d = a + 2b + 3c` in the
+/// middle. It is monotone for slopes in the region of F. N. Fritsch and R. E. Carlson, *Monotone
+/// Piecewise Cubic Interpolation*, SIAM J. Numer. Anal. 17 (1980). It is evaluated as `t (1 + u (g
+/// + h t))` with `g = a - 1` and `g + h = 1 - d`, so that the value on the axis is exactly 1,
+/// however the slopes are rounded.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Cubic {
     /// Both slopes are multiples of 1 / [`GRID`], so that the coefficients are exact.
@@ -55,8 +55,8 @@ pub(super) fn middle_slopes(edge_slope: f32) -> (f32, f32) {
 }
 
 impl Cubic {
-    /// Creates the cubic with these slopes over `t`, at the edge and in the middle. Each is in
-    /// [0, 4] and is rounded to a multiple of 2^-20.
+    /// Creates the cubic with these derivatives with respect to `t`, at the edge and in the middle.
+    /// Each is in [0, 4] and is rounded to a multiple of 2^-20.
     ///
     /// # Errors
     /// An edge slope outside [0, 4], or a middle slope with which the cubic is not monotone. The
@@ -100,12 +100,13 @@ impl Cubic {
         [a, 3.0 - 2.0 * a - d, a + d - 2.0]
     }
 
-    /// Returns the slope over `t` at the edge.
+    /// Returns the slope with respect to `t` at the edge.
     pub fn edge_slope(self) -> f32 {
         self.edge_slope
     }
 
-    /// Returns the slope over `t` in the middle: on the axis, or at the inner angle.
+    /// Returns the derivative with respect to `t` at the inner end: at the inner angle or, without
+    /// one, on the axis.
     pub fn middle_slope(self) -> f32 {
         self.middle_slope
     }

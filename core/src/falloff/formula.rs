@@ -16,8 +16,8 @@ pub enum Formula<'a> {
     /// `t^p` with `p`.
     Power(f32),
     /// `(1 - max(u, f)^p) / (1 - f^p)` with `u = 1 - t`, the exponent `p` and the floor `f`. `f` is
-    /// 0 except for lights imported from Godot; for `p < 1` it keeps the slope over `t` at `t = 1`
-    /// finite.
+    /// 0 except for lights imported from Godot; for `p < 1` it keeps the slope with respect to `t`
+    /// at `t = 1` finite.
     InvertedPower(f32, f32),
     /// `(1 - s) t^n + s t^m` with `[n, m]` and `s`.
     MixedPower([u32; 2], f32),

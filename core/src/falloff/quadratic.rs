@@ -41,7 +41,7 @@ pub struct Quadratic {
 }
 
 impl Quadratic {
-    /// Creates the quadratic with this slope over `t` at the edge.
+    /// Creates the quadratic with this slope with respect to `t` at the edge.
     ///
     /// # Errors
     /// An edge slope outside [0, 2]: the quadratic would not be monotone.
@@ -73,7 +73,7 @@ impl Quadratic {
         Self { edge_slope: edge_slope.clamp(0.0, 2.0) }
     }
 
-    /// Returns the slope over `t` at the edge, in [0, 2].
+    /// Returns the slope with respect to `t` at the edge, in [0, 2].
     pub fn edge_slope(self) -> f32 {
         self.edge_slope
     }

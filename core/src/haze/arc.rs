@@ -15,9 +15,9 @@ pub(super) struct Extent {
 /// The part of a view ray between the light's body and its range, as an arc of directions.
 ///
 /// The arc lies on a great circle. A direction on the circle is given by `v = tan(psi/2)`, where
-/// `psi` is the angle to the direction of the circle that is nearest to the axis. Points of the ray
-/// are given by their coordinate along it, measured from the foot, the point of the line nearest to
-/// the light.
+/// `psi` is its angle from that direction on the circle which is nearest to the axis. Points of the
+/// ray are given by their coordinate along it, measured from the foot, the point of the line
+/// nearest to the light.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Arc {
     direction: Vec3<f32>,
@@ -182,7 +182,8 @@ impl Arc {
 
     /// Returns `sin psi` and `1 + cos psi` at a coordinate, both times `distance * radius`.
     ///
-    /// `psi` is the angle from the direction of the circle that is nearest to the axis.
+    /// `psi` is the angle between the direction at this coordinate and that direction on the great
+    /// circle which is nearest to the axis.
     #[inline]
     fn turn(&self, place: f32, distance: f32) -> (f32, f32) {
         let sine = self.across * place - self.along * self.height;

@@ -22,7 +22,8 @@ pub struct RayBundle {
     pub length: f32,
 }
 
-/// Bound of the rounding errors of the test and of the evaluation: about a hundred roundings.
+/// Bound of the rounding errors of the test and of the evaluation: about a hundred rounding
+/// errors of a distance.
 ///
 /// It is relative to the distances from the eye to the light and to the surface.
 const MARGIN: f32 = 2e-5;
@@ -91,11 +92,12 @@ impl<P: Falloff, A: Attenuation> BeamScattering<P, A> {
     /// in-scattering may be 0 nevertheless.
     ///
     /// The result is `false` if a plane through the light separates the beam from the rays, or if
-    /// all rays are beyond a plane at the light's range. The margin is about a hundred roundings of
-    /// the distances, more than the roundings of this test and of the evaluation together. The
-    /// candidate planes touch the beam or the bundle; for a ray beside the beam, one of them
-    /// touches the beam between the ray's ends, as seen along the axis. The test uses each plane as
-    /// computed, with its rounding: rounding can miss a separating plane but cannot invent one.
+    /// all rays are beyond a plane at the light's range. A plane counts only if the distances from
+    /// it exceed a margin of about a hundred rounding errors of a distance, which is more than the
+    /// rounding errors of this test and of the evaluation together. The candidate planes touch the
+    /// beam or the bundle; for a ray beside the beam, one of them touches the beam between the
+    /// ray's ends, as seen along the axis. The test uses each plane as computed, with its rounding:
+    /// rounding can miss a separating plane but cannot invent one.
     pub fn can_meet(&self, bundle: &RayBundle) -> bool {
         let Extent { position, axis, reach_squared, .. } = self.extent();
         let eye = bundle.eye.zip(position, |e, p| e - p);

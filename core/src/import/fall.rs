@@ -79,7 +79,7 @@ pub(super) fn decay(decay: f32, stop: f64, range: Option<f32>, intensity: f32) -
 /// An attenuation by a power of the distance, with Filament's window for a range.
 struct Decay {
     exponent: f64,
-    /// The ends of the interval of distances in which both attenuations are compared.
+    /// The ends of the interval of distances in which the imported attenuation is compared with the original.
     nearest: f64,
     farthest: f64,
     range: Option<f64>,

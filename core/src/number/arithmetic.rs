@@ -115,11 +115,11 @@ pub trait Arithmetic: Copy + Default + PartialOrd + core::fmt::Debug + Share<Sel
     fn rise(ramp: Self::Ramp, versine: Self::Versine) -> Rise<Self>;
     /// Returns the length of an offset below which the evaluation must be fine.
     ///
-    /// The result is encoded for [`FullOffset::is_near`]. The gain multiplies a share and so magnifies
-    /// the error of the share; below the returned length the product may be off by half a linear
-    /// code. `error` is the [`coarse_error`](Self::coarse_error) of the light's cone, 0 for a light
-    /// without a cone. `intensity` is the gain at distance 1; if the irradiance does not grow
-    /// towards the light (`!grows`), it is the gain at every distance.
+    /// The result is encoded for [`FullOffset::is_near`]. The gain multiplies a share and so
+    /// magnifies the error of the share; below the returned length the product may be off by half a
+    /// linear code. `error` is the [`coarse_error`](Self::coarse_error) of the light's cone, 0 for
+    /// a light without a cone. `intensity` is the gain at distance 1; if the irradiance does not
+    /// grow towards the light (`!grows`), it is the gain at every distance.
     fn fine_below(_error: f32, _intensity: f32, _grows: bool) -> u32 {
         0
     }
@@ -213,16 +213,17 @@ pub(crate) const HALF_A_CODE: f32 = 1.0 / 510.0;
 /// Upper bounds of the slopes of a cone's intensity, which magnify the errors of its arguments.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Slopes {
-    /// Slope over the angle off axis, in units of the outer half angle.
+    /// Slope with respect to the angle off axis, in units of the outer half angle.
     ///
     /// A relative error `e` of the versine changes the intensity by at most `angle * e / 2`.
     pub angle: f32,
-    /// Slope over the argument of the profile.
+    /// Slope with respect to the argument of the profile.
     pub fraction: f32,
 }
 
 impl Slopes {
-    /// Slopes of a step: its position must be accurate to 1/510 of the half angle.
+    /// The slopes that stand for a step, whose true slopes are infinite: with them, the bound of
+    /// half a code limits the error of the step's position to 1/510 of the half angle.
     pub const STEP: Self = Self { angle: 1.0, fraction: 0.0 };
 }
 

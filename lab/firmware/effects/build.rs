@@ -24,6 +24,8 @@ type Outcome = Result<(), Box<dyn std::error::Error>>;
 const AMBER: Rgb<f32> = Rgb::new(1.0, 0.62, 0.1);
 const POSITION: Vec3<f32> = Vec3::new(1.5, 4.0, -0.75);
 const AXIS: Vec3<f32> = Vec3::new(0.36, -0.8, 0.48);
+/// The intensity of lights that reach full scale at a distance of 4.
+const BRIGHT: f32 = 16.0;
 /// The field angle of the spotlights.
 const FIELD: Angle = Angle::degrees(36.0);
 
@@ -50,11 +52,15 @@ fn constants<S: SourceScalar>() -> Outcome {
     let cone = Cone::from_field(Soft, FIELD)?;
     spot_of::<S, _, _>("hotspot", cone.with_inner(Angle::degrees(12.0))?, NoAttenuation)?;
     spot_of::<S, _, _>("cutoff", cone.with_cutoff(FIELD)?, NoAttenuation)?;
+    write("quick", &key(cone, NoAttenuation)?.compile_quick::<S>()?)?;
+    write("bright", &key(cone, NoAttenuation)?.with_intensity(BRIGHT)?.compile::<S>()?)?;
+    write("position", &POSITION.map(S::length))?;
+    write("axis_back", &SpotLight::new(POSITION, AXIS.map(|c| -c), cone)?.axis_in::<S>())?;
     let square = Projection::of(&SpotLight::new(POSITION, AXIS, cone)?)?;
     write("gobo", &Gobo::of(&panes()).on(square.compile::<S>()?))?;
     write("beam", &key(cone, InverseSquare)?.compile::<f32>()?.in_haze(&Haze::new(0.02)?))?;
     write("shadow", &Shadow::new(square.compile::<S>()?, 16, &disc().map(S::length))?)?;
-    write("point", &PointLight::new(POSITION)?.with_color(AMBER)?.with_intensity(16.0)?.compile::<S>()?)?;
+    write("point", &PointLight::new(POSITION)?.with_color(AMBER)?.with_intensity(BRIGHT)?.compile::<S>()?)?;
     write("directional", &DirectionalLight::new(AXIS)?.with_color(AMBER)?.compile::<S>())?;
     write("ambient", &AmbientLight::new(AMBER)?.with_intensity(0.1)?.compile::<S>())?;
     write("exposure", &Exposure::stops(1)?.compile::<S>())?;
@@ -131,7 +137,7 @@ where
 
 fn key<P: Falloff, A: Attenuation>(cone: Cone<P>, attenuation: A) -> Result<SpotLight<P, A>, Error> {
     SpotLight::new(POSITION, AXIS, cone)?
-        .with_intensity(16.0)?
+        .with_intensity(if attenuation.grows() { BRIGHT } else { 1.0 })?
         .with_attenuation(attenuation)
         .with_color(AMBER)
 }

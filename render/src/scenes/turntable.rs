@@ -54,7 +54,8 @@ fn scene() -> Result<Scene, Error> {
     Ok(scene)
 }
 
-/// A spotlight on a ring above, which follows a point on an ellipse of its own.
+/// A spotlight on a ring above the scene. It stays aimed at a point that moves along an ellipse of
+/// its own.
 fn fixture(number: usize, count: usize) -> Result<MovingLight, Error> {
     let part = (number as f32 + 0.5) / count as f32;
     let around = Vec2::from_angle(GOLDEN_ANGLE * number as f32);

@@ -202,7 +202,8 @@ mod tests {
         }
     }
 
-    /// The span of the widest cone with a narrow cutoff has many more bits than the versines within.
+    /// If the cone is wide and its cutoff narrow, the difference between the outer and the inner
+    /// versine has many more bits than any versine inside the cutoff.
     #[test]
     fn a_cutoff_may_be_narrow_within_a_wide_ramp() {
         for shift in 8..29 {

@@ -1,11 +1,14 @@
 //! The lights and surfaces of the programs. The build script writes their values.
 
 use luminaire::{
+    Scalar, Vec3,
     attenuation::NoAttenuation,
     display::CompiledExposure,
     falloff::Soft,
     haze::BeamScattering,
-    light::{CompiledDirectionalLight, CompiledMaterial, CompiledPointLight, CompiledSpotLight},
+    light::{
+        CompiledDirectionalLight, CompiledMaterial, CompiledPointLight, CompiledSpotLight, QuickSpotLight,
+    },
     projector::{CompiledGobo, Shadow},
     specular::NoSpecular,
 };
@@ -22,6 +25,10 @@ macro_rules! constants {
 constants! {
     "hotspot.rs" HOTSPOT: CompiledSpotLight<Format, Soft, NoAttenuation>;
     "cutoff.rs" CUTOFF: CompiledSpotLight<Format, Soft, NoAttenuation>;
+    "quick.rs" QUICK: QuickSpotLight<Format, Soft, NoAttenuation>;
+    "bright.rs" BRIGHT: CompiledSpotLight<Format, Soft, NoAttenuation>;
+    "position.rs" POSITION: Vec3<<Format as Scalar>::Length>;
+    "axis_back.rs" AXIS_BACK: Vec3<<Format as Scalar>::Unit>;
     "gobo.rs" GOBO: CompiledGobo<'static, Format>;
     "beam.rs" BEAM: BeamScattering<Soft>;
     "shadow.rs" SHADOW: Shadow<'static, Format>;

@@ -116,7 +116,7 @@ fn lobes() -> Vec<Entry> {
     luminaire::lobes!(rows)
 }
 
-pub(super) static GROUPS: LazyLock<[Group; 6]> = LazyLock::new(|| {
+pub(super) static GROUPS: LazyLock<[Group; 7]> = LazyLock::new(|| {
     [
     Group {
         title: "Lights",
@@ -128,8 +128,8 @@ pub(super) static GROUPS: LazyLock<[Group; 6]> = LazyLock::new(|| {
                 listed: Some("Soft"),
                 effects: Effects::NONE.with(Effect::Spot).with(Effect::Soft).with(Effect::Unattenuated),
                 over: None,
-                what: "A spotlight with the soft edge and Lambert's cosine, at full strength at every distance: a \
-                       scene has it per soft spotlight, and the other programs are compared with it.",
+                what: "A spotlight with the soft edge and Lambert's cosine, of the same intensity at every distance: \
+                       a scene has it per soft spotlight, and the other programs are compared with it.",
             },
             Entry {
                 title: "its falloff alone",
@@ -192,6 +192,47 @@ pub(super) static GROUPS: LazyLock<[Group; 6]> = LazyLock::new(|| {
         title: "Distance",
         note: "The soft spotlight with a fall with distance. The window and the range are compared with the inverse square.",
         entries: attenuations(),
+    },
+    Group {
+        title: "Evaluation and set-up",
+        note: "The soft spotlight by other evaluations, and what it costs to move it or to compile it again. Both are \
+               needed once a light and picture; here they are part of each pixel, so that they can be counted.",
+        entries: vec![
+            Entry {
+                title: "quick",
+                program: "spot-soft-lambert-quick",
+                listed: None,
+                effects: Effects::NONE,
+                over: Some(SPOT),
+                what: "The quick evaluation, with a larger error: for a display of few bits.",
+            },
+            Entry {
+                title: "fine",
+                program: "spot-soft-lambert-bright",
+                listed: None,
+                effects: Effects::NONE,
+                over: Some(SPOT),
+                what: "A light of 16 times full scale at every distance: in `fx16` all its points take the fine \
+                       evaluation, as those of a steep cone do.",
+            },
+            Entry {
+                title: "move",
+                program: "spot-soft-lambert-placed",
+                listed: None,
+                effects: Effects::NONE,
+                over: Some(SPOT),
+                what: "The light moved to another position with another axis, both in the format.",
+            },
+            Entry {
+                title: "compile",
+                program: "spot-soft-lambert-compiled",
+                listed: None,
+                effects: Effects::NONE,
+                over: Some(SPOT),
+                what: "The light described by its field angle, position and axis in `f32`, and compiled: with the \
+                       series for sine and root that needs no library.",
+            },
+        ],
     },
     Group {
         title: "In the way of a spotlight",

@@ -1,13 +1,19 @@
 //! A soft spotlight: its edge, and what filters its light.
 
-use luminaire::{falloff::Soft, haze::ViewRay};
+use core::hint::black_box;
 
-use crate::constants::{BEAM, CUTOFF, GOBO, HOTSPOT, SHADOW};
+use luminaire::{
+    Angle, Cone, Scalar, SpotLight, attenuation::NoAttenuation, falloff::Soft, haze::ViewRay,
+    number::Arithmetic,
+};
+
+use crate::constants::{AXIS_BACK, BEAM, BRIGHT, CUTOFF, GOBO, HOTSPOT, POSITION, QUICK, SHADOW};
 use crate::{Format, Irradiance, Listed, Surface};
 
 list! {
     surface: spot_soft spot_soft_lambert_hotspot spot_soft_lambert_cutoff spot_soft_lambert_gobo
-        spot_soft_lambert_shadow;
+        spot_soft_lambert_shadow spot_soft_lambert_quick spot_soft_lambert_bright
+        spot_soft_lambert_placed spot_soft_lambert_compiled;
     view: haze;
 }
 
@@ -21,6 +27,39 @@ pub fn spot_soft_lambert_hotspot(Surface { point, normal, .. }: Surface) -> Irra
 #[inline(always)]
 pub fn spot_soft_lambert_cutoff(Surface { point, normal, .. }: Surface) -> Irradiance {
     CUTOFF.irradiance(point, normal)
+}
+
+/// The soft spotlight by the quick evaluation.
+#[inline(always)]
+pub fn spot_soft_lambert_quick(Surface { point, normal, .. }: Surface) -> Irradiance {
+    QUICK.irradiance(point, normal)
+}
+
+/// The soft spotlight, so bright that every point takes the fine evaluation.
+#[inline(always)]
+pub fn spot_soft_lambert_bright(Surface { point, normal, .. }: Surface) -> Irradiance {
+    BRIGHT.irradiance(point, normal)
+}
+
+/// The soft spotlight, moved to each surface point, where it shines back to its old place.
+#[inline(always)]
+pub fn spot_soft_lambert_placed(Surface { point, normal, .. }: Surface) -> Irradiance {
+    let normal = normal.map(|c| Format::ZERO.minus(c));
+    Soft::CONSTANT.placed(point, AXIS_BACK).irradiance(POSITION, normal)
+}
+
+/// The soft spotlight, described by numbers in f32 and compiled for each surface point.
+#[inline(always)]
+pub fn spot_soft_lambert_compiled(Surface { point, normal, .. }: Surface) -> Irradiance {
+    let (position, axis) = ([1.5, 4.0, -0.75], [0.36, -0.8, 0.48]);
+    let described = |field: Angle| {
+        let cone = Cone::from_field(Soft, field)?;
+        SpotLight::new(black_box(position), black_box(axis), cone)?
+            .with_attenuation(NoAttenuation)
+            .compile::<Format>()
+    };
+    described(black_box(Angle::degrees(36.0)))
+        .map_or(Irradiance::default(), |light| light.irradiance(point, normal))
 }
 
 /// The falloff of the soft spotlight alone.
