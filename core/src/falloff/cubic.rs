@@ -23,9 +23,9 @@ pub struct Smooth;
 ///
 /// Two derivatives with respect to `t` determine it: `a` at the edge, and `d = a + 2b + 3c` in the
 /// middle. It is monotone for slopes in the region of F. N. Fritsch and R. E. Carlson, *Monotone
-/// Piecewise Cubic Interpolation*, SIAM J. Numer. Anal. 17 (1980). It is evaluated as `t (1 + u (g
-/// + h t))` with `g = a - 1` and `g + h = 1 - d`, so that the value on the axis is exactly 1,
-/// however the slopes are rounded.
+/// Piecewise Cubic Interpolation*, SIAM J. Numer. Anal. 17 (1980). It is evaluated as
+/// `t (1 + u (g + h t))` with `g = a - 1` and `g + h = 1 - d`, so that the value on the axis is
+/// exactly 1, however the slopes are rounded.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Cubic {
     /// Both slopes are multiples of 1 / [`GRID`], so that the coefficients are exact.

@@ -52,7 +52,7 @@ impl FineRay {
         // The squared length is `1 + x`, and `1 / sqrt(1 + x) = 1 - x / 2 + 3/8 x^2`.
         let over = squared_length(nearly, 0).wrapping_sub(1 << 28) as i32;
         let coarse = over >> 4;
-        let excess = (over >> 3) - (3 * coarse.wrapping_mul(coarse) >> 25);
+        let excess = (over >> 3) - ((3 * coarse.wrapping_mul(coarse)) >> 25);
         Self {
             direction: nearly.map(|c| c - (signed_high_half(c, excess << 16) >> 10)),
             bits: bits as i32,

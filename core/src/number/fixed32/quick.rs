@@ -103,7 +103,7 @@ impl Offset<Fx32> for QuickOffset32 {
 
     #[inline]
     fn squared_distance(&self) -> Gain32 {
-        let squares = self.way.map(|c| high_square(c));
+        let squares = self.way.map(high_square);
         Gain32::normalised((squares.x + squares.y + squares.z).into(), 62 - 2 * self.bits as i32)
     }
 

@@ -67,7 +67,11 @@ pub(crate) fn measure(
     let cycles = clock.map(|clock| clock.cycles(&laboratory.program(program), &run)).transpose()?;
     let symbols = Symbols::read(&laboratory.program(program))?;
     let kernels = kernels(&run, cycles.as_deref(), &symbols)?;
-    Ok(Costs { kernels, compiler: symbols.compiler, emulator: laboratory.emulator() })
+    let emulator = match clock {
+        Some(_) => format!("{}; cycles by {}", laboratory.emulator(), Rp2040::describe()),
+        None => laboratory.emulator(),
+    };
+    Ok(Costs { kernels, compiler: symbols.compiler, emulator })
 }
 
 /// Compares the results with the host's. An error names the first that differs.

@@ -3,8 +3,7 @@
 use core::hint::black_box;
 
 use luminaire::{
-    Angle, Cone, Scalar, SpotLight, attenuation::NoAttenuation, falloff::Soft, haze::ViewRay,
-    number::Arithmetic,
+    Angle, Cone, SpotLight, attenuation::NoAttenuation, falloff::Soft, haze::ViewRay, number::Arithmetic,
 };
 
 use crate::constants::{AXIS_BACK, BEAM, BRIGHT, CUTOFF, GOBO, HOTSPOT, POSITION, QUICK, SHADOW};
