@@ -26,6 +26,9 @@ pub(super) static STANDS: [Stand; 2] = [
     Stand { board: "cortex-m4f", format: Format::F32, feature: "effects-f32" },
 ];
 
+/// The instructions of each program, and the cycles if they were counted.
+type Counts = BTreeMap<String, (f64, Option<f64>)>;
+
 /// Counts on a board. An error if its results are not the host's.
 pub(super) fn count(stand: &Stand, clocked: bool, progress: &Progress) -> Result<Prices> {
     let board = Board::named(stand.board).map_err(anyhow::Error::msg)?;
@@ -47,10 +50,7 @@ pub(super) fn count(stand: &Stand, clocked: bool, progress: &Progress) -> Result
 
 /// Joins counts and bytes by program. Every program of the catalogue must have both, and no
 /// other program may have either.
-fn joined(
-    mut counted: BTreeMap<String, (f64, Option<f64>)>,
-    bytes: Vec<(String, u64)>,
-) -> Result<BTreeMap<String, Price>> {
+fn joined(mut counted: Counts, bytes: Vec<(String, u64)>) -> Result<BTreeMap<String, Price>> {
     let mut prices = BTreeMap::new();
     for (program, bytes) in bytes {
         let counts = counted.remove(&program);
@@ -73,7 +73,7 @@ mod tests {
     use super::*;
 
     /// Counts in which each program has 10 instructions, 14 cycles and 20 bytes.
-    fn counted() -> (BTreeMap<String, (f64, Option<f64>)>, Vec<(String, u64)>) {
+    fn counted() -> (Counts, Vec<(String, u64)>) {
         let instructions: BTreeMap<_, _> =
             catalogue::entries().map(|entry| (entry.program.to_owned(), (10.0, Some(14.0)))).collect();
         let bytes = instructions.keys().map(|program| (program.clone(), 20)).collect();
