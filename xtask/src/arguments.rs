@@ -10,6 +10,7 @@ use measure::boards::FirmwareOptions;
 use measure::conform::ConformOptions;
 use measure::effects::EffectsOptions;
 use measure::frame::FrameOptions;
+use measure::pick::PickOptions;
 use measure::prices::MeasureOptions;
 use measure::size::SizeOptions;
 use tools::demo::site;
@@ -35,6 +36,8 @@ pub(crate) enum Request {
     Frame(FrameOptions),
     /// Write what each effect costs: instructions a pixel and bytes of flash, on two processors
     Effects(EffectsOptions),
+    /// Count the prices by which `luminaire pick` chooses an evaluation, in QEMU
+    Pick(PickOptions),
     /// Count the bytes of flash that each effect takes on microcontrollers
     Size(SizeOptions),
     /// Write the price list of accuracy: errors, and costs on every target

@@ -15,7 +15,7 @@ mod test;
 use std::process::ExitCode;
 
 use clap::Parser;
-use measure::{boards, conform, effects, frame, prices, size};
+use measure::{boards, conform, effects, frame, pick, prices, size};
 
 use arguments::Request;
 
@@ -27,6 +27,7 @@ fn main() -> ExitCode {
         Request::Pictures => pictures::run().map(|()| ExitCode::SUCCESS),
         Request::Firmware(options) => boards::run(&options).map(|()| ExitCode::SUCCESS),
         Request::Frame(options) => frame::run(&options).map(|()| ExitCode::SUCCESS),
+        Request::Pick(options) => pick::run(&options).map(|()| ExitCode::SUCCESS),
         Request::Size(options) => size::run(&options).map(|()| ExitCode::SUCCESS),
         Request::Measure(options) => prices::run(&options).map(|()| ExitCode::SUCCESS),
         Request::Mutants(options) => mutants::run(options),

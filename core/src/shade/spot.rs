@@ -61,6 +61,15 @@ impl<S: Scalar, P: Falloff, A: Attenuation> CompiledSpotLight<S, P, A> {
         self.falloff.toward(&offset.ray(), self.axis)
     }
 
+    /// Returns whether the evaluation at a point is the fine one, which costs several times as much.
+    ///
+    /// Only `Fx16` has two evaluations. Where the light is clipped, the coarse result is kept
+    /// although this returns `true`.
+    #[cfg(feature = "arithmetic")]
+    pub fn is_fine(&self, point: Vec3<S::Length>) -> bool {
+        S::offset(self.position, point).is_near(self.fine_below)
+    }
+
     /// Returns the same light at another position, with another axis of unit length.
     ///
     /// [`SpotLight::axis_in`](crate::SpotLight::axis_in) returns an axis in the format.

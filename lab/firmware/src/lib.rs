@@ -8,6 +8,6 @@ mod measure;
 #[cfg(feature = "effects")]
 mod price;
 
-pub use measure::{COUNT, measure};
+pub use measure::{COUNT, choose, measure};
 #[cfg(feature = "effects")]
 pub use price::price;

@@ -3,7 +3,7 @@
 use core::array;
 
 use luminaire_kernels::scene::{Site, Sites};
-use luminaire_kernels::{Kernel, Row, Setting, Value, Visitor, falloffs, oracle, points, truth::Point};
+use luminaire_kernels::{Kernel, Row, Setting, Value, Visitor, falloffs, oracle, points, priced, truth::Point};
 
 use crate::board::{begin, end, opaque, println};
 
@@ -22,6 +22,11 @@ pub fn measure() {
     points(setting, &mut bench);
 }
 
+/// Runs the lit points whose prices choose an evaluation, and prints lines as [`measure`] does.
+pub fn choose() {
+    priced(&mut Bench { outer: Setting::standard().outer_versine() });
+}
+
 struct Bench {
     /// The versine of the outer angle.
     outer: f32,
@@ -38,7 +43,7 @@ impl Visitor for Bench {
 
     #[inline(never)]
     fn point<K: Kernel<Place = Site>>(&mut self, row: Row, kernel: K, truth: &Point) {
-        let mut site = Sites::new(truth.population, self.outer);
+        let mut site = Sites::new(truth.population, truth.light.cone.outer as f32);
         run(row, &kernel, &array::from_fn(|_| kernel.input(&site.next().expect("an endless sequence"))));
     }
 }

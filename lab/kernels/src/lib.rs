@@ -2,7 +2,7 @@
 //!
 //! Firmware, host, browser and demo run the same code, so that the error and the cost in a row
 //! belong to the same function. [`falloffs`] and [`points`] pass every row to a [`Visitor`],
-//! [`rungs`] the lit points of each evaluation.
+//! [`rungs`] the lit points of each evaluation, [`priced`] those whose prices choose one.
 //!
 //! A falloff maps the angle off axis, in the form that the kernel takes, to an intensity. A point
 //! maps a position and a normal to an irradiance. Each kernel gets the exact input rounded to its
@@ -42,7 +42,7 @@ pub use cosine::{CosineFalloff, CosinePoint};
 pub use double::{DoubleFalloff, DoublePoint};
 pub use fast::FastPoint;
 pub use kernel::{Kernel, Row, Stage, Visitor};
-pub use list::{Setting, falloffs, points, rungs};
+pub use list::{Setting, falloffs, points, priced, rungs};
 pub use ours::{Highlit, OurFalloff, OurPoint, QuickPoint};
 pub use profile::Shape;
 #[cfg(feature = "std")]

@@ -3,7 +3,7 @@
 #[allow(clippy::wildcard_imports, reason = "the types of the list")]
 use luminaire::falloff::*;
 use luminaire::{
-    Angle, Cone, Fx16, Fx32, SpotLight,
+    Angle, Cone, Fx16, Fx32, Scalar, SpotLight,
     attenuation::{Attenuation, NoAttenuation},
 };
 use luminaire_oracle as oracle;
@@ -159,7 +159,7 @@ fn format<S: Format>(setting: Setting, visitor: &mut impl Visitor) {
     let shiny = Point { highlight: Some(Highlight { eye: widened(EYE), surface }), ..far };
     let refused = Cone::narrowest::<S>(Soft).to_degrees() / 2.0;
     let spot = spot::<Soft>(setting).with_attenuation(NoAttenuation);
-    let falling = bright::<Soft>(setting);
+    let falling = bright::<Soft>(INTENSITY, setting);
     let Ok(highlit) = Highlit::<S>::new(&falling) else {
         for kernel in ["away", "outside", "lit", "lit-inverse-square", "lit-specular"] {
             visitor.refused(Row::lit(kernel, S::NAME), refused);
@@ -184,47 +184,83 @@ fn quick<S: Format>(name: &'static str, setting: Setting, visitor: &mut impl Vis
             visitor.refused(Row::lit(kernel, name), narrowest::<S, Soft>());
         }
     }
-    quickly_lit::<S, Soft>(name, setting, visitor);
+    quickly_lit::<S, Soft>(LIT.map(|kernel| Row::lit(kernel, name)), INTENSITY, setting, visitor);
 }
 
 /// The lit points of a cone with the edge `P`, without and with an inverse square, in every format
 /// and by every evaluation.
 pub fn rungs<P: Shape>(setting: Setting, visitor: &mut impl Visitor) {
-    quickly_lit::<Fx16, P>("fx16-quick", setting, visitor);
-    lit::<Fx16, P>(setting, visitor);
-    quickly_lit::<Fx32, P>("fx32-quick", setting, visitor);
-    lit::<Fx32, P>(setting, visitor);
-    quickly_lit::<f32, P>("f32-quick", setting, visitor);
-    lit::<f32, P>(setting, visitor);
+    evaluations::<P>(LIT, INTENSITY, setting, visitor);
 }
 
-fn lit<S: Format, P: Shape>(setting: Setting, visitor: &mut impl Visitor) {
-    let [level, far] = lit_truths::<P>(setting);
+/// The lit points whose prices choose an evaluation: those of four edges by every evaluation, and
+/// by the fine evaluation of `Fx16`, which the narrowest cone takes at every point. The light is so
+/// dim that `Fx16` takes the coarse evaluation at every point of the standard cone.
+pub fn priced(visitor: &mut impl Visitor) {
+    edge::<Soft>(["soft", "soft-inverse-square"], visitor);
+    edge::<Hard>(["hard", "hard-inverse-square"], visitor);
+    edge::<Quadratic>(["quadratic", "quadratic-inverse-square"], visitor);
+    edge::<Cubic>(["cubic", "cubic-inverse-square"], visitor);
+}
+
+fn edge<P: Shape>(kernels: [&'static str; 2], visitor: &mut impl Visitor) {
+    evaluations::<P>(kernels, 1.0, Setting::standard(), visitor);
+    let narrow = Setting::ending_at(Angle::degrees(2.04 * narrowest::<Fx16, P>()));
+    lit::<Fx16, P>(kernels.map(|kernel| Row::lit(kernel, "fx16-fine")), 1.0, narrow, visitor);
+}
+
+fn evaluations<P: Shape>(
+    kernels: [&'static str; 2],
+    intensity: f32,
+    setting: Setting,
+    visitor: &mut impl Visitor,
+) {
+    let rows = |format| kernels.map(|kernel| Row::lit(kernel, format));
+    quickly_lit::<Fx16, P>(rows("fx16-quick"), intensity, setting, visitor);
+    lit::<Fx16, P>(rows(Fx16::NAME), intensity, setting, visitor);
+    quickly_lit::<Fx32, P>(rows("fx32-quick"), intensity, setting, visitor);
+    lit::<Fx32, P>(rows(Fx32::NAME), intensity, setting, visitor);
+    quickly_lit::<f32, P>(rows("f32-quick"), intensity, setting, visitor);
+    lit::<f32, P>(rows(f32::NAME), intensity, setting, visitor);
+}
+
+fn lit<S: Format, P: Shape>(
+    rows: [Row; 2],
+    intensity: f32,
+    setting: Setting,
+    visitor: &mut impl Visitor,
+) {
+    let [level, far] = lit_truths::<P>(intensity, setting);
     let spot = spot::<P>(setting).with_attenuation(NoAttenuation);
-    let falling = bright::<P>(setting);
+    let falling = bright::<P>(intensity, setting);
     let (Ok(spot), Ok(falling)) = (spot.compile::<S>(), falling.compile::<S>()) else {
-        return LIT.iter().for_each(|kernel| visitor.refused(Row::lit(kernel, S::NAME), narrowest::<S, P>()));
+        return rows.into_iter().for_each(|row| visitor.refused(row, narrowest::<S, P>()));
     };
-    visitor.point(Row::lit(LIT[0], S::NAME), OurPoint::new(spot), &level);
-    visitor.point(Row::lit(LIT[1], S::NAME), OurPoint::new(falling), &far);
+    visitor.point(rows[0], OurPoint::new(spot), &level);
+    visitor.point(rows[1], OurPoint::new(falling), &far);
 }
 
-fn quickly_lit<S: Format, P: Shape>(name: &'static str, setting: Setting, visitor: &mut impl Visitor) {
-    let [level, far] = lit_truths::<P>(setting);
+fn quickly_lit<S: Format, P: Shape>(
+    rows: [Row; 2],
+    intensity: f32,
+    setting: Setting,
+    visitor: &mut impl Visitor,
+) {
+    let [level, far] = lit_truths::<P>(intensity, setting);
     let spot = spot::<P>(setting).with_attenuation(NoAttenuation);
-    let falling = bright::<P>(setting);
+    let falling = bright::<P>(intensity, setting);
     let (Ok(spot), Ok(falling)) = (spot.compile_quick::<S>(), falling.compile_quick::<S>()) else {
-        return LIT.iter().for_each(|kernel| visitor.refused(Row::lit(kernel, name), narrowest::<S, P>()));
+        return rows.into_iter().for_each(|row| visitor.refused(row, narrowest::<S, P>()));
     };
-    visitor.point(Row::lit(LIT[0], name), QuickPoint::new(spot), &level);
-    visitor.point(Row::lit(LIT[1], name), QuickPoint::new(falling), &far);
+    visitor.point(rows[0], QuickPoint::new(spot), &level);
+    visitor.point(rows[1], QuickPoint::new(falling), &far);
 }
 
 /// The kernels of a lit point, without and with an inverse square.
 const LIT: [&str; 2] = ["lit", "lit-inverse-square"];
 
-fn lit_truths<P: Shape>(setting: Setting) -> [Point; 2] {
-    [(1.0, false), (INTENSITY, true)]
+fn lit_truths<P: Shape>(intensity: f32, setting: Setting) -> [Point; 2] {
+    [(1.0, false), (intensity, true)]
         .map(|(intensity, falls)| light_of::<P>(setting, Population::Lit, intensity, falls))
 }
 
@@ -233,8 +269,8 @@ fn narrowest<S: Format, P: Shape>() -> f32 {
     Cone::narrowest::<S>(P::sample()).to_degrees() / 2.0
 }
 
-fn bright<P: Shape>(setting: Setting) -> SpotLight<P> {
-    spot::<P>(setting).with_intensity(INTENSITY).expect("a sound intensity")
+fn bright<P: Shape>(intensity: f32, setting: Setting) -> SpotLight<P> {
+    spot::<P>(setting).with_intensity(intensity).expect("a sound intensity")
 }
 
 fn spot<P: Shape>(setting: Setting) -> SpotLight<P> {

@@ -2,7 +2,7 @@
 //! instructions.
 
 pub(crate) mod board;
-mod cost;
+pub(crate) mod cost;
 mod counts;
 pub(crate) mod emulator;
 

@@ -5,6 +5,7 @@ pub mod boards;
 pub mod conform;
 pub mod effects;
 pub mod frame;
+pub mod pick;
 pub mod prices;
 mod record;
 pub mod size;

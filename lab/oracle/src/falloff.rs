@@ -79,6 +79,8 @@ pub enum Profile {
     Function(Falloff),
     /// `t` to a power.
     Power(f64),
+    /// `t (a + t (b + t c))` with `[a, b, c]`.
+    Polynomial([f64; 3]),
 }
 
 impl Profile {
@@ -87,6 +89,7 @@ impl Profile {
         match self {
             Self::Function(function) => function(t),
             Self::Power(exponent) => libm::pow(t, exponent),
+            Self::Polynomial([a, b, c]) => t * (a + t * (b + t * c)),
         }
     }
 }

@@ -1,0 +1,48 @@
+//! The lights of the example scene `show`.
+
+use luminaire::dynamic::AnyLight;
+use luminaire::falloff::AnyFalloff;
+use luminaire_pick::{Edge, Light, Refusal, Scene};
+use luminaire_render::scenes::Example;
+
+/// Distances from a light of the show to its surfaces, in metres.
+const DISTANCES: [f32; 2] = [2.0, 12.0];
+
+/// Returns the lights of the show at second 0.
+pub(crate) fn lights() -> Result<Scene, Refusal> {
+    let setup = Example::Show.setup()?;
+    let fixtures = setup.fixtures_at(0.0)?;
+    let names = setup.fixtures.iter().map(|fixture| fixture.name);
+    let lights = fixtures.iter().zip(names).map(|(fixture, name)| light(name, fixture.light()));
+    Ok(Scene { lights: lights.collect::<Result<_, _>>()? })
+}
+
+fn light(name: &str, light: &AnyLight) -> Result<Light, Refusal> {
+    let refused = |expected: &str| Refusal {
+        parameter: "light".to_owned(),
+        value: name.to_owned(),
+        expected: expected.to_owned(),
+    };
+    let AnyLight::Spot(spot) = light else { return Err(refused("a spotlight")) };
+    let cone = spot.cone();
+    let edge = match cone.profile() {
+        AnyFalloff::Soft(_) => Edge::Soft,
+        AnyFalloff::Hard(_) => Edge::Hard,
+        _ => return Err(refused("a soft or a hard edge")),
+    };
+    let [position, axis] = [spot.position(), spot.axis()].map(|v| [v.x, v.y, v.z]);
+    let color = spot.color();
+    let [near, far] = DISTANCES;
+    Ok(Light {
+        name: name.to_owned(),
+        position,
+        axis,
+        color: [color.red, color.green, color.blue],
+        edge,
+        outer: Some(cone.outer().to_degrees()),
+        intensity: spot.intensity(),
+        near,
+        far,
+        ..Light::default()
+    })
+}

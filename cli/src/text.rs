@@ -1,0 +1,84 @@
+//! Answers as text.
+
+use std::fmt::Write;
+
+use luminaire_pick::{Answer, SceneAnswer, Tolerance};
+
+/// Returns an answer with the parameters that it is for, which includes the defaults.
+pub(crate) fn answer(answer: &Answer) -> String {
+    let Answer { light, outer, chip, display, evaluation, price, bound, .. } = answer;
+    let at = bound.at;
+    let falloff =
+        if light.beam.is_some() && light.field.is_some() { "fitted" } else { light.edge.name() };
+    let unit = unit(answer);
+    let fine = match price.fine_share {
+        0.0 => String::new(),
+        share => format!(", {:.0} % of the points by the fine evaluation", 100.0 * share),
+    };
+    format!(
+        "light        {falloff} edge, ends at {outer:.2} degrees; attenuation {}, intensity {}, distances {} to {}\n\
+         target       {chip}, {display}, at most {} {unit}\n\
+         evaluation   {evaluation}\n\
+         instructions {} a lit point{fine}\n\
+         cycles       unknown: instructions are counted\n\
+         code         {} bytes\n\
+         error        at most {:.3} {unit} ({}; largest found {:.3})\n\
+         \x20            largest {:.3} degrees off axis, distance {:.3}, cosine of incidence {:.3}\n\n\
+         {}",
+        light.attenuation,
+        light.intensity,
+        light.near,
+        light.far,
+        answer.tolerance.amount(),
+        price.instructions,
+        price.bytes,
+        bound.value,
+        bound.label,
+        bound.found,
+        at.degrees_off_axis,
+        at.distance,
+        at.cosine,
+        answer.code,
+    )
+}
+
+fn unit(answer: &Answer) -> &'static str {
+    match answer.tolerance {
+        Tolerance::Steps(_) => "steps",
+        Tolerance::Codes(_) => "linear codes",
+    }
+}
+
+/// Returns a line for each answer, and the sum.
+pub(crate) fn lights(answers: &[Answer]) -> String {
+    let mut text = String::new();
+    for answer in answers {
+        let Answer { light, outer, evaluation, price, bound, .. } = answer;
+        let (edge, instructions) = (light.edge.name(), price.instructions);
+        let _ = writeln!(
+            text,
+            "{:24} {edge:4} {outer:6.2} degrees  {evaluation:10} {instructions:8.1} instructions, at most {:.3} {}",
+            light.name,
+            bound.value,
+            unit(answer)
+        );
+    }
+    let sum: f64 = answers.iter().map(|answer| answer.price.instructions).sum();
+    let _ = writeln!(text, "sum {sum:.1} instructions");
+    text
+}
+
+/// Returns the lights of a scene and the budget.
+pub(crate) fn scene(answer: &SceneAnswer) -> String {
+    let budget = answer.budget;
+    let mut text = lights(&answer.lights);
+    if let Some(fx16) = answer.instructions_fx16 {
+        let _ = writeln!(text, "by fx16 everywhere {fx16:.1} instructions");
+    }
+    let _ = writeln!(
+        text,
+        "error of the picture: lights {:.3} + materials {:.3} = {:.3}; the display rounds by {} of a step more",
+        budget.lights, budget.materials, budget.total, budget.display_rounding
+    );
+    text
+}

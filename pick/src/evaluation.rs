@@ -1,0 +1,157 @@
+//! The evaluations of a spotlight, and a light compiled for one of them.
+
+use std::marker::PhantomData;
+
+use luminaire::attenuation::{Attenuation as Law, NoAttenuation};
+use luminaire::codegen::{Source, as_source};
+use luminaire::falloff::Falloff;
+use luminaire::light::{CompiledSpotLight, QuickSpotLight};
+use luminaire::number::Quick;
+use luminaire::{Error, Fx16, Fx32, Scalar, Vec3};
+
+use crate::light::{Attenuation, Light, Shaped, shaped};
+use crate::target::named;
+
+/// Calls a macro with the list of evaluations, after the macro's own arguments. A row is
+/// `doc variant = name, type, format, constructor;`.
+macro_rules! evaluations {
+    ($consumer:ident $(; $($arguments:tt)*)?) => {
+        $consumer! {
+            $($($arguments)*)?
+            /// The quick evaluation of `Fx16`.
+            Fx16Quick = "fx16-quick", QuickSpotLight, Fx16, compile_quick;
+            /// 16-bit fixed point.
+            Fx16 = "fx16", CompiledSpotLight, Fx16, compile;
+            /// 32-bit fixed point.
+            Fx32 = "fx32", CompiledSpotLight, Fx32, compile;
+            /// The quick evaluation of `f32`.
+            F32Quick = "f32-quick", QuickSpotLight, f32, compile_quick;
+            /// Floating point.
+            F32 = "f32", CompiledSpotLight, f32, compile;
+        }
+    };
+}
+
+macro_rules! declare {
+    ($($(#[$doc:meta])* $variant:ident = $name:literal, $type:ident, $format:ident, $compile:ident;)*) => {
+        named! {
+            /// An evaluation of a spotlight: a number format, and how much of its precision is used.
+            Evaluation {
+                $($(#[$doc])* $variant = $name,)*
+            }
+        }
+
+        impl Evaluation {
+            /// The type of the light, for the generated code.
+            pub(crate) fn type_of(self, light: &Light, cone: &Shaped) -> String {
+                let (kind, format) = match self {
+                    $(Self::$variant => (stringify!($type), stringify!($format)),)*
+                };
+                let format = if format == "f32" { format.to_owned() } else { format!("luminaire::{format}") };
+                let falloff = cone.type_name();
+                let attenuation = match light.attenuation {
+                    Attenuation::None => "NoAttenuation",
+                    Attenuation::InverseSquare => "InverseSquare",
+                };
+                format!(
+                    "luminaire::light::{kind}<{format}, luminaire::falloff::{falloff}, \
+                     luminaire::attenuation::{attenuation}>"
+                )
+            }
+
+            /// The largest coordinate of a light.
+            pub(crate) fn farthest(self) -> f32 {
+                match self {
+                    $(Self::$variant => <$format as Scalar>::FARTHEST,)*
+                }
+            }
+        }
+    };
+}
+evaluations!(declare);
+
+/// A light compiled for an evaluation.
+pub(crate) trait Kernel {
+    /// The light at a point on a surface.
+    fn light(&self, point: [f32; 3], normal: [f32; 3]) -> f64;
+    /// Whether the evaluation at the point is the fine one.
+    fn is_fine(&self, point: [f32; 3]) -> bool;
+    /// The light as a constant expression of Rust.
+    fn source(&self) -> String;
+}
+
+/// A compiled light of either type.
+trait Lit<S: Scalar> {
+    fn irradiance_at(&self, point: Vec3<S::Length>, normal: Vec3<S>) -> S::Irradiance;
+
+    fn is_fine_at(&self, _point: Vec3<S::Length>) -> bool {
+        false
+    }
+}
+
+impl<S: Scalar, P: Falloff, A: Law> Lit<S> for CompiledSpotLight<S, P, A> {
+    fn irradiance_at(&self, point: Vec3<S::Length>, normal: Vec3<S>) -> S::Irradiance {
+        self.irradiance(point, normal)
+    }
+
+    fn is_fine_at(&self, point: Vec3<S::Length>) -> bool {
+        self.is_fine(point)
+    }
+}
+
+impl<S: Quick, P: Falloff, A: Law> Lit<S> for QuickSpotLight<S, P, A> {
+    fn irradiance_at(&self, point: Vec3<S::Length>, normal: Vec3<S>) -> S::Irradiance {
+        self.irradiance(point, normal)
+    }
+}
+
+struct Compiled<S, L>(L, PhantomData<S>);
+
+impl<S: Scalar, L: Lit<S> + Source> Kernel for Compiled<S, L> {
+    fn light(&self, point: [f32; 3], normal: [f32; 3]) -> f64 {
+        S::light_to_f32(self.0.irradiance_at(S::point(point), S::normal(normal))).into()
+    }
+
+    fn is_fine(&self, point: [f32; 3]) -> bool {
+        self.0.is_fine_at(S::point(point))
+    }
+
+    fn source(&self) -> String {
+        as_source(&self.0).to_string()
+    }
+}
+
+/// Compiles a light for the evaluation of a variant.
+macro_rules! compiled {
+    ($evaluation:expr, $spot:ident;
+     $($(#[$doc:meta])* $variant:ident = $name:literal, $type:ident, $format:ident, $compile:ident;)*) => {
+        match $evaluation {
+            $(Evaluation::$variant => boxed::<$format, _>($spot.$compile::<$format>()?),)*
+        }
+    };
+}
+
+impl Evaluation {
+    /// Compiles a light along an axis.
+    pub(crate) fn compile(
+        self,
+        light: &Light,
+        cone: &Shaped,
+        axis: [f32; 3],
+    ) -> Result<Box<dyn Kernel>, Error> {
+        shaped!(cone, cone => {
+            let spot = light.spot(*cone, axis)?;
+            Ok(match light.attenuation {
+                Attenuation::None => {
+                    let spot = spot.with_attenuation(NoAttenuation);
+                    evaluations!(compiled; self, spot;)
+                }
+                Attenuation::InverseSquare => evaluations!(compiled; self, spot;),
+            })
+        })
+    }
+}
+
+fn boxed<S: Scalar + 'static, L: Lit<S> + Source + 'static>(light: L) -> Box<dyn Kernel> {
+    Box::new(Compiled(light, PhantomData))
+}

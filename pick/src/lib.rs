@@ -1,0 +1,38 @@
+//! Picks the cheapest evaluation of a spotlight whose error is small enough for a display.
+//!
+//! A build script describes the chip, the display and the light. The answer has the evaluation, its
+//! price, a bound of its error and the constant to compile into the firmware:
+//!
+//! ```
+//! use luminaire_pick::{Chip, Display, Light, Request};
+//! let light = Light { field: Some(30.0), near: 2.0, far: 9.0, ..Light::default() };
+//! let answer = Request::new(Chip::CortexM0, Display::Rgb565).steps(1.0).pick(&light)?;
+//! assert!(answer.bound.value <= 1.0);
+//! assert!(answer.code.contains("pub const LIGHT: "));
+//! # Ok::<(), luminaire_pick::Refusal>(())
+//! ```
+//!
+//! The bound is searched when the light is picked: see [`Bound`]. The prices are counted under an
+//! emulator: see [`Price`]. Several lights share a tolerance: see [`Scene`].
+//!
+//! Files, in the order in which they build on one another: `target`, `light`, `evaluation`,
+//! `search`, `price`, `request`, `scene`, `measure`.
+#![forbid(unsafe_code)]
+
+mod evaluation;
+mod light;
+#[doc(hidden)]
+pub mod measure;
+mod price;
+mod request;
+mod scene;
+mod search;
+mod target;
+
+pub use evaluation::Evaluation;
+pub use light::{Attenuation, Edge, Light};
+pub use price::Price;
+pub use request::{Answer, Refusal, Request};
+pub use scene::{Budget, Scene, SceneAnswer};
+pub use search::{Bound, MARGIN, Place};
+pub use target::{Chip, Display, Tolerance};

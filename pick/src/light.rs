@@ -1,0 +1,227 @@
+//! The description of a spotlight, its cone and where its light is seen.
+
+use luminaire::falloff::{Cubic, Falloff, FittedFalloff, Formula, Hard, Quadratic, Soft};
+use luminaire::{Angle, Cone, Error, Rgb, SpotLight, Vec3};
+use luminaire_oracle as oracle;
+use serde::{Deserialize, Serialize};
+
+use crate::request::Refusal;
+use crate::target::named;
+
+named! {
+    /// The edge of a cone.
+    Edge {
+        /// The soft quadratic of Hast 2004.
+        Soft = "soft",
+        /// The hard quadratic of Hast 2004.
+        Hard = "hard",
+    }
+}
+
+named! {
+    /// The attenuation over the distance.
+    Attenuation {
+        /// The same light at every distance.
+        None = "none",
+        /// The inverse-square law.
+        InverseSquare = "inverse-square",
+    }
+}
+
+/// A spotlight, and the distances at which surfaces receive its light. Angles are full angles in
+/// degrees.
+///
+/// One of beam, field and outer angle determines the cone. With both beam and field angle the
+/// falloff is fitted to them, and `edge` has no effect. Without any, the field angle is 36 degrees.
+#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct Light {
+    /// The name in texts.
+    pub name: String,
+    /// The position, in the unit of the distances.
+    pub position: [f32; 3],
+    /// The axis, of any length.
+    pub axis: [f32; 3],
+    /// The linear colour.
+    pub color: [f32; 3],
+    /// The edge.
+    pub edge: Edge,
+    /// The beam angle: 50 % of the intensity.
+    pub beam: Option<f32>,
+    /// The field angle: 10 % of the intensity.
+    pub field: Option<f32>,
+    /// The angle at which the light ends.
+    pub outer: Option<f32>,
+    /// The angle of a hotspot of full intensity.
+    pub inner: Option<f32>,
+    /// The attenuation.
+    pub attenuation: Attenuation,
+    /// The intensity: 1 is full scale on the axis; with attenuation, at a distance of 1.
+    pub intensity: f32,
+    /// The nearest surface.
+    pub near: f32,
+    /// The farthest surface.
+    pub far: f32,
+}
+
+impl Default for Light {
+    /// A soft light with a field angle of 36 degrees that is full scale at a distance of 4, seen at
+    /// distances from 1 to 7.
+    fn default() -> Self {
+        Self {
+            name: "light".to_owned(),
+            position: [0.0; 3],
+            axis: [0.0, -1.0, 0.0],
+            color: [1.0; 3],
+            edge: Edge::Soft,
+            beam: None,
+            field: None,
+            outer: None,
+            inner: None,
+            attenuation: Attenuation::InverseSquare,
+            intensity: 16.0,
+            near: 1.0,
+            far: 7.0,
+        }
+    }
+}
+
+/// A cone with its falloff as a type.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Shaped {
+    Soft(Cone<Soft>),
+    Hard(Cone<Hard>),
+    Quadratic(Cone<Quadratic>),
+    Cubic(Cone<Cubic>),
+}
+
+/// Evaluates an expression with the cone of whatever falloff.
+macro_rules! shaped {
+    ($shaped:expr, $cone:ident => $answer:expr) => {
+        match $shaped {
+            $crate::light::Shaped::Soft($cone) => $answer,
+            $crate::light::Shaped::Hard($cone) => $answer,
+            $crate::light::Shaped::Quadratic($cone) => $answer,
+            $crate::light::Shaped::Cubic($cone) => $answer,
+        }
+    };
+}
+pub(crate) use shaped;
+
+impl Shaped {
+    /// The name of the falloff's type.
+    pub(crate) fn type_name(&self) -> &'static str {
+        match self {
+            Self::Soft(_) => "Soft",
+            Self::Hard(_) => "Hard",
+            Self::Quadratic(_) => "Quadratic",
+            Self::Cubic(_) => "Cubic",
+        }
+    }
+
+    /// The full outer angle in degrees.
+    pub(crate) fn outer(&self) -> f32 {
+        shaped!(self, cone => cone.outer().to_degrees())
+    }
+}
+
+impl Light {
+    /// Returns the cone.
+    pub(crate) fn cone(&self) -> Result<Shaped, Refusal> {
+        let degrees = |angle: f32| Angle::degrees(angle);
+        let cone = match (self.beam, self.field, self.outer) {
+            (Some(beam), Some(field), None) => {
+                let cone = Cone::from_beam_and_field(degrees(beam), degrees(field))?;
+                match cone.profile() {
+                    FittedFalloff::Quadratic(fitted) => Shaped::Quadratic(cone.with_profile(fitted)),
+                    FittedFalloff::Cubic(fitted) => Shaped::Cubic(cone.with_profile(fitted)),
+                }
+            }
+            _ => match self.edge {
+                Edge::Soft => Shaped::Soft(self.one_angle(Soft)?),
+                Edge::Hard => Shaped::Hard(self.one_angle(Hard)?),
+            },
+        };
+        let Some(inner) = self.inner else { return Ok(cone) };
+        let inner = degrees(inner);
+        let (is_step, outer) = shaped!(cone, cone => (inner >= cone.outer(), cone.outer().to_degrees()));
+        if is_step {
+            return Err(Refusal::parameter(
+                "inner angle",
+                format!("{}", inner.to_degrees()),
+                format!("less than the outer angle of {outer} degrees; the error of a step has no bound"),
+            ));
+        }
+        Ok(match cone {
+            Shaped::Soft(cone) => Shaped::Soft(cone.with_inner(inner)?),
+            Shaped::Hard(cone) => Shaped::Hard(cone.with_inner(inner)?),
+            Shaped::Quadratic(cone) => Shaped::Quadratic(cone.with_inner(inner)?),
+            Shaped::Cubic(cone) => Shaped::Cubic(cone.with_inner(inner)?),
+        })
+    }
+
+    fn one_angle<P: Falloff>(&self, profile: P) -> Result<Cone<P>, Refusal> {
+        let degrees = Angle::degrees;
+        Ok(match (self.beam, self.field, self.outer) {
+            (None, None, None) => Cone::from_field(profile, degrees(36.0))?,
+            (Some(beam), None, None) => Cone::from_beam(profile, degrees(beam))?,
+            (None, Some(field), None) => Cone::from_field(profile, degrees(field))?,
+            (None, None, Some(outer)) => Cone::from_outer(profile, degrees(outer))?,
+            (.., Some(outer)) => {
+                return Err(Refusal::parameter(
+                    "outer angle",
+                    format!("{outer}"),
+                    "no beam or field angle beside it".to_owned(),
+                ));
+            }
+            (Some(_), Some(_), None) => unreachable!("a fitted falloff"),
+        })
+    }
+
+    /// Returns the light with a cone, along an axis.
+    pub(crate) fn spot<P: Falloff>(&self, cone: Cone<P>, axis: [f32; 3]) -> Result<SpotLight<P>, Error> {
+        let [red, green, blue] = self.color;
+        let [x, y, z] = axis;
+        SpotLight::new(self.position, Vec3::new(x, y, z), cone)?
+            .with_color(Rgb::new(red, green, blue))?
+            .with_intensity(self.intensity)
+    }
+
+    /// Returns the exact light along an axis.
+    pub(crate) fn truth(&self, cone: &Shaped, axis: [f32; 3]) -> oracle::SpotLight {
+        let (formula, inner, outer) = shaped!(cone, cone => {
+            let Formula::Polynomial(coefficients) = cone.profile().formula() else {
+                unreachable!("the falloffs of `Shaped` are polynomials");
+            };
+            (coefficients, cone.inner().versine(), cone.outer_versine())
+        });
+        let outer = f64::from(outer);
+        let profile = oracle::Profile::Polynomial(formula.map(f64::from));
+        let cone = oracle::Cone { profile, inner: inner.into(), outer, limit: outer };
+        oracle::SpotLight {
+            position: oracle::DVec3::from_array(self.position.map(f64::from)),
+            axis: oracle::DVec3::from_array(axis.map(f64::from)),
+            cone,
+            intensity: self.intensity.into(),
+            attenuation: match self.attenuation {
+                Attenuation::None => oracle::Attenuation::None,
+                Attenuation::InverseSquare => oracle::Attenuation::InverseSquare,
+            },
+        }
+    }
+
+    /// Returns an error if the numbers that are not those of the cone are invalid.
+    pub(crate) fn check(&self) -> Result<(), Refusal> {
+        let distances = self.near > 0.0 && self.far >= self.near && self.far.is_finite();
+        if !distances {
+            return Err(Refusal::parameter(
+                "distances",
+                format!("{} to {}", self.near, self.far),
+                "more than 0, the near one first".to_owned(),
+            ));
+        }
+        let cone = self.cone()?;
+        shaped!(cone, cone => self.spot(cone, self.axis).map(|_| ()))?;
+        Ok(())
+    }
+}

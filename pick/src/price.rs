@@ -1,0 +1,61 @@
+//! What a lit point costs, as it was counted.
+
+use std::collections::BTreeMap;
+use std::sync::OnceLock;
+
+use serde::Serialize;
+
+use crate::evaluation::Evaluation;
+use crate::light::{Attenuation, Light, Shaped};
+use crate::target::Chip;
+
+/// What a lit point costs, and the code that computes it.
+///
+/// Instructions are counted under QEMU, with `opt-level = 3`. In `Fx16` some points take a fine
+/// evaluation, which costs several times as much: near a bright light, or all points of a steep
+/// cone. The price is the mean over points that are evenly spread over the cone and the distances.
+#[derive(Clone, Copy, PartialEq, Debug, Serialize)]
+pub struct Price {
+    /// Instructions of an average lit point.
+    pub instructions: f64,
+    /// `null`: the emulator counts instructions and not cycles.
+    pub cycles: Option<f64>,
+    /// Bytes of code.
+    pub bytes: u64,
+    /// The share of the points that take the fine evaluation.
+    pub fine_share: f64,
+}
+
+#[derive(serde::Deserialize)]
+struct OnBoard {
+    kernels: BTreeMap<String, (f64, u64)>,
+}
+
+/// The prices on record, which `cargo xtask pick --bless` writes.
+fn recorded(chip: Chip, kernel: &str) -> (f64, u64) {
+    static RECORD: OnceLock<BTreeMap<String, OnBoard>> = OnceLock::new();
+    let read = || serde_json::from_str(include_str!("../prices.json")).expect("a record of prices");
+    RECORD.get_or_init(read)[chip.name()].kernels[kernel]
+}
+
+impl Price {
+    /// Returns the price of an evaluation. Only `Fx16` has a share of fine points.
+    pub(crate) fn of(
+        chip: Chip,
+        light: &Light,
+        cone: &Shaped,
+        evaluation: Evaluation,
+        fine_share: f64,
+    ) -> Self {
+        let edge = cone.type_name().to_lowercase();
+        let attenuation = match light.attenuation {
+            Attenuation::None => "",
+            Attenuation::InverseSquare => "-inverse-square",
+        };
+        let row = |evaluation: &str| recorded(chip, &format!("{edge}{attenuation}.{evaluation}"));
+        let (coarse, bytes) = row(evaluation.name());
+        let (fine, bytes) = if evaluation == Evaluation::Fx16 { row("fx16-fine") } else { (coarse, bytes) };
+        let instructions = coarse + fine_share * (fine - coarse);
+        Self { instructions: (10.0 * instructions).round() / 10.0, cycles: None, bytes, fine_share }
+    }
+}

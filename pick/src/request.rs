@@ -1,0 +1,195 @@
+//! A request, its answer and its refusal.
+
+use std::fmt;
+
+use serde::Serialize;
+
+use crate::evaluation::Evaluation;
+use crate::light::{Light, Shaped};
+use crate::price::Price;
+use crate::search::{Bound, Search};
+use crate::target::{Chip, Display, Tolerance};
+
+/// The chip, the display and the tolerance. The default tolerance is one step of the display.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Request {
+    pub(crate) chip: Chip,
+    pub(crate) display: Display,
+    pub(crate) tolerance: Tolerance,
+}
+
+/// The cheapest evaluation of a light whose error is within the tolerance.
+#[derive(Clone, PartialEq, Debug, Serialize)]
+pub struct Answer {
+    /// The light.
+    pub light: Light,
+    /// The full angle in degrees at which the light ends.
+    pub outer: f32,
+    /// The chip.
+    pub chip: Chip,
+    /// The display.
+    pub display: Display,
+    /// The tolerance.
+    pub tolerance: Tolerance,
+    /// The evaluation.
+    pub evaluation: Evaluation,
+    /// What a lit point costs.
+    #[serde(flatten)]
+    pub price: Price,
+    /// The bound of the error, in the unit of the tolerance.
+    pub bound: Bound,
+    /// Rust source of the constant `LIGHT`, the compiled light.
+    pub code: String,
+}
+
+/// A parameter that cannot be had, and the nearest that can.
+#[derive(Clone, PartialEq, Debug, Serialize)]
+pub struct Refusal {
+    /// The parameter.
+    pub parameter: String,
+    /// Its value.
+    pub value: String,
+    /// The accepted values.
+    pub expected: String,
+}
+
+impl Request {
+    /// Requests an evaluation for a chip and a display.
+    pub fn new(chip: Chip, display: Display) -> Self {
+        Self { chip, display, tolerance: Tolerance::Steps(1.0) }
+    }
+
+    /// Returns the request with a tolerance in steps of the display.
+    #[must_use]
+    pub fn steps(self, steps: f64) -> Self {
+        self.tolerance(Tolerance::Steps(steps))
+    }
+
+    /// Returns the request with a tolerance in linear codes.
+    #[must_use]
+    pub fn codes(self, codes: f64) -> Self {
+        self.tolerance(Tolerance::Codes(codes))
+    }
+
+    /// Returns the request with a tolerance.
+    #[must_use]
+    pub fn tolerance(self, tolerance: Tolerance) -> Self {
+        Self { tolerance, ..self }
+    }
+
+    /// Returns the cheapest evaluation of the light whose error is within the tolerance.
+    ///
+    /// # Errors
+    /// A parameter of the light that is invalid. A tolerance that no evaluation keeps: the refusal
+    /// names the evaluation with the smallest bound.
+    pub fn pick(&self, light: &Light) -> Result<Answer, Refusal> {
+        let amount = self.tolerance.amount();
+        if !(amount > 0.0 && amount.is_finite()) {
+            return Err(Refusal::parameter("tolerance", amount.to_string(), "more than 0".to_owned()));
+        }
+        let offers = self.offers(light, Some(amount))?;
+        match offers.into_iter().min_by(|a, b| {
+            let key = |offer: &Answer| {
+                let holds = offer.bound.value <= amount;
+                (!holds, if holds { offer.price.instructions } else { offer.bound.value })
+            };
+            key(a).partial_cmp(&key(b)).expect("figures are numbers")
+        }) {
+            Some(offer) if offer.bound.value <= amount => Ok(offer),
+            Some(nearest) => Err(Refusal::parameter(
+                "tolerance",
+                self.tolerance.to_string(),
+                format!(
+                    "at least {:.3} {}, the bound of {}",
+                    nearest.bound.value,
+                    self.tolerance.unit(self.display),
+                    nearest.evaluation
+                ),
+            )),
+            None => Err(Refusal::none_holds(light)),
+        }
+    }
+
+    /// Returns what every evaluation of a light offers, the cheapest first. With `enough`, the list
+    /// ends at the first whose bound is at most that.
+    pub(crate) fn offers(&self, light: &Light, enough: Option<f64>) -> Result<Vec<Answer>, Refusal> {
+        light.check()?;
+        let cone = light.cone()?;
+        let search = Search::new(light, &cone, 1983, 1);
+        let farthest = light.position.iter().fold(light.far, |most, c| most.max(c.abs() + light.far));
+        let mut offers = Vec::new();
+        let mut refused = None;
+        for &evaluation in Evaluation::ALL {
+            match evaluation.compile(light, &cone, light.axis) {
+                Ok(_) if farthest > evaluation.farthest() => {}
+                Ok(kernel) => {
+                    let share = search.fine_share(&*kernel);
+                    let price = Price::of(self.chip, light, &cone, evaluation, share);
+                    offers.push((price, evaluation, kernel));
+                }
+                Err(error) => refused = Some(error),
+            }
+        }
+        offers.sort_by(|(a, ..), (b, ..)| a.instructions.total_cmp(&b.instructions));
+        let mut answers: Vec<Answer> = Vec::new();
+        for (price, evaluation, kernel) in offers {
+            let Ok(bound) = search.bound(evaluation, self.tolerance, self.display) else { continue };
+            let code = code(light, &cone, evaluation, &kernel.source());
+            answers.push(Answer {
+                light: light.clone(),
+                outer: cone.outer(),
+                chip: self.chip,
+                display: self.display,
+                tolerance: self.tolerance,
+                evaluation,
+                price,
+                bound,
+                code,
+            });
+            if enough.is_some_and(|enough| bound.value <= enough) {
+                break;
+            }
+        }
+        match refused {
+            Some(error) if answers.is_empty() => Err(error.into()),
+            _ => Ok(answers),
+        }
+    }
+}
+
+fn code(light: &Light, cone: &Shaped, evaluation: Evaluation, source: &str) -> String {
+    format!(
+        "/// `{}`, evaluated by {evaluation}.\npub const LIGHT: {} = {};\n",
+        light.name,
+        evaluation.type_of(light, cone),
+        source.trim_end()
+    )
+}
+
+impl Refusal {
+    pub(crate) fn parameter(parameter: &str, value: String, expected: String) -> Self {
+        Self { parameter: parameter.to_owned(), value, expected }
+    }
+
+    fn none_holds(light: &Light) -> Self {
+        let farthest = Evaluation::ALL.iter().map(|evaluation| evaluation.farthest()).fold(0.0, f32::max);
+        Self::parameter("far", light.far.to_string(), format!("coordinates of at most {farthest}"))
+    }
+}
+
+impl From<luminaire::Error> for Refusal {
+    fn from(error: luminaire::Error) -> Self {
+        let text = error.to_string();
+        let (value, expected) = text.split_once(": expected ").unwrap_or((&text, ""));
+        let value = value.split_once(" = ").map_or(value, |(_, value)| value);
+        Self::parameter(&error.parameter.to_string(), value.to_owned(), expected.to_owned())
+    }
+}
+
+impl fmt::Display for Refusal {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} = {}: expected {}", self.parameter, self.value, self.expected)
+    }
+}
+
+impl std::error::Error for Refusal {}

@@ -1,0 +1,139 @@
+//! Several lights that share a tolerance.
+
+use serde::{Deserialize, Serialize};
+
+use crate::evaluation::Evaluation;
+use crate::light::Light;
+use crate::request::{Answer, Refusal, Request};
+use crate::target::Tolerance;
+
+/// The lights of a scene, any of which may light the same point.
+#[derive(Clone, PartialEq, Default, Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Scene {
+    /// The lights.
+    pub lights: Vec<Light>,
+}
+
+/// How the errors of a picture add up, in the unit of the tolerance.
+///
+/// The sum of the lights is proved to be a bound if those of the lights are. The encoding
+/// `g(x) = srgb(min(x, 1))` is concave and rises, so `g(a + b + e + f) - g(a + b)` is at most
+/// `|g(a + e) - g(a)| + |g(b + f) - g(b)|`: an error changes a brighter picture less. A colour or
+/// a reflectance `c <= 1` scales a light and its error alike. It does not raise the error in steps
+/// by more than 1.8 %, because `x g'(x)` rises but for a fall of 1.7 % where the two pieces of
+/// sRGB meet. This holds for light within full scale: brighter light counts as clipped before its
+/// colour.
+#[derive(Clone, Copy, PartialEq, Debug, Serialize)]
+pub struct Budget {
+    /// The sum of the bounds of the lights.
+    pub lights: f64,
+    /// The factor of colours and materials, less 1, times `lights`; and the rounding of the two
+    /// products in the formats of 16 bits, where sRGB is steepest.
+    pub materials: f64,
+    /// The sum of `lights` and `materials`: at most the tolerance.
+    pub total: f64,
+    /// The rounding to the display's steps, in steps. It is not part of the total.
+    pub display_rounding: f64,
+}
+
+/// The evaluation of each light, with the least sum of instructions.
+#[derive(Clone, PartialEq, Debug, Serialize)]
+pub struct SceneAnswer {
+    /// The lights in the order of the scene.
+    pub lights: Vec<Answer>,
+    /// How their errors add up.
+    pub budget: Budget,
+    /// Instructions of a point that every light lights.
+    pub instructions: f64,
+    /// The same with `Fx16` everywhere, if `Fx16` has all lights.
+    pub instructions_fx16: Option<f64>,
+}
+
+/// By how much colours may raise an error in steps.
+const COLORS: f64 = 0.018;
+
+impl Request {
+    /// Returns the cheapest evaluations of the lights of a scene, so that the error of the picture
+    /// is within the tolerance. The search is exact.
+    ///
+    /// # Errors
+    /// As [`pick`](Self::pick). A tolerance that no evaluations keep: the refusal names the
+    /// smallest sum.
+    pub fn pick_scene(&self, scene: &Scene) -> Result<SceneAnswer, Refusal> {
+        let tolerance = self.tolerance.amount();
+        let offers: Result<Vec<_>, _> = scene.lights.iter().map(|light| self.offers(light, None)).collect();
+        let offers = offers?;
+        // The choices for the lights so far that no other choice beats in both figures.
+        let mut best = vec![Choice { error: 0.0, instructions: 0.0, offers: Vec::new() }];
+        for offers in &offers {
+            let mut longer: Vec<_> = best
+                .iter()
+                .flat_map(|choice| offers.iter().enumerate().map(|offer| self.with(choice, offer)))
+                .collect();
+            longer.sort_by(|a, b| (a.error, a.instructions).partial_cmp(&(b.error, b.instructions)).expect("numbers"));
+            best.clear();
+            for choice in longer {
+                if best.last().is_none_or(|last| choice.instructions < last.instructions) {
+                    best.push(choice);
+                }
+            }
+        }
+        // The choices are sorted by their error, and their instructions fall.
+        let Some(choice) = best.iter().rev().find(|choice| choice.error <= tolerance) else {
+            let least = best.first().map_or(f64::INFINITY, |choice| choice.error);
+            return Err(Refusal::parameter(
+                "tolerance",
+                self.tolerance.to_string(),
+                format!("at least {least:.3} {} for these lights", self.tolerance.unit(self.display)),
+            ));
+        };
+        let fx16 = offers.iter().map(|offers| {
+            let fx16 = offers.iter().find(|offer| offer.evaluation == Evaluation::Fx16);
+            fx16.map(|offer| offer.price.instructions)
+        });
+        let instructions_fx16 = fx16.sum();
+        let instructions = choice.instructions;
+        let lights: Vec<_> =
+            offers.iter().zip(&choice.offers).map(|(offers, &number)| offers[number].clone()).collect();
+        let sum = lights.iter().map(|answer| answer.bound.value).sum();
+        let budget = Budget {
+            lights: sum,
+            materials: choice.error - sum,
+            total: choice.error,
+            display_rounding: 0.5,
+        };
+        Ok(SceneAnswer { lights, budget, instructions, instructions_fx16 })
+    }
+
+    fn with(&self, choice: &Choice, (number, offer): (usize, &Answer)) -> Choice {
+        let mut offers = choice.offers.clone();
+        offers.push(number);
+        Choice {
+            error: choice.error + self.with_material(offer),
+            instructions: choice.instructions + offer.price.instructions,
+            offers,
+        }
+    }
+
+    /// The bound of a light with its colour on a material.
+    fn with_material(&self, offer: &Answer) -> f64 {
+        /// The steepest slope of sRGB.
+        const SLOPE: f64 = 12.92;
+        let is_16 = matches!(offer.evaluation, Evaluation::Fx16 | Evaluation::Fx16Quick);
+        // Two products, each rounded by at most a step of 2^-14.
+        let rounding = if is_16 { 2.0 / 16_384.0 } else { 0.0 };
+        offer.bound.value
+            + match self.tolerance {
+                Tolerance::Steps(_) => COLORS * offer.bound.value + rounding * SLOPE * self.display.steps(),
+                Tolerance::Codes(_) => rounding * 255.0,
+            }
+    }
+}
+
+struct Choice {
+    error: f64,
+    instructions: f64,
+    /// The number of the offer of each light.
+    offers: Vec<usize>,
+}

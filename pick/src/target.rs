@@ -1,0 +1,134 @@
+//! Chips, displays and tolerances.
+
+use std::fmt;
+
+use luminaire_oracle::{linear_codes, srgb_code};
+use serde::{Deserialize, Serialize};
+
+/// Declares an enum whose variants have names in texts and in JSON.
+macro_rules! named {
+    ($(#[$meta:meta])* $name:ident { $($(#[$doc:meta])* $variant:ident = $text:literal,)* }) => {
+        $(#[$meta])*
+        #[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize, Deserialize)]
+        pub enum $name {
+            $($(#[$doc])* #[serde(rename = $text)] $variant,)*
+        }
+
+        impl $name {
+            /// All of them.
+            pub const ALL: &'static [Self] = &[$(Self::$variant),*];
+
+            /// The name in texts and in JSON.
+            pub const fn name(self) -> &'static str {
+                match self {
+                    $(Self::$variant => $text,)*
+                }
+            }
+        }
+
+        impl std::fmt::Display for $name {
+            fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+                f.write_str(self.name())
+            }
+        }
+
+        impl std::str::FromStr for $name {
+            type Err = String;
+
+            fn from_str(text: &str) -> Result<Self, String> {
+                Self::ALL.iter().copied().find(|each| each.name() == text).ok_or_else(|| {
+                    let names: Vec<_> = Self::ALL.iter().map(|each| each.name()).collect();
+                    format!("expected {}", names.join(", "))
+                })
+            }
+        }
+    };
+}
+pub(crate) use named;
+
+named! {
+    /// A processor whose instructions are counted.
+    Chip {
+        /// Armv6-M, without a multiplication of 64 bits.
+        CortexM0 = "cortex-m0",
+        /// Armv7-M.
+        CortexM3 = "cortex-m3",
+        /// Armv7E-M with a floating point unit.
+        CortexM4f = "cortex-m4f",
+        /// RISC-V without a floating point unit.
+        Rv32imc = "rv32imc",
+    }
+}
+
+named! {
+    /// A display. It encodes in sRGB and then rounds to steps.
+    Display {
+        /// 5, 6 and 5 bits: a step is 1/63 after encoding, that of the green channel.
+        Rgb565 = "rgb565",
+        /// 8 bits: a step is 1/255 after encoding.
+        Rgb888 = "rgb888",
+    }
+}
+
+impl Display {
+    /// The number of steps from black to full scale.
+    pub fn steps(self) -> f64 {
+        match self {
+            Self::Rgb565 => 63.0,
+            Self::Rgb888 => 255.0,
+        }
+    }
+}
+
+/// The largest error that a picture may have.
+#[derive(Clone, Copy, PartialEq, Debug, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Tolerance {
+    /// In steps of the display, after encoding in sRGB and before the rounding to steps.
+    Steps(f64),
+    /// In linear codes: 1/255 of full scale in linear light.
+    Codes(f64),
+}
+
+impl Tolerance {
+    /// The number of steps or codes.
+    pub fn amount(self) -> f64 {
+        match self {
+            Self::Steps(amount) | Self::Codes(amount) => amount,
+        }
+    }
+
+    /// The same unit with another number.
+    pub(crate) fn with(self, amount: f64) -> Self {
+        match self {
+            Self::Steps(_) => Self::Steps(amount),
+            Self::Codes(_) => Self::Codes(amount),
+        }
+    }
+
+    /// The error of a light in the unit of the tolerance. Light over full scale is clipped.
+    pub(crate) fn error(self, display: Display, found: f64, exact: f64) -> f64 {
+        let [found, exact] = [found, exact].map(|light| light.clamp(0.0, 1.0));
+        match self {
+            Self::Steps(_) => (srgb_code(found) - srgb_code(exact)).abs() * display.steps() / 255.0,
+            Self::Codes(_) => linear_codes(found, exact),
+        }
+    }
+
+    /// The unit in texts.
+    pub(crate) fn unit(self, display: Display) -> String {
+        match self {
+            Self::Steps(_) => format!("steps of {display}"),
+            Self::Codes(_) => "linear codes".to_owned(),
+        }
+    }
+}
+
+impl fmt::Display for Tolerance {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Steps(amount) => write!(f, "{amount} steps"),
+            Self::Codes(amount) => write!(f, "{amount} linear codes"),
+        }
+    }
+}
