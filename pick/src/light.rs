@@ -38,7 +38,7 @@ named! {
 pub struct Light {
     /// The name in texts.
     pub name: String,
-    /// The position, in the unit of the distances.
+    /// The position, in the unit of the distances. It is rounded to a multiple of 2^-16.
     pub position: [f32; 3],
     /// The axis, of any length.
     pub axis: [f32; 3],
@@ -178,11 +178,16 @@ impl Light {
         })
     }
 
+    /// The position on the grid of 2^-16, which every format has.
+    fn place(&self) -> [f32; 3] {
+        oracle::on_grid(oracle::DVec3::from_array(self.position.map(f64::from))).as_vec3().to_array()
+    }
+
     /// Returns the light with a cone, along an axis.
     pub(crate) fn spot<P: Falloff>(&self, cone: Cone<P>, axis: [f32; 3]) -> Result<SpotLight<P>, Error> {
         let [red, green, blue] = self.color;
         let [x, y, z] = axis;
-        SpotLight::new(self.position, Vec3::new(x, y, z), cone)?
+        SpotLight::new(self.place(), Vec3::new(x, y, z), cone)?
             .with_color(Rgb::new(red, green, blue))?
             .with_intensity(self.intensity)
     }
@@ -199,7 +204,7 @@ impl Light {
         let profile = oracle::Profile::Polynomial(formula.map(f64::from));
         let cone = oracle::Cone { profile, inner: inner.into(), outer, limit: outer };
         oracle::SpotLight {
-            position: oracle::DVec3::from_array(self.position.map(f64::from)),
+            position: oracle::DVec3::from_array(self.place().map(f64::from)),
             axis: oracle::DVec3::from_array(axis.map(f64::from)),
             cone,
             intensity: self.intensity.into(),

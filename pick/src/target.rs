@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 macro_rules! named {
     ($(#[$meta:meta])* $name:ident { $($(#[$doc:meta])* $variant:ident = $text:literal,)* }) => {
         $(#[$meta])*
-        #[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize, Deserialize)]
+        #[derive(Clone, Copy, PartialEq, Eq, Debug, serde::Serialize, serde::Deserialize)]
         pub enum $name {
             $($(#[$doc])* #[serde(rename = $text)] $variant,)*
         }
@@ -95,14 +95,6 @@ impl Tolerance {
     pub fn amount(self) -> f64 {
         match self {
             Self::Steps(amount) | Self::Codes(amount) => amount,
-        }
-    }
-
-    /// The same unit with another number.
-    pub(crate) fn with(self, amount: f64) -> Self {
-        match self {
-            Self::Steps(_) => Self::Steps(amount),
-            Self::Codes(_) => Self::Codes(amount),
         }
     }
 
