@@ -5,8 +5,13 @@ use luminaire::falloff::AnyFalloff;
 use luminaire_pick::{Edge, Light, Refusal, Scene};
 use luminaire_render::scenes::Example;
 
-/// Distances from a light of the show to its surfaces, in metres.
-const DISTANCES: [f32; 2] = [2.0, 12.0];
+/// The nearest surface of a head on the truss, in metres: the columns are 1.6 high and 1.7 before
+/// the truss, at a height of 4.
+const FROM_TRUSS: f32 = 2.9;
+/// The nearest surface of a head at the front of the house: a column.
+const FROM_FRONT: f32 = 4.5;
+/// The farthest surface.
+const FARTHEST: f32 = 14.0;
 
 /// Returns the lights of the show at second 0.
 pub(crate) fn lights() -> Result<Scene, Refusal> {
@@ -32,7 +37,7 @@ fn light(name: &str, light: &AnyLight) -> Result<Light, Refusal> {
     };
     let [position, axis] = [spot.position(), spot.axis()].map(|v| [v.x, v.y, v.z]);
     let color = spot.color();
-    let [near, far] = DISTANCES;
+    let near = if spot.position().z < 0.0 { FROM_TRUSS } else { FROM_FRONT };
     Ok(Light {
         name: name.to_owned(),
         position,
@@ -42,7 +47,7 @@ fn light(name: &str, light: &AnyLight) -> Result<Light, Refusal> {
         outer: Some(cone.outer().to_degrees()),
         intensity: spot.intensity(),
         near,
-        far,
+        far: FARTHEST,
         ..Light::default()
     })
 }

@@ -8,8 +8,7 @@ use luminaire_pick::{Answer, SceneAnswer, Tolerance};
 pub(crate) fn answer(answer: &Answer) -> String {
     let Answer { light, outer, chip, display, evaluation, price, bound, .. } = answer;
     let at = bound.at;
-    let falloff =
-        if light.beam.is_some() && light.field.is_some() { "fitted" } else { light.edge.name() };
+    let falloff = if light.beam.is_some() && light.field.is_some() { "fitted" } else { light.edge.name() };
     let unit = unit(answer);
     let fine = match price.fine_share {
         0.0 => String::new(),

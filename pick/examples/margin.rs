@@ -8,7 +8,7 @@ use luminaire_pick::measure;
 fn main() {
     let count = std::env::args().nth(1).and_then(|word| word.parse().ok()).unwrap_or(100);
     let most = measure::margins(count, |ratio, light, evaluation| {
-        if ratio > 1.2 {
+        if ratio > 1.35 {
             println!("{ratio:.3} {evaluation} {light:?}");
         }
     });

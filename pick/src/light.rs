@@ -128,10 +128,9 @@ impl Shaped {
 impl Light {
     /// Returns the cone.
     pub(crate) fn cone(&self) -> Result<Shaped, Refusal> {
-        let degrees = |angle: f32| Angle::degrees(angle);
         let cone = match (self.beam, self.field, self.outer) {
             (Some(beam), Some(field), None) => {
-                let cone = Cone::from_beam_and_field(degrees(beam), degrees(field))?;
+                let cone = Cone::from_beam_and_field(Angle::degrees(beam), Angle::degrees(field))?;
                 match cone.profile() {
                     FittedFalloff::Quadratic(fitted) => Shaped::Quadratic(cone.with_profile(fitted)),
                     FittedFalloff::Cubic(fitted) => Shaped::Cubic(cone.with_profile(fitted)),
@@ -142,22 +141,25 @@ impl Light {
                 Edge::Hard => Shaped::Hard(self.one_angle(Hard)?),
             },
         };
-        let Some(inner) = self.inner else { return Ok(cone) };
-        let inner = degrees(inner);
-        let (is_step, outer) = shaped!(cone, cone => (inner >= cone.outer(), cone.outer().to_degrees()));
-        if is_step {
+        let cone = match (self.inner.map(Angle::degrees), cone) {
+            (None, cone) => cone,
+            (Some(inner), Shaped::Soft(cone)) => Shaped::Soft(cone.with_inner(inner)?),
+            (Some(inner), Shaped::Hard(cone)) => Shaped::Hard(cone.with_inner(inner)?),
+            (Some(inner), Shaped::Quadratic(cone)) => Shaped::Quadratic(cone.with_inner(inner)?),
+            (Some(inner), Shaped::Cubic(cone)) => Shaped::Cubic(cone.with_inner(inner)?),
+        };
+        let (inner, hotspot) = shaped!(cone, cone => {
+            (cone.inner().to_degrees(), cone.inner().versine() / cone.outer_versine())
+        });
+        // The inner angle is converted to degrees and back, which may lose its last bits.
+        if hotspot > 1.0 - 1e-6 {
             return Err(Refusal::parameter(
                 "inner angle",
-                format!("{}", inner.to_degrees()),
-                format!("less than the outer angle of {outer} degrees; the error of a step has no bound"),
+                inner.to_string(),
+                format!("less than {} degrees: a step has an error of its position", cone.outer()),
             ));
         }
-        Ok(match cone {
-            Shaped::Soft(cone) => Shaped::Soft(cone.with_inner(inner)?),
-            Shaped::Hard(cone) => Shaped::Hard(cone.with_inner(inner)?),
-            Shaped::Quadratic(cone) => Shaped::Quadratic(cone.with_inner(inner)?),
-            Shaped::Cubic(cone) => Shaped::Cubic(cone.with_inner(inner)?),
-        })
+        Ok(cone)
     }
 
     fn one_angle<P: Falloff>(&self, profile: P) -> Result<Cone<P>, Refusal> {

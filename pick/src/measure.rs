@@ -4,6 +4,7 @@ use luminaire_oracle::SplitMix64;
 
 use crate::evaluation::Evaluation;
 use crate::light::{Attenuation, Edge, Light};
+use crate::request::{Answer, Refusal};
 use crate::search::Search;
 use crate::target::{Display, Tolerance};
 
@@ -16,8 +17,7 @@ pub fn random_light(random: &mut SplitMix64) -> Light {
     let field = ratio(random, 1.0, 140.0);
     let near = ratio(random, 0.1, 20.0);
     let is_fitted = one_of(random, 3);
-    let attenuation =
-        if one_of(random, 3) { Attenuation::None } else { Attenuation::InverseSquare };
+    let attenuation = if one_of(random, 3) { Attenuation::None } else { Attenuation::InverseSquare };
     let brightness = ratio(random, 0.1, 16.0);
     let is_even = attenuation == Attenuation::None;
     let [axis, position] = [1.0, 10.0].map(|most| random.vector(-most, most).as_vec3().to_array());
@@ -36,6 +36,14 @@ pub fn random_light(random: &mut SplitMix64) -> Light {
     }
 }
 
+/// Returns the largest error of an answer that a search at `effort` times the points finds, with
+/// other random numbers.
+pub fn found(answer: &Answer, seed: u64, effort: usize) -> Result<f64, Refusal> {
+    let cone = answer.light.cone()?;
+    let search = Search::new(&answer.light, &cone, seed, effort);
+    Ok(search.bound(answer.evaluation, answer.tolerance, answer.display)?.found)
+}
+
 /// Returns the largest ratio of the errors that a search of 30 times the points finds to those of
 /// the search of an answer, over all evaluations of random lights. Visits every ratio.
 pub fn margins(count: u64, mut visit: impl FnMut(f64, &Light, Evaluation)) -> f64 {
@@ -43,9 +51,11 @@ pub fn margins(count: u64, mut visit: impl FnMut(f64, &Light, Evaluation)) -> f6
     for number in 0..count {
         let light = random_light(&mut SplitMix64(number));
         let Ok(cone) = light.cone() else { continue };
-        let [short, long] = [(1983, 1), (number + 1, 30)].map(|(seed, effort)| Search::new(&light, &cone, seed, effort));
+        let [short, long] =
+            [(1983, 1), (number + 1, 30)].map(|(seed, effort)| Search::new(&light, &cone, seed, effort));
         for &evaluation in Evaluation::ALL {
-            let bound = |search: &Search<'_>| search.bound(evaluation, Tolerance::Steps(1.0), Display::Rgb565);
+            let bound =
+                |search: &Search<'_>| search.bound(evaluation, Tolerance::Steps(1.0), Display::Rgb565);
             let (Ok(short), Ok(long)) = (bound(&short), bound(&long)) else { continue };
             let ratio = long.found / short.found;
             visit(ratio, &light, evaluation);

@@ -100,8 +100,8 @@ impl Request {
                 "tolerance",
                 self.tolerance.to_string(),
                 format!(
-                    "at least {:.3} {}, the bound of {}",
-                    nearest.bound.value,
+                    "at least {} {}, the bound of {}",
+                    rounded_up(nearest.bound.value),
                     self.tolerance.unit(self.display),
                     nearest.evaluation
                 ),
@@ -164,6 +164,13 @@ fn code(light: &Light, cone: &Shaped, evaluation: Evaluation, source: &str) -> S
         evaluation.type_of(light, cone),
         source.trim_end()
     )
+}
+
+/// Returns a positive number with three digits, rounded up so that it is accepted.
+pub(crate) fn rounded_up(value: f64) -> String {
+    let decimals = (2.0 - value.log10().floor()).clamp(0.0, 30.0);
+    let unit = 10_f64.powf(-decimals);
+    format!("{:.*}", decimals as usize, (value / unit + 1e-6).ceil() * unit)
 }
 
 impl Refusal {

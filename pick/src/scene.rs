@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::evaluation::Evaluation;
 use crate::light::Light;
-use crate::request::{Answer, Refusal, Request};
+use crate::request::{Answer, Refusal, Request, rounded_up};
 use crate::target::Tolerance;
 
 /// The lights of a scene, any of which may light the same point.
@@ -71,7 +71,9 @@ impl Request {
                 .iter()
                 .flat_map(|choice| offers.iter().enumerate().map(|offer| self.with(choice, offer)))
                 .collect();
-            longer.sort_by(|a, b| (a.error, a.instructions).partial_cmp(&(b.error, b.instructions)).expect("numbers"));
+            longer.sort_by(|a, b| {
+                (a.error, a.instructions).partial_cmp(&(b.error, b.instructions)).expect("numbers")
+            });
             best.clear();
             for choice in longer {
                 if best.last().is_none_or(|last| choice.instructions < last.instructions) {
@@ -85,7 +87,11 @@ impl Request {
             return Err(Refusal::parameter(
                 "tolerance",
                 self.tolerance.to_string(),
-                format!("at least {least:.3} {} for these lights", self.tolerance.unit(self.display)),
+                format!(
+                    "at least {} {} for these lights",
+                    rounded_up(least),
+                    self.tolerance.unit(self.display)
+                ),
             ));
         };
         let fx16 = offers.iter().map(|offers| {
@@ -97,12 +103,8 @@ impl Request {
         let lights: Vec<_> =
             offers.iter().zip(&choice.offers).map(|(offers, &number)| offers[number].clone()).collect();
         let sum = lights.iter().map(|answer| answer.bound.value).sum();
-        let budget = Budget {
-            lights: sum,
-            materials: choice.error - sum,
-            total: choice.error,
-            display_rounding: 0.5,
-        };
+        let budget =
+            Budget { lights: sum, materials: choice.error - sum, total: choice.error, display_rounding: 0.5 };
         Ok(SceneAnswer { lights, budget, instructions, instructions_fx16 })
     }
 

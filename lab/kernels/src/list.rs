@@ -224,12 +224,7 @@ fn evaluations<P: Shape>(
     lit::<f32, P>(rows(f32::NAME), intensity, setting, visitor);
 }
 
-fn lit<S: Format, P: Shape>(
-    rows: [Row; 2],
-    intensity: f32,
-    setting: Setting,
-    visitor: &mut impl Visitor,
-) {
+fn lit<S: Format, P: Shape>(rows: [Row; 2], intensity: f32, setting: Setting, visitor: &mut impl Visitor) {
     let [level, far] = lit_truths::<P>(intensity, setting);
     let spot = spot::<P>(setting).with_attenuation(NoAttenuation);
     let falling = bright::<P>(intensity, setting);

@@ -1,0 +1,98 @@
+//! The parts of an answer, refusals and scenes.
+
+use luminaire_pick::{Attenuation, Chip, Display, Edge, Evaluation, Light, Request, Scene};
+
+fn request(steps: f64) -> Request {
+    Request::new(Chip::CortexM0, Display::Rgb565).steps(steps)
+}
+
+fn level(field: f32) -> Light {
+    Light { field: Some(field), attenuation: Attenuation::None, intensity: 1.0, ..Light::default() }
+}
+
+#[test]
+fn pick_wide_cone_is_quick_and_narrow_cone_is_not() {
+    let wide = request(1.0).pick(&level(60.0)).unwrap();
+    let narrow = request(1.0).pick(&Light { edge: Edge::Hard, ..level(3.0) }).unwrap();
+    assert_eq!(wide.evaluation, Evaluation::Fx16Quick);
+    assert_ne!(narrow.evaluation, Evaluation::Fx16Quick);
+    assert!(wide.price.instructions < narrow.price.instructions);
+    assert_eq!((wide.bound.label, wide.price.cycles), ("searched", None));
+    assert!(wide.code.contains("QuickSpotLight<luminaire::Fx16, luminaire::falloff::Soft"));
+}
+
+#[test]
+fn pick_floating_point_unit_takes_f32() {
+    let answer = Request::new(Chip::CortexM4f, Display::Rgb888).steps(1.0).pick(&level(40.0)).unwrap();
+    assert_eq!(answer.evaluation, Evaluation::F32Quick);
+}
+
+#[test]
+fn price_of_a_bright_light_includes_the_fine_evaluation() {
+    let dim = Light { intensity: 1.0, ..Light::default() };
+    let tight = Request::new(Chip::CortexM0, Display::Rgb565).codes(0.6);
+    let [dim, bright] =
+        [dim, Light { intensity: 16.0, ..Light::default() }].map(|light| tight.pick(&light).unwrap());
+    assert_eq!(bright.evaluation, Evaluation::Fx16);
+    assert!(dim.price.fine_share == 0.0 && bright.price.fine_share > 0.0);
+}
+
+#[test]
+fn refusals_name_the_parameter_and_what_can_be_had() {
+    let refused = |request: Request, light: Light| request.pick(&light).unwrap_err().to_string();
+    for (light, parameter) in [
+        (Light { field: Some(170.0), ..Light::default() }, "field angle = 170: expected more than 0"),
+        (Light { outer: Some(0.0), ..Light::default() }, "outer angle"),
+        (Light { outer: Some(30.0), inner: Some(30.0), ..Light::default() }, "inner angle = 30"),
+        (Light { outer: Some(30.0), field: Some(20.0), ..Light::default() }, "outer angle = 30: expected no"),
+        (Light { near: 2.0, far: 1.0, ..Light::default() }, "distances = 2 to 1"),
+        (Light { intensity: -1.0, ..Light::default() }, "intensity = -1"),
+        (Light { axis: [0.0; 3], ..Light::default() }, "axis"),
+    ] {
+        let told = refused(request(1.0), light);
+        assert!(told.starts_with(parameter), "{told}");
+    }
+    let told = refused(request(1e-9), Light::default());
+    assert!(told.starts_with("tolerance = 0.000000001 steps: expected at least"), "{told}");
+    assert!(told.contains("the bound of f32") || told.contains("the bound of fx32"), "{told}");
+    assert!(refused(request(f64::NAN), Light::default()).starts_with("tolerance = NaN"));
+}
+
+#[test]
+fn refused_tolerance_names_one_that_is_answered() {
+    let refusal = request(1e-9).pick(&Light::default()).unwrap_err();
+    let words: Vec<_> = refusal.expected.split(' ').collect();
+    let steps: f64 = words[2].parse().unwrap();
+    assert!(request(steps).pick(&Light::default()).is_ok(), "{refusal}");
+}
+
+#[test]
+fn json_has_the_figures_by_name() {
+    let answer = request(1.0).pick(&Light::default()).unwrap();
+    let json = serde_json::to_value(&answer).unwrap();
+    assert_eq!(json["chip"], "cortex-m0");
+    assert_eq!(json["bound"]["label"], "searched");
+    assert!(json["cycles"].is_null() && json["bytes"].is_u64() && json["instructions"].is_f64());
+    assert!(json["bound"]["at"]["degrees_off_axis"].is_f64());
+    let light: Light = serde_json::from_value(json["light"].clone()).unwrap();
+    assert_eq!(light, answer.light);
+    assert!(serde_json::from_str::<Light>(r#"{"feild": 3}"#).is_err());
+}
+
+#[test]
+fn scene_keeps_the_sum_within_the_tolerance_at_the_least_price() {
+    let lights = vec![level(20.0), level(60.0), Light { edge: Edge::Hard, ..level(40.0) }];
+    let scene = Scene { lights };
+    let mut last = f64::INFINITY;
+    for steps in [0.05, 0.5, 1.0, 1.5, 3.0] {
+        let answer = request(steps).pick_scene(&scene).unwrap();
+        assert!(answer.budget.total <= steps, "{:?}", answer.budget);
+        assert!(answer.budget.lights < answer.budget.total + 1e-12);
+        let sum: f64 = answer.lights.iter().map(|light| light.price.instructions).sum();
+        assert!((sum - answer.instructions).abs() < 1e-9 && sum <= last, "{sum} after {last}");
+        last = sum;
+    }
+    assert!(last < 3.0 * 160.0, "no quick evaluations at 3 steps: {last}");
+    let told = request(1e-6).pick_scene(&scene).unwrap_err().to_string();
+    assert!(told.starts_with("tolerance"), "{told}");
+}
