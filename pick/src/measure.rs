@@ -41,7 +41,7 @@ pub fn random_light(random: &mut SplitMix64) -> Light {
 pub fn found(answer: &Answer, seed: u64, effort: usize) -> Result<f64, Refusal> {
     let cone = answer.light.cone()?;
     let search = Search::new(&answer.light, &cone, seed, effort);
-    Ok(search.bound(answer.evaluation, answer.tolerance, answer.display)?.found)
+    Ok(search.bound(answer.evaluation, answer.tolerance, answer.display, f64::INFINITY)?.found)
 }
 
 /// Returns the largest ratio of the errors that a search of 30 times the points finds to those of
@@ -54,8 +54,9 @@ pub fn margins(count: u64, mut visit: impl FnMut(f64, &Light, Evaluation)) -> f6
         let [short, long] =
             [(1983, 1), (number + 1, 30)].map(|(seed, effort)| Search::new(&light, &cone, seed, effort));
         for &evaluation in Evaluation::ALL {
-            let bound =
-                |search: &Search<'_>| search.bound(evaluation, Tolerance::Steps(1.0), Display::Rgb565);
+            let bound = |search: &Search<'_>| {
+                search.bound(evaluation, Tolerance::Steps(1.0), Display::Rgb565, f64::INFINITY)
+            };
             let (Ok(short), Ok(long)) = (bound(&short), bound(&long)) else { continue };
             let ratio = long.found / short.found;
             visit(ratio, &light, evaluation);

@@ -87,32 +87,30 @@ impl Request {
         if !(amount > 0.0 && amount.is_finite()) {
             return Err(Refusal::parameter("tolerance", amount.to_string(), "more than 0".to_owned()));
         }
-        let offers = self.offers(light, Some(amount))?;
-        match offers.into_iter().min_by(|a, b| {
-            let key = |offer: &Answer| {
-                let holds = offer.bound.value <= amount;
-                (!holds, if holds { offer.price.instructions } else { offer.bound.value })
-            };
-            key(a).partial_cmp(&key(b)).expect("figures are numbers")
-        }) {
-            Some(offer) if offer.bound.value <= amount => Ok(offer),
-            Some(nearest) => Err(Refusal::parameter(
-                "tolerance",
-                self.tolerance.to_string(),
-                format!(
-                    "at least {} {}, the bound of {}",
-                    rounded_up(nearest.bound.value),
-                    self.tolerance.unit(self.display),
-                    nearest.evaluation
-                ),
-            )),
-            None => Err(Refusal::none_holds(light)),
+        let offers = self.offers(light, amount)?;
+        if let Some(offer) = offers.into_iter().find(|offer| offer.bound.value <= amount) {
+            return Ok(offer);
         }
+        let offers = self.offers(light, f64::INFINITY)?;
+        let Some(nearest) = offers.iter().min_by(|a, b| a.bound.value.total_cmp(&b.bound.value)) else {
+            return Err(Refusal::none_holds(light));
+        };
+        Err(Refusal::parameter(
+            "tolerance",
+            self.tolerance.to_string(),
+            format!(
+                "at least {} {}, the bound of {}",
+                rounded_up(nearest.bound.value),
+                self.tolerance.unit(self.display),
+                nearest.evaluation
+            ),
+        ))
     }
 
-    /// Returns what every evaluation of a light offers, the cheapest first. With `enough`, the list
-    /// ends at the first whose bound is at most that.
-    pub(crate) fn offers(&self, light: &Light, enough: Option<f64>) -> Result<Vec<Answer>, Refusal> {
+    /// Returns what every evaluation of a light offers, the cheapest first. With a finite
+    /// `enough`, the list ends at the first whose bound is at most that, and the bounds before it
+    /// are only known to be more.
+    pub(crate) fn offers(&self, light: &Light, enough: f64) -> Result<Vec<Answer>, Refusal> {
         light.check()?;
         let cone = light.cone()?;
         let search = Search::new(light, &cone, 1983, 1);
@@ -133,7 +131,7 @@ impl Request {
         offers.sort_by(|(a, ..), (b, ..)| a.instructions.total_cmp(&b.instructions));
         let mut answers: Vec<Answer> = Vec::new();
         for (price, evaluation, kernel) in offers {
-            let Ok(bound) = search.bound(evaluation, self.tolerance, self.display) else { continue };
+            let Ok(bound) = search.bound(evaluation, self.tolerance, self.display, enough) else { continue };
             let code = code(light, &cone, evaluation, &kernel.source());
             answers.push(Answer {
                 light: light.clone(),
@@ -146,7 +144,7 @@ impl Request {
                 bound,
                 code,
             });
-            if enough.is_some_and(|enough| bound.value <= enough) {
+            if enough.is_finite() && bound.value <= enough {
                 break;
             }
         }

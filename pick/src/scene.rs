@@ -62,7 +62,8 @@ impl Request {
     /// smallest sum.
     pub fn pick_scene(&self, scene: &Scene) -> Result<SceneAnswer, Refusal> {
         let tolerance = self.tolerance.amount();
-        let offers: Result<Vec<_>, _> = scene.lights.iter().map(|light| self.offers(light, None)).collect();
+        let offers: Result<Vec<_>, _> =
+            scene.lights.iter().map(|light| self.offers(light, f64::INFINITY)).collect();
         let offers = offers?;
         // The choices for the lights so far that no other choice beats in both figures.
         let mut best = vec![Choice { error: 0.0, instructions: 0.0, offers: Vec::new() }];

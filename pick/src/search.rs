@@ -45,11 +45,11 @@ pub struct Place {
 }
 
 /// Random points of a search.
-const POINTS: usize = 8_000;
+const POINTS: usize = 12_000;
 /// Number of the worst points from which it climbs.
-const CLIMBS: usize = 32;
+const CLIMBS: usize = 48;
 /// Steps of each climb.
-const STEPS: usize = 240;
+const STEPS: usize = 400;
 /// Number of axes: the light's own, and random ones.
 const AXES: usize = 6;
 /// As far off axis as this, in outer half angles.
@@ -168,12 +168,14 @@ impl<'a> Search<'a> {
         Site { point: point.to_array(), normal: normal.to_array(), exact, place }
     }
 
-    /// Returns the bound of the error of an evaluation.
+    /// Returns the bound of the error of an evaluation. If the random points exceed `enough`, the
+    /// search ends with them.
     pub(crate) fn bound(
         &self,
         evaluation: Evaluation,
         tolerance: Tolerance,
         display: Display,
+        enough: f64,
     ) -> Result<Bound, Error> {
         let kernels = self.kernels(evaluation)?;
         let error = |sample: &Sample, site: &Site| {
@@ -184,7 +186,9 @@ impl<'a> Search<'a> {
         let mut worst: Vec<_> = swept.collect();
         worst.sort_by(|a, b| b.0.0.total_cmp(&a.0.0));
         let mut random = SplitMix64(self.random.0);
-        let climbed = worst.into_iter().take(CLIMBS * self.effort).map(|(mut most, mut sample)| {
+        let exceeds = worst.first().is_some_and(|((error, _), _)| MARGIN * error > enough);
+        let climbs = if exceeds { 1 } else { CLIMBS * self.effort };
+        let climbed = worst.into_iter().take(climbs).map(|(mut most, mut sample)| {
             for _ in 0..STEPS {
                 let moved = moved(&mut random, sample);
                 let now = error(&moved, &self.site(&moved));

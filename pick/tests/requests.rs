@@ -5,7 +5,7 @@ use luminaire_pick::{Chip, Display, Request, Tolerance, measure};
 
 /// The number of requests, and how many times the points of an answer are searched.
 fn length() -> (u64, usize) {
-    if std::env::var_os("LUMINAIRE_FULL").is_some() { (1_000, 8) } else { (40, 3) }
+    if std::env::var_os("LUMINAIRE_FULL").is_some() { (1_000, 4) } else { (40, 3) }
 }
 
 #[test]
