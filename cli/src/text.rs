@@ -14,14 +14,18 @@ pub(crate) fn answer(answer: &Answer) -> String {
         0.0 => String::new(),
         share => format!(", {:.0} % of the points by the fine evaluation", 100.0 * share),
     };
+    let cycles = match price.cycles {
+        Some(cycles) => format!("{cycles} on an RP2040 without wait states"),
+        None => "not counted for this processor".to_owned(),
+    };
     format!(
         "light        {falloff} edge, ends at {outer:.2} degrees; attenuation {}, intensity {}, distances {} to {}\n\
          target       {chip}, {display}, at most {} {unit}\n\
          evaluation   {evaluation}\n\
          instructions {} a lit point{fine}\n\
-         cycles       unknown: instructions are counted\n\
+         cycles       {cycles}\n\
          code         {} bytes\n\
-         error        at most {:.3} {unit} ({}; largest found {:.3})\n\
+         error        at most {} {unit} ({}; largest found {})\n\
          \x20            largest {:.3} degrees off axis, distance {:.3}, cosine of incidence {:.3}\n\n\
          {}",
         light.attenuation,
@@ -31,14 +35,19 @@ pub(crate) fn answer(answer: &Answer) -> String {
         answer.tolerance.amount(),
         price.instructions,
         price.bytes,
-        bound.value,
+        digits(bound.value),
         bound.label,
-        bound.found,
+        digits(bound.found),
         at.degrees_off_axis,
         at.distance,
         at.cosine,
         answer.code,
     )
+}
+
+/// A number with three significant digits, as `0.0123` or `4.5e-5`.
+fn digits(value: f64) -> String {
+    if value == 0.0 || value >= 1e-3 { format!("{value:.3}") } else { format!("{value:.1e}") }
 }
 
 fn unit(answer: &Answer) -> &'static str {
@@ -56,9 +65,9 @@ pub(crate) fn lights(answers: &[Answer]) -> String {
         let (edge, instructions) = (light.edge.name(), price.instructions);
         let _ = writeln!(
             text,
-            "{:24} {edge:4} {outer:6.2} degrees  {evaluation:10} {instructions:8.1} instructions, at most {:.3} {}",
+            "{:24} {edge:4} {outer:6.2} degrees  {evaluation:10} {instructions:8.1} instructions, at most {} {}",
             light.name,
-            bound.value,
+            digits(bound.value),
             unit(answer)
         );
     }

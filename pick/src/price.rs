@@ -18,7 +18,8 @@ use crate::target::Chip;
 pub struct Price {
     /// Instructions of an average lit point.
     pub instructions: f64,
-    /// `null`: the emulator counts instructions and not cycles.
+    /// Cycles of an average lit point, on the Cortex-M0+ of an RP2040 without wait states. `null` for
+    /// other processors, whose emulator counts instructions only.
     pub cycles: Option<f64>,
     /// Bytes of code.
     pub bytes: u64,
@@ -28,11 +29,14 @@ pub struct Price {
 
 #[derive(serde::Deserialize)]
 struct OnBoard {
-    kernels: BTreeMap<String, (f64, u64)>,
+    kernels: BTreeMap<String, Counted>,
 }
 
+/// Instructions, bytes, and cycles if they were counted.
+type Counted = (f64, u64, Option<f64>);
+
 /// The prices on record, which `cargo xtask pick --bless` writes.
-fn recorded(chip: Chip, kernel: &str) -> (f64, u64) {
+fn recorded(chip: Chip, kernel: &str) -> Counted {
     static RECORD: OnceLock<BTreeMap<String, OnBoard>> = OnceLock::new();
     let read = || serde_json::from_str(include_str!("../prices.json")).expect("a record of prices");
     RECORD.get_or_init(read)[chip.name()].kernels[kernel]
@@ -53,9 +57,14 @@ impl Price {
             Attenuation::InverseSquare => "-inverse-square",
         };
         let row = |evaluation: &str| recorded(chip, &format!("{edge}{attenuation}.{evaluation}"));
-        let (coarse, bytes) = row(evaluation.name());
-        let (fine, bytes) = if evaluation == Evaluation::Fx16 { row("fx16-fine") } else { (coarse, bytes) };
-        let instructions = coarse + fine_share * (fine - coarse);
-        Self { instructions: (10.0 * instructions).round() / 10.0, cycles: None, bytes, fine_share }
+        let coarse = row(evaluation.name());
+        let fine = if evaluation == Evaluation::Fx16 { row("fx16-fine") } else { coarse };
+        let mean = |coarse: f64, fine: f64| (10.0 * (coarse + fine_share * (fine - coarse))).round() / 10.0;
+        Self {
+            instructions: mean(coarse.0, fine.0),
+            cycles: coarse.2.zip(fine.2).map(|(coarse, fine)| mean(coarse, fine)),
+            bytes: fine.1,
+            fine_share,
+        }
     }
 }

@@ -17,7 +17,8 @@ fn pick_wide_cone_is_quick_and_narrow_cone_is_not() {
     assert_eq!(wide.evaluation, Evaluation::Fx16Quick);
     assert_ne!(narrow.evaluation, Evaluation::Fx16Quick);
     assert!(wide.price.instructions < narrow.price.instructions);
-    assert_eq!((wide.bound.label, wide.price.cycles), ("searched", None));
+    assert_eq!(wide.bound.label, "searched");
+    assert!(wide.price.cycles > Some(wide.price.instructions));
     assert!(wide.code.contains("QuickSpotLight<luminaire::Fx16, luminaire::falloff::Soft"));
 }
 
@@ -72,7 +73,7 @@ fn json_has_the_figures_by_name() {
     let json = serde_json::to_value(&answer).unwrap();
     assert_eq!(json["chip"], "cortex-m0");
     assert_eq!(json["bound"]["label"], "searched");
-    assert!(json["cycles"].is_null() && json["bytes"].is_u64() && json["instructions"].is_f64());
+    assert!(json["cycles"].is_f64() && json["bytes"].is_u64() && json["instructions"].is_f64());
     assert!(json["bound"]["at"]["degrees_off_axis"].is_f64());
     let light: Light = serde_json::from_value(json["light"].clone()).unwrap();
     assert_eq!(light, answer.light);

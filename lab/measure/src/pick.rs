@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::boards::board::{self, Board};
 use crate::boards::laboratory::Laboratory;
-use crate::boards::{cost, laboratory};
+use crate::boards::{Rp2040, cost, laboratory};
 use crate::record::{self, Figure, Group, Record};
 use tools::progress::Progress;
 
@@ -35,8 +35,9 @@ struct Prices(BTreeMap<String, OnBoard>);
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 struct OnBoard {
     compiler: String,
-    /// Instructions of a lit point and bytes of code, by edge, attenuation and evaluation.
-    kernels: BTreeMap<String, (f64, u64)>,
+    /// Instructions of a lit point, bytes of code, and cycles if they were counted, by edge,
+    /// attenuation and evaluation.
+    kernels: BTreeMap<String, (f64, u64, Option<f64>)>,
 }
 
 /// Counts, and compares with the record or writes it.
@@ -60,9 +61,12 @@ fn counted(boards: &[&'static Board], progress: &Progress) -> Result<Prices> {
     let host = laboratory::on_the_host(PROGRAM, progress)?;
     let counts = boards.iter().map(|board| {
         let laboratory = Laboratory::with_program(PROGRAM, board, progress)?;
-        let costs = cost::measure(&laboratory, PROGRAM, &host)?;
+        let clock = Rp2040::for_board(board, progress)?;
+        let costs = cost::measure(&laboratory, PROGRAM, &host, clock.as_ref())?;
         let thousandths = |value: f64| (value * 1000.0).round() / 1000.0;
-        let price = |cost: &cost::Cost| (cost.name(), (thousandths(cost.instructions), cost.bytes));
+        let price = |cost: &cost::Cost| {
+            (cost.name(), (thousandths(cost.instructions), cost.bytes, cost.cycles.map(thousandths)))
+        };
         let kernels = costs.kernels.iter().map(price).collect();
         Ok((board.name.to_owned(), OnBoard { compiler: costs.compiler, kernels }))
     });
@@ -86,9 +90,12 @@ impl Record for Prices {
     fn figures(&self) -> BTreeMap<String, Group> {
         let groups = self.0.iter().map(|(board, prices)| {
             let mut group = Group::of(&prices.compiler);
-            for (kernel, (instructions, bytes)) in &prices.kernels {
+            for (kernel, (instructions, bytes, cycles)) in &prices.kernels {
                 group.add(format!("{kernel}, instructions"), Figure::Instructions(*instructions));
                 group.add(format!("{kernel}, bytes"), Figure::Bytes(*bytes));
+                if let Some(cycles) = cycles {
+                    group.add(format!("{kernel}, cycles"), Figure::Instructions(*cycles));
+                }
             }
             (board.clone(), group)
         });
