@@ -1,5 +1,7 @@
 //! Places the programs in memory, and writes the lights of the programs `still` and `frame`.
 
+#[cfg(feature = "pick")]
+mod answers;
 #[path = "src/frame/measures.rs"]
 #[allow(dead_code, reason = "the shapes are the program's part")]
 mod measures;
@@ -27,8 +29,33 @@ fn main() -> Outcome {
     println!("cargo::rerun-if-changed=memory.rs");
     println!("cargo::rerun-if-changed=src/frame/measures.rs");
     memory::place(None)?;
+    #[cfg(feature = "pick")]
+    picked()?;
     still()?;
     frame()
+}
+
+/// The lights of the program `picked`: calls of its macro `run`.
+#[cfg(feature = "pick")]
+fn picked() -> Outcome {
+    println!("cargo::rerun-if-changed=answers.rs");
+    let mut text = String::from("{\n");
+    for (number, answer) in answers::all()?.iter().enumerate() {
+        let luminaire_pick::Light { position, axis, near, far, .. } = answer.light;
+        let format = match answer.evaluation.name().split('-').next() {
+            Some("fx16") => "luminaire::Fx16",
+            Some("fx32") => "luminaire::Fx32",
+            _ => "f32",
+        };
+        let tangent = (answer.outer / 2.0).to_radians().tan();
+        text += &format!(
+            "{{\n{}\nrun!({number}, {format}, LIGHT, Domain {{ position: {position:?}, axis: {axis:?}, \
+             tangent: {tangent:?}, near: {near:?}, far: {far:?} }});\n}}\n",
+            answer.code
+        );
+    }
+    let file = Path::new(&env::var("OUT_DIR")?).join("picked.rs");
+    Ok(fs::write(file, text + "}\n")?)
 }
 
 /// The spotlight of the program `still`, which hangs three metres above a floor and shines at a

@@ -1,4 +1,4 @@
-//! Random requests, and how far a longer search of them exceeds that of an answer.
+//! For tests: random requests, the exact light of an answer, and how far a longer search of them exceeds that of an answer.
 
 use luminaire_oracle::SplitMix64;
 
@@ -34,6 +34,16 @@ pub fn random_light(random: &mut SplitMix64) -> Light {
         far: near * ratio(random, 1.0, 10.0),
         ..Light::default()
     }
+}
+
+/// Returns the exact light of an answer.
+pub fn truth(answer: &Answer) -> Result<luminaire_oracle::SpotLight, Refusal> {
+    Ok(answer.light.truth(&answer.light.cone()?, answer.light.axis))
+}
+
+/// Returns the error of a light in the unit of the answer's tolerance.
+pub fn error(answer: &Answer, found: f64, exact: f64) -> f64 {
+    answer.tolerance.error(answer.display, found, exact)
 }
 
 /// Returns the largest error of an answer that a search at `effort` times the points finds, with

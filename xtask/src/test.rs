@@ -9,7 +9,7 @@ use serde_json::Value;
 use crate::arguments::TestOptions;
 use browser_tests::{ALL, Visitor};
 use measure::boards::{self, Board};
-use measure::{conform, effects, frame, prices, size};
+use measure::{conform, effects, frame, pick, prices, size};
 use tools::demo::site;
 use tools::progress::Progress;
 use tools::suite::Suite;
@@ -109,6 +109,9 @@ fn boards(suite: &mut Suite, full: bool) {
     frame::steps::run(suite, &boards);
     size::steps::run(suite, &boards, full);
     effects::steps::run(suite, full);
+    if full {
+        pick::steps(suite, &boards);
+    }
     prices(suite, &boards, full);
     conform::steps::run(suite, &boards);
 }

@@ -5,9 +5,13 @@
 pub mod board;
 pub mod frame;
 mod measure;
+#[cfg(feature = "pick")]
+mod picked;
 #[cfg(feature = "effects")]
 mod price;
 
 pub use measure::{COUNT, choose, measure};
+#[cfg(feature = "pick")]
+pub use picked::{Domain, picked};
 #[cfg(feature = "effects")]
 pub use price::price;

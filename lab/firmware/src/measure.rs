@@ -3,7 +3,9 @@
 use core::array;
 
 use luminaire_kernels::scene::{Site, Sites};
-use luminaire_kernels::{Kernel, Row, Setting, Value, Visitor, falloffs, oracle, points, priced, truth::Point};
+use luminaire_kernels::{
+    Kernel, Row, Setting, Value, Visitor, falloffs, oracle, points, priced, truth::Point,
+};
 
 use crate::board::{begin, end, opaque, println};
 
