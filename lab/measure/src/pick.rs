@@ -7,12 +7,13 @@ use anyhow::{Result, ensure};
 use serde::{Deserialize, Serialize};
 
 use crate::boards::board::{self, Board};
+use crate::boards::emulator::Emulator;
 use crate::boards::laboratory::Laboratory;
 use crate::boards::{Rp2040, cost, laboratory};
 use crate::record::{self, Figure, Group, Record};
 use tools::progress::Progress;
 use tools::suite::Suite;
-use tools::{command, tally::Tally};
+use tools::{command, project, tally::Tally};
 
 /// The options of `pick`.
 #[derive(Debug, Default, PartialEq, clap::Args)]
@@ -59,9 +60,12 @@ pub fn steps(suite: &mut Suite, boards: &[&'static Board]) {
 fn answers(board: &'static Board, progress: &Progress) -> Result<()> {
     let (program, feature) = ANSWERS;
     let host = laboratory::on_the_host_with_feature(program, feature, progress)?;
-    let laboratory = Laboratory::with_feature(program, feature, board, progress)?;
-    let run = laboratory.run_with(program, |_| 0)?;
-    ensure!(!host.is_empty() && run.lines == host, "{:?}, on the host {host:?}", run.lines);
+    let emulator = Emulator::find(board, progress)?;
+    let arguments = ["--release", "--bin", program, "--features", feature];
+    let toolchain = laboratory::build(board, &arguments, progress)?;
+    let printed = emulator.run_in(project::root(), &toolchain.artifacts("release").join(program))?;
+    let lines: Vec<_> = printed.lines().collect();
+    ensure!(!host.is_empty() && lines == host, "{lines:?}, on the host {host:?}");
     Ok(())
 }
 
