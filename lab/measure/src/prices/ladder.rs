@@ -31,9 +31,6 @@ pub(crate) struct Steps {
 const INTRODUCTION: &str = "
 ## Which evaluation for which display
 
-For one light, `cargo run -q --bin luminaire -- pick --chip cortex-m0 --display rgb565 --steps 1` answers with the evaluation,
-its price and a bound of its error. For an overview:
-
 A lit point by each evaluation: the narrowest of seven half angles (1°, 3°, 5°, 15°, 22°, 45°, 80°) from which on it errs at
 most one step of a display at every brightness, and its instructions. The display encodes in sRGB; a step is 1/63 (the
 green channel of RGB565) or 1/255 (RGB888) after encoding, before the rounding to steps. sRGB magnifies the errors of

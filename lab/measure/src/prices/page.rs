@@ -12,8 +12,25 @@ const FORMATS: [&str; 9] =
 const INTRODUCTION: &str = "\
 # What accuracy costs
 
+For one light on one chip with one display, ask:
+
+```sh
+cargo run -q --bin luminaire -- pick --chip cortex-m0 --display rgb565 --steps 1 --edge soft --field 36
+```
+
+The answer is the cheapest evaluation whose error is small enough, with its instructions, cycles and bytes, a bound of the
+error, the place where it is largest, and the code to compile. This page has the prices behind it: first which evaluation is
+good enough for which display, then how all is measured, then each processor with its front, its table and every row.
+
 `cargo xtask measure` writes this page, its pictures and the price list behind them,
-[accuracy-vs-cost.json](accuracy-vs-cost.json). Errors and costs are of the same functions, which are the crate
+[accuracy-vs-cost.json](accuracy-vs-cost.json). A row has an address, such as
+[`#cortex-m0.lit.fx16`](#cortex-m0.lit.fx16): the target, the kernel and the format.
+";
+
+const MEASUREMENT: &str = "
+## How it is measured
+
+Errors and costs are of the same functions, which are the crate
 [`luminaire-kernels`](../lab/kernels/src/lib.rs): firmware, host and browser run them, and the same bits come out everywhere.
 
 **Errors** are the largest difference from f64 in linear codes, 1/255 of full scale; half a code is
@@ -51,7 +68,7 @@ code. `clamp` is a loop that does next to nothing.
 
 /// Writes the page.
 pub(super) fn write(list: &PriceList) -> String {
-    let mut text = INTRODUCTION.to_owned() + &ladder::write(list);
+    let mut text = INTRODUCTION.to_owned() + &ladder::write(list) + MEASUREMENT;
     for target in list.targets() {
         text += &section(list, &target);
     }
@@ -114,7 +131,8 @@ fn priced(row: &Row, target: &Target) -> Option<String> {
             format!("{ns:.3} | {lower:.3} to {upper:.3} | {}", figures::cost(ratio_to_powf))
         }
     };
-    Some(format!("| {} | {} | {error} | {cost} |\n", row.kernel, row.format))
+    let address = format!("{}.{}", target.name(), row.name());
+    Some(format!("| <a id=\"{address}\"></a>{} | {} | {error} | {cost} |\n", row.kernel, row.format))
 }
 
 /// A table of the project's kernels by format, then one line with the rivals.
