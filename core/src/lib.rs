@@ -62,7 +62,7 @@
 //!
 //! [`SpotLight::compile_quick`] compiles one light for a quick evaluation. In `f32` it takes 77
 //! instructions on a Cortex-M4F and errs by 0.0064 linear codes. On a Cortex-M0 it takes 135
-//! instructions in [`Fx16`] and errs by 0.079; in [`Fx32`] 474 and 1.0e-5.
+//! instructions in [`Fx16`] and errs by 0.079; in [`Fx32`] 443 and 1.0e-5.
 //!
 //! A *linear code* is 1/255 of full scale in linear light, clipped at 1. *Searched* means the
 //! maximum over very many random points, each refined by hill climbing; *counted* means by an

@@ -245,13 +245,16 @@ impl Share<Fx32> for Fine {
 
 /// Returns `product / 2^shift` with 30 fraction bits, rounded to nearest; saturates.
 ///
-/// As [`Light32::shifted`], but only a light over full scale needs 64 bits.
+/// As [`Light32::shifted`], but with shifts of 32 bits.
 #[inline]
 pub(in crate::number) fn light(product: u32, shift: i32) -> Light32 {
-    let but_one = shift.wrapping_sub(1) as u32;
+    let (but_one, up) = (shift.wrapping_sub(1) as u32, shift.wrapping_neg() as u32);
     if but_one < u32::BITS {
         let doubled = product >> but_one;
         Light32::from_bits(((doubled >> 1) + (doubled & 1)).into())
+    } else if up < u32::BITS {
+        let high = (product >> 1) >> (u32::BITS - 1 - up);
+        Light32::from_bits(u64::from(high) << u32::BITS | u64::from(product << up))
     } else {
         cold_path();
         Light32::shifted(product.into(), shift)
@@ -302,6 +305,19 @@ mod tests {
                 let exact = line.clamp(0.0, 65_535.0) / 65_535.0 * 2_147_483_648.0;
                 let found = Fraction::<Fx16>::along(Fine(t), &[knot]);
                 assert!((f64::from(found.0) - exact).abs() <= 2.0, "{slope} {t}: {found:?} for {exact}");
+            }
+        }
+    }
+
+    #[test]
+    fn light_is_shifted_as_in_64_bits() {
+        for product in [0, 1, 2, 3, 0x8000_0001, 0x9e37_79b9, u32::MAX] {
+            for shift in (-70..70).chain([i32::MIN, i32::MAX]) {
+                assert_eq!(
+                    light(product, shift),
+                    Light32::shifted(product.into(), shift),
+                    "{product} {shift}"
+                );
             }
         }
     }
