@@ -43,7 +43,7 @@ pub fn spot_soft_lambert_bright(Surface { point, normal, .. }: Surface) -> Irrad
 /// The soft spotlight, moved to each surface point, where it shines back to its old place.
 #[inline(always)]
 pub fn spot_soft_lambert_placed(Surface { point, normal, .. }: Surface) -> Irradiance {
-    let normal = normal.map(|c| Format::ZERO.minus(c));
+    let normal = normal.map(|c| Format::default().minus(c));
     Soft::CONSTANT.placed(point, AXIS_BACK).irradiance(POSITION, normal)
 }
 
