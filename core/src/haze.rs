@@ -1,7 +1,7 @@
 //! Haze: the visible beam of a spotlight, by single in-scattering along the view ray.
 //!
-//! The haze is a thin homogeneous medium. Between the eye and a surface it scatters this light
-//! towards the eye:
+//! The haze is a thin homogeneous medium. Between the eye and a surface, the haze scatters this
+//! light towards the eye:
 //!
 //! ```text
 //! in-scattering = density phase I ∫ f(w(s)) / d(s)^2 ds
@@ -9,36 +9,38 @@
 //!
 //! Here `I` is the intensity, `d` the distance of a point on the ray from the light, and `f` the
 //! falloff at the versine `w` of the point's angle off axis. The medium is thin: its transmittance
-//! is taken as 1, so it attenuates neither the beam nor the surfaces behind it, and light scatters
-//! only once. Scattering is isotropic, with a phase function of `1/(4 pi)`. A white surface with an
-//! irradiance of 1 shows 1, which is a radiance of `1/pi`. So the constant factor is `pi / (4 pi)`
-//! times the density: a quarter of it.
+//! is taken as 1, so the medium attenuates neither the beam nor the surfaces behind the beam. Light
+//! scatters only once. Scattering is isotropic, with a phase function of `1/(4 pi)`. A white
+//! surface with an irradiance of 1 shows 1, which is a radiance of `1/pi`. So the constant factor
+//! of `I` is the density times `pi / (4 pi)`: a quarter of the density.
 //!
 //! # Integration over directions
 //!
-//! Let `h` be the distance of the light from the line of sight. Then `ds / d^2 = d(psi) / h`: the
-//! inverse square cancels, and `f` is integrated over the directions from the light to the ray.
-//! These directions form an arc of a great circle. The angle `psi` is measured on this circle, from
-//! its direction nearest to the axis. The substitution `v = tan(psi/2)` avoids trigonometry:
+//! The directions from the light to the points of the ray form an arc of a great circle. The angle
+//! `psi` of a direction is measured on this circle, from the circle's direction nearest to the axis
+//! of the light. Let `h` be the distance of the light from the line of sight. Then
+//! `ds / d^2 = d(psi) / h`: the inverse square cancels, and `f` is integrated over `psi`. The
+//! substitution `v = tan(psi/2)` avoids trigonometry:
 //!
 //! ```text
 //! w = w0 + 2 r v^2 / (1 + v^2),   d(psi) = 2 dv / (1 + v^2),   w0 = 1 - r
 //! ```
 //!
-//! where `r` is the cosine of the angle between the axis and the circle. `r` is computed from the
-//! cosines of two angles: between the axis and the ray, and between the axis and the foot, the
-//! direction to the point of the ray's line that is nearest to the light. So `r` keeps its leading
-//! bits if the circle is nearly orthogonal to the axis. `w0` is computed from the sine, so it keeps
-//! its leading bits in narrow beams. The arc ends at the edge of the cone, at
-//! `v^2 = (omega - w0) / (1 - omega + r)`, where `omega` is the outer versine. It is split at the
-//! edges of the hotspot, or at `v = 0`. In each part `f` is smooth, so Gauss-Legendre quadrature
+//! where `r` is the cosine of the angle between the axis and the circle. The foot is the point of
+//! the ray's line that is nearest to the light. `r` is computed from the cosines of two angles:
+//! between the axis and the ray, and between the axis and the direction from the light to the foot.
+//! So `r` keeps its leading bits if the circle is nearly orthogonal to the axis. `w0` is computed
+//! from the sine of the angle between the axis and the circle. So `w0` keeps its leading bits in
+//! narrow beams. The arc ends at the edge of the cone, at `v^2 = (omega - w0) / (1 - omega + r)`,
+//! where `omega` is the outer versine. The arc is split at the edges of the hotspot, or at `v = 0`
+//! if the cone has no hotspot. In each part of the arc `f` is smooth, so Gauss-Legendre quadrature
 //! with five nodes suffices. NUMERICS.md lists the errors.
 //!
-//! For any other attenuation the integral runs over the length of the ray, between the same ends
-//! and up to the range of the light. If the light neither has a range nor attenuates, an endless
-//! ray in the beam is as bright as f32 allows.
+//! For an attenuation other than the inverse square, the integral runs over the length of the ray,
+//! between the same edges of the cone and up to the range of the light. If the light neither has a
+//! range nor attenuates, an endless ray in the beam is as bright as f32 allows.
 //!
-//! The computation is in `f32` for lights of every format. The range of `1/h` is too large for one
+//! The computation is in `f32` for lights of every format. `1/h` varies too much for one
 //! fixed-point scale per picture, and a renderer with haze uses floats for its colours anyway.
 
 mod arc;
@@ -84,10 +86,10 @@ impl Haze {
     /// Clear air: a density of 0.
     pub const CLEAR: Self = Self { density: 0.0, source_radius: SOURCE_RADIUS };
 
-    /// Creates haze of this density: the share of the light that is scattered per unit of length.
+    /// Creates haze. The density is the share of the light that is scattered per unit of length.
     ///
-    /// Density 0 is clear air and gives exactly no in-scattering. At a density above a few tenths,
-    /// divided by the size of the scene, real haze would no longer be thin.
+    /// A density of 0 is clear air and gives exactly no in-scattering. Real haze is no longer thin
+    /// if the density times the size of the scene exceeds a few tenths.
     ///
     /// # Errors
     /// A density outside 0 to 1e9.
@@ -98,9 +100,9 @@ impl Haze {
 
     /// Returns the same haze for lights that are spheres of this radius; the default is 0.01.
     ///
-    /// There is no haze inside the light, and no view through it: a ray that hits the light ends
-    /// there. Without a radius, a light would be infinitely bright to an eye that looks straight at
-    /// it.
+    /// There is no haze inside the light, and the light is opaque: a view ray that hits the light
+    /// ends there. Without a radius, a light would be infinitely bright to an eye that looks
+    /// straight at it.
     ///
     /// # Errors
     /// A radius outside 0.001 to 1e9.
@@ -114,7 +116,7 @@ impl Haze {
         self.density
     }
 
-    /// Returns the radius of a light.
+    /// Returns the radius of the lights, which are spheres.
     pub fn source_radius(&self) -> f32 {
         self.source_radius
     }

@@ -1,8 +1,8 @@
 //! Lights of other systems, converted to lights of this crate.
 //!
-//! Each system has a type whose fields have the system's names, units and defaults. Its method
-//! `import` takes the light's position and direction, and returns a light of this crate with its
-//! largest difference from the original. Nothing is parsed here.
+//! Each system has a type whose fields have the system's names, units and defaults. The method
+//! `import` of that type takes the light's position and direction. It returns a light of this crate
+//! and the largest difference of this light from the original. The module does not parse files.
 //!
 //! ```
 //! use luminaire::{Vec3, import};
@@ -24,8 +24,8 @@
 //! | [`Godot`] | half, degrees | `1 - u^(1/p)` | `1 / d^k` with Filament's window |
 //! | [`Penumbra`] | as an [`Angle`] | `t` or smoothstep with a hotspot | `1 / d^2` |
 //!
-//! `t` and `u = 1 - t` are those of [`falloff`](crate::falloff): linear in the cosine from the
-//! outer to the inner angle.
+//! `t` and `u = 1 - t` are defined in [`falloff`](crate::falloff): `t` is linear in the cosine of
+//! the angle off axis, 0 at the outer angle and 1 at the inner angle.
 //!
 //! # What is exact, and what is not
 //!
@@ -49,20 +49,20 @@
 //! |---|---|---|---|---|---|---|---|---|---|
 //! | Godot, to a range of 8 | 0.065 | 0.13 | 0.035 | 0.042 | 0.084 | 0.028 | 0.22 | 0.75 | 1.0 |
 //!
-//! With a decay over 2 the original decreases faster than `1 / d^2`, the steepest attenuation of
-//! the kernel: check the difference before you use such a light. A falloff with an exponent below 1
-//! has an infinite slope at its edge. There a format bounds the error of the position, not of the
-//! intensity.
+//! With a decay over 2 the original light decreases faster than `1 / d^2`, the steepest attenuation
+//! of the kernel: check the difference before you use such a light. A falloff with an exponent
+//! below 1 has an infinite derivative with respect to the angle at its edge. At that edge, a format
+//! bounds the error of the position, not of the intensity.
 //!
 //! Divisions by zero in the original are not imported: an inner angle equal to the outer one gives
-//! a step. glTF's reference code divides by 0.001 there, which [`Gltf::import_as_recommended`]
-//! reproduces.
+//! a step. For equal angles, glTF's reference code divides by 0.001 instead;
+//! [`Gltf::import_as_recommended`] reproduces this division.
 //!
 //! # One type
 //!
 //! The falloff and the attenuation of an imported light are chosen at run time ([`AnyFalloff`],
-//! [`AnyAttenuation`]) and cost a branch per point. To branch once per light instead, convert it
-//! into an [`AnyLight`](crate::dynamic::AnyLight).
+//! [`AnyAttenuation`]) and cost a branch per point. To branch once per light instead, convert the
+//! light into an [`AnyLight`](crate::dynamic::AnyLight).
 
 mod direct3d;
 mod fall;
@@ -101,32 +101,36 @@ pub struct Imported<L> {
     pub difference: Difference,
 }
 
-/// The largest difference between an imported light and the original, both in exact arithmetic: 0
-/// for an exact import. Errors of a number format are not included.
+/// The largest difference between an imported light and the original; 0 for an exact import.
 ///
-/// Intensities are relative to that on the axis. The differences are upper bounds, at most 0.1 %
-/// above the true values.
+/// Both lights are computed in exact arithmetic, without the errors of a number format. Intensities
+/// are relative to the intensity on the axis. The differences are upper bounds, at most 0.1 % above
+/// the true values.
 #[derive(Clone, Copy, PartialEq, Default, Debug)]
 pub struct Difference {
     /// Difference in intensity over the angle, in [0, 1]: at most 1/510 for every import.
     pub angle: f32,
-    /// Difference in position where the slope with respect to the angle is infinite, in outer half
-    /// angles, at most 1/510.
+    /// Difference in position, in outer half angles, where the intensity has an infinite derivative
+    /// with respect to the angle. At most 1/510.
     ///
-    /// It is more than 0 only at the edge of a light with a [`Direct3d::falloff`] in (0, 1), or
-    /// with an [`OpenGl::spot_exponent`] in (0, 1) and a cutoff of 90 degrees. There f32 cannot
-    /// distinguish angles within 2^-25 of the edge, so no format can represent the intensity.
+    /// The value is more than 0 only for a light with a [`Direct3d::falloff`] in (0, 1), or with an
+    /// [`OpenGl::spot_exponent`] in (0, 1) and a cutoff of 90 degrees. At the edge of such a light,
+    /// f32 cannot distinguish angles within 2^-25 of the edge, so no format can represent the
+    /// intensity there.
     pub place: f32,
-    /// Difference in attenuation, in [0, 1]. It is divided by the original's attenuation at
-    /// distance 1 or, at distances where either attenuation is larger than that, by the larger of
-    /// the two. It covers distances from 0.1, or from the distance below which the original stops
-    /// growing if that is farther. The last distance is the range, or 32,767 without a range.
+    /// Difference in attenuation, in [0, 1].
+    ///
+    /// The difference is divided by the original's attenuation at distance 1. At distances where
+    /// either attenuation is larger than this, the difference is divided by the larger of the two
+    /// attenuations. The nearest distance compared is 0.1, or the distance below which the original
+    /// stops growing if that distance is larger. The farthest distance compared is the range, or
+    /// 32,767 without a range.
     pub distance: f32,
 }
 
 impl Difference {
     /// Returns an upper bound of the difference in irradiance, except where the position differs.
-    /// It is the sum of `angle` and `distance`, at most 1.
+    /// The bound is the sum of `angle` and `distance`, at most 1.
     pub fn most(self) -> f32 {
         (self.angle + self.distance).min(1.0)
     }
@@ -141,7 +145,8 @@ impl Difference {
     }
 }
 
-/// Returns the cone of a falloff between an inner and an outer angle; a step if they are equal.
+/// Returns the cone of a falloff between an inner and an outer angle; a step if both angles are
+/// equal.
 fn ramp(profile: AnyFalloff, inner: Angle, outer: Angle) -> Result<Cone<AnyFalloff>, Error> {
     if inner >= outer {
         Cone::from_outer(AnyFalloff::Step(Step), outer)

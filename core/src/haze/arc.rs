@@ -15,9 +15,9 @@ pub(super) struct Extent {
 /// The part of a view ray between the light's body and its range, as an arc of directions.
 ///
 /// The arc lies on a great circle. A direction on the circle is given by `v = tan(psi/2)`, where
-/// `psi` is its angle from that direction on the circle which is nearest to the axis. Points of the
-/// ray are given by their coordinate along it, measured from the foot, the point of the line
-/// nearest to the light.
+/// `psi` is the angle of that direction from the circle's direction nearest to the axis of the
+/// light. A point of the ray is given by its coordinate along the ray, measured from the foot. The
+/// foot is the point of the ray's line that is nearest to the light.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Arc {
     direction: Vec3<f32>,
@@ -25,18 +25,19 @@ pub(super) struct Arc {
     foot: Vec3<f32>,
     height: f32,
     reciprocal: f32,
-    /// The cosines of the axis with the foot and with the ray.
+    /// The cosine of the angle between the axis and the direction to the foot (`across`), and of
+    /// the angle between the axis and the ray (`along`).
     across: f32,
     along: f32,
-    /// The cosine and the versine of the angle between axis and circle.
+    /// The cosine and the versine of the angle between the axis and the great circle.
     radius: f32,
     least: f32,
-    /// The coordinates of the ends on the ray.
+    /// The coordinates of the two ends on the ray.
     first: f32,
     last: f32,
 }
 
-/// The part of an arc within a cone, in `v`, and the factor of an integral over `v`.
+/// The part of an arc within a cone, as limits of `v`, and the factor of an integral over `v`.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Span {
     pub(super) from: f32,
@@ -47,22 +48,22 @@ pub(super) struct Span {
 /// Squared distance, in squared light radii, below which a line counts as passing through the
 /// light.
 ///
-/// A line so near is inside the light's body there, and outside the body its points lie in the
-/// direction of the ray as seen from the light, to f32 precision.
+/// Such a line passes through the light's body. Outside the body, all points of the line lie in the
+/// direction of the ray or opposite to it, as seen from the light, within f32 precision.
 const THROUGH: f32 = 1e-14;
 
 /// Arc length in `v` below which the scale is computed from the length along the ray.
 ///
-/// In a shorter arc the difference of the ends would have too few correct bits.
+/// In a shorter arc, the difference of the two values of `v` would have too few correct bits.
 const SHORT: f32 = 1.0 / 16.0;
 
-/// Shortest arc, relative to the cone's edge.
+/// Shortest length of an arc in `v`, relative to the `v` of the cone's edge.
 ///
-/// A shorter arc is lengthened to this, and its scale reduced in proportion. So the integral stays
-/// right if both ends round to the same value.
+/// A shorter arc is lengthened to this length, and its scale is reduced in proportion. So the
+/// integral stays right if both ends of the arc round to the same value.
 const SHORTEST: f32 = 1.0 / 262_144.0;
 
-/// Finite stand-in for the tangent of a right angle.
+/// Finite replacement for the tangent of a right angle: `v` opposite the axis.
 const OPPOSITE: f32 = 1e6;
 
 impl Arc {
@@ -72,8 +73,8 @@ impl Arc {
         let Extent { position, axis, radius_squared, reach_squared } = *extent;
         let direction = view.direction;
         let eye = view.eye.zip(position, |e, p| e - p);
-        // Orthogonalises twice: the first step leaves a rounding error along the ray, which may be
-        // longer than the foot if that is short.
+        // Orthogonalises twice. The first step leaves a rounding error along the ray, and this
+        // error may be longer than a short vector to the foot.
         let back = eye.dot(direction);
         let nearly = eye.zip(direction, |e, d| e - back * d);
         let rest = nearly.dot(direction);
@@ -85,15 +86,16 @@ impl Arc {
         let squared = if is_through { THROUGH * radius_squared } else { squared };
         let reciprocal = trig::inverse_sqrt(squared);
         let height = squared * reciprocal;
-        // The foot of a line through the light is zero or nearly zero. Any direction orthogonal to
-        // the line may then replace that of the foot; this one is also orthogonal to the axis.
+        // If the line passes through the light, the vector to the foot is zero or nearly zero. Any
+        // direction orthogonal to the line may then replace the direction to the foot. `normal` is
+        // also orthogonal to the axis.
         let normal = cross(direction, axis);
         let sine = foot.dot(normal) * reciprocal;
         let squared_sine = if is_through { normal.dot(normal) } else { sine * sine };
         let across = if is_through { 0.0 } else { foot.dot(axis) * reciprocal };
         let along = direction.dot(axis);
-        // Computed from the sine, `radius` would lose all bits if the circle is nearly orthogonal
-        // to the axis.
+        // Computed from `sine`, the cosine `radius` would lose all bits if the great circle is
+        // nearly orthogonal to the axis.
         let radius = trig::sqrt(across * across + along * along);
 
         let [first, last] = lit(squared, radius_squared, reach_squared, [start, start + view.length]);
@@ -107,13 +109,17 @@ impl Arc {
         self.first < self.last
     }
 
-    /// Returns the `v` at which the circle leaves a cone; zero if it does not meet the cone.
+    /// Returns the `v` at which the great circle leaves a cone; zero if the circle does not meet
+    /// the cone.
     #[inline]
     pub(super) fn edge(&self, versine: f32) -> f32 {
         trig::sqrt(positive((versine - self.least) / ((1.0 - versine) + self.radius)))
     }
 
-    /// Returns the part of the arc within an [`edge`](Self::edge), which is at most 1.
+    /// Returns the part of the arc where the absolute value of `v` is at most an
+    /// [`edge`](Self::edge).
+    ///
+    /// The edge is at most 1.
     ///
     /// The span is empty unless `from < to`.
     #[inline(always)] // Turntable in haze on x86-64: +1.9 % without.
@@ -121,20 +127,20 @@ impl Arc {
         let (near, far) = (self.distance(self.first), self.distance(self.last));
         let (from, to) = (self.toward(self.first, near), self.toward(self.last, far));
         let length = to - from;
-        // `v` increases along a ray, except where the arc passes the far side of its circle. The
-        // signs of the ends detect that case: the sign of `v` is the sign of a sine that is
-        // monotone in the coordinate, even after rounding. Near the far side the difference of the
-        // ends is rounding error only. Such an arc contains at most one edge of the cone, because
-        // it is shorter than a half circle.
+        // `v` increases along a ray, except where the arc passes the point of its circle opposite
+        // the axis. There `from` is positive and `to` negative. These signs are reliable: the sign
+        // of `v` is the sign of a sine that is monotone in the coordinate, even after rounding. The
+        // difference `to - from` would consist of rounding errors there. Such an arc contains at
+        // most one edge of the cone, because the arc is shorter than a half circle.
         let is_around = from > 0.0 && to < 0.0;
         let is_short = length < SHORT && !is_around;
-        // `(to - from) / height`, computed without the difference of the ends.
+        // `worth` is `(to - from) / height`, computed without the difference `to - from`.
         let way = (self.last - self.first) * ((1.0 + from * from) * (1.0 + to * to));
         let worth = way / (2.0 * (1.0 + from * to) * (near * far));
         let shortest = SHORTEST * edge;
         let kept = if length > shortest { length } else { shortest };
         let begin = if is_short { to - kept } else { from };
-        // Divides by the length after `begin` is rounded.
+        // Divides by the length from the rounded `begin`.
         let scale = if is_short { worth / (to - begin) } else { self.reciprocal };
         let comes_in_last = is_around && from >= edge;
         let begin = if comes_in_last || begin < -edge { -edge } else { begin };
@@ -142,7 +148,9 @@ impl Arc {
         Span { from: begin, to: end, scale }
     }
 
-    /// Returns the versine off the axis in a direction on the circle; `share` is `1 / (1 + v^2)`.
+    /// Returns the versine of the angle between the axis and the direction `v` on the circle.
+    ///
+    /// `share` is `1 / (1 + v^2)`.
     #[inline]
     pub(super) fn versine(&self, v: f32, share: f32) -> f32 {
         self.least + 2.0 * self.radius * (v * v) * share
@@ -151,13 +159,14 @@ impl Arc {
     /// Returns the coordinates at which the ray enters and leaves a cone of this
     /// [`edge`](Self::edge).
     ///
-    /// If the ray misses the cone, both results are the same coordinate: the last one, or the one
-    /// nearest to the axis.
+    /// If the ray misses the cone, both results are the same coordinate: the end of the ray, or the
+    /// coordinate nearest to the axis.
     #[inline]
     pub(super) fn between(&self, edge: f32) -> [f32; 2] {
         let (cosine, sine) = (1.0 - edge * edge, 2.0 * edge);
-        // The cosines of the angles between the foot and the two edges, up to a factor. If the
-        // cosine is not positive, the line does not reach that edge.
+        // The cosines of the angles between the direction to the foot and the two edges of the
+        // cone, up to a factor. If the cosine for an edge is at most 0, the line does not reach
+        // that edge.
         let lower = cosine * self.across + sine * self.along;
         let upper = cosine * self.across - sine * self.along;
         let from = self.inside(self.height * (cosine * self.along - sine * self.across) / lower);
@@ -167,7 +176,7 @@ impl Arc {
         [if is_missed { self.last } else { from }, if upper > 0.0 && !is_missed { to } else { self.last }]
     }
 
-    /// Clamps a coordinate on the line to the ray.
+    /// Clamps a coordinate on the ray's line to the two ends of the arc.
     #[inline]
     fn inside(&self, place: f32) -> f32 {
         let place = if place > self.first { place } else { self.first };
@@ -182,8 +191,8 @@ impl Arc {
 
     /// Returns `sin psi` and `1 + cos psi` at a coordinate, both times `distance * radius`.
     ///
-    /// `psi` is the angle between the direction at this coordinate and that direction on the great
-    /// circle which is nearest to the axis.
+    /// `psi` is the angle between the direction at this coordinate and the great circle's direction
+    /// nearest to the axis.
     #[inline]
     fn turn(&self, place: f32, distance: f32) -> (f32, f32) {
         let sine = self.across * place - self.along * self.height;
@@ -194,15 +203,16 @@ impl Arc {
     #[inline]
     fn toward(&self, place: f32, distance: f32) -> f32 {
         let (sine, one_plus_cosine) = self.turn(place, distance);
-        // Opposite the axis `1 + cos psi` is zero, up to rounding.
+        // Opposite the axis, `1 + cos psi` is zero within rounding errors, and `v` has no finite
+        // value.
         let far = if sine < 0.0 { -OPPOSITE } else { OPPOSITE };
         if one_plus_cosine * OPPOSITE > distance { sine / one_plus_cosine } else { far }
     }
 
-    /// Returns the versine off the axis at a coordinate on the ray, at this distance from the
-    /// light.
+    /// Returns the versine of the angle off axis at a coordinate on the ray.
     ///
-    /// If the versine is over 1, returns some value over 1.
+    /// `distance` is the distance of that point from the light. If the versine is over 1, the
+    /// result is some value over 1.
     #[inline]
     pub(super) fn versine_at(&self, place: f32, distance: f32) -> f32 {
         let (sine, one_plus_cosine) = self.turn(place, distance);
@@ -226,8 +236,7 @@ impl Arc {
     }
 }
 
-/// Clips a ray to the part that is outside the light's body, not hidden by the body, and within the
-/// range.
+/// Clips a ray to the part that is outside the light's body, not behind the body, and within range.
 #[inline]
 fn lit(squared: f32, radius_squared: f32, reach_squared: f32, [first, last]: [f32; 2]) -> [f32; 2] {
     let body = trig::sqrt(positive(radius_squared - squared));

@@ -25,20 +25,22 @@ pub struct BeamScattering<P: Falloff = SoftOrHard, A: Attenuation = InverseSquar
     pub(crate) gain: f32,
     /// Versines between which the intensity varies by more than one [`STEP`].
     ///
-    /// Up to the first the intensity is that of the axis, from the second on it is zero.
+    /// Up to the first versine the intensity is that of the axis; from the second versine on, the
+    /// intensity is zero.
     pub(crate) cone: [f32; 2],
-    /// Squared distances at which the light begins and ends: the squares of its radius and its
+    /// Squared distances at which the light begins and ends: the squares of the light's radius and
     /// range.
     pub(crate) reach: [f32; 2],
 }
 
 /// Difference of intensities that counts as zero: one step of 16 bits.
 ///
-/// A high power is fainter than one step in most of its cone. Excluding that part of the cone puts
-/// the quadrature nodes where there is light.
+/// A falloff with a high exponent is fainter than one step in most of its cone. The quadrature
+/// excludes that part of the cone, so that all nodes are where there is light.
 const STEP: f32 = 1.0 / 65_536.0;
 
-/// Largest distance: squares of distances, and products of two squares, stay within f32.
+/// Largest distance: the squares of distances and the products of two such squares are finite in
+/// f32.
 pub(super) const FARTHEST: f32 = 1e15;
 
 impl<P: Falloff, A: Attenuation> CompiledSpotLight<f32, P, A> {
@@ -61,8 +63,8 @@ impl<P: Falloff, A: Attenuation> CompiledSpotLight<f32, P, A> {
 impl<P: Falloff, A: Attenuation> BeamScattering<P, A> {
     /// Creates a beam from its fields, as [`codegen`](crate::codegen) writes them.
     ///
-    /// `cone` are the two versines between which the intensity varies, `reach` the squared
-    /// distances between which there is light.
+    /// `cone` contains the two versines between which the intensity varies. `reach` contains the
+    /// two squared distances between which there is light.
     pub const fn from_parts(
         position: Vec3<f32>,
         axis: Vec3<f32>,
@@ -75,12 +77,12 @@ impl<P: Falloff, A: Attenuation> BeamScattering<P, A> {
         Self { position, axis, falloff, attenuation, gain, cone, reach }
     }
 
-    /// Returns the light that the haze scatters along a view ray towards the eye, before the
+    /// Returns the light that the haze scatters along a view ray towards the eye, before its
     /// colour.
     ///
     /// 1 is full scale, the light of a white surface with an irradiance of 1. The result is at
-    /// least 0 and finite for every input. It is exactly zero in clear air and if the ray misses
-    /// the cone.
+    /// least 0 and finite for every input. The result is exactly zero in clear air and if the ray
+    /// misses the cone.
     ///
     /// The function has no branch that depends on the ray, so that compilers vectorise a loop over
     /// rays.
@@ -121,7 +123,7 @@ impl<P: Falloff, A: Attenuation> BeamScattering<P, A> {
         way * A::expose(&self.attenuation, &offset, &offset.ray(), intensity, 1.0)
     }
 
-    /// Converts the integral for an intensity of 1 to in-scattered light.
+    /// Converts the integral for an intensity of 1 to the in-scattered light of this beam.
     #[inline]
     pub(super) fn light(&self, arc: &Arc, scattered: f32) -> f32 {
         let scattered = if arc.is_any() { scattered } else { 0.0 };
@@ -137,7 +139,7 @@ impl<P: Falloff, A: Attenuation> BeamScattering<P, A> {
 
 /// Returns the integrand over `v`, at distance 1: `2 / (1 + v^2)` times the intensity.
 ///
-/// `intensity` gets `1 / (1 + v^2)`.
+/// The argument of `intensity` is `1 / (1 + v^2)`.
 #[inline]
 pub(super) fn by_angle(v: f32, intensity: impl Fn(f32) -> f32) -> f32 {
     let share = 1.0 / (1.0 + v * v);
@@ -150,7 +152,7 @@ fn at_distance(distance: f32) -> <f32 as Arithmetic>::Offset {
     f32::offset(Vec3::new(0.0, 0.0, 0.0), Vec3::new(distance, 0.0, 0.0))
 }
 
-/// Returns the range of a distance model, or [`FARTHEST`].
+/// Returns the range of an attenuation, at most [`FARTHEST`].
 fn range<A: Attenuation>(constants: &A::Constants<f32>) -> f32 {
     last(FARTHEST, |distance| !A::is_beyond::<f32, _>(constants, &at_distance(distance)))
 }
@@ -162,20 +164,20 @@ fn rim<P: Falloff>(falloff: &CompiledCone<f32, P>) -> [f32; 2] {
     let full = falloff.at(0.0);
     let is_full = |versine: f32| (falloff.at(versine) - full).abs() < STEP;
     let is_lit = |versine: f32| falloff.at(versine) >= STEP;
-    // A table may fall and rise again: the middle ends where it first falls, the rim where its last
-    // light ends.
+    // The intensities of a table may fall and rise again. The first versine is where the intensity
+    // first falls, the second is where the last light ends.
     let part = |i: u32| limit * (i as f32 / 256.0);
     let first = (1..256).find(|&i| !is_full(part(i))).unwrap_or(256);
     let end = (1..256).rev().find(|&i| is_lit(part(i))).map_or(1, |i| i + 1);
     [last(part(first), is_full), last(part(end), is_lit)]
 }
 
-/// Returns the largest number up to `most` up to which a predicate holds.
+/// Returns the largest number, at most `most`, up to which a predicate holds.
 fn last(most: f32, holds: impl Fn(f32) -> bool) -> f32 {
     if holds(most) {
         return most;
     }
-    // Floats from zero up are ordered like their bits.
+    // Floats from zero up have the same order as their bits, read as integers.
     let (mut low, mut high) = (0, most.to_bits());
     while high - low > 1 {
         let middle = low + (high - low) / 2;

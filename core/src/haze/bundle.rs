@@ -9,7 +9,7 @@ use crate::{attenuation::Attenuation, falloff::Falloff, number::float::positive,
 
 /// All view rays from an eye within an angle of a direction, up to a length.
 ///
-/// For example, the rays of a screen tile.
+/// An example is the set of view rays of a screen tile.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct RayBundle {
     /// The position of the eye.
@@ -22,18 +22,17 @@ pub struct RayBundle {
     pub length: f32,
 }
 
-/// Bound of the rounding errors of the test and of the evaluation: about a hundred rounding
-/// errors of a distance.
+/// Bound of the rounding errors of [`can_meet`](BeamScattering::can_meet) and of the evaluation:
+/// about a hundred rounding errors of a distance.
 ///
-/// It is relative to the distances from the eye to the light and to the surface.
+/// The bound is relative to the distances from the eye to the light and to the surface.
 const MARGIN: f32 = 2e-5;
 
 impl RayBundle {
-    /// Returns the smallest bundle around a direction that contains these other directions. All
-    /// directions have unit length.
+    /// Returns the smallest bundle around a direction that contains these other directions.
     ///
-    /// For a tile, the rays through its corners suffice, because a bundle contains all directions
-    /// between its rays.
+    /// All directions have unit length. For a screen tile, the rays through the corners of the tile
+    /// suffice, because a bundle contains all directions between its rays.
     pub fn around(eye: Vec3<f32>, direction: Vec3<f32>, others: &[Vec3<f32>], length: f32) -> Self {
         let versine = |&other: &Vec3<f32>| {
             let difference = other.zip(direction, |o, d| o - d);
@@ -63,7 +62,8 @@ impl Cap {
         if along > self.cosine { 1.0 } else { beside }
     }
 
-    /// Returns the outward normal of the plane that touches the cap on the side of a direction.
+    /// Returns the outward normal of the plane that touches the cap on the side of the direction
+    /// `side`.
     fn outward(&self, side: Vec3<f32>) -> Vec3<f32> {
         unit(across(side, self.axis)).zip(self.axis, |c, a| self.cosine * c - self.sine * a)
     }
@@ -88,16 +88,17 @@ impl<P: Falloff, A: Attenuation> BeamScattering<P, A> {
     /// Returns whether [`in_scattering`](Self::in_scattering) may be more than 0 for any ray of a
     /// bundle.
     ///
-    /// If the result is `false`, the in-scattering of every ray is exactly 0. If it is `true`, the
-    /// in-scattering may be 0 nevertheless.
+    /// If the result is `false`, the in-scattering of every ray is exactly 0. If the result is
+    /// `true`, the in-scattering may still be 0.
     ///
     /// The result is `false` if a plane through the light separates the beam from the rays, or if
-    /// all rays are beyond a plane at the light's range. A plane counts only if the distances from
-    /// it exceed a margin of about a hundred rounding errors of a distance, which is more than the
-    /// rounding errors of this test and of the evaluation together. The candidate planes touch the
-    /// beam or the bundle; for a ray beside the beam, one of them touches the beam between the
-    /// ray's ends, as seen along the axis. The test uses each plane as computed, with its rounding:
-    /// rounding can miss a separating plane but cannot invent one.
+    /// all rays are beyond a plane at the light's range. A plane counts only if the distances of
+    /// the rays' ends from the plane exceed a margin of about a hundred rounding errors of a
+    /// distance. This margin is more than the rounding errors of this test and of the evaluation
+    /// together. The candidate planes touch the beam or the bundle. For a ray beside the beam, one
+    /// candidate plane touches the beam between the ray's ends, as seen along the axis. The test
+    /// uses the rounded normal of each plane. So a rounding error can miss a separating plane, but
+    /// `false` remains correct.
     pub fn can_meet(&self, bundle: &RayBundle) -> bool {
         let Extent { position, axis, reach_squared, .. } = self.extent();
         let eye = bundle.eye.zip(position, |e, p| e - p);

@@ -13,15 +13,15 @@ use crate::{attenuation::Attenuation, falloff::Falloff, vec3::Vec3};
 
 /// Callback that attenuates the light of `PARTS` sample points in a beam.
 ///
-/// It gets the points and the light scattered at each, and multiplies each light by the
-/// transmittance (shadow, gobo) there.
+/// The callback gets the points and the light scattered at each point. It multiplies each light by
+/// the transmittance (shadow, gobo) at its point.
 pub type TransmittanceFn<'a, const PARTS: usize> = dyn FnMut(&Vec3<[f32; PARTS]>, &mut [f32; PARTS]) + 'a;
 
 /// The part of a view ray inside a beam, and the steps of its integration.
 struct Parts {
     arc: Arc,
-    /// The integration variable for every attenuation except the inverse square, which is
-    /// integrated over the arc: `None`.
+    /// The integration variable; `None` for an inverse-square attenuation, which is integrated over
+    /// the arc.
     stretch: Option<Stretch>,
     from: f32,
     step: f32,
@@ -29,14 +29,14 @@ struct Parts {
 }
 
 impl<P: Falloff, A: Attenuation> BeamScattering<P, A> {
-    /// As [`in_scattering`](Self::in_scattering), weighted by the transmittance at `samples` points
-    /// of the ray.
+    /// Returns the [`in_scattering`](Self::in_scattering) with the transmittance at `samples`
+    /// points of the ray.
     ///
     /// `transmission` returns the transmittance between the light and a world position, in
-    /// `[0, 1]`: that of a gobo or of a shadow map. The samples are in the middles of intervals
-    /// that span about equal angles as seen from the light. With an attenuation other than the
-    /// inverse square, the intervals are halfway between equal angles and equal lengths. Without
-    /// samples the result is zero.
+    /// `[0, 1]`: the transmittance of a gobo or of a shadow map. Each sample is in the middle of an
+    /// interval of the ray. The intervals span about equal angles as seen from the light. With an
+    /// attenuation other than the inverse square, the intervals are a compromise between equal
+    /// angles and equal lengths. If `samples` is 0, the result is zero.
     #[inline]
     pub fn in_scattering_through(
         &self,
@@ -53,7 +53,7 @@ impl<P: Falloff, A: Attenuation> BeamScattering<P, A> {
         self.sum(&parts, sum)
     }
 
-    /// As `in_scattering_through`, with all samples in one call of the filter.
+    /// Computes `in_scattering_through` with all samples in one call of the filter.
     ///
     /// The samples are computed in a loop that compilers vectorise. The filter is not called if the
     /// ray misses the beam.
@@ -108,7 +108,7 @@ impl<P: Falloff, A: Attenuation> BeamScattering<P, A> {
         (arc.point(self.position, place), light)
     }
 
-    /// Returns the light of all intervals.
+    /// Returns the light of all intervals, whose sum is `sum`, after the step and the gain.
     #[inline]
     fn sum(&self, parts: &Parts, sum: f32) -> f32 {
         let scattered = if parts.step > 0.0 { parts.step * sum } else { 0.0 };

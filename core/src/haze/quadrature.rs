@@ -1,11 +1,11 @@
 //! Gauss-Legendre quadrature with five nodes, exact for polynomials up to degree nine.
 
-/// The nodes in the interval `[-1, 1]`: one in the middle, and one pair for each other entry.
+/// The nodes in the interval `[-1, 1]`: the middle, and for each other entry the pair `±entry`.
 ///
 /// With fewer nodes the error would be visible in a cone of 180 degrees.
 const PLACES: [f32; 3] = [0.0, 0.538_469_3, 0.906_179_85];
 
-/// The weights of the nodes; all five sum to 2.
+/// The weights of the nodes; the weights of all five nodes sum to 2.
 const WEIGHTS: [f32; 3] = [0.568_888_9, 0.478_628_67, 0.236_926_88];
 
 /// Returns the integral of a function between two limits; zero unless `from < to`.
@@ -21,7 +21,7 @@ pub(super) fn integrate(from: f32, to: f32, value: impl Fn(f32) -> f32) -> f32 {
 mod tests {
     use super::*;
 
-    /// Polynomials up to degree nine are exact; degree ten is not.
+    /// The integral is exact for polynomials up to degree nine, but not for degree ten.
     #[test]
     fn the_rule_is_exact_up_to_its_degree_and_no_further() {
         let error = |degree: i32| {

@@ -10,7 +10,7 @@ pub struct ViewRays<const N: usize> {
     pub eye: Vec3<f32>,
     /// The directions of view, of unit length.
     pub direction: Vec3<[f32; N]>,
-    /// The distances to the surfaces; infinity if there is none.
+    /// The distances to the surfaces; infinity for a ray that meets no surface.
     pub length: [f32; N],
 }
 

@@ -7,8 +7,9 @@ use crate::trig;
 ///
 /// The integrand varies partly with the distance and partly with the direction. Uniform steps in
 /// length undersample the part near the light; uniform steps in angle undersample the far part.
-/// Here the coordinate at a parameter is a mean of both ends. Each end is weighted by the square
-/// root of the other end's distance, which gives steps halfway between the two.
+/// Here the coordinate at a parameter is a weighted mean of the coordinates of both ends. Each end
+/// is weighted by the square root of the other end's distance from the light. The resulting steps
+/// are a compromise between equal lengths and equal angles.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Stretch {
     from: f32,
@@ -24,8 +25,8 @@ impl Stretch {
         Self { from, to, weights: [far, near] }
     }
 
-    /// Returns the coordinate on the ray at a parameter, and the derivative of the coordinate by
-    /// the parameter.
+    /// Returns the coordinate on the ray at a parameter, and the derivative of the coordinate with
+    /// respect to the parameter.
     ///
     /// The derivative is zero unless `from < to`.
     #[inline]

@@ -12,15 +12,16 @@ use crate::{
 /// A spotlight of Direct3D 9 (`D3DLIGHT9`, and *Attenuation and Spotlight Factor* of its
 /// programming guide).
 ///
-/// With rho the cosine of the angle off the direction, the intensity is full for
+/// `rho` is the cosine of the angle off the light's direction. The intensity is full for
 /// `rho > cos(theta / 2)`, 0 for `rho <= cos(phi / 2)`, and in between
 ///
 /// ```text
 /// ((rho - cos(phi / 2)) / (cos(theta / 2) - cos(phi / 2)))^falloff
 /// ```
 ///
-/// At a distance d it is divided by `attenuation0 + attenuation1 d + attenuation2 d^2`; beyond the
-/// range it is 0. The import is exact. A falloff of 0, and `theta = phi`, give a step.
+/// At a distance d the intensity is divided by `attenuation0 + attenuation1 d + attenuation2 d^2`;
+/// beyond the range the light is 0. The import is exact. A falloff of 0, and `theta = phi`, give a
+/// step.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Direct3d {
     /// `Theta`: the full inner angle in radians, from 0 to phi.

@@ -11,16 +11,16 @@ use crate::{
 /// The largest coefficient and intensity.
 const MOST: f32 = 1e9;
 
-/// The interval of distances over which an imported decay is compared with the original. It ends at
-/// the largest coordinate of the fixed-point formats.
+/// The interval of distances in which an imported decay is compared with the original. The last
+/// distance is the largest coordinate of the fixed-point formats.
 const NEAREST: f64 = 0.1;
 const FARTHEST: f64 = 32_767.0;
 
-/// The largest factor on an intensity. The largest coefficient is 16 times this factor, and must be
-/// at most 1e9.
+/// The largest factor on an intensity. The largest coefficient of the polynomial is 16 times this
+/// factor, and must be at most 1e9.
 const MOST_CAP: f32 = 6e7;
 
-/// An attenuation of this crate that replaces one of another system.
+/// An attenuation of this crate that replaces an attenuation of another system.
 pub(super) struct Fall {
     pub(super) distance: AnyAttenuation,
     /// The intensity, including the factor by which the attenuation was scaled.
@@ -29,8 +29,10 @@ pub(super) struct Fall {
     pub(super) difference: f64,
 }
 
-/// Returns `1 / (a0 + a1 d + a2 d^2)`, uncapped. If the constant is small or 0, points nearer than
-/// 0.001 get the light of a point at 0.001.
+/// Returns the attenuation `1 / (a0 + a1 d + a2 d^2)`, uncapped.
+///
+/// If the constant `a0` is small or 0, points at a distance below 0.001 get the light of a point at
+/// distance 0.001.
 pub(super) fn polynomial(coefficients: [f32; 3], range: Option<f32>, intensity: f32) -> Result<Fall, Error> {
     for value in coefficients {
         check_between(Parameter::Attenuation, value, 0.0, MOST)?;
@@ -54,8 +56,9 @@ pub(super) fn polynomial(coefficients: [f32; 3], range: Option<f32>, intensity: 
     Ok(Fall { distance, intensity: intensity * scale, difference: 0.0 })
 }
 
-/// Returns `d^-decay` with Filament's window for a range. `stop` is the distance below which the
-/// original stops growing.
+/// Returns the attenuation `d^-decay` with Filament's window for a range.
+///
+/// `stop` is the distance below which the original attenuation stops growing.
 pub(super) fn decay(decay: f32, stop: f64, range: Option<f32>, intensity: f32) -> Result<Fall, Error> {
     check_between(Parameter::Decay, decay, 0.0, 16.0)?;
     check_between(Parameter::Intensity, intensity, 0.0, MOST)?;
@@ -151,9 +154,10 @@ impl Decay {
         Sample { distance, light: 1.0 / real_power(distance, self.exponent), window: window * window }
     }
 
-    /// Returns the best divisor and its maximum difference. For a given bound, the coefficients
-    /// within it satisfy linear inequalities, so two nested one-dimensional searches find the
-    /// optimum.
+    /// Returns the divisor with the smallest maximum difference, and that difference.
+    ///
+    /// For a given bound of the difference, the coefficients satisfy linear inequalities. So two
+    /// nested one-dimensional searches find the optimum.
     fn nearest(&self, cap: f64) -> (Divisor, f64) {
         const SAMPLES: usize = 129;
         let samples: [Sample; SAMPLES] = core::array::from_fn(|i| self.at(i as f64 / (SAMPLES - 1) as f64));

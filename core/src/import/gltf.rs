@@ -13,17 +13,18 @@ use crate::{
 
 /// A spotlight of glTF's extension `KHR_lights_punctual`, with its defaults.
 ///
-/// The falloff is the square of the ramp between the cosines of the two angles; the attenuation is
-/// `(1 - (d / range)^4) / d^2`, at least 0. The import is exact. The direction of a node is its
-/// local -z.
+/// The falloff is `t^2`, where `t` rises linearly in the cosine of the angle off axis, from 0 at
+/// the outer angle to 1 at the inner angle. The attenuation is `(1 - (d / range)^4) / d^2`, at
+/// least 0. The import is exact. The direction of a node is its local -z.
 ///
-/// The code that the extension recommends clamps the difference of the two cosines to at least
-/// 0.001, so a beam of half a degree is nearly dark on its axis. [`import`](Self::import) omits
-/// that clamp; [`import_as_recommended`](Self::import_as_recommended) includes it.
+/// The code that the extension recommends clamps the difference between the cosines of the two
+/// angles to at least 0.001. So a beam of half a degree is nearly dark on its axis.
+/// [`import`](Self::import) omits that clamp;
+/// [`import_as_recommended`](Self::import_as_recommended) includes it.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Gltf {
     /// `innerConeAngle`: the half angle in radians up to which the intensity is full, from 0 to the
-    /// outer one. Equal angles, which the extension does not allow, give a step.
+    /// outer half angle. Equal angles, which the extension does not allow, give a step.
     pub inner_cone_angle: f32,
     /// `outerConeAngle`: the half angle in radians from which on there is no light, in (0, pi/2].
     pub outer_cone_angle: f32,
@@ -60,15 +61,17 @@ impl Gltf {
         self.spot(position, direction, cone, self.intensity)
     }
 
-    /// Returns the spotlight by the code that the extension recommends, with its `max(0.001, ...)`:
-    /// for images that must match other renderers. The import is exact.
+    /// Returns the spotlight of the code that the extension recommends, with its `max(0.001, ...)`.
     ///
-    /// If the cosines of the angles differ by 0.001 or more, it equals [`import`](Self::import).
-    /// Otherwise the ramp spans 0.001 in the cosine, from the outer angle inwards. If the axis is
-    /// inside that span, the light on the axis is less than the intensity.
+    /// Images of this light match those of other renderers. The import is exact.
+    ///
+    /// If the cosines of the two angles differ by 0.001 or more, the result equals that of
+    /// [`import`](Self::import). Otherwise the falloff rises over a span of 0.001 in the cosine,
+    /// from the outer angle inwards. If the axis is inside that span, the light on the axis is less
+    /// than the intensity.
     ///
     /// # Errors
-    /// As [`import`](Self::import).
+    /// The same errors as [`import`](Self::import).
     pub fn import_as_recommended(
         &self,
         position: Vec3<f32>,

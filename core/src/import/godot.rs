@@ -16,17 +16,17 @@ use crate::{
 /// A `SpotLight3D` of Godot 4 (`scene_forward_lights_inc.glsl` and `light_storage.cpp`), with its
 /// defaults.
 ///
-/// With u the versine of the angle off axis over that of the spot angle, the falloff is
-/// `1 - max(0.0001, u)^p` with `p = 1 / spot_angle_attenuation`. Godot computes this reciprocal
+/// `u` is the versine of the angle off axis, divided by the versine of the spot angle. The falloff
+/// is `1 - max(0.0001, u)^p` with `p = 1 / spot_angle_attenuation`. Godot computes this reciprocal
 /// when it fills its light buffer. An angle attenuation of 1, 1/2, 1/3 and so on gives an integer
-/// p. Then the import is `1 - u^p`, which differs from Godot by `0.0001^p` on the axis. For any
-/// other p the import is exact: it keeps the `max`, and its intensity is scaled to Godot's value on
-/// the axis.
+/// p. For such a p, the import is `1 - u^p`, which differs from Godot by `0.0001^p` on the axis.
+/// For any other p the import is exact: the falloff keeps the `max`, and the intensity is scaled to
+/// Godot's value on the axis.
 ///
 /// The attenuation is `max(d, 0.0001)^-spot_attenuation` with Filament's window
 /// `(1 - (d / spot_range)^4)^2`. Exponents 0, 1 and 2 are exact, with two exceptions. With exponent
-/// 2 the imported light keeps growing at distances below 0.0001. With exponent 1 it stops growing
-/// at a larger distance if the intensity times Godot's cap would exceed 1e9.
+/// 2 the imported light keeps growing at distances below 0.0001. With exponent 1 the imported light
+/// stops growing at a distance above 0.0001 if the intensity times Godot's cap would exceed 1e9.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Godot {
     /// `spot_angle`: the half angle in degrees from which on there is no light, in (0, 90].

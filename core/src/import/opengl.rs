@@ -14,11 +14,11 @@ use crate::{
 /// OpenGL's defaults.
 ///
 /// The intensity at an angle a off the direction is `cos(a)^e`, and 0 for an angle over the cutoff.
-/// At a distance d it is divided by `k0 + k1 d + k2 d^2`. As in OpenGL this factor is not capped,
-/// except at distances below 0.001 if `k0` is 0.
+/// At a distance d the intensity is divided by `k0 + k1 d + k2 d^2`. As in OpenGL, the quotient is
+/// not capped, except at distances below 0.001 if `k0` is 0.
 ///
-/// The import is exact. Exponent 0 gives a cone of constant intensity; a cutoff of 180 degrees
-/// gives a point light.
+/// The import is exact. An exponent of 0 gives a cone of constant intensity; a cutoff of 180
+/// degrees gives a point light.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct OpenGl {
     /// `GL_SPOT_CUTOFF`: the half angle in degrees from which on there is no light, in (0, 90]. 180
@@ -75,8 +75,8 @@ impl OpenGl {
             let light = OpenGlLight::Point(light.with_attenuation(fall.distance));
             return Ok(Imported { light, difference: Difference::NONE });
         }
-        // For an exponent below 1 the slope of `cos^e` is infinite at 90 degrees, and only a cutoff
-        // of 90 degrees includes that angle.
+        // For an exponent below 1, the derivative of `cos^e` with respect to the angle is infinite
+        // at 90 degrees. Only a cutoff of 90 degrees includes that angle.
         let is_boundless = self.spot_cutoff == 90.0 && self.spot_exponent > 0.0 && self.spot_exponent < 1.0;
         let difference = if is_boundless { Difference::AT_THE_EDGE } else { Difference::NONE };
         let Imported { light, difference } = spot(position, direction, self.cone()?, difference, fall)?;

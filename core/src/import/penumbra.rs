@@ -10,11 +10,11 @@ use crate::{
     vec3::Vec3,
 };
 
-/// A spotlight with full intensity within its umbra and none outside its penumbra. The retained
-/// mode of early Direct3D and many small engines have this spotlight.
+/// A spotlight with full intensity within its umbra and none outside its penumbra.
 ///
-/// It has the inverse-square law; [`SpotLight::with_attenuation`] changes that. The import is
-/// exact.
+/// The retained mode of early Direct3D and many small engines have this spotlight. The attenuation
+/// is the inverse-square law; [`SpotLight::with_attenuation`] changes the attenuation. The import
+/// is exact.
 ///
 /// ```
 /// use luminaire::{Angle, Vec3, import};
@@ -29,19 +29,19 @@ pub struct Penumbra {
     /// The full angle up to which the intensity is full, from 0 to the penumbra.
     /// [`HalfAngle`](crate::HalfAngle) converts the half angles of other engines.
     pub umbra: Angle,
-    /// The full angle from which on there is no light, in (0, 180] degrees. Equal to the umbra, it
-    /// gives a step.
+    /// The full angle from which on there is no light, in (0, 180] degrees. A penumbra equal to the
+    /// umbra gives a step.
     pub penumbra: Angle,
-    /// The falloff in between.
+    /// The falloff between the umbra and the penumbra.
     pub ramp: Ramp,
     /// The intensity at distance 1: from 0 to 1e9.
     pub intensity: f32,
 }
 
-/// The falloff over the cosine, from the umbra to the edge of the penumbra.
+/// The falloff as a function of the cosine, from the umbra to the edge of the penumbra.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Ramp {
-    /// Linear.
+    /// Linear in the cosine.
     Linear,
     /// Smoothstep.
     Smooth,

@@ -12,16 +12,17 @@ use crate::{
 /// A `SpotLight` of three.js (its shader chunk `lights_pars_begin` and `WebGLLights`), with its
 /// defaults.
 ///
-/// The falloff is smoothstep from `cos(angle)` to `cos(angle (1 - penumbra))`, which is imported
-/// exactly. The intensity is divided by `max(d^decay, 0.01)`, with Filament's window
-/// `(1 - (d / distance)^4)^2` if there is a distance. Decays 0, 1 and 2 are exact, except that with
-/// decay 2 the imported light keeps growing at distances below 0.1, where three.js stops at a
-/// factor of 100.
+/// The falloff is smoothstep from `cos(angle)` to `cos(angle (1 - penumbra))`. The import of the
+/// falloff is exact. The intensity is divided by `max(d^decay, 0.01)`, with Filament's window
+/// `(1 - (d / distance)^4)^2` if there is a distance. The import of decays 0, 1 and 2 is exact,
+/// with one exception. With decay 2 the imported light keeps growing at distances below 0.1, where
+/// the factor of three.js stays at 100.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Three {
     /// `angle`: the half angle in radians from which on there is no light, in (0, pi/2].
     pub angle: f32,
-    /// `penumbra`: the fraction of the angle over which the light falls off, from 0, a step, to 1.
+    /// `penumbra`: the fraction of `angle` over which the light falls off, in [0, 1]; 0 gives a
+    /// step.
     pub penumbra: f32,
     /// `distance`: the distance from which on there is no light, from 0.001 to 1e9; 0 for no range.
     pub distance: f32,
@@ -38,8 +39,8 @@ impl Default for Three {
 }
 
 impl Three {
-    /// Returns the spotlight at a position, pointing in a direction. In three.js the direction is
-    /// that from the position to the target.
+    /// Returns the spotlight at a position, pointing in a direction. In three.js the direction
+    /// points from the position to the target.
     ///
     /// # Errors
     /// A parameter out of its range; a position or direction that [`SpotLight::new`] rejects.
