@@ -1,21 +1,21 @@
-//! Ordered dither: each pixel shows one of the two codes around a colour, with the right mean
-//! light.
+//! Ordered dither: each pixel shows one of the two codes around a value; the mean light is correct.
 //!
-//! A display has few codes, so rounding to the nearest one turns a soft gradient into bands. With
-//! dither, a share of the pixels shows the upper of the two codes around a value, the others the
-//! lower. Bayer's matrix determines which pixels come first and spreads them evenly over cells of 8
-//! x 8 (B. E. Bayer, *An optimum method for two-level rendition of continuous-tone pictures*, ICC
-//! 1973).
+//! A display has few codes, so rounding to the nearest code turns a soft gradient into bands. With
+//! dither, a share of the pixels shows the upper of the two codes around a value, and the other
+//! pixels show the lower code. Bayer's matrix determines the order in which pixels get the upper
+//! code, and spreads these pixels evenly over cells of 8 x 8 (B. E. Bayer, *An optimum method for
+//! two-level rendition of continuous-tone pictures*, ICC 1973).
 //!
 //! The share is computed in linear light, because an eye that does not resolve the pixels adds
 //! linear light. At a quarter of the distance from one code's light to the next, a quarter of the
 //! pixels shows the upper code. The alternative, a share computed from the encoded value, would
-//! make a cell too bright, for dark colours by up to a twentieth of a step, and would need the
-//! encoding. The share in linear light only needs a table of the light of each code.
+//! make a cell too bright, for dark colours by up to a twentieth of a step between codes. The
+//! alternative would also need the encoding, whereas the share in linear light only needs a table
+//! of the light of each code.
 //!
 //! There is no amplitude parameter. Full dither keeps the mean light. Without dither
 //! ([`encode_srgb`](super::encode_srgb), [`Rgb565::from_linear`]) each pixel shows the nearest
-//! code. Any amplitude in between would show bands again.
+//! code. Any amplitude between no dither and full dither would show bands again.
 
 use super::{
     Rgb565,
@@ -28,13 +28,14 @@ use crate::{
 
 /// Returns the sRGB code of a linear value for the pixel at `(x, y)`, with ordered dither.
 ///
-/// The code is one of the two around the value and depends only on the last three bits of `x` and
-/// `y`. It is 0 below 0 and for NaN, and 255 above 1.
+/// The code is one of the two codes around the value, and depends only on the value and the last
+/// three bits of `x` and `y`. The code is 0 for values below 0 and for NaN, and 255 for values
+/// above 1.
 ///
-/// Over a cell of 8 x 8 pixels the mean light of the codes is that of the value, within 0.0081 of
-/// the step from one code to the next: 1/128 plus the rounding of the table. A value within 1/128
-/// of a step of a code's own light shows this code in every pixel. For each pixel the code is
-/// monotone in the value. Channels of equal value have equal codes, so grey stays grey.
+/// Over a cell of 8 x 8 pixels the mean light of the codes equals the value, within 0.0081 of the
+/// step from one code's light to the next: 1/128 plus the rounding error of the table. A value
+/// within 1/128 of a step of a code's own light shows this code in every pixel. For each pixel the
+/// code is monotone in the value. Channels of equal value have equal codes, so grey stays grey.
 ///
 /// ```
 /// use luminaire::display::{decode_srgb, encode_srgb_dithered};
@@ -64,8 +65,8 @@ impl Rgb565 {
 
 /// Returns one of the two codes in `[0, LAST]` around a linear value clamped to `[0, 1]`.
 ///
-/// It is the upper code if the value is more than `threshold / 128` of the way from the lower
-/// code's light to the upper's.
+/// The result is the upper code if the value is more than `threshold / 128` of the way from the
+/// light of the lower code to the light of the upper code.
 #[inline]
 fn dithered<S: Scalar, const LAST: usize>(linear: S, threshold: u8) -> u8 {
     match linear.word() {
@@ -79,14 +80,14 @@ fn dithered<S: Scalar, const LAST: usize>(linear: S, threshold: u8) -> u8 {
     }
 }
 
-/// Returns the threshold of a pixel: its position between one code's light and the next, in 128ths.
+/// Returns the threshold of a pixel, in 128ths of the step from one code's light to the next.
 #[inline]
 fn threshold(x: u32, y: u32) -> u8 {
     MATRIX[(y % 8) as usize][(x % 8) as usize]
 }
 
-/// Bayer's matrix of the ranks 0 to 63. Each rank is stored as a threshold of `2 rank + 1` in
-/// 128ths, the middle of its 64th.
+/// Bayer's matrix of the ranks 0 to 63. Each rank is stored as the threshold `2 rank + 1` in
+/// 128ths: the middle of the 64th part with this rank.
 const MATRIX: [[u8; 8]; 8] = {
     let mut matrix = [[0; 8]; 8];
     let mut place = 0;
@@ -100,8 +101,8 @@ const MATRIX: [[u8; 8]; 8] = {
 
 /// Returns the rank of a pixel in Bayer's order.
 ///
-/// The lowest bits of the coordinates become the highest of the rank, so that neighbours have
-/// distant ranks.
+/// The lowest bits of the coordinates become the highest bits of the rank, so that neighbouring
+/// pixels have distant ranks.
 const fn rank(x: usize, y: usize) -> u8 {
     let (mut rank, mut bit) = (0, 0);
     while bit < 3 {
@@ -112,7 +113,7 @@ const fn rank(x: usize, y: usize) -> u8 {
     rank as u8
 }
 
-/// Fraction bits of the table: the precision of an f32 below 1.
+/// Fraction bits of the table of the light of each code: the precision of an f32 below 1.
 ///
 /// With 24 bits, 128 times a difference of two table values fits 32 bits.
 const BITS: u32 = 24;
@@ -125,7 +126,7 @@ const fn light(code: usize, last: usize) -> u32 {
 struct CodeLight<const LAST: usize>;
 
 impl<const LAST: usize> CodeLight<LAST> {
-    /// From code 1 on, in units of 2^-24.
+    /// The light of the codes from 1 on, in units of 2^-24.
     #[cfg(feature = "fixed")]
     const STEPS: [u32; LAST] = {
         let mut table = [0; LAST];
@@ -137,7 +138,8 @@ impl<const LAST: usize> CodeLight<LAST> {
         table
     };
 
-    /// From code 0 on, the same values exactly; the light of code `LAST` is 1.
+    /// The light of the codes from 0 to `LAST - 1`, exactly the values of the fixed-point table.
+    /// The light of code `LAST` is 1.
     const FLOAT: [f32; LAST] = {
         let mut table = [0.0; LAST];
         let mut code = 0;
@@ -151,7 +153,8 @@ impl<const LAST: usize> CodeLight<LAST> {
 
 /// Returns the dithered code of a value in units of 2^-24, at most 2^24.
 ///
-/// A bisection finds the lower code; the result is one more if the value is past the threshold.
+/// A bisection finds the lower of the two codes around the value. The result is the upper code if
+/// the value is past the threshold.
 #[cfg(feature = "fixed")]
 #[inline]
 fn dithered_fixed<const LAST: usize>(linear: u32, threshold: u8) -> u8 {
@@ -171,11 +174,11 @@ fn dithered_fixed<const LAST: usize>(linear: u32, threshold: u8) -> u8 {
     (code + usize::from(is_past)) as u8
 }
 
-/// As `dithered_fixed`, in f32.
+/// Returns the dithered code of a value in f32.
 ///
 /// The polynomial gives the nearest code or, at worst, the other of the two codes around the value.
-/// The result equals the fixed-point code of the same value, unless the value is so near a
-/// threshold, within a relative 2^-24, that the products in the comparison round.
+/// The result equals that of `dithered_fixed` for the same value. The only exceptions are values so
+/// near a threshold, within a relative 2^-24, that the products in the comparison round.
 #[inline]
 fn dithered_float<const LAST: usize>(linear: f32, threshold: u8) -> u8 {
     let linear = clamp(linear);

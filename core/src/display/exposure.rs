@@ -1,4 +1,4 @@
-//! Exposure: a factor on all light, which determines how much light maps to full scale.
+//! Exposure: a factor on all light. The factor determines how much light maps to full scale.
 
 use crate::{
     color::Rgb,
@@ -32,7 +32,7 @@ impl Exposure {
     /// ```
     ///
     /// # Errors
-    /// Stops outside -24 to 24.
+    /// A number of stops outside -24 to 24.
     pub fn stops(stops: i32) -> Result<Self, Error> {
         check_between(Parameter::Exposure, stops as f32, -24.0, 24.0)?;
         // Writes the exponent of the power of two into the bits of an f32.

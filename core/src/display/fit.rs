@@ -1,11 +1,11 @@
-//! Mapping of light past full scale: two policies. Use the same one for a whole picture.
+//! Two policies that map light above full scale. Use the same policy for a whole picture.
 //!
-//! [`clip`] clips each channel at full scale. It is the cheaper policy, and displays do the same by
-//! themselves. With it a bright orange turns yellow and then white.
+//! [`clip`] clips each channel at full scale. Clipping is the cheaper policy, and displays clip by
+//! themselves. With `clip` a bright orange turns yellow and then white.
 //!
-//! [`compress_keep_hue`] divides all channels by the largest if that exceeds full scale. With it
-//! orange stays orange at any brightness. It costs a reciprocal, and overexposed surfaces do not
-//! become brighter with more light.
+//! [`compress_keep_hue`] divides all channels by the largest channel if the largest exceeds full
+//! scale. Orange then stays orange at any brightness. This policy costs a reciprocal, and
+//! overexposed surfaces do not become brighter with more light.
 
 use crate::{
     color::Rgb,
@@ -25,8 +25,9 @@ pub fn clip<S: Scalar>(light: Rgb<S::Irradiance>) -> Rgb<S> {
 
 /// Scales the channels in proportion, so that the largest is at most full scale.
 ///
-/// Light within full scale is unchanged to the bit. Otherwise the error against the exact quotient
-/// is at most one step of the format in f32, two in `Fx16` and eight in `Fx32`.
+/// Light within full scale is unchanged to the bit. For other light, the error against the exact
+/// quotient is at most one step of the format in f32, two steps in `Fx16` and eight steps in
+/// `Fx32`.
 ///
 /// ```
 /// use luminaire::{Rgb, display::compress_keep_hue};

@@ -3,17 +3,17 @@
 use super::srgb::nearest_code;
 use crate::{color::Rgb, number::Scalar};
 
-/// A pixel of 16 bits: red in the upper five, green in the middle six, blue in the lower five.
+/// A pixel of 16 bits: red in the upper five bits, green in the middle six, blue in the lower five.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Default, Debug)]
 #[repr(transparent)]
 pub struct Rgb565(pub u16);
 
-/// Converts a code in `[0, 255]` to the nearest in `[0, last]`.
+/// Converts a code in `[0, 255]` to the nearest code in `[0, last]`.
 const fn nearest(code: u8, last: u16) -> u16 {
     (code as u16 * last + 127) / 255
 }
 
-/// Converts a code in `[0, last]` to the nearest in `[0, 255]`.
+/// Converts a code in `[0, last]` to the nearest code in `[0, 255]`.
 const fn widened(code: u16, last: u16) -> u8 {
     ((code * 255 + last / 2) / last) as u8
 }
@@ -36,8 +36,9 @@ impl Rgb565 {
 
     /// Returns the nearest sRGB pixel to a linear colour, clipped to `[0, 1]`.
     ///
-    /// It is rounded once; a conversion through eight bits would round some colours twice. In fixed
-    /// point it is exactly the nearest, and uses no floats.
+    /// The colour is rounded once; a conversion through codes of eight bits would round some
+    /// colours twice. In fixed point the result is exactly the nearest pixel, and the conversion
+    /// uses no floats.
     #[inline]
     pub fn from_linear<S: Scalar>(color: Rgb<S>) -> Self {
         let red = nearest_code::<S, 31>(color.red);
@@ -47,12 +48,12 @@ impl Rgb565 {
     }
 
     /// Returns the nearest codes of eight bits. [`from_codes`](Self::from_codes) restores the pixel
-    /// from them.
+    /// from these codes.
     pub const fn to_codes(self) -> Rgb<u8> {
         Rgb::new(widened(self.0 >> 11, 31), widened(self.0 >> 5 & 63, 63), widened(self.0 & 31, 31))
     }
 
-    /// Returns the two bytes, the upper one with red first: the order that most SPI displays
+    /// Returns the two bytes, first the upper byte with red: the order that most SPI displays
     /// expect.
     ///
     /// ```
@@ -64,7 +65,7 @@ impl Rgb565 {
         self.0.to_be_bytes()
     }
 
-    /// Returns the two bytes, the lower one with blue first.
+    /// Returns the two bytes, first the lower byte with blue.
     #[inline]
     pub const fn to_le_bytes(self) -> [u8; 2] {
         self.0.to_le_bytes()

@@ -1,6 +1,7 @@
-//! The sRGB encoding (IEC 61966-2-1): the nearest code, by its exact thresholds.
+//! The sRGB encoding (IEC 61966-2-1): the nearest code, by the exact thresholds between codes.
 //!
-//! In f32 a polynomial selects the threshold to compare with; in fixed point a bisection does.
+//! In f32 a polynomial selects the threshold with which the value is compared. In fixed point a
+//! bisection finds the threshold.
 
 use crate::{
     number::{Scalar, Word, float::clamp},
@@ -10,16 +11,18 @@ use crate::{
 /// Upper end of the linear segment of the sRGB curve, in linear light.
 const TOE: f32 = 0.003_130_8;
 
-/// The curved part of sRGB in codes, as a polynomial in the square root of the linear value.
+/// The curved part of the sRGB encoding, in codes of 1/255, as a polynomial in the square root of
+/// the linear value.
 ///
-/// Coefficients start with the constant. Minimax fit of degree 4 to
-/// `255 (1.055 x^(1/2.4) - 0.055)`, with an error of at most 0.2. An error below 0.5 suffices,
-/// because the polynomial only selects a threshold, and the comparison with it decides.
+/// Coefficients start with the constant term. Minimax fit of degree 4 to
+/// `255 (1.055 x^(1/2.4) - 0.055)`, with an error of at most 0.2 codes. An error below 0.5 codes
+/// suffices, because the polynomial only selects a threshold, and the comparison with this
+/// threshold determines the code.
 const ENCODE: [f32; 5] = [-9.436_19, 369.214_33, -240.939_53, 214.911_74, -78.940_82];
 
-/// The inverse, `((v + 0.055) / 1.055)^2.4` for `v` in `[0, 1]`: minimax fit of degree 7.
+/// The sRGB decoding `((v + 0.055) / 1.055)^2.4` for `v` in `[0, 1]`: minimax fit of degree 7.
 ///
-/// Coefficients start with the constant.
+/// Coefficients start with the constant term.
 const DECODE: [f32; 8] = [
     0.000_870_130_95,
     0.034_664_018,
@@ -31,10 +34,11 @@ const DECODE: [f32; 8] = [
     0.062_172_695,
 ];
 
-/// Returns the sRGB code of a linear value: 0 for 0, below and NaN, 255 for 1 and above.
+/// Returns the sRGB code of a linear value: 0 for NaN and values up to 0, 255 for values from 1 on.
 ///
-/// It is exactly the nearest code, for every value of every format. Fixed point compares integers
-/// only; f32 uses a square root, a polynomial and one comparison instead of the power 1/2.4.
+/// The result is exactly the nearest code, for every value of every format. Fixed point compares
+/// integers only; f32 uses a square root, a polynomial and one comparison instead of the power
+/// 1/2.4.
 ///
 /// ```
 /// assert_eq!([0.0, 0.5, 1.0].map(luminaire::display::encode_srgb::<f32>), [0, 188, 255]);
@@ -44,15 +48,15 @@ pub fn encode_srgb<S: Scalar>(linear: S) -> u8 {
     nearest_code::<S, 255>(linear)
 }
 
-/// Returns the sRGB codes of linear values, the same that [`encode_srgb`] returns for each.
+/// Returns the sRGB codes of linear values: for each value the code of [`encode_srgb`].
 ///
-/// In f32 the curve of all values is computed before the first look-up in the table of thresholds,
-/// so that compilers use vector instructions for it.
+/// In f32 the polynomials of all values are computed before the first look-up in the table of
+/// thresholds, so that compilers use vector instructions for the polynomials.
 #[inline]
 pub fn encode_srgb_each<S: Scalar, const N: usize>(linear: &[S; N]) -> [u8; N] {
-    /// From this number to its double, an f32 has steps of 1. So adding it leaves an integer in the
-    /// low bits: a conversion that every set of vector instructions has, without a test for
-    /// overflow.
+    /// From this number to its double, an f32 has steps of 1. So the sum of a value and this number
+    /// has the rounded value in its low bits. Every vector instruction set has this conversion by
+    /// addition, and it needs no test for overflow.
     const INTEGERS: f32 = 8_388_608.0;
     let mut near = [0; N];
     for (near, linear) in near.iter_mut().zip(linear) {
@@ -76,7 +80,7 @@ pub fn encode_srgb_each<S: Scalar, const N: usize>(linear: &[S; N]) -> [u8; N] {
     codes
 }
 
-/// Returns the nearest code in `[0, LAST]`.
+/// Returns the code in `[0, LAST]` nearest to a linear value.
 #[inline]
 pub(super) fn nearest_code<S: Scalar, const LAST: usize>(linear: S) -> u8 {
     match linear.word() {
@@ -88,7 +92,7 @@ pub(super) fn nearest_code<S: Scalar, const LAST: usize>(linear: S) -> u8 {
     }
 }
 
-/// Returns the nearest code in `[0, LAST]` of an f32.
+/// Returns the code in `[0, LAST]` nearest to a linear value in f32.
 #[inline]
 fn encode_float<const LAST: usize>(linear: f32) -> u8 {
     let linear = clamp(linear);
@@ -98,16 +102,17 @@ fn encode_float<const LAST: usize>(linear: f32) -> u8 {
 /// Returns the nearest code of a clamped value, given the approximate code from the polynomial.
 #[inline]
 fn settled<const LAST: usize>(linear: f32, code: usize) -> u8 {
-    // The threshold between the two codes around the value. Near the light of a code the curve may
-    // select the neighbouring threshold, which gives the same code. Beyond the last threshold `get`
-    // returns none; an index would panic.
+    // The threshold between the two codes around the value. For a value near the light of a code,
+    // the polynomial may select the threshold on the other side of that code. The comparison with
+    // either threshold gives the same code. Beyond the last threshold `get` returns `None`; an
+    // index expression would panic.
     let reaches = Thresholds::<LAST>::FLOAT.get(code).is_some_and(|threshold| linear >= *threshold);
     (code + usize::from(reaches)) as u8
 }
 
 /// Returns the approximate position of a value in `[0, 1]` among the codes in `[0, last]`.
 ///
-/// The error is at most 0.2 of a code of 255.
+/// The error is at most 0.2 of a code of 1/255.
 #[inline]
 pub(super) fn curve(linear: f32, last: f32) -> f32 {
     let curve = polynomial(ENCODE, trig::sqrt(linear));
@@ -117,7 +122,7 @@ pub(super) fn curve(linear: f32, last: f32) -> f32 {
 
 /// Returns the linear value of an sRGB code, in `[0, 1]`, within 2e-6 (exhaustive).
 ///
-/// Meant for set-up. Encoding the result gives the code again.
+/// The function is meant for set-up. [`encode_srgb`] of the result returns the code.
 pub fn decode_srgb(code: u8) -> f32 {
     let value = f32::from(code) / 255.0;
     if value <= 12.92 * TOE { value / 12.92 } else { clamp(polynomial(DECODE, value)) }
@@ -135,7 +140,7 @@ fn polynomial<const N: usize>(coefficients: [f32; N], x: f32) -> f32 {
 /// more than the index. A table is only linked for a `LAST` that is used.
 struct Thresholds<const LAST: usize>;
 
-/// Builds a table from an expression of each threshold in f64.
+/// Builds a table from an expression that is evaluated for each threshold in f64.
 macro_rules! of_each {
     ($zero:expr, $threshold:ident => $entry:expr) => {{
         let mut table = [$zero; LAST];
@@ -155,11 +160,11 @@ impl<const LAST: usize> Thresholds<LAST> {
         if (nearest as f64) < threshold { f32::from_bits(nearest.to_bits() + 1) } else { nearest }
     });
 
-    /// In units of 2^-14: two bytes per code.
+    /// The thresholds in units of 2^-14: two bytes per code.
     #[cfg(feature = "fixed")]
     const SIXTEEN: [u16; LAST] = of_each!(0, threshold => steps(threshold, 14) as u16);
 
-    /// In units of 2^-30.
+    /// The thresholds in units of 2^-30.
     #[cfg(feature = "fixed")]
     const THIRTY_TWO: [u32; LAST] = of_each!(0, threshold => steps(threshold, 30));
 }
@@ -175,7 +180,8 @@ const fn steps(linear: f64, bits: u32) -> u32 {
 /// Returns the linear light of an sRGB value in `[0, 1]`, within 1e-15.
 ///
 /// The curve is `x = v^(12/5)`, so `x >= v^(12/5)` is equivalent to `x^5 >= v^12`: a comparison of
-/// products, by which a bisection finds the least `x`. Evaluated at compile time.
+/// products. By this comparison a bisection finds the least `x`. The function is evaluated at
+/// compile time.
 pub(super) const fn linear(value: f64) -> f64 {
     if value <= 12.92 * 0.003_130_8 {
         return value / 12.92;
@@ -183,7 +189,7 @@ pub(super) const fn linear(value: f64) -> f64 {
     let base = (value + 0.055) / 1.055;
     let cube = base * base * base;
     let twelfth = cube * cube * cube * cube;
-    // Floats from zero up are ordered like their bits.
+    // Floats from zero up have the same order as their bits, read as integers.
     let (mut below, mut above) = (0, 1.0_f64.to_bits());
     while above - below > 1 {
         let middle = u64::midpoint(below, above);
@@ -195,14 +201,15 @@ pub(super) const fn linear(value: f64) -> f64 {
 
 /// Counts the thresholds that a linear value reaches, by bisection.
 ///
-/// Every value takes as many comparisons as the code has bits.
+/// The number of comparisons is the number of bits of the code, for every value.
 #[cfg(feature = "fixed")]
 macro_rules! code {
     ($thresholds:expr, $linear:expr) => {{
         let (thresholds, linear) = ($thresholds, $linear);
         let (mut code, mut step) = (0, thresholds.len().div_ceil(2));
         while step > 0 {
-            // Always in bounds, but the compiler cannot prove it: an index would add a panic.
+            // The index is always in bounds, but the compiler cannot prove this. An index
+            // expression would add a panic.
             let reaches = thresholds.get(code + step - 1).is_some_and(|threshold| linear >= *threshold);
             code += if reaches { step } else { 0 };
             step /= 2;

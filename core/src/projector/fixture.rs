@@ -36,8 +36,8 @@ impl Fixture {
     /// Returns the same fixture with a gobo, rolled about the axis as by [`Projection::turned`].
     ///
     /// # Errors
-    /// A light without a projection: one without a cone, or with a cone over 160 degrees. A roll
-    /// outside -360 to 360 degrees.
+    /// A light without a projection: a light without a cone, or with a cone over 160 degrees. A
+    /// roll outside -360 to 360 degrees.
     pub fn with_gobo(self, gobo: Gobo<'static>, roll: Angle) -> Result<Self, Error> {
         let projection = self.project()?.turned(roll)?;
         Ok(Self { gobo: Some((gobo, projection)), ..self })
@@ -46,8 +46,8 @@ impl Fixture {
     /// Returns the same fixture with shadows from a map of `side` by `side` texels.
     ///
     /// # Errors
-    /// A side outside 16 to 2048; a light without a projection: one without a cone, or with a cone
-    /// over 160 degrees.
+    /// A side outside 16 to 2048; a light without a projection: a light without a cone, or with a
+    /// cone over 160 degrees.
     pub fn with_shadow(self, side: u16) -> Result<Self, Error> {
         let sides = Self::SHADOW_SIDES;
         if !sides.contains(&side) {
@@ -57,7 +57,7 @@ impl Fixture {
         Ok(Self { shadow: Some((side, self.project()?)), ..self })
     }
 
-    /// Returns the square around the cone of the light.
+    /// Returns the square around the cone of the light, on which a gobo or a shadow map lies.
     ///
     /// In the error, a point light counts as a cone of 360 degrees and a directional light as a
     /// cone of 0 degrees.
@@ -78,17 +78,18 @@ impl Fixture {
         &self.light
     }
 
-    /// Returns the gobo and its square, if any.
+    /// Returns the gobo and the square it lies on; `None` without a gobo.
     pub fn gobo(&self) -> Option<(Gobo<'static>, Projection)> {
         self.gobo
     }
 
-    /// Returns the side of the shadow map in texels and its square, if any.
+    /// Returns the side of the shadow map in texels and the square it lies on; `None` without a
+    /// shadow map.
     pub fn shadow(&self) -> Option<(u16, Projection)> {
         self.shadow
     }
 
-    /// Returns the effects that the fixture requires; none if its light is dark.
+    /// Returns the effects that the fixture requires; no effects if its light is dark.
     pub fn effects(&self) -> Effects {
         let mut effects = self.light.effects();
         if effects == Effects::NONE {

@@ -7,14 +7,15 @@ use crate::{
     vec3::Vec3,
 };
 
-/// A gobo: a square grid of transmissions in the gate of a spotlight (in engines: a light cookie).
+/// A gobo (in engines: a light cookie): a square grid of transmissions in the gate of a spotlight.
 ///
-/// Transmission 255 passes all light and 0 none. The transmissions are in row-major order from the
-/// top left, as seen from the light. Each lies at the centre of its texel, and between four centres
-/// the gobo interpolates bilinearly. The interpolation uses integers, so a position has the same
-/// transmission in every format, except for the rounding to that format. The outermost centres are
-/// half a texel from the edge; beyond them, and off the square, the transmission is the nearest one
-/// of the border. No light of the cone is off the square.
+/// A transmission of 255 passes all light, and 0 passes none. The transmissions are in row-major
+/// order from the top left, as seen from the light. Each transmission applies at the centre of its
+/// texel, and between four centres the gobo interpolates bilinearly. The interpolation uses
+/// integers, so a position has the same transmission in every format, except for the rounding to
+/// that format. The outermost centres are half a texel from the edge of the square. Beyond these
+/// centres, and off the square, the transmission is the nearest transmission of the border. No
+/// light of the cone is off the square.
 ///
 /// ```
 /// use luminaire::{Angle, Cone, SpotLight, Vec3, falloff::Soft, projector::{Gobo, Projection}};
@@ -39,7 +40,7 @@ pub struct Gobo<'a> {
     transmissions: &'a [u8],
 }
 
-/// Largest number of transmissions per side. With it there are 16 coordinate steps from one
+/// Largest number of transmissions per side. At this number there are 16 coordinate steps from one
 /// transmission to the next.
 const MOST: usize = 4_096;
 
@@ -50,7 +51,7 @@ impl<'a> Gobo<'a> {
     /// Creates a gobo of `side` rows of `side` transmissions.
     ///
     /// # Errors
-    /// A side outside 1 to 4,096, or a number of transmissions other than its square.
+    /// A side outside 1 to 4,096, or a number of transmissions other than the square of the side.
     pub fn new(side: usize, transmissions: &'a [u8]) -> Result<Self, Error> {
         if !(1..=MOST).contains(&side) {
             let accepted = Expected::WholeBetween(1, MOST as u32);
@@ -99,7 +100,8 @@ impl<'a> Gobo<'a> {
 
     /// Returns the transmission at a position, in `[0, 1]`.
     ///
-    /// It is exactly 1 between transmissions of 255, and exactly 0 between transmissions of 0.
+    /// The result is exactly 1 between transmissions of 255, and exactly 0 between transmissions of
+    /// 0.
     #[inline]
     pub fn transmission<S: Scalar>(self, place: &ProjectedPoint<S>) -> S {
         let (column, right) = self.part(place.column);
@@ -112,15 +114,16 @@ impl<'a> Gobo<'a> {
         S::weighted_byte(between(top, bottom, down))
     }
 
-    /// Returns the index of the transmission before a coordinate, and the weight of the next one.
+    /// Returns the index of the transmission before a coordinate, and the weight of the next
+    /// transmission.
     ///
-    /// The weight is zero at the last transmission.
+    /// The weight is zero if the index is that of the last transmission of a row or column.
     #[inline]
     fn part(self, steps: i32) -> (u32, u32) {
         const LOST: u32 = 16 - FRACTION_BITS;
         let steps = steps.clamp(0, (1 << 16) - 1) as u32;
-        // Distance from the centre of the first texel to the middle of the coordinate step, in
-        // 65,536ths of a texel.
+        // `way` is the distance from the centre of the first texel to the middle of the coordinate
+        // step, in 65,536ths of a texel.
         let way = (steps * self.side).saturating_sub((1 << 15) - self.side / 2);
         let last = (self.side - 1) << 16;
         let way = if way < last { way } else { last };
@@ -136,7 +139,7 @@ impl<'a> Gobo<'a> {
 
 /// Interpolates from one value to another; the result is scaled by `2^FRACTION_BITS`.
 ///
-/// The difference may wrap, but then the sum wraps back.
+/// The difference `to - from` may wrap around; the sum then wraps back to the correct value.
 #[inline]
 fn between(from: u32, to: u32, way: u32) -> u32 {
     (from << FRACTION_BITS).wrapping_add(to.wrapping_sub(from).wrapping_mul(way))
@@ -150,12 +153,12 @@ pub struct CompiledGobo<'a, S: Scalar> {
 }
 
 impl<'a, S: Scalar> CompiledGobo<'a, S> {
-    /// Creates a gobo from its parts, as [`codegen`](crate::codegen) writes them.
+    /// Creates a compiled gobo from its parts, as [`codegen`](crate::codegen) writes them.
     pub const fn from_parts(projection: CompiledProjection<S>, gobo: Gobo<'a>) -> Self {
         Self { projection, gobo }
     }
 
-    /// Returns the square that the gobo lies on.
+    /// Returns the projection: the square that the gobo lies on.
     pub const fn projection(&self) -> &CompiledProjection<S> {
         &self.projection
     }

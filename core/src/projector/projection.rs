@@ -15,14 +15,14 @@ use crate::{
 /// The square around the cone of a spotlight, orthogonal to its axis.
 ///
 /// The square is flat, like a square on a wall that faces the light, and the edge of the cone
-/// touches the middles of its four sides. Coordinates are therefore proportional to the tangent of
-/// the angle off axis, and a cone over 160 degrees has no square.
+/// touches the middles of the square's four sides. Coordinates on the square are therefore
+/// proportional to the tangent of the angle off axis. A cone over 160 degrees has no square.
 ///
 /// [`right`](Self::right) and [`up`](Self::up) are the directions that a viewer at the light sees
-/// as right and up when looking along its axis, in right-handed coordinates with y upwards. A light
-/// that points straight down or up, within one degree, has no natural up. The top of its square
-/// then lies towards `-z` if the light points down, and towards `z` if it points up, as if the axis
-/// leaned slightly towards `-z`.
+/// as right and up when looking along the axis of the light, in right-handed coordinates with y
+/// upwards. For a light that points straight down or up, within one degree, these directions are
+/// defined by convention. The top of the square lies towards `-z` if the light points down, and
+/// towards `z` if the light points up, as if the axis leaned slightly towards `-z`.
 ///
 /// ```
 /// use luminaire::{Angle, Cone, SpotLight, Vec3, falloff::Soft, projector::Projection};
@@ -45,12 +45,12 @@ pub struct Projection {
     tangent: f32,
 }
 
-/// An axis counts as vertical if the squared sine of its angle from the vertical is below this:
-/// about one degree.
+/// An axis counts as vertical if the squared sine of its angle from the vertical is below this
+/// value: about one degree.
 const UPRIGHT: f32 = 3.0e-4;
 
 impl Projection {
-    /// The widest outer angle; towards 180 degrees the square would become infinitely large.
+    /// The widest outer angle. Towards 180 degrees the square would become infinitely large.
     pub const WIDEST: Angle = Angle::degrees(160.0);
 
     /// Returns the upright square around the cone of a spotlight.
@@ -81,7 +81,7 @@ impl Projection {
         let quarters = (degrees / 90.0 + 4.5) as i32 - 4;
         let rest = (degrees - 90.0 * quarters as f32).to_radians();
         let half_sine = trig::sin(0.5 * rest);
-        // `cosine^2 + sine^2 = 1`, whatever the error of `half_sine`.
+        // `cosine^2 + sine^2` is 1, also if `half_sine` has an error.
         let cosine = 1.0 - 2.0 * half_sine * half_sine;
         let sine = 2.0 * half_sine * trig::sqrt(1.0 - half_sine * half_sine);
         let (right, up) = (self.right, self.up);
@@ -144,7 +144,7 @@ impl Projection {
 
 /// Returns the direction to the right of a viewer who looks along an axis, of unit length.
 ///
-/// It is exactly horizontal unless the axis is vertical.
+/// The result is exactly horizontal unless the axis is vertical.
 fn right_of(axis: Vec3<f32>) -> Vec3<f32> {
     let Vec3 { x, y, z } = axis;
     let level = x * x + z * z;
@@ -161,7 +161,7 @@ fn cross(a: Vec3<f32>, b: Vec3<f32>) -> Vec3<f32> {
     Vec3::new(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x)
 }
 
-/// A projection compiled for the format `S`. Made by [`Projection::compile`].
+/// A [`Projection`] compiled for the format `S`. Made by [`Projection::compile`].
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct CompiledProjection<S: Scalar> {
     pub(crate) position: Vec3<S::Length>,
@@ -169,7 +169,7 @@ pub struct CompiledProjection<S: Scalar> {
 }
 
 impl<S: Scalar> CompiledProjection<S> {
-    /// Creates a projection from its parts, as [`codegen`](crate::codegen) writes them.
+    /// Creates a compiled projection from its parts, as [`codegen`](crate::codegen) writes them.
     pub const fn from_parts(position: Vec3<S::Length>, frame: S::Frame) -> Self {
         Self { position, frame }
     }

@@ -7,17 +7,18 @@ use crate::{
     vec3::Vec3,
 };
 
-/// A shadow map: the depths up to which a spotlight shines, on the square that it projects.
+/// A shadow map: the depths up to which a spotlight shines, on the square of its projection.
 ///
 /// The map has `side` by `side` texels, in row-major order from the top left. Each texel holds a
-/// depth along the axis of the light: points that project to its centre are lit up to this depth,
-/// and deeper points are in shadow. Between four centres the results of the four comparisons are
-/// interpolated bilinearly; depths are never interpolated. This is the 2 x 2 filter of Reeves,
-/// Salesin and Cook, *Rendering Antialiased Shadows with Depth Maps*, SIGGRAPH 1987.
+/// depth along the axis of the light: points that project to the centre of the texel are lit up to
+/// this depth, and deeper points are in shadow. Between the centres of four texels, the results of
+/// the four depth comparisons are interpolated bilinearly; depths are never interpolated. This is
+/// the 2 x 2 filter of Reeves, Salesin and Cook, *Rendering Antialiased Shadows with Depth Maps*,
+/// SIGGRAPH 1987.
 ///
-/// The comparison has no bias of its own. The renderer of the map adds the bias against
-/// self-shadowing to the depths, once per texel instead of once per point. A look-up needs no
-/// normal, so it also works for points in the air.
+/// The comparison adds no bias. The renderer of the map adds the bias against self-shadowing to the
+/// depths, once per texel instead of once per point. A look-up needs no normal, so a look-up also
+/// works for points in the air.
 ///
 /// ```
 /// use luminaire::{Angle, Cone, SpotLight, Vec3, falloff::Soft, projector::{Projection, Shadow}};
@@ -39,13 +40,13 @@ pub struct Shadow<'a, S: Scalar> {
     pub(crate) depths: &'a [S::Length],
 }
 
-/// Largest number of texels per side. With it each texel has 16 coordinate steps.
+/// Largest number of texels per side. At this number each texel has 16 coordinate steps.
 const MOST: usize = 4_096;
 
 /// Number of bits of an interpolation weight.
 ///
 /// The product of two weights is in units of 2^-14, the step of the 16-bit format, so every format
-/// represents it exactly.
+/// represents the product exactly.
 const SHARE_BITS: u32 = 7;
 
 /// The sum of the two weights of a row or column.
@@ -54,7 +55,7 @@ const WHOLE: u32 = 1 << SHARE_BITS;
 /// Position along a row or a column, between two texel centres.
 #[derive(Clone, Copy)]
 struct Between {
-    /// The texels before and after; equal in the outer half of a texel at the edge.
+    /// The texels before and after the position; equal in the outer half of a texel at the edge.
     texels: [u32; 2],
     /// The weights of the texels, which sum to [`WHOLE`].
     shares: [u32; 2],
@@ -64,7 +65,7 @@ impl<'a, S: Scalar> Shadow<'a, S> {
     /// Creates a shadow map of `side` rows of `side` depths on the square of a light.
     ///
     /// # Errors
-    /// A side outside 1 to 4,096, or a number of depths other than its square.
+    /// A side outside 1 to 4,096, or a number of depths other than the square of the side.
     pub fn new(
         projection: CompiledProjection<S>,
         side: usize,
@@ -89,7 +90,7 @@ impl<'a, S: Scalar> Shadow<'a, S> {
         Self { projection, side, depths }
     }
 
-    /// Returns the square that the map lies on.
+    /// Returns the projection: the square that the map lies on.
     pub const fn projection(&self) -> &CompiledProjection<S> {
         &self.projection
     }
@@ -106,9 +107,10 @@ impl<'a, S: Scalar> Shadow<'a, S> {
 
     /// Returns the visibility of the light from a point, in `[0, 1]`.
     ///
-    /// It is exactly 1 if nothing is between the light and the point, so that multiplying by it
-    /// changes no bit, and exactly 0 in full shadow. Points off the square or behind the light have
-    /// visibility 1, because no light of the cone reaches them.
+    /// The visibility is exactly 1 if nothing is between the light and the point, so that a
+    /// multiplication by the visibility changes no bit. In full shadow the visibility is exactly 0.
+    /// Points off the square or behind the light have visibility 1, because no light of the cone
+    /// reaches these points.
     #[inline]
     pub fn visibility(&self, point: Vec3<S::Length>) -> S {
         self.at(&self.projection.place(point))
@@ -120,8 +122,8 @@ impl<'a, S: Scalar> Shadow<'a, S> {
         S::filter(light, self.visibility(point))
     }
 
-    /// As [`visibility`](Self::visibility), for a position that is already known, such as one
-    /// computed for a gobo.
+    /// Returns the [`visibility`](Self::visibility) at a known position on the square, such as a
+    /// position computed for a gobo.
     #[inline]
     pub fn at(&self, place: &ProjectedPoint<S>) -> S {
         let (row, column) = (self.between(place.row), self.between(place.column));
@@ -137,8 +139,8 @@ impl<'a, S: Scalar> Shadow<'a, S> {
     /// Returns the texel centres around a coordinate on the square.
     #[inline]
     fn between(&self, along: i32) -> Between {
-        // Subtracts half a texel, to count from the centres, and adds one, to keep the value from
-        // being negative.
+        // Subtracts half a texel, to count from the texel centres, and adds one texel, so that the
+        // value is at least 0.
         let steps = (along as u32).wrapping_mul(self.side).wrapping_add(1 << 15);
         let after = steps >> 16;
         let share = steps >> (16 - SHARE_BITS) & (WHOLE - 1);
