@@ -41,7 +41,8 @@ impl Angle {
     }
 
     /// Returns the versine of the **half** angle, `1 - cos(angle / 2)`, computed without
-    /// cancellation. The result is 0 to 2 for 0 to 360 degrees, with a relative error under 4e-7.
+    /// cancellation. For full angles of 0 to 360 degrees the result is in [0, 2], with a relative
+    /// error under 4e-7.
     pub fn versine(self) -> f32 {
         let sine = trig::sin((self.degrees / 4.0).to_radians());
         2.0 * sine * sine

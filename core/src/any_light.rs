@@ -59,7 +59,7 @@ pub enum CompiledAnyLight<S: Scalar> {
     Spot(CompiledSpotLight<S, AnyFalloff, AnyAttenuation>),
 }
 
-/// Delegates an expression to the variant.
+/// Evaluates an expression with the light of the variant.
 macro_rules! any {
     ($any:expr, $kind:ident, $light:ident => $answer:expr) => {
         match $any {
@@ -92,7 +92,7 @@ impl AnyLight {
         self.intensity() == 0.0 || (self.color().is_black() && self.specular_color().is_black())
     }
 
-    /// Returns the effects that the light requires; none if it is dark.
+    /// Returns the effects that the light requires; no effects if the light is dark.
     pub fn effects(&self) -> Effects {
         if self.is_dark() {
             return Effects::NONE;
@@ -164,12 +164,14 @@ impl<S: Scalar> CompiledAnyLight<S> {
         any!(self, Self, light => light.specular_color)
     }
 
-    /// Returns the irradiance at a surface point, before the light's colour: see
-    /// [`CompiledSpotLight::irradiance`].
+    /// Returns the irradiance at a surface point, before the light's colour.
+    ///
+    /// See [`CompiledSpotLight::irradiance`].
     /// [`CompiledMaterial::reflect`](crate::light::CompiledMaterial::reflect) returns the light
     /// that a surface reflects.
     ///
-    /// It branches per point; [`evaluate_each`](Self::evaluate_each) branches once for many points.
+    /// This function branches per point; [`evaluate_each`](Self::evaluate_each) branches once for
+    /// many points.
     pub fn irradiance(&self, point: Vec3<S::Length>, normal: Vec3<S>) -> S::Irradiance {
         self.evaluate::<NoSpecular>(&SurfacePoint::matte(point, normal), &(), true).diffuse
     }
@@ -177,8 +179,9 @@ impl<S: Scalar> CompiledAnyLight<S> {
     /// Evaluates the light at a surface point with the specular lobe `H`, before the light's
     /// colours.
     ///
-    /// With `skips`, points that the light cannot reach return 0 before the square root; the result
-    /// is bit-identical. It branches per point.
+    /// If `skips` is true, the function returns 0 before the square root for points that the light
+    /// cannot reach. The result is bit-identical with and without `skips`. The function branches
+    /// per point.
     pub fn evaluate<H: SpecularLobe>(
         &self,
         surface: &SurfacePoint<S>,
@@ -189,8 +192,8 @@ impl<S: Scalar> CompiledAnyLight<S> {
     }
 }
 
-/// Branches per point: slower than [`evaluate_each`](CompiledAnyLight::evaluate_each), with
-/// bit-identical results.
+/// The trait's methods branch per point: slower than
+/// [`evaluate_each`](CompiledAnyLight::evaluate_each), with bit-identical results.
 impl<S: Scalar> LightModel<S> for CompiledAnyLight<S> {
     #[inline]
     fn colors(&self) -> [Rgb<S>; 2] {

@@ -12,12 +12,13 @@
 //! | [`Windowed`] of an attenuation | that attenuation times `(1 - (d/r)^4)^2` within r | Godot, and three.js with any decay |
 //! | [`AnyAttenuation`] | one of the above | the choice at run time |
 //!
-//! A light without a range has the range `None`, never 0. At and beyond its range the light is
-//! exactly zero; in fixed point it becomes zero up to half a step of the format before the range.
-//! Points out of range are rejected before the square root. Results are bit-identical with and
-//! without this test.
+//! A light without a range has the range `None`, never 0. At and beyond the range of a light, its
+//! irradiance is exactly zero; in fixed point, the irradiance becomes zero up to half a step of the
+//! format before the range. Points out of range are rejected before the square root. Results are
+//! bit-identical with and without this early-out.
 //!
-//! *Falloff* is the intensity over the angle, *attenuation* the intensity over the distance.
+//! *Falloff* is the intensity as a function of the angle; *attenuation* is the intensity as a
+//! function of the distance.
 
 mod any;
 mod ranged;
@@ -35,7 +36,7 @@ use crate::{
     source::named,
 };
 
-/// An attenuation over distance. The type selects it at compile time: there is no branch per point,
+/// An attenuation. The type selects the attenuation at compile time: there is no branch per point,
 /// and an unused attenuation is not linked.
 ///
 /// The trait is sealed by a private bound.
@@ -53,7 +54,8 @@ pub trait Attenuation: Copy + PartialEq + core::fmt::Debug {
         false
     }
 
-    /// Returns whether the light is exactly zero at this distance. Tested before the square root.
+    /// Returns whether the light is exactly zero at this distance. Callers test this before the
+    /// square root.
     #[inline]
     fn is_beyond<S: Scalar, O: Offset<S>>(_: &Self::Constants<S>, _: &O) -> bool {
         false
@@ -67,11 +69,13 @@ pub trait Attenuation: Copy + PartialEq + core::fmt::Debug {
     /// Returns the effects that the attenuation requires.
     fn effects(&self) -> Effects;
 
-    /// Evaluates the attenuation factor at a distance in f64, by its defining formula: the
-    /// reference for error measurements.
+    /// Evaluates the attenuation factor at a distance in f64, by the formula that defines the
+    /// attenuation.
+    ///
+    /// The result is the reference for error measurements.
     fn exact(&self, distance: f64) -> f64;
 
-    /// Returns whether the factor may exceed 1 at distances below 1.
+    /// Returns whether the attenuation factor may exceed 1 at distances below 1.
     fn grows(&self) -> bool {
         true
     }
@@ -102,10 +106,10 @@ pub struct Polynomial {
     coefficients: [f32; 3],
 }
 
-/// Smoothstep to a range: 1 at distance 0, 0 at the range, with slope 0 at both ends.
+/// Smoothstep to a range: 1 at distance 0, 0 at the range, with derivative 0 at both ends.
 ///
-/// The dual-cone article writes `smoothstep(range, 0, d)`. In GLSL that is undefined, because the
-/// edges are in descending order; this type implements the intended function.
+/// The dual-cone article writes `smoothstep(range, 0, d)`. In GLSL this expression is undefined,
+/// because its edges are in descending order; `SmoothRange` implements the intended function.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct SmoothRange {
     range: f32,
@@ -113,8 +117,8 @@ pub struct SmoothRange {
 
 named!(NoAttenuation InverseSquare Polynomial SmoothRange);
 
-/// The shortest and the longest range. Their squares, and the reciprocals of these, are well inside
-/// the range of f32.
+/// The shortest and the longest range. The squares of both, and the reciprocals of these squares,
+/// are well inside the range of f32.
 const RANGES: (f32, f32) = (1e-3, 1e9);
 
 fn checked_range(range: f32) -> Result<f32, Error> {
@@ -146,7 +150,8 @@ fn dimmed<S: Scalar, T: Share<S>>(share: T, factor: T) -> T {
 
 impl Polynomial {
     /// Creates the polynomial with a constant, a linear and a quadratic coefficient, for distances
-    /// in scene units. If all three are 0, the cap makes the factor 1 everywhere.
+    /// in scene units. If all three coefficients are 0, the attenuation factor is capped at 1
+    /// everywhere.
     ///
     /// # Errors
     /// A coefficient outside 0 to 1e9.

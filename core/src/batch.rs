@@ -1,13 +1,13 @@
 //! Many points and one compiled light: slices in and out, each quantity in its own slice.
 //!
-//! Every result is bit-identical to that of a single-point call; only the order of the work
+//! Every result is bit-identical to the result of a single-point call; only the order of the work
 //! differs. In `f32` the points are processed in blocks. A first pass computes the square roots of
-//! a block and a second pass does the rest. So no computation waits for a root, and compilers
-//! vectorise both passes to the width of the target. Fixed point is processed point by point, with
-//! early-outs.
+//! a block, and a second pass does all other computations. So no computation waits for a square
+//! root, and compilers vectorise both passes to the width of the target. Fixed point is processed
+//! point by point, with early-outs.
 //!
-//! If slices differ in length, the shortest determines the number of points. Elements beyond it are
-//! not changed.
+//! If slices differ in length, the shortest slice determines the number of points. Elements beyond
+//! this number are not changed.
 
 use core::ops::Range;
 
@@ -22,13 +22,14 @@ use crate::{
     vec3::Vec3,
 };
 
-/// Number of points per block. It is large enough to amortise the start of a loop, and small enough
-/// for the first-level cache, which must hold the results of the first pass.
+/// Number of points per block. The number is large enough to amortise the start of a loop. The
+/// number is also small enough for the first-level cache to hold the results of the first pass.
 ///
 /// Compilers fully unroll a loop over 32 points, which is slower.
 const BLOCK: usize = 64;
 
-/// Results passed from one pass to the next, aligned so that no vector load crosses a cache line.
+/// Results passed from the first pass to the second, aligned so that no vector load crosses a cache
+/// line.
 #[repr(align(64))]
 struct Lanes<T>([T; BLOCK]);
 
@@ -36,8 +37,8 @@ struct Lanes<T>([T; BLOCK]);
 trait Batched<S: Scalar>: LightModel<S> {
     /// Returns the position of the light.
     fn position(&self) -> Vec3<S::Length>;
-    /// Returns the irradiance at a single point, in the form that suits a loop of the format: with
-    /// early-outs in fixed point and without branches in `f32`.
+    /// Returns the irradiance at a single point, with early-outs in fixed point and without
+    /// branches in `f32`.
     #[inline]
     fn irradiance(&self, point: Vec3<S::Length>, normal: Vec3<S>) -> S::Irradiance {
         let skips = !S::Offset::ROOTS_FIRST;
@@ -99,10 +100,10 @@ fn extent<S: Scalar>(points: Vec3<&[S::Length]>, normals: Vec3<&[S]>, lights: us
 
 /// Iterates over a range of three columns, in blocks.
 ///
-/// Every item is `Some`; the loops that use this iterator skip `None`. With a `filter_map` here the
-/// loops take 14 % more instructions, because the compiler then no longer turns the zipped columns
-/// into a loop over one index (callgrind, `irradiance_each` and `add_each` of a soft spotlight in
-/// f32, x86-64).
+/// Every item is `Some`; the loops that use this iterator skip `None`. If this function removed
+/// `None` by a `filter_map`, the loops would take 14 % more instructions, because the compiler
+/// would no longer turn the zipped columns into a loop over one index (callgrind, `irradiance_each`
+/// and `add_each` of a soft spotlight in f32, x86-64).
 fn blocks<T>(columns: Vec3<&[T]>, range: Range<usize>) -> impl Iterator<Item = Option<Vec3<&[T; BLOCK]>>> {
     let blocks = columns.map(|column| {
         let column = column.get(range.clone()).unwrap_or_default();
@@ -201,7 +202,7 @@ impl<S: Scalar, P: Falloff, A: Attenuation> CompiledSpotLight<S, P, A> {
     ///
     /// Each result is bit-identical to [`irradiance`](Self::irradiance). Points and normals are
     /// structures of arrays, one slice per component. The shortest slice determines the number of
-    /// points; elements of `lights` beyond it are not changed.
+    /// points; elements of `lights` beyond this number are not changed.
     pub fn irradiance_each(
         &self,
         points: Vec3<&[S::Length]>,
@@ -214,7 +215,8 @@ impl<S: Scalar, P: Falloff, A: Attenuation> CompiledSpotLight<S, P, A> {
     /// Adds the irradiance at each of many surface points, times the light's colour, to `sums`.
     ///
     /// Each result is bit-identical to [`irradiance`](Self::irradiance), [`Rgb::lit`] and
-    /// [`Rgb::plus`]. The slices are as in [`irradiance_each`](Self::irradiance_each).
+    /// [`Rgb::plus`]. The lengths of the slices have the same effect as in
+    /// [`irradiance_each`](Self::irradiance_each).
     pub fn add_each(&self, points: Vec3<&[S::Length]>, normals: Vec3<&[S]>, sums: Rgb<&mut [S::Irradiance]>) {
         add_each(self, self.color, points, normals, sums);
     }
@@ -225,7 +227,7 @@ impl<S: Scalar, A: Attenuation> CompiledPointLight<S, A> {
     ///
     /// Each result is bit-identical to [`irradiance`](Self::irradiance). Points and normals are
     /// structures of arrays, one slice per component. The shortest slice determines the number of
-    /// points; elements of `lights` beyond it are not changed.
+    /// points; elements of `lights` beyond this number are not changed.
     pub fn irradiance_each(
         &self,
         points: Vec3<&[S::Length]>,
@@ -238,7 +240,8 @@ impl<S: Scalar, A: Attenuation> CompiledPointLight<S, A> {
     /// Adds the irradiance at each of many surface points, times the light's colour, to `sums`.
     ///
     /// Each result is bit-identical to [`irradiance`](Self::irradiance), [`Rgb::lit`] and
-    /// [`Rgb::plus`]. The slices are as in [`irradiance_each`](Self::irradiance_each).
+    /// [`Rgb::plus`]. The lengths of the slices have the same effect as in
+    /// [`irradiance_each`](Self::irradiance_each).
     pub fn add_each(&self, points: Vec3<&[S::Length]>, normals: Vec3<&[S]>, sums: Rgb<&mut [S::Irradiance]>) {
         add_each(self, self.color, points, normals, sums);
     }

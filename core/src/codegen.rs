@@ -1,8 +1,7 @@
-//! Compiled values as Rust source: a light with constant parameters needs no set-up code in the
-//! firmware.
+//! Compiled values as Rust source, so that firmware needs no set-up code for constant lights.
 //!
-//! Compiling a light needs trigonometry, divisions and floats. A build script does this on the host
-//! and writes the result as a constant expression of raw bits:
+//! Compiling a light needs trigonometry, divisions and floats. A build script compiles the light on
+//! the host and writes the result as a constant expression of raw bits:
 //!
 //! ```no_run
 //! // build.rs, with luminaire among the build-dependencies
@@ -26,11 +25,11 @@
 //! ```
 //!
 //! All compiled lights can be written, including those of [another system](crate::import), except
-//! [`CompiledAnyLight`](crate::dynamic::CompiledAnyLight). So can [`Rgb`] of ambient light,
-//! [`CompiledMaterial`], [`CompiledExposure`], [`CompiledGobo`], [`Shadow`] and [`BeamScattering`].
-//! The generated text calls `const` functions that accept any bits, so evaluation stays defined for
-//! all of them. The bits are specific to this version of the crate: generate them in each build and
-//! do not store them.
+//! [`CompiledAnyLight`](crate::dynamic::CompiledAnyLight). Other values that can be written are the
+//! [`Rgb`] of ambient light, [`CompiledMaterial`], [`CompiledExposure`], [`CompiledGobo`],
+//! [`Shadow`] and [`BeamScattering`]. The generated text calls `const` functions that accept any
+//! bits, and evaluation is defined for any bits. The bits are specific to this version of the
+//! crate: generate the text in each build and do not store it.
 //!
 //! The module also exports types that only the generated text needs to name.
 

@@ -55,7 +55,7 @@ impl<I: Copy> Rgb<I> {
         color.map(|channel| S::filter(light, channel))
     }
 
-    /// Multiplies the light by a colour, as a surface of that colour does.
+    /// Multiplies the light by a colour, as the reflection from a surface of that colour does.
     #[inline]
     pub fn filtered<S: Scalar<Irradiance = I>>(self, color: Rgb<S>) -> Self {
         self.zip(color, S::filter)
@@ -75,7 +75,7 @@ impl Rgb<f32> {
     }
 }
 
-/// Returns the colour if all channels are in [0, 1], or an error that shows the first that is not.
+/// Returns the colour if all channels are in [0, 1], or an error with the first channel outside.
 pub(crate) fn checked_color(color: Rgb<f32>) -> Result<Rgb<f32>, Error> {
     for value in [color.red, color.green, color.blue] {
         check_between(Parameter::Color, value, 0.0, 1.0)?;

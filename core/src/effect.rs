@@ -4,7 +4,7 @@ use core::fmt;
 
 use crate::models::falloffs;
 
-/// Declares the effects with their names, which are the keys of the cost list.
+/// Declares the effects with their names. The names are the keys of the cost list.
 macro_rules! effects {
     ([$($before:tt)*] [$($after:tt)*]
      $($(#[$meta:meta])* $falloff:ident($type:ty) = $name:literal, $sample:expr, $truth:expr
@@ -12,7 +12,8 @@ macro_rules! effects {
         effects! { $($before)* $($(#[$meta])* $falloff = $name,)* $($after)* }
     };
     ($($(#[$meta:meta])* $effect:ident = $name:literal,)*) => {
-        /// An effect that a scene may require. It costs nothing in scenes that do not require it.
+        /// An effect that a scene may require. An effect costs nothing in scenes that do not
+        /// require this effect.
         #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
         #[non_exhaustive]
         pub enum Effect {
@@ -23,7 +24,7 @@ macro_rules! effects {
             /// All effects.
             pub const ALL: &[Self] = &[$(Self::$effect,)*];
 
-            /// Returns the name, as in the cost list.
+            /// Returns the name of the effect, as in the cost list.
             pub const fn name(self) -> &'static str {
                 match self {
                     $(Self::$effect => $name,)*
@@ -119,7 +120,7 @@ impl Effects {
     }
 }
 
-/// The names, separated by commas.
+/// Writes the names of the effects, separated by commas.
 impl fmt::Display for Effects {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         for (number, effect) in self.iter().enumerate() {

@@ -4,7 +4,7 @@ use core::fmt;
 
 /// A rejected parameter: its name, its value, and the accepted values.
 ///
-/// Only constructors return it; evaluation never fails. The message has the form
+/// Only constructors return an `Error`; evaluation never fails. The message has the form
 /// `{parameter} = {value}: expected {range}`:
 ///
 /// ```
@@ -45,9 +45,9 @@ pub enum Parameter {
     Roll,
     /// The side length of a gobo in transmissions, or of a shadow map in texels.
     Side,
-    /// The slope of a falloff over `t` at the edge.
+    /// The derivative of a falloff with respect to `t` at the edge of the cone.
     EdgeSlope,
-    /// The slope of a falloff over `t` in the middle.
+    /// The derivative of a falloff with respect to `t` in the middle of the cone.
     MiddleSlope,
     /// The sum of the coefficients of a falloff.
     CoefficientSum,
@@ -63,7 +63,7 @@ pub enum Parameter {
     Position,
     /// The axis of a spotlight.
     Axis,
-    /// The intensity of a light, on its axis if it has one.
+    /// The intensity of a light; of a spotlight, the intensity on the axis.
     Intensity,
     /// The linear colour of a light or of a material.
     Color,
@@ -113,8 +113,8 @@ pub enum Parameter {
     SpotAngle,
     /// The full angle up to which a spotlight has full intensity.
     Umbra,
-    /// The outer end of a spotlight as a full angle. In three.js, the fraction of the angle over
-    /// which the light falls off.
+    /// The full angle from which on a spotlight has no light. In three.js, the fraction of the
+    /// spotlight's angle over which the light falls off.
     Penumbra,
     /// `spot_angle_attenuation` of Godot.
     SpotAngleAttenuation,
@@ -128,10 +128,10 @@ pub enum Parameter {
 #[derive(Clone, Copy, PartialEq, Debug)]
 #[non_exhaustive]
 pub enum Expected {
-    /// A full angle in degrees in (0, this].
+    /// A full angle in degrees, more than 0 and at most this value.
     AngleUpTo(f32),
-    /// A full angle in degrees of at least this, the narrowest that the number format can hold.
-    /// Above 180, the format can hold no angle.
+    /// A full angle in degrees of at least this value, the narrowest angle that the number format
+    /// can hold. A value above 180 means that the format can hold no angle.
     AngleFrom(f32),
     /// A full angle in degrees in this closed interval.
     AngleBetween(f32, f32),
@@ -139,9 +139,9 @@ pub enum Expected {
     Exactly(f32),
     /// A finite number in this closed interval.
     Between(f32, f32),
-    /// A number in (0, this].
+    /// A number, more than 0 and at most this value.
     UpTo(f32),
-    /// A number in (0, first value], or exactly the second value.
+    /// A number, more than 0 and at most the first value, or exactly the second value.
     UpToOr(f32, f32),
     /// A distance in this closed interval, or no range.
     RangeBetween(f32, f32),
@@ -206,7 +206,8 @@ impl fmt::Display for Parameter {
 impl fmt::Display for Expected {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            // Limits are rounded inwards, so that the angle in the message is itself accepted.
+            // Limits are rounded towards the inside of the accepted range, so that the angle in the
+            // message is accepted.
             Self::AngleUpTo(largest) => {
                 let shown = (largest * 1e2) as u32 as f32 / 1e2;
                 write!(f, "more than 0 and at most {shown} degrees (full angle)")
@@ -265,7 +266,7 @@ pub(crate) fn check_up_to(parameter: Parameter, value: f32, most: f32) -> Result
 }
 
 /// Displays numbers in [0.001, 10,000) with up to four decimals. Very large or small numbers have
-/// an exponent; all others are in full.
+/// an exponent; all other numbers are written in full.
 struct Shown(f32);
 
 impl fmt::Display for Shown {
@@ -277,7 +278,7 @@ impl fmt::Display for Shown {
         } else if size == 0.0 || (1e-6..1e12).contains(&size) {
             write!(f, "{value}")
         } else {
-            // In full, the number would have up to 39 digits.
+            // Without an exponent, the number would have up to 39 digits.
             write!(f, "{value:e}")
         }
     }

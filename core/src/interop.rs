@@ -1,4 +1,5 @@
-//! Conversions from and to the types of other crates, each behind the feature of that crate's name.
+//! Conversions from and to types of other crates. Each conversion needs the feature named like the
+//! crate.
 //!
 //! | feature | [`Vec3`](crate::Vec3) | [`Rgb`](crate::Rgb) | [`Rgb565`](crate::display::Rgb565) | [`Angle`](crate::Angle), [`HalfAngle`](crate::HalfAngle) | fixed-point numbers |
 //! |---|---|---|---|---|---|

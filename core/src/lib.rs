@@ -2,11 +2,11 @@
 //! or a browser canvas.
 //!
 //! A spotlight is described by the two angles of a stage light's data sheet. At the beam angle the
-//! intensity is 50 % of that on the axis, at the field angle 10 %. The angular falloff from the
-//! axis to the edge is a polynomial of one to three multiplies instead of a power function: one of
-//! the two quadratics of Hast 2004, with a soft or a hard edge, or a cubic with a given beam and
-//! field angle. [`falloff`] lists all falloffs. The same generic code runs in `f32`, in 32-bit
-//! fixed point and in 16-bit fixed point.
+//! intensity is 50 % of the intensity on the axis, at the field angle 10 %. The angular falloff
+//! from the axis to the edge is a polynomial of one to three multiplies instead of a power
+//! function. The polynomial is one of the two quadratics of Hast 2004, with a soft or a hard edge,
+//! or a cubic with a given beam and field angle. [`falloff`] lists all falloffs. The same generic
+//! code runs in `f32`, in 32-bit fixed point and in 16-bit fixed point.
 //!
 //! "Hast 2004" is A. Hast, T. Barrera and E. Bengtsson, *Fast Intensity Distribution Functions for
 //! Soft and Hard Edged Spotlights*, WSCG 2004 Short Communications, pages 95 to 100.
@@ -29,7 +29,7 @@
 //! # Ok::<(), luminaire::Error>(())
 //! ```
 //!
-//! The sum of several such lights, converted to a pixel, still without a float:
+//! The next example adds several such lights and converts the sum to a pixel, also without floats:
 //!
 //! ```
 //! use luminaire::{Fx16, Rgb, display::{Rgb565, clip}};
@@ -60,22 +60,23 @@
 //! | RV32IMC | 2647 | 354 | 145 |
 //! | narrowest soft cone, half angle in degrees (half of [`Cone::narrowest`]) | 0.0050 | 0.00004 | 0.70 |
 //!
-//! [`SpotLight::compile_quick`] compiles one light for a quick evaluation. In `f32` it takes 77
-//! instructions on a Cortex-M4F and errs by 0.0064 linear codes. On a Cortex-M0 it takes 135
-//! instructions in [`Fx16`] and errs by 0.079; in [`Fx32`] 443 and 1.0e-5.
+//! [`SpotLight::compile_quick`] compiles one light for a quick evaluation. In `f32` the quick
+//! evaluation takes 77 instructions on a Cortex-M4F and errs by 0.0064 linear codes. On a Cortex-M0
+//! the quick evaluation takes 135 instructions in [`Fx16`] and errs by 0.079 linear codes; in
+//! [`Fx32`] it takes 443 instructions and errs by 1.0e-5 linear codes.
 //!
 //! A *linear code* is 1/255 of full scale in linear light, clipped at 1. *Searched* means the
-//! maximum over very many random points, each refined by hill climbing; *counted* means by an
-//! emulator. Errors and instructions are those of the kernel `lit`, a soft falloff with Lambert's
-//! cosine, in `docs/ACCURACY-VS-COST.md`. That document has more kernels, more processors and other
-//! libraries.
+//! maximum over very many random points, each refined by hill climbing; *counted* means counted by
+//! an emulator. Errors and instructions are those of the kernel `lit`, a soft falloff with
+//! Lambert's cosine, in `docs/ACCURACY-VS-COST.md`. That document lists more kernels, more
+//! processors and other libraries.
 //!
 //! # Units
 //!
 //! Light has no unit: 1 is full scale. An intensity of 1 gives an irradiance of 1 at a surface that
-//! faces the light, on the axis at distance 1. A matt surface of albedo 1 reflects all of its
-//! irradiance, without the `1/pi` of a radiance. Lengths may have any unit, the same for the whole
-//! scene.
+//! faces the light, on the axis at distance 1. A matt surface of albedo 1 shows its whole
+//! irradiance, without the factor `1/pi` of a radiance. Lengths may have any unit, the same for the
+//! whole scene.
 //!
 //! # Data flow
 //!
@@ -86,9 +87,9 @@
 //!
 //! # Domain
 //!
-//! The error of a compiled cone is at most half a linear code, 1/510 of full scale, within these
-//! ranges. Where the falloff jumps, the position of the edge is within 1/510 of the half angle.
-//! `tests/suite/domain.rs` tests each end.
+//! Within the ranges of the table, the error of a compiled cone is at most half a linear code,
+//! 1/510 of full scale. Where the falloff jumps, the error of the edge's position is at most 1/510
+//! of the outer half angle. `tests/suite/domain.rs` tests the ends of each range.
 //!
 //! | | `f32` | [`Fx32`] | [`Fx16`] | outside |
 //! |---|---|---|---|---|
@@ -102,16 +103,18 @@
 //! | intensity for one code | 300 | 1,000 | 1,000 | up to 1e9: the error grows with the intensity; beyond: refused |
 //!
 //! Where a component of the vector from a light to a point exceeds 32,768 units, `Fx32` drops one
-//! bit of it, and its narrowest cones are twice as wide. The intensities in the table hold for
-//! cones with half angles from 3°, at any distance (searched, with light clipped at full scale);
-//! for a narrower cone they are smaller in proportion. For a brighter light, divide the intensity
-//! and multiply the sum by an [`Exposure`](display::Exposure), or keep the surfaces where the
-//! irradiance is at most full scale.
+//! bit of the vector, and the narrowest cones of `Fx32` are twice as wide. The intensities in the
+//! table hold for cones with half angles from 3°, at any distance (searched, with light clipped at
+//! full scale); for a narrower cone these intensities are smaller in proportion. For a brighter
+//! light, divide the intensity and multiply the sum of all lights by an
+//! [`Exposure`](display::Exposure), or keep the surfaces in regions where the irradiance is at most
+//! full scale.
 //!
 //! # Half or full angle
 //!
 //! An [`Angle`] is a full angle, from edge to edge through the axis. A [`HalfAngle`] goes from the
-//! axis to the edge. Each converts into the other, and constructors take either.
+//! axis to the edge. Each of the two types converts into the other, and constructors take either
+//! type.
 //!
 //! | source | its angles | as |
 //! |---|---|---|
@@ -128,7 +131,8 @@
 //! # Features
 //!
 //! All features are additive, and any set of them compiles. Without `libm`, `std` and `micromath`,
-//! set-up uses its own series for sine and arc sine, and its angles are within a relative 1e-6.
+//! set-up uses series of this crate for sine and arc sine, and the error of its angles is at most a
+//! relative 1e-6.
 //!
 //! | feature | adds |
 //! |---|---|

@@ -10,7 +10,7 @@ use crate::{
 
 /// A material: the ambient, diffuse and specular reflectance of a surface, and its emission.
 ///
-/// It describes the surface in the classic lighting equation, whose sum is over all lights:
+/// The material describes the surface in the classic lighting equation. The sum is over all lights:
 ///
 /// `I = emissive + ambient Ia + sum of f(d) spot [diffuse Is max(0, N.L) + specular Is lobe]`
 ///
@@ -38,7 +38,8 @@ pub struct Material<H = NoSpecular> {
     highlight: H,
 }
 
-/// The largest shininess. At this value half the light of the lobe is within four degrees.
+/// The largest shininess. At a shininess of 1024, half the light of the lobe is within four
+/// degrees.
 const SHINIEST: u32 = 1024;
 
 impl Material {
@@ -171,8 +172,8 @@ impl<S: Scalar, H: SpecularLobe> CompiledMaterial<S, H> {
         self.reflected(surface, light, true)
     }
 
-    /// As [`reflect`](Self::reflect), but without early-outs: every point takes every step of the
-    /// computation.
+    /// Returns the result of [`reflect`](Self::reflect) without early-outs: every point takes every
+    /// step of the computation.
     #[inline]
     pub fn reflect_unskipped<L: LightModel<S>>(
         &self,

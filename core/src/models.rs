@@ -1,19 +1,19 @@
-//! The lists of all models: each falloff, attenuation and specular lobe is declared here once. Its
-//! row generates the run-time enums, cost measurements, conformance vectors, programs and the tests
-//! over every model.
+//! The lists of all models: each falloff, attenuation and specular lobe is one row. Macros generate
+//! the run-time enums, the cost measurements, the conformance vectors, the programs and the tests
+//! of every model from its row.
 //!
 //! With the feature `arithmetic` the lists are exported as macros at the crate root.
 
-/// Calls a macro with the list of all falloffs that can be chosen at run time, after the macro's
-/// own arguments.
+/// Calls a macro with its own arguments and the list of all falloffs that can be chosen at run
+/// time.
 ///
 /// A row is `doc variant(type) = name, sample, truth;`. `doc` is one sentence; `variant` is the
 /// variant in [`AnyFalloff`](crate::falloff::AnyFalloff) and [`Effect`](crate::dynamic::Effect);
-/// `name` is the name in records; `sample` is one value as a `Result`; `truth` is that value's
-/// function in f64, with as few operations as possible.
+/// `name` is the name in records; `sample` is one value as a `Result`; `truth` is the function of
+/// this value in f64, with as few operations as possible. Two parts of a row are optional:
 ///
 /// - `any |n| ...` draws a random falloff from numbers `n()` in [0, 1); invalid combinations return
-///   an error. Without it, the sample is used.
+///   an error. In a row without `any`, the sample is used.
 /// - `constant type = name, value, truth` replaces the run-time type in programs that know the
 ///   falloff at compile time.
 #[cfg_attr(feature = "arithmetic", macro_export)]
@@ -65,8 +65,9 @@ macro_rules! falloffs {
     };
 }
 
-/// Calls a macro with the list of falloffs for programs that know the falloff at compile time: rows
-/// of `doc variant(type) = name, sample, truth;`.
+/// Calls a macro with the list of falloffs for programs that know the falloff at compile time.
+///
+/// The rows are `doc variant(type) = name, sample, truth;`.
 #[cfg(feature = "arithmetic")]
 #[macro_export]
 macro_rules! constant_falloffs {
@@ -91,12 +92,11 @@ macro_rules! constant_falloffs {
     };
 }
 
-/// Calls a macro with the list of all attenuations that can be chosen at run time, after the
-/// macro's own arguments.
+/// Calls a macro with its own arguments and the list of all run-time attenuations.
 ///
-/// A row is `doc variant(type) = any |n| ...;`, which draws a random attenuation from numbers `n()`
-/// in [0, 1). The row also lists the types that replace the run-time type in programs that know the
-/// attenuation at compile time, each as `doc type = name, value`.
+/// A row is `doc variant(type) = any |n| ...;`. The part `any` draws a random attenuation from
+/// numbers `n()` in [0, 1). The row also lists the types that replace the run-time type in programs
+/// that know the attenuation at compile time, each as `doc type = name, value`.
 #[cfg_attr(feature = "arithmetic", macro_export)]
 macro_rules! attenuations {
     ($($consumer:ident)::+ $(; $($arguments:tt)*)?) => {
@@ -135,8 +135,9 @@ macro_rules! attenuations {
     };
 }
 
-/// Calls a macro with the list of all specular lobes, after the macro's own arguments: rows of
-/// `doc type = name, value;`.
+/// Calls a macro with its own arguments and the list of all specular lobes.
+///
+/// The rows are `doc type = name, value;`.
 #[cfg(feature = "arithmetic")]
 #[macro_export]
 macro_rules! lobes {
@@ -174,7 +175,7 @@ pub fn power(x: f64, exponent: f64) -> f64 {
     libm::pow(x, exponent)
 }
 
-/// Linear interpolation in [`SAMPLES`].
+/// Returns the linear interpolation in [`SAMPLES`] at `t`.
 #[cfg(feature = "arithmetic")]
 #[inline(always)]
 pub fn interpolated(t: f64) -> f64 {

@@ -1,9 +1,9 @@
 //! Render plans: the effects that a scene requires.
 //!
-//! A renderer with a plan omits all effects that the scene does not require. It omits only work
-//! that does not change any bit of the image: a dark light, a black highlight, a factor of 1. The
-//! plan [`RenderPlan::everything`] omits nothing and gives the same image, so that a renderer's
-//! tests can compare the two.
+//! A renderer with a plan omits all effects that the scene does not require. The renderer omits
+//! only work that does not change any bit of the image: a dark light, a black highlight, a factor
+//! of 1. The plan [`RenderPlan::everything`] omits nothing and gives the same image, so that a
+//! renderer's tests can compare both images.
 //!
 //! Lights that are constants of the program need no plan: their types state the required effects,
 //! and unused code is not linked.
@@ -43,8 +43,8 @@ impl RenderPlan {
         Self { effects: Effects::NONE, leaves_nothing_out: false }
     }
 
-    /// Creates the plan that evaluates every effect for every light at every point, required or
-    /// not.
+    /// Creates the plan that evaluates every effect for every light at every point, also effects
+    /// that are not required.
     pub const fn everything() -> Self {
         Self { effects: Effects::ALL, leaves_nothing_out: true }
     }
@@ -85,8 +85,8 @@ impl RenderPlan {
         self.effects.has(effect)
     }
 
-    /// Returns whether a renderer skips points and tiles without light, and dark lights. False only
-    /// for [`everything`](Self::everything).
+    /// Returns whether a renderer skips dark lights, and points and tiles without light. The result
+    /// is false only for [`everything`](Self::everything).
     pub const fn skips(&self) -> bool {
         !self.leaves_nothing_out
     }
@@ -95,7 +95,7 @@ impl RenderPlan {
     /// the plan skips.
     ///
     /// # Errors
-    /// A light that the format cannot hold, even if it is dark.
+    /// A light that the format cannot hold, even if the light is dark.
     pub fn prepare<S: Scalar>(&self, light: &AnyLight) -> Result<Option<CompiledAnyLight<S>>, Error> {
         let compiled = light.compile()?;
         Ok((!(self.skips() && light.is_dark())).then_some(compiled))

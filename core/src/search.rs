@@ -1,7 +1,8 @@
 //! Search algorithms for set-up.
 
-/// Returns the number in [`low`, `high`] at which a predicate changes from true, its value at
-/// `low`, to false. It is accurate to the last place.
+/// Returns the number in [`low`, `high`] at which a predicate changes from true to false.
+///
+/// The predicate is true at `low`. The result is accurate to the last place.
 pub(crate) fn bisect(mut low: f32, mut high: f32, holds: impl Fn(f32) -> bool) -> f32 {
     for _ in 0..26 {
         let middle = (low + high) / 2.0;
@@ -20,8 +21,10 @@ pub(crate) fn least_at(mut low: f64, mut high: f64, mut value: impl FnMut(f64) -
     (low + high) / 2.0
 }
 
-/// Returns the maximum of a function that may have many local maxima, none narrower than 1/256 of
-/// the interval. Each local maximum is refined.
+/// Returns the maximum of a function that may have many local maxima.
+///
+/// No local maximum may be narrower than 1/256 of the interval. The search refines each local
+/// maximum.
 pub(crate) fn maximum(low: f64, high: f64, value: impl Fn(f64) -> f64) -> f64 {
     const STEPS: u32 = 512;
     let step = (high - low) / f64::from(STEPS);
@@ -59,7 +62,8 @@ mod tests {
         }
     }
 
-    /// Narrow maxima at any place: on both ends, and the largest of several.
+    /// Finds narrow maxima at any position: at both ends of the interval, and the largest of
+    /// several.
     #[test]
     fn a_maximum_is_found_wherever_it_is() {
         for place in [2.0, 2.0001, 2.000_9, 2.47, 2.999, 2.999_1, 3.0] {
@@ -69,7 +73,8 @@ mod tests {
         }
     }
 
-    /// Outside of the interval a function may be larger, or none.
+    /// A search evaluates the function only in the interval: outside, the function may be larger or
+    /// undefined.
     #[test]
     fn a_search_stays_in_its_interval() {
         for slope in [-1.0, 0.0, 1.0] {

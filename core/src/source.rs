@@ -1,4 +1,4 @@
-//! Values as constant expressions of Rust: see [`codegen`](crate::codegen).
+//! Formatting of values as constant expressions of Rust: see [`codegen`](crate::codegen).
 
 use core::{
     fmt::{self, Formatter},
@@ -7,7 +7,7 @@ use core::{
 
 /// A value that can be written as a constant expression of Rust.
 pub trait Source {
-    /// Writes the expression. Its names are those of the public modules.
+    /// Writes the expression. The expression uses the names of the public modules.
     ///
     /// # Errors
     /// The errors of the formatter.
@@ -24,8 +24,10 @@ pub trait Named {
     fn write_name(out: &mut Formatter<'_>) -> fmt::Result;
 }
 
-/// Wraps a compiled value for display as a constant expression: a block that imports the names it
-/// needs. [`codegen`](crate::codegen) lists the supported values.
+/// Wraps a compiled value for display as a constant expression.
+///
+/// The expression is a block that imports the names it uses. [`codegen`](crate::codegen) lists the
+/// supported values.
 pub fn as_source<T: Source>(value: &T) -> AsSource<'_, T> {
     AsSource(value)
 }
@@ -46,7 +48,7 @@ impl<T: Source> fmt::Display for AsSource<'_, T> {
     }
 }
 
-/// Formats the expression alone, by `Debug`: the formatter's list builders require that trait.
+/// Formats the expression alone. The formatter's list builders require the trait `Debug`.
 pub(crate) struct Written<'a, T: ?Sized>(pub(crate) &'a T);
 
 impl<T: Source + ?Sized> fmt::Debug for Written<'_, T> {

@@ -1,8 +1,8 @@
 //! Specular lobes: the highlight of a light on a surface.
 //!
-//! L is the direction to the light, V the direction to the eye, N the normal, R the mirror
-//! direction of L about N, and H the half vector of L and V, all of unit length; m is the
-//! shininess:
+//! The following vectors have unit length: L is the direction to the light, V the direction to the
+//! eye, N the normal, R the mirror direction of L about N, and H the half vector of L and V. The
+//! exponent m is the shininess.
 //!
 //! | type | lobe | source |
 //! |---|---|---|
@@ -13,11 +13,12 @@
 //! | [`DualConeLobe`] | `max(0, R.H)^m` | the dual-cone GLSL article |
 //! | [`DifferenceForm`] of one of these | `max(0, 1 - k \|a - b\|^2 / 2)^(2^n)`, `k = m / 2^n`, with the two directions a and b of that lobe | Lyon 1993, *Phong Shading Reformulation for Hardware Renderer Simplification* |
 //!
-//! Every cosine is computed as `1 - |a - b|^2 / 2` from the difference of its two directions,
-//! because a lobe is narrow: as in a narrow beam, a dot product near 1 would lose precision.
+//! The cosine of the angle between two directions a and b is computed as `1 - |a - b|^2 / 2` from
+//! their difference. A dot product near 1 would lose precision in a narrow lobe, as in a narrow
+//! beam.
 //!
-//! A surface that faces away from the light has no highlight, as in OpenGL. Without that rule, the
-//! textbook equation would let light shine through the surface.
+//! A surface that faces away from the light has no highlight, as in OpenGL. The textbook equation
+//! without this condition would let light shine through the surface.
 
 mod highlight;
 
@@ -34,10 +35,10 @@ use crate::{
     vec3::Vec3,
 };
 
-/// A specular lobe. The type selects it at compile time: there is no branch per point, and an
+/// A specular lobe. The type selects the lobe at compile time: there is no branch per point, and an
 /// unused lobe is not linked.
 pub trait SpecularLobe: Copy + PartialEq + core::fmt::Debug {
-    /// Whether there is a highlight; `false` only for [`NoSpecular`].
+    /// Whether the lobe has a highlight; `false` only for [`NoSpecular`].
     const SHINES: bool = true;
     /// The smallest shininess for which the lobe is defined.
     const LEAST_SHININESS: u32 = 1;
@@ -47,7 +48,7 @@ pub trait SpecularLobe: Copy + PartialEq + core::fmt::Debug {
     /// Compiles a lobe of this shininess for the format `S`.
     fn constants<S: Scalar>(shininess: u32) -> Self::Constants<S>;
 
-    /// Returns the versine of the angle between the lobe's two directions from which on the lobe is
+    /// Returns the versine of the angle between the lobe's two directions at which the lobe becomes
     /// zero.
     fn end(shininess: u32) -> f32;
 
@@ -69,29 +70,32 @@ pub struct NoSpecular;
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct Phong;
 
-/// `max(0, N.H)^m`: maximal for an eye in the mirror direction. It is about as wide as a [`Phong`]
-/// lobe with a quarter of its shininess, and costs one more square root per point and light.
+/// `max(0, N.H)^m`: maximal for an eye in the mirror direction. A `BlinnPhong` lobe is about as
+/// wide as a [`Phong`] lobe with a quarter of the shininess, and costs one more square root per
+/// point and light.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct BlinnPhong;
 
 /// `max(0, R.H)^m`, as written in the dual-cone GLSL article.
 ///
-/// It is neither Phong's nor Blinn's lobe. For an eye in the mirror direction H is the normal, so
-/// there the lobe is only the m-th power of the cosine of the angle of incidence. Its maximum is
-/// where H is the mirror direction: for an eye at three times the angle of incidence.
+/// This lobe is neither Phong's nor Blinn's lobe. For an eye in the mirror direction, H is the
+/// normal, so the lobe is only the m-th power of the cosine of the angle of incidence. The maximum
+/// of the lobe is where H is the mirror direction: for an eye at three times the angle of
+/// incidence.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct DualConeLobe;
 
 /// [`Phong`] with a view direction V' that is already mirrored at the surface.
-/// `|R - V| = |L - V'|`, so it is enough to compute V' once per point instead of R for every light.
+/// `|R - V| = |L - V'|`, so V' can be computed once per point instead of R for every light.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct MirroredPhong;
 
-/// Lyon's difference form of another lobe, with `N` squarings. The shininess becomes a factor, so
-/// every point takes the same number of steps for every material, which suits vector instructions.
+/// Lyon's difference form of another lobe, with `N` squarings. The shininess becomes a factor
+/// instead of an exponent. So every point takes the same number of steps for every material, as
+/// vector instructions require.
 ///
-/// Defined for a shininess of at least `2^N`. It is 0 from a certain angle on; with fewer squarings
-/// this angle is smaller.
+/// The lobe is defined for a shininess of at least `2^N`. The lobe is 0 from a certain angle on;
+/// with fewer squarings this angle is smaller.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct DifferenceForm<H, const N: u32>(pub H);
 
@@ -121,7 +125,8 @@ impl SpecularLobe for NoSpecular {
 }
 
 impl<H: Highlight> SpecularLobe for H {
-    /// A ramp over the versines 0 to 1, which determines the scale of a versine, and the exponent.
+    /// A ramp over the versines 0 to 1, and the exponent. The ramp determines the scale of a
+    /// versine.
     type Constants<S: Scalar> = (S::Ramp, u32);
 
     fn constants<S: Scalar>(shininess: u32) -> (S::Ramp, u32) {

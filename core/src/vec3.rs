@@ -2,7 +2,7 @@
 
 /// A vector of three components: a position, an axis or a normal.
 ///
-/// The coordinate system is the user's.
+/// The user chooses the coordinate system.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 #[repr(C)]
 pub struct Vec3<T> {
@@ -46,7 +46,8 @@ impl<T> From<Vec3<T>> for [T; 3] {
 }
 
 impl Vec3<f32> {
-    /// Returns the dot product, summed from left to right. The order determines the rounding.
+    /// Returns the dot product, summed from left to right. The order of the sum determines the
+    /// rounding.
     #[inline]
     pub fn dot(self, other: Self) -> f32 {
         self.x * other.x + self.y * other.y + self.z * other.z

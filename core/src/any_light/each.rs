@@ -1,10 +1,12 @@
-//! Evaluation of one light at many points. Its kind, falloff and attenuation are matched once, and
-//! the loop over the points has no branch on them.
+//! Evaluation of one light at many points.
 //!
-//! With the inverse-square law there is one loop per falloff, and without attenuation another one.
-//! Any other attenuation takes two loops: the first evaluates the cone, the second the attenuation.
-//! The number of loops therefore grows with the sum of the numbers of falloffs and attenuations,
-//! not with the product.
+//! The kind, the falloff and the attenuation of the light are matched once, so the loop over the
+//! points has no branch on these three.
+//!
+//! Each falloff has one loop for the inverse-square law, and one loop for no attenuation. Any other
+//! attenuation takes two loops: the first loop evaluates the cone, the second the attenuation. The
+//! number of compiled loops therefore grows with the sum of the numbers of falloffs and
+//! attenuations, instead of their product.
 
 use super::CompiledAnyLight;
 use crate::{
@@ -29,7 +31,7 @@ pub struct SurfacePoints<'a, S: Scalar, const N: usize> {
 }
 
 impl<S: Scalar, const N: usize> SurfacePoints<'_, S, N> {
-    /// Returns point `i`; for `i >= N` a point with all components 0.
+    /// Returns point `i`; for `i >= N`, a point with all components 0.
     #[inline]
     pub fn at(&self, i: usize) -> SurfacePoint<S> {
         SurfacePoint {
@@ -53,8 +55,8 @@ impl<S: Scalar> CompiledAnyLight<S> {
     /// `arrivals.specular` unchanged.
     ///
     /// Fixed point computes the points one by one and returns 0 for unreachable points before the
-    /// square root; the result is bit-identical. `f32` has no such test, because it would prevent
-    /// vector instructions.
+    /// square root; the result is bit-identical. `f32` has no such early-out, because a branch
+    /// would prevent vector instructions.
     pub fn evaluate_each<H: SpecularLobe, const N: usize>(
         &self,
         surfaces: &SurfacePoints<'_, S, N>,
@@ -70,7 +72,8 @@ impl<S: Scalar> CompiledAnyLight<S> {
     }
 }
 
-/// Returns the plain attenuation that is equal to a compiled attenuation, if that has no range.
+/// Returns the plain attenuation that equals a compiled attenuation; `None` if no plain attenuation
+/// does.
 fn plain<S: Scalar>(distance: &CompiledAnyAttenuation<S>) -> Option<Plain> {
     let none = S::gain(0.0);
     match distance {
@@ -80,7 +83,7 @@ fn plain<S: Scalar>(distance: &CompiledAnyAttenuation<S>) -> Option<Plain> {
     }
 }
 
-/// The attenuations that share one loop with the falloff, for every falloff.
+/// The plain attenuations: each is evaluated in the same loop as the falloff.
 enum Plain {
     Unattenuated,
     InverseSquare,
@@ -165,7 +168,8 @@ impl<S: Scalar, H: SpecularLobe, const N: usize> Loop<'_, S, H, N> {
     }
 
     /// Re-evaluates the points that are so close to the light that they need the fine evaluation.
-    /// Two separate loops cannot do the fine evaluation.
+    ///
+    /// The fine evaluation is impossible in two separate loops for the cone and the attenuation.
     fn refine<L: LightModel<S>>(&mut self, light: &L, position: Vec3<S::Length>, fine_below: u32) {
         for i in 0..N {
             let surface = self.surfaces.at(i);
@@ -199,8 +203,8 @@ impl<S: Scalar, H: SpecularLobe, const N: usize> Loop<'_, S, H, N> {
     }
 }
 
-/// The loop over the points. Its outputs are separate arguments, so that the compiler knows that
-/// they do not alias the inputs.
+/// Evaluates the light at each point. The outputs are separate arguments, so that the compiler
+/// knows that the outputs do not alias the inputs.
 #[inline(never)]
 fn light_each<S: Scalar, H: SpecularLobe, L: LightModel<S>, const N: usize>(
     light: &L,

@@ -9,7 +9,7 @@ use crate::{
 };
 
 impl CompiledAnyLight<f32> {
-    /// Returns the beam of the light in haze; `None` if it is not a spotlight.
+    /// Returns the beam of the light in haze; `None` if the light is not a spotlight.
     pub fn in_haze(&self, haze: &Haze) -> Option<BeamScattering<AnyFalloff, AnyAttenuation>> {
         match self {
             Self::Spot(spot) => Some(spot.in_haze(haze)),
@@ -36,8 +36,8 @@ impl BeamScattering<AnyFalloff, AnyAttenuation> {
     /// bit-identical to [`in_scattering_through`](Self::in_scattering_through) with `PARTS` samples
     /// per ray.
     ///
-    /// The filter is called once per ray with all samples of that ray. Rays outside the beam
-    /// do not call it.
+    /// The filter is called once per ray with all samples of that ray. For rays outside the beam
+    /// the filter is not called.
     pub fn in_scattering_through_each<const PARTS: usize, const N: usize>(
         &self,
         rays: &ViewRays<N>,

@@ -13,15 +13,14 @@ use crate::{
     source::{Source, call, named},
 };
 
-/// Declares the enums over all attenuations of the list, and all methods with one match arm per
-/// row.
+/// Declares the enums of all listed attenuations, and their methods with one match arm per row.
 macro_rules! any_attenuation {
     ($($(#[$doc:meta])* $variant:ident($type:ty) = any $any:expr
        $(, $(#[$its_doc:meta])* $constant:ty = $its_name:literal, $value:expr)*;)*) => {
         /// Any attenuation, chosen at run time: for a light of [another system](crate::import) or
         /// an [`AnyLight`](crate::dynamic::AnyLight).
         ///
-        /// It branches per point.
+        /// The enum branches per point.
         /// [`CompiledAnyLight::evaluate_each`](crate::dynamic::CompiledAnyLight::evaluate_each)
         /// branches once per light.
         #[derive(Clone, Copy, PartialEq, Debug)]
@@ -164,7 +163,7 @@ pub(crate) use with_attenuation;
 attenuations!(any_attenuation);
 named!(AnyAttenuation);
 
-/// Converts an attenuation without a range of its own into the variant with `range: None`.
+/// Implements the conversion of an attenuation without a range into the variant with `range: None`.
 macro_rules! from_unlimited {
     ($($type:ty => $variant:ident)*) => {$(
         impl From<$type> for AnyAttenuation {

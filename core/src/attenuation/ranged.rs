@@ -13,7 +13,7 @@ use crate::{
     source::{Named, name},
 };
 
-/// An attenuation with a window that ends it at a range.
+/// An attenuation with a window that ends the light at a range.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Ranged<W, A> {
     attenuation: A,
@@ -21,9 +21,10 @@ pub struct Ranged<W, A> {
     window: PhantomData<W>,
 }
 
-/// An attenuation, cut off at a range: unchanged within it, 0 from there on.
+/// An attenuation that is cut off at a range: unchanged within the range, 0 from the range on.
 pub type CutAt<A> = Ranged<Cut, A>;
-/// An attenuation times `(1 - (d/r)^4)^2`, which fades to 0 at the range without a visible edge.
+/// An attenuation times `(1 - (d/r)^4)^2`. This window fades to 0 at the range without a visible
+/// edge.
 pub type Windowed<A> = Ranged<SquareWindow, A>;
 /// The inverse-square law times glTF's window `1 - (d/r)^4`.
 pub type GltfRange = Ranged<GltfWindow, InverseSquare>;
@@ -35,10 +36,10 @@ pub trait Window: Copy + PartialEq + core::fmt::Debug {
     /// The name of the type.
     const NAME: &'static str;
 
-    /// The effects that the window requires besides [`Effect::Range`].
+    /// The effects that the window requires in addition to [`Effect::Range`].
     const EFFECTS: Effects;
 
-    /// Evaluates the factor at a fraction `d/r` of the range, in f64.
+    /// Evaluates the window's factor at a fraction `d/r` of the range, in f64.
     fn exact(fraction: f64) -> f64;
 
     /// Multiplies a share of the intensity by the window, at the squared fraction `(d/r)^2` of the
@@ -46,15 +47,15 @@ pub trait Window: Copy + PartialEq + core::fmt::Debug {
     fn dim<S: Scalar, T: Share<S>>(share: T, squared: T) -> T;
 }
 
-/// 1 within the range, 0 from there on.
+/// The window that is 1 within the range and 0 from the range on.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Cut;
 
-/// `1 - (d/r)^4`.
+/// The window `1 - (d/r)^4`.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct GltfWindow;
 
-/// `(1 - (d/r)^4)^2`.
+/// The window `(1 - (d/r)^4)^2`.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct SquareWindow;
 
@@ -109,7 +110,8 @@ impl Window for SquareWindow {
 }
 
 impl<W: Window, A: Attenuation> Ranged<W, A> {
-    /// Creates the attenuation with this range, in scene units; `None` leaves it unchanged.
+    /// Creates the attenuation with this range, in scene units; `None` leaves the attenuation
+    /// unchanged.
     ///
     /// # Errors
     /// A range outside 0.001 to 1e9.

@@ -1,9 +1,9 @@
 //! Zero-copy casts between bytes and slices of vectors, colours, pixels and numbers.
 //!
 //! [`Rgb565`] and the fixed-point numbers are `Pod`: any bits are valid, and there is no padding.
-//! [`Vec3`] and [`Rgb`] are `Pod` if their components are. The casts give bytes in the processor's
-//! order; [`Rgb565::to_be_bytes`] gives a fixed order. Angles are not `Pod`, because their layout
-//! is private.
+//! [`Vec3`] and [`Rgb`] are `Pod` if their components are `Pod`. The casts give bytes in the
+//! processor's byte order; [`Rgb565::to_be_bytes`] gives a fixed byte order. Angles are not `Pod`,
+//! because their layout is private.
 //!
 //! ```
 //! use luminaire::{Vec3, display::Rgb565};
@@ -35,9 +35,10 @@ unsafe impl<T: Pod> Pod for Rgb<T> {}
 /// Implements `Pod` for types stored as one integer.
 macro_rules! pod {
     ($($number:ident($bits:ty))*) => {$(
-        // SAFETY: `repr(transparent)` over an integer, for which zero is valid.
+        // SAFETY: the type is `repr(transparent)` over an integer, and zero is a valid integer.
         unsafe impl Zeroable for $number {}
-        // SAFETY: `repr(transparent)` over an integer, for which any bits are valid.
+        // SAFETY: the type is `repr(transparent)` over an integer, and any bits are a valid
+        // integer.
         unsafe impl Pod for $number {}
     )*};
 }

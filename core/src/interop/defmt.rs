@@ -1,7 +1,7 @@
-//! `defmt` formatting of errors, angles, vectors, colours and numbers; the host builds the text.
+//! `defmt` formatting of errors, angles, vectors, colours and numbers. The host builds the text.
 //!
-//! A fixed-point number is sent as the nearest `f32`; log `to_bits()` where every bit counts. The
-//! format is that of `Debug`:
+//! A fixed-point number is sent as the nearest `f32`; log `to_bits()` if every bit counts. The text
+//! has the format of `Debug`:
 //!
 //! ```
 //! fn refused(error: &luminaire::Error, cone: luminaire::Angle) {

@@ -1,4 +1,4 @@
-//! Lossless conversions of colours from and to those of `embedded-graphics-core`.
+//! Lossless conversions of colours from and to the colours of `embedded-graphics-core`.
 //!
 //! | here | there |
 //! |---|---|
@@ -6,7 +6,8 @@
 //! | [`Rgb<u8>`](Rgb) | `Rgb888`, `Bgr888` |
 //!
 //! The trait `ToBytes` of `embedded-graphics-core` chooses the byte order. `Rgb` types have red in
-//! the upper bits, `Bgr` types blue. Most SPI displays expect big endian, the upper byte first.
+//! the upper bits, and `Bgr` types have blue in the upper bits. Most SPI displays expect big
+//! endian: the upper byte first.
 //!
 //! ```
 //! use embedded_graphics_core::pixelcolor::{Bgr565, Bgr888, Rgb565, Rgb888, raw::ToBytes};

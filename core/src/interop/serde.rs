@@ -8,8 +8,8 @@
 //! | [`Angle`], [`HalfAngle`] | degrees: the full angle, the half angle |
 //! | fixed-point numbers | their bits, as one integer: exact |
 //!
-//! Each type accepts every value of its serialised form; for anything else the data format returns
-//! an error. Descriptions such as a cone or a light are not serialisable, because their
+//! Each type accepts every value of its serialised form; for any other value the data format
+//! returns an error. Descriptions such as a cone or a light are not serialisable, because their
 //! constructors validate: store the constructor's arguments, and construct again.
 //!
 //! ```
@@ -91,7 +91,8 @@ mod tests {
     extern crate std;
     use std::string::ToString;
 
-    /// Checks that a value is serialised as this text, and read back from it.
+    /// Checks that a value is serialised as this text, and that this text is read back as the
+    /// value.
     fn there_and_back<T: Serialize + for<'de> Deserialize<'de> + PartialEq + Debug>(value: T, text: &str) {
         assert_eq!(to_string(&value).unwrap(), text);
         assert_eq!(from_str::<T>(text).unwrap(), value);

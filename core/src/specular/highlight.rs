@@ -1,4 +1,4 @@
-//! The part of a specular lobe that differs from type to type.
+//! The part of a specular lobe that differs from lobe to lobe: the two directions.
 
 use crate::{number::Scalar, vec3::Vec3};
 
