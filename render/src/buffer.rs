@@ -3,7 +3,7 @@
 use alloc::{collections::TryReserveError, vec::Vec};
 use luminaire::{Rgb, Scalar};
 
-/// Number of pixels of a row in a block.
+/// Number of pixels in a block: neighbouring pixels of a row.
 pub(crate) const LANES: usize = 32;
 
 /// Light from the surfaces of a block's pixels towards the eye: linear, 1 is full scale.
@@ -12,7 +12,7 @@ pub(crate) type Radiance = Rgb<[f32; LANES]>;
 /// Irradiance at the surfaces of a block's pixels.
 pub(crate) type Lights<S> = [<S as Scalar>::Irradiance; LANES];
 
-/// Returns a vector of `count` equal values, or an error if there is no memory for them.
+/// Returns a vector of `count` equal values, or an error if there is no memory for the values.
 pub(crate) fn filled<T: Clone>(count: usize, value: T) -> Result<Vec<T>, TryReserveError> {
     let mut values = Vec::new();
     values.try_reserve_exact(count)?;

@@ -4,7 +4,8 @@ use crate::size::SizeError;
 use core::fmt;
 use luminaire::Error;
 
-/// Why drawing failed. The message names parameter, value and remedy.
+/// The reason why drawing failed. The message names the parameter, its value and the accepted
+/// values.
 #[derive(Clone, Copy, PartialEq, Debug)]
 #[non_exhaustive]
 pub enum DrawError {

@@ -11,29 +11,30 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! A picture takes four passes, and a pass is repeated only where its input has changed:
+//! A picture takes four passes. Each pass is repeated only where its input has changed:
 //!
 //! 1. [`draw_geometry`](Renderer::draw_geometry) draws the [`Scene`] from a [`Camera`] into the
 //!    G-buffer: position, normal and material of each pixel, in the number format of the light.
 //! 2. [`draw_shadows`](Renderer::draw_shadows) draws a [`ShadowMap`] for each fixture with shadows.
 //! 3. [`draw_light`](Renderer::draw_light) adds up the light of the fixtures over the G-buffer, in
-//!    blocks of 32 pixels with each quantity in its own array. Only tiles that a changed fixture
-//!    reaches now or reached before are re-lit. Within a re-lit tile, each light skips the blocks
-//!    that it cannot reach.
+//!    blocks of 32 pixels as structures of arrays. Only tiles that a changed fixture reaches now or
+//!    reached before the change are re-lit. Within a re-lit tile, each light skips the blocks that
+//!    the light cannot reach.
 //! 4. [`encode`](Renderer::encode) encodes the re-lit tiles for a [`Display`].
 //!
 //! **Only the effects that a scene needs are computed.** The kind, falloff and attenuation of a
 //! light select a loop, once for each block. Highlights are computed only for shiny materials,
 //! gobos and shadows only for fixtures that have them, and beams only in haze. Skipping never
-//! changes the result: [`draw_everything`](Renderer::draw_everything) skips nothing, and its
-//! picture is bit-identical. The [`Account`] counts what was skipped.
+//! changes the result: [`draw_everything`](Renderer::draw_everything) skips nothing, and the
+//! picture is bit-identical. The [`Account`] counts the skipped work.
 //!
 //! The number format is the renderer's type parameter: `f32`, [`Fx32`](luminaire::Fx32) or
-//! [`Fx16`](luminaire::Fx16); [`stated_error`] says how far the pictures differ.
+//! [`Fx16`](luminaire::Fx16); [`stated_error`] returns how much the pictures in these formats
+//! differ.
 //!
 //! The feature `std` takes the square root from the standard library instead of `libm`. The results
-//! are bit-identical. On most targets rendering is then several times faster, because compilers
-//! vectorise the loops only with that square root.
+//! are bit-identical. On most targets rendering with `std` is several times faster, because
+//! compilers vectorise the loops only with the square root of the standard library.
 
 // Modules, lowest first: `size`, `error`, `buffer`, `space`, `scene`, `raster`, `shadow`, `light`,
 // `renderer`, `scenes`.

@@ -1,5 +1,5 @@
-//! The lighting pass: the irradiance of each pixel, and the light that its surface reflects to the
-//! eye.
+//! The lighting pass: the irradiance at each pixel, and the light that the surface there reflects
+//! to the eye.
 
 pub(crate) mod air;
 pub(crate) mod block;
@@ -25,7 +25,7 @@ use luminaire::{
     specular::{NoSpecular, SpecularLobe},
 };
 
-/// A material compiled for a format.
+/// A material, and its highlight compiled for a number format.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Finish<S: Scalar> {
     material: Material,
@@ -48,16 +48,18 @@ pub struct Setting<'a, S: Scalar> {
     pub(crate) shadows: &'a Shadows<S>,
 }
 
-/// Scratch memory for lighting a block. It is reused without clearing, because clearing it for each
-/// block would cost as much as a light.
+/// Scratch memory for lighting a block.
+///
+/// The memory is reused without clearing, because clearing for each block would cost as much as a
+/// light.
 #[derive(Clone, Debug)]
 pub struct Workspace<S: Scalar> {
     /// The numbers of the shiny materials in the block.
     shining: [u32; LANES],
-    /// For each of these materials, the bounds of its surface points and of the mirrored view
+    /// For each shiny material, the bounds of its surface points and of the mirrored view
     /// directions at these points.
     parts: [Option<(Bounds, Directions)>; LANES],
-    /// The view directions, mirrored in the surfaces.
+    /// The view directions, mirrored at the surfaces.
     views: Vec3<[S::Unit; LANES]>,
     /// Irradiance and highlight of one light.
     arrivals: Incident<Lights<S>>,
@@ -98,7 +100,7 @@ impl<S: Scalar> Finish<S> {
 }
 
 impl<S: Scalar> Setting<'_, S> {
-    /// Lights the pixels of a block. Returns how many of the lights were evaluated with a
+    /// Lights the pixels of a block. Returns the number of lights that were evaluated with a
     /// highlight.
     #[inline(always)]
     pub(crate) fn light(
@@ -121,7 +123,7 @@ impl<S: Scalar> Setting<'_, S> {
         glints
     }
 
-    /// Sums up the irradiance of a block of matt surfaces. No light has a highlight there.
+    /// Sums up the irradiance of a block of matt surfaces, which have no highlights. Returns 0.
     #[inline(always)]
     fn light_matte(&self, block: &Block<S>, fixtures: &[&Prepared<S>], work: &mut Workspace<S>) -> usize {
         let Workspace { views, arrivals, filter, sums, .. } = work;
@@ -137,8 +139,8 @@ impl<S: Scalar> Setting<'_, S> {
         0
     }
 
-    /// Sums up the light of a block with `kinds` shiny materials. Returns how many lights have a
-    /// highlight that the eye may see.
+    /// Sums up the light of a block with `kinds` shiny materials. Returns the number of lights with
+    /// a highlight that the eye may see.
     #[inline(always)]
     fn light_shining(
         &self,
@@ -170,9 +172,10 @@ impl<S: Scalar> Setting<'_, S> {
         glints
     }
 
-    /// Evaluates a light, with the highlights that the eye may see. The highlights go to
+    /// Evaluates a light, with the highlights that the eye may see. The highlights are written to
     /// `arrivals`, or to `lobes` if the block has several materials. Returns whether there are any
-    /// highlights. The first light with highlights also clears their sum.
+    /// highlights. For the first light with highlights, the function also clears the sum of the
+    /// highlights.
     #[inline(always)]
     fn arrive_shining(
         &self,
@@ -222,8 +225,8 @@ impl<S: Scalar> Setting<'_, S> {
         self.plan.skips() && mirrored.are_apart(&to_light, finish.lobe)
     }
 
-    /// Computes the light that the surfaces of a block reflect and passes it to `put`. `color`
-    /// selects the colour of the material.
+    /// Computes the light that the surfaces of a block reflect, and passes this light to `put`.
+    /// `color` selects the reflectance of the material.
     #[inline(always)]
     fn reflect(
         &self,
@@ -248,8 +251,9 @@ impl<S: Scalar> Setting<'_, S> {
         }
     }
 
-    /// Evaluates a light by the loop for its kind, or, if the plan skips nothing, point by point
-    /// with the general function.
+    /// Evaluates a light at all pixels of a block, by the loop for the kind of the light.
+    ///
+    /// If the plan skips nothing, the general function evaluates the light point by point.
     #[inline(always)]
     fn evaluate<H: SpecularLobe>(
         &self,
@@ -269,7 +273,7 @@ impl<S: Scalar> Setting<'_, S> {
     }
 
     /// Collects the numbers of the shiny materials in a block, each once. If the plan skips
-    /// nothing, it collects those of all materials. Returns the count.
+    /// nothing, all materials count as shiny. Returns the count.
     #[inline(always)]
     fn shining(&self, block: &Block<S>, numbers: &mut [u32; LANES]) -> usize {
         let shines = |number: u32| !self.plan.skips() || self.finishes[number as usize].material.shines();
@@ -295,7 +299,7 @@ impl<S: Scalar> Setting<'_, S> {
         Some((bounds, Directions::towards(self.viewpoint, &bounds)?.mirrored(&normals)))
     }
 
-    /// Computes the view directions, mirrored in the surfaces.
+    /// Computes the view directions, mirrored at the surfaces.
     #[inline(always)]
     fn look(&self, block: &Block<S>, views: &mut Vec3<[S::Unit; LANES]>) {
         for lane in 0..LANES {
@@ -320,7 +324,7 @@ fn borrowed<T>(columns: &Vec3<T>) -> Vec3<&T> {
     Vec3::new(&columns.x, &columns.y, &columns.z)
 }
 
-/// Copies the light of the pixels that have this material.
+/// Copies the light of the pixels that have the material with this number.
 #[inline(always)]
 fn take_where<S: Scalar>(number: u32, block: &Block<S>, from: &[S::Irradiance], to: &mut Lights<S>) {
     for ((to, &from), &material) in to.iter_mut().zip(from).zip(&block.material) {
@@ -340,8 +344,8 @@ fn fill<S: Scalar>(lights: &mut Rgb<Lights<S>>, light: Rgb<S::Irradiance>) {
 #[inline(never)]
 fn add<S: Scalar>(sum: &mut Rgb<Lights<S>>, light: &Lights<S>, color: Rgb<S>) {
     let Rgb { red, green, blue } = sum;
-    // All channels of a pixel at once: compilers would unroll shorter loops instead of vectorising
-    // them.
+    // One loop adds all channels of a pixel: compilers would unroll a shorter loop per channel
+    // instead of vectorising it.
     for lane in 0..LANES {
         red[lane] = S::add_light(red[lane], S::filter(light[lane], color.red));
         green[lane] = S::add_light(green[lane], S::filter(light[lane], color.green));

@@ -12,7 +12,7 @@ use alloc::{collections::TryReserveError, vec::Vec};
 /// One pixel in units of a screen coordinate.
 const PIXEL: i64 = 1 << SUBPIXEL_BITS;
 
-/// The size of a picture. Rows are padded to the stride.
+/// The size of a picture in pixels. Rows are padded to the length `stride`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Grid {
     pub(crate) width: usize,
@@ -25,8 +25,8 @@ pub(crate) struct Span<'a> {
     /// Indices of the pixels, row by row from the top.
     pub(crate) pixels: core::ops::Range<usize>,
     corners: [&'a Corner; 3],
-    /// Barycentric weights of the second and the third corner: at the first pixel, and the step to
-    /// the next.
+    /// Barycentric weights of the second and the third corner: each is the weight at the first
+    /// pixel, and the change of the weight from one pixel to the next.
     to_b: (f32, f32),
     to_c: (f32, f32),
 }
@@ -36,7 +36,7 @@ impl Grid {
     /// counter-clockwise; back faces cover nothing.
     #[inline(always)]
     pub(crate) fn cover(&self, corners: &[Corner; 3], mut fill: impl FnMut(Span<'_>)) {
-        // With y downwards the winding is reversed.
+        // Swaps two corners: the y axis of the screen points down, so the winding is reversed.
         let [a, c, b] = corners;
         let rows = centers([a.y, b.y, c.y], self.height);
         let columns = centers([a.x, b.x, c.x], self.width);
@@ -81,7 +81,7 @@ impl Span<'_> {
     }
 }
 
-/// The nearest fragment of each pixel. Rows are padded to whole blocks of [`LANES`].
+/// The nearest fragment of each pixel. Rows are padded to whole blocks of [`LANES`] pixels.
 #[derive(Clone, Debug)]
 pub(crate) struct Fragments {
     grid: Grid,
@@ -114,8 +114,8 @@ impl Fragments {
         self.material.fill(0);
     }
 
-    /// Draws the front face of a triangle at each pixel where it is nearer than the previous
-    /// fragment.
+    /// Draws the front face of a triangle at each pixel where the triangle is nearer than the
+    /// previous fragment.
     pub(crate) fn draw(&mut self, corners: [Corner; 3], material: u32) {
         let grid = self.grid;
         grid.cover(&corners, |span| {
@@ -125,7 +125,8 @@ impl Fragments {
         });
     }
 
-    /// Writes a span of fragments at each pixel where they are nearer than the previous fragment.
+    /// Writes the fragments of a span at each pixel where the new fragment is nearer than the
+    /// previous one.
     fn fill(&mut self, span: core::ops::Range<usize>, nearness: Line, normal: [Line; 3], material: u32) {
         let [nx, ny, nz] = &mut self.normal;
         let planes = self.nearness[span.clone()]
@@ -157,7 +158,8 @@ pub(crate) struct Line {
 impl Line {
     #[inline(always)]
     pub(crate) fn at(self, i: usize) -> f32 {
-        // Vector instructions convert signed 32-bit integers.
+        // The cast to `i32` comes first, because vector instructions convert only signed 32-bit
+        // integers.
         self.start + self.step * (i as i32) as f32
     }
 }
@@ -171,7 +173,8 @@ fn centers(coordinates: [i32; 3], count: usize) -> core::ops::Range<i64> {
     first(a.min(b).min(c))..first(a.max(b).max(c) + 1).min(count as i64)
 }
 
-/// Twice the area of a triangle on a screen with y down: positive if its corners are clockwise.
+/// Returns twice the signed area of a triangle on a screen with y down: positive if its corners are
+/// clockwise.
 fn doubled_area(a: &Corner, b: &Corner, c: &Corner) -> i64 {
     let (x, y) = (i64::from(a.x), i64::from(a.y));
     (i64::from(b.x) - x) * (i64::from(c.y) - y) - (i64::from(b.y) - y) * (i64::from(c.x) - x)
@@ -182,7 +185,8 @@ pub(crate) fn faced([a, b, c]: [Corner; 3]) -> [Corner; 3] {
     if doubled_area(&a, &b, &c) > 0 { [a, c, b] } else { [a, b, c] }
 }
 
-/// An edge in exact integers. On a screen with y down, the triangle lies on its right.
+/// An edge of a triangle, in exact integers. On a screen with y down, the triangle lies on the
+/// right of the edge.
 struct Edge {
     x: i64,
     y: i64,
@@ -190,11 +194,13 @@ struct Edge {
     dy: i64,
 }
 
-/// An edge that steps down row by row, as in Bresenham's algorithm: two divisions at the start,
-/// none per row.
+/// An edge that is evaluated row by row from the top, as in Bresenham's algorithm.
+///
+/// The edge takes two divisions at the start and no division per row.
 struct Walk {
-    /// Twice the area of the triangle that the edge forms with the centre of the row's first
-    /// column: positive inside. Then the steps to the next column and to the next row.
+    /// `at` is twice the signed area of the triangle that the edge forms with the centre of the
+    /// row's first pixel: positive inside. `column` and `row` are the changes of `at` to the next
+    /// column and to the next row.
     at: i64,
     column: i64,
     row: i64,
@@ -207,7 +213,7 @@ struct Walk {
     whole: i64,
     columns: i64,
     rest: i64,
-    /// Steps of quotient and remainder to the next row.
+    /// Changes of the quotient `columns` and of the remainder `rest` to the next row.
     more_columns: i64,
     more_rest: i64,
 }
@@ -219,7 +225,8 @@ impl Edge {
         Self { x: from.x.into(), y: from.y.into(), dx, dy }
     }
 
-    /// Twice the area of the triangle that the edge forms with a point: positive inside.
+    /// Returns twice the signed area of the triangle that the edge forms with a point: positive
+    /// inside.
     fn at(&self, x: i64, y: i64) -> i64 {
         self.dx * (y - self.y) - self.dy * (x - self.x)
     }
@@ -230,7 +237,7 @@ impl Edge {
         let owns = self.dy < 0 || (self.dy == 0 && self.dx > 0);
         let at = self.at(PIXEL / 2, row * PIXEL + PIXEL / 2);
         let excluded = i64::from(!owns);
-        // A horizontal edge crosses no row, and its columns are never used.
+        // A horizontal edge crosses no row, so the column of its crossing is never used.
         let whole = self.dy.abs().max(1) * PIXEL;
         let reciprocal = 1.0 / whole as f64;
         let (columns, rest) = divided(at - excluded, whole, reciprocal);
@@ -241,7 +248,7 @@ impl Edge {
 }
 
 impl Walk {
-    /// Narrows a range of columns to those whose centres are inside.
+    /// Narrows a range of columns to the columns whose centres are inside the edge.
     #[inline(always)]
     fn narrow(&self, start: &mut i64, end: &mut i64) {
         match self.column {
@@ -264,7 +271,8 @@ impl Walk {
 }
 
 /// Returns the quotient, rounded down, and the remainder of a division, given the reciprocal of the
-/// divisor. The product with the reciprocal is off by at most one, which is corrected.
+/// divisor. The quotient from the product with the reciprocal is wrong by at most one; the function
+/// corrects this error.
 #[inline(always)]
 fn divided(dividend: i64, divisor: i64, reciprocal: f64) -> (i64, i64) {
     let guess = (dividend as f64 * reciprocal) as i64;
@@ -287,7 +295,7 @@ mod tests {
         Corner { x: next(), y: next(), nearness: 1.0, normal: Vec3::Z }
     }
 
-    /// Returns the pixels that a triangle covers, whatever its winding.
+    /// Returns the pixels that a triangle of either winding covers.
     fn covered(a: Corner, b: Corner, c: Corner) -> Vec<bool> {
         let mut fragments = Fragments::new(SIZE, SIZE).unwrap();
         fragments.draw([a, b, c], 1);

@@ -1,4 +1,4 @@
-//! The renderer, and which of its passes must be repeated.
+//! The renderer. It repeats only the passes whose input has changed.
 
 pub(crate) mod account;
 pub(crate) mod display;
@@ -32,8 +32,10 @@ use crate::{
 use alloc::{collections::TryReserveError, vec::Vec};
 use luminaire::{Error, Rgb, Vec3, dynamic::RenderPlan, haze::Haze, projector::Fixture};
 
-/// A deferred renderer: a geometry pass, a lighting pass in the number format `S`, and an encoding
-/// pass for the display. Each pass is repeated only where its input has changed.
+/// A deferred renderer with a geometry pass, a lighting pass and an encoding pass.
+///
+/// The lighting pass is in the number format `S`. Each pass is repeated only where its input has
+/// changed.
 #[derive(Clone, Debug)]
 pub struct Renderer<S: Format> {
     width: usize,
@@ -55,10 +57,11 @@ pub struct Renderer<S: Format> {
     drawn: Option<(Fingerprint, Camera)>,
     /// Number of triangles drawn by the last call of `draw_geometry`.
     triangles: usize,
-    /// The lights of the current picture; `None` if all of it must be lit.
+    /// The lights of the current picture; `None` if the whole picture must be lit.
     lit: Option<Vec<Fixture>>,
-    /// Which fixtures reach which regions; which fixtures reach which tiles on the surfaces; and
-    /// which beams are visible in the air in front of which tiles.
+    /// Three tables of bits: which fixtures reach which regions (`near`), which fixtures reach the
+    /// surfaces of which tiles (`reached`), and which beams are visible in the air in front of
+    /// which tiles (`seen`).
     near: Reached,
     reached: Reached,
     seen: Reached,
@@ -69,8 +72,8 @@ pub struct Renderer<S: Format> {
 }
 
 impl<S: Format> Renderer<S> {
-    /// A renderer of pictures of this width and height in pixels. The picture is black until
-    /// something is drawn.
+    /// Creates a renderer of pictures of this width and height in pixels. The picture is black
+    /// until something is drawn.
     ///
     /// # Errors
     /// A width or height outside 1 to [`LARGEST`](crate::LARGEST), or a picture that does not fit
@@ -113,9 +116,9 @@ impl<S: Format> Renderer<S> {
         Ok(renderer)
     }
 
-    /// Draws the geometry of a scene into the G-buffer. Returns whether scene or camera had
-    /// changed; if not, it is a no-op. If only materials, ambient light or haze had changed, no
-    /// triangle is drawn.
+    /// Draws the geometry of a scene into the G-buffer. Returns whether the scene or the camera had
+    /// changed; if not, the call is a no-op. If only materials, ambient light or haze had changed,
+    /// no triangle is drawn.
     pub fn draw_geometry(&mut self, scene: &Scene, camera: &Camera) -> bool {
         let materials = || scene.objects().iter().map(|object| object.material);
         let is_repainted = !self.finishes[1..].iter().map(Finish::material).copied().eq(materials());
@@ -153,9 +156,9 @@ impl<S: Format> Renderer<S> {
         self.tiles.tiles.iter_mut().for_each(|tile| tile.sight = None);
     }
 
-    /// Draws the shadow maps of the fixtures with shadows, but only those whose scene or fixture
-    /// has changed. Returns whether any had changed. If this function is not called, nothing casts
-    /// shadows. Pass the same slice of fixtures as to [`draw_light`](Self::draw_light).
+    /// Draws the shadow maps of all fixtures whose scene or fixture has changed. Returns whether
+    /// any map was drawn. If this function is not called, nothing casts shadows. Pass the same
+    /// slice of fixtures as to [`draw_light`](Self::draw_light).
     ///
     /// # Errors
     /// A fixture that the format can't hold, or no memory for a map.
@@ -167,8 +170,11 @@ impl<S: Format> Renderer<S> {
         self.shadows.draw(scene, lights)
     }
 
-    /// Lights the tiles affected by a geometry change, or by a changed light that reaches them now
-    /// or reached them before. Returns whether anything had changed; if not, it is a no-op.
+    /// Lights the tiles that a change affects, and returns whether anything had changed.
+    ///
+    /// Changed geometry, materials, ambient light or haze affect all tiles. A changed light affects
+    /// the tiles that it reaches now or reached before the change. If nothing had changed, the call
+    /// is a no-op.
     ///
     /// # Errors
     /// A light that the format can't hold; the picture stays as it was.
@@ -176,8 +182,9 @@ impl<S: Format> Renderer<S> {
         self.draw_light_by(RenderPlan::new(), lights)
     }
 
-    /// Lights the whole picture with every effect of every light at every pixel, whether needed or
-    /// changed or not. For tests and comparisons: the picture is bit-identical to that of
+    /// Lights the whole picture with every effect of every light at every pixel, without skipping.
+    ///
+    /// The function is meant for tests and comparisons: the picture is bit-identical to that of
     /// [`draw_light`](Self::draw_light).
     ///
     /// # Errors
@@ -197,8 +204,8 @@ impl<S: Format> Renderer<S> {
         }
     }
 
-    /// Encodes the light for the display, but only where it has changed. Returns the rows from top
-    /// to bottom; each pixel is red, green and blue in sRGB, and alpha 255.
+    /// Encodes the light for the display, but only where the light has changed. Returns the rows
+    /// from top to bottom; each pixel is red, green and blue in sRGB, and alpha 255.
     pub fn encode(&mut self) -> &[u8] {
         let columns = self.geometry.columns;
         for tile in 0..self.tiles.tiles.len() {
@@ -216,12 +223,12 @@ impl<S: Format> Renderer<S> {
         &self.pixels
     }
 
-    /// The last encoded picture: four bytes per pixel, rows from top to bottom.
+    /// Returns the last encoded picture: four bytes per pixel, rows from top to bottom.
     pub fn pixels(&self) -> &[u8] {
         &self.pixels
     }
 
-    /// Width and height in pixels.
+    /// Returns the width and the height in pixels.
     pub fn size(&self) -> (usize, usize) {
         (self.width, self.height)
     }
@@ -231,7 +238,7 @@ impl<S: Format> Renderer<S> {
         Account { triangles: self.triangles, ..self.account }
     }
 
-    /// Returns how many lights were evaluated at a pixel when it was last lit; `None` outside the
+    /// Returns the number of lights evaluated when a pixel was last lit; `None` outside the
     /// picture.
     pub fn lights_evaluated(&self, x: usize, y: usize) -> Option<u16> {
         self.block(x, y).map(|block| self.evaluated[block])
@@ -248,8 +255,8 @@ impl<S: Format> Renderer<S> {
         self.block(x, y).map(|block| self.radiance[block].map(|channel| channel[x % LANES]))
     }
 
-    /// Returns the surface at a pixel as the lights see it: point, unit normal and material. `None`
-    /// outside the picture, and where nothing was drawn.
+    /// Returns the surface point, the unit normal and the material at a pixel, as used for
+    /// lighting. Returns `None` outside the picture, and where nothing was drawn.
     pub fn surface(&self, x: usize, y: usize) -> Option<(Vec3<S::Length>, Vec3<S>, Material)> {
         let block = &self.geometry.blocks[self.block(x, y)?];
         let lane = x % LANES;

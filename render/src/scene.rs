@@ -29,7 +29,7 @@ pub struct Material {
 }
 
 impl Material {
-    /// A matt surface of this linear albedo.
+    /// Creates a matt surface of this linear albedo.
     ///
     /// # Errors
     /// A channel outside [0, 1].
@@ -42,17 +42,17 @@ impl Material {
         Self { albedo, specular: Rgb::default(), shininess: Highlight::LEAST_SHININESS }
     }
 
-    /// The same surface without a highlight.
+    /// Returns the same surface without a highlight.
     pub fn without_highlight(self) -> Self {
         Self::matt(self.albedo)
     }
 
-    /// The share of light that the surface reflects, linear, in [0, 1].
+    /// Returns the share of light that the surface reflects, linear, in [0, 1].
     pub fn albedo(&self) -> Rgb<f32> {
         self.albedo
     }
 
-    /// The same surface with a highlight of this linear colour and shininess.
+    /// Returns the same surface with a highlight of this linear colour and shininess.
     ///
     /// # Errors
     /// A channel outside [0, 1]; a shininess under 8 or over 1024.
@@ -65,22 +65,22 @@ impl Material {
         Ok(Self { specular, shininess, ..self })
     }
 
-    /// The linear colour of the highlight.
+    /// Returns the linear colour of the highlight.
     pub fn specular(&self) -> Rgb<f32> {
         self.specular
     }
 
-    /// The exponent of the highlight.
+    /// Returns the shininess, the exponent of the highlight.
     pub fn shininess(&self) -> u32 {
         self.shininess
     }
 
-    /// Whether there is a highlight.
+    /// Returns whether the surface has a highlight.
     pub fn shines(&self) -> bool {
         self.specular != Rgb::default()
     }
 
-    /// A matt surface that shows this sRGB colour under white light of full scale.
+    /// Creates a matt surface that shows this sRGB colour under white light of full scale.
     pub fn srgb(red: u8, green: u8, blue: u8) -> Self {
         Self::matt(Rgb::new(red, green, blue).map(decode_srgb))
     }
@@ -90,7 +90,7 @@ fn check_color(parameter: Parameter, color: Rgb<f32>, most: f32) -> Result<(), E
     check_channels(parameter, [color.red, color.green, color.blue], 0.0, most)
 }
 
-/// Black and matt.
+/// The default material is black and matt.
 impl Default for Material {
     fn default() -> Self {
         Self::matt(Rgb::default())
@@ -113,13 +113,13 @@ pub(crate) struct Object {
     pub(crate) material: Material,
 }
 
-/// FNV-1a hash of 64 bits over all meshes, so that scenes can be compared without reading their
+/// FNV-1a hash of 64 bits over all meshes. Scenes are compared by this hash without reading their
 /// vertices.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) struct Fingerprint(u64);
 
 impl Scene {
-    /// An empty scene without ambient light.
+    /// Creates an empty scene without ambient light.
     pub fn new() -> Self {
         let fingerprint = Fingerprint(0xcbf2_9ce4_8422_2325);
         Self { objects: Vec::new(), ambient: Rgb::default(), haze: None, fingerprint }
@@ -129,8 +129,8 @@ impl Scene {
     ///
     /// # Errors
     /// A coordinate of a vertex that is NaN or beyond [`Mesh::FARTHEST`]; more vertices than
-    /// [`Mesh::MOST_VERTICES`], or a number of segments or lines that would give more. The scene
-    /// stays as it was.
+    /// [`Mesh::MOST_VERTICES`], or a number of segments or lines that would give more vertices.
+    /// After an error the scene is unchanged.
     pub fn add(&mut self, mesh: Mesh, material: Material) -> Result<(), Error> {
         mesh.check()?;
         // The counts separate the objects, because each object has its own material.
@@ -146,23 +146,23 @@ impl Scene {
         Ok(())
     }
 
-    /// Sets the ambient light: the linear colour that reaches every surface from all directions, 1
-    /// being full scale.
+    /// Sets the ambient light: the linear light that reaches every surface from all directions. 1
+    /// is full scale.
     ///
     /// # Errors
-    /// A channel outside [0, 1e9]. The scene stays as it was.
+    /// A channel outside [0, 1e9]. After an error the scene is unchanged.
     pub fn set_ambient(&mut self, color: Rgb<f32>) -> Result<(), Error> {
         check_color(Parameter::AmbientLight, color, 1e9)?;
         self.ambient = color;
         Ok(())
     }
 
-    /// The ambient light.
+    /// Returns the ambient light.
     pub fn ambient(&self) -> Rgb<f32> {
         self.ambient
     }
 
-    /// Replaces the material of each object by the result of `paint` for that material.
+    /// Replaces the material of each object by the result of `paint` for the material.
     pub fn repaint(&mut self, paint: impl Fn(&Material) -> Material) {
         for object in &mut self.objects {
             object.material = paint(&object.material);
@@ -174,13 +174,14 @@ impl Scene {
         self.haze = haze;
     }
 
-    /// The haze; `None` in clear air.
+    /// Returns the haze; `None` in clear air.
     pub fn haze(&self) -> Option<Haze> {
         self.haze
     }
 
-    /// Returns the plan of the scene without its lights: it requires ambient light, highlights and
-    /// haze, if the scene has them.
+    /// Returns the plan of the scene without its lights.
+    ///
+    /// The plan requires ambient light, highlights and haze if the scene has these effects.
     pub fn plan(&self) -> RenderPlan {
         let mut plan = RenderPlan::new();
         if self.ambient != Rgb::default() {

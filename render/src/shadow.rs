@@ -13,7 +13,7 @@ use luminaire::{
 #[derive(Clone, Debug)]
 pub(crate) struct Shadows<S: Scalar> {
     maps: Vec<Option<ShadowMap<S>>>,
-    /// The fixtures whose shadow map was redrawn since the last lighting pass.
+    /// The indices of the fixtures whose shadow map was redrawn since the last lighting pass.
     redrawn: Vec<usize>,
 }
 
@@ -22,7 +22,7 @@ impl<S: Scalar> Shadows<S> {
         Self { maps: Vec::new(), redrawn: Vec::new() }
     }
 
-    /// Draws the maps whose scene or fixture has changed. Returns whether any had.
+    /// Draws the maps whose scene or fixture has changed. Returns whether any map was drawn.
     ///
     /// # Errors
     /// A projection that the format can't hold, or no memory. The maps that were drawn before the
@@ -36,7 +36,7 @@ impl<S: Scalar> Shadows<S> {
         let mut is_any = false;
         for (number, (map, &light)) in self.maps.iter_mut().zip(lights).enumerate() {
             let fixture: Fixture = light.into();
-            // A dark light casts no shadow. Its map is drawn once the light is on.
+            // A dark light casts no shadow. The map of a dark light is drawn once the light is on.
             let Some((side, projection)) = fixture.shadow() else {
                 *map = None;
                 continue;
@@ -59,12 +59,12 @@ impl<S: Scalar> Shadows<S> {
         Ok(is_any)
     }
 
-    /// Returns the shadow map of a fixture, once it is drawn.
+    /// Returns the shadow map of a fixture; `None` before the map has been drawn.
     pub(crate) fn of(&self, number: usize) -> Option<Shadow<'_, S>> {
         self.maps.get(number)?.as_ref()?.shadow()
     }
 
-    /// The fixtures whose shadow map was redrawn since the last lighting pass.
+    /// The indices of the fixtures whose shadow map was redrawn since the last lighting pass.
     pub(crate) fn redrawn(&self) -> &[usize] {
         &self.redrawn
     }

@@ -6,7 +6,9 @@ use luminaire::projector::Fixture;
 /// The largest width and the largest height of a picture, in pixels.
 pub const LARGEST: usize = 8192;
 
-/// A rejected size of a picture. The message names parameter, value and remedy.
+/// A rejected size of a picture or shadow map.
+///
+/// The message names the parameter, its value and the accepted values.
 ///
 /// ```
 /// use luminaire_render::Renderer;
@@ -22,7 +24,7 @@ pub enum SizeError {
     Height(usize),
     /// A rejected side of a shadow map: outside 16 to 2048 texels.
     ShadowSide(usize),
-    /// A valid width and height whose picture does not fit into memory.
+    /// A valid width and height of a picture that does not fit into memory.
     Memory(usize, usize),
 }
 

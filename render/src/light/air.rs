@@ -33,7 +33,7 @@ pub(crate) struct Way<'a, S: Scalar> {
 }
 
 impl Hazy {
-    /// Compiles the beam of a light. Returns `None` if the light is no spotlight.
+    /// Compiles the beam of a light; `None` if the light is not a spotlight.
     ///
     /// # Errors
     /// A light that `f32` can't hold.
@@ -47,7 +47,7 @@ impl Hazy {
         self.beam.can_meet(sight)
     }
 
-    /// Adds the in-scattered light to the light of the surfaces.
+    /// Adds the in-scattered light of the beam along each ray to `radiance`.
     pub(crate) fn add<S: Scalar>(&self, rays: &ViewRays<LANES>, way: &Way<'_, S>, radiance: &mut Radiance) {
         let mut air = [0.0; LANES];
         if way.is_clear() {
@@ -70,7 +70,7 @@ impl<S: Scalar> Way<'_, S> {
         self.gobo.is_none() && self.shadow.is_none()
     }
 
-    /// Multiplies the light at each point by the transmittance there.
+    /// Multiplies the light at each point by the transmittance of the gobo and of the shadow map.
     fn leave(
         &self,
         points: &Vec3<[f32; PLACES]>,
@@ -109,14 +109,15 @@ pub(crate) fn rays(view: &View, fragments: &Fragments, row: usize, column: usize
         rays.direction.x[lane] = way.x / unit;
         rays.direction.y[lane] = way.y / unit;
         rays.direction.z[lane] = way.z / unit;
-        // The ray to depth 1 has the length `unit`. Where nothing was drawn the length is infinite.
+        // The ray to depth 1 has the length `unit`. Where nothing was drawn, the length of the ray
+        // is infinite.
         rays.length[lane] = unit / nearness;
     }
     rays
 }
 
-/// Returns the bundle of all rays through a rectangle of pixels. Its length is that to the farthest
-/// surface in the rectangle.
+/// Returns the bundle of all rays through a rectangle of pixels. The length of the bundle is the
+/// distance to the farthest surface in the rectangle.
 pub(crate) fn bundle(
     view: &View,
     fragments: &Fragments,
@@ -133,7 +134,7 @@ pub(crate) fn bundle(
     let middle = vector::direction(corners.into_iter().sum());
     let farthest = |row: usize| fragments.block(row, column).iter().copied().fold(f32::INFINITY, f32::min);
     let least = rows.map(farthest).fold(f32::INFINITY, f32::min);
-    // The longest of the rays to depth 1 goes to a corner.
+    // The longest ray to depth 1 goes through a corner of the rectangle.
     let longest = corners.into_iter().map(|corner| 1.0 / corner.dot(view.ahead())).fold(0.0, f32::max);
     RayBundle::around(view.eye().into(), middle.into(), &corners.map(Into::into), longest / least)
 }

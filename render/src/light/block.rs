@@ -20,7 +20,8 @@ pub struct Block<S: Scalar> {
     /// Bounding sphere of the points; `None` if nothing was drawn.
     pub(crate) bounds: Option<Bounds>,
     /// Bounds of the surface at the pixels that have the first pixel's material, and at all other
-    /// pixels. At the outline of an object this separates the near surface from the far one.
+    /// pixels. At the outline of an object, the two parts separate the near surface from the far
+    /// surface.
     pub(crate) parts: [Option<Part>; 2],
 }
 
@@ -37,14 +38,14 @@ impl<S: Scalar> Block<S> {
         }
     }
 
-    /// Returns the number of the material if all pixels have the same one.
+    /// Returns the number of the material if all pixels have the same material.
     #[inline(always)]
     pub(crate) fn only_material(&self) -> Option<u32> {
         self.is_uniform.then_some(self.material[0])
     }
 
-    /// Returns bounds of the surface at all pixels of a material. They may enclose other materials,
-    /// too.
+    /// Returns bounds of the surface at all pixels of a material. The bounds may also enclose
+    /// pixels of other materials.
     pub(crate) fn part(&self, number: u32) -> Option<Part> {
         self.parts[usize::from(number != self.material[0])]
     }

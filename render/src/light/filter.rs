@@ -10,8 +10,9 @@ use luminaire::{
     projector::{ProjectedPoint, Shadow},
 };
 
-/// Attenuates a block of light by a fixture's gobo and shadow map. Keeps the projected positions of
-/// the points as scratch memory.
+/// Attenuates the light of a block by a fixture's gobo and shadow map.
+///
+/// The projected positions of the points are scratch memory.
 #[derive(Clone, Debug)]
 pub(crate) struct Filter<S: Scalar> {
     places: Places<S, LANES>,
@@ -24,8 +25,10 @@ impl<S: Scalar> Default for Filter<S> {
 }
 
 impl<S: Scalar> Filter<S> {
-    /// Multiplies a fixture's light on a block, and its highlights, by the transmittance of its
-    /// gobo and of its shadow map.
+    /// Multiplies a fixture's light on a block by the transmittance of the fixture's gobo and
+    /// shadow map.
+    ///
+    /// The highlights are multiplied, too.
     #[inline(never)]
     pub(crate) fn apply(
         &mut self,
@@ -46,7 +49,8 @@ impl<S: Scalar> Filter<S> {
         }
     }
 
-    /// Multiplies the light of each pixel by a transmittance. Pixels without light are skipped.
+    /// Multiplies the light of each pixel by the transmittance `part` at the pixel. Pixels without
+    /// light are skipped.
     #[inline(always)]
     fn leave(&self, [diffuse, specular]: [&mut Lights<S>; 2], part: impl Fn(ProjectedPoint<S>) -> S) {
         let dark = S::Irradiance::default();

@@ -6,8 +6,8 @@ use crate::{
 };
 use glam::Vec3;
 
-/// Bounds of the surface at some pixels of a block: a sphere around its points, and one around its
-/// normals.
+/// Bounds of the surface at some pixels of a block: a sphere around the points, and a sphere around
+/// the normals.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Part {
     pub(crate) bounds: Bounds,
@@ -18,7 +18,7 @@ pub(crate) struct Part {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Fan {
     pub(crate) eye: Vec3,
-    /// Vectors to depth 1 along the first ray and along the last one.
+    /// Vectors to depth 1 along the first ray and along the last ray.
     pub(crate) edges: [Vec3; 2],
 }
 
@@ -26,7 +26,7 @@ pub(crate) struct Fan {
 type Nearness = [f32; LANES];
 
 impl Part {
-    /// Computes the bounds of the included pixels; `None` if there are none.
+    /// Computes the bounds of the included pixels; `None` if no pixel is included.
     pub(crate) fn new(
         fan: &Fan,
         nearness: &Nearness,
@@ -35,7 +35,7 @@ impl Part {
         let (farthest, nearest) = extent(nearness, nearness)?;
         let (near, far) = (1.0 / nearest, 1.0 / farthest);
         let [first, last] = fan.edges;
-        // The rays of a row lie in a plane, so that the points are inside a trapezium with these
+        // The rays of a row lie in a plane, so that all points are inside a trapezium with these
         // corners.
         let corners = [first * near, first * far, last * near, last * far];
         let bounds = Bounds::around(corners.map(|corner| fan.eye + corner));
@@ -45,7 +45,8 @@ impl Part {
     }
 }
 
-/// Returns the smallest and the largest value of the included pixels; `None` if there are none.
+/// Returns the smallest and the largest value of the included pixels; `None` if no pixel is
+/// included.
 fn extent(values: &[f32; LANES], nearness: &Nearness) -> Option<(f32, f32)> {
     let (mut least, mut most) = ([f32::INFINITY; LANES], [-f32::INFINITY; LANES]);
     for lane in 0..LANES {

@@ -15,7 +15,7 @@ use luminaire::{
     projector::{CompiledGobo, CompiledProjection, Fixture, Gobo},
 };
 
-/// A fixture compiled for a number format, and the bounds outside which its light does not arrive.
+/// A fixture compiled for a number format, and the bounds of its light.
 #[derive(Clone, Copy, Debug)]
 pub struct Prepared<S: Scalar> {
     pub(crate) number: usize,
@@ -34,7 +34,7 @@ pub struct Prepared<S: Scalar> {
 const CLEAR: Gobo<'static> = Gobo::of(&[u8::MAX]);
 
 impl<S: Scalar> Prepared<S> {
-    /// Compiles the fixture with this index; `None` if the plan drops it.
+    /// Compiles the fixture with this index; `None` if the plan drops the fixture.
     ///
     /// # Errors
     /// A light, gobo or projection that the format can't hold.
@@ -81,8 +81,8 @@ impl<S: Scalar> Prepared<S> {
     }
 }
 
-/// Adds a fully transparent gobo and an empty shadow map to a fixture that lacks them. The result
-/// has the same light.
+/// Adds a fully transparent gobo and an empty shadow map to a fixture without gobo or shadow map.
+/// The light of the result is the same.
 ///
 /// # Errors
 /// A light that projects no square.
@@ -90,6 +90,6 @@ fn equipped(mut fixture: Fixture) -> Result<Fixture, Error> {
     if fixture.gobo().is_none() {
         fixture = fixture.with_gobo(CLEAR, Angle::degrees(0.0))?;
     }
-    // No map is drawn for this fixture, so its shadow map stays empty.
+    // No shadow map is drawn for this fixture, so the map stays empty.
     if fixture.shadow().is_none() { fixture.with_shadow(16) } else { Ok(fixture) }
 }

@@ -9,12 +9,12 @@ use crate::space::{bounds::Bounds, directions::Directions};
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Reach {
     source: Source,
-    /// The range of the light; `None` if it has none.
+    /// The range of the light; `None` for a light without a range.
     range: Option<f32>,
     beam: Option<Beam>,
 }
 
-/// Position of a light, or direction to it.
+/// Position of a light, or direction to the light.
 #[derive(Clone, Copy, Debug)]
 enum Source {
     Place(Vec3),
@@ -54,7 +54,7 @@ impl Reach {
         }
     }
 
-    /// Returns true only if no light reaches the bounds, in every number format.
+    /// Returns true only if, in every number format, no light reaches any point within the bounds.
     pub(crate) fn misses(&self, bounds: &Bounds) -> bool {
         let Source::Place(position) = self.source else { return false };
         let way = bounds.center - position;
@@ -66,8 +66,9 @@ impl Reach {
         is_beyond || self.beam.is_some_and(|beam| beam.misses(way, padded))
     }
 
-    /// Returns true only if every surface with a point in the bounds and one of these normals faces
-    /// away from the light, in every number format.
+    /// Returns true only if all surfaces with these bounds and normals face away from the light.
+    ///
+    /// The result holds in every number format.
     #[inline(always)]
     pub(crate) fn is_behind(&self, bounds: &Bounds, normals: &Directions) -> bool {
         match self.source {
@@ -90,11 +91,11 @@ impl Reach {
 }
 
 impl Beam {
-    /// Returns whether a sphere is outside the cone. `way` is the vector from the light to its
-    /// centre.
+    /// Returns whether a sphere is outside the cone. `way` is the vector from the light to the
+    /// sphere's centre.
     fn misses(&self, way: Vec3, radius: f32) -> bool {
-        // The distance to the cone is |way x axis| cos - (way . axis) sin; the squares are
-        // compared.
+        // The distance to the cone is |way x axis| cos - (way . axis) sin, with the outer half
+        // angle. The code compares squares instead of computing a square root.
         let inner = way.dot(self.axis) * self.edge.y + radius;
         let across = way.cross(self.axis);
         inner < 0.0 || across.dot(across) * self.edge.x * self.edge.x > inner * inner

@@ -12,12 +12,12 @@ use luminaire::{
     projector::Fixture,
 };
 
-/// All fixtures by index, prepared; `None` for those that the plan drops.
+/// All fixtures by index, prepared; `None` for fixtures that the plan drops.
 pub(crate) struct Rig<S: Scalar> {
     plan: RenderPlan,
     fixtures: Vec<Option<Prepared<S>>>,
-    /// The bounds of each light in one array, because the passes over tiles and blocks test all of
-    /// them.
+    /// The bounds of each light, in one array, because the passes over tiles and blocks test all
+    /// bounds.
     reaches: Vec<Option<Reach>>,
     is_hazy: bool,
 }
@@ -38,13 +38,13 @@ impl<S: Scalar> Rig<S> {
         self.plan
     }
 
-    /// Returns how many fixtures the plan keeps.
+    /// Returns the number of fixtures that the plan keeps.
     pub(crate) fn kept(&self) -> usize {
         self.fixtures.iter().flatten().count()
     }
 
-    /// Returns whether there is a beam in haze. If the plan skips nothing, clear air counts as
-    /// haze.
+    /// Returns whether any fixture has a beam in haze. If the plan skips nothing, clear air counts
+    /// as haze.
     pub(crate) fn is_hazy(&self) -> bool {
         self.is_hazy
     }
@@ -65,7 +65,8 @@ impl<S: Scalar> Rig<S> {
         self.fixture(number).is_some_and(|fixture| !self.plan.skips() || fixture.is_seen_in_air(sight))
     }
 
-    /// Returns the fixture at an index; `None` if the plan dropped it or the index is out of range.
+    /// Returns the fixture at an index; `None` if the plan dropped the fixture or the index is out
+    /// of range.
     pub(crate) fn fixture(&self, number: usize) -> Option<&Prepared<S>> {
         self.fixtures.get(number)?.as_ref()
     }

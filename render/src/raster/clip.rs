@@ -9,11 +9,12 @@ use alloc::vec::Vec;
 /// The planes of the frustum: near, left, right, bottom, top.
 const PLANES: usize = 5;
 
-/// A vertex in camera space, with its projection: computed once for all triangles that share it.
+/// A vertex in camera space and its projection, computed once for all triangles that share the
+/// vertex.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Sighting {
     seen: Seen,
-    /// Outcode: one bit for each frustum plane that the vertex is outside of.
+    /// Outcode: one bit for each frustum plane. The bit is 1 if the vertex is outside the plane.
     beyond: u32,
     /// Screen position; the default if the vertex is outside the frustum.
     corner: Corner,
@@ -33,8 +34,9 @@ impl Sighting {
     }
 }
 
-/// Clips a mesh's triangles and calls `draw` with each visible triangle and with the vertices of
-/// the triangle that it was cut from. `sightings` is scratch memory.
+/// Clips the triangles of a mesh and calls `draw` with each visible triangle.
+///
+/// `draw` also gets the vertices of the unclipped triangle. `sightings` is scratch memory.
 #[inline(always)]
 pub(crate) fn clip_mesh(
     view: &View,
@@ -50,7 +52,7 @@ pub(crate) fn clip_mesh(
     }
 }
 
-/// Clips a triangle and calls `draw` with each visible triangle, which has the same winding.
+/// Clips a triangle and calls `draw` with each visible part, a triangle with the same winding.
 fn clip(view: &View, [a, b, c]: [&Sighting; 3], mut draw: impl FnMut([Corner; 3])) {
     if a.beyond & b.beyond & c.beyond != 0 {
         return;
@@ -122,9 +124,9 @@ impl Polygon {
     }
 }
 
-/// Returns the intersection of an edge with a plane. It is always computed from the visible end of
-/// the edge. So two triangles with a common edge get bit-identical intersections, and no crack
-/// opens between them.
+/// Returns the intersection of an edge with a plane. The intersection is always computed from the
+/// visible end of the edge. So two triangles with a common edge get bit-identical intersections,
+/// and there is no crack between the triangles.
 fn crossing((visible, inside): (&Seen, f32), (hidden, outside): (&Seen, f32)) -> Seen {
     let t = inside / (inside - outside);
     let mix = |a: f32, b: f32| a + t * (b - a);

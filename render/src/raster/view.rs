@@ -10,13 +10,13 @@ use crate::{
 use glam::{Vec2, Vec3};
 use luminaire::projector::Projection;
 
-/// Near plane: the least depth that is drawn, in metres along the direction of sight.
+/// Depth of the near plane: the least depth that is drawn, in metres along the direction of sight.
 pub(crate) const NEAR: f32 = 0.05;
 
 /// Binary logarithm of the number of screen coordinate units per pixel.
 pub(crate) const SUBPIXEL_BITS: u32 = 8;
 
-/// The view of a camera on a picture of one size.
+/// The projection of a camera for a picture of one size.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct View {
     eye: Vec3,
@@ -25,8 +25,8 @@ pub(crate) struct View {
     /// `|y|` equal to its depth.
     right: Vec3,
     up: Vec3,
-    /// Vectors to a pixel's right and lower neighbour at depth 1, and from the eye to the centre of
-    /// the first pixel at depth 1.
+    /// Vectors at depth 1: from a pixel to its right neighbour (`column`), from a pixel to its
+    /// lower neighbour (`row`), and from the eye to the centre of the first pixel (`first`).
     column: Vec3,
     row: Vec3,
     first: Vec3,
@@ -34,7 +34,8 @@ pub(crate) struct View {
     half: Vec2,
 }
 
-/// A vertex in camera space. It is in view if x and y are in [-depth, depth] and depth >= [`NEAR`].
+/// A vertex in camera space. The vertex is in view if x and y are in [-depth, depth] and depth >=
+/// [`NEAR`].
 #[derive(Clone, Copy, Default, Debug)]
 pub(crate) struct Seen {
     pub(crate) x: f32,
@@ -51,7 +52,7 @@ pub(crate) struct Corner {
     pub(crate) y: i32,
     /// The reciprocal of the depth, which is linear on the screen.
     pub(crate) nearness: f32,
-    /// The normal times the nearness, which is linear on the screen as well.
+    /// The normal times the nearness. This product is linear on the screen, too.
     pub(crate) normal: Vec3,
 }
 
@@ -61,7 +62,7 @@ impl View {
         Self::of_pose(camera.pose(), half_angle.y / half_angle.x, width, height)
     }
 
-    /// The view of a light on the square that it projects, with `side` texels on a side.
+    /// Returns the view from a light onto the square that it projects, with `side` texels per side.
     pub(crate) fn of_light(projection: &Projection, side: usize) -> Self {
         let pose = Pose {
             eye: projection.position().into(),
@@ -72,7 +73,7 @@ impl View {
         Self::of_pose(pose, projection.tangent(), side, side)
     }
 
-    /// The view from a pose. `tall` is the tangent of half its vertical angle.
+    /// Returns the view from a pose. `tall` is the tangent of half the vertical field of view.
     fn of_pose(pose: Pose, tall: f32, width: usize, height: usize) -> Self {
         let (width, height) = (width as f32, height as f32);
         let wide = tall * width / height;
@@ -109,7 +110,7 @@ impl View {
         }
     }
 
-    /// Returns true only if nothing within the bounds is in view. The test has a margin of a
+    /// Returns true only if nothing within the bounds is in view. The margin of this test is a
     /// thousandth of the distance.
     pub(crate) fn misses(&self, bounds: &Bounds) -> bool {
         let way = bounds.center - self.eye;
@@ -120,7 +121,7 @@ impl View {
             || [ahead + right, ahead - right, ahead + up, ahead - up].into_iter().any(is_beyond)
     }
 
-    /// Returns whether the bounding sphere is entirely beyond the near plane, where it can be seen.
+    /// Returns whether the bounding sphere is entirely beyond the near plane.
     pub(crate) fn is_before(&self, bounds: &Bounds) -> bool {
         (bounds.center - self.eye).dot(self.ahead) > NEAR + bounds.radius
     }
@@ -136,7 +137,7 @@ impl View {
     }
 
     /// Returns the vector from the eye to depth 1 through the centre of a row's first pixel, and
-    /// the step to the next pixel.
+    /// the vector from one pixel to the next.
     pub(crate) fn ray(&self, row: usize) -> (Vec3, Vec3) {
         (self.first + self.row * row as f32, self.column)
     }

@@ -28,26 +28,28 @@ pub struct Account {
     pub kept: u64,
     /// The pairs skipped because the light does not reach the tile.
     pub missed_by_tile: u64,
-    /// The pairs skipped in a tile that the light may reach, because the light does not reach a row
-    /// of 32 pixels or the row faces away from the light.
+    /// The pairs skipped in a tile that the light may reach: the light does not reach a row of 32
+    /// pixels in the tile, or the surfaces of that row face away from the light.
     pub missed_by_row: u64,
 }
 
 impl Account {
-    /// The counts before lighting a picture of `pixels` pixels, if `kept` of the lights were not
-    /// dropped.
+    /// Returns the counts before lighting a picture of `pixels` pixels. `kept` of the lights were
+    /// not dropped.
     pub(crate) fn new(tiles: usize, lights: usize, kept: usize, pixels: usize) -> Self {
         let [tiles, lights, kept] = [tiles, lights, kept].map(|count| count as u32);
         let lights_dropped = lights - kept;
         let dropped = u64::from(lights_dropped) * pixels as u64;
-        // All pairs of the kept lights start in `kept`; `enter` moves the pairs of re-lit tiles out
-        // of it.
+        // All pairs of the kept lights start in `kept`; `enter` moves the pairs of re-lit tiles
+        // from `kept` to other counts.
         let kept = u64::from(kept) * pixels as u64;
         Self { tiles, lights, lights_dropped, dropped, kept, ..Self::default() }
     }
 
-    /// Adds one row of a re-lit tile: `reached` lights may reach the tile, `evaluated` of them were
-    /// evaluated, `shining` of those with a highlight.
+    /// Adds one row of a re-lit tile.
+    ///
+    /// `reached` is the number of lights that may reach the tile, `evaluated` the number of
+    /// evaluated lights, and `shining` the number of lights evaluated with a highlight.
     pub(crate) fn enter(&mut self, pixels: usize, reached: usize, evaluated: usize, shining: usize) {
         let [pixels, reached, evaluated, shining] =
             [pixels, reached, evaluated, shining].map(|count| count as u64);
@@ -59,7 +61,7 @@ impl Account {
         self.kept -= (reached + missed) * pixels;
     }
 
-    /// The number of all pairs of a light and a pixel.
+    /// Returns the number of all pairs of a light and a pixel.
     pub fn pairs(&self) -> u64 {
         self.evaluated + self.dropped + self.kept + self.missed_by_tile + self.missed_by_row
     }

@@ -25,16 +25,16 @@ pub enum Display {
 }
 
 impl Display {
-    /// Whether the picture is dithered.
+    /// Returns whether the picture is dithered.
     pub fn is_dithered(self) -> bool {
         matches!(self, Self::Rgb888Dithered | Self::Rgb565Dithered)
     }
 
-    /// Writes the codes of a block whose first pixel is at `(x, y)`, for as many pixels as `pixels`
-    /// has room for.
+    /// Writes the codes of a block whose first pixel is at `(x, y)`, until `pixels` is full.
     pub(crate) fn encode(self, radiance: &Radiance, (x, y): (u32, u32), pixels: &mut [u8]) {
         match self {
-            // One channel of the whole block at a time, for vector instructions.
+            // Encodes one channel of the whole block at a time, so that compilers use vector
+            // instructions.
             Self::Rgb888 => {
                 let codes = radiance.map(|channel| encode_srgb_each(&channel));
                 write(pixels, |lane| Rgb::new(codes.red[lane], codes.green[lane], codes.blue[lane]));
@@ -56,7 +56,7 @@ fn linear(radiance: &Radiance, lane: usize) -> Rgb<f32> {
     Rgb::new(radiance.red[lane], radiance.green[lane], radiance.blue[lane])
 }
 
-/// Writes the code of each pixel by its index in the block.
+/// Writes the code of each pixel. `code` returns the code for the pixel's index in the block.
 #[inline(always)]
 fn write(pixels: &mut [u8], code: impl Fn(usize) -> Rgb<u8>) {
     for (lane, pixel) in pixels.chunks_exact_mut(CHANNELS).enumerate().take(LANES) {

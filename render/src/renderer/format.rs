@@ -8,13 +8,14 @@ use luminaire::{Fx16, Fx32, Scalar};
 
 /// A number format of the renderer: `f32`, [`Fx32`] or [`Fx16`].
 pub trait Format: Scalar + Loops {
-    /// See [`stated_error`].
+    /// The result of [`stated_error`].
     const STATED_ERROR: u8;
 }
 
-/// The loops of a format, compiled once in this crate and not again in each crate that uses it.
+/// The lighting loops of a format, compiled once in this crate instead of in each crate that uses
+/// the renderer.
 pub trait Loops: Scalar {
-    /// Lights the pixels of a block. Returns how many of the lights were evaluated with a
+    /// Lights the pixels of a block. Returns the number of lights that were evaluated with a
     /// highlight.
     fn light(
         setting: &Setting<'_, Self>,
@@ -55,13 +56,14 @@ macro_rules! loops {
 
 loops!(f32 Fx32 Fx16);
 
-/// Returns the largest difference of a channel between a picture lit in this format and one in
-/// `f32`, in sRGB codes of 0 to 255.
+/// Returns the largest difference of a channel between a picture in this format and a picture in
+/// `f32`.
 ///
-/// Measured on the [stage](crate::scenes::stage) from several cameras: under its own lights, and under hard
-/// beams of 4 degrees that are four times as bright. Under its own lights the difference is 1 in
-/// both fixed-point formats: in about one channel in 200 with 16 bits, in one in 5,000 with 32
-/// bits.
+/// The difference is in sRGB codes of 0 to 255. It was measured on the
+/// [stage](crate::scenes::stage) from several cameras: under the stage's own lights, and under hard
+/// beams of 4 degrees that are four times as bright. Under the stage's own lights the difference is
+/// 1 code in both fixed-point formats: in about one of 200 channels with 16 bits, and in one of
+/// 5,000 channels with 32 bits.
 pub const fn stated_error<S: Format>() -> u8 {
     S::STATED_ERROR
 }

@@ -42,7 +42,7 @@ impl<S: Scalar> GBuffer<S> {
             block.point = points.map(|plane| plane.map(S::length));
             block.normal = normals.map(|plane| plane.map(S::from_f32));
             block.material = *material;
-            // A fold without an early exit, so that it is vectorised.
+            // The fold has no early exit, so that compilers vectorise it.
             block.is_uniform =
                 material.iter().fold(true, |is_uniform, number| is_uniform & (number == &material[0]));
             let last = first + step * (LANES - 1) as f32;
@@ -63,7 +63,7 @@ impl<S: Scalar> GBuffer<S> {
     }
 }
 
-/// Returns the positions of the fragments; the eye's position where there are none.
+/// Returns the positions of the fragments; the eye's position where nothing was drawn.
 fn locate(
     nearness: &[f32; LANES],
     eye: glam::Vec3,
@@ -81,11 +81,11 @@ fn locate(
     points
 }
 
-/// Returns the unit normals of the fragments; zero where there are none.
+/// Returns the unit normals of the fragments; zero where nothing was drawn.
 fn unit(nearness: &[f32; LANES], [x, y, z]: [&[f32; LANES]; 3]) -> Vec3<[f32; LANES]> {
     let mut normals = Vec3::default().map(|()| [0.0; LANES]);
     for lane in 0..LANES {
-        // `Vec3::unit` of the kernel: the only square root in this function.
+        // The kernel's `Vec3::unit` contains the only square root in this function.
         let direction = Vec3::new(x[lane], y[lane], z[lane]).unit();
         let is_covered = nearness[lane] > 0.0;
         normals.x[lane] = if is_covered { direction.x } else { 0.0 };

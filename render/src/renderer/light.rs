@@ -10,8 +10,8 @@ use alloc::vec::Vec;
 use luminaire::{Error, dynamic::RenderPlan, projector::Fixture};
 
 impl<S: Format> Renderer<S> {
-    /// Lights the changed tiles, or all tiles if the plan skips nothing. Returns whether there were
-    /// any.
+    /// Lights the changed tiles, or all tiles if the plan skips nothing. Returns false if nothing
+    /// had changed.
     pub(super) fn draw_light_by<L: Copy + Into<Fixture>>(
         &mut self,
         plan: RenderPlan,
@@ -40,7 +40,7 @@ impl<S: Format> Renderer<S> {
         Ok(true)
     }
 
-    /// Makes room for the bits of this many lights. Clears the bits if the whole picture must be
+    /// Makes room for the bits of `lights` lights. Clears the bits if the whole picture must be
     /// lit.
     fn make_room(&mut self, lights: usize) {
         let (regions, tiles) = (self.tiles.regions.len(), self.tiles.tiles.len());
@@ -58,8 +58,10 @@ impl<S: Format> Renderer<S> {
         }
     }
 
-    /// Returns the indices of the fixtures that differ from those of the current picture, or whose
-    /// shadow map was redrawn.
+    /// Returns the indices of the changed fixtures.
+    ///
+    /// A fixture counts as changed if it differs from that of the current picture with the same
+    /// index, or if its shadow map was redrawn.
     fn changed(&self, fixtures: &[Fixture]) -> Vec<usize> {
         let before = self.lit.as_deref().unwrap_or_default();
         let count = fixtures.len().max(before.len());
@@ -69,7 +71,7 @@ impl<S: Format> Renderer<S> {
         (0..count).filter(is_another).collect()
     }
 
-    /// Computes the bundle of view rays of a tile, once per view.
+    /// Computes the bundle of view rays of a tile, unless it is already known for this view.
     fn sight(&mut self, tile: usize) {
         let (rows, column) = self.tiles.place(tile);
         let sight = &mut self.tiles.tiles[tile].sight;
@@ -78,8 +80,9 @@ impl<S: Format> Renderer<S> {
         }
     }
 
-    /// Re-tests every region against the lights that changed. Returns the (region, light) pairs
-    /// that overlap now or overlapped before; the caller must re-test the tiles of these regions.
+    /// Tests every region against the changed lights. Returns the (region, light) pairs that
+    /// overlap now or overlapped before the change; the caller must test the tiles of these
+    /// regions.
     fn approach(&mut self, rig: &Rig<S>, changed: &[usize]) -> Reached {
         let mut near = self.near.clone();
         near.forget();
@@ -92,8 +95,10 @@ impl<S: Format> Renderer<S> {
         near
     }
 
-    /// Re-tests one tile against the changed lights (surfaces: only lights near its region; air:
-    /// all changed lights). Returns true if the tile must be re-lit.
+    /// Tests one tile against the changed lights. Returns true if the tile must be re-lit.
+    ///
+    /// The surfaces of the tile are tested against `near`, the changed lights that reach its
+    /// region. The air in front of the tile is tested against all changed lights.
     fn ask(
         &mut self,
         tile: usize,
@@ -106,7 +111,7 @@ impl<S: Format> Renderer<S> {
         for light in near {
             is_another |= self.reached.update(tile, light, rig.reaches(light, bounds.as_ref()));
         }
-        // Without haze now and without a beam that was visible before, there is nothing to test.
+        // The air needs no test if there is no haze now and no beam was visible before.
         if rig.is_hazy() || self.seen.lights(tile).next().is_some() {
             self.sight(tile);
             let sight = self.tiles.tiles[tile].sight.as_ref();

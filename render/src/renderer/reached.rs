@@ -11,7 +11,7 @@ pub(crate) struct Reached {
 }
 
 impl Reached {
-    /// Resizes to this many places and lights. Returns true if that cleared the bits.
+    /// Makes room for `places` places and `lights` lights. Returns true if this cleared the bits.
     pub(crate) fn make_room(&mut self, places: usize, lights: usize) -> bool {
         let words = lights.div_ceil(64);
         if words == self.words {
@@ -23,13 +23,13 @@ impl Reached {
         true
     }
 
-    /// Clears all bits: no light reaches anything.
+    /// Clears all bits: no light reaches any place.
     pub(crate) fn forget(&mut self) {
         self.bits.fill(0);
     }
 
-    /// Records whether a light reaches a place. Returns whether it reaches the place now or reached
-    /// it before: then the place must be re-lit if this light has changed.
+    /// Records whether a light reaches a place. Returns whether the light reaches the place now or
+    /// reached it before the update. If so, the place must be re-lit if this light has changed.
     #[inline(always)]
     pub(crate) fn update(&mut self, place: usize, light: usize, reaches: bool) -> bool {
         let (word, bit) = (&mut self.bits[place * self.words + light / 64], 1 << (light % 64));
@@ -38,7 +38,7 @@ impl Reached {
         reached || reaches
     }
 
-    /// The lights that may reach a place, in ascending order.
+    /// Returns the indices of the lights that may reach a place, in ascending order.
     pub(crate) fn lights(&self, place: usize) -> impl Iterator<Item = usize> + Clone {
         self.bits[place * self.words..][..self.words].iter().enumerate().flat_map(|(number, &word)| {
             let mut rest = word;

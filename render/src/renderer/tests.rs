@@ -1,4 +1,4 @@
-//! White-box tests of the passes: the G-buffer, and the light computed from it.
+//! White-box tests of the passes: the G-buffer, and the light computed from the G-buffer.
 
 use super::*;
 use crate::{Mesh, Outline, scenes::stage};
@@ -27,7 +27,7 @@ fn sphere(radius: f32, center: Vec3<f32>) -> Mesh {
     Mesh::lathe(&outline, 192).moved(center)
 }
 
-/// A pixel of the G-buffer: position, normal and material.
+/// Returns the position, the normal and the material of a pixel of the G-buffer.
 fn fragment<S: Format>(renderer: &Renderer<S>, x: usize, y: usize) -> (Vec3<S::Length>, Vec3<S>, u32) {
     let block = &renderer.geometry.blocks[y * renderer.width.div_ceil(LANES) + x / LANES];
     let lane = x % LANES;
@@ -36,7 +36,7 @@ fn fragment<S: Format>(renderer: &Renderer<S>, x: usize, y: usize) -> (Vec3<S::L
     (point, normal, block.material[lane])
 }
 
-/// All pixels of the G-buffer in which something was drawn.
+/// Returns all pixels of the G-buffer in which something was drawn.
 fn fragments<S: Format>(renderer: &Renderer<S>) -> impl Iterator<Item = (Vec3<S::Length>, Vec3<S>, u32)> {
     let pixels = (0..renderer.height).flat_map(|y| (0..renderer.width).map(move |x| (x, y)));
     pixels.map(|(x, y)| fragment(renderer, x, y)).filter(|(_, _, material)| *material != 0)
@@ -75,8 +75,8 @@ fn a_sphere_has_its_position_and_normal_in_the_buffer() {
         count += 1;
     }
     assert!(count > 1000);
-    // The chord of 1/192 of a turn is at most 1.4e-4 inside the circle, and a facet has two such
-    // chords.
+    // The chord of 1/192 of a turn is at most 1.4e-4 radii inside the circle, and a facet has two
+    // such chords.
     assert!((2.5e-4..4e-4).contains(&off_surface), "off the surface by {off_surface}");
     assert!((1e-5..3e-3).contains(&off_normal), "normal off by {off_normal}");
 }
@@ -174,7 +174,8 @@ fn odd_meshes_and_cameras_are_drawn_without_a_panic() {
     }
 }
 
-/// Lights each pixel with the kernel alone, and compares the light bit for bit.
+/// Lights each pixel with the kernel, without the renderer, and checks that the light is
+/// bit-identical.
 fn blocks_left_out_are_dark<S: Format>(camera: &Camera, lights: &[SpotLight]) {
     let scene = stage::scene().unwrap();
     let mut renderer = renderer::<S>(&scene, camera);
@@ -236,7 +237,8 @@ fn most_blocks_outside_a_narrow_beam_are_left_out() {
     assert!((0.8..0.97).contains(&share), "{share} of the blocks are left out");
 }
 
-/// Another renderer over the same surfaces computes bit-identical light.
+/// The light computed by the kernel from `Renderer::surface` is bit-identical to the renderer's
+/// light.
 #[test]
 fn surfaces_are_what_is_lit() {
     let (scene, lights) = (stage::scene().unwrap(), stage::lights().unwrap());

@@ -17,17 +17,17 @@ pub(crate) struct Tiles {
     columns: usize,
     rows: usize,
     pub(crate) tiles: Vec<Tile>,
-    /// Bounding sphere of the points of each region; `None` if nothing was drawn there. If a light
-    /// misses a region, its tiles are not tested.
+    /// Bounding sphere of the surface points of each region; `None` if nothing was drawn in the
+    /// region. If a light misses a region, the tiles of the region are not tested.
     pub(crate) regions: Vec<Option<Bounds>>,
 }
 
 /// A rectangle of blocks.
 #[derive(Clone, Copy, Default, Debug)]
 pub(crate) struct Tile {
-    /// Bounding sphere of its surface points; `None` if nothing was drawn.
+    /// Bounding sphere of the tile's surface points; `None` if nothing was drawn.
     pub(crate) bounds: Option<Bounds>,
-    /// The bundle of view rays through its pixels; `None` until it is needed.
+    /// The bundle of view rays through the tile's pixels; `None` until the bundle is needed.
     pub(crate) sight: Option<RayBundle>,
     /// Whether the last lighting pass re-lit the tile.
     pub(crate) is_relit: bool,
@@ -36,7 +36,7 @@ pub(crate) struct Tile {
 }
 
 impl Tiles {
-    /// Tiles of a picture of this many columns of blocks and rows of pixels.
+    /// Returns the tiles of a picture. `columns` counts blocks and `rows` counts pixels.
     pub(crate) fn new(columns: usize, rows: usize) -> Result<Self, TryReserveError> {
         let lines = rows.div_ceil(ROWS);
         let regions = columns.div_ceil(SIDE) * lines.div_ceil(SIDE);
@@ -54,7 +54,7 @@ impl Tiles {
         line / SIDE * self.columns.div_ceil(SIDE) + column / SIDE
     }
 
-    /// The indices of a region's tiles.
+    /// Returns the indices of a region's tiles.
     fn of_region(&self, region: usize) -> impl Iterator<Item = usize> + Clone + use<> {
         let (columns, across) = (self.columns, self.columns.div_ceil(SIDE));
         let from = |place: usize, end: usize| place * SIDE..((place + 1) * SIDE).min(end);
@@ -63,13 +63,13 @@ impl Tiles {
         lines.flat_map(move |line| row.clone().map(move |column| line * columns + column))
     }
 
-    /// The indices of a tile's blocks, from top to bottom.
+    /// Returns the indices of a tile's blocks, from top to bottom.
     pub(crate) fn blocks(&self, tile: usize) -> impl Iterator<Item = usize> + Clone + use<> {
         let (columns, (rows, column)) = (self.columns, self.place(tile));
         rows.map(move |row| row * columns + column)
     }
 
-    /// Returns the rows of a tile, and its column.
+    /// Returns the rows of pixels of a tile, and the column of its blocks.
     pub(crate) fn place(&self, tile: usize) -> (Range<usize>, usize) {
         let first = tile / self.columns * ROWS;
         (first..(first + ROWS).min(self.rows), tile % self.columns)
@@ -97,7 +97,7 @@ impl Tiles {
 mod tests {
     use super::*;
 
-    /// A picture whose width and height are not multiples of a region's.
+    /// The width and the height of the picture are not multiples of those of a region.
     #[test]
     fn each_tile_is_in_one_region_and_names_it() {
         let tiles = Tiles::new(9, 5 * ROWS + 1).unwrap();

@@ -8,17 +8,17 @@ use luminaire::{Angle, HalfAngle};
 const DISTANCE: (f32, f32) = (0.25, 100.0);
 /// Range of the vertical field of view, in radians.
 const FIELD_OF_VIEW: (f32, f32) = (0.05, 2.5);
-/// Largest pitch, looking down from above, in radians: a little short of the zenith, where yaw is
-/// undefined.
+/// Largest pitch in radians, with the camera looking down from above: a little below the zenith,
+/// where yaw is undefined.
 const STEEPEST: f32 = 1.5;
 /// Least height of the eye above the floor at y = 0, in metres.
 const EYE_HEIGHT: f32 = 0.05;
 
 /// A camera that orbits a target, in a right-handed world whose y axis points up.
 ///
-/// At yaw 0 the eye is on the side of positive z, and x points to the right of the picture; yaw
-/// turns the camera to the right around the target. Parameters are clamped to their ranges, and NaN
-/// is ignored, so that every camera is valid.
+/// At yaw 0 the eye is on the side of positive z, and x points to the right of the picture. A
+/// positive yaw turns the camera to the right around the target. Parameters are clamped to their
+/// ranges, and NaN is ignored, so that every camera is valid.
 ///
 /// ```
 /// use luminaire::Vec3;
@@ -38,9 +38,10 @@ pub struct Camera {
 }
 
 impl Camera {
-    /// A camera at a distance of 0.25 to 100 metres from its target. Yaw, pitch and the vertical
-    /// field of view (0.05 to 2.5) are in radians; with a positive pitch the camera looks down from
-    /// above.
+    /// Creates a camera at a distance of 0.25 to 100 metres from its target.
+    ///
+    /// Yaw, pitch and the vertical field of view (0.05 to 2.5) are in radians. With a positive
+    /// pitch the camera looks down from above.
     pub fn new(
         target: luminaire::Vec3<f32>,
         distance: f32,
@@ -60,7 +61,7 @@ impl Camera {
     }
 
     /// Turns the camera around its target by these angles in radians. The eye stays above the floor
-    /// and short of the zenith.
+    /// and below the zenith.
     pub fn orbit(&mut self, yaw: f32, pitch: f32) {
         let turned = (self.yaw + yaw) % TAU;
         self.yaw = if turned.is_finite() { turned } else { self.yaw };
@@ -80,7 +81,7 @@ impl Camera {
         self.pose().eye.into()
     }
 
-    /// The vertical field of view, in radians.
+    /// Returns the vertical field of view, in radians.
     pub(crate) fn field_of_view(&self) -> f32 {
         self.field_of_view
     }
@@ -93,8 +94,8 @@ impl Camera {
         Pose { eye: self.target - self.distance * ahead, right, up: right.cross(ahead), ahead }
     }
 
-    /// Returns the lowest pitch that keeps the eye above the floor. It is [`STEEPEST`] if the
-    /// target is so far below the floor that no pitch suffices.
+    /// Returns the lowest pitch that keeps the eye above the floor. The result is [`STEEPEST`] if
+    /// the target is so far below the floor that no pitch suffices.
     fn lowest(&self) -> f32 {
         let sine = ((EYE_HEIGHT - self.target.y) / self.distance).clamp(-1.0, 1.0);
         let from_zenith = HalfAngle::from(Angle::from_versine(1.0 - sine));

@@ -23,7 +23,7 @@ pub struct Mesh {
     refused: Option<Error>,
 }
 
-/// A vertex, which several triangles may share.
+/// A vertex. Several triangles may share a vertex.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(crate) struct Vertex {
     pub(crate) position: Vec3,
@@ -82,7 +82,8 @@ impl Mesh {
         mesh
     }
 
-    /// A box of this width, height and depth in metres that stands on y = 0 around the y axis.
+    /// Creates a box of this width, height and depth in metres that stands on y = 0 around the y
+    /// axis.
     pub fn cuboid(width: f32, height: f32, depth: f32) -> Self {
         let (x, z) = (width / 2.0, depth / 2.0);
         let mut mesh = Self::default();
@@ -102,14 +103,14 @@ impl Mesh {
         mesh
     }
 
-    /// The same mesh, moved by an offset in metres.
+    /// Returns the same mesh, moved by an offset in metres.
     pub fn moved(self, offset: luminaire::Vec3<f32>) -> Self {
         let offset = Vec3::from(offset);
         self.mapped(|v| Vertex { position: v.position + offset, ..v })
     }
 
-    /// The same mesh, rotated about an axis through the origin by an angle in radians:
-    /// counter-clockwise as seen from the tip of the axis.
+    /// Returns the same mesh, rotated about an axis through the origin by an angle in radians. The
+    /// rotation is counter-clockwise as seen from the tip of the axis.
     pub fn turned(self, axis: luminaire::Vec3<f32>, angle: f32) -> Self {
         let rotation = Quat::from_scaled_axis(Vec3::from(axis).normalize_or_zero() * angle);
         self.mapped(|v| Vertex { position: rotation * v.position, normal: rotation * v.normal })
@@ -150,8 +151,8 @@ impl Mesh {
         Ok(())
     }
 
-    /// Returns an empty mesh for the surface swept from an outline, and the number of segments,
-    /// which is 0 if that number or the outline was rejected.
+    /// Returns an empty mesh for the surface swept from an outline, and the number of segments. The
+    /// number is 0 if the number of segments or the outline was rejected.
     fn swept(outline: &Outline, segments: usize) -> (Self, usize) {
         // A strip has a pair of vertices at both ends of each segment.
         let pairs = Self::MOST_VERTICES / 2 / (outline.line_count() as u32).max(1);
@@ -163,25 +164,25 @@ impl Mesh {
         (Self { refused, ..Self::default() }, if refused.is_none() { segments } else { 0 })
     }
 
-    /// The vertices.
+    /// Returns the vertices.
     pub(crate) fn vertices(&self) -> &[Vertex] {
         &self.vertices
     }
 
-    /// The triangles, as vertex indices; counter-clockwise as seen from the front.
+    /// Returns the triangles as vertex indices, counter-clockwise as seen from the front.
     pub(crate) fn triangles(&self) -> &[[u32; 3]] {
         &self.triangles
     }
 
-    /// Whether the mesh encloses the volume behind its triangles. From outside such a mesh, every
-    /// back face is hidden by a front face.
+    /// Returns whether the mesh encloses the volume behind its triangles. From outside such a mesh,
+    /// every back face is hidden by a front face.
     pub(crate) fn is_closed(&self) -> bool {
         self.is_closed
     }
 
-    /// Returns whether a mesh without gaps encloses the volume behind its triangles. This is so if
-    /// the tetrahedra that the triangles form with one vertex have a positive signed volume in
-    /// total.
+    /// Returns whether a mesh without gaps encloses the volume behind its triangles. The mesh does
+    /// so if the sum of the signed volumes of all tetrahedra is positive. Each tetrahedron is
+    /// formed by a triangle and the first vertex.
     fn is_outwards(&self) -> bool {
         let corner = |corner: u32| self.vertices[corner as usize].position;
         let volume = |&[a, b, c]: &[u32; 3]| {
@@ -190,8 +191,8 @@ impl Mesh {
         self.triangles.iter().map(volume).sum::<f32>() > 0.0
     }
 
-    /// Adds a parallelogram at a corner along two edges. Its front is the side from which `u` turns
-    /// counter-clockwise to `v`.
+    /// Adds a parallelogram at a corner, with the edges `u` and `v`. Its front is the side from
+    /// which `u` turns counter-clockwise to `v`.
     fn parallelogram(&mut self, corner: Vec3, u: Vec3, v: Vec3) {
         let normal = u.cross(v).normalize_or_zero();
         let vertex = |position| Vertex { position, normal };
@@ -201,8 +202,8 @@ impl Mesh {
         });
     }
 
-    /// Adds a strip of quadrilaterals between pairs of vertices. A closed strip ends in the
-    /// vertices that it began with.
+    /// Adds a strip of quadrilaterals between pairs of vertices. A closed strip ends at its first
+    /// pair of vertices.
     fn sweep(&mut self, segments: usize, closed: bool, pair: impl Fn(usize) -> [Vertex; 2]) {
         let first = self.vertices.len() as u32;
         let pairs = if closed { segments } else { segments + 1 };
@@ -229,8 +230,8 @@ impl Mesh {
     }
 }
 
-/// Checks numbers against a closed range. The error names the first that is outside; NaN is outside
-/// every range.
+/// Returns an error if a number is outside a closed range. The error contains the first number
+/// outside the range; NaN is outside every range.
 pub(crate) fn check_channels(
     parameter: Parameter,
     channels: [f32; 3],

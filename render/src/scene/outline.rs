@@ -7,19 +7,19 @@ use luminaire::{
     error::{Expected, Parameter},
 };
 
-/// Cosine of 45 degrees: the largest turn of an outline with smooth shading. A larger turn is a
-/// crease.
+/// Cosine of 45 degrees, the largest turn of an outline with smooth shading. A turn by a larger
+/// angle is a crease.
 const CREASE: f32 = core::f32::consts::FRAC_1_SQRT_2;
 
 /// Distance in metres under which two points coincide.
 const JOINED: f32 = 1e-6;
 
-/// A plane curve, drawn as a pen would: from a point, along lines and curves.
+/// A plane curve, drawn as with a pen: from a start point, along lines and curves.
 ///
 /// For a [lathe](crate::Mesh::lathe) the coordinates are radius and height. The front of the
-/// surface is on the right of the pen: an outline drawn upwards, from the foot to the top, faces
-/// outwards. The surface is smooth where the outline turns by less than 45 degrees, and creased
-/// where it turns by more.
+/// surface is on the right of the pen's direction: the surface of an outline drawn upwards, from
+/// the foot to the top, faces outwards. The surface is smooth where the outline turns by less than
+/// 45 degrees, and creased where the outline turns by more.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Outline {
     points: Vec<Vec2>,
@@ -27,7 +27,7 @@ pub struct Outline {
     refused: Option<Error>,
 }
 
-/// A point of an outline and the normal of the surface there.
+/// A point of an outline, and the normal of the swept surface at this point.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Station {
     pub(crate) point: Vec2,
@@ -38,19 +38,19 @@ impl Outline {
     /// The largest number of lines in one curve.
     pub const MOST_LINES: u32 = 65_536;
 
-    /// Begins at a point, in metres.
+    /// Starts an outline at a point, in metres.
     pub fn start(x: f32, y: f32) -> Self {
         Self { points: [Vec2::new(x, y)].into(), refused: None }
     }
 
-    /// A straight line to a point, in metres.
+    /// Adds a straight line to a point, in metres.
     pub fn line_to(mut self, x: f32, y: f32) -> Self {
         self.points.push(Vec2::new(x, y));
         self
     }
 
     /// Adds a cubic Bézier curve with two control points, to an end point, in metres. `lines` lines
-    /// approximate it; with more than [`MOST_LINES`](Self::MOST_LINES),
+    /// approximate the curve; with more than [`MOST_LINES`](Self::MOST_LINES),
     /// [`Scene::add`](crate::Scene::add) rejects the surface.
     pub fn curve_to(mut self, controls: [(f32, f32); 2], x: f32, y: f32, lines: usize) -> Self {
         let lines = self.accepted(lines);
@@ -79,14 +79,15 @@ impl Outline {
         self
     }
 
-    /// Returns whether the surface that a lathe makes from the outline has no border: the outline
-    /// ends where it began, or begins and ends on the axis.
+    /// Returns whether the surface that a lathe makes from the outline has no border.
+    ///
+    /// This is so if the outline ends where it began, or begins and ends on the axis.
     pub(crate) fn encloses(&self) -> bool {
         let Some((first, last)) = self.points.first().zip(self.points.last()) else { return false };
         first.distance(*last) < JOINED || (first.x.abs() < JOINED && last.x.abs() < JOINED)
     }
 
-    /// Returns a number of lines; 0 if it was rejected.
+    /// Returns a number of lines; 0 if the number was rejected.
     fn accepted(&mut self, lines: usize) -> usize {
         let is_accepted = lines <= Self::MOST_LINES as usize;
         if !is_accepted {
@@ -97,7 +98,7 @@ impl Outline {
         if is_accepted { lines } else { 0 }
     }
 
-    /// Returns why no surface can be swept from the outline.
+    /// Returns the error for which no surface can be swept from the outline, if any.
     pub(crate) fn refused(&self) -> Option<Error> {
         self.refused
     }
@@ -112,10 +113,11 @@ impl Outline {
         self.points.last().copied().unwrap_or_default()
     }
 
-    /// The strips of surface along the outline, each with a station at both ends. If two
-    /// neighbouring strips join smoothly, their stations there have bit-identical normals. A
-    /// `mirrored` outline continues mirrored behind the axis x = 0, so that a sphere is smooth at
-    /// its poles.
+    /// Returns the strips of surface along the outline, each with a station at both ends.
+    ///
+    /// If two neighbouring strips join smoothly, the normals of both stations at the joint are
+    /// bit-identical. A `mirrored` outline continues as its mirror image behind the axis x = 0, so
+    /// that a sphere is smooth at its poles.
     pub(crate) fn strips(&self, mirrored: bool) -> impl Iterator<Item = [Station; 2]> + '_ {
         let normals = self.normals();
         let count = normals.len();

@@ -21,25 +21,25 @@ use luminaire::{
 };
 use slope::{Slope, depth_error};
 
-/// A shadow map of a [`Scene`] on the square that a spotlight projects, in the number format of the
-/// light.
+/// A shadow map of a [`Scene`] on the square that a spotlight projects.
 ///
-/// The depths are those of the surfaces nearest to the light, front or back: an open sheet, such as
-/// a curtain, lets no light through. Surfaces within 5 centimetres of the light, along its axis,
-/// cast no shadow; otherwise the fixture's own housing would.
+/// The depths are in the number format of the light. They are the depths of the surfaces nearest to
+/// the light, front or back: an open sheet, such as a curtain, lets no light through. Surfaces
+/// within 5 centimetres of the light, along its axis, cast no shadow; otherwise the fixture's own
+/// housing would cast one.
 ///
-/// **No surface shadows itself.** A depth is compared with that of points up to a texel away, where
-/// the same surface has another depth. Two steps prevent false shadows. Each triangle is drawn with
-/// the largest depth of its plane within one texel, and then each texel gets the largest depth of
-/// the 3 x 3 texels around it that belong to the same surface. Points without an occluder are fully
-/// lit: on a flat surface at any angle of the light, on a convex surface if the light meets it at
-/// 11 degrees or more.
+/// **No surface shadows itself.** The depth of a texel is compared with the depths of points up to
+/// one texel away, where the same surface has another depth. Two steps prevent false shadows. Each
+/// triangle is drawn with the largest depth of its plane within one texel, and then each texel gets
+/// the largest depth of the 3 x 3 texels around it that belong to the same surface. Points without
+/// an occluder are fully lit: on a flat surface at any angle of incidence, on a convex surface if
+/// the angle between the light and the surface is at least 11 degrees.
 ///
-/// The price is twofold. The edge of a shadow is off by up to two texels. And the shadow of a sheet
-/// begins up to one and a half texel widths behind it, measured at right angles to the sheet. That
-/// distance is `3 tan(outer half angle) / side` times the depth: 2 centimetres in a map of 512
-/// texels per side, at 6 metres from a light with a cone of 60 degrees. Behind a closed solid a
-/// shadow begins at once, because the solid's front face casts it.
+/// These steps cause two errors. The edge of a shadow is wrong by up to two texels. The shadow of a
+/// sheet begins up to one and a half texel widths behind the sheet, measured at right angles to the
+/// sheet. This distance is `3 tan(outer half angle) / side` times the depth: 2 centimetres in a map
+/// of 512 texels per side, at 6 metres from a light with a cone of 60 degrees. Behind a closed
+/// solid a shadow begins without a gap, because the solid's front face casts the shadow.
 ///
 /// ```
 /// use luminaire::{Vec3, projector::Projection};
@@ -95,8 +95,8 @@ impl<S: Scalar> ShadowMap<S> {
         })
     }
 
-    /// Draws a scene as seen from a light. Returns whether scene or projection had changed; if not,
-    /// it is a no-op.
+    /// Draws a scene as seen from a light. Returns whether the scene or the projection had changed;
+    /// if not, the call is a no-op.
     ///
     /// # Errors
     /// A projection that the format can't hold; the map stays as it was.
@@ -138,7 +138,7 @@ impl<S: Scalar> ShadowMap<S> {
         Ok(true)
     }
 
-    /// Returns the map for shadow tests; `None` before it has been drawn.
+    /// Returns the map for shadow tests; `None` before the map has been drawn.
     pub fn shadow(&self) -> Option<Shadow<'_, S>> {
         let projection = self.drawn?.compiled;
         Some(Shadow::from_parts(projection, self.side as u32, &self.depths))

@@ -20,7 +20,7 @@ impl Bounds {
         Self { center, radius: points.map(|point| length(point - center)).fold(0.0, f32::max) }
     }
 
-    /// Returns a bounding sphere of four points, and so of their convex hull.
+    /// Returns a bounding sphere of four points. It also encloses the convex hull of the points.
     #[inline(always)]
     pub(crate) fn around(points: [Vec3; 4]) -> Self {
         let center = 0.25 * points.into_iter().sum::<Vec3>();
@@ -29,15 +29,16 @@ impl Bounds {
         Self { center, radius: length(ways.into_iter().fold(Vec3::ZERO, farther)) }
     }
 
-    /// Returns the radius of a sphere that encloses the points in every number format. `way` is a
-    /// vector from or to the sphere's centre. The radius is increased by at least 1/5000 of the
-    /// length of `way`, and by 0.1 mm, which is more than the errors of the formats: at most 1.6e-5
-    /// for a direction and 8e-6 metres for a position.
+    /// Returns the radius of a sphere that encloses the points in every number format.
+    ///
+    /// `way` is a vector from or to the sphere's centre. The radius is increased by at least 1/5000
+    /// of the length of `way`, and by 0.1 mm. This increase is more than the errors of the formats:
+    /// at most 1.6e-5 for a direction and 8e-6 metres for a position.
     pub(crate) fn padded(&self, way: Vec3) -> f32 {
         self.radius + 2e-4 * (way.abs().element_sum() + self.center.abs().element_sum()) + 1e-4
     }
 
-    /// Returns a sphere that encloses all the given spheres; `None` if there are none.
+    /// Returns a sphere that encloses all the given spheres; `None` without spheres.
     pub(crate) fn enclosing(spheres: impl Iterator<Item = Self> + Clone) -> Option<Self> {
         let (sum, count) = spheres.clone().fold((Vec3::ZERO, 0.0), |(sum, n), s| (sum + s.center, n + 1.0));
         let center = sum / count;

@@ -14,17 +14,17 @@ pub(crate) struct Directions {
     radius: f32,
 }
 
-/// Distance added in [`Directions::are_apart`]. In every number format the light of a highlight
-/// ends at most 1e-7 beyond its lobe (searched).
+/// Distance added in [`Directions::are_apart`]. In every number format, the light of a highlight
+/// ends at most a chord of 1e-7 beyond its lobe (searched).
 const MARGIN: f32 = 1.0 / 256.0;
 
 impl Directions {
-    /// One direction.
+    /// Returns a sphere around one direction.
     pub(crate) fn new(direction: Vec3) -> Self {
         Self { center: direction, radius: 0.0 }
     }
 
-    /// Encloses all directions whose components are between those of two corners of a box.
+    /// Encloses all directions whose components are between the components of two corners of a box.
     pub(crate) fn between(least: Vec3, most: Vec3) -> Self {
         Self { center: 0.5 * (least + most), radius: 0.5 * length(most - least) }
     }
@@ -35,8 +35,8 @@ impl Directions {
     pub(crate) fn towards(place: Vec3, points: &Bounds) -> Option<Self> {
         let way = place - points.center;
         let (direction, reciprocal) = direction_and_reciprocal(way);
-        // This is the sine of the half angle under which the sphere is seen. The chord of an angle
-        // under 90 degrees is at most `sqrt(2)` times its sine.
+        // `sine` is the sine of the half angle under which the sphere is seen. The chord of an
+        // angle under 90 degrees is at most `sqrt(2)` times its sine.
         let sine = points.padded(way) * reciprocal;
         (reciprocal > 0.0 && sine < 1.0).then_some(Self { center: direction, radius: SQRT_2 * sine })
     }
@@ -51,15 +51,17 @@ impl Directions {
         Self { center, radius: self.radius + turned }
     }
 
-    /// Upper bound of `dot(d, vector)` over all directions `d` in the sphere. It is
-    /// `dot(center, vector) + radius * |vector|_1`; the 1-norm makes it loose.
+    /// Returns an upper bound of `dot(d, vector)` over all directions `d` in the sphere.
+    ///
+    /// The bound is `dot(center, vector) + radius * |vector|_1`. It is not tight, because it uses
+    /// the 1-norm.
     #[inline(always)]
     pub(crate) fn most_along(&self, vector: Vec3) -> f32 {
         self.center.dot(vector) + self.radius * vector.abs().element_sum()
     }
 
     /// Returns true only if every direction of this sphere is farther than `chord` from every
-    /// direction of the other.
+    /// direction of `others`.
     #[inline(always)]
     pub(crate) fn are_apart(&self, others: &Self, chord: f32) -> bool {
         let reach = chord + self.radius + others.radius + MARGIN;

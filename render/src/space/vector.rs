@@ -1,5 +1,4 @@
-//! Length and direction of a vector, by the kernel's square root: the processor's own where there
-//! is one.
+//! Length and direction of a vector, by the kernel's square root.
 
 use glam::Vec3;
 
@@ -15,8 +14,8 @@ pub(crate) fn direction(way: Vec3) -> Vec3 {
     luminaire::Vec3::from(way).unit().into()
 }
 
-/// Returns the direction and the reciprocal of the length; zero for a vector so short that its
-/// square is subnormal or zero.
+/// Returns the direction and the reciprocal of the length; both are zero for a vector so short that
+/// its square is subnormal or zero.
 #[inline(always)]
 pub(crate) fn direction_and_reciprocal(way: Vec3) -> (Vec3, f32) {
     (direction(way), luminaire::Vec3::from(way).reciprocal_length())

@@ -13,9 +13,10 @@ pub(super) struct Layer {
     grid: Grid,
     /// Nearness of the nearest surface; 0 where nothing was drawn.
     nearness: Vec<f32>,
-    /// Nearness below which a point in the texel is in shadow. It is the largest, over all
-    /// surfaces, of a surface's least nearness within the texel. If a surface is almost edge-on,
-    /// its least nearness is so small that the surface behind it determines this value.
+    /// Nearness (reciprocal of the depth) below which a point in the texel is in shadow. The value
+    /// is the maximum over all surfaces of the least nearness of a surface within the texel. The
+    /// least nearness of an almost edge-on surface is so small that the surface behind determines
+    /// the value.
     hiding: Vec<f32>,
     /// Result of the vertical pass: for each texel of a row, the least `hiding` of this texel and
     /// of the texels above and below on the same surface.
@@ -41,7 +42,7 @@ impl Layer {
     }
 
     /// Draws a triangle, front or back. `change` returns how much the triangle's nearness changes
-    /// within a texel; it is called only if the triangle covers a texel.
+    /// within a texel. `change` is called only if the triangle covers a texel.
     pub(super) fn draw(&mut self, corners: [Corner; 3], change: impl Fn() -> f32) {
         let grid = self.grid;
         let mut known = None;
@@ -51,7 +52,7 @@ impl Layer {
     #[inline(always)]
     fn fill(&mut self, span: &Span<'_>, change: f32) {
         let line = span.line(|corner| corner.nearness);
-        // Skips the border row and the border texel at the start of this row.
+        // Skips the border row at the top and the border texel at the start of the row.
         let first = self.grid.stride + 1;
         let texels = first + span.pixels.start..first + span.pixels.end;
         let planes = self.nearness[texels.clone()].iter_mut().zip(&mut self.hiding[texels]);
@@ -64,8 +65,11 @@ impl Layer {
     }
 
     /// Computes the depth of each texel: the largest depth of its surface in the 3 x 3 texels
-    /// around it, times `factor`. `texel` is the width of a texel at depth 1. A step in depth of up
-    /// to that width cannot be resolved, and both sides of it count as the same surface.
+    /// around it.
+    ///
+    /// The depth is multiplied by `factor`. `texel` is the width of a texel at depth 1. A step in
+    /// depth of up to the width of a texel cannot be resolved, so both sides of such a step count
+    /// as the same surface.
     pub(super) fn resolve<S: Scalar>(&mut self, texel: f32, factor: f32, depths: &mut [S::Length]) {
         let Grid { width, stride, .. } = self.grid;
         let Self { nearness, hiding, column, .. } = self;
@@ -102,14 +106,17 @@ struct Texel {
 /// A surface's continuation into a neighbouring texel.
 #[derive(Clone, Copy)]
 struct End {
-    /// Least nearness that the neighbour's surface can have if it is the same surface.
+    /// Least nearness that the surface in the neighbour can have if it is the same surface.
     joint: f32,
-    /// Nearness to assume for the surface if it ends before the neighbour's centre.
+    /// Nearness that is assumed for the surface if the surface ends before the neighbour's centre.
     edge: f32,
 }
 
 impl Texel {
-    /// A round surface falls off by twice its slope where it ends, as a parabola does.
+    /// Returns the continuation of the texel's surface into a neighbour.
+    ///
+    /// Where a round surface ends, its nearness falls by twice the change within a texel, as a
+    /// parabola does.
     #[inline(always)]
     fn end(self, texel: f32) -> End {
         End { joint: self.hiding - self.nearness * texel, edge: 2.0 * self.hiding - self.nearness }
@@ -117,8 +124,10 @@ impl Texel {
 }
 
 impl End {
-    /// Returns the smaller of `least` and the neighbour's `hiding`. If the neighbour has another
-    /// surface whose `hiding` is not below `edge`, `edge` replaces that `hiding`.
+    /// Returns the smaller of `least` and the neighbour's `hiding`.
+    ///
+    /// If the neighbour's surface is a different one with a `hiding` not below `edge`, `edge`
+    /// replaces the neighbour's `hiding`.
     #[inline(always)]
     fn with(self, neighbor: Texel, hiding: f32, least: f32) -> f32 {
         let is_joined = 2.0 * neighbor.nearness - neighbor.hiding >= self.joint;

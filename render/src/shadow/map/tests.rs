@@ -1,4 +1,4 @@
-//! Shadow maps against rays in f64.
+//! Tests that compare shadow maps with ray casting in f64.
 
 mod ray;
 
@@ -71,8 +71,10 @@ fn drawn<S: Scalar>(scene: &Scene, projection: &Projection, side: usize) -> Shad
     map
 }
 
-/// Compares every surface that a camera sees, and that faces the light within its cone, with a ray:
-/// lit or in shadow, exactly, except within [`TEXELS`] of an edge. Returns the number of points
+/// Compares the shadow map with a ray at every surface point that a camera sees.
+///
+/// Only points within the cone that face the light are compared. Each point must be lit or in
+/// shadow as the ray says, except within [`TEXELS`] of a shadow edge. Returns the number of points
 /// that are lit in both, dark in both, and different.
 fn assert_is_that_of_rays<S: Exact>(
     scene: &Scene,
@@ -179,7 +181,7 @@ fn wide_and_narrow_cones_have_the_shadows_of_rays() {
 }
 
 /// Tests six points of every triangle that faces the light. Returns the largest cosine of the angle
-/// of incidence at which such a point is not fully lit; 0 if all are.
+/// of incidence at which such a point is not fully lit; 0 if all points are fully lit.
 fn steepest_shadowed<S: Exact>(mesh: Mesh, spot: &SpotLight, side: usize) -> f64 {
     let scene = scene([mesh]);
     let projection = Projection::of(spot).unwrap();
@@ -304,7 +306,7 @@ fn objects_outside_of_the_cone_change_no_bit() {
         let meshes = || apart.objects().iter().map(|object| object.mesh.clone());
         let is_missed = |mesh: &Mesh| view.misses(&Bounds::of(mesh.vertices().iter().map(|v| v.position)));
         assert!(meshes().filter(is_missed).count() > 1, "objects are left out");
-        // The other meshes are merged with the floor, so that none of them is skipped.
+        // The other meshes are merged with the floor, so that no mesh is skipped.
         let is_drawn_alone = |mesh: &Mesh| mesh.is_closed() && !is_missed(mesh);
         let rest = meshes().filter(|mesh| !is_drawn_alone(mesh)).fold(Mesh::default(), Mesh::and);
         assert!(!is_missed(&rest));

@@ -1,5 +1,5 @@
-//! Bounding spheres of directions enclose their directions, and in no format does a highlight
-//! extend beyond its lobe by more than the added distance.
+//! Tests that bounding spheres of directions enclose the directions, and that no highlight extends
+//! beyond its lobe by more than [`MARGIN`] in any format.
 
 use super::*;
 use crate::{Format, Highlight, Material, light::Finish};
@@ -56,14 +56,17 @@ fn spheres_hold_what_they_enclose() {
         let way = vector(&mut rng);
         along = along.min((normals.most_along(way) - normal.dot(way)) / way.length());
     }
-    // For a narrow sphere the chord is about the sine; the radius covers the widest sphere.
+    // For a narrow sphere the chord is about the sine of the angle, but the radius allows for the
+    // widest sphere.
     assert!((0.7..1.0).contains(&towards), "{towards}");
     assert!((0.7..1.0).contains(&mirrored), "{mirrored}");
     assert!((-1e-6..1e-3).contains(&along), "{along}");
 }
 
-/// Returns by how much the light of a highlight extends beyond its lobe, as a chord; negative if it
-/// ends inside. Searched over random positions near the end of a lobe.
+/// Returns the largest chord by which the light of a highlight extends beyond its lobe.
+///
+/// The result is negative if the light ends inside the lobe. The maximum is searched over random
+/// positions near the end of a lobe.
 fn excess<S: Format>() -> f32 {
     let mut rng = Rng::with_seed(2);
     let mut worst = -f32::INFINITY;
@@ -100,7 +103,8 @@ fn excess<S: Format>() -> f32 {
 fn no_highlight_is_beyond_the_margin_in_any_format() {
     let [float, fx32, fx16] = [excess::<f32>(), excess::<Fx32>(), excess::<Fx16>()];
     assert!((0.0..1e-6).contains(&float), "{float}");
-    // Near the end of a lobe the remaining eighth power is less than a step of these formats.
+    // Near the end of a lobe, the eighth power of the lobe is less than a step of these formats, so
+    // the light ends inside the lobe.
     assert!((-6e-3..0.0).contains(&fx32) && (-0.025..0.0).contains(&fx16), "{fx32}, {fx16}");
     assert!(float < 1e-3 * MARGIN);
 }

@@ -7,7 +7,7 @@ use luminaire::{Vec3, projector::Projection};
 
 pub(super) type Triangle = [DVec3; 3];
 
-/// The triangles of a mesh, front and back, in a bounding sphere.
+/// The triangles of a mesh, front and back, with their bounding sphere.
 struct Body {
     center: DVec3,
     radius: f64,
@@ -47,25 +47,27 @@ fn normal([a, b, c]: Triangle) -> DVec3 {
     (b - a).cross(c - a)
 }
 
-/// Returns the parameter along a ray at which it meets the plane of a triangle.
+/// Returns the parameter along a ray at which the ray meets the plane of a triangle.
 fn plane(from: DVec3, way: DVec3, triangle: Triangle) -> f64 {
     let normal = normal(triangle);
     normal.dot(triangle[0] - from) / normal.dot(way)
 }
 
-/// Returns the parameter along a ray at which it meets a triangle.
+/// Returns the parameter along a ray at which the ray meets a triangle; `None` if the ray misses
+/// it.
 fn hit(from: DVec3, way: DVec3, triangle: Triangle) -> Option<f64> {
     let t = plane(from, way, triangle);
     let (normal, [a, b, c]) = (normal(triangle), triangle);
     let inside = from + t * way - a;
     let part = |edge: DVec3| edge.dot(normal) / normal.length_squared();
     let (to_b, to_c) = (part(inside.cross(c - a)), part((b - a).cross(inside)));
-    // A ray between two triangles must hit one of them.
+    // The tolerance is negative, because a ray along the common edge of two triangles must hit one
+    // triangle.
     let least = -1e-9;
     (to_b >= least && to_c >= least && to_b + to_c <= 1.0 - least).then_some(t)
 }
 
-/// The triangles of all objects of a scene.
+/// Returns the triangles of each object of a scene.
 pub(super) fn triangles(scene: &Scene) -> impl Iterator<Item = Vec<Triangle>> {
     scene.objects().iter().map(|object| {
         let place = |corner: u32| double(object.mesh.vertices()[corner as usize].position.into());
@@ -97,8 +99,7 @@ impl Light {
         Place { column: part(self.right), row: part(self.down), depth }
     }
 
-    /// Returns the cosine of the angle between the front normal of a triangle and the direction
-    /// from one of its points to the light.
+    /// Returns the cosine of the angle of incidence at a point of a triangle, on its front face.
     pub(super) fn cosine(&self, triangle: Triangle, point: DVec3) -> f64 {
         let (normal, back) = (normal(triangle), self.position - point);
         normal.dot(back) / (normal.length() * back.length())
@@ -109,14 +110,13 @@ impl Light {
         place.depth > 0.0 && [place.column, place.row].iter().all(|part| (0.0..1.0).contains(part))
     }
 
-    /// Returns the vector from the light to depth 1.
+    /// Returns the vector from the light to a position on the square at depth 1.
     fn way(&self, column: f64, row: f64) -> DVec3 {
         let (x, y) = ((2.0 * column - 1.0) * self.tangent, (2.0 * row - 1.0) * self.tangent);
         self.axis + x * self.right + y * self.down
     }
 
-    /// Returns the hit whose depth is nearest to `depth`, of all hits of a ray beyond the near
-    /// plane of a map.
+    /// Returns the hit of a ray whose depth is nearest to `depth`, beyond the near plane of a map.
     fn nearest(&self, way: DVec3, depth: f64) -> Option<Hit> {
         let is_met = |body: &&Body| {
             let across = (body.center - self.position).cross(way);
@@ -127,7 +127,7 @@ impl Light {
         let hits: Vec<_> = hits.filter(|(hit, _)| *hit > 0.05).collect();
         let off = |hit: &(f64, Triangle)| (hit.0 - depth).abs();
         let &(own, triangle) = hits.iter().min_by(|a, b| off(a).total_cmp(&off(b)))?;
-        // Hits within a millimetre count as the same.
+        // Hits within a millimetre count as the same hit.
         Some(Hit { depth: own, triangle, is_first: hits.iter().all(|&(depth, _)| depth >= own - 1e-3) })
     }
 
@@ -136,8 +136,10 @@ impl Light {
         self.nearest(self.way(place.column, place.row), place.depth).is_none_or(|hit| hit.is_first)
     }
 
-    /// Returns whether a position is farther than `texels` from the edge of any shadow and from the
-    /// end of its surface as seen from the light. Beyond that end the surface is in its own shadow.
+    /// Returns whether a position is farther than `texels` from any shadow edge and from the end of
+    /// its surface.
+    ///
+    /// The end is that seen from the light: beyond it the surface is in its own shadow.
     pub(super) fn is_clear(&self, place: Place, texels: f64, side: usize) -> bool {
         const STEPS: i32 = 8;
         let Some(own) = self.nearest(self.way(place.column, place.row), place.depth) else { return false };
