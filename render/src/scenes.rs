@@ -48,11 +48,11 @@ pub enum Example {
     WideGrid,
     /// Pictures and sculptures in the light of many kinds of lights.
     Gallery,
-    /// Moving heads in a dark house.
+    /// Moving heads in a dark theatre.
     Show,
     /// A still life for the display of a microcontroller.
     Pocket,
-    /// Four solids that shine under eight spotlights, all of which move.
+    /// Four shiny solids under eight spotlights, which all move.
     Turntable,
 }
 
@@ -60,7 +60,7 @@ pub enum Example {
 #[derive(Clone, PartialEq, Debug)]
 #[non_exhaustive]
 pub struct Setup {
-    /// The meshes and the ambient light.
+    /// The meshes, their materials, the ambient light and the haze.
     pub scene: Scene,
     /// The camera at second 0.
     pub camera: Camera,
@@ -76,7 +76,7 @@ pub struct Setup {
 const SWING_PERIOD: f32 = 24.0;
 
 impl Example {
-    /// All examples, ordered by the effects that they need, fewest first.
+    /// All examples, ordered by the number of effects that they need, fewest first.
     pub const ALL: [Self; 8] = [
         Self::BareSpot,
         Self::Pocket,
@@ -88,7 +88,7 @@ impl Example {
         Self::Gallery,
     ];
 
-    /// The name: one word, or words joined by hyphens, for files and addresses.
+    /// Returns the name for files and addresses: one word, or words joined by hyphens.
     pub const fn name(self) -> &'static str {
         match self {
             Self::BareSpot => "bare-spot",
@@ -102,7 +102,7 @@ impl Example {
         }
     }
 
-    /// The title.
+    /// Returns the title.
     pub const fn title(self) -> &'static str {
         match self {
             Self::BareSpot => "One bare spot",
@@ -116,7 +116,7 @@ impl Example {
         }
     }
 
-    /// Describes in one sentence what the scene needs.
+    /// Returns one sentence about the effects that the scene needs.
     pub const fn summary(self) -> &'static str {
         match self {
             Self::BareSpot => {
@@ -140,8 +140,8 @@ impl Example {
         }
     }
 
-    /// Width and height in pixels that the picture is composed for. Another size with the same
-    /// aspect ratio shows the same view.
+    /// Returns the width and the height in pixels for which the picture is composed. Another size
+    /// with the same aspect ratio shows the same view.
     pub const fn size(self) -> (usize, usize) {
         match self {
             Self::Pocket => (160, 120),
@@ -189,7 +189,7 @@ impl Setup {
     /// Returns the effects that the picture needs at a time in seconds.
     ///
     /// # Errors
-    /// As [`fixtures_at`](Self::fixtures_at).
+    /// The same errors as [`fixtures_at`](Self::fixtures_at).
     pub fn effects_at(&self, seconds: f32) -> Result<Effects, Error> {
         let fixtures = self.fixtures_at(seconds)?;
         let mut plan = self.scene.plan();

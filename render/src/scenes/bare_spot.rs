@@ -1,4 +1,4 @@
-//! One soft spotlight from the left on a vase, a floor and a wall; all else is dark.
+//! One soft spotlight from the left on a vase, a floor and a wall. There is no other light.
 
 use super::{
     MovingLight, Setup,

@@ -37,7 +37,7 @@ pub(super) struct Sweep {
     /// Half the width and half the depth of the ellipse, in metres.
     pub(super) radii: Vec2,
     pub(super) period: f32,
-    /// Where the target starts on the ellipse, as a share of a turn.
+    /// Where the target starts on the ellipse, as a share of a full turn around the ellipse.
     pub(super) start: f32,
 }
 
@@ -46,7 +46,7 @@ pub(super) struct Sweep {
 pub(super) struct Chase {
     pub(super) turn: usize,
     pub(super) turns: usize,
-    /// Seconds per turn.
+    /// Duration of each spotlight's turn, in seconds.
     pub(super) step: f32,
     /// Ratio of the intensity during the turn to the intensity at other times.
     pub(super) bump: f32,
@@ -56,12 +56,12 @@ pub(super) struct Chase {
 #[derive(Clone, Copy, PartialEq, Debug)]
 struct Wheel {
     gobo: Gobo<'static>,
-    /// Degrees per second.
+    /// The speed of rotation, in degrees per second.
     speed: f32,
 }
 
 impl MovingLight {
-    /// A fixture that does not change.
+    /// Creates a fixture that does not change.
     pub(super) fn new(name: &'static str, light: impl Into<AnyLight>) -> Self {
         Self { name, light: light.into(), motion: Motion::Still, gobo: None, shadow: None }
     }
@@ -74,22 +74,23 @@ impl MovingLight {
         Self { motion: Motion::Chase(chase), ..self }
     }
 
-    /// The same fixture with a gobo that rotates at `speed` degrees per second.
+    /// Returns the same fixture with a gobo that rotates at `speed` degrees per second.
     pub(super) fn with_gobo(self, gobo: Gobo<'static>, speed: f32) -> Self {
         Self { gobo: Some(Wheel { gobo, speed }), ..self }
     }
 
-    /// The same fixture with a shadow map of `side` texels on a side: see [`Fixture::with_shadow`].
+    /// Returns the same fixture with a shadow map of `side` texels per side: see
+    /// [`Fixture::with_shadow`].
     pub fn with_shadow(self, side: u16) -> Self {
         Self { shadow: Some(side), ..self }
     }
 
-    /// The same fixture without a gobo.
+    /// Returns the same fixture without a gobo.
     pub fn without_gobo(self) -> Self {
         Self { gobo: None, ..self }
     }
 
-    /// The same fixture without shadows.
+    /// Returns the same fixture without shadows.
     pub fn without_shadow(self) -> Self {
         Self { shadow: None, ..self }
     }

@@ -1,6 +1,7 @@
-//! A gallery: pictures on three walls and sculptures between them. Two lights of their own light
-//! each of them, and together these lights have every falloff and attenuation. Also pendants, a
-//! follow spot and a skylight. Two of the sculptures have highlights.
+//! A gallery: pictures on three walls and sculptures between the walls. Two spotlights light each
+//! picture and each sculpture, and together these spotlights have every falloff and attenuation.
+//! The gallery also has pendants, a follow spot and a skylight. Two of the sculptures have
+//! highlights.
 
 mod hall;
 mod lights;
@@ -38,7 +39,7 @@ fn fixtures() -> Result<Vec<MovingLight>, Error> {
             fixtures.push(lights::track_spot(fixtures.len(), position, Vec3::new(x, 1.2, z), 0.55)?);
         }
     }
-    // The only moving light: it follows a visitor through the hall.
+    // The follow spot is the only moving light: it follows a visitor through the hall.
     let follow = lights::follow_spot(Vec3::new(0.0, 5.0, 3.2), Vec3::new(0.0, 0.0, 0.9))?;
     let center = glam::Vec3::new(0.0, 0.0, 0.9);
     fixtures.push(follow.sweeping(Sweep { center, radii: Vec2::new(2.6, 0.5), period: 16.0, start: 0.1 }));

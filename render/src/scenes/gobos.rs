@@ -1,8 +1,9 @@
 //! Gobos for spotlights, computed at compile time.
 //!
-//! Each is a square with any number of texels per side, row by row and white where the light
-//! passes, for [`Gobo::of`](luminaire::projector::Gobo::of). The transition at an edge is one texel
-//! wide, so that a side of 32 already looks smooth.
+//! Each gobo is a square with any number of texels per side, row by row, for
+//! [`Gobo::of`](luminaire::projector::Gobo::of). Texels that pass the light are white. The
+//! transition at an edge of the pattern is one texel wide, so that a side of 32 texels already
+//! looks smooth.
 //!
 //! ```
 //! use luminaire::projector::Gobo;
@@ -11,10 +12,11 @@
 //! assert_eq!(Gobo::of(&LEAVES).side(), 32);
 //! ```
 
-/// Half a side in the coordinates of the patterns, which range from -[`HALF`] to [`HALF`].
+/// Half the side of a gobo in the coordinates of the patterns. Coordinates range from -[`HALF`] to
+/// [`HALF`].
 const HALF: i32 = 1 << 12;
 
-/// A window of two by three panes, taller than wide.
+/// Returns a window of two by three panes, taller than wide.
 pub const fn window<const COUNT: usize>() -> [u8; COUNT] {
     /// Half the width and half the height of the window; `BAR` is half the width of a bar.
     const FRAME: [i32; 2] = [1_900, 2_700];
@@ -32,19 +34,19 @@ pub const fn window<const COUNT: usize>() -> [u8; COUNT] {
     parts
 }
 
-/// A star of five points.
+/// Returns a star of five points.
 pub const fn star<const COUNT: usize>() -> [u8; COUNT] {
     /// The directions in which the five edges of the star face, clockwise from the top, as vectors
     /// of length 1,024.
     const FACING: [[i32; 2]; 5] = [[0, -1_024], [974, -316], [602, 828], [-602, 828], [-974, -316]];
-    /// Distance of the edges from the middle.
+    /// Distance of the five edges from the middle of the star.
     const EDGE: i32 = 1_150;
     let mut parts = [0; COUNT];
     let mut index = 0;
     while index < COUNT {
         let [x, y] = middle::<COUNT>(index);
-        // A point is in the star if it is inside at least four of the five edges, so the second
-        // smallest distance decides.
+        // A point is in the star if it is inside at least four of the five edges. So the coverage
+        // follows from the second smallest distance to an edge.
         let (mut first, mut second) = (i32::MAX, i32::MAX);
         let mut edge = 0;
         while edge < FACING.len() {
@@ -59,7 +61,7 @@ pub const fn star<const COUNT: usize>() -> [u8; COUNT] {
     parts
 }
 
-/// A breakup: light through leaves, with round gaps of many sizes.
+/// Returns a breakup: light through leaves, with round gaps of many sizes.
 pub const fn breakup<const COUNT: usize>() -> [u8; COUNT] {
     let mut parts = [0; COUNT];
     let mut index = 0;
@@ -70,7 +72,7 @@ pub const fn breakup<const COUNT: usize>() -> [u8; COUNT] {
         while gap < GAPS.len() {
             let [left, top, radius] = GAPS[gap];
             let squared = (x - left) * (x - left) + (y - top) * (y - top);
-            // Distance inside the circle, to first order.
+            // `within` is the distance of the texel inside the circle, to first order.
             let within = (radius * radius - squared) / (2 * radius);
             deepest = if within > deepest { within } else { deepest };
             gap += 1;
@@ -107,7 +109,8 @@ const GAPS: [[i32; 3]; 22] = [
     [2_300, 2_250, 340],
 ];
 
-/// Returns the centre of a texel, to the right of and below the centre of the square.
+/// Returns the coordinates of the centre of a texel: to the right and down from the centre of the
+/// square.
 const fn middle<const COUNT: usize>(index: usize) -> [i32; 2] {
     let side = const { side(COUNT) };
     let (column, row) = (index as i32 % side, index as i32 / side);

@@ -1,8 +1,8 @@
-//! A floor of 16 x 16 metres under 64 narrow spotlights, and the same floor under 8 wide ones,
-//! whose cones cover the same area.
+//! A floor of 16 x 16 metres under 64 narrow spotlights, and the same floor under 8 wide
+//! spotlights. The cones cover the same area in both scenes.
 //!
-//! A spotlight that looks straight down from a height h lights a circle of radius `h tan a`, where
-//! a is its outer half angle: 64 circles of 10 degrees have the area of 8 circles of 26.5 degrees,
+//! A spotlight that points straight down from a height h lights a circle of radius `h tan a`, where
+//! a is the outer half angle. 64 circles of 10 degrees have the area of 8 circles of 26.5 degrees,
 //! within a thousandth.
 
 use super::{
@@ -29,10 +29,10 @@ pub(super) fn wide() -> Result<Setup, Error> {
 
 fn setup(columns: usize, rows: usize, outer: HalfAngle) -> Result<Setup, Error> {
     let mut scene = Scene::new();
-    // Larger than the lit area, so that its edges stay out of the picture.
+    // The floor is larger than the lit area, so that the floor's edges stay out of the picture.
     scene.add(floor(SIDE + 6.0, SIDE + 6.0), Material::srgb(212, 208, 202))?;
-    // The camera is far away, so that the floor is almost a parallelogram in the picture: its depth
-    // of 16 m appears as long as 9 m of its width.
+    // The camera is far away, so that the floor is almost a parallelogram in the picture: the
+    // floor's depth of 16 m appears as long as 9 m of its width.
     let camera = Camera::new(Vec3::new(0.0, 0.0, 0.2), 90.0, 0.0, 0.61, 0.108);
     let cone = Cone::from_outer(Soft, outer)?;
     let turns = columns * rows;
@@ -49,8 +49,8 @@ fn setup(columns: usize, rows: usize, outer: HalfAngle) -> Result<Setup, Error> 
     Ok(Setup::new(scene, camera, fixtures))
 }
 
-/// Returns the colour of the light at a position on the floor: amber on the left, rose, blue on the
-/// right, paler towards the front.
+/// Returns the colour of the light at a position on the floor: amber on the left, rose in the
+/// middle, blue on the right, and paler towards the front.
 fn gel(across: f32, along: f32) -> Rgb<f32> {
     let (amber, rose, blue) = (Rgb::new(1.0, 0.4, 0.06), Rgb::new(1.0, 0.14, 0.4), Rgb::new(0.08, 0.28, 1.0));
     let between = |a: Rgb<f32>, b, part| a.zip(b, |a: f32, b: f32| a + part * (b - a));

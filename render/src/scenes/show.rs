@@ -1,5 +1,5 @@
-//! A dark house: moving heads on a truss send coloured beams across a stage, and two others throw
-//! patterns on the wall behind it.
+//! A dark theatre: moving heads on a truss send coloured beams across a stage, and two other moving
+//! heads project patterns on the wall behind the stage.
 
 use super::{
     MovingLight, Setup,
@@ -22,10 +22,10 @@ use luminaire::{
     projector::Gobo,
 };
 
-/// How high the truss hangs, and at which z, in metres.
+/// The height and the z coordinate of the truss, in metres.
 const TRUSS: (f32, f32) = (4.3, -1.6);
 
-/// The colours of the heads on the truss, from left to right.
+/// The colours of the moving heads on the truss, from left to right.
 const GELS: [Rgb<f32>; 8] = [
     Rgb::new(1.0, 0.05, 0.25),
     Rgb::new(0.08, 0.3, 1.0),
@@ -37,7 +37,7 @@ const GELS: [Rgb<f32>; 8] = [
     Rgb::new(1.0, 0.06, 0.45),
 ];
 
-/// The patterns on the wall, of the left head and of the right one.
+/// The patterns on the wall: `BREAKUP` of the left moving head, `STAR` of the right moving head.
 const BREAKUP: [u8; 64 * 64] = gobos::breakup();
 const STAR: [u8; 64 * 64] = gobos::star();
 
@@ -82,13 +82,13 @@ fn scene() -> Result<Scene, Error> {
     Ok(scene)
 }
 
-/// Returns the x coordinate of a head on the truss, in metres.
+/// Returns the x coordinate of a moving head on the truss, in metres.
 fn place(number: usize) -> f32 {
     1.2 * (number as f32 - 3.5)
 }
 
-/// A moving head with a narrow beam that sweeps over the stage. Hard and soft edges alternate along
-/// the truss.
+/// Creates a moving head with a narrow beam that sweeps over the stage. Hard and soft edges
+/// alternate along the truss.
 fn beam(number: usize, gel: Rgb<f32>) -> Result<MovingLight, Error> {
     let edge = if number % 2 == 0 { SoftOrHard::Hard } else { SoftOrHard::Soft };
     let cone = Cone::from_field(edge, Angle::degrees(14.0))?;
@@ -102,7 +102,8 @@ fn beam(number: usize, gel: Rgb<f32>) -> Result<MovingLight, Error> {
     Ok(MovingLight::new("moving head (beam)", spot).sweeping(sweep))
 }
 
-/// A moving head at the front of the house that throws a turning pattern on the wall at the back.
+/// Creates a moving head at the front of the theatre that projects a rotating pattern on the back
+/// wall.
 fn pattern(side: f32, gel: Rgb<f32>, gobo: Gobo<'static>) -> Result<MovingLight, Error> {
     let cone = Cone::from_field(SoftOrHard::Hard, Angle::degrees(21.0))?;
     let center = glam::Vec3::new(2.3 * side, 2.3, -3.6);

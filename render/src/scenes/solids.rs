@@ -7,23 +7,24 @@ use core::f32::consts::{FRAC_PI_2, PI, TAU};
 const AROUND: usize = 56;
 pub(crate) const QUARTER: usize = 7;
 
-/// A sphere that stands on y = 0.
+/// Creates a sphere that stands on y = 0.
 pub(crate) fn sphere(radius: f32) -> Mesh {
     Mesh::lathe(&Outline::start(0.0, 0.0).arc(0.0, radius, PI, 4 * QUARTER), AROUND)
 }
 
-/// A torus that lies on y = 0, with the radius of its core circle and that of its tube.
+/// Creates a torus that lies on y = 0. `core` is the radius of its core circle, `body` the radius
+/// of its tube.
 pub(crate) fn torus(core: f32, body: f32) -> Mesh {
     Mesh::lathe(&Outline::start(core, 0.0).arc(core, body, TAU, 4 * QUARTER), AROUND)
 }
 
-/// A cone that stands on y = 0.
+/// Creates a cone that stands on y = 0.
 pub(crate) fn cone(radius: f32, height: f32) -> Mesh {
     Mesh::lathe(&Outline::start(0.0, 0.0).line_to(radius, 0.0).line_to(0.0, height), AROUND)
 }
 
-/// A capsule around the y axis with its centre at the origin: its radius, and the length of its
-/// cylinder.
+/// Creates a capsule around the y axis with its centre at the origin. `length` is the length of the
+/// cylinder between the half spheres.
 pub(crate) fn capsule(radius: f32, length: f32) -> Mesh {
     let half = length / 2.0;
     let outline = Outline::start(0.0, -half - radius)
@@ -33,7 +34,7 @@ pub(crate) fn capsule(radius: f32, length: f32) -> Mesh {
     Mesh::lathe(&outline, AROUND)
 }
 
-/// A vase with a lip, hollow.
+/// Creates a hollow vase with a lip.
 pub(crate) fn vase() -> Mesh {
     let outline = Outline::start(0.0, 0.0)
         .line_to(0.15, 0.0)
@@ -47,7 +48,7 @@ pub(crate) fn vase() -> Mesh {
     Mesh::lathe(&outline, AROUND)
 }
 
-/// A column with base and capital.
+/// Creates a column with base and capital.
 pub(crate) fn column() -> Mesh {
     let outline = Outline::start(0.0, 0.0)
         .line_to(0.32, 0.0)

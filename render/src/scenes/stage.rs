@@ -1,5 +1,5 @@
-//! A stage to light: boards, a cyclorama, curtains, and a still life of turned solids in the light
-//! of three spots.
+//! A stage: boards, a cyclorama, curtains, and a still life of solids of revolution in the light of
+//! three spotlights.
 
 use crate::{
     Camera, Material, Mesh, Outline, Scene,
@@ -12,15 +12,16 @@ use luminaire::{Angle, Cone, Error, Rgb, SpotLight, Vec3, falloff::SoftOrHard};
 const DECK: (f32, f32) = (7.2, 5.4);
 const BOARDS: usize = 24;
 
-/// The tones of the boards, in sRGB.
+/// The colours of the boards, in sRGB.
 const WOOD: [(u8, u8, u8); 5] =
     [(150, 114, 84), (138, 103, 75), (160, 123, 91), (129, 97, 72), (145, 108, 78)];
 
-/// The scene: metres, y up, the audience at positive z. Everything stands on the floor y = 0.
+/// Builds the scene. Lengths are in metres, y points up, and the audience is at positive z. All
+/// objects stand on the floor y = 0.
 pub fn scene() -> Result<Scene, Error> {
     let mut scene = Scene::new();
     scene.set_ambient(Rgb::new(0.014, 0.016, 0.022))?;
-    // From front to back, so that hidden triangles are rejected before they are drawn.
+    // Objects are added from front to back, so that the depth test rejects the hidden triangles.
     for (mesh, material) in actors() {
         scene.add(mesh, material)?;
     }
@@ -34,16 +35,16 @@ pub fn scene() -> Result<Scene, Error> {
     Ok(scene)
 }
 
-/// The camera: from the stalls, a little above the boards.
+/// Returns the camera: in the stalls, a little above the boards.
 pub fn camera() -> Camera {
     Camera::new(Vec3::new(0.0, 0.86, 0.0), 7.4, -0.14, 0.2, 0.5)
 }
 
-/// Key, fill and back light, in this order.
+/// Returns the key light, the fill light and the back light, in this order.
 ///
-/// The key is a profile spot of 26 degrees with a hard edge, warm, from the front left; the fill a
-/// Fresnel with a soft edge, cooler and weaker, from the front right; the back light a PAR with a
-/// soft edge, from behind and above.
+/// The key light is a profile spot of 26 degrees with a hard edge, warm, from the front left. The
+/// fill light is a Fresnel with a soft edge, cooler and weaker, from the front right. The back
+/// light is a PAR with a soft edge, from behind and above.
 ///
 /// # Errors
 /// Never: the values are constants.
@@ -64,12 +65,12 @@ pub fn lights() -> Result<[SpotLight; 3], Error> {
     ])
 }
 
-/// A spotlight at a position that points at a target.
+/// Creates a spotlight at a position that points at a target.
 fn aimed(position: Vec3<f32>, target: Vec3<f32>, cone: Cone) -> Result<SpotLight, Error> {
     SpotLight::new(position, target.zip(position, |t, p| t - p), cone)
 }
 
-/// The cyclorama, the deck under the boards, and the curtains.
+/// Creates the cyclorama, the deck under the boards, and the curtains.
 fn house() -> [(Mesh, Material); 4] {
     let (width, depth) = DECK;
     let cyclorama =
@@ -87,7 +88,7 @@ fn house() -> [(Mesh, Material); 4] {
     ]
 }
 
-/// A board that runs from the back of the deck to its front.
+/// Creates a board that runs from the back of the deck to the front of the deck.
 fn plank(number: usize) -> Mesh {
     let (width, depth) = DECK;
     let left = width * (number as f32 / BOARDS as f32 - 0.5);
@@ -96,7 +97,7 @@ fn plank(number: usize) -> Mesh {
     Mesh::extrude(&top, depth, 6).moved(Vec3::new(0.0, 0.0, -depth / 2.0))
 }
 
-/// A velvet curtain in folds, 1.8 metres wide.
+/// Creates a velvet curtain in folds, 1.8 metres wide.
 fn curtain() -> Mesh {
     const FOLDS: usize = 7;
     const LINES: usize = 16 * FOLDS;
@@ -109,7 +110,7 @@ fn curtain() -> Mesh {
     Mesh::extrude(&folds, 5.8, 1).turned(Vec3::new(1.0, 0.0, 0.0), -FRAC_PI_2)
 }
 
-/// The still life.
+/// Creates the still life.
 fn actors() -> [(Mesh, Material); 9] {
     let plinth = |x, z, height, width| Mesh::cuboid(width, height, width).moved(Vec3::new(x, 0.0, z));
     let up = Vec3::new(0.0, 1.0, 0.0);

@@ -1,5 +1,5 @@
-//! The still life of the stage in key, fill and back light, whose edges have both angles of a data
-//! sheet.
+//! The still life of the stage in key, fill and back light. The falloffs of the lights match the
+//! beam angle and the field angle of a data sheet.
 
 use super::{MovingLight, Setup, room::aimed};
 use crate::scenes::stage;

@@ -1,4 +1,5 @@
-//! Four solids on a floor before a wall, all of which shine, under spotlights that all move.
+//! Four solids on a floor in front of a wall, under moving spotlights. All surfaces have
+//! highlights.
 
 use super::{
     MovingLight, Setup,
@@ -14,16 +15,18 @@ use core::f32::consts::{FRAC_PI_2, TAU};
 use glam::{Vec2, Vec3};
 use luminaire::{Angle, Cone, Error, HalfAngle, Rgb, falloff::Soft};
 
-/// Angle between consecutive spotlights around the centre: the golden angle, which spreads any
-/// number of them.
+/// Angle in radians between consecutive spotlights around the centre: the golden angle, which
+/// spreads any number of spotlights evenly.
 const GOLDEN_ANGLE: f32 = 2.399_963;
 
-/// Sum of the intensities of all spotlights, for any number of them.
+/// Sum of the intensities of all spotlights, for any number of spotlights.
 const INTENSITY: f32 = 260.0;
 
-/// The scene of [`Example::Turntable`](super::Example::Turntable) under `spots` spotlights (at
-/// least 1) with a half angle of 15 degrees. The sum of their intensities is the same for every
-/// number. The camera swings from side to side.
+/// Builds the scene of [`Example::Turntable`](super::Example::Turntable) under `spots` spotlights,
+/// at least 1.
+///
+/// Each spotlight has a half angle of 15 degrees. The sum of the intensities is the same for every
+/// number of spotlights. The camera swings from side to side.
 ///
 /// # Errors
 /// Never: the values are constants.
@@ -54,12 +57,13 @@ fn scene() -> Result<Scene, Error> {
     Ok(scene)
 }
 
-/// A spotlight on a ring above the scene. It stays aimed at a point that moves along an ellipse of
-/// its own.
+/// Creates a spotlight on a ring above the scene. The spotlight points at a target that moves along
+/// an ellipse, a different ellipse for each spotlight.
 fn fixture(number: usize, count: usize) -> Result<MovingLight, Error> {
     let part = (number as f32 + 0.5) / count as f32;
     let around = Vec2::from_angle(GOLDEN_ANGLE * number as f32);
-    // The ellipses lie in front of the wall, more of them near the camera.
+    // The ellipses lie in front of the wall, and more ellipses are near the camera than near the
+    // wall.
     let position = Vec3::new(3.4 * around.x, 3.5 + 0.8 * part, 1.9 + 2.3 * around.y);
     let center = (0.4 + 1.5 * part) * Vec2::from_angle(GOLDEN_ANGLE * (number + 2) as f32);
     let center = Vec3::new(center.x, 0.4, -0.3 + center.y);
@@ -71,7 +75,8 @@ fn fixture(number: usize, count: usize) -> Result<MovingLight, Error> {
     Ok(MovingLight::new("moving head", spot).sweeping(sweep))
 }
 
-/// Returns the colour of a spotlight: pale, and different from its neighbours.
+/// Returns the colour of a spotlight: pale, and different from the colours of neighbouring
+/// spotlights.
 fn gel(number: usize) -> Rgb<f32> {
     let hue = Vec2::from_angle(TAU * 0.38 * number as f32);
     Rgb::new(0.72 + 0.28 * hue.x, 0.7 + 0.18 * hue.y, 0.72 - 0.28 * hue.x)

@@ -27,7 +27,7 @@ pub(super) enum Side {
     Right,
 }
 
-/// Positions of the pictures: the wall, and the distance along it.
+/// Positions of the pictures: the distance along the wall, and the wall.
 pub(super) const PICTURES: [(f32, Side); 7] = [
     (-2.6, Side::Left),
     (-0.5, Side::Left),
@@ -44,7 +44,7 @@ pub(super) const SCULPTURES: [(f32, f32); 4] = [(-2.1, -1.0), (-0.85, 0.3), (0.9
 /// Positions of the pendants: x and z.
 pub(super) const PENDANTS: [(f32, f32); 2] = [(-1.3, -3.1), (1.3, -3.1)];
 
-/// The paints of the pictures: the ground and two fields.
+/// The colours of each picture, in sRGB: the ground and two fields.
 const PAINTS: [[(u8, u8, u8); 3]; 7] = [
     [(196, 60, 44), (232, 150, 52), (120, 30, 44)],
     [(36, 66, 120), (82, 140, 170), (222, 206, 160)],
@@ -56,7 +56,8 @@ const PAINTS: [[(u8, u8, u8); 3]; 7] = [
 ];
 
 impl Side {
-    /// Returns a point relative to the wall: distance along it, distance before it, and height.
+    /// Returns a point from the distance along the wall, the distance in front of the wall, and the
+    /// height.
     fn at(self, along: f32, before: f32, height: f32) -> Vec3<f32> {
         match self {
             Self::Left => Vec3::new(-HALF + before, height, along),
@@ -65,7 +66,7 @@ impl Side {
         }
     }
 
-    /// The middle of a picture.
+    /// Returns the middle of a picture.
     pub(super) fn on_wall(self, along: f32) -> Vec3<f32> {
         self.at(along, 0.0, EYE_LEVEL)
     }
@@ -86,7 +87,7 @@ impl Side {
     }
 }
 
-/// Sculptures on plinths: a glazed vase and a bronze ball, which have highlights, and two plaster
+/// Adds the sculptures on plinths: a glazed vase and a bronze ball with highlights, and two plaster
 /// sculptures.
 pub(super) fn sculptures(scene: &mut Scene) -> Result<(), Error> {
     let plaster = Material::srgb(214, 208, 198);
@@ -110,7 +111,7 @@ pub(super) fn sculptures(scene: &mut Scene) -> Result<(), Error> {
     Ok(())
 }
 
-/// Framed pictures: two fields of colour on a ground.
+/// Adds framed pictures: two fields of colour on a ground.
 pub(super) fn pictures(scene: &mut Scene) -> Result<(), Error> {
     let board = |width: f32, height: f32, thickness: f32, middle: f32| {
         Mesh::cuboid(width, height, thickness).moved(Vec3::new(0.0, middle - height / 2.0, thickness / 2.0))
@@ -126,7 +127,7 @@ pub(super) fn pictures(scene: &mut Scene) -> Result<(), Error> {
     Ok(())
 }
 
-/// Floor, walls and the shades of the pendants.
+/// Adds the floor, the walls and the shades of the pendants.
 pub(super) fn room(scene: &mut Scene) -> Result<(), Error> {
     let up = Vec3::new(0.0, 1.0, 0.0);
     let paint = Material::srgb(208, 206, 202);

@@ -1,4 +1,4 @@
-//! The spotlights of the gallery: each profile and each distance model in turn.
+//! The spotlights of the gallery, with each falloff and each attenuation in turn.
 
 use crate::scenes::{MovingLight, room::aimed};
 use luminaire::{
@@ -13,7 +13,7 @@ use luminaire::{
     },
 };
 
-/// A measured profile, as from a goniometer: 11 samples from the axis to the outer angle, with a
+/// A falloff as measured by a goniometer: 11 samples from the axis to the outer angle, with a
 /// bright ring.
 const MEASURED: [u16; 11] =
     [65_535, 64_200, 61_000, 56_500, 53_900, 54_800, 47_000, 30_500, 14_200, 4_100, 0];
@@ -22,8 +22,8 @@ const MEASURED: [u16; 11] =
 const PROFILES: usize = 12;
 const DISTANCES: usize = 8;
 
-/// A spotlight on a track. `number` selects its falloff and attenuation. The intensity is chosen so
-/// that its target is lit to `level`.
+/// Creates a spotlight on a track. `number` selects its falloff and attenuation. The intensity is
+/// chosen so that a facing surface at the target has the irradiance `level`.
 pub(super) fn track_spot(
     number: usize,
     position: Vec3<f32>,
@@ -35,7 +35,7 @@ pub(super) fn track_spot(
     Ok(MovingLight::new(name, lit_to(level, target, spot.with_color(tint(number))?)?))
 }
 
-/// A spotlight with a hotspot and an iris.
+/// Creates a spotlight with a hotspot and an iris.
 pub(super) fn follow_spot(position: Vec3<f32>, target: Vec3<f32>) -> Result<MovingLight, Error> {
     let cone = Cone::from_outer(Hard, Angle::degrees(16.0))?
         .with_inner(Angle::degrees(9.0))?
@@ -44,8 +44,8 @@ pub(super) fn follow_spot(position: Vec3<f32>, target: Vec3<f32>) -> Result<Movi
     Ok(MovingLight::new("follow spot", spot))
 }
 
-/// Returns the name and the cone of a kind of spotlight. Its beam or field angle is about 40
-/// degrees.
+/// Returns the name and the cone of a kind of spotlight. The beam angle or the field angle is about
+/// 40 degrees.
 fn kind(number: usize) -> Result<(&'static str, Cone<AnyFalloff>), Error> {
     let field = |profile: AnyFalloff| Cone::from_field(profile, Angle::degrees(42.0));
     let data_sheet = |beam: f32, field: f32| {
@@ -68,7 +68,7 @@ fn kind(number: usize) -> Result<(&'static str, Cone<AnyFalloff>), Error> {
     })
 }
 
-/// A distance model.
+/// Returns one of the attenuations.
 fn distance(number: usize) -> Result<AnyAttenuation, Error> {
     Ok(match number {
         0 => InverseSquare.into(),
@@ -82,14 +82,14 @@ fn distance(number: usize) -> Result<AnyAttenuation, Error> {
     })
 }
 
-/// Returns the white of a light: from incandescent to cool fluorescent.
+/// Returns the shade of white of a light: from incandescent to cool fluorescent.
 fn tint(number: usize) -> Rgb<f32> {
     let cool = (number * 5 % 8) as f32 / 7.0;
     Rgb::new(1.0, 0.8 + 0.16 * cool, 0.56 + 0.4 * cool)
 }
 
-/// Sets the intensity so that a facing surface at the target is lit to `level`, whatever the
-/// distance model.
+/// Sets the intensity so that a facing surface at the target has the irradiance `level`, with any
+/// attenuation.
 fn lit_to(
     level: f32,
     target: Vec3<f32>,
