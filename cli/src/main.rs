@@ -1,4 +1,5 @@
-//! `luminaire pick`: the cheapest evaluation of a spotlight that is good enough for a display.
+//! `luminaire pick`: the cheapest evaluation of a spotlight whose error is small enough for a
+//! display.
 #![forbid(unsafe_code)]
 
 mod arguments;
@@ -31,7 +32,7 @@ fn main() -> ExitCode {
     }
 }
 
-/// Returns the text that answers.
+/// Returns the answer as text or JSON.
 fn answer(pick: &Pick) -> Result<String, Refusal> {
     let request = Request::new(pick.chip, pick.display).tolerance(pick.tolerance());
     let json = |value: serde_json::Value| format!("{value:#}\n");

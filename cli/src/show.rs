@@ -5,12 +5,13 @@ use luminaire::falloff::AnyFalloff;
 use luminaire_pick::{Edge, Light, Refusal, Scene};
 use luminaire_render::scenes::Example;
 
-/// The nearest surface of a head on the truss, in metres: the columns are 1.6 high and 1.7 before
-/// the truss, at a height of 4.
+/// The distance of the nearest surface from a moving head on the truss, in metres. The nearest
+/// surfaces are the columns, 1.6 high and 1.7 in front of the truss; the moving heads are at a
+/// height of 4.
 const FROM_TRUSS: f32 = 2.9;
-/// The nearest surface of a head at the front of the house: a column.
+/// The distance of the nearest surface, a column, from a moving head at the front of the theatre.
 const FROM_FRONT: f32 = 4.5;
-/// The farthest surface.
+/// The distance of the farthest surface, in metres.
 const FARTHEST: f32 = 14.0;
 
 /// Returns the lights of the show at second 0.

@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use luminaire_pick::{Answer, SceneAnswer, Tolerance};
 
-/// Returns an answer with the parameters that it is for, which includes the defaults.
+/// Returns an answer as text, with all parameters of its request, including defaults.
 pub(crate) fn answer(answer: &Answer) -> String {
     let Answer { light, outer, chip, display, evaluation, price, bound, .. } = answer;
     let at = bound.at;
@@ -45,7 +45,8 @@ pub(crate) fn answer(answer: &Answer) -> String {
     )
 }
 
-/// A number with three significant digits, as `0.0123` or `4.5e-5`.
+/// Returns a number with three decimals, or below 0.001 with two significant digits and an
+/// exponent.
 fn digits(value: f64) -> String {
     if value == 0.0 || value >= 1e-3 { format!("{value:.3}") } else { format!("{value:.1e}") }
 }
@@ -57,7 +58,7 @@ fn unit(answer: &Answer) -> &'static str {
     }
 }
 
-/// Returns a line for each answer, and the sum.
+/// Returns a line for each answer, and the sum of the instructions.
 pub(crate) fn lights(answers: &[Answer]) -> String {
     let mut text = String::new();
     for answer in answers {
@@ -76,7 +77,7 @@ pub(crate) fn lights(answers: &[Answer]) -> String {
     text
 }
 
-/// Returns the lights of a scene and the budget.
+/// Returns the lights and the error budget of a scene as text.
 pub(crate) fn scene(answer: &SceneAnswer) -> String {
     let budget = answer.budget;
     let mut text = lights(&answer.lights);

@@ -11,7 +11,7 @@ use luminaire::{Error, Fx16, Fx32, Scalar, Vec3};
 use crate::light::{Attenuation, Light, Shaped, shaped};
 use crate::target::named;
 
-/// Calls a macro with the list of evaluations, after the macro's own arguments. A row is
+/// Calls a macro with its own arguments and the list of evaluations. A row is
 /// `doc variant = name, type, format, constructor;`.
 macro_rules! evaluations {
     ($consumer:ident $(; $($arguments:tt)*)?) => {
@@ -43,7 +43,7 @@ macro_rules! declare {
         }
 
         impl Evaluation {
-            /// The type of the light, for the generated code.
+            /// Returns the type of the compiled light, for the generated code.
             pub(crate) fn type_of(self, light: &Light, cone: &Shaped) -> String {
                 let (kind, format) = match self {
                     $(Self::$variant => (stringify!($type), stringify!($format)),)*
@@ -60,7 +60,7 @@ macro_rules! declare {
                 )
             }
 
-            /// The largest coordinate of a light.
+            /// Returns the largest coordinate of a light in the format of the evaluation.
             pub(crate) fn farthest(self) -> f32 {
                 match self {
                     $(Self::$variant => <$format as Scalar>::FARTHEST,)*
@@ -73,15 +73,15 @@ evaluations!(declare);
 
 /// A light compiled for an evaluation.
 pub(crate) trait Kernel {
-    /// The light at a point on a surface.
+    /// Returns the irradiance at a surface point.
     fn light(&self, point: [f32; 3], normal: [f32; 3]) -> f64;
-    /// Whether the evaluation at the point is the fine one.
+    /// Returns whether the evaluation at the point is the fine evaluation.
     fn is_fine(&self, point: [f32; 3]) -> bool;
-    /// The light as a constant expression of Rust.
+    /// Returns the light as a constant expression of Rust.
     fn source(&self) -> String;
 }
 
-/// A compiled light of either type.
+/// A compiled light: a [`CompiledSpotLight`] or a [`QuickSpotLight`].
 trait Lit<S: Scalar> {
     fn irradiance_at(&self, point: Vec3<S::Length>, normal: Vec3<S>) -> S::Irradiance;
 

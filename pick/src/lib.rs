@@ -1,7 +1,8 @@
 //! Picks the cheapest evaluation of a spotlight whose error is small enough for a display.
 //!
-//! A build script describes the chip, the display and the light. The answer has the evaluation, its
-//! price, a bound of its error and the constant to compile into the firmware:
+//! A build script describes the chip, the display and the light. The answer contains the
+//! evaluation, the price and an error bound of the evaluation, and the constant to compile into the
+//! firmware:
 //!
 //! ```
 //! use luminaire_pick::{Chip, Display, Light, Request};
@@ -12,8 +13,8 @@
 //! # Ok::<(), luminaire_pick::Refusal>(())
 //! ```
 //!
-//! The bound is searched when the light is picked: see [`Bound`]. The prices are counted under an
-//! emulator: see [`Price`]. Several lights share a tolerance: see [`Scene`].
+//! The error bound is searched when `pick` is called: see [`Bound`]. The prices are counted under
+//! an emulator: see [`Price`]. Several lights can share a tolerance: see [`Scene`].
 //!
 //! Files, in the order in which they build on one another: `target`, `light`, `evaluation`,
 //! `search`, `price`, `request`, `scene`, `measure`.

@@ -1,4 +1,4 @@
-//! The description of a spotlight, its cone and where its light is seen.
+//! The description of a spotlight: its cone, and the distances of the surfaces that it lights.
 
 use luminaire::falloff::{Cubic, Falloff, FittedFalloff, Formula, Hard, Quadratic, Soft};
 use luminaire::{Angle, Cone, Error, Rgb, SpotLight, Vec3};
@@ -19,7 +19,7 @@ named! {
 }
 
 named! {
-    /// The attenuation over the distance.
+    /// The attenuation: the intensity as a function of the distance.
     Attenuation {
         /// The same light at every distance.
         None = "none",
@@ -28,11 +28,11 @@ named! {
     }
 }
 
-/// A spotlight, and the distances at which surfaces receive its light. Angles are full angles in
-/// degrees.
+/// A spotlight, and the distances at which surfaces receive its light.
 ///
-/// One of beam, field and outer angle determines the cone. With both beam and field angle the
-/// falloff is fitted to them, and `edge` has no effect. Without any, the field angle is 36 degrees.
+/// Angles are full angles in degrees. One of beam, field and outer angle determines the cone. If
+/// both beam and field angle are given, the falloff is fitted to both angles, and `edge` has no
+/// effect. Without any of these angles, the field angle is 36 degrees.
 #[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Light {
@@ -44,29 +44,30 @@ pub struct Light {
     pub axis: [f32; 3],
     /// The linear colour.
     pub color: [f32; 3],
-    /// The edge.
+    /// The edge of the cone: soft or hard.
     pub edge: Edge,
-    /// The beam angle: 50 % of the intensity.
+    /// The beam angle, at which the intensity is 50 % of the maximum.
     pub beam: Option<f32>,
-    /// The field angle: 10 % of the intensity.
+    /// The field angle, at which the intensity is 10 % of the maximum.
     pub field: Option<f32>,
-    /// The angle at which the light ends.
+    /// The outer angle, at which the light ends.
     pub outer: Option<f32>,
-    /// The angle of a hotspot of full intensity.
+    /// The inner angle: the edge of a hotspot with full intensity.
     pub inner: Option<f32>,
     /// The attenuation.
     pub attenuation: Attenuation,
-    /// The intensity: 1 is full scale on the axis; with attenuation, at a distance of 1.
+    /// The intensity: 1 gives full scale on the axis, with attenuation at a distance of 1.
     pub intensity: f32,
-    /// The nearest surface.
+    /// The distance of the nearest surface.
     pub near: f32,
-    /// The farthest surface.
+    /// The distance of the farthest surface.
     pub far: f32,
 }
 
 impl Default for Light {
-    /// A soft light with a field angle of 36 degrees that is full scale at a distance of 4, seen at
-    /// distances from 1 to 7.
+    /// Returns a soft light with a field angle of 36 degrees and surfaces at distances from 1 to 7.
+    ///
+    /// On the axis at a distance of 4, the light is full scale.
     fn default() -> Self {
         Self {
             name: "light".to_owned(),
@@ -86,7 +87,7 @@ impl Default for Light {
     }
 }
 
-/// A cone with its falloff as a type.
+/// A cone, with one variant per falloff type.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Shaped {
     Soft(Cone<Soft>),
@@ -95,7 +96,7 @@ pub(crate) enum Shaped {
     Cubic(Cone<Cubic>),
 }
 
-/// Evaluates an expression with the cone of whatever falloff.
+/// Evaluates an expression with the cone of the variant.
 macro_rules! shaped {
     ($shaped:expr, $cone:ident => $answer:expr) => {
         match $shaped {
@@ -109,7 +110,7 @@ macro_rules! shaped {
 pub(crate) use shaped;
 
 impl Shaped {
-    /// The name of the falloff's type.
+    /// Returns the name of the falloff's type.
     pub(crate) fn type_name(&self) -> &'static str {
         match self {
             Self::Soft(_) => "Soft",
@@ -119,7 +120,7 @@ impl Shaped {
         }
     }
 
-    /// The full outer angle in degrees.
+    /// Returns the full outer angle in degrees.
     pub(crate) fn outer(&self) -> f32 {
         shaped!(self, cone => cone.outer().to_degrees())
     }
@@ -151,7 +152,8 @@ impl Light {
         let (inner, hotspot) = shaped!(cone, cone => {
             (cone.inner().to_degrees(), cone.inner().versine() / cone.outer_versine())
         });
-        // The inner angle is converted to degrees and back, which may lose its last bits.
+        // The inner angle is converted to degrees and back. The conversion may change the last bits
+        // of the angle.
         if hotspot > 1.0 - 1e-6 {
             return Err(Refusal::parameter(
                 "inner angle",
@@ -180,12 +182,12 @@ impl Light {
         })
     }
 
-    /// The position on the grid of 2^-16, which every format has.
+    /// Returns the position, rounded to multiples of 2^-16, which every format can represent.
     fn place(&self) -> [f32; 3] {
         oracle::on_grid(oracle::DVec3::from_array(self.position.map(f64::from))).as_vec3().to_array()
     }
 
-    /// Returns the light with a cone, along an axis.
+    /// Returns the spotlight with this cone and this axis.
     pub(crate) fn spot<P: Falloff>(&self, cone: Cone<P>, axis: [f32; 3]) -> Result<SpotLight<P>, Error> {
         let [red, green, blue] = self.color;
         let [x, y, z] = axis;
@@ -194,7 +196,7 @@ impl Light {
             .with_intensity(self.intensity)
     }
 
-    /// Returns the exact light along an axis.
+    /// Returns the exact light with this cone and this axis.
     pub(crate) fn truth(&self, cone: &Shaped, axis: [f32; 3]) -> oracle::SpotLight {
         let (formula, inner, outer) = shaped!(cone, cone => {
             let Formula::Polynomial(coefficients) = cone.profile().formula() else {
@@ -217,7 +219,7 @@ impl Light {
         }
     }
 
-    /// Returns an error if the numbers that are not those of the cone are invalid.
+    /// Returns an error if a parameter of the light is invalid.
     pub(crate) fn check(&self) -> Result<(), Refusal> {
         let distances = self.near > 0.0 && self.far >= self.near && self.far.is_finite();
         if !distances {

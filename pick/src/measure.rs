@@ -1,4 +1,5 @@
-//! For tests: random requests, the exact light of an answer, and how far a longer search of them exceeds that of an answer.
+//! Functions for tests: random lights, the exact light of an answer, and the ratio of the errors
+//! found by a longer search to those found by the search of an answer.
 
 use luminaire_oracle::SplitMix64;
 
@@ -46,16 +47,20 @@ pub fn error(answer: &Answer, found: f64, exact: f64) -> f64 {
     answer.tolerance.error(answer.display, found, exact)
 }
 
-/// Returns the largest error of an answer that a search at `effort` times the points finds, with
-/// other random numbers.
+/// Returns the largest error of an answer that another search finds.
+///
+/// This search uses `effort` times as many points, and the random numbers of `seed`.
 pub fn found(answer: &Answer, seed: u64, effort: usize) -> Result<f64, Refusal> {
     let cone = answer.light.cone()?;
     let search = Search::new(&answer.light, &cone, seed, effort);
     Ok(search.bound(answer.evaluation, answer.tolerance, answer.display, f64::INFINITY)?.found)
 }
 
-/// Returns the largest ratio of the errors that a search of 30 times the points finds to those of
-/// the search of an answer, over all evaluations of random lights. Visits every ratio.
+/// Returns the largest ratio of the error found by a longer search to that found by an answer's
+/// search.
+///
+/// The longer search has 30 times as many points. The maximum is over all evaluations of `count`
+/// random lights. `visit` is called with every ratio.
 pub fn margins(count: u64, mut visit: impl FnMut(f64, &Light, Evaluation)) -> f64 {
     let mut most: f64 = 0.0;
     for number in 0..count {

@@ -1,4 +1,4 @@
-//! What a lit point costs, as it was counted.
+//! The counted cost of a lit point.
 
 use std::collections::BTreeMap;
 use std::sync::OnceLock;
@@ -9,17 +9,18 @@ use crate::evaluation::Evaluation;
 use crate::light::{Attenuation, Light, Shaped};
 use crate::target::Chip;
 
-/// What a lit point costs, and the code that computes it.
+/// The cost of a lit point, and the size of the code that computes it.
 ///
 /// Instructions are counted under QEMU, with `opt-level = 3`. In `Fx16` some points take a fine
-/// evaluation, which costs several times as much: near a bright light, or all points of a steep
-/// cone. The price is the mean over points that are evenly spread over the cone and the distances.
+/// evaluation, which costs several times as much as the coarse evaluation: points near a bright
+/// light, or all points of a steep cone. The price is the mean over points that are evenly
+/// distributed over the cone and the distances.
 #[derive(Clone, Copy, PartialEq, Debug, Serialize)]
 pub struct Price {
-    /// Instructions of an average lit point.
+    /// Mean number of instructions of a lit point.
     pub instructions: f64,
-    /// Cycles of an average lit point, on the Cortex-M0+ of an RP2040 without wait states. `null` for
-    /// other processors, whose emulator counts instructions only.
+    /// Mean number of cycles of a lit point, on the Cortex-M0+ of an RP2040 without wait states.
+    /// `null` in JSON for other processors, because their emulator counts instructions only.
     pub cycles: Option<f64>,
     /// Bytes of code.
     pub bytes: u64,
@@ -35,7 +36,7 @@ struct OnBoard {
 /// Instructions, bytes, and cycles if they were counted.
 type Counted = (f64, u64, Option<f64>);
 
-/// The prices on record, which `cargo xtask pick --bless` writes.
+/// Returns the recorded price of a kernel. `cargo xtask pick --bless` writes the record.
 fn recorded(chip: Chip, kernel: &str) -> Counted {
     static RECORD: OnceLock<BTreeMap<String, OnBoard>> = OnceLock::new();
     let read = || serde_json::from_str(include_str!("../prices.json")).expect("a record of prices");
@@ -43,7 +44,7 @@ fn recorded(chip: Chip, kernel: &str) -> Counted {
 }
 
 impl Price {
-    /// Returns the price of an evaluation. Only `Fx16` has a share of fine points.
+    /// Returns the price of an evaluation. Only `Fx16` has points with a fine evaluation.
     pub(crate) fn of(
         chip: Chip,
         light: &Light,

@@ -10,7 +10,8 @@ use crate::price::Price;
 use crate::search::{Bound, Search};
 use crate::target::{Chip, Display, Tolerance};
 
-/// The chip, the display and the tolerance. The default tolerance is one step of the display.
+/// A request: the chip, the display and the tolerance. The default tolerance is one step of the
+/// display.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Request {
     pub(crate) chip: Chip,
@@ -33,7 +34,7 @@ pub struct Answer {
     pub tolerance: Tolerance,
     /// The evaluation.
     pub evaluation: Evaluation,
-    /// What a lit point costs.
+    /// The cost of a lit point.
     #[serde(flatten)]
     pub price: Price,
     /// The bound of the error, in the unit of the tolerance.
@@ -42,12 +43,12 @@ pub struct Answer {
     pub code: String,
 }
 
-/// A parameter that cannot be had, and the nearest that can.
+/// A parameter with a value that cannot be accepted, and the accepted values.
 #[derive(Clone, PartialEq, Debug, Serialize)]
 pub struct Refusal {
     /// The parameter.
     pub parameter: String,
-    /// Its value.
+    /// The value of the parameter.
     pub value: String,
     /// The accepted values.
     pub expected: String,
@@ -81,7 +82,7 @@ impl Request {
     ///
     /// # Errors
     /// A parameter of the light that is invalid. A tolerance that no evaluation keeps: the refusal
-    /// names the evaluation with the smallest bound.
+    /// names the smallest bound and its evaluation.
     pub fn pick(&self, light: &Light) -> Result<Answer, Refusal> {
         let amount = self.tolerance.amount();
         if !(amount > 0.0 && amount.is_finite()) {
@@ -107,9 +108,10 @@ impl Request {
         ))
     }
 
-    /// Returns what every evaluation of a light offers, the cheapest first. With a finite
-    /// `enough`, the list ends at the first whose bound is at most that, and the bounds before it
-    /// are only known to be more.
+    /// Returns an offer for every evaluation that can hold the light, the cheapest first.
+    ///
+    /// If `enough` is finite, the list ends at the first offer whose bound is at most `enough`. The
+    /// bounds of the offers before are not fully searched; they are only known to exceed `enough`.
     pub(crate) fn offers(&self, light: &Light, enough: f64) -> Result<Vec<Answer>, Refusal> {
         light.check()?;
         let cone = light.cone()?;
@@ -164,7 +166,8 @@ fn code(light: &Light, cone: &Shaped, evaluation: Evaluation, source: &str) -> S
     )
 }
 
-/// Returns a positive number with three digits, rounded up so that it is accepted.
+/// Returns a positive number with three digits, rounded up so that a tolerance of this number is
+/// accepted.
 pub(crate) fn rounded_up(value: f64) -> String {
     let decimals = (2.0 - value.log10().floor()).clamp(0.0, 30.0);
     let unit = 10_f64.powf(-decimals);

@@ -7,7 +7,7 @@ use crate::light::Light;
 use crate::request::{Answer, Refusal, Request, rounded_up};
 use crate::target::Tolerance;
 
-/// The lights of a scene, any of which may light the same point.
+/// The lights of a scene. Any of these lights may light the same point.
 #[derive(Clone, PartialEq, Default, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Scene {
@@ -17,55 +17,61 @@ pub struct Scene {
 
 /// How the errors of a picture add up, in the unit of the tolerance.
 ///
-/// The sum of the lights is proved to be a bound if those of the lights are. The encoding
-/// `g(x) = srgb(min(x, 1))` is concave and rises, so `g(a + b + e + f) - g(a + b)` is at most
-/// `|g(a + e) - g(a)| + |g(b + f) - g(b)|`: an error changes a brighter picture less. A colour or
-/// a reflectance `c <= 1` scales a light and its error alike. It does not raise the error in steps
-/// by more than 1.8 %, because `x g'(x)` rises but for a fall of 1.7 % where the two pieces of
-/// sRGB meet. This holds for light within full scale: brighter light counts as clipped before its
-/// colour.
+/// The sum of the bounds of the lights is proved to be a bound for the picture, if each bound holds
+/// for its light. The encoding `g(x) = srgb(min(x, 1))` is concave and increasing. So
+/// `g(a + b + e + f) - g(a + b)`, for lights `a` and `b` with errors `e` and `f`, is at most
+/// `|g(a + e) - g(a)| + |g(b + f) - g(b)|`: an error changes a brighter picture less. A colour or a
+/// reflectance `c <= 1` scales a light and its error by the same factor. This scaling increases the
+/// error in steps by at most 1.8 %, because `x g'(x)` is increasing except for a decrease of 1.7 %
+/// where the two pieces of sRGB meet. The last two sentences hold for light within full scale:
+/// brighter light counts as clipped before the multiplication by its colour.
 #[derive(Clone, Copy, PartialEq, Debug, Serialize)]
 pub struct Budget {
     /// The sum of the bounds of the lights.
     pub lights: f64,
-    /// The factor of colours and materials, less 1, times `lights`; and the rounding of the two
-    /// products in the formats of 16 bits, where sRGB is steepest.
+    /// The error that colours and materials add: the factor of colours and materials, less 1, times
+    /// `lights`, and in the formats of 16 bits the rounding errors of the two products, where sRGB
+    /// is steepest.
     pub materials: f64,
     /// The sum of `lights` and `materials`: at most the tolerance.
     pub total: f64,
-    /// The rounding to the display's steps, in steps. It is not part of the total.
+    /// The error of the rounding to the display's steps, in steps. This error is not part of the
+    /// total.
     pub display_rounding: f64,
 }
 
-/// The evaluation of each light, with the least sum of instructions.
+/// The evaluations of the lights of a scene with the least sum of instructions.
 #[derive(Clone, PartialEq, Debug, Serialize)]
 pub struct SceneAnswer {
     /// The lights in the order of the scene.
     pub lights: Vec<Answer>,
-    /// How their errors add up.
+    /// How the errors of the lights add up.
     pub budget: Budget,
-    /// Instructions of a point that every light lights.
+    /// Instructions for a point that all lights reach.
     pub instructions: f64,
-    /// The same with `Fx16` everywhere, if `Fx16` has all lights.
+    /// Instructions for the same point with `Fx16` for all lights, if `Fx16` can hold all lights.
     pub instructions_fx16: Option<f64>,
 }
 
-/// By how much colours may raise an error in steps.
+/// Relative increase of an error in steps that a colour may cause.
 const COLORS: f64 = 0.018;
 
 impl Request {
-    /// Returns the cheapest evaluations of the lights of a scene, so that the error of the picture
-    /// is within the tolerance. The search is exact.
+    /// Returns the cheapest evaluations of a scene's lights that keep the picture's error within
+    /// the tolerance.
+    ///
+    /// The search for the least sum of instructions is exact.
     ///
     /// # Errors
-    /// As [`pick`](Self::pick). A tolerance that no evaluations keep: the refusal names the
-    /// smallest sum.
+    /// The same errors as [`pick`](Self::pick). A tolerance that no combination of evaluations
+    /// keeps: the refusal names the smallest sum of the bounds.
     pub fn pick_scene(&self, scene: &Scene) -> Result<SceneAnswer, Refusal> {
         let tolerance = self.tolerance.amount();
         let offers: Result<Vec<_>, _> =
             scene.lights.iter().map(|light| self.offers(light, f64::INFINITY)).collect();
         let offers = offers?;
-        // The choices for the lights so far that no other choice beats in both figures.
+        // The Pareto-optimal choices for the lights so far: no other choice has both a smaller
+        // error and fewer instructions.
         let mut best = vec![Choice { error: 0.0, instructions: 0.0, offers: Vec::new() }];
         for offers in &offers {
             let mut longer: Vec<_> = best
@@ -82,7 +88,7 @@ impl Request {
                 }
             }
         }
-        // The choices are sorted by their error, and their instructions fall.
+        // The choices are sorted by ascending error and descending instructions.
         let Some(choice) = best.iter().rev().find(|choice| choice.error <= tolerance) else {
             let least = best.first().map_or(f64::INFINITY, |choice| choice.error);
             return Err(Refusal::parameter(
@@ -119,12 +125,12 @@ impl Request {
         }
     }
 
-    /// The bound of a light with its colour on a material.
+    /// Returns the bound of the error of a light, after its colour and a material.
     fn with_material(&self, offer: &Answer) -> f64 {
-        /// The steepest slope of sRGB.
+        /// The largest derivative of the sRGB encoding.
         const SLOPE: f64 = 12.92;
         let is_16 = matches!(offer.evaluation, Evaluation::Fx16 | Evaluation::Fx16Quick);
-        // Two products, each rounded by at most a step of 2^-14.
+        // Two products, each with a rounding error of at most a step of 2^-14.
         let rounding = if is_16 { 2.0 / 16_384.0 } else { 0.0 };
         offer.bound.value
             + match self.tolerance {
@@ -137,6 +143,6 @@ impl Request {
 struct Choice {
     error: f64,
     instructions: f64,
-    /// The number of the offer of each light.
+    /// The index of the chosen offer of each light.
     offers: Vec<usize>,
 }

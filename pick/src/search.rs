@@ -10,32 +10,32 @@ use crate::evaluation::{Evaluation, Kernel};
 use crate::light::{Light, Shaped};
 use crate::target::{Display, Tolerance};
 
-/// A bound is this factor times the largest error that a search finds.
+/// The factor from the largest error that a search finds to the stated bound.
 ///
-/// For 200 random lights by every evaluation, a search of 30 times the points with other random
-/// numbers finds at most 1.5 times the error
+/// For 200 random lights and every evaluation, a search with 30 times as many points and other
+/// random numbers finds at most 1.5 times the error
 /// (`cargo run --release -p luminaire-pick --example margin -- 200`). The errors of 1,000 answers,
-/// searched at 4 times the points, are at most 1.72 times those of the answers' own searches
-/// (`LUMINAIRE_FULL=1 cargo test -p luminaire-pick --test requests -- --nocapture`).
+/// searched with 4 times as many points, are at most 1.72 times the errors found by the answers'
+/// own searches (`LUMINAIRE_FULL=1 cargo test -p luminaire-pick --test requests -- --nocapture`).
 pub const MARGIN: f64 = 2.0;
 
-/// A bound of an error, with how it was found.
+/// A bound of an error, and how the bound was found.
 ///
-/// It holds for every axis and every surface within the distances of the light, and for points on
-/// the grid of 2^-16, which every format has.
+/// The bound holds for every axis of the light, and for every surface within the distances of the
+/// light. The coordinates of points are multiples of 2^-16, which every format can represent.
 #[derive(Clone, Copy, PartialEq, Debug, Serialize)]
 pub struct Bound {
     /// The bound, in the unit of the tolerance.
     pub value: f64,
-    /// The largest error that was found; `value` is [`MARGIN`] times as much.
+    /// The largest error that was found; `value` is [`MARGIN`] times this error.
     pub found: f64,
     /// How the bound was found: `searched`.
     pub label: &'static str,
-    /// Where the error is largest.
+    /// The position and the orientation of the surface at which the error is largest.
     pub at: Place,
 }
 
-/// A place of a surface in the light.
+/// The position and the orientation of a surface, relative to the light.
 #[derive(Clone, Copy, PartialEq, Default, Debug, Serialize)]
 pub struct Place {
     /// The angle off axis in degrees.
@@ -46,19 +46,20 @@ pub struct Place {
     pub cosine: f64,
 }
 
-/// Random points of a search.
+/// Number of random points of a search.
 const POINTS: usize = 12_000;
-/// Number of the worst points from which it climbs.
+/// Number of hill climbs of a search. Each climb starts at one of the points with the largest
+/// errors.
 const CLIMBS: usize = 48;
-/// Steps of each climb.
+/// Number of steps of each hill climb.
 const STEPS: usize = 400;
-/// Number of axes: the light's own, and random ones.
+/// Number of axes: the light's own axis, and random axes.
 const AXES: usize = 6;
-/// As far off axis as this, in outer half angles.
+/// Largest angle off axis of a point, in outer half angles.
 const REACH: f64 = 1.02;
 
-/// Points in the domain of a light, with the exact light. All evaluations are searched at the same
-/// points.
+/// Random points in the domain of a light, with the exact light at each point. All evaluations are
+/// searched at the same points.
 pub(crate) struct Search<'a> {
     light: &'a Light,
     cone: &'a Shaped,
@@ -68,29 +69,29 @@ pub(crate) struct Search<'a> {
     effort: usize,
 }
 
-/// An axis with its exact light.
+/// An axis, and the exact light with this axis.
 struct Aim {
     axis: [f32; 3],
     truth: SpotLight,
     half_angle: f64,
 }
 
-/// A surface point by the quantities on which its error depends.
+/// A surface point, described by the quantities on which the error depends.
 #[derive(Clone, Copy)]
 struct Sample {
     aim: usize,
-    /// Off axis, in outer half angles.
+    /// The angle off axis, in outer half angles.
     off: f64,
-    /// About the axis, in radians.
+    /// The angle about the axis, in radians.
     turn: f64,
-    /// From 0 at the nearest distance to 1 at the farthest.
+    /// The distance on a logarithmic scale: 0 at the nearest distance, 1 at the farthest.
     depth: f64,
-    /// The angle of incidence and the turn of the normal about the ray, in radians.
+    /// The angle of incidence, and the rotation of the normal about the ray, in radians.
     incidence: f64,
     spin: f64,
 }
 
-/// A surface point as kernels take it, and its exact light.
+/// A surface point in the form that kernels take, and the exact light at this point.
 struct Site {
     point: [f32; 3],
     normal: [f32; 3],
@@ -124,7 +125,7 @@ impl<'a> Search<'a> {
         search
     }
 
-    /// A random sample, near the limits of its domain as often as within.
+    /// Returns a random sample. At least half of the values are near the limits of their domain.
     fn sample(&mut self) -> Sample {
         let random = &mut self.random;
         let near = |random: &mut SplitMix64| (-9.0 * random.between(0.0, 1.0)).exp();
@@ -170,8 +171,10 @@ impl<'a> Search<'a> {
         Site { point: point.to_array(), normal: normal.to_array(), exact, place }
     }
 
-    /// Returns the bound of the error of an evaluation. If the random points exceed `enough`, the
-    /// search ends with them.
+    /// Returns the bound of the error of an evaluation.
+    ///
+    /// If the bound from the random points already exceeds `enough`, the search does only one hill
+    /// climb.
     pub(crate) fn bound(
         &self,
         evaluation: Evaluation,
@@ -212,7 +215,7 @@ impl<'a> Search<'a> {
     /// Returns the share of the points that take the fine evaluation and keep its result. The
     /// points are evenly spread over the cone and the distances.
     pub(crate) fn fine_share(&self, kernel: &dyn Kernel) -> f64 {
-        /// Light from which on `Fx16` keeps the coarse result of a bright light.
+        /// Irradiance from which on `Fx16` keeps the coarse result instead of the fine evaluation.
         const CLIPPED: f64 = 1.125;
         const COUNT: usize = 512;
         let mut random = SplitMix64(1953);
@@ -247,7 +250,7 @@ fn moved(random: &mut SplitMix64, mut sample: Sample) -> Sample {
     sample
 }
 
-/// A unit vector at right angles to another.
+/// Returns a unit vector orthogonal to a unit vector.
 fn across(unit: DVec3) -> DVec3 {
     unit.any_orthonormal_vector()
 }

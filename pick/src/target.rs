@@ -15,10 +15,10 @@ macro_rules! named {
         }
 
         impl $name {
-            /// All of them.
+            /// All variants.
             pub const ALL: &'static [Self] = &[$(Self::$variant),*];
 
-            /// The name in texts and in JSON.
+            /// Returns the name in texts and in JSON.
             pub const fn name(self) -> &'static str {
                 match self {
                     $(Self::$variant => $text,)*
@@ -61,17 +61,18 @@ named! {
 }
 
 named! {
-    /// A display. It encodes in sRGB and then rounds to steps.
+    /// A display. Its values are encoded in sRGB and then rounded to steps.
     Display {
-        /// 5, 6 and 5 bits: a step is 1/63 after encoding, that of the green channel.
+        /// 5, 6 and 5 bits for red, green and blue. A step is 1/63 after encoding, the step of the
+        /// green channel.
         Rgb565 = "rgb565",
-        /// 8 bits: a step is 1/255 after encoding.
+        /// 8 bits per channel. A step is 1/255 after encoding.
         Rgb888 = "rgb888",
     }
 }
 
 impl Display {
-    /// The number of steps from black to full scale.
+    /// Returns the number of steps from black to full scale.
     pub fn steps(self) -> f64 {
         match self {
             Self::Rgb565 => 63.0,
@@ -91,14 +92,14 @@ pub enum Tolerance {
 }
 
 impl Tolerance {
-    /// The number of steps or codes.
+    /// Returns the number of steps or codes.
     pub fn amount(self) -> f64 {
         match self {
             Self::Steps(amount) | Self::Codes(amount) => amount,
         }
     }
 
-    /// The error of a light in the unit of the tolerance. Light over full scale is clipped.
+    /// Returns the error of a light in the unit of the tolerance. Light over full scale is clipped.
     pub(crate) fn error(self, display: Display, found: f64, exact: f64) -> f64 {
         let [found, exact] = [found, exact].map(|light| light.clamp(0.0, 1.0));
         match self {
@@ -107,7 +108,7 @@ impl Tolerance {
         }
     }
 
-    /// The unit in texts.
+    /// Returns the name of the unit in texts.
     pub(crate) fn unit(self, display: Display) -> String {
         match self {
             Self::Steps(_) => format!("steps of {display}"),
