@@ -1,5 +1,5 @@
-//! Functions for tests: random lights, the exact light of an answer, and the ratio of the errors
-//! found by a longer search to those found by the search of an answer.
+//! Functions for tests: random lights, the exact light of an answer, and longer searches for its
+//! error.
 
 use luminaire_oracle::SplitMix64;
 

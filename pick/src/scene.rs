@@ -29,9 +29,9 @@ pub struct Scene {
 pub struct Budget {
     /// The sum of the bounds of the lights.
     pub lights: f64,
-    /// The error that colours and materials add: the factor of colours and materials, less 1, times
-    /// `lights`, and in the formats of 16 bits the rounding errors of the two products, where sRGB
-    /// is steepest.
+    /// The error that colours and materials add. This error is `lights` times the factor of colours
+    /// and materials, less 1. In the formats of 16 bits, the rounding errors of the two products
+    /// are added, as encoded where sRGB is steepest.
     pub materials: f64,
     /// The sum of `lights` and `materials`: at most the tolerance.
     pub total: f64,

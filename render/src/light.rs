@@ -30,8 +30,8 @@ use luminaire::{
 pub(crate) struct Finish<S: Scalar> {
     material: Material,
     pub(crate) highlight: <Highlight as SpecularLobe>::Constants<S>,
-    /// Radius of the specular lobe: the largest chord between the mirrored view direction and a
-    /// direction to a light that still causes a highlight.
+    /// Radius of the specular lobe, as a chord. A light causes a highlight only if the chord
+    /// between the mirrored view direction and the direction to the light is at most this radius.
     pub(crate) lobe: f32,
 }
 

@@ -25,7 +25,7 @@ pub(crate) struct Span<'a> {
     /// Indices of the pixels, row by row from the top.
     pub(crate) pixels: core::ops::Range<usize>,
     corners: [&'a Corner; 3],
-    /// Barycentric weights of the second and the third corner: each is the weight at the first
+    /// Barycentric weights of the second and the third corner. Each pair is the weight at the first
     /// pixel, and the change of the weight from one pixel to the next.
     to_b: (f32, f32),
     to_c: (f32, f32),
@@ -198,14 +198,14 @@ struct Edge {
 ///
 /// The edge takes two divisions at the start and no division per row.
 struct Walk {
-    /// `at` is twice the signed area of the triangle that the edge forms with the centre of the
-    /// row's first pixel: positive inside. `column` and `row` are the changes of `at` to the next
+    /// `at` is twice a signed area, positive inside: that of the triangle of the edge and the
+    /// centre of the row's first pixel. `column` and `row` are the changes of `at` to the next
     /// column and to the next row.
     at: i64,
     column: i64,
     row: i64,
-    /// 0 for a top or left edge, whose points belong to this triangle; 1 for any other edge, whose
-    /// points belong to the neighbouring triangle.
+    /// 0 for a top or left edge, 1 for any other edge. The points on a top or left edge belong to
+    /// this triangle, the points on any other edge to the neighbouring triangle.
     excluded: i64,
     /// `whole` is the absolute change of `at` per column. `columns` and `rest` are the quotient and
     /// the remainder of `(at - excluded) / whole`; the quotient gives the column where the edge

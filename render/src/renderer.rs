@@ -59,9 +59,9 @@ pub struct Renderer<S: Format> {
     triangles: usize,
     /// The lights of the current picture; `None` if the whole picture must be lit.
     lit: Option<Vec<Fixture>>,
-    /// Three tables of bits: which fixtures reach which regions (`near`), which fixtures reach the
-    /// surfaces of which tiles (`reached`), and which beams are visible in the air in front of
-    /// which tiles (`seen`).
+    /// Three tables of bits. `near`: which fixtures reach which regions. `reached`: which fixtures
+    /// reach the surfaces of which tiles. `seen`: which beams are visible in the air in front of
+    /// which tiles.
     near: Reached,
     reached: Reached,
     seen: Reached,

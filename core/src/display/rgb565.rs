@@ -3,7 +3,7 @@
 use super::srgb::nearest_code;
 use crate::{color::Rgb, number::Scalar};
 
-/// A pixel of 16 bits: red in the upper five bits, green in the middle six, blue in the lower five.
+/// A pixel of 16 bits: five upper bits of red, six middle bits of green, five lower bits of blue.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Default, Debug)]
 #[repr(transparent)]
 pub struct Rgb565(pub u16);

@@ -11,10 +11,9 @@ use crate::{
 /// Upper end of the linear segment of the sRGB curve, in linear light.
 const TOE: f32 = 0.003_130_8;
 
-/// The curved part of the sRGB encoding, in codes of 1/255, as a polynomial in the square root of
-/// the linear value.
+/// The curved part of the sRGB encoding, as a polynomial in the square root of the linear value.
 ///
-/// Coefficients start with the constant term. Minimax fit of degree 4 to
+/// Coefficients start with the constant term. Minimax fit of degree 4, in codes of 1/255, to
 /// `255 (1.055 x^(1/2.4) - 0.055)`, with an error of at most 0.2 codes. An error below 0.5 codes
 /// suffices, because the polynomial only selects a threshold, and the comparison with this
 /// threshold determines the code.
@@ -34,11 +33,11 @@ const DECODE: [f32; 8] = [
     0.062_172_695,
 ];
 
-/// Returns the sRGB code of a linear value: 0 for NaN and values up to 0, 255 for values from 1 on.
+/// Returns the sRGB code of a linear value.
 ///
-/// The result is exactly the nearest code, for every value of every format. Fixed point compares
-/// integers only; f32 uses a square root, a polynomial and one comparison instead of the power
-/// 1/2.4.
+/// The code is 0 for NaN and values up to 0, and 255 for values from 1 on. The result is exactly
+/// the nearest code, for every value of every format. Fixed point compares integers only; f32 uses
+/// a square root, a polynomial and one comparison instead of the power 1/2.4.
 ///
 /// ```
 /// assert_eq!([0.0, 0.5, 1.0].map(luminaire::display::encode_srgb::<f32>), [0, 188, 255]);

@@ -25,8 +25,8 @@ pub(super) struct Arc {
     foot: Vec3<f32>,
     height: f32,
     reciprocal: f32,
-    /// The cosine of the angle between the axis and the direction to the foot (`across`), and of
-    /// the angle between the axis and the ray (`along`).
+    /// The cosines of two angles: between the axis and the direction to the foot, between the axis
+    /// and the ray.
     across: f32,
     along: f32,
     /// The cosine and the versine of the angle between the axis and the great circle.

@@ -88,8 +88,9 @@ struct Decay {
     range: Option<f64>,
 }
 
-/// The polynomial `scale ((1 - share) d^n + share d^(n + 1))` with `n` of 0 or 1, which
-/// approximates the power of the distance.
+/// A polynomial that approximates the power of the distance.
+///
+/// The polynomial is `scale ((1 - share) d^n + share d^(n + 1))`, with `n` of 0 or 1.
 #[derive(Clone, Copy)]
 struct Divisor {
     /// Whether `n` is 1; otherwise it is 0.
@@ -138,8 +139,9 @@ impl Decay {
         }
     }
 
-    /// Returns the cap of the attenuation factor: the cap of the original, or less if the scaled
-    /// intensity would exceed 1e9.
+    /// Returns the cap of the attenuation factor.
+    ///
+    /// The cap is that of the original, or less if the scaled intensity would exceed 1e9.
     fn cap(&self, stop: f64, intensity: f32) -> f32 {
         let original = 1.0 / real_power(stop, self.exponent);
         (original as f32).min(MOST / intensity.max(MOST / MOST_CAP))

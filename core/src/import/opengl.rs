@@ -21,8 +21,8 @@ use crate::{
 /// degrees gives a point light.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct OpenGl {
-    /// `GL_SPOT_CUTOFF`: the half angle in degrees from which on there is no light, in (0, 90]. 180
-    /// means a point light.
+    /// `GL_SPOT_CUTOFF`: the half angle from which on there is no light. In degrees, in (0, 90];
+    /// 180 means a point light.
     pub spot_cutoff: f32,
     /// `GL_SPOT_EXPONENT`: from 0 to 1,024; OpenGL allows up to 128.
     pub spot_exponent: f32,

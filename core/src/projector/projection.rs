@@ -45,8 +45,8 @@ pub struct Projection {
     tangent: f32,
 }
 
-/// An axis counts as vertical if the squared sine of its angle from the vertical is below this
-/// value: about one degree.
+/// Squared sine of the angle from the vertical below which an axis counts as vertical: about one
+/// degree.
 const UPRIGHT: f32 = 3.0e-4;
 
 impl Projection {

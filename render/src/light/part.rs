@@ -6,8 +6,8 @@ use crate::{
 };
 use glam::Vec3;
 
-/// Bounds of the surface at some pixels of a block: a sphere around the points, and a sphere around
-/// the normals.
+/// Bounds of the surface at some pixels of a block: one sphere around the points, one around the
+/// normals.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Part {
     pub(crate) bounds: Bounds,

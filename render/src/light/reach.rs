@@ -80,8 +80,9 @@ impl Reach {
         }
     }
 
-    /// Returns the directions from the points within the bounds to the light; `None` if the light
-    /// may be inside the bounds.
+    /// Returns the directions from the points within the bounds to the light.
+    ///
+    /// Returns `None` if the light may be inside the bounds.
     pub(crate) fn directions_from(&self, bounds: &Bounds) -> Option<Directions> {
         match self.source {
             Source::Direction(direction) => Some(Directions::new(direction)),

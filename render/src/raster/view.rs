@@ -21,12 +21,12 @@ pub(crate) const SUBPIXEL_BITS: u32 = 8;
 pub(crate) struct View {
     eye: Vec3,
     ahead: Vec3,
-    /// The right and up vectors, scaled so that a point at the border of the picture has `|x|` or
-    /// `|y|` equal to its depth.
+    /// The scaled right and up vectors. At the border of the picture, the absolute value of the
+    /// coordinate `x` or `y` of a point equals its depth.
     right: Vec3,
     up: Vec3,
-    /// Vectors at depth 1: from a pixel to its right neighbour (`column`), from a pixel to its
-    /// lower neighbour (`row`), and from the eye to the centre of the first pixel (`first`).
+    /// Vectors at depth 1. `column` points from a pixel to its right neighbour, `row` from a pixel
+    /// to its lower neighbour, and `first` from the eye to the centre of the first pixel.
     column: Vec3,
     row: Vec3,
     first: Vec3,
@@ -136,8 +136,9 @@ impl View {
         self.ahead
     }
 
-    /// Returns the vector from the eye to depth 1 through the centre of a row's first pixel, and
-    /// the vector from one pixel to the next.
+    /// Returns the vectors to a row's first pixel and from one pixel to the next.
+    ///
+    /// Both vectors are at depth 1. The first vector is from the eye to the centre of the pixel.
     pub(crate) fn ray(&self, row: usize) -> (Vec3, Vec3) {
         (self.first + self.row * row as f32, self.column)
     }

@@ -28,8 +28,8 @@ pub struct Account {
     pub kept: u64,
     /// The pairs skipped because the light does not reach the tile.
     pub missed_by_tile: u64,
-    /// The pairs skipped in a tile that the light may reach: the light does not reach a row of 32
-    /// pixels in the tile, or the surfaces of that row face away from the light.
+    /// The pairs skipped in rows of 32 pixels, within tiles that the light may reach. The light
+    /// does not reach such a row, or the surfaces of the row face away from the light.
     pub missed_by_row: u64,
 }
 

@@ -82,8 +82,7 @@ impl Mesh {
         mesh
     }
 
-    /// Creates a box of this width, height and depth in metres that stands on y = 0 around the y
-    /// axis.
+    /// Creates a box of this width, height and depth in metres, on y = 0 and around the y axis.
     pub fn cuboid(width: f32, height: f32, depth: f32) -> Self {
         let (x, z) = (width / 2.0, depth / 2.0);
         let mut mesh = Self::default();

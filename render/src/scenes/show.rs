@@ -1,4 +1,4 @@
-//! A dark theatre: moving heads on a truss send coloured beams across a stage, and two other moving
+//! A dark theatre: moving heads on a truss send coloured beams across a stage. Two other moving
 //! heads project patterns on the wall behind the stage.
 
 use super::{

@@ -14,8 +14,9 @@ pub(crate) fn direction(way: Vec3) -> Vec3 {
     luminaire::Vec3::from(way).unit().into()
 }
 
-/// Returns the direction and the reciprocal of the length; both are zero for a vector so short that
-/// its square is subnormal or zero.
+/// Returns the direction and the reciprocal of the length.
+///
+/// Both are zero for a vector so short that its square is subnormal or zero.
 #[inline(always)]
 pub(crate) fn direction_and_reciprocal(way: Vec3) -> (Vec3, f32) {
     (direction(way), luminaire::Vec3::from(way).reciprocal_length())

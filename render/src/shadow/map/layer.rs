@@ -18,8 +18,8 @@ pub(super) struct Layer {
     /// least nearness of an almost edge-on surface is so small that the surface behind determines
     /// the value.
     hiding: Vec<f32>,
-    /// Result of the vertical pass: for each texel of a row, the least `hiding` of this texel and
-    /// of the texels above and below on the same surface.
+    /// Result of the vertical pass for each texel of a row. The value is the least `hiding` of this
+    /// texel and of the texels above and below on the same surface.
     column: Vec<f32>,
 }
 

@@ -40,8 +40,8 @@ pub(super) fn depth_error<S: Scalar>(tangent: f32) -> f32 {
 pub(super) struct Slope {
     /// Tangent of half the angle of the square.
     tangent: f32,
-    /// Largest distance between a point and the centre of the texel with which the point is
-    /// compared, in half sides of the square.
+    /// Largest distance between a point and the centre of a texel whose depth is compared with the
+    /// point, in half sides of the square.
     reach: f32,
 }
 

@@ -17,8 +17,7 @@ use std::string::ToString;
 /// Largest error of a shadow edge, in texels.
 const TEXELS: f64 = 2.0;
 
-/// Expected range of the largest cosine of the angle of incidence at which a point of a convex body
-/// is not fully lit.
+/// Expected range of the result of [`steepest_shadowed`] for convex bodies.
 const GRAZING: core::ops::Range<f64> = 0.17..0.19;
 
 /// A format whose lengths convert exactly to f64.

@@ -1,5 +1,7 @@
-//! Tests that bounding spheres of directions enclose the directions, and that no highlight extends
-//! beyond its lobe by more than [`MARGIN`] in any format.
+//! Tests of the bounding spheres of directions, and of the margin.
+//!
+//! The spheres must enclose the directions. No highlight may extend beyond its lobe by more than
+//! [`MARGIN`] in any format.
 
 use super::*;
 use crate::{Format, Highlight, Material, light::Finish};
