@@ -61,7 +61,7 @@ pub trait Attenuation: Copy + PartialEq + core::fmt::Debug {
         false
     }
 
-    /// Returns the range of the light, if it has one.
+    /// Returns the range of the light; `None` for a light without a range.
     fn range(&self) -> Option<f32> {
         None
     }
@@ -117,8 +117,8 @@ pub struct SmoothRange {
 
 named!(NoAttenuation InverseSquare Polynomial SmoothRange);
 
-/// The shortest and the longest range. The squares of both, and the reciprocals of these squares,
-/// are well inside the range of f32.
+/// The shortest and the longest range. The squares of both ranges, and the reciprocals of these
+/// squares, are well inside the limits of f32.
 const RANGES: (f32, f32) = (1e-3, 1e9);
 
 fn checked_range(range: f32) -> Result<f32, Error> {
@@ -131,7 +131,8 @@ fn checked_range(range: f32) -> Result<f32, Error> {
     }
 }
 
-/// Returns `1 / r^2`, which converts a squared distance to `(d/r)^2`; 0 without a range.
+/// Returns `1 / r^2` of a range `r`; 0 without a range. A squared distance times this factor is
+/// `(d/r)^2`.
 fn inverse_squared<S: Scalar>(range: Option<f32>) -> S::Gain {
     S::gain(range.map_or(0.0, |range| 1.0 / (range * range)))
 }

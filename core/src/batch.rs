@@ -25,7 +25,7 @@ use crate::{
 /// Number of points per block. The number is large enough to amortise the start of a loop. The
 /// number is also small enough for the first-level cache to hold the results of the first pass.
 ///
-/// Compilers fully unroll a loop over 32 points, which is slower.
+/// A block of 32 points would be slower, because compilers fully unroll a loop over 32 points.
 const BLOCK: usize = 64;
 
 /// Results passed from the first pass to the second, aligned so that no vector load crosses a cache

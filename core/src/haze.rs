@@ -40,8 +40,8 @@
 //! between the same edges of the cone and up to the range of the light. If the light neither has a
 //! range nor attenuates, an endless ray in the beam is as bright as f32 allows.
 //!
-//! The computation is in `f32` for lights of every format. `1/h` varies too much for one
-//! fixed-point scale per picture, and a renderer with haze uses floats for its colours anyway.
+//! The computation is in `f32` for lights of every format. Within a picture, `1/h` varies too much
+//! for one fixed-point scale, and a renderer with haze uses floats for its colours anyway.
 
 mod arc;
 mod beam;

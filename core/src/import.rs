@@ -1,8 +1,9 @@
 //! Lights of other systems, converted to lights of this crate.
 //!
 //! Each system has a type whose fields have the system's names, units and defaults. The method
-//! `import` of that type takes the light's position and direction. It returns a light of this crate
-//! and the largest difference of this light from the original. The module does not parse files.
+//! `import` of that type takes the light's position and direction. The method returns a light of
+//! this crate and the largest difference of this light from the original. The module does not parse
+//! files.
 //!
 //! ```
 //! use luminaire::{Vec3, import};
@@ -54,8 +55,8 @@
 //! below 1 has an infinite derivative with respect to the angle at its edge. At that edge, a format
 //! bounds the error of the position, not of the intensity.
 //!
-//! Divisions by zero in the original are not imported: an inner angle equal to the outer one gives
-//! a step. For equal angles, glTF's reference code divides by 0.001 instead;
+//! Divisions by zero in the original are not imported: an inner angle equal to the outer angle
+//! gives a step. For equal angles, glTF's reference code divides by 0.001 instead;
 //! [`Gltf::import_as_recommended`] reproduces this division.
 //!
 //! # One type

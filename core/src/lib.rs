@@ -75,8 +75,8 @@
 //!
 //! Light has no unit: 1 is full scale. An intensity of 1 gives an irradiance of 1 at a surface that
 //! faces the light, on the axis at distance 1. A matt surface of albedo 1 shows its whole
-//! irradiance, without the factor `1/pi` of a radiance. Lengths may have any unit, the same for the
-//! whole scene.
+//! irradiance, without the factor `1/pi` of a radiance. Lengths may have any unit, if all lengths
+//! of a scene have the same unit.
 //!
 //! # Data flow
 //!
@@ -130,9 +130,9 @@
 //!
 //! # Features
 //!
-//! All features are additive, and any set of them compiles. Without `libm`, `std` and `micromath`,
-//! set-up uses series of this crate for sine and arc sine, and the error of its angles is at most a
-//! relative 1e-6.
+//! All features are additive, and any set of features compiles. Without `libm`, `std` and
+//! `micromath`, set-up uses series of this crate for sine and arc sine, and the error of its angles
+//! is at most a relative 1e-6.
 //!
 //! | feature | adds |
 //! |---|---|

@@ -4,8 +4,7 @@
 //!
 //! With the feature `arithmetic` the lists are exported as macros at the crate root.
 
-/// Calls a macro with its own arguments and the list of all falloffs that can be chosen at run
-/// time.
+/// Calls a macro with the given arguments, followed by the list of all run-time falloffs.
 ///
 /// A row is `doc variant(type) = name, sample, truth;`. `doc` is one sentence; `variant` is the
 /// variant in [`AnyFalloff`](crate::falloff::AnyFalloff) and [`Effect`](crate::dynamic::Effect);
@@ -92,7 +91,7 @@ macro_rules! constant_falloffs {
     };
 }
 
-/// Calls a macro with its own arguments and the list of all run-time attenuations.
+/// Calls a macro with the given arguments, followed by the list of all run-time attenuations.
 ///
 /// A row is `doc variant(type) = any |n| ...;`. The part `any` draws a random attenuation from
 /// numbers `n()` in [0, 1). The row also lists the types that replace the run-time type in programs
@@ -135,7 +134,7 @@ macro_rules! attenuations {
     };
 }
 
-/// Calls a macro with its own arguments and the list of all specular lobes.
+/// Calls a macro with the given arguments, followed by the list of all specular lobes.
 ///
 /// The rows are `doc type = name, value;`.
 #[cfg(feature = "arithmetic")]

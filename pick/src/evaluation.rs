@@ -1,4 +1,4 @@
-//! The evaluations of a spotlight, and a light compiled for one of them.
+//! The evaluations of a spotlight, and a light compiled for one evaluation.
 
 use std::marker::PhantomData;
 
@@ -11,7 +11,7 @@ use luminaire::{Error, Fx16, Fx32, Scalar, Vec3};
 use crate::light::{Attenuation, Light, Shaped, shaped};
 use crate::target::named;
 
-/// Calls a macro with its own arguments and the list of evaluations. A row is
+/// Calls a macro with the given arguments, followed by the list of evaluations. A row is
 /// `doc variant = name, type, format, constructor;`.
 macro_rules! evaluations {
     ($consumer:ident $(; $($arguments:tt)*)?) => {

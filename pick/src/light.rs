@@ -38,7 +38,8 @@ named! {
 pub struct Light {
     /// The name in texts.
     pub name: String,
-    /// The position, in the unit of the distances. It is rounded to a multiple of 2^-16.
+    /// The position, in the unit of the distances. Each coordinate is rounded to a multiple of
+    /// 2^-16.
     pub position: [f32; 3],
     /// The axis, of any length.
     pub axis: [f32; 3],

@@ -49,7 +49,8 @@ pub struct SceneAnswer {
     pub budget: Budget,
     /// Instructions for a point that all lights reach.
     pub instructions: f64,
-    /// Instructions for the same point with `Fx16` for all lights, if `Fx16` can hold all lights.
+    /// Instructions for a point that all lights reach, with `Fx16` for all lights; `None` if `Fx16`
+    /// cannot hold all lights.
     pub instructions_fx16: Option<f64>,
 }
 

@@ -1,4 +1,4 @@
-//! The renderer. It repeats only the passes whose input has changed.
+//! The renderer. A renderer repeats only the passes whose input has changed.
 
 pub(crate) mod account;
 pub(crate) mod display;

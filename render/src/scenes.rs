@@ -44,7 +44,8 @@ pub enum Example {
     ThreePoint,
     /// A floor under 64 narrow spotlights.
     Grid,
-    /// The floor of `Grid` under 8 wide spotlights, whose cones cover the same area as its 64 narrow ones.
+    /// The floor of `Grid` under 8 wide spotlights, whose cones cover the same area as the 64
+    /// narrow spotlights.
     WideGrid,
     /// Pictures and sculptures in the light of many kinds of lights.
     Gallery,

@@ -83,7 +83,7 @@ fn plain<S: Scalar>(distance: &CompiledAnyAttenuation<S>) -> Option<Plain> {
     }
 }
 
-/// The plain attenuations: each is evaluated in the same loop as the falloff.
+/// The plain attenuations, which are evaluated in the same loop as the falloff.
 enum Plain {
     Unattenuated,
     InverseSquare,

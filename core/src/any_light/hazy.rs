@@ -22,8 +22,8 @@ impl BeamScattering<AnyFalloff, AnyAttenuation> {
     /// Computes the in-scattered light of `N` rays. The result is bit-identical to
     /// [`in_scattering`](Self::in_scattering) with the beam's own falloff type.
     ///
-    /// With the inverse-square law there is one loop per falloff. All other attenuations share one
-    /// loop with branches.
+    /// For the inverse-square law there is one loop per falloff, without branches on the falloff.
+    /// All other attenuations share one loop with branches on falloff and attenuation.
     pub fn in_scattering_each<const N: usize>(&self, rays: &ViewRays<N>, lights: &mut [f32; N]) {
         if AnyAttenuation::is_inverse_square::<f32>(&self.attenuation) {
             with_profile!(self.falloff, profile, curve => each(&self.by_square(profile, curve), rays, lights));

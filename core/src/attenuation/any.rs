@@ -63,7 +63,7 @@ macro_rules! any_attenuation {
                 Ok(NoAttenuation.into())
             }
 
-            /// Returns the range of the light, if it has one.
+            /// Returns the range of the light; `None` for a light without a range.
             pub fn range(&self) -> Option<f32> {
                 match self {
                     $(Self::$variant(attenuation) => Attenuation::range(attenuation),)*

@@ -129,7 +129,7 @@ impl<W: Window, A: Attenuation> Ranged<W, A> {
         self.attenuation
     }
 
-    /// Returns the range of the light, if it has one.
+    /// Returns the range of the light; `None` for a light without a range.
     pub fn range(&self) -> Option<f32> {
         self.range
     }

@@ -7,11 +7,11 @@
 //! two-level rendition of continuous-tone pictures*, ICC 1973).
 //!
 //! The share is computed in linear light, because an eye that does not resolve the pixels adds
-//! linear light. At a quarter of the distance from one code's light to the next, a quarter of the
-//! pixels shows the upper code. The alternative, a share computed from the encoded value, would
-//! make a cell too bright, for dark colours by up to a twentieth of a step between codes. The
-//! alternative would also need the encoding, whereas the share in linear light only needs a table
-//! of the light of each code.
+//! linear light. For a value at a quarter of the distance from the lower code's light to the upper
+//! code's light, a quarter of the pixels shows the upper code. The alternative, a share computed
+//! from the encoded value, would make a cell too bright, for dark colours by up to a twentieth of a
+//! step between codes. The alternative would also need the encoding, whereas the share in linear
+//! light only needs a table of the light of each code.
 //!
 //! There is no amplitude parameter. Full dither keeps the mean light. Without dither
 //! ([`encode_srgb`](super::encode_srgb), [`Rgb565::from_linear`]) each pixel shows the nearest

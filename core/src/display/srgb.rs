@@ -103,8 +103,8 @@ fn encode_float<const LAST: usize>(linear: f32) -> u8 {
 fn settled<const LAST: usize>(linear: f32, code: usize) -> u8 {
     // The threshold between the two codes around the value. For a value near the light of a code,
     // the polynomial may select the threshold on the other side of that code. The comparison with
-    // either threshold gives the same code. Beyond the last threshold `get` returns `None`; an
-    // index expression would panic.
+    // the threshold below the code's light and the comparison with the threshold above give the
+    // same code. Beyond the last threshold `get` returns `None`; an index expression would panic.
     let reaches = Thresholds::<LAST>::FLOAT.get(code).is_some_and(|threshold| linear >= *threshold);
     (code + usize::from(reaches)) as u8
 }

@@ -128,10 +128,11 @@ impl Arc {
         let (from, to) = (self.toward(self.first, near), self.toward(self.last, far));
         let length = to - from;
         // `v` increases along a ray, except where the arc passes the point of its circle opposite
-        // the axis. There `from` is positive and `to` negative. These signs are reliable: the sign
-        // of `v` is the sign of a sine that is monotone in the coordinate, even after rounding. The
-        // difference `to - from` would consist of rounding errors there. Such an arc contains at
-        // most one edge of the cone, because the arc is shorter than a half circle.
+        // the axis. In that case `from` is positive and `to` is negative. These signs are reliable:
+        // the sign of `v` is the sign of a sine that is monotone in the coordinate, even after
+        // rounding. Near that point, the difference `to - from` may consist of rounding errors
+        // only. Such an arc contains at most one edge of the cone, because the arc is shorter than
+        // a half circle.
         let is_around = from > 0.0 && to < 0.0;
         let is_short = length < SHORT && !is_around;
         // `worth` is `(to - from) / height`, computed without the difference `to - from`.

@@ -23,7 +23,7 @@ pub struct BeamScattering<P: Falloff = SoftOrHard, A: Attenuation = InverseSquar
     pub(crate) falloff: CompiledCone<f32, P>,
     pub(crate) attenuation: A::Constants<f32>,
     pub(crate) gain: f32,
-    /// Versines between which the intensity varies by more than one [`STEP`].
+    /// The two versines between which the intensity varies by more than one [`STEP`].
     ///
     /// Up to the first versine the intensity is that of the axis; from the second versine on, the
     /// intensity is zero.

@@ -13,15 +13,15 @@ use crate::{attenuation::Attenuation, falloff::Falloff, vec3::Vec3};
 
 /// Callback that attenuates the light of `PARTS` sample points in a beam.
 ///
-/// The callback gets the points and the light scattered at each point. It multiplies each light by
-/// the transmittance (shadow, gobo) at its point.
+/// The callback gets the points and the light scattered at each point. The callback multiplies each
+/// light by the transmittance (shadow, gobo) at the light's point.
 pub type TransmittanceFn<'a, const PARTS: usize> = dyn FnMut(&Vec3<[f32; PARTS]>, &mut [f32; PARTS]) + 'a;
 
 /// The part of a view ray inside a beam, and the steps of its integration.
 struct Parts {
     arc: Arc,
-    /// The integration variable; `None` for an inverse-square attenuation, which is integrated over
-    /// the arc.
+    /// The integration variable; `None` for the inverse-square law, where the integration variable
+    /// is `v` of the arc.
     stretch: Option<Stretch>,
     from: f32,
     step: f32,

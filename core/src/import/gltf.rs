@@ -63,7 +63,8 @@ impl Gltf {
 
     /// Returns the spotlight of the code that the extension recommends, with its `max(0.001, ...)`.
     ///
-    /// Images of this light match those of other renderers. The import is exact.
+    /// Images of this light match the images of other renderers that use the recommended code. The
+    /// import is exact.
     ///
     /// If the cosines of the two angles differ by 0.001 or more, the result equals that of
     /// [`import`](Self::import). Otherwise the falloff rises over a span of 0.001 in the cosine,

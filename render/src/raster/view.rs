@@ -50,9 +50,9 @@ pub(crate) struct Corner {
     /// Distance from the left and from the top border, in 256ths of a pixel.
     pub(crate) x: i32,
     pub(crate) y: i32,
-    /// The reciprocal of the depth, which is linear on the screen.
+    /// The reciprocal of the depth. This reciprocal is linear on the screen.
     pub(crate) nearness: f32,
-    /// The normal times the nearness. This product is linear on the screen, too.
+    /// The normal times the nearness. This product is linear on the screen.
     pub(crate) normal: Vec3,
 }
 

@@ -13,7 +13,7 @@ pub struct Account {
     pub tiles_relit: u32,
     /// The lights in the slice that was passed.
     pub lights: u32,
-    /// The dark lights, which were dropped.
+    /// The number of dark lights, which were dropped.
     pub lights_dropped: u32,
     /// The pairs that were evaluated.
     pub evaluated: u64,

@@ -59,7 +59,7 @@ loops!(f32 Fx32 Fx16);
 /// Returns the largest difference of a channel between a picture in this format and a picture in
 /// `f32`.
 ///
-/// The difference is in sRGB codes of 0 to 255. It was measured on the
+/// The difference is in sRGB codes of 0 to 255. The difference was measured on the
 /// [stage](crate::scenes::stage) from several cameras: under the stage's own lights, and under hard
 /// beams of 4 degrees that are four times as bright. Under the stage's own lights the difference is
 /// 1 code in both fixed-point formats: in about one of 200 channels with 16 bits, and in one of

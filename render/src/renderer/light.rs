@@ -60,8 +60,8 @@ impl<S: Format> Renderer<S> {
 
     /// Returns the indices of the changed fixtures.
     ///
-    /// A fixture counts as changed if it differs from that of the current picture with the same
-    /// index, or if its shadow map was redrawn.
+    /// A fixture counts as changed if its shadow map was redrawn, or if the fixture with the same
+    /// index in the current picture is different.
     fn changed(&self, fixtures: &[Fixture]) -> Vec<usize> {
         let before = self.lit.as_deref().unwrap_or_default();
         let count = fixtures.len().max(before.len());

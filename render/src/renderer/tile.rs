@@ -97,7 +97,8 @@ impl Tiles {
 mod tests {
     use super::*;
 
-    /// The width and the height of the picture are not multiples of those of a region.
+    /// The picture's width is not a multiple of a region's width, and the same holds for the
+    /// heights.
     #[test]
     fn each_tile_is_in_one_region_and_names_it() {
         let tiles = Tiles::new(9, 5 * ROWS + 1).unwrap();

@@ -179,9 +179,9 @@ impl Mesh {
         self.is_closed
     }
 
-    /// Returns whether a mesh without gaps encloses the volume behind its triangles. The mesh does
-    /// so if the sum of the signed volumes of all tetrahedra is positive. Each tetrahedron is
-    /// formed by a triangle and the first vertex.
+    /// Returns whether a mesh without gaps encloses the volume behind its triangles. Each triangle
+    /// forms a tetrahedron with the first vertex. The mesh encloses the volume behind its triangles
+    /// if the sum of the signed volumes of all tetrahedra is positive.
     fn is_outwards(&self) -> bool {
         let corner = |corner: u32| self.vertices[corner as usize].position;
         let volume = |&[a, b, c]: &[u32; 3]| {

@@ -81,7 +81,8 @@ impl Outline {
 
     /// Returns whether the surface that a lathe makes from the outline has no border.
     ///
-    /// This is so if the outline ends where it began, or begins and ends on the axis.
+    /// The surface has no border if the outline ends where it began, or begins and ends on the
+    /// axis.
     pub(crate) fn encloses(&self) -> bool {
         let Some((first, last)) = self.points.first().zip(self.points.last()) else { return false };
         first.distance(*last) < JOINED || (first.x.abs() < JOINED && last.x.abs() < JOINED)

@@ -51,8 +51,8 @@ fn setup(columns: usize, rows: usize, outer: HalfAngle) -> Result<Setup, Error> 
 
 /// Returns the colour of the light at a position on the floor.
 ///
-/// The colour is amber on the left, rose in the middle and blue on the right. It is paler towards
-/// the front.
+/// The colour is amber on the left, rose in the middle and blue on the right. The colour is paler
+/// towards the front.
 fn gel(across: f32, along: f32) -> Rgb<f32> {
     let (amber, rose, blue) = (Rgb::new(1.0, 0.4, 0.06), Rgb::new(1.0, 0.14, 0.4), Rgb::new(0.08, 0.28, 1.0));
     let between = |a: Rgb<f32>, b, part| a.zip(b, |a: f32, b: f32| a + part * (b - a));

@@ -23,10 +23,10 @@ use slope::{Slope, depth_error};
 
 /// A shadow map of a [`Scene`] on the square that a spotlight projects.
 ///
-/// The depths are in the number format of the light. They are the depths of the surfaces nearest to
-/// the light, front or back: an open sheet, such as a curtain, lets no light through. Surfaces
-/// within 5 centimetres of the light, along its axis, cast no shadow; otherwise the fixture's own
-/// housing would cast one.
+/// The number format is that of the light. The depths are those of the surfaces nearest to the
+/// light, front or back: an open sheet, such as a curtain, lets no light through. Surfaces within 5
+/// centimetres of the light, along its axis, cast no shadow; otherwise the fixture's own housing
+/// would cast one.
 ///
 /// **No surface shadows itself.** The depth of a texel is compared with the depths of points up to
 /// one texel away, where the same surface has another depth. Two steps prevent false shadows. Each

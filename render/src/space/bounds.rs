@@ -20,7 +20,8 @@ impl Bounds {
         Self { center, radius: points.map(|point| length(point - center)).fold(0.0, f32::max) }
     }
 
-    /// Returns a bounding sphere of four points. It also encloses the convex hull of the points.
+    /// Returns a bounding sphere of four points. The sphere also encloses the convex hull of the
+    /// points.
     #[inline(always)]
     pub(crate) fn around(points: [Vec3; 4]) -> Self {
         let center = 0.25 * points.into_iter().sum::<Vec3>();

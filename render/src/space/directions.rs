@@ -53,8 +53,8 @@ impl Directions {
 
     /// Returns an upper bound of `dot(d, vector)` over all directions `d` in the sphere.
     ///
-    /// The bound is `dot(center, vector) + radius * |vector|_1`. It is not tight, because it uses
-    /// the 1-norm.
+    /// The bound is `dot(center, vector) + radius * |vector|_1`. The bound is not tight, because
+    /// the 1-norm of `vector` is larger than its length.
     #[inline(always)]
     pub(crate) fn most_along(&self, vector: Vec3) -> f32 {
         self.center.dot(vector) + self.radius * vector.abs().element_sum()

@@ -106,7 +106,7 @@ struct Texel {
 /// A surface's continuation into a neighbouring texel.
 #[derive(Clone, Copy)]
 struct End {
-    /// Least nearness that the surface in the neighbour can have if it is the same surface.
+    /// Least nearness that the surface in the neighbour has if both texels show the same surface.
     joint: f32,
     /// Nearness that is assumed for the surface if the surface ends before the neighbour's centre.
     edge: f32,
@@ -126,8 +126,8 @@ impl Texel {
 impl End {
     /// Returns the smaller of `least` and the neighbour's `hiding`.
     ///
-    /// If the neighbour's surface is a different one with a `hiding` not below `edge`, `edge`
-    /// replaces the neighbour's `hiding`.
+    /// If the neighbour shows a different surface and `hiding` is at least `edge`, `edge` replaces
+    /// `hiding`.
     #[inline(always)]
     fn with(self, neighbor: Texel, hiding: f32, least: f32) -> f32 {
         let is_joined = 2.0 * neighbor.nearness - neighbor.hiding >= self.joint;

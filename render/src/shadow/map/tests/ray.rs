@@ -139,7 +139,8 @@ impl Light {
     /// Returns whether a position is farther than `texels` from any shadow edge and from the end of
     /// its surface.
     ///
-    /// The end is that seen from the light: beyond it the surface is in its own shadow.
+    /// The surface ends where it disappears as seen from the light: beyond this end the surface is
+    /// in its own shadow.
     pub(super) fn is_clear(&self, place: Place, texels: f64, side: usize) -> bool {
         const STEPS: i32 = 8;
         let Some(own) = self.nearest(self.way(place.column, place.row), place.depth) else { return false };
