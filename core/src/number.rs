@@ -11,7 +11,7 @@
 //! | step of an intensity | 2^-23 | 2^-30 | 2^-14 |
 //! | overflow | irradiance of one light clamped at 2^64, else IEEE 754 | saturates | saturates |
 //! | widest product | 24 bits of a float | 64 bits | 32 bits |
-//! | for | processors with an FPU | 32-bit multipliers, exact pictures | Cortex-M0 and the like |
+//! | suited to | processors with an FPU | 32-bit multipliers, exact pictures | Cortex-M0 and the like |
 //!
 //! In every format and for every bit pattern:
 //!
@@ -69,15 +69,16 @@ use self::{
 pub use self::{knot::Knot, place::ProjectedPoint};
 use crate::vec3::Vec3;
 
-/// Marks a branch as rarely taken, like `core::hint::cold_path`, which is stable from Rust 1.95.
+/// Marks a branch as rarely taken. The function replaces `core::hint::cold_path`, which is stable
+/// from Rust 1.95.
 #[cfg(feature = "fixed")]
 #[cold]
 const fn cold_path() {}
 
 /// A number format that the kernel computes in: `f32`, [`Fx32`] or [`Fx16`].
 ///
-/// The fixed-point formats need the feature `fixed`. The trait is sealed: the set of formats is
-/// closed, so that each one can be measured. [`number`](crate::number) lists the guarantees of
+/// The fixed-point formats need the feature `fixed`. The trait is sealed: no other crate can add a
+/// format, so that each format can be measured. [`number`](crate::number) lists the guarantees of
 /// every format.
 ///
 /// ```
@@ -116,15 +117,15 @@ pub trait Scalar:
     const ONE: Self;
     /// The unit in the last place (ULP) of 1.
     const STEP: f32;
-    /// The largest magnitude of a coordinate of a light. This does not limit the coordinates of
-    /// points.
+    /// The largest magnitude of a coordinate of a light's position. Coordinates of points are not
+    /// limited by this constant.
     const FARTHEST: f32;
 
-    /// Returns the nearest value; saturates, and NaN becomes zero.
+    /// Returns the nearest value of the format. Fixed point saturates, and NaN becomes zero.
     fn from_f32(value: f32) -> Self;
     /// Returns the value as `f32`, rounded if it has more bits than an `f32`.
     fn to_f32(self) -> f32;
-    /// Returns the nearest length.
+    /// Returns the nearest length of the format.
     fn length(value: f32) -> Self::Length;
     /// Returns the point with these coordinates, each rounded to the nearest length.
     ///
@@ -145,21 +146,25 @@ pub trait Scalar:
 /// Returns the bound for [`FullOffset::is_outside`]: the squared cosine of the outer half angle, less a
 /// margin for rounding.
 ///
-/// A point is outside if `z |z| < bound |v|^2`, where `v` is the offset and `z` its component along
-/// the axis. Both sides are rounded. Outer versines are at most 1, so the cosine is not negative.
+/// A point is outside the cone if `z |z| < bound |v|^2`, where `v` is the vector from the light to
+/// the point and `z` the component of `v` along the axis. Both sides of the inequality have
+/// rounding errors. An outer versine is at most 1, so the cosine of the outer half angle is not
+/// negative.
 ///
-/// The slope of `c |c|` is at most 2, so with a margin of 16 steps the test rejects no point whose
-/// versine is up to 8 steps beyond the edge. In every format 8 steps are more than the error of the
-/// versine. The additional margin `squared_sine * EPSILON` covers the rounding of the squared sine,
-/// which is `f32` in every format. The sine is computed first because it keeps the leading bits of
-/// a narrow cone.
+/// The derivative of `c |c|` with respect to the cosine `c` is at most 2. So with a margin of 16
+/// steps ([`Scalar::STEP`]) the test rejects no point whose versine exceeds the outer versine by up
+/// to 8 steps. In every format the error of a versine is less than 8 steps. The additional margin
+/// `squared_sine * EPSILON` covers the rounding of the squared sine, which is computed in `f32` for
+/// every format. The squared cosine is computed from the squared sine, because the squared sine of
+/// a narrow cone keeps its leading bits.
 pub(crate) fn outside_bound<S: Scalar>(outer_versine: f32) -> S {
     let squared_sine = outer_versine * (2.0 - outer_versine);
     let margin = squared_sine * f32::EPSILON + 16.0 * S::STEP;
     S::ONE.minus(S::from_f32(squared_sine)).minus(S::from_f32(margin))
 }
 
-/// Returns `base^exponent` by repeated squaring; `product` is the multiplication of a format.
+/// Returns `base^exponent` by repeated squaring. `product` is the multiplication of a format, and
+/// `one` its neutral element.
 #[inline]
 fn raised<T: Copy>(one: T, base: T, exponent: u32, product: impl Fn(T, T) -> T) -> T {
     let (mut power, mut square, mut rest) = (one, base, exponent);
@@ -175,7 +180,8 @@ fn raised<T: Copy>(one: T, base: T, exponent: u32, product: impl Fn(T, T) -> T) 
 
 /// Converts a value to the exactly equal `mantissa / 2^shift` with a mantissa of 24 bits.
 ///
-/// Returns zero for zero, negative and subnormal values and NaN; infinity counts as `f32::MAX`.
+/// The mantissa is zero for zero, negative and subnormal values and NaN. Infinity counts as
+/// `f32::MAX`.
 #[cfg(feature = "fixed")]
 fn mantissa_and_shift(value: f32) -> (u32, i32) {
     if !matches!(value.partial_cmp(&0.0), Some(core::cmp::Ordering::Greater)) {
@@ -188,7 +194,7 @@ fn mantissa_and_shift(value: f32) -> (u32, i32) {
 
 /// Clamps the shift of a gain to `[-4096, 4096]`, so that sums of shifts cannot overflow.
 ///
-/// Beyond this range a gain is zero or saturates anyway.
+/// With a shift outside this range, a product with the gain is zero or saturates anyway.
 #[cfg(feature = "fixed")]
 const fn within_reach(shift: i32) -> i32 {
     if shift < -4096 {
@@ -207,7 +213,7 @@ mod tests {
 
     extern crate std;
 
-    /// The expected results: those of the crate `fixed`, which converts with branches.
+    /// Returns the expected results: those of the crate `fixed`, whose conversion has branches.
     fn expected(value: f32) -> (Fx16, Fx32, Length) {
         if value.is_nan() {
             return Default::default();

@@ -1,12 +1,12 @@
 //! The private interface between the kernel and the number formats.
 //!
-//! The kernel is written once, in terms of the high-level operations below. All widening, shifting,
-//! rounding and saturation is in the implementations of these operations.
+//! The kernel is written once, in terms of the high-level operations of these traits. Their
+//! implementations contain all widening, shifting, rounding and saturation.
 //!
 //! | | `f32` | `Fx32` | `Fx16` |
 //! |---|---|---|---|
 //! | fraction: the argument of a falloff | f32 | U1F31 | U1F15 |
-//! | gain: a factor with its own exponent | f32 | 28-bit mantissa and shift | 32-bit mantissa (results: 16 bits) and shift |
+//! | gain: a factor with its own exponent | f32 | 28-bit mantissa and shift | 32-bit mantissa (computed gains: 16 bits) and shift |
 //! | rounding of `times` | to nearest, ties to even | to nearest, ties up | to nearest, ties up |
 //!
 //! In every format and for every bit pattern:
@@ -28,118 +28,124 @@ pub trait Arithmetic: Copy + Default + PartialOrd + core::fmt::Debug + Share<Sel
     type Direction: Copy + Default + PartialEq + core::fmt::Debug;
     /// [`Scalar::Irradiance`].
     type Received: Copy + Default + PartialOrd + core::fmt::Debug;
-    /// Versine of an angle off axis, in the scale of a ramp.
+    /// Versine of an angle off axis, in the scale of a [`Ramp`](Self::Ramp).
     ///
-    /// The scale keeps the leading bits of a narrow cone.
+    /// In `Fx16` a ramp scales its versines, so that those of a narrow cone keep their leading
+    /// bits.
     type Versine: Copy + PartialOrd + core::fmt::Debug;
-    /// Argument of a profile: 0 at the edge of a cone, 1 in its middle.
+    /// Argument `t` of a falloff: 0 at the edge of a cone, 1 on the axis.
     type Fraction: Fraction<Self, Value = Self>;
-    /// The same argument with more bits, for a steep cone or a bright light.
+    /// Argument `t` of a falloff with more bits, for a steep cone or a bright light.
     ///
-    /// A format whose `Fraction` has enough bits uses the same type here.
+    /// In a format whose `Fraction` has enough bits, `Fine` is the same type as `Fraction`.
     type Fine: Fraction<Self>;
-    /// Coefficient of an edge profile, in `[-4, 4]`.
+    /// Coefficient of a falloff, in `[-4, 4]`.
     type Weight: Copy + PartialEq + core::fmt::Debug;
-    /// Compiled ramp from the edge of a cone to its middle.
+    /// Compiled ramp of a cone: the map from versines to the falloff's argument `t`.
     type Ramp: Copy + PartialEq + core::fmt::Debug;
-    /// Compiled frame of a projection about the axis of a light.
+    /// Compiled frame of a projection: the axis of a light and two vectors orthogonal to the axis.
     type Frame: Copy + PartialEq + core::fmt::Debug;
-    /// Factor of at least 0 that keeps its leading bits at every magnitude.
+    /// Factor of at least 0 with its own exponent, so that it keeps its leading bits at every
+    /// magnitude.
     type Gain: Gain<Self>;
     /// Vector from a light to a point, before its length is computed.
     type Offset: FullOffset<Self>;
-    /// Upper bound of the error of the direction to a point, in radians.
+    /// Upper bound of the error of the direction from a light to a point, in radians.
     ///
-    /// A narrow cone magnifies this error. In `f32` about half of this bound is the rounding of
-    /// `point - light`. That difference is exact if both positions are multiples of the same power
-    /// of two.
+    /// A narrow cone magnifies this error. In `f32` about half of this bound is the rounding error
+    /// of `point - light`. The difference `point - light` is exact if both positions are multiples
+    /// of the same power of two.
     const DIRECTION_ERROR: f32;
     /// Returns `steps / 16384` for `steps` in `[0, 16384]`: exact in every format.
     fn part(steps: u32) -> Self;
-    /// Converts an axis whose length is 1 within the rounding of `f32` to a unit vector of the
-    /// format.
+    /// Converts an axis to a unit vector of the format. The given axis has length 1 within the
+    /// rounding error of `f32`.
     fn axis(axis: Vec3<f32>) -> Vec3<Self::Direction>;
     /// Returns the unit vector along a vector whose largest component is in `[1/2, 1]`.
     ///
-    /// `unit` is the same direction, normalised in `f32`.
+    /// `unit` is the same vector, normalised in `f32`.
     fn aim(_: Vec3<f32>, unit: Vec3<f32>) -> Vec3<Self::Direction> {
         Self::axis(unit)
     }
-    /// Returns the nearest versine in the scale of a ramp; saturates beyond the ramp's outer
-    /// versine.
+    /// Returns the nearest versine in the scale of a ramp. Only a value beyond the end of the ramp
+    /// saturates.
     fn versine(ramp: Self::Ramp, value: f32) -> Self::Versine;
-    /// Returns the nearest weight; saturates at -4 and 4, and NaN becomes zero.
+    /// Returns the nearest coefficient of a falloff; saturates at -4 and 4, and NaN becomes zero.
     fn weight(value: f32) -> Self::Weight;
     /// Returns the nearest gain; a negative value or NaN becomes zero.
     fn gain(value: f32) -> Self::Gain;
 
     /// Returns the product of two values in `[0, 1]`.
     ///
-    /// Outside that domain fixed point still returns a value in `[0, 1]`, but an unspecified one.
+    /// For values outside `[0, 1]`, fixed point returns an unspecified value in `[0, 1]`.
     fn times(self, other: Self) -> Self;
-    /// Returns the difference; fixed point saturates.
+    /// Returns `self - other`; fixed point saturates.
     fn minus(self, other: Self) -> Self;
 
-    /// Returns the offset from a light to a point.
+    /// Returns the offset: the vector from a light to a point.
     fn offset(light: Vec3<Self::Position>, point: Vec3<Self::Position>) -> Self::Offset;
-    /// Compiles a ramp between two versines: 0 at `outer`, 1 at and inside `inner`.
+    /// Compiles a ramp between two versines: `t` is 0 at `outer`, and 1 up to `inner`.
     ///
-    /// From the versine `limit` outwards the ramp is cut off to 0. With `limit == outer` nothing is
-    /// cut off. With `inner == outer` the ramp is a step.
+    /// From the versine `limit` outwards `t` is 0. With `limit == outer` the ramp has no cutoff.
+    /// With `inner == outer` the ramp is a step.
     fn ramp(inner: f32, outer: f32, limit: f32) -> Self::Ramp;
-    /// Upper bound of the rounding error of an intensity, in addition to the error from the
-    /// direction.
+    /// Returns an upper bound of the rounding error of an intensity, without the effect of the
+    /// direction's error.
     ///
-    /// The bound holds for a cone of any angle. It covers the errors of the direction's length, of
-    /// the set-up versines, of the argument of the profile and of the profile itself. It is
-    /// infinite if the format cannot keep the error within half a linear code at any angle.
+    /// The bound holds for a cone of any angle. The bound covers the errors of the direction's
+    /// length, of the versines computed at set-up, of the falloff's argument `t` and of the falloff
+    /// itself. The bound is infinite if the format cannot keep the error within half a linear code
+    /// (1/510 of full scale) at any angle.
     fn rounding(edge: &Slopes) -> f32;
-    /// Upper bound of the intensity error of the whole coarse evaluation, including the error of
-    /// the direction.
+    /// Returns an upper bound of the intensity error of the coarse evaluation, including the
+    /// direction's error.
     ///
-    /// The cone spans versines from 0 to `outer` and is evaluated up to `limit`. If the bound
-    /// exceeds half a linear code, the cone needs a [`fine_ramp`](Self::fine_ramp). The bound is
-    /// zero in a format that has only one evaluation.
+    /// The cone spans versines from 0 to `outer` and is evaluated up to the versine `limit`. If the
+    /// bound exceeds half a linear code, the cone needs a [`fine_ramp`](Self::fine_ramp). The bound
+    /// is zero in a format that has only one evaluation.
     fn coarse_error(_edge: &Slopes, _outer: f32, _limit: f32) -> f32 {
         0.0
     }
-    /// As [`ramp`](Self::ramp), but the ramp is always evaluated with [`Fine`](Self::Fine)
-    /// fractions.
+    /// Compiles a ramp that is always evaluated with [`Fine`](Self::Fine) fractions. In all else
+    /// the ramp is that of [`ramp`](Self::ramp).
     fn fine_ramp(inner: f32, outer: f32, limit: f32) -> Self::Ramp {
         Self::ramp(inner, outer, limit)
     }
-    /// Maps a versine to its position on a ramp, in `[0, 1]`.
+    /// Returns the falloff's argument `t` at a versine, in `[0, 1]`.
     ///
-    /// It is exactly 0 at and beyond the limit, otherwise exactly 1 at and inside the inner
-    /// versine, and monotone between.
+    /// `t` is exactly 0 from the ramp's limit on, and otherwise exactly 1 up to the inner versine.
+    /// Between the two versines `t` is monotone.
     fn rise(ramp: Self::Ramp, versine: Self::Versine) -> Rise<Self>;
-    /// Returns the length of an offset below which the evaluation must be fine.
+    /// Returns the distance from a light below which points need the fine evaluation.
     ///
-    /// The result is encoded for [`FullOffset::is_near`]. The gain multiplies a share and so
-    /// magnifies the error of the share; below the returned length the product may be off by half a
-    /// linear code. `error` is the [`coarse_error`](Self::coarse_error) of the light's cone, 0 for
-    /// a light without a cone. `intensity` is the gain at distance 1; if the irradiance does not
-    /// grow towards the light (`!grows`), it is the gain at every distance.
+    /// The result is encoded for [`FullOffset::is_near`]. The light at a point is a share (falloff
+    /// times cosine) times a gain. The gain magnifies the error of the share. Below the returned
+    /// distance, the light may be wrong by half a linear code. `error` is the
+    /// [`coarse_error`](Self::coarse_error) of the light's cone, 0 for a light without a cone.
+    /// `intensity` is the gain at distance 1. If the irradiance does not grow towards the light
+    /// (`!grows`), `intensity` is the gain at every distance.
     fn fine_below(_error: f32, _intensity: f32, _grows: bool) -> u32 {
         0
     }
-    /// Returns whether `light`, the product of this share and a gain, exceeds full scale whatever
-    /// the error of the share.
+    /// Returns whether `light` exceeds full scale for every possible error of `share`.
     ///
-    /// A fine evaluation would then give the same clipped result.
+    /// `light` is the product of `share` and a gain. If `light` exceeds full scale, the fine
+    /// evaluation would give the same clipped result.
     #[inline]
     fn is_clipped(_share: Self, _light: Self::Received) -> bool {
         false
     }
-    /// Returns `t^2 (3 - 2t)` for a `t` clamped to `[0, 1]`: exact at both ends.
+    /// Returns `t^2 (3 - 2t)`, where `t` is this value clamped to `[0, 1]`. The result is exact at
+    /// 0 and 1.
     fn smooth(self) -> Self;
 
-    /// Compiles the frame of a square from three unit vectors and the tangent of half its side.
+    /// Compiles the frame of a projected square from three unit vectors and half the side at
+    /// distance 1.
     ///
-    /// The vectors point right, down and along the axis. They are orthogonal within the rounding of
-    /// `f32`.
+    /// The vectors point right, down and along the axis, and are orthogonal within the rounding
+    /// error of `f32`. `tangent` is half the side of the square at distance 1 along the axis.
     fn frame(vectors: [Vec3<f32>; 3], tangent: f32) -> Self::Frame;
-    /// Projects a point onto the square of a light.
+    /// Returns the position of a point on the square that a light projects.
     fn place(
         frame: &Self::Frame,
         light: Vec3<Self::Position>,
@@ -151,36 +157,37 @@ pub trait Arithmetic: Copy + Default + PartialOrd + core::fmt::Debug + Share<Sel
     /// Converts a weighted sum of bytes to a value, where the weights sum to 2^24 and byte 255
     /// means 1.
     ///
-    /// The result is exactly zero if all bytes are 0, exactly one if all bytes are 255 and for
-    /// larger sums, and otherwise within one step.
+    /// The result is exactly 0 if all bytes are 0, and exactly 1 if all bytes are 255 or the sum is
+    /// larger. Any other result is within one step of the exact value.
     fn weighted_byte(sum: u32) -> Self;
 
     /// Returns the versine of the angle between two unit directions, in the scale of a ramp.
     ///
-    /// It is computed from the difference of the directions.
+    /// The versine is half the squared difference of the directions.
     fn versine_between(a: Vec3<Self::Direction>, b: Vec3<Self::Direction>, ramp: Self::Ramp)
     -> Self::Versine;
     /// Returns `(1 - versine)^exponent` by repeated squaring, and zero from a right angle on.
     ///
-    /// This is a power of the cosine. Fixed point computes with `1 - cosine`, which keeps its
-    /// leading bits near the axis. The versine is in the scale of a ramp from 0 to 1.
+    /// The base `1 - versine` is the cosine. Fixed point computes with `1 - cosine`, because
+    /// `1 - cosine` keeps its leading bits near the axis. The versine is in the scale of a ramp
+    /// from 0 to 1.
     fn power(versine: Self::Versine, exponent: u32) -> Self;
-    /// Converts a normal to the resolution of directions.
+    /// Converts a surface normal to the number type of directions.
     fn normal_unit(normal: Vec3<Self>) -> Vec3<Self::Direction>;
-    /// Reflects a direction in the surface with this normal: `d - 2 (d.n) n`.
+    /// Reflects a direction `d` in the surface with the normal `n`: `d - 2 (d.n) n`.
     fn mirror(direction: Vec3<Self::Direction>, normal: Vec3<Self>) -> Vec3<Self::Direction>;
     /// Returns the unit vector along `b - a`, for two unit directions.
     ///
-    /// Equal directions have no such vector. The result is then (nearly) zero, which is not close
-    /// to any unit direction it is compared with.
+    /// For equal directions the result is zero or nearly zero, and so far from every unit direction
+    /// that a caller compares it with.
     fn direction_between(a: Vec3<Self::Direction>, b: Vec3<Self::Direction>) -> Vec3<Self::Direction>;
-    /// Returns the cosine of the angle of incidence of a unit direction; zero if the surface faces
-    /// away.
+    /// Returns the cosine of the angle of incidence of light in a unit direction. The result is
+    /// zero if the surface faces away.
     fn incidence(direction: Vec3<Self::Direction>, normal: Vec3<Self>) -> Self;
 
-    /// Returns a fraction of a gain as light, without attenuation; zero for a negative fraction.
+    /// Returns this scalar times a gain as light, without attenuation; zero for a negative scalar.
     fn expose(self, gain: Self::Gain) -> Self::Received;
-    /// Multiplies a channel of light by a colour.
+    /// Multiplies a channel of light by the same channel of a colour.
     fn filter(light: Self::Received, color: Self) -> Self::Received;
     /// Returns the sum of two lights.
     fn add_light(a: Self::Received, b: Self::Received) -> Self::Received;
@@ -190,7 +197,7 @@ pub trait Arithmetic: Copy + Default + PartialOrd + core::fmt::Debug + Share<Sel
     fn amplify(light: Self::Received, gain: Self::Gain) -> Self::Received;
     /// Clips a light to full scale.
     fn clip(light: Self::Received) -> Self;
-    /// Returns the stored word of the value.
+    /// Returns the value as the word that the format stores.
     fn word(self) -> Word;
 }
 
@@ -210,29 +217,33 @@ pub enum Word {
 /// Half a linear code, 1/510: the largest permitted error of an intensity.
 pub(crate) const HALF_A_CODE: f32 = 1.0 / 510.0;
 
-/// Upper bounds of the slopes of a cone's intensity, which magnify the errors of its arguments.
+/// Upper bounds of the derivatives of a cone's intensity, by which errors of the arguments are
+/// magnified.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Slopes {
-    /// Slope with respect to the angle off axis, in units of the outer half angle.
+    /// Derivative with respect to the angle off axis, where the angle is in units of the outer half
+    /// angle.
     ///
     /// A relative error `e` of the versine changes the intensity by at most `angle * e / 2`.
     pub angle: f32,
-    /// Slope with respect to the argument of the profile.
+    /// Derivative with respect to the argument `t` of the falloff.
     pub fraction: f32,
 }
 
 impl Slopes {
-    /// The slopes that stand for a step, whose true slopes are infinite: with them, the bound of
-    /// half a code limits the error of the step's position to 1/510 of the half angle.
+    /// The values used for a step, whose true derivatives are infinite.
+    ///
+    /// With these values, the bound of half a linear code (1/510) for the intensity error limits
+    /// the error of the step's position to 1/510 of the half angle.
     pub const STEP: Self = Self { angle: 1.0, fraction: 0.0 };
 }
 
-/// Argument of a profile, with as many bits as the cone needs.
+/// Argument `t` of a falloff, with as many bits as the cone needs.
 #[derive(Clone, Copy, PartialEq, PartialOrd, Debug)]
 pub enum Rise<S: Arithmetic> {
-    /// One bit more than a scalar.
+    /// A fraction with one bit more than a scalar.
     Coarse(S::Fraction),
-    /// The format's full precision.
+    /// A fraction with the format's full precision.
     Fine(S::Fine),
 }
 
@@ -247,7 +258,7 @@ impl<S: Arithmetic> Rise<S> {
     }
 }
 
-/// A share of a light in `[0, 1]`: a scalar, or a number with more bits.
+/// A factor of a light in `[0, 1]`, such as a falloff: a scalar, or a number with more bits.
 pub trait Share<S: Arithmetic>: Copy + Default + PartialOrd + core::fmt::Debug {
     /// Converts a scalar in `[0, 1]` exactly.
     fn of_scalar(scalar: S) -> Self;
@@ -259,9 +270,9 @@ pub trait Share<S: Arithmetic>: Copy + Default + PartialOrd + core::fmt::Debug {
     fn rest(self) -> Self;
     /// Returns the product of two shares.
     fn share_of(self, other: Self) -> Self;
-    /// Returns `t^2 (3 - 2t)`.
+    /// Returns `t^2 (3 - 2t)` for this share `t`.
     fn smoothed(self) -> Self;
-    /// Returns this share of a gain as light, without attenuation.
+    /// Returns this share times a gain as light, without attenuation.
     fn give(self, gain: S::Gain) -> S::Received;
 }
 
@@ -326,47 +337,51 @@ pub trait Gain<S: Arithmetic>: Copy + PartialEq + core::fmt::Debug {
     fn fraction(self) -> S;
 }
 
-/// Offset from a light to a point, before the square root, and the root itself.
+/// Vector from a light to a point, and the square root that gives its length.
 pub trait Offset<S: Arithmetic>: Copy + core::fmt::Debug {
     /// Direction and distance, available after the square root.
     type Ray: Ray<S>;
-    /// Type of the inner product of a surface normal and the vector back to the light, in a scale
-    /// that depends on the format.
+    /// Inner product of a surface normal and the vector back to the light. The scale and the sign
+    /// of the inner product depend on the format.
     type Facing: Copy + core::fmt::Debug;
 
     /// Returns the inner product of the normal and the vector back to the light.
     fn facing(&self, normal: Vec3<S>) -> Self::Facing;
-    /// Returns whether the surface faces away, so that no light arrives. NaN counts as facing away.
+    /// Returns whether the surface faces away from the light, so that no light arrives. NaN counts
+    /// as facing away.
     fn faces_away(facing: Self::Facing) -> bool;
     /// Returns the squared distance.
     fn squared_distance(&self) -> S::Gain;
-    /// Computes the square root.
+    /// Computes the direction and the distance, with one square root.
     fn ray(&self) -> Self::Ray;
 }
 
-/// An offset of the format's standard evaluation: with the early-out test for the cone, and with
-/// the format's full precision.
+/// An offset of the format's standard evaluation. It adds to [`Offset`] an early-out test for the
+/// cone and rays of the format's full precision.
 pub trait FullOffset<S: Arithmetic>:
     Offset<S, Ray: Ray<S, Fraction = S::Fraction, Share = S, Ramp = S::Ramp>>
 {
-    /// [`Ray`](Offset::Ray) with more bits; the same type in a format that has only one.
+    /// A ray with more bits than [`Ray`](Offset::Ray); the same type in a format with only one
+    /// evaluation.
     type FineRay: Ray<S, Fraction = S::Fine, Ramp = S::Ramp>;
 
-    /// Whether a batch loop first computes all roots with [`reciprocal`](Self::reciprocal), without
-    /// early-outs.
+    /// Whether a loop over many points first computes all reciprocal lengths with
+    /// [`reciprocal`](Self::reciprocal), without early-outs.
     const ROOTS_FIRST: bool = false;
 
-    /// Returns whether the surface faces away so far that the fine evaluation also gives zero.
+    /// Returns whether the surface faces so far away that the fine evaluation also gives zero
+    /// light.
     #[inline]
     fn faces_far_away(facing: Self::Facing) -> bool {
         Self::faces_away(facing)
     }
     /// Returns whether the point is certainly outside a cone, by comparing squares.
     ///
-    /// It may return `false` for a point outside, but never `true` for a point inside. `bound` is
-    /// the squared cosine of the outer half angle, less a margin for rounding.
+    /// The test may return `false` for a point outside the cone, but never `true` for a point
+    /// inside. `bound` is the squared cosine of the outer half angle, less a margin for rounding
+    /// errors.
     fn is_outside(&self, axis: Vec3<S::Direction>, bound: S) -> bool;
-    /// Computes the square root with the format's full precision.
+    /// Computes the direction and the distance with the format's full precision.
     fn fine_ray(&self) -> Self::FineRay;
     /// Returns whether the offset is so short that the whole evaluation must be fine: see
     /// `Arithmetic::fine_below`.
@@ -380,7 +395,8 @@ pub trait FullOffset<S: Arithmetic>:
     fn reciprocal(&self) -> f32 {
         0.0
     }
-    /// As [`ray`](Offset::ray), but reuses the root returned by [`reciprocal`](Self::reciprocal).
+    /// Returns the result of [`ray`](Offset::ray), but reuses the reciprocal length returned by
+    /// [`reciprocal`](Self::reciprocal).
     #[inline]
     fn ray_of(&self, _reciprocal: f32) -> Self::Ray {
         self.ray()
@@ -390,27 +406,28 @@ pub trait FullOffset<S: Arithmetic>:
 /// Unit direction from a light to a point, and the distance between them.
 ///
 /// A point at the light itself, or so far away that the squared distance overflows, has no
-/// direction. It gets zero light, because its [`cosine`](Ray::cosine) is zero or its versine is
-/// outside every cone.
+/// direction. Such a point gets zero light, because its [`cosine`](Ray::cosine) is zero or its
+/// versine is outside every cone.
 pub trait Ray<S: Arithmetic>: Copy + core::fmt::Debug {
-    /// Type of the position of a direction on a ramp, and of the cosine of an angle of incidence.
+    /// Type of the falloff's argument `t`, and of the cosine of the angle of incidence.
     type Fraction: Fraction<S, Value = Self::Share>;
-    /// Result type of profiles and distance models.
+    /// Result type of falloffs and attenuations.
     type Share: Share<S>;
-    /// Compiled ramp from the edge of a cone to its middle.
+    /// Compiled ramp of a cone: the map from versines to the falloff's argument `t`.
     type Ramp: Copy + PartialEq + core::fmt::Debug;
 
     /// Returns the distance.
     fn distance(&self) -> S::Gain;
     /// Returns the unit direction.
     fn direction(&self) -> Vec3<S::Direction>;
-    /// Returns the position of the direction on a ramp, for a cone about this axis.
+    /// Returns the falloff's argument `t` in this direction, for a cone about this axis.
     ///
-    /// The versine of the angle between them is computed as `|l - s|^2 / 2` for the direction `l`
-    /// and the axis `s`, which keeps the leading bits in narrow beams; `1 - l.s` would lose them.
+    /// The versine of the angle between the direction `l` and the axis `s` is computed as
+    /// `|l - s|^2 / 2`. This form keeps the leading bits of the versine in narrow beams; `1 - l.s`
+    /// would lose these bits.
     fn rise(&self, axis: Vec3<S::Direction>, ramp: Self::Ramp) -> Self::Fraction;
-    /// Returns the cosine of the angle of incidence on a surface with this normal; zero if it faces
-    /// away.
+    /// Returns the cosine of the angle of incidence on a surface with this normal. The result is
+    /// zero if the surface faces away.
     ///
     /// `facing` is the result of [`Offset::facing`] for the same normal.
     fn cosine(&self, facing: <S::Offset as Offset<S>>::Facing, normal: Vec3<S>) -> Self::Fraction;
@@ -426,8 +443,8 @@ pub trait Ray<S: Arithmetic>: Copy + core::fmt::Debug {
     fn squared_near<O: Offset<S>>(&self, offset: &O, gain: S::Gain) -> Self::Share {
         Self::Share::of_scalar(offset.squared_distance().by(gain).fraction())
     }
-    /// Returns the light of a share of a gain, attenuated by the inverse square of the distance.
+    /// Returns a share times a gain as light, attenuated by the inverse square of the distance.
     ///
-    /// Zero for a negative share.
+    /// The light is zero for a negative share.
     fn expose(&self, share: Self::Share, gain: S::Gain) -> S::Received;
 }

@@ -1,8 +1,8 @@
-//! Fractions of 31 bits, computed with 32-bit products.
+//! Fractions with 31 fraction bits, computed with 32-bit products.
 //!
-//! They are those of the fine evaluation of [`Fx16`], for cones and lights that need more than 15
-//! bits, and of the quick evaluation of [`Fx32`], which needs fewer instructions than 64-bit
-//! products.
+//! Two evaluations use these fractions: the fine evaluation of [`Fx16`], for cones and lights that
+//! need more than 15 fraction bits, and the quick evaluation of [`Fx32`], because 32-bit products
+//! need fewer instructions than 64-bit products.
 
 use super::{
     Arithmetic, Fraction, Fx16, Fx32, Gain16, Gain32, Knot, Light16, Light32, RealExponent, Share, Weight16,
@@ -24,13 +24,13 @@ impl Fine {
         Self(Self::ONE.0 - self.0)
     }
 
-    /// Returns the product, at most 2^-30 below the exact one; exact if a factor is one or zero.
+    /// Returns the product, at most 2^-30 below the exact product; exactly 1 if both factors are 1.
     #[inline]
     fn times(self, other: Self) -> Self {
         Self(high_half(self.0, other.0) << 1)
     }
 
-    /// Returns `product / 2^shift`, capped at 1.
+    /// Returns the fraction with the bits `product / 2^shift`, capped at 1.
     #[inline]
     pub(in crate::number) fn capped(product: u32, shift: i32) -> Self {
         let capped = if shift >= 0 {
@@ -45,26 +45,26 @@ impl Fine {
         Self(capped.min(Self::ONE.0))
     }
 
-    /// Converts a value with 15 fraction bits, where 65,535 means 1, to a share.
+    /// Converts a sample with 15 fraction bits, where 65,535 means 1, to a fraction.
     ///
-    /// Uses `2^16 / (2^16 - 1) = 1 + 2^-16 + ..`
+    /// The conversion multiplies by the first two terms of `2^16 / (2^16 - 1) = 1 + 2^-16 + ..`
     #[inline]
     fn of_value(value: u32) -> Self {
         Self((value + ((value + (1 << 15)) >> 16)).min(Self::ONE.0))
     }
 
-    /// Returns `t^2 (3 - 2t)`.
+    /// Returns `t^2 (3 - 2t)` for this fraction `t`.
     #[inline(always)] // `spot-smooth-lambert` on Cortex-M0: +5 instructions without.
     fn eased(self) -> Self {
         let square = self.times(self);
         Self((square.0 + 2 * square.times(self.lacking()).0).min(Self::ONE.0))
     }
 
-    /// Returns `t (1 + u slope)` for a slope of 28 fraction bits. The result is clamped to
-    /// `[0, 1]`, also for an invalid slope.
+    /// Returns `t (1 + u slope)` for this fraction `t`, `u = 1 - t` and a slope with 28 fraction
+    /// bits. The result is clamped to `[0, 1]`, also for an invalid slope.
     #[inline]
     fn lifted(self, slope: i32) -> Self {
-        // A valid slope is in `[-3, 3]`, so `u slope` fits 28 bits.
+        // A valid slope is in `[-3, 3]`, so `t u slope` with 27 fraction bits fits 28 bits.
         let lift = high_half(self.times(self.lacking()).0, slope.unsigned_abs());
         let lift = lift.min((1 << 28) - 1) << 4;
         let lifted = if slope < 0 { self.0.saturating_sub(lift) } else { self.0.saturating_add(lift) };
@@ -72,9 +72,9 @@ impl Fine {
     }
 }
 
-/// A coefficient of a falloff, as a slope with 28 fraction bits.
+/// A coefficient of a falloff that converts to a slope with 28 fraction bits.
 pub trait Slope: Copy {
-    /// Returns the slope; wraps for a weight that is out of range.
+    /// Returns the slope. The conversion wraps for a coefficient that is out of range.
     fn slope(self) -> i32;
 }
 
@@ -160,7 +160,8 @@ where
     fn sample(self, samples: &[u16]) -> Self {
         let last = (samples.len().min(1 << 16) as u32).saturating_sub(1);
         let place = self.lacking().0;
-        // The position is `place last`, with 31 fraction bits.
+        // The position among the samples is the product of `place` and `last`, with 31 fraction
+        // bits.
         let (here, next) = neighbours(samples, (high_product(place, last) >> 15) as usize);
         let share = place.wrapping_mul(last) & (Self::ONE.0 - 1);
         let (value, step) = (u32::from(here) << 15, high_product(share, here.abs_diff(next).into()));
@@ -172,7 +173,8 @@ where
         let place = self.lacking().0;
         let knot = Knot::at(knots, place >> 15);
         let (beyond, slope) = (place - (u32::from(knot.place) << 15).min(place), knot.slope.unsigned_abs());
-        // The product of a valid line has 46 bits; the lower 15 are dropped.
+        // The product of `beyond` and `slope` has at most 46 bits for a valid line; its lower 15
+        // bits are dropped.
         let rise = high_half(beyond, slope) << 17 | beyond.wrapping_mul(slope) >> 15;
         let value = u32::from(knot.value) << 15;
         let value = if knot.slope < 0 { value.saturating_sub(rise) } else { value.saturating_add(rise) };
@@ -180,7 +182,7 @@ where
     }
 }
 
-/// The operations of `Share` that are the same for each scalar.
+/// Defines the functions of `Share` that are the same for `Fx16` and `Fx32`.
 macro_rules! share_operations {
     () => {
         #[inline]
@@ -243,9 +245,9 @@ impl Share<Fx32> for Fine {
     }
 }
 
-/// Returns `product / 2^shift` with 30 fraction bits, rounded to nearest; saturates.
+/// Returns the light with the bits `product / 2^shift`, rounded to nearest; saturates.
 ///
-/// As [`Light32::shifted`], but with shifts of 32 bits.
+/// The result is that of [`Light32::shifted`], computed with shifts of 32-bit numbers.
 #[inline]
 pub(in crate::number) fn light(product: u32, shift: i32) -> Light32 {
     let (but_one, up) = (shift.wrapping_sub(1) as u32, shift.wrapping_neg() as u32);
@@ -265,7 +267,7 @@ pub(in crate::number) fn light(product: u32, shift: i32) -> Light32 {
 mod tests {
     use super::*;
 
-    /// Every sample's share is the nearest, and that of 65,535 is exactly 1.
+    /// Every sample converts to the nearest fraction, and 65,535 converts to exactly 1.
     #[test]
     fn the_share_of_a_sample_is_the_nearest() {
         for value in 0..=65_535_u32 {
@@ -276,7 +278,7 @@ mod tests {
         assert_eq!(Fine::of_value(65_535 << 15), Fine::ONE);
     }
 
-    /// As many samples as a table may have, falling evenly.
+    /// Tests a table with the largest number of samples, which fall evenly.
     #[test]
     fn the_longest_table_is_sampled_to_its_end() {
         static SAMPLES: [u16; 65_536] = {
@@ -294,7 +296,7 @@ mod tests {
         }
     }
 
-    /// The products of a line have up to 46 bits, of which the lower 15 are dropped.
+    /// A product of distance and slope has up to 46 bits, of which the lower 15 are dropped.
     #[test]
     fn a_line_keeps_all_its_bits() {
         for slope in [-32_768, -12_345, -1, 1, 7_777, 32_767] {

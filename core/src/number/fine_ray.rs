@@ -1,5 +1,7 @@
-//! Direction to a point with 30 bits, computed with 32-bit products: the fine ray of
-//! [`Fx16`](super::Fx16) and the quick one of [`Fx32`].
+//! Direction to a point with 30 fraction bits, computed with 32-bit products.
+//!
+//! The fine evaluation of [`Fx16`](super::Fx16) and the quick evaluation of [`Fx32`] use this type
+//! of ray.
 //!
 //! In the comments `W` is the offset, scaled until its largest component has 31 bits, and `|W|` is
 //! its length.
@@ -19,9 +21,9 @@ pub struct FineRay {
     pub(super) bits: i32,
     /// `|W|^2 / 2^32`.
     pub(super) squared: u32,
-    /// `2^46 / |W|`, before the correction.
+    /// Estimate of `2^46 / |W|`, before the correction by `excess`.
     estimate: u32,
-    /// The relative excess of the estimate, with 26 fraction bits.
+    /// The relative excess of the estimate over `2^46 / |W|`, with 26 fraction bits.
     excess: i32,
 }
 
@@ -42,14 +44,16 @@ fn squared_length(vector: Vec3<i32>, shift: u32) -> u32 {
 }
 
 impl FineRay {
-    /// Normalises an offset whose largest component has 31 bits, scaled from `bits` bits.
+    /// Normalises an offset whose largest component has 31 bits, and had `bits` bits before
+    /// scaling.
     ///
-    /// `estimate` is `2^46 / |W|` with a relative error of at most 3.5e-4. The components of the
-    /// direction are within 2 units, and its length is within 3e-8.
+    /// `estimate` is `2^46 / |W|` with a relative error of at most 3.5e-4. Each component of the
+    /// direction is within 2 units of 2^-30 of the exact one, and the length of the direction is
+    /// within 3e-8 of 1.
     #[inline(always)] // `spot-inverted-power-lambert` on Cortex-M0: +5 instructions without.
     pub(super) fn new(way: Vec3<i32>, estimate: u32, bits: u32) -> Self {
         let nearly = way.map(|c| signed_high_product(c, estimate));
-        // The squared length is `1 + x`, and `1 / sqrt(1 + x) = 1 - x / 2 + 3/8 x^2`.
+        // The squared length of `nearly` is `1 + x`, and `1 / sqrt(1 + x) = 1 - x / 2 + 3/8 x^2`.
         let over = squared_length(nearly, 0).wrapping_sub(1 << 28) as i32;
         let coarse = over >> 4;
         let excess = (over >> 3) - ((3 * coarse.wrapping_mul(coarse)) >> 25);
@@ -85,7 +89,7 @@ impl FineRay {
         high_half(self.squared, self.reciprocal()) << 3
     }
 
-    /// Returns the direction as numbers.
+    /// Returns the direction as a vector of `Fx32`.
     #[inline]
     pub(super) fn unit(&self) -> Vec3<Fx32> {
         self.direction.map(Fx32::from_bits)
@@ -95,7 +99,8 @@ impl FineRay {
     #[inline]
     pub(super) fn versine(&self, axis: Vec3<Fx32>, ramp: Ramp16) -> Versine16 {
         let difference = self.direction.zip(axis, |d, s| d.wrapping_sub(s.to_bits()));
-        // As in the coarse evaluation: inside the cone the sum of the accepted squares has 30 bits.
+        // As in the coarse evaluation, a larger difference is outside the cone. The sum of the
+        // squares of the accepted components has 30 bits inside the cone.
         if size(difference) >> (31 - ramp.zoom) != 0 {
             return Versine16::MAX;
         }
@@ -111,11 +116,13 @@ mod tests {
 
     extern crate std;
 
-    /// The stated errors of the direction and of its length, over offsets of every size and direction.
+    /// Tests the stated errors of the direction and of its length, over offsets of every size and
+    /// direction.
     #[test]
     fn a_fine_direction_keeps_its_stated_error() {
         let (mut off, mut stretched) = (0.0_f64, 0.0_f64);
-        // Components of any length, and such that the estimate drops as much of them as it can.
+        // `ways` have components of any length. `dropped` have components of which the estimate
+        // drops as much as possible.
         let ways = (0..200_000_u32).map(|i| {
             let part = |factor: u32| i.wrapping_add(1).wrapping_mul(factor) as i32 >> (1 + i % 12);
             Vec3::new(part(0x9e37_79b9), part(0x85eb_ca6b), part(0xc2b2_ae35))

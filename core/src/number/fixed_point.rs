@@ -9,7 +9,7 @@ use super::Scalar;
 use crate::vec3::Vec3;
 use fixed::types::{I2F14, I2F30, I16F16, I18F14, I34F30, U3F29, U18F14, U34F30};
 
-/// Versine of the format [`Fx32`]; `fixed` has no alias for it.
+/// The type of a versine of [`Fx32`], for which the crate `fixed` has no alias.
 type U3F61 = fixed::FixedU64<fixed::types::extra::U61>;
 
 /// Declares number types from types of `fixed`, with the integers that store them.
@@ -101,8 +101,8 @@ numbers! {
     Fx16(I2F14, i16);
     /// A number of the 32-bit format, from -2 to 2 in steps of 2^-30.
     ///
-    /// Used for intensities, normals and colours, and in both fixed-point formats for the
-    /// components of directions. No product of the format is wider than 64 bits.
+    /// The type is used for intensities, normals and colours, and in both fixed-point formats for
+    /// the components of directions. No product of the format is wider than 64 bits.
     Fx32(I2F30, i32);
     /// A component of a position in both fixed-point formats, from -32,768 to 32,768 units in steps
     /// of 2^-16.
@@ -221,15 +221,15 @@ scalars! {
 
 /// Returns the integer nearest to a value, ties to even; saturates, and NaN becomes zero.
 ///
-/// It has no branch, because renderers convert whole pictures with it. An f32 of at least 2^23 is
-/// an integer. Below, the sum with 2^23 of the same sign has no fraction bits, so the addition
-/// rounds.
+/// The function has no branch, because renderers convert whole pictures with it. An f32 with a
+/// magnitude of at least 2^23 is an integer. To a smaller value the function adds 2^23 with the
+/// value's sign. This sum has no fraction bits, so the addition rounds.
 #[inline]
 pub(super) const fn nearest(value: f32) -> i32 {
     rounded(value) as i32
 }
 
-/// Rounds a value to the nearest integer, ties to even, for conversions to other integers.
+/// Returns the nearest integer as an f32, ties to even, for conversions to any integer type.
 #[inline]
 pub(super) const fn rounded(value: f32) -> f32 {
     const FIRST_INTEGER: f32 = 8_388_608.0;

@@ -1,6 +1,7 @@
-//! The format `f32`, with identical bits on every machine.
+//! The format `f32`, bit-identical on every machine.
 //!
-//! It uses only `+ - * /`, a correctly rounded square root, and clamps by compare and select.
+//! The format uses only `+ - * /`, a correctly rounded square root, and clamps by compare and
+//! select.
 
 mod frame;
 mod offset;
@@ -16,11 +17,12 @@ use crate::vec3::Vec3;
 
 /// Value at which irradiance saturates.
 ///
-/// It is so far below the largest f32 that sums and quotients of irradiances stay finite in
+/// This value is so far below the largest f32 that sums and quotients of irradiances stay finite in
 /// practice.
 const BRIGHTEST: f32 = 18_446_744_073_709_551_616.0; // 2^64
 
-/// A ramp: its outer versine, its cutoff versine, and the reciprocal of its span.
+/// A ramp, the map from versines to the falloff's argument `t`. Its fields are the outer versine,
+/// the versine of the cutoff, and the reciprocal of the span from inner to outer versine.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct FloatRamp {
     outer: f32,
@@ -31,7 +33,7 @@ pub struct FloatRamp {
 impl FloatRamp {
     /// Restores a ramp from its bits, in the order of the fields.
     ///
-    /// Invalid values are replaced, so that every versine has a position in `[0, 1]` on the ramp.
+    /// Invalid values are replaced, so that every versine gives a `t` in `[0, 1]`.
     pub const fn from_bits([outer, limit, reciprocal]: [u32; 3]) -> Self {
         let [outer, limit] = [f32::from_bits(outer), f32::from_bits(limit)];
         let reciprocal = positive(f32::from_bits(reciprocal));
@@ -45,7 +47,7 @@ impl FloatRamp {
 
     #[inline]
     fn rise(self, versine: f32) -> FloatFraction {
-        // NaN is not below the limit.
+        // A versine of NaN is not below the limit, so it gives 0.
         let rise = if versine < self.limit { (self.outer - versine) * self.reciprocal } else { 0.0 };
         FloatFraction(if rise < 1.0 { rise } else { 1.0 })
     }
@@ -105,9 +107,10 @@ impl Arithmetic for f32 {
     type Frame = FloatFrame;
     type Gain = f32;
     type Offset = FloatOffset;
-    // Two roundings turn the direction. The worst case of the difference is 2^-24, if two of its
-    // components are just over a power of two. The worst case of the product with the reciprocal is
-    // 1.72 * 2^-25, if all three components are over 1/2.
+    // Two roundings turn the direction. The rounding of the difference `point - light` turns it by
+    // 2^-24 in the worst case, in which two components of the difference are just over a power of
+    // two. The rounding of the product with the reciprocal length turns it by 1.72 * 2^-25 in the
+    // worst case, in which all three components are over 1/2.
     const DIRECTION_ERROR: f32 = 1.12e-7;
 
     #[inline]
@@ -146,8 +149,8 @@ impl Arithmetic for f32 {
         FloatOffset::between(light, point)
     }
 
-    /// The reciprocal is increased until `span * reciprocal >= 1`, so that the ramp is exact at
-    /// both ends.
+    /// The reciprocal of the span is increased until `span * reciprocal >= 1`, so that `t` is exact
+    /// at both ends of the ramp.
     fn ramp(inner: f32, outer: f32, limit: f32) -> FloatRamp {
         let span = if inner < outer { outer - inner } else { 0.0 };
         let mut reciprocal = 1.0 / span;
@@ -161,8 +164,9 @@ impl Arithmetic for f32 {
         }
     }
 
-    /// The relative error of the versine is at most 1.1e-6. The set-up contributes 4e-7. The rest
-    /// comes from the lengths of direction and axis, from their difference and from its square.
+    /// The relative error of the versine is at most 1.1e-6. The versines computed at set-up
+    /// contribute 4e-7. The rest comes from the lengths of direction and axis, from the difference
+    /// of direction and axis, and from the square of this difference.
     fn rounding(edge: &Slopes) -> f32 {
         edge.angle * 0.55e-6 + (edge.fraction * 1.5 + 1.5) * Self::STEP
     }
@@ -189,7 +193,7 @@ impl Arithmetic for f32 {
 
     #[inline]
     fn weighted_byte(sum: u32) -> Self {
-        // At most 24 bits, which `f32` represents exactly.
+        // `sum >> 8` has at most 24 bits, which `f32` represents exactly.
         let share = (sum >> 8) as i32 as f32 * (1.0 / 16_711_680.0);
         if share < 1.0 { share } else { 1.0 }
     }

@@ -1,7 +1,9 @@
-//! Arguments of profiles, the formulas of the profiles, and cosines of angles of incidence.
+//! Fractions: arguments of falloffs, with the falloffs' formulas, and cosines of angles of
+//! incidence.
 //!
-//! A profile magnifies the rounding of its argument by its slope, so a fraction has one bit more
-//! than a scalar. The extra bit costs nothing, because the products that use it are no wider.
+//! A falloff multiplies the rounding error of its argument by the falloff's derivative, so in fixed
+//! point a fraction has one bit more than a scalar. The extra bit costs nothing, because a product
+//! of fractions needs no wider integer than a product of scalars.
 
 #[cfg(feature = "fixed")]
 mod fixed_point;
@@ -11,29 +13,32 @@ pub(super) use fixed_point::{Fraction16, Fraction32};
 
 use super::{Arithmetic, Knot, RealExponent, Share, float, knot::SLOPE_BITS};
 
-/// A number in `[0, 1]`, the argument of a profile. In fixed point it has more bits than a scalar.
+/// A number in `[0, 1]`, the argument of a falloff. In fixed point a fraction has more bits than a
+/// scalar.
 ///
-/// Only [`Arithmetic::rise`] and [`Ray::cosine`](super::Ray::cosine) create fractions, so they are
-/// in range for every input. Below, the fraction is called `t`, and `u = 1 - t`.
+/// Only the kernel creates fractions, with [`Arithmetic::rise`], [`Ray::rise`](super::Ray::rise)
+/// and [`Ray::cosine`](super::Ray::cosine), so a falloff's argument is in range for every input. In
+/// the descriptions of the functions, this fraction is called `t`, and `u = 1 - t`.
 pub trait Fraction<S: Arithmetic>: Copy + PartialOrd + core::fmt::Debug {
-    /// Result type of a profile: a scalar, or a number with more bits if a scalar has too few.
+    /// Result type of a falloff: a scalar, or a number with more bits if a scalar has too few.
     type Value: Share<S>;
 
     /// Returns `1 - t`.
     fn complement(self) -> Self;
-    /// Returns the product as a fraction, for further multiplication.
+    /// Returns the product of two fractions as a fraction, for further multiplication.
     fn fine_product(self, other: Self) -> Self;
-    /// Returns the product, rounded once.
+    /// Returns the product of two fractions, rounded once to a value.
     fn product(self, other: Self) -> Self::Value;
-    /// Returns `t^p` for a real exponent as a fraction: exactly 0 at 0 and exactly 1 at 1.
+    /// Returns `t^p` for a real exponent `p` as a fraction: exactly 0 at `t = 0` and exactly 1 at
+    /// `t = 1`.
     ///
     /// The error before the format's own rounding is at most `2e-9 + 6.5e-10 p`. The function takes
-    /// eleven 64-bit multiplications in every format. For an exponent with a floor it returns
-    /// `(max(t, floor)^p - floor^p) / (1 - floor^p)`.
+    /// eleven 64-bit multiplications in every format. For an exponent with a floor the function
+    /// returns `(max(t, floor)^p - floor^p) / (1 - floor^p)`.
     fn real_power(self, exponent: RealExponent) -> Self;
-    /// Returns the nearest value.
+    /// Returns `t`, rounded to the nearest value.
     fn scalar(self) -> Self::Value;
-    /// Returns the product with a value in `[0, 1]`.
+    /// Returns `t` times a value in `[0, 1]`.
     fn of(self, value: Self::Value) -> Self::Value;
     /// Returns `1 - value`.
     #[inline]
@@ -52,17 +57,18 @@ pub trait Fraction<S: Arithmetic>: Copy + PartialOrd + core::fmt::Debug {
     fn quadratic(self, g: S::Weight) -> Self::Value;
     /// Returns `t (1 + u (g + h t))`: three multiplications.
     ///
-    /// The domain is `g` in `[-1, 3]`, `h` in `[-4, 2]` and `g + h` in `[-3, 1]`, where the cubic
-    /// is monotone.
+    /// Valid coefficients are `g` in `[-1, 3]`, `h` in `[-4, 2]` and `g + h` in `[-3, 1]`, where
+    /// the cubic is monotone.
     fn cubic(self, g: S::Weight, h: S::Weight) -> Self::Value;
     /// Interpolates linearly between samples that are evenly spaced from `u = 0`; 65,535 means 1.
     ///
-    /// Costs one multiplication for the position and one for the interpolation. Returns 0 without
-    /// samples; at most 65,536 samples are supported.
+    /// The function takes one multiplication for the position and one for the interpolation.
+    /// Without samples the result is 0; at most 65,536 samples are supported.
     fn sample(self, samples: &[u16]) -> Self::Value;
-    /// Returns the value of a polyline over `u`, clamped to `[0, 1]`.
+    /// Returns the value at `u` of the line that starts at the last knot before `u`, clamped to
+    /// `[0, 1]`.
     ///
-    /// Costs a binary search and one multiplication. Returns 0 without knots.
+    /// The function takes a binary search and one multiplication. Without knots the result is 0.
     fn along(self, knots: &[Knot]) -> Self::Value;
 }
 

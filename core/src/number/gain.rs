@@ -1,13 +1,13 @@
-//! Gains in fixed point, declared by one macro for both widths.
+//! Gains (factors with their own exponent) in fixed point, declared by one macro for both formats.
 //!
-//! Only the rounding to a mantissa differs between the widths.
+//! Only the rounding to a mantissa differs between the formats.
 
 use super::{Fx16, Fx32, Gain, Light16, Light32, reciprocal, root, within_reach};
 
-/// Declares the gain of a scalar and its light.
+/// Declares the gain type of a scalar type, and functions of its light type.
 ///
-/// `bits` is the width of the mantissa, `factor_bits` the number of its upper bits used in
-/// products, `inverse` the reciprocal of these upper bits.
+/// `bits` is the width of the mantissa. `factor_bits` is the number of upper bits of the mantissa
+/// that products use. `inverse` is the function that returns the reciprocal of these upper bits.
 macro_rules! gain {
     (
         $(#[$doc:meta])*
@@ -26,8 +26,8 @@ macro_rules! gain {
 
             /// Restores a gain from a mantissa and a shift.
             ///
-            /// A mantissa with too few bits is normalised. If it has too many, only the lower bits
-            /// are used.
+            /// A mantissa with too few bits is normalised. Of a mantissa with too many bits, only
+            /// the lower bits are used.
             pub const fn from_bits([mantissa, shift]: [i32; 2]) -> Self {
                 const LONGER: u32 = u32::BITS - $bits;
                 let mantissa = mantissa as u32 & (u32::MAX >> LONGER);
@@ -80,7 +80,8 @@ macro_rules! gain {
 
             #[inline]
             fn plus(self, other: Self) -> Self {
-                /// The sum of two mantissas may carry, so this leaves one bit free.
+                /// Left shift of the factors. The shift leaves one bit free, because the sum of two
+                /// mantissas may carry.
                 const UP: u32 = $wide::BITS - $factor_bits - 1;
                 if self.mantissa == 0 || other.mantissa == 0 {
                     return if self.mantissa == 0 { other } else { self };
@@ -111,7 +112,7 @@ macro_rules! gain {
         }
 
         impl $light {
-            /// Returns `product / 2^shift`, rounded to nearest; saturates.
+            /// Returns the light with the bits `product / 2^shift`, rounded to nearest; saturates.
             #[inline]
             pub(super) fn shifted(product: $wide, shift: i32) -> Self {
                 let but_one = shift.wrapping_sub(1) as u32;
@@ -133,7 +134,7 @@ macro_rules! gain {
 gain! {
     /// A factor `mantissa / 2^shift` with a mantissa of 32 bits.
     ///
-    /// The coarse evaluation uses only the upper 16 bits, in 32-bit products.
+    /// The coarse evaluation uses only the upper 16 bits of the mantissa, in 32-bit products.
     Gain16(Fx16, Light16, u32, 32, 16, reciprocal::inverse_16)
 }
 

@@ -1,25 +1,26 @@
-//! Knots of polylines over the versine.
+//! Knots: starts of the straight lines of a table.
 
-/// A knot of a [`Table`](crate::falloff::Table): the start of a straight line.
+/// A knot of a [`Table`](crate::falloff::Table): the start of a straight line of intensity over
+/// `u`.
 ///
-/// The line ends at the next knot, or at the edge of the cone. Made by
-/// [`Table::from_angles`](crate::falloff::Table::from_angles).
+/// `u` is 0 on the axis and 1 at the edge of the cone. The line ends at the next knot or, after the
+/// last knot, at the edge. [`Table::from_angles`](crate::falloff::Table::from_angles) makes knots.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct Knot {
     /// The `u` at which the line starts, in units of 1/65,536.
     pub(super) place: u16,
-    /// The intensity at the start; 65,535 is full intensity.
+    /// The intensity at the start of the line; 65,535 is full intensity.
     pub(super) value: u16,
-    /// Rise of the intensity per 2^-16 of `u`, with 15 fraction bits.
+    /// Increase of `value` per unit of `place`, with 15 fraction bits; negative on a falling line.
     pub(super) slope: i32,
 }
 
-/// Number of fraction bits of a slope.
+/// Number of fraction bits of the slope of a knot.
 pub(super) const SLOPE_BITS: u32 = 15;
 
 impl Knot {
-    /// Returns the knot of a line between two values, from `place` to `end`, both in units of
-    /// 1/65,536 of `u`.
+    /// Returns the knot of the line from `value` at `place` to `next` at `end`. `place` and `end`
+    /// are in units of 1/65,536 of `u`.
     ///
     /// The slope is rounded towards zero, so that a table with monotone values is monotone.
     pub(crate) fn line([place, end]: [u32; 2], [value, next]: [u16; 2]) -> Self {
@@ -28,15 +29,18 @@ impl Knot {
         Self { place: place as u16, value, slope: (rise << SLOPE_BITS) / width }
     }
 
-    /// Builds a knot from the start of its line (in 1/65,536 of `u`), the intensity there and the
-    /// slope.
+    /// Builds a knot from the position, the intensity and the slope of its line.
+    ///
+    /// The position is the `u` at the start of the line, in units of 1/65,536. The intensity is
+    /// that at the start.
     ///
     /// Any bits are accepted. Generated source calls this function.
     pub const fn from_bits(place: u16, value: u16, slope: i32) -> Self {
         Self { place, value, slope }
     }
 
-    /// Returns the start of the line (in 1/65,536 of `u`), the intensity there and the slope.
+    /// Returns the start of the line (in 1/65,536 of `u`), the intensity at the start and the
+    /// slope.
     pub const fn to_bits(self) -> (u16, u16, i32) {
         (self.place, self.value, self.slope)
     }
@@ -46,7 +50,7 @@ impl Knot {
         self.place.into()
     }
 
-    /// Returns the rise of the line over the whole range of `u`.
+    /// Returns the derivative of the intensity with respect to `u`.
     pub(crate) fn rise(self) -> f32 {
         self.slope as f32 * (2.0 / 65_535.0)
     }
@@ -63,7 +67,8 @@ impl Knot {
 
     /// Returns the last knot that starts at or before `place`, in units of 1/65,536 of `u`.
     ///
-    /// If all knots start later, returns the first; without any knots, a dark one.
+    /// Returns the first knot if all knots start later, and a knot of intensity 0 if there are
+    /// none.
     #[inline]
     pub(super) fn at(knots: &[Self], place: u32) -> Self {
         let after = knots.partition_point(|knot| u32::from(knot.place) <= place);

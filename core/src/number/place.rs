@@ -5,17 +5,17 @@ use super::Scalar;
 /// Position of a point on the square of a [`Projection`](crate::projector::Projection), and its
 /// depth.
 ///
-/// Imagine the square as a picture on a wall that the light shines at, as seen from the light:
-/// columns count from its left edge, rows from its top edge. Both are rounded down. Coordinates
-/// saturate one side length outside the square. Points at or behind the light, and NaN, map outside
-/// the square.
+/// Imagine the square as a picture on a wall that the light shines at, seen from the light. Columns
+/// count from the left edge of the picture, rows from its top edge. Column and row are rounded
+/// down, and saturate one side length outside the square. Points at or behind the light, and NaN,
+/// map outside the square.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct ProjectedPoint<S: Scalar> {
     /// Distance from the left edge in units of 1/65,536 of a side.
     ///
     /// In `[0, 65535]` on the square, and always in `[-65536, 131071]`.
     pub column: i32,
-    /// Distance from the top edge, in the same units and range.
+    /// Distance from the top edge, in the unit and range of `column`.
     pub row: i32,
     /// Distance from the light along its axis: at least 0, and 0 behind the light.
     pub depth: S::Length,

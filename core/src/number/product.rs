@@ -1,12 +1,12 @@
 //! Upper bits of products that are wider than 32 bits, rounded down.
 //!
-//! A processor without an instruction for them computes them from products of 16 bits, with the same
-//! result.
+//! A processor without an instruction for such products computes them from products of 16-bit
+//! numbers, with the same result.
 
 /// Whether the processor has an instruction for the upper half of a product.
 ///
-/// There is no `cfg` for the instruction. Of the 32-bit processors, the small Arm cores lack it;
-/// they also lack compare-and-swap.
+/// Rust has no `cfg` for the instruction. Of the 32-bit processors, the small Arm cores lack the
+/// instruction; these cores also lack compare-and-swap.
 const HAS_HIGH_HALVES: bool = !cfg!(all(target_arch = "arm", not(target_has_atomic = "32")));
 
 /// Returns `a b / 2^16` for `b` of 16 bits, rounded down.
@@ -15,7 +15,7 @@ pub(super) fn high_product(a: u32, b: u32) -> u32 {
     if HAS_HIGH_HALVES { high_half(a, b << 16) } else { high_product_by_parts(a, b) }
 }
 
-/// As [`high_product`], from two products of 16 bits.
+/// Returns the result of [`high_product`], computed from two products of 16-bit numbers.
 #[inline]
 fn high_product_by_parts(a: u32, b: u32) -> u32 {
     (a >> 16) * b + (((a & 0xffff) * b) >> 16)
@@ -31,34 +31,35 @@ pub(super) fn signed_high_product(a: i32, b: u32) -> i32 {
     }
 }
 
-/// As [`signed_high_product`], from two products of 16 bits.
+/// Returns the result of [`signed_high_product`], computed from two products of 16-bit numbers.
 #[inline]
 fn signed_high_product_by_parts(a: i32, b: u32) -> i32 {
     let low = ((a as u32 & 0xffff) * b) >> 16;
     (a >> 16).wrapping_mul(b as i32).wrapping_add(low as i32)
 }
 
-/// Returns `a b / 2^32`, rounded down exactly, so it is monotone in both factors.
+/// Returns `a b / 2^32`, rounded down exactly. So the result is monotone in both factors.
 #[inline(always)] // `spot-step-lambert` on Cortex-M0: +38 instructions without.
 pub(super) fn high_half(a: u32, b: u32) -> u32 {
     if HAS_HIGH_HALVES { ((u64::from(a) * u64::from(b)) >> 32) as u32 } else { high_half_by_parts(a, b) }
 }
 
-/// As [`high_half`], from four products of 16 bits.
+/// Returns the result of [`high_half`], computed from four products of 16-bit numbers.
 ///
-/// The compiler recognises the sums as a 64-bit product and replaces them by one, which takes twice
-/// as many instructions on a processor without it. The black box prevents this.
+/// Without the black box, the compiler would recognise the sums as a 64-bit product and compute
+/// that product instead. This takes twice as many instructions on a processor without such a
+/// product.
 #[inline(always)]
 fn high_half_by_parts(a: u32, b: u32) -> u32 {
     let ([ah, bh], [al, bl]) = ([a >> 16, b >> 16], [a & 0xffff, b & 0xffff]);
     let upper = core::hint::black_box(ah * bl);
-    // At most `65_535^2 + 65_535 + 65_534`, which is `2^32 - 2`.
+    // The sum is at most `65_535^2 + 65_535 + 65_534`, which is `2^32 - 2`.
     let middle = al * bh + (upper & 0xffff) + ((al * bl) >> 16);
     ah * bh + (upper >> 16) + (middle >> 16)
 }
 
-/// Returns `a b / 2^32` for numbers of 30 bits and a sign, rounded down. `b` may have 31 bits if the lower 16
-/// are zero.
+/// Returns `a b / 2^32` for numbers of 30 bits and a sign, rounded down. `b` may have 31 bits if
+/// its lower 16 bits are zero.
 #[inline]
 pub(super) fn signed_high_half(a: i32, b: i32) -> i32 {
     if HAS_HIGH_HALVES {
@@ -68,7 +69,7 @@ pub(super) fn signed_high_half(a: i32, b: i32) -> i32 {
     }
 }
 
-/// As [`signed_high_half`], from four products of 16 bits.
+/// Returns the result of [`signed_high_half`], computed from four products of 16-bit numbers.
 #[inline]
 fn signed_high_half_by_parts(a: i32, b: i32) -> i32 {
     let ([ah, bh], [al, bl]) = ([a >> 16, b >> 16], [a & 0xffff, b & 0xffff]);
@@ -83,7 +84,7 @@ pub(super) fn high_square(a: i32) -> u32 {
     if HAS_HIGH_HALVES { ((i64::from(a) * i64::from(a)) >> 32) as u32 } else { high_square_by_parts(a) }
 }
 
-/// As [`high_square`], from three products of 16 bits.
+/// Returns the result of [`high_square`], computed from three products of 16-bit numbers.
 #[inline]
 fn high_square_by_parts(a: i32) -> u32 {
     let (high, low) = (a >> 16, a & 0xffff);
@@ -96,7 +97,7 @@ fn high_square_by_parts(a: i32) -> u32 {
 mod tests {
     use super::*;
 
-    /// The numbers next to all powers of two and their complements, as factors of each other.
+    /// Multiplies numbers next to all powers of two, and their complements, by each other.
     #[test]
     fn upper_bits_are_those_of_the_product() {
         let numbers =

@@ -1,18 +1,19 @@
 //! Real powers of a fraction: a logarithm, a product and an exponential in integers.
 //!
-//! The results are bit-identical in every format. Logarithm and exponential each use a table of 64
-//! segments and a series of three terms about the middle of a segment.
+//! The results are bit-identical in every format. The logarithm and the exponential each use a
+//! table of 64 segments and a series of three terms about the middle of a segment.
 
-/// A real exponent `p >= 0` and a floor `f` of the base, for `(x^p - f^p) / (1 - f^p)`.
+/// A real exponent `p >= 0` and a floor `f` of the base `x`, for the power
+/// `(x^p - f^p) / (1 - f^p)`.
 ///
-/// The result is 0 for `x <= f`. With a floor of 0 it is the power itself.
-/// Used by [`Fraction::real_power`](super::Fraction::real_power).
+/// The power is 0 for `x <= f`. With a floor of 0 the power is `x^p`.
+/// [`Fraction::real_power`](super::Fraction::real_power) uses this type.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct RealExponent {
-    /// The exponent is `mantissa / 2^shift`, exactly that of an f32.
+    /// The exponent `p` is `mantissa / 2^shift`, exactly as the given f32.
     mantissa: u32,
     shift: u32,
-    /// Power of the floor, with 31 fraction bits.
+    /// Power of the floor, `f^p`, with 31 fraction bits.
     least: u32,
     /// `1 / (1 - least)`, with 27 fraction bits.
     gain: u32,
@@ -66,7 +67,7 @@ const POWERS: [u32; SEGMENTS] = {
     table
 };
 
-/// Returns a constant with 32 fraction bits.
+/// Converts a constant to an integer with 32 fraction bits.
 const fn fine(value: f64) -> i64 {
     (value * 4_294_967_296.0 + 0.5) as i64
 }
@@ -80,7 +81,7 @@ fn times(a: i64, b: i64) -> i64 {
 
 /// Returns `-log2 x` with 32 fraction bits, for `x = significand / 2^31 / 2^octaves` in `[0, 1]`.
 ///
-/// The significand is at least 2^31. Error under 2e-9; the result is capped at 32 octaves.
+/// The significand is at least 2^31. The error is under 2e-9. The result is capped at 32.
 fn octaves_below_one(significand: u32, octaves: u32) -> u64 {
     const FIRST: i64 = fine(core::f64::consts::LOG2_E);
     const SECOND: i64 = fine(core::f64::consts::LOG2_E / 2.0);
@@ -97,7 +98,8 @@ fn octaves_below_one(significand: u32, octaves: u32) -> u64 {
     below.clamp(0, (32 << 32) - 1) as u64
 }
 
-/// Returns `2^-octaves` with 31 fraction bits; the argument has 32. Error under 1e-9.
+/// Returns `2^-octaves` with 31 fraction bits. `octaves` has 32 fraction bits. The error is under
+/// 1e-9.
 fn power_of_two(octaves: u64) -> u64 {
     let (whole, part) = (octaves >> 32, octaves & 0xffff_ffff);
     if octaves == 0 || whole > 31 {
@@ -125,7 +127,7 @@ impl RealExponent {
             gain: 1 << GAIN_BITS,
         };
         let least = plain.of_f32(floor);
-        // Rounded up, so that the power reaches 1 at 1.
+        // The gain is rounded up, so that the power of 1 is 1.
         let gain = (ONE << GAIN_BITS).div_ceil(ONE - least.min(ONE / 16 * 15));
         Self { least: least as u32, gain: gain as u32, ..plain }
     }
@@ -189,7 +191,7 @@ mod tests {
     ];
 
     /// Numbers with 31 fraction bits: both ends, all powers of two with their neighbours, and a
-    /// million between.
+    /// million others.
     fn numbers() -> impl Iterator<Item = u32> {
         let ends = (0..31).flat_map(|shift| [0, 1, 2].map(|i| (1_u32 << shift) + i - 1));
         ends.chain((0..1 << 20).map(|i| (i << 11) + (i * 1_667) % 2_048)).chain([(1 << 31) - 1, 1 << 31])
@@ -212,7 +214,7 @@ mod tests {
         }
     }
 
-    /// The power rises with its argument, or falls by at most one step.
+    /// The power rises with its argument, or falls by at most one step of 2^-31.
     ///
     /// Tests the values around every boundary of the tables, and next to 1.
     #[test]
@@ -276,10 +278,10 @@ mod tests {
         }
     }
 
-    /// The ends of the octaves: the last power that is not none, and a float below all fractions.
+    /// Tests the ends of the range: the smallest power above 0, and a float below all fractions.
     #[test]
     fn the_smallest_numbers_have_their_powers() {
-        // 2^-31, 2^-31.62 and 2^-32.55 of 31 bits.
+        // The exact powers are 2^-31, 2^-31.62 and 2^-32.55. They are rounded to 31 fraction bits.
         assert_eq!([1.0, 1.02, 1.05].map(|exponent| RealExponent::new(exponent, 0.0).of_bits(1)), [1, 1, 0]);
         // The largest number below 1 has a logarithm: 2.9 in units of 2^-32, and not 0.
         assert!((1..12).contains(&octaves_below_one(u32::MAX - 1, 1)));

@@ -1,9 +1,11 @@
 //! Reciprocals of integers, with multiplications and shifts only.
 
-/// Returns `2^31 / m` for `m` in `[2^15, 2^16)`: 65,536 at 2^15, just over 32,768 at the top.
+/// Returns `2^31 / m` for `m` in `[2^15, 2^16)`: 65,536 at `m = 2^15`, just over 32,768 at the
+/// largest `m`.
 ///
-/// Three Newton steps from the straight line `48/17 - 32/17 m`, in 32-bit products. Error <= 0.501
-/// units, and exact at 2^15 (exhaustive).
+/// Three Newton steps in 32-bit products refine the straight line `48/17 - 32/17 m`, where `m` is
+/// scaled to `[1/2, 1)`. The error is at most 0.501 units of the result, and 0 at `m = 2^15`
+/// (exhaustive).
 #[inline]
 pub(super) const fn inverse_16(m: u32) -> u32 {
     let mut inverse = (92_521 - ((61_681 * m) >> 16)) as i32;
@@ -18,10 +20,11 @@ pub(super) const fn inverse_16(m: u32) -> u32 {
     inverse as u32
 }
 
-/// Returns `2^55 / m` for `m` in `[2^27, 2^28)`: 2^28 at 2^27, just over 2^27 at the top.
+/// Returns `2^55 / m` for `m` in `[2^27, 2^28)`: 2^28 at `m = 2^27`, just over 2^27 at the largest
+/// `m`.
 ///
-/// One Newton step from [`inverse_16`], in 64-bit products. Error <= 0.9 units, and exact at 2^27
-/// (exhaustive).
+/// One Newton step in 64-bit products refines the result of [`inverse_16`]. The error is at most
+/// 0.9 units of the result, and 0 at `m = 2^27` (exhaustive).
 #[inline]
 pub(super) const fn inverse_28(m: u32) -> u32 {
     let seed = (inverse_16(m >> 12) as i64) << 12;

@@ -1,9 +1,9 @@
 //! Reciprocal square roots of integers, with multiplications and shifts only.
 
-/// Nodes of `2^31 / sqrt(n)` at multiples of 2^25, from 2^30 on, for linear interpolation.
+/// Values of `2^31 / sqrt(n)` at multiples of 2^25, from `n = 2^30` on, for linear interpolation.
 ///
-/// Each node is lowered by half the chord's maximum deviation, so the interpolation error is
-/// balanced around zero.
+/// Each value is lowered by half the largest deviation of the chord from the curve, so that the
+/// largest positive and negative interpolation errors are equal.
 const NODES: [u16; 129] = {
     let mut nodes = [0; 129];
     let mut node = 32;
@@ -29,15 +29,16 @@ const ILOG2: [u8; 128] = {
 
 /// Whether the processor has an instruction that counts leading zeros.
 ///
-/// Without that instruction, the table is three times as fast as the compiler's routine. There is
-/// no `cfg` for the instruction, so the target's atomics stand for it: the small cores without the
-/// instruction lack compare-and-swap, too.
+/// Without that instruction, the table [`ILOG2`] is three times as fast as the compiler's routine.
+/// Rust has no `cfg` for the instruction, so the constant tests for 32-bit atomics instead: the
+/// small cores without the instruction lack compare-and-swap, too.
 const COUNTS_ZEROS: bool = cfg!(target_has_atomic = "32");
 
 /// Returns `floor(log2 n)` for `n` of seven bits; 0 for zero.
 #[inline]
 pub(super) const fn ilog2_of_seven_bits(n: u32) -> u32 {
-    // Only the table would be wrong, on processors that run few of the tests.
+    // With a larger `n` only the table gives a wrong result, and the processors that use the table
+    // run few of the tests.
     debug_assert!(n < 128, "expected seven bits");
     if COUNTS_ZEROS { 31 - (n | 1).leading_zeros() } else { ILOG2[n as usize & 0x7f] as u32 }
 }
@@ -58,9 +59,11 @@ const fn looked_up_bit_length(mut n: u32) -> u32 {
     length + ILOG2[n as usize & 0x7f] as u32
 }
 
-/// Returns `2^31 / sqrt(n)` for `n >= 2^30`: 65,533 at 2^30, 32,768 at the top. Zero for zero.
+/// Returns `2^31 / sqrt(n)` for `n >= 2^30`: 65,533 at `n = 2^30`, 32,768 at the largest `n`. For
+/// `n = 0` the result is 0.
 ///
-/// Linear interpolation between the nodes of a table. Relative error <= 6.0e-5 (exhaustive).
+/// The function interpolates linearly between [`NODES`]. Its relative error is at most 6.0e-5
+/// (exhaustive).
 #[inline]
 const fn guess(n: u32) -> u32 {
     let place = (n >> 25) as usize;
@@ -68,17 +71,19 @@ const fn guess(n: u32) -> u32 {
     here.wrapping_sub((here.wrapping_sub(next).wrapping_mul((n << 7) >> 16)) >> 16)
 }
 
-/// Returns `2^30 / sqrt(n)` for `n >= 2^28`: 65,533 at 2^28, 16,384 at the top. Zero for zero.
+/// Returns `2^30 / sqrt(n)` for `n >= 2^28`: 65,533 at `n = 2^28`, 16,384 at the largest `n`. For
+/// `n = 0` the result is 0.
 ///
-/// Relative error <= 9.0e-5 (exhaustive).
+/// The relative error is at most 9.0e-5 (exhaustive).
 #[inline]
 pub(super) const fn inverse_sqrt_16(n: u32) -> u32 {
     if n >= 1 << 30 { (guess(n) + 1) >> 1 } else { guess(n << 2) }
 }
 
-/// Nodes of `2^30 / sqrt(n)` at multiples of 2^24, from 2^28 on, for linear interpolation, lowered
-/// as [`NODES`]. All lengths of 15 bits have one index, without a case for the parity of the
-/// exponent; the first and the last nodes are not used.
+/// Values of `2^30 / sqrt(n)` at multiples of 2^24, from `n = 2^28` on, for linear interpolation.
+///
+/// Each value is lowered like those of [`NODES`]. The upper bits of a squared length are the index,
+/// without a case for the parity of the exponent. The first and the last values are not used.
 const QUICK_NODES: [u16; 257] = {
     let mut nodes = [0; 257];
     let mut node = 16;
@@ -92,9 +97,11 @@ const QUICK_NODES: [u16; 257] = {
     nodes
 };
 
-/// Returns `2^30 / sqrt(n)` for `n >= 2^28`: 65,535 at 2^28, 16,384 at the top. Zero for zero.
+/// Returns `2^30 / sqrt(n)` for `n >= 2^28`: 65,535 at `n = 2^28`, 16,384 at the largest `n`. For
+/// `n = 0` the result is 0.
 ///
-/// Linear interpolation without a branch. Relative error <= 2.0e-4 (exhaustive).
+/// The function interpolates linearly, without a branch. Its relative error is at most 2.0e-4
+/// (exhaustive).
 #[inline]
 pub(super) const fn quick_inverse_sqrt_16(n: u32) -> u32 {
     let place = (n >> 24) as usize;
@@ -102,10 +109,11 @@ pub(super) const fn quick_inverse_sqrt_16(n: u32) -> u32 {
     here.wrapping_sub(here.wrapping_sub(next).wrapping_mul((n << 8) >> 16) >> 16)
 }
 
-/// Returns `2^63 / sqrt(n)` for `n >= 2^62`: 2^32 at 2^62, 2^31 at the top.
+/// Returns `2^63 / sqrt(n)` for `n >= 2^62`: 2^32 at `n = 2^62`, 2^31 at the largest `n`.
 ///
-/// One step of third order (Halley's) from [`guess`], in 64-bit products. Relative error <=
-/// 4.7e-10, just over 2^-31 (exhaustive: only the upper 34 bits of `n` affect the result).
+/// One step of Halley's method, which is of third order, refines the result of [`guess`] in 64-bit
+/// products. The relative error is at most 4.7e-10, just over 2^-31 (exhaustive: only the upper 34
+/// bits of `n` affect the result).
 #[inline]
 pub(super) const fn inverse_sqrt_32(n: u64) -> u64 {
     let seed = guess((n >> 32) as u32) as u64;
@@ -120,7 +128,8 @@ mod tests {
 
     extern crate std;
 
-    /// Returns the largest relative error over inputs from 2^28 up, `stride` apart.
+    /// Returns the largest relative error of `inverse_sqrt_16` over inputs from 2^28 up, `stride`
+    /// apart.
     fn worst_16(stride: usize) -> f64 {
         ((1_u32 << 28)..=u32::MAX)
             .step_by(stride)
@@ -147,7 +156,8 @@ mod tests {
         assert!((4.0e-5..=9.0e-5).contains(&worst), "worst relative error {worst:e}");
     }
 
-    /// Exhaustive: the shortest and the longest offset of 15 bits, and all between them.
+    /// Exhaustive with `LUMINAIRE_FULL`: every squared length of an offset of 15 bits, from the
+    /// shortest to the longest.
     #[test]
     fn a_quick_root_keeps_its_stated_error() {
         let stride = if std::env::var_os("LUMINAIRE_FULL").is_some() { 1 } else { 251 };
@@ -161,8 +171,8 @@ mod tests {
         assert_eq!(quick_inverse_sqrt_16(0), 0);
     }
 
-    /// Returns the largest relative error over classes of inputs with the same result, `stride`
-    /// apart. Tests the first and the last input of each class.
+    /// Returns the largest relative error of `inverse_sqrt_32` over classes of inputs with the same
+    /// result, `stride` apart. The function tests the first and the last input of each class.
     fn worst_32(stride: usize) -> f64 {
         ((1_u64 << 32)..1 << 34)
             .step_by(stride)
@@ -184,8 +194,8 @@ mod tests {
         assert!((4.0e-10..=4.7e-10).contains(&worst), "worst relative error {worst:e}");
     }
 
-    /// The bits below a class's upper 34 bits do not affect the result, so its first input
-    /// represents it.
+    /// The first input of a class represents the class: bits below the upper 34 do not affect the
+    /// result.
     #[test]
     fn thirty_two_bits_have_one_answer_for_a_class() {
         for class in ((1_u64 << 32)..1 << 34).step_by(65_537) {

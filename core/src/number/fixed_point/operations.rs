@@ -2,8 +2,8 @@
 
 /// Defines the items of `Arithmetic` that both fixed-point formats share.
 ///
-/// `wide` is the integer type of the format's light, which also holds the products. Each format's
-/// module supplies `lobe` and `factor`.
+/// `wide` is the integer type that stores the format's light and holds the products. Each format's
+/// module supplies the module `lobe` and the function `factor`.
 macro_rules! operations {
     (
         $bits:ident, $unsigned:ident, $wide:ident, $light:ident, $weight:ident, $gain:ident, $offset:ident, $frame:ident, $steps:ident
@@ -43,7 +43,8 @@ macro_rules! operations {
             self.saturating_sub(other)
         }
 
-        /// It is exact up to a single rounding at the end, so it is monotone.
+        /// The result is exact except for a single rounding at the end, so the function is
+        /// monotone.
         #[inline]
         fn smooth(self) -> Self {
             const BITS: u32 = $light::FRACTION_BITS;
@@ -81,7 +82,7 @@ macro_rules! operations {
 
         #[inline]
         fn direction_between(a: Vec3<Fx32>, b: Vec3<Fx32>) -> Vec3<Fx32> {
-            // Half the difference always fits 32 bits.
+            // Half the difference of two components always fits 32 bits.
             $offset::new(b.zip(a, |b, a| (b.to_bits() >> 1) - (a.to_bits() >> 1))).ray().direction()
         }
 

@@ -1,17 +1,18 @@
-//! Projection of a point onto the square, in f32.
+//! Projection of a point onto the square of a spotlight, in f32.
 
 use crate::{
     number::place::{ProjectedPoint, STEPS},
     vec3::Vec3,
 };
 
-/// Frame of a projection: the axis, and two vectors orthogonal to it, scaled to coordinate steps.
+/// Frame of a projection: the light's axis, and two vectors orthogonal to the axis, scaled to
+/// coordinate steps.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct FloatFrame {
     right: Vec3<f32>,
     down: Vec3<f32>,
     axis: Vec3<f32>,
-    /// Position of the axis on the square, plus one side.
+    /// Coordinates of the axis on the square, in steps, plus one side of the square.
     ///
     /// The added side keeps coordinates positive up to one side outside the square.
     center: [f32; 2],
@@ -38,10 +39,11 @@ impl FloatFrame {
         [a, b, c, d, e, f, g, h, i, column.to_bits(), row.to_bits()]
     }
 
-    /// Builds the frame from three unit vectors and the tangent of half a side.
+    /// Builds the frame from three unit vectors and half the square's side at distance 1.
     ///
     /// After rounding, the right and down vectors are not quite orthogonal to the axis, and a
-    /// narrow cone would magnify this error. The centre is corrected for it.
+    /// narrow cone would magnify this error. The coordinates of the centre are corrected for this
+    /// error.
     pub(super) fn new([right, down, axis]: [Vec3<f32>; 3], tangent: f32) -> Self {
         let scale = STEPS as f32 / (2.0 * tangent);
         let [right, down] = [right, down].map(|across| across.map(|c| c * scale));

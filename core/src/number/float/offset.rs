@@ -6,8 +6,8 @@ use crate::{trig, vec3::Vec3};
 
 /// Vector from a point back to the light, and its squared length.
 ///
-/// The vector points back because Lambert's cosine needs that direction. Its difference to the axis
-/// is therefore a sum.
+/// The vector points back to the light because Lambert's cosine needs that direction. So the
+/// difference between the direction to the point and the axis is computed as a sum.
 #[derive(Clone, Copy, Debug)]
 pub struct FloatOffset {
     back: Vec3<f32>,
@@ -72,8 +72,8 @@ impl FullOffset<f32> for FloatOffset {
     }
 
     /// A point whose squared distance is less than any normal number counts as on the light: its
-    /// direction is zero. If the square overflows f32, the reciprocal is zero as well, so no light
-    /// arrives.
+    /// direction is zero. If the squared distance overflows f32, the reciprocal is zero as well, so
+    /// no light arrives.
     #[inline]
     fn reciprocal(&self) -> f32 {
         trig::inverse_sqrt(self.squared)
@@ -85,10 +85,10 @@ impl FullOffset<f32> for FloatOffset {
     }
 }
 
-/// Lengths use the kernel's square root: the processor's own with `std`, else that of `libm`,
-/// `micromath` or the crate itself.
+/// Lengths use the kernel's square root: that of `std` if available, else that of `libm`,
+/// `micromath` or this crate.
 impl Vec3<f32> {
-    /// Returns the length; zero if its square is not a normal number.
+    /// Returns the length: the square root of the squared length, which may underflow or overflow.
     #[inline]
     pub fn length(self) -> f32 {
         f32::offset(Vec3::default(), self).ray().distance()
@@ -108,7 +108,7 @@ impl Vec3<f32> {
 }
 
 impl FloatRay {
-    /// Returns the squared difference of direction and axis.
+    /// Returns the squared difference of direction and axis, which is twice the versine.
     #[inline]
     fn twice_versine(&self, axis: Vec3<f32>) -> f32 {
         let difference = self.back.zip(axis, |b, s| b + s);
@@ -131,8 +131,8 @@ impl Ray<f32> for FloatRay {
         trig::sqrt(self.squared)
     }
 
-    /// Doubles the ramp instead of halving every versine: one multiplication less per point, and
-    /// the result is bit-identical.
+    /// Doubles the versines of the ramp instead of halving the versine of every point. This takes
+    /// one multiplication less per point, and the result is bit-identical.
     #[inline]
     fn rise(&self, axis: Vec3<f32>, ramp: FloatRamp) -> FloatFraction {
         let doubled =
@@ -145,8 +145,9 @@ impl Ray<f32> for FloatRay {
         FloatFraction(clamp(facing * self.reciprocal))
     }
 
-    /// Saturates the gain, not the light. The compiler then sees that a product of clamped
-    /// fractions is not negative, and removes the lower half of the clamp in `Arithmetic::expose`.
+    /// Saturates the attenuated gain, where `Arithmetic::expose` saturates the light. So the
+    /// compiler sees that a product of clamped fractions is not negative, and removes the test for
+    /// a negative fraction.
     #[inline]
     fn expose(&self, fraction: f32, gain: f32) -> f32 {
         let gain = gain * (self.reciprocal * self.reciprocal);

@@ -1,4 +1,4 @@
-//! The quick evaluation in f32: an estimate of the reciprocal root instead of the correctly rounded
+//! The quick evaluation in f32: it estimates the reciprocal square root without a correctly rounded
 //! root and a division.
 
 use super::{
@@ -13,14 +13,14 @@ use crate::{trig, vec3::Vec3};
 pub struct QuickFloatOffset(FloatOffset);
 
 /// Returns `1 / sqrt(x)` for a normal number `x > 0`, with a relative error <= 2.6e-5 (exhaustive
-/// over two binades). Unspecified for any other.
+/// over two binades). For any other `x` the result is unspecified.
 #[inline]
 fn inverse_sqrt(x: f32) -> f32 {
     // Halving and negating the exponent in the integer representation gives `1 / sqrt(x)` with an
     // error of 3.5 % (Lomont 2003, "Fast Inverse Square Root").
     let seed = f32::from_bits(0x5f37_59df - (x.to_bits() >> 1));
-    // Quadratic with the least relative error against `1/sqrt(s)` over all `s` that the seed leads
-    // to: 2.5e-5.
+    // The quadratic in `s` approximates `1/sqrt(s)` with the least relative error, 2.5e-5, over all
+    // `s` that the seed can give.
     let s = x * seed * seed;
     seed * (1.876_617 + s * (-1.252_138 + s * 0.375_521_3))
 }

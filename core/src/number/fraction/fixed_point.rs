@@ -1,12 +1,12 @@
-//! Fractions in fixed point, declared by one macro for both widths.
+//! Fractions in fixed point, declared by one macro for both formats.
 //!
-//! Only the arithmetic on samples and knots differs between the widths.
+//! Only the arithmetic on samples and knots differs between the formats.
 
 use super::{Fraction, neighbours};
 use crate::number::knot::{Knot, SLOPE_BITS};
 use crate::number::{Arithmetic, Fx16, Fx32, RealExponent, Weight16, Weight32};
 
-/// Declares the fraction of a scalar, with the integers that hold its products.
+/// Declares the fraction type of a scalar type, with the integer types that hold its products.
 macro_rules! fraction {
     ($(#[$doc:meta])* $name:ident($scalar:ident, $unsigned:ident, $weight:ident, $wide:ident, $signed:ident)) => {
         $(#[$doc])*
@@ -30,11 +30,11 @@ macro_rules! fraction {
                 self.wide() as $signed
             }
 
-            /// Returns `t (1 + lift)`, capped at 1 for every lift. The lift has as many fraction
-            /// bits as a fraction.
+            /// Returns `t (1 + lift)` for this fraction `t`, capped at 1. The lift has as many
+            /// fraction bits as `t`.
             ///
             /// The cap is needed because the last rounding may exceed 1 by one step, and because
-            /// weights that are out of range wrap.
+            /// the lift wraps for a coefficient that is out of range.
             #[inline]
             fn lifted(self, lift: $signed) -> $scalar {
                 Self::capped(self.wide().wrapping_mul(Self::ONE.saturating_add_signed(lift)))
@@ -133,35 +133,35 @@ macro_rules! fraction {
 }
 
 fraction! {
-    /// A fraction with 15 fraction bits, whose products have 30.
+    /// A fraction with 15 fraction bits; a product of two has 30.
     ///
-    /// Stored in a 32-bit register, because a 16-bit value would need a truncation after each
+    /// The fraction is stored in 32 bits, because a 16-bit value would need a truncation after each
     /// operation.
     Fraction16(Fx16, u16, Weight16, u32, i32)
 }
 
 fraction! {
-    /// A fraction with 31 fraction bits, whose products have 62.
+    /// A fraction with 31 fraction bits; a product of two has 62.
     Fraction32(Fx32, u32, Weight32, u64, i64)
 }
 
-/// Samples and knots in 32 bits. The product of a line's slope has too many bits to be added to its
-/// start value, so it is rounded first.
+/// Arithmetic on samples and knots in 32 bits. The product of a line's slope and the distance from
+/// its start has too many bits to be added to the start value, so the product is rounded first.
 impl Fraction16 {
     #[inline]
     fn nearest(self) -> Fx16 {
         Fx16::from_bits(((self.0 + 1) >> 1) as i16)
     }
 
-    /// Converts a value with 15 fraction bits, where 65,535 means 1, to a scalar.
+    /// Converts a sample with 15 fraction bits, where 65,535 means 1, to a scalar.
     #[inline]
     fn of_value(value: i32) -> Fx16 {
         Self::of_sixteen_bits((value + (1 << 14)) >> 15)
     }
 
-    /// Converts a value, where 65,535 means 1, to a scalar.
+    /// Converts a sample without fraction bits, where 65,535 means 1, to a scalar.
     ///
-    /// Adding the top bit of the value to its lowest bit maps 65,535 to 65,536.
+    /// The sum of the sample and its top bit maps 65,535 to 65,536.
     #[inline]
     fn of_sixteen_bits(value: i32) -> Fx16 {
         Fx16::from_bits(((value + (value >> 15) + 2) >> 2) as i16)
@@ -177,20 +177,22 @@ impl Fraction16 {
     }
 }
 
-/// Samples and knots in 64 bits: a value keeps all its bits until it is converted to a scalar.
+/// Arithmetic on samples and knots in 64 bits. An interpolated value keeps all its bits until it is
+/// converted to a scalar.
 impl Fraction32 {
     /// Returns the nearest scalar.
     ///
-    /// The bit that the shift removes is in the carry flag, so this form takes one instruction less
-    /// than adding 1 before the shift.
+    /// The shift leaves the removed bit in the processor's carry flag, so this form takes one
+    /// instruction less than adding 1 before the shift.
     #[inline]
     fn nearest(self) -> Fx32 {
         Fx32::from_bits(((self.0 >> 1) + (self.0 & 1)) as i32)
     }
 
-    /// Converts a value with 31 fraction bits, where 65,535 means 1, to a scalar.
+    /// Converts a sample with 31 fraction bits, where 65,535 means 1, to a scalar.
     ///
-    /// Uses `2^16 / (2^16 - 1) = 1 + 2^-16 + 2^-32 + ...`
+    /// The conversion multiplies by the first three terms of
+    /// `2^16 / (2^16 - 1) = 1 + 2^-16 + 2^-32 + ...`
     #[inline]
     fn of_value(value: i64) -> Fx32 {
         let scaled = value + (value >> 16) + (value >> 32);
@@ -217,10 +219,11 @@ mod tests {
 
     extern crate std;
 
-    /// Evaluates a profile at every `t`, and checks that both ends are exact and all values in `[0,
-    /// 1]`.
+    /// Evaluates a falloff at every `t`, and checks that both ends are exact and all values in
+    /// `[0, 1]`.
     ///
-    /// Returns the largest error and the largest decrease towards the middle, both in steps.
+    /// Returns the largest error and the largest decrease towards the axis, both in steps of `Fx16`
+    /// (2^-14).
     fn over_all_t<P: Falloff>(profile: P, exact: impl Fn(f64) -> f64) -> (f64, i32) {
         let curve = profile.compile::<Fx16>();
         let at = |t: u16| i32::from(curve.intensity(Fraction16(t.into())).to_bits());
@@ -233,8 +236,8 @@ mod tests {
         })
     }
 
-    /// Exhaustive. The last rounding contributes half a step; any excess comes from the products
-    /// before it.
+    /// Exhaustive. The last rounding contributes half a step to the error; the rest of the error
+    /// comes from the products before the last rounding.
     #[test]
     fn sixteen_bits_are_monotone_and_keep_their_errors() {
         let within = |(error, fall): (f64, i32), bound: f64, most_fall: i32| {
@@ -251,7 +254,8 @@ mod tests {
         within(over_all_t(Smooth, |t| t * t * (3.0 - 2.0 * t)), 1.3, 1);
     }
 
-    /// Every quadratic on a grid of 1/32 and every monotone cubic on a grid of 1/8, at every `t`.
+    /// Tests, at every `t`, quadratics with slopes in steps of 1/32 and monotone cubics with slopes
+    /// in steps of 1/8.
     #[test]
     fn all_blends_and_cubics_fall_by_a_step_at_most() {
         let (mut worst, mut fall) = (0.0_f64, 0);
@@ -275,7 +279,7 @@ mod tests {
         assert!((0.5..=1.1).contains(&worst) && fall <= 1, "cubics: {worst}, fall by {fall}");
     }
 
-    /// Even weights that no profile has give results in `[0, 1]`.
+    /// Coefficients that no falloff has also give results in `[0, 1]`.
     #[test]
     fn every_weight_has_an_answer() {
         let weights = [i32::MIN, -65_536, -1, 0, 65_536, i32::MAX].map(Weight16::from_bits);
@@ -309,7 +313,7 @@ mod tests {
         );
     }
 
-    /// Lines between any two values, at every `t`: their slope is rounded, and the rise to nearest.
+    /// Evaluates lines of several slopes at every `t`. The rise of a line is rounded to nearest.
     #[test]
     fn a_line_is_the_nearest_value() {
         for slope in [-32_768, -12_345, -1, 0, 1, 7_777, 32_767] {
