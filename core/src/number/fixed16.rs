@@ -1,9 +1,10 @@
-//! The 16-bit format: scalars of 16 bits, lengths and directions of 32, no product wider than 32
+//! The 16-bit format: scalars of 16 bits, lengths and directions of 32 bits, products of at most 32
 //! bits.
 //!
-//! It suits a processor whose only multiplication has a 32-bit result. The fine evaluation, for
-//! steep cones and bright lights, needs the upper half of products of 32 by 32 bits; such a
-//! processor computes one from four products of 16 bits. Real powers use 64 bits in every format.
+//! The format suits a processor whose only multiplication has a 32-bit result. The fine evaluation,
+//! for steep cones and bright lights, needs the upper half of products of two 32-bit numbers. Such
+//! a processor computes an upper half from four products of 16-bit numbers. Falloffs with a real
+//! exponent use 64-bit integers in every format.
 
 mod fine_ray;
 mod frame;
@@ -22,7 +23,7 @@ use super::{
 };
 use crate::{trig, vec3::Vec3};
 
-/// Returns a scalar as an unsigned factor; a negative one becomes 0.
+/// Returns a scalar as an unsigned factor; a negative scalar becomes 0.
 #[inline]
 fn factor(scalar: Fx16) -> u32 {
     (scalar.to_bits().max(0) as u16).into()
@@ -50,35 +51,40 @@ impl Arithmetic for Fx16 {
         Offset16::between(light, point)
     }
 
-    /// The bound for a fine ramp, either zero or infinite. It is zero if the fine evaluation stays
-    /// within half a code. Its rounding need not be added to the direction's error:
-    /// [`DIRECTION_ERROR`](Self::DIRECTION_ERROR) is that of the coarse direction, and the much
-    /// smaller error of the fine direction leaves enough room.
+    /// Returns zero if the fine evaluation stays within half a linear code, else infinity.
+    ///
+    /// The rounding error of the fine evaluation need not be added to the direction's error.
+    /// [`DIRECTION_ERROR`](Self::DIRECTION_ERROR) is the error of the coarse direction, and the
+    /// error of the fine direction is so much smaller that the difference covers the rounding
+    /// error.
     fn rounding(edge: &Slopes) -> f32 {
         const ROOM: f32 = 0.99 * HALF_A_CODE;
         let fine = edge.angle * 0.25e-6 + edge.fraction * 1e-8 + Self::STEP;
         if fine <= ROOM { 0.0 } else { f32::INFINITY }
     }
 
-    /// The error terms of the coarse evaluation are:
+    /// Adds the error terms of the coarse evaluation:
     ///
-    /// - The relative error of a versine is at most 2.3e-4: from the rounding of the reciprocal
-    ///   length, from its table and from the truncated bits of the offset, each at most 9e-5. Half
-    ///   the square of 2.3e-4 adds an absolute error.
-    /// - The components of the difference are rounded to integers: 0.87 units in length.
-    /// - The remaining error of the direction is 1.36e-5.
-    /// - The argument and each product of a power are rounded to 15 bits; the ramp has 16.
+    /// - The relative error of a versine is at most 2.3e-4. It comes from the rounding of the
+    ///   reciprocal length, from the table of reciprocal lengths and from the truncated bits of the
+    ///   offset, each at most 9e-5. A versine also has an absolute error of half the square of
+    ///   2.3e-4.
+    /// - The three components of the difference between direction and axis are rounded to integers:
+    ///   together an error of 0.87 units in length.
+    /// - The remaining error of the direction is 1.36e-5 radians.
+    /// - The falloff's argument `t` and each product of a power are rounded to 15 fraction bits.
+    ///   The ramp computes with 16 bits.
     ///
     /// The terms do not have their maxima at the same point: the largest error that a search finds
-    /// is 0.84 of their sum. The bound is 0.9 of the sum.
+    /// is 0.84 of the sum of the terms. The bound is 0.9 of this sum.
     fn coarse_error(edge: &Slopes, outer: f32, limit: f32) -> f32 {
         const LENGTH: f32 = 2.3e-4;
         const MET: f32 = 0.9;
         let limit = if limit < outer { limit } else { outer };
         let direction = 1.36e-5 + 0.87 / (1_u32 << (14 + zoom(limit))) as f32;
-        // The chord `2 sin(theta / 2)` is not longer than the arc `theta`. A slope that is a bound
-        // over the angle of a narrow cone is therefore, over the chord, also a bound for a wide
-        // cone.
+        // The chord `2 sin(theta / 2)` is not longer than the arc `theta`. So the bound of a narrow
+        // cone's derivative with respect to the angle, taken with respect to the chord, also holds
+        // for a wide cone.
         let chord = trig::sqrt(2.0 * outer);
         let versine =
             edge.angle * (direction / chord + LENGTH / 2.0) + edge.fraction * (LENGTH * LENGTH / 2.0 / outer);
@@ -99,18 +105,18 @@ impl Arithmetic for Fx16 {
     }
 
     fn fine_below(error: f32, intensity: f32, grows: bool) -> u32 {
-        /// Coarse error of a cosine, relative to half a linear code.
+        /// Error of a cosine in the coarse evaluation, relative to half a linear code.
         const COSINE: f32 = 2.2e-4 / HALF_A_CODE;
-        /// Factor below 1, because a small share has a smaller error than the bound.
+        /// Factor below 1, because the error of a small share is smaller than the bound.
         ///
-        /// In light within full scale, the share that a large gain multiplies is small. With this
-        /// factor a search finds errors of up to 0.43 linear codes.
+        /// Light within full scale at a large gain has a small share. With this factor a search
+        /// finds errors of up to 0.43 linear codes.
         const BRIGHT: f32 = 0.5556;
-        /// Factor above 1, for moving points, which change from the coarse to the fine error, and
-        /// for the error of the cosine.
+        /// Factor above 1, for moving points and for the error of the cosine.
         ///
-        /// With this factor a search finds errors of up to 0.48 linear codes against the trend of a
-        /// moving point; with a factor of 1, up to 0.56.
+        /// The error of a moving point jumps where the evaluation changes from coarse to fine. With
+        /// this factor a search finds errors of up to 0.48 linear codes against the trend of a
+        /// moving point's light; with a factor of 1, up to 0.56 linear codes.
         const MOVING: f32 = 1.04;
         let error = error / HALF_A_CODE;
         let squared = BRIGHT * (MOVING * error).max(COSINE) * intensity;
@@ -120,7 +126,7 @@ impl Arithmetic for Fx16 {
         if !grows {
             return 0;
         }
-        // The squared distance in squared units of 2^-16, the step of a length.
+        // The squared distance, in units of the square of 2^-16 (the step of a length).
         let squared = ((squared * (1_u64 << 32) as f32) as u64).min((1 << 62) - 1);
         let bits = (u64::BITS - squared.leading_zeros()).div_ceil(2);
         bits << 26 | ((squared << (62 - 2 * bits)) >> 36) as u32
@@ -128,23 +134,24 @@ impl Arithmetic for Fx16 {
 
     #[inline]
     fn is_clipped(share: Self, light: Light16) -> bool {
-        // The relative error of a share of 1/32 is at most 6 %.
+        // The relative error of a share of 1/32 or more is at most 6 %, so light above 1.125
+        // exceeds full scale.
         share.to_bits() > 1 << 9 && light.to_bits() > 9 << 11
     }
 
     #[inline]
     fn weighted_byte(sum: u32) -> Self {
-        // `257 / 2^16 = (1 - 2^-16) / 255`. The difference is at most a quarter of a step, so at
-        // one the rounding removes it.
+        // `257 / 2^16 = (1 - 2^-16) / 255`. The difference from `1 / 255` changes the result by at
+        // most a quarter of a step, so the rounding still gives exactly 1 if all bytes are 255.
         Self::from_bits((((sum >> 10) * 257 + (1 << 15)) >> 16).min(1 << 14) as i16)
     }
 
     #[inline]
     fn versine_between(a: Vec3<Fx32>, b: Vec3<Fx32>, ramp: Ramp16) -> Versine16 {
         let shift = MOST_ZOOM - ramp.zoom + 1;
-        // The rounding constant is added to the second direction: if that is an axis, the addition
-        // happens once per light. The difference of opposite directions may wrap, but the wrapped
-        // value is also far outside every cone.
+        // The rounding constant of the difference is subtracted from the second direction. If the
+        // second direction is an axis, the subtraction happens once per light. The difference of
+        // opposite directions may wrap, but the wrapped value is also far outside every cone.
         let b = b.map(|c| c.to_bits().wrapping_sub(1 << (shift - 1)));
         let difference = a.zip(b, |a, b| a.to_bits().wrapping_sub(b) >> shift);
         if size(difference) >> 15 != 0 {
@@ -160,7 +167,7 @@ mod tests {
     use super::*;
     use crate::number::FullOffset;
 
-    /// Light is kept as clipped only if it is past full scale with the error of its share.
+    /// Light counts as clipped only if it exceeds full scale by more than its share's error.
     #[test]
     fn clipped_light_is_past_full_scale() {
         let (share, light) = (Fx16::from_bits((1 << 9) + 1), Light16::from_bits);
@@ -170,8 +177,9 @@ mod tests {
         assert!(!Fx16::is_clipped(Fx16::from_bits(1 << 9), light(u32::MAX)));
     }
 
-    /// The distance below which points are near is that of the encoded square, whatever its bits:
-    /// for an error of half a code, `BRIGHT * MOVING * intensity`.
+    /// Points are near below the distance whose square `fine_below` encodes.
+    ///
+    /// For an error of half a linear code, this square is `BRIGHT * MOVING * intensity`.
     #[test]
     fn points_are_near_below_the_encoded_distance() {
         for intensity in [1e-4_f32, 0.01, 0.5, 3.0, 77.0, 4_000.0, 1e6, 1e9] {

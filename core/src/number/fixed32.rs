@@ -1,4 +1,4 @@
-//! The 32-bit format: scalars, lengths and directions of 32 bits, products of 64.
+//! The 32-bit format: scalars, lengths and directions of 32 bits, products of 64 bits.
 
 mod frame;
 mod lobe;
@@ -40,8 +40,9 @@ impl Arithmetic for Fx32 {
     type Fraction = Fraction32;
     type Fine = Fraction32;
     type Ramp = Ramp32;
-    // Three components, each rounded by half a step, turn the direction by 0.87 steps. An offset
-    // with a component of more than 32,768 units is halved to fit 32 bits, which adds 0.71 steps.
+    // The rounding of three components by half a step each turns the direction by 0.87 steps of
+    // 2^-30. An offset with a component of more than 32,768 units is halved to fit 32 bits. Halving
+    // turns the direction by 0.71 steps more.
     const DIRECTION_ERROR: f32 = 8.2e-10;
 
     /// Uses all bits of the components, and normalises the axis like the direction to a point.
@@ -62,7 +63,7 @@ impl Arithmetic for Fx32 {
         Offset32::between(light, point)
     }
 
-    /// The set-up versines are `f32`, with a relative error of at most 4e-7.
+    /// The versines computed at set-up are `f32`, with a relative error of at most 4e-7.
     fn rounding(edge: &Slopes) -> f32 {
         edge.angle * 0.21e-6 + (edge.fraction + 1.5) * Self::STEP
     }
@@ -78,7 +79,7 @@ impl Arithmetic for Fx32 {
 
     #[inline]
     fn weighted_byte(sum: u32) -> Self {
-        /// `2^38 / 255`: the product with the sum has at most 63 bits.
+        /// `2^38 / 255`. The product of this constant and the sum has at most 63 bits.
         const INVERSE: u64 = 1_077_952_576;
         Self::from_bits(((u64::from(sum) * INVERSE + (1 << 31)) >> 32).min(1 << 30) as i32)
     }

@@ -1,8 +1,9 @@
-//! The fine evaluation in the 16-bit format: for cones and lights that magnify the rounding to 15
-//! bits too much.
+//! The fine evaluation of the 16-bit format, for cones and lights that magnify rounding errors of
+//! 15 bits too much.
 //!
 //! [`Cone::compile`](crate::Cone::compile) selects such cones by an error bound;
-//! `Arithmetic::fine_below` gives the distance from a bright light below which points need it.
+//! `Arithmetic::fine_below` gives the distance from a bright light below which points need the fine
+//! evaluation.
 
 use super::Ramp16;
 use crate::number::{
@@ -30,8 +31,8 @@ impl Ray<Fx16> for FineRay {
         ramp.rise_finely(self.versine(axis, ramp))
     }
 
-    /// Computed from the normal, because `facing` has too few bits. Wraps for normals longer than
-    /// 1, which is defined behaviour.
+    /// Computes the cosine from the normal, because `facing` has too few bits. The sum wraps for
+    /// normals longer than 1, which is defined behaviour.
     #[inline]
     fn cosine(&self, _: i32, normal: Vec3<Fx16>) -> Fine {
         let products = self.direction.zip(normal, |d, n| {
@@ -66,7 +67,7 @@ mod tests {
     use super::*;
     use crate::number::{FullOffset, fixed16::Offset16};
 
-    /// A normal longer than 1 wraps, as the same product in 64 bits does when it is cut to 32.
+    /// With a normal longer than 1 the cosine wraps, like a 64-bit sum truncated to 32 bits.
     #[test]
     fn the_cosine_of_a_long_normal_wraps() {
         let ways =

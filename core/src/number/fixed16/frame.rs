@@ -1,4 +1,4 @@
-//! Projection of a point onto the square, in 16 bits.
+//! Projection of a point onto the square of a spotlight, in the 16-bit format.
 
 use super::offset::Offset16;
 use crate::{
@@ -11,22 +11,23 @@ use crate::{
     vec3::Vec3,
 };
 
-/// Number of fraction bits of a frame's vectors. In a product with an offset of 17 bits there is no
-/// room for more.
+/// Number of fraction bits of a frame's vectors. With more bits, the inner product with an offset
+/// of 17 bits would not fit 32 bits.
 const BITS: u32 = 13;
 
-/// Bit length up to which a depth counts as behind the light.
+/// Bit length of a depth up to which a point counts as behind the light.
 ///
-/// Such a point is more than 88 degrees off the axis; the corners of the widest square are at 83
-/// degrees.
+/// A point with so small a depth is more than 88 degrees off the axis; the corners of the widest
+/// square are 83 degrees off the axis.
 const LEAST_BITS: u32 = 24;
 
 /// One of a frame's vectors.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 struct Vector {
     parts: Vec3<i32>,
-    /// Half the sum of the components: the mean error of the inner product due to the bits that are
-    /// truncated from an offset.
+    /// Half the sum of the components, a correction of the inner product with an offset.
+    ///
+    /// It is the mean error of the inner product that is due to the bits truncated from the offset.
     half: i32,
 }
 
@@ -38,7 +39,7 @@ pub struct Frame16 {
     axis: Vector,
     /// Coordinates of the axis on the square.
     center: [i32; 2],
-    /// `2^(shift + 8)` over the side of the square at a depth of one; 16 bits.
+    /// `2^(shift + 8)` divided by the side of the square at a depth of one; 16 bits.
     scale: u32,
     shift: u32,
 }
@@ -90,11 +91,11 @@ impl Frame16 {
         [a, b, c, right.half, e, f, g, down.half, i, j, k, axis.half, column, row, scale, shift]
     }
 
-    /// Builds the frame from three unit vectors and the tangent of half a side.
+    /// Builds the frame from three unit vectors and half the square's side at a depth of one.
     ///
-    /// Rounding turns and stretches the vectors, which would move the square. The component of each
-    /// rounded vector along the axis corrects the centre, and the length of the rounded axis
-    /// corrects the scale.
+    /// Rounding turns and stretches the vectors. This would move the square. The components of the
+    /// rounded right and down vectors along the axis correct the centre, and the length of the
+    /// rounded axis corrects the scale.
     pub(super) fn new([right, down, axis]: [Vec3<f32>; 3], tangent: f32) -> Self {
         let vectors = [right, down, axis].map(Vector::new);
         let length = vectors[2].along(axis);
@@ -125,7 +126,7 @@ impl Frame16 {
         let z = depth as u32;
         let more = root::ilog2_of_seven_bits(z >> LEAST_BITS);
         let inverse = reciprocal::inverse_16(z >> (more + LEAST_BITS + 1 - 16));
-        // The factors have at most 17 and 16 bits; 16 bits of their product are kept.
+        // The two factors have at most 17 and 16 bits; 16 bits of the product are kept.
         let factor = (inverse * self.scale + (1 << 15)) >> 16;
         let shift = (self.shift + more) % u32::BITS;
         let step = |across: Vector, center: i32| {

@@ -1,4 +1,4 @@
-//! Powers and reflections in 16 bits, with 32-bit products.
+//! Powers and reflections in the 16-bit format, with 32-bit products.
 
 use crate::number::{Fx16, Fx32, Versine16, raised};
 use crate::vec3::Vec3;
@@ -11,8 +11,8 @@ fn lack_of_product(a: u32, b: u32) -> u32 {
 
 /// Returns `(1 - versine)^exponent`.
 ///
-/// It is computed with `1 - cosine`, which keeps its leading bits near the axis; the cosine would
-/// lose them.
+/// The function computes with `1 - cosine`, which keeps its leading bits near the axis; the cosine
+/// would lose these bits.
 #[inline]
 pub(super) fn power(versine: Versine16, exponent: u32) -> Fx16 {
     let lack = raised(0, versine.to_bits().saturating_mul(8), exponent, lack_of_product);
@@ -20,8 +20,9 @@ pub(super) fn power(versine: Versine16, exponent: u32) -> Fx16 {
     Fx16::from_bits(((1 << 14) - lack) as i16)
 }
 
-/// Returns `d - 2 (d.n) n`. Wraps for vectors that are not of unit length, which is defined
-/// behaviour.
+/// Returns `d - 2 (d.n) n` for the direction `d` and the normal `n`.
+///
+/// The result wraps for vectors that are not of unit length, which is defined behaviour.
 #[inline]
 pub(super) fn mirror(direction: Vec3<Fx32>, normal: Vec3<Fx16>) -> Vec3<Fx32> {
     let products =
@@ -35,7 +36,7 @@ pub(super) fn mirror(direction: Vec3<Fx32>, normal: Vec3<Fx16>) -> Vec3<Fx32> {
 
 /// Returns the cosine of the angle of incidence.
 ///
-/// Wraps for vectors that are not of unit length, which is defined behaviour.
+/// The sum wraps for vectors that are not of unit length, which is defined behaviour.
 #[inline]
 pub(super) fn incidence(direction: Vec3<Fx32>, normal: Vec3<Fx16>) -> Fx16 {
     let products =
@@ -51,7 +52,7 @@ mod tests {
     use crate::number::Offset;
     use crate::number::fixed16::offset::Offset16;
 
-    /// The same products in 64 bits, cut to 32.
+    /// Compares with the same products in 64 bits, truncated to 32 bits.
     #[test]
     fn vectors_that_are_not_of_unit_length_wrap() {
         let components = [i32::MIN, -(1 << 30), -12_345, 0, 65_536, 1 << 30, i32::MAX];

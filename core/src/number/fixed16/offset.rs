@@ -1,4 +1,4 @@
-//! Offset from a light to a point in 16 bits, and its direction and length.
+//! Offset from a light to a point in the 16-bit format, and its direction and length.
 //!
 //! In the comments `v` is the offset, scaled until its largest component has 15 bits, and `|v|` is
 //! its length.
@@ -13,19 +13,21 @@ use crate::number::{
 };
 use crate::vec3::Vec3;
 
-/// Number of offset bits that are multiplied by the reciprocal length.
+/// Number of bits of an offset's component that are multiplied by the reciprocal length.
 ///
-/// The product has 31 bits in all. The offset gets the larger share, because its error turns the
-/// direction, while the reciprocal's error only shortens it.
+/// The product has 31 bits in all. The offset has more bits than the reciprocal length, because an
+/// error of the offset turns the direction, while an error of the reciprocal length only changes
+/// the direction's length.
 const WAY_BITS: u32 = 17;
 
-/// Rounding bias added to a direction for the truncated bits, which average half a unit.
+/// Rounding bias added to a direction for the truncated bits of the offset, which average half a
+/// unit.
 ///
-/// The ideal bias is half the reciprocal length, which varies between 2,365 and 8,192. Of the
+/// The ideal bias is half the reciprocal length. This half varies between 2,365 and 8,192. Of the
 /// constants in this range, 6,144 had the smallest error (measured).
 const CUT_OFF: i32 = 6_144;
 
-/// Number of offset bits used for everything except the direction.
+/// Number of bits of an offset's component in all computations except that of the direction.
 const COARSE_BITS: u32 = 15;
 
 /// Offset from a light to a point. The largest component has at least 17 bits unless the offset is
@@ -35,7 +37,7 @@ pub struct Offset16 {
     way: Vec3<i32>,
     /// Right shift that brings the largest component to 17 bits.
     shift: u32,
-    /// Bit length of the largest component before a short offset was scaled up.
+    /// Bit length of the largest component before any scaling.
     bits: u32,
 }
 
@@ -66,7 +68,7 @@ impl Offset16 {
         Self::scaled(way, root::ilog2_of_seven_bits(size >> WAY_BITS) + 1)
     }
 
-    /// Returns an offset whose bit length is `more + 17`.
+    /// Returns an offset whose largest component has `more + 17` bits.
     #[inline]
     fn scaled(way: Vec3<i32>, more: u32) -> Self {
         // `more` is at most 14; the mask shows this to the compiler.
@@ -83,8 +85,8 @@ impl Offset16 {
 
     /// Returns an offset of more than 24 bits, halved to fit 32 bits.
     ///
-    /// A light's coordinate has at most 30 bits and a sign. So a wrapped difference still has more
-    /// than 24 bits, and the size test detects it.
+    /// A light's coordinate has at most 30 bits and a sign. So a difference that wraps still has
+    /// more than 24 bits, and the size test of `between` detects the wrap.
     #[inline(always)] // `away.fx16` on Cortex-M0: +9 instructions without.
     fn far(light: Vec3<Length>, point: Vec3<Length>) -> Self {
         let way = point.zip(light, |p, l| (p.to_bits() >> 1) - (l.to_bits() >> 1));
@@ -102,7 +104,7 @@ impl Offset16 {
         }
     }
 
-    /// Returns the offset with a largest component of 17 bits, rounded down.
+    /// Returns the offset scaled to a largest component of 17 bits, rounded down.
     #[inline]
     pub(super) fn fine(&self) -> Vec3<i32> {
         self.way.map(|c| c >> self.shift)
@@ -110,7 +112,7 @@ impl Offset16 {
 
     /// Converts a component of the offset to a length; saturates.
     ///
-    /// `part` has 13 fraction bits more than a component of [`fine`](Self::fine).
+    /// The component `part` has 13 fraction bits more than a component of [`fine`](Self::fine).
     #[inline]
     pub(super) fn length_of(&self, part: i32) -> Length {
         const BITS: u32 = WAY_BITS + 13;
@@ -121,13 +123,13 @@ impl Offset16 {
         })
     }
 
-    /// Returns the offset with a largest component of 31 bits: its full precision.
+    /// Returns the offset scaled to a largest component of 31 bits, with all bits of the offset.
     #[inline]
     fn whole(&self) -> Vec3<i32> {
         self.way.map(|c| c << (31 - WAY_BITS - self.shift))
     }
 
-    /// Returns `v`.
+    /// Returns `v`, the offset scaled to a largest component of 15 bits.
     #[inline]
     fn coarse(&self) -> Vec3<i32> {
         self.way.map(|c| c >> (self.shift + WAY_BITS - COARSE_BITS))
@@ -138,9 +140,10 @@ impl Offset16 {
         (self.coarse(), self.bits)
     }
 
-    /// Returns `|v|^2`: the sum of three squares of 15 bits and a sign fits 32 bits.
+    /// Returns `|v|^2`. The sum of the squares of three numbers with 15 bits and a sign fits 32
+    /// bits.
     ///
-    /// Computed on demand, because a surface that faces away does not need it.
+    /// The square is computed on demand, because a surface that faces away does not need it.
     #[inline]
     fn squared(&self) -> u32 {
         let squares = self.coarse().map(|c| (c * c) as u32);
@@ -150,9 +153,10 @@ impl Offset16 {
 
 impl Offset<Fx16> for Offset16 {
     type Ray = Ray16;
-    /// Returns `n.v` in steps of 2^-14 of `|v|`: negative if the surface faces the light.
+    /// The inner product `n.v` of the normal and `v`, with 14 fraction bits. It is negative if the
+    /// surface faces the light.
     ///
-    /// Wraps for normals longer than 1.15, which is defined behaviour.
+    /// The inner product wraps for normals longer than 1.15, which is defined behaviour.
     type Facing = i32;
 
     #[inline(always)] // `spot-step-lambert` on Cortex-M0: +9 instructions without.
@@ -190,7 +194,8 @@ impl FullOffset<Fx16> for Offset16 {
 
     #[inline]
     fn faces_far_away(facing: i32) -> bool {
-        // For a unit normal, the truncated bits of three components amount to less than sqrt(3).
+        // For a unit normal, the truncated bits of the three components of `v` change `n.v` by less
+        // than sqrt(3).
         facing >= 7 << 12
     }
 
@@ -198,7 +203,7 @@ impl FullOffset<Fx16> for Offset16 {
     fn is_outside(&self, axis: Vec3<Fx32>, bound: Fx16) -> bool {
         let products = axis.zip(self.coarse(), |s, v| (s.to_bits() >> 16) * v);
         let along = products.x.wrapping_add(products.y).wrapping_add(products.z) >> 14;
-        // The axis has unit length, so 16 bits hold the component of `v` along it.
+        // The axis has unit length, so 16 bits hold the component of `v` along the axis.
         let along = along.max(0) as u32;
         let bound = u32::from(bound.to_bits().max(0) as u16);
         along.wrapping_mul(along) < (self.squared() >> 14).wrapping_mul(bound)
@@ -209,11 +214,12 @@ impl FullOffset<Fx16> for Offset16 {
         FineRay::new(self.whole(), root::inverse_sqrt_16(self.squared()), self.bits)
     }
 
-    /// `fine_below` encodes the bit length of an offset and, in its lower 26 bits, its squared
-    /// length.
+    /// Compares the offset with the length that `fine_below` encodes.
     ///
-    /// An offset with more bits than encoded is too long. Otherwise its squared length is shifted
-    /// to the encoded scale and compared.
+    /// The upper bits of `fine_below` are the bit length of an offset. The lower 26 bits are the
+    /// squared length of the offset. An offset with more bits than the encoded bit length is too
+    /// long. Otherwise the squared length of the offset is shifted to the encoded scale and
+    /// compared.
     #[inline]
     fn is_near(&self, fine_below: u32) -> bool {
         let fewer = (fine_below >> 26).wrapping_sub(self.bits);
@@ -229,7 +235,7 @@ impl Ray<Fx16> for Ray16 {
 
     #[inline]
     fn distance(&self) -> Gain16 {
-        // `|v| 2^14`, of 29 or 30 bits.
+        // The argument is `|v| 2^14`, of 29 or 30 bits.
         Gain16::normalised(high_product(self.squared, self.reciprocal), 45 - self.bits as i32)
     }
 
@@ -245,15 +251,16 @@ impl Ray<Fx16> for Ray16 {
 
     #[inline]
     fn cosine(&self, facing: i32, _: Vec3<Fx16>) -> Fraction16 {
-        // The product is at most the length of the normal in units of 2^-31. It wraps if that
-        // length exceeds 2.
+        // The product is at most the length of the normal, in units of 2^-31. The product wraps if
+        // the normal is longer than 2.
         let along = facing.min(0).unsigned_abs() >> 13;
         Fraction16((along.wrapping_mul(self.reciprocal) >> 16).min(1 << 15))
     }
 
     #[inline]
     fn expose(&self, fraction: Fx16, gain: Gain16) -> Light16 {
-        // At most 16, 16 and 18 bits: every product fits 32.
+        // `reciprocal`, `squared` and `mantissa` have at most 16, 16 and 18 bits, so every product
+        // fits 32 bits.
         let squared = (self.reciprocal * self.reciprocal) >> 16;
         let mantissa = (gain.factor() * squared) >> 14;
         Light16::shifted(factor(fraction).wrapping_mul(mantissa), gain.scale() + 2 * self.bits as i32 - 32)

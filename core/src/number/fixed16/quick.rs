@@ -1,5 +1,7 @@
-//! The quick evaluation in 16 bits: an offset of 15 bits instead of 17, a direction of 14 fraction
-//! bits in every cone, and no test for points that need more.
+//! The quick evaluation of the 16-bit format.
+//!
+//! In contrast to the standard evaluation, it has offsets of 15 bits instead of 17, directions of
+//! 14 fraction bits in every cone, and no test for points that need more bits.
 //!
 //! In the comments `v` is the offset, scaled until its largest component has 15 bits, and `|v|` is
 //! its length.
@@ -15,11 +17,12 @@ use crate::vec3::Vec3;
 /// Bit length of the largest component of `v`.
 const BITS: u32 = 15;
 
-/// Number of bits of a direction below its last kept bit.
+/// Number of lower bits that are dropped from a component of a direction.
 const DROPPED: u32 = 16;
 
-/// Rounding bias of a direction for the truncated bits of `v`: three eighths of the largest
-/// reciprocal, as in the standard evaluation.
+/// Rounding bias added to a direction for the truncated bits of `v`.
+///
+/// The bias is three eighths of the largest reciprocal length, as in the standard evaluation.
 const CUT_OFF: i32 = 24_576;
 
 /// Offset from a light to a point: `v`, and the bit length of its largest component before scaling.
@@ -42,18 +45,19 @@ impl QuickOffset16 {
     #[inline]
     fn between(light: Vec3<Length>, point: Vec3<Length>) -> Self {
         let way = point.zip(light, |p, l| p.to_bits().wrapping_sub(l.to_bits()));
-        // As in the standard evaluation, a wrapped difference has more than 24 bits.
+        // As in the standard evaluation, a difference that wraps has more than 24 bits, so this
+        // test detects the wrap.
         let above = size(way) >> BITS;
         if above == 0 || above >= 128 {
             cold_path();
             return Self::near_or_far(light, point);
         }
-        // At most 7; the mask shows this to the compiler.
+        // The shift is at most 7; the mask shows this to the compiler.
         let shift = (root::ilog2_of_seven_bits(above) + 1) & 7;
         Self { way: way.map(|c| c >> shift), bits: shift + BITS }
     }
 
-    /// Returns an offset of less than half a unit, or of 64 units and more.
+    /// Returns an offset whose largest component is less than half a unit, or 64 units and more.
     #[cold]
     #[inline(never)]
     fn near_or_far(light: Vec3<Length>, point: Vec3<Length>) -> Self {
@@ -61,7 +65,8 @@ impl QuickOffset16 {
         Self { way, bits }
     }
 
-    /// Returns `|v|^2`: the sum of three squares of 15 bits and a sign fits 32 bits.
+    /// Returns `|v|^2`. The sum of the squares of three numbers with 15 bits and a sign fits 32
+    /// bits.
     #[inline]
     fn squared(&self) -> u32 {
         let squares = self.way.map(|c| (c * c) as u32);
@@ -78,7 +83,8 @@ impl Quick for Fx16 {
         QuickOffset16::between(light, point)
     }
 
-    /// Adds all rounding constants of the difference, once per light.
+    /// Applies to the axis, once per light, all rounding constants of the difference between
+    /// direction and axis.
     fn quick_axis(axis: Vec3<Fx32>) -> Vec3<Fx32> {
         axis.map(|c| Fx32::from_bits(c.to_bits().wrapping_sub(CUT_OFF + (1 << (DROPPED - 1)))))
     }
@@ -148,8 +154,9 @@ impl Ray<Fx16> for QuickRay16 {
         self.product().map(|c| Fx32::from_bits(c.wrapping_add(CUT_OFF)))
     }
 
-    /// The axis is that of [`Quick::quick_axis`]. Each component of the difference has at most 15
-    /// bits and a sign, so the sum of the squares fits 32 bits for opposite directions, too.
+    /// `axis` is the result of [`Quick::quick_axis`]. Each component of the difference between
+    /// direction and axis has at most 15 bits and a sign, so the sum of the squares fits 32 bits
+    /// for opposite directions, too.
     #[inline]
     fn rise(&self, axis: Vec3<Fx32>, ramp: Ramp16) -> Fraction16 {
         let squares = self.product().zip(axis, |d, s| {
@@ -160,7 +167,7 @@ impl Ray<Fx16> for QuickRay16 {
         ramp.rise_coarsely(Versine16::from_bits(squared))
     }
 
-    /// Over 1 for a normal that is longer than 1, and at most 2.
+    /// The result is over 1 for a normal that is longer than 1, and at most 2.
     #[inline]
     fn cosine(&self, facing: i32, _: Vec3<Fx16>) -> Fraction16 {
         let along = facing.min(0).unsigned_abs() >> 13;
@@ -169,7 +176,8 @@ impl Ray<Fx16> for QuickRay16 {
 
     #[inline]
     fn expose(&self, fraction: Fx16, gain: Gain16) -> Light16 {
-        // At most 16, 16 and 18 bits: every product fits 32.
+        // `reciprocal`, `squared` and `mantissa` have at most 16, 16 and 18 bits, so every product
+        // fits 32 bits.
         let squared = (self.reciprocal * self.reciprocal) >> 16;
         let mantissa = (gain.factor() * squared) >> 14;
         let shift = gain.scale() + 2 * self.offset.bits as i32 - 32;

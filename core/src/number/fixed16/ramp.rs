@@ -1,45 +1,47 @@
-//! The ramp from the edge of a cone to its middle, in 16 bits.
+//! The ramp of a cone in the 16-bit format: the map from versines to the falloff's argument `t`.
 
 use crate::number::{Fx16, Rise, Versine16, fine::Fine, fraction::Fraction16, product::high_half, rounded};
 
-/// The largest zoom of a ramp: a larger zoom would need more bits than a direction has.
+/// The largest zoom of a ramp, which scales versines by `4^zoom`. A larger zoom would need more
+/// bits than a direction has.
 pub(in crate::number) const MOST_ZOOM: u32 = 15;
 
-/// A ramp: maps the excess of a versine over the inner one to `t`.
+/// A ramp: maps the excess of a versine over the inner versine to the falloff's argument `t`.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Ramp16 {
     /// The versines of this ramp are scaled by `4^zoom`.
     pub(in crate::number) zoom: u32,
-    /// Inner versine: up to it the intensity is full.
+    /// Inner versine, up to which the intensity is full.
     inner: u32,
     /// Excess over the inner versine at which the intensity becomes zero.
     ///
-    /// That is at the outer versine, or at the versine of a tighter cutoff.
+    /// The intensity becomes zero at the outer versine, or at the versine of a narrower cutoff.
     width: u32,
     /// Right shift that brings the span from inner to outer versine to at most 16 bits.
     shift: u32,
-    /// `2^31` over the shifted span.
+    /// `2^31` divided by the shifted span.
     mantissa: u32,
-    /// Minuend from which the product is subtracted. It includes all rounding constants.
+    /// Number from which the product of shifted excess and `mantissa` is subtracted.
     ///
-    /// It is 1 with 31 fraction bits, plus half a step of the result, less half the truncation of a
-    /// shifted versine.
+    /// It is 1 with 31 fraction bits plus all rounding constants: half a step of the result, less
+    /// half the truncation error of a shifted excess.
     one: u32,
-    /// The width of a fine ramp, one that always has the fine evaluation; 0 for any other ramp. The
-    /// `width` of a fine ramp is 0.
+    /// The width of a fine ramp (a ramp that always has the fine evaluation); 0 for any other ramp.
+    ///
+    /// The field `width` of a fine ramp is 0.
     fine: u32,
-    /// Bit length of the span.
+    /// Bit length of the span from inner to outer versine.
     fine_shift: u32,
-    /// `2^63` over the span, which is first shifted to 32 bits.
+    /// `2^63` divided by the span after a shift to 32 bits.
     fine_mantissa: u32,
 }
 
 impl Ramp16 {
     /// Restores a ramp from its bits, in the order of the fields.
     ///
-    /// Invalid values are replaced, so that every versine has a position in `[0, 1]` on the ramp.
+    /// Invalid values are replaced, so that every versine gives a `t` in `[0, 1]`.
     pub const fn from_bits(bits: [u32; 9]) -> Self {
-        /// Largest value for which a versine at the inner one gives at most 1.
+        /// Largest value of `one` with which the inner versine gives a `t` of at most 1.
         const MOST: u32 = (1 << 31) + (1 << 16) - 1;
         let [zoom, inner, width, shift, mantissa, one, fine, fine_shift, fine_mantissa] = bits;
         let width = if fine == 0 { width } else { 0 };
@@ -65,73 +67,74 @@ impl Ramp16 {
         [zoom, inner, width, shift, mantissa, one, fine, fine_shift, fine_mantissa]
     }
 
-    /// Builds the ramp between two versines, cut off at a limit.
+    /// Builds the ramp between two versines, with `t = 0` from the versine `limit` on.
     pub(in crate::number) fn new(inner: f32, outer: f32, limit: f32) -> Self {
-        // The scaled limit is at most 2, the square of the largest component that `versine_between`
-        // accepts. Larger components are beyond the limit anyway.
+        // The zoom is such that the scaled limit is at most 2, the square of the largest component
+        // of a difference that `versine_between` accepts. A difference with a larger component is
+        // beyond the limit anyway.
         Self::with_zoom(inner, outer, limit, zoom(if limit < outer { limit } else { outer }))
     }
 
-    /// As [`new`](Self::new), for versines that are scaled by `4^zoom`.
+    /// Builds the ramp of [`new`](Self::new) with a given zoom: versines are scaled by `4^zoom`.
     pub(in crate::number) fn with_zoom(inner: f32, outer: f32, limit: f32, zoom: u32) -> Self {
         let limit = if limit < outer { limit } else { outer };
         let [inner, limit] = [inner, limit].map(|versine| magnified(versine, zoom).to_bits());
         let outer = (outer * (1_u64 << (29 + 2 * zoom)) as f32 + 0.5) as u64;
         let span = outer.saturating_sub(inner.into()).max(1);
         let shift = (u64::BITS - span.leading_zeros()).saturating_sub(16).min(31);
-        // Divides by the whole span, not the shifted one: the bits lost by the shift would change
-        // the slope.
+        // Divides by the whole span: the bits that the shifted span loses would change the slope of
+        // the ramp.
         let mantissa = (((1 << (31 + shift)) + span / 2) / span) as u32;
         let width = limit.saturating_sub(inner);
         let one = (1 << 31) + (1 << 15) - (mantissa - (mantissa >> shift)) / 2;
-        // The last versine before the limit must not give a negative value.
+        // The last versine before the limit must not give a negative `t`.
         let one = one.max((width.saturating_sub(1) >> shift) * mantissa);
-        // The fine reciprocal is also that of the whole span, which is
-        // `divisor 2^(fine_shift - 32)`.
+        // The reciprocal for the fine evaluation also is that of the whole span, which is
+        // `divisor * 2^(fine_shift - 32)`.
         let fine_shift = u64::BITS - span.leading_zeros();
-        // The upper bit is always set; the `|` shows this to the compiler.
+        // The upper bit of the divisor is always set; the `|` shows this to the compiler.
         let divisor = (span << span.leading_zeros()) >> 32 | 1 << 31;
         let fine_mantissa = ((1 << 63) / divisor).min(u32::MAX.into()) as u32;
         let inner = inner.min(limit);
         Self { zoom, inner, width, shift, mantissa, one, fine: 0, fine_shift, fine_mantissa }
     }
 
-    /// Returns the same ramp as a fine ramp, which always has the fine evaluation.
+    /// Returns the same ramp as a fine ramp, that is, with the fine evaluation at every versine.
     pub(in crate::number) fn into_fine(self) -> Self {
         Self { width: 0, fine: self.width, ..self }
     }
 
-    /// Returns the position of a versine on the ramp.
+    /// Returns the falloff's argument `t` at a versine.
     #[inline]
     pub(in crate::number) fn rise(self, versine: Versine16) -> Rise<Fx16> {
         match self.within(versine) {
             Some(t) => Rise::Coarse(t),
-            // `within` returns `None` for a fine ramp, because its `width` is 0.
+            // For a fine ramp `within` returns `None`, because the `width` of a fine ramp is 0.
             None if self.fine > 0 => Rise::Fine(self.rise_finely(versine)),
             None => Rise::Coarse(self.end(versine)),
         }
     }
 
-    /// Returns the position on a ramp that is no fine ramp.
+    /// Returns the falloff's argument `t` at a versine, for a ramp that is not a fine ramp.
     #[inline]
     pub(in crate::number) fn rise_coarsely(self, versine: Versine16) -> Fraction16 {
         self.within(versine).unwrap_or_else(|| self.end(versine))
     }
 
-    /// Returns the position of a versine between the ends of the ramp; `None` outside them.
+    /// Returns `t` at a versine between the ends of the ramp, and `None` at any other versine.
     #[inline]
     fn within(self, versine: Versine16) -> Option<Fraction16> {
         let past = versine.to_bits().wrapping_sub(self.inner);
         (past < self.width).then(|| Fraction16((self.one - (past >> self.shift) * self.mantissa) >> 16))
     }
 
-    /// Returns the position of a versine at or beyond an end of the ramp: 1 or 0.
+    /// Returns `t` at a versine at or beyond an end of the ramp: 1 or 0.
     #[inline]
     fn end(self, versine: Versine16) -> Fraction16 {
         Fraction16(if versine.to_bits() < self.inner { 1 << 15 } else { 0 })
     }
 
-    /// Returns the position of a versine on the ramp, with full precision.
+    /// Returns the falloff's argument `t` at a versine, with full precision.
     #[inline(always)] // `spot-soft` on Cortex-M0: +21 instructions without.
     pub(in crate::number) fn rise_finely(self, versine: Versine16) -> Fine {
         let versine = versine.to_bits();
@@ -162,7 +165,7 @@ pub(in crate::number) fn magnified(value: f32, zoom: u32) -> Versine16 {
 mod tests {
     use super::*;
 
-    /// Ramps of every width, with hotspots and cutoffs, coarse and fine.
+    /// Returns ramps of every width, with hotspots and cutoffs.
     fn ramps() -> impl Iterator<Item = Ramp16> {
         (0..20_000_u32).flat_map(|i| {
             let outer = (1.0 - i as f32 / 40_000.0) / (1_u32 << (i % 14)) as f32;
@@ -202,8 +205,10 @@ mod tests {
         }
     }
 
-    /// If the cone is wide and its cutoff narrow, the difference between the outer and the inner
-    /// versine has many more bits than any versine inside the cutoff.
+    /// A wide ramp with a narrow cutoff keeps the precision of `t`.
+    ///
+    /// The difference between the outer and the inner versine then has many more bits than any
+    /// versine inside the cutoff.
     #[test]
     fn a_cutoff_may_be_narrow_within_a_wide_ramp() {
         for shift in 8..29 {

@@ -1,4 +1,4 @@
-//! Projection of a point onto the square, in 32 bits.
+//! Projection of a point onto the square of a spotlight, in the 32-bit format.
 
 use super::{offset::Offset32, wide};
 use crate::number::{Fx32, Length};
@@ -11,13 +11,13 @@ use crate::{
     vec3::Vec3,
 };
 
-/// Bit length up to which a depth counts as behind the light.
+/// Bit length of a depth up to which a point counts as behind the light.
 ///
-/// Such a point is more than 88 degrees off the axis; the corners of the widest square are at 83
-/// degrees.
+/// A point with so small a depth is more than 88 degrees off the axis; the corners of the widest
+/// square are 83 degrees off the axis.
 const LEAST_BITS: u32 = 54;
 
-/// Number of fraction bits of a coordinate step before it is rounded down.
+/// Number of fraction bits of a coordinate, in steps, before the coordinate is rounded down.
 const FINE: u32 = 8;
 
 /// Frame of a projection about the axis of a light.
@@ -28,7 +28,7 @@ pub struct Frame32 {
     axis: Vec3<i32>,
     /// Coordinates of the axis on the square, in steps with [`FINE`] fraction bits.
     center: [i32; 2],
-    /// `2^(shift + 2)` over the side of the square at a depth of one; 28 bits.
+    /// `2^(shift + 2)` divided by the side of the square at a depth of one; 28 bits.
     scale: u32,
     shift: u32,
 }
@@ -57,10 +57,11 @@ impl Frame32 {
         [a, b, c, d, e, f, g, h, i, column, row, scale as i32, shift as i32]
     }
 
-    /// Builds the frame from three unit vectors and the tangent of half a side.
+    /// Builds the frame from three unit vectors and half the square's side at a depth of one.
     ///
     /// After rounding, the right and down vectors are not quite orthogonal to the axis, and a
-    /// narrow cone would magnify this error. The centre is corrected for it.
+    /// narrow cone would magnify this error. The coordinates of the centre are corrected for this
+    /// error.
     pub(super) fn new([right, down, axis]: [Vec3<f32>; 3], tangent: f32) -> Self {
         let [right, down] = [right, down].map(|across| across.map(Fx32::from_f32));
         let axis = Fx32::axis(axis);
@@ -91,7 +92,7 @@ impl Frame32 {
         let z = depth as u64;
         let bits = u64::BITS - z.leading_zeros();
         let inverse = u64::from(reciprocal::inverse_28((z >> (bits - 28)) as u32));
-        // The factors have at most 29 and 28 bits; 28 bits of their product are kept.
+        // The two factors have at most 29 and 28 bits; 28 bits of the product are kept.
         let factor = (inverse * u64::from(self.scale) + (1 << 27)) >> 28;
         let shift = (self.shift + bits - LEAST_BITS - 1) % u64::BITS;
         let step = |across, center: i32| {
@@ -116,7 +117,8 @@ impl Offset32 {
     }
 }
 
-/// Returns half the inner product with an offset: at most 61 bits and a sign for a unit vector.
+/// Returns half the inner product of a vector and an offset. For a unit vector the result has at
+/// most 61 bits and a sign.
 #[inline]
 fn part(vector: Vec3<i32>, way: Vec3<i32>) -> i64 {
     let products = vector.zip(way, |a, b| wide(a, b) >> 1);

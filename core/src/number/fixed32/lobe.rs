@@ -1,4 +1,4 @@
-//! Powers and reflections in 32 bits, with 64-bit products.
+//! Powers and reflections in the 32-bit format, with 64-bit products.
 
 use super::wide;
 use crate::number::{Fx32, Versine32, raised};
@@ -15,8 +15,8 @@ fn lack_of_product(a: u64, b: u64) -> u64 {
 
 /// Returns `(1 - versine)^exponent`.
 ///
-/// It is computed with `1 - cosine`, which keeps its leading bits near the axis; the cosine would
-/// lose them.
+/// The function computes with `1 - cosine`, which keeps its leading bits near the axis; the cosine
+/// would lose these bits.
 #[inline]
 pub(super) fn power(versine: Versine32, exponent: u32) -> Fx32 {
     let lack = raised(0, versine.to_bits().min(ONE / 2) * 2, exponent, lack_of_product);
@@ -24,15 +24,16 @@ pub(super) fn power(versine: Versine32, exponent: u32) -> Fx32 {
     Fx32::from_bits(((1 << 30) - lack) as i32)
 }
 
-/// Returns the inner product, with 58 fraction bits.
+/// Returns the inner product of a direction and a normal, with 58 fraction bits.
 #[inline]
 fn inner(direction: Vec3<Fx32>, normal: Vec3<Fx32>) -> i64 {
     let products = direction.zip(normal, |d, n| wide(d.to_bits(), n.to_bits()) >> 2);
     products.x + products.y + products.z
 }
 
-/// Returns `d - 2 (d.n) n`. Wraps for vectors that are not of unit length, which is defined
-/// behaviour.
+/// Returns `d - 2 (d.n) n` for the direction `d` and the normal `n`.
+///
+/// The result wraps for vectors that are not of unit length, which is defined behaviour.
 #[inline]
 pub(super) fn mirror(direction: Vec3<Fx32>, normal: Vec3<Fx32>) -> Vec3<Fx32> {
     let cosine = (inner(direction, normal) + (1 << 27)) >> 28;
@@ -53,7 +54,7 @@ pub(super) fn incidence(direction: Vec3<Fx32>, normal: Vec3<Fx32>) -> Fx32 {
 mod tests {
     use super::*;
 
-    /// The same products in 128 bits, cut to 64 and to 32.
+    /// Compares with the same products in 128 bits, truncated to 64 and to 32 bits.
     #[test]
     fn vectors_that_are_not_of_unit_length_wrap() {
         let components = [i32::MIN, -(1 << 30), -12_345, 0, 1 << 30, i32::MAX];

@@ -1,4 +1,4 @@
-//! Offset from a light to a point in 32 bits, and its direction and length.
+//! Offset from a light to a point in the 32-bit format, and its direction and length.
 //!
 //! In the comments `|v|` is the length of the scaled offset, whose largest component has 31 bits.
 
@@ -26,7 +26,8 @@ pub struct Ray32 {
     reciprocal: u64,
 }
 
-/// Returns the inner product of a vector and an offset. Wraps if the vector is longer than 1.15.
+/// Returns the inner product of a vector and an offset. The result wraps if the vector is longer
+/// than 1.15.
 #[inline]
 fn inner_product(vector: Vec3<Fx32>, way: Vec3<i32>) -> i64 {
     let products = vector.zip(way, |a, b| wide(a.to_bits(), b));
@@ -56,7 +57,8 @@ impl Offset32 {
         Self { way: way.map(|c| c << (31 - bits)), bits }
     }
 
-    /// Returns `|v|^2`. Computed on demand, because a surface that faces away does not need it.
+    /// Returns `|v|^2`. The square is computed on demand, because a surface that faces away does
+    /// not need it.
     #[inline]
     fn squared(&self) -> u64 {
         let squares = self.way.map(square);
@@ -66,7 +68,10 @@ impl Offset32 {
 
 impl Offset<Fx32> for Offset32 {
     type Ray = Ray32;
-    /// In steps of 2^-30 of `|v|`. Wraps for normals longer than 1.15, which is defined behaviour.
+    /// The inner product of the normal and the scaled offset, with 30 fraction bits and the sign
+    /// reversed.
+    ///
+    /// The inner product wraps for normals longer than 1.15, which is defined behaviour.
     type Facing = i64;
 
     #[inline]
@@ -124,7 +129,7 @@ impl Ray<Fx32> for Ray32 {
 
     #[inline]
     fn distance(&self) -> Gain32 {
-        // `|v| 2^30`, of 61 or 62 bits.
+        // The distance is `|v| 2^30`, of 61 or 62 bits.
         let distance = (self.squared >> 30) * (self.reciprocal >> 2);
         Gain32::normalised(distance, 77 - self.bits as i32)
     }
@@ -141,16 +146,17 @@ impl Ray<Fx32> for Ray32 {
 
     #[inline]
     fn cosine(&self, facing: i64, _: Vec3<Fx32>) -> Fraction32 {
-        // The product is at most the length of the normal in units of 2^-61. It fits 64 bits even
-        // if `facing` has wrapped: `facing` only wraps if `|v| > 2^31`, and then the reciprocal is
-        // small.
+        // The product is at most the length of the normal, in units of 2^-61. The product fits 64
+        // bits even if `facing` has wrapped: `facing` only wraps if `|v| > 2^31`, and then the
+        // reciprocal is small.
         let cosine = ((facing.max(0) as u64 >> 31) * self.reciprocal) >> 30;
         Fraction32(cosine.min(1 << 31) as u32)
     }
 
     #[inline]
     fn expose(&self, share: Fx32, gain: Gain32) -> Light32 {
-        // At most 32, 28 and 34 bits: every product fits 64.
+        // The reciprocal, the gain's factor and `mantissa` have at most 32, 28 and 34 bits, so
+        // every product fits 64 bits.
         let reciprocal = self.reciprocal >> 1;
         let squared = (reciprocal * reciprocal) >> 28;
         let mantissa = (gain.factor() * squared) >> 28;
@@ -162,7 +168,8 @@ impl Ray<Fx32> for Ray32 {
 mod tests {
     use super::*;
 
-    /// From one corner of space to the other, the half of the difference does not fit 32 bits.
+    /// Between opposite corners of the coordinate range, even half the difference does not fit 32
+    /// bits.
     #[test]
     fn the_longest_offset_keeps_its_direction() {
         let corner = |bits| Vec3::new(bits, bits, bits).map(Length::from_bits);

@@ -1,5 +1,7 @@
-//! The quick evaluation in 32 bits: the direction of the 16-bit format's fine evaluation, and 32-bit
-//! products, where the standard evaluation has 64-bit products.
+//! The quick evaluation of the 32-bit format.
+//!
+//! It uses the direction of the 16-bit format's fine evaluation, and 32-bit products where the
+//! standard evaluation has 64-bit products.
 
 use super::offset::Offset32;
 use crate::number::{
@@ -13,10 +15,10 @@ use crate::number::{
 use crate::trig;
 use crate::vec3::Vec3;
 
-/// Number of bits of an offset below those that the root and the early-out use.
+/// Number of lower bits of an offset that the square root and the early-out do not use.
 const DROPPED: u32 = 16;
 
-/// Bit length from which on the common path takes an offset.
+/// Bit length up to which an offset is too short for the common path.
 const SHORT: u32 = 16;
 
 /// Offset from a light to a point, scaled until its largest component has 31 bits.
@@ -31,7 +33,8 @@ impl QuickOffset32 {
     #[inline]
     fn between(light: Vec3<Length>, point: Vec3<Length>) -> Self {
         let way = point.zip(light, |p, l| p.to_bits().wrapping_sub(l.to_bits()));
-        // As in the 16-bit format, a wrapped difference has more than 24 bits.
+        // As in the 16-bit format, a difference that wraps has more than 24 bits, so this test
+        // detects the wrap.
         let above = size(way) >> SHORT;
         if above == 0 || above >= 128 {
             cold_path();
@@ -41,7 +44,7 @@ impl QuickOffset32 {
         Self { way: way.map(|c| c << (31 - bits)), bits }
     }
 
-    /// Returns an offset of less than one unit, or of 128 units and more.
+    /// Returns an offset whose largest component is less than one unit, or 128 units and more.
     #[cold]
     #[inline(never)]
     fn near_or_far(light: Vec3<Length>, point: Vec3<Length>) -> Self {
@@ -49,7 +52,7 @@ impl QuickOffset32 {
         Self { way, bits }
     }
 
-    /// Returns the upper 15 bits and the sign.
+    /// Returns the upper 15 bits and the sign of each component.
     #[inline]
     fn coarse(&self) -> Vec3<i32> {
         self.way.map(|c| c >> DROPPED)
@@ -73,8 +76,8 @@ impl Quick for Fx32 {
         Ramp16::new(inner, outer, limit)
     }
 
-    /// The set-up versines are `f32`, with a relative error of at most 4e-7, as in the standard
-    /// evaluation.
+    /// The versines computed at set-up are `f32`, with a relative error of at most 4e-7, as in the
+    /// standard evaluation.
     fn quick_error(edge: &Slopes, outer: f32) -> f32 {
         const LENGTH: f32 = 4e-8;
         const DIRECTION: f32 = 3e-9;
@@ -85,7 +88,9 @@ impl Quick for Fx32 {
 
 impl Offset<Fx32> for QuickOffset32 {
     type Ray = FineRay;
-    /// In steps of 2^-14 of the offset with 15 bits, without the lower bits of both.
+    /// The inner product of the normal and the offset of 15 bits, with 14 fraction bits.
+    ///
+    /// The lower bits of normal and offset are dropped before the product.
     type Facing = i64;
 
     #[inline]
@@ -94,8 +99,10 @@ impl Offset<Fx32> for QuickOffset32 {
         products.x.wrapping_add(products.y).wrapping_add(products.z).into()
     }
 
-    /// Whether the surface certainly faces away: the truncated bits of a unit normal and of the
-    /// offset amount to less than `sqrt(3) 2^15 + sqrt(3) 2^14`.
+    /// Returns whether the surface certainly faces away from the light.
+    ///
+    /// The truncated bits of a unit normal and of the offset change the inner product by less than
+    /// `sqrt(3) 2^15 + sqrt(3) 2^14`.
     #[inline]
     fn faces_away(facing: i64) -> bool {
         facing >= 1 << 17
@@ -135,10 +142,10 @@ impl Ray<Fx32> for FineRay {
         ramp.rise_finely(self.versine(axis, ramp))
     }
 
-    /// Wraps for normals longer than 1, which is defined behaviour.
+    /// The cosine is capped at 1, also for normals longer than 1.
     #[inline]
     fn cosine(&self, _: i64, normal: Vec3<Fx32>) -> Fine {
-        // Half a normal fits 30 bits, however long it is.
+        // Half of a normal's component fits 30 bits and a sign, for normals of any length.
         let products = self.direction.zip(normal, |d, n| signed_high_half(d, n.to_bits() >> 1));
         let along = products.x + products.y + products.z;
         Fine(along.min(0).unsigned_abs().min(1 << 27) << 4)

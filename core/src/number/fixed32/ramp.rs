@@ -1,41 +1,39 @@
-//! The ramp from the edge of a cone to its middle, in 32 bits.
+//! The ramp of a cone in the 32-bit format: the map from versines to the falloff's argument `t`.
 
 use crate::number::{Versine32, fraction::Fraction32, rounded};
 
-/// Largest versine that counts as zero, that is, as on the axis.
+/// Largest versine that counts as zero, so that its direction counts as on the axis.
 ///
-/// Each component of a direction, whether of the axis or to a point, is within one unit in the last
-/// place of the exact one. So two computed values of the same direction differ by at most 2 units
-/// per component.
+/// Each component of a direction, whether of the axis or to a point, is within one ULP of its exact
+/// value. So two computed values of the same direction differ by at most 2 ULPs in each component.
 const ON_AXIS: u64 = 3 * 2 * 2;
 
-/// A ramp: maps the gap between a versine and the outer one to `t`.
+/// A ramp: maps the gap between a versine and the outer versine to the falloff's argument `t`.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Ramp32 {
-    /// Versine from which on the intensity is zero: the outer versine, or that of a narrower
+    /// Versine from which on the intensity is zero: the outer versine, or the versine of a narrower
     /// cutoff.
     limit: u64,
     outer: u64,
-    /// Versine up to which the intensity is full: the inner versine, or [`ON_AXIS`] if that is
-    /// larger.
+    /// Versine up to which the intensity is full: the larger of the inner versine and [`ON_AXIS`].
     inner: u64,
     span: u64,
     /// Right shift that brings the span to at most 32 bits.
     shift: u32,
-    /// `2^63` over the shifted span.
+    /// `2^63` divided by the shifted span.
     mantissa: u64,
-    /// Half the truncation of a shifted gap, plus half a step of the result: both rounding
-    /// constants in one addition.
+    /// Sum of two rounding constants: half the truncation error of a shifted gap, and half a step
+    /// of the result.
     half: u64,
 }
 
 impl Ramp32 {
     /// Restores a ramp from its bits, in the order of the fields.
     ///
-    /// Invalid values are replaced, so that every versine has a position in `[0, 1]` on the ramp.
+    /// Invalid values are replaced, so that every versine gives a `t` in `[0, 1]`.
     pub const fn from_bits([limit, outer, inner, span, shift, mantissa, half]: [u64; 7]) -> Self {
-        // Largest sum of `half` and the product of a gap short of the span for which the result is
-        // at most 1.
+        // Largest sum with which `t` is at most 1: the sum of `half` and the product of `mantissa`
+        // and the largest shifted gap that is less than the span.
         const MOST: u64 = (1 << 63) + (1 << 32) - 1;
         let shift = shift as u32 % u64::BITS;
         let steps = span.saturating_sub(1) >> shift;
@@ -44,7 +42,7 @@ impl Ramp32 {
         Self {
             limit: if limit < outer { limit } else { outer },
             outer,
-            // A gap beyond the span would be rounded to more than 1.
+            // A gap larger than the span would give a `t` over 1.
             inner: if inner > outer.saturating_sub(span) { inner } else { outer.saturating_sub(span) },
             span,
             shift,
@@ -58,7 +56,7 @@ impl Ramp32 {
         [self.limit, self.outer, self.inner, self.span, self.shift as u64, self.mantissa, self.half]
     }
 
-    /// Builds the ramp between two versines, cut off at a limit.
+    /// Builds the ramp between two versines, with `t = 0` from the versine `limit` on.
     pub(super) fn new(inner: f32, outer: f32, limit: f32) -> Self {
         let [inner, outer, limit] = [inner, outer, limit].map(|versine| nearest_versine(versine).to_bits());
         let span = outer.saturating_sub(inner);
@@ -66,13 +64,13 @@ impl Ramp32 {
         let divisor = (span >> shift).max(1);
         let mantissa = ((1 << 63) + divisor / 2) / divisor;
         let inner = inner.max(ON_AXIS);
-        // The largest gap short of the span must not give a result over 1.
+        // The largest gap that is less than the span must not give a `t` over 1.
         let room = ((1 << 63) + (1 << 32) - 1) - (span.saturating_sub(1) >> shift) * mantissa;
         let half = ((mantissa - (mantissa >> shift)) / 2 + (1 << 31)).min(room);
         Self { limit: limit.min(outer), outer, inner, span, shift, mantissa, half }
     }
 
-    /// Returns the position of a versine on the ramp.
+    /// Returns the falloff's argument `t` at a versine.
     #[inline]
     pub(super) fn rise(self, versine: Versine32) -> Fraction32 {
         let versine = versine.to_bits();
@@ -95,7 +93,7 @@ pub(super) fn nearest_versine(value: f32) -> Versine32 {
 mod tests {
     use super::*;
 
-    /// Ramps of every width, with hotspots and cutoffs.
+    /// Returns ramps of every width, with hotspots and cutoffs.
     fn ramps() -> impl Iterator<Item = Ramp32> {
         (0..40_000_u32).flat_map(|i| {
             let outer = (1.0 - i as f32 / 80_000.0) / (1_u32 << (i % 30)) as f32;
@@ -112,11 +110,11 @@ mod tests {
         }
     }
 
-    /// Next to the hotspot the rounding must not pass 1.
+    /// At versines next to the hotspot, rounding must not give a `t` over 1.
     #[test]
     fn a_ramp_ends_at_one() {
         let mut reached = 0;
-        // A mantissa that is rounded up, for a span whose lower bits are all set.
+        // Ramps with a mantissa that is rounded up, for a span whose lower bits are all set.
         let full = |i: u32| Ramp32::new(1e-12, 0.5 + i as f32 / 16_777_216.0, 1.0);
         for ramp in ramps().chain((0..4_000).map(full)) {
             let rise = |beyond| ramp.rise(Versine32::from_bits(ramp.inner + beyond)).0;
@@ -127,7 +125,7 @@ mod tests {
         assert!(reached > 1_000, "only {reached} ramps are rounded to 1");
     }
 
-    /// A mantissa too many, or half a step too many, would pass 1 next to the hotspot.
+    /// With a larger `mantissa` or `half`, the ramp would give a `t` over 1 next to the hotspot.
     #[test]
     fn bits_beyond_their_limits_are_replaced() {
         const MOST: u64 = (1 << 63) + (1 << 32) - 1;
