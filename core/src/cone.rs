@@ -1,5 +1,6 @@
-//! Cones of light: designed from the angles of a data sheet, and compiled to a function of the
-//! versine that needs no angles.
+//! Cones of light, designed from the angles of a data sheet.
+//!
+//! A compiled cone is a function of the versine and needs no angles.
 
 mod compiled;
 mod two_angles;
@@ -22,9 +23,10 @@ use crate::{
 /// A cone has two options:
 ///
 /// - a **hotspot** ([`with_inner`](Self::with_inner)): full intensity up to an inner angle, and the
-///   falloff between the inner and the outer angle. If both are equal, the cone is a step.
+///   falloff between the inner and the outer angle. If the inner and the outer angle are equal, the
+///   cone is a step.
 /// - a **cutoff** ([`with_cutoff`](Self::with_cutoff)): no light outside an angle that is smaller
-///   than the outer angle, as behind a barn door or an iris. It costs nothing per point.
+///   than the outer angle, as behind a barn door or an iris. A cutoff costs nothing per point.
 ///
 /// All angles are full angles.
 ///
@@ -42,7 +44,7 @@ pub struct Cone<P = SoftOrHard> {
     inner: f32,
     /// The versine of the half angle at which the falloff ends, in (0, 1].
     outer: f32,
-    /// The versine from which on there is no light: `outer`, or that of a smaller cutoff.
+    /// The versine from which on there is no light: `outer`, or the versine of a smaller cutoff.
     limit: f32,
 }
 
@@ -73,11 +75,11 @@ impl<P: Falloff> Cone<P> {
         Self::from_angle(profile, outer.into(), 1.0, Parameter::OuterAngle)
     }
 
-    /// Creates the cone whose given angle has the versine `fraction * outer_versine`.
+    /// Creates the cone in which the versine of this angle is `fraction` times the outer versine.
     fn from_angle(profile: P, angle: Angle, fraction: f32, parameter: Parameter) -> Result<Self, Error> {
         let largest = Angle::from_versine(fraction);
         let outer = angle.versine() / fraction;
-        // The versine of a tiny positive angle may underflow.
+        // The versine of a tiny positive angle may underflow to zero.
         if angle > Angle::degrees(0.0) && angle <= largest && outer >= f32::MIN_POSITIVE {
             Ok(Self::open(profile, 0.0, outer.min(1.0)))
         } else {
@@ -91,11 +93,11 @@ impl<P: Falloff> Cone<P> {
         Self { profile, inner, outer, limit: outer }
     }
 
-    /// Returns the cone with a hotspot: full intensity up to this angle, and the falloff from there
-    /// to the outer angle.
+    /// Returns the cone with a hotspot: full intensity up to this angle.
     ///
-    /// The outer angle stays the same; beam and field angle become larger. An inner angle of 0
-    /// removes the hotspot; an inner angle equal to the outer one makes a step.
+    /// The falloff is then between this angle and the outer angle. The outer angle stays the same;
+    /// beam and field angle become larger. An inner angle of 0 removes the hotspot. An inner angle
+    /// equal to the outer angle makes a step.
     ///
     /// # Errors
     /// An angle that is negative or larger than the angle at which the falloff ends.
@@ -110,8 +112,8 @@ impl<P: Falloff> Cone<P> {
         }
     }
 
-    /// Returns the cone with a cutoff: no light from this angle on. The intensity inside does not
-    /// change.
+    /// Returns the cone with a cutoff: no light from this angle on. The intensity inside the cutoff
+    /// does not change.
     ///
     /// # Errors
     /// An angle that is not more than 0, or larger than the angle at which the falloff ends.
@@ -134,25 +136,24 @@ impl<P: Falloff> Cone<P> {
     }
 
     /// Returns the full inner angle, up to which the intensity is that of the axis; 0 without a
-    /// hotspot. At most [`outer`](Self::outer).
+    /// hotspot. The inner angle is at most [`outer`](Self::outer).
     pub fn inner(&self) -> Angle {
         Angle::from_versine(self.inner.min(self.limit))
     }
 
-    /// Returns the full beam angle: the angle at which the falloff reaches 50 %, or the cutoff if
-    /// that is smaller.
+    /// Returns the full beam angle, at which the falloff reaches 50 %, or a smaller cutoff.
     pub fn beam(&self) -> Angle {
         self.angle_at(self.profile.beam_versine())
     }
 
-    /// Returns the full field angle: the angle at which the falloff reaches 10 %, or the cutoff if
-    /// that is smaller.
+    /// Returns the full field angle, at which the falloff reaches 10 %, or a smaller cutoff.
     pub fn field(&self) -> Angle {
         self.angle_at(self.profile.field_versine())
     }
 
-    /// Returns the full angle from which on there is no light: the angle at which the falloff ends,
-    /// or the cutoff if that is smaller.
+    /// Returns the full angle from which on there is no light.
+    ///
+    /// This is the angle at which the falloff ends, or a smaller cutoff.
     pub fn outer(&self) -> Angle {
         Angle::from_versine(self.limit)
     }
@@ -172,8 +173,7 @@ impl<P: Falloff> Cone<P> {
         self.limit
     }
 
-    /// Returns the full angle at which the falloff's argument is `u`, or the cutoff if that is
-    /// smaller.
+    /// Returns the full angle at which the falloff's argument is `t = 1 - u`, or a smaller cutoff.
     fn angle_at(&self, u: f32) -> Angle {
         Angle::from_versine((self.inner + u * (self.outer - self.inner)).min(self.limit))
     }
@@ -186,20 +186,20 @@ impl<P: Falloff> Cone<P> {
 
     /// Returns the luminous flux in lumens for an intensity on the axis in candela.
     ///
-    /// It is `2 pi` times the integral of the intensity over the versine, including hotspot and
-    /// cutoff. Relative error under 2e-5 (searched).
+    /// The luminous flux is `2 pi` times the integral of the intensity over the versine, including
+    /// hotspot and cutoff. The relative error is under 2e-5 (searched).
     pub fn lumens(&self, candela: f32) -> f32 {
         candela * self.solid_angle()
     }
 
     /// Returns the intensity on the axis in candela for a luminous flux in lumens: the inverse of
-    /// [`lumens`](Self::lumens). Infinite for a table that is 0 everywhere.
+    /// [`lumens`](Self::lumens). The intensity is infinite for a table that is 0 everywhere.
     pub fn candela(&self, lumens: f32) -> f32 {
         lumens / self.solid_angle()
     }
 
-    /// Returns the solid angle in steradians that would have the same flux at constant full
-    /// intensity.
+    /// Returns the solid angle, in steradians, that at constant full intensity would have the flux
+    /// of the cone.
     fn solid_angle(&self) -> f32 {
         let span = self.outer - self.inner;
         let versine = if self.limit <= self.inner {
@@ -210,17 +210,18 @@ impl<P: Falloff> Cone<P> {
         core::f32::consts::TAU * versine
     }
 
-    /// Returns the narrowest outer angle of this falloff that the format `S` evaluates within half
-    /// a linear code, 1/510.
+    /// Returns the narrowest outer angle that the format `S` evaluates with this falloff within
+    /// half a linear code, 1/510.
     ///
-    /// This assumes exact inputs and a cone without a hotspot. At this angle the error bound is
-    /// just 1/510. The bound is the format's error of direction multiplied by the steepness of the
-    /// falloff, plus all other rounding errors. A hotspot makes the falloff steeper. For a step, no
-    /// format bounds the error of the intensity; the position of its edge is within 1/510 of the
-    /// half angle.
+    /// The result assumes exact inputs and a cone without a hotspot, because a hotspot makes the
+    /// falloff steeper. At the returned angle the error bound is just 1/510. The error bound is the
+    /// format's error of the direction multiplied by the steepness of the falloff, plus all other
+    /// rounding errors. For a step, no format bounds the error of the intensity; the position of
+    /// the step's edge is within 1/510 of the half angle.
     ///
-    /// In `f32` this holds for all positions of light and point. The result exceeds 180 degrees if
-    /// the format can hold no cone with this falloff, such as `Fx16` with an inverted power of 99.
+    /// In `f32` the error bound holds for all positions of light and point. The result exceeds 180
+    /// degrees if the format can hold no cone with this falloff, such as `Fx16` with an inverted
+    /// power of 99.
     pub fn narrowest<S: Scalar>(profile: P) -> Angle {
         narrowest::<S>(&slopes(profile, 0.0))
     }
@@ -234,8 +235,9 @@ impl<P: Falloff> Cone<P> {
         self.compile_with_error().map(|(cone, _)| cone)
     }
 
-    /// Compiles the cone. Also returns its `Arithmetic::coarse_error`, which selects between the
-    /// coarse and the fine ramp.
+    /// Compiles the cone, and also returns the cone's `Arithmetic::coarse_error`.
+    ///
+    /// The coarse error selects between the coarse and the fine ramp.
     pub(crate) fn compile_with_error<S: Scalar>(&self) -> Result<(CompiledCone<S, P>, f32), Error> {
         self.check::<S>()?;
         let Self { inner, outer, limit, .. } = *self;
@@ -244,7 +246,7 @@ impl<P: Falloff> Cone<P> {
         Ok((CompiledCone::new(ramp(inner, outer, limit), self.profile), error))
     }
 
-    /// Compiles the cone for quick rays.
+    /// Compiles the cone for the quick evaluation.
     pub(crate) fn compile_quick<S: Scalar>(&self) -> Result<QuickCone<S, P>, Error> {
         self.check::<S>()?;
         let ramp = S::quick_ramp(self.inner, self.outer, self.limit);
@@ -260,12 +262,12 @@ impl<P: Falloff> Cone<P> {
         }
     }
 
-    /// Returns the slopes that this cone would have with another inner versine.
+    /// Returns the bounds of the derivatives that this cone would have with this inner versine.
     fn slopes(&self, inner: f32) -> Slopes {
         if inner < self.outer { slopes(self.profile, inner / self.outer) } else { Slopes::STEP }
     }
 
-    /// Returns an error if the format cannot hold one of the angles, and names that angle.
+    /// Returns an error if the format cannot hold one of the angles. The error names the angle.
     fn check<S: Scalar>(&self) -> Result<(), Error> {
         let refused =
             |parameter, value: Angle, accepted| Err(Error { parameter, value: value.to_degrees(), accepted });
@@ -312,9 +314,10 @@ impl Cone<Hard> {
 impl<const N: u32> Cone<Power<N>> {
     /// Creates OpenGL's spotlight with `GL_SPOT_EXPONENT` N and this `GL_SPOT_CUTOFF`.
     ///
-    /// Its intensity is `cos^N` of the angle off axis, and 0 from the cutoff on (OpenGL 2.1
-    /// specification, section 2.14.1). OpenGL's cutoff is a [`HalfAngle`](crate::HalfAngle) of at
-    /// most 90 degrees; its special value of 180 degrees means a point light, not a cone.
+    /// The intensity of this cone is `cos^N` of the angle off axis, and 0 from the cutoff on
+    /// (OpenGL 2.1 specification, section 2.14.1). OpenGL's cutoff is a
+    /// [`HalfAngle`](crate::HalfAngle) of at most 90 degrees; OpenGL's special value of 180 degrees
+    /// means a point light, and no cone.
     ///
     /// With an outer angle of 180 degrees, `t = 1 - versine` is the cosine, so the falloff is
     /// [`Power`]. The intensity jumps at the cutoff, as in OpenGL.
@@ -333,19 +336,22 @@ impl<const N: u32> Cone<Power<N>> {
     }
 }
 
-/// Returns the slopes of a falloff with a hotspot. `hotspot` is the inner versine divided by the
-/// outer one, in [0, 1).
+/// Returns bounds of the derivatives of a falloff with a hotspot. `hotspot` is the inner versine
+/// divided by the outer versine, in [0, 1).
 fn slopes<P: Falloff>(profile: P, hotspot: f32) -> Slopes {
-    /// Relative width of a rim so narrow that its versine is nearly constant. In such a rim the
-    /// slope with respect to the argument is half the slope with respect to the angle, in widths of
-    /// the rim.
+    /// Relative width of a falloff between two versines so close that the versine is nearly
+    /// constant.
+    ///
+    /// Here the derivative with respect to the falloff's argument `t` is the derivative with
+    /// respect to the angle, multiplied by half this width.
     const RIM: f32 = 1.0 / 1024.0;
     let fraction = profile.steepness(1.0 - RIM) * RIM / 2.0;
     Slopes { angle: profile.steepness(hotspot), fraction: fraction * (1.0 + RIM) }
 }
 
-/// Returns the narrowest outer angle that a format can hold with these slopes; 360 degrees or more
-/// if it can hold none.
+/// Returns the narrowest outer angle that a format can hold with these bounds of the derivatives.
+///
+/// The result is 360 degrees or more if the format can hold no cone.
 fn narrowest<S: Scalar>(edge: &Slopes) -> Angle {
     let room = positive(HALF_A_CODE - S::rounding(edge));
     Angle::radians(2.0 * S::DIRECTION_ERROR * edge.angle / room)

@@ -1,17 +1,18 @@
 //! The only interface to square root and trigonometry.
 //!
-//! Trigonometry runs at set-up only, never per point. Its backend is the first available of:
+//! Trigonometry runs at set-up only, never per point. The backend of the trigonometry is the first
+//! available of:
 //!
 //! - `libm`, on every target, so that the same angles compile to the same bits everywhere.
 //! - `std`.
 //! - `micromath`, a separate tier because its results are approximations.
 //! - A series, so that a build of constants and integers needs no other crate.
 //!
-//! The square root uses `std` before `libm`. It is correctly rounded by every backend except
-//! `micromath`, so these backends are bit-identical.
+//! The square root uses `std` before `libm`. Every backend except `micromath` rounds the square
+//! root correctly, so the square roots of these backends are bit-identical.
 
-// This module is for Cortex-M4F and similar targets, which compute in f32 but whose square root
-// only `std` exposes, and for builds without any backend crate.
+// This module is for Cortex-M4F and similar targets, which compute in f32 but whose square-root
+// instruction only `std` exposes. It is also for builds without any backend crate.
 #[cfg(any(
     test,
     all(target_arch = "arm", target_abi = "eabihf", not(feature = "std")),
@@ -43,8 +44,8 @@ mod backend {
         return x.asin();
     }
 
-    /// Returns the square root, correctly rounded: by the processor if it has an instruction for
-    /// it.
+    /// Returns the correctly rounded square root. A processor with a square-root instruction uses
+    /// that instruction.
     #[inline]
     pub(crate) fn sqrt(x: f32) -> f32 {
         #[cfg(feature = "std")]
@@ -55,7 +56,7 @@ mod backend {
 
     /// Returns `1 / sqrt(x)` for a normal number `x > 0`.
     ///
-    /// Returns zero for any other: zero or less, subnormal, infinite or NaN.
+    /// Returns zero for any other `x`: zero or less, subnormal, infinite or NaN.
     #[cfg(not(all(target_arch = "arm", target_abi = "eabihf", not(feature = "std"))))]
     #[inline]
     pub(crate) fn inverse_sqrt(x: f32) -> f32 {
@@ -63,9 +64,10 @@ mod backend {
     }
 }
 
-/// The small tier: micromath.
+/// The backend `micromath`, whose results are approximations.
 ///
-/// Newton's method refines its estimate of the root, because directions need the precision.
+/// Newton's method refines micromath's estimate of the reciprocal square root, because directions
+/// need the precision.
 #[cfg(all(feature = "micromath", not(any(feature = "libm", feature = "std"))))]
 mod backend {
     use micromath::F32Ext;
@@ -75,7 +77,7 @@ mod backend {
     /// Returns the sine of an angle in radians, with a relative error of at most 0.11 %.
     ///
     /// micromath bounds the absolute error only, but a narrow cone needs a small relative error.
-    /// Two terms of the series provide it for small angles.
+    /// For small angles, two terms of the sine's series have a small relative error.
     pub(crate) fn sin(x: f32) -> f32 {
         if x.abs() < 0.5 { x - x * x * x / 6.0 } else { F32Ext::sin(x) }
     }
@@ -88,7 +90,7 @@ mod backend {
 
     /// Returns `1 / sqrt(x)` for a normal number `x > 0`, within two units in the last place.
     ///
-    /// Returns zero for any other: zero or less, subnormal, infinite or NaN.
+    /// Returns zero for any other `x`: zero or less, subnormal, infinite or NaN.
     #[cfg(not(all(target_arch = "arm", target_abi = "eabihf")))]
     #[inline]
     pub(crate) fn inverse_sqrt(x: f32) -> f32 {
@@ -111,7 +113,8 @@ mod backend {
 
     /// Returns the sine of an angle of at most 90 degrees, in radians.
     ///
-    /// Series up to the eleventh power, with a relative error of at most 1.5e-7.
+    /// The function sums the series of the sine up to the eleventh power, with a relative error of
+    /// at most 1.5e-7.
     pub(crate) fn sin(x: f32) -> f32 {
         /// The coefficients of `x^11` down to `x^3`.
         const SERIES: [f32; 5] =
@@ -128,7 +131,8 @@ mod inverse {
 
     /// Returns the angle in radians whose [`sin`] is `x`.
     ///
-    /// It inverts this backend's `sin`, not the exact sine, so an angle survives the round trip.
+    /// The function inverts this backend's `sin`, and not the exact sine, so that
+    /// `asin(sin(angle))` returns the angle.
     pub(crate) fn asin(x: f32) -> f32 {
         if x > 0.75 {
             return core::f32::consts::FRAC_PI_2 - 2.0 * asin(sqrt((1.0 - x) / 2.0));
@@ -166,7 +170,7 @@ mod tests {
     #[test]
     fn an_angle_comes_back_from_its_sine() {
         let error = |x: f32| f64::from((asin(sin(x)) / x - 1.0).abs());
-        // Near a right angle the sine hardly changes with the angle.
+        // The test ends at 0.8, because near a right angle the sine hardly changes with the angle.
         let worst = largest(arguments(0.8).map(error));
         assert!((1e-8..=1e-6).contains(&worst), "largest relative difference {worst:.2e}");
     }
@@ -181,8 +185,8 @@ mod tests {
         assert!((2e-8..=2.4e-7).contains(&worst), "largest relative error {worst:.2e}");
     }
 
-    /// Every mantissa with an even and with an odd exponent; all other normal numbers repeat these
-    /// cases.
+    /// Tests every mantissa with an even and with an odd exponent. All other normal numbers repeat
+    /// these cases.
     #[test]
     fn roots_keep_their_stated_error_over_every_mantissa() {
         let values = || (1.0_f32.to_bits()..4.0_f32.to_bits()).map(f32::from_bits);

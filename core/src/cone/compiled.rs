@@ -39,9 +39,9 @@ impl<S: Scalar, P: Falloff> CompiledCone<S, P> {
 
     /// Returns the intensity at a versine in the scale of [`versine`](Self::versine).
     ///
-    /// It is exactly 0 from the outer versine or the cutoff on, and exactly 1 at versine 0 and
-    /// within the hotspot. Between these it is monotone, except for tables, and for cubics within
-    /// one step of the format.
+    /// The intensity is exactly 0 from the outer versine or the cutoff on, and exactly 1 at versine
+    /// 0 and within the hotspot. In between the intensity is monotone, except for tables. For
+    /// cubics it is monotone within one step of the format.
     #[inline(always)] // `table.f32` on Cortex-M0: +73 instructions without.
     pub fn at(&self, versine: S::Versine) -> S {
         match S::rise(self.ramp, versine) {

@@ -13,8 +13,8 @@ use crate::{
 impl Cone<FittedFalloff> {
     /// Creates the cone with this beam angle (50 %) and this field angle (10 %).
     ///
-    /// The falloff depends on `r`, the versine of half the field angle over that of half the beam
-    /// angle:
+    /// The falloff depends on `r`, the versine of half the field angle divided by the versine of
+    /// half the beam angle:
     ///
     /// | r | falloff |
     /// |---|---|
@@ -22,9 +22,9 @@ impl Cone<FittedFalloff> {
     /// | 1.3416 to 2.3345 | the [`Quadratic`] between hard and soft with this ratio |
     /// | 2.3345 to 5.437 | the [`Cubic`] of edge slope 1.34 with this ratio |
     ///
-    /// The two quadratics of Hast 2004 are the ends of the middle row. In wide cones the outer
-    /// angle of the quadratic may exceed 180 degrees although that of the cubic does not; then the
-    /// falloff is the cubic.
+    /// The two quadratics of Hast 2004, hard and soft, are the ends of the middle row. In wide
+    /// cones the quadratic may need an outer angle over 180 degrees where the cubic does not. The
+    /// falloff is then the cubic.
     ///
     /// ```
     /// use luminaire::{Angle, Cone};
@@ -37,7 +37,7 @@ impl Cone<FittedFalloff> {
     ///
     /// # Errors
     /// A beam angle outside (0, 180] degrees. A field angle that is smaller than the beam angle,
-    /// exceeds a ratio of 5.437, or needs an outer angle over 180 degrees. The error names the
+    /// gives a ratio `r` over 5.437, or needs an outer angle over 180 degrees. The error names the
     /// range of field angles for this beam angle.
     pub fn from_beam_and_field(beam: impl Into<Angle>, field: impl Into<Angle>) -> Result<Self, Error> {
         design(beam.into(), field.into(), fitted)
@@ -47,12 +47,13 @@ impl Cone<FittedFalloff> {
 impl Cone<Cubic> {
     /// Creates the cone with this beam and field angle as a [`Cubic`] with a given edge slope.
     ///
-    /// As [`Cone::from_beam_and_field`], but the falloff is always a cubic. At the same two angles,
-    /// a smaller edge slope gives a softer edge.
+    /// In contrast to [`Cone::from_beam_and_field`], the falloff is always a cubic. The edge slope
+    /// is the derivative with respect to `t` at the edge. At the same two angles, a smaller edge
+    /// slope gives a softer edge.
     ///
     /// # Errors
-    /// As [`Cone::from_beam_and_field`], for ratios from 1.1604 to 5.437; and an edge slope outside
-    /// [`Cone::edge_slopes`].
+    /// The errors of [`Cone::from_beam_and_field`], with ratios from 1.1604 to 5.437 accepted. Also
+    /// an edge slope outside the range of [`Cone::edge_slopes`].
     pub fn from_beam_field_and_slope(
         beam: impl Into<Angle>,
         field: impl Into<Angle>,
@@ -67,12 +68,12 @@ impl Cone<Cubic> {
         design(beam, field, |beam, field| cubic(beam, field, edge_slope))
     }
 
-    /// Returns the smallest and the largest edge slope of the monotone cubics that have both of
-    /// these angles.
+    /// Returns the smallest and the largest edge slope of the monotone cubics with these two
+    /// angles.
     ///
     /// # Errors
     /// A beam angle outside (0, 180] degrees, or a field angle for which the ratio of the versines
-    /// is not from 1.1604 to 5.437.
+    /// is outside 1.1604 to 5.437.
     pub fn edge_slopes(beam: impl Into<Angle>, field: impl Into<Angle>) -> Result<(f32, f32), Error> {
         let reachable = |beam: f32, field: f32| {
             let ratio = field / beam;
@@ -102,10 +103,10 @@ fn design<T>(beam: Angle, field: Angle, design: impl Fn(f32, f32) -> Option<T>) 
     })
 }
 
-/// Returns the smallest and the largest field versine for which `can` holds, given the beam
-/// versine.
+/// Returns the smallest and the largest field versine for which `can` holds, for this beam versine.
 fn reach(beam: f32, can: impl Fn(f32) -> bool) -> (f32, f32) {
-    // Start at a feasible versine: the beam's, or the smallest of the cubics.
+    // Start at a field versine for which `can` holds: the beam versine, or the smallest field
+    // versine of the cubics.
     let start = if can(beam) { beam } else { beam * (LEAST_RATIO + 1e-4) };
     let mut ends = [beam.min(start), (beam * MOST_RATIO * 1.01).min(1.0)].map(|end| (start, end));
     for (held, beyond) in &mut ends {
@@ -118,8 +119,8 @@ fn reach(beam: f32, can: impl Fn(f32) -> bool) -> (f32, f32) {
     (least, most)
 }
 
-/// Returns the cone whose falloff has a given beam and field angle, from the versines of the two
-/// angles.
+/// Returns the cone whose falloff has these versines of half the beam angle and half the field
+/// angle.
 fn fitted(beam: f32, field: f32) -> Option<Cone<FittedFalloff>> {
     let ratio = field / beam;
     let quadratic = if ratio <= HARD_RATIO {
@@ -137,14 +138,15 @@ fn fitted(beam: f32, field: f32) -> Option<Cone<FittedFalloff>> {
     })
 }
 
-/// Returns the hard falloff with a hotspot, which reaches any ratio below [`HARD_RATIO`].
+/// Returns a cone with the hard falloff and a hotspot. Such a cone reaches any ratio below
+/// [`HARD_RATIO`].
 fn hotspot(beam: f32, field: f32) -> Cone<FittedFalloff> {
     let span = (field - beam) / (Hard.field_versine() - Hard.beam_versine());
     let inner = (beam - span * Hard.beam_versine()).max(0.0);
     Cone::open(FittedFalloff::Quadratic(Quadratic::HARD), inner, field + span * (1.0 - Hard.field_versine()))
 }
 
-/// Returns the cubic cone with this edge slope, if its outer angle is at most 180 degrees.
+/// Returns the cone with the cubic of this edge slope, if the outer angle is at most 180 degrees.
 fn cubic(beam: f32, field: f32, edge_slope: f32) -> Option<Cone<Cubic>> {
     let cubic = fit::cubic(edge_slope, field / beam)?;
     let cone = Cone::open(cubic, 0.0, field / cubic.field_versine());

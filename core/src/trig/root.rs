@@ -1,16 +1,17 @@
-//! Square root for Cortex-M4F, which computes in f32 but does not expose its root to `no_std` Rust.
+//! Square root for Cortex-M4F, whose square-root instruction `no_std` Rust does not expose.
 //!
-//! An estimate in `+ - *` is at most one unit in the last place off. The remainder, exact in a
-//! 32-bit integer, decides whether a neighbour is nearer. So the result is correctly rounded and
-//! bit-identical to any other correctly rounded root, for about half the instructions of a root in
+//! An estimate, computed with `+ - *`, has an error of at most one ULP. The remainder (the number
+//! minus the square of the estimate), exact in a 32-bit integer, decides whether a neighbour of the
+//! estimate is nearer to the root. So the result is correctly rounded and bit-identical to any
+//! other correctly rounded square root. It takes about half the instructions of a square root in
 //! integers.
 
 /// Returns `1 / sqrt(x)` for a normal number `x > 0`.
 ///
-/// Returns zero for any other: zero or less, subnormal, infinite or NaN.
+/// Returns zero for any other `x`: zero or less, subnormal, infinite or NaN.
 #[inline]
 pub(crate) fn inverse_sqrt(x: f32) -> f32 {
-    // Adds 1 to the exponent. As a signed integer the sum is then too small, or negative, for every
+    // Adds 1 to the exponent. As a signed integer the sum is negative or below the limit for every
     // number that is not positive and normal.
     let is_normal = x.to_bits().wrapping_add(0x0080_0000) as i32 >= 0x0100_0000;
     if is_normal { 1.0 / sqrt(x) } else { 0.0 }
@@ -32,25 +33,25 @@ pub(crate) fn any_sqrt(x: f32) -> f32 {
     }
 }
 
-/// Returns the square root of a positive normal number, correctly rounded; unspecified for any
-/// other.
+/// Returns the correctly rounded square root of a positive normal number. For any other number the
+/// result is unspecified.
 #[inline]
 fn sqrt(x: f32) -> f32 {
     let bits = x.to_bits();
     nearest(bits, estimate(x, bits))
 }
 
-/// Returns the root within one unit in the last place (exhaustive).
+/// Returns the square root of `x` within one ULP (exhaustive).
 #[inline]
 fn estimate(x: f32, bits: u32) -> f32 {
     // Halving and negating the exponent in the integer representation gives `1 / sqrt(x)` with an
     // error of 3.5 % (Lomont 2003, "Fast Inverse Square Root").
     let seed = f32::from_bits(0x5f37_59df - (bits >> 1));
-    // Quadratic with the least relative error against `1/sqrt(s)` over all `s` that the seed leads
-    // to: 2.5e-5.
+    // The quadratic in `s` approximates `1/sqrt(s)` with the least relative error, 2.5e-5, over all
+    // `s` that the seed can give.
     let s = x * seed * seed;
     let reciprocal = seed * (1.876_617 + s * (-1.252_138 + s * 0.375_521_3));
-    // One Newton step for the root, in a form that stays within the range of f32.
+    // One Newton step refines the root, in a form that stays within the range of f32.
     let root = x * reciprocal;
     root + root * (0.5 - 0.5 * reciprocal * root)
 }
@@ -59,14 +60,15 @@ fn estimate(x: f32, bits: u32) -> f32 {
 #[inline]
 fn nearest(bits: u32, estimate: f32) -> f32 {
     let bits_of_root = estimate.to_bits();
-    // Let the root be an integer `m` from 2^23 to 2^24; the number `x` is then an integer of 47 or
-    // 48 bits. The lower 32 bits of the difference `x - m^2` are enough, because it is small.
+    // Let the estimate's significand be an integer `m` from 2^23 to 2^24. The number `x` is then an
+    // integer of 47 or 48 bits. The difference `x - m^2` is so small that its lower 32 bits are
+    // enough.
     let m = (bits_of_root & 0x007f_ffff | 0x0080_0000) as i32;
     let number = (bits << (24 - ((bits >> 23) & 1))) as i32;
     let rest = number.wrapping_sub(m.wrapping_mul(m));
     // `(m + 1/2)^2 = m^2 + m + 1/4`, so the root is rounded up if `rest > m`, and down if
-    // `rest < -m`. `rest` is never `-m`, because `m^2 - m` needs more than 24 bits, except for two
-    // numbers whose estimate is right.
+    // `rest < -m`. `rest` is never `-m`: then `x` would be `m^2 - m`, which needs more than 24
+    // bits, except for two numbers whose estimate is right.
     let up = m.wrapping_sub(rest) >> 31;
     let down = rest.wrapping_add(m) >> 31;
     f32::from_bits(bits_of_root.wrapping_sub(up as u32).wrapping_add(down as u32))
@@ -78,8 +80,10 @@ mod tests {
 
     extern crate std;
 
-    /// Tests two binades in full, which cover all cases, and the others with a stride; with
-    /// `LUMINAIRE_FULL` every normal number.
+    /// Asserts that `sqrt` of every number is the exact square root, correctly rounded.
+    ///
+    /// The test covers two binades in full, which contain all cases, and the other binades with a
+    /// stride. With `LUMINAIRE_FULL` it covers every normal number.
     fn assert_correctly_rounded(numbers: impl Iterator<Item = u32>, exact: impl Fn(f32) -> f32) {
         for x in numbers.map(f32::from_bits) {
             assert_eq!(sqrt(x), exact(x), "the root of {x:e}");
@@ -129,7 +133,7 @@ mod tests {
         }
     }
 
-    /// Corrections occur in both directions, and never by more than one unit.
+    /// The estimate needs corrections in both directions, and never by more than one ULP.
     #[test]
     fn the_estimate_is_a_unit_off_at_most() {
         let off = |bits: u32| {
