@@ -1,9 +1,9 @@
 //! Angular falloffs: the intensity from the axis of a cone to its edge.
 //!
-//! Each is a function `f(t)`. `t` is 1 on the axis and within an inner angle, and 0 at and beyond
-//! the outer angle: `t = (v_outer - v) / (v_outer - v_inner)`, with the versines `v = 1 - cos` of
-//! the angle off axis, of the outer half angle and of the inner half angle. So `t` is linear in the
-//! cosine between the outer and the inner angle; `u = 1 - t`.
+//! Each falloff is a function `f(t)`. `t` is 1 on the axis and within an inner angle, and 0 at and
+//! beyond the outer angle: `t = (v_outer - v) / (v_outer - v_inner)`, with the versines
+//! `v = 1 - cos` of the angle off axis, of the outer half angle and of the inner half angle. So `t`
+//! is linear in the cosine between the outer and the inner angle. In the table, `u = 1 - t`.
 //!
 //! | falloff | f | multiplies | source |
 //! |---|---|---|---|
@@ -17,7 +17,7 @@
 //! | [`Power`] | `t^N` | log2 N for powers of two | OpenGL's cosine power by [`Cone::opengl`](crate::Cone::opengl) |
 //! | [`InvertedPower`] | `1 - u^N` | as [`Power`] | Godot, by an angle attenuation of `1/N` |
 //! | [`IntegerPower`], [`InvertedIntegerPower`] | the same, `N` at run time | as [`Power`] | [imports](crate::import) |
-//! | [`MixedPower`], [`InvertedMixedPower`] | a weighted sum of two of these | 2 more | curves between the powers |
+//! | [`MixedPower`], [`InvertedMixedPower`] | a weighted sum of two integer powers | 2 more than both powers | curves between the powers |
 //! | [`RealPower`], [`InvertedRealPower`] | `t^p`, `1 - u^p`, real `p` in (0, 1024] | 11, and two tables | imports |
 //! | [`Table`] | samples, evenly spaced or [`Knot`]s | 2, or 1 and a binary search | goniometric data |
 //! | [`SoftOrHard`], [`FittedFalloff`], [`AnyFalloff`] | one of the above | the same, and a branch | the choice at run time |
@@ -64,7 +64,7 @@ pub use crate::number::Knot;
 ///
 /// The type selects the function at compile time: there is no branch per point, and an unused
 /// falloff is not linked. [`SoftOrHard`], [`FittedFalloff`] and [`AnyFalloff`] choose at run time
-/// and cost a branch per point.
+/// and take a branch per point.
 ///
 /// For any other curve use a [`Table`].
 pub trait Falloff: Copy + core::fmt::Debug {
@@ -85,14 +85,15 @@ pub trait Falloff: Copy + core::fmt::Debug {
     /// Returns the `u` at the field angle, where the intensity is 1/10; in [0, 1].
     fn field_versine(self) -> f32;
 
-    /// Returns the steepness: the maximum slope of the intensity over the angle off axis, where the
-    /// angle is in units of the outer half angle.
+    /// Returns the steepness: the largest derivative of the intensity with respect to the angle off
+    /// axis.
     ///
-    /// The falloff magnifies an error of direction by this factor. The value is that of a narrow
-    /// cone whose inner versine is `hotspot` times the outer one, with `hotspot` in [0, 1).
+    /// The angle is in units of the outer half angle. The falloff magnifies an error of the
+    /// direction by the steepness. The steepness is that of a narrow cone whose inner versine is
+    /// `hotspot` times the outer versine, with `hotspot` in [0, 1).
     ///
-    /// A step has no finite slope and returns 1: with it, the bound for the intensity keeps the
-    /// position of the edge within 1/510 of the outer half angle.
+    /// A step has no finite derivative and returns 1. With this value, the error bound of an
+    /// intensity (1/510) keeps the position of the edge within 1/510 of the outer half angle.
     fn steepness(self, hotspot: f32) -> f32;
 
     /// Returns the integral of the intensity from 0 to `u`, with `u` in [0, 1]. The luminous flux

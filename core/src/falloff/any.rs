@@ -9,7 +9,7 @@ use crate::{
     models::{SAMPLES, falloffs},
 };
 
-/// Declares the enums over all falloffs of the list.
+/// Declares the enums over all falloffs of the list in `models`.
 macro_rules! any_falloff {
     ($($(#[$doc:meta])* $variant:ident($type:ty) = $name:literal, $sample:expr, $truth:expr
        $(, any $any:expr)? $(, constant $constant:ty = $its_name:literal, $value:expr, $its_truth:expr)?;)*) => {
@@ -17,7 +17,7 @@ macro_rules! any_falloff {
             /// Any falloff, chosen at run time: for a light of [another system](crate::import) or
             /// an [`AnyLight`](crate::dynamic::AnyLight).
             ///
-            /// It branches per point.
+            /// The evaluation branches per point;
             /// [`CompiledAnyLight::evaluate_each`](crate::dynamic::CompiledAnyLight::evaluate_each)
             /// branches once per light.
             #[non_exhaustive]
@@ -35,8 +35,8 @@ macro_rules! any_falloff {
             #[cfg(feature = "arithmetic")]
             pub const COUNT: usize = [$($name),*].len();
 
-            /// Builds the falloff with index `index % COUNT` from random numbers in [0, 1). A
-            /// falloff without parameters returns its sample.
+            /// Builds the falloff with index `index % COUNT` from random numbers in [0, 1). For a
+            /// falloff without parameters, the result is the sample value.
             ///
             /// # Errors
             /// An invalid combination of parameters.
@@ -64,8 +64,9 @@ macro_rules! any_falloff {
     };
 }
 
-/// Evaluates an expression with the concrete types of a compiled cone's falloff and curve. If their
-/// variants differ, which is only possible through `from_parts`, it falls back to the enums.
+/// Evaluates an expression with the concrete types of a compiled cone's falloff and curve. If the
+/// variants of falloff and curve differ, which is only possible through `from_parts`, the
+/// expression is evaluated with the enums.
 macro_rules! with_profile {
     ([$cone:expr, $profile:ident, $curve:ident, $answer:expr]
      $($(#[$doc:meta])* $variant:ident($type:ty) = $name:literal, $sample:expr, $truth:expr

@@ -1,5 +1,5 @@
-//! Falloffs chosen at run time, with a branch per point. A renderer matches on the variant once per
-//! light and calls `with_profile`.
+//! Falloffs chosen at run time, with a branch per point. To branch once per light instead, a
+//! renderer matches on the variant and calls `with_profile`.
 
 use core::fmt::{self, Formatter};
 
@@ -12,13 +12,14 @@ use crate::{
 /// [`Soft`] or [`Hard`], chosen at run time: the two falloffs that cost one multiply.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum SoftOrHard {
-    /// As [`Soft`].
+    /// The falloff [`Soft`].
     Soft,
-    /// As [`Hard`].
+    /// The falloff [`Hard`].
     Hard,
 }
 
-/// Declares an enum of falloffs and the enum of their compiled forms. Both delegate to the variant.
+/// Declares an enum of falloffs and the enum of their compiled forms. Both enums delegate to the
+/// falloff of the variant.
 macro_rules! choice {
     ($(#[$meta:meta])* $choice:ident, $compiled:ident { $($(#[$doc:meta])* $variant:ident($type:ty),)* }) => {
         $(#[$meta])*

@@ -14,18 +14,18 @@ use crate::{
     trig,
 };
 
-/// The smoothstep `t^2 (3 - 2t)`: two multiplies. Its slope is 0 at both ends. Used by dual-cone
-/// shaders in GLSL, by three.js and by Blender.
+/// The smoothstep `t^2 (3 - 2t)`: two multiplies. Its derivative is 0 at both ends. Used by
+/// dual-cone shaders in GLSL, by three.js and by Blender.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct Smooth;
 
 /// Any monotone cubic `t (a + t (b + t c))` with `a + b + c = 1`: three multiplies.
 ///
-/// Two derivatives with respect to `t` determine it: `a` at the edge, and `d = a + 2b + 3c` in the
-/// middle. It is monotone for slopes in the region of F. N. Fritsch and R. E. Carlson, *Monotone
-/// Piecewise Cubic Interpolation*, SIAM J. Numer. Anal. 17 (1980). It is evaluated as
-/// `t (1 + u (g + h t))` with `g = a - 1` and `g + h = 1 - d`, so that the value on the axis is
-/// exactly 1, however the slopes are rounded.
+/// Two derivatives with respect to `t` determine the cubic: the edge slope `a` at `t = 0`, and the
+/// middle slope `d = a + 2b + 3c` at `t = 1`. The cubic is monotone for slopes in the region of F.
+/// N. Fritsch and R. E. Carlson, *Monotone Piecewise Cubic Interpolation*, SIAM J. Numer. Anal. 17
+/// (1980). The cubic is evaluated as `t (1 + u (g + h t))` with `g = a - 1` and `g + h = 1 - d`, so
+/// that the value on the axis is exactly 1, however the slopes are rounded.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Cubic {
     /// Both slopes are multiples of 1 / [`GRID`], so that the coefficients are exact.
@@ -33,8 +33,8 @@ pub struct Cubic {
     middle_slope: f32,
 }
 
-/// Steps per unit. Coefficients are below 8, so they and their sums are exact in the 24 bits of
-/// f32.
+/// Number of grid steps per unit of a slope. Coefficients are below 8, so coefficients and their
+/// sums are exact in the 24 bits of f32.
 const GRID: f32 = 1_048_576.0;
 
 /// Rounds to the nearest multiple of 1 / [`GRID`].
@@ -46,8 +46,9 @@ fn on_grid(value: f32) -> f32 {
 /// Returns the smallest and the largest middle slope of a monotone cubic with edge slope `a` in
 /// [0, 4].
 ///
-/// The smallest slope is 0 for `a <= 3`. For `a > 3` it lies on the ellipse
-/// `a^2 + a d + d^2 - 6 a - 6 d + 9 = 0`, and so does the largest slope for every `a`.
+/// The smallest middle slope `d` is 0 for `a <= 3`. For `a > 3` the smallest `d` lies on the
+/// ellipse `a^2 + a d + d^2 - 6 a - 6 d + 9 = 0`. The largest `d` lies on the same ellipse for
+/// every `a`.
 pub(super) fn middle_slopes(edge_slope: f32) -> (f32, f32) {
     let (a, root) = (edge_slope, trig::sqrt((3.0 * edge_slope * (4.0 - edge_slope)).max(0.0)));
     let least = if a <= 3.0 { 0.0 } else { (6.0 - a - root) / 2.0 };
@@ -55,12 +56,12 @@ pub(super) fn middle_slopes(edge_slope: f32) -> (f32, f32) {
 }
 
 impl Cubic {
-    /// Creates the cubic with these derivatives with respect to `t`, at the edge and in the middle.
-    /// Each is in [0, 4] and is rounded to a multiple of 2^-20.
+    /// Creates the cubic with these derivatives with respect to `t`, at the edge and at `t = 1`.
+    /// Each slope is in [0, 4] and is rounded to a multiple of 2^-20.
     ///
     /// # Errors
     /// An edge slope outside [0, 4], or a middle slope with which the cubic is not monotone. The
-    /// error names the range for this edge slope.
+    /// error names the range of middle slopes for this edge slope.
     pub fn with_slopes(edge_slope: f32, middle_slope: f32) -> Result<Self, Error> {
         let check = |parameter, value: f32, least: f32, most: f32| {
             if (least..=most).contains(&value) {
@@ -71,8 +72,8 @@ impl Cubic {
         };
         let edge_slope = check(Parameter::EdgeSlope, edge_slope, 0.0, 4.0)?;
         let (least, most) = middle_slopes(edge_slope);
-        // The limits come from a square root. They are rounded to the grid, so that the named ends
-        // are themselves accepted.
+        // The limits come from a square root. The limits are rounded to the grid, so that the
+        // limits that an error names are accepted.
         let (least, most) = (on_grid(least), on_grid(most));
         let middle_slope = check(Parameter::MiddleSlope, middle_slope, least, most)?;
         Ok(Self { edge_slope, middle_slope })
@@ -82,7 +83,8 @@ impl Cubic {
     /// with `a + b + c = 1` exactly.
     ///
     /// # Errors
-    /// A sum that is not within 2^-20 of 1; otherwise the same as for [`Cubic::with_slopes`].
+    /// A sum `a + b + c` that is not within 2^-20 of 1. Otherwise the errors of
+    /// [`Cubic::with_slopes`].
     pub fn new(a: f32, b: f32, c: f32) -> Result<Self, Error> {
         let sum = a + b + c;
         let near = (1.0 - 1.0 / GRID)..=(1.0 + 1.0 / GRID);
@@ -100,20 +102,21 @@ impl Cubic {
         [a, 3.0 - 2.0 * a - d, a + d - 2.0]
     }
 
-    /// Returns the slope with respect to `t` at the edge.
+    /// Returns the edge slope: the derivative with respect to `t` at the edge.
     pub fn edge_slope(self) -> f32 {
         self.edge_slope
     }
 
-    /// Returns the derivative with respect to `t` at the inner end: at the inner angle or, without
-    /// one, on the axis.
+    /// Returns the middle slope: the derivative with respect to `t` at `t = 1`.
+    ///
+    /// `t = 1` is at the inner angle or, without a hotspot, on the axis.
     pub fn middle_slope(self) -> f32 {
         self.middle_slope
     }
 
     /// Creates the cubic from the bits of its edge and middle slope, as [`codegen`](crate::codegen)
-    /// writes them. Each is clamped to [0, 4], NaN to 0. The cubic is monotone only for slopes that
-    /// [`with_slopes`](Self::with_slopes) accepts.
+    /// writes them. Each slope is clamped to [0, 4]; NaN becomes 0. The cubic is monotone only for
+    /// slopes that [`with_slopes`](Self::with_slopes) accepts.
     pub const fn from_bits([edge_slope, middle_slope]: [u32; 2]) -> Self {
         Self { edge_slope: clamped_bits(edge_slope, 4.0), middle_slope: clamped_bits(middle_slope, 4.0) }
     }
@@ -123,13 +126,13 @@ impl Cubic {
         [self.edge_slope.to_bits(), self.middle_slope.to_bits()]
     }
 
-    /// Creates the cubic without rounding the slopes to the grid. For searches only, which round
-    /// their result.
+    /// Creates the cubic without rounding the slopes to the grid. Only searches, which round their
+    /// result, use this function.
     pub(super) fn exactly(edge_slope: f32, middle_slope: f32) -> Self {
         Self { edge_slope, middle_slope }
     }
 
-    /// Returns the versine at the field angle over that at the beam angle.
+    /// Returns the versine at the field angle divided by the versine at the beam angle.
     pub(super) fn ratio(self) -> f32 {
         self.field_versine() / self.beam_versine()
     }
@@ -144,8 +147,8 @@ impl Cubic {
         Polynomial { a, b, c }
     }
 
-    /// Returns the `u` with this intensity, by bisection: faster methods fail where the slope is
-    /// zero.
+    /// Returns the `u` with this intensity, by bisection: faster methods fail where the derivative
+    /// is zero.
     fn versine_of(self, intensity: f32) -> f32 {
         let (g, h) = (self.edge_slope - 1.0, 2.0 - self.edge_slope - self.middle_slope);
         bisect(0.0, 1.0, |u| {
@@ -162,12 +165,12 @@ impl Falloff for Smooth {
         Formula::Polynomial([0.0, 3.0, -2.0])
     }
 
-    /// `1/2`.
+    /// Returns `1/2`.
     fn beam_versine(self) -> f32 {
         0.5
     }
 
-    /// `1 - t` with `t^2 (3 - 2t) = 1/10`.
+    /// Returns `1 - t` for the `t` with `t^2 (3 - 2t) = 1/10`.
     fn field_versine(self) -> f32 {
         0.804_199_9
     }

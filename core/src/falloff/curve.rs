@@ -1,4 +1,4 @@
-//! Falloffs in a number format.
+//! Falloffs compiled for a number format.
 
 use crate::number::{Fraction, Scalar};
 

@@ -3,10 +3,10 @@
 use crate::trig;
 
 /// Returns `base^exponent` for real `base >= 0` and `exponent >= 0`, with a relative error under
-/// 1e-9. Set-up only.
+/// 1e-9. Used at set-up only.
 ///
-/// It uses repeated squaring for the integer part of the exponent, and square roots for 40 binary
-/// digits of its fraction.
+/// The function uses repeated squaring for the integer part of the exponent, and square roots for
+/// 40 binary digits of the exponent's fraction.
 pub(crate) fn real_power(base: f64, exponent: f64) -> f64 {
     let whole = exponent as u32;
     let mut power = 1.0;

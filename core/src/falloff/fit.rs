@@ -2,28 +2,30 @@
 //!
 //! Two angles determine the ratio of their versines, `r = field_versine / beam_versine`. A
 //! quadratic follows from `r` in closed form. A cubic has one more degree of freedom, its edge
-//! slope `a`. With `a` given, bisection finds the middle slope `d`.
+//! slope `a`: the derivative with respect to `t` at the edge. With `a` given, bisection finds the
+//! middle slope `d`: the derivative at `t = 1`.
 
 use super::{Cubic, Quadratic, cubic::middle_slopes};
 use crate::{search::bisect, trig};
 
-/// The ratio of the hard falloff, the smallest of all quadratics: `3 sqrt(2) / sqrt(10)`.
+/// The ratio `r` of the hard falloff, the smallest ratio of all quadratics: `3 sqrt(2) / sqrt(10)`.
 pub(crate) const HARD_RATIO: f32 = 1.341_640_8;
-/// The ratio of the soft falloff, the largest of all quadratics.
+/// The ratio `r` of the soft falloff, the largest ratio of all quadratics.
 pub(crate) const SOFT_RATIO: f32 = 2.334_553_2;
-/// The smallest ratio that is accepted for a cubic. A slightly smaller one, 1.1585, exists at an
-/// edge slope of 3.97.
+/// The smallest ratio `r` that is accepted for a cubic. With an edge slope of 3.97 a cubic has the
+/// slightly smaller ratio 1.1585.
 pub(crate) const LEAST_RATIO: f32 = 1.160_4;
-/// The largest ratio of a cubic.
+/// The largest ratio `r` of a cubic.
 pub(crate) const MOST_RATIO: f32 = 5.437;
-/// The default edge slope. Its cubics reach [`MOST_RATIO`] and every ratio from 1.46 on.
+/// The default edge slope. Cubics with this edge slope have every ratio from 1.46 to
+/// [`MOST_RATIO`].
 pub(crate) const DEFAULT_SLOPE: f32 = 1.34;
 
-/// Returns the quadratic with this ratio, between those of hard and soft.
+/// Returns the quadratic with this ratio, which is between the ratios of hard and soft.
 ///
-/// With `x` the `u` of the beam angle and `g = a - 1`, `g u^2 + (1 - g) u` is 1/2 at `x` and 9/10
-/// at `r x`. These equations are linear in `p = g x^2` and `q = (1 - g) x`. From `p` and `q`, `x`
-/// solves `x^2 - q x - p = 0`.
+/// Let `x` be the `u` of the beam angle, and `g = a - 1`. Then `1 - f = g u^2 + (1 - g) u` is 1/2
+/// at `u = x` and 9/10 at `u = r x`. These two equations are linear in `p = g x^2` and
+/// `q = (1 - g) x`. With `p` and `q` known, `x` solves `x^2 - q x - p = 0`.
 pub(crate) fn quadratic(ratio: f32) -> Quadratic {
     let p = (0.9 - 0.5 * ratio) / (ratio * (ratio - 1.0));
     let q = 0.5 - p;
@@ -32,8 +34,8 @@ pub(crate) fn quadratic(ratio: f32) -> Quadratic {
 }
 
 /// Returns the cubic with this ratio and an edge slope in [0, 4], if one exists. Of two solutions
-/// it takes the smaller middle slope: the minimum slope of that cubic is larger, so no ring is
-/// visible between axis and edge.
+/// the function takes that with the smaller middle slope. The minimum derivative of that cubic is
+/// larger, so no ring is visible between axis and edge.
 pub(crate) fn cubic(edge_slope: f32, ratio: f32) -> Option<Cubic> {
     let (least, most) = middle_slopes(edge_slope);
     let farthest = if ratio_of(edge_slope, most) >= ratio { most } else { turn(edge_slope) };
@@ -44,8 +46,8 @@ pub(crate) fn cubic(edge_slope: f32, ratio: f32) -> Option<Cubic> {
     Some(Cubic::nearest(edge_slope, middle_slope))
 }
 
-/// Returns the range of edge slopes for which a cubic has this ratio, in [[`LEAST_RATIO`],
-/// [`MOST_RATIO`]].
+/// Returns the range of edge slopes for which a cubic has this ratio. The ratio is in
+/// [[`LEAST_RATIO`], [`MOST_RATIO`]].
 pub(crate) fn edge_slopes(ratio: f32) -> (f32, f32) {
     let lowest = |edge_slope| ratio_of(edge_slope, middle_slopes(edge_slope).0);
     let highest = |edge_slope| ratio_of(edge_slope, turn(edge_slope));
@@ -71,10 +73,11 @@ fn ratio_of(edge_slope: f32, middle_slope: f32) -> f32 {
 }
 
 /// Returns the middle slope with the largest ratio for an edge slope. For edge slopes from about
-/// 0.7 up, the ratio increases with the middle slope; below, it has one maximum.
+/// 0.7 up, the ratio increases with the middle slope. For smaller edge slopes, the ratio has one
+/// maximum.
 fn turn(edge_slope: f32) -> f32 {
     let (least, most) = middle_slopes(edge_slope);
-    // The ratios of closer slopes are equal in f32.
+    // The ratios of middle slopes that are closer than this are equal in f32.
     const STEP: f32 = 1e-2;
     let rises = |middle| ratio_of(edge_slope, middle + STEP) > ratio_of(edge_slope, middle);
     if most - least < STEP || rises(most - STEP) {

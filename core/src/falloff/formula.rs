@@ -4,8 +4,8 @@ use super::Table;
 #[cfg(feature = "libm")]
 use crate::number::Knot;
 
-/// The formula of a falloff as data, for reference values and generated code. It is a function of
-/// `t` in [0, 1], and 0 at `t = 0`.
+/// The formula of a falloff as data, for reference values and generated code. The formula is a
+/// function of `t` in [0, 1], and 0 at `t = 0`.
 #[derive(Clone, Copy, Debug)]
 #[non_exhaustive]
 pub enum Formula<'a> {
@@ -16,14 +16,14 @@ pub enum Formula<'a> {
     /// `t^p` with `p`.
     Power(f32),
     /// `(1 - max(u, f)^p) / (1 - f^p)` with `u = 1 - t`, the exponent `p` and the floor `f`. `f` is
-    /// 0 except for lights imported from Godot; for `p < 1` it keeps the slope with respect to `t`
-    /// at `t = 1` finite.
+    /// 0 except for lights imported from Godot; for `p < 1` the floor keeps the derivative with
+    /// respect to `t` finite at `t = 1`.
     InvertedPower(f32, f32),
     /// `(1 - s) t^n + s t^m` with `[n, m]` and `s`.
     MixedPower([u32; 2], f32),
     /// `1 - (1 - s) u^n - s u^m` with `u = 1 - t`, `[n, m]` and `s`.
     InvertedMixedPower([u32; 2], f32),
-    /// Samples with linear interpolation.
+    /// A table of samples with linear interpolation.
     Table(Table<'a>),
     /// Any other function, in f64.
     Function(fn(f64) -> f64),
@@ -31,7 +31,8 @@ pub enum Formula<'a> {
 
 #[cfg(feature = "libm")]
 impl Formula<'_> {
-    /// Evaluates the formula in f64 as it is written above: the reference for error measurements.
+    /// Evaluates the formula in f64 as the variant's description states it: the reference for error
+    /// measurements.
     pub fn exact(&self, t: f64) -> f64 {
         let power = |x: f64, exponent: f32| libm::pow(x, exponent.into());
         let mixed = |x: f64, [low, high]: [u32; 2], share: f32| {
@@ -61,7 +62,7 @@ impl Formula<'_> {
     }
 }
 
-/// Linear interpolation of evenly spaced samples.
+/// Interpolates linearly between evenly spaced samples.
 #[cfg(feature = "libm")]
 fn interpolated(samples: &[u16], u: f64) -> f64 {
     let place = u * samples.len().saturating_sub(1) as f64;

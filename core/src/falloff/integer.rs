@@ -8,8 +8,9 @@ use crate::{
     trig,
 };
 
-/// The power `t^n` with an exponent chosen at run time. It loops over the binary digits of `n`; for
-/// [`Power`](crate::falloff::Power) the compiler unrolls that loop. The results are bit-identical.
+/// The power `t^n` with an exponent chosen at run time. The evaluation loops over the binary digits
+/// of `n`; for [`Power`](crate::falloff::Power) the compiler unrolls this loop. The results of both
+/// types are bit-identical.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct IntegerPower {
     exponent: u32,
@@ -22,8 +23,8 @@ pub struct InvertedIntegerPower {
     exponent: u32,
 }
 
-/// The largest exponent, 8 times that of OpenGL. A field angle of 15 degrees needs 268 (Hast 2004,
-/// figure 7).
+/// The largest exponent, 8 times the largest exponent of OpenGL. A field angle of 15 degrees needs
+/// an exponent of 268 (Hast 2004, figure 7).
 pub(crate) const MOST: u32 = 1_024;
 
 /// Returns the exponent if it is in [least, most], or the error that names the range.
@@ -47,15 +48,17 @@ pub(super) const fn clamped(exponent: u32, least: u32, most: u32) -> u32 {
     }
 }
 
-/// Returns `1 - exp(-x)` for `x` in [0, 2.4], accurate to the last place: it sums the series of the
-/// exponential without the 1, which avoids cancellation.
+/// Returns `1 - exp(-x)` for `x` in [0, 2.4], accurate to the last place.
+///
+/// The function sums the series of the exponential without its first term, 1. This avoids
+/// cancellation.
 pub(super) fn lost_after(x: f32) -> f32 {
     let terms = (2..=20).rev().fold(1.0, |sum, n| 1.0 - x / n as f32 * sum);
     x * terms
 }
 
-/// Returns `x^n` by repeated squaring, for set-up only. It computes in f64, because the power
-/// magnifies the rounding of `x` by `n`.
+/// Returns `x^n` by repeated squaring, for set-up only. The function computes in f64, because the
+/// power magnifies the relative rounding error of `x` by `n`.
 pub(super) fn raised(x: f64, n: u32) -> f64 {
     let (mut power, mut square, mut rest) = (1.0, x, n);
     while rest > 0 {
@@ -68,8 +71,10 @@ pub(super) fn raised(x: f64, n: u32) -> f64 {
     power
 }
 
-/// Returns `t^n` for `n >= 1` in the extended precision of `F`, by the binary digits of `n` from
-/// the second highest down. `n = 0` returns `t`.
+/// Returns `t^n` for `n >= 1`, in the extended precision of the fraction `F`.
+///
+/// The function squares once per binary digit of `n`, from the second highest digit down. `n = 0`
+/// returns `t`.
 #[inline]
 pub(super) fn power<S: Scalar, F: Fraction<S>>(t: F, n: u32) -> F {
     let mut power = t;
@@ -85,7 +90,7 @@ pub(super) fn power<S: Scalar, F: Fraction<S>>(t: F, n: u32) -> F {
     power
 }
 
-/// Returns `t^n`. The last product is rounded directly to the scalar.
+/// Returns `t^n`, whose last product is rounded directly to the result type.
 #[inline]
 pub(super) fn rounded_power<S: Scalar, F: Fraction<S>>(t: F, n: u32) -> F::Value {
     if n == 1 {
@@ -169,18 +174,20 @@ impl Falloff for IntegerPower {
         Formula::Power(self.exponent as f32)
     }
 
-    /// `1 - (1/2)^(1/n)`.
+    /// Returns `1 - (1/2)^(1/n)`.
     fn beam_versine(self) -> f32 {
         lost_after(core::f32::consts::LN_2 / self.exponent as f32)
     }
 
-    /// `1 - (1/10)^(1/n)`.
+    /// Returns `1 - (1/10)^(1/n)`.
     fn field_versine(self) -> f32 {
         lost_after(core::f32::consts::LN_10 / self.exponent as f32)
     }
 
-    /// The maximum of `2 n (1 - v)^(n - 1) sqrt(v)`: at `v = 1 / (2 n - 1)`, or at the inner angle
-    /// if that is farther out.
+    /// Returns the maximum of `2 n (1 - v)^(n - 1) sqrt(v)` over the versine `v`.
+    ///
+    /// The maximum is at `v = 1 / (2 n - 1)`, or at the inner angle if the inner angle is farther
+    /// out.
     fn steepness(self, hotspot: f32) -> f32 {
         let (n, hotspot) = (self.exponent, f64::from(hotspot));
         let span = 1.0 - hotspot;
@@ -211,18 +218,18 @@ impl Falloff for InvertedIntegerPower {
         Formula::InvertedPower(self.exponent as f32, 0.0)
     }
 
-    /// `(1/2)^(1/n)`.
+    /// Returns `(1/2)^(1/n)`.
     fn beam_versine(self) -> f32 {
         1.0 - lost_after(core::f32::consts::LN_2 / self.exponent as f32)
     }
 
-    /// `(9/10)^(1/n)`.
+    /// Returns `(9/10)^(1/n)`.
     fn field_versine(self) -> f32 {
         const LOST: f32 = 0.105_360_516; // ln(10/9)
         1.0 - lost_after(LOST / self.exponent as f32)
     }
 
-    /// The slope at the edge: `2 n` without a hotspot.
+    /// Returns the derivative at the edge: `2 n` without a hotspot.
     fn steepness(self, hotspot: f32) -> f32 {
         2.0 * self.exponent as f32 / (1.0 - hotspot)
     }

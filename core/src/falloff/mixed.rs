@@ -16,12 +16,13 @@ use crate::{
 };
 
 /// The mixture `(1 - s) t^n + s t^m` of two integer powers, with a weight `s` of the larger
-/// exponent. It costs two multiplies more than the two powers.
+/// exponent `m`. The mixture takes two multiplies more than the two powers.
 ///
-/// A linear falloff mixed with a high power has a sharp peak on the axis. `n` may be 0: `t^0` is 1
-/// for `t > 0`, so such a mixture jumps at its edge.
+/// A linear falloff mixed with a high power has a sharp peak on the axis. The smaller exponent `n`
+/// may be 0: `t^0` is 1 for `t > 0`, so such a mixture jumps at its edge.
 ///
-/// It rises monotonically towards the axis, except for decreases of at most one step of the format.
+/// The mixture rises monotonically towards the axis, except for decreases of at most one step of
+/// the format.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct MixedPower(Mixture);
 
@@ -46,8 +47,8 @@ impl Mixture {
         Ok(Self { low, high, share })
     }
 
-    /// Creates the mixture with both exponents clamped to their valid ranges. The bits of the share
-    /// are clamped to [0, 1], NaN to 0.
+    /// Creates the mixture with both exponents clamped to their valid ranges. The share is clamped
+    /// to [0, 1]; NaN becomes 0.
     const fn from_bits(least: u32, [low, high, share]: [u32; 3]) -> Self {
         let low = clamped(low, least, MOST - 1);
         Self { low, high: clamped(high, low + 1, MOST), share: clamped_bits(share, 1.0) }
@@ -64,7 +65,7 @@ impl Mixture {
         low + (high - low) * f64::from(self.share)
     }
 
-    /// Returns the derivative of the mixture.
+    /// Returns the derivative of the mixture with respect to `x`.
     fn slope(self, x: f64) -> f64 {
         let slope = |n: u32| if n == 0 { 0.0 } else { f64::from(n) * raised(x, n - 1) };
         let (low, high) = (slope(self.low), slope(self.high));
@@ -79,19 +80,21 @@ impl Mixture {
 }
 
 impl MixedPower {
-    /// Creates the mixture of the powers with these two exponents, in ascending order, and this
-    /// share of the larger one.
+    /// Creates the mixture of the powers with these two exponents and this share of the larger
+    /// exponent.
+    ///
+    /// The exponents are in ascending order.
     ///
     /// # Errors
-    /// A first exponent outside 0 to 1,023, a second one that is not larger or exceeds 1,024, or a
-    /// share outside [0, 1].
+    /// A first exponent outside 0 to 1,023, a second exponent that is not larger or exceeds 1,024,
+    /// or a share outside [0, 1].
     pub fn new(exponents: [u32; 2], share: f32) -> Result<Self, Error> {
         Mixture::checked(0, exponents, share).map(Self)
     }
 
     /// Creates the mixture from two exponents and the bits of a share, as
-    /// [`codegen`](crate::codegen) writes them. Each is clamped to the range that
-    /// [`new`](Self::new) accepts, a share of NaN to 0.
+    /// [`codegen`](crate::codegen) writes them. Each value is clamped to the range that
+    /// [`new`](Self::new) accepts; a share of NaN becomes 0.
     pub const fn from_bits(bits: [u32; 3]) -> Self {
         Self(Mixture::from_bits(0, bits))
     }
@@ -113,19 +116,21 @@ impl MixedPower {
 }
 
 impl InvertedMixedPower {
-    /// Creates the mixture of the inverted powers with these two exponents, in ascending order, and
-    /// this share of the larger one.
+    /// Creates the mixture of the inverted powers with these two exponents and this share of the
+    /// larger exponent.
+    ///
+    /// The exponents are in ascending order.
     ///
     /// # Errors
-    /// A first exponent outside 1 to 1,023, a second one that is not larger or exceeds 1,024, or a
-    /// share outside [0, 1].
+    /// A first exponent outside 1 to 1,023, a second exponent that is not larger or exceeds 1,024,
+    /// or a share outside [0, 1].
     pub fn new(exponents: [u32; 2], share: f32) -> Result<Self, Error> {
         Mixture::checked(1, exponents, share).map(Self)
     }
 
     /// Creates the mixture from two exponents and the bits of a share, as
-    /// [`codegen`](crate::codegen) writes them. Each is clamped to the range that
-    /// [`new`](Self::new) accepts, a share of NaN to 0.
+    /// [`codegen`](crate::codegen) writes them. Each value is clamped to the range that
+    /// [`new`](Self::new) accepts; a share of NaN becomes 0.
     pub const fn from_bits(bits: [u32; 3]) -> Self {
         Self(Mixture::from_bits(1, bits))
     }
@@ -185,8 +190,10 @@ pub struct CompiledInvertedMixedPower<S>(CompiledMixture<S>);
 written_by_bits!(MixedPower InvertedMixedPower);
 
 impl<S: Scalar> CompiledMixedPower<S> {
-    /// Creates the mixture from its parts: the smaller exponent, the difference of the exponents,
-    /// and the share of the larger one. Written by [`codegen`](crate::codegen).
+    /// Creates the mixture from its parts, as [`codegen`](crate::codegen) writes them.
+    ///
+    /// The parts are the smaller exponent, the difference of the exponents, and the share of the
+    /// larger exponent.
     pub const fn from_parts(low: u32, rise: u32, share: S) -> Self {
         Self(CompiledMixture { low, rise, share })
     }
@@ -200,8 +207,10 @@ impl<S: Scalar + Source + Named> Source for CompiledMixedPower<S> {
 }
 
 impl<S: Scalar> CompiledInvertedMixedPower<S> {
-    /// Creates the mixture from its parts: the smaller exponent, the difference of the exponents,
-    /// and the share of the larger one. Written by [`codegen`](crate::codegen).
+    /// Creates the mixture from its parts, as [`codegen`](crate::codegen) writes them.
+    ///
+    /// The parts are the smaller exponent, the difference of the exponents, and the share of the
+    /// larger exponent.
     pub const fn from_parts(low: u32, rise: u32, share: S) -> Self {
         Self(CompiledMixture { low, rise, share })
     }
@@ -235,13 +244,16 @@ impl Falloff for MixedPower {
         self.0.lack_at(0.1)
     }
 
-    /// The maximum of `2 f'(t) sqrt(v) / (1 - h)` with `t = (1 - v) / (1 - h)`. It is searched,
-    /// because a mixture may have two local maxima. If the mixture jumps, the result is at least
+    /// Returns the maximum of `2 f'(t) sqrt(v) / (1 - h)` over the versine `v`.
+    ///
+    /// Here `h` is the hotspot and `t = (1 - v) / (1 - h)`. The maximum is searched, because a
+    /// mixture may have two local maxima. If the mixture jumps at its edge, the result is at least
     /// the steepness of a step.
     fn steepness(self, hotspot: f32) -> f32 {
         let (hotspot, jump) = (f64::from(hotspot), if self.0.low == 0 { 1.0 } else { 0.0 });
         let span = 1.0 - hotspot;
-        // Samples evenly in the root of the versine, which is nearly proportional to the angle.
+        // The search samples evenly in the square root of the versine, which is nearly proportional
+        // to the angle.
         let steepest = maximum(0.0, 1.0, |x| {
             let versine = hotspot + span * x * x;
             2.0 * self.0.slope(1.0 - x * x) * f64::from(trig::sqrt(versine as f32)) / span
@@ -283,7 +295,7 @@ impl Falloff for InvertedMixedPower {
         1.0 - self.0.lack_at(0.9)
     }
 
-    /// The slope at the edge, where both powers have their maximum slope.
+    /// Returns the derivative at the edge, where both powers have their largest derivative.
     fn steepness(self, hotspot: f32) -> f32 {
         let of = |n: u32| InvertedIntegerPower::of(n).steepness(hotspot);
         self.0.of(of(self.0.low), of(self.0.high))

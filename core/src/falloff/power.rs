@@ -11,8 +11,8 @@ use crate::{
     source::Source,
 };
 
-/// The power `t^N`, by repeated squaring. It costs one multiply for each of `t^2`, `t^4`, `t^8` and
-/// so on, and one for each further set bit of `N`. `N` is in [1, 1024].
+/// The power `t^N`, by repeated squaring. The power takes one multiply for each of `t^2`, `t^4`,
+/// `t^8` and so on, and one multiply for each further set bit of `N`. `N` is in [1, 1024].
 ///
 /// The larger `N`, the narrower the bright centre. `Power<2>` is [`Soft`](crate::falloff::Soft).
 ///
@@ -28,8 +28,8 @@ use crate::{
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct Power<const N: u32>;
 
-/// The inverted power `1 - u^N`, Godot's spotlight with an angle attenuation of `1/N`. It costs as
-/// many multiplies as [`Power`]. `N` is in [1, 1024].
+/// The inverted power `1 - u^N`, Godot's spotlight with an angle attenuation of `1/N`. The inverted
+/// power takes as many multiplies as [`Power`]. `N` is in [1, 1024].
 ///
 /// The larger `N`, the flatter the centre and the steeper the edge. `InvertedPower<2>` is
 /// [`Hard`](crate::falloff::Hard).
@@ -46,8 +46,8 @@ pub struct Power<const N: u32>;
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct InvertedPower<const N: u32>;
 
-/// Returns `N` after a compile-time check. Every use of `N` calls it, so no conversion accepts an
-/// invalid `N`.
+/// Returns `N` after a compile-time check. Every use of `N` calls this function, so no conversion
+/// accepts an invalid `N`.
 pub(super) const fn sound<const N: u32>() -> u32 {
     const { assert!(N >= 1 && N <= MOST, "a power has an exponent from 1 to 1,024") };
     N

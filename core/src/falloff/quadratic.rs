@@ -1,5 +1,5 @@
-//! Linear and quadratic falloffs: the two of Hast 2004, the linear ramp between them, and all
-//! quadratics of their family.
+//! Linear and quadratic falloffs: soft and hard of Hast 2004, linear, and all quadratics between
+//! soft and hard.
 
 use core::fmt::{self, Formatter};
 
@@ -14,34 +14,34 @@ use crate::{
     trig,
 };
 
-/// The soft falloff `t^2` (Hast 2004, section 2): one multiply. It fades out without a visible
-/// edge.
+/// The soft falloff `t^2` (Hast 2004, section 2): one multiply. The soft falloff fades out without
+/// a visible edge.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct Soft;
 
-/// The hard falloff `1 - u^2` with `u = 1 - t` (Hast 2004, section 3): one multiply. It is flat at
-/// the centre and has a sharp edge.
+/// The hard falloff `1 - u^2` with `u = 1 - t` (Hast 2004, section 3): one multiply. The hard
+/// falloff is flat at the centre and has a sharp edge.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct Hard;
 
-/// The linear ramp `t`: no multiply. It models the penumbra between an umbra and full shadow, and
-/// Direct3D 9 with a falloff of 1. Its slope jumps at the edge and, with a hotspot, at the inner
-/// angle.
+/// The linear falloff `t`: no multiply. It models the penumbra between an umbra and full shadow,
+/// and Direct3D 9 with a falloff of 1. Its derivative jumps at the edge and, with a hotspot, at the
+/// inner angle.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct Linear;
 
-/// The quadratic `t (a + (1 - a) t)` with edge slope `a`: two multiplies. Soft at `a = 0`, linear
-/// at 1, hard at 2.
+/// The quadratic `t (a + (1 - a) t)` with edge slope `a`: two multiplies. The quadratic is soft at
+/// `a = 0`, linear at `a = 1` and hard at `a = 2`.
 ///
-/// It is evaluated as `t (1 + (a - 1) u)`, so that the value on the axis is exactly 1, however `a`
-/// is rounded.
+/// The quadratic is evaluated as `t (1 + (a - 1) u)`, so that the value on the axis is exactly 1,
+/// however `a` is rounded.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Quadratic {
     edge_slope: f32,
 }
 
 impl Quadratic {
-    /// Creates the quadratic with this slope with respect to `t` at the edge.
+    /// Creates the quadratic with this edge slope: the derivative with respect to `t` at the edge.
     ///
     /// # Errors
     /// An edge slope outside [0, 2]: the quadratic would not be monotone.
@@ -55,7 +55,7 @@ impl Quadratic {
     }
 
     /// Creates the quadratic from the bits of its edge slope, as [`codegen`](crate::codegen) writes
-    /// it; clamped to [0, 2], NaN to 0.
+    /// it. The edge slope is clamped to [0, 2]; NaN becomes 0.
     pub const fn from_bits(edge_slope: u32) -> Self {
         Self { edge_slope: clamped_bits(edge_slope, 2.0) }
     }
@@ -73,7 +73,7 @@ impl Quadratic {
         Self { edge_slope: edge_slope.clamp(0.0, 2.0) }
     }
 
-    /// Returns the slope with respect to `t` at the edge, in [0, 2].
+    /// Returns the edge slope: the derivative with respect to `t` at the edge, in [0, 2].
     pub fn edge_slope(self) -> f32 {
         self.edge_slope
     }
@@ -82,8 +82,8 @@ impl Quadratic {
         Polynomial { a: self.edge_slope, b: 1.0 - self.edge_slope, c: 0.0 }
     }
 
-    /// Returns the `u` with this intensity: solves `g u^2 + (1 - g) u = 1 - intensity` without
-    /// cancellation.
+    /// Returns the `u` with this intensity, the solution of `g u^2 + (1 - g) u = 1 - intensity`,
+    /// without cancellation.
     fn versine_of(self, intensity: f32) -> f32 {
         let (g, lost) = (self.edge_slope - 1.0, 1.0 - intensity);
         let b = 1.0 - g;
@@ -98,17 +98,18 @@ impl Falloff for Soft {
         Formula::Polynomial([0.0, 1.0, 0.0])
     }
 
-    /// `1 - 1/sqrt(2)`.
+    /// Returns `1 - 1/sqrt(2)`.
     fn beam_versine(self) -> f32 {
         1.0 - core::f32::consts::FRAC_1_SQRT_2
     }
 
-    /// `1 - 1/sqrt(10)`.
+    /// Returns `1 - 1/sqrt(10)`.
     fn field_versine(self) -> f32 {
         0.683_772_2
     }
 
-    /// The maximum slope of `(1 - x^2)^2`: `8 / (3 sqrt(3))` without a hotspot.
+    /// Returns the largest derivative of `(1 - x^2)^2` with respect to the angle `x`:
+    /// `8 / (3 sqrt(3))` without a hotspot.
     fn steepness(self, hotspot: f32) -> f32 {
         Polynomial { a: 0.0, b: 1.0, c: 0.0 }.steepness(hotspot)
     }
@@ -132,17 +133,17 @@ impl Falloff for Hard {
         Formula::Polynomial([2.0, -1.0, 0.0])
     }
 
-    /// `1/sqrt(2)`.
+    /// Returns `1/sqrt(2)`.
     fn beam_versine(self) -> f32 {
         core::f32::consts::FRAC_1_SQRT_2
     }
 
-    /// `3/sqrt(10)`.
+    /// Returns `3/sqrt(10)`.
     fn field_versine(self) -> f32 {
         0.948_683_3
     }
 
-    /// The slope at the edge: 4 without a hotspot.
+    /// Returns the derivative at the edge: 4 without a hotspot.
     fn steepness(self, hotspot: f32) -> f32 {
         4.0 / (1.0 - hotspot)
     }
@@ -167,17 +168,17 @@ impl Falloff for Linear {
         Formula::Polynomial([1.0, 0.0, 0.0])
     }
 
-    /// `1/2`.
+    /// Returns `1/2`.
     fn beam_versine(self) -> f32 {
         0.5
     }
 
-    /// `9/10`.
+    /// Returns `9/10`.
     fn field_versine(self) -> f32 {
         0.9
     }
 
-    /// The slope at the edge: 2 without a hotspot.
+    /// Returns the derivative at the edge: 2 without a hotspot.
     fn steepness(self, hotspot: f32) -> f32 {
         2.0 / (1.0 - hotspot)
     }

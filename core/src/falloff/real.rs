@@ -13,29 +13,31 @@ use crate::{
     trig,
 };
 
-/// The power `t^p` with a real exponent in (0, 1024], evaluated in integers by a logarithm and an
-/// exponential from tables. For integer exponents [`IntegerPower`](super::IntegerPower) costs less.
+/// The power `t^p` with a real exponent `p` in (0, 1024].
 ///
-/// For `p < 1` the slope at the edge is infinite. There a format bounds the error of the position,
-/// not of the intensity.
+/// The power is evaluated in integers, by a logarithm and an exponential from tables. For integer
+/// exponents [`IntegerPower`](super::IntegerPower) costs less.
+///
+/// For `p < 1` the derivative with respect to `t` at the edge is infinite. At this edge a format
+/// bounds the error of the position, and not of the intensity.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct RealPower {
     exponent: f32,
 }
 
-/// The inverted power `1 - u^p` with a real exponent in (0, 1024], the mirror image of
-/// [`RealPower`]. For `p < 1` it has a sharp peak on the axis.
+/// The inverted power `1 - u^p` with a real exponent `p` in (0, 1024], the mirror image of
+/// [`RealPower`]. For `p < 1` the inverted power has a sharp peak on the axis.
 ///
-/// [Imports](crate::import::Godot) add a floor: `(1 - max(u, floor)^p) / (1 - floor^p)`.
+/// [Imports](crate::import::Godot) add a floor of `u`: `(1 - max(u, floor)^p) / (1 - floor^p)`.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct InvertedRealPower {
     exponent: f32,
     floor: f32,
 }
 
-/// Width of the strip next to an infinite slope that [`Falloff::steepness`] ignores, in outer half
-/// angles. Within this strip a format bounds the error of the position, not of the intensity, as at
-/// a step.
+/// Width of the strip next to an infinite derivative that [`Falloff::steepness`] ignores, in outer
+/// half angles. Within this strip a format bounds the error of the position, and not of the
+/// intensity, as at a step.
 const STRIP: f64 = 1.0 / 510.0;
 
 fn checked(exponent: f32) -> Result<f32, Error> {
@@ -57,8 +59,8 @@ impl RealPower {
         Self { exponent }
     }
 
-    /// Creates the power from the bits of its exponent, as [`codegen`](crate::codegen) writes it;
-    /// clamped to [0, 1024], NaN to 0.
+    /// Creates the power from the bits of its exponent, as [`codegen`](crate::codegen) writes them.
+    /// The exponent is clamped to [0, 1024]; NaN becomes 0.
     pub const fn from_bits(exponent: u32) -> Self {
         Self { exponent: clamped_bits(exponent, MOST as f32) }
     }
@@ -99,7 +101,8 @@ impl InvertedRealPower {
     }
 
     /// Creates the inverted power from the bits of an exponent and a floor, as
-    /// [`codegen`](crate::codegen) writes them. They are clamped to [0, 1024] and [0, 1], NaN to 0.
+    /// [`codegen`](crate::codegen) writes them. The exponent and the floor are clamped to [0, 1024]
+    /// and [0, 1]; NaN becomes 0.
     pub const fn from_bits([exponent, floor]: [u32; 2]) -> Self {
         Self { exponent: clamped_bits(exponent, MOST as f32), floor: clamped_bits(floor, 1.0) }
     }
@@ -120,12 +123,12 @@ impl InvertedRealPower {
         self.floor
     }
 
-    /// Returns `1 - floor^p`, the normalisation of the floored power.
+    /// Returns `1 - floor^p`, by which the power with a floor is divided.
     pub(crate) fn height(self) -> f64 {
         if self.floor > 0.0 { 1.0 - real_power(self.floor.into(), self.exponent.into()) } else { 1.0 }
     }
 
-    /// Returns the last `u` with this intensity.
+    /// Returns the largest `u` with this intensity.
     fn versine_of(self, intensity: f64) -> f32 {
         real_power(1.0 - intensity * self.height(), 1.0 / f64::from(self.exponent)) as f32
     }
@@ -134,7 +137,7 @@ impl InvertedRealPower {
 written_by_bits!(RealPower InvertedRealPower CompiledRealPower CompiledInvertedRealPower);
 
 impl CompiledRealPower {
-    /// Creates the power from the bits of its exponent, as [`codegen`](crate::codegen) writes it.
+    /// Creates the power from the bits of its exponent, as [`codegen`](crate::codegen) writes them.
     pub const fn from_bits(bits: [u32; 4]) -> Self {
         Self(RealExponent::from_bits(bits))
     }
@@ -146,7 +149,7 @@ impl CompiledRealPower {
 }
 
 impl CompiledInvertedRealPower {
-    /// Creates the power from the bits of its exponent, as [`codegen`](crate::codegen) writes it.
+    /// Creates the power from the bits of its exponent, as [`codegen`](crate::codegen) writes them.
     pub const fn from_bits(bits: [u32; 4]) -> Self {
         Self(RealExponent::from_bits(bits))
     }
@@ -178,9 +181,11 @@ impl Falloff for RealPower {
         self.lost_at(0.1, core::f32::consts::LN_10)
     }
 
-    /// The maximum of `2 p t^(p - 1) sqrt(v) / (1 - h)` with `t = (1 - v) / (1 - h)`. For `p >= 1`
-    /// it is at the same `v` as for an integer exponent. For `p < 1` it is the value at the inner
-    /// end of the strip, and at least the steepness of a step.
+    /// Returns the maximum of `2 p t^(p - 1) sqrt(v) / (1 - h)` over the versine `v`.
+    ///
+    /// Here `h` is the hotspot and `t = (1 - v) / (1 - h)`. For `p >= 1` the maximum is at the same
+    /// `v` as for an integer exponent. For `p < 1` the result is the value at the inner end of the
+    /// `STRIP`, and at least the steepness of a step.
     fn steepness(self, hotspot: f32) -> f32 {
         let (p, hotspot) = (f64::from(self.exponent), f64::from(hotspot));
         let edge = (1.0 - STRIP) * (1.0 - STRIP);
@@ -192,7 +197,7 @@ impl Falloff for RealPower {
         (slope as f32 * trig::sqrt(versine as f32)).max(if p < 1.0 { 1.0 } else { 0.0 })
     }
 
-    /// `(1 - t^(p + 1)) / (p + 1)`, by a series for small `u`.
+    /// Returns `(1 - t^(p + 1)) / (p + 1)`, for small `u` by a series.
     fn integral(self, u: f32) -> f32 {
         let (p, u) = (f64::from(self.exponent), f64::from(u));
         let integral = if (p + 1.0) * u < 1e-3 {
@@ -225,10 +230,12 @@ impl Falloff for InvertedRealPower {
         self.versine_of(0.1)
     }
 
-    /// The larger value of `2 p u^(p - 1) sqrt(v) / (1 - h)` with `v = h + (1 - h) u`, at the edge
-    /// and at the start of the slope. There is no local maximum in between. For `p < 1` the slope
-    /// starts at the floor or at the outer end of the strip, and the result is at least the
-    /// steepness of a step.
+    /// Returns the larger of two values of `2 p u^(p - 1) sqrt(v) / (1 - h)`: at the edge and where
+    /// the intensity begins to fall.
+    ///
+    /// Here `h` is the hotspot and `v = h + (1 - h) u`. There is no local maximum between the two
+    /// points. For `p < 1` the inner point is the floor or the outer end of the `STRIP`, and the
+    /// result is at least the steepness of a step.
     fn steepness(self, hotspot: f32) -> f32 {
         let (p, hotspot) = (f64::from(self.exponent), f64::from(hotspot));
         let (span, per_height) = (1.0 - hotspot, 2.0 * p / (1.0 - hotspot) / self.height());
@@ -252,11 +259,11 @@ impl Falloff for InvertedRealPower {
     }
 }
 
-/// A [`RealPower`], the same in every format.
+/// A compiled [`RealPower`], which is the same in every format.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct CompiledRealPower(RealExponent);
 
-/// An [`InvertedRealPower`], the same in every format.
+/// A compiled [`InvertedRealPower`], which is the same in every format.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct CompiledInvertedRealPower(RealExponent);
 

@@ -6,8 +6,8 @@ use crate::{
     source::written_by_debug,
 };
 
-/// Full intensity up to the edge and 0 from there on: no multiply. It models an umbra without a
-/// penumbra, and OpenGL's spotlight with exponent 0.
+/// The step: full intensity up to the edge and 0 from the edge on, without a multiply. It models an
+/// umbra without a penumbra, and OpenGL's spotlight with exponent 0.
 ///
 /// Beam, field and outer angle coincide. At the edge itself the intensity is 0, as in every
 /// falloff.

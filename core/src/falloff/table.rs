@@ -17,19 +17,19 @@ use crate::{
 /// A table of measured intensities with linear interpolation over the **versine** of the angle off
 /// axis.
 ///
-/// It spans the falloff from the axis (or the inner angle) to the edge and needs no trigonometry
-/// per point. The samples are either evenly spaced over the versine or [`Knot`]s:
+/// A table spans the falloff from the axis (or the inner angle) to the edge and needs no
+/// trigonometry per point. The samples are either evenly spaced over the versine or [`Knot`]s:
 ///
 /// - evenly spaced, sample `i` of `n` at `u = i / (n - 1)`: two multiplies, one of which finds the
 ///   position in the table;
 /// - knots, closer together where the curve bends: `log2 n` comparisons and one multiply.
 ///
-/// [`Table::from_angles`] converts goniometric data, which are evenly spaced in the angle, into
+/// [`Table::from_angles`] converts goniometric data, which are evenly spaced in the angle, to
 /// knots.
 ///
 /// 65,535 is full intensity in every number format. A table need not start at full intensity, end
-/// at 0 or be monotone. From the outer angle on the intensity is 0. Beam and field angle are where
-/// it last falls to 50 % and 10 % of *full* intensity.
+/// at 0 or be monotone. From the outer angle on the intensity is 0. Beam and field angle are the
+/// largest angles at which the intensity reaches 50 % and 10 % of *full* intensity.
 ///
 /// ```
 /// use luminaire::{Angle, Cone, falloff::{Knot, Table}};
@@ -81,14 +81,15 @@ impl<'a> Table<'a> {
     /// Creates a table from intensities that are evenly spaced in the angle, from the axis to the
     /// outer angle.
     ///
-    /// The intensities are linear in between, and 1 is full intensity. Use the table in a cone with
-    /// this outer angle and without a hotspot. The table uses further knots only while they reduce
-    /// the error, and places each where the error is largest.
+    /// Between these angles the intensities are interpolated linearly; 1 is full intensity. Use the
+    /// table in a cone with this outer angle and without a hotspot. The function adds knots only
+    /// while they reduce the difference between table and data, and places each knot where the
+    /// difference is largest.
     ///
-    /// Also returns an upper bound of the difference between table and data, in units of full
-    /// intensity. It does not include the rounding of a number format. Positions are multiples of
-    /// 2^-16 of the outer versine; for an outer angle of 180 degrees that is a third of a degree
-    /// next to the axis.
+    /// The function also returns an upper bound of the difference between table and data, in units
+    /// of full intensity. The bound does not include the rounding errors of a number format.
+    /// Positions of knots are multiples of 2^-16 of the outer versine. For an outer angle of 180
+    /// degrees, 2^-16 is a third of a degree next to the axis.
     ///
     /// # Errors
     /// Fewer than 2 measured values, no knot, more than 65,536 of either, a measured value outside
@@ -148,8 +149,10 @@ impl<'a> Table<'a> {
         }
     }
 
-    /// Returns the last `u` with this intensity: 1 if the table ends above this intensity, 0 if the
-    /// whole table is below it.
+    /// Returns the largest `u` with this intensity.
+    ///
+    /// The result is 1 if the table ends above this intensity, and 0 if the whole table is below
+    /// this intensity.
     fn versine_of(self, intensity: f32) -> f32 {
         for Segment { start, end, from, to } in self.segments().rev() {
             if to >= intensity {
@@ -163,7 +166,7 @@ impl<'a> Table<'a> {
     }
 }
 
-/// A straight line between two `u`, given by the intensities at its ends.
+/// A straight line between two values of `u`, given by the intensities at both ends.
 struct Segment {
     start: f32,
     end: f32,
@@ -209,8 +212,9 @@ impl Falloff for Table<'_> {
         self.versine_of(0.1)
     }
 
-    /// The maximum slope of the segments, each evaluated at its outer end; at least the steepness
-    /// of a step.
+    /// Returns the largest derivative of the segments, and at least the steepness of a step.
+    ///
+    /// The derivative of each segment is evaluated at the segment's outer end.
     fn steepness(self, hotspot: f32) -> f32 {
         let span = 1.0 - hotspot;
         self.segments().fold(1.0, |largest, Segment { start, end, from, to }| {

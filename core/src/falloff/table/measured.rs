@@ -11,10 +11,11 @@ pub(super) struct Measured<'m> {
     versine: f32,
 }
 
-/// The position of the outer angle. Positions are in 65,536ths of the outer versine.
+/// The position of the outer angle. Positions are in units of 1/65,536 of the outer versine.
 const EDGE: u32 = 65_536;
 
-/// The smallest difference for which another knot is useful: half a step of the 16-bit values.
+/// The smallest difference between table and data at which a further knot helps: half a step of the
+/// 16-bit values.
 const LEAST: f32 = 1.0 / 131_072.0;
 
 impl<'m> Measured<'m> {
@@ -23,8 +24,10 @@ impl<'m> Measured<'m> {
         Self { values, outer: outer.to_radians() / 2.0, versine: outer.versine() }
     }
 
-    /// Returns the used knots, at least one, and the largest difference between their lines and the
-    /// data. It repeatedly splits the line with the largest difference, at the point of that
+    /// Returns the used knots, at least one, and the largest difference between the knots' lines
+    /// and the data.
+    ///
+    /// The function repeatedly splits the line with the largest difference, at the point of that
     /// difference, until no knots are left or no split helps (Ramer 1972; Douglas and Peucker
     /// 1973).
     pub(super) fn resample<'k>(&self, knots: &'k mut [Knot]) -> (&'k [Knot], f32) {
@@ -61,9 +64,12 @@ impl<'m> Measured<'m> {
     }
 
     /// Returns the largest difference between a line and the data, and the position of that
-    /// difference, moved inside the line if it is at an end. Candidates are the measured angles,
-    /// where the data bend, and, between two of these, the angle at which the data's slope over the
-    /// versine equals that of the line: it has one value of `sin(angle)`.
+    /// difference.
+    ///
+    /// A position at an end of the line is moved inside the line. The candidates are the measured
+    /// angles, where the data bend. Between two measured angles, the angle at which the derivatives
+    /// of data and line with respect to the versine are equal is also a candidate. At that angle
+    /// `sin(angle)` has a single value.
     fn farthest(&self, line: Knot, end: u32) -> (f32, u32) {
         let (first, last) = (self.angle(line.place()), self.angle(end));
         let (mut largest, mut at) = (0.0, 0.0);
@@ -92,8 +98,8 @@ impl<'m> Measured<'m> {
         (largest, inside)
     }
 
-    /// Returns an upper bound of the rounding error in f32, which is largest where the data are
-    /// steepest.
+    /// Returns an upper bound of the conversion's rounding error in f32, which is largest where the
+    /// data are steepest.
     fn own_error(&self) -> f32 {
         let steepest = self.values.windows(2).map(|pair| (pair[1] - pair[0]).abs()).fold(0.0, f32::max);
         1e-6 + 1e-6 * steepest * (self.values.len() - 1) as f32
