@@ -1,7 +1,7 @@
 //! Lights, described in metres, degrees and linear colour.
 //!
-//! Every light has an intensity and two colours, one for its diffuse light and one for its
-//! highlights. The defaults are white and intensity 1.
+//! Every light has an intensity. All but [`AmbientLight`] have two colours, one for diffuse light
+//! and one for highlights. The defaults are white and intensity 1.
 
 mod ambient;
 mod directional;
@@ -56,7 +56,8 @@ impl Emission {
     }
 }
 
-/// Returns the position if all components are finite, or an error that names the first that is not.
+/// Returns the position if all components are finite, or an error that shows the first component
+/// that is not finite.
 fn checked_position(parameter: Parameter, position: Vec3<f32>) -> Result<Vec3<f32>, Error> {
     for value in [position.x, position.y, position.z] {
         check_between(parameter, value, -f32::MAX, f32::MAX)?;
@@ -65,7 +66,7 @@ fn checked_position(parameter: Parameter, position: Vec3<f32>) -> Result<Vec3<f3
 }
 
 /// Returns an error if a format cannot hold the position of a light. The position is not saturated,
-/// because that would move the light.
+/// because saturation would move the light.
 pub(crate) fn check_reach<S: Scalar>(position: Vec3<f32>) -> Result<(), Error> {
     for value in [position.x, position.y, position.z] {
         check_between(Parameter::Position, value, -S::FARTHEST, S::FARTHEST)?;

@@ -25,7 +25,8 @@ pub struct SurfacePoint<S: Scalar> {
     pub point: Vec3<S::Length>,
     /// The normal, of unit length.
     pub normal: Vec3<S>,
-    /// The direction from the point to the eye, of unit length. Unused for a matt surface.
+    /// The direction from the point to the eye, of unit length. A matt surface does not use this
+    /// direction.
     pub view: Vec3<S::Unit>,
 }
 
@@ -36,31 +37,31 @@ impl<S: Scalar> SurfacePoint<S> {
         Self { point, normal, view: Vec3::default() }
     }
 
-    /// Creates a point that is seen by an eye. This takes one square root per point, whatever the
-    /// number of lights.
+    /// Creates a point that is seen by an eye. The direction to the eye takes one square root per
+    /// point, whatever the number of lights.
     #[inline]
     pub fn seen_from(eye: Vec3<S::Length>, point: Vec3<S::Length>, normal: Vec3<S>) -> Self {
         Self { point, normal, view: S::offset(point, eye).ray().direction() }
     }
 }
 
-/// Light that arrives at a surface, before the light's colours: 1 is full scale.
+/// Light that arrives at a surface, not yet multiplied by the light's colours; 1 is full scale.
 #[derive(Clone, Copy, PartialEq, Default, Debug)]
 pub struct Incident<I> {
-    /// Falloff, attenuation and Lambert's cosine.
+    /// The product of intensity, falloff, attenuation and Lambert's cosine.
     pub diffuse: I,
-    /// Falloff, attenuation and the specular lobe.
+    /// The product of intensity, falloff, attenuation and the specular lobe.
     pub specular: I,
 }
 
 /// A compiled light of any kind.
 pub trait LightModel<S: Scalar>: Copy + core::fmt::Debug {
-    /// Returns the linear colours of the light: the diffuse and the specular one.
+    /// Returns the linear colours of the light: the diffuse and the specular colour.
     fn colors(&self) -> [Rgb<S>; 2];
     /// Computes the light at a surface whose specular lobe is of the type `H`.
     ///
     /// With `skips`, points that receive no light are rejected before the square root. The result
-    /// is bit-identical.
+    /// is bit-identical with and without `skips`.
     fn evaluate<H: SpecularLobe>(
         &self,
         surface: &SurfacePoint<S>,

@@ -61,7 +61,7 @@ impl<A: Attenuation> PointLight<A> {
     }
 
     /// Returns the light with this intensity. An intensity of 1 lights a surface that faces the
-    /// light to full scale; with attenuation, at distance 1.
+    /// light to full scale; with attenuation, this holds at distance 1.
     ///
     /// # Errors
     /// A negative intensity, or one over 1e9.
@@ -105,8 +105,8 @@ impl<A: Attenuation> PointLight<A> {
     }
 
     /// Returns the intensity in candela for a luminous flux in lumens: the inverse of
-    /// [`lumens`](Self::lumens). A flux of 1 gives a facing surface at distance d an illuminance of
-    /// `1 / (4 pi d^2)`.
+    /// [`lumens`](Self::lumens). A flux of 1 lumen gives a surface that faces the light at distance
+    /// `d` an illuminance of `1 / (4 pi d^2)`.
     pub fn candela(&self, lumens: f32) -> f32 {
         lumens / SPHERE
     }

@@ -16,7 +16,7 @@ use crate::{
 /// [attenuation](Attenuation).
 ///
 /// The default attenuation is the inverse-square law; the default colour is white and the default
-/// intensity 1. So a surface that faces the light, on its axis at distance 1, is lit to full scale.
+/// intensity 1. So a surface that faces the light, on the axis at distance 1, is lit to full scale.
 ///
 /// ```
 /// use luminaire::{Angle, Cone, Rgb, SpotLight, Vec3, falloff::Soft};
@@ -57,8 +57,9 @@ impl<P: Falloff> SpotLight<P> {
 }
 
 impl<P: Falloff> SpotLight<P, SmoothRange> {
-    /// Creates a white spotlight of intensity 1 that points at `end` and fades smoothly to 0 there.
-    /// The vector between the two points gives direction and range, as in the dual-cone article.
+    /// Creates a white spotlight of intensity 1 that points at `end` and fades smoothly to 0 at
+    /// `end`. The vector from `position` to `end` gives axis and range, as in the dual-cone
+    /// article.
     ///
     /// ```
     /// use luminaire::{Angle, Cone, SpotLight, Vec3, falloff::Soft};
@@ -102,7 +103,7 @@ impl<P: Falloff, A: Attenuation> SpotLight<P, A> {
     }
 
     /// Returns the light with this intensity. An intensity of 1 lights a surface that faces the
-    /// light on its axis to full scale; with attenuation, at distance 1.
+    /// light, on the axis of the light, to full scale; with attenuation, this holds at distance 1.
     ///
     /// # Errors
     /// A negative intensity, or one over 1e9.
@@ -156,8 +157,8 @@ impl<P: Falloff, A: Attenuation> SpotLight<P, A> {
         self.axis.unit
     }
 
-    /// Returns the axis in the format `S`. It is computed from the unrounded axis, so that in
-    /// `Fx32` a point on the given axis is also on the axis of the compiled light.
+    /// Returns the axis in the format `S`. The result is computed from the unrounded axis, so that
+    /// in `Fx32` a point on the given axis is also on the axis of the compiled light.
     pub fn axis_in<S: Scalar>(&self) -> Vec3<S::Unit> {
         S::aim(self.axis.toward, self.axis.unit)
     }
@@ -195,12 +196,15 @@ impl<P: Falloff, A: Attenuation> SpotLight<P, A> {
         })
     }
 
-    /// Compiles the light for the quick evaluation of the format `S`: fewer instructions and a
-    /// larger error, which [`quick_error`](Self::quick_error) returns.
+    /// Compiles the light for the quick evaluation of the format `S`.
     ///
-    /// `Fx16` takes two thirds of the instructions, and its error grows as the cone gets narrower:
-    /// use it for a display with few bits. `Fx32` takes a third on a processor without 64-bit
-    /// products, and its error is still far below a step of any display.
+    /// The quick evaluation takes fewer instructions and has a larger error;
+    /// [`quick_error`](Self::quick_error) returns a bound of this error.
+    ///
+    /// In `Fx16` the quick evaluation takes two thirds of the instructions of the standard one, and
+    /// the error grows as the cone gets narrower: use it for a display with few bits. In `Fx32` the
+    /// quick evaluation takes a third of the instructions on a processor without 64-bit products,
+    /// and the error is still far below a step of any display.
     ///
     /// ```
     /// use luminaire::{Cone, Fx16, HalfAngle, SpotLight, Vec3, falloff::Soft};
@@ -214,7 +218,7 @@ impl<P: Falloff, A: Attenuation> SpotLight<P, A> {
     /// ```
     ///
     /// # Errors
-    /// As [`compile`](Self::compile): the cones that the format holds are the same.
+    /// The errors of [`compile`](Self::compile): both evaluations accept the same cones.
     pub fn compile_quick<S: Scalar>(&self) -> Result<QuickSpotLight<S, P, A>, Error> {
         check_reach::<S>(self.position)?;
         Ok(QuickSpotLight {
@@ -228,12 +232,14 @@ impl<P: Falloff, A: Attenuation> SpotLight<P, A> {
         })
     }
 
-    /// Returns a bound of the error of the quick evaluation, as a fraction of full scale: at every
-    /// point where the intensity, attenuated over the distance, is at most 1.
+    /// Returns a bound of the error of the quick evaluation, as a fraction of full scale.
     ///
-    /// Where the light is brighter, the error grows as the light does. The bound is searched, for
-    /// all falloffs and for half angles from 0.5 to 90 degrees. For a step it is infinite, because
-    /// the position of the edge has an error, and not the intensity.
+    /// The bound holds at every point where the intensity, attenuated over the distance, is at most
+    /// 1.
+    ///
+    /// Where the attenuated intensity is larger, the error grows as that intensity does. The bound
+    /// is searched, for all falloffs and for half angles from 0.5 to 90 degrees. For a step the
+    /// bound is infinite: rounding errors move the edge, where the intensity jumps from 1 to 0.
     pub fn quick_error<S: Scalar>(&self) -> f32 {
         self.cone.quick_error::<S>()
     }

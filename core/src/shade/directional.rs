@@ -20,9 +20,9 @@ pub struct CompiledDirectionalLight<S: Scalar> {
 }
 
 impl<S: Scalar> CompiledDirectionalLight<S> {
-    /// Returns the irradiance at a surface with this normal, before the colours.
+    /// Returns the irradiance at a surface with this normal, not yet multiplied by the colours.
     ///
-    /// It is the intensity times Lambert's cosine.
+    /// The irradiance is the intensity times Lambert's cosine.
     #[inline]
     pub fn irradiance(&self, normal: Vec3<S>) -> S::Irradiance {
         self.evaluate::<NoSpecular>(&SurfacePoint::matte(Vec3::default(), normal), &(), false).diffuse
@@ -40,7 +40,7 @@ impl<S: Scalar> CompiledDirectionalLight<S> {
 
     /// Creates a light from its fields, as [`codegen`](crate::codegen) writes them.
     ///
-    /// The colours are the diffuse and the specular one.
+    /// The colours are the diffuse and the specular colour.
     pub const fn from_parts(
         direction: Vec3<S::Unit>,
         intensity: S::Gain,
@@ -64,7 +64,7 @@ impl<S: Scalar> LightModel<S> for CompiledDirectionalLight<S> {
         skips: bool,
     ) -> Incident<S::Irradiance> {
         let cosine = S::incidence(self.direction, surface.normal);
-        // The comparison is false for NaN, so NaN is skipped too.
+        // The comparison is false for a cosine of NaN, so NaN is skipped, too.
         let is_lit = cosine > S::ZERO;
         if skips && H::SHINES && !is_lit {
             return Incident::default();

@@ -21,7 +21,7 @@ pub(super) struct Stand<'a, S: Scalar, A: Attenuation> {
 pub(super) trait Placed<S: Scalar, A: Attenuation> {
     /// Returns the position, the attenuation and the intensity.
     fn place(&self) -> Stand<'_, S, A>;
-    /// Returns whether a point is certainly outside the cone: see [`Offset::is_outside`].
+    /// Returns whether a point is certainly outside the cone: see [`FullOffset::is_outside`].
     fn is_outside(&self, offset: &S::Offset) -> bool;
     /// Returns the falloff of the cone along a ray; `None` for a light without a cone.
     fn falloff<R: Ray<S, Ramp = S::Ramp>>(&self, ray: &R) -> Option<R::Share>;
@@ -57,8 +57,8 @@ pub(super) trait Placed<S: Scalar, A: Attenuation> {
 
     /// Evaluates a point near a bright light, or in a steep cone, with the fine evaluation.
     ///
-    /// The coarse result is kept where it is clipped anyway. This is a separate cold function, so
-    /// that the common path stays in registers.
+    /// The coarse result is kept where the light is clipped to full scale anyway. The function is
+    /// separate and cold, so that the common path stays in registers.
     #[cold]
     #[inline(never)]
     fn evaluate_finely<H: SpecularLobe>(
@@ -90,8 +90,8 @@ pub(super) trait Placed<S: Scalar, A: Attenuation> {
         }
         let ray = offset.fine_ray();
         let cosine = ray.cosine(facing, normal);
-        // The lobe stays that of the coarse direction: its rounding to a scalar is larger than the
-        // error that a finer direction would remove.
+        // The specular lobe stays that of the coarse direction: rounding the lobe to a scalar
+        // causes a larger error than a finer direction would remove.
         let (_, fine) = self.along::<H, _>(&offset, &ray, cosine, || lobe);
         let [keeps_diffuse, keeps_specular] = keeps;
         Incident {

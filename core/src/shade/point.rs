@@ -25,17 +25,19 @@ pub struct CompiledPointLight<S: Scalar, A: Attenuation = InverseSquare> {
 }
 
 impl<S: Scalar, A: Attenuation> CompiledPointLight<S, A> {
-    /// Returns the irradiance at a surface point, before the colours: attenuation and Lambert's
-    /// cosine.
+    /// Returns the irradiance at a surface point, not yet multiplied by the colours; 1 is full
+    /// scale.
     ///
-    /// Points with exactly zero light are rejected early, as by
+    /// The irradiance is the product of intensity, attenuation and Lambert's cosine.
+    ///
+    /// Points with exactly zero light are rejected before the square root, as by
     /// [`CompiledSpotLight::irradiance`](crate::light::CompiledSpotLight::irradiance).
     #[inline]
     pub fn irradiance(&self, point: Vec3<S::Length>, normal: Vec3<S>) -> S::Irradiance {
         self.evaluate::<NoSpecular>(&SurfacePoint::matte(point, normal), &(), true).diffuse
     }
 
-    /// As [`irradiance`](Self::irradiance), but without early-outs.
+    /// Returns the result of [`irradiance`](Self::irradiance), but without early-outs.
     #[inline]
     pub fn irradiance_unskipped(&self, point: Vec3<S::Length>, normal: Vec3<S>) -> S::Irradiance {
         self.evaluate::<NoSpecular>(&SurfacePoint::matte(point, normal), &(), false).diffuse
@@ -54,7 +56,7 @@ impl<S: Scalar, A: Attenuation> CompiledPointLight<S, A> {
     /// Creates a light from its fields, as [`codegen`](crate::codegen) writes them.
     ///
     /// `fine_below` is the result of `Arithmetic::fine_below`; the colours are the diffuse and the
-    /// specular one.
+    /// specular colour.
     pub const fn from_parts(
         position: Vec3<S::Length>,
         attenuation: A::Constants<S>,

@@ -11,15 +11,18 @@ use crate::{
     vec3::Vec3,
 };
 
-/// A spotlight compiled for the quick evaluation of the format `S`: fewer instructions per point
-/// than a [`CompiledSpotLight`](super::CompiledSpotLight), and a larger error.
+/// A spotlight compiled for the quick evaluation of the format `S`.
 ///
-/// Made by [`SpotLight::compile_quick`](crate::SpotLight::compile_quick), which states the error.
-/// Points, normals and irradiances are those of the format.
+/// It takes fewer instructions per point than a [`CompiledSpotLight`](super::CompiledSpotLight) and
+/// has a larger error.
+///
+/// Made by [`SpotLight::compile_quick`](crate::SpotLight::compile_quick);
+/// [`SpotLight::quick_error`](crate::SpotLight::quick_error) bounds the error. Points, normals and
+/// irradiances have the types of the format's standard evaluation.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct QuickSpotLight<S: Scalar, P: Falloff = SoftOrHard, A: Attenuation = InverseSquare> {
     pub(crate) position: Vec3<S::Length>,
-    /// As `Quick::quick_axis` returns it.
+    /// The axis as `Quick::quick_axis` returns it.
     pub(crate) axis: Vec3<S::Unit>,
     pub(crate) falloff: QuickCone<S, P>,
     pub(crate) attenuation: A::Constants<S>,
@@ -29,11 +32,12 @@ pub struct QuickSpotLight<S: Scalar, P: Falloff = SoftOrHard, A: Attenuation = I
 }
 
 impl<S: Scalar, P: Falloff, A: Attenuation> QuickSpotLight<S, P, A> {
-    /// Returns the irradiance at a surface point, before the colours: 1 is full scale.
+    /// Returns the irradiance at a surface point, not yet multiplied by the colours; 1 is full
+    /// scale.
     ///
-    /// It is the product of intensity, falloff, attenuation and Lambert's cosine. `point` is in the
-    /// unit of the light's position; `normal` has unit length. A surface that faces away is
-    /// rejected before the square root.
+    /// The irradiance is the product of intensity, falloff, attenuation and Lambert's cosine.
+    /// `point` is in the unit of the light's position; `normal` has unit length. A surface that
+    /// faces away is rejected before the square root.
     #[inline]
     pub fn irradiance(&self, point: Vec3<S::Length>, normal: Vec3<S>) -> S::Irradiance {
         self.evaluate::<NoSpecular>(&SurfacePoint::matte(point, normal), &(), true).diffuse
@@ -64,7 +68,7 @@ impl<S: Scalar, P: Falloff, A: Attenuation> QuickSpotLight<S, P, A> {
 
     /// Creates a light from its fields, as [`codegen`](crate::codegen) writes them.
     ///
-    /// The colours are the diffuse and the specular one.
+    /// The colours are the diffuse and the specular colour.
     pub const fn from_parts(
         position: Vec3<S::Length>,
         axis: Vec3<S::Unit>,

@@ -30,22 +30,23 @@ pub struct CompiledSpotLight<S: Scalar, P: Falloff = SoftOrHard, A: Attenuation 
 }
 
 impl<S: Scalar, P: Falloff, A: Attenuation> CompiledSpotLight<S, P, A> {
-    /// Returns the irradiance at a surface point, before the colours: 1 is full scale.
+    /// Returns the irradiance at a surface point, not yet multiplied by the colours; 1 is full
+    /// scale.
     ///
-    /// It is the product of intensity, falloff, attenuation and Lambert's cosine. `point` is in the
-    /// unit of the light's position; `normal` has unit length.
+    /// The irradiance is the product of intensity, falloff, attenuation and Lambert's cosine.
+    /// `point` is in the unit of the light's position; `normal` has unit length.
     ///
-    /// A surface that faces away, and a point that is clearly outside the cone or beyond the range,
-    /// is rejected before the square root. Such a point receives exactly zero light, so the result
+    /// Surfaces that face away, and points that are clearly outside the cone or beyond the range,
+    /// are rejected before the square root. Such points receive exactly zero light, so the result
     /// is bit-identical to [`irradiance_unskipped`](Self::irradiance_unskipped).
     #[inline(always)] // `spot-soft-lambert-shadow` on Cortex-M0: +44 instructions without.
     pub fn irradiance(&self, point: Vec3<S::Length>, normal: Vec3<S>) -> S::Irradiance {
         self.evaluate::<NoSpecular>(&SurfacePoint::matte(point, normal), &(), true).diffuse
     }
 
-    /// As [`irradiance`](Self::irradiance), but without early-outs.
+    /// Returns the result of [`irradiance`](Self::irradiance), but without early-outs.
     ///
-    /// This form has no branches, so compilers can vectorise it.
+    /// Without the branches of the early-outs, compilers can vectorise this function.
     #[inline]
     pub fn irradiance_unskipped(&self, point: Vec3<S::Length>, normal: Vec3<S>) -> S::Irradiance {
         self.evaluate::<NoSpecular>(&SurfacePoint::matte(point, normal), &(), false).diffuse
@@ -61,10 +62,11 @@ impl<S: Scalar, P: Falloff, A: Attenuation> CompiledSpotLight<S, P, A> {
         self.falloff.toward(&offset.ray(), self.axis)
     }
 
-    /// Returns whether the evaluation at a point is the fine one, which costs several times as much.
+    /// Returns whether the evaluation at a point is fine. The fine evaluation costs several times
+    /// as much as the coarse evaluation.
     ///
-    /// Only `Fx16` has two evaluations. Where the light is clipped, the coarse result is kept
-    /// although this returns `true`.
+    /// Only `Fx16` has a fine and a coarse evaluation. Where the light is clipped, the coarse
+    /// result is kept although this function returns `true`.
     #[cfg(feature = "arithmetic")]
     pub fn is_fine(&self, point: Vec3<S::Length>) -> bool {
         S::offset(self.position, point).is_near(self.fine_below)
@@ -95,8 +97,8 @@ impl<S: Scalar, P: Falloff, A: Attenuation> CompiledSpotLight<S, P, A> {
 
     /// Returns the same light with its falloff converted to another type.
     ///
-    /// This converts a run-time choice to a concrete type, so that the branch is per light and not
-    /// per point.
+    /// A conversion from a run-time choice to a concrete type moves the branch on the falloff from
+    /// each point to each light.
     pub fn with_profile<Q: Falloff>(&self, profile: Q) -> CompiledSpotLight<S, Q, A> {
         CompiledSpotLight {
             position: self.position,
@@ -113,8 +115,8 @@ impl<S: Scalar, P: Falloff, A: Attenuation> CompiledSpotLight<S, P, A> {
 
     /// Creates a light from its fields, as [`codegen`](crate::codegen) writes them.
     ///
-    /// `outside` is the bound for rejecting points outside the cone, `fine_below` the result of
-    /// `Arithmetic::fine_below`. The colours are the diffuse and the specular one.
+    /// `outside` is the bound for rejecting points outside the cone, and `fine_below` is the result
+    /// of `Arithmetic::fine_below`. The colours are the diffuse and the specular colour.
     #[expect(clippy::too_many_arguments, reason = "generated source names each part of a light once")]
     pub const fn from_parts(
         position: Vec3<S::Length>,
