@@ -69,8 +69,7 @@ use self::{
 pub use self::{knot::Knot, place::ProjectedPoint};
 use crate::vec3::Vec3;
 
-/// Marks a branch as rarely taken. The function replaces `core::hint::cold_path`, which is stable
-/// from Rust 1.95.
+/// Marks a branch as rarely taken, like `core::hint::cold_path`, which is stable from Rust 1.95.
 #[cfg(feature = "fixed")]
 #[cold]
 const fn cold_path() {}
@@ -117,8 +116,8 @@ pub trait Scalar:
     const ONE: Self;
     /// The unit in the last place (ULP) of 1.
     const STEP: f32;
-    /// The largest magnitude of a coordinate of a light's position. Coordinates of points are not
-    /// limited by this constant.
+    /// The largest magnitude of a coordinate of a light's position. The constant does not limit the
+    /// coordinates of points.
     const FARTHEST: f32;
 
     /// Returns the nearest value of the format. Fixed point saturates, and NaN becomes zero.
@@ -143,8 +142,8 @@ pub trait Scalar:
     fn light_to_f32(light: Self::Irradiance) -> f32;
 }
 
-/// Returns the bound for [`FullOffset::is_outside`]: the squared cosine of the outer half angle, less a
-/// margin for rounding.
+/// Returns the bound for [`FullOffset::is_outside`]: the squared cosine of the outer half angle,
+/// less a margin for rounding errors.
 ///
 /// A point is outside the cone if `z |z| < bound |v|^2`, where `v` is the vector from the light to
 /// the point and `z` the component of `v` along the axis. Both sides of the inequality have

@@ -25,8 +25,7 @@ pub struct SurfacePoint<S: Scalar> {
     pub point: Vec3<S::Length>,
     /// The normal, of unit length.
     pub normal: Vec3<S>,
-    /// The direction from the point to the eye, of unit length. A matt surface does not use this
-    /// direction.
+    /// The direction from the point to the eye, of unit length. Unused for a matt surface.
     pub view: Vec3<S::Unit>,
 }
 

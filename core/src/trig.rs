@@ -12,7 +12,7 @@
 //! root correctly, so the square roots of these backends are bit-identical.
 
 // This module is for Cortex-M4F and similar targets, which compute in f32 but whose square-root
-// instruction only `std` exposes. It is also for builds without any backend crate.
+// instruction only `std` exposes. This module is also for builds without any backend crate.
 #[cfg(any(
     test,
     all(target_arch = "arm", target_abi = "eabihf", not(feature = "std")),

@@ -41,7 +41,7 @@ impl<S: Scalar, P: Falloff> CompiledCone<S, P> {
     ///
     /// The intensity is exactly 0 from the outer versine or the cutoff on, and exactly 1 at versine
     /// 0 and within the hotspot. In between the intensity is monotone, except for tables. For
-    /// cubics it is monotone within one step of the format.
+    /// cubics the intensity is monotone within one step of the format.
     #[inline(always)] // `table.f32` on Cortex-M0: +73 instructions without.
     pub fn at(&self, versine: S::Versine) -> S {
         match S::rise(self.ramp, versine) {

@@ -50,7 +50,7 @@ pub(super) const fn clamped(exponent: u32, least: u32, most: u32) -> u32 {
 
 /// Returns `1 - exp(-x)` for `x` in [0, 2.4], accurate to the last place.
 ///
-/// The function sums the series of the exponential without its first term, 1. This avoids
+/// The function sums the series of the exponential without its first term, 1, to avoid
 /// cancellation.
 pub(super) fn lost_after(x: f32) -> f32 {
     let terms = (2..=20).rev().fold(1.0, |sum, n| 1.0 - x / n as f32 * sum);

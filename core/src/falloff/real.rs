@@ -117,8 +117,8 @@ impl InvertedRealPower {
         self.exponent
     }
 
-    /// Returns the floor: the `u` up to which the intensity is 1. It is 0 except for imported
-    /// lights.
+    /// Returns the floor: the `u` up to which the intensity is 1. The floor is 0 except for
+    /// imported lights.
     pub fn floor(self) -> f32 {
         self.floor
     }

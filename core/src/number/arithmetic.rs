@@ -106,8 +106,8 @@ pub trait Arithmetic: Copy + Default + PartialOrd + core::fmt::Debug + Share<Sel
     fn coarse_error(_edge: &Slopes, _outer: f32, _limit: f32) -> f32 {
         0.0
     }
-    /// Compiles a ramp that is always evaluated with [`Fine`](Self::Fine) fractions. In all else
-    /// the ramp is that of [`ramp`](Self::ramp).
+    /// Compiles the ramp of [`ramp`](Self::ramp), but for evaluation with [`Fine`](Self::Fine)
+    /// fractions only.
     fn fine_ramp(inner: f32, outer: f32, limit: f32) -> Self::Ramp {
         Self::ramp(inner, outer, limit)
     }
@@ -139,8 +139,7 @@ pub trait Arithmetic: Copy + Default + PartialOrd + core::fmt::Debug + Share<Sel
     /// 0 and 1.
     fn smooth(self) -> Self;
 
-    /// Compiles the frame of a projected square from three unit vectors and half the side at
-    /// distance 1.
+    /// Compiles the frame of a projected square from three unit vectors and the size of the square.
     ///
     /// The vectors point right, down and along the axis, and are orthogonal within the rounding
     /// error of `f32`. `tangent` is half the side of the square at distance 1 along the axis.
@@ -178,8 +177,7 @@ pub trait Arithmetic: Copy + Default + PartialOrd + core::fmt::Debug + Share<Sel
     fn mirror(direction: Vec3<Self::Direction>, normal: Vec3<Self>) -> Vec3<Self::Direction>;
     /// Returns the unit vector along `b - a`, for two unit directions.
     ///
-    /// For equal directions the result is zero or nearly zero, and so far from every unit direction
-    /// that a caller compares it with.
+    /// For equal directions the result is (nearly) zero, and so not close to any unit direction.
     fn direction_between(a: Vec3<Self::Direction>, b: Vec3<Self::Direction>) -> Vec3<Self::Direction>;
     /// Returns the cosine of the angle of incidence of light in a unit direction. The result is
     /// zero if the surface faces away.
@@ -356,8 +354,8 @@ pub trait Offset<S: Arithmetic>: Copy + core::fmt::Debug {
     fn ray(&self) -> Self::Ray;
 }
 
-/// An offset of the format's standard evaluation. It adds to [`Offset`] an early-out test for the
-/// cone and rays of the format's full precision.
+/// An offset of the format's standard evaluation. This trait adds an early-out test for the cone,
+/// and rays of the format's full precision.
 pub trait FullOffset<S: Arithmetic>:
     Offset<S, Ray: Ray<S, Fraction = S::Fraction, Share = S, Ramp = S::Ramp>>
 {

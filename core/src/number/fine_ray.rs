@@ -48,8 +48,8 @@ impl FineRay {
     /// scaling.
     ///
     /// `estimate` is `2^46 / |W|` with a relative error of at most 3.5e-4. Each component of the
-    /// direction is within 2 units of 2^-30 of the exact one, and the length of the direction is
-    /// within 3e-8 of 1.
+    /// direction has an error of at most 2 units of 2^-30, and the length of the direction an error
+    /// of at most 3e-8.
     #[inline(always)] // `spot-inverted-power-lambert` on Cortex-M0: +5 instructions without.
     pub(super) fn new(way: Vec3<i32>, estimate: u32, bits: u32) -> Self {
         let nearly = way.map(|c| signed_high_product(c, estimate));

@@ -54,9 +54,8 @@ impl Arithmetic for Fx16 {
     /// Returns zero if the fine evaluation stays within half a linear code, else infinity.
     ///
     /// The rounding error of the fine evaluation need not be added to the direction's error.
-    /// [`DIRECTION_ERROR`](Self::DIRECTION_ERROR) is the error of the coarse direction, and the
-    /// error of the fine direction is so much smaller that the difference covers the rounding
-    /// error.
+    /// [`DIRECTION_ERROR`](Self::DIRECTION_ERROR) is the error of the coarse direction. The error
+    /// of the fine direction is smaller by more than the rounding error.
     fn rounding(edge: &Slopes) -> f32 {
         const ROOM: f32 = 0.99 * HALF_A_CODE;
         let fine = edge.angle * 0.25e-6 + edge.fraction * 1e-8 + Self::STEP;
@@ -65,9 +64,9 @@ impl Arithmetic for Fx16 {
 
     /// Adds the error terms of the coarse evaluation:
     ///
-    /// - The relative error of a versine is at most 2.3e-4. It comes from the rounding of the
-    ///   reciprocal length, from the table of reciprocal lengths and from the truncated bits of the
-    ///   offset, each at most 9e-5. A versine also has an absolute error of half the square of
+    /// - The relative error of a versine is at most 2.3e-4. This error comes from the rounding of
+    ///   the reciprocal length, from the table of reciprocal lengths and from the truncated bits of
+    ///   the offset, each at most 9e-5. A versine also has an absolute error of half the square of
     ///   2.3e-4.
     /// - The three components of the difference between direction and axis are rounded to integers:
     ///   together an error of 0.87 units in length.
@@ -149,9 +148,9 @@ impl Arithmetic for Fx16 {
     #[inline]
     fn versine_between(a: Vec3<Fx32>, b: Vec3<Fx32>, ramp: Ramp16) -> Versine16 {
         let shift = MOST_ZOOM - ramp.zoom + 1;
-        // The rounding constant of the difference is subtracted from the second direction. If the
-        // second direction is an axis, the subtraction happens once per light. The difference of
-        // opposite directions may wrap, but the wrapped value is also far outside every cone.
+        // The rounding constant of the difference is subtracted from the second direction. If that
+        // is an axis, the subtraction happens once per light. The difference of opposite directions
+        // may wrap, but the wrapped value is also far outside every cone.
         let b = b.map(|c| c.to_bits().wrapping_sub(1 << (shift - 1)));
         let difference = a.zip(b, |a, b| a.to_bits().wrapping_sub(b) >> shift);
         if size(difference) >> 15 != 0 {
@@ -167,7 +166,7 @@ mod tests {
     use super::*;
     use crate::number::FullOffset;
 
-    /// Light counts as clipped only if it exceeds full scale by more than its share's error.
+    /// Light counts as clipped only if it exceeds full scale by more than the error of its share.
     #[test]
     fn clipped_light_is_past_full_scale() {
         let (share, light) = (Fx16::from_bits((1 << 9) + 1), Light16::from_bits);

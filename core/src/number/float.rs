@@ -21,7 +21,7 @@ use crate::vec3::Vec3;
 /// practice.
 const BRIGHTEST: f32 = 18_446_744_073_709_551_616.0; // 2^64
 
-/// A ramp, the map from versines to the falloff's argument `t`. Its fields are the outer versine,
+/// A ramp, the map from versines to the falloff's argument `t`. The fields are the outer versine,
 /// the versine of the cutoff, and the reciprocal of the span from inner to outer versine.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct FloatRamp {
@@ -47,7 +47,7 @@ impl FloatRamp {
 
     #[inline]
     fn rise(self, versine: f32) -> FloatFraction {
-        // A versine of NaN is not below the limit, so it gives 0.
+        // A versine of NaN is not below the limit, so `t` is 0.
         let rise = if versine < self.limit { (self.outer - versine) * self.reciprocal } else { 0.0 };
         FloatFraction(if rise < 1.0 { rise } else { 1.0 })
     }
@@ -107,10 +107,10 @@ impl Arithmetic for f32 {
     type Frame = FloatFrame;
     type Gain = f32;
     type Offset = FloatOffset;
-    // Two roundings turn the direction. The rounding of the difference `point - light` turns it by
-    // 2^-24 in the worst case, in which two components of the difference are just over a power of
-    // two. The rounding of the product with the reciprocal length turns it by 1.72 * 2^-25 in the
-    // worst case, in which all three components are over 1/2.
+    // Two roundings turn the direction. The rounding of the difference `point - light` turns the
+    // direction by 2^-24 in the worst case: two components are just over a power of two. The
+    // rounding of the product with the reciprocal length turns the direction by 1.72 * 2^-25 in the
+    // worst case: all three components are over 1/2.
     const DIRECTION_ERROR: f32 = 1.12e-7;
 
     #[inline]

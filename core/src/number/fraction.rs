@@ -16,9 +16,9 @@ use super::{Arithmetic, Knot, RealExponent, Share, float, knot::SLOPE_BITS};
 /// A number in `[0, 1]`, the argument of a falloff. In fixed point a fraction has more bits than a
 /// scalar.
 ///
-/// Only the kernel creates fractions, with [`Arithmetic::rise`], [`Ray::rise`](super::Ray::rise)
-/// and [`Ray::cosine`](super::Ray::cosine), so a falloff's argument is in range for every input. In
-/// the descriptions of the functions, this fraction is called `t`, and `u = 1 - t`.
+/// Only [`Arithmetic::rise`], [`Ray::rise`](super::Ray::rise) and
+/// [`Ray::cosine`](super::Ray::cosine) create fractions, so the argument of a falloff is in range
+/// for every input. In the descriptions of the functions, this fraction is `t`, and `u = 1 - t`.
 pub trait Fraction<S: Arithmetic>: Copy + PartialOrd + core::fmt::Debug {
     /// Result type of a falloff: a scalar, or a number with more bits if a scalar has too few.
     type Value: Share<S>;

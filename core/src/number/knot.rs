@@ -31,8 +31,8 @@ impl Knot {
 
     /// Builds a knot from the position, the intensity and the slope of its line.
     ///
-    /// The position is the `u` at the start of the line, in units of 1/65,536. The intensity is
-    /// that at the start.
+    /// The position and the intensity are those of the start of the line, the position in units of
+    /// 1/65,536 of `u`.
     ///
     /// Any bits are accepted. Generated source calls this function.
     pub const fn from_bits(place: u16, value: u16, slope: i32) -> Self {

@@ -47,8 +47,7 @@ pub(super) fn high_half(a: u32, b: u32) -> u32 {
 /// Returns the result of [`high_half`], computed from four products of 16-bit numbers.
 ///
 /// Without the black box, the compiler would recognise the sums as a 64-bit product and compute
-/// that product instead. This takes twice as many instructions on a processor without such a
-/// product.
+/// that product, with twice as many instructions on a processor without a 64-bit product.
 #[inline(always)]
 fn high_half_by_parts(a: u32, b: u32) -> u32 {
     let ([ah, bh], [al, bl]) = ([a >> 16, b >> 16], [a & 0xffff, b & 0xffff]);

@@ -281,7 +281,7 @@ mod tests {
     /// Tests the ends of the range: the smallest power above 0, and a float below all fractions.
     #[test]
     fn the_smallest_numbers_have_their_powers() {
-        // The exact powers are 2^-31, 2^-31.62 and 2^-32.55. They are rounded to 31 fraction bits.
+        // The exact powers are 2^-31, 2^-31.62 and 2^-32.55, before rounding to 31 fraction bits.
         assert_eq!([1.0, 1.02, 1.05].map(|exponent| RealExponent::new(exponent, 0.0).of_bits(1)), [1, 1, 0]);
         // The largest number below 1 has a logarithm: 2.9 in units of 2^-32, and not 0.
         assert!((1..12).contains(&octaves_below_one(u32::MAX - 1, 1)));

@@ -13,8 +13,8 @@ use crate::{
 
 /// A spotlight compiled for the quick evaluation of the format `S`.
 ///
-/// It takes fewer instructions per point than a [`CompiledSpotLight`](super::CompiledSpotLight) and
-/// has a larger error.
+/// This light takes fewer instructions per point than a
+/// [`CompiledSpotLight`](super::CompiledSpotLight) and has a larger error.
 ///
 /// Made by [`SpotLight::compile_quick`](crate::SpotLight::compile_quick);
 /// [`SpotLight::quick_error`](crate::SpotLight::quick_error) bounds the error. Points, normals and

@@ -3,8 +3,8 @@
 //! An estimate, computed with `+ - *`, has an error of at most one ULP. The remainder (the number
 //! minus the square of the estimate), exact in a 32-bit integer, decides whether a neighbour of the
 //! estimate is nearer to the root. So the result is correctly rounded and bit-identical to any
-//! other correctly rounded square root. It takes about half the instructions of a square root in
-//! integers.
+//! other correctly rounded square root. This method takes about half the instructions of a square
+//! root in integers.
 
 /// Returns `1 / sqrt(x)` for a normal number `x > 0`.
 ///

@@ -27,7 +27,7 @@ struct Vector {
     parts: Vec3<i32>,
     /// Half the sum of the components, a correction of the inner product with an offset.
     ///
-    /// It is the mean error of the inner product that is due to the bits truncated from the offset.
+    /// The correction is the mean error that the bits truncated from the offset cause.
     half: i32,
 }
 
@@ -93,7 +93,7 @@ impl Frame16 {
 
     /// Builds the frame from three unit vectors and half the square's side at a depth of one.
     ///
-    /// Rounding turns and stretches the vectors. This would move the square. The components of the
+    /// Rounding turns and stretches the vectors, which would move the square. The components of the
     /// rounded right and down vectors along the axis correct the centre, and the length of the
     /// rounded axis corrects the scale.
     pub(super) fn new([right, down, axis]: [Vec3<f32>; 3], tangent: f32) -> Self {

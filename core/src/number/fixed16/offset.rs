@@ -23,8 +23,8 @@ const WAY_BITS: u32 = 17;
 /// Rounding bias added to a direction for the truncated bits of the offset, which average half a
 /// unit.
 ///
-/// The ideal bias is half the reciprocal length. This half varies between 2,365 and 8,192. Of the
-/// constants in this range, 6,144 had the smallest error (measured).
+/// The ideal bias is half the reciprocal length, so between 2,365 and 8,192. Of the constants in
+/// this range, 6,144 had the smallest error (measured).
 const CUT_OFF: i32 = 6_144;
 
 /// Number of bits of an offset's component in all computations except that of the direction.
@@ -153,7 +153,7 @@ impl Offset16 {
 
 impl Offset<Fx16> for Offset16 {
     type Ray = Ray16;
-    /// The inner product `n.v` of the normal and `v`, with 14 fraction bits. It is negative if the
+    /// The inner product `n.v` of the normal and `v`, with 14 fraction bits; negative if the
     /// surface faces the light.
     ///
     /// The inner product wraps for normals longer than 1.15, which is defined behaviour.
@@ -216,10 +216,9 @@ impl FullOffset<Fx16> for Offset16 {
 
     /// Compares the offset with the length that `fine_below` encodes.
     ///
-    /// The upper bits of `fine_below` are the bit length of an offset. The lower 26 bits are the
-    /// squared length of the offset. An offset with more bits than the encoded bit length is too
-    /// long. Otherwise the squared length of the offset is shifted to the encoded scale and
-    /// compared.
+    /// The upper bits of `fine_below` are a bit length, and the lower 26 bits a squared length. An
+    /// offset with more bits than this bit length is too long. Otherwise the squared length of the
+    /// offset is shifted to the encoded scale and compared.
     #[inline]
     fn is_near(&self, fine_below: u32) -> bool {
         let fewer = (fine_below >> 26).wrapping_sub(self.bits);

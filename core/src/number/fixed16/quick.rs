@@ -1,7 +1,7 @@
 //! The quick evaluation of the 16-bit format.
 //!
-//! In contrast to the standard evaluation, it has offsets of 15 bits instead of 17, directions of
-//! 14 fraction bits in every cone, and no test for points that need more bits.
+//! Its offsets have 15 bits instead of 17, and its directions 14 fraction bits in every cone. No
+//! test finds the points that need more bits.
 //!
 //! In the comments `v` is the offset, scaled until its largest component has 15 bits, and `|v|` is
 //! its length.

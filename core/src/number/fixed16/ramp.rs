@@ -23,8 +23,8 @@ pub struct Ramp16 {
     mantissa: u32,
     /// Number from which the product of shifted excess and `mantissa` is subtracted.
     ///
-    /// It is 1 with 31 fraction bits plus all rounding constants: half a step of the result, less
-    /// half the truncation error of a shifted excess.
+    /// The number is 1 with 31 fraction bits, plus half a step of the result, less half the
+    /// truncation error of a shifted excess.
     one: u32,
     /// The width of a fine ramp (a ramp that always has the fine evaluation); 0 for any other ramp.
     ///
@@ -89,7 +89,7 @@ impl Ramp16 {
         let one = (1 << 31) + (1 << 15) - (mantissa - (mantissa >> shift)) / 2;
         // The last versine before the limit must not give a negative `t`.
         let one = one.max((width.saturating_sub(1) >> shift) * mantissa);
-        // The reciprocal for the fine evaluation also is that of the whole span, which is
+        // The fine evaluation also divides by the whole span, which is
         // `divisor * 2^(fine_shift - 32)`.
         let fine_shift = u64::BITS - span.leading_zeros();
         // The upper bit of the divisor is always set; the `|` shows this to the compiler.
@@ -99,7 +99,7 @@ impl Ramp16 {
         Self { zoom, inner, width, shift, mantissa, one, fine: 0, fine_shift, fine_mantissa }
     }
 
-    /// Returns the same ramp as a fine ramp, that is, with the fine evaluation at every versine.
+    /// Returns the same ramp as a fine ramp, which always has the fine evaluation.
     pub(in crate::number) fn into_fine(self) -> Self {
         Self { width: 0, fine: self.width, ..self }
     }

@@ -1,7 +1,7 @@
 //! The quick evaluation of the 32-bit format.
 //!
-//! It uses the direction of the 16-bit format's fine evaluation, and 32-bit products where the
-//! standard evaluation has 64-bit products.
+//! The quick evaluation uses the direction of the 16-bit format's fine evaluation, and 32-bit
+//! products instead of 64-bit products.
 
 use super::offset::Offset32;
 use crate::number::{

@@ -2,7 +2,7 @@
 
 use crate::number::{Versine32, fraction::Fraction32, rounded};
 
-/// Largest versine that counts as zero, so that its direction counts as on the axis.
+/// Largest versine that counts as zero, that is, as that of a direction on the axis.
 ///
 /// Each component of a direction, whether of the axis or to a point, is within one ULP of its exact
 /// value. So two computed values of the same direction differ by at most 2 ULPs in each component.
@@ -32,8 +32,8 @@ impl Ramp32 {
     ///
     /// Invalid values are replaced, so that every versine gives a `t` in `[0, 1]`.
     pub const fn from_bits([limit, outer, inner, span, shift, mantissa, half]: [u64; 7]) -> Self {
-        // Largest sum with which `t` is at most 1: the sum of `half` and the product of `mantissa`
-        // and the largest shifted gap that is less than the span.
+        // Largest sum for which `t` is at most 1: of `half`, and of `mantissa` times a shifted gap
+        // less than the span.
         const MOST: u64 = (1 << 63) + (1 << 32) - 1;
         let shift = shift as u32 % u64::BITS;
         let steps = span.saturating_sub(1) >> shift;

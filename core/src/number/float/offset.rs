@@ -7,7 +7,7 @@ use crate::{trig, vec3::Vec3};
 /// Vector from a point back to the light, and its squared length.
 ///
 /// The vector points back to the light because Lambert's cosine needs that direction. So the
-/// difference between the direction to the point and the axis is computed as a sum.
+/// difference between direction and axis is computed as a sum.
 #[derive(Clone, Copy, Debug)]
 pub struct FloatOffset {
     back: Vec3<f32>,

@@ -1,5 +1,5 @@
-//! The quick evaluation in f32: it estimates the reciprocal square root without a correctly rounded
-//! root and a division.
+//! The quick evaluation in f32: an estimate of the reciprocal square root replaces a correctly
+//! rounded root and a division.
 
 use super::{
     FloatRamp,
