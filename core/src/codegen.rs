@@ -27,7 +27,7 @@
 //! All compiled lights can be written, including those of [another system](crate::import), except
 //! [`CompiledAnyLight`](crate::dynamic::CompiledAnyLight). Other values that can be written are the
 //! [`Rgb`] of ambient light, [`CompiledMaterial`], [`CompiledExposure`], [`CompiledGobo`],
-//! [`Shadow`] and [`BeamScattering`]. The generated text calls `const` functions that accept any
+//! [`Shadow`], [`BeamScattering`] and [`BeamScattering16`](crate::haze::BeamScattering16). The generated text calls `const` functions that accept any
 //! bits, and evaluation is defined for any bits. The bits are specific to this version of the
 //! crate: generate the text in each build and do not store it.
 //!
@@ -46,6 +46,8 @@ pub use crate::{
     number::float::{FloatFrame, FloatRamp},
     source::{AsSource, as_source},
 };
+#[cfg(feature = "fixed")]
+use crate::{haze::BeamScattering16, number::Fx16};
 #[cfg(feature = "fixed")]
 pub use crate::{
     number::fixed16::{Frame16, Gain16, Ramp16},
@@ -149,6 +151,18 @@ where
         write!(out, "BeamScattering::<_, {}>::", name::<A>())?;
         let Self { position, axis, falloff, attenuation, gain, cone, reach } = *self;
         call(out, "from_parts", &[&position, &axis, &falloff, &attenuation, &gain, &cone, &reach])
+    }
+}
+
+#[cfg(feature = "fixed")]
+impl<P: Falloff + Source> Source for BeamScattering16<P>
+where
+    P::Compiled<Fx16>: Source,
+{
+    fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
+        out.write_str("BeamScattering16::")?;
+        let Self { position, axis, falloff, gain, cone, radius, nearest } = *self;
+        call(out, "from_parts", &[&position, &axis, &falloff, &gain, &cone, &radius, &nearest])
     }
 }
 

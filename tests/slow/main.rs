@@ -11,6 +11,7 @@ mod bright;
 mod exhaustive;
 mod half_a_code;
 mod haze;
+mod haze16;
 mod haze_search;
 mod limits;
 mod narrow;

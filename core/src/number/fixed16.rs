@@ -6,6 +6,7 @@
 //! a processor computes an upper half from four products of 16-bit numbers. Falloffs with a real
 //! exponent use 64-bit integers in every format.
 
+pub(crate) mod arc;
 mod fine_ray;
 mod frame;
 mod lobe;

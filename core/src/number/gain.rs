@@ -2,7 +2,7 @@
 //!
 //! Only the rounding to a mantissa differs between the formats.
 
-use super::{Fx16, Fx32, Gain, Light16, Light32, reciprocal, root, within_reach};
+use super::{Fx16, Fx32, Gain, Light16, Light32, product::high_product, reciprocal, root, within_reach};
 
 /// Declares the gain type of a scalar type, and functions of its light type.
 ///
@@ -41,7 +41,7 @@ macro_rules! gain {
             }
 
             /// Returns the nearest gain; a negative value or NaN becomes zero.
-            pub(super) fn nearest(value: f32) -> Self {
+            pub(crate) fn nearest(value: f32) -> Self {
                 let (mantissa, shift) = super::mantissa_and_shift(value);
                 Self { mantissa: mantissa << ($bits - 24), shift: shift + $bits - 24 }
             }
@@ -144,6 +144,22 @@ gain! {
 }
 
 impl Gain16 {
+    /// A gain over every one that a product of lengths needs.
+    pub(super) const HUGE: Self = Self { mantissa: 1 << 31, shift: -1024 };
+
+    /// Returns the gain times `factor / 2^fraction_bits`, as light; saturates.
+    #[inline]
+    pub(crate) fn light_of(self, factor: u32, fraction_bits: i32) -> Light16 {
+        let product = high_product(factor, self.factor());
+        Light16::shifted(product, self.scale() + fraction_bits - 16 - Fx16::FRACTION_BITS as i32)
+    }
+
+    /// Returns whether this gain is more than another one.
+    #[inline]
+    pub(crate) fn exceeds(self, other: Self) -> bool {
+        self.mantissa != 0 && (self.shift, other.mantissa) < (other.shift, self.mantissa)
+    }
+
     /// Returns `bits / 2^shift`, rounded to a mantissa of 16 bits.
     #[inline]
     pub(super) fn normalised(bits: u32, shift: i32) -> Self {

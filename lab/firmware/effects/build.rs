@@ -24,6 +24,8 @@ type Outcome = Result<(), Box<dyn std::error::Error>>;
 const AMBER: Rgb<f32> = Rgb::new(1.0, 0.62, 0.1);
 const POSITION: Vec3<f32> = Vec3::new(1.5, 4.0, -0.75);
 const AXIS: Vec3<f32> = Vec3::new(0.36, -0.8, 0.48);
+/// The position of the eye, as in the scene of the kernels.
+const EYE: Vec3<f32> = Vec3::new(-0.5, 3.5, 1.0);
 /// The intensity of lights that reach full scale at a distance of 4.
 const BRIGHT: f32 = 16.0;
 /// The field angle of the spotlights.
@@ -58,7 +60,13 @@ fn constants<S: SourceScalar>() -> Outcome {
     write("axis_back", &SpotLight::new(POSITION, AXIS.map(|c| -c), cone)?.axis_in::<S>())?;
     let square = Projection::of(&SpotLight::new(POSITION, AXIS, cone)?)?;
     write("gobo", &Gobo::of(&panes()).on(square.compile::<S>()?))?;
-    write("beam", &key(cone, InverseSquare)?.compile::<f32>()?.in_haze(&Haze::new(0.02)?))?;
+    write("eye", &EYE.map(S::length))?;
+    let (beam, haze) = (key(cone, InverseSquare)?, Haze::new(0.02)?);
+    if env::var_os("CARGO_FEATURE_F32").is_some() {
+        write("beam", &beam.compile::<f32>()?.in_haze(&haze))?;
+    } else {
+        write("beam", &beam.compile::<Fx16>()?.in_haze(&haze))?;
+    }
     write("shadow", &Shadow::new(square.compile::<S>()?, 16, &disc().map(S::length))?)?;
     write("point", &PointLight::new(POSITION)?.with_color(AMBER)?.with_intensity(BRIGHT)?.compile::<S>()?)?;
     write("directional", &DirectionalLight::new(AXIS)?.with_color(AMBER)?.compile::<S>())?;

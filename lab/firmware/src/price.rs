@@ -2,7 +2,6 @@
 
 mod input;
 
-use luminaire::haze::ViewRay;
 use luminaire_effects::{Color, FORMAT, Light, Output, Place, Surface, Visit, each};
 
 use self::input::{Input, Inputs};
@@ -30,7 +29,6 @@ macro_rules! inputs {
 impl Visit for Run {
     inputs! {
         surface: Surface;
-        view: ViewRay;
         light: Light;
         color: Color;
         pixel: (Color, Place);

@@ -64,12 +64,13 @@ fn quick<S: SourceScalar>(visit: &mut impl Visit) -> Result<(), Error> {
     Ok(())
 }
 
-/// Beams in haze, which exist only in f32.
+/// Beams in haze.
 fn beams(visit: &mut impl Visit) -> Result<(), Error> {
     let cone = Cone::from_outer(Cubic::with_slopes(1.25, 3.5)?, Angle::degrees(40.0))?;
     let spot = SpotLight::new(PLACES[0], AXES[1], cone)?.with_intensity(16.0)?;
     let haze = Haze::new(0.02)?.with_source_radius(0.05)?;
     visit.value("beam".into(), spot.compile::<f32>()?.in_haze(&haze));
+    visit.value("beam in 16 bits".into(), spot.compile::<Fx16>()?.in_haze(&haze));
     let windowed = spot.with_attenuation(GltfRange::new(InverseSquare, Some(8.0))?);
     visit.value("beam in a window".into(), windowed.compile::<f32>()?.in_haze(&haze));
     Ok(())

@@ -10,7 +10,7 @@ pub(in crate::number) const MOST_ZOOM: u32 = 15;
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Ramp16 {
     /// The versines of this ramp are scaled by `4^zoom`.
-    pub(in crate::number) zoom: u32,
+    pub(crate) zoom: u32,
     /// Inner versine, up to which the intensity is full.
     inner: u32,
     /// Excess over the inner versine at which the intensity becomes zero.
@@ -102,6 +102,11 @@ impl Ramp16 {
     /// Returns the same ramp as a fine ramp, which always has the fine evaluation.
     pub(in crate::number) fn into_fine(self) -> Self {
         Self { width: 0, fine: self.width, ..self }
+    }
+
+    /// Returns the versine from which on the intensity is zero.
+    pub(crate) fn limit(self) -> u32 {
+        self.inner.saturating_add(self.width.max(self.fine))
     }
 
     /// Returns the falloff's argument `t` at a versine.

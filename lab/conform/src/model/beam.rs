@@ -1,7 +1,7 @@
 //! Gobos, shadow maps and haze in the beam of a spotlight.
 
 use luminaire::{
-    Angle, Error, SpotLight, Vec3,
+    Angle, Error, Fx16, SpotLight, Vec3,
     falloff::Soft,
     haze::{Haze, ViewRay},
     projector::{CompiledProjection, Gobo, Projection, Shadow},
@@ -55,7 +55,7 @@ pub(super) fn shadow<S: Format>(case: &mut Case<'_>) -> Outcome {
 }
 
 /// In-scattering from a beam along the view ray from an eye to a surface, and along the whole ray
-/// in that direction.
+/// in that direction; both in f32. If `Fx16` holds the light, also the former in 16 bits.
 pub(super) fn in_scattering(case: &mut Case<'_>) -> Outcome {
     let description = Description::of(case, |_| Ok(Soft));
     let (position, axis, intensity) =
@@ -66,5 +66,7 @@ pub(super) fn in_scattering(case: &mut Case<'_>) -> Outcome {
     let ray = ViewRay::between(eye, surface);
     case.give(beam.in_scattering(&ray));
     case.give(beam.in_scattering(&ViewRay::endless(eye, ray.direction)));
+    let [near, far] = [eye, surface].map(|point| Fx16::point(point.into()));
+    case.give(spot.compile::<Fx16>()?.in_haze(&Haze::new(density)?).in_scattering(near, far));
     Ok(())
 }

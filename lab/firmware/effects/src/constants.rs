@@ -5,7 +5,6 @@ use luminaire::{
     attenuation::NoAttenuation,
     display::CompiledExposure,
     falloff::Soft,
-    haze::BeamScattering,
     light::{
         CompiledDirectionalLight, CompiledMaterial, CompiledPointLight, CompiledSpotLight, QuickSpotLight,
     },
@@ -14,6 +13,11 @@ use luminaire::{
 };
 
 use crate::{Format, Light};
+
+#[cfg(feature = "f32")]
+type Beam = luminaire::haze::BeamScattering<Soft>;
+#[cfg(not(feature = "f32"))]
+type Beam = luminaire::haze::BeamScattering16<Soft>;
 
 macro_rules! constants {
     ($($file:literal $name:ident: $type:ty;)*) => {$(
@@ -30,7 +34,8 @@ constants! {
     "position.rs" POSITION: Vec3<<Format as Scalar>::Length>;
     "axis_back.rs" AXIS_BACK: Vec3<<Format as Scalar>::Unit>;
     "gobo.rs" GOBO: CompiledGobo<'static, Format>;
-    "beam.rs" BEAM: BeamScattering<Soft>;
+    "eye.rs" EYE: Vec3<<Format as Scalar>::Length>;
+    "beam.rs" BEAM: Beam;
     "shadow.rs" SHADOW: Shadow<'static, Format>;
     "point.rs" POINT: CompiledPointLight<Format>;
     "directional.rs" DIRECTIONAL: CompiledDirectionalLight<Format>;

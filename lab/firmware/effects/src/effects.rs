@@ -19,15 +19,11 @@ mod surface;
 pub use self::listed::Listed;
 pub use self::{display::*, spot::*, surface::*};
 use crate::{Color, Light, Output, Place, Surface};
-use luminaire::haze::ViewRay;
 
 /// A visitor of every effect, with a method for each type of input.
 pub trait Visit {
     /// A surface point, and the direction to the eye.
     fn surface<O: Output>(&mut self, name: &str, effect: impl Fn(Surface) -> O);
-
-    /// A view ray.
-    fn view<O: Output>(&mut self, name: &str, effect: impl Fn(ViewRay) -> O);
 
     /// Light, some of it over full scale.
     fn light<O: Output>(&mut self, name: &str, effect: impl Fn(Light) -> O);

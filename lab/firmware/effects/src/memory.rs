@@ -4,7 +4,7 @@ use core::mem::MaybeUninit;
 use core::ptr;
 
 use luminaire::number::{Light16, Light32};
-use luminaire::{Fx16, Fx32, Rgb, haze::ViewRay};
+use luminaire::{Fx16, Fx32, Rgb};
 
 use crate::Surface;
 
@@ -57,4 +57,4 @@ macro_rules! inputs {
     )*};
 }
 
-inputs!(Place Surface ViewRay Rgb<f32> Rgb<Fx16> Rgb<Fx32> Rgb<Light16> Rgb<Light32>);
+inputs!(Place Surface Rgb<f32> Rgb<Fx16> Rgb<Fx32> Rgb<Light16> Rgb<Light32>);

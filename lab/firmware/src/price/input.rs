@@ -1,6 +1,6 @@
 //! The inputs of the effects.
 
-use luminaire::{Rgb, Scalar, attenuation::InverseSquare, haze::ViewRay};
+use luminaire::{Rgb, Scalar, attenuation::InverseSquare};
 use luminaire_effects::constants::MATTE;
 use luminaire_effects::{Color, Format, Light, Listed, Output, Place, Surface};
 use luminaire_kernels::scene::{EYE, Population, Site, Sites};
@@ -34,11 +34,6 @@ impl Inputs {
         let site = self.site();
         let [eye, point] = [EYE, site.point].map(|place| place.map(Format::length));
         Surface::seen_from(eye, point, site.normal.map(Format::from_f32))
-    }
-
-    /// The view ray from the eye to a point in the cone.
-    pub(super) fn view(&mut self) -> ViewRay {
-        ViewRay::between(EYE, self.site().point)
     }
 
     /// The light that a lit point reflects, some of it over full scale.
@@ -76,13 +71,6 @@ impl Input for Surface {
     #[inline(always)]
     fn word(&self) -> u32 {
         Format::length_bits(self.point.x)
-    }
-}
-
-impl Input for ViewRay {
-    #[inline(always)]
-    fn word(&self) -> u32 {
-        self.length.to_bits()
     }
 }
 

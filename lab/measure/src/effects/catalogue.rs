@@ -262,8 +262,8 @@ pub(super) static GROUPS: LazyLock<[Group; 7]> = LazyLock::new(|| {
                 listed: None,
                 effects: Effects::NONE.with(Effect::Haze),
                 over: None,
-                what: "The light that air sends from a beam to the eye, once a pixel and beam, in `f32` on every \
-                       processor: a scene with haze needs it.",
+                what: "The light that haze scatters from a beam to the eye, once a pixel and beam: a scene with \
+                       haze needs it.",
             },
         ],
     },

@@ -3,17 +3,16 @@
 use core::hint::black_box;
 
 use luminaire::{
-    Angle, Cone, SpotLight, attenuation::NoAttenuation, falloff::Soft, haze::ViewRay, number::Arithmetic,
+    Angle, Cone, SpotLight, attenuation::NoAttenuation, falloff::Soft, number::Arithmetic,
 };
 
-use crate::constants::{AXIS_BACK, BEAM, BRIGHT, CUTOFF, GOBO, HOTSPOT, POSITION, QUICK, SHADOW};
+use crate::constants::{AXIS_BACK, BEAM, EYE, BRIGHT, CUTOFF, GOBO, HOTSPOT, POSITION, QUICK, SHADOW};
 use crate::{Format, Irradiance, Listed, Surface};
 
 list! {
     surface: spot_soft spot_soft_lambert_hotspot spot_soft_lambert_cutoff spot_soft_lambert_gobo
         spot_soft_lambert_shadow spot_soft_lambert_quick spot_soft_lambert_bright
-        spot_soft_lambert_placed spot_soft_lambert_compiled;
-    view: haze;
+        spot_soft_lambert_placed spot_soft_lambert_compiled haze;
 }
 
 /// A soft edge around a hotspot.
@@ -79,9 +78,18 @@ pub fn spot_soft_lambert_shadow(surface: Surface) -> Irradiance {
     SHADOW.filter(Soft::effect(surface), surface.point)
 }
 
-/// The light that haze scatters from the beam of the soft spotlight into a view ray. It is computed
-/// in f32 in every format.
+/// The light that haze scatters from the beam of the soft spotlight towards the eye, between the
+/// eye and the surface point.
 #[inline(always)]
-pub fn haze(view: ViewRay) -> f32 {
-    BEAM.in_scattering(&view)
+#[cfg(feature = "f32")]
+pub fn haze(Surface { point, .. }: Surface) -> Irradiance {
+    BEAM.in_scattering(&luminaire::haze::ViewRay::between(EYE, point))
+}
+
+/// The light that haze scatters from the beam of the soft spotlight towards the eye, between the
+/// eye and the surface point. Both fixed-point formats use the beam of 16 bits.
+#[inline(always)]
+#[cfg(not(feature = "f32"))]
+pub fn haze(Surface { point, .. }: Surface) -> luminaire::number::Light16 {
+    BEAM.in_scattering(EYE, point)
 }
