@@ -27,9 +27,9 @@
 //! All compiled lights can be written, including those of [another system](crate::import), except
 //! [`CompiledAnyLight`](crate::dynamic::CompiledAnyLight). Other values that can be written are the
 //! [`Rgb`] of ambient light, [`CompiledMaterial`], [`CompiledExposure`], [`CompiledGobo`],
-//! [`Shadow`], [`BeamScattering`] and [`BeamScattering16`](crate::haze::BeamScattering16). The generated text calls `const` functions that accept any
-//! bits, and evaluation is defined for any bits. The bits are specific to this version of the
-//! crate: generate the text in each build and do not store it.
+//! [`Shadow`], [`BeamScattering`] and [`BeamScattering16`]. The generated text calls `const`
+//! functions that accept any bits, and evaluation is defined for any bits. The bits are specific to
+//! this version of the crate: generate the text in each build and do not store it.
 //!
 //! The module also exports types that only the generated text needs to name.
 
