@@ -54,15 +54,17 @@ pub(crate) fn costs(
     cost::measure(&Laboratory::new(board, progress)?, KERNELS, expected, clock)
 }
 
-/// What every effect costs on a board, in the number format that a feature selects.
+/// What every effect costs on a board, in the number format that a feature selects and in a profile
+/// of the firmware.
 pub(crate) fn effects(
     board: &'static Board,
     feature: &str,
+    profile: &str,
     clock: Option<&Rp2040>,
     progress: &Progress,
 ) -> Result<Costs> {
     let expected = laboratory::on_the_host_with_feature(EFFECTS, feature, progress)?;
-    let laboratory = Laboratory::with_feature(EFFECTS, feature, board, progress)?;
+    let laboratory = Laboratory::with_feature(EFFECTS, feature, profile, board, progress)?;
     cost::measure(&laboratory, EFFECTS, &expected, clock)
 }
 

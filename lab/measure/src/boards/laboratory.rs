@@ -13,6 +13,11 @@ use tools::progress::Progress;
 use tools::toolchain::Toolchain;
 use tools::{command, project};
 
+/// The profile of programs that are optimised for speed.
+pub(crate) const RELEASE: &str = "release";
+/// The profile of programs that are optimised for size.
+pub(crate) const SIZE: &str = "size";
+
 /// A board, its emulator, the counter that is loaded into it, and the folder of the firmware.
 #[derive(Debug)]
 pub(crate) struct Laboratory {
@@ -32,32 +37,34 @@ pub(crate) struct Run {
 impl Laboratory {
     /// Finds or installs the emulator, and builds the counter and the board's firmware.
     pub(crate) fn new(board: &'static Board, progress: &Progress) -> Result<Self> {
-        Self::with(&["--bins"], board, progress)
+        Self::with(&["--bins"], RELEASE, board, progress)
     }
 
     /// Like [`new`](Self::new), but builds only one program, which is faster.
     pub(crate) fn with_program(name: &str, board: &'static Board, progress: &Progress) -> Result<Self> {
-        Self::with(&["--bin", name], board, progress)
+        Self::with(&["--bin", name], RELEASE, board, progress)
     }
 
-    /// Like [`with_program`](Self::with_program), with a feature of the firmware.
+    /// Like [`with_program`](Self::with_program), with a feature of the firmware, in one of its
+    /// profiles.
     pub(crate) fn with_feature(
         name: &str,
         feature: &str,
+        profile: &str,
         board: &'static Board,
         progress: &Progress,
     ) -> Result<Self> {
-        Self::with(&["--bin", name, "--features", feature], board, progress)
+        Self::with(&["--bin", name, "--features", feature], profile, board, progress)
     }
 
-    fn with(programs: &[&str], board: &'static Board, progress: &Progress) -> Result<Self> {
+    fn with(programs: &[&str], profile: &str, board: &'static Board, progress: &Progress) -> Result<Self> {
         let emulator = Emulator::find(board, progress)?;
         let step =
             progress.begin("Building", format_args!("the counter and the firmware for {}", board.name));
         let counter = build_counter(&emulator, progress)?;
-        let toolchain = build(board, &[&["--release"], programs].concat(), progress)?;
+        let toolchain = build(board, &[&["--profile", profile], programs].concat(), progress)?;
         step.done();
-        Ok(Self { board, emulator, counter, programs: toolchain.artifacts("release") })
+        Ok(Self { board, emulator, counter, programs: toolchain.artifacts(profile) })
     }
 
     /// The emulator and the board, as in `QEMU 7.2, -M microbit`.

@@ -42,6 +42,8 @@ pub(super) struct Prices {
 pub(super) struct Price {
     /// Instructions of an average pixel.
     pub(super) instructions: f64,
+    /// The same of the program that is compiled for size.
+    pub(super) instructions_for_size: f64,
     /// Cycles of an average pixel on the core of an RP2040, without wait states.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub(super) cycles: Option<f64>,
@@ -92,6 +94,8 @@ impl Record for EffectList {
             group.add("the number format", Figure::Text(prices.format.clone()));
             for (program, price) in &prices.prices {
                 group.add(format!("{program}, instructions"), Figure::Instructions(price.instructions));
+                let for_size = Figure::Instructions(price.instructions_for_size);
+                group.add(format!("{program}, instructions for size"), for_size);
                 group.add(format!("{program}, bytes"), Figure::Bytes(price.bytes));
                 if let Some(counted) = price.cycles {
                     cycles.add(format!("{program}, cycles"), Figure::Instructions(counted));
@@ -117,9 +121,8 @@ mod tests {
     #[test]
     fn what_is_written_is_read() {
         let mut prices = Prices { compiler: "rustc 1.96.0".to_owned(), ..Prices::default() };
-        prices
-            .prices
-            .insert("spot-soft-lambert".to_owned(), Price { instructions: 100.25, cycles: None, bytes: 400 });
+        let price = Price { instructions: 100.25, instructions_for_size: 120.5, cycles: None, bytes: 400 };
+        prices.prices.insert("spot-soft-lambert".to_owned(), price);
         let boards = BTreeMap::from([("cortex-m0".to_owned(), prices)]);
         let list = EffectList { boards, ..EffectList::default() };
         let text = list.text().unwrap();
@@ -129,6 +132,7 @@ mod tests {
             let mut group = Group::of("rustc 1.96.0");
             group.add("the number format", Figure::Text(String::new()));
             group.add("spot-soft-lambert, instructions", Figure::Instructions(100.25));
+            group.add("spot-soft-lambert, instructions for size", Figure::Instructions(120.5));
             group.add("spot-soft-lambert, bytes", Figure::Bytes(400));
             group
         });

@@ -30,6 +30,7 @@ two instructions, which count. Results must be bit-identical to the host's.
 
 **Bytes** are bytes of flash more than those of an empty program, compiled for size, constant tables
 included. Effects share the root and its tables, so the bytes of two effects do not add up.
+**Instructions for size** are those of a program that is compiled for size, too (`opt-level = \"s\"`).
 
 What an effect **adds** is in brackets: the difference to the program that lacks only this effect. Each
 program is compiled by itself, so a difference can be slightly negative.
@@ -91,8 +92,8 @@ fn section(list: &EffectList, group: &Group) -> Result<String> {
         group.title,
         group.note,
         head("instr.") + " RP2040, cycles |",
-        head("bytes"),
-        "---:|".repeat(2 * boards.len() + 1)
+        head("instr. for size") + &head("bytes"),
+        "---:|".repeat(3 * boards.len() + 1)
     );
     for entry in &group.entries {
         text += &row(list, entry)?;
@@ -101,7 +102,7 @@ fn section(list: &EffectList, group: &Group) -> Result<String> {
 }
 
 fn row(list: &EffectList, entry: &Entry) -> Result<String> {
-    let [mut instructions, mut cycles, mut bytes] = [(); 3].map(|()| String::new());
+    let [mut instructions, mut cycles, mut for_size, mut bytes] = [(); 4].map(|()| String::new());
     for stand in &STANDS {
         let prices = board(list, stand.board)?;
         let price = price(prices, entry.program)?;
@@ -112,10 +113,11 @@ fn row(list: &EffectList, entry: &Entry) -> Result<String> {
         if let Some(counted) = price.cycles {
             cycles += &cell(&format!("{counted:.1}"), None);
         }
+        for_size += &cell(&format!("{:.1}", price.instructions_for_size), None);
         let adds = more(|price| price.bytes as f64);
         bytes += &cell(&price.bytes.to_string(), adds.map(|adds| format!("{adds:+}")));
     }
-    Ok(format!("| {} | {} |{instructions}{cycles}{bytes}\n", entry.title, entry.what))
+    Ok(format!("| {} | {} |{instructions}{cycles}{for_size}{bytes}\n", entry.title, entry.what))
 }
 
 fn cell(figure: &str, adds: Option<String>) -> String {
@@ -145,7 +147,8 @@ mod tests {
         let mut list = EffectList::default();
         for stand in &STANDS {
             let prices = list.boards.entry(stand.board.to_owned()).or_default();
-            let price = Price { instructions: 100.0, cycles: None, bytes: 1000 };
+            let price =
+                Price { instructions: 100.0, instructions_for_size: 110.0, cycles: None, bytes: 1000 };
             prices.prices = entries().map(|entry| (entry.program.to_owned(), price)).collect();
         }
         list
@@ -155,12 +158,11 @@ mod tests {
     fn a_row_has_the_figures_and_what_is_added() {
         let mut list = list();
         for prices in list.boards.values_mut() {
-            prices
-                .prices
-                .insert("plain".to_owned(), Price { instructions: 100.25, cycles: None, bytes: 500 });
-            prices
-                .prices
-                .insert("better".to_owned(), Price { instructions: 120.5, cycles: None, bytes: 490 });
+            let price =
+                Price { instructions: 100.25, instructions_for_size: 130.0, cycles: None, bytes: 500 };
+            prices.prices.insert("plain".to_owned(), price);
+            let price = Price { instructions: 120.5, bytes: 490, ..price };
+            prices.prices.insert("better".to_owned(), price);
         }
         let mut entry = Entry {
             title: "b",
@@ -170,9 +172,9 @@ mod tests {
             over: None,
             what: "It.",
         };
-        assert_eq!(row(&list, &entry).unwrap(), "| b | It. | 120.5 | 120.5 | 490 | 490 |\n");
+        assert_eq!(row(&list, &entry).unwrap(), "| b | It. | 120.5 | 120.5 | 130.0 | 130.0 | 490 | 490 |\n");
         entry.over = Some("plain");
-        let adds = "| b | It. | 120.5 (+20.2) | 120.5 (+20.2) | 490 (-10) | 490 (-10) |\n";
+        let adds = "| b | It. | 120.5 (+20.2) | 120.5 (+20.2) | 130.0 | 130.0 | 490 (-10) | 490 (-10) |\n";
         assert_eq!(row(&list, &entry).unwrap(), adds);
     }
 

@@ -6,6 +6,8 @@ use anyhow::{Context, Result, ensure};
 
 use super::catalogue;
 use super::list::{Price, Prices};
+use crate::boards::cost::Cost;
+use crate::boards::laboratory::{RELEASE, SIZE};
 use crate::boards::{self, Board, Rp2040};
 use crate::size::effects::{Effects, Format};
 use tools::progress::Progress;
@@ -26,18 +28,31 @@ pub(super) static STANDS: [Stand; 2] = [
     Stand { board: "cortex-m4f", format: Format::F32, feature: "effects-f32" },
 ];
 
-/// The instructions of each program, and the cycles if they were counted.
-type Counts = BTreeMap<String, (f64, Option<f64>)>;
+/// What is counted of a program while it runs.
+#[derive(Clone, Copy, Debug)]
+struct Counted {
+    instructions: f64,
+    instructions_for_size: f64,
+    cycles: Option<f64>,
+}
+
+/// The counts of each program.
+type Counts = BTreeMap<String, Counted>;
 
 /// Counts on a board. An error if its results are not the host's.
 pub(super) fn count(stand: &Stand, clocked: bool, progress: &Progress) -> Result<Prices> {
     let board = Board::named(stand.board).map_err(anyhow::Error::msg)?;
     let clock = if clocked { Rp2040::for_board(board, progress)? } else { None };
-    let costs = boards::effects(board, stand.feature, clock.as_ref(), progress)?;
+    let costs = boards::effects(board, stand.feature, RELEASE, clock.as_ref(), progress)?;
+    let for_size = boards::effects(board, stand.feature, SIZE, None, progress)?;
     let mut counted = BTreeMap::new();
-    for cost in costs.kernels {
+    // The order is that of the results, which are the host's in both.
+    for (cost, for_size) in costs.kernels.into_iter().zip(for_size.kernels) {
         ensure!(cost.format == stand.format.name(), "{} on {} is another format", cost.name(), board.name);
-        counted.insert(cost.kernel.replace('_', "-"), (cost.instructions, cost.cycles));
+        let name = cost.kernel.replace('_', "-");
+        let Cost { instructions, cycles, .. } = cost;
+        let instructions_for_size = for_size.instructions;
+        counted.insert(name, Counted { instructions, instructions_for_size, cycles });
     }
     let bytes = Effects::build(board, stand.format, progress)?.bytes()?;
     Ok(Prices {
@@ -54,9 +69,9 @@ fn joined(mut counted: Counts, bytes: Vec<(String, u64)>) -> Result<BTreeMap<Str
     let mut prices = BTreeMap::new();
     for (program, bytes) in bytes {
         let counts = counted.remove(&program);
-        let (instructions, cycles) =
+        let Counted { instructions, instructions_for_size, cycles } =
             counts.with_context(|| format!("the instructions of {program} are missing"))?;
-        prices.insert(program, Price { instructions, cycles, bytes });
+        prices.insert(program, Price { instructions, instructions_for_size, cycles, bytes });
     }
     ensure!(counted.is_empty(), "these have no program: {counted:?}");
     for entry in catalogue::entries() {
@@ -72,10 +87,12 @@ fn joined(mut counted: Counts, bytes: Vec<(String, u64)>) -> Result<BTreeMap<Str
 mod tests {
     use super::*;
 
-    /// Counts in which each program has 10 instructions, 14 cycles and 20 bytes.
+    const COUNTED: Counted = Counted { instructions: 10.0, instructions_for_size: 12.0, cycles: Some(14.0) };
+
+    /// Counts in which each program has 10 instructions, 12 for size, 14 cycles and 20 bytes.
     fn counted() -> (Counts, Vec<(String, u64)>) {
         let instructions: BTreeMap<_, _> =
-            catalogue::entries().map(|entry| (entry.program.to_owned(), (10.0, Some(14.0)))).collect();
+            catalogue::entries().map(|entry| (entry.program.to_owned(), COUNTED)).collect();
         let bytes = instructions.keys().map(|program| (program.clone(), 20)).collect();
         (instructions, bytes)
     }
@@ -84,7 +101,8 @@ mod tests {
     fn a_price_is_instructions_and_bytes() {
         let (instructions, bytes) = counted();
         let prices = joined(instructions, bytes).unwrap();
-        assert_eq!(prices["phong"], Price { instructions: 10.0, cycles: Some(14.0), bytes: 20 });
+        let Counted { instructions, instructions_for_size, cycles } = COUNTED;
+        assert_eq!(prices["phong"], Price { instructions, instructions_for_size, cycles, bytes: 20 });
     }
 
     #[test]
@@ -102,7 +120,7 @@ mod tests {
     #[test]
     fn a_program_that_the_catalogue_lacks_is_named() {
         let (mut instructions, mut bytes) = counted();
-        instructions.insert("halo".to_owned(), (1.0, None));
+        instructions.insert("halo".to_owned(), COUNTED);
         bytes.push(("halo".to_owned(), 2));
         assert!(joined(instructions, bytes).unwrap_err().to_string().contains("halo"));
     }
