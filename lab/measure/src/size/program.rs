@@ -13,6 +13,8 @@ use object::{Object, ObjectSection, ObjectSymbol, RelocationTarget, SectionFlags
 pub struct Program {
     /// The bytes of code, constants and initial values of variables.
     pub bytes: u64,
+    /// These bytes, section by section.
+    pub flash: Vec<u8>,
     /// The names of its functions and variables, demangled.
     pub names: Vec<String>,
 }
@@ -23,10 +25,14 @@ impl Program {
         let failed = || format!("cannot read the program {}", file.display());
         let content = fs::read(file).with_context(failed)?;
         let object = object::File::parse(&*content).with_context(failed)?;
-        let in_flash = object.sections().filter(|section| is_in_flash(section.flags()));
+        let mut flash = Vec::new();
+        for section in object.sections().filter(|section| is_in_flash(section.flags())) {
+            flash.extend_from_slice(section.data().with_context(failed)?);
+        }
         let names = object.symbols().filter_map(|symbol| symbol.name().ok()).filter(|name| !name.is_empty());
         Ok(Self {
-            bytes: in_flash.map(|section| section.size()).sum(),
+            bytes: flash.len() as u64,
+            flash,
             names: names.map(|name| format!("{:#}", rustc_demangle::demangle(name))).collect(),
         })
     }
