@@ -1,14 +1,13 @@
 //! What holds for every beam in haze and every view ray.
 
 use fastrand::Rng;
-use luminaire::codegen::{FloatRamp, Gain16};
+use luminaire::codegen::FloatRamp;
 use luminaire::{
-    Angle, Cone, Fx16, Fx32, HalfAngle, Length, SpotLight, Vec3,
+    Angle, Cone, SpotLight, Vec3,
     attenuation::{Attenuation, FilamentRange, InverseSquare, NoAttenuation, Polynomial, SmoothRange},
     falloff::Soft,
-    haze::{BeamScattering, BeamScattering16, Haze, RayBundle, ViewRay},
+    haze::{BeamScattering, Haze, RayBundle, ViewRay},
     light::CompiledCone,
-    number::Light16,
 };
 use support::{
     arbitrary::bits,
@@ -339,33 +338,4 @@ fn haze_keeps_what_it_is_given() {
     assert_eq!((thin.density(), thin.source_radius()), (0.125, 0.01));
     let around = thin.with_source_radius(0.5).expect("a sound radius");
     assert_eq!((around.density(), around.source_radius()), (0.125, 0.5));
-}
-
-/// Points of any bits, in the beams of wide and of narrow cones, and beams of any bits.
-#[test]
-fn in_16_bits_every_point_has_in_scattering() {
-    let mut rng = Rng::with_seed(16);
-    for i in 0..20_000 {
-        let half = HalfAngle::degrees([0.8, 3.0, 20.0, 60.0, 90.0][i % 5]);
-        let cone = Cone::from_outer(Soft, half).expect("a sound angle");
-        let spot = SpotLight::new([0.1, -3.0, 2.0], [0.36, -0.8, 0.48], cone).expect("a sound light");
-        let beam = spot.compile::<Fx16>().expect("held").in_haze(&haze(0.02));
-        let mut word = || rng.i32(..) >> rng.u32(..32);
-        let [eye, surface] = [(); 2].map(|()| Vec3::new(word(), word(), word()).map(Length::from_bits));
-        let _: Light16 = beam.in_scattering(eye, surface);
-        let clear = spot.compile::<Fx16>().expect("held").in_haze(&haze(0.0));
-        assert_eq!(clear.in_scattering(eye, surface), Light16::default());
-        let light = Fx16::point([0.1, -3.0, 2.0]);
-        let _: [Light16; 2] = [beam.in_scattering(light, surface), beam.in_scattering(eye, light)];
-        let any = BeamScattering16::from_parts(
-            eye,
-            Vec3::new(word(), word(), word()).map(Fx32::from_bits),
-            cone.compile::<Fx16>().expect("held"),
-            Gain16::from_bits([word(), word()]),
-            [word(), word()].map(i32::cast_unsigned),
-            Length::from_bits(word()),
-            Gain16::from_bits([word(), word()]),
-        );
-        let _: Light16 = any.in_scattering(surface, light);
-    }
 }

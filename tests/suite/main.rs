@@ -16,6 +16,7 @@ mod figures;
 mod formats;
 mod generated;
 mod gobo;
+mod haze16;
 mod haze_laws;
 mod haze_rays;
 mod import;

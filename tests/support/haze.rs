@@ -59,10 +59,3 @@ pub const CRITICAL: [Row; 2] = [
     row("inverse square",    [4.7e-5, 1.1e-5, 8.6e-6, 6.7e-6, 1.0e-5, 6.3e-6]),
     row("Filament range",    [1.2e-2, 1.5e-2, 1.5e-2, 1.5e-2, 1.4e-2, 3.0e-2]),
 ];
-
-/// The half angles of the cones in 16 bits, in degrees.
-pub const HALF_ANGLES_16: [f32; 5] = [3.0, 7.5, 22.0, 45.0, 80.0];
-
-/// The errors in 16 bits by profile, in linear codes, at each of [`HALF_ANGLES_16`]
-/// (`tests/slow/haze16.rs`).
-pub const IN_16_BITS: [(&str, f64); 3] = [("soft", 0.6), ("hard", 0.45), ("smooth", 0.5)];

@@ -12,6 +12,7 @@ pub mod every;
 pub mod format;
 pub mod gobos;
 pub mod haze;
+pub mod haze16;
 pub mod imports;
 pub mod in_scattering;
 pub mod limits;

@@ -1,0 +1,135 @@
+//! In-scattering in 32-bit products, compared with the exact in-scattering, and its error bounds.
+
+use super::{
+    critical::Frame,
+    in_scattering::{Beam, Ray},
+    oracle::{self, DVec3, climb},
+    sweep,
+    views::distances,
+};
+use fastrand::Rng;
+use luminaire::{
+    Cone, Fx16, HalfAngle, Length, Scalar, SpotLight, Vec3,
+    falloff::Falloff,
+    haze::{Haze, ViewRays},
+};
+
+/// The half angles of the cones, in degrees.
+pub const HALF_ANGLES: [f32; 5] = [3.0, 7.5, 22.0, 45.0, 80.0];
+
+/// The bounds of the errors by profile, in linear codes, at each of [`HALF_ANGLES`]: searched
+/// (`tests/slow/haze16.rs`).
+pub const BOUNDS: [(&str, f64); 3] = [("soft", 0.6), ("hard", 0.45), ("smooth", 0.5)];
+
+/// Rays that are drawn at once, of which one is evaluated.
+const RAYS: usize = 16;
+
+/// The longest ray, in units.
+const FARTHEST: f32 = 1_000.0;
+
+/// A ray through the beam of a random light.
+#[derive(Clone, Copy)]
+pub struct View {
+    /// The seed of the light.
+    seed: u64,
+    pub eye: Vec3<f32>,
+    pub surface: Vec3<f32>,
+}
+
+/// Random lights that have one cone.
+pub struct Lights<P> {
+    cone: Cone<P>,
+    truth: oracle::Falloff,
+    /// The half angle of the cone, in radians.
+    half: f64,
+}
+
+impl<P: Falloff> Lights<P> {
+    pub fn new(profile: P, truth: oracle::Falloff, degrees: f32) -> Self {
+        let cone = Cone::from_outer(profile, HalfAngle::degrees(degrees)).expect("a sound angle");
+        Self { cone, truth, half: f64::from(degrees).to_radians() }
+    }
+
+    /// The light of a seed, in haze.
+    fn light(&self, seed: u64) -> (SpotLight<P>, Haze) {
+        let mut rng = Rng::with_seed(seed);
+        let spot = sweep::spot(&mut rng, self.cone);
+        let body = Fx16::length(0.01 * 100.0_f32.powf(rng.f32()));
+        let haze = Haze::new(0.5).and_then(|haze| haze.with_source_radius(body.to_f32()));
+        (spot, haze.expect("sound haze"))
+    }
+
+    /// The exact beam of a light in haze.
+    fn beam(&self, spot: &SpotLight<P>, haze: &Haze) -> Beam {
+        let cone = oracle::Cone::new(self.truth, self.cone.outer_versine().into());
+        Beam {
+            spot: oracle::SpotLight {
+                attenuation: oracle::Attenuation::InverseSquare,
+                ..sweep::stored::<Fx16, _, _>(spot, cone)
+            },
+            range: f64::INFINITY,
+            density: haze.density().into(),
+            source_radius: haze.source_radius().into(),
+        }
+    }
+
+    fn somewhere(&self, rng: &mut Rng) -> View {
+        let seed = rng.u64(..);
+        let (spot, _) = self.light(seed);
+        let rays: ViewRays<RAYS> = Frame::new(rng, spot.position(), spot.axis(), self.half).rays(rng);
+        let view = rays.at(rng.usize(..RAYS));
+        let length = view.length.min(FARTHEST);
+        let surface = view.eye.zip(view.direction, |e, d| e + length * d);
+        View { seed, eye: view.eye, surface }
+    }
+
+    /// The error of a ray, in linear codes.
+    ///
+    /// The light has the intensity at which the ray, or a line that crosses the axis at the angle
+    /// of the ray and as near to the light, is at full scale. The error is zero unless both ends of
+    /// the ray are at least a radius away from the light's body. It is also zero at the rim of the
+    /// body, where the light jumps.
+    fn error(&self, View { seed, eye, surface }: View) -> f64 {
+        let (spot, haze) = self.light(seed);
+        let of_intensity = |intensity: f32| {
+            let spot = spot.with_intensity(intensity).expect("a sound intensity");
+            (spot, self.beam(&spot, &haze))
+        };
+        let (_, unit) = of_intensity(1.0);
+        let [eye, surface] = [eye, surface].map(|point| Fx16::point(point.into()));
+        let way = exact(surface) - exact(eye);
+        let ray = Ray { eye: exact(eye), direction: way.normalize(), length: way.length() };
+        let body = unit.source_radius;
+        let is_apart = |point| (exact(point) - unit.spot.position).length() > 2.0 * body;
+        let (nearest, height) = distances(&unit, &ray);
+        if !(is_apart(eye) && is_apart(surface)) || (height - body).abs() < 0.1 * body {
+            return 0.0;
+        }
+        let along = ray.direction.dot(unit.spot.axis);
+        let sine = (1.0 - along * along).max(0.0).sqrt().max(self.half.sin());
+        let seen = unit.across() * nearest * unit.spot.attenuation.at(nearest) / sine;
+        let (spot, beam) = of_intensity((1.0 / unit.in_scattering(&ray).max(seen)).min(1e8) as f32);
+        let Ok(compiled) = spot.compile::<Fx16>() else { return 0.0 };
+        let found = Fx16::light_to_f32(compiled.in_haze(&haze).in_scattering(eye, surface));
+        255.0 * (f64::from(found).min(1.0) - beam.in_scattering(&ray).min(1.0)).abs()
+    }
+
+    /// The largest error of a search, in linear codes.
+    pub fn largest(&self, search: climb::Search) -> f64 {
+        let worst = search.worst(|rng| self.somewhere(rng), moved, |view| self.error(view));
+        worst.map_or(0.0, |worst| worst.error)
+    }
+}
+
+/// A ray of which one coordinate of an end differs, by up to its size or down to its last bits.
+fn moved(rng: &mut Rng, view: View) -> View {
+    let size = climb::size(rng);
+    let mut other = view;
+    let end = if rng.bool() { &mut other.eye } else { &mut other.surface };
+    *end = climb::one_of(rng, *end, |c| (c * (1.0 + size)).clamp(-2.0 * FARTHEST, 2.0 * FARTHEST));
+    other
+}
+
+fn exact(point: Vec3<Length>) -> DVec3 {
+    DVec3::from([point.x, point.y, point.z].map(|c| f64::from(c.to_bits()) / 65_536.0))
+}
