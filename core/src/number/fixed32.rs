@@ -41,8 +41,8 @@ impl Arithmetic for Fx32 {
     type Fine = Fraction32;
     type Ramp = Ramp32;
     // The rounding of three components by half a step each turns the direction by 0.87 steps of
-    // 2^-30. An offset with a component of more than 32,768 units is halved to fit 32 bits. Halving
-    // turns the direction by 0.71 steps more.
+    // 2^-30. The constant does not include the halving of an offset with a component of more than
+    // 32,768 units, which turns the direction by 0.71 steps more.
     const DIRECTION_ERROR: f32 = 8.2e-10;
 
     /// Uses all bits of the components, and normalises the axis like the direction to a point.
