@@ -10,7 +10,7 @@ use luminaire::{
 };
 use support::{
     haze16::{BOUNDS, HALF_ANGLES, Lights},
-    oracle::{self, climb::Search},
+    oracle::{self, DVec3, climb::Search},
 };
 
 fn haze(density: f32) -> Haze {
@@ -105,24 +105,67 @@ fn the_body_of_the_light_hides_and_is_dark() {
     }
 }
 
-/// The same light comes along a line of sight in both directions, and parts add up to the whole.
+/// A line of sight that passes near to the light, and whose ends are outside of the beam, looks the
+/// same however far away its ends are.
+#[test]
+fn lines_past_the_light_may_be_long() {
+    let height = 1.0 / 64.0;
+    let beam = beam(80.0, height, height / 4.0);
+    let at = |x: f32| seen(&beam, [-x, -height, 0.0], [x, -height, 0.0]);
+    let near = at(1.0);
+    assert!(near > 50.0, "{near}");
+    for x in [64.0, 1_024.0, 8_192.0, 32_000.0] {
+        assert!((at(x) - near).abs() < 0.6, "{x}: {}, not {near}", at(x));
+    }
+}
+
+/// A line of sight through the light, or one whose end is exactly on the axis, looks like one beside
+/// it.
+#[test]
+fn exact_directions_look_like_those_beside_them() {
+    let beam = beam(60.0, 6.0, 0.125);
+    let beside = |point: [f32; 3]| [point[0] + 0.004, point[1], point[2] - 0.004];
+    for (eye, surface) in [
+        ([0.75, -2.25, 0.375], [0.25, -0.75, 0.125]),
+        ([0.25, -0.75, 0.125], [0.75, -2.25, 0.375]),
+        ([0.0, -3.0, 0.0], [0.0, -0.5, 0.0]),
+        ([0.0, 1.0, 0.0], [1.0, -1.0, 0.0]),
+        ([1.0, -1.0, 0.5], [0.0, 1.0, 0.0]),
+        ([0.0, 1.0, 0.0], [0.5, -1.0, -1.0]),
+    ] {
+        let (exactly, nearly) = (seen(&beam, eye, surface), seen(&beam, beside(eye), beside(surface)));
+        assert!(exactly > 4.0, "{eye:?} {surface:?}: {exactly}");
+        assert!((exactly / nearly - 1.0).abs() < 0.06, "{eye:?} {surface:?}: {exactly}, {nearly}");
+    }
+}
+
+/// The same light comes along a line of sight past the body in both directions, and parts add up to
+/// the whole.
 #[test]
 fn parts_add_up_to_the_whole() {
-    let beam = beam(30.0, 2.0, 0.125);
-    let mut rng = Rng::with_seed(30);
-    let mut lit = 0;
-    for _ in 0..2_000 {
-        let mut point = || [(); 3].map(|()| 3.0 * rng.f32() - 1.5);
-        let (from, to, middle) = (point(), point(), rng.f32());
-        let (from, to) = ([from[0], from[1] - 2.0, from[2]], [to[0], to[1] - 2.0, to[2]]);
-        let between = [0, 1, 2].map(|i| from[i] + middle * (to[i] - from[i]));
-        let whole = seen(&beam, from, to);
-        assert!((seen(&beam, to, from) - whole).abs() < 0.4, "{from:?} {to:?}");
-        let parts = seen(&beam, from, between) + seen(&beam, between, to);
-        assert!((parts - whole).abs() < 0.6, "{parts}, not {whole}: {from:?} {between:?} {to:?}");
-        lit += i32::from(whole > 1.0);
+    for half in [5.0, 30.0, 80.0] {
+        let beam = beam(half, 1.0, 0.125);
+        let mut rng = Rng::with_seed(30);
+        let mut lit = 0;
+        for _ in 0..4_000 {
+            let end = |rng: &mut Rng| [(); 3].map(|()| 4.0 * rng.f32() - 2.0);
+            let (from, to, middle) = (end(&mut rng), end(&mut rng), rng.f32());
+            let [offset, there] = [from, to].map(|end| DVec3::from(end.map(f64::from)));
+            let way = there - offset;
+            if way.cross(offset).length() < 0.15 * way.length() {
+                continue;
+            }
+            let between = [0, 1, 2].map(|i| from[i] + middle * (to[i] - from[i]));
+            let whole = seen(&beam, from, to);
+            let back = seen(&beam, to, from);
+            assert!((back - whole).abs() < 0.6, "{half}: {back}, not {whole}: {from:?} {to:?}");
+            let parts = seen(&beam, from, between) + seen(&beam, between, to);
+            let message = || format!("{half}: {parts}, not {whole}: {from:?} {between:?} {to:?}");
+            assert!((parts - whole).abs() < 0.6, "{}", message());
+            lit += i32::from(whole > 0.5);
+        }
+        assert!(lit > 40, "{half}: {lit}");
     }
-    assert!(lit > 500, "{lit}");
 }
 
 /// Points of any bits, in the beams of wide and of narrow cones, and beams of any bits.

@@ -297,7 +297,7 @@ impl Arc16 {
         let [from, to] = self.ends;
         if self.is_around {
             let span = if from < edge { Span16 { from, to: edge } } else { Span16 { from: -edge, to } };
-            return (Span16 { from: span.from.max(-edge), to: span.to.min(edge) }, self.long());
+            return (span, self.long());
         }
         let (begin, scale) = if self.is_short {
             let kept = to.saturating_sub(from).max(edge >> SHORTEST).max(1);
