@@ -1,5 +1,6 @@
 //! Shading of one surface point by one compiled light.
 
+mod change;
 mod directional;
 mod placed;
 mod point;

@@ -6,6 +6,7 @@ mod any_bits;
 mod any_light;
 mod batch;
 mod bright;
+mod changes;
 mod cones;
 mod display;
 mod dither;

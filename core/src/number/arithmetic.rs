@@ -84,6 +84,8 @@ pub trait Arithmetic: Copy + Default + PartialOrd + core::fmt::Debug + Share<Sel
 
     /// Returns the offset: the vector from a light to a point.
     fn offset(light: Vec3<Self::Position>, point: Vec3<Self::Position>) -> Self::Offset;
+    /// Returns an offset along a vector of any length, for its direction.
+    fn offset_along(direction: Vec3<Self::Direction>) -> Self::Offset;
     /// Compiles a ramp between two versines: `t` is 0 at `outer`, and 1 up to `inner`.
     ///
     /// From the versine `limit` outwards `t` is 0. With `limit == outer` the ramp has no cutoff.
@@ -333,6 +335,9 @@ pub trait Gain<S: Arithmetic>: Copy + PartialEq + core::fmt::Debug {
     fn inverse_capped(self) -> Self;
     /// Returns the nearest scalar, and exactly 1 for gains of 1 and more.
     fn fraction(self) -> S;
+    /// Returns the product with a scalar that is clamped to `[0, 1]`; NaN counts as 0. The product
+    /// with 1 has the same bits.
+    fn part(self, part: S) -> Self;
 }
 
 /// Vector from a light to a point, and the square root that gives its length.
@@ -379,6 +384,9 @@ pub trait FullOffset<S: Arithmetic>:
     /// inside. `bound` is the squared cosine of the outer half angle, less a margin for rounding
     /// errors.
     fn is_outside(&self, axis: Vec3<S::Direction>, bound: S) -> bool;
+    /// Returns whether the offset has a direction: whether it is not zero, and in `f32` whether its
+    /// squared length is a normal number.
+    fn has_direction(&self) -> bool;
     /// Computes the direction and the distance with the format's full precision.
     fn fine_ray(&self) -> Self::FineRay;
     /// Returns whether the offset is so short that the whole evaluation must be fine: see

@@ -149,6 +149,10 @@ impl Arithmetic for f32 {
         FloatOffset::between(light, point)
     }
 
+    fn offset_along(direction: Vec3<f32>) -> FloatOffset {
+        FloatOffset::between(Vec3::default(), direction)
+    }
+
     /// The reciprocal of the span is increased until `span * reciprocal >= 1`, so that `t` is exact
     /// at both ends of the ramp.
     fn ramp(inner: f32, outer: f32, limit: f32) -> FloatRamp {
@@ -286,5 +290,10 @@ impl Gain<f32> for f32 {
     #[inline]
     fn fraction(self) -> Self {
         clamp(self)
+    }
+
+    #[inline]
+    fn part(self, part: Self) -> Self {
+        self * clamp(part)
     }
 }

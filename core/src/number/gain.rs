@@ -109,6 +109,15 @@ macro_rules! gain {
                 let down = self.scale() - $scalar::FRACTION_BITS as i32;
                 $scalar::from_bits($light::shifted(self.factor(), down).to_bits() as _)
             }
+
+            #[inline]
+            fn part(self, part: $scalar) -> Self {
+                if part >= $scalar::ONE {
+                    return self;
+                }
+                let bits = part.max($scalar::ZERO).to_bits() as $wide;
+                self.by(Self::normalised(bits, $scalar::FRACTION_BITS as i32))
+            }
         }
 
         impl $light {

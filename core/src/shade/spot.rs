@@ -80,6 +80,16 @@ impl<S: Scalar, P: Falloff, A: Attenuation> CompiledSpotLight<S, P, A> {
         Self { position, axis, ..self }
     }
 
+    /// Returns the position of the light.
+    pub fn position(&self) -> Vec3<S::Length> {
+        self.position
+    }
+
+    /// Returns the direction in which the light points, of unit length.
+    pub fn axis(&self) -> Vec3<S::Unit> {
+        self.axis
+    }
+
     /// Returns the light's linear colour.
     pub fn color(&self) -> Rgb<S> {
         self.color

@@ -116,11 +116,11 @@ pub(crate) struct Chord {
 impl Chord {
     /// Returns the chord between two points.
     ///
-    /// Lengths are in units of 2^-14 if a coordinate has more than 29 bits.
+    /// Lengths are in units of 2^-15 if a coordinate has more than 30 bits.
     #[inline]
     pub(crate) fn between(light: Vec3<Length>, eye: Vec3<Length>, surface: Vec3<Length>) -> Self {
         let [light, eye, surface] = [light, eye, surface].map(|point| point.map(Length::to_bits));
-        let unit = if (size(light) | size(eye) | size(surface)) >> 29 == 0 { 0 } else { 2 };
+        let unit = if (size(light) | size(eye) | size(surface)) >> 30 == 0 { 0 } else { 1 };
         let difference = |to: Vec3<i32>, from: Vec3<i32>| to.zip(from, |t, f| (t >> unit) - (f >> unit));
         let way = difference(surface, eye);
         Self { eye: difference(eye, light), surface: difference(surface, light), way, more: [0; 2], unit }

@@ -117,6 +117,11 @@ impl FullOffset<Fx32> for Offset32 {
     }
 
     #[inline]
+    fn has_direction(&self) -> bool {
+        self.way != Vec3::default()
+    }
+
+    #[inline]
     fn fine_ray(&self) -> Ray32 {
         self.ray()
     }

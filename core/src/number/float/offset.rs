@@ -67,6 +67,11 @@ impl FullOffset<f32> for FloatOffset {
     }
 
     #[inline]
+    fn has_direction(&self) -> bool {
+        self.squared.is_normal()
+    }
+
+    #[inline]
     fn fine_ray(&self) -> FloatRay {
         self.ray()
     }

@@ -224,6 +224,14 @@ pub(super) static GROUPS: LazyLock<[Group; 7]> = LazyLock::new(|| {
                 what: "The light moved to another position with another axis, both in the format.",
             },
             Entry {
+                title: "aim",
+                program: "spot-soft-lambert-aimed",
+                listed: None,
+                effects: Effects::NONE,
+                over: Some(SPOT),
+                what: "The light moved to another position and aimed at a point: its axis is computed in the format.",
+            },
+            Entry {
                 title: "compile",
                 program: "spot-soft-lambert-compiled",
                 listed: None,

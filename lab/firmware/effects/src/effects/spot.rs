@@ -2,17 +2,15 @@
 
 use core::hint::black_box;
 
-use luminaire::{
-    Angle, Cone, SpotLight, attenuation::NoAttenuation, falloff::Soft, number::Arithmetic,
-};
+use luminaire::{Angle, Cone, SpotLight, attenuation::NoAttenuation, falloff::Soft, number::Arithmetic};
 
-use crate::constants::{AXIS_BACK, BEAM, EYE, BRIGHT, CUTOFF, GOBO, HOTSPOT, POSITION, QUICK, SHADOW};
+use crate::constants::{AXIS_BACK, BEAM, BRIGHT, CUTOFF, EYE, GOBO, HOTSPOT, POSITION, QUICK, SHADOW};
 use crate::{Format, Irradiance, Listed, Surface};
 
 list! {
     surface: spot_soft spot_soft_lambert_hotspot spot_soft_lambert_cutoff spot_soft_lambert_gobo
         spot_soft_lambert_shadow spot_soft_lambert_quick spot_soft_lambert_bright
-        spot_soft_lambert_placed spot_soft_lambert_compiled haze;
+        spot_soft_lambert_placed spot_soft_lambert_aimed spot_soft_lambert_compiled haze;
 }
 
 /// A soft edge around a hotspot.
@@ -44,6 +42,14 @@ pub fn spot_soft_lambert_bright(Surface { point, normal, .. }: Surface) -> Irrad
 pub fn spot_soft_lambert_placed(Surface { point, normal, .. }: Surface) -> Irradiance {
     let normal = normal.map(|c| Format::default().minus(c));
     Soft::CONSTANT.placed(point, AXIS_BACK).irradiance(POSITION, normal)
+}
+
+/// The soft spotlight, moved to each surface point and aimed back at its old place.
+#[inline(always)]
+pub fn spot_soft_lambert_aimed(Surface { point, normal, .. }: Surface) -> Irradiance {
+    let normal = normal.map(|c| Format::default().minus(c));
+    let aimed = Soft::CONSTANT.moved_to(point).aimed_at(POSITION);
+    aimed.map_or(Irradiance::default(), |light| light.irradiance(POSITION, normal))
 }
 
 /// The soft spotlight, described by numbers in f32 and compiled for each surface point.

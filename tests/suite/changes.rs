@@ -1,0 +1,153 @@
+//! Compiled lights that change at run time, compared with the lights that are compiled after the
+//! change.
+
+use fastrand::Rng;
+use luminaire::{
+    Angle, Cone, DirectionalLight, Fx16, Fx32, PointLight, Rgb, Scalar, SpotLight, Vec3, falloff::Soft,
+};
+use support::{arbitrary::vector, format::Format, oracle::DVec3, sweep, views::exact};
+
+fn spot(rng: &mut Rng) -> SpotLight<Soft> {
+    let cone = Cone::from_field(Soft, Angle::degrees(30.0)).expect("a sound cone");
+    sweep::spot(rng, cone).with_intensity(8.0).expect("a sound intensity")
+}
+
+fn fine(component: f64) -> Fx32 {
+    Fx32::from_bits((component * f64::from(1 << 30)) as i32)
+}
+
+/// The largest angle between an axis and the exact one, in radians, and the largest error of its
+/// length. The vectors are of many lengths, down to the steps of the format.
+fn errors_of_axis<S: Format>(unit: fn(f64) -> S::Unit) -> [f64; 2] {
+    let mut rng = Rng::with_seed(4);
+    let mut errors = [0.0_f64; 2];
+    for i in 0..40_000 {
+        let light = spot(&mut rng).compile::<S>().expect("held");
+        let position = S::exact_point(light.position());
+        let way = 0.5_f64.powi(i % 24) * sweep::direction(&mut rng);
+        let (aimed, exact) = if i % 2 == 0 {
+            let point = sweep::single(position + 64.0 * way).map(S::length);
+            (light.aimed_at(point), S::exact_point(point) - position)
+        } else {
+            let direction = Vec3::from(way.to_array().map(unit));
+            (light.aimed_along(direction), S::exact_direction(direction))
+        };
+        let Some(aimed) = aimed else {
+            assert!(exact == DVec3::ZERO, "{exact}");
+            continue;
+        };
+        let axis = S::exact_direction(aimed.axis());
+        assert!(axis.dot(exact) > 0.0, "{axis} {exact}");
+        let found = [axis.cross(exact.normalize()).length(), (axis.length() - 1.0).abs()];
+        errors = [0, 1].map(|k| errors[k].max(found[k]));
+    }
+    errors
+}
+
+#[test]
+fn an_axis_keeps_its_stated_error() {
+    for (name, [turn, length], bound) in [
+        ("Fx16", errors_of_axis::<Fx16>(fine), [2e-9, 2.5e-8]),
+        ("Fx32", errors_of_axis::<Fx32>(fine), [9e-10, 1.3e-9]),
+        ("f32", errors_of_axis::<f32>(|c| c as f32), [1.2e-7, 2e-7]),
+    ] {
+        println!("{name}: {turn:.2e}, {length:.2e}");
+        for (error, bound) in [(turn, bound[0]), (length, bound[1])] {
+            assert!((bound / 2.0..=bound).contains(&error), "{name}: {turn:e}, {length:e}");
+        }
+    }
+}
+
+/// A light that was changed lights like one that is compiled with these properties, within half a
+/// linear code.
+fn assert_changes<S: Format>(unit: fn(f64) -> S::Unit) {
+    let mut rng = Rng::with_seed(5);
+    let mut lit = 0;
+    for _ in 0..2_000 {
+        let [before, after] = [(); 2].map(|()| spot(&mut rng));
+        let part = S::from_f32(rng.f32());
+        let position = after.position().map(S::length);
+        let along = Vec3::from(<[f32; 3]>::from(after.axis()).map(|c| unit(0.7 * f64::from(c))));
+        let exactly = after.with_intensity(8.0 * part.to_f32()).expect("a sound intensity");
+        let site = sweep::site::<S>(&mut rng, exact(after.position()), exact(after.axis()), 15.0, 3.0);
+        let of = |light| 255.0 * S::exact_light(light).min(1.0);
+
+        let light = before.compile::<S>().expect("held").moved_to(position).dimmed(part);
+        let changed = light.aimed_along(along).expect("a direction").irradiance(site.point, site.normal);
+        let compiled = exactly.compile::<S>().expect("held").irradiance(site.point, site.normal);
+        assert!((of(changed) - of(compiled)).abs() < 0.5, "{changed:?}, not {compiled:?}");
+
+        let light = before.compile_quick::<S>().expect("held").moved_to(position).dimmed(part);
+        let changed = light.aimed_along(along).expect("a direction").irradiance(site.point, site.normal);
+        let compiled = exactly.compile_quick::<S>().expect("held").irradiance(site.point, site.normal);
+        assert!((of(changed) - of(compiled)).abs() < 0.5, "quick: {changed:?}, not {compiled:?}");
+        lit += i32::from(of(compiled) > 1.0);
+    }
+    assert!(lit > 400, "{lit}");
+}
+
+#[test]
+fn a_changed_light_is_like_a_compiled_one() {
+    assert_changes::<Fx16>(fine);
+    assert_changes::<Fx32>(fine);
+    assert_changes::<f32>(|c| c as f32);
+}
+
+/// What one change leaves, and what all do with any bits.
+fn assert_total<S: Format>() {
+    let mut rng = Rng::with_seed(6);
+    let black = Rgb::new(S::ZERO, S::ZERO, S::ZERO);
+    for _ in 0..20_000 {
+        let spot = spot(&mut rng);
+        let (full, quick) = (spot.compile::<S>().expect("held"), spot.compile_quick::<S>().expect("held"));
+        let point = vector(&mut rng, S::length_from_bits);
+        let direction = vector(&mut rng, S::unit_from_bits);
+        let part = S::scalar_from_bits(rng.u64(..));
+        let site = sweep::site::<S>(&mut rng, exact(spot.position()), exact(spot.axis()), 15.0, 3.0);
+
+        assert_eq!(full.dimmed(S::ONE), full);
+        assert_eq!(full.moved_to(full.position()), full);
+        assert_eq!(full.aimed_at(full.position()), None);
+        assert_eq!(quick.aimed_at(full.position()), None);
+        assert_eq!(full.aimed_along(Vec3::default()), None);
+        assert_eq!(quick.aimed_along(Vec3::default()), None);
+        assert_eq!(full.dimmed(S::ZERO).irradiance(site.point, site.normal), S::Irradiance::default());
+        assert_eq!(full.with_color(black).color(), black);
+        assert_eq!(full.with_color(black).specular_color(), full.specular_color());
+        assert_eq!(full.with_specular_color(black).specular_color(), black);
+        assert_eq!(full.with_specular_color(black).color(), full.color());
+
+        let brightest = full.irradiance(site.point, site.normal);
+        assert!(full.dimmed(part).irradiance(site.point, site.normal) <= brightest, "{part:?}");
+        for light in [full.aimed_at(point), full.aimed_along(direction)].into_iter().flatten() {
+            let light = S::exact_light(light.moved_to(point).irradiance(site.point, site.normal));
+            assert!(light >= 0.0, "{light}");
+        }
+        for light in [quick.aimed_at(point), quick.aimed_along(direction)].into_iter().flatten() {
+            let light = S::exact_light(light.moved_to(point).irradiance(site.point, site.normal));
+            assert!(light >= 0.0, "{light}");
+        }
+    }
+}
+
+#[test]
+fn changes_of_any_bits_are_defined() {
+    assert_total::<Fx16>();
+    assert_total::<Fx32>();
+    assert_total::<f32>();
+}
+
+#[test]
+fn other_lights_change_too() {
+    let point =
+        PointLight::new([1.0, 2.0, 3.0]).and_then(|light| light.compile::<Fx16>()).expect("a sound light");
+    let there =
+        PointLight::new([-1.0, 2.5, 0.0]).and_then(|light| light.compile::<Fx16>()).expect("a sound light");
+    assert_eq!(point.moved_to(Fx16::point([-1.0, 2.5, 0.0])), there);
+    let sun = DirectionalLight::new([0.0, -1.0, 0.0]).expect("a sound direction").compile::<Fx16>();
+    let low = sun.aimed_along(Vec3::new(fine(-0.25), Fx32::ZERO, Fx32::ZERO)).expect("a direction");
+    assert_eq!(Fx16::light_to_f32(low.irradiance(Vec3::new(Fx16::ONE, Fx16::ZERO, Fx16::ZERO))), 1.0);
+    assert_eq!(sun.aimed_along(Vec3::default()), None);
+    let half = sun.dimmed(Fx16::from_f32(0.5)).irradiance(Vec3::new(Fx16::ZERO, Fx16::ONE, Fx16::ZERO));
+    assert_eq!(Fx16::light_to_f32(half), 0.5);
+}
