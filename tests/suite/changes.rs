@@ -58,6 +58,48 @@ fn an_axis_keeps_its_stated_error() {
     }
 }
 
+/// The largest difference of a component from that of the exact unit vector, in steps of the
+/// format, over vectors of many lengths and of all bytes.
+fn error_of_normals<S: Format>() -> f64 {
+    let mut rng = Rng::with_seed(7);
+    let mut largest = 0.0_f64;
+    let mut compare = |found: Vec3<S>, vector: DVec3| {
+        let difference = (S::exact_normal(found) - vector.normalize()).abs().max_element();
+        largest = largest.max(difference / f64::from(S::STEP));
+    };
+    for i in 0..100_000 {
+        let length = 1.9 * 0.5_f64.powf(f64::from(i % 8));
+        let short = sweep::single(length * sweep::direction(&mut rng)).map(S::from_f32);
+        compare(S::normalize(short), S::exact_normal(short));
+        let bytes = [(); 3].map(|()| rng.i8(..));
+        if bytes != [0; 3] {
+            compare(S::normal_from_bytes(bytes), DVec3::from(bytes.map(f64::from)));
+        }
+    }
+    largest
+}
+
+#[test]
+fn a_normal_is_the_nearest_unit_vector() {
+    let errors = [error_of_normals::<Fx16>(), error_of_normals::<Fx32>(), error_of_normals::<f32>()];
+    println!("{errors:.3?}");
+    for (error, bound) in errors.into_iter().zip([0.501, 1.1, 1.0]) {
+        assert!((bound / 2.0..=bound).contains(&error), "{errors:?}");
+    }
+    fn zeros<S: Format>() {
+        assert_eq!(S::normalize(Vec3::default()), Vec3::default());
+        assert_eq!(S::normal_from_bytes([0; 3]), Vec3::default());
+        let mut rng = Rng::with_seed(8);
+        for _ in 0..10_000 {
+            let normal = S::exact_normal(S::normalize(vector(&mut rng, S::scalar_from_bits)));
+            assert!(normal == DVec3::ZERO || (normal.length() - 1.0).abs() < 2e-4, "{normal}");
+        }
+    }
+    zeros::<Fx16>();
+    zeros::<Fx32>();
+    zeros::<f32>();
+}
+
 /// A light that was changed lights like one that is compiled with these properties, within half a
 /// linear code.
 fn assert_changes<S: Format>(unit: fn(f64) -> S::Unit) {

@@ -175,6 +175,10 @@ pub trait Arithmetic: Copy + Default + PartialOrd + core::fmt::Debug + Share<Sel
     fn power(versine: Self::Versine, exponent: u32) -> Self;
     /// Converts a surface normal to the number type of directions.
     fn normal_unit(normal: Vec3<Self>) -> Vec3<Self::Direction>;
+    /// Rounds a unit direction to a surface normal.
+    fn unit_normal(unit: Vec3<Self::Direction>) -> Vec3<Self>;
+    /// Returns a vector in proportion to three bytes.
+    fn unit_of_bytes(bytes: [i8; 3]) -> Vec3<Self::Direction>;
     /// Reflects a direction `d` in the surface with the normal `n`: `d - 2 (d.n) n`.
     fn mirror(direction: Vec3<Self::Direction>, normal: Vec3<Self>) -> Vec3<Self::Direction>;
     /// Returns the unit vector along `b - a`, for two unit directions.

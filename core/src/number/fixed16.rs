@@ -52,10 +52,6 @@ impl Arithmetic for Fx16 {
         Offset16::between(light, point)
     }
 
-    fn offset_along(direction: Vec3<Fx32>) -> Offset16 {
-        Offset16::new(direction.map(Fx32::to_bits))
-    }
-
     /// Returns zero if the fine evaluation stays within half a linear code, else infinity.
     ///
     /// The rounding error of the fine evaluation need not be added to the direction's error.

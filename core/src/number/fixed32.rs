@@ -63,10 +63,6 @@ impl Arithmetic for Fx32 {
         Offset32::between(light, point)
     }
 
-    fn offset_along(direction: Vec3<Fx32>) -> Offset32 {
-        Offset32::new(direction.map(Fx32::to_bits))
-    }
-
     /// The versines computed at set-up are `f32`, with a relative error of at most 4e-7.
     fn rounding(edge: &Slopes) -> f32 {
         edge.angle * 0.21e-6 + (edge.fraction + 1.5) * Self::STEP

@@ -219,6 +219,16 @@ impl Arithmetic for f32 {
     }
 
     #[inline]
+    fn unit_normal(unit: Vec3<f32>) -> Vec3<f32> {
+        unit
+    }
+
+    #[inline]
+    fn unit_of_bytes(bytes: [i8; 3]) -> Vec3<f32> {
+        bytes.map(f32::from).into()
+    }
+
+    #[inline]
     fn mirror(direction: Vec3<f32>, normal: Vec3<f32>) -> Vec3<f32> {
         let twice = 2.0 * direction.dot(normal);
         direction.zip(normal, |d, n| d - twice * n)

@@ -8,14 +8,9 @@ use crate::{
     attenuation::Attenuation,
     color::Rgb,
     falloff::Falloff,
-    number::{FullOffset, Gain, Ray, Scalar},
+    number::{Gain, Scalar, unit},
     vec3::Vec3,
 };
-
-/// Returns the unit vector along an offset; `None` if the offset has no direction.
-fn unit<S: Scalar>(offset: S::Offset) -> Option<Vec3<S::Unit>> {
-    offset.has_direction().then(|| offset.fine_ray().direction())
-}
 
 /// Implements the changes that every kind of light has.
 macro_rules! change {

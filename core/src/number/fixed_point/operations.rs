@@ -69,6 +69,22 @@ macro_rules! operations {
         }
 
         #[inline]
+        fn offset_along(direction: Vec3<Fx32>) -> $offset {
+            $offset::new(direction.map(Fx32::to_bits))
+        }
+
+        #[inline]
+        fn unit_of_bytes(bytes: [i8; 3]) -> Vec3<Fx32> {
+            bytes.map(|c| Fx32::from_bits(i32::from(c) << 23)).into()
+        }
+
+        #[inline]
+        fn unit_normal(unit: Vec3<Fx32>) -> Vec3<Self> {
+            let more = Fx32::FRACTION_BITS - Self::FRACTION_BITS;
+            unit.map(|c| Self::from_bits(((c.to_bits() + ((1 << more) >> 1)) >> more) as $bits))
+        }
+
+        #[inline]
         fn normal_unit(normal: Vec3<Self>) -> Vec3<Fx32> {
             normal.map(|c| {
                 Fx32::from_bits(i32::from(c.to_bits()) << (Fx32::FRACTION_BITS - Self::FRACTION_BITS))

@@ -232,6 +232,14 @@ pub(super) static GROUPS: LazyLock<[Group; 7]> = LazyLock::new(|| {
                 what: "The light moved to another position and aimed at a point: its axis is computed in the format.",
             },
             Entry {
+                title: "interpolated normal",
+                program: "spot-soft-lambert-normalized",
+                listed: None,
+                effects: Effects::NONE,
+                over: Some(SPOT),
+                what: "Normals of any length, scaled to length 1 in the format.",
+            },
+            Entry {
                 title: "compile",
                 program: "spot-soft-lambert-compiled",
                 listed: None,

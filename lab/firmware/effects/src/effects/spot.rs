@@ -2,7 +2,9 @@
 
 use core::hint::black_box;
 
-use luminaire::{Angle, Cone, SpotLight, attenuation::NoAttenuation, falloff::Soft, number::Arithmetic};
+use luminaire::{
+    Angle, Cone, Scalar, SpotLight, attenuation::NoAttenuation, falloff::Soft, number::Arithmetic,
+};
 
 use crate::constants::{AXIS_BACK, BEAM, BRIGHT, CUTOFF, EYE, GOBO, HOTSPOT, POSITION, QUICK, SHADOW};
 use crate::{Format, Irradiance, Listed, Surface};
@@ -10,7 +12,8 @@ use crate::{Format, Irradiance, Listed, Surface};
 list! {
     surface: spot_soft spot_soft_lambert_hotspot spot_soft_lambert_cutoff spot_soft_lambert_gobo
         spot_soft_lambert_shadow spot_soft_lambert_quick spot_soft_lambert_bright
-        spot_soft_lambert_placed spot_soft_lambert_aimed spot_soft_lambert_compiled haze;
+        spot_soft_lambert_placed spot_soft_lambert_normalized spot_soft_lambert_aimed
+        spot_soft_lambert_compiled haze;
 }
 
 /// A soft edge around a hotspot.
@@ -42,6 +45,12 @@ pub fn spot_soft_lambert_bright(Surface { point, normal, .. }: Surface) -> Irrad
 pub fn spot_soft_lambert_placed(Surface { point, normal, .. }: Surface) -> Irradiance {
     let normal = normal.map(|c| Format::default().minus(c));
     Soft::CONSTANT.placed(point, AXIS_BACK).irradiance(POSITION, normal)
+}
+
+/// The soft spotlight on a surface whose normals need not be of unit length.
+#[inline(always)]
+pub fn spot_soft_lambert_normalized(Surface { point, normal, .. }: Surface) -> Irradiance {
+    Soft::CONSTANT.irradiance(point, Format::normalize(normal))
 }
 
 /// The soft spotlight, moved to each surface point and aimed back at its old place.
