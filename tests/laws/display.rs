@@ -21,7 +21,10 @@ pub fn codes_never_fall<S: Format>(words: &[u32]) {
         assert!(low.red <= high.red && low.green <= high.green && low.blue == low.red, "{less:?} {more:?}");
         let (x, y) = (words.wide() as u32, words.wide() as u32);
         let dithered = |value: S| {
-            let pixel = Rgb565::from_linear_dithered(Rgb::new(value, value, value), x, y).to_codes();
+            let gray = Rgb::new(value, value, value);
+            let pixel = Rgb565::from_linear_dithered(gray, x, y);
+            assert_eq!(pixel, Rgb565::from_linear_dithered_fast(gray, x, y), "{value:?} at {x} {y}");
+            let pixel = pixel.to_codes();
             [encode_srgb_dithered(value, x, y), pixel.red, pixel.green]
         };
         let (low, high) = (dithered(less), dithered(more));

@@ -25,7 +25,9 @@ fn bayer(x: u32, y: u32, size: u32) -> u32 {
 
 /// The codes of a grey value at a place: of eight, six and five bits.
 fn codes<S: Scalar>(value: S, x: u32, y: u32) -> [u16; 3] {
-    let Rgb565(pixel) = Rgb565::from_linear_dithered(Rgb::new(value, value, value), x, y);
+    let gray = Rgb::new(value, value, value);
+    let Rgb565(pixel) = Rgb565::from_linear_dithered(gray, x, y);
+    assert_eq!(Rgb565::from_linear_dithered_fast(gray, x, y), Rgb565(pixel), "{value:?} at {x} {y}");
     assert_eq!(pixel >> 11, pixel & 31, "red and blue of one value");
     [encode_srgb_dithered(value, x, y).into(), pixel >> 5 & 63, pixel & 31]
 }

@@ -290,7 +290,7 @@ pub(super) static GROUPS: LazyLock<[Group; 7]> = LazyLock::new(|| {
                of a shininess of 32.",
         entries: [vec![
             Entry {
-                title: "matt",
+                title: "matte",
                 program: MATTE,
                 listed: None,
                 effects: Effects::NONE,
@@ -309,7 +309,7 @@ pub(super) static GROUPS: LazyLock<[Group; 7]> = LazyLock::new(|| {
                 listed: None,
                 effects: Effects::NONE.with(Effect::Ambient),
                 over: None,
-                what: "Light that is everywhere, as one matt material sends it back, added to that of the other lights.",
+                what: "Light that is everywhere, as one matte material sends it back, added to that of the other lights.",
             },
             Entry {
                 title: "exposure",
@@ -366,6 +366,14 @@ pub(super) static GROUPS: LazyLock<[Group; 7]> = LazyLock::new(|| {
                 effects: Effects::NONE.with(Effect::Dither),
                 over: Some("rgb565"),
                 what: "The same dither, which so few codes need more.",
+            },
+            Entry {
+                title: "RGB565, dithered fast",
+                program: "rgb565-dithered-fast",
+                listed: None,
+                effects: Effects::NONE.with(Effect::Dither),
+                over: Some("rgb565"),
+                what: "The same pixels. In fixed point the search for the codes starts from a table of 512 bytes.",
             },
         ],
     },

@@ -8,7 +8,7 @@ use crate::{Color, Format, Light, Place};
 list! {
     light: exposure clip keep_hue;
     color: srgb rgb565;
-    pixel: dither rgb565_dithered;
+    pixel: dither rgb565_dithered rgb565_dithered_fast;
 }
 
 /// Light after an exposure.
@@ -51,4 +51,10 @@ pub fn rgb565(color: Color) -> Rgb565 {
 #[inline(always)]
 pub fn rgb565_dithered((color, Place { x, y }): (Color, Place)) -> Rgb565 {
     Rgb565::from_linear_dithered(color, x, y)
+}
+
+/// The same pixel with fewer instructions and a table of 512 bytes.
+#[inline(always)]
+pub fn rgb565_dithered_fast((color, Place { x, y }): (Color, Place)) -> Rgb565 {
+    Rgb565::from_linear_dithered_fast(color, x, y)
 }

@@ -8,7 +8,7 @@ list! {
     light: ambient;
 }
 
-/// Light of other lights, plus the ambient light that a matt surface reflects.
+/// Light of other lights, plus the ambient light that a matte surface reflects.
 #[inline(always)]
 pub fn ambient(lights: Light) -> Light {
     lights.plus::<Format>(MATTE.glow(AMBIENT))
@@ -26,7 +26,7 @@ pub fn point(surface: Surface) -> Irradiance {
     POINT.irradiance(surface.point, surface.normal)
 }
 
-/// A matt surface under a directional light, in colours.
+/// A matte surface under a directional light, in colours.
 #[inline(always)]
 pub fn matte(surface: Surface) -> Light {
     MATTE.reflect(&surface, &DIRECTIONAL)
