@@ -17,11 +17,6 @@ use luminaire::{
     falloff::Soft,
 };
 
-/// The linear colours of the wall, a light tile, a dark one, the ball and the column of the program
-/// `frame`.
-const MATERIALS: [[f32; 3]; 5] =
-    [[0.5, 0.36, 0.4], [0.62, 0.55, 0.46], [0.3, 0.26, 0.23], [0.72, 0.1, 0.06], [0.66, 0.63, 0.56]];
-
 type Outcome = Result<(), Box<dyn Error>>;
 
 fn main() -> Outcome {
@@ -70,20 +65,17 @@ fn still() -> Outcome {
 /// The spotlight of the program `frame`, the ambient light that each material reflects, and the
 /// product of each material's colour and the spotlight's.
 fn frame() -> Outcome {
-    let cone = Cone::from_field(Soft, Angle::degrees(44.0))?;
-    let [x, y, z] = measures::LIGHT;
-    let axis = Vec3::new(0.125 - x, 0.375 - y, -0.375 - z);
-    let key = SpotLight::new(Vec3::new(x, y, z), axis, cone)?.with_intensity(24.0)?;
-    let color = Rgb::new(1.0, 0.8, 0.55);
-    let ambient = AmbientLight::new(Rgb::new(0.03, 0.04, 0.075))?.compile::<Fx16>();
-    let mut glow = MATERIALS.map(|_| Rgb::default());
-    let mut tint = MATERIALS.map(|_| Rgb::default());
-    for (index, [red, green, blue]) in MATERIALS.into_iter().enumerate() {
-        let diffuse = Rgb::new(red, green, blue);
+    let cone = Cone::from_field(Soft, Angle::degrees(measures::FIELD))?;
+    let key = SpotLight::new(measures::LIGHT, measures::AXIS, cone)?.with_intensity(measures::INTENSITY)?;
+    let color = Rgb::from(measures::COLOR);
+    let ambient = AmbientLight::new(measures::AMBIENT.into())?.compile::<Fx16>();
+    let mut glow = measures::MATERIALS.map(|_| Rgb::default());
+    let mut tint = measures::MATERIALS.map(|_| Rgb::default());
+    for (index, diffuse) in measures::MATERIALS.map(Rgb::from).into_iter().enumerate() {
         glow[index] = Material::new(diffuse)?.compile::<Fx16>().glow(ambient);
         tint[index] = color.zip(diffuse, |a, b| Fx16::from_f32(a * b));
     }
-    write("frame_key.rs", &key.compile::<Fx16>()?)?;
+    write("frame_key.rs", &key.compile_quick::<Fx16>()?)?;
     write("frame_glow.rs", &glow)?;
     write("frame_tint.rs", &tint)
 }

@@ -106,7 +106,7 @@ fn boards(suite: &mut Suite, full: bool) {
     let boards = boards::tested(full);
     bare_metal(suite, full);
     boards::steps::run(suite, &boards);
-    frame::steps::run(suite, &boards);
+    frame::steps::run(suite, &boards, full);
     size::steps::run(suite, &boards, full);
     effects::steps::run(suite, full);
     if full {

@@ -11,6 +11,7 @@ use anyhow::{Result, bail, ensure};
 
 use self::list::{Counts, StageList};
 use self::output::Output;
+use crate::boards::Rp2040;
 use crate::boards::board::{self, Board};
 use crate::boards::laboratory::{self, Laboratory};
 use crate::boards::symbols::Symbols;
@@ -36,7 +37,7 @@ const PROGRAM: &str = "frame";
 pub fn run(options: &FrameOptions) -> Result<()> {
     let progress = Progress::Live;
     let boards = if options.boards.is_empty() { board::ALL.iter().collect() } else { options.boards.clone() };
-    let mut list = drawn(&boards, &progress)?;
+    let mut list = drawn(&boards, true, &progress)?;
     print!("{}", part::table(&list));
     if options.bless {
         list.take_missing(record::load()?);
@@ -47,12 +48,14 @@ pub fn run(options: &FrameOptions) -> Result<()> {
     Ok(())
 }
 
-/// Draws on the host, whose results are right by definition, and on boards.
-fn drawn(boards: &[&'static Board], progress: &Progress) -> Result<StageList> {
+/// Draws on the host, whose results are right by definition, and on boards. Counts the cycles of
+/// the Cortex-M0 if `clocked`.
+fn drawn(boards: &[&'static Board], clocked: bool, progress: &Progress) -> Result<StageList> {
     let host = Output::parse(&laboratory::on_the_host(PROGRAM, progress)?)?;
     let counts = boards.iter().map(|board| {
         let laboratory = Laboratory::with_program(PROGRAM, board, progress)?;
-        Ok((board.name.to_owned(), draw(&laboratory, &host)?))
+        let clock = if clocked { Rp2040::for_board(board, progress)? } else { None };
+        Ok((board.name.to_owned(), draw(&laboratory, &host, clock.as_ref())?))
     });
     let boards = counts.collect::<Result<_>>()?;
     Ok(StageList { boards, ..StageList::new(host) })
@@ -60,7 +63,7 @@ fn drawn(boards: &[&'static Board], progress: &Progress) -> Result<StageList> {
 
 /// Draws on a board. The picture must be the host's, and the program may not contain soft-float
 /// functions.
-fn draw(laboratory: &Laboratory, host: &Output) -> Result<Counts> {
+fn draw(laboratory: &Laboratory, host: &Output, clock: Option<&Rp2040>) -> Result<Counts> {
     let run =
         laboratory.run_with(PROGRAM, |lines| Output::parse(lines).map_or(0, |output| output.regions()))?;
     let output = Output::parse(&run.lines)?;
@@ -75,6 +78,11 @@ fn draw(laboratory: &Laboratory, host: &Output) -> Result<Counts> {
     let mut counts = Counts::new(&symbols.compiler, program.bytes);
     for (stage, region) in output.stages.iter().cycle().zip(&run.regions) {
         counts.add(stage, region.instructions());
+    }
+    if let Some(clock) = clock {
+        for (stage, cycles) in output.stages.iter().cycle().zip(clock.cycles(&file, &run)?) {
+            *counts.cycles.entry(stage.clone()).or_default() += cycles;
+        }
     }
     Ok(counts)
 }

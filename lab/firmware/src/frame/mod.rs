@@ -8,6 +8,7 @@
 mod ball;
 mod camera;
 mod column;
+#[cfg_attr(not(test), allow(dead_code, reason = "the build script compiles the light and the materials"))]
 mod measures;
 mod paint;
 mod quadratic;
@@ -19,10 +20,10 @@ mod tests;
 
 use core::fmt;
 
-use luminaire::number::Light16;
+use luminaire::{display::Rgb565, number::Light16};
 
 use crate::board::{begin, end, println};
-use paint::Color;
+use paint::{Ambient, Color};
 use scene::Site;
 use tally::Tally;
 
@@ -38,7 +39,7 @@ struct Row {
     sites: [Site; WIDTH],
     lights: [Light16; WIDTH],
     colors: [Color; WIDTH],
-    pixels: [u16; WIDTH],
+    pixels: [Rgb565; WIDTH],
 }
 
 /// Draws the picture and prints it. The first line states its size and the stages. Then come the
@@ -46,15 +47,11 @@ struct Row {
 /// reaches, and why it does not reach the others.
 pub fn frame() {
     println!("{WIDTH} {HEIGHT} {STAGES}");
-    let mut row = Row {
-        sites: [Site::default(); WIDTH],
-        lights: [Light16::ZERO; WIDTH],
-        colors: [Color::default(); WIDTH],
-        pixels: [0; WIDTH],
-    };
+    let mut row = Row::new();
+    let ambient = Ambient::new();
     let mut tally = Tally::default();
     for number in 0..HEIGHT {
-        row.draw(number);
+        row.draw(number, &ambient);
         tally.add(&row.sites);
         println!("{}", Digits(&row.pixels));
     }
@@ -62,15 +59,23 @@ pub fn frame() {
 }
 
 impl Row {
-    fn draw(&mut self, number: usize) {
+    fn new() -> Self {
+        Self {
+            sites: [Site::default(); WIDTH],
+            lights: [Light16::ZERO; WIDTH],
+            colors: [Color::default(); WIDTH],
+            pixels: [Rgb565::default(); WIDTH],
+        }
+    }
+
+    fn draw(&mut self, number: usize, ambient: &Ambient) {
         count(|| scene::look(number, &mut self.sites));
-        // The ambient light, to which the spotlight's is added. A picture without the spotlight
-        // goes from here directly to the display stage.
-        count(|| paint::glow(&self.sites, &mut self.colors));
+        // A picture without the spotlight ends here.
+        count(|| ambient.paint(&self.sites, number, &mut self.pixels));
         count(|| paint::light(&self.sites, &mut self.lights));
         count(|| shadow::cast(&self.sites, &mut self.lights));
         count(|| paint::color(&self.sites, &self.lights, &mut self.colors));
-        count(|| paint::display(&self.colors, number, &mut self.pixels));
+        count(|| paint::display(&self.lights, &self.colors, number, &mut self.pixels));
     }
 }
 
@@ -83,14 +88,14 @@ fn count(stage: impl FnOnce()) {
 }
 
 /// Displays pixels as four hexadecimal digits each.
-struct Digits<'a>(&'a [u16; WIDTH]);
+struct Digits<'a>(&'a [Rgb565; WIDTH]);
 
 impl fmt::Display for Digits<'_> {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         let mut digits = [b'0'; 4 * WIDTH];
         for (four, pixel) in digits.chunks_exact_mut(4).zip(self.0) {
             for (digit, shift) in four.iter_mut().zip([12, 8, 4, 0]) {
-                *digit = b"0123456789abcdef"[usize::from(pixel >> shift & 15)];
+                *digit = b"0123456789abcdef"[usize::from(pixel.0 >> shift & 15)];
             }
         }
         out.write_str(str::from_utf8(&digits).unwrap_or_default())

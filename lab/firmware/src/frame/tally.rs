@@ -4,7 +4,7 @@ use core::fmt;
 
 use luminaire::{
     Fx16, Scalar, Vec3,
-    number::{Arithmetic, Offset},
+    number::{Arithmetic, Light16, Offset},
 };
 
 use super::camera::steps;
@@ -32,7 +32,7 @@ impl Tally {
             let facing = Fx16::offset(light, site.point).facing(site.normal);
             let group = if <Fx16 as Arithmetic>::Offset::faces_away(facing) {
                 &mut self.facing_away
-            } else if KEY.falloff(site.point) == Fx16::ZERO {
+            } else if KEY.irradiance(site.point, site.normal) == Light16::ZERO {
                 &mut self.outside
             } else if is_in_shadow(site) {
                 &mut self.in_shadow

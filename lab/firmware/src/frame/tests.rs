@@ -1,13 +1,18 @@
-//! What the pixels see and what is in shadow, against f64.
+//! What the pixels see, what is in shadow, and the colour of the pixels, against f64.
 
-use luminaire::Vec3;
-use luminaire::number::Length;
-use luminaire_kernels::oracle::DVec3;
+use luminaire::falloff::Soft;
+use luminaire::number::{Length, Light16};
+use luminaire::{Angle, Cone, Vec3};
+use luminaire_kernels::oracle::{self, DVec3, SpotLight};
 
-use super::measures::{BALL, BALL_RADIUS, COLUMN, COLUMN_HEIGHT, COLUMN_RADIUS, EYE, LIGHT, WALL};
+use super::measures::{
+    AMBIENT, AXIS, BALL, BALL_RADIUS, COLOR, COLUMN, COLUMN_HEIGHT, COLUMN_RADIUS, EYE, FIELD, INTENSITY,
+    LIGHT, MATERIALS, WALL,
+};
+use super::paint::{Ambient, GLOW};
 use super::scene::{Material, Site, look};
 use super::shadow::is_in_shadow;
-use super::{HEIGHT, WIDTH};
+use super::{HEIGHT, Row, WIDTH};
 
 fn wide(metres: [f32; 3]) -> DVec3 {
     metres.map(f64::from).into()
@@ -132,4 +137,53 @@ fn entry_below_top(start: DVec3, way: DVec3) -> Option<f64> {
     let middle = wide([COLUMN[0], 0.0, COLUMN[1]]);
     let side = entry(start, way, middle, COLUMN_RADIUS.into(), DVec3::new(1.0, 0.0, 1.0))?;
     ((start + side * way).y < f64::from(COLUMN_HEIGHT)).then_some(side)
+}
+
+/// Linear light in steps of the three channels of RGB565, without rounding.
+fn steps(linear: DVec3) -> [f64; 3] {
+    let step = |linear: f64, last: f64| oracle::srgb_code(linear.min(1.0)) / 255.0 * last;
+    [step(linear.x, 31.0), step(linear.y, 63.0), step(linear.z, 31.0)]
+}
+
+/// The exact colour of what a pixel sees, in steps of the three channels of RGB565.
+fn exact_steps(light: &SpotLight, column: usize, row: usize) -> [f64; 3] {
+    let (material, depth, normal) = exact(column, row);
+    let point = wide(EYE) + depth * sight(column, row);
+    let (way, before_light) = (wide(LIGHT) - point, |after: f64| after < 1.0);
+    let in_shadow = (material != Material::Ball && into_ball(point, way).is_some_and(before_light))
+        || (material != Material::Column && entry_below_top(point, way).is_some_and(before_light));
+    let irradiance = if in_shadow { 0.0 } else { light.irradiance(point, normal) };
+    let tile = (2.0 * point).floor();
+    let material = match material {
+        Material::LightTile if (tile.x + tile.z) % 2.0 != 0.0 => Material::DarkTile,
+        other => other,
+    };
+    let reflected = (wide(AMBIENT) + irradiance * wide(COLOR)) * wide(MATERIALS[material as usize]);
+    steps(reflected)
+}
+
+/// The error before the dither, in steps of RGB565. Pixels at the outlines of shadows and tiles,
+/// which see something else than in f64, are counted.
+#[test]
+fn light_keeps_its_stated_error() {
+    let cone = Cone::from_field(Soft, Angle::degrees(FIELD)).expect("the cone of the scene");
+    let cone = oracle::Cone::new(oracle::soft, cone.outer_versine().into());
+    let light = SpotLight { intensity: INTENSITY.into(), ..SpotLight::new(wide(LIGHT), wide(AXIS), cone) };
+    let (ambient, mut buffers) = (Ambient::new(), Row::new());
+    let (mut largest, mut outline) = (0.0_f64, 0);
+    for row in 0..HEIGHT {
+        buffers.draw(row, &ambient);
+        for column in 0..WIDTH {
+            let is_lit = buffers.lights[column] != Light16::ZERO;
+            let color =
+                if is_lit { buffers.colors[column] } else { GLOW[buffers.sites[column].material as usize] };
+            let color = [color.red, color.green, color.blue].map(|channel| channel.to_f64());
+            let differences = steps(color.into()).into_iter().zip(exact_steps(&light, column, row));
+            let error = differences.map(|(found, exact)| (found - exact).abs()).fold(0.0, f64::max);
+            if error > 1.0 { outline += 1 } else { largest = largest.max(error) }
+        }
+    }
+    println!("{largest:.3} steps of RGB565, {outline} pixels at outlines");
+    assert!((0.03..=0.05).contains(&largest), "{largest} steps");
+    assert!((1..=60).contains(&outline), "{outline} pixels");
 }

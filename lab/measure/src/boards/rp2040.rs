@@ -61,11 +61,11 @@ impl Rp2040 {
         let text = fs::read_to_string(&counts).context("rp2040js has counted nothing")?;
         let regions = parse(&text)?;
         ensure!(regions.len() == qemu.regions.len(), "{} regions in rp2040js", regions.len());
-        for ((line, region), [instructions, _]) in qemu.lines.iter().zip(&qemu.regions).zip(&regions) {
+        for (number, (region, [instructions, _])) in qemu.regions.iter().zip(&regions).enumerate() {
             let counted = region.instructions();
             ensure!(
                 counted == *instructions,
-                "{line}: {instructions} instructions in rp2040js, {counted} in QEMU"
+                "region {number}: {instructions} instructions in rp2040js, {counted} in QEMU"
             );
         }
         Ok(regions.into_iter().map(|[_, cycles]| cycles).collect())

@@ -37,6 +37,9 @@ pub(super) struct Counts {
     pub(super) kibibytes: u64,
     /// Instructions for all pixels, by stage.
     pub(super) instructions: BTreeMap<String, u64>,
+    /// Cycles for all pixels on the core of an RP2040 without wait states, by stage.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub(super) cycles: BTreeMap<String, u64>,
 }
 
 impl Counts {
@@ -96,6 +99,13 @@ impl Record for StageList {
                 group.add(format!("{stage}, instructions"), Figure::Instructions(instructions as f64));
             }
             group.add("KiB of flash", Figure::Bytes(counts.kibibytes));
+            let mut cycles = Group::of(&counts.compiler);
+            for (stage, &counted) in &counts.cycles {
+                cycles.add(format!("{stage}, cycles"), Figure::Instructions(counted as f64));
+            }
+            if !cycles.is_empty() {
+                figures.insert(format!("{board} by rp2040js"), cycles);
+            }
             figures.insert(board.clone(), group);
         }
         figures

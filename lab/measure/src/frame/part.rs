@@ -1,6 +1,8 @@
 //! The table of the picture, as the command prints it and as `lab/firmware/README.md` has it.
 
-use super::list::{Counts, StageList};
+use std::collections::BTreeMap;
+
+use super::list::StageList;
 use crate::boards::board;
 
 /// The lines of the README between which the table stands.
@@ -10,44 +12,53 @@ pub(super) const LINES: [&str; 2] =
 /// The names of the stages, and their titles in the README.
 const TITLES: [(&str, &str); 6] = [
     ("geometry", "geometry: what the pixel sees, point and normal"),
-    ("ambient", "ambient light alone"),
+    ("ambient", "pixels of ambient light alone, from a table"),
     ("light", "light: falloff, Lambert's cosine, inverse square"),
     ("shadow", "shadow: is the ball or the column in the way"),
-    ("colour", "colour: ambient light and the spotlight's, as the material sends it back"),
-    ("display", "display: clipped, dithered, packed"),
+    (
+        "colour",
+        "colour: ambient light and the spotlight's, as the material sends it back, where the light arrives",
+    ),
+    ("display", "display: clipped, dithered, packed, where the light arrives"),
 ];
 /// The stages of the whole picture, and of the picture without the light.
-const WITH: [&str; 5] = ["geometry", "light", "shadow", "colour", "display"];
-const WITHOUT: [&str; 3] = ["geometry", "ambient", "display"];
+const WITH: [&str; 6] = ["geometry", "ambient", "light", "shadow", "colour", "display"];
+const WITHOUT: [&str; 2] = ["geometry", "ambient"];
 
 /// The part of the README.
 pub(super) fn write(list: &StageList) -> String {
     format!("\n{}\nOf {} pixels: {}.\n\n", table(list), list.pixels, list.light)
 }
 
-/// A row for each stage, a column for each board.
+/// A column of the table: the head, the figures of the stages, and the size of the program.
+type Column<'a> = (String, &'a BTreeMap<String, u64>, String);
+
+/// A row for each stage, a column for each board, and one for cycles.
 pub(super) fn table(list: &StageList) -> String {
-    let boards: Vec<_> = board::ALL
-        .iter()
-        .filter_map(|board| list.boards.get(board.name).map(|counts| (board.title, counts)))
-        .collect();
-    let row = |title: &str, cell: &dyn Fn(&Counts) -> String| {
-        let cells: String = boards.iter().map(|(_, counts)| format!(" {} |", cell(counts))).collect();
+    let mut columns: Vec<Column<'_>> = Vec::new();
+    for board in &board::ALL {
+        let Some(counts) = list.boards.get(board.name) else { continue };
+        columns.push((board.title.to_owned(), &counts.instructions, counts.kibibytes.to_string()));
+        if !counts.cycles.is_empty() {
+            columns.push(("cycles of an RP2040".to_owned(), &counts.cycles, String::new()));
+        }
+    }
+    let row = |title: &str, cell: &dyn Fn(&Column<'_>) -> String| {
+        let cells: String = columns.iter().map(|column| format!(" {} |", cell(column))).collect();
         format!("| {title} |{cells}\n")
     };
-    let each = |counts: &Counts, stages: &[&str]| {
-        let sum: u64 = stages.iter().filter_map(|stage| counts.instructions.get(*stage)).sum();
+    let each = |(_, figures, _): &Column<'_>, stages: &[&str]| {
+        let sum: u64 = stages.iter().filter_map(|stage| figures.get(*stage)).sum();
         sum as f64 / list.pixels as f64
     };
-    let heads: String = boards.iter().map(|(title, _)| format!(" {title} |")).collect();
-    let mut text =
-        format!("| instructions a pixel, on average |{heads}\n|---|{}\n", "---|".repeat(boards.len()));
+    let mut text = row("instructions a pixel, on average", &|(head, _, _)| head.clone());
+    text += &format!("|---|{}\n", "---|".repeat(columns.len()));
     for (stage, title) in TITLES {
-        text += &row(title, &|counts| format!("{:.1}", each(counts, &[stage])));
+        text += &row(title, &|column| format!("{:.1}", each(column, &[stage])));
     }
-    text += &row("the picture without the spotlight", &|counts| format!("{:.1}", each(counts, &WITHOUT)));
-    text += &row("the picture with the spotlight", &|counts| format!("{:.1}", each(counts, &WITH)));
+    text += &row("the picture without the spotlight", &|column| format!("{:.1}", each(column, &WITHOUT)));
+    text += &row("the picture with the spotlight", &|column| format!("{:.1}", each(column, &WITH)));
     text +=
-        &row("so the spotlight", &|counts| format!("{:.1}", each(counts, &WITH) - each(counts, &WITHOUT)));
-    text + &row("KiB of flash, the whole program", &|counts| counts.kibibytes.to_string())
+        &row("so the spotlight", &|column| format!("{:.1}", each(column, &WITH) - each(column, &WITHOUT)));
+    text + &row("KiB of flash, the whole program", &|(_, _, size)| size.clone())
 }
