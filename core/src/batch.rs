@@ -98,7 +98,7 @@ fn extent<S: Scalar>(points: Vec3<&[S::Length]>, normals: Vec3<&[S]>, lights: us
     (if S::Offset::ROOTS_FIRST { count - count % BLOCK } else { 0 }, count)
 }
 
-/// Iterates over a range of three columns, in blocks.
+/// Returns the blocks of a range of indices of three columns.
 ///
 /// Every item is `Some`; the loops that use this iterator skip `None`. If this function removed
 /// `None` by a `filter_map`, the loops would take 14 % more instructions, because the compiler
@@ -117,7 +117,7 @@ fn blocks_mut<T>(column: &mut [T]) -> impl Iterator<Item = Option<&mut [T; BLOCK
     column.chunks_exact_mut(BLOCK).map(<[T]>::first_chunk_mut)
 }
 
-/// Iterates over a range of three columns, row by row.
+/// Returns the vectors at a range of indices of three columns, which hold their coordinates.
 fn rows<T: Copy>(columns: Vec3<&[T]>, range: Range<usize>) -> impl Iterator<Item = Vec3<T>> {
     let rows = columns.map(|column| column.get(range.clone()).unwrap_or_default().iter());
     rows.x.zip(rows.y).zip(rows.z).map(|((&x, &y), &z)| Vec3::new(x, y, z))

@@ -37,8 +37,9 @@
 //! with five nodes suffices. NUMERICS.md lists the errors.
 //!
 //! For an attenuation other than the inverse square, the integral runs over the length of the ray,
-//! between the same edges of the cone and up to the range of the light. If the light neither has a
-//! range nor attenuates, an endless ray in the beam is as bright as f32 allows.
+//! between the same edges of the cone and up to the range of the light. If the light has
+//! neither a range nor an attenuation, the integral over an infinite ray in the beam diverges; the
+//! result is then `f32::MAX`.
 //!
 //! [`BeamScattering`] computes in `f32`. [`BeamScattering16`] computes the same integral in 32-bit
 //! products, for lights that attenuate with the inverse square. It uses four nodes for each half of
@@ -153,7 +154,7 @@ impl ViewRay {
         Self { eye, direction: way.map(|c| c * reciprocal), length: squared * reciprocal }
     }
 
-    /// Returns the endless ray from the eye in a direction of unit length.
+    /// Returns the infinite ray from the eye in a direction of unit length.
     #[inline]
     pub fn endless(eye: Vec3<f32>, direction: Vec3<f32>) -> Self {
         Self { eye, direction, length: f32::INFINITY }

@@ -29,7 +29,7 @@
 //! # Ok::<(), luminaire::Error>(())
 //! ```
 //!
-//! The next example adds several such lights and converts the sum to a pixel, also without floats:
+//! The next example adds the light of several spotlights and converts the sum to a pixel, also without floats:
 //!
 //! ```
 //! use luminaire::{Fx16, Rgb, display::{Rgb565, clip}};
@@ -74,7 +74,7 @@
 //! # Units
 //!
 //! Light has no unit: 1 is full scale. An intensity of 1 gives an irradiance of 1 at a surface that
-//! faces the light, on the axis at distance 1. A matt surface of albedo 1 shows its whole
+//! faces the light, on the axis at distance 1. A matte surface of albedo 1 shows its whole
 //! irradiance, without the factor `1/pi` of a radiance. Lengths may have any unit, if all lengths
 //! of a scene have the same unit.
 //!
@@ -98,7 +98,7 @@
 //! | distance | 1.1e-19 to 1.8e19 | 2^-16 to 113,000, see below | 2^-16 to 85,000 | zero light: it counts as at the light, or as out of reach |
 //! | outer half angle | half of [`Cone::narrowest`] to 90° | the same | the same | refused |
 //! | hotspot | up to the steepest edge that the format can hold | the same | the same | refused, with the widest inner angle |
-//! | exponent | 1 to 1,024; real exponents more than 0 | the same | the same | refused |
+//! | exponent | 1 to 1,024; non-integer exponents more than 0 | the same | the same | refused |
 //! | intensity for half a code | 10 | 300 | 300 | see the next row |
 //! | intensity for one code | 300 | 1,000 | 1,000 | up to 1e9: the error grows with the intensity; beyond: refused |
 //!

@@ -43,7 +43,7 @@ pub struct Material<H = NoSpecular> {
 const SHINIEST: u32 = 1024;
 
 impl Material {
-    /// Creates a matt material with this diffuse and ambient reflectance and without emission.
+    /// Creates a matte material with this diffuse and ambient reflectance and without emission.
     ///
     /// # Errors
     /// A channel outside [0, 1].

@@ -52,10 +52,10 @@ macro_rules! falloffs {
             InvertedMixedPower(InvertedMixedPower) = "inverted-mixed-power", InvertedMixedPower::new([2, 3], 0.5625),
                 |t| 1.0 - squared(1.0 - t) * (1.0 - 0.5625 * t),
                 any |n| InvertedMixedPower::new([n(), n()].map(|n| (1_025.0 * n) as u32), n());
-            /// A power of a real exponent.
+            /// A power of a non-integer exponent.
             RealPower(RealPower) = "real-power", RealPower::new(2.25), |t| power(t, 2.25),
                 any |n| RealPower::new(exponent(2.0 * n() - 1.0));
-            /// An inverted power of a real exponent: the cones of Godot.
+            /// An inverted power of a non-integer exponent: the cones of Godot.
             InvertedRealPower(InvertedRealPower) = "inverted-real-power", InvertedRealPower::new(2.5), |t| 1.0 - power(1.0 - t, 2.5),
                 any |n| InvertedRealPower::new(exponent(2.0 * n() - 1.0));
             /// Samples with straight lines between them: a light that was measured.

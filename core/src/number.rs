@@ -219,7 +219,7 @@ fn mantissa_and_shift(value: f32) -> (u32, i32) {
 
 /// Clamps the shift of a gain to `[-4096, 4096]`, so that sums of shifts cannot overflow.
 ///
-/// With a shift outside this range, a product with the gain is zero or saturates anyway.
+/// With a shift outside this range, a product with the gain is zero or saturates.
 #[cfg(feature = "fixed")]
 const fn within_reach(shift: i32) -> i32 {
     if shift < -4096 {

@@ -2,8 +2,8 @@
 //!
 //! A renderer with a plan omits all effects that the scene does not require. The renderer omits
 //! only work that does not change any bit of the image: a dark light, a black highlight, a factor
-//! of 1. The plan [`RenderPlan::everything`] omits nothing and gives the same image, so that a
-//! renderer's tests can compare both images.
+//! of 1. The plan [`RenderPlan::everything`] omits nothing. Its image is the same, so the
+//! tests of a renderer can compare the two images.
 //!
 //! Lights that are constants of the program need no plan: their types state the required effects,
 //! and unused code is not linked.

@@ -26,12 +26,12 @@ pub struct SurfacePoint<S: Scalar> {
     pub point: Vec3<S::Length>,
     /// The normal, of unit length.
     pub normal: Vec3<S>,
-    /// The direction from the point to the eye, of unit length. Unused for a matt surface.
+    /// The direction from the point to the eye, of unit length. Unused for a matte surface.
     pub view: Vec3<S::Unit>,
 }
 
 impl<S: Scalar> SurfacePoint<S> {
-    /// Creates a point of a matt surface, which looks the same from every side.
+    /// Creates a point of a matte surface, which looks the same from every side.
     #[inline]
     pub fn matte(point: Vec3<S::Length>, normal: Vec3<S>) -> Self {
         Self { point, normal, view: Vec3::default() }

@@ -123,7 +123,8 @@ impl<S: Scalar> Setting<'_, S> {
         glints
     }
 
-    /// Sums up the irradiance of a block of matt surfaces, which have no highlights. Returns 0.
+    /// Computes the irradiance from all lights at each surface point of a block of matte materials.
+    /// Returns 0, the number of lights with a highlight.
     #[inline(always)]
     fn light_matte(&self, block: &Block<S>, fixtures: &[&Prepared<S>], work: &mut Workspace<S>) -> usize {
         let Workspace { views, arrivals, filter, sums, .. } = work;
@@ -139,7 +140,7 @@ impl<S: Scalar> Setting<'_, S> {
         0
     }
 
-    /// Sums up the light of a block with `kinds` shiny materials. Returns the number of lights with
+    /// Computes the light from all lights at each surface point of a block with `kinds` shiny materials. Returns the number of lights with
     /// a highlight that the eye may see.
     #[inline(always)]
     fn light_shining(
@@ -272,7 +273,7 @@ impl<S: Scalar> Setting<'_, S> {
         }
     }
 
-    /// Collects the numbers of the shiny materials in a block, each once. If the plan skips
+    /// Collects the indices of the shiny materials in a block, without duplicates. If the plan skips
     /// nothing, all materials count as shiny. Returns the count.
     #[inline(always)]
     fn shining(&self, block: &Block<S>, numbers: &mut [u32; LANES]) -> usize {

@@ -29,22 +29,22 @@ pub struct Material {
 }
 
 impl Material {
-    /// Creates a matt surface of this linear albedo.
+    /// Creates a matte surface of this linear albedo.
     ///
     /// # Errors
     /// A channel outside [0, 1].
     pub fn new(albedo: Rgb<f32>) -> Result<Self, Error> {
         check_color(Parameter::Albedo, albedo, 1.0)?;
-        Ok(Self::matt(albedo))
+        Ok(Self::matte(albedo))
     }
 
-    fn matt(albedo: Rgb<f32>) -> Self {
+    fn matte(albedo: Rgb<f32>) -> Self {
         Self { albedo, specular: Rgb::default(), shininess: Highlight::LEAST_SHININESS }
     }
 
     /// Returns the same surface without a highlight.
     pub fn without_highlight(self) -> Self {
-        Self::matt(self.albedo)
+        Self::matte(self.albedo)
     }
 
     /// Returns the share of light that the surface reflects, linear, in [0, 1].
@@ -80,9 +80,9 @@ impl Material {
         self.specular != Rgb::default()
     }
 
-    /// Creates a matt surface that shows this sRGB colour under white light of full scale.
+    /// Creates a matte surface that shows this sRGB colour under white light of full scale.
     pub fn srgb(red: u8, green: u8, blue: u8) -> Self {
-        Self::matt(Rgb::new(red, green, blue).map(decode_srgb))
+        Self::matte(Rgb::new(red, green, blue).map(decode_srgb))
     }
 }
 
@@ -90,10 +90,10 @@ fn check_color(parameter: Parameter, color: Rgb<f32>, most: f32) -> Result<(), E
     check_channels(parameter, [color.red, color.green, color.blue], 0.0, most)
 }
 
-/// The default material is black and matt.
+/// The default material is black and matte.
 impl Default for Material {
     fn default() -> Self {
-        Self::matt(Rgb::default())
+        Self::matte(Rgb::default())
     }
 }
 

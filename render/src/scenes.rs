@@ -121,7 +121,7 @@ impl Example {
     pub const fn summary(self) -> &'static str {
         match self {
             Self::BareSpot => {
-                "One spot with a soft edge on matt surfaces, and nothing else: no ambient light."
+                "One spot with a soft edge on matte surfaces, and nothing else: no ambient light."
             }
             Self::ThreePoint => {
                 "Key, fill and back light with the edges that two angles of a data sheet ask for, ambient light, and two shadows."

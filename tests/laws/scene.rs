@@ -99,6 +99,6 @@ pub fn color(words: &mut Words<'_>) -> Rgb<f32> {
 /// A material.
 pub fn material<H: SpecularLobe>(words: &mut Words<'_>, highlight: H) -> Option<Material<H>> {
     let shininess = H::LEAST_SHININESS + words.choice(1_025 - H::LEAST_SHININESS);
-    let matt = Material::new(color(words)).ok()?.with_ambient(color(words)).ok()?;
-    matt.with_emissive(color(words)).ok()?.with_highlight(highlight, color(words), shininess).ok()
+    let matte = Material::new(color(words)).ok()?.with_ambient(color(words)).ok()?;
+    matte.with_emissive(color(words)).ok()?.with_highlight(highlight, color(words), shininess).ok()
 }

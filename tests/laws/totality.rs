@@ -51,13 +51,13 @@ fn distance<S: Format>(words: &mut Words<'_>) -> Option<()> {
     let model = scene::attenuation(words)?;
 
     let point = PointLight::new(position).ok()?.with_intensity(words.number(0.0, 100.0)).ok()?;
-    let matt = Material::new(Rgb::new(1.0, 0.5, 0.25)).ok()?;
+    let matte = Material::new(Rgb::new(1.0, 0.5, 0.25)).ok()?;
     let surface = words.surface::<S>(place);
     if let Ok(light) = point.with_attenuation(model).compile::<S>() {
-        assert_reflects(matt, &light, &surface);
+        assert_reflects(matte, &light, &surface);
     }
     if let Ok(light) = spot?.with_attenuation(model).compile::<S>() {
-        assert_reflects(matt, &light, &surface);
+        assert_reflects(matte, &light, &surface);
     }
     Some(())
 }

@@ -1,4 +1,4 @@
-//! Powers as edge profiles, with integer and real exponents up to the largest: the figures that
+//! Powers as edge profiles, with integer and non-integer exponents up to the largest: the figures that
 //! set-up computes and the intensities, compared with f64.
 //! `cargo test --test slow powers:: -- --nocapture --test-threads 1` prints the errors.
 
@@ -64,7 +64,7 @@ fn every_whole_exponent_keeps_its_figures() {
     }
 }
 
-/// The real exponents that are tested.
+/// The non-integer exponents that are tested.
 const EXPONENTS: [f32; 12] = [1e-3, 0.1, 0.25, 0.5, 0.75, 0.999, 1.5, 2.2, 7.5, 33.3, 268.5, 1_023.9];
 
 /// Width of the strip in which a real power with an exponent under 1 is not compared, because its

@@ -361,11 +361,11 @@ fn a_dark_light_is_dropped() -> Result<(), Error> {
 #[test]
 fn a_plan_calls_for_what_it_was_given() -> Result<(), Error> {
     let (grey, black) = (Rgb::new(0.5, 0.5, 0.5), Rgb::default());
-    let matt = Material::new(grey)?;
-    let glazed = matt.with_highlight(Phong, grey, 20)?;
-    let dull = matt.with_highlight(Phong, black, 20)?;
+    let matte = Material::new(grey)?;
+    let glazed = matte.with_highlight(Phong, grey, 20)?;
+    let dull = matte.with_highlight(Phong, black, 20)?;
     let calls = |plan: RenderPlan| plan.effects().to_string();
-    assert_eq!(calls(RenderPlan::new().with_material(&matt).with_material(&dull)), "");
+    assert_eq!(calls(RenderPlan::new().with_material(&matte).with_material(&dull)), "");
     assert_eq!(calls(RenderPlan::new().with_material(&glazed)), "specular");
     assert_eq!(calls(RenderPlan::new().with_ambient(&AmbientLight::new(grey)?)), "ambient");
     assert_eq!(calls(RenderPlan::new().with_ambient(&AmbientLight::new(black)?)), "");

@@ -44,19 +44,19 @@ fn assert_answer<S: Format, H: SpecularLobe>(
 }
 
 fn assert_all_highlights<S: Format>(light: &impl LightModel<S>, surface: &SurfacePoint<S>) {
-    let matt = Material::new(Rgb::new(0.5, 0.25, 1.0)).expect("sound");
+    let matte = Material::new(Rgb::new(0.5, 0.25, 1.0)).expect("sound");
     let gloss = Rgb::new(1.0, 0.5, 0.75);
-    assert_answer::<S, NoSpecular>(matt, light, surface);
-    assert_answer(matt.with_highlight(Phong, gloss, 7).expect("sound"), light, surface);
-    assert_answer(matt.with_highlight(BlinnPhong, gloss, 1024).expect("sound"), light, surface);
-    assert_answer(matt.with_highlight(DualConeLobe, gloss, 1).expect("sound"), light, surface);
+    assert_answer::<S, NoSpecular>(matte, light, surface);
+    assert_answer(matte.with_highlight(Phong, gloss, 7).expect("sound"), light, surface);
+    assert_answer(matte.with_highlight(BlinnPhong, gloss, 1024).expect("sound"), light, surface);
+    assert_answer(matte.with_highlight(DualConeLobe, gloss, 1).expect("sound"), light, surface);
     assert_answer(
-        matt.with_highlight(DifferenceForm::<_, 3>(Phong), gloss, 90).expect("sound"),
+        matte.with_highlight(DifferenceForm::<_, 3>(Phong), gloss, 90).expect("sound"),
         light,
         surface,
     );
     assert_answer(
-        matt.with_highlight(DifferenceForm::<_, 2>(BlinnPhong), gloss, 4).expect("sound"),
+        matte.with_highlight(DifferenceForm::<_, 2>(BlinnPhong), gloss, 4).expect("sound"),
         light,
         surface,
     );

@@ -207,14 +207,14 @@ fn an_end_point_on_the_light() {
 #[test]
 fn a_shininess_out_of_range() {
     let grey = Rgb::new(0.5, 0.5, 0.5);
-    let matt = Material::new(grey).expect("sound");
+    let matte = Material::new(grey).expect("sound");
     for (shininess, shown) in [(0, "0"), (1025, "1025")] {
         let message = format!("shininess = {shown}: expected a whole number from 1 to 1024");
-        assert_refused(matt.with_highlight(BlinnPhong, grey, shininess), Parameter::Shininess, &message);
+        assert_refused(matte.with_highlight(BlinnPhong, grey, shininess), Parameter::Shininess, &message);
     }
     let message = "shininess = 7: expected a whole number from 8 to 1024";
     assert_refused(
-        matt.with_highlight(DifferenceForm::<_, 3>(Phong), grey, 7),
+        matte.with_highlight(DifferenceForm::<_, 3>(Phong), grey, 7),
         Parameter::Shininess,
         message,
     );
@@ -226,16 +226,16 @@ fn what_lights_and_materials_share() {
     let wrong = Rgb::new(0.5, 0.5, 1.5);
     let grey = Rgb::new(0.5, 0.5, 0.5);
     let (sun, bulb) = (DirectionalLight::new(DOWN).expect("sound"), PointLight::new(ORIGIN).expect("sound"));
-    let matt = Material::new(grey).expect("sound");
+    let matte = Material::new(grey).expect("sound");
     let colors = [
         sun.with_color(wrong).err(),
         bulb.with_color(wrong).err(),
         spot().with_specular_color(wrong).err(),
         AmbientLight::new(wrong).err(),
         Material::new(wrong).err(),
-        matt.with_ambient(wrong).err(),
-        matt.with_emissive(wrong).err(),
-        matt.with_highlight(Phong, wrong, 8).err(),
+        matte.with_ambient(wrong).err(),
+        matte.with_emissive(wrong).err(),
+        matte.with_highlight(Phong, wrong, 8).err(),
     ];
     let message = "color = 1.5: expected a finite number from 0 to 1";
     assert!(colors.iter().all(|error| error.is_some_and(|error| error.to_string() == message)), "{colors:?}");

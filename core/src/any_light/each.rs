@@ -26,7 +26,7 @@ pub struct SurfacePoints<'a, S: Scalar, const N: usize> {
     pub point: Vec3<&'a [S::Length; N]>,
     /// The normals, of unit length.
     pub normal: Vec3<&'a [S; N]>,
-    /// The directions from the points to the eye, of unit length. Unused for matt surfaces.
+    /// The directions from the points to the eye, of unit length. Unused for matte surfaces.
     pub view: Vec3<&'a [S::Unit; N]>,
 }
 

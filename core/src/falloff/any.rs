@@ -87,7 +87,7 @@ pub(crate) use with_profile;
 falloffs!(any_falloff);
 
 impl AnyFalloff {
-    /// Returns `t^n` as the cheapest falloff, for `n` in [0, 1024]. `n = 0` gives a step.
+    /// Returns the cheapest falloff whose intensity is `t^n`, for `n` in [0, 1024]. `n = 0` gives a step.
     pub(crate) fn power(exponent: u32) -> Self {
         match exponent {
             0 => Self::Step(Step),

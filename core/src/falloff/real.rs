@@ -1,4 +1,4 @@
-//! Powers with a real exponent.
+//! Powers with a non-integer exponent.
 
 use super::{
     Curve, Falloff, Formula,
@@ -13,7 +13,7 @@ use crate::{
     trig,
 };
 
-/// The power `t^p` with a real exponent `p` in (0, 1024].
+/// The power `t^p` with a non-integer exponent `p` in (0, 1024].
 ///
 /// The power is evaluated in integers, by a logarithm and an exponential from tables. For integer
 /// exponents [`IntegerPower`](super::IntegerPower) costs less.
@@ -25,7 +25,7 @@ pub struct RealPower {
     exponent: f32,
 }
 
-/// The inverted power `1 - u^p` with a real exponent `p` in (0, 1024], the mirror image of
+/// The inverted power `1 - u^p` with a non-integer exponent `p` in (0, 1024], the mirror image of
 /// [`RealPower`]. For `p < 1` the inverted power has a sharp peak on the axis.
 ///
 /// [Imports](crate::import::Godot) add a floor of `u`: `(1 - max(u, floor)^p) / (1 - floor^p)`.

@@ -14,11 +14,11 @@ use crate::{attenuation::Attenuation, falloff::Falloff, number::float::positive,
 pub struct RayBundle {
     /// The position of the eye.
     pub eye: Vec3<f32>,
-    /// The direction in the middle, of unit length.
+    /// The axis of the bundle: the direction of its central ray, of unit length.
     pub direction: Vec3<f32>,
-    /// The versine of the largest angle between a ray and the middle direction.
+    /// The versine of the largest angle between a ray and the axis.
     pub versine: f32,
-    /// The length of the longest ray; infinity if a ray is endless.
+    /// The length of the longest ray; infinity if a ray is infinite.
     pub length: f32,
 }
 

@@ -20,7 +20,7 @@ use crate::{
 /// ```
 ///
 /// At a distance d the intensity is divided by `attenuation0 + attenuation1 d + attenuation2 d^2`;
-/// beyond the range the light is 0. The import is exact. A falloff of 0, and `theta = phi`, give a
+/// beyond the range the light is 0. The import is exact. With a falloff of 0, or with `theta = phi`, the light is a
 /// step.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Direct3d {

@@ -118,7 +118,7 @@ pub trait Arithmetic: Copy + Default + PartialOrd + core::fmt::Debug + Share<Sel
     /// `t` is exactly 0 from the ramp's limit on, and otherwise exactly 1 up to the inner versine.
     /// Between the two versines `t` is monotone.
     fn rise(ramp: Self::Ramp, versine: Self::Versine) -> Rise<Self>;
-    /// Returns the distance from a light below which points need the fine evaluation.
+    /// Returns the distance from a light within which points need the fine evaluation.
     ///
     /// The result is encoded for [`FullOffset::is_near`]. The light at a point is a share (falloff
     /// times cosine) times a gain. The gain magnifies the error of the share. Below the returned

@@ -45,7 +45,7 @@ impl Fine {
         Self(capped.min(Self::ONE.0))
     }
 
-    /// Converts a sample with 15 fraction bits, where 65,535 means 1, to a fraction.
+    /// Converts a table sample, shifted left by 15 bits, to a fraction. The sample 65,535 means 1.
     ///
     /// The conversion multiplies by the first two terms of `2^16 / (2^16 - 1) = 1 + 2^-16 + ..`
     #[inline]

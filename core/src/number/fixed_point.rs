@@ -101,7 +101,7 @@ numbers! {
     Fx16(I2F14, i16);
     /// A number of the 32-bit format, from -2 to 2 in steps of 2^-30.
     ///
-    /// The type is used for intensities, normals and colours, and in both fixed-point formats for
+    /// The format uses this type for intensities, normals and colours. Both fixed-point formats use it for
     /// the components of directions. No product of the format is wider than 64 bits.
     Fx32(I2F30, i32);
     /// A component of a position in both fixed-point formats, from -32,768 to 32,768 units in steps

@@ -29,7 +29,7 @@ pub trait Fraction<S: Arithmetic>: Copy + PartialOrd + core::fmt::Debug {
     fn fine_product(self, other: Self) -> Self;
     /// Returns the product of two fractions, rounded once to a value.
     fn product(self, other: Self) -> Self::Value;
-    /// Returns `t^p` for a real exponent `p` as a fraction: exactly 0 at `t = 0` and exactly 1 at
+    /// Returns `t^p` for a non-integer exponent `p` as a fraction: exactly 0 at `t = 0` and exactly 1 at
     /// `t = 1`.
     ///
     /// The error before the format's own rounding is at most `2e-9 + 6.5e-10 p`. The function takes

@@ -26,7 +26,7 @@ macro_rules! gain {
 
             /// Restores a gain from a mantissa and a shift.
             ///
-            /// A mantissa with too few bits is normalised. Of a mantissa with too many bits, only
+            /// A mantissa with too few bits is normalised. If a mantissa has too many bits, only
             /// the lower bits are used.
             pub const fn from_bits([mantissa, shift]: [i32; 2]) -> Self {
                 const LONGER: u32 = u32::BITS - $bits;

@@ -7,7 +7,7 @@
 /// last knot, at the edge. [`Table::from_angles`](crate::falloff::Table::from_angles) makes knots.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct Knot {
-    /// The `u` at which the line starts, in units of 1/65,536.
+    /// The argument `u` at which this line segment of the curve starts, in units of 1/65,536.
     pub(super) place: u16,
     /// The intensity at the start of the line; 65,535 is full intensity.
     pub(super) value: u16,
@@ -45,7 +45,7 @@ impl Knot {
         (self.place, self.value, self.slope)
     }
 
-    /// Returns the `u` at which the line starts, in units of 1/65,536.
+    /// Returns the argument `u` at which this line segment of the curve starts, in units of 1/65,536.
     pub(crate) fn place(self) -> u32 {
         self.place.into()
     }

@@ -3,7 +3,7 @@
 //! The results are bit-identical in every format. The logarithm and the exponential each use a
 //! table of 64 segments and a series of three terms about the middle of a segment.
 
-/// A real exponent `p >= 0` and a floor `f` of the base `x`, for the power
+/// An exponent `p >= 0`, not necessarily an integer, and a floor `f` of the base `x`, for the power
 /// `(x^p - f^p) / (1 - f^p)`.
 ///
 /// The power is 0 for `x <= f`. With a floor of 0 the power is `x^p`.

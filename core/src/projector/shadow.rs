@@ -49,7 +49,7 @@ const MOST: usize = 4_096;
 /// represents the product exactly.
 const SHARE_BITS: u32 = 7;
 
-/// The sum of the two weights of a row or column.
+/// In the interpolation between four texels: the sum of the two weights along one axis.
 const WHOLE: u32 = 1 << SHARE_BITS;
 
 /// Position along a row or a column, between two texel centres.

@@ -40,7 +40,7 @@ impl<S: Scalar> CompiledDirectionalLight<S> {
 
     /// Creates a light from its fields, as [`codegen`](crate::codegen) writes them.
     ///
-    /// The colours are the diffuse and the specular colour.
+    /// The two colours are first the diffuse and then the specular colour.
     pub const fn from_parts(
         direction: Vec3<S::Unit>,
         intensity: S::Gain,

@@ -57,7 +57,7 @@ pub(super) trait Placed<S: Scalar, A: Attenuation> {
 
     /// Evaluates a point near a bright light, or in a steep cone, with the fine evaluation.
     ///
-    /// The coarse result is kept where the light is clipped to full scale anyway. The function is
+    /// Where the light is clipped to full scale in any case, the result of the coarse evaluation is returned. The function is
     /// separate and cold, so that the common path stays in registers.
     #[cold]
     #[inline(never)]

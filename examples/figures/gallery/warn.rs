@@ -3,7 +3,7 @@
 use luminaire::{Angle, HalfAngle, Vec3};
 use support::format::Format;
 
-/// The cosine of the angle off axis, raised to a real exponent (Warn 1983; Hast 2004, equation 1),
+/// The cosine of the angle off axis, raised to a non-integer exponent (Warn 1983; Hast 2004, equation 1),
 /// in f64.
 ///
 /// Power, logarithm and cosine come from `libm`, whose results are the same on every machine.

@@ -32,7 +32,7 @@ pub enum Population {
     Outside,
 }
 
-/// The surface points about a cone, one after the other: an endless sequence.
+/// The surface points about a cone, one after the other: an infinite sequence.
 #[derive(Clone, Debug)]
 pub struct Sites {
     random: Random,

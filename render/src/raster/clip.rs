@@ -28,7 +28,7 @@ impl Sighting {
         Self { seen, beyond, corner: if beyond == 0 { view.project(&seen) } else { Corner::default() } }
     }
 
-    /// The vertex in camera space, inside the frustum or not.
+    /// The vertex in camera space. The vertex may be outside the frustum.
     pub(crate) fn seen(&self) -> &Seen {
         &self.seen
     }

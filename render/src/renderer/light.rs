@@ -40,8 +40,8 @@ impl<S: Format> Renderer<S> {
         Ok(true)
     }
 
-    /// Makes room for the bits of `lights` lights. Clears the bits if the whole picture must be
-    /// lit.
+    /// Resizes the sets of lights that reach each region and each tile to this number of lights. If
+    /// a size has changed, all sets are cleared and the whole picture is lit again.
     fn make_room(&mut self, lights: usize) {
         let (regions, tiles) = (self.tiles.regions.len(), self.tiles.tiles.len());
         for (reached, places) in

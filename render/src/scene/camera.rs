@@ -11,7 +11,7 @@ const FIELD_OF_VIEW: (f32, f32) = (0.05, 2.5);
 /// Largest pitch in radians, with the camera looking down from above: a little below the zenith,
 /// where yaw is undefined.
 const STEEPEST: f32 = 1.5;
-/// Least height of the eye above the floor at y = 0, in metres.
+/// Minimum height of the eye above the floor at y = 0, in metres.
 const EYE_HEIGHT: f32 = 0.05;
 
 /// A camera that orbits a target, in a right-handed world whose y axis points up.

@@ -70,7 +70,8 @@ fn aimed(position: Vec3<f32>, target: Vec3<f32>, cone: Cone) -> Result<SpotLight
     SpotLight::new(position, target.zip(position, |t, p| t - p), cone)
 }
 
-/// Creates the cyclorama, the deck under the boards, and the curtains.
+/// Creates the back wall of the stage (the cyclorama), the ground under the floorboards, and the
+/// curtains.
 fn house() -> [(Mesh, Material); 4] {
     let (width, depth) = DECK;
     let cyclorama =

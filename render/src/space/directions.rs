@@ -51,7 +51,7 @@ impl Directions {
         Self { center, radius: self.radius + turned }
     }
 
-    /// Returns an upper bound of `dot(d, vector)` over all directions `d` in the sphere.
+    /// Returns an upper bound of `dot(d, vector)` over all directions `d` within this bounding sphere.
     ///
     /// The bound is `dot(center, vector) + radius * |vector|_1`. The bound is not tight, because
     /// the 1-norm of `vector` is larger than its length.

@@ -129,7 +129,7 @@ fn of_format<S: SourceScalar>(visit: &mut impl Visit) -> Result<(), Error> {
         visit.value(format!("{} {PANES:?} on {square:?}", S::NAME), PANES.on(square.compile::<S>()?));
     }
     let paper = Material::new(Rgb::new(0.9, 0.9, 0.85))?.with_emissive(AMBER)?;
-    visit.value(format!("{} matt material", S::NAME), paper.compile::<S>());
+    visit.value(format!("{} matte material", S::NAME), paper.compile::<S>());
     for intensity in INTENSITIES {
         let name = |kind| format!("{} {kind} of {intensity}", S::NAME);
         visit.value(name("ambient"), AmbientLight::new(AMBER)?.with_intensity(intensity)?.compile::<S>());

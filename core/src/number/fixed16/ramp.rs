@@ -26,9 +26,9 @@ pub struct Ramp16 {
     /// The number is 1 with 31 fraction bits, plus half a step of the result, less half the
     /// truncation error of a shifted excess.
     one: u32,
-    /// The width of a fine ramp (a ramp that always has the fine evaluation); 0 for any other ramp.
+    /// The width of a ramp that is always evaluated finely; 0 for any other ramp.
     ///
-    /// The field `width` of a fine ramp is 0.
+    /// The field `width` of such a ramp is 0.
     fine: u32,
     /// Bit length of the span from inner to outer versine.
     fine_shift: u32,
@@ -71,7 +71,7 @@ impl Ramp16 {
     pub(in crate::number) fn new(inner: f32, outer: f32, limit: f32) -> Self {
         // The zoom is such that the scaled limit is at most 2, the square of the largest component
         // of a difference that `versine_between` accepts. A difference with a larger component is
-        // beyond the limit anyway.
+        // beyond the limit.
         Self::with_zoom(inner, outer, limit, zoom(if limit < outer { limit } else { outer }))
     }
 

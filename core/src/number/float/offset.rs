@@ -93,7 +93,7 @@ impl FullOffset<f32> for FloatOffset {
 /// Lengths use the kernel's square root: that of `std` if available, else that of `libm`,
 /// `micromath` or this crate.
 impl Vec3<f32> {
-    /// Returns the length: the square root of the squared length, which may underflow or overflow.
+    /// Returns the length. It is computed as the square root of the squared length, and the squared length may underflow or overflow.
     #[inline]
     pub fn length(self) -> f32 {
         f32::offset(Vec3::default(), self).ray().distance()

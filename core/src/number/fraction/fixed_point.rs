@@ -153,13 +153,13 @@ impl Fraction16 {
         Fx16::from_bits(((self.0 + 1) >> 1) as i16)
     }
 
-    /// Converts a sample with 15 fraction bits, where 65,535 means 1, to a scalar.
+    /// Converts a table sample, shifted left by 15 bits, to a scalar. The sample 65,535 means 1.
     #[inline]
     fn of_value(value: i32) -> Fx16 {
         Self::of_sixteen_bits((value + (1 << 14)) >> 15)
     }
 
-    /// Converts a sample without fraction bits, where 65,535 means 1, to a scalar.
+    /// Converts a table sample to a scalar. The sample 65,535 means 1.
     ///
     /// The sum of the sample and its top bit maps 65,535 to 65,536.
     #[inline]
@@ -189,7 +189,7 @@ impl Fraction32 {
         Fx32::from_bits(((self.0 >> 1) + (self.0 & 1)) as i32)
     }
 
-    /// Converts a sample with 31 fraction bits, where 65,535 means 1, to a scalar.
+    /// Converts a table sample, shifted left by 31 bits, to a scalar. The sample 65,535 means 1.
     ///
     /// The conversion multiplies by the first three terms of
     /// `2^16 / (2^16 - 1) = 1 + 2^-16 + 2^-32 + ...`
