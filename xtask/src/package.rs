@@ -26,6 +26,8 @@ const CRATES: [(&str, &[&str]); 2] = [
             "LICENSE-MIT",
             "examples/wall.rs",
             "examples/gltf.rs",
+            "examples/moving_light.rs",
+            "examples/embedded_graphics.rs",
         ],
     ),
     ("luminaire-render", &["README.md", "LICENSE-APACHE", "LICENSE-MIT", "examples/still.rs"]),
@@ -125,9 +127,9 @@ impl Unpacked {
             }
             tally += tally::cargo_test(test, progress)?;
         }
-        for example in ["wall", "data_sheet", "gltf"] {
+        for example in ["wall", "moving_light", "embedded_graphics", "data_sheet", "gltf"] {
             let mut run = self.cargo("run", &self.of("luminaire"));
-            run.args(["--example", example]);
+            run.args(["--all-features", "--example", example]);
             progress.run(run).with_context(|| format!("the example {example}"))?;
         }
         Ok(tally)
