@@ -1,10 +1,7 @@
-//! Places the programs in memory, and writes the lights of the programs `still` and `frame`.
+//! Places the programs in memory, and writes the lights of the programs `still` and `picked`.
 
 #[cfg(feature = "pick")]
 mod answers;
-#[path = "src/frame/measures.rs"]
-#[allow(dead_code, reason = "the shapes are the program's part")]
-mod measures;
 mod memory;
 
 use std::error::Error;
@@ -12,7 +9,7 @@ use std::path::Path;
 use std::{env, fs};
 
 use luminaire::{
-    AmbientLight, Angle, Cone, Fx16, Material, Rgb, SpotLight, Vec3,
+    Angle, Cone, Fx16, SpotLight, Vec3,
     codegen::{Source, as_source},
     falloff::Soft,
 };
@@ -22,12 +19,10 @@ type Outcome = Result<(), Box<dyn Error>>;
 fn main() -> Outcome {
     println!("cargo::rerun-if-changed=build.rs");
     println!("cargo::rerun-if-changed=memory.rs");
-    println!("cargo::rerun-if-changed=src/frame/measures.rs");
     memory::place(None)?;
     #[cfg(feature = "pick")]
     picked()?;
-    still()?;
-    frame()
+    still()
 }
 
 /// The lights of the program `picked`: calls of its macro `run`.
@@ -60,24 +55,6 @@ fn still() -> Outcome {
     let key =
         SpotLight::new(Vec3::new(-1.0, 3.0, -0.5), Vec3::new(0.3, -1.0, 0.15), cone)?.with_intensity(10.0)?;
     write("key.rs", &key.compile::<Fx16>()?)
-}
-
-/// The spotlight of the program `frame`, the ambient light that each material reflects, and the
-/// product of each material's colour and the spotlight's.
-fn frame() -> Outcome {
-    let cone = Cone::from_field(Soft, Angle::degrees(measures::FIELD))?;
-    let key = SpotLight::new(measures::LIGHT, measures::AXIS, cone)?.with_intensity(measures::INTENSITY)?;
-    let color = Rgb::from(measures::COLOR);
-    let ambient = AmbientLight::new(measures::AMBIENT.into())?.compile::<Fx16>();
-    let mut glow = measures::MATERIALS.map(|_| Rgb::default());
-    let mut tint = measures::MATERIALS.map(|_| Rgb::default());
-    for (index, diffuse) in measures::MATERIALS.map(Rgb::from).into_iter().enumerate() {
-        glow[index] = Material::new(diffuse)?.compile::<Fx16>().glow(ambient);
-        tint[index] = color.zip(diffuse, |a, b| Fx16::from_f32(a * b));
-    }
-    write("frame_key.rs", &key.compile_quick::<Fx16>()?)?;
-    write("frame_glow.rs", &glow)?;
-    write("frame_tint.rs", &tint)
 }
 
 fn write(name: &str, value: &impl Source) -> Outcome {

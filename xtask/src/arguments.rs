@@ -8,6 +8,7 @@ use luminaire_render::scenes::Example;
 
 use measure::boards::FirmwareOptions;
 use measure::conform::ConformOptions;
+use measure::device::DeviceOptions;
 use measure::effects::EffectsOptions;
 use measure::frame::FrameOptions;
 use measure::pick::PickOptions;
@@ -32,6 +33,8 @@ pub(crate) enum Request {
     Pictures,
     /// Count what the kernels cost on microcontrollers, in QEMU
     Firmware(FirmwareOptions),
+    /// Build the firmware of a board with a display: rp2040, stm32f411 or esp32c3
+    Board(DeviceOptions),
     /// Draw a picture on microcontrollers, in QEMU, and count the instructions of a pixel
     Frame(FrameOptions),
     /// Write what each effect costs: instructions a pixel and bytes of flash, on two processors

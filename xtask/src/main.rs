@@ -15,7 +15,7 @@ mod test;
 use std::process::ExitCode;
 
 use clap::Parser;
-use measure::{boards, conform, effects, frame, pick, prices, size};
+use measure::{boards, conform, device, effects, frame, pick, prices, size};
 
 use arguments::Request;
 
@@ -25,6 +25,7 @@ fn main() -> ExitCode {
         Request::Demo(options) => demo::run(&options).map(|()| ExitCode::SUCCESS),
         Request::Effects(options) => effects::run(&options).map(|()| ExitCode::SUCCESS),
         Request::Pictures => pictures::run().map(|()| ExitCode::SUCCESS),
+        Request::Board(options) => device::run(&options).map(|()| ExitCode::SUCCESS),
         Request::Firmware(options) => boards::run(&options).map(|()| ExitCode::SUCCESS),
         Request::Frame(options) => frame::run(&options).map(|()| ExitCode::SUCCESS),
         Request::Pick(options) => pick::run(&options).map(|()| ExitCode::SUCCESS),

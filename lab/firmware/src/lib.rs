@@ -5,6 +5,7 @@
 pub mod board;
 pub mod frame;
 mod measure;
+pub mod moving;
 #[cfg(feature = "pick")]
 mod picked;
 #[cfg(feature = "effects")]

@@ -3,6 +3,7 @@
 
 pub mod boards;
 pub mod conform;
+pub mod device;
 pub mod effects;
 pub mod frame;
 pub mod pick;

@@ -7,13 +7,12 @@ use anyhow::{Result, ensure};
 use serde::{Deserialize, Serialize};
 
 use crate::boards::board::{self, Board};
-use crate::boards::emulator::Emulator;
 use crate::boards::laboratory::Laboratory;
 use crate::boards::{Rp2040, cost, laboratory};
 use crate::record::{self, Figure, Group, Record};
 use tools::progress::Progress;
 use tools::suite::Suite;
-use tools::{command, project, tally::Tally};
+use tools::{command, tally::Tally};
 
 /// The options of `pick`.
 #[derive(Debug, Default, PartialEq, clap::Args)]
@@ -59,14 +58,7 @@ pub fn steps(suite: &mut Suite, boards: &[&'static Board]) {
 /// Runs the answers on a board and compares the results with the host's.
 fn answers(board: &'static Board, progress: &Progress) -> Result<()> {
     let (program, feature) = ANSWERS;
-    let host = laboratory::on_the_host_with_feature(program, feature, progress)?;
-    let emulator = Emulator::find(board, progress)?;
-    let arguments = ["--release", "--bin", program, "--features", feature];
-    let toolchain = laboratory::build(board, &arguments, progress)?;
-    let printed = emulator.run_in(project::root(), &toolchain.artifacts("release").join(program))?;
-    let lines: Vec<_> = printed.lines().collect();
-    ensure!(!host.is_empty() && lines == host, "{lines:?}, on the host {host:?}");
-    Ok(())
+    laboratory::compare_with_the_host(program, &["--features", feature], board, progress)
 }
 
 /// The prices, by board.

@@ -11,28 +11,21 @@ import fs from "node:fs";
 import path from "node:path";
 import { pathToFileURL } from "node:url";
 
+import { BEGIN, END, segments } from "./elf.mjs";
+
 const [library, firmware, counts] = process.argv.slice(2);
 const entry = path.join(library, "dist", "esm", "index.js");
 const { RP2040 } = await import(pathToFileURL(entry).href);
 
-const BEGIN = 0x46d2; // mov r10, r10
-const END = 0x46db; // mov r11, r11
 const ROM_BYTES = 256 * 1024;
-const LOADABLE = 1; // PT_LOAD
 
 const chip = new RP2040();
 const core = chip.core;
 
 /** Copies the segments of an ELF file into the ROM and returns it as 16-bit words. */
 function load(file) {
-  const elf = fs.readFileSync(file);
   chip.bootrom = new Uint32Array(ROM_BYTES / 4);
-  const rom = Buffer.from(chip.bootrom.buffer);
-  const [first, size, number] = [elf.readUInt32LE(28), elf.readUInt16LE(42), elf.readUInt16LE(44)];
-  for (let header = first; header < first + number * size; header += size) {
-    const [kind, offset, , address, bytes] = [0, 4, 8, 12, 16].map((at) => elf.readUInt32LE(header + at));
-    if (kind === LOADABLE && bytes > 0) elf.copy(rom, address, offset, offset + bytes);
-  }
+  for (const [address, bytes] of segments(file)) Buffer.from(chip.bootrom.buffer).set(bytes, address);
   [core.SP, core.PC, core.VTOR] = [chip.bootrom[0], chip.bootrom[1] & ~1, 0];
   return new Uint16Array(chip.bootrom.buffer);
 }

@@ -25,12 +25,13 @@ pub(crate) struct Rp2040 {
 }
 
 impl Rp2040 {
-    /// Finds the emulator for the firmware of a board, or installs it below `target`. `None` if the
-    /// core does not run this firmware.
+    /// Finds the emulator for the firmware of a board. `None` if the core does not run this firmware.
     pub(crate) fn for_board(board: &Board, progress: &Progress) -> Result<Option<Self>> {
-        if board.name != "cortex-m0" {
-            return Ok(None);
-        }
+        if board.name == "cortex-m0" { Self::find(progress).map(Some) } else { Ok(None) }
+    }
+
+    /// Finds the emulator, or installs it below `target`.
+    pub(crate) fn find(progress: &Progress) -> Result<Self> {
         const PROGRAMS: [&str; 2] = ["nodejs", "npm"];
         let node = || command::on_path(&["node", "nodejs"]);
         if install::debian_root() && (node().is_none() || command::on_path(&["npm"]).is_none()) {
@@ -42,7 +43,14 @@ impl Rp2040 {
             install::npm(PACKAGE, progress)?;
         }
         let library = install::npm_folder(name).context("npm has not installed the emulator")?;
-        Ok(Some(Self { node, library }))
+        Ok(Self { node, library })
+    }
+
+    /// A call of a script that takes the emulator's folder as its first argument.
+    pub(crate) fn script(&self, script: &str) -> Command {
+        let mut node = Command::new(&self.node);
+        node.arg(project::root().join(script)).arg(&self.library);
+        node
     }
 
     /// The name and the version, as in `rp2040js 1.4.1`.
@@ -54,9 +62,7 @@ impl Rp2040 {
     /// lines here, or executes other numbers of instructions.
     pub(crate) fn cycles(&self, firmware: &Path, qemu: &Run) -> Result<Vec<u64>> {
         let counts = project::target().join("rp2040.counts");
-        let mut node = Command::new(&self.node);
-        node.arg(project::root().join(SCRIPT)).arg(&self.library).arg(firmware).arg(&counts);
-        let printed = command::answer(&mut node)?;
+        let printed = command::answer(self.script(SCRIPT).arg(firmware).arg(&counts))?;
         ensure!(printed.lines().eq(&qemu.lines), "rp2040js does not print the lines that QEMU prints");
         let text = fs::read_to_string(&counts).context("rp2040js has counted nothing")?;
         let regions = parse(&text)?;

@@ -8,10 +8,13 @@ use super::quadratic::Quadratic;
 use super::shadow::{Passage, Way};
 
 /// The pixels in which the column can be visible.
-pub(super) const WINDOW: Window = Window::about(
-    [COLUMN[0], COLUMN_HEIGHT / 2.0, COLUMN[1]],
-    [COLUMN_RADIUS, COLUMN_HEIGHT / 2.0, COLUMN_RADIUS],
-);
+pub(super) const fn window<const WIDTH: usize>() -> Window {
+    Window::about::<WIDTH>(
+        [COLUMN[0], COLUMN_HEIGHT / 2.0, COLUMN[1]],
+        [COLUMN_RADIUS, COLUMN_HEIGHT / 2.0, COLUMN_RADIUS],
+    )
+}
+
 /// The offset from the eye to the column's axis: right and ahead.
 const WAY: [f32; 2] = [COLUMN[0] - EYE[0], EYE[2] - COLUMN[1]];
 /// The squared length of `WAY` minus the squared radius, in steps of 2^-20.
@@ -31,7 +34,7 @@ pub(super) enum Meeting {
 /// Where a line of sight meets the column. The eye is higher than the column, so every line reaches
 /// the top from above.
 #[inline(always)]
-pub(super) fn meet(sight: Sight) -> Option<Meeting> {
+pub(super) fn meet<const WIDTH: usize>(sight: Sight<WIDTH>) -> Option<Meeting> {
     let [right, _, ahead] = sight.squares();
     let along = (sight.right * steps(WAY[0] / 16.0)) >> 8;
     let across = Quadratic { a: right + ahead, b: along + steps(16.0 * WAY[1]), c: GAP };

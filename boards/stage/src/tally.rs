@@ -1,6 +1,6 @@
 //! Counts the pixels that the light reaches, and the others by the reason.
 
-use core::fmt;
+use core::{fmt, slice};
 
 use luminaire::{
     Fx16, Scalar, Vec3,
@@ -9,14 +9,13 @@ use luminaire::{
 
 use super::camera::steps;
 use super::measures::LIGHT;
-use super::paint::KEY;
+use super::paint::{self, Key};
 use super::scene::Site;
-use super::shadow::is_in_shadow;
 
 /// Numbers of pixels by the first condition that keeps the light from them, in the order in which
 /// the conditions are tested. `lit` counts the pixels that the light reaches.
 #[derive(Clone, Copy, Default, Debug)]
-pub(super) struct Tally {
+pub struct Tally {
     facing_away: u32,
     outside: u32,
     in_shadow: u32,
@@ -24,17 +23,17 @@ pub(super) struct Tally {
 }
 
 impl Tally {
-    /// Adds the pixels of a row.
-    pub(super) fn add(&mut self, sites: &[Site]) {
+    /// Adds the pixels of a row, with the light that arrives there.
+    pub(super) fn add(&mut self, key: &Key, sites: &[Site], lights: &[Light16]) {
         const PLACE: Vec3<i32> = Vec3::new(steps(LIGHT[0]), steps(LIGHT[1]), steps(LIGHT[2]));
-        let light = PLACE.map(<Fx16 as Scalar>::Length::from_bits);
-        for site in sites {
-            let facing = Fx16::offset(light, site.point).facing(site.normal);
+        let place = PLACE.map(<Fx16 as Scalar>::Length::from_bits);
+        for (site, light) in sites.iter().zip(lights) {
+            let facing = Fx16::offset(place, site.point).facing(site.normal);
             let group = if <Fx16 as Arithmetic>::Offset::faces_away(facing) {
                 &mut self.facing_away
-            } else if KEY.irradiance(site.point, site.normal) == Light16::ZERO {
+            } else if !is_reached(key, site) {
                 &mut self.outside
-            } else if is_in_shadow(site) {
+            } else if *light == Light16::ZERO {
                 &mut self.in_shadow
             } else {
                 &mut self.lit
@@ -42,6 +41,13 @@ impl Tally {
             *group += 1;
         }
     }
+}
+
+/// Whether the light of the spotlight arrives, if nothing is in the way.
+fn is_reached(key: &Key, site: &Site) -> bool {
+    let mut light = [Light16::ZERO];
+    paint::light(key, slice::from_ref(site), &mut light);
+    light != [Light16::ZERO]
 }
 
 impl fmt::Display for Tally {

@@ -6,11 +6,11 @@ use luminaire::number::{Length, Light16};
 use super::camera::steps;
 use super::measures::LIGHT;
 use super::scene::{Material, Site};
-use super::{WIDTH, ball, column};
+use super::{ball, column};
 
 /// Sets the light of sites in shadow to zero.
 #[inline(never)]
-pub(super) fn cast(sites: &[Site; WIDTH], lights: &mut [Light16; WIDTH]) {
+pub(super) fn cast<const WIDTH: usize>(sites: &[Site; WIDTH], lights: &mut [Light16; WIDTH]) {
     for (column, light) in lights.iter_mut().enumerate() {
         if *light != Light16::ZERO && is_in_shadow(&sites[column]) {
             *light = Light16::ZERO;

@@ -3,7 +3,6 @@
 use luminaire::{Vec3, number::Length};
 
 use super::measures::EYE;
-use super::{HEIGHT, WIDTH};
 
 /// A length in steps of 2^-16.
 pub(super) const fn steps(metres: f32) -> i32 {
@@ -12,27 +11,34 @@ pub(super) const fn steps(metres: f32) -> i32 {
 
 /// The fraction bits of a depth.
 pub(super) const DEPTH_BITS: u32 = 13;
-/// Half a pixel, as a slope in steps of 2^-16: the picture is one metre wide at a depth of one.
-const HALF_PIXEL: i32 = 205;
+
+/// Half a pixel of a picture, as a slope in steps of 2^-16: the picture is one metre wide at a depth
+/// of one.
+const fn half_pixel(width: usize) -> i32 {
+    let width = width as i32;
+    (32_768 + width / 2) / width
+}
+
 /// The row of the horizon.
-const HORIZON: i32 = 38;
+const fn horizon(width: usize) -> i32 {
+    38 * width as i32 / 160
+}
 
 /// A line of sight: how far it goes to the right and up for each metre into the depth, in steps of
 /// 2^-16.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Sight {
+pub(super) struct Sight<const WIDTH: usize> {
     pub(super) right: i32,
     pub(super) up: i32,
 }
 
-impl Sight {
+impl<const WIDTH: usize> Sight<WIDTH> {
     /// The line of sight through the centre of a pixel.
     #[inline(always)]
-    pub(super) fn through(column: usize, row: usize) -> Self {
-        debug_assert!(column < WIDTH && row < HEIGHT);
-        let middle = |pixel: usize, zero: i32| 2 * (pixel as i32 - zero) + 1;
-        let right = middle(column, WIDTH as i32 / 2) * HALF_PIXEL;
-        Self { right, up: -middle(row, HORIZON) * HALF_PIXEL }
+    pub(super) fn through(column: usize, row: i32) -> Self {
+        let middle = |pixel: i32, zero: i32| 2 * (pixel - zero) + 1;
+        let right = middle(column as i32, WIDTH as i32 / 2) * half_pixel(WIDTH);
+        Self { right, up: -middle(row, horizon(WIDTH)) * half_pixel(WIDTH) }
     }
 
     /// The height of the line at a depth.
@@ -67,26 +73,27 @@ impl Sight {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Window {
     columns: [usize; 2],
-    rows: [usize; 2],
+    rows: [i32; 2],
 }
 
 impl Window {
     /// The window of a box with this centre and half size.
-    pub(super) const fn about(middle: [f32; 3], half: [f32; 3]) -> Self {
+    pub(super) const fn about<const WIDTH: usize>(middle: [f32; 3], half: [f32; 3]) -> Self {
         let depth = EYE[2] - middle[2];
         let depths = [depth - half[2], depth + half[2]];
         let [left, right] = slopes(middle[0] - EYE[0], half[0], depths);
         let [bottom, top] = slopes(middle[1] - EYE[1], half[1], depths);
+        let [first, end] = pixels([left, right], WIDTH as i32 / 2, WIDTH);
         Self {
-            columns: pixels([left, right], WIDTH as i32 / 2, WIDTH),
-            rows: pixels([-top, -bottom], HORIZON, HEIGHT),
+            columns: [clamped(first, WIDTH), clamped(end, WIDTH)],
+            rows: pixels([-top, -bottom], horizon(WIDTH), WIDTH),
         }
     }
 
     /// The pixels of a row that lie in the window, with the numbers of their columns.
-    pub(super) fn of<'a, T>(
+    pub(super) fn of<'a, T, const WIDTH: usize>(
         &self,
-        row: usize,
+        row: i32,
         pixels: &'a mut [T; WIDTH],
     ) -> impl Iterator<Item = (usize, &'a mut T)> {
         let [first, end] = if row >= self.rows[0] && row < self.rows[1] { self.columns } else { [0, 0] };
@@ -102,9 +109,18 @@ const fn slopes(middle: f32, half: f32, [near, far]: [f32; 2]) -> [f32; 2] {
 }
 
 /// The first pixel between two slopes, and the pixel after the last.
-const fn pixels([low, high]: [f32; 2], zero: i32, count: usize) -> [usize; 2] {
-    let first = zero + steps(low) / (2 * HALF_PIXEL) - 1;
-    let end = zero + steps(high) / (2 * HALF_PIXEL) + 2;
-    let count = count as i32;
-    [if first < 0 { 0 } else { first as usize }, if end > count { count as usize } else { end as usize }]
+const fn pixels([low, high]: [f32; 2], zero: i32, width: usize) -> [i32; 2] {
+    let pixel = 2 * half_pixel(width);
+    [zero + steps(low) / pixel - 1, zero + steps(high) / pixel + 2]
+}
+
+/// A column, clamped to those of the picture.
+const fn clamped(column: i32, width: usize) -> usize {
+    if column < 0 {
+        0
+    } else if column as usize > width {
+        width
+    } else {
+        column as usize
+    }
 }

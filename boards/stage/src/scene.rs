@@ -5,7 +5,7 @@ use luminaire::{Fx16, Vec3, number::Length};
 use super::camera::{DEPTH_BITS, Sight, steps};
 use super::column::Meeting;
 use super::measures::{EYE, WALL};
-use super::{WIDTH, ball, column};
+use super::{ball, column};
 
 /// The material of a surface. Its number is the index of its colours in the tables.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
@@ -31,10 +31,10 @@ const TO_THE_FRONT: Vec3<Fx16> = Vec3::new(Fx16::ZERO, Fx16::ZERO, Fx16::ONE);
 
 /// Finds the surface points that the pixels of a row show.
 #[inline(never)]
-pub(crate) fn look(row: usize, sites: &mut [Site; WIDTH]) {
+pub(crate) fn look<const WIDTH: usize>(row: i32, sites: &mut [Site; WIDTH]) {
     paint_backdrop(row, sites);
-    for (column, site) in column::WINDOW.of(row, sites) {
-        let sight = Sight::through(column, row);
+    for (column, site) in const { column::window::<WIDTH>() }.of(row, sites) {
+        let sight = Sight::<WIDTH>::through(column, row);
         let (depth, normal) = match column::meet(sight) {
             Some(Meeting::Side(depth)) => (depth, column::normal(sight.point(depth))),
             Some(Meeting::Top(depth)) => (depth, UP),
@@ -43,8 +43,8 @@ pub(crate) fn look(row: usize, sites: &mut [Site; WIDTH]) {
         *site = Site { point: sight.point(depth), normal, material: Material::Column };
     }
     // Nothing is in front of the ball, so it is drawn last.
-    for (column, site) in ball::WINDOW.of(row, sites) {
-        let sight = Sight::through(column, row);
+    for (column, site) in const { ball::window::<WIDTH>() }.of(row, sites) {
+        let sight = Sight::<WIDTH>::through(column, row);
         if let Some(depth) = ball::depth(sight) {
             let point = sight.point(depth);
             *site = Site { point, normal: ball::normal(point), material: Material::Ball };
@@ -53,15 +53,15 @@ pub(crate) fn look(row: usize, sites: &mut [Site; WIDTH]) {
 }
 
 /// Draws wall or floor. All points of a row have the same depth.
-fn paint_backdrop(row: usize, sites: &mut [Site; WIDTH]) {
+fn paint_backdrop<const WIDTH: usize>(row: i32, sites: &mut [Site; WIDTH]) {
     const TO_THE_WALL: i32 = steps(EYE[2] - WALL) >> (16 - DEPTH_BITS);
-    let first = Sight::through(0, row);
+    let first = Sight::<WIDTH>::through(0, row);
     let to_the_floor = (steps(EYE[1]) << DEPTH_BITS).checked_div(-first.up).unwrap_or(TO_THE_WALL);
     let is_floor = first.height(TO_THE_WALL) < 0;
     let depth = if is_floor { to_the_floor } else { TO_THE_WALL };
     let Vec3 { y, z, .. } = first.point(depth);
     for (column, site) in sites.iter_mut().enumerate() {
-        let x = Sight::through(column, row).x(depth);
+        let x = Sight::<WIDTH>::through(column, row).x(depth);
         *site = if is_floor {
             let point = Vec3::new(x, Length::ZERO, z);
             // Tiles of half a metre.

@@ -8,7 +8,10 @@ use super::quadratic::Quadratic;
 use super::shadow::{Passage, Way};
 
 /// The pixels in which the ball can be visible.
-pub(super) const WINDOW: Window = Window::about(BALL, [BALL_RADIUS; 3]);
+pub(super) const fn window<const WIDTH: usize>() -> Window {
+    Window::about::<WIDTH>(BALL, [BALL_RADIUS; 3])
+}
+
 const MIDDLE: Vec3<i32> = Vec3::new(steps(BALL[0]), steps(BALL[1]), steps(BALL[2]));
 /// The offset from the eye to the ball's centre: right, up and ahead.
 const WAY: [f32; 3] = [BALL[0] - EYE[0], BALL[1] - EYE[1], EYE[2] - BALL[2]];
@@ -20,7 +23,7 @@ const RECIPROCAL: i32 = (16_384.0 / BALL_RADIUS) as i32;
 
 /// The depth at which a line of sight meets the ball.
 #[inline(always)]
-pub(super) fn depth(sight: Sight) -> Option<i32> {
+pub(super) fn depth<const WIDTH: usize>(sight: Sight<WIDTH>) -> Option<i32> {
     let [right, up, ahead] = sight.squares();
     let along = (sight.right * steps(WAY[0] / 16.0) + sight.up * steps(WAY[1] / 16.0)) >> 8;
     Quadratic { a: right + up + ahead, b: along + steps(16.0 * WAY[2]), c: GAP }.depth()

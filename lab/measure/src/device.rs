@@ -1,0 +1,89 @@
+//! `cargo xtask board`: the firmware of real boards, built, and run from the boot on where the whole
+//! chip can be emulated.
+
+mod check;
+pub mod steps;
+mod uf2;
+
+use std::fs;
+use std::path::PathBuf;
+use std::process::Command;
+
+use anyhow::{Context, Result, ensure};
+use tools::progress::Progress;
+use tools::project;
+use tools::toolchain::Toolchain;
+
+use crate::size::program::Program;
+
+/// The options of `board`.
+#[derive(Debug, PartialEq, clap::Args)]
+pub struct DeviceOptions {
+    /// The board: rp2040, stm32f411 or esp32c3
+    #[arg(value_name = "NAME", value_parser = Device::named)]
+    pub device: &'static Device,
+    /// Run the firmware in an emulator of the whole chip, and compare each pixel that the display
+    /// receives with the host's
+    #[arg(long)]
+    pub check: bool,
+}
+
+/// A board with a display, and the package of its firmware.
+#[derive(Debug, PartialEq)]
+pub struct Device {
+    /// The name of the board on the command line, which is also the folder of its package.
+    name: &'static str,
+    /// The target that the firmware is compiled for.
+    target: &'static str,
+    /// Whether an emulator of the whole chip runs the firmware.
+    is_run: bool,
+}
+
+/// All boards.
+static ALL: [Device; 1] = [Device { name: "rp2040", target: "thumbv6m-none-eabi", is_run: true }];
+
+impl Device {
+    fn named(name: &str) -> Result<&'static Self, String> {
+        ALL.iter().find(|device| device.name == name).ok_or_else(|| {
+            let names: Vec<_> = ALL.iter().map(|device| device.name).collect();
+            format!("there is no board {name}; there are {}", names.join(", "))
+        })
+    }
+
+    /// Makes a call of cargo run in the package.
+    fn cargo(&self, mut cargo: Command) -> Command {
+        cargo.current_dir(project::root().join("boards").join(self.name));
+        cargo
+    }
+
+    /// Builds the firmware. Returns its file.
+    fn build(&self, progress: &Progress) -> Result<PathBuf> {
+        let toolchain = Toolchain::find(self.target, progress)?;
+        let mut build = self.cargo(toolchain.cargo_build("core", &[]));
+        build.arg("--release");
+        progress.run(build)?;
+        let file = toolchain.artifacts("release").join(format!("luminaire-{}", self.name));
+        Program::read(&file)?.has_no_float()?;
+        Ok(file)
+    }
+}
+
+/// Builds the firmware of a board and writes the file that is copied to it, or checks the firmware.
+pub fn run(options: &DeviceOptions) -> Result<()> {
+    let progress = Progress::Live;
+    let device = options.device;
+    let file = device.build(&progress)?;
+    if options.check {
+        ensure!(device.is_run, "no emulator runs the whole {}: build it without --check", device.name);
+        return check::check(&file, &progress).map(|lines| lines.iter().for_each(|line| println!("{line}")));
+    }
+    let bytes = Program::read(&file)?.bytes;
+    if device.is_run {
+        let image = project::target().join(format!("{}.uf2", device.name));
+        fs::write(&image, uf2::image(&file)?).with_context(|| format!("cannot write {}", image.display()))?;
+        println!("{}: {bytes} bytes of flash; copy it to the drive of the board's boot ROM", image.display());
+    } else {
+        println!("{}: {bytes} bytes of flash; built, not run", file.display());
+    }
+    Ok(())
+}
