@@ -5,7 +5,7 @@ use luminaire::{Fx16, Vec3, number::Length};
 use super::camera::{Sight, Window, steps};
 use super::measures::{BALL, BALL_RADIUS, EYE};
 use super::quadratic::Quadratic;
-use super::shadow::{Passage, Way};
+use super::shadow::{Passage, Way, Wedge};
 
 /// The pixels in which the ball can be visible.
 pub(super) const fn window<const WIDTH: usize>() -> Window {
@@ -37,6 +37,9 @@ pub(super) fn normal(point: Vec3<Length>) -> Vec3<Fx16> {
         Fx16::from_bits(((product + (1 << 15)) >> 16) as i16)
     })
 }
+
+/// Where the ball can shadow a point.
+pub(super) const WEDGE: Wedge = Wedge::of_ball(BALL, BALL_RADIUS);
 
 /// Whether the ball is between a point outside it and the light.
 #[inline(always)]

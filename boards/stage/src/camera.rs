@@ -1,5 +1,8 @@
 //! From a pixel to a line of sight.
 
+use core::iter;
+use core::ops::Range;
+
 use luminaire::{Vec3, number::Length};
 
 use super::measures::EYE;
@@ -47,10 +50,28 @@ impl<const WIDTH: usize> Sight<WIDTH> {
         steps(EYE[1]) + ((self.up * depth) >> DEPTH_BITS)
     }
 
+    /// The depth at which the line falls to a height below the eye. `None` if it rises.
+    #[inline(always)]
+    pub(super) fn fall_to(self, height: f32) -> Option<i32> {
+        let drop = steps(EYE[1] - height).cast_unsigned();
+        let depth = (drop << DEPTH_BITS).checked_div(u32::try_from(-self.up).ok()?)?;
+        Some(depth.cast_signed())
+    }
+
     /// The x coordinate of the line at a depth.
     #[inline(always)]
     pub(super) fn x(self, depth: i32) -> Length {
         Length::from_bits(steps(EYE[0]) + ((self.right * depth) >> DEPTH_BITS))
+    }
+
+    /// The x coordinates of the lines of a row, from left to right, at a depth.
+    #[inline(always)]
+    pub(super) fn row_at(depth: i32) -> impl Iterator<Item = Length> {
+        let first = Self::through(0, 0).right * depth;
+        let step = 2 * half_pixel(WIDTH) * depth;
+        // The product is added up instead: a pixel costs no multiplication.
+        let products = iter::successors(Some(first), move |product| Some(product.wrapping_add(step)));
+        products.map(|product| Length::from_bits(steps(EYE[0]) + (product >> DEPTH_BITS)))
     }
 
     /// The point at a depth.
@@ -88,6 +109,11 @@ impl Window {
             columns: [clamped(first, WIDTH), clamped(end, WIDTH)],
             rows: pixels([-top, -bottom], horizon(WIDTH), WIDTH),
         }
+    }
+
+    /// The columns of the window.
+    pub(super) const fn columns(&self) -> Range<usize> {
+        self.columns[0]..self.columns[1]
     }
 
     /// The pixels of a row that lie in the window, with the numbers of their columns.

@@ -22,6 +22,7 @@ mod tests;
 
 use luminaire::number::Light16;
 
+use column::Side;
 use paint::{Ambient, Color, Key};
 use scene::Site;
 
@@ -50,6 +51,7 @@ impl Markers for () {
 #[derive(Debug)]
 pub struct Stage<const WIDTH: usize> {
     key: Key,
+    side: Side,
     ambient: Ambient,
     sites: [Site; WIDTH],
     lights: [Light16; WIDTH],
@@ -60,6 +62,7 @@ impl<const WIDTH: usize> Default for Stage<WIDTH> {
     fn default() -> Self {
         Self {
             key: paint::KEY,
+            side: Side::new::<WIDTH>(),
             ambient: Ambient::new(),
             sites: [Site::default(); WIDTH],
             lights: [Light16::ZERO; WIDTH],
@@ -80,8 +83,8 @@ impl<const WIDTH: usize> Stage<WIDTH> {
     /// Draws a row into a buffer of RGB565. Row 0 is the top row of the recorded picture, and rows
     /// above it have negative numbers.
     pub fn draw<M: Markers>(&mut self, row: i32, pixels: &mut [u16; WIDTH]) {
-        let Self { key, ambient, sites, lights, colors } = self;
-        run::<M>(|| scene::look(row, sites));
+        let Self { key, side, ambient, sites, lights, colors } = self;
+        run::<M>(|| scene::look(side, row, sites));
         // A picture without the spotlight ends here.
         run::<M>(|| ambient.paint(sites, row, pixels));
         run::<M>(|| paint::light(key, sites, lights));

@@ -2,10 +2,10 @@
 
 use luminaire::{Fx16, Vec3, number::Length};
 
+use super::ball;
 use super::camera::{DEPTH_BITS, Sight, steps};
-use super::column::Meeting;
+use super::column::Side;
 use super::measures::{EYE, WALL};
-use super::{ball, column};
 
 /// The material of a surface. Its number is the index of its colours in the tables.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
@@ -18,6 +18,14 @@ pub(crate) enum Material {
     Column,
 }
 
+impl Material {
+    /// Whether the surface is the wall or the floor.
+    #[inline(always)]
+    pub(crate) fn is_backdrop(self) -> bool {
+        !matches!(self, Self::Ball | Self::Column)
+    }
+}
+
 /// The surface point that a pixel shows.
 #[derive(Clone, Copy, Default, Debug)]
 pub(crate) struct Site {
@@ -26,22 +34,14 @@ pub(crate) struct Site {
     pub(crate) material: Material,
 }
 
-const UP: Vec3<Fx16> = Vec3::new(Fx16::ZERO, Fx16::ONE, Fx16::ZERO);
+pub(super) const UP: Vec3<Fx16> = Vec3::new(Fx16::ZERO, Fx16::ONE, Fx16::ZERO);
 const TO_THE_FRONT: Vec3<Fx16> = Vec3::new(Fx16::ZERO, Fx16::ZERO, Fx16::ONE);
 
 /// Finds the surface points that the pixels of a row show.
 #[inline(never)]
-pub(crate) fn look<const WIDTH: usize>(row: i32, sites: &mut [Site; WIDTH]) {
+pub(crate) fn look<const WIDTH: usize>(side: &Side, row: i32, sites: &mut [Site; WIDTH]) {
     paint_backdrop(row, sites);
-    for (column, site) in const { column::window::<WIDTH>() }.of(row, sites) {
-        let sight = Sight::<WIDTH>::through(column, row);
-        let (depth, normal) = match column::meet(sight) {
-            Some(Meeting::Side(depth)) => (depth, column::normal(sight.point(depth))),
-            Some(Meeting::Top(depth)) => (depth, UP),
-            None => continue,
-        };
-        *site = Site { point: sight.point(depth), normal, material: Material::Column };
-    }
+    side.draw(row, sites);
     // Nothing is in front of the ball, so it is drawn last.
     for (column, site) in const { ball::window::<WIDTH>() }.of(row, sites) {
         let sight = Sight::<WIDTH>::through(column, row);
@@ -60,16 +60,18 @@ fn paint_backdrop<const WIDTH: usize>(row: i32, sites: &mut [Site; WIDTH]) {
     let is_floor = first.height(TO_THE_WALL) < 0;
     let depth = if is_floor { to_the_floor } else { TO_THE_WALL };
     let Vec3 { y, z, .. } = first.point(depth);
-    for (column, site) in sites.iter_mut().enumerate() {
-        let x = Sight::<WIDTH>::through(column, row).x(depth);
-        *site = if is_floor {
-            let point = Vec3::new(x, Length::ZERO, z);
-            // Tiles of half a metre.
-            let is_dark = (x.to_bits() ^ z.to_bits()) >> 15 & 1 == 1;
-            let material = if is_dark { Material::DarkTile } else { Material::LightTile };
-            Site { point, normal: UP, material }
-        } else {
-            Site { point: Vec3::new(x, y, z), normal: TO_THE_FRONT, material: Material::Wall }
-        };
+    let row = Sight::<WIDTH>::row_at(depth).zip(sites);
+    if !is_floor {
+        for (x, site) in row {
+            let point = Vec3::new(x, y, z);
+            *site = Site { point, normal: TO_THE_FRONT, material: Material::Wall };
+        }
+        return;
+    }
+    for (x, site) in row {
+        // Tiles of half a metre.
+        let is_dark = (x.to_bits() ^ z.to_bits()) >> 15 & 1 == 1;
+        let material = if is_dark { Material::DarkTile } else { Material::LightTile };
+        *site = Site { point: Vec3::new(x, Length::ZERO, z), normal: UP, material };
     }
 }

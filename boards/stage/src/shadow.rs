@@ -1,5 +1,7 @@
 //! Tests whether an object stands between a point and the light.
 
+use core::ops::Range;
+
 use luminaire::Vec3;
 use luminaire::number::{Length, Light16};
 
@@ -11,11 +13,82 @@ use super::{ball, column};
 /// Sets the light of sites in shadow to zero.
 #[inline(never)]
 pub(super) fn cast<const WIDTH: usize>(sites: &[Site; WIDTH], lights: &mut [Light16; WIDTH]) {
-    for (column, light) in lights.iter_mut().enumerate() {
-        if *light != Light16::ZERO && is_in_shadow(&sites[column]) {
+    // The row starts with a point of the wall or the floor. All points of the row on the wall and the
+    // floor have its height and its depth.
+    let Vec3 { y, z, .. } = sites[0].point;
+    let wedges = [ball::WEDGE, column::WEDGE].map(|wedge| wedge.at([y, z]));
+    for (light, site) in lights.iter_mut().zip(sites) {
+        if *light == Light16::ZERO
+            || site.material.is_backdrop() && !wedges.iter().any(|wedge| wedge.contains(&site.point.x))
+        {
+            continue;
+        }
+        if is_in_shadow(site) {
             *light = Light16::ZERO;
         }
     }
+}
+
+/// Where an object can shadow a point: between two lines from the light that touch it, seen from
+/// above, and between two others, seen from the side. This tells most points of the wall and the
+/// floor from those that need the exact test.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Wedge {
+    /// How far the lines go to the right for each metre into the depth, in steps of 2^-12.
+    across: [i32; 2],
+    /// How far the lines go up for each metre into the depth, in steps of 2^-12.
+    up: [i32; 2],
+}
+
+impl Wedge {
+    /// The wedge of a ball.
+    pub(super) const fn of_ball([x, y, z]: [f32; 3], radius: f32) -> Self {
+        let far = LIGHT[2] - z;
+        Self { across: tangents(x - LIGHT[0], far, radius), up: tangents(y - LIGHT[1], far, radius) }
+    }
+
+    /// The wedge of a column that stands on the floor. The light is higher.
+    pub(super) const fn of_column([x, z]: [f32; 2], radius: f32, height: f32) -> Self {
+        let far = LIGHT[2] - z;
+        let [foot, top] = [-LIGHT[1] / (far - radius), (height - LIGHT[1]) / (far + radius)];
+        Self { across: tangents(x - LIGHT[0], far, radius), up: [steps(foot) >> 4, steps(top + 0.01) >> 4] }
+    }
+
+    /// The x coordinates between which the points of a row can be in shadow.
+    #[inline(always)]
+    fn at(self, [height, depth]: [Length; 2]) -> Range<Length> {
+        let far = (steps(LIGHT[2]) - depth.to_bits()) >> 4;
+        let ends =
+            |start, slopes: [i32; 2]| slopes.map(|slope| Length::from_bits(start + ((slope * far) >> 8)));
+        let [low, high] = ends(steps(LIGHT[1]), self.up);
+        let [left, right] = ends(steps(LIGHT[0]), self.across);
+        if (low..high).contains(&height) { left..right } else { left..left }
+    }
+}
+
+/// The slopes of the lines through the origin that touch a circle around the point `[x, far]`.
+const fn tangents(x: f32, far: f32, radius: f32) -> [i32; 2] {
+    // The rounding of the slopes moves the lines by some millimetres.
+    let radius = radius + 0.01;
+    let length = root(x * x + far * far - radius * radius);
+    let [left, right] = [-radius, radius];
+    [tangent(x, far, length, left), tangent(x, far, length, right)]
+}
+
+/// The slope of the line through the origin that passes the point `[x, far]` at a distance, and is
+/// next to it after `length`.
+const fn tangent(x: f32, far: f32, length: f32, distance: f32) -> i32 {
+    steps((x * length + far * distance) / (far * length - x * distance)) >> 4
+}
+
+/// The square root of a number between 1 and 100, by Newton's method.
+const fn root(square: f32) -> f32 {
+    let (mut root, mut rounds) = (square, 0);
+    while rounds < 10 {
+        root = (root + square / root) / 2.0;
+        rounds += 1;
+    }
+    root
 }
 
 /// Whether an object stands between a site and the light. An object is not tested for sites on its

@@ -7,6 +7,7 @@ use luminaire::number::{Length, Light16};
 use luminaire::{Angle, Cone, Vec3};
 use luminaire_oracle::{self as oracle, DVec3, SpotLight};
 
+use super::column::Side;
 use super::measures::{
     AMBIENT, AXIS, BALL, BALL_RADIUS, COLOR, COLUMN, COLUMN_HEIGHT, COLUMN_RADIUS, EYE, FIELD, INTENSITY,
     LIGHT, MATERIALS, WALL,
@@ -67,9 +68,10 @@ impl<const WIDTH: usize> View<WIDTH> {
 
     /// What each pixel sees, with its line of sight.
     fn seen(self) -> impl Iterator<Item = (DVec3, Site)> {
-        self.0.flat_map(|row| {
+        let side = Side::new::<WIDTH>();
+        self.0.flat_map(move |row| {
             let mut sites = [Site::default(); WIDTH];
-            look(row, &mut sites);
+            look(&side, row, &mut sites);
             sites.into_iter().enumerate().map(move |(column, site)| (Self::sight(column, row), site))
         })
     }
