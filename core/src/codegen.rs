@@ -26,7 +26,7 @@
 //!
 //! All compiled lights can be written, including those of [another system](crate::import), except
 //! [`CompiledAnyLight`](crate::dynamic::CompiledAnyLight). Other values that can be written are the
-//! [`Rgb`] of ambient light, [`CompiledMaterial`], [`CompiledExposure`], [`CompiledGobo`],
+//! [`Rgb`] of ambient light, [`CompiledMaterial`], [`CompiledExposure`], [`Rgb565Ramp`], [`CompiledGobo`],
 //! [`Shadow`], [`BeamScattering`] and [`BeamScattering16`]. The generated text calls `const`
 //! functions that accept any bits, and evaluation is defined for any bits. The bits are specific to
 //! this version of the crate: generate the text in each build and do not store it.
@@ -58,7 +58,7 @@ use crate::{
     attenuation::Attenuation,
     color::Rgb,
     cone::{CompiledCone, QuickCone},
-    display::CompiledExposure,
+    display::{CompiledExposure, Rgb565Ramp},
     falloff::Falloff,
     haze::BeamScattering,
     material::CompiledMaterial,
@@ -201,6 +201,12 @@ impl<S: SourceScalar> Source for CompiledExposure<S> {
     fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
         write!(out, "CompiledExposure::<{}>::", name::<S>())?;
         call(out, "from_parts", &[&self.gain])
+    }
+}
+
+impl Source for Rgb565Ramp {
+    fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
+        write!(out, "Rgb565Ramp::from_levels({:?})", self.levels())
     }
 }
 

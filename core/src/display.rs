@@ -3,6 +3,7 @@
 mod dither;
 mod exposure;
 mod fit;
+mod ramp;
 mod rgb565;
 mod srgb;
 
@@ -10,6 +11,7 @@ pub use self::{
     dither::encode_srgb_dithered,
     exposure::{CompiledExposure, Exposure},
     fit::{clip, compress_keep_hue},
+    ramp::Rgb565Ramp,
     rgb565::Rgb565,
     srgb::{decode_srgb, encode_srgb, encode_srgb_each},
 };

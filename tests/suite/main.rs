@@ -9,6 +9,7 @@ mod bright;
 mod changes;
 mod cones;
 mod display;
+mod display_ramp;
 mod dither;
 mod domain;
 mod equivalence;

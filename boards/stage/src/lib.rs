@@ -23,14 +23,14 @@ mod tests;
 use luminaire::number::Light16;
 
 use column::Side;
-use paint::{Ambient, Color, Key};
+use paint::{Ambient, Key};
 use scene::Site;
 
 pub use path::FRAMES;
 pub use tally::Tally;
 
 /// The stages of a row, in the order in which they run.
-pub const STAGES: &str = "geometry ambient light shadow colour display";
+pub const STAGES: &str = "geometry ambient light shadow display";
 
 /// What a program does before and after each stage of a row, such as marking it for a counter of
 /// instructions.
@@ -55,7 +55,6 @@ pub struct Stage<const WIDTH: usize> {
     ambient: Ambient,
     sites: [Site; WIDTH],
     lights: [Light16; WIDTH],
-    colors: [Color; WIDTH],
 }
 
 impl<const WIDTH: usize> Default for Stage<WIDTH> {
@@ -66,7 +65,6 @@ impl<const WIDTH: usize> Default for Stage<WIDTH> {
             ambient: Ambient::new(),
             sites: [Site::default(); WIDTH],
             lights: [Light16::ZERO; WIDTH],
-            colors: [Color::default(); WIDTH],
         }
     }
 }
@@ -83,14 +81,13 @@ impl<const WIDTH: usize> Stage<WIDTH> {
     /// Draws a row into a buffer of RGB565. Row 0 is the top row of the recorded picture, and rows
     /// above it have negative numbers.
     pub fn draw<M: Markers>(&mut self, row: i32, pixels: &mut [u16; WIDTH]) {
-        let Self { key, side, ambient, sites, lights, colors } = self;
+        let Self { key, side, ambient, sites, lights } = self;
         run::<M>(|| scene::look(side, row, sites));
         // A picture without the spotlight ends here.
         run::<M>(|| ambient.paint(sites, row, pixels));
         run::<M>(|| paint::light(key, sites, lights));
         run::<M>(|| shadow::cast(sites, lights));
-        run::<M>(|| paint::color(sites, lights, colors));
-        run::<M>(|| paint::display(lights, colors, row, pixels));
+        run::<M>(|| paint::display(sites, lights, row, pixels));
     }
 
     /// Adds the pixels of the row that was drawn last to a tally.

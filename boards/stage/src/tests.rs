@@ -1,10 +1,11 @@
 //! What the pixels see, what is in shadow, and the colour of the pixels, against f64.
 
+use std::array;
 use std::ops::Range;
 
 use luminaire::falloff::Soft;
 use luminaire::number::{Length, Light16};
-use luminaire::{Angle, Cone, Vec3};
+use luminaire::{Angle, Cone, Fx16, Vec3};
 use luminaire_oracle::{self as oracle, DVec3, SpotLight};
 
 use super::column::Side;
@@ -12,7 +13,7 @@ use super::measures::{
     AMBIENT, AXIS, BALL, BALL_RADIUS, COLOR, COLUMN, COLUMN_HEIGHT, COLUMN_RADIUS, EYE, FIELD, INTENSITY,
     LIGHT, MATERIALS, WALL,
 };
-use super::paint::GLOW;
+use super::paint::RAMPS;
 use super::scene::{Material, Site, look};
 use super::shadow::is_in_shadow;
 use super::{Stage, path};
@@ -167,10 +168,25 @@ fn entry_below_top(start: DVec3, way: DVec3) -> Option<f64> {
     ((start + side * way).y < f64::from(COLUMN_HEIGHT)).then_some(side)
 }
 
+/// A linear value between the codes of a channel, in steps: as in the dither, the place between two
+/// codes is that in linear light.
+fn step(linear: f64, last: u16) -> f64 {
+    let light = |code: f64| oracle::srgb_linear(code / f64::from(last) * 255.0);
+    let linear = linear.min(1.0);
+    let code = (1..last).map(f64::from).take_while(|&code| light(code) <= linear).last().unwrap_or(0.0);
+    code + (linear - light(code)) / (light(code + 1.0) - light(code))
+}
+
 /// Linear light in steps of the three channels of RGB565, without rounding.
 fn steps(linear: DVec3) -> [f64; 3] {
-    let step = |linear: f64, last: f64| oracle::srgb_code(linear.min(1.0)) / 255.0 * last;
-    [step(linear.x, 31.0), step(linear.y, 63.0), step(linear.z, 31.0)]
+    [step(linear.x, 31), step(linear.y, 63), step(linear.z, 31)]
+}
+
+/// The steps that a cell of the dither shows on average.
+fn shown(material: Material, light: Light16) -> [f64; 3] {
+    let cell = (0..64).map(|place| RAMPS[material as usize].pixel::<Fx16>(light, place % 8, place / 8).0);
+    let codes = cell.map(|pixel| [pixel >> 11, pixel >> 5 & 63, pixel & 31].map(f64::from));
+    codes.fold([0.0; 3], |sum, codes| array::from_fn(|channel| sum[channel] + codes[channel] / 64.0))
 }
 
 /// The exact colour at the end of a line of sight, in steps of the three channels of RGB565.
@@ -190,7 +206,7 @@ fn exact_steps(light: &SpotLight, sight: DVec3) -> [f64; 3] {
     steps(reflected)
 }
 
-/// Returns the largest error of a picture before the dither in steps of RGB565, and the number of
+/// Returns the largest error of what a picture shows on average, in steps of RGB565, and the number of
 /// pixels at the outlines of shadows and tiles, which see something else than in f64.
 fn error<const WIDTH: usize>(view: View<WIDTH>, frame: u32) -> (f64, u32) {
     let cone = Cone::from_field(Soft, Angle::degrees(FIELD)).expect("the cone of the scene");
@@ -203,11 +219,8 @@ fn error<const WIDTH: usize>(view: View<WIDTH>, frame: u32) -> (f64, u32) {
     for row in view.0 {
         stage.draw::<()>(row, &mut [0; WIDTH]);
         for (column, site) in stage.sites.iter().enumerate() {
-            let is_lit = stage.lights[column] != Light16::ZERO;
-            let color = if is_lit { stage.colors[column] } else { GLOW[site.material as usize] };
-            let color = [color.red, color.green, color.blue].map(|channel| channel.to_f64());
             let exact = exact_steps(&light, View::<WIDTH>::sight(column, row));
-            let differences = steps(color.into()).into_iter().zip(exact);
+            let differences = shown(site.material, stage.lights[column]).into_iter().zip(exact);
             let error = differences.map(|(found, exact)| (found - exact).abs()).fold(0.0, f64::max);
             if error > 1.0 { outline += 1 } else { largest = largest.max(error) }
         }
@@ -219,7 +232,7 @@ fn error<const WIDTH: usize>(view: View<WIDTH>, frame: u32) -> (f64, u32) {
 fn light_keeps_its_stated_error() {
     let (largest, outline) = error(SMALL, 0);
     println!("{largest:.3} steps of RGB565, {outline} pixels at outlines");
-    assert!((0.03..=0.05).contains(&largest), "{largest} steps");
+    assert!((0.15..=0.18).contains(&largest), "{largest} steps");
     assert!((1..=60).contains(&outline), "{outline} pixels");
 }
 
@@ -229,7 +242,7 @@ fn light_keeps_its_error_while_it_moves() {
     let largest = errors.iter().map(|error| error.0).fold(0.0, f64::max);
     let outline = errors.iter().map(|error| error.1).max().unwrap_or_default();
     println!("{largest:.3} steps of RGB565, {outline} pixels at outlines");
-    assert!((0.1..=0.15).contains(&largest), "{largest} steps");
+    assert!((0.15..=0.19).contains(&largest), "{largest} steps");
     assert!((1..=60).contains(&outline), "{outline} pixels");
 }
 
@@ -237,6 +250,6 @@ fn light_keeps_its_error_while_it_moves() {
 fn light_keeps_its_error_in_the_large_picture() {
     let (largest, outline) = error(LARGE, 0);
     println!("{largest:.3} steps of RGB565, {outline} pixels at outlines");
-    assert!((0.03..=0.06).contains(&largest), "{largest} steps");
+    assert!((0.15..=0.18).contains(&largest), "{largest} steps");
     assert!((1..=120).contains(&outline), "{outline} pixels");
 }

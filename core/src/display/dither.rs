@@ -120,7 +120,7 @@ fn threshold(x: u32, y: u32) -> u8 {
 
 /// Bayer's matrix of the ranks 0 to 63. Each rank is stored as the threshold `2 rank + 1` in
 /// 128ths: the middle of the 64th part with this rank.
-const MATRIX: [[u8; 8]; 8] = {
+pub(super) const MATRIX: [[u8; 8]; 8] = {
     let mut matrix = [[0; 8]; 8];
     let mut place = 0;
     while place < 64 {
@@ -155,7 +155,7 @@ const fn light(code: usize, last: usize) -> u32 {
 }
 
 /// Tables of the light of the codes up to `LAST`.
-struct CodeLight<const LAST: usize>;
+pub(super) struct CodeLight<const LAST: usize>;
 
 impl<const LAST: usize> CodeLight<LAST> {
     /// The light of the codes from 1 on, in units of 2^-24.
@@ -172,7 +172,7 @@ impl<const LAST: usize> CodeLight<LAST> {
 
     /// The light of the codes from 0 to `LAST - 1`, exactly the values of the fixed-point table.
     /// The light of code `LAST` is 1.
-    const FLOAT: [f32; LAST] = {
+    pub(super) const FLOAT: [f32; LAST] = {
         let mut table = [0.0; LAST];
         let mut code = 0;
         while code < LAST {

@@ -201,6 +201,8 @@ pub trait Arithmetic: Copy + Default + PartialOrd + core::fmt::Debug + Share<Sel
     fn amplify(light: Self::Received, gain: Self::Gain) -> Self::Received;
     /// Clips a light to full scale.
     fn clip(light: Self::Received) -> Self;
+    /// Returns a light in steps of 2^-14 of full scale, truncated; saturates.
+    fn light_steps(light: Self::Received) -> u32;
     /// Returns the value as the word that the format stores.
     fn word(self) -> Word;
 }

@@ -271,6 +271,11 @@ impl Arithmetic for f32 {
     }
 
     #[inline]
+    fn light_steps(light: f32) -> u32 {
+        (light * 16_384.0) as u32
+    }
+
+    #[inline]
     fn clip(light: f32) -> f32 {
         clamp(light)
     }

@@ -11,7 +11,7 @@ use luminaire::{
     AmbientLight, Angle, Cone, DirectionalLight, Error, Fx16, Fx32, Material, PointLight, Rgb, SpotLight,
     Vec3,
     codegen::{Named, Source, SourceScalar, as_source},
-    display::Exposure,
+    display::{Exposure, Rgb565Ramp},
     haze::Haze,
     models::SAMPLES,
     projector::{Gobo, Projection, Shadow},
@@ -72,6 +72,10 @@ fn constants<S: SourceScalar>() -> Outcome {
     write("directional", &DirectionalLight::new(AXIS)?.with_color(AMBER)?.compile::<S>())?;
     write("ambient", &AmbientLight::new(AMBER)?.with_intensity(0.1)?.compile::<S>())?;
     write("exposure", &Exposure::stops(1)?.compile::<S>())?;
+    write(
+        "ramp",
+        &Rgb565Ramp::new(AMBER.map(|channel| 0.09 * channel), AMBER.map(|channel| 0.9 * channel))?,
+    )?;
     write("matte", &paper()?.compile::<S>())
 }
 

@@ -30,6 +30,7 @@ impl Visit for Run {
     inputs! {
         surface: Surface;
         light: Light;
+        lit: (Light, Place);
         color: Color;
         pixel: (Color, Place);
     }

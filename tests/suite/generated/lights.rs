@@ -8,7 +8,7 @@ use luminaire::{
     AmbientLight, Angle, Cone, DirectionalLight, Error, Fx16, Fx32, Material, PointLight, Rgb, SpotLight,
     Vec3,
     codegen::Source,
-    display::Exposure,
+    display::{Exposure, Rgb565Ramp},
     haze::Haze,
     light::CompiledSpotLight,
     projector::{Gobo, Projection, Shadow},
@@ -128,6 +128,7 @@ fn of_format<S: SourceScalar>(visit: &mut impl Visit) -> Result<(), Error> {
         );
         visit.value(format!("{} {PANES:?} on {square:?}", S::NAME), PANES.on(square.compile::<S>()?));
     }
+    visit.value(format!("{} ramp", S::NAME), Rgb565Ramp::new(AMBER.map(|channel| 0.1 * channel), AMBER)?);
     let paper = Material::new(Rgb::new(0.9, 0.9, 0.85))?.with_emissive(AMBER)?;
     visit.value(format!("{} matte material", S::NAME), paper.compile::<S>());
     for intensity in INTENSITIES {

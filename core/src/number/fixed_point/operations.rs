@@ -139,6 +139,11 @@ macro_rules! operations {
         }
 
         #[inline]
+        fn light_steps(light: $light) -> u32 {
+            (light.to_bits() >> ($light::FRACTION_BITS - 14)).try_into().unwrap_or(u32::MAX)
+        }
+
+        #[inline]
         fn clip(light: $light) -> Self {
             Self::from_bits(light.to_bits().min(1 << Self::FRACTION_BITS) as $bits)
         }

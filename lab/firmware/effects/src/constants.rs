@@ -3,7 +3,7 @@
 use luminaire::{
     Scalar, Vec3,
     attenuation::NoAttenuation,
-    display::CompiledExposure,
+    display::{CompiledExposure, Rgb565Ramp},
     falloff::Soft,
     light::{
         CompiledDirectionalLight, CompiledMaterial, CompiledPointLight, CompiledSpotLight, QuickSpotLight,
@@ -43,3 +43,6 @@ constants! {
     "exposure.rs" EXPOSURE: CompiledExposure<Format>;
     "matte.rs" MATTE: CompiledMaterial<Format, NoSpecular>;
 }
+
+/// The constant of the file ramp.rs: the paper in the light, a table that is not copied.
+pub static RAMP: Rgb565Ramp = include!(concat!(env!("OUT_DIR"), "/ramp.rs"));

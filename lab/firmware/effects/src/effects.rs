@@ -28,6 +28,9 @@ pub trait Visit {
     /// Light, some of it over full scale.
     fn light<O: Output>(&mut self, name: &str, effect: impl Fn(Light) -> O);
 
+    /// Light, some of it over full scale, and its pixel position in the picture.
+    fn lit<O: Output>(&mut self, name: &str, effect: impl Fn((Light, Place)) -> O);
+
     /// A colour within full scale.
     fn color<O: Output>(&mut self, name: &str, effect: impl Fn(Color) -> O);
 

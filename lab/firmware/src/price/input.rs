@@ -41,6 +41,11 @@ impl Inputs {
         MATTE.reflect(&self.surface(), &InverseSquare::CONSTANT)
     }
 
+    /// The light that a lit point reflects and its pixel position, as in [`pixel`](Self::pixel).
+    pub(super) fn lit(&mut self) -> (Light, Place) {
+        (self.light(), self.place())
+    }
+
     /// A colour, its channels spread evenly from black to white.
     pub(super) fn color(&mut self) -> Color {
         Rgb::new(self.channel(), self.channel(), self.channel())
@@ -48,9 +53,13 @@ impl Inputs {
 
     /// A colour and its pixel position. Positions run from left to right and from top to bottom.
     pub(super) fn pixel(&mut self) -> (Color, Place) {
+        (self.color(), self.place())
+    }
+
+    fn place(&mut self) -> Place {
         let place = Place { x: self.pixels % WIDTH, y: self.pixels / WIDTH };
         self.pixels += 1;
-        (self.color(), place)
+        place
     }
 
     /// The next number in [0, 1): the fractional parts of multiples of the golden ratio, which are
@@ -81,7 +90,7 @@ impl<T: Output + Copy> Input for Rgb<T> {
     }
 }
 
-impl Input for (Color, Place) {
+impl<T: Input> Input for (T, Place) {
     #[inline(always)]
     fn word(&self) -> u32 {
         self.0.word()

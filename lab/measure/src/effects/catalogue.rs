@@ -375,6 +375,14 @@ pub(super) static GROUPS: LazyLock<[Group; 7]> = LazyLock::new(|| {
                 over: Some("rgb565"),
                 what: "The same pixels. In fixed point the search for the codes starts from a table of 512 bytes.",
             },
+            Entry {
+                title: "RGB565, dithered, from a ramp",
+                program: "rgb565-ramp",
+                listed: None,
+                effects: Effects::NONE.with(Effect::Dither),
+                over: None,
+                what: "The pixel of a surface of one colour by its irradiance: the colours, the sum, the clip and the dither in a table of 2,560 bytes.",
+            },
         ],
     },
 ]

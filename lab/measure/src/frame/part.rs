@@ -10,19 +10,15 @@ pub(super) const LINES: [&str; 2] =
     ["<!-- frame: written by `cargo xtask frame --bless` -->\n", "<!-- end of frame -->\n"];
 
 /// The names of the stages, and their titles in the README.
-const TITLES: [(&str, &str); 6] = [
+const TITLES: [(&str, &str); 5] = [
     ("geometry", "geometry: what the pixel sees, point and normal"),
     ("ambient", "pixels of ambient light alone, from a table"),
     ("light", "light: falloff, Lambert's cosine, inverse square"),
     ("shadow", "shadow: is the ball or the column in the way"),
-    (
-        "colour",
-        "colour: ambient light and the spotlight's, as the material sends it back, where the light arrives",
-    ),
-    ("display", "display: clipped, dithered, packed, where the light arrives"),
+    ("display", "display: the dithered pixel of the material in its light, where the light arrives"),
 ];
 /// The stages of the whole picture, and of the picture without the light.
-const WITH: [&str; 6] = ["geometry", "ambient", "light", "shadow", "colour", "display"];
+const WITH: [&str; 5] = ["geometry", "ambient", "light", "shadow", "display"];
 const WITHOUT: [&str; 2] = ["geometry", "ambient"];
 
 /// The part of the README.

@@ -2,11 +2,12 @@
 
 use luminaire::{Rgb, display::Rgb565};
 
-use crate::constants::EXPOSURE;
+use crate::constants::{EXPOSURE, RAMP};
 use crate::{Color, Format, Light, Place};
 
 list! {
     light: exposure clip keep_hue;
+    lit: rgb565_ramp;
     color: srgb rgb565;
     pixel: dither rgb565_dithered rgb565_dithered_fast;
 }
@@ -57,4 +58,10 @@ pub fn rgb565_dithered((color, Place { x, y }): (Color, Place)) -> Rgb565 {
 #[inline(always)]
 pub fn rgb565_dithered_fast((color, Place { x, y }): (Color, Place)) -> Rgb565 {
     Rgb565::from_linear_dithered_fast(color, x, y)
+}
+
+/// The pixel of a surface of one colour by the irradiance, from a table.
+#[inline(always)]
+pub fn rgb565_ramp((light, Place { x, y }): (Light, Place)) -> Rgb565 {
+    RAMP.pixel::<Format>(light.red, x, y)
 }
