@@ -38,25 +38,12 @@ pub(crate) fn start(
     Some(clocks)
 }
 
-/// Counts cycles by SysTick, which wraps after 2^24 cycles.
-pub(crate) struct Counter(());
-
-impl Counter {
-    const LAST: u32 = (1 << 24) - 1;
-
-    pub(crate) fn new(timer: &mut SYST) -> Self {
-        timer.set_clock_source(SystClkSource::Core);
-        timer.set_reload(Self::LAST);
-        timer.clear_current();
-        timer.enable_counter();
-        Self(())
-    }
-
-    /// The cycles that a function takes, fewer than 2^24.
-    pub(crate) fn cycles(&self, function: impl FnOnce()) -> u32 {
-        let start = SYST::get_current();
-        function();
-        // SysTick counts down.
-        start.wrapping_sub(SYST::get_current()) & Self::LAST
-    }
+/// Makes SysTick count cycles, modulo 2^24. Returns the counter.
+pub(crate) fn count(timer: &mut SYST) -> impl Fn() -> u32 {
+    timer.set_clock_source(SystClkSource::Core);
+    timer.set_reload((1 << 24) - 1);
+    timer.clear_current();
+    timer.enable_counter();
+    // SysTick counts down.
+    || !SYST::get_current()
 }

@@ -1,5 +1,4 @@
-//! A moving lit stage on an RP2040 with an ST7789: a still of 240 x 240 pixels, then frames of
-//! 160 x 120 pixels in a window in its middle, then the still again.
+//! A moving lit stage on an RP2040 with an ST7789.
 //!
 //! While the processor draws a row, the DMA sends the row before it to the display. After each
 //! picture the program prints the checksum of its pixels and the cycles of its drawing on the
@@ -9,10 +8,9 @@
 
 mod clock;
 mod panel;
-mod picture;
 
+use core::arch::asm;
 use core::convert::Infallible;
-use core::fmt::Write;
 
 use hal::Clock;
 use hal::dma::DMAExt;
@@ -22,9 +20,9 @@ use hal::{Sio, Timer, pac};
 use panic_halt as _;
 use rp2040_hal as hal;
 
-use luminaire_stage::FRAMES;
-use panel::{Display, Panel};
-use picture::Picture;
+use luminaire_panel::Rows;
+use luminaire_stage::Markers;
+use panel::{Pads, Panel};
 
 /// The second stage of the boot, for any flash: the boot ROM runs it.
 #[unsafe(link_section = ".boot2")]
@@ -54,24 +52,32 @@ fn show() -> Option<Infallible> {
     let uart = UartPeripheral::new(pac.UART0, (tx, rx), &mut pac.RESETS);
     let mut uart = uart.enable(UartConfig::default(), speed).ok()?;
 
-    let display = Display {
+    let pads = Pads {
         wires: (pins.gpio19.into_function(), pins.gpio18.into_function()),
         is_data: pins.gpio16.into_function(),
         select: pins.gpio17.into_function(),
         reset: pins.gpio20.into_function(),
     };
     let channel = pac.DMA.split(&mut pac.RESETS).ch0;
-    let mut panel = Panel::start(display, pac.SPI0, channel, &mut pac.RESETS, speed, &mut timer)?;
+    let mut panel = Panel::start(pads, pac.SPI0, channel, &mut pac.RESETS, speed, &mut timer)?;
 
-    let counter = clock::Counter::new(&mut core.SYST);
-    let mut still = Picture::<240>::new(cortex_m::singleton!(: [[u16; 240]; 2] = [[0; 240]; 2])?);
-    let mut moving = Picture::<160>::new(cortex_m::singleton!(: [[u16; 160]; 2] = [[0; 160]; 2])?);
-    loop {
-        let report = still.draw(0, -40..200, &mut panel, &counter)?;
-        writeln!(uart, "still: {report}\r").ok()?;
-        for frame in 0..FRAMES {
-            let report = moving.draw(frame, 0..120, &mut panel, &counter)?;
-            writeln!(uart, "frame {frame}: {report}\r").ok()?;
-        }
+    let rows = cortex_m::singleton!(: Rows = Rows::BLACK)?;
+    luminaire_panel::show::<Marked>(&mut panel, rows, clock::count(&mut core.SYST), &mut uart)
+}
+
+/// The markers by which emulators count instructions: they do nothing.
+struct Marked;
+
+impl Markers for Marked {
+    #[inline(always)]
+    fn begin() {
+        // SAFETY: a move of a register to itself changes nothing.
+        unsafe { asm!("mov r10, r10", options(nostack, preserves_flags)) };
+    }
+
+    #[inline(always)]
+    fn end() {
+        // SAFETY: a move of a register to itself changes nothing.
+        unsafe { asm!("mov r11, r11", options(nostack, preserves_flags)) };
     }
 }

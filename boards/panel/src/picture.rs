@@ -1,13 +1,11 @@
 //! Drawing a picture, row by row, while the display receives the row before.
 
-use core::arch::asm;
 use core::fmt;
 use core::ops::Range;
 
 use luminaire_stage::{Markers, Stage};
 
-use crate::clock::Counter;
-use crate::panel::{Panel, Row};
+use crate::{Panel, Row, open};
 
 /// The stage in a picture of `WIDTH` pixels, with two rows: one is drawn, the other is sent.
 pub(crate) struct Picture<const WIDTH: usize> {
@@ -22,21 +20,23 @@ impl<const WIDTH: usize> Picture<WIDTH> {
     }
 
     /// Draws the rows of a frame.
-    pub(crate) fn draw(
+    pub(crate) fn draw<M: Markers>(
         &mut self,
         frame: u32,
         rows: Range<i32>,
-        panel: &mut Panel,
-        counter: &Counter,
+        panel: &mut impl Panel,
+        now: impl Fn() -> u32,
     ) -> Option<Report> {
         let Self { stage, rows: buffers } = self;
         stage.turn_to(frame);
         let mut report = Report::default();
         let mut draw = |row, pixels: &mut [u16; WIDTH]| {
-            report.cycles += counter.cycles(|| stage.draw::<Marked>(row, pixels));
+            let start = now();
+            stage.draw::<M>(row, pixels);
+            report.cycles += now().wrapping_sub(start) & CYCLES;
             report.add(pixels);
         };
-        panel.open(WIDTH as u16, rows.len() as u16)?;
+        open(panel, WIDTH as u16, rows.len() as u16)?;
         let [mut drawn, mut free] = buffers.take()?;
         draw(rows.start, drawn);
         for row in rows.start + 1..rows.end {
@@ -47,6 +47,9 @@ impl<const WIDTH: usize> Picture<WIDTH> {
         Some(report)
     }
 }
+
+/// The largest number of cycles between two looks at the counter: a row takes fewer.
+const CYCLES: u32 = (1 << 24) - 1;
 
 /// What was drawn, and in how many cycles.
 pub(crate) struct Report {
@@ -72,22 +75,5 @@ impl fmt::Display for Report {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { pixels, checksum, cycles } = self;
         write!(out, "{pixels} pixels, checksum {checksum:08x}, {cycles} cycles")
-    }
-}
-
-/// The markers by which emulators count instructions: they do nothing.
-struct Marked;
-
-impl Markers for Marked {
-    #[inline(always)]
-    fn begin() {
-        // SAFETY: a move of a register to itself changes nothing.
-        unsafe { asm!("mov r10, r10", options(nostack, preserves_flags)) };
-    }
-
-    #[inline(always)]
-    fn end() {
-        // SAFETY: a move of a register to itself changes nothing.
-        unsafe { asm!("mov r11, r11", options(nostack, preserves_flags)) };
     }
 }

@@ -1,0 +1,115 @@
+//! The stage on an ST7789 display: what the programs of the boards share.
+//!
+//! [`start`] starts the display, and [`show`] shows a still of 240 x 240 pixels, then frames of
+//! 160 x 120 pixels in a window in its middle, then the still again. A board implements [`Panel`],
+//! and counts cycles.
+#![cfg_attr(target_os = "none", no_std)]
+
+mod picture;
+#[cfg(test)]
+mod tests;
+
+use core::convert::Infallible;
+use core::fmt::Write;
+
+use embedded_hal::delay::DelayNs;
+use embedded_hal::digital::OutputPin;
+use embedded_hal::spi::SpiBus;
+use embedded_hal_bus::spi::ExclusiveDevice;
+use luminaire_stage::{FRAMES, Markers};
+use mipidsi::Builder;
+use mipidsi::dcs::{DcsCommand, SetColumnAddress, SetPageAddress, WriteMemoryStart};
+use mipidsi::interface::SpiInterface;
+use mipidsi::models::ST7789;
+use mipidsi::options::ColorInversion;
+
+use picture::Picture;
+
+/// Width and height of the display in pixels.
+const SIZE: u16 = 240;
+
+/// A row of pixels that a DMA can read.
+pub type Row<const WIDTH: usize> = &'static mut [u16; WIDTH];
+
+/// A started display at a bus that sends words of 16 bits, the most significant bit first.
+pub trait Panel {
+    /// Sends words after all that were sent before, and waits for their end. `is_data` is the level
+    /// of the pin D/C: low for commands, high for their parameters and for pixels.
+    ///
+    /// Like all functions of a board, it returns `None` if the hardware refuses.
+    fn write(&mut self, is_data: bool, words: &[u16]) -> Option<()>;
+
+    /// Sends a row of pixels while a function runs. Returns the row.
+    fn send<const WIDTH: usize>(&mut self, row: Row<WIDTH>, meanwhile: impl FnOnce()) -> Option<Row<WIDTH>>;
+}
+
+/// Starts the display at a bus of bytes in mode 3. `None` if its driver refuses the options.
+pub fn start(
+    bus: &mut impl SpiBus,
+    is_data: &mut impl OutputPin,
+    select: &mut impl OutputPin,
+    reset: impl OutputPin,
+    delay: &mut impl DelayNs,
+) -> Option<()> {
+    let device = ExclusiveDevice::new_no_delay(bus, select).ok()?;
+    let mut buffer = [0; 16];
+    let started = Builder::new(ST7789, SpiInterface::new(device, is_data, &mut buffer))
+        .display_size(SIZE, SIZE)
+        .invert_colors(ColorInversion::Inverted)
+        .reset_pin(reset)
+        .init(delay);
+    started.ok().map(drop)
+}
+
+/// The rows that are drawn and sent: two of each picture.
+#[derive(Debug)]
+pub struct Rows {
+    still: [[u16; 240]; 2],
+    moving: [[u16; 160]; 2],
+}
+
+impl Rows {
+    /// Black rows.
+    pub const BLACK: Self = Self { still: [[0; 240]; 2], moving: [[0; 160]; 2] };
+}
+
+/// Shows the pictures for ever, and prints a line after each. `now` counts cycles modulo 2^24 or a
+/// larger power of two.
+pub fn show<M: Markers>(
+    panel: &mut impl Panel,
+    rows: &'static mut Rows,
+    now: impl Fn() -> u32,
+    out: &mut impl Write,
+) -> Option<Infallible> {
+    let mut still = Picture::new(&mut rows.still);
+    let mut moving = Picture::new(&mut rows.moving);
+    loop {
+        let report = still.draw::<M>(0, -40..200, panel, &now)?;
+        writeln!(out, "still: {report}\r").ok()?;
+        for frame in 0..FRAMES {
+            let report = moving.draw::<M>(frame, 0..120, panel, &now)?;
+            writeln!(out, "frame {frame}: {report}\r").ok()?;
+        }
+    }
+}
+
+/// Opens a window in the middle of the display. The next pixels that are sent fill it row by row.
+fn open(panel: &mut impl Panel, width: u16, height: u16) -> Option<()> {
+    let [columns, rows] = [width, height].map(|size| {
+        let first = SIZE.saturating_sub(size) / 2;
+        [first, first + size - 1]
+    });
+    command(panel, SetColumnAddress::new(columns[0], columns[1]))?;
+    command(panel, SetPageAddress::new(rows[0], rows[1]))?;
+    command(panel, WriteMemoryStart)
+}
+
+/// Sends a command whose parameters are words.
+fn command(panel: &mut impl Panel, command: impl DcsCommand) -> Option<()> {
+    let mut bytes = [0; 4];
+    let count = command.fill_params_buf(&mut bytes);
+    let words = [[bytes[0], bytes[1]], [bytes[2], bytes[3]]].map(u16::from_be_bytes);
+    // The upper byte is the command 0, which does nothing.
+    panel.write(false, &[command.instruction().into()])?;
+    panel.write(true, words.get(..count / 2)?)
+}

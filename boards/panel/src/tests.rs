@@ -1,0 +1,68 @@
+//! What a display receives, and what is printed.
+
+use std::cell::Cell;
+use std::fmt;
+
+use luminaire_stage::{CHECKSUM, checksum};
+
+use super::{Panel, Row, Rows, show};
+
+/// A display that keeps each window with its pixels.
+#[derive(Default)]
+struct Display {
+    command: u16,
+    /// The columns and the rows of the window.
+    window: [Vec<u16>; 2],
+    pictures: Vec<([Vec<u16>; 2], Vec<u16>)>,
+}
+
+impl Panel for Display {
+    fn write(&mut self, is_data: bool, words: &[u16]) -> Option<()> {
+        match (is_data, self.command) {
+            (false, _) => self.command = words[0],
+            (true, 0x2a) => self.window[0] = words.to_vec(), // CASET
+            (true, 0x2b) => self.window[1] = words.to_vec(), // RASET
+            (true, 0x2c) if words.is_empty() => self.pictures.push((self.window.clone(), Vec::new())), // RAMWR
+            (true, other) => panic!("command {other:#x} with {words:?}"),
+        }
+        Some(())
+    }
+
+    fn send<const WIDTH: usize>(&mut self, row: Row<WIDTH>, meanwhile: impl FnOnce()) -> Option<Row<WIDTH>> {
+        meanwhile();
+        self.pictures.last_mut()?.1.extend(&*row);
+        Some(row)
+    }
+}
+
+/// Keeps lines, and refuses more than three.
+#[derive(Default)]
+struct Lines(String);
+
+impl fmt::Write for Lines {
+    fn write_str(&mut self, text: &str) -> fmt::Result {
+        self.0 += text;
+        if self.0.ends_with('\n') && self.0.lines().count() == 3 { Err(fmt::Error) } else { Ok(()) }
+    }
+}
+
+#[test]
+fn pictures_fill_their_windows_and_are_reported() {
+    let (mut display, mut lines) = (Display::default(), Lines::default());
+    let time = Cell::new(0_u32);
+    // Each row seems to take 7 cycles, and a counter of 24 bits wraps.
+    let now = || time.replace(time.get() + 7) & 0xff_ffff;
+    time.set(0xff_fff9);
+    assert!(show::<()>(&mut display, Box::leak(Box::new(Rows::BLACK)), now, &mut lines).is_none());
+
+    let windows: Vec<_> = display.pictures.iter().map(|(window, _)| window.concat()).collect();
+    assert_eq!(windows, [[0, 239, 0, 239], [40, 199, 60, 179], [40, 199, 60, 179]]);
+    let names = ["still", "frame 0", "frame 1"];
+    for (((window, pixels), line), name) in display.pictures.iter().zip(lines.0.lines()).zip(names) {
+        let rows = u32::from(window[1][1] - window[1][0]) + 1;
+        assert_eq!(pixels.len() as u32, rows * (u32::from(window[0][1] - window[0][0]) + 1));
+        let (count, sum, cycles) = (pixels.len(), checksum(CHECKSUM, pixels), 7 * rows);
+        assert_eq!(line, format!("{name}: {count} pixels, checksum {sum:08x}, {cycles} cycles"));
+    }
+    assert_ne!(display.pictures[1].1, display.pictures[2].1, "the light moves");
+}
