@@ -1,12 +1,15 @@
 //! A linked program: its bytes of flash, and its functions and variables.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{BTreeMap, BTreeSet, HashSet};
 use std::fs;
 use std::path::Path;
 
 use anyhow::{Context, Result, ensure};
 use object::elf::{SHF_ALLOC, SHT_NOBITS};
-use object::{Object, ObjectSection, ObjectSymbol, RelocationTarget, SectionFlags, SectionKind, SymbolKind};
+use object::{
+    Object, ObjectSection, ObjectSymbol, RelocationTarget, SectionFlags, SectionKind, SymbolKind,
+    SymbolSection,
+};
 
 /// A program as the linker has left it.
 #[derive(Debug)]
@@ -15,7 +18,8 @@ pub struct Program {
     pub bytes: u64,
     /// These bytes, section by section.
     pub flash: Vec<u8>,
-    /// The names of its functions and variables, demangled.
+    /// The names of its functions and variables, demangled. Those at an address that the linker's
+    /// script sets, such as in a boot ROM, are here if the linker has left relocations to them.
     pub names: Vec<String>,
 }
 
@@ -29,7 +33,13 @@ impl Program {
         for section in object.sections().filter(|section| is_in_flash(section.flags())) {
             flash.extend_from_slice(section.data().with_context(failed)?);
         }
-        let names = object.symbols().filter_map(|symbol| symbol.name().ok()).filter(|name| !name.is_empty());
+        let relocations = object.sections().flat_map(|section| section.relocations());
+        let used: HashSet<_> = relocations.map(|(_, relocation)| relocation.target()).collect();
+        let symbols = object.symbols().filter(|symbol| {
+            symbol.section() != SymbolSection::Absolute
+                || used.contains(&RelocationTarget::Symbol(symbol.index()))
+        });
+        let names = symbols.filter_map(|symbol| symbol.name().ok()).filter(|name| !name.is_empty());
         Ok(Self {
             bytes: flash.len() as u64,
             flash,
