@@ -40,7 +40,11 @@ pub struct Device {
 }
 
 /// All boards.
-static ALL: [Device; 1] = [Device { name: "rp2040", target: "thumbv6m-none-eabi", is_run: true }];
+static ALL: [Device; 3] = [
+    Device { name: "rp2040", target: "thumbv6m-none-eabi", is_run: true },
+    Device { name: "stm32f411", target: "thumbv7em-none-eabihf", is_run: false },
+    Device { name: "esp32c3", target: "riscv32imc-unknown-none-elf", is_run: false },
+];
 
 impl Device {
     fn named(name: &str) -> Result<&'static Self, String> {
