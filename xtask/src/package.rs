@@ -36,34 +36,20 @@ const CRATES: [(&str, &[&str]); 2] = [
 /// The warning that is accepted until the project has an address to name.
 const NO_ADDRESS: &str = "manifest has no documentation, homepage or repository";
 
-/// The target of the README's firmware: the smallest supported processor.
+/// The firmware to copy, whose parts the README shows.
+const TEMPLATE: &str = "boards/template";
+
+/// Where the template has the kernel.
+const KERNEL: &str = "path = \"../../core\"";
+
+/// The target of the template: the smallest supported processor.
 const TARGET: &str = "thumbv6m-none-eabi";
-
-/// A program around the README's row of pixels. The linked program shows what a row needs.
-const MAIN: &str = r#"
-#![no_std]
-#![no_main]
-
-#[unsafe(no_mangle)]
-extern "C" fn _start() -> ! {
-    let mut pixels = [0; 160];
-    for row in (0..120).cycle() {
-        scanline::scanline(row, core::hint::black_box(&mut pixels));
-    }
-    loop {}
-}
-
-#[panic_handler]
-fn panic(_: &core::panic::PanicInfo) -> ! {
-    loop {}
-}
-"#;
 
 /// Adds the steps.
 pub(crate) fn run(suite: &mut Suite) {
     const NAMES: [&str; 4] = [
         "package: the crates are complete",
-        "package: the README's firmware links without float or panic",
+        "package: the firmware to copy links without float or panic",
         "package: the crates' own tests pass",
         "package: the kernel compiles with the oldest dependencies that it allows",
     ];
@@ -155,17 +141,18 @@ impl Unpacked {
         cargo
     }
 
-    /// Builds the README's firmware with the unpacked kernel. Returns its bytes of flash.
+    /// Builds a copy of the template with the unpacked kernel. Returns its bytes of flash.
     fn firmware(&self, progress: &Progress) -> Result<u64> {
-        let folder = self.folder.path().join("firmware");
-        let readme = fs::read_to_string(self.of("luminaire").join("README.md"))?;
-        let manifest = file(&readme, "# Cargo.toml")?;
-        let manifest = manifest.replace("path = \"core\"", &format!("path = {:?}", self.of("luminaire")));
-        let head = "[package]\nname = \"scanline\"\nedition = \"2024\"\n";
-        write(&folder.join("Cargo.toml"), &format!("{head}\n{manifest}"))?;
-        write(&folder.join("build.rs"), file(&readme, "// build.rs")?)?;
-        write(&folder.join("src/lib.rs"), file(&readme, "// src/lib.rs")?)?;
-        write(&folder.join("src/main.rs"), MAIN)?;
+        let template = project::root().join(TEMPLATE);
+        let folder = self.folder.path().join("template");
+        for (file, content) in project::files(&template, &["target", "Cargo.lock"])? {
+            let copy = folder.join(file);
+            fs::create_dir_all(copy.parent().context("a file has a folder")?)?;
+            fs::write(&copy, content).with_context(|| format!("cannot write {}", copy.display()))?;
+        }
+        let manifest = folder.join("Cargo.toml");
+        let kernel = format!("path = {:?}", self.of("luminaire"));
+        fs::write(&manifest, fs::read_to_string(&manifest)?.replace(KERNEL, &kernel))?;
         let toolchain = Toolchain::find(TARGET, progress)?;
         let mut build = toolchain.cargo_build("core", &[]);
         build.arg("--release").current_dir(&folder);
@@ -181,26 +168,27 @@ impl Unpacked {
 
 const VERSION: &str = env!("CARGO_PKG_VERSION");
 
-/// The text of the README's block whose first line names the file.
-fn file<'a>(readme: &'a str, first_line: &str) -> Result<&'a str> {
-    let (_, rest) = readme.split_once(&format!("\n{first_line}\n")).context(first_line.to_owned())?;
-    let (text, _) = rest.split_once("\n```").context("the block does not end")?;
-    Ok(text)
-}
-
-fn write(file: &Path, text: &str) -> Result<()> {
-    fs::create_dir_all(file.parent().context("a file has a folder")?)?;
-    fs::write(file, format!("{text}\n")).with_context(|| format!("cannot write {}", file.display()))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
+    /// The text of the README's block whose first line names the file.
+    fn block<'a>(readme: &'a str, first_line: &str) -> Option<&'a str> {
+        let (_, rest) = readme.split_once(&format!("\n{first_line}\n"))?;
+        Some(rest.split_once("```")?.0)
+    }
+
     #[test]
     fn a_block_of_the_readme_is_the_file_that_it_names() {
-        let readme = "text\n```rs\n// build.rs\nfn main() {}\n```\n```rs\n// other.rs\n```\n";
-        assert_eq!(file(readme, "// build.rs").unwrap(), "fn main() {}");
-        assert!(file(readme, "// src/lib.rs").is_err());
+        let text = |file: &str| fs::read_to_string(project::root().join(file)).unwrap();
+        let readme = text("README.md");
+        for file in ["build.rs", "src/lib.rs"] {
+            let block = block(&readme, &format!("// {file}"));
+            assert_eq!(block, Some(&*text(&format!("{TEMPLATE}/{file}"))), "{file}");
+        }
+        // The README shows the manifest from its dependencies on, as in the folder of the project.
+        let manifest = text(&format!("{TEMPLATE}/Cargo.toml")).replace(KERNEL, "path = \"core\"");
+        let shown = block(&readme, "# Cargo.toml").unwrap();
+        assert!(shown.starts_with("[dependencies]") && manifest.ends_with(shown), "expected {manifest}");
     }
 }

@@ -31,9 +31,9 @@ impl Panel {
         delay: &mut impl DelayNs,
     ) -> Option<Self> {
         luminaire_panel::start(&mut bus, &mut is_data, &mut select, reset, delay)?;
+        let idle = Some((bus.with_dma(channel), esp_hal::dma_tx_buffer!(BYTES).ok()?));
         select.set_low();
-        let bytes = esp_hal::dma_tx_buffer!(BYTES).ok()?;
-        Some(Self { idle: Some((bus.with_dma(channel), bytes)), is_data, _select: select })
+        Some(Self { idle, is_data, _select: select })
     }
 }
 
@@ -44,11 +44,7 @@ impl luminaire_panel::Panel for Panel {
         words.iter().try_for_each(|word| bus.write(&word.to_be_bytes())).ok()
     }
 
-    fn send<const WIDTH: usize>(
-        &mut self,
-        row: Row<WIDTH>,
-        meanwhile: impl FnOnce(),
-    ) -> Option<Row<WIDTH>> {
+    fn send<const WIDTH: usize>(&mut self, row: Row<WIDTH>, meanwhile: impl FnOnce()) -> Option<Row<WIDTH>> {
         let (bus, mut bytes) = self.idle.take()?;
         for (two, pixel) in bytes.as_mut_slice().chunks_exact_mut(2).zip(&*row) {
             two.copy_from_slice(&pixel.to_be_bytes());

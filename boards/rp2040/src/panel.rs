@@ -72,11 +72,7 @@ impl luminaire_panel::Panel for Panel {
         bus.flush().ok()
     }
 
-    fn send<const WIDTH: usize>(
-        &mut self,
-        row: Row<WIDTH>,
-        meanwhile: impl FnOnce(),
-    ) -> Option<Row<WIDTH>> {
+    fn send<const WIDTH: usize>(&mut self, row: Row<WIDTH>, meanwhile: impl FnOnce()) -> Option<Row<WIDTH>> {
         let (channel, bus) = self.idle.take()?;
         let transfer = Config::new(channel, row, bus).start();
         meanwhile();

@@ -15,9 +15,9 @@ use embedded_hal::spi::MODE_3;
 use luminaire_panel::Rows;
 use panic_halt as _;
 use stm32f4xx_hal::gpio::Speed;
-use stm32f4xx_hal::pac::{CorePeripherals, Peripherals, SPI1};
+use stm32f4xx_hal::pac::{CorePeripherals, PWR, Peripherals, SPI1};
 use stm32f4xx_hal::prelude::*;
-use stm32f4xx_hal::rcc::Config;
+use stm32f4xx_hal::rcc::{Config, Enable};
 
 use panel::Panel;
 
@@ -32,8 +32,12 @@ fn main() -> ! {
 
 /// Shows the pictures for ever.
 fn show() -> Option<Infallible> {
-    let device = Peripherals::take()?;
+    let mut device = Peripherals::take()?;
     let mut core = CorePeripherals::take()?;
+    // Above 84 MHz the processor needs the regulator's highest voltage, which the HAL does not set.
+    PWR::enable(&mut device.RCC);
+    // SAFETY: 3 is a value of this field: scale 1, up to 100 MHz.
+    device.PWR.cr().modify(|_, w| unsafe { w.vos().bits(3) });
     // The crystal of a Black Pill, and the highest clock of the data sheet.
     let mut rcc = device.RCC.freeze(Config::hse(25.MHz()).sysclk(100.MHz()));
     let mut delay = core.SYST.delay(&rcc.clocks);

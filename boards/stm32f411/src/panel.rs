@@ -25,8 +25,9 @@ impl<Output: OutputPin> Panel<Output> {
         delay: &mut impl DelayNs,
     ) -> Option<Self> {
         luminaire_panel::start(&mut bus, &mut is_data, &mut select, reset, delay)?;
+        let bus = bus.frame_size_16bit();
         select.set_low().ok()?;
-        Some(Self { bus: bus.frame_size_16bit(), is_data })
+        Some(Self { bus, is_data })
     }
 }
 
@@ -37,11 +38,7 @@ impl<Output: OutputPin> luminaire_panel::Panel for Panel<Output> {
         self.bus.write(words).ok()
     }
 
-    fn send<const WIDTH: usize>(
-        &mut self,
-        row: Row<WIDTH>,
-        meanwhile: impl FnOnce(),
-    ) -> Option<Row<WIDTH>> {
+    fn send<const WIDTH: usize>(&mut self, row: Row<WIDTH>, meanwhile: impl FnOnce()) -> Option<Row<WIDTH>> {
         self.bus.write(row).ok()?;
         meanwhile();
         Some(row)

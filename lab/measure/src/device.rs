@@ -54,22 +54,22 @@ impl Device {
         })
     }
 
-    /// Makes a call of cargo run in the package.
-    fn cargo(&self, mut cargo: Command) -> Command {
-        cargo.current_dir(project::root().join("boards").join(self.name));
-        cargo
-    }
-
     /// Builds the firmware. Returns its file.
     fn build(&self, progress: &Progress) -> Result<PathBuf> {
         let toolchain = Toolchain::find(self.target, progress)?;
-        let mut build = self.cargo(toolchain.cargo_build("core", &[]));
+        let mut build = in_folder(self.name, toolchain.cargo_build("core", &[]));
         build.arg("--release");
         progress.run(build)?;
         let file = toolchain.artifacts("release").join(format!("luminaire-{}", self.name));
         Program::read(&file)?.has_no_float()?;
         Ok(file)
     }
+}
+
+/// Makes a call of cargo run in a folder of `boards`.
+fn in_folder(name: &str, mut cargo: Command) -> Command {
+    cargo.current_dir(project::root().join("boards").join(name));
+    cargo
 }
 
 /// Builds the firmware of a board and writes the file that is copied to it, or checks the firmware.
