@@ -4,6 +4,7 @@
 
 mod compiled;
 mod two_angles;
+mod zoom;
 
 pub use self::compiled::{CompiledCone, QuickCone};
 
@@ -239,11 +240,20 @@ impl<P: Falloff> Cone<P> {
     ///
     /// The coarse error selects between the coarse and the fine ramp.
     pub(crate) fn compile_with_error<S: Scalar>(&self) -> Result<(CompiledCone<S, P>, f32), Error> {
-        self.check::<S>()?;
-        let Self { inner, outer, limit, .. } = *self;
-        let error = S::coarse_error(&self.slopes(inner), outer, limit);
+        let error = self.checked_error::<S>()?;
+        Ok((self.compile_for(error), error))
+    }
+
+    /// Compiles the cone for an `Arithmetic::coarse_error`.
+    fn compile_for<S: Scalar>(&self, error: f32) -> CompiledCone<S, P> {
         let ramp = if error <= HALF_A_CODE { S::ramp } else { S::fine_ramp };
-        Ok((CompiledCone::new(ramp(inner, outer, limit), self.profile), error))
+        CompiledCone::new(ramp(self.inner, self.outer, self.limit), self.profile)
+    }
+
+    /// Returns the `Arithmetic::coarse_error`, or an error if the format cannot hold the cone.
+    fn checked_error<S: Scalar>(&self) -> Result<f32, Error> {
+        self.check::<S>()?;
+        Ok(S::coarse_error(&self.slopes(self.inner), self.outer, self.limit))
     }
 
     /// Compiles the cone for the quick evaluation.

@@ -21,6 +21,8 @@
 
 pub(crate) mod arithmetic;
 #[cfg(feature = "fixed")]
+mod chord;
+#[cfg(feature = "fixed")]
 mod fine;
 #[cfg(feature = "fixed")]
 mod fine_ray;

@@ -190,6 +190,40 @@ fn any_bits_make_a_quick_light() {
     assert_quick::<Fx16>();
 }
 
+fn assert_any_bits_zoom<S: Raw>() {
+    let mut rng = Rng::with_seed(0x0b17);
+    for _ in 0..2_000 * sweep::effort() {
+        let rng = &mut rng;
+        let (position, axis) = (vector(rng, S::length_from_bits), vector(rng, S::unit_from_bits));
+        let colors = [color(rng), color(rng)];
+        let (gain, part) = (S::any_gain(rng), S::scalar_from_bits(bits(rng)));
+        let full = [(); 2].map(|()| {
+            let (cone, outside) = (CompiledCone::from_parts(S::any_ramp(rng), Soft, Soft), bits(rng));
+            let outside = S::scalar_from_bits(outside);
+            let near = rng.u32(..40);
+            CompiledSpotLight::<S, _>::from_parts(position, axis, cone, outside, (), gain, near, colors)
+        });
+        let zoomed = full[0].zoomed(&full[1], part);
+        assert_lights(rng, zoomed);
+        for _ in 0..20 {
+            let intensity = zoomed.falloff(vector(rng, S::length_from_bits)).exact();
+            assert!((0.0..=1.0).contains(&intensity), "{full:?} {part:?}: {intensity}");
+        }
+        let quick = [(); 2].map(|()| {
+            let cone = QuickCone::from_parts(S::any_quick_ramp(rng), Soft, Soft);
+            QuickSpotLight::<S, _>::from_parts(position, axis, cone, (), gain, colors)
+        });
+        assert_lights(rng, quick[0].zoomed(&quick[1], part));
+    }
+}
+
+#[test]
+fn any_bits_zoom() {
+    assert_any_bits_zoom::<f32>();
+    assert_any_bits_zoom::<Fx32>();
+    assert_any_bits_zoom::<Fx16>();
+}
+
 fn assert_any_bits_make_a_light<S: Raw>() {
     let mut rng = Rng::with_seed(0xb175);
     for _ in 0..300 * sweep::effort() {

@@ -39,3 +39,4 @@ mod shadow;
 mod tables;
 mod totality;
 mod two_angles;
+mod zoom;

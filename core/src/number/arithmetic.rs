@@ -113,6 +113,13 @@ pub trait Arithmetic: Copy + Default + PartialOrd + core::fmt::Debug + Share<Sel
     fn fine_ramp(inner: f32, outer: f32, limit: f32) -> Self::Ramp {
         Self::ramp(inner, outer, limit)
     }
+    /// Returns the ramp of the cone between the cones of two ramps, and the bound of this cone for
+    /// [`FullOffset::is_outside`].
+    ///
+    /// The roots of the three versines of a cone are interpolated. `part` is between 0 and 1; for
+    /// any other part the ramp is an unspecified one. If one of the ramps is a
+    /// [`fine_ramp`](Self::fine_ramp), then so is the result.
+    fn zoomed(from: Self::Ramp, to: Self::Ramp, part: Self) -> (Self::Ramp, Self);
     /// Returns the falloff's argument `t` at a versine, in `[0, 1]`.
     ///
     /// `t` is exactly 0 from the ramp's limit on, and otherwise exactly 1 up to the inner versine.

@@ -15,7 +15,8 @@ mod quick;
 mod ramp;
 
 pub(super) use self::offset::Offset16;
-use self::ramp::{MOST_ZOOM, magnified, zoom};
+pub(super) use self::ramp::MOST_ZOOM;
+use self::ramp::{magnified, zoom};
 pub use self::{frame::Frame16, ramp::Ramp16};
 pub use super::gain::Gain16;
 use super::{
@@ -29,6 +30,16 @@ use crate::{trig, vec3::Vec3};
 fn factor(scalar: Fx16) -> u32 {
     (scalar.to_bits().max(0) as u16).into()
 }
+
+/// Converts a scalar between 0 and 1 to a number with 32 fraction bits.
+#[inline]
+fn fraction(part: Fx16) -> u32 {
+    u32::from(part.to_bits() as u16) << 18
+}
+
+/// The margin of the bound for rejecting points outside a cone, of which `number::outside_bound`
+/// states the reason, and one step for the rounding of the squared cosine.
+const OUTSIDE: i16 = 16 + 1;
 
 impl Arithmetic for Fx16 {
     operations!(i16, u16, u32, Light16, Weight16, Gain16, Offset16, Frame16, Steps14);
@@ -97,6 +108,11 @@ impl Arithmetic for Fx16 {
 
     fn fine_ramp(inner: f32, outer: f32, limit: f32) -> Ramp16 {
         Ramp16::new(inner, outer, limit).into_fine()
+    }
+
+    fn zoomed(from: Ramp16, to: Ramp16, part: Self) -> (Ramp16, Self) {
+        let (ramp, chords) = from.between(to, fraction(part), MOST_ZOOM);
+        (ramp, Self::from_bits((chords.squared_cosine() >> 16) as i16 - OUTSIDE))
     }
 
     #[inline]

@@ -33,6 +33,16 @@ fn factor(scalar: Fx32) -> u64 {
     u64::from(scalar.clamp(Fx32::ZERO, Fx32::ONE).to_bits() as u32)
 }
 
+/// Converts a scalar between 0 and 1 to a number with 32 fraction bits.
+#[inline]
+fn fraction(part: Fx32) -> u32 {
+    (part.to_bits() as u32) << 2
+}
+
+/// The margin of the bound for rejecting points outside a cone, of which `number::outside_bound`
+/// states the reason, and two steps for the roundings of the squared cosine.
+const OUTSIDE: i32 = 16 + 2;
+
 impl Arithmetic for Fx32 {
     operations!(i32, u32, u64, Light32, Weight32, Gain32, Offset32, Frame32, Steps30);
 
@@ -70,6 +80,11 @@ impl Arithmetic for Fx32 {
 
     fn ramp(inner: f32, outer: f32, limit: f32) -> Ramp32 {
         Ramp32::new(inner, outer, limit)
+    }
+
+    fn zoomed(from: Ramp32, to: Ramp32, part: Self) -> (Ramp32, Self) {
+        let (ramp, chords) = from.between(to, fraction(part));
+        (ramp, Self::from_bits(chords.squared_cosine() as i32 - OUTSIDE))
     }
 
     #[inline]

@@ -11,9 +11,9 @@ pub use self::frame::FloatFrame;
 use self::offset::FloatOffset;
 use super::{
     Arithmetic, Gain, Offset, ProjectedPoint, Ray, Rise, Scalar, Slopes, Word, fraction::FloatFraction,
-    raised,
+    outside_bound, raised,
 };
-use crate::vec3::Vec3;
+use crate::{trig, vec3::Vec3};
 
 /// Value at which irradiance saturates.
 ///
@@ -45,6 +45,23 @@ impl FloatRamp {
         [self.outer.to_bits(), self.limit.to_bits(), self.reciprocal.to_bits()]
     }
 
+    /// Returns the ramp between this ramp and another one.
+    fn between(self, other: Self, part: f32) -> Self {
+        let [inner, outer, limit] =
+            [(self.inner(), other.inner()), (self.outer, other.outer), (self.limit, other.limit)]
+                .map(|(from, to)| versine_between(from, to, part));
+        f32::ramp(inner, outer, limit)
+    }
+
+    /// Returns the inner versine, within the rounding error of the outer versine.
+    ///
+    /// A hotspot of less than 1/1,000 of the outer angle counts as none: its versine would be a
+    /// rounding error, of which the root is large.
+    fn inner(self) -> f32 {
+        let inner = self.outer - 1.0 / self.reciprocal;
+        if inner > 1e-6 * self.outer { inner } else { 0.0 }
+    }
+
     #[inline]
     fn rise(self, versine: f32) -> FloatFraction {
         // A versine of NaN is not below the limit, so `t` is 0.
@@ -64,6 +81,17 @@ pub(crate) const fn positive(x: f32) -> f32 {
 pub(crate) fn clamp(x: f32) -> f32 {
     let x = positive(x);
     if x < 1.0 { x } else { 1.0 }
+}
+
+/// Returns the versine between two versines: its root is linear in `part`.
+///
+/// The result is within the range of the two versines. `part` is clamped to `[0, 1]`.
+pub(crate) fn versine_between(from: f32, to: f32, part: f32) -> f32 {
+    let part = clamp(part);
+    // A sum of two positive terms keeps the leading bits of a narrow cone.
+    let chord = trig::sqrt(from) * (1.0 - part) + trig::sqrt(to) * part;
+    let (least, most) = if from < to { (from, to) } else { (to, from) };
+    (chord * chord).max(least).min(most)
 }
 
 impl Scalar for f32 {
@@ -173,6 +201,11 @@ impl Arithmetic for f32 {
     /// of direction and axis, and from the square of this difference.
     fn rounding(edge: &Slopes) -> f32 {
         edge.angle * 0.55e-6 + (edge.fraction * 1.5 + 1.5) * Self::STEP
+    }
+
+    fn zoomed(from: FloatRamp, to: FloatRamp, part: f32) -> (FloatRamp, f32) {
+        let ramp = from.between(to, part);
+        (ramp, outside_bound(ramp.limit))
     }
 
     #[inline]

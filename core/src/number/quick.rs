@@ -24,6 +24,8 @@ pub trait Quick: Arithmetic {
     fn quick_axis(axis: Vec3<Self::Direction>) -> Vec3<Self::Direction>;
     /// Compiles a ramp for versines of the quick evaluation: see [`Arithmetic::ramp`].
     fn quick_ramp(inner: f32, outer: f32, limit: f32) -> Self::QuickRamp;
+    /// Returns the ramp of the cone between the cones of two ramps: see [`Arithmetic::zoomed`].
+    fn quick_zoomed(from: Self::QuickRamp, to: Self::QuickRamp, part: Self) -> Self::QuickRamp;
     /// Returns an upper bound of the error of the falloff times Lambert's cosine.
     ///
     /// The bound holds for a cone that spans versines from 0 to `outer`, without attenuation.

@@ -1,5 +1,7 @@
 //! Reciprocals of integers, with multiplications and shifts only.
 
+use super::product::{high_product, signed_high_product};
+
 /// Returns `2^31 / m` for `m` in `[2^15, 2^16)`: 65,535 at `m = 2^15`, never more.
 ///
 /// The relative error is at most 5.6e-5 (exhaustive).
@@ -42,6 +44,33 @@ pub(super) const fn inverse_28(m: u32) -> u32 {
     (seed + ((seed * (lack >> 8) + (1 << 46)) >> 47)) as u32
 }
 
+/// Returns `2^63 / m`, rounded down, for `m >= 2^31`; `u32::MAX` for `m = 2^31`.
+///
+/// One step of Halley's method, which is of third order, refines the result of
+/// [`quick_inverse_16`] to at most 6 units below the exact result; the remainder corrects it.
+pub(super) fn inverse_32(m: u32) -> u32 {
+    /// Largest amount by which the refined result is above the exact one.
+    const ABOVE: u32 = 3;
+    /// Largest amount by which the reduced result is below the exact one.
+    const BELOW: u32 = 6;
+    let seed = quick_inverse_16(m >> 16);
+    // `1 - seed m / 2^47`, with 31 fraction bits.
+    let lack = (1_u32 << 31).wrapping_sub(high_product(m, seed)) as i32;
+    let eighth = lack >> 3;
+    let correction = lack + (eighth.wrapping_mul(eighth) >> 25);
+    let refined = (seed << 16).saturating_add_signed(signed_high_product(correction << 1, seed));
+    let mut inverse = refined.saturating_sub(ABOVE);
+    let m = u64::from(m);
+    let mut rest = (1_u64 << 63).wrapping_sub(u64::from(inverse) * m);
+    for _ in 0..BELOW {
+        if rest >= m {
+            rest -= m;
+            inverse = inverse.saturating_add(1);
+        }
+    }
+    inverse
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -75,5 +104,16 @@ mod tests {
             .fold(0.0, f64::max);
         assert!((0.5..=0.9).contains(&worst), "worst error {worst}");
         assert_eq!(inverse_28(1 << 27), 1 << 28);
+    }
+
+    /// Exhaustive in the upper 28 bits with `LUMINAIRE_FULL`.
+    #[test]
+    fn thirty_two_bits_are_those_of_the_division() {
+        let stride = if std::env::var_os("LUMINAIRE_FULL").is_some() { 15 } else { 1_009 };
+        let last = u32::MAX - 100_000..=u32::MAX;
+        for m in (1_u32 << 31..=u32::MAX).step_by(stride).chain(1 << 31..(1 << 31) + 100_000).chain(last) {
+            let exact = ((1_u64 << 63) / u64::from(m)).min(u32::MAX.into()) as u32;
+            assert_eq!(inverse_32(m), exact, "{m}");
+        }
     }
 }

@@ -1,4 +1,6 @@
-//! Reciprocal square roots of integers, with multiplications and shifts only.
+//! Square roots of integers and their reciprocals, with multiplications and shifts only.
+
+use super::product::{high_half, high_product, signed_high_product};
 
 /// Values of `2^31 / sqrt(n)` at multiples of 2^25, from `n = 2^30` on, for linear interpolation.
 ///
@@ -122,6 +124,30 @@ pub(super) const fn inverse_sqrt_32(n: u64) -> u64 {
     (seed << 16).wrapping_add_signed((seed as i64 * correction) >> 24)
 }
 
+/// Returns `2^16 sqrt(n)`, with a relative error of at most 7.5e-9 and less than 2 units.
+///
+/// One step of Newton's method refines the product of `n` and [`guess`]. The largest result is
+/// `u32::MAX`, and the result for zero is zero.
+pub(super) fn sqrt_32(n: u32) -> u32 {
+    // The shift is even, so that the root is shifted by half of it.
+    let shift = (u32::BITS - bit_length(n)) & !1;
+    let n = n << shift;
+    let seed = guess(n);
+    let root = high_product(n, seed).min((1 << 31) - 1) << 1;
+    let lack = n.wrapping_sub(high_half(root, root)) as i32;
+    root.saturating_add_signed(signed_high_product(lack, seed)) >> (shift / 2)
+}
+
+/// Returns `sqrt(n)`, with the relative error of [`sqrt_32`] and less than 2 units.
+pub(super) fn sqrt_64(n: u64) -> u32 {
+    let high = (n >> 32) as u32;
+    if high == 0 {
+        return sqrt_32(n as u32) >> 16;
+    }
+    let shift = (bit_length(high) + 1) & !1;
+    sqrt_32((n >> shift) as u32) >> (16 - shift / 2)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -154,6 +180,30 @@ mod tests {
         let stride = if std::env::var_os("LUMINAIRE_FULL").is_some() { 1 } else { 251 };
         let worst = worst_16(stride);
         assert!((4.0e-5..=9.0e-5).contains(&worst), "worst relative error {worst:e}");
+    }
+
+    /// Exhaustive in the upper 30 bits with `LUMINAIRE_FULL`.
+    #[test]
+    fn a_root_keeps_its_stated_error() {
+        let stride = if std::env::var_os("LUMINAIRE_FULL").is_some() { 4 } else { 997 };
+        let error = |n: u64, found: u32| f64::from(found) / (n as f64).sqrt() - 1.0;
+        let worst = ((1_u64 << 30)..1 << 32)
+            .step_by(stride)
+            .map(|n| error(n << 32, sqrt_32(n as u32)).abs().max(error(n << 32, sqrt_64(n << 32)).abs()))
+            .fold(0.0, f64::max);
+        assert!((4e-9..=7.5e-9).contains(&worst), "worst relative error {worst:e}");
+        for bits in 0..64 {
+            for n in [1, 3, 5, 0x9e37_79b9_7f4a_7c15].map(|n: u64| n.wrapping_shl(bits)) {
+                let exact = (n as f64).sqrt();
+                let off = (f64::from(sqrt_64(n)) - exact).abs();
+                assert!(off < 2.0 + 7.5e-9 * exact, "{n}: {off}");
+                let exact = f64::from(n as u32).sqrt() * 65_536.0;
+                let off = (f64::from(sqrt_32(n as u32)) - exact).abs();
+                assert!(off < 2.0 + 7.5e-9 * exact, "{n}: {off}");
+            }
+        }
+        assert_eq!([sqrt_32(0), sqrt_64(0)], [0; 2]);
+        assert!(sqrt_32(u32::MAX) > u32::MAX - 40 && sqrt_64(u64::MAX) > u32::MAX - 40);
     }
 
     /// Exhaustive with `LUMINAIRE_FULL`: every squared length of an offset of 15 bits, from the

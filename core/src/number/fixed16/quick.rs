@@ -6,7 +6,7 @@
 //! In the comments `v` is the offset, scaled until its largest component has 15 bits, and `|v|` is
 //! its length.
 
-use super::{Ramp16, factor, offset::Offset16};
+use super::{Ramp16, factor, fraction, offset::Offset16};
 use crate::number::{
     Fx16, Fx32, Gain16, Length, Light16, Offset, Quick, Ray, Scalar, Slopes, Versine16, cold_path,
     fine_ray::size, fraction::Fraction16, product::high_product, root,
@@ -91,6 +91,10 @@ impl Quick for Fx16 {
 
     fn quick_ramp(inner: f32, outer: f32, limit: f32) -> Ramp16 {
         Ramp16::with_zoom(inner, outer, limit, 0)
+    }
+
+    fn quick_zoomed(from: Ramp16, to: Ramp16, part: Self) -> Ramp16 {
+        from.between(to, fraction(part), 0).0
     }
 
     fn quick_error(edge: &Slopes, outer: f32) -> f32 {

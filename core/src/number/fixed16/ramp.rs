@@ -1,6 +1,14 @@
 //! The ramp of a cone in the 16-bit format: the map from versines to the falloff's argument `t`.
 
-use crate::number::{Fx16, Rise, Versine16, fine::Fine, fraction::Fraction16, product::high_half, rounded};
+use crate::number::{
+    Fx16, Rise, Versine16,
+    chord::{self, Chords},
+    fine::Fine,
+    fraction::Fraction16,
+    product::high_half,
+    reciprocal::inverse_32,
+    root, rounded,
+};
 
 /// The largest zoom of a ramp, which scales versines by `4^zoom`. A larger zoom would need more
 /// bits than a direction has.
@@ -81,22 +89,66 @@ impl Ramp16 {
         let [inner, limit] = [inner, limit].map(|versine| magnified(versine, zoom).to_bits());
         let outer = (outer * (1_u64 << (29 + 2 * zoom)) as f32 + 0.5) as u64;
         let span = outer.saturating_sub(inner.into()).max(1);
-        let shift = (u64::BITS - span.leading_zeros()).saturating_sub(16).min(31);
-        // Divides by the whole span: the bits that the shifted span loses would change the slope of
-        // the ramp.
-        let mantissa = (((1 << (31 + shift)) + span / 2) / span) as u32;
+        let divisor = ((span << span.leading_zeros()) >> 32) as u32;
+        Self::with_span(zoom, inner, limit, divisor, u64::BITS - span.leading_zeros())
+    }
+
+    /// Builds a ramp whose span from inner to outer versine is `divisor * 2^(fine_shift - 32)`. The
+    /// upper bit of the divisor is set.
+    ///
+    /// The mantissas divide by the whole span: the bits that the shifted span loses would change
+    /// the slope of the ramp.
+    fn with_span(zoom: u32, inner: u32, limit: u32, divisor: u32, fine_shift: u32) -> Self {
+        let fine_mantissa = inverse_32(divisor);
+        let shift = fine_shift.saturating_sub(16).min(31);
+        let mantissa = (fine_mantissa >> (fine_shift - shift - 1)).div_ceil(2);
         let width = limit.saturating_sub(inner);
         let one = (1 << 31) + (1 << 15) - (mantissa - (mantissa >> shift)) / 2;
         // The last versine before the limit must not give a negative `t`.
-        let one = one.max((width.saturating_sub(1) >> shift) * mantissa);
-        // The fine evaluation also divides by the whole span, which is
-        // `divisor * 2^(fine_shift - 32)`.
-        let fine_shift = u64::BITS - span.leading_zeros();
-        // The upper bit of the divisor is always set; the `|` shows this to the compiler.
-        let divisor = (span << span.leading_zeros()) >> 32 | 1 << 31;
-        let fine_mantissa = ((1 << 63) / divisor).min(u32::MAX.into()) as u32;
+        let one = one.max((width.saturating_sub(1) >> shift).wrapping_mul(mantissa));
         let inner = inner.min(limit);
         Self { zoom, inner, width, shift, mantissa, one, fine: 0, fine_shift, fine_mantissa }
+    }
+
+    /// Returns the ramp between this ramp and another one, and the chords of its cone.
+    ///
+    /// `part` has 32 fraction bits, and `most` is the largest zoom. The ramp is fine if one of the
+    /// two ramps is.
+    pub(in crate::number) fn between(self, other: Self, part: u32, most: u32) -> (Self, Chords) {
+        let chords = self.chords().between(other.chords(), part);
+        let ramp = Self::of_chords(chords, most);
+        (if self.fine > 0 || other.fine > 0 { ramp.into_fine() } else { ramp }, chords)
+    }
+
+    /// Builds the ramp of a cone with these chords, with the largest zoom up to `most`.
+    fn of_chords(Chords { inner, outer, limit }: Chords, most: u32) -> Self {
+        let zoom = chord::zoom(limit, most);
+        // A cutoff may be so narrow that the outer versine is out of range in the scale of the
+        // ramp.
+        let wide = chord::zoom(outer, zoom);
+        let span = chord::squared(outer, wide).saturating_sub(chord::squared(inner, wide)).max(1);
+        let bits = root::bit_length(span);
+        let [inner, limit] = [inner, limit].map(|chord| chord::squared(chord, zoom));
+        Self::with_span(zoom, inner, limit, span << (u32::BITS - bits), bits + 2 * (zoom - wide))
+    }
+
+    /// Returns the chords of the cone. A cone whose cutoff is within its hotspot counts as a step.
+    fn chords(self) -> Chords {
+        let (width, zoom) = (self.width.max(self.fine), self.zoom);
+        let limit = chord::zoomed_chord(self.limit(), zoom);
+        let inner = if self.inner > 0 { chord::zoomed_chord(self.inner, zoom).min(limit) } else { 0 };
+        // Without a cutoff, `t` is zero at the limit, but for roundings.
+        let is_cut = width > 0 && self.fallen(width) < Fine::ONE.0 - 4;
+        Chords { inner, outer: if is_cut { self.outer_chord().max(limit) } else { limit }, limit }
+    }
+
+    /// Returns the chord of the outer versine, which the ramp has only as a reciprocal.
+    #[cold]
+    fn outer_chord(self) -> u32 {
+        let divisor = u64::from(inverse_32(self.fine_mantissa | 1 << 31));
+        let span = (divisor << self.fine_shift.saturating_sub(32)) >> 32_u32.saturating_sub(self.fine_shift);
+        let outer = (u64::from(self.inner) + span).min(1 << (30 + 2 * self.zoom));
+        chord::chord(outer << (32 - 2 * self.zoom))
     }
 
     /// Returns the same ramp as a fine ramp, which always has the fine evaluation.
@@ -147,12 +199,17 @@ impl Ramp16 {
         if past >= self.width.max(self.fine) {
             return if versine < self.inner { Fine::ONE } else { Fine(0) };
         }
-        let fallen = if self.fine_shift < u32::BITS {
+        Fine(Fine::ONE.0.saturating_sub(self.fallen(past)))
+    }
+
+    /// Returns `1 - t` at an excess over the inner versine, with the 31 fraction bits of [`Fine`].
+    #[inline(always)]
+    fn fallen(self, past: u32) -> u32 {
+        if self.fine_shift < u32::BITS {
             high_half(past.wrapping_shl(u32::BITS - self.fine_shift), self.fine_mantissa)
         } else {
             high_half(past, self.fine_mantissa) >> (self.fine_shift - u32::BITS)
-        };
-        Fine(Fine::ONE.0.saturating_sub(fallen))
+        }
     }
 }
 
@@ -169,6 +226,8 @@ pub(in crate::number) fn magnified(value: f32, zoom: u32) -> Versine16 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    extern crate std;
 
     /// Returns ramps of every width, with hotspots and cutoffs.
     fn ramps() -> impl Iterator<Item = Ramp16> {
@@ -225,5 +284,60 @@ mod tests {
                 assert!(error.abs() < 1e-4, "off by {error} within {limit}");
             }
         }
+    }
+
+    /// Returns pairs of ramps, a part with 32 fraction bits, and the ramp between the two.
+    fn zooms() -> impl Iterator<Item = ([Ramp16; 2], u32, Ramp16)> {
+        let zooms = ramps().zip(ramps().skip(7_919)).enumerate();
+        zooms.map(|(i, (from, to))| {
+            let part = (i as u32 + 1).wrapping_mul(0x9e37_79b9);
+            ([from, to], part, from.between(to, part, if i % 3 == 0 { 0 } else { MOST_ZOOM }).0)
+        })
+    }
+
+    #[test]
+    fn a_ramp_between_keeps_its_bits() {
+        for (ends, part, ramp) in zooms() {
+            assert_eq!(Ramp16::from_bits(ramp.to_bits()), ramp, "{ends:?} {part}");
+        }
+    }
+
+    /// Returns the inner versine, the outer versine and the limit of a ramp. The outer versine is
+    /// within 2^-31 of the span of that from which the ramp was built.
+    fn exact(ramp: Ramp16) -> [f64; 3] {
+        let unit = 0.5_f64.powi(29 + 2 * ramp.zoom as i32);
+        let span = 2_f64.powi(ramp.fine_shift as i32 + 31) / f64::from(ramp.fine_mantissa);
+        let inner = f64::from(ramp.inner);
+        [inner, inner + span, f64::from(ramp.limit())].map(|versine| versine * unit)
+    }
+
+    /// The versines are those between, relative to the limit, and `t` is that of these versines
+    /// times the width of the edge.
+    #[test]
+    fn a_ramp_between_has_the_versines_between() {
+        let (mut of_versines, mut of_fine, mut of_coarse) = (0.0_f64, 0.0_f64, 0.0_f64);
+        for (ends, part, ramp) in zooms().filter(|(.., ramp)| ramp.zoom == zoom(exact(*ramp)[2] as f32)) {
+            let part = f64::from(part) / 4_294_967_296.0;
+            let [from, to] = ends.map(exact);
+            let between =
+                [0, 1, 2].map(|i| (from[i].sqrt() + (to[i].sqrt() - from[i].sqrt()) * part).powi(2));
+            let [inner, outer, limit] = between;
+            for (found, exact) in exact(ramp).into_iter().zip(between) {
+                of_versines = of_versines.max((found - exact).abs() / limit.max(exact));
+            }
+            for step in 1..32 {
+                let versine = magnified((inner + (limit - inner) * f64::from(step) / 32.0) as f32, ramp.zoom);
+                let exact = f64::from(versine.to_bits()) * 0.5_f64.powi(29 + 2 * ramp.zoom as i32);
+                let t = ((outer - exact) / (outer - inner)).min(1.0);
+                let fine = f64::from(ramp.rise_finely(versine).0) / 2_147_483_648.0;
+                let coarse = f64::from(ramp.rise_coarsely(versine).0) / 32_768.0;
+                of_fine = of_fine.max((fine - t).abs() * (1.0 - inner / outer));
+                of_coarse = of_coarse.max((coarse - t).abs());
+            }
+        }
+        let found = std::format!("{of_versines:.2e} {of_fine:.2e} {of_coarse:.2e}");
+        assert!((1e-7..=2.5e-7).contains(&of_versines), "{found}");
+        assert!((1e-7..=1.7e-7).contains(&of_fine), "{found}");
+        assert!((3e-5..=4e-5).contains(&of_coarse), "{found}");
     }
 }

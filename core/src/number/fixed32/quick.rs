@@ -3,12 +3,12 @@
 //! The quick evaluation uses the direction of the 16-bit format's fine evaluation, and 32-bit
 //! products instead of 64-bit products.
 
-use super::offset::Offset32;
+use super::{fraction, offset::Offset32};
 use crate::number::{
     Fx32, Gain32, Length, Light32, Offset, Quick, Ray, Slopes, cold_path,
     fine::{self, Fine},
     fine_ray::{FineRay, size},
-    fixed16::Ramp16,
+    fixed16::{MOST_ZOOM, Ramp16},
     product::{high_half, high_square, signed_high_half},
     root,
 };
@@ -74,6 +74,10 @@ impl Quick for Fx32 {
 
     fn quick_ramp(inner: f32, outer: f32, limit: f32) -> Ramp16 {
         Ramp16::new(inner, outer, limit)
+    }
+
+    fn quick_zoomed(from: Ramp16, to: Ramp16, part: Self) -> Ramp16 {
+        from.between(to, fraction(part), MOST_ZOOM).0
     }
 
     /// The versines computed at set-up are `f32`, with a relative error of at most 4e-7, as in the

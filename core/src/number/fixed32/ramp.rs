@@ -1,6 +1,12 @@
 //! The ramp of a cone in the 32-bit format: the map from versines to the falloff's argument `t`.
 
-use crate::number::{Versine32, fraction::Fraction32, rounded};
+use crate::number::{
+    Versine32,
+    chord::{self, Chords},
+    fraction::Fraction32,
+    reciprocal::inverse_32,
+    root, rounded,
+};
 
 /// Largest versine that counts as zero, that is, as that of a direction on the axis.
 ///
@@ -63,11 +69,42 @@ impl Ramp32 {
         let shift = (u64::BITS - span.leading_zeros()).saturating_sub(32);
         let divisor = (span >> shift).max(1);
         let mantissa = ((1 << 63) + divisor / 2) / divisor;
+        Self::with_mantissa([inner, outer, limit], shift, mantissa)
+    }
+
+    /// Builds a ramp from its versines, the shift of its span and the reciprocal of the shifted
+    /// span.
+    fn with_mantissa([inner, outer, limit]: [u64; 3], shift: u32, mantissa: u64) -> Self {
+        let span = outer.saturating_sub(inner);
         let inner = inner.max(ON_AXIS);
         // The largest gap that is less than the span must not give a `t` over 1.
         let room = ((1 << 63) + (1 << 32) - 1) - (span.saturating_sub(1) >> shift) * mantissa;
         let half = ((mantissa - (mantissa >> shift)) / 2 + (1 << 31)).min(room);
         Self { limit: limit.min(outer), outer, inner, span, shift, mantissa, half }
+    }
+
+    /// Returns the ramp between this ramp and another one, and the chords of its cone.
+    ///
+    /// `part` has 32 fraction bits.
+    pub(super) fn between(self, other: Self, part: u32) -> (Self, Chords) {
+        let chords = self.chords().between(other.chords(), part);
+        let Chords { inner, outer, limit } = chords;
+        let versines = [inner, outer, limit].map(|chord| (u64::from(chord) * u64::from(chord)) >> 1);
+        let span = versines[1].saturating_sub(versines[0]);
+        let shift = root::bit_length((span >> 31) as u32) - 1;
+        let divisor = ((span >> shift) as u32).max(1);
+        let less = u32::BITS - root::bit_length(divisor);
+        // The mantissa is rounded down to 32 bits, so the largest gap gives no `t` over 1.
+        let mantissa = u64::from(inverse_32(divisor << less)) << less;
+        (Self::with_mantissa(versines, shift, mantissa), chords)
+    }
+
+    /// Returns the chords of the cone.
+    fn chords(self) -> Chords {
+        let outer = chord::chord(self.outer);
+        let limit = if self.limit < self.outer { chord::chord(self.limit) } else { outer };
+        let inner = chord::chord(self.outer.saturating_sub(self.span));
+        Chords { inner, outer, limit }
     }
 
     /// Returns the falloff's argument `t` at a versine.
@@ -134,5 +171,39 @@ mod tests {
         let largest = Ramp32::from_bits([0, 9, 0, 2, 0, MOST, 0]);
         assert_eq!(largest.to_bits(), [0, 9, 7, 2, 0, MOST, 0]);
         assert_eq!(Ramp32::from_bits([0, 9, 0, 3, 0, MOST / 2 + 1, 7]).to_bits(), [0, 9, 6, 3, 0, 0, 7]);
+    }
+
+    /// The chords are those between within 2 units of 2^-31 and 6e-9, and `t` is that of the ramp's
+    /// versines within 1.8 units of 2^-31.
+    #[test]
+    fn a_ramp_between_has_the_versines_between() {
+        let (mut of_chords, mut of_t) = (0.0_f64, 0.0_f64);
+        let zooms = ramps().zip(ramps().skip(11_003)).enumerate();
+        for (i, (from, to)) in zooms {
+            let part = (i as u32 + 1).wrapping_mul(0x9e37_79b9);
+            let ramp = from.between(to, part).0;
+            assert_eq!(Ramp32::from_bits(ramp.to_bits()), ramp, "{from:?} {to:?} {part}");
+            let exact = |ramp: Ramp32| {
+                let inner = ramp.outer - ramp.span;
+                [inner, ramp.outer, ramp.limit].map(|versine| versine as f64 * 0.5_f64.powi(61))
+            };
+            let part = f64::from(part) / 4_294_967_296.0;
+            for ((found, from), to) in exact(ramp).into_iter().zip(exact(from)).zip(exact(to)) {
+                let chord = from.sqrt() + (to.sqrt() - from.sqrt()) * part;
+                let error = (found.sqrt() - chord).abs();
+                of_chords = of_chords.max((error - 6e-9 * chord) * 2_147_483_648.0);
+            }
+            let [inner, outer, limit] = exact(ramp);
+            for step in 1..32 {
+                let versine = nearest_versine((inner + (limit - inner) * f64::from(step) / 32.0) as f32);
+                let past = versine.to_bits() as f64 * 0.5_f64.powi(61);
+                if past < limit && versine.to_bits() > ON_AXIS {
+                    let t = ((outer - past) / (outer - inner)).min(1.0);
+                    of_t = of_t.max((f64::from(ramp.rise(versine).0) - t * 2_147_483_648.0).abs());
+                }
+            }
+        }
+        assert!((1.5..=2.0).contains(&of_chords), "{of_chords}");
+        assert!((1.2..=1.8).contains(&of_t), "{of_t}");
     }
 }

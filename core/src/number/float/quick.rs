@@ -42,6 +42,10 @@ impl Quick for f32 {
         f32::ramp(inner, outer, limit)
     }
 
+    fn quick_zoomed(from: FloatRamp, to: FloatRamp, part: f32) -> FloatRamp {
+        from.between(to, part)
+    }
+
     fn quick_error(edge: &Slopes, outer: f32) -> f32 {
         const LENGTH: f32 = 2.6e-5;
         let chord = trig::sqrt(2.0 * outer);

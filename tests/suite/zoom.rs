@@ -1,0 +1,269 @@
+//! Compiled spotlights that zoom at run time, compared with the exact cone between the two.
+
+use fastrand::Rng;
+use luminaire::{
+    Angle, Cone, Error, Fx16, Fx32, SpotLight, Vec3,
+    attenuation::NoAttenuation,
+    falloff::{Falloff, Soft, Step},
+};
+use support::{
+    format::Format,
+    oracle::{
+        self, DVec3,
+        climb::{self, Search},
+    },
+    sweep::{self, half},
+};
+
+/// A pair of cones by their outer half angles in degrees, the share of the cutoff in the outer angle
+/// and of the hotspot in the cutoff, and the part of the way from one cone to the other.
+#[derive(Clone, Copy, Debug)]
+struct Zoom {
+    outer: [f32; 2],
+    inner: [f32; 2],
+    cutoff: [f32; 2],
+    part: f32,
+}
+
+impl Zoom {
+    /// From narrow to wide, equal, and far apart; half of the cones are open.
+    fn somewhere(rng: &mut Rng, narrowest: f32) -> Self {
+        let angle = |rng: &mut Rng| narrowest * (89.9 / narrowest).powf(rng.f32());
+        let share = |rng: &mut Rng, none: f32| if rng.bool() { none } else { 0.1 + 0.9 * rng.f32() };
+        let first = angle(rng);
+        Self {
+            outer: [first, if rng.u8(..8) == 0 { first } else { angle(rng) }],
+            inner: [(); 2].map(|()| 0.9 * share(rng, 0.0)),
+            cutoff: [(); 2].map(|()| 0.2 + 0.8 * share(rng, 1.0)),
+            part: rng.f32(),
+        }
+    }
+
+    fn moved(self, rng: &mut Rng, narrowest: f32) -> Self {
+        let (mut zoom, step, side) = (self, climb::size(rng), usize::from(rng.bool()));
+        match rng.u8(..4) {
+            0 => zoom.outer[side] = (zoom.outer[side] * (1.0 + step)).clamp(narrowest, 89.9),
+            1 if zoom.inner[side] > 0.0 => {
+                zoom.inner[side] = (zoom.inner[side] * (1.0 + step)).clamp(0.1, 0.9)
+            }
+            2 => zoom.cutoff[side] = (zoom.cutoff[side] * (1.0 + step)).clamp(0.2, 1.0),
+            _ => zoom.part = (zoom.part * (1.0 + step)).clamp(0.0, 1.0),
+        }
+        zoom
+    }
+
+    fn cones<P: Falloff>(&self, profile: P) -> Result<[Cone<P>; 2], Error> {
+        let cone = |side: usize| {
+            let (outer, cutoff) = (self.outer[side], self.cutoff[side]);
+            let cone = Cone::from_outer(profile, half(outer))?
+                .with_inner(half(outer * cutoff * self.inner[side]))?;
+            if cutoff < 1.0 { cone.with_cutoff(half(outer * cutoff)) } else { Ok(cone) }
+        };
+        Ok([cone(0)?, cone(1)?])
+    }
+
+    /// The exact cone at a part of the way.
+    fn exact(&self, profile: oracle::Falloff, part: f64) -> oracle::Cone {
+        let between = |angle: fn(&Self, usize) -> f32| {
+            let [from, to] = [0, 1].map(|side| oracle::versine(angle(self, side).into()).sqrt());
+            (from + (to - from) * part).powi(2)
+        };
+        oracle::Cone {
+            inner: between(|zoom, side| zoom.outer[side] * zoom.cutoff[side] * zoom.inner[side]),
+            limit: between(|zoom, side| zoom.outer[side] * zoom.cutoff[side]),
+            ..oracle::Cone::new(profile, between(|zoom, side| zoom.outer[side]))
+        }
+    }
+}
+
+fn light<P: Falloff>(cone: Cone<P>) -> SpotLight<P> {
+    SpotLight::new([0.0; 3], [0.0, 0.0, -1.0], cone).expect("a sound light")
+}
+
+/// A pair of cones and a point: its angle off axis over that of the end of the zoomed light, its
+/// distance, and its turn about the axis.
+type Input = (Zoom, [f32; 3]);
+
+fn somewhere(rng: &mut Rng, narrowest: f32) -> Input {
+    (Zoom::somewhere(rng, narrowest), [1.05 * rng.f32(), 0.3 + 15.0 * rng.f32(), 6.3 * rng.f32()])
+}
+
+fn moved(rng: &mut Rng, (zoom, point): Input, narrowest: f32) -> Input {
+    if rng.bool() {
+        return (zoom.moved(rng, narrowest), point);
+    }
+    let step = climb::size(rng);
+    let [off, distance, turn] = climb::one_of(rng, point, |c| c * (1.0 + step));
+    (zoom, [off.min(1.1), distance.clamp(0.3, 16.0), turn])
+}
+
+/// The error of a zoomed light's falloff at a point. It is 0 if the format refuses one of the cones,
+/// and where the falloff jumps.
+fn error<S: Format>((zoom, point): Input) -> f64 {
+    let Ok([from, to]) = zoom.cones(Soft) else { return 0.0 };
+    let Ok([from, to]) = light(from).compile_zoom::<S>(&to) else { return 0.0 };
+    let part = S::from_f32(zoom.part);
+    let Some((point, expected)) = place::<S>(zoom.exact(oracle::soft, part.exact()), point) else {
+        return 0.0;
+    };
+    (from.zoomed(&to, part).falloff(point).exact() - expected).abs()
+}
+
+/// The error of a zoomed light of the quick evaluation, relative to its stated error.
+fn quick_error<S: Format>((zoom, point): Input) -> f64 {
+    let Ok([from, to]) = zoom.cones(Soft) else { return 0.0 };
+    let part = S::from_f32(zoom.part);
+    let exact = zoom.exact(oracle::soft, part.exact());
+    let Some((point, expected)) = place::<S>(exact, point) else { return 0.0 };
+    let stated = light(from.zoomed(&to, part.to_f32())).quick_error::<S>();
+    let ends = [from, to].map(|cone| light(cone).with_attenuation(NoAttenuation).compile_quick::<S>());
+    let [Ok(from), Ok(to)] = ends else { return 0.0 };
+    let back = -S::exact_point(point).normalize();
+    let normal = sweep::single(back).map(S::from_f32);
+    let found = S::exact_light(from.zoomed(&to, part).irradiance(point, normal));
+    (found - expected * back.dot(S::exact_normal(normal))).abs() / f64::from(stated)
+}
+
+/// A point as the format stores it, and the exact falloff there; `None` where the falloff jumps.
+fn place<S: Format>(cone: oracle::Cone, [off, distance, turn]: [f32; 3]) -> Option<(Vec3<S::Length>, f64)> {
+    let end = oracle::half_degrees(cone.limit).to_radians();
+    let ((sine, cosine), (right, up)) = ((f64::from(off) * end).sin_cos(), f64::from(turn).sin_cos());
+    let way = f64::from(distance) * DVec3::new(sine * right, sine * up, -cosine);
+    let point = sweep::single(way).map(S::length);
+    let versine = oracle::versine_between(S::exact_point(point), -DVec3::Z);
+    let jumps = cone.limit < cone.outer && (f64::from(off) - 1.0).abs() * end < 3e-4 * end + 3e-4;
+    (!jumps).then(|| (point, cone.falloff(versine)))
+}
+
+/// The largest error over pairs of cones from a half angle in degrees on, by climbing.
+fn worst<S: Format>(narrowest: f32, error: fn(Input) -> f64) -> f64 {
+    let search = Search { starts: 20_000 * sweep::effort(), steps: 3_000, ..Search::default() };
+    let found =
+        search.worst(|rng| somewhere(rng, narrowest), |rng, input| moved(rng, input, narrowest), error);
+    let found = found.expect("some error");
+    println!("{} from {narrowest} degrees: {:.2e} at {:?}", S::NAME, found.error, found.input);
+    found.error
+}
+
+#[test]
+fn a_zoomed_light_has_the_exact_falloff_between() {
+    for (error, bound) in [
+        (worst::<Fx16>(0.7, error::<Fx16>), 1.0 / 510.0),
+        (worst::<Fx32>(0.01, error::<Fx32>), 2.5e-4),
+        (worst::<Fx32>(5.0, error::<Fx32>), 3.5e-6),
+        (worst::<f32>(0.1, error::<f32>), 6e-6),
+    ] {
+        assert!((bound / 3.0..=bound).contains(&error), "{error:e}");
+    }
+}
+
+#[test]
+fn a_zoomed_quick_light_keeps_its_stated_error() {
+    for (error, bound) in [
+        (worst::<Fx16>(1.0, quick_error::<Fx16>), 1.0),
+        (worst::<Fx32>(1.0, quick_error::<Fx32>), 0.6),
+        (worst::<f32>(1.0, quick_error::<f32>), 1.0),
+    ] {
+        assert!((bound / 3.0..=bound).contains(&error), "{error:e}");
+    }
+}
+
+/// At its ends a zoom has exactly the two cones, also for parts outside [0, 1] and NaN.
+fn assert_ends<S: Format>(parts: [&[S]; 2]) {
+    let mut rng = Rng::with_seed(1);
+    for _ in 0..300 {
+        let Ok([from, to]) = Zoom::somewhere(&mut rng, 1.0).cones(Soft) else { continue };
+        let Ok([narrow, wide]) = light(from).compile_zoom::<S>(&to) else { continue };
+        let ends = [from, to].map(|cone| light(cone).compile_quick::<S>().expect("held"));
+        for &part in parts[0] {
+            assert_eq!(narrow.zoomed(&wide, part), narrow);
+            assert_eq!(ends[0].zoomed(&ends[1], part), ends[0]);
+        }
+        for &part in parts[1] {
+            assert_eq!(narrow.zoomed(&wide, part), wide);
+            assert_eq!(ends[0].zoomed(&ends[1], part), ends[1]);
+        }
+    }
+}
+
+#[test]
+fn the_ends_of_a_zoom_are_its_cones() {
+    let fx16 = Fx16::from_bits;
+    assert_ends::<Fx16>([&[fx16(0), fx16(-1), fx16(i16::MIN)], &[Fx16::ONE, fx16(i16::MAX)]]);
+    let fx32 = Fx32::from_bits;
+    assert_ends::<Fx32>([&[fx32(0), fx32(-1), fx32(i32::MIN)], &[Fx32::ONE, fx32(i32::MAX)]]);
+    assert_ends::<f32>([&[0.0, -0.0, -7.0, f32::NAN], &[1.0, 2.0, f32::INFINITY]]);
+}
+
+/// The early-outs of a zoomed light change no bit, and outside of the cone is no light.
+fn assert_skips<S: Format, P: Falloff>(profile: P) {
+    let mut rng = Rng::with_seed(2);
+    let (mut rims, mut lit) = (0, 0);
+    for _ in 0..2_000 {
+        let zoom = Zoom::somewhere(&mut rng, 1.0);
+        let Ok([from, to]) = zoom.cones(profile) else { continue };
+        let Ok([narrow, wide]) = sweep::spot(&mut rng, from).compile_zoom::<S>(&to) else { continue };
+        let part = S::from_f32(zoom.part);
+        let zoomed = narrow.zoomed(&wide, part);
+        let end = oracle::half_degrees(zoom.exact(oracle::step, part.exact()).limit);
+        for _ in 0..40 {
+            let off = end.to_radians() * (1.0 + 2e-3 * (rng.f64() - 0.6));
+            let way = sweep::direction_off(&mut rng, S::exact_direction(zoomed.axis()), off);
+            let place = S::exact_point(zoomed.position()) + 5.0 * way;
+            let point = sweep::single(place).map(S::length);
+            let normal = sweep::single(-way).map(S::from_f32);
+            let light = zoomed.irradiance(point, normal);
+            assert_eq!(light, zoomed.irradiance_unskipped(point, normal), "{zoom:?}");
+            assert_eq!(zoomed.falloff(point) > S::ZERO, light > S::Irradiance::default(), "{zoom:?}");
+            rims += 1;
+            lit += i32::from(light > S::Irradiance::default());
+        }
+    }
+    assert!(rims > 20_000 && (rims / 4..rims * 9 / 10).contains(&lit), "{lit} of {rims}");
+}
+
+#[test]
+fn a_zoomed_light_skips_only_darkness() {
+    assert_skips::<Fx16, _>(Step);
+    assert_skips::<Fx32, _>(Step);
+    assert_skips::<f32, _>(Step);
+}
+
+/// The angle is nearly linear in the part: the largest lack of the full angle, in degrees.
+#[test]
+fn a_zoom_is_nearly_linear_in_the_angle() {
+    let lack = |widest: f32| {
+        let cone = |degrees: f32| Cone::from_outer(Soft, Angle::degrees(degrees)).expect("a sound angle");
+        let parts = (1..200).map(|part| part as f32 / 200.0);
+        let lack = |narrow: f32, part: f32| {
+            let linear = narrow + (widest - narrow) * part;
+            linear - cone(narrow).zoomed(&cone(widest), part).outer().to_degrees()
+        };
+        [0.01, 0.1, 0.3, 0.6, 0.9]
+            .into_iter()
+            .flat_map(|share| parts.clone().map(move |part| lack(share * widest, part)))
+            .fold([0.0_f32; 2], |[least, most], lack| [least.min(lack), most.max(lack)])
+    };
+    for (widest, stated) in [(40.0, 0.08), (60.0, 0.27), (90.0, 0.9), (120.0, 2.2), (180.0, 7.6)] {
+        let [least, most] = lack(widest);
+        println!("{widest} degrees: {least:e} to {most}");
+        assert!(least > -1e-4 && (stated / 1.5..=stated).contains(&most), "{widest}: {least} to {most}");
+    }
+}
+
+/// The versine of a cone between two cones, relative to the exact one.
+#[test]
+fn a_cone_between_has_the_versine_between() {
+    let mut rng = Rng::with_seed(3);
+    let mut worst = 0.0_f64;
+    for _ in 0..200_000 {
+        let [from, to] = Zoom::somewhere(&mut rng, 0.01).cones(Soft).expect("sound cones");
+        let part = rng.f32();
+        let [near, far] = [from, to].map(|cone| f64::from(cone.outer_versine()).sqrt());
+        let exact = (near + (far - near) * f64::from(part)).powi(2);
+        let found = from.zoomed(&to, part).outer_versine();
+        worst = worst.max((f64::from(found) / exact - 1.0).abs());
+    }
+    println!("{worst:.2e}");
+    assert!((2e-7..=4e-7).contains(&worst), "{worst:e}");
+}
