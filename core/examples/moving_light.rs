@@ -1,8 +1,8 @@
-//! A spotlight that follows a target over a floor and fades, in 16-bit integers: prints frames as
-//! characters.
+//! A spotlight that follows a target over a floor, zooms and fades, in 16-bit integers: prints frames
+//! as characters.
 //!
-//! The light is compiled once, on a microcontroller by a build script. Each frame then aims and dims
-//! it, without floating point and without a division.
+//! The light is compiled once, on a microcontroller by a build script. Each frame then aims, zooms
+//! and dims it, without floating point and without a division.
 
 use luminaire::{
     Angle, Cone, Fx16, Length, Rgb, SpotLight, Vec3,
@@ -18,9 +18,9 @@ const ROWS: i32 = 16;
 const FRAMES: i32 = 4;
 
 fn main() -> Result<(), luminaire::Error> {
-    let light = lamp()?;
+    let lights = lamp()?;
     for frame in 0..FRAMES {
-        let light = follow(light, frame);
+        let light = follow(lights, frame);
         println!("frame {frame}");
         for row in 0..ROWS {
             let mut codes = [0; COLUMNS];
@@ -34,17 +34,18 @@ fn main() -> Result<(), luminaire::Error> {
     Ok(())
 }
 
-/// A spotlight three metres above the middle of the floor.
-fn lamp() -> Result<Light, luminaire::Error> {
-    let cone = Cone::soft(Angle::degrees(40.0))?;
-    SpotLight::new([4.0, 3.0, 2.0], [0.0, -1.0, 0.0], cone)?.with_intensity(9.0)?.compile()
+/// A spotlight three metres above the middle of the floor, with its narrowest and its widest cone.
+fn lamp() -> Result<[Light; 2], luminaire::Error> {
+    let [narrow, wide] = [Cone::soft(Angle::degrees(20.0))?, Cone::soft(Angle::degrees(40.0))?];
+    SpotLight::new([4.0, 3.0, 2.0], [0.0, -1.0, 0.0], narrow)?.with_intensity(9.0)?.compile_zoom(&wide)
 }
 
-/// Aims the light at a target that walks along the floor, two metres in each frame, and dims it to a
-/// half in the last frame.
-fn follow(light: Light, frame: i32) -> Light {
+/// Aims the light at a target that walks along the floor, two metres in each frame. In the last frame
+/// the light is halfway to its narrowest cone, and dimmed to a half.
+fn follow([narrow, wide]: [Light; 2], frame: i32) -> Light {
     let target = Vec3::new(metres(1 + 2 * frame, 1), Length::ZERO, metres(2, 1));
     let part = Fx16::from_bits(((1 << 14) - (frame << 13) / (FRAMES - 1)) as i16); // 14 fraction bits
+    let light = narrow.zoomed(&wide, part);
     // `None` would mean that the target is at the position of the light.
     light.aimed_at(target).unwrap_or(light).dimmed(part)
 }

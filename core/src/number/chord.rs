@@ -22,10 +22,10 @@ pub(super) struct Chords {
 impl Chords {
     /// Returns the chords between two cones. `part` has 32 fraction bits.
     pub(super) fn between(self, other: Self, part: u32) -> Self {
-        let [inner, outer, limit] =
-            [(self.inner, other.inner), (self.outer, other.outer), (self.limit, other.limit)]
-                .map(|(from, to)| between(from, to, part));
-        Self { inner: inner.min(limit), outer: outer.max(limit), limit }
+        let limit = between(self.limit, other.limit, part);
+        let is_cut = self.limit < self.outer || other.limit < other.outer;
+        let outer = if is_cut { between(self.outer, other.outer, part).max(limit) } else { limit };
+        Self { inner: between(self.inner, other.inner, part).min(limit), outer, limit }
     }
 
     /// Returns the squared cosine of the limit, with 30 fraction bits and an error of less than 2

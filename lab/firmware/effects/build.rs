@@ -30,6 +30,8 @@ const EYE: Vec3<f32> = Vec3::new(-0.5, 3.5, 1.0);
 const BRIGHT: f32 = 16.0;
 /// The field angle of the spotlights.
 const FIELD: Angle = Angle::degrees(36.0);
+/// The field angle of the spotlight that another one zooms towards.
+const WIDE_FIELD: Angle = Angle::degrees(72.0);
 
 fn main() -> Outcome {
     println!("cargo::rerun-if-changed=build.rs");
@@ -56,6 +58,8 @@ fn constants<S: SourceScalar>() -> Outcome {
     spot_of::<S, _, _>("cutoff", cone.with_cutoff(FIELD)?, NoAttenuation)?;
     write("quick", &key(cone, NoAttenuation)?.compile_quick::<S>()?)?;
     write("bright", &key(cone, NoAttenuation)?.with_intensity(BRIGHT)?.compile::<S>()?)?;
+    spot_of::<S, _, _>("wide", Cone::from_field(Soft, WIDE_FIELD)?, NoAttenuation)?;
+    write("part", &S::from_f32(0.375))?;
     write("position", &POSITION.map(S::length))?;
     write("axis_back", &SpotLight::new(POSITION, AXIS.map(|c| -c), cone)?.axis_in::<S>())?;
     let square = Projection::of(&SpotLight::new(POSITION, AXIS, cone)?)?;

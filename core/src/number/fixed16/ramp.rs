@@ -123,13 +123,17 @@ impl Ramp16 {
     /// Builds the ramp of a cone with these chords, with the largest zoom up to `most`.
     fn of_chords(Chords { inner, outer, limit }: Chords, most: u32) -> Self {
         let zoom = chord::zoom(limit, most);
-        // A cutoff may be so narrow that the outer versine is out of range in the scale of the
-        // ramp.
-        let wide = chord::zoom(outer, zoom);
-        let span = chord::squared(outer, wide).saturating_sub(chord::squared(inner, wide)).max(1);
-        let bits = root::bit_length(span);
-        let [inner, limit] = [inner, limit].map(|chord| chord::squared(chord, zoom));
-        Self::with_span(zoom, inner, limit, span << (u32::BITS - bits), bits + 2 * (zoom - wide))
+        let [start, end] = [inner, limit].map(|chord| chord::squared(chord, zoom));
+        let (span, less) = if outer > limit {
+            // A cutoff may be so narrow that the outer versine is out of range in the scale of the
+            // ramp.
+            let wide = chord::zoom(outer, zoom);
+            (chord::squared(outer, wide).saturating_sub(chord::squared(inner, wide)), zoom - wide)
+        } else {
+            (end.saturating_sub(start), 0)
+        };
+        let (span, bits) = (span.max(1), root::bit_length(span));
+        Self::with_span(zoom, start, end, span << (u32::BITS - bits), bits + 2 * less)
     }
 
     /// Returns the chords of the cone. A cone whose cutoff is within its hotspot counts as a step.

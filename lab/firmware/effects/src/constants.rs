@@ -31,6 +31,8 @@ constants! {
     "cutoff.rs" CUTOFF: CompiledSpotLight<Format, Soft, NoAttenuation>;
     "quick.rs" QUICK: QuickSpotLight<Format, Soft, NoAttenuation>;
     "bright.rs" BRIGHT: CompiledSpotLight<Format, Soft, NoAttenuation>;
+    "wide.rs" WIDE: CompiledSpotLight<Format, Soft, NoAttenuation>;
+    "part.rs" PART: Format;
     "position.rs" POSITION: Vec3<<Format as Scalar>::Length>;
     "axis_back.rs" AXIS_BACK: Vec3<<Format as Scalar>::Unit>;
     "gobo.rs" GOBO: CompiledGobo<'static, Format>;

@@ -232,6 +232,15 @@ pub(super) static GROUPS: LazyLock<[Group; 7]> = LazyLock::new(|| {
                 what: "The light moved to another position and aimed at a point: its axis is computed in the format.",
             },
             Entry {
+                title: "zoom",
+                program: "spot-soft-lambert-zoomed",
+                listed: None,
+                effects: Effects::NONE,
+                over: Some(SPOT),
+                what: "The light with a cone between its own and that of another light: its ramp is computed in the \
+                       format.",
+            },
+            Entry {
                 title: "interpolated normal",
                 program: "spot-soft-lambert-normalized",
                 listed: None,

@@ -6,14 +6,16 @@ use luminaire::{
     Angle, Cone, Scalar, SpotLight, attenuation::NoAttenuation, falloff::Soft, number::Arithmetic,
 };
 
-use crate::constants::{AXIS_BACK, BEAM, BRIGHT, CUTOFF, EYE, GOBO, HOTSPOT, POSITION, QUICK, SHADOW};
+use crate::constants::{
+    AXIS_BACK, BEAM, BRIGHT, CUTOFF, EYE, GOBO, HOTSPOT, PART, POSITION, QUICK, SHADOW, WIDE,
+};
 use crate::{Format, Irradiance, Listed, Surface};
 
 list! {
     surface: spot_soft spot_soft_lambert_hotspot spot_soft_lambert_cutoff spot_soft_lambert_gobo
         spot_soft_lambert_shadow spot_soft_lambert_quick spot_soft_lambert_bright
         spot_soft_lambert_placed spot_soft_lambert_normalized spot_soft_lambert_aimed
-        spot_soft_lambert_compiled haze;
+        spot_soft_lambert_zoomed spot_soft_lambert_compiled haze;
 }
 
 /// A soft edge around a hotspot.
@@ -59,6 +61,13 @@ pub fn spot_soft_lambert_aimed(Surface { point, normal, .. }: Surface) -> Irradi
     let normal = normal.map(|c| Format::default().minus(c));
     let aimed = Soft::CONSTANT.moved_to(point).aimed_at(POSITION);
     aimed.map_or(Irradiance::default(), |light| light.irradiance(POSITION, normal))
+}
+
+/// The soft spotlight, zoomed towards a wider one for each surface point.
+#[inline(always)]
+pub fn spot_soft_lambert_zoomed(Surface { point, normal, .. }: Surface) -> Irradiance {
+    let [narrow, wide] = black_box([&Soft::CONSTANT, &WIDE]);
+    narrow.zoomed(wide, black_box(PART)).irradiance(point, normal)
 }
 
 /// The soft spotlight, described by numbers in f32 and compiled for each surface point.
