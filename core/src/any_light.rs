@@ -208,4 +208,8 @@ impl<S: Scalar> LightModel<S> for CompiledAnyLight<S> {
     ) -> Incident<S::Irradiance> {
         Self::evaluate::<H>(self, surface, highlight, skips)
     }
+
+    fn can_reach(&self, center: Vec3<S::Length>, radius: S::Length) -> bool {
+        any!(self, Self, light => LightModel::can_reach(light, center, radius))
+    }
 }

@@ -185,6 +185,7 @@ mod models;
 pub mod number;
 mod plan;
 pub mod projector;
+mod row;
 mod search;
 mod shade;
 mod source;

@@ -12,6 +12,7 @@ pub use self::{ambient::AmbientLight, directional::DirectionalLight, point::Poin
 pub use crate::{
     cone::{CompiledCone, QuickCone},
     material::CompiledMaterial,
+    row::Row,
     shade::{
         CompiledDirectionalLight, CompiledPointLight, CompiledSpotLight, Incident, QuickSpotLight,
         SurfacePoint,

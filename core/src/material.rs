@@ -2,6 +2,7 @@
 
 use crate::{
     color::{Rgb, checked_color},
+    display::clip,
     error::{Error, Expected, Parameter},
     number::Scalar,
     shade::{LightModel, SurfacePoint},
@@ -181,6 +182,35 @@ impl<S: Scalar, H: SpecularLobe> CompiledMaterial<S, H> {
         light: &L,
     ) -> Rgb<S::Irradiance> {
         self.reflected(surface, light, false)
+    }
+
+    /// Returns the linear colour of a surface point under all lights, clipped to [0, 1]: the glow
+    /// plus the reflected light of each light.
+    #[inline]
+    pub fn color<L: LightModel<S>>(
+        &self,
+        surface: &SurfacePoint<S>,
+        lights: &[L],
+        ambient: Rgb<S::Irradiance>,
+    ) -> Rgb<S> {
+        let reflected = lights.iter().map(|light| self.reflect(surface, light));
+        clip::<S>(reflected.fold(self.glow(ambient), |sum, light| sum.plus::<S>(light)))
+    }
+
+    /// Writes the [`color`](Self::color) of each surface point, such as a vertex of a mesh, up to
+    /// the length of the shorter slice.
+    ///
+    /// A renderer without light interpolates the colours of the vertices.
+    pub fn color_each<L: LightModel<S>>(
+        &self,
+        surfaces: &[SurfacePoint<S>],
+        lights: &[L],
+        ambient: Rgb<S::Irradiance>,
+        colors: &mut [Rgb<S>],
+    ) {
+        for (color, surface) in colors.iter_mut().zip(surfaces) {
+            *color = self.color(surface, lights, ambient);
+        }
     }
 
     #[inline]

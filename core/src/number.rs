@@ -47,6 +47,8 @@ mod product;
 mod reciprocal;
 #[cfg(feature = "fixed")]
 mod root;
+#[cfg(feature = "fixed")]
+mod sphere;
 
 #[cfg(feature = "fixed")]
 pub use self::fixed_point::{Fx16, Fx32, Length, Light16, Light32, Versine16, Versine32, Weight16, Weight32};

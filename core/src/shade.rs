@@ -68,6 +68,10 @@ pub trait LightModel<S: Scalar>: Copy + core::fmt::Debug {
         highlight: &H::Constants<S>,
         skips: bool,
     ) -> Incident<S::Irradiance>;
+    /// Returns `false` only if no point within `radius` of `center` receives light.
+    fn can_reach(&self, _center: Vec3<S::Length>, _radius: S::Length) -> bool {
+        true
+    }
 }
 
 /// Returns the specular lobe if the light hits the front of a surface, else zero.

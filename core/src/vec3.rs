@@ -52,6 +52,13 @@ impl Vec3<f32> {
     pub fn dot(self, other: Self) -> f32 {
         self.x * other.x + self.y * other.y + self.z * other.z
     }
+
+    /// Returns the cross product.
+    #[inline]
+    pub fn cross(self, other: Self) -> Self {
+        let [a, b] = [self, other];
+        Self::new(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x)
+    }
 }
 
 /// Returns `column[i]`, or the default if `i` is out of bounds. In a loop over `0..N` the compiler

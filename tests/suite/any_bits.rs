@@ -13,7 +13,7 @@ use luminaire::{
     falloff::{Cubic, Falloff, Hard, Power, Quadratic, Soft},
     light::{
         CompiledCone, CompiledDirectionalLight, CompiledMaterial, CompiledPointLight, CompiledSpotLight,
-        LightModel, QuickCone, QuickSpotLight, SurfacePoint,
+        LightModel, QuickCone, QuickSpotLight, Row, SurfacePoint,
     },
     specular::{BlinnPhong, DifferenceForm, NoSpecular, Phong, SpecularLobe},
 };
@@ -84,6 +84,9 @@ fn assert_lights<S: Raw, L: LightModel<S>>(rng: &mut Rng, light: L) {
             view: vector(rng, S::unit_from_bits),
         };
         assert_shades::<S, L, NoSpecular>(rng, &surface, &light, ());
+        let points = [(); 40].map(|()| vector(rng, S::length_from_bits));
+        let row = Row::new(surface.normal, |i| points[i]);
+        row.light(&[light], &mut [(); 40], |(), _, sum| assert!(sum != Rgb::default()));
         let lobe = (S::any_ramp(rng), number(rng) as u32);
         assert_shades::<S, L, Phong>(rng, &surface, &light, lobe);
         assert_shades::<S, L, BlinnPhong>(rng, &surface, &light, lobe);

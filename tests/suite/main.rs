@@ -34,6 +34,7 @@ mod paper;
 mod projection;
 mod refusals;
 mod regressions;
+mod rows;
 mod setup;
 mod shadow;
 mod tables;

@@ -14,20 +14,20 @@ use crate::{
 
 /// A surface of one colour under lights of one colour: its dithered RGB565 pixels by the irradiance.
 ///
-/// Where neither the surface nor the light changes its colour, a pixel depends on one number. A table
-/// then replaces the two colours, the sum, the clip, the encoding and the dither. In a picture on a
-/// Cortex-M0 they took 237 instructions for each lit pixel, and the table takes 49. A table has 2,560
-/// bytes; a build script can [write](crate::codegen) it.
+/// Where neither the surface nor the light changes its colour, a pixel depends on one number. A
+/// table then replaces the two colours, the sum, the clip, the encoding and the dither. In a
+/// picture on a Cortex-M0 they took 237 instructions for each lit pixel, and the table takes 49. A
+/// table has 2,560 bytes; a build script can [write](crate::codegen) it.
 ///
 /// The table has [`LEVELS`](Self::LEVELS) levels. Their width is 2^-10 of full scale for irradiances
 /// below 1/4, 2^-8 below 1 and 2^-6 below 4. From 4 on, a pixel shows the last level.
 ///
 /// ```
-/// use luminaire::{Rgb, display::{Rgb565, Rgb565Ramp}};
+/// use luminaire::{Rgb, display::Rgb565Ramp};
 /// // A brick wall, in ambient light of 0.05 and a warm light.
 /// let (wall, light) = (Rgb::new(0.5, 0.2, 0.1), Rgb::new(1.0, 0.8, 0.6));
 /// let ramp = Rgb565Ramp::new(wall.map(|channel| 0.05 * channel), wall.zip(light, |a, b| a * b))?;
-/// assert_eq!(ramp.pixel::<f32>(100.0, 3, 5), Rgb565(0b11111_111111_11111));
+/// assert_eq!(ramp.pixel::<f32>(3.0, 3, 5).to_codes().red, 255);
 /// # Ok::<(), luminaire::Error>(())
 /// ```
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -45,9 +45,9 @@ impl Rgb565Ramp {
     /// reflected ambient light, and `reflected` is what it adds for an irradiance of 1, which is the
     /// product of its colour and the light's.
     ///
-    /// The sum is clipped at full scale. Without the light the colour is exact to 1/64 step. Before the
-    /// dither, the error of a channel is at most 0.42
-    /// steps of RGB565, and at most 0.21 steps where `base` is at least 0.01 (searched).
+    /// The sum is clipped at full scale. Before the dither, the error of a channel is at most 0.42
+    /// steps of RGB565, and at most 0.21 steps where `base` is at least 0.01 (searched). Without
+    /// the light it is at most 1/64 step.
     ///
     /// # Errors
     /// A channel outside 0 to 1.

@@ -89,7 +89,7 @@ impl Arc {
         // If the line passes through the light, the vector to the foot is zero or nearly zero. Any
         // direction orthogonal to the line may then replace the direction to the foot. `normal` is
         // also orthogonal to the axis.
-        let normal = cross(direction, axis);
+        let normal = direction.cross(axis);
         let sine = foot.dot(normal) * reciprocal;
         let squared_sine = if is_through { normal.dot(normal) } else { sine * sine };
         let across = if is_through { 0.0 } else { foot.dot(axis) * reciprocal };
@@ -247,10 +247,4 @@ fn lit(squared: f32, radius_squared: f32, reach_squared: f32, [first, last]: [f3
     let last = if is_before && last > -body { -body } else { last };
     let reach = trig::sqrt(positive(reach_squared - squared));
     [if first > -reach { first } else { -reach }, if last < reach { last } else { reach }]
-}
-
-/// Returns the cross product.
-#[inline]
-pub(super) fn cross(a: Vec3<f32>, b: Vec3<f32>) -> Vec3<f32> {
-    Vec3::new(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x)
 }

@@ -1,10 +1,6 @@
 //! Bundles of view rays, and a conservative test of whether a beam can meet any ray of a bundle.
 
-use super::{
-    BeamScattering,
-    arc::{Extent, cross},
-    beam::FARTHEST,
-};
+use super::{BeamScattering, arc::Extent, beam::FARTHEST};
 use crate::{attenuation::Attenuation, falloff::Falloff, number::float::positive, trig, vec3::Vec3};
 
 /// All view rays from an eye within an angle of a direction, up to a length.
@@ -57,7 +53,7 @@ impl Cap {
 
     /// Returns the cosine of the smallest angle between a unit direction and the cap.
     fn nearest_to(&self, direction: Vec3<f32>) -> f32 {
-        let (along, across) = (direction.dot(self.axis), cross(direction, self.axis));
+        let (along, across) = (direction.dot(self.axis), direction.cross(self.axis));
         let beside = along * self.cosine + trig::sqrt(across.dot(across)) * self.sine;
         if along > self.cosine { 1.0 } else { beside }
     }

@@ -84,6 +84,22 @@ pub trait Arithmetic: Copy + Default + PartialOrd + core::fmt::Debug + Share<Sel
 
     /// Returns the offset: the vector from a light to a point.
     fn offset(light: Vec3<Self::Position>, point: Vec3<Self::Position>) -> Self::Offset;
+    /// Returns the centre and the radius of a sphere around the line between two points, and around
+    /// points within a step of it.
+    fn enclosing(a: Vec3<Self::Position>, b: Vec3<Self::Position>) -> (Vec3<Self::Position>, Self::Position);
+    /// Returns the tip of a cone, moved back along the axis by at least `radius / sin(angle)` with
+    /// the half angle. A sphere of this radius is outside the cone if its centre is outside the cone
+    /// with the moved tip.
+    ///
+    /// `bound` is that of [`FullOffset::is_outside`], from which the test removes the margin. The
+    /// result is `None` for a half angle of 90 degrees or more, for one that the margin hides, and
+    /// in fixed point if the tip moves by 8 km or more.
+    fn moved_back(
+        tip: Vec3<Self::Position>,
+        axis: Vec3<Self::Direction>,
+        bound: Self,
+        radius: Self::Position,
+    ) -> Option<Vec3<Self::Position>>;
     /// Returns an offset along a vector of any length, for its direction.
     fn offset_along(direction: Vec3<Self::Direction>) -> Self::Offset;
     /// Compiles a ramp between two versines: `t` is 0 at `outer`, and 1 up to `inner`.

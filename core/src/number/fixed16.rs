@@ -21,7 +21,7 @@ pub use self::{frame::Frame16, ramp::Ramp16};
 pub use super::gain::Gain16;
 use super::{
     Arithmetic, Fx16, Fx32, HALF_A_CODE, Length, Light16, Offset, ProjectedPoint, Ray, Rise, Scalar, Slopes,
-    Versine16, Weight16, Word, fine::Fine, fine_ray::size, fraction::Fraction16, operations, rounded,
+    Versine16, Weight16, Word, fine::Fine, fine_ray::size, fraction::Fraction16, operations, rounded, sphere,
 };
 use crate::{trig, vec3::Vec3};
 

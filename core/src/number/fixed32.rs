@@ -11,7 +11,7 @@ use self::{offset::Offset32, ramp::nearest_versine};
 pub use super::gain::Gain32;
 use super::{
     Arithmetic, Fx32, Length, Light32, Offset, ProjectedPoint, Ray, Rise, Scalar, Slopes, Versine32,
-    Weight32, Word, fraction::Fraction32, operations, rounded,
+    Weight32, Word, fraction::Fraction32, operations, rounded, sphere,
 };
 use crate::vec3::Vec3;
 

@@ -177,6 +177,24 @@ impl Arithmetic for f32 {
         FloatOffset::between(light, point)
     }
 
+    fn enclosing(a: Vec3<f32>, b: Vec3<f32>) -> (Vec3<f32>, f32) {
+        let half = a.zip(b, |a, b| 0.5 * (b - a));
+        let center = a.zip(half, |a, half| a + half);
+        // Half a unit in the last place of each coordinate, and of the centre's.
+        let size = center.dot(center) + half.dot(half);
+        (center, trig::sqrt(half.dot(half)) + 4e-7 * trig::sqrt(size))
+    }
+
+    fn moved_back(tip: Vec3<f32>, axis: Vec3<f32>, bound: f32, radius: f32) -> Option<Vec3<f32>> {
+        let squared_sine = 1.0 - bound - 18.0 * Self::STEP;
+        let (size, inverse_sine) =
+            (tip.x.abs() + tip.y.abs() + tip.z.abs(), trig::inverse_sqrt(squared_sine));
+        let back = radius * inverse_sine;
+        // More than the rounding errors of the moved tip, across the cone.
+        let back = back + 4e-7 * (size + back) * inverse_sine;
+        (bound > 0.0 && squared_sine > 0.0).then(|| tip.zip(axis, |tip, axis| tip - back * axis))
+    }
+
     fn offset_along(direction: Vec3<f32>) -> FloatOffset {
         FloatOffset::between(Vec3::default(), direction)
     }

@@ -66,7 +66,7 @@ impl Projection {
         }
         let tangent = trig::sqrt(versine * (2.0 - versine)) / (1.0 - versine);
         let right = right_of(axis);
-        Ok(Self { position: spot.position(), right, up: cross(right, axis), axis, outer, tangent })
+        Ok(Self { position: spot.position(), right, up: right.cross(axis), axis, outer, tangent })
     }
 
     /// Returns the same square, rolled about the axis: clockwise, as seen from the light.
@@ -155,10 +155,6 @@ fn right_of(axis: Vec3<f32>) -> Vec3<f32> {
         let length = trig::sqrt(x * x + y * y);
         Vec3::new(y.abs() / length, if y < 0.0 { x } else { -x } / length, 0.0)
     }
-}
-
-fn cross(a: Vec3<f32>, b: Vec3<f32>) -> Vec3<f32> {
-    Vec3::new(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x)
 }
 
 /// A [`Projection`] compiled for the format `S`. Made by [`Projection::compile`].

@@ -62,6 +62,18 @@ impl<S: Scalar, P: Falloff, A: Attenuation> CompiledSpotLight<S, P, A> {
         self.falloff.toward(&offset.ray(), self.axis)
     }
 
+    /// Returns `false` only if no point within `radius` of `center` receives light: all of them are
+    /// outside the cone.
+    ///
+    /// A program skips a light for an object, a tile or a row by its bounding sphere.
+    /// [`Row`](crate::light::Row) does so for the parts of a row. For cones from 8 to 160 degrees a
+    /// sphere is skipped if its gap to the cone is more than 0.12 of the distance from the light to
+    /// its centre in `Fx16`, 0.0008 in `Fx32` and 0.0003 in `f32` (searched). Spheres near a
+    /// narrower cone may not be skipped, and those near a cone of 180 degrees never are.
+    pub fn can_reach(&self, center: Vec3<S::Length>, radius: S::Length) -> bool {
+        LightModel::can_reach(self, center, radius)
+    }
+
     /// Returns whether the evaluation at a point is fine. The fine evaluation costs several times
     /// as much as the coarse evaluation.
     ///
@@ -174,5 +186,10 @@ impl<S: Scalar, P: Falloff, A: Attenuation> LightModel<S> for CompiledSpotLight<
         skips: bool,
     ) -> Incident<S::Irradiance> {
         self.evaluate_at::<H>(surface, highlight, skips)
+    }
+
+    fn can_reach(&self, center: Vec3<S::Length>, radius: S::Length) -> bool {
+        let tip = S::moved_back(self.position, self.axis, self.outside, radius);
+        tip.is_none_or(|tip| !S::offset(tip, center).is_outside(self.axis, self.outside))
     }
 }

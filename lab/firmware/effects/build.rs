@@ -61,6 +61,7 @@ fn constants<S: SourceScalar>() -> Outcome {
     spot_of::<S, _, _>("wide", Cone::from_field(Soft, WIDE_FIELD)?, NoAttenuation)?;
     write("part", &S::from_f32(0.375))?;
     write("position", &POSITION.map(S::length))?;
+    write("radius", &S::length(0.25))?;
     write("axis_back", &SpotLight::new(POSITION, AXIS.map(|c| -c), cone)?.axis_in::<S>())?;
     let square = Projection::of(&SpotLight::new(POSITION, AXIS, cone)?)?;
     write("gobo", &Gobo::of(&panes()).on(square.compile::<S>()?))?;

@@ -68,6 +68,22 @@ macro_rules! operations {
             lobe::power(versine, exponent)
         }
 
+        fn enclosing(a: Vec3<Length>, b: Vec3<Length>) -> (Vec3<Length>, Length) {
+            sphere::enclosing(a, b)
+        }
+
+        fn moved_back(
+            tip: Vec3<Length>,
+            axis: Vec3<Fx32>,
+            bound: Self,
+            radius: Length,
+        ) -> Option<Vec3<Length>> {
+            let squared_sine = Self::ONE.minus(bound).minus(Self::from_bits(OUTSIDE + 1));
+            let thirty_bits =
+                u32::from(squared_sine.to_bits().max(0) as $unsigned) << (30 - Self::FRACTION_BITS);
+            (bound > Self::ZERO).then(|| sphere::moved_back(tip, axis, thirty_bits, radius)).flatten()
+        }
+
         #[inline]
         fn offset_along(direction: Vec3<Fx32>) -> $offset {
             $offset::new(direction.map(Fx32::to_bits))

@@ -34,6 +34,7 @@ constants! {
     "wide.rs" WIDE: CompiledSpotLight<Format, Soft, NoAttenuation>;
     "part.rs" PART: Format;
     "position.rs" POSITION: Vec3<<Format as Scalar>::Length>;
+    "radius.rs" RADIUS: <Format as Scalar>::Length;
     "axis_back.rs" AXIS_BACK: Vec3<<Format as Scalar>::Unit>;
     "gobo.rs" GOBO: CompiledGobo<'static, Format>;
     "eye.rs" EYE: Vec3<<Format as Scalar>::Length>;

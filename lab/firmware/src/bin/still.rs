@@ -3,10 +3,10 @@
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 use luminaire::{
-    Fx16, Rgb, Scalar, Vec3,
+    Fx16, Scalar, Vec3,
     display::{Rgb565, clip},
     falloff::Soft,
-    light::CompiledSpotLight,
+    light::{CompiledSpotLight, Row},
 };
 use luminaire_firmware::board::println;
 
@@ -33,10 +33,11 @@ fn still() {
 /// A row of the floor.
 fn pixels(row: i32) -> [u16; WIDTH] {
     let mut pixels = [0; WIDTH];
-    for (column, pixel) in (-(WIDTH as i32) / 2..).zip(&mut pixels) {
+    let floor = Row::new(UP, |column| {
+        let column = column as i32 - WIDTH as i32 / 2;
         let [x, z] = [column * STEP[0], (row - HEIGHT / 2) * STEP[1]].map(Length::from_bits);
-        let light = KEY.irradiance(Vec3::new(x, Length::ZERO, z), UP);
-        *pixel = Rgb565::from_linear(clip::<Fx16>(Rgb::lit(light, KEY.color()))).0;
-    }
+        Vec3::new(x, Length::ZERO, z)
+    });
+    floor.light(&[KEY], &mut pixels, |pixel, _, light| *pixel = Rgb565::from_linear(clip::<Fx16>(light)).0);
     pixels
 }

@@ -241,6 +241,15 @@ pub(super) static GROUPS: LazyLock<[Group; 7]> = LazyLock::new(|| {
                        format.",
             },
             Entry {
+                title: "bounding sphere",
+                program: "spot-soft-lambert-bounded",
+                listed: None,
+                effects: Effects::NONE,
+                over: Some(SPOT),
+                what: "The light evaluated after a test whether it can reach a sphere. One test skips an object, a \
+                       tile or a part of a row.",
+            },
+            Entry {
                 title: "interpolated normal",
                 program: "spot-soft-lambert-normalized",
                 listed: None,

@@ -7,7 +7,7 @@ use luminaire::{
 };
 
 use crate::constants::{
-    AXIS_BACK, BEAM, BRIGHT, CUTOFF, EYE, GOBO, HOTSPOT, PART, POSITION, QUICK, SHADOW, WIDE,
+    AXIS_BACK, BEAM, BRIGHT, CUTOFF, EYE, GOBO, HOTSPOT, PART, POSITION, QUICK, RADIUS, SHADOW, WIDE,
 };
 use crate::{Format, Irradiance, Listed, Surface};
 
@@ -15,7 +15,7 @@ list! {
     surface: spot_soft spot_soft_lambert_hotspot spot_soft_lambert_cutoff spot_soft_lambert_gobo
         spot_soft_lambert_shadow spot_soft_lambert_quick spot_soft_lambert_bright
         spot_soft_lambert_placed spot_soft_lambert_normalized spot_soft_lambert_aimed
-        spot_soft_lambert_zoomed spot_soft_lambert_compiled haze;
+        spot_soft_lambert_zoomed spot_soft_lambert_bounded spot_soft_lambert_compiled haze;
 }
 
 /// A soft edge around a hotspot.
@@ -68,6 +68,16 @@ pub fn spot_soft_lambert_aimed(Surface { point, normal, .. }: Surface) -> Irradi
 pub fn spot_soft_lambert_zoomed(Surface { point, normal, .. }: Surface) -> Irradiance {
     let [narrow, wide] = black_box([&Soft::CONSTANT, &WIDE]);
     narrow.zoomed(wide, black_box(PART)).irradiance(point, normal)
+}
+
+/// The soft spotlight, evaluated if it can reach a sphere around the surface point.
+#[inline(always)]
+pub fn spot_soft_lambert_bounded(Surface { point, normal, .. }: Surface) -> Irradiance {
+    if Soft::CONSTANT.can_reach(point, black_box(RADIUS)) {
+        Soft::CONSTANT.irradiance(point, normal)
+    } else {
+        Irradiance::default()
+    }
 }
 
 /// The soft spotlight, described by numbers in f32 and compiled for each surface point.

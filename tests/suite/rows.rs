@@ -1,0 +1,191 @@
+//! Rows of pixels and vertices: the same bits as point by point, and no lit point is skipped.
+
+use fastrand::Rng;
+use luminaire::{
+    AmbientLight, Angle, Cone, Fx16, Fx32, Material, Rgb, SpotLight, Vec3,
+    display::clip,
+    falloff::{Soft, Step},
+    light::{CompiledSpotLight, Row, SurfacePoint},
+    specular::BlinnPhong,
+};
+use support::{
+    format::Format,
+    oracle::DVec3,
+    sweep::{self, half},
+};
+
+/// A light with a step of this half angle in degrees.
+fn step<S: Format>(rng: &mut Rng, degrees: f32) -> Option<CompiledSpotLight<S, Step>> {
+    let cone = Cone::from_outer(Step, half(degrees)).expect("a sound angle");
+    sweep::spot(rng, cone).compile().ok()
+}
+
+/// The smallest length of the format that is not less.
+fn radius<S: Format>(metres: f64) -> S::Length {
+    let grown = metres * (1.0 + 1e-6) + 0.5_f64.powi(17);
+    S::length(grown as f32)
+}
+
+/// A unit vector orthogonal to another one.
+fn orthogonal(rng: &mut Rng, axis: DVec3) -> DVec3 {
+    axis.cross(sweep::direction(rng)).normalize()
+}
+
+/// Asserts for spheres that touch a cone from outside and contain a lit point that the light can
+/// reach them.
+fn assert_no_lit_sphere_is_skipped<S: Format>() {
+    let mut rng = Rng::with_seed(21);
+    let mut lit = 0;
+    while lit < 100_000 * sweep::effort() {
+        let degrees = 0.3 * 250.0_f32.powf(rng.f32());
+        let Some(light) = step::<S>(&mut rng, degrees) else { continue };
+        let (position, axis) = (S::exact_point(light.position()), S::exact_direction(light.axis()));
+        let (right, angle) = (orthogonal(&mut rng, axis), f64::from(degrees).to_radians());
+        for _ in 0..20 {
+            let distance = 0.01 * 10_000.0_f64.powf(rng.f64());
+            let off = angle * (1.0 + 1e-3 * (rng.f64() - 0.9));
+            let point = position + distance * (off.cos() * axis + off.sin() * right);
+            let point = sweep::single(point).map(S::length);
+            if light.falloff(point) == S::ZERO {
+                continue;
+            }
+            let outward = off.cos() * right - off.sin() * axis;
+            let size = distance * 10.0_f64.powf(2.0 - 6.0 * rng.f64());
+            let center = sweep::single(S::exact_point(point) + size * outward).map(S::length);
+            let reach = radius::<S>((S::exact_point(center) - S::exact_point(point)).length());
+            lit += 1;
+            assert!(light.can_reach(center, reach), "{light:?} {center:?} {reach:?} {point:?}");
+        }
+    }
+}
+
+#[test]
+fn no_sphere_with_a_lit_point_is_skipped() {
+    assert_no_lit_sphere_is_skipped::<Fx16>();
+    assert_no_lit_sphere_is_skipped::<Fx32>();
+    assert_no_lit_sphere_is_skipped::<f32>();
+}
+
+/// The gap to a cone with a half angle from 4 to 80 degrees, as a share of the distance, from which
+/// on a sphere is always skipped.
+fn gap<S: Format>() -> f64 {
+    let mut rng = Rng::with_seed(22);
+    let mut largest = 0.0_f64;
+    for _ in 0..200_000 {
+        let degrees = 4.0 * 20.0_f32.powf(rng.f32());
+        let Some(light) = step::<S>(&mut rng, degrees) else { continue };
+        let (position, axis) = (S::exact_point(light.position()), S::exact_direction(light.axis()));
+        let off = (f64::from(degrees) + 90.0 * rng.f64()).to_radians();
+        let distance = 0.5 * 40.0_f64.powf(rng.f64());
+        let right = orthogonal(&mut rng, axis);
+        let center = sweep::single(position + distance * (off.cos() * axis + off.sin() * right));
+        let share = (off - f64::from(degrees).to_radians()).sin();
+        let touching = rng.f64() * share;
+        if light.can_reach(center.map(S::length), S::length((distance * touching) as f32)) {
+            largest = largest.max(share - touching);
+        }
+    }
+    largest
+}
+
+#[test]
+fn spheres_clear_of_the_cone_are_skipped() {
+    let gaps = [gap::<Fx16>(), gap::<Fx32>(), gap::<f32>()];
+    println!("{gaps:.5?}");
+    for (gap, bound) in gaps.into_iter().zip([0.12, 8e-4, 3e-4]) {
+        assert!((bound / 10.0..=bound).contains(&gap), "{gaps:.5?}");
+    }
+}
+
+/// A row on a plane, with distances as of a perspective picture.
+fn row<S: Format>(rng: &mut Rng) -> (Vec3<S>, impl Fn(usize) -> Vec3<S::Length> + use<S>) {
+    let normal = sweep::direction(rng);
+    let (start, along) = (sweep::position(rng), orthogonal(rng, normal));
+    let (far, bend) = (0.1 + 20.0 * rng.f64(), 2.0 * rng.f64());
+    let point = move |i: usize| {
+        let part = i as f64 / 160.0;
+        let place = start + far * (part / (1.0 + bend * (1.0 - part)) - 0.5) * along;
+        sweep::single(place).map(S::length)
+    };
+    (sweep::single(normal).map(S::from_f32), point)
+}
+
+/// Asserts that rows have the light of each point, and returns the share of evaluated points
+/// without light.
+fn share_in_vain<S: Format>() -> f64 {
+    let mut rng = Rng::with_seed(23);
+    let (mut evaluated, mut lit) = (0, 0);
+    for _ in 0..2_000 {
+        let (normal, point) = row::<S>(&mut rng);
+        let lights = [(); 3].map(|()| {
+            let cone = Cone::from_field(Soft, Angle::degrees(8.0 + 50.0 * rng.f32())).expect("a sound cone");
+            let color = Rgb::new(rng.f32(), rng.f32(), rng.f32());
+            let light = sweep::spot(&mut rng, cone).with_color(color).expect("a sound colour");
+            light.with_intensity(40.0).expect("a sound intensity").compile::<S>().expect("held")
+        });
+        let length = rng.usize(..=160);
+        let mut shown = vec![Rgb::default(); length];
+        let row = Row::new(normal, &point);
+        row.light(&lights, &mut shown, |pixel, _, light| *pixel = light);
+        for (i, shown) in shown.into_iter().enumerate() {
+            let sum = lights.iter().fold(Rgb::default(), |sum: Rgb<S::Irradiance>, light| {
+                sum.plus::<S>(Rgb::lit(light.irradiance(point(i), normal), light.color()))
+            });
+            assert_eq!(shown, sum, "{lights:?} {i} of {length}");
+        }
+        for light in &lights {
+            let reach = row.reach(light, length);
+            let has_light = |&i: &usize| light.falloff(point(i)) > S::ZERO;
+            evaluated += reach.len();
+            lit += reach.filter(has_light).count();
+        }
+    }
+    1.0 - f64::from(lit as u32) / f64::from(evaluated as u32)
+}
+
+#[test]
+fn rows_have_the_light_of_their_points() {
+    let shares = [share_in_vain::<Fx16>(), share_in_vain::<Fx32>(), share_in_vain::<f32>()];
+    println!("{shares:.3?}");
+    for share in shares {
+        assert!((0.1..=0.25).contains(&share), "{shares:.3?}");
+    }
+}
+
+fn assert_vertices<S: Format>() {
+    let mut rng = Rng::with_seed(24);
+    let material = Material::new(Rgb::new(0.8, 0.5, 0.2)).expect("a sound colour");
+    let material = material.with_highlight(BlinnPhong, Rgb::new(0.3, 0.3, 0.3), 20).expect("a sound lobe");
+    let material = material.compile::<S>();
+    let ambient = AmbientLight::new(Rgb::new(0.1, 0.1, 0.2)).expect("a sound light").compile::<S>();
+    let cone = Cone::from_field(Soft, Angle::degrees(100.0)).expect("a sound cone");
+    let light =
+        |rng: &mut Rng| -> SpotLight<Soft> { sweep::spot(rng, cone).with_intensity(400.0).expect("sound") };
+    let lights = [(); 4].map(|()| light(&mut rng).compile::<S>().expect("held"));
+    let vertices: Vec<_> = (0..500)
+        .map(|_| {
+            let [eye, point] = [(); 2].map(|()| sweep::single(sweep::position(&mut rng)).map(S::length));
+            let normal = sweep::single(sweep::direction(&mut rng)).map(S::from_f32);
+            SurfacePoint::seen_from(eye, point, normal)
+        })
+        .collect();
+    let mut colors = vec![Rgb::default(); 400];
+    material.color_each(&vertices, &lights, ambient, &mut colors);
+    let glow = clip::<S>(material.glow(ambient));
+    let mut lit = 0;
+    for (color, vertex) in colors.into_iter().zip(&vertices) {
+        let sum = lights
+            .iter()
+            .fold(material.glow(ambient), |sum, light| sum.plus::<S>(material.reflect(vertex, light)));
+        assert_eq!(color, clip::<S>(sum), "{vertex:?}");
+        lit += u32::from(color != glow);
+    }
+    assert!((40..400).contains(&lit), "{lit}");
+}
+
+#[test]
+fn vertices_have_the_light_of_their_points() {
+    assert_vertices::<Fx16>();
+    assert_vertices::<Fx32>();
+    assert_vertices::<f32>();
+}
