@@ -34,6 +34,8 @@
 //! The module also exports types that only the generated text needs to name.
 
 mod formats;
+#[cfg(feature = "arithmetic")]
+mod parts;
 
 use core::fmt::{self, Formatter};
 
@@ -69,6 +71,10 @@ use crate::{
     vec3::Vec3,
 };
 
+#[cfg(all(feature = "arithmetic", feature = "fixed"))]
+pub use self::parts::Tables;
+#[cfg(feature = "arithmetic")]
+pub use self::parts::{ConeParts, Parts};
 #[cfg(feature = "arithmetic")]
 pub use crate::{
     codegen::formats::SourceScalar,

@@ -174,6 +174,13 @@ impl<P: Falloff> Cone<P> {
         self.limit
     }
 
+    /// Returns the versines of half the inner angle, half the angle at which the falloff ends, and
+    /// half the outer angle. The last is less than the second if the cone has a cutoff.
+    #[cfg(feature = "arithmetic")]
+    pub fn versines(&self) -> [f32; 3] {
+        [self.inner, self.outer, self.limit]
+    }
+
     /// Returns the full angle at which the falloff's argument is `t = 1 - u`, or a smaller cutoff.
     fn angle_at(&self, u: f32) -> Angle {
         Angle::from_versine((self.inner + u * (self.outer - self.inner)).min(self.limit))

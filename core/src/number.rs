@@ -31,7 +31,7 @@ pub(crate) mod fraction;
 mod knot;
 mod place;
 mod quick;
-mod real;
+pub(crate) mod real;
 
 #[cfg(feature = "fixed")]
 pub(crate) mod fixed16;
@@ -46,18 +46,21 @@ mod product;
 #[cfg(feature = "fixed")]
 mod reciprocal;
 #[cfg(feature = "fixed")]
-mod root;
+pub(crate) mod root;
 #[cfg(feature = "fixed")]
 mod sphere;
 
 #[cfg(feature = "fixed")]
 pub use self::fixed_point::{Fx16, Fx32, Length, Light16, Light32, Versine16, Versine32, Weight16, Weight32};
-pub(crate) use self::{arithmetic::HALF_A_CODE, real::RealExponent};
+pub(crate) use self::arithmetic::HALF_A_CODE;
+#[cfg(not(feature = "arithmetic"))]
+pub(crate) use self::real::RealExponent;
 #[cfg(feature = "arithmetic")]
 pub use self::{
     arithmetic::{Arithmetic, FullOffset, Gain, Offset, Ray, Rise, Share, Slopes, Word},
     fraction::Fraction,
     quick::Quick,
+    real::RealExponent,
 };
 #[cfg(not(feature = "arithmetic"))]
 pub(crate) use self::{

@@ -31,7 +31,7 @@ const fn middle(segment: usize) -> f64 {
 }
 
 /// `1 / c` with 31 fraction bits and `log2 c` with 32, for the middles `c` of segments of `[1, 2)`.
-const LOGARITHMS: [(u32, u32); SEGMENTS] = {
+pub(crate) const LOGARITHMS: [(u32, u32); SEGMENTS] = {
     let (mut table, mut i) = ([(0, 0); SEGMENTS], 0);
     while i < SEGMENTS {
         let c = 1.0 + middle(i);
@@ -51,7 +51,7 @@ const LOGARITHMS: [(u32, u32); SEGMENTS] = {
 };
 
 /// `2^-c` with 32 fraction bits, where `c` is the middle of a segment of [0, 1).
-const POWERS: [u32; SEGMENTS] = {
+pub(crate) const POWERS: [u32; SEGMENTS] = {
     let (mut table, mut i) = ([0; SEGMENTS], 0);
     while i < SEGMENTS {
         let x = -middle(i) * core::f64::consts::LN_2;
@@ -138,7 +138,7 @@ impl RealExponent {
     }
 
     /// Returns the mantissa, the shift, the power of the floor and `1 / (1 - that power)`.
-    pub(crate) const fn to_bits(self) -> [u32; 4] {
+    pub const fn to_bits(self) -> [u32; 4] {
         [self.mantissa, self.shift, self.least, self.gain]
     }
 

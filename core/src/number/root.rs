@@ -6,7 +6,7 @@ use super::product::{high_half, high_product, signed_high_product};
 ///
 /// Each value is lowered by half the largest deviation of the chord from the curve, so that the
 /// largest positive and negative interpolation errors are equal.
-const NODES: [u16; 129] = {
+pub(crate) const NODES: [u16; 129] = {
     let mut nodes = [0; 129];
     let mut node = 32;
     while node < nodes.len() {
