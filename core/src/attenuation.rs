@@ -24,6 +24,8 @@ mod any;
 mod ranged;
 
 pub(crate) use self::any::with_attenuation;
+#[cfg(feature = "arithmetic")]
+pub use self::ranged::Window;
 pub use self::{
     any::{AnyAttenuation, CompiledAnyAttenuation},
     ranged::{Cut, CutAt, FilamentRange, GltfRange, GltfWindow, Ranged, SquareWindow, Windowed},

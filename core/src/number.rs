@@ -50,23 +50,23 @@ pub(crate) mod root;
 #[cfg(feature = "fixed")]
 mod sphere;
 
+pub(crate) use self::arithmetic::HALF_A_CODE;
 #[cfg(feature = "fixed")]
 pub use self::fixed_point::{Fx16, Fx32, Length, Light16, Light32, Versine16, Versine32, Weight16, Weight32};
-pub(crate) use self::arithmetic::HALF_A_CODE;
 #[cfg(not(feature = "arithmetic"))]
 pub(crate) use self::real::RealExponent;
+#[cfg(not(feature = "arithmetic"))]
+pub(crate) use self::{
+    arithmetic::{Arithmetic, FullOffset, Gain, Offset, Ray, Rise, Share, Slopes, Word},
+    fraction::Fraction,
+    quick::Quick,
+};
 #[cfg(feature = "arithmetic")]
 pub use self::{
     arithmetic::{Arithmetic, FullOffset, Gain, Offset, Ray, Rise, Share, Slopes, Word},
     fraction::Fraction,
     quick::Quick,
     real::RealExponent,
-};
-#[cfg(not(feature = "arithmetic"))]
-pub(crate) use self::{
-    arithmetic::{Arithmetic, FullOffset, Gain, Offset, Ray, Rise, Share, Slopes, Word},
-    fraction::Fraction,
-    quick::Quick,
 };
 #[cfg(feature = "fixed")]
 use self::{
