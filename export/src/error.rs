@@ -1,0 +1,38 @@
+//! What cannot be exported.
+
+use std::fmt;
+
+/// A light, a name or a language that cannot be exported.
+#[derive(Clone, PartialEq, Debug)]
+pub struct ExportError {
+    /// The parameter.
+    pub parameter: String,
+    /// The value of the parameter.
+    pub value: String,
+    /// The accepted values, and the remedy.
+    pub expected: String,
+}
+
+impl ExportError {
+    pub(crate) fn new(parameter: &str, value: impl fmt::Display, expected: impl Into<String>) -> Self {
+        Self { parameter: parameter.to_owned(), value: value.to_string(), expected: expected.into() }
+    }
+}
+
+impl fmt::Display for ExportError {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(out, "{} = {}: expected {}", self.parameter, self.value, self.expected)
+    }
+}
+
+impl std::error::Error for ExportError {}
+
+impl From<luminaire::Error> for ExportError {
+    fn from(error: luminaire::Error) -> Self {
+        let told = error.to_string();
+        // An error of the kernel reads `parameter = value: expected accepted`.
+        let (parameter, rest) = told.split_once(" = ").unwrap_or(("light", &told));
+        let (value, expected) = rest.split_once(": expected ").unwrap_or((rest, "a valid light"));
+        Self::new(parameter, value, expected)
+    }
+}

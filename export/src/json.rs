@@ -1,0 +1,232 @@
+//! The parameters of a light.
+
+use luminaire::attenuation::{
+    Attenuation, Cut, GltfWindow, InverseSquare, NoAttenuation, Polynomial, Ranged, SmoothRange,
+    SquareWindow, Window,
+};
+use luminaire::dynamic::AnyLight;
+use luminaire::falloff::{AnyFalloff, Falloff, Formula};
+use luminaire::{Cone, Rgb, Vec3};
+use serde::Serialize;
+
+use crate::error::ExportError;
+use crate::models;
+
+/// A light as JSON has it: the crate's documentation lists the members.
+#[derive(Debug, Serialize)]
+struct Light<'a> {
+    format: &'static str,
+    name: &'a str,
+    kind: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    position: Option<[f32; 3]>,
+    /// The axis of a spotlight, or the direction of a directional light.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    axis: Option<[f32; 3]>,
+    color: [f32; 3],
+    specular_color: [f32; 3],
+    intensity: f32,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    cone: Option<Shape>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    attenuation: Option<Description>,
+}
+
+#[derive(Debug, Serialize)]
+struct Shape {
+    beam_degrees: f32,
+    field_degrees: f32,
+    outer_degrees: f32,
+    inner_degrees: f32,
+    inner_versine: f32,
+    outer_versine: f32,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    cutoff_versine: Option<f32>,
+    falloff: Profile,
+}
+
+#[derive(Debug, Serialize)]
+struct Profile {
+    name: &'static str,
+    #[serde(flatten)]
+    parameters: Parameters,
+}
+
+/// The parameters of a formula; the formulas are those of [`Formula`].
+#[derive(Debug, Serialize)]
+#[serde(tag = "formula", rename_all = "kebab-case")]
+enum Parameters {
+    Step,
+    Polynomial {
+        coefficients: [f32; 3],
+    },
+    Power {
+        exponent: f32,
+    },
+    InvertedPower {
+        exponent: f32,
+        floor: f32,
+    },
+    MixedPower {
+        exponents: [u32; 2],
+        share: f32,
+    },
+    InvertedMixedPower {
+        exponents: [u32; 2],
+        share: f32,
+    },
+    Samples {
+        samples: Vec<u16>,
+    },
+    Knots {
+        knots: Vec<(u16, u16, i32)>,
+    },
+    /// A function without parameters: its name says which.
+    Named,
+}
+
+/// An attenuation as JSON has it.
+#[derive(Clone, Debug, Serialize)]
+pub(crate) struct Description {
+    /// The law without a window.
+    law: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    coefficients: Option<[f32; 3]>,
+    /// The window that ends the law at the range.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    window: Option<&'static str>,
+    /// The range; absent if the light has none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    range: Option<f32>,
+}
+
+/// An attenuation as parameters.
+pub(crate) trait DescribedAttenuation {
+    /// Returns the parameters.
+    fn describe(&self) -> Description;
+}
+
+fn law(law: &'static str) -> Description {
+    Description { law, coefficients: None, window: None, range: None }
+}
+
+impl DescribedAttenuation for NoAttenuation {
+    fn describe(&self) -> Description {
+        law("constant")
+    }
+}
+
+impl DescribedAttenuation for InverseSquare {
+    fn describe(&self) -> Description {
+        law("inverse-square")
+    }
+}
+
+impl DescribedAttenuation for Polynomial {
+    fn describe(&self) -> Description {
+        Description { coefficients: Some(self.coefficients()), ..law("polynomial") }
+    }
+}
+
+impl DescribedAttenuation for SmoothRange {
+    fn describe(&self) -> Description {
+        Description { range: Some(SmoothRange::range(self)), ..law("smoothstep") }
+    }
+}
+
+impl<W: NamedWindow, A: DescribedAttenuation + Attenuation> DescribedAttenuation for Ranged<W, A> {
+    fn describe(&self) -> Description {
+        let range = Ranged::range(self);
+        Description { window: range.map(|_| W::TEXT), range, ..self.attenuation().describe() }
+    }
+}
+
+/// The name of a window in JSON.
+pub(crate) trait NamedWindow: Window {
+    /// The name.
+    const TEXT: &'static str;
+}
+
+impl NamedWindow for Cut {
+    const TEXT: &'static str = "cut";
+}
+
+impl NamedWindow for GltfWindow {
+    const TEXT: &'static str = "gltf";
+}
+
+impl NamedWindow for SquareWindow {
+    const TEXT: &'static str = "square";
+}
+
+/// Returns a light as JSON.
+pub(crate) fn export(light: &AnyLight, name: &str) -> Result<String, ExportError> {
+    let triple = |color: Rgb<f32>| [color.red, color.green, color.blue];
+    let xyz = |vector: Vec3<f32>| -> Option<[f32; 3]> { Some(vector.into()) };
+    let mut described = Light {
+        format: "luminaire-light-1",
+        name,
+        kind: "spot",
+        position: None,
+        axis: None,
+        color: triple(light.color()),
+        specular_color: triple(light.specular_color()),
+        intensity: light.intensity(),
+        cone: None,
+        attenuation: None,
+    };
+    match light {
+        AnyLight::Spot(spot) => {
+            described.position = xyz(spot.position());
+            described.axis = xyz(spot.axis());
+            described.cone = Some(shape(&spot.cone()));
+            described.attenuation = Some(models::attenuation(&spot.attenuation()).describe());
+        }
+        AnyLight::Point(point) => {
+            described.kind = "point";
+            described.position = xyz(point.position());
+            described.attenuation = Some(models::attenuation(&point.attenuation()).describe());
+        }
+        AnyLight::Directional(directional) => {
+            described.kind = "directional";
+            described.axis = xyz(directional.direction());
+        }
+    }
+    let json = serde_json::to_string_pretty(&described);
+    json.map(|text| text + "\n").map_err(|error| ExportError::new("light", name, error.to_string()))
+}
+
+fn shape(cone: &Cone<AnyFalloff>) -> Shape {
+    let [inner_versine, outer_versine, limit] = cone.versines();
+    Shape {
+        beam_degrees: cone.beam().to_degrees(),
+        field_degrees: cone.field().to_degrees(),
+        outer_degrees: cone.outer().to_degrees(),
+        inner_degrees: cone.inner().to_degrees(),
+        inner_versine,
+        outer_versine,
+        cutoff_versine: cone.has_cutoff().then_some(limit),
+        falloff: Profile {
+            name: models::falloff_name(cone.profile()),
+            parameters: parameters(cone.profile()),
+        },
+    }
+}
+
+fn parameters(falloff: AnyFalloff) -> Parameters {
+    match falloff.formula() {
+        Formula::Step => Parameters::Step,
+        Formula::Polynomial(coefficients) => Parameters::Polynomial { coefficients },
+        Formula::Power(exponent) => Parameters::Power { exponent },
+        Formula::InvertedPower(exponent, floor) => Parameters::InvertedPower { exponent, floor },
+        Formula::MixedPower(exponents, share) => Parameters::MixedPower { exponents, share },
+        Formula::InvertedMixedPower(exponents, share) => Parameters::InvertedMixedPower { exponents, share },
+        Formula::Table(table) if table.knots().is_empty() => {
+            Parameters::Samples { samples: table.samples().to_vec() }
+        }
+        Formula::Table(table) => {
+            Parameters::Knots { knots: table.knots().iter().map(|knot| knot.to_bits()).collect() }
+        }
+        _ => Parameters::Named,
+    }
+}

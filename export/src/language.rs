@@ -1,0 +1,65 @@
+//! The languages.
+
+use std::fmt;
+use std::str::FromStr;
+
+use crate::error::ExportError;
+
+/// Declares the languages and their names.
+macro_rules! languages {
+    ($($(#[$doc:meta])* $variant:ident = $name:literal,)*) => {
+        /// A language, and where it matters a number format.
+        #[derive(Clone, Copy, PartialEq, Eq, Debug)]
+        #[non_exhaustive]
+        pub enum Language {
+            $($(#[$doc])* $variant,)*
+        }
+
+        impl Language {
+            /// All languages.
+            pub const ALL: &[Self] = &[$(Self::$variant),*];
+
+            /// Returns the name, as [`FromStr`] reads it.
+            pub fn name(self) -> &'static str {
+                match self {
+                    $(Self::$variant => $name,)*
+                }
+            }
+        }
+    };
+}
+
+languages! {
+    /// The parameters of the light, without code.
+    Json = "json",
+    /// GLSL ES 3.00, the shaders of WebGL 2.
+    Glsl = "glsl",
+    /// WGSL, the shaders of WebGPU.
+    Wgsl = "wgsl",
+    /// C99 and C++11 in `float`.
+    CFloat = "c-f32",
+    /// C99 and C++11 in the integers of the format `Fx16`.
+    CFixed = "c-fx16",
+    /// A constant of Rust in `f32`.
+    RustFloat = "rust-f32",
+    /// A constant of Rust in the 32-bit fixed-point format `Fx32`.
+    RustFixed32 = "rust-fx32",
+    /// A constant of Rust in the 16-bit fixed-point format `Fx16`.
+    RustFixed16 = "rust-fx16",
+}
+
+impl fmt::Display for Language {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        out.pad(self.name())
+    }
+}
+
+impl FromStr for Language {
+    type Err = ExportError;
+
+    fn from_str(name: &str) -> Result<Self, ExportError> {
+        let found = Self::ALL.iter().copied().find(|language| language.name() == name);
+        let names: Vec<_> = Self::ALL.iter().map(|language| language.name()).collect();
+        found.ok_or_else(|| ExportError::new("language", name, format!("one of {}", names.join(", "))))
+    }
+}

@@ -1,0 +1,150 @@
+//! Writes a light as source of another language.
+//!
+//! Most renderers on microcontrollers are written in C or C++, and most renderers on the web in
+//! GLSL or WGSL. This crate writes a light that [`luminaire`] describes in these languages, as JSON
+//! and as a constant of Rust:
+//!
+//! ```
+//! use luminaire::{Angle, Cone, SpotLight, falloff::Soft};
+//! use luminaire_export::{Language, export};
+//!
+//! let cone = Cone::from_field(Soft, Angle::degrees(36.0))?;
+//! let key = SpotLight::new([0.0, 4.0, 0.0], [0.0, -1.0, 0.0], cone)?.with_intensity(16.0)?;
+//! let shader = export(key, "key", Language::Glsl)?;
+//! assert!(shader.contains("float key_irradiance(vec3 point, vec3 normal) {"));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! | language | functions and constants of a light named `key` | same bits as the kernel |
+//! |---|---|---|
+//! | [`Language::Glsl`], [`Language::Wgsl`] | `key_irradiance(point, normal)`, `key_falloff(point)`, `key_color` | no: a GPU rounds as it likes |
+//! | [`Language::CFloat`] | the same, over arrays of three `float` | yes in `f32`, without contraction (`-ffp-contract=off`), except real powers |
+//! | [`Language::CFixed`] | the same, over arrays of integers | yes in `Fx16` |
+//! | [`Language::RustFloat`], [`Language::RustFixed32`], [`Language::RustFixed16`] | `key::LIGHT` | it is the kernel |
+//! | [`Language::Json`] | the parameters | no code |
+//!
+//! Spotlights have all falloffs and attenuations of the kernel. Point lights and directional lights
+//! have an irradiance and no falloff; that of a directional light takes the normal alone, and
+//! [`Language::CFixed`] has no directional light.
+//!
+//! # The formulas
+//!
+//! The formula of a falloff is recorded from the kernel's own code, so no formula is written twice.
+//! The angle off axis enters as the squared difference of two unit vectors, which is twice the
+//! versine `1 - cos`. The difference keeps the leading bits of the versine of a narrow beam, which
+//! `1 - dot(a, b)` would lose.
+//!
+//! # C
+//!
+//! The source of [`Language::CFixed`] includes the file `luminaire_fx16.h`, which all lights share:
+//! [`c_header`] returns its text. A point has steps of 2^-16, a normal and the falloff steps of
+//! 2^-14, and so has the irradiance, which may exceed full scale. The code has no floats, no
+//! division and no memory of its own.
+//!
+//! # JSON
+//!
+//! | member | meaning |
+//! |---|---|
+//! | `format` | `luminaire-light-1` |
+//! | `name`, `kind` | the name; `spot`, `point` or `directional` |
+//! | `position`, `axis` | three numbers; the axis is a unit vector along the light |
+//! | `color`, `specular_color` | linear red, green and blue |
+//! | `intensity` | 1 is full scale on the axis at distance 1 |
+//! | `cone.beam_degrees`, `field_degrees`, `outer_degrees`, `inner_degrees` | full angles, for readers: 50 % and 10 % of the intensity, no light, full intensity |
+//! | `cone.inner_versine`, `outer_versine` | `1 - cos` of half the angles between which the falloff goes from 1 to 0 |
+//! | `cone.cutoff_versine` | where the cone ends before its falloff does; absent without a cutoff |
+//! | `cone.falloff` | `name`, and the parameters of [`formula`](luminaire::falloff::Formula) at `t = (outer - v) / (outer - inner)` with the versine `v` |
+//! | `attenuation.law` | `constant`, `inverse-square`, `polynomial` with `coefficients`, or `smoothstep` to `range` |
+//! | `attenuation.window`, `range` | `cut`, `gltf` or `square`, at the range; absent without a range |
+//!
+//! [`falloff`](luminaire::falloff) and [`attenuation`](luminaire::attenuation) have the formulas.
+//! `samples` are evenly spaced over `u = 1 - t`, and 65,535 is 1. `knots` are `[place, value,
+//! slope]`: a line starts at `u = place / 65536` and rises by `slope / 32768` per unit of `place`.
+#![forbid(unsafe_code)]
+
+// Modules, lowest first: `error`, `language`, `trace`, `json`, `fixed`, `shader`, `models`, `rust`. The three
+// before `models` take an attenuation from there, which is an object of their traits.
+
+mod error;
+mod fixed;
+mod json;
+mod language;
+mod models;
+mod rust;
+mod shader;
+mod trace;
+
+use luminaire::dynamic::AnyLight;
+use luminaire::{Fx16, Fx32};
+
+pub use crate::error::ExportError;
+pub use crate::fixed::c_header;
+pub use crate::language::Language;
+use crate::shader::Syntax;
+
+/// Returns a light as source of a language.
+///
+/// `name` begins the names of all constants and functions. Lights of different names can be in one
+/// program.
+///
+/// # Errors
+/// A light that the number format of the language cannot hold, with the error of its `compile`. A
+/// name that is not an identifier in every language. A table with more than 1,024 entries in a
+/// language with `float`. A directional light in [`Language::CFixed`].
+pub fn export(light: impl Into<AnyLight>, name: &str, language: Language) -> Result<String, ExportError> {
+    check(name)?;
+    let light = light.into();
+    match language {
+        Language::Json => json::export(&light, name),
+        Language::Glsl => shader::export(&light, name, Syntax::Glsl),
+        Language::Wgsl => shader::export(&light, name, Syntax::Wgsl),
+        Language::CFloat => shader::export(&light, name, Syntax::C),
+        Language::CFixed => fixed::export(&light, name),
+        Language::RustFloat => rust::export::<f32>(&light, name),
+        Language::RustFixed32 => rust::export::<Fx32>(&light, name),
+        Language::RustFixed16 => rust::export::<Fx16>(&light, name),
+    }
+}
+
+/// Returns an error if a name is not an identifier in every language.
+fn check(name: &str) -> Result<(), ExportError> {
+    let is_word = |word: &str| {
+        !word.is_empty() && word.bytes().all(|byte| byte.is_ascii_lowercase() || byte.is_ascii_digit())
+    };
+    let begins = name.bytes().next().is_some_and(|byte| byte.is_ascii_lowercase());
+    if begins && name.split('_').all(is_word) && !name.starts_with("gl_") && !RUST.contains(&name) {
+        return Ok(());
+    }
+    let expected = "lower-case letters, digits and single underscores between them, beginning with a letter; \
+                    no keyword of Rust and not `gl_`";
+    Err(ExportError::new("name", name, expected))
+}
+
+/// The keywords of Rust, which cannot name a module.
+const RUST: [&str; 49] = [
+    "abstract", "as", "async", "await", "become", "box", "break", "const", "continue", "crate", "do", "dyn",
+    "else", "enum", "extern", "false", "final", "fn", "for", "gen", "if", "impl", "in", "let", "loop",
+    "macro", "match", "mod", "move", "mut", "override", "priv", "pub", "ref", "return", "self", "static",
+    "struct", "super", "trait", "true", "try", "type", "typeof", "unsafe", "unsized", "use", "virtual",
+    "while",
+];
+
+/// Returns the lines of the comment that begins a file.
+fn head(light: &AnyLight, name: &str) -> Vec<String> {
+    let version = env!("CARGO_PKG_VERSION");
+    let mut lines = vec![format!("The light `{name}`, written by luminaire-export {version}: do not edit.")];
+    if let AnyLight::Spot(spot) = light {
+        let cone = spot.cone();
+        let [beam, field, outer] = [cone.beam(), cone.field(), cone.outer()].map(|angle| angle.to_degrees());
+        let falloff = models::falloff_name(cone.profile());
+        lines.push(format!(
+            "A spotlight: falloff {falloff}, full angles in degrees: beam {beam:.2}, field {field:.2}, outer {outer:.2}."
+        ));
+    }
+    lines.push("Lengths have the unit of the scene; light is linear, and 1 is full scale.".to_owned());
+    lines
+}
+
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -1,0 +1,157 @@
+//! The curve of a falloff in `f32`, from the operations that the kernel computes.
+
+use luminaire::number::Knot;
+
+use super::expression::{
+    Builtin, Constant, Expression, Function, Statement, Type, Value, call, clamp, if_less, name, number,
+};
+use super::light::Names;
+use crate::error::ExportError;
+use crate::trace::{Operation, Trace};
+
+/// The longest table. Shaders keep it among their constants.
+const LONGEST: usize = 1_024;
+
+/// The full scale of samples and knots.
+const FULL: f32 = 1.0 / 65_535.0;
+
+/// Writes the operations of a trace as expressions.
+struct Lowering<'a> {
+    names: &'a Names<'a>,
+    constants: Vec<Constant>,
+    body: Vec<Statement>,
+    /// The expression of each operation so far.
+    results: Vec<Expression>,
+}
+
+/// Returns the function `NAME_curve` of `t`, and its tables.
+pub(super) fn curve(names: &Names<'_>, trace: &Trace<f32>) -> Result<(Vec<Constant>, Function), ExportError> {
+    let uses = trace.uses();
+    let mut lowering = Lowering { names, constants: Vec::new(), body: Vec::new(), results: Vec::new() };
+    let mut locals = 0;
+    for (operation, uses) in trace.operations.iter().zip(uses) {
+        let expression = lowering.expression(operation)?;
+        // An expression that is used once stands where it is used.
+        let is_simple = matches!(expression, Expression::Name(_));
+        let expression = if uses > 1 && !is_simple {
+            let local = match operation {
+                Operation::Complement(0) => "u".to_owned(),
+                _ => {
+                    locals += 1;
+                    format!("x{locals}")
+                }
+            };
+            lowering.body.push(Statement::Let(Type::Number, local.clone(), expression));
+            name(local)
+        } else {
+            expression
+        };
+        lowering.results.push(expression);
+    }
+    let result = lowering.results[trace.result].clone();
+    let result = match trace.guard {
+        Some(guard) => if_less(number(0.0), lowering.results[guard].clone(), result, number(0.0)),
+        None => result,
+    };
+    let function = Function {
+        doc: "Returns the falloff of t, which is 1 on the axis and 0 at the outer angle.".to_owned(),
+        name: names.of("curve"),
+        parameters: vec![(Type::Number, "t")],
+        body: lowering.body,
+        result,
+    };
+    Ok((lowering.constants, function))
+}
+
+impl Lowering<'_> {
+    fn expression(&mut self, operation: &Operation<f32>) -> Result<Expression, ExportError> {
+        let of = |index: usize| self.results[index].clone();
+        Ok(match *operation {
+            Operation::Argument => name("t"),
+            Operation::Complement(x) | Operation::Rest(x) => number(1.0) - of(x),
+            Operation::FineProduct(a, b) | Operation::Product(a, b) | Operation::Of(a, b) => of(a) * of(b),
+            Operation::Scalar(x) => of(x),
+            Operation::Mixed(low, high, share) => clamp(of(low) - (of(low) - of(high)) * number(share)),
+            Operation::Step(x) => if_less(number(0.0), of(x), number(1.0), number(0.0)),
+            Operation::Smooth(x) => clamp(of(x) * of(x) * (number(3.0) - (of(x) + of(x)))),
+            Operation::Quadratic(x, g) => clamp(of(x) * (number(1.0) + (number(1.0) - of(x)) * number(g))),
+            Operation::Cubic(x, g, h) => {
+                let slope = number(g) + number(h) * of(x);
+                clamp(of(x) * (number(1.0) + (number(1.0) - of(x)) * slope))
+            }
+            Operation::RealPower(x, [mantissa, shift, least, gain]) => {
+                // The shift of an exponent is less than 64.
+                let exponent = (f64::from(mantissa) / (1_u64 << shift) as f64) as f32;
+                let power = call(Builtin::Power, of(x), number(exponent));
+                if least == 0 {
+                    power
+                } else {
+                    let floor = (f64::from(least) / 2_147_483_648.0) as f32;
+                    let gain = (f64::from(gain) / 134_217_728.0) as f32;
+                    clamp((power - number(floor)) * number(gain))
+                }
+            }
+            Operation::Sample(x, ref samples) => {
+                let x = of(x);
+                self.sample(x, samples)?
+            }
+            Operation::Along(x, ref knots) => {
+                let x = of(x);
+                self.along(x, knots)?
+            }
+        })
+    }
+
+    /// Interpolates between evenly spaced samples.
+    fn sample(&mut self, x: Expression, samples: &[u16]) -> Result<Expression, ExportError> {
+        let samples =
+            self.table("samples", "samples from the axis to the edge", samples.iter().map(|&s| s.into()))?;
+        let last = (samples.1 - 1) as f32;
+        let place = name(self.local("place", (number(1.0) - x) * number(last)));
+        let index = "i".to_owned();
+        // The last segment includes its end.
+        let first = call(Builtin::Min, place.clone(), number(last - 1.0));
+        self.body.push(Statement::Index(index.clone(), first));
+        let [from, to] = [0, 1].map(|next| Expression::Element(samples.0.clone(), index.clone(), next));
+        let rise = (to - from.clone()) * (place - Expression::Converted(index));
+        Ok(clamp((from + rise) * number(FULL)))
+    }
+
+    /// Evaluates the line of the last knot at or before a place.
+    fn along(&mut self, x: Expression, knots: &[Knot]) -> Result<Expression, ExportError> {
+        /// The number of fraction bits of the slope of a knot.
+        const SLOPE: f32 = 1.0 / 32_768.0;
+        let bits = || knots.iter().map(|knot| knot.to_bits());
+        let places = self.table("places", "starts of the lines", bits().map(|(place, ..)| place.into()))?;
+        let values =
+            self.table("values", "values at the starts", bits().map(|(_, value, _)| value.into()))?.0;
+        let slopes = self.table("slopes", "slopes", bits().map(|(.., slope)| slope as f32 * SLOPE))?.0;
+        let place = name(self.local("place", (number(1.0) - x) * number(65_536.0)));
+        let index = "i".to_owned();
+        self.body.push(Statement::Find(index.clone(), places.clone(), place.clone()));
+        let of = |table: String| Expression::Element(table, index.clone(), 0);
+        Ok(clamp((of(values) + (place - of(places.0)) * of(slopes)) * number(FULL)))
+    }
+
+    fn local(&mut self, local: &str, value: Expression) -> String {
+        self.body.push(Statement::Let(Type::Number, local.to_owned(), value));
+        local.to_owned()
+    }
+
+    /// Adds a table; returns its name and its length.
+    fn table(
+        &mut self,
+        table: &str,
+        doc: &'static str,
+        values: impl Iterator<Item = f32>,
+    ) -> Result<(String, usize), ExportError> {
+        let (name, values) = (self.names.of(table), values.collect::<Vec<_>>());
+        let length = values.len();
+        if length > LONGEST {
+            let expected = format!("at most {LONGEST}: resample it with Table::from_angles");
+            return Err(ExportError::new("length of a table", length, expected));
+        }
+        self.constants.push(Constant { doc, name: name.clone(), value: Value::Table(values) });
+        Ok((name, length))
+    }
+}

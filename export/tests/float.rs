@@ -1,0 +1,175 @@
+//! The languages with `f32`: shaders are valid, and the C has the bits of the kernel.
+
+mod support;
+
+use std::fmt::Write as _;
+use std::fs;
+
+use fastrand::Rng;
+use luminaire::dynamic::AnyLight;
+use luminaire::falloff::{AnyFalloff, Falloff};
+use luminaire::{DirectionalLight, Vec3};
+use luminaire_export::{Language, export};
+
+use support::compiler::run;
+use support::{Spot, exact, place, points_of_light, spots};
+
+/// Points of each light.
+const POINTS: usize = 4_000;
+
+fn lights() -> Vec<AnyLight> {
+    let mut rng = Rng::with_seed(1983);
+    let mut lights: Vec<AnyLight> = spots::<f32>(&mut rng, 4).into_iter().map(AnyLight::from).collect();
+    lights.extend(points_of_light(&mut rng).into_iter().map(AnyLight::from));
+    let sun = DirectionalLight::new([0.3, -1.0, 0.2]).and_then(|sun| sun.with_intensity(2.0));
+    lights.push(sun.expect("a light").into());
+    lights
+}
+
+/// Checks a shader that was parsed.
+fn validate(module: &naga::Module, text: &str) {
+    let (flags, capabilities) = (naga::valid::ValidationFlags::all(), naga::valid::Capabilities::empty());
+    if let Err(error) = naga::valid::Validator::new(flags, capabilities).validate(module) {
+        panic!("{}", error.emit_to_string(text));
+    }
+}
+
+#[test]
+fn shaders_of_all_lights_are_valid() {
+    let (mut glsl, mut wgsl) = ("#version 450\n".to_owned(), String::new());
+    let lights = lights();
+    for (index, light) in lights.iter().enumerate() {
+        let name = format!("light_{index}");
+        glsl += &export(*light, &name, Language::Glsl).expect("a light");
+        wgsl += &export(*light, &name, Language::Wgsl).expect("a light");
+    }
+    glsl += "layout(location = 0) out vec4 color;\nvoid main() {\n    color = vec4(light_0_irradiance(vec3(0.0), vec3(1.0)));\n}\n";
+    let module =
+        naga::front::wgsl::parse_str(&wgsl).unwrap_or_else(|error| panic!("{}", error.emit_to_string(&wgsl)));
+    assert_eq!(
+        module
+            .functions
+            .iter()
+            .filter(|(_, f)| f.name.as_ref().is_some_and(|n| n.ends_with("_irradiance")))
+            .count(),
+        lights.len()
+    );
+    validate(&module, &wgsl);
+    let stage = naga::front::glsl::Options::from(naga::ShaderStage::Fragment);
+    let module = naga::front::glsl::Frontend::default().parse(&stage, &glsl);
+    let module = module.unwrap_or_else(|error| panic!("{}", error.emit_to_string(&glsl)));
+    validate(&module, &glsl);
+}
+
+/// A place in the input of the program: a point and a normal.
+type Place = ([f32; 3], [f32; 3]);
+
+/// Returns the irradiance and the falloff of a light by the kernel.
+fn by_the_kernel(light: &AnyLight, places: &[Place]) -> Vec<[f32; 2]> {
+    let at = |answer: &dyn Fn(Vec3<f32>, Vec3<f32>) -> [f32; 2]| {
+        places.iter().map(|&(point, normal)| answer(point.into(), normal.into())).collect()
+    };
+    match light {
+        AnyLight::Spot(spot) => {
+            let light = spot.compile::<f32>().expect("a light");
+            at(&|point, normal| [light.irradiance(point, normal), light.falloff(point)])
+        }
+        AnyLight::Point(point) => {
+            let light = point.compile::<f32>().expect("a light");
+            at(&|point, normal| [light.irradiance(point, normal), 0.0])
+        }
+        AnyLight::Directional(sun) => {
+            let light = sun.compile::<f32>();
+            at(&|_, normal| [light.irradiance(normal), 0.0])
+        }
+    }
+}
+
+/// Returns whether the falloff has no jump and a moderate slope, so that its difference from f64 is
+/// that of the code and not of the inputs.
+fn is_smooth(spot: &Spot) -> bool {
+    let cone = spot.cone();
+    let slope = cone.profile().steepness(cone.inner().versine() / cone.outer_versine());
+    let is_step = matches!(cone.profile(), AnyFalloff::Step(_) | AnyFalloff::Table(_));
+    !is_step && !cone.has_cutoff() && cone.outer().to_degrees() > 6.0 && slope < 10.0
+}
+
+fn is_real_power(light: &AnyLight) -> bool {
+    let profile = if let AnyLight::Spot(spot) = light { Some(spot.cone().profile()) } else { None };
+    matches!(profile, Some(AnyFalloff::RealPower(_) | AnyFalloff::InvertedRealPower(_)))
+}
+
+/// Writes the program that evaluates each light at [`POINTS`] places.
+fn program(lights: &[AnyLight]) -> (tempfile::TempDir, std::path::PathBuf) {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut main = "#include <stdio.h>\n".to_owned();
+    for (index, light) in lights.iter().enumerate() {
+        main += &export(*light, &format!("light{index}"), Language::CFloat).expect("a light");
+    }
+    main += "int main(void) {\n    float w[6], out[2];\n    int i;\n";
+    for (index, light) in lights.iter().enumerate() {
+        let (irradiance, falloff) = match light {
+            AnyLight::Spot(_) => ("(w, w + 3)", format!("light{index}_falloff(w)")),
+            AnyLight::Point(_) => ("(w, w + 3)", "0.0f".to_owned()),
+            AnyLight::Directional(_) => ("(w + 3)", "0.0f".to_owned()),
+        };
+        let _ = writeln!(
+            main,
+            "    for (i = 0; i < {POINTS}; ++i) {{\n        \
+             if (fread(w, 4, 6, stdin) != 6 || light{index}_color[0] < 0.0f) {{ return 1; }}\n        \
+             out[0] = light{index}_irradiance{irradiance};\n        out[1] = {falloff};\n        \
+             if (fwrite(out, 4, 2, stdout) != 2) {{ return 1; }}\n    }}"
+        );
+    }
+    main += "    return 0;\n}\n";
+    let file = folder.path().join("main.c");
+    fs::write(&file, main).expect("a folder");
+    (folder, file)
+}
+
+#[test]
+fn c_has_the_bits_of_the_kernel() {
+    let (lights, mut rng) = (lights(), Rng::with_seed(2004));
+    let places: Vec<Place> =
+        lights.iter().flat_map(|light| vec![light; POINTS]).map(|light| place(&mut rng, light)).collect();
+    let words: Vec<u32> =
+        places.iter().flat_map(|(point, normal)| [*point, *normal]).flatten().map(f32::to_bits).collect();
+    let (_folder, file) = program(&lights);
+    for (compiler, flags) in
+        [("cc", "-std=c99 -O2 -ffp-contract=off"), ("c++", "-std=c++11 -O2 -ffp-contract=off")]
+    {
+        let Some(found) = run(compiler, flags, &file, &words) else { continue };
+        let found: Vec<_> =
+            found.chunks_exact(2).map(|pair| [pair[0], pair[1]].map(f32::from_bits)).collect();
+        let (mut differ, mut real, mut lit, mut smooth, mut oracle) = (0, 0.0_f64, 0, 0, 0.0_f64);
+        for ((light, found), places) in lights.iter().zip(found.chunks(POINTS)).zip(places.chunks(POINTS)) {
+            let expected = by_the_kernel(light, places);
+            for ((found, expected), place) in found.iter().zip(expected).zip(places) {
+                lit += usize::from(expected[0] > 0.0);
+                if is_real_power(light) {
+                    real = real.max(255.0 * f64::from(found[1] - expected[1]).abs());
+                } else if *found != expected {
+                    differ += 1;
+                    assert!(
+                        differ < 10,
+                        "{compiler}: {found:?}, expected {expected:?} at {place:?} of {light:?}"
+                    );
+                }
+                if let AnyLight::Spot(spot) = light
+                    && is_smooth(spot)
+                {
+                    smooth += 1;
+                    let [_, falloff] = exact(spot, place.0, place.1);
+                    oracle = oracle.max(255.0 * (f64::from(found[1]) - falloff).abs());
+                }
+            }
+        }
+        println!(
+            "{compiler}: {} points, {lit} lit, {differ} differ; real powers by {real:.1e} codes; {smooth} of smooth lights by {oracle:.1e} codes from f64",
+            found.len()
+        );
+        assert_eq!(differ, 0);
+        assert!((1e-6..=1e-4).contains(&real), "real powers: {real:e} codes");
+        assert!((1e-5..=1e-2).contains(&oracle), "from f64: {oracle:e} codes");
+    }
+}

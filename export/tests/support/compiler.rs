@@ -1,0 +1,44 @@
+//! Compilers of C and C++ on this machine.
+
+use std::io::Write;
+use std::path::Path;
+use std::process::{Command, Stdio};
+
+/// Set where the compilers must be installed.
+const TOOLS: &str = "LUMINAIRE_TOOLS";
+
+/// Compiles a file; `None` without the compiler.
+///
+/// # Panics
+/// The compiler fails, or is not installed and the environment variable says that it must be.
+pub(crate) fn compile(compiler: &str, flags: &str, file: &Path, output: &Path) -> Option<()> {
+    let mut compile = Command::new(compiler);
+    compile.args(flags.split(' ')).args("-Wall -Wextra -Werror -pedantic -x".split(' '));
+    let language = if compiler.ends_with("++") { "c++" } else { "c" };
+    let Ok(compiled) =
+        compile.arg(language).arg(file).arg("-o").arg(output).args(["-x", "none", "-lm"]).output()
+    else {
+        assert!(std::env::var_os(TOOLS).is_none(), "{compiler} is not installed, and {TOOLS} is set");
+        println!("not tested: {compiler} is not installed");
+        return None;
+    };
+    assert!(compiled.status.success(), "{compiler} {flags}: {}", String::from_utf8_lossy(&compiled.stderr));
+    Some(())
+}
+
+/// Compiles a program for this machine and runs it on words; `None` without the compiler.
+pub(crate) fn run(compiler: &str, flags: &str, file: &Path, input: &[u32]) -> Option<Vec<u32>> {
+    let program = file.with_extension("program");
+    compile(compiler, flags, file, &program)?;
+    let mut process =
+        Command::new(&program).stdin(Stdio::piped()).stdout(Stdio::piped()).spawn().expect("a program");
+    let bytes: Vec<u8> = input.iter().flat_map(|word| word.to_le_bytes()).collect();
+    let mut stdin = process.stdin.take().expect("a pipe");
+    let writer = std::thread::spawn(move || stdin.write_all(&bytes));
+    let output = process.wait_with_output().expect("an end");
+    let _ = writer.join();
+    assert!(output.status.success(), "{compiler} {flags}: {}", String::from_utf8_lossy(&output.stderr));
+    let words =
+        output.stdout.chunks_exact(4).map(|word| u32::from_le_bytes(word.try_into().expect("a word")));
+    Some(words.collect())
+}
