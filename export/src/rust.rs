@@ -30,7 +30,9 @@ pub(crate) fn export<S: SourceScalar>(light: &AnyLight, name: &str) -> Result<St
     let head: String = head(light, name).iter().map(|line| format!("// {line}\n")).collect();
     let imports = "#[allow(unused_imports, reason = \"not every light names a type of each module\")]\n    \
                    use luminaire::{attenuation::*, falloff::*, light::*, *};";
-    let (kind, value) = (kind.replace("FORMAT", format), value.trim_end());
+    // The types of the list have spaces around their brackets.
+    let kind = kind.replace("FORMAT", format).replace(" <", "<").replace("< ", "<").replace(" >", ">");
+    let value = value.trim_end();
     Ok(format!(
         "{head}\npub mod {name} {{\n    {imports}\n\n    /// The compiled light.\n    \
          pub const LIGHT: {kind} = {value};\n}}\n"

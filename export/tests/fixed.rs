@@ -11,15 +11,24 @@ use luminaire::dynamic::AnyLight;
 use luminaire::{Fx16, Length, Vec3};
 use luminaire_export::{Language, c_header, export};
 
-use support::compiler::run;
-use support::{points_of_light, spots};
+use support::compiler::{compile, run};
+use support::{points_of_light, spots, vectors};
 
-/// Words of a place in the input of the program: a point and a normal.
-const WORDS: usize = 6;
+/// The words of a point and of a normal.
+type Place = [i32; 6];
 
-type Place = [i32; WORDS];
+/// The irradiance and the falloff in words; no falloff where none is expected.
+type Answer = (u32, Option<u32>);
 
-/// Returns a program that evaluates each light at as many places.
+/// The compilers of this machine, and their options. The second computes the upper halves of
+/// products from parts, and ends at undefined behaviour.
+const BUILDS: [(&str, &str); 3] = [
+    ("cc", "-std=c99 -O2"),
+    ("cc", "-std=c99 -O1 -DLUMINAIRE_BY_PARTS -fsanitize=undefined -fno-sanitize-recover=all"),
+    ("c++", "-std=c++11 -Os"),
+];
+
+/// Writes a program that evaluates each light at as many places.
 ///
 /// It reads the words of the places and writes irradiance and falloff in words.
 fn program(folder: &Path, lights: &[AnyLight], places: usize) {
@@ -49,35 +58,35 @@ fn program(folder: &Path, lights: &[AnyLight], places: usize) {
     fs::write(folder.join("main.c"), main).expect("a folder");
 }
 
-fn words(place: &Place) -> (Vec3<Length>, Vec3<Fx16>) {
-    let [x, y, z, nx, ny, nz] = *place;
-    (Vec3::new(x, y, z).map(Length::from_bits), Vec3::new(nx, ny, nz).map(|n| Fx16::from_bits(n as i16)))
-}
-
-/// Returns the irradiance and the falloff by the kernel.
-fn by_the_kernel(light: &AnyLight, places: &[Place]) -> Vec<[u32; 2]> {
+/// Returns what the kernel answers, and at how many places it takes the fine evaluation.
+fn by_the_kernel(light: &AnyLight, places: &[Place]) -> (Vec<Answer>, usize) {
+    let words = |place: &Place| {
+        let [x, y, z, nx, ny, nz] = *place;
+        (Vec3::new(x, y, z).map(Length::from_bits), Vec3::new(nx, ny, nz).map(|n| Fx16::from_bits(n as i16)))
+    };
     match light {
         AnyLight::Spot(spot) => {
             let light = spot.compile::<Fx16>().expect("a light");
             let at = |place| {
                 let (point, normal) = words(place);
-                [light.irradiance(point, normal).to_bits(), light.falloff(point).to_bits() as u32]
+                (light.irradiance(point, normal).to_bits(), Some(light.falloff(point).to_bits() as u32))
             };
-            places.iter().map(at).collect()
+            let fine = places.iter().filter(|place| light.is_fine(words(place).0)).count();
+            (places.iter().map(at).collect(), fine)
         }
         AnyLight::Point(point) => {
             let light = point.compile::<Fx16>().expect("a light");
             let at = |place| {
                 let (point, normal) = words(place);
-                [light.irradiance(point, normal).to_bits(), 0]
+                (light.irradiance(point, normal).to_bits(), None)
             };
-            places.iter().map(at).collect()
+            (places.iter().map(at).collect(), 0)
         }
         AnyLight::Directional(_) => unreachable!("not exported"),
     }
 }
 
-/// Returns places in reach of a light, places near its position and places of any bits.
+/// Returns places in reach of a light, places next to its position and places of any bits.
 fn places(rng: &mut Rng, light: &AnyLight, count: usize) -> Vec<Place> {
     const HARD: [i32; 9] = [0, 1, -1, i32::MIN, i32::MAX, 1 << 16, (1 << 17) - 1, 1 << 24, -(1 << 30)];
     let position = match light {
@@ -89,63 +98,124 @@ fn places(rng: &mut Rng, light: &AnyLight, count: usize) -> Vec<Place> {
     let place = |index| {
         let mut bits =
             || if rng.bool() { rng.i32(..) >> rng.u8(..32) } else { HARD[usize::from(rng.u8(..9))] };
-        match index % 8 {
-            0 => [0; WORDS].map(|_| bits()),
-            1 => {
-                let [x, y, z, nx, ny, nz] = [0; WORDS].map(|_| bits());
-                let [x, y, z] = [0, 1, 2].map(|i| position[i].wrapping_add([x, y, z][i]));
-                [x, y, z, nx, ny, nz]
-            }
-            _ => {
-                let (point, normal) = support::place(rng, light);
-                let ([x, y, z], [nx, ny, nz]) = (
-                    point.map(|c| Length::from_f32(c).to_bits()),
-                    normal.map(|c| i32::from(Fx16::from_f32(c).to_bits())),
-                );
-                [x, y, z, nx, ny, nz]
-            }
+        if index % 8 < 2 {
+            let [x, y, z, nx, ny, nz] = [0; 6].map(|_| bits());
+            let [a, b, c] = if index % 8 == 0 { [0; 3] } else { position };
+            return [x.wrapping_add(a), y.wrapping_add(b), z.wrapping_add(c), nx, ny, nz];
         }
+        let (point, normal) = support::place(rng, light);
+        let [x, y, z] = point.map(|c| Length::from_f32(c).to_bits());
+        let [nx, ny, nz] = normal.map(|c| i32::from(Fx16::from_f32(c).to_bits()));
+        [x, y, z, nx, ny, nz]
     };
     (0..count).map(place).collect()
 }
 
-/// Compares lights at places, as many for each light, by several compilers.
-fn compare(lights: &[AnyLight], input: &[Place]) {
+/// Compares lights with expected answers, by several compilers. Each light has as many places.
+fn compare(lights: &[AnyLight], places: &[Place], expected: &[Answer], builds: &[(&str, &str)]) {
     let folder = tempfile::tempdir().expect("a folder");
-    let each = input.len() / lights.len();
+    let each = places.len() / lights.len();
     program(folder.path(), lights, each);
-    let expected: Vec<_> =
-        lights.iter().zip(input.chunks(each)).flat_map(|(l, p)| by_the_kernel(l, p)).collect();
-    let words: Vec<u32> = input.iter().flatten().map(|&word| word as u32).collect();
-    let lit = expected.iter().filter(|answer| answer[0] > 0).count();
-    for (compiler, flags) in [
-        ("cc", "-std=c99 -O2"),
-        ("cc", "-std=c99 -O1 -DLUMINAIRE_BY_PARTS -fsanitize=undefined -fno-sanitize-recover=all"),
-        ("c++", "-std=c++11 -Os"),
-    ] {
+    let words: Vec<u32> = places.iter().flatten().map(|&word| word as u32).collect();
+    for (compiler, flags) in builds {
         let Some(found) = run(compiler, flags, &folder.path().join("main.c"), &words) else { continue };
-        let found: Vec<_> = found.chunks_exact(2).map(|pair| [pair[0], pair[1]]).collect();
+        let found: Vec<_> = found.chunks_exact(2).map(|pair| (pair[0], pair[1])).collect();
         assert_eq!(found.len(), expected.len());
-        let differs = found.iter().zip(&expected).position(|(found, expected)| found != expected);
-        if let Some(at) = differs {
-            let light = &lights[at / each];
-            panic!(
-                "{compiler} {flags}: {:?}, expected {:?}, at {:?} of {light:?}",
-                found[at], expected[at], input[at]
-            );
+        let differs = |(found, expected): (&(u32, u32), &Answer)| {
+            found.0 != expected.0 || expected.1.is_some_and(|falloff| found.1 != falloff)
+        };
+        if let Some(at) = found.iter().zip(expected).position(differs) {
+            let (found, expected, place, light) = (found[at], expected[at], places[at], lights[at / each]);
+            panic!("{compiler} {flags}: {found:?}, expected {expected:?} at {place:?} of {light:?}");
         }
     }
-    println!("{} lights, {} points, {lit} of them lit: the same bits", lights.len(), input.len());
 }
 
 #[test]
 fn random_lights_have_the_bits_of_the_kernel() {
     let mut rng = Rng::with_seed(1999);
-    let (variants, each) =
-        if std::env::var_os("LUMINAIRE_FULL").is_some() { (12, 40_000) } else { (2, 5_000) };
+    let full = std::env::var_os("LUMINAIRE_FULL").is_some();
+    let (variants, each) = if full { (12, 40_000) } else { (2, 5_000) };
     let mut lights: Vec<AnyLight> =
         spots::<Fx16>(&mut rng, variants).into_iter().map(AnyLight::from).collect();
     lights.extend(points_of_light(&mut rng).into_iter().map(AnyLight::from));
-    let input: Vec<_> = lights.iter().flat_map(|light| places(&mut rng, light, each)).collect();
-    compare(&lights, &input);
+    let (mut input, mut expected, mut fine) = (Vec::new(), Vec::new(), 0);
+    for light in &lights {
+        let places = places(&mut rng, light, each);
+        let (answers, finely) = by_the_kernel(light, &places);
+        fine += finely;
+        input.extend(places);
+        expected.extend(answers);
+    }
+    let lit = expected.iter().filter(|answer| answer.0 > 0).count();
+    println!(
+        "{} lights, {} points, {lit} of them lit and {fine} evaluated finely",
+        lights.len(),
+        input.len()
+    );
+    assert!(lit > input.len() / 3 && fine > input.len() / 10);
+    compare(&lights, &input, &expected, &BUILDS);
+}
+
+/// The conformance vectors are independent of the kernel that runs the test.
+#[test]
+fn conformance_vectors_have_their_bits() {
+    let vectors = vectors::fixed16();
+    let lights: Vec<_> = vectors.iter().map(|vector| vector.light).collect();
+    let places: Vec<_> = vectors.iter().map(|vector| vector.place).collect();
+    let expected: Vec<_> = vectors.iter().map(|vector| vector.answer).collect();
+    println!("{} vectors", vectors.len());
+    assert!(vectors.len() > 500, "{} vectors", vectors.len());
+    // Each vector is a light of its own: an optimising compiler would take a minute.
+    compare(&lights, &places, &expected, &[("cc", "-std=c99 -O0")]);
+}
+
+/// The smallest processors that are supported compile all models without a warning, without floats
+/// and without a division.
+#[test]
+fn small_processors_compile_all_models_in_integers() {
+    let mut rng = Rng::with_seed(2001);
+    let lights: Vec<AnyLight> = spots::<Fx16>(&mut rng, 1).into_iter().map(AnyLight::from).collect();
+    let folder = tempfile::tempdir().expect("a folder");
+    program(folder.path(), &lights, 1);
+    let (main, object) = (folder.path().join("main.c"), folder.path().join("main.o"));
+    // Neither of the two has the headers of a C library other than `stdint.h`.
+    let text = fs::read_to_string(&main).expect("the program");
+    let mut text = text[..text.find("int main").expect("a function")].replace("#include <stdio.h>\n", "");
+    for index in 0..lights.len() {
+        let _ = writeln!(
+            text,
+            "uint32_t evaluate{index}(const int32_t p[3], const int16_t n[3]);\n\
+             uint32_t evaluate{index}(const int32_t p[3], const int16_t n[3]) {{\n    \
+             return light{index}_color[0] < 0 ? 0 : light{index}_irradiance(p, n) + (uint32_t)light{index}_falloff(p);\n}}"
+        );
+    }
+    fs::write(&main, text).expect("a folder");
+    for (compiler, flags) in [
+        ("arm-none-eabi-gcc", "-std=c99 -Os -mcpu=cortex-m0 -mthumb -ffreestanding -c"),
+        ("arm-none-eabi-g++", "-std=c++11 -Os -mcpu=cortex-m0 -mthumb -ffreestanding -c"),
+        ("riscv64-unknown-elf-gcc", "-std=c99 -Os -march=rv32imc -mabi=ilp32 -ffreestanding -c"),
+    ] {
+        if compile(compiler, flags, &main, &object).is_none() {
+            continue;
+        }
+        let object = fs::read(&object).expect("an object");
+        // Names of routines for floats and divisions begin so, in both ABIs.
+        for routine in [
+            "__aeabi_f",
+            "__aeabi_d",
+            "__aeabi_ui",
+            "__aeabi_id",
+            "__aeabi_ld",
+            "__aeabi_ul",
+            "__div",
+            "__udiv",
+            "__mod",
+            "__umod",
+            "malloc",
+        ] {
+            let calls = object.windows(routine.len()).any(|name| name == routine.as_bytes());
+            assert!(!calls, "{compiler} calls {routine}..");
+        }
+    }
 }

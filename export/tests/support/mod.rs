@@ -2,6 +2,7 @@
 #![allow(dead_code, reason = "each test uses a part")]
 
 pub(crate) mod compiler;
+pub(crate) mod vectors;
 
 use fastrand::Rng;
 use luminaire::attenuation::AnyAttenuation;

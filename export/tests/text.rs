@@ -1,0 +1,232 @@
+//! JSON, constants of Rust, and what is refused.
+
+mod support;
+
+use fastrand::Rng;
+use luminaire::attenuation::{CutAt, FilamentRange, InverseSquare, Polynomial, SmoothRange};
+use luminaire::codegen::as_source;
+use luminaire::dynamic::AnyLight;
+use luminaire::falloff::{Cubic, InvertedRealPower, Table};
+use luminaire::{Angle, Cone, DirectionalLight, Fx16, Fx32, PointLight, SpotLight, Vec3};
+use luminaire_export::{Language, export};
+use luminaire_oracle::{DVec3, versine_between};
+use serde_json::Value;
+
+use support::{place, spots};
+
+/// Returns a number. One with a fraction is that of `f32`.
+fn number(value: &Value) -> f64 {
+    match (value.as_i64(), value.as_f64()) {
+        (Some(whole), _) => whole as f64,
+        (None, Some(real)) => f64::from(real as f32),
+        (None, None) => panic!("{value} is no number"),
+    }
+}
+
+fn triple(value: &Value) -> DVec3 {
+    DVec3::new(number(&value[0]), number(&value[1]), number(&value[2]))
+}
+
+/// Returns the falloff at `t`, from the documentation of the JSON alone.
+fn falloff(falloff: &Value, t: f64) -> f64 {
+    let u = 1.0 - t;
+    let numbers =
+        |member: &str| falloff[member].as_array().expect("a list").iter().map(number).collect::<Vec<_>>();
+    let mixed = |x: f64| {
+        let share = number(&falloff["share"]);
+        let exponents = numbers("exponents");
+        (1.0 - share) * x.powf(exponents[0]) + share * x.powf(exponents[1])
+    };
+    match falloff["formula"].as_str().expect("a formula") {
+        "step" => 1.0,
+        "polynomial" => {
+            let c = numbers("coefficients");
+            t * (c[0] + t * (c[1] + t * c[2]))
+        }
+        "power" => t.powf(number(&falloff["exponent"])),
+        "inverted-power" => {
+            let (floor, exponent) = (number(&falloff["floor"]), number(&falloff["exponent"]));
+            (1.0 - u.max(floor).powf(exponent)) / (1.0 - floor.powf(exponent))
+        }
+        "mixed-power" => mixed(t),
+        "inverted-mixed-power" => 1.0 - mixed(u),
+        "samples" => {
+            let samples = numbers("samples");
+            let place = u * (samples.len() - 1) as f64;
+            let i = (place as usize).min(samples.len() - 2);
+            (samples[i] + (samples[i + 1] - samples[i]) * (place - i as f64)) / 65_535.0
+        }
+        "knots" => {
+            let knots = falloff["knots"].as_array().expect("a list");
+            let knot = knots.iter().rfind(|knot| number(&knot[0]) <= u * 65_536.0).unwrap_or(&knots[0]);
+            let rise = number(&knot[2]) / 32_768.0 * (u * 65_536.0 - number(&knot[0]));
+            ((number(&knot[1]) + rise) / 65_535.0).clamp(0.0, 1.0)
+        }
+        formula => panic!("{formula} is not documented"),
+    }
+}
+
+/// Returns the irradiance, from the documentation of the JSON alone.
+fn irradiance(light: &Value, point: DVec3, normal: DVec3) -> f64 {
+    let offset = point - triple(&light["position"]);
+    let (distance, cone) = (offset.length(), &light["cone"]);
+    let versine = versine_between(offset, triple(&light["axis"]));
+    let [inner, outer] = ["inner_versine", "outer_versine"].map(|versine| number(&cone[versine]));
+    let limit = cone.get("cutoff_versine").map_or(outer, number);
+    let t = if versine <= inner { 1.0 } else { (outer - versine) / (outer - inner) };
+    let share = if versine < limit { falloff(&cone["falloff"], t) } else { 0.0 };
+    let attenuation = &light["attenuation"];
+    let fraction = attenuation.get("range").map_or(0.0, |range| distance / number(range));
+    let law = match attenuation["law"].as_str().expect("a law") {
+        "constant" => 1.0,
+        "inverse-square" => 1.0 / (distance * distance),
+        "polynomial" => {
+            let c = triple(&attenuation["coefficients"]);
+            1.0 / (c.x + c.y * distance + c.z * distance * distance).max(1.0)
+        }
+        "smoothstep" => {
+            let t = (1.0 - fraction).max(0.0);
+            t * t * (3.0 - 2.0 * t)
+        }
+        law => panic!("{law} is not documented"),
+    };
+    let fourth = (1.0 - fraction.powi(4)).max(0.0);
+    let window = match attenuation.get("window").map(|window| window.as_str().expect("a name")) {
+        None => 1.0,
+        Some("cut") => f64::from(fraction < 1.0),
+        Some("gltf") => fourth,
+        Some("square") => fourth * fourth,
+        Some(window) => panic!("{window} is not documented"),
+    };
+    let cosine = (-offset.dot(normal) / distance).clamp(0.0, 1.0);
+    number(&light["intensity"]) * law * window * share * cosine
+}
+
+/// The JSON alone is enough to evaluate a light: in f64 the result is that of the exact model.
+#[test]
+fn json_has_all_that_a_light_needs() {
+    let (mut rng, mut worst, mut lit) = (Rng::with_seed(7), 0.0_f64, 0);
+    for spot in spots::<f32>(&mut rng, 4) {
+        let json = export(spot, "key", Language::Json).expect("a light");
+        let light: Value = serde_json::from_str(&json).expect("JSON");
+        let any = AnyLight::from(spot);
+        for _ in 0..200 {
+            let (point, normal) = place(&mut rng, &any);
+            let [exact, share] = support::exact(&spot, point, normal);
+            let wide = |v: [f32; 3]| DVec3::from_array(v.map(f64::from));
+            let found = irradiance(&light, wide(point), wide(normal));
+            if exact > 0.0 && exact.is_finite() {
+                lit += 1;
+                worst = worst.max((found - exact).abs() * share / exact);
+            }
+        }
+    }
+    println!("{lit} lit points: a falloff differs by {worst:.1e}");
+    assert!(lit > 4_000, "{lit} lit points");
+    assert!((1e-17..=1e-12).contains(&worst), "a falloff differs by {worst:e}");
+}
+
+#[allow(unreachable_pub, reason = "the constants are those of a library")]
+#[path = "text/lights.rs"]
+#[rustfmt::skip]
+mod lights;
+
+type Written = (String, [bool; 2]);
+
+/// Returns lights as Rust, and whether the constants in the file are the compiled lights.
+fn written() -> Result<Vec<Written>, Box<dyn std::error::Error>> {
+    static SAMPLES: [u16; 3] = [65_535, 40_000, 0];
+    let angle = Angle::degrees(40.0);
+    let (position, axis) = ([1.0, 2.0, 3.0], [0.0, -1.0, 0.5]);
+    let cubic = SpotLight::new(position, axis, Cone::from_outer(Cubic::with_slopes(1.25, 3.5)?, angle)?)?
+        .with_attenuation(FilamentRange::new(InverseSquare, Some(9.0))?);
+    let table = SpotLight::new(position, axis, Cone::from_outer(Table::of(&SAMPLES), angle)?)?;
+    let real = SpotLight::new(position, axis, Cone::from_outer(InvertedRealPower::new(1.5)?, angle)?)?
+        .with_attenuation(CutAt::new(Polynomial::new(1.0, 0.5, 0.25)?, Some(7.0))?);
+    let point = PointLight::new(position)?.with_attenuation(SmoothRange::new(5.0)?);
+    let sun = DirectionalLight::new(axis)?;
+    let is =
+        |text: String, source: String, same: bool| (text.clone(), [text.contains(source.trim_end()), same]);
+    Ok(vec![
+        is(
+            export(cubic, "cubic", Language::RustFixed16)?,
+            as_source(&cubic.compile::<Fx16>()?).to_string(),
+            lights::cubic::LIGHT == cubic.compile::<Fx16>()?,
+        ),
+        is(
+            export(table, "table", Language::RustFloat)?,
+            as_source(&table.compile::<f32>()?).to_string(),
+            lights::table::LIGHT == table.compile::<f32>()?,
+        ),
+        is(
+            export(real, "real", Language::RustFixed16)?,
+            as_source(&real.compile::<Fx16>()?).to_string(),
+            lights::real::LIGHT == real.compile::<Fx16>()?,
+        ),
+        is(
+            export(point, "point", Language::RustFixed32)?,
+            as_source(&point.compile::<Fx32>()?).to_string(),
+            lights::point::LIGHT == point.compile::<Fx32>()?,
+        ),
+        is(
+            export(sun, "sun", Language::RustFloat)?,
+            as_source(&sun.compile::<f32>()).to_string(),
+            lights::sun::LIGHT == sun.compile::<f32>(),
+        ),
+    ])
+}
+
+/// The file is compiled with this test; `LUMINAIRE_BLESS=1` writes it.
+#[test]
+fn rust_is_the_compiled_light_of_a_concrete_type() {
+    let written = written().expect("lights");
+    let text: String = written.iter().map(|(text, _)| text.as_str()).collect();
+    if std::env::var_os("LUMINAIRE_BLESS").is_some() {
+        std::fs::write(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/text/lights.rs"), &text).expect("a file");
+    }
+    let expected = include_str!("text/lights.rs");
+    assert!(text == expected, "expected the text of tests/text/lights.rs: write it with LUMINAIRE_BLESS=1");
+    for (text, checks) in &written {
+        assert_eq!(checks, &[true; 2], "{text}");
+    }
+}
+
+#[test]
+fn what_cannot_be_exported_is_named() {
+    let cone = Cone::soft(Angle::degrees(40.0)).expect("a cone");
+    let light = SpotLight::new([0.0; 3], [0.0, -1.0, 0.0], cone).expect("a light");
+    let told = |light: AnyLight, name: &str, language| {
+        export(light, name, language).expect_err("a refusal").to_string()
+    };
+    for name in ["", "Key", "1st", "a__b", "a_", "gl_light", "fn", "a b", "é"] {
+        let told = told(light.into(), name, Language::Glsl);
+        assert!(told.starts_with(&format!("name = {name}: expected lower-case letters")), "{told}");
+    }
+    let sun = DirectionalLight::new([0.0, -1.0, 0.0]).expect("a light");
+    let refused = told(sun.into(), "sun", Language::CFixed);
+    assert!(refused.starts_with("light = directional: expected a spotlight or a point light"), "{refused}");
+    let narrow = light.with_cone(Cone::soft(Angle::degrees(0.5)).expect("a cone"));
+    let refused = told(narrow.into(), "key", Language::CFixed);
+    assert!(refused.starts_with("outer angle = ") && refused.contains("at least"), "{refused}");
+    assert!(export(narrow, "key", Language::Glsl).is_ok());
+    let long = light.with_cone(light.cone().with_profile(Table::of(Box::leak(Box::new([1_u16; 1_025])))));
+    let refused = told(long.into(), "key", Language::Wgsl);
+    assert!(refused.starts_with("length of a table = 1025: expected at most 1024"), "{refused}");
+    assert!(export(long, "key", Language::CFixed).is_ok());
+}
+
+#[test]
+fn every_language_has_a_name() {
+    for &language in Language::ALL {
+        assert_eq!(language.to_string().parse(), Ok(language));
+    }
+    let told = "pascal".parse::<Language>().expect_err("a refusal").to_string();
+    assert!(told.starts_with("language = pascal: expected one of json, glsl, wgsl"), "{told}");
+    let axis = Vec3::new(0.0, -1.0, 0.0);
+    let light =
+        SpotLight::new([0.0; 3], axis, Cone::soft(Angle::degrees(40.0)).expect("a cone")).expect("a light");
+    for &language in Language::ALL {
+        let text = export(light, "key", language).expect("a light");
+        assert!(text.contains("key") && text.ends_with('\n'), "{language}");
+    }
+}

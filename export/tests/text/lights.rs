@@ -1,0 +1,153 @@
+// The light `cubic`, written by luminaire-export 0.1.0: do not edit.
+// A spotlight: falloff cubic, full angles in degrees: beam 17.51, field 37.86, outer 40.00.
+// Lengths have the unit of the scene; light is linear, and 1 is full scale.
+
+pub mod cubic {
+    #[allow(unused_imports, reason = "not every light names a type of each module")]
+    use luminaire::{attenuation::*, falloff::*, light::*, *};
+
+    /// The compiled light.
+    pub const LIGHT: CompiledSpotLight<Fx16, Cubic, FilamentRange> = {
+#[allow(unused_imports, reason = "an expression need not have names of both kinds")]
+use ::luminaire::{attenuation::*, codegen::*, display::*, falloff::*, haze::*, light::*, number::*, projector::*, specular::*, *};
+CompiledSpotLight::<Fx16, _, Ranged<SquareWindow, InverseSquare>>::from_parts(
+    Vec3::new(Length::from_bits(65536), Length::from_bits(131072), Length::from_bits(196608)),
+    Vec3::new(Fx32::from_bits(0), Fx32::from_bits(-960383872), Fx32::from_bits(480191936)),
+    CompiledCone::<Fx16, _>::from_parts(
+        Ramp16::from_bits([2, 0, 518036448, 13, 33959, 2147499439, 0, 29, 2225560593]),
+        Cubic::from_bits([1067450368, 1080033280]),
+        CompiledCubic::<Fx16>::from_parts(
+            Weight16::from_bits(4096),
+            Weight16::from_bits(-45056),
+        ),
+    ),
+    Fx16::from_bits(14451),
+    (
+        Gain16::from_bits([-901412864, 38]),
+        (),
+    ),
+    Gain16::from_bits([-2147483648, 31]),
+    1058914388,
+    [
+        Rgb::new(Fx16::from_bits(16384), Fx16::from_bits(16384), Fx16::from_bits(16384)),
+        Rgb::new(Fx16::from_bits(16384), Fx16::from_bits(16384), Fx16::from_bits(16384)),
+    ],
+)
+};
+}
+// The light `table`, written by luminaire-export 0.1.0: do not edit.
+// A spotlight: falloff table, full angles in degrees: beam 30.67, field 38.31, outer 40.00.
+// Lengths have the unit of the scene; light is linear, and 1 is full scale.
+
+pub mod table {
+    #[allow(unused_imports, reason = "not every light names a type of each module")]
+    use luminaire::{attenuation::*, falloff::*, light::*, *};
+
+    /// The compiled light.
+    pub const LIGHT: CompiledSpotLight<f32, Table<'static>, InverseSquare> = {
+#[allow(unused_imports, reason = "an expression need not have names of both kinds")]
+use ::luminaire::{attenuation::*, codegen::*, display::*, falloff::*, haze::*, light::*, number::*, projector::*, specular::*, *};
+CompiledSpotLight::<f32, _, InverseSquare>::from_parts(
+    Vec3::new(f32::from_bits(1065353216), f32::from_bits(1073741824), f32::from_bits(1077936128)),
+    Vec3::new(f32::from_bits(0), f32::from_bits(3211065646), f32::from_bits(1055193390)),
+    CompiledCone::<f32, _>::from_parts(
+        FloatRamp::from_bits([1031210207, 1031210207, 1099212636]),
+        Table::of(&[65535, 40000, 0]),
+        Table::of(&[65535, 40000, 0]),
+    ),
+    f32::from_bits(1063390622),
+    (),
+    f32::from_bits(1065353216),
+    0,
+    [
+        Rgb::new(f32::from_bits(1065353216), f32::from_bits(1065353216), f32::from_bits(1065353216)),
+        Rgb::new(f32::from_bits(1065353216), f32::from_bits(1065353216), f32::from_bits(1065353216)),
+    ],
+)
+};
+}
+// The light `real`, written by luminaire-export 0.1.0: do not edit.
+// A spotlight: falloff inverted-real-power, full angles in degrees: beam 31.69, field 38.61, outer 40.00.
+// Lengths have the unit of the scene; light is linear, and 1 is full scale.
+
+pub mod real {
+    #[allow(unused_imports, reason = "not every light names a type of each module")]
+    use luminaire::{attenuation::*, falloff::*, light::*, *};
+
+    /// The compiled light.
+    pub const LIGHT: CompiledSpotLight<Fx16, InvertedRealPower, CutAt<Polynomial>> = {
+#[allow(unused_imports, reason = "an expression need not have names of both kinds")]
+use ::luminaire::{attenuation::*, codegen::*, display::*, falloff::*, haze::*, light::*, number::*, projector::*, specular::*, *};
+CompiledSpotLight::<Fx16, _, Ranged<Cut, Polynomial>>::from_parts(
+    Vec3::new(Length::from_bits(65536), Length::from_bits(131072), Length::from_bits(196608)),
+    Vec3::new(Fx32::from_bits(0), Fx32::from_bits(-960383872), Fx32::from_bits(480191936)),
+    CompiledCone::<Fx16, _>::from_parts(
+        Ramp16::from_bits([2, 0, 518036448, 13, 33959, 2147499439, 0, 29, 2225560593]),
+        InvertedRealPower::from_bits([1069547520, 0]),
+        CompiledInvertedRealPower::from_bits([12582912, 23, 0, 134217728]),
+    ),
+    Fx16::from_bits(14451),
+    (
+        Gain16::from_bits([-1490090752, 37]),
+        [
+            Gain16::from_bits([-2147483648, 31]),
+            Gain16::from_bits([-2147483648, 32]),
+            Gain16::from_bits([-2147483648, 33]),
+        ],
+    ),
+    Gain16::from_bits([-2147483648, 31]),
+    0,
+    [
+        Rgb::new(Fx16::from_bits(16384), Fx16::from_bits(16384), Fx16::from_bits(16384)),
+        Rgb::new(Fx16::from_bits(16384), Fx16::from_bits(16384), Fx16::from_bits(16384)),
+    ],
+)
+};
+}
+// The light `point`, written by luminaire-export 0.1.0: do not edit.
+// Lengths have the unit of the scene; light is linear, and 1 is full scale.
+
+pub mod point {
+    #[allow(unused_imports, reason = "not every light names a type of each module")]
+    use luminaire::{attenuation::*, falloff::*, light::*, *};
+
+    /// The compiled light.
+    pub const LIGHT: CompiledPointLight<Fx32, SmoothRange> = {
+#[allow(unused_imports, reason = "an expression need not have names of both kinds")]
+use ::luminaire::{attenuation::*, codegen::*, display::*, falloff::*, haze::*, light::*, number::*, projector::*, specular::*, *};
+CompiledPointLight::<Fx32, SmoothRange>::from_parts(
+    Vec3::new(Length::from_bits(65536), Length::from_bits(131072), Length::from_bits(196608)),
+    [
+        Gain32::from_bits([214748368, 30]),
+        Gain32::from_bits([171798688, 32]),
+    ],
+    Gain32::from_bits([134217728, 27]),
+    0,
+    [
+        Rgb::new(Fx32::from_bits(1073741824), Fx32::from_bits(1073741824), Fx32::from_bits(1073741824)),
+        Rgb::new(Fx32::from_bits(1073741824), Fx32::from_bits(1073741824), Fx32::from_bits(1073741824)),
+    ],
+)
+};
+}
+// The light `sun`, written by luminaire-export 0.1.0: do not edit.
+// Lengths have the unit of the scene; light is linear, and 1 is full scale.
+
+pub mod sun {
+    #[allow(unused_imports, reason = "not every light names a type of each module")]
+    use luminaire::{attenuation::*, falloff::*, light::*, *};
+
+    /// The compiled light.
+    pub const LIGHT: CompiledDirectionalLight<f32> = {
+#[allow(unused_imports, reason = "an expression need not have names of both kinds")]
+use ::luminaire::{attenuation::*, codegen::*, display::*, falloff::*, haze::*, light::*, number::*, projector::*, specular::*, *};
+CompiledDirectionalLight::<f32>::from_parts(
+    Vec3::new(f32::from_bits(0), f32::from_bits(3211065646), f32::from_bits(1055193390)),
+    f32::from_bits(1065353216),
+    [
+        Rgb::new(f32::from_bits(1065353216), f32::from_bits(1065353216), f32::from_bits(1065353216)),
+        Rgb::new(f32::from_bits(1065353216), f32::from_bits(1065353216), f32::from_bits(1065353216)),
+    ],
+)
+};
+}
