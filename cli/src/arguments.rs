@@ -1,6 +1,10 @@
 //! The command line.
 
+use luminaire::falloff::AnyFalloff;
+use luminaire_export::Language;
 use luminaire_pick::{Attenuation, Chip, Display, Edge, Light, Tolerance};
+
+use crate::model::{self, Law, Window};
 
 /// The commands.
 #[derive(Debug, clap::Parser)]
@@ -8,6 +12,35 @@ use luminaire_pick::{Attenuation, Chip, Display, Edge, Light, Tolerance};
 pub(crate) enum Command {
     /// Pick the cheapest evaluation of a spotlight whose error is small enough for a display
     Pick(Box<Pick>),
+    /// Write a spotlight as source of another language
+    Export(Box<Export>),
+}
+
+/// The angles, the intensity and the place of a spotlight.
+#[derive(Debug, clap::Args)]
+pub(crate) struct Spot {
+    /// The angle of 50 % intensity; with --field, the falloff is fitted to both
+    #[arg(long)]
+    pub(crate) beam: Option<f32>,
+    /// The angle of 10 % intensity [default: 36]
+    #[arg(long)]
+    pub(crate) field: Option<f32>,
+    /// The angle at which the light ends
+    #[arg(long)]
+    pub(crate) outer: Option<f32>,
+    /// The angle of a hotspot of full intensity
+    #[arg(long)]
+    pub(crate) inner: Option<f32>,
+    /// The intensity; 1 is full scale on the axis, at a distance of 1 [default: 16, or 1 without
+    /// attenuation]
+    #[arg(long)]
+    pub(crate) intensity: Option<f32>,
+    /// The position of the light [default: 0,0,0]
+    #[arg(long, value_name = "X,Y,Z", value_parser = vector, allow_hyphen_values = true)]
+    pub(crate) position: Option<[f32; 3]>,
+    /// The axis of the light [default: 0,-1,0]
+    #[arg(long, value_name = "X,Y,Z", value_parser = vector, allow_hyphen_values = true)]
+    pub(crate) axis: Option<[f32; 3]>,
 }
 
 /// The options of `pick`. Angles are full angles in degrees.
@@ -28,37 +61,17 @@ pub(crate) struct Pick {
     /// soft or hard [default: soft]
     #[arg(long)]
     edge: Option<Edge>,
-    /// The angle of 50 % intensity; with --field, the falloff is fitted to both
-    #[arg(long)]
-    beam: Option<f32>,
-    /// The angle of 10 % intensity [default: 36]
-    #[arg(long)]
-    field: Option<f32>,
-    /// The angle at which the light ends
-    #[arg(long)]
-    outer: Option<f32>,
-    /// The angle of a hotspot of full intensity
-    #[arg(long)]
-    inner: Option<f32>,
     /// none or inverse-square [default: inverse-square]
     #[arg(long)]
     attenuation: Option<Attenuation>,
-    /// The intensity; 1 is full scale on the axis, at a distance of 1 [default: 16, or 1 without
-    /// attenuation]
-    #[arg(long)]
-    intensity: Option<f32>,
     /// The nearest surface [default: 1, or the farthest if that is nearer]
     #[arg(long)]
     near: Option<f32>,
     /// The farthest surface [default: 7, or the nearest if that is farther]
     #[arg(long)]
     far: Option<f32>,
-    /// The position of the light [default: 0,0,0]
-    #[arg(long, value_name = "X,Y,Z", value_parser = vector, allow_hyphen_values = true)]
-    position: Option<[f32; 3]>,
-    /// The axis of the light [default: 0,-1,0]
-    #[arg(long, value_name = "X,Y,Z", value_parser = vector, allow_hyphen_values = true)]
-    axis: Option<[f32; 3]>,
+    #[command(flatten)]
+    spot: Spot,
     /// The lights of a JSON file, or of the example scene `show`, in place of one light
     #[arg(long, value_name = "FILE", conflicts_with_all = ["edge", "beam", "field", "outer", "inner"])]
     pub(crate) scene: Option<String>,
@@ -68,6 +81,42 @@ pub(crate) struct Pick {
     /// Write JSON
     #[arg(long)]
     pub(crate) json: bool,
+}
+
+/// The options of `export`. Angles are full angles in degrees.
+#[derive(Debug, clap::Args)]
+pub(crate) struct Export {
+    /// json, glsl, wgsl, c-f32, c-fx16, rust-f32, rust-fx32 or rust-fx16
+    #[arg(long, value_name = "LANGUAGE")]
+    pub(crate) to: Language,
+    /// The name that begins all names in the source
+    #[arg(long, default_value = "light")]
+    pub(crate) name: String,
+    /// soft, hard, linear, smooth, step, quadratic=A, cubic=A,D, power=N, inverted-power=N,
+    /// mixed-power=N,M,S, inverted-mixed-power=N,M,S, real-power=P, inverted-real-power=P or
+    /// table=SAMPLES from 65535 on the axis [default: soft]
+    #[arg(long, value_parser = model::falloff)]
+    pub(crate) falloff: Option<AnyFalloff>,
+    #[command(flatten)]
+    pub(crate) spot: Spot,
+    /// An angle that ends the light before its falloff does
+    #[arg(long)]
+    pub(crate) cutoff: Option<f32>,
+    /// none, inverse-square, polynomial=A,B,C or smooth-range [default: inverse-square]
+    #[arg(long)]
+    pub(crate) attenuation: Option<Law>,
+    /// The distance at which the light ends
+    #[arg(long)]
+    pub(crate) range: Option<f32>,
+    /// How the light ends at its range: cut, gltf or square [default: cut]
+    #[arg(long, requires = "range")]
+    pub(crate) window: Option<Window>,
+    /// The linear colour [default: 1,1,1]
+    #[arg(long, value_name = "R,G,B", value_parser = vector)]
+    pub(crate) color: Option<[f32; 3]>,
+    /// Write luminaire_fx16.h, which each light in c-fx16 includes, in place of a light
+    #[arg(long)]
+    pub(crate) header: bool,
 }
 
 fn vector(text: &str) -> Result<[f32; 3], String> {
@@ -88,15 +137,15 @@ impl Pick {
         let attenuation = self.attenuation.unwrap_or(standard.attenuation);
         let intensity = if attenuation == Attenuation::None { 1.0 } else { standard.intensity };
         Light {
-            position: self.position.unwrap_or(standard.position),
-            axis: self.axis.unwrap_or(standard.axis),
+            position: self.spot.position.unwrap_or(standard.position),
+            axis: self.spot.axis.unwrap_or(standard.axis),
             edge: self.edge.unwrap_or(standard.edge),
-            beam: self.beam,
-            field: self.field,
-            outer: self.outer,
-            inner: self.inner,
+            beam: self.spot.beam,
+            field: self.spot.field,
+            outer: self.spot.outer,
+            inner: self.spot.inner,
             attenuation,
-            intensity: self.intensity.unwrap_or(intensity),
+            intensity: self.spot.intensity.unwrap_or(intensity),
             near: self.near.unwrap_or(self.far.map_or(standard.near, |far| far.min(standard.near))),
             far: self.far.unwrap_or(self.near.map_or(standard.far, |near| near.max(standard.far))),
             ..standard

@@ -1,8 +1,9 @@
 //! `luminaire pick`: the cheapest evaluation of a spotlight whose error is small enough for a
-//! display.
+//! display. `luminaire export`: a spotlight as source of another language.
 #![forbid(unsafe_code)]
 
 mod arguments;
+mod model;
 mod show;
 mod text;
 
@@ -10,12 +11,16 @@ use std::fs;
 use std::process::ExitCode;
 
 use clap::Parser;
+use luminaire_export::ExportError;
 use luminaire_pick::{Refusal, Request, Scene};
 
-use arguments::{Command, Pick};
+use arguments::{Command, Export, Pick};
 
 fn main() -> ExitCode {
-    let Command::Pick(pick) = Command::parse();
+    let pick = match Command::parse() {
+        Command::Pick(pick) => pick,
+        Command::Export(options) => return export(&options),
+    };
     match answer(&pick) {
         Ok(text) => {
             print!("{text}");
@@ -27,6 +32,26 @@ fn main() -> ExitCode {
             } else {
                 eprintln!("error: {refusal}");
             }
+            ExitCode::FAILURE
+        }
+    }
+}
+
+/// Writes a light as source, or the reason why not.
+fn export(options: &Export) -> ExitCode {
+    let source = || -> Result<String, ExportError> {
+        if options.header {
+            return Ok(luminaire_export::c_header());
+        }
+        luminaire_export::export(model::light(options)?, &options.name, options.to)
+    };
+    match source() {
+        Ok(source) => {
+            print!("{source}");
+            ExitCode::SUCCESS
+        }
+        Err(error) => {
+            eprintln!("error: {error}");
             ExitCode::FAILURE
         }
     }
