@@ -7,12 +7,12 @@ use std::fs;
 
 use fastrand::Rng;
 use luminaire::dynamic::AnyLight;
-use luminaire::falloff::{AnyFalloff, Falloff};
+use luminaire::falloff::AnyFalloff;
 use luminaire::{DirectionalLight, Vec3};
 use luminaire_export::{Language, export};
 
 use support::compiler::run;
-use support::{Spot, exact, place, points_of_light, spots};
+use support::{exact, is_smooth, place, points_of_light, spots};
 
 /// Points of each light.
 const POINTS: usize = 4_000;
@@ -83,15 +83,6 @@ fn by_the_kernel(light: &AnyLight, places: &[Place]) -> Vec<[f32; 2]> {
             at(&|_, normal| [light.irradiance(normal), 0.0])
         }
     }
-}
-
-/// Returns whether the falloff has no jump and a moderate slope, so that its difference from f64 is
-/// that of the code and not of the inputs.
-fn is_smooth(spot: &Spot) -> bool {
-    let cone = spot.cone();
-    let slope = cone.profile().steepness(cone.inner().versine() / cone.outer_versine());
-    let is_step = matches!(cone.profile(), AnyFalloff::Step(_) | AnyFalloff::Table(_));
-    !is_step && !cone.has_cutoff() && cone.outer().to_degrees() > 6.0 && slope < 10.0
 }
 
 fn is_real_power(light: &AnyLight) -> bool {

@@ -3,6 +3,7 @@
 mod arguments;
 mod contributing;
 mod demo;
+mod export;
 mod msrv;
 mod mutants;
 mod package;

@@ -17,7 +17,7 @@ use tools::tally::{self, Tally};
 use tools::toolchain::Toolchain;
 use tools::{command, install, project};
 
-use crate::{contributing, demo, msrv, package, semver};
+use crate::{contributing, demo, export, msrv, package, semver};
 
 /// The smallest processor that is supported: it has no floating point unit, no division and no
 /// atomics.
@@ -78,6 +78,7 @@ fn host(suite: &mut Suite, full: bool) {
         package::run(suite);
         semver::run(suite);
     }
+    export::run(suite);
     browser(suite);
 }
 

@@ -79,17 +79,9 @@ impl Lowering<'_> {
                 let slope = number(g) + number(h) * of(x);
                 clamp(of(x) * (number(1.0) + (number(1.0) - of(x)) * slope))
             }
-            Operation::RealPower(x, [mantissa, shift, least, gain]) => {
-                // The shift of an exponent is less than 64.
-                let exponent = (f64::from(mantissa) / (1_u64 << shift) as f64) as f32;
-                let power = call(Builtin::Power, of(x), number(exponent));
-                if least == 0 {
-                    power
-                } else {
-                    let floor = (f64::from(least) / 2_147_483_648.0) as f32;
-                    let gain = (f64::from(gain) / 134_217_728.0) as f32;
-                    clamp((power - number(floor)) * number(gain))
-                }
+            Operation::RealPower(x, exponent) => {
+                let x = of(x);
+                self.power(x, exponent)
             }
             Operation::Sample(x, ref samples) => {
                 let x = of(x);
@@ -100,6 +92,23 @@ impl Lowering<'_> {
                 self.along(x, knots)?
             }
         })
+    }
+
+    /// Returns a power with a real exponent, less that of the floor.
+    fn power(&mut self, x: Expression, [mantissa, shift, least, gain]: [u32; 4]) -> Expression {
+        // The shift of an exponent is less than 64.
+        let exponent = (f64::from(mantissa) / (1_u64 << shift) as f64) as f32;
+        let base = name(self.local("base", x));
+        // The power of 0 is 0. On some GPUs the built-in function returns the power of a small
+        // number, which is not small for a small exponent.
+        let power = call(Builtin::Power, base.clone(), number(exponent));
+        let power = if_less(number(0.0), base, power, number(0.0));
+        if least == 0 {
+            return power;
+        }
+        let floor = (f64::from(least) / 2_147_483_648.0) as f32;
+        let gain = (f64::from(gain) / 134_217_728.0) as f32;
+        clamp((power - number(floor)) * number(gain))
     }
 
     /// Interpolates between evenly spaced samples.

@@ -13,6 +13,7 @@ mod picture;
 mod readout;
 mod refusal;
 mod scenes;
+pub mod shaders;
 
 use std::path::Path;
 

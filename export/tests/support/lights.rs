@@ -1,0 +1,134 @@
+//! Lights and points to compare. The tests in a browser use this file, too.
+
+use fastrand::Rng;
+use luminaire::attenuation::{AnyAttenuation, Attenuation};
+use luminaire::dynamic::AnyLight;
+use luminaire::falloff::{AnyFalloff, Falloff, Formula, Table};
+use luminaire::number::Knot;
+use luminaire::{Angle, Cone, Error, PointLight, Rgb, Scalar, SpotLight, Vec3};
+use luminaire_oracle::{DVec3, versine_between};
+
+/// A spotlight of any models.
+pub(crate) type Spot = SpotLight<AnyFalloff, AnyAttenuation>;
+
+/// Returns a random direction, not of unit length.
+pub(crate) fn direction(rng: &mut Rng) -> [f32; 3] {
+    loop {
+        let v = [0; 3].map(|_| rng.f32() * 2.0 - 1.0);
+        let squared = v.iter().map(|c| c * c).sum::<f32>();
+        if (0.05..=1.0).contains(&squared) {
+            return v;
+        }
+    }
+}
+
+/// Returns a table of knots: a measured light.
+pub(crate) fn knots() -> AnyFalloff {
+    let measured: Vec<f32> = (0..=30).map(|i| (i as f32 / 10.0).cos() / 2.0 + 0.5).collect();
+    let knots: &'static mut [Knot] = Vec::leak(vec![Knot::default(); 12]);
+    Table::from_angles(&measured, Angle::degrees(50.0), knots).expect("a sound table").0.into()
+}
+
+/// Returns `variants` lights of each falloff, the first with its sample, and as many with knots.
+///
+/// The lights go through all attenuations. Each is accepted by the format `S`.
+pub(crate) fn spots<S: Scalar>(rng: &mut Rng, variants: usize) -> Vec<Spot> {
+    let mut spots = Vec::new();
+    for index in 0..=AnyFalloff::COUNT {
+        for variant in 0..variants {
+            let light = (0..1_000).find_map(|_| {
+                let falloff = match (index, variant) {
+                    (AnyFalloff::COUNT, _) => knots(),
+                    (_, 0) => AnyFalloff::samples().nth(index)?,
+                    _ => AnyFalloff::drawn(index, || rng.f32()).ok()?,
+                };
+                let spot = spot(rng, falloff, index + variant).ok()?;
+                spot.compile::<S>().is_ok().then_some(spot)
+            });
+            spots.push(light.expect("a light that the format holds"));
+        }
+    }
+    spots
+}
+
+fn spot(rng: &mut Rng, falloff: AnyFalloff, index: usize) -> Result<Spot, Error> {
+    let outer = 180.0 * rng.f32() * rng.f32();
+    let mut cone = Cone::from_outer(falloff, Angle::degrees(outer))?;
+    if rng.u8(..3) == 0 {
+        cone = cone.with_inner(Angle::degrees(outer * rng.f32()))?;
+    }
+    if rng.u8(..4) == 0 {
+        cone = cone.with_cutoff(Angle::degrees(outer * (0.3 + 0.7 * rng.f32())))?;
+    }
+    let attenuation = AnyAttenuation::drawn(index, || rng.f32())?;
+    let position = [0; 3].map(|_| 20.0 * rng.f32() - 10.0);
+    let color = Rgb::new(rng.f32(), rng.f32(), rng.f32());
+    let intensity = [1.0, 16.0, 1e4 * rng.f32(), 1e9 * rng.f32()][usize::from(rng.u8(..4))];
+    let light = SpotLight::new(position, direction(rng), cone)?.with_color(color)?;
+    Ok(light.with_intensity(intensity)?.with_attenuation(attenuation))
+}
+
+/// Returns a point light of each attenuation.
+pub(crate) fn points_of_light(rng: &mut Rng) -> Vec<PointLight<AnyAttenuation>> {
+    let light = |index| {
+        let attenuation = AnyAttenuation::drawn(index, || rng.f32()).ok()?;
+        let light = PointLight::new([0; 3].map(|_| 20.0 * rng.f32() - 10.0)).ok()?;
+        light.with_intensity(100.0 * rng.f32()).ok().map(|light| light.with_attenuation(attenuation))
+    };
+    (0..2 * AnyAttenuation::COUNT).filter_map(light).collect()
+}
+
+/// Returns a point that a light is likely to reach, and a normal.
+///
+/// A third of the points is close to the edge of the cone.
+pub(crate) fn place(rng: &mut Rng, light: &AnyLight) -> ([f32; 3], [f32; 3]) {
+    let (position, axis, half) = match light {
+        AnyLight::Spot(spot) => (spot.position(), spot.axis(), spot.cone().outer().to_radians() / 2.0),
+        AnyLight::Point(point) => (point.position(), direction(rng).into(), std::f32::consts::PI),
+        AnyLight::Directional(light) => (Vec3::default(), light.direction(), 1.0),
+    };
+    let angle = match rng.u8(..6) {
+        0 => half * (1.0 + 1e-3 * (rng.f32() - 0.5)),
+        1 => half * (0.9 + 0.2 * rng.f32()),
+        2 => 0.0,
+        _ => half * rng.f32(),
+    };
+    let aside = Vec3::from(direction(rng));
+    let along = axis.dot(aside);
+    let aside = aside.zip(axis, |a, s| a - along * s).unit();
+    let ray = axis.zip(aside, |s, a| s * angle.cos() + a * angle.sin());
+    let distance = 40.0 * rng.f32() * rng.f32() * [1.0, 1.0, 0.01][usize::from(rng.u8(..3))];
+    let point = position.zip(ray, |p, r| p + distance * r);
+    let tilt = Vec3::from(direction(rng));
+    let normal = tilt.zip(ray, |t, r| 0.7 * t - r).unit();
+    (point.into(), normal.into())
+}
+
+/// Returns the versine of a point off the axis in f64.
+pub(crate) fn versine(spot: &Spot, point: [f32; 3]) -> f64 {
+    versine_between(wide(point) - wide(spot.position().into()), wide(spot.axis().into()))
+}
+
+fn wide(vector: [f32; 3]) -> DVec3 {
+    DVec3::from_array(vector.map(f64::from))
+}
+
+/// Returns the irradiance of a spotlight in f64, and its falloff.
+pub(crate) fn exact(spot: &Spot, point: [f32; 3], normal: [f32; 3]) -> [f64; 2] {
+    let offset = wide(point) - wide(spot.position().into());
+    let [inner, outer, limit] = spot.cone().versines().map(f64::from);
+    let versine = versine(spot, point);
+    let t = if versine <= inner { 1.0 } else { (outer - versine) / (outer - inner) };
+    let falloff = if versine < limit { spot.cone().profile().formula().exact(t) } else { 0.0 };
+    let cosine = (-offset.normalize().dot(wide(normal))).clamp(0.0, 1.0);
+    [f64::from(spot.intensity()) * spot.attenuation().exact(offset.length()) * falloff * cosine, falloff]
+}
+
+/// Returns whether the falloff has no jump and a moderate slope, so that its difference from f64 is
+/// that of the code and not of the inputs.
+pub(crate) fn is_smooth(spot: &Spot) -> bool {
+    let cone = spot.cone();
+    let slope = cone.profile().steepness(cone.inner().versine() / cone.outer_versine());
+    let jumps = matches!(cone.profile().formula(), Formula::Step | Formula::Table(_)) || cone.has_cutoff();
+    !jumps && cone.outer().to_degrees() > 6.0 && slope < 10.0
+}
