@@ -17,7 +17,7 @@ pub(super) const DEPTH_BITS: u32 = 13;
 
 /// Half a pixel of a picture, as a slope in steps of 2^-16: the picture is one metre wide at a depth
 /// of one.
-const fn half_pixel(width: usize) -> i32 {
+pub(super) const fn half_pixel(width: usize) -> i32 {
     let width = width as i32;
     (32_768 + width / 2) / width
 }
@@ -25,6 +25,11 @@ const fn half_pixel(width: usize) -> i32 {
 /// The row of the horizon.
 const fn horizon(width: usize) -> i32 {
     38 * width as i32 / 160
+}
+
+/// How many half pixels the middle of a column is to the right of the middle of the picture.
+pub(super) const fn middle<const WIDTH: usize>(column: usize) -> i32 {
+    2 * (column as i32 - WIDTH as i32 / 2) + 1
 }
 
 /// A line of sight: how far it goes to the right and up for each metre into the depth, in steps of
@@ -39,9 +44,8 @@ impl<const WIDTH: usize> Sight<WIDTH> {
     /// The line of sight through the centre of a pixel.
     #[inline(always)]
     pub(super) fn through(column: usize, row: i32) -> Self {
-        let middle = |pixel: i32, zero: i32| 2 * (pixel - zero) + 1;
-        let right = middle(column as i32, WIDTH as i32 / 2) * half_pixel(WIDTH);
-        Self { right, up: -middle(row, horizon(WIDTH)) * half_pixel(WIDTH) }
+        let up = -(2 * (row - horizon(WIDTH)) + 1) * half_pixel(WIDTH);
+        Self { right: middle::<WIDTH>(column) * half_pixel(WIDTH), up }
     }
 
     /// The height of the line at a depth.
@@ -81,12 +85,9 @@ impl<const WIDTH: usize> Sight<WIDTH> {
         Vec3::new(self.x(depth), Length::from_bits(self.height(depth)), Length::from_bits(back))
     }
 
-    /// The squares of the line's three components for each metre of depth: right, up and the metre
-    /// itself, in steps of 2^-20.
-    #[inline(always)]
-    pub(super) fn squares(self) -> [i32; 3] {
-        let square = |slope: i32| (slope * slope) >> 12;
-        [square(self.right), square(self.up), 1 << 20]
+    /// The square of the line's component to the right for each metre of depth, in steps of 2^-20.
+    pub(super) fn right_squared(self) -> i32 {
+        (self.right * self.right) >> 12
     }
 }
 
@@ -116,13 +117,18 @@ impl Window {
         self.columns[0]..self.columns[1]
     }
 
+    /// Whether pixels of a row lie in the window.
+    pub(super) const fn has(&self, row: i32) -> bool {
+        row >= self.rows[0] && row < self.rows[1]
+    }
+
     /// The pixels of a row that lie in the window, with the numbers of their columns.
     pub(super) fn of<'a, T, const WIDTH: usize>(
         &self,
         row: i32,
         pixels: &'a mut [T; WIDTH],
     ) -> impl Iterator<Item = (usize, &'a mut T)> {
-        let [first, end] = if row >= self.rows[0] && row < self.rows[1] { self.columns } else { [0, 0] };
+        let [first, end] = if self.has(row) { self.columns } else { [0, 0] };
         (first..).zip(pixels.get_mut(first..end).unwrap_or_default())
     }
 }

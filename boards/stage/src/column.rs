@@ -79,9 +79,8 @@ impl Side {
 
 /// The depth at which a line of sight meets the side, as if it had no ends.
 fn side<const WIDTH: usize>(sight: Sight<WIDTH>) -> Option<i32> {
-    let [right, _, ahead] = sight.squares();
     let along = (sight.right * steps(WAY[0] / 16.0)) >> 8;
-    Quadratic { a: right + ahead, b: along + steps(16.0 * WAY[1]), c: GAP }.depth()
+    Quadratic { a: sight.right_squared() + (1 << 20), b: along + steps(16.0 * WAY[1]), c: GAP }.depth()
 }
 
 /// The offset from the column's axis to a point: right and to the front.

@@ -2,7 +2,7 @@
 
 use luminaire::{Fx16, Vec3, number::Length};
 
-use super::ball;
+use super::ball::{self, Lines};
 use super::camera::{DEPTH_BITS, Sight, steps};
 use super::column::Side;
 use super::measures::{EYE, WALL};
@@ -43,10 +43,14 @@ pub(crate) fn look<const WIDTH: usize>(side: &Side, row: i32, sites: &mut [Site;
     paint_backdrop(row, sites);
     side.draw(row, sites);
     // Nothing is in front of the ball, so it is drawn last.
-    for (column, site) in const { ball::window::<WIDTH>() }.of(row, sites) {
-        let sight = Sight::<WIDTH>::through(column, row);
-        if let Some(depth) = ball::depth(sight) {
-            let point = sight.point(depth);
+    let window = const { ball::window::<WIDTH>() };
+    if !window.has(row) {
+        return;
+    }
+    let mut lines = Lines::new::<WIDTH>(window.columns().start, row);
+    for (column, site) in window.of(row, sites) {
+        if let Some(depth) = lines.next_depth() {
+            let point = Sight::<WIDTH>::through(column, row).point(depth);
             *site = Site { point, normal: ball::normal(point), material: Material::Ball };
         }
     }
