@@ -3,8 +3,8 @@
 use std::{fmt, sync::LazyLock};
 use wasm_bindgen::prelude::*;
 
-/// The table, as `data/README.md` describes it.
-const TABLE: &str = include_str!("../data/fixtures.csv");
+/// The table, as `fixtures/data/README.md` describes it.
+const TABLE: &str = include_str!("../../fixtures/data/fixtures.csv");
 
 const HEADER: &str =
     "kind,manufacturer,fixture,mode,lens,categories,lens_full_angle_min_deg,lens_full_angle_max_deg,lumens";
