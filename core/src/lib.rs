@@ -150,7 +150,7 @@
 
 // Modules, lowest first: `error`, `models`, `search`, `source`, `trig`, `vec3`, `angle`, `effect`,
 // `number`, `attenuation`, `color`, `falloff`, `specular`, `cone`, `display`, `interop`, `shade`, `batch`,
-// `haze`, `material`, `light`, `any_light`, `import`, `projector`, `codegen`, `plan`, `dynamic`.
+// `haze`, `material`, `row`, `light`, `any_light`, `import`, `projector`, `codegen`, `plan`, `dynamic`.
 
 #![no_std]
 // With `bytemuck`, one file contains unsafe code; without it the crate contains none.

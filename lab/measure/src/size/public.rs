@@ -32,6 +32,7 @@ const TYPES: Rows = &[
     ("Into<AnyLight>", &["AnyLight"]),
     ("Hasher", &["Words"]),
     ("Copy", &["Irradiance"]),
+    ("Fn", &["fn(usize) -> luminaire::Vec3<<Format as luminaire::Scalar>::Length>"]),
 ];
 /// The type for a parameter that has only bounds in `OF_NUMBERS`, which every number satisfies.
 const PLAIN: &[&str] = &["Format"];
