@@ -121,7 +121,7 @@ fn first_reached<S: Scalar, L: LightModel<S>>(
         let (center, radius) = S::enclosing(point(start), point(last));
         if !light.can_reach(center, radius) {
             start = last + 1;
-            if size < MOST && start % (2 * size) == 0 {
+            if size < MOST && start & (2 * size - 1) == 0 {
                 size *= 2;
             }
         } else if size > LEAST {
