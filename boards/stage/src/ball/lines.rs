@@ -33,10 +33,10 @@ impl Lines {
         let (half, place) = (half_pixel(WIDTH), middle::<WIDTH>(column));
         let up = i64::from(Sight::<WIDTH>::through(column, row).up);
         // `b` with 28 fraction bits, where the line goes neither to the right nor to the left.
-        let ahead = (up * i64::from(steps(WAY[1])) >> 4) + (i64::from(steps(WAY[2])) << 12);
+        let ahead = ((up * i64::from(steps(WAY[1]))) >> 4) + (i64::from(steps(WAY[2])) << 12);
         let least = (1 << 32) + up * up;
-        let constant = (ahead * ahead >> 16) - (least * i64::from(steps(GAP)) >> 8);
-        let linear = 2 * i64::from(half * (ACROSS >> 4)) * ahead >> 16;
+        let constant = ((ahead * ahead) >> 16) - ((least * i64::from(steps(GAP))) >> 8);
+        let linear = (2 * i64::from(half * (ACROSS >> 4)) * ahead) >> 16;
         let a = Series::of([const { square(half_pixel(WIDTH), 1.0) }, 0, least << 8], place);
         Self {
             discriminant: Series::of(
