@@ -2,8 +2,7 @@
 
 use crate::refusal::Refusal;
 use luminaire::{
-    Angle, Cone, Error, Fx16, Fx32, Rgb, Scalar, SpotLight, falloff::SoftOrHard, light::CompiledCone,
-    projector::Fixture,
+    Angle, Cone, Error, Fx16, Fx32, Rgb, Scalar, falloff::Falloff, light::CompiledCone, projector::Fixture,
 };
 use luminaire_render::{Account, Camera, Display, DrawError, Renderer, Scene, SizeError};
 use std::fmt;
@@ -62,11 +61,6 @@ impl Format {
         with_scalar!(self, S => S::NAME)
     }
 
-    /// Whether the format can hold a light.
-    pub(crate) fn check(self, spot: &SpotLight) -> Result<(), Error> {
-        with_scalar!(self, S => spot.compile::<S>().map(drop))
-    }
-
     /// Returns whether the format can hold a fixture with its gobo and shadow map.
     pub(crate) fn check_fixture(self, fixture: &Fixture) -> Result<(), Error> {
         with_scalar!(self, S => {
@@ -77,14 +71,14 @@ impl Format {
     }
 
     /// The narrowest cone with this edge that the format holds.
-    pub(crate) fn narrowest(self, edge: SoftOrHard) -> Angle {
+    pub(crate) fn narrowest(self, edge: impl Falloff) -> Angle {
         with_scalar!(self, S => Cone::narrowest::<S>(edge))
     }
 
     /// The intensities of a cone at angles off its axis, in degrees, as this format evaluates them.
-    pub(crate) fn intensities(self, cone: &Cone, angles: &[f32]) -> Result<Vec<f32>, Error> {
+    pub(crate) fn intensities<P: Falloff>(self, cone: &Cone<P>, angles: &[f32]) -> Result<Vec<f32>, Error> {
         with_scalar!(self, S => {
-            let falloff: CompiledCone<S> = cone.compile()?;
+            let falloff: CompiledCone<S, P> = cone.compile()?;
             let versine = |off_axis: f32| falloff.versine(Angle::degrees(2.0 * off_axis).versine());
             Ok(angles.iter().map(|&angle| falloff.at(versine(angle)).to_f32()).collect())
         })
@@ -189,7 +183,7 @@ impl<S: luminaire_render::Format> Draw for Renderer<S> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use luminaire::falloff::Soft;
+    use luminaire::falloff::{Soft, SoftOrHard};
 
     #[test]
     fn a_format_has_its_own_name() {

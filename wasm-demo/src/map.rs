@@ -29,7 +29,6 @@ pub(crate) enum Subject {
 /// A map of a picture in false colours.
 #[derive(Clone, Debug)]
 pub(crate) struct Map {
-    subject: Subject,
     palette: Palette,
     /// Largest number of lights at a pixel since the scale was reset. The scale never shrinks;
     /// otherwise the meaning of a colour would change from picture to picture.
@@ -44,11 +43,16 @@ impl Subject {
             "nothing" => Ok(Self::Nothing),
             "lights" => Ok(Self::Lights),
             "tiles" => Ok(Self::Tiles),
-            _ => Err(Refusal::Name {
-                parameter: "subject of the map",
-                value: name.to_owned(),
-                expected: "nothing, lights or tiles",
-            }),
+            _ => Err(Refusal::name("subject of the map", name, "nothing, lights or tiles")),
+        }
+    }
+
+    /// The name that [`Self::named`] accepts.
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::Nothing => "nothing",
+            Self::Lights => "lights",
+            Self::Tiles => "tiles",
         }
     }
 }
@@ -56,12 +60,7 @@ impl Subject {
 impl Map {
     /// Returns no map.
     pub(crate) fn new() -> Self {
-        Self { subject: Subject::Nothing, palette: Palette::new(), most: 0, pixels: Vec::new() }
-    }
-
-    /// Sets the subject.
-    pub(crate) fn set_subject(&mut self, subject: Subject) {
-        self.subject = subject;
+        Self { palette: Palette::new(), most: 0, pixels: Vec::new() }
     }
 
     /// Resets the scale, for a picture of another scene.
@@ -87,11 +86,16 @@ impl Map {
 
     /// Draws the map of a picture of this width and height: RGBA, sRGB. Returns `None` if there is
     /// no map.
-    pub(crate) fn draw(&mut self, renderer: &dyn Draw, width: usize, height: usize) -> Option<&[u8]> {
+    pub(crate) fn draw(
+        &mut self,
+        subject: Subject,
+        renderer: &dyn Draw,
+        (width, height): (usize, usize),
+    ) -> Option<&[u8]> {
         let places = || (0..height).flat_map(|y| (0..width).map(move |x| (x, y)));
         let lights = |(x, y)| renderer.lights_evaluated(x, y).unwrap_or_default();
         self.pixels.clear();
-        match self.subject {
+        match subject {
             Subject::Nothing => return None,
             Subject::Lights => {
                 self.most = places().map(lights).fold(self.most, u16::max);
@@ -136,9 +140,8 @@ mod tests {
         renderer.draw_geometry(&setup.scene, &setup.camera);
         renderer.draw_light(&setup.fixtures_at(0.0).unwrap()).unwrap();
         let mut map = Map::new();
-        assert!(map.draw(&*renderer, SIZE.0, SIZE.1).is_none());
-        map.set_subject(Subject::Lights);
-        let pixels = map.draw(&*renderer, SIZE.0, SIZE.1).unwrap().to_vec();
+        assert!(map.draw(Subject::Nothing, &*renderer, SIZE).is_none());
+        let pixels = map.draw(Subject::Lights, &*renderer, SIZE).unwrap().to_vec();
         assert_eq!(pixels.len(), 4 * SIZE.0 * SIZE.1);
         let mut counts = Vec::new();
         for (place, pixel) in pixels.chunks(4).enumerate() {
@@ -156,12 +159,11 @@ mod tests {
         let setup = Example::Grid.setup().unwrap();
         let mut renderer = Format::F32.renderer(SIZE.0 as u32, SIZE.1 as u32).unwrap();
         let mut map = Map::new();
-        map.set_subject(Subject::Tiles);
         let [relit, kept] = map.tile_colours();
         renderer.draw_geometry(&setup.scene, &setup.camera);
         let mut share = |seconds| {
             assert!(renderer.draw_light(&setup.fixtures_at(seconds).unwrap()).unwrap());
-            let pixels = map.draw(&*renderer, SIZE.0, SIZE.1).unwrap();
+            let pixels = map.draw(Subject::Tiles, &*renderer, SIZE).unwrap();
             let count = |colour: [u8; 3]| pixels.chunks(4).filter(|pixel| pixel[..3] == colour).count();
             assert_eq!(count(relit) + count(kept), SIZE.0 * SIZE.1);
             count(relit) as f64 / (SIZE.0 * SIZE.1) as f64

@@ -17,13 +17,6 @@ pub(crate) enum Refusal {
     /// A light does not fit into a number format.
     Format {
         format: Format,
-        /// Which light, by its name on the page.
-        light: &'static str,
-        error: luminaire::Error,
-    },
-    /// A light of a scene does not fit into a number format.
-    SceneLight {
-        format: Format,
         /// Which light, counted from 0.
         light: usize,
         /// The stage-lighting name of this kind of fixture.
@@ -43,6 +36,21 @@ pub(crate) enum Refusal {
 }
 
 impl Refusal {
+    /// An unknown name for a choice.
+    pub(crate) fn name(parameter: &'static str, value: &str, expected: &'static str) -> Self {
+        Self::Name { parameter, value: value.to_owned(), expected }
+    }
+
+    /// A number outside its range.
+    pub(crate) fn outside(
+        parameter: &'static str,
+        value: f32,
+        [least, most]: [f32; 2],
+        unit: &'static str,
+    ) -> Self {
+        Self::Outside { parameter, value, least, most, unit }
+    }
+
     /// A failure of the browser, with its own message.
     pub(crate) fn browser(what: &'static str, reason: &JsValue) -> Self {
         Self::Browser { what, reason: format!("{reason:?}") }
@@ -69,10 +77,7 @@ impl fmt::Display for Refusal {
             Self::Light(error) => error.fmt(f),
             Self::Size(error) => error.fmt(f),
             Self::Draw(error) => error.fmt(f),
-            Self::Format { format, light, error } => {
-                write!(f, "{format} cannot hold the {light} light: {error}")
-            }
-            Self::SceneLight { format, light, name, error } => {
+            Self::Format { format, light, name, error } => {
                 write!(f, "{format} cannot hold light {}, {name}: {error}", light + 1)
             }
             Self::Name { parameter, value, expected } => {

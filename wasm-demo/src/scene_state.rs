@@ -15,18 +15,6 @@ pub struct ExampleState {
     pub summary: String,
 }
 
-/// A light with its switch.
-#[wasm_bindgen(getter_with_clone)]
-#[derive(Clone, PartialEq, Eq, Debug)]
-pub struct SceneLightState {
-    /// The stage-lighting name of this kind of fixture.
-    pub name: String,
-    /// Its colour as `#rrggbb` in sRGB.
-    pub color: String,
-    /// Whether it is switched on.
-    pub on: bool,
-}
-
 /// An effect of the library.
 #[wasm_bindgen(getter_with_clone)]
 #[derive(Clone, PartialEq, Eq, Debug)]

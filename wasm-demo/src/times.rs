@@ -1,13 +1,21 @@
 //! The times of the passes of a picture.
 
+use wasm_bindgen::prelude::*;
+
 /// The time of each pass in milliseconds, by the browser's clock.
-#[derive(Clone, Copy, Default, Debug)]
-pub(crate) struct Times {
-    /// `None` if the picture was only re-lit.
-    pub(crate) geometry: Option<f64>,
-    /// `None` if no shadow map was redrawn.
-    pub(crate) shadows: Option<f64>,
-    pub(crate) lighting: f64,
-    pub(crate) encode: f64,
-    pub(crate) show: f64,
+#[wasm_bindgen]
+#[derive(Clone, Copy, PartialEq, Default, Debug)]
+pub struct Times {
+    /// Nothing if the geometry was kept.
+    pub geometry: Option<f64>,
+    /// Nothing if all shadow maps were kept.
+    pub shadows: Option<f64>,
+    /// The lighting pass.
+    pub lighting: f64,
+    /// The encoding for the display.
+    pub encode: f64,
+    /// Passing the picture to the canvas.
+    pub show: f64,
+    /// From setting the lights until the canvas has taken the picture.
+    pub frame: f64,
 }

@@ -16,13 +16,13 @@ export function follow(view) {
 }
 
 /**
- * Writes the state of a view behind the # once the visitor has paused. Only the current view may
- * write.
+ * Writes the state of a view behind the # once the visitor has paused, when `state()` returns it as
+ * text. Only the current view may write.
  */
-export function remember(view, query) {
+export function remember(view, state) {
   if (view !== current) return;
   clearTimeout(waiting);
-  waiting = setTimeout(() => write(`#${view}?${query}`), REST);
+  waiting = setTimeout(() => write(`#${view}?${state()}`), REST);
 }
 
 function write(hash) {

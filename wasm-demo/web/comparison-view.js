@@ -56,7 +56,8 @@ export class ComparisonView {
   }
 
   /** Applies the address, such as `left=f32&right=fx16&half=0.6`. Refusals are shown. */
-  show(query) {
+  show(text) {
+    const query = new URLSearchParams(text);
     for (const [side, name] of ["left", "right"].entries()) this.#ask(side, query.get(name));
     this.#halfAngle.show(exact(this.#comparison.halfAngle));
     const half = query.get("half");
@@ -159,7 +160,7 @@ export class ComparisonView {
   #remember([left, right]) {
     const half = exact(this.#comparison.halfAngle);
     const query = new URLSearchParams({ left: left.form, right: right.form, half });
-    remember("compare", query);
+    remember("compare", () => query);
   }
 }
 

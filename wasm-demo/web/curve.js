@@ -27,19 +27,21 @@ const line = (kind, x1, y1, x2, y2) => shape("line", { class: kind, x1, y1, x2, 
 const label = (kind, x, y, text) => shape("text", { class: kind, x, y }, text);
 
 export class Curve {
-  #demo;
+  #stage;
   #svg = document.getElementById("curve");
   #title = document.getElementById("curve-title");
   #format = document.getElementById("curve-format");
 
-  constructor(demo) {
-    this.#demo = demo;
+  constructor(stage) {
+    this.#stage = stage;
   }
 
   /** Draws the curve of a light, evaluated by the module in the current number format. */
   draw(light) {
-    const points = this.#demo.curve(light, SAMPLES);
-    const state = this.#demo.light(light);
+    if (light >= this.#stage.lightCount) return;
+    const points = this.#stage.curve(light, SAMPLES);
+    if (points.length === 0) return;
+    const state = this.#stage.light(light);
     const reach = points[points.length - 2];
     const across = (angle) => (BOX.left + BOX.right) / 2 + ((BOX.right - BOX.left) / 2) * (angle / reach);
     this.#svg.style.setProperty("--light", state.color);
@@ -51,7 +53,7 @@ export class Curve {
       ...mark("field", state.field, 0.1, across),
     );
     this.#title.textContent = `${state.name}: intensity across the axis`;
-    this.#format.textContent = `evaluated in ${this.#demo.format}`;
+    this.#format.textContent = `evaluated in ${this.#stage.format}`;
     this.#svg.setAttribute("aria-label", describe(state));
     state.free();
   }

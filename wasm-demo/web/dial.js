@@ -1,4 +1,4 @@
-// A slider and a number beside it, for one value.
+// A logarithmic slider and a number beside it, for one value.
 import { tidy } from "./numbers.js";
 
 /**
@@ -14,6 +14,9 @@ export function joinNumber(field, set, leave) {
   field.addEventListener("blur", () => leave());
 }
 
+/** Rounds to four significant digits; the slider would give a dozen. */
+const round = (value) => Number(value.toPrecision(4));
+
 /**
  * The slider covers the valid range. The number field accepts any text, so that the kernel can
  * explain what is wrong with a value.
@@ -21,6 +24,8 @@ export function joinNumber(field, set, leave) {
 export class Dial {
   #slider;
   #number;
+  #unit;
+  #ends = [1, 1];
 
   /**
    * @param {HTMLInputElement} slider
@@ -29,18 +34,20 @@ export class Dial {
    * @param {(number: HTMLInputElement, source?: HTMLInputElement) => void} leave called when
    *   the number is empty, with itself as the source, and when it loses focus: its refusal ends, and
    *   it shows the current value
+   * @param {string} unit for people who hear the value of the slider
    */
-  constructor(slider, number, set, leave) {
+  constructor(slider, number, set, leave, unit) {
     this.#slider = slider;
     this.#number = number;
-    slider.addEventListener("input", () => set(slider.valueAsNumber, slider));
+    this.#unit = unit;
+    slider.addEventListener("input", () => set(this.#ofSlider(), slider));
     joinNumber(number, set, (source) => leave(number, source));
   }
 
-  /** Sets the ends of the slider. */
+  /** Sets the ends of the slider, which are more than 0. */
   range(least, most) {
-    this.#slider.min = least;
-    this.#slider.max = most;
+    this.#ends = [least, most];
+    [this.#slider.min, this.#slider.max] = this.#ends.map(Math.log10);
   }
 
   /**
@@ -50,11 +57,18 @@ export class Dial {
    * @param {Element} [source]
    */
   show(value, source) {
-    for (const control of [this.#slider, this.#number]) {
-      if (control !== source) control.value = tidy(value);
-    }
+    const [least, most] = this.#ends;
+    const place = Math.log10(Math.min(Math.max(value, least), most));
+    if (source !== this.#number) this.#number.value = tidy(value);
+    if (source !== this.#slider) this.#slider.value = place;
     const { min, max } = this.#slider;
-    const part = (value - min) / (max - min);
-    this.#slider.style.setProperty("--part", `${100 * Math.min(Math.max(part, 0), 1)}%`);
+    this.#slider.style.setProperty("--part", `${(100 * (place - min)) / (max - min)}%`);
+    this.#slider.setAttribute("aria-valuetext", `${tidy(value)}${this.#unit}`);
+  }
+
+  /** The rounded value of the slider, within its ends. */
+  #ofSlider() {
+    const [least, most] = this.#ends;
+    return Math.min(Math.max(round(10 ** this.#slider.valueAsNumber), least), most);
   }
 }

@@ -2,29 +2,29 @@
 import { plain } from "./plain.js";
 
 export class EffectList {
-  #scenes;
-  #list = document.getElementById("scene-effects");
-  #count = document.getElementById("scene-effects-count");
-  #switches = document.getElementById("scene-switches");
+  #stage;
+  #list = document.getElementById("effects");
+  #count = document.getElementById("effects-count");
+  #switches = document.getElementById("switches");
   /** The displayed text, so that the page is written only on a change. */
   #shown = "";
 
   /** Called with an effect to switch off or on; returns whether the switch was accepted. */
   onswitch = () => false;
 
-  constructor(scenes) {
-    this.#scenes = scenes;
+  constructor(stage) {
+    this.#stage = stage;
   }
 
   /** Shows the switches of the current scene. */
   open() {
-    this.#switches.replaceChildren(...this.#scenes.switches().map((state) => this.#switch(plain(state))));
+    this.#switches.replaceChildren(...this.#stage.switches().map((state) => this.#switch(plain(state))));
     this.show();
   }
 
   /** Shows the effects that the picture needs. */
   show() {
-    const effects = this.#scenes.effects().map(plain);
+    const effects = this.#stage.effects().map(plain);
     const called = effects.filter(({ isCalledFor }) => isCalledFor);
     const shown = called.map(({ name }) => name).join();
     if (shown === this.#shown && this.#list.childElementCount > 0) return;
@@ -36,7 +36,7 @@ export class EffectList {
   #switch({ effect, label, offered, on }) {
     const holder = document.getElementById("switch").content.firstElementChild.cloneNode(true);
     const input = holder.querySelector("input");
-    input.id = `scene-effect-${effect}`;
+    input.id = `effect-${effect}`;
     input.checked = offered && on;
     input.disabled = !offered;
     holder.querySelector("span").textContent = label;

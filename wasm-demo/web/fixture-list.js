@@ -1,5 +1,5 @@
 // The fixtures to choose from, grouped by what they are.
-import { Demo } from "./pkg/wasm_demo.js";
+import { Stage } from "./pkg/wasm_demo.js";
 import { tidy } from "./numbers.js";
 
 const KINDS = {
@@ -16,7 +16,7 @@ let fixtures;
 
 /** The table, read from the module once. */
 function table() {
-  fixtures ??= new Map(Demo.fixtures().map((fixture) => [fixture.name, plain(fixture)]));
+  fixtures ??= new Map(Stage.fixtures().map((fixture) => [fixture.name, plain(fixture)]));
   return fixtures;
 }
 

@@ -1,20 +1,14 @@
-// The half angle of the beam: a logarithmic slider and a number.
-import { joinNumber } from "./dial.js";
-import { degrees, tidy } from "./numbers.js";
+// The half angle of the beam: a dial with its own message.
+import { Dial } from "./dial.js";
 
-/** Rounds to three significant digits; the slider would give a dozen. */
-const round = (value) => Number(value.toPrecision(3));
+const element = (name) => document.getElementById(`half-angle${name}`);
 
-/**
- * The slider covers the valid range. The number field accepts any text; invalid values are refused
- * with a message.
- */
+/** Invalid values are refused with a message. */
 export class HalfAngle {
-  #slider = document.getElementById("half-angle");
-  #number = document.getElementById("half-angle-number");
-  #error = document.getElementById("half-angle-error");
+  #number = element("-number");
+  #error = element("-error");
+  #dial;
   #set;
-  #ends;
   /** The current value. */
   #value;
 
@@ -24,27 +18,19 @@ export class HalfAngle {
    */
   constructor(ends, set) {
     this.#set = set;
-    this.#ends = ends;
-    [this.#slider.min, this.#slider.max] = ends.map(Math.log10);
-    this.#slider.addEventListener("input", () => this.take(this.#ofSlider(), this.#slider));
-    joinNumber(
-      this.#number,
-      (value) => this.take(value, this.#number),
-      (source) => {
-        this.#tell("");
-        this.show(this.#value, source);
-      },
-    );
+    const take = (value, source) => this.take(value, source);
+    const leave = (_, source) => {
+      this.#tell("");
+      this.show(this.#value, source);
+    };
+    this.#dial = new Dial(element(""), this.#number, take, leave, "°");
+    this.#dial.range(...ends);
   }
 
   /** Shows a value, except on the control that it comes from. */
   show(value, source) {
     this.#value = value;
-    if (source !== this.#number) this.#number.value = tidy(value);
-    if (source !== this.#slider) this.#slider.value = Math.log10(value);
-    const { min, max } = this.#slider;
-    this.#slider.style.setProperty("--part", `${(100 * (Math.log10(value) - min)) / (max - min)}%`);
-    this.#slider.setAttribute("aria-valuetext", degrees(value));
+    this.#dial.show(value, source);
   }
 
   /** Sets a half angle in degrees. A refusal is shown and changes nothing else. */
@@ -63,10 +49,5 @@ export class HalfAngle {
   #tell(refusal) {
     this.#error.textContent = refusal;
     this.#number.setAttribute("aria-invalid", refusal !== "");
-  }
-
-  #ofSlider() {
-    const [narrowest, widest] = this.#ends;
-    return Math.min(Math.max(round(10 ** this.#slider.valueAsNumber), narrowest), widest);
   }
 }

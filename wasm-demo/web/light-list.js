@@ -1,59 +1,59 @@
-// The lights of a scene with their switches.
+// The lights of the scene: each can be selected and switched.
 import { plain } from "./plain.js";
 
 export class LightList {
-  #scenes;
-  #list = document.getElementById("scene-lights");
-  #count = document.getElementById("scene-lights-count");
+  #stage;
+  #list = document.getElementById("lights");
+  #count = document.getElementById("lights-count");
 
-  /** Called when a light was switched. */
+  /** The number of the selected light. */
+  selected = 0;
+  /** Called with a change of the state. */
   onchange = () => {};
+  /** Called when the visitor selects a light. */
+  onselect = () => {};
 
-  constructor(scenes) {
-    this.#scenes = scenes;
-    for (const [id, on] of [["scene-all-on", true], ["scene-all-off", false]]) {
-      document.getElementById(id).addEventListener("click", () => this.#switchAll(on));
+  constructor(stage) {
+    this.#stage = stage;
+    for (const [id, on] of [["all-on", true], ["all-off", false]]) {
+      document.getElementById(id).addEventListener("click", () => this.onchange(() => this.#switchAll(on)));
     }
   }
 
-  /** Shows the lights of the scene that was opened. */
-  open() {
-    this.#list.replaceChildren(...this.#scenes.lights().map((state, light) => this.#item(plain(state), light)));
-    this.#tell();
+  /** Shows the lights. */
+  show() {
+    const lights = this.#stage.lights().map(plain);
+    this.selected = Math.max(0, Math.min(this.selected, lights.length - 1));
+    while (this.#list.children.length > lights.length) this.#list.lastElementChild.remove();
+    while (this.#list.children.length < lights.length) this.#list.append(this.#item(this.#list.children.length));
+    for (const [light, state] of lights.entries()) this.#tell(this.#list.children[light], light, state);
+    this.#count.textContent = `${lights.filter(({ on }) => on).length} of ${lights.length} on`;
   }
 
-  #item({ name, color, on }, light) {
-    const holder = document.getElementById("light").content.firstElementChild.cloneNode(true);
-    const input = holder.querySelector("input");
-    input.id = `scene-light-${light}`;
-    input.checked = on;
-    holder.style.setProperty("--light", color);
-    holder.querySelector(".name").textContent = `${light + 1} ${name}`;
-    input.addEventListener("input", () => {
-      this.#scenes.setOn(light, input.checked);
-      this.#tell();
-      this.onchange();
+  #item(light) {
+    const item = document.getElementById("light").content.firstElementChild.cloneNode(true);
+    const [radio, box] = item.querySelectorAll("input");
+    radio.id = `light-${light}`;
+    box.id = `light-${light}-on`;
+    radio.addEventListener("input", () => {
+      this.selected = light;
+      this.onselect();
     });
-    return holder;
+    box.addEventListener("input", () => this.onchange(() => this.#stage.setOn(light, box.checked)));
+    return item;
+  }
+
+  #tell(item, light, { name, color, on }) {
+    const [radio, box] = item.querySelectorAll("input");
+    radio.checked = light === this.selected;
+    box.checked = on;
+    box.setAttribute("aria-label", `Light ${light + 1} on`);
+    item.classList.toggle("off", !on);
+    item.style.setProperty("--light", color);
+    item.querySelector(".name").textContent = `${light + 1} ${name}`;
   }
 
   #switchAll(on) {
-    for (const [light, input] of this.#inputs.entries()) {
-      input.checked = on;
-      this.#scenes.setOn(light, on);
-    }
-    this.#tell();
-    this.onchange();
-  }
-
-  get #inputs() {
-    return [...this.#list.querySelectorAll("input")];
-  }
-
-  #tell() {
-    const inputs = this.#inputs;
-    const lit = inputs.filter((input) => input.checked).length;
-    this.#count.textContent = `${lit} of ${inputs.length} on`;
-    for (const input of inputs) input.closest("li").classList.toggle("off", !input.checked);
+    for (let light = 0; light < this.#list.children.length; light += 1) this.#stage.setOn(light, on);
   }
 }

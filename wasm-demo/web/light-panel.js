@@ -1,119 +1,87 @@
-// The controls of one light. They show the state from the module and pass on the visitor's
+// The controls of the selected light. They show the state from the module and pass on the visitor's
 // settings.
 import { Dial } from "./dial.js";
 import { findFixture, listFixtures } from "./fixture-list.js";
-import { ceiling, degrees, floor } from "./numbers.js";
+import { degrees } from "./numbers.js";
+import { plain } from "./plain.js";
 
-/** The slider of the intensity ends at this multiple of the light's initial intensity. */
-const HEADROOM = 2.5;
+const element = (name) => document.getElementById(`light-${name}`);
+
+/** The ends of the slider of the intensity, as multiples of the light's own intensity. */
+const INTENSITIES = [0.01, 10];
+
+/** Least angle of the zoom's slider, as a share of the largest. */
+const LEAST_ZOOM = 0.01;
 
 export class LightPanel {
-  #demo;
-  #light;
-  #controls = new Map();
+  #stage;
+  #light = 0;
+  #panel = document.getElementById("panel");
+  #error = element("error");
   #dials;
-  /** The last refusal, and why the requested number format can't hold the light. */
-  #refusal = "";
-  #objection = "";
 
-  /** The panel's element. */
-  element;
-  /** Called when the light has changed. */
+  /** Called when the light has changed, with the control that the change comes from. */
   onchange = () => {};
-  /** Called when there is a new message: a change, a refusal, or the end of one. */
-  ontell = () => {};
+  /** Called with a change of the list of lights. */
+  onlist = () => {};
 
-  constructor(demo, light) {
-    this.#demo = demo;
+  constructor(stage) {
+    this.#stage = stage;
+    listFixtures(element("fixture"));
+    const dial = (name) => [name, this.#dial(name)];
+    this.#dials = Object.fromEntries(["beam", "field", "zoom", "intensity"].map(dial));
+    for (const name of ["fixture", "reading", "edge", "color"]) {
+      const control = element(name);
+      control.addEventListener("input", () => this.#set(control, () => stage.setChoice(this.#light, name, control.value)));
+    }
+    element("copy").addEventListener("click", () => this.onlist(() => stage.copyLight(this.#light)));
+    element("remove").addEventListener("click", () => this.onlist(() => stage.removeLight(this.#light)));
+  }
+
+  /** Shows a light, except on the control that a change comes from. */
+  show(light, source) {
+    if (light !== this.#light) this.#refuse(undefined, "");
     this.#light = light;
-    this.element = document.getElementById("panel").content.firstElementChild.cloneNode(true);
-    this.#name();
-    listFixtures(this.#control("fixture"));
-    this.#dials = this.#join();
-    this.#show();
+    this.#panel.hidden = this.#stage.lightCount === 0;
+    if (this.#panel.hidden) return;
+    const state = plain(this.#stage.light(light));
+    document.getElementById("panel-title").textContent = `${light + 1} ${state.name}`;
+    element("cone").hidden = !state.isSpot;
+    element("curve").hidden = !state.isSpot;
+    for (const label of [element("edge"), element("edge").previousElementSibling]) label.hidden = !state.isSpot;
+    this.#showDials(state, source);
+    element("own-edge").textContent = `its own: ${state.ownEdge}`;
+    element("edge").value = state.edge;
+    element("color").value = state.color;
   }
 
-  /** The current message, if any. */
-  get error() {
-    return this.#refusal || this.#objection;
-  }
-
-  /** Shows why a requested number format can't hold this light; empty if it can. */
-  object(objection) {
-    this.#objection = objection;
-    this.#tell();
-  }
-
-  /** Shows the state of the light and discards rejected input. */
-  refresh() {
-    this.#refuse(undefined, "");
-    this.#show();
-  }
-
-  /** Shows the state of the light, except on the control that the change comes from. */
-  #show(source) {
-    const state = this.#demo.light(this.#light);
+  #showDials(state, source) {
     const { beam, field, zoom, intensity } = this.#dials;
-    beam.range(ceiling(state.narrowestBeam), floor(state.widestBeam));
-    beam.show(state.beam, source);
-    field.range(ceiling(state.narrowestField), floor(state.widestField));
-    field.show(state.field, source);
+    intensity.range(...INTENSITIES.map((factor) => factor * state.ownIntensity));
     intensity.show(state.intensity, source);
-    this.#showFixture(state);
-    if (state.zoom !== undefined) zoom.show(state.zoom, source);
-    this.#control("outer").textContent = degrees(state.outer);
-    this.#control("edge").value = state.edge;
-    this.#control("color").value = state.color;
-    this.#control("on").checked = state.on;
-    this.#control("reading").value = state.reading;
-    state.free();
+    if (!state.isSpot) return;
+    beam.range(state.narrowestBeam, state.widestBeam);
+    beam.show(state.beam, source);
+    field.range(state.narrowestField, state.widestField);
+    field.show(state.field, source);
+    element("outer").textContent = degrees(state.outer);
+    const fixture = findFixture(state.fixture);
+    element("fixture").value = state.fixture;
+    element("published").hidden = !fixture;
+    element("zoom-row").hidden = !fixture || fixture.narrow === fixture.wide;
+    if (!fixture) return;
+    element("angle").textContent = fixture.angle;
+    element("flux").textContent = fixture.flux;
+    element("reading").value = state.reading;
+    const narrowest = state.reading === "beam" ? state.narrowestBeam : state.narrowestField;
+    zoom.range(Math.max(fixture.narrow, narrowest, LEAST_ZOOM * fixture.wide), fixture.wide);
+    zoom.show(state.zoom, source);
   }
 
-  /** Sets the ids of the template's elements and connects the labels. */
-  #name() {
-    for (const element of this.element.querySelectorAll("[data-id]")) {
-      this.#controls.set(element.dataset.id, element);
-      element.id = `light-${this.#light}-${element.dataset.id}`;
-    }
-    for (const label of this.element.querySelectorAll("[data-for]")) {
-      label.htmlFor = `light-${this.#light}-${label.dataset.for}`;
-    }
-  }
-
-  #control(name) {
-    return this.#controls.get(name);
-  }
-
-  /** Connects the controls to the setters of the module; returns the dials. */
-  #join() {
-    const demo = this.#demo;
-    const light = this.#light;
-    const dial = (slider, number, set) =>
-      new Dial(
-        this.#control(slider),
-        this.#control(number),
-        (value, control) => this.#set(control, () => set(value)),
-        (control, source) => this.#leave(control, source),
-      );
-    const simple = (name, set) => {
-      const control = this.#control(name);
-      control.addEventListener("input", () => this.#set(control, () => set(control)));
-    };
-    simple("fixture", (select) => demo.setFixture(light, select.value));
-    simple("reading", (select) => demo.setReading(light, select.value));
-    simple("edge", (select) => demo.setEdge(light, select.value));
-    simple("color", (picker) => demo.setColor(light, picker.value));
-    simple("on", (box) => demo.setOn(light, box.checked));
-    const intensity = dial("intensity-slider", "intensity", (value) => demo.setIntensity(light, value));
-    const state = demo.light(light);
-    intensity.range(0, Math.ceil(HEADROOM * state.intensity));
-    state.free();
-    return {
-      beam: dial("beam", "beam-number", (value) => demo.setBeam(light, value)),
-      field: dial("field", "field-number", (value) => demo.setField(light, value)),
-      zoom: dial("zoom", "zoom-number", (value) => demo.setZoom(light, value)),
-      intensity,
-    };
+  #dial(name) {
+    const set = (value, control) => this.#set(control, () => this.#stage.setNumber(this.#light, name, value));
+    const leave = (control, source) => this.#leave(control, source);
+    return new Dial(element(name), element(`${name}-number`), set, leave, name === "intensity" ? "" : "°");
   }
 
   /** Sets a value. A refusal changes only the message; an accepted value clears it. */
@@ -127,8 +95,7 @@ export class LightPanel {
       return;
     }
     this.#refuse(control, "");
-    this.#show(control);
-    this.onchange();
+    this.onchange(control);
   }
 
   /**
@@ -137,37 +104,17 @@ export class LightPanel {
    */
   #leave(control, source) {
     if (control.hasAttribute("aria-invalid")) this.#refuse(control, "");
-    this.#show(source);
+    this.show(this.#light, source);
   }
 
   #refuse(control, refusal) {
-    this.element.querySelector("[aria-invalid]")?.removeAttribute("aria-invalid");
+    this.#panel.querySelector("[aria-invalid]")?.removeAttribute("aria-invalid");
     if (refusal) {
       control.setAttribute("aria-invalid", "true");
-      control.setAttribute("aria-errormessage", this.#control("error").id);
+      control.setAttribute("aria-errormessage", this.#error.id);
       // The message is shown under its control.
-      control.closest(".row").after(this.#control("error"));
-    } else {
-      // The objection of a number format belongs to no control.
-      this.element.append(this.#control("error"));
+      control.closest(".row").after(this.#error);
     }
-    this.#refusal = refusal;
-    this.#tell();
-  }
-
-  #tell() {
-    this.#control("error").textContent = this.error;
-    this.ontell();
-  }
-
-  #showFixture(state) {
-    const fixture = findFixture(state.fixture);
-    this.#control("fixture").value = state.fixture;
-    this.#control("published").hidden = !fixture;
-    this.#control("zoom-row").hidden = !fixture || fixture.narrow === fixture.wide;
-    if (!fixture) return;
-    this.#control("angle").textContent = fixture.angle;
-    this.#control("flux").textContent = fixture.flux;
-    this.#dials.zoom.range(fixture.narrow, fixture.wide);
+    this.#error.textContent = refusal;
   }
 }

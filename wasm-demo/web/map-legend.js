@@ -5,46 +5,40 @@ import { colours } from "./numbers.js";
 const counted = (lights) => `${lights} ${lights === 1 ? "light" : "lights"}`;
 
 export class MapLegend {
-  #scenes;
-  #select = document.getElementById("scene-map-subject");
-  #map = document.getElementById("scene-map");
+  #stage;
+  #select = document.getElementById("map-subject");
+  #map = document.getElementById("map");
   #legends = { lights: document.getElementById("map-lights"), tiles: document.getElementById("map-tiles") };
   #end = document.getElementById("map-end");
   #bar = document.getElementById("map-bar");
 
-  /** Called when the subject of the map changes. */
-  onchange = () => {};
+  /** The subject of the map that was drawn last. */
+  #drawn = "nothing";
 
-  constructor(scenes) {
-    this.#scenes = scenes;
-    this.#bar.style.background = `linear-gradient(90deg, ${colours(scenes.palette()).join()})`;
-    const [relit, kept] = colours(scenes.tileColours());
+  constructor(stage) {
+    this.#stage = stage;
+    this.#bar.style.background = `linear-gradient(90deg, ${colours(stage.palette()).join()})`;
+    const [relit, kept] = colours(stage.tileColours());
     document.getElementById("map-relit").style.background = relit;
     document.getElementById("map-kept").style.background = kept;
-    this.#select.addEventListener("input", () => {
-      this.choose(this.#select.value);
-      this.onchange();
-    });
   }
 
-  /** The subject of the map: `nothing`, `lights` or `tiles`. */
-  get subject() {
-    return this.#select.value;
+  /** Shows the subject. */
+  show() {
+    this.#select.value = this.#stage.map;
   }
 
-  /**
-   * Sets the subject, from the next draw on; throws the module's message for an unknown subject.
-   */
-  choose(subject) {
-    this.#scenes.setMap(subject);
-    this.#select.value = subject;
+  /** Whether the map shows another subject than chosen. */
+  get isStale() {
+    return this.#drawn !== this.#stage.map;
   }
 
   /** Draws the map of the last picture, if it has a subject. */
   draw() {
-    this.#map.hidden = !this.#scenes.drawMap();
-    for (const [subject, legend] of Object.entries(this.#legends)) legend.hidden = subject !== this.#select.value;
-    const end = this.#scenes.mapEnd;
+    this.#drawn = this.#stage.map;
+    this.#map.hidden = !this.#stage.drawMap();
+    for (const [subject, legend] of Object.entries(this.#legends)) legend.hidden = subject !== this.#stage.map;
+    const end = this.#stage.mapEnd;
     this.#end.textContent = counted(end);
     this.#bar.setAttribute("aria-label", `From no light, dark blue, to ${counted(end)}, pale yellow`);
   }

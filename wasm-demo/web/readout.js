@@ -1,30 +1,29 @@
 // Times of the passes: medians over the last pictures, because a single time is mostly noise.
 import { median } from "./numbers.js";
+import { plain } from "./plain.js";
 
 const PICTURES = 30;
 
 /** The passes of a picture. */
 const PASSES = ["geometry", "shadows", "lighting", "encode", "show"];
 
-export class Readout {
-  #demo;
-  #passes;
-  #frame;
+const place = (name) => document.getElementById(`${name}-ms`);
 
-  /** @param {string} [prefix] what the ids of the places begin with */
-  constructor(demo, prefix = "") {
-    this.#demo = demo;
-    const place = (name) => document.getElementById(`${prefix}${name}-ms`);
-    const passes = PASSES.map((name) => ({ name, times: [], place: place(name) }));
-    this.#passes = passes.filter((pass) => pass.place);
-    this.#frame = place("frame");
+export class Readout {
+  #stage;
+  #passes = PASSES.map((name) => ({ name, times: [], place: place(name) }));
+  #frame = place("frame");
+
+  constructor(stage) {
+    this.#stage = stage;
   }
 
   /** Adds the times of the current picture. The frame is the sum of the passes that ran for it. */
   add() {
     let frame = 0;
+    const passes = plain(this.#stage.times());
     for (const { name, times, place } of this.#passes) {
-      const time = this.#demo[`${name}Ms`];
+      const time = passes[name];
       if (time !== undefined) times.push(time);
       if (times.length > PICTURES) times.shift();
       // Rounded to hundredths as displayed, so that the shown times add up.

@@ -30,16 +30,16 @@ export async function load(file, attempt = 0) {
   }
 }
 
-/** The size of the picture: `?width=&height=`, else 960x540. */
+/** The size of the picture: `?width=&height=`, else undefined. */
 export function requestedSize(search) {
   const query = new URLSearchParams(search);
-  return { width: pixels(query, "width", 960), height: pixels(query, "height", 540) };
+  return { width: pixels(query, "width"), height: pixels(query, "height") };
 }
 
 /** Checks only that the value is a whole number; the renderer checks the range. */
-function pixels(query, name, otherwise) {
+function pixels(query, name) {
   const text = query.get(name);
-  if (text === null) return otherwise;
+  if (text === null) return undefined;
   if (!/^\d{1,9}$/.test(text)) throw new Error(`${name} = "${text}": expected a whole number of pixels`);
   return Number(text);
 }

@@ -3,12 +3,12 @@ import { follow } from "./address.js";
 import { isTrap, words } from "./failure.js";
 
 /**
- * Parses the part of the address after the #: the name of a view and, after a question mark, its
- * parameters.
+ * Splits the part of the address after the #: the name of a view and, after a question mark, the
+ * text of its state.
  */
 function requestedView(hash) {
-  const [name, query = ""] = hash.slice(1).split("?");
-  return { name, query: new URLSearchParams(query) };
+  const [, name, query] = /^#?([^?]*)\??(.*)$/s.exec(hash);
+  return { name, query };
 }
 
 /** A view that is opened when it is first requested. A failed opening can be retried. */
@@ -51,7 +51,7 @@ export class Views {
   /**
    * @param {Map<string, {element: HTMLElement, open: (attempt: number) => Promise<{show: Function, hide: Function}>}>}
    *   views by name; the first is shown if the address names none of them. `show` gets the
-   *   parameters of the address, and `open` the number of its failures
+   *   state of the address, and `open` the number of its failures
    */
   constructor(views) {
     this.#views = new Map([...views].map(([name, view]) => [name, new View(view)]));

@@ -60,11 +60,11 @@ pub(crate) struct DemoOptions {
     /// Draw a picture of this size in pixels instead of 960x540
     #[arg(long, value_name = "WxH")]
     pub(crate) size: Option<Size>,
-    /// Open this view of the page: stage, scenes or compare; settings may follow, as in
+    /// Open this view of the page: stage or compare; settings may follow, as in
     /// compare?half=0.1
     #[arg(long, value_name = "NAME", value_parser = view)]
     view: Option<String>,
-    /// Open the view scenes with this scene, such as grid or show
+    /// Open this scene, such as grid or show
     #[arg(long, value_name = "NAME", value_parser = scene, conflicts_with = "view")]
     scene: Option<String>,
     /// Instead of serving: run the page once in headless Chromium, print one line and exit
@@ -73,13 +73,24 @@ pub(crate) struct DemoOptions {
     /// Like --check, and write a PNG of the page at 1440x900 to this file
     #[arg(long, value_name = "FILE")]
     pub(crate) screenshot: Option<PathBuf>,
+    /// Instead of serving: write the demo into this folder, for any static host
+    #[arg(
+        long,
+        value_name = "DIR",
+        conflicts_with_all = ["port", "size", "view", "scene", "check", "screenshot"]
+    )]
+    pub(crate) build: Option<PathBuf>,
+    /// With --build: where the folder will be served, for link previews, as in
+    /// `https://example.org/demo/`
+    #[arg(long, value_name = "URL", requires = "build", value_parser = address)]
+    pub(crate) address: Option<String>,
 }
 
 impl DemoOptions {
     /// The part of the address after the `#`: a view, as in `compare`, or a view with settings, as
-    /// in `scenes?scene=grid`.
+    /// in `stage?scene=grid`.
     pub(crate) fn view(&self) -> Option<String> {
-        self.scene.as_ref().map(|scene| format!("scenes?scene={scene}")).or_else(|| self.view.clone())
+        self.scene.as_ref().map(|scene| format!("stage?scene={scene}")).or_else(|| self.view.clone())
     }
 }
 
@@ -124,6 +135,19 @@ fn view(view: &str) -> Result<String, String> {
     let mut scenes = settings.split('&').filter_map(|setting| setting.strip_prefix("scene="));
     scenes.try_for_each(|name| scene(name).map(drop))?;
     Ok(view.to_owned())
+}
+
+/// Parses the address of a folder and ends it with a slash. The address is written into the page, so
+/// only characters of addresses are accepted.
+fn address(address: &str) -> Result<String, String> {
+    let host = ["https://", "http://"].iter().find_map(|scheme| address.strip_prefix(scheme));
+    let is_plain = |c: char| c.is_ascii_alphanumeric() || "-._~:/%[]@+".contains(c);
+    match host {
+        Some(host) if !host.is_empty() && host.chars().all(is_plain) => {
+            Ok(format!("{}/", address.trim_end_matches('/')))
+        }
+        _ => Err("expected a folder's address, as in https://example.org/demo/".to_owned()),
+    }
 }
 
 fn scene(name: &str) -> Result<String, String> {
@@ -180,10 +204,17 @@ mod tests {
 
     #[test]
     fn demo_opens_a_scene_or_a_view() {
-        assert_eq!(demo("demo --scene grid").view().unwrap(), "scenes?scene=grid");
-        for view in ["stage", "compare?left=f32&half=0.1", "scenes?scene=show&map=tiles"] {
+        assert_eq!(demo("demo --scene grid").view().unwrap(), "stage?scene=grid");
+        for view in ["stage", "compare?left=f32&half=0.1", "stage?scene=show&map=tiles"] {
             assert_eq!(demo(&format!("demo --view {view}")).view().unwrap(), view);
         }
+    }
+
+    #[test]
+    fn demo_is_built_for_an_address() {
+        let options = demo("demo --build site --address https://example.org/demo");
+        assert_eq!(options.build, Some("site".into()));
+        assert_eq!(options.address.as_deref(), Some("https://example.org/demo/"));
     }
 
     #[test]
@@ -217,11 +248,15 @@ mod tests {
             ("demo --prot 1", "--prot"),
             ("demo now", "now"),
             ("demo --port 99999", "99999 is not in 0..=65535"),
-            ("demo --view nope", "expected one of stage, compare, scenes"),
+            ("demo --view nope", "expected one of stage, compare"),
             ("demo --view nope?half=1", "expected one of stage"),
             ("demo --view compare --scene grid", "--scene"),
             ("demo --scene nope", "expected one of bare-spot, pocket, three-point"),
-            ("demo --view scenes?map=lights&scene=nope", "expected one of bare-spot"),
+            ("demo --view stage?map=lights&scene=nope", "expected one of bare-spot"),
+            ("demo --build site --check", "--check"),
+            ("demo --address https://example.org", "--build"),
+            ("demo --build site --address example.org", "expected a folder's address"),
+            ("demo --build site --address https://a.org/\"", "expected a folder's address"),
             ("demo --port", "--port"),
             ("demo --size 960", "960"),
             ("demo --size 0x540", "0x540"),

@@ -15,7 +15,7 @@ use tools::server::{self, Server};
 
 /// The pictures, each with the view that it shows.
 const PICTURES: [(&str, &str); 3] =
-    [("demo.png", "stage"), ("comparison.png", "compare"), ("scenes.png", "scenes?scene=show")];
+    [("demo.png", "stage"), ("comparison.png", "compare"), ("scenes.png", "stage?scene=three-point")];
 
 /// The file with the page's fingerprint at the time when the pictures were taken.
 const FINGERPRINT: &str = "docs/pictures.txt";

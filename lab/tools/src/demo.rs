@@ -1,5 +1,7 @@
 //! The browser demo: building its folder, and timing its frames.
 
+pub mod preview;
+pub mod publish;
 mod shrink;
 pub mod site;
 pub mod turntable;

@@ -3,6 +3,7 @@
 
 pub mod browser;
 pub mod command;
+pub mod compilers;
 pub mod demo;
 mod http;
 pub mod install;

@@ -42,7 +42,10 @@ const PAUSE: Duration = Duration::from_millis(50);
 /// and differs from the server's port if that is forwarded.
 const HOSTS: [&str; 3] = ["127.0.0.1", "localhost", "[::1]"];
 
-/// Headers of every response. The demo may be rebuilt at any time, so nothing is cached. `Allow` is
+/// Names and values of headers.
+type Headers = &'static [(&'static str, &'static str)];
+
+/// Headers of every response of the demo's own server. The demo may be rebuilt at any time, so nothing is cached. `Allow` is
 /// required in the response to a method other than these. The `Cross-Origin` headers make the page
 /// `crossOriginIsolated`, so that its clock has a resolution of microseconds.
 const HEADERS: [(&str, &str); 6] = [
@@ -75,10 +78,15 @@ pub fn listen(port: u16) -> Result<TcpListener> {
 impl Server {
     /// Serves `folder` to every client of the port.
     pub fn start(listener: TcpListener, folder: &Path) -> Result<Self> {
-        Self::start_within(LIMITS, listener, folder)
+        Self::start_within(LIMITS, &HEADERS, listener, folder)
     }
 
-    fn start_within(limits: Limits, listener: TcpListener, folder: &Path) -> Result<Self> {
+    /// Serves `folder` without any special header, as static hosts do.
+    pub fn start_plain(listener: TcpListener, folder: &Path) -> Result<Self> {
+        Self::start_within(LIMITS, &[], listener, folder)
+    }
+
+    fn start_within(limits: Limits, headers: Headers, listener: TcpListener, folder: &Path) -> Result<Self> {
         let port = listener.local_addr()?.port();
         let stopped = Arc::new(AtomicBool::new(false));
         let (stop, folder) = (Arc::clone(&stopped), Arc::<Path>::from(folder));
@@ -87,12 +95,13 @@ impl Server {
                 match call {
                     // The folder's reference count is one more than the number of requests being
                     // answered.
-                    Ok(stream) if Arc::strong_count(&folder) > limits.calls => refuse(&stream),
+                    Ok(stream) if Arc::strong_count(&folder) > limits.calls => refuse(&stream, headers),
                     Ok(stream) => {
                         let folder = Arc::clone(&folder);
                         // If no thread can be started, the request is dropped; a later one may
                         // succeed.
-                        let _ = thread::Builder::new().spawn(move || answer(&stream, &folder, limits));
+                        let _ =
+                            thread::Builder::new().spawn(move || answer(&stream, &folder, limits, headers));
                     }
                     Err(_) => thread::sleep(PAUSE),
                 }
@@ -161,7 +170,7 @@ impl Write for Timed<'_> {
 }
 
 /// Answers one request. A client that does not send it in time gets no response.
-fn answer(stream: &TcpStream, folder: &Path, limits: Limits) {
+fn answer(stream: &TcpStream, folder: &Path, limits: Limits, headers: Headers) {
     let request = Request::read(&mut Timed::new(stream, limits.asking));
     let is_head = request.as_ref().is_ok_and(|request| request.method == "HEAD");
     let response = match request {
@@ -172,7 +181,7 @@ fn answer(stream: &TcpStream, folder: &Path, limits: Limits) {
             Response::plain("431 Request Header Fields Too Large", "the headers are too many or too long")
         }
     };
-    let written = response.write(&mut Timed::new(stream, limits.answering), &HEADERS, is_head);
+    let written = response.write(&mut Timed::new(stream, limits.answering), headers, is_head);
     if written.and_then(|()| stream.shutdown(Shutdown::Write)).is_ok() {
         let _ = io::copy(&mut Timed::new(stream, LINGER), &mut io::sink());
     }
@@ -180,9 +189,9 @@ fn answer(stream: &TcpStream, folder: &Path, limits: Limits) {
 
 /// Refuses a request over the limit. The response is so short that writing it does not have to wait
 /// for the client to read.
-fn refuse(stream: &TcpStream) {
+fn refuse(stream: &TcpStream, headers: Headers) {
     let full = Response::plain("503 Service Unavailable", "too many calls at once");
-    let written = full.write(&mut Timed::new(stream, PAUSE), &HEADERS, false);
+    let written = full.write(&mut Timed::new(stream, PAUSE), headers, false);
     let _ = written.and_then(|()| stream.shutdown(Shutdown::Write));
 }
 

@@ -81,6 +81,16 @@ impl Camera {
         self.pose().eye.into()
     }
 
+    /// Returns the pitch in radians; it is positive if the camera looks down.
+    pub fn pitch(&self) -> f32 {
+        self.pitch
+    }
+
+    /// Returns the distance from the target, in metres.
+    pub fn distance(&self) -> f32 {
+        self.distance
+    }
+
     /// Returns the vertical field of view, in radians.
     pub(crate) fn field_of_view(&self) -> f32 {
         self.field_of_view

@@ -85,6 +85,21 @@ impl MovingLight {
         Self { shadow: Some(side), ..self }
     }
 
+    /// Returns the light before it moves.
+    pub fn light(&self) -> &AnyLight {
+        &self.light
+    }
+
+    /// Returns the same fixture with another light, which moves in the same way.
+    pub fn with_light(self, light: impl Into<AnyLight>) -> Self {
+        Self { light: light.into(), ..self }
+    }
+
+    /// Returns the same fixture with a light that stands still. A gobo still rotates.
+    pub fn still(self) -> Self {
+        Self { motion: Motion::Still, ..self }
+    }
+
     /// Returns the same fixture without a gobo.
     pub fn without_gobo(self) -> Self {
         Self { gobo: None, ..self }
@@ -134,5 +149,27 @@ impl Chase {
     fn bumped(&self, spot: &AnySpot, seconds: f32) -> Result<AnySpot, Error> {
         let now = (seconds / self.step) as usize % self.turns;
         if now == self.turn { spot.with_intensity(self.bump * spot.intensity()) } else { Ok(*spot) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scenes::Example;
+
+    #[test]
+    fn another_light_moves_like_the_first() {
+        let setup = Example::Show.setup().unwrap();
+        let beam = setup.fixtures[0];
+        let AnyLight::Spot(spot) = *beam.light() else { panic!("no spot") };
+        let dimmed = beam.with_light(spot.with_intensity(1.0).unwrap());
+        let (AnyLight::Spot(before), AnyLight::Spot(after)) =
+            (*beam.at(2.0).unwrap().light(), *dimmed.at(2.0).unwrap().light())
+        else {
+            panic!("no spot")
+        };
+        assert!(before.axis() == after.axis() && after.intensity() == 1.0);
+        assert_eq!(beam.still().at(2.0).unwrap().light(), beam.light());
+        assert_ne!(beam.at(2.0).unwrap().light(), beam.light());
     }
 }

@@ -30,23 +30,24 @@ pub(crate) fn is_written_seldom(visitor: &mut Visitor) -> Result<()> {
 
     // A pending address of one view must not overwrite the address of the next view.
     enter(&mut page, "half-angle-number", "7")?;
-    page.ask("document.querySelector('.views a[href=\"#scenes\"]').click()")?;
+    page.ask("void (location.hash = '#stage?scene=bare-spot&play=none')")?;
     page.settle()?;
-    says(&mut page, "#scenes?scene=bare-spot")?;
-    let scenes = page.ask("probe.options('scene-name')")?;
-    let names = scenes.as_array().into_iter().flatten().filter_map(|name| name.as_str());
-    let names: Vec<_> = names.collect();
-    for name in names.iter().chain(&names) {
-        enter(&mut page, "scene-name", name)?;
+    says(&mut page, "#stage?v=1&scene=bare-spot&play=none")?;
+    // Forty pictures of a drag, one address.
+    let middle = page.middle("view")?;
+    for step in 0..40 {
+        let by = if step % 2 == 0 { 4.0 } else { -4.0 };
+        page.drag(middle, (by, 0.0))?;
     }
+    enter(&mut page, "format", "fx32")?;
     alive(&mut page)?;
-    says(&mut page, "#scenes?scene=gallery")
+    page.ask("probe.until(() => location.hash.includes('format=fx32'))").map(drop)
 }
 
 pub(crate) fn may_be_refused(visitor: &mut Visitor) -> Result<()> {
-    for view in ["#compare?half=10", "#scenes?scene=pocket"] {
+    for view in ["#compare?half=10", "#stage?scene=pocket&play=none"] {
         let mut page = visitor.ready_with(view, REFUSING)?;
-        for (control, value) in [("half-angle-number", "3"), ("scene-name", "grid")] {
+        for (control, value) in [("half-angle-number", "3"), ("format", "fx32")] {
             page.enter(control, value)?;
         }
         // Longer than the page waits before it writes the last change.

@@ -166,8 +166,8 @@ pub(crate) fn is_reached_by_its_link(visitor: &mut Visitor) -> Result<()> {
     page.settle()?;
     ensure!(page.shows("view")? && !page.shows("comparison")?, "the way back does not show the stage");
     page.change("the hard edge, after coming back", |page| {
-        let edge = page.text("document.getElementById('light-0-edge').value")?;
-        page.enter("light-0-edge", if edge == "soft" { "hard" } else { "soft" })
+        let edge = page.text("document.getElementById('light-edge').value")?;
+        page.enter("light-edge", if edge == "soft" { "hard" } else { "soft" })
     })?;
     page.must_be_content()
 }
@@ -224,7 +224,7 @@ pub(crate) fn prices_stand_beside_the_errors(visitor: &mut Visitor) -> Result<()
 }
 
 pub(crate) fn fits_every_screen(visitor: &mut Visitor) -> Result<()> {
-    for view in ["#stage", "#scenes?scene=gallery", "#compare?left=fx16&half=0.1"] {
+    for view in [crate::STILL, "#stage?play=none&scene=gallery", "#compare?left=fx16&half=0.1"] {
         let mut page = visitor.ready_with(view, &answering(LIST))?;
         for screen in [390, 700, 1000, 1440] {
             page.resize(screen, 900)?;

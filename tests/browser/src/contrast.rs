@@ -52,20 +52,23 @@ impl Seen {
 pub(crate) fn forced_colours_hide_nothing(visitor: &mut Visitor) -> Result<()> {
     let mut page = visitor.ready()?;
     page.force_colours()?;
-    for slider in ["#light-0-beam", "#light-0-intensity-slider"] {
+    for slider in ["#light-beam", "#light-intensity"] {
         let share = Seen::of(&mut page, slider)?.share_of_row();
         ensure!(share > 0.9, "of {slider} a share of {share} is seen");
     }
-    let off = Seen::of(&mut page, "#sweep")?;
+    let off = Seen::of(&mut page, "#light-2-on")?;
     ensure!(off.share_of_row() > 0.2, "a switch that is off cannot be seen");
-    page.ask("document.getElementById('sweep').checked = true")?;
+    page.ask("document.getElementById('light-2-on').click()")?;
     // Waits until the thumb has moved.
     page.settle()?;
-    let on = Seen::of(&mut page, "#sweep")?;
+    let on = Seen::of(&mut page, "#light-2-on")?;
     ensure!(on.share_of_row() > 0.2 && on.ground() == off.ground(), "a switch that is on cannot be seen");
     let differing = on.pixels.iter().zip(&off.pixels).filter(|(on, off)| on != off).count();
     ensure!(10 * differing > on.pixels.len(), "on and off differ in {differing} pixels");
-    for (chosen, other) in [("#tab-0", "#tab-1"), (".views [aria-current]", ".views a:not([aria-current])")] {
+    for (chosen, other) in [
+        ("#lights li:nth-child(1)", "#lights li:nth-child(2)"),
+        (".views [aria-current]", ".views a:not([aria-current])"),
+    ] {
         let [chosen_ground, other_ground] =
             [chosen, other].map(|selector| Ok::<_, anyhow::Error>(Seen::of(&mut page, selector)?.ground()));
         ensure!(chosen_ground? != other_ground?, "{chosen} looks like {other}");
@@ -75,7 +78,7 @@ pub(crate) fn forced_colours_hide_nothing(visitor: &mut Visitor) -> Result<()> {
     ensure!(page.text(label)? != page.text(ground)?, "the labels of the curve cannot be seen");
     page.must_be_content()?;
 
-    let mut page = visitor.ready_at("#scenes?scene=show")?;
+    let mut page = visitor.ready_at("#stage?play=none&scene=show")?;
     page.force_colours()?;
     let parts: BTreeSet<_> = Seen::of(&mut page, ".bar")?.row().iter().copied().collect();
     // At least four colours: the frame, what was evaluated, and two kinds of what was left out.

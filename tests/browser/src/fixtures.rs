@@ -9,12 +9,12 @@ const SAMPLE: usize = 8;
 
 pub(crate) fn can_be_chosen(visitor: &mut Visitor) -> Result<()> {
     let mut page = visitor.ready()?;
-    let options = page.ask("probe.options('light-0-fixture')")?;
+    let options = page.ask("probe.options('light-fixture')")?;
     let options = options.as_array().context("the list of fixtures is no list")?;
     ensure!(!options.is_empty(), "the list of fixtures is empty");
     for option in options.iter().step_by(options.len().div_ceil(SAMPLE)) {
-        page.enter("light-0-fixture", option.as_str().context("a fixture has no name")?)?;
-        let message = page.message("light-0-error")?;
+        page.enter("light-fixture", option.as_str().context("a fixture has no name")?)?;
+        let message = page.message("light-error")?;
         ensure!(message.is_empty(), "the fixture {option} is answered with {message:?}");
         ensure!(page.lit_share()? > 0.0, "with the fixture {option} the picture is black");
         page.must_be_content().with_context(|| format!("after choosing the fixture {option}"))?;
@@ -24,13 +24,13 @@ pub(crate) fn can_be_chosen(visitor: &mut Visitor) -> Result<()> {
 
 pub(crate) fn intensity_is_seen(visitor: &mut Visitor) -> Result<()> {
     let mut page = visitor.ready()?;
-    let (least, _) = page.range("light-0-intensity")?;
-    page.change("the intensity", |page| page.enter("light-0-intensity", least))?;
+    let (least, _) = page.range("light-intensity")?;
+    page.change("the intensity", |page| page.enter("light-intensity", least))?;
     page.must_be_content()
 }
 
 pub(crate) fn colour_is_seen(visitor: &mut Visitor) -> Result<()> {
     let mut page = visitor.ready()?;
-    page.change("the colour", |page| page.enter("light-1-color", "#ff0000"))?;
+    page.change("the colour", |page| page.enter("light-color", "#ff0000"))?;
     page.must_be_content()
 }

@@ -11,6 +11,8 @@ const TOLERABLE: f64 = 64.0;
 
 pub(crate) fn agree(visitor: &mut Visitor) -> Result<()> {
     let mut page = visitor.ready()?;
+    // At the edge of a shadow a pixel is in the light in one format and in the dark in another.
+    page.ask("document.getElementById('effect-shadow').click()")?;
     for format in ["f32", "fx32", "fx16"] {
         page.ask(&format!("luminaire.setFormat('{format}')"))?;
         must_light_in(&mut page, format)?;
@@ -35,7 +37,8 @@ pub(crate) fn can_be_chosen(visitor: &mut Visitor) -> Result<()> {
 }
 
 fn must_light_in(page: &mut Page, format: &str) -> Result<()> {
-    let measured = page.ask("luminaire.measure(1)")?;
-    ensure!(measured["format"] == format, "{format} was asked for: {measured}");
-    page.settle()
+    page.settle()?;
+    let taken = page.text("luminaire.format")?;
+    ensure!(taken == format && page.lit_share()? > 0.0, "{format} was asked for: {taken}");
+    Ok(())
 }

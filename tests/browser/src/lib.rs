@@ -2,18 +2,18 @@
 
 mod address;
 mod angles;
-mod camera;
 mod comparison;
 mod contrast;
 mod failure;
 mod fixtures;
 mod formats;
+mod hosting;
 mod network;
 mod picture;
 mod readout;
 mod refusal;
-mod scenes;
 pub mod shaders;
+mod stage;
 
 use std::path::Path;
 
@@ -33,11 +33,14 @@ pub struct Visitor {
     _server: Server,
 }
 
+/// The part of the address that opens the still life, where nothing moves.
+const STILL: &str = "#stage?scene=three-point&play=none";
+
 /// The name of a test and its function.
 pub type Test = (&'static str, fn(&mut Visitor) -> Result<()>);
 
 /// Every test.
-pub const ALL: [Test; 53] = [
+pub const ALL: [Test; 58] = [
     ("the page becomes ready without a complaint", picture::becomes_ready),
     ("the picture is lit by its lights, in several colours", picture::is_lit),
     ("a picture that the canvas refused is shown with the next draw", picture::is_shown_again),
@@ -58,9 +61,6 @@ pub const ALL: [Test; 53] = [
     ("the colour of a light is seen", fixtures::colour_is_seen),
     ("the number formats agree as closely as stated", formats::agree),
     ("each number format can be chosen", formats::can_be_chosen),
-    ("dragging moves the camera", camera::is_dragged),
-    ("the wheel moves the camera", camera::is_wheeled),
-    ("the arrow keys move the camera", camera::is_moved_by_keys),
     ("a narrow beam parts the cosine form from the versine form", comparison::narrow_beam_parts_the_forms),
     ("every form answers every angle", comparison::every_form_answers_every_angle),
     ("the divider follows the mouse and the keys", comparison::divider_moves),
@@ -70,20 +70,23 @@ pub const ALL: [Test; 53] = [
     ("the comparison is reached by its link", comparison::is_reached_by_its_link),
     ("the pictures of the comparison are timed", comparison::times_are_measured),
     ("prices stand beside the errors", comparison::prices_stand_beside_the_errors),
-    ("every scene is drawn, and called for what it shows", scenes::are_all_drawn),
-    ("a picture of what a scene calls for is that of everything, bit for bit", scenes::equal_everything),
-    ("a scene is opened by its address", scenes::are_opened_by_address),
-    ("a scene plays, and stops", scenes::play),
-    ("the camera of a scene is dragged, and moved by keys", scenes::camera_is_moved),
-    ("lights and effects of a scene are switched", scenes::are_switched),
-    (
-        "a light that moves lets tiles be lit again that it touches, and no others",
-        scenes::tiles_are_lit_again,
-    ),
-    ("the map shows how many lights were evaluated, with a legend", scenes::map_is_shown),
-    ("what a format cannot hold of a scene is refused in words", scenes::refusals_are_told),
-    ("the scenes are used by the keyboard alone", scenes::keys_are_enough),
-    ("scenes are measured, pass by pass", scenes::are_measured),
+    ("every scene is drawn, and called for what it shows", stage::are_all_drawn),
+    ("a picture of what a scene calls for is that of everything, bit for bit", stage::equal_everything),
+    ("a scene is opened by its address", stage::are_opened_by_address),
+    ("every setting is kept by the address", stage::are_kept_by_the_address),
+    ("what an address cannot have is refused in words", stage::bad_addresses_are_told),
+    ("changes are undone, redone and reset", stage::changes_are_undone),
+    ("lights are copied and removed", stage::lights_are_copied_and_removed),
+    ("the page opens on the show, which plays unless motion is unwanted", stage::opens_on_the_show),
+    ("a scene plays, and stops", stage::play),
+    ("the camera is moved by mouse and keys, and reset", stage::camera_is_moved),
+    ("the page scrolls over the picture", stage::page_scrolls_over_the_picture),
+    ("lights and effects of a scene are switched", stage::are_switched),
+    ("a light that moves lets tiles be lit again that it touches, and no others", stage::tiles_are_lit_again),
+    ("the map shows how many lights were evaluated, with a legend", stage::map_is_shown),
+    ("what a format cannot hold of a scene is refused in words", stage::refusals_are_told),
+    ("the stage is used by the keyboard alone", stage::keys_are_enough),
+    ("scenes are measured, pass by pass", stage::are_measured),
     ("all views fit screens from 390 to 1440 pixels", comparison::fits_every_screen),
     ("a browser without simd is told so", failure::without_simd),
     ("a browser that refuses the canvas is told so", failure::without_canvas),
@@ -97,6 +100,8 @@ pub const ALL: [Test; 53] = [
     ("a time that is not of the last picture says so, and the others add up", readout::adds_up),
     ("forced colours hide nothing", contrast::forced_colours_hide_nothing),
     ("the page asks nobody but its own server", network::stays_at_home),
+    ("the page's policy forbids all other code and data", network::policy_forbids_the_rest),
+    ("the folder for static hosts works under a path", hosting::works_under_a_path),
 ];
 
 impl Visitor {
@@ -106,12 +111,12 @@ impl Visitor {
         Ok(Self { chromium: Chromium::start(progress)?, address: server.address(), _server: server })
     }
 
-    /// Opens the page and waits until it is ready.
+    /// Opens the page on the still life, where nothing moves, and waits until it is ready.
     fn ready(&mut self) -> Result<Page> {
-        self.ready_at("")
+        self.ready_at(STILL)
     }
 
-    /// Opens the page with an address's query, such as `?width=320`, and waits until it is ready.
+    /// Opens the page at an address below the demo's, and waits until it is ready.
     fn ready_at(&mut self, query: &str) -> Result<Page> {
         self.ready_with(query, "")
     }

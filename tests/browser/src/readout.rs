@@ -8,37 +8,37 @@ use tools::browser::Page;
 
 pub(crate) fn adds_up(visitor: &mut Visitor) -> Result<()> {
     let mut page = visitor.ready()?;
-    must_add_up(&mut page, "", &[])?;
-    page.change("the beam", |page| page.enter("light-0-beam-number", 12))?;
-    must_add_up(&mut page, "", &["geometry"])?;
+    must_add_up(&mut page, &[])?;
+    page.change("the beam", |page| page.enter("light-beam-number", 12))?;
+    must_add_up(&mut page, &[])?;
     let middle = page.middle("view")?;
     page.change("a drag", |page| page.drag(middle, (60.0, 10.0)))?;
-    must_add_up(&mut page, "", &[])?;
+    must_add_up(&mut page, &["shadows"])?;
     page.enter("format", "fx16")?;
-    must_add_up(&mut page, "", &[])?;
+    must_add_up(&mut page, &[])?;
 
-    let mut page = visitor.ready_at("#scenes?scene=three-point")?;
-    must_add_up(&mut page, "scene-", &[])?;
+    let mut page = visitor.ready_at("#stage?play=none&scene=three-point")?;
+    must_add_up(&mut page, &[])?;
     let drawn = page.number("luminaire.drawn")?;
-    page.enter("scene-name", "turntable")?;
-    page.ask("document.getElementById('scene-play').click()")?;
+    page.ask("document.getElementById('scene-turntable').click()")?;
+    page.ask("document.getElementById('play').click()")?;
     page.ask(&format!("probe.until(() => luminaire.drawn > {drawn} + 8)"))?;
-    must_add_up(&mut page, "scene-", &["geometry"])?;
-    let shadows = page.message("scene-shadows-ms")?;
+    must_add_up(&mut page, &["geometry"])?;
+    let shadows = page.message("shadows-ms")?;
     ensure!(shadows == "–", "a scene without shadows has {shadows} of the one before");
     page.must_be_content()
 }
 
 /// The times of the passes that are not marked as kept add up to the time of the frame. `kept`
 /// names the passes that must be marked.
-fn must_add_up(page: &mut Page, prefix: &str, kept: &[&str]) -> Result<()> {
+fn must_add_up(page: &mut Page, kept: &[&str]) -> Result<()> {
     // All times are read in one call, because the next picture has other times.
-    let told = page.ask(&format!(
-        "Object.fromEntries(['geometry', 'shadows', 'lighting', 'encode', 'show', 'frame'].map((pass) => {{
-            const place = document.getElementById(`{prefix}${{pass}}-ms`);
-            return [pass, place && {{ text: place.textContent, isGrey: place.classList.contains('kept') }}];
-        }}))"
-    ))?;
+    let told = page.ask(
+        "Object.fromEntries(['geometry', 'shadows', 'lighting', 'encode', 'show', 'frame'].map((pass) => {
+            const place = document.getElementById(`${pass}-ms`);
+            return [pass, place && { text: place.textContent, isGrey: place.classList.contains('kept') }];
+        }))",
+    )?;
     let mut sum = 0.0;
     for pass in ["geometry", "shadows", "lighting", "encode", "show"] {
         let Some(text) = told[pass]["text"].as_str() else { continue };

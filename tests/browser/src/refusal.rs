@@ -5,8 +5,8 @@ use anyhow::{Result, ensure};
 use crate::Visitor;
 use tools::browser::Page;
 
-const FIELD: &str = "light-0-field-number";
-const ERROR: &str = "light-0-error";
+const FIELD: &str = "light-field-number";
+const ERROR: &str = "light-error";
 
 pub(crate) fn is_told_and_harmless(visitor: &mut Visitor) -> Result<()> {
     let mut page = visitor.ready()?;
@@ -21,13 +21,13 @@ pub(crate) fn is_told_and_harmless(visitor: &mut Visitor) -> Result<()> {
 
 pub(crate) fn are_all_told(visitor: &mut Visitor) -> Result<()> {
     let mut page = visitor.ready()?;
-    must_refuse(&mut page, "light-0-intensity", "intensity", &["-1", "1e40"])?;
-    page.enter("light-0-fixture", "ARRI L7-C")?;
-    must_refuse(&mut page, "light-0-zoom-number", "zoom", &["5", "5000", "-15"])?;
+    must_refuse(&mut page, "light-intensity-number", "intensity", &["-1", "1e40"])?;
+    page.enter("light-fixture", "ARRI L7-C")?;
+    must_refuse(&mut page, "light-zoom-number", "zoom", &["5", "5000", "-15"])?;
     // A colour picker cannot hold anything but a colour, so the input is changed to a text field.
-    page.ask("document.getElementById('light-0-color').type = 'text'")?;
-    must_refuse(&mut page, "light-0-color", "color", &["red", "#fff", "#gggggg", ""])?;
-    page.change("a good colour", |page| page.enter("light-0-color", "#ff0000"))?;
+    page.ask("document.getElementById('light-color').type = 'text'")?;
+    must_refuse(&mut page, "light-color", "color", &["red", "#fff", "#gggggg", ""])?;
+    page.change("a good colour", |page| page.enter("light-color", "#ff0000"))?;
     ensure!(page.message(ERROR)?.is_empty(), "a good colour does not end the message");
     page.must_be_content()
 }
@@ -52,12 +52,12 @@ fn must_refuse(page: &mut Page, control: &str, name: &str, values: &[&str]) -> R
 /// the value in force.
 pub(crate) fn ends_with_the_field(visitor: &mut Visitor) -> Result<()> {
     let mut page = visitor.ready()?;
-    page.enter("light-0-fixture", "ARRI L7-C")?;
+    page.enter("light-fixture", "ARRI L7-C")?;
     for (field, error) in [
-        ("light-0-beam-number", ERROR),
+        ("light-beam-number", ERROR),
         (FIELD, ERROR),
-        ("light-0-zoom-number", ERROR),
-        ("light-0-intensity", ERROR),
+        ("light-zoom-number", ERROR),
+        ("light-intensity-number", ERROR),
     ] {
         must_forgive(&mut page, field, error)?;
     }
@@ -108,31 +108,27 @@ fn leave(page: &mut Page, field: &str) -> Result<()> {
     page.settle()
 }
 
-/// If a number format refuses a light, the message is shown beside the format, and under no control
-/// of the light's panel.
+/// If a number format refuses a light, the message is shown beside the format and the format in use
+/// stays chosen. A light that is changed later is refused under its own control.
 pub(crate) fn of_a_format_stands_by_itself(visitor: &mut Visitor) -> Result<()> {
     let mut page = visitor.ready()?;
-    page.enter("light-0-beam-number", "500")?;
-    let previous = format!("document.getElementById('{ERROR}').previousElementSibling");
-    let is_under = |page: &mut Page, id: &str| {
-        page.holds(&format!("{previous}.contains(document.getElementById('{id}'))"))
-    };
-    ensure!(is_under(&mut page, "light-0-beam-number")?, "the refusal does not stand under the beam angle");
-    page.enter("light-0-beam-number", "1")?;
+    page.enter("light-beam-number", "1")?;
     page.enter("format", "fx16")?;
-    for place in ["format-error", ERROR] {
-        let told = page.message(place)?;
-        ensure!(told.contains("outer angle") && page.shows(place)?, "the format's refusal is {told:?}");
-    }
-    ensure!(!is_under(&mut page, "light-0-beam-number")?, "the format's refusal stands under the beam angle");
+    let told = page.message("stage-error")?;
     ensure!(
-        page.holds(&format!("document.getElementById('{ERROR}').nextElementSibling === null"))?,
-        "it is not last"
+        told.contains("16-bit fixed point cannot hold light 1") && page.shows("stage-error")?,
+        "{told:?}"
     );
-    page.enter("light-0-beam-number", "30")?;
-    for place in ["format-error", ERROR] {
-        ensure!(page.message(place)?.is_empty(), "the format's refusal stays in {place}");
-    }
+    ensure!(page.message(ERROR)?.is_empty(), "the format's refusal stands under a control of the light");
+    ensure!(page.text("document.getElementById('format').value")? == "f32", "the list shows another format");
+    page.enter("light-beam-number", "30")?;
+    ensure!(page.message("stage-error")?.is_empty(), "the format's refusal stays");
+    page.enter("format", "fx16")?;
+    page.enter("light-beam-number", "1")?;
+    let under = format!(
+        "document.getElementById('{ERROR}').previousElementSibling.contains(document.getElementById('light-beam-number'))"
+    );
+    ensure!(page.message(ERROR)?.contains("outer angle") && page.holds(&under)?, "{}", page.message(ERROR)?);
     page.must_be_content()
 }
 
@@ -141,9 +137,10 @@ pub(crate) fn of_curves(visitor: &mut Visitor) -> Result<()> {
     let mut page = visitor.ready()?;
     let asked = |samples: &str| {
         format!(
-            "import('./pkg/wasm_demo.js').then(({{ Demo }}) => {{
-                const demo = new Demo(document.createElement('canvas'), 8, 8);
-                try {{ return String(demo.curve(0, {samples}).length); }} catch (refusal) {{ return refusal; }}
+            "import('./pkg/wasm_demo.js').then(({{ Stage }}) => {{
+                const [picture, map] = [0, 1].map(() => document.createElement('canvas'));
+                const stage = new Stage(picture, map, 8, 8);
+                try {{ return String(stage.curve(0, {samples}).length); }} catch (refusal) {{ return refusal; }}
             }})"
         )
     };

@@ -57,6 +57,11 @@ window.probe = (() => {
       input.dispatchEvent(new Event("change", { bubbles: true }));
     },
 
+    // Presses a key on an element, as a keyboard does.
+    key(target, options) {
+      target.dispatchEvent(new KeyboardEvent("keydown", { bubbles: true, cancelable: true, ...options }));
+    },
+
     // The middle of an element, in the page's pixels.
     middle(id) {
       element(id).scrollIntoView({ block: "center" });

@@ -5,8 +5,9 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result};
+use serde_json::Value;
 
-use super::shrink;
+use super::{preview, shrink};
 use crate::progress::Progress;
 use crate::{project, wasm};
 
@@ -23,8 +24,8 @@ pub fn views() -> impl Iterator<Item = &'static str> {
     links.filter_map(|link| Some(link.split_once('"')?.0))
 }
 
-/// Builds the demo into `target/demo`: the page from `wasm-demo/web`, the price list, the bindings
-/// in `pkg`.
+/// Builds the demo into `target/demo`: the page from `wasm-demo/web`, the price list, the picture for
+/// link previews, the bindings in `pkg`.
 pub fn build(progress: &Progress) -> Result<PathBuf> {
     let module = wasm::DEMO.compile(progress)?;
     let site = project::target().join("demo");
@@ -32,6 +33,9 @@ pub fn build(progress: &Progress) -> Result<PathBuf> {
         let step = progress.begin("Gathering", project::shown(&site));
         copy_folder(&project::root().join("wasm-demo/web"), new)?;
         copy_price_list(&project::root().join("docs"), new)?;
+        let (page, list) = (new.join("index.html"), new.join(PRICE_LIST));
+        fs::write(&page, with_figures(&fs::read_to_string(&page)?, &fs::read_to_string(list)?)?)?;
+        preview::write(new)?;
         step.done();
         let bound = wasm::DEMO.bind(&module, &new.join("pkg"), progress)?;
         shrink::shrink(&bound, progress)
@@ -79,6 +83,31 @@ fn copy_price_list(from: &Path, to: &Path) -> Result<()> {
     } else {
         fs::write(&copy, "null").with_context(|| format!("cannot write {}", copy.display()))
     }
+}
+
+/// The page with the figures of the price list in its first sentence, or without that sentence if
+/// there is no list.
+fn with_figures(page: &str, list: &str) -> Result<String> {
+    const ENDS: [&str; 2] = ["<!-- figures -->", "<!-- end of figures -->"];
+    let (before, rest) = page.split_once(ENDS[0]).context("the page has no place for figures")?;
+    let (figures, after) = rest.split_once(ENDS[1]).context("the page's figures have no end")?;
+    let list: Value = serde_json::from_str(list).context("the price list is no JSON")?;
+    let mut rows = list["rows"].as_array().into_iter().flatten();
+    let is_shown = |row: &&Value| row["kernel"] == "lit-inverse-square" && row["format"] == "fx16";
+    let Some(row) = rows.find(is_shown) else { return Ok(format!("{before}{after}")) };
+    let number = |value: &Value| value.as_f64().with_context(|| format!("{value} is no figure of the list"));
+    // An upper bound is rounded up.
+    let error = (100.0 * number(&row["error"]["codes"])?).ceil() / 100.0;
+    let instructions = number(&row["cost"]["cortex-m0"]["instructions"])?.ceil();
+    let cone = (2.0 * number(&list["meta"]["half_angle"])?).round();
+    let kind = row["error"]["kind"].as_str().context("the error has no kind")?;
+    let mut figures = figures.to_owned();
+    for (name, value) in
+        [("instructions", instructions.to_string()), ("error", error.to_string()), ("cone", cone.to_string())]
+    {
+        figures = figures.replace(&format!("{{{name}}}"), &value);
+    }
+    Ok(format!("{before}{}{after}", figures.replace("{kind}", kind)))
 }
 
 fn copy_folder(from: &Path, to: &Path) -> Result<()> {
@@ -130,8 +159,26 @@ mod tests {
     }
 
     #[test]
+    fn the_figures_are_those_of_the_list() {
+        let list = |codes: f64| {
+            format!(
+                r#"{{"meta":{{"half_angle":21.81}},"rows":[{{"kernel":"lit-inverse-square","format":"fx16",
+                "error":{{"codes":{codes},"kind":"searched"}},"cost":{{"cortex-m0":{{"instructions":222.4}}}}}}]}}"#
+            )
+        };
+        let page = "<p><!-- figures -->{instructions}, {error}, {cone}, {kind}<!-- end of figures --></p>";
+        assert_eq!(with_figures(page, &list(0.2538)).unwrap(), "<p>223, 0.26, 44, searched</p>");
+        assert_eq!(with_figures(page, "null").unwrap(), "<p></p>");
+        assert!(with_figures(page, &list(0.25).replace("222.4", "null")).is_err());
+        assert!(with_figures("<p></p>", "null").is_err());
+        let recorded = fs::read_to_string(project::root().join("docs").join(PRICE_LIST)).unwrap();
+        let page = with_figures(PAGE, &recorded).unwrap();
+        assert!(page.contains(" instructions on a Cortex-M0") && !page.contains('{'), "{page}");
+    }
+
+    #[test]
     fn the_views_are_those_of_the_navigation() {
-        assert_eq!(views().collect::<Vec<_>>(), ["stage", "compare", "scenes"]);
+        assert_eq!(views().collect::<Vec<_>>(), ["stage", "compare"]);
     }
 
     #[test]

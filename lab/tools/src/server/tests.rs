@@ -55,7 +55,7 @@ fn each_kind_of_file_has_its_type() {
 fn served(limits: Limits) -> (tempfile::TempDir, Server) {
     let folder = tempfile::tempdir().unwrap();
     fs::write(folder.path().join("index.html"), "the page").unwrap();
-    let server = Server::start_within(limits, listen(0).unwrap(), folder.path()).unwrap();
+    let server = Server::start_within(limits, &HEADERS, listen(0).unwrap(), folder.path()).unwrap();
     (folder, server)
 }
 

@@ -1,5 +1,5 @@
 // The canvas: redraws after a change, and lets the visitor move the camera.
-import { aside, hasFailed } from "./failure.js";
+import { hasFailed } from "./failure.js";
 
 /** Rotation of the camera per key, in radians. */
 const STEP = 0.08;
@@ -7,43 +7,43 @@ const STEP = 0.08;
 /** Zoom factor of a key or a notch of the wheel. */
 const NEARER = 0.9;
 
+/** Largest number of notches in one turn of the wheel. */
+const MOST = 10;
+
 /** A drag across the whole width of the canvas is one full turn, within the camera's limits. */
 const TURN = 2 * Math.PI;
 
-export class StageView {
-  #demo;
+export class CameraView {
   #canvas;
+  #camera;
   #frame = 0;
-  #before = [];
-  #after = [];
-  #paused = false;
+  #paused = true;
   /** The pointers that are down, by their id: one turns the camera, two pinch. */
   #pointers = new Map();
 
   /** How many pictures have been drawn. */
   drawn = 0;
 
-  constructor(demo, canvas) {
-    this.#demo = demo;
+  /**
+   * @param {HTMLCanvasElement} canvas
+   * @param {object} camera
+   * @param {(yaw: number, pitch: number) => void} camera.orbit by angles in radians
+   * @param {(factor: number) => boolean} camera.zoom returns whether the camera has moved
+   * @param {() => void} camera.reset
+   * @param {(now: number) => {isDrawn: boolean, goesOn: boolean}} camera.draw
+   */
+  constructor(canvas, camera) {
     this.#canvas = canvas;
+    this.#camera = camera;
     canvas.addEventListener("pointerdown", (event) => this.#grab(event));
     canvas.addEventListener("pointermove", (event) => this.#drag(event));
     for (const end of ["pointerup", "pointercancel"]) {
       canvas.addEventListener(end, (event) => this.#pointers.delete(event.pointerId));
     }
+    canvas.addEventListener("dblclick", () => camera.reset());
     // Not passive: the wheel over the stage moves the camera, not the page.
     canvas.addEventListener("wheel", (event) => this.#wheel(event), { passive: false });
     canvas.addEventListener("keydown", (event) => this.#key(event));
-  }
-
-  /** Calls `step(now)` before each picture; while it returns true, another picture follows. */
-  before(step) {
-    this.#before.push(step);
-  }
-
-  /** Calls `tell()` after each picture. */
-  after(tell) {
-    this.#after.push(tell);
   }
 
   /** Draws with the next frame of the browser. Without a request no frame is scheduled. */
@@ -51,7 +51,7 @@ export class StageView {
     if (this.#frame === 0 && !this.#paused && !hasFailed()) this.#frame = requestAnimationFrame((now) => this.draw(now));
   }
 
-  /** While the canvas is hidden, nothing is drawn; changes are drawn afterwards. */
+  /** While the canvas is hidden, as at first, nothing is drawn; changes are drawn afterwards. */
   pause(paused) {
     this.#paused = paused;
     if (!paused) this.request();
@@ -59,32 +59,11 @@ export class StageView {
 
   /** Draws what has changed, now. */
   draw(now) {
+    cancelAnimationFrame(this.#frame);
     this.#frame = 0;
-    let goOn = false;
-    for (const step of this.#before) goOn = step(now) || goOn;
-    if (this.#demo.draw()) this.#tell();
-    if (goOn) this.request();
-  }
-
-  /** Draws everything, changed or not, now. */
-  redraw() {
-    this.#demo.redraw();
-    this.#tell();
-  }
-
-  #tell() {
-    this.drawn += 1;
-    for (const tell of this.#after) aside(tell);
-  }
-
-  #orbit(yaw, pitch) {
-    this.#demo.orbit(yaw, pitch);
-    this.request();
-  }
-
-  #zoom(factor) {
-    this.#demo.zoom(factor);
-    this.request();
+    const { isDrawn, goesOn } = this.#camera.draw(now);
+    if (isDrawn) this.drawn += 1;
+    if (goesOn) this.request();
   }
 
   #grab(event) {
@@ -98,11 +77,11 @@ export class StageView {
     const here = { x: event.clientX, y: event.clientY };
     if (this.#pointers.size === 1) {
       const scale = TURN / this.#canvas.clientWidth;
-      this.#orbit((last.x - here.x) * scale, (here.y - last.y) * scale);
+      this.#camera.orbit((last.x - here.x) * scale, (here.y - last.y) * scale);
     } else {
       const before = this.#spread();
       this.#pointers.set(event.pointerId, here);
-      if (before > 0 && this.#spread() > 0) this.#zoom(before / this.#spread());
+      if (before > 0 && this.#spread() > 0) this.#camera.zoom(before / this.#spread());
     }
     this.#pointers.set(event.pointerId, here);
   }
@@ -116,21 +95,22 @@ export class StageView {
   #wheel(event) {
     // With a modifier the wheel is the browser's own zoom.
     if (event.ctrlKey || event.metaKey) return;
-    event.preventDefault();
     // A notch is about 100 pixels, 3 lines or a fraction of a page, depending on the browser.
-    const notches = event.deltaY / [100, 3, 1][event.deltaMode];
-    this.#zoom(NEARER ** -notches);
+    const notches = Math.max(-MOST, Math.min(event.deltaY / [100, 3, 1][event.deltaMode], MOST));
+    // At its limit the camera stays, and the page scrolls.
+    if (this.#camera.zoom(NEARER ** -notches)) event.preventDefault();
   }
 
   #key(event) {
+    const { orbit, zoom } = this.#camera;
     const act = {
-      ArrowLeft: () => this.#orbit(-STEP, 0),
-      ArrowRight: () => this.#orbit(STEP, 0),
-      ArrowUp: () => this.#orbit(0, STEP),
-      ArrowDown: () => this.#orbit(0, -STEP),
-      "+": () => this.#zoom(NEARER),
-      "=": () => this.#zoom(NEARER),
-      "-": () => this.#zoom(1 / NEARER),
+      ArrowLeft: () => orbit(-STEP, 0),
+      ArrowRight: () => orbit(STEP, 0),
+      ArrowUp: () => orbit(0, STEP),
+      ArrowDown: () => orbit(0, -STEP),
+      "+": () => zoom(NEARER),
+      "=": () => zoom(NEARER),
+      "-": () => zoom(1 / NEARER),
     }[event.key];
     if (!act || event.ctrlKey || event.metaKey || event.altKey) return;
     event.preventDefault();

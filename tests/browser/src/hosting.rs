@@ -1,0 +1,80 @@
+//! The folder for static hosts: under any path, without special headers, and quickly loaded.
+
+use std::collections::BTreeSet;
+use std::fs;
+
+use anyhow::{Context, Result, ensure};
+
+use crate::Visitor;
+use tools::browser::Page;
+use tools::demo::{preview, publish::publish, site};
+use tools::project;
+use tools::server::{self, Server};
+
+/// The path under which the folder is served.
+const PATH: &str = "some/where/";
+
+/// Upper bound of the bytes that the first picture takes, compressed by gzip.
+const BUDGET: usize = 400_000;
+
+pub(crate) fn works_under_a_path(visitor: &mut Visitor) -> Result<()> {
+    let host = tempfile::tempdir()?;
+    let folder = host.path().join(PATH);
+    let first = publish(&project::target().join("demo"), &folder, Some("https://example.org/demo/"))?;
+    ensure!(first.gzip < BUDGET, "expected under {BUDGET} bytes, found: {first}");
+    let server = Server::start_plain(server::listen(0)?, host.path())?;
+    let address = format!("{}{PATH}", server.address());
+
+    let mut page = visitor.chromium.open(&address, "")?;
+    page.ready()?;
+    ensure!(page.lit_share()? > 0.0, "the picture is black");
+    ensure!(!page.holds("window.crossOriginIsolated")?, "the server sends special headers");
+    let requested = requested(&mut page, &address)?;
+    let mut needed = first.files;
+    needed.remove("index.html");
+    // A browser without a window needs no icon.
+    let icon = |name: &String| name.starts_with("icon.");
+    ensure!(
+        requested.is_subset(&needed) && needed.difference(&requested).all(icon),
+        "the first picture requests {requested:?}, expected {needed:?}"
+    );
+    page.must_be_content()?;
+
+    for view in site::views() {
+        let mut page = visitor.chromium.open(&format!("{address}#{view}?play=none"), "")?;
+        page.ready()?;
+        page.settle()?;
+        let current = page.text("document.querySelector('.views [aria-current]').hash")?;
+        ensure!(current == format!("#{view}") && !page.shows("absent")?, "{view} does not open");
+        page.must_be_content()?;
+    }
+    preview_is_there(&mut page, &folder)
+}
+
+/// The names below an address that the page has requested, without the page itself.
+fn requested(page: &mut Page, address: &str) -> Result<BTreeSet<String>> {
+    let names = page.requests()?.iter().map(|request| {
+        request.strip_prefix(address).map(str::to_owned).with_context(|| format!("a stranger: {request}"))
+    });
+    let mut names = names.collect::<Result<BTreeSet<_>>>()?;
+    names.remove("");
+    Ok(names)
+}
+
+/// The picture for link previews exists and has the size that the page states.
+fn preview_is_there(page: &mut Page, folder: &std::path::Path) -> Result<()> {
+    let mut stated = |property: &str| {
+        page.text(&format!("document.querySelector('meta[property=\"{property}\"]').content"))
+    };
+    let image = stated("og:image")?;
+    let name = image.strip_prefix("https://example.org/demo/").with_context(|| image.clone())?;
+    let file = std::io::Cursor::new(fs::read(folder.join(name))?);
+    let info = png::Decoder::new(file).read_info()?.info().size();
+    let size = format!("{}x{}", stated("og:image:width")?, stated("og:image:height")?);
+    ensure!(info == preview::SIZE, "the preview has {info:?} pixels");
+    ensure!(size == format!("{}x{}", info.0, info.1), "the page states {size} for {info:?}");
+    for property in ["og:title", "og:description", "og:url"] {
+        ensure!(!stated(property)?.is_empty(), "{property} is empty");
+    }
+    Ok(())
+}

@@ -1,0 +1,379 @@
+//! The state as text, for the part of the page's address after the `#`.
+//!
+//! It begins with the version and the scene, and has only what differs from the scene as it opens:
+//!
+//! | parameter | value |
+//! |---|---|
+//! | `format` | `fx16`, `fx32` or `f32` |
+//! | `view` | yaw, pitch and factor of the visitor's camera |
+//! | `at` | the times of lights and camera, in seconds |
+//! | `play` | `lights`, `camera`, `both` or `none` |
+//! | `lights` | the lights, separated by `;` |
+//! | `effects` | switched effects, each with `-` before it if it is off |
+//! | `map` | what is shown over the picture |
+//! | `all` | `1`: every effect is evaluated |
+//! | `exposure` | stops |
+//!
+//! Numbers of one value are separated by `/`. A light is its number in the scene, or a range of
+//! lights without settings, as in `3-7`. Its settings follow, each with `:`, a letter and a value:
+//! `x` off, `b` and `f` beam and field angle, `e` edge, `l` fixture, `c` colour, `i` intensity, `p`
+//! position, `t` target.
+
+use crate::{
+    decimal::read,
+    fixture,
+    format::Format,
+    light::{Mark, edge_name, edge_named},
+    map::Subject,
+    refusal::Refusal,
+    setting::{Design, Setting, channels},
+    state::{LIGHTS, STOPS, SWITCHABLE, State},
+    viewpoint::Viewpoint,
+};
+use luminaire::Vec3;
+use luminaire_fixtures::Fixture;
+use luminaire_render::scenes::Example;
+use std::fmt::Write;
+
+/// The version of this format of addresses.
+const VERSION: &str = "1";
+
+/// The names of what plays.
+const PLAYS: [(&str, [bool; 2]); 4] =
+    [("none", [false; 2]), ("lights", [true, false]), ("camera", [false, true]), ("both", [true; 2])];
+
+/// Writes a state, for a scene with this number of lights.
+pub(crate) fn write(state: &State, lights: usize) -> String {
+    let opened = State::of(state.scene, lights);
+    let mut text = format!("v={VERSION}&scene={}", state.scene.name());
+    let mut put = |name: &str, differs: bool, value: &dyn Fn() -> String| {
+        if differs {
+            text.extend(["&", name, "=", &value()]);
+        }
+    };
+    put("format", state.format != opened.format, &|| state.format.name().to_owned());
+    put("view", state.viewpoint != opened.viewpoint, &|| numbers(&state.viewpoint.parts()));
+    put("at", state.seconds != opened.seconds, &|| numbers(&state.seconds));
+    let plays = PLAYS.iter().find(|(_, plays)| *plays == state.plays).map_or("", |(name, _)| name);
+    put("play", state.plays != opened.plays, &|| plays.to_owned());
+    put("lights", state.lights != opened.lights, &|| lights_text(&state.lights));
+    let switched = SWITCHABLE
+        .iter()
+        .zip(state.switched)
+        .filter_map(|((effect, _), on)| Some(format!("{}{}", if on? { "" } else { "-" }, effect.name())));
+    put("effects", state.switched != opened.switched, &|| switched.clone().collect::<Vec<_>>().join("/"));
+    put("map", state.map != opened.map, &|| state.map.name().to_owned());
+    put("all", state.is_everything != opened.is_everything, &|| "1".to_owned());
+    put("exposure", state.exposure != opened.exposure, &|| state.exposure.to_string());
+    text
+}
+
+/// Reads a state, in the scene `otherwise` if none is named. Returns also what was refused, which is
+/// as the scene opens.
+pub(crate) fn parse(text: &str, otherwise: Example) -> Result<(State, Vec<Refusal>), Refusal> {
+    let pairs = || {
+        text.split('&').filter(|pair| !pair.is_empty()).map(|pair| pair.split_once('=').unwrap_or((pair, "")))
+    };
+    let value = |name: &str| pairs().find(|(other, _)| *other == name).map(|(_, value)| value);
+    let mut refused = Vec::new();
+    let scene = value("scene").map_or(Ok(otherwise), scene_named).unwrap_or_else(|refusal| {
+        refused.push(refusal);
+        otherwise
+    });
+    let lights = scene.setup()?.fixtures.len();
+    let mut state = State::of(scene, lights);
+    if let Some(version) = value("v").filter(|version| *version != VERSION) {
+        refused.push(Refusal::name("v", version, "1, the version of addresses that this page reads"));
+        return Ok((state, refused));
+    }
+    for (name, value) in pairs() {
+        refused.extend(take(&mut state, lights, name, value).err());
+    }
+    Ok((state, refused))
+}
+
+/// Returns the scene of this name.
+pub(crate) fn scene_named(name: &str) -> Result<Example, Refusal> {
+    Example::named(name).ok_or_else(|| Refusal::name("scene", name, "one of those on the list"))
+}
+
+/// Takes one parameter of an address.
+fn take(state: &mut State, lights: usize, name: &str, value: &str) -> Result<(), Refusal> {
+    let refused = |name, expected| Refusal::name(name, value, expected);
+    match name {
+        // Both are read first.
+        "v" | "scene" => {}
+        "format" => state.format = Format::named(value)?,
+        "view" => {
+            let viewpoint = read_numbers(value).and_then(Viewpoint::from_parts);
+            state.viewpoint =
+                viewpoint.ok_or_else(|| refused("view", "yaw/pitch/factor, as in 0.5/0/1.2"))?;
+        }
+        "at" => state.seconds = read_numbers(value).ok_or_else(|| refused("at", "seconds/seconds"))?,
+        "play" => {
+            let plays = PLAYS.iter().find(|(name, _)| *name == value);
+            state.plays = plays.ok_or_else(|| refused("play", "none, lights, camera or both"))?.1;
+        }
+        "lights" => state.lights = read_lights(value, lights)?,
+        "effects" => {
+            for word in value.split('/') {
+                let (name, on) = word.strip_prefix('-').map_or((word, true), |name| (name, false));
+                let place = SWITCHABLE.iter().position(|(effect, _)| effect.name() == name);
+                let expected = "specular, gobo, shadow, haze or dither, with - before it for off";
+                state.switched[place.ok_or_else(|| refused("effects", expected))?] = Some(on);
+            }
+        }
+        "map" => state.map = Subject::named(value)?,
+        "all" => state.is_everything = value == "1",
+        "exposure" => {
+            let stops = read(value).filter(|stops| (-STOPS..=STOPS).contains(stops));
+            state.exposure = stops.ok_or_else(|| refused("exposure", "-4 to 4 stops"))?;
+        }
+        _ => {
+            return Err(Refusal::name(
+                "parameter",
+                name,
+                "v, scene, format, view, at, play, lights, effects, map, all or exposure",
+            ));
+        }
+    }
+    Ok(())
+}
+
+fn numbers(values: &[f32]) -> String {
+    values.iter().map(f32::to_string).collect::<Vec<_>>().join("/")
+}
+
+fn read_numbers<const N: usize>(text: &str) -> Option<[f32; N]> {
+    text.split('/').map(read).collect::<Option<Vec<_>>>()?.try_into().ok()
+}
+
+fn lights_text(lights: &[Setting]) -> String {
+    let is_own = |setting: &Setting| *setting == Setting::of(setting.of);
+    // Consecutive lights without settings are one range.
+    let follows = |one: &Setting, next: &Setting| is_own(one) && is_own(next) && one.of + 1 == next.of;
+    let run = |run: &[Setting]| match run {
+        [one] => light_text(one),
+        [first, .., last] => format!("{}-{}", first.of, last.of),
+        [] => String::new(),
+    };
+    lights.chunk_by(follows).map(run).collect::<Vec<_>>().join(";")
+}
+
+fn light_text(setting: &Setting) -> String {
+    let mut text = setting.of.to_string();
+    let mut put = |letter: char, value: Option<String>| {
+        if let Some(value) = value {
+            // Writing to a string does not fail.
+            let _ = write!(text, ":{letter}{value}");
+        }
+    };
+    let vector = |v: Vec3<f32>| numbers(&[v.x, v.y, v.z]);
+    let angle =
+        |mark| setting.design.filter(|design| design.mark == mark).map(|design| design.degrees.to_string());
+    put('x', (!setting.is_on).then(String::new));
+    put('b', angle(Mark::Beam));
+    put('f', angle(Mark::Field));
+    put('e', setting.edge.map(|edge| edge_name(Some(edge)).to_owned()));
+    put('l', setting.fixture.map(fixture::slug));
+    put('c', setting.color.map(|[red, green, blue]| format!("{red:02x}{green:02x}{blue:02x}")));
+    put('i', setting.intensity.map(|intensity| intensity.to_string()));
+    put('p', setting.position.map(vector));
+    put('t', setting.target.map(vector));
+    text
+}
+
+fn read_lights(text: &str, count: usize) -> Result<Vec<Setting>, Refusal> {
+    let mut lights = Vec::new();
+    // No light at all is an empty text.
+    for word in text.split(';').filter(|word| !word.is_empty()) {
+        let read = read_light(word).filter(|read| read.iter().all(|setting| setting.of < count));
+        lights.extend(
+            read.ok_or_else(|| Refusal::name("lights", word, "a light of the scene and its settings"))?,
+        );
+        if lights.len() > LIGHTS {
+            return Err(Refusal::outside(
+                "number of lights",
+                lights.len() as f32,
+                [0.0, LIGHTS as f32],
+                "lights",
+            ));
+        }
+    }
+    Ok(lights)
+}
+
+/// Reads a light with its settings, or a range of lights.
+fn read_light(word: &str) -> Option<Vec<Setting>> {
+    if let Some((first, last)) = word.split_once('-').filter(|_| !word.contains(':')) {
+        let (first, last) = (first.parse::<usize>().ok()?, last.parse::<usize>().ok()?);
+        let is_range = first < last && last - first < LIGHTS;
+        return is_range.then(|| (first..=last).map(Setting::of).collect());
+    }
+    let mut parts = word.split(':');
+    let mut setting = Setting::of(parts.next()?.parse().ok()?);
+    let vector = |value| read_numbers(value).map(|[x, y, z]| Vec3::new(x, y, z));
+    for part in parts {
+        let letter = part.chars().next()?;
+        let value = &part[letter.len_utf8()..];
+        match letter {
+            'x' if value.is_empty() => setting.is_on = false,
+            'b' => setting.design = Some(Design { mark: Mark::Beam, degrees: read(value)? }),
+            'f' => setting.design = Some(Design { mark: Mark::Field, degrees: read(value)? }),
+            'e' => setting.edge = Some(edge_named(value).ok()??),
+            'l' => setting.fixture = Some(fixture::with_slug(value)?),
+            'c' => setting.color = Some(channels(value)?),
+            'i' => setting.intensity = Some(read(value)?),
+            'p' => setting.position = Some(vector(value)?),
+            't' => setting.target = Some(vector(value)?),
+            _ => return None,
+        }
+    }
+    // The angle of a fixture is one of its zoom.
+    let is_zoom = |fixture: &Fixture| {
+        setting.design.is_some_and(|design| (fixture.narrowest..=fixture.widest).contains(&design.degrees))
+    };
+    setting.fixture.is_none_or(is_zoom).then(|| vec![setting])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::desk::Desk;
+    use luminaire::falloff::SoftOrHard;
+    use luminaire_fixtures::FIXTURES;
+
+    fn random_setting(random: &mut fastrand::Rng, of: usize) -> Setting {
+        let mut setting = Setting::of(of);
+        let vector = |random: &mut fastrand::Rng| Vec3::new(number(random), number(random), number(random));
+        setting.is_on = random.bool();
+        setting.edge = random.choice([None, Some(SoftOrHard::Soft), Some(SoftOrHard::Hard)]).flatten();
+        let mark = if random.bool() { Mark::Beam } else { Mark::Field };
+        match random.u8(..4) {
+            0 => setting.design = Some(Design { mark, degrees: number(random) }),
+            1 => {
+                let fixture = random.choice(&FIXTURES).unwrap();
+                let degrees = fixture.narrowest + random.f32() * (fixture.widest - fixture.narrowest);
+                setting.fixture = Some(fixture);
+                setting.design = Some(Design { mark, degrees: degrees.min(fixture.widest) });
+            }
+            _ => {}
+        }
+        setting.color = random.bool().then(|| [random.u8(..), random.u8(..), random.u8(..)]);
+        setting.intensity = random.bool().then(|| number(random));
+        setting.position = random.bool().then(|| vector(random));
+        setting.target = random.bool().then(|| vector(random));
+        setting
+    }
+
+    /// A number of any size and sign.
+    fn number(random: &mut fastrand::Rng) -> f32 {
+        std::iter::repeat_with(|| f32::from_bits(random.u32(..))).find(|number| number.is_finite()).unwrap()
+    }
+
+    fn random_state(random: &mut fastrand::Rng) -> (State, usize) {
+        let scene = random.choice(Example::ALL).unwrap();
+        let count = scene.setup().unwrap().fixtures.len();
+        let mut state = State::of(scene, count);
+        state.format = random.choice(Format::ALL).unwrap();
+        state.viewpoint =
+            Viewpoint::from_parts([number(random), number(random), number(random).abs().max(1e-30)]).unwrap();
+        state.seconds = [number(random), number(random)];
+        state.plays = [random.bool(), random.bool()];
+        match random.u8(..3) {
+            0 => {}
+            1 => {
+                let light = random.usize(..count);
+                state.lights[light] = random_setting(random, light);
+            }
+            _ => {
+                let lights = random.usize(..=LIGHTS);
+                let numbers: Vec<_> = (0..lights).map(|_| random.usize(..count)).collect();
+                state.lights = numbers.into_iter().map(|of| random_setting(random, of)).collect();
+            }
+        }
+        for switch in &mut state.switched {
+            *switch = random.choice([None, Some(true), Some(false)]).flatten();
+        }
+        state.map = random.choice([Subject::Nothing, Subject::Lights, Subject::Tiles]).unwrap();
+        state.is_everything = random.bool();
+        state.exposure = 2.0 * STOPS * (random.f32() - 0.5);
+        (state, count)
+    }
+
+    #[test]
+    fn a_thousand_random_states_come_back() {
+        let mut random = fastrand::Rng::with_seed(7);
+        for _ in 0..1000 {
+            let (state, count) = random_state(&mut random);
+            let text = write(&state, count);
+            assert!(text.bytes().all(|byte| byte.is_ascii_graphic() && !b"#%\"<>".contains(&byte)), "{text}");
+            assert_eq!(parse(&text, Example::Pocket), Ok((state, Vec::new())), "{text}");
+        }
+    }
+
+    #[test]
+    fn a_scene_as_it_opens_is_its_name() {
+        for scene in Example::ALL {
+            let count = scene.setup().unwrap().fixtures.len();
+            let mut state = State::of(scene, count);
+            assert_eq!(write(&state, count), format!("v=1&scene={}", scene.name()));
+            state.lights[count / 2].is_on = false;
+            assert!(write(&state, count).len() < 60, "{}", write(&state, count));
+        }
+    }
+
+    #[test]
+    fn a_bad_parameter_is_refused_by_its_name_and_the_rest_is_taken() {
+        for (text, words) in [
+            ("scene=nowhere", "scene = \"nowhere\""),
+            ("scene=", "scene = \"\""),
+            ("format=f16", "number format = \"f16\""),
+            ("view=1/2", "view = \"1/2\""),
+            ("view=0/0/-1", "view"),
+            ("view=NaN/0/1", "view"),
+            ("at=1", "at = \"1\""),
+            ("play=all", "play = \"all\""),
+            ("lights=999", "lights = \"999\""),
+            ("lights=0:q", "lights = \"0:q\""),
+            ("lights=0:b", "lights = \"0:b\""),
+            ("lights=0:larri-l7-c", "lights"),
+            ("lights=0:larri-l7-c:f5", "lights"),
+            ("lights=0:é", "lights"),
+            ("lights=0:céé", "lights"),
+            ("lights=5-1", "lights"),
+            ("lights=0-99999999999999999999", "lights"),
+            ("effects=spot", "effects = \"spot\""),
+            ("map=heat", "subject of the map = \"heat\""),
+            ("exposure=9", "exposure = \"9\""),
+            ("constructor=1", "parameter = \"constructor\""),
+        ] {
+            let (state, refused) = parse(&format!("{text}&all=1"), Example::Show).unwrap();
+            let refused: Vec<_> = refused.iter().map(ToString::to_string).collect();
+            assert!(refused.len() == 1 && refused[0].contains(words), "{text}: {refused:?}");
+            assert!(state.is_everything && state.scene == Example::Show);
+        }
+        let (state, refused) = parse("v=2&scene=grid&all=1", Example::Show).unwrap();
+        assert!(refused[0].to_string().contains("v = \"2\"") && !state.is_everything);
+    }
+
+    /// States that no light or format can have, and texts that are no states.
+    #[test]
+    fn whatever_the_address_is_there_is_a_picture() {
+        let mut random = fastrand::Rng::with_seed(8);
+        let mut desk = Desk::new(Example::Pocket).unwrap();
+        let mut fallbacks = 0;
+        for _ in 0..200 {
+            let (state, count) = random_state(&mut random);
+            let mut text = write(&state, count).into_bytes();
+            if random.bool() {
+                let place = random.usize(..text.len());
+                text[place] = random.u8(32..127);
+            }
+            let refused = desk.recall(&String::from_utf8(text).unwrap()).unwrap();
+            fallbacks += usize::from(!refused.is_empty());
+            assert!(desk.rig().fixtures_at(desk.state().seconds[0]).is_ok());
+        }
+        assert!((20..200).contains(&fallbacks), "{fallbacks} of 200 are refused");
+    }
+}

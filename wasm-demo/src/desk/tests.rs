@@ -1,0 +1,376 @@
+//! The desk: what is taken, what is refused, and the way back.
+
+use super::*;
+use crate::{fixture, format::Format, light::LightState};
+use luminaire::{
+    Vec3,
+    dynamic::{Effect, Effects},
+};
+use luminaire_fixtures::FIXTURES;
+
+fn desk(scene: Example) -> Desk {
+    Desk::new(scene).unwrap()
+}
+
+fn effects(desk: &Desk) -> Effects {
+    desk.rig().plan_of(desk.state()).unwrap().effects()
+}
+
+fn light(desk: &Desk, light: usize) -> LightState {
+    let setting = desk.setting(light).unwrap();
+    setting.state(desk.rig().original(setting.of).unwrap(), desk.state().format).unwrap()
+}
+
+fn number(desk: &mut Desk, name: &str, value: f32) -> Result<(), Refusal> {
+    desk.change_light(0, |setting| setting.set_number(name, value))
+}
+
+fn choice(desk: &mut Desk, name: &str, value: &str) -> Result<(), Refusal> {
+    desk.change_light(0, |setting| setting.set_choice(name, value))
+}
+
+#[test]
+fn a_scene_opens_as_it_was_composed() {
+    for scene in Example::ALL {
+        let (setup, desk) = (scene.setup().unwrap(), desk(scene));
+        for seconds in [0.0, 1.3] {
+            assert_eq!(desk.rig().fixtures_at(seconds), setup.fixtures_at(seconds), "{scene:?}");
+        }
+        assert_eq!((desk.rig().scene(), desk.camera()), (&setup.scene, setup.camera), "{scene:?}");
+    }
+}
+
+#[test]
+fn a_light_that_is_switched_off_is_dark_and_keeps_its_number() {
+    for scene in Example::ALL {
+        let mut desk = desk(scene);
+        let lit = desk.rig().fixtures_at(1.0).unwrap();
+        for light in 0..lit.len() {
+            let switch = |desk: &mut Desk, on| {
+                desk.change_light(light, |setting| {
+                    setting.is_on = on;
+                    Ok(())
+                })
+            };
+            switch(&mut desk, false).unwrap();
+            let mut dark = desk.rig().fixtures_at(1.0).unwrap();
+            assert!(dark[light].light().is_dark(), "light {light} of {scene:?}");
+            dark[light] = lit[light];
+            assert_eq!(dark, lit, "light {light} of {scene:?}");
+            switch(&mut desk, true).unwrap();
+        }
+        let refusal = desk.change_light(lit.len(), |_| Ok(())).unwrap_err().to_string();
+        assert!(refusal.contains(&format!("light = {}", lit.len())), "{refusal}");
+    }
+}
+
+#[test]
+fn an_effect_is_left_out_and_put_back_in() {
+    for (scene, effect) in [
+        (Example::Turntable, Effect::Specular),
+        (Example::Gallery, Effect::Specular),
+        (Example::Show, Effect::Gobo),
+        (Example::Show, Effect::Haze),
+    ] {
+        let mut desk = desk(scene);
+        let look =
+            |desk: &Desk| (effects(desk), desk.rig().fixtures_at(2.0).unwrap(), desk.rig().scene().clone());
+        let before = look(&desk);
+        desk.switch(effect.name(), false).unwrap();
+        assert!(before.0.has(effect) && !effects(&desk).has(effect), "{scene:?}");
+        assert_eq!(effects(&desk).with(effect), before.0);
+        desk.switch(effect.name(), true).unwrap();
+        assert_eq!(look(&desk), before);
+    }
+    let refusal = desk(Example::Show).switch("spot", false).unwrap_err().to_string();
+    assert!(refusal.contains("\"spot\"") && refusal.contains("specular"), "{refusal}");
+}
+
+#[test]
+fn a_scene_without_an_effect_offers_no_switch_for_it() {
+    let offered = |scene: Example| {
+        let desk = desk(scene);
+        let switches = desk.rig().switches(desk.state()).into_iter().filter(|switch| switch.offered);
+        switches.map(|switch| switch.effect).collect::<Vec<_>>().join(" ")
+    };
+    assert_eq!([Example::BareSpot, Example::Grid].map(offered), ["shadow haze dither", "haze dither"]);
+    let mut desk = desk(Example::BareSpot);
+    let before = effects(&desk);
+    desk.switch("gobo", true).unwrap();
+    assert_eq!(effects(&desk), before);
+}
+
+#[test]
+fn haze_dither_and_shadows_are_added_and_taken_away() {
+    let mut desk = desk(Example::Turntable);
+    let look =
+        |desk: &Desk| (effects(desk), desk.rig().fixtures_at(1.0).unwrap(), desk.rig().scene().clone());
+    let before = look(&desk);
+    for effect in [Effect::Haze, Effect::Dither, Effect::Shadow] {
+        assert!(!before.0.has(effect));
+        desk.switch(effect.name(), true).unwrap();
+        assert!(effects(&desk).has(effect), "{effect:?}");
+    }
+    let sides = |desk: &Desk| -> Vec<_> {
+        let fixtures = desk.rig().fixtures_at(1.0).unwrap();
+        fixtures.iter().map(|fixture| fixture.shadow().map(|(side, _)| side)).collect()
+    };
+    assert!(desk.rig().scene().haze().is_some() && desk.rig().display(desk.state()).is_dithered());
+    assert_eq!(sides(&desk), [Some(512); 8]);
+    for effect in [Effect::Haze, Effect::Dither, Effect::Shadow] {
+        desk.switch(effect.name(), false).unwrap();
+    }
+    assert_eq!(look(&desk), before);
+    desk.add_shadows(64).unwrap();
+    assert_eq!(sides(&desk), [Some(64); 8]);
+    assert!(desk.add_shadows(5).is_err());
+}
+
+#[test]
+fn the_angles_follow_one_another() {
+    let mut desk = desk(Example::BareSpot);
+    number(&mut desk, "field", 15.0).unwrap();
+    let state = light(&desk, 0);
+    assert!((state.beam - 9.81).abs() < 0.005 && (state.outer - 18.15).abs() < 0.005);
+    number(&mut desk, "beam", state.beam).unwrap();
+    assert!((light(&desk, 0).field - 15.0).abs() < 1e-3);
+    // Another edge keeps the angle that was set last.
+    choice(&mut desk, "edge", "hard").unwrap();
+    assert!((light(&desk, 0).beam - state.beam).abs() < 1e-3);
+    choice(&mut desk, "edge", "own").unwrap();
+    assert!((light(&desk, 0).field - 15.0).abs() < 1e-3);
+}
+
+#[test]
+fn a_refused_value_changes_nothing() {
+    let mut desk = desk(Example::BareSpot);
+    number(&mut desk, "field", 15.0).unwrap();
+    let before = desk.state().clone();
+    let refused = |outcome: Result<(), Refusal>, words: &str| {
+        let message = outcome.unwrap_err().to_string();
+        assert!(message.contains(words), "{message}");
+    };
+    for degrees in [0.0, -10.0, 400.0, 150.0, f32::NAN, f32::INFINITY] {
+        refused(number(&mut desk, "field", degrees), "field angle");
+        refused(number(&mut desk, "beam", degrees), "beam angle");
+    }
+    refused(number(&mut desk, "intensity", -1.0), "intensity");
+    refused(number(&mut desk, "intensity", f32::NAN), "intensity");
+    refused(number(&mut desk, "zoom", 20.0), "fixture");
+    refused(number(&mut desk, "length", 1.0), "number of a light");
+    refused(choice(&mut desk, "fixture", "Nobody's lamp"), "fixture = \"Nobody's lamp\"");
+    refused(choice(&mut desk, "edge", ""), "edge");
+    refused(choice(&mut desk, "reading", "outer"), "beam or field");
+    for color in ["", "#fff", "ffffff", "#gggggg", "#ffffff0", "#ééé", "#+1+1+1"] {
+        refused(choice(&mut desk, "color", color), "color");
+    }
+    refused(desk.expose(5.0), "exposure");
+    refused(desk.expose(f32::NAN), "exposure");
+    let position = desk.rig().fixtures_at(0.0).unwrap();
+    let luminaire::dynamic::AnyLight::Spot(spot) = position[0].light() else { panic!("no spot") };
+    let position = spot.position();
+    refused(
+        desk.change_light(0, |setting| {
+            setting.target = Some(position);
+            Ok(())
+        }),
+        "axis",
+    );
+    assert_eq!(desk.state(), &before);
+}
+
+#[test]
+fn a_format_that_cannot_hold_a_light_is_refused() {
+    let mut desk = desk(Example::ThreePoint);
+    number(&mut desk, "beam", 1.0).unwrap();
+    let change = |desk: &mut Desk, format| {
+        desk.change(|state| {
+            state.format = format;
+            Ok(())
+        })
+    };
+    let refusal = change(&mut desk, Format::Fx16).unwrap_err().to_string();
+    assert!(
+        refusal.contains("16-bit") && refusal.contains("light 1") && refusal.contains("outer angle"),
+        "{refusal}"
+    );
+    assert_eq!(desk.state().format, Format::F32);
+    number(&mut desk, "beam", 20.0).unwrap();
+    change(&mut desk, Format::Fx16).unwrap();
+    assert!(number(&mut desk, "beam", 1.0).is_err());
+}
+
+#[test]
+fn the_ends_of_the_sliders_are_taken() {
+    for edge in ["soft", "hard", "own"] {
+        for format in Format::ALL {
+            let mut desk = desk(Example::ThreePoint);
+            choice(&mut desk, "edge", edge).unwrap();
+            desk.change(|state| {
+                state.format = format;
+                Ok(())
+            })
+            .unwrap();
+            let ends = light(&desk, 0);
+            // The test stays as far within the ends as the page does, whose slider positions are
+            // decimal fractions.
+            for (name, narrow, wide) in [
+                ("beam", ends.narrowest_beam, ends.widest_beam),
+                ("field", ends.narrowest_field, ends.widest_field),
+            ] {
+                // A light with shadows cannot be as wide as one without.
+                desk.switch("shadow", false).unwrap();
+                number(&mut desk, name, narrow * 1.001).unwrap();
+                number(&mut desk, name, wide - 0.01).unwrap();
+            }
+        }
+    }
+}
+
+#[test]
+fn every_fixture_is_a_light() {
+    let mut desk = desk(Example::BareSpot);
+    for fixture in &FIXTURES {
+        choice(&mut desk, "fixture", fixture.name).unwrap();
+        let state = light(&desk, 0);
+        assert_eq!(state.fixture, fixture.name);
+        assert!(
+            (state.field - fixture::middle(fixture)).abs() < 1e-3 * fixture::middle(fixture),
+            "{}",
+            fixture.name
+        );
+        assert_eq!(state.zoom, Some(fixture::middle(fixture)));
+    }
+    let zoom = fixture::find("ARRI L7-C").unwrap();
+    choice(&mut desk, "fixture", zoom.name).unwrap();
+    choice(&mut desk, "reading", "beam").unwrap();
+    assert!((light(&desk, 0).beam - fixture::middle(zoom)).abs() < 1e-3);
+    number(&mut desk, "zoom", zoom.widest).unwrap();
+    assert!((light(&desk, 0).beam - zoom.widest).abs() < 1e-3);
+    let message = number(&mut desk, "zoom", zoom.widest + 1.0).unwrap_err().to_string();
+    assert!(message.contains("expected 15 to 50"), "{message}");
+    number(&mut desk, "field", 20.0).unwrap();
+    assert_eq!(light(&desk, 0).fixture, "");
+}
+
+#[test]
+fn a_color_comes_back() {
+    let mut desk = desk(Example::Gallery);
+    for place in 0..desk.state().lights.len() {
+        for color in ["#000000", "#ffffff", "#ffd9b3", "#010a7f"] {
+            desk.change_light(place, |setting| setting.set_choice("color", color)).unwrap();
+            assert_eq!(light(&desk, place).color, color);
+        }
+    }
+}
+
+#[test]
+fn exposure_multiplies_all_light() {
+    let mut desk = desk(Example::ThreePoint);
+    let intensity = |desk: &Desk| desk.rig().fixtures_at(0.0).unwrap()[0].light().intensity();
+    let (before, ambient) = (intensity(&desk), desk.rig().scene().ambient());
+    desk.expose(2.0).unwrap();
+    assert_eq!((intensity(&desk), desk.rig().scene().ambient().red), (4.0 * before, 4.0 * ambient.red));
+    // The desk shows the light's own intensity.
+    assert_eq!(light(&desk, 0).intensity, before);
+}
+
+#[test]
+fn a_light_with_a_target_aims_at_it_and_stands_still() {
+    let mut desk = desk(Example::Show);
+    let target = Vec3::new(1.0, 0.0, 2.0);
+    desk.change_light(0, |setting| {
+        setting.target = Some(target);
+        Ok(())
+    })
+    .unwrap();
+    let axis = |seconds| match desk.rig().fixtures_at(seconds).unwrap()[0].light() {
+        luminaire::dynamic::AnyLight::Spot(spot) => (spot.axis(), spot.position()),
+        _ => panic!("no spot"),
+    };
+    let (still, position) = axis(0.0);
+    assert_eq!(axis(2.0), (still, position));
+    let way = target.zip(position, |to, from| to - from);
+    assert!((still.dot(way) - way.dot(way).sqrt()).abs() < 1e-4);
+}
+
+#[test]
+fn lights_are_copied_and_removed() {
+    let mut desk = desk(Example::ThreePoint);
+    desk.copy_light(1).unwrap();
+    let fixtures = desk.rig().fixtures_at(0.0).unwrap();
+    assert!(fixtures.len() == 4 && fixtures[1] == fixtures[2]);
+    desk.remove_light(0).unwrap();
+    assert_eq!(desk.rig().fixtures_at(0.0).unwrap(), &fixtures[1..]);
+    while desk.remove_light(0).is_ok() {}
+    assert!(desk.state().lights.is_empty());
+    let mut desk = Desk::new(Example::Grid).unwrap();
+    while desk.copy_light(0).is_ok() {}
+    let refusal = desk.copy_light(0).unwrap_err().to_string();
+    assert!(desk.state().lights.len() == LIGHTS && refusal.contains("expected 0 to 80"), "{refusal}");
+}
+
+#[test]
+fn what_was_done_is_undone_and_redone() {
+    let mut desk = desk(Example::Show);
+    assert_eq!(desk.can_return(), [false, false]);
+    let opened = desk.state().clone();
+    desk.switch("haze", false).unwrap();
+    assert_eq!(desk.can_return(), [true, false]);
+    desk.mark();
+    assert!(!desk.mark(), "nothing has changed");
+    desk.open(Example::Grid).unwrap();
+    desk.advance(3.0);
+    let grid = desk.state().clone();
+    desk.undo().unwrap();
+    assert_eq!((desk.state().scene, desk.can_return()), (Example::Show, [true, true]));
+    desk.advance(1.0);
+    desk.undo().unwrap();
+    // In the same scene the time goes on.
+    assert_eq!(desk.state().seconds, [1.0, 0.0]);
+    assert!(desk.state().is_same_setting(&opened) && desk.can_return() == [false, true]);
+    desk.undo().unwrap();
+    assert!(desk.state().is_same_setting(&opened));
+    desk.redo().unwrap();
+    desk.redo().unwrap();
+    assert!(desk.state().is_same_setting(&grid) && desk.can_return() == [true, false]);
+    desk.undo().unwrap();
+    desk.expose(1.0).unwrap();
+    desk.mark();
+    assert_eq!(desk.can_return(), [true, false], "a new change ends what can be redone");
+}
+
+#[test]
+fn only_what_can_move_plays() {
+    for (scene, plays) in [
+        (Example::BareSpot, [false, false]),
+        (Example::Grid, [true, false]),
+        (Example::Turntable, [true, true]),
+    ] {
+        let mut desk = desk(scene);
+        desk.change(|state| {
+            state.plays = [true, true];
+            Ok(())
+        })
+        .unwrap();
+        assert_eq!(desk.plays(), plays, "{scene:?}");
+        assert_eq!(desk.advance(0.5), plays.contains(&true));
+        assert_eq!(desk.state().seconds, plays.map(|plays| if plays { 0.5 } else { 0.0 }));
+        desk.advance(f32::NAN);
+        desk.advance(-1.0);
+        assert_eq!(desk.state().seconds, plays.map(|plays| if plays { 0.5 } else { 0.0 }));
+    }
+}
+
+#[test]
+fn another_scene_keeps_the_format_and_what_plays() {
+    let mut desk = desk(Example::Show);
+    desk.change(|state| {
+        (state.format, state.plays, state.exposure) = (Format::Fx32, [false, true], 1.0);
+        Ok(())
+    })
+    .unwrap();
+    desk.open(Example::Pocket).unwrap();
+    let state = desk.state();
+    assert_eq!((state.format, state.plays, state.exposure), (Format::Fx32, [false, true], 0.0));
+}

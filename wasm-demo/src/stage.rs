@@ -1,0 +1,431 @@
+//! The JavaScript class of the stage.
+
+use crate::{
+    address,
+    desk::Desk,
+    equality::Equality,
+    fixture::FixtureState,
+    format::Format,
+    light::LightState,
+    map::Subject,
+    panic,
+    refusal::Refusal,
+    scene_state::{AccountState, EffectState, ExampleState, SwitchState},
+    screen::{self, Screen},
+    times::Times,
+};
+use luminaire::dynamic::{AnyLight, Effect};
+use luminaire_fixtures::FIXTURES;
+use luminaire_render::scenes::{Example, turntable};
+use wasm_bindgen::{Clamped, prelude::*};
+use web_sys::HtmlCanvasElement;
+
+/// The scene that the page opens with.
+const FIRST: Example = Example::Show;
+
+/// Largest number of samples of a curve: a few samples for each pixel of a wide screen.
+const SAMPLES: usize = 10_000;
+
+/// A scene under the visitor's settings. Every setter either takes its value, or changes nothing and
+/// throws a string that names the parameter, its value and the remedy.
+#[wasm_bindgen]
+#[derive(Debug)]
+pub struct Stage {
+    desk: Desk,
+    screen: Screen,
+}
+
+#[wasm_bindgen]
+impl Stage {
+    /// Opens the first scene on two canvases, one for the picture and one for the map. Its pictures
+    /// have this width and height or, without these, the size that a scene is composed for. Nothing
+    /// is drawn yet.
+    #[wasm_bindgen(constructor)]
+    pub fn new(
+        canvas: HtmlCanvasElement,
+        map: HtmlCanvasElement,
+        width: Option<u32>,
+        height: Option<u32>,
+    ) -> Result<Self, JsValue> {
+        panic::tell_the_page();
+        let desk = Desk::new(FIRST)?;
+        Ok(Self { screen: Screen::new([canvas, map], width.zip(height), desk.state())?, desk })
+    }
+
+    /// The scenes to choose from.
+    pub fn examples() -> Vec<ExampleState> {
+        Example::ALL.map(ExampleState::from).into()
+    }
+
+    /// Draws a small picture of a scene as it opens: RGBA, sRGB, eight bits.
+    pub fn thumbnail(scene: &str, width: u32, height: u32) -> Result<Clamped<Vec<u8>>, JsValue> {
+        Ok(Clamped(screen::thumbnail(address::scene_named(scene)?, width, height)?))
+    }
+
+    /// The name of the scene.
+    #[wasm_bindgen(getter)]
+    pub fn scene(&self) -> String {
+        self.desk.state().scene.name().to_owned()
+    }
+
+    /// Opens a scene as it was composed. Opening the same scene again resets it.
+    pub fn open(&mut self, scene: &str) -> Result<(), JsValue> {
+        Ok(self.desk.open(address::scene_named(scene)?)?)
+    }
+
+    /// Opens the turntable under this many spotlights, for measuring. `shadow_side` is the side of
+    /// the lights' shadow maps in texels; without it there are no shadow maps.
+    #[wasm_bindgen(js_name = openTurntable)]
+    pub fn open_turntable(&mut self, spots: usize, shadow_side: Option<u16>) -> Result<(), JsValue> {
+        let setup = turntable(spots).map_err(Refusal::from)?;
+        let mut desk = Desk::with(Example::Turntable, setup)?;
+        shadow_side.map_or(Ok(()), |side| desk.add_shadows(side))?;
+        self.desk = desk;
+        Ok(())
+    }
+
+    /// Takes the state of an address. Returns what was refused in words; the rest is taken.
+    pub fn recall(&mut self, address: &str) -> Result<String, JsValue> {
+        let refused = self.desk.recall(address)?;
+        Ok(refused.iter().map(ToString::to_string).collect::<Vec<_>>().join(". "))
+    }
+
+    /// The state as part of an address.
+    pub fn address(&self) -> String {
+        address::write(self.desk.state(), self.desk.rig().lights())
+    }
+
+    /// Forgets all earlier states.
+    pub fn begin(&mut self) {
+        self.desk.begin();
+    }
+
+    /// Marks the state as one to return to.
+    pub fn mark(&mut self) {
+        self.desk.mark();
+    }
+
+    /// Whether there is a state to undo.
+    #[wasm_bindgen(getter, js_name = canUndo)]
+    pub fn can_undo(&self) -> bool {
+        self.desk.can_return()[0]
+    }
+
+    /// Whether there is a state to redo.
+    #[wasm_bindgen(getter, js_name = canRedo)]
+    pub fn can_redo(&self) -> bool {
+        self.desk.can_return()[1]
+    }
+
+    /// Returns to the marked state before this one.
+    pub fn undo(&mut self) -> Result<(), JsValue> {
+        Ok(self.desk.undo()?)
+    }
+
+    /// Returns to the state that was undone last.
+    pub fn redo(&mut self) -> Result<(), JsValue> {
+        Ok(self.desk.redo()?)
+    }
+
+    /// Whether the lights of the scene can move.
+    #[wasm_bindgen(getter, js_name = lightsMove)]
+    pub fn lights_move(&self) -> bool {
+        self.desk.rig().moves()[0]
+    }
+
+    /// Whether the camera of the scene can move.
+    #[wasm_bindgen(getter, js_name = cameraMoves)]
+    pub fn camera_moves(&self) -> bool {
+        self.desk.rig().moves()[1]
+    }
+
+    /// Whether the lights move now.
+    #[wasm_bindgen(getter, js_name = lightsPlay)]
+    pub fn lights_play(&self) -> bool {
+        self.desk.plays()[0]
+    }
+
+    /// Whether the camera moves now.
+    #[wasm_bindgen(getter, js_name = cameraPlays)]
+    pub fn camera_plays(&self) -> bool {
+        self.desk.plays()[1]
+    }
+
+    /// Lets lights and camera move or stand still.
+    pub fn play(&mut self, lights: bool, camera: bool) -> Result<(), JsValue> {
+        Ok(self.desk.change(|state| {
+            state.plays = [lights, camera];
+            Ok(())
+        })?)
+    }
+
+    /// Moves what plays by some seconds. Returns whether anything plays.
+    pub fn advance(&mut self, seconds: f32) -> bool {
+        self.desk.advance(seconds)
+    }
+
+    /// Moves the lights to their state at one time and the camera to its state at another, both in
+    /// seconds.
+    pub fn seek(&mut self, lights: f32, camera: f32) -> Result<(), JsValue> {
+        Ok(self.desk.change(|state| {
+            state.seconds = [lights, camera];
+            Ok(())
+        })?)
+    }
+
+    /// Turns the camera around its target, by angles in radians.
+    pub fn orbit(&mut self, yaw: f32, pitch: f32) {
+        self.desk.orbit(yaw, pitch);
+    }
+
+    /// Moves the camera to `factor` times its distance. Returns whether it moved.
+    pub fn zoom(&mut self, factor: f32) -> bool {
+        self.desk.zoom(factor)
+    }
+
+    /// Moves the camera back to that of the scene.
+    #[wasm_bindgen(js_name = resetCamera)]
+    pub fn reset_camera(&mut self) -> Result<(), JsValue> {
+        Ok(self.desk.change(|state| {
+            state.viewpoint = crate::viewpoint::Viewpoint::ORIGINAL;
+            Ok(())
+        })?)
+    }
+
+    /// Draws what has changed since the last picture. Returns whether anything was drawn.
+    pub fn draw(&mut self) -> Result<bool, JsValue> {
+        Ok(self.screen.draw(&self.desk)?)
+    }
+
+    /// A copy of the last picture: RGBA, sRGB, eight bits.
+    pub fn pixels(&self) -> Clamped<Vec<u8>> {
+        Clamped(self.screen.pixels().to_vec())
+    }
+
+    /// Pixels in a row.
+    #[wasm_bindgen(getter)]
+    pub fn width(&self) -> u32 {
+        self.screen.size().0
+    }
+
+    /// Rows of pixels.
+    #[wasm_bindgen(getter)]
+    pub fn height(&self) -> u32 {
+        self.screen.size().1
+    }
+
+    /// The times of the last picture.
+    pub fn times(&self) -> Times {
+        self.screen.times()
+    }
+
+    /// Shows the map of the last picture. Returns whether there is one.
+    #[wasm_bindgen(js_name = drawMap)]
+    pub fn draw_map(&mut self) -> Result<bool, JsValue> {
+        Ok(self.screen.draw_map(self.desk.state())?)
+    }
+
+    /// The subject of the map: `nothing`, `lights` or `tiles`.
+    #[wasm_bindgen(getter)]
+    pub fn map(&self) -> String {
+        self.desk.state().map.name().to_owned()
+    }
+
+    /// Sets the subject of the map: `nothing`, `lights` or `tiles`.
+    #[wasm_bindgen(js_name = setMap)]
+    pub fn set_map(&mut self, subject: &str) -> Result<(), JsValue> {
+        Ok(self.desk.change(|state| {
+            state.map = Subject::named(subject)?;
+            Ok(())
+        })?)
+    }
+
+    /// Returns how many lights the last colour of the map stands for.
+    #[wasm_bindgen(getter, js_name = mapEnd)]
+    pub fn map_end(&self) -> f64 {
+        self.screen.map().end()
+    }
+
+    /// The colours of the map, from no light to the end of its scale: red, green and blue of each.
+    pub fn palette(&self) -> Clamped<Vec<u8>> {
+        Clamped(self.screen.map().colours().concat())
+    }
+
+    /// The colours of re-lit and of kept tiles: red, green, blue of each.
+    #[wasm_bindgen(js_name = tileColours)]
+    pub fn tile_colours(&self) -> Clamped<Vec<u8>> {
+        Clamped(self.screen.map().tile_colours().concat())
+    }
+
+    /// Returns the counts of the work for the last picture.
+    pub fn account(&self) -> AccountState {
+        self.screen.account().into()
+    }
+
+    /// The effects of the library, and whether the picture needs them.
+    pub fn effects(&self) -> Result<Vec<EffectState>, JsValue> {
+        let plan = self.desk.rig().plan_of(self.desk.state()).map_err(Refusal::from)?;
+        let state = |&effect: &Effect| EffectState {
+            name: effect.name().to_owned(),
+            is_called_for: plan.requires(effect),
+        };
+        Ok(Effect::ALL.iter().map(state).collect())
+    }
+
+    /// The effects that have a switch.
+    pub fn switches(&self) -> Vec<SwitchState> {
+        self.desk.rig().switches(self.desk.state())
+    }
+
+    /// Switches an effect on or off.
+    #[wasm_bindgen(js_name = setEffect)]
+    pub fn set_effect(&mut self, name: &str, on: bool) -> Result<(), JsValue> {
+        Ok(self.desk.switch(name, on)?)
+    }
+
+    /// Whether every effect of every light is evaluated at every pixel.
+    #[wasm_bindgen(getter, js_name = isEverything)]
+    pub fn is_everything(&self) -> bool {
+        self.desk.state().is_everything
+    }
+
+    /// Switches between two modes: every effect of every light is evaluated at every pixel, or only
+    /// the needed ones are.
+    #[wasm_bindgen(js_name = setEverything)]
+    pub fn set_everything(&mut self, everything: bool) -> Result<(), JsValue> {
+        Ok(self.desk.change(|state| {
+            state.is_everything = everything;
+            Ok(())
+        })?)
+    }
+
+    /// Lights the picture in both modes and compares the two results bit for bit.
+    pub fn compare(&self) -> Result<Equality, JsValue> {
+        Ok(self.screen.compare(&self.desk)?)
+    }
+
+    /// The exposure in stops.
+    #[wasm_bindgen(getter)]
+    pub fn exposure(&self) -> f32 {
+        self.desk.state().exposure
+    }
+
+    /// Sets the exposure in stops, from -4 to 4.
+    #[wasm_bindgen(js_name = setExposure)]
+    pub fn set_exposure(&mut self, stops: f32) -> Result<(), JsValue> {
+        Ok(self.desk.expose(stops)?)
+    }
+
+    /// The name of the current number format.
+    #[wasm_bindgen(getter)]
+    pub fn format(&self) -> String {
+        self.desk.state().format.name().to_owned()
+    }
+
+    /// Changes the number format to `fx16`, `fx32` or `f32`. The next `draw` redraws the picture.
+    #[wasm_bindgen(js_name = setFormat)]
+    pub fn set_format(&mut self, name: &str) -> Result<(), JsValue> {
+        Ok(self.desk.change(|state| {
+            state.format = Format::named(name)?;
+            Ok(())
+        })?)
+    }
+
+    /// Returns the largest difference between a picture in this format and one in `f32`, in
+    /// displayed codes.
+    #[wasm_bindgen(js_name = statedError)]
+    pub fn stated_error(format: &str) -> Result<u8, JsValue> {
+        Ok(Format::named(format)?.stated_error())
+    }
+
+    /// How many lights there are.
+    #[wasm_bindgen(getter, js_name = lightCount)]
+    pub fn light_count(&self) -> usize {
+        self.desk.state().lights.len()
+    }
+
+    /// The lights.
+    pub fn lights(&self) -> Result<Vec<LightState>, JsValue> {
+        Ok((0..self.desk.state().lights.len())
+            .map(|light| self.light_state(light))
+            .collect::<Result<_, _>>()?)
+    }
+
+    /// Returns the state of a light.
+    pub fn light(&self, light: usize) -> Result<LightState, JsValue> {
+        Ok(self.light_state(light)?)
+    }
+
+    /// Switches a light on or off.
+    #[wasm_bindgen(js_name = setOn)]
+    pub fn set_on(&mut self, light: usize, on: bool) -> Result<(), JsValue> {
+        Ok(self.desk.change_light(light, |setting| {
+            setting.is_on = on;
+            Ok(())
+        })?)
+    }
+
+    /// Sets a number of a light: its `beam`, `field` or `zoom` angle in degrees, or its `intensity`.
+    #[wasm_bindgen(js_name = setNumber)]
+    pub fn set_number(&mut self, light: usize, name: &str, value: f32) -> Result<(), JsValue> {
+        Ok(self.desk.change_light(light, |setting| setting.set_number(name, value))?)
+    }
+
+    /// Sets a choice of a light: its `edge`, `color`, `fixture`, or the `reading` of its angle.
+    #[wasm_bindgen(js_name = setChoice)]
+    pub fn set_choice(&mut self, light: usize, name: &str, value: &str) -> Result<(), JsValue> {
+        Ok(self.desk.change_light(light, |setting| setting.set_choice(name, value))?)
+    }
+
+    /// Adds a copy of a light behind it.
+    #[wasm_bindgen(js_name = copyLight)]
+    pub fn copy_light(&mut self, light: usize) -> Result<(), JsValue> {
+        Ok(self.desk.copy_light(light)?)
+    }
+
+    /// Removes a light.
+    #[wasm_bindgen(js_name = removeLight)]
+    pub fn remove_light(&mut self, light: usize) -> Result<(), JsValue> {
+        Ok(self.desk.remove_light(light)?)
+    }
+
+    /// Evaluates the intensity of a spotlight across its beam, from one side to the other, in the
+    /// current number format. Returns pairs of the angle off axis in degrees and the intensity, for
+    /// 2 to 10,000 samples; nothing for another kind of light.
+    pub fn curve(&self, light: usize, samples: usize) -> Result<Vec<f32>, JsValue> {
+        Ok(self.trace(light, samples)?)
+    }
+
+    /// The fixtures to choose from.
+    pub fn fixtures() -> Vec<FixtureState> {
+        FIXTURES.iter().map(FixtureState::from).collect()
+    }
+}
+
+impl Stage {
+    fn light_state(&self, light: usize) -> Result<LightState, Refusal> {
+        let setting = self.desk.setting(light)?;
+        setting.state(self.desk.rig().original(setting.of)?, self.desk.state().format)
+    }
+
+    fn trace(&self, light: usize, samples: usize) -> Result<Vec<f32>, Refusal> {
+        if !(2..=SAMPLES).contains(&samples) {
+            return Err(Refusal::outside(
+                "number of samples",
+                samples as f32,
+                [2.0, SAMPLES as f32],
+                "samples",
+            ));
+        }
+        let setting = self.desk.setting(light)?;
+        let fixture = setting.applied(self.desk.rig().original(setting.of)?, 1.0)?;
+        let AnyLight::Spot(spot) = fixture.light() else { return Ok(Vec::new()) };
+        let cone = spot.cone();
+        // The curve has a dark margin at each side, so that the end of the light is visible.
+        let reach = (cone.outer().to_degrees() / 2.0 * 1.12).min(180.0);
+        let last = (samples - 1) as f32;
+        let angles: Vec<f32> = (0..samples).map(|i| reach * (2.0 * i as f32 / last - 1.0)).collect();
+        let intensities = self.desk.state().format.intensities(&cone, &angles)?;
+        Ok(angles.into_iter().zip(intensities).flat_map(|(angle, intensity)| [angle, intensity]).collect())
+    }
+}

@@ -1,0 +1,77 @@
+//! Everything that the visitor has set, as one value.
+
+use crate::{format::Format, map::Subject, setting::Setting, viewpoint::Viewpoint};
+use luminaire::dynamic::Effect;
+use luminaire_render::scenes::Example;
+
+/// The effects that have a switch, with the label of each switch.
+pub(crate) const SWITCHABLE: [(Effect, &str); 5] = [
+    (Effect::Specular, "highlights"),
+    (Effect::Gobo, "gobos"),
+    (Effect::Shadow, "shadows"),
+    (Effect::Haze, "haze"),
+    (Effect::Dither, "dither"),
+];
+
+/// Largest exposure to either side, in stops.
+pub(crate) const STOPS: f32 = 4.0;
+
+/// Largest number of lights.
+pub(crate) const LIGHTS: usize = 80;
+
+/// The state of the stage. The picture is a function of it.
+#[derive(Clone, PartialEq, Debug)]
+pub(crate) struct State {
+    pub(crate) scene: Example,
+    pub(crate) format: Format,
+    /// The visitor's offset from the scene's camera.
+    pub(crate) viewpoint: Viewpoint,
+    /// The times to which the lights and the camera have moved, in seconds.
+    pub(crate) seconds: [f32; 2],
+    /// Whether the lights and the camera move.
+    pub(crate) plays: [bool; 2],
+    pub(crate) lights: Vec<Setting>,
+    /// The effects of [`SWITCHABLE`] that the visitor has switched, and their new states.
+    pub(crate) switched: [Option<bool>; SWITCHABLE.len()],
+    pub(crate) map: Subject,
+    /// Whether every effect is evaluated for every light at every pixel.
+    pub(crate) is_everything: bool,
+    /// The exposure in stops: binary logarithm of the factor on all light.
+    pub(crate) exposure: f32,
+}
+
+impl State {
+    /// The state in which a scene with this number of lights opens: as it was composed, with moving
+    /// lights.
+    pub(crate) fn of(scene: Example, lights: usize) -> Self {
+        Self {
+            scene,
+            format: Format::F32,
+            viewpoint: Viewpoint::ORIGINAL,
+            seconds: [0.0; 2],
+            plays: [true, false],
+            lights: (0..lights).map(Setting::of).collect(),
+            switched: [None; SWITCHABLE.len()],
+            map: Subject::Nothing,
+            is_everything: false,
+            exposure: 0.0,
+        }
+    }
+
+    /// The state in which another scene, or the same one again, opens for a visitor of this one.
+    pub(crate) fn followed_by(&self, scene: Example, lights: usize) -> Self {
+        let Self { format, plays, map, is_everything, .. } = *self;
+        Self { format, plays, map, is_everything, ..Self::of(scene, lights) }
+    }
+
+    /// Returns the new state of a switched effect; `None` if it was not switched.
+    pub(crate) fn switched(&self, effect: Effect) -> Option<bool> {
+        let place = SWITCHABLE.iter().position(|(other, _)| *other == effect)?;
+        self.switched[place]
+    }
+
+    /// Returns whether another state differs in nothing but its time, which passes by itself.
+    pub(crate) fn is_same_setting(&self, other: &Self) -> bool {
+        Self { seconds: [0.0; 2], ..self.clone() } == Self { seconds: [0.0; 2], ..other.clone() }
+    }
+}

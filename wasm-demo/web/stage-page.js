@@ -1,0 +1,281 @@
+// The stage: one scene under the visitor's settings. The module holds the state; the page shows it.
+import { Stage } from "./pkg/wasm_demo.js";
+import { AccountTable } from "./account-table.js";
+import { remember } from "./address.js";
+import { CameraView } from "./camera-view.js";
+import { Curve } from "./curve.js";
+import { EffectList } from "./effect-list.js";
+import { aside } from "./failure.js";
+import { LightList } from "./light-list.js";
+import { LightPanel } from "./light-panel.js";
+import { MapLegend } from "./map-legend.js";
+import { whole } from "./numbers.js";
+import { plain } from "./plain.js";
+import { Readout } from "./readout.js";
+import { ScenePicker } from "./scene-picker.js";
+
+const element = (id) => document.getElementById(id);
+
+/** Longest time between two pictures that an animation follows, in seconds. */
+const LONGEST_STEP = 0.25;
+
+export class StagePage {
+  #stage;
+  #view;
+  #scenes = new ScenePicker();
+  #readout;
+  #account = new AccountTable();
+  #effects;
+  #lights;
+  #panel;
+  #curve;
+  #legend;
+  #isOpen = false;
+  /** The time of the last picture of an animation. */
+  #last;
+
+  constructor(stage) {
+    this.#stage = stage;
+    this.#view = new CameraView(element("view"), {
+      orbit: (yaw, pitch) => this.#move(() => stage.orbit(yaw, pitch)),
+      zoom: (factor) => this.#move(() => stage.zoom(factor)),
+      reset: () => this.#move(() => stage.resetCamera()),
+      draw: (now) => this.#draw(now),
+    });
+    this.#readout = new Readout(stage);
+    this.#effects = new EffectList(stage);
+    this.#lights = new LightList(stage);
+    this.#panel = new LightPanel(stage);
+    this.#curve = new Curve(stage);
+    this.#legend = new MapLegend(stage);
+    this.#join();
+  }
+
+  /** How many pictures have been drawn. */
+  get drawn() {
+    return this.#view.drawn;
+  }
+
+  /** Takes the state of the address; without one it stays as it is. Refusals are shown. */
+  show(query) {
+    this.#view.pause(false);
+    if (this.#isOpen && query === "") return this.#changed();
+    const isFirst = !this.#isOpen;
+    this.#isOpen = true;
+    const refused = this.#stage.recall(query);
+    // Nothing moves by itself for a visitor who wants no motion.
+    const isMotionUnwanted = matchMedia("(prefers-reduced-motion: reduce)").matches;
+    if (isMotionUnwanted && !new URLSearchParams(query).has("play")) this.#stage.play(false, false);
+    if (isFirst) this.#stage.begin();
+    this.#changed();
+    element("stage-error").textContent = refused;
+    if (this.drawn === 0) this.#view.draw(0);
+  }
+
+  /** Called when the view is hidden. */
+  hide() {
+    this.#view.pause(true);
+  }
+
+  /** Requests a number format: `fx16`, `fx32` or `f32`. */
+  setFormat(name) {
+    this.#set(() => this.#stage.setFormat(name));
+  }
+
+  /** Draws the current picture, if it is not on the canvas. */
+  redraw() {
+    this.#view.draw(0);
+  }
+
+  #join() {
+    const stage = this.#stage;
+    const on = (id, kind, act) => element(id).addEventListener(kind, (event) => this.#set(() => act(event.target)));
+    this.#scenes.onchange = (scene) => this.#set(() => stage.open(scene));
+    for (const id of ["play", "camera"]) element(id).addEventListener("input", () => this.#play());
+    on("format", "input", (select) => stage.setFormat(select.value));
+    on("map-subject", "input", (select) => stage.setMap(select.value));
+    on("exposure", "input", (slider) => stage.setExposure(slider.valueAsNumber));
+    on("everything", "input", (box) => stage.setEverything(box.checked));
+    on("undo", "click", () => stage.undo());
+    on("redo", "click", () => stage.redo());
+    on("reset", "click", () => stage.open(stage.scene));
+    element("copy").addEventListener("click", () => this.#copyLink());
+    element("save").addEventListener("click", () => this.#save());
+    element("full").addEventListener("click", () => this.#fillScreen());
+    element("verify").addEventListener("click", () => this.#verify());
+    this.#effects.onswitch = (effect, isOn) => this.#set(() => stage.setEffect(effect, isOn));
+    this.#lights.onchange = (act) => this.#set(act);
+    this.#lights.onselect = () => this.#showLight();
+    this.#panel.onchange = (source) => {
+      element("stage-error").textContent = "";
+      this.#changed(source);
+    };
+    this.#panel.onlist = (act) => this.#set(act);
+    document.addEventListener("keydown", (event) => this.#key(event));
+  }
+
+  /** Changes the state. A refusal is shown and changes nothing else. */
+  #set(act) {
+    element("stage-error").textContent = "";
+    try {
+      act();
+    } catch (refusal) {
+      // The module refuses with a string; anything else is a bug in the page.
+      if (typeof refusal !== "string") throw refusal;
+      element("stage-error").textContent = refusal;
+    }
+    this.#changed();
+  }
+
+  /** Lets lights and camera move or stand still; earlier times stay valid. */
+  #play() {
+    this.#last = undefined;
+    this.#account.forget();
+    this.#move(() => this.#stage.play(element("play").checked, element("camera").checked));
+  }
+
+  /** Moves the camera; earlier times stay valid. Returns what `act` returns. */
+  #move(act) {
+    const moved = act();
+    this.#remember();
+    this.#view.request();
+    return moved;
+  }
+
+  /** Shows the state, except on the control that a change comes from, and draws it. */
+  #changed(source) {
+    const stage = this.#stage;
+    const { format, exposure } = stage;
+    this.#scenes.show(stage.scene);
+    element("summary").textContent = this.#scenes.summary;
+    element("view").setAttribute("aria-label", `The scene: ${this.#scenes.title}`);
+    element("play").checked = stage.lightsPlay;
+    element("play").disabled = !stage.lightsMove;
+    element("camera").checked = stage.cameraPlays;
+    element("camera").disabled = !stage.cameraMoves;
+    element("format").value = format;
+    element("format-note").textContent = accuracy(format);
+    element("exposure").value = exposure;
+    element("exposure").style.setProperty("--part", `${(100 * (exposure + 4)) / 8}%`);
+    element("exposure-stops").textContent = `${exposure > 0 ? "+" : ""}${exposure} EV`.replace("-", "−");
+    element("everything").checked = stage.isEverything;
+    element("equality").textContent = "";
+    element("told").textContent = "";
+    this.#lights.show();
+    this.#effects.open();
+    this.#legend.show();
+    this.#showLight(source);
+    this.#readout.forget();
+    this.#account.forget();
+    this.#last = undefined;
+    this.#remember();
+    this.#view.request();
+  }
+
+  #showLight(source) {
+    this.#panel.show(this.#lights.selected, source);
+    aside(() => this.#curve.draw(this.#lights.selected));
+  }
+
+  /** Updates the address and the states to return to, once the visitor pauses. */
+  #remember() {
+    const stage = this.#stage;
+    this.#showReturns();
+    remember("stage", () => {
+      stage.mark();
+      this.#showReturns();
+      return stage.address();
+    });
+  }
+
+  #showReturns() {
+    element("undo").disabled = !this.#stage.canUndo;
+    element("redo").disabled = !this.#stage.canRedo;
+  }
+
+  /** Draws what has changed. Returns whether something moves, so that another picture follows. */
+  #draw(now) {
+    const stage = this.#stage;
+    const step = Math.min((now - (this.#last ?? now)) / 1000, LONGEST_STEP);
+    const isPlaying = stage.advance(step);
+    this.#last = isPlaying ? now : undefined;
+    let isDrawn = false;
+    try {
+      isDrawn = stage.draw();
+    } catch (refusal) {
+      if (typeof refusal !== "string") throw refusal;
+      stage.play(false, false);
+      element("stage-error").textContent = refusal;
+      return { isDrawn, goesOn: false };
+    }
+    if (isDrawn) aside(() => this.#tell(isPlaying));
+    else if (this.#legend.isStale) aside(() => this.#legend.draw());
+    return { isDrawn, goesOn: isPlaying };
+  }
+
+  #tell(isPlaying) {
+    const { width, height } = this.#stage;
+    if (!isPlaying) this.#account.forget();
+    this.#readout.add();
+    this.#account.add(plain(this.#stage.account()), width * height);
+    this.#effects.show();
+    this.#legend.draw();
+    element("size").textContent = `The picture has ${width} × ${height} pixels.`;
+  }
+
+  async #copyLink() {
+    const link = `${location.href.split("#")[0]}#stage?${this.#stage.address()}`;
+    try {
+      await navigator.clipboard.writeText(link);
+      element("told").textContent = "The link is copied.";
+    } catch {
+      element("told").textContent = `The browser copies nothing here. The link is ${link}`;
+    }
+  }
+
+  #save() {
+    const link = document.createElement("a");
+    link.download = `luminaire-${this.#stage.scene}-${this.#stage.format}.png`;
+    element("view").toBlob((blob) => {
+      link.href = URL.createObjectURL(blob);
+      link.click();
+      URL.revokeObjectURL(link.href);
+    });
+  }
+
+  async #fillScreen() {
+    try {
+      if (document.fullscreenElement) await document.exitFullscreen();
+      else await element("frame").requestFullscreen();
+    } catch {
+      element("told").textContent = "The browser does not let this page fill the screen.";
+    }
+  }
+
+  #key(event) {
+    const isTyping = event.target instanceof Element && event.target.matches("input:not([type=checkbox], [type=radio]), select");
+    if (isTyping || element("stage-page").hidden || event.altKey) return;
+    const isCommand = event.ctrlKey || event.metaKey;
+    const key = event.key.toLowerCase();
+    if (isCommand && key === "z") this.#set(() => (event.shiftKey ? this.#stage.redo() : this.#stage.undo()));
+    else if (isCommand && key === "y") this.#set(() => this.#stage.redo());
+    else if (!isCommand && key === "f") this.#fillScreen();
+    else if (!isCommand && key === "r") this.#move(() => this.#stage.resetCamera());
+    else return;
+    event.preventDefault();
+  }
+
+  #verify() {
+    const { pixels, differing, evaluated, pairs, lightingMs, everythingMs } = plain(this.#stage.compare());
+    const same = differing === 0 ? `All ${whole(pixels)} pixels are equal, bit for bit` : `${whole(differing)} pixels differ`;
+    element("equality").textContent =
+      `${same}: ${whole(evaluated)} pairs of light and pixel in ${lightingMs.toFixed(1)} ms, ` +
+      `and all ${whole(pairs)} in ${everythingMs.toFixed(1)} ms.`;
+  }
+}
+
+/** Describes the largest difference between a picture in this format and the reference format. */
+function accuracy(format) {
+  const error = Stage.statedError(format);
+  return error === 0 ? "The reference for the other formats" : `Within ${error}/255 of f32, measured on a scene without shadows`;
+}
