@@ -49,6 +49,9 @@
 //! # Ok::<(), luminaire::Error>(())
 //! ```
 //!
+//! The [`guide`] has chapters with code: choose a format and an edge, start from a data sheet, light
+//! pixels on a microcontroller, move lights, port them from other systems, test your own kernel.
+//!
 //! # Choosing a format
 //!
 //! | | `f32` | [`Fx32`] | [`Fx16`] |
@@ -150,7 +153,8 @@
 
 // Modules, lowest first: `error`, `models`, `search`, `source`, `trig`, `vec3`, `angle`, `effect`,
 // `number`, `attenuation`, `color`, `falloff`, `specular`, `cone`, `display`, `interop`, `shade`, `batch`,
-// `haze`, `material`, `row`, `light`, `any_light`, `import`, `projector`, `codegen`, `plan`, `dynamic`.
+// `haze`, `material`, `row`, `light`, `any_light`, `import`, `projector`, `codegen`, `plan`, `dynamic`,
+// `guide`.
 
 #![no_std]
 // With `bytemuck`, one file contains unsafe code; without it the crate contains none.
@@ -173,6 +177,8 @@ pub mod dynamic;
 mod effect;
 pub mod error;
 pub mod falloff;
+#[cfg(any(doc, doctest))]
+pub mod guide;
 pub mod haze;
 pub mod import;
 pub mod interop;

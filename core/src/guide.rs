@@ -1,0 +1,73 @@
+//! A guide in chapters: choose, describe, move, port and test a light.
+//!
+//! Each chapter says first what you will have at the end, then shows code, then the limits. Its code
+//! is compiled, and asserts its figures: `cargo test -p luminaire --doc guide` runs all of it. A
+//! figure that the code does not compute names the command that prints it.
+//!
+//! | you want to | chapter |
+//! |---|---|
+//! | choose a number format | [format] |
+//! | choose an edge for a light | [falloff] |
+//! | describe a stage light by its data sheet | [data_sheet] |
+//! | light pixels on a microcontroller | [microcontroller] |
+//! | move, aim, zoom and dim lights | [moving] |
+//! | port a spotlight of another system | [porting]: [OpenGL](porting::opengl), [Direct3D 9](porting::direct3d), [glTF](porting::gltf), [three.js](porting::three), [Godot](porting::godot), [Bevy](porting::bevy) |
+//! | light the spans of a scanline renderer | [scanline] |
+//! | test a kernel of your own | [oracle] |
+//! | know when to use something else | [not_for] |
+//!
+//! Commands are run in a clone of the repository; files such as `docs/EFFECTS.md` are in it.
+//!
+//! This module has no items: it is in the documentation alone.
+
+#[doc = include_str!("../guide/format.md")]
+pub mod format {}
+
+#[doc = include_str!("../guide/falloff.md")]
+pub mod falloff {}
+
+#[doc = include_str!("../guide/data_sheet.md")]
+pub mod data_sheet {}
+
+#[doc = include_str!("../guide/microcontroller.md")]
+pub mod microcontroller {}
+
+#[doc = include_str!("../guide/moving.md")]
+pub mod moving {}
+
+#[doc = include_str!("../guide/porting.md")]
+/// ```
+#[doc = include_str!("../guide/worst.rs")]
+/// ```
+pub mod porting {
+    #[doc = include_str!("../guide/porting/opengl.md")]
+    pub mod opengl {}
+
+    #[doc = include_str!("../guide/porting/direct3d.md")]
+    pub mod direct3d {}
+
+    #[doc = include_str!("../guide/porting/gltf.md")]
+    pub mod gltf {}
+
+    #[doc = include_str!("../guide/porting/three.md")]
+    pub mod three {}
+
+    #[doc = include_str!("../guide/porting/godot.md")]
+    pub mod godot {}
+
+    #[doc = include_str!("../guide/porting/bevy.md")]
+    pub mod bevy {}
+}
+
+#[doc = include_str!("../guide/scanline.md")]
+pub mod scanline {}
+
+#[doc = include_str!("../guide/oracle.md")]
+/// ```ignore
+#[doc = include_str!("../guide/own_kernel.rs")]
+/// ```
+#[doc = include_str!("../guide/oracle_end.md")]
+pub mod oracle {}
+
+#[doc = include_str!("../guide/not_for.md")]
+pub mod not_for {}
