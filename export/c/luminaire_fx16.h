@@ -28,6 +28,20 @@
 #define LUMINAIRE_BY_PARTS 1
 #endif
 
+/* Others have no instruction that counts leading zeros: they look them up. */
+#if defined(__GNUC__) && __SIZEOF_INT__ == 4 && !defined(LUMINAIRE_BY_PARTS)
+#if !defined(__riscv) || defined(__riscv_zbb)
+#define LUMINAIRE_COUNTS_ZEROS 1
+#endif
+#endif
+
+/* A function that is seldom called. */
+#if defined(__GNUC__)
+#define LUMINAIRE_RARE __attribute__((cold, noinline, unused)) static
+#else
+#define LUMINAIRE_RARE static inline
+#endif
+
 #define LUMINAIRE_FULL_SCALE (UINT32_C(1) << 14)    /* 1 as a coarse share */
 #define LUMINAIRE_COARSE_ONE (UINT32_C(1) << 15)    /* 1 as a coarse fraction */
 #define LUMINAIRE_FINE_ONE (UINT32_C(1) << 31)      /* 1 as a fine fraction and share */
@@ -83,17 +97,33 @@ static inline uint32_t luminaire_below_zero(int32_t a) { return a < 0 ? UINT32_C
 /* Returns the magnitude. */
 static inline uint32_t luminaire_magnitude(int32_t a) { return a < 0 ? UINT32_C(0) - (uint32_t)a : (uint32_t)a; }
 
-/* Returns the bit length; 1 for 0. */
-static inline uint32_t luminaire_bit_length(uint32_t n) {
-#if defined(__GNUC__) && __SIZEOF_INT__ == 4 && !defined(LUMINAIRE_BY_PARTS)
+#if !defined(LUMINAIRE_COUNTS_ZEROS)
+/* `floor(log2 n)` for each `n` of seven bits; 0 for 0. */
+static const uint8_t luminaire_log2[128] = {
+    0, 0, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3, 3, 3, 3, 3, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4,
+    5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5,
+    6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6,
+    6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6
+};
+#endif
+
+/* Returns the bit length of `n` from 1 to 127. */
+static inline uint32_t luminaire_bit_length_of_seven(uint32_t n) {
+#if defined(LUMINAIRE_COUNTS_ZEROS)
     return 32 - (uint32_t)__builtin_clz(n | 1);
 #else
-    uint32_t length = 1;
-    if (n >> 16) { n >>= 16; length += 16; }
-    if (n >> 8) { n >>= 8; length += 8; }
-    if (n >> 4) { n >>= 4; length += 4; }
-    if (n >> 2) { n >>= 2; length += 2; }
-    return length + (n >> 1);
+    return luminaire_log2[n & 127] + 1u;
+#endif
+}
+
+/* Returns the bit length; 1 for 0. */
+static inline uint32_t luminaire_bit_length(uint32_t n) {
+#if defined(LUMINAIRE_COUNTS_ZEROS)
+    return 32 - (uint32_t)__builtin_clz(n | 1);
+#else
+    uint32_t length = 0;
+    for (; n >> 7; n >>= 7) { length += 7; }
+    return length + luminaire_bit_length_of_seven(n);
 #endif
 }
 
@@ -263,8 +293,11 @@ static inline luminaire_offset luminaire_offset_between(const int32_t light[3], 
         bits = luminaire_bit_length(luminaire_size(way));
         return luminaire_offset_of(way, bits - 17, bits + 1);
     }
+    if (size >> 17) {
+        bits = luminaire_bit_length_of_seven(size >> 17);
+        return luminaire_offset_of(way, bits, bits + 17);
+    }
     bits = luminaire_bit_length(size);
-    if (size >> 17) { return luminaire_offset_of(way, bits - 17, bits); }
     for (i = 0; i < 3; ++i) { way[i] = luminaire_shl(way[i], 31 - bits); }
     return luminaire_offset_of(way, 14, bits);
 }

@@ -1,4 +1,5 @@
-//! Places the programs in memory, and writes the lights of the programs `still` and `picked`.
+//! Places the programs in memory, and writes the lights of the programs `still`, `picked` and
+//! `exported`.
 
 #[cfg(feature = "pick")]
 mod answers;
@@ -22,7 +23,10 @@ fn main() -> Outcome {
     memory::place(None)?;
     #[cfg(feature = "pick")]
     picked()?;
-    still()
+    let key = key()?;
+    #[cfg(feature = "export")]
+    exported(key)?;
+    write("key.rs", &key.compile::<Fx16>()?)
 }
 
 /// The lights of the program `picked`: calls of its macro `run`.
@@ -48,13 +52,36 @@ fn picked() -> Outcome {
     Ok(fs::write(file, text + "}\n")?)
 }
 
-/// The spotlight of the program `still`, which hangs three metres above a floor and shines at a
-/// slant.
-fn still() -> Outcome {
+/// The spotlight of the programs `still` and `exported`, which hangs three metres above a floor and
+/// shines at a slant.
+fn key() -> Result<SpotLight<Soft>, luminaire::Error> {
     let cone = Cone::from_field(Soft, Angle::degrees(50.0))?;
-    let key =
-        SpotLight::new(Vec3::new(-1.0, 3.0, -0.5), Vec3::new(0.3, -1.0, 0.15), cone)?.with_intensity(10.0)?;
-    write("key.rs", &key.compile::<Fx16>()?)
+    SpotLight::new(Vec3::new(-1.0, 3.0, -0.5), Vec3::new(0.3, -1.0, 0.15), cone)?.with_intensity(10.0)
+}
+
+/// Compiles the spotlight of the program `exported` as C.
+#[cfg(feature = "export")]
+fn exported(key: SpotLight<Soft>) -> Outcome {
+    let folder = env::var("OUT_DIR")?;
+    let folder = Path::new(&folder);
+    let header = luminaire_export::export(key, "key", luminaire_export::Language::CFixed)?;
+    let source = folder.join("exported.c");
+    fs::write(folder.join("luminaire_fx16.h"), luminaire_export::c_header())?;
+    fs::write(
+        &source,
+        header
+            + "uint32_t exported(const int32_t p[3], const int16_t n[3]);\n\
+               uint32_t exported(const int32_t p[3], const int16_t n[3]) { return key_irradiance(p, n); }\n",
+    )?;
+    let mut build = cc::Build::new();
+    build
+        .file(source)
+        .std("c99")
+        .flag("-ffreestanding")
+        .flag("-Wno-unused-function")
+        .flag("-Wno-unused-const-variable");
+    build.try_compile("exported")?;
+    Ok(())
 }
 
 fn write(name: &str, value: &impl Source) -> Outcome {

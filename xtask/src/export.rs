@@ -1,22 +1,14 @@
-//! The part of `cargo xtask test` that compiles and runs what `luminaire-export` writes.
+//! The part of `cargo xtask test` that compiles and runs what `luminaire-export` writes, and programs
+//! in C that call the library.
 
-use anyhow::{Result, bail};
+use anyhow::Result;
 
 use browser_tests::shaders;
 use tools::browser::Chromium;
 use tools::progress::Progress;
 use tools::suite::Suite;
 use tools::tally::{self, Tally};
-use tools::{command, install};
-
-/// The compilers that the tests call, and Debian's packages of them.
-const COMPILERS: [(&str, &str); 5] = [
-    ("cc", "gcc"),
-    ("c++", "g++"),
-    ("arm-none-eabi-gcc", "gcc-arm-none-eabi"),
-    ("arm-none-eabi-g++", "gcc-arm-none-eabi"),
-    ("riscv64-unknown-elf-gcc", "gcc-riscv64-unknown-elf"),
-];
+use tools::{command, compilers};
 
 /// Adds the steps: the tests with all compilers, and the shaders in Chromium.
 pub(crate) fn run(suite: &mut Suite) {
@@ -32,18 +24,11 @@ pub(crate) fn run(suite: &mut Suite) {
 }
 
 fn by_all_compilers(progress: &Progress) -> Result<Tally> {
-    let missing = |(program, _): &&(&str, &str)| command::on_path(&[program]).is_none();
-    let mut packages: Vec<_> = COMPILERS.iter().filter(missing).map(|(_, package)| *package).collect();
-    packages.dedup();
-    if !packages.is_empty() {
-        if !install::debian_root() {
-            bail!("compilers of C are missing: on Debian, `apt-get install {}`", packages.join(" "));
-        }
-        install::apt(&packages, progress)?;
-    }
+    compilers::find(progress)?;
     let mut test = command::cargo("test");
     // The tests skip a compiler that is not installed, unless this variable is set.
     test.args(["--package", "luminaire-export", "--test", "fixed", "--test", "float"])
+        .args(["--package", "luminaire-c", "--test", "calls"])
         .env("LUMINAIRE_TOOLS", "1");
     tally::cargo_test(test, progress)
 }

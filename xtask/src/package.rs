@@ -17,21 +17,12 @@ use tools::{command, project};
 /// The crates, each after its dependencies, with the files that each must contain beside its
 /// source.
 const CRATES: [(&str, &[&str]); 2] = [
-    (
-        "luminaire",
-        &[
-            "README.md",
-            "CHANGELOG.md",
-            "LICENSE-APACHE",
-            "LICENSE-MIT",
-            "examples/wall.rs",
-            "examples/gltf.rs",
-            "examples/moving_light.rs",
-            "examples/embedded_graphics.rs",
-        ],
-    ),
+    ("luminaire", &["README.md", "CHANGELOG.md", "LICENSE-APACHE", "LICENSE-MIT"]),
     ("luminaire-render", &["README.md", "LICENSE-APACHE", "LICENSE-MIT", "examples/still.rs"]),
 ];
+
+/// The examples of the kernel.
+const EXAMPLES: [&str; 6] = ["hello", "wall", "moving_light", "embedded_graphics", "data_sheet", "gltf"];
 
 /// The warning that is accepted until the project has an address to name.
 const NO_ADDRESS: &str = "manifest has no documentation, homepage or repository";
@@ -113,7 +104,7 @@ impl Unpacked {
             }
             tally += tally::cargo_test(test, progress)?;
         }
-        for example in ["wall", "moving_light", "embedded_graphics", "data_sheet", "gltf"] {
+        for example in EXAMPLES {
             let mut run = self.cargo("run", &self.of("luminaire"));
             run.args(["--all-features", "--example", example]);
             progress.run(run).with_context(|| format!("the example {example}"))?;
@@ -186,6 +177,8 @@ mod tests {
             let block = block(&readme, &format!("// {file}"));
             assert_eq!(block, Some(&*text(&format!("{TEMPLATE}/{file}"))), "{file}");
         }
+        let hello = text("core/examples/hello.rs");
+        assert!(hello.ends_with(block(&readme, "```rust").unwrap()), "expected {hello}");
         // The README shows the manifest from its dependencies on, as in the folder of the project.
         let manifest = text(&format!("{TEMPLATE}/Cargo.toml")).replace(KERNEL, "path = \"core\"");
         let shown = block(&readme, "# Cargo.toml").unwrap();

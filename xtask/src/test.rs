@@ -9,7 +9,7 @@ use serde_json::Value;
 use crate::arguments::TestOptions;
 use browser_tests::{ALL, Visitor};
 use measure::boards::{self, Board};
-use measure::{conform, device, effects, frame, pick, prices, size};
+use measure::{c, conform, device, effects, frame, pick, prices, size};
 use tools::demo::site;
 use tools::progress::Progress;
 use tools::suite::Suite;
@@ -112,6 +112,7 @@ fn boards(suite: &mut Suite, full: bool) {
     effects::steps::run(suite, full);
     if full {
         pick::steps(suite, &boards);
+        c::steps(suite, &boards);
         device::steps::run(suite);
     }
     prices(suite, &boards, full);

@@ -3,6 +3,8 @@
 #![cfg_attr(target_os = "none", no_std)]
 
 pub mod board;
+#[cfg(feature = "export")]
+mod exported;
 pub mod frame;
 mod measure;
 pub mod moving;
@@ -11,6 +13,8 @@ mod picked;
 #[cfg(feature = "effects")]
 mod price;
 
+#[cfg(feature = "export")]
+pub use exported::exported;
 pub use measure::{COUNT, choose, measure};
 #[cfg(feature = "pick")]
 pub use picked::{Domain, picked};

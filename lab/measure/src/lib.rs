@@ -2,6 +2,7 @@
 //! with the figures on record.
 
 pub mod boards;
+pub mod c;
 pub mod conform;
 pub mod device;
 pub mod effects;

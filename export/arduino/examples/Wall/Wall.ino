@@ -1,0 +1,28 @@
+/* A wall under a warm spotlight, as characters on the serial port. key.h was written by
+ *
+ *     luminaire export --to c-fx16 --name key --field 40 --position 2.5,1,3 --axis 0,0,-1 --intensity 9
+ */
+#include <luminaire_fx16.h>
+
+#include "key.h"
+
+const int COLUMNS = 60, ROWS = 16;
+const int32_t METRE = 65536;
+
+void setup() {
+    Serial.begin(115200);
+    const int16_t normal[3] = { 0, 0, 1 << 14 };               // steps of 2^-14
+    for (int row = 0; row < ROWS; ++row) {
+        for (int column = 0; column < COLUMNS; ++column) {
+            // 12 columns and 8 rows to the metre.
+            const int32_t point[3] = { column * (METRE / 12), row * (METRE / 8), 0 };
+            const uint32_t light = key_irradiance(point, normal); // 2^14 is full scale
+            const uint32_t level = (light * 9) >> 14;
+            Serial.print(" .:-=+*#%@"[level < 9 ? level : 9]);
+        }
+        Serial.println();
+    }
+}
+
+void loop() {
+}

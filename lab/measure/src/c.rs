@@ -1,0 +1,101 @@
+//! C on microcontrollers: the library for C, and the instructions of lights that `luminaire export`
+//! writes as C.
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use anyhow::{Context, Result, bail, ensure};
+
+use crate::boards::board::Board;
+use crate::boards::cost;
+use crate::boards::emulator::Emulator;
+use crate::boards::laboratory::{Laboratory, RELEASE, on_the_host_with_feature};
+use tools::progress::Progress;
+use tools::suite::Suite;
+use tools::toolchain::Toolchain;
+use tools::{command, compilers, project};
+
+/// The package of the library, and the name of its file.
+const LIBRARY: (&str, &str) = ("luminaire-c", "libluminaire_c.a");
+
+/// The program that calls every function of the library.
+const CALLS: &str = "capi/tests/calls.c";
+
+/// A board that runs the code of a Cortex-M0. No emulated board with that processor has room for the
+/// text output of newlib.
+static ROOMY: Board = Board {
+    name: "cortex-m0",
+    title: "Cortex-M0",
+    target: "thumbv6m-none-eabi",
+    emulator: "qemu-system-arm",
+    machine: &["-M", "mps2-an385"],
+};
+
+/// The firmware program that counts the instructions, and the feature that it needs.
+const PROGRAM: (&str, &str) = ("exported", "export");
+
+/// Adds the steps. They fail unless C, compiled by gcc, has the bits of the kernel.
+pub fn steps(suite: &mut Suite, boards: &[&'static Board]) {
+    suite.step("c: a program that calls the library on cortex-m0 prints what the host's prints", called);
+    for &board in boards {
+        suite.remarked(&format!("c: the instructions of an exported light on {}", board.name), |progress| {
+            Ok(vec![compared(board, progress)?])
+        });
+    }
+}
+
+/// Builds the program for this machine and for a Cortex-M0, and compares what they print.
+fn called(progress: &Progress) -> Result<()> {
+    compilers::find(progress)?;
+    let (package, library) = LIBRARY;
+    let mut build = command::cargo("build");
+    build.args(["--package", package]);
+    progress.run(build)?;
+    let program = compiled("cc", &[], &project::target().join("debug").join(library))?;
+    let expected = command::answer(&mut Command::new(program))?;
+
+    let toolchain = Toolchain::find(ROOMY.target, progress)?;
+    let mut build = toolchain.cargo_build("core", &[]);
+    build.args(["--release", "--package", package]);
+    progress.run(build)?;
+    let options = ["-mcpu=cortex-m0", "-mthumb", "-Os", "--specs=rdimon.specs", "-Wl,--gc-sections"];
+    let vectors = project::root().join("lab/firmware/src/vectors.c");
+    let vectors = vectors.to_str().context("a path in UTF-8")?;
+    let place = ["-Wl,--section-start=.vectors=0", "-Wl,--undefined=vectors", vectors];
+    let library = toolchain.artifacts("release").join(library);
+    let program = compiled("arm-none-eabi-gcc", &[&options[..], &place].concat(), &library)?;
+    let found = Emulator::find(&ROOMY, progress)?.run_in(project::root(), &program)?;
+    ensure!(expected.lines().count() > 1000, "expected many results, found {expected}");
+    if let Some((found, expected)) = found.lines().zip(expected.lines()).find(|(one, other)| one != other) {
+        bail!("on a Cortex-M0 `{found}`, on the host `{expected}`");
+    }
+    ensure!(found.lines().count() == expected.lines().count(), "a program did not end");
+    Ok(())
+}
+
+/// Compiles the program with a library. Returns its file.
+fn compiled(compiler: &str, options: &[&str], library: &Path) -> Result<PathBuf> {
+    let (root, program) = (project::root(), project::target().join(format!("calls-{compiler}")));
+    let mut compile = Command::new(compiler);
+    compile.args(["-std=c99", "-Wall", "-Wextra", "-Wpedantic"]).args(options);
+    compile.arg("-I").arg(root.join("capi/include")).arg(root.join(CALLS)).arg(library);
+    compile.args(["-lm", "-o"]).arg(&program);
+    command::answer(&mut compile)?;
+    Ok(program)
+}
+
+/// Counts the instructions of an exported light and of the kernel's.
+fn compared(board: &'static Board, progress: &Progress) -> Result<String> {
+    compilers::find(progress)?;
+    let (program, feature) = PROGRAM;
+    let host = on_the_host_with_feature(program, feature, progress)?;
+    let laboratory = Laboratory::with_feature(program, feature, RELEASE, board, progress)?;
+    let costs = cost::measure(&laboratory, program, &host, None)?.kernels;
+    let of = |name| costs.iter().find(|cost| cost.kernel == name).context("a line for each kernel");
+    let (rust, c) = (of("rust")?, of("c")?);
+    let more = (c.instructions / rust.instructions - 1.0) * 100.0;
+    Ok(format!(
+        "{}: a lit point takes {:.1} instructions and {} bytes in C, {:.1} and {} in Rust ({more:+.0} %)",
+        board.name, c.instructions, c.bytes, rust.instructions, rust.bytes
+    ))
+}
