@@ -36,8 +36,8 @@
 //! are bit-identical. On most targets rendering with `std` is several times faster, because
 //! compilers vectorise the loops only with the square root of the standard library.
 
-// Modules, lowest first: `size`, `error`, `buffer`, `space`, `scene`, `raster`, `shadow`, `light`,
-// `renderer`, `scenes`.
+// Modules, lowest first: `size`, `stripes`, `error`, `buffer`, `space`, `scene`, `raster`, `shadow`,
+// `light`, `renderer`, `scenes`.
 
 #![no_std]
 #![forbid(unsafe_code)]
@@ -54,6 +54,7 @@ pub mod scenes;
 mod shadow;
 mod size;
 mod space;
+mod stripes;
 
 pub use error::DrawError;
 pub use renderer::{
@@ -65,6 +66,7 @@ pub use renderer::{
 pub use scene::{Highlight, Material, Scene, camera::Camera, mesh::Mesh, outline::Outline};
 pub use shadow::map::ShadowMap;
 pub use size::{LARGEST, SizeError};
+pub use stripes::Stripes;
 
 /// The README's example is a test.
 #[cfg(doctest)]

@@ -6,23 +6,26 @@ pub(crate) mod view;
 use crate::{
     buffer::{LANES, filled},
     raster::view::{Corner, SUBPIXEL_BITS},
+    stripes::Stripes,
 };
 use alloc::{collections::TryReserveError, vec::Vec};
 
 /// One pixel in units of a screen coordinate.
 const PIXEL: i64 = 1 << SUBPIXEL_BITS;
 
-/// The size of a picture in pixels. Rows are padded to the length `stride`.
+/// The size of a picture in pixels, and its rows that are drawn. Rows are padded to the length
+/// `stride`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Grid {
     pub(crate) width: usize,
     pub(crate) height: usize,
     pub(crate) stride: usize,
+    pub(crate) stripes: Stripes,
 }
 
 /// Neighbouring pixels of a row that a triangle covers.
 pub(crate) struct Span<'a> {
-    /// Indices of the pixels, row by row from the top.
+    /// Indices of the pixels, row by row from the top of the drawn rows.
     pub(crate) pixels: core::ops::Range<usize>,
     corners: [&'a Corner; 3],
     /// Barycentric weights of the second and the third corner. Each pair is the weight at the first
@@ -38,33 +41,42 @@ impl Grid {
     pub(crate) fn cover(&self, corners: &[Corner; 3], mut fill: impl FnMut(Span<'_>)) {
         // Swaps two corners: the y axis of the screen points down, so the winding is reversed.
         let [a, c, b] = corners;
-        let rows = centers([a.y, b.y, c.y], self.height);
-        let columns = centers([a.x, b.x, c.x], self.width);
-        let area = doubled_area(a, b, c);
-        if rows.is_empty() || columns.is_empty() || area <= 0 {
+        let touched = centers([a.y, b.y, c.y], self.height);
+        // Most triangles are small, and touch no drawn row if the rows are dealt out.
+        let mut rows = self.stripes.next(touched.clone());
+        if rows.is_empty() {
             return;
         }
-        let edge = |from, to| Edge::new(from, to).walk(rows.start);
-        let mut edges = [edge(b, c), edge(c, a), edge(a, b)];
+        let columns = centers([a.x, b.x, c.x], self.width);
+        let area = doubled_area(a, b, c);
+        if columns.is_empty() || area <= 0 {
+            return;
+        }
+        let columns = columns.start as i64..columns.end as i64;
         let share = 1.0 / area as f32;
-        for y in rows {
-            let (mut start, mut end) = (columns.start, columns.end);
-            for edge in &edges {
-                edge.narrow(&mut start, &mut end);
+        while let Some(number) = self.stripes.number(rows.start).filter(|_| !rows.is_empty()) {
+            let edge = |from, to| Edge::new(from, to).walk(rows.start as i64);
+            let mut edges = [edge(b, c), edge(c, a), edge(a, b)];
+            for row in number..number + rows.len() {
+                let (mut start, mut end) = (columns.start, columns.end);
+                for edge in &edges {
+                    edge.narrow(&mut start, &mut end);
+                }
+                if start < end {
+                    let weight = |edge: &Walk| {
+                        ((edge.at + start * edge.column) as f32 * share, edge.column as f32 * share)
+                    };
+                    let first = row * self.stride;
+                    fill(Span {
+                        pixels: first + start as usize..first + end as usize,
+                        corners: [a, b, c],
+                        to_b: weight(&edges[1]),
+                        to_c: weight(&edges[2]),
+                    });
+                }
+                edges.iter_mut().for_each(Walk::step);
             }
-            if start < end {
-                let weight = |edge: &Walk| {
-                    ((edge.at + start * edge.column) as f32 * share, edge.column as f32 * share)
-                };
-                let row = y as usize * self.stride;
-                fill(Span {
-                    pixels: row + start as usize..row + end as usize,
-                    corners: [a, b, c],
-                    to_b: weight(&edges[1]),
-                    to_c: weight(&edges[2]),
-                });
-            }
-            edges.iter_mut().for_each(Walk::step);
+            rows = self.stripes.next(rows.end..touched.end);
         }
     }
 }
@@ -94,12 +106,12 @@ pub(crate) struct Fragments {
 }
 
 impl Fragments {
-    pub(crate) fn new(width: usize, height: usize) -> Result<Self, TryReserveError> {
+    pub(crate) fn new(width: usize, height: usize, stripes: Stripes) -> Result<Self, TryReserveError> {
         let stride = width.next_multiple_of(LANES);
-        let count = stride * height;
+        let count = stride * stripes.height(height);
         let plane = || filled(count, 0.0_f32);
         let normal = [plane()?, plane()?, plane()?];
-        let grid = Grid { width, height, stride };
+        let grid = Grid { width, height, stride, stripes };
         Ok(Self { grid, nearness: plane()?, normal, material: filled(count, 0)? })
     }
 
@@ -166,11 +178,11 @@ impl Line {
 
 /// Returns the rows or columns whose centres lie within the range of three screen coordinates.
 /// There are `count` rows or columns.
-fn centers(coordinates: [i32; 3], count: usize) -> core::ops::Range<i64> {
-    // The first row or column whose centre is at or after a coordinate.
-    let first = |coordinate: i32| i64::from((coordinate + PIXEL as i32 / 2 - 1) >> SUBPIXEL_BITS);
+fn centers(coordinates: [i32; 3], count: usize) -> core::ops::Range<usize> {
+    // The first row or column whose centre is at or after a coordinate, which is not negative.
+    let first = |coordinate: i32| ((coordinate + PIXEL as i32 / 2 - 1) >> SUBPIXEL_BITS) as usize;
     let [a, b, c] = coordinates;
-    first(a.min(b).min(c))..first(a.max(b).max(c) + 1).min(count as i64)
+    first(a.min(b).min(c))..first(a.max(b).max(c) + 1).min(count)
 }
 
 /// Returns twice the signed area of a triangle on a screen with y down: positive if its corners are
@@ -297,7 +309,7 @@ mod tests {
 
     /// Returns the pixels that a triangle of either winding covers.
     fn covered(a: Corner, b: Corner, c: Corner) -> Vec<bool> {
-        let mut fragments = Fragments::new(SIZE, SIZE).unwrap();
+        let mut fragments = Fragments::new(SIZE, SIZE, Stripes::ALL).unwrap();
         fragments.draw([a, b, c], 1);
         fragments.draw([a, c, b], 1);
         fragments.material.iter().map(|&material| material != 0).collect()

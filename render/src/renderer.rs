@@ -28,6 +28,7 @@ use crate::{
     scene::{Fingerprint, Material, Scene, camera::Camera},
     shadow::Shadows,
     size::SizeError,
+    stripes::Stripes,
 };
 use alloc::{collections::TryReserveError, vec::Vec};
 use luminaire::{Error, Rgb, Vec3, dynamic::RenderPlan, haze::Haze, projector::Fixture};
@@ -35,11 +36,13 @@ use luminaire::{Error, Rgb, Vec3, dynamic::RenderPlan, haze::Haze, projector::Fi
 /// A deferred renderer with a geometry pass, a lighting pass and an encoding pass.
 ///
 /// The lighting pass is in the number format `S`. Each pass is repeated only where its input has
-/// changed.
+/// changed. A renderer draws a whole picture or a share of it, so that several renderers can share
+/// the work: see [`of_stripes`](Self::of_stripes).
 #[derive(Clone, Debug)]
 pub struct Renderer<S: Format> {
     width: usize,
     height: usize,
+    stripes: Stripes,
     fragments: Fragments,
     geometry: GBuffer<S>,
     tiles: Tiles,
@@ -79,18 +82,34 @@ impl<S: Format> Renderer<S> {
     /// A width or height outside 1 to [`LARGEST`](crate::LARGEST), or a picture that does not fit
     /// into memory.
     pub fn new(width: usize, height: usize) -> Result<Self, SizeError> {
-        SizeError::check(width, height)?;
-        Self::with_memory(width, height).map_err(|_| SizeError::Memory(width, height))
+        Self::of_stripes(width, height, Stripes::ALL)
     }
 
-    fn with_memory(width: usize, height: usize) -> Result<Self, TryReserveError> {
-        let geometry = GBuffer::new(width, height)?;
+    /// Creates a renderer that draws only some stripes of pictures of this width and height in
+    /// pixels. It has no memory for the other rows, and spends on them only the projection of the
+    /// vertices.
+    ///
+    /// Coordinates and displays are those of the whole picture. [`encode`](Self::encode) returns
+    /// only the rows of the [`Stripes`], and the [`Account`] counts only their pixels.
+    ///
+    /// # Errors
+    /// A width or height outside 1 to [`LARGEST`](crate::LARGEST), or a picture that does not fit
+    /// into memory.
+    pub fn of_stripes(width: usize, height: usize, stripes: Stripes) -> Result<Self, SizeError> {
+        SizeError::check(width, height)?;
+        Self::with_memory(width, height, stripes).map_err(|_| SizeError::Memory(width, height))
+    }
+
+    fn with_memory(width: usize, height: usize, stripes: Stripes) -> Result<Self, TryReserveError> {
+        let rows = stripes.height(height);
+        let geometry = GBuffer::new(width, rows)?;
         let dark = Rgb::default().map(|()| [0.0; LANES]);
         let mut renderer = Self {
             width,
             height,
-            fragments: Fragments::new(width, height)?,
-            tiles: Tiles::new(width.div_ceil(LANES), height)?,
+            stripes,
+            fragments: Fragments::new(width, height, stripes)?,
+            tiles: Tiles::new(width.div_ceil(LANES), rows)?,
             radiance: filled(geometry.blocks.len(), dark)?,
             evaluated: filled(geometry.blocks.len(), 0)?,
             geometry,
@@ -100,7 +119,7 @@ impl<S: Format> Renderer<S> {
             haze: None,
             ambient: Rgb::default(),
             display: Display::default(),
-            pixels: filled(width * height * CHANNELS, 0)?,
+            pixels: filled(width * rows * CHANNELS, 0)?,
             drawn: None,
             triangles: 0,
             lit: None,
@@ -134,7 +153,7 @@ impl<S: Format> Renderer<S> {
         self.triangles = if is_moved { scene.triangle_count() } else { 0 };
         if is_moved {
             self.drawn = drawn;
-            self.draw_triangles(scene, &View::new(camera, self.width, self.height));
+            self.draw_triangles(scene, &View::new(camera, self.width, self.height, self.stripes));
         }
         if is_changed || is_moved {
             self.lit = None;
@@ -167,7 +186,48 @@ impl<S: Format> Renderer<S> {
         scene: &Scene,
         lights: &[L],
     ) -> Result<bool, DrawError> {
-        self.shadows.draw(scene, lights)
+        Ok(!self.shadows.draw(scene, lights, Stripes::ALL)?.is_empty())
+    }
+
+    /// Draws only the shadow maps that are dealt to the renderer's share of the picture: the lit
+    /// fixtures with shadows take turns. Returns the indices of the fixtures whose map was drawn.
+    ///
+    /// Before [`draw_light`](Self::draw_light), pass the [`shadow_map`](Self::shadow_map) of each
+    /// of these fixtures to [`take_shadow_map`](Self::take_shadow_map) of the renderers of the
+    /// other shares. So each map is drawn once for all renderers.
+    ///
+    /// # Errors
+    /// A fixture that the format can't hold, or no memory for a map.
+    pub fn draw_own_shadows<L: Copy + Into<Fixture>>(
+        &mut self,
+        scene: &Scene,
+        lights: &[L],
+    ) -> Result<Vec<usize>, DrawError> {
+        self.shadows.draw(scene, lights, self.stripes)
+    }
+
+    /// Returns the shadow map of the fixture with this index: the bits of each depth, row by row.
+    /// Returns `None` if the fixture has no map.
+    pub fn shadow_map(&self, number: usize) -> Option<impl ExactSizeIterator<Item = u32> + '_> {
+        self.shadows.depths(number).map(|depths| depths.iter().map(|&depth| S::depth_to_bits(depth)))
+    }
+
+    /// Takes the shadow map of the fixture with this index from a renderer that has drawn it for
+    /// the same scene and lights, in the same format.
+    ///
+    /// # Errors
+    /// A fixture that the format can't hold; no memory for the map; or a number of depths that is
+    /// not that of the fixture's map, which is 0 for a fixture without shadows.
+    pub fn take_shadow_map<L: Copy + Into<Fixture>>(
+        &mut self,
+        scene: &Scene,
+        lights: &[L],
+        number: usize,
+        depths: &[u32],
+    ) -> Result<(), DrawError> {
+        let fixture = lights.get(number).map(|&light| light.into());
+        let depths = depths.iter().map(|&bits| S::depth_from_bits(bits));
+        self.shadows.take(scene, fixture.as_ref(), number, depths)
     }
 
     /// Lights the tiles that a change affects, and returns whether anything had changed.
@@ -204,8 +264,8 @@ impl<S: Format> Renderer<S> {
         }
     }
 
-    /// Encodes the light for the display, but only where the light has changed. Returns the rows
-    /// from top to bottom; each pixel is red, green and blue in sRGB, and alpha 255.
+    /// Encodes the light for the display, but only where the light has changed. Returns the drawn
+    /// rows from top to bottom; each pixel is red, green and blue in sRGB, and alpha 255.
     pub fn encode(&mut self) -> &[u8] {
         let columns = self.geometry.columns;
         for tile in 0..self.tiles.tiles.len() {
@@ -216,7 +276,7 @@ impl<S: Format> Renderer<S> {
                 let (row, first) = (block / columns, block % columns * LANES);
                 let last = (first + LANES).min(self.width);
                 let pixels = (row * self.width + first) * CHANNELS..(row * self.width + last) * CHANNELS;
-                let place = (first as u32, row as u32);
+                let place = (first as u32, self.stripes.row(row) as u32);
                 self.display.encode(&self.radiance[block], place, &mut self.pixels[pixels]);
             }
         }
@@ -228,7 +288,12 @@ impl<S: Format> Renderer<S> {
         &self.pixels
     }
 
-    /// Returns the width and the height in pixels.
+    /// Returns the rows that are drawn.
+    pub fn stripes(&self) -> Stripes {
+        self.stripes
+    }
+
+    /// Returns the width and the height of the whole picture in pixels.
     pub fn size(&self) -> (usize, usize) {
         (self.width, self.height)
     }
@@ -238,25 +303,25 @@ impl<S: Format> Renderer<S> {
         Account { triangles: self.triangles, ..self.account }
     }
 
-    /// Returns the number of lights evaluated when a pixel was last lit; `None` outside the
-    /// picture.
+    /// Returns the number of lights evaluated when a pixel was last lit; `None` outside the drawn
+    /// rows.
     pub fn lights_evaluated(&self, x: usize, y: usize) -> Option<u16> {
         self.block(x, y).map(|block| self.evaluated[block])
     }
 
-    /// Returns whether the last lighting pass re-lit a pixel; `None` outside the picture.
+    /// Returns whether the last lighting pass re-lit a pixel; `None` outside the drawn rows.
     pub fn is_relit(&self, x: usize, y: usize) -> Option<bool> {
         self.block(x, y).map(|block| self.tiles.tiles[self.tiles.of_block(block)].is_relit)
     }
 
     /// Returns the linear light from a pixel to the eye, 1 being full scale; `None` outside the
-    /// picture.
+    /// drawn rows.
     pub fn linear(&self, x: usize, y: usize) -> Option<Rgb<f32>> {
         self.block(x, y).map(|block| self.radiance[block].map(|channel| channel[x % LANES]))
     }
 
     /// Returns the surface point, the unit normal and the material at a pixel, as used for
-    /// lighting. Returns `None` outside the picture, and where nothing was drawn.
+    /// lighting. Returns `None` outside the drawn rows, and where nothing was drawn.
     pub fn surface(&self, x: usize, y: usize) -> Option<(Vec3<S::Length>, Vec3<S>, Material)> {
         let block = &self.geometry.blocks[self.block(x, y)?];
         let lane = x % LANES;
@@ -269,7 +334,8 @@ impl<S: Format> Renderer<S> {
     /// Returns the index of the block that contains a pixel.
     fn block(&self, x: usize, y: usize) -> Option<usize> {
         let is_inside = x < self.width && y < self.height;
-        is_inside.then(|| y * self.geometry.columns + x / LANES)
+        let row = self.stripes.number(y).filter(|_| is_inside)?;
+        Some(row * self.geometry.columns + x / LANES)
     }
 }
 

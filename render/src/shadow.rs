@@ -2,7 +2,7 @@
 
 pub(crate) mod map;
 
-use crate::{error::DrawError, scene::Scene, shadow::map::ShadowMap};
+use crate::{error::DrawError, scene::Scene, shadow::map::ShadowMap, size::SizeError, stripes::Stripes};
 use alloc::vec::Vec;
 use luminaire::{
     Scalar,
@@ -22,7 +22,8 @@ impl<S: Scalar> Shadows<S> {
         Self { maps: Vec::new(), redrawn: Vec::new() }
     }
 
-    /// Draws the maps whose scene or fixture has changed. Returns whether any map was drawn.
+    /// Draws the maps whose scene or fixture has changed, of those that are dealt to a share of the
+    /// picture. Returns the indices of their fixtures.
     ///
     /// # Errors
     /// A projection that the format can't hold, or no memory. The maps that were drawn before the
@@ -31,9 +32,10 @@ impl<S: Scalar> Shadows<S> {
         &mut self,
         scene: &Scene,
         lights: &[L],
-    ) -> Result<bool, DrawError> {
+        share: Stripes,
+    ) -> Result<Vec<usize>, DrawError> {
         self.maps.resize_with(lights.len(), || None);
-        let mut is_any = false;
+        let (mut drawn, mut dealt) = (Vec::new(), 0);
         for (number, (map, &light)) in self.maps.iter_mut().zip(lights).enumerate() {
             let fixture: Fixture = light.into();
             // A dark light casts no shadow. The map of a dark light is drawn once the light is on.
@@ -44,19 +46,51 @@ impl<S: Scalar> Shadows<S> {
             if fixture.light().is_dark() {
                 continue;
             }
-            let side = side.into();
-            if map.as_ref().is_none_or(|map| map.side() != side) {
-                *map = Some(ShadowMap::new(side)?);
+            dealt += 1;
+            if !share.has(dealt - 1) {
+                continue;
             }
-            let Some(map) = map else { continue };
-            if map.draw(scene, &projection)? {
-                is_any = true;
+            if sized(map, side.into())?.draw(scene, &projection)? {
+                drawn.push(number);
                 if !self.redrawn.contains(&number) {
                     self.redrawn.push(number);
                 }
             }
         }
-        Ok(is_any)
+        Ok(drawn)
+    }
+
+    /// Takes the map of a fixture from a renderer that has drawn it.
+    ///
+    /// # Errors
+    /// A projection that the format can't hold, no memory, or another number of depths than the
+    /// fixture's map has. The map stays as it was.
+    pub(crate) fn take(
+        &mut self,
+        scene: &Scene,
+        fixture: Option<&Fixture>,
+        number: usize,
+        depths: impl ExactSizeIterator<Item = S::Length>,
+    ) -> Result<(), DrawError> {
+        let (side, square) = fixture
+            .and_then(Fixture::shadow)
+            .map_or((0, None), |(side, square)| (usize::from(side), Some(square)));
+        let (Some(map), Some(square)) = (self.maps.get_mut(number), square) else {
+            return Err(SizeError::Depths(depths.len(), 0).into());
+        };
+        if depths.len() != side * side {
+            return Err(SizeError::Depths(depths.len(), side * side).into());
+        }
+        sized(map, side)?.take(scene, &square, depths)?;
+        if !self.redrawn.contains(&number) {
+            self.redrawn.push(number);
+        }
+        Ok(())
+    }
+
+    /// Returns the depths of a fixture's map; `None` without a map.
+    pub(crate) fn depths(&self, number: usize) -> Option<&[S::Length]> {
+        Some(self.maps.get(number)?.as_ref()?.depths())
     }
 
     /// Returns the shadow map of a fixture; `None` before the map has been drawn.
@@ -73,4 +107,10 @@ impl<S: Scalar> Shadows<S> {
     pub(crate) fn settle(&mut self) {
         self.redrawn.clear();
     }
+}
+
+/// Returns the map of a fixture, which is a new one if there was none of this side in texels.
+fn sized<S: Scalar>(map: &mut Option<ShadowMap<S>>, side: usize) -> Result<&mut ShadowMap<S>, SizeError> {
+    let kept = map.take().filter(|map| map.side() == side);
+    Ok(map.insert(kept.map_or_else(|| ShadowMap::new(side), Ok)?))
 }

@@ -6,6 +6,9 @@ use luminaire::projector::Fixture;
 /// The largest width and the largest height of a picture, in pixels.
 pub const LARGEST: usize = 8192;
 
+/// The largest number of shares of a picture.
+pub(crate) const MOST_SHARES: usize = 64;
+
 /// A rejected size of a picture or shadow map.
 ///
 /// The message names the parameter, its value and the accepted values.
@@ -22,6 +25,11 @@ pub enum SizeError {
     Width(usize),
     /// A rejected height: zero, or more than [`LARGEST`] pixels.
     Height(usize),
+    /// A rejected share of a picture, with the number of shares: see
+    /// [`Stripes::new`](crate::Stripes::new).
+    Share(usize, usize),
+    /// A shadow map with a rejected number of depths, and the expected number.
+    Depths(usize, usize),
     /// A rejected side of a shadow map: outside 16 to 2048 texels.
     ShadowSide(usize),
     /// A valid width and height of a picture that does not fit into memory.
@@ -48,6 +56,19 @@ impl fmt::Display for SizeError {
         match self {
             Self::Width(width) => write!(f, "width = {width}: expected 1 to {LARGEST} pixels"),
             Self::Height(height) => write!(f, "height = {height}: expected 1 to {LARGEST} pixels"),
+            Self::Share(share, count) => {
+                let most = MOST_SHARES;
+                write!(
+                    f,
+                    "share = {share} of {count}: expected a share below the count, and a count of 1 to {most}"
+                )
+            }
+            Self::Depths(depths, expected) => {
+                write!(
+                    f,
+                    "depths of a shadow map = {depths}: expected {expected}, those of the fixture's map"
+                )
+            }
             Self::ShadowSide(side) => {
                 let (least, most) = (Fixture::SHADOW_SIDES.start(), Fixture::SHADOW_SIDES.end());
                 write!(f, "side of a shadow map = {side}: expected {least} to {most} texels")

@@ -96,7 +96,7 @@ fn patterns_and_shadows_are_factors() -> Result<(), Error> {
     let compiled = spot.compile::<f32>()?;
     let gobo = fixture.compile_gobo::<f32>()?.expect("it has one");
     let mut map = ShadowMap::<f32>::new(128).expect("a sound side");
-    map.draw(&scene, &Projection::of(&spot)?)?;
+    map.draw(&scene, &Projection::of(&spot)?).expect("the format holds it");
     let shadow = map.shadow().expect("drawn");
     let (mut dimmed, mut shadowed) = (0, 0);
     for (x, y) in pixels() {

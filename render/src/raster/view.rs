@@ -6,6 +6,7 @@ use crate::{
         mesh::Vertex,
     },
     space::bounds::Bounds,
+    stripes::Stripes,
 };
 use glam::{Vec2, Vec3};
 use luminaire::projector::Projection;
@@ -32,6 +33,8 @@ pub(crate) struct View {
     first: Vec3,
     /// Half the width and half the height of the picture, in screen coordinate units.
     half: Vec2,
+    /// The rows that are drawn.
+    stripes: Stripes,
 }
 
 /// A vertex in camera space. The vertex is in view if x and y are in [-depth, depth] and depth >=
@@ -57,9 +60,11 @@ pub(crate) struct Corner {
 }
 
 impl View {
-    pub(crate) fn new(camera: &Camera, width: usize, height: usize) -> Self {
+    /// Returns the view of a camera for a picture of this width and height, of which these stripes
+    /// are drawn.
+    pub(crate) fn new(camera: &Camera, width: usize, height: usize, stripes: Stripes) -> Self {
         let half_angle = Vec2::from_angle(camera.field_of_view() / 2.0);
-        Self::of_pose(camera.pose(), half_angle.y / half_angle.x, width, height)
+        Self { stripes, ..Self::of_pose(camera.pose(), half_angle.y / half_angle.x, width, height) }
     }
 
     /// Returns the view from a light onto the square that it projects, with `side` texels per side.
@@ -88,6 +93,7 @@ impl View {
             row,
             first: pose.ahead + column * (0.5 - 0.5 * width) + row * (0.5 - 0.5 * height),
             half: Vec2::new(width, height) * (0.5 * (1 << SUBPIXEL_BITS) as f32),
+            stripes: Stripes::ALL,
         }
     }
 
@@ -136,10 +142,11 @@ impl View {
         self.ahead
     }
 
-    /// Returns the vectors to a row's first pixel and from one pixel to the next.
+    /// Returns the vectors to a row's first pixel and from one pixel to the next. Rows are numbered
+    /// among those that are drawn.
     ///
     /// Both vectors are at depth 1. The first vector is from the eye to the centre of the pixel.
     pub(crate) fn ray(&self, row: usize) -> (Vec3, Vec3) {
-        (self.first + self.row * row as f32, self.column)
+        (self.first + self.row * self.stripes.row(row) as f32, self.column)
     }
 }

@@ -4,7 +4,7 @@ use crate::{
     buffer::Radiance,
     light::{Setting, Workspace, block::Block, prepared::Prepared},
 };
-use luminaire::{Fx16, Fx32, Scalar};
+use luminaire::{Fx16, Fx32, Scalar, number::Length};
 
 /// A number format of the renderer: `f32`, [`Fx32`] or [`Fx16`].
 pub trait Format: Scalar + Loops {
@@ -24,6 +24,12 @@ pub trait Loops: Scalar {
         work: &mut Workspace<Self>,
         radiance: &mut Radiance,
     ) -> usize;
+
+    /// The bits of a depth.
+    fn depth_to_bits(depth: Self::Length) -> u32;
+
+    /// The depth of these bits.
+    fn depth_from_bits(bits: u32) -> Self::Length;
 }
 
 impl Format for f32 {
@@ -39,7 +45,7 @@ impl Format for Fx16 {
 }
 
 macro_rules! loops {
-    ($($format:ty)*) => {$(
+    ($($format:ty, $to_bits:expr, $from_bits:expr;)*) => {$(
         impl Loops for $format {
             fn light(
                 setting: &Setting<'_, Self>,
@@ -50,11 +56,23 @@ macro_rules! loops {
             ) -> usize {
                 setting.light(block, fixtures, work, radiance)
             }
+
+            fn depth_to_bits(depth: Self::Length) -> u32 {
+                $to_bits(depth)
+            }
+
+            fn depth_from_bits(bits: u32) -> Self::Length {
+                $from_bits(bits)
+            }
         }
     )*};
 }
 
-loops!(f32 Fx32 Fx16);
+loops! {
+    f32, f32::to_bits, f32::from_bits;
+    Fx32, |depth: Length| depth.to_bits() as u32, |bits| Length::from_bits(bits as i32);
+    Fx16, |depth: Length| depth.to_bits() as u32, |bits| Length::from_bits(bits as i32);
+}
 
 /// Returns the largest difference of a channel between a picture in this format and a picture in
 /// `f32`.

@@ -4,7 +4,7 @@ use super::Renderer;
 use crate::{
     buffer::LANES,
     light::{Setting, air, rig::Rig},
-    renderer::{account::Account, format::Format, reached::Reached},
+    renderer::{account::Account, display::CHANNELS, format::Format, reached::Reached},
 };
 use alloc::vec::Vec;
 use luminaire::{Error, dynamic::RenderPlan, projector::Fixture};
@@ -24,7 +24,7 @@ impl<S: Format> Renderer<S> {
         let rig = Rig::new(plan, &fixtures, self.haze)?;
         self.make_room(fixtures.len());
         let (is_new, changed) = (self.lit.is_none(), self.changed(&fixtures));
-        let (tiles, pixels) = (self.tiles.tiles.len(), self.width * self.height);
+        let (tiles, pixels) = (self.tiles.tiles.len(), self.pixels.len() / CHANNELS);
         self.account = Account::new(tiles, fixtures.len(), rig.kept(), pixels);
         let near = self.approach(&rig, &changed);
         for tile in 0..tiles {

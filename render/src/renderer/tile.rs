@@ -1,12 +1,12 @@
 //! Tiles: rectangles of blocks that are re-lit or kept as a whole. Regions: squares of tiles.
 
-use crate::{buffer::filled, light::block::Block, space::bounds::Bounds};
+use crate::{buffer::filled, light::block::Block, space::bounds::Bounds, stripes::Stripes};
 use alloc::{collections::TryReserveError, vec::Vec};
 use core::ops::Range;
 use luminaire::{Scalar, haze::RayBundle};
 
 /// Rows per tile. A tile is one block wide.
-const ROWS: usize = 16;
+const ROWS: usize = Stripes::ROWS;
 
 /// Tiles along a side of a region.
 const SIDE: usize = 4;

@@ -5,6 +5,7 @@ mod slope;
 
 use crate::{
     buffer::filled,
+    error::DrawError,
     raster::{
         clip::{Sighting, clip_mesh},
         view::View,
@@ -56,11 +57,13 @@ use slope::{Slope, depth_error};
 #[derive(Clone, Debug)]
 pub struct ShadowMap<S: Scalar> {
     side: usize,
-    layer: Layer,
+    /// Scratch memory to draw the map; `None` until it is drawn.
+    layer: Option<Layer>,
     depths: Vec<S::Length>,
     drawn: Option<Drawn<S>>,
-    /// Bounding sphere of each object of the last scene.
+    /// Bounding sphere of each object of the scene that was drawn last.
     bounds: Vec<Bounds>,
+    bounded: Option<Fingerprint>,
     sightings: Vec<Sighting>,
 }
 
@@ -70,6 +73,12 @@ struct Drawn<S: Scalar> {
     scene: Fingerprint,
     projection: Projection,
     compiled: CompiledProjection<S>,
+}
+
+impl<S: Scalar> Drawn<S> {
+    fn new(scene: &Scene, projection: &Projection) -> Result<Self, Error> {
+        Ok(Self { scene: scene.fingerprint(), projection: *projection, compiled: projection.compile::<S>()? })
+    }
 }
 
 impl<S: Scalar> ShadowMap<S> {
@@ -87,10 +96,11 @@ impl<S: Scalar> ShadowMap<S> {
     fn with_memory(side: usize) -> Result<Self, TryReserveError> {
         Ok(Self {
             side,
-            layer: Layer::new(side)?,
+            layer: None,
             depths: filled(side * side, S::Length::default())?,
             drawn: None,
             bounds: Vec::new(),
+            bounded: None,
             sightings: Vec::new(),
         })
     }
@@ -99,17 +109,17 @@ impl<S: Scalar> ShadowMap<S> {
     /// if not, the call is a no-op.
     ///
     /// # Errors
-    /// A projection that the format can't hold; the map stays as it was.
-    pub fn draw(&mut self, scene: &Scene, projection: &Projection) -> Result<bool, Error> {
-        let drawn = Drawn {
-            scene: scene.fingerprint(),
-            projection: *projection,
-            compiled: projection.compile::<S>()?,
-        };
+    /// A projection that the format can't hold, or no memory to draw; the map stays as it was.
+    pub fn draw(&mut self, scene: &Scene, projection: &Projection) -> Result<bool, DrawError> {
+        let drawn = Drawn::new(scene, projection)?;
         if self.drawn == Some(drawn) {
             return Ok(false);
         }
-        if self.drawn.is_none_or(|before| before.scene != drawn.scene) {
+        let layer = match &mut self.layer {
+            Some(layer) => layer,
+            none => none.insert(Layer::new(self.side).map_err(|_| SizeError::Memory(self.side, self.side))?),
+        };
+        if self.bounded.replace(drawn.scene) != Some(drawn.scene) {
             let positions = scene.objects().iter().map(|object| object.mesh.vertices());
             self.bounds.clear();
             self.bounds.extend(positions.map(|mesh| Bounds::of(mesh.iter().map(|vertex| vertex.position))));
@@ -117,7 +127,7 @@ impl<S: Scalar> ShadowMap<S> {
         let view = View::of_light(projection, self.side);
         let tangent = projection.tangent();
         let slope = Slope::new::<S>(tangent, self.side);
-        self.layer.clear();
+        layer.clear();
         for (object, bounds) in scene.objects().iter().zip(&self.bounds) {
             if view.misses(bounds) {
                 continue;
@@ -128,14 +138,34 @@ impl<S: Scalar> ShadowMap<S> {
             clip_mesh(&view, &object.mesh, &mut self.sightings, |corners, visible| {
                 let corners = corners.map(Sighting::seen);
                 if !(is_solid && slope.is_turned_away(corners)) {
-                    self.layer.draw(visible, || slope.within_texel(corners));
+                    layer.draw(visible, || slope.within_texel(corners));
                 }
             });
         }
         let texel = 2.0 * tangent / self.side as f32;
-        self.layer.resolve::<S>(texel, 1.0 + depth_error::<S>(tangent), &mut self.depths);
+        layer.resolve::<S>(texel, 1.0 + depth_error::<S>(tangent), &mut self.depths);
         self.drawn = Some(drawn);
         Ok(true)
+    }
+
+    /// Takes the depths of a map that was drawn for a scene and a projection in this format.
+    ///
+    /// # Errors
+    /// A projection that the format can't hold; the map stays as it was.
+    pub(crate) fn take(
+        &mut self,
+        scene: &Scene,
+        projection: &Projection,
+        depths: impl Iterator<Item = S::Length>,
+    ) -> Result<(), Error> {
+        self.drawn = Some(Drawn::new(scene, projection)?);
+        self.depths.iter_mut().zip(depths).for_each(|(old, new)| *old = new);
+        Ok(())
+    }
+
+    /// Returns the depths, row by row.
+    pub(crate) fn depths(&self) -> &[S::Length] {
+        &self.depths
     }
 
     /// Returns the map for shadow tests; `None` before the map has been drawn.

@@ -3,6 +3,7 @@
 use crate::{
     buffer::filled,
     raster::{Grid, Span, faced, view::Corner},
+    stripes::Stripes,
 };
 use alloc::{collections::TryReserveError, vec::Vec};
 use luminaire::Scalar;
@@ -28,7 +29,7 @@ impl Layer {
         let stride = side + 2;
         let plane = || filled(stride * stride, 0.0_f32);
         Ok(Self {
-            grid: Grid { width: side, height: side, stride },
+            grid: Grid { width: side, height: side, stride, stripes: Stripes::ALL },
             nearness: plane()?,
             hiding: plane()?,
             column: filled(stride, 0.0)?,
