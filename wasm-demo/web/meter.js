@@ -25,6 +25,8 @@ export class Meter {
 
   /** The comparison view; undefined until it is opened. */
   comparison;
+  /** The view of the chip; undefined until it is opened. */
+  chip;
 
   constructor(stage, page) {
     this.#stage = stage;

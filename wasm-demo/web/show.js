@@ -17,7 +17,7 @@ async function start() {
   }
 }
 
-/** Starts the demo. The comparison is opened when it is first requested. */
+/** Starts the demo. The other views are opened when they are first requested. */
 export async function open() {
   await start();
   const { width, height } = requestedSize(location.search);
@@ -31,11 +31,19 @@ export async function open() {
       return (meter.comparison = await ComparisonView.open());
     },
   };
+  const chip = {
+    element: document.getElementById("chip"),
+    async open(attempt) {
+      const { ChipView } = await load("chip-view.js", attempt);
+      return (meter.chip = await ChipView.open());
+    },
+  };
   window.luminaire = meter;
   await new Views(
     new Map([
       ["stage", { element: document.getElementById("stage-page"), open: async () => page }],
       ["compare", comparison],
+      ["chip", chip],
     ]),
   ).show();
 }

@@ -16,6 +16,8 @@ mod path;
 mod quadratic;
 mod scene;
 mod shadow;
+#[cfg(not(target_os = "none"))]
+mod shown;
 mod tally;
 #[cfg(test)]
 mod tests;
@@ -27,6 +29,8 @@ use paint::{Ambient, Key};
 use scene::Site;
 
 pub use path::FRAMES;
+#[cfg(not(target_os = "none"))]
+pub use shown::Shown;
 pub use tally::Tally;
 
 /// The stages of a row, in the order in which they run.

@@ -7,12 +7,10 @@ mod uf2;
 
 use std::fs;
 use std::path::PathBuf;
-use std::process::Command;
 
 use anyhow::{Context, Result, ensure};
 use tools::progress::Progress;
-use tools::project;
-use tools::toolchain::Toolchain;
+use tools::{board, project};
 
 use crate::size::program::Program;
 
@@ -56,20 +54,10 @@ impl Device {
 
     /// Builds the firmware. Returns its file.
     fn build(&self, progress: &Progress) -> Result<PathBuf> {
-        let toolchain = Toolchain::find(self.target, progress)?;
-        let mut build = in_folder(self.name, toolchain.cargo_build("core", &[]));
-        build.arg("--release");
-        progress.run(build)?;
-        let file = toolchain.artifacts("release").join(format!("luminaire-{}", self.name));
+        let file = board::build(self.name, self.target, progress)?;
         Program::read(&file)?.has_no_float()?;
         Ok(file)
     }
-}
-
-/// Makes a call of cargo run in a folder of `boards`.
-fn in_folder(name: &str, mut cargo: Command) -> Command {
-    cargo.current_dir(project::root().join("boards").join(name));
-    cargo
 }
 
 /// Builds the firmware of a board and writes the file that is copied to it, or checks the firmware.

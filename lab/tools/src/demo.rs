@@ -1,5 +1,7 @@
 //! The browser demo: building its folder, and timing its frames.
 
+mod chip;
+mod licenses;
 pub mod preview;
 pub mod publish;
 mod shrink;

@@ -82,14 +82,19 @@ fn until_unlocked(end: Instant, wait: impl Fn(), run: impl Fn() -> Result<Ended>
 
 /// The program of an npm package in `target/tools`, if it is installed there.
 pub fn npm_program(name: &str) -> Option<PathBuf> {
-    let program = tools().join("node_modules/.bin").join(name);
+    let program = npm_modules().join(".bin").join(name);
     program.is_file().then_some(program)
 }
 
 /// The folder of an npm package in `target/tools`, if it is installed there.
 pub fn npm_folder(name: &str) -> Option<PathBuf> {
-    let folder = tools().join("node_modules").join(name);
+    let folder = npm_modules().join(name);
     folder.is_dir().then_some(folder)
+}
+
+/// The folder of the npm packages in `target/tools`.
+pub fn npm_modules() -> PathBuf {
+    tools().join("node_modules")
 }
 
 /// Installs an npm package into `target/tools`, never globally.

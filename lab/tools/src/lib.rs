@@ -1,6 +1,7 @@
 //! The tools of the project's commands: running programs, compilers for every target, a web server
 //! and a browser; and reporting progress.
 
+pub mod board;
 pub mod browser;
 pub mod command;
 pub mod compilers;

@@ -23,6 +23,8 @@ pub struct Package {
 
 /// The demo, which uses the vector instructions.
 pub const DEMO: Package = Package { name: "wasm-demo", library: "wasm_demo", simd: true };
+/// What the board of the demo must show. It shares the demo's standard library.
+pub const CHIP: Package = Package { name: "luminaire-chip", library: "luminaire_chip", simd: true };
 /// The program that times the kernels.
 pub const PRICES: Package = Package { name: "luminaire-prices", library: "luminaire_prices", simd: false };
 /// The program that times the kernels, with vector instructions.

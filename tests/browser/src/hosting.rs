@@ -5,7 +5,7 @@ use std::fs;
 
 use anyhow::{Context, Result, ensure};
 
-use crate::Visitor;
+use crate::{Visitor, chip};
 use tools::browser::Page;
 use tools::demo::{preview, publish::publish, site};
 use tools::project;
@@ -48,6 +48,7 @@ pub(crate) fn works_under_a_path(visitor: &mut Visitor) -> Result<()> {
         ensure!(current == format!("#{view}") && !page.shows("absent")?, "{view} does not open");
         page.must_be_content()?;
     }
+    chip::is_small(&folder)?;
     preview_is_there(&mut page, &folder)
 }
 

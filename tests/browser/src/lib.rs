@@ -2,6 +2,7 @@
 
 mod address;
 mod angles;
+mod chip;
 mod comparison;
 mod contrast;
 mod failure;
@@ -40,7 +41,7 @@ const STILL: &str = "#stage?scene=three-point&play=none";
 pub type Test = (&'static str, fn(&mut Visitor) -> Result<()>);
 
 /// Every test.
-pub const ALL: [Test; 58] = [
+pub const ALL: [Test; 59] = [
     ("the page becomes ready without a complaint", picture::becomes_ready),
     ("the picture is lit by its lights, in several colours", picture::is_lit),
     ("a picture that the canvas refused is shown with the next draw", picture::is_shown_again),
@@ -101,6 +102,7 @@ pub const ALL: [Test; 58] = [
     ("forced colours hide nothing", contrast::forced_colours_hide_nothing),
     ("the page asks nobody but its own server", network::stays_at_home),
     ("the page's policy forbids all other code and data", network::policy_forbids_the_rest),
+    ("the chip in the page shows the right pixels, and is loaded when opened", chip::shows_the_right_pixels),
     ("the folder for static hosts works under a path", hosting::works_under_a_path),
 ];
 

@@ -11,7 +11,7 @@ import fs from "node:fs";
 import path from "node:path";
 import { pathToFileURL } from "node:url";
 
-import { BEGIN, END, segments } from "./elf.mjs";
+import { BEGIN, END, segments } from "../../../../boards/emulator/elf.mjs";
 
 const [library, firmware, counts] = process.argv.slice(2);
 const entry = path.join(library, "dist", "esm", "index.js");
@@ -25,7 +25,7 @@ const core = chip.core;
 /** Copies the segments of an ELF file into the ROM and returns it as 16-bit words. */
 function load(file) {
   chip.bootrom = new Uint32Array(ROM_BYTES / 4);
-  for (const [address, bytes] of segments(file)) Buffer.from(chip.bootrom.buffer).set(bytes, address);
+  for (const [address, bytes] of segments(fs.readFileSync(file))) Buffer.from(chip.bootrom.buffer).set(bytes, address);
   [core.SP, core.PC, core.VTOR] = [chip.bootrom[0], chip.bootrom[1] & ~1, 0];
   return new Uint16Array(chip.bootrom.buffer);
 }

@@ -6,13 +6,10 @@ use std::process::Command;
 
 use anyhow::{Context, Result, ensure};
 use tools::progress::Progress;
-use tools::{command, install, project};
+use tools::{board, command, install, project};
 
 use super::board::Board;
 use super::laboratory::Run;
-
-/// The emulator's package, of the version that the recorded cycles are from.
-const PACKAGE: &str = "rp2040js@1.4.1";
 
 /// Runs firmware in the emulator.
 const SCRIPT: &str = "lab/measure/src/boards/rp2040.mjs";
@@ -38,12 +35,7 @@ impl Rp2040 {
             install::apt(&PROGRAMS, progress)?;
         }
         let node = node().context("node is not installed, which counts cycles: install nodejs and npm")?;
-        let (name, _) = PACKAGE.split_once('@').context("a package with its version")?;
-        if install::npm_folder(name).is_none() {
-            install::npm(PACKAGE, progress)?;
-        }
-        let library = install::npm_folder(name).context("npm has not installed the emulator")?;
-        Ok(Self { node, library })
+        Ok(Self { node, library: board::emulator(progress)? })
     }
 
     /// A call of a script that takes the emulator's folder as its first argument.
@@ -55,7 +47,7 @@ impl Rp2040 {
 
     /// The name and the version, as in `rp2040js 1.4.1`.
     pub(crate) fn describe() -> String {
-        PACKAGE.replace('@', " ")
+        board::RP2040JS.replace('@', " ")
     }
 
     /// Returns the cycles of each region of a program that QEMU has run. An error if it prints other

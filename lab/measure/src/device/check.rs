@@ -1,11 +1,10 @@
 //! The check of a board's firmware: what its display receives, against the host's pixels.
 
 use std::fs;
-use std::ops::Range;
 use std::path::Path;
 
 use anyhow::{Context, Result, ensure};
-use luminaire_stage::{CHECKSUM, Stage, checksum};
+use luminaire_stage::Shown;
 use serde::Deserialize;
 use tools::command;
 use tools::progress::Progress;
@@ -39,14 +38,6 @@ struct Received {
     pixels: Vec<u16>,
 }
 
-/// A picture as it must be.
-struct Expected {
-    name: String,
-    columns: [u16; 2],
-    rows: [u16; 2],
-    pixels: Vec<u16>,
-}
-
 /// Runs the firmware of the RP2040 from the second stage of the boot on. Returns a line for each
 /// picture, that of the recorded frame last. An error if a pixel differs from the host's, or if the
 /// recorded frame takes another number of instructions than in QEMU, by the same compiler.
@@ -55,10 +46,10 @@ pub(super) fn check(firmware: &Path, progress: &Progress) -> Result<Vec<String>>
     let stages = luminaire_stage::STAGES.split(' ').count();
     let mut regions = recorded.regions.as_slice();
     let (mut lines, mut last) = (Vec::new(), None);
-    let expected = [still(), frame(0), frame(1)];
     ensure!(recorded.pictures.len() == PICTURES, "the display has received {}", recorded.pictures.len());
-    for ((expected, received), line) in expected.iter().zip(&recorded.pictures).zip(&recorded.lines) {
-        expected.compare(received, line)?;
+    for ((number, received), line) in (0..).zip(&recorded.pictures).zip(&recorded.lines) {
+        let expected = Shown::numbered(number);
+        compare(&expected, received, line)?;
         let count = stages * (expected.rows[1] - expected.rows[0] + 1) as usize;
         let (counted, rest) = regions.split_at_checked(count).context("the emulator lacks regions")?;
         regions = rest;
@@ -85,41 +76,17 @@ fn run(firmware: &Path, progress: &Progress) -> Result<Recorded> {
     serde_json::from_str(&text).context("rp2040js has recorded something else")
 }
 
-impl Expected {
-    /// A picture in the middle of a display of 240 x 240 pixels.
-    fn new<const WIDTH: usize>(name: String, frame: u32, rows: Range<i32>) -> Self {
-        let middle = |size: usize| [(240 - size) / 2, (240 + size) / 2 - 1].map(|place| place as u16);
-        let (columns, lines) = (middle(WIDTH), middle(rows.len()));
-        let mut stage = Stage::<WIDTH>::default();
-        stage.turn_to(frame);
-        let mut row = [0; WIDTH];
-        let pixels = rows.flat_map(|number| {
-            stage.draw::<()>(number, &mut row);
-            row
-        });
-        Self { name, columns, rows: lines, pixels: pixels.collect() }
-    }
-
-    /// Fails if the display has received something else, or if the line on the UART states another
-    /// checksum.
-    fn compare(&self, received: &Received, line: &str) -> Result<()> {
-        let Self { name, columns, rows, pixels } = self;
-        let window = (&received.columns, &received.rows);
-        ensure!(window == (columns, rows), "{name}: window {window:?}, expected {columns:?} and {rows:?}");
-        let count = received.pixels.len();
-        ensure!(count == pixels.len(), "{name}: {count} pixels received, expected {}", pixels.len());
-        let differ = received.pixels.iter().zip(pixels).filter(|(received, pixel)| received != pixel).count();
-        ensure!(differ == 0, "{name}: {count} pixels, {differ} differ");
-        let start = format!("{name}: {count} pixels, checksum {:08x}, ", checksum(CHECKSUM, pixels));
-        ensure!(line.starts_with(&start), "expected `{start}`, found `{line}` on the UART");
-        Ok(())
-    }
-}
-
-fn still() -> Expected {
-    Expected::new::<240>("still".to_owned(), 0, -40..200)
-}
-
-fn frame(number: u32) -> Expected {
-    Expected::new::<160>(format!("frame {number}"), number, 0..120)
+/// Fails if the display has received something else than expected, or if the line on the UART states
+/// another checksum.
+fn compare(expected: &Shown, received: &Received, line: &str) -> Result<()> {
+    let Shown { name, columns, rows, pixels } = expected;
+    let window = (&received.columns, &received.rows);
+    ensure!(window == (columns, rows), "{name}: window {window:?}, expected {columns:?} and {rows:?}");
+    let count = received.pixels.len();
+    ensure!(count == pixels.len(), "{name}: {count} pixels received, expected {}", pixels.len());
+    let differ = received.pixels.iter().zip(pixels).filter(|(received, pixel)| received != pixel).count();
+    ensure!(differ == 0, "{name}: {count} pixels, {differ} differ");
+    let start = format!("{name}: {count} pixels, checksum {:08x}, ", expected.checksum());
+    ensure!(line.starts_with(&start), "expected `{start}`, found `{line}` on the UART");
+    Ok(())
 }

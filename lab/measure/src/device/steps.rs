@@ -1,9 +1,10 @@
 //! The boards' part of `cargo xtask full`.
 
+use tools::board::in_folder;
 use tools::suite::Suite;
 use tools::{command, tally};
 
-use super::{ALL, check, in_folder};
+use super::{ALL, check};
 
 /// The packages that are not the firmware of a board: what the boards share, and the firmware to
 /// copy.

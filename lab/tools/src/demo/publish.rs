@@ -234,7 +234,8 @@ fn imports(modules: &BTreeSet<String>, files: &BTreeMap<String, Vec<u8>>) -> Opt
     (!all.is_subset(modules)).then_some(all)
 }
 
-fn gzip(content: &[u8]) -> Result<usize> {
+/// The size of a file after compression by gzip.
+pub fn gzip(content: &[u8]) -> Result<usize> {
     let mut encoder = GzEncoder::new(Vec::new(), Compression::best());
     encoder.write_all(content)?;
     Ok(encoder.finish()?.len())

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, Result};
 use serde_json::Value;
 
-use super::{preview, shrink};
+use super::{chip, preview, shrink};
 use crate::progress::Progress;
 use crate::{project, wasm};
 
@@ -25,7 +25,7 @@ pub fn views() -> impl Iterator<Item = &'static str> {
 }
 
 /// Builds the demo into `target/demo`: the page from `wasm-demo/web`, the price list, the picture for
-/// link previews, the bindings in `pkg`.
+/// link previews, the bindings in `pkg`, and what the board in the page needs.
 pub fn build(progress: &Progress) -> Result<PathBuf> {
     let module = wasm::DEMO.compile(progress)?;
     let site = project::target().join("demo");
@@ -38,7 +38,8 @@ pub fn build(progress: &Progress) -> Result<PathBuf> {
         preview::write(new)?;
         step.done();
         let bound = wasm::DEMO.bind(&module, &new.join("pkg"), progress)?;
-        shrink::shrink(&bound, progress)
+        shrink::shrink(&bound, progress)?;
+        chip::write(new, progress)
     })?;
     Ok(site)
 }
@@ -178,7 +179,7 @@ mod tests {
 
     #[test]
     fn the_views_are_those_of_the_navigation() {
-        assert_eq!(views().collect::<Vec<_>>(), ["stage", "compare"]);
+        assert_eq!(views().collect::<Vec<_>>(), ["stage", "compare", "chip"]);
     }
 
     #[test]

@@ -1,0 +1,129 @@
+// The RP2040's board in rp2040js: runs its firmware from the second stage of the boot on, with an
+// ST7789 at SPI0, and counts the instructions and cycles between the markers. The memory has no wait
+// states. Runs in Node.js and in a browser.
+
+import { Display } from "./display.mjs";
+import { BEGIN, END, segments } from "./elf.mjs";
+
+const FLASH = 0x10000000;
+const STAGE2_BYTES = 256;
+const STAGE2_PLACE = 0x20041f00; // where the boot ROM runs the second stage
+const TIMER = 0x40054;
+const TIMERAWL = 0x28;
+const IS_DATA = 16; // the pin that tells commands from data
+/**
+ * Nanoseconds that pass with each look at the timer. The firmware looks at it only to wait while the
+ * display starts: 300 ms, in 24 million instructions without this.
+ */
+const LOOK = 10_000;
+
+const NOTHING = () => {};
+
+export class Board {
+  #chip;
+  #clock;
+  #flash;
+  #region;
+  #text = "";
+
+  /** The display. */
+  display = new Display();
+  /** Called with each line that the UART prints. */
+  online = (_line) => {};
+  /** Called with the instructions and the cycles of each marked region at its end. */
+  onregion = (_instructions, _cycles) => {};
+
+  /**
+   * @param {Function} Simulator the class of rp2040js
+   * @param {Uint8Array} elf the firmware's file
+   */
+  constructor(Simulator, elf) {
+    const { rp2040: chip, clock } = new Simulator();
+    [this.#chip, this.#clock] = [chip, clock];
+    const fail = (part, text) => {
+      throw new Error(`${part}: ${text}`);
+    };
+    chip.logger = { debug: NOTHING, info: NOTHING, warn: NOTHING, error: fail };
+    for (const [address, bytes] of segments(elf)) chip.flash.set(bytes, address - FLASH);
+    this.#flash = new Uint16Array(chip.flash.buffer, chip.flash.byteOffset, chip.flash.length / 2);
+    this.#connect();
+    this.#boot();
+  }
+
+  /** Nanoseconds since the start, in the time of the chip. */
+  get nanos() {
+    return this.#clock.nanos;
+  }
+
+  /** Cycles of the processor's clock a second. */
+  get frequency() {
+    return this.#chip.clkSys;
+  }
+
+  /** Executes instructions. */
+  run(count) {
+    const [chip, clock, flash] = [this.#chip, this.#clock, this.#flash];
+    const { core } = chip;
+    for (let i = 0; i < count; i++) {
+      const opcode = flash[(core.PC - FLASH) >>> 1]; // undefined outside of the flash
+      const cycles = core.executeInstruction();
+      clock.tick((cycles * 1e9) / chip.clkSys);
+      if (opcode === BEGIN) {
+        this.#region = [0, 0];
+      } else if (opcode === END) {
+        this.onregion(...this.#region);
+        this.#region = undefined;
+      } else if (this.#region) {
+        this.#region[0] += 1;
+        this.#region[1] += cycles;
+      }
+    }
+  }
+
+  #connect() {
+    const [chip, clock, display] = [this.#chip, this.#clock, this.display];
+    const spi = chip.spi[0];
+    const sent = clock.createAlarm(() => spi.completeTransmit(0));
+    spi.onTransmit = (word) => {
+      const isData = chip.gpio[IS_DATA].value === 1;
+      for (let shift = spi.dataBits - 8; shift >= 0; shift -= 8) display.receive((word >> shift) & 0xff, isData);
+      sent.schedule((spi.dataBits * 1e9) / spi.clockFrequency);
+    };
+    chip.uart[0].onByte = (byte) => {
+      this.#text += String.fromCharCode(byte);
+      if (!this.#text.endsWith("\r\n")) return;
+      this.online(this.#text.slice(0, -2));
+      this.#text = "";
+    };
+    const timer = chip.peripherals[TIMER];
+    const read = timer.readUint32;
+    timer.readUint32 = (offset) => {
+      if (offset === TIMERAWL) clock.tick(LOOK);
+      return read.call(timer, offset);
+    };
+  }
+
+  /** Does what the boot ROM does: checks the second stage, copies it to RAM and starts it. */
+  #boot() {
+    const { core, flash } = this.#chip;
+    const stage2 = flash.subarray(0, STAGE2_BYTES);
+    const sum = new DataView(stage2.buffer, stage2.byteOffset).getUint32(STAGE2_BYTES - 4, true);
+    if (checksum(stage2.subarray(0, -4)) !== sum) {
+      throw new Error("the boot ROM would refuse the second stage of the boot: its checksum is wrong");
+    }
+    stage2.forEach((byte, at) => this.#chip.writeUint8(STAGE2_PLACE + at, byte));
+    core.SP = STAGE2_PLACE;
+    core.LR = 0; // the second stage starts the program, instead of returning
+    core.PC = STAGE2_PLACE;
+  }
+}
+
+/** The boot ROM's checksum: CRC-32, most significant bit first. */
+function checksum(bytes) {
+  let sum = 0xffffffff;
+  for (const byte of bytes) {
+    sum ^= byte << 24;
+    for (let bit = 0; bit < 8; bit++) sum = (sum << 1) ^ (sum < 0 ? 0x04c11db7 : 0);
+  }
+  return sum >>> 0;
+}

@@ -1,0 +1,64 @@
+//! The board of the demo that runs in the page: firmware, an emulator in a worker, and the pictures
+//! that its display must receive.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use anyhow::{Context, Result};
+
+use super::{licenses, shrink};
+use crate::progress::Progress;
+use crate::{board, install, project, wasm};
+
+/// The firmware: the folder of its package, which is also its name in the demo's folder.
+const FIRMWARE: &str = "rp2040";
+const TARGET: &str = "thumbv6m-none-eabi";
+
+/// Bundles the worker with the emulator, so that a browser loads one small file.
+const BUNDLER: &str = "esbuild@0.28.2";
+
+/// Writes the firmware, the worker and the module into the demo's folder. Without npm, the demo is
+/// complete but for this view, so that a missing npm is reported and is no error.
+pub(super) fn write(site: &Path, progress: &Progress) -> Result<()> {
+    let emulator = match tools(progress) {
+        Ok(emulator) => emulator,
+        Err(error) => {
+            progress.say("Leaving", format_args!("out the view of the chip: {error:#}"));
+            return Ok(());
+        }
+    };
+    let step = progress.begin("Building", format_args!("the firmware of the {FIRMWARE}"));
+    let firmware = board::build(FIRMWARE, TARGET, progress)?;
+    step.done();
+    let module = wasm::CHIP.compile(progress)?;
+    copy(&firmware, &site.join(format!("{FIRMWARE}.elf")))?;
+    bundle(site, progress)?;
+    licenses::write(&site.join("chip-licenses.txt"), FIRMWARE, TARGET, &emulator)?;
+    let bound = wasm::CHIP.bind(&module, &site.join("chip"), progress)?;
+    shrink::shrink(&bound, progress)
+}
+
+/// Finds or installs what bundles the worker. Returns the emulator's folder.
+fn tools(progress: &Progress) -> Result<PathBuf> {
+    if install::npm_program("esbuild").is_none() {
+        install::npm(BUNDLER, progress)?;
+    }
+    board::emulator(progress)
+}
+
+/// Bundles the worker with what it imports, but for the bindings of the module, whose address it
+/// needs.
+fn bundle(site: &Path, progress: &Progress) -> Result<()> {
+    let esbuild = install::npm_program("esbuild").context("npm has not installed esbuild")?;
+    let mut bundle = Command::new(esbuild);
+    bundle.arg(project::root().join("wasm-demo/chip/worker.js"));
+    bundle.args(["--bundle", "--minify", "--format=esm", "--external:./chip/*", "--log-level=error"]);
+    bundle.arg(format!("--outfile={}", site.join("chip-worker.js").display()));
+    bundle.env("NODE_PATH", install::npm_modules());
+    progress.run(bundle)
+}
+
+fn copy(from: &Path, to: &Path) -> Result<()> {
+    fs::copy(from, to).map(drop).with_context(|| format!("cannot copy {}", from.display()))
+}
