@@ -35,7 +35,7 @@ pub(crate) fn shows_the_right_pixels(visitor: &mut Visitor) -> Result<()> {
     ensure!((100.0..1000.0).contains(&cycles), "{cycles} cycles a pixel");
     ensure!(page.number("probe.place('#chip-display').width % 240")? == 0.0, "the pixels have unequal sizes");
 
-    // Stopped, the chip shows one picture more when the visitor asks for it.
+    // Stopped, the chip shows one picture more when the visitor steps.
     page.ask("new Promise((resolve) => setTimeout(resolve, 300))")?;
     let before = page.number("luminaire.chip.drawn")?;
     page.ask("document.getElementById('chip-picture').click()")?;
