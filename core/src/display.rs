@@ -8,7 +8,7 @@ mod rgb565;
 mod srgb;
 
 pub use self::{
-    dither::encode_srgb_dithered,
+    dither::{encode_srgb_dithered, encode_srgb_dithered_each},
     exposure::{CompiledExposure, Exposure},
     fit::{clip, compress_keep_hue},
     ramp::Rgb565Ramp,

@@ -3,7 +3,7 @@
 
 use luminaire::{
     Fx16, Fx32, Rgb, Scalar,
-    display::{Rgb565, decode_srgb, encode_srgb_dithered},
+    display::{Rgb565, decode_srgb, encode_srgb_dithered, encode_srgb_dithered_each},
 };
 use support::{format::Format, oracle};
 
@@ -54,6 +54,43 @@ fn a_value_on_a_threshold_shows_the_lower_code() {
         assert_eq!(u32::from(encode_srgb_dithered(value, x, y)), code, "{x} {y}");
         assert_eq!(u32::from(encode_srgb_dithered(value.next_up(), x, y)), code + 1, "{x} {y}");
     }
+}
+
+/// Encoding many values at once gives the code of each, on both sides of every threshold of every
+/// pixel of a cell, and outside the range.
+#[test]
+fn encoding_many_dithered_is_encoding_each() {
+    fn assert_each<S: Format>(values: impl IntoIterator<Item = S>, x: u32, y: u32) {
+        let values: Vec<_> = values.into_iter().collect();
+        for (block, at) in values.as_chunks::<32>().0.iter().zip((0..).map(|block| x.wrapping_add(5 * block)))
+        {
+            let mut place = at;
+            let codes = block.map(|value| {
+                place = place.wrapping_add(1);
+                encode_srgb_dithered(value, place.wrapping_sub(1), y)
+            });
+            assert_eq!(encode_srgb_dithered_each(block, at, y), codes, "{block:?} at {at}, {y}");
+        }
+    }
+    let lights = lights(255);
+    for y in 0..8 {
+        // The first pixel of a row of 8 has the threshold of each column once.
+        for x in [0, 3, u32::MAX - 9] {
+            let around = lights.windows(2).flat_map(|pair| {
+                (0..8).flat_map(move |column| {
+                    let part = f64::from(2 * bayer(column, y, 8) + 1) / 128.0;
+                    let value = (pair[0] + part * (pair[1] - pair[0])) as f32;
+                    (-8..8).map(move |ulps| f32::from_bits(value.to_bits().wrapping_add_signed(ulps)))
+                })
+            });
+            assert_each(around.flat_map(|value| [value; 8]), x, y);
+        }
+        assert_each((0..1 << 18).map(|i| i as f32 / (1 << 18) as f32), y, y);
+        assert_each((i16::MIN..=i16::MAX).map(Fx16::from_bits), 0, y);
+        assert_each((0..1 << 12).map(|i| Fx32::from_bits(i << 19)), 0, y);
+    }
+    let special = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, f32::MAX, -0.0, 0.0, 1.0, 1e-30];
+    assert_each(special.into_iter().chain(special.map(|value| -value)).cycle().take(64), 0, 0);
 }
 
 /// Comparison of a cell with the definition, for one value.

@@ -53,17 +53,10 @@ pub fn encode_srgb<S: Scalar>(linear: S) -> u8 {
 /// thresholds, so that compilers use vector instructions for the polynomials.
 #[inline]
 pub fn encode_srgb_each<S: Scalar, const N: usize>(linear: &[S; N]) -> [u8; N] {
-    /// From this number to its double, an f32 has steps of 1. So the sum of a value and this number
-    /// has the rounded value in its low bits. Every vector instruction set has this conversion by
-    /// addition, and it needs no test for overflow.
-    const INTEGERS: f32 = 8_388_608.0;
     let mut near = [0; N];
     for (near, linear) in near.iter_mut().zip(linear) {
         *near = match linear.word() {
-            Word::Single(linear) => {
-                let code = curve(clamp(linear), 255.0) - 0.5;
-                ((if code > 0.0 { code } else { 0.0 }) + INTEGERS).to_bits() & 0xff
-            }
+            Word::Single(linear) => nearest_integer(curve(clamp(linear), 255.0) - 0.5),
             #[cfg(feature = "fixed")]
             _ => 0,
         };
@@ -77,6 +70,16 @@ pub fn encode_srgb_each<S: Scalar, const N: usize>(linear: &[S; N]) -> [u8; N] {
         };
     }
     codes
+}
+
+/// Returns the integer nearest to a value up to 255; 0 for values below 0.
+#[inline(always)]
+pub(super) fn nearest_integer(value: f32) -> u32 {
+    /// From this number to its double, an f32 has steps of 1. So the sum of a value and this number
+    /// has the rounded value in its low bits. Every vector instruction set has this conversion by
+    /// addition, and it needs no test for overflow.
+    const INTEGERS: f32 = 8_388_608.0;
+    ((if value > 0.0 { value } else { 0.0 }) + INTEGERS).to_bits() & 0xff
 }
 
 /// Returns the code in `[0, LAST]` nearest to a linear value.

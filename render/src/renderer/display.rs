@@ -3,7 +3,7 @@
 use crate::buffer::{LANES, Radiance};
 use luminaire::{
     Rgb,
-    display::{Rgb565, encode_srgb_dithered, encode_srgb_each},
+    display::{Rgb565, encode_srgb, encode_srgb_dithered_each, encode_srgb_each},
 };
 
 /// Bytes per pixel: red, green, blue, alpha.
@@ -30,6 +30,14 @@ impl Display {
         matches!(self, Self::Rgb888Dithered | Self::Rgb565Dithered)
     }
 
+    /// Returns the code of a linear colour, without dither.
+    pub(crate) fn code(self, color: Rgb<f32>) -> Rgb<u8> {
+        match self {
+            Self::Rgb888 | Self::Rgb888Dithered => color.map(encode_srgb),
+            Self::Rgb565 | Self::Rgb565Dithered => Rgb565::from_linear(color).to_codes(),
+        }
+    }
+
     /// Writes the codes of a block whose first pixel is at `(x, y)`, until `pixels` is full.
     pub(crate) fn encode(self, radiance: &Radiance, (x, y): (u32, u32), pixels: &mut [u8]) {
         match self {
@@ -39,9 +47,10 @@ impl Display {
                 let codes = radiance.map(|channel| encode_srgb_each(&channel));
                 write(pixels, |lane| Rgb::new(codes.red[lane], codes.green[lane], codes.blue[lane]));
             }
-            Self::Rgb888Dithered => write(pixels, |lane| {
-                linear(radiance, lane).map(|channel| encode_srgb_dithered(channel, x + lane as u32, y))
-            }),
+            Self::Rgb888Dithered => {
+                let codes = radiance.map(|channel| encode_srgb_dithered_each(&channel, x, y));
+                write(pixels, |lane| Rgb::new(codes.red[lane], codes.green[lane], codes.blue[lane]));
+            }
             Self::Rgb565 => {
                 write(pixels, |lane| Rgb565::from_linear(linear(radiance, lane)).to_codes());
             }
