@@ -20,7 +20,9 @@
 //!    blocks of 32 pixels as structures of arrays. Only tiles that a changed fixture reaches now or
 //!    reached before the change are re-lit. Within a re-lit tile, each light skips the blocks that
 //!    the light cannot reach.
-//! 4. [`encode`](Renderer::encode) encodes the re-lit tiles for a [`Display`].
+//! 4. [`encode`](Renderer::encode) encodes the re-lit tiles for a [`Display`]. With
+//!    [`set_antialiased`](Renderer::set_antialiased) it also mixes the pixels beside visible
+//!    [`Edges`] of meshes.
 //!
 //! **Only the effects that a scene needs are computed.** The kind, falloff and attenuation of a
 //! light select a loop, once for each block. Highlights are computed only for shiny materials,
@@ -61,6 +63,7 @@ pub use renderer::{
     Renderer,
     account::Account,
     display::Display,
+    edges::Edges,
     format::{Format, stated_error},
 };
 pub use scene::{Highlight, Material, Scene, camera::Camera, mesh::Mesh, outline::Outline};

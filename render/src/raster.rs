@@ -1,6 +1,8 @@
 //! Rasterisation of triangles: exact coverage, and the nearest fragment of each pixel.
 
+mod adjacency;
 pub(crate) mod clip;
+pub(crate) mod silhouette;
 pub(crate) mod view;
 
 use crate::{
@@ -35,6 +37,11 @@ pub(crate) struct Span<'a> {
 }
 
 impl Grid {
+    /// Returns whether a column and row are in the picture.
+    fn has(&self, (x, y): (i64, i64)) -> bool {
+        (0..self.width as i64).contains(&x) && (0..self.height as i64).contains(&y)
+    }
+
     /// Calls `fill` with each span that a triangle covers, row by row. The corners must be
     /// counter-clockwise; back faces cover nothing.
     #[inline(always)]
@@ -120,6 +127,13 @@ impl Fragments {
         &self.nearness[row * self.grid.stride + column * LANES..][..LANES]
     }
 
+    /// Returns the nearness and the material of a pixel; `None` outside the drawn rows.
+    fn at(&self, (x, y): (i64, i64)) -> Option<(f32, u32)> {
+        let row = self.grid.stripes.number(y as usize).filter(|_| self.grid.has((x, y)))?;
+        let pixel = row * self.grid.stride + x as usize;
+        Some((self.nearness[pixel], self.material[pixel]))
+    }
+
     /// Removes all fragments.
     pub(crate) fn clear(&mut self) {
         self.nearness.fill(0.0);
@@ -179,10 +193,13 @@ impl Line {
 /// Returns the rows or columns whose centres lie within the range of three screen coordinates.
 /// There are `count` rows or columns.
 fn centers(coordinates: [i32; 3], count: usize) -> core::ops::Range<usize> {
-    // The first row or column whose centre is at or after a coordinate, which is not negative.
-    let first = |coordinate: i32| ((coordinate + PIXEL as i32 / 2 - 1) >> SUBPIXEL_BITS) as usize;
     let [a, b, c] = coordinates;
-    first(a.min(b).min(c))..first(a.max(b).max(c) + 1).min(count)
+    first_center(a.min(b).min(c))..first_center(a.max(b).max(c) + 1).min(count)
+}
+
+/// Returns the first row or column whose centre is at or after a coordinate, which is not negative.
+fn first_center(coordinate: i32) -> usize {
+    ((coordinate + PIXEL as i32 / 2 - 1) >> SUBPIXEL_BITS) as usize
 }
 
 /// Returns twice the signed area of a triangle on a screen with y down: positive if its corners are
@@ -246,15 +263,27 @@ impl Edge {
     /// Starts the edge at a row.
     #[inline(always)]
     fn walk(&self, row: i64) -> Walk {
-        let owns = self.dy < 0 || (self.dy == 0 && self.dx > 0);
         let at = self.at(PIXEL / 2, row * PIXEL + PIXEL / 2);
+        self.walk_from(at, -self.dy * PIXEL, self.dx * PIXEL)
+    }
+
+    /// Starts the edge at a column; rows and columns change their roles.
+    fn walk_column(&self, column: i64) -> Walk {
+        let at = self.at(column * PIXEL + PIXEL / 2, PIXEL / 2);
+        self.walk_from(at, self.dx * PIXEL, -self.dy * PIXEL)
+    }
+
+    /// Starts the edge at a row, given `at` for the row's first pixel and the changes of `at` to
+    /// the next column and to the next row.
+    #[inline(always)]
+    fn walk_from(&self, at: i64, column: i64, row: i64) -> Walk {
+        let owns = self.dy < 0 || (self.dy == 0 && self.dx > 0);
         let excluded = i64::from(!owns);
         // A horizontal edge crosses no row, so the column of its crossing is never used.
-        let whole = self.dy.abs().max(1) * PIXEL;
+        let whole = column.abs().max(PIXEL);
         let reciprocal = 1.0 / whole as f64;
         let (columns, rest) = divided(at - excluded, whole, reciprocal);
-        let (more_columns, more_rest) = divided(self.dx * PIXEL, whole, reciprocal);
-        let (column, row) = (-self.dy * PIXEL, self.dx * PIXEL);
+        let (more_columns, more_rest) = divided(row, whole, reciprocal);
         Walk { at, column, row, excluded, whole, columns, rest, more_columns, more_rest }
     }
 }

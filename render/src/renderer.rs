@@ -2,6 +2,7 @@
 
 pub(crate) mod account;
 pub(crate) mod display;
+pub(crate) mod edges;
 pub(crate) mod format;
 mod gbuffer;
 mod light;
@@ -15,11 +16,13 @@ use crate::{
     raster::{
         Fragments,
         clip::{Sighting, clip_mesh},
+        silhouette::Silhouettes,
         view::View,
     },
     renderer::{
         account::Account,
         display::{CHANNELS, Display},
+        edges::Edges,
         format::Format,
         gbuffer::GBuffer,
         reached::Reached,
@@ -72,6 +75,9 @@ pub struct Renderer<S: Format> {
     account: Account,
     workspace: Workspace<S>,
     sightings: Vec<Sighting>,
+    /// The edges of the view and of the picture; `None` without anti-aliasing.
+    silhouettes: Option<Silhouettes>,
+    edges: Edges,
 }
 
 impl<S: Format> Renderer<S> {
@@ -130,6 +136,8 @@ impl<S: Format> Renderer<S> {
             account: Account::default(),
             workspace: Workspace::default(),
             sightings: Vec::new(),
+            silhouettes: None,
+            edges: Edges::new(),
         };
         renderer.encode();
         Ok(renderer)
@@ -163,10 +171,24 @@ impl<S: Format> Renderer<S> {
 
     fn draw_triangles(&mut self, scene: &Scene, view: &View) {
         self.fragments.clear();
+        if let Some(silhouettes) = &mut self.silhouettes {
+            silhouettes.begin(scene);
+        }
         for (number, object) in (1..).zip(scene.objects()) {
             clip_mesh(view, &object.mesh, &mut self.sightings, |_, visible| {
                 self.fragments.draw(visible, number)
             });
+            if let Some(silhouettes) = &mut self.silhouettes {
+                silhouettes.project(view, number, &self.sightings);
+            }
+        }
+        self.edges.restore(&mut self.pixels);
+        if let Some(silhouettes) = &mut self.silhouettes {
+            silhouettes.trace(&self.fragments);
+            // A neighbour of a pixel may be in another share.
+            if self.stripes == Stripes::ALL {
+                self.edges.take(silhouettes.marks().iter().map(|mark| mark.0));
+            }
         }
         self.geometry.resolve(&self.fragments, view);
         self.tiles.enclose(&self.geometry.blocks);
@@ -264,9 +286,30 @@ impl<S: Format> Renderer<S> {
         }
     }
 
+    /// Switches anti-aliasing on or off; it is off at first. The next
+    /// [`draw_geometry`](Self::draw_geometry) draws the scene again and finds its visible edges,
+    /// and each [`encode`](Self::encode) mixes the codes of the pixels beside them, as [`Edges`]
+    /// describes. A renderer of a share of the picture only finds the edges, because mixing needs
+    /// the pixels of the other shares.
+    pub fn set_antialiased(&mut self, antialiased: bool) {
+        if self.silhouettes.is_some() != antialiased {
+            self.silhouettes = antialiased.then(Silhouettes::default);
+            self.edges.restore(&mut self.pixels);
+            self.edges = Edges::new();
+            self.drawn = None;
+        }
+    }
+
+    /// Returns the marks of the pixels beside visible edges, for [`Edges::take`]; none without
+    /// anti-aliasing.
+    pub fn edge_marks(&self) -> impl ExactSizeIterator<Item = u64> {
+        self.silhouettes.as_ref().map_or(&[][..], Silhouettes::marks).iter().map(|mark| mark.0)
+    }
+
     /// Encodes the light for the display, but only where the light has changed. Returns the drawn
     /// rows from top to bottom; each pixel is red, green and blue in sRGB, and alpha 255.
     pub fn encode(&mut self) -> &[u8] {
+        self.edges.restore(&mut self.pixels);
         let columns = self.geometry.columns;
         for tile in 0..self.tiles.tiles.len() {
             if core::mem::replace(&mut self.tiles.tiles[tile].is_encoded, true) {
@@ -280,6 +323,7 @@ impl<S: Format> Renderer<S> {
                 self.display.encode(&self.radiance[block], place, &mut self.pixels[pixels]);
             }
         }
+        self.edges.mix(self.display, self.width, &mut self.pixels);
         &self.pixels
     }
 

@@ -71,6 +71,24 @@ fn clip(view: &View, [a, b, c]: [&Sighting; 3], mut draw: impl FnMut([Corner; 3]
     }
 }
 
+/// Returns the projected ends of the part of an edge that is inside the frustum, if any.
+pub(crate) fn clip_edge(view: &View, [a, b]: [&Sighting; 2]) -> Option<[Corner; 2]> {
+    if a.beyond | b.beyond == 0 {
+        return Some([a.corner, b.corner]);
+    }
+    let mut ends = [a.seen, b.seen];
+    for plane in (0..PLANES).filter(|plane| (a.beyond | b.beyond) >> plane & 1 == 1) {
+        let [from, to] = [inside(&ends[0], plane), inside(&ends[1], plane)];
+        match (from >= 0.0, to >= 0.0) {
+            (true, true) => {}
+            (true, false) => ends[1] = crossing((&ends[0], from), (&ends[1], to)),
+            (false, true) => ends[0] = crossing((&ends[1], to), (&ends[0], from)),
+            (false, false) => return None,
+        }
+    }
+    Some(ends.map(|end| view.project(&end)))
+}
+
 /// Returns the signed distance of a vertex from a frustum plane, unnormalised: positive inside.
 fn inside(vertex: &Seen, plane: usize) -> f32 {
     match plane {
