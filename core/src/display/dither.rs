@@ -52,27 +52,50 @@ pub fn encode_srgb_dithered<S: Scalar>(linear: S, x: u32, y: u32) -> u8 {
 /// Returns the dithered sRGB codes of the linear values of neighbouring pixels, of which the first
 /// is at `(x, y)`: for each pixel the code of [`encode_srgb_dithered`].
 ///
-/// In f32 the polynomials of all values are computed before the first look-up in the table of the
-/// light of each code, so that compilers use vector instructions for the polynomials.
+/// In f32 the polynomials of all values come first, then the look-ups, then the comparisons, so that
+/// compilers use vector instructions for all but the look-ups. One value after another, half of the
+/// comparisons would be mispredicted branches, because the result of each depends on its pixel.
 #[inline]
 pub fn encode_srgb_dithered_each<S: Scalar, const N: usize>(linear: &[S; N], x: u32, y: u32) -> [u8; N] {
     let row: [u8; 8] = core::array::from_fn(|i| threshold(x.wrapping_add(i as u32), y));
-    let parts = row.map(|threshold| f32::from(threshold) / 128.0);
-    let mut below = [0; N];
-    for (i, (below, linear)) in below.iter_mut().zip(linear).enumerate() {
-        *below = match linear.word() {
+    // One for each value: compilers do not vectorise the remainder of an index.
+    let thresholds: [f32; N] = core::array::from_fn(|i| row[i % 8].into());
+    let mut lower = [0; N];
+    for ((lower, linear), threshold) in lower.iter_mut().zip(linear).zip(&thresholds) {
+        if let Word::Single(linear) = linear.word() {
             // Within the error of the polynomial, the code is this number or the next.
-            Word::Single(linear) => nearest_integer(curve(clamp(linear), 255.0) - parts[i % 8]),
+            let code = curve(clamp(linear), 255.0) - threshold / 128.0;
+            *lower = nearest_integer(if code > 254.0 { 254.0 } else { code });
+        }
+    }
+    let steps = lower.map(|code| EIGHT_BIT_STEPS[code as u8 as usize]);
+    let mut codes = [0; N];
+    for i in 0..N {
+        codes[i] = match linear[i].word() {
+            Word::Single(linear) => {
+                let (here, step) = steps[i];
+                let is_past = (clamp(linear) - here) * 128.0 > step * thresholds[i];
+                (lower[i] + u32::from(is_past)) as u8
+            }
             #[cfg(feature = "fixed")]
-            _ => 0,
+            _ => dithered::<S, 255>(linear[i], row[i % 8]),
         };
     }
-    core::array::from_fn(|i| match linear[i].word() {
-        Word::Single(linear) => past::<255>(clamp(linear), below[i] as usize, row[i % 8]),
-        #[cfg(feature = "fixed")]
-        _ => dithered::<S, 255>(linear[i], row[i % 8]),
-    })
+    codes
 }
+
+/// The light of each code of eight bits, and the step to the light of the next code.
+static EIGHT_BIT_STEPS: [(f32, f32); 256] = {
+    let mut table = [(1.0, 0.0); 256];
+    let mut code = 0;
+    while code < 255 {
+        let here = CodeLight::<255>::FLOAT[code];
+        let next = if code < 254 { CodeLight::<255>::FLOAT[code + 1] } else { 1.0 };
+        table[code] = (here, next - here);
+        code += 1;
+    }
+    table
+};
 
 impl Rgb565 {
     /// Returns the RGB565 pixel of a linear colour at `(x, y)`, with ordered dither.
@@ -239,25 +262,12 @@ fn dithered_fixed<const LAST: usize>(linear: u32, threshold: u8) -> u8 {
 #[inline]
 fn dithered_float<const LAST: usize>(linear: f32, threshold: u8) -> u8 {
     let linear = clamp(linear);
+    let light = |code: usize| CodeLight::<LAST>::FLOAT.get(code).copied().unwrap_or(1.0);
     let near = (curve(linear, LAST as f32) + 0.5) as i32 as usize;
-    let code = near.saturating_sub(usize::from(linear < light_of::<LAST>(near)));
-    past::<LAST>(linear, code, threshold)
-}
-
-/// Returns the next code if a clamped value is past the threshold between a code and the next, or
-/// else this code. The last code has no next.
-#[inline(always)]
-fn past<const LAST: usize>(linear: f32, code: usize, threshold: u8) -> u8 {
-    let code = code.min(LAST - 1);
-    let (here, next) = (light_of::<LAST>(code), light_of::<LAST>(code + 1));
+    let code = near.saturating_sub(usize::from(linear < light(near))).min(LAST - 1);
+    let (here, next) = (light(code), light(code + 1));
     let is_past = (linear - here) * 128.0 > (next - here) * f32::from(threshold);
     (code + usize::from(is_past)) as u8
-}
-
-/// Returns the light of a code.
-#[inline(always)]
-fn light_of<const LAST: usize>(code: usize) -> f32 {
-    CodeLight::<LAST>::FLOAT.get(code).copied().unwrap_or(1.0)
 }
 
 /// Number of leading bits of a value from which a [`CodeStart`] search starts.
