@@ -3,8 +3,8 @@
 use alloc::{collections::TryReserveError, vec::Vec};
 use luminaire::{Rgb, Scalar};
 
-/// Number of pixels in a block: neighbouring pixels of a row.
-pub(crate) const LANES: usize = 32;
+/// Number of pixels in a block: neighbouring pixels of a row that are lit together.
+pub const LANES: usize = 32;
 
 /// Light from the surfaces of a block's pixels towards the eye: linear, 1 is full scale.
 pub(crate) type Radiance = Rgb<[f32; LANES]>;

@@ -58,6 +58,7 @@ mod size;
 mod space;
 mod stripes;
 
+pub use buffer::LANES;
 pub use error::DrawError;
 pub use renderer::{
     Renderer,

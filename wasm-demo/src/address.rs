@@ -71,25 +71,36 @@ pub(crate) fn write(state: &State, lights: usize) -> String {
 /// Reads a state, in the scene `otherwise` if none is named. Returns also what was refused, which is
 /// as the scene opens.
 pub(crate) fn parse(text: &str, otherwise: Example) -> Result<(State, Vec<Refusal>), Refusal> {
-    let pairs = || {
-        text.split('&').filter(|pair| !pair.is_empty()).map(|pair| pair.split_once('=').unwrap_or((pair, "")))
-    };
-    let value = |name: &str| pairs().find(|(other, _)| *other == name).map(|(_, value)| value);
     let mut refused = Vec::new();
-    let scene = value("scene").map_or(Ok(otherwise), scene_named).unwrap_or_else(|refusal| {
+    let scene = value_of(text, "scene").map_or(Ok(otherwise), scene_named).unwrap_or_else(|refusal| {
         refused.push(refusal);
         otherwise
     });
-    let lights = scene.setup()?.fixtures.len();
-    let mut state = State::of(scene, lights);
-    if let Some(version) = value("v").filter(|version| *version != VERSION) {
+    let (state, more) = parse_in(scene, scene.setup()?.fixtures.len(), text);
+    refused.extend(more);
+    Ok((state, refused))
+}
+
+/// Reads a state of a scene with this number of lights, like [`parse`].
+pub(crate) fn parse_in(scene: Example, lights: usize, text: &str) -> (State, Vec<Refusal>) {
+    let (mut state, mut refused) = (State::of(scene, lights), Vec::new());
+    if let Some(version) = value_of(text, "v").filter(|version| *version != VERSION) {
         refused.push(Refusal::name("v", version, "1, the version of addresses that this page reads"));
-        return Ok((state, refused));
+        return (state, refused);
     }
-    for (name, value) in pairs() {
+    for (name, value) in pairs(text) {
         refused.extend(take(&mut state, lights, name, value).err());
     }
-    Ok((state, refused))
+    (state, refused)
+}
+
+/// The parameters of an address with their values.
+fn pairs(text: &str) -> impl Iterator<Item = (&str, &str)> {
+    text.split('&').filter(|pair| !pair.is_empty()).map(|pair| pair.split_once('=').unwrap_or((pair, "")))
+}
+
+fn value_of<'a>(text: &'a str, name: &str) -> Option<&'a str> {
+    pairs(text).find(|(other, _)| *other == name).map(|(_, value)| value)
 }
 
 /// Returns the scene of this name.

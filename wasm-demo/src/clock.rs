@@ -1,6 +1,10 @@
 //! Times in milliseconds, measured by the browser's clock.
 
-use web_sys::{Performance, js_sys::Date};
+use wasm_bindgen::JsCast;
+use web_sys::{
+    Performance,
+    js_sys::{self, Date, Reflect},
+};
 
 /// The browser's `performance`, looked up once. Without it the date is precise enough, because
 /// times are only displayed.
@@ -10,9 +14,10 @@ pub(crate) struct Clock {
 }
 
 impl Clock {
-    /// The clock of this window.
+    /// The clock of this window or worker.
     pub(crate) fn new() -> Self {
-        Self { performance: web_sys::window().and_then(|window| window.performance()) }
+        let performance = Reflect::get(&js_sys::global(), &"performance".into());
+        Self { performance: performance.ok().and_then(|found| found.dyn_into().ok()) }
     }
 
     /// Runs `work`. Returns its time in milliseconds and its result.

@@ -7,10 +7,7 @@ use crate::{
     setting::Setting,
     state::{LIGHTS, STOPS, SWITCHABLE, State},
 };
-use luminaire_render::{
-    Camera,
-    scenes::{Example, Setup},
-};
+use luminaire_render::{Camera, scenes::Example};
 
 /// Largest number of states to return to.
 const PAST: usize = 200;
@@ -30,14 +27,13 @@ pub(crate) struct Desk {
 impl Desk {
     /// Opens a scene.
     pub(crate) fn new(scene: Example) -> Result<Self, Refusal> {
-        Self::with(scene, scene.setup()?)
+        Ok(Self::with_rig(scene, Rig::new(scene.setup()?)?))
     }
 
-    /// Opens a scene with another setup than its own.
-    pub(crate) fn with(scene: Example, setup: Setup) -> Result<Self, Refusal> {
-        let rig = Rig::new(setup)?;
+    /// Opens a scene with other lights than its own.
+    pub(crate) fn with_rig(scene: Example, rig: Rig) -> Self {
         let state = State::of(scene, rig.lights());
-        Ok(Self { past: vec![state.clone()], state, rig, future: Vec::new() })
+        Self { past: vec![state.clone()], state, rig, future: Vec::new() }
     }
 
     /// The state.
@@ -51,19 +47,14 @@ impl Desk {
     }
 
     /// The camera of the picture.
+    #[cfg(test)]
     pub(crate) fn camera(&self) -> Camera {
-        self.state.viewpoint.of(self.own_camera())
+        self.rig.camera_of(&self.state)
     }
 
     /// The scene's own camera.
     fn own_camera(&self) -> Camera {
         self.rig.camera_at(self.state.seconds[1])
-    }
-
-    /// Gives the lights added shadow maps of this side in texels.
-    pub(crate) fn add_shadows(&mut self, side: u16) -> Result<(), Refusal> {
-        self.rig = self.rig.clone().with_shadow_side(side);
-        self.switch("shadow", true)
     }
 
     /// Changes the state.

@@ -3,14 +3,15 @@
 
 use crate::{clock::Clock, format::Draw, refusal::Refusal};
 use luminaire::projector::Fixture;
-use luminaire_render::{Camera, Scene};
+use luminaire_render::{Camera, Scene, Stripes};
 use wasm_bindgen::prelude::*;
 
-/// Result of lighting a picture twice: with only the needed effects, and with all effects.
+/// Result of lighting stripes of a picture twice: with only the needed effects, and with all
+/// effects.
 #[wasm_bindgen]
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Equality {
-    /// The pixels of each picture.
+    /// The compared pixels.
     pub pixels: usize,
     /// The pixels whose light or displayed code differs in any bit.
     pub differing: usize,
@@ -27,13 +28,18 @@ pub struct Equality {
 }
 
 impl Equality {
-    /// Draws both pictures, of this width in pixels, and compares them.
+    /// Draws these stripes of both pictures, of this width and height in pixels, and compares them.
     pub(crate) fn new(
         mut renderer: Box<dyn Draw>,
-        width: usize,
+        (width, height): (u32, u32),
+        stripes: Stripes,
         clock: &Clock,
         (scene, camera, fixtures): (&Scene, &Camera, &[Fixture]),
     ) -> Result<Self, Refusal> {
+        let places = || {
+            let rows = stripes.rows(height as usize).flatten();
+            rows.flat_map(|y| (0..width as usize).map(move |x| (x, y)))
+        };
         renderer.draw_geometry(scene, camera);
         renderer.draw_shadows(scene, fixtures)?;
         // The first draw touches its memory for the first time, which costs extra, so it is not
@@ -41,10 +47,10 @@ impl Equality {
         renderer.draw_light(fixtures)?;
         let (everything_ms, lit) = clock.time(|| renderer.draw_everything(fixtures));
         lit?;
-        let (everything, pairs) = (bits(&mut *renderer, width), renderer.account().evaluated);
+        let (everything, pairs) = (bits(&mut *renderer, places()), renderer.account().evaluated);
         let (lighting_ms, lit) = clock.time(|| renderer.draw_light(fixtures));
         lit?;
-        let (called_for, account) = (bits(&mut *renderer, width), renderer.account());
+        let (called_for, account) = (bits(&mut *renderer, places()), renderer.account());
         let differing = called_for.iter().zip(&everything).filter(|(one, other)| one != other).count();
         Ok(Self {
             pixels: everything.len(),
@@ -58,11 +64,11 @@ impl Equality {
 }
 
 /// Returns the bits of each pixel: its light and its displayed code.
-fn bits(renderer: &mut dyn Draw, width: usize) -> Vec<([u32; 3], [u8; 4])> {
+fn bits(renderer: &mut dyn Draw, places: impl Iterator<Item = (usize, usize)>) -> Vec<([u32; 3], [u8; 4])> {
     renderer.encode();
-    let codes = renderer.pixels().as_chunks().0.iter().enumerate();
-    let pixel = |(place, &codes): (usize, &[u8; 4])| {
-        let light = renderer.linear(place % width, place / width).unwrap_or_default();
+    let codes = renderer.pixels().as_chunks().0.iter().zip(places);
+    let pixel = |(&codes, (x, y)): (&[u8; 4], (usize, usize))| {
+        let light = renderer.linear(x, y).unwrap_or_default();
         ([light.red, light.green, light.blue].map(f32::to_bits), codes)
     };
     codes.map(pixel).collect()

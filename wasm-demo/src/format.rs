@@ -4,7 +4,7 @@ use crate::refusal::Refusal;
 use luminaire::{
     Angle, Cone, Error, Fx16, Fx32, Rgb, Scalar, falloff::Falloff, light::CompiledCone, projector::Fixture,
 };
-use luminaire_render::{Account, Camera, Display, DrawError, Renderer, Scene, SizeError};
+use luminaire_render::{Account, Camera, Display, DrawError, Renderer, Scene, SizeError, Stripes};
 use std::fmt;
 
 /// One of the kernel's number formats.
@@ -90,9 +90,15 @@ impl Format {
         with_scalar!(self, S => luminaire_render::stated_error::<S>())
     }
 
-    /// A renderer that evaluates the lights in this format.
-    pub(crate) fn renderer(self, width: u32, height: u32) -> Result<Box<dyn Draw>, SizeError> {
-        with_scalar!(self, S => Ok(Box::new(Renderer::<S>::new(width as usize, height as usize)?)))
+    /// A renderer of these stripes of pictures of a width and height, which evaluates the lights in
+    /// this format.
+    pub(crate) fn renderer(
+        self,
+        (width, height): (u32, u32),
+        stripes: Stripes,
+    ) -> Result<Box<dyn Draw>, SizeError> {
+        let (width, height) = (width as usize, height as usize);
+        with_scalar!(self, S => Ok(Box::new(Renderer::<S>::of_stripes(width, height, stripes)?)))
     }
 }
 
@@ -113,6 +119,19 @@ pub(crate) trait Draw {
     fn draw_geometry(&mut self, scene: &Scene, camera: &Camera) -> bool;
     /// Draws the shadow maps whose scene or fixture has changed. Returns whether any was drawn.
     fn draw_shadows(&mut self, scene: &Scene, fixtures: &[Fixture]) -> Result<bool, DrawError>;
+    /// Draws those maps that are dealt to the renderer's stripes. Returns the indices of their
+    /// fixtures.
+    fn draw_own_shadows(&mut self, scene: &Scene, fixtures: &[Fixture]) -> Result<Vec<usize>, DrawError>;
+    /// Returns the bits of a fixture's shadow map; empty without a map.
+    fn shadow_map(&self, fixture: usize) -> Vec<u32>;
+    /// Takes a fixture's shadow map from another renderer.
+    fn take_shadow_map(
+        &mut self,
+        scene: &Scene,
+        fixtures: &[Fixture],
+        number: usize,
+        depths: &[u32],
+    ) -> Result<(), DrawError>;
     /// Lights the geometry if anything has changed. Returns whether it was lit.
     fn draw_light(&mut self, fixtures: &[Fixture]) -> Result<bool, Error>;
     /// Lights the whole picture with every effect, needed or not.
@@ -141,6 +160,24 @@ impl<S: luminaire_render::Format> Draw for Renderer<S> {
 
     fn draw_shadows(&mut self, scene: &Scene, fixtures: &[Fixture]) -> Result<bool, DrawError> {
         self.draw_shadows(scene, fixtures)
+    }
+
+    fn draw_own_shadows(&mut self, scene: &Scene, fixtures: &[Fixture]) -> Result<Vec<usize>, DrawError> {
+        self.draw_own_shadows(scene, fixtures)
+    }
+
+    fn shadow_map(&self, fixture: usize) -> Vec<u32> {
+        self.shadow_map(fixture).map_or(Vec::new(), Iterator::collect)
+    }
+
+    fn take_shadow_map(
+        &mut self,
+        scene: &Scene,
+        fixtures: &[Fixture],
+        number: usize,
+        depths: &[u32],
+    ) -> Result<(), DrawError> {
+        self.take_shadow_map(scene, fixtures, number, depths)
     }
 
     fn draw_light(&mut self, fixtures: &[Fixture]) -> Result<bool, Error> {

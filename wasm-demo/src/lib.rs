@@ -2,9 +2,10 @@
 //! shows their results.
 //!
 //! The page contains no lighting mathematics and no state of the picture. It passes the visitor's
-//! settings to two classes and gets everything that it displays from them. [`Stage`] draws a scene
-//! under the visitor's settings, lists the effects that the scene needs and counts the skipped
-//! work. [`Comparison`] lights one wall in two forms and measures the error of each against f64.
+//! settings to two classes and gets everything that it displays from them. [`Stage`] has a scene
+//! under the visitor's settings, and lists the effects that the scene needs. [`Painter`] draws a
+//! share of its picture, mostly in a worker, and counts the skipped work. [`Comparison`] lights one
+//! wall in two forms and measures the error of each against f64.
 //!
 //! The modules, lowest first:
 //!
@@ -25,8 +26,9 @@
 //! - `scene_state`: state of a scene for the page, as plain values
 //! - `rig`: a scene with the settings of a state
 //! - `desk`: the state, its scene, and earlier states to return to
+//! - `job`: a picture to draw, as text for a worker
 //! - `equality`: comparison of the scene's picture with the one of all effects
-//! - `screen`: the picture of a desk and its map
+//! - `painter`: the JavaScript class that draws a share of a picture
 //! - `stage`: the JavaScript class of the stage
 //! - `wall`: the scene of the comparison
 //! - `picture`: the wall lit in one form, behind a trait object
@@ -49,14 +51,15 @@ mod false_colour;
 mod fixture;
 mod form;
 mod format;
+mod job;
 mod light;
 mod map;
+mod painter;
 mod panic;
 mod picture;
 mod refusal;
 mod rig;
 mod scene_state;
-mod screen;
 mod setting;
 mod side;
 mod stage;
@@ -69,6 +72,7 @@ pub use comparison::Comparison;
 pub use equality::Equality;
 pub use fixture::FixtureState;
 pub use light::LightState;
+pub use painter::Painter;
 pub use scene_state::{AccountState, EffectState, ExampleState, SwitchState};
 pub use side::{FormState, SideState};
 pub use stage::Stage;

@@ -2,9 +2,9 @@
 
 use crate::{
     false_colour::{Palette, Scale},
-    format::Draw,
     refusal::Refusal,
 };
+use luminaire_render::LANES;
 
 /// Opacity of a map of lights, out of 255. At this value the eye can match its colours to the
 /// legend, and the picture is still visible. A map of tiles needs less, because it has only two
@@ -84,39 +84,25 @@ impl Map {
         [RELIT.0, RELIT.1].map(|place| self.palette.colour(of_all, place))
     }
 
-    /// Draws the map of a picture of this width and height: RGBA, sRGB. Returns `None` if there is
-    /// no map.
-    pub(crate) fn draw(
-        &mut self,
-        subject: Subject,
-        renderer: &dyn Draw,
-        (width, height): (usize, usize),
-    ) -> Option<&[u8]> {
-        let places = || (0..height).flat_map(|y| (0..width).map(move |x| (x, y)));
-        let lights = |(x, y)| renderer.lights_evaluated(x, y).unwrap_or_default();
+    /// Draws the map of a picture of this width in pixels: RGBA, sRGB. `counts` are those of each
+    /// block of pixels, row by row. Returns `None` if there is no map.
+    pub(crate) fn draw(&mut self, subject: Subject, counts: &[u16], width: usize) -> Option<&[u8]> {
+        let most = counts.iter().copied().fold(self.most, u16::max);
+        self.most = if subject == Subject::Lights { most } else { self.most };
+        let ([relit, kept], scale) = (self.tile_colours(), self.scale());
         self.pixels.clear();
-        match subject {
-            Subject::Nothing => return None,
-            Subject::Lights => {
-                self.most = places().map(lights).fold(self.most, u16::max);
-                let scale = self.scale();
-                for place in places() {
-                    self.put(self.palette.colour(scale, lights(place).into()), COVER);
-                }
-            }
-            Subject::Tiles => {
-                let [relit, kept] = self.tile_colours();
-                for (x, y) in places() {
-                    let is_relit = renderer.is_relit(x, y) == Some(true);
-                    self.put(if is_relit { relit } else { kept }, TILE_COVER);
-                }
+        for row in counts.chunks(width.div_ceil(LANES)) {
+            for (column, &count) in row.iter().enumerate() {
+                let ([red, green, blue], cover) = match subject {
+                    Subject::Nothing => return None,
+                    Subject::Lights => (self.palette.colour(scale, count.into()), COVER),
+                    Subject::Tiles => (if count > 0 { relit } else { kept }, TILE_COVER),
+                };
+                let pixels = LANES.min(width - column * LANES);
+                self.pixels.extend([red, green, blue, cover].repeat(pixels));
             }
         }
-        Some(&self.pixels)
-    }
-
-    fn put(&mut self, [red, green, blue]: [u8; 3], cover: u8) {
-        self.pixels.extend([red, green, blue, cover]);
+        (subject != Subject::Nothing).then_some(&self.pixels)
     }
 
     /// The scale ends at one light or more, so that pixels without a light have the first colour.
@@ -128,20 +114,32 @@ impl Map {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::format::Format;
-    use luminaire_render::scenes::Example;
+    use crate::format::{Draw, Format};
+    use luminaire_render::{Stripes, scenes::Example};
 
-    const SIZE: (usize, usize) = (96, 54);
+    /// The last block of a row is not a whole one.
+    const SIZE: (usize, usize) = (90, 54);
+
+    fn renderer() -> Box<dyn Draw> {
+        Format::F32.renderer((SIZE.0 as u32, SIZE.1 as u32), Stripes::ALL).unwrap()
+    }
+
+    fn counts(count: impl Fn(usize, usize) -> u16) -> Vec<u16> {
+        (0..SIZE.1)
+            .flat_map(|y| (0..SIZE.0).step_by(LANES).map(|x| count(x, y)).collect::<Vec<_>>())
+            .collect()
+    }
 
     #[test]
     fn the_map_has_the_colour_of_each_count() {
         let setup = Example::Grid.setup().unwrap();
-        let mut renderer = Format::F32.renderer(SIZE.0 as u32, SIZE.1 as u32).unwrap();
+        let mut renderer = renderer();
         renderer.draw_geometry(&setup.scene, &setup.camera);
         renderer.draw_light(&setup.fixtures_at(0.0).unwrap()).unwrap();
         let mut map = Map::new();
-        assert!(map.draw(Subject::Nothing, &*renderer, SIZE).is_none());
-        let pixels = map.draw(Subject::Lights, &*renderer, SIZE).unwrap().to_vec();
+        let lights = counts(|x, y| renderer.lights_evaluated(x, y).unwrap());
+        assert!(map.draw(Subject::Nothing, &lights, SIZE.0).is_none());
+        let pixels = map.draw(Subject::Lights, &lights, SIZE.0).unwrap().to_vec();
         assert_eq!(pixels.len(), 4 * SIZE.0 * SIZE.1);
         let mut counts = Vec::new();
         for (place, pixel) in pixels.chunks(4).enumerate() {
@@ -157,13 +155,14 @@ mod tests {
     #[test]
     fn the_map_of_tiles_tells_what_was_lit_again() {
         let setup = Example::Grid.setup().unwrap();
-        let mut renderer = Format::F32.renderer(SIZE.0 as u32, SIZE.1 as u32).unwrap();
+        let mut renderer = renderer();
         let mut map = Map::new();
         let [relit, kept] = map.tile_colours();
         renderer.draw_geometry(&setup.scene, &setup.camera);
         let mut share = |seconds| {
             assert!(renderer.draw_light(&setup.fixtures_at(seconds).unwrap()).unwrap());
-            let pixels = map.draw(Subject::Tiles, &*renderer, SIZE).unwrap();
+            let relit_blocks = counts(|x, y| renderer.is_relit(x, y).unwrap().into());
+            let pixels = map.draw(Subject::Tiles, &relit_blocks, SIZE.0).unwrap();
             let count = |colour: [u8; 3]| pixels.chunks(4).filter(|pixel| pixel[..3] == colour).count();
             assert_eq!(count(relit) + count(kept), SIZE.0 * SIZE.1);
             count(relit) as f64 / (SIZE.0 * SIZE.1) as f64

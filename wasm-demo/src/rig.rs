@@ -143,6 +143,11 @@ impl Rig {
         self.setup.camera_at(seconds)
     }
 
+    /// Returns the camera of a state.
+    pub(crate) fn camera_of(&self, state: &State) -> Camera {
+        state.viewpoint.of(self.camera_at(state.seconds[1]))
+    }
+
     /// Returns the fixtures at a time in seconds. A fixture that is switched off stays in the list
     /// as a dark one, so that the others keep their indices.
     pub(crate) fn fixtures_at(&self, seconds: f32) -> Result<Vec<Fixture>, Error> {

@@ -3,22 +3,19 @@
 use crate::{
     address,
     desk::Desk,
-    equality::Equality,
     fixture::FixtureState,
     format::Format,
+    job::{self, Load},
     light::LightState,
-    map::Subject,
+    map::{Map, Subject},
     panic,
     refusal::Refusal,
-    scene_state::{AccountState, EffectState, ExampleState, SwitchState},
-    screen::{self, Screen},
-    times::Times,
+    scene_state::{EffectState, ExampleState, SwitchState},
 };
 use luminaire::dynamic::{AnyLight, Effect};
 use luminaire_fixtures::FIXTURES;
-use luminaire_render::scenes::{Example, turntable};
+use luminaire_render::scenes::Example;
 use wasm_bindgen::{Clamped, prelude::*};
-use web_sys::HtmlCanvasElement;
 
 /// The scene that the page opens with.
 const FIRST: Example = Example::Show;
@@ -26,40 +23,35 @@ const FIRST: Example = Example::Show;
 /// Largest number of samples of a curve: a few samples for each pixel of a wide screen.
 const SAMPLES: usize = 10_000;
 
-/// A scene under the visitor's settings. Every setter either takes its value, or changes nothing and
+/// A scene under the visitor's settings, whose picture painters draw. Every setter either takes its value, or changes nothing and
 /// throws a string that names the parameter, its value and the remedy.
 #[wasm_bindgen]
 #[derive(Debug)]
 pub struct Stage {
     desk: Desk,
-    screen: Screen,
+    /// The lights of the turntable, for measuring.
+    load: Option<Load>,
+    /// The size of all pictures; `None` for the size that a scene is composed for.
+    fixed: Option<(u32, u32)>,
+    map: Map,
+    /// The scene of the map's scale, and whether everything was evaluated.
+    mapped: Option<(Example, bool)>,
 }
 
 #[wasm_bindgen]
 impl Stage {
-    /// Opens the first scene on two canvases, one for the picture and one for the map. Its pictures
-    /// have this width and height or, without these, the size that a scene is composed for. Nothing
-    /// is drawn yet.
+    /// Opens the first scene. Its pictures have this width and height or, without these, the size
+    /// that a scene is composed for.
     #[wasm_bindgen(constructor)]
-    pub fn new(
-        canvas: HtmlCanvasElement,
-        map: HtmlCanvasElement,
-        width: Option<u32>,
-        height: Option<u32>,
-    ) -> Result<Self, JsValue> {
+    pub fn new(width: Option<u32>, height: Option<u32>) -> Result<Self, JsValue> {
         panic::tell_the_page();
-        let desk = Desk::new(FIRST)?;
-        Ok(Self { screen: Screen::new([canvas, map], width.zip(height), desk.state())?, desk })
+        let fixed = width.zip(height);
+        Ok(Self { desk: Desk::new(FIRST)?, load: None, fixed, map: Map::new(), mapped: None })
     }
 
     /// The scenes to choose from.
     pub fn examples() -> Vec<ExampleState> {
         Example::ALL.map(ExampleState::from).into()
-    }
-
-    /// Draws a small picture of a scene as it opens: RGBA, sRGB, eight bits.
-    pub fn thumbnail(scene: &str, width: u32, height: u32) -> Result<Clamped<Vec<u8>>, JsValue> {
-        Ok(Clamped(screen::thumbnail(address::scene_named(scene)?, width, height)?))
     }
 
     /// The name of the scene.
@@ -70,22 +62,29 @@ impl Stage {
 
     /// Opens a scene as it was composed. Opening the same scene again resets it.
     pub fn open(&mut self, scene: &str) -> Result<(), JsValue> {
-        Ok(self.desk.open(address::scene_named(scene)?)?)
+        let scene = address::scene_named(scene)?;
+        if self.load.take().is_some() {
+            self.desk = Desk::new(scene)?;
+        }
+        Ok(self.desk.open(scene)?)
     }
 
     /// Opens the turntable under this many spotlights, for measuring. `shadow_side` is the side of
     /// the lights' shadow maps in texels; without it there are no shadow maps.
     #[wasm_bindgen(js_name = openTurntable)]
     pub fn open_turntable(&mut self, spots: usize, shadow_side: Option<u16>) -> Result<(), JsValue> {
-        let setup = turntable(spots).map_err(Refusal::from)?;
-        let mut desk = Desk::with(Example::Turntable, setup)?;
-        shadow_side.map_or(Ok(()), |side| desk.add_shadows(side))?;
-        self.desk = desk;
+        let load = Some((spots, shadow_side));
+        let mut desk = Desk::with_rig(Example::Turntable, job::rig(Example::Turntable, load)?);
+        if shadow_side.is_some() {
+            desk.switch(Effect::Shadow.name(), true)?;
+        }
+        (self.desk, self.load) = (desk, load);
         Ok(())
     }
 
     /// Takes the state of an address. Returns what was refused in words; the rest is taken.
     pub fn recall(&mut self, address: &str) -> Result<String, JsValue> {
+        self.load = None;
         let refused = self.desk.recall(address)?;
         Ok(refused.iter().map(ToString::to_string).collect::<Vec<_>>().join(". "))
     }
@@ -192,37 +191,33 @@ impl Stage {
         })?)
     }
 
-    /// Draws what has changed since the last picture. Returns whether anything was drawn.
-    pub fn draw(&mut self) -> Result<bool, JsValue> {
-        Ok(self.screen.draw(&self.desk)?)
-    }
-
-    /// A copy of the last picture: RGBA, sRGB, eight bits.
-    pub fn pixels(&self) -> Clamped<Vec<u8>> {
-        Clamped(self.screen.pixels().to_vec())
+    /// The picture of the state, as a text that painters take. Equal texts have equal pictures.
+    pub fn job(&self) -> String {
+        job::write(self.size(), self.load, self.desk.state(), self.desk.rig().lights())
     }
 
     /// Pixels in a row.
     #[wasm_bindgen(getter)]
     pub fn width(&self) -> u32 {
-        self.screen.size().0
+        self.size().0
     }
 
     /// Rows of pixels.
     #[wasm_bindgen(getter)]
     pub fn height(&self) -> u32 {
-        self.screen.size().1
+        self.size().1
     }
 
-    /// The times of the last picture.
-    pub fn times(&self) -> Times {
-        self.screen.times()
-    }
-
-    /// Shows the map of the last picture. Returns whether there is one.
+    /// Draws the map of a picture from the counts of all its painters, row by row. Returns RGBA,
+    /// which is empty if there is no map.
     #[wasm_bindgen(js_name = drawMap)]
-    pub fn draw_map(&mut self) -> Result<bool, JsValue> {
-        Ok(self.screen.draw_map(self.desk.state())?)
+    pub fn draw_map(&mut self, counts: &[u16]) -> Clamped<Vec<u8>> {
+        let (state, width) = (self.desk.state(), self.size().0 as usize);
+        let mapped = Some((state.scene, state.is_everything));
+        if std::mem::replace(&mut self.mapped, mapped) != mapped {
+            self.map.begin();
+        }
+        Clamped(self.map.draw(state.map, counts, width).unwrap_or_default().to_vec())
     }
 
     /// The subject of the map: `nothing`, `lights` or `tiles`.
@@ -243,23 +238,18 @@ impl Stage {
     /// Returns how many lights the last colour of the map stands for.
     #[wasm_bindgen(getter, js_name = mapEnd)]
     pub fn map_end(&self) -> f64 {
-        self.screen.map().end()
+        self.map.end()
     }
 
     /// The colours of the map, from no light to the end of its scale: red, green and blue of each.
     pub fn palette(&self) -> Clamped<Vec<u8>> {
-        Clamped(self.screen.map().colours().concat())
+        Clamped(self.map.colours().concat())
     }
 
     /// The colours of re-lit and of kept tiles: red, green, blue of each.
     #[wasm_bindgen(js_name = tileColours)]
     pub fn tile_colours(&self) -> Clamped<Vec<u8>> {
-        Clamped(self.screen.map().tile_colours().concat())
-    }
-
-    /// Returns the counts of the work for the last picture.
-    pub fn account(&self) -> AccountState {
-        self.screen.account().into()
+        Clamped(self.map.tile_colours().concat())
     }
 
     /// The effects of the library, and whether the picture needs them.
@@ -297,11 +287,6 @@ impl Stage {
             state.is_everything = everything;
             Ok(())
         })?)
-    }
-
-    /// Lights the picture in both modes and compares the two results bit for bit.
-    pub fn compare(&self) -> Result<Equality, JsValue> {
-        Ok(self.screen.compare(&self.desk)?)
     }
 
     /// The exposure in stops.
@@ -403,6 +388,11 @@ impl Stage {
 }
 
 impl Stage {
+    fn size(&self) -> (u32, u32) {
+        let (width, height) = self.desk.state().scene.size();
+        self.fixed.unwrap_or((width as u32, height as u32))
+    }
+
     fn light_state(&self, light: usize) -> Result<LightState, Refusal> {
         let setting = self.desk.setting(light)?;
         setting.state(self.desk.rig().original(setting.of)?, self.desk.state().format)

@@ -1,4 +1,4 @@
-//! The times of the passes of a picture.
+//! The times of the passes of a painter.
 
 use wasm_bindgen::prelude::*;
 
@@ -8,14 +8,10 @@ use wasm_bindgen::prelude::*;
 pub struct Times {
     /// Nothing if the geometry was kept.
     pub geometry: Option<f64>,
-    /// Nothing if all shadow maps were kept.
+    /// Nothing if the painter has drawn no shadow map.
     pub shadows: Option<f64>,
     /// The lighting pass.
     pub lighting: f64,
     /// The encoding for the display.
     pub encode: f64,
-    /// Passing the picture to the canvas.
-    pub show: f64,
-    /// From setting the lights until the canvas has taken the picture.
-    pub frame: f64,
 }

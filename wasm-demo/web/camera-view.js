@@ -18,8 +18,14 @@ export class CameraView {
   #camera;
   #frame = 0;
   #paused = true;
+  /** Whether a picture is being drawn. */
+  #isBusy = false;
+  /** The time of a frame of the browser that began while a picture was being drawn. */
+  #due;
   /** The pointers that are down, by their id: one turns the camera, two pinch. */
   #pointers = new Map();
+
+  #drawing;
 
   /** How many pictures have been drawn. */
   drawn = 0;
@@ -30,7 +36,8 @@ export class CameraView {
    * @param {(yaw: number, pitch: number) => void} camera.orbit by angles in radians
    * @param {(factor: number) => boolean} camera.zoom returns whether the camera has moved
    * @param {() => void} camera.reset
-   * @param {(now: number) => {isDrawn: boolean, goesOn: boolean}} camera.draw
+   * @param {(now: number) => Promise<{goesOn: boolean, show: () => boolean}>} camera.draw resolves when
+   *   the picture can be shown; `show` returns whether there was something to show
    */
   constructor(canvas, camera) {
     this.#canvas = canvas;
@@ -48,7 +55,7 @@ export class CameraView {
 
   /** Draws with the next frame of the browser. Without a request no frame is scheduled. */
   request() {
-    if (this.#frame === 0 && !this.#paused && !hasFailed()) this.#frame = requestAnimationFrame((now) => this.draw(now));
+    if (this.#frame === 0 && !this.#paused && !hasFailed()) this.#frame = requestAnimationFrame((now) => this.#tick(now));
   }
 
   /** While the canvas is hidden, as at first, nothing is drawn; changes are drawn afterwards. */
@@ -57,13 +64,46 @@ export class CameraView {
     if (!paused) this.request();
   }
 
-  /** Draws what has changed, now. */
-  draw(now) {
+  /** Whether a picture is being drawn or will be. */
+  get isDrawing() {
+    return this.#isBusy || this.#frame !== 0;
+  }
+
+  /** Draws what has changed, now or after the picture that is being drawn. */
+  async draw(now) {
+    while (this.#isBusy) await this.#drawing;
     cancelAnimationFrame(this.#frame);
     this.#frame = 0;
-    const { isDrawn, goesOn } = this.#camera.draw(now);
-    if (isDrawn) this.drawn += 1;
-    if (goesOn) this.request();
+    await this.#start(now);
+  }
+
+  /** A frame of the browser. One picture is drawn at a time, and the newest state next. */
+  #tick(now) {
+    this.#frame = 0;
+    if (this.#isBusy) this.#due = now;
+    else this.#start(now);
+  }
+
+  #start(now) {
+    this.#isBusy = true;
+    this.#due = undefined;
+    this.#drawing = this.#finish(this.#camera.draw(now));
+    return this.#drawing;
+  }
+
+  async #finish(picture) {
+    let drawn;
+    try {
+      drawn = await picture;
+    } finally {
+      this.#isBusy = false;
+      // If the browser has begun a frame in the meantime, the workers begin the next picture before
+      // this one is shown, so that they need not wait.
+      const due = this.#due;
+      if (due !== undefined && !hasFailed()) this.#start(due);
+      if (drawn?.goesOn) this.request();
+    }
+    if (drawn.show()) this.drawn += 1;
   }
 
   #grab(event) {

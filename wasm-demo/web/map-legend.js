@@ -11,12 +11,11 @@ export class MapLegend {
   #legends = { lights: document.getElementById("map-lights"), tiles: document.getElementById("map-tiles") };
   #end = document.getElementById("map-end");
   #bar = document.getElementById("map-bar");
+  #screen;
 
-  /** The subject of the map that was drawn last. */
-  #drawn = "nothing";
-
-  constructor(stage) {
+  constructor(stage, screen) {
     this.#stage = stage;
+    this.#screen = screen;
     this.#bar.style.background = `linear-gradient(90deg, ${colours(stage.palette()).join()})`;
     const [relit, kept] = colours(stage.tileColours());
     document.getElementById("map-relit").style.background = relit;
@@ -28,15 +27,11 @@ export class MapLegend {
     this.#select.value = this.#stage.map;
   }
 
-  /** Whether the map shows another subject than chosen. */
-  get isStale() {
-    return this.#drawn !== this.#stage.map;
-  }
-
   /** Draws the map of the last picture, if it has a subject. */
   draw() {
-    this.#drawn = this.#stage.map;
-    this.#map.hidden = !this.#stage.drawMap();
+    const pixels = this.#stage.drawMap(this.#screen.counts);
+    this.#map.hidden = pixels.length === 0;
+    if (pixels.length > 0) this.#screen.showMap(pixels);
     for (const [subject, legend] of Object.entries(this.#legends)) legend.hidden = subject !== this.#stage.map;
     const end = this.#stage.mapEnd;
     this.#end.textContent = counted(end);

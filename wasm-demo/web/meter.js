@@ -1,7 +1,10 @@
 // Interface for tests and measurements: `window.luminaire`.
 import { Stage } from "./pkg/wasm_demo.js";
 import { median } from "./numbers.js";
-import { plain } from "./plain.js";
+import { Pool } from "./pool.js";
+import { Screen } from "./screen.js";
+import { now } from "./share.js";
+import { cores } from "./workers.js";
 
 const pause = () => new Promise((resolve) => setTimeout(resolve));
 
@@ -17,25 +20,32 @@ const STEP = 1 / 30;
 /** Yaw of the camera between frames, where it moves, in radians. */
 const TURN = 0.004;
 
-const PASSES = ["geometry", "shadows", "lighting", "encode", "show", "frame"];
+const PASSES = ["geometry", "shadows", "lighting", "encode", "transfer", "show", "frame"];
 
 export class Meter {
   #stage;
   #page;
+  #module;
 
   /** The comparison view; undefined until it is opened. */
   comparison;
   /** The view of the chip; undefined until it is opened. */
   chip;
 
-  constructor(stage, page) {
+  constructor(stage, page, module) {
     this.#stage = stage;
     this.#page = page;
+    this.#module = module;
   }
 
   /** Number of pictures that were drawn, in all views. */
   get drawn() {
     return this.#page.drawn + (this.comparison?.drawn ?? 0);
+  }
+
+  /** Whether a picture is being drawn or will be. */
+  get isDrawing() {
+    return this.#page.isDrawing;
   }
 
   /** The name of the scene. */
@@ -50,12 +60,17 @@ export class Meter {
 
   /** The costs of the last picture's light: a plain object. */
   get account() {
-    return plain(this.#stage.account());
+    return this.#page.account;
+  }
+
+  /** The times of the last picture's passes in milliseconds: a plain object. */
+  get times() {
+    return this.#page.times;
   }
 
   /** A copy of the last picture: RGBA, sRGB, eight bits. */
   pixels() {
-    return this.#stage.pixels();
+    return this.#page.pixels;
   }
 
   /** Requests a number format, as the select does: `fx16`, `fx32` or `f32`. */
@@ -71,9 +86,9 @@ export class Meter {
     return Stage.statedError(format);
   }
 
-  /** Draws what has changed, now. */
+  /** Draws what has changed, now. Resolves when it is shown. */
   redraw() {
-    this.#page.redraw();
+    return this.#page.redraw();
   }
 
   /**
@@ -81,11 +96,11 @@ export class Meter {
    * bit.
    */
   compare() {
-    return plain(this.#stage.compare());
+    return this.#page.compare();
   }
 
   /**
-   * Draws `frames` frames of a scene while its lights move, on a stage of its own. Returns the
+   * Draws `frames` frames of a scene while its lights move, on a stage and workers of its own. Returns the
    * medians of each pass in milliseconds: with the camera at rest, and with a turning camera, so
    * that the geometry is redrawn and every pixel re-lit. A frame is everything from setting the
    * lights until the canvas shows it. At rest, if nothing moves, nothing is drawn, and the times are
@@ -101,35 +116,128 @@ export class Meter {
    * @param {number} [options.shadows] the side of their shadow maps in texels, above the turntable
    * @param {string[]} [options.with] effects to put in, such as `haze`
    * @param {string[]} [options.without] effects to leave out, such as `specular`
+   * @param {number} [options.workers] how many draw; with 0 the page draws by itself
    * @param {boolean} [options.everything] whether all effects are evaluated, needed or not
    */
   async measureScene(name, frames, options = {}) {
-    const { width = 960, height = 540, format = "f32", everything = false } = options;
-    const { spots, shadows, with: added = [], without = [] } = options;
-    const canvas = () => document.createElement("canvas");
-    const stage = new Stage(canvas(), canvas(), width, height);
-    if (name === "turntable") stage.openTurntable(spots ?? 8, shadows);
-    else stage.open(name);
-    stage.setFormat(format);
-    stage.setEverything(everything);
-    for (const effect of added) stage.setEffect(effect, true);
-    for (const effect of without) stage.setEffect(effect, false);
-    const cameraAtRest = await run(stage, frames, () => {});
-    const cameraMoving = await run(stage, frames, () => stage.orbit(TURN, 0));
-    const { lights } = plain(stage.account());
+    const { format = "f32", workers = cores() } = options;
+    const stage = opened(name, options);
+    const { width, height } = stage;
+    const pool = new Pool(Promise.resolve(this.#module), workers);
+    const screen = hidden();
+    const cameraAtRest = await run(stage, pool, screen, frames, () => {});
+    const cameraMoving = await run(stage, pool, screen, frames, () => stage.orbit(TURN, 0));
+    const lights = stage.lightCount;
     stage.free();
-    return { scene: name, width, height, format, lights, cameraAtRest, cameraMoving };
+    pool.end();
+    return { scene: name, width, height, format, workers, lights, cameraAtRest, cameraMoving };
+  }
+
+  /**
+   * Draws `frames` frames of a scene twice, with a moving camera. Returns the memory of all workers'
+   * modules in bytes, after the first and after the second time.
+   *
+   * @param {object} [options] as for `measureScene`
+   */
+  async measureMemory(name, frames, options = {}) {
+    const stage = opened(name, options);
+    const pool = new Pool(Promise.resolve(this.#module), options.workers ?? cores());
+    const screen = hidden();
+    const draw = () => run(stage, pool, screen, frames, () => stage.orbit(TURN, 0));
+    await draw();
+    const before = await pool.memory();
+    await draw();
+    const after = await pool.memory();
+    stage.free();
+    pool.end();
+    return { before, after };
+  }
+
+  /**
+   * Compares workers that share pictures with workers that know nothing of one another: `frames`
+   * pictures of a scene with a moving camera are drawn by `workers` workers together, and shown, and
+   * then by each of as many workers in a loop of its own. Returns the pictures a second of both, the
+   * better of `rounds` rounds.
+   *
+   * @param {object} [options] as for `measureScene`
+   */
+  async measureCores(name, frames, rounds, options = {}) {
+    const { workers = cores() } = options;
+    const stage = opened(name, options);
+    const order = (frame) => {
+      stage.seek(STEP * frame, 0);
+      stage.orbit(TURN, 0);
+      return stage.job();
+    };
+    const jobs = Array.from({ length: WARM_UP + frames }, (_, frame) => order(frame));
+    const module = Promise.resolve(this.#module);
+    const pool = new Pool(module, workers);
+    const loops = Array.from({ length: workers }, () => new Pool(module, 1));
+    let [together, apart] = [0, 0];
+    for (let round = 0; round < rounds; round += 1) {
+      together = Math.max(together, (1000 * frames) / (await inTurn(stage, pool, jobs)));
+      await Promise.all(loops.map((loop) => loop.loop(jobs.slice(0, WARM_UP))));
+      const times = await Promise.all(loops.map((loop) => loop.loop(jobs.slice(WARM_UP))));
+      apart = Math.max(apart, (1000 * frames * workers) / Math.max(...times));
+    }
+    for (const each of [pool, ...loops]) each.end();
+    stage.free();
+    return { workers, togetherPerSecond: together, apartPerSecond: apart, share: together / apart };
   }
 }
 
-async function run(stage, frames, move) {
+/** Opens a scene on a stage of its own. */
+function opened(name, options) {
+  const { width = 960, height = 540, format = "f32", everything = false } = options;
+  const { spots, shadows, with: added = [], without = [] } = options;
+  const stage = new Stage(width, height);
+  if (name === "turntable") stage.openTurntable(spots ?? 8, shadows);
+  else stage.open(name);
+  stage.setFormat(format);
+  stage.setEverything(everything);
+  for (const effect of added) stage.setEffect(effect, true);
+  for (const effect of without) stage.setEffect(effect, false);
+  return stage;
+}
+
+/** A screen that is not on the page. */
+const hidden = () => new Screen(document.createElement("canvas"), document.createElement("canvas"));
+
+/** Draws pictures as an animation does: the next one is begun before the last one is shown. */
+async function inTurn(stage, pool, jobs) {
+  const { width, height } = stage;
+  const screen = hidden();
+  let start;
+  let drawing = pool.draw(jobs[0]);
+  for (let next = 1; next <= jobs.length; next += 1) {
+    const { parts } = await drawing;
+    if (next === WARM_UP) start = now();
+    if (next < jobs.length) drawing = pool.draw(jobs[next]);
+    screen.gather(parts, { width, height });
+    pool.recycle(parts);
+    screen.show();
+  }
+  return now() - start;
+}
+
+async function run(stage, pool, screen, frames, move) {
+  const { width, height } = stage;
   const times = Object.fromEntries(PASSES.map((pass) => [pass, []]));
   for (let frame = -WARM_UP; frame < frames; frame += 1) {
+    const start = now();
     stage.seek(STEP * (frame + WARM_UP), 0);
     move();
-    if (stage.draw() && frame >= 0) {
-      const measured = plain(stage.times());
-      for (const pass of PASSES) if (measured[pass] !== undefined) times[pass].push(measured[pass]);
+    const { isDrawn, parts, times: measured } = await pool.draw(stage.job());
+    if (isDrawn) {
+      screen.gather(parts, { width, height });
+      pool.recycle(parts);
+      const gathered = now();
+      screen.show();
+      const end = now();
+      const passes = ["geometry", "shadows", "lighting", "encode"];
+      const busy = passes.reduce((sum, pass) => sum + (measured[pass] ?? 0), 0);
+      Object.assign(measured, { transfer: gathered - start - busy, show: end - gathered, frame: end - start });
+      for (const pass of PASSES) if (frame >= 0 && measured[pass] !== undefined) times[pass].push(measured[pass]);
     }
     // Yields to the browser, as between frames.
     await pause();

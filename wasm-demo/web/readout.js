@@ -1,27 +1,23 @@
 // Times of the passes: medians over the last pictures, because a single time is mostly noise.
 import { median } from "./numbers.js";
-import { plain } from "./plain.js";
 
 const PICTURES = 30;
 
 /** The passes of a picture. */
-const PASSES = ["geometry", "shadows", "lighting", "encode", "show"];
+const PASSES = ["geometry", "shadows", "lighting", "encode", "transfer", "show"];
 
 const place = (name) => document.getElementById(`${name}-ms`);
 
 export class Readout {
-  #stage;
   #passes = PASSES.map((name) => ({ name, times: [], place: place(name) }));
   #frame = place("frame");
 
-  constructor(stage) {
-    this.#stage = stage;
-  }
-
-  /** Adds the times of the current picture. The frame is the sum of the passes that ran for it. */
-  add() {
+  /**
+   * Adds the times of a picture. The frame is the sum of the passes that ran for it; of the passes
+   * that run in parallel, those of the share that took longest.
+   */
+  add(passes) {
     let frame = 0;
-    const passes = plain(this.#stage.times());
     for (const { name, times, place } of this.#passes) {
       const time = passes[name];
       if (time !== undefined) times.push(time);

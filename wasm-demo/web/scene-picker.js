@@ -1,13 +1,13 @@
 // The scenes to choose from, each with a small picture of it.
 import { Stage } from "./pkg/wasm_demo.js";
-import { aside } from "./failure.js";
 import { plain } from "./plain.js";
+import { thumbnail } from "./share.js";
+import { hire } from "./workers.js";
 
 export class ScenePicker {
   #scenes = new Map(Stage.examples().map((scene) => [scene.name, plain(scene)]));
   #holder = document.getElementById("scenes");
   #shown;
-  #isDrawn = false;
 
   /** Called with the name of a scene that the visitor chooses. */
   onchange = () => {};
@@ -24,12 +24,23 @@ export class ScenePicker {
     }
   }
 
-  /** Marks a scene. The small pictures are drawn after the first large one. */
+  /** Marks a scene. */
   show(name) {
     this.#shown = this.#scenes.get(name);
     document.getElementById(`scene-${name}`).checked = true;
-    if (!this.#isDrawn) setTimeout(() => this.#draw([...this.#holder.querySelectorAll("label")]), 500);
-    this.#isDrawn = true;
+  }
+
+  /** Draws the small pictures, one at a time, in a worker if the browser has one. */
+  async draw(module) {
+    const [helper] = hire(1);
+    for (const item of this.#holder.querySelectorAll("label")) {
+      const canvas = item.querySelector("canvas");
+      const { width, height } = canvas;
+      const order = { scene: item.querySelector("input").value, width, height };
+      const pixels = await (helper?.ask("thumbnail", { module, ...order }).catch(() => drawHere(order)) ?? drawHere(order));
+      canvas.getContext("2d").putImageData(new ImageData(pixels, width, height), 0, 0);
+    }
+    helper?.end();
   }
 
   get title() {
@@ -40,16 +51,10 @@ export class ScenePicker {
   get summary() {
     return this.#shown.summary;
   }
+}
 
-  /** Draws one picture at a time and yields to the browser between them. */
-  #draw([item, ...rest]) {
-    if (!item) return;
-    aside(() => {
-      const canvas = item.querySelector("canvas");
-      const { width, height } = canvas;
-      const pixels = Stage.thumbnail(item.querySelector("input").value, width, height);
-      canvas.getContext("2d").putImageData(new ImageData(pixels, width, height), 0, 0);
-    });
-    setTimeout(() => this.#draw(rest), 30);
-  }
+/** Draws a small picture on the page, which may have something else to do before. */
+async function drawHere(order) {
+  await new Promise((resolve) => setTimeout(resolve, 30));
+  return thumbnail(order);
 }

@@ -1,29 +1,26 @@
 // Starts the demo: loads the module and connects the views.
-import init, { Stage } from "./pkg/wasm_demo.js";
+import { initSync, Stage } from "./pkg/wasm_demo.js";
 import { Meter } from "./meter.js";
+import { compile } from "./module.js";
+import { Pool } from "./pool.js";
+import { Screen } from "./screen.js";
 import { StagePage } from "./stage-page.js";
-import { load, requestedSize } from "./support.js";
+import { load, requested } from "./support.js";
 import { Views } from "./views.js";
-
-/** Loads the module. The browser's own message for a failure is of little help by itself. */
-async function start() {
-  try {
-    await init();
-  } catch (error) {
-    throw new Error(
-      `The demo's WebAssembly module could not be loaded (${error.message}). ` +
-        "Serve the whole folder, pkg included, over HTTP, and reload the page.",
-    );
-  }
-}
+import { cores } from "./workers.js";
 
 /** Starts the demo. The other views are opened when they are first requested. */
 export async function open() {
-  await start();
-  const { width, height } = requestedSize(location.search);
-  const stage = new Stage(document.getElementById("view"), document.getElementById("map"), width, height);
-  const page = new StagePage(stage);
-  const meter = new Meter(stage, page);
+  const { width, height, workers = cores() } = requested(location.search);
+  // The workers load their scripts while the module is compiled.
+  const compiling = compile();
+  const pool = new Pool(compiling, workers);
+  const module = await compiling;
+  initSync({ module });
+  const stage = new Stage(width, height);
+  const screen = new Screen(document.getElementById("view"), document.getElementById("map"));
+  const page = new StagePage(stage, pool, screen, module);
+  const meter = new Meter(stage, page, module);
   const comparison = {
     element: document.getElementById("comparison"),
     async open(attempt) {

@@ -5,14 +5,14 @@ import { remember } from "./address.js";
 import { CameraView } from "./camera-view.js";
 import { Curve } from "./curve.js";
 import { EffectList } from "./effect-list.js";
-import { aside } from "./failure.js";
+import { aside, words } from "./failure.js";
 import { LightList } from "./light-list.js";
 import { LightPanel } from "./light-panel.js";
 import { MapLegend } from "./map-legend.js";
 import { whole } from "./numbers.js";
-import { plain } from "./plain.js";
 import { Readout } from "./readout.js";
 import { ScenePicker } from "./scene-picker.js";
+import { now } from "./share.js";
 
 const element = (id) => document.getElementById(id);
 
@@ -21,9 +21,12 @@ const LONGEST_STEP = 0.25;
 
 export class StagePage {
   #stage;
+  #pool;
+  #screen;
+  #module;
   #view;
   #scenes = new ScenePicker();
-  #readout;
+  #readout = new Readout();
   #account = new AccountTable();
   #effects;
   #lights;
@@ -33,21 +36,29 @@ export class StagePage {
   #isOpen = false;
   /** The time of the last picture of an animation. */
   #last;
+  /** The job that the pool has drawn last. */
+  #drawnJob;
+  /** Whether the canvas shows its picture. */
+  #isShown = true;
+  /** The account and the times of the last picture. */
+  #told = {};
 
-  constructor(stage) {
+  constructor(stage, pool, screen, module) {
     this.#stage = stage;
+    this.#pool = pool;
+    this.#screen = screen;
+    this.#module = module;
     this.#view = new CameraView(element("view"), {
       orbit: (yaw, pitch) => this.#move(() => stage.orbit(yaw, pitch)),
       zoom: (factor) => this.#move(() => stage.zoom(factor)),
       reset: () => this.#move(() => stage.resetCamera()),
       draw: (now) => this.#draw(now),
     });
-    this.#readout = new Readout(stage);
     this.#effects = new EffectList(stage);
     this.#lights = new LightList(stage);
     this.#panel = new LightPanel(stage);
     this.#curve = new Curve(stage);
-    this.#legend = new MapLegend(stage);
+    this.#legend = new MapLegend(stage, screen);
     this.#join();
   }
 
@@ -56,8 +67,31 @@ export class StagePage {
     return this.#view.drawn;
   }
 
-  /** Takes the state of the address; without one it stays as it is. Refusals are shown. */
-  show(query) {
+  /** Whether a picture is being drawn or will be. */
+  get isDrawing() {
+    return this.#view.isDrawing;
+  }
+
+  /** A copy of the last picture: RGBA, sRGB, eight bits. */
+  get pixels() {
+    return this.#screen.pixels.slice();
+  }
+
+  /** What was evaluated for the last picture. */
+  get account() {
+    return this.#told.account;
+  }
+
+  /** The times of the last picture in milliseconds: see `Pool.draw`. */
+  get times() {
+    return this.#told.times;
+  }
+
+  /**
+   * Takes the state of the address; without one it stays as it is. Refusals are shown. Resolves when
+   * there is a picture.
+   */
+  async show(query) {
     this.#view.pause(false);
     if (this.#isOpen && query === "") return this.#changed();
     const isFirst = !this.#isOpen;
@@ -69,7 +103,9 @@ export class StagePage {
     if (isFirst) this.#stage.begin();
     this.#changed();
     element("stage-error").textContent = refused;
-    if (this.drawn === 0) this.#view.draw(0);
+    if (!isFirst) return;
+    await this.#view.draw(now());
+    this.#scenes.draw(this.#module).catch((error) => reportError(new Error(words(error))));
   }
 
   /** Called when the view is hidden. */
@@ -84,7 +120,12 @@ export class StagePage {
 
   /** Draws the current picture, if it is not on the canvas. */
   redraw() {
-    this.#view.draw(0);
+    return this.#view.draw(now());
+  }
+
+  /** Lights the picture with the needed effects and with all, and compares the two bit for bit. */
+  compare() {
+    return this.#pool.compare(this.#stage.job());
   }
 
   #join() {
@@ -193,34 +234,73 @@ export class StagePage {
     element("redo").disabled = !this.#stage.canRedo;
   }
 
-  /** Draws what has changed. Returns whether something moves, so that another picture follows. */
-  #draw(now) {
+  /** Draws what has changed: see `CameraView`. */
+  async #draw(now) {
     const stage = this.#stage;
     const step = Math.min((now - (this.#last ?? now)) / 1000, LONGEST_STEP);
     const isPlaying = stage.advance(step);
     this.#last = isPlaying ? now : undefined;
-    let isDrawn = false;
+    const job = stage.job();
+    if (job === this.#drawnJob) return { goesOn: isPlaying, show: () => this.#show() };
+    const { width, height } = stage;
+    this.#drawnJob = undefined;
     try {
-      isDrawn = stage.draw();
+      const picture = await this.#pool.draw(job);
+      this.#drawnJob = job;
+      return { goesOn: isPlaying, show: () => this.#take({ ...picture, width, height, isPlaying }) };
     } catch (refusal) {
-      if (typeof refusal !== "string") throw refusal;
-      stage.play(false, false);
-      element("stage-error").textContent = refusal;
-      return { isDrawn, goesOn: false };
+      this.#refuse(refusal);
+      return { goesOn: false, show: () => false };
     }
-    if (isDrawn) aside(() => this.#tell(isPlaying));
-    else if (this.#legend.isStale) aside(() => this.#legend.draw());
-    return { isDrawn, goesOn: isPlaying };
   }
 
-  #tell(isPlaying) {
-    const { width, height } = this.#stage;
+  /** Takes a picture of the pool and shows it. Returns whether it is another one. */
+  #take({ isDrawn, parts, account, times, width, height, isPlaying }) {
+    const start = now();
+    this.#screen.count(parts, height);
+    if (isDrawn) {
+      this.#screen.gather(parts, { width, height });
+      this.#pool.recycle(parts);
+      this.#isShown = false;
+    }
+    times.transfer += now() - start;
+    const isShown = this.#show(times);
+    if (isShown) {
+      this.#told = { account, times };
+      aside(() => this.#tell(isPlaying, width * height));
+    }
+    aside(() => this.#legend.draw());
+    return isShown;
+  }
+
+  /** Shows the last picture, if the canvas has not taken it yet. Returns whether it has now. */
+  #show(times = {}) {
+    if (this.#isShown) return false;
+    const start = now();
+    try {
+      this.#screen.show();
+    } catch (error) {
+      this.#refuse(`The canvas has refused the picture: ${error.message}`);
+      return false;
+    }
+    this.#isShown = true;
+    times.show = now() - start;
+    return true;
+  }
+
+  #refuse(refusal) {
+    if (typeof refusal !== "string") throw refusal;
+    this.#stage.play(false, false);
+    element("stage-error").textContent = refusal;
+  }
+
+  #tell(isPlaying, pixels) {
+    const { account, times } = this.#told;
     if (!isPlaying) this.#account.forget();
-    this.#readout.add();
-    this.#account.add(plain(this.#stage.account()), width * height);
+    this.#readout.add(times);
+    this.#account.add(account, pixels);
     this.#effects.show();
-    this.#legend.draw();
-    element("size").textContent = `The picture has ${width} × ${height} pixels.`;
+    element("size").textContent = `The picture has ${this.#stage.width} × ${this.#stage.height} pixels.`;
   }
 
   async #copyLink() {
@@ -265,8 +345,8 @@ export class StagePage {
     event.preventDefault();
   }
 
-  #verify() {
-    const { pixels, differing, evaluated, pairs, lightingMs, everythingMs } = plain(this.#stage.compare());
+  async #verify() {
+    const { pixels, differing, evaluated, pairs, lightingMs, everythingMs } = await this.compare();
     const same = differing === 0 ? `All ${whole(pixels)} pixels are equal, bit for bit` : `${whole(differing)} pixels differ`;
     element("equality").textContent =
       `${same}: ${whole(evaluated)} pairs of light and pixel in ${lightingMs.toFixed(1)} ms, ` +

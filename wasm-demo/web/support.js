@@ -5,6 +5,9 @@ const SIMD = Uint8Array.of(
   0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 10, 1, 8, 0, 65, 0, 253, 15, 253, 98, 11,
 );
 
+/** Most workers that an address can ask for. */
+const MOST_WORKERS = 16;
+
 /** Throws if the module can't be compiled: it uses WebAssembly's 128-bit SIMD. */
 export function requireSimd() {
   if (typeof WebAssembly !== "object" || !WebAssembly.validate(SIMD)) {
@@ -30,16 +33,19 @@ export async function load(file, attempt = 0) {
   }
 }
 
-/** The size of the picture: `?width=&height=`, else undefined. */
-export function requestedSize(search) {
+/** The size of the picture and the number of workers: `?width=&height=&workers=`, else undefined. */
+export function requested(search) {
   const query = new URLSearchParams(search);
-  return { width: pixels(query, "width"), height: pixels(query, "height") };
+  const [width, height] = ["width", "height"].map((name) => count(query, name, "pixels"));
+  const workers = count(query, "workers", "workers");
+  if (workers > MOST_WORKERS) throw new Error(`workers = ${workers}: expected 0 to ${MOST_WORKERS} workers`);
+  return { width, height, workers };
 }
 
-/** Checks only that the value is a whole number; the renderer checks the range. */
-function pixels(query, name) {
+/** Checks only that the value is a whole number; the renderer checks the range of a size. */
+function count(query, name, unit) {
   const text = query.get(name);
   if (text === null) return undefined;
-  if (!/^\d{1,9}$/.test(text)) throw new Error(`${name} = "${text}": expected a whole number of pixels`);
+  if (!/^\d{1,9}$/.test(text)) throw new Error(`${name} = "${text}": expected a whole number of ${unit}`);
   return Number(text);
 }

@@ -33,7 +33,7 @@ class View {
       throw error;
     }
     // The visitor may have left the view in the meantime.
-    if (isWanted()) this.#opened.show(query);
+    if (isWanted()) await this.#opened.show(query);
   }
 
   hide() {

@@ -9,7 +9,7 @@ use crate::arguments::{DemoOptions, Size};
 use tools::browser::{Chromium, Page};
 use tools::demo::publish::publish;
 use tools::demo::site;
-use tools::demo::turntable::{self, Frame, LOADS, Load};
+use tools::demo::turntable::{self, Cores, Frame, LOADS, Load};
 use tools::progress::Progress;
 use tools::server::{self, Server};
 
@@ -66,10 +66,21 @@ pub(crate) fn check(chromium: &mut Chromium, address: &str, screenshot: Option<&
 /// The frame times of a scene, in words. The turntable is timed under each of its loads.
 fn frames(page: &mut Page, scene: &str) -> Result<String> {
     if scene != turntable::SCENE {
-        return Ok(format!("{scene}: {}", in_words(turntable::frame(page, scene, FRAMES, "{}")?)));
+        let frame = turntable::frame(page, scene, FRAMES, "{}")?;
+        let cores = turntable::cores(page, scene, FRAMES, "{}")?;
+        return Ok(format!("{scene}: {}{}", in_words(frame), cores_in_words(cores)));
     }
-    let load = |load: &Load| Ok(format!("{}: {}", load.name, in_words(load.time(page, FRAMES)?)));
+    let load = |load: &Load| {
+        let (frame, cores) = (load.time(page, FRAMES)?, load.cores(page, FRAMES)?);
+        Ok(format!("{}: {}{}", load.name, in_words(frame), cores_in_words(cores)))
+    };
     Ok(format!("{scene}: {}", LOADS.iter().map(load).collect::<Result<Vec<_>>>()?.join("; ")))
+}
+
+/// How many pictures workers draw that share each picture, of those of independent loops.
+fn cores_in_words(Cores { workers, together, apart }: Cores) -> String {
+    let share = 100.0 * together / apart;
+    format!(", {together:.1} a second by {workers} workers, {share:.0} % of {workers} independent loops")
 }
 
 fn in_words(frame: Frame) -> String {

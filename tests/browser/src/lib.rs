@@ -15,6 +15,7 @@ mod readout;
 mod refusal;
 pub mod shaders;
 mod stage;
+mod workers;
 
 use std::path::Path;
 
@@ -41,7 +42,7 @@ const STILL: &str = "#stage?scene=three-point&play=none";
 pub type Test = (&'static str, fn(&mut Visitor) -> Result<()>);
 
 /// Every test.
-pub const ALL: [Test; 59] = [
+pub const ALL: [Test; 64] = [
     ("the page becomes ready without a complaint", picture::becomes_ready),
     ("the picture is lit by its lights, in several colours", picture::is_lit),
     ("a picture that the canvas refused is shown with the next draw", picture::is_shown_again),
@@ -88,6 +89,11 @@ pub const ALL: [Test; 59] = [
     ("what a format cannot hold of a scene is refused in words", stage::refusals_are_told),
     ("the stage is used by the keyboard alone", stage::keys_are_enough),
     ("scenes are measured, pass by pass", stage::are_measured),
+    ("any number of workers draws the same bits", workers::draw_the_same_bits),
+    ("the page draws by itself where workers do not start", workers::need_not_start),
+    ("a bad number of workers is told", workers::are_counted),
+    ("no task of the page takes longer than 50 ms", workers::leave_the_page_free),
+    ("drawing takes no more memory from picture to picture", workers::keep_to_their_memory),
     ("all views fit screens from 390 to 1440 pixels", comparison::fits_every_screen),
     ("a browser without simd is told so", failure::without_simd),
     ("a browser that refuses the canvas is told so", failure::without_canvas),

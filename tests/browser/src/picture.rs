@@ -35,11 +35,14 @@ pub(crate) fn is_shown_again(visitor: &mut Visitor) -> Result<()> {
     let mut page = visitor.ready()?;
     let (redraw, drawn) = ("luminaire.redraw()", page.number("luminaire.drawn")?);
     let refused = page.holds(
-        "(() => {
+        "(async () => {
             const canvas = CanvasRenderingContext2D.prototype, put = canvas.putImageData;
-            canvas.putImageData = () => { throw new Error('out of memory'); };
+            canvas.putImageData = function (...picture) {
+                if (this.canvas.id === 'view') throw new Error('out of memory');
+                put.apply(this, picture);
+            };
             document.getElementById('light-0-on').click();
-            luminaire.redraw();
+            await luminaire.redraw();
             canvas.putImageData = put;
             return document.getElementById('stage-error').textContent.includes('out of memory');
         })()",

@@ -34,13 +34,13 @@ pub(crate) fn adds_up(visitor: &mut Visitor) -> Result<()> {
 fn must_add_up(page: &mut Page, kept: &[&str]) -> Result<()> {
     // All times are read in one call, because the next picture has other times.
     let told = page.ask(
-        "Object.fromEntries(['geometry', 'shadows', 'lighting', 'encode', 'show', 'frame'].map((pass) => {
+        "Object.fromEntries(['geometry', 'shadows', 'lighting', 'encode', 'transfer', 'show', 'frame'].map((pass) => {
             const place = document.getElementById(`${pass}-ms`);
             return [pass, place && { text: place.textContent, isGrey: place.classList.contains('kept') }];
         }))",
     )?;
     let mut sum = 0.0;
-    for pass in ["geometry", "shadows", "lighting", "encode", "show"] {
+    for pass in ["geometry", "shadows", "lighting", "encode", "transfer", "show"] {
         let Some(text) = told[pass]["text"].as_str() else { continue };
         let is_kept = text.ends_with(" kept");
         ensure!(is_kept == kept.contains(&pass), "{pass} is told as {text:?}");

@@ -1,7 +1,7 @@
 //! The desk: what is taken, what is refused, and the way back.
 
 use super::*;
-use crate::{fixture, format::Format, light::LightState};
+use crate::{fixture, format::Format, job, light::LightState};
 use luminaire::{
     Vec3,
     dynamic::{Effect, Effects},
@@ -121,9 +121,12 @@ fn haze_dither_and_shadows_are_added_and_taken_away() {
         desk.switch(effect.name(), false).unwrap();
     }
     assert_eq!(look(&desk), before);
-    desk.add_shadows(64).unwrap();
-    assert_eq!(sides(&desk), [Some(64); 8]);
-    assert!(desk.add_shadows(5).is_err());
+    for (side, is_taken) in [(64, true), (5, false)] {
+        let rig = job::rig(Example::Turntable, Some((8, Some(side)))).unwrap();
+        let mut desk = Desk::with_rig(Example::Turntable, rig);
+        assert_eq!(desk.switch("shadow", true).is_ok(), is_taken);
+        assert_eq!(sides(&desk), [Some(side).filter(|_| is_taken); 8]);
+    }
 }
 
 #[test]

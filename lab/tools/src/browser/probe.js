@@ -16,7 +16,7 @@ window.probe = (() => {
     for (let tries = 0; tries < TRIES; tries += 1) {
       const drawn = luminaire.drawn;
       await pause(150);
-      if (luminaire.drawn === drawn) return;
+      if (luminaire.drawn === drawn && !luminaire.isDrawing) return;
     }
     raise("the page never stops drawing");
   }

@@ -1,6 +1,6 @@
 //! Timing whole frames in a browser, on the scene turntable under each of its loads.
 
-use anyhow::Result;
+use anyhow::{Context, Result};
 
 use crate::browser::Page;
 
@@ -32,11 +32,41 @@ pub struct Frame {
     pub moving: Option<f64>,
 }
 
+/// Pictures a second, drawn by workers.
+#[derive(Clone, Copy, Debug)]
+pub struct Cores {
+    /// How many workers there are.
+    pub workers: u64,
+    /// Of the workers that share each picture.
+    pub together: f64,
+    /// Of as many workers in independent loops, which show nothing.
+    pub apart: f64,
+}
+
+/// Rounds of both, of which the better counts.
+const ROUNDS: u32 = 3;
+
 impl Load {
+    /// Counts pictures of the turntable under the load, with a moving camera.
+    pub fn cores(&self, page: &mut Page, frames: u32) -> Result<Cores> {
+        cores(page, SCENE, frames, self.options)
+    }
+
     /// Times frames of the turntable under the load.
     pub fn time(&self, page: &mut Page, frames: u32) -> Result<Frame> {
         frame(page, SCENE, frames, self.options)
     }
+}
+
+/// Counts pictures of any scene, with a moving camera. `options` are arguments of the page's meter.
+pub fn cores(page: &mut Page, scene: &str, frames: u32, options: &str) -> Result<Cores> {
+    let found = page.ask(&format!("luminaire.measureCores('{scene}', {frames}, {ROUNDS}, {options})"))?;
+    let rate = |name: &str| found[name].as_f64().with_context(|| format!("no {name} in {found}"));
+    Ok(Cores {
+        workers: found["workers"].as_u64().context("no workers")?,
+        together: rate("togetherPerSecond")?,
+        apart: rate("apartPerSecond")?,
+    })
 }
 
 /// Times frames of any scene. `options` are arguments of the page's meter.

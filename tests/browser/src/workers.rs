@@ -1,0 +1,125 @@
+//! The picture is drawn by workers: by any number of them with the same bits, or by the page itself,
+//! and never so that the page is in the way of its visitor.
+
+use anyhow::{Context, Result, ensure};
+
+use crate::Visitor;
+use tools::browser::Page;
+
+/// Pictures that call for all passes: with haze, gobos, shadows, dither, fixed point and maps.
+const PICTURES: [&str; 4] = [
+    "scene=show&at=2.5/0&effects=dither",
+    "scene=three-point&format=fx16&effects=haze/dither",
+    "scene=gallery&map=lights&view=0.4/0.1/0.8",
+    "scene=turntable&format=fx32&effects=shadow&map=tiles&at=0.7/0.3",
+];
+
+/// Scripts for browsers whose workers do not start.
+const NO_WORKERS: [&str; 2] = [
+    "window.Worker = undefined",
+    "window.Worker = class extends Worker { constructor() { super('/no-such-script.js', { type: 'module' }) } }",
+];
+
+/// Records every task of the page that takes longer than 50 ms.
+const WATCH: &str = "window.longTasks = [];
+    new PerformanceObserver((list) => longTasks.push(...list.getEntries().map(({ duration }) => duration)))
+        .observe({ type: 'longtask', buffered: true });";
+
+/// Attempts to see no long task, because other work of the machine may interrupt the page.
+const ATTEMPTS: usize = 10;
+
+/// Sums of the picture, of its map and of its account.
+const SUMS: &str = "(() => {
+    const sum = (codes) => codes.reduce((sum, code) => (31 * sum + code) % 4294967291, 7);
+    const map = document.getElementById('map');
+    const { data } = map.getContext('2d').getImageData(0, 0, map.width, map.height);
+    return [sum(luminaire.pixels()), map.hidden || sum(data), JSON.stringify(luminaire.account)].join();
+})()";
+
+pub(crate) fn draw_the_same_bits(visitor: &mut Visitor) -> Result<()> {
+    for picture in PICTURES {
+        let mut first = None;
+        for workers in [0, 1, 2, 4] {
+            let query = format!("?width=320&height=200&workers={workers}#stage?play=none&{picture}");
+            let mut page = visitor.ready_at(&query)?;
+            let found = sums_of_changes(&mut page)?;
+            page.must_be_content().with_context(|| query.clone())?;
+            let expected = first.get_or_insert_with(|| found.clone());
+            ensure!(found == *expected, "{query}: expected {expected:?}, found {found:?}");
+        }
+    }
+    Ok(())
+}
+
+/// The sums of a picture, and of the pictures after some changes.
+fn sums_of_changes(page: &mut Page) -> Result<Vec<String>> {
+    let mut sums = vec![page.text(SUMS)?];
+    for id in ["light-1-on", "effect-specular", "light-1-on"] {
+        page.ask(&format!("document.getElementById('{id}').click()"))?;
+        page.settle()?;
+        sums.push(page.text(SUMS)?);
+    }
+    Ok(sums)
+}
+
+/// Without workers the page draws by itself.
+pub(crate) fn need_not_start(visitor: &mut Visitor) -> Result<()> {
+    let query = "?width=320&height=200#stage?play=none&scene=three-point";
+    let expected = visitor.ready_at(query)?.text(SUMS)?;
+    for script in NO_WORKERS {
+        let mut page = visitor.ready_with(query, script)?;
+        let found = page.text(SUMS)?;
+        ensure!(found == expected, "{script}: expected {expected}, found {found}");
+        page.change("a beam, without workers", |page| page.enter("light-beam-number", 12))?;
+        ensure!(!page.shows("failure")? && !page.shows("trouble")?, "{script} is told as a failure");
+        page.ask("probe.until(() => probe.visible('scene-show'))")?;
+    }
+    Ok(())
+}
+
+/// A bad number of workers is refused in words.
+pub(crate) fn are_counted(visitor: &mut Visitor) -> Result<()> {
+    for (query, words) in [("?workers=17", "0 to 16 workers"), ("?workers=two", "a whole number of workers")] {
+        let mut page = visitor.chromium.open(&format!("{}{query}", visitor.address), "")?;
+        ensure!(page.state()? == "failed", "{query} is taken");
+        let told = page.message("failure")?;
+        ensure!(told.contains(words), "{query} is told as {told:?}");
+    }
+    Ok(())
+}
+
+/// No task of the page takes longer than 50 ms after it has loaded: not while the show plays, nor
+/// while a slider is dragged.
+pub(crate) fn leave_the_page_free(visitor: &mut Visitor) -> Result<()> {
+    let mut least = f64::INFINITY;
+    for _ in 0..ATTEMPTS {
+        let mut page = visitor.chromium.open(&visitor.address, WATCH)?;
+        page.ready()?;
+        page.ask("void longTasks.splice(0)")?;
+        let drawn = page.number("luminaire.drawn")?;
+        page.ask(&format!("probe.until(() => luminaire.drawn > {drawn} + 20)"))?;
+        page.ask(
+            "(async () => {
+                for (let i = 0; i < 20; i += 1) {
+                    probe.enter('light-beam', 0.3 + 0.02 * i);
+                    await new Promise((resolve) => setTimeout(resolve, 20));
+                }
+            })()",
+        )?;
+        page.must_be_content()?;
+        least = least.min(page.number("Math.max(0, ...longTasks)")?);
+        if least == 0.0 {
+            return Ok(());
+        }
+    }
+    anyhow::bail!("a task of the page takes {least} ms, expected at most 50 ms")
+}
+
+/// Drawing needs no more memory from picture to picture.
+pub(crate) fn keep_to_their_memory(visitor: &mut Visitor) -> Result<()> {
+    let mut page = visitor.ready_at("#stage?play=none&scene=pocket")?;
+    let found = page.ask("luminaire.measureMemory('show', 60, { width: 320, height: 180, with: ['shadow'] })")?;
+    ensure!(found["before"].as_f64() > Some(1e6), "no memory is measured: {found}");
+    ensure!(found["before"] == found["after"], "memory grows: {found}");
+    page.must_be_content()
+}

@@ -1,0 +1,18 @@
+// The WebAssembly module, compiled once for the page and all of its workers.
+
+/** Compiles the module. The browser's own message for a failure is of little help by itself. */
+export async function compile() {
+  const address = new URL("pkg/wasm_demo_bg.wasm", import.meta.url);
+  try {
+    const response = await fetch(address);
+    if (!response.ok) throw new Error(`${response.status} ${response.statusText}`);
+    // Browsers compile while they load, but only what the server calls by its type.
+    const isTyped = response.headers.get("Content-Type") === "application/wasm";
+    return await (isTyped ? WebAssembly.compileStreaming(response) : WebAssembly.compile(await response.arrayBuffer()));
+  } catch (error) {
+    throw new Error(
+      `The demo's WebAssembly module could not be loaded (${error.message}). ` +
+        "Serve the whole folder, pkg included, over HTTP, and reload the page.",
+    );
+  }
+}

@@ -1,0 +1,108 @@
+// A share of each picture: every n-th stripe of 16 rows. It is drawn in a worker, or on the page if
+// the browser has no workers.
+import { Painter } from "./pkg/wasm_demo.js";
+import { plain } from "./plain.js";
+
+/** The time in milliseconds. The date is precise enough if the browser has no clock. */
+export const now = () => globalThis.performance?.now() ?? Date.now();
+
+export class Share {
+  #painter;
+  #ports;
+  /** For each other share the shadow maps that it has sent, one list for each picture. */
+  #mail;
+  /** Called when mail arrives. */
+  #wake = () => {};
+  /** Arrays of shadow maps to use again. */
+  #spares = [];
+
+  /**
+   * @param {number} share from 0
+   * @param {number} count how many shares there are
+   * @param {MessagePort[]} ports to each other share
+   */
+  constructor(share, count, ports = []) {
+    this.#painter = new Painter(share, count);
+    this.#ports = ports;
+    this.#mail = ports.map(() => []);
+    ports.forEach((port, from) => {
+      port.onmessage = ({ data }) => {
+        this.#mail[from].push(data);
+        this.#wake();
+      };
+    });
+  }
+
+  /**
+   * Draws the stripes of a picture. The shares pass shadow maps on to one another while each draws
+   * its geometry, so that each map is drawn once.
+   *
+   * @param {object} order
+   * @param {string} order.job of the stage
+   * @param {boolean} [order.isFresh] whether nothing is kept of earlier pictures
+   * @param {Uint8ClampedArray} [spare] an array for the pixels
+   */
+  async draw({ job, isFresh = false, spare }) {
+    const painter = this.#painter;
+    if (isFresh) painter.forget();
+    painter.take(job);
+    const isShared = painter.castsShadows && this.#ports.length > 0;
+    this.#send(() => painter.drawShadows(), isShared);
+    painter.drawGeometry();
+    if (isShared) await this.#receive();
+    const isDrawn = painter.drawLight();
+    return {
+      isDrawn,
+      pixels: isDrawn ? painter.pixels(spare) : undefined,
+      counts: painter.counts(),
+      account: plain(painter.account()),
+      times: plain(painter.times()),
+    };
+  }
+
+  /** Draws pictures one after the other. Returns the time in milliseconds. */
+  async loop({ jobs }) {
+    const start = now();
+    for (const job of jobs) await this.draw({ job });
+    return now() - start;
+  }
+
+  compare({ job }) {
+    return plain(this.#painter.compare(job));
+  }
+
+  #send(draw, isShared) {
+    let lights;
+    try {
+      lights = draw();
+    } catch (refusal) {
+      // The others wait for an answer.
+      if (isShared) for (const port of this.#ports) port.postMessage({ refusal });
+      throw refusal;
+    }
+    if (!isShared) return;
+    for (const port of this.#ports) {
+      const maps = Array.from(lights, (light) => ({ light, depths: this.#painter.shadowMap(light, this.#spares.pop()) }));
+      port.postMessage({ maps }, maps.map(({ depths }) => depths.buffer));
+    }
+  }
+
+  async #receive() {
+    while (this.#mail.some((pictures) => pictures.length === 0)) {
+      await new Promise((resolve) => (this.#wake = resolve));
+    }
+    const letters = this.#mail.map((pictures) => pictures.shift());
+    for (const { maps, refusal } of letters) {
+      if (refusal !== undefined) throw refusal;
+      for (const { light, depths } of maps) {
+        this.#painter.takeShadowMap(light, depths);
+        this.#spares.push(depths);
+      }
+    }
+    // As many as this share sends with the next picture, if as many lights move.
+    this.#spares.length = Math.min(this.#spares.length, 16);
+  }
+}
+
+/** Draws a small picture of a scene: RGBA. */
+export const thumbnail = ({ scene, width, height }) => Painter.thumbnail(scene, width, height);

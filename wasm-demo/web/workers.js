@@ -1,0 +1,67 @@
+// Workers of the page, each with an instance of the module.
+import { words } from "./failure.js";
+
+/** Most workers that are started: with more, the stripes of a picture are too few. */
+const MOST = 8;
+
+/** How many workers draw a picture, unless the address asks for another number. */
+export const cores = () => Math.max(1, Math.min(navigator.hardwareConcurrency ?? 1, MOST));
+
+export class Helper {
+  #worker = new Worker(new URL("./worker.js", import.meta.url), { type: "module" });
+  /** The questions that are not answered yet, by their number. */
+  #asked = new Map();
+  #number = 0;
+  #broken;
+
+  constructor() {
+    this.#worker.onmessage = ({ data }) => this.#take(data);
+    this.#worker.onerror = (event) => {
+      event.preventDefault();
+      this.#break(new Error(`A worker could not be used: ${event.message ?? "its script was not loaded"}`));
+    };
+  }
+
+  /** Asks the worker. Rejects with a string what the module refuses. */
+  ask(act, order, transferred = []) {
+    if (this.#broken) return Promise.reject(this.#broken);
+    return new Promise((resolve, reject) => {
+      const number = (this.#number += 1);
+      this.#asked.set(number, { resolve, reject });
+      this.#worker.postMessage({ number, act, ...order }, transferred);
+    });
+  }
+
+  /** Ends the worker. What it was asked for stays unanswered. */
+  end() {
+    this.#worker.terminate();
+  }
+
+  #take({ number, result, refusal, error, isTrap, panic }) {
+    if (panic !== undefined) {
+      window.dispatchEvent(new CustomEvent("luminaire-panic", { detail: panic }));
+      return;
+    }
+    const { resolve, reject } = this.#asked.get(number);
+    this.#asked.delete(number);
+    if (refusal !== undefined) reject(refusal);
+    else if (error !== undefined) reject(isTrap ? new WebAssembly.RuntimeError(error) : new Error(error));
+    else resolve(result);
+  }
+
+  #break(error) {
+    this.#broken = error;
+    for (const { reject } of this.#asked.values()) reject(error);
+    this.#asked.clear();
+  }
+}
+
+/** Starts workers; none if the browser has none to give. */
+export function hire(count) {
+  try {
+    return Array.from({ length: count }, () => new Helper());
+  } catch (error) {
+    console.info(`The page works without workers: ${words(error)}`);
+    return [];
+  }
+}
