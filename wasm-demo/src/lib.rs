@@ -2,10 +2,11 @@
 //! shows their results.
 //!
 //! The page contains no lighting mathematics and no state of the picture. It passes the visitor's
-//! settings to two classes and gets everything that it displays from them. [`Stage`] has a scene
+//! settings to these classes and gets everything that it displays from them. [`Stage`] has a scene
 //! under the visitor's settings, and lists the effects that the scene needs. [`Painter`] draws a
 //! share of its picture, mostly in a worker, and counts the skipped work. [`Comparison`] lights one
-//! wall in two forms and measures the error of each against f64.
+//! wall in two forms and measures the error of each against f64. [`Museum`] shows faulty spotlights
+//! of other projects.
 //!
 //! The modules, lowest first:
 //!
@@ -36,6 +37,7 @@
 //! - `form`: the formats and formulas to compare
 //! - `side`: one side of the comparison
 //! - `comparison`: the JavaScript class of the comparison
+//! - `museum`: the JavaScript class of the museum
 #![forbid(unsafe_code)]
 
 mod address;
@@ -54,6 +56,7 @@ mod format;
 mod job;
 mod light;
 mod map;
+mod museum;
 mod painter;
 mod panic;
 mod picture;
@@ -72,6 +75,7 @@ pub use comparison::Comparison;
 pub use equality::Equality;
 pub use fixture::FixtureState;
 pub use light::LightState;
+pub use museum::{ExhibitState, Museum, PictureState};
 pub use painter::Painter;
 pub use scene_state::{AccountState, EffectState, ExampleState, SwitchState};
 pub use side::{FormState, SideState};

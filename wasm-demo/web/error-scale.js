@@ -29,7 +29,7 @@ export class ErrorScale {
     const why = this.#select.value === "" ? "so that both sides fit" : "as chosen";
     const times = Number(gain.toPrecision(3)).toLocaleString("en");
     const size = gain === 1 ? "at their size" : `magnified ${times} times`;
-    this.#note.textContent = `Errors in displayed 8-bit codes, ${size}, ${why}. Rings mark the largest.`;
+    this.#note.textContent = `Errors in 8-bit sRGB codes, ${size}, ${why}. A ring marks the largest.`;
     this.#legend.setAttribute("aria-label", `From no error, dark blue, to ${counted(scale)}, pale yellow`);
   }
 }

@@ -27,18 +27,18 @@ const percent = (share) =>
 /** States in one sentence which form is better here, by how much, and at what cost. */
 function verdict(states, isOneCurve, costs) {
   const refused = ["A", "B"].filter((_, side) => states[side].refusal !== undefined);
-  if (refused.length === 2) return "Neither holds this beam.";
-  if (refused.length === 1) return `${refused[0]} does not hold this beam.`;
+  if (refused.length === 2) return "Neither format can represent a beam this narrow.";
+  if (refused.length === 1) return `Format ${refused[0]} cannot represent a beam this narrow.`;
   if (!isOneCurve) {
-    return "A and B are not the same curve. Each errs against its own truth: the errors do not say which is better.";
+    return "A and B are different curves, each compared with its own f64: compare their shapes, not their errors.";
   }
   const better = states[0].largest < states[1].largest ? 0 : 1;
   const [least, most] = [states[better].largest, states[1 - better].largest];
-  if (most < LEAST) return "Neither errs by a thousandth of a code here.";
+  if (most < LEAST) return "Both are within a thousandth of a code here.";
   const factor = Number((most / Math.max(least, LEAST)).toPrecision(2)).toLocaleString("en");
   const over = least < LEAST ? "over " : "";
-  const errs = `${"AB"[better]} errs ${over}${factor} times less than ${"AB"[1 - better]} here`;
-  return `${errs}${priceOf(costs.map((pair) => pair[better]?.instructions / pair[1 - better]?.instructions))}.`;
+  const judged = `${"AB"[better]} is ${over}${factor}× more accurate here`;
+  return `${judged}${priceOf(costs.map((pair) => pair[better]?.instructions / pair[1 - better]?.instructions))}.`;
 }
 
 /** Formats the range of some ratios of instructions; empty without any. */
@@ -46,7 +46,7 @@ function priceOf(ratios) {
   const known = ratios.filter(Number.isFinite).map((ratio) => Number(ratio.toPrecision(2)));
   if (known.length === 0) return "";
   const [least, most] = [Math.min(...known), Math.max(...known)];
-  return `, for ${least === most ? least : `${least} to ${most}`} times the instructions`;
+  return ` and takes ${least === most ? least : `${least} to ${most}`}× the instructions`;
 }
 
 export class Ledger {
@@ -114,8 +114,8 @@ export class Ledger {
       ...list.targets.map((target, i) => bars(target, costs[i])),
     );
     this.#note.textContent =
-      "From the price list below: instructions, exact, where there is no unit." +
-      (stage === "lit" ? "" : " A lit point of a formula is not on it.");
+      "Numbers without a unit are exact counts of instructions, from the price list below." +
+      (stage === "lit" ? "" : " Formulas are on it by their falloff alone.");
     list.mark(forms.map((form) => [list.find("lit", ...form.lit), list.find("falloff", ...form.falloff)]));
     return costs;
   }

@@ -32,6 +32,9 @@ export class Meter {
   /** The view of the chip; undefined until it is opened. */
   chip;
 
+  /** The museum; undefined until it is opened. */
+  museum;
+
   constructor(stage, page, module) {
     this.#stage = stage;
     this.#page = page;
@@ -40,7 +43,7 @@ export class Meter {
 
   /** Number of pictures that were drawn, in all views. */
   get drawn() {
-    return this.#page.drawn + (this.comparison?.drawn ?? 0);
+    return this.#page.drawn + (this.comparison?.drawn ?? 0) + (this.museum?.drawn ?? 0);
   }
 
   /** Whether a picture is being drawn or will be. */

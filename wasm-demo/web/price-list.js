@@ -1,6 +1,6 @@
 // The price list made by `cargo xtask measure`: error of each kernel and its cost on each target.
 import { words } from "./failure.js";
-import { tidy } from "./numbers.js";
+import { tidy, whole } from "./numbers.js";
 
 /** Names of the targets, in display order. */
 const TARGETS = {
@@ -23,7 +23,7 @@ export const targetName = (target) => TARGETS[target] ?? target;
 
 /** Formats a cost with its unit: exact instructions, or measured nanoseconds. */
 export function price(cost) {
-  if (Number.isFinite(cost?.instructions)) return tidy(cost.instructions).toLocaleString("en");
+  if (Number.isFinite(cost?.instructions)) return whole(cost.instructions);
   return Number.isFinite(cost?.ns) ? `${tidy(cost.ns)} ns` : "–";
 }
 
@@ -102,7 +102,7 @@ export class PriceList {
       `What ${stageName(stage)} costs, and its largest error in linear steps of 1/255. Counts are instructions, ` +
       "exact, under QEMU; times are of the machine that made the list.";
     const targets = this.targets;
-    const head = ["", "Kernel", "Format", "Largest error", "found", ...targets.map(targetName)];
+    const head = ["Side", "Kernel", "Format", "Largest error", "found by", ...targets.map(targetName)];
     const rows = this.#rows.filter((row) => row.stage === stage).map((row) => this.#line(row, targets));
     this.#table.replaceChildren(line("th", head), ...rows);
   }

@@ -28,6 +28,13 @@ export async function open() {
       return (meter.comparison = await ComparisonView.open());
     },
   };
+  const museum = {
+    element: document.getElementById("museum"),
+    async open(attempt) {
+      const { MuseumView } = await load("museum-view.js", attempt);
+      return (meter.museum = await MuseumView.open());
+    },
+  };
   const chip = {
     element: document.getElementById("chip"),
     async open(attempt) {
@@ -40,6 +47,7 @@ export async function open() {
     new Map([
       ["stage", { element: document.getElementById("stage-page"), open: async () => page }],
       ["compare", comparison],
+      ["museum", museum],
       ["chip", chip],
     ]),
   ).show();

@@ -60,7 +60,7 @@ pub(crate) struct DemoOptions {
     /// Draw a picture of this size in pixels instead of 960x540
     #[arg(long, value_name = "WxH")]
     pub(crate) size: Option<Size>,
-    /// Open this view of the page: stage or compare; settings may follow, as in
+    /// Open this view of the page: stage, compare, museum or chip; settings may follow, as in
     /// compare?half=0.1
     #[arg(long, value_name = "NAME", value_parser = view)]
     view: Option<String>,
@@ -248,7 +248,7 @@ mod tests {
             ("demo --prot 1", "--prot"),
             ("demo now", "now"),
             ("demo --port 99999", "99999 is not in 0..=65535"),
-            ("demo --view nope", "expected one of stage, compare"),
+            ("demo --view nope", "expected one of stage, compare, museum"),
             ("demo --view nope?half=1", "expected one of stage"),
             ("demo --view compare --scene grid", "--scene"),
             ("demo --scene nope", "expected one of bare-spot, pocket, three-point"),

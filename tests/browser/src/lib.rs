@@ -9,6 +9,7 @@ mod failure;
 mod fixtures;
 mod formats;
 mod hosting;
+mod museum;
 mod network;
 mod picture;
 mod readout;
@@ -42,7 +43,7 @@ const STILL: &str = "#stage?scene=three-point&play=none";
 pub type Test = (&'static str, fn(&mut Visitor) -> Result<()>);
 
 /// Every test.
-pub const ALL: [Test; 64] = [
+pub const ALL: [Test; 68] = [
     ("the page becomes ready without a complaint", picture::becomes_ready),
     ("the picture is lit by its lights, in several colours", picture::is_lit),
     ("a picture that the canvas refused is shown with the next draw", picture::is_shown_again),
@@ -72,6 +73,10 @@ pub const ALL: [Test; 64] = [
     ("the comparison is reached by its link", comparison::is_reached_by_its_link),
     ("the pictures of the comparison are timed", comparison::times_are_measured),
     ("prices stand beside the errors", comparison::prices_stand_beside_the_errors),
+    ("every exhibit of the museum shows the errors that the host computes", museum::shows_every_exhibit),
+    ("the control of the museum changes the errors", museum::control_changes_the_errors),
+    ("bad values leave the museum alone", museum::bad_values_are_refused),
+    ("landmarks, pictures and controls of the museum have names", museum::is_named),
     ("every scene is drawn, and called for what it shows", stage::are_all_drawn),
     ("a picture of what a scene calls for is that of everything, bit for bit", stage::equal_everything),
     ("a scene is opened by its address", stage::are_opened_by_address),

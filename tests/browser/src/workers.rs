@@ -79,7 +79,8 @@ pub(crate) fn need_not_start(visitor: &mut Visitor) -> Result<()> {
 
 /// A bad number of workers is refused in words.
 pub(crate) fn are_counted(visitor: &mut Visitor) -> Result<()> {
-    for (query, words) in [("?workers=17", "0 to 16 workers"), ("?workers=two", "a whole number of workers")] {
+    for (query, words) in [("?workers=17", "0 to 16 workers"), ("?workers=two", "a whole number of workers")]
+    {
         let mut page = visitor.chromium.open(&format!("{}{query}", visitor.address), "")?;
         ensure!(page.state()? == "failed", "{query} is taken");
         let told = page.message("failure")?;
@@ -118,7 +119,8 @@ pub(crate) fn leave_the_page_free(visitor: &mut Visitor) -> Result<()> {
 /// Drawing needs no more memory from picture to picture.
 pub(crate) fn keep_to_their_memory(visitor: &mut Visitor) -> Result<()> {
     let mut page = visitor.ready_at("#stage?play=none&scene=pocket")?;
-    let found = page.ask("luminaire.measureMemory('show', 60, { width: 320, height: 180, with: ['shadow'] })")?;
+    let found =
+        page.ask("luminaire.measureMemory('show', 60, { width: 320, height: 180, with: ['shadow'] })")?;
     ensure!(found["before"].as_f64() > Some(1e6), "no memory is measured: {found}");
     ensure!(found["before"] == found["after"], "memory grows: {found}");
     page.must_be_content()

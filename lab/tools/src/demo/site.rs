@@ -179,7 +179,7 @@ mod tests {
 
     #[test]
     fn the_views_are_those_of_the_navigation() {
-        assert_eq!(views().collect::<Vec<_>>(), ["stage", "compare", "chip"]);
+        assert_eq!(views().collect::<Vec<_>>(), ["stage", "compare", "museum", "chip"]);
     }
 
     #[test]

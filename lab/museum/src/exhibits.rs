@@ -1,0 +1,42 @@
+//! The exhibits, in the order of a visit.
+
+mod aurora;
+mod bevy;
+mod embedded_3dgfx;
+mod filament_clamp;
+mod filament_lumens;
+mod full_angle;
+mod gltf;
+mod godot_cutoff;
+mod godot_rim;
+mod half_float;
+mod learn_opengl;
+mod micromath_power;
+mod open_fixture_library;
+mod pow_zero;
+mod three_cosine;
+mod three_ies;
+mod tinygl;
+
+use crate::exhibit::Exhibit;
+
+/// Every exhibit.
+pub const ALL: [Exhibit; 17] = [
+    gltf::EXHIBIT,
+    filament_clamp::EXHIBIT,
+    bevy::EXHIBIT,
+    three_cosine::EXHIBIT,
+    half_float::EXHIBIT,
+    learn_opengl::EXHIBIT,
+    embedded_3dgfx::EXHIBIT,
+    micromath_power::EXHIBIT,
+    pow_zero::EXHIBIT,
+    godot_rim::EXHIBIT,
+    godot_cutoff::EXHIBIT,
+    aurora::EXHIBIT,
+    tinygl::EXHIBIT,
+    three_ies::EXHIBIT,
+    filament_lumens::EXHIBIT,
+    full_angle::EXHIBIT,
+    open_fixture_library::EXHIBIT,
+];

@@ -1,0 +1,297 @@
+//! The JavaScript class of the museum: a faulty spotlight of another project beside the crate's.
+
+use crate::{
+    canvas::Canvas,
+    false_colour::{Palette, Scale},
+    panic,
+    refusal::Refusal,
+};
+use luminaire::display::encode_srgb;
+use luminaire_museum::{ALL, Errors, Exhibit, Picture, Side};
+use wasm_bindgen::{Clamped, prelude::*};
+use web_sys::HtmlCanvasElement;
+
+/// Largest side of a picture, in pixels. A picture is drawn on the main thread.
+const LARGEST: u32 = 512;
+
+/// The colour of a NaN: the palette does not have it.
+const UNDEFINED: [u8; 3] = [0, 190, 120];
+
+const SIDES: [Side; 2] = [Side::Faulty, Side::Ours];
+
+/// An exhibit at a value of its control. Every setter either takes its value, or changes nothing
+/// and throws a string that names the parameter, its value and the remedy.
+#[wasm_bindgen]
+#[derive(Debug)]
+pub struct Museum {
+    exhibit: &'static Exhibit,
+    value: f32,
+    size: u32,
+    picture: Picture,
+    /// The errors of the faulty picture and of ours.
+    errors: [Errors; 2],
+    palette: Palette,
+    /// A picture and its errors for each side.
+    canvases: [[Canvas; 2]; 2],
+}
+
+/// An exhibit for the page.
+#[wasm_bindgen(getter_with_clone)]
+#[derive(Clone, PartialEq, Debug)]
+pub struct ExhibitState {
+    /// The name in addresses.
+    pub name: String,
+    /// A few words for lists.
+    pub label: String,
+    /// What breaks, in one sentence.
+    pub title: String,
+    /// The project of the formula.
+    pub project: String,
+    /// The file of the formula.
+    pub file: String,
+    /// The version of the file.
+    pub version: String,
+    /// The licence of the file.
+    pub licence: String,
+    /// The threads about the fault; empty if none is known.
+    pub thread: String,
+    /// The formula as published.
+    pub code: String,
+    /// Why it fails.
+    pub cause: String,
+    /// The case in which the crate is no better.
+    #[wasm_bindgen(js_name = noBetter)]
+    pub no_better: String,
+    /// A value at which both pictures are right, if there is one.
+    #[wasm_bindgen(js_name = agreesAt)]
+    pub agrees_at: Option<f32>,
+    /// What is controlled.
+    pub control: String,
+    /// The unit of the control.
+    pub unit: String,
+    /// The least value of the control.
+    pub least: f32,
+    /// The largest value of the control.
+    pub most: f32,
+    /// The named case.
+    pub start: f32,
+    /// Whether the control is logarithmic.
+    #[wasm_bindgen(js_name = isLogarithmic)]
+    pub is_logarithmic: bool,
+}
+
+/// The errors of one picture for the page.
+#[wasm_bindgen]
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct PictureState {
+    /// The largest error in linear codes.
+    pub largest: f64,
+    /// Index of the pixel of the largest error, counted row by row.
+    pub place: usize,
+    /// How many pixels are NaN.
+    pub undefined: usize,
+}
+
+#[wasm_bindgen]
+impl Museum {
+    /// Opens the first exhibit on four canvases: the faulty picture and its errors, then those of
+    /// the crate. Each is a square with a side of `size` pixels. Nothing is shown yet.
+    #[wasm_bindgen(constructor)]
+    pub fn new(
+        faulty: &HtmlCanvasElement,
+        faulty_errors: &HtmlCanvasElement,
+        ours: &HtmlCanvasElement,
+        our_errors: &HtmlCanvasElement,
+        size: u32,
+    ) -> Result<Self, JsValue> {
+        panic::tell_the_page();
+        if !(1..=LARGEST).contains(&size) {
+            return Err(Refusal::outside("size", size as f32, [1.0, LARGEST as f32], "pixels").into());
+        }
+        let canvas = |element| Canvas::new(element, size, size);
+        let [exhibit, ..] = &ALL;
+        let value = exhibit.control.start;
+        let (picture, errors) = look(exhibit, value, size)?;
+        Ok(Self {
+            exhibit,
+            value,
+            size,
+            picture,
+            errors,
+            palette: Palette::new(),
+            canvases: [[canvas(faulty)?, canvas(faulty_errors)?], [canvas(ours)?, canvas(our_errors)?]],
+        })
+    }
+
+    /// The exhibits in the order of a visit.
+    pub fn exhibits() -> Vec<ExhibitState> {
+        ALL.iter().map(ExhibitState::from).collect()
+    }
+
+    /// Opens an exhibit at its named case.
+    pub fn open(&mut self, name: &str) -> Result<(), JsValue> {
+        let exhibit = named(name)?;
+        self.look(exhibit, exhibit.control.start)?;
+        Ok(())
+    }
+
+    /// The name of the exhibit.
+    #[wasm_bindgen(getter)]
+    pub fn exhibit(&self) -> String {
+        self.exhibit.name.to_owned()
+    }
+
+    /// The value of the control.
+    #[wasm_bindgen(getter)]
+    pub fn value(&self) -> f32 {
+        self.value
+    }
+
+    /// Sets the control.
+    #[wasm_bindgen(js_name = setValue)]
+    pub fn set_value(&mut self, value: f32) -> Result<(), JsValue> {
+        let control = self.exhibit.control;
+        if !(control.least..=control.most).contains(&value) {
+            let range = [control.least, control.most];
+            return Err(Refusal::outside(control.label, value, range, control.unit).into());
+        }
+        self.look(self.exhibit, value)?;
+        Ok(())
+    }
+
+    /// Shows both pictures and their errors.
+    pub fn draw(&self) -> Result<(), JsValue> {
+        let scale = self.scale_in_force();
+        for ((lights, errors), [picture, map]) in
+            [&self.picture.faulty, &self.picture.ours].into_iter().zip(&self.errors).zip(&self.canvases)
+        {
+            picture.show(&shown(lights))?;
+            let colour =
+                |&code: &f32| if code.is_nan() { UNDEFINED } else { self.palette.colour(scale, code) };
+            map.show(&rgba(errors.codes.iter().map(colour)))?;
+        }
+        Ok(())
+    }
+
+    /// Returns the errors of the faulty picture, 0, or of the crate's, 1.
+    pub fn side(&self, side: usize) -> Result<PictureState, JsValue> {
+        let errors = self.errors.get(side).ok_or_else(|| {
+            Refusal::name("side", &side.to_string(), "0 for the faulty one or 1 for the crate’s")
+        })?;
+        let &Errors { largest, place, undefined, .. } = errors;
+        Ok(PictureState { largest, place, undefined })
+    }
+
+    /// The number format of the crate's picture.
+    #[wasm_bindgen(getter)]
+    pub fn format(&self) -> String {
+        self.picture.format.to_owned()
+    }
+
+    /// The end of the scale of the errors, in linear codes.
+    #[wasm_bindgen(getter)]
+    pub fn scale(&self) -> f64 {
+        self.scale_in_force().end()
+    }
+
+    /// The colours of the scale from no error to its end: red, green, blue of each.
+    pub fn palette(&self) -> Clamped<Vec<u8>> {
+        Clamped(self.palette.colours().concat())
+    }
+
+    /// The colour of a NaN.
+    pub fn undefined() -> Clamped<Vec<u8>> {
+        Clamped(UNDEFINED.to_vec())
+    }
+
+    /// Returns the faulty picture of an exhibit at its named case, as a square of `size` pixels.
+    pub fn thumbnail(name: &str, size: u32) -> Result<Clamped<Vec<u8>>, JsValue> {
+        let exhibit = named(name)?;
+        let (picture, _) = look(exhibit, exhibit.control.start, size.min(LARGEST))?;
+        Ok(Clamped(shown(&picture.faulty)))
+    }
+}
+
+impl Museum {
+    fn look(&mut self, exhibit: &'static Exhibit, value: f32) -> Result<(), Refusal> {
+        (self.picture, self.errors) = look(exhibit, value, self.size)?;
+        (self.exhibit, self.value) = (exhibit, value);
+        Ok(())
+    }
+
+    /// Returns one scale for both sides, so that their colours are comparable. It ends at one code or
+    /// more: nobody sees less.
+    fn scale_in_force(&self) -> Scale {
+        Scale::holding(self.errors.iter().map(|errors| errors.largest).fold(1.0, f64::max))
+    }
+}
+
+fn named(name: &str) -> Result<&'static Exhibit, Refusal> {
+    let found = ALL.iter().find(|exhibit| exhibit.name == name);
+    found.ok_or_else(|| Refusal::name("exhibit", name, "one of the museum’s list"))
+}
+
+fn look(exhibit: &Exhibit, value: f32, size: u32) -> Result<(Picture, [Errors; 2]), Refusal> {
+    let picture = Picture::of(&(exhibit.beam)(value)?, size)?;
+    let errors = SIDES.map(|side| picture.errors(side));
+    Ok((picture, errors))
+}
+
+/// The light as RGBA.
+fn shown(lights: &[f32]) -> Vec<u8> {
+    let code = |&light: &f32| {
+        if light.is_nan() { UNDEFINED } else { [encode_srgb(light); 3] }
+    };
+    rgba(lights.iter().map(code))
+}
+
+fn rgba(colours: impl Iterator<Item = [u8; 3]>) -> Vec<u8> {
+    colours.flat_map(|[red, green, blue]| [red, green, blue, u8::MAX]).collect()
+}
+
+impl From<&Exhibit> for ExhibitState {
+    fn from(exhibit: &Exhibit) -> Self {
+        let Exhibit { source, control, .. } = exhibit;
+        Self {
+            name: exhibit.name.to_owned(),
+            label: exhibit.label.to_owned(),
+            title: exhibit.title.to_owned(),
+            project: source.project.to_owned(),
+            file: source.file.to_owned(),
+            version: source.version.to_owned(),
+            licence: source.licence.to_owned(),
+            thread: source.thread.to_owned(),
+            code: exhibit.code.to_owned(),
+            cause: exhibit.cause.to_owned(),
+            no_better: exhibit.no_better.to_owned(),
+            agrees_at: exhibit.agrees_at,
+            control: control.label.to_owned(),
+            unit: control.unit.to_owned(),
+            least: control.least,
+            most: control.most,
+            start: control.start,
+            is_logarithmic: control.is_logarithmic,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn undefined_pixels_have_a_colour_of_their_own() {
+        let palette = Palette::new();
+        assert!(palette.colours().iter().all(|&colour| colour != UNDEFINED));
+        assert_eq!(shown(&[0.0, f32::NAN, 2.0]), [0, 0, 0, 255, 0, 190, 120, 255, 255, 255, 255, 255]);
+    }
+
+    #[test]
+    fn exhibits_are_found_by_name_and_others_refused() {
+        for exhibit in &ALL {
+            assert_eq!(named(exhibit.name).unwrap().name, exhibit.name);
+        }
+        let refusal = named("none").unwrap_err().to_string();
+        assert!(refusal.contains("exhibit = \"none\""), "{refusal}");
+    }
+}
