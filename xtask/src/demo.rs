@@ -6,7 +6,7 @@ use std::path::Path;
 use anyhow::{Context, Result, ensure};
 
 use crate::arguments::{DemoOptions, Size};
-use tools::browser::{Chromium, Page};
+use tools::browser::{Browser, Chromium, Page};
 use tools::demo::publish::publish;
 use tools::demo::site;
 use tools::demo::turntable::{self, Cores, Frame, LOADS, Load};
@@ -46,8 +46,8 @@ pub(crate) fn run(options: &DemoOptions) -> Result<()> {
 }
 
 /// Runs the page once. Returns its measurements as one line.
-pub(crate) fn check(chromium: &mut Chromium, address: &str, screenshot: Option<&Path>) -> Result<String> {
-    let mut page = chromium.open(address, "")?;
+pub(crate) fn check(browser: &mut dyn Browser, address: &str, screenshot: Option<&Path>) -> Result<String> {
+    let mut page = browser.open(address, "")?;
     page.ready()?;
     let scene = page.text("luminaire.scene")?;
     let is_stage = page.holds("luminaire.comparison === undefined")?;

@@ -7,9 +7,10 @@ use anyhow::{Context, Result};
 use serde_json::Value;
 
 use crate::arguments::TestOptions;
-use browser_tests::{ALL, Visitor};
+use browser_tests::{ALL, Test, Visit, Visitor, engines};
 use measure::boards::{self, Board};
 use measure::{c, conform, device, effects, frame, pick, prices, size};
+use tools::browser::Engine;
 use tools::demo::site;
 use tools::progress::Progress;
 use tools::suite::Suite;
@@ -79,7 +80,7 @@ fn host(suite: &mut Suite, full: bool) {
         semver::run(suite);
     }
     export::run(suite);
-    browser(suite);
+    browser(suite, full);
 }
 
 /// Checks that the fuzzer's targets compile. They belong to another workspace, and only the fuzzer
@@ -211,24 +212,70 @@ fn prices(suite: &mut Suite, boards: &[&'static Board], full: bool) {
     });
 }
 
-fn browser(suite: &mut Suite) {
+/// Adds the tests of the demo's page: all of them in Chromium, and in the other engines those that
+/// are quick, or with `full` all that the engine can run.
+fn browser(suite: &mut Suite, full: bool) {
     let check = "browser: the demo's check";
     let tests = ALL.map(|(name, test)| (format!("browser: {name}"), test));
-    if !suite.wants(check) && !tests.iter().any(|(name, _)| suite.wants(name)) {
+    let [_, others @ ..] = Engine::ALL;
+    let mut others = others.map(|engine| Elsewhere::new(engine, full)).to_vec();
+    others.retain(|elsewhere| elsewhere.is_wanted(suite));
+    let is_wanted = suite.wants(check) || tests.iter().any(|(name, _)| suite.wants(name));
+    if !is_wanted && others.is_empty() {
         return;
     }
     let site = suite.require("browser: the demo is built", site::build);
+    let serve = |engine: Engine, progress: &Progress| {
+        Visitor::evaluate(engine, site.as_deref().context("there is no demo to serve")?, progress)
+    };
     let mut visitor = suite.require("browser: the demo is served and Chromium starts", |progress| {
-        Visitor::evaluate(site.as_deref().context("there is no demo to serve")?, progress)
+        serve(Engine::Chromium, progress)
     });
     for (name, test) in &tests {
         suite.step(name, |_| test(visitor.as_mut().context(NO_VISITOR)?));
     }
     suite.step(check, |progress| {
         let visitor = visitor.as_mut().context(NO_VISITOR)?;
-        progress.say("Checked", demo::check(&mut visitor.chromium, &visitor.address, None)?);
+        progress.say("Checked", demo::check(visitor.browser.as_mut(), &visitor.address, None)?);
         Ok(())
     });
+    for elsewhere in &others {
+        let start = format!("browser, {}: it starts", elsewhere.engine);
+        let mut other = suite.require(&start, |progress| serve(elsewhere.engine, progress));
+        for (name, test) in &elsewhere.tests {
+            suite.step(name, |_| test(other.as_mut().context(NO_VISITOR)?));
+        }
+        suite.step(&elsewhere.alike, |_| {
+            engines::draw_alike(visitor.as_mut().context(NO_VISITOR)?, other.as_mut().context(NO_VISITOR)?)
+        });
+    }
+}
+
+/// The steps of an engine other than the first.
+#[derive(Clone)]
+struct Elsewhere {
+    engine: Engine,
+    tests: Vec<(String, Visit)>,
+    /// The name of the step that compares the engine's pictures with those of the first.
+    alike: String,
+}
+
+impl Elsewhere {
+    fn new(engine: Engine, full: bool) -> Self {
+        let named = |(name, test): &Test| (format!("browser, {engine}: {name}"), *test);
+        let mut tests: Vec<_> = engines::SMOKE.iter().map(named).collect();
+        if full {
+            let all = engines::tests_of(engine).map(named);
+            let more: Vec<_> = all.filter(|(name, _)| tests.iter().all(|(quick, _)| quick != name)).collect();
+            tests.extend(more);
+        }
+        let alike = format!("browser, {engine}: pictures have the bits of Chromium's");
+        Self { engine, tests, alike }
+    }
+
+    fn is_wanted(&self, suite: &Suite) -> bool {
+        suite.wants(&self.alike) || self.tests.iter().any(|(name, _)| suite.wants(name))
+    }
 }
 
 fn with(mut command: Command, arguments: &[&str]) -> Command {

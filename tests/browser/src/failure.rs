@@ -28,7 +28,7 @@ fn is_told(visitor: &mut Visitor, script: &str, cause: &str) -> Result<()> {
 /// The page is opened as a file, without a server.
 pub(crate) fn from_a_file(visitor: &mut Visitor) -> Result<()> {
     let file = project::target().join("demo/index.html");
-    let mut page = visitor.chromium.open(&format!("file://{}", file.display()), "")?;
+    let mut page = visitor.browser.open(&format!("file://{}", file.display()), "")?;
     ensure!(page.state()? == "failed", "the page is as if nothing were wrong");
     let message = page.message("failure")?;
     ensure!(message.contains("cargo demo") && page.shows("failure")?, "the message is {message:?}");

@@ -25,7 +25,7 @@ pub(crate) fn works_under_a_path(visitor: &mut Visitor) -> Result<()> {
     let server = Server::start_plain(server::listen(0)?, host.path())?;
     let address = format!("{}{PATH}", server.address());
 
-    let mut page = visitor.chromium.open(&address, "")?;
+    let mut page = visitor.browser.open(&address, "")?;
     page.ready()?;
     ensure!(page.lit_share()? > 0.0, "the picture is black");
     ensure!(!page.holds("window.crossOriginIsolated")?, "the server sends special headers");
@@ -41,7 +41,7 @@ pub(crate) fn works_under_a_path(visitor: &mut Visitor) -> Result<()> {
     page.must_be_content()?;
 
     for view in site::views() {
-        let mut page = visitor.chromium.open(&format!("{address}#{view}?play=none"), "")?;
+        let mut page = visitor.browser.open(&format!("{address}#{view}?play=none"), "")?;
         page.ready()?;
         page.settle()?;
         let current = page.text("document.querySelector('.views [aria-current]').hash")?;

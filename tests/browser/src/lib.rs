@@ -5,6 +5,7 @@ mod angles;
 mod chip;
 mod comparison;
 mod contrast;
+pub mod engines;
 mod failure;
 mod fixtures;
 mod formats;
@@ -22,7 +23,7 @@ use std::path::Path;
 
 use anyhow::{Result, ensure};
 
-use tools::browser::{Chromium, Page};
+use tools::browser::{Browser, Engine, Page};
 use tools::progress::Progress;
 use tools::server::{self, Server};
 
@@ -30,17 +31,22 @@ use tools::server::{self, Server};
 #[derive(Debug)]
 pub struct Visitor {
     /// Their browser.
-    pub chromium: Chromium,
+    pub browser: Box<dyn Browser>,
     /// The address of the demo.
     pub address: String,
+    /// The size of the picture, as a part of the address.
+    size: &'static str,
     _server: Server,
 }
 
 /// The part of the address that opens the still life, where nothing moves.
 const STILL: &str = "#stage?scene=three-point&play=none";
 
+/// What a visitor does, which fails if a promise is broken.
+pub type Visit = fn(&mut Visitor) -> Result<()>;
+
 /// The name of a test and its function.
-pub type Test = (&'static str, fn(&mut Visitor) -> Result<()>);
+pub type Test = (&'static str, Visit);
 
 /// Every test.
 pub const ALL: [Test; 68] = [
@@ -119,9 +125,13 @@ pub const ALL: [Test; 68] = [
 
 impl Visitor {
     /// Serves the demo's folder and starts a browser.
-    pub fn evaluate(site: &Path, progress: &Progress) -> Result<Self> {
+    pub fn evaluate(engine: Engine, site: &Path, progress: &Progress) -> Result<Self> {
         let server = Server::start(server::listen(0)?, site)?;
-        Ok(Self { chromium: Chromium::start(progress)?, address: server.address(), _server: server })
+        let browser = engine.start(progress)?;
+        // The tests of the first engine draw all sizes; a quarter of the pixels is enough for the
+        // others.
+        let size = if engine == Engine::ALL[0] { "" } else { engines::SIZE };
+        Ok(Self { browser, address: server.address(), size, _server: server })
     }
 
     /// Opens the page on the still life, where nothing moves, and waits until it is ready.
@@ -136,7 +146,8 @@ impl Visitor {
 
     /// Like [`ready_at`](Self::ready_at), in a browser that `script` has changed.
     fn ready_with(&mut self, query: &str, script: &str) -> Result<Page> {
-        let mut page = self.chromium.open(&format!("{}{query}", self.address), script)?;
+        let size = if query.starts_with('?') { "" } else { self.size };
+        let mut page = self.browser.open(&format!("{}{size}{query}", self.address), script)?;
         page.ready()?;
         page.settle()?;
         Ok(page)
@@ -145,7 +156,7 @@ impl Visitor {
     /// Opens the page in a browser in which `script` has broken something, and waits until the page
     /// reports that it has failed.
     fn failed(&mut self, script: &str) -> Result<Page> {
-        let mut page = self.chromium.open(&self.address, script)?;
+        let mut page = self.browser.open(&self.address, script)?;
         let state = page.state()?;
         ensure!(state == "failed", "the page is {state}, as if nothing were wrong");
         Ok(page)

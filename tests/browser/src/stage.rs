@@ -4,7 +4,7 @@ use anyhow::{Context, Result, ensure};
 use serde_json::Value;
 
 use crate::Visitor;
-use tools::browser::Page;
+use tools::browser::{Engine, Page};
 
 /// The arrow keys, with the codes that keyboards give them.
 const ARROWS: [(&str, u32); 4] = [("ArrowLeft", 37), ("ArrowUp", 38), ("ArrowRight", 39), ("ArrowDown", 40)];
@@ -43,15 +43,17 @@ pub(crate) fn are_all_drawn(visitor: &mut Visitor) -> Result<()> {
 /// button, finds equal pictures.
 pub(crate) fn equal_everything(visitor: &mut Visitor) -> Result<()> {
     let mut page = visitor.ready_at("#stage?play=none")?;
-    let mut left_out = 0.0;
+    let (mut left_out, mut pairs) = (0.0, 0.0);
     for name in names(&mut page)? {
         choose(&mut page, &name)?;
         let found = page.ask("luminaire.compare()")?;
         ensure!(found["differing"] == 0 && found["pixels"].as_f64() > Some(0.0), "{name}: {found}");
-        left_out += found["pairs"].as_f64().unwrap_or(0.0) - found["evaluated"].as_f64().unwrap_or(0.0);
+        let all = found["pairs"].as_f64().unwrap_or(0.0);
+        pairs += all;
+        left_out += all - found["evaluated"].as_f64().unwrap_or(0.0);
     }
-    // The grids alone have 40 million pairs, of which more than nine tenths are left out.
-    ensure!(left_out > 3e7, "hardly anything is left out: {left_out} pairs");
+    // Most pairs are those of the grids, of which more than nine tenths are left out.
+    ensure!(left_out > 0.6 * pairs, "hardly anything is left out: {left_out} of {pairs} pairs");
     press(&mut page, "verify")?;
     page.ask("probe.until(() => probe.text('equality').includes('are equal, bit for bit'))")?;
 
@@ -104,6 +106,8 @@ pub(crate) fn are_kept_by_the_address(visitor: &mut Visitor) -> Result<()> {
     let middle = page.middle("view")?;
     page.drag(middle, (70.0, 12.0))?;
     page.settle()?;
+    // Longer than the page waits before it writes the last change.
+    page.ask("new Promise((resolve) => setTimeout(resolve, 600))")?;
     page.ask("probe.until(() => location.hash.includes('view=') && location.hash.includes(':b17:'))")
         .context("the address does not follow")?;
     let (hash, picture) = (page.text("location.hash")?, checksum(&mut page)?);
@@ -182,7 +186,7 @@ pub(crate) fn lights_are_copied_and_removed(visitor: &mut Visitor) -> Result<()>
 
 /// The page opens on the show, which plays, unless the visitor wants no motion.
 pub(crate) fn opens_on_the_show(visitor: &mut Visitor) -> Result<()> {
-    let mut page = visitor.chromium.open(&visitor.address, "")?;
+    let mut page = visitor.browser.open(&visitor.address, "")?;
     page.ready()?;
     ensure!(page.text("luminaire.scene")? == "show", "the page opens on another scene");
     ensure!(page.lit_share()? > 0.0, "there is no picture when the page is ready");
@@ -375,6 +379,10 @@ pub(crate) fn keys_are_enough(visitor: &mut Visitor) -> Result<()> {
         "verify",
         "effect-specular",
     ] {
+        // The Tab key skips choices of colours in WebKitGTK, on every page.
+        if id == "light-color" && visitor.browser.engine() == Engine::WebKit {
+            continue;
+        }
         ensure!(reached.iter().any(|other| other == id), "#{id} is not reached by keys: {reached:?}");
     }
     let unnamed = "Array.from(document.querySelectorAll('#stage-page :is(input, select, button, canvas[tabindex])'))\

@@ -81,7 +81,7 @@ pub(crate) fn need_not_start(visitor: &mut Visitor) -> Result<()> {
 pub(crate) fn are_counted(visitor: &mut Visitor) -> Result<()> {
     for (query, words) in [("?workers=17", "0 to 16 workers"), ("?workers=two", "a whole number of workers")]
     {
-        let mut page = visitor.chromium.open(&format!("{}{query}", visitor.address), "")?;
+        let mut page = visitor.browser.open(&format!("{}{query}", visitor.address), "")?;
         ensure!(page.state()? == "failed", "{query} is taken");
         let told = page.message("failure")?;
         ensure!(told.contains(words), "{query} is told as {told:?}");
@@ -94,7 +94,7 @@ pub(crate) fn are_counted(visitor: &mut Visitor) -> Result<()> {
 pub(crate) fn leave_the_page_free(visitor: &mut Visitor) -> Result<()> {
     let mut least = f64::INFINITY;
     for _ in 0..ATTEMPTS {
-        let mut page = visitor.chromium.open(&visitor.address, WATCH)?;
+        let mut page = visitor.browser.open(&visitor.address, WATCH)?;
         page.ready()?;
         page.ask("void longTasks.splice(0)")?;
         let drawn = page.number("luminaire.drawn")?;

@@ -6,7 +6,7 @@ use anyhow::{Context, Result};
 use luminaire::dynamic::Effect;
 use serde::{Deserialize, Serialize};
 
-use tools::browser::{Chromium, Page};
+use tools::browser::{Browser as _, Chromium, Page};
 use tools::demo::site;
 use tools::demo::turntable::{self, LOADS, Load};
 use tools::progress::Progress;

@@ -11,11 +11,15 @@ window.probe = (() => {
   const pause = (milliseconds) => new Promise((resolve) => setTimeout(resolve, milliseconds));
   const picture = (name) => pictures.get(name) ?? raise(`no picture was kept as ${name}`);
 
-  // The page has settled when it has drawn nothing for a while.
+  // The next time at which the page may draw. A busy browser lets it wait for long, and a hidden page for ever.
+  const frame = () => Promise.race([new Promise(requestAnimationFrame), pause(2000)]);
+
+  // The page has settled when it has drawn nothing for a while, in which it could have.
   async function settle() {
     for (let tries = 0; tries < TRIES; tries += 1) {
       const drawn = luminaire.drawn;
       await pause(150);
+      await frame();
       if (luminaire.drawn === drawn && !luminaire.isDrawing) return;
     }
     raise("the page never stops drawing");
@@ -75,7 +79,7 @@ window.probe = (() => {
       found.scrollIntoView({ block: "center" });
       const { x, y, width, height } = found.getBoundingClientRect();
       const [left, top] = [Math.round(x + scrollX), Math.round(y + scrollY)];
-      return { x: left, y: top, width: Math.round(width), height: Math.round(height), scale: 1 };
+      return { x: left, y: top, width: Math.round(width), height: Math.round(height) };
     },
 
     keep(name) {
@@ -100,6 +104,12 @@ window.probe = (() => {
         if ([0, 1, 2].some((channel) => Math.abs(a[i + channel] - b[i + channel]) > 16)) visible += 1;
       }
       return visible / (a.length / 4);
+    },
+
+    // The SHA-256 of the picture, in hexadecimal digits.
+    async digest() {
+      const bytes = new Uint8Array(await crypto.subtle.digest("SHA-256", luminaire.pixels()));
+      return Array.from(bytes, (byte) => byte.toString(16).padStart(2, "0")).join("");
     },
 
     // The share of pixels brighter than black, and the number of distinct colours.

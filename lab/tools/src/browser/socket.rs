@@ -1,5 +1,5 @@
-//! A connection to one page or browser over the DevTools protocol: numbered calls with their
-//! results, and events between them.
+//! A connection to one page or browser over a WebSocket: numbered calls with their results, and
+//! events between them. The DevTools protocol and WebDriver BiDi have this in common.
 
 use std::io;
 use std::net::{Ipv4Addr, TcpStream};
@@ -13,7 +13,9 @@ use tungstenite::{Message, WebSocket};
 const PATIENCE: Duration = Duration::from_secs(300);
 
 #[derive(Debug)]
-pub struct DevTools {
+pub(super) struct Socket {
+    /// The browser's name, for messages.
+    browser: &'static str,
     socket: WebSocket<TcpStream>,
     calls: u64,
     events: Vec<Event>,
@@ -21,25 +23,26 @@ pub struct DevTools {
 
 /// An event of the browser.
 #[derive(Debug)]
-pub struct Event {
-    pub method: String,
-    pub params: Value,
+pub(super) struct Event {
+    pub(super) method: String,
+    pub(super) params: Value,
 }
 
-impl DevTools {
+impl Socket {
     /// Connects to a path such as `/devtools/page/…` of a browser on this machine.
-    pub fn connect(port: u16, path: &str) -> Result<Self> {
+    pub(super) fn connect(browser: &'static str, port: u16, path: &str) -> Result<Self> {
         let stream = TcpStream::connect((Ipv4Addr::LOCALHOST, port))
-            .with_context(|| format!("cannot reach Chromium on port {port}"))?;
+            .with_context(|| format!("cannot reach {browser} on port {port}"))?;
         stream.set_read_timeout(Some(PATIENCE))?;
         stream.set_nodelay(true)?;
         let (socket, _) = tungstenite::client(format!("ws://127.0.0.1:{port}{path}"), stream)
-            .map_err(|error| anyhow!("cannot talk to Chromium: {error}"))?;
-        Ok(Self { socket, calls: 0, events: Vec::new() })
+            .map_err(|error| anyhow!("cannot talk to {browser}: {error}"))?;
+        Ok(Self { browser, socket, calls: 0, events: Vec::new() })
     }
 
     /// Calls a method of the protocol and waits for its result.
-    pub fn call(&mut self, method: &str, params: Value) -> Result<Value> {
+    pub(super) fn call(&mut self, method: &str, params: Value) -> Result<Value> {
+        let browser = self.browser;
         self.calls += 1;
         let call = json!({ "id": self.calls, "method": method, "params": params });
         self.socket.send(Message::text(call.to_string())).with_context(|| format!("cannot send {method}"))?;
@@ -50,23 +53,31 @@ impl DevTools {
                 // Messages other than text belong to the WebSocket protocol itself.
                 Ok(_) => continue,
                 Err(tungstenite::Error::Io(error)) if is_timeout(&error) => break,
-                Err(error) => bail!("Chromium broke off at {method}: {error}"),
+                Err(error) => bail!("{browser} broke off at {method}: {error}"),
             };
-            let mut answer: Value = serde_json::from_str(&text).context("Chromium does not speak JSON")?;
+            let mut answer: Value =
+                serde_json::from_str(&text).with_context(|| format!("{browser} does not speak JSON"))?;
             if answer["id"] != self.calls {
                 self.events.extend(Event::from(answer));
             } else if let Some(error) = answer.get("error") {
-                bail!("Chromium refuses {method}: {error}");
+                let message = answer["message"].as_str().unwrap_or_default();
+                bail!("{browser} refuses {method}: {error} {message}");
             } else {
                 return Ok(answer["result"].take());
             }
         }
-        bail!("Chromium has not answered {method} within {PATIENCE:?}");
+        bail!("{browser} has not answered {method} within {PATIENCE:?}");
     }
 
     /// Returns the events since the last call.
-    pub fn take_events(&mut self) -> Vec<Event> {
+    pub(super) fn take_events(&mut self) -> Vec<Event> {
         std::mem::take(&mut self.events)
+    }
+
+    /// Keeps events for a later call of [`take_events`](Self::take_events).
+    pub(super) fn keep_events(&mut self, mut events: Vec<Event>) {
+        events.append(&mut self.events);
+        self.events = events;
     }
 }
 
