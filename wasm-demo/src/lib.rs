@@ -38,46 +38,83 @@
 //! - `side`: one side of the comparison
 //! - `comparison`: the JavaScript class of the comparison
 //! - `museum`: the JavaScript class of the museum
+//!
+//! The features `stage` and `comparison` compile one of the two parts alone: the page loads the
+//! comparison and the museum as a module of their own, when one of them is first requested.
 #![forbid(unsafe_code)]
+#![cfg_attr(
+    not(all(feature = "stage", feature = "comparison")),
+    allow(dead_code, unused_imports, reason = "each part uses some of what they share")
+)]
 
+#[cfg(feature = "stage")]
 mod address;
+#[cfg(feature = "comparison")]
 mod canvas;
 mod clock;
+#[cfg(feature = "comparison")]
 mod comparison;
+#[cfg(feature = "stage")]
 mod decimal;
+#[cfg(feature = "stage")]
 mod desk;
+#[cfg(feature = "comparison")]
 mod difference;
 mod display;
+#[cfg(feature = "stage")]
 mod equality;
 mod false_colour;
+#[cfg(feature = "stage")]
 mod fixture;
+#[cfg(feature = "comparison")]
 mod form;
 mod format;
+#[cfg(feature = "stage")]
 mod job;
+#[cfg(feature = "stage")]
 mod light;
+#[cfg(feature = "stage")]
 mod map;
+#[cfg(feature = "comparison")]
 mod museum;
+#[cfg(feature = "stage")]
 mod painter;
 mod panic;
+#[cfg(feature = "comparison")]
 mod picture;
 mod refusal;
+#[cfg(feature = "stage")]
 mod rig;
+#[cfg(feature = "stage")]
 mod scene_state;
+#[cfg(feature = "stage")]
 mod setting;
+#[cfg(feature = "comparison")]
 mod side;
+#[cfg(feature = "stage")]
 mod stage;
+#[cfg(feature = "stage")]
 mod state;
+#[cfg(feature = "stage")]
 mod times;
+#[cfg(feature = "stage")]
 mod viewpoint;
+#[cfg(feature = "comparison")]
 mod wall;
 
+#[cfg(feature = "comparison")]
 pub use comparison::Comparison;
-pub use equality::Equality;
-pub use fixture::FixtureState;
-pub use light::LightState;
+#[cfg(feature = "comparison")]
 pub use museum::{ExhibitState, Museum, PictureState};
-pub use painter::Painter;
-pub use scene_state::{AccountState, EffectState, ExampleState, SwitchState};
+#[cfg(feature = "comparison")]
 pub use side::{FormState, SideState};
-pub use stage::Stage;
-pub use times::Times;
+#[cfg(feature = "stage")]
+pub use {
+    equality::Equality,
+    fixture::FixtureState,
+    light::LightState,
+    painter::Painter,
+    scene_state::{AccountState, EffectState, ExampleState, SwitchState},
+    stage::Stage,
+    times::Times,
+};

@@ -1,6 +1,7 @@
 // The comparison: two forms of one beam, each compared with f64.
-import { Comparison } from "./pkg/wasm_demo.js";
+import { Comparison } from "./pkg/comparison.js";
 import { remember } from "./address.js";
+import { start } from "./comparison-module.js";
 import { Divider } from "./divider.js";
 import { ErrorScale } from "./error-scale.js";
 import { hasFailed } from "./failure.js";
@@ -35,9 +36,10 @@ export class ComparisonView {
   /** How many times the pictures have been drawn. */
   drawn = 0;
 
-  /** Opens the comparison and loads the price list. */
+  /** Loads the module and the price list. */
   static async open() {
-    return new ComparisonView(await PriceList.load());
+    const [prices] = await Promise.all([PriceList.load(), start()]);
+    return new ComparisonView(prices);
   }
 
   constructor(prices) {

@@ -1,8 +1,7 @@
-// The WebAssembly module, compiled once for the page and all of its workers.
+// Loading of WebAssembly modules.
 
-/** Compiles the module. The browser's own message for a failure is of little help by itself. */
-export async function compile() {
-  const address = new URL("pkg/wasm_demo_bg.wasm", import.meta.url);
+/** Compiles a module at an address. The browser's own message for a failure is of little help by itself. */
+export async function compile(address) {
   try {
     const response = await fetch(address);
     if (!response.ok) throw new Error(`${response.status} ${response.statusText}`);
@@ -11,7 +10,7 @@ export async function compile() {
     return await (isTyped ? WebAssembly.compileStreaming(response) : WebAssembly.compile(await response.arrayBuffer()));
   } catch (error) {
     throw new Error(
-      `The demo's WebAssembly module could not be loaded (${error.message}). ` +
+      `A WebAssembly module of the demo could not be loaded (${error.message}). ` +
         "Serve the whole folder, pkg included, over HTTP, and reload the page.",
     );
   }

@@ -1,6 +1,7 @@
 // The museum: faulty spotlights of other projects, beside the exact light and the crate's.
-import { Museum } from "./pkg/wasm_demo.js";
+import { Museum } from "./pkg/comparison.js";
 import { remember } from "./address.js";
+import { start } from "./comparison-module.js";
 import { aside, hasFailed } from "./failure.js";
 import { colours, tidy } from "./numbers.js";
 import { plain } from "./plain.js";
@@ -45,7 +46,7 @@ export class MuseumView {
   drawn = 0;
 
   static async open() {
-    await styled();
+    await Promise.all([start(), styled()]);
     return new MuseumView();
   }
 

@@ -12,8 +12,8 @@ import { cores } from "./workers.js";
 /** Starts the demo. The other views are opened when they are first requested. */
 export async function open() {
   const { width, height, workers = cores() } = requested(location.search);
-  // The workers load their scripts while the module is compiled.
-  const compiling = compile();
+  // Compiled once for the page and all workers, which load their scripts in the meantime.
+  const compiling = compile(new URL("pkg/wasm_demo_bg.wasm", import.meta.url));
   const pool = new Pool(compiling, workers);
   const module = await compiling;
   initSync({ module });

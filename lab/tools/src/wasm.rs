@@ -17,16 +17,28 @@ pub struct Package {
     name: &'static str,
     /// The name of its library, as in file names.
     library: &'static str,
+    /// The features that it is compiled with; `None` for its default features.
+    features: Option<&'static str>,
+    /// The name of its bindings, as in file names.
+    bindings: &'static str,
     /// Whether it may use the vector instructions.
     simd: bool,
 }
 
-/// The demo, which uses the vector instructions.
-pub const DEMO: Package = Package { name: "wasm-demo", library: "wasm_demo", simd: true };
+/// The demo's stage, which uses the vector instructions.
+pub const DEMO: Package = Package {
+    name: "wasm-demo",
+    library: "wasm_demo",
+    features: Some("stage"),
+    bindings: "wasm_demo",
+    simd: true,
+};
+/// The demo's comparison, a module of its own: the first picture does not wait for it.
+pub const COMPARISON: Package = Package { features: Some("comparison"), bindings: "comparison", ..DEMO };
 /// What the board of the demo must show. It shares the demo's standard library.
-pub const CHIP: Package = Package { name: "luminaire-chip", library: "luminaire_chip", simd: true };
+pub const CHIP: Package = Package::new("luminaire-chip", "luminaire_chip", true);
 /// The program that times the kernels.
-pub const PRICES: Package = Package { name: "luminaire-prices", library: "luminaire_prices", simd: false };
+pub const PRICES: Package = Package::new("luminaire-prices", "luminaire_prices", false);
 /// The program that times the kernels, with vector instructions.
 pub const SIMD_PRICES: Package = Package { simd: true, ..PRICES };
 
@@ -36,17 +48,26 @@ pub fn compiler(progress: &Progress) -> Result<String> {
 }
 
 impl Package {
+    /// A package with its default features, whose bindings have the name of its library.
+    const fn new(name: &'static str, library: &'static str, simd: bool) -> Self {
+        Self { name, library, features: None, bindings: library, simd }
+    }
+
     /// The compiler's flags.
     pub fn flags(&self) -> &'static [&'static str] {
         if self.simd { &["-Ctarget-feature=+simd128"] } else { &[] }
     }
 
-    /// Compiles the package. The resulting module still needs its bindings.
+    /// Compiles the package. The resulting module still needs its bindings. The next compilation of
+    /// the same package with other features replaces it.
     pub fn compile(&self, progress: &Progress) -> Result<PathBuf> {
         let toolchain = Toolchain::find(TARGET, progress)?;
         let step = progress.begin("Building", format_args!("{} for {}", self.name, toolchain.describe()));
         let mut build = toolchain.cargo_build("std,panic_abort", self.flags());
         build.args(["--package", self.name, "--lib", "--profile", PROFILE]);
+        if let Some(features) = self.features {
+            build.args(["--no-default-features", "--features", features]);
+        }
         progress.run(build)?;
         step.done();
         Ok(toolchain.artifacts(PROFILE).join(format!("{}.wasm", self.library)))
@@ -58,12 +79,13 @@ impl Package {
         let step = progress.begin("Binding", format_args!("{}.wasm to JavaScript", self.library));
         let bound = Bindgen::new()
             .input_path(module)
+            .out_name(self.bindings)
             .web(true)
             // The page calls `init()` without a path, so the bindings must know where their module
             // is.
             .and_then(|bindgen| bindgen.omit_default_module_path(false).typescript(false).generate(folder));
         bound.with_context(|| format!("wasm-bindgen cannot make bindings for {}", module.display()))?;
         step.done();
-        Ok(folder.join(format!("{}_bg.wasm", self.library)))
+        Ok(folder.join(format!("{}_bg.wasm", self.bindings)))
     }
 }

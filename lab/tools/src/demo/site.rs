@@ -37,8 +37,10 @@ pub fn build(progress: &Progress) -> Result<PathBuf> {
         fs::write(&page, with_figures(&fs::read_to_string(&page)?, &fs::read_to_string(list)?)?)?;
         preview::write(new)?;
         step.done();
-        let bound = wasm::DEMO.bind(&module, &new.join("pkg"), progress)?;
-        shrink::shrink(&bound, progress)?;
+        let pkg = new.join("pkg");
+        shrink::shrink(&wasm::DEMO.bind(&module, &pkg, progress)?, progress)?;
+        let module = wasm::COMPARISON.compile(progress)?;
+        shrink::shrink(&wasm::COMPARISON.bind(&module, &pkg, progress)?, progress)?;
         chip::write(new, progress)
     })?;
     Ok(site)
