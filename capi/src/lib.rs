@@ -23,6 +23,11 @@ pub use self::many::*;
 pub use self::setup::*;
 pub use self::spot::*;
 
+/// The text of `luminaire.h`, for build scripts and tests that compile C.
+pub const fn header() -> &'static str {
+    include_str!("../include/luminaire.h")
+}
+
 /// A panic handler that no program links: no function of the kernel panics.
 #[cfg(target_os = "none")]
 #[panic_handler]

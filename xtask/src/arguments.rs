@@ -31,6 +31,9 @@ pub(crate) enum Request {
     Full(TestOptions),
     /// Take the pictures of the demo for the documents again
     Pictures,
+    /// Draw the pictures of renderers that are not the project's, and compare the spotlight of
+    /// embedded-3dgfx with the kernel's
+    Renderers,
     /// Count what the kernels cost on microcontrollers, in QEMU
     Firmware(FirmwareOptions),
     /// Build the firmware of a board with a display: rp2040, stm32f411 or esp32c3

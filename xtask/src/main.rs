@@ -10,6 +10,7 @@ mod package;
 #[cfg(test)]
 mod phrases;
 mod pictures;
+mod renderers;
 mod semver;
 mod test;
 
@@ -26,6 +27,7 @@ fn main() -> ExitCode {
         Request::Demo(options) => demo::run(&options).map(|()| ExitCode::SUCCESS),
         Request::Effects(options) => effects::run(&options).map(|()| ExitCode::SUCCESS),
         Request::Pictures => pictures::run().map(|()| ExitCode::SUCCESS),
+        Request::Renderers => renderers::run().map(|()| ExitCode::SUCCESS),
         Request::Board(options) => device::run(&options).map(|()| ExitCode::SUCCESS),
         Request::Firmware(options) => boards::run(&options).map(|()| ExitCode::SUCCESS),
         Request::Frame(options) => frame::run(&options).map(|()| ExitCode::SUCCESS),

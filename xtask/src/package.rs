@@ -14,12 +14,18 @@ use tools::tally::{self, Tally};
 use tools::toolchain::Toolchain;
 use tools::{command, project};
 
+use crate::renderers;
+
 /// The crates, each after its dependencies, with the files that each must contain beside its
 /// source.
-const CRATES: [(&str, &[&str]); 2] = [
+const CRATES: [(&str, &[&str]); 3] = [
     ("luminaire", &["README.md", "CHANGELOG.md", "LICENSE-APACHE", "LICENSE-MIT"]),
     ("luminaire-render", &["README.md", "LICENSE-APACHE", "LICENSE-MIT", "examples/still.rs"]),
+    ("luminaire-c", &["README.md", "LICENSE-APACHE", "LICENSE-MIT", "include/luminaire.h"]),
 ];
+
+/// The crates whose own tests are run. The library for C is tested by the renderer in C, which links it.
+const TESTED: [&str; 2] = ["luminaire", "luminaire-render"];
 
 /// The examples of the kernel.
 const EXAMPLES: [&str; 6] = ["hello", "wall", "moving_light", "embedded_graphics", "data_sheet", "gltf"];
@@ -33,15 +39,19 @@ const TEMPLATE: &str = "boards/template";
 /// Where the template has the kernel.
 const KERNEL: &str = "path = \"../../core\"";
 
+/// Where the manifests of folders have the crates.
+const IN_FOLDERS: [(&str, &str); 2] = [(KERNEL, "luminaire"), ("path = \"../../capi\"", "luminaire-c")];
+
 /// The target of the template: the smallest supported processor.
 const TARGET: &str = "thumbv6m-none-eabi";
 
 /// Adds the steps.
 pub(crate) fn run(suite: &mut Suite) {
-    const NAMES: [&str; 4] = [
+    const NAMES: [&str; 5] = [
         "package: the crates are complete",
         "package: the firmware to copy links without float or panic",
         "package: the crates' own tests pass",
+        "package: renderers of other projects draw what the kernel computes",
         "package: the kernel compiles with the oldest dependencies that it allows",
     ];
     if !NAMES.iter().any(|name| suite.wants(name)) {
@@ -53,8 +63,9 @@ pub(crate) fn run(suite: &mut Suite) {
         Ok(vec![format!("{} bytes of flash", unpacked()?.firmware(progress)?)])
     });
     suite.count(NAMES[2], |progress| unpacked()?.tests(progress));
+    suite.remarked(NAMES[3], |progress| unpacked()?.renderers(progress));
     // Last, because it writes into the lock file.
-    suite.step(NAMES[3], |progress| unpacked()?.oldest_dependencies(progress));
+    suite.step(NAMES[4], |progress| unpacked()?.oldest_dependencies(progress));
 }
 
 /// The packed crates, unpacked in a folder outside every workspace.
@@ -96,7 +107,7 @@ impl Unpacked {
         // The kernel is not yet on any registry.
         let kernel = format!("patch.crates-io.luminaire.path={:?}", self.of("luminaire"));
         let mut tally = Tally::default();
-        for (name, _) in CRATES {
+        for name in TESTED {
             let mut test = self.cargo("test", &self.of(name));
             test.arg("--all-features");
             if name != "luminaire" {
@@ -132,18 +143,37 @@ impl Unpacked {
         cargo
     }
 
-    /// Builds a copy of the template with the unpacked kernel. Returns its bytes of flash.
-    fn firmware(&self, progress: &Progress) -> Result<u64> {
-        let template = project::root().join(TEMPLATE);
-        let folder = self.folder.path().join("template");
-        for (file, content) in project::files(&template, &["target", "Cargo.lock"])? {
-            let copy = folder.join(file);
+    /// Draws the pictures of other renderers with the unpacked crates. Returns the rows of the table.
+    fn renderers(&self, progress: &Progress) -> Result<Vec<String>> {
+        let folder = self.copied(renderers::FOLDER, &["target"])?;
+        // The kernel that the library for C requires is not yet on any registry.
+        let kernel = format!("\n[patch.crates-io]\nluminaire = {{ path = {:?} }}\n", self.of("luminaire"));
+        let manifest = folder.join("Cargo.toml");
+        fs::write(&manifest, fs::read_to_string(&manifest)? + &kernel)?;
+        let rows = renderers::pictures(&folder, progress)?;
+        renderers::are_on_the_page(&rows).map(|()| rows)
+    }
+
+    /// Copies a folder of the repository, with the unpacked crates in its manifest.
+    fn copied(&self, folder: &str, left_out: &[&str]) -> Result<PathBuf> {
+        let copies = self.folder.path().join(folder);
+        for (file, content) in project::files(&project::root().join(folder), left_out)? {
+            let copy = copies.join(file);
             fs::create_dir_all(copy.parent().context("a file has a folder")?)?;
             fs::write(&copy, content).with_context(|| format!("cannot write {}", copy.display()))?;
         }
-        let manifest = folder.join("Cargo.toml");
-        let kernel = format!("path = {:?}", self.of("luminaire"));
-        fs::write(&manifest, fs::read_to_string(&manifest)?.replace(KERNEL, &kernel))?;
+        let manifest = copies.join("Cargo.toml");
+        let mut text = fs::read_to_string(&manifest)?;
+        for (path, name) in IN_FOLDERS {
+            text = text.replace(path, &format!("path = {:?}", self.of(name)));
+        }
+        fs::write(&manifest, text)?;
+        Ok(copies)
+    }
+
+    /// Builds a copy of the template with the unpacked kernel. Returns its bytes of flash.
+    fn firmware(&self, progress: &Progress) -> Result<u64> {
+        let folder = self.copied(TEMPLATE, &["target", "Cargo.lock"])?;
         let toolchain = Toolchain::find(TARGET, progress)?;
         let mut build = toolchain.cargo_build("core", &[]);
         build.arg("--release").current_dir(&folder);

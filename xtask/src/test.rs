@@ -18,7 +18,7 @@ use tools::tally::{self, Tally};
 use tools::toolchain::Toolchain;
 use tools::{command, install, project};
 
-use crate::{contributing, demo, export, msrv, package, semver};
+use crate::{contributing, demo, export, msrv, package, renderers, semver};
 
 /// The smallest processor that is supported: it has no floating point unit, no division and no
 /// atomics.
@@ -114,6 +114,7 @@ fn boards(suite: &mut Suite, full: bool) {
     if full {
         pick::steps(suite, &boards);
         c::steps(suite, &boards);
+        renderers::steps(suite);
         device::steps::run(suite);
     }
     prices(suite, &boards, full);

@@ -15,7 +15,7 @@ mod price;
 
 #[cfg(feature = "export")]
 pub use exported::exported;
-pub use measure::{COUNT, choose, measure};
+pub use measure::{COUNT, choose, measure, pass};
 #[cfg(feature = "pick")]
 pub use picked::{Domain, picked};
 #[cfg(feature = "effects")]

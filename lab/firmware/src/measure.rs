@@ -68,7 +68,7 @@ fn report(row: Row, kernel: &str, sum: u32) {
 /// The loop over the inputs. Not inlined: each kernel has its own copy, so that no kernel affects
 /// the code of another.
 #[inline(never)]
-pub(crate) fn pass<I>(inputs: &[I], function: impl Fn(&I) -> u32) -> u32 {
+pub fn pass<I>(inputs: &[I], function: impl Fn(&I) -> u32) -> u32 {
     begin();
     let mut sum: u32 = 0;
     for input in inputs {

@@ -11,3 +11,4 @@ pub mod pick;
 pub mod prices;
 mod record;
 pub mod size;
+pub mod spotlights;

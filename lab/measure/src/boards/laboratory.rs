@@ -13,6 +13,9 @@ use tools::progress::Progress;
 use tools::toolchain::Toolchain;
 use tools::{command, project};
 
+/// The folder of the firmware.
+const FIRMWARE: &str = "lab/firmware";
+
 /// The profile of programs that are optimised for speed.
 pub(crate) const RELEASE: &str = "release";
 /// The profile of programs that are optimised for size.
@@ -37,12 +40,22 @@ pub(crate) struct Run {
 impl Laboratory {
     /// Finds or installs the emulator, and builds the counter and the board's firmware.
     pub(crate) fn new(board: &'static Board, progress: &Progress) -> Result<Self> {
-        Self::with(&["--bins"], RELEASE, board, progress)
+        Self::with(FIRMWARE, &["--bins"], RELEASE, board, progress)
     }
 
     /// Like [`new`](Self::new), but builds only one program, which is faster.
     pub(crate) fn with_program(name: &str, board: &'static Board, progress: &Progress) -> Result<Self> {
-        Self::with(&["--bin", name], RELEASE, board, progress)
+        Self::with(FIRMWARE, &["--bin", name], RELEASE, board, progress)
+    }
+
+    /// Like [`with_program`](Self::with_program), of another workspace than the firmware's.
+    pub(crate) fn with_program_of(
+        folder: &str,
+        name: &str,
+        board: &'static Board,
+        progress: &Progress,
+    ) -> Result<Self> {
+        Self::with(folder, &["--bin", name], RELEASE, board, progress)
     }
 
     /// Like [`with_program`](Self::with_program), with a feature of the firmware, in one of its
@@ -54,15 +67,21 @@ impl Laboratory {
         board: &'static Board,
         progress: &Progress,
     ) -> Result<Self> {
-        Self::with(&["--bin", name, "--features", feature], profile, board, progress)
+        Self::with(FIRMWARE, &["--bin", name, "--features", feature], profile, board, progress)
     }
 
-    fn with(programs: &[&str], profile: &str, board: &'static Board, progress: &Progress) -> Result<Self> {
+    fn with(
+        folder: &str,
+        programs: &[&str],
+        profile: &str,
+        board: &'static Board,
+        progress: &Progress,
+    ) -> Result<Self> {
         let emulator = Emulator::find(board, progress)?;
         let step =
             progress.begin("Building", format_args!("the counter and the firmware for {}", board.name));
         let counter = build_counter(&emulator, progress)?;
-        let toolchain = build(board, &[&["--profile", profile], programs].concat(), progress)?;
+        let toolchain = build_in(folder, board, &[&["--profile", profile], programs].concat(), progress)?;
         step.done();
         Ok(Self { board, emulator, counter, programs: toolchain.artifacts(profile) })
     }
@@ -96,7 +115,12 @@ impl Laboratory {
 /// Returns what a firmware program prints on the host. The results of the host are right by
 /// definition.
 pub(crate) fn on_the_host(name: &str, progress: &Progress) -> Result<Vec<String>> {
-    on_the_host_with(name, &[], progress)
+    on_the_host_with(FIRMWARE, name, &[], progress)
+}
+
+/// Like [`on_the_host`], of a program of another workspace than the firmware's.
+pub(crate) fn on_the_host_of(folder: &str, name: &str, progress: &Progress) -> Result<Vec<String>> {
+    on_the_host_with(folder, name, &[], progress)
 }
 
 /// Like [`on_the_host`], with a feature of the firmware.
@@ -105,11 +129,12 @@ pub(crate) fn on_the_host_with_feature(
     feature: &str,
     progress: &Progress,
 ) -> Result<Vec<String>> {
-    on_the_host_with(name, &["--features", feature], progress)
+    on_the_host_with(FIRMWARE, name, &["--features", feature], progress)
 }
 
-fn on_the_host_with(name: &str, features: &[&str], progress: &Progress) -> Result<Vec<String>> {
-    let mut build = firmware(command::cargo("build"));
+fn on_the_host_with(folder: &str, name: &str, features: &[&str], progress: &Progress) -> Result<Vec<String>> {
+    let mut build = command::cargo("build");
+    build.current_dir(project::root().join(folder));
     build.args(["--release", "--bin", name]).args(features);
     progress.run(build)?;
     let program = project::target().join("release").join(format!("{name}{EXE_SUFFIX}"));
@@ -124,7 +149,7 @@ pub(crate) fn compare_with_the_host(
     board: &'static Board,
     progress: &Progress,
 ) -> Result<()> {
-    let expected = on_the_host_with(program, features, progress)?;
+    let expected = on_the_host_with(FIRMWARE, program, features, progress)?;
     let emulator = Emulator::find(board, progress)?;
     let toolchain = build(board, &[&["--release", "--bin", program], features].concat(), progress)?;
     let printed = emulator.run_in(project::root(), &toolchain.artifacts(RELEASE).join(program))?;
@@ -135,9 +160,13 @@ pub(crate) fn compare_with_the_host(
 
 /// Builds firmware for a board. The programs are among the artifacts of the returned toolchain.
 pub(crate) fn build(board: &Board, arguments: &[&str], progress: &Progress) -> Result<Toolchain> {
+    build_in(FIRMWARE, board, arguments, progress)
+}
+
+fn build_in(folder: &str, board: &Board, arguments: &[&str], progress: &Progress) -> Result<Toolchain> {
     let toolchain = Toolchain::find(board.target, progress)?;
-    let mut build = firmware(toolchain.cargo_build("core", &[]));
-    build.args(arguments);
+    let mut build = toolchain.cargo_build("core", &[]);
+    build.args(arguments).current_dir(project::root().join(folder));
     progress.run(build)?;
     Ok(toolchain)
 }
@@ -161,7 +190,7 @@ pub(crate) fn build_for_all(boards: &[&Board], arguments: &[&str], progress: &Pr
 
 /// Makes a call of cargo run in the firmware's workspace.
 pub(crate) fn firmware(mut cargo: Command) -> Command {
-    cargo.current_dir(project::root().join("lab/firmware"));
+    cargo.current_dir(project::root().join(FIRMWARE));
     cargo
 }
 

@@ -1,0 +1,9 @@
+//! Places the program in memory.
+
+#[path = "../firmware/memory.rs"]
+mod memory;
+
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    println!("cargo::rerun-if-changed=build.rs");
+    memory::place(None)
+}

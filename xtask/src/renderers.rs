@@ -1,0 +1,79 @@
+//! `cargo xtask renderers`: pictures of renderers that are not the project's, and the spotlight of
+//! embedded-3dgfx beside the kernel's.
+
+use std::fs;
+use std::path::Path;
+use std::process::Command;
+
+use anyhow::{Context, Result, ensure};
+
+use measure::spotlights;
+use tools::progress::Progress;
+use tools::suite::Suite;
+use tools::{command, project};
+
+/// The workspace of the renderers.
+pub(crate) const FOLDER: &str = "examples/renderers";
+
+/// The page that has the rows of the tables.
+const PAGE: &str = "examples/renderers/README.md";
+
+/// Prints the rows of the tables of the page.
+pub(crate) fn run() -> Result<()> {
+    let progress = Progress::Live;
+    let pictures = pictures(&project::root().join(FOLDER), &progress)?;
+    let (compiler, instructions) = spotlights::instructions(&progress)?;
+    for rows in [pictures, spotlights::errors(&progress)?, instructions] {
+        println!("{}\n", rows.join("\n"));
+    }
+    println!("{compiler}");
+    Ok(())
+}
+
+/// Adds the steps: the format, and the spotlights.
+pub(crate) fn steps(suite: &mut Suite) {
+    suite.step("renderers: cargo fmt", |progress| {
+        spotlights::format(progress)?;
+        progress.run(cargo("fmt", &project::root().join(FOLDER), &["--all", "--check"]))
+    });
+    suite.step("renderers: the spotlight of embedded-3dgfx has the errors of the page", |progress| {
+        are_on_the_page(&spotlights::errors(progress)?)
+    });
+    suite.remarked("renderers: the spotlights take the instructions of the page", |progress| {
+        let (compiler, rows) = spotlights::instructions(progress)?;
+        if !page()?.contains(&compiler) {
+            return Ok(vec![format!("not compared: counted with {compiler}, the page has another compiler")]);
+        }
+        are_on_the_page(&rows).map(|()| Vec::new())
+    });
+}
+
+/// Draws all pictures and compares them, in a folder that holds the workspace. Returns a row of the table
+/// for each renderer.
+pub(crate) fn pictures(folder: &Path, progress: &Progress) -> Result<Vec<String>> {
+    let ended = command::capture(cargo("test", folder, &["--workspace", "--", "--nocapture"]))?;
+    progress.quote(&ended.output);
+    ensure!(ended.success, "a renderer's test failed");
+    let rows = ended.output.lines().filter(|line| line.starts_with("| "));
+    Ok(rows.map(str::to_owned).collect())
+}
+
+/// Fails unless the page has these rows.
+pub(crate) fn are_on_the_page(rows: &[String]) -> Result<()> {
+    let page = page()?;
+    ensure!(!rows.is_empty(), "expected rows");
+    let missing: Vec<_> = rows.iter().filter(|row| !page.contains(*row)).collect();
+    ensure!(missing.is_empty(), "{PAGE} has other rows than `cargo xtask renderers` prints: {missing:#?}");
+    Ok(())
+}
+
+fn page() -> Result<String> {
+    fs::read_to_string(project::root().join(PAGE)).context(PAGE)
+}
+
+/// A call of cargo in a workspace of renderers, whose crates are compiled in a folder of their own.
+fn cargo(subcommand: &str, folder: &Path, arguments: &[&str]) -> Command {
+    let mut cargo = command::cargo(subcommand);
+    cargo.current_dir(folder).env("CARGO_TARGET_DIR", project::target().join("renderers")).args(arguments);
+    cargo
+}
