@@ -152,7 +152,7 @@ impl Painter {
     }
 
     /// What the job's map shows of each block of pixels, row by row: the number of evaluated lights,
-    /// or 1 where the block was lit again and else 0. Empty if the job asks for no map.
+    /// or 1 where the block was lit again and else 0. Empty if the job has no map.
     pub fn counts(&self) -> Vec<u16> {
         let (Some(task), Some(renderer)) = (&self.task, &self.renderer) else { return Vec::new() };
         let (width, height) = (task.job.size.0 as usize, task.job.size.1 as usize);

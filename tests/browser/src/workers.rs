@@ -6,7 +6,7 @@ use anyhow::{Context, Result, ensure};
 use crate::Visitor;
 use tools::browser::Page;
 
-/// Pictures that call for all passes: with haze, gobos, shadows, dither, fixed point and maps.
+/// Pictures that need all passes: with haze, gobos, shadows, dither, fixed point and maps.
 const PICTURES: [&str; 4] = [
     "scene=show&at=2.5/0&effects=dither",
     "scene=three-point&format=fx16&effects=haze/dither",
