@@ -162,7 +162,9 @@ fn haze_is_added() -> Result<(), Error> {
         });
         let [before, after] = [&clear, &hazy].map(|picture| picture.linear(x, y).expect("inside").green);
         let expected: f32 = air.sum();
-        assert!((after - before - expected).abs() <= 2e-4 * (1.0 + after), "{} at {x}, {y}", after - before);
+        // Half a linear code, and the rounding of the rays.
+        let bound = 0.5 / 255.0 + 2e-4 * (1.0 + after);
+        assert!((after - before - expected).abs() <= bound, "{} at {x}, {y}", after - before);
         brightest = brightest.max(expected);
     }
     assert!((0.02..2.0).contains(&brightest), "the air shows {brightest}");

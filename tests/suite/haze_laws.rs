@@ -76,6 +76,30 @@ fn twice_the_density_is_exactly_twice_the_light() {
     });
 }
 
+/// Both sides of a beam contain the eye and the light, and touch the cone: the sine of their angle to
+/// the axis is that of the outer angle.
+#[test]
+fn sides_touch_the_beam() {
+    on_many(|_, spot, view| {
+        let beam = in_haze(spot, 1.0);
+        let sides = beam.sides(view.eye);
+        if sides == [Vec3::default(); 2] {
+            return false;
+        }
+        let (versine, light) = (f64::from(beam.outer_versine()), exact(spot.position()) - exact(view.eye));
+        for normal in sides.map(exact) {
+            let off = [
+                normal.length() - 1.0,
+                normal.dot(light.normalize()),
+                normal.dot(exact(spot.axis())) - (versine * (2.0 - versine)).sqrt(),
+            ];
+            assert!(off.iter().all(|off| off.abs() < 5e-5), "{off:?} for {spot:?} from {:?}", view.eye);
+        }
+        assert!(sides[0] != sides[1]);
+        true
+    });
+}
+
 /// About a fifth of the in-scattering along a line across the beam that is as near to the light as
 /// the ray. Differences are relative to this, or to the ray's own in-scattering if that is more.
 fn unit_of_light(spot: &SpotLight<Soft>, view: &ViewRay) -> f64 {

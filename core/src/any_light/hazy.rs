@@ -19,6 +19,11 @@ impl CompiledAnyLight<f32> {
 }
 
 impl BeamScattering<AnyFalloff, AnyAttenuation> {
+    /// Returns whether the light attenuates exactly with the inverse square of the distance.
+    pub fn is_inverse_square(&self) -> bool {
+        AnyAttenuation::is_inverse_square::<f32>(&self.attenuation)
+    }
+
     /// Computes the in-scattered light of `N` rays. The result is bit-identical to
     /// [`in_scattering`](Self::in_scattering) with the beam's own falloff type.
     ///

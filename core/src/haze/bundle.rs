@@ -127,4 +127,35 @@ impl<P: Falloff, A: Attenuation> BeamScattering<P, A> {
         ];
         self.gain > 0.0 && !normals.into_iter().any(separates)
     }
+
+    /// Returns the versine of the angle off axis from which on there is no in-scattering.
+    ///
+    /// It is the outer versine of the cone, or less if the intensity falls below 2^-16 before.
+    pub fn outer_versine(&self) -> f32 {
+        self.cone[1]
+    }
+
+    /// Returns the normals of the two planes through an eye and the light that touch the beam.
+    ///
+    /// The planes are the sides of the beam as seen from the eye. The in-scattering of a view ray is
+    /// more than 0 only if the scalar products of its direction with both normals are at least 0,
+    /// within the rounding of the directions. The normals have unit length. Both are zero if the eye
+    /// is in the cone of the beam or in the opposite cone, or nearly so: then no plane through the
+    /// eye and the light touches the beam.
+    pub fn sides(&self, eye: Vec3<f32>) -> [Vec3<f32>; 2] {
+        let light = unit(self.position.zip(eye, |p, e| p - e));
+        let beside = across(self.axis, light);
+        let [_, outer] = self.cone;
+        let (length, cone) = (trig::sqrt(beside.dot(beside)), Cap::new(self.axis, outer));
+        // The sine of the angle between each plane and the axis is that of the outer angle, so it
+        // is `cosine * length` for a normal at this angle from `beside`. Near a cosine of 1 the
+        // angle would lose half its bits.
+        let cosine = cone.sine / length;
+        if !(cosine < 0.999 && cone.cosine > 0.0) {
+            return [Vec3::new(0.0, 0.0, 0.0); 2];
+        }
+        let beside = beside.map(|c| c / length);
+        let (sine, other) = (trig::sqrt(1.0 - cosine * cosine), light.cross(beside));
+        [sine, -sine].map(|sine| beside.zip(other, |b, o| cosine * b + sine * o))
+    }
 }

@@ -1,11 +1,20 @@
 //! In-scattering between the eye and the surfaces: the visible beams in haze.
 
+mod beam;
+mod ends;
+mod rays;
+mod sums;
+mod tile;
+
+pub(crate) use self::tile::TileAir;
+
+use self::rays::{BATCH, Fan};
 use crate::{
-    buffer::{LANES, Radiance},
+    buffer::LANES,
     light::places::Places,
     raster::{Fragments, view::View},
-    space::vector,
 };
+use core::ops::Range;
 use luminaire::{
     Error, Rgb, Scalar, Vec3,
     attenuation::AnyAttenuation,
@@ -23,6 +32,9 @@ const PLACES: usize = 16;
 pub(crate) struct Hazy {
     beam: BeamScattering<AnyFalloff, AnyAttenuation>,
     color: Rgb<f32>,
+    position: glam::Vec3,
+    /// The radius of the light, which is an opaque sphere.
+    radius: f32,
 }
 
 /// The gobo and the shadow map of a beam.
@@ -39,7 +51,9 @@ impl Hazy {
     /// A light that `f32` can't hold.
     pub(crate) fn new(light: &AnyLight, haze: &Haze) -> Result<Option<Self>, Error> {
         let color = light.color();
-        Ok(light.compile::<f32>()?.in_haze(haze).map(|beam| Self { beam, color }))
+        let AnyLight::Spot(spot) = light else { return Ok(None) };
+        let (position, radius) = (spot.position().into(), haze.source_radius());
+        Ok(light.compile::<f32>()?.in_haze(haze).map(|beam| Self { beam, color, position, radius }))
     }
 
     /// Returns false only if no ray of the bundle meets the beam.
@@ -47,19 +61,22 @@ impl Hazy {
         self.beam.can_meet(sight)
     }
 
-    /// Adds the in-scattered light of the beam along each ray to `radiance`.
-    pub(crate) fn add<S: Scalar>(&self, rays: &ViewRays<LANES>, way: &Way<'_, S>, radiance: &mut Radiance) {
-        let mut air = [0.0; LANES];
+    /// Returns whether the in-scattering along neighbouring rays is smooth enough to interpolate.
+    ///
+    /// With an attenuation other than the inverse square, the quadrature errors vary from ray to ray
+    /// by up to 3 % of the in-scattering.
+    fn is_smooth(&self) -> bool {
+        self.beam.is_inverse_square()
+    }
+
+    /// Writes the in-scattered light of the beam along each ray, before its colour.
+    fn scatter<S: Scalar>(&self, rays: &ViewRays<BATCH>, way: &Way<'_, S>, air: &mut [f32; BATCH]) {
         if way.is_clear() {
-            self.beam.in_scattering_each(rays, &mut air);
+            self.beam.in_scattering_each(rays, air);
         } else {
             let mut places = Places::default();
             let mut filter = |points: &Vec3<_>, lights: &mut _| way.leave(points, lights, &mut places);
-            self.beam.in_scattering_through_each(rays, &mut filter, &mut air);
-        }
-        let Rgb { red, green, blue } = radiance;
-        for (sum, color) in [(red, self.color.red), (green, self.color.green), (blue, self.color.blue)] {
-            sum.iter_mut().zip(air).for_each(|(sum, light)| *sum += light * color);
+            self.beam.in_scattering_through_each(rays, &mut filter, air);
         }
     }
 }
@@ -93,48 +110,11 @@ impl<S: Scalar> Way<'_, S> {
     }
 }
 
-/// Returns the rays through the pixels of a block, from the eye to the surface in each pixel.
-pub(crate) fn rays(view: &View, fragments: &Fragments, row: usize, column: usize) -> ViewRays<LANES> {
-    let (first, step) = view.ray(row);
-    let first = first + step * (column * LANES) as f32;
-    let nearness = fragments.block(row, column);
-    let mut rays = ViewRays {
-        eye: view.eye().into(),
-        direction: Vec3::new([0.0; LANES], [0.0; LANES], [0.0; LANES]),
-        length: [0.0; LANES],
-    };
-    for (lane, nearness) in nearness.iter().enumerate() {
-        let way = first + step * lane as f32;
-        let unit = vector::length(way);
-        rays.direction.x[lane] = way.x / unit;
-        rays.direction.y[lane] = way.y / unit;
-        rays.direction.z[lane] = way.z / unit;
-        // The ray to depth 1 has the length `unit`. Where nothing was drawn, the length of the ray
-        // is infinite.
-        rays.length[lane] = unit / nearness;
-    }
-    rays
-}
-
-/// Returns the bundle of all rays through a rectangle of pixels. The length of the bundle is the
-/// distance to the farthest surface in the rectangle.
-pub(crate) fn bundle(
-    view: &View,
-    fragments: &Fragments,
-    rows: core::ops::Range<usize>,
-    column: usize,
-) -> RayBundle {
-    let direction = |row: usize, lane: usize| {
-        let (first, step) = view.ray(row);
-        vector::direction(first + step * (column * LANES + lane) as f32)
-    };
-    let last = rows.end.saturating_sub(1);
-    let corners = [(rows.start, 0), (rows.start, LANES - 1), (last, 0), (last, LANES - 1)];
-    let corners = corners.map(|(row, lane)| direction(row, lane));
-    let middle = vector::direction(corners.into_iter().sum());
-    let farthest = |row: usize| fragments.block(row, column).iter().copied().fold(f32::INFINITY, f32::min);
-    let least = rows.map(farthest).fold(f32::INFINITY, f32::min);
-    // The longest ray to depth 1 goes through a corner of the rectangle.
-    let longest = corners.into_iter().map(|corner| 1.0 / corner.dot(view.ahead())).fold(0.0, f32::max);
-    RayBundle::around(view.eye().into(), middle.into(), &corners.map(Into::into), longest / least)
+/// Returns the bundle of all rays through a tile. The length of the bundle is the distance to the
+/// farthest surface in the tile.
+pub(crate) fn bundle(view: &View, fragments: &Fragments, rows: Range<usize>, column: usize) -> RayBundle {
+    let fan = Fan::new(view, rows.start, column * LANES);
+    let nearness = rows.clone().flat_map(|row| fragments.block(row, column));
+    let least = nearness.copied().fold(f32::INFINITY, f32::min);
+    fan.bundle(0..LANES, 0..rows.len(), least)
 }

@@ -1,7 +1,6 @@
 //! A fixture, prepared to light blocks of pixels.
 
 use crate::{
-    buffer::{LANES, Radiance},
     light::{
         air::{Hazy, Way},
         reach::Reach,
@@ -11,7 +10,7 @@ use crate::{
 use luminaire::{
     Angle, Error, Scalar,
     dynamic::{CompiledAnyLight, RenderPlan},
-    haze::{Haze, RayBundle, ViewRays},
+    haze::{Haze, RayBundle},
     projector::{CompiledGobo, CompiledProjection, Fixture, Gobo},
 };
 
@@ -71,13 +70,11 @@ impl<S: Scalar> Prepared<S> {
         matches!((&self.hazy, sight), (Some(hazy), Some(sight)) if hazy.may_be_seen(sight))
     }
 
-    /// Adds the in-scattered light of the beam along view rays.
-    pub(crate) fn scatter(&self, rays: &ViewRays<LANES>, shadows: &Shadows<S>, radiance: &mut Radiance) {
-        if let Some(hazy) = &self.hazy {
-            let gobo = self.gobo.as_ref().filter(|_| self.is_patterned);
-            let shadow = shadows.of(self.number).filter(|_| self.casts_shadow);
-            hazy.add(rays, &Way { gobo, shadow }, radiance);
-        }
+    /// Returns the beam, and its gobo and shadow map; `None` if the fixture has no beam in haze.
+    pub(crate) fn in_air<'a>(&'a self, shadows: &'a Shadows<S>) -> Option<(&'a Hazy, Way<'a, S>)> {
+        let gobo = self.gobo.as_ref().filter(|_| self.is_patterned);
+        let shadow = shadows.of(self.number).filter(|_| self.casts_shadow);
+        self.hazy.as_ref().map(|hazy| (hazy, Way { gobo, shadow }))
     }
 }
 

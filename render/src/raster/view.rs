@@ -137,9 +137,9 @@ impl View {
         self.eye
     }
 
-    /// The unit direction of sight.
-    pub(crate) fn ahead(&self) -> Vec3 {
-        self.ahead
+    /// Returns the vector at depth 1 from a pixel to its lower neighbour.
+    pub(crate) fn row(&self) -> Vec3 {
+        self.row
     }
 
     /// Returns the vectors to a row's first pixel and from one pixel to the next. Rows are numbered

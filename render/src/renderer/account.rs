@@ -19,8 +19,8 @@ pub struct Account {
     pub evaluated: u64,
     /// The pairs of `evaluated` that were evaluated with a highlight.
     pub evaluated_shining: u64,
-    /// The pairs of a beam and a pixel whose in-scattering was evaluated, in addition to
-    /// `evaluated`.
+    /// The view rays along which the in-scattering of a beam was evaluated. In-scattering that is
+    /// interpolated between rays takes fewer rays than pixels.
     pub evaluated_in_air: u64,
     /// The pairs of a dropped light.
     pub dropped: u64,

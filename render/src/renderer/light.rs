@@ -3,7 +3,12 @@
 use super::Renderer;
 use crate::{
     buffer::LANES,
-    light::{Setting, air, rig::Rig},
+    light::{
+        Setting,
+        air::{self, TileAir},
+        prepared::Prepared,
+        rig::Rig,
+    },
     renderer::{account::Account, display::CHANNELS, format::Format, reached::Reached},
 };
 use alloc::vec::Vec;
@@ -72,7 +77,7 @@ impl<S: Format> Renderer<S> {
     }
 
     /// Computes the bundle of view rays of a tile, unless it is already known for this view.
-    fn sight(&mut self, tile: usize) {
+    pub(super) fn sight(&mut self, tile: usize) {
         let (rows, column) = self.tiles.place(tile);
         let sight = &mut self.tiles.tiles[tile].sight;
         if let Some(view) = self.view.as_ref().filter(|_| sight.is_none()) {
@@ -140,14 +145,33 @@ impl<S: Format> Renderer<S> {
             let radiance = &mut self.radiance[block];
             let shining = S::light(&setting, geometry, &reaching, &mut self.workspace, radiance);
             self.evaluated[block] = reaching.len().try_into().unwrap_or(u16::MAX);
-            let (row, column) = (block / self.geometry.columns, block % self.geometry.columns);
+            let column = block % self.geometry.columns;
             let pixels = LANES.min(self.width - column * LANES);
             self.account.enter(pixels, reached.len(), reaching.len(), shining);
-            if let Some(view) = self.view.as_ref().filter(|_| !seen.is_empty()) {
-                let rays = air::rays(view, &self.fragments, row, column);
-                seen.iter().for_each(|fixture| fixture.scatter(&rays, &self.shadows, radiance));
-                self.account.evaluated_in_air += (pixels * seen.len()) as u64;
+        }
+        if !seen.is_empty() {
+            self.add_air(tile, &seen);
+        }
+    }
+
+    /// Adds the in-scattered light of the beams of `seen` to a tile.
+    fn add_air(&mut self, tile: usize, seen: &[&Prepared<S>]) {
+        let Some(view) = &self.view else { return };
+        let (rows, column) = self.tiles.place(tile);
+        let (columns, stride) = (LANES.min(self.width - column * LANES), self.geometry.columns);
+        let radiance = &mut self.radiance[rows.start * stride + column..];
+        let mut air = TileAir::new(view, &self.fragments, (rows, column), columns, radiance, stride);
+        // The beams that may be seen share the error, whatever the plan adds to them.
+        let sight = self.tiles.tiles[tile].sight.as_ref();
+        let count = seen.iter().filter(|fixture| fixture.is_seen_in_air(sight)).count();
+        for fixture in seen {
+            let Some((hazy, way)) = fixture.in_air(&self.shadows) else { continue };
+            if fixture.is_seen_in_air(sight) {
+                air.add(hazy, &way, 1.0 / count as f32);
+            } else {
+                air.add_each(hazy, &way);
             }
         }
+        self.account.evaluated_in_air += air.finish() as u64;
     }
 }

@@ -7,6 +7,8 @@ use luminaire::{Angle, Cone, Fx16, Fx32, SpotLight, Vec3, falloff::SoftOrHard};
 
 extern crate std;
 
+mod haze;
+
 const SIZE: (usize, usize) = (160, 90);
 
 fn renderer<S: Format>(scene: &Scene, camera: &Camera) -> Renderer<S> {
