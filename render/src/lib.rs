@@ -67,7 +67,9 @@ pub use renderer::{
     edges::Edges,
     format::{Format, stated_error},
 };
-pub use scene::{Highlight, Material, Scene, camera::Camera, mesh::Mesh, outline::Outline};
+pub use scene::{
+    Highlight, Material, Scene, camera::Camera, mesh::Mesh, outline::Outline, surfaces::Surfaces,
+};
 pub use shadow::map::ShadowMap;
 pub use size::{LARGEST, SizeError};
 pub use stripes::Stripes;

@@ -3,6 +3,7 @@
 pub(crate) mod camera;
 pub(crate) mod mesh;
 pub(crate) mod outline;
+pub(crate) mod surfaces;
 
 use crate::scene::mesh::{Mesh, check_channels};
 use alloc::vec::Vec;

@@ -11,8 +11,7 @@ use crate::{
 use glam::{Vec2, Vec3};
 use luminaire::projector::Projection;
 
-/// Depth of the near plane: the least depth that is drawn, in metres along the direction of sight.
-pub(crate) const NEAR: f32 = 0.05;
+pub(crate) use crate::scene::camera::NEAR;
 
 /// Binary logarithm of the number of screen coordinate units per pixel.
 pub(crate) const SUBPIXEL_BITS: u32 = 8;

@@ -4,6 +4,8 @@ use core::f32::consts::{FRAC_PI_2, TAU};
 use glam::{Vec2, Vec3};
 use luminaire::{Angle, HalfAngle};
 
+/// Depth of the near plane: the least depth that is drawn, in metres along the direction of sight.
+pub(crate) const NEAR: f32 = 0.05;
 /// Range of the distance between the camera and its target, in metres.
 const DISTANCE: (f32, f32) = (0.25, 100.0);
 /// Range of the vertical field of view, in radians.
@@ -91,6 +93,34 @@ impl Camera {
         self.distance
     }
 
+    /// Projects a point to a picture whose width is `aspect` times its height. Returns the distances
+    /// from the left and from the top border, as shares of the width and of the height, and the
+    /// depth in metres. Points beside the picture have shares outside [0, 1]; `None` for a point that
+    /// is not beyond the near plane, 0.05 metres from the eye.
+    pub fn project(&self, point: luminaire::Vec3<f32>, aspect: f32) -> Option<[f32; 3]> {
+        let pose = self.pose();
+        let way = Vec3::from(point) - pose.eye;
+        let depth = way.dot(pose.ahead);
+        let tall = self.tangent();
+        let place = |along: f32, tangent: f32| 0.5 + 0.5 * along / (tangent * depth);
+        (depth > NEAR)
+            .then(|| [place(way.dot(pose.right), aspect * tall), place(-way.dot(pose.up), tall), depth])
+    }
+
+    /// Returns the vector from the eye to a place of the picture at depth 1: the inverse of
+    /// [`project`](Self::project). The place is given as shares of the width and of the height.
+    pub fn toward(&self, [x, y]: [f32; 2], aspect: f32) -> luminaire::Vec3<f32> {
+        let (pose, tall) = (self.pose(), self.tangent());
+        let (right, up) = ((2.0 * x - 1.0) * aspect * tall, (1.0 - 2.0 * y) * tall);
+        (pose.ahead + right * pose.right + up * pose.up).into()
+    }
+
+    /// Returns the tangent of half the vertical field of view.
+    fn tangent(&self) -> f32 {
+        let half_angle = Vec2::from_angle(self.field_of_view / 2.0);
+        half_angle.y / half_angle.x
+    }
+
     /// Returns the vertical field of view, in radians.
     pub(crate) fn field_of_view(&self) -> f32 {
         self.field_of_view
@@ -125,4 +155,36 @@ pub(crate) struct Pose {
 /// Clamps a value to a range. NaN becomes the default.
 fn clamp(value: f32, (least, most): (f32, f32), default: f32) -> f32 {
     if value.is_nan() { default } else { value.clamp(least, most) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const ASPECT: f32 = 16.0 / 9.0;
+
+    #[test]
+    fn a_projected_point_lies_toward_its_place() {
+        for (yaw, pitch, field_of_view) in [(0.0, 0.0, 0.6), (2.5, 1.4, 2.0), (-0.7, 0.2, 0.06)] {
+            let target = luminaire::Vec3::new(-1.0, 2.0, 3.0);
+            let camera = Camera::new(target, 7.0, yaw, pitch, field_of_view);
+            let [x, y, depth] = camera.project(target, ASPECT).unwrap();
+            assert!((x - 0.5).abs() < 1e-4 && (y - 0.5).abs() < 1e-4 && (depth - 7.0).abs() < 1e-4);
+            for place in [[0.5, 0.5], [0.0, 0.0], [0.9, 0.2], [-0.5, 1.5]] {
+                for depth in [0.1, 3.0, 50.0] {
+                    let way = Vec3::from(camera.toward(place, ASPECT));
+                    let point = Vec3::from(camera.eye()) + depth * way;
+                    let [x, y, found] = camera.project(point.into(), ASPECT).unwrap();
+                    assert!(
+                        (x - place[0]).abs() < 1e-4 && (y - place[1]).abs() < 1e-4,
+                        "{x} {y} for {place:?}"
+                    );
+                    assert!((found - depth).abs() < 1e-4 * depth, "{found} for {depth}");
+                }
+            }
+            assert_eq!(camera.project(camera.eye(), ASPECT), None);
+            let behind = Vec3::from(camera.eye()) - Vec3::from(camera.toward([0.5, 0.5], ASPECT));
+            assert_eq!(camera.project(behind.into(), ASPECT), None);
+        }
+    }
 }
