@@ -225,3 +225,21 @@ fn another_display_shows_other_codes() -> Result<(), Error> {
     assert_eq!(renderer.encode(), plain);
     Ok(())
 }
+
+/// Overexposed light keeps its hue, and light within full scale is unchanged.
+#[test]
+fn only_overexposed_light_is_changed_to_keep_its_hue() -> Result<(), Error> {
+    let mut renderer = renderer::<f32>(&stage::scene().unwrap(), &fixtures()?);
+    let plain = renderer.encode().to_vec();
+    renderer.set_display(Display::Rgb888KeepHue);
+    let mut changed = 0;
+    for (kept, clipped) in renderer.encode().chunks_exact(4).zip(plain.chunks_exact(4)) {
+        let is_within = clipped[..3].iter().all(|code| *code < 255);
+        assert!(!is_within || kept == clipped, "{clipped:?} becomes {kept:?}");
+        assert!(is_within || kept[..3].iter().any(|code| *code >= 254), "{clipped:?} becomes {kept:?}");
+        changed += usize::from(kept != clipped);
+    }
+    assert!(changed > 0 && changed < plain.len() / 8, "{changed} pixels are changed");
+    assert!(Display::Rgb888KeepHueDithered.keeps_hue() && Display::Rgb888KeepHueDithered.is_dithered());
+    Ok(())
+}
