@@ -4,7 +4,7 @@ use super::CompiledAnyLight;
 use crate::{
     attenuation::{AnyAttenuation, Attenuation, InverseSquare},
     cone::CompiledCone,
-    falloff::{AnyFalloff, Falloff, with_profile},
+    falloff::{AnyFalloff, CompiledAnyFalloff, Falloff},
     haze::{BeamScattering, Haze, TransmittanceFn, ViewRays},
 };
 
@@ -18,6 +18,20 @@ impl CompiledAnyLight<f32> {
     }
 }
 
+/// Evaluates an expression with the concrete types of the falloffs that most beams have, and with the
+/// enums for all others. A loop for each falloff of the list would take 70 kB in a WebAssembly module.
+macro_rules! with_frequent_profile {
+    ($cone:expr, $profile:ident, $curve:ident => $answer:expr) => {
+        with_frequent_profile!(@ $cone, $profile, $curve, $answer, Soft, Hard, Quadratic, Cubic)
+    };
+    (@ $cone:expr, $profile:ident, $curve:ident, $answer:expr, $($variant:ident),*) => {
+        match ($cone.profile, $cone.curve) {
+            $((AnyFalloff::$variant($profile), CompiledAnyFalloff::$variant($curve)) => $answer,)*
+            ($profile, $curve) => $answer,
+        }
+    };
+}
+
 impl BeamScattering<AnyFalloff, AnyAttenuation> {
     /// Returns whether the light attenuates exactly with the inverse square of the distance.
     pub fn is_inverse_square(&self) -> bool {
@@ -27,11 +41,12 @@ impl BeamScattering<AnyFalloff, AnyAttenuation> {
     /// Computes the in-scattered light of `N` rays. The result is bit-identical to
     /// [`in_scattering`](Self::in_scattering) with the beam's own falloff type.
     ///
-    /// For the inverse-square law there is one loop per falloff, without branches on the falloff.
-    /// All other attenuations share one loop with branches on falloff and attenuation.
+    /// For the inverse-square law there is one loop for each of the falloffs `Soft`, `Hard`,
+    /// `Quadratic` and `Cubic`, without branches on the falloff, and one for all other falloffs. All
+    /// other attenuations share one loop with branches on falloff and attenuation.
     pub fn in_scattering_each<const N: usize>(&self, rays: &ViewRays<N>, lights: &mut [f32; N]) {
         if AnyAttenuation::is_inverse_square::<f32>(&self.attenuation) {
-            with_profile!(self.falloff, profile, curve => each(&self.by_square(profile, curve), rays, lights));
+            with_frequent_profile!(self.falloff, profile, curve => each(&self.by_square(profile, curve), rays, lights));
         } else {
             each(self, rays, lights);
         }
@@ -50,7 +65,7 @@ impl BeamScattering<AnyFalloff, AnyAttenuation> {
         lights: &mut [f32; N],
     ) {
         if AnyAttenuation::is_inverse_square::<f32>(&self.attenuation) {
-            with_profile!(self.falloff, profile, curve => {
+            with_frequent_profile!(self.falloff, profile, curve => {
                 each_through(&self.by_square(profile, curve), rays, filter, lights)
             });
         } else {
