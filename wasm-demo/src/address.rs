@@ -13,21 +13,22 @@
 //! | `map` | what is shown over the picture |
 //! | `all` | `1`: every effect is evaluated |
 //! | `exposure` | stops |
+//! | `tone` | `hue`: overexposed light keeps its hue |
+//! | `handles` | `0`: the lights are not drawn over the picture |
 //!
 //! Numbers of one value are separated by `/`. A light is its number in the scene, or a range of
 //! lights without settings, as in `3-7`. Its settings follow, each with `:`, a letter and a value:
-//! `x` off, `b` and `f` beam and field angle, `e` edge, `l` fixture, `c` colour, `i` intensity, `p`
-//! position, `t` target.
+//! `x` off, `b` and `f` beam and field angle, `e` edge, `l` fixture, `c` colour, `i` intensity as a
+//! multiple of full scale at 1 metre, `p` position, `t` target.
 
 use crate::{
     decimal::read,
-    fixture,
+    edge, fixture,
     format::Format,
-    light::{Mark, edge_name, edge_named},
     map::Subject,
     refusal::Refusal,
-    setting::{Design, Setting, channels},
-    state::{LIGHTS, STOPS, SWITCHABLE, State},
+    setting::{Setting, channels},
+    state::{EXPOSURES, LIGHTS, SWITCHABLE, State},
     viewpoint::Viewpoint,
 };
 use luminaire::Vec3;
@@ -65,6 +66,8 @@ pub(crate) fn write(state: &State, lights: usize) -> String {
     put("map", state.map != opened.map, &|| state.map.name().to_owned());
     put("all", state.is_everything != opened.is_everything, &|| "1".to_owned());
     put("exposure", state.exposure != opened.exposure, &|| state.exposure.to_string());
+    put("tone", state.keeps_hue != opened.keeps_hue, &|| "hue".to_owned());
+    put("handles", state.shows_handles != opened.shows_handles, &|| "0".to_owned());
     text
 }
 
@@ -137,14 +140,17 @@ fn take(state: &mut State, lights: usize, name: &str, value: &str) -> Result<(),
         "map" => state.map = Subject::named(value)?,
         "all" => state.is_everything = value == "1",
         "exposure" => {
-            let stops = read(value).filter(|stops| (-STOPS..=STOPS).contains(stops));
-            state.exposure = stops.ok_or_else(|| refused("exposure", "-4 to 4 stops"))?;
+            let [least, most] = EXPOSURES;
+            let stops = read(value).filter(|stops| (least..=most).contains(stops));
+            state.exposure = stops.ok_or_else(|| refused("exposure", "-14 to 6 stops"))?;
         }
+        "tone" => state.keeps_hue = value == "hue",
+        "handles" => state.shows_handles = value != "0",
         _ => {
             return Err(Refusal::name(
                 "parameter",
                 name,
-                "v, scene, format, view, at, play, lights, effects, map, all or exposure",
+                "v, scene, format, view, at, play, lights, effects, map, all, exposure, tone or handles",
             ));
         }
     }
@@ -180,12 +186,10 @@ fn light_text(setting: &Setting) -> String {
         }
     };
     let vector = |v: Vec3<f32>| numbers(&[v.x, v.y, v.z]);
-    let angle =
-        |mark| setting.design.filter(|design| design.mark == mark).map(|design| design.degrees.to_string());
     put('x', (!setting.is_on).then(String::new));
-    put('b', angle(Mark::Beam));
-    put('f', angle(Mark::Field));
-    put('e', setting.edge.map(|edge| edge_name(Some(edge)).to_owned()));
+    put('b', setting.design.beam.map(|degrees| degrees.to_string()));
+    put('f', setting.design.field.map(|degrees| degrees.to_string()));
+    put('e', setting.edge.map(|edge| edge.effect().name().to_owned()));
     put('l', setting.fixture.map(fixture::slug));
     put('c', setting.color.map(|[red, green, blue]| format!("{red:02x}{green:02x}{blue:02x}")));
     put('i', setting.intensity.map(|intensity| intensity.to_string()));
@@ -229,9 +233,9 @@ fn read_light(word: &str) -> Option<Vec<Setting>> {
         let value = &part[letter.len_utf8()..];
         match letter {
             'x' if value.is_empty() => setting.is_on = false,
-            'b' => setting.design = Some(Design { mark: Mark::Beam, degrees: read(value)? }),
-            'f' => setting.design = Some(Design { mark: Mark::Field, degrees: read(value)? }),
-            'e' => setting.edge = Some(edge_named(value).ok()??),
+            'b' => setting.design.beam = Some(read(value)?),
+            'f' => setting.design.field = Some(read(value)?),
+            'e' => setting.edge = Some(edge::named(value)?),
             'l' => setting.fixture = Some(fixture::with_slug(value)?),
             'c' => setting.color = Some(channels(value)?),
             'i' => setting.intensity = Some(read(value)?),
@@ -242,7 +246,10 @@ fn read_light(word: &str) -> Option<Vec<Setting>> {
     }
     // The angle of a fixture is one of its zoom.
     let is_zoom = |fixture: &Fixture| {
-        setting.design.is_some_and(|design| (fixture.narrowest..=fixture.widest).contains(&design.degrees))
+        setting
+            .design
+            .one()
+            .is_some_and(|(_, degrees)| (fixture.narrowest..=fixture.widest).contains(&degrees))
     };
     setting.fixture.is_none_or(is_zoom).then(|| vec![setting])
 }
@@ -250,23 +257,27 @@ fn read_light(word: &str) -> Option<Vec<Setting>> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::desk::Desk;
-    use luminaire::falloff::SoftOrHard;
+    use crate::{
+        design::Design,
+        desk::Desk,
+        light::Mark::{Beam, Field},
+    };
     use luminaire_fixtures::FIXTURES;
 
     fn random_setting(random: &mut fastrand::Rng, of: usize) -> Setting {
         let mut setting = Setting::of(of);
         let vector = |random: &mut fastrand::Rng| Vec3::new(number(random), number(random), number(random));
         setting.is_on = random.bool();
-        setting.edge = random.choice([None, Some(SoftOrHard::Soft), Some(SoftOrHard::Hard)]).flatten();
-        let mark = if random.bool() { Mark::Beam } else { Mark::Field };
-        match random.u8(..4) {
-            0 => setting.design = Some(Design { mark, degrees: number(random) }),
-            1 => {
+        setting.edge = random.bool().then(|| random.choice(edge::all().collect::<Vec<_>>()).unwrap());
+        let mark = if random.bool() { Beam } else { Field };
+        match random.u8(..5) {
+            0 => setting.design = Design::of(mark, number(random)),
+            1 => setting.design = Design { beam: Some(number(random)), field: Some(number(random)) },
+            2 => {
                 let fixture = random.choice(&FIXTURES).unwrap();
                 let degrees = fixture.narrowest + random.f32() * (fixture.widest - fixture.narrowest);
                 setting.fixture = Some(fixture);
-                setting.design = Some(Design { mark, degrees: degrees.min(fixture.widest) });
+                setting.design = Design::of(mark, degrees.min(fixture.widest));
             }
             _ => {}
         }
@@ -308,7 +319,10 @@ mod tests {
         }
         state.map = random.choice([Subject::Nothing, Subject::Lights, Subject::Tiles]).unwrap();
         state.is_everything = random.bool();
-        state.exposure = 2.0 * STOPS * (random.f32() - 0.5);
+        let [least, most] = EXPOSURES;
+        state.exposure = (least + random.f32() * (most - least)).min(most);
+        state.keeps_hue = random.bool();
+        state.shows_handles = random.bool();
         (state, count)
     }
 
@@ -350,13 +364,15 @@ mod tests {
             ("lights=0:b", "lights = \"0:b\""),
             ("lights=0:larri-l7-c", "lights"),
             ("lights=0:larri-l7-c:f5", "lights"),
+            ("lights=0:larri-l7-c:b20:f25", "lights"),
+            ("lights=0:eround", "lights"),
             ("lights=0:é", "lights"),
             ("lights=0:céé", "lights"),
             ("lights=5-1", "lights"),
             ("lights=0-99999999999999999999", "lights"),
             ("effects=spot", "effects = \"spot\""),
             ("map=heat", "subject of the map = \"heat\""),
-            ("exposure=9", "exposure = \"9\""),
+            ("exposure=17", "exposure = \"17\""),
             ("constructor=1", "parameter = \"constructor\""),
         ] {
             let (state, refused) = parse(&format!("{text}&all=1"), Example::Show).unwrap();

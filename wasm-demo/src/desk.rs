@@ -2,12 +2,16 @@
 
 use crate::{
     address,
+    photometry::full_scale,
     refusal::Refusal,
     rig::Rig,
     setting::Setting,
-    state::{LIGHTS, STOPS, SWITCHABLE, State},
+    state::{EXPOSURES, LIGHTS, SWITCHABLE, State},
 };
-use luminaire_render::{Camera, scenes::Example};
+use luminaire_render::{
+    Camera,
+    scenes::{Example, MovingLight},
+};
 
 /// Largest number of states to return to.
 const PAST: usize = 200;
@@ -47,7 +51,6 @@ impl Desk {
     }
 
     /// The camera of the picture.
-    #[cfg(test)]
     pub(crate) fn camera(&self) -> Camera {
         self.rig.camera_of(&self.state)
     }
@@ -77,6 +80,33 @@ impl Desk {
             let count = state.lights.len();
             act(state.lights.get_mut(light).ok_or(Refusal::Number { value: light, count })?)
         })
+    }
+
+    /// Changes the setting of a light, given the light as the scene has it.
+    fn change_original(
+        &mut self,
+        light: usize,
+        act: impl FnOnce(&mut Setting, &MovingLight) -> Result<(), Refusal>,
+    ) -> Result<(), Refusal> {
+        let original = *self.rig.original(self.setting(light)?.of)?;
+        self.change_light(light, |setting| act(setting, &original))
+    }
+
+    /// Sets a number of a light: see [`Setting::set_number`].
+    pub(crate) fn set_number(&mut self, light: usize, name: &str, value: f32) -> Result<(), Refusal> {
+        let full_scale = full_scale(self.state.scene);
+        self.change_original(light, |setting, original| setting.set_number(name, value, original, full_scale))
+    }
+
+    /// Sets a choice of a light: see [`Setting::set_choice`].
+    pub(crate) fn set_choice(&mut self, light: usize, name: &str, value: &str) -> Result<(), Refusal> {
+        let full_scale = full_scale(self.state.scene);
+        self.change_original(light, |setting, original| setting.set_choice(name, value, original, full_scale))
+    }
+
+    /// Zooms a light: see [`Setting::zoom`].
+    pub(crate) fn zoom_light(&mut self, light: usize, factor: f32) -> Result<(), Refusal> {
+        self.change_original(light, |setting, original| setting.zoom(factor, original))
     }
 
     /// Adds a copy of a light behind it.
@@ -125,8 +155,9 @@ impl Desk {
 
     /// Sets the exposure in stops.
     pub(crate) fn expose(&mut self, stops: f32) -> Result<(), Refusal> {
-        if !(-STOPS..=STOPS).contains(&stops) {
-            return Err(Refusal::outside("exposure", stops, [-STOPS, STOPS], "stops"));
+        let [least, most] = EXPOSURES;
+        if !(least..=most).contains(&stops) {
+            return Err(Refusal::outside("exposure", stops, EXPOSURES, "stops"));
         }
         self.change(|state| {
             state.exposure = stops;

@@ -44,6 +44,11 @@ pub(crate) fn middle(fixture: &Fixture) -> f32 {
     fixture.narrowest.midpoint(fixture.widest)
 }
 
+/// Returns the range of the zoom in degrees. Its least angle is at least a hundredth of the largest.
+pub(crate) fn zooms(fixture: &Fixture) -> [f32; 2] {
+    [fixture.narrowest.max(0.01 * fixture.widest), fixture.widest]
+}
+
 /// Returns the name in an address: lower-case letters, digits and hyphens.
 pub(crate) fn slug(fixture: &Fixture) -> String {
     let plain: String = fixture

@@ -13,8 +13,12 @@
 //! - `refusal`: the texts of refusals by this crate and the kernel
 //! - `decimal`: numbers from text
 //! - `fixture`: stage fixtures for the page and for addresses
+//! - `edge`: the falloffs to choose from
 //! - `format`: the number format, from a run-time choice to a type
+//! - `photometry`: lux for full scale
+//! - `curve`: the intensity of a light over the angle, and curves to compare it with
 //! - `light`: a light for the page, as plain values
+//! - `design`: the angles that a cone is designed from
 //! - `setting`: the visitor's settings of one light
 //! - `clock`, `canvas`, `panic`: the browser's services
 //! - `times`: times of the passes of a picture
@@ -27,6 +31,7 @@
 //! - `scene_state`: state of a scene for the page, as plain values
 //! - `rig`: a scene with the settings of a state
 //! - `desk`: the state, its scene, and earlier states to return to
+//! - `aim`: the lights in the picture, and what a pointer moves
 //! - `job`: a picture to draw, as text for a worker
 //! - `equality`: comparison of the scene's picture with the one of all effects
 //! - `painter`: the JavaScript class that draws a share of a picture
@@ -49,18 +54,26 @@
 
 #[cfg(feature = "stage")]
 mod address;
+#[cfg(feature = "stage")]
+mod aim;
 #[cfg(feature = "comparison")]
 mod canvas;
 mod clock;
 #[cfg(feature = "comparison")]
 mod comparison;
 #[cfg(feature = "stage")]
+mod curve;
+#[cfg(feature = "stage")]
 mod decimal;
+#[cfg(feature = "stage")]
+mod design;
 #[cfg(feature = "stage")]
 mod desk;
 #[cfg(feature = "comparison")]
 mod difference;
 mod display;
+#[cfg(feature = "stage")]
+mod edge;
 #[cfg(feature = "stage")]
 mod equality;
 mod false_colour;
@@ -80,6 +93,8 @@ mod museum;
 #[cfg(feature = "stage")]
 mod painter;
 mod panic;
+#[cfg(feature = "stage")]
+mod photometry;
 #[cfg(feature = "comparison")]
 mod picture;
 mod refusal;

@@ -1,12 +1,11 @@
 //! A light for the page: plain values, as the kernel computed them.
 
-use crate::{format::Format, refusal::Refusal};
-use luminaire::{
-    Angle, Cone, Rgb,
-    display::encode_srgb,
-    dynamic::AnyLight,
-    falloff::{AnyFalloff, SoftOrHard},
+use crate::{
+    design::{beams, fields},
+    format::Format,
+    refusal::Refusal,
 };
+use luminaire::{Angle, Cone, Rgb, Vec3, display::encode_srgb, dynamic::AnyLight, falloff::AnyFalloff};
 use wasm_bindgen::prelude::*;
 
 /// The angle that a cone is designed from. The kernel computes the others.
@@ -46,18 +45,38 @@ pub struct LightState {
     pub widest_field: f32,
     /// The full outer angle in degrees.
     pub outer: f32,
-    /// `soft` or `hard` if the visitor has chosen it, else `own`.
+    /// The least and the largest beam angle with this field angle, and the least and the largest
+    /// field angle with this beam angle, over all edges, in degrees. Empty if there are none.
+    pub reach: Vec<f32>,
+    /// The name of the falloff that the visitor has chosen, `fitted` to both angles, or `own`.
     pub edge: String,
     /// The name of the scene's own falloff of the light.
     #[wasm_bindgen(js_name = ownEdge)]
     pub own_edge: String,
     /// The colour as `#rrggbb`, sRGB.
     pub color: String,
-    /// The intensity on the axis.
+    /// The intensity on the axis in `unit`.
     pub intensity: f32,
-    /// The intensity on the axis as the scene has it.
+    /// `cd`, or `lx` for a directional light.
+    pub unit: String,
+    /// The intensity on the axis, at this cone, of the flux that the fixture is published with, or
+    /// else of the flux that the light has in the scene.
     #[wasm_bindgen(js_name = ownIntensity)]
     pub own_intensity: f32,
+    /// The luminous flux in lumens; nothing for a directional light.
+    pub lumens: Option<f32>,
+    /// The distance in metres to the surface that the light aims at; nothing without one.
+    pub throw: Option<f32>,
+    /// The illuminance in lux there, of a surface that faces the light.
+    pub lux: Option<f32>,
+    /// The position: x, y and z in metres. Empty for a directional light.
+    pub position: Vec<f32>,
+    /// The point that the light aims at: x, y and z in metres. Empty unless it is a spotlight.
+    pub aim: Vec<f32>,
+    /// Whether the scene moves the aim of the light.
+    pub sweeps: bool,
+    /// Whether the visitor has moved or aimed the light.
+    pub moved: bool,
     /// Whether the light is switched on.
     pub on: bool,
     /// The name of the fixture whose angle the light has; empty if it has none.
@@ -71,11 +90,15 @@ pub struct LightState {
 impl LightState {
     /// The state of a light in a format.
     pub(crate) fn of(light: &AnyLight, format: Format) -> Self {
-        let state = Self { color: hex_of(light.color()), intensity: light.intensity(), ..Self::default() };
         match light {
-            AnyLight::Spot(spot) => state.with_cone(spot.cone(), format),
-            _ => state,
+            AnyLight::Spot(spot) => Self::colored(light).with_cone(spot.cone(), format),
+            _ => Self::colored(light),
         }
+    }
+
+    /// The colour of a light.
+    pub(crate) fn colored(light: &AnyLight) -> Self {
+        Self { color: hex_of(light.color()), ..Self::default() }
     }
 
     fn with_cone(self, cone: Cone<AnyFalloff>, format: Format) -> Self {
@@ -93,8 +116,30 @@ impl LightState {
             narrowest_field: least.field().to_degrees(),
             widest_field: most.field().to_degrees(),
             outer: cone.outer().to_degrees(),
+            reach: match (beams(cone.field().to_degrees()), fields(cone.beam().to_degrees())) {
+                (Some(beams), Some(fields)) => [beams, fields].concat(),
+                _ => Vec::new(),
+            },
             ..self
         }
+    }
+}
+
+/// The position of a light; `None` for a directional light.
+pub(crate) fn position_of(light: &AnyLight) -> Option<Vec3<f32>> {
+    match light {
+        AnyLight::Spot(spot) => Some(spot.position()),
+        AnyLight::Point(point) => Some(point.position()),
+        AnyLight::Directional(_) => None,
+    }
+}
+
+/// The luminous flux of an intensity in candela; `None` for a directional light.
+pub(crate) fn lumens_of(light: &AnyLight, candela: f32) -> Option<f32> {
+    match light {
+        AnyLight::Spot(spot) => Some(spot.cone().lumens(candela)),
+        AnyLight::Point(point) => Some(point.lumens(candela)),
+        AnyLight::Directional(_) => None,
     }
 }
 
@@ -114,25 +159,6 @@ impl Mark {
             Self::Beam => "beam",
             Self::Field => "field",
         }
-    }
-}
-
-/// The edge with this name; `None` for the scene's own.
-pub(crate) fn edge_named(name: &str) -> Result<Option<SoftOrHard>, Refusal> {
-    match name {
-        "own" => Ok(None),
-        "soft" => Ok(Some(SoftOrHard::Soft)),
-        "hard" => Ok(Some(SoftOrHard::Hard)),
-        _ => Err(Refusal::name("edge", name, "own, soft or hard")),
-    }
-}
-
-/// The name that [`edge_named`] accepts.
-pub(crate) fn edge_name(edge: Option<SoftOrHard>) -> &'static str {
-    match edge {
-        None => "own",
-        Some(SoftOrHard::Soft) => "soft",
-        Some(SoftOrHard::Hard) => "hard",
     }
 }
 

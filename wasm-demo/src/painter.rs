@@ -15,7 +15,7 @@ use crate::{
     times::Times,
 };
 use luminaire::projector::Fixture;
-use luminaire_render::{LANES, Stripes, scenes::Example};
+use luminaire_render::{Display, LANES, Stripes, scenes::Example};
 use std::fmt;
 use wasm_bindgen::{Clamped, prelude::*};
 use web_sys::js_sys::{Uint8ClampedArray, Uint32Array};
@@ -38,7 +38,7 @@ struct Renderer {
     kind: (Format, (u32, u32)),
     /// What the last picture shows besides its scene, camera and lights; `None` if it was not
     /// drawn to the end.
-    shown: Option<(Example, bool, bool)>,
+    shown: Option<(Example, bool, Display)>,
 }
 
 #[wasm_bindgen]
@@ -130,7 +130,7 @@ impl Painter {
             false => draw.draw_light(&self.fixtures),
         });
         let is_lit = lit.map_err(Refusal::from)?;
-        let showing = Some((state.scene, state.is_everything, display.is_dithered()));
+        let showing = Some((state.scene, state.is_everything, display));
         let is_drawn = std::mem::replace(shown, showing) != showing || is_lit;
         if is_drawn {
             draw.set_display(display);

@@ -167,7 +167,12 @@ impl Rig {
 
     /// The display of the picture.
     pub(crate) fn display(&self, state: &State) -> Display {
-        if self.has(state, Effect::Dither) { Display::Rgb888Dithered } else { Display::Rgb888 }
+        match (state.keeps_hue, self.has(state, Effect::Dither)) {
+            (false, false) => Display::Rgb888,
+            (false, true) => Display::Rgb888Dithered,
+            (true, false) => Display::Rgb888KeepHue,
+            (true, true) => Display::Rgb888KeepHueDithered,
+        }
     }
 
     /// Returns whether the lights and the camera of the scene change over time.

@@ -1,27 +1,24 @@
 //! The visitor's settings of one light, over the light as the scene has it.
 
 use crate::{
+    design::Design,
+    edge::{self, FITTED},
     fixture,
-    format::Format,
-    light::{LightState, Mark, edge_name, edge_named},
+    light::Mark,
     refusal::Refusal,
 };
 use luminaire::{
-    Angle, Cone, Error, PointLight, Rgb, SpotLight, Vec3,
-    attenuation::AnyAttenuation,
-    display::decode_srgb,
-    dynamic::AnyLight,
-    falloff::{AnyFalloff, SoftOrHard},
+    Cone, Error, PointLight, Rgb, SpotLight, Vec3, attenuation::AnyAttenuation, display::decode_srgb,
+    dynamic::AnyLight, falloff::AnyFalloff,
 };
 use luminaire_fixtures::Fixture;
 use luminaire_render::scenes::MovingLight;
 
-/// The angle that a cone is designed from. The kernel computes the others.
-#[derive(Clone, Copy, PartialEq, Debug)]
-pub(crate) struct Design {
-    pub(crate) mark: Mark,
-    pub(crate) degrees: f32,
-}
+/// The largest intensity that the kernel accepts.
+const BRIGHTEST: f32 = 1e9;
+
+/// A change of a setting, given the cone before it.
+type Reshape<'a> = dyn Fn(&mut Setting, &Cone<AnyFalloff>) -> Result<(), Refusal> + 'a;
 
 /// What the visitor has changed of a light. `None` is as the scene has it.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -29,15 +26,16 @@ pub(crate) struct Setting {
     /// The number of the light in the scene. Copies of a light share it.
     pub(crate) of: usize,
     pub(crate) is_on: bool,
-    pub(crate) design: Option<Design>,
-    pub(crate) edge: Option<SoftOrHard>,
+    pub(crate) design: Design,
+    pub(crate) edge: Option<AnyFalloff>,
     /// The fixture whose published angle is the angle of the design.
     pub(crate) fixture: Option<&'static Fixture>,
     /// The colour in sRGB.
     pub(crate) color: Option<[u8; 3]>,
+    /// The intensity on the axis, as a multiple of full scale at 1 metre.
     pub(crate) intensity: Option<f32>,
     pub(crate) position: Option<Vec3<f32>>,
-    /// The point at which the light aims. It makes a light that moves stand still.
+    /// The point at which the light aims. It ends the sweep of a light that the scene moves.
     pub(crate) target: Option<Vec3<f32>>,
 }
 
@@ -47,7 +45,7 @@ impl Setting {
         Self {
             of: light,
             is_on: true,
-            design: None,
+            design: Design::default(),
             edge: None,
             fixture: None,
             color: None,
@@ -57,33 +55,120 @@ impl Setting {
         }
     }
 
-    /// Sets a value by its name: the `beam`, `field` or `zoom` angle in degrees, or the `intensity`.
-    pub(crate) fn set_number(&mut self, name: &str, value: f32) -> Result<(), Refusal> {
+    /// Sets a value by its name, for the `original` light of a scene that shows `full_scale` lux as
+    /// full scale: the `beam`, `field` or `zoom` angle in degrees, where a light that has both angles
+    /// keeps the other one; `fit-beam` or `fit-field`, which keep the other one of every light; or
+    /// the `intensity` in candela, or in lux for a directional light. Angles conserve the flux.
+    pub(crate) fn set_number(
+        &mut self,
+        name: &str,
+        value: f32,
+        original: &MovingLight,
+        full_scale: f32,
+    ) -> Result<(), Refusal> {
         match name {
-            "beam" => self.set_angle(Mark::Beam, value),
-            "field" => self.set_angle(Mark::Field, value),
-            "zoom" => return self.set_zoom(value),
-            "intensity" => self.intensity = Some(value),
-            _ => return Err(Refusal::name("number of a light", name, "beam, field, zoom or intensity")),
+            "beam" => self.reshape(original, &|setting, _| setting.set_angle(Mark::Beam, value)),
+            "field" => self.reshape(original, &|setting, _| setting.set_angle(Mark::Field, value)),
+            "fit-beam" => self.reshape(original, &|setting, cone| setting.fit(Mark::Beam, value, cone)),
+            "fit-field" => self.reshape(original, &|setting, cone| setting.fit(Mark::Field, value, cone)),
+            "zoom" => self.reshape(original, &|setting, _| setting.set_zoom(value)),
+            "intensity" => self.set_intensity(value, full_scale),
+            _ => {
+                let expected = "beam, field, fit-beam, fit-field, zoom or intensity";
+                Err(Refusal::name("number of a light", name, expected))
+            }
         }
-        Ok(())
     }
 
-    /// Sets a choice by its name: the `edge`, `color`, `fixture`, or `reading` of its angle.
-    pub(crate) fn set_choice(&mut self, name: &str, value: &str) -> Result<(), Refusal> {
+    /// Sets a choice by its name: the `edge`, `color`, `fixture`, or `reading` of its angle. A fixture
+    /// brings its published flux; everything else conserves the flux.
+    pub(crate) fn set_choice(
+        &mut self,
+        name: &str,
+        value: &str,
+        original: &MovingLight,
+        full_scale: f32,
+    ) -> Result<(), Refusal> {
         match name {
-            "edge" => self.edge = edge_named(value)?,
+            "edge" => self.reshape(original, &|setting, cone| setting.set_edge(value, cone))?,
             "color" => self.color = Some(channels_of(value)?),
-            "fixture" => self.set_fixture(value)?,
-            "reading" => self.set_reading(Mark::named(value)?),
+            "fixture" => {
+                self.reshape(original, &|setting, _| setting.set_fixture(value))?;
+                self.take_flux(original, full_scale)?;
+            }
+            "reading" => {
+                let mark = Mark::named(value)?;
+                self.reshape(original, &|setting, _| setting.set_reading(mark))?;
+            }
             _ => return Err(Refusal::name("choice of a light", name, "edge, color, fixture or reading")),
         }
         Ok(())
     }
 
-    /// Sets one angle of the cone, which determines the other two. This removes the fixture.
-    fn set_angle(&mut self, mark: Mark, degrees: f32) {
-        (self.design, self.fixture) = (Some(Design { mark, degrees }), None);
+    /// Multiplies the angles by a factor, within the published range of a fixture. This conserves the
+    /// flux.
+    pub(crate) fn zoom(&mut self, factor: f32, original: &MovingLight) -> Result<(), Refusal> {
+        self.reshape(original, &|setting, cone| {
+            if let (Some(fixture), Some((_, degrees))) = (setting.fixture, setting.design.one()) {
+                let [narrow, wide] = fixture::zooms(fixture);
+                return setting.set_zoom((factor * degrees).max(narrow).min(wide));
+            }
+            let design = match setting.design {
+                Design { beam: None, field: None } => Design::of(Mark::Field, cone.field().to_degrees()),
+                design => design,
+            };
+            setting.design = design.times(factor);
+            Ok(())
+        })
+    }
+
+    /// Changes the cone, which the change gets, and conserves the flux.
+    fn reshape(&mut self, original: &MovingLight, change: &Reshape) -> Result<(), Refusal> {
+        let AnyLight::Spot(spot) = original.light() else {
+            return Err(Refusal::name("light", original.name, "a spotlight, which has angles and an edge"));
+        };
+        let before = self.cone(spot.cone())?;
+        let flux = before.lumens(self.intensity.unwrap_or(spot.intensity()));
+        change(self, &before)?;
+        let after = self.cone(spot.cone())?;
+        if after != before {
+            self.intensity = Some(after.candela(flux).min(BRIGHTEST));
+        }
+        Ok(())
+    }
+
+    /// Sets one angle of the cone, and removes the fixture. The angle determines the other one, or
+    /// leaves it as it is if both are given.
+    fn set_angle(&mut self, mark: Mark, degrees: f32) -> Result<(), Refusal> {
+        self.fixture = None;
+        self.design = if self.design.both().is_some() {
+            self.design.with(mark, degrees)
+        } else {
+            Design::of(mark, degrees)
+        };
+        Ok(())
+    }
+
+    /// Sets one angle of the cone and keeps the other one, by the edge that both determine.
+    fn fit(&mut self, mark: Mark, degrees: f32, cone: &Cone<AnyFalloff>) -> Result<(), Refusal> {
+        self.set_edge(FITTED, cone)?;
+        self.set_angle(mark, degrees)
+    }
+
+    /// Sets the edge by name.
+    fn set_edge(&mut self, name: &str, cone: &Cone<AnyFalloff>) -> Result<(), Refusal> {
+        if name == FITTED {
+            (self.edge, self.fixture) = (None, None);
+            if self.design.both().is_none() {
+                self.design = Design::both_of(cone);
+            }
+            return Ok(());
+        }
+        self.edge = edge::chosen(name)?;
+        if self.design.both().is_some() {
+            self.design.beam = None;
+        }
+        Ok(())
     }
 
     /// Zooms the fixture to an angle within its published range.
@@ -95,7 +180,7 @@ impl Setting {
         if !(narrow..=wide).contains(&degrees) {
             return Err(Refusal::Zoom { value: degrees, narrow, wide });
         }
-        self.design = Some(Design { mark: self.reading(), degrees });
+        self.design = Design::of(self.reading(), degrees);
         Ok(())
     }
 
@@ -108,19 +193,42 @@ impl Setting {
         }
         let expected = "one of the list, or set the angles by hand";
         let fixture = fixture::find(name).ok_or_else(|| Refusal::name("fixture", name, expected))?;
-        self.design = Some(Design { mark: self.reading(), degrees: fixture::middle(fixture) });
+        self.design = Design::of(self.reading(), fixture::middle(fixture));
         self.fixture = Some(fixture);
         Ok(())
     }
 
+    /// Sets the intensity to that of the fixture's published flux, if there is one.
+    fn take_flux(&mut self, original: &MovingLight, full_scale: f32) -> Result<(), Refusal> {
+        let lumens = self.fixture.and_then(|fixture| fixture.lumens);
+        if let (Some(lumens), AnyLight::Spot(spot)) = (lumens, original.light()) {
+            let candela = self.cone(spot.cone())?.candela(lumens);
+            self.intensity = Some((candela / full_scale).min(BRIGHTEST));
+        }
+        Ok(())
+    }
+
+    /// Sets the intensity in candela, or in lux for a directional light.
+    fn set_intensity(&mut self, value: f32, full_scale: f32) -> Result<(), Refusal> {
+        let most = BRIGHTEST * full_scale;
+        if !(0.0..=most).contains(&value) {
+            return Err(Refusal::outside("intensity", value, [0.0, most], "candela"));
+        }
+        self.intensity = Some(value / full_scale);
+        Ok(())
+    }
+
     /// Sets whether the angle is interpreted as beam or as field angle.
-    fn set_reading(&mut self, mark: Mark) {
-        self.design = self.design.map(|design| Design { mark, ..design });
+    fn set_reading(&mut self, mark: Mark) -> Result<(), Refusal> {
+        if let Some((_, degrees)) = self.design.one() {
+            self.design = Design::of(mark, degrees);
+        }
+        Ok(())
     }
 
     /// Whether the angle of the design is the beam angle or the field angle.
-    fn reading(&self) -> Mark {
-        self.design.map_or(Mark::Field, |design| design.mark)
+    pub(crate) fn reading(&self) -> Mark {
+        self.design.one().map_or(Mark::Field, |(mark, _)| mark)
     }
 
     /// Applies the settings to the light of the scene, whose intensity is multiplied by `gain`.
@@ -140,7 +248,7 @@ impl Setting {
         };
         let intensity = if self.is_on { self.intensity.unwrap_or(light.intensity()) } else { 0.0 };
         let fixture = original.with_light(self.emitting(light, gain * intensity)?);
-        Ok(if self.target.is_some() { fixture.still() } else { fixture })
+        Ok(if self.target.is_some() { fixture.aimed() } else { fixture })
     }
 
     fn spot(
@@ -160,18 +268,9 @@ impl Setting {
             .with_intensity(spot.intensity())
     }
 
-    fn cone(&self, original: Cone<AnyFalloff>) -> Result<Cone<AnyFalloff>, Error> {
-        let profile = self.edge.map_or(original.profile(), AnyFalloff::from);
-        match (self.design, self.edge) {
-            (Some(Design { mark: Mark::Beam, degrees }), _) => {
-                Cone::from_beam(profile, Angle::degrees(degrees))
-            }
-            (Some(Design { mark: Mark::Field, degrees }), _) => {
-                Cone::from_field(profile, Angle::degrees(degrees))
-            }
-            (None, Some(_)) => Cone::from_field(profile, original.field()),
-            (None, None) => Ok(original),
-        }
+    /// Returns the cone of the light whose own cone is `original`.
+    pub(crate) fn cone(&self, original: Cone<AnyFalloff>) -> Result<Cone<AnyFalloff>, Error> {
+        self.design.cone(self.edge, original)
     }
 
     fn emitting(&self, light: AnyLight, intensity: f32) -> Result<AnyLight, Error> {
@@ -189,24 +288,13 @@ impl Setting {
         })
     }
 
-    /// Returns the state for the page.
-    pub(crate) fn state(&self, original: &MovingLight, format: Format) -> Result<LightState, Refusal> {
-        let lit = Self { is_on: true, ..*self }.applied(original, 1.0)?;
-        let own_edge = match original.light() {
-            AnyLight::Spot(spot) => spot.cone().profile().effect().name(),
-            _ => "",
-        };
-        Ok(LightState {
-            name: original.name.to_owned(),
-            on: self.is_on,
-            fixture: self.fixture.map(|fixture| fixture.name.to_owned()).unwrap_or_default(),
-            reading: self.reading().name().to_owned(),
-            zoom: self.fixture.and(self.design).map(|design| design.degrees),
-            edge: edge_name(self.edge).to_owned(),
-            own_edge: own_edge.to_owned(),
-            own_intensity: original.light().intensity(),
-            ..LightState::of(lit.light(), format)
-        })
+    /// The name of the edge: `own`, `fitted`, or that of a falloff.
+    pub(crate) fn edge_name(&self) -> &'static str {
+        match self.edge {
+            _ if self.design.both().is_some() => FITTED,
+            Some(edge) => edge.effect().name(),
+            None => "own",
+        }
     }
 }
 

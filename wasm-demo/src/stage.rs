@@ -1,18 +1,19 @@
 //! The JavaScript class of the stage.
 
+mod lights;
+
 use crate::{
     address,
     desk::Desk,
     fixture::FixtureState,
     format::Format,
     job::{self, Load},
-    light::LightState,
     map::{Map, Subject},
     panic,
     refusal::Refusal,
     scene_state::{EffectState, ExampleState, SwitchState},
 };
-use luminaire::dynamic::{AnyLight, Effect};
+use luminaire::dynamic::Effect;
 use luminaire_fixtures::FIXTURES;
 use luminaire_render::scenes::Example;
 use wasm_bindgen::{Clamped, prelude::*};
@@ -20,11 +21,8 @@ use wasm_bindgen::{Clamped, prelude::*};
 /// The scene that the page opens with.
 const FIRST: Example = Example::Show;
 
-/// Largest number of samples of a curve: a few samples for each pixel of a wide screen.
-const SAMPLES: usize = 10_000;
-
-/// A scene under the visitor's settings, whose picture painters draw. Every setter either takes its value, or changes nothing and
-/// throws a string that names the parameter, its value and the remedy.
+/// A scene under the visitor's settings, whose picture painters draw. Every setter either takes its
+/// value, or changes nothing and throws a string that names the parameter, its value and the remedy.
 #[wasm_bindgen]
 #[derive(Debug)]
 pub struct Stage {
@@ -295,7 +293,7 @@ impl Stage {
         self.desk.state().exposure
     }
 
-    /// Sets the exposure in stops, from -4 to 4.
+    /// Sets the exposure in stops, from -14 to 6.
     #[wasm_bindgen(js_name = setExposure)]
     pub fn set_exposure(&mut self, stops: f32) -> Result<(), JsValue> {
         Ok(self.desk.expose(stops)?)
@@ -323,64 +321,6 @@ impl Stage {
         Ok(Format::named(format)?.stated_error())
     }
 
-    /// How many lights there are.
-    #[wasm_bindgen(getter, js_name = lightCount)]
-    pub fn light_count(&self) -> usize {
-        self.desk.state().lights.len()
-    }
-
-    /// The lights.
-    pub fn lights(&self) -> Result<Vec<LightState>, JsValue> {
-        Ok((0..self.desk.state().lights.len())
-            .map(|light| self.light_state(light))
-            .collect::<Result<_, _>>()?)
-    }
-
-    /// Returns the state of a light.
-    pub fn light(&self, light: usize) -> Result<LightState, JsValue> {
-        Ok(self.light_state(light)?)
-    }
-
-    /// Switches a light on or off.
-    #[wasm_bindgen(js_name = setOn)]
-    pub fn set_on(&mut self, light: usize, on: bool) -> Result<(), JsValue> {
-        Ok(self.desk.change_light(light, |setting| {
-            setting.is_on = on;
-            Ok(())
-        })?)
-    }
-
-    /// Sets a number of a light: its `beam`, `field` or `zoom` angle in degrees, or its `intensity`.
-    #[wasm_bindgen(js_name = setNumber)]
-    pub fn set_number(&mut self, light: usize, name: &str, value: f32) -> Result<(), JsValue> {
-        Ok(self.desk.change_light(light, |setting| setting.set_number(name, value))?)
-    }
-
-    /// Sets a choice of a light: its `edge`, `color`, `fixture`, or the `reading` of its angle.
-    #[wasm_bindgen(js_name = setChoice)]
-    pub fn set_choice(&mut self, light: usize, name: &str, value: &str) -> Result<(), JsValue> {
-        Ok(self.desk.change_light(light, |setting| setting.set_choice(name, value))?)
-    }
-
-    /// Adds a copy of a light behind it.
-    #[wasm_bindgen(js_name = copyLight)]
-    pub fn copy_light(&mut self, light: usize) -> Result<(), JsValue> {
-        Ok(self.desk.copy_light(light)?)
-    }
-
-    /// Removes a light.
-    #[wasm_bindgen(js_name = removeLight)]
-    pub fn remove_light(&mut self, light: usize) -> Result<(), JsValue> {
-        Ok(self.desk.remove_light(light)?)
-    }
-
-    /// Evaluates the intensity of a spotlight across its beam, from one side to the other, in the
-    /// current number format. Returns pairs of the angle off axis in degrees and the intensity, for
-    /// 2 to 10,000 samples; nothing for another kind of light.
-    pub fn curve(&self, light: usize, samples: usize) -> Result<Vec<f32>, JsValue> {
-        Ok(self.trace(light, samples)?)
-    }
-
     /// The fixtures to choose from.
     pub fn fixtures() -> Vec<FixtureState> {
         FIXTURES.iter().map(FixtureState::from).collect()
@@ -391,31 +331,5 @@ impl Stage {
     fn size(&self) -> (u32, u32) {
         let (width, height) = self.desk.state().scene.size();
         self.fixed.unwrap_or((width as u32, height as u32))
-    }
-
-    fn light_state(&self, light: usize) -> Result<LightState, Refusal> {
-        let setting = self.desk.setting(light)?;
-        setting.state(self.desk.rig().original(setting.of)?, self.desk.state().format)
-    }
-
-    fn trace(&self, light: usize, samples: usize) -> Result<Vec<f32>, Refusal> {
-        if !(2..=SAMPLES).contains(&samples) {
-            return Err(Refusal::outside(
-                "number of samples",
-                samples as f32,
-                [2.0, SAMPLES as f32],
-                "samples",
-            ));
-        }
-        let setting = self.desk.setting(light)?;
-        let fixture = setting.applied(self.desk.rig().original(setting.of)?, 1.0)?;
-        let AnyLight::Spot(spot) = fixture.light() else { return Ok(Vec::new()) };
-        let cone = spot.cone();
-        // The curve has a dark margin at each side, so that the end of the light is visible.
-        let reach = (cone.outer().to_degrees() / 2.0 * 1.12).min(180.0);
-        let last = (samples - 1) as f32;
-        let angles: Vec<f32> = (0..samples).map(|i| reach * (2.0 * i as f32 / last - 1.0)).collect();
-        let intensities = self.desk.state().format.intensities(&cone, &angles)?;
-        Ok(angles.into_iter().zip(intensities).flat_map(|(angle, intensity)| [angle, intensity]).collect())
     }
 }

@@ -13,8 +13,9 @@ pub(crate) const SWITCHABLE: [(Effect, &str); 5] = [
     (Effect::Dither, "dither"),
 ];
 
-/// Largest exposure to either side, in stops.
-pub(crate) const STOPS: f32 = 4.0;
+/// Least and largest exposure in stops. At the least, a narrow beam of millions of candela is seen
+/// near its light.
+pub(crate) const EXPOSURES: [f32; 2] = [-14.0, 6.0];
 
 /// Largest number of lights.
 pub(crate) const LIGHTS: usize = 80;
@@ -38,6 +39,10 @@ pub(crate) struct State {
     pub(crate) is_everything: bool,
     /// The exposure in stops: binary logarithm of the factor on all light.
     pub(crate) exposure: f32,
+    /// Whether overexposed light keeps its hue. Otherwise each channel is clipped.
+    pub(crate) keeps_hue: bool,
+    /// Whether the lights are drawn over the picture, to be dragged.
+    pub(crate) shows_handles: bool,
 }
 
 impl State {
@@ -55,13 +60,15 @@ impl State {
             map: Subject::Nothing,
             is_everything: false,
             exposure: 0.0,
+            keeps_hue: false,
+            shows_handles: true,
         }
     }
 
     /// The state in which another scene, or the same one again, opens for a visitor of this one.
     pub(crate) fn followed_by(&self, scene: Example, lights: usize) -> Self {
-        let Self { format, plays, map, is_everything, .. } = *self;
-        Self { format, plays, map, is_everything, ..Self::of(scene, lights) }
+        let Self { format, plays, map, is_everything, shows_handles, .. } = *self;
+        Self { format, plays, map, is_everything, shows_handles, ..Self::of(scene, lights) }
     }
 
     /// Returns the new state of a switched effect; `None` if it was not switched.

@@ -1,10 +1,28 @@
-// The intensity of a light across its axis, with marks for its angles.
-import { degrees } from "./numbers.js";
+// The intensity of a light across its axis, with a handle for each of its angles and curves to
+// compare it with.
+import { degrees, tidy } from "./numbers.js";
+import { plain } from "./plain.js";
+import { line, shape } from "./shapes.js";
 
 const SAMPLES = 241;
 
 /** The drawing's box, in the units of the SVG's viewBox. */
 const BOX = { left: 52, right: 428, top: 12, bottom: 180 };
+const MIDDLE = (BOX.left + BOX.right) / 2;
+const HALF = (BOX.right - BOX.left) / 2;
+const WIDTH = 440;
+
+/** The angles of a light, with their intensities. */
+const MARKS = [
+  { name: "beam", level: 0.5, words: "Beam angle, at half the intensity" },
+  { name: "field", level: 0.1, words: "Field angle, at a tenth of the intensity" },
+];
+
+/** Other falloffs with the same beam angle. */
+const OTHERS = { power: "power of the cosine", smooth: "smoothstep", linear: "linear" };
+
+/** Factor on an angle per key, and per key with Shift. */
+const STEPS = [1.01, 1.1];
 
 /** Vertical positions of intensities. */
 const height = (intensity) => BOX.bottom + (BOX.top - BOX.bottom) * intensity;
@@ -15,49 +33,96 @@ function tickStep(reach) {
   return power * ([5, 2].find((factor) => reach / (power * factor) >= 2) ?? 1);
 }
 
-/** Creates an element of the SVG. */
-function shape(name, attributes, text = "") {
-  const element = document.createElementNS("http://www.w3.org/2000/svg", name);
-  for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, value);
-  element.textContent = text;
-  return element;
-}
-
-const line = (kind, x1, y1, x2, y2) => shape("line", { class: kind, x1, y1, x2, y2 });
 const label = (kind, x, y, text) => shape("text", { class: kind, x, y }, text);
 
 export class Curve {
   #stage;
   #svg = document.getElementById("curve");
+  #drawn = shape("g", {});
+  #handles;
   #title = document.getElementById("curve-title");
   #format = document.getElementById("curve-format");
+  #legend = document.getElementById("curve-legend");
+  /** The angle at the right end of the drawing, which stays the same during a drag. */
+  #reach;
+  #isDragged = false;
+
+  /** Called with the name of an angle, a value in degrees, and the handle. */
+  onset = () => {};
 
   constructor(stage) {
     this.#stage = stage;
+    this.#handles = MARKS.map((mark) => this.#handle(mark));
+    this.#svg.append(this.#drawn, ...this.#handles);
+    const item = (kind, words) => {
+      const entry = document.createElement("li");
+      const sample = shape("svg", { viewBox: "0 0 24 8", class: "sample", "aria-hidden": "true" });
+      sample.append(line(kind, 0, 4, 24, 4));
+      entry.append(sample, words);
+      return entry;
+    };
+    this.#legend.append(
+      item("trace", "this light"),
+      ...Object.entries(OTHERS).map(([name, words]) => item(`other ${name}`, words)),
+      item("reach", "angles in reach"),
+    );
   }
 
   /** Draws the curve of a light, evaluated by the module in the current number format. */
   draw(light) {
     if (light >= this.#stage.lightCount) return;
-    const points = this.#stage.curve(light, SAMPLES);
+    const kept = this.#isDragged ? this.#reach : undefined;
+    const points = this.#stage.curve(light, SAMPLES, kept);
     if (points.length === 0) return;
-    const state = this.#stage.light(light);
-    const reach = points[points.length - 2];
-    const across = (angle) => (BOX.left + BOX.right) / 2 + ((BOX.right - BOX.left) / 2) * (angle / reach);
+    const state = plain(this.#stage.light(light));
+    const reach = (this.#reach = points[points.length - 2]);
+    const across = (angle) => MIDDLE + HALF * (angle / reach);
     this.#svg.style.setProperty("--light", state.color);
-    this.#svg.replaceChildren(
+    const other = (name) => trace(`other ${name}`, this.#stage.otherCurve(light, SAMPLES, reach, name), across);
+    this.#drawn.replaceChildren(
       ...levels(),
       ...ticks(reach, across),
-      ...trace(points, across),
-      ...mark("beam", state.beam, 0.5, across),
-      ...mark("field", state.field, 0.1, across),
+      ...reaches(state, across),
+      glow(points, across),
+      ...Object.keys(OTHERS).map(other),
+      trace("trace", points, across),
+      ...MARKS.flatMap(({ name, level }) => mark(name, state[name], level, across)),
     );
+    MARKS.forEach((mark, i) => tell(this.#handles[i], mark, state, across));
     this.#title.textContent = `${state.name}: intensity across the axis`;
     this.#format.textContent = `evaluated in ${this.#stage.format}`;
     this.#svg.setAttribute("aria-label", describe(state));
-    state.free();
+  }
+
+  #handle({ name, words }) {
+    const handle = shape("g", { class: "handle", role: "slider", tabindex: 0, "aria-label": words });
+    handle.append(...[0, 1].flatMap(() => [shape("circle", { class: "target", r: 15 }), shape("circle", { class: "dot", r: 6 })]));
+    const set = (value) => this.onset(`fit-${name}`, Math.min(Math.max(value, 1e-3), 179.9), handle);
+    handle.addEventListener("pointerdown", (event) => {
+      handle.setPointerCapture(event.pointerId);
+      this.#isDragged = true;
+    });
+    handle.addEventListener("pointermove", (event) => {
+      if (!handle.hasPointerCapture(event.pointerId)) return;
+      const { left, width } = this.#svg.getBoundingClientRect();
+      const x = ((event.clientX - left) * WIDTH) / width;
+      set(round((2 * this.#reach * Math.abs(x - MIDDLE)) / HALF));
+    });
+    handle.addEventListener("lostpointercapture", () => {
+      this.#isDragged = false;
+      this.onset();
+    });
+    handle.addEventListener("keydown", (event) => {
+      const turn = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1 }[event.key];
+      if (!turn || event.ctrlKey || event.metaKey || event.altKey) return;
+      event.preventDefault();
+      set(round(Number(handle.getAttribute("aria-valuenow")) * STEPS[Number(event.shiftKey)] ** turn));
+    });
+    return handle;
   }
 }
+
+const round = (value) => Number(value.toPrecision(4));
 
 const describe = ({ name, beam, field, outer }) =>
   `${name}: half the intensity at ${degrees(beam / 2)} off axis, a tenth at ${degrees(field / 2)}, ` +
@@ -81,14 +146,30 @@ function ticks(reach, across) {
   ]);
 }
 
-/** The curve, and the light under it. */
-function trace(points, across) {
+function path(points, across) {
   let path = "";
   for (let i = 0; i < points.length; i += 2) {
     path += `${i === 0 ? "M" : "L"}${across(points[i]).toFixed(2)} ${height(points[i + 1]).toFixed(2)}`;
   }
-  const ground = `L${BOX.right} ${BOX.bottom}L${BOX.left} ${BOX.bottom}Z`;
-  return [shape("path", { class: "glow", d: path + ground }), shape("path", { class: "trace", d: path })];
+  return path;
+}
+
+const trace = (kind, points, across) => shape("path", { class: kind, d: path(points, across) });
+
+/** The light under the curve. */
+function glow(points, across) {
+  return shape("path", { class: "glow", d: `${path(points, across)}L${BOX.right} ${BOX.bottom}L${BOX.left} ${BOX.bottom}Z` });
+}
+
+/** Where each angle can be while the other one stays, at both sides. */
+function reaches({ reach }, across) {
+  return MARKS.flatMap(({ level }, i) => {
+    const [least, most] = [0, 1].map((end) => Math.min(across(reach[2 * i + end] / 2), BOX.right));
+    if (!(most > least)) return [];
+    return [1, -1].map((side) =>
+      line("reach", MIDDLE + side * (least - MIDDLE), height(level), MIDDLE + side * (most - MIDDLE), height(level)),
+    );
+  });
 }
 
 /** Draws a full angle at its intensity level, from one side to the other. */
@@ -96,10 +177,21 @@ function mark(name, angle, level, across) {
   const [left, right, y] = [across(-angle / 2), across(angle / 2), height(level)];
   return [
     line("span", left, y, right, y),
-    ...[left, right].flatMap((x) => [
-      line("drop", x, y, x, BOX.bottom),
-      shape("circle", { class: "dot", cx: x, cy: y, r: 3.5 }),
-    ]),
+    ...[left, right].map((x) => line("drop", x, y, x, BOX.bottom)),
     label("angle", across(0), y - 7, `${name} ${degrees(angle)}`),
   ];
+}
+
+/** Moves a handle to its angle. */
+function tell(handle, { name, level }, state, across) {
+  const angle = state[name];
+  const range = state.reach.slice(name === "beam" ? 0 : 2);
+  for (const [i, circle] of [...handle.children].entries()) {
+    circle.setAttribute("cx", across((i < 2 ? angle : -angle) / 2));
+    circle.setAttribute("cy", height(level));
+  }
+  handle.setAttribute("aria-valuenow", tidy(angle));
+  handle.setAttribute("aria-valuetext", `${tidy(angle)}°`);
+  handle.setAttribute("aria-valuemin", tidy(range[0] ?? angle));
+  handle.setAttribute("aria-valuemax", tidy(range[1] ?? angle));
 }

@@ -1,5 +1,9 @@
 // The effects of the library: those that the scene needs, and switches for some of them.
 import { plain } from "./plain.js";
+import { load } from "./support.js";
+
+/** Delay before the prices are loaded, in milliseconds: the first picture goes before them. */
+const LATER = 500;
 
 export class EffectList {
   #stage;
@@ -9,11 +13,26 @@ export class EffectList {
   /** The displayed text, so that the page is written only on a change. */
   #shown = "";
 
+  #prices = new Map();
+
   /** Called with an effect to switch off or on; returns whether the switch was accepted. */
   onswitch = () => false;
 
   constructor(stage) {
     this.#stage = stage;
+    setTimeout(() => this.#price().catch(reportError), LATER);
+  }
+
+  /** Shows the price of each switch, once the list of prices has loaded. */
+  async #price() {
+    const { MEANING, loadPrices } = await load("effect-prices.js");
+    this.#prices = await loadPrices();
+    if (this.#prices.size > 0) document.getElementById("switches-note").textContent = MEANING;
+    for (const input of document.querySelectorAll("[id^='effect-']")) this.#tellPrice(input);
+  }
+
+  #tellPrice(input) {
+    input.parentElement.querySelector("small").textContent = this.#prices.get(input.id.slice("effect-".length)) ?? "";
   }
 
   /** Shows the switches of the current scene. */
@@ -40,6 +59,7 @@ export class EffectList {
     input.checked = offered && on;
     input.disabled = !offered;
     holder.querySelector("span").textContent = label;
+    this.#tellPrice(input);
     input.addEventListener("input", () => {
       if (!this.onswitch(effect, input.checked)) input.checked = !input.checked;
     });

@@ -1,15 +1,15 @@
-// The fixtures to choose from, grouped by what they are.
+// The fixtures to choose from.
 import { Stage } from "./pkg/wasm_demo.js";
-import { tidy } from "./numbers.js";
+import { tidy, whole } from "./numbers.js";
 
 const KINDS = {
-  beam: "Narrow beams",
-  profile: "Profile spots",
-  fresnel: "Fresnels and plano-convex",
-  par: "PARs",
-  spot: "Moving and scanning spots",
-  wash: "Washes",
-  flood: "Floods and blinders",
+  beam: "narrow beam",
+  profile: "profile spot",
+  fresnel: "Fresnel or plano-convex",
+  par: "PAR",
+  spot: "moving or scanning spot",
+  wash: "wash",
+  flood: "flood or blinder",
 };
 
 let fixtures;
@@ -24,7 +24,7 @@ function plain(fixture) {
   const { name, kind, narrow: least, wide: most, lumens } = fixture;
   const [narrow, wide] = [tidy(least), tidy(most)];
   const angle = narrow === wide ? `${narrow}°` : `${narrow}–${wide}°`;
-  const flux = lumens === undefined ? "" : `${Math.round(lumens).toLocaleString("en")} lumens. `;
+  const flux = lumens === undefined ? "" : `${whole(lumens)} lm`;
   fixture.free();
   return { name, kind, narrow, wide, angle, flux };
 }
@@ -32,15 +32,14 @@ function plain(fixture) {
 /** The fixture of this name, or undefined. */
 export const findFixture = (name) => table().get(name);
 
-/** Fills a select with all fixtures; its first option is none. */
-export function listFixtures(select) {
-  select.add(new Option("None: angles set by hand", ""));
-  for (const [kind, label] of Object.entries(KINDS)) {
-    const group = document.createElement("optgroup");
-    group.label = label;
-    for (const fixture of table().values()) {
-      if (fixture.kind === kind) group.append(new Option(`${fixture.name}  (${fixture.angle})`, fixture.name));
-    }
-    select.append(group);
-  }
+/** Fills a list with all fixtures and what a visitor may search for. Returns their number. */
+export function listFixtures(list) {
+  const option = ({ name, kind, angle, flux }) => {
+    const option = document.createElement("option");
+    option.value = name;
+    option.label = [name, angle, flux, KINDS[kind]].filter((part) => part !== "").join(", ");
+    return option;
+  };
+  list.replaceChildren(...[...table().values()].map(option));
+  return table().size;
 }

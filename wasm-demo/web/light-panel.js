@@ -1,14 +1,21 @@
 // The controls of the selected light. They show the state from the module and pass on the visitor's
 // settings.
-import { Dial } from "./dial.js";
+import { Stage } from "./pkg/wasm_demo.js";
+import { Dial, joinNumber } from "./dial.js";
 import { findFixture, listFixtures } from "./fixture-list.js";
-import { degrees } from "./numbers.js";
+import { degrees, tidy, whole } from "./numbers.js";
 import { plain } from "./plain.js";
 
 const element = (name) => document.getElementById(`light-${name}`);
 
 /** The ends of the slider of the intensity, as multiples of the light's own intensity. */
 const INTENSITIES = [0.01, 10];
+
+/** The same for a fixture whose flux is published, which is its most. */
+const DIMMED = [0.001, 1];
+
+/** The fields of a position and of an aim. */
+const PLACES = { position: ["x", "y", "z"], aim: ["aim-x", "aim-y", "aim-z"] };
 
 /** Least angle of the zoom's slider, as a share of the largest. */
 const LEAST_ZOOM = 0.01;
@@ -27,13 +34,24 @@ export class LightPanel {
 
   constructor(stage) {
     this.#stage = stage;
-    listFixtures(element("fixture"));
+    const count = listFixtures(element("fixtures"));
+    element("fixture").placeholder = `Search ${count} fixtures`;
+    element("edge").append(...Stage.edges().map((name) => new Option(name.replaceAll("-", " "), name)));
     const dial = (name) => [name, this.#dial(name)];
     this.#dials = Object.fromEntries(["beam", "field", "zoom", "intensity"].map(dial));
     for (const name of ["fixture", "reading", "edge", "color"]) {
       const control = element(name);
-      control.addEventListener("input", () => this.#set(control, () => stage.setChoice(this.#light, name, control.value)));
+      control.addEventListener("input", () => {
+        // What is not yet the name of a fixture is a search.
+        if (name === "fixture" && control.value !== "" && !findFixture(control.value)) return;
+        this.#set(control, () => stage.setChoice(this.#light, name, control.value));
+      });
     }
+    element("fixture").addEventListener("change", () => this.show(this.#light));
+    this.#joinPlace("position", (place) => stage.placeLight(this.#light, ...place));
+    this.#joinPlace("aim", (place) => stage.aimLight(this.#light, ...place));
+    element("back").addEventListener("click", () => this.onlist(() => stage.putBack(this.#light)));
+    element("expose").addEventListener("click", () => this.onlist(() => stage.exposeFor(this.#light)));
     element("copy").addEventListener("click", () => this.onlist(() => stage.copyLight(this.#light)));
     element("remove").addEventListener("click", () => this.onlist(() => stage.removeLight(this.#light)));
   }
@@ -50,32 +68,66 @@ export class LightPanel {
     element("curve").hidden = !state.isSpot;
     for (const label of [element("edge"), element("edge").previousElementSibling]) label.hidden = !state.isSpot;
     this.#showDials(state, source);
-    element("own-edge").textContent = `its own: ${state.ownEdge}`;
+    this.#showPlaces(state, source);
+    element("photometry").textContent = photometry(state, this.#stage.fullScale);
+    element("expose").hidden = !(state.lux > 0);
+    element("own-edge").textContent = `own: ${state.ownEdge}`;
     element("edge").value = state.edge;
     element("color").value = state.color;
   }
 
   #showDials(state, source) {
     const { beam, field, zoom, intensity } = this.#dials;
-    intensity.range(...INTENSITIES.map((factor) => factor * state.ownIntensity));
-    intensity.show(state.intensity, source);
+    const fixture = findFixture(state.fixture);
+    intensity.range(...(fixture?.flux ? DIMMED : INTENSITIES).map((factor) => factor * state.ownIntensity));
+    intensity.show(Number(state.intensity.toPrecision(4)), source);
+    element("unit").textContent = state.unit;
     if (!state.isSpot) return;
     beam.range(state.narrowestBeam, state.widestBeam);
     beam.show(state.beam, source);
     field.range(state.narrowestField, state.widestField);
     field.show(state.field, source);
     element("outer").textContent = degrees(state.outer);
-    const fixture = findFixture(state.fixture);
-    element("fixture").value = state.fixture;
+    if (source !== element("fixture")) element("fixture").value = state.fixture;
     element("published").hidden = !fixture;
     element("zoom-row").hidden = !fixture || fixture.narrow === fixture.wide;
     if (!fixture) return;
     element("angle").textContent = fixture.angle;
-    element("flux").textContent = fixture.flux;
     element("reading").value = state.reading;
     const narrowest = state.reading === "beam" ? state.narrowestBeam : state.narrowestField;
     zoom.range(Math.max(fixture.narrow, narrowest, LEAST_ZOOM * fixture.wide), fixture.wide);
     zoom.show(state.zoom, source);
+  }
+
+  /** Shows where the light is and where it aims. */
+  #showPlaces(state, source) {
+    element("places").hidden = state.position.length === 0;
+    element("aim-row").hidden = !state.isSpot;
+    for (const [place, names] of Object.entries(PLACES)) {
+      for (const [i, name] of names.entries()) {
+        const field = element(name);
+        if (field !== source) field.value = state[place].length > 0 ? tidy(state[place][i]) : "";
+      }
+    }
+    element("way").textContent = way(state);
+    element("back").hidden = !state.moved;
+  }
+
+  /** Joins the fields of a place; `set` gets its three numbers. */
+  #joinPlace(place, set) {
+    const fields = PLACES[place].map(element);
+    for (const [i, field] of fields.entries()) {
+      const change = (value) => {
+        const now = plain(this.#stage.light(this.#light))[place];
+        set(now.map((other, j) => (i === j ? value : other)));
+      };
+      joinNumber(field, (value) => this.#set(field, () => change(value)), (source) => this.#leave(field, source));
+    }
+  }
+
+  /** Sets a number of the light, for a control elsewhere. */
+  setNumber(name, value, control) {
+    this.#set(control, () => this.#stage.setNumber(this.#light, name, value));
   }
 
   #dial(name) {
@@ -113,8 +165,26 @@ export class LightPanel {
       control.setAttribute("aria-invalid", "true");
       control.setAttribute("aria-errormessage", this.#error.id);
       // The message is shown under its control.
-      control.closest(".row").after(this.#error);
+      control.closest(".row, figure").after(this.#error);
     }
     this.#error.textContent = refusal;
   }
+}
+
+/** The flux of a light and what arrives where it aims, in words. */
+function photometry({ lumens, lux, throw: distance, unit }, fullScale) {
+  const flux = lumens === undefined ? [] : [`${amount(lumens)} lm`];
+  const arriving = distance === undefined || unit !== "cd" ? [] : [`${amount(lux)} lx at ${tidy(distance)} m`];
+  const shown = lux === undefined ? [] : [`${amount(lux / fullScale)} times full scale, which is ${amount(fullScale)} lx`];
+  return `${[...flux, ...arriving, ...shown].join(", ")}.`;
+}
+
+/** Three significant digits. */
+const amount = (value) => (value < 100 ? String(tidy(Number(value.toPrecision(3)))) : whole(Number(value.toPrecision(3))));
+
+/** Who moves the light, in words. */
+function way({ sweeps, moved, aim }) {
+  if (sweeps) return "The scene moves the aim. An aim of your own ends that.";
+  if (moved) return "Moved by you.";
+  return aim.length > 0 ? "As the scene has it: drag it in the picture." : "";
 }

@@ -3,7 +3,6 @@ import { Stage } from "./pkg/wasm_demo.js";
 import { AccountTable } from "./account-table.js";
 import { remember } from "./address.js";
 import { CameraView } from "./camera-view.js";
-import { Curve } from "./curve.js";
 import { EffectList } from "./effect-list.js";
 import { aside, words } from "./failure.js";
 import { LightList } from "./light-list.js";
@@ -13,6 +12,7 @@ import { whole } from "./numbers.js";
 import { Readout } from "./readout.js";
 import { ScenePicker } from "./scene-picker.js";
 import { now } from "./share.js";
+import { load } from "./support.js";
 
 const element = (id) => document.getElementById(id);
 
@@ -31,9 +31,13 @@ export class StagePage {
   #effects;
   #lights;
   #panel;
-  #curve;
   #legend;
+  /** The curve and the lights over the picture, once they are loaded. */
+  #curve;
+  #handles;
   #isOpen = false;
+  /** Whether a pointer is down: what it drags is one step to undo, however long it takes. */
+  #isHeld = false;
   /** The time of the last picture of an animation. */
   #last;
   /** The job that the pool has drawn last. */
@@ -57,9 +61,9 @@ export class StagePage {
     this.#effects = new EffectList(stage);
     this.#lights = new LightList(stage);
     this.#panel = new LightPanel(stage);
-    this.#curve = new Curve(stage);
     this.#legend = new MapLegend(stage, screen);
     this.#join();
+    this.#joinSteps();
   }
 
   /** How many pictures have been drawn. */
@@ -105,6 +109,7 @@ export class StagePage {
     element("stage-error").textContent = refused;
     if (!isFirst) return;
     await this.#view.draw(now());
+    this.#loadLater();
     this.#scenes.draw(this.#module).catch((error) => reportError(new Error(words(error))));
   }
 
@@ -147,12 +152,52 @@ export class StagePage {
     this.#effects.onswitch = (effect, isOn) => this.#set(() => stage.setEffect(effect, isOn));
     this.#lights.onchange = (act) => this.#set(act);
     this.#lights.onselect = () => this.#showLight();
+    on("effect-keep-hue", "input", (box) => stage.setKeepsHue(box.checked));
+    on("handles-shown", "input", (box) => stage.setHandles(box.checked));
     this.#panel.onchange = (source) => {
       element("stage-error").textContent = "";
       this.#changed(source);
     };
     this.#panel.onlist = (act) => this.#set(act);
     document.addEventListener("keydown", (event) => this.#key(event));
+  }
+
+  /** Loads what the first picture goes before. A failure is reported, and the rest works. */
+  #loadLater() {
+    const later = async (file, join) => join(await load(file));
+    later("curve.js", ({ Curve }) => {
+      const curve = new Curve(this.#stage);
+      curve.onset = (name, value, handle) => (name ? this.#panel.setNumber(name, value, handle) : this.#showLight());
+      this.#curve = curve;
+      this.#showLight();
+    }).catch(reportError);
+    later("handles.js", ({ Handles }) => {
+      const handles = new Handles(this.#stage, this.#lights);
+      handles.onselect = (light) => {
+        this.#lights.selected = light;
+        this.#lights.show();
+        this.#showLight();
+      };
+      handles.onchange = (act) => this.#set(act);
+      this.#handles = handles;
+      handles.show(this.#last !== undefined);
+    }).catch(reportError);
+  }
+
+  /** Makes one step to undo of what the visitor drags, from where a pointer goes down. */
+  #joinSteps() {
+    element("stage-page").addEventListener("pointerdown", () => {
+      this.#stage.mark();
+      this.#isHeld = true;
+    }, true);
+    for (const end of ["pointerup", "pointercancel", "blur"]) {
+      window.addEventListener(end, () => {
+        if (this.#isHeld) {
+          this.#isHeld = false;
+          this.#remember();
+        }
+      });
+    }
   }
 
   /** Changes the state. A refusal is shown and changes nothing else. */
@@ -196,9 +241,12 @@ export class StagePage {
     element("camera").disabled = !stage.cameraMoves;
     element("format").value = format;
     element("format-note").textContent = accuracy(format);
-    element("exposure").value = exposure;
-    element("exposure").style.setProperty("--part", `${(100 * (exposure + 4)) / 8}%`);
+    const slider = element("exposure");
+    slider.value = exposure;
+    slider.style.setProperty("--part", `${(100 * (exposure - slider.min)) / (slider.max - slider.min)}%`);
     element("exposure-stops").textContent = `${exposure > 0 ? "+" : ""}${exposure} EV`.replace("-", "−");
+    element("effect-keep-hue").checked = stage.keepsHue;
+    element("handles-shown").checked = stage.showsHandles;
     element("everything").checked = stage.isEverything;
     element("equality").textContent = "";
     element("told").textContent = "";
@@ -215,7 +263,8 @@ export class StagePage {
 
   #showLight(source) {
     this.#panel.show(this.#lights.selected, source);
-    aside(() => this.#curve.draw(this.#lights.selected));
+    aside(() => this.#curve?.draw(this.#lights.selected));
+    aside(() => this.#handles?.show());
   }
 
   /** Updates the address and the states to return to, once the visitor pauses. */
@@ -223,7 +272,7 @@ export class StagePage {
     const stage = this.#stage;
     this.#showReturns();
     remember("stage", () => {
-      stage.mark();
+      if (!this.#isHeld) stage.mark();
       this.#showReturns();
       return stage.address();
     });
@@ -300,6 +349,7 @@ export class StagePage {
     this.#readout.add(times);
     this.#account.add(account, pixels);
     this.#effects.show();
+    this.#handles?.show(isPlaying);
     element("size").textContent = `The picture has ${this.#stage.width} × ${this.#stage.height} pixels.`;
   }
 

@@ -95,9 +95,16 @@ impl MovingLight {
         Self { light: light.into(), ..self }
     }
 
-    /// Returns the same fixture with a light that stands still. A gobo still rotates.
-    pub fn still(self) -> Self {
-        Self { motion: Motion::Still, ..self }
+    /// Returns the same fixture with a light that keeps its aim. A gobo still rotates, and a light
+    /// that takes turns still does.
+    pub fn aimed(self) -> Self {
+        let motion = if self.sweeps() { Motion::Still } else { self.motion };
+        Self { motion, ..self }
+    }
+
+    /// Returns whether the aim of the light moves.
+    pub fn sweeps(&self) -> bool {
+        matches!(self.motion, Motion::Sweep(_))
     }
 
     /// Returns the same fixture without a gobo.
@@ -169,7 +176,8 @@ mod tests {
             panic!("no spot")
         };
         assert!(before.axis() == after.axis() && after.intensity() == 1.0);
-        assert_eq!(beam.still().at(2.0).unwrap().light(), beam.light());
+        assert!(beam.sweeps() && !beam.aimed().sweeps());
+        assert_eq!(beam.aimed().at(2.0).unwrap().light(), beam.light());
         assert_ne!(beam.at(2.0).unwrap().light(), beam.light());
     }
 }

@@ -2,7 +2,7 @@
 //! failure may also be written to the console, so that the tests of failures look at what is
 //! visible.
 
-use anyhow::{Result, ensure};
+use anyhow::{Context, Result, ensure};
 
 use crate::{STILL, Visitor};
 use tools::browser::Page;
@@ -95,8 +95,8 @@ pub(crate) fn of_decorations(visitor: &mut Visitor) -> Result<()> {
     ] {
         let mut page = visitor.ready_with(view, script)?;
         works(&mut page)?;
-        let told = page.message(place)?;
-        ensure!(told.contains(words), "{script} is told as {told:?}");
+        let told = format!("document.getElementById('{place}').textContent.includes('{words}')");
+        page.ask(&format!("probe.until(() => {told})")).with_context(|| format!("{script} is not told"))?;
     }
     let mut page = visitor.ready()?;
     page.ask(NO_READOUT)?;

@@ -10,6 +10,7 @@ mod failure;
 mod fixtures;
 mod formats;
 mod hosting;
+mod lights;
 mod museum;
 mod network;
 mod picture;
@@ -39,8 +40,9 @@ pub struct Visitor {
     _server: Server,
 }
 
-/// The part of the address that opens the still life, where nothing moves.
-const STILL: &str = "#stage?scene=three-point&play=none";
+/// The part of the address that opens the still life, where nothing moves, and the mouse over the
+/// picture moves the camera alone.
+const STILL: &str = "#stage?scene=three-point&play=none&handles=0";
 
 /// What a visitor does, which fails if a promise is broken.
 pub type Visit = fn(&mut Visitor) -> Result<()>;
@@ -49,7 +51,7 @@ pub type Visit = fn(&mut Visitor) -> Result<()>;
 pub type Test = (&'static str, Visit);
 
 /// Every test.
-pub const ALL: [Test; 68] = [
+pub const ALL: [Test; 72] = [
     ("the page becomes ready without a complaint", picture::becomes_ready),
     ("the picture is lit by its lights, in several colours", picture::is_lit),
     ("a picture that the canvas refused is shown with the next draw", picture::is_shown_again),
@@ -68,6 +70,10 @@ pub const ALL: [Test; 68] = [
     ("every fixture can be chosen", fixtures::can_be_chosen),
     ("the intensity of a light is seen", fixtures::intensity_is_seen),
     ("the colour of a light is seen", fixtures::colour_is_seen),
+    ("a light is aimed by mouse, as one step", lights::are_aimed_by_mouse),
+    ("the wheel over a pool zooms its light and keeps its flux", lights::are_zoomed_by_wheel),
+    ("a light is selected in the picture and moved by keys", lights::are_moved_by_keys),
+    ("beam and field angle are set on the curve", lights::angles_are_set_on_the_curve),
     ("the number formats agree as closely as stated", formats::agree),
     ("each number format can be chosen", formats::can_be_chosen),
     ("a narrow beam parts the cosine form from the versine form", comparison::narrow_beam_parts_the_forms),

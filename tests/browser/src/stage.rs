@@ -349,12 +349,15 @@ pub(crate) fn keys_are_enough(visitor: &mut Visitor) -> Result<()> {
     let mut page = visitor.ready_at("#stage?play=none&scene=turntable")?;
     page.ask("document.querySelector('.views a').focus()")?;
     let mut reached = Vec::new();
-    for _ in 0..50 {
+    for _ in 0..75 {
         reached.push(page.text("document.activeElement.id")?);
         page.press("Tab", 9)?;
     }
     for id in [
         "view",
+        "handle-0",
+        "handle-aim",
+        "handles-shown",
         "play",
         "camera",
         "reset",
@@ -375,6 +378,7 @@ pub(crate) fn keys_are_enough(visitor: &mut Visitor) -> Result<()> {
         "light-intensity-number",
         "light-edge",
         "light-color",
+        "light-aim-z",
         "everything",
         "verify",
         "effect-specular",

@@ -17,16 +17,15 @@ fn effects(desk: &Desk) -> Effects {
 }
 
 fn light(desk: &Desk, light: usize) -> LightState {
-    let setting = desk.setting(light).unwrap();
-    setting.state(desk.rig().original(setting.of).unwrap(), desk.state().format).unwrap()
+    desk.light_state(light).unwrap()
 }
 
 fn number(desk: &mut Desk, name: &str, value: f32) -> Result<(), Refusal> {
-    desk.change_light(0, |setting| setting.set_number(name, value))
+    desk.set_number(0, name, value)
 }
 
 fn choice(desk: &mut Desk, name: &str, value: &str) -> Result<(), Refusal> {
-    desk.change_light(0, |setting| setting.set_choice(name, value))
+    desk.set_choice(0, name, value)
 }
 
 #[test]
@@ -145,6 +144,100 @@ fn the_angles_follow_one_another() {
 }
 
 #[test]
+fn both_angles_are_given_and_stay_as_they_were_given() {
+    let mut desk = desk(Example::BareSpot);
+    number(&mut desk, "field", 20.0).unwrap();
+    number(&mut desk, "fit-beam", 7.0).unwrap();
+    number(&mut desk, "fit-field", 15.0).unwrap();
+    let angles = |desk: &Desk| (light(desk, 0).beam, light(desk, 0).field, light(desk, 0).edge);
+    let near = |(beam, field, edge): (f32, f32, String), expected: (f32, f32)| {
+        assert!((beam - expected.0).abs() < 1e-3 && (field - expected.1).abs() < 1e-3, "{beam} {field}");
+        assert_eq!(edge, "fitted");
+    };
+    near(angles(&desk), (7.0, 15.0));
+    number(&mut desk, "beam", 10.0).unwrap();
+    near(angles(&desk), (10.0, 15.0));
+    let [_, _, least, most] = light(&desk, 0).reach[..] else { panic!("nothing is reached") };
+    assert!((least - 10.0).abs() < 1e-3 && (23.0..24.0).contains(&most), "{least} to {most}");
+    number(&mut desk, "field", 40.0).unwrap();
+    assert!(light(&desk, 0).beam > 17.0, "the beam does not follow");
+    // Another edge has one angle.
+    choice(&mut desk, "edge", "smooth").unwrap();
+    assert!((light(&desk, 0).field - 40.0).abs() < 1e-3 && light(&desk, 0).edge == "smooth");
+    choice(&mut desk, "edge", "fitted").unwrap();
+    let state = light(&desk, 0);
+    number(&mut desk, "fit-field", state.field).unwrap();
+    near(angles(&desk), (state.beam, state.field));
+}
+
+#[test]
+fn every_edge_can_be_chosen() {
+    let mut desk = desk(Example::BareSpot);
+    number(&mut desk, "field", 20.0).unwrap();
+    for edge in crate::edge::all().map(|edge| edge.effect().name()) {
+        choice(&mut desk, "edge", edge).unwrap();
+        assert!(light(&desk, 0).edge == edge && (light(&desk, 0).field - 20.0).abs() < 1e-3, "{edge}");
+    }
+}
+
+/// The light at the centre rises as the flux is gathered in a narrower cone: by the ratio of the
+/// solid angles.
+#[test]
+fn a_zoom_conserves_the_flux() {
+    let mut desk = desk(Example::BareSpot);
+    choice(&mut desk, "edge", "soft").unwrap();
+    number(&mut desk, "field", 10.0).unwrap();
+    let wide = light(&desk, 0);
+    number(&mut desk, "field", 5.0).unwrap();
+    let narrow = light(&desk, 0);
+    let ratio = |[narrow, wide]: [f32; 2]| {
+        let versine = |field: f32| 1.0 - (f64::from(field).to_radians() / 2.0).cos();
+        versine(wide) / versine(narrow)
+    };
+    let expected = ratio([5.0, 10.0]) as f32;
+    assert!((3.99..4.0).contains(&expected));
+    assert!((narrow.intensity / wide.intensity / expected - 1.0).abs() < 1e-3);
+    assert!((narrow.lumens.unwrap() / wide.lumens.unwrap() - 1.0).abs() < 1e-4);
+    let (near, far) = (narrow.lux.unwrap(), wide.lux.unwrap());
+    assert!((near / far / expected - 1.0).abs() < 1e-3, "the centre rises from {far} to {near} lx");
+    assert!(
+        (far * wide.throw.unwrap().powi(2) / wide.intensity - 1.0).abs() < 1e-3,
+        "not the inverse square"
+    );
+    desk.zoom_light(0, 2.0).unwrap();
+    assert!((light(&desk, 0).intensity / wide.intensity - 1.0).abs() < 1e-3);
+    // Another edge gives another intensity, and the same flux.
+    for edge in ["hard", "step", "fitted", "power", "own"] {
+        choice(&mut desk, "edge", edge).unwrap();
+        let lumens = light(&desk, 0).lumens.unwrap();
+        assert!((lumens / wide.lumens.unwrap() - 1.0).abs() < 1e-3, "{edge}: {lumens} lm");
+    }
+}
+
+#[test]
+fn a_fixture_brings_its_lumens() {
+    let mut desk = desk(Example::ThreePoint);
+    let bright = FIXTURES.iter().filter(|fixture| fixture.lumens.is_some());
+    let mut count = 0;
+    for fixture in bright {
+        choice(&mut desk, "fixture", fixture.name).unwrap();
+        for factor in [0.5, 3.0, 0.9] {
+            let lumens = light(&desk, 0).lumens.unwrap();
+            assert!((lumens / fixture.lumens.unwrap() - 1.0).abs() < 1e-3, "{}: {lumens} lm", fixture.name);
+            desk.zoom_light(0, factor).unwrap();
+        }
+        count += 1;
+    }
+    assert!(count > 20, "{count} fixtures have a flux");
+    number(&mut desk, "intensity", 5000.0).unwrap();
+    assert!((light(&desk, 0).intensity - 5000.0).abs() < 0.01);
+    // The exposure that shows the pool as full scale.
+    desk.expose_for(0).unwrap();
+    let shown = light(&desk, 0).lux.unwrap() * desk.state().exposure.exp2() / 1000.0;
+    assert!((0.9..1.1).contains(&shown), "{shown} of full scale");
+}
+
+#[test]
 fn a_refused_value_changes_nothing() {
     let mut desk = desk(Example::BareSpot);
     number(&mut desk, "field", 15.0).unwrap();
@@ -167,7 +260,7 @@ fn a_refused_value_changes_nothing() {
     for color in ["", "#fff", "ffffff", "#gggggg", "#ffffff0", "#ééé", "#+1+1+1"] {
         refused(choice(&mut desk, "color", color), "color");
     }
-    refused(desk.expose(5.0), "exposure");
+    refused(desk.expose(7.0), "exposure");
     refused(desk.expose(f32::NAN), "exposure");
     let position = desk.rig().fixtures_at(0.0).unwrap();
     let luminaire::dynamic::AnyLight::Spot(spot) = position[0].light() else { panic!("no spot") };
@@ -261,7 +354,7 @@ fn a_color_comes_back() {
     let mut desk = desk(Example::Gallery);
     for place in 0..desk.state().lights.len() {
         for color in ["#000000", "#ffffff", "#ffd9b3", "#010a7f"] {
-            desk.change_light(place, |setting| setting.set_choice("color", color)).unwrap();
+            desk.set_choice(place, "color", color).unwrap();
             assert_eq!(light(&desk, place).color, color);
         }
     }
@@ -274,8 +367,8 @@ fn exposure_multiplies_all_light() {
     let (before, ambient) = (intensity(&desk), desk.rig().scene().ambient());
     desk.expose(2.0).unwrap();
     assert_eq!((intensity(&desk), desk.rig().scene().ambient().red), (4.0 * before, 4.0 * ambient.red));
-    // The desk shows the light's own intensity.
-    assert_eq!(light(&desk, 0).intensity, before);
+    // The desk shows the light's own intensity, in candela.
+    assert_eq!(light(&desk, 0).intensity, 1000.0 * before);
 }
 
 #[test]

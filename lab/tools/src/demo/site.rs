@@ -13,6 +13,8 @@ use crate::{project, wasm};
 
 /// The price list that the page shows beside its pictures.
 const PRICE_LIST: &str = "accuracy-vs-cost.json";
+/// The prices of the effects, which the page shows beside their switches.
+const EFFECTS: &str = "effects.json";
 
 /// The page, whose navigation lists its views.
 const PAGE: &str = include_str!("../../../../wasm-demo/web/index.html");
@@ -32,7 +34,9 @@ pub fn build(progress: &Progress) -> Result<PathBuf> {
     renew(&site, |new| {
         let step = progress.begin("Gathering", project::shown(&site));
         copy_folder(&project::root().join("wasm-demo/web"), new)?;
-        copy_price_list(&project::root().join("docs"), new)?;
+        for list in [PRICE_LIST, EFFECTS] {
+            copy_list(list, &project::root().join("docs"), new)?;
+        }
         let (page, list) = (new.join("index.html"), new.join(PRICE_LIST));
         fs::write(&page, with_figures(&fs::read_to_string(&page)?, &fs::read_to_string(list)?)?)?;
         preview::write(new)?;
@@ -77,10 +81,10 @@ fn renew(folder: &Path, fill: impl FnOnce(&Path) -> Result<()>) -> Result<()> {
     Ok(())
 }
 
-/// Copies the price list, or writes `null` if there is none. The page always requests the list, and
+/// Copies a list of prices, or writes `null` if there is none. The page always requests the list, and
 /// a missing file would be an error on its console.
-fn copy_price_list(from: &Path, to: &Path) -> Result<()> {
-    let (list, copy) = (from.join(PRICE_LIST), to.join(PRICE_LIST));
+fn copy_list(name: &str, from: &Path, to: &Path) -> Result<()> {
+    let (list, copy) = (from.join(name), to.join(name));
     if list.exists() {
         fs::copy(&list, &copy).with_context(|| format!("cannot copy {}", list.display())).map(drop)
     } else {
@@ -153,7 +157,7 @@ mod tests {
             fs::create_dir(folder).unwrap();
         }
         let copied = || {
-            copy_price_list(&from, &to).unwrap();
+            copy_list(PRICE_LIST, &from, &to).unwrap();
             fs::read_to_string(to.join(PRICE_LIST)).unwrap()
         };
         assert_eq!(copied(), "null");

@@ -1,0 +1,275 @@
+//! Lights in the picture: where they hang, where they aim, and what a pointer moves.
+//!
+//! Places of the picture are shares of its width and of its height, from the left and from the top.
+
+use crate::{
+    desk::Desk,
+    light::{LightState, lumens_of, position_of},
+    photometry::full_scale,
+    refusal::Refusal,
+    setting::Setting,
+    state::EXPOSURES,
+};
+use luminaire::{Vec3, attenuation::Attenuation, dynamic::AnyLight, projector::Fixture};
+use luminaire_render::Surfaces;
+
+/// The distance in metres at which a beam ends that no surface stops.
+const FARTHEST: f32 = 30.0;
+
+/// Number of rays around the field angle that draw the pool of light.
+const RAYS: usize = 96;
+
+/// Ratio of the distances of neighbouring rays over which the outline of the pool has a gap.
+const GAP: f32 = 1.15;
+
+fn plus(point: Vec3<f32>, factor: f32, direction: Vec3<f32>) -> Vec3<f32> {
+    point.zip(direction, |point, along| point + factor * along)
+}
+
+/// Returns x, y and z, or nothing.
+fn coordinates(point: Option<Vec3<f32>>) -> Vec<f32> {
+    point.map(|Vec3 { x, y, z }| vec![x, y, z]).unwrap_or_default()
+}
+
+impl Desk {
+    /// Returns the point that each light aims at: its target, or else the surface that its axis meets.
+    /// `None` unless it is a spotlight.
+    fn aims(&self) -> Result<Vec<Option<Vec3<f32>>>, Refusal> {
+        let surfaces = Surfaces::of(self.rig().scene());
+        let fixtures = self.rig().fixtures_at(self.state().seconds[0])?;
+        let aim = |(setting, fixture): (&Setting, &Fixture)| match fixture.light() {
+            AnyLight::Spot(spot) => {
+                let met = || {
+                    let throw = surfaces.first(spot.position(), spot.axis());
+                    plus(spot.position(), throw.unwrap_or(FARTHEST), spot.axis())
+                };
+                Some(setting.target.unwrap_or_else(met))
+            }
+            _ => None,
+        };
+        Ok(self.state().lights.iter().zip(&fixtures).map(aim).collect())
+    }
+
+    /// Returns the light as it is at this time.
+    fn lit(&self, light: usize) -> Result<AnyLight, Refusal> {
+        let count = self.state().lights.len();
+        let fixtures = self.rig().fixtures_at(self.state().seconds[0])?;
+        let fixture = fixtures.get(light).ok_or(Refusal::Number { value: light, count })?;
+        Ok(*fixture.light())
+    }
+
+    /// Returns name, colour, position and whether it is on, of each light: what a list of lights
+    /// shows. Nothing else is computed.
+    pub(crate) fn listed_lights(&self) -> Result<Vec<LightState>, Refusal> {
+        let fixtures = self.rig().fixtures_at(self.state().seconds[0])?;
+        let listed = self.state().lights.iter().zip(&fixtures).map(|(setting, fixture)| {
+            Ok(LightState {
+                name: self.rig().original(setting.of)?.name.to_owned(),
+                on: setting.is_on,
+                position: coordinates(position_of(fixture.light())),
+                ..LightState::colored(fixture.light())
+            })
+        });
+        listed.collect()
+    }
+
+    /// Returns the state of a light for the page.
+    pub(crate) fn light_state(&self, light: usize) -> Result<LightState, Refusal> {
+        let (setting, full_scale) = (self.setting(light)?, full_scale(self.state().scene));
+        let original = self.rig().original(setting.of)?;
+        let on = Setting { is_on: true, ..*setting }.applied(original, 1.0)?;
+        let on = on.light();
+        let own_edge = match original.light() {
+            AnyLight::Spot(spot) => spot.cone().profile().effect().name(),
+            _ => "",
+        };
+        // The aim of a light that the scene moves is that at this time.
+        let now = self.lit(light)?;
+        let surfaces = Surfaces::of(self.rig().scene());
+        let candela = full_scale * on.intensity();
+        let (mut throw, mut aim, mut lux) = (None, Vec::new(), None);
+        if let AnyLight::Spot(spot) = now {
+            throw = surfaces.first(spot.position(), spot.axis());
+            let point = plus(spot.position(), throw.unwrap_or(FARTHEST), spot.axis());
+            lux = throw.map(|throw| candela * spot.attenuation().exact(throw.into()) as f32);
+            aim = coordinates(setting.target.or(Some(point)));
+        }
+        let own_flux = match setting.fixture.and_then(|fixture| fixture.lumens) {
+            Some(lumens) => Some(lumens),
+            None => lumens_of(original.light(), full_scale * original.light().intensity()),
+        };
+        let own_intensity = match (on, own_flux) {
+            (AnyLight::Spot(spot), Some(lumens)) => spot.cone().candela(lumens),
+            _ => full_scale * original.light().intensity(),
+        };
+        Ok(LightState {
+            name: original.name.to_owned(),
+            on: setting.is_on,
+            fixture: setting.fixture.map(|fixture| fixture.name.to_owned()).unwrap_or_default(),
+            reading: setting.reading().name().to_owned(),
+            zoom: setting.fixture.and(setting.design.one()).map(|(_, degrees)| degrees),
+            edge: setting.edge_name().to_owned(),
+            own_edge: own_edge.to_owned(),
+            intensity: candela,
+            unit: if matches!(on, AnyLight::Directional(_)) { "lx" } else { "cd" }.to_owned(),
+            own_intensity,
+            lumens: lumens_of(on, candela),
+            throw,
+            lux,
+            position: coordinates(position_of(&now)),
+            aim,
+            sweeps: original.sweeps() && setting.target.is_none(),
+            moved: setting.position.is_some() || setting.target.is_some(),
+            ..LightState::of(on, self.state().format)
+        })
+    }
+
+    /// Returns where each light and the point that it aims at are in a picture whose width is
+    /// `aspect` times its height; `None` if they are not before the camera.
+    pub(crate) fn places(&self, aspect: f32) -> Result<Vec<[Option<[f32; 2]>; 2]>, Refusal> {
+        let (camera, fixtures) = (self.camera(), self.rig().fixtures_at(self.state().seconds[0])?);
+        let place = |point: Vec3<f32>| camera.project(point, aspect).map(|[x, y, _]| [x, y]);
+        let places = fixtures
+            .iter()
+            .zip(self.aims()?)
+            .map(|(fixture, aim)| [position_of(fixture.light()).and_then(place), aim.and_then(place)]);
+        Ok(places.collect())
+    }
+
+    /// Returns the pool of a light: where its field angle meets the surfaces. The first two places are
+    /// the ends of the lines from the light that enclose the pool, and the others its outline: `None`
+    /// ends a piece that is on one surface. Empty unless the light is a spotlight before the camera.
+    pub(crate) fn pool(&self, light: usize, aspect: f32) -> Result<Vec<Option<[f32; 2]>>, Refusal> {
+        let AnyLight::Spot(spot) = self.lit(light)? else { return Ok(Vec::new()) };
+        let (camera, surfaces) = (self.camera(), Surfaces::of(self.rig().scene()));
+        let (axis, position) = (spot.axis(), spot.position());
+        let place = |point: Vec3<f32>| camera.project(point, aspect).map(|[x, y, _]| [x, y]);
+        let half = f64::from(spot.cone().field().to_degrees() / 2.0).min(85.0).to_radians();
+        let (across, turns) = (perpendicular(axis), std::f64::consts::TAU / RAYS as f64);
+        let beside = axis.cross(across);
+        let (mut outline, mut last) = (Vec::with_capacity(2 * RAYS), 0.0_f32);
+        for i in 0..=RAYS {
+            // The last ray is the first one.
+            let around = turns * (i % RAYS) as f64;
+            let radius = sine(half);
+            let direction =
+                plus(axis.map(|along| half.cos() as f32 * along), radius * around.cos() as f32, across);
+            let direction = plus(direction, radius * sine(around), beside);
+            let distance = surfaces.first(position, direction).unwrap_or(FARTHEST);
+            if i > 0 && distance.max(last) > GAP * distance.min(last) {
+                outline.push(None);
+            }
+            outline.push(place(plus(position, distance, direction)));
+            last = distance;
+        }
+        let Some(start) = place(position) else {
+            return Ok([None, None].into_iter().chain(outline).collect());
+        };
+        Ok(sides(start, &outline, aspect).into_iter().chain(outline).collect())
+    }
+
+    /// Moves a light to a place of the picture: in the plane through the light that is parallel to
+    /// the screen, or in the horizontal plane. A light whose aim the scene does not move keeps its
+    /// aim.
+    pub(crate) fn drag_light(
+        &mut self,
+        light: usize,
+        place: [f32; 2],
+        aspect: f32,
+        is_level: bool,
+    ) -> Result<(), Refusal> {
+        let camera = self.camera();
+        let position = position_of(&self.lit(light)?);
+        let Some((position, [_, _, depth])) = position.and_then(|p| Some((p, camera.project(p, aspect)?)))
+        else {
+            return Ok(());
+        };
+        let (eye, toward) = (camera.eye(), camera.toward(place, aspect));
+        let level = (position.y - eye.y) / toward.y;
+        let depth = if is_level && level > 0.0 && level < 3.0 * depth { level } else { depth };
+        self.place_light(light, plus(eye, depth, toward))
+    }
+
+    /// Moves a light to a position.
+    pub(crate) fn place_light(&mut self, light: usize, position: Vec3<f32>) -> Result<(), Refusal> {
+        let original = self.rig().original(self.setting(light)?.of)?;
+        let aim = if original.sweeps() { None } else { self.aims()?.get(light).copied().flatten() };
+        self.change_light(light, |setting| {
+            setting.position = Some(position);
+            setting.target = setting.target.or(aim);
+            Ok(())
+        })
+    }
+
+    /// Aims a light at what is seen at a place of the picture. Where nothing is seen, the point is as
+    /// far from the eye as the point that the light aims at.
+    pub(crate) fn drag_aim(&mut self, light: usize, place: [f32; 2], aspect: f32) -> Result<(), Refusal> {
+        let Some(aim) = self.aims()?.get(light).copied().flatten() else { return Ok(()) };
+        let camera = self.camera();
+        let (eye, toward) = (camera.eye(), camera.toward(place, aspect));
+        let depth = Surfaces::of(self.rig().scene()).first(eye, toward);
+        let depth = depth.or_else(|| camera.project(aim, aspect).map(|[_, _, depth]| depth));
+        let Some(depth) = depth else { return Ok(()) };
+        self.aim_light(light, plus(eye, depth, toward))
+    }
+
+    /// Aims a light at a point. This ends a sweep.
+    pub(crate) fn aim_light(&mut self, light: usize, target: Vec3<f32>) -> Result<(), Refusal> {
+        self.change_light(light, |setting| {
+            setting.target = Some(target);
+            Ok(())
+        })
+    }
+
+    /// Sets the exposure so that a light's pool is shown as full scale in its middle.
+    pub(crate) fn expose_for(&mut self, light: usize) -> Result<(), Refusal> {
+        let state = self.light_state(light)?;
+        let lux = state
+            .lux
+            .filter(|lux| *lux > 0.0)
+            .ok_or_else(|| Refusal::name("light", &state.name, "a lit spotlight that aims at a surface"))?;
+        let [least, most] = EXPOSURES;
+        // In the steps of the slider.
+        let stops = (full_scale(self.state().scene) / lux).log2();
+        self.expose(((4.0 * stops).round() / 4.0).max(least).min(most))
+    }
+
+    /// Moves a light and its aim back to where the scene has them.
+    pub(crate) fn put_back(&mut self, light: usize) -> Result<(), Refusal> {
+        self.change_light(light, |setting| {
+            (setting.position, setting.target) = (None, None);
+            Ok(())
+        })
+    }
+}
+
+/// Returns a unit vector perpendicular to a unit vector.
+fn perpendicular(axis: Vec3<f32>) -> Vec3<f32> {
+    let helper = if axis.y.abs() < 0.9 { Vec3::new(0.0, 1.0, 0.0) } else { Vec3::new(1.0, 0.0, 0.0) };
+    let across = axis.cross(helper);
+    let length = across.dot(across).sqrt();
+    across.map(|along| along / length)
+}
+
+/// Returns the sine of an angle in radians. The module has a cosine already.
+fn sine(angle: f64) -> f32 {
+    (angle - std::f64::consts::FRAC_PI_2).cos() as f32
+}
+
+/// Returns the two points of an outline that lie farthest to either side, as seen from `start`.
+fn sides(start: [f32; 2], outline: &[Option<[f32; 2]>], aspect: f32) -> [Option<[f32; 2]>; 2] {
+    let way = |[x, y]: [f32; 2]| [aspect * (x - start[0]), y - start[1]];
+    let turn = |[x, y]: [f32; 2], [u, v]: [f32; 2]| x * v - y * u;
+    let mut ends = [None; 2];
+    for &point in outline.iter().flatten() {
+        for (end, sign) in ends.iter_mut().zip([-1.0, 1.0]) {
+            if end.is_none_or(|end| sign * turn(way(end), way(point)) > 0.0) {
+                *end = Some(point);
+            }
+        }
+    }
+    ends
+}
+
+#[cfg(test)]
+mod tests;

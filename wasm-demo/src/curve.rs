@@ -1,0 +1,74 @@
+//! The intensity of a light over the angle off its axis, and curves to compare it with.
+
+use crate::{design::Design, format::Format, light::Mark, refusal::Refusal};
+use luminaire::{
+    Cone,
+    falloff::{AnyFalloff, Linear, Smooth},
+};
+
+/// Largest number of samples of a curve: a few samples for each pixel of a wide screen.
+const SAMPLES: usize = 10_000;
+
+/// Returns angles off the axis in degrees, evenly spaced from `-reach` to `reach`.
+pub(crate) fn angles(reach: f32, samples: usize) -> Result<Vec<f32>, Refusal> {
+    if !(2..=SAMPLES).contains(&samples) {
+        let range = [2.0, SAMPLES as f32];
+        return Err(Refusal::outside("number of samples", samples as f32, range, "samples"));
+    }
+    let last = (samples - 1) as f32;
+    Ok((0..samples).map(|i| reach * (2.0 * i as f32 / last - 1.0)).collect())
+}
+
+/// Returns the angle off the axis up to which the curve of a cone is drawn. The curve has a dark
+/// margin at each side, so that the end of the light is visible.
+pub(crate) fn reach(cone: &Cone<AnyFalloff>) -> f32 {
+    (cone.outer().to_degrees() / 2.0 * 1.12).min(180.0)
+}
+
+/// Returns the intensity of another falloff with this full beam angle in degrees, at angles off the
+/// axis: `power`, a power of the cosine; `smooth`, smoothstep over the cosine; `linear`, a linear
+/// ramp over it. Empty if there is none.
+pub(crate) fn other(name: &str, beam: f32, angles: &[f32]) -> Result<Vec<f32>, Refusal> {
+    let falloff = match name {
+        "power" => return Ok(power(beam, angles)),
+        "smooth" => AnyFalloff::from(Smooth),
+        "linear" => Linear.into(),
+        _ => return Err(Refusal::name("curve", name, "power, smooth or linear")),
+    };
+    let design = Design::of(Mark::Beam, beam);
+    let cone = Cone::from_field(falloff, luminaire::Angle::degrees(1.0))?;
+    Ok(match design.cone(Some(falloff), cone) {
+        Ok(cone) => Format::F32.intensities(&cone, angles)?,
+        Err(_) => Vec::new(),
+    })
+}
+
+/// Returns `cos(angle)^n`, which is 1/2 at half the beam angle.
+fn power(beam: f32, angles: &[f32]) -> Vec<f32> {
+    let logarithm = |degrees: f32| f64::from(degrees).to_radians().cos().max(0.0).ln();
+    let half = logarithm(beam / 2.0);
+    if !(half < 0.0 && half.is_finite()) {
+        return Vec::new();
+    }
+    angles.iter().map(|&angle| (-(logarithm(angle) / half) as f32).exp2()).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_other_curve_has_the_same_beam_angle() {
+        for beam in [0.5, 20.0, 80.0] {
+            for name in ["power", "smooth", "linear"] {
+                let curve = other(name, beam, &[0.0, -beam / 2.0, beam / 2.0, 180.0]).unwrap();
+                for (found, expected) in curve.iter().zip([1.0, 0.5, 0.5, 0.0]) {
+                    assert!((found - expected).abs() < 1e-3, "{name} of {beam}: {curve:?}");
+                }
+            }
+        }
+        assert_eq!(other("power", 181.0, &[0.0]), Ok(Vec::new()));
+        assert_eq!(other("linear", 170.0, &[0.0]), Ok(Vec::new()));
+        assert!(other("cubic", 20.0, &[0.0]).is_err());
+    }
+}

@@ -1,0 +1,148 @@
+//! The angles that a cone is designed from.
+
+use crate::light::Mark;
+use luminaire::{
+    Angle, Cone, Error,
+    error::{Expected, Parameter},
+    falloff::AnyFalloff,
+};
+
+/// Full angles in degrees. One of them gives the other by the falloff; both give the falloff. The
+/// kernel computes what is not given.
+#[derive(Clone, Copy, PartialEq, Default, Debug)]
+pub(crate) struct Design {
+    pub(crate) beam: Option<f32>,
+    pub(crate) field: Option<f32>,
+}
+
+impl Design {
+    /// One angle.
+    pub(crate) fn of(mark: Mark, degrees: f32) -> Self {
+        match mark {
+            Mark::Beam => Self { beam: Some(degrees), field: None },
+            Mark::Field => Self { beam: None, field: Some(degrees) },
+        }
+    }
+
+    /// The two angles of a cone. The field angle is the nearest that a cone with this beam angle
+    /// can have.
+    pub(crate) fn both_of(cone: &Cone<AnyFalloff>) -> Self {
+        let beam = cone.beam().to_degrees();
+        Self { beam: Some(beam), field: Some(cone.field().to_degrees()) }.with(Mark::Beam, beam)
+    }
+
+    /// Both angles, if both are given.
+    pub(crate) fn both(&self) -> Option<(f32, f32)> {
+        self.beam.zip(self.field)
+    }
+
+    /// The angle, if one is given.
+    pub(crate) fn one(&self) -> Option<(Mark, f32)> {
+        match (self.beam, self.field) {
+            (Some(beam), None) => Some((Mark::Beam, beam)),
+            (None, Some(field)) => Some((Mark::Field, field)),
+            _ => None,
+        }
+    }
+
+    /// The design of two angles with one of them changed. The other one follows as far as it must,
+    /// so that there is a cone with both.
+    pub(crate) fn with(self, mark: Mark, degrees: f32) -> Self {
+        let nearest = |other: Option<f32>, reach: Option<[f32; 2]>| {
+            other.zip(reach).map(|(other, [least, most])| other.max(least).min(most)).or(other)
+        };
+        match mark {
+            Mark::Beam => Self { beam: Some(degrees), field: nearest(self.field, fields(degrees)) },
+            Mark::Field => Self { field: Some(degrees), beam: nearest(self.beam, beams(degrees)) },
+        }
+    }
+
+    /// All angles multiplied by a factor.
+    pub(crate) fn times(self, factor: f32) -> Self {
+        Self { beam: self.beam.map(|angle| factor * angle), field: self.field.map(|angle| factor * angle) }
+    }
+
+    /// Returns the cone with these angles: by the falloff `edge`, or by that of `original`.
+    pub(crate) fn cone(
+        &self,
+        edge: Option<AnyFalloff>,
+        original: Cone<AnyFalloff>,
+    ) -> Result<Cone<AnyFalloff>, Error> {
+        let profile = edge.unwrap_or(original.profile());
+        match (self.beam, self.field) {
+            (Some(beam), Some(field)) => fitted(beam, field),
+            (Some(beam), None) => Cone::from_beam(profile, Angle::degrees(beam)),
+            (None, Some(field)) => Cone::from_field(profile, Angle::degrees(field)),
+            (None, None) if edge.is_some() => Cone::from_field(profile, original.field()),
+            (None, None) => Ok(original),
+        }
+    }
+}
+
+fn fitted(beam: f32, field: f32) -> Result<Cone<AnyFalloff>, Error> {
+    let cone = Cone::from_beam_and_field(Angle::degrees(beam), Angle::degrees(field))?;
+    Ok(cone.with_profile(cone.profile().into()))
+}
+
+/// Share by which the ends of a range are drawn in, so that an end in degrees is accepted.
+const MARGIN: f32 = 1e-5;
+
+/// Returns the least and the largest field angle of the cones with this beam angle, in degrees;
+/// `None` if there is no such cone.
+pub(crate) fn fields(beam: f32) -> Option<[f32; 2]> {
+    // No field angle is 0: the error has the range.
+    match fitted(beam, 0.0).err()? {
+        Error { parameter: Parameter::FieldAngle, accepted: Expected::AngleBetween(least, most), .. } => {
+            Some([least, most * (1.0 - MARGIN)])
+        }
+        _ => None,
+    }
+}
+
+/// Returns the least and the largest beam angle of the cones with this field angle, in degrees;
+/// `None` if there is no such cone.
+pub(crate) fn beams(field: f32) -> Option<[f32; 2]> {
+    fitted(field, field).ok()?;
+    let (mut most_refused, mut least) = (0.0, field);
+    for _ in 0..24 {
+        let middle = f32::midpoint(most_refused, least);
+        if fitted(middle, field).is_ok() { least = middle } else { most_refused = middle }
+    }
+    Some([least * (1.0 + MARGIN), field])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_ends_of_what_is_reached_are_cones_and_beyond_them_is_none() {
+        for angle in [0.1, 1.0, 9.8, 30.0, 89.0, 140.0, 170.0] {
+            let [least, most] = fields(angle).unwrap();
+            assert!(
+                fitted(angle, least).is_ok() && fitted(angle, most).is_ok(),
+                "{angle}: {least} to {most}"
+            );
+            assert!(fitted(angle, most * 1.001).is_err() && fitted(angle, least * 0.999).is_err(), "{angle}");
+            let [least, most] = beams(angle).unwrap();
+            assert!(
+                fitted(least, angle).is_ok() && fitted(most, angle).is_ok(),
+                "{angle}: {least} to {most}"
+            );
+            assert!(fitted(least * 0.999, angle).is_err() && fitted(most * 1.001, angle).is_err(), "{angle}");
+        }
+        for angle in [0.0, -1.0, 181.0, f32::NAN, f32::INFINITY] {
+            assert_eq!((fields(angle), beams(angle)), (None, None));
+        }
+    }
+
+    #[test]
+    fn the_other_angle_follows_no_farther_than_it_must() {
+        let design = Design { beam: Some(10.0), field: Some(15.0) };
+        assert_eq!(design.with(Mark::Field, 20.0), Design { beam: Some(10.0), field: Some(20.0) });
+        assert_eq!(design.with(Mark::Field, 5.0), Design { beam: Some(5.0), field: Some(5.0) });
+        assert_eq!(design.with(Mark::Beam, 18.0), Design { beam: Some(18.0), field: Some(18.0) });
+        let wide = design.with(Mark::Field, 60.0);
+        assert!(wide.beam.unwrap() > 20.0 && wide.cone(None, fitted(10.0, 15.0).unwrap()).is_ok());
+    }
+}
