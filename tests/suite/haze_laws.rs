@@ -93,7 +93,7 @@ fn sides_touch_the_beam() {
                 normal.dot(light.normalize()),
                 normal.dot(exact(spot.axis())) - (versine * (2.0 - versine)).sqrt(),
             ];
-            assert!(off.iter().all(|off| off.abs() < 5e-5), "{off:?} for {spot:?} from {:?}", view.eye);
+            assert!(off.iter().all(|off| off.abs() < 1e-5), "{off:?} for {spot:?} from {:?}", view.eye);
         }
         assert!(sides[0] != sides[1]);
         true

@@ -132,6 +132,10 @@ pub(crate) trait Draw {
         number: usize,
         depths: &[u32],
     ) -> Result<(), DrawError>;
+    /// Switches anti-aliasing on or off, from the next `draw_geometry` on.
+    fn set_antialiased(&mut self, antialiased: bool);
+    /// Returns the marks of the pixels beside edges.
+    fn edge_marks(&self) -> Vec<u64>;
     /// Lights the geometry if anything has changed. Returns whether it was lit.
     fn draw_light(&mut self, fixtures: &[Fixture]) -> Result<bool, Error>;
     /// Lights the whole picture with every effect, needed or not.
@@ -178,6 +182,14 @@ impl<S: luminaire_render::Format> Draw for Renderer<S> {
         depths: &[u32],
     ) -> Result<(), DrawError> {
         self.take_shadow_map(scene, fixtures, number, depths)
+    }
+
+    fn set_antialiased(&mut self, antialiased: bool) {
+        self.set_antialiased(antialiased);
+    }
+
+    fn edge_marks(&self) -> Vec<u64> {
+        self.edge_marks().collect()
     }
 
     fn draw_light(&mut self, fixtures: &[Fixture]) -> Result<bool, Error> {

@@ -35,6 +35,7 @@
 //! - `job`: a picture to draw, as text for a worker
 //! - `equality`: comparison of the scene's picture with the one of all effects
 //! - `painter`: the JavaScript class that draws a share of a picture
+//! - `composite`: the JavaScript class that puts the shares of a picture together
 //! - `stage`: the JavaScript class of the stage
 //! - `wall`: the scene of the comparison
 //! - `picture`: the wall lit in one form, behind a trait object
@@ -61,6 +62,8 @@ mod canvas;
 mod clock;
 #[cfg(feature = "comparison")]
 mod comparison;
+#[cfg(feature = "stage")]
+mod composite;
 #[cfg(feature = "stage")]
 mod curve;
 #[cfg(feature = "stage")]
@@ -125,6 +128,7 @@ pub use museum::{ExhibitState, Museum, PictureState};
 pub use side::{FormState, SideState};
 #[cfg(feature = "stage")]
 pub use {
+    composite::Composite,
     equality::Equality,
     fixture::FixtureState,
     light::LightState,

@@ -29,6 +29,8 @@ pub struct Painter {
     task: Option<Task>,
     fixtures: Vec<Fixture>,
     renderer: Option<Renderer>,
+    /// The renderer of the size before: pictures alternate between motion and rest.
+    other: Option<Renderer>,
     times: Times,
 }
 
@@ -53,6 +55,7 @@ impl Painter {
             task: None,
             fixtures: Vec::new(),
             renderer: None,
+            other: None,
             times: Times::default(),
         })
     }
@@ -65,7 +68,7 @@ impl Painter {
 
     /// Forgets all pictures, so that the next one depends on no earlier one.
     pub fn forget(&mut self) {
-        (self.task, self.renderer) = (None, None);
+        (self.task, self.renderer, self.other) = (None, None, None);
     }
 
     /// Takes the job that `Stage.job` has written.
@@ -151,6 +154,14 @@ impl Painter {
         array
     }
 
+    /// The marks of the edges in the stripes, for `Composite.put`. Empty for a whole picture, which
+    /// is mixed already.
+    #[wasm_bindgen(js_name = edgeMarks)]
+    pub fn edge_marks(&self) -> Vec<u64> {
+        let renderer = self.renderer.as_ref().filter(|_| self.stripes != Stripes::ALL);
+        renderer.map_or(Vec::new(), |renderer| renderer.draw.edge_marks())
+    }
+
     /// What the job's map shows of each block of pixels, row by row: the number of evaluated lights,
     /// or 1 where the block was lit again and else 0. Empty if the job has no map.
     pub fn counts(&self) -> Vec<u16> {
@@ -205,10 +216,19 @@ impl Painter {
         self.times = Times::default();
         let task = Task::read(job, self.task.take())?;
         let kind = (task.job.state.format, task.job.size);
-        if self.renderer.as_ref().is_none_or(|renderer| renderer.kind != kind) {
+        let fits = |renderer: &Renderer| renderer.kind == kind;
+        if !self.renderer.as_ref().is_some_and(fits) {
+            std::mem::swap(&mut self.renderer, &mut self.other);
+            // What the canvas shows is from the renderer that has just drawn.
+            if let Some(renderer) = &mut self.renderer {
+                renderer.shown = None;
+            }
+        }
+        if !self.renderer.as_ref().is_some_and(fits) {
             // The old one is freed first: both may not fit into memory.
             self.renderer = None;
-            let draw = kind.0.renderer(kind.1, self.stripes)?;
+            let mut draw = kind.0.renderer(kind.1, self.stripes)?;
+            draw.set_antialiased(true);
             self.renderer = Some(Renderer { draw, kind, shown: None });
         }
         self.fixtures = task.rig.fixtures_at(task.job.state.seconds[0])?;

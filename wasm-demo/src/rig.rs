@@ -194,7 +194,8 @@ impl Rig {
     /// Returns whether an effect is in the picture of a state. An effect that the scene neither has
     /// nor can be given stays off.
     fn has(&self, state: &State, effect: Effect) -> bool {
-        let own = self.effects.has(effect);
+        // Dither costs nothing, and most scenes show bands without it.
+        let own = self.effects.has(effect) || effect == Effect::Dither;
         state.switched(effect).filter(|_| self.offers(effect)).unwrap_or(own)
     }
 

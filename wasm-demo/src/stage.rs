@@ -21,6 +21,12 @@ use wasm_bindgen::{Clamped, prelude::*};
 /// The scene that the page opens with.
 const FIRST: Example = Example::Show;
 
+/// Largest number of pixels of a picture at rest. The painters need about 70 bytes for each.
+const REST: u32 = 8_000_000;
+
+/// A scene that is composed for fewer columns shows a small display, whose pixels should be seen.
+const SMALL: u32 = 320;
+
 /// A scene under the visitor's settings, whose picture painters draw. Every setter either takes its
 /// value, or changes nothing and throws a string that names the parameter, its value and the remedy.
 #[wasm_bindgen]
@@ -31,6 +37,8 @@ pub struct Stage {
     load: Option<Load>,
     /// The size of all pictures; `None` for the size that a scene is composed for.
     fixed: Option<(u32, u32)>,
+    /// The size of pictures while nothing moves; `None` while something does.
+    rest: Option<(u32, u32)>,
     map: Map,
     /// The scene of the map's scale, and whether everything was evaluated.
     mapped: Option<(Example, bool)>,
@@ -44,7 +52,7 @@ impl Stage {
     pub fn new(width: Option<u32>, height: Option<u32>) -> Result<Self, JsValue> {
         panic::tell_the_page();
         let fixed = width.zip(height);
-        Ok(Self { desk: Desk::new(FIRST)?, load: None, fixed, map: Map::new(), mapped: None })
+        Ok(Self { desk: Desk::new(FIRST)?, load: None, fixed, rest: None, map: Map::new(), mapped: None })
     }
 
     /// The scenes to choose from.
@@ -189,6 +197,27 @@ impl Stage {
         })?)
     }
 
+    /// Sets the size of pictures at rest: this width in pixels, or less if there would be more than
+    /// `REST` pixels. Without a width pictures have the size of those that move. Returns whether the
+    /// size has changed: the size that the page was opened with stays, and so does that of a scene
+    /// for a small display.
+    pub fn rest(&mut self, width: Option<u32>) -> bool {
+        let (before, (wide, high)) = (self.size(), self.composed());
+        let of = |width: u32| {
+            let most = (f64::from(REST) * f64::from(wide) / f64::from(high)).sqrt() as u32;
+            let width = width.clamp(1, most);
+            (width, (f64::from(width) * f64::from(high) / f64::from(wide)).round().max(1.0) as u32)
+        };
+        self.rest = width.filter(|_| wide >= SMALL).map(of);
+        before != self.size()
+    }
+
+    /// Whether pictures have the size of those at rest.
+    #[wasm_bindgen(getter, js_name = isAtRest)]
+    pub fn is_at_rest(&self) -> bool {
+        self.fixed.is_none() && self.rest.is_some()
+    }
+
     /// The picture of the state, as a text that painters take. Equal texts have equal pictures.
     pub fn job(&self) -> String {
         job::write(self.size(), self.load, self.desk.state(), self.desk.rig().lights())
@@ -206,11 +235,11 @@ impl Stage {
         self.size().1
     }
 
-    /// Draws the map of a picture from the counts of all its painters, row by row. Returns RGBA,
-    /// which is empty if there is no map.
+    /// Draws the map of a picture of this width in pixels from the counts of all its painters, row by
+    /// row. Returns RGBA, which is empty if there is no map.
     #[wasm_bindgen(js_name = drawMap)]
-    pub fn draw_map(&mut self, counts: &[u16]) -> Clamped<Vec<u8>> {
-        let (state, width) = (self.desk.state(), self.size().0 as usize);
+    pub fn draw_map(&mut self, counts: &[u16], width: usize) -> Clamped<Vec<u8>> {
+        let state = self.desk.state();
         let mapped = Some((state.scene, state.is_everything));
         if std::mem::replace(&mut self.mapped, mapped) != mapped {
             self.map.begin();
@@ -329,7 +358,12 @@ impl Stage {
 
 impl Stage {
     fn size(&self) -> (u32, u32) {
+        self.fixed.or(self.rest).unwrap_or(self.composed())
+    }
+
+    /// The size that the scene is composed for.
+    fn composed(&self) -> (u32, u32) {
         let (width, height) = self.desk.state().scene.size();
-        self.fixed.unwrap_or((width as u32, height as u32))
+        (width as u32, height as u32)
     }
 }

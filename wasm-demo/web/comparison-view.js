@@ -23,6 +23,16 @@ function far(metres) {
   return metres < 1000 ? `${Number(metres.toPrecision(3))} m` : `${Number((metres / 1000).toPrecision(3))} km`;
 }
 
+/**
+ * Shows pictures by whole numbers of the device's pixels: a pixel of an error map is then a square of
+ * one colour. Where there is no room for that, pictures fill their place.
+ */
+function scale(exhibit) {
+  const whole = Math.floor((exhibit.clientWidth * devicePixelRatio) / SIZE);
+  const width = whole > 0 ? `${(whole * SIZE) / devicePixelRatio}px` : "100%";
+  exhibit.querySelector(".split").style.setProperty("--whole", width);
+}
+
 export class ComparisonView {
   #comparison;
   #forms;
@@ -54,6 +64,8 @@ export class ComparisonView {
     this.#scale.onchange = () => this.#request();
     this.#ledger = new Ledger(this.#comparison, this.#forms, prices);
     new Divider(document.getElementById("comparison"));
+    const observer = new ResizeObserver((changes) => changes.forEach(({ target }) => scale(target)));
+    for (const exhibit of document.querySelectorAll(".exhibit")) observer.observe(exhibit);
     for (const side of SIDES) this.#joinSide(side);
   }
 

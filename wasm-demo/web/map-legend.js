@@ -29,7 +29,7 @@ export class MapLegend {
 
   /** Draws the map of the last picture, if it has a subject. */
   draw() {
-    const pixels = this.#stage.drawMap(this.#screen.counts);
+    const pixels = this.#stage.drawMap(this.#screen.counts, this.#screen.width);
     this.#map.hidden = pixels.length === 0;
     if (pixels.length > 0) this.#screen.showMap(pixels);
     for (const [subject, legend] of Object.entries(this.#legends)) legend.hidden = subject !== this.#stage.map;

@@ -35,9 +35,12 @@ export class ScenePicker {
     const [helper] = hire(1);
     for (const item of this.#holder.querySelectorAll("label")) {
       const canvas = item.querySelector("canvas");
-      const { width, height } = canvas;
+      // One pixel of the picture is one of the device.
+      const width = Math.round(canvas.clientWidth * devicePixelRatio) || canvas.width;
+      const height = Math.round((width * canvas.height) / canvas.width);
       const order = { scene: item.querySelector("input").value, width, height };
       const pixels = await (helper?.ask("thumbnail", { module, ...order }).catch(() => drawHere(order)) ?? drawHere(order));
+      Object.assign(canvas, { width, height });
       canvas.getContext("2d").putImageData(new ImageData(pixels, width, height), 0, 0);
     }
     helper?.end();

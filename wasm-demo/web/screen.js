@@ -1,12 +1,12 @@
 // The canvases of the picture and its map.
-import { Painter } from "./pkg/wasm_demo.js";
+import { Composite, Painter } from "./pkg/wasm_demo.js";
 
 export class Screen {
   #canvas;
   #map;
   #contexts;
-  /** The picture: RGBA, sRGB, eight bits. */
-  #image;
+  #composite = new Composite();
+  #size = { width: 0, height: 0 };
   #counts = new Uint16Array();
 
   constructor(canvas, map) {
@@ -20,7 +20,12 @@ export class Screen {
 
   /** The last picture: RGBA, sRGB, eight bits. */
   get pixels() {
-    return this.#image?.data ?? new Uint8ClampedArray();
+    return this.#composite.pixels();
+  }
+
+  /** The width of the last picture in pixels. */
+  get width() {
+    return this.#size.width;
   }
 
   /** Counts for the map of the last picture, one for each block of pixels. */
@@ -30,11 +35,10 @@ export class Screen {
 
   /** Puts the parts of a picture together. */
   gather(parts, { width, height }) {
-    if (this.#image?.width !== width || this.#image.height !== height) {
-      for (const canvas of [this.#canvas, this.#map]) Object.assign(canvas, { width, height });
-      this.#image = new ImageData(width, height);
-    }
-    interleave(parts.map(({ pixels }) => pixels), 4 * width, this.#image.data);
+    this.#size = { width, height };
+    this.#composite.begin(width, height, parts.length);
+    parts.forEach(({ pixels, marks }, share) => pixels && this.#composite.put(share, pixels, marks));
+    this.#composite.mix();
   }
 
   /** Takes the counts for the map. */
@@ -46,12 +50,17 @@ export class Screen {
 
   /** Shows the picture. */
   show() {
-    this.#contexts[0].putImageData(this.#image, 0, 0);
+    const { width, height } = this.#size;
+    // Setting a size clears a canvas.
+    for (const canvas of [this.#canvas, this.#map]) {
+      if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, { width, height });
+    }
+    this.#composite.show(this.#contexts[0]);
   }
 
   /** Shows a map. */
   showMap(pixels) {
-    this.#contexts[1].putImageData(new ImageData(pixels, this.#image.width), 0, 0);
+    this.#contexts[1].putImageData(new ImageData(pixels, this.#size.width), 0, 0);
   }
 }
 

@@ -54,6 +54,7 @@ export class Share {
     return {
       isDrawn,
       pixels: isDrawn ? painter.pixels(spare) : undefined,
+      marks: isDrawn ? painter.edgeMarks() : undefined,
       counts: painter.counts(),
       account: plain(painter.account()),
       times: plain(painter.times()),

@@ -11,7 +11,7 @@ import { cores } from "./workers.js";
 
 /** Starts the demo. The other views are opened when they are first requested. */
 export async function open() {
-  const { width, height, workers = cores() } = requested(location.search);
+  const { width, height, workers = cores(), rests } = requested(location.search);
   // Compiled once for the page and all workers, which load their scripts in the meantime.
   const compiling = compile(new URL("pkg/wasm_demo_bg.wasm", import.meta.url));
   const pool = new Pool(compiling, workers);
@@ -19,7 +19,7 @@ export async function open() {
   initSync({ module });
   const stage = new Stage(width, height);
   const screen = new Screen(document.getElementById("view"), document.getElementById("map"));
-  const page = new StagePage(stage, pool, screen, module);
+  const page = new StagePage(stage, pool, screen, module, { rests });
   const meter = new Meter(stage, page, module);
   const comparison = {
     element: document.getElementById("comparison"),

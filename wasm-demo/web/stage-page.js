@@ -19,6 +19,12 @@ const element = (id) => document.getElementById(id);
 /** Longest time between two pictures that an animation follows, in seconds. */
 const LONGEST_STEP = 0.25;
 
+/**
+ * Time without a change after which a picture that does not move is drawn in the resolution of the
+ * device, in milliseconds.
+ */
+const REST = 150;
+
 export class StagePage {
   #stage;
   #pool;
@@ -44,14 +50,18 @@ export class StagePage {
   #drawnJob;
   /** Whether the canvas shows its picture. */
   #isShown = true;
-  /** The account and the times of the last picture. */
+  /** The account and the times of the last picture in the size of pictures that move. */
   #told = {};
+  /** Whether pictures have the resolution of the device at rest. */
+  #rests;
+  #timer;
 
-  constructor(stage, pool, screen, module) {
+  constructor(stage, pool, screen, module, { rests = true } = {}) {
     this.#stage = stage;
     this.#pool = pool;
     this.#screen = screen;
     this.#module = module;
+    this.#rests = rests;
     this.#view = new CameraView(element("view"), {
       orbit: (yaw, pitch) => this.#move(() => stage.orbit(yaw, pitch)),
       zoom: (factor) => this.#move(() => stage.zoom(factor)),
@@ -115,6 +125,7 @@ export class StagePage {
 
   /** Called when the view is hidden. */
   hide() {
+    clearTimeout(this.#timer);
     this.#view.pause(true);
   }
 
@@ -160,6 +171,8 @@ export class StagePage {
     };
     this.#panel.onlist = (act) => this.#set(act);
     document.addEventListener("keydown", (event) => this.#key(event));
+    // Also when the window moves to a display of another resolution.
+    addEventListener("resize", () => this.#move(() => {}));
   }
 
   /** Loads what the first picture goes before. A failure is reported, and the rest works. */
@@ -223,6 +236,7 @@ export class StagePage {
   /** Moves the camera; earlier times stay valid. Returns what `act` returns. */
   #move(act) {
     const moved = act();
+    this.#stir();
     this.#remember();
     this.#view.request();
     return moved;
@@ -257,8 +271,28 @@ export class StagePage {
     this.#readout.forget();
     this.#account.forget();
     this.#last = undefined;
+    this.#stir();
     this.#remember();
     this.#view.request();
+  }
+
+  /** Draws pictures in the size of those that move, until nothing has changed for a while. */
+  #stir() {
+    clearTimeout(this.#timer);
+    this.#stage.rest();
+    if (this.#rests) this.#timer = setTimeout(() => this.#rest(), REST);
+  }
+
+  /** Draws the picture in the resolution of the device, if nothing moves. */
+  #rest() {
+    const stage = this.#stage;
+    if (stage.lightsPlay || stage.cameraPlays) return;
+    if (this.#view.isDrawing) {
+      this.#timer = setTimeout(() => this.#rest(), REST);
+      return;
+    }
+    const width = Math.round(element("view").getBoundingClientRect().width * devicePixelRatio);
+    if (width > 0 && stage.rest(width)) this.#view.request();
   }
 
   #showLight(source) {
@@ -290,21 +324,29 @@ export class StagePage {
     const isPlaying = stage.advance(step);
     this.#last = isPlaying ? now : undefined;
     const job = stage.job();
+    const { isAtRest } = stage;
     if (job === this.#drawnJob) return { goesOn: isPlaying, show: () => this.#show() };
     const { width, height } = stage;
     this.#drawnJob = undefined;
     try {
       const picture = await this.#pool.draw(job);
       this.#drawnJob = job;
-      return { goesOn: isPlaying, show: () => this.#take({ ...picture, width, height, isPlaying }) };
+      return { goesOn: isPlaying, show: () => this.#take({ ...picture, width, height, isPlaying, isAtRest }) };
     } catch (refusal) {
-      this.#refuse(refusal);
+      // A picture of so many pixels may not fit into memory.
+      if (isAtRest && typeof refusal === "string") {
+        this.#rests = false;
+        stage.rest();
+      } else this.#refuse(refusal);
       return { goesOn: false, show: () => false };
     }
   }
 
-  /** Takes a picture of the pool and shows it. Returns whether it is another one. */
-  #take({ isDrawn, parts, account, times, width, height, isPlaying }) {
+  /**
+   * Takes a picture of the pool and shows it. Returns whether it is another one: at rest it is the
+   * same in another resolution, and the readout keeps the figures of before.
+   */
+  #take({ isDrawn, parts, account, times, width, height, isPlaying, isAtRest }) {
     const start = now();
     this.#screen.count(parts, height);
     if (isDrawn) {
@@ -314,12 +356,13 @@ export class StagePage {
     }
     times.transfer += now() - start;
     const isShown = this.#show(times);
-    if (isShown) {
+    if (isShown) element("size").textContent = `The picture has ${width} × ${height} pixels.`;
+    if (isShown && !isAtRest) {
       this.#told = { account, times };
       aside(() => this.#tell(isPlaying, width * height));
     }
     aside(() => this.#legend.draw());
-    return isShown;
+    return isShown && !isAtRest;
   }
 
   /** Shows the last picture, if the canvas has not taken it yet. Returns whether it has now. */
@@ -350,7 +393,6 @@ export class StagePage {
     this.#account.add(account, pixels);
     this.#effects.show();
     this.#handles?.show(isPlaying);
-    element("size").textContent = `The picture has ${this.#stage.width} × ${this.#stage.height} pixels.`;
   }
 
   async #copyLink() {

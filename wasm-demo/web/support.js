@@ -33,13 +33,16 @@ export async function load(file, attempt = 0) {
   }
 }
 
-/** The size of the picture and the number of workers: `?width=&height=&workers=`, else undefined. */
+/**
+ * The size of the picture and the number of workers, `?width=&height=&workers=`, else undefined; and
+ * with `?rest=0` that pictures at rest have the size of those that move.
+ */
 export function requested(search) {
   const query = new URLSearchParams(search);
   const [width, height] = ["width", "height"].map((name) => count(query, name, "pixels"));
   const workers = count(query, "workers", "workers");
   if (workers > MOST_WORKERS) throw new Error(`workers = ${workers}: expected 0 to ${MOST_WORKERS} workers`);
-  return { width, height, workers };
+  return { width, height, workers, rests: query.get("rest") !== "0" };
 }
 
 /** Checks only that the value is a whole number; the renderer checks the range of a size. */

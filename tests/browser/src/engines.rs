@@ -15,7 +15,7 @@ pub const SMOKE: [Test; 5] = [
 ];
 
 /// Tests that an engine cannot run, and why.
-const LIMITED: [(Engine, &str, &str); 7] = [
+const LIMITED: [(Engine, &str, &str); 9] = [
     (
         Engine::Firefox,
         "forced colours hide nothing",
@@ -29,6 +29,12 @@ const LIMITED: [(Engine, &str, &str); 7] = [
         "a lost connection keeps one view from opening, until it is back",
         "WebDriver has no command to disconnect a page",
     ),
+    (
+        Engine::WebKit,
+        "at rest the picture has the resolution of the device",
+        "WebDriver has no command for the density of a display",
+    ),
+    (Engine::WebKit, "rest ends with a change", "WebDriver has no command for the density of a display"),
     (
         Engine::WebKit,
         "a page that is opened as a file says so",

@@ -16,6 +16,7 @@ mod network;
 mod picture;
 mod readout;
 mod refusal;
+mod rest;
 pub mod shaders;
 mod stage;
 mod workers;
@@ -36,7 +37,7 @@ pub struct Visitor {
     /// The address of the demo.
     pub address: String,
     /// The size of the picture, as a part of the address.
-    size: &'static str,
+    parameters: &'static str,
     _server: Server,
 }
 
@@ -51,11 +52,13 @@ pub type Visit = fn(&mut Visitor) -> Result<()>;
 pub type Test = (&'static str, Visit);
 
 /// Every test.
-pub const ALL: [Test; 72] = [
+pub const ALL: [Test; 74] = [
     ("the page becomes ready without a complaint", picture::becomes_ready),
     ("the picture is lit by its lights, in several colours", picture::is_lit),
     ("a picture that the canvas refused is shown with the next draw", picture::is_shown_again),
     ("the picture has the size that the address asks for", picture::has_the_asked_size),
+    ("at rest the picture has the resolution of the device", rest::has_the_resolution_of_the_device),
+    ("rest ends with a change", rest::ends_with_a_change),
     ("the field slider changes the picture and leads the beam angle", angles::field_leads_beam),
     ("the beam slider changes the picture and leads the field angle", angles::beam_leads_field),
     ("a hard edge looks different from a soft one", angles::edge_changes_picture),
@@ -136,8 +139,8 @@ impl Visitor {
         let browser = engine.start(progress)?;
         // The tests of the first engine draw all sizes; a quarter of the pixels is enough for the
         // others.
-        let size = if engine == Engine::ALL[0] { "" } else { engines::SIZE };
-        Ok(Self { browser, address: server.address(), size, _server: server })
+        let parameters = if engine == Engine::ALL[0] { "?rest=0" } else { engines::SIZE };
+        Ok(Self { browser, address: server.address(), parameters, _server: server })
     }
 
     /// Opens the page on the still life, where nothing moves, and waits until it is ready.
@@ -145,15 +148,16 @@ impl Visitor {
         self.ready_at(STILL)
     }
 
-    /// Opens the page at an address below the demo's, and waits until it is ready.
+    /// Opens the page at an address below the demo's, and waits until it is ready. Without
+    /// parameters the picture at rest has the size of one that moves.
     fn ready_at(&mut self, query: &str) -> Result<Page> {
         self.ready_with(query, "")
     }
 
     /// Like [`ready_at`](Self::ready_at), in a browser that `script` has changed.
     fn ready_with(&mut self, query: &str, script: &str) -> Result<Page> {
-        let size = if query.starts_with('?') { "" } else { self.size };
-        let mut page = self.browser.open(&format!("{}{size}{query}", self.address), script)?;
+        let parameters = if query.starts_with('?') { "" } else { self.parameters };
+        let mut page = self.browser.open(&format!("{}{parameters}{query}", self.address), script)?;
         page.ready()?;
         page.settle()?;
         Ok(page)

@@ -57,7 +57,7 @@ pub(crate) fn is_shown_again(visitor: &mut Visitor) -> Result<()> {
 }
 
 pub(crate) fn has_the_asked_size(visitor: &mut Visitor) -> Result<()> {
-    for (query, width, height) in [("?", 960, 540), ("?width=320&height=180", 320, 180)] {
+    for (query, width, height) in [("?rest=0", 960, 540), ("?width=320&height=180", 320, 180)] {
         let mut page = visitor.ready_at(&format!("{query}{STILL}"))?;
         let size =
             page.text("(({ width, height }) => `${width}x${height}`)(document.getElementById('view'))")?;

@@ -104,6 +104,8 @@ fn haze_dither_and_shadows_are_added_and_taken_away() {
     let mut desk = desk(Example::Turntable);
     let look =
         |desk: &Desk| (effects(desk), desk.rig().fixtures_at(1.0).unwrap(), desk.rig().scene().clone());
+    assert!(effects(&desk).has(Effect::Dither));
+    desk.switch("dither", false).unwrap();
     let before = look(&desk);
     for effect in [Effect::Haze, Effect::Dither, Effect::Shadow] {
         assert!(!before.0.has(effect));

@@ -30,9 +30,14 @@ impl Page {
         Self { tab, complaints: Vec::new(), requests: Vec::new() }
     }
 
-    /// Gives the window a size in pixels.
+    /// Gives the window a size in pixels, each of which is one pixel of the device.
     pub fn resize(&mut self, width: u32, height: u32) -> Result<()> {
-        self.tab.resize(width, height)
+        self.resize_on(width, height, 1.0)
+    }
+
+    /// Gives the window a size in CSS pixels, on a device with this many pixels along each of them.
+    pub fn resize_on(&mut self, width: u32, height: u32, density: f64) -> Result<()> {
+        self.tab.resize(width, height, density)
     }
 
     /// Waits until the page has loaded. Returns `ready` or `failed`.

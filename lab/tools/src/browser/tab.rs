@@ -20,7 +20,7 @@ pub(super) trait Tab: fmt::Debug {
     fn evaluate(&mut self, expression: &str) -> Result<Value>;
 
     /// Gives the page a size in pixels.
-    fn resize(&mut self, width: u32, height: u32) -> Result<()>;
+    fn resize(&mut self, width: u32, height: u32, density: f64) -> Result<()>;
 
     /// Presses the mouse's main button at the first point, moves along the others, and lets go.
     fn drag(&mut self, along: &[(f64, f64)]) -> Result<()>;

@@ -26,7 +26,7 @@ impl ChromiumTab {
             tab.devtools.call("Page.addScriptToEvaluateOnNewDocument", json!({ "source": source }))?;
         }
         let (width, height) = crate::browser::page::WINDOW;
-        tab.resize(width, height)?;
+        tab.resize(width, height, 1.0)?;
         let visit = tab.devtools.call("Page.navigate", json!({ "url": address }))?;
         if let Some(error) = visit["errorText"].as_str() {
             bail!("the browser cannot open {address}: {error}");
@@ -54,8 +54,9 @@ impl Tab for ChromiumTab {
         Ok(answer["result"]["value"].take())
     }
 
-    fn resize(&mut self, width: u32, height: u32) -> Result<()> {
-        let window = json!({ "width": width, "height": height, "deviceScaleFactor": 1, "mobile": false });
+    fn resize(&mut self, width: u32, height: u32, density: f64) -> Result<()> {
+        let window =
+            json!({ "width": width, "height": height, "deviceScaleFactor": density, "mobile": false });
         self.devtools.call("Emulation.setDeviceMetricsOverride", window).map(drop)
     }
 

@@ -34,7 +34,7 @@ impl FirefoxTab {
         let tab = json!({ "type": "tab", "userContext": container });
         let context = name(call("browsingContext.create", tab)?, "context")?;
         let mut tab = Self { session, context, container };
-        tab.resize(WINDOW.0, WINDOW.1)?;
+        tab.resize(WINDOW.0, WINDOW.1, 1.0)?;
         let function = format!("() => {{\n{PROBE};\n{script};\n}}");
         tab.session.borrow_mut().call(
             "script.addPreloadScript",
@@ -68,10 +68,10 @@ impl Tab for FirefoxTab {
         Ok(plain(&answer["result"]))
     }
 
-    fn resize(&mut self, width: u32, height: u32) -> Result<()> {
+    fn resize(&mut self, width: u32, height: u32, density: f64) -> Result<()> {
         let viewport = json!({ "width": width, "height": height });
-        self.call("browsingContext.setViewport", json!({ "viewport": viewport, "devicePixelRatio": 1 }))
-            .map(drop)
+        let size = json!({ "viewport": viewport, "devicePixelRatio": density });
+        self.call("browsingContext.setViewport", size).map(drop)
     }
 
     fn drag(&mut self, along: &[(f64, f64)]) -> Result<()> {

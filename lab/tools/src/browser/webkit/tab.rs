@@ -39,7 +39,7 @@ impl WebKitTab {
     ) -> Result<Box<dyn Tab>> {
         let window = driver.borrow_mut().open()?;
         let mut tab = Self { driver, window, number, log, read: 0 };
-        tab.resize(WINDOW.0, WINDOW.1)?;
+        tab.resize(WINDOW.0, WINDOW.1, 1.0)?;
         tab.call("POST", "/url", &json!({ "url": address }))?;
         Ok(Box::new(tab))
     }
@@ -72,7 +72,8 @@ impl Tab for WebKitTab {
         Ok(answer["value"].take())
     }
 
-    fn resize(&mut self, width: u32, height: u32) -> Result<()> {
+    fn resize(&mut self, width: u32, height: u32, density: f64) -> Result<()> {
+        ensure!(density == 1.0, "WebDriver has no command for {density} pixels of the device a pixel");
         let size = json!({ "width": width, "height": height });
         let found = self.call("POST", "/window/rect", &size)?;
         ensure!(
