@@ -64,7 +64,10 @@ export class ComparisonView {
     this.#scale.onchange = () => this.#request();
     this.#ledger = new Ledger(this.#comparison, this.#forms, prices);
     new Divider(document.getElementById("comparison"));
-    const observer = new ResizeObserver((changes) => changes.forEach(({ target }) => scale(target)));
+    // In the next frame: a change of size within this one would be an error of the observer.
+    const observer = new ResizeObserver((changes) => {
+      requestAnimationFrame(() => changes.forEach(({ target }) => scale(target)));
+    });
     for (const exhibit of document.querySelectorAll(".exhibit")) observer.observe(exhibit);
     for (const side of SIDES) this.#joinSide(side);
   }
